@@ -49,29 +49,22 @@ MeBool mcd_interactionIsBuiltIn(const McdModelPair *p) {
 
 enum { TYPE_BITS = 63 }; /* and one more, by which nothing may be shifted */
 
-/* The types of an instance and its parts, as bits. False: a part has a material of its own, or is a surface that a
- * function of the program makes; or a type is the program's, or has no bit. */
-static MeBool collectTypes(const McdGeometryInstance *ins, MeU64 *types) {
+MeBool mcd_instanceTypes(const McdGeometryInstance *ins, MeU64 *types) {
     const int type = ins->geometry->type;
     const McdKind *kind = mcd_kindOf(ins->geometry);
     if ((ins->parent && ins->material >= 0) || type >= TYPE_BITS || !kind || kind->callsProgram)
         return MEFALSE;
     *types |= (MeU64)1 << type;
     for (const McdGeometryInstance *part = ins->firstChild; part; part = part->nextSibling)
-        if (!collectTypes(part, types))
+        if (!mcd_instanceTypes(part, types))
             return MEFALSE;
     return METRUE;
 }
 
-MeBool mcd_interactionIsBuiltInOfParts(const McdModelPair *p) {
-    McdFramework *frame = mcd_record(p->model1)->frame;
-    MeU64 types[2] = {0, 0};
-    if (!collectTypes(&mcd_record(p->model1)->instance, &types[0]) ||
-        !collectTypes(&mcd_record(p->model2)->instance, &types[1]))
-        return MEFALSE;
-    for (int a = 0; types[0] >> a; a++)
-        for (int b = 0; types[0] >> a & 1 && types[1] >> b; b++)
-            if (types[1] >> b & 1 && !mcd_typesAreBuiltIn(frame, a, b))
+MeBool mcd_typesInteractAsBuiltIn(McdFramework *frame, MeU64 types1, MeU64 types2) {
+    for (int a = 0; types1 >> a; a++)
+        for (int b = 0; types1 >> a & 1 && types2 >> b; b++)
+            if (types2 >> b & 1 && !mcd_typesAreBuiltIn(frame, a, b))
                 return MEFALSE;
     return METRUE;
 }

@@ -459,16 +459,19 @@ static void setSweptMargin(McdModelRecord *m, MeReal reach, MeReal displacement,
     m->turnTravel = MeMIN(turn, m->travel);
 }
 
-/* m: the distance that the model may move in the space's look-ahead time, at most its own radius: with more, it would
+/* isSeen: it has a stamp, so that its radius and reach are known.
+ * m: the distance that the model may move in the space's look-ahead time, at most its own radius: with more, it would
  * get speculative contacts with obstacles that it passes by. */
-static void lookAhead(const McdSpace *s, McdModelRecord *m) {
+static void lookAhead(const McdSpace *s, McdModelRecord *m, MeBool isSeen) {
     MeVector3 centre;
-    MeReal radius;
+    MeReal radius = m->radius, reach = m->reach;
     clearLookAhead(m);
     if (!(s->lookAhead > 0) || (!m->linearVelocity && !m->angularVelocity))
         return;
-    McdGeometryGetBSphere(m->instance.geometry, centre, &radius);
-    const MeReal reach = MeVector3Magnitude(centre) + radius;
+    if (!isSeen) {
+        McdGeometryGetBSphere(m->instance.geometry, centre, &radius);
+        reach = MeVector3Magnitude(centre) + radius;
+    }
     const MeReal turn = s->lookAhead * rateOf(m->angularVelocity) * reach;
     const MeReal displacement = s->lookAhead * rateOf(m->linearVelocity);
     m->lookAhead = s->lookAhead;
@@ -481,11 +484,15 @@ static void lookAhead(const McdSpace *s, McdModelRecord *m) {
     MEASSERT(m->travel >= 0 && m->turnTravel >= 0 && m->turnTravel <= m->travel);
 }
 
-/* Whether the model's box and margin are still valid. Unknown, so false, with an update callback of the model or the
- * space, or a relative transform, which is applied in the update. */
-static MeBool isUpToDate(const McdSpace *s, McdModelRecord *m, MeReal duration) {
-    return !m->update && !s->update && !m->relTM && mcd_modelStamp(m) != 0 && m->stamp == m->boxStamp &&
-           m->boxDuration == duration && m->boxLookAhead == s->lookAhead;
+/* Looks at the model, for a stamp before it is updated. None with an update callback of the model or the space, or a
+ * relative transform, which is applied in the update. */
+static MeBool isSeenBeforeUpdate(const McdSpace *s, McdModelRecord *m) {
+    return !m->update && !s->update && !m->relTM && mcd_modelStamp(m) != 0;
+}
+
+/* Whether the box and margin of a model that has been seen are still valid. */
+static MeBool isUpToDate(const McdSpace *s, const McdModelRecord *m, MeReal duration) {
+    return m->stamp == m->boxStamp && m->boxDuration == duration && m->boxLookAhead == s->lookAhead;
 }
 
 /* Marks the box as valid; another margin gives another stamp, as tests depend on it. */
@@ -500,7 +507,8 @@ static void markBoxValid(const McdSpace *s, McdModelRecord *m, MeReal duration) 
 /* Writes to the proxy and its model alone. */
 static McdBoxUpdate updateProxy(const McdSpace *s, McdProxy *p, MeReal duration) {
     McdModelRecord *m = p->model;
-    if (p->hasBox && isUpToDate(s, m, duration))
+    const MeBool isSeen = p->hasBox && isSeenBeforeUpdate(s, m);
+    if (isSeen && isUpToDate(s, m, duration))
         return MCD_BOX_KEPT;
     if (!m->instance.tm && !m->update && !s->update)
         return MCD_BOX_UNSET;
@@ -511,7 +519,7 @@ static McdBoxUpdate updateProxy(const McdSpace *s, McdProxy *p, MeReal duration)
         return m->instance.tm ? MCD_BOX_UNBOUND : MCD_BOX_UNSET;
     }
     p->isWarned = MEFALSE;
-    lookAhead(s, m);
+    lookAhead(s, m, isSeen);
     const McdBoxUpdate update = takeBox(p);
     markBoxValid(s, m, duration);
     return update;

@@ -16,14 +16,19 @@ struct PartPairs {
     /* Of convex parts whose interaction is the library's own, without a pair of stand-ins; false: it is not served. Or
      * null. */
     MeBool (*visitConvex)(PartPairs *, McdGeometryInstance *part1, McdGeometryInstance *part2);
+    MeReal apart; /* m: what all pairs of parts that have been visited, or skipped, are apart at least; 0: unknown */
     void *data;
 };
 
-static MeBool areNear(const PartPairs *m, const McdGeometryInstance *a, const McdGeometryInstance *b) {
+/* By their boxes; the gap of those that are not counts as apart. */
+static MeBool areNear(PartPairs *m, const McdGeometryInstance *a, const McdGeometryInstance *b) {
+    MeReal gap = -MEINFINITY;
     for (int i = 0; i < 3 && m->margin >= 0; i++)
-        if (a->min[i] - m->margin > b->max[i] || b->min[i] - m->margin > a->max[i])
-            return MEFALSE;
-    return METRUE;
+        gap = MeMAX(gap, MeMAX(a->min[i] - b->max[i], b->min[i] - a->max[i]));
+    if (m->margin < 0 || !(gap > m->margin))
+        return METRUE;
+    m->apart = MeMIN(m->apart, gap);
+    return MEFALSE;
 }
 
 static MeBool isAggregate(const McdGeometryInstance *ins) {
@@ -112,6 +117,7 @@ static void keepResult(Gathering *g, const McdIntersectResult *result, McdGeomet
 
 static void gatherContacts(PartPairs *m, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2) {
     McdIntersectResult result;
+    m->apart = 0;
     if (beginResult(m->data, &result) && (McdIntersect)(parts, &result))
         keepResult(m->data, &result, part1, part2);
 }
@@ -126,8 +132,10 @@ static MeBool gatherConvex(PartPairs *m, McdGeometryInstance *part1, McdGeometry
     mcd_pairOrigin(part1, part2, origin);
     if (!mcd_shapeOf(part1, origin, &a) || !mcd_shapeOf(part2, origin, &b))
         return MEFALSE;
-    if (!mcd_convexManifold(&a, &b, mcd_partsMargin(m->pair, part1, part2), &manifold))
+    if (!mcd_convexManifold(&a, &b, mcd_partsMargin(m->pair, part1, part2), &manifold)) {
+        m->apart = MeMIN(m->apart, (MeReal)manifold.apart);
         return METRUE;
+    }
     if (beginResult(m->data, &result)) {
         mcd_resultAdd(&result, &manifold, origin, part1, part2);
         keepResult(m->data, &result, part1, part2);
@@ -138,7 +146,7 @@ static MeBool gatherConvex(PartPairs *m, McdGeometryInstance *part1, McdGeometry
 static int MEAPI intersect(McdModelPair *p, McdIntersectResult *result) {
     McdFramework *frame = mcd_record(p->model1)->frame;
     Gathering g = {mcd_scratchTake(frame, "McdIntersect"), 0, MeMAX(result->contactMaxCount, 1)};
-    PartPairs m = {p, (MeReal)mcd_pairMargin(p), gatherContacts, gatherConvex, &g};
+    PartPairs m = {p, (MeReal)mcd_pairMargin(p), gatherContacts, gatherConvex, MEINFINITY, &g};
     mcd_resultBegin(result, p);
     if (!g.scratch)
         return 0;
@@ -151,6 +159,7 @@ static int MEAPI intersect(McdModelPair *p, McdIntersectResult *result) {
     if (g.count)
         memcpy(result->contacts, found, (size_t)g.count * sizeof *result->contacts);
     result->contactCount = g.count;
+    result->apart = m.apart < MEINFINITY ? m.apart : 0;
     mcd_scratchGive(frame, g.scratch);
     return mcd_resultEnd(result);
 }
@@ -166,7 +175,7 @@ static void keepEarliest(PartPairs *m, McdModelPair *parts, McdGeometryInstance 
 }
 
 static int MEAPI safeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result) {
-    PartPairs m = {p, -1, keepEarliest, 0, result};
+    PartPairs m = {p, -1, keepEarliest, 0, 0, result};
     result->time = maxTime;
     forEachPairOfParts(&m);
     MEASSERT(result->time >= 0 && result->time <= maxTime);

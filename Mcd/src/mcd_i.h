@@ -125,8 +125,6 @@ MeBool mcd_instanceMakeChildren(McdFramework *frame, McdGeometryInstance *ins, c
 void mcd_instanceFreeChildren(McdFramework *frame, McdGeometryInstance *ins);
 void mcd_instancePlaceChildren(McdGeometryInstance *ins); /* from its own transform, all the way down */
 
-/* mcd_interactionIsBuiltIn of two types. */
-MeBool mcd_typesAreBuiltIn(McdFramework *frame, int type1, int type2);
 /* The material that counts: its own or an ancestor's. */
 unsigned int mcd_instanceMaterial(const McdGeometryInstance *ins);
 /* Is it an instance of a live model? Warns if not. */
@@ -141,10 +139,12 @@ typedef struct McdFilter {
 } McdFilter;
 
 /* All inputs of a model's box, margin and tests; compared bit by bit (mcd_tested.c), so without padding. */
+enum { MCD_SHAPE_PARAMETERS = 4 };
 typedef struct McdModelInputs {
     struct McdShapeInputs {
         const McdGeometry *geometry;
-        MeU64 parameters[4]; /* the geometry's members behind its head */
+        MeU64 parameters[MCD_SHAPE_PARAMETERS]; /* the geometry's members behind its head; of an aggregate a
+                                                   fingerprint of its parts */
         MeReal tolerance;
         MeBool isSwept;
     } shape;
@@ -188,6 +188,7 @@ typedef struct McdModelRecord {
     /* hot: 7 */
     McdGeometryInstance instance;
     /* cold */
+    MeU64 types; /* mcd_instanceTypes, as of `inputs` */
     void *userData;
     int requestId;
     MeMatrix4Ptr refTM; /* null unless relative */
@@ -355,11 +356,14 @@ MeU64 mcd_modelStampInRound(McdModelRecord *m);
 MeU64 mcd_modelNewStamp(McdModelRecord *m);
 /* Sets the library's own functions for two types. False, with a warning, for a type that is none. */
 MeBool mcd_interactionRegister(McdFramework *frame, int type1, int type2, const McdInteractions *library);
-/* Do the pair's models interact as the library has it, not by a function of the program's? */
+/* Do two types, or the pair's models, interact as the library has it, not by a function of the program's? */
+MeBool mcd_typesAreBuiltIn(McdFramework *frame, int type1, int type2);
 MeBool mcd_interactionIsBuiltIn(const McdModelPair *p);
-/* Does that hold for all their parts too, which have no materials of their own, and none of which is a surface that a
- * function of the program makes? */
-MeBool mcd_interactionIsBuiltInOfParts(const McdModelPair *p);
+/* The types of an instance and its parts, as bits. False: a part has a material of its own, or is a surface that a
+ * function of the program makes; or a type is the program's, or has no bit. */
+MeBool mcd_instanceTypes(const McdGeometryInstance *ins, MeU64 *types);
+/* Does each of these types interact with each of those as the library has it? */
+MeBool mcd_typesInteractAsBuiltIn(McdFramework *frame, MeU64 types1, MeU64 types2);
 /* m: the gap up to which a pair gets contacts (speculative margin): its tolerances, and the distance by which the two
  * may approach before the next test. */
 double mcd_pairMargin(const McdModelPair *p);

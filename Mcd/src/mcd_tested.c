@@ -1,11 +1,12 @@
 /* Change detection: whether a model's box, and the result of a pair's test, are still valid.
  *
- * For convex shapes and planes they depend on transform, size and velocity only. A model gets a new stamp (version)
- * when any bit of these has changed since the last comparison; a pair keeps the stamps of its models at its last test,
- * and their relative pose. Triangle lists, height fields, aggregates and a program's own types may depend on more: they
- * are always tested.
+ * For convex shapes, planes, and aggregates of these, they depend on transform, size and velocity only. A model gets a
+ * new stamp (version) when any bit of these has changed since the last comparison; a pair keeps the stamps of its
+ * models at its last test, and their relative pose. Triangle lists, height fields, parts with a material of their own
+ * and a program's own types may depend on more: they are always tested.
  */
 #include "McdInternal.h"
+#include "mcd_geometries_i.h"
 #include "mcd_kind_i.h"
 #include "mcd_space_i.h"
 #include <string.h>
@@ -16,17 +17,62 @@ static void copyIfThere(MeVector3 to, const MeReal *from) {
         memcpy(to, from, sizeof(MeVector3));
 }
 
+/* What a shape's tests depend on beside its place: its own members. False: they may depend on more. */
+static MeBool readParameters(const McdGeometry *g, MeU64 parameters[MCD_SHAPE_PARAMETERS]) {
+    const McdKind *kind = mcd_kindOf(g);
+    if (!kind || kind->size == 0)
+        return MEFALSE;
+    const size_t bytes = kind->size - sizeof *g;
+    MEASSERT(bytes <= MCD_SHAPE_PARAMETERS * sizeof *parameters);
+    memcpy(parameters, (const char *)g + sizeof *g, bytes);
+    return METRUE;
+}
+
+/* Mixes a word into a fingerprint of 128 bits. Each half is one to one in the word: what changes in one word is always
+ * seen. */
+static void addWord(MeU64 print[2], MeU64 word) {
+    print[0] = (print[0] ^ word) * 0x9e3779b97f4a7c15ull;
+    print[0] ^= print[0] >> 29;
+    print[1] = (print[1] + word) * 0xbf58476d1ce4e5b9ull;
+    print[1] ^= print[1] >> 32;
+}
+
+/* Mixes in all parts of an aggregate: their places in it, shapes, and where a program has them written. */
+static MeBool addParts(const McdGeometryInstance *ins, MeU64 print[2]) {
+    const McdAggregate *aggregate = mcd_partsOf(ins->geometry);
+    for (const McdGeometryInstance *part = ins->firstChild; part; part = part->nextSibling) {
+        struct {
+            const McdGeometry *geometry;
+            const MeVector4 *tm;
+            MeU64 parameters[MCD_SHAPE_PARAMETERS];
+            MeMatrix4 relTM;
+        } all;
+        MeU64 word[sizeof all / sizeof(MeU64)];
+        memset(&all, 0, sizeof all);
+        all.geometry = part->geometry;
+        all.tm = mcd_const(part->tm);
+        memcpy(all.relTM, aggregate->element[part->element].relTM, sizeof all.relTM);
+        const MeBool isKnown =
+            mcd_partsOf(part->geometry) ? addParts(part, print) : readParameters(part->geometry, all.parameters);
+        if (!isKnown || part->material >= 0)
+            return MEFALSE;
+        memcpy(word, &all, sizeof word);
+        for (size_t i = 0; i < sizeof word / sizeof *word; i++)
+            addWord(print, word[i]);
+    }
+    return METRUE;
+}
+
 /* All inputs of a model's tests, except the space's look-ahead. */
 static MeBool readInputs(const McdModelRecord *m, McdModelInputs *inputs) {
     const McdGeometry *g = m->instance.geometry;
-    const McdKind *kind = mcd_kindOf(g);
-    if (!kind || kind->size == 0 || m->intersect || !m->instance.tm)
+    if (m->intersect || !m->instance.tm)
         return MEFALSE;
-    const size_t bytes = kind->size - sizeof *g;
-    MEASSERT(bytes <= sizeof inputs->shape.parameters);
     memset(inputs, 0, sizeof *inputs);
     inputs->shape.geometry = g;
-    memcpy(inputs->shape.parameters, (const char *)g + sizeof *g, bytes);
+    if (!(mcd_partsOf(g) ? addParts(&m->instance, inputs->shape.parameters)
+                         : readParameters(g, inputs->shape.parameters)))
+        return MEFALSE;
     for (int i = 0; i < 3; i++)
         memcpy(inputs->axis[i], m->instance.tm[i], sizeof inputs->axis[i]);
     memcpy(inputs->place, m->instance.tm[3], sizeof inputs->place);
@@ -54,6 +100,8 @@ static void storeInputs(McdModelRecord *m, const McdModelInputs *now) {
     if (!isOtherShape)
         return;
     m->shapeStamp = m->stamp;
+    m->types = 0;
+    mcd_instanceTypes(&m->instance, &m->types);
     McdGeometryGetBSphere(m->instance.geometry, centre, &m->radius);
     m->reach = m->radius + MeVector3Magnitude(centre);
 }
@@ -151,6 +199,17 @@ static MeBool isAlike(const McdTest *now, const McdTest *before, const MeBool ma
            now->contactMaxCount == before->contactMaxCount && now->faceNormalsFirst == before->faceNormalsFirst;
 }
 
+static MeBool hasParts(const McdModelRecord *m) {
+    return mcd_partsOf(m->instance.geometry) != 0;
+}
+
+/* Of models that have stamps: is each interaction of their shapes, or parts, the library's own? */
+static MeBool isBuiltIn(const McdModelPair *p) {
+    const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
+    return hasParts(a) || hasParts(b) ? mcd_typesInteractAsBuiltIn(a->frame, a->types, b->types)
+                                      : mcd_interactionIsBuiltIn(p);
+}
+
 void MEAPI McdModelPairLookAtModels(const McdModelPair *p) {
     mcd_modelStampInRound(mcd_record(p->model1));
     mcd_modelStampInRound(mcd_record(p->model2));
@@ -172,7 +231,7 @@ McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool 
                                            .faceNormalsFirst = request->faceNormalsFirst};
     p->test = now;
     const MeBool isComparable =
-        now.stamp1 != 0 && now.stamp2 != 0 && before.stamp1 != 0 && before.stamp2 != 0 && mcd_interactionIsBuiltIn(p);
+        now.stamp1 != 0 && now.stamp2 != 0 && before.stamp1 != 0 && before.stamp2 != 0 && isBuiltIn(p);
     if (isComparable && memcmp(&now, &before, sizeof now) == 0)
         return McdPairIsUnchanged;
     if (isComparable && isAlike(&now, &before, mayMove) && mayTestHold(p, part)) {
@@ -212,7 +271,9 @@ MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p) {
         return MEFALSE;
     if (isSimple(a) && isSimple(b))
         return mcd_interactionIsBuiltIn(p);
-    return !(mcd_fastMargin(a) > 0) && !(mcd_fastMargin(b) > 0) && mcd_interactionIsBuiltInOfParts(p);
+    MeU64 types[2] = {0, 0};
+    return !(mcd_fastMargin(a) > 0) && !(mcd_fastMargin(b) > 0) && mcd_instanceTypes(&a->instance, &types[0]) &&
+           mcd_instanceTypes(&b->instance, &types[1]) && mcd_typesInteractAsBuiltIn(a->frame, types[0], types[1]);
 }
 
 void MEAPI McdModelPairNoteTest(McdModelPair *p) {

@@ -7,12 +7,25 @@
 enum { ROWS = 9, BOXES = ROWS * (ROWS + 1) / 2 }; /* 45: a crowd is more than 32 */
 
 static MstUniverseID u;
-static McdGeometryID cube;
+static McdGeometryID box; /* what each model is, or has twice as a part */
 static McdModelID model[BOXES], ground;
 static MeMatrix4 groundPlace;
 
-/* Boxes in a vertical pyramid, of which each row stands 2 mm above the one below. */
-static void build(double part) {
+/* A cube of two halves, side by side. */
+static McdGeometryID makeHalves(void) {
+    const McdAggregateID both = McdAggregateCreate(u->frame, 2);
+    MeMatrix4 place;
+    MeMatrix4TMMakeIdentity(place);
+    box = McdBoxCreate(u->frame, 1, (MeReal).5, 1);
+    for (int i = 0; i < 2; i++) {
+        place[3][1] = (MeReal)(i ? .25 : -.25);
+        McdAggregateAddElement(both, box, place);
+    }
+    return both;
+}
+
+/* Cubes in a vertical pyramid, of which each row stands 2 mm above the one below. */
+static void build(double part, MeBool areHalved) {
     MstUniverseSizes sizes = MstUniverseDefaultSizes;
     sizes.dynamicConstraintsMaxCount = 2000;
     u = MstUniverseCreate(&sizes);
@@ -26,7 +39,8 @@ static void build(double part) {
     MstBridgeSetContactReuse(u->bridge, (MeReal)part);
     MeMatrix4TMMakeIdentity(groundPlace);
     ground = MstFixedModelCreate(u, McdBoxCreate(u->frame, 40, 40, 1), groundPlace);
-    cube = McdBoxCreate(u->frame, 1, 1, 1);
+    box = McdBoxCreate(u->frame, 1, 1, 1);
+    const McdGeometryID cube = areHalved ? makeHalves() : box;
     int n = 0;
     for (int row = 0; row < ROWS; row++)
         for (int i = 0; i < ROWS - row; i++) {
@@ -65,12 +79,12 @@ static void findContacts(void) {
 
 START_TEST(a_crowd_comes_to_rest_as_it_does_without) {
     double tested[BOXES];
-    build(0);
+    build(0, _i);
     step(120);
     for (int i = 0; i < BOXES; i++)
         tested[i] = heightOf(model[i]);
     MstUniverseDestroy(u);
-    build(MST_CONTACT_REUSE);
+    build(MST_CONTACT_REUSE, _i);
     step(120);
     for (int i = 0; i < BOXES; i++)
         assert_near(heightOf(model[i]), tested[i], TOL(2e-6, 1e-6));
@@ -84,7 +98,7 @@ END_TEST
 /* Each is less than what a pair may move without a test. */
 START_TEST(a_change_by_the_program_is_seen) {
     MeVector3 p;
-    build(MST_CONTACT_REUSE);
+    build(MST_CONTACT_REUSE, _i);
     step(90);
     const double before = depthOf(model[0]);
     McdModelDynamicsGetPosition(model[0], p);
@@ -94,10 +108,10 @@ START_TEST(a_change_by_the_program_is_seen) {
     McdModelDynamicsSetPosition(model[0], p[0], p[1], p[2]);
     findContacts();
     assert_near(depthOf(model[0]), before, 1e-6);
-    McdBoxGetRadii(cube)[2] = (MeReal).5001; /* all of them, by 1e-4 on either side */
+    McdBoxGetRadii(box)[2] = (MeReal).5001; /* all of them, by 1e-4 on either side */
     findContacts();
     assert_near(depthOf(model[0]), before + 2e-4, 1e-6); /* that of the box above it */
-    McdBoxGetRadii(cube)[2] = (MeReal).5;
+    McdBoxGetRadii(box)[2] = (MeReal).5;
     findContacts();
     assert_near(depthOf(model[0]), before, 1e-6);
     groundPlace[3][2] += (MeReal)1e-4; /* programs move fixed models by their matrix */
@@ -120,7 +134,7 @@ static double depthsOf(McdModelID m) {
 /* The box at the top is tilted by less than what asks for a test: so are the depths of its four corners. */
 START_TEST(depths_follow_the_bodies) {
     double most = 0;
-    build(MST_CONTACT_REUSE);
+    build(MST_CONTACT_REUSE, _i);
     const McdModelID top = model[BOXES - 1];
     step(90);
     const double still = depthsOf(top);
@@ -142,7 +156,7 @@ START_TEST(depths_follow_the_bodies) {
 END_TEST
 
 START_TEST(bad_input_changes_nothing) {
-    build(MST_CONTACT_REUSE);
+    build(MST_CONTACT_REUSE, MEFALSE);
     messages_catch();
     MstBridgeSetContactReuse(u->bridge, -1);
     assert_warned("MstBridgeSetContactReuse");
@@ -157,9 +171,10 @@ START_TEST(bad_input_changes_nothing) {
 END_TEST
 
 static void tests(TCase *t) {
-    tcase_add_test(t, a_crowd_comes_to_rest_as_it_does_without);
-    tcase_add_test(t, a_change_by_the_program_is_seen);
-    tcase_add_test(t, depths_follow_the_bodies);
+    /* of cubes, and of cubes in halves */
+    tcase_add_loop_test(t, a_crowd_comes_to_rest_as_it_does_without, 0, 2);
+    tcase_add_loop_test(t, a_change_by_the_program_is_seen, 0, 2);
+    tcase_add_loop_test(t, depths_follow_the_bodies, 0, 2);
     tcase_add_test(t, bad_input_changes_nothing);
 }
 
