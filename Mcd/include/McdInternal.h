@@ -44,12 +44,13 @@ typedef enum McdPairChange {
 MEPUBLIC void MEAPI McdModelPairLookAtModels(const McdModelPair *p);
 /** Whether both models have been compared in this round. */
 MEPUBLIC MeBool MEAPI McdModelPairHasSeenModels(const McdModelPair *p);
-/** Compares a pair with its last test. Other results than McdPairHasChanged are given only for two convex models or
- *  planes with the library's own interaction, without callbacks, and with unchanged sizes and margins. McdPairHasMoved:
- *  since the last test (McdModelPairNoteTest) no point of the smaller model has moved relative to the other by more
- *  than @a part of its size, or a quarter of the pair's margin; or, whatever the part, by as much as the models were
- *  apart then (McdModelPairNoteApart), so that a test would find nothing; and only models that @a mayMove have moved
- *  since the last call. */
+/** Compares a pair with its last test. Other results than McdPairHasChanged are given only for convex models, planes,
+ *  and aggregates of these whose parts have no materials of their own, with the library's own interactions, without
+ *  callbacks, and with unchanged sizes, places of parts and margins. McdPairHasMoved: since the last test
+ *  (McdModelPairNoteTest) no point of the smaller model has moved relative to the other by more than @a part of its
+ *  size, or a quarter of the pair's margin; or, whatever the part, by as much as the models were apart then
+ *  (McdModelPairNoteApart), so that a test would find nothing; and only models that @a mayMove have moved since the
+ *  last call. */
 MEPUBLIC McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool mayMove[2]);
 /** What of a pair's models decides how it is handled; flags. */
 typedef enum McdPairTrait {

@@ -49,8 +49,8 @@ MEPUBLIC MstPerPairCBPtr MEAPI MstBridgeGetPerPairCB(const MstBridgeID b, const 
  *  Both end the space's change block and begin the next one.
  *  @{ */
 /** Makes the contacts of all pairs of the space: transitions, then collisions, until all pairs are done. A pair of
- *  convex geometries or planes that stands still to the last bit keeps its contacts as they are, with what a program
- *  has written to their places and normals meanwhile; their parameters follow the materials. */
+ *  convex geometries, planes or aggregates of these that stands still to the last bit keeps its contacts as they are,
+ *  with what a program has written to their places and normals meanwhile; their parameters follow the materials. */
 MEPUBLIC void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, const MdtWorldID w);
 /** Handles hello and goodbye pairs only: after models were put into the space or taken out. */
 MEPUBLIC void MEAPI MstBridgeUpdateTransitions(const MstBridgeID b, const McdSpaceID s, const MdtWorldID w);
@@ -60,11 +60,12 @@ MEPUBLIC void MEAPI MstBridgeUpdateTransitions(const MstBridgeID b, const McdSpa
  *  @{ */
 #define MST_CONTACT_REUSE 1e-3 /**< default of MstBridgeSetContactReuse */
 /**
- * A pair of convex models or planes is not tested again while no point of the smaller one has moved against the other
- * by more than @a part of its size (the radius of its sphere), 0..1, or a quarter of the two contact tolerances: its
- * contacts are carried along with the bodies. What a test would have found differs by at most that. Pairs with a
- * callback, sensors, swept models and round surfaces are tested in every step, and so are those in partitions of up to
- * 32 bodies. 0: all are that have moved at all, so that contacts are those of a test to the last bit. Beyond Karma.
+ * A pair of convex models, planes or aggregates of these is not tested again while no point of the smaller one has
+ * moved against the other by more than @a part of its size (the radius of its sphere), 0..1, or a quarter of the two
+ * contact tolerances: its contacts are carried along with the bodies. What a test would have found differs by at most
+ * that. Pairs with a callback, sensors, swept models, round surfaces and parts with materials of their own are tested
+ * in every step, and so are those in partitions of up to 32 bodies. 0: all are that have moved at all, so that
+ * contacts are those of a test to the last bit. Beyond Karma.
  */
 MEPUBLIC void MEAPI MstBridgeSetContactReuse(const MstBridgeID b, const MeReal part);
 MEPUBLIC MeReal MEAPI MstBridgeGetContactReuse(const MstBridgeID b);
