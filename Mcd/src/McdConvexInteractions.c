@@ -31,18 +31,23 @@ static int convexIntersect(McdModelPair *p, McdIntersectResult *result, int type
     return hasTypes(p, result, type1, type2, function) ? mcd_convexContacts(p, result, function) : 0;
 }
 
-int mcd_convexContacts(McdModelPair *p, McdIntersectResult *result, const char *function) {
-    McdGeometryInstance *ins1 = &mcd_record(p->model1)->instance, *ins2 = &mcd_record(p->model2)->instance;
+MeBool mcd_convexInstances(McdGeometryInstance *ins1, McdGeometryInstance *ins2, double margin,
+                           McdIntersectResult *result) {
     double origin[3];
     McdShape a, b;
     McdManifold m;
     mcd_pairOrigin(ins1, ins2, origin);
     if (!mcd_shapeOf(ins1, origin, &a) || !mcd_shapeOf(ins2, origin, &b))
-        return notPlaced(function);
-    if (mcd_convexManifold(&a, &b, mcd_pairMargin(p), &m))
+        return MEFALSE;
+    if (mcd_convexManifold(&a, &b, margin, &m))
         mcd_resultAdd(result, &m, origin, ins1, ins2);
     result->apart = (MeReal)m.apart;
-    return mcd_resultEnd(result);
+    return METRUE;
+}
+
+int mcd_convexContacts(McdModelPair *p, McdIntersectResult *result, const char *function) {
+    McdGeometryInstance *ins1 = &mcd_record(p->model1)->instance, *ins2 = &mcd_record(p->model2)->instance;
+    return mcd_convexInstances(ins1, ins2, mcd_pairMargin(p), result) ? mcd_resultEnd(result) : notPlaced(function);
 }
 
 /* The plane's normal, and how high it is over the origin. */

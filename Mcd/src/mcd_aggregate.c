@@ -13,14 +13,14 @@ struct PartPairs {
     McdModelPair *pair;
     MeReal margin; /* m: pairs of parts whose boxes are farther apart are skipped; negative: none are */
     void (*visit)(PartPairs *, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2);
-    /* Of convex parts whose interaction is the library's own, without a pair of stand-ins; false: it is not served. Or
-     * null. */
+    /* May be null. The same for convex parts that interact as the library has it, without stand-in models; false: not
+     * for this pair. */
     MeBool (*visitConvex)(PartPairs *, McdGeometryInstance *part1, McdGeometryInstance *part2);
-    MeReal apart; /* m: what all pairs of parts that have been visited, or skipped, are apart at least; 0: unknown */
+    MeReal apart; /* m: a lower bound of the gap between all pairs of parts so far; 0: unknown */
     void *data;
 };
 
-/* By their boxes; the gap of those that are not counts as apart. */
+/* By their boxes, whose gap is a lower bound of that between the parts. */
 static MeBool areNear(PartPairs *m, const McdGeometryInstance *a, const McdGeometryInstance *b) {
     MeReal gap = -MEINFINITY;
     for (int i = 0; i < 3 && m->margin >= 0; i++)
@@ -123,23 +123,15 @@ static void gatherContacts(PartPairs *m, McdModelPair *parts, McdGeometryInstanc
 }
 
 static MeBool gatherConvex(PartPairs *m, McdGeometryInstance *part1, McdGeometryInstance *part2) {
-    double origin[3];
-    McdShape a, b;
-    McdManifold manifold;
     McdIntersectResult result;
     if (McdModelPairGetRequestPtr(m->pair)->faceNormalsFirst)
         return MEFALSE;
-    mcd_pairOrigin(part1, part2, origin);
-    if (!mcd_shapeOf(part1, origin, &a) || !mcd_shapeOf(part2, origin, &b))
-        return MEFALSE;
-    if (!mcd_convexManifold(&a, &b, mcd_partsMargin(m->pair, part1, part2), &manifold)) {
-        m->apart = MeMIN(m->apart, (MeReal)manifold.apart);
+    if (!beginResult(m->data, &result))
         return METRUE;
-    }
-    if (beginResult(m->data, &result)) {
-        mcd_resultAdd(&result, &manifold, origin, part1, part2);
-        keepResult(m->data, &result, part1, part2);
-    }
+    if (!mcd_convexInstances(part1, part2, mcd_partsMargin(m->pair, part1, part2), &result))
+        return MEFALSE;
+    m->apart = MeMIN(m->apart, result.apart); /* with contacts 0 */
+    keepResult(m->data, &result, part1, part2);
     return METRUE;
 }
 

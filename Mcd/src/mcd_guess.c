@@ -1,10 +1,11 @@
-/* Guesses of the contact normal, in closed form, and their verification: what they serve needs no search.
+/* Candidates for the contact normal in closed form, and their verification: pairs that these serve need no GJK and EPA.
  *
- * Shapes at rest mostly touch along the normal of a flat face. Round sides, of sphyls and cylinders, touch across both
- * axes, across an axis and an edge of a box, or across the axis, where the rim of the other is nearest to it. The guess
- * is the best of these as separating axis. Where the shapes are apart, it is right if their faces along it are as near
- * as it says (mcd_facesManifold). Where they overlap, if no direction is less deep: if M, their Minkowski difference,
- * contains the ball around the origin with the guessed depth as radius. */
+ * Shapes at rest mostly touch along the normal of a flat face. A cylinder's side or rim touches another cylinder, a
+ * sphyl or a box along a normal across two axes or edges, from an axis to a corner, from an axis or edge to the nearest
+ * point of a rim, or between two rims. The guess is the best of these as separating axis. Where the shapes are apart,
+ * it is right if their faces along it are as near as it says (mcd_facesManifold). Where they overlap, if no direction
+ * is less deep: if M, their Minkowski difference, contains the ball around the origin with the guessed depth as radius.
+ */
 #include "mcd_kind_i.h"
 
 typedef struct Pair {

@@ -144,7 +144,7 @@ typedef struct McdModelInputs {
     struct McdShapeInputs {
         const McdGeometry *geometry;
         MeU64 parameters[MCD_SHAPE_PARAMETERS]; /* the geometry's members behind its head; of an aggregate a
-                                                   fingerprint of its parts */
+                                                   hash of its parts */
         MeReal tolerance;
         MeBool isSwept;
     } shape;

@@ -79,6 +79,9 @@ void mcd_kindRegisterInteractions(McdFramework *frame, const McdKind *kind, cons
 /* Interactions of convex types, with pairs whose types have been checked: two of them; one and a half-space, in either
  * order. The function is named in messages. */
 int mcd_convexContacts(McdModelPair *p, McdIntersectResult *result, const char *function);
+/* Adds the contacts of two convex instances, and sets result->apart; false: one has no valid transform. */
+MeBool mcd_convexInstances(McdGeometryInstance *ins1, McdGeometryInstance *ins2, double margin,
+                           McdIntersectResult *result);
 int mcd_planeContacts(McdModelPair *p, McdIntersectResult *result, const char *function);
 
 /* The entries that all built-in types have, from the functions of their headers. */

@@ -28,17 +28,17 @@ static MeBool readParameters(const McdGeometry *g, MeU64 parameters[MCD_SHAPE_PA
     return METRUE;
 }
 
-/* Mixes a word into a fingerprint of 128 bits. Each half is one to one in the word: what changes in one word is always
- * seen. */
-static void addWord(MeU64 print[2], MeU64 word) {
-    print[0] = (print[0] ^ word) * 0x9e3779b97f4a7c15ull;
-    print[0] ^= print[0] >> 29;
-    print[1] = (print[1] + word) * 0xbf58476d1ce4e5b9ull;
-    print[1] ^= print[1] >> 32;
+/* Mixes a word into a hash of 128 bits. Each half is one to one in the word, so a change of one word always changes the
+ * hash; changes of several could cancel out by chance only. */
+static void addWord(MeU64 hash[2], MeU64 word) {
+    hash[0] = (hash[0] ^ word) * 0x9e3779b97f4a7c15ull;
+    hash[0] ^= hash[0] >> 29;
+    hash[1] = (hash[1] + word) * 0xbf58476d1ce4e5b9ull;
+    hash[1] ^= hash[1] >> 32;
 }
 
-/* Mixes in all parts of an aggregate: their places in it, shapes, and where a program has them written. */
-static MeBool addParts(const McdGeometryInstance *ins, MeU64 print[2]) {
+/* Hashes all parts of an aggregate: their places in it, shapes, and the program's pointers for their transforms. */
+static MeBool addParts(const McdGeometryInstance *ins, MeU64 hash[2]) {
     const McdAggregate *aggregate = mcd_partsOf(ins->geometry);
     for (const McdGeometryInstance *part = ins->firstChild; part; part = part->nextSibling) {
         struct {
@@ -53,12 +53,12 @@ static MeBool addParts(const McdGeometryInstance *ins, MeU64 print[2]) {
         all.tm = mcd_const(part->tm);
         memcpy(all.relTM, aggregate->element[part->element].relTM, sizeof all.relTM);
         const MeBool isKnown =
-            mcd_partsOf(part->geometry) ? addParts(part, print) : readParameters(part->geometry, all.parameters);
+            mcd_partsOf(part->geometry) ? addParts(part, hash) : readParameters(part->geometry, all.parameters);
         if (!isKnown || part->material >= 0)
             return MEFALSE;
         memcpy(word, &all, sizeof word);
         for (size_t i = 0; i < sizeof word / sizeof *word; i++)
-            addWord(print, word[i]);
+            addWord(hash, word[i]);
     }
     return METRUE;
 }
@@ -101,7 +101,9 @@ static void storeInputs(McdModelRecord *m, const McdModelInputs *now) {
         return;
     m->shapeStamp = m->stamp;
     m->types = 0;
-    mcd_instanceTypes(&m->instance, &m->types);
+    const MeBool areTypesKnown = mcd_instanceTypes(&m->instance, &m->types);
+    MEASSERT(areTypesKnown); /* built-in types, parts without materials: what has inputs to compare */
+    (void)areTypesKnown;
     McdGeometryGetBSphere(m->instance.geometry, centre, &m->radius);
     m->reach = m->radius + MeVector3Magnitude(centre);
 }

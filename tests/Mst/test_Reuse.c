@@ -11,8 +11,7 @@ static McdGeometryID box; /* what each model is, or has twice as a part */
 static McdModelID model[BOXES], ground;
 static MeMatrix4 groundPlace;
 
-/* A cube of two parts that overlap: of halves the inner faces would meet, of which no direction is the nearest way out.
- */
+/* A cube of two parts that overlap. Of halves side by side, an outer half would touch another cube's inner face. */
 static McdGeometryID makeOfParts(void) {
     const McdAggregateID both = McdAggregateCreate(u->frame, 2);
     MeMatrix4 place;
@@ -139,8 +138,7 @@ START_TEST(depths_follow_the_bodies) {
     const McdModelID top = model[BOXES - 1];
     step(90);
     const double still = depthsOf(top);
-    const MeReal lift =
-        (MeReal)9.8 * MdtBodyGetMass(McdModelGetBody(top)); /* nearly its weight: it falls back slowly */
+    const MeReal lift = (MeReal)9.8 * MdtBodyGetMass(McdModelGetBody(top)); /* nearly its weight: a slow fall */
     for (int i = 0; i < 12; i++) {
         MdtBodySetAngularVelocity(McdModelGetBody(top), (MeReal)(i % 3 ? .02 : -.02), (MeReal).01, 0);
         MdtBodyAddForce(McdModelGetBody(top), 0, 0, lift);
