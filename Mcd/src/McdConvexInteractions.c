@@ -31,17 +31,32 @@ static int convexIntersect(McdModelPair *p, McdIntersectResult *result, int type
     return hasTypes(p, result, type1, type2, function) ? mcd_convexContacts(p, result, function) : 0;
 }
 
+static void addManifold(const McdShape *a, const McdShape *b, const double origin[3], McdGeometryInstance *ins1,
+                        McdGeometryInstance *ins2, double margin, McdIntersectResult *result) {
+    McdManifold m;
+    if (mcd_convexManifold(a, b, margin, &m))
+        mcd_resultAdd(result, &m, origin, ins1, ins2);
+    result->apart = (MeReal)m.apart;
+}
+
 MeBool mcd_convexInstances(McdGeometryInstance *ins1, McdGeometryInstance *ins2, double margin,
                            McdIntersectResult *result) {
     double origin[3];
     McdShape a, b;
-    McdManifold m;
     mcd_pairOrigin(ins1, ins2, origin);
     if (!mcd_shapeOf(ins1, origin, &a) || !mcd_shapeOf(ins2, origin, &b))
         return MEFALSE;
-    if (mcd_convexManifold(&a, &b, margin, &m))
-        mcd_resultAdd(result, &m, origin, ins1, ins2);
-    result->apart = (MeReal)m.apart;
+    addManifold(&a, &b, origin, ins1, ins2, margin, result);
+    return METRUE;
+}
+
+MeBool mcd_convexModels(McdModelRecord *m1, McdModelRecord *m2, double margin, McdIntersectResult *result) {
+    double origin[3];
+    McdShape a, b;
+    mcd_pairOrigin(&m1->instance, &m2->instance, origin);
+    if (!mcd_shapeInRound(m1, origin, &a) || !mcd_shapeInRound(m2, origin, &b))
+        return MEFALSE;
+    addManifold(&a, &b, origin, &m1->instance, &m2->instance, margin, result);
     return METRUE;
 }
 

@@ -1,5 +1,6 @@
 /* The narrow phase of a pair of models: dispatch by the framework's table of interactions. */
 #include "McdContact.h"
+#include "McdInternal.h"
 #include "mcd_kind_i.h"
 #include "mcd_scratch_i.h"
 #include "mcd_spread_i.h"
@@ -274,6 +275,27 @@ MeBool MEAPI(McdIntersect)(McdModelPair *p, McdIntersectResult *result) {
         mcd_record(p->model1)->intersect(p->model1, result);
     if (mcd_record(p->model2)->intersect)
         mcd_record(p->model2)->intersect(p->model2, result);
+    return METRUE;
+}
+
+MeBool MEAPI McdModelPairIntersectPlain(McdModelPair *p, McdIntersectResult *result) {
+    MEASSERT(p && result && McdModelPairIsPlain(p));
+    const int max = result->contactMaxCount;
+    const McdRequest *request = p->request ? p->request : mcd_record(p->model1)->frame->defaultRequest;
+    const MeBool isTurned = !cellOf(p->model1, p->model2)->isSet;
+    McdModelRecord *const a = mcd_record(isTurned ? p->model2 : p->model1);
+    McdModelRecord *const b = mcd_record(isTurned ? p->model1 : p->model2);
+    if (request->faceNormalsFirst)
+        return (McdIntersect)(p, result);
+    mcd_resultBegin(result, p);
+    result->contactMaxCount = MeMIN(max, MeMAX(request->contactMaxCount, 1));
+    const MeBool areConvex = mcd_convexModels(a, b, mcd_pairMargin(p), result);
+    result->contactMaxCount = max;
+    if (!areConvex)
+        return (McdIntersect)(p, result);
+    mcd_resultEnd(result);
+    if (isTurned)
+        turnContacts(result);
     return METRUE;
 }
 

@@ -6,6 +6,7 @@
  */
 #include "mcd_kind_i.h"
 
+#include <stdbool.h>
 #include <string.h>
 
 /* Rounding of positions, relative to the smaller shape: corners outside by less count as inside, separations that
@@ -79,9 +80,6 @@ void mcd_faceToward(const McdShape *s, const double direction[3], McdFace *f) {
 typedef struct Candidate {
     double x, y, a, b;
     MeU64 feature;
-    MeU32 edge;     /* feature of the edge that begins here */
-    MeBool edgeIsB; /* that edge is b's */
-    int index;      /* of b's corner where it begins */
 } Candidate;
 
 enum { MAX_CANDIDATES = 2 * MCD_FACE_POINTS };
@@ -126,17 +124,37 @@ static MeBool makeOutline(const View *v, const McdFace *f, MeBool isMirrored, Ou
     return METRUE;
 }
 
-static Candidate cross(const Candidate *p, const Candidate *q, double dp, double dq, const Outline *b, int j) {
+/* A corner of the polygon that is left of a while b's edges cut it: a corner of a or b, or where two edges cross; and
+ * the edge that begins there. */
+typedef struct Corner {
+    double x, y, a;        /* a: height on a, where that is a line */
+    MeU8 ofA, ofB;         /* index of the corner, or of the edge; none: inside of it */
+    MeU8 edge;             /* index */
+    bool isCross, isEdgeB; /* whether both are edges; whose the edge that begins here is */
+} Corner;
+
+static const MeU8 none = 255; /* an index of no corner */
+_Static_assert(MCD_FACE_POINTS <= 255, "an index of a corner is a byte");
+
+/* Where the edge from p to q, of a or b, crosses b's edge j: of two edges of b, their common corner. */
+static Corner cross(const Corner *p, const Corner *q, double dp, double dq, const Outline *b, int j) {
     const double t = dp / (dp - dq);
     MEASSERT(t >= 0 && t <= 1); /* one is inside, the other is not */
-    Candidate s = {.x = p->x + t * (q->x - p->x), .y = p->y + t * (q->y - p->y), .a = p->a + t * (q->a - p->a)};
-    if (p->edgeIsB) { /* a corner of b's */
-        const int corner = j == (p->index + 1) % b->count ? j : p->index;
-        s.feature = code(CORNER, b->id, b->name[corner]);
-    } else {
-        s.feature = featureOfPair(p->edge, code(EDGE, b->id, b->name[j]));
-    }
-    return s;
+    Corner c = {.x = p->x + t * (q->x - p->x),
+                .y = p->y + t * (q->y - p->y),
+                .a = p->a + t * (q->a - p->a),
+                .ofA = p->isEdgeB ? none : p->edge,
+                .ofB = (MeU8)j,
+                .isCross = !p->isEdgeB};
+    if (p->isEdgeB && j != (p->edge + 1) % b->count)
+        c.ofB = p->edge;
+    return c;
+}
+
+static MeU64 featureOfCorner(const Corner *c, const Outline *a, const Outline *b) {
+    const MeU32 kind = c->isCross ? EDGE : CORNER;
+    return featureOfPair(c->ofA == none ? code(INSIDE, a->id, 0) : code(kind, a->id, a->name[c->ofA]),
+                         c->ofB == none ? code(INSIDE, b->id, 0) : code(kind, b->id, b->name[c->ofB]));
 }
 
 typedef struct Circle {
@@ -161,9 +179,9 @@ static Circle circleAround(const Outline *o) {
     return c;
 }
 
-/* Signed distances, times the edge's length, of the candidates from b's edge that begins at corner j, positive inside.
+/* Signed distances, times the edge's length, of the corners from b's edge that begins at corner j, positive inside.
  * False if none is outside, which the bounding circle mostly shows. */
-static MeBool isEdgeCutting(const Candidate *candidate, int count, const Circle *around, const Outline *b, int j,
+static MeBool isEdgeCutting(const Corner *corner, int count, const Circle *around, const Outline *b, int j,
                             double slack_, double *inside) {
     const int next = j + 1 < b->count ? j + 1 : 0;
     const double x = b->x[j], y = b->y[j], ex = b->x[next] - x, ey = b->y[next] - y, length = sqrt(ex * ex + ey * ey);
@@ -171,68 +189,54 @@ static MeBool isEdgeCutting(const Candidate *candidate, int count, const Circle 
     if (ex * (around->y - y) - ey * (around->x - x) >= around->radius * length)
         return MEFALSE; /* of no length, too */
     for (int i = 0; i < count; i++) {
-        inside[i] = ex * (candidate[i].y - y) - ey * (candidate[i].x - x) + slack_ * length;
+        inside[i] = ex * (corner[i].y - y) - ey * (corner[i].x - x) + slack_ * length;
         least = MeMIN(least, inside[i]);
     }
     return !(least >= 0);
 }
 
 /* Cuts off what is outside of that edge (Sutherland and Hodgman). */
-static int cutByEdge(const Candidate *in, int count, MeBool isClosed, const double *inside, const Outline *b, int j,
-                     MeU32 insideA, Candidate *out) {
+static int cutByEdge(const Corner *in, int count, MeBool isClosed, const double *inside, const Outline *b, int j,
+                     Corner *out) {
     int made = 0;
     for (int i = 0; i < count; i++) {
         const int next = i + 1 < count ? i + 1 : 0;
-        const Candidate *p = &in[i], *q = &in[next];
         const double dp = inside[i], dq = inside[next];
         if (dp >= 0)
-            out[made++] = *p;
+            out[made++] = in[i];
         if ((!isClosed && i == count - 1) || (dp >= 0) == (dq >= 0) || made == MAX_CANDIDATES - 1)
             continue;
-        Candidate s = cross(p, q, dp, dq, b, j);
-        s.edge = dp >= 0 ? 0 : p->edge;
-        s.edgeIsB = dp >= 0 ? 1 : p->edgeIsB;
-        s.index = dp >= 0 ? j : p->index;
-        if (p->edgeIsB)
-            s.feature |= featureOfPair(insideA, 0);
-        out[made++] = s;
+        out[made] = cross(&in[i], &in[next], dp, dq, b, j);
+        out[made].isEdgeB = dp >= 0 || in[i].isEdgeB;
+        out[made].edge = dp >= 0 ? (MeU8)j : in[i].edge;
+        made++;
     }
     return made;
 }
 
-static int startCandidates(const Outline *a, const Outline *b, Candidate *candidate) {
-    for (int i = 0; i < a->count; i++)
-        candidate[i] = (Candidate){.x = a->x[i],
-                                   .y = a->y[i],
-                                   .a = a->z[i],
-                                   .feature = featureOfPair(code(CORNER, a->id, a->name[i]), code(INSIDE, b->id, 0)),
-                                   .edge = code(EDGE, a->id, a->name[i])};
-    return a->count;
-}
-
 /* A polygon or line cut by a polygon. */
 static int clip(const Outline *a, const Outline *b, double slack_, Candidate *candidate) {
-    Candidate other[MAX_CANDIDATES];
-    Candidate *from = candidate, *to = other;
+    Corner memory[2][MAX_CANDIDATES], *from = memory[0], *to = memory[1];
     double inside[MAX_CANDIDATES];
     const Circle around = circleAround(a);
-    int count = startCandidates(a, b, candidate);
+    int count = a->count;
+    for (int i = 0; i < count; i++)
+        from[i] = (Corner){.x = a->x[i], .y = a->y[i], .a = a->z[i], .ofA = (MeU8)i, .ofB = none, .edge = (MeU8)i};
     for (int j = 0; j < b->count && count; j++) {
         if (!isEdgeCutting(from, count, &around, b, j, slack_, inside))
             continue;
-        count = cutByEdge(from, count, a->count > 2, inside, b, j, code(INSIDE, a->id, 0), to);
-        Candidate *const swap = from;
+        count = cutByEdge(from, count, a->count > 2, inside, b, j, to);
+        Corner *const swap = from;
         from = to;
         to = swap;
     }
     MEASSERT(count >= 0 && count <= MAX_CANDIDATES);
-    if (from != candidate)
-        memcpy(candidate, from, (size_t)count * sizeof *candidate);
-    for (int i = 0; i < count; i++) {
-        if (a->count > 2)
-            candidate[i].a = planeHeight(a, candidate[i].x, candidate[i].y);
-        candidate[i].b = planeHeight(b, candidate[i].x, candidate[i].y);
-    }
+    for (int i = 0; i < count; i++)
+        candidate[i] = (Candidate){.x = from[i].x,
+                                   .y = from[i].y,
+                                   .a = a->count > 2 ? planeHeight(a, from[i].x, from[i].y) : from[i].a,
+                                   .b = planeHeight(b, from[i].x, from[i].y),
+                                   .feature = featureOfCorner(&from[i], a, b)};
     return count;
 }
 
@@ -326,8 +330,8 @@ static int dropFarAndDuplicates(Candidate *candidate, int count, double margin, 
         MeBool isNew = candidate[i].a - candidate[i].b <= margin;
         for (int j = 0; j < kept && isNew; j = j == 0 && count > 8 && kept > 1 ? kept - 1 : j + 1)
             isNew = acrossSquared(&candidate[i], &candidate[j]) > 16 * slack_ * slack_;
-        if (isNew)
-            candidate[kept++] = candidate[i];
+        if (isNew && kept++ != i)
+            candidate[kept - 1] = candidate[i];
     }
     return kept;
 }

@@ -130,6 +130,26 @@ unsigned int mcd_instanceMaterial(const McdGeometryInstance *ins);
 /* Is it an instance of a live model? Warns if not. */
 MeBool mcd_instanceCheck(const McdGeometryInstance *ins, const char *function);
 
+/* ---- shapes ---------------------------------------------------------------------------------------------------- */
+
+typedef struct McdKind McdKind; /* mcd_kind_i.h */
+typedef struct McdHull McdHull; /* mcd_shape_i.h */
+
+/* A convex shape at a place (mcd_shape_i.h). */
+typedef struct McdShape {
+    const McdKind *kind; /* its type's functions */
+    const McdHull *hull;
+    double axis[3][3];   /* rows: its own axes */
+    double place[3];     /* its own origin */
+    double size[3];      /* box: half sizes. cylinder and cone: lower radius, upper radius, length; they lie between
+                          z = -low and length - low */
+    double low;          /* cylinder and cone: distance of the base below the origin; of a cylinder and a sphyl's core
+                          half the height */
+    double rounding;     /* all points within it of the core belong to the shape */
+    double extent;       /* no point is farther than this from `place`: tolerances are relative to it */
+    double corner[3][3]; /* triangle: its corners, in the coordinates of the query */
+} McdShape;
+
 /* ---- models -------------------------------------------------------------------------------------------------- */
 
 /* Which models meet, see McdModelSetFilter. */
@@ -173,20 +193,20 @@ typedef struct McdModelRecord {
     /* hot: 3, 4 */
     McdModelInputs inputs;     /* at the last comparison */
     MeReal travel, turnTravel; /* m, upper bounds of its displacement within lookAhead, and of that by rotation */
-    /* hot: 5, 6; the first three follow from `inputs` */
-    double axis[3][3]; /* mcd_shapeAxes of its transform, if isPlaced */
-    bool isPlaced;     /* mcd_isPlace of its transform */
-    bool isFast;       /* in the time lookAhead */
-    MeReal radius;     /* m, of the bounding sphere; */
-    MeReal reach;      /* and of one about the origin */
-    MeReal lookAhead;  /* s */
+    /* hot: 5 to 8; isPlaced, radius, reach, shape follow from `inputs` */
+    bool isPlaced;    /* mcd_isPlace of its transform */
+    bool isFast;      /* in the time lookAhead */
+    MeReal radius;    /* m, of the bounding sphere; */
+    MeReal reach;     /* and of one about the origin */
+    MeReal lookAhead; /* s */
     McdSpaceID space;
     void *proxy; /* the space's record of the model */
     McdFilter filter;
     MeI16 sortKey;
     MeU64 lastStamp; /* the last stamp that it was given; at first one less than its first */
-    /* hot: 7 */
-    McdGeometryInstance instance;
+    McdShape shape;  /* in the world's coordinates, without corners; kind 0: it is no convex one */
+    /* hot: 10 */
+    _Alignas(ME_CACHE_LINE) McdGeometryInstance instance;
     /* cold */
     MeU64 types; /* mcd_instanceTypes, as of `inputs` */
     void *userData;
@@ -200,8 +220,7 @@ typedef struct McdModelRecord {
 
 _Static_assert(offsetof(McdModelRecord, intersect) % ME_CACHE_LINE == 0 || sizeof(MeReal) > 4, "one line");
 _Static_assert(offsetof(McdModelRecord, inputs) % ME_CACHE_LINE == 0 || sizeof(MeReal) > 4, "two lines");
-_Static_assert(offsetof(McdModelRecord, axis) % ME_CACHE_LINE == 0 || sizeof(MeReal) > 4, "two lines");
-_Static_assert(offsetof(McdModelRecord, instance) % ME_CACHE_LINE == 0 || sizeof(MeReal) > 4, "one line");
+_Static_assert(offsetof(McdModelRecord, isPlaced) % ME_CACHE_LINE == 0 || sizeof(MeReal) > 4, "four lines");
 _Static_assert(offsetof(McdGeometryInstance, element) <= ME_CACHE_LINE || sizeof(MeReal) > 4, "its boxes are in it");
 _Static_assert(sizeof(McdModelInputs) == 40 + 20 * sizeof(MeReal) || sizeof(MeReal) > 4, "no padding");
 
@@ -247,8 +266,6 @@ MeBool mcd_modelIsPlaced(const McdModelRecord *m);
 void mcd_modelPlaceAt(const McdModelRecord *m, double time, MeMatrix4 tm);
 
 /* ---- frameworks ---------------------------------------------------------------------------------------------- */
-
-typedef struct McdKind McdKind; /* mcd_kind_i.h */
 
 typedef struct McdTypeRecord {
     MeBool isRegistered;

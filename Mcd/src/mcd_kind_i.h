@@ -82,6 +82,8 @@ int mcd_convexContacts(McdModelPair *p, McdIntersectResult *result, const char *
 /* Adds the contacts of two convex instances, and sets result->apart; false: one has no valid transform. */
 MeBool mcd_convexInstances(McdGeometryInstance *ins1, McdGeometryInstance *ins2, double margin,
                            McdIntersectResult *result);
+/* The same of models, if both are convex shapes that have been compared in this round (mcd_shapeInRound). */
+MeBool mcd_convexModels(McdModelRecord *m1, McdModelRecord *m2, double margin, McdIntersectResult *result);
 int mcd_planeContacts(McdModelPair *p, McdIntersectResult *result, const char *function);
 
 /* The entries that all built-in types have, from the functions of their headers. */

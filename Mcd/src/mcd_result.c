@@ -170,12 +170,13 @@ static MeBool areContactsGood(const McdIntersectResult *result) {
 }
 
 int mcd_resultEnd(McdIntersectResult *result) {
-    MeVector3 sum = {0, 0, 0};
+    MeReal sum[3] = {0, 0, 0};
     MEASSERT(result->contactCount >= 0 && result->contactCount <= result->contactMaxCount);
     if (!result->contactCount)
         return result->touch = 0;
     for (int i = 0; i < result->contactCount; i++)
-        MeVector3Add(sum, sum, result->contacts[i].normal);
+        for (int k = 0; k < 3; k++)
+            sum[k] += result->contacts[i].normal[k];
     const MeReal length = MeVector3Magnitude(sum);
     if (length > ME_SMALL_EPSILON)
         MeVector3MultiplyScalar(result->normal, sum, 1 / length);

@@ -54,18 +54,26 @@ void mcd_shapeAxes(const MeMatrix4 tm, double axis[3][3]) {
     squareAxes(axis);
 }
 
-/* All but its axes; corners are a triangle's alone. */
-static MeBool beginShape(McdGeometryID g, const MeReal place[3], const double origin[3], McdShape *s) {
+MeBool mcd_shapeSizes(McdGeometryID g, McdShape *s) {
     s->kind = mcd_kindOf(g);
-    if (!s->kind || !s->kind->setShape)
+    if (!s->kind || !s->kind->setShape) {
+        s->kind = 0;
         return MEFALSE;
-    for (int i = 0; i < 3; i++)
-        s->place[i] = (double)place[i] - origin[i];
+    }
     mcd_set(s->size, 0, 0, 0);
     s->low = s->rounding = s->extent = 0;
     s->hull = 0;
     s->kind->setShape(g, s);
     MEASSERT(s->rounding >= 0 && !(s->extent < s->rounding));
+    return METRUE;
+}
+
+/* All but its axes; corners are a triangle's alone. */
+static MeBool beginShape(McdGeometryID g, const MeReal place[3], const double origin[3], McdShape *s) {
+    if (!mcd_shapeSizes(g, s))
+        return MEFALSE;
+    for (int i = 0; i < 3; i++)
+        s->place[i] = (double)place[i] - origin[i];
     return isfinite(s->place[0] + s->place[1] + s->place[2]);
 }
 
@@ -84,8 +92,24 @@ MeBool mcd_shapeOf(McdGeometryInstanceID ins, const double origin[3], McdShape *
     }
     if (!m || ins != &m->instance || !mcd_isPlacedAsSeen(m))
         return mcd_shapeAt(ins->geometry, (const MeReal(*)[4])mcd_instanceTM(ins), origin, shape);
-    memcpy(shape->axis, m->axis, sizeof shape->axis);
+    memcpy(shape->axis, m->shape.axis, sizeof shape->axis);
     return beginShape(ins->geometry, ins->tm[3], origin, shape);
+}
+
+/* For checks: is it what the model's geometry and transform make? */
+static MeBool isShapeAsNow(McdModelRecord *m, const double origin[3], const McdShape *shape) {
+    McdShape now;
+    return mcd_shapeAt(m->instance.geometry, mcd_const(m->instance.tm), origin, &now) &&
+           memcmp(&now, shape, offsetof(McdShape, corner)) == 0;
+}
+
+MeBool mcd_shapeInRound(McdModelRecord *m, const double origin[3], McdShape *shape) {
+    if (m->stamp == 0 || m->comparedIn != m->frame->round || !m->isPlaced || !m->shape.kind)
+        return MEFALSE;
+    memcpy(shape, &m->shape, offsetof(McdShape, corner));
+    mcd_sub(shape->place, shape->place, origin);
+    MEVALIDATE(isShapeAsNow(m, origin, shape));
+    return METRUE;
 }
 
 /* ---- farthest points --------------------------------------------------------------------------------------- */

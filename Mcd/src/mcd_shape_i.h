@@ -19,7 +19,7 @@ typedef struct McdHullFace {
     int first, count; /* its corners: faceVertex[first .. first + count - 1] */
 } McdHullFace;
 
-typedef struct McdHull {
+struct McdHull {
     int vertexCount, faceCount, edgeCount;
     double (*vertex)[3];
     McdHullFace *face;
@@ -29,23 +29,9 @@ typedef struct McdHull {
     int *neighbourFirst; /* vertexCount + 1 indices into neighbour: the vertices joined to a vertex by edges */
     int *neighbour;
     double centre[3], extent; /* the mean of the vertices; the largest distance of a vertex from it */
-} McdHull;
+};
 
 enum { MCD_SHAPE_TRIANGLE = -2 }; /* McdKind.type of a triangle, which is no geometry of its own */
-
-typedef struct McdShape {
-    const McdKind *kind; /* its type's functions */
-    double axis[3][3];   /* rows: its own axes */
-    double place[3];     /* its own origin */
-    double size[3];  /* box: half sizes. cylinder and cone: lower radius, upper radius, length; they lie between
-                        z = -low and length - low */
-    double low;      /* cylinder and cone: distance of the base below the origin; of a cylinder and a sphyl's core half
-                        the height */
-    double rounding; /* see above */
-    const McdHull *hull;
-    double corner[3][3]; /* triangle: its corners, in the coordinates of the query */
-    double extent;       /* no point is farther than this from `place`: tolerances are relative to it */
-} McdShape;
 
 /* The common origin of a pair's coordinates: the middle of the overlap of their boxes. */
 void mcd_pairOrigin(McdGeometryInstanceID ins1, McdGeometryInstanceID ins2, double origin[3]);
@@ -53,6 +39,10 @@ void mcd_pairOrigin(McdGeometryInstanceID ins1, McdGeometryInstanceID ins2, doub
 MeBool mcd_shapeOf(McdGeometryInstanceID ins, const double origin[3], McdShape *shape);
 /* The same, at another transform than the instance's present one. */
 MeBool mcd_shapeAt(McdGeometryID g, const MeMatrix4 tm, const double origin[3], McdShape *shape);
+/* The same of a model that has been compared in this round (mcd_modelStamp), without reading its geometry anew. */
+MeBool mcd_shapeInRound(McdModelRecord *m, const double origin[3], McdShape *shape);
+/* Its kind, sizes and extent, as its geometry has them now. False: it is none. */
+MeBool mcd_shapeSizes(McdGeometryID g, McdShape *shape);
 /* A shape's axes at a transform that mcd_isPlace. */
 void mcd_shapeAxes(const MeMatrix4 tm, double axis[3][3]);
 void mcd_triangleShape(const double corners[3][3], McdShape *shape);

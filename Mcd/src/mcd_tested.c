@@ -9,6 +9,7 @@
 #include "mcd_geometries_i.h"
 #include "mcd_kind_i.h"
 #include "mcd_space_i.h"
+#include "mcd_vector_i.h"
 #include <string.h>
 
 /* Bit by bit; leaves the vector as it is where there is none. */
@@ -96,9 +97,11 @@ static void storeInputs(McdModelRecord *m, const McdModelInputs *now) {
     m->stamp = mcd_modelNewStamp(m);
     m->isPlaced = mcd_isPlace(mcd_const(m->instance.tm));
     if (m->isPlaced)
-        mcd_shapeAxes(mcd_const(m->instance.tm), m->axis);
+        mcd_shapeAxes(mcd_const(m->instance.tm), m->shape.axis);
+    mcd_set(m->shape.place, (double)now->place[0], (double)now->place[1], (double)now->place[2]);
     if (!isOtherShape)
         return;
+    mcd_shapeSizes(m->instance.geometry, &m->shape);
     m->shapeStamp = m->stamp;
     m->types = 0;
     const MeBool areTypesKnown = mcd_instanceTypes(&m->instance, &m->types);

@@ -103,13 +103,14 @@ MeReal MEAPI MdtContactGetPenetration(const MdtContactID c) {
 
 void MEAPI MdtContactSetExact(const MdtContactID c, const double position[3], const double penetration) {
     MdtPoint *p = mdt_pointOf(c, __func__);
-    double normal[3];
+    double normal[3], share[2];
     if (!p || !mdt_isPointer(__func__, "the position", position) ||
         !mdt_isFinite3(__func__, "the position", (MeReal)position[0], (MeReal)position[1], (MeReal)position[2]) ||
         !mdt_isFinite(__func__, "the penetration", (MeReal)penetration))
         return;
     mdt_pointNormal(p, normal);
-    mdt_pointSetFound(p, normal, position, penetration);
+    mdt_pointShares(p, share);
+    mdt_pointSetFound(p, normal, share, position, penetration);
 }
 
 void MEAPI MdtContactSetRadius(const MdtContactID c, const unsigned int bodyindex, const MeReal radius) {

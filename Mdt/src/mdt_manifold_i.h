@@ -155,8 +155,12 @@ void mdt_pointSetParams(MdtPoint *p, const MdtBclContactParams *params);
 void mdt_pointSetNormal(MdtPoint *p, const MeReal normal[3]);
 void mdt_pointSetRadius(MdtPoint *p, int side, MeReal radius);
 /* Place and depth that were found between bodies as they are shown, in double; see MdtContactSetExact. `normal`: the
- * contact's. */
-void mdt_pointSetFound(MdtPoint *p, const double normal[3], const double position[3], double depth);
+ * contact's; `share`: mdt_pointShares. */
+void mdt_pointSetFound(MdtPoint *p, const double normal[3], const double share[2], const double position[3],
+                       double depth);
+/* The weights of the bodies' displacements in that of the contact: 1 and 0 where only one surface is round, which
+ * rolls; 1 of the only body; else 1/2. */
+void mdt_pointShares(const MdtPoint *p, double share[2]);
 /* Where its bodies have carried it to since the step began. */
 void mdt_pointCarried(const MdtPoint *p, double position[3], double *depth);
 /* Resets everything but the bodies to the values of a new contact. */

@@ -178,9 +178,8 @@ const MdtKeaVelocity *mdt_pointWorldVelocity(const MdtPoint *p) {
     return extra ? &extra->worldVelocity : &MdtBclWorldVelocity;
 }
 
-/* The weights of the bodies' displacements in that of the contact: 1 and 0 where only one surface is round, which
- * rolls; 1 of the only body; else 1/2. */
-static void findShares(const MdtPoint *p, const MdtBaseConstraint *base, double share[2]) {
+void mdt_pointShares(const MdtPoint *p, double share[2]) {
+    const MdtBaseConstraint *base = &mdt_manifoldOf(p)->base;
     const MeBool hasBoth = base->side[0].body && base->side[1].body;
     const MeBool isRound[2] = {hasBoth && mdt_pointIsRound(p, 0), hasBoth && mdt_pointIsRound(p, 1)};
     for (int k = 0; k < 2; k++)
@@ -196,10 +195,10 @@ static void setPlace(MdtPoint *p, const double place[3], double depth) {
     mdt_constraintDisturb(&mdt_manifoldOf(p)->base);
 }
 
-void mdt_pointSetFound(MdtPoint *p, const double normal[3], const double position[3], double depth) {
+void mdt_pointSetFound(MdtPoint *p, const double normal[3], const double share[2], const double position[3],
+                       double depth) {
     const MdtBaseConstraint *base = &mdt_manifoldOf(p)->base;
-    double place[3], share[2];
-    findShares(p, base, share);
+    double place[3];
     keaCopy(place, position);
     for (int k = 0; k < 2; k++) {
         double lost[3];

@@ -165,6 +165,7 @@ typedef struct Shared {
     const MdtManifold *block;
     const MdtFoundContact *found;
     double normal[3]; /* unit */
+    double share[2];  /* mdt_pointShares */
 } Shared;
 
 static void setPoint(MdtPoint *p, const MdtFoundContact *found, Shared *last) {
@@ -180,8 +181,9 @@ static void setPoint(MdtPoint *p, const MdtFoundContact *found, Shared *last) {
         last->block = isAlike ? block : NULL;
         last->found = found;
         mdt_pointNormal(p, last->normal);
+        mdt_pointShares(p, last->share);
     }
-    mdt_pointSetFound(p, last->normal, found->position, found->depth);
+    mdt_pointSetFound(p, last->normal, last->share, found->position, found->depth);
     p->feature = found->feature;
 }
 
@@ -220,7 +222,7 @@ MeBool MEAPI MdtContactGroupGoesOn(MdtContactGroupID g, const MdtFoundContact fo
 int MEAPI MdtContactGroupRenew(MdtContactGroupID g, const MdtFoundContact found[], int count, MeReal time,
                                MdtContactID contacts[]) {
     MdtManifold *m = mdt_groupOf(g, __func__);
-    Shared last = {NULL, NULL, {0, 0, 0}};
+    Shared last = {NULL, NULL, {0, 0, 0}, {0, 0}};
     if (!m)
         return 0;
     const MeBool areAlike = areShared(found, count);

@@ -154,11 +154,20 @@ void mst_convertContacts(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     run->foundCount = f->first + f->count;
 }
 
-MeBool mst_intersectPair(MstRun *run, McdModelPair *p) {
+static void beginResult(MstRun *run) {
     memset(&run->result, 0, sizeof run->result);
     run->result.contacts = run->contacts;
     run->result.contactMaxCount = run->contactMax;
+}
+
+MeBool mst_intersectPair(MstRun *run, McdModelPair *p) {
+    beginResult(run);
     return McdIntersect(p, &run->result);
+}
+
+static MeBool intersectPlain(MstRun *run, McdModelPair *p) {
+    beginResult(run);
+    return McdModelPairIntersectPlain(p, &run->result);
 }
 
 static const McdContact *nearestContact(const McdIntersectResult *result) {
@@ -170,7 +179,7 @@ static const McdContact *nearestContact(const McdIntersectResult *result) {
 }
 
 void mst_testPair(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
-    f->isKnown = mst_intersectPair(run, f->pair);
+    f->isKnown = (f->outcome == MST_TESTED ? intersectPlain : mst_intersectPair)(run, f->pair);
     if (run->result.contactCount > 0 && !f->isFast && mst_passesFlush(f->pair, nearestContact(&run->result)))
         run->result.contactCount = 0;
     f->first = run->foundCount;
