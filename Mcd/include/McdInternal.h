@@ -45,8 +45,9 @@ MEPUBLIC void MEAPI McdModelPairLookAtModels(const McdModelPair *p);
 /** Whether both models have been compared in this round. */
 MEPUBLIC MeBool MEAPI McdModelPairHasSeenModels(const McdModelPair *p);
 /** Compares a pair with its last test. Other results than McdPairHasChanged are given only for convex models, planes,
- *  and aggregates of these whose parts have no materials of their own, with the library's own interactions, without
- *  callbacks, and with unchanged sizes, places of parts and margins. McdPairHasMoved: since the last test
+ *  height fields, and aggregates of these whose parts have no materials of their own, with the library's own
+ *  interactions, without callbacks, and with unchanged sizes, places of parts, margins, and heights of the cells that a
+ *  test would visit, which are read in each call. McdPairHasMoved: since the last test
  *  (McdModelPairNoteTest) no point of the smaller model has moved relative to the other by more than @a part of its
  *  size, or a quarter of the pair's margin; or, whatever the part, by as much as the models were apart then
  *  (McdModelPairNoteApart), so that a test would find nothing; and only models that @a mayMove have moved since the

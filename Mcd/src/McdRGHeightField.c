@@ -163,7 +163,9 @@ static void support(const McdGeometry *g, const double direction[3], double poin
 }
 
 static void gather(McdMeshQuery *q);
-static const McdKind kind = {MCD_KIND_FUNCTIONS(RGHeightField, mcd_geometryFree), .gather = gather, .isStatic = METRUE};
+static void hashNear(const McdMeshQuery *q, const McdGeometry *g, MeU64 hash[2]);
+static const McdKind kind = {MCD_KIND_FUNCTIONS(RGHeightField, mcd_geometryFree), .size = sizeof(McdRGHeightField),
+                             .gather = gather, .hashNear = hashNear, .isStatic = METRUE};
 MCD_DEFINE_GEOMETRY_TYPE(RGHeightField)
 
 void MEAPI McdRGHeightFieldGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
@@ -227,21 +229,40 @@ static void addCell(McdMeshQuery *q, const McdRGHeightField *f, int i, int j, in
     }
 }
 
+/* Cells (i, j) from the first to the last, both included. */
+typedef struct Cells {
+    int i0, i1, j0, j1;
+} Cells;
+
 /* Cells whose corners touch the box count too: their triangles are neighbours. */
+static Cells cellsNear(const McdMeshQuery *q, const McdRGHeightField *f) {
+    const double x0 = (double)f->x0, y0 = (double)f->y0, dx = (double)f->xStep, dy = (double)f->yStep;
+    return (Cells){.i0 = cellAt(q->low[0] - 1e-6 * dx, x0, dx, f->xCount),
+                   .i1 = cellAt(q->high[0] + 1e-6 * dx, x0, dx, f->xCount),
+                   .j0 = cellAt(q->low[1] - 1e-6 * dy, y0, dy, f->yCount),
+                   .j1 = cellAt(q->high[1] + 1e-6 * dy, y0, dy, f->yCount)};
+}
+
 static void gather(McdMeshQuery *q) {
     const McdRGHeightField *f = (const McdRGHeightField *)mcd_record(q->pair->model2)->instance.geometry;
-    const double x0 = (double)f->x0, y0 = (double)f->y0, dx = (double)f->xStep, dy = (double)f->yStep;
-    const int i0 = cellAt(q->low[0] - 1e-6 * dx, x0, dx, f->xCount);
-    const int i1 = cellAt(q->high[0] + 1e-6 * dx, x0, dx, f->xCount);
-    const int j0 = cellAt(q->low[1] - 1e-6 * dy, y0, dy, f->yCount);
-    const int j1 = cellAt(q->high[1] + 1e-6 * dy, y0, dy, f->yCount);
-    const int width = i1 - i0 + 2, vertexCount = width * (j1 - j0 + 2);
+    const Cells near = cellsNear(q, f);
+    const int width = near.i1 - near.i0 + 2, vertexCount = width * (near.j1 - near.j0 + 2);
     if (!mcd_meshReserve(q->mesh, (vertexCount + 2) / 3)) /* as many corners as three times that */
         return;
     q->mesh->vertexCount = vertexCount;
-    for (int j = j0; j <= j1; j++)
-        for (int i = i0; i <= i1; i++)
-            addCell(q, f, i, j, i0, j0, width);
+    for (int j = near.j0; j <= near.j1; j++)
+        for (int i = near.i0; i <= near.i1; i++)
+            addCell(q, f, i, j, near.i0, near.j0, width);
+}
+
+/* The cells that gather visits: which, and the heights of their corners. */
+static void hashNear(const McdMeshQuery *q, const McdGeometry *g, MeU64 hash[2]) {
+    const McdRGHeightField *f = (const McdRGHeightField *)g;
+    const Cells near = cellsNear(q, f);
+    const size_t width = (size_t)(near.i1 - near.i0 + 2);
+    mcd_hashAdd(hash, &near, sizeof near);
+    for (int j = near.j0; j <= near.j1 + 1; j++)
+        mcd_hashAdd(hash, &f->height[(size_t)j * (size_t)f->xCount + (size_t)near.i0], width * sizeof *f->height);
 }
 
 static int intersect(McdModelPair *p, McdIntersectResult *result) {

@@ -163,14 +163,18 @@ enum { MCD_SHAPE_PARAMETERS = 4 };
 typedef struct McdModelInputs {
     struct McdShapeInputs {
         const McdGeometry *geometry;
-        MeU64 parameters[MCD_SHAPE_PARAMETERS]; /* the geometry's members behind its head; of an aggregate a
-                                                   hash of its parts */
+        MeU64 parameters[MCD_SHAPE_PARAMETERS]; /* the geometry's members behind its head, or a hash of
+                                                   more than that; of an aggregate a hash of its parts */
         MeReal tolerance;
         MeBool isSwept;
     } shape;
     MeVector3 axis[3], place; /* rows of the transform */
     MeVector3 velocity, spin;
 } McdModelInputs;
+
+/* Set in McdModelRecord.shapeStamp: its shape, or a part of it, has triangles that are not among its inputs
+ * (McdKind.hashNear). There, as the pair loop reads that line of a model anyway. */
+#define MCD_HAS_SURFACE ((MeU64)1 << 63)
 
 /* Grouped by cache lines of 64 bytes, in single precision: the pair loop reads the first, of models that move all of
  * the hot ones; a space's update reads the hot ones; the others are read by the program's calls. */
@@ -180,7 +184,7 @@ typedef struct McdModelRecord {
     MeU32 magic;
     MeReal tolerance;
     McdFramework *frame;
-    MeU64 stamp, shapeStamp; /* versions of the model's inputs, and of its shape's; 0: none yet */
+    MeU64 stamp, shapeStamp; /* versions of the model's inputs, and of its shape's (MCD_HAS_SURFACE); 0: none yet */
     MeU64 comparedIn;        /* the framework's round of the last comparison with `inputs` */
     /* hot: 2 */
     McdModelIntersectFnPtr intersect;
@@ -365,6 +369,9 @@ MeBool mcd_modelsMakeAPair(McdModelID m1, McdModelID m2, const char *function);
 static inline MeReal mcd_modelReach(const McdModelRecord *m) {
     return m->tolerance + m->travel;
 }
+/* Mixes bytes into a hash of 128 bits: eight of them, or fewer at the end, always change it; all together may leave it
+ * as it was by chance only. */
+void mcd_hashAdd(MeU64 hash[2], const void *data, size_t bytes);
 /* A version that changes with every input of the model's box and tests; 0: its inputs cannot be compared. */
 MeU64 mcd_modelStamp(McdModelRecord *m);
 /* The same, unless it has a stamp of this round. */

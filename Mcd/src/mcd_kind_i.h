@@ -28,7 +28,8 @@ typedef void (*McdEdgeVisit)(void *context, const double from[3], const double t
 struct McdKind {
     int type; /* kMcdGeometryType..., or MCD_SHAPE_TRIANGLE */
     char *(MEAPI *name)(const McdGeometryID);
-    size_t size; /* bytes of its record, which has all that its tests depend on (mcd_tested.c); 0: maybe not all */
+    size_t size; /* bytes of its record, which has all that its tests depend on, but for what hashNear adds
+                    (mcd_tested.c); 0: maybe not all */
 
     /* Any type: what McdFrameworkRegisterGeometryType takes. */
     McdGeometryDestroyFnPtr destroy;
@@ -54,6 +55,8 @@ struct McdKind {
     /* Surfaces of triangles: adds those near a query's box. */
     McdMeshGather gather;
     MeBool callsProgram; /* which calls a function of the program */
+    /* Of a type with a size: mixes all that gather would read beside its record into a hash. May be null. */
+    McdMeshHash hashNear;
 
     MeBool isHalfSpace; /* all below z = 0 of its frame */
     MeBool isStatic;    /* usually fixed: no warning where two of them have no interaction */

@@ -179,13 +179,9 @@ static void findWay(McdMeshQuery *q) {
 
 /* ---- the query --------------------------------------------------------------------------------------------------- */
 
-/* False for a shape that is not convex, or has no transform. */
-static MeBool beginQuery(McdMeshQuery *q, McdModelPair *p) {
-    McdGeometryInstance *ins1 = &mcd_record(p->model1)->instance, *ins2 = &mcd_record(p->model2)->instance;
+/* The query's box, by its margin. False for a shape that is not convex, or has no transform. */
+static MeBool placeQuery(McdMeshQuery *q, McdGeometryInstance *ins1, McdGeometryInstance *ins2) {
     const MeMatrix4Ptr tm = mcd_instanceTM(ins2);
-    q->pair = p;
-    q->margin = mcd_pairMargin(p);
-    findWay(q);
     mcd_pairOrigin(ins1, ins2, q->origin);
     if (!mcd_shapeOf(ins1, q->origin, &q->shape))
         return MEFALSE;
@@ -195,6 +191,15 @@ static MeBool beginQuery(McdMeshQuery *q, McdModelPair *p) {
         q->place[i] = (double)tm[3][i] - q->origin[i];
     }
     boundAlongMesh(q);
+    return METRUE;
+}
+
+static MeBool beginQuery(McdMeshQuery *q, McdModelPair *p) {
+    q->pair = p;
+    q->margin = mcd_pairMargin(p);
+    findWay(q);
+    if (!placeQuery(q, &mcd_record(p->model1)->instance, &mcd_record(p->model2)->instance))
+        return MEFALSE;
     boundAlongShape(q);
     boundByBall(q);
     MEVALIDATE(!areAxesUnit(q) || !mcd_shapeIsRigid(&q->shape) || isShapeInBall(q));
@@ -252,6 +257,14 @@ int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather
     }
     mcd_scratchGive(frame, q.scratch);
     return touches;
+}
+
+void mcd_meshHashNear(const McdModelPair *p, McdGeometryInstance *convex, McdGeometryInstance *mesh, McdMeshHash add,
+                      MeU64 hash[2]) {
+    McdMeshQuery q;
+    q.margin = mcd_partsMargin(p, convex, mesh);
+    if (placeQuery(&q, convex, mesh))
+        add(&q, mesh->geometry, hash);
 }
 
 /* ---- the framework's table --------------------------------------------------------------------------------------- */

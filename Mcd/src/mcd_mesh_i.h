@@ -79,8 +79,16 @@ typedef struct McdMeshQuery {
 /* Adds the triangles that may be near the box. */
 typedef void (*McdMeshGather)(McdMeshQuery *q);
 
+/* Mixes what there is of a mesh near the box into a hash of 128 bits, and calls no function of the program: equal
+ * hashes, equal triangles. Of the query only the box and the mesh's frame are set. */
+typedef void (*McdMeshHash)(const McdMeshQuery *q, const McdGeometry *mesh, MeU64 hash[2]);
+
 /* The interaction of a convex model with a mesh: 1 if there are contacts. */
 int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather gather);
+/* Mixes what that interaction of two parts would read of the mesh into a hash; p: their models, the convex one's
+ * first. */
+void mcd_meshHashNear(const McdModelPair *p, McdGeometryInstance *convex, McdGeometryInstance *mesh, McdMeshHash add,
+                      MeU64 hash[2]);
 /* Room for so many triangles; false, after a fatal error, if there is no memory. */
 MeBool mcd_meshReserve(McdMesh *mesh, int triangles);
 void mcd_meshFree(McdMesh *mesh);

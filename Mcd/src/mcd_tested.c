@@ -2,8 +2,16 @@
  *
  * For convex shapes, planes, and aggregates of these, they depend on transform, size and velocity only. A model gets a
  * new stamp (version) when any bit of these has changed since the last comparison; a pair keeps the stamps of its
- * models at its last test, and their relative pose. Triangle lists, height fields, parts with a material of their own
- * and a program's own types may depend on more: they are always tested.
+ * models at its last test, and their relative pose.
+ *
+ * The heights of a height field are the program's, which changes them without a word. So a pair with one keeps, instead
+ * of the stamps of both shapes, a hash of these, of the field's box, and of the cells that a test would visit: which
+ * they are, and their heights. It is made at each look, by the function that bounds a test's query, so that it covers
+ * what a test would read. Two hashes of 128 bits are equal by chance once in 3e38.
+ *
+ * Triangle lists, parts with a material of their own and a program's own types may depend on more: they are always
+ * tested. What a list shows is known only once its callback has been called, which the narrow phase may not do but in
+ * the calling thread, as it commits (mst_collide.c); this file is asked before.
  */
 #include "McdInternal.h"
 #include "mcd_geometries_i.h"
@@ -18,17 +26,6 @@ static void copyIfThere(MeVector3 to, const MeReal *from) {
         memcpy(to, from, sizeof(MeVector3));
 }
 
-/* What a shape's tests depend on beside its place: its own members. False: they may depend on more. */
-static MeBool readParameters(const McdGeometry *g, MeU64 parameters[MCD_SHAPE_PARAMETERS]) {
-    const McdKind *kind = mcd_kindOf(g);
-    if (!kind || kind->size == 0)
-        return MEFALSE;
-    const size_t bytes = kind->size - sizeof *g;
-    MEASSERT(bytes <= MCD_SHAPE_PARAMETERS * sizeof *parameters);
-    memcpy(parameters, (const char *)g + sizeof *g, bytes);
-    return METRUE;
-}
-
 /* Mixes a word into a hash of 128 bits. Each half is one to one in the word, so a change of one word always changes the
  * hash; changes of several could cancel out by chance only. */
 static void addWord(MeU64 hash[2], MeU64 word) {
@@ -36,6 +33,29 @@ static void addWord(MeU64 hash[2], MeU64 word) {
     hash[0] ^= hash[0] >> 29;
     hash[1] = (hash[1] + word) * 0xbf58476d1ce4e5b9ull;
     hash[1] ^= hash[1] >> 32;
+}
+
+void mcd_hashAdd(MeU64 hash[2], const void *data, size_t bytes) {
+    for (size_t i = 0; i < bytes; i += sizeof(MeU64)) {
+        MeU64 word = 0;
+        memcpy(&word, (const char *)data + i, MeMIN(bytes - i, sizeof word));
+        addWord(hash, word);
+    }
+}
+
+/* What a shape's tests depend on beside its place, but for triangles (McdKind.hashNear): its own members, or a hash of
+ * them. False: they may depend on more. */
+static MeBool readParameters(const McdGeometry *g, MeU64 parameters[MCD_SHAPE_PARAMETERS]) {
+    const McdKind *kind = mcd_kindOf(g);
+    if (!kind || kind->size == 0)
+        return MEFALSE;
+    const char *members = (const char *)g + sizeof *g;
+    const size_t bytes = kind->size - sizeof *g;
+    if (bytes <= MCD_SHAPE_PARAMETERS * sizeof *parameters)
+        memcpy(parameters, members, bytes);
+    else
+        mcd_hashAdd(parameters, members, bytes);
+    return METRUE;
 }
 
 /* Hashes all parts of an aggregate: their places in it, shapes, and the program's pointers for their transforms. */
@@ -48,7 +68,6 @@ static MeBool addParts(const McdGeometryInstance *ins, MeU64 hash[2]) {
             MeU64 parameters[MCD_SHAPE_PARAMETERS];
             MeMatrix4 relTM;
         } all;
-        MeU64 word[sizeof all / sizeof(MeU64)];
         memset(&all, 0, sizeof all);
         all.geometry = part->geometry;
         all.tm = mcd_const(part->tm);
@@ -57,9 +76,7 @@ static MeBool addParts(const McdGeometryInstance *ins, MeU64 hash[2]) {
             mcd_partsOf(part->geometry) ? addParts(part, hash) : readParameters(part->geometry, all.parameters);
         if (!isKnown || part->material >= 0)
             return MEFALSE;
-        memcpy(word, &all, sizeof word);
-        for (size_t i = 0; i < sizeof word / sizeof *word; i++)
-            addWord(hash, word[i]);
+        mcd_hashAdd(hash, &all, sizeof all);
     }
     return METRUE;
 }
@@ -89,6 +106,14 @@ MeU64 mcd_modelNewStamp(McdModelRecord *m) {
     return ++m->lastStamp;
 }
 
+static MeBool hasSurface(const McdGeometryInstance *ins) {
+    const McdKind *kind = mcd_kindOf(ins->geometry);
+    for (const McdGeometryInstance *part = ins->firstChild; part; part = part->nextSibling)
+        if (hasSurface(part))
+            return METRUE;
+    return kind && kind->hashNear;
+}
+
 /* Stores changed inputs: new stamps, and the members of the record that follow from the inputs. */
 static void storeInputs(McdModelRecord *m, const McdModelInputs *now) {
     const MeBool isOtherShape = m->shapeStamp == 0 || memcmp(&now->shape, &m->inputs.shape, sizeof now->shape) != 0;
@@ -102,7 +127,7 @@ static void storeInputs(McdModelRecord *m, const McdModelInputs *now) {
     if (!isOtherShape)
         return;
     mcd_shapeSizes(m->instance.geometry, &m->shape);
-    m->shapeStamp = m->stamp;
+    m->shapeStamp = m->stamp | (hasSurface(&m->instance) ? MCD_HAS_SURFACE : 0);
     m->types = 0;
     const MeBool areTypesKnown = mcd_instanceTypes(&m->instance, &m->types);
     MEASSERT(areTypesKnown); /* built-in types, parts without materials: what has inputs to compare */
@@ -215,6 +240,59 @@ static MeBool isBuiltIn(const McdModelPair *p) {
                                       : mcd_interactionIsBuiltIn(p);
 }
 
+/* ---- surfaces of triangles --------------------------------------------------------------------------------------- */
+
+/* Mixes what a test of a convex part against a surface would read of the surface: its box, which decides whether it is
+ * tested at all as a part, and where the origin is; and its triangles near the convex one. The program may change both
+ * while no model moves: heights through its own array, the box by updating the model later than them. p: the models
+ * of both, the convex one's first. */
+static void addSurface(const McdModelPair *p, McdGeometryInstance *convex, McdGeometryInstance *surface,
+                       MeU64 hash[2]) {
+    mcd_hashAdd(hash, surface->min, sizeof surface->min);
+    mcd_hashAdd(hash, surface->max, sizeof surface->max);
+    mcd_meshHashNear(p, convex, surface, mcd_kindOf(surface->geometry)->hashNear, hash);
+}
+
+static void addSurfaceOfTwo(const McdModelPair *p, McdGeometryInstance *a, McdGeometryInstance *b, MeU64 hash[2]) {
+    const McdKind *kindA = mcd_kindOf(a->geometry), *kindB = mcd_kindOf(b->geometry);
+    if (kindB->hashNear && kindA->setShape)
+        addSurface(p, a, b, hash);
+    if (kindA->hashNear && kindB->setShape) {
+        const McdModelPair turned = {.model1 = p->model2, .model2 = p->model1, .mayTurnRound = p->mayTurnRound};
+        addSurface(&turned, b, a, hash);
+    }
+}
+
+/* Of every two parts. More than the test reads: that skips parts whose boxes are apart. */
+static void addSurfaces(const McdModelPair *p, McdGeometryInstance *a, McdGeometryInstance *b, MeU64 hash[2]) {
+    for (McdGeometryInstance *part = a->firstChild; part; part = part->nextSibling)
+        addSurfaces(p, part, b, hash);
+    for (McdGeometryInstance *part = b->firstChild; part && !a->firstChild; part = part->nextSibling)
+        addSurfaces(p, a, part, hash);
+    if (!a->firstChild && !b->firstChild)
+        addSurfaceOfTwo(p, a, b, hash);
+}
+
+/* The inputs of a test now: stamps, and with a surface its triangles. */
+static McdTest testOf(const McdModelPair *p, McdModelRecord *m1, McdModelRecord *m2) {
+    const McdRequest *request = p->request ? p->request : m1->frame->defaultRequest;
+    McdTest t = {.stamp1 = mcd_modelStampInRound(m1),
+                 .stamp2 = mcd_modelStampInRound(m2),
+                 .shape1 = m1->shapeStamp,
+                 .shape2 = m2->shapeStamp,
+                 .contactMaxCount = request->contactMaxCount,
+                 .faceNormalsFirst = request->faceNormalsFirst};
+    if (((t.shape1 | t.shape2) & MCD_HAS_SURFACE) && t.stamp1 != 0 && t.stamp2 != 0) {
+        MeU64 hash[2] = {t.shape1, t.shape2};
+        addSurfaces(p, &m1->instance, &m2->instance, hash);
+        t.shape1 = hash[0];
+        t.shape2 = hash[1];
+    }
+    return t;
+}
+
+/* ---- pairs ------------------------------------------------------------------------------------------------------- */
+
 void MEAPI McdModelPairLookAtModels(const McdModelPair *p) {
     mcd_modelStampInRound(mcd_record(p->model1));
     mcd_modelStampInRound(mcd_record(p->model2));
@@ -227,13 +305,7 @@ MeBool MEAPI McdModelPairHasSeenModels(const McdModelPair *p) {
 McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool mayMove[2]) {
     MEASSERT(p && p->model1 && p->model2 && mayMove);
     McdModelRecord *m1 = mcd_record(p->model1), *m2 = mcd_record(p->model2);
-    const McdRequest *request = p->request ? p->request : m1->frame->defaultRequest;
-    const McdTest before = p->test, now = {.stamp1 = mcd_modelStampInRound(m1),
-                                           .stamp2 = mcd_modelStampInRound(m2),
-                                           .shape1 = m1->shapeStamp,
-                                           .shape2 = m2->shapeStamp,
-                                           .contactMaxCount = request->contactMaxCount,
-                                           .faceNormalsFirst = request->faceNormalsFirst};
+    const McdTest before = p->test, now = testOf(p, m1, m2);
     p->test = now;
     const MeBool isComparable =
         now.stamp1 != 0 && now.stamp2 != 0 && before.stamp1 != 0 && before.stamp2 != 0 && isBuiltIn(p);
@@ -264,10 +336,10 @@ MeU32 MEAPI McdModelPairGetTraits(const McdModelPair *p, MeU32 material[2]) {
            (mcd_fastMargin(a) > 0 || mcd_fastMargin(b) > 0 ? McdPairIsFast : 0);
 }
 
-/* One convex shape, or a plane: what a kind with a size is. */
+/* One convex shape, or a plane: what a kind with a size is that is no surface of triangles. */
 static MeBool isSimple(const McdModelRecord *m) {
     const McdKind *kind = mcd_kindOf(m->instance.geometry);
-    return kind && kind->size > 0;
+    return kind && kind->size > 0 && !kind->gather;
 }
 
 MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p) {

@@ -1,4 +1,4 @@
-/* Which pairs need not be tested again: those whose test would read the same bits. */
+/* Which pairs need not be tested again: those whose test would read the same bits, heights of a field among them. */
 #include "McdAggregate.h"
 #include "McdAll.h"
 #include "McdInternal.h"
@@ -314,14 +314,128 @@ START_TEST(two_parts_that_change_places_count) {
 }
 END_TEST
 
-START_TEST(a_surface_among_the_parts_is_always_tested) {
-    static const MeReal flat[9];
+/* ---- surfaces of triangles --------------------------------------------------------------------------------------- */
+
+enum { SIDE = 9 }; /* points of a field, from -4 to 4 along x and y */
+static MeReal height[SIDE * SIDE];
+
+/* Flat, at z = 0 of its frame. */
+static McdGeometryID flatField(void) {
+    memset(height, 0, sizeof height);
+    return McdRGHeightFieldCreate(p.frame, height, SIDE, SIDE, 1, 1, -4, -4);
+}
+
+static MeReal *heightAt(int x, int y) {
+    return &height[(y + 4) * SIDE + x + 4];
+}
+
+/* Only what is within so much of the points of the field is seen, and that to the last bit. */
+static void assertSeen(double lowX, double highX, double lowY, double highY) {
+    for (int y = -4; y <= 4; y++)
+        for (int x = -4; x <= 4; x++) {
+            const MeBool isNear = x >= lowX && x <= highX && y >= lowY && y <= highY;
+            *heightAt(x, y) = (MeReal)1e-30;
+            ck_assert_msg(isAsTested() == !isNear, "at (%d, %d)", x, y);
+            *heightAt(x, y) = 0;
+            ck_assert_msg(isAsTested() == !isNear, "back at (%d, %d)", x, y);
+        }
+}
+
+static McdGeometryID turnedBoxes(void) {
+    MeMatrix4 tm;
+    const McdAggregateID whole = McdAggregateCreate(p.frame, 2);
+    for (int k = 0; k < 2; k++) {
+        MeMatrix4TMMakeIdentity(tm);
+        tm[3][0] = (MeReal)(k ? 2.5 : -2.5);
+        McdAggregateAddElement(whole, McdBoxCreate(p.frame, (MeReal).5, (MeReal).5, 1), tm);
+    }
+    return whole;
+}
+
+/* A box between x = 1.1 and 1.9, y = -1.4 and .4, in either order of the pair. */
+START_TEST(heights_near_a_shape_count_and_no_others) {
+    for (int which = 0; which < 2; which++) {
+        const McdGeometryID box = McdBoxCreate(p.frame, (MeReal).8, (MeReal)1.8, 1), field = flatField();
+        meet(which ? field : box, which ? box : field);
+        p.tm[which][3][0] = (MeReal)1.5;
+        p.tm[which][3][1] = (MeReal)-.5;
+        p.tm[!which][3][2] = p.tm[which][3][2];
+        assertChanged("a new pair");
+        assertSeen(1, 2, -2, 1);
+        McdModelSetContactTolerance(p.model[which], (MeReal).2);
+        assertChanged("a margin");
+        assertSeen(0, 3, -2, 1);
+        p.tm[!which][3][1] = 1;
+        assertChanged("the field's move");
+        assertSeen(0, 3, -3, 0);
+    }
+}
+END_TEST
+
+START_TEST(heights_near_each_part_count) {
+    meet(turnedBoxes(), flatField());
+    McdModelUpdate(p.model[0]);
+    assertChanged("a new pair");
+    for (int y = -4; y <= 4; y++)
+        for (int x = -4; x <= 4; x++) {
+            *heightAt(x, y) = (MeReal)1e-30;
+            ck_assert_msg(isAsTested() == !(abs(y) <= 1 && (abs(x) == 2 || abs(x) == 3)), "at (%d, %d)", x, y);
+            isAsTested();
+        }
+}
+END_TEST
+
+START_TEST(a_surface_among_the_parts_counts_as_one_alone) {
     MeMatrix4 tm;
     const McdAggregateID whole = McdAggregateCreate(p.frame, 2);
     MeMatrix4TMMakeIdentity(tm);
     McdAggregateAddElement(whole, McdBoxCreate(p.frame, 1, 1, 1), tm);
-    McdAggregateAddElement(whole, McdRGHeightFieldCreate(p.frame, (MeReal *)(uintptr_t)flat, 3, 3, 1, 1, 0, 0), tm);
+    tm[3][0] = -2;
+    McdAggregateAddElement(whole, flatField(), tm);
+    meet(McdBoxCreate(p.frame, (MeReal).5, (MeReal).5, (MeReal).5), whole);
+    assertChanged("a new pair");
+    assertSeen(1, 3, -1, 1);
+    meet(whole, turnedBoxes());
+    assertChanged("with parts on either side");
+    *heightAt(0, 0) = 1;
+    assertChanged("a height under a part");
+    *heightAt(-3, 0) = 1;
+    ck_assert(isAsTested());
+}
+END_TEST
+
+START_TEST(what_a_field_is_made_of_counts) {
+    static MeReal others[SIDE * SIDE];
+    meet(McdBoxCreate(p.frame, 1, 1, 1), flatField());
+    assertChanged("a new pair");
+    p.tm[0][3][0] = (MeReal)1e-30;
+    assertChanged("the box' move");
+    p.tm[1][0][1] = (MeReal)1e-30;
+    assertChanged("the field's turn");
+    *heightAt(0, 0) = NAN;
+    assertChanged("a hole");
+    *heightAt(0, 0) = 0;
+    assertChanged("none");
+    McdRGHeightFieldSetHeights(p.shape[1], others);
+    assertChanged("another array");
+    others[0] = 1; /* far away */
+    ck_assert(isAsTested());
+    McdRGHeightFieldUpdateHeights(p.shape[1]);
+    assertChanged("its height in all");
+    McdModelUpdate(p.model[1]); /* late: the box that a test of parts reads changes now */
+    assertChanged("its box");
+}
+END_TEST
+
+START_TEST(a_list_among_the_parts_is_always_tested) {
+    MeMatrix4 tm;
+    MeVector3 low = {-1, -1, -1}, high = {1, 1, 1};
+    const McdAggregateID whole = McdAggregateCreate(p.frame, 1);
+    MeMatrix4TMMakeIdentity(tm);
+    McdAggregateAddElement(whole, McdTriangleListCreate(p.frame, low, high, 4, 0), tm);
     meet(whole, McdBoxCreate(p.frame, 1, 1, 1));
+    ck_assert(!isAsTested() && !isAsTested());
+    meet(McdTriangleListCreate(p.frame, low, high, 4, 0), McdBoxCreate(p.frame, 1, 1, 1));
     ck_assert(!isAsTested() && !isAsTested());
 }
 END_TEST
@@ -429,6 +543,64 @@ START_TEST(models_that_are_still_apart_have_no_contacts) {
 }
 END_TEST
 
+/* ---- what a test would read -------------------------------------------------------------------------------------- */
+
+static void intersectNow(McdContact contact[20], McdIntersectResult *result) {
+    memset(contact, 0, 20 * sizeof *contact);
+    *result = (McdIntersectResult){.contacts = contact, .contactMaxCount = 20};
+    McdIntersect(&p.pair, result);
+}
+
+/* Any shape on any ground, of which single heights change, near and far: where the pair is said to be unchanged, a test
+ * finds what the last one did, to the last bit. */
+START_TEST(a_test_of_what_is_unchanged_gives_the_same_bits) {
+    enum { PLACES = 300, CHANGES = 60 };
+    int kept = 0, changed = 0, touching = 0;
+    randomState = 3;
+    for (int i = 0; i < PLACES; i++) {
+        static const double still[4] = {0, 0, 0, 0};
+        double start[4], at[3];
+        McdContact contact[20], before[20];
+        McdIntersectResult result, old;
+        meet(anyShape(), flatField());
+        for (int k = 0; k < SIDE * SIDE; k++)
+            height[k] = (MeReal)uniform(-.5, .5);
+        for (int k = 0; k < 4; k++)
+            start[k] = uniform(-1, 1);
+        for (int k = 0; k < 3; k++)
+            at[k] = k < 2 ? uniform(-3, 3) : uniform(-.2, 1.2);
+        put(0, start, still, 0, at);
+        for (int k = 0; k < 4; k++)
+            start[k] = k ? uniform(-.3, .3) : 1;
+        put(1, start, still, 0, still);
+        McdModelSetContactTolerance(p.model[0], (MeReal)uniform(0, .3));
+        McdRGHeightFieldUpdateHeights(p.shape[1]);
+        McdModelUpdate(p.model[0]);
+        McdModelUpdate(p.model[1]);
+        isAsTested();
+        intersectNow(before, &old);
+        touching += old.contactCount > 0;
+        for (int k = 0; k < CHANGES; k++) {
+            height[(int)uniform(0, SIDE * SIDE)] = (MeReal)uniform(-.5, .5);
+            const MeBool isSame = isAsTested();
+            intersectNow(contact, &result);
+            kept += isSame;
+            changed += result.contactCount != old.contactCount || memcmp(contact, before, sizeof contact) != 0;
+            ck_assert_msg(!isSame || (result.contactCount == old.contactCount &&
+                                      memcmp(contact, before, sizeof contact) == 0 && result.apart == old.apart),
+                          "place %d, change %d", i, k);
+            memcpy(before, contact, sizeof before);
+            old = result;
+        }
+        McdFrameworkDestroyAllModelsAndGeometries(p.frame);
+    }
+    printf("of %d changes of heights %d left pairs as tested, %d changed contacts\n", PLACES * CHANGES, kept, changed);
+    ck_assert_int_gt(kept, PLACES * CHANGES / 4);
+    ck_assert_int_gt(changed, PLACES * CHANGES / 20);
+    ck_assert_int_gt(touching, PLACES / 3);
+}
+END_TEST
+
 /* ---- what calls no function of the program ----------------------------------------------------------------------- */
 
 static McdGeometryID field(void) {
@@ -476,16 +648,16 @@ END_TEST
 START_TEST(what_is_fast_and_not_one_convex_shape_is_not_plain) {
     const McdSpaceID s = McdSpaceAxisSortCreate(p.frame, McdAllAxes, 10, 10);
     MeVector3 velocity = {100, 0, 0};
-    for (int isWhole = 0; isWhole < 2; isWhole++) {
+    for (int kind = 0; kind < 3; kind++) { /* a box and a plane, a box and a field, parts and a field */
         const McdGeometryID box = McdBoxCreate(p.frame, 1, 1, 1);
-        ck_assert(isPlain(isWhole ? nested(box) : box, isWhole ? field() : McdPlaneCreate(p.frame)));
+        ck_assert(isPlain(kind == 2 ? nested(box) : box, kind ? field() : McdPlaneCreate(p.frame)));
         McdModelSetLinearVelocityPtr(p.model[0], velocity);
         McdModelSetSwept(p.model[0], METRUE);
         McdSpaceInsertModel(s, p.model[0]);
         McdSpaceSetLookAhead(s, 1);
         McdSpaceUpdateAll(s);
         ck_assert(McdModelGetFastMargin(p.model[0]) > 0);
-        ck_assert_int_eq(McdModelPairIsPlain(&p.pair), !isWhole);
+        ck_assert_int_eq(McdModelPairIsPlain(&p.pair), kind == 0);
     }
     McdSpaceDestroy(s);
 }
@@ -515,7 +687,12 @@ static void tests(TCase *t) {
     tcase_add_test(t, what_a_program_answers_is_always_asked);
     tcase_add_test(t, parts_their_places_and_sizes_count);
     tcase_add_test(t, two_parts_that_change_places_count);
-    tcase_add_test(t, a_surface_among_the_parts_is_always_tested);
+    tcase_add_test(t, heights_near_a_shape_count_and_no_others);
+    tcase_add_test(t, heights_near_each_part_count);
+    tcase_add_test(t, a_surface_among_the_parts_counts_as_one_alone);
+    tcase_add_test(t, what_a_field_is_made_of_counts);
+    tcase_add_test(t, a_list_among_the_parts_is_always_tested);
+    tcase_add_test(t, a_test_of_what_is_unchanged_gives_the_same_bits);
     tcase_add_test(t, models_that_are_still_apart_have_no_contacts);
     tcase_add_test(t, whatever_the_library_tests_alone_is_plain);
     tcase_add_test(t, a_list_of_triangles_is_a_function_of_the_program);
