@@ -202,10 +202,13 @@ static MeBool isStillApart(const McdModelPair *p, const McdStand *now) {
            motionSince(&p->stand, now, m1->reach) + (MeReal)mcd_pairMargin(p) + rounding < p->stand.apart;
 }
 
-/* Whether no point of the smaller model has moved by more than a part of its size: its contacts may be moved along. */
+/* Whether no point of the smaller model has moved by more than a part of its size: its contacts may be moved along. Of
+ * the first model those points count that were there: about its own origin, or about that of the second. */
 static MeBool hasHardlyMoved(const McdModelPair *p, const McdStand *now, MeReal part) {
-    const MeReal margin = mcd_record(p->model1)->tolerance + mcd_record(p->model2)->tolerance;
-    return motionSince(&p->stand, now, p->stand.size) < MeMIN(part * p->stand.size, margin / 4);
+    const McdModelRecord *m1 = mcd_record(p->model1), *m2 = mcd_record(p->model2);
+    const MeReal margin = m1->tolerance + m2->tolerance, size = p->stand.size;
+    const MeReal reach = m1->radius > m2->radius ? size + sumOfCoordinates(p->stand.place) : size;
+    return motionSince(&p->stand, now, reach) < MeMIN(part * size, margin / 4);
 }
 
 /* Whether the last test can tell anything of a pose that is not its own. */

@@ -543,6 +543,51 @@ START_TEST(models_that_are_still_apart_have_no_contacts) {
 }
 END_TEST
 
+/* ---- what has hardly moved --------------------------------------------------------------------------------------- */
+
+static McdPairChange changeOf(MeReal part) {
+    static const MeBool mayMove[2] = {METRUE, METRUE};
+    McdFrameworkBeginRound(p.frame);
+    return McdModelPairLook(&p.pair, part, mayMove);
+}
+
+/* A box goes round the middle of a large ground, which it always sees in the same place. */
+START_TEST(a_circle_about_the_larger_ones_origin_is_a_motion) {
+    for (int which = 0; which < 2; which++) {
+        const McdGeometryID box = McdBoxCreate(p.frame, 1, 1, 1), ground = McdBoxCreate(p.frame, 99, 99, 1);
+        meet(which ? ground : box, which ? box : ground);
+        for (int i = 0; i < 3; i++) {
+            const double angle = i < 2 ? i * 1e-7 : 1e-4;
+            MeMatrix4TMFromEulerAnglesAndPosition(p.tm[which], 0, 0, (MeReal)angle, (MeReal)(40 * cos(angle)),
+                                                  (MeReal)(40 * sin(angle)), 1);
+            ck_assert_int_eq(changeOf((MeReal)1e-3), i == 1 ? McdPairHasMoved : McdPairHasChanged);
+        }
+    }
+}
+END_TEST
+
+START_TEST(heights_count_where_a_shape_has_hardly_moved) {
+    for (int which = 0; which < 2; which++) {
+        const McdGeometryID box = McdBoxCreate(p.frame, 1, 1, 1), field = flatField();
+        meet(which ? field : box, which ? box : field);
+        changeOf((MeReal)1e-3);
+        for (int i = 1; i < 5; i++) {
+            p.tm[which][3][0] += (MeReal)1e-5;
+            if (i % 2 == 0)
+                *heightAt(0, 1) = (MeReal)(1e-5 * i);
+            ck_assert_int_eq(changeOf((MeReal)1e-3), i % 2 ? McdPairHasMoved : McdPairHasChanged);
+        }
+        const MeReal margin = McdModelGetContactTolerance(p.model[0]) + McdModelGetContactTolerance(p.model[1]);
+        p.tm[which][3][0] = (MeReal)-.5 + margin + (MeReal)5e-6; /* 4e-6 right of the cells beyond x = -1, */
+        changeOf((MeReal)1e-3);
+        p.tm[which][3][0] -= (MeReal)2e-6;
+        ck_assert_int_eq(changeOf((MeReal)1e-3), McdPairHasMoved);
+        p.tm[which][3][0] -= (MeReal)1e-5; /* and left of that */
+        ck_assert_int_eq(changeOf((MeReal)1e-3), McdPairHasChanged);
+    }
+}
+END_TEST
+
 /* ---- what a test would read -------------------------------------------------------------------------------------- */
 
 static void intersectNow(McdContact contact[20], McdIntersectResult *result) {
@@ -692,6 +737,8 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_surface_among_the_parts_counts_as_one_alone);
     tcase_add_test(t, what_a_field_is_made_of_counts);
     tcase_add_test(t, a_list_among_the_parts_is_always_tested);
+    tcase_add_test(t, a_circle_about_the_larger_ones_origin_is_a_motion);
+    tcase_add_test(t, heights_count_where_a_shape_has_hardly_moved);
     tcase_add_test(t, a_test_of_what_is_unchanged_gives_the_same_bits);
     tcase_add_test(t, models_that_are_still_apart_have_no_contacts);
     tcase_add_test(t, whatever_the_library_tests_alone_is_plain);

@@ -1,15 +1,19 @@
 /* Pairs that hardly move are not tested again (MstBridgeSetContactReuse): what a program does to them is seen at once,
  * and a crowd comes to rest as it does without. */
 #include "Mst.h"
+#include "McdInternal.h"
 #include "MdtReport.h"
 #include "karma_test.h"
 
+enum { CUBES, OF_PARTS, ON_FIELD, KINDS };        /* cubes, cubes of two parts, and cubes on a height field */
+enum { SIDE = 41 };                               /* points of the field, 1 m apart */
 enum { ROWS = 9, BOXES = ROWS * (ROWS + 1) / 2 }; /* 45: a crowd is more than 32 */
 
 static MstUniverseID u;
 static McdGeometryID box; /* what each model is, or has twice as a part */
 static McdModelID model[BOXES], ground;
 static MeMatrix4 groundPlace;
+static MeReal height[SIDE * SIDE];
 
 /* A cube of two parts that overlap. Of halves side by side, an outer half would touch another cube's inner face. */
 static McdGeometryID makeOfParts(void) {
@@ -25,7 +29,7 @@ static McdGeometryID makeOfParts(void) {
 }
 
 /* Cubes in a vertical pyramid, of which each row stands 2 mm above the one below. */
-static void build(double part, MeBool haveParts) {
+static void build(double part, int kind) {
     MstUniverseSizes sizes = MstUniverseDefaultSizes;
     sizes.dynamicConstraintsMaxCount = 2000;
     u = MstUniverseCreate(&sizes);
@@ -38,9 +42,15 @@ static void build(double part, MeBool haveParts) {
     MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal).5, 0);
     MstBridgeSetContactReuse(u->bridge, (MeReal)part);
     MeMatrix4TMMakeIdentity(groundPlace);
-    ground = MstFixedModelCreate(u, McdBoxCreate(u->frame, 40, 40, 1), groundPlace);
+    memset(height, 0, sizeof height);
+    if (kind == ON_FIELD)
+        groundPlace[3][2] = (MeReal).5;
+    ground = MstFixedModelCreate(u,
+                                 kind == ON_FIELD ? McdRGHeightFieldCreate(u->frame, height, SIDE, SIDE, 1, 1, -20, -20)
+                                                  : McdBoxCreate(u->frame, 40, 40, 1),
+                                 groundPlace);
     box = McdBoxCreate(u->frame, 1, 1, 1);
-    const McdGeometryID cube = haveParts ? makeOfParts() : box;
+    const McdGeometryID cube = kind == OF_PARTS ? makeOfParts() : box;
     int n = 0;
     for (int row = 0; row < ROWS; row++)
         for (int i = 0; i < ROWS - row; i++) {
@@ -118,7 +128,128 @@ START_TEST(a_change_by_the_program_is_seen) {
     McdModelUpdate(ground);
     findContacts();
     assert_near(depthOf(model[0]), before + 1e-4, 1e-6);
+    for (int i = 0; i < SIDE * SIDE; i++)
+        height[i] = (MeReal)1e-4;
+    findContacts();
+    assert_near(depthOf(model[0]), before + (_i == ON_FIELD ? 2e-4 : 1e-4), 1e-6);
     MstUniverseDestroy(u);
+}
+END_TEST
+
+/* ---- height fields ----------------------------------------------------------------------------------------------- */
+
+static MdtContactID groundContact(McdModelID m) {
+    const MdtBodyID b = McdModelGetBody(m);
+    MdtContactID c = MdtBodyGetFirstContact(b);
+    while (c && MdtContactGetBody(c, 1))
+        c = MdtBodyGetNextContact(b, c);
+    return c;
+}
+
+/* A depth that no test finds is still there unless the model has been tested against the ground. */
+static MeBool isTested(McdModelID m) {
+    const MeReal mark = (MeReal).25, depth = MdtContactGetPenetration(groundContact(m));
+    MdtContactSetPenetration(groundContact(m), mark);
+    findContacts();
+    const MeBool isMarked = MdtContactGetPenetration(groundContact(m)) == mark;
+    if (isMarked)
+        MdtContactSetPenetration(groundContact(m), depth);
+    return !isMarked;
+}
+
+static MeReal *heightAt(int x, int y) {
+    return &height[(y + SIDE / 2) * SIDE + x + SIDE / 2];
+}
+
+START_TEST(a_box_at_rest_on_a_field_is_tested_where_heights_change_only) {
+    build(0, ON_FIELD);
+    step(120);
+    findContacts();
+    for (int i = 0; i < ROWS; i++) {
+        MeVector3 at;
+        McdModelDynamicsGetPosition(model[i], at);
+        const int x = (int)floor((double)at[0]); /* the box is over the cells from x, or x - 1, on */
+        ck_assert_msg(!isTested(model[i]), "box %d at rest", i);
+        for (int dy = -3; dy <= 3; dy++)
+            for (int dx = -3; dx <= 4; dx++) {
+                *heightAt(x + dx, dy) -= (MeReal)1e-4;
+                const MeBool isSeen = isTested(model[i]);
+                ck_assert_msg(isSeen || dx < 0 || dx > 1 || dy < -1 || dy > 1, "box %d, under (%d, %d)", i, dx, dy);
+                ck_assert_msg(!isSeen || (dx > -2 && dx < 3 && dy > -2 && dy < 2), "box %d, at (%d, %d)", i, dx, dy);
+                *heightAt(x + dx, dy) = 0;
+                findContacts();
+            }
+        McdModelDynamicsSetPosition(model[i], at[0], at[1] + (MeReal)1e-6, at[2]);
+        ck_assert_msg(isTested(model[i]), "box %d moved", i);
+        ck_assert_msg(!isTested(model[i]), "box %d stays there", i);
+    }
+    groundPlace[3][0] += (MeReal)1e-6;
+    McdModelUpdate(ground);
+    ck_assert(isTested(model[0]));
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+/* Each kind of shape on hills, two of each, apart from each other. */
+static int buildOnHills(McdModelID on[16]) {
+    int n = 0;
+    build(MST_CONTACT_REUSE, ON_FIELD);
+    for (int i = 0; i < BOXES; i++)
+        MstModelAndBodyDestroy(model[i]);
+    MdtWorldSetSolver(u->world, MdtSolverAuto);
+    MdtWorldSetEpsilon(u->world, (MeReal)1e-4);
+    for (int i = 0; i < SIDE * SIDE; i++)
+        height[i] = (MeReal)(.3 * sin(i % SIDE) * cos(.7 * (i / SIDE)));
+    McdRGHeightFieldUpdateHeights(McdModelGetGeometry(ground));
+    for (; n < 16; n++) {
+        const McdGeometryID shape[] = {McdBoxCreate(u->frame, 1, (MeReal).7, (MeReal).5), makeOfParts(),
+                                       McdCylinderCreate(u->frame, (MeReal).4, (MeReal).6),
+                                       McdSphylCreate(u->frame, (MeReal).3, (MeReal).5)};
+        on[n] = MstModelAndBodyCreate(u, shape[n % 4], 1);
+        McdModelDynamicsSetPosition(on[n], (MeReal)(3 * (n % 4) - 5.3), (MeReal)(3.1 * (n / 4) - 5.2), (MeReal)1.6);
+    }
+    return n;
+}
+
+static void forgetTests(void) {
+    const McdModelPairContainer *pairs = u->bridge->pairs;
+    for (int i = pairs->helloFirst; i < pairs->stayingEnd; i++)
+        McdModelPairForgetTest(pairs->array[i]);
+}
+
+/* Digs away single heights now and then, without telling. */
+static void dig(int i) {
+    if (i % 40 == 0)
+        *heightAt(i / 40 % 9 - 4, i / 40 % 7 - 3) -= (MeReal).05;
+}
+
+START_TEST(bodies_on_a_field_move_as_if_each_pair_were_tested_in_every_step) {
+    enum { STEPS = 500 };
+    static MeMatrix4 kept[STEPS][16];
+    McdModelID on[16];
+    int tested = 0;
+    for (int forgets = 0; forgets < 2; forgets++) {
+        const int n = buildOnHills(on);
+        for (int i = 0; i < STEPS; i++) {
+            dig(i);
+            if (forgets)
+                forgetTests();
+            step(1);
+            for (int k = 0; k < n; k++)
+                if (!forgets)
+                    memcpy(kept[i][k], MdtBodyGetTransformPtr(McdModelGetBody(on[k])), sizeof kept[i][k]);
+                else
+                    ck_assert_msg(
+                        memcmp(kept[i][k], MdtBodyGetTransformPtr(McdModelGetBody(on[k])), sizeof kept[i][k]) == 0,
+                        "step %d, body %d", i, k);
+        }
+        findContacts();
+        for (int k = 0; !forgets && k < n; k++)
+            tested += groundContact(on[k]) == 0 || isTested(on[k]);
+        MstUniverseDestroy(u);
+    }
+    printf("bodies on hills that are tested still: %d of 16\n", tested);
+    ck_assert_int_le(tested, 8); /* the others lie still */
 }
 END_TEST
 
@@ -157,7 +288,7 @@ START_TEST(depths_follow_the_bodies) {
 END_TEST
 
 START_TEST(bad_input_changes_nothing) {
-    build(MST_CONTACT_REUSE, MEFALSE);
+    build(MST_CONTACT_REUSE, CUBES);
     messages_catch();
     MstBridgeSetContactReuse(u->bridge, -1);
     assert_warned("MstBridgeSetContactReuse");
@@ -172,10 +303,11 @@ START_TEST(bad_input_changes_nothing) {
 END_TEST
 
 static void tests(TCase *t) {
-    /* of cubes, and of cubes of two parts */
-    tcase_add_loop_test(t, a_crowd_comes_to_rest_as_it_does_without, 0, 2);
-    tcase_add_loop_test(t, a_change_by_the_program_is_seen, 0, 2);
-    tcase_add_loop_test(t, depths_follow_the_bodies, 0, 2);
+    tcase_add_loop_test(t, a_crowd_comes_to_rest_as_it_does_without, 0, KINDS);
+    tcase_add_loop_test(t, a_change_by_the_program_is_seen, 0, KINDS);
+    tcase_add_loop_test(t, depths_follow_the_bodies, 0, KINDS);
+    tcase_add_test(t, a_box_at_rest_on_a_field_is_tested_where_heights_change_only);
+    tcase_add_test(t, bodies_on_a_field_move_as_if_each_pair_were_tested_in_every_step);
     tcase_add_test(t, bad_input_changes_nothing);
 }
 

@@ -131,7 +131,28 @@ static void makeDebris(Scene *s) {
         put(s, shape[i % 2], 3 * (i % 16) + chance(s, 0, 1), 1 + chance(s, 0, 1), 3 * (i / 16));
 }
 
-static void (*const scenes[])(Scene *s) = {makeHeap, makeChains, makeMixed, makeDense, makeTerrain, makeDebris};
+/* Bodies that lie on a height field, or fall over, so that workers compare its heights, which the program changes
+ * between steps. It is above the plane. */
+enum { FIELD_SIDE = 41 };
+static MeReal heights[FIELD_SIDE * FIELD_SIDE];
+
+static void makeAtRest(Scene *s) {
+    for (int i = 0; i < FIELD_SIDE * FIELD_SIDE; i++)
+        heights[i] = 1;
+    MstFixedModelCreate(s->u, McdRGHeightFieldCreate(s->u->frame, heights, FIELD_SIDE, FIELD_SIDE, 1, 1, -20, -20),
+                        floorPlace);
+    const McdGeometryID shape[] = {stool(s->u->frame), McdBoxCreate(s->u->frame, (MeReal).8, (MeReal).6, (MeReal).5)};
+    for (int i = 0; i < 200; i++)
+        put(s, shape[i % 4 > 0], -18 + 2.3 * (i % 16), i % 4 ? 1.3 : 1.9, -18 + 2.6 * (i / 16));
+}
+
+static void dig(Scene *s, int frame) {
+    for (int i = 0; i < 50 && frame % 10 == 9; i++)
+        heights[(int)chance(s, 0, FIELD_SIDE * FIELD_SIDE)] -= (MeReal).02;
+}
+
+static void (*const scenes[])(Scene *s) = {makeHeap,    makeChains, makeMixed, makeDense,
+                                           makeTerrain, makeDebris, makeAtRest};
 enum { SCENES = sizeof scenes / sizeof *scenes };
 
 /* FNV-1a. */
@@ -166,8 +187,10 @@ static uint64_t run(void (*make)(Scene *s), MeTaskPoolID pool, MeBool isReported
     MdtWorldSetTaskPool(s.u->world, pool);
     if (isReported)
         MdtWorldEnableReport(s.u->world);
-    for (int i = 0; i < FRAMES; i++)
+    for (int i = 0; i < FRAMES; i++) {
         MstUniverseStep(s.u, FRAME);
+        dig(&s, i);
+    }
     const uint64_t hash = stateOf(&s);
     MstUniverseDestroy(s.u);
     return hash;
