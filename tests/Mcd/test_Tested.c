@@ -588,6 +588,22 @@ START_TEST(heights_count_where_a_shape_has_hardly_moved) {
 }
 END_TEST
 
+/* It goes to other cells as these get the heights of those it was over. */
+START_TEST(the_cells_count_not_their_heights_alone) {
+    meetBoxes();
+    const MeReal margin = McdModelGetContactTolerance(p.model[0]) + McdModelGetContactTolerance(p.model[1]);
+    meet(McdBoxCreate(p.frame, 1 - 2 * margin, 1, 1), flatField());
+    p.tm[0][3][0] = (MeReal)-.5 + (MeReal)5e-6;
+    for (int shift = 0; shift < 2; shift++) {
+        for (int y = -4; y <= 4; y++)
+            for (int x = -4; x <= 4; x++)
+                *heightAt(x, y) = (MeReal)(x + shift);
+        ck_assert_int_eq(changeOf((MeReal)1e-3), McdPairHasChanged);
+        p.tm[0][3][0] -= (MeReal)1e-5; /* both its ends over a line of the field */
+    }
+}
+END_TEST
+
 /* ---- what a test would read -------------------------------------------------------------------------------------- */
 
 static void intersectNow(McdContact contact[20], McdIntersectResult *result) {
@@ -739,6 +755,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_list_among_the_parts_is_always_tested);
     tcase_add_test(t, a_circle_about_the_larger_ones_origin_is_a_motion);
     tcase_add_test(t, heights_count_where_a_shape_has_hardly_moved);
+    tcase_add_test(t, the_cells_count_not_their_heights_alone);
     tcase_add_test(t, a_test_of_what_is_unchanged_gives_the_same_bits);
     tcase_add_test(t, models_that_are_still_apart_have_no_contacts);
     tcase_add_test(t, whatever_the_library_tests_alone_is_plain);
