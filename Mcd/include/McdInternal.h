@@ -71,6 +71,13 @@ MEPUBLIC MeBool MEAPI McdModelPairIntersectPlain(McdModelPair *p, McdIntersectRe
 MEPUBLIC void MEAPI McdModelPairNoteTest(McdModelPair *p);
 /** Stores the gap that the test has found, m, a lower bound (McdIntersectResult.apart); 0: unknown, or none. */
 MEPUBLIC void MEAPI McdModelPairNoteApart(McdModelPair *p, MeReal apart);
+/** As McdIntersect, for a pair whose McdModelPairLook has just given McdPairHasChanged. Of one convex model and a
+ *  triangle list, with the library's own interaction and without callbacks of models, the list's callback is called,
+ *  and MEFALSE returned, without contacts, if @a mayBeUnchanged and the triangles, the convex model and all else that
+ *  the test would read are, to the last bit, as in the last such call for this pair. Else METRUE; @a isKnown is then
+ *  what McdIntersect returns. */
+MEPUBLIC MeBool MEAPI McdModelPairIntersectIfChanged(McdModelPair *p, MeBool mayBeUnchanged, McdIntersectResult *result,
+                                                     MeBool *isKnown);
 /** Invalidates the last test: the next McdModelPairLook returns McdPairHasChanged. */
 MEPUBLIC void MEAPI McdModelPairForgetTest(McdModelPair *p);
 /** @} */

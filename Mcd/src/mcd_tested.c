@@ -9,9 +9,10 @@
  * they are, and their heights. It is made at each look, by the function that bounds a test's query, so that it covers
  * what a test would read. Two hashes of 128 bits are equal by chance once in 3e38.
  *
- * Triangle lists, parts with a material of their own and a program's own types may depend on more: they are always
- * tested. What a list shows is known only once its callback has been called, which the narrow phase may not do but in
- * the calling thread, as it commits (mst_collide.c); this file is asked before.
+ * Parts with a material of their own and a program's own types may depend on more: they are always tested. So are
+ * triangle lists here: what a list shows is known only once its callback has been called, which is done in the calling
+ * thread, as it commits. There a test of one convex model ends after that, if all that it would read has the hash of
+ * the last one (McdModelPairIntersectIfChanged), which is kept in the place of the stamps of both shapes, too.
  */
 #include "McdInternal.h"
 #include "mcd_geometries_i.h"
@@ -290,6 +291,10 @@ static McdTest testOf(const McdModelPair *p, McdModelRecord *m1, McdModelRecord 
         addSurfaces(p, &m1->instance, &m2->instance, hash);
         t.shape1 = hash[0];
         t.shape2 = hash[1];
+    }
+    if (t.stamp1 == 0 || t.stamp2 == 0) { /* not compared here: McdModelPairIntersectIfChanged keeps a hash there */
+        t.shape1 = p->test.shape1;
+        t.shape2 = p->test.shape2;
     }
     return t;
 }

@@ -178,12 +178,27 @@ static const McdContact *nearestContact(const McdIntersectResult *result) {
     return nearest;
 }
 
-void mst_testPair(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
-    f->isKnown = (f->outcome == MST_TESTED ? intersectPlain : mst_intersectPair)(run, f->pair);
+static void takeResult(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     if (run->result.contactCount > 0 && !f->isFast && mst_passesFlush(f->pair, nearestContact(&run->result)))
         run->result.contactCount = 0;
     f->first = run->foundCount;
     mst_convertContacts(b, run, f);
+}
+
+void mst_testPair(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
+    f->isKnown = (f->outcome == MST_TESTED ? intersectPlain : mst_intersectPair)(run, f->pair);
+    takeResult(b, run, f);
+}
+
+MeBool mst_testPairIfChanged(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
+    McdModelPair *p = f->pair;
+    const MeBool holds = p->touch ? isAsTested(p, hasAllContacts(p)) : !p->responseData;
+    beginResult(run);
+    if (!McdModelPairIntersectIfChanged(p, holds && !f->isFast && !mst_hasCallback(f->materials), &run->result,
+                                        &f->isKnown))
+        return MEFALSE;
+    takeResult(b, run, f);
+    return METRUE;
 }
 
 /* Whether a callback of the program is involved in the pair's test or contacts. */

@@ -166,8 +166,17 @@ static void commitTested(MstBridgeRecord *b, const MstRun *run, const MstFinding
     finishTest(b, f, s, w);
 }
 
+static MeBool hasFoundContacts(const McdModelPair *p) {
+    const MstTouch *t = p->touch;
+    return t && t->found != 0;
+}
+
 static void testAndCommit(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpaceID s, MdtWorldID w) {
-    mst_testPair(b, run, f);
+    if (!mst_testPairIfChanged(b, run, f)) {
+        if (hasFoundContacts(f->pair))
+            keepContacts(b, f->pair, f->materials);
+        return;
+    }
     if (f->isKnown)
         commitWithCallbacks(b, run, f, w);
     if (mst_hasCallback(f->materials))

@@ -16,14 +16,14 @@
  * nothing that two pairs share, but for the stamp that Mcd gives a model at its first look in a round, and for the mark
  * that a body's certificate of rest has ended, which any number of threads may set. A pair whose test or
  * contacts involve a function of the program (callsProgram) is only looked at there: it ends the run, and commit tests
- * it.
+ * it; with a list of triangles, only until it is known that these are as they were.
  *
  * With workers (mst_workers.c), models get their stamps first; then runs of pairs that call no program are collided by
  * all workers, some runs ahead of the calling thread, which commits them in their order. In the first part of a step no
  * pair depends on what is committed of another one, so that contacts are the same.
  *
  *     data                                owner: who writes it
- *     McdModelPair.test, .stand           Mcd, as collide looks at the pair; commit, where no touch could be had
+ *     McdModelPair.test, .stand           Mcd, as collide looks at the pair; commit, where it tests it or no touch could be had
  *     McdModelPair.responseData, .forget  commit (mst_commit.c, mst_touch.c)
  *     MstRun                              collide; commit, of a pair that it has to test
  *     MstTouch                            update and commit (of the last test; mst_touch.c: of this step); events
@@ -255,6 +255,9 @@ MeBool mst_intersectPair(MstRun *run, McdModelPair *p);
 MeBool mst_passesFlush(const McdModelPair *p, const McdContact *nearest);
 /* mst_intersectPair, and its contacts become part of the run's. */
 void mst_testPair(const MstBridgeRecord *b, MstRun *run, MstFinding *f);
+/* The same, for a pair that may have a list of triangles, whose callback is called. False: all of them, the models and
+ * the materials are as in the last test, and the pair has its contacts still. */
+MeBool mst_testPairIfChanged(const MstBridgeRecord *b, MstRun *run, MstFinding *f);
 /* Notes of each pair whether a joint of its bodies lets them pass through each other: before any is collided, as commit
  * changes the lists in which bodies have their joints. */
 void mst_noteHeldApart(McdModelPair *const pairs[], int count);

@@ -1,4 +1,5 @@
-/* Which pairs need not be tested again: those whose test would read the same bits, heights of a field among them. */
+/* Which pairs need not be tested again: those whose test would read the same bits, heights of a field and triangles of
+ * a list among them. */
 #include "McdAggregate.h"
 #include "McdAll.h"
 #include "McdInternal.h"
@@ -662,6 +663,132 @@ START_TEST(a_test_of_what_is_unchanged_gives_the_same_bits) {
 }
 END_TEST
 
+/* ---- lists of triangles ------------------------------------------------------------------------------------------ */
+
+enum { TRIANGLES = 6 };
+static struct {
+    MeVector3 corner[TRIANGLES][3], normal[TRIANGLES];
+    McdUserTriangle triangle[TRIANGLES];
+    int count, calls;
+} shown;
+
+static int MEAPI show(McdModelPair *pair, McdUserTriangle *triangle, MeVector3 at, MeReal radius, int most) {
+    (void)pair, (void)at, (void)radius, (void)most;
+    shown.calls++;
+    memcpy(triangle, shown.triangle, (size_t)shown.count * sizeof *triangle);
+    return shown.count;
+}
+
+/* A strip along x, rough across it. */
+static McdGeometryID strip(void) {
+    MeVector3 low = {-9, -9, -1}, high = {9, 9, 1};
+    memset(&shown, 0, sizeof shown);
+    shown.count = TRIANGLES;
+    for (int i = 0; i < TRIANGLES; i++) {
+        for (int k = 0; k < 3; k++) {
+            MeVector3Set(shown.corner[i][k], (MeReal)(.2 * (i + k) - .7), (i + k) % 2 ? 1 : -1,
+                         (MeReal)(.01 * (i + k)));
+            shown.triangle[i].vertices[k] = &shown.corner[i][k];
+        }
+        MeVector3Set(shown.normal[i], 0, 0, 1);
+        shown.triangle[i].normal = &shown.normal[i];
+        shown.triangle[i].flags = kMcdTriangleStandard;
+    }
+    return McdTriangleListCreate(p.frame, low, high, TRIANGLES + 1, show);
+}
+
+/* As the bridge tests it, with the outcome of the last test known or not. In any case the callback is called once, and
+ * what is found is what McdIntersect finds. */
+static MeBool isFoundAnew(MeBool isLastKnown) {
+    McdContact contact[20], same[20];
+    McdIntersectResult result = {.contacts = contact, .contactMaxCount = 20}, expected;
+    MeBool isKnown = MEFALSE;
+    intersectNow(same, &expected);
+    memset(contact, 0, sizeof contact);
+    ck_assert(!isAsTested());
+    const int calls = shown.calls;
+    const MeBool isAnew = McdModelPairIntersectIfChanged(&p.pair, isLastKnown, &result, &isKnown);
+    ck_assert_int_eq(shown.calls, calls + 1);
+    ck_assert_int_eq(result.contactMaxCount, 20);
+    ck_assert(result.pair == &p.pair);
+    if (!isAnew) {
+        ck_assert_int_eq(result.contactCount, 0);
+        return MEFALSE;
+    }
+    ck_assert(isKnown);
+    ck_assert_int_eq(result.contactCount, expected.contactCount);
+    ck_assert_int_eq(result.touch, expected.touch);
+    ck_assert(memcmp(result.normal, expected.normal, sizeof result.normal) == 0);
+    ck_assert(memcmp(contact, same, (size_t)result.contactCount * sizeof *contact) == 0);
+    return METRUE;
+}
+
+/* What has just been changed is found, once. */
+static void assertFound(const char *what) {
+    ck_assert_msg(isFoundAnew(METRUE), "%s: not found", what);
+    ck_assert_msg(!isFoundAnew(METRUE), "%s: found twice", what);
+}
+
+START_TEST(whatever_a_list_shows_counts) {
+    for (int which = 0; which < 2; which++) {
+        const McdGeometryID box = McdBoxCreate(p.frame, 1, 1, 1), list = strip();
+        meet(which ? list : box, which ? box : list);
+        p.tm[which][3][2] = (MeReal).5 + p.tm[!which][3][2];
+        McdModelUpdate(p.model[which]);
+        assertFound("a new pair");
+        ck_assert(isFoundAnew(MEFALSE)); /* the bridge has not what was found */
+        shown.corner[3][1][2] += shown.corner[3][1][2] * ME_EPSILON;
+        assertFound("the last bit of a corner");
+        shown.normal[2][0] = (MeReal).1;
+        shown.triangle[2].normal = 0;
+        assertFound("no normal");
+        MeVector3Set(shown.normal[1], 0, 0, -1);
+        assertFound("a normal to the other side");
+        shown.triangle[2].flags = kMcdTriangleUseSmallestPenetration;
+        assertFound("flags");
+        shown.triangle[4].triangleData.tag = 5;
+        assertFound("a triangle's data");
+        shown.count--;
+        assertFound("one less");
+        p.tm[which][3][0] += (MeReal)1e-30;
+        assertFound("a move");
+        p.tm[!which][0][1] += (MeReal)1e-30;
+        assertFound("the list's turn");
+        McdModelSetContactTolerance(p.model[!which], (MeReal).3);
+        assertFound("a margin");
+        McdBoxSetDimensions(box, 1, 1, (MeReal)1.01);
+        assertFound("a size");
+        McdRequest request = *McdModelPairGetRequestPtr(&p.pair);
+        McdModelPairSetRequestPtr(&p.pair, &request);
+        request.contactMaxCount = 2;
+        assertFound("a request's count");
+        shown.count = 0;
+        assertFound("nothing");
+        McdModelPairForgetTest(&p.pair);
+        assertFound("what was given away");
+        request.faceNormalsFirst = METRUE;
+        ck_assert(isFoundAnew(METRUE) && isFoundAnew(METRUE));
+    }
+}
+END_TEST
+
+START_TEST(a_list_is_tested_where_more_than_it_decides) {
+    meet(McdBoxCreate(p.frame, 1, 1, 1), strip());
+    assertFound("a new pair");
+    McdModelSetIntersectCallback(p.model[0], onIntersect);
+    ck_assert(isFoundAnew(METRUE) && isFoundAnew(METRUE));
+    McdModelSetIntersectCallback(p.model[0], 0);
+    assertFound("without the callback");
+    meet(nested(McdBoxCreate(p.frame, 1, 1, 1)), strip());
+    McdModelUpdate(p.model[0]);
+    MeBool isKnown;
+    McdContact contact[20];
+    McdIntersectResult result = {.contacts = contact, .contactMaxCount = 20};
+    for (int i = 0; i < 2; i++)
+        ck_assert(McdModelPairIntersectIfChanged(&p.pair, METRUE, &result, &isKnown) && isKnown);
+}
+END_TEST
+
 /* ---- what calls no function of the program ----------------------------------------------------------------------- */
 
 static McdGeometryID field(void) {
@@ -758,6 +885,8 @@ static void tests(TCase *t) {
     tcase_add_test(t, the_cells_count_not_their_heights_alone);
     tcase_add_test(t, a_test_of_what_is_unchanged_gives_the_same_bits);
     tcase_add_test(t, models_that_are_still_apart_have_no_contacts);
+    tcase_add_test(t, whatever_a_list_shows_counts);
+    tcase_add_test(t, a_list_is_tested_where_more_than_it_decides);
     tcase_add_test(t, whatever_the_library_tests_alone_is_plain);
     tcase_add_test(t, a_list_of_triangles_is_a_function_of_the_program);
     tcase_add_test(t, callbacks_and_interactions_of_the_program_are_not_plain);
