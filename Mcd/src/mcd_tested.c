@@ -6,8 +6,8 @@
  *
  * The heights of a height field are the program's, which changes them without a word. So a pair with one keeps, instead
  * of the stamps of both shapes, a hash of these, of the field's box, and of the cells that a test would visit: which
- * they are, and their heights. It is made at each look, by the function that bounds a test's query, so that it covers
- * what a test would read. Two hashes of 128 bits are equal by chance once in 3e38.
+ * they are, and their heights. It is made at each look, unless the pair has moved, by the function that bounds a
+ * test's query, so that it covers what a test would read. Two hashes of 128 bits are equal by chance once in 3e38.
  *
  * Parts with a material of their own and a program's own types may depend on more: they are always tested. So are
  * triangle lists here: what a list shows is known only once its callback has been called, which is done in the calling
@@ -277,8 +277,21 @@ static void addSurfaces(const McdModelPair *p, McdGeometryInstance *a, McdGeomet
         addSurfaceOfTwo(p, a, b, hash);
 }
 
-/* The inputs of a test now: stamps, and with a surface its triangles. */
-static McdTest testOf(const McdModelPair *p, McdModelRecord *m1, McdModelRecord *m2) {
+/* Replaces the stamps of both shapes by a hash, for a pair with a surface. While it moves, and its last test tells
+ * nothing of other poses, there is none, but 0: it would take a twentieth of the test that follows. So a pair that
+ * comes to rest is tested once more. */
+static void addSurfacesOf(const McdModelPair *p, McdTest *t, MeReal part) {
+    MeU64 hash[2] = {t->shape1, t->shape2};
+    t->shape1 = t->shape2 = 0;
+    if (!mayTestHold(p, part) && (t->stamp1 != p->test.stamp1 || t->stamp2 != p->test.stamp2))
+        return;
+    addSurfaces(p, &mcd_record(p->model1)->instance, &mcd_record(p->model2)->instance, hash);
+    t->shape1 = hash[0];
+    t->shape2 = hash[1];
+}
+
+/* The inputs of a test now: stamps, and with a surface its triangles. part: see McdModelPairLook. */
+static McdTest testOf(const McdModelPair *p, McdModelRecord *m1, McdModelRecord *m2, MeReal part) {
     const McdRequest *request = p->request ? p->request : m1->frame->defaultRequest;
     McdTest t = {.stamp1 = mcd_modelStampInRound(m1),
                  .stamp2 = mcd_modelStampInRound(m2),
@@ -286,15 +299,11 @@ static McdTest testOf(const McdModelPair *p, McdModelRecord *m1, McdModelRecord 
                  .shape2 = m2->shapeStamp,
                  .contactMaxCount = request->contactMaxCount,
                  .faceNormalsFirst = request->faceNormalsFirst};
-    if (((t.shape1 | t.shape2) & MCD_HAS_SURFACE) && t.stamp1 != 0 && t.stamp2 != 0) {
-        MeU64 hash[2] = {t.shape1, t.shape2};
-        addSurfaces(p, &m1->instance, &m2->instance, hash);
-        t.shape1 = hash[0];
-        t.shape2 = hash[1];
-    }
     if (t.stamp1 == 0 || t.stamp2 == 0) { /* not compared here: McdModelPairIntersectIfChanged keeps a hash there */
         t.shape1 = p->test.shape1;
         t.shape2 = p->test.shape2;
+    } else if ((t.shape1 | t.shape2) & MCD_HAS_SURFACE) {
+        addSurfacesOf(p, &t, part);
     }
     return t;
 }
@@ -313,7 +322,7 @@ MeBool MEAPI McdModelPairHasSeenModels(const McdModelPair *p) {
 McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool mayMove[2]) {
     MEASSERT(p && p->model1 && p->model2 && mayMove);
     McdModelRecord *m1 = mcd_record(p->model1), *m2 = mcd_record(p->model2);
-    const McdTest before = p->test, now = testOf(p, m1, m2);
+    const McdTest before = p->test, now = testOf(p, m1, m2, part);
     p->test = now;
     const MeBool isComparable =
         now.stamp1 != 0 && now.stamp2 != 0 && before.stamp1 != 0 && before.stamp2 != 0 && isBuiltIn(p);

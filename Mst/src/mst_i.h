@@ -23,7 +23,7 @@
  * pair depends on what is committed of another one, so that contacts are the same.
  *
  *     data                                owner: who writes it
- *     McdModelPair.test, .stand           Mcd, as collide looks at the pair; commit, where it tests it or no touch could be had
+ *     McdModelPair.test, .stand           Mcd, as collide looks at the pair; commit, where it tests it, or got no touch
  *     McdModelPair.responseData, .forget  commit (mst_commit.c, mst_touch.c)
  *     MstRun                              collide; commit, of a pair that it has to test
  *     MstTouch                            update and commit (of the last test; mst_touch.c: of this step); events

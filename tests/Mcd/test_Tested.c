@@ -342,6 +342,14 @@ static void assertSeen(double lowX, double highX, double lowY, double highY) {
         }
 }
 
+/* The same as assertChanged for a pair with a field whose models have moved: while they do, heights are not hashed, so
+ * that the first test in the new place is made twice. */
+static void assertMoved(const char *what) {
+    ck_assert_msg(!isAsTested(), "%s: not seen", what);
+    isAsTested();
+    ck_assert_msg(isAsTested(), "%s: seen for ever", what);
+}
+
 static McdGeometryID turnedBoxes(void) {
     MeMatrix4 tm;
     const McdAggregateID whole = McdAggregateCreate(p.frame, 2);
@@ -361,13 +369,13 @@ START_TEST(heights_near_a_shape_count_and_no_others) {
         p.tm[which][3][0] = (MeReal)1.5;
         p.tm[which][3][1] = (MeReal)-.5;
         p.tm[!which][3][2] = p.tm[which][3][2];
-        assertChanged("a new pair");
+        assertMoved("a new pair");
         assertSeen(1, 2, -2, 1);
         McdModelSetContactTolerance(p.model[which], (MeReal).2);
-        assertChanged("a margin");
+        assertMoved("a margin");
         assertSeen(0, 3, -2, 1);
         p.tm[!which][3][1] = 1;
-        assertChanged("the field's move");
+        assertMoved("the field's move");
         assertSeen(0, 3, -3, 0);
     }
 }
@@ -376,7 +384,7 @@ END_TEST
 START_TEST(heights_near_each_part_count) {
     meet(turnedBoxes(), flatField());
     McdModelUpdate(p.model[0]);
-    assertChanged("a new pair");
+    assertMoved("a new pair");
     for (int y = -4; y <= 4; y++)
         for (int x = -4; x <= 4; x++) {
             *heightAt(x, y) = (MeReal)1e-30;
@@ -394,10 +402,10 @@ START_TEST(a_surface_among_the_parts_counts_as_one_alone) {
     tm[3][0] = -2;
     McdAggregateAddElement(whole, flatField(), tm);
     meet(McdBoxCreate(p.frame, (MeReal).5, (MeReal).5, (MeReal).5), whole);
-    assertChanged("a new pair");
+    assertMoved("a new pair");
     assertSeen(1, 3, -1, 1);
     meet(whole, turnedBoxes());
-    assertChanged("with parts on either side");
+    assertMoved("with parts on either side");
     *heightAt(0, 0) = 1;
     assertChanged("a height under a part");
     *heightAt(-3, 0) = 1;
@@ -408,21 +416,21 @@ END_TEST
 START_TEST(what_a_field_is_made_of_counts) {
     static MeReal others[SIDE * SIDE];
     meet(McdBoxCreate(p.frame, 1, 1, 1), flatField());
-    assertChanged("a new pair");
+    assertMoved("a new pair");
     p.tm[0][3][0] = (MeReal)1e-30;
-    assertChanged("the box' move");
+    assertMoved("the box' move");
     p.tm[1][0][1] = (MeReal)1e-30;
-    assertChanged("the field's turn");
+    assertMoved("the field's turn");
     *heightAt(0, 0) = NAN;
     assertChanged("a hole");
     *heightAt(0, 0) = 0;
     assertChanged("none");
     McdRGHeightFieldSetHeights(p.shape[1], others);
-    assertChanged("another array");
+    assertMoved("another array");
     others[0] = 1; /* far away */
     ck_assert(isAsTested());
     McdRGHeightFieldUpdateHeights(p.shape[1]);
-    assertChanged("its height in all");
+    assertMoved("its height in all");
     McdModelUpdate(p.model[1]); /* late: the box that a test of parts reads changes now */
     assertChanged("its box");
 }
@@ -572,6 +580,7 @@ START_TEST(heights_count_where_a_shape_has_hardly_moved) {
         const McdGeometryID box = McdBoxCreate(p.frame, 1, 1, 1), field = flatField();
         meet(which ? field : box, which ? box : field);
         changeOf((MeReal)1e-3);
+        changeOf((MeReal)1e-3); /* in the first look heights are not hashed */
         for (int i = 1; i < 5; i++) {
             p.tm[which][3][0] += (MeReal)1e-5;
             if (i % 2 == 0)
@@ -595,6 +604,7 @@ START_TEST(the_cells_count_not_their_heights_alone) {
     const MeReal margin = McdModelGetContactTolerance(p.model[0]) + McdModelGetContactTolerance(p.model[1]);
     meet(McdBoxCreate(p.frame, 1 - 2 * margin, 1, 1), flatField());
     p.tm[0][3][0] = (MeReal)-.5 + (MeReal)5e-6;
+    changeOf((MeReal)1e-3); /* in the first look heights are not hashed */
     for (int shift = 0; shift < 2; shift++) {
         for (int y = -4; y <= 4; y++)
             for (int x = -4; x <= 4; x++)

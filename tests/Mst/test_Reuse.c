@@ -200,7 +200,8 @@ static MeReal *heightAt(int x, int y) {
 START_TEST(a_box_at_rest_on_triangles_is_tested_where_these_change_only) {
     build(0, _i);
     step(120);
-    findContacts();
+    for (int i = 0; i < 2; i++) /* the first test after a move is made twice */
+        findContacts();
     for (int i = 0; i < ROWS; i++) {
         MeVector3 at;
         McdModelDynamicsGetPosition(model[i], at);
@@ -217,6 +218,7 @@ START_TEST(a_box_at_rest_on_triangles_is_tested_where_these_change_only) {
             }
         McdModelDynamicsSetPosition(model[i], at[0], at[1] + (MeReal)1e-6, at[2]);
         ck_assert_msg(isTested(model[i]), "box %d moved", i);
+        findContacts();
         ck_assert_msg(!isTested(model[i]), "box %d stays there", i);
     }
     groundPlace[3][0] += (MeReal)1e-6;
@@ -284,7 +286,8 @@ START_TEST(bodies_on_triangles_move_as_if_each_pair_were_tested_in_every_step) {
                         "step %d, body %d", i, k);
         }
         called[forgets] = calls;
-        findContacts();
+        for (int i = 0; i < 2; i++)
+            findContacts();
         for (int k = 0; !forgets && k < n; k++)
             tested += groundContact(on[k]) == 0 || isTested(on[k]);
         MstUniverseDestroy(u);
