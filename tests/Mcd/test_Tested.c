@@ -623,6 +623,24 @@ static void intersectNow(McdContact contact[20], McdIntersectResult *result) {
     McdIntersect(&p.pair, result);
 }
 
+/* Member by member: what is between them is not written. */
+static MeBool isSameContact(const McdContact *a, const McdContact *b) {
+    return memcmp(a->position, b->position, sizeof a->position) == 0 &&
+           memcmp(a->normal, b->normal, sizeof a->normal) == 0 && a->separation == b->separation &&
+           a->feature == b->feature && a->instance1 == b->instance1 && a->instance2 == b->instance2 &&
+           a->element1.ptr == b->element1.ptr && a->element2.tag == b->element2.tag && a->dims == b->dims &&
+           a->exactSeparation == b->exactSeparation &&
+           memcmp(a->exactPosition, b->exactPosition, sizeof a->exactPosition) == 0 &&
+           memcmp(a->radius, b->radius, sizeof a->radius) == 0;
+}
+
+static MeBool areSameContacts(const McdContact *a, int countA, const McdContact *b, int countB) {
+    for (int i = 0; i < countA && countA == countB; i++)
+        if (!isSameContact(&a[i], &b[i]))
+            return MEFALSE;
+    return countA == countB;
+}
+
 /* Any shape on any ground, of which single heights change, near and far: where the pair is said to be unchanged, a test
  * finds what the last one did, to the last bit. */
 START_TEST(a_test_of_what_is_unchanged_gives_the_same_bits) {
@@ -657,10 +675,9 @@ START_TEST(a_test_of_what_is_unchanged_gives_the_same_bits) {
             const MeBool isSame = isAsTested();
             intersectNow(contact, &result);
             kept += isSame;
-            changed += result.contactCount != old.contactCount || memcmp(contact, before, sizeof contact) != 0;
-            ck_assert_msg(!isSame || (result.contactCount == old.contactCount &&
-                                      memcmp(contact, before, sizeof contact) == 0 && result.apart == old.apart),
-                          "place %d, change %d", i, k);
+            const MeBool areSame = areSameContacts(contact, result.contactCount, before, old.contactCount);
+            changed += !areSame;
+            ck_assert_msg(!isSame || (areSame && result.apart == old.apart), "place %d, change %d", i, k);
             memcpy(before, contact, sizeof before);
             old = result;
         }
@@ -729,7 +746,7 @@ static MeBool isFoundAnew(MeBool isLastKnown) {
     ck_assert_int_eq(result.contactCount, expected.contactCount);
     ck_assert_int_eq(result.touch, expected.touch);
     ck_assert(memcmp(result.normal, expected.normal, sizeof result.normal) == 0);
-    ck_assert(memcmp(contact, same, (size_t)result.contactCount * sizeof *contact) == 0);
+    ck_assert(areSameContacts(contact, result.contactCount, same, expected.contactCount));
     return METRUE;
 }
 
