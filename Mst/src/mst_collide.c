@@ -165,11 +165,6 @@ MeBool mst_intersectPair(MstRun *run, McdModelPair *p) {
     return McdIntersect(p, &run->result);
 }
 
-static MeBool intersectPlain(MstRun *run, McdModelPair *p) {
-    beginResult(run);
-    return McdModelPairIntersectPlain(p, &run->result);
-}
-
 static const McdContact *nearestContact(const McdIntersectResult *result) {
     const McdContact *nearest = result->contacts;
     for (int i = 1; i < result->contactCount; i++)
@@ -185,8 +180,9 @@ static void takeResult(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     mst_convertContacts(b, run, f);
 }
 
-void mst_testPair(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
-    f->isKnown = (f->outcome == MST_TESTED ? intersectPlain : mst_intersectPair)(run, f->pair);
+static void testPlain(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
+    beginResult(run);
+    f->isKnown = McdModelPairIntersectPlain(f->pair, &run->result);
     takeResult(b, run, f);
 }
 
@@ -260,7 +256,7 @@ static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p, 
     if (f->outcome != MST_TO_TEST || callsProgram(f))
         return;
     f->outcome = MST_TESTED;
-    mst_testPair(b, run, f);
+    testPlain(b, run, f);
     McdModelPairNoteApart(p, f->count == 0 ? run->result.apart : 0);
     if (f->count == 0 && f->isFast)
         f->timeToTouch = mst_timeToTouch(b, p, s);

@@ -253,10 +253,8 @@ MeBool mst_intersectPair(MstRun *run, McdModelPair *p);
 /* Is a model flush with a face of a fixed box that it will slide over, of all contacts of them the nearest
  * notwithstanding (mst_flush.c)? */
 MeBool mst_passesFlush(const McdModelPair *p, const McdContact *nearest);
-/* mst_intersectPair, and its contacts become part of the run's. */
-void mst_testPair(const MstBridgeRecord *b, MstRun *run, MstFinding *f);
-/* The same, for a pair that may have a list of triangles, whose callback is called. False: all of them, the models and
- * the materials are as in the last test, and the pair has its contacts still. */
+/* Tests a pair that may have a list of triangles, whose callback is called; its contacts become part of the run's.
+ * False: all triangles, the models and the materials are as in the last test, and the pair has its contacts still. */
 MeBool mst_testPairIfChanged(const MstBridgeRecord *b, MstRun *run, MstFinding *f);
 /* Notes of each pair whether a joint of its bodies lets them pass through each other: before any is collided, as commit
  * changes the lists in which bodies have their joints. */
