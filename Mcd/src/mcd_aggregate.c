@@ -1,8 +1,8 @@
 /* Interactions of aggregates: the mid phase over pairs of parts, each by the interaction of the parts' types. */
 #include "McdAggregate.h"
+#include "mcd_compound_i.h"
 #include "mcd_geometries_i.h"
 #include "mcd_kind_i.h"
-#include "mcd_scratch_i.h"
 #include "mcd_spread_i.h"
 #include <string.h>
 
@@ -83,8 +83,7 @@ typedef struct Gathering {
     int each; /* contacts that two parts may make */
 } Gathering;
 
-/* Which part of its model it is, as a number. */
-static MeU32 pathOf(const McdGeometryInstance *part) {
+MeU32 mcd_partPath(const McdGeometryInstance *part) {
     MeU32 path = 0;
     for (; part->parent; part = part->parent)
         path = mcd_featureMix(path, (MeU32)part->element + 1);
@@ -104,7 +103,7 @@ static MeBool beginResult(Gathering *g, McdIntersectResult *result) {
 
 static void keepResult(Gathering *g, const McdIntersectResult *result, McdGeometryInstance *part1,
                        McdGeometryInstance *part2) {
-    const MeU32 path = result->contactCount ? mcd_featureMix(pathOf(part1), pathOf(part2)) : 0;
+    const MeU32 path = result->contactCount ? mcd_featureMix(mcd_partPath(part1), mcd_partPath(part2)) : 0;
     for (int i = 0; i < result->contactCount; i++) {
         McdContact *c = &result->contacts[i];
         c->instance1 = part1;
@@ -143,6 +142,7 @@ static int MEAPI intersect(McdModelPair *p, McdIntersectResult *result) {
     if (!g.scratch)
         return 0;
     forEachPairOfParts(&m);
+    g.count = mcd_dropInternalContacts(p, g.scratch, g.count);
     McdContact *found = g.scratch->contact;
     if (g.count > result->contactMaxCount)
         g.count = mcd_simplify(found, g.count, found, result->contactMaxCount, 0, 1e-6 * (double)frame->lengthScale,

@@ -1,5 +1,5 @@
 /* The scratches of a framework: a list behind a lock that is held for a few instructions. */
-#include "mcd_scratch_i.h"
+#include "mcd_compound_i.h"
 #include "mcd_spread_i.h"
 #include <string.h>
 
@@ -50,6 +50,7 @@ void mcd_scratchFreeAll(McdFramework *frame) {
         MeMemoryGive(scratch->triangle);
         MeMemoryGive(scratch->contact);
         MeMemoryGive(scratch->choice);
+        MeMemoryGive(scratch->manifold);
         MeMemoryGive(scratch);
     }
 }
@@ -79,5 +80,18 @@ MeBool mcd_scratchReserveTriangles(McdScratch *s, int count) {
     MeMemoryGive(s->triangle);
     s->triangle = made;
     s->triangleRoom = count;
+    return METRUE;
+}
+
+MeBool mcd_scratchReserveManifolds(McdScratch *s, int count) {
+    if (count <= s->manifoldRoom)
+        return METRUE;
+    const int room = MeMAX(count, 2 * s->manifoldRoom);
+    McdPartManifold *made = MeMemoryTake((size_t)room, sizeof *made, "McdIntersect", "manifolds of parts");
+    if (!made)
+        return MEFALSE;
+    MeMemoryGive(s->manifold);
+    s->manifold = made;
+    s->manifoldRoom = room;
     return METRUE;
 }

@@ -17,6 +17,8 @@ typedef struct McdScratch {
     McdContact *contact; /* contactRoom */
     void *choice;        /* mcd_simplifyBytes(contactRoom) */
     int contactRoom;
+    struct McdPartManifold *manifold; /* mcd_compound_i.h; manifoldRoom */
+    int manifoldRoom;
 } McdScratch;
 
 /* Null, after a fatal error that names the function, if there is no memory. May be called in any thread. */
@@ -28,5 +30,7 @@ void mcd_scratchFreeAll(McdFramework *frame);
 /* Room for so many, of which the first `used` are kept; false, after a fatal error, if there is no memory. */
 MeBool mcd_scratchReserveContacts(McdScratch *scratch, int used, int count);
 MeBool mcd_scratchReserveTriangles(McdScratch *scratch, int count);
+/* None is kept. */
+MeBool mcd_scratchReserveManifolds(McdScratch *scratch, int count);
 
 #endif
