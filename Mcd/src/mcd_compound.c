@@ -235,7 +235,13 @@ static MeBool isInternal(Classified *l, int deepest) {
     return isCovered(l, mean, separation, MEFALSE);
 }
 
-/* Sets the members that follow from the contacts. */
+static MeBool isConvex(const McdGeometryInstance *part) {
+    const McdKind *kind = mcd_kindOf(part->geometry);
+    return kind && kind->setShape;
+}
+
+/* Sets the members that follow from the contacts. What meets a plane or triangles is on the surface: convex parts alone
+ * can be separated along a normal. */
 static void classify(const McdContact *contact, McdPartManifold *m) {
     Classified l;
     int deepest = 0;
@@ -247,6 +253,8 @@ static void classify(const McdContact *contact, McdPartManifold *m) {
     m->separation = l.contact[deepest].exactSeparation;
     m->lean = m->skin = 0;
     m->cover[0] = m->cover[1] = 0;
+    if (!isConvex(m->part[0]) || !isConvex(m->part[1]))
+        return;
     for (int side = 0; side < 2; side++)
         l.isCompound[side] = m->part[side]->parent && beginSurface(&l.surface[side], l.contact, m->part[side], side);
     if (isInternal(&l, deepest))
@@ -300,18 +308,14 @@ static int normalsOf(const McdContact *contact, const McdPartManifold *m, double
     return count;
 }
 
-/* The largest separation of a manifold's parts along another one's normals. Of what is no convex shape (a plane,
- * triangles): its own, if the normals are the same but for a tilt. */
+/* The largest separation of a manifold's parts along another one's normals. */
 static double separationAlong(const McdContact *contact, const McdPartManifold *m, const McdPartManifold *along) {
-    double normal[3][3], own[3], origin[3], most = -INFINITY;
+    double normal[3][3], origin[3], most = -INFINITY;
     McdShape a, b;
     const int count = normalsOf(contact, along, normal);
     mcd_pairOrigin(m->part[0], m->part[1], origin);
-    if (!mcd_shapeOf(m->part[0], origin, &a) || !mcd_shapeOf(m->part[1], origin, &b)) {
-        for (int i = 0; i < 3; i++)
-            own[i] = (double)contact[m->first].normal[i];
-        return mcd_dot(normal[0], own) > reachShare ? m->separation : -INFINITY;
-    }
+    if (!mcd_shapeOf(m->part[0], origin, &a) || !mcd_shapeOf(m->part[1], origin, &b))
+        return most;
     for (int i = 0; i < count; i++)
         most = fmax(most, mcd_separationAlong(&a, &b, normal[i]) - a.rounding - b.rounding);
     return most;

@@ -4,8 +4,8 @@
 
 #include "mcd_scratch_i.h"
 
-/* The contacts of two parts that have one normal, as a range of the scratch's contacts. Made, changed and forgotten by
- * mcd_dropInternalContacts: first the range and the parts, then what follows from the contacts, last what is dropped. */
+/* The contacts of two parts that have one normal, as a range of the scratch's contacts. Only mcd_dropInternalContacts
+ * writes it: first the range and the parts, then what follows from the contacts, last what is dropped. */
 typedef struct McdPartManifold {
     int first, count;
     McdGeometryInstance *part[2];  /* of the first model and of the second */

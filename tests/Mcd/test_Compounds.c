@@ -237,6 +237,98 @@ START_TEST(the_foot_of_a_wall_is_floor) {
 }
 END_TEST
 
+static void turnAboutY(MeMatrix4 tm, double angle, double x, double y, double z) {
+    const double angles[3] = {0, angle, 0};
+    place(tm, angles, x, y, z);
+}
+
+/* A wall that leans over the floor by 30 degrees, and a wedge of 20 degrees whose edge is 1 cm deep in both: it is out
+ * of both by 2 cm, and by far more along any other normal. */
+START_TEST(both_sides_of_a_sharp_corner_push) {
+    double depth;
+    const MeReal *n = 0;
+    begin();
+    const McdAggregateID whole = McdAggregateCreate(frame, 2);
+    MeMatrix4 tm;
+    MeVector3 corner[6];
+    add(whole, boxOf(4, 2, 1), 0, 0, -.5);
+    const double lean = .5236, c = cos(lean), s = sin(lean);
+    turnAboutY(tm, lean, -.5 * c + s, 0, .5 * s + c); /* its right face goes up from the origin, to the right */
+    McdAggregateAddElement(whole, boxOf(1, 2, 4), tm);
+    for (int i = 0; i < 6; i++) {
+        const double angle = i < 2 ? 0 : i < 4 ? .3491 : .6981; /* over the floor, which the wall is at 1.047 */
+        MeVector3Set(corner[i], (MeReal)(i < 2 ? 0 : cos(angle)), (MeReal)(i % 2 ? .5 : -.5),
+                     (MeReal)(i < 2 ? 0 : sin(angle)));
+    }
+    probe_init(&probe, McdConvexMeshCreateHull(frame, (const MeVector3 *)corner, 6, 0), whole);
+    /* off both planes by -.01: z = -.01, and x c - z s = -.01 */
+    probe_at(&probe, (-.01 - .01 * s) / c, 0, -.01);
+    ck_assert_int_eq(countWith(0, &depth, &n), 2);
+    assert_vec3_near(n, 0, 0, 1, TOL(1e-6, 1e-12));
+    assert_near(depth, -.01, TOL(1e-6, 1e-12));
+    ck_assert_int_eq(countWith(1, &depth, &n), 2);
+    assert_vec3_near(n, c, 0, -s, TOL(1e-6, 1e-12));
+    end();
+}
+END_TEST
+
+/* Along y, of the contacts with a part: from where to where. */
+static void extentWith(int element, double extent[2]) {
+    extent[0] = HUGE_VAL;
+    extent[1] = -HUGE_VAL;
+    for (int i = 0; i < probe.result.contactCount; i++) {
+        const McdContact *c = &probe.contact[i];
+        if (c->instance2 != McdGeometryInstanceGetChild(McdModelGetGeometryInstance(probe.ground), element))
+            continue;
+        extent[0] = fmin(extent[0], (double)c->position[1]);
+        extent[1] = fmax(extent[1], (double)c->position[1]);
+    }
+}
+
+/* The floor's second half would hold up what stands on both, but not where the first half does: at the foot of a wall
+ * on that half alone. */
+START_TEST(the_foot_of_a_wall_supports) {
+    double extent[2];
+    begin();
+    const McdAggregateID whole = McdAggregateCreate(frame, 3);
+    add(whole, boxOf(4, 1, 1), 0, -.5, -.5);
+    add(whole, boxOf(4, 1, 1), 0, .5, -.5);
+    add(whole, boxOf(1, 1, 3), -.5, -.5, 1.5);
+    probe_init(&probe, boxOf(1, 1, 1), whole);
+    turnAboutY(probe.tm, .4, (cos(.4) + sin(.4)) / 2, 0, (cos(.4) + sin(.4)) / 2);
+    ck_assert_int_gt(test(&probe), 0);
+    extentWith(0, extent);
+    assert_near(extent[0], -.5, TOL(1e-6, 1e-12));
+    assert_near(extent[1], 0, TOL(1e-6, 1e-12));
+    extentWith(1, extent);
+    assert_near(extent[1], .5, TOL(1e-6, 1e-12));
+    end();
+}
+END_TEST
+
+/* A plate on two rails, which it touches all along; the first rail has a post at either end of the plate. */
+START_TEST(a_rail_between_posts_supports) {
+    double extent[2];
+    MeMatrix4 tm;
+    begin();
+    const McdAggregateID whole = McdAggregateCreate(frame, 4);
+    const McdGeometryID rail = McdCylinderCreate(frame, (MeReal).1, 2);
+    for (int i = 0; i < 2; i++) {
+        turnAboutY(tm, 1.5707963267949, 0, i ? .4 : -.4, -.1);
+        McdAggregateAddElement(whole, rail, tm);
+    }
+    add(whole, boxOf(.5, .2, 1), -.75, -.4, 0);
+    add(whole, boxOf(.5, .2, 1), .75, -.4, 0);
+    probe_init(&probe, boxOf(1, 1, .1), whole);
+    ck_assert_int_gt(probe_at(&probe, 0, 0, .05 - 1e-4), 0);
+    extentWith(0, extent);
+    assert_near(extent[0], -.4, TOL(1e-6, 1e-12));
+    extentWith(1, extent);
+    assert_near(extent[0], .4, TOL(1e-6, 1e-12));
+    end();
+}
+END_TEST
+
 /* ---- deep in between --------------------------------------------------------------------------------------------- */
 
 /* A small shape below the joint of two boxes is nearer to the one's inner face, and to the other's, than to the top. */
@@ -258,9 +350,26 @@ START_TEST(what_is_deep_between_parts_is_pushed_out) {
                 for (int i = 0; i < probe.result.contactCount; i++)
                     ck_assert((double)probe.contact[i].normal[2] > .9);
                 assert_below(leastSeparation(&probe), ((double)low[2] - .5) * .9);
+                if (s == 1 && fabs(offs[o]) >= 1e-3) /* the ball's middle is below one of them */
+                    ck_assert_int_eq(probe.result.contactCount, 1);
             }
         probe_term(&probe);
     }
+    end();
+}
+END_TEST
+
+/* Two cylinders with one axis: a ball near their joint comes out through the side. */
+START_TEST(what_is_deep_between_round_parts_is_pushed_out) {
+    begin();
+    const McdAggregateID whole = McdAggregateCreate(frame, 2);
+    const McdGeometryID half = McdCylinderCreate(frame, (MeReal).5, 2);
+    add(whole, half, 0, 0, -1);
+    add(whole, half, 0, 0, 1);
+    probe_init(&probe, McdSphereCreate(frame, (MeReal).05), whole);
+    ck_assert_int_eq(probe_at(&probe, .21, .28, 1e-3), 1);
+    assert_vec3_near(probe.contact[0].normal, .6, .8, 0, TOL(1e-6, 1e-12));
+    assert_near(probe.contact[0].separation, -.2, TOL(1e-6, 1e-12));
     end();
 }
 END_TEST
@@ -448,7 +557,11 @@ static void tests(TCase *t) {
     tcase_add_test(t, parts_abut_to_within_a_part_of_their_size);
     tcase_add_test(t, no_normal_leans_over_an_edge_between_flush_faces);
     tcase_add_test(t, the_foot_of_a_wall_is_floor);
+    tcase_add_test(t, both_sides_of_a_sharp_corner_push);
+    tcase_add_test(t, the_foot_of_a_wall_supports);
+    tcase_add_test(t, a_rail_between_posts_supports);
     tcase_add_test(t, what_is_deep_between_parts_is_pushed_out);
+    tcase_add_test(t, what_is_deep_between_round_parts_is_pushed_out);
     tcase_add_test(t, nothing_on_the_surface_is_lost);
 }
 TEST_MAIN("Mcd Compounds", tests)
