@@ -79,19 +79,19 @@ START_TEST(a_box_slides_over_parts_as_over_one) {
             double high[2];
             const double way = slide(1, makeBox, friction[f], &high[0]) + 15;
             const double other = slide(8, shape[s], friction[f], &high[1]) + 15;
-            assert_near_rel(other, way, TOL(1e-5, 1e-6));
-            assert_near(high[1], high[0], TOL(1e-5, 1e-5));
+            assert_near_rel(other, way, TOL(5e-7, 1e-11));
+            assert_near(high[1], high[0], TOL(4e-7, 1e-9));
         }
 }
 END_TEST
 
-/* Cubes of one or two parts, a little deep in each other and tilted. */
+/* Cubes of one or two parts, a little deep in each other and tilted; every second one aside by half of that depth. */
 static void stack(int parts, double tilt, McdModelID cube[CUBES]) {
     begin(.5);
     MstFixedModelCreate(u, boxInParts(parts, 4, 4, 1), floorPlace);
     for (int i = 0; i < CUBES; i++) {
         cube[i] = MstModelAndBodyCreate(u, boxInParts(parts, 1, 1, 1), 500);
-        McdModelDynamicsSetPosition(cube[i], 0, 0, (MeReal)(1 + .999 * i - 1e-3));
+        McdModelDynamicsSetPosition(cube[i], (MeReal)(5e-4 * (i % 2)), 0, (MeReal)(1 + .999 * i - 1e-3));
         McdModelDynamicsSetQuaternion(cube[i], (MeReal)cos(tilt / 2), 0, (MeReal)sin(tilt / 2), 0);
     }
 }
@@ -111,10 +111,10 @@ START_TEST(cubes_of_halves_stand_as_solid_ones) {
         stack(2, tilts[t], cube);
         step(300);
         for (int i = 0; i < CUBES; i++) {
-            assert_near(angleOf(cube[i]), 0, 1e-5);
-            assert_near(coordinate(cube[i], 2), height[i], 1e-5);
+            assert_near(angleOf(cube[i]), 0, TOL(1e-5, 4e-6));
+            assert_near(coordinate(cube[i], 2), height[i], TOL(1e-5, 1e-6));
             if (fabs(tilts[t]) < .01) /* beyond that, they fall onto an edge, and slide by a centimetre meanwhile */
-                assert_near(coordinate(cube[i], 0), aside[i], 1e-4);
+                assert_near(coordinate(cube[i], 0), aside[i], 6e-6);
         }
         MstUniverseDestroy(u);
     }
@@ -128,7 +128,7 @@ START_TEST(what_is_deep_between_parts_comes_out) {
     const McdModelID box = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, (MeReal).2, (MeReal).2, (MeReal).2), 500);
     McdModelDynamicsSetPosition(box, (MeReal)1e-3, 0, (MeReal).45);
     step(240);
-    assert_near(coordinate(box, 2), .6, TOL(1e-5, 1e-5));
+    assert_near(coordinate(box, 2), .6, TOL(8e-6, 1e-7));
     MstUniverseDestroy(u);
 }
 END_TEST
