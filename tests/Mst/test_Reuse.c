@@ -16,14 +16,14 @@ static McdModelID model[BOXES], ground;
 static MeMatrix4 groundPlace;
 static MeReal height[SIDE * SIDE];
 
-/* A cube of two parts that overlap. Of halves side by side, an outer half would touch another cube's inner face. */
+/* A cube of two halves, which abut at a vertical face across the pyramid's plane. */
 static McdGeometryID makeOfParts(void) {
     const McdAggregateID both = McdAggregateCreate(u->frame, 2);
     MeMatrix4 place;
     MeMatrix4TMMakeIdentity(place);
-    box = McdBoxCreate(u->frame, 1, (MeReal).75, 1);
+    box = McdBoxCreate(u->frame, (MeReal).5, 1, 1);
     for (int i = 0; i < 2; i++) {
-        place[3][1] = (MeReal)(i ? .125 : -.125);
+        place[3][0] = (MeReal)(i ? .25 : -.25);
         McdAggregateAddElement(both, box, place);
     }
     return both;
