@@ -443,17 +443,20 @@ static double topAlong(const Box *b, const MeMatrix4 tm, const double n[3]) {
     return top;
 }
 
-/* Is the point, moved outward by 1 cm, as far from all other parts? So their faces are not above it, nor flush with an
- * edge over which the normal leans. */
+/* Is the point, moved outward by .2 mm to 1 cm, as far from all other parts? So their faces are not above it, nor flush
+ * with an edge over which the normal leans. */
 static MeBool isOutside(const Compound *c, int part, const MeMatrix4 tm, const McdContact *contact, double side) {
-    double x[3], own[3];
-    for (int i = 0; i < 3; i++)
-        x[i] = (double)contact->position[i] -
-               side * ((double)contact->separation / 2 - .01 * side * side) * (double)contact->normal[i];
-    toFrame(tm, x, own);
-    for (int i = 0; i < PARTS; i++)
-        if (i != part && heightOver(&c->box[i], own) < .01 - 1e-6)
-            return MEFALSE;
+    static const double heights[] = {2e-4, 1e-3, 1e-2};
+    for (int h = 0; h < 3; h++) {
+        double x[3], own[3];
+        for (int i = 0; i < 3; i++)
+            x[i] = (double)contact->position[i] -
+                   side * ((double)contact->separation / 2 - heights[h]) * (double)contact->normal[i];
+        toFrame(tm, x, own);
+        for (int i = 0; i < PARTS; i++)
+            if (i != part && heightOver(&c->box[i], own) < heights[h] - 1e-6)
+                return MEFALSE;
+    }
     return METRUE;
 }
 
@@ -527,8 +530,12 @@ START_TEST(nothing_on_the_surface_is_lost) {
         makeCompound(&c[1]);
         probe_init(&probe, c[0].geometry, c[1].geometry);
         McdModelPairSetRequestPtr(probe.pair, &all);
-        const double angle[3] = {randomFrom(-3, 3), randomFrom(-3, 3), randomFrom(-3, 3)};
-        place(probe.tm, angle, randomFrom(-.6, .6), randomFrom(-.6, .6), randomFrom(.4, 1));
+        double angle[3], at[3];
+        for (int i = 0; i < 3; i++) {
+            angle[i] = randomFrom(-3, 3);
+            at[i] = i < 2 ? randomFrom(-.6, .6) : randomFrom(.4, 1);
+        }
+        place(probe.tm, angle, at[0], at[1], at[2]);
         test(&probe);
         for (int i = 0; i < PARTS; i++)
             for (int k = 0; k < PARTS; k++) {
