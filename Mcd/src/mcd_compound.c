@@ -203,36 +203,42 @@ static MeBool isCovered(Classified *l, const double position[3], double separati
     return isIt;
 }
 
-/* Is the normal that of no face of either part, nor of a round side? Then it is across two edges, at the deepest
- * contact. */
-static MeBool isOfEdges(Classified *l) {
-    for (int side = 0; side < 2; side++) {
-        Surface *s = &l->surface[side];
-        McdGeometryInstance *part = l->m->part[side];
-        if (!l->isCompound[side] && (part->parent || !beginSurface(s, l->contact, part, side)))
-            return MEFALSE;
-        if (!s->isClassified)
-            classifyNormal(s);
-        if (!s->isOfEdge)
-            return MEFALSE;
-    }
-    return METRUE;
+/* The surface on a side, classified; null: it is none. */
+static Surface *surfaceOf(Classified *l, int side) {
+    Surface *s = &l->surface[side];
+    McdGeometryInstance *part = l->m->part[side];
+    if (!l->isCompound[side] && (part->parent || !beginSurface(s, l->contact, part, side)))
+        return 0;
+    if (!s->isClassified)
+        classifyNormal(s);
+    return s;
 }
 
-/* Is what makes the normal covered: the edges, or all contacts of a face and the middle of these? */
+/* Is the normal just that of a face of neither part, nor of a round side? Then it is across two edges, at the deepest
+ * contact. Where both faces are within 8 degrees of it, these are as good as parallel, and all contacts count. */
+static MeBool isOfEdges(Classified *l, MeBool *areFaces) {
+    const Surface *a = surfaceOf(l, 0), *b = surfaceOf(l, 1);
+    *areFaces = a && b && (a->isOfFace || b->isOfFace);
+    return a && b && a->isOfEdge && b->isOfEdge;
+}
+
+/* Is what makes the normal covered: the edges, or all contacts of a face, and the middle of these? */
 static MeBool isInternal(Classified *l, int deepest) {
     const McdPartManifold *m = l->m;
     double mean[3] = {0, 0, 0}, separation = 0;
+    MeBool isAcross = MEFALSE, areFaces = MEFALSE;
     for (int i = 0; i < m->count; i++) {
         const McdContact *c = &l->contact[(i + deepest) % m->count];
         if (!isCovered(l, c->exactPosition, c->exactSeparation, i == 0))
             return MEFALSE;
-        if (i == 0 && isOfEdges(l))
+        if (i == 0)
+            isAcross = isOfEdges(l, &areFaces);
+        if (isAcross && !areFaces)
             return METRUE;
         mcd_mad(mean, mean, 1. / m->count, c->exactPosition);
         separation += c->exactSeparation / m->count;
     }
-    return isCovered(l, mean, separation, MEFALSE);
+    return isAcross || isCovered(l, mean, separation, MEFALSE);
 }
 
 static MeBool isConvex(const McdGeometryInstance *part) {
@@ -338,10 +344,10 @@ static double nextLean(const McdPartManifold *all, int count, double lean) {
     return next;
 }
 
-/* Drops manifolds whose parts are separated by one that leans less; those that lean less first, so that none is dropped
- * for one that is dropped itself. */
-static void dropSeparated(const McdContact *contact, McdPartManifold *all, int count) {
-    for (double lean = nextLean(all, count, 0); lean < INFINITY; lean = nextLean(all, count, lean))
+/* Drops manifolds that lean by more than `above` and whose parts are separated by one that leans less. Those that lean
+ * less come first, so that none is dropped for one that is dropped itself. */
+static void dropSeparated(const McdContact *contact, McdPartManifold *all, int count, double above) {
+    for (double lean = nextLean(all, count, above); lean < INFINITY; lean = nextLean(all, count, lean))
         for (int i = 0; i < count; i++)
             for (int k = 0; k < count && all[i].lean == lean && !all[i].isDropped; k++)
                 all[i].isDropped = all[k].lean < lean && !all[k].isDropped && isSeparatedBy(contact, &all[i], &all[k]);
@@ -588,10 +594,11 @@ int mcd_dropInternalContacts(const McdModelPair *p, McdScratch *scratch, int cou
     }
     if (!isAnyInternal)
         return count;
-    dropSeparated(scratch->contact, scratch->manifold, found);
+    dropSeparated(scratch->contact, scratch->manifold, found, 0);
     const int manifolds = replaceDeep(p, scratch, &count, found);
     dropDeeper(scratch->contact, scratch->manifold, found, manifolds);
-    dropSeparated(scratch->contact, scratch->manifold, manifolds);
+    dropSeparated(scratch->contact, scratch->manifold, manifolds,
+                  1); /* others are kept by now: 1 is a sine's largest */
     const int kept = compact(scratch->contact, scratch->manifold, manifolds);
     MEASSERT(kept > 0);
     return kept;

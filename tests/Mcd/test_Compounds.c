@@ -71,7 +71,10 @@ static void compareWithSolid(const double angle[3], double x, double y, double z
     memcpy(solid.tm, probe.tm, sizeof solid.tm);
     ck_assert_int_gt(test(&probe), 0);
     ck_assert_int_gt(test(&solid), 0);
-    const double lean = leanOf(&probe), most = hypot(angle[0], angle[1]) + 1e-6; /* what leans less is straight */
+    /* What leans by less than 1e-6 is straight. Up to 8 degrees are let pass where nearly parallel faces have a sliver
+     * in common, between edges that cross: dropped, it would not support what it lies on. */
+    const MeBool isTilted = angle[0] != 0 || angle[1] != 0;
+    const double lean = leanOf(&probe), most = isTilted ? .1411 : 1e-6;
     ck_assert_msg(lean <= most, "at %g %g %g, tilted by %g %g %g: a normal leans by %g", x, y, z, angle[0], angle[1],
                   angle[2], lean);
     assert_near(leastSeparation(&probe), leastSeparation(&solid), 4e-7); /* hulls: 2e-7 of their size */
