@@ -214,31 +214,25 @@ static Surface *surfaceOf(Classified *l, int side) {
     return s;
 }
 
-/* Is the normal just that of a face of neither part, nor of a round side? Then it is across two edges, at the deepest
- * contact. Where both faces are within 8 degrees of it, these are as good as parallel, and all contacts count. */
-static MeBool isOfEdges(Classified *l, MeBool *areFaces) {
+/* Is the normal just that of a face of neither part, nor of a round side? Then edges make it, and not what is between
+ * the contacts. */
+static MeBool isOfEdges(Classified *l) {
     const Surface *a = surfaceOf(l, 0), *b = surfaceOf(l, 1);
-    *areFaces = a && b && (a->isOfFace || b->isOfFace);
     return a && b && a->isOfEdge && b->isOfEdge;
 }
 
-/* Is what makes the normal covered: the edges, or all contacts of a face, and the middle of these? */
+/* Are all contacts covered and, unless edges make the normal, the middle of these? */
 static MeBool isInternal(Classified *l, int deepest) {
     const McdPartManifold *m = l->m;
     double mean[3] = {0, 0, 0}, separation = 0;
-    MeBool isAcross = MEFALSE, areFaces = MEFALSE;
     for (int i = 0; i < m->count; i++) {
         const McdContact *c = &l->contact[(i + deepest) % m->count];
         if (!isCovered(l, c->exactPosition, c->exactSeparation, i == 0))
             return MEFALSE;
-        if (i == 0)
-            isAcross = isOfEdges(l, &areFaces);
-        if (isAcross && !areFaces)
-            return METRUE;
         mcd_mad(mean, mean, 1. / m->count, c->exactPosition);
         separation += c->exactSeparation / m->count;
     }
-    return isAcross || isCovered(l, mean, separation, MEFALSE);
+    return isOfEdges(l) || isCovered(l, mean, separation, MEFALSE);
 }
 
 static MeBool isConvex(const McdGeometryInstance *part) {
