@@ -278,25 +278,32 @@ MeBool MEAPI(McdIntersect)(McdModelPair *p, McdIntersectResult *result) {
     return METRUE;
 }
 
-MeBool MEAPI McdModelPairIntersectPlain(McdModelPair *p, McdIntersectResult *result) {
-    MEASSERT(p && result && McdModelPairIsPlain(p));
+/* Contacts of two convex models that have been compared in this round; false: of others. */
+static MeBool addConvexContacts(McdModelPair *p, const McdRequest *request, McdIntersectResult *result) {
     const int max = result->contactMaxCount;
-    const McdRequest *request = p->request ? p->request : mcd_record(p->model1)->frame->defaultRequest;
-    const MeBool isTurned = !cellOf(p->model1, p->model2)->isSet;
-    McdModelRecord *const a = mcd_record(isTurned ? p->model2 : p->model1);
-    McdModelRecord *const b = mcd_record(isTurned ? p->model1 : p->model2);
-    if (request->faceNormalsFirst)
-        return (McdIntersect)(p, result);
     mcd_resultBegin(result, p);
     result->contactMaxCount = MeMIN(max, MeMAX(request->contactMaxCount, 1));
-    const MeBool areConvex = mcd_convexModels(a, b, mcd_pairMargin(p), result);
+    const MeBool areConvex = mcd_convexModels(mcd_record(p->model1), mcd_record(p->model2), mcd_pairMargin(p), result);
     result->contactMaxCount = max;
-    if (!areConvex)
-        return (McdIntersect)(p, result);
-    mcd_resultEnd(result);
-    if (isTurned)
-        turnContacts(result);
-    return METRUE;
+    if (areConvex)
+        mcd_resultEnd(result);
+    return areConvex;
+}
+
+MeBool MEAPI McdModelPairIntersectPlain(McdModelPair *p, McdIntersectResult *result) {
+    MEASSERT(p && result && McdModelPairIsPlain(p));
+    const McdRequest *request = p->request ? p->request : mcd_record(p->model1)->frame->defaultRequest;
+    MeBool areConvex = MEFALSE;
+    if (!request->faceNormalsFirst && cellOf(p->model1, p->model2)->isSet) {
+        areConvex = addConvexContacts(p, request, result);
+    } else if (!request->faceNormalsFirst) {
+        McdModelPair asked = turn(p);
+        areConvex = addConvexContacts(&asked, request, result);
+        result->pair = p;
+        if (areConvex)
+            turnContacts(result);
+    }
+    return areConvex || (McdIntersect)(p, result);
 }
 
 /* One convex model and one surface that a function of the program makes, with the library's own interaction, and

@@ -359,6 +359,14 @@ static MeBool isSimple(const McdModelRecord *m) {
     return kind && kind->size > 0 && !kind->gather;
 }
 
+/* mcd_instanceTypes of a model. */
+static MeBool typesOf(const McdModelRecord *m, MeU64 *types) {
+    if (m->stamp == 0 || !isSeen(m))
+        return mcd_instanceTypes(&m->instance, types);
+    *types = m->types;
+    return METRUE;
+}
+
 MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p) {
     const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
     if (a->intersect || b->intersect)
@@ -366,8 +374,8 @@ MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p) {
     if (isSimple(a) && isSimple(b))
         return mcd_interactionIsBuiltIn(p);
     MeU64 types[2] = {0, 0};
-    return !(mcd_fastMargin(a) > 0) && !(mcd_fastMargin(b) > 0) && mcd_instanceTypes(&a->instance, &types[0]) &&
-           mcd_instanceTypes(&b->instance, &types[1]) && mcd_typesInteractAsBuiltIn(a->frame, types[0], types[1]);
+    return !(mcd_fastMargin(a) > 0) && !(mcd_fastMargin(b) > 0) && typesOf(a, &types[0]) && typesOf(b, &types[1]) &&
+           mcd_typesInteractAsBuiltIn(a->frame, types[0], types[1]);
 }
 
 void MEAPI McdModelPairNoteTest(McdModelPair *p) {
