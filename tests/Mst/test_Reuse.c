@@ -228,6 +228,60 @@ START_TEST(a_box_at_rest_on_triangles_is_tested_where_these_change_only) {
 }
 END_TEST
 
+static int pairCalls;
+static MeBool MEAPI countPair(McdIntersectResult *result, MdtContactGroupID group) {
+    (void)result;
+    (void)group;
+    pairCalls++;
+    return METRUE;
+}
+
+static McdModelPair *groundPair(McdModelID m) {
+    const McdModelPairContainer *pairs = u->bridge->pairs;
+    for (int i = pairs->helloFirst; i < pairs->stayingEnd; i++) {
+        McdModelPair *p = pairs->array[i];
+        if ((p->model1 == m && p->model2 == ground) || (p->model2 == m && p->model1 == ground))
+            return p;
+    }
+    ck_abort_msg("no pair with the ground");
+    return NULL;
+}
+
+static MeBool persists(McdModelID m) {
+    int count, found = 0;
+    const MstEvent *e = MstUniverseGetEvents(u, &count);
+    for (int i = 0; i < count; i++)
+        if ((e[i].model1 == m && e[i].model2 == ground) || (e[i].model2 == m && e[i].model1 == ground))
+            found += e[i].kind == MstEventPersist ? 1 : 100;
+    return found == 1;
+}
+
+/* What is not tested again touches still, is found again where the program has taken its contacts away, and is shown to
+ * a callback that is set later. */
+START_TEST(what_lies_still_on_triangles_touches_them) {
+    build(0, _i);
+    step(120);
+    for (int i = 0; i < 10; i++) {
+        step(1);
+        ck_assert_msg(persists(model[0]), "step %d", i);
+    }
+    for (int i = 0; i < 2; i++)
+        findContacts();
+    ck_assert(!isTested(model[0]));
+    MdtContactGroupReset(groundPair(model[0])->responseData);
+    ck_assert(!groundContact(model[0]));
+    findContacts();
+    ck_assert(groundContact(model[0]));
+    for (int i = 0; i < 2; i++)
+        findContacts();
+    MstBridgeSetPerPairCB(u->bridge, 0, 0, countPair);
+    pairCalls = 0;
+    findContacts();
+    ck_assert_int_ge(pairCalls, ROWS);
+    MstUniverseDestroy(u);
+}
+END_TEST
+
 enum { ON_HILLS = 8 };
 
 /* Each kind of shape on hills, two of each, apart from each other. */
@@ -355,6 +409,7 @@ static void tests(TCase *t) {
     tcase_add_loop_test(t, a_change_by_the_program_is_seen, 0, KINDS);
     tcase_add_loop_test(t, depths_follow_the_bodies, 0, KINDS);
     tcase_add_loop_test(t, a_box_at_rest_on_triangles_is_tested_where_these_change_only, ON_FIELD, KINDS);
+    tcase_add_loop_test(t, what_lies_still_on_triangles_touches_them, ON_FIELD, KINDS);
     tcase_add_loop_test(t, bodies_on_triangles_move_as_if_each_pair_were_tested_in_every_step, ON_FIELD, KINDS);
     tcase_add_test(t, bad_input_changes_nothing);
 }
