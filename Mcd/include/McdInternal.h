@@ -65,7 +65,8 @@ MEPUBLIC MeU32 MEAPI McdModelPairGetTraits(const McdModelPair *p, MeU32 material
  *  the models' materials? Never where something else than two convex models or planes is fast, as the search for its
  *  time of touch asks the space. */
 MEPUBLIC MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p);
-/** McdIntersect of such a pair, without its checks, once its models have been compared in this round. */
+/** McdIntersect of such a pair, without its checks, once its models have been compared in this round. Returns what that
+ *  would. */
 MEPUBLIC MeBool MEAPI McdModelPairIntersectPlain(McdModelPair *p, McdIntersectResult *result);
 /** Stores the inputs of the test that follows, though the last one may hold. */
 MEPUBLIC void MEAPI McdModelPairNoteTest(McdModelPair *p);

@@ -242,10 +242,16 @@ static void intersectFacesFirst(McdIntersectFn intersect, McdModelPair *p, MeBoo
     mcd_scratchGive(frame, scratch);
 }
 
-static void runIntersect(McdIntersectFn intersect, McdModelPair *p, MeBool isTurned, McdIntersectResult *result) {
-    const McdRequest *request = McdModelPairGetRequestPtr(p);
+/* No more contacts than the pair's request asks for. Returns how many there was place for. */
+static int limitContacts(McdIntersectResult *result, const McdRequest *request) {
     const int max = result->contactMaxCount;
     result->contactMaxCount = MeMIN(max, MeMAX(request->contactMaxCount, 1));
+    return max;
+}
+
+static void runIntersect(McdIntersectFn intersect, McdModelPair *p, MeBool isTurned, McdIntersectResult *result) {
+    const McdRequest *request = McdModelPairGetRequestPtr(p);
+    const int max = limitContacts(result, request);
     if (request->faceNormalsFirst)
         intersectFacesFirst(intersect, p, isTurned, result);
     else
@@ -280,9 +286,8 @@ MeBool MEAPI(McdIntersect)(McdModelPair *p, McdIntersectResult *result) {
 
 /* Contacts of two convex models that have been compared in this round; false: of others. */
 static MeBool addConvexContacts(McdModelPair *p, const McdRequest *request, McdIntersectResult *result) {
-    const int max = result->contactMaxCount;
+    const int max = limitContacts(result, request);
     mcd_resultBegin(result, p);
-    result->contactMaxCount = MeMIN(max, MeMAX(request->contactMaxCount, 1));
     const MeBool areConvex = mcd_convexModels(mcd_record(p->model1), mcd_record(p->model2), mcd_pairMargin(p), result);
     result->contactMaxCount = max;
     if (areConvex)
@@ -292,7 +297,7 @@ static MeBool addConvexContacts(McdModelPair *p, const McdRequest *request, McdI
 
 MeBool MEAPI McdModelPairIntersectPlain(McdModelPair *p, McdIntersectResult *result) {
     MEASSERT(p && result && McdModelPairIsPlain(p));
-    const McdRequest *request = p->request ? p->request : mcd_record(p->model1)->frame->defaultRequest;
+    const McdRequest *request = McdModelPairGetRequestPtr(p);
     MeBool areConvex = MEFALSE;
     if (!request->faceNormalsFirst && cellOf(p->model1, p->model2)->isSet) {
         areConvex = addConvexContacts(p, request, result);
@@ -328,14 +333,12 @@ MeBool MEAPI McdModelPairIntersectIfChanged(McdModelPair *p, MeBool mayBeUnchang
         *isKnown = (McdIntersect)(p, result);
         return METRUE;
     }
-    const int max = result->contactMaxCount;
     McdModelPair asked = isTurned ? turn(p) : *p;
     McdMeshSeen seen = {.stamp = mcd_modelStampInRound(mcd_record(asked.model1)),
                         .hash = {p->test.shape1, p->test.shape2},
                         .mayBeUnchanged = mayBeUnchanged};
     seen.mayBeUnchanged = seen.mayBeUnchanged && seen.stamp != 0; /* 0: its inputs cannot be compared */
-    clearResult(result, p);
-    result->contactMaxCount = MeMIN(max, MeMAX(request->contactMaxCount, 1));
+    const int max = limitContacts(result, request);
     mcd_meshIntersectIfChanged(&asked, result, kindOf(asked.model2)->gather, &seen);
     if (isTurned)
         turnContacts(result);

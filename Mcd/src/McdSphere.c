@@ -25,19 +25,19 @@ static void setShape(const McdGeometry *g, McdShape *s) {
     s->rounding = s->extent = (double)get(g)->radius;
 }
 
-static void farthestPoint(const McdShape *s, const double d[3], double point[3]) {
+void mcd_pointSupport(const McdShape *s, const double d[3], double point[3]) {
     (void)d;
     mcd_copy(point, s->place);
 }
 
-static void face(const McdShape *s, const double direction[3], McdFace *f) {
+void mcd_pointFace(const McdShape *s, const double direction[3], McdFace *f) {
     (void)direction;
     mcd_faceAdd(s, f, 0, 0, 0, 0);
 }
 
 static const McdKind kind = {MCD_KIND_FUNCTIONS(Sphere, mcd_geometryFree), .size = sizeof(McdSphere),
                              .setShape = setShape,
-                             .support = farthestPoint, .face = face, .rank = MCD_RANK_SPHERE};
+                             .support = mcd_pointSupport, .face = mcd_pointFace, .rank = MCD_RANK_SPHERE};
 MCD_DEFINE_GEOMETRY_TYPE(Sphere)
 
 McdSphereID MEAPI McdSphereCreate(McdFramework *frame, MeReal r) {

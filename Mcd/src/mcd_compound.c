@@ -21,30 +21,21 @@
  * to 5e-6 of the size a hundred sizes from the origin (docs/collision.md), twice as much against each other. Twice or
  * half of it fails Mcd_Compounds. */
 static const double skinShare = 1e-4;
-/* Of the skin: from how far a part covers a point. Less than all of it by ten times that rounding, so that a flush
- * neighbour does not cover, nor a wall what is a skin in front of it. It is a cosine, too: a normal within 8 degrees of
- * a face's is that face's. */
-static const double reachShare = .99;
-/* Normals that lean less are straight: contacts have them in single precision, off by 6e-8 in each coordinate. */
-static const double straight = 1e-6;
+/* Of 8 degrees. A normal that leans by less over a face is that face's. What is a skin outside along one that leans by
+ * more is above a flush neighbour by less than this share of the skin, and covered: with one limit for both, every
+ * normal is the one or the other. With .98 for covers alone Mcd_Compounds fails. */
+static const double flushCosine = .99;
+/* The sine of the angle between the normal of a contact and of a face that are the same: contacts have theirs in single
+ * precision, off by 6e-8 in each coordinate. */
+static const double leastSine = 1e-6;
 /* Directions of least depth that are tried for what is deep between parts: as many as two boxes have. */
 enum { MAX_DIRECTIONS = 12 };
 
 /* ---- points and parts -------------------------------------------------------------------------------------------- */
 
-static void pointSupport(const McdShape *s, const double d[3], double point[3]) {
-    (void)d;
-    mcd_copy(point, s->place);
-}
-
-static void pointFace(const McdShape *s, const double direction[3], McdFace *f) {
-    (void)direction;
-    mcd_faceAdd(s, f, 0, 0, 0, 0);
-}
-
-/* The part of a sphere that counts: here of no radius. */
+/* A sphere without a radius. */
 static const McdKind pointKind = {
-    .type = kMcdGeometryTypeSphere, .support = pointSupport, .face = pointFace, .rank = MCD_RANK_SPHERE};
+    .type = kMcdGeometryTypeSphere, .support = mcd_pointSupport, .face = mcd_pointFace, .rank = MCD_RANK_SPHERE};
 
 /* The signed distance of a point from a convex shape. */
 static double distanceFrom(const McdShape *s, const double point[3]) {
@@ -118,7 +109,7 @@ static McdGeometryInstance *partNear(const Surface *s, const double point[3], do
 static McdGeometryInstance *coverAbove(const Surface *s, const double point[3]) {
     double outside[3];
     mcd_mad(outside, point, s->skin, s->normal);
-    return partNear(s, outside, reachShare * s->skin);
+    return partNear(s, outside, flushCosine * s->skin);
 }
 
 static void classifyNormal(Surface *s) {
@@ -126,11 +117,11 @@ static void classifyNormal(Surface *s) {
     s->isClassified = METRUE;
     mcd_faceToward(&s->shape, s->normal, &face);
     const double cosine = mcd_dot(face.normal, s->normal);
-    s->isOfFace = face.count > 2 && cosine > reachShare;
+    s->isOfFace = face.count > 2 && cosine > flushCosine;
     mcd_mad(s->lean, s->normal, -cosine, face.normal);
     s->sine = mcd_length(s->lean);
-    mcd_scale(s->lean, s->lean, s->isOfFace && s->sine > straight ? 1 / s->sine : 0);
-    s->isOfEdge = face.count > 2 && (!s->isOfFace || s->sine > straight);
+    mcd_scale(s->lean, s->lean, s->isOfFace && s->sine > leastSine ? 1 / s->sine : 0);
+    s->isOfEdge = face.count > 2 && (!s->isOfFace || s->sine > leastSine);
 }
 
 /* At an edge of the face, over which the normal leans: the part that continues the face there. */
@@ -150,7 +141,7 @@ static MeBool hasOpenNeighbour(const Surface *s, const double point[3]) {
     for (int i = 0; i < 8; i++) {
         mcd_mad(beside, point, around[i][0] * s->skin, u);
         mcd_mad(beside, beside, around[i][1] * s->skin, w);
-        if (distanceFrom(&s->shape, beside) <= (1 - reachShare) * s->skin && !coverAbove(s, beside))
+        if (distanceFrom(&s->shape, beside) <= (1 - flushCosine) * s->skin && !coverAbove(s, beside))
             return METRUE;
     }
     return MEFALSE;
@@ -302,7 +293,7 @@ static int normalsOf(const McdContact *contact, const McdPartManifold *m, double
             continue;
         mcd_scale(outward, normal[0], out);
         mcd_faceToward(&shape, outward, &face);
-        if (face.count > 2 && mcd_dot(face.normal, outward) > reachShare)
+        if (face.count > 2 && mcd_dot(face.normal, outward) > flushCosine)
             mcd_scale(normal[count++], face.normal, out);
     }
     return count;
@@ -591,8 +582,7 @@ int mcd_dropInternalContacts(const McdModelPair *p, McdScratch *scratch, int cou
     dropSeparated(scratch->contact, scratch->manifold, found, 0);
     const int manifolds = replaceDeep(p, scratch, &count, found);
     dropDeeper(scratch->contact, scratch->manifold, found, manifolds);
-    dropSeparated(scratch->contact, scratch->manifold, manifolds,
-                  1); /* others are kept by now: 1 is a sine's largest */
+    dropSeparated(scratch->contact, scratch->manifold, manifolds, 1); /* covered ones: no sine is above 1 */
     const int kept = compact(scratch->contact, scratch->manifold, manifolds);
     MEASSERT(kept > 0);
     return kept;

@@ -95,6 +95,10 @@ int mcd_planeContacts(McdModelPair *p, McdIntersectResult *result, const char *f
     .box = Mcd##Type##UpdateAABB, .sphere = Mcd##Type##GetBSphere, .farthest = Mcd##Type##MaximumPoint,                \
     .mass = Mcd##Type##GetMassProperties, .draw = Mcd##Type##DebugDraw
 
+/* Cores that are a point: spheres, and points of their own (McdSphere.c). */
+void mcd_pointSupport(const McdShape *s, const double direction[3], double point[3]);
+void mcd_pointFace(const McdShape *s, const double direction[3], McdFace *f);
+
 /* Solids between two discs about z, of radii that may differ: cylinders and cones (mcd_discs.c). */
 void mcd_discsShape(McdShape *s, double lowerRadius, double upperRadius, double length, double low);
 void mcd_discsSupport(const McdShape *s, const double direction[3], double point[3]);

@@ -71,27 +71,30 @@ MeBool mcd_scratchReserveContacts(McdScratch *s, int used, int count) {
     return METRUE;
 }
 
-MeBool mcd_scratchReserveTriangles(McdScratch *s, int count) {
-    if (count <= s->triangleRoom)
-        return METRUE;
-    McdUserTriangle *made = MeMemoryTakeZeroed((size_t)count, sizeof *made, "McdIntersect", "triangles");
+/* Takes the memory of so many zeroed elements anew. */
+static MeBool takeAnew(void **memory, int *room, int count, size_t size, const char *what) {
+    void *made = MeMemoryTakeZeroed((size_t)count, size, "McdIntersect", what);
     if (!made)
         return MEFALSE;
-    MeMemoryGive(s->triangle);
-    s->triangle = made;
-    s->triangleRoom = count;
+    MeMemoryGive(*memory);
+    *memory = made;
+    *room = count;
     return METRUE;
 }
 
+MeBool mcd_scratchReserveTriangles(McdScratch *s, int count) {
+    void *memory = s->triangle;
+    const MeBool isThere =
+        count <= s->triangleRoom || takeAnew(&memory, &s->triangleRoom, count, sizeof *s->triangle, "triangles");
+    s->triangle = memory;
+    return isThere;
+}
+
 MeBool mcd_scratchReserveManifolds(McdScratch *s, int count) {
-    if (count <= s->manifoldRoom)
-        return METRUE;
-    const int room = MeMAX(count, 2 * s->manifoldRoom);
-    McdPartManifold *made = MeMemoryTake((size_t)room, sizeof *made, "McdIntersect", "manifolds of parts");
-    if (!made)
-        return MEFALSE;
-    MeMemoryGive(s->manifold);
-    s->manifold = made;
-    s->manifoldRoom = room;
-    return METRUE;
+    void *memory = s->manifold;
+    const MeBool isThere =
+        count <= s->manifoldRoom || takeAnew(&memory, &s->manifoldRoom, MeMAX(count, 2 * s->manifoldRoom),
+                                             sizeof *s->manifold, "manifolds of parts");
+    s->manifold = memory;
+    return isThere;
 }

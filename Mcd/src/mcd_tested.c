@@ -4,9 +4,9 @@
  * new stamp (version) when any bit of these has changed since the last comparison; a pair keeps the stamps of its
  * models at its last test, and their relative pose.
  *
- * The heights of a height field are the program's, which changes them without a word. So a pair with one keeps, instead
- * of the stamps of both shapes, a hash of these, of the field's box, and of the cells that a test would visit: which
- * they are, and their heights. It is made at each look, unless the pair has moved, by the function that bounds a
+ * A program may change the heights of a height field in its own array, without a call. So a pair with one keeps,
+ * instead of the stamps of both shapes, a hash of these, of the field's box, and of the cells that a test would visit:
+ * which they are, and their heights. It is made at each look, unless the pair has moved, by the function that bounds a
  * test's query, so that it covers what a test would read. Two hashes of 128 bits are equal by chance once in 3e38.
  *
  * Parts with a material of their own and a program's own types may depend on more: they are always tested. So are
