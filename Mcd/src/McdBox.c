@@ -9,7 +9,7 @@ static const McdBox *get(const McdGeometry *g) {
 
 static void support(const McdGeometry *g, const double d[3], double point[3]) {
     for (int k = 0; k < 3; k++)
-        point[k] = d[k] < 0 ? -(double)get(g)->radii[k] : (double)get(g)->radii[k];
+        point[k] = copysign((double)get(g)->radii[k], d[k]); /* no branch: signs of axes cannot be predicted */
 }
 
 static void clip(const McdGeometry *g, McdClip *c) {

@@ -5,9 +5,11 @@
 #include "mdt_manifold_i.h"
 #include <string.h>
 
-static void clearFound(const MdtManifold *m) {
-    for (MdtPoint *p = mdt_pointFirst(m); p; p = mdt_pointAfter(p))
-        p->isFound = MEFALSE;
+/* Of slots that are not in use, too. */
+static void clearFound(MdtManifold *m) {
+    for (MdtManifold *block = m; block; block = block->next)
+        for (int slot = 0; slot < MDT_POINTS; slot++)
+            block->point[slot].isFound = MEFALSE;
 }
 
 static MdtContactID markFound(MdtPoint *p) {
@@ -16,10 +18,18 @@ static MdtContactID markFound(MdtPoint *p) {
     return (MdtContactID)p;
 }
 
-static MdtPoint *pointOfFeature(const MdtManifold *m, MeU32 feature) {
-    for (MdtPoint *p = mdt_pointFirst(m); p; p = mdt_pointAfter(p))
-        if (p->feature == feature && !p->isFound)
-            return p;
+/* The first that is unmatched. All slots are compared, without branches: which of them has it cannot be predicted. */
+static MdtPoint *pointOfFeature(MdtManifold *m, MeU32 feature) {
+    for (MdtManifold *block = m; block; block = block->next) {
+        int first = MDT_POINTS;
+        for (int slot = MDT_POINTS - 1; slot >= 0; slot--) {
+            const MdtPoint *p = &block->point[slot];
+            const int isMatch = (p->magic == MDT_POINT) & (p->feature == feature) & !p->isFound;
+            first = isMatch ? slot : first;
+        }
+        if (first < MDT_POINTS)
+            return &block->point[first];
+    }
     return NULL;
 }
 
@@ -67,19 +77,29 @@ static MeBool matchNearest(const MdtManifold *m, const MdtFoundContact found[], 
 
 /* Contacts that are unmatched by feature id are matched by distance. Feature ids of boxes that lie flat change with
  * rounding, from a corner to an edge, while the points and their forces remain. */
-static void matchContacts(const MdtManifold *m, const MdtFoundContact found[], int count, double time,
+static void matchContacts(MdtManifold *m, const MdtFoundContact found[], int count, double time,
                           MdtContactID contacts[]) {
     MeBool areAll = METRUE;
     clearFound(m);
     for (int i = 0; i < count; i++) {
         contacts[i] = markFound(pointOfFeature(m, found[i].feature));
-        areAll = areAll && contacts[i];
+        areAll &= contacts[i] != NULL;
     }
     while (!areAll && matchNearest(m, found, count, time, contacts))
         ;
 }
 
+static MeBool areAllFound(const MdtManifold *m) {
+    int others = 0;
+    for (const MdtManifold *block = m; block; block = block->next)
+        for (int slot = 0; slot < MDT_POINTS; slot++)
+            others |= (block->point[slot].magic == MDT_POINT) & !block->point[slot].isFound;
+    return others == 0;
+}
+
 static void destroyOthers(MdtManifold *m) {
+    if (areAllFound(m))
+        return;
     for (MdtPoint *p = mdt_pointFirst(m), *next; p; p = next) {
         next = mdt_pointAfter(p);
         if (!p->isFound)
