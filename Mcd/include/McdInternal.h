@@ -37,6 +37,7 @@ MEPUBLIC void MEAPI McdFrameworkBeginRound(McdFrameworkID frame);
 typedef enum McdPairChange {
     McdPairHasChanged,  /**< unknown: test it; that test is noted */
     McdPairHasMoved,    /**< little relative motion since the last test: its contacts may be moved with the models */
+    McdPairIsApart,     /**< less relative motion than the gap at the last test: another would find nothing, either */
     McdPairIsUnchanged, /**< all inputs are equal, to the last bit, to those of the last McdModelPairLook */
 } McdPairChange;
 /** Compares both models with their last inputs, unless that was done in this round. After it McdModelPairLook writes to
@@ -47,11 +48,10 @@ MEPUBLIC MeBool MEAPI McdModelPairHasSeenModels(const McdModelPair *p);
 /** Compares a pair with its last test. Other results than McdPairHasChanged are given only for convex models, planes,
  *  height fields, and aggregates of these whose parts have no materials of their own, with the library's own
  *  interactions, without callbacks, and with unchanged sizes, places of parts, margins, and heights of the cells that a
- *  test would visit, which are read in each call. McdPairHasMoved: since the last test
- *  (McdModelPairNoteTest) no point of the smaller model has moved relative to the other by more than @a part of its
- *  size, or a quarter of the pair's margin; or, whatever the part, by as much as the models were apart then
- *  (McdModelPairNoteApart), so that a test would find nothing; and only models that @a mayMove have moved since the
- *  last call. */
+ *  test would visit, which are read in each call; and only models that @a mayMove have moved since the last call.
+ *  McdPairHasMoved: since the last test (McdModelPairNoteTest) no point of the smaller model has moved relative to the
+ *  other by more than @a part of its size, or a quarter of the pair's margin; McdPairIsApart: nor by as much as the
+ *  models were apart then (McdModelPairNoteApart). A program that does not want the one calls McdModelPairNoteTest. */
 MEPUBLIC McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool mayMove[2]);
 /** What of a pair's models decides how it is handled; flags. */
 typedef enum McdPairTrait {

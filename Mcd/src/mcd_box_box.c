@@ -10,9 +10,12 @@ typedef struct Boxes {
     double steep[3][3]; /* |turn| */
 } Boxes;
 
+/* The axis with the least overlap so far. */
 typedef struct Best {
-    double separation, axis[3]; /* in a's axes, from b to a */
-    int edgeA, edgeB;           /* -1: a face */
+    double separation;
+    int face;         /* 0 to 2: of the first, 3 to 5: of the second; -1: none yet */
+    int edgeA, edgeB; /* -1: a face */
+    double axis[3];   /* of edges: in a's axes, from b to a */
 } Best;
 
 static void compare(const McdShape *a, const McdShape *b, Boxes *x) {
@@ -35,33 +38,40 @@ static MeBool isApart(Best *best, double separation) {
     return MEFALSE;
 }
 
-static MeBool facesOfA(const Boxes *x, double limit, Best *best) {
+/* Compares the normals of three faces, of which the first has that number. Which is best cannot be predicted, so this
+ * has no branches. */
+static MeBool compareFaces(const double separation[3], int first, double limit, double bias, Best *best) {
+    for (int i = 0; i < 3; i++)
+        if (separation[i] > limit)
+            return isApart(best, separation[i]);
     for (int i = 0; i < 3; i++) {
-        const double s = fabs(x->apart[i]) - x->sizeA[i] - mcd_dot(x->steep[i], x->sizeB);
-        if (s > limit)
-            return isApart(best, s);
-        if (s > best->separation) {
-            *best = (Best){s, {0, 0, 0}, -1, -1};
-            best->axis[i] = x->apart[i] < 0 ? -1 : 1;
-        }
+        const int isBetter = separation[i] > best->separation + bias;
+        best->separation = isBetter ? separation[i] : best->separation;
+        best->face = isBetter ? first + i : best->face;
     }
     return METRUE;
 }
 
+static MeBool facesOfA(const Boxes *x, double limit, Best *best) {
+    double separation[3];
+    for (int i = 0; i < 3; i++)
+        separation[i] = fabs(x->apart[i]) - x->sizeA[i] - mcd_dot(x->steep[i], x->sizeB);
+    return compareFaces(separation, 0, limit, 0, best);
+}
+
+/* Of the way between the centres, the part along b's axis j. */
+static double alongB(const Boxes *x, int j) {
+    const double axis[3] = {x->turn[0][j], x->turn[1][j], x->turn[2][j]};
+    return mcd_dot(x->apart, axis);
+}
+
 static MeBool facesOfB(const Boxes *x, double limit, double bias, Best *best) {
+    double separation[3];
     for (int j = 0; j < 3; j++) {
-        const double axis[3] = {x->turn[0][j], x->turn[1][j], x->turn[2][j]};
         const double steep[3] = {x->steep[0][j], x->steep[1][j], x->steep[2][j]};
-        const double along = mcd_dot(x->apart, axis);
-        const double s = fabs(along) - x->sizeB[j] - mcd_dot(steep, x->sizeA);
-        if (s > limit)
-            return isApart(best, s);
-        if (s > best->separation + bias) {
-            *best = (Best){s, {0, 0, 0}, -1, -1};
-            mcd_scale(best->axis, axis, along < 0 ? -1 : 1);
-        }
+        separation[j] = fabs(alongB(x, j)) - x->sizeB[j] - mcd_dot(steep, x->sizeA);
     }
-    return METRUE;
+    return compareFaces(separation, 3, limit, bias, best);
 }
 
 /* The direction e_i x b_j, whose length is the sine of their angle. */
@@ -86,12 +96,28 @@ static MeBool edges(const Boxes *x, double limit, double bias, Best *best) {
             if (s > least) {
                 const double k = (along < 0 ? -1 : 1) / sine;
                 least = s;
-                *best = (Best){s, {0, 0, 0}, i, j};
+                *best = (Best){s, -1, i, j, {0, 0, 0}};
                 best->axis[i1] = y * k;
                 best->axis[i2] = z * k;
             }
         }
     return METRUE;
+}
+
+/* The best axis, in the world's. */
+static void setNormal(const McdShape *a, const Boxes *x, const Best *best, double normal[3]) {
+    double axis[3] = {0, 0, 0};
+    if (best->edgeA >= 0) {
+        mcd_copy(axis, best->axis);
+    } else if (best->face < 3) {
+        axis[best->face] = x->apart[best->face] < 0 ? -1 : 1;
+    } else {
+        const int j = best->face - 3;
+        const double sign = alongB(x, j) < 0 ? -1 : 1;
+        mcd_set(axis, sign * x->turn[0][j], sign * x->turn[1][j], sign * x->turn[2][j]);
+    }
+    for (int i = 0; i < 3; i++)
+        normal[i] = a->axis[0][i] * axis[0] + a->axis[1][i] * axis[1] + a->axis[2][i] * axis[2];
 }
 
 /* The middle of the edge of a box that is farthest in a direction, along axis k. */
@@ -142,22 +168,21 @@ MeBool mcd_isAlongNormal(const McdShape *a, const McdShape *b, const McdProximit
 
 MeBool mcd_boxBoxProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     Boxes x;
-    Best best = {-INFINITY, {0, 0, 0}, -1, -1};
+    Best best = {.separation = -INFINITY, .face = -1, .edgeA = -1, .edgeB = -1};
     const double bias = mcd_faceBias * mcd_pairSize(a, b);
     compare(a, b, &x);
     const MeBool isNear =
         facesOfA(&x, limit, &best) && facesOfB(&x, limit, bias, &best) && edges(&x, limit, bias, &best);
     p->separation = best.separation;
-    if (!isNear)
+    if (!isNear || !isfinite(best.separation))
         return MEFALSE;
-    for (int i = 0; i < 3; i++)
-        p->normal[i] = a->axis[0][i] * best.axis[0] + a->axis[1][i] * best.axis[1] + a->axis[2][i] * best.axis[2];
+    MEASSERT((best.edgeA < 0) == (best.edgeB < 0) && (best.edgeA >= 0 || best.face >= 0));
+    setNormal(a, &x, &best, p->normal);
     p->isGuess = best.separation > 0;
-    MEASSERT((best.edgeA < 0) == (best.edgeB < 0));
     if (best.edgeA >= 0)
         crossEdges(a, b, &best, p);
     else
         cornerOverFace(a, b, p);
     MEVALIDATE(mcd_isAlongNormal(a, b, p));
-    return isfinite(best.separation) != 0;
+    return METRUE;
 }

@@ -133,6 +133,11 @@ typedef struct Corner {
     bool isCross, isEdgeB; /* whether both are edges; whose the edge that begins here is */
 } Corner;
 
+/* One of two indices, without a branch: what a corner is of cannot be predicted. */
+static MeU8 choose(int condition, MeU8 yes, MeU8 no) {
+    return (MeU8)(no ^ ((yes ^ no) & -condition));
+}
+
 static const MeU8 none = 255; /* an index of no corner */
 _Static_assert(MCD_FACE_POINTS <= 255, "an index of a corner is a byte");
 
@@ -140,21 +145,24 @@ _Static_assert(MCD_FACE_POINTS <= 255, "an index of a corner is a byte");
 static Corner cross(const Corner *p, const Corner *q, double dp, double dq, const Outline *b, int j) {
     const double t = dp / (dp - dq);
     MEASSERT(t >= 0 && t <= 1); /* one is inside, the other is not */
-    Corner c = {.x = p->x + t * (q->x - p->x),
-                .y = p->y + t * (q->y - p->y),
-                .a = p->a + t * (q->a - p->a),
-                .ofA = p->isEdgeB ? none : p->edge,
-                .ofB = (MeU8)j,
-                .isCross = !p->isEdgeB};
-    if (p->isEdgeB && j != (p->edge + 1) % b->count)
-        c.ofB = p->edge;
-    return c;
+    const int after = p->edge + 1 < b->count ? p->edge + 1 : 0;
+    return (Corner){.x = p->x + t * (q->x - p->x),
+                    .y = p->y + t * (q->y - p->y),
+                    .a = p->a + t * (q->a - p->a),
+                    .ofA = choose(p->isEdgeB, none, p->edge),
+                    .ofB = choose(p->isEdgeB & (j != after), p->edge, (MeU8)j),
+                    .isCross = !p->isEdgeB};
+}
+
+/* Of a corner or edge of the outline, or of its inside, if that is none. */
+static MeU32 codeOf(const Outline *o, MeU8 of, MeU32 kind) {
+    const MeU32 isSome = of != none, name = o->name[of & -isSome];
+    return code(((kind ^ INSIDE) & -isSome) ^ INSIDE, o->id, name & -isSome);
 }
 
 static MeU64 featureOfCorner(const Corner *c, const Outline *a, const Outline *b) {
     const MeU32 kind = c->isCross ? EDGE : CORNER;
-    return featureOfPair(c->ofA == none ? code(INSIDE, a->id, 0) : code(kind, a->id, a->name[c->ofA]),
-                         c->ofB == none ? code(INSIDE, b->id, 0) : code(kind, b->id, b->name[c->ofB]));
+    return featureOfPair(codeOf(a, c->ofA, kind), codeOf(b, c->ofB, kind));
 }
 
 typedef struct Circle {
@@ -195,20 +203,22 @@ static MeBool isEdgeCutting(const Corner *corner, int count, const Circle *aroun
     return !(least >= 0);
 }
 
-/* Cuts off what is outside of that edge (Sutherland and Hodgman). */
-static int cutByEdge(const Corner *in, int count, MeBool isClosed, const double *inside, const Outline *b, int j,
-                     Corner *out) {
+/* Cuts off what is outside of that edge (Sutherland and Hodgman). Which corners are cannot be predicted: each is
+ * written, and overwritten unless it is inside. The last is followed by one more, as `inside` has it; of `in` that is the
+ * first. */
+static int cutByEdge(Corner *in, int count, const double *inside, const Outline *b, int j, Corner *out) {
     int made = 0;
+    in[count] = in[0];
     for (int i = 0; i < count; i++) {
-        const int next = i + 1 < count ? i + 1 : 0;
-        const double dp = inside[i], dq = inside[next];
-        if (dp >= 0)
-            out[made++] = in[i];
-        if ((!isClosed && i == count - 1) || (dp >= 0) == (dq >= 0) || made == MAX_CANDIDATES - 1)
+        const double dp = inside[i], dq = inside[i + 1];
+        const int isIn = dp >= 0;
+        out[made] = in[i];
+        made += isIn;
+        if (isIn == (dq >= 0) || made == MAX_CANDIDATES - 1)
             continue;
-        out[made] = cross(&in[i], &in[next], dp, dq, b, j);
-        out[made].isEdgeB = dp >= 0 || in[i].isEdgeB;
-        out[made].edge = dp >= 0 ? (MeU8)j : in[i].edge;
+        out[made] = cross(&in[i], &in[i + 1], dp, dq, b, j);
+        out[made].isEdgeB = isIn | in[i].isEdgeB;
+        out[made].edge = choose(isIn, (MeU8)j, in[i].edge);
         made++;
     }
     return made;
@@ -216,8 +226,8 @@ static int cutByEdge(const Corner *in, int count, MeBool isClosed, const double 
 
 /* A polygon or line cut by a polygon. */
 static int clip(const Outline *a, const Outline *b, double slack_, Candidate *candidate) {
-    Corner memory[2][MAX_CANDIDATES], *from = memory[0], *to = memory[1];
-    double inside[MAX_CANDIDATES];
+    Corner memory[2][MAX_CANDIDATES + 1], *from = memory[0], *to = memory[1];
+    double inside[MAX_CANDIDATES + 1];
     const Circle around = circleAround(a);
     int count = a->count;
     for (int i = 0; i < count; i++)
@@ -225,7 +235,8 @@ static int clip(const Outline *a, const Outline *b, double slack_, Candidate *ca
     for (int j = 0; j < b->count && count; j++) {
         if (!isEdgeCutting(from, count, &around, b, j, slack_, inside))
             continue;
-        count = cutByEdge(from, count, a->count > 2, inside, b, j, to);
+        inside[count] = inside[a->count > 2 ? 0 : count - 1];
+        count = cutByEdge(from, count, inside, b, j, to);
         Corner *const swap = from;
         from = to;
         to = swap;
@@ -325,13 +336,15 @@ static double acrossSquared(const Candidate *p, const Candidate *q) {
 /* Drops points farther apart than the margin, and duplicates: of more than 8 points, which go round the polygon,
  * only the previous and the first are compared. */
 static int dropFarAndDuplicates(Candidate *candidate, int count, double margin, double slack_) {
+    const double least = 16 * slack_ * slack_;
     int kept = 0;
     for (int i = 0; i < count; i++) {
-        MeBool isNew = candidate[i].a - candidate[i].b <= margin;
-        for (int j = 0; j < kept && isNew; j = j == 0 && count > 8 && kept > 1 ? kept - 1 : j + 1)
-            isNew = acrossSquared(&candidate[i], &candidate[j]) > 16 * slack_ * slack_;
-        if (isNew && kept++ != i)
-            candidate[kept - 1] = candidate[i];
+        const Candidate c = candidate[i];
+        int isNew = c.a - c.b <= margin;
+        for (int j = 0; j < kept; j = j == 0 && count > 8 && kept > 1 ? kept - 1 : j + 1)
+            isNew &= acrossSquared(&c, &candidate[j]) > least;
+        candidate[kept] = c;
+        kept += isNew;
     }
     return kept;
 }
@@ -536,13 +549,16 @@ static MeBool isExact(const Outline *o, MeU32 feature) {
 /* Limits the depth of all candidates to that of the cores, which the slack lets them exceed on steep faces. Returns the
  * deepest one; -1: there is none. */
 static int clampSeparations(Candidate *candidate, int count, double separation) {
-    int least = -1;
+    double least = INFINITY;
+    int deepest = -1;
     for (int i = 0; i < count; i++) {
         candidate[i].a = MeMAX(candidate[i].a, candidate[i].b + separation);
-        if (least < 0 || candidate[i].a - candidate[i].b < candidate[least].a - candidate[least].b)
-            least = i;
+        const double gap = candidate[i].a - candidate[i].b;
+        const int isLess = gap < least;
+        least = isLess ? gap : least;
+        deepest = isLess ? i : deepest;
     }
-    return least;
+    return deepest;
 }
 
 /* For checks: features are unique, and separations between that of the cores and the margin. */

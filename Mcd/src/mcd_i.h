@@ -59,14 +59,14 @@ static inline const MeVector4 *mcd_const(MeMatrix4Ptr tm) {
 
 struct _McdGeometryInstance {
     McdGeometryID geometry;
-    McdModelID model;
     McdGeometryInstance *parent;     /* null for a model's own */
     McdGeometryInstance *firstChild; /* of an aggregate's instance, in the order of its elements */
     MeMatrix4Ptr tm;                 /* set by the program: where a model is, or where a child's place is written */
+    int material;                    /* -1: the parent's */
+    int element;                     /* index among the parent's elements */
     MeVector3 min, max;              /* world; as of the last update */
 
-    int element;                      /* index among the parent's elements */
-    int material;                     /* -1: the parent's */
+    McdModelID model;
     McdGeometryInstance *nextSibling; /* also links the pool's free ones */
     MeMatrix4 placed;                 /* a child's transform in the world, as of the last update, */
     double placedAxis[3][3];          /* mcd_shapeAxes of it, if isPlaced */
@@ -161,6 +161,8 @@ typedef struct McdFilter {
 /* All inputs of a model's box, margin and tests; compared bit by bit (mcd_tested.c), so without padding. */
 enum { MCD_SHAPE_PARAMETERS = 4 };
 typedef struct McdModelInputs {
+    MeVector3 axis[3], place; /* rows of the transform */
+    MeVector3 velocity, spin; /* zero where there is none */
     struct McdShapeInputs {
         const McdGeometry *geometry;
         MeU64 parameters[MCD_SHAPE_PARAMETERS]; /* the geometry's members behind its head, or a hash of
@@ -168,49 +170,49 @@ typedef struct McdModelInputs {
         MeReal tolerance;
         MeBool isSwept;
     } shape;
-    MeVector3 axis[3], place; /* rows of the transform */
-    MeVector3 velocity, spin;
 } McdModelInputs;
 
 /* Set in McdModelRecord.shapeStamp: its shape, or a part of it, has triangles that are not among its inputs
  * (McdKind.hashNear). There, as the pair loop reads that line of a model anyway. */
 #define MCD_HAS_SURFACE ((MeU64)1 << 63)
 
-/* Grouped by cache lines of 64 bytes, in single precision: the pair loop reads the first, of models that move all of
- * the hot ones; a space's update reads the hot ones; the others are read by the program's calls. */
+/* Grouped by cache lines of 64 bytes, in single precision: the pair loop reads those of pairs, and of pairs that are
+ * tested the shape; a space's update reads the hot ones; the others are read by the program's calls. */
 typedef struct McdModelRecord {
-    /* hot: 1 */
+    /* hot, pairs: 1 */
     _Alignas(ME_CACHE_LINE) McdModel model; /* what programs see: first */
     MeU32 magic;
     MeReal tolerance;
     McdFramework *frame;
     MeU64 stamp, shapeStamp; /* versions of the model's inputs, and of its shape's (MCD_HAS_SURFACE); 0: none yet */
     MeU64 comparedIn;        /* the framework's round of the last comparison with `inputs` */
-    /* hot: 2 */
-    McdModelIntersectFnPtr intersect;
+    /* hot, pairs: 2; isPlaced, radius, reach follow from `inputs` */
+    bool isPlaced; /* mcd_isPlace of its transform */
+    bool isFast;   /* in the time lookAhead */
+    bool isSensor;
+    MeReal radius;             /* m, of the bounding sphere; */
+    MeReal reach;              /* and of one about the origin */
+    MeReal lookAhead;          /* s */
+    MeReal travel, turnTravel; /* m, upper bounds of its displacement within lookAhead, and of that by rotation */
+    McdSpaceID space;
+    void *proxy; /* the space's record of the model */
+    McdFilter filter;
+    MeI16 sortKey;
+    /* hot: 3, 4; pairs: 3, its pose and velocity */
+    _Alignas(ME_CACHE_LINE) McdModelInputs inputs; /* at the last comparison */
+    /* hot: 5 to 8; follows from `inputs` */
+    _Alignas(ME_CACHE_LINE) McdShape shape; /* in the world's coordinates, without corners; kind 0: it is no convex one */
+    /* hot: 10, which of pairs says the material */
+    _Alignas(ME_CACHE_LINE) McdGeometryInstance instance;
+    /* hot: 14 */
+    _Alignas(ME_CACHE_LINE) McdModelIntersectFnPtr intersect;
     McdModelUpdateFnPtr update;
     MeMatrix4Ptr relTM; /* null unless relative */
     MeReal *linearVelocity, *angularVelocity;
     MeU64 boxStamp;                   /* the stamp that the box belongs to, */
     MeReal boxDuration, boxLookAhead; /* s, duration and look-ahead with which it was made */
-    MeBool isSwept, isSensor;
-    /* hot: 3, 4 */
-    McdModelInputs inputs;     /* at the last comparison */
-    MeReal travel, turnTravel; /* m, upper bounds of its displacement within lookAhead, and of that by rotation */
-    /* hot: 5 to 8; isPlaced, radius, reach, shape follow from `inputs` */
-    bool isPlaced;    /* mcd_isPlace of its transform */
-    bool isFast;      /* in the time lookAhead */
-    MeReal radius;    /* m, of the bounding sphere; */
-    MeReal reach;     /* and of one about the origin */
-    MeReal lookAhead; /* s */
-    McdSpaceID space;
-    void *proxy; /* the space's record of the model */
-    McdFilter filter;
-    MeI16 sortKey;
-    MeU64 lastStamp; /* the last stamp that it was given; at first one less than its first */
-    McdShape shape;  /* in the world's coordinates, without corners; kind 0: it is no convex one */
-    /* hot: 10 */
-    _Alignas(ME_CACHE_LINE) McdGeometryInstance instance;
+    MeU64 lastStamp;                  /* the last stamp that it was given; at first one less than its first */
+    MeBool isSwept;
     /* cold */
     MeU64 types; /* mcd_instanceTypes, as of `inputs` */
     void *userData;
@@ -222,10 +224,10 @@ typedef struct McdModelRecord {
     MeHandle handle;
 } McdModelRecord;
 
-_Static_assert(offsetof(McdModelRecord, intersect) % ME_CACHE_LINE == 0 || sizeof(MeReal) > 4, "one line");
-_Static_assert(offsetof(McdModelRecord, inputs) % ME_CACHE_LINE == 0 || sizeof(MeReal) > 4, "two lines");
-_Static_assert(offsetof(McdModelRecord, isPlaced) % ME_CACHE_LINE == 0 || sizeof(MeReal) > 4, "four lines");
-_Static_assert(offsetof(McdGeometryInstance, element) <= ME_CACHE_LINE || sizeof(MeReal) > 4, "its boxes are in it");
+_Static_assert(offsetof(McdModelRecord, isPlaced) == ME_CACHE_LINE || sizeof(MeReal) > 4, "one line");
+_Static_assert(offsetof(McdModelRecord, inputs) == 2 * ME_CACHE_LINE || sizeof(MeReal) > 4, "and one");
+_Static_assert(offsetof(McdModelInputs, spin) <= ME_CACHE_LINE || sizeof(MeReal) > 4, "and one with pose and velocity");
+_Static_assert(offsetof(McdGeometryInstance, model) <= ME_CACHE_LINE || sizeof(MeReal) > 4, "its boxes are in it");
 _Static_assert(sizeof(McdModelInputs) == 40 + 20 * sizeof(MeReal) || sizeof(MeReal) > 4, "no padding");
 
 static inline McdModelRecord *mcd_record(McdModelID cm) {
@@ -391,6 +393,7 @@ MeBool mcd_typesInteractAsBuiltIn(McdFramework *frame, MeU64 types1, MeU64 types
 /* m: the gap up to which a pair gets contacts (speculative margin): its tolerances, and the distance by which the two
  * may approach before the next test. */
 double mcd_pairMargin(const McdModelPair *p);
+double mcd_pairMarginInRound(const McdModelPair *p); /* of models that have a stamp of this round */
 /* The same of two parts, whose origins move with the models that turn. */
 double mcd_partsMargin(const McdModelPair *p, const McdGeometryInstance *part1, const McdGeometryInstance *part2);
 /* m: by how much model1 moves against model2 until the next test, with the velocities that they have; 0 of fast models,

@@ -18,14 +18,13 @@ MeBool mcd_sizeIsGood(MeReal size, const char *what, const char *function);
 MeBool mcd_instanceIs(McdGeometryInstanceID ins, McdGeometryType type, const char *function);
 
 #ifndef _ME_API_DOUBLE
-/* nextafterf(r, FLT_MAX) without a call: the bits of positive floats are in their order, of negative ones in the
- * opposite one. */
-static inline float mcd_nextAbove(float r) {
-    MeU32 bits;
-    if (!(r < FLT_MAX))
-        return r; /* also NaN */
+/* r, or if isNext nextafterf(r, FLT_MAX), without a branch: which it is cannot be predicted. The bits of positive floats
+ * are in their order, of negative ones in the opposite one; -0 counts as 0. */
+static inline float mcd_nextAboveIf(float r, int isNext) {
+    MeI32 bits;
+    r += 0.0f;
     memcpy(&bits, &r, sizeof bits);
-    bits = r > 0 ? bits + 1 : r < 0 ? bits - 1 : 1;
+    bits += (1 - 2 * (r < 0)) & -(isNext & (r < FLT_MAX)); /* not of NaN */
     memcpy(&r, &bits, sizeof r);
     return r;
 }
@@ -35,8 +34,7 @@ static inline float mcd_nextAbove(float r) {
 static inline MeReal mcd_roundUp(double x) {
     MeReal r = (MeReal)x;
 #ifndef _ME_API_DOUBLE
-    if (!((double)r >= x))
-        r = mcd_nextAbove(r);
+    r = mcd_nextAboveIf(r, !((double)r >= x));
 #endif
     MEASSERT(!((double)r < x) || x > (double)MEINFINITY);
     return r;

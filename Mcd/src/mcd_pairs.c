@@ -121,7 +121,8 @@ static void givePair(McdSpace *s, McdPairRecord *record) {
 /* ---- links ------------------------------------------------------------------------------------------------------- */
 
 static MeU32 hashOf(int a, int b) {
-    const MeU64 key = (MeU64)(MeU32)(a < b ? a : b) << 32 | (MeU32)(a < b ? b : a);
+    const int low = b ^ ((a ^ b) & -(a < b)), high = a ^ b ^ low; /* no branch: the order cannot be predicted */
+    const MeU64 key = (MeU64)(MeU32)low << 32 | (MeU32)high;
     return (MeU32)(key * 0x9e3779b97f4a7c15ull >> 32);
 }
 
@@ -260,17 +261,17 @@ static MeBool isNear(const McdSpace *s, const McdProxy *a, const McdProxy *b) {
     const MeReal margin = a->tolerance + b->tolerance;
     if (!a->hasBox || !b->hasBox)
         return MEFALSE;
+    int areApart = 0; /* no branches: along which axis they are cannot be predicted */
     for (int i = 0; i < 3; i++)
-        if (s->axes & 1 << i && (a->min[i] - margin > b->max[i] || b->min[i] - margin > a->max[i]))
-            return MEFALSE;
-    return METRUE;
+        areApart |= ((a->min[i] - margin > b->max[i]) | (b->min[i] - margin > a->max[i])) << i;
+    return !(areApart & s->axes);
 }
 
 static MeBool fatBoxesOverlap(const McdSpace *s, const McdProxy *a, const McdProxy *b) {
+    int areApart = 0;
     for (int i = 0; i < 3; i++)
-        if (s->axes & 1 << i && (a->fat.min[i] > b->fat.max[i] || b->fat.min[i] > a->fat.max[i]))
-            return MEFALSE;
-    return METRUE;
+        areApart |= ((a->fat.min[i] > b->fat.max[i]) | (b->fat.min[i] > a->fat.max[i])) << i;
+    return !(areApart & s->axes);
 }
 
 static McdPairEntry entryOf(const McdSpace *s, int i) {

@@ -32,6 +32,10 @@ double mcd_pairMargin(const McdModelPair *p) {
     return marginOf(p, mcd_record(p->model1)->linearVelocity, mcd_record(p->model2)->linearVelocity);
 }
 
+double mcd_pairMarginInRound(const McdModelPair *p) {
+    return marginOf(p, mcd_record(p->model1)->inputs.velocity, mcd_record(p->model2)->inputs.velocity);
+}
+
 double mcd_partsMargin(const McdModelPair *p, const McdGeometryInstance *part1, const McdGeometryInstance *part2) {
     MeVector3 memory[2];
     return marginOf(p, mcd_partVelocity(part1, memory[0]), mcd_partVelocity(part2, memory[1]));

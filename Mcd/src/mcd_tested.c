@@ -160,17 +160,17 @@ void MEAPI McdFrameworkBeginRound(McdFrameworkID frame) {
     frame->round++;
 }
 
-/* The pose of the first model relative to the second. */
+/* The pose of the first model relative to the second, of models that have a stamp of this round. */
 static McdStand standOf(const McdModelPair *p) {
-    const MeVector4 *tm1 = (const MeVector4 *)mcd_record(p->model1)->instance.tm;
-    const MeVector4 *tm2 = (const MeVector4 *)mcd_record(p->model2)->instance.tm;
+    const McdModelInputs *a = &mcd_record(p->model1)->inputs, *b = &mcd_record(p->model2)->inputs;
     McdStand s;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            s.axes[i][j] = tm1[i][0] * tm2[j][0] + tm1[i][1] * tm2[j][1] + tm1[i][2] * tm2[j][2];
-    const MeReal between[3] = {tm1[3][0] - tm2[3][0], tm1[3][1] - tm2[3][1], tm1[3][2] - tm2[3][2]};
+            s.axes[i][j] =
+                a->axis[i][0] * b->axis[j][0] + a->axis[i][1] * b->axis[j][1] + a->axis[i][2] * b->axis[j][2];
+    const MeReal between[3] = {a->place[0] - b->place[0], a->place[1] - b->place[1], a->place[2] - b->place[2]};
     for (int j = 0; j < 3; j++)
-        s.place[j] = between[0] * tm2[j][0] + between[1] * tm2[j][1] + between[2] * tm2[j][2];
+        s.place[j] = between[0] * b->axis[j][0] + between[1] * b->axis[j][1] + between[2] * b->axis[j][2];
     s.size = s.apart = 0;
     return s;
 }
@@ -200,7 +200,7 @@ static MeBool isStillApart(const McdModelPair *p, const McdStand *now) {
     const MeReal rounding =
         8 * ME_EPSILON * (sumOfCoordinates(p->stand.place) + sumOfCoordinates(now->place) + m1->reach);
     return p->stand.apart > 0 && !m1->isFast && !m2->isFast &&
-           motionSince(&p->stand, now, m1->reach) + (MeReal)mcd_pairMargin(p) + rounding < p->stand.apart;
+           motionSince(&p->stand, now, m1->reach) + (MeReal)mcd_pairMarginInRound(p) + rounding < p->stand.apart;
 }
 
 /* Whether no point of the smaller model has moved by more than a part of its size: its contacts may be moved along. Of
@@ -215,10 +215,6 @@ static MeBool hasHardlyMoved(const McdModelPair *p, const McdStand *now, MeReal 
 /* Whether the last test can tell anything of a pose that is not its own. */
 static MeBool mayTestHold(const McdModelPair *p, MeReal part) {
     return p->stand.size > 0 && (p->stand.apart > 0 || part > 0);
-}
-
-static MeBool doesTestHold(const McdModelPair *p, const McdStand *now, MeReal part) {
-    return isStillApart(p, now) || (part > 0 && hasHardlyMoved(p, now, part));
 }
 
 static void noteStand(McdModelPair *p, const McdStand *now) {
@@ -330,7 +326,9 @@ McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool 
         return McdPairIsUnchanged;
     if (isComparable && isAlike(&now, &before, mayMove) && mayTestHold(p, part)) {
         const McdStand stand = standOf(p);
-        if (doesTestHold(p, &stand, part))
+        if (isStillApart(p, &stand))
+            return McdPairIsApart;
+        if (part > 0 && hasHardlyMoved(p, &stand, part))
             return McdPairHasMoved;
         noteStand(p, &stand);
     } else {

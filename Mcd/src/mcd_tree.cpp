@@ -116,9 +116,12 @@ void checkDepth(McdTree &tree, const Node *leaf) noexcept {
         tree.isDeep = tree.isDeep || depth > 2 * balanced + spareDepth;
 }
 
+/* All axes are compared, without branches: along which of them boxes are apart cannot be predicted. */
 bool overlaps(const Box &a, const McdTreeBox &b) {
-    return a.min_[0] <= b.max[0] && b.min[0] <= a.max_[0] && a.min_[1] <= b.max[1] && b.min[1] <= a.max_[1] &&
-           a.min_[2] <= b.max[2] && b.min[2] <= a.max_[2];
+    int is = 1;
+    for (int i = 0; i < 3; i++)
+        is &= (a.min_[i] <= b.max[i]) & (b.min[i] <= a.max_[i]);
+    return is != 0;
 }
 
 struct Query {
@@ -126,15 +129,21 @@ struct Query {
     McdTreeVisit visit;
     void *context;
 
+    /* n overlaps. */
     bool walk(const Node *n) const {
-        while (overlaps(n->bv, box)) {
-            if (n->isLeaf())
-                return visit(context, itemOf(n)) != 0;
-            if (!walk(n->children[0]))
+        while (!n->isLeaf()) {
+            const Node *first = n->children[0], *second = n->children[1];
+            const bool isFirst = overlaps(first->bv, box), isSecond = overlaps(second->bv, box);
+            if (!isFirst && !isSecond)
+                return true;
+            if (isFirst && isSecond && !walk(first))
                 return false;
-            n = n->children[1];
+            n = isSecond ? second : first;
         }
-        return true;
+        return visit(context, itemOf(n)) != 0;
+    }
+    bool from(const Node *root) const {
+        return !overlaps(root->bv, box) || walk(root);
     }
 };
 
@@ -236,7 +245,7 @@ size_t mcd_treeBytesPerItem(void) {
 
 void mcd_treeQuery(const McdTree *tree, const McdTreeBox *box, McdTreeVisit visit, void *context) {
     if (tree->nodes.getRoot())
-        Query{*box, visit, context}.walk(tree->nodes.getRoot());
+        Query{*box, visit, context}.from(tree->nodes.getRoot());
 }
 
 void mcd_treeCast(const McdTree *tree, const double from[3], const double by[3], const double half[3], double fraction,

@@ -15,12 +15,20 @@ MeBool mdt_pointIsAlone(const MdtPoint *p) {
     return mdt_countSlots(block) == 1 && (block->group || (block->base.record.flags & MDT_LONE));
 }
 
+static MeBool areSlotsAsUsed(const MdtManifold *block) {
+    for (int slot = 0; slot < MDT_POINTS; slot++)
+        if ((block->point[slot].magic == MDT_POINT) != ((block->used >> slot & 1) != 0))
+            return MEFALSE;
+    return block->used < 1u << MDT_POINTS;
+}
+
 MeBool mdt_manifoldIsConsistent(const MdtManifold *m) {
-    int count = 0;
+    unsigned int count = 0;
     if (m->group)
         return MEFALSE;
     for (const MdtManifold *block = m; block; block = block->next) {
-        if ((block != m && (block->group != m || mdt_countSlots(block) == 0)) || !block->surface)
+        if ((block != m && (block->group != m || mdt_countSlots(block) == 0)) || !block->surface ||
+            !areSlotsAsUsed(block))
             return MEFALSE;
         for (const MdtPoint *p = mdt_pointIn(block, 0); p; p = mdt_pointIn(block, p->slot + 1), count++)
             if (p != &block->point[p->slot] || mdt_manifoldOf(p) != m)
@@ -56,6 +64,8 @@ static void giveBlock(MdtManifold *block) {
 
 MdtPoint *mdt_slotTake(MdtManifold *block, int slot) {
     MdtPoint *p = &block->point[slot];
+    MEASSERT(!(block->used & 1u << slot));
+    block->used |= 1u << slot;
     memset(p, 0, sizeof *p);
     p->magic = MDT_POINT;
     p->slot = (MeU8)slot;
@@ -156,10 +166,11 @@ MdtPoint *mdt_pointCreateIn(MdtManifold *group, const char *caller) {
 static void freeSlot(MdtPoint *p) {
     MdtManifold *m = mdt_manifoldOf(p);
     giveExtra(mdt_blockOf(p), p->slot);
+    MEASSERT(m->numPoints > 0 && (mdt_blockOf(p)->used & 1u << p->slot));
+    mdt_blockOf(p)->used ^= 1u << p->slot;
     p->magic = 0;
     m->numPoints--;
     mdt_constraintUncount(m->base.world);
-    MEASSERT(m->numPoints >= 0);
 }
 
 void mdt_pointTerm(MdtPoint *p) {

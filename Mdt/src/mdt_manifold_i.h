@@ -55,7 +55,8 @@ typedef struct MdtManifold {
     void *generator, **holder; /* MdtContactGroup.h */
     MeReal normal[3];          /* direction in which the first body is pushed; of any length */
     MeReal radius[2];          /* m, MdtContactSetRadius */
-    int numPoints;             /* of the whole group */
+    unsigned int numPoints : 24; /* of the whole group */
+    unsigned int used : 8;       /* bits: which of its slots are */
     MdtPoint point[MDT_POINTS];
 } MdtManifold;
 
@@ -76,12 +77,15 @@ static inline MdtManifold *mdt_manifoldOf(const MdtPoint *p) {
 static inline MeBool mdt_isInGroup(const MdtPoint *p) {
     return !(mdt_manifoldOf(p)->base.record.flags & MDT_LONE);
 }
+/* The lowest slot of a set; MDT_POINTS of none. A table, as which slots are in use cannot be predicted. */
+static inline int mdt_lowestSlot(unsigned int slots) {
+    static const MeU8 lowest[1 << MDT_POINTS] = {MDT_POINTS, 0, 1, 0, 2, 0, 1, 0, 3, 0, 1, 0, 2, 0, 1, 0};
+    return lowest[slots];
+}
 /* The first point in use from a slot of the record on; null: there is none. */
 static inline MdtPoint *mdt_pointIn(const MdtManifold *block, int slot) {
-    for (; slot < MDT_POINTS; slot++)
-        if (block->point[slot].magic == MDT_POINT)
-            return (MdtPoint *)(uintptr_t)&block->point[slot];
-    return NULL;
+    const unsigned int rest = (unsigned int)block->used >> slot;
+    return rest ? (MdtPoint *)(uintptr_t)&block->point[slot + mdt_lowestSlot(rest)] : NULL;
 }
 static inline MdtPoint *mdt_pointFrom(const MdtManifold *block) {
     MdtPoint *p = NULL;

@@ -18,17 +18,20 @@ static MdtContactID markFound(MdtPoint *p) {
     return (MdtContactID)p;
 }
 
-/* The first that is unmatched. All slots are compared, without branches: which of them has it cannot be predicted. */
+/* The slots of the record whose contacts have this feature and are unmatched: all compared, without branches, as which
+ * of them has it cannot be predicted. */
+static unsigned int slotsOfFeature(const MdtManifold *block, MeU32 feature) {
+    unsigned int slots = 0;
+    for (int slot = 0; slot < MDT_POINTS; slot++)
+        slots |= (unsigned int)((block->point[slot].feature == feature) & !block->point[slot].isFound) << slot;
+    return slots & block->used;
+}
+
 static MdtPoint *pointOfFeature(MdtManifold *m, MeU32 feature) {
     for (MdtManifold *block = m; block; block = block->next) {
-        int first = MDT_POINTS;
-        for (int slot = MDT_POINTS - 1; slot >= 0; slot--) {
-            const MdtPoint *p = &block->point[slot];
-            const int isMatch = (p->magic == MDT_POINT) & (p->feature == feature) & !p->isFound;
-            first = isMatch ? slot : first;
-        }
-        if (first < MDT_POINTS)
-            return &block->point[first];
+        const unsigned int slots = slotsOfFeature(block, feature);
+        if (slots)
+            return &block->point[mdt_lowestSlot(slots)];
     }
     return NULL;
 }
@@ -90,10 +93,10 @@ static void matchContacts(MdtManifold *m, const MdtFoundContact found[], int cou
 }
 
 static MeBool areAllFound(const MdtManifold *m) {
-    int others = 0;
+    unsigned int others = 0;
     for (const MdtManifold *block = m; block; block = block->next)
         for (int slot = 0; slot < MDT_POINTS; slot++)
-            others |= (block->point[slot].magic == MDT_POINT) & !block->point[slot].isFound;
+            others |= (unsigned int)!block->point[slot].isFound << slot & block->used;
     return others == 0;
 }
 
@@ -132,7 +135,7 @@ static void shareAll(MdtManifold *m, const MdtFoundContact found[], int count, c
 static MdtPoint *addPoint(MdtManifold *m, const MdtFoundContact *found) {
     for (MdtManifold *block = m; block; block = block->next)
         for (int slot = 0; slot < MDT_POINTS; slot++)
-            if (block->point[slot].magic != MDT_POINT) {
+            if (!(block->used & 1u << slot)) {
                 if (!mdt_constraintCount(m->base.world, "MdtContactGroupCreateContact"))
                     return NULL;
                 m->numPoints++;

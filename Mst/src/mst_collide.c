@@ -25,12 +25,13 @@
 enum { PAIR_AHEAD = 8, CONTENT_AHEAD = 4 };
 
 void mst_prefetchModels(McdModelPair *const pairs[], int i, int count) {
+    enum { MODEL = 3 * ME_CACHE_LINE }; /* bytes of one that the pair loop reads (McdModelRecord) */
     if (i + PAIR_AHEAD < count)
         me_prefetch(pairs[i + PAIR_AHEAD], sizeof *pairs[i]);
     if (i + CONTENT_AHEAD >= count)
         return;
-    ME_PREFETCH(pairs[i + CONTENT_AHEAD]->model1);
-    ME_PREFETCH(pairs[i + CONTENT_AHEAD]->model2);
+    me_prefetch(pairs[i + CONTENT_AHEAD]->model1, MODEL);
+    me_prefetch(pairs[i + CONTENT_AHEAD]->model2, MODEL);
 }
 
 static void prefetchContacts(McdModelPair *const pairs[], int i, int count) {
@@ -93,11 +94,10 @@ static MeBool mayCarry(const MstBridgeRecord *b, const McdModelPair *p, MeBool h
     return b->part == 0 && MdtContactGroupIsFlat(p->responseData);
 }
 
-/* Contacts are carried in large partitions only: small ones are solved so exactly that contacts off by 1e-7 m would
- * show (as under a mass ratio of a million). */
-static MeBool mayReuse(const MstFinding *f) {
-    const McdModelPair *p = f->pair;
-    return !f->isFast && (mst_isInCrowd(mst_bodyOf(p->model1)) || mst_isInCrowd(mst_bodyOf(p->model2)));
+/* What has hardly moved is not tested again in large partitions only: small ones are solved so exactly that contacts
+ * off by 1e-7 m would show (as under a mass ratio of a million). */
+static MeBool mayReuse(const McdModelPair *p) {
+    return mst_isInCrowd(mst_bodyOf(p->model1)) || mst_isInCrowd(mst_bodyOf(p->model2));
 }
 
 /* The outcome if the last test, or the contacts carried since, still hold; MST_TO_TEST, a test that is noted: they may
@@ -105,11 +105,11 @@ static MeBool mayReuse(const MstFinding *f) {
 static MstOutcome outcomeWithoutTest(const MstBridgeRecord *b, MstFinding *f) {
     McdModelPair *p = f->pair;
     const MeBool mayMove[2] = {mst_bodyOf(p->model1) != 0, mst_bodyOf(p->model2) != 0};
-    const McdPairChange change = McdModelPairLook(p, mayReuse(f) ? b->reuse : 0, mayMove);
+    const McdPairChange change = McdModelPairLook(p, f->isFast ? 0 : b->reuse, mayMove);
     const MstTouch *t = p->touch;
     if (change == McdPairHasChanged)
         return MST_TO_TEST;
-    if (!mst_hasCallback(f->materials)) {
+    if (!mst_hasCallback(f->materials) && (change != McdPairHasMoved || mayReuse(p))) {
         const MeBool hasAll = hasAllContacts(p);
         if (t ? isAsTested(p, hasAll) : change == McdPairIsUnchanged && !p->responseData)
             return t && t->found != 0 ? MST_KEPT : MST_NOTHING;
