@@ -112,6 +112,7 @@ MstBridgeID MEAPI MstBridgeCreate(McdFrameworkID frame, const unsigned int maxMa
     b->materialLimit = (MeLimit){.most = isLimited ? (int)MeCLAMP(maxMaterials, 1, MST_MATERIALS) : MeNoLimit,
                                  .name = "MstBridgeCreate's maxMaterials"};
     b->reuse = (MeReal)MST_CONTACT_REUSE;
+    b->events.list = 1; /* touches that were in none have 0 */
     b->bridge.pairs = McdModelPairContainerCreate(MST_PAIRS);
     if (!b->bridge.pairs || !makeContacts(b, MST_CONTACTS, function) || !addMaterial(b, function)) {
         freeAll(b);

@@ -80,16 +80,14 @@ void mst_eventsTerm(MstBridgeRecord *b) {
 
 /* No touch is of this step any more. */
 static void clearList(MstEvents *e) {
-    for (int i = 0; i < e->listedCount; i++)
-        if (e->listed[i])
-            e->listed[i]->isListed = MEFALSE;
-    e->listedCount = 0;
+    e->listedCount = e->undecidedCount = 0;
+    e->list++;
 }
 
 /* The contacts' separations and places. Of a pair that did not touch they were noted before the solve. */
 static void noteContacts(MstTouch *t) {
     const MdtContactGroupID group = t->pair->responseData;
-    if (group && t->isTouching && !t->isSensor)
+    if (group && t->wasTouching && !t->isSensor)
         mst_touchNoteGroup(t, group);
 }
 
@@ -135,19 +133,8 @@ void mst_eventsGather(MstBridgeRecord *b) {
             gather(b->events.listed[i]);
 }
 
-/* Do forces make no difference to whether it touches? */
-static MeBool isDecided(const MstTouch *t) {
-    return !t->hasContacts || t->isSensor || t->separation <= (t->isTouching ? t->tolerance : 0);
-}
-
-static MeBool touches(const MstTouch *t) {
-    if (!t->hasContacts)
-        return MEFALSE;
-    return t->impulse > 0 || t->separation <= 0 || (t->isTouching && !t->isSensor && t->separation <= t->tolerance);
-}
-
 static void tellChange(MstEvents *e, MstTouch *t) {
-    const MeBool was = t->isTouching, is = touches(t);
+    const MeBool was = t->wasTouching, is = mst_touchTouches(t);
     t->isTouching = is;
     if (is)
         addTouchEvent(&e->done, t, was ? MstEventPersist : MstEventBegin);
@@ -225,47 +212,40 @@ void MEAPI mst_touchForget(McdModelPair *p) {
     makeList(t->bridge);
     MEASSERT(t->pair == p);
     p->touch = 0;
-    if (t->isTouching)
+    if (mst_touchIsTouching(&t->bridge->events, t))
         addTouchEvent(&t->bridge->events.ended, t, MstEventEnd);
-    if (t->isListed)
+    if (mst_touchIsListed(&t->bridge->events, t))
         mst_touchUnlist(t);
     mst_touchGive(t);
 }
 
-typedef struct Skipped {
-    const MstEvents *events;
-    MeBool areForcesKnown;
-} Skipped;
-
-/* The rule for order (MeTeam.h): each touch is listed once, and a range writes to its own alone. */
-static void MEAPI skipRange(void *context, int first, int end, int worker) {
+/* The rule for order (MeTeam.h): each touch is in the list once, and a range writes to its own alone. */
+static void MEAPI settleRange(void *context, int first, int end, int worker) {
     enum { AHEAD = 8 }; /* touches: their first line comes from memory in time */
-    const Skipped *s = context;
+    const MstEvents *e = context;
     (void)worker;
     for (int i = first; i < end; i++) {
-        MstTouch *t = s->events->listed[i];
+        MstTouch *t = e->undecided[i];
         if (i + AHEAD < end)
-            ME_PREFETCH(s->events->listed[i + AHEAD]);
+            ME_PREFETCH(e->undecided[i + AHEAD]);
         if (!t)
             continue;
-        if (s->areForcesKnown && !isDecided(t)) {
-            noteContacts(t);
-            addImpulse(t);
-        }
-        t->isTouching = touches(t);
-        t->isListed = MEFALSE;
+        noteContacts(t);
+        addImpulse(t);
+        t->isTouching = mst_touchTouches(t);
     }
 }
 
-/* No list was made: only whether each pair touches is kept. */
+/* No list of events was made: only whether each pair touches is kept, which is known but of those that are undecided. */
 static void skipList(MstBridgeRecord *b, MeTeam *team) {
     MstEvents *e = &b->events;
-    Skipped s = {e, MdtWorldIsValid(e->world)};
-    MeTeam *workers = e->listedCount >= MST_LEAST_RUNS * MST_RUN ? team : 0;
-    MeTeamOpen(workers);
-    MeTeamRunRanges(workers, e->listedCount, MST_RUN, skipRange, &s);
-    MeTeamClose(workers);
-    e->listedCount = 0;
+    MeTeam *workers = e->undecidedCount >= MST_LEAST_RUNS * MST_RUN ? team : 0;
+    if (MdtWorldIsValid(e->world)) {
+        MeTeamOpen(workers);
+        MeTeamRunRanges(workers, e->undecidedCount, MST_RUN, settleRange, e);
+        MeTeamClose(workers);
+    }
+    clearList(e);
     e->ended.count = 0;
     e->isPending = MEFALSE;
 }

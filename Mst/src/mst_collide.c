@@ -61,17 +61,17 @@ static MeBool hasAllContacts(const McdModelPair *p) {
 }
 
 /* The same, and did its bodies stay where they were then, to the last bit? */
-static MeBool isAsTested(const McdModelPair *p, MeBool hasAll) {
+static MeBool isAsTested(const MstBridgeRecord *b, const McdModelPair *p, MeBool hasAll) {
     const MstTouch *t = p->touch;
     if (t->found == 0)
-        return !t->isTouching;
+        return !mst_touchIsTouching(&b->events, t);
     return hasAll && t->moves[0] == mst_movesOf(p->model1) && t->moves[1] == mst_movesOf(p->model2);
 }
 
 /* Whether its last test found no contacts. */
-static MeBool isApart(const McdModelPair *p) {
+static MeBool isApart(const MstBridgeRecord *b, const McdModelPair *p) {
     const MstTouch *t = p->touch;
-    return t ? t->found == 0 && !t->isTouching : !p->responseData;
+    return t ? t->found == 0 && !mst_touchIsTouching(&b->events, t) : !p->responseData;
 }
 
 /* Whether the body's only motion since then is that of its last step. */
@@ -111,9 +111,9 @@ static MstOutcome outcomeWithoutTest(const MstBridgeRecord *b, MstFinding *f) {
         return MST_TO_TEST;
     if (!mst_hasCallback(f->materials) && (change != McdPairHasMoved || mayReuse(p))) {
         const MeBool hasAll = hasAllContacts(p);
-        if (t ? isAsTested(p, hasAll) : change == McdPairIsUnchanged && !p->responseData)
+        if (t ? isAsTested(b, p, hasAll) : change == McdPairIsUnchanged && !p->responseData)
             return t && t->found != 0 ? MST_KEPT : MST_NOTHING;
-        if (isApart(p)) /* the gap exceeds their relative displacement */
+        if (isApart(b, p)) /* the gap exceeds their relative displacement */
             return MST_NOTHING;
         if (hasAll && mayCarry(b, p, f->hasMoved))
             return MST_CARRIED;
@@ -188,7 +188,7 @@ static void testPlain(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
 
 MeBool mst_testPairIfChanged(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     McdModelPair *p = f->pair;
-    const MeBool holds = p->touch ? isAsTested(p, hasAllContacts(p)) : !p->responseData;
+    const MeBool holds = p->touch ? isAsTested(b, p, hasAllContacts(p)) : !p->responseData;
     beginResult(run);
     if (!McdModelPairIntersectIfChanged(p, holds && !f->isFast && !mst_hasCallback(f->materials), &run->result,
                                         &f->isKnown))

@@ -201,7 +201,7 @@ static void forgetContacts(McdModelPair *p) {
 
 static void commitPair(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpaceID s, MdtWorldID w) {
     if (f->updated) {
-        mst_touchList(f->updated);
+        mst_touchList(&b->events, f->updated, f->isUndecided);
         return;
     }
     switch (f->outcome) {

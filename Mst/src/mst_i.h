@@ -43,6 +43,7 @@
 #include "MstEvents.h"
 #include "MstModelDynamics.h"
 #include "MstUtils.h"
+#include <stdbool.h>
 #include <stddef.h>
 
 enum { MST_UNKNOWN = -1 };
@@ -86,10 +87,12 @@ struct MstTouch {
     unsigned long version;                          /* of its materials' record */
     int found;                                      /* contacts; MST_UNKNOWN: not all that were found became contacts */
     int carried;                                    /* how often they have been carried since; `moves` is as of then */
-    MeBool isTouching;                              /* as of the last step */
-    MeBool isSensor;                                /* as of this one, like the rest of the line */
-    MeBool isListed;                                /* looked at in this step */
-    MeBool hasContacts;                             /* got any */
+    unsigned long listedIn;                         /* the list that it was last in: mst_touchIsListed */
+    bool wasTouching;                               /* before the step of that list; mst_touchIsTouching */
+    bool isTouching;                                /* after it; unless it is undecided, without its forces */
+    bool isSensor;                                  /* as of that step, like the rest of the line */
+    bool hasContacts;                               /* got any */
+    bool isUndecided;                               /* forces say whether it touches: it is in that list, too */
     MeReal lag;        /* s, of its bodies when `impulse` was last added to; MEINFINITY: the step is whole yet */
     MeReal separation; /* m, the least of its contacts as the step began */
     MeReal tolerance;  /* m, of both models */
@@ -125,8 +128,11 @@ typedef struct MstEvents {
     MstTouch *block[MST_TOUCH_BLOCKS]; /* all touches, free ones too */
     int blockCount;
     MstTouch *free;
-    MstTouch **listed; /* those of this step, in the order of the space's pairs */
+    unsigned long list; /* the number of this step's list */
+    MstTouch **listed;  /* the touches of this step, in the order of the space's pairs, */
     int listedCount, listedMax;
+    MstTouch **undecided; /* and those of them of which forces say whether they touch */
+    int undecidedCount, undecidedMax;
     MeBool isPending;         /* the step is done, and its list of events has not been made yet */
     int callbacks;            /* material pairs that have one: the list is made at once */
     MstEventList done, ended; /* of the step just done, and ends since then */
@@ -166,6 +172,7 @@ typedef struct MstFinding {
     MeReal separation;  /* m, the least of these */
     MeReal timeToTouch; /* s; MST_UNKNOWN: not computed */
     MstTouch *updated;  /* is all that is left to do to list it? (mst_update.c) */
+    MeBool isUndecided; /* the same: the touch is */
 } MstFinding;
 
 /* Findings of consecutive pairs, and the memory in which they are made. */
@@ -288,8 +295,18 @@ void MEAPI mst_pairForget(McdModelPair *p);
 
 /* ---- touches (mst_touch.c) --------------------------------------------------------------------------------------- */
 
+/* Was it looked at in this step? */
+static inline MeBool mst_touchIsListed(const MstEvents *e, const MstTouch *t) {
+    return t->listedIn == e->list;
+}
+/* Does it touch, as of the last step that is done? Nothing is written to all touches when a step begins. */
+static inline MeBool mst_touchIsTouching(const MstEvents *e, const MstTouch *t) {
+    return mst_touchIsListed(e, t) ? t->wasTouching : t->isTouching;
+}
+/* From what is known of a touch, whether it touches. */
+MeBool mst_touchTouches(const MstTouch *t);
 /* The touch, about which something was noted, is one of this step's. */
-void mst_touchList(MstTouch *t);
+void mst_touchList(MstEvents *e, MstTouch *t, MeBool isUndecided);
 /* As mst_touchNote and mst_touchNoteAgain, for a pair that has a touch that is not listed yet. */
 void mst_touchUpdate(const MstBridgeRecord *b, const McdModelPair *p, int held, int found, MeReal separation);
 void mst_touchUpdateAgain(const MstBridgeRecord *b, const McdModelPair *p);

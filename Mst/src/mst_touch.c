@@ -42,7 +42,7 @@ static MstTouch *takeTouch(MstBridgeRecord *b) {
         return 0;
     MstTouch *t = e->free;
     e->free = t->nextFree;
-    MEASSERT(!t->pair && !t->isListed);
+    MEASSERT(!t->pair && !mst_touchIsListed(e, t));
     memset(t, 0, sizeof *t);
     t->bridge = b;
     return t;
@@ -64,6 +64,7 @@ void mst_touchesTerm(MstEvents *e) {
         MeMemoryGiveAligned(e->block[k]);
     }
     MeMemoryGive(e->listed);
+    MeMemoryGive(e->undecided);
 }
 
 /* The touch of a pair; null if it has none and there is no memory. */
@@ -84,51 +85,70 @@ static MstTouch *ensureTouch(MstBridgeRecord *b, McdModelPair *p) {
 
 /* ---- the list of the step ---------------------------------------------------------------------------------------- */
 
-static MeBool listTouch(MstTouch *t) {
-    MstEvents *e = &t->bridge->events;
-    if (e->listedCount == e->listedMax) {
-        const int more = e->listedMax ? 2 * e->listedMax : 64;
-        if (!MeMemoryGrow(&e->listed, (size_t)e->listedCount, (size_t)more, sizeof *e->listed,
-                          "MstBridgeUpdateContacts", "what touches"))
+/* False, after MeFatalError: there is no memory, and the list is as it was. */
+static MeBool addTo(MstTouch ***list, int *count, int *max, MstTouch *t) {
+    if (*count == *max) {
+        const int more = *max ? 2 * *max : 64;
+        if (!MeMemoryGrow(list, (size_t)*count, (size_t)more, sizeof **list, "MstBridgeUpdateContacts", "what touches"))
             return MEFALSE;
-        e->listedMax = more;
+        *max = more;
     }
-    e->listed[e->listedCount++] = t;
+    (*list)[(*count)++] = t;
     return METRUE;
 }
 
-void mst_touchList(MstTouch *t) {
-    MEASSERT(t->isListed);
-    if (!listTouch(t))
-        t->isListed = MEFALSE;
+static MeBool addToUndecided(MstEvents *e, MstTouch *t) {
+    return addTo(&e->undecided, &e->undecidedCount, &e->undecidedMax, t);
+}
+
+/* As if it had not been looked at. */
+static void unlist(MstTouch *t) {
+    t->listedIn = 0;
+    t->isTouching = t->wasTouching;
+    t->isUndecided = false;
+}
+
+void mst_touchList(MstEvents *e, MstTouch *t, MeBool isUndecided) {
+    MEASSERT(mst_touchIsListed(e, t) && !isUndecided == !t->isUndecided);
+    if ((isUndecided && !addToUndecided(e, t)) || !addTo(&e->listed, &e->listedCount, &e->listedMax, t))
+        unlist(t);
+}
+
+static void removeFrom(MstTouch **list, int count, const MstTouch *t) {
+    for (int i = 0; i < count; i++)
+        if (list[i] == t)
+            list[i] = 0;
 }
 
 void mst_touchUnlist(MstTouch *t) {
     MstEvents *e = &t->bridge->events;
-    for (int i = 0; i < e->listedCount; i++)
-        if (e->listed[i] == t)
-            e->listed[i] = 0;
-    t->isListed = MEFALSE;
+    removeFrom(e->listed, e->listedCount, t);
+    removeFrom(e->undecided, e->undecidedCount, t);
+    unlist(t);
 }
 
 /* Of one block; the listed ones of it are added to the count. */
-static MeBool isBlockConsistent(const MstTouch *touch, int count, int *listed) {
+static MeBool isBlockConsistent(const MstEvents *e, const MstTouch *touch, int count, int *listed, int *undecided) {
     for (int i = 0; i < count; i++) {
-        if (touch[i].pair ? touch[i].pair->touch != &touch[i] : touch[i].isListed)
+        const MeBool isListed = mst_touchIsListed(e, &touch[i]);
+        if (touch[i].pair ? touch[i].pair->touch != &touch[i] : isListed)
             return MEFALSE;
-        *listed += touch[i].isListed;
+        *listed += isListed;
+        *undecided += isListed && touch[i].isUndecided;
     }
     return METRUE;
 }
 
 MeBool mst_touchesAreConsistent(const MstEvents *e) {
-    int listed = 0;
+    int listed = 0, undecided = 0;
     for (int k = 0; k < e->blockCount; k++)
-        if (!isBlockConsistent(e->block[k], sizeOfBlock(k), &listed))
+        if (!isBlockConsistent(e, e->block[k], sizeOfBlock(k), &listed, &undecided))
             return MEFALSE;
     for (int i = 0; i < e->listedCount; i++)
         listed -= e->listed[i] != 0;
-    return listed == 0 && e->done.count <= e->done.max && e->ended.count <= e->ended.max;
+    for (int i = 0; i < e->undecidedCount; i++)
+        undecided -= e->undecided[i] != 0;
+    return listed == 0 && undecided == 0 && e->done.count <= e->done.max && e->ended.count <= e->ended.max;
 }
 
 MeReal mst_lagOfPair(const McdModelPair *p) {
@@ -137,10 +157,41 @@ MeReal mst_lagOfPair(const McdModelPair *p) {
     return MeMAX(lag1, lag2);
 }
 
+/* ---- whether it touches ------------------------------------------------------------------------------------------ */
+
+MeBool mst_touchTouches(const MstTouch *t) {
+    if (!t->hasContacts)
+        return MEFALSE;
+    return t->impulse > 0 || t->separation <= 0 || (t->wasTouching && !t->isSensor && t->separation <= t->tolerance);
+}
+
+/* Do forces make no difference to it? */
+static MeBool isDecided(const MstTouch *t) {
+    return !t->hasContacts || t->isSensor || t->separation <= (t->wasTouching ? t->tolerance : 0);
+}
+
+/* After something has been noted. Returns whether it may be wrong, as forces count, and was not before. */
+static MeBool decide(MstTouch *t) {
+    const MeBool isUndecided = !isDecided(t), isNew = isUndecided && !t->isUndecided;
+    t->isTouching = mst_touchTouches(t);
+    t->isUndecided = t->isUndecided || isUndecided;
+    return isNew;
+}
+
+/* The same of one that is in this step's list already. */
+static void decideListed(MstTouch *t) {
+    if (decide(t) && !addToUndecided(&t->bridge->events, t))
+        t->isUndecided = false;
+}
+
+/* ---- the touch of a step ----------------------------------------------------------------------------------------- */
+
 /* Begins the touch of this step: no contact has been added to its sums yet. */
 static void beginTouch(const MstBridgeRecord *b, const McdModelPair *p, MeBool hasContacts, MeBool isSensor) {
     MstTouch *t = p->touch;
-    t->isListed = METRUE;
+    t->wasTouching = mst_touchIsTouching(&b->events, t);
+    t->listedIn = b->events.list;
+    t->isUndecided = false;
     t->lag = b->part == 0 ? MEINFINITY : mst_lagOfPair(p);
     t->hasContacts = hasContacts;
     t->isSensor = isSensor;
@@ -155,12 +206,12 @@ static void beginTouch(const MstBridgeRecord *b, const McdModelPair *p, MeBool h
 static MstTouch *listedTouch(MstBridgeRecord *b, McdModelPair *p, MeBool hasContacts, MeBool isSensor) {
     const MeBool isSpaces = p->phase != kMcdFFStateInactive; /* a program's own pair may go at any time, unnoticed */
     MstTouch *t = isSpaces && (hasContacts || p->touch) ? ensureTouch(b, p) : 0;
-    if (!t || t->isListed) { /* in a later part of the step */
+    if (!t || mst_touchIsListed(&b->events, t)) { /* in a later part of the step */
         if (t)
             t->hasContacts = t->hasContacts || hasContacts;
         return t;
     }
-    if (!listTouch(t))
+    if (!addTo(&b->events.listed, &b->events.listedCount, &b->events.listedMax, t))
         return 0;
     beginTouch(b, p, hasContacts, isSensor);
     return t;
@@ -194,7 +245,7 @@ static void noteContact(MstTouch *t, MeVector3 position, const MeVector3 normal,
         MeVector3Copy(t->position, position);
         MeVector3Copy(t->normal, normal);
     }
-    if (!t->isTouching)
+    if (!t->wasTouching)
         t->approachSpeed = MeMAX(t->approachSpeed, mst_approachAt(t->pair, position, normal));
 }
 
@@ -225,15 +276,17 @@ static MeReal leastSeparation(MdtContactGroupID group, int held, int found, MeRe
 
 static void noteAgain(MstTouch *t, MeReal separation) {
     t->separation = MeMIN(t->separation, separation);
-    if (!t->isTouching)
+    if (!t->wasTouching)
         mst_touchNoteGroup(t, t->pair->responseData);
 }
 
 void mst_touchNoteAgain(MstBridgeRecord *b, McdModelPair *p) {
     MstTouch *t = p->touch;
     const MeReal separation = t->separation;
-    if (listedTouch(b, p, METRUE, MEFALSE))
-        noteAgain(t, separation);
+    if (!listedTouch(b, p, METRUE, MEFALSE))
+        return;
+    noteAgain(t, separation);
+    decideListed(t);
 }
 
 void mst_touchUpdateAgain(const MstBridgeRecord *b, const McdModelPair *p) {
@@ -241,11 +294,12 @@ void mst_touchUpdateAgain(const MstBridgeRecord *b, const McdModelPair *p) {
     const MeReal separation = t->separation;
     beginTouch(b, p, METRUE, MEFALSE);
     noteAgain(t, separation);
+    decide(t);
 }
 
 static void noteFound(MstTouch *t, int held, int found, MeReal separation) {
     const MdtContactGroupID group = t->pair->responseData;
-    if (!t->isTouching) /* the approach speed can be measured before the solve only */
+    if (!t->wasTouching) /* the approach speed can be measured before the solve only */
         mst_touchNoteGroup(t, group);
     else
         t->separation = MeMIN(t->separation, leastSeparation(group, held, found, separation));
@@ -255,12 +309,15 @@ void mst_touchNote(MstBridgeRecord *b, McdModelPair *p, int held, int found, MeR
     MstTouch *t = listedTouch(b, p, held > 0, MEFALSE);
     if (t && held > 0)
         noteFound(t, held, found, separation);
+    if (t)
+        decideListed(t);
 }
 
 void mst_touchUpdate(const MstBridgeRecord *b, const McdModelPair *p, int held, int found, MeReal separation) {
     beginTouch(b, p, held > 0, MEFALSE);
     if (held > 0)
         noteFound(p->touch, held, found, separation);
+    decide(p->touch);
 }
 
 void mst_touchNoteSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result) {
@@ -269,4 +326,5 @@ void mst_touchNoteSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersect
         return;
     for (int i = 0; i < result->contactCount; i++)
         noteContact(t, result->contacts[i].position, result->contacts[i].normal, result->contacts[i].separation);
+    decideListed(t);
 }

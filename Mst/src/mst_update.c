@@ -43,7 +43,7 @@ static MeBool isGroupToStay(const MstRun *run, const MstFinding *f) {
 static MeBool isOwn(const MstBridgeRecord *b, const MstRun *run, const MstFinding *f) {
     const McdModelPair *p = f->pair;
     const MstTouch *t = p->touch;
-    if (b->part > 0 || p->phase == kMcdFFStateInactive || !t || t->isListed || f->isFast || !mst_areMaterialsSeen(b))
+    if (b->part > 0 || p->phase == kMcdFFStateInactive || !t || mst_touchIsListed(&b->events, t) || f->isFast || !mst_areMaterialsSeen(b))
         return MEFALSE;
     if (f->outcome == MST_TESTED ? !f->isKnown : t->version != mst_versionSeen(f->materials))
         return MEFALSE;
@@ -85,4 +85,5 @@ void mst_updatePair(const MstBridgeRecord *b, const MstRun *run, MstFinding *f) 
     else
         mst_touchUpdateAgain(b, f->pair);
     f->updated = f->pair->touch;
+    f->isUndecided = f->updated->isUndecided;
 }
