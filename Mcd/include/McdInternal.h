@@ -83,6 +83,13 @@ MEPUBLIC MeBool MEAPI McdModelPairIntersectIfChanged(McdModelPair *p, MeBool may
 MEPUBLIC void MEAPI McdModelPairForgetTest(McdModelPair *p);
 /** @} */
 
+/** What McdContactGetPosition, McdContactGetSeparation, McdContactGetRadius and McdContactGetRim tell of a contact. */
+typedef struct McdExactContact {
+    double position[3], separation, radius[2]; /**< m */
+    double rim[2], axis[2][3];                 /**< m, unit; an axis only where there is a rim */
+} McdExactContact;
+MEPUBLIC void MEAPI McdContactGetExact(const McdContact *c, McdExactContact *exact);
+
 /** @name Kinds of geometries
  *  MEFALSE, with a warning, for what is no model.
  *  @{ */

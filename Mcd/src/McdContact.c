@@ -1,5 +1,6 @@
 /* Contacts: accessors, and contact reduction: a few points that support as well as many. */
 #include "McdContact.h"
+#include "McdInternal.h"
 #include "mcd_i.h"
 #include "mcd_kind_i.h"
 #include "mcd_shape_i.h"
@@ -12,12 +13,21 @@ static MeBool isAsFound(const McdContact *c) {
     return (MeReal)c->exactSeparation == c->separation;
 }
 
+static double separationOf(const McdContact *c) {
+    return isAsFound(c) ? c->exactSeparation : (double)c->separation;
+}
+
 double MEAPI McdContactGetSeparation(const McdContact *c) {
     if (!c) {
         MeWarning(1, "McdContactGetSeparation: no contact");
         return 0;
     }
-    return isAsFound(c) ? c->exactSeparation : (double)c->separation;
+    return separationOf(c);
+}
+
+static void positionOf(const McdContact *c, double position[3]) {
+    for (int i = 0; i < 3; i++)
+        position[i] = (MeReal)c->exactPosition[i] == c->position[i] ? c->exactPosition[i] : (double)c->position[i];
 }
 
 void MEAPI McdContactGetPosition(const McdContact *c, double position[3]) {
@@ -25,8 +35,11 @@ void MEAPI McdContactGetPosition(const McdContact *c, double position[3]) {
         MeWarning(1, "McdContactGetPosition: no %s", c ? "place for the position" : "contact");
         return;
     }
-    for (int i = 0; i < 3; i++)
-        position[i] = (MeReal)c->exactPosition[i] == c->position[i] ? c->exactPosition[i] : (double)c->position[i];
+    positionOf(c, position);
+}
+
+static double radiusOf(const McdContact *c, int side) {
+    return isAsFound(c) ? c->radius[side] : 0;
 }
 
 double MEAPI McdContactGetRadius(const McdContact *c, int side) {
@@ -34,13 +47,13 @@ double MEAPI McdContactGetRadius(const McdContact *c, int side) {
         MeWarning(1, "McdContactGetRadius: %s", c ? "side must be 0, for the first model, or 1" : "no contact");
         return 0;
     }
-    return isAsFound(c) ? c->radius[side] : 0;
+    return radiusOf(c, side);
 }
 
-static double rimOf(const McdContact *c, int side, McdGeometryInstanceID ins, double axis[3]) {
+static double rimOfShape(const McdContact *c, int side, McdGeometryInstanceID ins, double axis[3]) {
     double place[3], outward[3], point[3];
     McdShape shape;
-    McdContactGetPosition(c, place);
+    positionOf(c, place);
     if (!mcd_shapeOf(ins, place, &shape))
         return 0;
     for (int i = 0; i < 3; i++) {
@@ -53,6 +66,12 @@ static double rimOf(const McdContact *c, int side, McdGeometryInstanceID ins, do
     return rim;
 }
 
+static double rimOf(const McdContact *c, int side, double axis[3]) {
+    const McdGeometryInstanceID ins = side == 0 ? c->instance1 : c->instance2;
+    const McdKind *kind = ins ? mcd_kindOf(ins->geometry) : 0;
+    return kind && kind->rim && isAsFound(c) ? rimOfShape(c, side, ins, axis) : 0;
+}
+
 double MEAPI McdContactGetRim(const McdContact *c, int side, double axis[3]) {
     if (!c || !axis || side < 0 || side > 1) {
         MeWarning(1, "McdContactGetRim: %s",
@@ -61,9 +80,17 @@ double MEAPI McdContactGetRim(const McdContact *c, int side, double axis[3]) {
                          : "no place for the axis");
         return 0;
     }
-    const McdGeometryInstanceID ins = side == 0 ? c->instance1 : c->instance2;
-    const McdKind *kind = ins ? mcd_kindOf(ins->geometry) : 0;
-    return kind && kind->rim && isAsFound(c) ? rimOf(c, side, ins, axis) : 0;
+    return rimOf(c, side, axis);
+}
+
+void MEAPI McdContactGetExact(const McdContact *c, McdExactContact *exact) {
+    MEASSERT(c && exact);
+    positionOf(c, exact->position);
+    exact->separation = separationOf(c);
+    for (int side = 0; side < 2; side++) {
+        exact->radius[side] = radiusOf(c, side);
+        exact->rim[side] = rimOf(c, side, exact->axis[side]);
+    }
 }
 
 static void difference(const double a[3], const double b[3], double out[3]) {

@@ -276,32 +276,37 @@ static void addSurfaces(const McdModelPair *p, McdGeometryInstance *a, McdGeomet
 /* Replaces the stamps of both shapes by a hash, for a pair with a surface. While it moves, and its last test tells
  * nothing of other poses, there is none, but 0: it would take a twentieth of the test that follows. So a pair that
  * comes to rest is tested once more. */
-static void addSurfacesOf(const McdModelPair *p, McdTest *t, MeReal part) {
+static void addSurfacesOf(McdModelPair *p, const McdTest *before, MeReal part) {
+    McdTest *t = &p->test;
     MeU64 hash[2] = {t->shape1, t->shape2};
     t->shape1 = t->shape2 = 0;
-    if (!mayTestHold(p, part) && (t->stamp1 != p->test.stamp1 || t->stamp2 != p->test.stamp2))
+    if (!mayTestHold(p, part) && (t->stamp1 != before->stamp1 || t->stamp2 != before->stamp2))
         return;
     addSurfaces(p, &mcd_record(p->model1)->instance, &mcd_record(p->model2)->instance, hash);
     t->shape1 = hash[0];
     t->shape2 = hash[1];
 }
 
-/* The inputs of a test now: stamps, and with a surface its triangles. part: see McdModelPairLook. */
-static McdTest testOf(const McdModelPair *p, McdModelRecord *m1, McdModelRecord *m2, MeReal part) {
+/* Sets the inputs of the pair's test to what they are now: stamps, and with a surface its triangles. part: see
+ * McdModelPairLook. Member by member, as they are read then: a copy of the whole would wait for each. */
+static void setTest(McdModelPair *p, McdModelRecord *m1, McdModelRecord *m2, const McdTest *before, MeReal part) {
     const McdRequest *request = p->request ? p->request : m1->frame->defaultRequest;
-    McdTest t = {.stamp1 = mcd_modelStampInRound(m1),
-                 .stamp2 = mcd_modelStampInRound(m2),
-                 .shape1 = m1->shapeStamp,
-                 .shape2 = m2->shapeStamp,
-                 .contactMaxCount = request->contactMaxCount,
-                 .faceNormalsFirst = request->faceNormalsFirst};
-    if (t.stamp1 == 0 || t.stamp2 == 0) { /* not compared here: McdModelPairIntersectIfChanged keeps a hash there */
-        t.shape1 = p->test.shape1;
-        t.shape2 = p->test.shape2;
-    } else if ((t.shape1 | t.shape2) & MCD_HAS_SURFACE) {
-        addSurfacesOf(p, &t, part);
-    }
-    return t;
+    McdTest *t = &p->test;
+    t->stamp1 = mcd_modelStampInRound(m1);
+    t->stamp2 = mcd_modelStampInRound(m2);
+    t->contactMaxCount = request->contactMaxCount;
+    t->faceNormalsFirst = request->faceNormalsFirst;
+    if (t->stamp1 == 0 || t->stamp2 == 0) /* not compared here: McdModelPairIntersectIfChanged keeps a hash there */
+        return;
+    t->shape1 = m1->shapeStamp;
+    t->shape2 = m2->shapeStamp;
+    if ((t->shape1 | t->shape2) & MCD_HAS_SURFACE)
+        addSurfacesOf(p, before, part);
+}
+
+static MeBool isSameTest(const McdTest *a, const McdTest *b) {
+    return a->stamp1 == b->stamp1 && a->stamp2 == b->stamp2 && a->shape1 == b->shape1 && a->shape2 == b->shape2 &&
+           a->contactMaxCount == b->contactMaxCount && a->faceNormalsFirst == b->faceNormalsFirst;
 }
 
 /* ---- pairs ------------------------------------------------------------------------------------------------------- */
@@ -318,13 +323,13 @@ MeBool MEAPI McdModelPairHasSeenModels(const McdModelPair *p) {
 McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool mayMove[2]) {
     MEASSERT(p && p->model1 && p->model2 && mayMove);
     McdModelRecord *m1 = mcd_record(p->model1), *m2 = mcd_record(p->model2);
-    const McdTest before = p->test, now = testOf(p, m1, m2, part);
-    p->test = now;
+    const McdTest before = p->test, *now = &p->test;
+    setTest(p, m1, m2, &before, part);
     const MeBool isComparable =
-        now.stamp1 != 0 && now.stamp2 != 0 && before.stamp1 != 0 && before.stamp2 != 0 && isBuiltIn(p);
-    if (isComparable && memcmp(&now, &before, sizeof now) == 0)
+        now->stamp1 != 0 && now->stamp2 != 0 && before.stamp1 != 0 && before.stamp2 != 0 && isBuiltIn(p);
+    if (isComparable && isSameTest(now, &before))
         return McdPairIsUnchanged;
-    if (isComparable && isAlike(&now, &before, mayMove) && mayTestHold(p, part)) {
+    if (isComparable && isAlike(now, &before, mayMove) && mayTestHold(p, part)) {
         const McdStand stand = standOf(p);
         if (isStillApart(p, &stand))
             return McdPairIsApart;

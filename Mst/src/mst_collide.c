@@ -126,15 +126,20 @@ static MstOutcome outcomeWithoutTest(const MstBridgeRecord *b, MstFinding *f) {
 
 static void convertContact(MdtFoundContact *found, const McdContact *from, MeBool isTurned,
                            const MstMaterialPair *materials) {
-    for (int i = 0; i < 3; i++)
+    McdExactContact exact;
+    McdContactGetExact(from, &exact);
+    for (int i = 0; i < 3; i++) {
         found->normal[i] = isTurned ? -from->normal[i] : from->normal[i];
+        found->position[i] = exact.position[i];
+    }
     for (int k = 0; k < 2; k++) {
         const int side = isTurned ? 1 - k : k;
-        found->radius[side] = (MeReal)McdContactGetRadius(from, k);
-        found->rim[side] = McdContactGetRim(from, k, found->axis[side]);
+        found->radius[side] = (MeReal)exact.radius[k];
+        found->rim[side] = exact.rim[k];
+        if (exact.rim[k] > 0)
+            memcpy(found->axis[side], exact.axis[k], sizeof exact.axis[k]);
     }
-    McdContactGetPosition(from, found->position);
-    found->depth = -McdContactGetSeparation(from);
+    found->depth = -exact.separation;
     found->feature = from->feature;
     found->params = &materials->params;
 }
@@ -165,16 +170,8 @@ MeBool mst_intersectPair(MstRun *run, McdModelPair *p) {
     return McdIntersect(p, &run->result);
 }
 
-static const McdContact *nearestContact(const McdIntersectResult *result) {
-    const McdContact *nearest = result->contacts;
-    for (int i = 1; i < result->contactCount; i++)
-        if (McdContactGetSeparation(&result->contacts[i]) < McdContactGetSeparation(nearest))
-            nearest = &result->contacts[i];
-    return nearest;
-}
-
 static void takeResult(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
-    if (run->result.contactCount > 0 && !f->isFast && mst_passesFlush(f->pair, nearestContact(&run->result)))
+    if (!f->isFast && mst_passesFlush(f->pair, run->contacts, run->result.contactCount))
         run->result.contactCount = 0;
     f->first = run->foundCount;
     mst_convertContacts(b, run, f);

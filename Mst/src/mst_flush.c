@@ -51,10 +51,19 @@ static MeBool isFixedBox(McdModelID m) {
     return !mst_bodyOf(m) && McdGeometryGetTypeId(McdModelGetGeometry(m)) == McdBoxGetTypeId();
 }
 
-MeBool mst_passesFlush(const McdModelPair *p, const McdContact *nearest) {
+static const McdContact *nearestContact(const McdContact contacts[], int count) {
+    const McdContact *nearest = contacts;
+    for (int i = 1; i < count; i++)
+        if (McdContactGetSeparation(&contacts[i]) < McdContactGetSeparation(nearest))
+            nearest = &contacts[i];
+    return nearest;
+}
+
+MeBool mst_passesFlush(const McdModelPair *p, const McdContact contacts[], int count) {
     const MeBool isFirst = isFixedBox(p->model1);
-    if (!isFirst && !isFixedBox(p->model2))
+    if (count == 0 || (!isFirst && !isFixedBox(p->model2)))
         return MEFALSE;
+    const McdContact *nearest = nearestContact(contacts, count);
     const McdModelID box = isFirst ? p->model1 : p->model2, m = isFirst ? p->model2 : p->model1;
     const double most = flushPart * radiusOf(m);
     return McdContactGetSeparation(nearest) > -most && isFlush(box, m, nearest, most);

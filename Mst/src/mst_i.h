@@ -257,9 +257,9 @@ int mst_collideRun(const MstBridgeRecord *b, MstRun *run, McdModelPair *const pa
 void mst_prefetchModels(McdModelPair *const pairs[], int i, int count);
 /* Tests a pair: the run's result. False: no interaction of its types is known. */
 MeBool mst_intersectPair(MstRun *run, McdModelPair *p);
-/* Is a model flush with a face of a fixed box that it will slide over, of all contacts of them the nearest
- * notwithstanding (mst_flush.c)? */
-MeBool mst_passesFlush(const McdModelPair *p, const McdContact *nearest);
+/* Is a model flush with a face of a fixed box that it will slide over, notwithstanding all contacts of them
+ * (mst_flush.c)? */
+MeBool mst_passesFlush(const McdModelPair *p, const McdContact contacts[], int count);
 /* Tests a pair that may have a list of triangles, whose callback is called; its contacts become part of the run's.
  * False: all triangles, the models and the materials are as in the last test, and the pair has its contacts still. */
 MeBool mst_testPairIfChanged(const MstBridgeRecord *b, MstRun *run, MstFinding *f);
