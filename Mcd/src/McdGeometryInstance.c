@@ -151,9 +151,10 @@ void MEAPI McdGeometryInstanceSetTransformPtr(const McdGeometryInstanceID ins, c
 }
 
 unsigned int mcd_instanceMaterial(const McdGeometryInstance *ins) {
-    while (ins->material < 0 && ins->parent)
-        ins = ins->parent;
-    return ins->material < 0 ? 0 : (unsigned int)ins->material;
+    for (; ins->parent; ins = ins->parent)
+        if (ins->material >= 0)
+            return (unsigned int)ins->material;
+    return mcd_record(ins->model)->material;
 }
 
 unsigned int MEAPI McdGeometryInstanceGetMaterial(McdGeometryInstanceID ins) {
@@ -165,15 +166,19 @@ void MEAPI McdGeometryInstanceSetMaterial(McdGeometryInstanceID ins, int materia
         return;
     if (material < (ins->parent ? -1 : 0))
         MeWarning(1, "McdGeometryInstanceSetMaterial: material is %d", material);
-    else
+    else if (ins->parent)
         ins->material = material;
+    else
+        mcd_record(ins->model)->material = (unsigned int)material;
 }
 
 void MEAPI McdGeometryInstanceReset(McdGeometryInstanceID ins) {
     if (!mcd_instanceCheck(ins, "McdGeometryInstanceReset"))
         return;
     McdGeometryInstanceSetTransformPtr(ins, 0);
-    ins->material = ins->parent ? -1 : 0;
+    ins->material = -1;
+    if (!ins->parent)
+        mcd_record(ins->model)->material = 0;
 }
 
 /* ---- extent ---------------------------------------------------------------------------------------------------- */

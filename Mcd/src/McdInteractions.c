@@ -288,7 +288,8 @@ MeBool MEAPI(McdIntersect)(McdModelPair *p, McdIntersectResult *result) {
 static MeBool addConvexContacts(McdModelPair *p, const McdRequest *request, McdIntersectResult *result) {
     const int max = limitContacts(result, request);
     mcd_resultBegin(result, p);
-    const MeBool areConvex = mcd_convexModels(mcd_record(p->model1), mcd_record(p->model2), mcd_pairMarginInRound(p), result);
+    const MeBool areConvex =
+        mcd_convexModels(mcd_record(p->model1), mcd_record(p->model2), mcd_pairMarginInRound(p), result);
     result->contactMaxCount = max;
     if (areConvex)
         mcd_resultEnd(result);

@@ -32,7 +32,7 @@ static void setUpdate(McdModelRecord *m, McdModelUpdateFnPtr f) {
 static void setDefaults(McdModelRecord *m) {
     m->model.mBody = 0;
     m->instance.tm = 0;
-    m->instance.material = 0;
+    m->material = 0;
     m->relTM = m->refTM = 0;
     m->ownsRelative = MEFALSE;
     m->linearVelocity = m->angularVelocity = 0;
@@ -195,7 +195,7 @@ McdModelID mcd_standInBegin(McdStandIn *s, McdGeometryInstance *part) {
     s->record.instance.parent = s->record.instance.nextSibling = 0;
     s->record.instance.model = &s->record.model;
     s->record.instance.tm = part->placed;
-    s->record.instance.material = (int)mcd_instanceMaterial(part);
+    s->record.material = mcd_instanceMaterial(part);
     s->record.relTM = s->record.refTM = 0;
     s->record.ownsRelative = MEFALSE;
     s->record.update = 0;

@@ -124,45 +124,53 @@ static MeBool makeOutline(const View *v, const McdFace *f, MeBool isMirrored, Ou
     return METRUE;
 }
 
-/* A corner of the polygon that is left of a while b's edges cut it: a corner of a or b, or where two edges cross; and
- * the edge that begins there. */
-typedef struct Corner {
-    double x, y, a;        /* a: height on a, where that is a line */
-    MeU8 ofA, ofB;         /* index of the corner, or of the edge; none: inside of it */
-    MeU8 edge;             /* index */
-    bool isCross, isEdgeB; /* whether both are edges; whose the edge that begins here is */
-} Corner;
+/* What is left of a while b's edges cut it: corners of a or b, or where two edges cross. Members apart, as each is read
+ * soon after it was written: a copy of several at once would wait until all are in the cache. */
+typedef struct Polygon {
+    int count;
+    double x[MAX_CANDIDATES + 1], y[MAX_CANDIDATES + 1]; /* one more than there may be: see cutByEdge */
+    double a[MAX_CANDIDATES + 1];                        /* height on a, where that is a line */
+    MeU32 origin[MAX_CANDIDATES + 1];
+} Polygon;
 
-/* One of two indices, without a branch: what a corner is of cannot be predicted. */
-static MeU8 choose(int condition, MeU8 yes, MeU8 no) {
-    return (MeU8)(no ^ ((yes ^ no) & -condition));
-}
+/* A corner's origin: indices of the corner or edge of a and of b that it is of, none: inside of it; of the edge that
+ * begins at it, and whether that is one of b; whether it is where two edges cross. */
+enum { OF_A = 0, OF_B = 8, EDGE_OF = 16, IS_EDGE_B = 24, IS_CROSS = 25 }; /* bits */
 
-static const MeU8 none = 255; /* an index of no corner */
+static const MeU32 none = 255; /* an index of no corner */
 _Static_assert(MCD_FACE_POINTS <= 255, "an index of a corner is a byte");
 
-/* Where the edge from p to q, of a or b, crosses b's edge j: of two edges of b, their common corner. */
-static Corner cross(const Corner *p, const Corner *q, double dp, double dq, const Outline *b, int j) {
-    const double t = dp / (dp - dq);
-    MEASSERT(t >= 0 && t <= 1); /* one is inside, the other is not */
-    const int after = p->edge + 1 < b->count ? p->edge + 1 : 0;
-    return (Corner){.x = p->x + t * (q->x - p->x),
-                    .y = p->y + t * (q->y - p->y),
-                    .a = p->a + t * (q->a - p->a),
-                    .ofA = choose(p->isEdgeB, none, p->edge),
-                    .ofB = choose(p->isEdgeB & (j != after), p->edge, (MeU8)j),
-                    .isCross = !p->isEdgeB};
+static MeU32 indexAt(MeU32 origin, int bit) {
+    return origin >> bit & 255;
+}
+
+static MeU32 isSet(MeU32 origin, int bit) {
+    return origin >> bit & 1;
+}
+
+/* One of two, without a branch: what a corner is of cannot be predicted. */
+static MeU32 choose(MeU32 condition, MeU32 yes, MeU32 no) {
+    return no ^ ((yes ^ no) & (0 - condition));
+}
+
+/* Of the corner where an edge of the polygon, which begins at a corner of that origin, crosses b's edge j: of two edges
+ * of b, their common corner. isIn: that corner is inside. */
+static MeU32 originOfCross(MeU32 origin, MeU32 j, MeU32 edges, MeU32 isIn) {
+    const MeU32 isB = isSet(origin, IS_EDGE_B), edge = indexAt(origin, EDGE_OF),
+                after = edge + 1 < edges ? edge + 1 : 0;
+    return choose(isB, none, edge) << OF_A | choose(isB & (j != after), edge, j) << OF_B |
+           choose(isIn, j, edge) << EDGE_OF | (isB | isIn) << IS_EDGE_B | (isB ^ 1) << IS_CROSS;
 }
 
 /* Of a corner or edge of the outline, or of its inside, if that is none. */
-static MeU32 codeOf(const Outline *o, MeU8 of, MeU32 kind) {
-    const MeU32 isSome = of != none, name = o->name[of & -isSome];
-    return code(((kind ^ INSIDE) & -isSome) ^ INSIDE, o->id, name & -isSome);
+static MeU32 codeOf(const Outline *o, MeU32 of, MeU32 kind) {
+    const MeU32 isSome = of != none, name = o->name[of & (0 - isSome)];
+    return code(choose(isSome, kind, INSIDE), o->id, choose(isSome, name, 0));
 }
 
-static MeU64 featureOfCorner(const Corner *c, const Outline *a, const Outline *b) {
-    const MeU32 kind = c->isCross ? EDGE : CORNER;
-    return featureOfPair(codeOf(a, c->ofA, kind), codeOf(b, c->ofB, kind));
+static MeU64 featureOf(MeU32 origin, const Outline *a, const Outline *b) {
+    const MeU32 kind = isSet(origin, IS_CROSS) ? EDGE : CORNER;
+    return featureOfPair(codeOf(a, indexAt(origin, OF_A), kind), codeOf(b, indexAt(origin, OF_B), kind));
 }
 
 typedef struct Circle {
@@ -189,66 +197,81 @@ static Circle circleAround(const Outline *o) {
 
 /* Signed distances, times the edge's length, of the corners from b's edge that begins at corner j, positive inside.
  * False if none is outside, which the bounding circle mostly shows. */
-static MeBool isEdgeCutting(const Corner *corner, int count, const Circle *around, const Outline *b, int j,
-                            double slack_, double *inside) {
+static MeBool isEdgeCutting(const Polygon *p, const Circle *around, const Outline *b, int j, double slack_,
+                            double *inside) {
     const int next = j + 1 < b->count ? j + 1 : 0;
     const double x = b->x[j], y = b->y[j], ex = b->x[next] - x, ey = b->y[next] - y, length = sqrt(ex * ex + ey * ey);
     double least = INFINITY;
     if (ex * (around->y - y) - ey * (around->x - x) >= around->radius * length)
         return MEFALSE; /* of no length, too */
-    for (int i = 0; i < count; i++) {
-        inside[i] = ex * (corner[i].y - y) - ey * (corner[i].x - x) + slack_ * length;
+    for (int i = 0; i < p->count; i++) {
+        inside[i] = ex * (p->y[i] - y) - ey * (p->x[i] - x) + slack_ * length;
         least = MeMIN(least, inside[i]);
     }
     return !(least >= 0);
 }
 
+static void copyCorner(Polygon *to, int k, const Polygon *from, int i) {
+    to->x[k] = from->x[i];
+    to->y[k] = from->y[i];
+    to->a[k] = from->a[i];
+    to->origin[k] = from->origin[i];
+}
+
 /* Cuts off what is outside of that edge (Sutherland and Hodgman). Which corners are cannot be predicted: each is
- * written, and overwritten unless it is inside. The last is followed by one more, as `inside` has it; of `in` that is the
- * first. */
-static int cutByEdge(Corner *in, int count, const double *inside, const Outline *b, int j, Corner *out) {
+ * written, and overwritten unless it is inside. The last is followed by one more, as `inside` has it; of the polygon
+ * that is the first. */
+static void cutByEdge(Polygon *from, const double *inside, const Outline *b, int j, Polygon *to) {
+    const int count = from->count;
     int made = 0;
-    in[count] = in[0];
+    copyCorner(from, count, from, 0);
     for (int i = 0; i < count; i++) {
         const double dp = inside[i], dq = inside[i + 1];
         const int isIn = dp >= 0;
-        out[made] = in[i];
+        copyCorner(to, made, from, i);
         made += isIn;
         if (isIn == (dq >= 0) || made == MAX_CANDIDATES - 1)
             continue;
-        out[made] = cross(&in[i], &in[i + 1], dp, dq, b, j);
-        out[made].isEdgeB = isIn | in[i].isEdgeB;
-        out[made].edge = choose(isIn, (MeU8)j, in[i].edge);
+        const double t = dp / (dp - dq);
+        MEASSERT(t >= 0 && t <= 1); /* one is inside, the other is not */
+        to->x[made] = from->x[i] + t * (from->x[i + 1] - from->x[i]);
+        to->y[made] = from->y[i] + t * (from->y[i + 1] - from->y[i]);
+        to->a[made] = from->a[i] + t * (from->a[i + 1] - from->a[i]);
+        to->origin[made] = originOfCross(from->origin[i], (MeU32)j, (MeU32)b->count, (MeU32)isIn);
         made++;
     }
-    return made;
+    to->count = made;
 }
 
 /* A polygon or line cut by a polygon. */
 static int clip(const Outline *a, const Outline *b, double slack_, Candidate *candidate) {
-    Corner memory[2][MAX_CANDIDATES + 1], *from = memory[0], *to = memory[1];
+    Polygon memory[2], *from = &memory[0], *to = &memory[1];
     double inside[MAX_CANDIDATES + 1];
     const Circle around = circleAround(a);
-    int count = a->count;
-    for (int i = 0; i < count; i++)
-        from[i] = (Corner){.x = a->x[i], .y = a->y[i], .a = a->z[i], .ofA = (MeU8)i, .ofB = none, .edge = (MeU8)i};
-    for (int j = 0; j < b->count && count; j++) {
-        if (!isEdgeCutting(from, count, &around, b, j, slack_, inside))
+    from->count = a->count;
+    for (int i = 0; i < a->count; i++) {
+        from->x[i] = a->x[i];
+        from->y[i] = a->y[i];
+        from->a[i] = a->z[i];
+        from->origin[i] = (MeU32)i << OF_A | none << OF_B | (MeU32)i << EDGE_OF;
+    }
+    for (int j = 0; j < b->count && from->count; j++) {
+        if (!isEdgeCutting(from, &around, b, j, slack_, inside))
             continue;
-        inside[count] = inside[a->count > 2 ? 0 : count - 1];
-        count = cutByEdge(from, count, inside, b, j, to);
-        Corner *const swap = from;
+        inside[from->count] = inside[a->count > 2 ? 0 : from->count - 1];
+        cutByEdge(from, inside, b, j, to);
+        Polygon *const swap = from;
         from = to;
         to = swap;
     }
-    MEASSERT(count >= 0 && count <= MAX_CANDIDATES);
-    for (int i = 0; i < count; i++)
-        candidate[i] = (Candidate){.x = from[i].x,
-                                   .y = from[i].y,
-                                   .a = a->count > 2 ? planeHeight(a, from[i].x, from[i].y) : from[i].a,
-                                   .b = planeHeight(b, from[i].x, from[i].y),
-                                   .feature = featureOfCorner(&from[i], a, b)};
-    return count;
+    MEASSERT(from->count >= 0 && from->count <= MAX_CANDIDATES);
+    for (int i = 0; i < from->count; i++)
+        candidate[i] = (Candidate){.x = from->x[i],
+                                   .y = from->y[i],
+                                   .a = a->count > 2 ? planeHeight(a, from->x[i], from->y[i]) : from->a[i],
+                                   .b = planeHeight(b, from->x[i], from->y[i]),
+                                   .feature = featureOf(from->origin[i], a, b)};
+    return from->count;
 }
 
 static void swapCandidates(Candidate *candidate, int count) {

@@ -62,7 +62,7 @@ struct _McdGeometryInstance {
     McdGeometryInstance *parent;     /* null for a model's own */
     McdGeometryInstance *firstChild; /* of an aggregate's instance, in the order of its elements */
     MeMatrix4Ptr tm;                 /* set by the program: where a model is, or where a child's place is written */
-    int material;                    /* -1: the parent's */
+    int material;                    /* a child's; -1: the parent's. A model's is in its record */
     int element;                     /* index among the parent's elements */
     MeVector3 min, max;              /* world; as of the last update */
 
@@ -198,11 +198,12 @@ typedef struct McdModelRecord {
     void *proxy; /* the space's record of the model */
     McdFilter filter;
     MeI16 sortKey;
+    unsigned int material;
     /* hot: 3, 4; pairs: 3, its pose and velocity */
     _Alignas(ME_CACHE_LINE) McdModelInputs inputs; /* at the last comparison */
     /* hot: 5 to 8; follows from `inputs` */
-    _Alignas(ME_CACHE_LINE) McdShape shape; /* in the world's coordinates, without corners; kind 0: it is no convex one */
-    /* hot: 10, which of pairs says the material */
+    _Alignas(ME_CACHE_LINE) McdShape shape; /* in the world, without corners; kind 0: it is no convex one */
+    /* hot: 10 */
     _Alignas(ME_CACHE_LINE) McdGeometryInstance instance;
     /* hot: 14 */
     _Alignas(ME_CACHE_LINE) McdModelIntersectFnPtr intersect;

@@ -18,8 +18,8 @@ MeBool mcd_sizeIsGood(MeReal size, const char *what, const char *function);
 MeBool mcd_instanceIs(McdGeometryInstanceID ins, McdGeometryType type, const char *function);
 
 #ifndef _ME_API_DOUBLE
-/* r, or if isNext nextafterf(r, FLT_MAX), without a branch: which it is cannot be predicted. The bits of positive floats
- * are in their order, of negative ones in the opposite one; -0 counts as 0. */
+/* r, or if isNext nextafterf(r, FLT_MAX), without a branch: which it is cannot be predicted. The bits of positive
+ * floats are in their order, of negative ones in the opposite one; -0 counts as 0. */
 static inline float mcd_nextAboveIf(float r, int isNext) {
     MeI32 bits;
     r += 0.0f;

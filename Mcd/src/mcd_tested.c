@@ -348,8 +348,8 @@ static MeBool isFrozen(const McdModelRecord *m) {
 
 MeU32 MEAPI McdModelPairGetTraits(const McdModelPair *p, MeU32 material[2]) {
     const McdModelRecord *a = mcd_modelCheck(p->model1, __func__), *b = mcd_modelCheck(p->model2, __func__);
-    material[0] = a ? mcd_instanceMaterial(&a->instance) : 0;
-    material[1] = b ? mcd_instanceMaterial(&b->instance) : 0;
+    material[0] = a ? a->material : 0;
+    material[1] = b ? b->material : 0;
     if (!a || !b)
         return 0;
     return (isFrozen(a) && isFrozen(b) ? McdPairIsAsleep : 0) | (a->isSensor || b->isSensor ? McdPairHasSensor : 0) |

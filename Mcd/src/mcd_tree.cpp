@@ -119,8 +119,10 @@ void checkDepth(McdTree &tree, const Node *leaf) noexcept {
 /* All axes are compared, without branches: along which of them boxes are apart cannot be predicted. */
 bool overlaps(const Box &a, const McdTreeBox &b) {
     int is = 1;
-    for (int i = 0; i < 3; i++)
-        is &= (a.min_[i] <= b.max[i]) & (b.min[i] <= a.max_[i]);
+    for (int i = 0; i < 3; i++) {
+        is &= a.min_[i] <= b.max[i];
+        is &= b.min[i] <= a.max_[i];
+    }
     return is != 0;
 }
 

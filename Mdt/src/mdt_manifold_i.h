@@ -55,7 +55,7 @@ typedef struct MdtManifold {
     void *generator, **holder; /* MdtContactGroup.h */
     MeReal normal[3];          /* direction in which the first body is pushed; of any length */
     MeReal radius[2];          /* m, MdtContactSetRadius */
-    unsigned int numPoints : 24; /* of the whole group */
+    unsigned int numPoints : 24; /* of the whole group; so many would take 2 GB */
     unsigned int used : 8;       /* bits: which of its slots are */
     MdtPoint point[MDT_POINTS];
 } MdtManifold;

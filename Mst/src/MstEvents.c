@@ -236,7 +236,7 @@ static void MEAPI settleRange(void *context, int first, int end, int worker) {
     }
 }
 
-/* No list of events was made: only whether each pair touches is kept, which is known but of those that are undecided. */
+/* No list of events was made: only whether each pair touches is kept, which is known but of the undecided ones. */
 static void skipList(MstBridgeRecord *b, MeTeam *team) {
     MstEvents *e = &b->events;
     MeTeam *workers = e->undecidedCount >= MST_LEAST_RUNS * MST_RUN ? team : 0;

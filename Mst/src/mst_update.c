@@ -43,7 +43,8 @@ static MeBool isGroupToStay(const MstRun *run, const MstFinding *f) {
 static MeBool isOwn(const MstBridgeRecord *b, const MstRun *run, const MstFinding *f) {
     const McdModelPair *p = f->pair;
     const MstTouch *t = p->touch;
-    if (b->part > 0 || p->phase == kMcdFFStateInactive || !t || mst_touchIsListed(&b->events, t) || f->isFast || !mst_areMaterialsSeen(b))
+    if (b->part > 0 || p->phase == kMcdFFStateInactive || !t || mst_touchIsListed(&b->events, t) || f->isFast ||
+        !mst_areMaterialsSeen(b))
         return MEFALSE;
     if (f->outcome == MST_TESTED ? !f->isKnown : t->version != mst_versionSeen(f->materials))
         return MEFALSE;

@@ -2,6 +2,7 @@
 #include "McdAggregate.h"
 #include "McdAll.h"
 #include "McdContact.h"
+#include "McdInternal.h"
 #include "McdRGHeightField.h"
 #include "shapes.h"
 
@@ -65,6 +66,29 @@ static void clear(Probe *p) {
     }
 }
 
+static void expectExact(const McdContact *c) {
+    McdExactContact exact;
+    double position[3], axis[3];
+    McdContactGetExact(c, &exact);
+    McdContactGetPosition(c, position);
+    ck_assert(memcmp(position, exact.position, sizeof position) == 0);
+    ck_assert(exact.separation == McdContactGetSeparation(c));
+    for (int k = 0; k < 2; k++) {
+        ck_assert(exact.radius[k] == McdContactGetRadius(c, k) && exact.rim[k] == McdContactGetRim(c, k, axis));
+        ck_assert(!(exact.rim[k] > 0) || memcmp(axis, exact.axis[k], sizeof axis) == 0);
+    }
+}
+
+/* Also after a program has written another place, or another separation. */
+static void expectExactOf(const McdContact *c) {
+    McdContact written = *c;
+    expectExact(c);
+    written.position[0] += 1;
+    expectExact(&written);
+    written.separation -= 1;
+    expectExact(&written);
+}
+
 /* All contacts of the pair, in both orders. */
 static void expectRadii(Probe *p, double first, double second) {
     for (int turned = 0; turned < 2; turned++) {
@@ -72,6 +96,7 @@ static void expectRadii(Probe *p, double first, double second) {
         for (int i = 0; i < p->result.contactCount; i++) {
             assert_near(McdContactGetRadius(&c[i], turned), first, TOL(1e-7, 1e-12));
             assert_near(McdContactGetRadius(&c[i], !turned), second, TOL(1e-7, 1e-12));
+            expectExactOf(&c[i]);
         }
         swapModels(p);
     }
@@ -224,6 +249,7 @@ static double rimOf(double lean, double axis[3]) {
     const McdContact *contact = meet(&p);
     ck_assert(McdContactGetRim(contact, 1, axis) == 0);
     rim = McdContactGetRim(contact, 0, axis);
+    expectExactOf(contact);
     clear(&p);
     McdTerm(p.frame);
     return rim;
