@@ -219,15 +219,25 @@ void MEAPI mst_touchForget(McdModelPair *p) {
     mst_touchGive(t);
 }
 
+/* Asks for the memory of touches that follow: of each, of its pair and of its contacts, as each says where the next
+ * is. */
+static void prefetchSettled(MstTouch *const touches[], int i, int end) {
+    enum { AHEAD = 4, GROUP = 8 * ME_CACHE_LINE }; /* touches; bytes of a manifold */
+    if (i + 3 * AHEAD < end)
+        me_prefetch(touches[i + 3 * AHEAD], 2 * ME_CACHE_LINE);
+    if (i + 2 * AHEAD < end && touches[i + 2 * AHEAD])
+        ME_PREFETCH(&touches[i + 2 * AHEAD]->pair->responseData);
+    if (i + AHEAD < end && touches[i + AHEAD])
+        me_prefetch(touches[i + AHEAD]->pair->responseData, GROUP);
+}
+
 /* The rule for order (MeTeam.h): each touch is in the list once, and a range writes to its own alone. */
 static void MEAPI settleRange(void *context, int first, int end, int worker) {
-    enum { AHEAD = 8 }; /* touches: their first line comes from memory in time */
     const MstEvents *e = context;
     (void)worker;
     for (int i = first; i < end; i++) {
         MstTouch *t = e->undecided[i];
-        if (i + AHEAD < end)
-            ME_PREFETCH(e->undecided[i + AHEAD]);
+        prefetchSettled(e->undecided, i, end);
         if (!t)
             continue;
         noteContacts(t);
