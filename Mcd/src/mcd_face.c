@@ -362,11 +362,11 @@ static int dropFarAndDuplicates(Candidate *candidate, int count, double margin, 
     const double least = 16 * slack_ * slack_;
     int kept = 0;
     for (int i = 0; i < count; i++) {
-        const Candidate c = candidate[i];
-        int isNew = c.a - c.b <= margin;
+        int isNew = candidate[i].a - candidate[i].b <= margin;
         for (int j = 0; j < kept; j = j == 0 && count > 8 && kept > 1 ? kept - 1 : j + 1)
-            isNew &= acrossSquared(&c, &candidate[j]) > least;
-        candidate[kept] = c;
+            isNew &= acrossSquared(&candidate[i], &candidate[j]) > least;
+        if (kept != i)
+            candidate[kept] = candidate[i];
         kept += isNew;
     }
     return kept;

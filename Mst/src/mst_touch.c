@@ -110,8 +110,10 @@ static void unlist(MstTouch *t) {
 
 void mst_touchList(MstEvents *e, MstTouch *t, MeBool isUndecided) {
     MEASSERT(mst_touchIsListed(e, t) && !isUndecided == !t->isUndecided);
-    if ((isUndecided && !addToUndecided(e, t)) || !addTo(&e->listed, &e->listedCount, &e->listedMax, t))
+    if (!addTo(&e->listed, &e->listedCount, &e->listedMax, t))
         unlist(t);
+    else if (isUndecided && !addToUndecided(e, t))
+        t->isUndecided = false;
 }
 
 static void removeFrom(MstTouch **list, int count, const MstTouch *t) {
@@ -127,7 +129,7 @@ void mst_touchUnlist(MstTouch *t) {
     unlist(t);
 }
 
-/* Of one block; the listed ones of it are added to the count. */
+/* Of one block; the listed and the undecided ones of it are added to the counts. */
 static MeBool isBlockConsistent(const MstEvents *e, const MstTouch *touch, int count, int *listed, int *undecided) {
     for (int i = 0; i < count; i++) {
         const MeBool isListed = mst_touchIsListed(e, &touch[i]);
@@ -170,7 +172,7 @@ static MeBool isDecided(const MstTouch *t) {
     return !t->hasContacts || t->isSensor || t->separation <= (t->wasTouching ? t->tolerance : 0);
 }
 
-/* After something has been noted. Returns whether it may be wrong, as forces count, and was not before. */
+/* After something has been noted. Returns whether forces count from now on, so that it may be wrong without them. */
 static MeBool decide(MstTouch *t) {
     const MeBool isUndecided = !isDecided(t), isNew = isUndecided && !t->isUndecided;
     t->isTouching = mst_touchTouches(t);
