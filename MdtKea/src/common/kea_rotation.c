@@ -52,9 +52,11 @@ static void blanesMoan4(double q[4], double L[3], const Split *s, double h) {
     }
 }
 
-/* In parts that the splitting follows. */
+/* In parts that the splitting follows; of a symmetric top, which it follows exactly, in one: a rod that turns across
+ * its axis has rates of thousands of radians a step about it. */
 static void rotateFast(double q[4], double L[3], const Split *s, double h, double angle) {
-    const int parts = (int)keaMin(ceil(angle / kea_fastRotation), KEA_MOST_ROTATIONS);
+    const MeBool isExact = s->rateA == 0 || s->rateB == 0;
+    const int parts = isExact ? 1 : (int)keaMin(ceil(angle / kea_fastRotation), KEA_MOST_ROTATIONS);
     for (int i = 0; i < parts; i++)
         blanesMoan4(q, L, s, h / parts);
 }
