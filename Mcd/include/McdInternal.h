@@ -49,9 +49,10 @@ MEPUBLIC MeBool MEAPI McdModelPairHasSeenModels(const McdModelPair *p);
  *  height fields, and aggregates of these whose parts have no materials of their own, with the library's own
  *  interactions, without callbacks, and with unchanged sizes, places of parts, margins, and heights of the cells that a
  *  test would visit, which are read in each call; and only models that @a mayMove have moved since the last call.
- *  McdPairHasMoved: since the last test (McdModelPairNoteTest) no point of the smaller model has moved relative to the
- *  other by more than @a part of its size, or a quarter of the pair's margin; McdPairIsApart: nor by as much as the
- *  models were apart then (McdModelPairNoteApart). A program that does not want the one calls McdModelPairNoteTest. */
+ *  McdPairIsApart: since the last test (McdModelPairNoteTest) no point has moved relative to the other model by as much
+ *  as the models were apart then (McdModelPairNoteApart). McdPairHasMoved: else no point of the smaller model by more
+ *  than @a part of its size, or a quarter of the pair's margin; who tests such a pair all the same calls
+ *  McdModelPairNoteTest before. */
 MEPUBLIC McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool mayMove[2]);
 /** What of a pair's models decides how it is handled; flags. */
 typedef enum McdPairTrait {
@@ -83,11 +84,13 @@ MEPUBLIC MeBool MEAPI McdModelPairIntersectIfChanged(McdModelPair *p, MeBool may
 MEPUBLIC void MEAPI McdModelPairForgetTest(McdModelPair *p);
 /** @} */
 
-/** What McdContactGetPosition, McdContactGetSeparation, McdContactGetRadius and McdContactGetRim tell of a contact. */
+/** A contact in double precision, world frame; of each surface how round it is there, model1's first. */
 typedef struct McdExactContact {
     double position[3], separation, radius[2]; /**< m */
-    double rim[2], axis[2][3];                 /**< m, unit; an axis only where there is a rim */
+    double rim[2], axis[2][3];                 /**< m, unit; an axis is set only where there is a rim */
 } McdExactContact;
+/** What McdContactGetPosition, McdContactGetSeparation, McdContactGetRadius and McdContactGetRim tell, in one call and
+ *  without their checks: @a c is a contact. */
 MEPUBLIC void MEAPI McdContactGetExact(const McdContact *c, McdExactContact *exact);
 
 /** @name Kinds of geometries

@@ -304,11 +304,6 @@ static void setTest(McdModelPair *p, McdModelRecord *m1, McdModelRecord *m2, con
         addSurfacesOf(p, before, part);
 }
 
-static MeBool isSameTest(const McdTest *a, const McdTest *b) {
-    return a->stamp1 == b->stamp1 && a->stamp2 == b->stamp2 && a->shape1 == b->shape1 && a->shape2 == b->shape2 &&
-           a->contactMaxCount == b->contactMaxCount && a->faceNormalsFirst == b->faceNormalsFirst;
-}
-
 /* ---- pairs ------------------------------------------------------------------------------------------------------- */
 
 void MEAPI McdModelPairLookAtModels(const McdModelPair *p) {
@@ -321,13 +316,14 @@ MeBool MEAPI McdModelPairHasSeenModels(const McdModelPair *p) {
 }
 
 McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool mayMove[2]) {
+    static const MeBool neither[2] = {MEFALSE, MEFALSE};
     MEASSERT(p && p->model1 && p->model2 && mayMove);
     McdModelRecord *m1 = mcd_record(p->model1), *m2 = mcd_record(p->model2);
     const McdTest before = p->test, *now = &p->test;
     setTest(p, m1, m2, &before, part);
     const MeBool isComparable =
         now->stamp1 != 0 && now->stamp2 != 0 && before.stamp1 != 0 && before.stamp2 != 0 && isBuiltIn(p);
-    if (isComparable && isSameTest(now, &before))
+    if (isComparable && isAlike(now, &before, neither))
         return McdPairIsUnchanged;
     if (isComparable && isAlike(now, &before, mayMove) && mayTestHold(p, part)) {
         const McdStand stand = standOf(p);

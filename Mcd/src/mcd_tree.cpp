@@ -144,7 +144,7 @@ struct Query {
         }
         return visit(context, itemOf(n)) != 0;
     }
-    bool from(const Node *root) const {
+    bool run(const Node *root) const {
         return !overlaps(root->bv, box) || walk(root);
     }
 };
@@ -247,7 +247,7 @@ size_t mcd_treeBytesPerItem(void) {
 
 void mcd_treeQuery(const McdTree *tree, const McdTreeBox *box, McdTreeVisit visit, void *context) {
     if (tree->nodes.getRoot())
-        Query{*box, visit, context}.from(tree->nodes.getRoot());
+        Query{*box, visit, context}.run(tree->nodes.getRoot());
 }
 
 void mcd_treeCast(const McdTree *tree, const double from[3], const double by[3], const double half[3], double fraction,

@@ -222,13 +222,13 @@ void MEAPI mst_touchForget(McdModelPair *p) {
 /* Asks for the memory of touches that follow: of each, of its pair and of its contacts, as each says where the next
  * is. */
 static void prefetchSettled(MstTouch *const touches[], int i, int end) {
-    enum { AHEAD = 4, GROUP = 8 * ME_CACHE_LINE }; /* touches; bytes of a manifold */
+    enum { AHEAD = 4 };
     if (i + 3 * AHEAD < end)
         me_prefetch(touches[i + 3 * AHEAD], 2 * ME_CACHE_LINE);
     if (i + 2 * AHEAD < end && touches[i + 2 * AHEAD])
         ME_PREFETCH(&touches[i + 2 * AHEAD]->pair->responseData);
     if (i + AHEAD < end && touches[i + AHEAD])
-        me_prefetch(touches[i + AHEAD]->pair->responseData, GROUP);
+        me_prefetch(touches[i + AHEAD]->pair->responseData, MST_GROUP);
 }
 
 /* The rule for order (MeTeam.h): each touch is in the list once, and a range writes to its own alone. */

@@ -35,11 +35,10 @@ void mst_prefetchModels(McdModelPair *const pairs[], int i, int count) {
 }
 
 static void prefetchContacts(McdModelPair *const pairs[], int i, int count) {
-    enum { GROUP = 8 * ME_CACHE_LINE }; /* bytes of a manifold */
     if (i + CONTENT_AHEAD >= count)
         return;
     me_prefetch(pairs[i + CONTENT_AHEAD]->touch, 2 * ME_CACHE_LINE);
-    me_prefetch(pairs[i + CONTENT_AHEAD]->responseData, GROUP);
+    me_prefetch(pairs[i + CONTENT_AHEAD]->responseData, MST_GROUP);
 }
 
 /* ---- pairs whose contacts remain --------------------------------------------------------------------------------- */

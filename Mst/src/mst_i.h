@@ -60,6 +60,8 @@ enum { MST_TOUCH_BLOCK = 64, MST_TOUCH_BLOCKS = 24 };
 /* How many steps contacts are carried along with their bodies before they are found anew. Each step rounds the normal
  * to MeReal: 64 random roundings of half of 2^-24 add up to 2.4e-7, as one rounding of a transform. */
 enum { MST_CARRIES = 64 };
+/* Bytes of a group with up to four contacts (MdtManifold), to fetch ahead. */
+enum { MST_GROUP = 8 * ME_CACHE_LINE };
 enum { MST_BRIDGE = 0x4d425244, MST_UNIVERSE = 0x4d554e49, MST_CONTACTS = 40, MST_PAIRS = 1000, MST_MATERIALS = 10000 };
 
 /* Whether the pointer is a live object of that kind; check builds only. */
