@@ -270,7 +270,7 @@ typedef struct RRenderOptions {
     int m_nWorkers;          /**< -workers: threads that a program's worlds are to step on; 0 if it was not given. */
     AcmeReal m_Advise[2];    /**< -advise: seconds to try settings for, and to wait before; 0 if it was not given, or a
                                   program has seen to it. */
-    int m_nEvery;            /**< -every; 0 for no series of pictures. */
+    int m_nEvery;            /**< -every; 0: no series of pictures, and figures only at the end. */
     int m_bPaused;           /**< -paused */
     int m_bBar;              /**< -bar */
     int m_bProfile;          /**< -profile */

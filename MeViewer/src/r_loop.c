@@ -179,6 +179,17 @@ static void begin(RRender *rc) {
     r_clockRestart(&v->loop.clock, v->loop.deadline);
 }
 
+/* Without a window the line of the status is printed. */
+static void tellStatus(const RRender *rc) {
+    if (!rc->m_pViewer->backend->window && rc->m_pViewer->status)
+        MeInfo(0, "%s", rc->m_pViewer->status);
+}
+
+static bool isStatusDue(const RRender *rc) {
+    const int every = rc->m_Options.m_nEvery;
+    return every > 0 && rc->m_pViewer->loop.frames % every == 0 && !r_loopEnded(rc); /* it ends with the status */
+}
+
 static int exitCode(const RRender *rc) {
     const bool judged = !rc->m_pViewer->backend->window || !rc->m_pViewer->loop.quit;
     return judged && r_warnings() ? 2 : EXIT_SUCCESS;
@@ -190,6 +201,8 @@ static void run(RRender *rc, const RTick *tick) {
     begin(rc);
     while (!r_loopEnded(rc)) {
         r_frame(rc, tick);
+        if (isStatusDue(rc))
+            tellStatus(rc);
         if (rc->m_pViewer->backend->window)
             pace(loop);
         else
@@ -198,8 +211,7 @@ static void run(RRender *rc, const RTick *tick) {
     if (loop->progressShown)
         fputc('\n', stderr);
     r_pictureEnd(rc);
-    if (!rc->m_pViewer->backend->window && rc->m_pViewer->status)
-        MeInfo(0, "%s", rc->m_pViewer->status);
+    tellStatus(rc);
     if (rc->m_Options.m_bProfile)
         MeProfileOutputResults();
     exit(exitCode(rc));

@@ -237,7 +237,8 @@ void MEAPI RDisplayCommandLineHelp(void) {
               "                       begin after START seconds; draws nowhere; programs of MeAppStart");
     MeInfo(0, "What to keep:\n"
               "  -screenshot FILE     a PNG picture of the last frame\n"
-              "  -every N             with -screenshot: every N frames one, FILE-0001.png and so on\n"
+              "  -every N             with -screenshot: every N frames one, FILE-0001.png and so on; without a window\n"
+              "                       the figures are printed every N frames, too\n"
               "  -film FILE           a film by ffmpeg, .mp4 or .gif, that plays as fast as the simulation ran\n"
               "  -bar                 show the performance bar off-screen too\n"
               "  -profile             print how long everything took\n"

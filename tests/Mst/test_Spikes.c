@@ -165,6 +165,59 @@ START_TEST(a_program_may_have_a_wall_solved_exactly) {
 }
 END_TEST
 
+enum { LAYERS = 18, PLANKS = 3 * LAYERS, DRAWN = 28 /* the middle one of the tenth layer */ };
+
+/* Layers of three planks side by side, each layer across the one below. */
+static MdtBodyID makeTower(MstUniverseID u) {
+    const MeReal length = (MeReal).75, width = (MeReal).25, height = (MeReal).15, gap = (MeReal).003;
+    MdtBodyID drawn = NULL;
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal).5, 0);
+    for (int i = 0; i < PLANKS; i++) {
+        const int layer = i / 3;
+        const MeReal aside = (MeReal)(i % 3 - 1) * (width + gap), y = ((MeReal)layer + (MeReal).5) * height;
+        const McdGeometryID g =
+            layer % 2 ? McdBoxCreate(u->frame, width, height, length) : McdBoxCreate(u->frame, length, height, width);
+        const McdModelID plank = MstModelAndBodyCreate(u, g, 600);
+        McdModelDynamicsSetPosition(plank, layer % 2 ? aside : 0, y, layer % 2 ? 0 : aside);
+        drawn = i == DRAWN ? McdModelGetBody(plank) : drawn;
+    }
+    return drawn;
+}
+
+/* A spring draws it along its length, with .1 m/s, from the middle of the tower. */
+static void draw(MdtBodyID plank, double time) {
+    const double stiffness = 20000, damping = 800, pace = .1; /* N/m, N s/m, m/s */
+    MeVector3 x, v;
+    MdtBodyGetCenterOfMassPosition(plank, x);
+    MdtBodyGetLinearVelocity(plank, v);
+    const double pull = stiffness * (pace * time - (double)x[2]) + damping * (pace - (double)v[2]);
+    MdtBodyAddForce(plank, 0, 0, (MeReal)fmax(pull, 0));
+}
+
+/* Three planks share a load in many ways, and friction bounds do not settle while one is drawn. The best answer so far
+ * is kept: 4 of 100 steps end with sweeps, where 25 did (12 in double precision), with residuals ten times those of
+ * the passes before. */
+START_TEST(a_plank_is_drawn_out_of_a_tower) {
+    enum { DRAWN_FOR = 100 };
+    const MstUniverseID u = twelve_makeUniverse();
+    const MdtBodyID plank = makeTower(u);
+    double work = 0;
+    int limited = 0;
+    MdtWorldEnableReport(u->world);
+    for (int i = 0; i < DRAWN_FOR; i++) {
+        MdtReport r;
+        draw(plank, i / 60.);
+        MstUniverseStep(u, (MeReal)(1. / 60));
+        ck_assert(MdtWorldGetReport(u->world, &r));
+        work += (double)r.work;
+        limited += r.limited;
+    }
+    MstUniverseDestroy(u);
+    printf("tower     work %.1f a step, %d of %d steps limited\n", work / DRAWN_FOR, limited, DRAWN_FOR);
+    ck_assert_int_le(limited, 8);
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_test(t, a_drum_of_boxes);
     tcase_add_test(t, a_bridge_that_boxes_fall_onto);
@@ -173,6 +226,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_box_lands_softly);
     tcase_add_test(t, a_row_of_dominoes);
     tcase_add_test(t, a_ball_brings_down_a_wall);
+    tcase_add_test(t, a_plank_is_drawn_out_of_a_tower);
     tcase_add_test(t, a_program_may_have_a_wall_solved_exactly);
 }
 TEST_MAIN("Spikes", tests)

@@ -23,6 +23,14 @@ def status(frames, keys='', workers=1):
     return run('-null', '-frames', str(frames), '-workers', str(workers), *(['-key', keys] if keys else []))
 
 
+@functools.lru_cache(None)
+def statuses(frames, keys=''):
+    """-> the status line of each frame of one run; number 0 is of the first."""
+    lines = run('-null', '-frames', str(frames), '-every', '1', *(['-key', keys] if keys else [])).splitlines()
+    assert len(lines) == frames + 1 and lines[-1].startswith('state '), f'-every 1 prints {len(lines)} lines in {frames} frames'
+    return lines[:-1]
+
+
 def held(key, first, last):
     """-> what to press to hold a key from a frame on, up to the one before another."""
     return f'{key}@{first}-{last - 1}'

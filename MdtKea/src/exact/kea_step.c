@@ -237,11 +237,14 @@ static MeBool mayBeTangent(const MdtKeaSystem *s) {
     return s->work->hasJoints && s->work->problem.hasFriction;
 }
 
+/* Whether positions and momenta are exact enough, whatever contacts' velocities are. */
+static MeBool isMotionFound(const KeaResiduals *e) {
+    return e->position <= kea_loosePosition && e->momentum <= kea_loosePosition;
+}
+
 /* Writes how the passes have ended: missed positions, capped or limited solves, residuals. */
 static void reportMotion(MdtKeaSystem *s, const KeaResiduals *e, MeBool isLimited) {
-    const MeBool isMissed =
-        (!s->work->usesTangentAnswer && !(e->position <= kea_loosePosition && e->momentum <= kea_loosePosition)) ||
-        turnsOver(s);
+    const MeBool isMissed = (!s->work->usesTangentAnswer && !isMotionFound(e)) || turnsOver(s);
     s->report.opening = isMissed ? kea_openingLeft(s) : 0;
     s->report.opens = s->report.opening > kea_violentOpening;
     s->report.violent = isMissed && !isLimited;
@@ -253,15 +256,15 @@ static void reportMotion(MdtKeaSystem *s, const KeaResiduals *e, MeBool isLimite
 }
 
 /* Newton's method for the step: passes until the residuals are below tolerance, or the budget or the passes are used
- * up. The answer is the best iterate; of linkages the tangent one, if symmetric passes leave its branch or do not
- * converge; the motion without rows, if passes run away. */
+ * up. The answer is the best iterate, but the last sweep's if only that is exact in positions; of linkages the tangent
+ * one, if symmetric passes leave its branch or do not converge; the motion without rows, if passes run away. */
 static void takePasses(MdtKeaSystem *s) {
     int last = KEA_MAX_COUPLED_PASSES + KEA_FROZEN_PASSES;
     KeaProblem *q = &s->work->problem;
     MeBool isLimited = MEFALSE;
     double speed = kea_bodySpeedScale(s);           /* m/s: the largest scale of velocities so far */
-    double best = HUGE_VAL, bestTangent = HUGE_VAL; /* worst residuals of the kept iterates */
-    KeaResiduals e = {.worst = HUGE_VAL};
+    double bestTangent = HUGE_VAL;                  /* the worst residual of the kept tangent iterate */
+    KeaResiduals e = {.worst = HUGE_VAL}, best = e; /* of this pass, and of the kept iterate */
     double motion = HUGE_VAL, before = HUGE_VAL;
     int worse = 0;
     MeBool hasTangentAnswer = MEFALSE, isRefined = MEFALSE;
@@ -273,8 +276,8 @@ static void takePasses(MdtKeaSystem *s) {
         linearize(s);
         speed = keaMax(speed, kea_rowSpeedScale(s));
         e = residualsOfPass(s, speed);
-        if (e.worst < best || pass == 0) {
-            best = e.worst;
+        if (e.worst < best.worst || pass == 0) {
+            best = e;
             saveIterate(s, s->work->bestU, s->work->bestP);
         }
         if (q->hasTangent && s->work->hasLoops && e.attachment < 1 && e.worst < bestTangent) {
@@ -289,14 +292,18 @@ static void takePasses(MdtKeaSystem *s) {
             hasTangentAnswer = bestTangent < HUGE_VAL;
             last = hasTangentAnswer ? pass + KEA_UNUSUAL_PASSES : last;
         }
-        q->counts.isLimited = q->counts.isLimited || (isFrictionBudgetSpent(s) && q->counts.stuck > 0);
+        if (isFrictionBudgetSpent(s) && q->counts.stuck > 0) {
+            if (!q->counts.isLimited && kea_isExactEnough(&best, 1))
+                break;
+            q->counts.isLimited = METRUE;
+        }
         isLimited = q->counts.isLimited;
         const MeBool isConvergingFast = kea_isExactEnough(&e, 1) && e.worst < kea_refinedShare * before;
         before = e.worst;
         if (isFinal(q, &e, isRefined) || pass == last ||
             (isLimited && (kea_isExactEnough(&e, kea_sweptMargin) || !kea_problemMaySweep(q))))
             break;
-        if (isnan(e.worst) || (isinf(e.worst) && isfinite(best) && !q->hasFriction))
+        if (isnan(e.worst) || (isinf(e.worst) && isfinite(best.worst) && !q->hasFriction))
             break; /* a runaway: none returns but where its friction is frozen, and the best iterate is taken */
         isRefined = kea_isConverged(&e);
         /* in the first pass contacts alone start from the convex problem, which shares loads evenly */
@@ -312,7 +319,7 @@ static void takePasses(MdtKeaSystem *s) {
         kea_admitContacts(s);
         s->report.passes++;
     }
-    if (!(e.worst <= best) && !(isLimited && e.position <= kea_loosePosition)) {
+    if (!(e.worst <= best.worst) && (isMotionFound(&best) || !(isLimited && e.position <= kea_loosePosition))) {
         restoreBest(s);
         e = kea_residuals(s, speed);
     }

@@ -1,7 +1,7 @@
 import math
 import re
 
-from tutorial import figure, held, near, status
+from tutorial import figure, held, near, status, statuses
 
 USES = ['Mdt', 'Mcd', 'Mst']
 IS_LONG = True
@@ -45,7 +45,7 @@ def pulls():
 def brakes():
     """From second gear, by the torque of four brakes; the handbrake slides the rear wheels, then holds."""
     keys = MANUAL + ',' + held('Up', 1, 150) + ',' + held('Down', 160, 260)
-    fast, slow = (figure(status(n, keys), 'speed') for n in (165, 195))
+    fast, slow = (figure(statuses(195, keys)[n - 1], 'speed') for n in (165, 195))
     near(fast - slow, 0.5 * 4 * 600 / RADIUS / (MASS + INERTIA / RADIUS**2), 0.06, 'what 0.5 s of braking takes away')
     stop = status(400, MANUAL + ',' + held('Up', 1, 100) + ',Space@110')
     assert abs(figure(stop, 'speed')) < 1e-3 and figure(stop, 'x') > -22, stop

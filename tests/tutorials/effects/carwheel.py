@@ -1,7 +1,7 @@
 import math
 import re
 
-from tutorial import figure, near, status
+from tutorial import figure, near, status, statuses
 
 BASE, MASS, INERTIA, RADIUS = 2.4, 600 + 4 * 30, 4 * 0.4 * 30 * 0.45**2, 0.45  # m, kg, kg m^2, m
 SLOW_LEFT = ','.join(['Down@1'] * 7 + ['Left@1'] * 6)  # 5.5 - 7 * 0.5 = 2 m/s, 6 * 0.05 = 0.3 rad
@@ -28,7 +28,9 @@ def check():
 def turns():
     """The steering says where the middle of the rear axle goes; the car's centre is half the base before it."""
     rear = BASE / math.tan(0.3)
-    line, opposite = (status(n, SLOW_LEFT) for n in (300, 300 + round(60 * math.pi * rear / 2)))
+    half = round(60 * math.pi * rear / 2)  # frames
+    lines = statuses(300 + half, SLOW_LEFT)
+    line, opposite = lines[299], lines[-1]
     near(figure(line, 'turns'), math.degrees(2 / rear), 0.1, 'the rate of turning')
     diameter = math.hypot(*(figure(line, name) - figure(opposite, name) for name in ('x', 'left')))
     near(diameter, 2 * math.hypot(rear, BASE / 2), 0.05, "the circle's diameter")
@@ -41,6 +43,6 @@ def heights(line):
 def springs():
     """At rest the springs carry the car at height 0, shaken by the start; worn dampers let it go on swinging."""
     assert max(map(abs, heights(status(300, '4@1')))) <= 0.1
-    swing = lambda keys: max(max(map(abs, heights(status(n, keys)))) for n in (240, 250, 260))
+    swing = lambda keys: max(max(map(abs, heights(statuses(260, keys)[n - 1]))) for n in (240, 250, 260))
     good, worn = swing(''), swing('5@1')
     assert good < 1 and worn > 3, f'after the bumps: {good} cm with good dampers, {worn} cm with worn ones'

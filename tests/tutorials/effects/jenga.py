@@ -1,4 +1,4 @@
-from tutorial import figure, near, status
+from tutorial import figure, near, status, statuses
 
 USES = ['Mdt', 'Mcd', 'Mst']
 IS_LONG = True
@@ -24,5 +24,5 @@ def pulls():
     """Eight layers lie on the three planks of one: a third of their weight, and its own, press on the plank's sides. A tower
     that is built again is solved exactly from its first step."""
     friction = 0.5 * (8 * WEIGHT + 9 * WEIGHT)
-    most = max(figure(status(n, 'Enter@1,3@60'), 'pull') for n in range(96, 118))
+    most = max(figure(line, 'pull') for line in statuses(117, 'Enter@1,3@60'))
     assert 0.9 * friction < most < 1.02 * friction, f'the greatest pull is {most} N, the friction {friction:.0f} N'
