@@ -21,7 +21,9 @@ quietly() { # shows the output of a command only when it fails
 }
 
 quietly cmake --install "$build" --prefix "$prefix"
-quietly cmake -S "$source" -B "$scratch/other" -DKARMA_PRECISION=$other -DKARMA_TESTS=OFF -DKARMA_VIEWER=OFF
+mkdir "$scratch/quick"
+quietly sh "$source/tests/install/quick_compilers.sh" "$scratch/quick"
+quietly env PATH="$scratch/quick:$PATH" cmake -S "$source" -B "$scratch/other" -DKARMA_PRECISION=$other -DKARMA_TESTS=OFF -DKARMA_VIEWER=OFF
 quietly cmake --build "$scratch/other" -j 2
 quietly cmake --install "$scratch/other" --prefix "$prefix"
 

@@ -1,12 +1,18 @@
 #!/usr/bin/env python3
-"""Does each public header compile alone, as C11 and as C++17, without a warning?"""
+"""Does each public header compile, as C11 and as C++17, without a warning?
+
+usage: check_headers.py SOURCE single|double CC CXX alone|together
+
+Alone: with nothing else before it. What a header includes does not hang on the precision nor on the compiler, so that one build asks
+for that, and the others for warnings of all headers in one file.
+"""
 import concurrent.futures
 import os
 import pathlib
 import subprocess
 import sys
 
-top, precision, cc, cxx = pathlib.Path(sys.argv[1]), *sys.argv[2:5]
+top, precision, cc, cxx, alone = pathlib.Path(sys.argv[1]), *sys.argv[2:6]
 headers = sorted(top.glob('*/include/*.h'))
 flags = ['-Wall', '-Wextra', '-Wpedantic', '-Wconversion', '-Wshadow', '-Wundef', '-Werror', '-fsyntax-only']
 flags += [f'-I{d}' for d in sorted({str(h.parent) for h in headers})]
@@ -15,14 +21,16 @@ if precision == 'double':
 
 
 def complaint(job):
-    """What the compiler says of a header that is included twice and alone; empty if it is fine."""
-    header, compiler, standard, language = job
-    text = f'#include "{header.name}"\n#include "{header.name}"\nint main(void) {{ return 0; }}\n'
-    run = subprocess.run([compiler, f'-std={standard}', *flags, '-x', language, '-'], input=text, capture_output=True, text=True)
-    return f'{header.name} as {standard}:\n{run.stderr}' if run.returncode else ''
+    """What the compiler says of headers that are included twice, and with nothing else; empty if they are fine."""
+    included, compiler, standard, language = job
+    lines = ''.join(f'#include "{header.name}"\n' * 2 for header in included)
+    run = subprocess.run([compiler, f'-std={standard}', *flags, '-x', language, '-'], input=f'{lines}int main(void) {{ return 0; }}\n',
+                         capture_output=True, text=True)
+    return f'{included[0].name} as {standard}:\n{run.stderr}' if run.returncode else ''
 
 
-jobs = [(header, *how) for header in headers for how in ((cc, 'c11', 'c'), (cxx, 'c++17', 'c++'))]
+groups = [[header] for header in headers] if alone == 'alone' else [headers]
+jobs = [(group, *how) for group in groups for how in ((cc, 'c11', 'c'), (cxx, 'c++17', 'c++'))]
 with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
     complaints = [text for text in pool.map(complaint, jobs) if text]
 print(*complaints, sep='\n')

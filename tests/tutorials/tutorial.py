@@ -26,9 +26,10 @@ def status(frames, keys='', workers=1):
 @functools.lru_cache(None)
 def statuses(frames, keys=''):
     """-> the status line of each frame of one run; number 0 is of the first."""
-    lines = run('-null', '-frames', str(frames), '-every', '1', *(['-key', keys] if keys else [])).splitlines()
-    assert len(lines) == frames + 1 and lines[-1].startswith('state '), f'-every 1 prints {len(lines)} lines in {frames} frames'
-    return lines[:-1]
+    printed = run('-null', '-frames', str(frames), '-every', '1', *(['-key', keys] if keys else []))
+    lines = [line for line in printed.splitlines() if not line.startswith('state ')]
+    assert len(lines) == frames, f'-every 1 prints {len(lines)} lines in {frames} frames'
+    return lines
 
 
 def held(key, first, last):

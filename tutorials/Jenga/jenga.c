@@ -40,7 +40,7 @@ static void placePlank(int i) {
         playPlace(plank[i], 0, y, aside, 1, 0);
 }
 
-/* From now on keys draw. What is drawn by itself moves by the fast solver, in a fiftieth of the time; keys get the
+/* From now on keys draw. What is drawn by itself moves by the fast solver, in a thirtieth of the time; keys get the
  * exact one, with which the pull is right to a percent. */
 static void takeOver(void) {
     next = NOTHING;
