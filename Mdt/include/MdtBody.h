@@ -43,7 +43,9 @@ MEPUBLIC MdtBodyID MEAPI MdtBodyCopy(const MdtBodyID b, const MdtWorldID w);
 /** Sets mass, state, damping and accumulated forces to their defaults. Constraints, user data, sort key and whether the
  *  body is enabled stay. */
 MEPUBLIC void MEAPI MdtBodyReset(const MdtBodyID b);
-/** Lets the body take part in the simulation. Dynamics guide ch. 2. */
+/** Lets the body take part in the simulation. Of one that does so already its alive time begins anew
+ *  (MdtWorldSetAutoDisableAliveTime), in which it is not put to sleep: who pulls at a body that may be at rest enables
+ *  it before each step. Dynamics guide ch. 2. */
 MEPUBLIC void MEAPI MdtBodyEnable(const MdtBodyID b);
 /** Takes the body out of the simulation; it keeps its velocity. An enabled body that is tied to it wakes it. */
 MEPUBLIC void MEAPI MdtBodyDisable(const MdtBodyID b);

@@ -27,6 +27,22 @@ typedef enum MdtReportWay {
     MdtReportWayLimited, /**< work or iterations ran out (MdtWorldSetWorkBudget, MdtWorldSetMaxLCPIterations) */
 } MdtReportWay;
 
+/** Why that solver (MdtWorldSetSolver); of a world, the first partition's whose way is the world's. */
+typedef enum MdtReportWhy {
+    MdtReportWhyNone,   /**< nothing was solved */
+    MdtReportWhyAsked,  /**< the program's choice, or an accuracy of 0 */
+    MdtReportWhyUnfit,  /**< exact: without contacts, with rows that the program makes, or with more than the cap */
+    MdtReportWhyCalm,   /**< exact: few bodies, which have not been hit */
+    MdtReportWhyBounce, /**< exact: few of its bodies are held, and those that bounce are met one after the other */
+    /* those of the fast solver */
+    MdtReportWhyMany,      /**< many bodies */
+    MdtReportWhyHit,       /**< bodies have met, and are not slow yet */
+    MdtReportWhyFlight,    /**< nothing in it touches the world */
+    MdtReportWhyDebris,    /**< it was hit, and is one of many that are small */
+    MdtReportWhyUnsettled, /**< contacts took the exact solver too much work, and have not come to rest since */
+    MdtReportWhyTakenOver, /**< for the rest of a step, in which the exact solver left joints open or ran out of work */
+} MdtReportWhy;
+
 /** What time is told of. */
 typedef enum MdtReportStage {
     MdtReportStageRows,      /**< making rows of constraints, and the impacts at the start of a part */
@@ -48,6 +64,7 @@ typedef struct MdtReport {
     int rows;        /**< of a divided step: the most of any part */
     /* in which way */
     MdtReportWay way;
+    MdtReportWhy why;
     int parts;          /**< that the step was taken in: 1 if it was not divided, 0 of a partition put to rest */
     int rested;         /**< 1: the way is MdtReportWayRest; no rows are made then, and no error is measured */
     int composed;       /**< compositions of order 4 (MdtWorldSetIntegratorOrder), in each sub-step one where no body

@@ -46,8 +46,8 @@ static void forgetForces(MdtBodyID b) {
 
 /* Restarts the time for which it has been slow. */
 static void forgetRest(MdtBodyID b) {
-    b->enabledTime = b->slowTime = b->gainTime = 0;
-    b->enabledSteps = 0;
+    b->enabledTime = b->aliveTime = b->slowTime = b->gainTime = 0;
+    b->enabledSteps = b->aliveSteps = 0;
 }
 
 /* Places the frame; the velocities stay, so the angular momentum turns along. */
@@ -320,6 +320,8 @@ static void endSleep(MdtBodyID b) {
 void MEAPI MdtBodyEnable(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
     endSleep(b);
+    b->aliveTime = 0;
+    b->aliveSteps = 0;
     if (b->record.flags & MDT_ENABLED)
         return;
     b->record.flags |= MDT_ENABLED;
@@ -381,6 +383,8 @@ void mdt_bodyAge(MdtBodyID b, double h) {
     MEASSERT(h > 0 && (b->record.flags & MDT_ENABLED));
     b->enabledTime += h;
     b->enabledSteps++;
+    b->aliveTime += h;
+    b->aliveSteps++;
     b->slowTime = isFast(b, &b->world->rest) ? 0 : b->slowTime + h;
     b->gainTime = b->slowTime > 0 && hasGained(b, h) ? b->gainTime + h : 0;
 }

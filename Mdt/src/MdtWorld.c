@@ -489,9 +489,13 @@ MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w) {
 
 /* ---- the solver ---- */
 
+MeBool mdt_isSolver(MdtSolver solver) {
+    return solver == MdtSolverAuto || solver == MdtSolverExact || solver == MdtSolverFast;
+}
+
 void MEAPI MdtWorldSetSolver(const MdtWorldID w, const MdtSolver solver) {
     MDT_NEED_WORLD(w, );
-    if (solver == MdtSolverAuto || solver == MdtSolverExact || solver == MdtSolverFast)
+    if (mdt_isSolver(solver))
         w->solver = solver;
     else
         MeWarning(1, "MdtWorldSetSolver: %d is no solver; it stays as it is", (int)solver);
@@ -500,6 +504,14 @@ void MEAPI MdtWorldSetSolver(const MdtWorldID w, const MdtSolver solver) {
 MdtSolver MEAPI MdtWorldGetSolver(const MdtWorldID w) {
     MDT_NEED_WORLD(w, MdtSolverAuto);
     return w->solver;
+}
+
+void MEAPI MdtWorldSetSolverCB(const MdtWorldID w, MdtSolverCB cb, void *data) {
+    MDT_NEED_WORLD(w, );
+    w->solverCb = cb;
+    w->solverCbData = data;
+    w->isSolverWarned = MEFALSE;
+    w->certificate++; /* what rests may have another solver now */
 }
 
 double mdt_worldAccuracy(const MdtWorld *w, double h) {

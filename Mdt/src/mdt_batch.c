@@ -150,7 +150,7 @@ static void makeBatches(MdtBatches *b) {
 void mdt_batchesFind(MdtWorldID w, double h, MeBool safely, MeTeam *team) {
     int bodies = 0;
     w->batches.count = 0;
-    if (w->solver == MdtSolverExact || countInFew(w) < MDT_CROWD)
+    if ((!w->solverCb && w->solver == MdtSolverExact) || countInFew(w) < MDT_CROWD)
         return;
     const int candidates = findCandidates(w, h, safely, &bodies);
     if (bodies < MDT_CROWD)

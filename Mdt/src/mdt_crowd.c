@@ -1,6 +1,38 @@
 /* The choice between Kea's solvers: which partitions are the fast one's. */
 #include "mdt_step_i.h"
 
+/* ---- what the program wants ---- */
+
+static MdtSolver askFor(MdtWorldID w, MdtBodyID *bodies, int numBodies) {
+    const MdtSolver solver = w->solverCb(bodies, numBodies, w->solverCbData);
+    if (mdt_isSolver(solver))
+        return solver;
+    if (!w->isSolverWarned)
+        MeWarning(1, "MdtWorldSetSolverCB: the callback returned %d, which is no solver: MdtSolverAuto is taken",
+                  (int)solver);
+    w->isSolverWarned = METRUE;
+    return MdtSolverAuto;
+}
+
+void mdt_crowdAsk(MdtWorldID w) {
+    for (int i = 0; w->solverCb && i < w->numPartitions; i++) {
+        const int first = w->bodyStart[i], end = w->bodyStart[i + 1];
+        const MdtSolver solver = askFor(w, w->bodyOf + first, end - first);
+        for (int k = first; k < end; k++) {
+            MdtBodyID b = w->bodyOf[k];
+            if (b->solver != solver)
+                mdt_bodyDisturb(b);
+            b->solver = solver;
+        }
+    }
+}
+
+MdtSolver mdt_crowdWanted(const MdtWorld *w, int partition) {
+    return w->solverCb ? w->bodyOf[w->bodyStart[partition]]->solver : w->solver;
+}
+
+/* ---- what happens to it ---- */
+
 /* m/s: of the bodies of a contact towards each other, by their velocities at the start of the step. */
 static double approachAt(const MdtPoint *point) {
     const MdtBaseConstraint *base = &mdt_manifoldOf(point)->base;
@@ -103,7 +135,7 @@ static MeBool isDisturbed(const MdtIsland *p) {
 
 /* Does the program leave the choice to the engine, and bear a residual? */
 static MeBool isLeftToChoose(const MdtIsland *p) {
-    return p->world->solver == MdtSolverAuto && mdt_worldAccuracy(p->world, p->h) > 0;
+    return p->solver == MdtSolverAuto && mdt_worldAccuracy(p->world, p->h) > 0;
 }
 
 /* Was one in MDT_COLLAPSED of its bodies hit since it rested? Not if the program wants the exact solver for all. */
@@ -264,19 +296,38 @@ MeBool mdt_crowdMayTakeOver(const MdtIsland *p) {
     return !p->isFast && p->numContacts > 0 && mayBeFast(p);
 }
 
-/* Has something hit it, or does it fly as a whole? */
-static MeBool isCrowd(const MdtIsland *p) {
-    return isDisturbed(p) || (!isSmall(p) && mdt_crowdIsInFlight(p));
+/* MdtReportWhyCalm: nothing has hit it, and it does not fly as a whole. */
+static MdtReportWhy reasonForFast(const MdtIsland *p) {
+    if (!isDisturbed(p))
+        return !isSmall(p) && mdt_crowdIsInFlight(p) ? MdtReportWhyFlight : MdtReportWhyCalm;
+    return p->numBodies >= MDT_CROWD                 ? MdtReportWhyMany
+           : p->bodies[0]->unrest == MDT_UNSETTLED ? MdtReportWhyUnsettled
+           : p->isAmongMany                          ? MdtReportWhyDebris
+                                                     : MdtReportWhyHit;
 }
 
-MeBool mdt_crowdIsChosen(const MdtIsland *p) {
-    if (p->world->solver == MdtSolverExact || !mayBeFast(p))
-        return MEFALSE;
-    if (p->world->solver == MdtSolverFast)
-        return METRUE;
-    return isLeftToChoose(p) && !(isSmall(p) && p->numJoints > 0) && !isMetInTime(p) && isCrowd(p);
+static MdtReportWhy reasonOf(const MdtIsland *p) {
+    if (p->solver == MdtSolverExact)
+        return MdtReportWhyAsked;
+    if (!mayBeFast(p))
+        return MdtReportWhyUnfit;
+    if (!isLeftToChoose(p))
+        return MdtReportWhyAsked;
+    if (isSmall(p) && p->numJoints > 0)
+        return MdtReportWhyCalm;
+    return isMetInTime(p) ? MdtReportWhyBounce : reasonForFast(p);
+}
+
+MeBool mdt_crowdIsChosen(MdtIsland *p) {
+    p->why = reasonOf(p);
+    return p->why == MdtReportWhyAsked ? p->solver == MdtSolverFast : p->why >= MdtReportWhyMany;
 }
 
 MeBool mdt_crowdTakesRest(const MdtIsland *p) {
-    return mdt_crowdMayTakeOver(p) && isLeftToChoose(p) && !isSmall(p) && isCrowd(p);
+    return mdt_crowdMayTakeOver(p) && isLeftToChoose(p) && !isSmall(p) && reasonForFast(p) != MdtReportWhyCalm;
+}
+
+void mdt_crowdTakeOver(MdtIsland *p) {
+    p->why = MdtReportWhyTakenOver;
+    mdt_islandSetFast(p, METRUE);
 }

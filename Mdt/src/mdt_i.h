@@ -146,9 +146,12 @@ struct MdtBody {
     double gainTime;                               /* s, for which it has been so and gained energy in every step */
     double enabledTime;                            /* s */
     int enabledSteps;
+    double aliveTime; /* s, since MdtBodyEnable was called last, though it may have been enabled already */
+    int aliveSteps;
     MeReal safeTime;
     MdtUnrest unrest; /* of its partition (mdt_crowd.c) */
     MeBool wasHit;    /* and has not been at rest since */
+    MdtSolver solver; /* the answer of MdtSolverCB for its partition, if there is one (mdt_crowd.c) */
     double settlingWork; /* work budgets that the exact solver has taken to settle its collapsed partition */
 
     MdtKeaBody kea; /* the centre of mass: the authoritative state */
@@ -362,6 +365,7 @@ enum { MDT_WHOLE_BUDGET = 20 };
 enum { MDT_HELD = 4 };
 /* Of a body's size: how far joints may be open at rest. As much as overlaps may be there. */
 #define MDT_CLOSED 1e-4
+MeBool mdt_isSolver(MdtSolver solver);
 /* m/s: the residual of contact laws that a step of h seconds may leave (MdtWorldSetAccuracy). */
 double mdt_worldAccuracy(const MdtWorld *w, double h);
 
@@ -425,6 +429,9 @@ struct MdtWorld {
     int maxLcpIterations;
     MeReal workBudget; /* millions of multiplications of a partition's step; 0: no bound */
     MdtSolver solver;
+    MdtSolverCB solverCb; /* null: `solver` for all partitions */
+    void *solverCbData;
+    MeBool isSolverWarned; /* of an answer that is no solver */
     MeReal accuracy; /* m/s; negative: derived */
     int subSteps;
     int order;                                /* of the scheme, 2 or 4, where nothing touches (mdt_compose.c) */

@@ -240,6 +240,7 @@ MdtIsland mdt_islandOf(MdtWorldID w, int number, double h) {
                        .worker = &w->workers[0],
                        .clock = &w->lap,
                        .number = number,
+                       .solver = mdt_crowdWanted(w, number),
                        .numBodies = w->bodyStart[number + 1] - w->bodyStart[number],
                        .numActing = w->actingStart[number + 1] - w->actingStart[number],
                        .bodies = w->bodyOf + w->bodyStart[number],

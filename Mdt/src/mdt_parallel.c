@@ -96,7 +96,7 @@ static int sizeOfAll(const MdtWorld *w) {
 /* More than one worker's share of all work, and enough of it for the fast solver. */
 static MeBool isTakenTogether(const MdtWorld *w, int i) {
     const int bodies = w->bodyStart[i + 1] - w->bodyStart[i];
-    return bodies >= MDT_CROWD && w->solver != MdtSolverExact &&
+    return bodies >= MDT_CROWD && mdt_crowdWanted(w, i) != MdtSolverExact &&
            (double)sizeOf(w, i) * w->numWorkers > (double)sizeOfAll(w);
 }
 
@@ -215,6 +215,7 @@ static void warnOfSurfaces(MdtWorldID w) {
 
 void mdt_islandsStep(MdtWorldID w, double h, MeBool safely) {
     w->batches.count = 0;
+    mdt_crowdAsk(w);
     if (w->partitionCb)
         showInOrder(w, h, safely);
     else {

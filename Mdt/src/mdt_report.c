@@ -193,6 +193,7 @@ void mdt_reportSolve(MdtIsland *p) {
     r->factorizations += kea->report.factorizations;
     r->stages += kea->report.stages;
     r->freezes += kea->report.freezes;
+    r->why = p->why;
     keepWay(r, p->isFast ? MdtReportWayFast : kea->report.factorizations > 0 ? MdtReportWayExact : MdtReportWayKept);
 }
 
@@ -338,6 +339,7 @@ static void addCounts(MdtReport *sum, const MdtReport *r) {
 }
 
 static void keepErrors(MdtReport *most, const MdtReport *r) {
+    most->why = r->way > most->way ? r->why : most->why;
     keepWay(most, r->way);
     keepMost(&most->residualVelocity, (double)r->residualVelocity);
     keepMost(&most->residualForce, (double)r->residualForce);

@@ -36,7 +36,7 @@ MeBool mdt_islandIsAtRest(const MdtIsland *p) {
     for (int i = 0; i < p->numBodies; i++) {
         MdtBodyID b = p->bodies[i];
         const MeBool isYoung =
-            rest->alive_window < 0 ? b->enabledTime < (double)rest->alive_time : b->enabledSteps < rest->alive_window;
+            rest->alive_window < 0 ? b->aliveTime < (double)rest->alive_time : b->aliveSteps < rest->alive_window;
         if (isYoung || b->enabledSteps == 0 || MdtBodyIsMovingTest(b, rest) || mdt_bodyIsStarting(b) ||
             isPushedOut(b, rest))
             return MEFALSE;

@@ -41,6 +41,7 @@ typedef struct MdtIsland {
     MdtWorker *worker; /* the worker that steps it, */
     MeTeam *team;      /* and the team that helps; null: none */
     int number, numBodies, numActing;
+    MdtSolver solver; /* that the program wants */
     MdtBodyID *bodies;
     MdtConstraintID *acting; /* joints and manifolds */
     /* mdt_batch.c */
@@ -56,7 +57,8 @@ typedef struct MdtIsland {
     MeU64 lap, *clock;     /* ticks, when the stage began that is being timed: the world's, or of many workers `lap` */
     /* pack */
     void *scratch; /* Kea's arrays, and behind them */
-    MeBool isFast; /* Kea's fast solver is chosen, or has taken over (mdt_subdivide.c) */
+    MeBool isFast; /* Kea's fast solver is chosen, or has taken over (mdt_subdivide.c), */
+    MdtReportWhy why;
     int numContacts, numJoints, jointRows; /* of all joints, at most */
     MeBool bounces, losesEnergy;  /* a contact has restitution; one has less than 1 */
     MdtIslandManifold *manifolds; /* beside kea.manifolds */
@@ -158,14 +160,18 @@ void mdt_islandRelease(MdtIsland *p);
  * the fast one. */
 void mdt_islandSetFast(MdtIsland *p, MeBool isFast);
 
+/* Asks the program for the solver of each partition (MdtWorldSetSolverCB), and what it wants for one. */
+void mdt_crowdAsk(MdtWorldID w);
+MdtSolver mdt_crowdWanted(const MdtWorld *w, int partition);
 /* Whether Kea's fast solver is chosen for it (mdt_crowd.c). */
-MeBool mdt_crowdIsChosen(const MdtIsland *p);
+MeBool mdt_crowdIsChosen(MdtIsland *p);
 /* Whether nothing in it touches the world. */
 MeBool mdt_crowdIsInFlight(const MdtIsland *p);
 /* Whether it may take over a part that the exact one has not solved. */
 MeBool mdt_crowdMayTakeOver(const MdtIsland *p);
 /* Whether it takes a step, or the rest of one, whose contacts were to be met in time, and cannot. */
 MeBool mdt_crowdTakesRest(const MdtIsland *p);
+void mdt_crowdTakeOver(MdtIsland *p);
 /* After a solve: contacts that did not settle disturb the partition. */
 void mdt_crowdNote(const MdtIsland *p);
 /* Multiplications that a step of it may cost; 0: any number. Less than the world's where it has collapsed. */

@@ -143,7 +143,7 @@ static MeBool takeMade(MdtIsland *p, double part, int halvings) {
             return takePart(p, part, MAX_HALVINGS);
         if (!p->kea.report.opens || !mdt_crowdMayTakeOver(p))
             return mdt_partIntegrate(p);
-        mdt_islandSetFast(p, METRUE);
+        mdt_crowdTakeOver(p);
         return takePart(p, part, halvings);
     }
     if (p->report)
@@ -260,7 +260,7 @@ static MeBool takeInTime(MdtIsland *p, double part) {
         if (events >= most || p->work < kept || !solveToEventOrHalf(p, rest, least, most - events)) {
             p->kea.parameters.timed = MEFALSE;
             if (mdt_crowdTakesRest(p))
-                mdt_islandSetFast(p, METRUE);
+                mdt_crowdTakeOver(p);
             return takePart(p, rest, 0);
         }
         rest -= p->parameters.stepsize;
@@ -299,7 +299,7 @@ static MeBool takeSubStep(MdtIsland *p, double part) {
     if (mdt_mayCompose(p))
         return mdt_partCompose(p, part);
     if (mdt_crowdTakesRest(p))
-        mdt_islandSetFast(p, METRUE);
+        mdt_crowdTakeOver(p);
     return mdt_partTake(p, part);
 }
 

@@ -219,18 +219,19 @@ static void mobility(MdtBodyID b, const MeVector3 r, MeMatrix3 A) {
     }
 }
 
-/* f = -k (x + h v') - c v' with v' = v + h A f, the velocity after the step: this never overshoots, wherever on the
- * body it pulls. So (1 + (h h k + h c) A) f = -k x - (h k + c) v. */
+/* f = -k (x + h v') - c v' with v' = v + h (A f + g), the velocity after the step: this never overshoots, wherever on
+ * the body it pulls. So (1 + (h h k + h c) A) f = -k x - (h k + c) (v + h g). */
 static void springForce(MdtBodyID b, const MeVector3 at, const MeVector3 stretch, MeVector3 force) {
     const MeReal m = MdtBodyGetMass(b), k = m * FREQUENCY * FREQUENCY, c = 2 * m * FREQUENCY;
     MeMatrix3 A;
-    MeVector3 centre, r, v, wanted, point;
+    MeVector3 centre, r, v, g, wanted, point;
+    MdtWorldGetGravity(MdtBodyGetWorld(b), g);
     MdtBodyGetCenterOfMassPosition(b, centre);
     MeVector3Subtract(r, at, centre);
     MeVector3Copy(point, at);
     MdtBodyGetVelocityAtPoint(b, point, v);
     for (int i = 0; i < 3; i++)
-        wanted[i] = -k * stretch[i] - (STEP * k + c) * v[i];
+        wanted[i] = -k * stretch[i] - (STEP * k + c) * (v[i] + STEP * g[i]);
     mobility(b, r, A);
     MeMatrix3Scale(A, STEP * STEP * k + STEP * c);
     for (int i = 0; i < 3; i++)

@@ -46,15 +46,19 @@ static MdtBodyID restingBody(MdtWorldID w) {
     return b;
 }
 
+static void setAliveTime(MdtWorldID w, int way, int steps) {
+    if (way == 0)
+        MdtWorldSetAutoDisableAliveWindow(w, steps);
+    else
+        MdtWorldSetAutoDisableAliveTime(w, (MeReal)steps * FRAME);
+}
+
 START_TEST(a_resting_body_is_disabled_after_the_alive_window) {
     for (int way = 0; way < 2; way++) {
         MdtWorldID w = scene_world(1, 1, 10);
         MdtBodyID b = restingBody(w);
         MdtWorldSetAutoDisable(w, 1);
-        if (way == 0)
-            MdtWorldSetAutoDisableAliveWindow(w, 5);
-        else
-            MdtWorldSetAutoDisableAliveTime(w, 5 * FRAME);
+        setAliveTime(w, way, 5);
         int i = 0;
         while (MdtBodyIsEnabled(b) && i < 100) {
             MdtWorldStep(w, FRAME);
@@ -63,6 +67,27 @@ START_TEST(a_resting_body_is_disabled_after_the_alive_window) {
         ck_assert_msg(i >= 6 && i <= 7, "disabled in step %d", i);
         ck_assert_int_eq(MdtWorldGetEnabledBodies(w), 0);
         assert_near(MdtBodyGetEnabledTime(b), 0, 0);
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
+/* As by a program that pulls at it, with forces that it can still bear; and then no more. */
+START_TEST(a_body_that_is_enabled_before_each_step_stays_awake) {
+    for (int way = 0; way < 2; way++) {
+        MdtWorldID w = scene_world(1, 1, 10);
+        MdtBodyID b = restingBody(w);
+        MdtWorldSetAutoDisable(w, 1);
+        setAliveTime(w, way, 5);
+        for (int i = 0; i < 100; i++) {
+            MdtBodyEnable(b);
+            MdtWorldStep(w, FRAME);
+            ck_assert_msg(MdtBodyIsEnabled(b), "disabled in step %d", i);
+        }
+        int i = 0;
+        for (; MdtBodyIsEnabled(b) && i < 100; i++)
+            MdtWorldStep(w, FRAME);
+        ck_assert_msg(i >= 5 && i <= 6, "disabled %d steps later", i);
         MdtWorldDestroy(w);
     }
 }
@@ -410,6 +435,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, constraints_join_bodies_and_the_world_joins_nothing);
     tcase_add_test(t, an_enabled_body_wakes_what_is_tied_to_it);
     tcase_add_test(t, a_resting_body_is_disabled_after_the_alive_window);
+    tcase_add_test(t, a_body_that_is_enabled_before_each_step_stays_awake);
     tcase_add_test(t, a_body_that_rests_shows_no_velocity);
     tcase_add_test(t, a_body_that_is_put_elsewhere_is_not_at_rest);
     tcase_add_test(t, auto_disable_can_be_switched_off);

@@ -139,7 +139,7 @@ START_TEST(every_body_comes_to_rest_at_the_mouse) {
         assert_near(held[0], 1, 2 * pixel);
         assert_near(held[1], 1.5 - 9.81 / 225, 2 * pixel); /* it hangs by its weight lower */
         const double mass = (double)MdtBodyGetMass(McdModelGetBody(m));
-        ck_assert((double)MdtBodyGetKineticEnergy(McdModelGetBody(m)) < .005 * mass); /* .1 m/s */
+        ck_assert((double)MdtBodyGetKineticEnergy(McdModelGetBody(m)) < 5e-9 * mass); /* .1 mm/s */
         mouse(kRNewlyReleased, 1, 1, .5);
         MstModelAndBodyDestroy(m);
     }

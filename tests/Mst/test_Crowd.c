@@ -6,7 +6,7 @@
 
 #define FRAME ((MeReal)(1. / 60))
 
-enum { MOST = 820 };
+enum { MOST = 820, TOWER = 12 };
 
 static const double gravity = 9.81;
 static MstUniverseID u;
@@ -500,24 +500,104 @@ END_TEST
 
 /* ---- the choice ---- */
 
-static MdtReportWay wayOf(int rows, MdtSolver solver) {
+static void assertChoice(int rows, MdtSolver solver, MdtReportWay way, MdtReportWhy why) {
     makeWorld(solver);
     MdtWorldSetTimedContacts(u->world, 8);
     makeFloor();
     makePyramid(rows);
-    const MdtReportWay way = step(1).way;
+    const MdtReport r = step(1);
     ck_assert_int_eq(MdtWorldGetReportCount(u->world), 1);
+    ck_assert_int_eq(r.way, way);
+    ck_assert_int_eq(r.why, why);
     MstUniverseDestroy(u);
-    return way;
 }
 
 START_TEST(crowds_are_fast_and_others_exact) {
-    ck_assert_int_eq(wayOf(11, MdtSolverAuto), MdtReportWayFast); /* 66 boxes */
-    ck_assert_int_eq(wayOf(10, MdtSolverAuto), MdtReportWayExact);
-    ck_assert_int_eq(wayOf(11, MdtSolverExact), MdtReportWayExact);
-    ck_assert_int_eq(wayOf(3, MdtSolverFast), MdtReportWayFast);
+    assertChoice(11, MdtSolverAuto, MdtReportWayFast, MdtReportWhyMany); /* 66 boxes */
+    assertChoice(10, MdtSolverAuto, MdtReportWayExact, MdtReportWhyCalm);
+    assertChoice(11, MdtSolverExact, MdtReportWayExact, MdtReportWhyAsked);
+    assertChoice(3, MdtSolverFast, MdtReportWayFast, MdtReportWhyAsked);
 }
 END_TEST
+
+/* A tower of twelve that falls, pressed together, and then lands. */
+START_TEST(a_report_tells_why_a_solver_was_chosen) {
+    MdtReport r;
+    makeWorld(MdtSolverAuto);
+    makeFloor();
+    const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
+    for (int i = 0; i < TOWER; i++)
+        put(cube, 0, 1 + .99 * i, 0);
+    r = step(1);
+    ck_assert_int_eq(r.why, MdtReportWhyFlight);
+    for (int i = 0; i < 60 && r.why == MdtReportWhyFlight; i++)
+        r = step(1);
+    ck_assert_int_eq(r.why, MdtReportWhyHit);
+    for (int i = 0; i < 600 && r.why == MdtReportWhyHit; i++)
+        r = step(1);
+    ck_assert_msg(r.why == MdtReportWhyCalm || r.way == MdtReportWayRest, "%d", (int)r.why);
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+/* ---- the program's choice, by partition ---- */
+
+typedef struct Wishes {
+    MdtSolver left, right;
+    int asked;
+} Wishes;
+
+static MdtSolver MEAPI solverBySide(MdtBodyID const bodies[], int numBodies, void *data) {
+    Wishes *wishes = data;
+    MeVector3 p;
+    ck_assert_int_eq(numBodies, TOWER);
+    MdtBodyGetPosition(bodies[0], p);
+    wishes->asked++;
+    return p[0] < 0 ? wishes->left : wishes->right;
+}
+
+/* MdtReportWayExact: by the exact solver, whether the last answer still held or not. */
+static MdtReportWay wayOfTower(int k) {
+    MdtReport r;
+    const int partition = MdtBodyGetPartition(McdModelGetBody(model[k * TOWER]));
+    ck_assert(MdtWorldGetPartitionReport(u->world, partition, &r));
+    return r.way == MdtReportWayKept ? MdtReportWayExact : r.way;
+}
+
+static void assertNextWays(MdtReportWay left, MdtReportWay right) {
+    step(1);
+    ck_assert_int_eq(wayOfTower(0), left);
+    ck_assert_int_eq(wayOfTower(1), right);
+}
+
+/* Two towers; what rests is solved again when it is to have another solver, and only then. */
+START_TEST(a_program_may_choose_for_each_partition) {
+    Wishes wishes = {MdtSolverFast, MdtSolverExact, 0};
+    makeWorld(MdtSolverAuto);
+    makeFloor();
+    const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
+    for (int i = 0; i < 2 * TOWER; i++)
+        put(cube, i < TOWER ? -10 : 10, .5 + i % TOWER, 0);
+    MdtWorldSetSolverCB(u->world, solverBySide, &wishes);
+    assertNextWays(MdtReportWayFast, MdtReportWayExact);
+    ck_assert_int_eq(wishes.asked, 2);
+    step(200);
+    assertNextWays(MdtReportWayRest, MdtReportWayRest);
+    wishes.left = MdtSolverExact;
+    assertNextWays(MdtReportWayExact, MdtReportWayRest);
+    messages_catch();
+    wishes.right = (MdtSolver)9;
+    assertNextWays(MdtReportWayExact, MdtReportWayExact);
+    assert_warned("MdtWorldSetSolverCB");
+    messages_release();
+    MdtWorldSetSolver(u->world, MdtSolverFast);
+    MdtWorldSetSolverCB(u->world, NULL, NULL);
+    assertNextWays(MdtReportWayFast, MdtReportWayFast);
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+/* ---- the engine's ---- */
 
 /* How often forty boxes that fall onto each other go from the fast solver to the exact one: once, when all are slow,
  * but for those that others join or leave. If the solver depended on the impacts of the step alone, 17 times. */
@@ -637,6 +717,8 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_rebound_reaches_what_had_not_been_touched);
     tcase_add_loop_test(t, parameters_mean_what_they_mean_to_the_exact_solver, 0, (int)(sizeof cases / sizeof *cases));
     tcase_add_test(t, crowds_are_fast_and_others_exact);
+    tcase_add_test(t, a_program_may_choose_for_each_partition);
+    tcase_add_test(t, a_report_tells_why_a_solver_was_chosen);
     tcase_add_test(t, what_was_hit_stays_fast_until_it_is_slow);
     tcase_add_test(t, chains_hold_in_a_crowd);
     tcase_add_test(t, settings_are_kept_and_checked);
