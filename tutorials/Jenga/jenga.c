@@ -113,7 +113,8 @@ static void draw(void) {
     MdtBodyGetLinearVelocity(b, v);
     farEnd += pace * playFrame;
     pull = MeMAX(0, stiffness * (farEnd - wayOut()) + damping * (pace - MeVector3Dot(v, way)));
-    MdtBodyEnable(b);
+    if (!MdtBodyIsEnabled(b)) /* it may rest between two pulls, after which planks share their load evenly again */
+        MdtBodyEnable(b);
     MdtBodyAddForce(b, pull * way[0], pull * way[1], pull * way[2]);
     if (wayOut() > (MeReal)(1.2 * length))
         drawn = NONE;
