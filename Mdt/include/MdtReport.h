@@ -32,11 +32,11 @@ typedef enum MdtReportWhy {
     MdtReportWhyNone,   /**< nothing was solved */
     MdtReportWhyAsked,  /**< the program's choice, or an accuracy of 0 */
     MdtReportWhyUnfit,  /**< exact: without contacts, with rows that the program makes, or with more than the cap */
-    MdtReportWhyCalm,   /**< exact: few bodies, which have not been hit */
+    MdtReportWhyCalm,   /**< exact: fewer bodies than the fast solver is for, which have not been hit */
     MdtReportWhyBounce, /**< exact: few of its bodies are held, and those that bounce are met one after the other */
     /* those of the fast solver */
-    MdtReportWhyMany,      /**< many bodies */
-    MdtReportWhyHit,       /**< bodies have met, and are not slow yet */
+    MdtReportWhyMany,      /**< 64 bodies or more */
+    MdtReportWhyHit,       /**< bodies have met, or come out of many, and are not slow yet */
     MdtReportWhyFlight,    /**< nothing in it touches the world */
     MdtReportWhyDebris,    /**< it was hit, and is one of many that are small */
     MdtReportWhyUnsettled, /**< contacts took the exact solver too much work, and have not come to rest since */

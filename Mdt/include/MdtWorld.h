@@ -293,11 +293,11 @@ MEPUBLIC void MEAPI MdtWorldSetSolver(const MdtWorldID w, const MdtSolver solver
 MEPUBLIC MdtSolver MEAPI MdtWorldGetSolver(const MdtWorldID w);
 /** The solver for a partition of these bodies, which are in the order of simulation. */
 typedef MdtSolver(MEAPI *MdtSolverCB)(MdtBodyID const bodies[], int numBodies, void *data);
-/** Asks @a cb, with @a data, for the solver of each partition that is awake, in every step, before any of them is
- *  simulated, in place of MdtWorldSetSolver: the calling thread does, in the order of MdtBodyGetPartition. It may read
- *  bodies, and must not change, create or destroy anything. What rests, and is to have another solver than in the last
- *  step, is solved again. An answer that is none of the three is MdtSolverAuto, with a warning for the first one. Null,
- *  the default: one choice for all. */
+/** Asks @a cb, with @a data, for the solver of each partition that is awake, in place of MdtWorldSetSolver: in every
+ *  step, each sub-step, and MdtWorldStepRest, on the calling thread, before any of them is simulated, in the order of
+ *  MdtBodyGetPartition. It may read bodies, and must not change, create or destroy anything. What rests, and is to have
+ *  another solver than in the last step, is solved again. An answer that is none of the three is MdtSolverAuto, with a
+ *  warning for the first one. Null, the default: one choice for all. */
 MEPUBLIC void MEAPI MdtWorldSetSolverCB(const MdtWorldID w, MdtSolverCB cb, void *data);
 /** @} */
 

@@ -167,6 +167,7 @@ MdtIsland mdt_batchOf(MdtWorldID w, int batch, double h) {
     MdtIsland p = mdt_islandOf(w, first->partition, h);
     p.member = first;
     p.numMembers = (int)(end - first);
+    p.why = MdtReportWhyDebris;
     p.numBodies = end->firstBody - first->firstBody;
     p.numActing = end->firstActing - first->firstActing;
     p.bodies = b->body + first->firstBody;

@@ -300,10 +300,11 @@ MeBool mdt_crowdMayTakeOver(const MdtIsland *p) {
 static MdtReportWhy reasonForFast(const MdtIsland *p) {
     if (!isDisturbed(p))
         return !isSmall(p) && mdt_crowdIsInFlight(p) ? MdtReportWhyFlight : MdtReportWhyCalm;
-    return p->numBodies >= MDT_CROWD                 ? MdtReportWhyMany
-           : p->bodies[0]->unrest == MDT_UNSETTLED ? MdtReportWhyUnsettled
-           : p->isAmongMany                          ? MdtReportWhyDebris
-                                                     : MdtReportWhyHit;
+    if (p->bodies[0]->unrest == MDT_UNSETTLED)
+        return MdtReportWhyUnsettled;
+    if (p->numBodies >= MDT_CROWD)
+        return MdtReportWhyMany;
+    return p->isAmongMany ? MdtReportWhyDebris : MdtReportWhyHit;
 }
 
 static MdtReportWhy reasonOf(const MdtIsland *p) {

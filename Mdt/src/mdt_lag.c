@@ -69,6 +69,7 @@ int MEAPI MdtWorldStepRest(const MdtWorldID w) {
     int moved = 0;
     mdt_islandsUpdate(w);
     w->isStepping = METRUE;
+    mdt_crowdAsk(w);
     for (int i = 0; i < w->numPartitions; i++)
         moved += stepRest(w, i);
     w->isStepping = MEFALSE;

@@ -134,8 +134,6 @@ static void noteActing(MdtIsland *p, const Chunk *all) {
 }
 
 static void setSystem(MdtIsland *p) {
-    if (p->numMembers > 0)
-        p->why = MdtReportWhyDebris;
     mdt_islandSetFast(p, p->numMembers > 0 || mdt_crowdIsChosen(p));
     p->kea.numBodies = p->numBodies;
     p->kea.errors = p->numJoints > 0 ? mdt_rowsErrors : NULL;

@@ -57,8 +57,8 @@ typedef struct MdtIsland {
     MeU64 lap, *clock;     /* ticks, when the stage began that is being timed: the world's, or of many workers `lap` */
     /* pack */
     void *scratch; /* Kea's arrays, and behind them */
-    MeBool isFast; /* Kea's fast solver is chosen, or has taken over (mdt_subdivide.c), */
-    MdtReportWhy why;
+    MeBool isFast; /* Kea's fast solver is chosen, or has taken over (mdt_subdivide.c); */
+    MdtReportWhy why; /* also mdt_batch.c, mdt_crowd.c */
     int numContacts, numJoints, jointRows; /* of all joints, at most */
     MeBool bounces, losesEnergy;  /* a contact has restitution; one has less than 1 */
     MdtIslandManifold *manifolds; /* beside kea.manifolds */

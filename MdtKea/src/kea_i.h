@@ -362,8 +362,10 @@ KeaResiduals kea_residuals(MdtKeaSystem *s, double speed);
 /* Of the smaller body's size: the most that a joint was to close and has not. */
 double kea_openingLeft(const MdtKeaSystem *s);
 MeBool kea_isConverged(const KeaResiduals *e);
-/* Whether residuals are below margin times the loose tolerances, within which an answer is reported as exact. */
+/* Whether residuals are below margin times the loose tolerances, within which an answer is reported as exact; and those
+ * of positions and momenta alone, whatever contacts' velocities are. */
 MeBool kea_isExactEnough(const KeaResiduals *e, double margin);
+MeBool kea_isMotionExactEnough(const KeaResiduals *e, double margin);
 /* Sets the scales of its rows' errors that a body's motion gives, at its end position. */
 void kea_setErrorScales(MdtKeaSystem *s, int body);
 /* After every pass: marks inconsistent joints, which contradict each other. Whether the residual of one exceeds the

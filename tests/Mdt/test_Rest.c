@@ -46,28 +46,32 @@ static MdtBodyID restingBody(MdtWorldID w) {
     return b;
 }
 
-static void setAliveTime(MdtWorldID w, int way, int steps) {
+/* In a world of its own, in which bodies stay awake for five steps: by their number, or by their time. */
+static MdtBodyID restingForFiveSteps(int way) {
+    const MdtWorldID w = scene_world(1, 1, 10);
+    MdtWorldSetAutoDisable(w, 1);
     if (way == 0)
-        MdtWorldSetAutoDisableAliveWindow(w, steps);
+        MdtWorldSetAutoDisableAliveWindow(w, 5);
     else
-        MdtWorldSetAutoDisableAliveTime(w, (MeReal)steps * FRAME);
+        MdtWorldSetAutoDisableAliveTime(w, 5 * FRAME);
+    return restingBody(w);
+}
+
+static int stepsUntilDisabled(MdtBodyID b) {
+    int steps = 0;
+    for (; MdtBodyIsEnabled(b) && steps < 100; steps++)
+        MdtWorldStep(MdtBodyGetWorld(b), FRAME);
+    return steps;
 }
 
 START_TEST(a_resting_body_is_disabled_after_the_alive_window) {
     for (int way = 0; way < 2; way++) {
-        MdtWorldID w = scene_world(1, 1, 10);
-        MdtBodyID b = restingBody(w);
-        MdtWorldSetAutoDisable(w, 1);
-        setAliveTime(w, way, 5);
-        int i = 0;
-        while (MdtBodyIsEnabled(b) && i < 100) {
-            MdtWorldStep(w, FRAME);
-            i++;
-        }
-        ck_assert_msg(i >= 6 && i <= 7, "disabled in step %d", i);
-        ck_assert_int_eq(MdtWorldGetEnabledBodies(w), 0);
+        const MdtBodyID b = restingForFiveSteps(way);
+        const int steps = stepsUntilDisabled(b);
+        ck_assert_msg(steps >= 6 && steps <= 7, "disabled in step %d", steps);
+        ck_assert_int_eq(MdtWorldGetEnabledBodies(MdtBodyGetWorld(b)), 0);
         assert_near(MdtBodyGetEnabledTime(b), 0, 0);
-        MdtWorldDestroy(w);
+        MdtWorldDestroy(MdtBodyGetWorld(b));
     }
 }
 END_TEST
@@ -75,20 +79,15 @@ END_TEST
 /* As by a program that pulls at it, with forces that it can still bear; and then no more. */
 START_TEST(a_body_that_is_enabled_before_each_step_stays_awake) {
     for (int way = 0; way < 2; way++) {
-        MdtWorldID w = scene_world(1, 1, 10);
-        MdtBodyID b = restingBody(w);
-        MdtWorldSetAutoDisable(w, 1);
-        setAliveTime(w, way, 5);
+        const MdtBodyID b = restingForFiveSteps(way);
         for (int i = 0; i < 100; i++) {
             MdtBodyEnable(b);
-            MdtWorldStep(w, FRAME);
+            MdtWorldStep(MdtBodyGetWorld(b), FRAME);
             ck_assert_msg(MdtBodyIsEnabled(b), "disabled in step %d", i);
         }
-        int i = 0;
-        for (; MdtBodyIsEnabled(b) && i < 100; i++)
-            MdtWorldStep(w, FRAME);
-        ck_assert_msg(i >= 5 && i <= 6, "disabled %d steps later", i);
-        MdtWorldDestroy(w);
+        const int steps = stepsUntilDisabled(b);
+        ck_assert_msg(steps >= 5 && steps <= 6, "disabled %d steps later", steps);
+        MdtWorldDestroy(MdtBodyGetWorld(b));
     }
 }
 END_TEST

@@ -581,6 +581,8 @@ START_TEST(a_program_may_choose_for_each_partition) {
     MdtWorldSetSolverCB(u->world, solverBySide, &wishes);
     assertNextWays(MdtReportWayExact, MdtReportWayFast);
     ck_assert_int_eq(wishes.asked, 2);
+    MdtWorldStepRest(u->world);
+    ck_assert_int_eq(wishes.asked, 4);
     step(200);
     wishes.left = MdtSolverFast;
     assertNextWays(MdtReportWayFast, MdtReportWayRest);

@@ -42,14 +42,24 @@ static MdtReport step(int steps) {
     return r;
 }
 
-/* Partitions that the last step took that way. */
+static MdtReport reportOf(int partition) {
+    MdtReport r;
+    ck_assert(MdtWorldGetPartitionReport(u->world, partition, &r));
+    return r;
+}
+
+/* Partitions that the last step took that way, and for that reason. */
 static int countWay(MdtReportWay way) {
     int count = 0;
-    for (int i = 0; i < MdtWorldGetReportCount(u->world); i++) {
-        MdtReport r;
-        ck_assert(MdtWorldGetPartitionReport(u->world, i, &r));
-        count += r.way == way;
-    }
+    for (int i = 0; i < MdtWorldGetReportCount(u->world); i++)
+        count += reportOf(i).way == way;
+    return count;
+}
+
+static int countWhy(MdtReportWhy why) {
+    int count = 0;
+    for (int i = 0; i < MdtWorldGetReportCount(u->world); i++)
+        count += reportOf(i).why == why;
     return count;
 }
 
@@ -78,6 +88,7 @@ static double distanceOf(const double a[3], const double b[3]) {
 START_TEST(many_that_were_hit_are_the_fast_solvers) {
     scatter(MdtSolverAuto, brick, MANY);
     ck_assert_int_ge(mostTaken(MdtReportWayFast, 60), MANY * 9 / 10);
+    ck_assert_int_ge(countWhy(MdtReportWhyDebris), MANY * 9 / 10);
     MstUniverseDestroy(u);
 }
 END_TEST
@@ -124,6 +135,12 @@ START_TEST(what_bounces_is_met_in_time) {
     const MdtReport after = step(1); /* friction takes 2/7 of 3 J/kg, on average, of 12.8: until the balls roll */
     ck_assert_double_gt((double)after.kineticEnergy + (double)after.potentialEnergy,
                         .9 * ((double)before.kineticEnergy + (double)before.potentialEnergy));
+    int most = 0; /* all meet the ground at once */
+    for (int i = 0; i < 60; i++) {
+        step(1);
+        most = MeMAX(most, countWhy(MdtReportWhyBounce));
+    }
+    ck_assert_int_ge(most, MANY * 9 / 10);
     MstUniverseDestroy(u);
 }
 END_TEST

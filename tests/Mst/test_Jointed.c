@@ -50,6 +50,7 @@ typedef struct Course {
     double energy;     /* J, at the end */
     int fast, exact;   /* partitions with joints, over the steps, by the solver that took them */
     int factorizations;
+    int because[MdtReportWhyTakenOver + 1]; /* partitions with joints, over the steps, by why that solver */
 } Course;
 
 static void notePartitions(Course *c) {
@@ -59,6 +60,7 @@ static void notePartitions(Course *c) {
         c->fast += r.way == MdtReportWayFast && r.bodies > 1;
         c->exact += r.way == MdtReportWayExact && r.bodies > 1;
         c->factorizations += r.factorizations;
+        c->because[r.why] += r.bodies > 1;
     }
 }
 
@@ -132,6 +134,7 @@ START_TEST(a_net_that_uses_up_its_work_is_the_fast_solvers) {
     printf("cloth with little work: open by %.1e m, %d fast, %d exact\n", c.open, c.fast, c.exact);
     assert_below(c.open, 1e-4);
     ck_assert_int_ge(c.fast, TEST_STEPS - 2);
+    ck_assert_int_eq(c.because[MdtReportWhyUnsettled], c.fast);
 }
 END_TEST
 
@@ -143,6 +146,7 @@ START_TEST(a_chain_that_uses_up_its_work_is_not) {
     const Course c = run(TEST_STEPS / 3);
     printf("chain with little work: open by %.1e m, %d factorizations\n", c.open, c.factorizations);
     ck_assert_int_ge(c.factorizations, TEST_STEPS / 3);
+    ck_assert_int_eq(c.because[MdtReportWhyUnfit], TEST_STEPS / 3);
 }
 END_TEST
 
@@ -314,6 +318,7 @@ START_TEST(what_the_exact_solver_leaves_open_the_fast_one_closes) {
         const Course c = run(EXACT_STEPS);
         printf("figure %d, exact: open by %.1e m, gains %.1e m of its weight\n", figure[i], c.open, c.beyondLift / all);
         assert_below(c.open, .05 * .5);
+        ck_assert_int_gt(c.because[MdtReportWhyTakenOver], 0);
         assert_below(c.beyondLift, 2e-3 * all);
     }
 }

@@ -5,7 +5,8 @@ usage: check_readme.py SOURCE
 
 Takes the section's blocks in their order: C and CMake blocks become program.c and CMakeLists.txt in $HOME/ball, shell blocks
 are run by one shell. The source is a copy without anything built, $HOME is an empty directory, and pkg-config knows no Check.
-The compilers do not optimize, to save time (quick_compilers.sh). What cannot be tried here is the absence of other packages of this machine: its compilers and libraries are used.
+What cannot be tried here is the absence of other packages of this machine: its libraries are used, and its compilers, which are
+told not to optimize (quick_compilers.sh).
 The presets of CI must fail in the same place, naming what is missing.
 """
 import os

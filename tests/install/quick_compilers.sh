@@ -1,6 +1,6 @@
 #!/bin/sh
-# quick_compilers.sh <directory> - writes compilers cc and c++ there that do not optimize, for builds of which is asked whether they
-# build, install and link: half of the time of a build is optimization. To be put at the head of PATH.
+# quick_compilers.sh <directory> - writes compilers cc and c++ there that do not optimize, which is half of the time of a build.
+# For tests that ask whether Karma builds, installs and links. To be put at the head of PATH.
 set -eu
 for name in cc c++; do
     real=$(command -v "$name")

@@ -187,7 +187,10 @@ MeBool kea_isConverged(const KeaResiduals *e) {
     return e->worst < 1;
 }
 
+MeBool kea_isMotionExactEnough(const KeaResiduals *e, double margin) {
+    return e->position <= margin * kea_loosePosition && e->momentum <= margin * kea_loosePosition;
+}
+
 MeBool kea_isExactEnough(const KeaResiduals *e, double margin) {
-    return e->position <= margin * kea_loosePosition && e->momentum <= margin * kea_loosePosition &&
-           e->velocity <= margin * kea_looseVelocity;
+    return kea_isMotionExactEnough(e, margin) && e->velocity <= margin * kea_looseVelocity;
 }

@@ -237,14 +237,9 @@ static MeBool mayBeTangent(const MdtKeaSystem *s) {
     return s->work->hasJoints && s->work->problem.hasFriction;
 }
 
-/* Whether positions and momenta are exact enough, whatever contacts' velocities are. */
-static MeBool isMotionFound(const KeaResiduals *e) {
-    return e->position <= kea_loosePosition && e->momentum <= kea_loosePosition;
-}
-
 /* Writes how the passes have ended: missed positions, capped or limited solves, residuals. */
 static void reportMotion(MdtKeaSystem *s, const KeaResiduals *e, MeBool isLimited) {
-    const MeBool isMissed = (!s->work->usesTangentAnswer && !isMotionFound(e)) || turnsOver(s);
+    const MeBool isMissed = (!s->work->usesTangentAnswer && !kea_isMotionExactEnough(e, 1)) || turnsOver(s);
     s->report.opening = isMissed ? kea_openingLeft(s) : 0;
     s->report.opens = s->report.opening > kea_violentOpening;
     s->report.violent = isMissed && !isLimited;
@@ -319,7 +314,8 @@ static void takePasses(MdtKeaSystem *s) {
         kea_admitContacts(s);
         s->report.passes++;
     }
-    if (!(e.worst <= best.worst) && (isMotionFound(&best) || !(isLimited && e.position <= kea_loosePosition))) {
+    if (!(e.worst <= best.worst) &&
+        (kea_isMotionExactEnough(&best, 1) || !(isLimited && e.position <= kea_loosePosition))) {
         restoreBest(s);
         e = kea_residuals(s, speed);
     }
