@@ -34,6 +34,7 @@ static void getFrame(const MdtBody *b, double p[3], double q[4]) {
 /* Clears the guess of the acceleration, for a body whose motion was changed by the program, */
 static void forgetMotion(MdtBodyID b) {
     mdt_bodyDisturb(b);
+    mdt_forceForget(b);
     memset(b->kea.acceleration, 0, sizeof b->kea.acceleration);
 }
 
@@ -215,6 +216,7 @@ static void setKeaInertia(MdtBodyID b) {
 static void changeInertia(MdtBodyID b) {
     double w[3];
     mdt_bodyDisturb(b);
+    mdt_forceForget(b);
     mdt_bodyAcceptVelocities(b);
     MdtKeaBodyGetAngularVelocity(&b->kea, w);
     setKeaInertia(b);
@@ -242,8 +244,10 @@ static void setDefaults(MdtBodyID b) {
     b->linearDamping = MDTBODY_DEFAULT_LINEAR_DAMPING;
     b->angularDamping = MDTBODY_DEFAULT_ANGULAR_DAMPING;
     b->slowTime = b->gainTime = 0;
+    b->theta = 0.5;
     b->safeTime = MEINFINITY;
     mdt_bodyDisturb(b);
+    mdt_forceForget(b);
     MdtBodySetNoFastSpinAxis(b);
     mdt_bodyShow(b);
 }
@@ -458,29 +462,40 @@ MeBool mdt_bodyIsPushedAwake(MdtBodyID b) {
            keaLength(b->kea.velocity) > 0 || keaLength(b->kea.angularMomentum) > 0;
 }
 
-void mdt_bodyKeepForces(MdtBodyID b) {
-    keaAddScaled(b->force, 1, b->lastForce);
-    keaAddScaled(b->torque, 1, b->lastTorque);
+/* Without joints, which would pass it on. */
+static void addKick(MdtBodyID b) {
+    keaAddScaled(b->kea.velocity, b->kea.invMass, b->kea.kick[0]);
+    if (keaDot(b->kea.kick[1], b->kea.kick[1]) > 0) {
+        keaAddScaled(b->kea.angularMomentum, 1, b->kea.kick[1]);
+        MdtKeaBodyGetAngularVelocity(&b->kea, b->spin);
+    }
+    memset(b->kea.kick, 0, sizeof b->kea.kick);
 }
 
-void mdt_bodyPack(MdtBodyID b) {
+void mdt_bodyNoteStart(MdtBodyID b) {
+    mdt_bodyVelocity(b, &b->start.velocity);
+    keaCopy(b->start.position, b->kea.position);
+    memcpy(b->start.quaternion, b->kea.quaternion, sizeof b->start.quaternion);
+    b->start.moves = b->moves;
+    b->kea.fall = 0;
+    keaScale(b->applied.momentum[0], b->mass, b->kea.velocity);
+    keaCopy(b->applied.momentum[1], b->kea.angularMomentum);
+}
+
+void mdt_bodyPack(MdtBodyID b, double frame, MeBool hasJoints) {
     MEASSERT(b->mass > 0 && b->kea.invMass > 0 && (b->record.flags & MDT_ENABLED));
     MEASSERT(isfinite(keaDot(b->kea.position, b->kea.position)));
     MEASSERT(fabs(1 - sqrt(keaDot(b->kea.quaternion + 1, b->kea.quaternion + 1) +
                            b->kea.quaternion[0] * b->kea.quaternion[0])) < 1e-6);
-    keaCopy(b->lastForce, b->force);
-    keaCopy(b->lastTorque, b->torque);
     mdt_bodyAcceptVelocities(b);
-    keaAddScaled(b->kea.velocity, b->kea.invMass, b->impulse);
-    if (keaLength(b->twist) > 0) {
-        keaAddScaled(b->kea.angularMomentum, 1, b->twist);
-        MdtKeaBodyGetAngularVelocity(&b->kea, b->spin);
-    }
-    keaCopy(b->kea.force, b->force);
-    keaCopy(b->kea.torque, b->torque);
+    keaCopy(b->kea.kick[0], b->impulse);
+    keaCopy(b->kea.kick[1], b->twist);
+    mdt_forceBegin(b);
+    if (!hasJoints)
+        addKick(b);
+    mdt_forceApply(b, frame);
     b->kea.linearDamping = b->linearDamping;
     b->kea.angularDamping = b->angularDamping;
-    MdtBodyResetForces(b);
     MdtBodyResetImpulses(b);
 }
 
@@ -657,6 +672,7 @@ void MEAPI MdtBodySetCenterOfMassPosition(const MdtBodyID b, const MeVector3 pos
         return;
     mdt_fromReal(b->kea.position, pos);
     mdt_bodyDisturb(b);
+    mdt_forceForget(b);
     mdt_bodyAcceptVelocities(b);
     mdt_bodyShow(b);
     mdt_bodyWakeIfAsleep(b);
@@ -762,8 +778,10 @@ void MEAPI MdtBodySetMass(const MdtBodyID b, const MeReal mass) {
     MDT_NEED_BODY(b, );
     if (!mdt_isPositive(__func__, "the mass", mass))
         return;
-    if ((double)mass != b->mass)
+    if ((double)mass != b->mass) {
         mdt_bodyDisturb(b);
+        mdt_forceForget(b);
+    }
     b->mass = (double)mass;
     b->kea.invMass = 1 / b->mass;
 }
@@ -847,7 +865,7 @@ MeBool MEAPI MdtBodyCoriolisForceIsEnabled(const MdtBodyID b) {
 /* ---- forces ---- */
 
 /* Adds v to a sum at the centre of mass, and (point - centre) x v to another, when there is a point. */
-static void addAt(MdtBodyID b, const double v[3], const double *point, double sum[3], double moment[3]) {
+static void addAt(const MdtBody *b, const double v[3], const double *point, double sum[3], double moment[3]) {
     keaAddScaled(sum, 1, v);
     if (!point)
         return;
@@ -857,11 +875,16 @@ static void addAt(MdtBodyID b, const double v[3], const double *point, double su
     keaAddScaled(moment, 1, turn);
 }
 
+static void addForce(MdtBodyID b, const double f[3], const double *point) {
+    b->record.flags |= MDT_FORCED;
+    addAt(b, f, point, b->force, b->torque);
+}
+
 void MEAPI MdtBodyAddForce(const MdtBodyID b, const MeReal fx, const MeReal fy, const MeReal fz) {
     MDT_NEED_BODY(b, );
     const double f[3] = {fx, fy, fz};
     if (mdt_isFinite3(__func__, "the force", fx, fy, fz))
-        addAt(b, f, NULL, b->force, b->torque);
+        addForce(b, f, NULL);
 }
 
 void MEAPI MdtBodyAddForceAtPosition(const MdtBodyID b, const MeReal fx, const MeReal fy, const MeReal fz,
@@ -869,14 +892,16 @@ void MEAPI MdtBodyAddForceAtPosition(const MdtBodyID b, const MeReal fx, const M
     MDT_NEED_BODY(b, );
     const double f[3] = {fx, fy, fz}, p[3] = {px, py, pz};
     if (mdt_isFinite3(__func__, "the force", fx, fy, fz) && mdt_isFinite3(__func__, "the position", px, py, pz))
-        addAt(b, f, p, b->force, b->torque);
+        addForce(b, f, p);
 }
 
 void MEAPI MdtBodyAddTorque(const MdtBodyID b, const MeReal tx, const MeReal ty, const MeReal tz) {
     MDT_NEED_BODY(b, );
     const double t[3] = {tx, ty, tz};
-    if (mdt_isFinite3(__func__, "the torque", tx, ty, tz))
-        keaAddScaled(b->torque, 1, t);
+    if (!mdt_isFinite3(__func__, "the torque", tx, ty, tz))
+        return;
+    b->record.flags |= MDT_FORCED;
+    keaAddScaled(b->torque, 1, t);
 }
 
 void MEAPI MdtBodyAddImpulse(const MdtBodyID b, const MeReal ix, const MeReal iy, const MeReal iz) {
@@ -910,6 +935,7 @@ void MEAPI MdtBodyResetForces(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
     keaZero(b->force);
     keaZero(b->torque);
+    b->record.flags &= ~MDT_FORCED;
 }
 
 void MEAPI MdtBodyResetImpulses(const MdtBodyID b) {

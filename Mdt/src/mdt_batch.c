@@ -225,7 +225,7 @@ static MeBool stepTogether(MdtIsland *p) {
     if (isTaken)
         unpackBatch(p);
     for (int i = 0; i < p->numBodies && !isTaken; i++)
-        mdt_bodyKeepForces(p->bodies[i]);
+        mdt_forceKeep(p->bodies[i]);
     mdt_islandRelease(p);
     return isTaken;
 }

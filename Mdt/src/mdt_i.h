@@ -97,6 +97,22 @@ typedef struct MdtStart {
     unsigned long movesAfter;
 } MdtStart;
 
+/* How the force on a body answers to its motion: sums over frames (mdt_force.c). */
+typedef struct MdtFeedback {
+    double along[3];           /* the direction of the force's last change */
+    double weight, p, q, f;    /* along it: mean momentum, its change, and the change of the force times the step */
+    double pp, pq, qq, fp, fq; /* of products */
+    int growth;                /* frames in which the force was larger than before, the other way; halved by others */
+} MdtFeedback;
+
+/* What a program applied to a body for the last frame. */
+typedef struct MdtApplied {
+    double force[3], torque[3]; /* N, N m */
+    double momentum[2][3];      /* kg m/s, kg m²/s, as the last step, or part of it, began */
+    double time;                /* s, of that frame; 0: it applied nothing, or has moved the body since */
+    MdtFeedback pushing, turning;
+} MdtApplied;
+
 enum {
     MDT_ENABLED = 1,  /* takes part in the simulation */
     MDT_ASLEEP = 2,   /* was disabled by the world, not by the program */
@@ -105,6 +121,9 @@ enum {
     MDT_LONE = 16,    /* a manifold of one contact that is in no group */
     MDT_SWAPPED = 32, /* a group that was attached as (null, body) */
     MDT_APART = 64,   /* a joint whose bodies do not collide with each other; a body that has or had such a joint */
+    MDT_FORCED = 128, /* a body whose program has given a force, be it 0, for the step that comes */
+    MDT_KEPT = 256,   /* a body whose force goes on for the rest of the step in which it was given */
+    MDT_STIFF = 512,  /* a body of whose stiff force the program was warned */
 };
 
 /* What has happened in a body's partition, and for how long that matters: mdt_crowd.c. */
@@ -140,7 +159,6 @@ struct MdtBody {
                                                       program */
     double force[3], torque[3];                    /* N, N m, added since the last step */
     double impulse[3], twist[3];                   /* N s, N m s, the same */
-    double lastForce[3], lastTorque[3];            /* N, N m, those that the step in progress began with */
     double lag, part;                              /* s: time by which it is behind its world; its last step */
     double slowTime;                               /* s, for which it has been below the thresholds of rest */
     double gainTime;                               /* s, for which it has been so and gained energy in every step */
@@ -149,21 +167,23 @@ struct MdtBody {
     double aliveTime; /* s, since MdtBodyEnable was called last, though it may have been enabled already */
     int aliveSteps;
     MeReal safeTime;
-    MdtUnrest unrest; /* of its partition (mdt_crowd.c) */
-    MeBool wasHit;    /* and has not been at rest since */
-    MdtSolver solver; /* the answer of MdtSolverCB for its partition, if there is one (mdt_crowd.c) */
+    MdtUnrest unrest;    /* of its partition (mdt_crowd.c) */
+    MeBool wasHit;       /* and has not been at rest since */
+    MdtSolver solver;    /* the answer of MdtSolverCB for its partition, if there is one (mdt_crowd.c) */
     double settlingWork; /* work budgets that the exact solver has taken to settle its collapsed partition */
 
     MdtKeaBody kea; /* the centre of mass: the authoritative state */
     MdtStart start;
-    double push[3];                     /* m/s: displacement of the last step over h, less the velocity: position
+    double push[3]; /* m/s: displacement of the last step over h, less the velocity: position
                                            correction */
-    double centre[3];                   /* m, of mass, in the body's frame */
-    double centreTurn[4];               /* w x y z, axes of the centre of mass to the body's frame */
+    double theta;   /* 1/2 to 1: it moved by (1 - θ) v + θ v⁺ in the last step */
+    MdtApplied applied;
+    double centre[3];     /* m, of mass, in the body's frame */
+    double centreTurn[4]; /* w x y z, axes of the centre of mass to the body's frame */
     /* as last shown, by setters, and at a step's end; of `kea` */
     MdtFrame frame;
-    double spin[3]; /* rad/s; in a step, with the twist that it began with */
-    MeMatrix4 centreTransform;          /* what programs see of the centre's pose */
+    double spin[3];            /* rad/s; in a step, with the twist that it began with */
+    MeMatrix4 centreTransform; /* what programs see of the centre's pose */
 
     double mass;          /* kg */
     double inertia[3][3]; /* kg m², as set */
@@ -186,9 +206,23 @@ void mdt_bodySleep(MdtBodyID b);
 void mdt_bodyAge(MdtBodyID b, double h);     /* after a step of h seconds */
 MeBool mdt_bodyIsStarting(const MdtBody *b); /* slow, but on its way to be fast */
 MeBool mdt_bodyIsPushedAwake(MdtBodyID b);   /* asleep, and the waiting forces would move it */
-void mdt_bodyKeepForces(MdtBodyID b);        /* those that the step began with act in the rest of it, too */
-void mdt_bodyPack(MdtBodyID b);              /* loads of this step into kea; empties the accumulators */
-void mdt_bodyTerm(MdtBodyID b);              /* detaches its constraints, returns the record */
+/* Loads of this step, part of a frame of so many seconds, into kea; empties the accumulators. Momenta that are given as
+ * the step begins wait for the joints (mdt_islandKick), if there are any. */
+void mdt_bodyPack(MdtBodyID b, double frame, MeBool hasJoints);
+/* The step begins with the body's state as it is now. */
+void mdt_bodyNoteStart(MdtBodyID b);
+void mdt_bodyTerm(MdtBodyID b); /* detaches its constraints, returns the record */
+
+/* ---- forces that go on (mdt_force.c) ---- */
+
+/* A frame begins: adds the correction for forces that were given in the last one, too, to the kick of the body. */
+void mdt_forceBegin(MdtBodyID b);
+/* Hands the forces of a frame of so many seconds to kea, and empties the accumulators. */
+void mdt_forceApply(MdtBodyID b, double frame);
+/* Those that the step began with act in the rest of it, too. */
+void mdt_forceKeep(MdtBodyID b);
+/* The program has moved or changed the body: forces begin anew. */
+void mdt_forceForget(MdtBodyID b);
 
 /* An input of the body's next step has changed: its rest certificate ends. Any number of threads may call this at once,
  * as contacts are updated. */
@@ -432,7 +466,7 @@ struct MdtWorld {
     MdtSolverCB solverCb; /* null: `solver` for all partitions */
     void *solverCbData;
     MeBool isSolverWarned; /* of an answer that is no solver */
-    MeReal accuracy; /* m/s; negative: derived */
+    MeReal accuracy;       /* m/s; negative: derived */
     int subSteps;
     int order;                                /* of the scheme, 2 or 4, where nothing touches (mdt_compose.c) */
     int timedBodies;                          /* most bodies of a partition whose contacts are met in time */

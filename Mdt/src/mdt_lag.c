@@ -58,7 +58,7 @@ static MeBool stepRest(MdtWorldID w, int number) {
     if (isTooShort(&p))
         return MEFALSE;
     for (int i = 0; i < p.numBodies; i++)
-        mdt_bodyKeepForces(p.bodies[i]);
+        mdt_forceKeep(p.bodies[i]);
     mdt_islandStep(&p);
     mdt_lagSet(&p, lag);
     return METRUE;

@@ -151,13 +151,6 @@ static void addGravity(MdtWorldID w, MdtBodyID b) {
         b->kea.force[i] += b->mass * (double)w->params.gravity[i];
 }
 
-static void rememberStart(MdtBodyID b) {
-    mdt_bodyVelocity(b, &b->start.velocity);
-    keaCopy(b->start.position, b->kea.position);
-    memcpy(b->start.quaternion, b->kea.quaternion, sizeof b->start.quaternion);
-    b->start.moves = b->moves;
-}
-
 /* The rule for order: a range writes to its own bodies alone. */
 static void MEAPI packBodies(void *island, int first, int end, int worker) {
     const MdtIsland *p = island;
@@ -165,9 +158,9 @@ static void MEAPI packBodies(void *island, int first, int end, int worker) {
     for (int i = first; i < end; i++) {
         MEASSERT(p->bodies[i]->partition >= p->number && (p->bodies[i]->record.flags & MDT_ENABLED));
         p->bodies[i]->index = i;
-        mdt_bodyPack(p->bodies[i]);
+        mdt_bodyPack(p->bodies[i], p->whole, p->numJoints > 0 && !p->isFast);
         addGravity(p->world, p->bodies[i]);
-        rememberStart(p->bodies[i]);
+        mdt_bodyNoteStart(p->bodies[i]);
     }
 }
 

@@ -113,8 +113,8 @@ static MeBool isNone(const double v[3]) {
 }
 
 static MeBool isLoadedAsBefore(const MdtBody *b) {
-    return memcmp(b->force, b->lastForce, sizeof b->force) == 0 &&
-           memcmp(b->torque, b->lastTorque, sizeof b->torque) == 0 && isNone(b->impulse) && isNone(b->twist);
+    return memcmp(b->force, b->applied.force, sizeof b->force) == 0 &&
+           memcmp(b->torque, b->applied.torque, sizeof b->torque) == 0 && isNone(b->impulse) && isNone(b->twist);
 }
 
 /* Also by programs, through pointers. */
@@ -147,6 +147,8 @@ void mdt_restKeep(MdtIsland *p) {
     for (int i = 0; i < p->numBodies; i++) {
         MdtBodyID b = p->bodies[i];
         MEASSERT(b->lag == 0 && b->part == p->h && b->enabledSteps > 0);
+        if (!(b->record.flags & MDT_FORCED))
+            mdt_forceForget(b);
         MdtBodyResetForces(b);
         mdt_bodyAge(b, p->h);
     }

@@ -70,6 +70,7 @@ static void setPart(MdtIsland *p, double part) {
     p->parameters.epsilon = p->parameters.softening * (double)p->world->epsilon;
     p->kea.parameters.stepsize = part;
     p->kea.parameters.elapsed = p->elapsed;
+    p->kea.parameters.isBack = p->stage == MDT_STAGE_BACK;
     p->kea.parameters.epsilon = p->parameters.epsilon;
     p->kea.parameters.softening = p->parameters.softening;
     p->kea.parameters.gamma = p->parameters.gamma;
@@ -97,6 +98,20 @@ void mdt_partImpact(MdtIsland *p) {
         return;
     MdtKeaInit(&p->kea, p->scratch);
     mdt_rowsMake(p);
+}
+
+/* Joints pass on at once what was given to their bodies as the step begins. */
+static void kick(MdtIsland *p) {
+    if (p->numJoints == 0 || p->isFast || !MdtKeaIsKicked(&p->kea))
+        return;
+    mdt_partMakeRows(p, p->h);
+    mdt_budgetGrant(p);
+    MdtKeaKick(&p->kea);
+    mdt_budgetDraw(p);
+    for (int i = 0; i < p->numBodies; i++) {
+        MdtKeaBodyGetAngularVelocity(&p->bodies[i]->kea, p->bodies[i]->spin);
+        mdt_bodyNoteStart(p->bodies[i]);
+    }
 }
 
 /* An inexact solve is reported (MdtReport's fallbacks). A warning is given only where the program can do something:
@@ -306,6 +321,7 @@ static MeBool takeSubStep(MdtIsland *p, double part) {
 MeBool mdt_islandSubdivide(MdtIsland *p) {
     beginBudget(p);
     p->parameters.hasContacts = p->numContacts > 0;
+    kick(p);
     const int n = p->world->subSteps;
     for (int i = 0; i < n; i++) {
         const double kept = keepWork(p, 1. / (n - i));

@@ -67,15 +67,12 @@ void mdt_unpackConstraints(MdtIsland *p) {
 
 /* ---- bodies ---- */
 
-/* Bodies move with their velocity at the end of the step, or with its mean. */
+/* What the body moved by beyond (1 - θ) v + θ v⁺. */
 static void notePush(MdtBodyID b, const MdtStart *start, const MdtKeaVelocity *end, double h) {
-    double beyondEnd[3], beyondMean[3];
-    for (int k = 0; k < 3; k++) {
-        const double way = (b->kea.position[k] - start->position[k]) / h;
-        beyondEnd[k] = way - end->lin[k];
-        beyondMean[k] = way - 0.5 * (start->velocity.lin[k] + end->lin[k]);
-    }
-    keaCopy(b->push, keaLength(beyondEnd) < keaLength(beyondMean) ? beyondEnd : beyondMean);
+    b->theta = b->kea.fall / (h * h);
+    for (int k = 0; k < 3; k++)
+        b->push[k] = (b->kea.position[k] - start->position[k]) / h - (1 - b->theta) * start->velocity.lin[k] -
+                     b->theta * end->lin[k];
 }
 
 static void unpackBody(MdtBodyID b, double h) {

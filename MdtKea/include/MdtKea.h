@@ -34,6 +34,8 @@
  *      the owner               writes the rows of its joints, numRows
  *      MdtKeaCountContactRows  reads manifolds; writes numRows of their points
  *      MdtKeaMakeContactRows   writes their rows and moves behind the others
+ *      MdtKeaKick              reads rows of joints, kicks; writes velocities of bodies, report.work. MdtKeaInit is called
+ *                              after it, and the rows are filled, again
  *      MdtKeaMeets             reads rows; writes nothing
  *      MdtKeaImpact            reads rows, parameters; writes velocities of bodies and what MdtKeaInit makes of them,
  *                              forces (N s), report.work and .limited
@@ -88,6 +90,8 @@ typedef struct MdtKeaBody {
     /* load of this step, set by the owner */
     double force[3];         /**< N, gravity included */
     double torque[3];        /**< N m, about the centre of mass */
+    double kick[2][3];       /**< kg m/s, kg m²/s: momentum given as the step begins (MdtKeaKick, which zeroes it) */
+    double fall;             /**< s²: how far a unit of acceleration has moved it since the owner set this to 0 */
     double acceleration[6];  /**< m/s², rad/s² (world), of the last part of a step: the warm start; 0: none */
     MdtKeaVelocity lastStep; /**< m/s², rad/s²: acceleration of the last whole step: an approach no faster than what it
                                   gives in one step is no impact (restitution) */
@@ -222,6 +226,7 @@ typedef enum MdtKeaPair {
 typedef struct MdtKeaParameters {
     double stepsize;   /**< s */
     double elapsed;    /**< s, of the step before this part of it; 0: the first part */
+    MeBool isBack;     /**< this part goes back in time (MdtKeaReverse) */
     double epsilon;    /**< 1/kg, of contacts */
     double softening;  /**< by which a contact's own softness is multiplied, in a part of a step; else 1 */
     double gamma;      /**< the part of a position error that the step takes away, 0..1 */
@@ -413,6 +418,15 @@ MEPUBLIC MeBool MEAPI MdtKeaContactHolds(const MdtKeaBody *const bodies[2], doub
  */
 MEPUBLIC MeBool MEAPI MdtKeaContactRebounds(double gap, double rate, double restitution, double threshold,
                                             double loadSpeed, double stepsize);
+
+/** Whether momentum was given to a body as the step begins (MdtKeaBody.kick). */
+MEPUBLIC MeBool MEAPI MdtKeaIsKicked(const MdtKeaSystem *system);
+
+/**
+ * Adds the momenta that were given to bodies as the step begins, of which rigid joints pass on at once what they hold:
+ * their rates stay as they are. Reads the rows of joints; the owner calls MdtKeaInit, and fills the rows, again.
+ */
+MEPUBLIC void MEAPI MdtKeaKick(MdtKeaSystem *system);
 
 /**
  * An impact at the start of the step: changes the velocities of the bodies so that those that touch part with their

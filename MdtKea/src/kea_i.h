@@ -24,6 +24,7 @@
  *     kea_restitution.c       the law of restitution
  *     kea_impact.c            simultaneous impacts
  *     kea_project.c           position projection: removes overlaps
+ *     kea_kick.c              momenta given as a step begins, shared by joints
  *     kea_rotation.c          inertia, free rotation
  *     kea_free.c              end poses; motion of bodies without rows
  *
@@ -51,6 +52,7 @@
 /* The state of a body at the end of the step, while the step is being found. */
 typedef struct KeaEnd {
     double position[3], quaternion[4], velocity[3], angularMomentum[3];
+    double theta; /* the body moved by (1 - θ) v + θ v⁺ */
 } KeaEnd;
 
 /* The working data of a body in a step. */
@@ -297,6 +299,11 @@ void kea_setInstantRow(const MdtKeaSystem *s, int i, KeaProblemRow *p);
 
 /* Reduces overlaps by a displacement, without changing velocities. */
 void kea_project(MdtKeaSystem *s);
+/* Is it two-sided, without bounds? */
+MeBool kea_isRigidJoint(const MdtKeaRow *row);
+/* Least changes of the bodies in the metric of the instant (kea_setInstantBody), work->added, by which the rows that
+ * take part change by `target`. */
+void kea_solveInstant(MdtKeaSystem *s, const double target[]);
 
 /* ---- kea_budget.c ---- */
 

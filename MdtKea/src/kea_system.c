@@ -216,6 +216,8 @@ void kea_commitBody(MdtKeaSystem *s, int i) {
     MEASSERT(fabs(keaDot(s->work->end[i].quaternion, s->work->end[i].quaternion) +
                   s->work->end[i].quaternion[3] * s->work->end[i].quaternion[3] - 1) < kea_assertedRounding);
     commitState(s->bodies[i], &s->work->end[i]);
+    const double part = s->parameters.isBack ? -s->parameters.stepsize : s->parameters.stepsize;
+    s->bodies[i]->fall += part * (s->parameters.elapsed + s->work->end[i].theta * part);
     noteAcceleration(s->bodies[i], &s->velocity[i], s->parameters.stepsize);
     s->pose[i] = s->work->endPose[i];
 }

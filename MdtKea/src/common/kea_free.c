@@ -25,6 +25,7 @@ void kea_moveFree(MdtKeaSystem *s, int i) {
         end->position[k] = body->position[k] + 0.5 * h * (body->velocity[k] + b->freeVelocity[k]);
         L[k] = 0.5 * (body->angularMomentum[k] + b->freeMomentum[k]);
     }
+    end->theta = 0.5;
     keaCopy(end->velocity, b->freeVelocity);
     keaCopy(end->angularMomentum, b->freeMomentum);
     kea_rotateFree(body, body->quaternion, L, h, end->quaternion);

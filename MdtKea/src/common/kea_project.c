@@ -14,8 +14,7 @@ static double correctedSag(const MdtKeaSystem *s, int i) {
     return s->parameters.stepsize * s->rows[i].softness * s->work->problem.row[i].p;
 }
 
-/* Joints take part, with the target 0. */
-static MeBool isJoint(const MdtKeaRow *row) {
+MeBool kea_isRigidJoint(const MdtKeaRow *row) {
     return row->position && row->lower == -HUGE_VAL && row->upper == HUGE_VAL;
 }
 
@@ -32,7 +31,7 @@ static void displace(MdtKeaSystem *s) {
     }
 }
 
-static void solveDisplacement(MdtKeaSystem *s, const double target[]) {
+void kea_solveInstant(MdtKeaSystem *s, const double target[]) {
     KeaProblem *q = &s->work->problem;
     memset(s->work->added, 0, (size_t)s->numBodies * sizeof *s->work->added);
     for (int i = 0; i < s->numRows; i++) {
@@ -65,12 +64,12 @@ void kea_project(MdtKeaSystem *s) {
         q->scale[b] = q->metric[b].linear * most; /* kg m: of displacements */
     }
     for (int i = 0; i < s->numRows; i++) {
-        s->work->takesPart[i] = (char)(isJoint(&s->rows[i]) || (s->rows[i].contact == i && !s->rows[i].isOpen));
+        s->work->takesPart[i] = (char)(kea_isRigidJoint(&s->rows[i]) || (s->rows[i].contact == i && !s->rows[i].isOpen));
         kea_setInstantRow(s, i, &q->row[i]);
         q->row[i].isCheckedElsewhere = s->rows[i].contact != i;
     }
     kea_problemSetEffectiveMasses(q);
-    solveDisplacement(s, target);
+    kea_solveInstant(s, target);
     for (int i = 0; i < s->numRows; i++)
         q->row[i].p = s->work->savedP[i];
     displace(s);

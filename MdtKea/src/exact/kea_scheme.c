@@ -129,6 +129,7 @@ void kea_moveBodies(MdtKeaSystem *s) {
         KeaBody *b = &s->work->body[i];
         KeaEnd *end = &s->work->end[i];
         const double perTheta = 1 / b->theta;
+        end->theta = b->theta;
         keaCopy(end->position, body->position);
         keaAddScaled(end->position, h, b->u);
         for (int k = 0; k < 3; k++)

@@ -606,6 +606,7 @@ static void setEndPose(const Step *p, int place) {
     KeaEnd *end = &s->work->end[i];
     const double out[3] = {(double)way->ang[0], (double)way->ang[1], (double)way->ang[2]};
     double turn[4];
+    end->theta = 1;
     keaCopy(end->position, s->bodies[i]->position);
     keaAddScaled(end->position, h, end->velocity);
     keaAddScaled(end->position, 1, p->fall);

@@ -1,0 +1,72 @@
+/* Momenta given as a step begins: joints share them at once. */
+#include "kea_i.h"
+#include "common/kea_policy_i.h"
+#include <string.h>
+
+static MeBool isKicked(const MdtKeaBody *b) {
+    return keaDot(b->kick[0], b->kick[0]) + keaDot(b->kick[1], b->kick[1]) > 0;
+}
+
+MeBool MEAPI MdtKeaIsKicked(const MdtKeaSystem *s) {
+    for (int b = 0; b < s->numBodies; b++)
+        if (isKicked(s->bodies[b]))
+            return METRUE;
+    return MEFALSE;
+}
+
+/* m/s, rad/s: what the momentum alone would do. */
+static void velocityOf(const KeaMetric *B, const MdtKeaBody *b, double change[6]) {
+    keaScale(change, 1 / B->linear, b->kick[0]);
+    keaApply(change + 3, B->inverse, b->kick[1]);
+}
+
+static double rateOf(const MdtKeaRow *row, double (*velocity)[6]) {
+    double rate = 0;
+    for (int k = 0; k < 2; k++)
+        if (row->body[k] >= 0)
+            rate += keaDot(row->J[k].lin, velocity[row->body[k]]) + keaDot(row->J[k].ang, velocity[row->body[k]] + 3);
+    return rate;
+}
+
+/* Joints keep their rates; contacts, stops and motors have bounded forces, which do nothing in an instant. */
+static void setProblem(MdtKeaSystem *s, double (*kicked)[6], double target[]) {
+    KeaProblem *q = &s->work->problem;
+    double most = 0;
+    for (int b = 0; b < s->numBodies; b++) {
+        kea_setInstantBody(q, b, s->bodies[b]);
+        velocityOf(&q->metric[b], s->bodies[b], kicked[b]);
+        most = keaMax(most, keaLength(kicked[b]) + q->length[b] * keaLength(kicked[b] + 3));
+    }
+    for (int b = 0; b < s->numBodies; b++)
+        q->scale[b] = q->metric[b].linear * most;
+    for (int i = 0; i < s->numRows; i++) {
+        kea_setInstantRow(s, i, &q->row[i]);
+        s->work->takesPart[i] = (char)kea_isRigidJoint(&s->rows[i]);
+        target[i] = -rateOf(&s->rows[i], kicked);
+    }
+    q->numBodies = s->numBodies;
+    q->numRows = s->numRows;
+}
+
+/* min 1/2 |d - d_0|²_M over the changes d of velocity that leave the rates of joints as they are; d_0 = M⁻¹ kick. */
+void MEAPI MdtKeaKick(MdtKeaSystem *s) {
+    double(*kicked)[6] = s->work->velocity;
+    setProblem(s, kicked, s->work->target);
+    const MeBool isShared = kea_problemBegin(&s->work->problem, s->cache);
+    if (isShared) {
+        kea_setBudget(s, 1, 1);
+        kea_problemSetEffectiveMasses(&s->work->problem);
+        kea_solveInstant(s, s->work->target);
+        kea_reportWork(s);
+    }
+    for (int b = 0; b < s->numBodies; b++) {
+        MdtKeaBody *body = s->bodies[b];
+        double dL[3];
+        for (int k = 0; k < 6 && isShared; k++)
+            kicked[b][k] += s->work->added[b][k];
+        keaApply(dL, (const double(*)[3])s->work->problem.metric[b].angular, kicked[b] + 3);
+        keaAddScaled(body->velocity, 1, kicked[b]);
+        keaAddScaled(body->angularMomentum, 1, dL);
+        memset(body->kick, 0, sizeof body->kick);
+    }
+}
