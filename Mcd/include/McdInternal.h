@@ -21,6 +21,22 @@ MEPUBLIC void MEAPI McdSpaceRenameLimits(McdSpaceID s, const char *models, const
 /** The number of hello, staying and goodbye pairs; outside of change blocks. */
 MEPUBLIC int MEAPI McdSpaceGetPairCount(McdSpaceID s);
 
+/** @name Frozen models that change
+ *  @{ */
+/** A frozen model that is not as it was when its box was made; @a hasMoved: its matrix is another. */
+typedef void(MEAPI *McdFrozenVisit)(McdModelID m, MeBool hasMoved, void *context);
+/** Visits such models; some are looked at in each call, in turn, and all of them after a call that has changed a shape
+ *  or a model of the framework. The visit may freeze and unfreeze models. */
+MEPUBLIC void MEAPI McdSpaceVisitChangedFrozen(McdSpaceID s, McdFrozenVisit visit, void *context);
+/** Whether a model, live and in a space, is as it was when its box was made. */
+MEPUBLIC MeBool MEAPI McdModelIsAsItsBox(McdModelID cm);
+/** Whether its matrix was another when its box was made the last time but one. */
+MEPUBLIC MeBool MEAPI McdModelHasMoved(McdModelID cm);
+/** How far the point of a model, world, was moved with it when its box was made last, m; zero and MEFALSE where it was
+ *  not, or farther than its own size, as by a program that puts it elsewhere. */
+MEPUBLIC MeBool MEAPI McdModelGetDisplacement(McdModelID cm, const MeVector3 point, MeVector3 displacement);
+/** @} */
+
 /** @name Workers
  *  @{ */
 /** Sets the workers that update the boxes of models; null: the calling thread alone. */

@@ -72,6 +72,7 @@ int MEAPI McdAggregateAddElement(McdAggregateID id, McdGeometryID geom, MeMatrix
     MeMatrix4Copy(element->relTM, relTM ? mcd_const(relTM) : identity);
     McdGeometryIncrementReferenceCount(geom);
     MEASSERT(a->count < a->max && geom->referenceCount > 0);
+    mcd_geometryChanged(id);
     return a->count++;
 }
 
@@ -117,6 +118,8 @@ McdGeometryID MEAPI McdAggregateGetElementGeometry(McdAggregateID id, int i) {
 
 MeMatrix4Ptr MEAPI McdAggregateGetElementTransformPtr(McdAggregateID id, int i) {
     McdAggregateElement *element = elementOf(id, i, "McdAggregateGetElementTransformPtr");
+    if (element) /* programs write to it */
+        mcd_geometryChanged(id);
     return element ? element->relTM : 0;
 }
 

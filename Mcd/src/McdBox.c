@@ -104,8 +104,10 @@ McdBoxID MEAPI McdBoxCreate(McdFramework *frame, MeReal dx, MeReal dy, MeReal dz
 
 void MEAPI McdBoxSetDimensions(McdGeometryID g, MeReal dx, MeReal dy, MeReal dz) {
     if (mcd_geometryIs(g, kMcdGeometryTypeBox, "McdBoxSetDimensions") &&
-        sizesAreGood(dx, dy, dz, "McdBoxSetDimensions"))
+        sizesAreGood(dx, dy, dz, "McdBoxSetDimensions")) {
         MeVector3Set(((McdBox *)g)->radii, dx / 2, dy / 2, dz / 2);
+        mcd_geometryChanged(g);
+    }
 }
 
 void MEAPI McdBoxGetDimensions(McdGeometryID g, MeReal *dx, MeReal *dy, MeReal *dz) {

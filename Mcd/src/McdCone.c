@@ -137,8 +137,10 @@ void MEAPI McdConeSetGeometricalParameters(McdConeID g, MeReal length, MeReal lo
     if (isCone(g, "McdConeSetGeometricalParameters") &&
         mcd_sizeIsGood(length, "length", "McdConeSetGeometricalParameters") &&
         radiusIsGood(lowerRadius, upperRadius, "lower radius") &&
-        radiusIsGood(upperRadius, lowerRadius, "upper radius"))
+        radiusIsGood(upperRadius, lowerRadius, "upper radius")) {
         setSizes((McdCone *)g, length, lowerRadius, upperRadius);
+        mcd_geometryChanged(g);
+    }
 }
 
 MeReal MEAPI McdConeGetLength(McdConeID g) {

@@ -87,13 +87,17 @@ MeReal MEAPI McdCylinderGetHalfHeight(McdCylinderID g) {
 }
 
 void MEAPI McdCylinderSetRadius(McdCylinderID g, MeReal r) {
-    if (isCylinder(g, "McdCylinderSetRadius") && mcd_sizeIsGood(r, "radius", "McdCylinderSetRadius"))
+    if (isCylinder(g, "McdCylinderSetRadius") && mcd_sizeIsGood(r, "radius", "McdCylinderSetRadius")) {
         ((McdCylinder *)g)->radius = r;
+        mcd_geometryChanged(g);
+    }
 }
 
 void MEAPI McdCylinderSetHeight(McdCylinderID g, MeReal h) {
-    if (isCylinder(g, "McdCylinderSetHeight") && mcd_sizeIsGood(h, "height", "McdCylinderSetHeight"))
+    if (isCylinder(g, "McdCylinderSetHeight") && mcd_sizeIsGood(h, "height", "McdCylinderSetHeight")) {
         ((McdCylinder *)g)->halfHeight = h / 2;
+        mcd_geometryChanged(g);
+    }
 }
 
 void MEAPI McdCylinderSetGeometricalParameters(McdCylinderID g, MeReal inRadius, MeReal inHeight) {
@@ -102,6 +106,7 @@ void MEAPI McdCylinderSetGeometricalParameters(McdCylinderID g, MeReal inRadius,
         return;
     ((McdCylinder *)g)->radius = inRadius;
     ((McdCylinder *)g)->halfHeight = inHeight / 2;
+    mcd_geometryChanged(g);
 }
 
 void MEAPI McdCylinderGetXYAABB(McdGeometry *g, MeMatrix4 tm, MeReal bounds[4]) {

@@ -47,6 +47,15 @@ MeBool mcd_geometryIs(McdGeometryID g, McdGeometryType type, const char *functio
     return MEFALSE;
 }
 
+void mcd_geometryChanged(McdGeometryID g) {
+    g->frame->changes++;
+}
+
+void mcd_modelStir(McdModelRecord *m) {
+    m->isStirred = METRUE;
+    m->frame->changes++;
+}
+
 void MEAPI McdGeometryInit(McdGeometryID g, McdFramework *frame, MeI16 typeId) {
     if (!g || !mcd_frameCheck(frame, "McdGeometryInit"))
         return;

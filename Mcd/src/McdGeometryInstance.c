@@ -131,6 +131,7 @@ void MEAPI McdGeometryInstanceSetGeometry(McdGeometryInstanceID ins, McdGeometry
     McdGeometryDecrementReferenceCount(ins->geometry);
     McdGeometryIncrementReferenceCount(g);
     ins->geometry = g;
+    mcd_geometryChanged(g);
 }
 
 McdGeometryType MEAPI McdGeometryInstanceGetGeometryType(McdGeometryInstanceID ins) {
@@ -170,6 +171,7 @@ void MEAPI McdGeometryInstanceSetMaterial(McdGeometryInstanceID ins, int materia
         ins->material = material;
     else
         mcd_record(ins->model)->material = (unsigned int)material;
+    mcd_modelStir(mcd_record(ins->model));
 }
 
 void MEAPI McdGeometryInstanceReset(McdGeometryInstanceID ins) {

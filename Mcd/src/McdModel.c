@@ -1,5 +1,6 @@
 /* Models: geometries at places, which collide. */
 #include "McdInternal.h"
+#include "mcd_geometries_i.h"
 #include "mcd_kind_i.h"
 #include <string.h>
 
@@ -227,8 +228,12 @@ void MEAPI McdModelSetGeometry(McdModelID cm, McdGeometryID g) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetGeometry");
     if (!m || !mcd_geometryType(g, "McdModelSetGeometry") || !mcd_geometryBelongs(g, m->frame, "McdModelSetGeometry"))
         return;
+    if (m->space && !mcd_partsOf(g) && !mcd_partsOf(m->instance.geometry)) {
+        ME_UNDER_OWN_NAME(McdGeometryInstanceSetGeometry(&m->instance, g));
+        return;
+    }
     if (m->space) {
-        MeWarning(1, "McdModelSetGeometry: the model is in a space: take it out first");
+        MeWarning(1, "McdModelSetGeometry: an aggregate's model is in a space: take it out first");
         return;
     }
     const McdGeometryID old = m->instance.geometry;
@@ -539,8 +544,10 @@ MeReal MEAPI McdModelGetFastMargin(McdModelID cm) {
 
 void MEAPI McdModelSetSensor(McdModelID cm, MeBool sensor) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetSensor");
-    if (m)
-        m->isSensor = sensor != 0;
+    if (!m || !m->isSensor == !sensor)
+        return;
+    m->isSensor = sensor != 0;
+    mcd_modelStir(m);
 }
 
 MeBool MEAPI McdModelIsSensor(McdModelID cm) {

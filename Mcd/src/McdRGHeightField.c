@@ -71,13 +71,18 @@ void MEAPI McdRGHeightFieldSetHeights(McdRGHeightFieldID g, const MeReal *height
         return;
     }
     f->height = heights;
+    f->version++;
     findExtremes(f);
+    mcd_geometryChanged(g);
 }
 
 void MEAPI McdRGHeightFieldUpdateHeights(McdRGHeightFieldID g) {
     McdRGHeightField *f = fieldOf(g, "McdRGHeightFieldUpdateHeights");
-    if (f)
-        findExtremes(f);
+    if (!f)
+        return;
+    f->version++;
+    findExtremes(f);
+    mcd_geometryChanged(g);
 }
 
 void MEAPI McdRGHeightFieldGetCounts(McdRGHeightFieldID g, int *xCount, int *yCount) {

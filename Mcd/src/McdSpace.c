@@ -507,6 +507,7 @@ static void markBoxValid(const McdSpace *s, McdModelRecord *m, MeReal duration) 
 /* Writes to the proxy and its model alone. */
 static McdBoxUpdate updateProxy(const McdSpace *s, McdProxy *p, MeReal duration) {
     McdModelRecord *m = p->model;
+    m->isStirred = MEFALSE; /* its pairs are looked at */
     const MeBool isSeen = p->hasBox && isSeenBeforeUpdate(s, m);
     if (isSeen && isUpToDate(s, m, duration))
         return MCD_BOX_KEPT;
@@ -749,6 +750,8 @@ static MeBool setFrozen(McdModelID cm, MeBool isFrozen, const char *function) {
     if (isFrozen) { /* it does not move */
         clearLookAhead(p->model);
         p->tolerance = mcd_modelReach(p->model);
+        if (p->hasBox)
+            p->model->boxStamp = mcd_modelStamp(p->model); /* what it is compared with (mcd_frozen.c) */
     } else {
         wake(p->model->space, p);
         p->isMoved = METRUE; /* links between frozen models were kept only where they have a pair */

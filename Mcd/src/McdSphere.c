@@ -55,8 +55,10 @@ MeReal MEAPI McdSphereGetRadius(McdSphereID g) {
 
 void MEAPI McdSphereSetRadius(McdSphereID g, MeReal r) {
     if (mcd_geometryIs(g, kMcdGeometryTypeSphere, "McdSphereSetRadius") &&
-        mcd_sizeIsGood(r, "radius", "McdSphereSetRadius"))
+        mcd_sizeIsGood(r, "radius", "McdSphereSetRadius")) {
         ((McdSphere *)g)->radius = r;
+        mcd_geometryChanged(g);
+    }
 }
 
 void MEAPI McdSphereGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {

@@ -76,13 +76,17 @@ MeReal MEAPI McdSphylGetHeight(McdSphylID s) {
 }
 
 void MEAPI McdSphylSetRadius(McdSphylID s, MeReal r) {
-    if (isSphyl(s, "McdSphylSetRadius") && mcd_sizeIsGood(r, "radius", "McdSphylSetRadius"))
+    if (isSphyl(s, "McdSphylSetRadius") && mcd_sizeIsGood(r, "radius", "McdSphylSetRadius")) {
         ((McdSphyl *)s)->radius = r;
+        mcd_geometryChanged(s);
+    }
 }
 
 void MEAPI McdSphylSetHeight(McdSphylID s, MeReal h) {
-    if (isSphyl(s, "McdSphylSetHeight") && mcd_sizeIsGood(h, "height", "McdSphylSetHeight"))
+    if (isSphyl(s, "McdSphylSetHeight") && mcd_sizeIsGood(h, "height", "McdSphylSetHeight")) {
         ((McdSphyl *)s)->halfHeight = h / 2;
+        mcd_geometryChanged(s);
+    }
 }
 
 void MEAPI McdSphylGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {

@@ -61,6 +61,7 @@ struct McdRGHeightField { /* a grid along x and y, two triangles a cell, outside
     int xCount, yCount;
     MeReal xStep, yStep, x0, y0;
     MeReal low, high; /* of all heights, as of the last look */
+    MeU64 version;    /* counts the looks */
 };
 
 typedef struct McdAggregateElement {

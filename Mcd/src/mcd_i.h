@@ -176,6 +176,13 @@ typedef struct McdModelInputs {
  * (McdKind.hashNear). There, as the pair loop reads that line of a model anyway. */
 #define MCD_HAS_SURFACE ((MeU64)1 << 63)
 
+/* Where a model was before its transform became what it is, and the block of its space in which it did. */
+typedef struct McdPast {
+    MeVector3 axis[3], place;
+    MeU32 block;
+    MeBool isSet;
+} McdPast;
+
 /* Grouped by cache lines of 64 bytes, in single precision: the pair loop reads those of pairs, and of pairs that are
  * tested the shape; a space's update reads the hot ones; the others are read by the program's calls. */
 typedef struct McdModelRecord {
@@ -214,6 +221,8 @@ typedef struct McdModelRecord {
     MeReal boxDuration, boxLookAhead; /* s, duration and look-ahead with which it was made */
     MeU64 lastStamp;                  /* the last stamp that it was given; at first one less than its first */
     MeBool isSwept;
+    MeBool isStirred; /* a setter has changed what is not among its inputs (mcd_frozen.c) */
+    McdPast past;
     /* cold */
     MeU64 types; /* mcd_instanceTypes, as of `inputs` */
     void *userData;
@@ -230,6 +239,11 @@ _Static_assert(offsetof(McdModelRecord, inputs) == 2 * ME_CACHE_LINE || sizeof(M
 _Static_assert(offsetof(McdModelInputs, spin) <= ME_CACHE_LINE || sizeof(MeReal) > 4, "and one with pose and velocity");
 _Static_assert(offsetof(McdGeometryInstance, model) <= ME_CACHE_LINE || sizeof(MeReal) > 4, "its boxes are in it");
 _Static_assert(sizeof(McdModelInputs) == 40 + 20 * sizeof(MeReal) || sizeof(MeReal) > 4, "no padding");
+
+/* A call has changed a shape: frozen models may not be what they were. */
+void mcd_geometryChanged(McdGeometryID g);
+/* The same of a model, in what its tests do not depend on. */
+void mcd_modelStir(McdModelRecord *m);
 
 static inline McdModelRecord *mcd_record(McdModelID cm) {
     return (McdModelRecord *)cm;
@@ -322,6 +336,7 @@ struct _McdFramework {
     int spaceCount;
     int updateCallbacks;            /* models that have one */
     MeU64 round;                    /* of tests, in which models stay as they are */
+    MeU64 changes;                  /* counts calls that change a shape, or what a model's collisions depend on */
     struct McdScratch *freeScratch; /* what queries work in (mcd_scratch_i.h): those that no query has */
     atomic_int scratchIsLocked;
     /* Set when a space is created, so that a program without spaces does not link them: takes a model out of the space

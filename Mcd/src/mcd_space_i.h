@@ -112,6 +112,8 @@ struct _McdSpace {
     McdProxy *proxy; /* proxyRoom; moves when there is no room for another one */
     int proxyRoom;
     int proxyCount, firstProxy, lastProxy, freeProxy;
+    MeU64 changesSeen; /* of the framework's, by mcd_frozen.c, */
+    int nextLook;      /* whose turn begins behind this proxy */
     int firstAwake, lastAwake; /* what is updated: frozen models cost no time */
     int *awake, awakeCount;    /* the same, as they were listed for workers; MCD_NONE: not since; proxyRoom */
     MeU8 *updates;             /* beside awake: an McdBoxUpdate */

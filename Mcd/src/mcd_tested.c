@@ -119,6 +119,13 @@ static MeBool hasSurface(const McdGeometryInstance *ins) {
 static void storeInputs(McdModelRecord *m, const McdModelInputs *now) {
     const MeBool isOtherShape = m->shapeStamp == 0 || memcmp(&now->shape, &m->inputs.shape, sizeof now->shape) != 0;
     MeVector3 centre;
+    if (m->stamp != 0 && (memcmp(now->axis, m->inputs.axis, sizeof now->axis) != 0 ||
+                          memcmp(now->place, m->inputs.place, sizeof now->place) != 0)) {
+        memcpy(m->past.axis, m->inputs.axis, sizeof m->past.axis);
+        memcpy(m->past.place, m->inputs.place, sizeof m->past.place);
+        m->past.block = m->space ? m->space->step : 0;
+        m->past.isSet = m->space != 0;
+    }
     m->inputs = *now;
     m->stamp = mcd_modelNewStamp(m);
     m->isPlaced = mcd_isPlace(mcd_const(m->instance.tm));
@@ -145,6 +152,36 @@ MeU64 mcd_modelStamp(McdModelRecord *m) {
     else if (m->stamp == 0 || memcmp(&now, &m->inputs, sizeof now) != 0)
         storeInputs(m, &now);
     return m->stamp;
+}
+
+MeBool MEAPI McdModelHasMoved(McdModelID cm) {
+    const McdModelRecord *m = mcd_record(cm);
+    return m->past.isSet && m->space && m->past.block + 1 == m->space->step && m->stamp != 0;
+}
+
+/* The point in the model's frame, and from there to where it was. */
+MeBool MEAPI McdModelGetDisplacement(McdModelID cm, const MeVector3 point, MeVector3 displacement) {
+    const McdModelRecord *m = mcd_record(cm);
+    double off[3], size = 0;
+    MeVector3Set(displacement, 0, 0, 0);
+    if (!McdModelHasMoved(cm))
+        return MEFALSE;
+    for (int i = 0; i < 3; i++)
+        off[i] = (double)point[i] - (double)m->inputs.place[i];
+    for (int i = 0; i < 3; i++) {
+        double was = m->past.place[i];
+        for (int k = 0; k < 3; k++) {
+            const MeReal *axis = m->inputs.axis[k];
+            was += (off[0] * (double)axis[0] + off[1] * (double)axis[1] + off[2] * (double)axis[2]) *
+                   (double)m->past.axis[k][i];
+        }
+        displacement[i] = (MeReal)((double)point[i] - was);
+        size += (double)displacement[i] * (double)displacement[i];
+    }
+    if (size <= (double)m->radius * (double)m->radius)
+        return METRUE;
+    MeVector3Set(displacement, 0, 0, 0);
+    return MEFALSE;
 }
 
 static MeBool isSeen(const McdModelRecord *m) {

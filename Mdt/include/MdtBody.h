@@ -10,9 +10,9 @@
  *  universe MstModelAndBodyCreate finds both from the geometry and its density.
  *
  *  A new body is disabled: MdtBodyEnable lets it take part. A body at rest is disabled by the world (MdtWorld.h); it
- *  wakes when it is enabled, when a constraint ties it to an enabled body, when it is given a position, an orientation
- *  or a velocity, and when a force, torque or impulse would move it faster than the thresholds of rest allow. A body
- *  that the program itself has disabled, or never enabled, waits: forces on it add up until it is enabled.
+ *  wakes when it is enabled, when a constraint ties it to an enabled body, and by whatever would move it: the table is
+ *  in docs/simulation.md, "Sleep". A body that the program itself has disabled, or never enabled, waits: forces on it
+ *  add up until it is enabled.
  *
  *  Positions have a bound in every coordinate: 2^24 times the world's length scale in single precision, 2^53 in double,
  *  MdtBodyGetPositionBound. There, neighbouring numbers are as far apart as things are large. A body that gets there is

@@ -20,6 +20,9 @@ MEPUBLIC MeBool MEAPI MdtWorldIsValid(const MdtWorldID w);
  *  same. */
 MEPUBLIC unsigned long MEAPI MdtBodyGetMoves(const MdtBodyID b);
 
+/** Wakes a body that the world has put to sleep, not one that the program has disabled. Returns whether it has. */
+MEPUBLIC MeBool MEAPI MdtBodyWakeIfAsleep(const MdtBodyID b);
+
 /** Whether the body's only motion since MdtBodyGetMoves was @a moves is that of its last step. */
 MEPUBLIC MeBool MEAPI MdtBodyMovedByStep(const MdtBodyID b, unsigned long moves);
 

@@ -81,7 +81,7 @@ MEPUBLIC int MEAPI MdtWorldStepRest(const MdtWorldID w);
 MEPUBLIC int MEAPI MdtWorldGetLaggingBodies(const MdtWorldID w);
 
 /**
- * Gravity, m/s², world frame. Default 0. Bodies at rest are not woken: enable them when it changes. Check builds warn
+ * Gravity, m/s², world frame. Default 0. Another value wakes the bodies at rest. Check builds warn
  * once of a world for which this was never called, and on whose bodies nothing acts in a second of steps: no velocity,
  * force, impulse or constraint.
  */
@@ -112,16 +112,17 @@ MEPUBLIC void MEAPI MdtWorldSetGammaWithRefTimeStep(const MdtWorldID w, const Me
 /** @} */
 
 /** @name Putting bodies to rest (Dynamics guide ch. 4, "Enabling/Disabling Bodies")
- *  A partition is disabled ("falls asleep") when all its bodies have been enabled for the alive window, and the squares
- *  of their velocity, angular velocity, acceleration and angular acceleration are below the thresholds. It stays
- *  enabled while one of them begins to move: has gained energy in every step, for half of the time or more since it was
- *  slow; and while a contact with a moving surface pushes one of them (MdtContactParamsSetPrimarySlide,
- *  MdtConstraintSetWorldLinearVelocity). On by default.
+ *  A partition is disabled ("falls asleep") when all its bodies have been enabled for the alive window, the squares of
+ *  their velocity, angular velocity, acceleration and angular acceleration are below the thresholds, and the next second
+ *  (five alive times) would not move one of them to speak of: docs/simulation.md, "Sleep", has the rule, and what wakes
+ *  them. It stays enabled while a motor turns a joint of it, at whatever speed, while what it is attached to moves, and
+ *  while a contact with a moving surface pushes one of them (MdtContactParamsSetPrimarySlide,
+ *  MdtConstraintSetWorldLinearVelocity). On by default. What trembles in its place may sleep at any acceleration.
  *
  *  The thresholds are squares, >= 0. They start at the values of MdtDefaults.h, those of velocity and acceleration
  *  times the square of the length scale; the acceleration's is limited to a tenth of gravity, and both follow
- *  MdtWorldSetGravity until the program sets them. They are for seconds; a program with another unit of time sets all
- *  of them.
+ *  MdtWorldSetGravity until the program sets them. Once it has set one, what is below them is at rest, and nothing else
+ *  is asked. They are for seconds; a program with another unit of time sets all of them, and the alive time.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetAutoDisable(const MdtWorldID w, const MeBool d);
 MEPUBLIC MeBool MEAPI MdtWorldGetAutoDisable(const MdtWorldID w);

@@ -41,13 +41,16 @@ static void forgetMotion(MdtBodyID b) {
 /* and the warm start of its constraints, if its pose has changed; setting the same state again keeps both. */
 static void forgetForces(MdtBodyID b) {
     forgetMotion(b);
-    for (MdtAttachment *a = b->attachments; a; a = a->next)
+    for (MdtAttachment *a = b->attachments; a; a = a->next) {
         mdt_constraintForget(mdt_attachmentOwner(a));
+        mdt_constraintDisturb(mdt_attachmentOwner(a)); /* it pulls at the other body from elsewhere */
+    }
 }
 
 /* Restarts the time for which it has been slow. */
 static void forgetRest(MdtBodyID b) {
-    b->enabledTime = b->aliveTime = b->slowTime = b->gainTime = 0;
+    b->enabledTime = b->aliveTime = 0;
+    mdt_stayForget(b);
     b->enabledSteps = b->aliveSteps = 0;
 }
 
@@ -243,7 +246,6 @@ static void setDefaults(MdtBodyID b) {
         keaZero(sums[i]);
     b->linearDamping = MDTBODY_DEFAULT_LINEAR_DAMPING;
     b->angularDamping = MDTBODY_DEFAULT_ANGULAR_DAMPING;
-    b->slowTime = b->gainTime = 0;
     b->theta = 0.5;
     b->safeTime = MEINFINITY;
     mdt_bodyDisturb(b);
@@ -374,13 +376,8 @@ static MeBool isAccelerated(const MdtBody *b, const MdtPartitionParams *params) 
            keaDot(b->kea.lastStep.ang, b->kea.lastStep.ang) >= (double)params->accrot_thresh;
 }
 
-/* Did its kinetic energy T grow in the last step: dT/dt = m v a + L dω/dt? Not of what is slower than a tenth of the
- * world's accuracy, which counts as resting (MdtWorldSetAccuracy). */
-static MeBool hasGained(const MdtBody *b, double h) {
-    const MdtKeaBody *k = &b->kea;
-    const double resting = .1 * mdt_worldAccuracy(b->world, h);
-    return keaDot(k->velocity, k->velocity) + k->invMass * keaDot(k->angularMomentum, b->spin) > resting * resting &&
-           keaDot(k->velocity, k->lastStep.lin) + k->invMass * keaDot(k->angularMomentum, k->lastStep.ang) > 0;
+MeBool mdt_bodyIsFast(const MdtBody *b) {
+    return isFast(b, &b->world->rest);
 }
 
 void mdt_bodyAge(MdtBodyID b, double h) {
@@ -389,77 +386,16 @@ void mdt_bodyAge(MdtBodyID b, double h) {
     b->enabledSteps++;
     b->aliveTime += h;
     b->aliveSteps++;
-    b->slowTime = isFast(b, &b->world->rest) ? 0 : b->slowTime + h;
-    b->gainTime = b->slowTime > 0 && hasGained(b, h) ? b->gainTime + h : 0;
+    mdt_stayCount(b, h);
 }
 
-/* What begins to slide, roll or tip is slow at first, and is not at rest. It gains energy in every step since it was
- * slow; what settles loses it. What swings gains for a quarter of a period and loses for the next one, so that it has
- * gained for half of its slow time in its first quarters only. What is still slow after so many alive times, 5 s by
- * default, gains less than .03 m/s in a second: a box in a heap may be turned by less for a quarter of a minute. x2 and
- * /2 fail Mdt_Rest: what_begins_to_move_has_twenty_five_alive_times. */
-MeBool mdt_bodyIsStarting(const MdtBody *b) {
-    enum { ALIVE_TIMES = 25 };
-    return b->gainTime > 0 && 2 * b->gainTime >= b->slowTime &&
-           b->slowTime <= ALIVE_TIMES * (double)b->world->rest.alive_time;
-}
-
-/* Slow for long in spite of a high acceleration: solver jitter, and the body may sleep. Two and a half times as long as
- * such an acceleration takes from rest to the fast velocities, 0.5 s by default. */
-static MeBool isJittering(const MdtBody *b, const MdtPartitionParams *params) {
-    return b->slowTime * b->slowTime * (double)params->acc_thresh > 2.5 * 2.5 * (double)params->vel_thresh;
-}
-
+/* What is accelerated and stays where it is trembles: solver jitter. */
 MeBool MEAPI MdtBodyIsMovingTest(const MdtBodyID b, const MdtPartitionParams *params) {
     MDT_NEED_BODY(b, 0);
     if (!mdt_isPointer(__func__, "the thresholds", params))
         return MEFALSE;
     mdt_bodyAcceptVelocities(b);
-    return isFast(b, params) || (isAccelerated(b, params) && !isJittering(b, params));
-}
-
-/* ---- sleeping and waking ---- */
-
-void mdt_bodySleep(MdtBodyID b) {
-    static const double none[3] = {0, 0, 0};
-    MdtBodyDisable(b);
-    b->record.flags |= MDT_ASLEEP;
-    b->world->asleepBodies++;
-    keaZero(b->kea.velocity);
-    MdtKeaBodySetAngularVelocity(&b->kea, none);
-    keaZero(b->kea.lastStep.lin);
-    keaZero(b->kea.lastStep.ang);
-    b->unrest = MDT_CALM;
-    b->wasHit = MEFALSE;
-    b->settlingWork = 0;
-    keaZero(b->push);
-    mdt_bodyShow(b);
-}
-
-void mdt_bodyWakeIfAsleep(MdtBodyID b) {
-    if (b->record.flags & MDT_ASLEEP)
-        MdtBodyEnable(b);
-}
-
-static MeBool wouldExceed(const double sum[3], const double inverse[3][3], MeReal threshold) {
-    double change[3];
-    keaApply(change, inverse, sum);
-    return keaDot(change, change) > (double)threshold;
-}
-
-/* The guide's thresholds of force and torque, as the accelerations that they cause; those of impulses, as velocities.
- * */
-MeBool mdt_bodyIsPushedAwake(MdtBodyID b) {
-    if (!(b->record.flags & MDT_ASLEEP))
-        return MEFALSE;
-    mdt_bodyAcceptVelocities(b);
-    const MdtPartitionParams *rest = &b->world->rest;
-    const double m = b->kea.invMass, mass[3][3] = {{m, 0, 0}, {0, m, 0}, {0, 0, m}};
-    const double *I = b->kea.moments, i = 1 / fmin(I[0], fmin(I[1], I[2]));
-    const double inertia[3][3] = {{i, 0, 0}, {0, i, 0}, {0, 0, i}};
-    return wouldExceed(b->force, mass, rest->acc_thresh) || wouldExceed(b->torque, inertia, rest->accrot_thresh) ||
-           wouldExceed(b->impulse, mass, rest->vel_thresh) || wouldExceed(b->twist, inertia, rest->velrot_thresh) ||
-           keaLength(b->kea.velocity) > 0 || keaLength(b->kea.angularMomentum) > 0;
+    return isFast(b, params) || (isAccelerated(b, params) && !mdt_staysInPlace(b));
 }
 
 /* Without joints, which would pass it on. */

@@ -32,7 +32,7 @@ MdtJoint *mdt_jointCreate(MdtWorldID w, MdtBclJointType type, const char *caller
     j->type = MdtBclTypeOf(type);
     j->bcl.type = type;
     j->breakForce = j->breakTorque = MEINFINITY;
-    j->base.record.flags = MDT_WATCHED;
+    j->base.record.flags = 0;
     w->userConstraints += type == MdtBclUSER;
     j->type->reset(&j->bcl);
     mdt_listAppend(&w->constraints, &j->base.link, w->nextSerial++);
@@ -152,9 +152,9 @@ void mdt_constraintDisable(MdtConstraintID handle, const char *caller) {
     const MdtConstraintID c = baseOf(handle);
     if (!(c->record.flags & MDT_ENABLED) || isGroupMember(handle))
         return;
+    mdt_constraintDisturb(c);
     c->record.flags &= ~MDT_ENABLED;
     mdt_graphChanged(c->world);
-    mdt_constraintDisturb(c);
     c->world->enabledConstraints--;
     MEASSERT(c->world->enabledConstraints >= 0);
     for (int k = 0; k < 2; k++) /* the body may have slept because of it */
@@ -198,7 +198,7 @@ static void attach(MdtConstraintID c, int side, MdtBodyID b) {
     if (at->next)
         at->next->previous = at;
     b->attachments = at;
-    b->record.flags |= c->record.flags & (MDT_WATCHED | MDT_APART);
+    b->record.flags |= c->record.flags & (MDT_WATCHED | MDT_TOUCHED | MDT_APART);
     mdt_graphChanged(c->world);
     mdt_constraintDisturb(c);
     MEVALIDATE(mdt_attachmentsAreLinked(b));
@@ -209,7 +209,6 @@ void mdt_constraintWatch(MdtConstraintID c) {
     for (int k = 0; k < 2; k++)
         if (c->side[k].body)
             c->side[k].body->record.flags |= MDT_WATCHED;
-    mdt_constraintDisturb(c);
 }
 
 static MeBool mayAttach(MdtConstraintID c, MdtBodyID b, const char *caller) {

@@ -197,6 +197,7 @@ static MdtBclContactParams *watchedParams(MdtPoint *p, const char *caller) {
     extra->params.options |= isDirected;
     extra->record.flags |= MDT_OWN_PARAMS | MDT_WATCHED;
     mdt_constraintWatch(&m->base);
+    mdt_constraintDisturb(&m->base);
     return &extra->params;
 }
 

@@ -41,7 +41,7 @@ static void setDefaults(MdtWorldID w, MeReal lengthScale, MeReal massScale) {
     w->workBudget = MDTWORLD_DEFAULT_WORK_BUDGET;
     w->minSafeTime = (MeReal)MDTWORLD_DEFAULT_MIN_SAFETIME;
     w->rest.autoDisable = METRUE;
-    w->hasVelThresh = w->hasAccThresh = MEFALSE;
+    w->hasVelThresh = w->hasAccThresh = w->hasThresholds = MEFALSE;
     setThresholdsOfRest(w);
     w->rest.velrot_thresh = (MeReal)MDTWORLD_DEFAULT_VELROT_THRESH;
     w->rest.accrot_thresh = (MeReal)MDTWORLD_DEFAULT_ACCROT_THRESH;
@@ -218,6 +218,9 @@ void MEAPI MdtWorldSetGravity(const MdtWorldID w, const MeReal gx, const MeReal 
     MDT_NEED_WORLD(w, );
     if (!mdt_isFinite3(__func__, "gravity", gx, gy, gz))
         return;
+    const MeReal *g = w->params.gravity;
+    if (g[0] != gx || g[1] != gy || g[2] != gz)
+        mdt_sleepersWakeAll(w);
     w->params.gravity[0] = gx, w->params.gravity[1] = gy, w->params.gravity[2] = gz;
     w->idle.isOver = METRUE;
     setThresholdsOfRest(w);
@@ -280,7 +283,7 @@ MeBool MEAPI MdtWorldGetAutoDisable(const MdtWorldID w) {
 void MEAPI MdtWorldSetAutoDisableVelocityThreshold(const MdtWorldID w, const MeReal vt) {
     MDT_NEED_WORLD(w, );
     if (mdt_isAtLeast(__func__, "the threshold", vt, 0))
-        w->rest.vel_thresh = vt, w->hasVelThresh = METRUE;
+        w->rest.vel_thresh = vt, w->hasVelThresh = w->hasThresholds = METRUE;
 }
 
 MeReal MEAPI MdtWorldGetAutoDisableVelocityThreshold(const MdtWorldID w) {
@@ -291,7 +294,7 @@ MeReal MEAPI MdtWorldGetAutoDisableVelocityThreshold(const MdtWorldID w) {
 void MEAPI MdtWorldSetAutoDisableAngularVelocityThreshold(const MdtWorldID w, const MeReal avt) {
     MDT_NEED_WORLD(w, );
     if (mdt_isAtLeast(__func__, "the threshold", avt, 0))
-        w->rest.velrot_thresh = avt;
+        w->rest.velrot_thresh = avt, w->hasThresholds = METRUE;
 }
 
 MeReal MEAPI MdtWorldGetAutoDisableAngularVelocityThreshold(const MdtWorldID w) {
@@ -302,7 +305,7 @@ MeReal MEAPI MdtWorldGetAutoDisableAngularVelocityThreshold(const MdtWorldID w) 
 void MEAPI MdtWorldSetAutoDisableAccelerationThreshold(const MdtWorldID w, const MeReal at) {
     MDT_NEED_WORLD(w, );
     if (mdt_isAtLeast(__func__, "the threshold", at, 0))
-        w->rest.acc_thresh = at, w->hasAccThresh = METRUE;
+        w->rest.acc_thresh = at, w->hasAccThresh = w->hasThresholds = METRUE;
 }
 
 MeReal MEAPI MdtWorldGetAutoDisableAccelerationThreshold(const MdtWorldID w) {
@@ -313,7 +316,7 @@ MeReal MEAPI MdtWorldGetAutoDisableAccelerationThreshold(const MdtWorldID w) {
 void MEAPI MdtWorldSetAutoDisableAngularAccelerationThreshold(const MdtWorldID w, const MeReal aat) {
     MDT_NEED_WORLD(w, );
     if (mdt_isAtLeast(__func__, "the threshold", aat, 0))
-        w->rest.accrot_thresh = aat;
+        w->rest.accrot_thresh = aat, w->hasThresholds = METRUE;
 }
 
 MeReal MEAPI MdtWorldGetAutoDisableAngularAccelerationThreshold(const MdtWorldID w) {

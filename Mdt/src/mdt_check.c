@@ -82,8 +82,10 @@ MeBool mdt_isConstraint(const MdtBaseConstraint *c, const char *caller) {
 #else
     const MeBool isLive = c && (mdt_isPoint(c) || mdt_isJoint(c) || mdt_isManifold(c));
 #endif
-    if (isLive)
+    if (isLive) {
+        mdt_constraintTouch((MdtConstraintID)(uintptr_t)c);
         return METRUE;
+    }
     warnAbout(caller, "constraint", c == NULL);
     return MEFALSE;
 }

@@ -100,7 +100,7 @@ static MeBool isSmall(const MdtIsland *p) {
  * wedged, and what the exact solver has worked at too long. So a partition does not change its solver to and fro. */
 static MeBool isStillDisturbed(const MdtIsland *p, const MdtBody *b) {
     return b->unrest != MDT_CALM &&
-           (p->numJoints > 0 || isSmall(p) || p->isAmongMany || b->slowTime == 0 ||
+           (p->numJoints > 0 || isSmall(p) || p->isAmongMany || mdt_bodyIsFast(b) ||
             b->settlingWork > mdt_mostSettlingWork);
 }
 

@@ -97,6 +97,16 @@ typedef struct MdtStart {
     unsigned long movesAfter;
 } MdtStart;
 
+/* For how long a body has hardly moved, and near which pose it swings (mdt_sleep.c). */
+typedef struct MdtStay {
+    double way, slowTime;              /* m, s: its way, and for how long that has been short */
+    double position[3], quaternion[4]; /* of the centre of mass */
+    double time;                       /* s, for which it has been near there */
+    double farthest;                   /* m, that it was away from there */
+    int returns;                       /* how often it has come back by half of that */
+    MeBool isBack;
+} MdtStay;
+
 /* How the force on a body answers to its motion: sums over frames (mdt_force.c). */
 typedef struct MdtFeedback {
     double along[3];           /* the direction of the force's last change */
@@ -114,16 +124,17 @@ typedef struct MdtApplied {
 } MdtApplied;
 
 enum {
-    MDT_ENABLED = 1,  /* takes part in the simulation */
-    MDT_ASLEEP = 2,   /* was disabled by the world, not by the program */
-    MDT_FAR = 4,      /* was stopped at the bound of positions, with a warning */
-    MDT_WATCHED = 8,  /* programs write its parameters through a pointer; of a body: those of a constraint of it */
-    MDT_LONE = 16,    /* a manifold of one contact that is in no group */
-    MDT_SWAPPED = 32, /* a group that was attached as (null, body) */
-    MDT_APART = 64,   /* a joint whose bodies do not collide with each other; a body that has or had such a joint */
-    MDT_FORCED = 128, /* a body whose program has given a force, be it 0, for the step that comes */
-    MDT_KEPT = 256,   /* a body whose force goes on for the rest of the step in which it was given */
-    MDT_STIFF = 512,  /* a body of whose stiff force the program was warned */
+    MDT_ENABLED = 1,    /* takes part in the simulation */
+    MDT_ASLEEP = 2,     /* was disabled by the world, not by the program */
+    MDT_FAR = 4,        /* was stopped at the bound of positions, with a warning */
+    MDT_WATCHED = 8,    /* programs write its parameters through a pointer; of a body: those of a constraint of it */
+    MDT_LONE = 16,      /* a manifold of one contact that is in no group */
+    MDT_SWAPPED = 32,   /* a group that was attached as (null, body) */
+    MDT_APART = 64,     /* a joint whose bodies do not collide with each other; a body that has or had such a joint */
+    MDT_FORCED = 128,   /* a body whose program has given a force, be it 0, for the step that comes */
+    MDT_KEPT = 256,     /* a body whose force goes on for the rest of the step in which it was given */
+    MDT_TOUCHED = 1024, /* a joint that a program may have changed by a call; of a body: one of its joints is */
+    MDT_STIFF = 512,    /* a body of whose stiff force the program was warned */
 };
 
 /* What has happened in a body's partition, and for how long that matters: mdt_crowd.c. */
@@ -154,14 +165,12 @@ struct MdtBody {
     MdtWorldID world;
     MdtAttachment *attachments; /* its joints and manifolds */
     /* read for partitions at rest */
-    unsigned long certificate;                     /* of rest, the world's when it was given; 0: none (mdt_rest.c) */
+    unsigned long certificate;                     /* of rest, the world's when it was given, or MDT_SLEEPS; 0: none */
     MeVector3 shownVelocity, shownAngularVelocity; /* as last written by the library: a difference was written by a
                                                       program */
     double force[3], torque[3];                    /* N, N m, added since the last step */
     double impulse[3], twist[3];                   /* N s, N m s, the same */
     double lag, part;                              /* s: time by which it is behind its world; its last step */
-    double slowTime;                               /* s, for which it has been below the thresholds of rest */
-    double gainTime;                               /* s, for which it has been so and gained energy in every step */
     double enabledTime;                            /* s */
     int enabledSteps;
     double aliveTime; /* s, since MdtBodyEnable was called last, though it may have been enabled already */
@@ -176,7 +185,8 @@ struct MdtBody {
     MdtStart start;
     double push[3]; /* m/s: displacement of the last step over h, less the velocity: position
                                            correction */
-    double theta;   /* 1/2 to 1: it moved by (1 - θ) v + θ v⁺ in the last step */
+    MdtStay stay;
+    double theta; /* 1/2 to 1: it moved by (1 - θ) v + θ v⁺ in the last step */
     MdtApplied applied;
     double centre[3];     /* m, of mass, in the body's frame */
     double centreTurn[4]; /* w x y z, axes of the centre of mass to the body's frame */
@@ -201,11 +211,25 @@ void mdt_bodyLostByRounding(const MdtBody *b, const double point[3], double lost
 void mdt_bodyVelocity(const MdtBody *b, MdtKeaVelocity *v); /* with `spin`: as last shown */
 void mdt_bodyAcceptVelocities(MdtBodyID b); /* takes over velocities that were written through pointers */
 void mdt_bodyKeepWithinReach(MdtBodyID b);  /* stops a body that has come to the bound of positions */
-void mdt_bodyWakeIfAsleep(MdtBodyID b);
+void mdt_bodyAge(MdtBodyID b, double h);    /* after a step of h seconds */
+MeBool mdt_bodyIsFast(const MdtBody *b);    /* above the world's thresholds of velocities */
+
+/* ---- sleep (mdt_sleep.c) ---- */
+
 void mdt_bodySleep(MdtBodyID b);
-void mdt_bodyAge(MdtBodyID b, double h);     /* after a step of h seconds */
-MeBool mdt_bodyIsStarting(const MdtBody *b); /* slow, but on its way to be fast */
-MeBool mdt_bodyIsPushedAwake(MdtBodyID b);   /* asleep, and the waiting forces would move it */
+void mdt_bodyWakeIfAsleep(MdtBodyID b);
+/* Its program has put it elsewhere: it has not stayed anywhere yet. */
+void mdt_stayForget(MdtBodyID b);
+/* After a step of h seconds. */
+void mdt_stayCount(MdtBodyID b, double h);
+/* Has it stayed where it is for long? */
+MeBool mdt_staysInPlace(const MdtBody *b);
+/* Wakes the sleepers of which an input has changed since they fell asleep; forces and impulses that do not move the
+ * others are over with the step of h seconds that begins. */
+void mdt_sleepersWake(MdtWorldID w, double h);
+/* All sleepers, as something has changed that concerns each of them. */
+void mdt_sleepersWakeAll(MdtWorldID w);
+
 /* Loads of this step, part of a frame of so many seconds, into kea; empties the accumulators. Momenta that are given as
  * the step begins wait for the joints (mdt_islandKick), if there are any. */
 void mdt_bodyPack(MdtBodyID b, double frame, MeBool hasJoints);
@@ -224,8 +248,11 @@ void mdt_forceKeep(MdtBodyID b);
 /* The program has moved or changed the body: forces begin anew. */
 void mdt_forceForget(MdtBodyID b);
 
-/* An input of the body's next step has changed: its rest certificate ends. Any number of threads may call this at once,
- * as contacts are updated. */
+/* The certificate of bodies that are asleep. */
+#define MDT_SLEEPS ((unsigned long)-1)
+
+/* An input of the body's next step has changed: its rest certificate ends, or its sleep as the next step begins. Any
+ * number of threads may call this at once, as contacts are updated. */
 static inline void mdt_bodyDisturb(MdtBodyID b) {
     if (__atomic_load_n(&b->certificate, __ATOMIC_RELAXED) == 0)
         return;
@@ -274,6 +301,7 @@ typedef struct MdtJoint {
     double warm[MdtBclGETMAXROWS], ripple[MdtBclGETMAXROWS]; /* N, m/s, of the rows in the last step, */
     int numWarm;                                             /* if there are as many */
     MeBool isDegenerate, wasDegenerate;                      /* in this step, in the last one */
+    MeBool isDriven; /* in the last step: its motor ran, or what it is attached to moved */
 } MdtJoint;
 
 static inline MeBool mdt_isJoint(const MdtBaseConstraint *c) {
@@ -283,8 +311,18 @@ static inline MeBool mdt_isJoint(const MdtBaseConstraint *c) {
 /* An input of the constraint's rows has changed. */
 static inline void mdt_constraintDisturb(MdtConstraintID c) {
     for (int k = 0; k < 2; k++)
-        if (c->side[k].body)
+        if (c->side[k].body && (c->record.flags & MDT_ENABLED))
             mdt_bodyDisturb(c->side[k].body);
+}
+
+/* A call of the program has had to do with a joint: it may have changed it. */
+static inline void mdt_constraintTouch(MdtConstraintID c) {
+    if (c->record.magic != MDT_JOINT || (c->record.flags & MDT_TOUCHED))
+        return;
+    c->record.flags |= MDT_TOUCHED;
+    for (int k = 0; k < 2; k++)
+        if (c->side[k].body)
+            c->side[k].body->record.flags |= MDT_TOUCHED;
 }
 
 /* Marks that a program has a pointer to its parameters, and may write them without a setter. */
@@ -458,7 +496,8 @@ struct MdtWorld {
     unsigned int magic;
     MdtWorldParams params;
     MdtPartitionParams rest;
-    MeBool hasVelThresh, hasAccThresh; /* of `rest`, the program has set them */
+    MeBool hasVelThresh, hasAccThresh; /* of `rest`, the program has set them, */
+    MeBool hasThresholds;              /* or any */
     MeReal epsilon, gamma, minSafeTime;
     int maxLcpIterations;
     MeReal workBudget; /* millions of multiplications of a partition's step; 0: no bound */

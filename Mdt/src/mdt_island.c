@@ -177,17 +177,7 @@ static void findIslands(MdtWorldID w) {
     restoreStarts(w);
 }
 
-/* Bodies that sleep, and have been pushed since. */
-static void wakePushed(MdtWorldID w) {
-    if (w->asleepBodies == 0)
-        return;
-    for (MdtLink *link = w->bodies.first; link; link = link->next)
-        if (mdt_bodyIsPushedAwake(mdt_linkOwner(link)))
-            MdtBodyEnable(mdt_linkOwner(link));
-}
-
 void mdt_islandsUpdate(MdtWorldID w) {
-    wakePushed(w);
     const int room = w->bodyRoom + w->constraintRoom;
     const MeBool isRoom = mdt_worldReserve(w, w->bodies.count, w->numConstraints, "MdtWorldStep");
     if (room != w->bodyRoom + w->constraintRoom) { /* the arrays are new */

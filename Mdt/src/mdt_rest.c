@@ -11,8 +11,8 @@
  *     bodies, contacts,      whatever changes one takes the certificate from the bodies concerned (mdt_bodyDisturb); a
  *     the graph              contact that is renewed as it was is no change
  *     forces, velocities     compared with those that the last step began with, or has shown
- *     parameters of joints   programs write them through pointers: a 64-bit hash of all that MdtBcl keeps of a joint
- *                            (isWatched); that two differ and have the same has a chance of 2^-64
+ *     parameters of joints   a 64-bit hash of all that MdtBcl keeps of a joint, if a call has had to do with it since,
+ *                            or programs have a pointer to them; two that differ are equal by a chance of 2^-64
  */
 #include "MeAssert.h"
 #include "mdt_step_i.h"
@@ -93,18 +93,22 @@ static void certifyConstraint(MdtConstraintID c) {
         forWatchedContacts(mdt_asManifold(c), certifyContact);
 }
 
-/* Visits the watched constraints of the body, each once, from one of its two bodies. */
-static MeBool isWatchedFrom(const MdtAttachment *at, const MdtBaseConstraint *c) {
-    return (c->record.flags & MDT_WATCHED) && (c->record.flags & MDT_ENABLED) &&
+/* Visits the constraints of the body that may have been changed without a word, each once, from one of two bodies. */
+static MeBool isToCompare(const MdtAttachment *at, const MdtBaseConstraint *c) {
+    return (c->record.flags & (MDT_WATCHED | MDT_TOUCHED)) && (c->record.flags & MDT_ENABLED) &&
            (mdt_attachmentSide(at) == 0 || !c->side[0].body);
 }
 
-static MeBool areConstraintsAsCertified(const MdtBody *b) {
+MeBool mdt_restAreConstraintsAsCertified(MdtBodyID b) {
+    if (!(b->record.flags & (MDT_WATCHED | MDT_TOUCHED)))
+        return METRUE;
     for (const MdtAttachment *at = b->attachments; at; at = at->next) {
         const MdtConstraintID c = mdt_attachmentOwner(at);
-        if (isWatchedFrom(at, c) && !isAsCertified(c))
+        if (isToCompare(at, c) && !isAsCertified(c))
             return MEFALSE;
+        c->record.flags &= mdt_attachmentSide(at) == 0 || !c->side[0].body ? ~MDT_TOUCHED : ~0;
     }
+    b->record.flags &= ~MDT_TOUCHED;
     return METRUE;
 }
 
@@ -127,7 +131,7 @@ MeBool mdt_restHolds(const MdtIsland *p) {
     for (int i = 0; i < p->numBodies; i++) {
         const MdtBody *b = p->bodies[i];
         if (b->certificate != p->world->certificate || !isLoadedAsBefore(b) || !movesAsBefore(b) ||
-            ((b->record.flags & MDT_WATCHED) && !areConstraintsAsCertified(b)))
+            !mdt_restAreConstraintsAsCertified(p->bodies[i]))
             return MEFALSE;
     }
     return p->h >= p->whole;
@@ -310,13 +314,18 @@ static void MEAPI certifyBodies(void *context, int first, int end, int worker) {
     }
 }
 
+void mdt_restCertifyConstraints(const MdtIsland *p) {
+    for (int i = 0; i < p->numActing; i++)
+        if (mdt_isJoint(p->acting[i]) || (p->acting[i]->record.flags & MDT_WATCHED))
+            certifyConstraint(p->acting[i]);
+}
+
 void mdt_restCertify(MdtIsland *p, MeBool isSettled) {
     Certifying certifying = {p, isSettled};
     MEASSERT(p->world->certificate != 0 && p->elapsed > 0);
     MeTeamRunRanges(p->team, p->numBodies, MDT_RANGE, certifyBodies, &certifying);
-    for (int i = 0; i < p->numActing && isSettled; i++)
-        if (p->acting[i]->record.flags & MDT_WATCHED)
-            certifyConstraint(p->acting[i]);
+    if (isSettled)
+        mdt_restCertifyConstraints(p);
 }
 
 /* ---- of batches ---- */

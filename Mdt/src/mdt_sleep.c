@@ -1,13 +1,144 @@
-/* Rest: whether a partition has come to rest, by the thresholds of its world and by the surfaces that it
- * stands on, and putting it to sleep. */
+/* Sleep: which partitions are at rest, and what wakes their bodies.
+ *
+ * A partition is put to sleep if the next second (five alive times) would not move it to speak of. Of each body that is
+ * known
+ *
+ *     at once        from its velocity and acceleration, where they are almost 0
+ *     in a second    from where it has been: it has hardly moved, or it has come back to near where it was, so that it
+ *                    trembles, or swings by little; what drifts, creeps or begins to move goes away
+ *
+ * unless a motor, a path, or a surface that moves drives it, or its load is another than in the step before. The
+ * thresholds of the guides have to hold, too. Where the program has set them, what is slower is at rest.
+ *
+ * Asleep, a body's inputs are those with which it fell asleep. What changes one ends its certificate (mdt_bodyDisturb),
+ * and it wakes as the next step begins: docs/simulation.md, "Sleep", has the table. A joint is compared with its hash
+ * if a call has had to do with it since, or its limit was handed out.
+ */
+#include "MdtInternal.h"
 #include "MeAssert.h"
 #include "mdt_step_i.h"
+#include <string.h>
 
-/* A body whose overlap is being corrected moves though its velocity is 0: it must not be put to sleep. */
-static MeBool isPushedOut(MdtBodyID b, const MdtPartitionParams *rest) {
-    const double slow = 1e-4; /* of vel_thresh: squares of velocities */
-    return keaDot(b->push, b->push) > slow * (double)rest->vel_thresh;
+/* Alive times that the rule looks ahead, and back: 1 s by default. */
+enum { AHEAD = 5 };
+/* Of the radius of gyration, or a fifth of the length scale, how far a body moves in that time: what has moved by less
+ * than the first is at rest, and what swings by up to the second, after a time in proportion; what is slower than the
+ * third is so at once; pushes that would move a sleeper by the fourth wake it. A box of 1 m that turns at 2.5e-3 rad/s,
+ * drifts at 1 mm/s, or swings by 1 cm to either side stays awake, and a push that gives it 1 cm/s wakes it. */
+static const double stayingReach = 2.5e-3, swingingReach = 5e-2, quietReach = 2.5e-4, wakingReach = 2.5e-2;
+
+/* ---- one body ---- */
+
+/* s */
+static double timeAhead(const MdtBody *b) {
+    return AHEAD * (double)MdtWorldGetAutoDisableAliveTime(b->world);
 }
+
+/* m: of gyration, or a fifth of the length scale, for what is smaller. */
+static double radiusOf(const MdtBody *b) {
+    const double *I = b->kea.moments, least = 0.2 * (double)b->world->params.lengthScale;
+    return fmax(sqrt(fmax(I[0], fmax(I[1], I[2])) * b->kea.invMass), least);
+}
+
+/* It is near where it is now. */
+static void settle(MdtBodyID b) {
+    keaCopy(b->stay.position, b->kea.position);
+    memcpy(b->stay.quaternion, b->kea.quaternion, sizeof b->stay.quaternion);
+    b->stay.time = b->stay.farthest = 0;
+    b->stay.returns = 0;
+    b->stay.isBack = METRUE;
+}
+
+void mdt_stayForget(MdtBodyID b) {
+    b->stay.way = b->stay.slowTime = 0;
+    settle(b);
+}
+
+/* m, that it is away from there. */
+static double distanceOf(const MdtBody *b, double radius) {
+    double moved[3], back[4], turned[4];
+    keaSubtract(moved, b->kea.position, b->stay.position);
+    keaQuaternionConjugate(back, b->stay.quaternion);
+    keaQuaternionProduct(turned, b->kea.quaternion, back);
+    return keaLength(moved) + 2 * keaLength(turned + 1) * radius;
+}
+
+/* m/s, of its points; overlaps that are corrected included. */
+static double speedOf(const MdtBody *b, double radius) {
+    return keaLength(b->kea.velocity) + radius * keaLength(b->spin) + keaLength(b->push);
+}
+
+static void countWay(MdtStay *s, double way, double most, double h) {
+    const MeBool isShort = s->way + way <= most;
+    s->way = isShort ? s->way + way : 0;
+    s->slowTime = isShort ? s->slowTime + h : 0;
+}
+
+/* What comes back twice swings or trembles, unless it goes a tenth farther in between. Once is not enough: so does what
+ * turns slowly near an end of its way. */
+static void countReturns(MdtStay *s, double distance, double h) {
+    const MeBool isBack = distance < 0.5 * s->farthest;
+    s->returns = distance > 1.1 * s->farthest ? 0 : s->returns + (isBack && !s->isBack);
+    s->isBack = isBack;
+    s->farthest = fmax(s->farthest, distance);
+    s->time += h;
+}
+
+void mdt_stayCount(MdtBodyID b, double h) {
+    const double radius = radiusOf(b), distance = distanceOf(b, radius), t = timeAhead(b);
+    countWay(&b->stay, speedOf(b, radius) * h, stayingReach * radius, h);
+    if (distance > swingingReach * radius || b->stay.time > swingingReach / stayingReach * t)
+        settle(b);
+    else
+        countReturns(&b->stay, distance, h);
+}
+
+/* What swings is given the more time to come to rest the farther it swings. */
+MeBool mdt_staysInPlace(const MdtBody *b) {
+    const MdtStay *s = &b->stay;
+    const double t = timeAhead(b);
+    return s->slowTime >= t ||
+           (s->time >= t && s->returns > 1 && s->farthest <= stayingReach * radiusOf(b) * s->time / t);
+}
+
+/* m, in that time, if it goes on as in the last step. */
+static double wayAhead(const MdtBody *b, double radius) {
+    const MdtKeaVelocity *a = &b->kea.lastStep;
+    const double t = timeAhead(b);
+    return t * speedOf(b, radius) + 0.5 * t * t * (keaLength(a->lin) + radius * keaLength(a->ang));
+}
+
+static MeBool isQuiet(const MdtBody *b) {
+    const double radius = radiusOf(b);
+    return b->world->hasThresholds || wayAhead(b, radius) <= quietReach * radius;
+}
+
+/* N s, N m s over h seconds: how its load differs from that with which it rested. */
+static MeBool getChange(const MdtBody *b, double h, double change[2][3]) {
+    for (int i = 0; i < 3; i++) {
+        change[0][i] = h * (b->force[i] - b->applied.force[i]) + b->impulse[i];
+        change[1][i] = h * (b->torque[i] - b->applied.torque[i]) + b->twist[i];
+    }
+    return keaDot(change[0], change[0]) + keaDot(change[1], change[1]) > 0;
+}
+
+static MeBool wouldMove(const MdtBody *b, const double push[3], const double twist[3]) {
+    const double *I = b->kea.moments, radius = radiusOf(b);
+    const double speed = keaLength(push) * b->kea.invMass + radius * keaLength(twist) / fmin(I[0], fmin(I[1], I[2]));
+    return speed * timeAhead(b) > wakingReach * radius;
+}
+
+static MeBool isAtRest(MdtBodyID b, double h) {
+    const MdtPartitionParams *rest = &b->world->rest;
+    double change[2][3];
+    const MeBool isYoung =
+        rest->alive_window < 0 ? b->aliveTime < (double)rest->alive_time : b->aliveSteps < rest->alive_window;
+    if (isYoung || b->enabledSteps == 0 || MdtBodyIsMovingTest(b, rest) || !(isQuiet(b) || mdt_staysInPlace(b)))
+        return MEFALSE;
+    return b->world->hasThresholds || !getChange(b, h, change) || !wouldMove(b, change[0], change[1]);
+}
+
+/* ---- what keeps a partition awake ---- */
 
 /* Does the surface of the contact's other side move, though what it belongs to need not
  * (MdtContactParamsSetPrimarySlide, MdtConstraintSetWorldLinearVelocity)? */
@@ -31,17 +162,20 @@ static MeBool isCarried(const MdtIsland *p) {
     return MEFALSE;
 }
 
-MeBool mdt_islandIsAtRest(const MdtIsland *p) {
-    const MdtPartitionParams *rest = &p->world->rest;
-    for (int i = 0; i < p->numBodies; i++) {
-        MdtBodyID b = p->bodies[i];
-        const MeBool isYoung =
-            rest->alive_window < 0 ? b->aliveTime < (double)rest->alive_time : b->aliveSteps < rest->alive_window;
-        if (isYoung || b->enabledSteps == 0 || MdtBodyIsMovingTest(b, rest) || mdt_bodyIsStarting(b) ||
-            isPushedOut(b, rest))
-            return MEFALSE;
+static MeBool isDriven(const MdtIsland *p) {
+    for (int i = 0; i < p->numActing; i++) {
+        const MdtJoint *j = mdt_asJoint(p->acting[i]);
+        if (j && j->isDriven)
+            return METRUE;
     }
-    return !isCarried(p);
+    return MEFALSE;
+}
+
+MeBool mdt_islandIsAtRest(const MdtIsland *p) {
+    for (int i = 0; i < p->numBodies; i++)
+        if (!isAtRest(p->bodies[i], p->h))
+            return MEFALSE;
+    return !isCarried(p) && !isDriven(p);
 }
 
 MeBool mdt_islandIsToSleep(const MdtIsland *p) {
@@ -51,8 +185,90 @@ MeBool mdt_islandIsToSleep(const MdtIsland *p) {
     return w->rest.autoDisable && mdt_islandIsAtRest(p);
 }
 
+/* ---- falling asleep, and waking ---- */
+
+/* The forces that were given for this step are the ones under which it rests; they are over with it. */
+static void keepLoad(MdtBodyID b) {
+    keaCopy(b->applied.force, b->force);
+    keaCopy(b->applied.torque, b->torque);
+    memset(b->applied.momentum, 0, sizeof b->applied.momentum);
+    MdtBodyResetForces(b);
+    MdtBodyResetImpulses(b);
+}
+
+void mdt_bodySleep(MdtBodyID b) {
+    static const double none[3] = {0, 0, 0};
+    keaZero(b->kea.velocity);
+    MdtKeaBodySetAngularVelocity(&b->kea, none);
+    keaZero(b->kea.lastStep.lin);
+    keaZero(b->kea.lastStep.ang);
+    b->unrest = MDT_CALM;
+    b->wasHit = MEFALSE;
+    b->settlingWork = 0;
+    keaZero(b->push);
+    mdt_bodyShow(b);
+    keepLoad(b);
+    MdtBodyDisable(b); /* its models are frozen as they are now */
+    b->record.flags |= MDT_ASLEEP;
+    b->world->asleepBodies++;
+    b->certificate = MDT_SLEEPS;
+}
+
 void mdt_islandSleep(const MdtIsland *p) {
+    mdt_restCertifyConstraints(p);
     for (int i = 0; i < p->numBodies; i++)
         mdt_bodySleep(p->bodies[i]);
     MEASSERT(p->world->asleepBodies >= p->numBodies);
+}
+
+void mdt_bodyWakeIfAsleep(MdtBodyID b) {
+    if (b->record.flags & MDT_ASLEEP)
+        MdtBodyEnable(b);
+}
+
+MeBool MEAPI MdtBodyWakeIfAsleep(const MdtBodyID b) {
+    MEASSERT(b);
+    const MeBool isAsleep = (b->record.flags & MDT_ASLEEP) != 0;
+    mdt_bodyWakeIfAsleep(b);
+    return isAsleep;
+}
+
+/* Pushes in a row add up, so that a slight one that goes on wakes it in the end; after a step without one they are
+ * forgotten. */
+static MeBool isPushed(MdtBodyID b, double h) {
+    double change[2][3];
+    if (!getChange(b, h, change)) {
+        memset(b->applied.momentum, 0, sizeof b->applied.momentum);
+        return MEFALSE;
+    }
+    for (int k = 0; k < 2; k++)
+        keaAddScaled(b->applied.momentum[k], 1, change[k]);
+    return wouldMove(b, b->applied.momentum[0], b->applied.momentum[1]);
+}
+
+static MeBool isToWake(MdtBodyID b, double h) {
+    mdt_bodyAcceptVelocities(b);
+    return b->certificate == 0 || isPushed(b, h) || !mdt_restAreConstraintsAsCertified(b);
+}
+
+void mdt_sleepersWake(MdtWorldID w, double h) {
+    for (MdtLink *link = w->asleepBodies > 0 ? w->bodies.first : NULL; link; link = link->next) {
+        MdtBodyID b = mdt_linkOwner(link);
+        if (!(b->record.flags & MDT_ASLEEP))
+            continue;
+        if (isToWake(b, h)) {
+            MdtBodyEnable(b);
+        } else {
+            MdtBodyResetForces(b);
+            MdtBodyResetImpulses(b);
+        }
+    }
+}
+
+void mdt_sleepersWakeAll(MdtWorldID w) {
+    for (MdtLink *link = w->asleepBodies > 0 ? w->bodies.first : NULL; link; link = link->next) {
+        MdtBodyID b = mdt_linkOwner(link);
+        if (b->record.flags & MDT_ASLEEP)
+            mdt_bodyDisturb(b);
+    }
 }

@@ -89,6 +89,7 @@ void mdt_islandTake(MdtIsland *p, MeBool safely) {
 void mdt_worldStep(MdtWorldID w, double h, MeBool safely) {
     MeProfileStartSection("Dynamics", 0);
     MeProfileStartSection("Partition", 0);
+    mdt_sleepersWake(w, h);
     mdt_islandsUpdate(w);
     mdt_restBegin(w);
     if (w->isReported)

@@ -141,6 +141,10 @@ void mdt_restCertify(MdtIsland *p, MeBool isSettled);
  * a batch's members. */
 MeBool mdt_restIsNear(const MdtWorld *w, int partition);
 void mdt_restCountCalm(MdtIsland *p);
+/* The parameters of its constraints are what it rests with; whether those of a body still are, of which programs may
+ * have changed some without a word. */
+void mdt_restCertifyConstraints(const MdtIsland *p);
+MeBool mdt_restAreConstraintsAsCertified(MdtBodyID b);
 
 /* Finds the batches of a step, with a team's help unless it is null; such a one; takes it, instead of its members'
  * steps (mdt_batch.c). */

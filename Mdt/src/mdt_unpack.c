@@ -41,13 +41,23 @@ void mdt_unpackImpact(MdtIsland *p) {
     addForces(p, 1 / p->h);
 }
 
+/* Does the row move the bodies: by a motor that has its speed, or by an attachment that moves? A motor that is held
+ * gives all its force, and moves nothing. */
+static MeBool drives(const MdtKeaRow *row) {
+    const MeBool isMotor = !row->position && !row->spring && row->target != 0;
+    return row->drift != 0 || (isMotor && row->force > row->lower && row->force < row->upper);
+}
+
 static void unpackJoint(const MdtIsland *p, MdtJoint *j, MeBool isGuess) {
     const MdtKeaRow *rows = p->kea.rows + j->firstRow;
     MdtBclContext x;
     MEASSERT(j->firstRow >= 0 && j->firstRow + j->numRows <= p->kea.numRows);
     j->numWarm = isGuess ? j->numRows : 0;
-    for (int r = 0; r < j->numRows; r++)
+    j->isDriven = MEFALSE;
+    for (int r = 0; r < j->numRows; r++) {
         j->warm[r] = rows[r].force, j->ripple[r] = rows[r].ripple;
+        j->isDriven = j->isDriven || drives(&rows[r]);
+    }
     mdt_rowsContext(p, &j->base, &j->worldVelocity, &x);
     x.firstRow = j->firstRow;
     if (j->type->readBack)

@@ -34,8 +34,8 @@
  *      the owner               writes the rows of its joints, numRows
  *      MdtKeaCountContactRows  reads manifolds; writes numRows of their points
  *      MdtKeaMakeContactRows   writes their rows and moves behind the others
- *      MdtKeaKick              reads rows of joints, kicks; writes velocities of bodies, report.work. MdtKeaInit is called
- *                              after it, and the rows are filled, again
+ *      MdtKeaKick              reads rows of joints, kicks; writes velocities of bodies, report.work. MdtKeaInit is
+ *                              called after it, and the rows are filled, again
  *      MdtKeaMeets             reads rows; writes nothing
  *      MdtKeaImpact            reads rows, parameters; writes velocities of bodies and what MdtKeaInit makes of them,
  *                              forces (N s), report.work and .limited

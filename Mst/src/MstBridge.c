@@ -73,6 +73,7 @@ static void freeAll(MstBridgeRecord *b) {
     mst_runTerm(&b->run);
     mst_eventsTerm(b);
     MeMemoryGive(b->clamped);
+    MeMemoryGive(b->thawed);
     MeMemoryGive(b);
 }
 
@@ -90,6 +91,7 @@ static MeBool addMaterial(MstBridgeRecord *b, const char *function) {
     for (unsigned int i = 0; i <= m; i++) {
         MdtContactParamsReset(&row[i].pair.params);
         row[i].pair.params.velThreshold *= McdFrameworkGetLengthScale(b->frame);
+        row[i].known = row[i].pair.params;
     }
     b->materials[b->materialCount++] = row;
     return METRUE;
@@ -336,8 +338,10 @@ void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, cons
         return;
     const char *before = MeCallerSet("MstBridgeUpdateContacts");
     MeProfileStartSection("Collision", 0);
-    if (record->part == 0)
+    if (record->part == 0) {
         mst_eventsBegin(record, w ? MdtWorldGetTeam(w) : 0);
+        mst_wakeChanged(record, s);
+    }
     mst_clearSafeTimes(record);
     record->ahead = McdSpaceGetLookAhead(s);
     MeProfileStartSection("Pairs", 0);

@@ -84,6 +84,7 @@ static void keepContacts(MstBridgeRecord *b, McdModelPair *p, MstMaterialPair *m
         for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c))
             MdtContactSetParams(c, &materials->params);
     t->version = version;
+    mst_push(b, p);
     MdtContactGroupEnable(group);
     mst_touchNoteAgain(b, p);
 }
@@ -119,6 +120,7 @@ static void commitContacts(MstBridgeRecord *b, const MstRun *run, const MstFindi
         return;
     }
     renewContacts(b, run, f, group);
+    mst_push(b, f->pair);
     if (MdtContactGroupGetCount(group) > 0)
         MdtContactGroupEnable(group);
 }
@@ -136,7 +138,9 @@ static void commitWithCallbacks(MstBridgeRecord *b, MstRun *run, MstFinding *f, 
         emptyGroup(f->pair);
         return;
     }
-    callPerContact(b, run, group, renewContacts(b, run, f, group));
+    const int renewed = renewContacts(b, run, f, group);
+    mst_push(b, f->pair);
+    callPerContact(b, run, group, renewed);
     if (MdtContactGroupGetCount(group) > 0)
         MdtContactGroupEnable(group);
     if (materials->perPairCb && !materials->perPairCb(result, group))

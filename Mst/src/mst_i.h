@@ -95,6 +95,7 @@ struct MstTouch {
     bool isSensor;                                  /* as of that step, like the rest of the line */
     bool hasContacts;                               /* got any */
     bool isUndecided;                               /* forces say whether it touches: it is in that list, too */
+    bool isPushed;                                  /* its contacts move with a model without a body (mst_moved.c) */
     MeReal lag;        /* s, of its bodies when `impulse` was last added to; MEINFINITY: the step is whole yet */
     MeReal separation; /* m, the least of its contacts as the step began */
     MeReal tolerance;  /* m, of both models */
@@ -145,6 +146,7 @@ typedef struct MstEvents {
 /* The parameters of two materials, and a copy to detect changes: programs write them at any time. */
 typedef struct MstMaterialRecord {
     MstMaterialPair pair, seen; /* first: what programs see; as of the last look, */
+    MdtBclContactParams known;  /* the parameters, as mst_moved.c last saw them */
     unsigned long version;      /* since when it has been like that, */
     unsigned long lookedIn;     /* and the bridge's round in which that was */
 } MstMaterialRecord;
@@ -206,10 +208,13 @@ struct MstBridgeRecord {
     MstEvents events;
     MdtBodyID *clamped; /* bodies that have a safe time in this part of the step */
     int clampedCount, clampedMax;
-    MeReal ahead;    /* s, the longest that a model may move in this part of the step */
-    MeBool areApart; /* some joint of the world lets its bodies pass through each other, as this container begins */
-    int part;        /* of the step: 0 is the first, in which all bodies move */
-    MeReal reuse;    /* MstBridgeSetContactReuse */
+    MeReal ahead;        /* s, the longest that a model may move in this part of the step */
+    MeBool areApart;     /* some joint of the world lets its bodies pass through each other, as this container begins */
+    int part;            /* of the step: 0 is the first, in which all bodies move */
+    MeReal reuse;        /* MstBridgeSetContactReuse */
+    MstModelRef *thawed; /* models that are frozen again in the next step (mst_moved.c) */
+    int thawedCount, thawedMax;
+    unsigned int nextMaterial[2]; /* of the materials that it looks at, in turn */
 };
 
 /* A model's body: McdModelGetBody without the question whether it is a model, which costs a lock. */
@@ -332,6 +337,15 @@ MeReal mst_lagOfPair(const McdModelPair *p);
 MeReal mst_approachAt(const McdModelPair *p, MeVector3 point, const MeVector3 normal);
 /* A contact's normal as it pushes the first model, whichever body its group has first. */
 void mst_normalOf(const McdModelPair *p, MdtContactID c, MeVector3 normal);
+
+/* ---- what programs change (mst_moved.c) -------------------------------------------------------------------------- */
+
+/* A step begins: unfreezes frozen models that have changed, and wakes what touches with parameters that have. */
+void mst_wakeChanged(MstBridgeRecord *b, McdSpaceID s);
+/* Whether a model without a body has moved, or did in the last step, so that commit has to set the velocities of the
+ * pair's contacts; sets them. */
+MeBool mst_isPushed(const McdModelPair *p);
+void mst_push(const MstBridgeRecord *b, const McdModelPair *p);
 
 /* ---- events (MstEvents.c) ---------------------------------------------------------------------------------------- */
 

@@ -44,7 +44,7 @@ static MeBool isOwn(const MstBridgeRecord *b, const MstRun *run, const MstFindin
     const McdModelPair *p = f->pair;
     const MstTouch *t = p->touch;
     if (b->part > 0 || p->phase == kMcdFFStateInactive || !t || mst_touchIsListed(&b->events, t) || f->isFast ||
-        !mst_areMaterialsSeen(b))
+        !mst_areMaterialsSeen(b) || mst_isPushed(p))
         return MEFALSE;
     if (f->outcome == MST_TESTED ? !f->isKnown : t->version != mst_versionSeen(f->materials))
         return MEFALSE;

@@ -176,10 +176,19 @@ static void createBody(Scene *s) {
         MdtBodyEnable(b);
 }
 
+/* What the constraint acts on wakes in the next step. */
+static void disturb(MdtConstraintID c) {
+    for (unsigned int k = 0; c && MdtConstraintIsEnabled(c) && k < 2; k++)
+        if (MdtConstraintGetBody(c, k) && MdtBodyGetUserData(MdtConstraintGetBody(c, k)) == &asleep)
+            MdtBodySetUserData(MdtConstraintGetBody(c, k), &pushed);
+}
+
 static void destroyBody(Scene *s) {
     if (s->numBodies == 0)
         return;
     const int i = below(s, s->numBodies);
+    for (MdtConstraintID c = MdtBodyGetFirstConstraint(s->body[i]); c; c = MdtBodyGetNextConstraint(s->body[i], c))
+        disturb(c);
     MdtBodyDestroy(s->body[i]);
     s->body[i] = s->body[--s->numBodies];
 }
@@ -208,12 +217,14 @@ static void tie(Scene *s, MdtConstraintID c) {
     const MdtBodyID a = someBody(s), b = below(s, 3) ? someBody(s) : 0;
     if (a && a != b)
         MdtConstraintSetBodies(c, below(s, 2) && b ? b : a, below(s, 2) && b ? a : 0);
+    disturb(c);
 }
 
 static void destroyConstraint(Scene *s) {
     if (s->numConstraints == 0)
         return;
     const int i = below(s, s->numConstraints);
+    disturb(s->constraint[i]);
     MdtConstraintDestroy(s->constraint[i]);
     s->constraint[i] = s->constraint[--s->numConstraints];
 }
@@ -230,37 +241,41 @@ static void createJoint(Scene *s) {
     keep(s, c);
     if (below(s, 4))
         MdtConstraintEnable(c);
+    disturb(c);
 }
 
 static void switchConstraint(Scene *s) {
     const MdtConstraintID c = someConstraint(s);
+    disturb(c);
     if (c && MdtConstraintIsEnabled(c))
         MdtConstraintDisable(c);
     else if (c && (MdtConstraintGetBody(c, 0) || MdtConstraintGetBody(c, 1)))
         MdtConstraintEnable(c);
-    /* what it held in its sleep wakes */
-    for (unsigned int k = 0; c && k < 2; k++)
-        if (MdtConstraintGetBody(c, k) && MdtBodyIsEnabled(MdtConstraintGetBody(c, k)))
-            MdtBodySetUserData(MdtConstraintGetBody(c, k), 0);
+    disturb(c);
 }
 
 static void retie(Scene *s) {
     const MdtConstraintID c = someConstraint(s);
+    disturb(c);
     if (c)
         tie(s, c);
 }
 
 static void addContact(Scene *s) {
     const MdtContactGroupID g = someGroup(s);
-    if (g && MdtContactGroupGetCount(g) < 3)
-        MdtContactGroupCreateContact(g);
+    if (!g || MdtContactGroupGetCount(g) >= 3)
+        return;
+    MdtContactGroupCreateContact(g);
+    disturb(MdtContactGroupQuaConstraint(g));
 }
 
 static void destroyContact(Scene *s) {
     const MdtContactGroupID g = someGroup(s);
     const MdtContactID c = g ? MdtContactGroupGetFirstContact(g) : 0;
-    if (c)
-        MdtContactGroupDestroyContact(g, c);
+    if (!c)
+        return;
+    MdtContactGroupDestroyContact(g, c);
+    disturb(MdtContactGroupQuaConstraint(g));
 }
 
 /* A contact that leaves its group is a constraint of its own. */
@@ -270,9 +285,11 @@ static void removeContact(Scene *s) {
     if (!c)
         return;
     MdtContactGroupRemoveContact(g, c);
+    disturb(MdtContactGroupQuaConstraint(g));
     keep(s, MdtContactQuaConstraint(c));
     if (below(s, 2))
         MdtConstraintEnable(MdtContactQuaConstraint(c));
+    disturb(MdtContactQuaConstraint(c));
 }
 
 static void sortBody(Scene *s) {

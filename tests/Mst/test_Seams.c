@@ -61,16 +61,17 @@ START_TEST(a_seam_between_fixed_boxes_is_not_felt) {
 }
 END_TEST
 
+/* It is stopped after .3 m, and moves away with some 2 % of its speed, as the floors have no friction. */
 START_TEST(a_step_of_a_thousandth_of_the_size_stops_a_box) {
     for (int kind = 0; kind <= HULL; kind += HULL)
-        assert_near(slide(kind, .8, 60, 5e-4), .3, .01);
+        assert_near(slide(kind, .8, 60, 5e-4), .29, .015);
 }
 END_TEST
 
 START_TEST(what_is_flush_to_a_ten_thousandth_of_its_radius_passes) {
     const double radius = sqrt(.2 * .2 + .2 * .2 + .05 * .05);
     assert_near(slide(BOX, .8, 60, .7e-4 * radius), .8, .01);
-    assert_near(slide(BOX, .8, 60, 1.5e-4 * radius), .3, .01);
+    assert_near(slide(BOX, .8, 60, 1.5e-4 * radius), .29, .015);
 }
 END_TEST
 

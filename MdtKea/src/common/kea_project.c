@@ -64,7 +64,8 @@ void kea_project(MdtKeaSystem *s) {
         q->scale[b] = q->metric[b].linear * most; /* kg m: of displacements */
     }
     for (int i = 0; i < s->numRows; i++) {
-        s->work->takesPart[i] = (char)(kea_isRigidJoint(&s->rows[i]) || (s->rows[i].contact == i && !s->rows[i].isOpen));
+        const MdtKeaRow *row = &s->rows[i];
+        s->work->takesPart[i] = (char)(kea_isRigidJoint(row) || (row->contact == i && !row->isOpen));
         kea_setInstantRow(s, i, &q->row[i]);
         q->row[i].isCheckedElsewhere = s->rows[i].contact != i;
     }

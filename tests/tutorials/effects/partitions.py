@@ -11,6 +11,6 @@ def check():
     assert figure(status(20, '4@5,4@6'), 'partitions') == 6
     line = status(60, '5@5')
     assert (figure(line, 'partitions'), figure(line, 'at rest')) == (1, 9), line
-    line = status(1800, '5@5')
+    line = status(3600, '5@5')
     assert (figure(line, 'partitions'), figure(line, 'at rest')) == (0, 12), line
-    assert figure(status(1810, '5@5,Up@1805'), 'at rest') == 9
+    assert figure(status(3610, '5@5,Up@3605'), 'at rest') == 9

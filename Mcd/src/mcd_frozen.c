@@ -1,0 +1,51 @@
+/* Frozen models that have changed all the same: their box, and the pairs of two of them, are those of before.
+ *
+ * A setter of a shape or a model counts in its framework, and then all are looked at. A program may also write to a
+ * frozen model's matrix without a word; so some are looked at in each step, in turn.
+ */
+#include "McdInternal.h"
+#include "mcd_space_i.h"
+#include <string.h>
+
+/* Of them, in a step: each is looked at within as many steps. A look takes some 60 ns. */
+enum { TURNS = 16 };
+
+/* Compares it with what its box was made of. A box that was made before the first look has none to compare with. */
+static MeBool hasChanged(McdModelRecord *m, MeBool *hasMoved) {
+    MeReal before[4][3];
+    memcpy(before, m->inputs.axis, sizeof before[0] * 3);
+    memcpy(before[3], m->inputs.place, sizeof before[3]);
+    const MeU64 stamp = mcd_modelStamp(m);
+    *hasMoved = memcmp(before, m->inputs.axis, sizeof before[0] * 3) != 0 ||
+                memcmp(before[3], m->inputs.place, sizeof before[3]) != 0;
+    const MeBool isStirred = m->isStirred;
+    m->isStirred = MEFALSE;
+    if (m->boxStamp == 0) {
+        m->boxStamp = stamp;
+        return isStirred;
+    }
+    return isStirred || (stamp != 0 && stamp != m->boxStamp);
+}
+
+static void look(McdSpace *s, int i, McdFrozenVisit visit, void *context) {
+    const McdProxy *p = &s->proxy[i];
+    MeBool hasMoved;
+    if (p->model && p->isFrozen && p->hasBox && hasChanged(p->model, &hasMoved))
+        visit((McdModelID)p->model, hasMoved, context);
+}
+
+void MEAPI McdSpaceVisitChangedFrozen(McdSpaceID s, McdFrozenVisit visit, void *context) {
+    MEASSERT(s && visit);
+    const int all = s->proxyRoom;
+    const int count = s->changesSeen == s->frame->changes ? (all + TURNS - 1) / TURNS : all;
+    s->changesSeen = s->frame->changes;
+    for (int i = 0; i < count; i++) {
+        s->nextLook = s->nextLook + 1 < s->proxyRoom ? s->nextLook + 1 : 0;
+        look(s, s->nextLook, visit, context);
+    }
+}
+
+MeBool MEAPI McdModelIsAsItsBox(McdModelID cm) {
+    McdModelRecord *m = mcd_record(cm);
+    return mcd_modelStamp(m) == m->boxStamp && !m->isStirred;
+}
