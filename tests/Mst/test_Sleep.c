@@ -329,7 +329,7 @@ END_TEST
 
 /* ---- models that programs move ----------------------------------------------------------------------------------- */
 
-/* A fixed model that is moved as the manual says pushes what it touches, asleep or awake, and does not go through it. */
+/* A fixed model that is moved as the manual says pushes what it touches, asleep or awake, and does not go through. */
 START_TEST(what_is_moved_pushes_sleepers) {
     const double speeds[] = {.05, 1, 5};
     for (int up = 0; up < 2; up++)
