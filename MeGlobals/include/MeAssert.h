@@ -3,8 +3,8 @@
  *
  *  They are for broken invariants, not for bad input, which gets a MeWarning. In Karma's libraries they are on in Debug
  *  and RelWithDebInfo builds, and where CMake's KARMA_CHECK is ON (then KARMA_ASSERT=1); in programs, which do not set
- *  KARMA_ASSERT, unless NDEBUG is defined, as for assert(). Otherwise they evaluate nothing. They are cheap: a comparison
- *  or two of what is at hand.
+ *  KARMA_ASSERT, unless NDEBUG is defined, as for assert(). Otherwise they evaluate nothing. They cost no more than
+ *  what they check.
  *
  *  MEVALIDATE is for checks that cost more than what they check, such as walking a list: they are compiled in where
  *  KARMA_VALIDATE is defined too.
