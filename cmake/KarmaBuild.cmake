@@ -19,8 +19,8 @@ endif()
 # Two classes of checks, both off in what is shipped: with both, programs take 10 to 25 % longer, and end at the first
 # assertion that is broken.
 #
-#     KARMA_CHECK      macro KARMA_CHECK: handles     macro KARMA_ASSERT: assertions,
-#                      are looked up                  which are cheap (MeAssert.h)
+#     KARMA_CHECK      macro KARMA_CHECK: handles     macro KARMA_ASSERT: assertions
+#                      are looked up                  (MeAssert.h)
 #     ON               1                              1
 #     OFF              0                              0
 #     AUTO, the default, by the build type:
