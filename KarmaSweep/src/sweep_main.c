@@ -218,9 +218,11 @@ static void nameFiles(const Options *o, const SweepPlan *plan, char out[NAME], c
     const char *name = o->out ? o->out : plan->scene->name, *type = o->out ? "" : ".csv";
     if (snprintf(out, NAME, "%s%s", name, type) >= NAME)
         sweep_fail("-out has a name of more than %d bytes: choose a shorter one", NAME - 1);
-    snprintf(journal, NAME + 16, "%s.journal", out);
-    sweep_mustBeFile(out, o->scene);
+    snprintf(journal, NAME + 16, "%s.draft", out); /* sweep_journalWrite makes it */
     sweep_mustBeFile(journal, o->scene);
+    snprintf(journal, NAME + 16, "%s.journal", out);
+    sweep_mustBeFile(journal, o->scene);
+    sweep_mustBeFile(out, o->scene);
 }
 
 static int lead(const Options *o, SweepRanks ranks, const SweepPlan *plan) {

@@ -200,13 +200,15 @@ def check_out():
     (directory / 'folder').mkdir()
     (directory / 'full.csv.journal').symlink_to('/dev/full')
     (directory / 'waits.csv.journal').symlink_to('pipe')
+    (directory / 'drafts.csv.draft').mkdir()
     shutil.copy(scene, directory / 'scene.so')
     place = socket.socket(socket.AF_UNIX)
     place.bind(str(directory / 'socket'))
     for name, text in ((device, 'is a device'), ('pipe', 'is a pipe'), ('folder', 'is a directory'),
                        ('.', 'is a directory'), ('socket', 'is a socket'), ('link', 'is a device'),
                        ('nowhere', 'is a link to what'),
-                       ('full.csv', 'is a device'), ('waits.csv', 'is a pipe'), ('scene.so', 'is the scene'),
+                       ('full.csv', 'is a device'), ('waits.csv', 'is a pipe'),
+                       ('drafts.csv', 'drafts.csv.draft is a directory'), ('scene.so', 'is the scene'),
                        ('', 'lacks its value'), ('x' * 5000, 'choose a shorter one'), ('x' * 300, 'cannot be written'),
                        ('not-there/out.csv', 'cannot be written')):
         is_there = len(name) < 99 and os.path.lexists(directory / name)
