@@ -2,8 +2,43 @@
 if(NOT KARMA_PRECISION MATCHES "^(single|double)$")
   message(FATAL_ERROR "KARMA_PRECISION is '${KARMA_PRECISION}': it must be single or double")
 endif()
-if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
-  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+get_property(has_configurations GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)
+set(release_options "")
+if(NOT CMAKE_BUILD_TYPE AND NOT has_configurations)
+  message(STATUS "Karma: no build type is given (CMAKE_BUILD_TYPE): it counts as Release")
+  if(PROJECT_IS_TOP_LEVEL)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+  else() # another project's build type is its own
+    foreach(lang C CXX)
+      separate_arguments(options UNIX_COMMAND "${CMAKE_${lang}_FLAGS_RELEASE}")
+      list(APPEND release_options "$<$<COMPILE_LANGUAGE:${lang}>:${options}>")
+    endforeach()
+  endif()
+endif()
+
+# Two classes of checks, both off in what is shipped: with both, programs take 10 to 25 % longer, and end at the first
+# assertion that is broken.
+#
+#     KARMA_CHECK      macro KARMA_CHECK: handles     macro KARMA_ASSERT: assertions
+#                      are looked up                  (MeAssert.h)
+#     ON               1                              1
+#     OFF              0                              0
+#     AUTO, the default, by the build type:
+#       Debug          1                              1
+#       RelWithDebInfo 0                              1
+#       any other      0                              0
+string(TOUPPER "${KARMA_CHECK}" check)
+if(check STREQUAL AUTO)
+  set(checks $<CONFIG:Debug>)
+  set(assertions $<CONFIG:Debug,RelWithDebInfo>)
+elseif(check MATCHES "^(ON|TRUE|YES|1)$")
+  set(checks 1)
+  set(assertions 1)
+elseif(check MATCHES "^(OFF|FALSE|NO|0)$")
+  set(checks 0)
+  set(assertions 0)
+else()
+  message(FATAL_ERROR "KARMA_CHECK is '${KARMA_CHECK}': it must be AUTO, ON or OFF")
 endif()
 
 set(CMAKE_C_STANDARD 11)
@@ -19,6 +54,7 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 # Linked to privately by every target of this project.
 add_library(karma_settings INTERFACE)
+target_compile_options(karma_settings INTERFACE ${release_options})
 # No fused multiply-add behind our back: the same bits on every machine and at every optimization level.
 target_compile_options(karma_settings INTERFACE -ffp-contract=off -fno-math-errno
   -Wall -Wextra -Wshadow -Wconversion -Wpointer-arith -Wundef -Wvla
@@ -38,11 +74,7 @@ endif()
 if(KARMA_WERROR)
   target_compile_options(karma_settings INTERFACE -Werror)
 endif()
-if(KARMA_CHECK)
-  target_compile_definitions(karma_settings INTERFACE KARMA_CHECK=1)
-else()
-  target_compile_definitions(karma_settings INTERFACE KARMA_CHECK=0)
-endif()
+target_compile_definitions(karma_settings INTERFACE KARMA_CHECK=${checks} KARMA_ASSERT=${assertions})
 if(KARMA_VALIDATE)
   target_compile_definitions(karma_settings INTERFACE KARMA_VALIDATE=1)
 endif()

@@ -1,6 +1,21 @@
 # pkg-config files (one per library, and karma.pc for everything) and the CMake package.
 include(CMakePackageConfigHelpers)
 
+# Nothing is installed where nobody said, as into the default /usr/local by an empty --prefix.
+set(KARMA_NO_PREFIX /no-prefix-was-given)
+if(PROJECT_IS_TOP_LEVEL AND CMAKE_INSTALL_PREFIX_INITIALIZED_TO_DEFAULT)
+  set_property(CACHE CMAKE_INSTALL_PREFIX PROPERTY VALUE ${KARMA_NO_PREFIX})
+endif()
+include(GNUInstallDirs)
+
+# Before all other rules. Where another project is installed is not ours to say.
+function(karma_guard_install)
+  if(PROJECT_IS_TOP_LEVEL)
+    install(CODE "set(KARMA_SOURCE \"${PROJECT_SOURCE_DIR}\")\nset(KARMA_NO_PREFIX ${KARMA_NO_PREFIX})" ALL_COMPONENTS)
+    install(SCRIPT ${PROJECT_SOURCE_DIR}/cmake/KarmaInstallGuard.cmake ALL_COMPONENTS)
+  endif()
+endfunction()
+
 # karma_pkgconfig(<library> <description> <Karma libraries it needs> <system libraries it needs>)
 function(karma_pkgconfig name description depends system)
   set(requires "")

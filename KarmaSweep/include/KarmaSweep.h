@@ -40,8 +40,8 @@ typedef struct SweepParameter {
 
 /** A scene. All of it lives as long as the library is loaded. */
 typedef struct SweepScene {
-    int version; /**< SWEEP_VERSION */
-    const char *name;
+    int version;        /**< SWEEP_VERSION */
+    const char *name;   /**< Of the table, without -out. No slashes, commas, quotes or line ends. */
     int parameterCount; /**< 0 to SWEEP_PARAMETERS */
     const SweepParameter *parameter;
     int resultCount; /**< 1 to SWEEP_RESULTS */
@@ -50,7 +50,8 @@ typedef struct SweepScene {
      * One run. @a parameter has a value of each parameter, @a result takes one of each result; at first they are NaN.
      * Returns 0, or what went wrong, above 0: the row then says `failed` with that number. It is called many times in
      * one process, and by several processes, in any order; what it returns must depend on the parameters alone. Should
-     * it crash or hang, that costs its process, and the run is tried again.
+     * it crash, that costs its process, and the run is tried again. Its standard input is empty, what it prints goes to
+     * the standard error output of karma-sweep, and of what is open only its own files and those of sweepScene are.
      */
     int (*run)(const double *parameter, double *result);
 } SweepScene;

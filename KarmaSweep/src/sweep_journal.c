@@ -5,10 +5,10 @@
  *
  * A row that is torn, or does not fit its checksum, ends the journal: it is cut off there. One process at a time has
  * it. */
-#define _DEFAULT_SOURCE /* flock, ftruncate */
 #include "sweep_i.h"
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
@@ -16,25 +16,33 @@
 
 /* ---- reading ----------------------------------------------------------------------------------------------------- */
 
-static void writeAll(int file, const char *text, size_t size) {
+_Noreturn static void failWriting(const char *path) {
+    sweep_fail(
+        "%s cannot be written: %s: make room (df, quota, ulimit -f) or choose another -out; started again with the "
+        "same options, it goes on where it was",
+        path, strerror(errno));
+}
+
+static void writeAll(const SweepJournal *j, const char *text, size_t size) {
     while (size > 0) {
-        const ssize_t written = write(file, text, size);
+        const ssize_t written = write(j->file, text, size);
         if (written < 0 && errno == EINTR)
             continue;
         if (written <= 0)
-            sweep_fail("the journal cannot be written: %s", strerror(errno));
+            failWriting(j->path);
         text += written;
         size -= (size_t)written;
     }
 }
 
-static char *readAll(int file, size_t *size) {
-    const off_t end = lseek(file, 0, SEEK_END);
-    char *text = sweep_memory((size_t)end + 1, 1);
-    *size = 0;
-    for (ssize_t got; (got = pread(file, text + *size, (size_t)end - *size, (off_t)*size)) > 0;)
-        *size += (size_t)got;
-    return text;
+static void readAll(SweepJournal *j, size_t *size) {
+    const off_t end = lseek(j->file, 0, SEEK_END);
+    ssize_t got = 1;
+    j->text = sweep_memory((size_t)end + 1, 1);
+    for (*size = 0; got > 0; *size += got > 0 ? (size_t)got : 0)
+        got = pread(j->file, j->text + *size, (size_t)end - *size, (off_t)*size);
+    if (got < 0) /* not damaged: rows may still be there */
+        sweep_fail("%s cannot be read: %s: try again, or choose another -out", j->path, strerror(errno));
 }
 
 static int head(const SweepPlan *plan, char *text, size_t size) {
@@ -82,37 +90,54 @@ static size_t readRows(SweepJournal *j, char *text, size_t size, size_t at) {
     return at;
 }
 
-static void readJournal(SweepJournal *j, const char *path) {
+/* Whether it begins as a journal does, of whatever sweep. */
+static bool isJournal(const char *text) {
+    int length = 0;
+    return sscanf(text, "karma-sweep 1 %*16[0-9a-f] %*d%n", &length) == 0 && length > 0 && text[length] == '\n';
+}
+
+/* Returns how much of the text is good, 0: all of it is to be written; fails if it is somebody else's. */
+static size_t readText(SweepJournal *j, size_t size, const char *expected, size_t length) {
+    char *text = j->text;
+    if (size >= length && memcmp(text, expected, length) == 0)
+        return readRows(j, text, size, length);
+    if (size < length && memcmp(text, expected, size) == 0)
+        return 0; /* torn as it was begun */
+    if (isJournal(text))
+        sweep_fail("%s is of another scene, other parameters or another sample: choose another -out, or -again",
+                   j->path);
+    sweep_fail("%s is damaged in its first line, or no journal: choose another -out, or -again, which begins it anew",
+               j->path);
+}
+
+static void readJournal(SweepJournal *j) {
     char expected[80];
     size_t size;
     const size_t length = (size_t)head(j->plan, expected, sizeof expected);
-    char *text = readAll(j->file, &size);
-    size_t good = 0;
-    if (size >= length && memcmp(text, expected, length) == 0)
-        good = readRows(j, text, size, length);
-    else if (size >= length || (size > 0 && memchr(text, '\n', size)))
-        sweep_fail("%s is of another scene, other parameters or another sample: choose another -out, or -again", path);
-    free(text);
+    readAll(j, &size);
+    const size_t good = readText(j, size, expected, length);
+    free(j->text);
+    j->text = NULL;
     if (good < size && good > 0)
-        sweep_say("%s: what follows after %ld rows is damaged, and is run again", path, j->done);
-    if (ftruncate(j->file, (off_t)good) != 0 || lseek(j->file, 0, SEEK_END) < 0)
-        sweep_fail("%s cannot be written: %s", path, strerror(errno));
+        sweep_say("%s: what follows after %ld rows is damaged, and is run again", j->path, j->done);
+    if (ftruncate(j->file, (off_t)good) != 0)
+        failWriting(j->path);
     if (good == 0)
-        writeAll(j->file, expected, length);
+        writeAll(j, expected, length);
     else if (j->done > 0)
         sweep_say("%ld of %ld rows are there already", j->done, j->plan->runs);
 }
 
 void sweep_journalOpen(SweepJournal *j, const char *path, const SweepPlan *plan, bool again) {
-    *j = (SweepJournal){.plan = plan, .file = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666)};
+    *j = (SweepJournal){.plan = plan, .path = path, .file = open(path, O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666)};
     if (j->file < 0)
-        sweep_fail("%s cannot be written: %s", path, strerror(errno));
+        sweep_fail("%s cannot be written: %s: choose another -out", path, strerror(errno));
     if (flock(j->file, LOCK_EX | LOCK_NB) != 0)
-        sweep_fail("%s is at work in another karma-sweep", path);
+        sweep_fail("%s is at work in another karma-sweep: wait for it, or choose another -out", path);
     j->row = sweep_memory((size_t)plan->runs, sizeof *j->row);
     if (again && ftruncate(j->file, 0) != 0)
-        sweep_fail("%s cannot be written: %s", path, strerror(errno));
-    readJournal(j, path);
+        failWriting(path);
+    readJournal(j);
 }
 
 /* ---- writing ----------------------------------------------------------------------------------------------------- */
@@ -124,7 +149,7 @@ void sweep_journalAdd(SweepJournal *j, long run, const char *row) {
     const int length = snprintf(line, sizeof line - 20, "%ld %s ", run, row);
     const uint64_t sum = checksum(j->plan, line, (size_t)length);
     const int whole = length + snprintf(line + length, 20, "#%016llx\n", (unsigned long long)sum);
-    writeAll(j->file, line, (size_t)whole);
+    writeAll(j, line, (size_t)whole);
     keep(j, run, row);
 }
 
@@ -155,18 +180,32 @@ static void writeRow(const SweepJournal *j, long run, FILE *out) {
     fprintf(out, ",%.*s\n", (int)strcspn(row, " "), row);
 }
 
-void sweep_journalWrite(const SweepJournal *j, const char *path) {
-    char draft[4096];
-    snprintf(draft, sizeof draft, "%s.draft", path);
-    FILE *out = fopen(draft, "w");
-    if (!out)
-        sweep_fail("%s cannot be written: %s", draft, strerror(errno));
+static bool writeTable(const SweepJournal *j, FILE *out) {
     writeTitles(j->plan->scene, out);
     for (long run = 0; run < j->plan->runs; run++)
         writeRow(j, run, out);
-    const bool isWhole = !ferror(out);
-    if (fclose(out) != 0 || !isWhole || rename(draft, path) != 0)
-        sweep_fail("%s cannot be written: %s", path, strerror(errno));
+    return fflush(out) == 0 && !ferror(out) && fsync(fileno(out)) == 0;
+}
+
+void sweep_journalWrite(const SweepJournal *j, const char *path) {
+    char target[PATH_MAX], draft[PATH_MAX + 8];
+    if (!realpath(path, target)) /* a link stays one */
+        snprintf(target, sizeof target, "%s", path);
+    snprintf(draft, sizeof draft, "%s.draft", target);
+    unlink(draft);
+    const int file = open(draft, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    FILE *out = file < 0 ? NULL : fdopen(file, "w");
+    if (!out)
+        failWriting(draft);
+    int error = writeTable(j, out) ? 0 : errno;
+    if (fclose(out) != 0 && error == 0)
+        error = errno;
+    if (error == 0 && rename(draft, target) == 0)
+        return;
+    error = error ? error : errno;
+    unlink(draft);
+    errno = error;
+    failWriting(path);
 }
 
 void sweep_journalClose(SweepJournal *j) {

@@ -1,11 +1,13 @@
 /* karma-sweep: runs a scene over a grid or a sample of its parameters, on all processors of this machine or of several,
  * into one CSV file, whose bytes do not depend on how many those are. docs/sweep.md */
-#define _DEFAULT_SOURCE
 #include "sweep_i.h"
 #include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 static const char usage[] =
@@ -20,14 +22,16 @@ static const char usage[] =
     "  -silence S         a rank that says nothing for S seconds is taken for dead, at first 10\n"
     "  -again             forgets what the journal has\n"
     "  -list              tells the parameters and results of the scene, and ends\n"
-    "A sweep that was stopped goes on where it was when it is started again with the same options.\n";
+    "A sweep that was stopped goes on where it was when it is started again with the same options.\n"
+    "Exit code: 0, 1 if some runs have no results, 2 if there is no table.\n";
+
+enum { SETTINGS = 4 * SWEEP_PARAMETERS };
 
 typedef struct Options {
     const char *scene, *out;
-    const char *set[SWEEP_PARAMETERS];
+    const char *set[SETTINGS];
     int setCount;
-    long sample, workers, limit, silence;
-    unsigned long seed;
+    long sample, workers, limit, silence, seed;
     bool again, list;
 } Options;
 
@@ -79,15 +83,63 @@ void sweep_number(char *text, size_t size, double x) {
     }
 }
 
+/* ---- files ------------------------------------------------------------------------------------------------------- */
+
+static const char *kindOf(mode_t mode) {
+    return S_ISDIR(mode) ? "a directory" : S_ISFIFO(mode) ? "a pipe" : S_ISSOCK(mode) ? "a socket" : "a device";
+}
+
+void sweep_mustBeFile(const char *path, const char *scene) {
+    struct stat status, other;
+    const bool isThere = stat(path, &status) == 0;
+    if (!isThere && lstat(path, &status) == 0)
+        sweep_fail("%s is a link to what cannot be found: choose another -out", path);
+    if (isThere && !S_ISREG(status.st_mode))
+        sweep_fail("%s is %s, which would be lost: choose another -out, a file", path, kindOf(status.st_mode));
+    if (isThere && stat(scene, &other) == 0 && other.st_dev == status.st_dev && other.st_ino == status.st_ino)
+        sweep_fail("%s is the scene, which would be lost: choose another -out", path);
+}
+
+/* As one of them, a file of ours would get what others print. */
+static void openStandardFiles(void) {
+    int file;
+    while ((file = open("/dev/null", O_RDWR)) >= 0 && file <= STDERR_FILENO)
+        continue;
+    close(file);
+}
+
 /* ---- options ----------------------------------------------------------------------------------------------------- */
 
-static long countOf(const char *option, const char *text) {
+/* Options with a number, and which it may be. */
+typedef struct NumberOption {
+    const char *name;
+    long least, most;
+} NumberOption;
+
+enum { SAMPLE, SEED, WORKERS, LIMIT, SILENCE, NUMBERS };
+static const NumberOption numbers[NUMBERS] = {{"-sample", 1, SWEEP_RUNS},
+                                              {"-seed", 0, LONG_MAX},
+                                              {"-workers", 1, SWEEP_WORKERS},
+                                              {"-limit", 0, 100000000},
+                                              {"-silence", 1, 100000000}};
+
+static long numberOf(const NumberOption *option, const char *text) {
     char *end;
     errno = 0;
     const long value = text ? strtol(text, &end, 10) : -1;
-    if (!text || end == text || *end || value < 0 || errno)
-        sweep_fail("%s: a whole number has to follow", option);
+    if (!text || end == text || *end || value < option->least || value > option->most || errno)
+        sweep_fail("%s: a whole number has to follow, from %ld to %ld", option->name, option->least, option->most);
     return value;
+}
+
+static bool readNumber(Options *o, const char *option, const char *value) {
+    long *const to[NUMBERS] = {&o->sample, &o->seed, &o->workers, &o->limit, &o->silence};
+    for (int i = 0; i < NUMBERS; i++)
+        if (strcmp(option, numbers[i].name) == 0) {
+            *to[i] = numberOf(&numbers[i], value);
+            return true;
+        }
+    return false;
 }
 
 static void readOption(Options *o, int argc, char **argv, int *i) {
@@ -96,23 +148,23 @@ static void readOption(Options *o, int argc, char **argv, int *i) {
         *(option[1] == 'a' ? &o->again : &o->list) = true;
         return;
     }
-    if (strcmp(option, "-sample") == 0)
-        o->sample = countOf(option, value);
-    else if (strcmp(option, "-seed") == 0)
-        o->seed = (unsigned long)countOf(option, value);
-    else if (strcmp(option, "-workers") == 0)
-        o->workers = countOf(option, value);
-    else if (strcmp(option, "-limit") == 0)
-        o->limit = countOf(option, value);
-    else if (strcmp(option, "-silence") == 0)
-        o->silence = countOf(option, value);
-    else if (strcmp(option, "-out") == 0 && value)
+    ++*i;
+    if (readNumber(o, option, value))
+        return;
+    if (strcmp(option, "-out") == 0 && value && *value)
         o->out = value;
-    else if (strcmp(option, "-set") == 0 && value && o->setCount < SWEEP_PARAMETERS)
+    else if (strcmp(option, "-set") == 0 && value && o->setCount == SETTINGS)
+        sweep_fail("-set %s: more than %d of them: one for each parameter will do", value, SETTINGS);
+    else if (strcmp(option, "-set") == 0 && value)
         o->set[o->setCount++] = value;
     else
         sweep_fail("%s is no option, or lacks its value\n%s", option, usage);
-    ++*i;
+}
+
+/* What was printed has to arrive. */
+static void closeOutput(void) {
+    if (fflush(stdout) != 0 || ferror(stdout))
+        sweep_fail("the standard output cannot be written: %s", strerror(errno));
 }
 
 static Options readOptions(int argc, char **argv) {
@@ -120,6 +172,7 @@ static Options readOptions(int argc, char **argv) {
     for (int i = 1; i < argc; i++)
         if (strcmp(argv[i], "-help") == 0 || strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
             printf("%s", usage);
+            closeOutput();
             exit(0);
         } else if (argv[i][0] == '-')
             readOption(&o, argc, argv, &i);
@@ -141,13 +194,14 @@ static void list(const SweepPlan *p) {
     for (int i = 0; i < p->scene->resultCount; i++)
         printf("result %s\n", p->scene->result[i]);
     printf("%ld runs\n", p->runs);
+    closeOutput();
 }
 
 static int workersOf(const Options *o, SweepRanks ranks) {
     const long processors = sysconf(_SC_NPROCESSORS_ONLN);
     if (o->workers > 0)
-        return o->workers < 256 ? (int)o->workers : 256;
-    return ranks.count > 1 || processors < 1 ? 1 : (int)processors;
+        return (int)o->workers;
+    return ranks.count > 1 || processors < 1 ? 1 : processors < SWEEP_WORKERS ? (int)processors : SWEEP_WORKERS;
 }
 
 static long countBad(const SweepJournal *j) {
@@ -157,11 +211,24 @@ static long countBad(const SweepJournal *j) {
     return bad;
 }
 
+enum { NAME = PATH_MAX - 16 }; /* of a table: its journal and draft have longer ones */
+
+/* They are looked at before anything is made or run. */
+static void nameFiles(const Options *o, const SweepPlan *plan, char out[NAME], char journal[NAME + 16]) {
+    const char *name = o->out ? o->out : plan->scene->name, *type = o->out ? "" : ".csv";
+    if (snprintf(out, NAME, "%s%s", name, type) >= NAME)
+        sweep_fail("-out has a name of more than %d bytes: choose a shorter one", NAME - 1);
+    snprintf(journal, NAME + 16, "%s.draft", out); /* sweep_journalWrite makes it */
+    sweep_mustBeFile(journal, o->scene);
+    snprintf(journal, NAME + 16, "%s.journal", out);
+    sweep_mustBeFile(journal, o->scene);
+    sweep_mustBeFile(out, o->scene);
+}
+
 static int lead(const Options *o, SweepRanks ranks, const SweepPlan *plan) {
-    char out[4000], journalPath[4096];
+    char out[NAME], journalPath[NAME + 16];
     SweepJournal journal;
-    snprintf(out, sizeof out, "%s%s", o->out ? o->out : plan->scene->name, o->out ? "" : ".csv");
-    snprintf(journalPath, sizeof journalPath, "%s.journal", out);
+    nameFiles(o, plan, out, journalPath);
     sweep_journalOpen(&journal, journalPath, plan, o->again);
     const long before = journal.done;
     sweep_ranksLead(ranks, plan, &journal, workersOf(o, ranks), (int)o->limit);
@@ -176,6 +243,10 @@ static int lead(const Options *o, SweepRanks ranks, const SweepPlan *plan) {
 }
 
 int main(int argc, char **argv) {
+    openStandardFiles();
+    signal(SIGCHLD, SIG_DFL); /* whatever it was: ends of processes are to be seen */
+    signal(SIGPIPE, SIG_IGN); /* writing fails instead, with a message */
+    signal(SIGXFSZ, SIG_IGN);
     SweepRanks ranks = sweep_ranksBegin(&argc, &argv);
     const Options o = readOptions(argc, argv);
     ranks.silence = (int)o.silence;
@@ -185,7 +256,7 @@ int main(int argc, char **argv) {
     sweep_planInit(&plan, loaded.scene);
     for (int i = 0; i < o.setCount; i++)
         sweep_planSet(&plan, o.set[i]);
-    sweep_planFinish(&plan, o.sample, o.seed, loaded.id);
+    sweep_planFinish(&plan, o.sample, (unsigned long)o.seed, loaded.id);
     if (o.list && ranks.rank == 0)
         list(&plan);
     else if (!o.list && ranks.rank == 0)

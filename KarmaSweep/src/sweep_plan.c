@@ -4,8 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_RUNS = 100000000 };
-
 void sweep_planInit(SweepPlan *p, const SweepScene *scene) {
     *p = (SweepPlan){.scene = scene};
     for (int i = 0; i < scene->parameterCount; i++)
@@ -26,20 +24,40 @@ static SweepParameter *find(SweepPlan *p, const char *text, size_t length) {
     sweep_fail("-set %s: the scene has no parameter of that name; -list tells them", text);
 }
 
+/* "5", "5:6" or "5:6:7"; returns how many of the three there are, 0: something else. */
+static int readPlaces(const char *text, double end[2], long *count) {
+    char *rest = (char *)text;
+    for (int i = 0; i < 2; i++) {
+        const char *from = rest;
+        end[i] = strtod(from, &rest);
+        if (rest == from)
+            return 0;
+        if (*rest != ':')
+            return *rest ? 0 : i + 1;
+        rest++;
+    }
+    const char *from = rest;
+    *count = strtol(from, &rest, 10);
+    return rest == from || *rest ? 0 : 3;
+}
+
 void sweep_planSet(SweepPlan *p, const char *text) {
-    const char *value = strchr(text, '=');
-    double least, largest;
-    int count, length = 0;
+    const char *value = strchr(text, '='), *form = "name=value, name=least:largest or name=least:largest:count";
+    double end[2];
+    long count = 1;
     if (!value)
-        sweep_fail("-set %s: write name=value, name=least:largest or name=least:largest:count", text);
+        sweep_fail("-set %s: write %s", text, form);
     SweepParameter *parameter = find(p, text, (size_t)(value - text));
-    const int found = sscanf(++value, "%lf%n:%lf%n:%d%n", &least, &length, &largest, &length, &count, &length);
-    if (found < 1 || value[length] || !isfinite(least) || (found > 1 && !(largest >= least && isfinite(largest))) ||
-        (found > 2 && count < 1))
-        sweep_fail("-set %s: write name=value, name=least:largest or name=least:largest:count", text);
-    parameter->least = least;
-    parameter->largest = found > 1 ? largest : least;
-    parameter->count = found > 2 ? count : found > 1 ? parameter->count : 1;
+    const int found = readPlaces(value + 1, end, &count);
+    if (found == 0)
+        sweep_fail("-set %s: write %s", text, form);
+    end[1] = found > 1 ? end[1] : end[0];
+    if (!(end[1] >= end[0]) || !isfinite(end[1] - end[0]) || count < 1 || count > SWEEP_RUNS)
+        sweep_fail("-set %s: write %s, with finite numbers, least <= largest, and a count from 1 to %d", text, form,
+                   SWEEP_RUNS);
+    parameter->least = end[0];
+    parameter->largest = end[1];
+    parameter->count = found > 2 ? (int)count : found > 1 ? parameter->count : 1;
 }
 
 /* ---- the number of runs, and what they are ----------------------------------------------------------------------- */
@@ -48,7 +66,7 @@ static long sizeOfGrid(const SweepPlan *p) {
     double size = 1;
     for (int i = 0; i < p->scene->parameterCount; i++)
         size *= p->parameter[i].count;
-    if (size > MOST_RUNS)
+    if (size > SWEEP_RUNS)
         sweep_fail("a grid of %.3g runs is too large: set fewer places, or take a sample (-sample)", size);
     return (long)size;
 }
@@ -69,8 +87,6 @@ static uint64_t idOf(const SweepPlan *p, uint64_t sceneId) {
 }
 
 void sweep_planFinish(SweepPlan *p, long sample, unsigned long seed, uint64_t sceneId) {
-    if (sample > MOST_RUNS)
-        sweep_fail("-sample %ld: at most %d", sample, MOST_RUNS);
     p->isSample = sample > 0;
     p->seed = seed;
     p->runs = p->isSample ? sample : sizeOfGrid(p);

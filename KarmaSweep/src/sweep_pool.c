@@ -1,202 +1,196 @@
-/* Processes of this machine that run the scene: a worker reads numbers of runs from a pipe and answers with rows.
+/* The workers of this machine: which runs they get, what becomes of their rows, and what is done when they die.
  *
- * A worker that dies is reported, and another takes its place; the run in which it died is tried again, up to three
- * times, and what it was to do after that goes to whoever is free. A worker whose pool is gone reads the end of its
- * pipe, and ends. */
-#define _DEFAULT_SOURCE /* alarm, kill */
+ * A worker that dies is reported, and another takes its place. The run in which it died is the first one of the new
+ * process, so that it cannot suffer twice from what ran before; it is tried three times in all. The rest of the dead
+ * worker's share goes to whoever is free. The pool keeps the time: it kills a worker whose run takes longer than the
+ * limit, whatever that does with signals. SIGCHLD says that a worker has an answer, or has died. */
 #include "sweep_i.h"
 #include <errno.h>
-#include <fcntl.h>
 #include <math.h>
 #include <poll.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
-enum { SHARE = 4 }; /* runs that wait in a worker's pipe, so that it need not wait for the pool */
-enum { TRIES = 3 }; /* of a run that ends its process: a killed worker is no fault of the run */
-enum { MOST_WORKERS = 256 };
-
-typedef struct Worker {
-    pid_t process;
-    int to, from; /* pipes */
-    long run[SHARE];
-    int given; /* runs that it has not answered yet: run[0] is the one at work */
-    char text[2 * SWEEP_ROW];
-    size_t length;
-} Worker;
-
-typedef struct Trouble {
-    long run;
-    int tries;
-} Trouble;
+enum { TRIES = 3 };           /* of a run that ends its process: a killed worker is no fault of the run */
+enum { PRINTED = 10000 };     /* bytes that are shown of what a run prints: 10000 runs fill no more than 100 MB */
+static const double AWAY = 1; /* s between two looks at the clock; longer, and karma-sweep itself was stopped */
 
 struct SweepPool {
-    const SweepPlan *plan;
+    SweepCrew crew;
     SweepClient client;
     int limit;
-    int count;
-    Worker worker[MOST_WORKERS];
-    long *again; /* runs of workers that died */
+    double clock, looked;    /* s: time that runs had, and of the last look at the system's clock */
+    double missedAt;         /* clock of the last attempt to start a process in vain */
+    sigset_t awake;          /* signals that are blocked while it waits */
+    bool isShort, isFlooded; /* said once: there are fewer processes; a run prints too much */
+    long *again;             /* runs of workers that died */
     long againCount, againRoom;
-    Trouble *trouble; /* runs in which workers died */
-    int troubleCount, troubleRoom;
+    unsigned char *tries; /* by run: workers that died in it */
 };
 
-/* ---- in a worker ------------------------------------------------------------------------------------------------- */
+/* ---- clock ------------------------------------------------------------------------------------------------------- */
 
-static void writeRow(int to, const SweepPlan *plan, long run, int status, const double *result) {
-    char text[SWEEP_ROW], number[40];
-    int length = snprintf(text, sizeof text, status == 0 ? "%ld ok" : "%ld failed(%d)", run, status);
-    for (int i = 0; i < plan->scene->resultCount && status == 0; i++) {
-        sweep_number(number, sizeof number, result[i]);
-        length += snprintf(text + length, sizeof text - (size_t)length, " %s", number);
-    }
-    text[length++] = '\n';
-    if (write(to, text, (size_t)length) != length) /* no more than PIPE_BUF: all or nothing */
-        _exit(1);
+static double systemTime(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-_Noreturn static void work(const SweepPlan *plan, int limit, int from, int to) {
-    double value[SWEEP_PARAMETERS], result[SWEEP_RESULTS];
-    long run;
-    signal(SIGPIPE, SIG_DFL);
-    signal(SIGALRM, SIG_DFL);
-    while (read(from, &run, sizeof run) == (ssize_t)sizeof run) {
-        sweep_planValues(plan, run, value);
-        for (int i = 0; i < SWEEP_RESULTS; i++)
-            result[i] = NAN;
-        alarm((unsigned int)limit); /* 0: none */
-        const int status = plan->scene->run(value, result);
-        alarm(0);
-        writeRow(to, plan, run, status, result);
-    }
-    _exit(0);
+static void lookAtClock(SweepPool *pool) {
+    const double now = systemTime();
+    pool->clock += fmin(now - pool->looked, AWAY);
+    pool->looked = now;
 }
 
 /* ---- workers ----------------------------------------------------------------------------------------------------- */
 
-/* A process of fork has all pipes of the pool: as long as it held one, its neighbour would not see the end of it. */
-static void closePipes(const SweepPool *pool) {
-    for (int i = 0; i < pool->count; i++)
-        if (pool->worker[i].process > 0) {
-            close(pool->worker[i].to);
-            close(pool->worker[i].from);
-        }
+static bool areAnyAlive(const SweepCrew *crew) {
+    for (int i = 0; i < crew->count; i++)
+        if (crew->worker[i].process > 0)
+            return true;
+    return false;
 }
 
-static void hire(SweepPool *pool, Worker *w) {
-    int down[2], up[2];
-    if (pipe(down) != 0 || pipe(up) != 0)
-        sweep_fail("there are no more pipes: %s", strerror(errno));
-    fflush(NULL);
-    const pid_t process = fork();
-    if (process < 0)
-        sweep_fail("there are no more processes: %s", strerror(errno));
-    if (process == 0) {
-        closePipes(pool);
-        close(down[1]);
-        close(up[0]);
-        work(pool->plan, pool->limit, down[0], up[1]);
+/* With fewer processes than were wanted it takes longer; with none it ends. */
+static bool hire(SweepPool *pool, SweepWorker *w) {
+    if (sweep_workerStart(&pool->crew, w))
+        return true;
+    const char *why = strerror(errno);
+    if (!areAnyAlive(&pool->crew))
+        sweep_fail(
+            "no worker process can be started: %s: make room (ulimit -u, ulimit -n, memory), and start again: the "
+            "journal has all rows so far",
+            why);
+    if (!pool->isShort)
+        sweep_say("a worker process cannot be started: %s: the others go on; fewer are asked for by -workers", why);
+    pool->isShort = true;
+    pool->missedAt = pool->clock;
+    return false;
+}
+
+static void hireMissing(SweepPool *pool) {
+    for (int i = 0; i < pool->crew.count; i++)
+        if (pool->crew.worker[i].process == 0 && pool->clock - pool->missedAt >= 1 &&
+            !hire(pool, &pool->crew.worker[i]))
+            return;
+}
+
+/* ---- output ------------------------------------------------------------------------------------------------------ */
+
+static void show(const char *text, size_t size) {
+    while (size > 0) {
+        const ssize_t written = write(STDERR_FILENO, text, size);
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written <= 0)
+            return; /* nobody looks */
+        text += written;
+        size -= (size_t)written;
     }
-    close(down[0]);
-    close(up[1]);
-    fcntl(up[0], F_SETFL, O_NONBLOCK);
-    w->process = process;
-    w->to = down[1];
-    w->from = up[0];
-    w->given = 0;
-    w->length = 0;
 }
 
-static void dismiss(Worker *w) {
-    close(w->to);
-    close(w->from);
-    w->process = 0;
-}
-
-/* ---- runs that are tried again ----------------------------------------------------------------------------------- */
-
-static void *room(void *block, long used, long count, size_t size) {
-    void *larger = used < count ? block : realloc(block, (size_t)(2 * count + 16) * size);
-    if (!larger)
-        sweep_fail("no memory");
-    return larger;
-}
-
-static void tryAgain(SweepPool *pool, long run) {
-    pool->again = room(pool->again, pool->againCount, pool->againRoom, sizeof *pool->again);
-    pool->againRoom = pool->againCount < pool->againRoom ? pool->againRoom : 2 * pool->againRoom + 16;
-    pool->again[pool->againCount++] = run;
-}
-
-/* How often workers have died in this run, this time included. */
-static int countTrouble(SweepPool *pool, long run) {
-    for (int i = 0; i < pool->troubleCount; i++)
-        if (pool->trouble[i].run == run)
-            return ++pool->trouble[i].tries;
-    pool->trouble = room(pool->trouble, pool->troubleCount, pool->troubleRoom, sizeof *pool->trouble);
-    pool->troubleRoom = pool->troubleCount < pool->troubleRoom ? pool->troubleRoom : 2 * pool->troubleRoom + 16;
-    pool->trouble[pool->troubleCount++] = (Trouble){run, 1};
-    return 1;
+/* What runs print goes to stderr, but for floods. Which run has printed it is known but nearly: the worker may be a run
+ * ahead of what the pool knows. */
+static void relay(SweepPool *pool, SweepWorker *w) {
+    char text[4096];
+    ssize_t got = -1;
+    for (int turn = 0; turn < 16 && (got = read(w->output, text, sizeof text)) > 0; turn++) {
+        const size_t left = w->printed <= PRINTED ? PRINTED - w->printed : 0;
+        const bool isCutOff = w->printed <= PRINTED && (size_t)got > left;
+        show(text, (size_t)got < left ? (size_t)got : left);
+        w->printed += (size_t)got;
+        if (isCutOff)
+            show("\n", 1);
+        if (isCutOff && !pool->isFlooded)
+            sweep_say("run %ld, or one near it, prints more than %d bytes: what runs print beyond that is not shown",
+                      w->run[0], PRINTED);
+        pool->isFlooded |= isCutOff;
+    }
+    if (got == 0) { /* closed by the run */
+        close(w->output);
+        w->output = -1;
+    }
 }
 
 /* ---- a worker has died ------------------------------------------------------------------------------------------- */
 
-static void sayDeath(const Worker *w, int status, long run, const char *then) {
+static void tryAgain(SweepPool *pool, long run) {
+    if (pool->againCount == pool->againRoom) {
+        pool->againRoom = 2 * pool->againRoom + 16;
+        pool->again = realloc(pool->again, (size_t)pool->againRoom * sizeof *pool->again);
+        if (!pool->again)
+            sweep_fail("no memory");
+    }
+    pool->again[pool->againCount++] = run;
+}
+
+static void sayDeath(pid_t process, int status, long run, const char *then) {
     char how[64];
     if (WIFSIGNALED(status))
         snprintf(how, sizeof how, "was ended by signal %d (%s)", WTERMSIG(status), strsignal(WTERMSIG(status)));
     else
         snprintf(how, sizeof how, "left with exit code %d", WEXITSTATUS(status));
     if (run >= 0)
-        sweep_say("worker process %ld %s in run %ld: %s", (long)w->process, how, run, then);
+        sweep_say("worker process %ld %s in run %ld: %s", (long)process, how, run, then);
     else
-        sweep_say("worker process %ld %s while it waited", (long)w->process, how);
+        sweep_say("worker process %ld %s while it waited", (long)process, how);
 }
 
-static void bury(SweepPool *pool, Worker *w) {
-    int status = 0;
-    while (waitpid(w->process, &status, 0) < 0 && errno == EINTR)
-        continue;
-    const long run = w->given > 0 ? w->run[0] : -1;
-    const bool isLate = pool->limit > 0 && WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM;
-    const bool isOver = run >= 0 && (isLate || countTrouble(pool, run) >= TRIES);
-    sayDeath(w, status, run, isLate ? "it took too long" : isOver ? "given up" : "its share is run again");
-    if (isOver)
-        pool->client.row(pool->client.data, run, isLate ? "late" : "died");
-    for (int i = w->given - 1; i >= (isOver ? 1 : 0); i--)
-        tryAgain(pool, w->run[i]);
-    dismiss(w);
-    hire(pool, w);
+/* Says how it ended, and returns the status of its run if that is not tried again. */
+static const char *judge(SweepPool *pool, const SweepWorker *dead, int status) {
+    const long run = dead->given > 0 ? dead->run[0] : -1;
+    if (run >= 0 && run == dead->lateIn) {
+        sweep_say("worker process %ld took more than %d s (-limit) in run %ld: it is ended", (long)dead->process,
+                  pool->limit, run);
+        return "late";
+    }
+    /* A run that had just been begun when the one before was found late is no cause. */
+    const bool isFault = run >= 0 && dead->lateIn < 0;
+    const bool isOver = isFault && ++pool->tries[run] >= TRIES;
+    sayDeath(dead->process, status, run, isOver ? "given up" : "its share is run again");
+    return isOver ? "died" : NULL;
+}
+
+static void bury(SweepPool *pool, SweepWorker *w) {
+    relay(pool, w);
+    const SweepWorker dead = *w;
+    const char *end = judge(pool, &dead, sweep_workerBury(w));
+    for (int i = dead.given - 1; i >= 1; i--)
+        tryAgain(pool, dead.run[i]);
+    const bool isHired = hire(pool, w);
+    if (end)
+        pool->client.row(pool->client.data, dead.run[0], end);
+    else if (dead.given > 0 && isHired)
+        sweep_workerGive(w, dead.run[0], pool->clock);
+    else if (dead.given > 0)
+        tryAgain(pool, dead.run[0]);
 }
 
 /* ---- runs and rows ----------------------------------------------------------------------------------------------- */
 
-static void takeRow(SweepPool *pool, Worker *w, const char *line) {
-    char *row;
-    const long run = strtol(line, &row, 10);
-    if (w->given == 0 || run != w->run[0] || *row != ' ')
-        sweep_fail("a worker has answered what nobody asked: %s", line);
-    memmove(w->run, w->run + 1, (size_t)--w->given * sizeof *w->run);
-    pool->client.row(pool->client.data, run, row + 1);
+static void sendRow(const SweepPool *pool, const SweepAnswer *a) {
+    char text[SWEEP_ROW], number[40];
+    int length = snprintf(text, sizeof text, a->status == 0 ? "ok" : "failed(%d)", a->status);
+    for (int i = 0; i < pool->crew.plan->scene->resultCount && a->status == 0; i++) {
+        sweep_number(number, sizeof number, a->result[i]);
+        length += snprintf(text + length, sizeof text - (size_t)length, " %s", number);
+    }
+    pool->client.row(pool->client.data, a->run, text);
 }
 
-/* False: the worker is gone. */
-static bool readRows(SweepPool *pool, Worker *w) {
-    const ssize_t got = read(w->from, w->text + w->length, sizeof w->text - w->length);
-    if (got < 0)
-        return errno == EAGAIN || errno == EINTR;
-    w->length += (size_t)got;
-    for (char *end; (end = memchr(w->text, '\n', w->length)) != NULL;) {
-        const size_t line = (size_t)(end + 1 - w->text);
-        *end = 0;
-        takeRow(pool, w, w->text);
-        memmove(w->text, w->text + line, w->length -= line);
+static void takeAnswers(SweepPool *pool, SweepWorker *w) {
+    SweepAnswer a;
+    SweepTaken taken;
+    while ((taken = sweep_workerTake(w, &a, pool->clock)) == SWEEP_TAKEN) {
+        relay(pool, w);
+        w->printed = 0;
+        sendRow(pool, &a);
     }
-    return got > 0;
+    if (taken == SWEEP_RUBBISH && !w->isEnded)
+        sweep_workerEnd(w);
 }
 
 static long takeRun(SweepPool *pool) {
@@ -206,56 +200,105 @@ static long takeRun(SweepPool *pool) {
 /* Evenly: each worker gets its next run before any gets the one after it. */
 static bool giveRuns(SweepPool *pool) {
     bool areAny = false;
-    for (int depth = 0; depth < SHARE; depth++)
-        for (int i = 0; i < pool->count; i++) {
-            Worker *w = &pool->worker[i];
-            if (w->given == depth) {
-                const long run = takeRun(pool);
-                if (run < 0)
-                    break;
-                w->run[w->given++] = run;
-                if (write(w->to, &run, sizeof run) != (ssize_t)sizeof run)
-                    continue; /* it is gone: its pipe says so, too */
-            }
-            areAny |= w->given > 0;
+    for (int depth = 0; depth < SWEEP_SHARE; depth++)
+        for (int i = 0; i < pool->crew.count; i++) {
+            SweepWorker *w = &pool->crew.worker[i];
+            if (w->process == 0 || w->given != depth)
+                continue;
+            const long run = takeRun(pool);
+            if (run < 0)
+                break;
+            sweep_workerGive(w, run, pool->clock);
         }
-    for (int i = 0; i < pool->count; i++)
-        areAny |= pool->worker[i].given > 0;
-    return areAny;
+    for (int i = 0; i < pool->crew.count; i++)
+        areAny |= pool->crew.worker[i].given > 0;
+    return areAny || pool->againCount > 0;
+}
+
+/* ---- course ------------------------------------------------------------------------------------------------------ */
+
+static double timeLeft(const SweepPool *pool, const SweepWorker *w) {
+    return pool->limit > 0 && w->given > 0 && !w->isEnded ? w->since + pool->limit - pool->clock : INFINITY;
+}
+
+/* Until a worker has something to say, or a run's time is over, or so many ms are. */
+static void waitForWorkers(SweepPool *pool, int wait) {
+    struct pollfd file[SWEEP_WORKERS];
+    double seconds = wait / 1e3;
+    for (int i = 0; i < pool->crew.count; i++) {
+        SweepWorker *w = &pool->crew.worker[i];
+        file[i] = (struct pollfd){.fd = w->process > 0 ? w->output : -1, .events = POLLIN};
+        seconds = fmax(fmin(seconds, timeLeft(pool, w)), 0);
+    }
+    const struct timespec t = {(time_t)seconds, (long)((seconds - floor(seconds)) * 1e9)};
+    if (ppoll(file, (nfds_t)pool->crew.count, &t, &pool->awake) <= 0)
+        return;
+    for (int i = 0; i < pool->crew.count; i++)
+        if (file[i].revents)
+            relay(pool, &pool->crew.worker[i]);
 }
 
 bool sweep_poolTurn(SweepPool *pool, int wait) {
-    struct pollfd file[MOST_WORKERS];
+    hireMissing(pool);
     const bool areAny = giveRuns(pool);
-    for (int i = 0; i < pool->count; i++)
-        file[i] = (struct pollfd){.fd = pool->worker[i].from, .events = POLLIN};
-    if (poll(file, (nfds_t)pool->count, wait) > 0)
-        for (int i = 0; i < pool->count; i++)
-            if (file[i].revents && !readRows(pool, &pool->worker[i]))
-                bury(pool, &pool->worker[i]);
+    waitForWorkers(pool, wait);
+    lookAtClock(pool);
+    for (int i = 0; i < pool->crew.count; i++) {
+        SweepWorker *w = &pool->crew.worker[i];
+        if (w->process == 0)
+            continue;
+        const bool isDead = sweep_workerIsDead(w); /* its last answers are taken after that */
+        takeAnswers(pool, w);
+        if (isDead)
+            bury(pool, w);
+        else if (timeLeft(pool, w) <= 0) {
+            w->lateIn = w->run[0];
+            sweep_workerEnd(w);
+        }
+    }
     return areAny;
 }
 
 /* ---- life -------------------------------------------------------------------------------------------------------- */
 
+static void wake(int number) {
+    (void)number; /* it ends ppoll */
+}
+
+static void takeSignals(SweepPool *pool) {
+    struct sigaction action = {.sa_handler = wake, .sa_flags = SA_RESTART};
+    sigset_t child;
+    sigemptyset(&child);
+    sigaddset(&child, SIGCHLD);
+    sigprocmask(SIG_BLOCK, &child, &pool->crew.signals);
+    pool->awake = pool->crew.signals;
+    sigdelset(&pool->awake, SIGCHLD);
+    sigaction(SIGCHLD, &action, NULL);
+}
+
 SweepPool *sweep_poolCreate(const SweepPlan *plan, int workers, int limit, const SweepClient *client) {
     SweepPool *pool = sweep_memory(1, sizeof *pool);
-    pool->plan = plan;
+    pool->crew.plan = plan;
+    pool->crew.count = workers < SWEEP_WORKERS ? workers : SWEEP_WORKERS;
     pool->client = *client;
     pool->limit = limit;
-    signal(SIGPIPE, SIG_IGN);
-    for (int i = 0; i < workers && i < MOST_WORKERS; i++, pool->count++)
-        hire(pool, &pool->worker[i]);
+    pool->looked = systemTime();
+    pool->missedAt = -INFINITY;
+    pool->tries = sweep_memory((size_t)plan->runs, sizeof *pool->tries);
+    takeSignals(pool);
+    hireMissing(pool);
     return pool;
 }
 
 void sweep_poolDestroy(SweepPool *pool) {
-    for (int i = 0; i < pool->count; i++) {
-        const pid_t process = pool->worker[i].process;
-        dismiss(&pool->worker[i]);
-        waitpid(process, NULL, 0);
-    }
+    for (int i = 0; i < pool->crew.count; i++)
+        if (pool->crew.worker[i].process > 0) {
+            sweep_workerEnd(&pool->crew.worker[i]);
+            sweep_workerBury(&pool->crew.worker[i]);
+        }
+    signal(SIGCHLD, SIG_DFL);
+    sigprocmask(SIG_SETMASK, &pool->crew.signals, NULL);
     free(pool->again);
-    free(pool->trouble);
+    free(pool->tries);
     free(pool);
 }

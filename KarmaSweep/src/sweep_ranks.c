@@ -8,7 +8,6 @@
  *
  * A rank that has said nothing for some seconds (-silence) is taken for dead; its runs go to the others. (mpirun ends
  * all ranks with the first that dies, unless it is told to go on; then the journal goes on, at the next start.) */
-#define _DEFAULT_SOURCE
 #include "sweep_i.h"
 #include <stdlib.h>
 #include <string.h>

@@ -7,8 +7,8 @@
  *
  *  Friction needs three things: a type, a model, and the model's force or coefficient. A coefficient alone does
  *  nothing; a type alone is friction without bound. MdtContactParamsSetSurface sets all of them. If some are missing,
- *  the step gives a warning, once for each world and kind of omission; not if the type, or a friction of MEINFINITY,
- *  was set by its function, which shows that it is meant.
+ *  the step gives a warning, once for each world and kind of omission, of a type alone, which the guides use, a MeInfo;
+ *  not if the type FrictionZero, or a friction of MEINFINITY, was set by its function, which shows that it is meant.
  */
 #ifndef MDTCONTACTPARAMS_H
 #define MDTCONTACTPARAMS_H

@@ -72,13 +72,15 @@ int mdt_surfaceProblem(const MdtBclContactParams *p) {
     return problemOf(p, p->model2, p->FrictionCoefficient2, p->friction2);
 }
 
+/* Friction without bound is what a type alone is in the guides (User Guide ch. 8): no mistake, but seldom meant. */
 void mdt_surfaceWarn(MdtWorldID w, int problems) {
     const int more = problems & ~w->surfaceWarnings;
     w->surfaceWarnings |= problems;
     for (size_t i = 0; i < sizeof surfaceTexts / sizeof *surfaceTexts; i++)
         if (surfaceTexts[i].problem & more)
-            MeWarning(2, "%s: a contact %s; MdtContactParamsSetSurface sets all that friction needs",
-                      MeCallerName("MdtWorldStep"), surfaceTexts[i].text);
+            (surfaceTexts[i].problem == WITHOUT_BOUND ? MeInfo : MeWarning)(
+                1, "%s: a contact %s; MdtContactParamsSetSurface sets all that friction needs",
+                MeCallerName("MdtWorldStep"), surfaceTexts[i].text);
 }
 
 /* ---- kind of friction ---- */

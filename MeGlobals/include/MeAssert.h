@@ -1,9 +1,10 @@
 /** @file MeAssert.h
  *  Checks of what must be true whatever the program does.
  *
- *  They are for broken invariants, not for bad input, which gets a MeWarning. They are compiled in while
- *  Karma is built with KARMA_CHECK=1, and in programs (which do not set KARMA_CHECK) unless NDEBUG is
- *  defined, as for assert(). Otherwise they evaluate nothing.
+ *  They are for broken invariants, not for bad input, which gets a MeWarning. In Karma's libraries they are on in Debug
+ *  and RelWithDebInfo builds, and where CMake's KARMA_CHECK is ON (then KARMA_ASSERT=1); in programs, which do not set
+ *  KARMA_ASSERT, unless NDEBUG is defined, as for assert(). Otherwise they evaluate nothing. They cost no more than
+ *  what they check.
  *
  *  MEVALIDATE is for checks that cost more than what they check, such as walking a list: they are compiled in where
  *  KARMA_VALIDATE is defined too.
@@ -14,8 +15,8 @@
 #include "MeMessage.h"
 #include <stdint.h>
 
-#if defined(KARMA_CHECK)
-#define ME_ASSERT_ENABLED KARMA_CHECK
+#if defined(KARMA_ASSERT)
+#define ME_ASSERT_ENABLED KARMA_ASSERT
 #elif defined(NDEBUG)
 #define ME_ASSERT_ENABLED 0
 #else
@@ -35,7 +36,7 @@
 #define MEVALIDATE(P) MEASSERT(P)
 #else
 #define ME_VALIDATE_ENABLED 0
-#define MEVALIDATE(P) ((void)(0 && (P)))
+#define MEVALIDATE(P)       ((void)(0 && (P)))
 #endif
 
 /** MEASSERT that the pointer @a P is a multiple of @a A bytes. */

@@ -1,12 +1,14 @@
 /* A film of a run: its pictures into ffmpeg, which makes a file of them that plays as fast as the simulation ran. */
-#define _POSIX_C_SOURCE 200809L /* popen */
+#define _POSIX_C_SOURCE 200809L /* popen, access */
 #include "r_i.h"
 
 #include <errno.h>
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 /* A tick is a sixtieth of a second; of every two one is taken, of a GIF, whose times are whole hundredths, of every
  * three. */
@@ -19,6 +21,19 @@ static bool isGif(const char *file) {
 
 static int ticksPerPicture(const char *file) {
     return isGif(file) ? 3 : 2;
+}
+
+/* As the shell looks for it, in each directory of PATH. */
+bool r_filmHasMaker(void) {
+    char file[1024];
+    const char *place = getenv("PATH") ? getenv("PATH") : "/usr/local/bin:/usr/bin:/bin";
+    for (size_t length; *place; place += length + (place[length] == ':')) {
+        length = strcspn(place, ":");
+        snprintf(file, sizeof file, "%.*s/ffmpeg", length ? (int)length : 1, length ? place : ".");
+        if (access(file, X_OK) == 0)
+            return true;
+    }
+    return false;
 }
 
 /* For the shell: in single quotes, with those in it made safe. */
@@ -51,7 +66,7 @@ static bool start(RRender *rc) {
     return v->film.pipe != NULL;
 }
 
-static bool write(RRender *rc) {
+static bool writePicture(RRender *rc) {
     struct RViewer *v = rc->m_pViewer;
     RPicture picture;
     r_drawNow(rc);
@@ -79,7 +94,7 @@ void r_filmFrame(RRender *rc) {
     }
     v->film.lastTick = v->loop.ticks;
     void (*const before)(int) = signal(SIGPIPE, SIG_IGN);
-    if ((!v->film.pipe && !start(rc)) || !write(rc))
+    if ((!v->film.pipe && !start(rc)) || !writePicture(rc))
         v->film.ended = true;
     else
         v->film.pictures++;
@@ -96,10 +111,7 @@ void r_filmEnd(RRender *rc) {
     v->film.pipe = NULL;
     v->film.ended = true;
     if (status == -1 || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
-        MeWarning(1, "-film %s: ffmpeg %s", rc->m_Options.m_Film,
-                  status != -1 && WIFEXITED(status) && WEXITSTATUS(status) == 127
-                      ? "is not installed (on Debian the package ffmpeg)"
-                      : "could not make the film");
+        MeWarning(1, "-film %s: ffmpeg could not make the film", rc->m_Options.m_Film);
     else
         MeInfo(0, "wrote %s (%dx%d, %d pictures)", rc->m_Options.m_Film, v->film.width, v->film.height,
                v->film.pictures);

@@ -477,6 +477,7 @@ typedef struct {
     bool ended;
 } RFilm;
 
+bool r_filmHasMaker(void); /* Whether ffmpeg is installed. */
 void r_filmFrame(RRender *rc);
 void r_filmEnd(RRender *rc);
 

@@ -184,6 +184,16 @@ static void getFile(const Source *s, const char *name, char *out, size_t size) {
     *out = 0;
 }
 
+/* Where there is nothing that makes a film, the run would be for nothing, too. */
+static void getFilm(const Source *s, RRenderOptions *out) {
+    getFile(s, "-film", out->m_Film, sizeof out->m_Film);
+    if (!out->m_Film[0] || r_filmHasMaker())
+        return;
+    MeWarning(1, "-film %s: ffmpeg is not installed: on Debian `apt-get install ffmpeg` does that", out->m_Film);
+    *s->mistaken = true;
+    out->m_Film[0] = 0;
+}
+
 static const struct {
     const char *option;
     RRenderType type;
@@ -278,7 +288,7 @@ bool r_optionsRead(RRenderOptions *out, MeCommandLineOptions *options, MeCommand
     out->m_bBar = has(s, "-bar");
     out->m_bProfile = has(s, "-profile");
     getFile(s, "-screenshot", out->m_Screenshot, sizeof out->m_Screenshot);
-    getFile(s, "-film", out->m_Film, sizeof out->m_Film);
+    getFilm(s, out);
     (void)getText(s, "-key", out->m_Keys, sizeof out->m_Keys);
     finishEnvironment(s);
     return !mistaken;

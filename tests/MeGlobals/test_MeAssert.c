@@ -8,9 +8,9 @@ static int evaluate(int result) {
     return result;
 }
 
-#undef KARMA_CHECK
+#undef KARMA_ASSERT
 #undef KARMA_VALIDATE
-#define KARMA_CHECK    1
+#define KARMA_ASSERT   1
 #define KARMA_VALIDATE 1
 #include "MeAssert.h"
 
@@ -36,8 +36,8 @@ static void assertAligned(const void *p) {
 #undef ME_ASSERT_ENABLED
 #undef MEVALIDATE
 #undef ME_VALIDATE_ENABLED
-#undef KARMA_CHECK
-#define KARMA_CHECK 0
+#undef KARMA_ASSERT
+#define KARMA_ASSERT 0
 #include "MeAssert.h"
 
 static void assertNothing(void) {

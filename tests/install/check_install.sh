@@ -27,6 +27,12 @@ quietly env PATH="$scratch/quick:$PATH" cmake -S "$source" -B "$scratch/other" -
 quietly cmake --build "$scratch/other" -j 2
 quietly cmake --install "$scratch/other" --prefix "$prefix"
 
+echo "how Karma was built is nothing to programs"
+if grep -rE 'KARMA_(CHECK|ASSERT|VALIDATE)' $(find "$prefix" -name cmake -o -name pkgconfig); then
+    echo "FAILED: the package hands macros of its own build to programs"
+    exit 1
+fi
+
 echo "find_package"
 quietly cmake -S "$consumer" -B "$scratch/consumer" -DCMAKE_PREFIX_PATH="$prefix" \
     -DCONSUMER_PRECISION="$precision" -DCONSUMER_VIEWER="$viewer"

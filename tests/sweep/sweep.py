@@ -1,6 +1,7 @@
 """What the tests of karma-sweep share: running it in a directory of its own, and finding its processes."""
 import os
 import pathlib
+import signal
 import subprocess
 import time
 
@@ -11,7 +12,7 @@ def check(what, holds, more=''):
     global wrong
     if not holds:
         wrong += 1
-        print(f'WRONG: {what}\n{more}')
+        print(f'WRONG: {what}\n{str(more)[:3000]}')
 
 
 def children(process):
@@ -40,11 +41,18 @@ def wait_for(what, holds, seconds=60):
         time.sleep(.01)
 
 
-def start(command, directory, delay=0, **environment):
+def start(command, directory, delay=0, preexec=None, **environment):
+    """In a session of its own: whoever kills its group does not kill the test."""
     return subprocess.Popen(command, cwd=directory, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                            preexec_fn=preexec, start_new_session=True,
                             env=os.environ | {'SWEEP_TEST_DELAY': str(delay)} | environment)
 
 
-def finish(process, seconds=120):
-    said = process.communicate(timeout=seconds)[0]
+def finish(process, seconds=60):
+    """-> exit code, what was said."""
+    try:
+        said = process.communicate(timeout=seconds)[0]
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)
+        return None, f'it does not end within {seconds} s'
     return process.returncode, said

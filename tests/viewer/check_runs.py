@@ -88,7 +88,10 @@ with tempfile.TemporaryDirectory() as directory:
     # A film: every second tick's picture goes to ffmpeg, or what stands for it here, with size and rate.
     paths = os.environ['PATH']
     os.environ['PATH'] = directory  # no ffmpeg, even where it is installed
-    run('-osmesa -size 64x48 -frames 3 -film film.mp4', 2, r'film\.mp4.*ffmpeg.*not installed')
+    said = run('-osmesa -size 64x48 -frames 3 -film film.mp4', 2, r'film\.mp4: ffmpeg is not installed.*apt-get install ffmpeg')
+    expect('tick' not in said, f'without ffmpeg it simulates before it says so:\n{said}')
+    os.environ['PATH'] = ''
+    run('-osmesa -size 64x48 -frames 3 -film film.mp4', 2, r'ffmpeg is not installed')
     os.environ['PATH'] = f'{directory}:{paths}'
     with open('ffmpeg', 'w') as tool:
         tool.write('#!/bin/sh\nprintf "%s\\n" "$@" >arguments\ncat >pictures\n')
