@@ -20,6 +20,9 @@ MEPUBLIC MeBool MEAPI MdtWorldIsValid(const MdtWorldID w);
  *  same. */
 MEPUBLIC unsigned long MEAPI MdtBodyGetMoves(const MdtBodyID b);
 
+/** How many contact groups, and contacts that are in none, it has. */
+MEPUBLIC int MEAPI MdtBodyGetManifoldCount(const MdtBodyID b);
+
 /** Wakes a body that the world has put to sleep, not one that the program has disabled. Returns whether it has. */
 MEPUBLIC MeBool MEAPI MdtBodyWakeIfAsleep(const MdtBodyID b);
 

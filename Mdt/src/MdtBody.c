@@ -103,6 +103,11 @@ void mdt_bodyShow(MdtBodyID b) {
     memcpy(b->shownAngularVelocity, b->angularVelocity, sizeof b->angularVelocity);
 }
 
+int MEAPI MdtBodyGetManifoldCount(const MdtBodyID b) {
+    MEASSERT(b);
+    return b->manifolds;
+}
+
 unsigned long MEAPI MdtBodyGetMoves(const MdtBodyID b) {
     MEASSERT(b);
     return b->moves;
@@ -301,6 +306,7 @@ MdtBodyID MEAPI MdtBodyCopy(const MdtBodyID b, const MdtWorldID w) {
     w->bodies.isSorted = MEFALSE;
     copy->world = w;
     copy->attachments = NULL;
+    copy->manifolds = 0;
     copy->model = NULL;
     copy->record.flags &= ~(MDT_ENABLED | MDT_ASLEEP);
     copy->partition = -1;

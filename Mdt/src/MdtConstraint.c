@@ -183,6 +183,8 @@ void mdt_constraintDetach(MdtConstraintID c, int side) {
         at->body->attachments = at->next;
     if (at->next)
         at->next->previous = at->previous;
+    at->body->manifolds -= !mdt_isJoint(c);
+    MEASSERT(at->body->manifolds >= 0);
     at->body = NULL;
     at->next = at->previous = NULL;
 }
@@ -198,6 +200,7 @@ static void attach(MdtConstraintID c, int side, MdtBodyID b) {
     if (at->next)
         at->next->previous = at;
     b->attachments = at;
+    b->manifolds += !mdt_isJoint(c);
     b->record.flags |= c->record.flags & (MDT_WATCHED | MDT_TOUCHED | MDT_APART);
     mdt_graphChanged(c->world);
     mdt_constraintDisturb(c);

@@ -163,7 +163,8 @@ struct MdtBody {
     int place;     /* in the order of simulation, when partitions were found last */
     int calmSteps; /* in a row, in which all velocities of its partition were below Kea's threshold of rest */
     MdtWorldID world;
-    MdtAttachment *attachments; /* its joints and manifolds */
+    MdtAttachment *attachments; /* its joints and manifolds, */
+    int manifolds;              /* and how many of these are manifolds */
     /* read for partitions at rest */
     unsigned long certificate;                     /* of rest, the world's when it was given, or MDT_SLEEPS; 0: none */
     MeVector3 shownVelocity, shownAngularVelocity; /* as last written by the library: a difference was written by a

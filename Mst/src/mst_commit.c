@@ -73,6 +73,18 @@ void mst_pairTie(McdModelPair *p, MdtWorldID w) {
         MdtContactGroupEnable(group);
 }
 
+/* Of many bodies in one place each overlaps with each, and a thousand would have half a million groups, of 2 kB. What is
+ * deep in each other, while both touch so many others, waits until these have separated: it would be pushed apart
+ * no faster. What meets at its surface never waits. */
+enum { MANY_OTHERS = 32 };
+
+static MeBool mustWait(const McdModelPair *p, MeReal separation) {
+    const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
+    const MeReal deep = (MeReal)0.1 * p->stand.size; /* of the smaller one's radius */
+    return !p->responseData && body1 && body2 && -separation > deep && deep > 0 &&
+           MdtBodyGetManifoldCount(body1) >= MANY_OTHERS && MdtBodyGetManifoldCount(body2) >= MANY_OTHERS;
+}
+
 /* ---- contacts that remain ---------------------------------------------------------------------------------------- */
 
 /* Parameters follow the materials. */
@@ -112,9 +124,14 @@ static int renewContacts(MstBridgeRecord *b, const MstRun *run, const MstFinding
     return MdtContactGroupRenew(group, &run->found[f->first], f->count, b->ahead, run->made);
 }
 
+/* For the contacts that were found; null: there are none, or is no room for them. */
+static MdtContactGroupID contactGroupOf(const MstFinding *f, MdtWorldID w) {
+    return f->count > 0 && !mustWait(f->pair, f->separation) ? ensureGroup(f->pair, w) : 0;
+}
+
 /* As collide found them. */
 static void commitContacts(MstBridgeRecord *b, const MstRun *run, const MstFinding *f, MdtWorldID w) {
-    const MdtContactGroupID group = f->count > 0 ? ensureGroup(f->pair, w) : 0;
+    const MdtContactGroupID group = contactGroupOf(f, w);
     if (!group) {
         emptyGroup(f->pair);
         return;
@@ -133,7 +150,7 @@ static void commitWithCallbacks(MstBridgeRecord *b, MstRun *run, MstFinding *f, 
         materials->intersectCb(result);
         mst_convertContacts(b, run, f);
     }
-    const MdtContactGroupID group = f->count > 0 ? ensureGroup(f->pair, w) : 0;
+    const MdtContactGroupID group = contactGroupOf(f, w);
     if (!group) {
         emptyGroup(f->pair);
         return;
