@@ -8,7 +8,8 @@
  *  itself, from both sides; but casts and rays meet triangles that are not two-sided from their front only. Where a
  *  filter is given, only models for which it returns non-zero are looked at. Lists are in the order of sort keys, then
  *  creation; what does not fit is left out from the end. Lengths in the program's unit, everything in the world frame.
- *  Frozen and disabled models are met like others.
+ *  Frozen and disabled models are met like others; sensors (McdModelSetSensor) are not, unless McdSpaceSetQuerySensors
+ *  says so.
  */
 #ifndef MCDQUERY_H
 #define MCDQUERY_H
@@ -60,6 +61,10 @@ MEPUBLIC int MEAPI McdSpaceCastGeometry(McdSpaceID space, McdGeometryID g, const
 /** McdSpaceGetLineSegFirstEnabledIntersection in this form: from a point along a displacement. */
 MEPUBLIC int MEAPI McdSpaceCastRay(McdSpaceID space, const MeVector3 from, const MeVector3 displacement,
                                    McdLineSegIntersectEnableCallback filter, void *filterData, McdCastResult *result);
+
+/** Whether queries of the space, segments of McdSpace.h among them, meet sensors. Off by default. */
+MEPUBLIC void MEAPI McdSpaceSetQuerySensors(McdSpaceID space, MeBool on);
+MEPUBLIC MeBool MEAPI McdSpaceGetQuerySensors(McdSpaceID space);
 
 ME_END_C
 

@@ -35,7 +35,7 @@ static McdModelID modelOf(const Query *q, int proxy) {
 }
 
 static MeBool isAsked(const Query *q, McdModelID cm) {
-    return cm != q->self && (!q->filter || q->filter(cm, q->filterData));
+    return cm != q->self && mcd_isQueried(q->space, cm) && (!q->filter || q->filter(cm, q->filterData));
 }
 
 /* Makes the shape of a geometry at a place. */

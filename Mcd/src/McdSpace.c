@@ -412,7 +412,12 @@ static MeBool isBox(const McdModelRecord *m) {
 
 static void warnOfTransform(McdProxy *p, const char *what) {
     if (!p->isWarned)
-        MeWarning(1, "McdSpaceUpdateModel: a model's transform %s; it keeps its old box", what);
+        MeWarning(
+            1,
+            "%s: the transform of a model (number %lu, a %s) %s; it keeps its old box. Models keep their matrix by "
+            "pointer: it must live as long as they do",
+            MeCallerName("McdSpaceUpdateModel"), p->model->serial, McdGeometryGetTypeName(p->model->instance.geometry),
+            what);
     p->isWarned = METRUE;
 }
 
@@ -1066,6 +1071,19 @@ void mcd_spaceCast(const McdSpace *s, const double from[3], const double by[3], 
     mcd_treeCast(s->tree, from, by, half, fraction, visit, context);
 }
 
+MeBool mcd_isQueried(const McdSpace *s, McdModelID cm) {
+    return s->queriesMeetSensors || !mcd_record(cm)->isSensor;
+}
+
+void MEAPI McdSpaceSetQuerySensors(McdSpaceID s, MeBool on) {
+    if (mcd_spaceCheck(s, "McdSpaceSetQuerySensors"))
+        s->queriesMeetSensors = on != 0;
+}
+
+MeBool MEAPI McdSpaceGetQuerySensors(McdSpaceID s) {
+    return mcd_spaceCheck(s, "McdSpaceGetQuerySensors") && s->queriesMeetSensors;
+}
+
 typedef struct Segment {
     const McdSpace *space;
     MeReal *from, *to;
@@ -1104,7 +1122,8 @@ static double intersectModel(void *context, int proxy, double fraction) {
     Segment *q = context;
     const McdModelID cm = modelAt(q->space, proxy);
     McdLineSegIntersectResult hit;
-    if ((q->filter && !q->filter(cm, q->filterData)) || !McdLineSegIntersect(cm, q->from, q->to, &hit))
+    if (!mcd_isQueried(q->space, cm) || (q->filter && !q->filter(cm, q->filterData)) ||
+        !McdLineSegIntersect(cm, q->from, q->to, &hit))
         return fraction;
     hit.model = cm;
     addHit(q, &hit);

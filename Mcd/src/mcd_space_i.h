@@ -107,6 +107,7 @@ struct _McdSpace {
     MeReal lookAhead; /* s */
     McdSpaceUpdateAABBFnPtr update;
     McdSpacePoolErrorFnPtr poolFull;
+    MeBool queriesMeetSensors;
     void *userData;
 
     McdProxy *proxy; /* proxyRoom; moves when there is no room for another one */
@@ -167,6 +168,8 @@ void mcd_spaceOverlap(const McdSpace *s, const double min[3], const double max[3
 /* The same for a moving box, see mcd_treeCast. */
 void mcd_spaceCast(const McdSpace *s, const double from[3], const double by[3], const double half[3], double fraction,
                    McdTreeCastVisit visit, void *context);
+/* Do queries meet it: is it no sensor, or do they meet these? */
+MeBool mcd_isQueried(const McdSpace *s, McdModelID cm);
 /* Outward to float. */
 void mcd_treeBox(const double min[3], const double max[3], McdTreeBox *box);
 

@@ -114,9 +114,9 @@ MEPUBLIC void MEAPI MdtWorldSetGammaWithRefTimeStep(const MdtWorldID w, const Me
 /** @name Putting bodies to rest (Dynamics guide ch. 4, "Enabling/Disabling Bodies")
  *  A partition is disabled ("falls asleep") when all its bodies have been enabled for the alive window, the squares of
  *  their velocity, angular velocity, acceleration and angular acceleration are below the thresholds, and the next
- *  second (five alive times) would not move one of them to speak of: docs/simulation.md, "Sleep", has the rule, and what
- *  wakes them. It stays enabled while a motor turns a joint of it, at whatever speed, while what it is attached to moves, and
- *  while a contact with a moving surface pushes one of them (MdtContactParamsSetPrimarySlide,
+ *  second (five alive times) would not move one of them to speak of: docs/simulation.md, "Sleep", has the rule, and
+ *  what wakes them. It stays enabled while a motor turns a joint of it, at whatever speed, while what it is attached to
+ *  moves, and while a contact with a moving surface pushes one of them (MdtContactParamsSetPrimarySlide,
  *  MdtConstraintSetWorldLinearVelocity). On by default. What trembles in its place may sleep at any acceleration.
  *
  *  The thresholds are squares, >= 0. They start at the values of MdtDefaults.h, those of velocity and acceleration

@@ -430,6 +430,8 @@ void mdt_bodyPack(MdtBodyID b, double frame, MeBool hasJoints) {
     MEASSERT(fabs(1 - sqrt(keaDot(b->kea.quaternion + 1, b->kea.quaternion + 1) +
                            b->kea.quaternion[0] * b->kea.quaternion[0])) < 1e-6);
     mdt_bodyAcceptVelocities(b);
+    if (b->record.flags & MDT_OFF_CENTRE)
+        mdt_forgottenCentre(b);
     keaCopy(b->kea.kick[0], b->impulse);
     keaCopy(b->kea.kick[1], b->twist);
     mdt_forceBegin(b);
@@ -568,6 +570,7 @@ MeMatrix4Ptr MEAPI MdtBodyGetTransformPtr(const MdtBodyID b) {
 static void setCentre(MdtBodyID b, const double centre[3], const double turn[4]) {
     double p[3], q[4];
     const MdtKeaBody before = b->kea;
+    b->record.flags &= ~MDT_OFF_CENTRE;
     getFrame(b, p, q);
     keaCopy(b->centre, centre);
     memcpy(b->centreTurn, turn, sizeof b->centreTurn);

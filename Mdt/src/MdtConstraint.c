@@ -144,6 +144,10 @@ void mdt_constraintEnable(MdtConstraintID handle, const char *caller) {
     mdt_constraintForget(c);
     mdt_constraintDisturb(c);
     c->world->enabledConstraints++;
+    if (mdt_isJoint(c)) {
+        c->world->enabledJoints++;
+        c->record.flags |= MDT_WAS_ENABLED;
+    }
 }
 
 void mdt_constraintDisable(MdtConstraintID handle, const char *caller) {
@@ -156,7 +160,8 @@ void mdt_constraintDisable(MdtConstraintID handle, const char *caller) {
     c->record.flags &= ~MDT_ENABLED;
     mdt_graphChanged(c->world);
     c->world->enabledConstraints--;
-    MEASSERT(c->world->enabledConstraints >= 0);
+    c->world->enabledJoints -= mdt_isJoint(c) != 0;
+    MEASSERT(c->world->enabledConstraints >= c->world->enabledJoints && c->world->enabledJoints >= 0);
     for (int k = 0; k < 2; k++) /* the body may have slept because of it */
         if (c->side[k].body)
             mdt_bodyWakeIfAsleep(c->side[k].body);

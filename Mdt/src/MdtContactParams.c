@@ -46,7 +46,8 @@ static const struct {
     int problem;
     const char *text;
 } surfaceTexts[] = {
-    {WITHOUT_TYPE, "has a friction coefficient or model, but no friction: MdtContactParamsSetType was not called"},
+    {WITHOUT_TYPE, "has a coefficient, a bound in newtons or a model of friction, but no friction: "
+                   "MdtContactParamsSetType was not called"},
     {WITHOUT_MODEL, "has a friction coefficient, which its friction model, the box, does not use"},
     {WITHOUT_COEFFICIENT, "has a friction model that wants a coefficient, and none: there is no friction"},
     {WITHOUT_BOUND, "has friction without bound: nothing slides. If that is meant, call "
@@ -54,8 +55,10 @@ static const struct {
 };
 
 static int problemOf(const MdtBclContactParams *p, MdtFrictionModel model, MeReal coefficient, MeReal bound) {
+    const MeBool isBoundSet = (p->options & MdtBclContactOptionBoundSet) != 0 && bound > 0;
     if (p->type == MdtContactTypeFrictionZero)
-        return !(p->options & MdtBclContactOptionTypeSet) && (model != MdtFrictionModelBox || coefficient > 0)
+        return !(p->options & MdtBclContactOptionTypeSet) &&
+                       (model != MdtFrictionModelBox || coefficient > 0 || isBoundSet)
                    ? WITHOUT_TYPE
                    : 0;
     if (model != MdtFrictionModelBox)

@@ -149,6 +149,9 @@ void MEAPI MdtLimitSetLimitedForceMotor(const MdtLimitID l, const MeReal desired
     if (!isLimit(l, __func__) || !mdt_isFinite(__func__, "the velocity", desiredVelocity) ||
         !mdt_isFinite(__func__, "the force limit", forceLimit))
         return;
+    if (forceLimit < 0)
+        MeWarning(1, "%s: the force limit is %g; a negative one counts as 0, and the motor is off", __func__,
+                  (double)forceLimit);
     l->desired_vel = desiredVelocity;
     l->fmax = forceLimit > 0 ? forceLimit : 0;
     l->bPowered = l->fmax > 0;

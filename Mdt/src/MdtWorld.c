@@ -569,6 +569,7 @@ static void step(MdtWorldID w, MeReal h, MeBool safely) {
     for (int i = 0; i < w->sizeLogLength; i++)
         w->sizeLog[i] = 0;
     mdt_idleWatch(w, (double)h);
+    mdt_forgottenWatch(w);
     mdt_breakBegin(w);
     mdt_worldStep(w, (double)h, safely);
     mdt_breakEnd(w);

@@ -89,9 +89,9 @@ static MeBool isVisible(const double load[3], double inverse, double h, MeReal t
 }
 
 static void warnOfStiffness(MdtBodyID b, const char *function) {
-    if (b->record.flags & MDT_STIFF)
+    if (b->record.flags & MDT_TOLD)
         return;
-    b->record.flags |= MDT_STIFF;
+    b->record.flags |= MDT_TOLD;
     MeWarning(2,
               "%s: the load on a body (sort key %d) changes its sign and grows in each step of %g s: its spring or "
               "damper is too stiff for explicit forces, with frequency times step above 2. Take shorter steps, or "

@@ -134,7 +134,9 @@ enum {
     MDT_FORCED = 128,   /* a body whose program has given a force, be it 0, for the step that comes */
     MDT_KEPT = 256,     /* a body whose force goes on for the rest of the step in which it was given */
     MDT_TOUCHED = 1024, /* a joint that a program may have changed by a call; of a body: one of its joints is */
-    MDT_STIFF = 512,    /* a body of whose stiff force the program was warned */
+    MDT_TOLD = 512,     /* a body, or a joint, of which the program was warned (mdt_force.c, mdt_forgotten.c) */
+    MDT_WAS_ENABLED = 2048, /* a joint that has been enabled */
+    MDT_OFF_CENTRE = 4096,  /* a body whose program has yet to say where its centre of mass is */
 };
 
 /* What has happened in a body's partition, and for how long that matters: mdt_crowd.c. */
@@ -524,6 +526,9 @@ struct MdtWorld {
     MdtSurfaces surfaces;
     unsigned long nextSerial;
     int enabledBodies, asleepBodies, enabledConstraints;
+    int enabledJoints;       /* of the enabled constraints */
+    int watchedSteps;        /* of mdt_forgotten.c, */
+    MeBool isCentreTold;     /* which has warned of a centre of mass */
     int breakable;           /* constraints with a limit */
     int apart;               /* joints whose bodies do not collide with each other */
     int userConstraints;     /* whose rows a function of the program makes */
@@ -601,6 +606,13 @@ MdtPartitionInfo mdt_islandInfo(MdtWorldID w, int p);
 void mdt_debugDraw(MdtWorldID w);
 /* Check builds, before a step of h seconds: warns of a world without gravity in which nothing moves. */
 void mdt_idleWatch(MdtWorldID w, double h);
+
+/* ---- what programs forget (mdt_forgotten.c) ---- */
+
+/* A step begins: warns of motors on joints that were never enabled. */
+void mdt_forgottenWatch(MdtWorldID w);
+/* Warns that the body's centre of mass was not set. */
+void mdt_forgottenCentre(MdtBodyID b);
 
 /* ---- joints that break (mdt_break.c) ---- */
 

@@ -122,10 +122,14 @@ static MeBool getChange(const MdtBody *b, double h, double change[2][3]) {
     return keaDot(change[0], change[0]) + keaDot(change[1], change[1]) > 0;
 }
 
-static MeBool wouldMove(const MdtBody *b, const double push[3], const double twist[3]) {
+/* By a change of momentum in h seconds. */
+static MeBool wouldMove(const MdtBody *b, const double push[3], const double twist[3], double h) {
+    const MdtPartitionParams *rest = &b->world->rest;
     const double *I = b->kea.moments, radius = radiusOf(b);
-    const double speed = keaLength(push) * b->kea.invMass + radius * keaLength(twist) / fmin(I[0], fmin(I[1], I[2]));
-    return speed * timeAhead(b) > wakingReach * radius;
+    const double speed = keaLength(push) * b->kea.invMass, spin = keaLength(twist) / fmin(I[0], fmin(I[1], I[2]));
+    if (b->world->hasThresholds)
+        return speed * speed > h * h * (double)rest->acc_thresh || spin * spin > h * h * (double)rest->accrot_thresh;
+    return (speed + radius * spin) * timeAhead(b) > wakingReach * radius;
 }
 
 static MeBool isAtRest(MdtBodyID b, double h) {
@@ -135,7 +139,7 @@ static MeBool isAtRest(MdtBodyID b, double h) {
         rest->alive_window < 0 ? b->aliveTime < (double)rest->alive_time : b->aliveSteps < rest->alive_window;
     if (isYoung || b->enabledSteps == 0 || MdtBodyIsMovingTest(b, rest) || !(isQuiet(b) || mdt_staysInPlace(b)))
         return MEFALSE;
-    return b->world->hasThresholds || !getChange(b, h, change) || !wouldMove(b, change[0], change[1]);
+    return b->world->hasThresholds || !getChange(b, h, change) || !wouldMove(b, change[0], change[1], h);
 }
 
 /* ---- what keeps a partition awake ---- */
@@ -237,13 +241,14 @@ MeBool MEAPI MdtBodyWakeIfAsleep(const MdtBodyID b) {
  * forgotten. */
 static MeBool isPushed(MdtBodyID b, double h) {
     double change[2][3];
-    if (!getChange(b, h, change)) {
+    const MeBool isChanged = getChange(b, h, change);
+    if (!isChanged || b->world->hasThresholds)
         memset(b->applied.momentum, 0, sizeof b->applied.momentum);
+    if (!isChanged)
         return MEFALSE;
-    }
     for (int k = 0; k < 2; k++)
         keaAddScaled(b->applied.momentum[k], 1, change[k]);
-    return wouldMove(b, b->applied.momentum[0], b->applied.momentum[1]);
+    return wouldMove(b, b->applied.momentum[0], b->applied.momentum[1], h);
 }
 
 static MeBool isToWake(MdtBodyID b, double h) {

@@ -78,6 +78,18 @@ static MeBool isGeometry(McdGeometryID g, const char *function) {
     return MEFALSE;
 }
 
+/* Is its centre of mass at its origin, to a hundredth of its size? */
+static MeBool isCentred(McdGeometryID g) {
+    MeMatrix4 relative;
+    MeMatrix3 inertia;
+    MeVector3 middle;
+    MeReal volume, radius;
+    if (!McdGeometryGetMassProperties(g, relative, inertia, &volume))
+        return METRUE;
+    McdGeometryGetBSphere(g, middle, &radius);
+    return MeVector3Magnitude(relative[3]) <= (MeReal)0.01 * radius;
+}
+
 /* All of it, or nothing. */
 static McdModelID createWithBody(MstUniverse *u, McdGeometryID g, MeReal density) {
     const McdModelID m = McdModelCreate(g);
@@ -91,6 +103,8 @@ static McdModelID createWithBody(MstUniverse *u, McdGeometryID g, MeReal density
     McdModelSetBody(m, b);
     MdtBodyEnable(b);
     MstAutoSetMassProperties(b, m, density);
+    if (!isCentred(g))
+        MdtBodyExpectCentreOfMass(b);
     return m;
 }
 

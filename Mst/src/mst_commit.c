@@ -73,8 +73,8 @@ void mst_pairTie(McdModelPair *p, MdtWorldID w) {
         MdtContactGroupEnable(group);
 }
 
-/* Of many bodies in one place each overlaps with each, and a thousand would have half a million groups, of 2 kB. What is
- * deep in each other, while both touch so many others, waits until these have separated: it would be pushed apart
+/* Of many bodies in one place each overlaps with each, and a thousand would have half a million groups, of 2 kB. What
+ * is deep in each other, while both touch so many others, waits until these have separated: it would be pushed apart
  * no faster. What meets at its surface never waits. */
 enum { MANY_OTHERS = 32 };
 

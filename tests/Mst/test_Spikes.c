@@ -242,8 +242,8 @@ static int groupsOf(MdtWorldID w) {
     return groups;
 }
 
-/* 200 boxes in one place, on a floor, have 19 900 pairs. Each gets contacts with 32 others or a few more, is pushed away
- * from these, and meets the others as these leave. */
+/* 200 boxes in one place, on a floor, have 19 900 pairs. Each gets contacts with 32 others or a few more, is pushed
+ * away from these, and meets the others as these leave. */
 START_TEST(what_is_in_one_place_is_pushed_apart_a_few_at_a_time) {
     enum { BOXES = 200, STEPS_APART = 120 };
     McdModelID box[BOXES];

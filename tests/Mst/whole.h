@@ -51,8 +51,13 @@ static inline int MEAPI whole_triangles(McdModelPair *p, McdUserTriangle *t, MeV
 
 static inline McdModelID whole_add(Whole *s, McdGeometryID g, double x, double y, double z) {
     const McdModelID m = MstModelAndBodyCreate(s->u, g, 1000);
+    MeMatrix4 relative;
+    MeMatrix3 inertia;
+    MeReal volume;
     if (!m)
         return 0;
+    McdGeometryGetMassProperties(g, relative, inertia, &volume);
+    MdtBodySetCenterOfMassRelativePosition(McdModelGetBody(m), relative[3]);
     MdtBodySetPosition(McdModelGetBody(m), (MeReal)x, (MeReal)y, (MeReal)z);
     s->model[s->count++] = m;
     return m;

@@ -93,7 +93,7 @@ START_TEST(enabling_and_disabling_bodies) {
     MdtBodyAddForce(body, (MeReal).2, 0, 0); /* an acceleration of .2 < .3 */
     MdtWorldStep(world, step);
     ck_assert(!MdtBodyIsEnabled(body));
-    MdtBodyAddForce(body, (MeReal).2, 0, 0); /* .4 in all: "larger than the threshold values required to wake up" */
+    MdtBodyAddForce(body, (MeReal).4, 0, 0); /* "larger than the threshold values required to wake up" */
     MdtWorldStep(world, step);
     ck_assert(MdtBodyIsEnabled(body));
     for (int i = 0; i < 10; i++) { /* "objects are kept alive for" that long at least */

@@ -1,0 +1,58 @@
+/* What programs forget, told once: to enable a joint whose motor they have switched on, to say where the centre of mass
+ * of a compound is. */
+#include "MdtInternal.h"
+#include "mdt_i.h"
+
+/* ---- motors ---- */
+
+static const MdtBclLimit *limitOf(const MdtJoint *j) {
+    switch (j->bcl.type) {
+    case MdtBclHINGE:
+    case MdtBclPRISMATIC:
+        return &j->bcl.of.limit;
+    case MdtBclSPRING:
+        return &j->bcl.of.distance.limit;
+    default:
+        return NULL;
+    }
+}
+
+static MeBool isForgotten(const MdtJoint *j) {
+    const MdtBclLimit *l = limitOf(j);
+    return l && l->bPowered && (j->base.side[0].body || j->base.side[1].body) &&
+           !(j->base.record.flags & (MDT_ENABLED | MDT_WAS_ENABLED | MDT_TOLD));
+}
+
+/* Joints are looked through in one step of so many, and only while one of them is disabled. */
+void mdt_forgottenWatch(MdtWorldID w) {
+    enum { STEPS = 64 };
+    if (w->jointPool.used == w->enabledJoints || ++w->watchedSteps % STEPS != 0)
+        return;
+    for (MdtLink *link = w->constraints.first; link; link = link->next) {
+        MdtJoint *j = mdt_linkOwner(link);
+        if (!mdt_isJoint(&j->base) || !isForgotten(j))
+            continue;
+        j->base.record.flags |= MDT_TOLD;
+        MeWarning(1, "%s: a %s has a motor that runs, and was never enabled: call Mdt%sEnable",
+                  MeCallerName("MdtWorldStep"), j->type->name, j->type->name);
+    }
+}
+
+/* ---- centres of mass ---- */
+
+void MEAPI MdtBodyExpectCentreOfMass(const MdtBodyID b) {
+    MDT_NEED_BODY(b, );
+    b->record.flags |= MDT_OFF_CENTRE;
+}
+
+void mdt_forgottenCentre(MdtBodyID b) {
+    b->record.flags &= ~MDT_OFF_CENTRE;
+    if (__atomic_exchange_n(&b->world->isCentreTold, METRUE, __ATOMIC_RELAXED))
+        return;
+    MeWarning(
+        1,
+        "%s: the centre of mass of a model's geometry is not at its origin, and that of its body (sort key %d) is "
+        "still taken to be there. McdGeometryGetMassProperties tells where it is; call "
+        "MdtBodySetCenterOfMassRelativePosition",
+        MeCallerName("MdtWorldStep"), b->link.sortKey);
+}

@@ -1,0 +1,175 @@
+/* What a program forgets, or gets wrong without an error: it is told once, with what to call. */
+#include "McdAggregate.h"
+#include "McdCone.h"
+#include "McdQuery.h"
+#include "MdtHinge.h"
+#include "Mst.h"
+#include "karma_test.h"
+
+static MstUniverseID u;
+static MeMatrix4 ground;
+
+static void begin(void) {
+    messages_catch();
+    u = MstUniverseCreate(&MstUniverseGrowingSizes);
+    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-9.8);
+    MeMatrix4TMMakeIdentity(ground);
+    MstFixedModelCreate(u, McdPlaneCreate(u->frame), ground);
+}
+
+static void end(void) {
+    MstUniverseDestroy(u);
+    messages_release();
+}
+
+static void step(int n) {
+    while (n--)
+        MstUniverseStep(u, (MeReal)(1. / 60));
+}
+
+static McdModelID addBox(double x, double z) {
+    McdModelID m = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 1, 1, 1), 1000);
+    McdModelDynamicsSetPosition(m, (MeReal)x, 0, (MeReal)z);
+    return m;
+}
+
+/* Newtons, of a friction that is off. */
+START_TEST(a_bound_of_friction_without_a_type) {
+    for (int isOn = 0; isOn < 2; isOn++) {
+        begin();
+        MdtContactParamsID p = MstBridgeGetContactParams(u->bridge, 0, 0);
+        MdtContactParamsSetFriction(p, (MeReal).5);
+        if (isOn)
+            MdtContactParamsSetType(p, MdtContactTypeFriction2D);
+        addBox(0, .5);
+        step(2);
+        if (!isOn)
+            assert_warned("MdtContactParamsSetType");
+        step(100);
+        assert_silent();
+        end();
+    }
+}
+END_TEST
+
+START_TEST(a_negative_force_of_a_motor) {
+    begin();
+    MdtHingeID j = MdtHingeCreate(u->world);
+    MdtLimitSetLimitedForceMotor(MdtHingeGetLimit(j), 1, -50);
+    assert_warned("MdtLimitSetLimitedForceMotor");
+    ck_assert(!MdtLimitIsMotorized(MdtHingeGetLimit(j)) && MdtLimitGetMotorMaxForce(MdtHingeGetLimit(j)) == 0);
+    MdtLimitSetLimitedForceMotor(MdtHingeGetLimit(j), 1, 0);
+    assert_silent();
+    end();
+}
+END_TEST
+
+/* One that is never enabled; not one that was, nor one that has no bodies yet. */
+START_TEST(a_motor_on_a_joint_that_is_not_enabled) {
+    for (int way = 0; way < 4; way++) {
+        begin();
+        MdtHingeID j = MdtHingeCreate(u->world);
+        if (way != 3)
+            MdtHingeSetBodies(j, McdModelGetBody(addBox(0, 5)), 0);
+        MdtLimitSetLimitedForceMotor(MdtHingeGetLimit(j), 1, 50);
+        if (way == 1 || way == 2)
+            MdtHingeEnable(j);
+        if (way == 2)
+            MdtHingeDisable(j);
+        step(130);
+        if (way == 0)
+            assert_warned("MdtHingeEnable");
+        step(130);
+        assert_silent();
+        end();
+    }
+}
+END_TEST
+
+static McdModelID addHammer(void) {
+    static MeMatrix4 tm[2];
+    McdAggregateID a = McdAggregateCreate(u->frame, 2);
+    for (int i = 0; i < 2; i++) {
+        MeMatrix4TMMakeIdentity(tm[i]);
+        tm[i][3][0] = (MeReal)i;
+        McdAggregateAddElement(a, McdBoxCreate(u->frame, i ? (MeReal).4 : 2, (MeReal).2, (MeReal).2), tm[i]);
+    }
+    McdModelID m = MstModelAndBodyCreate(u, a, 1000);
+    McdModelDynamicsSetPosition(m, 0, 0, 3);
+    return m;
+}
+
+/* A hammer, and a cone, whose origin is in the middle of its height. */
+START_TEST(a_centre_of_mass_that_is_elsewhere) {
+    for (int way = 0; way < 4; way++) {
+        const MeVector3 centre = {(MeReal).1, 0, 0};
+        begin();
+        McdModelID m = way == 3 ? MstModelAndBodyCreate(u, McdConeCreate(u->frame, 1, 1), 1000) : addHammer();
+        McdModelDynamicsSetPosition(m, 0, 0, 3);
+        if (way == 1)
+            MdtBodySetCenterOfMassRelativePosition(McdModelGetBody(m), centre);
+        step(1);
+        if (way != 1)
+            assert_warned("MdtBodySetCenterOfMassRelativePosition");
+        if (way == 2)
+            addHammer();
+        step(20);
+        assert_silent(); /* once a world */
+        end();
+    }
+}
+END_TEST
+
+/* Of the model that it belongs to, and what is to be done about it. */
+START_TEST(a_matrix_that_is_none_any_more) {
+    static MeMatrix4 tm;
+    begin();
+    MeMatrix4TMMakeIdentity(tm);
+    McdModelID m = MstFixedModelCreate(u, McdBoxCreate(u->frame, 1, 1, 1), tm);
+    McdSpaceUnfreezeModel(m);
+    step(1);
+    tm[3][2] = (MeReal)NAN;
+    step(1);
+    assert_warned("number 2, a Box) or box is not finite");
+    step(10);
+    assert_silent();
+    end();
+}
+END_TEST
+
+/* Rays, casts and overlaps meet no sensors, unless the program says so. */
+START_TEST(queries_meet_sensors_if_they_are_asked_to) {
+    static MeMatrix4 tm;
+    begin();
+    MeMatrix4TMMakeIdentity(tm);
+    tm[3][2] = 5;
+    McdModelID gate = MstFixedModelCreate(u, McdBoxCreate(u->frame, 2, 2, 2), tm), list[4];
+    McdModelSetSensor(gate, METRUE);
+    McdSpaceEndChanges(u->space);
+    const MeVector3 from = {0, 0, 10}, down = {0, 0, -20}, low = {-1, -1, 4}, high = {1, 1, 6};
+    for (int on = 0; on < 2; on++) {
+        McdCastResult hit;
+        McdClosestResult closest;
+        McdSpaceSetQuerySensors(u->space, on);
+        ck_assert_int_eq(McdSpaceGetQuerySensors(u->space) != 0, on);
+        ck_assert(McdSpaceCastRay(u->space, from, down, 0, 0, &hit));
+        ck_assert((hit.model == gate) == on);
+        ck_assert_int_eq(McdSpaceOverlapBox(u->space, low, high, 0, 0, list, 4), on);
+        ck_assert_int_eq(McdSpaceGetClosest(u->space, McdSphereCreate(u->frame, 1), tm, 1, 0, 0, &closest), on);
+    }
+    McdSpaceBeginChanges(u->space);
+    assert_silent();
+    end();
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, a_bound_of_friction_without_a_type);
+    tcase_add_test(t, a_negative_force_of_a_motor);
+    tcase_add_test(t, a_motor_on_a_joint_that_is_not_enabled);
+    tcase_add_test(t, a_centre_of_mass_that_is_elsewhere);
+    tcase_add_test(t, a_matrix_that_is_none_any_more);
+    tcase_add_test(t, queries_meet_sensors_if_they_are_asked_to);
+}
+
+TEST_MAIN("Told", tests)
