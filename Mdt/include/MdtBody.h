@@ -52,8 +52,8 @@ MEPUBLIC void MEAPI MdtBodyDisable(const MdtBodyID b);
 MEPUBLIC MeBool MEAPI MdtBodyIsEnabled(const MdtBodyID b);
 /** Seconds for which the body has been enabled. */
 MEPUBLIC MeReal MEAPI MdtBodyGetEnabledTime(const MdtBodyID b);
-/** True when a speed or acceleration of the body is at or above its threshold. The acceleration does not count of a
- *  body whose speeds have been below their thresholds for half a second: that is jitter. */
+/** True when a speed of the body is at or above its threshold, or its acceleration while it has not stayed in place for
+ *  a second (docs/simulation.md, "Sleep"). */
 MEPUBLIC MeBool MEAPI MdtBodyIsMovingTest(const MdtBodyID b, const MdtPartitionParams *params);
 /** @} */
 
@@ -137,13 +137,13 @@ MEPUBLIC MeBool MEAPI MdtBodyCoriolisForceIsEnabled(const MdtBodyID b);
  *  They add up until the next step in which the body is simulated, act in it, and are gone. Forces [N] act for the
  *  whole step; impulses [N s] change the momentum at its start, whatever its length, and joints pass them on at once.
  *
- *  Springs and dampers that a program computes itself are stable: a force that is given in step after step is taken for
- *  samples of one that varies, as by velocity Verlet. What the body's own motion explains of its change since the last
- *  step is made up for, by at most half of the change times the step. A force that begins, ends, or changes with time
- *  alone acts for exactly its steps; one that passes through 0 is given as 0, so that it goes on. Undamped springs keep
- *  their amplitude for frequencies up to 2 / h (120 rad/s at 60 Hz), dampers are stable up to c = 2 m / h; beyond, one
- *  message tells so, and MdtSpring or MdtSpring6 are stable at any stiffness. Where the program sets the velocity, the
- *  pose or the mass, forces begin anew.
+ *  Springs and dampers that a program computes itself are stable: forces that are given in successive steps are
+ *  samples of one that varies (velocity Verlet), so that half of a change times the step is added as the next step
+ *  begins. A force that begins or ends acts for exactly its steps. A step without a call ends it: where a force that
+ *  goes on is zero, as of a spring that is not touched, add zero. Setting velocity or pose ends it, too, but for
+ *  changes that count as rest. With h the step, undamped springs keep their amplitude within 1 % for w h <= 1 and stay
+ *  bounded below w h = 2, dampers are stable up to c h = 2 m. Beyond that, one warning says so; MdtSpring and
+ *  MdtSpring6 are stable at any stiffness.
  *  @{ */
 /** At the centre of mass. */
 MEPUBLIC void MEAPI MdtBodyAddForce(const MdtBodyID b, const MeReal fx, const MeReal fy, const MeReal fz);

@@ -34,8 +34,23 @@ static void getFrame(const MdtBody *b, double p[3], double q[4]) {
 /* Clears the guess of the acceleration, for a body whose motion was changed by the program, */
 static void forgetMotion(MdtBodyID b) {
     mdt_bodyDisturb(b);
-    mdt_forceForget(b);
     memset(b->kea.acceleration, 0, sizeof b->kea.acceleration);
+}
+
+static double distance2(const double a[3], const double b[3]) {
+    double d[3];
+    keaSubtract(d, a, b);
+    return keaDot(d, d);
+}
+
+/* The program's forces begin anew where it has changed the motion by more than what counts as rest. They go on where it
+ * sets what was so already, or puts the body back into a plane. */
+static void forgetForceIfFast(MdtBodyID b, const double v[3], const double w[3]) {
+    const MdtPartitionParams *rest = &b->world->rest;
+    double spin[3];
+    MdtKeaBodyGetAngularVelocity(&b->kea, spin);
+    if (distance2(b->kea.velocity, v) > (double)rest->vel_thresh || distance2(spin, w) > (double)rest->velrot_thresh)
+        mdt_forceForget(b);
 }
 
 /* and the warm start of its constraints, if its pose has changed; setting the same state again keeps both. */
@@ -56,15 +71,23 @@ static void forgetRest(MdtBodyID b) {
 
 /* Places the frame; the velocities stay, so the angular momentum turns along. */
 static void setFrame(MdtBodyID b, const double p[3], const double q[4]) {
-    double w[3], R[3][3], offset[3];
+    const MdtPartitionParams *rest = &b->world->rest;
+    const double h2 = b->world->lastStep * b->world->lastStep;
+    double w[3], R[3][3], offset[3], before[3], turned[4];
     mdt_bodyAcceptVelocities(b);
     keaCopy(w, b->spin);
+    keaCopy(before, b->kea.position);
+    keaQuaternionConjugate(turned, b->kea.quaternion);
     placeCentre(b, q, R, offset);
     keaCopy(b->kea.position, p);
     keaAddScaled(b->kea.position, 1, offset);
     keaQuaternionProduct(b->kea.quaternion, q, b->centreTurn);
     keaQuaternionNormalize(b->kea.quaternion);
     MdtKeaBodySetAngularVelocity(&b->kea, w);
+    keaQuaternionProduct(turned, b->kea.quaternion, turned);
+    if (distance2(b->kea.position, before) > h2 * (double)rest->vel_thresh ||
+        4 * keaDot(turned + 1, turned + 1) > h2 * (double)rest->velrot_thresh)
+        mdt_forceForget(b);
     forgetForces(b);
     forgetRest(b); /* it was slow elsewhere */
     mdt_bodyShow(b);
@@ -151,6 +174,7 @@ void mdt_bodyKeepWithinReach(MdtBodyID b) {
     keaZero(b->kea.velocity);
     MdtKeaBodySetAngularVelocity(&b->kea, none);
     forgetMotion(b);
+    mdt_forceForget(b);
     if (!(b->record.flags & MDT_FAR))
         MeWarning(2,
                   "%s: a body (sort key %d) has come to %g m, where positions have no digits left, and is "
@@ -190,10 +214,12 @@ void mdt_bodyAcceptVelocities(MdtBodyID b) {
     if (!isFinite3(b->velocity) || !isFinite3(b->angularVelocity)) {
         MeWarning(1, "A velocity that is not finite was written through a body's pointer; it is ignored");
     } else {
-        double w[3];
-        if (linear)
-            mdt_fromReal(b->kea.velocity, b->velocity);
+        double v[3], w[3];
+        mdt_fromReal(v, b->velocity);
         mdt_fromReal(w, b->angularVelocity);
+        forgetForceIfFast(b, linear ? v : b->kea.velocity, angular ? w : b->spin);
+        if (linear)
+            keaCopy(b->kea.velocity, v);
         if (angular)
             MdtKeaBodySetAngularVelocity(&b->kea, w);
         forgetMotion(b);
@@ -224,7 +250,6 @@ static void setKeaInertia(MdtBodyID b) {
 static void changeInertia(MdtBodyID b) {
     double w[3];
     mdt_bodyDisturb(b);
-    mdt_forceForget(b);
     mdt_bodyAcceptVelocities(b);
     MdtKeaBodyGetAngularVelocity(&b->kea, w);
     setKeaInertia(b);
@@ -338,6 +363,7 @@ void MEAPI MdtBodyEnable(const MdtBodyID b) {
         return;
     b->record.flags |= MDT_ENABLED;
     mdt_graphChanged(b->world);
+    mdt_forceForget(b);
     forgetMotion(b);
     forgetRest(b);
     b->world->enabledBodies++;
@@ -430,8 +456,6 @@ void mdt_bodyPack(MdtBodyID b, double frame, MeBool hasJoints) {
     MEASSERT(fabs(1 - sqrt(keaDot(b->kea.quaternion + 1, b->kea.quaternion + 1) +
                            b->kea.quaternion[0] * b->kea.quaternion[0])) < 1e-6);
     mdt_bodyAcceptVelocities(b);
-    if (b->record.flags & MDT_OFF_CENTRE)
-        mdt_forgottenCentre(b);
     keaCopy(b->kea.kick[0], b->impulse);
     keaCopy(b->kea.kick[1], b->twist);
     mdt_forceBegin(b);
@@ -616,8 +640,9 @@ void MEAPI MdtBodySetCenterOfMassPosition(const MdtBodyID b, const MeVector3 pos
     if (!mdt_isPointer(__func__, "the position", pos) || !isPlace(__func__, b, pos[0], pos[1], pos[2]))
         return;
     mdt_fromReal(b->kea.position, pos);
-    mdt_bodyDisturb(b);
     mdt_forceForget(b);
+    forgetForces(b);
+    forgetRest(b);
     mdt_bodyAcceptVelocities(b);
     mdt_bodyShow(b);
     mdt_bodyWakeIfAsleep(b);
@@ -642,6 +667,7 @@ void MEAPI MdtBodySetLinearVelocity(const MdtBodyID b, const MeReal dx, const Me
         return;
     const double v[3] = {dx, dy, dz};
     mdt_bodyAcceptVelocities(b);
+    forgetForceIfFast(b, v, b->spin);
     keaCopy(b->kea.velocity, v);
     forgetMotion(b);
     mdt_bodyShow(b);
@@ -666,6 +692,7 @@ void MEAPI MdtBodySetAngularVelocity(const MdtBodyID b, const MeReal wx, const M
         return;
     const double w[3] = {wx, wy, wz};
     mdt_bodyAcceptVelocities(b);
+    forgetForceIfFast(b, b->kea.velocity, w);
     MdtKeaBodySetAngularVelocity(&b->kea, w);
     forgetMotion(b);
     mdt_bodyShow(b);
@@ -723,10 +750,8 @@ void MEAPI MdtBodySetMass(const MdtBodyID b, const MeReal mass) {
     MDT_NEED_BODY(b, );
     if (!mdt_isPositive(__func__, "the mass", mass))
         return;
-    if ((double)mass != b->mass) {
+    if ((double)mass != b->mass)
         mdt_bodyDisturb(b);
-        mdt_forceForget(b);
-    }
     b->mass = (double)mass;
     b->kea.invMass = 1 / b->mass;
 }

@@ -12,8 +12,8 @@
  * exactly its steps.
  *
  * Of a damper the correction is the method of Adams and Bashforth, which is stable up to h c / m = 1; without it the
- * limit is 2. So stiffness and damping are estimated from the last changes of the force (fitFeedback), and the
- * correction fades out where damping is large.
+ * limit is 2. So stiffness and damping are estimated from the last changes of the force (lawOf), and the correction
+ * fades out where damping is large.
  */
 #include "MeAssert.h"
 #include "mdt_i.h"
@@ -21,66 +21,72 @@
 
 /* ---- what the force answers to ---- */
 
-/* Each frame counts .6 times as much as the next: the last three make up four fifths, as many as there are unknowns.
- * Before the first there is one of no force, no momentum and no change. */
+/* Of sums over frames: each counts so much of the next. */
+static const double memory = 0.9;
+/* First frames: their motion is its own instrument, as there is none of before. */
+enum { NEW_FRAMES = 4 };
+
+/* One more frame, of mean momentum p, its change q, and the change f of the force, times the frame. */
 static void addToFit(MdtFeedback *fit, double p, double q, double f) {
-    double *const sum[] = {&fit->weight, &fit->p, &fit->q, &fit->f, &fit->pp, &fit->pq, &fit->qq, &fit->fp, &fit->fq};
-    const double now[] = {1, p, q, f, p * p, p * q, q * q, f * p, f * q}, memory = 0.6;
-    fit->weight = fmax(fit->weight, 1);
-    for (int i = 0; i < (int)(sizeof now / sizeof *now); i++)
-        *sum[i] = memory * *sum[i] + now[i];
+    const MeBool isNew = fit->frames < NEW_FRAMES;
+    const double P = isNew ? p : keaDot(fit->before[0], fit->along), Q = isNew ? q : keaDot(fit->before[1], fit->along);
+    const double row[3] = {1, P, Q}, column[5] = {1, p, q, f, p * p + q * q};
+    if (fit->frames++ == 0)
+        fit->sum[0][0] = 1; /* before the first there is one of no force, no momentum and no change */
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 5; k++)
+            fit->sum[i][k] = memory * fit->sum[i][k] + row[i] * column[k];
 }
 
 /* f = a - κ p - δ q */
 typedef struct Law {
-    double offset, stiffness, damping;
+    double stiffness, damping;
 } Law;
 
-/* Least squares along the force's change, with f that change times h, p the mean momentum of the frame and q its
- * change: κ = h² k / m, δ = h c / m. A body that moves uniformly besides has an offset a. */
+/* Without what a body that moves uniformly has besides. */
+static double sumOf(const MdtFeedback *fit, int i, int k) {
+    return fit->sum[i][k] - fit->sum[i][0] * fit->sum[0][k] / fmax(fit->sum[0][0], 1);
+}
+
+/* κ = h² k / m, δ = h c / m, by the method of instrumental variables: a force that has nothing to do with the motion
+ * has changed the momentum of the frame before, but not that of the frame before that, which is the instrument. Where
+ * the two say little of each other, or are proportional, both are taken to be smaller. */
 static Law lawOf(const MdtFeedback *fit) {
-    const double n = fmax(fit->weight, 1), pp = fit->pp - fit->p * fit->p / n, qq = fit->qq - fit->q * fit->q / n,
-                 pq = fit->pq - fit->p * fit->q / n, fp = fit->fp - fit->f * fit->p / n,
-                 fq = fit->fq - fit->f * fit->q / n;
-    const double ridge = 1e-3 * (pp + qq); /* where p and q are proportional */
-    const double det = (pp + ridge) * (qq + ridge) - pq * pq;
-    Law law = {0, 0, 0};
-    if (det > 0) {
-        law.stiffness = (pq * fq - (qq + ridge) * fp) / det;
-        law.damping = (pq * fp - (pp + ridge) * fq) / det;
-    }
-    law.offset = (fit->f + law.stiffness * fit->p + law.damping * fit->q) / n;
-    return law;
+    const double a = sumOf(fit, 1, 1), b = sumOf(fit, 1, 2), c = sumOf(fit, 2, 1), d = sumOf(fit, 2, 2),
+                 pf = sumOf(fit, 1, 3), qf = sumOf(fit, 2, 3), ridge = 0.03 * fit->sum[0][4];
+    /* (AᵀA + ridge² 1)⁻¹ Aᵀ y, of A = (a b; c d) */
+    const double A = a * a + c * c + ridge * ridge, B = a * b + c * d, D = b * b + d * d + ridge * ridge;
+    const double y = a * pf + c * qf, z = b * pf + d * qf, det = A * D - B * B;
+    return det > 0 ? (Law){-(D * y - B * z) / det, -(A * z - B * y) / det} : (Law){0, 0};
 }
 
-/* The share of a change f of the force that the motion p, q explains: by the law of the frames before this one, to a
- * factor of 3; in the first frames by any spring and damper that is stable. The rest depends on time, such as a push
- * that the program makes stronger, and is taken as it is given. */
-static double explainedShare(const MdtFeedback *before, double p, double q, double f) {
-    const double few = 2; /* 1 + .6 + .6² < few < 1 + .6 + .6² + .6³: fewer than three */
-    const Law law = lawOf(before);
-    const double most = before->weight < few
-                            ? 4 * fabs(p) + 2 * fabs(q)
-                            : 3 * (law.offset - law.stiffness * p - law.damping * q) * (f < 0 ? -1 : 1);
-    return fmin(fmax(most / fabs(f), 0), 1);
-}
-
-/* The share of the correction that is stable: all of it up to δ = .6, none from 1 on. Where δ is below .6 κ the body
- * has far more inertia than its own mass (it is tied to others), so that both are overestimated. Oscillators with all
- * ratios of damping up to 1 and h w up to .9 stay within 4 % of the analytic envelope (tests/Mdt/test_Feedback.c). */
-static double stableShare(const Law *law) {
+/* The share of the correction that is stable: all of it up to δ = .6, none from 1 on, nor where a damped force
+ * alternates and grows. Where δ is below .6 κ the body has far more inertia than its own mass (it is tied to others),
+ * so that both are overestimated. Oscillators with all ratios of damping up to 1 and h w up to .9 stay within 5 % of
+ * the analytic envelope (tests/Mst/test_Forces.c). */
+static double stableShare(const Law *law, MeBool alternates) {
     const double all = 0.6, none = 1;
     if (law->damping < 0.6 * law->stiffness)
         return 1;
+    if (alternates)
+        return 0;
     return fmin(fmax((none - law->damping) / (none - all), 0), 1);
 }
 
-/* Does it alternate and grow, as only a force does that is too stiff for the step? */
-static MeBool runsAway(MdtFeedback *fit, const double now[3], const double last[3]) {
-    enum { MANY = 6 };
-    const MeBool isLarger = keaDot(now, last) < 0 && keaDot(now, now) > keaDot(last, last);
-    fit->growth = isLarger ? fit->growth + 1 : fit->growth / 2;
-    return fit->growth >= MANY;
+/* The share of a change of force, times the frame, that the motion may have caused by springs and dampers that are
+ * stable, κ <= 4 and δ <= 2. What is tied to something, or rests on it, may be held: the rest of the change is a push
+ * on it, and taken as it is given. */
+static double explainedShare(double change, const double p[3], const double q[3]) {
+    return fmin((4 * keaLength(p) + 2 * keaLength(q)) / change, 1);
+}
+
+/* Does it grow in frame after frame, as a force does that is too stiff for the step, κ > 4 or δ > 2? These are
+ * estimated to a quarter; what grows by chance, or by the program's will, has others. What grows by more than 4 in a
+ * frame is sooner beyond all numbers. */
+static MeBool runsAway(const MdtFeedback *fit) {
+    enum { MANY = 8 };
+    const Law law = lawOf(fit);
+    return fit->growth >= MANY && (law.stiffness > 3 || law.damping > 1.5);
 }
 
 /* By more than the thresholds of rest: what is less may be rounding. */
@@ -93,27 +99,35 @@ static void warnOfStiffness(MdtBodyID b, const char *function) {
         return;
     b->record.flags |= MDT_TOLD;
     MeWarning(2,
-              "%s: the load on a body (sort key %d) changes its sign and grows in each step of %g s: its spring or "
+              "%s: the load on a body (sort key %d) grows step by step of %g s: its spring or "
               "damper is too stiff for explicit forces, with frequency times step above 2. Take shorter steps, or "
               "MdtSpring or MdtSpring6, which are stable at any stiffness",
               function, b->link.sortKey, b->applied.time);
 }
 
-/* N s, N m s: what a step of h seconds lacks if the force is `now` and was `last`; the momentum was `before`, and is
+/* N s, N m s: what the body's last step lacks if the force is `now` and was `last`; the momentum was `before`, and is
  * `after`. */
-static void correct(MdtFeedback *fit, double theta, double h, const double now[3], const double last[3],
+static void correct(const MdtBody *b, MdtFeedback *fit, const double now[3], const double last[3],
                     const double before[3], const double after[3], double correction[3]) {
+    const double h = b->applied.time, growth = keaDot(now, now) / keaDot(last, last);
+    double mean[3], change[3];
     keaSubtract(correction, now, last);
+    keaSubtract(change, after, before);
+    keaScale(mean, 0.5, before);
+    keaAddScaled(mean, 0.5, after);
     double size = keaLength(correction);
+    const double explained = size > 0 && b->attachments ? explainedShare(h * size, mean, change) : 1;
     if (size > 0) {
         size = keaDot(correction, fit->along) < 0 ? -size : size; /* an axis turns, and does not change its sign */
         keaScale(fit->along, 1 / size, correction);
     }
-    const double p0 = keaDot(before, fit->along), p1 = keaDot(after, fit->along), p = 0.5 * (p0 + p1), q = p1 - p0;
-    const double explained = size == 0 ? 0 : explainedShare(fit, p, q, h * size);
-    addToFit(fit, p, q, h * size);
+    addToFit(fit, keaDot(mean, fit->along), keaDot(change, fit->along), h * size);
+    keaCopy(fit->before[0], mean);
+    keaCopy(fit->before[1], change);
+    fit->growth = growth > 1 ? fit->growth + (growth > 16 ? 2 : 1) : fit->growth > 2 ? fit->growth - 2 : 0;
     const Law law = lawOf(fit);
-    keaScale(correction, (1 - theta) * h * explained * stableShare(&law), correction);
+    keaScale(correction, (1 - b->theta) * h * explained * stableShare(&law, fit->growth > 2 && keaDot(now, last) < 0),
+             correction);
 }
 
 /* ---- the correction ---- */
@@ -128,14 +142,12 @@ static void continueLoad(MdtBodyID b) {
     MdtApplied *last = &b->applied;
     double after[2][3], correction[2][3];
     getMomenta(b, after);
-    correct(&last->pushing, b->theta, last->time, b->force, last->force, last->momentum[0], after[0], correction[0]);
-    correct(&last->turning, b->theta, last->time, b->torque, last->torque, last->momentum[1], after[1], correction[1]);
+    correct(b, &last->pushing, b->force, last->force, last->momentum[0], after[0], correction[0]);
+    correct(b, &last->turning, b->torque, last->torque, last->momentum[1], after[1], correction[1]);
     const double h = last->time, *I = b->kea.moments, inverse = 1 / fmax(I[0], fmax(I[1], I[2]));
-    if (runsAway(&last->pushing, b->force, last->force) &&
-        isVisible(b->force, b->kea.invMass, h, b->world->rest.vel_thresh))
+    if (runsAway(&last->pushing) && isVisible(b->force, b->kea.invMass, h, b->world->rest.vel_thresh))
         warnOfStiffness(b, "MdtBodyAddForce");
-    if (runsAway(&last->turning, b->torque, last->torque) &&
-        isVisible(b->torque, inverse, h, b->world->rest.velrot_thresh))
+    if (runsAway(&last->turning) && isVisible(b->torque, inverse, h, b->world->rest.velrot_thresh))
         warnOfStiffness(b, "MdtBodyAddTorque");
     for (int k = 0; k < 2; k++)
         keaAddScaled(b->kea.kick[k], 1, correction[k]);

@@ -99,20 +99,23 @@ typedef struct MdtStart {
 
 /* For how long a body has hardly moved, and near which pose it swings (mdt_sleep.c). */
 typedef struct MdtStay {
-    double way, slowTime;              /* m, s: its way, and for how long that has been short */
+    double way;                        /* m, in the last second */
     double position[3], quaternion[4]; /* of the centre of mass */
     double time;                       /* s, for which it has been near there */
-    double farthest;                   /* m, that it was away from there */
-    int returns;                       /* how often it has come back by half of that */
+    double farthest;                   /* m, that it was away from there, */
+    double known;                      /* and when it came back last */
+    double reach;                      /* m: it swung by little before, and would still be within this; 0: it did not */
+    int returns;                       /* how often it has come back to half of the farthest */
     MeBool isBack;
 } MdtStay;
 
 /* How the force on a body answers to its motion: sums over frames (mdt_force.c). */
 typedef struct MdtFeedback {
-    double along[3];           /* the direction of the force's last change */
-    double weight, p, q, f;    /* along it: mean momentum, its change, and the change of the force times the step */
-    double pp, pq, qq, fp, fq; /* of products */
-    int growth;                /* frames in which the force was larger than before, the other way; halved by others */
+    double along[3];               /* the direction of the force's last change */
+    double before[2][3];           /* kg m/s or kg m²/s: the mean momentum of the frame before, and its change */
+    double sum[3][5];              /* addToFit: of products of 1, p, q of the frame before with 1, p, q, f, p² + q² */
+    int frames;
+    int growth;                    /* frames in which the force was larger than before, less those in which it was not */
 } MdtFeedback;
 
 /* What a program applied to a body for the last frame. */
@@ -227,9 +230,10 @@ void mdt_stayForget(MdtBodyID b);
 void mdt_stayCount(MdtBodyID b, double h);
 /* Has it stayed where it is for long? */
 MeBool mdt_staysInPlace(const MdtBody *b);
-/* Wakes the sleepers of which an input has changed since they fell asleep; forces and impulses that do not move the
- * others are over with the step of h seconds that begins. */
+/* Wakes the sleepers of which an input has changed since they fell asleep, before a step of h seconds. */
 void mdt_sleepersWake(MdtWorldID w, double h);
+/* The forces of those that sleep on are over with the step. */
+void mdt_sleepersEndForces(MdtWorldID w);
 /* All sleepers, as something has changed that concerns each of them. */
 void mdt_sleepersWakeAll(MdtWorldID w);
 
@@ -528,7 +532,8 @@ struct MdtWorld {
     int enabledBodies, asleepBodies, enabledConstraints;
     int enabledJoints;       /* of the enabled constraints */
     int watchedSteps;        /* of mdt_forgotten.c, */
-    MeBool isCentreTold;     /* which has warned of a centre of mass */
+    MeBool expectsCentre;    /* which is to warn of a body's centre of mass, */
+    MeBool isCentreTold;     /* and has */
     int breakable;           /* constraints with a limit */
     int apart;               /* joints whose bodies do not collide with each other */
     int userConstraints;     /* whose rows a function of the program makes */
@@ -609,10 +614,8 @@ void mdt_idleWatch(MdtWorldID w, double h);
 
 /* ---- what programs forget (mdt_forgotten.c) ---- */
 
-/* A step begins: warns of motors on joints that were never enabled. */
+/* A step begins: warns of motors on joints that were never enabled, and of centres of mass that were not set. */
 void mdt_forgottenWatch(MdtWorldID w);
-/* Warns that the body's centre of mass was not set. */
-void mdt_forgottenCentre(MdtBodyID b);
 
 /* ---- joints that break (mdt_break.c) ---- */
 

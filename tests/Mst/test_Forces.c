@@ -216,13 +216,72 @@ START_TEST(a_velocity_that_is_set_is_not_corrected) {
             else
                 MdtBodySetPosition(b, (MeReal)i, 0, 0);
             MdtBodyGetLinearVelocity(b, v);
-            const double force = way == 0 || i % 2 ? 10. * i : -10. * i, before = (double)v[0];
+            const double force = (way == 0 || i % 2 ? 10. : -10.) * (10 + i), before = (double)v[0];
             MdtBodyAddForce(b, (MeReal)(force * mass), 0, 0);
             MstUniverseStep(u, (MeReal)h);
             MdtBodyGetLinearVelocity(b, v);
             assert_near(v[0], before + force * h, TOL(1e-6, 1e-14));
         }
     MstUniverseDestroy(u);
+}
+END_TEST
+
+/* ---- as by the method of Verlet ---- */
+
+/* m/s²: of springs along x and y, or of a trampoline, with gravity. */
+static void accelerationAt(int way, double w, const double x[3], double a[3]) {
+    a[0] = -w * w * x[0];
+    a[1] = way == 1 ? -.3 * w * w * x[1] : 0;
+    a[2] = way == 2 ? (x[2] < 0 ? -w * w * x[2] : 0) - 9.8 : 0;
+}
+
+/* Setters that change nothing, or put the body back into its plane. */
+static void setAsItIs(MdtBodyID b) {
+    MeVector3 x, v;
+    MdtBodyGetPosition(b, x);
+    MdtBodyGetLinearVelocity(b, v);
+    MdtBodySetPosition(b, x[0], 0, x[2]);
+    MdtBodySetLinearVelocity(b, v[0], 0, v[2]);
+    MdtBodySetAngularVelocity(b, 0, 0, 0);
+    MdtBodySetQuaternion(b, 1, 0, 0, 0);
+    MdtBodySetMass(b, MdtBodyGetMass(b));
+}
+
+/* Frames of other lengths, a stiffness that depends on the direction, a force on one side only, setters in between. */
+START_TEST(forces_of_programs_act_as_by_verlet) {
+    for (int way = 0; way < 4; way++)
+        for (double w = 3; w < 25; w *= 2) {
+            MstUniverseID u = MstUniverseCreate(&MstUniverseGrowingSizes);
+            MdtBodyID b = lonelyBody(u);
+            double x[3] = {way == 2 ? 0 : 1, way == 1 ? 1 : 0, way == 2 ? 2 : 0}, v[3] = {0, 0, 0}, a[3], most = 0,
+                   off = 0;
+            MdtWorldSetGravity(MstUniverseGetWorld(u), 0, 0, 0);
+            MdtBodySetPosition(b, (MeReal)x[0], (MeReal)x[1], (MeReal)x[2]);
+            MdtBodySetLinearVelocity(b, 0, 0, 0);
+            for (int i = 0; i < 600; i++) {
+                const double h = way == 0 && i % 3 == 0 ? .033 : 1. / 60;
+                MeVector3 at;
+                MdtBodyGetPosition(b, at);
+                const double place[3] = {(double)at[0], (double)at[1], (double)at[2]}, m = (double)MdtBodyGetMass(b);
+                double next[3];
+                accelerationAt(way, w, place, next);
+                MdtBodyAddForce(b, (MeReal)(m * next[0]), (MeReal)(m * next[1]), (MeReal)(m * next[2]));
+                if (way == 3)
+                    setAsItIs(b);
+                MstUniverseStep(u, (MeReal)h);
+                accelerationAt(way, w, x, a);
+                for (int k = 0; k < 3; k++)
+                    x[k] += h * v[k] + .5 * h * h * a[k];
+                accelerationAt(way, w, x, next);
+                for (int k = 0; k < 3; k++)
+                    v[k] += .5 * h * (a[k] + next[k]);
+                MdtBodyGetPosition(b, at);
+                for (int k = 0; k < 3; k++)
+                    off = fmax(off, fabs((double)at[k] - x[k])), most = fmax(most, fabs(x[k]));
+            }
+            ck_assert_msg(off < TOL(2e-2, 1e-6) * most, "way %d, %g rad/s: %g off by %g", way, w, most, off);
+            MstUniverseDestroy(u);
+        }
 }
 END_TEST
 
@@ -357,6 +416,7 @@ START_TEST(a_squeezer_with_a_spring_by_hand_is_as_exact_as_its_joints) {
 END_TEST
 
 static void tests(TCase *t) {
+    tcase_add_test(t, forces_of_programs_act_as_by_verlet);
     tcase_add_test(t, an_undamped_spring_keeps_its_amplitude);
     tcase_add_test(t, a_damped_spring_stays_below_its_envelope);
     tcase_add_test(t, a_constant_force_acts_for_exactly_its_steps);
