@@ -28,8 +28,6 @@ typedef void(MEAPI *McdFrozenVisit)(McdModelID m, MeBool hasMoved, void *context
 /** Visits such models; some are looked at in each call, in turn, and all of them after a call that has changed a shape
  *  or a model of the framework. The visit may freeze and unfreeze models. */
 MEPUBLIC void MEAPI McdSpaceVisitChangedFrozen(McdSpaceID s, McdFrozenVisit visit, void *context);
-/** Whether a model, live and in a space, is as it was when its box was made. */
-MEPUBLIC MeBool MEAPI McdModelIsAsItsBox(McdModelID cm);
 /** Whether its matrix was another when its box was made the last time but one. */
 MEPUBLIC MeBool MEAPI McdModelHasMoved(McdModelID cm);
 /** How far the point of a model, world, was moved with it when its box was made last, m; zero and MEFALSE where it was

@@ -32,8 +32,8 @@ MEPUBLIC MeU64 MEAPI McdModelGetSerial(McdModelID cm);
 /** @name Shape
  *  @{ */
 MEPUBLIC McdGeometryID MEAPI McdModelGetGeometry(McdModelID cm);
-/** Another geometry of the same framework. An aggregate's model must be in no space, nor one that is to become an
- *  aggregate's: these are refused with a warning. */
+/** Another geometry of the same framework; to or from an aggregate only while the model is in no space, else a warning.
+ *  The mass of its body stays. */
 MEPUBLIC void MEAPI McdModelSetGeometry(McdModelID cm, McdGeometryID g);
 MEPUBLIC McdGeometryType MEAPI McdModelGetGeometryType(McdModelID cm);
 MEPUBLIC McdGeometryInstanceID MEAPI McdModelGetGeometryInstance(McdModelID cm);

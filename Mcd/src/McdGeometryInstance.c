@@ -165,9 +165,12 @@ unsigned int MEAPI McdGeometryInstanceGetMaterial(McdGeometryInstanceID ins) {
 void MEAPI McdGeometryInstanceSetMaterial(McdGeometryInstanceID ins, int material) {
     if (!mcd_instanceCheck(ins, "McdGeometryInstanceSetMaterial"))
         return;
+    const int before = ins->parent ? ins->material : (int)mcd_record(ins->model)->material;
     if (material < (ins->parent ? -1 : 0))
         MeWarning(1, "McdGeometryInstanceSetMaterial: material is %d", material);
-    else if (ins->parent)
+    if (material < (ins->parent ? -1 : 0) || material == before)
+        return;
+    if (ins->parent)
         ins->material = material;
     else
         mcd_record(ins->model)->material = (unsigned int)material;

@@ -298,6 +298,7 @@ void MEAPI McdModelSetTransformPtr(const McdModelID cm, const MeMatrix4Ptr geome
     freeRelative(m);
     m->relTM = m->refTM = 0;
     m->instance.tm = geometryTM;
+    mcd_modelStir(m);
 }
 
 static void composeTransforms(McdModelRecord *m) {
@@ -519,6 +520,7 @@ void MEAPI McdModelSetContactTolerance(McdModelID cm, MeReal tolerance) {
         MeWarning(1, "McdModelSetContactTolerance: tolerance is %g: it must be >= 0", (double)tolerance);
     else
         m->tolerance = tolerance;
+    mcd_modelStir(m);
 }
 
 MeReal MEAPI McdModelGetContactTolerance(McdModelID cm) {
@@ -528,8 +530,10 @@ MeReal MEAPI McdModelGetContactTolerance(McdModelID cm) {
 
 void MEAPI McdModelSetSwept(McdModelID cm, MeBool swept) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetSwept");
-    if (m)
-        m->isSwept = swept != 0;
+    if (!m)
+        return;
+    m->isSwept = swept != 0;
+    mcd_modelStir(m);
 }
 
 MeBool MEAPI McdModelIsSwept(McdModelID cm) {

@@ -44,8 +44,3 @@ void MEAPI McdSpaceVisitChangedFrozen(McdSpaceID s, McdFrozenVisit visit, void *
         look(s, s->nextLook, visit, context);
     }
 }
-
-MeBool MEAPI McdModelIsAsItsBox(McdModelID cm) {
-    McdModelRecord *m = mcd_record(cm);
-    return mcd_modelStamp(m) == m->boxStamp && !m->isStirred;
-}

@@ -20,7 +20,7 @@ MEPUBLIC MeBool MEAPI MdtWorldIsValid(const MdtWorldID w);
  *  same. */
 MEPUBLIC unsigned long MEAPI MdtBodyGetMoves(const MdtBodyID b);
 
-/** Its model's geometry has its centre of mass elsewhere than at the origin: a warning as the body is simulated first,
+/** Its model's geometry has its centre of mass elsewhere than at the origin: a warning before the body is simulated first,
  *  if the program has not said where by then (MdtBodySetCenterOfMassRelativePosition). */
 MEPUBLIC void MEAPI MdtBodyExpectCentreOfMass(const MdtBodyID b);
 

@@ -17,20 +17,20 @@ static const MdtBclLimit *limitOf(const MdtJoint *j) {
     }
 }
 
-static MeBool isForgotten(const MdtJoint *j) {
+static MeBool isMotorForgotten(const MdtJoint *j) {
     const MdtBclLimit *l = limitOf(j);
-    return l && l->bPowered && (j->base.side[0].body || j->base.side[1].body) &&
+    return l && l->bPowered && l->fmax > 0 && (j->base.side[0].body || j->base.side[1].body) &&
            !(j->base.record.flags & (MDT_ENABLED | MDT_WAS_ENABLED | MDT_TOLD));
 }
 
 /* Joints are looked through in one step of so many, and only while one of them is disabled. */
-void mdt_forgottenWatch(MdtWorldID w) {
+static void watchMotors(MdtWorldID w) {
     enum { STEPS = 64 };
     if (w->jointPool.used == w->enabledJoints || ++w->watchedSteps % STEPS != 0)
         return;
     for (MdtLink *link = w->constraints.first; link; link = link->next) {
         MdtJoint *j = mdt_linkOwner(link);
-        if (!mdt_isJoint(&j->base) || !isForgotten(j))
+        if (!mdt_isJoint(&j->base) || !isMotorForgotten(j))
             continue;
         j->base.record.flags |= MDT_TOLD;
         MeWarning(1, "%s: a %s has a motor that runs, and was never enabled: call Mdt%sEnable",
@@ -43,16 +43,27 @@ void mdt_forgottenWatch(MdtWorldID w) {
 void MEAPI MdtBodyExpectCentreOfMass(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
     b->record.flags |= MDT_OFF_CENTRE;
+    b->world->expectsCentre = !b->world->isCentreTold;
 }
 
-void mdt_forgottenCentre(MdtBodyID b) {
-    b->record.flags &= ~MDT_OFF_CENTRE;
-    if (__atomic_exchange_n(&b->world->isCentreTold, METRUE, __ATOMIC_RELAXED))
+/* Of the first that is simulated; once a world. */
+static void watchCentres(MdtWorldID w) {
+    for (MdtLink *link = w->expectsCentre ? w->bodies.first : NULL; link; link = link->next) {
+        const MdtBody *b = mdt_linkOwner(link);
+        if ((b->record.flags & (MDT_OFF_CENTRE | MDT_ENABLED)) != (MDT_OFF_CENTRE | MDT_ENABLED))
+            continue;
+        w->expectsCentre = MEFALSE;
+        w->isCentreTold = METRUE;
+        MeWarning(1,
+                  "%s: the centre of mass of a model's geometry is not at its origin, and that of its body (sort key "
+                  "%d) is still taken to be there. McdGeometryGetMassProperties tells where it is; call "
+                  "MdtBodySetCenterOfMassRelativePosition, with zeros if that is meant",
+                  MeCallerName("MdtWorldStep"), b->link.sortKey);
         return;
-    MeWarning(
-        1,
-        "%s: the centre of mass of a model's geometry is not at its origin, and that of its body (sort key %d) is "
-        "still taken to be there. McdGeometryGetMassProperties tells where it is; call "
-        "MdtBodySetCenterOfMassRelativePosition",
-        MeCallerName("MdtWorldStep"), b->link.sortKey);
+    }
+}
+
+void mdt_forgottenWatch(MdtWorldID w) {
+    watchMotors(w);
+    watchCentres(w);
 }

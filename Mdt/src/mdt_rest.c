@@ -93,10 +93,14 @@ static void certifyConstraint(MdtConstraintID c) {
         forWatchedContacts(mdt_asManifold(c), certifyContact);
 }
 
-/* Visits the constraints of the body that may have been changed without a word, each once, from one of two bodies. */
-static MeBool isToCompare(const MdtAttachment *at, const MdtBaseConstraint *c) {
-    return (c->record.flags & (MDT_WATCHED | MDT_TOUCHED)) && (c->record.flags & MDT_ENABLED) &&
-           (mdt_attachmentSide(at) == 0 || !c->side[0].body);
+/* Each constraint is visited from one of its bodies: the first, unless that is not simulated. */
+static MeBool isVisitedFrom(const MdtAttachment *at, const MdtBaseConstraint *c) {
+    const MdtBody *first = c->side[0].body;
+    return mdt_attachmentSide(at) == 0 || !first || !(first->record.flags & (MDT_ENABLED | MDT_ASLEEP));
+}
+
+static MeBool isToCompare(const MdtBaseConstraint *c) {
+    return (c->record.flags & (MDT_WATCHED | MDT_TOUCHED)) && (c->record.flags & MDT_ENABLED);
 }
 
 MeBool mdt_restAreConstraintsAsCertified(MdtBodyID b) {
@@ -104,9 +108,11 @@ MeBool mdt_restAreConstraintsAsCertified(MdtBodyID b) {
         return METRUE;
     for (const MdtAttachment *at = b->attachments; at; at = at->next) {
         const MdtConstraintID c = mdt_attachmentOwner(at);
-        if (isToCompare(at, c) && !isAsCertified(c))
+        if (!isVisitedFrom(at, c))
+            continue;
+        if (isToCompare(c) && !isAsCertified(c))
             return MEFALSE;
-        c->record.flags &= mdt_attachmentSide(at) == 0 || !c->side[0].body ? ~MDT_TOUCHED : ~0;
+        c->record.flags &= ~MDT_TOUCHED;
     }
     b->record.flags &= ~MDT_TOUCHED;
     return METRUE;

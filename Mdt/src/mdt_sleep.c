@@ -1,11 +1,11 @@
 /* Sleep: which partitions are at rest, and what wakes their bodies.
  *
- * A partition is put to sleep if the next second (five alive times) would not move it to speak of. Of each body that is
- * known
+ * A partition sleeps if none of its bodies would move perceptibly in the next second (five alive times). A body
+ * qualifies
  *
- *     at once        from its velocity and acceleration, where they are almost 0
- *     in a second    from where it has been: it has hardly moved, or it has come back to near where it was, so that it
- *                    trembles, or swings by little; what drifts, creeps or begins to move goes away
+ *     at once           if its velocity and acceleration are almost 0
+ *     after a second    if it has hardly moved in the last one, or has come back twice to where it was, so that it
+ *                       trembles, or swings by little; what drifts, creeps or begins to move goes away
  *
  * unless a motor, a path, or a surface that moves drives it, or its load is another than in the step before. The
  * thresholds of the guides have to hold, too. Where the program has set them, what is slower is at rest.
@@ -17,21 +17,25 @@
 #include "MdtInternal.h"
 #include "MeAssert.h"
 #include "mdt_step_i.h"
+#include <math.h>
 #include <string.h>
 
-/* Alive times that the rule looks ahead, and back: 1 s by default. */
+/* Alive times that the rule looks ahead, and back: 1 s by default, and without. */
 enum { AHEAD = 5 };
-/* Of the radius of gyration, or a fifth of the length scale, how far a body moves in that time: what has moved by less
- * than the first is at rest, and what swings by up to the second, after a time in proportion; what is slower than the
- * third is so at once; pushes that would move a sleeper by the fourth wake it. A box of 1 m that turns at 2.5e-3 rad/s,
- * drifts at 1 mm/s, or swings by 1 cm to either side stays awake, and a push that gives it 1 cm/s wakes it. */
-static const double stayingReach = 2.5e-3, swingingReach = 5e-2, quietReach = 2.5e-4, wakingReach = 2.5e-2;
+/* How far a body moves in that time, of its radius of gyration, or of a fifth of the length scale if that is larger. A
+ * box of 1 m that turns at 2.5e-3 rad/s, drifts at 1 mm/s, or swings by 1 cm to either side stays awake, and a push
+ * that gives it 1 cm/s wakes it. */
+static const double stayingReach = 2.5e-3; /* less is at rest: nobody sees a millimetre a second */
+static const double swingingReach = 5e-2;  /* the same in 20 s: so far it may swing about its place */
+static const double quietReach = 2.5e-4;   /* a tenth: less is at rest at once */
+static const double wakingReach = 2.5e-2;  /* ten times: a push that moves a sleeper as far wakes it */
 
 /* ---- one body ---- */
 
-/* s */
+/* s: "a second". */
 static double timeAhead(const MdtBody *b) {
-    return AHEAD * (double)MdtWorldGetAutoDisableAliveTime(b->world);
+    const double alive = (double)b->world->rest.alive_time;
+    return AHEAD * (alive > 0 ? alive : MDTWORLD_DEFAULT_ALIVE_TIME_THRESH);
 }
 
 /* m: of gyration, or a fifth of the length scale, for what is smaller. */
@@ -40,18 +44,25 @@ static double radiusOf(const MdtBody *b) {
     return fmax(sqrt(fmax(I[0], fmax(I[1], I[2])) * b->kea.invMass), least);
 }
 
-/* It is near where it is now. */
-static void settle(MdtBodyID b) {
-    keaCopy(b->stay.position, b->kea.position);
-    memcpy(b->stay.quaternion, b->kea.quaternion, sizeof b->stay.quaternion);
-    b->stay.time = b->stay.farthest = 0;
-    b->stay.returns = 0;
-    b->stay.isBack = METRUE;
+/* m: it is still if its way is no longer than this. */
+static double stillWay(double radius) {
+    return stayingReach * radius;
+}
+
+/* It is near where it is now, and within `reach` of that. */
+static void settle(MdtBodyID b, double reach) {
+    MdtStay *s = &b->stay;
+    keaCopy(s->position, b->kea.position);
+    memcpy(s->quaternion, b->kea.quaternion, sizeof s->quaternion);
+    s->time = s->farthest = s->known = 0;
+    s->returns = 0;
+    s->isBack = METRUE;
+    s->reach = reach;
 }
 
 void mdt_stayForget(MdtBodyID b) {
-    b->stay.way = b->stay.slowTime = 0;
-    settle(b);
+    b->stay.way = HUGE_VAL;
+    settle(b, 0);
 }
 
 /* m, that it is away from there. */
@@ -65,43 +76,58 @@ static double distanceOf(const MdtBody *b, double radius) {
 
 /* m/s, of its points; overlaps that are corrected included. */
 static double speedOf(const MdtBody *b, double radius) {
-    return keaLength(b->kea.velocity) + radius * keaLength(b->spin) + keaLength(b->push);
+    double v[3];
+    keaCopy(v, b->kea.velocity);
+    keaAddScaled(v, 1, b->push);
+    return keaLength(v) + radius * keaLength(b->spin);
 }
 
-static void countWay(MdtStay *s, double way, double most, double h) {
-    const MeBool isShort = s->way + way <= most;
-    s->way = isShort ? s->way + way : 0;
-    s->slowTime = isShort ? s->slowTime + h : 0;
+/* In the last second, each part of it forgotten exponentially. What was fast is forgotten in a second, too, at e times
+ * what is still. */
+static void countWay(MdtStay *s, double way, double still, double part) {
+    s->way = fmin(s->way, exp(1) * still) * exp(-part) + way;
 }
 
 /* What comes back twice swings or trembles, unless it goes a tenth farther in between. Once is not enough: so does what
  * turns slowly near an end of its way. */
 static void countReturns(MdtStay *s, double distance, double h) {
     const MeBool isBack = distance < 0.5 * s->farthest;
-    s->returns = distance > 1.1 * s->farthest ? 0 : s->returns + (isBack && !s->isBack);
-    s->isBack = isBack;
     s->farthest = fmax(s->farthest, distance);
+    if (isBack && !s->isBack) {
+        s->returns++;
+        s->known = s->farthest;
+    }
+    if (distance > 1.1 * s->known)
+        s->returns = 0;
+    if (distance > s->reach)
+        s->reach = 0;
+    s->isBack = isBack;
     s->time += h;
 }
 
-void mdt_stayCount(MdtBodyID b, double h) {
-    const double radius = radiusOf(b), distance = distanceOf(b, radius), t = timeAhead(b);
-    countWay(&b->stay, speedOf(b, radius) * h, stayingReach * radius, h);
-    if (distance > swingingReach * radius || b->stay.time > swingingReach / stayingReach * t)
-        settle(b);
-    else
-        countReturns(&b->stay, distance, h);
-}
-
 /* What swings is given the more time to come to rest the farther it swings. */
-MeBool mdt_staysInPlace(const MdtBody *b) {
-    const MdtStay *s = &b->stay;
-    const double t = timeAhead(b);
-    return s->slowTime >= t ||
-           (s->time >= t && s->returns > 1 && s->farthest <= stayingReach * radiusOf(b) * s->time / t);
+static MeBool swingsLittle(const MdtStay *s, double radius, double second) {
+    return s->time >= second && s->returns > 1 && s->farthest <= stayingReach * radius * s->time / second;
 }
 
-/* m, in that time, if it goes on as in the last step. */
+void mdt_stayCount(MdtBodyID b, double h) {
+    const double radius = radiusOf(b), distance = distanceOf(b, radius), second = timeAhead(b);
+    MdtStay *s = &b->stay;
+    countWay(s, speedOf(b, radius) * h, stillWay(radius), h / second);
+    if (distance > swingingReach * radius)
+        settle(b, 0);
+    else if (s->time > swingingReach / stayingReach * second)
+        settle(b, swingsLittle(s, radius, second) ? 2 * s->farthest : 0);
+    else
+        countReturns(s, distance, h);
+}
+
+MeBool mdt_staysInPlace(const MdtBody *b) {
+    const double radius = radiusOf(b);
+    return b->stay.way <= stillWay(radius) || b->stay.reach > 0 || swingsLittle(&b->stay, radius, timeAhead(b));
+}
+
+/* m, in the next second, if it goes on as in the last step. */
 static double wayAhead(const MdtBody *b, double radius) {
     const MdtKeaVelocity *a = &b->kea.lastStep;
     const double t = timeAhead(b);
@@ -139,7 +165,7 @@ static MeBool isAtRest(MdtBodyID b, double h) {
         rest->alive_window < 0 ? b->aliveTime < (double)rest->alive_time : b->aliveSteps < rest->alive_window;
     if (isYoung || b->enabledSteps == 0 || MdtBodyIsMovingTest(b, rest) || !(isQuiet(b) || mdt_staysInPlace(b)))
         return MEFALSE;
-    return b->world->hasThresholds || !getChange(b, h, change) || !wouldMove(b, change[0], change[1], h);
+    return !getChange(b, h, change) || !wouldMove(b, change[0], change[1], h);
 }
 
 /* ---- what keeps a partition awake ---- */
@@ -191,10 +217,19 @@ MeBool mdt_islandIsToSleep(const MdtIsland *p) {
 
 /* ---- falling asleep, and waking ---- */
 
+/* What is given in the next step continues what was given in this one, if that was the load under which it rests. */
+static void noteForced(MdtBodyID b) {
+    const MeBool isSame = memcmp(b->force, b->applied.force, sizeof b->force) == 0 &&
+                          memcmp(b->torque, b->applied.torque, sizeof b->torque) == 0;
+    b->applied.time = (b->record.flags & MDT_FORCED) && isSame ? b->world->lastStep : 0;
+}
+
 /* The forces that were given for this step are the ones under which it rests; they are over with it. */
 static void keepLoad(MdtBodyID b) {
+    mdt_forceForget(b);
     keaCopy(b->applied.force, b->force);
     keaCopy(b->applied.torque, b->torque);
+    noteForced(b);
     memset(b->applied.momentum, 0, sizeof b->applied.momentum);
     MdtBodyResetForces(b);
     MdtBodyResetImpulses(b);
@@ -261,12 +296,23 @@ void mdt_sleepersWake(MdtWorldID w, double h) {
         MdtBodyID b = mdt_linkOwner(link);
         if (!(b->record.flags & MDT_ASLEEP))
             continue;
-        if (isToWake(b, h)) {
-            MdtBodyEnable(b);
-        } else {
-            MdtBodyResetForces(b);
-            MdtBodyResetImpulses(b);
-        }
+        const double time = b->applied.time;
+        if (!isToWake(b, h))
+            continue;
+        MdtBodyEnable(b);
+        b->applied.time = time;
+        memset(b->applied.momentum, 0, sizeof b->applied.momentum);
+    }
+}
+
+void mdt_sleepersEndForces(MdtWorldID w) {
+    for (MdtLink *link = w->asleepBodies > 0 ? w->bodies.first : NULL; link; link = link->next) {
+        MdtBodyID b = mdt_linkOwner(link);
+        if (!(b->record.flags & MDT_ASLEEP))
+            continue;
+        noteForced(b);
+        MdtBodyResetForces(b);
+        MdtBodyResetImpulses(b);
     }
 }
 

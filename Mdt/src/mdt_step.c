@@ -90,7 +90,8 @@ void mdt_worldStep(MdtWorldID w, double h, MeBool safely) {
     MeProfileStartSection("Dynamics", 0);
     MeProfileStartSection("Partition", 0);
     mdt_sleepersWake(w, h);
-    mdt_islandsUpdate(w);
+    mdt_islandsUpdate(w); /* wakes what they touch */
+    mdt_sleepersEndForces(w);
     mdt_restBegin(w);
     if (w->isReported)
         mdt_reportStep(w);

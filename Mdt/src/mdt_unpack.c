@@ -41,11 +41,12 @@ void mdt_unpackImpact(MdtIsland *p) {
     addForces(p, 1 / p->h);
 }
 
-/* Does the row move the bodies: by a motor that has its speed, or by an attachment that moves? A motor that is held
- * gives all its force, and moves nothing. */
+/* Does the row move the bodies, by a motor or an attachment that moves? What is held gives all its force, which is an
+ * impulse over the step and rounded, and moves nothing. */
 static MeBool drives(const MdtKeaRow *row) {
     const MeBool isMotor = !row->position && !row->spring && row->target != 0;
-    return row->drift != 0 || (isMotor && row->force > row->lower && row->force < row->upper);
+    const double nearly = 1 - 1e-9;
+    return (isMotor || row->drift != 0) && row->force > nearly * row->lower && row->force < nearly * row->upper;
 }
 
 static void unpackJoint(const MdtIsland *p, MdtJoint *j, MeBool isGuess) {

@@ -219,8 +219,10 @@ MdtContactParamsID MEAPI MstBridgeGetContactParams(const MstBridgeID b, const Ms
 void MEAPI MstBridgeSetIntersectCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
                                    const MstIntersectCBPtr cb) {
     MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeSetIntersectCB");
-    if (pair)
-        pair->intersectCb = cb;
+    if (!pair)
+        return;
+    pair->intersectCb = cb;
+    mst_wakeTouching(mst_bridgeCheck(b, "MstBridgeSetIntersectCB"), pair);
 }
 
 MstIntersectCBPtr MEAPI MstBridgeGetIntersectCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2) {
@@ -231,8 +233,10 @@ MstIntersectCBPtr MEAPI MstBridgeGetIntersectCB(const MstBridgeID b, const MstMa
 void MEAPI MstBridgeSetPerContactCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
                                     const MstPerContactCBPtr cb) {
     MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeSetPerContactCB");
-    if (pair)
-        pair->perContactCb = cb;
+    if (!pair)
+        return;
+    pair->perContactCb = cb;
+    mst_wakeTouching(mst_bridgeCheck(b, "MstBridgeSetPerContactCB"), pair);
 }
 
 MstPerContactCBPtr MEAPI MstBridgeGetPerContactCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2) {
@@ -243,8 +247,10 @@ MstPerContactCBPtr MEAPI MstBridgeGetPerContactCB(const MstBridgeID b, const Mst
 void MEAPI MstBridgeSetPerPairCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
                                  const MstPerPairCBPtr cb) {
     MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeSetPerPairCB");
-    if (pair)
-        pair->perPairCb = cb;
+    if (!pair)
+        return;
+    pair->perPairCb = cb;
+    mst_wakeTouching(mst_bridgeCheck(b, "MstBridgeSetPerPairCB"), pair);
 }
 
 MstPerPairCBPtr MEAPI MstBridgeGetPerPairCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2) {
@@ -357,6 +363,7 @@ void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, cons
         MstHandleCollisions(b->pairs, s, w, b);
     } while (isMore);
     McdSpaceBeginChanges(s);
+    mst_freezeAgain(record);
     MeProfileEndSection("Collision");
     MeCallerSet(before);
 }

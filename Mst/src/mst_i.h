@@ -342,6 +342,10 @@ void mst_normalOf(const McdModelPair *p, MdtContactID c, MeVector3 normal);
 
 /* A step begins: unfreezes frozen models that have changed, and wakes what touches with parameters that have. */
 void mst_wakeChanged(MstBridgeRecord *b, McdSpaceID s);
+/* Wakes the bodies that touch with a pair of materials. */
+void mst_wakeTouching(const MstBridgeRecord *b, const MstMaterialPair *changed);
+/* Its pairs have been tested: freezes again what has not moved. */
+void mst_freezeAgain(MstBridgeRecord *b);
 /* Whether a model without a body has moved, or did in the last step, so that commit has to set the velocities of the
  * pair's contacts; sets them. */
 MeBool mst_isPushed(const McdModelPair *p);

@@ -1,14 +1,15 @@
 /* What programs change beside the simulation: frozen models, models without a body that move, parameters of materials.
  *
- * A body that sleeps has no pairs in the loop. A frozen model that has changed is unfrozen, so that its pairs are
- * looked at again: contacts that change wake the bodies (mdt_bodyDisturb). It is frozen again one step later, unless it
- * is moved, as what the program moves is not to be frozen. The bodies that touch by materials whose parameters change
- * are woken one by one.
+ * Pairs of two frozen models are skipped. A frozen model that has changed is unfrozen for one step, so that its pairs
+ * are tested again: contacts that change wake the bodies (mdt_bodyDisturb). What the program moves stays unfrozen. The
+ * bodies that touch by materials whose parameters change are woken one by one.
  *
  * A model without a body that has been moved pushes what it touches: its contacts get the component along their normal
  * of the motion of its surface. Friction is with a world at rest, as before: what stands on it is not carried along.
  */
 #include "McdInternal.h"
+#include "McdGeometry.h"
+#include "McdGeometryTypes.h"
 #include "McdModel.h"
 #include "MdtBody.h"
 #include "MdtConstraint.h"
@@ -52,35 +53,40 @@ static void MEAPI thaw(McdModelID m, MeBool hasMoved, void *bridge) {
     if (body && MdtBodyWakeIfAsleep(body))
         return; /* its models are unfrozen */
     McdSpaceUnfreezeModel(m);
+    McdSpaceUpdateModel(m);
     if (hasMoved && !body)
         warnOfMove(m);
     else
         keepThawed(bridge, m);
 }
 
-/* One that has not changed since is frozen again. */
-static void freezeAgain(MstBridgeRecord *b) {
-    int count = 0;
+void mst_freezeAgain(MstBridgeRecord *b) {
     for (int i = 0; i < b->thawedCount; i++) {
         const MstModelRef *ref = &b->thawed[i];
         const McdModelID m = ref->model;
-        if (!McdModelIsValid(m) || McdModelGetSerial(m) != ref->serial || !McdModelGetSpace(m) || isAwake(m))
-            continue;
-        if (McdModelIsAsItsBox(m))
+        if (McdModelIsValid(m) && McdModelGetSerial(m) == ref->serial && McdModelGetSpace(m) && !isAwake(m))
             McdSpaceFreezeModel(m);
-        else
-            b->thawed[count++] = *ref;
     }
-    b->thawedCount = count;
+    b->thawedCount = 0;
 }
 
 /* ---- materials --------------------------------------------------------------------------------------------------- */
 
-static void wakeTouching(const MstBridgeRecord *b, const MstMaterialPair *changed) {
+/* Its parts may have materials of their own. */
+static MeBool hasParts(McdModelID m) {
+    return McdGeometryGetType(McdModelGetGeometry(m)) == kMcdGeometryTypeAggregate;
+}
+
+static MeBool maySlideBy(const MstBridgeRecord *b, const McdModelPair *p, const MstMaterialPair *materials) {
+    return hasParts(p->model1) || hasParts(p->model2) ||
+           mst_materialPair(b, McdModelGetMaterial(p->model1), McdModelGetMaterial(p->model2)) == materials;
+}
+
+void mst_wakeTouching(const MstBridgeRecord *b, const MstMaterialPair *changed) {
     for (int k = 0; k < b->events.blockCount; k++)
         for (int i = 0; i < MST_TOUCH_BLOCK << k; i++) {
             const McdModelPair *p = b->events.block[k][i].pair;
-            if (!p || mst_materialPair(b, McdModelGetMaterial(p->model1), McdModelGetMaterial(p->model2)) != changed)
+            if (!p || !maySlideBy(b, p, changed))
                 continue;
             if (mst_bodyOf(p->model1))
                 MdtBodyWakeIfAsleep(mst_bodyOf(p->model1));
@@ -92,7 +98,8 @@ static void wakeTouching(const MstBridgeRecord *b, const MstMaterialPair *change
 /* Some pairs of materials a step, in turn. */
 static void lookAtMaterials(MstBridgeRecord *b) {
     enum { LOOKS = 64 };
-    for (int i = 0; i < LOOKS && b->materialCount > 0; i++) {
+    const unsigned int pairs = b->materialCount * (b->materialCount + 1) / 2;
+    for (unsigned int i = 0; i < LOOKS && i < pairs; i++) {
         if (++b->nextMaterial[1] > b->nextMaterial[0]) {
             b->nextMaterial[1] = 0;
             b->nextMaterial[0] = b->nextMaterial[0] + 1 < b->materialCount ? b->nextMaterial[0] + 1 : 0;
@@ -101,14 +108,11 @@ static void lookAtMaterials(MstBridgeRecord *b) {
         if (memcmp(&m->pair.params, &m->known, sizeof m->known) == 0)
             continue;
         m->known = m->pair.params;
-        wakeTouching(b, &m->pair);
-        if (b->nextMaterial[0] == 0 && b->materialCount == 1)
-            return;
+        mst_wakeTouching(b, &m->pair);
     }
 }
 
 void mst_wakeChanged(MstBridgeRecord *b, McdSpaceID s) {
-    freezeAgain(b);
     lookAtMaterials(b);
     McdSpaceVisitChangedFrozen(s, thaw, b);
 }
@@ -130,8 +134,8 @@ void mst_push(const MstBridgeRecord *b, const McdModelPair *p) {
     const McdModelID m = bodyless(p);
     const MdtContactGroupID group = p->responseData;
     MstTouch *t = p->touch;
-    if (!m || !group || !t || !mst_isPushed(p) || !(b->ahead > 0))
-        return;
+    if (!m || !group || !t || b->part > 0 || !mst_isPushed(p) || !(b->ahead > 0))
+        return; /* in the parts of a step bodies alone move */
     t->isPushed = false;
     for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c)) {
         MeVector3 position, normal, moved;

@@ -148,7 +148,7 @@ START_TEST(auto_disable_can_be_switched_off) {
 }
 END_TEST
 
-/* All four values must be below their thresholds, which are squares. Pushes are to and fro: what gains speed moves. */
+/* All four values must be below their thresholds, which are squares: accelerations, and their changes. */
 START_TEST(each_threshold_keeps_a_body_awake) {
     for (int what = 0; what < 4; what++)
         for (int above = 0; above < 2; above++) {
@@ -165,7 +165,7 @@ START_TEST(each_threshold_keeps_a_body_awake) {
             if (what == 1)
                 MdtBodySetAngularVelocity(b, 0, x, 0);
             for (int i = 0; i < 30; i++) {
-                const MeReal push = i % 2 ? -x : x;
+                const MeReal push = i % 2 ? 0 : x;
                 if (what == 2)
                     MdtBodyAddForce(b, 0, 0, push);
                 if (what == 3)
@@ -286,7 +286,99 @@ START_TEST(a_force_under_which_it_rests_does_not_wake_it_and_its_end_does) {
             MdtWorldStep(w, FRAME);
         }
         MdtBodyGetLinearVelocity(b, p);
-        assert_near(p[1], way ? 1 : -10, TOL(2e-5, 1e-9));
+        /* it goes on, and so grows within the step before */
+        assert_near(p[1], way ? 1 + FRAME / 2 : -10, TOL(2e-5, 1e-9));
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
+/* Both hover by forces of the program; one is pushed, and wakes the other, whose force acts in that step, too. */
+START_TEST(a_force_acts_on_what_its_neighbour_wakes) {
+    MdtWorldID w = scene_world(2, 1, 10);
+    MdtBodyID b[2] = {scene_body(w, 1, 0, 0, 0), scene_body(w, 1, 1, 0, 0)};
+    MdtBSJointID j = MdtBSJointCreate(w);
+    MeVector3 v;
+    MdtBSJointSetBodies(j, b[0], b[1]);
+    MdtBSJointSetPosition(j, (MeReal).5, 0, 0);
+    MdtBSJointEnable(j);
+    MdtWorldSetAutoDisable(w, 1);
+    for (int i = 0; i < 62; i++) {
+        for (int k = 0; k < 2; k++)
+            MdtBodyAddForce(b[k], 0, 10, 0);
+        if (i == 60)
+            ck_assert(!MdtBodyIsEnabled(b[0]) && !MdtBodyIsEnabled(b[1]));
+        if (i == 60)
+            MdtBodySetLinearVelocity(b[0], 0, 0, 1);
+        MdtWorldStep(w, FRAME);
+    }
+    for (int k = 0; k < 2; k++) {
+        ck_assert(MdtBodyIsEnabled(b[k]));
+        MdtBodyGetLinearVelocity(b[k], v);
+        assert_near(v[1], 0, TOL(1e-5, 1e-9));
+    }
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* Whichever step it begins in: also that in which the body would fall asleep. */
+START_TEST(a_force_that_begins_while_it_falls_asleep_moves_it) {
+    for (int way = 0; way < 2; way++)
+        for (int first = 0; first < 30; first++) {
+            MdtWorldID w = scene_world(1, 0, 0);
+            MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+            MeVector3 v;
+            MdtWorldSetAutoDisable(w, 1);
+            if (way)
+                MdtWorldSetAutoDisableAccelerationThreshold(w, (MeReal).5);
+            for (int i = 0; i < first + 30; i++) {
+                if (i >= first)
+                    MdtBodyAddForce(b, 0, 60, 0);
+                MdtWorldStep(w, FRAME);
+            }
+            MdtBodyGetLinearVelocity(b, v);
+            assert_near(v[1], 30, TOL(1e-4, 1e-9));
+            MdtWorldDestroy(w);
+        }
+}
+END_TEST
+
+/* What falls asleep at once is woken as ever. */
+START_TEST(a_push_wakes_without_an_alive_time) {
+    MdtWorldID w = scene_world(1, 0, 0);
+    MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+    MeVector3 v;
+    MdtWorldSetAutoDisable(w, 1);
+    MdtWorldSetAutoDisableAliveTime(w, 0);
+    steps(w, 3, FRAME);
+    ck_assert(!MdtBodyIsEnabled(b));
+    MdtBodyAddForce(b, 0, 60, 0);
+    MdtWorldStep(w, FRAME);
+    MdtBodyGetLinearVelocity(b, v);
+    assert_near(v[1], 1, TOL(1e-6, 1e-12));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* On a body that the program has disabled, first or second. */
+START_TEST(a_motor_wakes_what_hangs_on_a_disabled_body) {
+    for (int side = 0; side < 2; side++) {
+        MdtWorldID w = scene_world(2, 1, 0);
+        MdtBodyID fixed = scene_body(w, 1, 0, 0, 0), b = scene_body(w, 1, 1, 0, 0);
+        MdtHingeID j = MdtHingeCreate(w);
+        MeVector3 v;
+        MdtHingeSetBodies(j, side ? b : fixed, side ? fixed : b);
+        MdtHingeSetPosition(j, 1, 0, 0);
+        MdtHingeSetAxis(j, 0, 1, 0);
+        MdtHingeEnable(j);
+        MdtBodyDisable(fixed);
+        MdtWorldSetAutoDisable(w, 1);
+        steps(w, 60, FRAME);
+        ck_assert(!MdtBodyIsEnabled(b));
+        MdtLimitSetLimitedForceMotor(MdtHingeGetLimit(j), 1, 100);
+        steps(w, 3, FRAME);
+        MdtBodyGetAngularVelocity(b, v);
+        ck_assert(MdtBodyIsEnabled(b) && fabs((double)v[1]) > .5); /* it turns the other, too */
         MdtWorldDestroy(w);
     }
 }
@@ -436,13 +528,14 @@ END_TEST
 
 /* Motors, paths and worlds that move drive a body however slowly; a motor that is held by something does not. */
 START_TEST(what_is_driven_stays_awake_at_any_speed) {
+    double limit = 10; /* and others, which are rounded in various ways */
     for (int way = 0; way < 4; way++)
-        for (double speed = .1; speed > 1e-7; speed /= 100) {
+        for (double speed = .1; speed > 1e-6; speed /= 10, limit *= 1.7) {
             HingedBar s = scene_hingedBar(0);
             MdtFixedPathID path = 0;
             MdtWorldSetAutoDisable(s.world, 1);
             if (way < 2)
-                MdtLimitSetLimitedForceMotor(s.limit, (MeReal)speed, 10);
+                MdtLimitSetLimitedForceMotor(s.limit, (MeReal)speed, (MeReal)limit);
             if (way == 1) { /* against its stop */
                 MdtSingleLimitSetStop(MdtLimitGetLowerLimit(s.limit), -1);
                 MdtSingleLimitSetStop(MdtLimitGetUpperLimit(s.limit), 0);
@@ -514,6 +607,10 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_partition_rests_as_a_whole);
     tcase_add_test(t, setters_forces_and_enabling_wake_a_sleeper);
     tcase_add_test(t, a_slight_push_is_over_with_its_step_and_one_that_goes_on_wakes);
+    tcase_add_test(t, a_force_acts_on_what_its_neighbour_wakes);
+    tcase_add_test(t, a_force_that_begins_while_it_falls_asleep_moves_it);
+    tcase_add_test(t, a_push_wakes_without_an_alive_time);
+    tcase_add_test(t, a_motor_wakes_what_hangs_on_a_disabled_body);
     tcase_add_test(t, a_slight_torque_wakes_a_slim_sleeper);
     tcase_add_test(t, a_body_that_the_program_disabled_stays_so);
     tcase_add_test(t, a_contact_with_a_moving_body_wakes_a_sleeper);

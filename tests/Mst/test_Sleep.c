@@ -292,6 +292,19 @@ START_TEST(a_joint_that_changes_moves_its_body) {
 }
 END_TEST
 
+/* Where there was no pair: from 1.5 m by its side, into it. */
+START_TEST(what_grows_into_a_sleeper_wakes_it) {
+    setUp();
+    const McdModelID wall = makeFixed(McdBoxCreate(frame, 1, 1, 1), 2.25, 0, .5);
+    step(30);
+    ck_assert(!isAwake(sleeper));
+    McdBoxSetDimensions(McdModelGetGeometry(wall), (MeReal)4.2, 1, 1);
+    step(2);
+    ck_assert(isAwake(sleeper) && McdSpaceModelIsFrozen(wall));
+    tearDown();
+}
+END_TEST
+
 /* What is set to the value that it has is no change, nor is what is only read. */
 START_TEST(what_changes_nothing_wakes_nobody) {
     hang();
@@ -378,6 +391,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, what_loses_its_support_falls);
     tcase_add_test(t, what_is_pushed_moves);
     tcase_add_test(t, a_joint_that_changes_moves_its_body);
+    tcase_add_test(t, what_grows_into_a_sleeper_wakes_it);
     tcase_add_test(t, what_changes_nothing_wakes_nobody);
     tcase_add_test(t, a_change_elsewhere_wakes_nobody);
     tcase_add_test(t, what_is_moved_pushes_sleepers);
