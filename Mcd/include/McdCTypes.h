@@ -107,19 +107,19 @@ typedef struct McdStand {
  * (calloc) but for the models, or made by McdModelPairCreate.
  */
 struct _McdModelPair {
-    McdModelID model1;   /**< One model. */
-    McdModelID model2;   /**< The other. In a space's pairs: the one with the greater sort key, or created later. */
-    McdRequest *request; /**< What is asked for; null: the framework's default. */
-    McdTest test;        /**< Mcd's own: as the pair was looked at last. */
-    void *responseData;  /**< Collision response's: the Simulation Toolkit keeps its contact group here. */
-    McdStand stand;      /**< Mcd's own: as the pair was tested last. */
+    McdModelID model1;       /**< One model. */
+    McdModelID model2;       /**< The other. In a space's pairs: the one with the greater sort key, or created later. */
+    McdRequest *request;     /**< What is asked for; null: the framework's default. */
+    McdTest test;            /**< Mcd's own: as the pair was looked at last. */
+    void *responseData;      /**< Collision response's: the Simulation Toolkit keeps its contact group here. */
+    McdStand stand;          /**< Mcd's own: as the pair was tested last. */
     McdModelPairPhase phase; /**< Set by the space. */
     void *touch;             /**< The Simulation Toolkit's: what its events know of the pair. */
     void *userData;          /**< The program's. */
     void *m_cachedData;      /**< What the interaction's hello function prepared, its own; null: nothing. */
     void(MEAPI *forget)(McdModelPair *); /**< The Simulation Toolkit's: called before the space takes the pair back. */
     MeBool isHeldApart;                  /**< The same: as its last step began, where some joint holds bodies apart. */
-    MeBool mayTurnRound; /**< The same: both models may rebound from others before the next test. */
+    MeBool mayTurnRound;                 /**< The same: both models may rebound from others before the next test. */
 };
 
 /**
@@ -166,7 +166,7 @@ struct _McdContact {
     McdElementData element1;
     McdElementData element2; /**< The same for the second model's part. */
     int dims; /**< The dimension of the region where the parts touch: 0 in a point, 1 along a line, 2 over an area. */
-    double exactSeparation; /**< separation as it was before MeReal rounded it: see McdContactGetSeparation. */
+    double exactSeparation;  /**< separation as it was before MeReal rounded it: see McdContactGetSeparation. */
     double exactPosition[3]; /**< The same of position: see McdContactGetPosition. */
     double radius[2];        /**< Of either model's surface, where it is round: see McdContactGetRadius. */
 };
@@ -208,6 +208,8 @@ struct McdDistanceResult {
 };
 
 /** @name What an interaction and a geometry type are made of
+ *  Functions that may not move models, nor change what these are made of, while they are being tested; what they
+ *  destroy waits (docs/simulation.md, "Callbacks").
  *  @{ */
 /** Prepares a pair; 0 if that is impossible. */
 typedef MeBool(MEAPI *McdHelloFn)(McdModelPair *);
@@ -245,7 +247,9 @@ typedef void(MEAPI *McdGeometryDebugDrawFnPtr)(const McdGeometryID, const MeMatr
 typedef char *(MEAPI *McdGeometryGetTypeNameFnPtr)(const McdGeometryID);
 /** @} */
 
-/** Called when a model is updated. */
+/** @name Other functions of the program: what each may do has docs/simulation.md, "Callbacks"
+ *  @{ */
+/** Called when a model is updated; may move it. */
 typedef void(MEAPI *McdModelUpdateFnPtr)(McdModel *model);
 /** Called after McdIntersect with the contacts of a pair in which the model is; may change them. */
 typedef void(MEAPI *McdModelIntersectFnPtr)(McdModel *model, McdIntersectResult *result);
@@ -255,6 +259,7 @@ typedef void(MEAPI *McdHelloCallbackFnPtr)(McdModelPair *);
 typedef void(MEAPI *McdSpacePoolErrorFnPtr)(McdModelID model1, McdModelID model2);
 /** Called by McdTerm. */
 typedef void(MEAPI *McdTermAction)(McdFrameworkID frame);
+/** @} */
 
 ME_END_C
 

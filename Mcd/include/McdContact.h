@@ -51,7 +51,7 @@ MEPUBLIC double MEAPI McdContactGetRim(const McdContact *c, int side, double axi
  * @param contacts_src     nContacts_src contacts; may be the same array as contacts_dst.
  * @param faceNormalsFirst if true, contacts within 8 degrees of avgNormal are chosen before all others.
  * @param scale            the size of the models (m): contacts nearer than 1e-6 of it count as one; <= 0: 1.
- * Takes memory for the time of the call.
+ * Contacts with numbers that are not finite are left out. Takes memory for the time of the call.
  * @return how many were written; 0, with a warning, for null arrays or a count of contacts below 0.
  */
 MEPUBLIC int MEAPI McdContactSimplify(const MeReal *avgNormal, McdContact *contacts_src, const int nContacts_src,

@@ -51,7 +51,7 @@ ME_BEGIN_C
 MEPUBLIC void MEAPI McdTerm(McdFrameworkID frame);
 /** Destroys all models and geometries; the models leave their spaces first, whether in a change block or not. */
 MEPUBLIC void MEAPI McdFrameworkDestroyAllModelsAndGeometries(McdFrameworkID frame);
-/** Has McdTerm call @a action, the one registered last first. */
+/** Has McdTerm call @a action, the one registered last first (docs/simulation.md, "Callbacks"). */
 MEPUBLIC void MEAPI McdFrameworkRegisterTermAction(McdFrameworkID frame, McdTermAction action);
 /** How many models there are. */
 MEPUBLIC int MEAPI McdFrameworkGetModelCount(McdFrameworkID frame);
@@ -63,6 +63,7 @@ MEPUBLIC int MEAPI McdFrameworkGetGeometryCount(McdFrameworkID frame);
 /**
  * Registers a geometry type. typeId is a built-in number, or a program's: kMcdGeometryFirstUserType and up, fewer than
  * McdInit was told. Registering a type again changes nothing. Functions may be null: the type then has no such thing.
+ * What they may do: docs/simulation.md, "Callbacks".
  */
 MEPUBLIC void MEAPI McdFrameworkRegisterGeometryType(McdFrameworkID frame, McdGeometryType typeId, char *typeName,
                                                      McdGeometryDestroyFnPtr destroy, McdGeometryGetAABBFnPtr getAABB,
@@ -86,7 +87,8 @@ MEPUBLIC void MEAPI McdFrameworkShowTypes(McdFrameworkID frame);
  *  @{ */
 /**
  * Says how pairs whose first model has geoType1 and whose second has geoType2 interact; copied. A pair in the other
- * order is turned round, tested, and its contacts turned back, unless that order has an interaction of its own.
+ * order is turned round, tested, and its contacts turned back, unless that order has an interaction of its own. What
+ * its functions may do: docs/simulation.md, "Callbacks".
  */
 MEPUBLIC void MEAPI McdFrameworkSetInteractions(McdFramework *frame, int geoType1, int geoType2,
                                                 McdInteractions *interactions);

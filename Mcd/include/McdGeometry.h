@@ -39,7 +39,8 @@ MEPUBLIC void MEAPI McdGeometryMaximumPoint(McdGeometryID g, const MeMatrix4 tm,
 /**
  * The mass properties for unit density: relativeTransform gets the centre of mass (and axes, the geometry's own), in
  * the geometry's frame; inertiaMatrix the inertia about that centre along those axes (m^5); volume (m^3) is the mass.
- * Returns 0 for geometries without: planes, triangle lists, height fields, null.
+ * Returns 0 for geometries without: planes, triangle lists, height fields, null; and for those so large that these are
+ * beyond MeReal.
  */
 MEPUBLIC MeI16 MEAPI McdGeometryGetMassProperties(McdGeometryID g, MeMatrix4 relativeTransform, MeMatrix3 inertiaMatrix,
                                                   MeReal *volume);

@@ -76,19 +76,20 @@ struct _McdUserTriangle {
 
 /** A triangle list: what programs may use of it (User Guide ch. 8). The rest of it is hidden. */
 struct McdTriangleList {
-    McdGeometry head;      /**< Not for programs. */
-    int triangleMaxCount;  /**< As McdTriangleListSetMaxTriangles sets it; heeded when triangles are next asked for. */
+    McdGeometry head;     /**< Not for programs. */
+    int triangleMaxCount; /**< As McdTriangleListSetMaxTriangles sets it; heeded when triangles are next asked for. */
     /** The list's: where the callback writes; what it wrote last stays there. A query that runs within another one's
      *  callback, or at the same time in another thread, has its callback write into another array. */
     McdUserTriangle *list;
-    void *userData;        /**< The program's: see McdTriangleListSetUserData. */
+    void *userData; /**< The program's: see McdTriangleListSetUserData. */
 };
 
 /**
  * Writes at most maxTriangles triangles that are within radius of pos (in the list's frame) and returns how many. The
  * pair's second model has the triangle list; where it is a part of an aggregate, that model stands for the part. The
  * first one is the model near it; for line segments, and for geometries that ask without a model (McdQuery.h), it is
- * the same as the second. In contacts the pair's phase and data are those of the models' pair; else they are zero.
+ * the same as the second. In contacts the pair's phase and data are those of the models' pair; else they are zero. It
+ * may not move models, nor change what they are made of; what it destroys waits (docs/simulation.md, "Callbacks").
  */
 typedef int(MEAPI *McdTriangleListFnPtr)(McdModelPair *modelTriListPair, McdUserTriangle *triangle, MeVector3 pos,
                                          MeReal radius, int maxTriangles);

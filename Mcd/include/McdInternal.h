@@ -5,6 +5,7 @@
 #define MCDINTERNAL_H
 
 #include "McdCTypes.h"
+#include "MeInternal.h"
 #include "MeTeam.h"
 
 ME_BEGIN_C
@@ -30,9 +31,38 @@ typedef void(MEAPI *McdFrozenVisit)(McdModelID m, MeBool hasMoved, void *context
 MEPUBLIC void MEAPI McdSpaceVisitChangedFrozen(McdSpaceID s, McdFrozenVisit visit, void *context);
 /** Whether its matrix was another when its box was made the last time but one. */
 MEPUBLIC MeBool MEAPI McdModelHasMoved(McdModelID cm);
+/** It has changed: McdSpaceVisitChangedFrozen visits it in its next call, if it is frozen then. */
+MEPUBLIC void MEAPI McdModelStir(McdModelID cm);
 /** How far the point of a model, world, was moved with it when its box was made last, m; zero and MEFALSE where it was
  *  not, or farther than its own size, as by a program that puts it elsewhere. */
 MEPUBLIC MeBool MEAPI McdModelGetDisplacement(McdModelID cm, const MeVector3 point, MeVector3 displacement);
+/** @} */
+
+/** @name Stages (MeInternal.h, mcd_stage.c)
+ *  @{ */
+enum {
+    MCD_MODELS_HELD = 1 /**< the level at which models and their pairs stay */
+};
+MEPUBLIC MeStage *MEAPI McdFrameworkGetStage(McdFrameworkID frame);
+/** That of the model's framework, if it is held at that level; else null. */
+MEPUBLIC MeStage *MEAPI McdModelGetHeldStage(McdModelID cm);
+/** May its transform's pointer be set? Else a message: it is being tested. */
+MEPUBLIC MeBool MEAPI McdModelMayBePlaced(McdModelID cm, const char *function);
+/** Whether its body is to go when the stage ends: it makes no more contacts. */
+MEPUBLIC void MEAPI McdModelSetGone(McdModelID cm, MeBool isGone);
+/** Is one of the pair's models to go when the stage ends? */
+MEPUBLIC MeBool MEAPI McdModelPairIsLeaving(const McdModelPair *p);
+/** Live ones? */
+MEPUBLIC MeBool MEAPI McdFrameworkIsValid(McdFrameworkID frame);
+MEPUBLIC MeBool MEAPI McdSpaceIsValid(McdSpaceID s);
+/** Has it got another body than it was tested with, so that its pairs' contacts are not its own any more? Forgets all
+ *  of them (McdModelPair.forget). */
+MEPUBLIC void MEAPI McdModelForgetPairs(McdModelID cm);
+/** Its transform is gone: it has no box and no pairs until it is placed again; it is not frozen any more. */
+MEPUBLIC void MEAPI McdModelDropBox(McdModelID cm);
+/** McdSpaceBeginChanges and McdSpaceEndChanges by whoever holds the models. */
+MEPUBLIC void MEAPI McdSpaceOpen(McdSpaceID s);
+MEPUBLIC void MEAPI McdSpaceClose(McdSpaceID s);
 /** @} */
 
 /** @name Workers
@@ -73,6 +103,7 @@ typedef enum McdPairTrait {
     McdPairIsAsleep = 1,  /**< both are frozen in their space (McdSpaceModelIsFrozen) */
     McdPairHasSensor = 2, /**< one is a sensor at least */
     McdPairIsFast = 4,    /**< one has a fast margin at least (McdModelGetFastMargin) */
+    McdPairIsGone = 8,    /**< one is to be destroyed, or to leave its space, when the stage ends */
 } McdPairTrait;
 /** The traits of a pair, and the materials of its models. Of a model that is gone, with a warning: none, and 0. */
 MEPUBLIC MeU32 MEAPI McdModelPairGetTraits(const McdModelPair *p, MeU32 material[2]);

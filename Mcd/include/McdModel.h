@@ -78,6 +78,7 @@ MEPUBLIC void MEAPI McdModelUpdate(McdModelID cm);
 MEPUBLIC void MEAPI McdModelUpdatePath(McdModelID cm, MeReal motionDuration);
 /** McdModelUpdate, in the form of McdSpaceSetAABBFn. */
 MEPUBLIC void MEAPI McdModelUpdatePathCompatible(McdModelID cm, MeReal dummy);
+/** Called as the model is updated, before its boxes are made (docs/simulation.md, "Callbacks"); null: nothing. */
 MEPUBLIC void MEAPI McdModelSetUpdateCallback(McdModelID cm, McdModelUpdateFnPtr f);
 MEPUBLIC McdModelUpdateFnPtr MEAPI McdModelGetUpdateCallback(McdModelID cm);
 /** @} */
@@ -133,7 +134,7 @@ MEPUBLIC MeI16 MEAPI McdModelGetSortKey(McdModelID cm);
 MEPUBLIC void MEAPI McdModelSetRequestID(McdModelID cm, int requestId);
 MEPUBLIC int MEAPI McdModelGetRequestID(McdModelID cm);
 #define McdModelGetDefaultRequestID() 0
-/** Called after McdIntersect with each pair of this model. */
+/** Called after McdIntersect with each pair of this model (docs/simulation.md, "Callbacks"). */
 MEPUBLIC void MEAPI McdModelSetIntersectCallback(McdModelID cm, McdModelIntersectFnPtr fn);
 MEPUBLIC McdModelIntersectFnPtr MEAPI McdModelGetIntersectCallback(McdModelID cm);
 /** @} */

@@ -63,6 +63,7 @@ MEPUBLIC MeBool MEAPI McdModelPairManagerGetTransitions(McdModelPairManagerID ma
                                                         McdModelPairContainer *container);
 
 /** @name What is called when there is no place for a pair; null, which is the default: a warning, once
+ *  It may do anything but change the manager (docs/simulation.md, "Callbacks").
  *  @{ */
 MEPUBLIC void MEAPI McdModelPairManagerSetPoolFullHandler(McdModelPairManagerID manager,
                                                           McdSpacePoolErrorFnPtr handler);

@@ -42,9 +42,11 @@ typedef struct McdSpacePairIterator {
 typedef struct McdSpaceModelIterator {
     McdModelID next; /**< Null at the end. */
 } McdSpaceModelIterator;
-/** Renews a model's box by McdModelUpdate, McdModelUpdatePath or by its own means. */
+/** Renews a model's box by McdModelUpdate, McdModelUpdatePath or by its own means. What it may do else:
+ *  docs/simulation.md, "Callbacks". */
 typedef void(MEAPI *McdSpaceUpdateAABBFnPtr)(McdModelID m, MeReal duration);
-/** Is the model to be looked at? */
+/** Is the model to be looked at? It may not move models; what it destroys waits until the query is done, and is not met
+ *  any more (docs/simulation.md, "Callbacks"). */
 typedef int(MEAPI *McdLineSegIntersectEnableCallback)(McdModelID, void *filterData);
 
 /** @name Life
@@ -83,7 +85,8 @@ MEPUBLIC void MEAPI McdSpaceDestroy(McdSpaceID s);
 MEPUBLIC void MEAPI McdSpaceBuild(McdSpaceID s);
 MEPUBLIC void MEAPI McdSpaceSetUserData(McdSpaceID s, void *data);
 MEPUBLIC void *MEAPI McdSpaceGetUserData(McdSpaceID s);
-/** Called for each pair that finds no room when it should say hello; null: nothing. Legal anywhere. */
+/** Called for each pair that finds no room when it should say hello (docs/simulation.md, "Callbacks"); null: nothing.
+ *  Legal anywhere. */
 MEPUBLIC void MEAPI McdSpaceSetPoolFullHandler(McdSpaceID space, McdSpacePoolErrorFnPtr handler);
 MEPUBLIC McdSpacePoolErrorFnPtr MEAPI McdSpaceGetPoolFullHandler(McdSpaceID space);
 /** @} */

@@ -96,6 +96,8 @@ void MEAPI McdAggregateRemoveElement(McdAggregateID id, int i) {
         MeWarning(1, "McdAggregateRemoveElement: %d models or aggregates use the aggregate", a->head.referenceCount);
         return;
     }
+    if (!mcd_mayPlace(id->frame, "McdAggregateRemoveElement"))
+        return;
     McdGeometryDecrementReferenceCount(element->geometry);
     a->count--;
     memmove(&a->element[i], &a->element[i + 1], (size_t)(a->count - i) * sizeof *a->element);
@@ -128,7 +130,8 @@ MeMatrix4Ptr MEAPI McdAggregateGetElementTransformPtr(McdAggregateID id, int i) 
 /* Visits a part; finalTM is null if none was given. */
 typedef void (*PartFn)(McdGeometryInstance *part, const MeMatrix4Ptr finalTM, void *data);
 
-/* Visits all parts: children of a model's instance; of an instance without a model (McdGeometry.h) temporary ones. */
+/* Visits all parts that are somewhere: children of a model's instance; of an instance without a model (McdGeometry.h)
+ * temporary ones. */
 static void forEachPart(McdGeometryInstance *ins, const MeMatrix4Ptr finalTM, PartFn f, void *data) {
     const McdAggregate *a = (const McdAggregate *)ins->geometry;
     McdGeometryInstance *child = ins->firstChild;
@@ -144,7 +147,12 @@ static void forEachPart(McdGeometryInstance *ins, const MeMatrix4Ptr finalTM, Pa
         }
         if (finalTM)
             MeMatrix4TMCompound(end, mcd_const(a->element[number].relTM), mcd_const(finalTM));
-        f(ins->model ? child : &made, finalTM ? end : 0, data);
+        if (!ins->model)
+            mcd_instanceEnter(&made);
+        if (mcd_instanceIsPlaced(ins->model ? child : &made)) /* a part may be nowhere */
+            f(ins->model ? child : &made, finalTM ? end : 0, data);
+        if (!ins->model)
+            mcd_instanceLeave(&made);
         child = ins->model ? child->nextSibling : 0;
     }
 }
@@ -161,7 +169,9 @@ static void addBox(McdGeometryInstance *part, const MeMatrix4Ptr finalTM, void *
     const McdTypeRecord *type = mcd_geometryType(part->geometry, "McdAggregateUpdateAABB");
     if (!type || !type->getAABB)
         return;
+    const McdTypeCall call = mcd_typeEnter(part->geometry->frame, type);
     type->getAABB(part, finalTM, e->tight);
+    mcd_typeLeave(&call);
     for (int i = 0; i < 3; i++) {
         e->min[i] = e->isSet ? MeMIN(e->min[i], part->min[i]) : part->min[i];
         e->max[i] = e->isSet ? MeMAX(e->max[i], part->max[i]) : part->max[i];
@@ -171,8 +181,8 @@ static void addBox(McdGeometryInstance *part, const MeMatrix4Ptr finalTM, void *
 
 /* Are the boxes of a model's parts in that of the whole? */
 static MeBool arePartsWithin(const McdGeometryInstance *ins, const Extent *e) {
-    for (const McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)
-        for (int i = 0; i < 3; i++)
+    for (McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)
+        for (int i = 0; mcd_instanceIsPlaced(child) && i < 3; i++)
             if (child->min[i] < e->min[i] || child->max[i] > e->max[i])
                 return MEFALSE;
     return METRUE;
@@ -193,7 +203,7 @@ void MEAPI McdAggregateUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr 
 
 typedef struct Farthest {
     MeReal *direction, *point;
-    MeReal most;
+    double most;
     MeBool isSet;
 } Farthest;
 
@@ -204,9 +214,13 @@ static void addPoint(McdGeometryInstance *part, const MeMatrix4Ptr finalTM, void
     (void)finalTM;
     if (!type || !type->maximumPoint)
         return;
+    const McdTypeCall call = mcd_typeEnter(part->geometry->frame, type);
     type->maximumPoint(part, f->direction, point);
-    const MeReal height = MeVector3Dot(point, f->direction);
-    if (f->isSet && height <= f->most)
+    mcd_typeLeave(&call);
+    double height = 0;
+    for (int k = 0; k < 3; k++)
+        height += (double)point[k] * (double)f->direction[k];
+    if (f->isSet && !(height > f->most))
         return;
     f->isSet = METRUE;
     f->most = height;
@@ -214,6 +228,9 @@ static void addPoint(McdGeometryInstance *part, const MeMatrix4Ptr finalTM, void
 }
 
 void MEAPI McdAggregateMaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir, MeReal *const outPoint) {
+    if (!mcd_areGiven(__func__, inDir, outPoint, outPoint))
+        return;
+    MeVector3Set(outPoint, 0, 0, 0);
     if (!mcd_instanceIs(ins, kMcdGeometryTypeAggregate, "McdAggregateMaximumPoint"))
         return;
     Farthest f = {inDir, outPoint, 0, MEFALSE};
@@ -221,56 +238,76 @@ void MEAPI McdAggregateMaximumPoint(McdGeometryInstanceID ins, MeReal *const inD
     forEachPart(ins, 0, addPoint, &f);
 }
 
-/* The ball of element i in the aggregate's frame. */
-static void ballOf(const McdAggregate *a, int i, MeVector3 centre, MeReal *radius) {
+typedef struct Ball {
+    double centre[3], radius;
+} Ball;
+
+/* The ball of element i in the aggregate's frame; false: the element is nowhere. */
+static MeBool ballOf(const McdAggregate *a, int i, Ball *ball) {
+    const MeVector4 *tm = mcd_const(a->element[i].relTM);
     MeVector3 local;
-    McdGeometryGetBSphere(a->element[i].geometry, local, radius);
-    MeMatrix4TMTransform(centre, mcd_const(a->element[i].relTM), local);
-}
-
-static MeReal ballAroundBalls(const McdAggregate *a, MeVector3 center) {
-    MeVector3 c, low = {0, 0, 0}, high = {0, 0, 0};
-    MeReal r, radius = 0;
-    for (int i = 0; i < a->count; i++) { /* its middle is that of the balls' box */
-        ballOf(a, i, c, &r);
-        for (int k = 0; k < 3; k++) {
-            low[k] = i ? MeMIN(low[k], c[k] - r) : c[k] - r;
-            high[k] = i ? MeMAX(high[k], c[k] + r) : c[k] + r;
-        }
-    }
+    MeReal radius;
+    if (!mcd_isPlace(tm))
+        return MEFALSE;
+    McdGeometryGetBSphere(a->element[i].geometry, local, &radius);
     for (int k = 0; k < 3; k++)
-        center[k] = low[k] / 2 + high[k] / 2;
-    for (int i = 0; i < a->count; i++) {
-        ballOf(a, i, c, &r);
-        radius = MeMAX(radius, MeVector3Distance(c, center) + r);
-    }
-    return radius;
+        ball->centre[k] = (double)tm[0][k] * (double)local[0] + (double)tm[1][k] * (double)local[1] +
+                          (double)tm[2][k] * (double)local[2] + (double)tm[3][k];
+    ball->radius = (double)radius;
+    return METRUE;
 }
 
-static MeReal ballAroundBox(McdGeometryID g, MeVector3 center) {
+static double distance(const double a[3], const double b[3]) {
+    const double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+    return sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+}
+
+/* Its middle is that of the balls' box. */
+static Ball ballAroundBalls(const McdAggregate *a) {
+    double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    Ball one, all = {{0, 0, 0}, 0};
+    for (int i = 0; i < a->count; i++)
+        for (int k = 0; ballOf(a, i, &one) && k < 3; k++) {
+            low[k] = MeMIN(low[k], one.centre[k] - one.radius);
+            high[k] = MeMAX(high[k], one.centre[k] + one.radius);
+        }
+    for (int k = 0; k < 3; k++)
+        all.centre[k] = low[k] <= high[k] ? (double)mcd_real(low[k] / 2 + high[k] / 2) : 0;
+    for (int i = 0; i < a->count; i++)
+        if (ballOf(a, i, &one))
+            all.radius = MeMAX(all.radius, distance(one.centre, all.centre) + one.radius);
+    return all;
+}
+
+static Ball ballAroundBox(McdGeometryID g) {
     MeVector3 low, high;
+    Ball ball;
     McdGeometryGetAABB(g, identity, low, high);
     for (int k = 0; k < 3; k++)
-        center[k] = low[k] / 2 + high[k] / 2;
-    return MeVector3Distance(high, center);
+        ball.centre[k] = (double)(low[k] / 2 + high[k] / 2);
+    const double corner[3] = {(double)high[0], (double)high[1], (double)high[2]};
+    ball.radius = distance(corner, ball.centre);
+    return ball;
 }
 
 void MEAPI McdAggregateGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    if (!mcd_areGiven(__func__, center, radius, radius))
+        return;
     if (!mcd_geometryIs(g, kMcdGeometryTypeAggregate, "McdAggregateGetBSphere"))
         return;
-    MeVector3 middle;
-    *radius = ballAroundBalls((const McdAggregate *)g, center);
-    const MeReal other = ballAroundBox(g, middle);
-    if (((const McdAggregate *)g)->count && other < *radius) {
-        MeVector3Copy(center, middle);
-        *radius = other;
-    }
+    Ball ball = ballAroundBalls((const McdAggregate *)g);
+    const Ball other = ballAroundBox(g);
+    if (((const McdAggregate *)g)->count && other.radius < ball.radius)
+        ball = other;
+    for (int k = 0; k < 3; k++)
+        center[k] = (MeReal)ball.centre[k];
+    *radius = mcd_real(ball.radius);
 }
 
 /* ---- mass -------------------------------------------------------------------------------------------------------- */
 
 typedef struct Mass {
-    double volume, centre[3], inertia[3][3]; /* about the origin of the frame */
+    double volume, centre[3], inertia[3][3]; /* about the centre */
 } Mass;
 
 /* inertia += volume (d.d 1 - d d^T) */
@@ -290,49 +327,64 @@ static void addTurned(double sum[3][3], const MeMatrix3 inertia, const MeMatrix4
                     sum[i][k] += (double)tm[a][i] * (double)inertia[a][b] * (double)tm[b][k];
 }
 
-static void addMass(Mass *sum, const McdAggregateElement *element) {
-    MeMatrix4 own, tm;
-    MeMatrix3 inertia;
-    MeReal volume;
-    if (!McdGeometryGetMassProperties(element->geometry, own, inertia, &volume))
-        return;
+/* An element's mass properties along its own axes, tm, in the aggregate's frame. */
+static MeBool massOf(const McdAggregateElement *element, MeMatrix4 tm, MeMatrix3 inertia, double *volume) {
+    MeMatrix4 own;
+    MeReal v;
+    if (!McdGeometryGetMassProperties(element->geometry, own, inertia, &v) || !mcd_isPlace(element->relTM))
+        return MEFALSE;
     MeMatrix4TMCompound(tm, mcd_const(own), element->relTM);
-    const double place[3] = {(double)tm[3][0], (double)tm[3][1], (double)tm[3][2]};
-    sum->volume += (double)volume;
+    *volume = (double)v;
+    return METRUE;
+}
+
+static void addVolume(Mass *sum, const McdAggregateElement *element) {
+    MeMatrix4 tm;
+    MeMatrix3 inertia;
+    double volume;
+    if (!massOf(element, tm, inertia, &volume))
+        return;
+    sum->volume += volume;
     for (int i = 0; i < 3; i++)
-        sum->centre[i] += (double)volume * place[i];
+        sum->centre[i] += volume * (double)tm[3][i];
+}
+
+static void addInertia(Mass *sum, const McdAggregateElement *element) {
+    MeMatrix4 tm;
+    MeMatrix3 inertia;
+    double volume, arm[3];
+    if (!massOf(element, tm, inertia, &volume))
+        return;
+    for (int i = 0; i < 3; i++)
+        arm[i] = (double)tm[3][i] - sum->centre[i];
     addTurned(sum->inertia, (const MeVector3 *)inertia, mcd_const(tm));
-    addParallelAxes(sum->inertia, (double)volume, place);
+    addParallelAxes(sum->inertia, volume, arm);
 }
 
 MeI16 MEAPI McdAggregateGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 m, MeReal *volume) {
-    if (!mcd_geometryIs(g, kMcdGeometryTypeAggregate, "McdAggregateGetMassProperties"))
+    if (!mcd_areGiven(__func__, relTM, m, volume) ||
+        !mcd_geometryIs(g, kMcdGeometryTypeAggregate, "McdAggregateGetMassProperties"))
         return 0;
     const McdAggregate *a = (const McdAggregate *)g;
     Mass sum;
     memset(&sum, 0, sizeof sum);
     for (int i = 0; i < a->count; i++)
-        addMass(&sum, &a->element[i]);
-    MeMatrix4TMMakeIdentity(relTM);
-    memset(m, 0, sizeof(MeMatrix3));
-    *volume = (MeReal)sum.volume;
-    if (!(sum.volume > 0))
-        return 0;
-    for (int i = 0; i < 3; i++) {
-        sum.centre[i] /= sum.volume;
-        relTM[3][i] = (MeReal)sum.centre[i];
-    }
-    addParallelAxes(sum.inertia, -sum.volume, sum.centre);
+        addVolume(&sum, &a->element[i]);
     for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 3; k++)
-            m[i][k] = (MeReal)((sum.inertia[i][k] + sum.inertia[k][i]) / 2);
-    MEASSERT(!(sum.inertia[0][0] < 0 || sum.inertia[1][1] < 0 || sum.inertia[2][2] < 0));
-    return 1;
+        sum.centre[i] = sum.volume > 0 ? sum.centre[i] / sum.volume : 0;
+    for (int i = 0; i < a->count; i++)
+        addInertia(&sum, &a->element[i]);
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < i; k++)
+            sum.inertia[i][k] = sum.inertia[k][i] = (sum.inertia[i][k] + sum.inertia[k][i]) / 2;
+    return mcd_massStore(relTM, m, volume, sum.volume, sum.centre, sum.inertia) && sum.volume > 0;
 }
 
 /* ---- the type ---------------------------------------------------------------------------------------------------- */
 
 void MEAPI McdAggregateDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
+    if (!mcd_areGiven(__func__, tm, colour, colour))
+        return;
     if (!mcd_geometryIs(g, kMcdGeometryTypeAggregate, "McdAggregateDebugDraw"))
         return;
     const McdAggregate *a = (const McdAggregate *)g;

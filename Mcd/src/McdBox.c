@@ -140,6 +140,8 @@ void MEAPI McdBoxMaximumPointLocal(McdBoxID g, MeReal *inDir, MeReal *outPoint) 
 }
 
 void MEAPI McdBoxGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    if (!mcd_areGiven(__func__, center, radius, radius))
+        return;
     MeVector3Set(center, 0, 0, 0);
     *radius = 0;
     if (!mcd_geometryIs(g, kMcdGeometryTypeBox, "McdBoxGetBSphere"))
@@ -150,17 +152,20 @@ void MEAPI McdBoxGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *rad
 
 /* I_xx = m (y^2 + z^2)/3 with half the edges' lengths. */
 MeI16 MEAPI McdBoxGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume) {
+    if (!mcd_areGiven(__func__, relTM, inertia, volume))
+        return 0;
     if (!mcd_geometryIs(g, kMcdGeometryTypeBox, "McdBoxGetMassProperties"))
         return 0;
     const double x = (double)get(g)->radii[0], y = (double)get(g)->radii[1], z = (double)get(g)->radii[2];
     const double mass = 8 * x * y * z;
-    mcd_massDiagonal(relTM, inertia, volume, mass, mass * (y * y + z * z) / 3, mass * (z * z + x * x) / 3,
-                     mass * (x * x + y * y) / 3);
-    return 1;
+    return mcd_massDiagonal(relTM, inertia, volume, mass, mass * (y * y + z * z) / 3, mass * (z * z + x * x) / 3,
+                            mass * (x * x + y * y) / 3);
 }
 
 /* Each edge joins two corners whose numbers differ in one bit. */
 void MEAPI McdBoxDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
+    if (!mcd_areGiven(__func__, tm, colour, colour))
+        return;
     if (!mcd_geometryIs(g, kMcdGeometryTypeBox, "McdBoxDebugDraw"))
         return;
     double corner[8][3];

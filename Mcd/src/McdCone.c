@@ -93,7 +93,8 @@ static void setShape(const McdGeometry *g, McdShape *s) {
                    (double)get(g)->lowerHeight);
 }
 
-static const McdKind kind = {MCD_KIND_FUNCTIONS(Cone, mcd_geometryFree), .size = sizeof(McdCone),
+static const McdKind kind = {MCD_KIND_FUNCTIONS(Cone, mcd_geometryFree),
+                             .size = sizeof(McdCone),
                              .setShape = setShape,
                              .support = mcd_discsSupport,
                              .face = mcd_discsFace,
@@ -171,6 +172,8 @@ MeReal MEAPI McdConeGetZOffset(McdConeID g) {
 
 /* The sphere through both ends' rims; where its centre were beyond an end, that end's rim is the widest part of it. */
 void MEAPI McdConeGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    if (!mcd_areGiven(__func__, center, radius, radius))
+        return;
     MeVector3Set(center, 0, 0, 0);
     *radius = 0;
     if (!isCone(g, "McdConeGetBSphere"))
@@ -186,6 +189,8 @@ void MEAPI McdConeGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *ra
 
 /* Integrals over discs of radius R(z): m = pi int R^2, I_zz = pi/2 int R^4, I_xx = I_zz/2 + pi int R^2 z^2. */
 MeI16 MEAPI McdConeGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume) {
+    if (!mcd_areGiven(__func__, relTM, inertia, volume))
+        return 0;
     if (!isCone(g, "McdConeGetMassProperties"))
         return 0;
     const Ends e = endsOf(g);
@@ -196,11 +201,12 @@ MeI16 MEAPI McdConeGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3
     const double height = l / 4 * (r * r + 2 * r * s + 3 * s * s) / (r * r + r * s + s * s);
     const double fromBase = MCD_PI * l * l * l / 30 * (r * r + 3 * r * s + 6 * s * s);
     const double across = along / 2 + fromBase - mass * height * height;
-    mcd_massDiagonal(relTM, inertia, volume, mass, across, across, along);
-    return 1;
+    return mcd_massDiagonal(relTM, inertia, volume, mass, across, across, along);
 }
 
 void MEAPI McdConeDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
+    if (!mcd_areGiven(__func__, tm, colour, colour))
+        return;
     if (!isCone(g, "McdConeDebugDraw"))
         return;
     const Ends e = endsOf(g);

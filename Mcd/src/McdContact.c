@@ -66,10 +66,18 @@ static double rimOfShape(const McdContact *c, int side, McdGeometryInstanceID in
     return rim;
 }
 
-static double rimOf(const McdContact *c, int side, double axis[3]) {
+/* The part of a model that the contact is of. Null: there is none, or the model has gone since. */
+static McdGeometryInstanceID partOf(const McdContact *c, int side) {
     const McdGeometryInstanceID ins = side == 0 ? c->instance1 : c->instance2;
+    const MeBool isKnown = ins && MCD_IS_KNOWN(ins, MCD_INSTANCE) && ins->geometry && ins->model;
+    return isKnown && mcd_record(ins->model)->magic == MCD_MODEL ? ins : 0;
+}
+
+static double rimOf(const McdContact *c, int side, double axis[3]) {
+    const McdGeometryInstanceID ins = partOf(c, side);
     const McdKind *kind = ins ? mcd_kindOf(ins->geometry) : 0;
-    return kind && kind->rim && isAsFound(c) ? rimOfShape(c, side, ins, axis) : 0;
+    const MeBool hasRim = kind && kind->rim && isAsFound(c) && mcd_instanceIsPlaced(ins);
+    return hasRim ? rimOfShape(c, side, ins, axis) : 0;
 }
 
 double MEAPI McdContactGetRim(const McdContact *c, int side, double axis[3]) {
@@ -80,6 +88,8 @@ double MEAPI McdContactGetRim(const McdContact *c, int side, double axis[3]) {
                          : "no place for the axis");
         return 0;
     }
+    if ((side == 0 ? c->instance1 : c->instance2) && !partOf(c, side))
+        MeWarning(1, "McdContactGetRim: the contact's model has been destroyed");
     return rimOf(c, side, axis);
 }
 
@@ -316,15 +326,26 @@ static MeBool isOnFace(const McdContact *c, const MeReal *normal) {
     return MeVector3Dot(c->normal, normal) > (MeReal).99;
 }
 
-/* Spots of the contacts that are, or are not, on faces; `from` says which contacts they are. */
+/* Contacts may be a program's. */
+static MeBool isNumber(const McdContact *c) {
+    return mcd_areNear(c->position, 3) && mcd_areNear(c->normal, 3) && mcd_areNear(&c->separation, 1);
+}
+
+/* Spots of the contacts that are, or are not, on faces; `from` says which contacts they are. Contacts that are not
+ * finite are left out. */
 static int gatherSpots(const McdContact *contacts, int count, const MeReal *normal, MeBool onFaces, McdSpot *spot,
                        int *from) {
+    const McdContact *reference = NULL;
     int n = 0;
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < count; i++) {
+        if (!isNumber(&contacts[i]))
+            continue;
+        reference = reference ? reference : &contacts[i];
         if (!normal || isOnFace(&contacts[i], normal) == onFaces) {
-            spot[n] = spotOf(&contacts[i], &contacts[0]);
+            spot[n] = spotOf(&contacts[i], reference);
             from[n++] = i;
         }
+    }
     return n;
 }
 

@@ -6,6 +6,14 @@
 #include "mcd_vector_i.h"
 #include <string.h>
 
+static MeBool areOfTypes(const McdModelPair *p, int type1, int type2, const char *function) {
+    if (mcd_record(p->model1)->instance.geometry->type == type1 &&
+        mcd_record(p->model2)->instance.geometry->type == type2)
+        return METRUE;
+    MeWarning(1, "%s: the models' geometries are of other types, or in the other order", function);
+    return MEFALSE;
+}
+
 static MeBool hasTypes(McdModelPair *p, McdIntersectResult *result, int type1, int type2, const char *function) {
     if (!p || !result) {
         MeWarning(1, "%s: no %s", function, p ? "result" : "pair");
@@ -13,12 +21,7 @@ static MeBool hasTypes(McdModelPair *p, McdIntersectResult *result, int type1, i
     }
     mcd_resultBegin(result, p);
     const McdModelRecord *m1 = mcd_modelCheck(p->model1, function), *m2 = mcd_modelCheck(p->model2, function);
-    if (!m1 || !m2)
-        return MEFALSE;
-    if (m1->instance.geometry->type == type1 && m2->instance.geometry->type == type2)
-        return METRUE;
-    MeWarning(1, "%s: the models' geometries are of other types, or in the other order", function);
-    return MEFALSE;
+    return m1 && m2 && areOfTypes(p, type1, type2, function);
 }
 
 static int notPlaced(const char *function) {
@@ -138,6 +141,12 @@ int MEAPI McdPlaneIntersectTest(McdModelID modplane, McdModelID mod, McdIntersec
     return answer;
 }
 
+static int safeTimeOfTypes(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result, int type1, int type2,
+                           McdSafeTimeFn safeTime, const char *function) {
+    return mcd_safeTimeBegin(p, maxTime, result, function) && areOfTypes(p, type1, type2, function) &&
+           mcd_safeTimeIsToBeHad(p, function) && safeTime(p, maxTime, result);
+}
+
 static MeBool registerPair(McdFramework *frame, int type1, int type2, McdIntersectFn intersect, McdSafeTimeFn safeTime,
                            const char *function) {
     McdInteractions interactions = {.intersectFn = intersect, .safeTimeFn = safeTime};
@@ -152,7 +161,8 @@ static MeBool registerPair(McdFramework *frame, int type1, int type2, McdInterse
         return intersect(p, result, kMcdGeometryType##X, kMcdGeometryType##Y, "Mcd" #X #Y "Intersect");                \
     }                                                                                                                  \
     int MEAPI Mcd##X##Y##SafeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result) {                        \
-        return safeTime(p, maxTime, result);                                                                           \
+        return safeTimeOfTypes(p, maxTime, result, kMcdGeometryType##X, kMcdGeometryType##Y, safeTime,                 \
+                               "Mcd" #X #Y "SafeTime");                                                                \
     }                                                                                                                  \
     MeBool MEAPI Mcd##X##Y##RegisterInteraction(McdFramework *frame) {                                                 \
         return registerPair(frame, kMcdGeometryType##X, kMcdGeometryType##Y, Mcd##X##Y##Intersect,                     \

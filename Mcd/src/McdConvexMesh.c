@@ -333,6 +333,8 @@ void MEAPI McdConvexMeshGetXYAABB(McdConvexMeshID g, MeMatrix4 tm, MeReal bounds
 /* ---- what it is like --------------------------------------------------------------------------------------------- */
 
 void MEAPI McdConvexMeshGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    if (!mcd_areGiven(__func__, center, radius, radius))
+        return;
     MeVector3Set(center, 0, 0, 0);
     *radius = 0;
     if (!isMesh(g, "McdConvexMeshGetBSphere"))
@@ -351,6 +353,8 @@ void MEAPI McdConvexMeshGetBSphere(const McdGeometryID g, MeVector3 center, MeRe
 }
 
 void MEAPI McdConvexMeshDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
+    if (!mcd_areGiven(__func__, tm, colour, colour))
+        return;
     if (!isMesh(g, "McdConvexMeshDebugDraw"))
         return;
     const McdHull *h = get(g)->hull;
@@ -528,6 +532,8 @@ static Moments momentsOf(const McdHull *h, double r) {
 }
 
 MeI16 MEAPI McdConvexMeshGetMassProperties(McdConvexMeshID mesh, MeMatrix4 relTM, MeMatrix3 m, MeReal *volume) {
+    if (!mcd_areGiven(__func__, relTM, m, volume))
+        return 0;
     if (!isMesh(mesh, "McdConvexMeshGetMassProperties"))
         return 0;
     const McdHull *h = get(mesh)->hull;
@@ -542,8 +548,7 @@ MeI16 MEAPI McdConvexMeshGetMassProperties(McdConvexMeshID mesh, MeMatrix4 relTM
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             inertia[i][j] = (i == j ? trace : 0) - s.second[i][j];
-    mcd_massProperties(relTM, m, volume, s.m, centre, inertia);
-    return 1;
+    return mcd_massProperties(relTM, m, volume, s.m, centre, inertia);
 }
 
 /* ---- interactions ------------------------------------------------------------------------------------------------ */

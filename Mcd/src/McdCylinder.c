@@ -129,6 +129,8 @@ void MEAPI McdCylinderMaximumPointLocal(McdGeometry *g, MeReal *const inDir, MeR
 }
 
 void MEAPI McdCylinderGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    if (!mcd_areGiven(__func__, center, radius, radius))
+        return;
     MeVector3Set(center, 0, 0, 0);
     *radius = 0;
     if (!isCylinder(g, "McdCylinderGetBSphere"))
@@ -139,15 +141,18 @@ void MEAPI McdCylinderGetBSphere(const McdGeometryID g, MeVector3 center, MeReal
 
 /* I_zz = m r^2/2, I_xx = m (r^2/4 + h^2/3) with half the height. */
 MeI16 MEAPI McdCylinderGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume) {
+    if (!mcd_areGiven(__func__, relTM, inertia, volume))
+        return 0;
     if (!isCylinder(g, "McdCylinderGetMassProperties"))
         return 0;
     const double r = (double)get(g)->radius, h = (double)get(g)->halfHeight;
     const double mass = MCD_PI * r * r * 2 * h, across = mass * (r * r / 4 + h * h / 3);
-    mcd_massDiagonal(relTM, inertia, volume, mass, across, across, mass * r * r / 2);
-    return 1;
+    return mcd_massDiagonal(relTM, inertia, volume, mass, across, across, mass * r * r / 2);
 }
 
 void MEAPI McdCylinderDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
+    if (!mcd_areGiven(__func__, tm, colour, colour))
+        return;
     if (!isCylinder(g, "McdCylinderDebugDraw"))
         return;
     const double r = (double)get(g)->radius, h = (double)get(g)->halfHeight;

@@ -100,7 +100,10 @@ MeBool MEAPI McdDistance(McdModelPair *p, McdDistanceResult *result) {
         return MEFALSE;
     }
     mcd_pairOrigin(&a->instance, &b->instance, origin);
-    if (!measureInstances(&a->instance, &b->instance, origin, &nearest) || !nearest.isFound)
+    MeStageBegin(&a->frame->stage, MCD_HOLD_MODELS);
+    const MeBool isGood = measureInstances(&a->instance, &b->instance, origin, &nearest);
+    MeStageEnd(&a->frame->stage, MCD_HOLD_MODELS);
+    if (!isGood || !nearest.isFound)
         return MEFALSE;
     MEASSERT(!isnan(nearest.distance) && isfinite(mcd_dot(nearest.normal, nearest.normal)));
     result->distance = mcd_real(nearest.distance);

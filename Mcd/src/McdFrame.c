@@ -188,35 +188,54 @@ static void destroyGeometries(McdFramework *frame) {
         for (McdGeometry *g = frame->lastGeometry, *previous; g; g = previous) {
             previous = g->previous;
             if (g->referenceCount == 0)
-                McdGeometryDestroy(g);
+                mcd_geometryDestroy(g);
         }
         if (frame->geometryCount == before) /* the program has set counts that nothing accounts for */
             frame->lastGeometry->referenceCount = 0;
     }
 }
 
-void MEAPI McdFrameworkDestroyAllModelsAndGeometries(McdFrameworkID frame) {
-    if (!mcd_frameCheck(frame, "McdFrameworkDestroyAllModelsAndGeometries"))
-        return;
-    while (frame->lastModel) {
-        McdModelDestroy(&frame->lastModel->model);
-    }
+/* Functions of the program are called with what goes; they create nothing meanwhile. */
+static void destroyAll(McdFramework *frame) {
+    frame->isEmptied = METRUE;
+    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
+    while (frame->lastModel)
+        mcd_modelDestroy(frame->lastModel);
     destroyGeometries(frame);
+    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
+    frame->isEmptied = MEFALSE;
+}
+
+MeBool mcd_mayCreate(const McdFramework *frame, const char *function) {
+    if (frame->isEmptied)
+        MeProgramRefuse(function, "the framework is being emptied");
+    return !frame->isEmptied && MeProgramMayChange(function);
+}
+
+void MEAPI McdFrameworkDestroyAllModelsAndGeometries(McdFrameworkID frame) {
+    const char *const function = "McdFrameworkDestroyAllModelsAndGeometries";
+    if (mcd_frameCheck(frame, function) && MeStageIsFree(&frame->stage, function))
+        destroyAll(frame);
 }
 
 static void runTermActions(McdFramework *frame) {
+    MeStageBegin(&frame->stage, MCD_HOLD_FRAME);
+    const MeProgramCall before = MeProgramEnter("McdFrameworkRegisterTermAction");
     while (frame->termActions) {
         McdTermActionLink *link = frame->termActions;
         frame->termActions = link->next;
         link->action(frame);
         MeMemoryGive(link);
     }
+    MeProgramLeave(&before);
+    MeStageEnd(&frame->stage, MCD_HOLD_FRAME);
 }
 
 void MEAPI McdTerm(McdFrameworkID frame) {
     if (!frame)
         mcd_warnGone(frame, "collision framework", "McdTerm");
-    if (!mcd_mayDestroy(frame, MCD_FRAMEWORK, "collision framework", "McdTerm"))
+    if (!mcd_mayDestroy(frame, MCD_FRAMEWORK, "collision framework", "McdTerm") ||
+        !MeStageIsFree(&frame->stage, "McdTerm"))
         return;
     if (frame->spaceCount) {
         MeWarning(1, "McdTerm: %d spaces are left; destroy them first. Nothing was destroyed", frame->spaceCount);
@@ -225,7 +244,7 @@ void MEAPI McdTerm(McdFrameworkID frame) {
     runTermActions(frame);
     if (frame->modelCount || frame->geometryCount)
         MeWarning(2, "McdTerm: %d models and %d geometries were left", frame->modelCount, frame->geometryCount);
-    McdFrameworkDestroyAllModelsAndGeometries(frame);
+    destroyAll(frame);
     MEASSERT(!frame->modelCount && !frame->instanceCount && !frame->geometryCount);
     frame->magic = 0;
     MeHandleLeave(&frame->handle);

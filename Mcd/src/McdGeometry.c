@@ -57,7 +57,7 @@ void mcd_modelStir(McdModelRecord *m) {
 }
 
 void MEAPI McdGeometryInit(McdGeometryID g, McdFramework *frame, MeI16 typeId) {
-    if (!g || !mcd_frameCheck(frame, "McdGeometryInit"))
+    if (!g || !mcd_frameCheck(frame, "McdGeometryInit") || !mcd_mayCreate(frame, "McdGeometryInit"))
         return;
     if (!McdFrameworkTypeIsRegistered(frame, typeId)) {
         MeWarning(1, "McdGeometryInit: geometry type %d is not registered", typeId);
@@ -90,6 +90,8 @@ void MEAPI McdGeometryDeinit(McdGeometryID g) {
 void *mcd_geometryCreate(McdFramework *frame, McdGeometryType type, size_t size, const char *function) {
     if (!mcd_frameCheck(frame, function))
         return 0;
+    if (!mcd_mayCreate(frame, function))
+        return 0;
     if (!frame->types[type].isRegistered) {
         MeWarning(1, "%s: register its geometry type first, for example by McdPrimitivesRegisterTypes", function);
         return 0;
@@ -101,20 +103,38 @@ void *mcd_geometryCreate(McdFramework *frame, McdGeometryType type, size_t size,
     return g;
 }
 
+void mcd_geometryDestroy(McdGeometry *g) {
+    McdFramework *frame = g->frame;
+    const McdTypeRecord *type = &frame->types[g->type];
+    McdGeometryDeinit(g);
+    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
+    const McdTypeCall call = mcd_typeEnter(frame, type);
+    if (type->destroy)
+        type->destroy(g);
+    else
+        MeMemoryGive(g);
+    mcd_typeLeave(&call);
+    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
+}
+
+/* Whether something uses it is known only then: models may be destroyed before. */
+static void MEAPI destroyLater(const MeLater *later) {
+    if (MeHandleIsLive(later->object, MCD_GEOMETRY))
+        McdGeometryDestroy(later->object);
+}
+
 void MEAPI McdGeometryDestroy(McdGeometryID g) {
     if (!mcd_mayDestroy(g, MCD_GEOMETRY, "geometry", "McdGeometryDestroy"))
+        return;
+    const MeLater later = {.carryOut = destroyLater, .object = g};
+    if (mcd_when(g->frame, &later, "McdGeometryDestroy") != MeWhenNow)
         return;
     if (g->referenceCount > 0) {
         MeWarning(1, "McdGeometryDestroy: %d models or aggregates still use the %s", g->referenceCount,
                   McdGeometryGetTypeName(g));
         return;
     }
-    const McdGeometryDestroyFnPtr destroy = g->frame->types[g->type].destroy;
-    McdGeometryDeinit(g);
-    if (destroy)
-        destroy(g);
-    else
-        MeMemoryGive(g);
+    mcd_geometryDestroy(g);
 }
 
 void mcd_geometryDestroyAs(McdGeometryID g, McdGeometryType type, const char *function) {
@@ -188,7 +208,11 @@ void MEAPI McdGeometryGetAABB(McdGeometryID g, const MeMatrix4 tm, MeVector3 min
     if (!type || !type->getAABB || !tm)
         return;
     McdGeometryInstance ins = standIn(g, tm);
+    mcd_instanceEnter(&ins);
+    const McdTypeCall call = mcd_typeEnter(g->frame, type);
     type->getAABB(&ins, 0, METRUE);
+    mcd_typeLeave(&call);
+    mcd_instanceLeave(&ins);
     MeVector3Copy(minCorner, ins.min);
     MeVector3Copy(maxCorner, ins.max);
 }
@@ -199,8 +223,11 @@ void MEAPI McdGeometryGetBSphere(const McdGeometryID g, MeVector3 center, MeReal
     const McdTypeRecord *type = mcd_geometryType(g, "McdGeometryGetBSphere");
     MeVector3Set(center, 0, 0, 0);
     *radius = 0;
-    if (type && type->getBSphere)
-        type->getBSphere(g, center, radius);
+    if (!type || !type->getBSphere)
+        return;
+    const McdTypeCall call = mcd_typeEnter(g->frame, type);
+    type->getBSphere(g, center, radius);
+    mcd_typeLeave(&call);
 }
 
 void MEAPI McdGeometryMaximumPoint(McdGeometryID g, const MeMatrix4 tm, MeReal *const inDir, MeReal *const outPoint) {
@@ -211,7 +238,11 @@ void MEAPI McdGeometryMaximumPoint(McdGeometryID g, const MeMatrix4 tm, MeReal *
     if (!type || !type->maximumPoint || !tm)
         return;
     McdGeometryInstance ins = standIn(g, tm);
+    mcd_instanceEnter(&ins);
+    const McdTypeCall call = mcd_typeEnter(g->frame, type);
     type->maximumPoint(&ins, inDir, outPoint);
+    mcd_typeLeave(&call);
+    mcd_instanceLeave(&ins);
 }
 
 MeI16 MEAPI McdGeometryGetMassProperties(McdGeometryID g, MeMatrix4 relativeTransform, MeMatrix3 inertiaMatrix,
@@ -222,11 +253,21 @@ MeI16 MEAPI McdGeometryGetMassProperties(McdGeometryID g, MeMatrix4 relativeTran
     MeMatrix4TMMakeIdentity(relativeTransform);
     memset(inertiaMatrix, 0, sizeof(MeMatrix3));
     *volume = 0;
-    return type && type->getMassProperties ? type->getMassProperties(g, relativeTransform, inertiaMatrix, volume) : 0;
+    if (!type || !type->getMassProperties)
+        return 0;
+    const McdTypeCall call = mcd_typeEnter(g->frame, type);
+    const MeI16 hasMass = type->getMassProperties(g, relativeTransform, inertiaMatrix, volume);
+    mcd_typeLeave(&call);
+    return hasMass;
 }
 
 void MEAPI McdGeometryDebugDraw(const McdGeometryID g, const MeMatrix4Ptr tm, const MeReal colour[3]) {
+    if (!mcd_areGiven(__func__, tm, colour, colour))
+        return;
     const McdTypeRecord *type = mcd_geometryType(g, "McdGeometryDebugDraw");
-    if (type && type->debugDraw && tm)
-        type->debugDraw(g, mcd_const(tm), colour);
+    if (!type || !type->debugDraw)
+        return;
+    const McdTypeCall call = mcd_typeEnter(g->frame, type);
+    type->debugDraw(g, mcd_const(tm), colour);
+    mcd_typeLeave(&call);
 }

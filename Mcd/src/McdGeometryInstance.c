@@ -122,7 +122,8 @@ McdGeometryID MEAPI McdGeometryInstanceGetGeometry(McdGeometryInstanceID ins) {
 void MEAPI McdGeometryInstanceSetGeometry(McdGeometryInstanceID ins, McdGeometryID g) {
     if (!mcd_instanceCheck(ins, "McdGeometryInstanceSetGeometry") ||
         !mcd_geometryType(g, "McdGeometryInstanceSetGeometry") ||
-        !mcd_geometryBelongs(g, mcd_record(ins->model)->frame, "McdGeometryInstanceSetGeometry"))
+        !mcd_geometryBelongs(g, mcd_record(ins->model)->frame, "McdGeometryInstanceSetGeometry") ||
+        !mcd_mayPlace(g->frame, "McdGeometryInstanceSetGeometry"))
         return;
     if (mcd_partsOf(g) || mcd_partsOf(ins->geometry)) {
         MeWarning(1, "McdGeometryInstanceSetGeometry: aggregates are set by McdModelSetGeometry");
@@ -206,12 +207,22 @@ void MEAPI McdGeometryInstanceSetAABB(McdGeometryInstanceID ins, const MeVector3
     MeVector3Copy(ins->max, maxCorner);
 }
 
-void MEAPI McdGeometryInstanceUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, MeBool tight) {
-    if (!mcd_instanceCheck(ins, "McdGeometryInstanceUpdateAABB") || !mcd_instanceTM(ins))
-        return;
+void mcd_instanceUpdateAABB(McdGeometryInstance *ins, const MeMatrix4Ptr finalTM, MeBool tight) {
     const McdTypeRecord *type = mcd_geometryType(ins->geometry, "McdGeometryInstanceUpdateAABB");
-    if (type && type->getAABB)
-        type->getAABB(ins, finalTM, tight);
+    if (!type || !type->getAABB || !mcd_instanceTM(ins))
+        return;
+    const McdTypeCall call = mcd_typeEnter(ins->geometry->frame, type);
+    type->getAABB(ins, finalTM, tight);
+    mcd_typeLeave(&call);
+}
+
+void MEAPI McdGeometryInstanceUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, MeBool tight) {
+    if (!mcd_instanceCheck(ins, "McdGeometryInstanceUpdateAABB"))
+        return;
+    McdFramework *frame = ins->geometry->frame;
+    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
+    mcd_instanceUpdateAABB(ins, finalTM, tight);
+    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
 }
 
 MeBool MEAPI McdGeometryInstanceOverlap(McdGeometryInstanceID a, McdGeometryInstanceID b) {
@@ -231,11 +242,14 @@ void MEAPI McdGeometryInstanceGetBSphere(const McdGeometryInstanceID ins, MeVect
     if (!mcd_instanceCheck(ins, "McdGeometryInstanceGetBSphere"))
         return;
     MeVector3 local;
+    McdFramework *frame = ins->geometry->frame;
+    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
     McdGeometryGetBSphere(ins->geometry, local, radius);
     if (mcd_instanceTM(ins))
         MeMatrix4TMTransform(center, mcd_const(mcd_instanceTM(ins)), local);
     else
         MeVector3Copy(center, local);
+    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
 }
 
 void MEAPI McdGeometryInstanceMaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir, MeReal *const outPoint) {
@@ -245,6 +259,9 @@ void MEAPI McdGeometryInstanceMaximumPoint(McdGeometryInstanceID ins, MeReal *co
     if (!mcd_instanceCheck(ins, "McdGeometryInstanceMaximumPoint") || !mcd_instanceTM(ins))
         return;
     const McdTypeRecord *type = mcd_geometryType(ins->geometry, "McdGeometryInstanceMaximumPoint");
-    if (type && type->maximumPoint)
-        type->maximumPoint(ins, inDir, outPoint);
+    if (!type || !type->maximumPoint)
+        return;
+    const McdTypeCall call = mcd_typeEnter(ins->geometry->frame, type);
+    type->maximumPoint(ins, inDir, outPoint);
+    mcd_typeLeave(&call);
 }

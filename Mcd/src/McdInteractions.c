@@ -2,6 +2,7 @@
 #include "McdContact.h"
 #include "McdInternal.h"
 #include "mcd_kind_i.h"
+#include "mcd_motion_i.h"
 #include "mcd_scratch_i.h"
 #include "mcd_spread_i.h"
 
@@ -25,12 +26,34 @@ static McdGridCell *cellOf(McdModelID m1, McdModelID m2) {
 }
 
 /* How the pair interacts; null if it does not. isTurned: as the pair of model2 and model1. */
-static const McdInteractions *interactionOf(const McdModelPair *p, MeBool *isTurned) {
+static const McdGridCell *interactionOf(const McdModelPair *p, MeBool *isTurned) {
     const McdGridCell *straight = cellOf(p->model1, p->model2), *turned = cellOf(p->model2, p->model1);
     *isTurned = !straight->isSet;
     if (straight->isSet)
-        return &straight->interactions;
-    return turned->isSet ? &turned->interactions : 0;
+        return straight;
+    return turned->isSet ? turned : 0;
+}
+
+/* Around a call of an interaction's function, which may be the program's. It calls it at MCD_HOLD_SHAPES. */
+typedef struct Call {
+    McdFramework *frame; /* null: it is the library's */
+    MeProgramCall before;
+} Call;
+
+static Call enter(const McdModelPair *p, MeBool isOfProgram) {
+    Call call = {.frame = isOfProgram ? mcd_record(p->model1)->frame : 0};
+    if (!isOfProgram)
+        return call;
+    MeStageBegin(&call.frame->stage, MCD_HOLD_SHAPES);
+    call.before = MeProgramEnter("McdFrameworkSetInteractions");
+    return call;
+}
+
+static void leave(const Call *call) {
+    if (!call->frame)
+        return;
+    MeProgramLeave(&call->before);
+    MeStageEnd(&call->frame->stage, MCD_HOLD_SHAPES);
 }
 
 static MeBool areSame(const McdInteractions *a, const McdInteractions *b) {
@@ -103,28 +126,57 @@ void MEAPI McdHello(McdModelPair *p) {
     MeBool isTurned;
     if (!checkPair(p, "McdHello"))
         return;
-    const McdInteractions *interaction = interactionOf(p, &isTurned);
-    if (!interaction) {
+    const McdGridCell *cell = interactionOf(p, &isTurned);
+    if (!cell) {
         warnOfMissing(p);
         return;
     }
-    if (!interaction->helloFn)
+    const McdHelloFn hello = cell->interactions.helloFn;
+    if (!hello)
         return;
     McdModelPair asked = isTurned ? turn(p) : *p;
-    interaction->helloFn(&asked);
+    const Call call = enter(p, hello != cell->library.helloFn);
+    hello(&asked);
     p->m_cachedData = asked.m_cachedData;
+    leave(&call);
 }
 
 void MEAPI McdGoodbye(McdModelPair *p) {
     MeBool isTurned;
     if (!checkPair(p, "McdGoodbye"))
         return;
-    const McdInteractions *interaction = interactionOf(p, &isTurned);
-    if (interaction && interaction->goodbyeFn) {
-        McdModelPair asked = isTurned ? turn(p) : *p;
-        interaction->goodbyeFn(&asked);
+    const McdGridCell *cell = interactionOf(p, &isTurned);
+    const McdGoodbyeFn goodbye = cell ? cell->interactions.goodbyeFn : 0;
+    if (!goodbye) {
+        p->m_cachedData = 0;
+        return;
     }
+    McdModelPair asked = isTurned ? turn(p) : *p;
+    const Call call = enter(p, goodbye != cell->library.goodbyeFn);
+    goodbye(&asked);
     p->m_cachedData = 0;
+    leave(&call);
+}
+
+/* The framework of a container's models; null: there are none. */
+static McdFramework *frameOf(const McdModelPairContainer *pairs, int first, int end) {
+    for (int i = first; i < end; i++) {
+        const McdModelPair *p = pairs->array[i];
+        if (p && p->model1 && MCD_IS_KNOWN(p->model1, MCD_MODEL) && mcd_record(p->model1)->magic == MCD_MODEL)
+            return mcd_record(p->model1)->frame;
+    }
+    return 0;
+}
+
+/* For all pairs: the program's functions that are told of one may have others go. */
+static void forEach(McdModelPairContainer *pairs, int first, int end, void(MEAPI *tell)(McdModelPair *p)) {
+    McdFramework *frame = frameOf(pairs, first, end);
+    if (!frame)
+        return;
+    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
+    for (int i = first; i < end; i++)
+        tell(pairs->array[i]);
+    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
 }
 
 void MEAPI McdHelloEach(McdModelPairContainer *pairs) {
@@ -132,8 +184,7 @@ void MEAPI McdHelloEach(McdModelPairContainer *pairs) {
         MeWarning(1, "McdHelloEach: no container");
         return;
     }
-    for (int i = pairs->helloFirst; i < pairs->helloEnd; i++)
-        McdHello(pairs->array[i]);
+    forEach(pairs, pairs->helloFirst, pairs->helloEnd, McdHello);
 }
 
 void MEAPI McdGoodbyeEach(McdModelPairContainer *pairs) {
@@ -141,8 +192,7 @@ void MEAPI McdGoodbyeEach(McdModelPairContainer *pairs) {
         MeWarning(1, "McdGoodbyeEach: no container");
         return;
     }
-    for (int i = pairs->goodbyeFirst; i < pairs->goodbyeEnd; i++)
-        McdGoodbye(pairs->array[i]);
+    forEach(pairs, pairs->goodbyeFirst, pairs->goodbyeEnd, McdGoodbye);
 }
 
 /* ---- contacts ---------------------------------------------------------------------------------------------------- */
@@ -210,14 +260,15 @@ static void completeContacts(McdIntersectResult *result) {
 static void callIntersect(McdIntersectFn intersect, McdModelPair *p, MeBool isTurned, McdIntersectResult *result) {
     markUnused(&result->contacts[0]);
     if (isTurned) {
-        McdModelPair asked = turn(p);
-        intersect(&asked, result);
-        completeContacts(result);
-        turnContacts(result);
+        McdModelPair turned = turn(p);
+        intersect(&turned, result);
     } else {
         intersect(p, result);
-        completeContacts(result);
     }
+    result->contactCount = MeCLAMP(result->contactCount, 0, result->contactMaxCount);
+    completeContacts(result);
+    if (isTurned)
+        turnContacts(result);
     result->pair = p;
 }
 
@@ -240,6 +291,18 @@ static void intersectFacesFirst(McdIntersectFn intersect, McdModelPair *p, MeBoo
         result->contacts = kept;
     }
     mcd_scratchGive(frame, scratch);
+}
+
+static void callModels(McdModelPair *p, McdIntersectResult *result) {
+    McdModelRecord *m[2] = {mcd_record(p->model1), mcd_record(p->model2)};
+    if (!m[0]->intersect && !m[1]->intersect)
+        return;
+    const MeProgramCall before = MeProgramEnter("McdModelSetIntersectCallback");
+    for (int k = 0; k < 2; k++)
+        if (m[k]->intersect)
+            m[k]->intersect(&m[k]->model, result);
+    MeProgramLeave(&before);
+    result->contactCount = MeCLAMP(result->contactCount, 0, result->contactMaxCount);
 }
 
 /* No more contacts than the pair's request asks for. Returns how many there was place for. */
@@ -266,22 +329,30 @@ static MeBool arePlaced(const McdModelPair *p, const char *function) {
     return MEFALSE;
 }
 
-MeBool MEAPI(McdIntersect)(McdModelPair *p, McdIntersectResult *result) {
+MeBool mcd_intersect(McdModelPair *p, McdIntersectResult *result) {
     MeBool isTurned;
-    if (!checkPair(p, "McdIntersect") || !checkResult(result, "McdIntersect"))
-        return MEFALSE;
     clearResult(result, p);
-    const McdInteractions *interaction = interactionOf(p, &isTurned);
-    if (!interaction || !interaction->intersectFn)
+    const McdGridCell *cell = interactionOf(p, &isTurned);
+    const McdIntersectFn intersect = cell ? cell->interactions.intersectFn : 0;
+    if (!intersect)
         return MEFALSE;
     if (!arePlaced(p, "McdIntersect"))
         return METRUE;
-    runIntersect(interaction->intersectFn, p, isTurned, result);
-    if (mcd_record(p->model1)->intersect)
-        mcd_record(p->model1)->intersect(p->model1, result);
-    if (mcd_record(p->model2)->intersect)
-        mcd_record(p->model2)->intersect(p->model2, result);
+    const Call call = enter(p, intersect != cell->library.intersectFn);
+    runIntersect(intersect, p, isTurned, result);
+    leave(&call);
+    callModels(p, result);
     return METRUE;
+}
+
+MeBool MEAPI(McdIntersect)(McdModelPair *p, McdIntersectResult *result) {
+    if (!checkPair(p, "McdIntersect") || !checkResult(result, "McdIntersect"))
+        return MEFALSE;
+    McdFramework *frame = mcd_record(p->model1)->frame;
+    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
+    const MeBool isKnown = mcd_intersect(p, result);
+    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
+    return isKnown;
 }
 
 /* Contacts of two convex models that have been compared in this round; false: of others. */
@@ -309,7 +380,7 @@ MeBool MEAPI McdModelPairIntersectPlain(McdModelPair *p, McdIntersectResult *res
         if (areConvex)
             turnContacts(result);
     }
-    return areConvex || (McdIntersect)(p, result);
+    return areConvex || mcd_intersect(p, result);
 }
 
 /* One convex model and one surface that a function of the program makes, with the library's own interaction, and
@@ -331,7 +402,7 @@ MeBool MEAPI McdModelPairIntersectIfChanged(McdModelPair *p, MeBool mayBeUnchang
     const McdRequest *request = McdModelPairGetRequestPtr(p);
     if (!isOfGeneratedSurface(p, &isTurned) || request->faceNormalsFirst || !arePlaced(p, "McdIntersect")) {
         p->test.shape1 = p->test.shape2 = 0;
-        *isKnown = (McdIntersect)(p, result);
+        *isKnown = mcd_intersect(p, result);
         return METRUE;
     }
     McdModelPair asked = isTurned ? turn(p) : *p;
@@ -362,6 +433,8 @@ MeBool MEAPI McdIntersectAt(McdModelPair *p, McdIntersectResult *result, MeReal 
     if (!arePlaced(p, "McdIntersectAt"))
         return METRUE;
     McdModelRecord *models[2] = {mcd_record(p->model1), mcd_record(p->model2)};
+    McdFramework *frame = models[0]->frame;
+    MeStageBegin(&frame->stage, MCD_HOLD_SHAPES); /* for a moment they are elsewhere */
     MeMatrix4 then[2];
     MeMatrix4Ptr now[2];
     for (int i = 0; i < 2; i++) {
@@ -370,12 +443,49 @@ MeBool MEAPI McdIntersectAt(McdModelPair *p, McdIntersectResult *result, MeReal 
         models[i]->instance.tm = then[i];
         mcd_modelRefresh(models[i]);
     }
-    const MeBool answer = (McdIntersect)(p, result);
+    const MeBool answer = mcd_intersect(p, result);
     for (int i = 0; i < 2; i++) {
         models[i]->instance.tm = now[i];
         mcd_modelRefresh(models[i]);
     }
+    MeStageEnd(&frame->stage, MCD_HOLD_SHAPES);
     return answer;
+}
+
+/* The arguments of McdIntersectEach. */
+typedef struct Each {
+    McdModelPairContainer *pairs;
+    McdModelPairContainerIterator *iterator;
+    McdIntersectResult *results;
+    int resultRoom, *resultCount;
+    McdContact *contacts;
+    int contactRoom, *contactCount;
+} Each;
+
+static MeBool isGone(const McdModelPair *p) {
+    return p && p->model1 && p->model2 && (mcd_record(p->model1)->isGone || mcd_record(p->model2)->isGone);
+}
+
+/* True: there is no room for the next pair. */
+static MeBool intersectEach(const Each *e) {
+    for (; e->iterator->next < e->pairs->stayingEnd; e->iterator->next++) {
+        McdModelPair *p = e->pairs->array[e->iterator->next];
+        if (isGone(p) || !checkPair(p, "McdIntersectEach"))
+            continue;
+        const int wanted = McdModelPairGetRequestPtr(p)->contactMaxCount;
+        const int room = e->contactRoom - *e->contactCount;
+        const MeBool isFirst = *e->resultCount == 0;
+        if (*e->resultCount == e->resultRoom || (room < wanted && !isFirst))
+            return METRUE;
+        McdIntersectResult *result = &e->results[*e->resultCount];
+        result->contacts = e->contacts + *e->contactCount;
+        result->contactMaxCount = MeMIN(room, wanted);
+        if (!checkResult(result, "McdIntersect") || !mcd_intersect(p, result))
+            continue;
+        *e->contactCount += result->contactCount;
+        ++*e->resultCount;
+    }
+    return MEFALSE;
 }
 
 MeBool MEAPI McdIntersectEach(McdModelPairContainer *pairs, McdModelPairContainerIterator *pairsIter,
@@ -389,22 +499,15 @@ MeBool MEAPI McdIntersectEach(McdModelPairContainer *pairs, McdModelPairContaine
         MeWarning(1, "McdIntersectEach: an argument is null");
         return MEFALSE;
     }
-    while (pairsIter->next < pairs->stayingEnd) {
-        McdModelPair *p = pairs->array[pairsIter->next];
-        const int wanted = McdModelPairGetRequestPtr(p)->contactMaxCount;
-        const int room = contactArraySize - *contactCount;
-        if (*resultCount == resultArraySize || (room<wanted && * resultCount> 0))
-            return METRUE;
-        McdIntersectResult *result = &resultArray[*resultCount];
-        result->contacts = contactArray + *contactCount;
-        result->contactMaxCount = MeMIN(room, wanted);
-        pairsIter->next++;
-        if (!(McdIntersect)(p, result))
-            continue;
-        *contactCount += result->contactCount;
-        ++*resultCount;
-    }
-    return MEFALSE;
+    Each e = {pairs,       pairsIter,    resultArray,      resultArraySize,
+              resultCount, contactArray, contactArraySize, contactCount};
+    McdFramework *frame = frameOf(pairs, pairsIter->next, pairs->stayingEnd);
+    if (!frame)
+        return MEFALSE;
+    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
+    const MeBool isMore = intersectEach(&e);
+    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
+    return isMore;
 }
 
 /* ---- time, lines ------------------------------------------------------------------------------------------------- */
@@ -422,34 +525,75 @@ static MeBool areVelocitiesGood(const McdModelPair *p, const char *function) {
     return METRUE;
 }
 
-MeBool MEAPI McdSafeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result) {
-    MeBool isTurned;
-    if (!result || !checkPair(p, "McdSafeTime"))
+/* The library's function may call the program's for parts. Not for two convex models, which workers may have. */
+static MeBool callSafeTime(const McdGridCell *cell, McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result) {
+    const McdSafeTimeFn safeTime = cell->interactions.safeTimeFn;
+    McdFramework *frame = mcd_record(p->model1)->frame;
+    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
+    const Call call = enter(p, safeTime != cell->library.safeTimeFn);
+    const MeBool answer = safeTime(p, maxTime, result) != 0;
+    leave(&call);
+    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
+    return answer;
+}
+
+static MeBool areBothConvex(const McdModelPair *p) {
+    const McdKind *a = kindOf(p->model1), *b = kindOf(p->model2);
+    return a && b && a->setShape && b->setShape;
+}
+
+MeBool mcd_safeTimeBegin(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result, const char *function) {
+    if (!mcd_areGiven(function, result, result, result))
         return MEFALSE;
     result->pair = p;
     result->time = maxTime;
     MeVector3Set(result->normal, 0, 0, 0);
     MeVector3Set(result->position, 0, 0, 0);
-    if (!(maxTime >= 0) || !MeRealIsValid(maxTime)) {
-        MeWarning(1, "McdSafeTime: maxTime is %g: it must be >= 0", (double)maxTime);
+    if (!(maxTime >= 0) || !mcd_areNear(&maxTime, 1)) {
+        MeWarning(1, "%s: maxTime is %g: it must be >= 0", function, (double)maxTime);
         result->time = 0;
         return MEFALSE;
     }
-    const McdInteractions *interaction = interactionOf(p, &isTurned);
-    if (!interaction || !interaction->safeTimeFn || !arePlaced(p, "McdSafeTime") ||
-        !areVelocitiesGood(p, "McdSafeTime"))
+    return checkPair(p, function);
+}
+
+MeBool mcd_safeTimeIsToBeHad(const McdModelPair *p, const char *function) {
+    return arePlaced(p, function) && areVelocitiesGood(p, function);
+}
+
+MeBool MEAPI McdSafeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result) {
+    MeBool isTurned;
+    if (!mcd_safeTimeBegin(p, maxTime, result, "McdSafeTime"))
+        return MEFALSE;
+    const McdGridCell *cell = interactionOf(p, &isTurned);
+    const McdSafeTimeFn safeTime = cell ? cell->interactions.safeTimeFn : 0;
+    if (!safeTime || !mcd_safeTimeIsToBeHad(p, "McdSafeTime"))
         return MEFALSE;
     McdModelPair asked = isTurned ? turn(p) : *p;
-    const MeBool answer = interaction->safeTimeFn(&asked, maxTime, result);
-    MEASSERT(asked.model1 == (isTurned ? p->model2 : p->model1));
+    const MeBool mayCall = !areBothConvex(p) || safeTime != cell->library.safeTimeFn;
+    const MeBool answer =
+        mayCall ? callSafeTime(cell, &asked, maxTime, result) : safeTime(&asked, maxTime, result) != 0;
     if (isTurned)
         MeVector3MultiplyScalar(result->normal, result->normal, -1);
     result->pair = p;
-    return answer != 0;
+    return answer;
 }
 
 static MeBool isPoint(const MeReal *p) {
     return p && mcd_areNear(p, 3);
+}
+
+MeBool mcd_lineSegIntersect(McdModelID cm, MeReal *inOrig, MeReal *inDest, McdLineSegIntersectResult *outOverlap) {
+    McdModelRecord *m = mcd_record(cm);
+    const McdTypeRecord *type = &m->frame->types[m->instance.geometry->type];
+    if (!type->lineSegment || !mcd_modelIsPlaced(m))
+        return MEFALSE;
+    const McdTypeCall call = mcd_typeEnter(m->frame, type);
+    const MeBool isHit = type->lineSegment(cm, inOrig, inDest, outOverlap) != 0;
+    mcd_typeLeave(&call);
+    if (isHit)
+        outOverlap->model = cm;
+    return isHit;
 }
 
 unsigned int MEAPI McdLineSegIntersect(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
@@ -461,9 +605,9 @@ unsigned int MEAPI McdLineSegIntersect(const McdModelID cm, MeReal *const inOrig
         MeWarning(1, "McdLineSegIntersect: an end of the segment is null, not finite, or beyond %g", (double)FLT_MAX);
         return 0;
     }
-    const McdLineSegIntersectFnPtr intersect = m->frame->types[m->instance.geometry->type].lineSegment;
-    if (!intersect || !mcd_modelIsPlaced(m) || !intersect(cm, inOrig, inDest, outOverlap))
-        return 0;
-    outOverlap->model = cm;
-    return 1;
+    McdFramework *frame = m->frame;
+    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
+    const MeBool isHit = mcd_lineSegIntersect(cm, inOrig, inDest, outOverlap);
+    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
+    return isHit ? 1 : 0;
 }

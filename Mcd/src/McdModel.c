@@ -115,6 +115,8 @@ McdModelID MEAPI McdModelCreate(McdGeometryID g) {
     if (!mcd_geometryType(g, "McdModelCreate"))
         return 0;
     McdFramework *frame = g->frame;
+    if (!mcd_mayCreate(frame, "McdModelCreate"))
+        return 0;
     if (!frame->firstFree && !mcd_frameAddModels(frame, "McdModelCreate"))
         return 0;
     McdModelRecord *m = recordFromPool(frame);
@@ -141,12 +143,9 @@ static void leaveBody(McdModelRecord *m) {
         m->model.mLeave(&m->model);
 }
 
-void MEAPI McdModelDestroy(McdModelID cm) {
-    McdModelRecord *m = mcd_record(cm);
-    if (!mcd_mayDestroy(cm, MCD_MODEL, "model", "McdModelDestroy"))
-        return;
+static void destroyModel(McdModelRecord *m) {
     if (m->space)
-        m->frame->spaceForget(cm);
+        m->frame->spaceForget(&m->model);
     leaveBody(m);
     freeRelative(m);
     setUpdate(m, 0);
@@ -154,9 +153,70 @@ void MEAPI McdModelDestroy(McdModelID cm) {
     recordToPool(m);
 }
 
+/* What the space tells of the model's pairs may be a function of the program. */
+void mcd_modelDestroy(McdModelRecord *m) {
+    McdFramework *frame = m->frame;
+    m->isCondemned = m->isGone = true;
+    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
+    destroyModel(m);
+    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
+}
+
+static void MEAPI destroyLater(const MeLater *later) {
+    McdModelRecord *m = mcd_laterModel(later);
+    if (m && m->isCondemned)
+        mcd_modelDestroy(m);
+}
+
+static MeBool mayDestroy(const McdModelRecord *m, const char *function) {
+    if (!mcd_mayDestroy(m, MCD_MODEL, "model", function))
+        return MEFALSE;
+    if (m->isCondemned)
+        mcd_warnGone(m, "model", function);
+    else if (m->standsFor)
+        MeWarning(1, "%s: the model stands for a part of an aggregate's model; nothing is changed", function);
+    return !m->isCondemned && !m->standsFor;
+}
+
+void MEAPI McdModelDestroy(McdModelID cm) {
+    McdModelRecord *m = mcd_record(cm);
+    if (!mayDestroy(m, "McdModelDestroy"))
+        return;
+    const MeLater later = {.carryOut = destroyLater, .object = m, .serial = m->serial};
+    const MeWhen when = mcd_when(m->frame, &later, "McdModelDestroy");
+    if (when == MeWhenNow)
+        mcd_modelDestroy(m);
+    else if (when == MeWhenStageEnds)
+        m->isCondemned = m->isGone = true;
+}
+
+void MEAPI McdModelSetGone(McdModelID cm, MeBool isGone) {
+    mcd_record(cm)->isGone = isGone || mcd_record(cm)->isCondemned;
+}
+
+MeBool MEAPI McdModelPairIsLeaving(const McdModelPair *p) {
+    return mcd_record(p->model1)->isGone || mcd_record(p->model2)->isGone;
+}
+
+void MEAPI McdModelForgetPairs(McdModelID cm) {
+    McdModelRecord *m = mcd_record(cm);
+    if (m->space)
+        m->frame->spaceForgetPairs(cm);
+}
+
+void MEAPI McdModelDropBox(McdModelID cm) {
+    McdModelRecord *m = mcd_record(cm);
+    if (m->space)
+        m->frame->spaceDropBox(cm);
+}
+
+void MEAPI McdModelStir(McdModelID cm) {
+    mcd_modelStir(mcd_record(cm));
+}
+
 void MEAPI McdModelReset(McdModelID cm) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelReset");
-    if (!m)
+    if (!m || !MeProgramMayChange("McdModelReset") || !mcd_mayPlace(m->frame, "McdModelReset"))
         return;
     leaveBody(m);
     freeRelative(m);
@@ -166,7 +226,7 @@ void MEAPI McdModelReset(McdModelID cm) {
 }
 
 MeBool MEAPI McdModelIsValid(McdModelID cm) {
-    return cm && MeHandleIsLive(cm, MCD_MODEL);
+    return cm && MeHandleIsLive(cm, MCD_MODEL) && !mcd_record(cm)->isCondemned;
 }
 
 MeU64 MEAPI McdModelGetSerial(McdModelID cm) {
@@ -195,6 +255,7 @@ McdModelID mcd_standInBegin(McdStandIn *s, McdGeometryInstance *part) {
     s->record.instance.handle = none;
     s->record.instance.parent = s->record.instance.nextSibling = 0;
     s->record.instance.model = &s->record.model;
+    s->record.standsFor = part->model;
     s->record.instance.tm = part->placed;
     s->record.material = mcd_instanceMaterial(part);
     s->record.relTM = s->record.refTM = 0;
@@ -236,6 +297,8 @@ void MEAPI McdModelSetGeometry(McdModelID cm, McdGeometryID g) {
         MeWarning(1, "McdModelSetGeometry: an aggregate's model is in a space: take it out first");
         return;
     }
+    if (!MeProgramMayChange("McdModelSetGeometry") || !mcd_mayPlace(m->frame, "McdModelSetGeometry"))
+        return;
     const McdGeometryID old = m->instance.geometry;
     dropGeometry(m);
     if (!takeGeometry(m, g, "McdModelSetGeometry"))
@@ -293,7 +356,7 @@ MeMatrix4Ptr MEAPI McdModelGetTransformPtr(McdModelID cm) {
 
 void MEAPI McdModelSetTransformPtr(const McdModelID cm, const MeMatrix4Ptr geometryTM) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetTransformPtr");
-    if (!m)
+    if (!m || !mcd_mayPlace(m->frame, "McdModelSetTransformPtr"))
         return;
     freeRelative(m);
     m->relTM = m->refTM = 0;
@@ -309,7 +372,7 @@ static void composeTransforms(McdModelRecord *m) {
 void MEAPI McdModelSetRelativeTransformPtrs(McdModelID cm, MeMatrix4 relTM, MeMatrix4 refTM, MeMatrix4 compoundTM,
                                             MeBool own) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetRelativeTransformPtrs");
-    if (!m)
+    if (!m || !mcd_mayPlace(m->frame, "McdModelSetRelativeTransformPtrs"))
         return;
     if (!relTM || !refTM || !compoundTM) {
         MeWarning(1, "McdModelSetRelativeTransformPtrs: a transform is null");
@@ -333,7 +396,7 @@ void MEAPI McdModelGetRelativeTransformPtrs(McdModelID cm, MeMatrix4Ptr *relTM, 
 
 void MEAPI McdModelSetRelativeTransform(McdModelID cm, MeMatrix4 relTM) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetRelativeTransform");
-    if (!m)
+    if (!m || !mcd_mayPlace(m->frame, "McdModelSetRelativeTransform"))
         return;
     const MeMatrix4Ptr reference = m->refTM ? m->refTM : m->instance.tm;
     if (!relTM) {
@@ -421,7 +484,7 @@ static MeBool isShapeWithin(McdGeometryInstance *ins) {
 static void updateBoxes(McdGeometryInstance *ins, const MeMatrix4Ptr finalTM) {
     for (McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)
         updateBoxes(child, 0);
-    McdGeometryInstanceUpdateAABB(ins, finalTM, METRUE);
+    mcd_instanceUpdateAABB(ins, finalTM, METRUE);
     MEVALIDATE(isShapeWithin(ins));
 }
 
@@ -430,22 +493,47 @@ void mcd_modelRefresh(McdModelRecord *m) {
     updateBoxes(&m->instance, 0);
 }
 
-static MeBool isPlaced(McdModelRecord *m, const char *function) {
-    if (m->update)
-        m->update(&m->model);
-    if (!m->instance.tm) {
-        MeWarning(1, "%s: the model has no transform: see McdModelSetTransformPtr", function);
+/* Which may update the model itself: it is not called again then. */
+static void callUpdate(McdModelRecord *m) {
+    if (!m->update || m->isBeingUpdated)
+        return;
+    m->isBeingUpdated = true;
+    const MeProgramCall before = MeProgramEnter("McdModelSetUpdateCallback");
+    m->update(&m->model);
+    MeProgramLeave(&before);
+    m->isBeingUpdated = false;
+}
+
+/* Is it somewhere, with its parts? */
+static MeBool place(McdModelRecord *m) {
+    callUpdate(m);
+    if (!m->instance.tm)
         return MEFALSE;
-    }
     composeTransforms(m);
     mcd_instancePlaceChildren(&m->instance);
+    return mcd_modelIsPlaced(m);
+}
+
+MeBool mcd_modelUpdate(McdModelRecord *m) {
+    if (!place(m))
+        return MEFALSE;
+    updateBoxes(&m->instance, 0);
     return METRUE;
+}
+
+static void warnOfNoPlace(const char *function) {
+    MeWarning(1, "%s: the model has no transform, or one that is not finite: see McdModelSetTransformPtr", function);
 }
 
 void MEAPI McdModelUpdate(McdModelID cm) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelUpdate");
-    if (m && isPlaced(m, "McdModelUpdate"))
-        updateBoxes(&m->instance, 0);
+    if (!m)
+        return;
+    McdFramework *frame = m->frame;
+    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
+    if (!mcd_modelUpdate(m))
+        warnOfNoPlace("McdModelUpdate");
+    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
 }
 
 /* How far a point of the model leaves the straight line between its two ends while the model turns by an angle:
@@ -462,11 +550,10 @@ static MeReal deviationByTurning(const McdModelRecord *m, MeReal duration) {
     return angle < ME_PI ? reach * (1 - MeCos(angle / 2)) : reach;
 }
 
-void MEAPI McdModelUpdatePath(McdModelID cm, MeReal motionDuration) {
-    McdModelRecord *m = mcd_modelCheck(cm, "McdModelUpdatePath");
-    if (!m || !isPlaced(m, "McdModelUpdatePath"))
-        return;
+MeBool mcd_modelUpdatePath(McdModelRecord *m, MeReal motionDuration) {
     MeMatrix4 finalTM;
+    if (!place(m))
+        return MEFALSE;
     mcd_modelPlaceAt(m, motionDuration, finalTM);
     updateBoxes(&m->instance, finalTM);
     const MeReal more = deviationByTurning(m, motionDuration);
@@ -474,6 +561,18 @@ void MEAPI McdModelUpdatePath(McdModelID cm, MeReal motionDuration) {
         m->instance.min[i] -= more;
         m->instance.max[i] += more;
     }
+    return METRUE;
+}
+
+void MEAPI McdModelUpdatePath(McdModelID cm, MeReal motionDuration) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelUpdatePath");
+    if (!m)
+        return;
+    McdFramework *frame = m->frame;
+    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
+    if (!mcd_modelUpdatePath(m, motionDuration))
+        warnOfNoPlace("McdModelUpdatePath");
+    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
 }
 
 void MEAPI McdModelUpdatePathCompatible(McdModelID cm, MeReal dummy) {

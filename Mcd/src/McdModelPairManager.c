@@ -20,7 +20,21 @@ struct McdModelPairManager {
     McdSpacePoolErrorFnPtr poolFull;
     Record *record, *firstFree, *first, *last;
     Record **bucket; /* `size` of them */
+    MeStage stage;   /* held while it tells a function of the program of a pair */
 };
+
+/* May pairs come or go? Not from a function that is told of one. */
+static MeBool mayChange(McdModelPairManagerID manager, const char *function) {
+    return MeStageIsFree(&manager->stage, function);
+}
+
+static void sayGoodbye(McdModelPairManager *manager, McdModelPair *p) {
+    if (!p->m_cachedData)
+        return;
+    MeStageBegin(&manager->stage, 0);
+    McdGoodbye(p);
+    MeStageEnd(&manager->stage, 0);
+}
 
 static MeBool isManager(McdModelPairManagerID manager, const char *function) {
     if (!manager) {
@@ -54,11 +68,10 @@ McdModelPairManagerID MEAPI McdModelPairManagerCreate(int size) {
 }
 
 void MEAPI McdModelPairManagerDestroy(McdModelPairManager *manager) {
-    if (!manager)
+    if (!manager || !mayChange(manager, "McdModelPairManagerDestroy"))
         return;
     for (Record *r = manager->first; r; r = r->after)
-        if (r->pair.m_cachedData)
-            McdGoodbye(&r->pair);
+        sayGoodbye(manager, &r->pair);
     MeMemoryGive(manager);
 }
 
@@ -92,12 +105,17 @@ int MEAPI McdModelPairManagerGetSize(McdModelPairManagerID manager) {
 /* ---- coming and going -------------------------------------------------------------------------------------------- */
 
 static void tellFull(McdModelPairManager *manager, McdModelID m1, McdModelID m2) {
-    if (manager->poolFull)
-        manager->poolFull(m1, m2);
-    else if (!manager->hasWarned)
+    if (!manager->poolFull && !manager->hasWarned)
         MeWarning(1, "McdModelPairManagerActivate: there are %d pairs: raise McdModelPairManagerCreate's size",
                   manager->size);
     manager->hasWarned = METRUE;
+    if (!manager->poolFull)
+        return;
+    MeStageBegin(&manager->stage, 0);
+    const MeProgramCall before = MeProgramEnter("McdModelPairManagerSetPoolFullHandler");
+    manager->poolFull(m1, m2);
+    MeProgramLeave(&before);
+    MeStageEnd(&manager->stage, 0);
 }
 
 /* The list has all records that are used, and the table finds each of them. */
@@ -121,7 +139,8 @@ static void append(McdModelPairManager *manager, Record *r) {
 
 MeBool MEAPI McdModelPairManagerActivate(McdModelPairManagerID manager, McdModelID model1, McdModelID model2) {
     if (!isManager(manager, "McdModelPairManagerActivate") ||
-        !mcd_modelsMakeAPair(model1, model2, "McdModelPairManagerActivate"))
+        !mcd_modelsMakeAPair(model1, model2, "McdModelPairManagerActivate") ||
+        !mayChange(manager, "McdModelPairManagerActivate"))
         return MEFALSE;
     Record **place = placeOf(manager, model1, model2), *r = *place;
     if (isActive(r))
@@ -149,8 +168,7 @@ MeBool MEAPI McdModelPairManagerActivate(McdModelPairManagerID manager, McdModel
 static void removePair(McdModelPairManager *manager, Record *r) {
     Record **place = placeOf(manager, r->pair.model1, r->pair.model2);
     MEASSERT(*place == r);
-    if (r->pair.m_cachedData)
-        McdGoodbye(&r->pair);
+    sayGoodbye(manager, &r->pair);
     *place = r->next;
     *(r->before ? &r->before->after : &manager->first) = r->after;
     *(r->after ? &r->after->before : &manager->last) = r->before;
@@ -163,7 +181,7 @@ static void removePair(McdModelPairManager *manager, Record *r) {
 
 MeBool MEAPI McdModelPairManagerDeactivate(McdModelPairManagerID manager, McdModelID model1, McdModelID model2) {
     Record *r = isManager(manager, "McdModelPairManagerDeactivate") ? *placeOf(manager, model1, model2) : NULL;
-    if (!isActive(r))
+    if (!isActive(r) || !mayChange(manager, "McdModelPairManagerDeactivate"))
         return MEFALSE;
     manager->step++;
     if (r->pair.phase == kMcdFFStateHello)
@@ -174,7 +192,7 @@ MeBool MEAPI McdModelPairManagerDeactivate(McdModelPairManagerID manager, McdMod
 }
 
 void MEAPI McdModelPairManagerFlush(McdModelPairManagerID manager) {
-    if (!isManager(manager, "McdModelPairManagerFlush"))
+    if (!isManager(manager, "McdModelPairManagerFlush") || !mayChange(manager, "McdModelPairManagerFlush"))
         return;
     manager->step++;
     for (Record *r = manager->first, *after; r; r = after) {

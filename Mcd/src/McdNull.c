@@ -17,6 +17,8 @@ McdNullID MEAPI McdNullCreate(McdFramework *frame) {
 }
 
 void MEAPI McdNullGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    if (!mcd_areGiven(__func__, center, radius, radius))
+        return;
     (void)g;
     MeVector3Set(center, 0, 0, 0);
     *radius = 0;

@@ -62,6 +62,8 @@ MeReal MEAPI McdPlaneGetDistanceToPoint(const McdGeometry *g, const MeMatrix4 tm
 }
 
 void MEAPI McdPlaneGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    if (!mcd_areGiven(__func__, center, radius, radius))
+        return;
     (void)g;
     MeVector3Set(center, 0, 0, 0);
     *radius = (MeReal)reach;
@@ -76,6 +78,8 @@ MeI16 MEAPI McdPlaneGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix
 }
 
 void MEAPI McdPlaneMaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir, MeReal *const outPoint) {
+    if (!mcd_areGiven(__func__, inDir, outPoint, outPoint))
+        return;
     MeVector3Set(outPoint, 0, 0, 0);
     if (!mcd_instanceIs(ins, kMcdGeometryTypePlane, "McdPlaneMaximumPoint"))
         return;
@@ -112,6 +116,8 @@ void MEAPI McdPlaneUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr fina
 
 /* A square of 2 by 2 and its normal. */
 void MEAPI McdPlaneDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
+    if (!mcd_areGiven(__func__, tm, colour, colour))
+        return;
     const double corner[4][3] = {{1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}}, origin[3] = {0, 0, 0},
                  up[3] = {0, 0, 1};
     (void)g;

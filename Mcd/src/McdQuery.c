@@ -16,6 +16,7 @@ typedef struct Query {
     McdLineSegIntersectEnableCallback filter;
     void *filterData;
     McdModelID self; /* excluded from the results */
+    const char *function;
     double origin[3];
     McdShape shape; /* the querying shape, relative to the origin */
     double min[3], max[3];
@@ -35,7 +36,7 @@ static McdModelID modelOf(const Query *q, int proxy) {
 }
 
 static MeBool isAsked(const Query *q, McdModelID cm) {
-    return cm != q->self && mcd_isQueried(q->space, cm) && (!q->filter || q->filter(cm, q->filterData));
+    return cm != q->self && mcd_isAsked(q->space, cm, q->filter, q->filterData, q->function);
 }
 
 /* Makes the shape of a geometry at a place. */
@@ -118,6 +119,14 @@ static MeBool nearestPart(const Query *q, McdModelID cm, Gap *nearest) {
     return isFound;
 }
 
+/* ---- searches, during which the program's functions keep models as they are -------------------------------------- */
+
+static void overlap(const Query *q, const double min[3], const double max[3], McdTreeVisit visit, void *context) {
+    MeStageBegin(&q->space->frame->stage, MCD_HOLD_SHAPES);
+    mcd_spaceOverlap(q->space, min, max, visit, context);
+    MeStageEnd(&q->space->frame->stage, MCD_HOLD_SHAPES);
+}
+
 static void toWorld(const Query *q, const double point[3], MeVector3 out) {
     for (int i = 0; i < 3; i++)
         out[i] = mcd_real(point[i] + q->origin[i]);
@@ -163,7 +172,12 @@ static MeBool visitBox(void *context, int proxy) {
 int MEAPI McdSpaceOverlapBox(McdSpaceID space, const MeVector3 minCorner, const MeVector3 maxCorner,
                              McdLineSegIntersectEnableCallback filter, void *filterData, McdModelID *list,
                              int listSize) {
-    Query q = {.space = space, .filter = filter, .filterData = filterData, .list = list, .listSize = listSize};
+    Query q = {.space = space,
+               .filter = filter,
+               .filterData = filterData,
+               .function = __func__,
+               .list = list,
+               .listSize = listSize};
     if (!checkList(space, list, listSize, "McdSpaceOverlapBox"))
         return 0;
     if (!minCorner || !maxCorner || !mcd_areNear(minCorner, 3) || !mcd_areNear(maxCorner, 3)) {
@@ -174,7 +188,7 @@ int MEAPI McdSpaceOverlapBox(McdSpaceID space, const MeVector3 minCorner, const 
         q.min[i] = (double)minCorner[i];
         q.max[i] = (double)maxCorner[i];
     }
-    mcd_spaceOverlap(space, q.min, q.max, visitBox, &q);
+    overlap(&q, q.min, q.max, visitBox, &q);
     return q.count;
 }
 
@@ -190,25 +204,38 @@ static MeBool visitOverlap(void *context, int proxy) {
 int MEAPI McdSpaceOverlapGeometry(McdSpaceID space, McdGeometryID g, const MeMatrix4 tm,
                                   McdLineSegIntersectEnableCallback filter, void *filterData, McdModelID *list,
                                   int listSize) {
-    Query q = {.space = space, .filter = filter, .filterData = filterData, .list = list, .listSize = listSize};
+    Query q = {.space = space,
+               .filter = filter,
+               .filterData = filterData,
+               .function = __func__,
+               .list = list,
+               .listSize = listSize};
     if (!checkList(space, list, listSize, "McdSpaceOverlapGeometry") || !setShape(&q, g, tm, "McdSpaceOverlapGeometry"))
         return 0;
-    mcd_spaceOverlap(space, q.min, q.max, visitOverlap, &q);
+    overlap(&q, q.min, q.max, visitOverlap, &q);
     return q.count;
 }
 
 int MEAPI McdSpaceOverlapModel(McdSpaceID space, McdModelID cm, McdLineSegIntersectEnableCallback filter,
                                void *filterData, McdModelID *list, int listSize) {
-    Query q = {
-        .space = space, .filter = filter, .filterData = filterData, .self = cm, .list = list, .listSize = listSize};
+    Query q = {.space = space,
+               .filter = filter,
+               .filterData = filterData,
+               .self = cm,
+               .function = __func__,
+               .list = list,
+               .listSize = listSize};
     McdModelRecord *m = mcd_modelCheck(cm, "McdSpaceOverlapModel");
     if (!m || !checkList(space, list, listSize, "McdSpaceOverlapModel"))
         return 0;
+    McdFramework *frame = m->frame;
+    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
     for (McdGeometryInstance *part = firstLeaf(&m->instance); part; part = nextLeaf(part)) {
         if (!setShape(&q, part->geometry, mcd_const(mcd_instanceTM(part)), "McdSpaceOverlapModel"))
             break;
-        mcd_spaceOverlap(space, q.min, q.max, visitOverlap, &q);
+        overlap(&q, q.min, q.max, visitOverlap, &q);
     }
+    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
     return q.count;
 }
 
@@ -246,16 +273,27 @@ static void search(Closest *c, double most) {
         }
         c->model = 0;
         c->q.reach = reach;
-        mcd_spaceOverlap(c->q.space, min, max, visitClosest, c);
+        overlap(&c->q, min, max, visitClosest, c);
         if ((c->model && c->gap.distance <= reach) || reach >= fmin(most, MCD_TREE_REACH))
             return;
         reach = fmin(most, c->model ? c->gap.distance * 1.0001 : 4 * reach);
     }
 }
 
+static void writeClosest(const Closest *c, McdClosestResult *result) {
+    MEASSERT(c->gap.part->model == c->model);
+    result->model = c->model;
+    result->instance = c->gap.part;
+    result->distance = mcd_real(c->gap.distance);
+    toWorld(&c->q, c->gap.onShape, result->position1);
+    toWorld(&c->q, c->gap.onPart, result->position2);
+    for (int i = 0; i < 3; i++)
+        result->normal[i] = (MeReal)c->gap.normal[i];
+}
+
 int MEAPI McdSpaceGetClosest(McdSpaceID space, McdGeometryID g, const MeMatrix4 tm, MeReal maxDistance,
                              McdLineSegIntersectEnableCallback filter, void *filterData, McdClosestResult *result) {
-    Closest c = {.q = {.space = space, .filter = filter, .filterData = filterData}};
+    Closest c = {.q = {.space = space, .filter = filter, .filterData = filterData, .function = __func__}};
     if (!mcd_spaceIsReady(space, "McdSpaceGetClosest") || !setShape(&c.q, g, tm, "McdSpaceGetClosest"))
         return 0;
     if (!(maxDistance >= 0) || !result) {
@@ -263,18 +301,13 @@ int MEAPI McdSpaceGetClosest(McdSpaceID space, McdGeometryID g, const MeMatrix4 
                   (double)maxDistance);
         return 0;
     }
+    MeStageBegin(&space->frame->stage, MCD_HOLD_MODELS);
     search(&c, (double)maxDistance);
-    if (!c.model || c.gap.distance > (double)maxDistance)
-        return 0;
-    MEASSERT(c.gap.part->model == c.model);
-    result->model = c.model;
-    result->instance = c.gap.part;
-    result->distance = mcd_real(c.gap.distance);
-    toWorld(&c.q, c.gap.onShape, result->position1);
-    toWorld(&c.q, c.gap.onPart, result->position2);
-    for (int i = 0; i < 3; i++)
-        result->normal[i] = (MeReal)c.gap.normal[i];
-    return 1;
+    const MeBool isFound = c.model && c.gap.distance <= (double)maxDistance;
+    if (isFound)
+        writeClosest(&c, result);
+    MeStageEnd(&space->frame->stage, MCD_HOLD_MODELS);
+    return isFound;
 }
 
 /* ---- casts ------------------------------------------------------------------------------------------------------- */
@@ -423,9 +456,19 @@ static MeBool checkCast(McdSpaceID s, const MeReal *by, const McdCastResult *res
     return MEFALSE;
 }
 
+static void writeCast(const Cast *c, McdCastResult *result) {
+    MEASSERT(c->gap.part->model == c->model && c->fraction >= 0 && c->fraction <= 1);
+    result->model = c->model;
+    result->instance = c->gap.part;
+    result->fraction = (MeReal)c->fraction;
+    toWorld(&c->q, c->gap.onPart, result->position);
+    for (int i = 0; i < 3; i++)
+        result->normal[i] = (MeReal)c->gap.normal[i];
+}
+
 int MEAPI McdSpaceCastGeometry(McdSpaceID space, McdGeometryID g, const MeMatrix4 tm, const MeVector3 displacement,
                                McdLineSegIntersectEnableCallback filter, void *filterData, McdCastResult *result) {
-    Cast c = {.q = {.space = space, .filter = filter, .filterData = filterData}, .fraction = 1};
+    Cast c = {.q = {.space = space, .filter = filter, .filterData = filterData, .function = __func__}, .fraction = 1};
     double middle[3], half[3];
     if (!checkCast(space, displacement, result, "McdSpaceCastGeometry") ||
         !setShape(&c.q, g, tm, "McdSpaceCastGeometry"))
@@ -435,17 +478,20 @@ int MEAPI McdSpaceCastGeometry(McdSpaceID space, McdGeometryID g, const MeMatrix
         middle[i] = (c.q.min[i] + c.q.max[i]) / 2;
         half[i] = (c.q.max[i] - c.q.min[i]) / 2 * (1 + 8 * (double)ME_EPSILON);
     }
+    MeStageBegin(&space->frame->stage, MCD_HOLD_SHAPES);
     mcd_spaceCast(space, middle, c.by, half, 1, visitCast, &c);
-    if (!c.model)
-        return 0;
-    MEASSERT(c.gap.part->model == c.model && c.fraction >= 0 && c.fraction <= 1);
-    result->model = c.model;
-    result->instance = c.gap.part;
-    result->fraction = (MeReal)c.fraction;
-    toWorld(&c.q, c.gap.onPart, result->position);
-    for (int i = 0; i < 3; i++)
-        result->normal[i] = (MeReal)c.gap.normal[i];
-    return 1;
+    if (c.model)
+        writeCast(&c, result);
+    MeStageEnd(&space->frame->stage, MCD_HOLD_SHAPES);
+    return c.model != 0;
+}
+
+static void writeRay(const McdLineSegIntersectResult *hit, MeReal length, McdCastResult *result) {
+    result->model = hit->model;
+    result->instance = &mcd_record(hit->model)->instance;
+    result->fraction = length > 0 ? MeMIN(hit->distance / length, 1) : 0;
+    MeVector3Copy(result->position, hit->position);
+    MeVector3Copy(result->normal, hit->normal);
 }
 
 int MEAPI McdSpaceCastRay(McdSpaceID space, const MeVector3 from, const MeVector3 displacement,
@@ -460,13 +506,10 @@ int MEAPI McdSpaceCastRay(McdSpaceID space, const MeVector3 from, const MeVector
     }
     MeVector3Copy(start, from);
     MeVector3Add(end, start, displacement);
-    if (!McdSpaceGetLineSegFirstEnabledIntersection(space, start, end, filter, filterData, &hit))
-        return 0;
-    const MeReal length = MeVector3Magnitude(displacement);
-    result->model = hit.model;
-    result->instance = McdModelGetGeometryInstance(hit.model);
-    result->fraction = length > 0 ? MeMIN(hit.distance / length, 1) : 0;
-    MeVector3Copy(result->position, hit.position);
-    MeVector3Copy(result->normal, hit.normal);
-    return 1;
+    MeStageBegin(&space->frame->stage, MCD_HOLD_MODELS);
+    const MeBool isHit = mcd_firstIntersection(space, start, end, filter, filterData, &hit, "McdSpaceCastRay") != 0;
+    if (isHit)
+        writeRay(&hit, MeVector3Magnitude(displacement), result);
+    MeStageEnd(&space->frame->stage, MCD_HOLD_MODELS);
+    return isHit;
 }

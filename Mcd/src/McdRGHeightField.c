@@ -174,6 +174,8 @@ static const McdKind kind = {MCD_KIND_FUNCTIONS(RGHeightField, mcd_geometryFree)
 MCD_DEFINE_GEOMETRY_TYPE(RGHeightField)
 
 void MEAPI McdRGHeightFieldGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    if (!mcd_areGiven(__func__, center, radius, radius))
+        return;
     if (!mcd_geometryIs(g, kMcdGeometryTypeRGHeightField, "McdRGHeightFieldGetBSphere"))
         return;
     MeVector3 min, max;
@@ -203,10 +205,12 @@ static void drawLine(const McdRGHeightField *f, const MeMatrix4 tm, int i, int j
         const MeVector3 local = {(MeReal)point[0], (MeReal)point[1], (MeReal)point[2]};
         MeMatrix4TMTransform(ends[e], tm, local);
     }
-    MeDebugDrawAPI.line(ends[0], ends[1], colour[0], colour[1], colour[2]);
+    mcd_drawWorldLine(ends[0], ends[1], colour);
 }
 
 void MEAPI McdRGHeightFieldDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
+    if (!mcd_areGiven(__func__, tm, colour, colour))
+        return;
     if (!mcd_geometryIs(g, kMcdGeometryTypeRGHeightField, "McdRGHeightFieldDebugDraw"))
         return;
     const McdRGHeightField *f = (const McdRGHeightField *)g;

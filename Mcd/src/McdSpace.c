@@ -20,16 +20,22 @@ MeBool mcd_spaceCheck(McdSpaceID s, const char *function) {
 static MeBool checkInside(McdSpaceID s, const char *function) {
     if (!mcd_spaceCheck(s, function))
         return MEFALSE;
-    if (!s->isChanging)
+    if (!s->isChanging && !s->isInner)
         MeWarning(1, "%s: legal only inside a change block: see McdSpaceBeginChanges", function);
-    return s->isChanging;
+    return s->isChanging || s->isInner;
+}
+
+static MeBool areModelsHeld(const McdSpace *s) {
+    return MeStageIsHeld(&s->frame->stage, MCD_HOLD_MODELS);
 }
 
 static void endBlock(McdSpace *s) {
+    MeStageBegin(&s->frame->stage, MCD_HOLD_MODELS); /* the program is told of pairs for which there is no room */
     mcd_pairsEnd(s);
     s->isChanging = s->isFirstBlock = s->isUpdated = MEFALSE;
     s->step++;
     McdSpacePairIteratorBegin(s, &s->own);
+    MeStageEnd(&s->frame->stage, MCD_HOLD_MODELS);
 }
 
 static void beginBlock(McdSpace *s) {
@@ -40,11 +46,11 @@ static void beginBlock(McdSpace *s) {
 MeBool mcd_spaceIsReady(McdSpaceID s, const char *function) {
     if (!mcd_spaceCheck(s, function))
         return MEFALSE;
-    if (s->isFirstBlock && s->isUpdated)
+    if (s->isFirstBlock && s->isUpdated && !areModelsHeld(s))
         endBlock(s);
-    if (s->isChanging)
+    if (s->isChanging || s->isInner)
         MeWarning(1, "%s: legal only outside change blocks: see McdSpaceEndChanges", function);
-    return !s->isChanging;
+    return !s->isChanging && !s->isInner;
 }
 
 /* The proxy of a model that is in a space. */
@@ -151,6 +157,8 @@ static McdSpace *makeSpace(int objectCount) {
 }
 
 static void releaseModel(McdSpace *s, McdProxy *p);
+static void dropLeaf(McdSpace *s, McdProxy *p);
+static void dropUnbounded(McdSpace *s, McdProxy *p);
 
 /* Called by the framework for a model that is destroyed with it. */
 static void forget(McdModelID cm) {
@@ -162,6 +170,23 @@ static void forget(McdModelID cm) {
     releaseModel(m->space, p);
 }
 
+/* In a stage of the models, contacts of theirs are forgotten; pairs stay. */
+static void forgetPairs(McdModelID cm) {
+    McdModelRecord *m = mcd_record(cm);
+    mcd_pairsForgetContacts(m->space, indexOf(m->space, m->proxy));
+}
+
+/* It has no pairs until it is updated again. */
+static void dropBox(McdModelID cm) {
+    McdSpace *s = mcd_record(cm)->space;
+    McdProxy *p = mcd_record(cm)->proxy;
+    dropLeaf(s, p);
+    dropUnbounded(s, p);
+    p->hasBox = MEFALSE;
+    mcd_proxyTouch(s, indexOf(s, p));
+    McdSpaceUnfreezeModel(cm);
+}
+
 static void takeFilter(McdModelID cm) {
     McdModelRecord *m = mcd_record(cm);
     McdProxy *p = m->proxy;
@@ -170,7 +195,7 @@ static void takeFilter(McdModelID cm) {
 }
 
 McdSpaceID MEAPI(McdSpaceAxisSortCreate)(McdFrameworkID framework, int axes, int objectCount, int pairCount) {
-    if (!checkSizes(framework, axes, objectCount, pairCount))
+    if (!checkSizes(framework, axes, objectCount, pairCount) || !MeProgramMayChange("McdSpaceAxisSortCreate"))
         return 0;
     McdSpace *s = makeSpace(objectCount);
     if (!s)
@@ -184,6 +209,8 @@ McdSpaceID MEAPI(McdSpaceAxisSortCreate)(McdFrameworkID framework, int axes, int
     s->step = MCD_SPACE; /* a number that an iterator which was never set will hardly have */
     framework->spaceForget = forget;
     framework->spaceFilter = takeFilter;
+    framework->spaceForgetPairs = forgetPairs;
+    framework->spaceDropBox = dropBox;
     framework->spaceCount++;
     MeHandleEnter(&s->handle, s, MCD_SPACE);
     return s;
@@ -197,18 +224,23 @@ void MEAPI McdSpaceRenameLimits(McdSpaceID s, const char *models, const char *pa
 }
 
 void MEAPI McdSpaceDestroy(McdSpaceID s) {
-    if (!mcd_mayDestroy(s, MCD_SPACE, "space", "McdSpaceDestroy"))
+    if (!mcd_mayDestroy(s, MCD_SPACE, "space", "McdSpaceDestroy") ||
+        !MeStageIsFree(&s->frame->stage, "McdSpaceDestroy"))
         return;
+    MeStageBegin(&s->frame->stage, MCD_HOLD_MODELS); /* goodbyes may be told to functions of the program */
+    s->isUpdating = METRUE;                          /* which put nothing into it any more */
     while (s->firstProxy != MCD_NONE)
         forget(&s->proxy[s->firstProxy].model->model);
     s->frame->spaceCount--;
     MEASSERT(s->proxyCount == 0 && s->frame->spaceCount >= 0);
     MeHandleLeave(&s->handle);
+    McdFramework *frame = s->frame;
     freeSpace(s);
+    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
 }
 
 void MEAPI McdSpaceBuild(McdSpaceID s) {
-    if (mcd_spaceCheck(s, "McdSpaceBuild"))
+    if (mcd_spaceCheck(s, "McdSpaceBuild") && mcd_mayPlace(s->frame, "McdSpaceBuild"))
         mcd_treeBalance(s->tree);
 }
 
@@ -232,18 +264,63 @@ McdSpacePoolErrorFnPtr MEAPI McdSpaceGetPoolFullHandler(McdSpaceID space) {
 
 /* ---- change blocks ----------------------------------------------------------------------------------------------- */
 
+void MEAPI McdSpaceOpen(McdSpaceID s) {
+    s->isInner = MEFALSE;
+    if (!s->isChanging)
+        beginBlock(s);
+}
+
+void MEAPI McdSpaceClose(McdSpaceID s) {
+    s->isInner = MEFALSE;
+    if (s->isChanging)
+        endBlock(s);
+}
+
+/* Inner blocks: those that the program opens in a callback. Models that are put in are there at once, without a box;
+ * all else that happens in them is done when the stage ends, in a block that is opened then, unless there is one. */
+
+static McdSpace *laterSpace(const MeLater *later) {
+    return MeHandleIsLive(later->object, MCD_SPACE) ? later->object : 0;
+}
+
+static void MEAPI openLater(const MeLater *later) {
+    McdSpace *s = laterSpace(later);
+    if (!s)
+        return;
+    s->isOpenedLater = !s->isChanging;
+    McdSpaceOpen(s);
+}
+
+static void MEAPI closeLater(const MeLater *later) {
+    McdSpace *s = laterSpace(later);
+    if (s && s->isOpenedLater)
+        McdSpaceClose(s);
+}
+
 void MEAPI McdSpaceBeginChanges(McdSpaceID space) {
-    if (mcd_spaceIsReady(space, "McdSpaceBeginChanges"))
+    if (!mcd_spaceIsReady(space, "McdSpaceBeginChanges"))
+        return;
+    const MeLater later = {.carryOut = openLater, .object = space};
+    const MeWhen when = mcd_when(space->frame, &later, "McdSpaceBeginChanges");
+    if (when == MeWhenNow)
         beginBlock(space);
+    space->isInner = when == MeWhenStageEnds;
 }
 
 void MEAPI McdSpaceEndChanges(McdSpaceID space) {
-    if (checkInside(space, "McdSpaceEndChanges"))
+    if (!checkInside(space, "McdSpaceEndChanges"))
+        return;
+    const MeLater later = {.carryOut = closeLater, .object = space};
+    if (space->isInner)
+        space->isInner = mcd_when(space->frame, &later, "McdSpaceEndChanges") == MeWhenNever;
+    else if (areModelsHeld(space))
+        MeProgramRefuse("McdSpaceEndChanges", "the space is in use");
+    else if (MeProgramMayChange("McdSpaceEndChanges"))
         endBlock(space);
 }
 
 int MEAPI McdSpaceIsChanging(McdSpaceID space) {
-    return mcd_spaceCheck(space, "McdSpaceIsChanging") && space->isChanging;
+    return mcd_spaceCheck(space, "McdSpaceIsChanging") && (space->isChanging || space->isInner);
 }
 
 /* ---- boxes ------------------------------------------------------------------------------------------------------- */
@@ -412,22 +489,30 @@ static MeBool isBox(const McdModelRecord *m) {
 
 static void warnOfTransform(McdProxy *p, const char *what) {
     if (!p->isWarned)
-        MeWarning(
-            1,
-            "%s: the transform of a model (number %lu, a %s) %s; it keeps its old box. Models keep their matrix by "
-            "pointer: it must live as long as they do",
-            MeCallerName("McdSpaceUpdateModel"), p->model->serial, McdGeometryGetTypeName(p->model->instance.geometry),
-            what);
+        MeWarning(1,
+                  "%s: the transform of a model (number %lu, a %s) %s; models keep their matrix by "
+                  "pointer, which must live as long as they do",
+                  MeCallerName("McdSpaceUpdateModel"), p->model->serial,
+                  McdGeometryGetTypeName(p->model->instance.geometry), what);
     p->isWarned = METRUE;
 }
 
-static void updateBox(const McdSpace *s, McdModelRecord *m, MeReal duration) {
-    if (s->update)
-        s->update(&m->model, duration);
-    else if (m->isSwept && duration != 0)
-        McdModelUpdatePath(&m->model, duration);
-    else
-        McdModelUpdate(&m->model);
+/* Which may have the space update the model: it is not called again then. */
+static void callUpdate(const McdSpace *s, McdModelRecord *m, MeReal duration) {
+    m->isBeingUpdated = true;
+    const MeProgramCall before = MeProgramEnter("McdSpaceSetAABBFn");
+    s->update(&m->model, duration);
+    MeProgramLeave(&before);
+    m->isBeingUpdated = false;
+}
+
+/* False: it is nowhere. */
+static MeBool updateBox(const McdSpace *s, McdModelRecord *m, MeReal duration) {
+    if (s->update && !m->isBeingUpdated) {
+        callUpdate(s, m, duration);
+        return mcd_modelIsPlaced(m);
+    }
+    return m->isSwept && duration != 0 ? mcd_modelUpdatePath(m, duration) : mcd_modelUpdate(m);
 }
 
 static void clearLookAhead(McdModelRecord *m) {
@@ -518,8 +603,7 @@ static McdBoxUpdate updateProxy(const McdSpace *s, McdProxy *p, MeReal duration)
         return MCD_BOX_KEPT;
     if (!m->instance.tm && !m->update && !s->update)
         return MCD_BOX_UNSET;
-    updateBox(s, m, duration);
-    if (!m->instance.tm || !mcd_modelIsPlaced(m) || !isBox(m)) {
+    if (!updateBox(s, m, duration) || !isBox(m)) {
         MeVector3Copy(m->instance.min, p->min);
         MeVector3Copy(m->instance.max, p->max);
         return m->instance.tm ? MCD_BOX_UNBOUND : MCD_BOX_UNSET;
@@ -535,9 +619,10 @@ static McdBoxUpdate updateProxy(const McdSpace *s, McdProxy *p, MeReal duration)
 static void applyUpdate(McdSpace *s, McdProxy *p, McdBoxUpdate update) {
     MEASSERT(update != MCD_BOX_LATER && update != MCD_BOX_TOUCHED);
     if (update == MCD_BOX_UNSET)
-        warnOfTransform(p, "is not set");
+        warnOfTransform(p, p->hasBox ? "is not set; it keeps its old box"
+                                     : "is not set, or its body was destroyed; it meets nothing");
     else if (update == MCD_BOX_UNBOUND)
-        warnOfTransform(p, "or box is not finite");
+        warnOfTransform(p, "or box is not finite; it keeps its old box");
     else
         placeBox(s, p, update);
 }
@@ -678,6 +763,7 @@ static void updateAll(McdSpace *s, MeReal duration) {
     const int before = s->proxyCount;
     if (isAlone)
         beginBlock(s);
+    MeStageBegin(&s->frame->stage, MCD_HOLD_MODELS);
     s->isUpdating = METRUE;
     if (s->team && s->proxyCount >= MCD_LEAST_RANGES * MCD_RANGE && !s->update && s->frame->updateCallbacks == 0)
         updateByWorkers(s, duration);
@@ -687,8 +773,18 @@ static void updateAll(McdSpace *s, MeReal duration) {
     MEASSERT(before == s->proxyCount); /* no callback changes which models there are */
     (void)before;
     s->isUpdated = METRUE;
+    MeStageEnd(&s->frame->stage, MCD_HOLD_MODELS);
     if (isAlone)
         endBlock(s);
+}
+
+/* In a callback of the models' stage it is not: boxes, and pairs, are in use. */
+static MeBool mayUpdate(McdSpaceID s, const char *function) {
+    if (!mcd_spaceCheck(s, function) || !MeProgramMayChange(function))
+        return MEFALSE;
+    if (areModelsHeld(s))
+        MeProgramRefuse(function, "the space is in use");
+    return !areModelsHeld(s);
 }
 
 void MEAPI McdSpaceSetTeam(McdSpaceID s, MeTeam *team) {
@@ -710,12 +806,12 @@ MeReal MEAPI McdSpaceGetLookAhead(McdSpaceID s) {
 }
 
 void MEAPI McdSpaceUpdateAll(McdSpaceID s) {
-    if (mcd_spaceCheck(s, "McdSpaceUpdateAll"))
+    if (mayUpdate(s, "McdSpaceUpdateAll"))
         updateAll(s, 0);
 }
 
 void MEAPI McdSpacePathUpdateAll(McdSpaceID s, MeReal duration) {
-    if (!mcd_spaceCheck(s, "McdSpacePathUpdateAll"))
+    if (!mayUpdate(s, "McdSpacePathUpdateAll"))
         return;
     if (!(duration >= 0) || !MeRealIsValid(duration)) {
         MeWarning(1, "McdSpacePathUpdateAll: duration is %g: it must be >= 0", (double)duration);
@@ -725,7 +821,7 @@ void MEAPI McdSpacePathUpdateAll(McdSpaceID s, MeReal duration) {
 }
 
 void MEAPI McdSpaceUpdateModels(McdSpaceID s) {
-    if (checkInside(s, "McdSpaceUpdateModels"))
+    if (checkInside(s, "McdSpaceUpdateModels") && mayUpdate(s, "McdSpaceUpdateModels"))
         updateAll(s, 0);
 }
 
@@ -733,6 +829,8 @@ void MEAPI McdSpaceUpdateModel(McdModelID cm) {
     McdProxy *p = proxyOf(cm, "McdSpaceUpdateModel");
     if (!p || !checkInside(p->model->space, "McdSpaceUpdateModel"))
         return;
+    if (MeStageIsHeld(&p->model->frame->stage, MCD_HOLD_SHAPES))
+        return; /* the next update finds it */
     if (p->isFrozen)
         MeWarning(1, "McdSpaceUpdateModel: the model is frozen: see McdSpaceUnfreezeModel");
     else
@@ -792,7 +890,9 @@ static MeBool canInsert(McdSpaceID s, McdModelID cm, const char *function) {
     else if (mcd_record(cm)->frame != s->frame)
         MeWarning(1, "%s: the model belongs to another framework", function);
     else if (s->isUpdating)
-        MeWarning(1, "%s: not from a callback of an update", function);
+        MeProgramRefuse(function, "the space is being updated");
+    else if (!MeProgramMayChange(function))
+        return MEFALSE;
     else
         return makeRoom(s, function);
     return MEFALSE;
@@ -822,6 +922,7 @@ static void releaseModel(McdSpace *s, McdProxy *p) {
     clearLookAhead(p->model);
     p->model->space = 0;
     p->model->proxy = 0;
+    p->model->isGone = p->model->isCondemned;
     p->model = 0;
     *(p->previous == MCD_NONE ? &s->firstProxy : &s->proxy[p->previous].next) = p->next;
     *(p->next == MCD_NONE ? &s->lastProxy : &s->proxy[p->next].previous) = p->previous;
@@ -844,7 +945,7 @@ static void insert(McdSpace *s, McdModelRecord *m) {
     p->order = (MeU64)(MeU16)m->sortKey << 48 | ((MeU64)m->serial & 0xffffffffffffull);
     m->space = s;
     m->proxy = p;
-    if (wasUpdated(m))
+    if (wasUpdated(m) && !areModelsHeld(s))
         placeBox(s, p, takeBox(p));
 }
 
@@ -876,14 +977,30 @@ MeBool MEAPI McdSpaceInsertModelWithCulling(McdSpaceID s, McdModelID cm, McdCull
     return METRUE;
 }
 
+static void removeProxy(McdProxy *p) {
+    McdSpace *s = p->model->space;
+    mcd_pairsForgetProxy(s, indexOf(s, p));
+    releaseModel(s, p);
+}
+
+static void MEAPI removeLater(const MeLater *later) {
+    const McdModelRecord *m = mcd_laterModel(later);
+    if (m && m->space)
+        removeProxy(m->proxy);
+}
+
 MeBool MEAPI McdSpaceRemoveModel(McdModelID cm) {
     McdProxy *p = proxyOf(cm, "McdSpaceRemoveModel");
     if (!p || !checkInside(p->model->space, "McdSpaceRemoveModel"))
         return MEFALSE;
-    McdSpace *s = p->model->space;
-    mcd_pairsForgetProxy(s, indexOf(s, p));
-    releaseModel(s, p);
-    return METRUE;
+    McdModelRecord *m = p->model; /* of which cm may be a part */
+    const MeLater later = {.carryOut = removeLater, .object = m, .serial = m->serial};
+    const MeWhen when = mcd_when(m->frame, &later, "McdSpaceRemoveModel");
+    if (when == MeWhenNow)
+        removeProxy(p);
+    else if (when == MeWhenStageEnds)
+        m->isGone = true;
+    return when != MeWhenNever;
 }
 
 int MEAPI McdSpaceGetModelCount(McdSpaceID space) {
@@ -1052,6 +1169,21 @@ int MEAPI McdSpaceGetNextTransitions(McdSpaceID s, McdModelPairContainer *c) {
 
 /* ---- queries ----------------------------------------------------------------------------------------------------- */
 
+/* A model is to go, or is a sensor and queries do not meet these. */
+static MeBool isPassed(const McdSpace *s, const McdModelRecord *m) {
+    return m->isGone || (m->isSensor && !s->queriesMeetSensors);
+}
+
+MeBool mcd_isAsked(const McdSpace *s, McdModelID cm, McdLineSegIntersectEnableCallback filter, void *filterData,
+                   const char *function) {
+    if (!filter || isPassed(s, mcd_record(cm)))
+        return !isPassed(s, mcd_record(cm));
+    const MeProgramCall before = MeProgramEnter(function);
+    const MeBool isAsked = filter(cm, filterData) != 0;
+    MeProgramLeave(&before);
+    return isAsked && !mcd_record(cm)->isGone;
+}
+
 void mcd_spaceOverlap(const McdSpace *s, const double min[3], const double max[3], McdTreeVisit visit, void *context) {
     McdTreeBox box;
     mcd_treeBox(min, max, &box);
@@ -1071,10 +1203,6 @@ void mcd_spaceCast(const McdSpace *s, const double from[3], const double by[3], 
     mcd_treeCast(s->tree, from, by, half, fraction, visit, context);
 }
 
-MeBool mcd_isQueried(const McdSpace *s, McdModelID cm) {
-    return s->queriesMeetSensors || !mcd_record(cm)->isSensor;
-}
-
 void MEAPI McdSpaceSetQuerySensors(McdSpaceID s, MeBool on) {
     if (mcd_spaceCheck(s, "McdSpaceSetQuerySensors"))
         s->queriesMeetSensors = on != 0;
@@ -1092,6 +1220,7 @@ typedef struct Segment {
     void *filterData;
     McdLineSegIntersectResult *list;
     int count, max;
+    const char *function;
 } Segment;
 
 /* Is a before b? */
@@ -1122,8 +1251,8 @@ static double intersectModel(void *context, int proxy, double fraction) {
     Segment *q = context;
     const McdModelID cm = modelAt(q->space, proxy);
     McdLineSegIntersectResult hit;
-    if (!mcd_isQueried(q->space, cm) || (q->filter && !q->filter(cm, q->filterData)) ||
-        !McdLineSegIntersect(cm, q->from, q->to, &hit))
+    if (!mcd_isAsked(q->space, cm, q->filter, q->filterData, q->function) ||
+        !mcd_lineSegIntersect(cm, q->from, q->to, &hit))
         return fraction;
     hit.model = cm;
     addHit(q, &hit);
@@ -1147,13 +1276,15 @@ static int intersect(Segment *q) {
         by[i] = (double)q->to[i] - from[i];
     }
     q->length = sqrt(by[0] * by[0] + by[1] * by[1] + by[2] * by[2]);
+    MeStageBegin(&q->space->frame->stage, MCD_HOLD_SHAPES);
     mcd_spaceCast(q->space, from, by, still, 1, intersectModel, q);
+    MeStageEnd(&q->space->frame->stage, MCD_HOLD_SHAPES);
     return q->count;
 }
 
-static int firstIntersection(McdSpaceID s, MeReal *from, MeReal *to, McdLineSegIntersectEnableCallback filter,
-                             void *filterData, McdLineSegIntersectResult *result, const char *function) {
-    Segment q = {s, from, to, 0, filter, filterData, result, 0, 1};
+int mcd_firstIntersection(McdSpaceID s, MeReal *from, MeReal *to, McdLineSegIntersectEnableCallback filter,
+                          void *filterData, McdLineSegIntersectResult *result, const char *function) {
+    Segment q = {s, from, to, 0, filter, filterData, result, 0, 1, function};
     if (!checkSegment(s, from, to, function))
         return 0;
     if (!result) {
@@ -1165,19 +1296,19 @@ static int firstIntersection(McdSpaceID s, MeReal *from, MeReal *to, McdLineSegI
 
 int MEAPI McdSpaceGetLineSegFirstIntersection(McdSpaceID space, MeReal *inOrig, MeReal *inDest,
                                               McdLineSegIntersectResult *outResult) {
-    return firstIntersection(space, inOrig, inDest, 0, 0, outResult, "McdSpaceGetLineSegFirstIntersection");
+    return mcd_firstIntersection(space, inOrig, inDest, 0, 0, outResult, "McdSpaceGetLineSegFirstIntersection");
 }
 
 int MEAPI McdSpaceGetLineSegFirstEnabledIntersection(McdSpaceID space, MeReal *inOrig, MeReal *inDest,
                                                      McdLineSegIntersectEnableCallback filterCB, void *filterData,
                                                      McdLineSegIntersectResult *outResult) {
-    return firstIntersection(space, inOrig, inDest, filterCB, filterData, outResult,
-                             "McdSpaceGetLineSegFirstEnabledIntersection");
+    return mcd_firstIntersection(space, inOrig, inDest, filterCB, filterData, outResult,
+                                 "McdSpaceGetLineSegFirstEnabledIntersection");
 }
 
 int MEAPI McdSpaceGetLineSegIntersections(McdSpaceID space, MeReal *inOrig, MeReal *inDest,
                                           McdLineSegIntersectResult *outList, int inMaxListSize) {
-    Segment q = {space, inOrig, inDest, 0, 0, 0, outList, 0, inMaxListSize};
+    Segment q = {space, inOrig, inDest, 0, 0, 0, outList, 0, inMaxListSize, "McdSpaceGetLineSegIntersections"};
     if (!checkSegment(space, inOrig, inDest, "McdSpaceGetLineSegIntersections"))
         return 0;
     if (!outList || inMaxListSize < 1) {

@@ -35,9 +35,12 @@ void mcd_pointFace(const McdShape *s, const double direction[3], McdFace *f) {
     mcd_faceAdd(s, f, 0, 0, 0, 0);
 }
 
-static const McdKind kind = {MCD_KIND_FUNCTIONS(Sphere, mcd_geometryFree), .size = sizeof(McdSphere),
+static const McdKind kind = {MCD_KIND_FUNCTIONS(Sphere, mcd_geometryFree),
+                             .size = sizeof(McdSphere),
                              .setShape = setShape,
-                             .support = mcd_pointSupport, .face = mcd_pointFace, .rank = MCD_RANK_SPHERE};
+                             .support = mcd_pointSupport,
+                             .face = mcd_pointFace,
+                             .rank = MCD_RANK_SPHERE};
 MCD_DEFINE_GEOMETRY_TYPE(Sphere)
 
 McdSphereID MEAPI McdSphereCreate(McdFramework *frame, MeReal r) {
@@ -62,19 +65,24 @@ void MEAPI McdSphereSetRadius(McdSphereID g, MeReal r) {
 }
 
 void MEAPI McdSphereGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    if (!mcd_areGiven(__func__, center, radius, radius))
+        return;
     MeVector3Set(center, 0, 0, 0);
     *radius = mcd_geometryIs(g, kMcdGeometryTypeSphere, "McdSphereGetBSphere") ? get(g)->radius : 0;
 }
 
 MeI16 MEAPI McdSphereGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume) {
+    if (!mcd_areGiven(__func__, relTM, inertia, volume))
+        return 0;
     if (!mcd_geometryIs(g, kMcdGeometryTypeSphere, "McdSphereGetMassProperties"))
         return 0;
     const double r = (double)get(g)->radius, mass = 4. / 3 * MCD_PI * r * r * r, moment = .4 * mass * r * r;
-    mcd_massDiagonal(relTM, inertia, volume, mass, moment, moment, moment);
-    return 1;
+    return mcd_massDiagonal(relTM, inertia, volume, mass, moment, moment, moment);
 }
 
 void MEAPI McdSphereDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
+    if (!mcd_areGiven(__func__, tm, colour, colour))
+        return;
     if (!mcd_geometryIs(g, kMcdGeometryTypeSphere, "McdSphereDebugDraw"))
         return;
     const double r = (double)get(g)->radius, origin[3] = {0, 0, 0}, x[3] = {r, 0, 0}, y[3] = {0, r, 0},

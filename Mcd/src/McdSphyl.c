@@ -90,6 +90,8 @@ void MEAPI McdSphylSetHeight(McdSphylID s, MeReal h) {
 }
 
 void MEAPI McdSphylGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    if (!mcd_areGiven(__func__, center, radius, radius))
+        return;
     MeVector3Set(center, 0, 0, 0);
     *radius = isSphyl(g, "McdSphylGetBSphere") ? mcd_roundUp((double)get(g)->radius + (double)get(g)->halfHeight) : 0;
 }
@@ -97,16 +99,20 @@ void MEAPI McdSphylGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *r
 /* The half balls have their centres of mass 3/8 r beyond the cylinder, and m 2/5 r^2 about their flat sides' middles:
  * I_xx of both about the origin is m (2/5 r^2 + h^2 + 3/4 h r). */
 MeI16 MEAPI McdSphylGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume) {
+    if (!mcd_areGiven(__func__, relTM, inertia, volume))
+        return 0;
     if (!isSphyl(g, "McdSphylGetMassProperties"))
         return 0;
     const double r = (double)get(g)->radius, h = (double)get(g)->halfHeight;
     const double middle = MCD_PI * r * r * 2 * h, ends = 4. / 3 * MCD_PI * r * r * r;
     const double across = middle * (r * r / 4 + h * h / 3) + ends * (.4 * r * r + h * h + .75 * h * r);
-    mcd_massDiagonal(relTM, inertia, volume, middle + ends, across, across, middle * r * r / 2 + .4 * ends * r * r);
-    return 1;
+    return mcd_massDiagonal(relTM, inertia, volume, middle + ends, across, across,
+                            middle * r * r / 2 + .4 * ends * r * r);
 }
 
 void MEAPI McdSphylDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
+    if (!mcd_areGiven(__func__, tm, colour, colour))
+        return;
     if (!isSphyl(g, "McdSphylDebugDraw"))
         return;
     const double r = (double)get(g)->radius, h = (double)get(g)->halfHeight;

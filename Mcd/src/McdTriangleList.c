@@ -106,7 +106,7 @@ void MEAPI McdTriangleListSetMaxTriangles(McdTriangleListID g, int max) {
     McdTriangleListRecord *list = listOf(g, "McdTriangleListSetMaxTriangles");
     if (list && max < 1)
         MeWarning(1, "McdTriangleListSetMaxTriangles: max is %d (> 0)", max);
-    else if (list)
+    else if (list && mcd_mayPlace(list->list.head.frame, "McdTriangleListSetMaxTriangles"))
         makeRoom(list, max);
 }
 
@@ -134,6 +134,8 @@ static const McdKind kind = {MCD_KIND_FUNCTIONS(TriangleList, release), .gather 
 MCD_DEFINE_GEOMETRY_TYPE(TriangleList)
 
 void MEAPI McdTriangleListGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    if (!mcd_areGiven(__func__, center, radius, radius))
+        return;
     if (!mcd_geometryIs(g, kMcdGeometryTypeTriangleList, "McdTriangleListGetBSphere"))
         return;
     const McdTriangleListRecord *list = (const McdTriangleListRecord *)g;
@@ -151,6 +153,8 @@ MeI16 MEAPI McdTriangleListGetMassProperties(McdGeometryID g, MeMatrix4 relTM, M
 }
 
 void MEAPI McdTriangleListDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
+    if (!mcd_areGiven(__func__, tm, colour, colour))
+        return;
     if (!mcd_geometryIs(g, kMcdGeometryTypeTriangleList, "McdTriangleListDebugDraw"))
         return;
     const McdTriangleListRecord *list = (const McdTriangleListRecord *)g;
@@ -210,7 +214,12 @@ static void callGenerator(McdTriangleListRecord *list, McdModelPair *p, McdScrat
         reach += fabs((double)pos[i] - centre[i]);
     if (!claimArray(list, scratch, generated) || !list->generate)
         return;
+    McdFramework *frame = list->list.head.frame;
+    MeStageBegin(&frame->stage, MCD_HOLD_SHAPES);
+    const MeProgramCall before = MeProgramEnter("McdTriangleListSetGenerator");
     const int count = list->generate(p, generated->triangle, pos, mcd_roundUp(reach), generated->room);
+    MeProgramLeave(&before);
+    MeStageEnd(&frame->stage, MCD_HOLD_SHAPES);
     if (count >= generated->room && !atomic_exchange(&list->hasWarned, 1))
         MeWarning(2,
                   "McdTriangleList: the callback gave %d triangles, as many as there is place for: contacts may be "

@@ -23,7 +23,7 @@ void MEAPI McduDebugDrawGeometry(const McdGeometryID geometry, const MeMatrix4Pt
 /* By the type's registered function, so that no type is linked that the program does not use. */
 static void drawTyped(McdGeometryID g, McdGeometryType type, const MeVector4 *tm, const MeReal colour[3],
                       const char *function) {
-    if (mcd_geometryIs(g, type, function))
+    if (mcd_areGiven(function, tm, colour, colour) && mcd_geometryIs(g, type, function))
         McdGeometryDebugDraw(g, (MeMatrix4Ptr)tm, colour);
 }
 
@@ -48,6 +48,8 @@ void MEAPI McduDebugDrawAggregate(const McdAggregateID agg, const MeMatrix4 tm, 
 }
 
 void MEAPI McduDebugDrawModel(const McdModelID model, McduDebugDrawFlags flags, const MeReal colour[3]) {
+    if (!mcd_areGiven(__func__, colour, colour, colour))
+        return;
     McdModelRecord *m = mcd_modelCheck(model, "McduDebugDrawModel");
     if (!m || !mcd_modelIsPlaced(m))
         return;

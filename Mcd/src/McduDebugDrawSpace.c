@@ -6,10 +6,8 @@
 void MEAPI McduDebugDrawSpace(const McdSpaceID space, McduDebugDrawFlags flags, const MeReal colour[3]) {
     McdSpaceModelIterator it;
     McdModelID model;
-    if (!space) {
-        MeWarning(1, "McduDebugDrawSpace: no space");
+    if (!mcd_areGiven(__func__, space, colour, colour))
         return;
-    }
     McdSpaceModelIteratorBegin(space, &it);
     while (McdSpaceGetModel(space, &it, &model))
         if (!(flags & kMcduDebugDrawEnabledOnly) || !McdSpaceModelIsFrozen(model))

@@ -117,7 +117,7 @@ static void keepResult(Gathering *g, const McdIntersectResult *result, McdGeomet
 static void gatherContacts(PartPairs *m, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2) {
     McdIntersectResult result;
     m->apart = 0;
-    if (beginResult(m->data, &result) && (McdIntersect)(parts, &result))
+    if (beginResult(m->data, &result) && mcd_intersect(parts, &result))
         keepResult(m->data, &result, part1, part2);
 }
 
@@ -186,7 +186,7 @@ static int firstHit(McdGeometryInstance *ins, MeReal *from, MeReal *to, McdLineS
     McdStandIn s;
     McdLineSegIntersectResult here;
     const McdModelID part = mcd_standInBegin(&s, ins);
-    const MeBool isHit = McdLineSegIntersect(part, from, to, &here) != 0;
+    const MeBool isHit = mcd_lineSegIntersect(part, from, to, &here);
     mcd_standInEnd(part, ins);
     if (!isHit || (hits && here.distance >= best->distance))
         return hits;

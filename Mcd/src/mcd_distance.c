@@ -594,10 +594,11 @@ static double weightsOnLine(const Polytope *t, const Facet *f, const double d[3]
 
 /* The facet that the line from the origin along the result passes, and the weights of its corners there. A face of M is
  * many facets in one plane, and the one that the result came from need not be under the origin. None that the line
- * passes is farther out than the result. */
+ * passes is farther out than the result. The middle of the nearest one where rounding leaves none that it passes. */
 static int facetUnderOrigin(const Polytope *t, double weight[3]) {
-    int best = -1;
+    int best = MeMAX(nearestFacet(t), 0);
     double most = -INFINITY;
+    mcd_set(weight, 1. / 3, 1. / 3, 1. / 3);
     for (int i = 0; i < t->facetCount; i++) {
         double here[3];
         if (t->offset[i] > t->support + t->epsilon)
@@ -617,7 +618,7 @@ static int facetUnderOrigin(const Polytope *t, double weight[3]) {
 static void reportPenetration(const Polytope *t, McdProximity *out) {
     double weight[3], lack[3], sum = 0;
     const int facet = facetUnderOrigin(t, weight);
-    MEASSERT(facet >= 0 && t->support < INFINITY);
+    MEASSERT(t->facetCount > facet && t->support < INFINITY);
     for (int i = 0; i < 3; i++) {
         weight[i] = MeMAX(weight[i], 0);
         sum += weight[i];

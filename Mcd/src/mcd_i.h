@@ -197,6 +197,7 @@ typedef struct McdModelRecord {
     bool isPlaced; /* mcd_isPlace of its transform */
     bool isFast;   /* in the time lookAhead */
     bool isSensor;
+    bool isGone;               /* it, or its body, is to be destroyed, or to leave the space, when a stage ends */
     MeReal radius;             /* m, of the bounding sphere; */
     MeReal reach;              /* and of one about the origin */
     MeReal lookAhead;          /* s */
@@ -229,6 +230,8 @@ typedef struct McdModelRecord {
     int requestId;
     MeMatrix4Ptr refTM; /* null unless relative */
     MeBool ownsRelative;
+    bool isBeingUpdated, isCondemned;       /* its update callback runs; it will be destroyed when a stage ends */
+    McdModelID standsFor;                   /* of a stand-in: the model; else null */
     unsigned long serial;                   /* counts creations in the framework */
     struct McdModelRecord *next, *previous; /* the framework's live models in the order of creation, or free ones */
     MeHandle handle;
@@ -268,6 +271,8 @@ void mcd_standInEnd(McdModelID cm, McdGeometryInstance *part);
 
 /* The record of a live model; null, with a warning that names the function, for anything else. */
 McdModelRecord *mcd_modelCheck(McdModelID cm, const char *function);
+/* Destroys it, in a stage of its framework, too. */
+void mcd_modelDestroy(McdModelRecord *m);
 /* Does a come before b: by sort key, then creation? */
 MeBool mcd_modelPrecedes(const McdModelRecord *a, const McdModelRecord *b);
 /* Renews children and boxes from the present transform, without the program's callback. */
@@ -333,6 +338,8 @@ struct _McdFramework {
     McdRequest builtInRequest;
     McdRequest *defaultRequest;
     McdTermActionLink *termActions;
+    MeStage stage;    /* at which level it is held (mcd_stage.c) */
+    MeBool isEmptied; /* nothing is created meanwhile */
     int spaceCount;
     int updateCallbacks;            /* models that have one */
     MeU64 round;                    /* of tests, in which models stay as they are */
@@ -343,12 +350,18 @@ struct _McdFramework {
      * that it is in, at once; has the space look at the model's filter, which is another one now. */
     void (*spaceForget)(McdModelID cm);
     void (*spaceFilter)(McdModelID cm);
+    void (*spaceForgetPairs)(McdModelID cm); /* McdModelForgetPairs */
+    void (*spaceDropBox)(McdModelID cm);     /* McdModelDropBox */
 };
 
 MeBool mcd_frameCheck(McdFrameworkID frame, const char *function);
 /* Makes a pool that is empty larger. False, with a message that names the function, if it must not be, or cannot. */
 MeBool mcd_frameAddModels(McdFramework *frame, const char *function);
 MeBool mcd_frameAddInstances(McdFramework *frame, const char *function);
+/* False, with a message: all of it is being destroyed, or a quiet function of the program runs. */
+MeBool mcd_mayCreate(const McdFramework *frame, const char *function);
+/* Destroys one that nothing uses, in a stage of its framework, too. */
+void mcd_geometryDestroy(McdGeometry *g);
 /* The record of a live geometry's type, which is registered; null, with a warning, for anything else. */
 const McdTypeRecord *mcd_geometryType(McdGeometryID g, const char *function);
 /* Memory for a geometry that begins with McdGeometry, its head made; null, with a warning, if the type is not
@@ -362,6 +375,45 @@ MeBool mcd_geometryBelongs(McdGeometryID g, const McdFramework *frame, const cha
 void mcd_geometryDestroyAs(McdGeometryID g, McdGeometryType type, const char *function);
 /* The destructor that a type without memory of its own registers: the head has been released before. */
 void MEAPI mcd_geometryFree(McdGeometryID g);
+
+/* ---- stages (mcd_stage.c) ------------------------------------------------------------------------------------- */
+
+/* What must stay as it is while a stage calls the program. Each level includes those before it. */
+enum {
+    MCD_HOLD_FRAME,  /* the framework and its spaces */
+    MCD_HOLD_MODELS, /* models and their pairs, geometries, change blocks */
+    MCD_HOLD_SHAPES  /* transforms' pointers, what models are made of, boxes in the tree */
+};
+/* MeStageWhen, for what has to wait as long as models are held; it is in the framework's list then. */
+MeWhen mcd_when(McdFramework *frame, const MeLater *later, const char *function);
+/* The model that was meant; null: it has gone. */
+McdModelRecord *mcd_laterModel(const MeLater *later);
+/* False, with a message: shapes are held. */
+MeBool mcd_mayPlace(const McdFramework *frame, const char *function);
+
+/* Around a call of a function of a geometry type, which may be the program's. */
+typedef struct McdTypeCall {
+    McdFramework *frame; /* null: it is the library's */
+    MeProgramCall before;
+} McdTypeCall;
+McdTypeCall mcd_typeEnterOwn(McdFramework *frame);
+void mcd_typeLeaveOwn(const McdTypeCall *call);
+static inline McdTypeCall mcd_typeEnter(McdFramework *frame, const McdTypeRecord *type) {
+    return type->kind ? (McdTypeCall){.frame = 0} : mcd_typeEnterOwn(frame);
+}
+static inline void mcd_typeLeave(const McdTypeCall *call) {
+    if (call->frame)
+        mcd_typeLeaveOwn(call);
+}
+
+/* McdModelUpdate, McdModelUpdatePath, McdIntersect, McdLineSegIntersect by a function that holds the models, or of
+ * models that involve no function of the program: several threads may call them then. False of an update, without a
+ * message: the model is nowhere. */
+MeBool mcd_modelUpdate(McdModelRecord *m);
+MeBool mcd_modelUpdatePath(McdModelRecord *m, MeReal duration);
+MeBool mcd_intersect(McdModelPair *p, McdIntersectResult *result);
+MeBool mcd_lineSegIntersect(McdModelID cm, MeReal *inOrig, MeReal *inDest, McdLineSegIntersectResult *outOverlap);
+void mcd_instanceUpdateAABB(McdGeometryInstance *ins, const MeMatrix4Ptr finalTM, MeBool tight);
 
 /* ---- contacts ------------------------------------------------------------------------------------------------- */
 

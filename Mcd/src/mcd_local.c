@@ -6,16 +6,20 @@
 /* ---- sizes ----------------------------------------------------------------------------------------------------- */
 
 MeBool mcd_sizeIsGood(MeReal size, const char *what, const char *function) {
-    if (size > 0 && size <= MEINFINITY / 4)
+    if (size > 0 && size <= (MeReal)(FLT_MAX / 4))
         return METRUE;
     MeWarning(1, "%s: the %s is %g, not a number > 0", function, what, (double)size);
     return MEFALSE;
 }
 
 MeBool mcd_instanceIs(McdGeometryInstanceID ins, McdGeometryType type, const char *function) {
-    if (ins && mcd_instanceTM(ins))
+    if (!ins || !MCD_IS_KNOWN(ins, MCD_INSTANCE)) {
+        mcd_warnGone(ins, "instance", function);
+        return MEFALSE;
+    }
+    if (mcd_instanceIsPlaced(ins))
         return mcd_geometryIs(ins->geometry, type, function);
-    MeWarning(1, ins ? "%s: the instance has no transform" : "%s: no instance", function);
+    MeWarning(1, "%s: the instance has no transform, or one that is not finite", function);
     return MEFALSE;
 }
 
@@ -42,7 +46,7 @@ void mcd_localMaximumPoint(McdGeometryInstanceID ins, const MeReal *direction, M
     support(ins->geometry, d, p);
     for (int i = 0; i < 3; i++)
         point[i] =
-            (MeReal)((double)tm[0][i] * p[0] + (double)tm[1][i] * p[1] + (double)tm[2][i] * p[2] + (double)tm[3][i]);
+            mcd_real((double)tm[0][i] * p[0] + (double)tm[1][i] * p[1] + (double)tm[2][i] * p[2] + (double)tm[3][i]);
 }
 
 void mcd_boxSupport(const MeReal *min, const MeReal *max, const double direction[3], double point[3]) {
@@ -240,22 +244,33 @@ static MeBool isMomentGood(double moment[3][3]) {
     return METRUE;
 }
 
-void mcd_massProperties(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, const double centre[3],
-                        double moment[3][3]) {
+MeI16 mcd_massProperties(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, const double centre[3],
+                         double moment[3][3]) {
     MEASSERT(!(mass < 0) && isMomentGood(moment));
+    return mcd_massStore(relTM, inertia, volume, mass, centre, moment);
+}
+
+MeI16 mcd_massStore(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, const double centre[3],
+                    double moment[3][3]) {
     MeMatrix4TMMakeIdentity(relTM);
+    memset(inertia, 0, sizeof(MeMatrix3));
+    *volume = 0;
+    const double greatest = MeMAX(moment[0][0], MeMAX(moment[1][1], moment[2][2]));
+    if (!(mass <= (double)MEINFINITY) || !(greatest <= (double)MEINFINITY))
+        return 0;
     *volume = (MeReal)mass;
     for (int i = 0; i < 3; i++) {
         relTM[3][i] = (MeReal)centre[i];
         for (int j = 0; j < 3; j++)
             inertia[i][j] = (MeReal)moment[i][j];
     }
+    return 1;
 }
 
-void mcd_massDiagonal(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, double x, double y, double z) {
+MeI16 mcd_massDiagonal(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, double x, double y, double z) {
     const double centre[3] = {0, 0, 0};
     double moment[3][3] = {{x, 0, 0}, {0, y, 0}, {0, 0, z}};
-    mcd_massProperties(relTM, inertia, volume, mass, centre, moment);
+    return mcd_massProperties(relTM, inertia, volume, mass, centre, moment);
 }
 
 /* ---- drawing ----------------------------------------------------------------------------------------------------- */
@@ -266,11 +281,17 @@ static void toWorld(const MeVector4 *tm, const double p[3], MeVector3 out) {
             (MeReal)((double)tm[0][i] * p[0] + (double)tm[1][i] * p[1] + (double)tm[2][i] * p[2] + (double)tm[3][i]);
 }
 
+void mcd_drawWorldLine(MeVector3 start, MeVector3 end, const MeReal colour[3]) {
+    const MeProgramCall before = MeProgramEnterQuiet("MeDebugDrawAPI.line");
+    MeDebugDrawAPI.line(start, end, colour[0], colour[1], colour[2]);
+    MeProgramLeave(&before);
+}
+
 void mcd_drawLine(const MeVector4 *tm, const MeReal colour[3], const double a[3], const double b[3]) {
     MeVector3 start, end;
     toWorld(tm, a, start);
     toWorld(tm, b, end);
-    MeDebugDrawAPI.line(start, end, colour[0], colour[1], colour[2]);
+    mcd_drawWorldLine(start, end, colour);
 }
 
 void mcd_drawBox(const MeVector4 *tm, const MeReal colour[3], const MeReal *min, const MeReal *max) {

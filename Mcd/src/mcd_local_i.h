@@ -131,16 +131,21 @@ int mcd_localLineSegment(McdModelID cm, const MeReal *from, const MeReal *to, Mc
 /* ---- mass -------------------------------------------------------------------------------------------------------- */
 
 /* Fills the results of an McdGeometryGetMassPropertiesFnPtr, from a volume, the centre of mass and the inertia about
- * it. */
-void mcd_massProperties(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, const double centre[3],
-                        double moment[3][3]);
+ * it, and returns 1; where these are beyond MeReal, 0, and there are none. */
+MeI16 mcd_massProperties(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, const double centre[3],
+                         double moment[3][3]);
+/* The same, of what need not be the moments of any mass: parts may have been scaled. */
+MeI16 mcd_massStore(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, const double centre[3],
+                    double moment[3][3]);
 /* The same, for a shape whose centre is its origin and that has no products of inertia. */
-void mcd_massDiagonal(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, double x, double y, double z);
+MeI16 mcd_massDiagonal(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, double x, double y, double z);
 
 /* ---- drawing ----------------------------------------------------------------------------------------------------- */
 
 enum { MCD_DRAW_SIDES = 16 }; /* of a circle */
 
+/* A line in the world. */
+void mcd_drawWorldLine(MeVector3 start, MeVector3 end, const MeReal colour[3]);
 void mcd_drawLine(const MeVector4 *tm, const MeReal colour[3], const double a[3], const double b[3]);
 void mcd_drawBox(const MeVector4 *tm, const MeReal colour[3], const MeReal *min, const MeReal *max);
 /* A part of an ellipse from angle 0: centre + u cos + v sin, in some of MCD_DRAW_SIDES pieces. */

@@ -1,6 +1,7 @@
 /* Links and pairs of a space: the broad phase's candidates, and the lists of hello, staying and goodbye pairs. */
 #include "mcd_space_i.h"
 #include "McdInteractions.h"
+#include "McdInternal.h"
 #include "MeInternal.h"
 #include <stdio.h>
 #include <string.h>
@@ -632,10 +633,12 @@ static void reportFull(McdSpace *s, int first) {
     char what[40];
     snprintf(what, sizeof what, "%d more pairs", s->wanted.count - first);
     MeLimitWarn(&s->pairLimit, caller, what);
+    const MeProgramCall before = MeProgramEnter("McdSpaceSetPoolFullHandler");
     for (int i = first; s->poolFull && i < s->wanted.count; i++) {
         const McdLink *link = &s->link[s->wanted.entry[i].link];
         s->poolFull(&s->proxy[link->proxy[0]].model->model, &s->proxy[link->proxy[1]].model->model);
     }
+    MeProgramLeave(&before);
 }
 
 /* Links that found no room before are tried again, with the new ones, in order. */
@@ -781,6 +784,16 @@ void mcd_pairsForgetProxy(McdSpace *s, int proxy) {
         dropLink(s, i);
     }
     clearDirty(s, proxy);
+}
+
+void mcd_pairsForgetContacts(McdSpace *s, int proxy) {
+    for (int i = s->proxy[proxy].firstLink; i != MCD_NONE; i = nextLink(s, i, proxy)) {
+        McdPairRecord *record = s->link[i].record;
+        if (!record)
+            continue;
+        forgetPair(record);
+        McdModelPairForgetTest(&record->pair);
+    }
 }
 
 /* Ends what a program may have begun with a pair. The lists are tidied later, once for many pairs. */

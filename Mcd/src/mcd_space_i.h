@@ -101,6 +101,8 @@ struct _McdSpace {
     int axes;
     MeLimit modelLimit, pairLimit;
     MeBool isChanging;
+    MeBool isInner;                 /* a callback of a stage has opened a block, which is done when the stage ends */
+    MeBool isOpenedLater;           /* for it, a block was opened then */
     MeBool isUpdating;              /* callbacks of the program are running */
     MeBool isFirstBlock, isUpdated; /* the block that creation opened; McdSpaceUpdateAll was called in it */
     MeU32 step;
@@ -153,6 +155,7 @@ MeBool mcd_spaceIsReady(McdSpaceID s, const char *function);
 void mcd_proxyTouch(McdSpace *s, int proxy);        /* its links are classified at the end of the block */
 void mcd_pairsForgetProxy(McdSpace *s, int proxy);  /* drops its links; its pairs say goodbye */
 void mcd_pairsEraseProxy(McdSpace *s, int proxy);   /* drops its links and its pairs, which say nothing */
+void mcd_pairsForgetContacts(McdSpace *s, int proxy); /* what Mst has of its pairs, which stay */
 void mcd_pairsTidy(McdSpace *s);                    /* takes erased pairs out of the lists */
 MeBool mcd_pairsDisable(McdSpace *s, int a, int b); /* false: no memory */
 void mcd_pairsEnable(McdSpace *s, int a, int b);
@@ -168,8 +171,13 @@ void mcd_spaceOverlap(const McdSpace *s, const double min[3], const double max[3
 /* The same for a moving box, see mcd_treeCast. */
 void mcd_spaceCast(const McdSpace *s, const double from[3], const double by[3], const double half[3], double fraction,
                    McdTreeCastVisit visit, void *context);
-/* Do queries meet it: is it no sensor, or do they meet these? */
-MeBool mcd_isQueried(const McdSpace *s, McdModelID cm);
+/* Does a query meet a model: none that is to go, nor one that the filter keeps out, nor sensors, unless the space's
+ * queries meet these. The function is the query. */
+MeBool mcd_isAsked(const McdSpace *s, McdModelID cm, McdLineSegIntersectEnableCallback filter, void *filterData,
+                   const char *function);
+/* McdSpaceGetLineSegFirstEnabledIntersection, by the name of the function. */
+int mcd_firstIntersection(McdSpaceID s, MeReal *from, MeReal *to, McdLineSegIntersectEnableCallback filter,
+                          void *filterData, McdLineSegIntersectResult *result, const char *function);
 /* Outward to float. */
 void mcd_treeBox(const double min[3], const double max[3], McdTreeBox *box);
 

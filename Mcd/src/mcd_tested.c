@@ -386,7 +386,8 @@ MeU32 MEAPI McdModelPairGetTraits(const McdModelPair *p, MeU32 material[2]) {
     if (!a || !b)
         return 0;
     return (isFrozen(a) && isFrozen(b) ? McdPairIsAsleep : 0) | (a->isSensor || b->isSensor ? McdPairHasSensor : 0) |
-           (mcd_fastMargin(a) > 0 || mcd_fastMargin(b) > 0 ? McdPairIsFast : 0);
+           (mcd_fastMargin(a) > 0 || mcd_fastMargin(b) > 0 ? McdPairIsFast : 0) |
+           (a->isGone || b->isGone ? McdPairIsGone : 0);
 }
 
 /* One convex shape, or a plane: what a kind with a size is that is no surface of triangles. */

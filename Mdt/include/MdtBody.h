@@ -217,7 +217,7 @@ MEPUBLIC MdtConstraintID MEAPI MdtBodyGetNextConstraint(MdtBodyID b, MdtConstrai
 /** The contacts among them. */
 MEPUBLIC MdtContactID MEAPI MdtBodyGetFirstContact(MdtBodyID b);
 MEPUBLIC MdtContactID MEAPI MdtBodyGetNextContact(MdtBodyID b, MdtContactID c);
-/** Calls @a cb for each; it may destroy the constraint it is given. */
+/** Calls @a cb for each, which may destroy it and others (docs/simulation.md, "Callbacks"). */
 MEPUBLIC void MEAPI MdtBodyForAllConstraints(const MdtBodyID b, MdtConstraintIteratorCBPtr cb, void *ccbdata);
 /** Destroys, or disables, all the body's constraints, or only its contacts. */
 MEPUBLIC void MEAPI MdtBodyDestroyConstraints(const MdtBodyID b);

@@ -5,6 +5,7 @@
 #define MDTINTERNAL_H
 
 #include "MdtTypes.h"
+#include "MeInternal.h"
 #include "MeTeam.h"
 
 ME_BEGIN_C
@@ -15,6 +16,29 @@ MEPUBLIC void MEAPI MdtWorldRenameLimits(const MdtWorldID w, const char *bodies,
 
 /** Whether it is a live world. */
 MEPUBLIC MeBool MEAPI MdtWorldIsValid(const MdtWorldID w);
+
+/** @name Bodies that something else uses: Mst, those of models
+ *  @{ */
+enum {
+    MDT_BODY_HELD = 1 /**< the level at which a stage (MeInternal.h) keeps bodies, or what uses them, from going */
+};
+typedef struct MdtBodyUser {
+    MeStage *(MEAPI *heldBy)(const MdtBodyID b); /**< The stage that keeps its user as it is; null: there is none. */
+    void(MEAPI *condemn)(const MdtBodyID b);     /**< It will be destroyed when a stage ends. */
+    void(MEAPI *leave)(const MdtBodyID b);       /**< It is being destroyed. */
+    void(MEAPI *moved)(const MdtBodyID b);       /**< The program has placed it while it was disabled. */
+} MdtBodyUser;
+/** Is somebody told? */
+MEPUBLIC MeBool MEAPI MdtBodyHasUser(const MdtBodyID b);
+/** Sets what MdtBodyGetModel returns, and who is told. Null: nothing, nobody. */
+MEPUBLIC void MEAPI MdtBodySetUser(const MdtBodyID b, void *model, const MdtBodyUser *user);
+/** @} */
+
+/** The stage of a world, for what goes through its bodies. */
+MEPUBLIC MeStage *MEAPI MdtWorldGetStage(const MdtWorldID w);
+/** MdtWorldStep, or MdtWorldStepSafeTime, and MdtWorldStepRest, of a world that the caller holds at level 0. */
+MEPUBLIC void MEAPI MdtWorldTakeStep(const MdtWorldID w, const MeReal h, const MeBool safely);
+MEPUBLIC int MEAPI MdtWorldTakeRest(const MdtWorldID w);
 
 /** A version of the body's pose in double, which changes with its last bit: collision results are valid while it is the
  *  same. */
@@ -53,6 +77,14 @@ typedef struct MdtFoundContact {
  */
 MEPUBLIC int MEAPI MdtContactGroupRenew(MdtContactGroupID g, const MdtFoundContact found[], int count, MeReal time,
                                         MdtContactID contacts[]);
+
+/** An empty group of these bodies, of which the second may be null, for a bridge: *@a holder is set to null when it is
+ *  destroyed, and the program may not attach it to others. Null, after a message, where the world is full. */
+MEPUBLIC MdtContactGroupID MEAPI MdtContactGroupCreateBridged(const MdtWorldID w, const MdtBodyID b1,
+                                                              const MdtBodyID b2, void *generator, void **holder);
+
+/** Is it still one of the group's contacts? Both may have been destroyed, in a world that lives. */
+MEPUBLIC MeBool MEAPI MdtContactGroupHas(MdtContactGroupID g, MdtContactID c);
 
 /** Whether MdtContactGroupRenew would neither create nor destroy a contact, and would write to the group only, and end
  *  the rest certificates of its bodies: then several threads may renew different groups at once. */

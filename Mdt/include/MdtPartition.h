@@ -30,8 +30,8 @@ struct MdtPartitionOutput {
 };
 
 /** Calls @a cb for every partition before it is simulated, with @a data; the partition is the last of the output. It
- *  then decides about rest in place of the world. It must not create or destroy anything. Null: the world decides
- *  (default). */
+ *  then decides about rest in place of the world. What it creates, enables or destroys waits until the step is done
+ *  (docs/simulation.md, "Callbacks"). Null: the world decides (default). */
 MEPUBLIC void MEAPI MdtWorldSetPartitionCB(const MdtWorldID w, MdtPartitionEndCB cb, void *data);
 
 /**

@@ -88,6 +88,8 @@ typedef enum MdtDebugDrawOptions {
 /** The partitions of a step (MdtPartition.h). */
 typedef struct MdtPartitionOutput MdtPartitionOutput;
 
+/** @name Functions of the program: what each may do has docs/simulation.md, "Callbacks"
+ *  @{ */
 /** Shown the last partition of @a po. */
 typedef void(MEAPI *MdtPartitionEndCB)(MdtPartitionOutput *po, void *pcbdata);
 
@@ -95,13 +97,15 @@ typedef void(MEAPI *MdtPartitionEndCB)(MdtPartitionOutput *po, void *pcbdata);
  *  depend on nothing but the contact, and change nothing. */
 typedef MeReal(MEAPI *MdtContactImportanceCBPtr)(const MdtContactID c);
 
-/** Called for each constraint; @a ccbdata is what the caller passed. The constraint may be destroyed. */
-/** Called when a body has been enabled, or disabled: by the program, or by the world. It must not destroy it. */
+/** Called when a body has been enabled, or disabled: by the program, or by the world. What it destroys, enables or
+ *  disables waits until all handlers have been called. */
 typedef void(MEAPI *MdtBodyHandler)(const MdtBodyID b);
+/** Called for each constraint; @a ccbdata is what the caller passed. What it destroys goes after the last call. */
 typedef void(MEAPI *MdtConstraintIteratorCBPtr)(const MdtConstraintID c, void *ccbdata);
 
 /** Called for a joint that broke in the step just done; it may be destroyed, as may anything else. */
 typedef void(MEAPI *MdtBreakCBPtr)(const MdtConstraintID c);
+/** @} */
 
 ME_END_C
 

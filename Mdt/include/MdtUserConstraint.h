@@ -22,7 +22,8 @@ MEPUBLIC void MEAPI MdtUserConstraintReset(const MdtUserConstraintID j);
 MEPUBLIC MdtConstraintID MEAPI MdtUserConstraintQuaConstraint(const MdtUserConstraintID j);
 /** The constraint as an user constraint; null when it is none. */
 MEPUBLIC MdtUserConstraintID MEAPI MdtConstraintDCastUserConstraint(const MdtConstraintID c);
-/** The function that writes the rows; null: no rows. */
+/** The function that writes the rows; null: no rows. It may not move bodies; what it creates or destroys waits
+ *  (docs/simulation.md, "Callbacks"). */
 MEPUBLIC void MEAPI MdtUserConstraintSetFunction(const MdtUserConstraintID j, MdtBclAddConstraintFn f);
 MEPUBLIC MdtBclAddConstraintFn MEAPI MdtUserConstraintGetFunction(const MdtUserConstraintID j);
 /** What the function is given as its constraint; at first the user constraint itself. */

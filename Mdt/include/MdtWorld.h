@@ -90,7 +90,8 @@ MEPUBLIC void MEAPI MdtWorldGetGravity(const MdtWorldID w, MeVector3 g);
 
 /** @name Epsilon and gamma (Dynamics guide ch. 5, "The Meaning of Epsilon and Gamma")
  *  Epsilon [1/kg], >= 0: the compliance (CFM) of joints and of contacts along their normals; 0 is rigid. Under a load F
- *  they give way by epsilon F h² / gamma, h the step: by 1.4 mm for each tonne at 60 Hz and the defaults. Constraints
+ *  they give way by epsilon F h² / gamma, h the step: by 1.4 mm for each tonne at 60 Hz and the defaults. What touches
+ *  and so sinks by a fiftieth of the length scale is told of, once. Constraints
  *  of rotation have the compliance epsilon / lengthScale², as if the load acted at a lever arm of the length scale.
  *  Default 0.0001 / massScale; a universe sets its own (MstUniverseCreate). A value that a program sets is absolute,
  *  whatever massScale is.
@@ -179,7 +180,8 @@ MEPUBLIC int MEAPI MdtWorldGetEnabledBodies(const MdtWorldID w);
 MEPUBLIC int MEAPI MdtWorldGetEnabledConstraints(const MdtWorldID w);
 /** @} */
 
-/** Calls @a cb for every constraint of the world, in the order of sort keys and creation. */
+/** Calls @a cb for every constraint of the world, in the order of sort keys and creation; it may destroy them
+ *  (docs/simulation.md, "Callbacks"). */
 MEPUBLIC void MEAPI MdtWorldForAllConstraints(const MdtWorldID w, MdtConstraintIteratorCBPtr cb, void *ccbdata);
 
 /** Zeroes the forces, torques and impulses that wait for all the world's bodies. */
@@ -221,7 +223,8 @@ MEPUBLIC void MEAPI MdtWorldSetTimedContacts(const MdtWorldID w, const int bodie
 MEPUBLIC int MEAPI MdtWorldGetTimedContacts(const MdtWorldID w);
 
 /** Calls these when a body gets enabled and disabled, by the program, by rest or by being woken; null: nothing. The
- *  Simulation Toolkit freezes and unfreezes collision models so (User Guide ch. 5). */
+ *  Simulation Toolkit freezes and unfreezes collision models so (User Guide ch. 5). What they may do:
+ *  docs/simulation.md, "Callbacks". */
 MEPUBLIC void MEAPI MdtWorldSetBodyHandlers(const MdtWorldID w, MdtBodyHandler enabled, MdtBodyHandler disabled);
 
 /** @name The cap on the Newton iterations of a partition's step (Karma: pivoting iterations)
@@ -244,10 +247,10 @@ MEPUBLIC int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w);
  *  so far is finished iteratively: up to eight passes of accelerated sweeps over the rows (projected Gauss-Seidel),
  *  each with a direct solve of the joint rows that have no bounds. Such an answer keeps momentum and bounds, and
  *  energy does not grow beyond what loads, springs and motors give. Contacts and stops give way by the rest of the
- *  error, mostly 1e-4 m/s, which later steps remove (gamma). Joints stay closed; where an answer would open them by a
- *  twentieth of a body, the fast solver takes the rest of the step (MdtWorldSetSolver). Partitions of 3000 rows or
- *  more get only a few sweeps in each pass; they want a larger budget. MdtReport tells (`way`, `limited`, `fallbacks`,
- *  `residualVelocity`).
+ *  error, mostly 1e-4 m/s, which later steps remove (gamma). Joints stay closed and contacts hold: where an answer
+ *  would open joints by a twentieth of a body, or leave contacts half of what a body gains by falling in the step, the
+ *  fast solver takes the rest of the step (MdtWorldSetSolver). Partitions of 3000 rows or more get only a few sweeps in
+ *  each pass; they want a larger budget. MdtReport tells (`way`, `limited`, `fallbacks`, `residualVelocity`).
  *
  *  The making of the rows, a few visits of each, and one such answer for each part are done in any case.
  *
@@ -296,7 +299,8 @@ MEPUBLIC MdtSolver MEAPI MdtWorldGetSolver(const MdtWorldID w);
 typedef MdtSolver(MEAPI *MdtSolverCB)(MdtBodyID const bodies[], int numBodies, void *data);
 /** Asks @a cb, with @a data, for the solver of each partition that is awake, in place of MdtWorldSetSolver: in every
  *  step, each sub-step, and MdtWorldStepRest, on the calling thread, before any of them is simulated, in the order of
- *  MdtBodyGetPartition. It may read bodies, and must not change, create or destroy anything. What rests, and is to have
+ *  MdtBodyGetPartition. What it creates, enables or destroys waits until the step is done (docs/simulation.md,
+ *  "Callbacks"); its answer may depend on nothing but what it reads of the bodies. What rests, and is to have
  *  another solver than in the last step, is solved again. An answer that is none of the three is MdtSolverAuto, with a
  *  warning for the first one. Null, the default: one choice for all. */
 MEPUBLIC void MEAPI MdtWorldSetSolverCB(const MdtWorldID w, MdtSolverCB cb, void *data);
@@ -318,7 +322,8 @@ MEPUBLIC void MEAPI MdtWorldSetSolverCB(const MdtWorldID w, MdtSolverCB cb, void
  * Tasks go to the program's job system.
  * @param workerCount 1 .. MeTaskMaxWorkers: how many threads work at once, the calling one included; with 1 there are
  *        no tasks any more
- * @param enqueue, finish as MeTask.h says; null only for one worker. They are called on the calling thread.
+ * @param enqueue, finish as MeTask.h says; null only for one worker. They are called on the calling thread. What they
+ *        may do: docs/simulation.md, "Callbacks"
  * @param userContext handed to both
  * Bad numbers and null functions warn, and nothing is changed; so does a call in the middle of a step.
  */
@@ -352,7 +357,8 @@ MEPUBLIC MeReal MEAPI MdtWorldGetAccuracy(const MdtWorldID w);
 MEPUBLIC void MEAPI MdtWorldSetMaxMatrixSize(const MdtWorldID w, const int size);
 MEPUBLIC int MEAPI MdtWorldGetMaxMatrixSize(const MdtWorldID w);
 /** The importance that @a cb returns takes the place of depth, and of the distinction between bodies and world. Null
- *  brings the default back. */
+ *  brings the default back. It may not move bodies; what it creates or destroys waits (docs/simulation.md,
+ *  "Callbacks"). */
 MEPUBLIC void MEAPI MdtWorldSetContactImportanceCB(const MdtWorldID w, MdtContactImportanceCBPtr cb);
 /** Every step writes the rows of partition i to @a sizeLog[i], for the first @a logSize partitions, and 0 behind the
  *  last. The array is the program's and must live until the log is set anew; null, or a size of 0, ends it. */
@@ -364,7 +370,8 @@ MEPUBLIC void MEAPI MdtWorldSetMatrixSizeLog(const MdtWorldID w, int *const size
 /** Those that broke in the last step, by sort keys, then creation; null in the place of one that was destroyed since.
  *  The array is the world's, and valid until the next step. @a count gets how many there are. */
 MEPUBLIC const MdtConstraintID *MEAPI MdtWorldGetBrokenJoints(const MdtWorldID w, int *count);
-/** Called for each of them at the end of the step, in that order; null, the default: nothing. */
+/** Called for each of them at the end of the step, in that order, and may do anything but step or end the world
+ *  (docs/simulation.md, "Callbacks"); null, the default: nothing. */
 MEPUBLIC void MEAPI MdtWorldSetBreakCB(const MdtWorldID w, MdtBreakCBPtr cb);
 /** @} */
 

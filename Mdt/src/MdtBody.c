@@ -1,6 +1,7 @@
 /* Rigid bodies: properties, state, forces. */
 #include "MdtInternal.h"
 #include "mdt_i.h"
+#include "mdt_named_i.h"
 #include "MeAssert.h"
 #include <string.h>
 
@@ -69,6 +70,12 @@ static void forgetRest(MdtBodyID b) {
     b->enabledSteps = b->aliveSteps = 0;
 }
 
+/* What sleeps wakes, and is seen then. */
+static void tellMoved(MdtBodyID b) {
+    if (b->user && !(b->record.flags & (MDT_ENABLED | MDT_ASLEEP)))
+        b->user->moved(b);
+}
+
 /* Places the frame; the velocities stay, so the angular momentum turns along. */
 static void setFrame(MdtBodyID b, const double p[3], const double q[4]) {
     const MdtPartitionParams *rest = &b->world->rest;
@@ -91,6 +98,7 @@ static void setFrame(MdtBodyID b, const double p[3], const double q[4]) {
     forgetForces(b);
     forgetRest(b); /* it was slow elsewhere */
     mdt_bodyShow(b);
+    tellMoved(b);
 }
 
 static void writeTransform(MeMatrix4 tm, const double p[3], const double R[3][3]) {
@@ -153,19 +161,19 @@ void mdt_bodyLostByRounding(const MdtBody *b, const double point[3], double lost
         lost[i] += b->frame.position[i] - point[i];
 }
 
-/* The bound of positions: where the rounding of MeReal is half the length scale. */
-static double positionBound(const MdtBody *b) {
-    return fmin(2 / (double)ME_EPSILON * (double)b->world->params.lengthScale, (double)MEINFINITY / 4);
+/* Where the rounding of MeReal is half the length scale, and squares of distances are finite. */
+double mdt_worldBound(const MdtWorld *w) {
+    return fmin(2 / (double)ME_EPSILON * (double)w->params.lengthScale, sqrt((double)MEINFINITY) / 4);
 }
 
 MeReal MEAPI MdtBodyGetPositionBound(const MdtBodyID b) {
     MDT_NEED_BODY(b, 0);
-    return (MeReal)positionBound(b);
+    return (MeReal)mdt_worldBound(b->world);
 }
 
 void mdt_bodyKeepWithinReach(MdtBodyID b) {
     static const double none[3] = {0, 0, 0};
-    const double most = positionBound(b);
+    const double most = mdt_worldBound(b->world);
     double *at = b->kea.position;
     if (fabs(at[0]) < most && fabs(at[1]) < most && fabs(at[2]) < most)
         return;
@@ -183,22 +191,11 @@ void mdt_bodyKeepWithinReach(MdtBodyID b) {
     b->record.flags |= MDT_FAR;
 }
 
-/* Whether a position is finite and within the bound. */
 static MeBool isPlace(const char *caller, MdtBodyID b, MeReal x, MeReal y, MeReal z) {
-    const double most = positionBound(b);
-    if (!mdt_isFinite3(caller, "the position", x, y, z))
+    if (!mdt_isPlace(caller, "the position", b->world, x, y, z))
         return MEFALSE;
-    if (fabs((double)x) <= most && fabs((double)y) <= most && fabs((double)z) <= most) {
-        b->record.flags &= ~MDT_FAR;
-        return METRUE;
-    }
-    MeWarning(1, "%s: (%g, %g, %g) is farther away than %g m (MdtBodyGetPositionBound); nothing is changed", caller,
-              (double)x, (double)y, (double)z, most);
-    return MEFALSE;
-}
-
-static MeBool isFinite3(const MeReal *v) {
-    return isfinite(v[0]) && isfinite(v[1]) && isfinite(v[2]);
+    b->record.flags &= ~MDT_FAR;
+    return METRUE;
 }
 
 /* To the last bit; number by number, which takes no call. */
@@ -211,7 +208,7 @@ void mdt_bodyAcceptVelocities(MdtBodyID b) {
     const MeBool angular = !areSame3(b->angularVelocity, b->shownAngularVelocity);
     if (!linear && !angular)
         return;
-    if (!isFinite3(b->velocity) || !isFinite3(b->angularVelocity)) {
+    if (!mdt_areFinite(b->velocity) || !mdt_areFinite(b->angularVelocity)) {
         MeWarning(1, "A velocity that is not finite was written through a body's pointer; it is ignored");
     } else {
         double v[3], w[3];
@@ -257,6 +254,19 @@ static void changeInertia(MdtBodyID b) {
     mdt_bodyShow(b);
 }
 
+static void setKeaFlag(MdtBodyID b, int flag, MeBool on) {
+    if (on != ((b->kea.flags & flag) != 0))
+        mdt_bodyDisturb(b);
+    b->kea.flags = on ? b->kea.flags | flag : b->kea.flags & ~flag;
+}
+
+static void setNoFastSpinAxis(MdtBodyID b) {
+    b->fastSpinAxis[0] = MDTBODY_DEFAULT_FAST_SPIN_X;
+    b->fastSpinAxis[1] = MDTBODY_DEFAULT_FAST_SPIN_Y;
+    b->fastSpinAxis[2] = MDTBODY_DEFAULT_FAST_SPIN_Z;
+    setKeaFlag(b, MdtKeaBodyFlagUseFastSpin, MEFALSE);
+}
+
 static void setDefaults(MdtBodyID b) {
     static const double unit[4] = {1, 0, 0, 0};
     const double m = b->world->params.massScale, l = b->world->params.lengthScale;
@@ -280,7 +290,7 @@ static void setDefaults(MdtBodyID b) {
     b->safeTime = MEINFINITY;
     mdt_bodyDisturb(b);
     mdt_forceForget(b);
-    MdtBodySetNoFastSpinAxis(b);
+    setNoFastSpinAxis(b);
     mdt_bodyShow(b);
 }
 
@@ -298,21 +308,34 @@ MdtBodyID MEAPI MdtBodyCreate(const MdtWorldID w) {
     return b;
 }
 
+/* What a bridge has made of two models' touch goes with one of the bodies. */
+static void releaseConstraint(MdtAttachment *at) {
+    MdtConstraintID c = mdt_attachmentOwner(at);
+    mdt_constraintOff(c);
+    if (c->record.flags & MDT_BRIDGED)
+        mdt_constraintRemove(c);
+    else
+        mdt_constraintDetach(c, mdt_attachmentSide(at));
+}
+
 void mdt_bodyTerm(MdtBodyID b) {
-    MdtBodyDisable(b);
-    while (b->attachments) {
-        MdtConstraintID c = mdt_attachmentOwner(b->attachments);
-        MdtConstraintDisable(c);
-        mdt_constraintDetach(c, mdt_attachmentSide(b->attachments));
-    }
+    MdtWorldID w = b->world;
+    b->record.flags |= MDT_CONDEMNED;
+    MeStageBegin(&w->stage, MDT_HOLD_GRAPH); /* handlers of the program are called */
+    mdt_bodyDisable(b);
+    if (b->user)
+        b->user->leave(b);
+    while (b->attachments)
+        releaseConstraint(b->attachments);
     MEASSERT(!b->attachments && !(b->record.flags & (MDT_ENABLED | MDT_ASLEEP)));
-    mdt_listRemove(&b->world->bodies, &b->link);
-    mdt_poolPut(&b->world->bodyPool, b);
+    mdt_listRemove(&w->bodies, &b->link);
+    mdt_poolPut(&w->bodyPool, b);
+    MeStageEnd(&w->stage, MDT_HOLD_GRAPH);
 }
 
 void MEAPI MdtBodyDestroy(const MdtBodyID b) {
     if (mdt_mayDestroyBody(b, __func__))
-        mdt_bodyTerm(b);
+        mdt_bodyDestroy(b, __func__);
 }
 
 MdtBodyID MEAPI MdtBodyCopy(const MdtBodyID b, const MdtWorldID w) {
@@ -333,7 +356,8 @@ MdtBodyID MEAPI MdtBodyCopy(const MdtBodyID b, const MdtWorldID w) {
     copy->attachments = NULL;
     copy->manifolds = 0;
     copy->model = NULL;
-    copy->record.flags &= ~(MDT_ENABLED | MDT_ASLEEP);
+    copy->user = NULL;
+    copy->record.flags &= ~(MDT_ENABLED | MDT_ASLEEP | MDT_CONDEMNED);
     copy->partition = -1;
     if (b->record.flags & MDT_ENABLED)
         MdtBodyEnable(copy);
@@ -341,7 +365,7 @@ MdtBodyID MEAPI MdtBodyCopy(const MdtBodyID b, const MdtWorldID w) {
 }
 
 void MEAPI MdtBodyReset(const MdtBodyID b) {
-    MDT_NEED_BODY(b, );
+    MDT_CHANGE_BODY(b);
     setDefaults(b);
     mdt_bodyWakeIfAsleep(b);
 }
@@ -354,8 +378,19 @@ static void endSleep(MdtBodyID b) {
     MEASSERT(b->world->asleepBodies >= 0);
 }
 
-void MEAPI MdtBodyEnable(const MdtBodyID b) {
-    MDT_NEED_BODY(b, );
+/* A handler may destroy the body, or enable and disable what it likes: when it has returned. */
+static void callHandler(MdtBodyID b, MdtBodyHandler handler) {
+    MdtWorldID w = b->world;
+    if (!handler)
+        return;
+    MeStageBegin(&w->stage, MDT_HOLD_GRAPH);
+    const MeProgramCall before = MeProgramEnter("MdtWorldSetBodyHandlers");
+    handler(b);
+    MeProgramLeave(&before);
+    MeStageEnd(&w->stage, MDT_HOLD_GRAPH);
+}
+
+void mdt_bodyEnable(MdtBodyID b) {
     endSleep(b);
     b->aliveTime = 0;
     b->aliveSteps = 0;
@@ -368,12 +403,10 @@ void MEAPI MdtBodyEnable(const MdtBodyID b) {
     forgetRest(b);
     b->world->enabledBodies++;
     MEASSERT(b->world->enabledBodies <= b->world->bodies.count);
-    if (b->world->bodyEnabled)
-        b->world->bodyEnabled(b);
+    callHandler(b, b->world->bodyEnabled);
 }
 
-void MEAPI MdtBodyDisable(const MdtBodyID b) {
-    MDT_NEED_BODY(b, );
+void mdt_bodyDisable(MdtBodyID b) {
     endSleep(b);
     if (!(b->record.flags & MDT_ENABLED))
         return;
@@ -384,8 +417,32 @@ void MEAPI MdtBodyDisable(const MdtBodyID b) {
     b->partition = -1;
     b->world->enabledBodies--;
     MEASSERT(b->world->enabledBodies >= 0);
-    if (b->world->bodyDisabled)
-        b->world->bodyDisabled(b);
+    callHandler(b, b->world->bodyDisabled);
+}
+
+static void MEAPI enableLater(const MeLater *later) {
+    MdtBodyID b = mdt_laterBody(later);
+    if (b && later->number)
+        MdtBodyEnable(b);
+    else if (b)
+        MdtBodyDisable(b);
+}
+
+static MeBool isToEnableNow(MdtBodyID b, MeBool isEnabled, const char *caller) {
+    const MeLater later = {.carryOut = enableLater, .object = b, .serial = b->link.serial, .number = (long)isEnabled};
+    return mdt_when(b->world, MDT_HOLD_GRAPH, caller, &later) == MeWhenNow;
+}
+
+void MEAPI MdtBodyEnable(const MdtBodyID b) {
+    MDT_NEED_BODY(b, );
+    if (isToEnableNow(b, METRUE, __func__))
+        mdt_bodyEnable(b);
+}
+
+void MEAPI MdtBodyDisable(const MdtBodyID b) {
+    MDT_NEED_BODY(b, );
+    if (isToEnableNow(b, MEFALSE, __func__))
+        mdt_bodyDisable(b);
 }
 
 MeBool MEAPI MdtBodyIsEnabled(const MdtBodyID b) {
@@ -456,6 +513,8 @@ void mdt_bodyPack(MdtBodyID b, double frame, MeBool hasJoints) {
     MEASSERT(fabs(1 - sqrt(keaDot(b->kea.quaternion + 1, b->kea.quaternion + 1) +
                            b->kea.quaternion[0] * b->kea.quaternion[0])) < 1e-6);
     mdt_bodyAcceptVelocities(b);
+    if (b->mass > b->world->sinkingMass)
+        mdt_forgottenScale(b);
     keaCopy(b->kea.kick[0], b->impulse);
     keaCopy(b->kea.kick[1], b->twist);
     mdt_forceBegin(b);
@@ -470,7 +529,7 @@ void mdt_bodyPack(MdtBodyID b, double frame, MeBool hasJoints) {
 /* ---- the frame ---- */
 
 void MEAPI MdtBodySetPosition(const MdtBodyID b, const MeReal x, const MeReal y, const MeReal z) {
-    MDT_NEED_BODY(b, );
+    MDT_CHANGE_BODY(b);
     if (!isPlace(__func__, b, x, y, z))
         return;
     const double to[3] = {x, y, z};
@@ -505,7 +564,7 @@ static void turnFrame(MdtBodyID b, const double q[4]) {
 }
 
 void MEAPI MdtBodySetQuaternion(const MdtBodyID b, const MeReal qw, const MeReal qx, const MeReal qy, const MeReal qz) {
-    MDT_NEED_BODY(b, );
+    MDT_CHANGE_BODY(b);
     double q[4] = {qw, qx, qy, qz};
     if (normalizeQuaternion(__func__, q))
         turnFrame(b, q);
@@ -538,7 +597,7 @@ static MeBool toRotation(const char *caller, const double R[3][3], double q[4]) 
 }
 
 void MEAPI MdtBodySetOrientation(const MdtBodyID b, const MeMatrix3 R) {
-    MDT_NEED_BODY(b, );
+    MDT_CHANGE_BODY(b);
     if (!mdt_isPointer(__func__, "the orientation", R))
         return;
     double r[3][3], q[4];
@@ -568,7 +627,7 @@ static MeBool splitTransform(const char *caller, const MeMatrix4 tm, double p[3]
 }
 
 void MEAPI MdtBodySetTransform(const MdtBodyID b, const MeMatrix4 tm) {
-    MDT_NEED_BODY(b, );
+    MDT_CHANGE_BODY(b);
     double p[3], q[4];
     if (!mdt_isPointer(__func__, "the transform", tm) || !splitTransform(__func__, tm, p, q) ||
         !isPlace(__func__, b, tm[3][0], tm[3][1], tm[3][2]))
@@ -590,10 +649,24 @@ MeMatrix4Ptr MEAPI MdtBodyGetTransformPtr(const MdtBodyID b) {
 
 /* ---- the centre of mass ---- */
 
+/* Are the centre of mass, in the body's frame, and where that is in the world, within the bound? */
+static MeBool isCentre(const char *caller, const MdtBody *b, const double centre[3]) {
+    double p[3], q[4], R[3][3], at[3];
+    getFrame(b, p, q);
+    keaQuaternionToMatrix(R, q);
+    keaApply(at, (const double(*)[3])R, centre);
+    keaAddScaled(p, 1, at);
+    return mdt_isPlace(caller, "the centre of mass", b->world, (MeReal)centre[0], (MeReal)centre[1],
+                       (MeReal)centre[2]) &&
+           mdt_isPlace(caller, "the centre of mass, in the world,", b->world, (MeReal)p[0], (MeReal)p[1], (MeReal)p[2]);
+}
+
 /* Changes the offset of the centre of mass and leaves the frame, and what is attached to it, where it is. */
-static void setCentre(MdtBodyID b, const double centre[3], const double turn[4]) {
+static void setCentre(const char *caller, MdtBodyID b, const double centre[3], const double turn[4]) {
     double p[3], q[4];
     const MdtKeaBody before = b->kea;
+    if (!isCentre(caller, b, centre))
+        return;
     b->record.flags &= ~MDT_OFF_CENTRE;
     getFrame(b, p, q);
     keaCopy(b->centre, centre);
@@ -605,13 +678,12 @@ static void setCentre(MdtBodyID b, const double centre[3], const double turn[4])
 }
 
 void MEAPI MdtBodySetCenterOfMassRelativePosition(const MdtBodyID b, const MeVector3 pos) {
-    MDT_NEED_BODY(b, );
-    if (!mdt_isPointer(__func__, "the position", pos) ||
-        !mdt_isFinite3(__func__, "the position", pos[0], pos[1], pos[2]))
+    MDT_CHANGE_BODY(b);
+    if (!mdt_isPointer(__func__, "the position", pos))
         return;
     double centre[3];
     mdt_fromReal(centre, pos);
-    setCentre(b, centre, b->centreTurn);
+    setCentre(__func__, b, centre, b->centreTurn);
 }
 
 void MEAPI MdtBodyGetCenterOfMassRelativePosition(const MdtBodyID b, MeVector3 pos) {
@@ -621,10 +693,10 @@ void MEAPI MdtBodyGetCenterOfMassRelativePosition(const MdtBodyID b, MeVector3 p
 }
 
 void MEAPI MdtBodySetCenterOfMassRelativeTransform(const MdtBodyID b, const MeMatrix4 t) {
-    MDT_NEED_BODY(b, );
+    MDT_CHANGE_BODY(b);
     double centre[3], turn[4];
     if (mdt_isPointer(__func__, "the transform", t) && splitTransform(__func__, t, centre, turn))
-        setCentre(b, centre, turn);
+        setCentre(__func__, b, centre, turn);
 }
 
 void MEAPI MdtBodyGetCenterOfMassRelativeTransform(const MdtBodyID b, MeMatrix4 t) {
@@ -636,7 +708,7 @@ void MEAPI MdtBodyGetCenterOfMassRelativeTransform(const MdtBodyID b, MeMatrix4 
 }
 
 void MEAPI MdtBodySetCenterOfMassPosition(const MdtBodyID b, const MeVector3 pos) {
-    MDT_NEED_BODY(b, );
+    MDT_CHANGE_BODY(b);
     if (!mdt_isPointer(__func__, "the position", pos) || !isPlace(__func__, b, pos[0], pos[1], pos[2]))
         return;
     mdt_fromReal(b->kea.position, pos);
@@ -645,6 +717,7 @@ void MEAPI MdtBodySetCenterOfMassPosition(const MdtBodyID b, const MeVector3 pos
     forgetRest(b);
     mdt_bodyAcceptVelocities(b);
     mdt_bodyShow(b);
+    tellMoved(b);
     mdt_bodyWakeIfAsleep(b);
 }
 
@@ -662,7 +735,7 @@ MeMatrix4Ptr MEAPI MdtBodyGetCenterOfMassTransformPtr(const MdtBodyID b) {
 /* ---- motion ---- */
 
 void MEAPI MdtBodySetLinearVelocity(const MdtBodyID b, const MeReal dx, const MeReal dy, const MeReal dz) {
-    MDT_NEED_BODY(b, );
+    MDT_CHANGE_BODY(b);
     if (!mdt_isFinite3(__func__, "the velocity", dx, dy, dz))
         return;
     const double v[3] = {dx, dy, dz};
@@ -687,7 +760,7 @@ MeReal *MEAPI MdtBodyGetLinearVelocityPtr(const MdtBodyID b) {
 }
 
 void MEAPI MdtBodySetAngularVelocity(const MdtBodyID b, const MeReal wx, const MeReal wy, const MeReal wz) {
-    MDT_NEED_BODY(b, );
+    MDT_CHANGE_BODY(b);
     if (!mdt_isFinite3(__func__, "the angular velocity", wx, wy, wz))
         return;
     const double w[3] = {wx, wy, wz};
@@ -740,14 +813,14 @@ void MEAPI MdtBodyGetVelocityAtPoint(const MdtBodyID body, MeVector3 p, MeVector
 MeReal MEAPI MdtBodyGetKineticEnergy(const MdtBodyID b) {
     MDT_NEED_BODY(b, 0);
     mdt_bodyAcceptVelocities(b);
-    return (MeReal)(0.5 *
+    return mdt_real(0.5 *
                     (b->mass * keaDot(b->kea.velocity, b->kea.velocity) + keaDot(b->spin, b->kea.angularMomentum)));
 }
 
 /* ---- mass ---- */
 
 void MEAPI MdtBodySetMass(const MdtBodyID b, const MeReal mass) {
-    MDT_NEED_BODY(b, );
+    MDT_CHANGE_BODY(b);
     if (!mdt_isPositive(__func__, "the mass", mass))
         return;
     if ((double)mass != b->mass)
@@ -762,14 +835,15 @@ MeReal MEAPI MdtBodyGetMass(const MdtBodyID b) {
 }
 
 void MEAPI MdtBodySetInertiaTensor(const MdtBodyID b, const MeMatrix3 i) {
-    MDT_NEED_BODY(b, );
+    MDT_CHANGE_BODY(b);
     if (!mdt_isPointer(__func__, "the tensor", i))
         return;
     double tensor[3][3];
     MdtKeaBody trial;
     for (int k = 0; k < 3; k++)
         mdt_fromReal(tensor[k], i[k]);
-    if (!MdtKeaBodySetInertia(&trial, (const double(*)[3])tensor)) {
+    if (!mdt_areFinite(i[0]) || !mdt_areFinite(i[1]) || !mdt_areFinite(i[2]) ||
+        !MdtKeaBodySetInertia(&trial, (const double(*)[3])tensor)) {
         MeWarning(1, "%s: the tensor must be finite, symmetric and positive definite; nothing is changed", __func__);
         return;
     }
@@ -785,8 +859,9 @@ void MEAPI MdtBodyGetInertiaTensor(const MdtBodyID b, MeMatrix3 i) {
 }
 
 void MEAPI MdtBodySetSphericalInertiaTensor(const MdtBodyID b, const MeReal i) {
-    MDT_NEED_BODY(b, );
-    if (!mdt_isPositive(__func__, "the moment of inertia", i))
+    MDT_CHANGE_BODY(b);
+    if (!mdt_isPositive(__func__, "the moment of inertia", i) ||
+        !mdt_isFinite3(__func__, "the moment of inertia", i, i, i))
         return;
     memset(b->inertia, 0, sizeof b->inertia);
     for (int k = 0; k < 3; k++)
@@ -794,20 +869,14 @@ void MEAPI MdtBodySetSphericalInertiaTensor(const MdtBodyID b, const MeReal i) {
     changeInertia(b);
 }
 
-static void setKeaFlag(MdtBodyID b, int flag, MeBool on) {
-    if (on != ((b->kea.flags & flag) != 0))
-        mdt_bodyDisturb(b);
-    b->kea.flags = on ? b->kea.flags | flag : b->kea.flags & ~flag;
-}
-
 void MEAPI MdtBodyEnableNonSphericalInertia(const MdtBodyID b) {
-    MDT_NEED_BODY(b, );
+    MDT_CHANGE_BODY(b);
     setKeaFlag(b, MdtKeaBodyFlagIsNonSpherical, METRUE);
     changeInertia(b);
 }
 
 void MEAPI MdtBodyDisableNonSphericalInertia(const MdtBodyID b) {
-    MDT_NEED_BODY(b, );
+    MDT_CHANGE_BODY(b);
     setKeaFlag(b, MdtKeaBodyFlagIsNonSpherical, MEFALSE);
     changeInertia(b);
 }
@@ -818,12 +887,12 @@ MeBool MEAPI MdtBodyNonSphericalInertiaIsEnabled(const MdtBodyID b) {
 }
 
 void MEAPI MdtBodyEnableCoriolisForce(const MdtBodyID b) {
-    MDT_NEED_BODY(b, );
+    MDT_CHANGE_BODY(b);
     setKeaFlag(b, MdtKeaBodyFlagAddCoriolisForce, METRUE);
 }
 
 void MEAPI MdtBodyDisableCoriolisForce(const MdtBodyID b) {
-    MDT_NEED_BODY(b, );
+    MDT_CHANGE_BODY(b);
     setKeaFlag(b, MdtKeaBodyFlagAddCoriolisForce, MEFALSE);
 }
 
@@ -923,7 +992,7 @@ static void setDamping(MdtBodyID b, MeReal *damping, MeReal d) {
 }
 
 void MEAPI MdtBodySetLinearVelocityDamping(const MdtBodyID b, const MeReal d) {
-    MDT_NEED_BODY(b, );
+    MDT_CHANGE_BODY(b);
     if (mdt_isAtLeast(__func__, "the damping", d, 0))
         setDamping(b, &b->linearDamping, d);
 }
@@ -934,7 +1003,7 @@ MeReal MEAPI MdtBodyGetLinearVelocityDamping(const MdtBodyID b) {
 }
 
 void MEAPI MdtBodySetAngularVelocityDamping(const MdtBodyID b, const MeReal d) {
-    MDT_NEED_BODY(b, );
+    MDT_CHANGE_BODY(b);
     if (mdt_isAtLeast(__func__, "the damping", d, 0))
         setDamping(b, &b->angularDamping, d);
 }
@@ -945,7 +1014,7 @@ MeReal MEAPI MdtBodyGetAngularVelocityDamping(const MdtBodyID b) {
 }
 
 void MEAPI MdtBodySetFastSpinAxis(const MdtBodyID b, const MeReal x, const MeReal y, const MeReal z) {
-    MDT_NEED_BODY(b, );
+    MDT_CHANGE_BODY(b);
     if (!mdt_isFinite3(__func__, "the axis", x, y, z))
         return;
     const double axis[3] = {x, y, z}, length = keaLength(axis);
@@ -963,11 +1032,8 @@ void MEAPI MdtBodyGetFastSpinAxis(const MdtBodyID b, MeVector3 v) {
 }
 
 void MEAPI MdtBodySetNoFastSpinAxis(const MdtBodyID b) {
-    MDT_NEED_BODY(b, );
-    b->fastSpinAxis[0] = MDTBODY_DEFAULT_FAST_SPIN_X;
-    b->fastSpinAxis[1] = MDTBODY_DEFAULT_FAST_SPIN_Y;
-    b->fastSpinAxis[2] = MDTBODY_DEFAULT_FAST_SPIN_Z;
-    setKeaFlag(b, MdtKeaBodyFlagUseFastSpin, MEFALSE);
+    MDT_CHANGE_BODY(b);
+    setNoFastSpinAxis(b);
 }
 
 /* ---- bookkeeping ---- */
@@ -984,7 +1050,21 @@ void MEAPI MdtBodySetUserData(const MdtBodyID b, void *d) {
 
 void MEAPI MdtBodySetModel(const MdtBodyID b, void *model) {
     MDT_NEED_BODY(b, );
+    if (b->user && model != b->model)
+        MeWarning(1, "%s: the body has models of its own; see McdModelSetBody; nothing is changed", __func__);
+    else
+        b->model = model;
+}
+
+MeBool MEAPI MdtBodyHasUser(const MdtBodyID b) {
+    MDT_NEED_BODY(b, MEFALSE);
+    return b->user != NULL;
+}
+
+void MEAPI MdtBodySetUser(const MdtBodyID b, void *model, const MdtBodyUser *user) {
+    MDT_NEED_BODY(b, );
     b->model = model;
+    b->user = user;
 }
 
 void *MEAPI MdtBodyGetModel(const MdtBodyID b) {
@@ -997,9 +1077,17 @@ void *MEAPI MdtBodyGetUserData(const MdtBodyID b) {
     return b->userData;
 }
 
+static void MEAPI sortLater(const MeLater *later) {
+    if (mdt_laterBody(later))
+        MdtBodySetSortKey(later->object, (MeI32)later->number);
+}
+
 void MEAPI MdtBodySetSortKey(const MdtBodyID b, const MeI32 key) {
     MDT_NEED_BODY(b, );
     if (!mdt_isSortKey(__func__, key))
+        return;
+    const MeLater later = {.carryOut = sortLater, .object = b, .serial = b->link.serial, .number = key};
+    if (mdt_when(b->world, MDT_HOLD_GRAPH, __func__, &later) != MeWhenNow)
         return;
     mdt_listSetKey(&b->world->bodies, &b->link, key);
     mdt_graphChanged(b->world);
@@ -1086,10 +1174,6 @@ MdtConstraintID MEAPI MdtBodyGetNextConstraint(MdtBodyID b, MdtConstraintID c) {
     return mdt_constraintAfterOf(b, c);
 }
 
-static MeBool isContact(MdtConstraintID c) {
-    return !mdt_isJoint(c);
-}
-
 static MdtContactID contactFrom(MdtBodyID b, MdtConstraintID c) {
     while (c && mdt_constraintType(c) != MdtBclCONTACT)
         c = mdt_constraintAfterOf(b, c);
@@ -1107,45 +1191,77 @@ MdtContactID MEAPI MdtBodyGetNextContact(MdtBodyID b, MdtContactID c) {
     return contactFrom(b, mdt_constraintAfterOf(b, (MdtConstraintID)c));
 }
 
-static void forAllConstraints(MdtBodyID b, MdtConstraintIteratorCBPtr cb, void *ccbdata) {
-    for (MdtAttachment *at = b->attachments, *next; at && at->body == b; at = next) {
-        next = at->next;
-        mdt_constraintVisit(mdt_attachmentOwner(at), cb, ccbdata);
-    }
-}
-
+/* What is attached meanwhile comes before those that are still to be visited. */
 void MEAPI MdtBodyForAllConstraints(const MdtBodyID b, MdtConstraintIteratorCBPtr cb, void *ccbdata) {
     MDT_NEED_BODY(b, );
-    if (mdt_isPointer(__func__, "the callback", (const void *)(size_t)cb))
-        forAllConstraints(b, cb, ccbdata);
+    if (!mdt_isPointer(__func__, "the callback", (const void *)(size_t)cb))
+        return;
+    MdtWorldID w = b->world;
+    MeStageBegin(&w->stage, MDT_HOLD_CONSTRAINTS);
+    const MeProgramCall before = MeProgramEnter(__func__);
+    for (MdtAttachment *at = b->attachments; at; at = at->next)
+        mdt_constraintVisit(mdt_attachmentOwner(at), cb, ccbdata);
+    MeProgramLeave(&before);
+    MeStageEnd(&w->stage, MDT_HOLD_CONSTRAINTS);
 }
 
-static void destroyOne(const MdtConstraintID c, void *contactsOnly) {
-    if (!contactsOnly || isContact(c))
-        MdtConstraintDestroy(c);
+/* ---- all of them, or the contacts ---- */
+
+/* Of a joint or a manifold. */
+typedef void (*ConstraintFn)(MdtConstraintID c, const char *caller);
+
+static void removeOne(MdtConstraintID c, const char *caller) {
+    (void)caller;
+    mdt_constraintRemove(mdt_constraintShown(c));
 }
 
-static void disableOne(const MdtConstraintID c, void *contactsOnly) {
-    if (!contactsOnly || isContact(c))
-        MdtConstraintDisable(c);
+static void turnOffOne(MdtConstraintID c, const char *caller) {
+    (void)caller;
+    mdt_constraintOff(c);
+}
+
+static void destroyOne(MdtConstraintID c, const char *caller) {
+    mdt_constraintDestroy(mdt_constraintShown(c), caller);
+}
+
+static void disableOne(MdtConstraintID c, const char *caller) {
+    mdt_constraintDisable(mdt_constraintShown(c), caller);
+}
+
+/* Calls `now` for each, or, in a stage that keeps them as they are, `later`. What handlers of the program call has to
+ * wait. */
+static void forAll(MdtBodyID b, MeBool contactsOnly, int level, ConstraintFn now, ConstraintFn later,
+                   const char *caller) {
+    MdtWorldID w = b->world;
+    const MeWhen when = MeStageWhen(&w->stage, level, caller);
+    if (when == MeWhenNever)
+        return;
+    MeStageBegin(&w->stage, MDT_HOLD_GRAPH);
+    for (MdtAttachment *at = b->attachments, *next; at; at = next) {
+        const MdtConstraintID c = mdt_attachmentOwner(at);
+        next = at->next;
+        if ((!contactsOnly || !mdt_isJoint(c)) && !mdt_constraintIsCondemned(mdt_constraintShown(c)))
+            (when == MeWhenNow ? now : later)(c, caller);
+    }
+    MeStageEnd(&w->stage, MDT_HOLD_GRAPH);
 }
 
 void MEAPI MdtBodyDestroyConstraints(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    forAllConstraints(b, destroyOne, NULL);
+    forAll(b, MEFALSE, MDT_HOLD_CONSTRAINTS, removeOne, destroyOne, __func__);
 }
 
 void MEAPI MdtBodyDestroyContacts(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    forAllConstraints(b, destroyOne, b);
+    forAll(b, METRUE, MDT_HOLD_CONSTRAINTS, removeOne, destroyOne, __func__);
 }
 
 void MEAPI MdtBodyDisableConstraints(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    forAllConstraints(b, disableOne, NULL);
+    forAll(b, MEFALSE, MDT_HOLD_GRAPH, turnOffOne, disableOne, __func__);
 }
 
 void MEAPI MdtBodyDisableContacts(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    forAllConstraints(b, disableOne, b);
+    forAll(b, METRUE, MDT_HOLD_GRAPH, turnOffOne, disableOne, __func__);
 }

@@ -94,7 +94,7 @@ MeReal MEAPI MdtCarWheelGetSteeringAngle(const MdtCarWheelID j) {
 
 MeReal MEAPI MdtCarWheelGetSteeringAngleRate(const MdtCarWheelID j) {
     const MdtBclCarWheel *w = wheelOf(j, __func__);
-    return w ? (MeReal)w->steeringRate : 0;
+    return w ? mdt_real(w->steeringRate) : 0;
 }
 
 MeReal MEAPI MdtCarWheelGetHingeAngle(const MdtCarWheelID j) {
@@ -104,7 +104,7 @@ MeReal MEAPI MdtCarWheelGetHingeAngle(const MdtCarWheelID j) {
 
 MeReal MEAPI MdtCarWheelGetHingeAngleRate(const MdtCarWheelID j) {
     const MdtBclCarWheel *w = wheelOf(j, __func__);
-    return w ? (MeReal)w->hingeRate : 0;
+    return w ? mdt_real(w->hingeRate) : 0;
 }
 
 /* ---- suspension ---- */
@@ -115,7 +115,8 @@ void MEAPI MdtCarWheelSetSuspension(const MdtCarWheelID j, const MeReal Kp, cons
     MdtBclCarWheel *w = wheelOf(j, __func__);
     if (!w || !mdt_isAtLeast(__func__, "Kp", Kp, 0) || !mdt_isAtLeast(__func__, "Kd", Kd, 0) ||
         !mdt_isAtLeast(__func__, "the softness", limit_softness, 0) ||
-        !mdt_isFinite3(__func__, "a height", lolimit, hilimit, reference) ||
+        !mdt_isFinite(__func__, "the low limit", lolimit) || !mdt_isFinite(__func__, "the high limit", hilimit) ||
+        !mdt_isFinite(__func__, "the reference", reference) ||
         !mdt_isAtLeast(__func__, "the high limit", hilimit, lolimit))
         return;
     w->kp = Kp;
@@ -158,10 +159,10 @@ MeReal MEAPI MdtCarWheelGetSuspensionReference(const MdtCarWheelID j) {
 
 MeReal MEAPI MdtCarWheelGetSuspensionHeight(const MdtCarWheelID j) {
     const MdtBclCarWheel *w = wheelOf(j, __func__);
-    return w ? (MeReal)w->height : 0;
+    return w ? mdt_real(w->height) : 0;
 }
 
 MeReal MEAPI MdtCarWheelGetSuspensionRate(const MdtCarWheelID j) {
     const MdtBclCarWheel *w = wheelOf(j, __func__);
-    return w ? (MeReal)w->heightRate : 0;
+    return w ? mdt_real(w->heightRate) : 0;
 }

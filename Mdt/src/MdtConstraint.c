@@ -45,7 +45,7 @@ void mdt_jointFree(MdtJoint *j) {
 }
 
 void mdt_constraintTerm(MdtConstraintID c) {
-    mdt_constraintDisable(c, __func__);
+    mdt_constraintOff(c);
     mdt_constraintDetach(c, 0);
     mdt_constraintDetach(c, 1);
     MEASSERT(!c->side[0].body && !c->side[1].body && !(c->record.flags & MDT_ENABLED));
@@ -111,15 +111,51 @@ void *mdt_jointCast(MdtConstraintID c, MdtBclJointType type, const char *caller)
     return mdt_isConstraint(c, caller) && mdt_constraintType(c) == type ? c : NULL;
 }
 
-void mdt_constraintDestroy(MdtConstraintID c, const char *caller) {
-    if (!mdt_isConstraint(c, caller))
-        return;
+void mdt_constraintRemove(MdtConstraintID c) {
     if (mdt_isPoint(c))
         mdt_pointTerm(mdt_asPoint(c));
     else if (mdt_isManifold(c))
         mdt_manifoldTerm(manifoldOf(c));
     else
         termJoint(jointOf(c));
+}
+
+/* A contact is marked itself: its record may hold others. */
+static void MEAPI destroyLater(const MeLater *later) {
+    MdtConstraintID c = later->object;
+    const MeBool isLive = mdt_isPoint(c) || mdt_laterConstraint(later);
+    if (isLive && mdt_constraintIsCondemned(c))
+        mdt_constraintDestroy(c, NULL);
+}
+
+/* A bridge's group leaves its pair at once: pairs may go before the stage ends. */
+static void condemn(MdtConstraintID c) {
+    if (mdt_isPoint(c)) {
+        mdt_asPoint(c)->isCondemned = true;
+        return;
+    }
+    c->record.flags |= MDT_CONDEMNED;
+    if (mdt_isManifold(c) && manifoldOf(c)->holder)
+        *manifoldOf(c)->holder = NULL;
+    if (mdt_isManifold(c))
+        manifoldOf(c)->holder = NULL;
+}
+
+/* caller: null as what was put off is done. */
+void mdt_constraintDestroy(MdtConstraintID c, const char *caller) {
+    if (caller && !mdt_isConstraint(c, caller))
+        return;
+    if (caller && mdt_constraintIsCondemned(c)) {
+        mdt_warnGone(caller, "constraint");
+        return;
+    }
+    const MeLater later = {.carryOut = destroyLater, .object = c, .serial = baseOf(c)->link.serial};
+    const MeWhen when =
+        mdt_when(baseOf(c)->world, MDT_HOLD_CONSTRAINTS, caller ? caller : "MdtConstraintDestroy", &later);
+    if (when == MeWhenNow)
+        mdt_constraintRemove(c);
+    else if (when == MeWhenStageEnds)
+        condemn(c);
 }
 
 void mdt_constraintForget(MdtConstraintID c) {
@@ -129,16 +165,9 @@ void mdt_constraintForget(MdtConstraintID c) {
         mdt_manifoldForget(manifoldOf(c));
 }
 
-void mdt_constraintEnable(MdtConstraintID handle, const char *caller) {
-    if (!mdt_isConstraint(handle, caller))
+static void constraintOn(MdtConstraintID c) {
+    if (c->record.flags & MDT_ENABLED)
         return;
-    const MdtConstraintID c = baseOf(handle);
-    if ((c->record.flags & MDT_ENABLED) || isGroupMember(handle))
-        return;
-    if (!c->side[0].body && !c->side[1].body) {
-        MeWarning(1, "%s: the %s is attached to no body; it stays disabled", caller, mdt_constraintName(c));
-        return;
-    }
     c->record.flags |= MDT_ENABLED;
     mdt_graphChanged(c->world);
     mdt_constraintForget(c);
@@ -150,11 +179,8 @@ void mdt_constraintEnable(MdtConstraintID handle, const char *caller) {
     }
 }
 
-void mdt_constraintDisable(MdtConstraintID handle, const char *caller) {
-    if (!mdt_isConstraint(handle, caller))
-        return;
-    const MdtConstraintID c = baseOf(handle);
-    if (!(c->record.flags & MDT_ENABLED) || isGroupMember(handle))
+void mdt_constraintOff(MdtConstraintID c) {
+    if (!(c->record.flags & MDT_ENABLED))
         return;
     mdt_constraintDisturb(c);
     c->record.flags &= ~MDT_ENABLED;
@@ -163,8 +189,44 @@ void mdt_constraintDisable(MdtConstraintID handle, const char *caller) {
     c->world->enabledJoints -= mdt_isJoint(c) != 0;
     MEASSERT(c->world->enabledConstraints >= c->world->enabledJoints && c->world->enabledJoints >= 0);
     for (int k = 0; k < 2; k++) /* the body may have slept because of it */
-        if (c->side[k].body)
-            mdt_bodyWakeIfAsleep(c->side[k].body);
+        if (c->side[k].body && (c->side[k].body->record.flags & MDT_ASLEEP))
+            mdt_bodyEnable(c->side[k].body);
+}
+
+static MeBool isAttached(const MdtBaseConstraint *c) {
+    return c->side[0].body || c->side[1].body;
+}
+
+static void MEAPI enableLater(const MeLater *later) {
+    const MdtConstraintID c = mdt_laterConstraint(later);
+    if (c && later->number && isAttached(c))
+        constraintOn(c);
+    else if (c && !later->number)
+        mdt_constraintOff(c);
+}
+
+static MeBool isToEnableNow(MdtConstraintID c, MeBool isEnabled, const char *caller) {
+    const MeLater later = {.carryOut = enableLater, .object = c, .serial = c->link.serial, .number = (long)isEnabled};
+    return mdt_when(c->world, MDT_HOLD_GRAPH, caller, &later) == MeWhenNow;
+}
+
+void mdt_constraintEnable(MdtConstraintID handle, const char *caller) {
+    if (!mdt_isConstraint(handle, caller) || isGroupMember(handle))
+        return;
+    const MdtConstraintID c = baseOf(handle);
+    if (!isAttached(c)) {
+        MeWarning(1, "%s: the %s is attached to no body; it stays disabled", caller, mdt_constraintName(c));
+        return;
+    }
+    if (isToEnableNow(c, METRUE, caller))
+        constraintOn(c);
+}
+
+void mdt_constraintDisable(MdtConstraintID handle, const char *caller) {
+    if (!mdt_isConstraint(handle, caller) || isGroupMember(handle))
+        return;
+    if (isToEnableNow(baseOf(handle), MEFALSE, caller))
+        mdt_constraintOff(baseOf(handle));
 }
 
 MeBool mdt_constraintIsEnabled(MdtConstraintID c, const char *caller) {
@@ -279,6 +341,16 @@ static void attachGroup(MdtConstraintID c, MdtBodyID b1, MdtBodyID b2) {
     mdt_constraintAttach(c, b1 ? b1 : b2, b1 ? b2 : NULL);
 }
 
+/* The bodies may have gone meanwhile. */
+static void MEAPI attachLater(const MeLater *later) {
+    const MdtConstraintID c = mdt_laterConstraint(later);
+    for (int k = 0; k < 2; k++)
+        if (later->other[k] && !MeHandleIsLive(later->other[k], MDT_BODY))
+            return;
+    if (c)
+        mdt_constraintSetBodies(mdt_constraintShown(c), later->other[0], later->other[1], "MdtConstraintSetBodies");
+}
+
 void mdt_constraintSetBodies(MdtConstraintID c, MdtBodyID b1, MdtBodyID b2, const char *caller) {
     if (!mdt_isConstraint(c, caller))
         return;
@@ -293,6 +365,13 @@ void mdt_constraintSetBodies(MdtConstraintID c, MdtBodyID b1, MdtBodyID b2, cons
         MeWarning(1, "%s: the contact belongs to a group, whose bodies it has; nothing is changed", caller);
         return;
     }
+    if (base->record.flags & MDT_BRIDGED) {
+        MeWarning(1, "%s: the group was made by a bridge, for two models that touch; nothing is changed", caller);
+        return;
+    }
+    const MeLater later = {.carryOut = attachLater, .object = base, .other = {b1, b2}, .serial = base->link.serial};
+    if (isAttached(base) && mdt_when(base->world, MDT_HOLD_CONSTRAINTS, caller, &later) != MeWhenNow)
+        return;
     if (base->record.flags & MDT_ENABLED)
         MeWarning(1, "%s: the %s is enabled; disable it before changing its bodies", caller, mdt_constraintName(c));
     if (mdt_isManifold(c))
@@ -400,7 +479,7 @@ static void setPosition(MdtJoint *j, unsigned int side, const double world[3]) {
 
 void mdt_constraintSetPosition(MdtConstraintID c, MeReal x, MeReal y, MeReal z, const char *caller) {
     MdtJoint *j = checkJoint(c, caller);
-    if (!j || !mdt_isFinite3(caller, "the position", x, y, z))
+    if (!j || !mdt_isPlace(caller, "the position", c->world, x, y, z))
         return;
     const double world[3] = {x, y, z};
     setPosition(j, 0, world);
@@ -416,7 +495,7 @@ void mdt_constraintGetPosition(MdtConstraintID c, MeVector3 p, const char *calle
 void mdt_constraintBodySetPosition(MdtConstraintID c, unsigned int bodyindex, MeReal x, MeReal y, MeReal z,
                                    const char *caller) {
     MdtJoint *j = checkJoint(c, caller);
-    if (!j || !mdt_isSide(caller, bodyindex) || !mdt_isFinite3(caller, "the position", x, y, z))
+    if (!j || !mdt_isSide(caller, bodyindex) || !mdt_isPlace(caller, "the position", c->world, x, y, z))
         return;
     const double world[3] = {x, y, z};
     setPosition(j, bodyindex, world);
@@ -436,7 +515,7 @@ void mdt_constraintBodyGetPosition(MdtConstraintID c, unsigned int bodyindex, Me
 void MEAPI MdtConstraintBodySetPositionRel(const MdtConstraintID c, const unsigned int bodyindex, const MeReal x,
                                            const MeReal y, const MeReal z) {
     MdtJoint *j = checkJoint(c, __func__);
-    if (!j || !mdt_isSide(__func__, bodyindex) || !mdt_isFinite3(__func__, "the position", x, y, z))
+    if (!j || !mdt_isSide(__func__, bodyindex) || !mdt_isPlace(__func__, "the position", c->world, x, y, z))
         return;
     const double local[3] = {x, y, z};
     keaCopy(j->bcl.frame[bodyindex].position, local);
@@ -646,9 +725,11 @@ void mdt_constraintGetTorque(MdtConstraintID c, unsigned int bodyindex, MeVector
     mdt_toReal(t, force.body[bodyindex].ang);
 }
 
+/* The library asks for manifolds of one contact, too. */
 int MEAPI MdtConstraintGetRowCount(const MdtConstraintID c) {
-    MDT_NEED_CONSTRAINT(c, 0);
     int rows = 0;
+    if ((!c || !mdt_isManifold(c)) && !mdt_isConstraint(c, __func__))
+        return 0;
     if (mdt_isJoint(c))
         return jointOf(c)->numRows;
     if (mdt_isPoint(c))
@@ -743,6 +824,12 @@ void *mdt_constraintGetUserData(MdtConstraintID c, const char *caller) {
     return mdt_isJoint(c) ? jointOf(c)->userData : extra ? extra->userData : NULL;
 }
 
+static void MEAPI sortLater(const MeLater *later) {
+    const MdtConstraintID c = mdt_laterConstraint(later);
+    if (c)
+        mdt_constraintSetSortKey(mdt_constraintShown(c), (MeI32)later->number, "MdtConstraintSetSortKey");
+}
+
 void mdt_constraintSetSortKey(MdtConstraintID c, MeI32 key, const char *caller) {
     if (!mdt_isConstraint(c, caller))
         return;
@@ -754,8 +841,12 @@ void mdt_constraintSetSortKey(MdtConstraintID c, MeI32 key, const char *caller) 
             extra->sortKey = key;
         return;
     }
-    mdt_listSetKey(&baseOf(c)->world->constraints, &baseOf(c)->link, key);
-    mdt_graphChanged(baseOf(c)->world);
+    const MdtConstraintID base = baseOf(c);
+    const MeLater later = {.carryOut = sortLater, .object = base, .serial = base->link.serial, .number = key};
+    if (mdt_when(base->world, MDT_HOLD_CONSTRAINTS, caller, &later) != MeWhenNow)
+        return;
+    mdt_listSetKey(&base->world->constraints, &base->link, key);
+    mdt_graphChanged(base->world);
 }
 
 MeI32 mdt_constraintGetSortKey(MdtConstraintID c, const char *caller) {
@@ -798,23 +889,17 @@ MdtConstraintID mdt_constraintAfterOf(MdtBodyID b, MdtConstraintID c) {
     return NULL;
 }
 
-static MeBool isStill(const MdtBaseConstraint *c, unsigned int magic, unsigned long serial) {
-    return c->record.magic == magic && c->link.serial == serial;
-}
-
-/* The callback may destroy its argument, and a contact's group. */
+/* Of a group those contacts that it had when the callback was called for it. */
 void mdt_constraintVisit(MdtConstraintID base, MdtConstraintIteratorCBPtr cb, void *data) {
-    const unsigned int magic = base->record.magic;
-    const unsigned long serial = base->link.serial;
     const MeBool isGroup = mdt_isManifold(base) && !(base->record.flags & MDT_LONE);
-    cb(mdt_constraintShown(base), data);
-    if (!isGroup || !isStill(base, magic, serial))
-        return;
-    for (MdtPoint *p = mdt_pointFirst(manifoldOf(base)), *next; p && p->magic == MDT_POINT; p = next) {
-        next = mdt_pointAfter(p);
-        cb((MdtConstraintID)(void *)p, data);
-        if (!isStill(base, magic, serial))
-            return;
+    const MdtConstraintID shown = mdt_constraintShown(base);
+    unsigned int contacts = isGroup ? manifoldOf(base)->numPoints : 0;
+    if (!mdt_constraintIsCondemned(shown))
+        cb(shown, data);
+    for (MdtPoint *p = contacts > 0 ? mdt_pointFirst(manifoldOf(base)) : NULL; p && contacts > 0; contacts--) {
+        if (!p->isCondemned && !(base->record.flags & MDT_CONDEMNED))
+            cb((MdtConstraintID)(void *)p, data);
+        p = mdt_pointAfter(p);
     }
 }
 

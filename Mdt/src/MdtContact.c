@@ -41,7 +41,8 @@ static void disturb(const MdtPoint *p) {
 void MEAPI MdtContactSetPosition(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z) {
     MdtPoint *p = mdt_pointOf(c, __func__);
     const double position[3] = {x, y, z};
-    if (!p || !mdt_isFinite3(__func__, "the position", x, y, z) || memcmp(p->position, position, sizeof position) == 0)
+    if (!p || memcmp(p->position, position, sizeof position) == 0 ||
+        !mdt_isPlace(__func__, "the position", mdt_manifoldOf(p)->base.world, x, y, z))
         return;
     keaCopy(p->position, position);
     disturb(p);

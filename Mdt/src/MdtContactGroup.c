@@ -1,5 +1,7 @@
 /* Contact groups: the contacts of a manifold, as programs see them. */
+#include "MdtInternal.h"
 #include "mdt_manifold_i.h"
+#include "mdt_named_i.h"
 #include "MeAssert.h"
 
 MdtContactGroupID MEAPI MdtContactGroupCreate(const MdtWorldID w) {
@@ -8,8 +10,11 @@ MdtContactGroupID MEAPI MdtContactGroupCreate(const MdtWorldID w) {
 
 void MEAPI MdtContactGroupReset(const MdtContactGroupID c) {
     MdtManifold *group = mdt_groupOf(c, __func__);
-    if (group)
-        mdt_manifoldClear(group);
+    for (MdtPoint *p = group ? mdt_pointFirst(group) : NULL, *next; p; p = next) {
+        next = mdt_pointAfter(p);
+        if (!p->isCondemned)
+            mdt_constraintDestroy((MdtConstraintID)(void *)p, __func__);
+    }
 }
 
 MdtConstraintID MEAPI MdtContactGroupQuaConstraint(const MdtContactGroupID c) {
@@ -51,17 +56,45 @@ MdtContactID MEAPI MdtContactGroupCreateContact(MdtContactGroupID g) {
     return group ? (MdtContactID)mdt_pointCreateIn(group, __func__) : NULL;
 }
 
+/* A contact that was to join or leave a group: still in a record of its own? Null: it, or the group, has gone. */
+static MdtPoint *laterMember(const MeLater *later) {
+    MdtPoint *p = later->other[0];
+    return mdt_laterConstraint(later) && mdt_isPoint(later->other[0]) && mdt_pointIsAlone(p) ? p : NULL;
+}
+
+static MeBool isToMoveNow(MdtManifold *group, MdtPoint *p, void(MEAPI *carryOut)(const MeLater *later),
+                          const char *caller) {
+    const MeLater later = {.carryOut = carryOut, .object = group, .other = {p}, .serial = group->base.link.serial};
+    return mdt_when(group->base.world, MDT_HOLD_CONSTRAINTS, caller, &later) == MeWhenNow;
+}
+
+static void MEAPI joinLater(const MeLater *later) {
+    MdtPoint *p = laterMember(later);
+    if (p && !mdt_isInGroup(p))
+        mdt_pointJoin(p, later->object);
+}
+
+static MeBool mayJoin(const MdtPoint *p, const MdtManifold *group) {
+    const char *reason = mdt_isInGroup(p)                                  ? "the contact is in a group already"
+                         : mdt_blockOf(p)->base.world != group->base.world ? "the contact is of another world"
+                         : (group->base.record.flags & MDT_BRIDGED)        ? "the group was made by a bridge"
+                                                                           : NULL;
+    if (reason)
+        MeWarning(1, "MdtContactGroupAppendContact: %s; nothing is changed", reason);
+    return !reason;
+}
+
 void MEAPI MdtContactGroupAppendContact(MdtContactGroupID g, MdtContactID c) {
     MdtManifold *group = mdt_groupOf(g, __func__);
     MdtPoint *p = group ? mdt_pointOf(c, __func__) : NULL;
-    if (!p)
-        return;
-    const MeBool isInGroup = mdt_isInGroup(p);
-    if (isInGroup || mdt_blockOf(p)->base.world != group->base.world)
-        MeWarning(1, "MdtContactGroupAppendContact: the contact is %s; nothing is changed",
-                  isInGroup ? "in a group already" : "of another world");
-    else
+    if (p && mayJoin(p, group) && isToMoveNow(group, p, joinLater, __func__))
         mdt_pointJoin(p, group);
+}
+
+static void MEAPI leaveLater(const MeLater *later) {
+    MdtPoint *p = laterMember(later);
+    if (p && mdt_manifoldOf(p) == later->object)
+        mdt_pointLeave(p);
 }
 
 void MEAPI MdtContactGroupRemoveContact(MdtContactGroupID g, MdtContactID c) {
@@ -69,14 +102,14 @@ void MEAPI MdtContactGroupRemoveContact(MdtContactGroupID g, MdtContactID c) {
     if (p && !mdt_pointIsAlone(p))
         MeWarning(1, "MdtContactGroupRemoveContact: the contact was made by a bridge, and lives in its group only; "
                      "nothing is changed");
-    else if (p)
+    else if (p && isToMoveNow(mdt_manifoldOf(p), p, leaveLater, __func__))
         mdt_pointLeave(p);
 }
 
 void MEAPI MdtContactGroupDestroyContact(MdtContactGroupID g, MdtContactID c) {
     MdtPoint *p = memberOf(mdt_groupOf(g, __func__), c, __func__);
     if (p)
-        mdt_pointTerm(p);
+        mdt_constraintDestroy((MdtConstraintID)(void *)p, __func__);
 }
 
 /* ---- the rest ---- */
@@ -90,7 +123,7 @@ MeReal MEAPI MdtContactGroupGetNormalForce(MdtContactGroupID g) {
         mdt_fromReal(mean, p->mean);
         keaAddScaled(sum, keaDot(mean, normal), normal);
     }
-    return (MeReal)keaLength(sum);
+    return mdt_real(keaLength(sum));
 }
 
 MeBool MEAPI MdtContactGroupIsSwapped(MdtContactGroupID g) {
@@ -98,16 +131,43 @@ MeBool MEAPI MdtContactGroupIsSwapped(MdtContactGroupID g) {
     return group && (group->base.record.flags & MDT_SWAPPED);
 }
 
+/* A group that is the program's own; null, with a warning, for others. */
+static MdtManifold *ownGroup(MdtContactGroupID g, const char *caller) {
+    MdtManifold *group = mdt_groupOf(g, caller);
+    if (!group || !(group->base.record.flags & MDT_BRIDGED))
+        return group;
+    MeWarning(1, "%s: the group was made by a bridge; nothing is changed", caller);
+    return NULL;
+}
+
 void MEAPI MdtContactGroupSetGenerator(MdtContactGroupID g, void *generator) {
-    MdtManifold *group = mdt_groupOf(g, __func__);
+    MdtManifold *group = ownGroup(g, __func__);
     if (group)
         group->generator = generator;
 }
 
 void MEAPI MdtContactGroupSetHolder(MdtContactGroupID g, void **holder) {
-    MdtManifold *group = mdt_groupOf(g, __func__);
+    MdtManifold *group = ownGroup(g, __func__);
     if (group)
         group->holder = holder;
+}
+
+MeBool MEAPI MdtContactGroupHas(MdtContactGroupID g, MdtContactID c) {
+    const MdtPoint *p = (const MdtPoint *)(const void *)c;
+    return g && p && p->magic == MDT_POINT && !p->isCondemned && (MdtContactGroupID)mdt_manifoldOf(p) == g;
+}
+
+MdtContactGroupID MEAPI MdtContactGroupCreateBridged(const MdtWorldID w, const MdtBodyID b1, const MdtBodyID b2,
+                                                     void *generator, void **holder) {
+    MdtManifold *group = mdt_manifoldCreate(w, "MdtContactGroupCreate");
+    if (!group)
+        return NULL;
+    MEASSERT(b1 && b1->world == w && b1 != b2 && (!b2 || b2->world == w));
+    mdt_constraintAttach(&group->base, b1, b2);
+    group->base.record.flags |= MDT_BRIDGED;
+    group->generator = generator;
+    group->holder = holder;
+    return (MdtContactGroupID)group;
 }
 
 void *MEAPI MdtContactGroupGetGenerator(MdtContactGroupID g) {

@@ -36,7 +36,8 @@ void MEAPI MdtSpringGetPosition(const MdtSpringID j, MeVector3 v, const unsigned
 
 void MEAPI MdtSpringSetNaturalLength(const MdtSpringID j, const MeReal NewNaturalLength) {
     MdtBclDistance *s = distanceOf(j, __func__);
-    if (!s || !mdt_isAtLeast(__func__, "the length", NewNaturalLength, 0))
+    if (!s || !mdt_isAtLeast(__func__, "the length", NewNaturalLength, 0) ||
+        !mdt_isFinite3(__func__, "the length", NewNaturalLength, 0, 0))
         return;
     s->limit.limit[0].stop = s->limit.limit[1].stop = NewNaturalLength;
     s->lengthIsSet = METRUE;

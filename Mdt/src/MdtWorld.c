@@ -124,9 +124,9 @@ static MeBool reserveConstraints(MdtWorldID w, int constraints, const char *call
 }
 
 MeBool mdt_worldReserve(MdtWorldID w, int bodies, int constraints, const char *caller) {
-    const MeBool isDone =
-        reserveBodies(w, MeMAX(bodies, 1), caller) && reserveConstraints(w, MeMAX(constraints, 1), caller) &&
-        mdt_batchesReserve(&w->batches, w->bodyRoom, w->constraintRoom, caller);
+    const MeBool isDone = reserveBodies(w, MeMAX(bodies, 1), caller) &&
+                          reserveConstraints(w, MeMAX(constraints, 1), caller) &&
+                          mdt_batchesReserve(&w->batches, w->bodyRoom, w->constraintRoom, caller);
     w->output.world = w;
     w->output.bodies = w->bodyOf;
     w->output.constraints = w->constraintOf;
@@ -183,27 +183,66 @@ void MEAPI MdtWorldRenameLimits(const MdtWorldID w, const char *bodies, const ch
     MeLimitRename(&w->constraintLimit, constraints);
 }
 
+/* Does nothing hold the world, nor the models of its bodies? Else a message. */
+static MeBool mayEmpty(MdtWorldID w, const char *caller) {
+    if (!MeStageIsFree(&w->stage, caller))
+        return MEFALSE;
+    for (MdtLink *link = w->bodies.first; link; link = link->next) {
+        const MdtBodyID b = mdt_linkOwner(link);
+        if (b->user && b->user->heldBy(b)) {
+            MeProgramRefuse(caller, "models of its bodies are in use");
+            return MEFALSE;
+        }
+    }
+    return METRUE;
+}
+
 void MEAPI MdtWorldDestroy(const MdtWorldID w) {
     MDT_NEED_WORLD(w, );
+    if (!mayEmpty(w, __func__))
+        return;
+    for (MdtLink *link = w->bodies.first; link; link = link->next) {
+        const MdtBodyID b = mdt_linkOwner(link);
+        if (b->user)
+            b->user->leave(b);
+    }
+    MEASSERT(!w->stage.first);
     MeHandleLeave(&w->handle);
     mdt_countWorlds(-1);
     freeWorld(w);
 }
 
+/* Handlers of the program may create others meanwhile: those stay. */
+static MeBool empty(MdtWorldID w, const char *caller) {
+    const unsigned long end = w->nextSerial;
+    if (!mayEmpty(w, caller))
+        return MEFALSE;
+    mdt_listSort(&w->constraints);
+    mdt_listSort(&w->bodies);
+    MeStageBegin(&w->stage, MDT_HOLD_GRAPH);
+    for (MdtLink *link = w->constraints.first, *next; link; link = next) {
+        next = link->next;
+        if (link->serial < end)
+            mdt_constraintRemove(mdt_constraintShown(mdt_linkOwner(link)));
+    }
+    for (MdtLink *link = w->bodies.first, *next; link; link = next) {
+        next = link->next;
+        if (link->serial < end)
+            mdt_bodyTerm(mdt_linkOwner(link));
+    }
+    MeStageEnd(&w->stage, MDT_HOLD_GRAPH);
+    return METRUE;
+}
+
 void MEAPI MdtWorldReset(const MdtWorldID w) {
     MDT_NEED_WORLD(w, );
-    for (MdtConstraintID c = MdtConstraintGetFirst(w); c; c = MdtConstraintGetFirst(w))
-        MdtConstraintDestroy(c);
-    for (MdtBodyID b = MdtBodyGetFirst(w); b; b = MdtBodyGetFirst(w))
-        MdtBodyDestroy(b);
-    MEASSERT(w->bodyPool.used == 0 && w->jointPool.used == 0 && w->manifoldPool.used == 0);
-    MEASSERT(w->numConstraints == 0 && w->extraPool.used == 0);
+    empty(w, __func__);
 }
 
 void MEAPI MdtWorldReCreate(const MdtWorldID w) {
     MDT_NEED_WORLD(w, );
-    MdtWorldReset(w);
-    setDefaults(w, w->params.lengthScale, w->params.massScale);
+    if (empty(w, __func__))
+        setDefaults(w, w->params.lengthScale, w->params.massScale);
 }
 
 int MEAPI MdtWorldGetMaxMemoryPoolUsed(const MdtWorldID w) {
@@ -406,10 +445,14 @@ void MEAPI MdtWorldForAllConstraints(const MdtWorldID w, MdtConstraintIteratorCB
     if (!mdt_isPointer(__func__, "the callback", (const void *)(size_t)cb))
         return;
     mdt_listSort(&w->constraints);
-    for (MdtLink *link = w->constraints.first, *next; link; link = next) {
-        next = link->next;
-        mdt_constraintVisit(mdt_linkOwner(link), cb, ccbdata);
-    }
+    const unsigned long end = w->nextSerial; /* those that are created meanwhile are not visited */
+    MeStageBegin(&w->stage, MDT_HOLD_CONSTRAINTS);
+    const MeProgramCall before = MeProgramEnter(__func__);
+    for (MdtLink *link = w->constraints.first; link; link = link->next)
+        if (link->serial < end)
+            mdt_constraintVisit(mdt_linkOwner(link), cb, ccbdata);
+    MeProgramLeave(&before);
+    MeStageEnd(&w->stage, MDT_HOLD_CONSTRAINTS);
 }
 
 void MEAPI MdtWorldResetForces(const MdtWorldID w) {
@@ -564,27 +607,29 @@ void MEAPI MdtWorldSetMatrixSizeLog(const MdtWorldID w, int *const sizeLog, cons
 
 /* ---- the step ---- */
 
-static void step(MdtWorldID w, MeReal h, MeBool safely) {
+void MEAPI MdtWorldTakeStep(const MdtWorldID w, const MeReal h, const MeBool safely) {
+    MeStageBegin(&w->stage, MDT_HOLD_WORLD);
     w->lastStep = (double)h;
     for (int i = 0; i < w->sizeLogLength; i++)
         w->sizeLog[i] = 0;
     mdt_idleWatch(w, (double)h);
-    mdt_forgottenWatch(w);
+    mdt_forgottenWatch(w, (double)h);
     mdt_breakBegin(w);
     mdt_worldStep(w, (double)h, safely);
     mdt_breakEnd(w);
+    MeStageEnd(&w->stage, MDT_HOLD_WORLD);
 }
 
 void MEAPI MdtWorldStep(const MdtWorldID w, const MeReal stepSize) {
     MDT_NEED_WORLD(w, );
-    if (mdt_isPositive(__func__, "the step size", stepSize))
-        step(w, stepSize, MEFALSE);
+    if (mdt_isPositive(__func__, "the step size", stepSize) && MeStageIsFree(&w->stage, __func__))
+        MdtWorldTakeStep(w, stepSize, MEFALSE);
 }
 
 void MEAPI MdtWorldStepSafeTime(const MdtWorldID w, const MeReal stepSize) {
     MDT_NEED_WORLD(w, );
-    if (mdt_isPositive(__func__, "the step size", stepSize))
-        step(w, stepSize, METRUE);
+    if (mdt_isPositive(__func__, "the step size", stepSize) && MeStageIsFree(&w->stage, __func__))
+        MdtWorldTakeStep(w, stepSize, METRUE);
 }
 
 /* ---- partitions ---- */

@@ -49,12 +49,6 @@ void mdt_workersTerm(MdtWorldID w) {
 
 /* ---- who they are ---- */
 
-static MeBool mayChange(MdtWorldID w, const char *caller) {
-    if (w->isStepping)
-        MeWarning(1, "%s: the world is in the middle of a step; nothing is changed", caller);
-    return !w->isStepping;
-}
-
 static void setWorkers(MdtWorldID w, int count, MeEnqueueTaskCB enqueue, MeFinishTaskCB finish, void *userContext,
                        const char *caller) {
     MeTeam *team = count > 1 ? MeTeamCreate(count, enqueue, finish, userContext, caller) : NULL;
@@ -75,13 +69,13 @@ void MEAPI MdtWorldSetTaskCallbacks(const MdtWorldID w, const int workerCount, c
                   MeTaskMaxWorkers);
     else if (workerCount > 1 && (!enqueue || !finish))
         MeWarning(1, "MdtWorldSetTaskCallbacks: %s is null; nothing is changed", enqueue ? "finish" : "enqueue");
-    else if (mayChange(w, __func__))
+    else if (MeStageIsFree(&w->stage, __func__))
         setWorkers(w, workerCount, enqueue, finish, userContext, __func__);
 }
 
 void MEAPI MdtWorldSetTaskPool(const MdtWorldID w, const MeTaskPoolID pool) {
     MDT_NEED_WORLD(w, );
-    if (mayChange(w, __func__))
+    if (MeStageIsFree(&w->stage, __func__))
         setWorkers(w, MeTaskPoolGetWorkers(pool), MeTaskPoolEnqueue, MeTaskPoolFinish, pool, __func__);
 }
 

@@ -85,23 +85,28 @@ void mdt_breakBegin(MdtWorldID w) {
     w->numBroken = 0;
 }
 
+/* Bodies wake, whose handlers may destroy joints: later. */
 static void breakJoints(MdtWorldID w) {
+    MeStageBegin(&w->stage, MDT_HOLD_GRAPH);
     for (MdtLink *link = w->constraints.first; link && w->breakable; link = link->next) {
         MdtConstraintID c = mdt_linkOwner(link);
         MdtJoint *j = asJoint(c);
         if (!j || !isBreakable(j) || !wasStepped(c) || !isOverloaded(j))
             continue;
-        MdtConstraintDisable(c);
+        mdt_constraintOff(c);
         w->broken[w->numBroken++] = c;
     }
+    MeStageEnd(&w->stage, MDT_HOLD_GRAPH);
 }
 
 void mdt_breakEnd(MdtWorldID w) {
     const int before = w->numBroken; /* in earlier parts of the step */
     breakJoints(w);
+    const MeProgramCall call = MeProgramEnter("MdtWorldSetBreakCB");
     for (int i = before; i < w->numBroken && w->breakCb; i++)
         if (w->broken[i])
             w->breakCb(w->broken[i]);
+    MeProgramLeave(&call);
 }
 
 void mdt_breakForget(MdtJoint *j) {

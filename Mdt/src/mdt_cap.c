@@ -40,7 +40,12 @@ static void sortByImportance(MdtRanked ranking[], int n) {
 }
 
 static double importanceOf(MdtWorldID w, const MdtPoint *point, double depth) {
-    const double value = w->importance ? (double)w->importance((MdtContactID)(uintptr_t)point) : depth;
+    double value = depth;
+    if (w->importance) {
+        const MeProgramCall before = MeProgramEnter("MdtWorldSetContactImportanceCB");
+        value = (double)w->importance((MdtContactID)(uintptr_t)point);
+        MeProgramLeave(&before);
+    }
     return isnan(value) ? 0 : value;
 }
 
@@ -112,6 +117,8 @@ int mdt_capRows(MdtIsland *p, int rows, int most) {
     if (!ranking)
         return rows;
     rankContacts(p, ranking);
+    if (p->world->importance) /* which may have changed joints, though it must not */
+        rows = mdt_rowsCount(p);
     rows = dropRows(p, ranking, rows, most);
     MeChunkPutMem(&p->worker->ranking, ranking);
     return rows;

@@ -10,6 +10,7 @@
 #include "MdtBody.h"
 #include "MdtConstraint.h"
 #include "MeMath.h"
+#include <float.h>
 #include <stdatomic.h>
 
 static void warnAbout(const char *caller, const char *what, MeBool isNull) {
@@ -17,6 +18,10 @@ static void warnAbout(const char *caller, const char *what, MeBool isNull) {
         MeWarning(1, "%s: the %s is null", caller, what);
     else
         MeWarning(1, "%s: the %s has been destroyed, or never was one", caller, what);
+}
+
+void mdt_warnGone(const char *caller, const char *what) {
+    warnAbout(caller, what, MEFALSE);
 }
 
 static atomic_int liveWorlds;
@@ -36,7 +41,7 @@ MeBool MEAPI MdtWorldIsValid(const MdtWorldID w) {
 }
 
 MeBool MEAPI MdtBodyIsValid(const MdtBodyID b) {
-    return b && MeHandleIsLive(b, MDT_BODY) && b->record.magic == MDT_BODY;
+    return b && MeHandleIsLive(b, MDT_BODY) && b->record.magic == MDT_BODY && !(b->record.flags & MDT_CONDEMNED);
 }
 
 /* A contact is a slot of a manifold's record, and only records are in the table of live objects: the record's address
@@ -50,8 +55,22 @@ static MeBool isLivePoint(const void *handle) {
     return MEFALSE;
 }
 
+/* Is the manifold a group? Its record may also be that of a contact, or continue a group's, and then its address is
+ * nobody's handle, but that of a group which has gone. */
+static MeBool isGroup(const MdtBaseConstraint *c) {
+    return !((const MdtManifold *)(const void *)c)->group && !(c->record.flags & MDT_LONE);
+}
+
+MeBool mdt_constraintIsCondemned(const MdtBaseConstraint *c) {
+    return mdt_isPoint(c) ? ((const MdtPoint *)(const void *)c)->isCondemned : (c->record.flags & MDT_CONDEMNED) != 0;
+}
+
+static MeBool isLiveConstraint(const MdtBaseConstraint *c) {
+    return c && (MeHandleIsLive(c, MDT_JOINT) || (MeHandleIsLive(c, MDT_MANIFOLD) && isGroup(c)) || isLivePoint(c));
+}
+
 MeBool MEAPI MdtConstraintIsValid(const MdtConstraintID c) {
-    return c && (MeHandleIsLive(c, MDT_JOINT) || MeHandleIsLive(c, MDT_MANIFOLD) || isLivePoint(c));
+    return isLiveConstraint(c) && !mdt_constraintIsCondemned(c);
 }
 
 MeBool mdt_mayDestroyBody(const MdtBody *b, const char *caller) {
@@ -78,9 +97,9 @@ MeBool mdt_isBody(const MdtBody *b, const char *caller) {
 
 MeBool mdt_isConstraint(const MdtBaseConstraint *c, const char *caller) {
 #if KARMA_CHECK
-    const MeBool isLive = MdtConstraintIsValid((MdtConstraintID)(uintptr_t)c);
+    const MeBool isLive = isLiveConstraint(c);
 #else
-    const MeBool isLive = c && (mdt_isPoint(c) || mdt_isJoint(c) || mdt_isManifold(c));
+    const MeBool isLive = c && (mdt_isPoint(c) || mdt_isJoint(c) || (mdt_isManifold(c) && isGroup(c)));
 #endif
     if (isLive) {
         mdt_constraintTouch((MdtConstraintID)(uintptr_t)c);
@@ -105,10 +124,27 @@ MeBool mdt_isFinite(const char *caller, const char *what, MeReal x) {
     return MEFALSE;
 }
 
+MeBool mdt_areFinite(const MeReal v[3]) {
+    const double most = (double)FLT_MAX;
+    return fabs((double)v[0]) <= most && fabs((double)v[1]) <= most && fabs((double)v[2]) <= most;
+}
+
 MeBool mdt_isFinite3(const char *caller, const char *what, MeReal x, MeReal y, MeReal z) {
-    if (isfinite(x) && isfinite(y) && isfinite(z))
+    const MeReal v[3] = {x, y, z};
+    if (mdt_areFinite(v))
         return METRUE;
     MeWarning(1, "%s: %s is (%g, %g, %g); nothing is changed", caller, what, (double)x, (double)y, (double)z);
+    return MEFALSE;
+}
+
+MeBool mdt_isPlace(const char *caller, const char *what, const MdtWorld *w, MeReal x, MeReal y, MeReal z) {
+    const double most = mdt_worldBound(w);
+    if (!mdt_isFinite3(caller, what, x, y, z))
+        return MEFALSE;
+    if (fabs((double)x) <= most && fabs((double)y) <= most && fabs((double)z) <= most)
+        return METRUE;
+    MeWarning(1, "%s: %s (%g, %g, %g) is farther away than %g m (MdtBodyGetPositionBound); nothing is changed", caller,
+              what, (double)x, (double)y, (double)z, most);
     return MEFALSE;
 }
 

@@ -4,7 +4,9 @@
 /* ---- what the program wants ---- */
 
 static MdtSolver askFor(MdtWorldID w, MdtBodyID *bodies, int numBodies) {
+    const MeProgramCall before = MeProgramEnter("MdtWorldSetSolverCB");
     const MdtSolver solver = w->solverCb(bodies, numBodies, w->solverCbData);
+    MeProgramLeave(&before);
     if (mdt_isSolver(solver))
         return solver;
     if (!w->isSolverWarned)

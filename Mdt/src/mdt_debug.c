@@ -4,6 +4,7 @@
 #include "MdtContactGroup.h"
 #include "MdtWorld.h"
 #include "MeDebugDraw.h"
+#include "MeInternal.h"
 #include "MeMath.h"
 #include "mdt_i.h"
 
@@ -17,7 +18,9 @@ static void drawFrom(const MeVector3 start, const MeVector3 direction, MeReal le
     MeVector3 from, to;
     MeVector3Copy(from, start);
     MeVector3ScaleAndAdd(to, direction, length, start);
+    const MeProgramCall before = MeProgramEnterQuiet("MeDebugDrawAPI.line");
     MeDebugDrawAPI.line(from, to, colour[0], colour[1], colour[2]);
+    MeProgramLeave(&before);
 }
 
 static void drawContact(MdtContactID c, int options) {

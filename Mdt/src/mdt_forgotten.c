@@ -1,5 +1,5 @@
 /* What programs forget, told once: to enable a joint whose motor they have switched on, to say where the centre of mass
- * of a compound is. */
+ * of a compound is, to scale masses with lengths. */
 #include "MdtInternal.h"
 #include "mdt_i.h"
 
@@ -63,7 +63,34 @@ static void watchCentres(MdtWorldID w) {
     }
 }
 
-void mdt_forgottenWatch(MdtWorldID w) {
+/* ---- scales ---- */
+
+/* The mass, kg, whose weight epsilon lets sink by a fiftieth of the length scale into what holds it: a contact's sag is
+ * epsilon F h^2 / gamma. */
+static double sinkingMass(const MdtWorld *w, double h) {
+    const double share = 0.02;
+    double g[3];
+    mdt_fromReal(g, w->params.gravity);
+    const double most = share * (double)w->params.lengthScale * (double)w->gamma;
+    return most > 0 ? most / ((double)w->epsilon * keaLength(g) * h * h) : HUGE_VAL; /* infinite: there is no sag */
+}
+
+void mdt_forgottenScale(MdtBodyID b) {
+    MdtWorldID w = b->world;
+    if (b->manifolds == 0 || __atomic_exchange_n(&w->isScaleTold, METRUE, __ATOMIC_RELAXED))
+        return;
+    MeWarning(1,
+              "%s: bodies of more than %g kg sink into what they lie on: contacts are made for bodies of about %g kg "
+              "(massScale of MstUniverseSizes or MdtWorldCreate, which is to follow lengthScale, %g m), or call "
+              "MdtWorldSetEpsilon",
+              MeCallerName("MdtWorldStep"), w->sinkingMass, (double)w->params.massScale,
+              (double)w->params.lengthScale);
+}
+
+/* ---- each step ---- */
+
+void mdt_forgottenWatch(MdtWorldID w, double h) {
     watchMotors(w);
     watchCentres(w);
+    w->sinkingMass = w->isScaleTold ? HUGE_VAL : sinkingMass(w, h);
 }

@@ -10,6 +10,7 @@
 
 #include "Mdt.h"
 #include "MdtBcl.h"
+#include "MdtInternal.h"
 #include "MdtKeaMath.h"
 #include "MeChunk.h"
 #include "MeInternal.h"
@@ -140,6 +141,8 @@ enum {
     MDT_TOLD = 512,     /* a body, or a joint, of which the program was warned (mdt_force.c, mdt_forgotten.c) */
     MDT_WAS_ENABLED = 2048, /* a joint that has been enabled */
     MDT_OFF_CENTRE = 4096,  /* a body whose program has yet to say where its centre of mass is */
+    MDT_CONDEMNED = 8192,   /* is being destroyed, or will be when a stage ends (mdt_stage.c) */
+    MDT_BRIDGED = 16384,    /* a group that a bridge made and keeps */
 };
 
 /* What has happened in a body's partition, and for how long that matters: mdt_crowd.c. */
@@ -206,6 +209,7 @@ struct MdtBody {
     MeReal linearDamping, angularDamping;
     MeVector3 fastSpinAxis;
     void *userData, *model;
+    const MdtBodyUser *user; /* of what `model` is; null: nobody needs to know */
 };
 #ifndef _ME_API_DOUBLE
 _Static_assert(offsetof(MdtBody, transform) == 64, "a pose is one line");
@@ -216,9 +220,12 @@ void mdt_bodyShow(MdtBodyID b); /* refreshes what programs see from the state in
 void mdt_bodyLostByRounding(const MdtBody *b, const double point[3], double lost[3]);
 void mdt_bodyVelocity(const MdtBody *b, MdtKeaVelocity *v); /* with `spin`: as last shown */
 void mdt_bodyAcceptVelocities(MdtBodyID b); /* takes over velocities that were written through pointers */
+double mdt_worldBound(const MdtWorld *w);   /* m: of positions */
 void mdt_bodyKeepWithinReach(MdtBodyID b);  /* stops a body that has come to the bound of positions */
-void mdt_bodyAge(MdtBodyID b, double h);    /* after a step of h seconds */
-MeBool mdt_bodyIsFast(const MdtBody *b);    /* above the world's thresholds of velocities */
+void mdt_bodyEnable(MdtBodyID b);           /* MdtBodyEnable and MdtBodyDisable, in a stage of the world, too */
+void mdt_bodyDisable(MdtBodyID b);
+void mdt_bodyAge(MdtBodyID b, double h); /* after a step of h seconds */
+MeBool mdt_bodyIsFast(const MdtBody *b); /* above the world's thresholds of velocities */
 
 /* ---- sleep (mdt_sleep.c) ---- */
 
@@ -368,6 +375,11 @@ MeBool mdt_attachmentsAreLinked(const MdtBody *b);
 void mdt_constraintDetach(MdtConstraintID c, int side);
 /* Detaches it and takes it from the world's list; the record is the caller's to return. */
 void mdt_constraintTerm(MdtConstraintID c);
+/* Disables a joint or a manifold; destroys a joint, a group or a contact: now, in a stage of the world, too. */
+void mdt_constraintOff(MdtConstraintID c);
+void mdt_constraintRemove(MdtConstraintID c);
+/* Will it be destroyed when a stage ends? */
+MeBool mdt_constraintIsCondemned(const MdtBaseConstraint *c);
 /* Where both sides are now: a body's centre of mass, or the world. */
 void mdt_constraintPoses(MdtConstraintID c, MdtKeaTransformation pose[2]);
 /* The body's centre of mass was moved within it: the attachment stays where it is in the world. */
@@ -533,7 +545,9 @@ struct MdtWorld {
     int enabledJoints;       /* of the enabled constraints */
     int watchedSteps;        /* of mdt_forgotten.c, */
     MeBool expectsCentre;    /* which is to warn of a body's centre of mass, */
-    MeBool isCentreTold;     /* and has */
+    MeBool isCentreTold;     /* and has, */
+    MeBool isScaleTold;      /* and has of the mass scale */
+    double sinkingMass;      /* kg, of which it warns */
     int breakable;           /* constraints with a limit */
     int apart;               /* joints whose bodies do not collide with each other */
     int userConstraints;     /* whose rows a function of the program makes */
@@ -552,9 +566,9 @@ struct MdtWorld {
     int surfaceWarnings;       /* MdtContactParams.c: which were given */
     MdtWorker *workers;        /* numWorkers of them; the first is the thread that steps the world */
     int numWorkers;
-    MeTeam *team; /* null: there is one worker */
-    int *taskOf;  /* partitions by task, and where tasks begin among them (mdt_parallel.c) */
-    MeBool isStepping;
+    MeTeam *team;  /* null: there is one worker */
+    int *taskOf;   /* partitions by task, and where tasks begin among them (mdt_parallel.c) */
+    MeStage stage; /* at which of the levels MDT_HOLD_... it is held */
 
     /* Arrays of a step have room for so many; they are made larger before a step only (mdt_worldReserve). */
     int bodyRoom, constraintRoom;
@@ -601,8 +615,10 @@ static inline void mdt_graphChanged(MdtWorldID w) {
     w->graph.changes++;
 }
 
-/* Finds the partitions of this step; bodies tied to awake ones wake (mdt_island.c). */
-void mdt_islandsUpdate(MdtWorldID w);
+/* Finds the partitions of this step; bodies tied to awake ones wake (mdt_island.c). The graph stays as it is until the
+ * end: what the program calls for in its callbacks is done then. */
+void mdt_islandsBegin(MdtWorldID w);
+void mdt_islandsEnd(MdtWorldID w);
 /* Makes the lists of their constraints for programs; what programs see of one partition then: it is not disabled. */
 void mdt_islandsList(MdtWorldID w);
 MdtPartitionInfo mdt_islandInfo(MdtWorldID w, int p);
@@ -614,8 +630,11 @@ void mdt_idleWatch(MdtWorldID w, double h);
 
 /* ---- what programs forget (mdt_forgotten.c) ---- */
 
-/* A step begins: warns of motors on joints that were never enabled, and of centres of mass that were not set. */
-void mdt_forgottenWatch(MdtWorldID w);
+/* A step of h seconds begins: warns of motors on joints that were never enabled, and of centres of mass that were not
+ * set. */
+void mdt_forgottenWatch(MdtWorldID w, double h);
+/* Warns, if it touches something, that the body is too heavy for the world's epsilon. */
+void mdt_forgottenScale(MdtBodyID b);
 
 /* ---- joints that break (mdt_break.c) ---- */
 
@@ -656,6 +675,27 @@ void mdt_reportBatchesEnd(MdtWorldID w);
 /* All partitions are done. */
 void mdt_reportStepEnd(MdtWorldID w);
 
+/* ---- stages (mdt_stage.c) ------------------------------------------------------------------------------------- */
+
+/* What must stay as it is while a stage calls the program (MeInternal.h). Each level includes those before it. */
+enum {
+    MDT_HOLD_WORLD = 0,              /* the world itself */
+    MDT_HOLD_BODIES = MDT_BODY_HELD, /* records of bodies: pairs of models are handled */
+    MDT_HOLD_CONSTRAINTS,            /* records of constraints, to which bodies they are attached, and the order: lists
+                                        are walked */
+    MDT_HOLD_GRAPH,                  /* what is enabled: there are partitions; a body's handler runs */
+    MDT_HOLD_STATES                  /* poses, velocities, masses, options of joints: partitions are being solved */
+};
+/* MeStageWhen; what has to wait is in the world's list then. */
+MeWhen mdt_when(MdtWorldID w, int level, const char *caller, const MeLater *later);
+/* May the body's state be changed? Else a message that names the caller: its partition is being solved. */
+MeBool mdt_mayChangeState(const MdtBody *b, const char *caller);
+/* Destroys a body: now, or when the stage ends that holds it, or its models. */
+void mdt_bodyDestroy(MdtBodyID b, const char *caller);
+/* Is it what was meant when something was put off? Else null. */
+MdtBodyID mdt_laterBody(const MeLater *later);
+MdtConstraintID mdt_laterConstraint(const MeLater *later);
+
 /* ---- checks -------------------------------------------------------------------------------------------------- */
 
 /* True for a live handle; else a warning that names the caller. */
@@ -664,7 +704,11 @@ MeBool mdt_isBody(const MdtBody *b, const char *caller);
 MeBool mdt_isConstraint(const MdtBaseConstraint *c, const char *caller);
 /* True for finite numbers; else a warning. */
 MeBool mdt_isFinite(const char *caller, const char *what, MeReal x);
+/* The same of vectors; no number is larger than those of single precision, so that products of some are finite. */
 MeBool mdt_isFinite3(const char *caller, const char *what, MeReal x, MeReal y, MeReal z);
+MeBool mdt_areFinite(const MeReal v[3]); /* without one */
+/* Within the bound of positions, too. */
+MeBool mdt_isPlace(const char *caller, const char *what, const MdtWorld *w, MeReal x, MeReal y, MeReal z);
 /* True for lower <= x; else a warning. */
 MeBool mdt_isAtLeast(const char *caller, const char *what, MeReal x, MeReal lower);
 MeBool mdt_isPositive(const char *caller, const char *what, MeReal x);
@@ -678,6 +722,8 @@ void mdt_setAtLeast0(const char *caller, const char *what, MeReal *place, MeReal
 void mdt_setAngle(const char *caller, const char *what, MeReal *place, MeReal x);
 /* Warns of one that has gone while any world lives, and of null. */
 MeBool mdt_mayDestroyBody(const MdtBody *b, const char *caller);
+/* "caller: the constraint has been destroyed, or never was one" */
+void mdt_warnGone(const char *caller, const char *what);
 /* How many worlds live: one more, or one less. */
 void mdt_countWorlds(int change);
 
@@ -691,6 +737,12 @@ void mdt_countWorlds(int change);
         if (!mdt_isBody((b), __func__))                                                                                \
             return otherwise;                                                                                          \
     } while (0)
+/* A body whose state, or what moves it, is to be changed. */
+#define MDT_CHANGE_BODY(b)                                                                                             \
+    do {                                                                                                               \
+        if (!mdt_isBody((b), __func__) || !mdt_mayChangeState((b), __func__))                                          \
+            return;                                                                                                    \
+    } while (0)
 #define MDT_NEED_CONSTRAINT(c, otherwise)                                                                              \
     do {                                                                                                               \
         if (!mdt_isConstraint((c), __func__))                                                                          \
@@ -699,8 +751,17 @@ void mdt_countWorlds(int change);
 
 /* ---- MeReal and double --------------------------------------------------------------------------------------- */
 
+/* What MeReal has no number for is MEINFINITY. */
+static inline MeReal mdt_real(double x) {
+    const double most = (double)MEINFINITY;
+    return (MeReal)(x > most ? most : x < -most ? -most : x);
+}
+
+/* Zero times infinity is no number: three are looked at at once, as this is done for all that moves. */
 static inline void mdt_toReal(MeVector3 r, const double v[3]) {
     r[0] = (MeReal)v[0], r[1] = (MeReal)v[1], r[2] = (MeReal)v[2];
+    if (!(0 * r[0] + 0 * r[1] + 0 * r[2] <= 0))
+        r[0] = mdt_real(v[0]), r[1] = mdt_real(v[1]), r[2] = mdt_real(v[2]);
 }
 
 static inline void mdt_fromReal(double r[3], const MeVector3 v) {

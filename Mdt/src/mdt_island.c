@@ -82,7 +82,7 @@ static void numberIslands(MdtWorldID w) {
         if (!g->isAwake[root])
             continue;
         if (!g->isEnabled[i] && !(g->body[i]->record.flags & MDT_ENABLED)) /* a callback may have enabled it */
-            MdtBodyEnable(g->body[i]);
+            mdt_bodyEnable(g->body[i]);
         if (root == i) {
             g->partition[i] = w->numPartitions++;
             w->bodyStart[w->numPartitions] = w->actingStart[w->numPartitions] = 0;
@@ -177,7 +177,7 @@ static void findIslands(MdtWorldID w) {
     restoreStarts(w);
 }
 
-void mdt_islandsUpdate(MdtWorldID w) {
+static void updateIslands(MdtWorldID w) {
     const int room = w->bodyRoom + w->constraintRoom;
     const MeBool isRoom = mdt_worldReserve(w, w->bodies.count, w->numConstraints, "MdtWorldStep");
     if (room != w->bodyRoom + w->constraintRoom) { /* the arrays are new */
@@ -196,7 +196,16 @@ void mdt_islandsUpdate(MdtWorldID w) {
     MEVALIDATE(areSeparate(w));
 }
 
-/* A group is followed by its contacts (mdt_islandsUpdate has made room). */
+void mdt_islandsBegin(MdtWorldID w) {
+    MeStageBegin(&w->stage, MDT_HOLD_GRAPH);
+    updateIslands(w);
+}
+
+void mdt_islandsEnd(MdtWorldID w) {
+    MeStageEnd(&w->stage, MDT_HOLD_GRAPH);
+}
+
+/* A group is followed by its contacts (updateIslands has made room). */
 static int listConstraint(MdtWorldID w, MdtConstraintID base, int at) {
     w->constraintOf[at++] = mdt_constraintShown(base);
     if (!mdt_isManifold(base) || (base->record.flags & MDT_LONE))
@@ -244,7 +253,11 @@ void mdt_islandShow(const MdtIsland *p) {
     MdtPartitionOutput *po = &p->world->output;
     po->info[p->number] = mdt_islandInfo(p->world, p->number);
     po->numPartitions = p->number + 1;
+    if (!p->world->partitionCb) /* it has removed itself */
+        return;
+    const MeProgramCall before = MeProgramEnter("MdtWorldSetPartitionCB");
     p->world->partitionCb(po, p->world->partitionCbData);
+    MeProgramLeave(&before);
 }
 
 /* ---- for programs (MdtPartition.h) ---- */
@@ -279,13 +292,14 @@ void MEAPI MdtUpdatePartitions(MeDict *enabledBodyList, MdtPartitionOutput *po, 
         return;
     const MdtWorldID w = worldOf(enabledBodyList);
     po->numPartitions = 0;
-    if (!w)
+    if (!w || !MeStageIsFree(&w->stage, __func__))
         return;
-    mdt_islandsUpdate(w);
+    mdt_islandsBegin(w);
     mdt_islandsList(w);
     chooseListed(w, enabledBodyList);
     *po = w->output;
     po->numPartitions = 0;
+    const MeProgramCall before = MeProgramEnter(__func__);
     for (int p = 0; p < w->numPartitions; p++) {
         if (w->output.info[p].isDisabled)
             continue;
@@ -293,4 +307,6 @@ void MEAPI MdtUpdatePartitions(MeDict *enabledBodyList, MdtPartitionOutput *po, 
         if (pcb)
             pcb(po, pcbdata);
     }
+    MeProgramLeave(&before);
+    mdt_islandsEnd(w);
 }

@@ -64,17 +64,24 @@ static MeBool stepRest(MdtWorldID w, int number) {
     return METRUE;
 }
 
-int MEAPI MdtWorldStepRest(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, 0);
+int MEAPI MdtWorldTakeRest(const MdtWorldID w) {
     int moved = 0;
-    mdt_islandsUpdate(w);
-    w->isStepping = METRUE;
+    MeStageBegin(&w->stage, MDT_HOLD_WORLD);
+    mdt_islandsBegin(w);
     mdt_crowdAsk(w);
+    MeStageBegin(&w->stage, MDT_HOLD_STATES);
     for (int i = 0; i < w->numPartitions; i++)
         moved += stepRest(w, i);
-    w->isStepping = MEFALSE;
+    MeStageEnd(&w->stage, MDT_HOLD_STATES);
+    mdt_islandsEnd(w);
     mdt_breakEnd(w);
+    MeStageEnd(&w->stage, MDT_HOLD_WORLD);
     return moved;
+}
+
+int MEAPI MdtWorldStepRest(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    return MeStageIsFree(&w->stage, __func__) ? MdtWorldTakeRest(w) : 0;
 }
 
 int MEAPI MdtWorldGetLaggingBodies(const MdtWorldID w) {

@@ -11,6 +11,7 @@
 #define MDT_MANIFOLD_I_H
 
 #include "mdt_i.h"
+#include <stdbool.h>
 
 enum { MDT_POINTS = 4, MDT_GROUP_SLOT = MDT_POINTS };
 
@@ -20,7 +21,8 @@ typedef struct MdtPoint {
     MeU8 slot;          /* its index in the manifold */
     MeU8 numRows;       /* in this step */
     MeU8 numWarm;       /* if there are as many rows, `force` is a guess at theirs */
-    MeU8 isFound;       /* matched with a new contact (mdt_renew.c) */
+    bool isFound : 1;   /* matched with a new contact (mdt_renew.c) */
+    bool isCondemned : 1; /* will be destroyed when a stage ends (mdt_stage.c) */
     MeU32 feature;      /* its maker's */
     MeVector3 mean;     /* N, in the last step, on the first body */
     double position[3]; /* m */

@@ -66,7 +66,9 @@ static void showInOrder(MdtWorldID w, double h, MeBool safely) {
         MdtIsland p = mdt_islandOf(w, i, h);
         mdt_islandShow(&p);
         putToRest(&p, safely);
+        MeStageBegin(&w->stage, MDT_HOLD_STATES);
         mdt_islandTake(&p, safely);
+        MeStageEnd(&w->stage, MDT_HOLD_STATES);
     }
 }
 
@@ -220,10 +222,12 @@ void mdt_islandsStep(MdtWorldID w, double h, MeBool safely) {
         showInOrder(w, h, safely);
     else {
         restAll(w, h, safely);
+        MeStageBegin(&w->stage, MDT_HOLD_STATES);
         if (w->team && !callsProgram(w) && sizeOfAll(w) >= STEP_SIZE)
             takeByWorkers(w, h, safely);
         else
             takeInOrder(w, h, safely);
+        MeStageEnd(&w->stage, MDT_HOLD_STATES);
     }
     warnOfSurfaces(w);
 }

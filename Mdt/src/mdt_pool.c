@@ -74,7 +74,7 @@ static MdtRecord *takeFreed(MdtPool *pool) {
 }
 
 void *mdt_poolGet(MdtPool *pool, unsigned int magic, const char *caller) {
-    if (!pool->numFresh && !pool->firstFree && !makeRoom(pool, caller))
+    if (!MeProgramMayChange(caller) || (!pool->numFresh && !pool->firstFree && !makeRoom(pool, caller)))
         return NULL;
     MdtRecord *record = pool->numFresh ? takeFresh(pool) : takeFreed(pool);
     MEASSERT(pool->used < pool->room);

@@ -143,7 +143,7 @@ void mdt_reportStepEnd(MdtWorldID w) {
 
 static void keepMost(MeReal *most, double x) {
     if ((MeReal)x > *most)
-        *most = (MeReal)x;
+        *most = mdt_real(x);
 }
 
 static void keepWay(MdtReport *r, MdtReportWay way) {
@@ -255,8 +255,8 @@ static void reportEnergy(MdtReport *r, MdtBodyID const bodies[], int count, cons
         kinetic += kineticEnergyOf(bodies[i]);
         potential -= bodies[i]->mass * keaDot(g, bodies[i]->kea.position);
     }
-    r->kineticEnergy = (MeReal)kinetic;
-    r->potentialEnergy = (MeReal)potential;
+    r->kineticEnergy = mdt_real(kinetic);
+    r->potentialEnergy = mdt_real(potential);
 }
 
 /* Contacts are constraints, and so are their groups. */
@@ -359,8 +359,8 @@ static void sumReports(MdtReport *sum, const MdtReport reports[], int count) {
         for (int k = 0; k < MdtReportStages; k++)
             time[k] += (double)reports[i].time[k];
     }
-    sum->kineticEnergy = (MeReal)kinetic;
-    sum->potentialEnergy = (MeReal)potential;
+    sum->kineticEnergy = mdt_real(kinetic);
+    sum->potentialEnergy = mdt_real(potential);
     for (int k = 0; k < MdtReportStages; k++)
         sum->time[k] = (MeReal)time[k];
 }

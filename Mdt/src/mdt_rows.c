@@ -49,13 +49,32 @@ static int countJoint(MdtIsland *p, MdtJoint *j) {
     return j->numRows;
 }
 
+static MeBool isOfProgram(const MdtJoint *j) {
+    return j->bcl.type == MdtBclUSER;
+}
+
+/* The rows that functions of the program make: before others are counted, as these may be changed by them. */
+static void makeRowsOfProgram(MdtIsland *p) {
+    const MeProgramCall before = MeProgramEnter("MdtUserConstraintSetFunction");
+    for (int i = 0; i < p->numActing; i++) {
+        MdtJoint *j = mdt_asJoint(p->acting[i]);
+        if (j && isOfProgram(j))
+            countJoint(p, j);
+    }
+    MeProgramLeave(&before);
+}
+
 static int countJoints(MdtIsland *p) {
     int rows = 0;
     for (int i = 0; i < p->numActing && p->numJoints > 0; i++) {
         MdtJoint *j = mdt_asJoint(p->acting[i]);
-        rows += j ? countJoint(p, j) : 0;
+        rows += !j ? 0 : isOfProgram(j) ? j->numRows : countJoint(p, j);
     }
     return rows;
+}
+
+int mdt_rowsCount(MdtIsland *p) {
+    return countJoints(p) + MdtKeaCountContactRows(&p->kea);
 }
 
 /* ---- what they are ---- */
@@ -107,7 +126,9 @@ static void fillJoint(MdtIsland *p, MdtJoint *j, int owner) {
 /* Count, leave out rows beyond the cap, fill. */
 void mdt_rowsMake(MdtIsland *p) {
     MdtWorldID w = p->world;
-    p->numRows = countJoints(p) + MdtKeaCountContactRows(&p->kea);
+    if (w->userConstraints > 0)
+        makeRowsOfProgram(p);
+    p->numRows = mdt_rowsCount(p);
     if (p->numRows > w->maxMatrixSize && p->numMembers == 0) /* what is the fast solver's is below the cap */
         p->numRows = mdt_capRows(p, p->numRows, w->maxMatrixSize);
     for (int i = 0; i < p->numActing && p->numJoints > 0; i++) {

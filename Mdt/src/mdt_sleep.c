@@ -247,7 +247,7 @@ void mdt_bodySleep(MdtBodyID b) {
     keaZero(b->push);
     mdt_bodyShow(b);
     keepLoad(b);
-    MdtBodyDisable(b); /* its models are frozen as they are now */
+    mdt_bodyDisable(b); /* its models are frozen as they are now */
     b->record.flags |= MDT_ASLEEP;
     b->world->asleepBodies++;
     b->certificate = MDT_SLEEPS;
@@ -291,18 +291,11 @@ static MeBool isToWake(MdtBodyID b, double h) {
     return b->certificate == 0 || isPushed(b, h) || !mdt_restAreConstraintsAsCertified(b);
 }
 
-void mdt_sleepersWake(MdtWorldID w, double h) {
-    for (MdtLink *link = w->asleepBodies > 0 ? w->bodies.first : NULL; link; link = link->next) {
-        MdtBodyID b = mdt_linkOwner(link);
-        if (!(b->record.flags & MDT_ASLEEP))
-            continue;
-        const double time = b->applied.time;
-        if (!isToWake(b, h))
-            continue;
-        MdtBodyEnable(b);
-        b->applied.time = time;
-        memset(b->applied.momentum, 0, sizeof b->applied.momentum);
-    }
+static void wake(MdtBodyID b) {
+    const double time = b->applied.time;
+    mdt_bodyEnable(b);
+    b->applied.time = time;
+    memset(b->applied.momentum, 0, sizeof b->applied.momentum);
 }
 
 void mdt_sleepersEndForces(MdtWorldID w) {
@@ -314,6 +307,19 @@ void mdt_sleepersEndForces(MdtWorldID w) {
         MdtBodyResetForces(b);
         MdtBodyResetImpulses(b);
     }
+}
+
+/* Handlers of the program are called. */
+void mdt_sleepersWake(MdtWorldID w, double h) {
+    if (w->asleepBodies == 0)
+        return;
+    MeStageBegin(&w->stage, MDT_HOLD_CONSTRAINTS);
+    for (MdtLink *link = w->bodies.first; link; link = link->next) {
+        MdtBodyID b = mdt_linkOwner(link);
+        if ((b->record.flags & (MDT_ASLEEP | MDT_CONDEMNED)) == MDT_ASLEEP && isToWake(b, h))
+            wake(b);
+    }
+    MeStageEnd(&w->stage, MDT_HOLD_CONSTRAINTS);
 }
 
 void mdt_sleepersWakeAll(MdtWorldID w) {

@@ -90,18 +90,17 @@ void mdt_worldStep(MdtWorldID w, double h, MeBool safely) {
     MeProfileStartSection("Dynamics", 0);
     MeProfileStartSection("Partition", 0);
     mdt_sleepersWake(w, h);
-    mdt_islandsUpdate(w); /* wakes what they touch */
+    mdt_islandsBegin(w); /* wakes what they touch */
     mdt_sleepersEndForces(w);
     mdt_restBegin(w);
     if (w->isReported)
         mdt_reportStep(w);
     MeProfileEndSection("Partition");
-    w->isStepping = METRUE;
     mdt_islandsStep(w, h, safely);
-    w->isStepping = MEFALSE;
     if (w->isReported)
         mdt_reportStepEnd(w);
     MeProfileEndSection("Dynamics");
+    mdt_islandsEnd(w);
     if (w->debugDraw)
         mdt_debugDraw(w);
 }

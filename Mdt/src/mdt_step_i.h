@@ -155,6 +155,8 @@ static inline MeBool mdt_isInBatch(const MdtWorld *w, int partition) {
     return w->batches.count > 0 && w->batches.isIn[partition];
 }
 
+/* The rows that the partition's joints and contacts have as they are now. */
+int mdt_rowsCount(MdtIsland *p);
 /* Counts joints and contacts, before the choice of a solver. */
 void mdt_islandCount(MdtIsland *p);
 /* Takes scratch memory, and loads into Kea's bodies. False, with a message: the partition is too large. */

@@ -127,7 +127,8 @@ typedef struct MdtKeaConstraints MdtKeaConstraints;
 /**
  * Writes the rows of a user constraint for one step, with MdtBclAddRow. @a constraint is what
  * MdtUserConstraintSetFunction was given; @a tlist and @a blist are the poses and Kea's bodies of the constraint's body
- * 0 and body 1 (the world: the identity and null); @a params is the step's MdtBclSolverParameters.
+ * 0 and body 1 (the world: the identity and null); @a params is the step's MdtBclSolverParameters. What it may do else:
+ * docs/simulation.md, "Callbacks".
  */
 typedef void(MEAPI *MdtBclAddConstraintFn)(MdtKeaConstraints *const keaConstraints, void *const constraint,
                                            const MdtKeaTransformation *const tlist, MdtKeaBody *const blist[],

@@ -4,6 +4,10 @@
 #include <string.h>
 
 void MEAPI MdtBclContactParamsReset(MdtBclContactParams *params) {
+    if (!params) {
+        MeWarning(1, "MdtBclContactParamsReset: the parameters are null");
+        return;
+    }
     memset(params, 0, sizeof *params);
     params->type = MdtContactTypeFrictionZero;
     params->model1 = params->model2 = MdtFrictionModelBox;

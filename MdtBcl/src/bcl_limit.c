@@ -18,6 +18,10 @@
 enum { MOTOR = 1, LOWER = 2, UPPER = 4, LOCK = 8 };
 
 void MEAPI MdtBclSingleLimitReset(MdtBclSingleLimit *stop) {
+    if (!stop) {
+        MeWarning(1, "MdtBclSingleLimitReset: the limit is null");
+        return;
+    }
     stop->damping = 0;
     stop->restitution = 1;
     stop->stiffness = MEINFINITY;
@@ -25,6 +29,10 @@ void MEAPI MdtBclSingleLimitReset(MdtBclSingleLimit *stop) {
 }
 
 void MEAPI MdtBclLimitReset(MdtBclLimit *limit) {
+    if (!limit) {
+        MeWarning(1, "MdtBclLimitReset: the limit is null");
+        return;
+    }
     memset(limit, 0, sizeof *limit);
     MdtBclSingleLimitReset(&limit->limit[0]);
     MdtBclSingleLimitReset(&limit->limit[1]);

@@ -60,7 +60,7 @@ typedef struct MeApp {
     MeTaskPoolID pool;              /**< Of MeAppStart, for -workers; null: the universe steps on one thread. */
 } MeApp;
 
-/** Called by MeAppRun before each step. */
+/** Called by MeAppRun before each step, when nothing is under way: it may do anything. */
 typedef void(MEAPI *MeAppStepCB)(MeApp *app, void *userdata);
 
 ME_END_C

@@ -8,7 +8,8 @@
 
 ME_BEGIN_C
 
-/** Draws a line between two points of the world frame in the colour red, green, blue (each 0 to 1). */
+/** Draws a line between two points of the world frame in the colour red, green, blue (each 0 to 1). It must not create,
+ *  destroy or step anything of Karma: such calls are refused, with a warning (docs/simulation.md, "Callbacks"). */
 typedef void(MEAPI *MeDebugLineFuncPtr)(MeVector3 start, MeVector3 end, MeReal r, MeReal g, MeReal b);
 
 /** The functions in use. */

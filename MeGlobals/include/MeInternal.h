@@ -113,6 +113,78 @@ MEPUBLIC const char *MEAPI MeMessagesAs(const char *function);
     } while (0)
 /** @} */
 
+/** @name Functions of the program (callbacks)
+ *  The library says by which function the program has set the one that it calls, for messages, and until when it runs:
+ *
+ *  @code
+ *      const MeProgramCall before = MeProgramEnter("MdtWorldSetBreakCB");
+ *      w->breakCb(joint);
+ *      MeProgramLeave(&before);
+ *  @endcode
+ *
+ *  A quiet one may be called in the middle of anything: functions that take memory, handle messages, or draw. What it
+ *  calls to create, destroy or step anything is refused, with a message that names both.
+ *  @{ */
+/** What was said before; of this thread. */
+typedef struct MeProgramCall {
+    const char *setBy;
+    MeBool isQuiet;
+    const char *caller, *speaker; /**< MeCallerSet, MeMessagesAs: the program's own calls go by their own names */
+    MeBool hasSpoken;
+} MeProgramCall;
+MEPUBLIC MeProgramCall MEAPI MeProgramEnter(const char *setBy);
+MEPUBLIC MeProgramCall MEAPI MeProgramEnterQuiet(const char *setBy);
+MEPUBLIC void MEAPI MeProgramLeave(const MeProgramCall *before);
+/** False, with a message that names @a function: a quiet function of the program runs. */
+MEPUBLIC MeBool MEAPI MeProgramMayChange(const char *function);
+/** MeWarning: "function: not from the function of X; nothing is changed", X being who set what runs; else @a otherwise.
+ */
+MEPUBLIC void MEAPI MeProgramRefuse(const char *function, const char *otherwise);
+/** @} */
+
+/** @name Stages
+ *  While a function of the library goes through the records of an owner (a world, a framework, a bridge) and calls
+ *  functions of the program, it holds the owner: at a level, which says what must stay as it is. What the program calls
+ *  meanwhile, and would change that, waits in the owner's list, and is carried out, in the order in which it was
+ *  called, when the owner is no longer held at that level. What cannot wait is refused.
+ *
+ *  Each library says what its levels are. Level 0 only forbids what is refused: to destroy the owner, and to call again
+ *  what is running. Several threads may hold an owner at once; what waits is the calling thread's affair.
+ *  @{ */
+enum { ME_STAGE_LEVELS = 5 };
+/** Of an owner; all zero: nobody holds it. */
+typedef struct MeStage {
+    int held[ME_STAGE_LEVELS]; /**< how often, by level */
+    struct MeWaiting *first, *last;
+    MeBool isCarrying; /**< what has waited is being carried out, */
+    int round;         /**< which was called from the function of the program that what waited so often has led to */
+} MeStage;
+/** What is carried out: a function and what it was called with. */
+typedef struct MeLater {
+    void(MEAPI *carryOut)(const struct MeLater *later);
+    void *object, *other[2];
+    unsigned long serial; /**< of the object, by which another one in its place is told from it */
+    long number;
+} MeLater;
+MEPUBLIC void MEAPI MeStageBegin(MeStage *stage, int level);
+/** Ends it, and carries out what has waited for it. */
+MEPUBLIC void MEAPI MeStageEnd(MeStage *stage, int level);
+/** Is the owner held at that level, or a higher one? */
+MEPUBLIC MeBool MEAPI MeStageIsHeld(const MeStage *stage, int level);
+/** What a function has to do that changes what must stay from a level on. */
+typedef enum MeWhen {
+    MeWhenNow,
+    MeWhenStageEnds, /**< MeStageDefer */
+    MeWhenNever      /**< nothing: it was refused, with a message (MeProgramMayChange) */
+} MeWhen;
+MEPUBLIC MeWhen MEAPI MeStageWhen(const MeStage *stage, int level, const char *function);
+/** Puts it into the owner's list. False, after a message: no memory; or what is carried out makes the program call for
+ *  more of it again and again, so that it would not end. */
+MEPUBLIC MeBool MEAPI MeStageDefer(MeStage *stage, int level, const MeLater *later, const char *function);
+/** True for an owner that is not held at all; else a message that names @a function. */
+MEPUBLIC MeBool MEAPI MeStageIsFree(const MeStage *stage, const char *function);
+/** @} */
+
 /** Messages that wait until the program may be told: handlers are called on the thread that steps a world, in an order
  *  that does not depend on threads. All zero: none wait. */
 typedef struct MeHeldMessages {

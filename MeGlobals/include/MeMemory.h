@@ -35,6 +35,10 @@
 
 ME_BEGIN_C
 
+/** @name Functions of the program
+ *  They are called in the middle of anything, and must not create, destroy, enable or step anything of Karma: such
+ *  calls are refused, with a warning (docs/simulation.md, "Callbacks").
+ *  @{ */
 /** Gives @a bytes (0 counts as 1) of memory, aligned for any of C's types, with any contents. Null if there
  *  is none. */
 typedef void *(MEAPI *MeMemoryFuncPtrCreate)(size_t bytes);
@@ -45,6 +49,7 @@ typedef void *(MEAPI *MeMemoryFuncPtrCreateAligned)(size_t bytes, unsigned int a
 typedef void *(MEAPI *MeMemoryFuncPtrResize)(void *const block, size_t bytes);
 /** Takes a block back. Null is no block. */
 typedef void(MEAPI *MeMemoryFuncPtrDestroy)(void *const block);
+/** @} */
 
 /** The functions in use. */
 typedef struct MeMemoryAPIStruct {

@@ -7,6 +7,10 @@
  *  level is above the kind's limit (MeWarningLevel and so on) is dropped before its handler is called.
  *
  *  The functions may be called from several threads; the handlers are process-wide and are set before use.
+ *
+ *  A message may come in the middle of anything. Handlers and show functions may read, and must not create, destroy,
+ *  enable or step anything of Karma: such calls are refused, with a warning that names them (docs/simulation.md,
+ *  "Callbacks"). A message of the kind that is being handled goes to the standard handler meanwhile.
  */
 #ifndef MEMESSAGE_H
 #define MEMESSAGE_H
@@ -24,7 +28,7 @@ ME_BEGIN_C
 #define ME_PRINTF_LIKE(text, first)
 #endif
 
-/** Formats a message and shows it. */
+/** Formats a message and shows it. What handlers may do is said above. */
 typedef void(MEAPI *MeHandler)(const int level, const char *const format, va_list ap);
 /** Prints a finished text, e.g. "Karma warning: ...", which ends without a newline. */
 typedef void(MEAPI *MeShow)(const int level, const char *const string);

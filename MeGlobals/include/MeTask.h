@@ -19,6 +19,11 @@ ME_BEGIN_C
 /** What a task does: it is called once, on any thread. */
 typedef void(MEAPI *MeTaskCB)(void *taskContext);
 
+/** @name How tasks are run
+ *  While a world steps these may not destroy it, step it or move its bodies: such calls are refused, with a warning.
+ *  What of it they create or destroy waits until the step is done (docs/simulation.md, "Callbacks").
+ *  @{ */
+
 /** Has @a task called with @a taskContext, once, by any thread: now, before this returns; soon; or only when
  *  MeFinishTaskCB waits for it.
  *  @return what identifies the task to MeFinishTaskCB; null: it has been called already */
@@ -26,6 +31,7 @@ typedef void *(MEAPI *MeEnqueueTaskCB)(MeTaskCB task, void *taskContext, void *u
 
 /** Returns once the task has been called and has returned. May call it, or others, meanwhile. */
 typedef void(MEAPI *MeFinishTaskCB)(void *userTask, void *userContext);
+/** @} */
 
 /** Threads that wait for tasks. */
 typedef struct MeTaskPool *MeTaskPoolID;
@@ -42,7 +48,8 @@ enum {
  */
 MEPUBLIC MeTaskPoolID MEAPI MeTaskPoolCreate(int workers);
 
-/** Ends the threads and frees the pool. No world may use it any more. Null does nothing. */
+/** Ends the threads and frees the pool. No world may use it any more. Null does nothing. While there are tasks that are
+ *  not finished, in a callback in the middle of a step: a warning, and nothing is done. */
 MEPUBLIC void MEAPI MeTaskPoolDestroy(MeTaskPoolID pool);
 
 /** As many as MeTaskPoolCreate was asked for, or took; 1 for null. */

@@ -2,6 +2,7 @@
 #include "MeChunk.h"
 
 #include "MeAssert.h"
+#include "MeInternal.h"
 #include "MeMath.h"
 #include "MeMemory_i.h"
 #include "MeMessage.h"
@@ -22,7 +23,7 @@ static MeBool isPowerOfTwo(int n) {
 static void freeMemory(MeChunk *chunk) {
     MEASSERT((chunk->mem == NULL) == (chunk->size == 0));
     if (chunk->mem != NULL)
-        MeMemoryAPI.destroyAligned(chunk->mem);
+        MeMemoryGiveAligned(chunk->mem);
     chunk->mem = NULL;
     chunk->size = 0;
 }

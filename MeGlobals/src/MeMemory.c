@@ -35,6 +35,28 @@ static void MEAPI destroyDefault(void *const block) {
 
 MeMemoryAPIStruct MeMemoryAPI = {createDefault, createAlignedDefault, resizeDefault, destroyDefault, destroyDefault};
 
+/* ---- their calls: nothing is to be changed meanwhile, wherever memory is asked for ---- */
+
+static void *create(size_t bytes) {
+    const MeProgramCall before = MeProgramEnterQuiet("MeMemoryAPI.create");
+    void *const block = MeMemoryAPI.create(bytes);
+    MeProgramLeave(&before);
+    return block;
+}
+
+static void *createAligned(size_t bytes, unsigned int alignment) {
+    const MeProgramCall before = MeProgramEnterQuiet("MeMemoryAPI.createAligned");
+    void *const block = MeMemoryAPI.createAligned(bytes, alignment);
+    MeProgramLeave(&before);
+    return block;
+}
+
+static void destroy(void *block) {
+    const MeProgramCall before = MeProgramEnterQuiet("MeMemoryAPI.destroy");
+    MeMemoryAPI.destroy(block);
+    MeProgramLeave(&before);
+}
+
 static void *checked(void *block, size_t bytes, const char *asker) {
     if (block == NULL)
         MeFatalError(0, "%s: out of memory, %zu bytes wanted", asker, bytes);
@@ -42,11 +64,11 @@ static void *checked(void *block, size_t bytes, const char *asker) {
 }
 
 void *me_create(size_t bytes, const char *asker) {
-    return checked(MeMemoryAPI.create(bytes), bytes, asker);
+    return checked(create(bytes), bytes, asker);
 }
 
 void *me_createAligned(size_t bytes, unsigned int alignment, const char *asker) {
-    return checked(MeMemoryAPI.createAligned(bytes, alignment), bytes, asker);
+    return checked(createAligned(bytes, alignment), bytes, asker);
 }
 
 /* ---- for all libraries (MeInternal.h) ---- */
@@ -64,7 +86,7 @@ static void *reported(void *block, size_t count, size_t size, const char *functi
 
 void *MEAPI MeMemoryTake(size_t count, size_t size, const char *function, const char *what) {
     const size_t bytes = bytesOf(count, size);
-    return reported(bytes > 0 ? MeMemoryAPI.create(bytes) : NULL, count, size, function, what);
+    return reported(bytes > 0 ? create(bytes) : NULL, count, size, function, what);
 }
 
 void *MEAPI MeMemoryTakeZeroed(size_t count, size_t size, const char *function, const char *what) {
@@ -88,17 +110,20 @@ MeBool MEAPI MeMemoryGrow(void *block, size_t used, size_t count, size_t size, c
 
 void MEAPI MeMemoryGive(void *block) {
     if (block != NULL)
-        MeMemoryAPI.destroy(block);
+        destroy(block);
 }
 
 void *MEAPI MeMemoryTakeAligned(size_t count, size_t size, unsigned int alignment, const char *function,
                                 const char *what) {
     const size_t bytes = bytesOf(count, size);
-    void *const block = bytes > 0 ? MeMemoryAPI.createAligned(bytes, alignment) : NULL;
+    void *const block = bytes > 0 ? createAligned(bytes, alignment) : NULL;
     return reported(block, count, size, function, what);
 }
 
 void MEAPI MeMemoryGiveAligned(void *block) {
-    if (block != NULL)
-        MeMemoryAPI.destroyAligned(block);
+    if (block == NULL)
+        return;
+    const MeProgramCall before = MeProgramEnterQuiet("MeMemoryAPI.destroyAligned");
+    MeMemoryAPI.destroyAligned(block);
+    MeProgramLeave(&before);
 }

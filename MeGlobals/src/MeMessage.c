@@ -13,6 +13,35 @@ MeHandler MeInfoHandler = MeHandlerInfo, MeDebugHandler = MeHandlerDebug, MeLogH
 MeShow MeInfoShow = MeShowStdout, MeDebugShow = MeShowStderr, MeLogShow = MeShowStderr, MeWarningShow = MeShowStderr,
        MeFatalErrorShow = MeShowStderr;
 
+/* ---- the program's functions ---- */
+
+/* What a handler calls may send messages in turn: of its own kind they go to the standard handler, and of a show
+ * function's kind to stderr, so that it ends. */
+typedef enum Kind { INFO, DEBUG, LOG, WARNING, FATAL_ERROR } Kind;
+static _Thread_local unsigned int handling, showing; /* bits: of which kinds */
+
+static void handle(Kind kind, MeHandler handler, MeHandler standard, int level, const char *format, va_list ap) {
+    static const char *const setBy[] = {"MeSetInfoHandler", "MeSetDebugHandler", "MeSetLogHandler",
+                                        "MeSetWarningHandler", "MeSetFatalErrorHandler"};
+    const unsigned int before = handling;
+    const MeProgramCall call = MeProgramEnterQuiet(setBy[kind]);
+    handling |= 1u << kind;
+    (before & 1u << kind ? standard : handler)(level, format, ap);
+    handling = before;
+    MeProgramLeave(&call);
+}
+
+static void showText(Kind kind, MeShow show, int level, const char *text) {
+    static const char *const setBy[] = {"MeSetInfoShow", "MeSetDebugShow", "MeSetLogShow", "MeSetWarningShow",
+                                        "MeSetFatalErrorShow"};
+    const unsigned int before = showing;
+    const MeProgramCall call = MeProgramEnterQuiet(setBy[kind]);
+    showing |= 1u << kind;
+    (before & 1u << kind ? MeShowStderr : show)(level, text);
+    showing = before;
+    MeProgramLeave(&call);
+}
+
 /* ---- sending ---- */
 
 void MEAPI_CDECL MeInfo(const int level, const char *const format, ...) {
@@ -21,7 +50,7 @@ void MEAPI_CDECL MeInfo(const int level, const char *const format, ...) {
     va_list ap;
     va_start(ap, format);
     if (!me_messageHold(MeInfo, level, format, ap))
-        MeInfoHandler(level, format, ap);
+        handle(INFO, MeInfoHandler, MeHandlerInfo, level, format, ap);
     va_end(ap);
 }
 
@@ -31,7 +60,7 @@ void MEAPI_CDECL MeDebug(const int level, const char *const format, ...) {
     va_list ap;
     va_start(ap, format);
     if (!me_messageHold(MeDebug, level, format, ap))
-        MeDebugHandler(level, format, ap);
+        handle(DEBUG, MeDebugHandler, MeHandlerDebug, level, format, ap);
     va_end(ap);
 }
 
@@ -41,7 +70,7 @@ void MEAPI_CDECL MeLog(const int level, const char *const format, ...) {
     va_list ap;
     va_start(ap, format);
     if (!me_messageHold(MeLog, level, format, ap))
-        MeLogHandler(level, format, ap);
+        handle(LOG, MeLogHandler, MeHandlerLog, level, format, ap);
     va_end(ap);
 }
 
@@ -53,7 +82,7 @@ void MEAPI_CDECL MeWarning(const int level, const char *const format, ...) {
     va_start(ap, format);
     const char *text = me_messageRename(format, &ap, renamed);
     if (!me_messageHold(MeWarning, level, text, ap))
-        MeWarningHandler(level, text, ap);
+        handle(WARNING, MeWarningHandler, MeHandlerWarning, level, text, ap);
     va_end(ap);
 }
 
@@ -63,7 +92,8 @@ void MEAPI_CDECL MeFatalError(const int level, const char *const format, ...) {
         return;
     va_list ap;
     va_start(ap, format);
-    MeFatalErrorHandler(level, me_messageRename(format, &ap, renamed), ap);
+    const char *text = me_messageRename(format, &ap, renamed);
+    handle(FATAL_ERROR, MeFatalErrorHandler, MeHandlerFatalError, level, text, ap);
     va_end(ap);
 }
 
@@ -133,22 +163,22 @@ static void formatText(char text[MeMAXMESSAGE], const char *prefix, const char *
         text[length - 1] = 0;
 }
 
-static void formatAndShow(MeShow show, int level, const char *prefix, const char *format, va_list ap) {
+static void formatAndShow(Kind kind, MeShow show, int level, const char *prefix, const char *format, va_list ap) {
     char text[MeMAXMESSAGE];
     formatText(text, prefix, format, ap);
-    show(level, text);
+    showText(kind, show, level, text);
 }
 
 void MEAPI MeHandlerInfo(const int level, const char *const format, va_list ap) {
-    formatAndShow(MeInfoShow, level, "", format, ap);
+    formatAndShow(INFO, MeInfoShow, level, "", format, ap);
 }
 
 void MEAPI MeHandlerDebug(const int level, const char *const format, va_list ap) {
-    formatAndShow(MeDebugShow, level, "Karma debug: ", format, ap);
+    formatAndShow(DEBUG, MeDebugShow, level, "Karma debug: ", format, ap);
 }
 
 void MEAPI MeHandlerLog(const int level, const char *const format, va_list ap) {
-    formatAndShow(MeLogShow, level, "", format, ap);
+    formatAndShow(LOG, MeLogShow, level, "", format, ap);
 }
 
 /* How often a text was shown: those of the last warnings that were new. */
@@ -195,11 +225,11 @@ void MEAPI MeHandlerWarning(const int level, const char *const format, va_list a
     if (before == 1)
         strncat(text, again, sizeof text - strlen(text) - 1);
     if (before < 2)
-        MeWarningShow(level, text);
+        showText(WARNING, MeWarningShow, level, text);
 }
 
 void MEAPI MeHandlerFatalError(const int level, const char *const format, va_list ap) {
-    formatAndShow(MeFatalErrorShow, level, "Karma fatal error: ", format, ap);
+    formatAndShow(FATAL_ERROR, MeFatalErrorShow, level, "Karma fatal error: ", format, ap);
     abort();
 }
 

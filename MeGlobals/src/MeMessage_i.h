@@ -2,6 +2,7 @@
 #ifndef MEMESSAGE_I_H
 #define MEMESSAGE_I_H
 
+#include "MeInternal.h"
 #include "MeMessage.h"
 #include "MePrecision.h"
 
@@ -15,5 +16,9 @@ MeBool me_messageHold(MeSender sender, int level, const char *format, va_list ap
 const char *me_messageRename(const char *format, va_list *ap, char renamed[MeMAXMESSAGE]);
 /* Whether the function of MeMessagesAs has said something already. */
 MeBool me_messageIsRepeated(void);
+
+/* Which names messages have (MeCallerSet, MeMessagesAs) is kept in the call, and none is set; is set again. */
+void me_namesTake(MeProgramCall *call);
+void me_namesGive(const MeProgramCall *call);
 
 #endif

@@ -38,6 +38,7 @@ struct MeTaskPool {
     Task *first, *last, *free;
     MeBool isEnding;
     atomic_int queued; /* tasks: read without the lock, by threads that look for some */
+    int given;         /* tasks that nobody has finished yet */
 };
 
 /* ---- the queue, with the lock held ---- */
@@ -146,8 +147,18 @@ MeTaskPoolID MEAPI MeTaskPoolCreate(int workers) {
     return p;
 }
 
+/* In the middle of a step its workers wait for the next loop: they would never end. */
+static MeBool isInUse(MeTaskPoolID p) {
+    pthread_mutex_lock(&p->lock);
+    const MeBool isGiven = p->given > 0;
+    pthread_mutex_unlock(&p->lock);
+    if (isGiven)
+        MeProgramRefuse("MeTaskPoolDestroy", "there are unfinished tasks");
+    return isGiven;
+}
+
 void MEAPI MeTaskPoolDestroy(MeTaskPoolID p) {
-    if (!p)
+    if (!p || !MeProgramMayChange("MeTaskPoolDestroy") || isInUse(p))
         return;
     endThreads(p);
     freePool(p);
@@ -180,6 +191,7 @@ void *MEAPI MeTaskPoolEnqueue(MeTaskCB call, void *context, void *pool) {
         task->call = call;
         task->context = context;
         append(p, task);
+        p->given++;
         pthread_cond_signal(&p->isThereWork);
     }
     pthread_mutex_unlock(&p->lock);
@@ -211,6 +223,7 @@ void MEAPI MeTaskPoolFinish(void *userTask, void *pool) {
             pthread_cond_wait(&p->isOneDone, &p->lock);
     }
     task->state = TASK_FREE;
+    p->given--;
     task->next = p->free;
     p->free = task;
     pthread_mutex_unlock(&p->lock);

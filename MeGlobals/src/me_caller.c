@@ -61,6 +61,20 @@ const char *MEAPI MeCallerName(const char *function) {
     return caller != NULL ? caller : function;
 }
 
+void me_namesTake(MeProgramCall *call) {
+    call->caller = caller;
+    call->speaker = speaker.name;
+    call->hasSpoken = speaker.hasSpoken;
+    caller = speaker.name = NULL;
+    speaker.hasSpoken = MEFALSE;
+}
+
+void me_namesGive(const MeProgramCall *call) {
+    caller = call->caller;
+    speaker.name = call->speaker;
+    speaker.hasSpoken = call->hasSpoken;
+}
+
 void MEAPI MeLimitRename(MeLimit *limit, const char *name) {
     limit->name = name;
     limit->isSaidOnce = METRUE;

@@ -296,6 +296,22 @@ static void nextNumber(MeTeam *t, unsigned int step) {
     atomic_store_explicit(&t->number, number + step, memory_order_release);
 }
 
+/* The functions by which a program runs tasks (MdtWorldSetTaskPool sets those of a pool). */
+static const char setBy[] = "MdtWorldSetTaskCallbacks";
+
+static void *enqueue(MeTeam *t, int worker) {
+    const MeProgramCall before = MeProgramEnter(setBy);
+    void *const task = t->enqueue(serve, &t->worker[worker], t->userContext);
+    MeProgramLeave(&before);
+    return task;
+}
+
+static void finish(MeTeam *t, int worker) {
+    const MeProgramCall before = MeProgramEnter(setBy);
+    t->finish(t->worker[worker].task, t->userContext);
+    MeProgramLeave(&before);
+}
+
 static void sendOut(MeTeam *t) {
     t->opener = &threadMark;
     t->caller = MeCallerName(NULL);
@@ -303,14 +319,14 @@ static void sendOut(MeTeam *t) {
     t->isOut = METRUE;
     nextNumber(t, 1);
     for (int i = 1; i < t->size; i++)
-        t->worker[i].task = t->enqueue(serve, &t->worker[i], t->userContext);
+        t->worker[i].task = enqueue(t, i);
 }
 
 static void callBack(MeTeam *t) {
     nextNumber(t, 1);
     for (int i = 1; i < t->size; i++) {
         if (t->worker[i].task)
-            t->finish(t->worker[i].task, t->userContext);
+            finish(t, i);
         t->worker[i].task = NULL;
     }
     t->isOut = MEFALSE;

@@ -115,6 +115,7 @@ typedef struct RParticleSystem RParticleSystem;
 typedef RParticleSystem *RPSystemPtr;
 
 /** @name Callbacks
+ *  Called between frames, when no step is under way: they may do anything with the simulation.
  *  @{ */
 typedef void(MEAPI *RMainLoopCallBack)(RRender *rc, void *userdata);
 typedef void(MEAPI *RMainLoopCallBackNoData)(RRender *rc); /**< As the Dynamics guide writes Tick. */

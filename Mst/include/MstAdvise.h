@@ -96,7 +96,8 @@ typedef struct MstAdvice {
     const char *restriction; /**< what was left out, a sentence; "" if nothing was */
 } MstAdvice;
 
-/** Is told the outcome, within the MstUniverseStep that has found it. It may print, keep copies, or call exit(). */
+/** Is told the outcome, within the MstUniverseStep that has found it. It may print, keep copies, call exit(), or change
+ *  what it likes (docs/simulation.md, "Callbacks"). */
 typedef void(MEAPI *MstAdviceCB)(const MstAdvice *advice, void *userdata);
 
 /** Sets all members to their defaults. */

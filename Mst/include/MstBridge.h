@@ -30,7 +30,8 @@ MEPUBLIC MstMaterialID MEAPI MstBridgeGetNewMaterial(const MstBridgeID b);
 /** The parameters that contacts of the pair get from now on. They belong to the bridge. */
 MEPUBLIC MdtContactParamsID MEAPI MstBridgeGetContactParams(const MstBridgeID b, const MstMaterialID m1,
                                                             const MstMaterialID m2);
-/** The callbacks of a pair of materials; null: none. */
+/** The callbacks of a pair of materials; null: none. While pairs are handled models and bodies that they destroy wait
+ *  (docs/simulation.md, "Callbacks"). */
 MEPUBLIC void MEAPI MstBridgeSetIntersectCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
                                             const MstIntersectCBPtr cb);
 MEPUBLIC MstIntersectCBPtr MEAPI MstBridgeGetIntersectCB(const MstBridgeID b, const MstMaterialID m1,

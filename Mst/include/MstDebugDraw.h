@@ -6,9 +6,10 @@
  *      const MstDebugDraw draw = {.line = line};
  *      MstDebugDrawUniverse(u, MstDebugContacts | MstDebugJoints, &draw);
  *
- *  World frame; nothing is changed in the simulation, and nothing is kept. Colours are red, green, blue and opacity,
- *  each 0 to 1. Functions that are null are left out. Only one thread may draw at a time, and none may step a world
- *  meanwhile that draws by MeDebugDrawAPI. An addition to the 1.2 interface.
+ *  World frame; nothing is changed in the simulation, nor may the functions change it (docs/simulation.md,
+ *  "Callbacks"), and nothing is kept. Colours are red, green, blue and opacity, each 0 to 1. Functions that are null
+ *  are left out. Only one thread may draw at a time, and none may step a world meanwhile that draws by MeDebugDrawAPI.
+ *  An addition to the 1.2 interface.
  */
 #ifndef MSTDEBUGDRAW_H
 #define MSTDEBUGDRAW_H

@@ -20,8 +20,8 @@
  *  Order. First the touches that ended between the steps, in the order in which they did; then pairs as the space hands
  *  them over, goodbyes, hellos, staying ones, each by sort keys, then creation; then broken joints, by sort keys, then
  *  creation. Callbacks of touches are called in that order when the list is complete; they may create and destroy what
- *  they like, but not step the universe. Joints have a callback of the world's (MdtWorldSetBreakCB), at the end of its
- *  step.
+ *  they like, but not step or end the universe (docs/simulation.md, "Callbacks"). Joints have a callback of the world's
+ *  (MdtWorldSetBreakCB), at the end of its step.
  */
 #ifndef MSTEVENTS_H
 #define MSTEVENTS_H
@@ -38,7 +38,8 @@ ME_BEGIN_C
 MEPUBLIC const MstEvent *MEAPI MstBridgeGetEvents(const MstBridgeID b, int *count);
 /** The same, of a universe's bridge. */
 MEPUBLIC const MstEvent *MEAPI MstUniverseGetEvents(const MstUniverseID u, int *count);
-/** Who is called for the events of touches of a pair of materials; null: nobody, the default. */
+/** Who is called for the events of touches of a pair of materials (docs/simulation.md, "Callbacks"); null: nobody, the
+ *  default. */
 MEPUBLIC void MEAPI MstBridgeSetTouchCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
                                         const MstTouchCBPtr cb);
 MEPUBLIC MstTouchCBPtr MEAPI MstBridgeGetTouchCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2);

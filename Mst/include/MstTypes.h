@@ -15,7 +15,8 @@ typedef MstBridge *MstBridgeID;
 typedef struct MstUniverse MstUniverse;
 typedef MstUniverse *MstUniverseID;
 
-/** Sees the collision contacts of a pair, and may change them or take some away (contactCount). */
+/** Sees the collision contacts of a pair, and may change them or take some away (contactCount). What this and the next
+ *  two may do else, as destroying models: docs/simulation.md, "Callbacks". */
 typedef void(MEAPI *MstIntersectCBPtr)(McdIntersectResult *result);
 /** Sees each collision contact and the dynamics contact made of it; 0 deletes the latter. */
 typedef MeBool(MEAPI *MstPerContactCBPtr)(McdIntersectResult *result, McdContact *colC, MdtContactID dynC);
@@ -44,7 +45,8 @@ typedef struct MstEvent {
     MdtConstraintID joint; /**< The one that broke; null for others, and if it was destroyed since. */
 } MstEvent;
 
-/** Sees the begin, persist and end events of a pair of materials. */
+/** Sees the begin, persist and end events of a pair of materials. It may do anything but step or end the universe, and
+ *  at once (docs/simulation.md, "Callbacks"). */
 typedef void(MEAPI *MstTouchCBPtr)(const MstEvent *event);
 
 /** What holds where models of two materials touch. */

@@ -370,10 +370,12 @@ static void tell(MstAdviser *a) {
     memcpy(trial, a->trial, sizeof trial);
     advice.trial = trial;
     mst_adviserDestroy(a);
+    const MeProgramCall before = MeProgramEnter("MstAdvise");
     if (done)
         done(&advice, userdata);
     else
         MstAdvicePrint(&advice);
+    MeProgramLeave(&before);
 }
 
 void mst_adviserStepBegins(MstUniverseID u, MstAdviser **adviser, double step) {

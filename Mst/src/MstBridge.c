@@ -103,6 +103,8 @@ MstBridgeID MEAPI MstBridgeCreate(McdFrameworkID frame, const unsigned int maxMa
         MeWarning(1, "MstBridgeCreate: frame is null");
         return 0;
     }
+    if (!MeProgramMayChange(function))
+        return 0;
     const MeBool isLimited = maxMaterials != MeNoLimit;
     if (isLimited && (maxMaterials == 0 || maxMaterials > MST_MATERIALS))
         MeWarning(1, "MstBridgeCreate: maxMaterials is %u: it must be 1 .. %d, or MeNoLimit", maxMaterials,
@@ -129,7 +131,7 @@ void MEAPI MstBridgeDestroy(const MstBridgeID b) {
     MstBridgeRecord *record = (MstBridgeRecord *)b;
     if (b && !MeHandleIsLive(b, MST_BRIDGE))
         mst_warnGone(b, "bridge", "MstBridgeDestroy");
-    if (!b || !MeHandleIsLive(b, MST_BRIDGE))
+    if (!b || !MeHandleIsLive(b, MST_BRIDGE) || !MeStageIsFree(&record->stage, "MstBridgeDestroy"))
         return;
     record->magic = 0;
     MeHandleLeave(&record->handle);
@@ -274,11 +276,39 @@ MstTouchCBPtr MEAPI MstBridgeGetTouchCB(const MstBridgeID b, const MstMaterialID
 
 /* ---- each step ------------------------------------------------------------------------------------------------- */
 
+void mst_holdPairs(MstBridgeRecord *b, McdFrameworkID frame, MdtWorldID w) {
+    MeStageBegin(&b->stage, MST_HOLD_PAIRS);
+    MeStageBegin(McdFrameworkGetStage(frame), MCD_MODELS_HELD);
+    if (w)
+        MeStageBegin(MdtWorldGetStage(w), MDT_BODY_HELD);
+}
+
+/* Models go first, then their bodies. */
+void mst_releasePairs(MstBridgeRecord *b, McdFrameworkID frame, MdtWorldID w) {
+    MeStageEnd(McdFrameworkGetStage(frame), MCD_MODELS_HELD);
+    if (w)
+        MeStageEnd(MdtWorldGetStage(w), MDT_BODY_HELD);
+    MeStageEnd(&b->stage, MST_HOLD_PAIRS);
+}
+
+/* The world whose bodies are to be held; null: there is none. */
+static MdtWorldID worldOf(MdtWorldID w) {
+    return MdtWorldIsValid(w) ? w : 0;
+}
+
+/* Is nothing of them in use? Else a message. */
+static MeBool areFree(MstBridgeRecord *b, McdFrameworkID frame, MdtWorldID w, const char *function) {
+    return MeStageIsFree(&b->stage, function) && MeStageIsFree(McdFrameworkGetStage(frame), function) &&
+           (!worldOf(w) || MeStageIsFree(MdtWorldGetStage(w), function));
+}
+
 void MEAPI MstHandleTransitionsOf(McdModelPairContainer *pairs) {
     if (!pairs) {
         MeWarning(1, "MstHandleTransitions: no container");
         return;
     }
+    if (!MeProgramMayChange("MstHandleTransitions"))
+        return;
     for (int i = pairs->goodbyeFirst; i < pairs->goodbyeEnd; i++)
         mst_pairForget(pairs->array[i]);
     McdGoodbyeEach(pairs);
@@ -291,11 +321,7 @@ void MEAPI(MstHandleTransitions)(McdModelPairContainer *pairs, const McdSpaceID 
     MstHandleTransitionsOf(pairs);
 }
 
-void MEAPI MstHandleCollisions(McdModelPairContainer *pairs, const McdSpaceID s, const MdtWorldID w,
-                               const MstBridgeID b) {
-    MstBridgeRecord *record = mst_bridgeCheck(b, "MstHandleCollisions");
-    if (!record || !pairs)
-        return;
+static void handleCollisions(MstBridgeRecord *record, McdModelPairContainer *pairs, McdSpaceID s, MdtWorldID w) {
     mst_beginRound(record);
     lookAtMaterials(record, pairs->stayingEnd - pairs->helloFirst);
     mst_lookByWorkers(record, pairs->stayingEnd - pairs->helloFirst, s, w);
@@ -309,6 +335,16 @@ void MEAPI MstHandleCollisions(McdModelPairContainer *pairs, const McdSpaceID s,
         i += mst_collideRun(record, &record->run, &pairs->array[i], pairs->stayingEnd - i, s);
         mst_commitRun(record, &record->run, s, w);
     }
+}
+
+void MEAPI MstHandleCollisions(McdModelPairContainer *pairs, const McdSpaceID s, const MdtWorldID w,
+                               const MstBridgeID b) {
+    MstBridgeRecord *record = mst_bridgeCheck(b, "MstHandleCollisions");
+    if (!record || !pairs || !areFree(record, record->frame, w, "MstHandleCollisions"))
+        return;
+    mst_holdPairs(record, record->frame, worldOf(w));
+    handleCollisions(record, pairs, s, w);
+    mst_releasePairs(record, record->frame, worldOf(w));
 }
 
 static MeBool setPairsSize(MstBridgeRecord *b, int size) {
@@ -336,17 +372,19 @@ static MeBool isSpace(McdSpaceID s, const char *function) {
     return s != 0;
 }
 
-void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, const MdtWorldID w) {
+/* What callbacks have destroyed goes when the next change block is open. */
+void mst_updateContacts(MstBridgeRecord *record, McdSpaceID s, MdtWorldID w) {
     McdSpacePairIterator iterator;
+    McdModelPairContainer **const pairs = &record->bridge.pairs;
+    const MdtWorldID held = worldOf(w);
     int isMore;
-    MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeUpdateContacts");
-    if (!record || !isSpace(s, "MstBridgeUpdateContacts"))
-        return;
     const char *before = MeCallerSet("MstBridgeUpdateContacts");
     MeProfileStartSection("Collision", 0);
     if (record->part == 0) {
         mst_eventsBegin(record, w ? MdtWorldGetTeam(w) : 0);
+        mst_holdPairs(record, record->frame, held);
         mst_wakeChanged(record, s);
+        mst_releasePairs(record, record->frame, held);
     }
     mst_clearSafeTimes(record);
     record->ahead = McdSpaceGetLookAhead(s);
@@ -355,33 +393,44 @@ void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, cons
     MeProfileEndSection("Pairs");
     reservePairs(record, McdSpaceGetPairCount(s));
     McdSpacePairIteratorBegin(s, &iterator);
+    mst_holdPairs(record, record->frame, held);
     do {
-        McdModelPairContainerReset(b->pairs);
-        isMore = McdSpaceGetPairs(s, &iterator, b->pairs);
-        MEASSERT(b->pairs->goodbyeEnd <= b->pairs->helloFirst && b->pairs->helloEnd == b->pairs->stayingFirst);
-        MstHandleTransitionsOf(b->pairs);
-        MstHandleCollisions(b->pairs, s, w, b);
+        McdModelPairContainerReset(*pairs);
+        isMore = McdSpaceGetPairs(s, &iterator, *pairs);
+        MEASSERT((*pairs)->goodbyeEnd <= (*pairs)->helloFirst && (*pairs)->helloEnd == (*pairs)->stayingFirst);
+        MstHandleTransitionsOf(*pairs);
+        handleCollisions(record, *pairs, s, w);
     } while (isMore);
-    McdSpaceBeginChanges(s);
+    McdSpaceOpen(s);
     mst_freezeAgain(record);
+    mst_releasePairs(record, record->frame, held);
     MeProfileEndSection("Collision");
     MeCallerSet(before);
+}
+
+void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, const MdtWorldID w) {
+    MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeUpdateContacts");
+    if (record && isSpace(s, "MstBridgeUpdateContacts") && areFree(record, record->frame, w, "MstBridgeUpdateContacts"))
+        mst_updateContacts(record, s, w);
 }
 
 void MEAPI MstBridgeUpdateTransitions(const MstBridgeID b, const McdSpaceID s, const MdtWorldID w) {
     McdSpacePairIterator iterator;
     int isMore;
-    (void)w;
-    if (!mst_bridgeCheck(b, "MstBridgeUpdateTransitions") || !isSpace(s, "MstBridgeUpdateTransitions"))
+    MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeUpdateTransitions");
+    if (!record || !isSpace(s, "MstBridgeUpdateTransitions") ||
+        !areFree(record, record->frame, w, "MstBridgeUpdateTransitions"))
         return;
     McdSpaceEndChanges(s);
     McdSpacePairIteratorBegin(s, &iterator);
+    mst_holdPairs(record, record->frame, worldOf(w));
     do {
         McdModelPairContainerReset(b->pairs);
         isMore = McdSpaceGetTransitions(s, &iterator, b->pairs);
         MstHandleTransitionsOf(b->pairs);
     } while (isMore);
-    McdSpaceBeginChanges(s);
+    McdSpaceOpen(s);
+    mst_releasePairs(record, record->frame, worldOf(w));
 }
 
 void MEAPI MstBridgeSetContactReuse(const MstBridgeID b, const MeReal part) {
@@ -399,6 +448,22 @@ MeReal MEAPI MstBridgeGetContactReuse(const MstBridgeID b) {
 
 /* ---- buffers ---------------------------------------------------------------------------------------------------- */
 
+static void MEAPI resizeLater(const MeLater *later) {
+    if (later->other[0])
+        MstBridgeSetContactBufferSize(later->object, (unsigned int)later->number);
+    else
+        MstBridgeSetModelPairBufferSize(later->object, (unsigned int)later->number);
+}
+
+/* False: it is done when the pairs are handled, or refused. */
+static MeBool isToResizeNow(MstBridgeRecord *b, MeBool isOfContacts, unsigned int size, const char *function) {
+    const MeLater later = {.carryOut = resizeLater, .object = b, .other = {isOfContacts ? b : 0}, .number = (long)size};
+    const MeWhen when = MeStageWhen(&b->stage, MST_HOLD_PAIRS, function);
+    if (when == MeWhenStageEnds)
+        MeStageDefer(&b->stage, MST_HOLD_PAIRS, &later, function);
+    return when == MeWhenNow;
+}
+
 void MEAPI MstBridgeSetContactBufferSize(const MstBridgeID b, const unsigned int s) {
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeSetContactBufferSize");
     if (!record)
@@ -407,7 +472,8 @@ void MEAPI MstBridgeSetContactBufferSize(const MstBridgeID b, const unsigned int
         MeWarning(1, "MstBridgeSetContactBufferSize: %u contacts: it must be 1 .. %d", s, INT_MAX);
         return;
     }
-    makeContacts(record, (int)s, "MstBridgeSetContactBufferSize");
+    if (isToResizeNow(record, METRUE, s, "MstBridgeSetContactBufferSize"))
+        makeContacts(record, (int)s, "MstBridgeSetContactBufferSize");
 }
 
 void MEAPI MstBridgeSetModelPairBufferSize(const MstBridgeID b, const unsigned int s) {
@@ -418,6 +484,6 @@ void MEAPI MstBridgeSetModelPairBufferSize(const MstBridgeID b, const unsigned i
         MeWarning(1, "MstBridgeSetModelPairBufferSize: %u pairs: it must be 8 .. %d", s, INT_MAX);
         return;
     }
-    if (setPairsSize(record, (int)s))
+    if (isToResizeNow(record, MEFALSE, s, "MstBridgeSetModelPairBufferSize") && setPairsSize(record, (int)s))
         record->isPairsSizeSet = METRUE;
 }

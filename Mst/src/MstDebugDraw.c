@@ -18,6 +18,7 @@ typedef struct Drawing {
     const MstDebugDraw *to;
     unsigned int layers;
     MeReal length;
+    const char *function; /* that draws */
 } Drawing;
 
 static const float white[4] = {.92f, .93f, .95f, 1}, grey[4] = {.55f, .57f, .60f, 1}, red[4] = {.90f, .25f, .20f, 1},
@@ -31,24 +32,30 @@ static MeBool wants(const Drawing *d, unsigned int layers) {
 
 /* ---- what the table is asked for --------------------------------------------------------------------------------- */
 
+/* Calls one of its functions, which may change nothing, if there is one. */
+#define CALL(d, member, ...)                                                                                           \
+    do {                                                                                                               \
+        if ((d)->to->member) {                                                                                         \
+            const MeProgramCall before = MeProgramEnterQuiet((d)->function);                                           \
+            (d)->to->member((d)->to->userdata, __VA_ARGS__);                                                           \
+            MeProgramLeave(&before);                                                                                   \
+        }                                                                                                              \
+    } while (0)
+
 static void line(const Drawing *d, const MeVector3 a, const MeVector3 b, const float color[4]) {
-    if (d->to->line)
-        d->to->line(d->to->userdata, a, b, color);
+    CALL(d, line, a, b, color);
 }
 
 static void point(const Drawing *d, const MeVector3 p, const float color[4]) {
-    if (d->to->point)
-        d->to->point(d->to->userdata, p, color);
+    CALL(d, point, p, color);
 }
 
 static void triangle(const Drawing *d, const MeVector3 a, const MeVector3 b, const MeVector3 c, const float color[4]) {
-    if (d->to->triangle)
-        d->to->triangle(d->to->userdata, a, b, c, color);
+    CALL(d, triangle, a, b, c, color);
 }
 
 static void text(const Drawing *d, const MeVector3 p, const char *words, const float color[4]) {
-    if (d->to->text)
-        d->to->text(d->to->userdata, p, words, color);
+    CALL(d, text, p, words, color);
 }
 
 /* From a point along a vector. Returns the end. */
@@ -426,7 +433,7 @@ void MEAPI MstDebugDrawParts(const MdtWorldID w, const McdSpaceID s, const MeRea
         MeWarning(1, "MstDebugDrawParts: lengthScale is %g: it must be positive", (double)lengthScale);
         return;
     }
-    drawAll(&(Drawing){draw, layers, lengthScale}, w, s);
+    drawAll(&(Drawing){draw, layers, lengthScale, "MstDebugDrawParts"}, w, s);
 }
 
 void MEAPI MstDebugDrawUniverse(const MstUniverseID u, const unsigned int layers, const MstDebugDraw *draw) {
@@ -434,5 +441,5 @@ void MEAPI MstDebugDrawUniverse(const MstUniverseID u, const unsigned int layers
     ME_UNDER_OWN_NAME(w = MstUniverseGetWorld(u));
     if (!w || !isGood("MstDebugDrawUniverse", layers, draw))
         return;
-    drawAll(&(Drawing){draw, layers, u->sizes.lengthScale}, w, u->space);
+    drawAll(&(Drawing){draw, layers, u->sizes.lengthScale, "MstDebugDrawUniverse"}, w, u->space);
 }

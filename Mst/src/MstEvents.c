@@ -179,6 +179,7 @@ static void refreshEvent(MstEvents *e, int i) {
 }
 
 static void callBack(MstBridgeRecord *b) {
+    const MeProgramCall before = MeProgramEnter("MstBridgeSetTouchCB");
     for (int i = 0; i < b->events.firstBreak; i++) {
         refreshEvent(&b->events, i);
         const MstEvent *event = &b->events.done.event[i];
@@ -186,6 +187,7 @@ static void callBack(MstBridgeRecord *b) {
         if (cb)
             cb(event);
     }
+    MeProgramLeave(&before);
 }
 
 /* Makes the list of the step that is done, unless there is one, or its world is gone. */
@@ -260,10 +262,7 @@ static void skipList(MstBridgeRecord *b, MeTeam *team) {
     e->isPending = MEFALSE;
 }
 
-void MEAPI MstBridgeUpdateEvents(const MstBridgeID b, const MdtWorldID w) {
-    MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeUpdateEvents");
-    if (!record)
-        return;
+void mst_updateEvents(MstBridgeRecord *record, MdtWorldID w) {
     record->events.done.count = record->events.firstBreak = 0;
     record->events.world = w;
     record->events.isPending = METRUE;
@@ -271,6 +270,15 @@ void MEAPI MstBridgeUpdateEvents(const MstBridgeID b, const MdtWorldID w) {
         makeList(record);
         callBack(record);
     }
+}
+
+void MEAPI MstBridgeUpdateEvents(const MstBridgeID b, const MdtWorldID w) {
+    MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeUpdateEvents");
+    if (!record || !MeStageIsFree(&record->stage, "MstBridgeUpdateEvents"))
+        return;
+    MeStageBegin(&record->stage, MST_HOLD_BRIDGE);
+    mst_updateEvents(record, w);
+    MeStageEnd(&record->stage, MST_HOLD_BRIDGE);
 }
 
 void mst_eventsBegin(MstBridgeRecord *b, MeTeam *team) {

@@ -1,5 +1,7 @@
 /* Links between models and bodies. A body knows its first model, a model the next one of its body. */
 #include "MstModelDynamics.h"
+#include "McdInternal.h"
+#include "MdtInternal.h"
 #include "MeAssert.h"
 #include "MeInternal.h"
 #include "MeMessage.h"
@@ -22,42 +24,99 @@ static MeBool isOfBody(const McdModel *m, MdtBodyID b) {
     return found == 1;
 }
 
-/* Takes the model out of its body's list. */
+/* ---- what a body tells of itself --------------------------------------------------------------------------------- */
+
+static void partModel(McdModelID m);
+
+static MeStage *MEAPI heldBy(const MdtBodyID b) {
+    MeStage *stage = 0;
+    for (McdModelID m = MdtBodyGetModel(b); m && !stage; m = m->mOfBody)
+        stage = McdModelGetHeldStage(m);
+    return stage;
+}
+
+static void MEAPI condemnModels(const MdtBodyID b) {
+    for (McdModelID m = MdtBodyGetModel(b); m; m = m->mOfBody)
+        McdModelSetGone(m, METRUE);
+}
+
+/* Models without a body that they had stay where they are put next, and are nowhere until then: awake, so that the
+ * space takes notice. */
+static void MEAPI releaseModels(const MdtBodyID b) {
+    for (McdModelID m = MdtBodyGetModel(b); m; m = MdtBodyGetModel(b)) {
+        partModel(m);
+        McdModelSetGone(m, MEFALSE);
+        if (!McdModelGetTransformPtr(m))
+            McdModelDropBox(m);
+    }
+}
+
+static void MEAPI stirModels(const MdtBodyID b) {
+    for (McdModelID m = MdtBodyGetModel(b); m; m = m->mOfBody)
+        McdModelStir(m);
+}
+
+static const MdtBodyUser user = {heldBy, condemnModels, releaseModels, stirModels};
+
+static void setModels(MdtBodyID b, McdModelID first) {
+    MdtBodySetUser(b, first, first ? &user : 0);
+}
+
+/* ---- links ------------------------------------------------------------------------------------------------------- */
+
+/* Takes the model out of its body's list. Contacts of its pairs are the body's. */
 static void MEAPI unlinkModel(McdModel *m) {
     const MdtBodyID b = m->mBody;
-    const MeBool isLive = MdtBodyIsValid(b); /* it may have gone with its world */
-    McdModelID first = isLive ? MdtBodyGetModel(b) : 0;
-    MEASSERT(!isLive || isOfBody(m, b));
-    if (isLive && first == m)
-        MdtBodySetModel(b, m->mOfBody);
+    McdModelID first = MdtBodyGetModel(b);
+    MEASSERT(isOfBody(m, b));
+    if (first == m)
+        setModels(b, m->mOfBody);
     for (McdModelID other = first; other; other = other->mOfBody)
         if (other->mOfBody == m)
             other->mOfBody = m->mOfBody;
+    McdModelForgetPairs(m);
     m->mOfBody = 0;
     m->mLeave = 0;
     m->mBody = 0;
 }
 
-static void detachModel(McdModelID m) {
-    const MdtBodyID b = m->mBody;
-    if (McdModelGetTransformPtr(m) == MdtBodyGetTransformPtr(b))
+/* Is the model placed by the body's transform, or relative to it? */
+static MeBool isPlacedBy(McdModelID m, MdtBodyID b) {
+    MeMatrix4Ptr relative, reference;
+    McdModelGetRelativeTransformPtrs(m, &relative, &reference);
+    const MeMatrix4Ptr tm = MdtBodyGetTransformPtr(b);
+    return McdModelGetTransformPtr(m) == tm || reference == tm;
+}
+
+static void partModel(McdModelID m) {
+    if (isPlacedBy(m, m->mBody))
         McdModelSetTransformPtr(m, 0);
     McdModelSetLinearVelocityPtr(m, 0);
     McdModelSetAngularVelocityPtr(m, 0);
     unlinkModel(m);
 }
 
+static MeBool isBody(MdtBodyID b, const char *function) {
+    if (!b || MdtBodyIsValid(b))
+        return METRUE;
+    MeWarning(1, "%s: the body has been destroyed, or never was one; nothing is changed", function);
+    return MEFALSE;
+}
+
 void MEAPI McdModelSetBody(const McdModelID m, const MdtBodyID b) {
-    if (!isModel(m, "McdModelSetBody"))
+    static const char function[] = "McdModelSetBody";
+    if (!isModel(m, function) || !isBody(b, function) || !MeProgramMayChange(function) ||
+        !McdModelMayBePlaced(m, function))
         return;
     if (m->mLeave)
-        detachModel(m);
+        partModel(m);
+    McdModelForgetPairs(m);
     McdModelSetBodyData(m, b);
     if (!b)
         return;
-    m->mOfBody = MdtBodyGetModel(b);
+    m->mOfBody = MdtBodyHasUser(b) ? MdtBodyGetModel(b) : 0;
     m->mLeave = unlinkModel;
-    MdtBodySetModel(b, m);
+    setModels(b, m);
     MEVALIDATE(isOfBody(m, b));
     McdModelSetTransformPtr(m, MdtBodyGetTransformPtr(b));
     McdModelSetLinearVelocityPtr(m, MdtBodyGetLinearVelocityPtr(b));
@@ -85,7 +144,9 @@ static MdtBodyID bodyOf(McdModelID m, const char *function) {
     if (!isModel(m, function))
         return 0;
     if (!m->mBody)
-        MeWarning(1, "%s: the model has no body; a fixed model is moved by its transform: McdModelSetTransformPtr",
+        MeWarning(1,
+                  "%s: the model has no body, or its body was destroyed; a fixed model is moved by its transform: "
+                  "McdModelSetTransformPtr",
                   function);
     return m->mBody;
 }

@@ -32,16 +32,45 @@ static MeBool isUniverse(MstUniverseID u, const char *function) {
     return MEFALSE;
 }
 
-/* The parts that have been created. */
+static MeBool isBridge(const MstUniverse *u) {
+    return u->bridge && MeHandleIsLive(u->bridge, MST_BRIDGE);
+}
+
+/* The first of its parts that the program has destroyed; null: it has all of them. */
+static const char *missingPart(const MstUniverse *u) {
+    return !MdtWorldIsValid(u->world)       ? "world"
+           : !McdFrameworkIsValid(u->frame) ? "framework"
+           : !McdSpaceIsValid(u->space)     ? "space"
+           : !isBridge(u)                   ? "bridge"
+                                            : 0;
+}
+
+static MeBool isWhole(const MstUniverse *u, const char *function) {
+    const char *part = missingPart(u);
+    if (part)
+        MeWarning(1, "%s: the universe's %s has been destroyed; it ends with the universe: see MstUniverseDestroy",
+                  function, part);
+    return !part;
+}
+
+/* Is none of its parts in use? Else a message. */
+static MeBool isFree(const MstUniverse *u, const char *function) {
+    return (!isBridge(u) || MeStageIsFree(&((MstBridgeRecord *)u->bridge)->stage, function)) &&
+           (!McdFrameworkIsValid(u->frame) || MeStageIsFree(McdFrameworkGetStage(u->frame), function)) &&
+           (!MdtWorldIsValid(u->world) || MeStageIsFree(MdtWorldGetStage(u->world), function));
+}
+
+/* Those that have been created, and that the program has not destroyed. */
 static void destroyParts(MstUniverse *u) {
-    if (u->space)
+    if (McdSpaceIsValid(u->space))
         McdSpaceDestroy(u->space);
-    if (u->frame) {
+    if (McdFrameworkIsValid(u->frame)) {
         McdFrameworkDestroyAllModelsAndGeometries(u->frame);
         McdTerm(u->frame);
     }
-    MstBridgeDestroy(u->bridge);
-    if (u->world)
+    if (isBridge(u))
+        MstBridgeDestroy(u->bridge);
+    if (MdtWorldIsValid(u->world))
         MdtWorldDestroy(u->world);
     mst_adviserDestroy(((MstUniverseRecord *)u)->adviser);
     MeHandleLeave(&((MstUniverseRecord *)u)->handle);
@@ -95,6 +124,8 @@ static void nameLimits(MstUniverse *u) {
 }
 
 MstUniverseID MEAPI MstUniverseCreate(const MstUniverseSizes *const sizes) {
+    if (!MeProgramMayChange("MstUniverseCreate"))
+        return 0;
     MstUniverseRecord *record = MeMemoryTakeZeroed(1, sizeof *record, "MstUniverseCreate", "a universe");
     if (!record)
         return 0;
@@ -120,10 +151,10 @@ MstUniverseID MEAPI MstUniverseCreate(const MstUniverseSizes *const sizes) {
 }
 
 void MEAPI MstUniverseDestroy(const MstUniverseID u) {
-    if (u && MeHandleIsLive(u, MST_UNIVERSE))
-        destroyParts(u);
-    else if (u)
+    if (u && !MeHandleIsLive(u, MST_UNIVERSE))
         mst_warnGone(u, "universe", "MstUniverseDestroy");
+    else if (u && isFree(u, "MstUniverseDestroy"))
+        destroyParts(u);
 }
 
 static void updateBoxes(McdSpaceID s, MeReal step) {
@@ -150,37 +181,54 @@ static void judgeStep(MstUniverseRecord *u, double step) {
         step, fall);
 }
 
-void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step) {
-    if (!isUniverse(u, "MstUniverseStep"))
-        return;
-    if (!MdtWorldIsValid(u->world)) {
-        MeWarning(1, "MstUniverseStep: the universe's world has been destroyed; it ends with the universe: see "
-                     "MstUniverseDestroy");
-        return;
-    }
-    if (!(step > 0) || !MeRealIsValid(step)) {
-        MeWarning(1, "MstUniverseStep: the step is %g: it must be positive; nothing is changed", (double)step);
-        return;
-    }
-    judgeStep((MstUniverseRecord *)u, (double)step);
-    MstAdviser **adviser = &((MstUniverseRecord *)u)->adviser;
-    if (*adviser)
-        mst_adviserStepBegins(u, adviser, (double)step);
+/* The parts of a step. All that is in the universe is there to the end of it. */
+static void takeStep(MstUniverse *u, MeReal step) {
+    MstBridgeRecord *bridge = (MstBridgeRecord *)u->bridge;
+    MeStage *const held[] = {McdFrameworkGetStage(u->frame), MdtWorldGetStage(u->world)};
     const char *before = MeCallerSet("MstUniverseStep");
     MEASSERT(McdFrameworkGetModelCount(u->frame) >= McdSpaceGetModelCount(u->space));
+    for (int i = 0; i < 2; i++)
+        MeStageBegin(held[i], 0);
     McdSpaceSetLookAhead(u->space, step);
     MeTeam *team = MdtWorldGetTeam(u->world);
     McdSpaceSetTeam(u->space, team);
     MeTeamKeep(team);
     updateBoxes(u->space, step);
-    MstBridgeUpdateContacts(u->bridge, u->space, u->world);
+    mst_updateContacts(bridge, u->space, u->world);
     mst_stepWorld(u, step);
     MeTeamRelease(team);
     McdSpaceSetTeam(u->space, 0); /* the program may change it now */
-    MstBridgeUpdateEvents(u->bridge, u->world);
+    mst_updateEvents(bridge, u->world);
+    for (int i = 0; i < 2; i++)
+        MeStageEnd(held[i], 0);
     MeCallerSet(before);
+}
+
+/* With advice: a callback of it is called before the step. */
+static void stepWithAdvice(MstUniverse *u, MeReal step) {
+    MstAdviser **adviser = &((MstUniverseRecord *)u)->adviser, *begun;
     if (*adviser)
-        mst_adviserStepEnds(u, *adviser, (double)step);
+        mst_adviserStepBegins(u, adviser, (double)step);
+    begun = *adviser;
+    if (!isWhole(u, "MstUniverseStep"))
+        return;
+    takeStep(u, step);
+    if (begun)
+        mst_adviserStepEnds(u, begun, (double)step);
+}
+
+void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step) {
+    if (!isUniverse(u, "MstUniverseStep") || !isWhole(u, "MstUniverseStep") || !isFree(u, "MstUniverseStep"))
+        return;
+    if (!(step > 0) || !MeRealIsValid(step)) {
+        MeWarning(1, "MstUniverseStep: the step is %g: it must be positive; nothing is changed", (double)step);
+        return;
+    }
+    judgeStep((MstUniverseRecord *)u, (double)step);
+    MeStage *stage = &((MstBridgeRecord *)u->bridge)->stage;
+    MeStageBegin(stage, MST_HOLD_BRIDGE);
+    stepWithAdvice(u, step);
+    MeStageEnd(stage, MST_HOLD_BRIDGE);
 }
 
 MstAdviser **mst_universeAdviser(MstUniverseID u, const char *function) {

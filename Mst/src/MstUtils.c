@@ -2,6 +2,7 @@
 #include "MstUtils.h"
 #include "McdGeometry.h"
 #include "McdInteractions.h"
+#include "McdInternal.h"
 #include "MdtWorld.h"
 #include "MeAssert.h"
 #include "MeMessage.h"
@@ -189,15 +190,17 @@ static void removeModel(McdModelID m) {
 /* Of one that is gone McdModelDestroy says what is to be said. */
 static MeBool mayDestroy(McdModelID m, const char *function) {
     if (!m || McdModelIsValid(m))
-        return m != 0;
+        return m && MeProgramMayChange(function);
     const char *const before = MeMessagesAs(function);
     McdModelDestroy(m);
     MeMessagesAs(before);
     return MEFALSE;
 }
 
+/* In a stage of the models it goes when that ends. */
 static void destroyModel(McdModelID m) {
-    removeModel(m);
+    if (!McdModelGetHeldStage(m))
+        removeModel(m);
     McdModelDestroy(m);
 }
 

@@ -15,7 +15,9 @@
 #include "MdtContactGroup.h"
 #include "MdtInternal.h"
 #include "MeAssert.h"
+#include "MeMessage.h"
 #include "mst_i.h"
+#include <math.h>
 #include <string.h>
 
 /* ---- memory that will be read ------------------------------------------------------------------------------------ */
@@ -169,6 +171,37 @@ MeBool mst_intersectPair(MstRun *run, McdModelPair *p) {
     return McdIntersect(p, &run->result);
 }
 
+/* Are the numbers of a contact that the program has made, or changed, finite, and has its normal a length? */
+static MeBool isContact(const McdContact *c) {
+    const double square = (double)MeVector3MagnitudeSqr(c->normal);
+    return square > 0 && isfinite(square) && isfinite(c->separation) && isfinite(c->position[0]) &&
+           isfinite(c->position[1]) && isfinite(c->position[2]) && c->instance1 && c->instance2;
+}
+
+void mst_checkContacts(MstBridgeRecord *b, MstRun *run) {
+    McdIntersectResult *result = &run->result;
+    const int count = MeCLAMP(result->contactCount, 0, run->contactMax);
+    MeBool areGood = count == result->contactCount;
+    result->contactCount = 0;
+    for (int i = 0; i < count; i++)
+        if (isContact(&result->contacts[i]))
+            result->contacts[result->contactCount++] = result->contacts[i];
+        else
+            areGood = MEFALSE;
+    if (!areGood && !b->hasWarned[1])
+        MeWarning(
+            1,
+            "%s: a function of the program has left contacts that are none: more of them than there is place for, "
+            "numbers that are not finite, a normal without a length, or no instance; they are left out",
+            MeCallerName("MstBridgeUpdateContacts"));
+    b->hasWarned[1] = b->hasWarned[1] || !areGood;
+}
+
+/* A function of the program may have taken a transform away. */
+static MeBool arePlaced(const McdModelPair *p) {
+    return McdModelGetTransformPtr(p->model1) && McdModelGetTransformPtr(p->model2);
+}
+
 static void takeResult(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     if (!f->isFast && mst_passesFlush(f->pair, run->contacts, run->result.contactCount))
         run->result.contactCount = 0;
@@ -182,13 +215,16 @@ static void testPlain(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     takeResult(b, run, f);
 }
 
-MeBool mst_testPairIfChanged(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
+MeBool mst_testPairIfChanged(MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     McdModelPair *p = f->pair;
     const MeBool holds = p->touch ? isAsTested(b, p, hasAllContacts(p)) : !p->responseData;
     beginResult(run);
     if (!McdModelPairIntersectIfChanged(p, holds && !f->isFast && !mst_hasCallback(f->materials), &run->result,
                                         &f->isKnown))
         return MEFALSE;
+    mst_checkContacts(b, run);
+    if (!arePlaced(p))
+        run->result.contactCount = 0;
     takeResult(b, run, f);
     return METRUE;
 }
@@ -205,14 +241,19 @@ void mst_noteHeldApart(McdModelPair *const pairs[], int count) {
     }
 }
 
+/* By a joint, or as parts of one body; sensors sense all the same. */
 static MeBool isHeldApart(const MstBridgeRecord *b, const McdModelPair *p) {
     return b->areApart && p->isHeldApart;
+}
+
+static MeBool isOneBody(const McdModelPair *p, MeU32 traits) {
+    return mst_isOneBody(p) && !(traits & McdPairHasSensor);
 }
 
 MeBool mst_isPlainPair(const MstBridgeRecord *b, const McdModelPair *p) {
     MeU32 m[2];
     const MeU32 traits = McdModelPairGetTraits(p, m);
-    const MeBool parts = (p->touch || p->responseData) && isHeldApart(b, p);
+    const MeBool parts = (p->touch || p->responseData) && (isHeldApart(b, p) || isOneBody(p, traits));
     return !parts && m[0] < b->materialCount && m[1] < b->materialCount && !(traits & McdPairHasSensor) &&
            McdModelPairIsPlain(p) && !mst_hasCallback(mst_materialPair(b, m[0], m[1]));
 }
@@ -221,9 +262,9 @@ MeBool mst_isPlainPair(const MstBridgeRecord *b, const McdModelPair *p) {
 
 /* The outcome that follows from the models alone; MST_TO_TEST: none does. */
 static MstOutcome outcomeOfModels(const MstBridgeRecord *b, const McdModelPair *p, MeU32 traits) {
-    if (traits & McdPairIsAsleep)
+    if (traits & (McdPairIsAsleep | McdPairIsGone))
         return MST_NOTHING;
-    if (isHeldApart(b, p))
+    if (isHeldApart(b, p) || isOneBody(p, traits))
         return p->touch || p->responseData ? MST_TO_PART : MST_NOTHING;
     if (b->part > 0 && !mst_mayMeet(p))
         return mst_mustWait(p) ? MST_TO_WAIT : MST_NOTHING;

@@ -14,18 +14,10 @@
 #include "MdtContactGroup.h"
 #include "MdtInternal.h"
 #include "MeAssert.h"
+#include "MeMessage.h"
 #include "mst_i.h"
 
 /* ---- groups ------------------------------------------------------------------------------------------------------ */
-
-/* Whether the pair's group, if any, has the pair's bodies and refers to the pair. */
-static MeBool ownsGroup(const McdModelPair *p) {
-    const MdtContactGroupID group = p->responseData;
-    const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
-    return !group || (MdtContactGroupGetGenerator(group) == (void *)p &&
-                      MdtContactGroupGetBody(group, 0) == (body1 ? body1 : body2) &&
-                      MdtContactGroupGetBody(group, 1) == (body1 ? body2 : 0));
-}
 
 static void destroyGroup(McdModelPair *p) {
     if (p->responseData)
@@ -50,25 +42,32 @@ static void emptyGroup(McdModelPair *p) {
     MdtContactGroupDisable(group);
 }
 
-/* The pair's group; null if the world is full. */
-static MdtContactGroupID ensureGroup(McdModelPair *p, MdtWorldID w) {
+static MeBool areOfWorld(MstBridgeRecord *b, MdtBodyID body1, MdtBodyID body2, MdtWorldID w) {
+    if ((!body1 || MdtBodyGetWorld(body1) == w) && (!body2 || MdtBodyGetWorld(body2) == w))
+        return METRUE;
+    if (!b->hasWarned[0])
+        MeWarning(1,
+                  "%s: the body of a model that touches another is of another world than the one that is stepped: they "
+                  "get no contacts. Bodies of a universe's models are made in its world (MstUniverseGetWorld)",
+                  MeCallerName("MstBridgeUpdateContacts"));
+    b->hasWarned[0] = METRUE;
+    return MEFALSE;
+}
+
+/* The pair's group; null if the world is full, or the bodies make none. */
+static MdtContactGroupID ensureGroup(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w) {
     const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
     if (p->responseData)
         return p->responseData;
-    const MdtContactGroupID group = MdtContactGroupCreate(w);
-    if (group) {
-        MdtContactGroupSetBodies(group, body1 ? body1 : body2, body1 ? body2 : 0);
-        MdtContactGroupSetGenerator(group, p);
-        MdtContactGroupSetHolder(group, &p->responseData);
-    }
-    p->responseData = group;
+    if ((!body1 && !body2) || body1 == body2 || !areOfWorld(b, body1, body2, w))
+        return 0;
+    p->responseData = MdtContactGroupCreateBridged(w, body1 ? body1 : body2, body1 ? body2 : 0, p, &p->responseData);
     p->forget = mst_pairForget;
-    MEASSERT(ownsGroup(p));
-    return group;
+    return p->responseData;
 }
 
-void mst_pairTie(McdModelPair *p, MdtWorldID w) {
-    const MdtContactGroupID group = ensureGroup(p, w);
+void mst_pairTie(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w) {
+    const MdtContactGroupID group = ensureGroup(b, p, w);
     if (group)
         MdtContactGroupEnable(group);
 }
@@ -108,15 +107,26 @@ static void carryContacts(MstBridgeRecord *b, const MstFinding *f) {
 
 /* ---- contacts that were found ------------------------------------------------------------------------------------ */
 
+/* Does the pair's group go on? A callback may have destroyed it, or parted a model from its body. */
+static MeBool isGroupOf(const McdModelPair *p, MdtContactGroupID group) {
+    return group && p->responseData == group && !McdModelPairIsLeaving(p);
+}
+
 /* Calls the callback of a contact, and destroys the contact if it is rejected. */
-static void callPerContact(const MstBridgeRecord *b, MstRun *run, MdtContactGroupID group, int count) {
+static void callPerContact(const MstBridgeRecord *b, MstRun *run, const McdModelPair *p, int count) {
     McdIntersectResult *result = &run->result;
-    for (int i = 0; i < count; i++) {
+    const MdtContactGroupID group = p->responseData;
+    const MeProgramCall before = MeProgramEnter("MstBridgeSetPerContactCB");
+    for (int i = 0; i < count && isGroupOf(p, group); i++) {
         McdContact *from = &result->contacts[i];
         const MstMaterialPair *materials = mst_materialsOf(b, from);
-        if (materials->perContactCb && !materials->perContactCb(result, from, run->made[i]))
+        if (!materials->perContactCb || !MdtContactGroupHas(group, run->made[i]))
+            continue;
+        if (!materials->perContactCb(result, from, run->made[i]) && isGroupOf(p, group) &&
+            MdtContactGroupHas(group, run->made[i]))
             MdtContactGroupDestroyContact(group, run->made[i]);
     }
+    MeProgramLeave(&before);
 }
 
 /* Replaces the group's contacts by those found; returns how many there was room for. */
@@ -125,13 +135,13 @@ static int renewContacts(MstBridgeRecord *b, const MstRun *run, const MstFinding
 }
 
 /* For the contacts that were found; null: there are none, or is no room for them. */
-static MdtContactGroupID contactGroupOf(const MstFinding *f, MdtWorldID w) {
-    return f->count > 0 && !mustWait(f->pair, f->separation) ? ensureGroup(f->pair, w) : 0;
+static MdtContactGroupID contactGroupOf(MstBridgeRecord *b, const MstFinding *f, MdtWorldID w) {
+    return f->count > 0 && !mustWait(f->pair, f->separation) ? ensureGroup(b, f->pair, w) : 0;
 }
 
 /* As collide found them. */
 static void commitContacts(MstBridgeRecord *b, const MstRun *run, const MstFinding *f, MdtWorldID w) {
-    const MdtContactGroupID group = contactGroupOf(f, w);
+    const MdtContactGroupID group = contactGroupOf(b, f, w);
     if (!group) {
         emptyGroup(f->pair);
         return;
@@ -142,26 +152,44 @@ static void commitContacts(MstBridgeRecord *b, const MstRun *run, const MstFindi
         MdtContactGroupEnable(group);
 }
 
+static void callIntersect(MstBridgeRecord *b, MstRun *run, MstFinding *f) {
+    const MeProgramCall before = MeProgramEnter("MstBridgeSetIntersectCB");
+    f->materials->intersectCb(&run->result);
+    MeProgramLeave(&before);
+    if (McdModelPairIsLeaving(f->pair))
+        return;
+    mst_checkContacts(b, run);
+    mst_convertContacts(b, run, f);
+}
+
+static void callPerPair(MstRun *run, const MstFinding *f, MdtContactGroupID group) {
+    const MeProgramCall before = MeProgramEnter("MstBridgeSetPerPairCB");
+    const MeBool isToStay = f->materials->perPairCb(&run->result, group);
+    MeProgramLeave(&before);
+    if (!isToStay)
+        emptyGroup(f->pair);
+}
+
 /* The same, with the program's callbacks; the pair has just been tested. */
 static void commitWithCallbacks(MstBridgeRecord *b, MstRun *run, MstFinding *f, MdtWorldID w) {
     const MstMaterialPair *materials = f->materials;
-    McdIntersectResult *result = &run->result;
-    if (result->touch && materials->intersectCb) {
-        materials->intersectCb(result);
-        mst_convertContacts(b, run, f);
-    }
-    const MdtContactGroupID group = contactGroupOf(f, w);
+    McdModelPair *p = f->pair;
+    if (run->result.touch && materials->intersectCb)
+        callIntersect(b, run, f);
+    const MdtContactGroupID group = McdModelPairIsLeaving(p) ? 0 : contactGroupOf(b, f, w);
     if (!group) {
-        emptyGroup(f->pair);
+        emptyGroup(p);
         return;
     }
     const int renewed = renewContacts(b, run, f, group);
-    mst_push(b, f->pair);
-    callPerContact(b, run, group, renewed);
+    mst_push(b, p);
+    callPerContact(b, run, p, renewed);
+    if (!isGroupOf(p, group))
+        return;
     if (MdtContactGroupGetCount(group) > 0)
         MdtContactGroupEnable(group);
-    if (materials->perPairCb && !materials->perPairCb(result, group))
-        emptyGroup(f->pair);
+    if (materials->perPairCb)
+        callPerPair(run, f, group);
 }
 
 static void rememberTest(MstBridgeRecord *b, const MstFinding *f, int held) {
@@ -198,11 +226,12 @@ static void testAndCommit(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpa
             keepContacts(b, f->pair, f->materials);
         return;
     }
-    if (f->isKnown)
+    if (f->isKnown && !McdModelPairIsLeaving(f->pair))
         commitWithCallbacks(b, run, f, w);
     if (mst_hasCallback(f->materials))
         mst_beginRound(b); /* callbacks may have changed any input */
-    finishTest(b, f, s, w);
+    if (!McdModelPairIsLeaving(f->pair))
+        finishTest(b, f, s, w);
 }
 
 /* A sensor's overlap makes an event, but no contacts. Two sensors do not overlap. */
@@ -210,8 +239,10 @@ static void senseAndCommit(MstBridgeRecord *b, MstRun *run, McdModelPair *p) {
     destroyGroup(p);
     if (McdModelIsSensor(p->model1) && McdModelIsSensor(p->model2))
         return;
-    if (mst_intersectPair(run, p))
-        mst_touchNoteSensor(b, p, &run->result);
+    if (!mst_intersectPair(run, p) || McdModelPairIsLeaving(p))
+        return;
+    mst_checkContacts(b, run);
+    mst_touchNoteSensor(b, p, &run->result);
 }
 
 /* As at the space's goodbye. The last test is no longer valid when they collide again. */

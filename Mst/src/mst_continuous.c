@@ -39,7 +39,8 @@ enum {
 
 void mst_clearSafeTimes(MstBridgeRecord *b) {
     for (int i = 0; i < b->clampedCount; i++)
-        MdtBodySetSafeTime(b->clamped[i], MEINFINITY);
+        if (MdtBodyIsValid(b->clamped[i])) /* a callback may have destroyed it */
+            MdtBodySetSafeTime(b->clamped[i], MEINFINITY);
     b->clampedCount = 0;
 }
 
@@ -151,7 +152,7 @@ static void stopAt(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w, MeReal tim
     const MeBool stops1 = !mst_isInCrowd(body1) || (b->part < HEAVY_PARTS && McdModelGetFastMargin(p->model1) > 0);
     const MeBool stops2 = !mst_isInCrowd(body2) || (b->part < HEAVY_PARTS && McdModelGetFastMargin(p->model2) > 0);
     if (body1 && body2 && stops1 && stops2)
-        mst_pairTie(p, w);
+        mst_pairTie(b, p, w);
     if (stops1)
         clampSafeTime(b, body1, time);
     if (stops2)
@@ -220,17 +221,17 @@ static int stepRest(MstUniverse *u, MstBridgeRecord *b, MeReal step) {
     MEASSERT(b->part > 0 && b->part < PARTS);
     mst_eventsGather(b);
     McdSpacePathUpdateAll(u->space, step);
-    MstBridgeUpdateContacts(u->bridge, u->space, u->world);
-    return MdtWorldStepRest(u->world);
+    mst_updateContacts(b, u->space, u->world);
+    return MdtWorldTakeRest(u->world);
 }
 
 void mst_stepWorld(MstUniverse *u, MeReal step) {
     MstBridgeRecord *b = (MstBridgeRecord *)u->bridge;
     if (b->clampedCount == 0) {
-        MdtWorldStep(u->world, step);
+        MdtWorldTakeStep(u->world, step, MEFALSE);
         return;
     }
-    MdtWorldStepSafeTime(u->world, step);
+    MdtWorldTakeStep(u->world, step, METRUE);
     for (b->part = 1; b->part < PARTS && MdtWorldGetLaggingBodies(u->world) > 0; b->part++)
         if (!stepRest(u, b, step))
             break;

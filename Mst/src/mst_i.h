@@ -215,7 +215,23 @@ struct MstBridgeRecord {
     MstModelRef *thawed; /* models that are frozen again in the next step (mst_moved.c) */
     int thawedCount, thawedMax;
     unsigned int nextMaterial[2]; /* of the materials that it looks at, in turn */
+    MeStage stage;                /* at which level it is held */
+    MeBool hasWarned[2];          /* of models with bodies of other worlds; of contacts that a callback has made */
 };
+
+/* The levels of a bridge's stage (MeInternal.h). The framework's models are held, and the world's bodies, while pairs
+ * are handled: what of them is destroyed in callbacks goes when that is done. */
+enum {
+    MST_HOLD_BRIDGE, /* the bridge, and in a universe's step the universe */
+    MST_HOLD_PAIRS   /* its buffers: pairs are handled */
+};
+/* For the time in which pairs of the space, which may be null, are handled for the world, which may be none. */
+void mst_holdPairs(MstBridgeRecord *b, McdFrameworkID frame, MdtWorldID w);
+void mst_releasePairs(MstBridgeRecord *b, McdFrameworkID frame, MdtWorldID w);
+/* MstBridgeUpdateContacts, by who holds the bridge. */
+void mst_updateContacts(MstBridgeRecord *b, McdSpaceID s, MdtWorldID w);
+/* MstBridgeUpdateEvents, the same. */
+void mst_updateEvents(MstBridgeRecord *b, MdtWorldID w);
 
 /* A model's body: McdModelGetBody without the question whether it is a model, which costs a lock. */
 static inline MdtBodyID mst_bodyOf(McdModelID m) {
@@ -269,7 +285,9 @@ MeBool mst_intersectPair(MstRun *run, McdModelPair *p);
 MeBool mst_passesFlush(const McdModelPair *p, const McdContact contacts[], int count);
 /* Tests a pair that may have a list of triangles, whose callback is called; its contacts become part of the run's.
  * False: all triangles, the models and the materials are as in the last test, and the pair has its contacts still. */
-MeBool mst_testPairIfChanged(const MstBridgeRecord *b, MstRun *run, MstFinding *f);
+MeBool mst_testPairIfChanged(MstBridgeRecord *b, MstRun *run, MstFinding *f);
+/* Of the run's result, as a function of the program has left it: what is no contact is left out, with a warning. */
+void mst_checkContacts(MstBridgeRecord *b, MstRun *run);
 /* Notes of each pair whether a joint of its bodies lets them pass through each other: before any is collided, as commit
  * changes the lists in which bodies have their joints. */
 void mst_noteHeldApart(McdModelPair *const pairs[], int count);
@@ -296,7 +314,11 @@ void mst_rememberTest(const MstFinding *f, int held, unsigned long version);
 
 void mst_commitRun(MstBridgeRecord *b, MstRun *run, McdSpaceID s, MdtWorldID w);
 /* Joins the pair's bodies into one partition, whether they touch or not. */
-void mst_pairTie(McdModelPair *p, MdtWorldID w);
+void mst_pairTie(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w);
+/* Have both models the same body? They make no contacts. */
+static inline MeBool mst_isOneBody(const McdModelPair *p) {
+    return mst_bodyOf(p->model1) && mst_bodyOf(p->model1) == mst_bodyOf(p->model2);
+}
 /* Destroys the contacts of a pair. */
 void MEAPI mst_pairForget(McdModelPair *p);
 

@@ -150,7 +150,7 @@ START_TEST(a_budget_bounds_every_step_of_a_heap) {
         const double most = budgets[i] < 0 ? MDTWORLD_DEFAULT_WORK_BUDGET : budgets[i];
         assert_below(run.speed, 15);
         assert_below(run.growth, TOL(1e-5, 1e-12) * run.start);
-        assert_below(run.mostWork, most + 0.15); /* a linearization and the fewest sweeps, of 230 rows */
+        assert_below(run.mostWork, most + 0.25); /* a linearization, the fewest sweeps and passes, of 230 rows */
         ck_assert(budgets[i] < 0 || run.limited > 0);
     }
 }

@@ -1,0 +1,67 @@
+/* Stages of a framework: what the program calls from its callbacks, and may not happen before they are done (mcd_i.h,
+ * MeInternal.h).
+ *
+ *     stage                                                      level            what waits, or is refused
+ *     pairs are handled; boxes are updated; a block ends; a      MCD_HOLD_MODELS  destroying models and geometries,
+ *     model is updated; a query, a test                                           taking models out; blocks are opened
+ *                                                                                 and closed when it is done
+ *     in it, a function of a geometry type, an interaction, a    MCD_HOLD_SHAPES  refused: placing models, and changing
+ *     list of triangles or a filter of a query                                    what they are made of
+ *     a universe is stepped; a framework ends                    MCD_HOLD_FRAME   refused: ending the framework, spaces
+ *
+ * A model that is to go makes no more pairs and contacts (isGone); else it lives until then, but for McdModelIsValid.
+ */
+#include "McdInternal.h"
+#include "mcd_i.h"
+
+MeBool MEAPI McdFrameworkIsValid(McdFrameworkID frame) {
+    return frame && MeHandleIsLive(frame, MCD_FRAMEWORK);
+}
+
+MeBool MEAPI McdSpaceIsValid(McdSpaceID s) {
+    return s && MeHandleIsLive(s, MCD_SPACE);
+}
+
+MeStage *MEAPI McdFrameworkGetStage(McdFrameworkID frame) {
+    MEASSERT(frame);
+    return &frame->stage;
+}
+
+MeStage *MEAPI McdModelGetHeldStage(McdModelID cm) {
+    MeStage *stage = &mcd_record(cm)->frame->stage;
+    return MeStageIsHeld(stage, MCD_HOLD_MODELS) ? stage : 0;
+}
+
+MeWhen mcd_when(McdFramework *frame, const MeLater *later, const char *function) {
+    const MeWhen when = MeStageWhen(&frame->stage, MCD_HOLD_MODELS, function);
+    return when == MeWhenStageEnds && !MeStageDefer(&frame->stage, MCD_HOLD_MODELS, later, function) ? MeWhenNever
+                                                                                                     : when;
+}
+
+McdModelRecord *mcd_laterModel(const MeLater *later) {
+    McdModelRecord *m = later->object;
+    return MeHandleIsLive(m, MCD_MODEL) && m->serial == later->serial ? m : 0;
+}
+
+MeBool mcd_mayPlace(const McdFramework *frame, const char *function) {
+    if (!MeStageIsHeld(&frame->stage, MCD_HOLD_SHAPES))
+        return METRUE;
+    MeProgramRefuse(function, "models are being tested");
+    return MEFALSE;
+}
+
+MeBool MEAPI McdModelMayBePlaced(McdModelID cm, const char *function) {
+    return mcd_mayPlace(mcd_record(cm)->frame, function);
+}
+
+/* ---- functions of geometry types --------------------------------------------------------------------------------- */
+
+McdTypeCall mcd_typeEnterOwn(McdFramework *frame) {
+    MeStageBegin(&frame->stage, MCD_HOLD_SHAPES);
+    return (McdTypeCall){.frame = frame, .before = MeProgramEnter("McdFrameworkRegisterGeometryType")};
+}
+
+void mcd_typeLeaveOwn(const McdTypeCall *call) {
+    MeProgramLeave(&call->before);
+    MeStageEnd(&call->frame->stage, MCD_HOLD_SHAPES);
+}

@@ -1,0 +1,102 @@
+/* Stages: what the program calls while its owner is held, and has to wait (MeInternal.h). */
+#include "MeAssert.h"
+#include "MeInternal.h"
+#include "MeMessage.h"
+
+/* So often may what is carried out call a function of the program that calls for more to be carried out. */
+enum { MOST_ROUNDS = 16 };
+
+typedef struct MeWaiting {
+    struct MeWaiting *next;
+    int level, round;
+    MeLater later;
+} MeWaiting;
+
+/* -1: it is not held. */
+static int levelOf(const MeStage *stage) {
+    int level = ME_STAGE_LEVELS - 1;
+    while (level >= 0 && __atomic_load_n(&stage->held[level], __ATOMIC_RELAXED) == 0)
+        level--;
+    return level;
+}
+
+MeBool MEAPI MeStageIsHeld(const MeStage *stage, int level) {
+    return levelOf(stage) >= level;
+}
+
+/* ---- what waits ---- */
+
+/* The first that need not wait any longer; null: none. */
+static MeWaiting *takeReady(MeStage *stage) {
+    const int level = levelOf(stage);
+    MeWaiting *before = NULL, *w = stage->first;
+    while (w && w->level <= level) {
+        before = w;
+        w = w->next;
+    }
+    if (!w)
+        return NULL;
+    *(before ? &before->next : &stage->first) = w->next;
+    if (stage->last == w)
+        stage->last = before;
+    return w;
+}
+
+static void carryOut(MeStage *stage) {
+    stage->isCarrying = METRUE;
+    for (MeWaiting *w = takeReady(stage); w; w = takeReady(stage)) {
+        stage->round = w->round;
+        w->later.carryOut(&w->later);
+        MeMemoryGive(w);
+    }
+    stage->round = 0;
+    stage->isCarrying = MEFALSE;
+}
+
+MeBool MEAPI MeStageDefer(MeStage *stage, int level, const MeLater *later, const char *function) {
+    MEASSERT(level > 0 && level < ME_STAGE_LEVELS);
+    if (stage->round == MOST_ROUNDS) {
+        MeWarning(1,
+                  "%s: what was called from functions of the program, and carried out later, has called them again %d "
+                  "times; nothing is changed",
+                  function, MOST_ROUNDS);
+        return MEFALSE;
+    }
+    MeWaiting *w = MeMemoryTake(1, sizeof *w, function, "what has to wait");
+    if (!w)
+        return MEFALSE;
+    *w = (MeWaiting){.level = level, .round = stage->round + 1, .later = *later};
+    *(stage->last ? &stage->last->next : &stage->first) = w;
+    stage->last = w;
+    return METRUE;
+}
+
+/* ---- the owner ---- */
+
+void MEAPI MeStageBegin(MeStage *stage, int level) {
+    MEASSERT(level >= 0 && level < ME_STAGE_LEVELS);
+    __atomic_fetch_add(&stage->held[level], 1, __ATOMIC_RELAXED);
+}
+
+void MEAPI MeStageEnd(MeStage *stage, int level) {
+    const int before = __atomic_fetch_sub(&stage->held[level], 1, __ATOMIC_RELAXED);
+    MEASSERT(before > 0);
+    (void)before;
+    if (stage->first && !stage->isCarrying)
+        carryOut(stage);
+}
+
+MeWhen MEAPI MeStageWhen(const MeStage *stage, int level, const char *function) {
+    if (!MeProgramMayChange(function))
+        return MeWhenNever;
+    return MeStageIsHeld(stage, level) ? MeWhenStageEnds : MeWhenNow;
+}
+
+MeBool MEAPI MeStageIsFree(const MeStage *stage, const char *function) {
+    if (!MeProgramMayChange(function))
+        return MEFALSE;
+    if (levelOf(stage) < 0 && !stage->isCarrying)
+        return METRUE;
+    MeProgramRefuse(function, "it is in use");
+    return MEFALSE;
+}
