@@ -2,6 +2,7 @@
 #   AUTO     where Karma is a project of its own and Check and Python are there; a status line says what is missing,
 #   ON       yes: what is missing is an error, as in the presets of CI,
 #   THREADS  the same, but only those of threads, as with ThreadSanitizer,
+#   FUZZ     the same, but only the fuzzers,
 #   OFF      no.
 function(karma_find_tests variable)
   set(${variable} OFF PARENT_SCOPE)

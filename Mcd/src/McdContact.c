@@ -177,7 +177,7 @@ static int corners(const McdSpot *spot, int count, int wanted, double same, int 
     difference(spot[b].position, spot[a].position, ab);
     const double length = sqrt(dot(ab, ab));
     kept[0] = a;
-    if (wanted == 1 || length <= same)
+    if (wanted == 1 || !(length > same)) /* NaN: positions are no numbers */
         return 1;
     kept[1] = b;
     if (wanted == 2)
@@ -242,10 +242,12 @@ static double sizeOf(const McdSpot *spot, int count) {
     return sqrt(dot(d, d));
 }
 
-/* Counts one that is chosen now. */
+/* Counts one that is chosen now. What is no number is not apart from anything: it is not chosen. */
 static void updateApart(McdSpot *spot, int count, const McdSpot *chosen, double size) {
-    for (int i = 0; i < count; i++)
-        spot[i].apart = fmin(spot[i].apart, differenceSquared(&spot[i], chosen, size));
+    for (int i = 0; i < count; i++) {
+        const double apart = differenceSquared(&spot[i], chosen, size);
+        spot[i].apart = isnan(apart) ? 0 : fmin(spot[i].apart, apart);
+    }
 }
 
 static int addMostDifferent(McdSpot *spot, int count, int wanted, double same, int *kept, int keptCount) {

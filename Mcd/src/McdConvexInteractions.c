@@ -20,12 +20,14 @@ static MeBool hasTypes(McdModelPair *p, McdIntersectResult *result, int type1, i
         return MEFALSE;
     }
     mcd_resultBegin(result, p);
+    if (!mcd_resultHasRoom(result, function))
+        return MEFALSE;
     const McdModelRecord *m1 = mcd_modelCheck(p->model1, function), *m2 = mcd_modelCheck(p->model2, function);
     return m1 && m2 && areOfTypes(p, type1, type2, function);
 }
 
 static int notPlaced(const char *function) {
-    MeWarning(1, "%s: a model has no transform, or one that is not finite, or zero: they do not touch",
+    MeWarning(1, "%s: a model has no transform, or one that is not finite, or flat: they do not touch",
               MeCallerName(function));
     return 0;
 }
@@ -78,7 +80,13 @@ static MeBool planeAt(const MeMatrix4Ptr tm, const double origin[3], double norm
         *offset += normal[i] * ((double)tm[3][i] - origin[i]);
     }
     const double square = mcd_dot(normal, normal);
-    return isfinite(*offset) && isfinite(square) && square > 0;
+    if (!(isfinite(*offset) && isfinite(square) && square > 0))
+        return MEFALSE;
+    if (fabs(square - 1) > 1e-3) { /* a scale: the plane is where it is */
+        mcd_scale(normal, normal, 1 / sqrt(square));
+        *offset /= sqrt(square);
+    }
+    return METRUE;
 }
 
 static int planeIntersect(McdModelPair *p, McdIntersectResult *result, int type1, int type2, const char *function) {

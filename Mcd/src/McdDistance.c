@@ -96,7 +96,7 @@ MeBool MEAPI McdDistance(McdModelPair *p, McdDistanceResult *result) {
     memset(result, 0, sizeof *result);
     McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
     if (!mcd_modelIsPlaced(a) || !mcd_modelIsPlaced(b)) {
-        MeWarning(1, "McdDistance: a model has no transform, or one that is not finite");
+        MeWarning(1, "McdDistance: a model has no transform, or one that is not finite, or flat");
         return MEFALSE;
     }
     mcd_pairOrigin(&a->instance, &b->instance, origin);

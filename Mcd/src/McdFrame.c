@@ -133,7 +133,7 @@ static MeBool sizesAreGood(int types, int models, int instances, MeReal lengthSc
                   models, instances);
         return MEFALSE;
     }
-    if (!(lengthScale > 0) || !MeRealIsValid(lengthScale)) {
+    if (!(lengthScale >= (MeReal)FLT_MIN) || !MeRealIsValid(lengthScale)) {
         MeWarning(1, "McdInit: lengthScale is %g: it must be positive", (double)lengthScale);
         return MEFALSE;
     }

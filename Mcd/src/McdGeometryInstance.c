@@ -234,6 +234,12 @@ MeBool MEAPI McdGeometryInstanceOverlap(McdGeometryInstanceID a, McdGeometryInst
     return METRUE;
 }
 
+static void placePoint(MeVector3 placed, const MeMatrix4Ptr tm, const MeVector3 local) {
+    for (int i = 0; i < 3; i++)
+        placed[i] = mcd_real((double)tm[0][i] * (double)local[0] + (double)tm[1][i] * (double)local[1] +
+                             (double)tm[2][i] * (double)local[2] + (double)tm[3][i]);
+}
+
 void MEAPI McdGeometryInstanceGetBSphere(const McdGeometryInstanceID ins, MeVector3 center, MeReal *radius) {
     if (!mcd_areGiven(__func__, center, radius, radius))
         return;
@@ -245,10 +251,11 @@ void MEAPI McdGeometryInstanceGetBSphere(const McdGeometryInstanceID ins, MeVect
     McdFramework *frame = ins->geometry->frame;
     MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
     McdGeometryGetBSphere(ins->geometry, local, radius);
-    if (mcd_instanceTM(ins))
-        MeMatrix4TMTransform(center, mcd_const(mcd_instanceTM(ins)), local);
-    else
-        MeVector3Copy(center, local);
+    MeVector3Copy(center, local);
+    if (mcd_instanceIsPlaced(ins))
+        placePoint(center, mcd_instanceTM(ins), local);
+    else if (mcd_instanceTM(ins))
+        MeWarning(1, "McdGeometryInstanceGetBSphere: the transform is not finite, or flat");
     MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
 }
 

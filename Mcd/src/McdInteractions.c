@@ -214,13 +214,6 @@ static void clearResult(McdIntersectResult *result, McdModelPair *p) {
     MeVector3Set(result->normal, 0, 0, 0);
 }
 
-static MeBool checkResult(const McdIntersectResult *result, const char *function) {
-    if (result && result->contacts && result->contactMaxCount > 0)
-        return METRUE;
-    MeWarning(1, "%s: the result has no place for contacts: set contacts and contactMaxCount", function);
-    return MEFALSE;
-}
-
 /* Contacts of the turned pair, turned back. */
 static void turnContacts(McdIntersectResult *result) {
     MeVector3MultiplyScalar(result->normal, result->normal, -1);
@@ -325,7 +318,8 @@ static void runIntersect(McdIntersectFn intersect, McdModelPair *p, MeBool isTur
 static MeBool arePlaced(const McdModelPair *p, const char *function) {
     if (mcd_modelIsPlaced(mcd_record(p->model1)) && mcd_modelIsPlaced(mcd_record(p->model2)))
         return METRUE;
-    MeWarning(1, "%s: a model has no transform, or one that is not finite: they do not touch", MeCallerName(function));
+    MeWarning(1, "%s: a model has no transform, or one that is not finite, or flat: they do not touch",
+              MeCallerName(function));
     return MEFALSE;
 }
 
@@ -346,7 +340,7 @@ MeBool mcd_intersect(McdModelPair *p, McdIntersectResult *result) {
 }
 
 MeBool MEAPI(McdIntersect)(McdModelPair *p, McdIntersectResult *result) {
-    if (!checkPair(p, "McdIntersect") || !checkResult(result, "McdIntersect"))
+    if (!checkPair(p, "McdIntersect") || !mcd_resultHasRoom(result, "McdIntersect"))
         return MEFALSE;
     McdFramework *frame = mcd_record(p->model1)->frame;
     MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
@@ -423,7 +417,7 @@ MeBool MEAPI McdModelPairIntersectIfChanged(McdModelPair *p, MeBool mayBeUnchang
 }
 
 MeBool MEAPI McdIntersectAt(McdModelPair *p, McdIntersectResult *result, MeReal time) {
-    if (!checkPair(p, "McdIntersectAt") || !checkResult(result, "McdIntersectAt"))
+    if (!checkPair(p, "McdIntersectAt") || !mcd_resultHasRoom(result, "McdIntersectAt"))
         return MEFALSE;
     clearResult(result, p);
     if (!MeRealIsValid(time)) {
@@ -480,7 +474,7 @@ static MeBool intersectEach(const Each *e) {
         McdIntersectResult *result = &e->results[*e->resultCount];
         result->contacts = e->contacts + *e->contactCount;
         result->contactMaxCount = MeMIN(room, wanted);
-        if (!checkResult(result, "McdIntersect") || !mcd_intersect(p, result))
+        if (!mcd_resultHasRoom(result, "McdIntersect") || !mcd_intersect(p, result))
             continue;
         *e->contactCount += result->contactCount;
         ++*e->resultCount;
@@ -499,6 +493,7 @@ MeBool MEAPI McdIntersectEach(McdModelPairContainer *pairs, McdModelPairContaine
         MeWarning(1, "McdIntersectEach: an argument is null");
         return MEFALSE;
     }
+    pairsIter->next = MeMAX(pairsIter->next, pairs->helloFirst); /* one that was not begun, or of other pairs */
     Each e = {pairs,       pairsIter,    resultArray,      resultArraySize,
               resultCount, contactArray, contactArraySize, contactCount};
     McdFramework *frame = frameOf(pairs, pairsIter->next, pairs->stayingEnd);

@@ -44,11 +44,20 @@ McdPlaneID MEAPI McdPlaneCreate(McdFramework *frame) {
     return (McdPlaneID)mcd_geometryCreate(frame, kMcdGeometryTypePlane, sizeof(McdPlane), "McdPlaneCreate");
 }
 
+static MeBool isPlane(const MeMatrix4 tm, const char *function) {
+    if (mcd_isPlace(tm))
+        return METRUE;
+    MeWarning(1, "%s: the transform is not finite, or flat", function);
+    return MEFALSE;
+}
+
 void MEAPI McdPlaneGetNormal(const McdGeometry *g, const MeMatrix4 tm, MeVector3 normal) {
     if (!mcd_areGiven(__func__, tm, normal, normal))
         return;
     (void)g;
-    MeVector3Copy(normal, tm[2]);
+    const MeBool isPlaced = isPlane(tm, __func__);
+    for (int i = 0; i < 3; i++)
+        normal[i] = isPlaced ? tm[2][i] : 0;
 }
 
 MeReal MEAPI McdPlaneGetDistanceToPoint(const McdGeometry *g, const MeMatrix4 tm, const MeVector3 point) {
@@ -56,9 +65,15 @@ MeReal MEAPI McdPlaneGetDistanceToPoint(const McdGeometry *g, const MeMatrix4 tm
         return 0;
     double distance = 0;
     (void)g;
+    if (!isPlane(tm, __func__))
+        return 0;
+    if (!mcd_areNear(point, 3)) {
+        MeWarning(1, "%s: the point is (%g, %g, %g)", __func__, (double)point[0], (double)point[1], (double)point[2]);
+        return 0;
+    }
     for (int k = 0; k < 3; k++)
         distance += (double)tm[2][k] * ((double)point[k] - (double)tm[3][k]);
-    return (MeReal)distance;
+    return mcd_real(distance);
 }
 
 void MEAPI McdPlaneGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {

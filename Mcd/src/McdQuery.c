@@ -45,7 +45,7 @@ static MeBool setShape(Query *q, McdGeometryID g, const MeMatrix4 tm, const char
     if (!mcd_geometryType(g, function))
         return MEFALSE;
     if (!mcd_isPlace(tm)) {
-        MeWarning(1, "%s: the transform is null, not finite, or beyond %g", function, (double)FLT_MAX);
+        MeWarning(1, "%s: the transform is null, not finite, flat, or beyond %g", function, (double)FLT_MAX);
         return MEFALSE;
     }
     for (int i = 0; i < 3; i++)

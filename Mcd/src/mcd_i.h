@@ -106,14 +106,9 @@ static inline MeReal mcd_real(double x) {
     return (MeReal)MeCLAMP(x, -(double)MEINFINITY, (double)MEINFINITY);
 }
 
-/* Transforms whose axes are far from length 1 are accepted, though not rigid: only overflow of products is excluded. */
-static inline MeBool mcd_isPlace(const MeVector4 *tm) {
-    MeBool areAxes = tm != 0;
-    for (int i = 0; areAxes && i < 3; i++)
-        for (int k = 0; k < 3; k++)
-            areAxes &= MeFabs(tm[i][k]) <= (MeReal)1e6;
-    return areAxes && mcd_areNear(tm[3], 3);
-}
+/* Transforms whose axes are not of length 1, or not at right angles, are accepted, though not rigid: only overflow of
+ * products is excluded, and axes near one plane, which make shapes flat. False for null. */
+MeBool mcd_isPlace(const MeVector4 *tm);
 
 /* Has it a valid transform? */
 static inline MeBool mcd_instanceIsPlaced(McdGeometryInstanceID ins) {
@@ -419,6 +414,7 @@ void mcd_instanceUpdateAABB(McdGeometryInstance *ins, const MeMatrix4Ptr finalTM
 
 /* How interactions fill a result: begin, add, end. */
 typedef struct McdManifold McdManifold; /* mcd_shape_i.h */
+MeBool mcd_resultHasRoom(const McdIntersectResult *result, const char *function); /* warns if not */
 void mcd_resultBegin(McdIntersectResult *result, McdModelPair *p);
 /* Adds a manifold whose points are relative to origin, and returns its first contact, null for none. If there is place
  * for some of them only, those that mcd_spread chooses. */

@@ -6,9 +6,10 @@
 /* ---- sizes ----------------------------------------------------------------------------------------------------- */
 
 MeBool mcd_sizeIsGood(MeReal size, const char *what, const char *function) {
-    if (size > 0 && size <= (MeReal)(FLT_MAX / 4))
+    if (size >= (MeReal)FLT_MIN && size <= (MeReal)(FLT_MAX / 4))
         return METRUE;
-    MeWarning(1, "%s: the %s is %g, not a number > 0", function, what, (double)size);
+    MeWarning(1, "%s: the %s is %g, not a number > 0%s", function, what, (double)size,
+              size > 0 && size < 1 ? " of single precision" : "");
     return MEFALSE;
 }
 
@@ -19,7 +20,7 @@ MeBool mcd_instanceIs(McdGeometryInstanceID ins, McdGeometryType type, const cha
     }
     if (mcd_instanceIsPlaced(ins))
         return mcd_geometryIs(ins->geometry, type, function);
-    MeWarning(1, "%s: the instance has no transform, or one that is not finite", function);
+    MeWarning(1, "%s: the instance has no transform, or one that is not finite, or flat", function);
     return MEFALSE;
 }
 
@@ -38,6 +39,11 @@ void mcd_localMaximumPoint(McdGeometryInstanceID ins, const MeReal *direction, M
                            McdLocalSupportFn support) {
     const MeMatrix4Ptr tm = mcd_instanceTM(ins);
     double d[3], p[3];
+    if (!mcd_areNear(direction, 3)) {
+        MeWarning(1, "Mcd...MaximumPoint: the direction is not finite");
+        MeVector3Copy(point, tm[3]);
+        return;
+    }
     for (int j = 0; j < 3; j++) {
         d[j] = 0;
         for (int i = 0; i < 3; i++)
@@ -57,10 +63,10 @@ void mcd_boxSupport(const MeReal *min, const MeReal *max, const double direction
 void mcd_boxBSphere(const MeReal *min, const MeReal *max, MeVector3 center, MeReal *radius) {
     MeReal sum = 0;
     for (int i = 0; i < 3; i++) {
-        center[i] = (min[i] + max[i]) / 2;
+        center[i] = mcd_real((double)(min[i] / 2 + max[i] / 2));
         sum += (max[i] - min[i]) * (max[i] - min[i]);
     }
-    *radius = MeSqrt(sum) / 2;
+    *radius = mcd_real((double)(MeSqrt(sum) / 2));
 }
 
 /* ---- line segments ----------------------------------------------------------------------------------------------- */

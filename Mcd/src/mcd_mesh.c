@@ -260,6 +260,16 @@ static MeBool isAsSeen(const McdMeshQuery *q, int contactMaxCount, const MeU64 b
     return seen->isUnchanged;
 }
 
+MeBool mcd_meshMayIntersect(const McdModelPair *p, const McdIntersectResult *result, const char *function) {
+    if (!mcd_areGiven(function, p, result, result) || !mcd_resultHasRoom(result, function) ||
+        !mcd_modelCheck(p->model1, function) || !mcd_modelCheck(p->model2, function))
+        return MEFALSE;
+    if (mcd_modelIsPlaced(mcd_record(p->model1)) && mcd_modelIsPlaced(mcd_record(p->model2)))
+        return METRUE;
+    MeWarning(1, "%s: a model has no transform, or one that is not finite, or flat: they do not touch", function);
+    return MEFALSE;
+}
+
 int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather gather) {
     return mcd_meshIntersectIfChanged(p, result, gather, 0);
 }

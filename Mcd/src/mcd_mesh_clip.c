@@ -96,13 +96,14 @@ static MeU32 quantizedNormal(const double normal[3]) {
 void mcd_meshAddContact(McdMeshQuery *q, const McdMeshTriangle *t, const double position[3], const double normal[3],
                         double separation, MeU32 feature, MeBool isCut) {
     McdMesh *mesh = q->mesh;
-    const double outward[3] = {-normal[0], -normal[1], -normal[2]};
+    const double outward[3] = {-normal[0], -normal[1], -normal[2]}, size = mcd_dot(normal, normal);
+    if (!(size > 0) || !isfinite(size + separation + position[0] + position[1] + position[2]))
+        return; /* where surfaces are as large as numbers can be, what is found may be none */
     if (!mcd_meshReserveContacts(mesh, mesh->contactCount + 1))
         return;
     McdMeshContact *c = &mesh->contact[mesh->contactCount++];
     MEASSERT(mesh->contactCount <= mesh->contactMax);
     MEASSERT(separation <= q->margin + MCD_MESH_OVERLAP * q->shape.extent);
-    MEASSERT(isfinite(mcd_dot(normal, normal)) && !isnan(separation));
     mcd_copy(c->position, position);
     mcd_copy(c->normal, normal);
     c->separation = separation;

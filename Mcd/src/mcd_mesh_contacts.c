@@ -15,16 +15,21 @@ static double heightOfCentre(const McdMeshQuery *q, const McdMeshTriangle *t) {
     return mcd_dot(off, t->normal);
 }
 
-/* The unit vectors across the edges, in the triangle's plane, towards its inside. */
-static void findInward(McdMeshTriangle *t) {
+/* The unit vectors across the edges, in the triangle's plane, towards its inside. False for a triangle that is so far
+ * away, or so large, that rounding has left an edge of it no length. */
+static MeBool findInward(McdMeshTriangle *t) {
     for (int i = 0; i < 3; i++) {
         double *inward = t->inward[i], edge[3], across[3];
         mcd_sub(edge, t->corner[(i + 1) % 3], t->corner[i]);
         mcd_cross(inward, t->normal, edge);
         mcd_sub(across, t->corner[(i + 2) % 3], t->corner[i]);
-        mcd_scale(inward, inward, (mcd_dot(inward, across) < 0 ? -1 : 1) / mcd_length(inward));
+        const double length = mcd_length(inward);
+        if (!(length > 0))
+            return MEFALSE;
+        mcd_scale(inward, inward, (mcd_dot(inward, across) < 0 ? -1 : 1) / length);
         MEASSERT(mcd_dot(inward, across) >= 0); /* the third corner is inside */
     }
+    return METRUE;
 }
 
 /* Does the shape's oriented box, grown by the margin, overlap the triangle's prism? */
@@ -60,7 +65,7 @@ static MeBool overlapsBox(const McdMeshQuery *q, const McdMeshTriangle *t) {
 /* The narrow phase with the triangle as a convex shape. */
 static MeBool intersectTriangle(const McdMeshQuery *q, const McdMeshTriangle *t, McdManifold *m) {
     McdShape triangle;
-    if (!overlapsBox(q, t))
+    if (t->isFlat || !overlapsBox(q, t))
         return MEFALSE;
     mcd_triangleShape(t->corner, &triangle);
     return mcd_convexManifold(&q->shape, &triangle, q->margin, m) > 0;
@@ -90,8 +95,8 @@ static void classifyTriangle(McdMeshQuery *q, McdMeshTriangle *t) {
     double back[3], lowest[3], highest[3], off[3];
     t->facing = 0;
     t->isPending = t->isBelow = MEFALSE;
-    findInward(t);
-    if (!overlapsPrism(q, t))
+    t->isFlat = !findInward(t);
+    if (t->isFlat || !overlapsPrism(q, t))
         return;
     mcd_scale(back, t->normal, -1);
     mcd_support(&q->shape, back, lowest);

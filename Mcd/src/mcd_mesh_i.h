@@ -24,6 +24,7 @@ typedef struct McdMeshTriangle {
     int flags;           /* McdTriangleFlags */
     McdElementData element;
     int facing;       /* the only admissible contact normal: 1 its own, -1 the opposite; 0: to be searched */
+    MeBool isFlat;    /* rounding has left an edge of it no length: it touches nothing */
     MeBool isPending; /* within reach of the shape, without contacts so far */
     MeBool isBelow;   /* the core's point nearest to its plane is above it, over the triangle */
 } McdMeshTriangle;
@@ -127,12 +128,14 @@ MeBool mcd_triangleNormal(const double corner[3][3], const double *given, double
 MeBool mcd_segmentTriangle(const double corner[3][3], const double normal[3], MeBool twoSided, const double from[3],
                            const double to[3], double *part, double hitNormal[3]);
 
+/* Are there a pair of live models, and room for contacts? Warns if not. */
+MeBool mcd_meshMayIntersect(const McdModelPair *p, const McdIntersectResult *result, const char *function);
 /* Puts an interaction of a convex type with a mesh's into the framework's table. */
 MeBool mcd_meshRegister(McdFramework *frame, McdGeometryType type, McdGeometryType meshType, McdIntersectFn function);
 /* Defines Mcd<shape><mesh>Intersect and ...RegisterInteraction for all convex shapes. */
 #define MCD_MESH_INTERACTION(shape, mesh, intersect)                                                                   \
     int MEAPI Mcd##shape##mesh##Intersect(McdModelPair *p, McdIntersectResult *result) {                               \
-        return mcd_areGiven(__func__, p, result, result) ? intersect(p, result) : 0;                                   \
+        return mcd_meshMayIntersect(p, result, __func__) ? intersect(p, result) : 0;                                   \
     }                                                                                                                  \
     MeBool MEAPI Mcd##shape##mesh##RegisterInteraction(McdFramework *frame) {                                          \
         ME_RETURN_UNDER_OWN_NAME(MeBool, mcd_meshRegister(frame, kMcdGeometryType##shape, kMcdGeometryType##mesh,      \

@@ -49,6 +49,13 @@ void mcd_pairWay(const McdModelPair *p, double way[3]) {
                          (b->linearVelocity ? (double)b->linearVelocity[i] : 0));
 }
 
+MeBool mcd_resultHasRoom(const McdIntersectResult *result, const char *function) {
+    if (result && result->contacts && result->contactMaxCount > 0)
+        return METRUE;
+    MeWarning(1, "%s: the result has no place for contacts: set contacts and contactMaxCount", function);
+    return MEFALSE;
+}
+
 void mcd_resultBegin(McdIntersectResult *result, McdModelPair *p) {
     result->pair = p;
     result->contactCount = 0;
@@ -166,7 +173,10 @@ static MeBool isContactGood(const McdIntersectResult *result, int i) {
            c->instance2->model == result->pair->model2;
 }
 
+/* The program's functions may have changed what was found of two parts. */
 static MeBool areContactsGood(const McdIntersectResult *result) {
+    if (mcd_record(result->pair->model1)->intersect || mcd_record(result->pair->model2)->intersect)
+        return METRUE;
     for (int i = 0; i < result->contactCount; i++)
         if (!isContactGood(result, i))
             return MEFALSE;

@@ -68,6 +68,20 @@ MeBool mcd_shapeSizes(McdGeometryID g, McdShape *s) {
     return METRUE;
 }
 
+MeBool mcd_isPlace(const MeVector4 *tm) {
+    double axis[3][3], across[3], longest = 0; /* squared */
+    if (!tm || !mcd_areNear(tm[3], 3))
+        return MEFALSE;
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++)
+            axis[i][k] = (double)tm[i][k];
+        longest = fmax(longest, mcd_dot(axis[i], axis[i]));
+    }
+    mcd_cross(across, axis[0], axis[1]);
+    return longest >= 1e-12 && longest <= 3e12 &&
+           fabs(mcd_dot(across, axis[2])) >= 1e-6 * longest * sqrt(longest);
+}
+
 /* All but its axes; corners are a triangle's alone. */
 static MeBool beginShape(McdGeometryID g, const MeReal place[3], const double origin[3], McdShape *s) {
     if (!mcd_shapeSizes(g, s))

@@ -801,6 +801,8 @@ void MEAPI MdtBodyGetVelocityAtPoint(const MdtBodyID body, MeVector3 p, MeVector
         return;
     const double point[3] = {p[0], p[1], p[2]};
     v[0] = v[1] = v[2] = 0;
+    if (!mdt_isFinite3(__func__, "the point", (MeReal)point[0], (MeReal)point[1], (MeReal)point[2]))
+        return;
     MDT_NEED_BODY(body, );
     double arm[3], turning[3];
     mdt_bodyAcceptVelocities(body);

@@ -728,8 +728,7 @@ void mdt_constraintGetTorque(MdtConstraintID c, unsigned int bodyindex, MeVector
 /* The library asks for manifolds of one contact, too. */
 int MEAPI MdtConstraintGetRowCount(const MdtConstraintID c) {
     int rows = 0;
-    if ((!c || !mdt_isManifold(c)) && !mdt_isConstraint(c, __func__))
-        return 0;
+    MDT_NEED_CONSTRAINT(c, 0);
     if (mdt_isJoint(c))
         return jointOf(c)->numRows;
     if (mdt_isPoint(c))

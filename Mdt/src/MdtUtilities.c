@@ -29,25 +29,30 @@ void MEAPI MdtMakeInertiaTensorBox(const MeReal mass, const MeReal lx, const MeR
 }
 
 /* Between the frames of two bodies by way of the world; `w` is 1 for a point and 0 for a direction. */
-static void convert(MdtBodyID from, const MeVector3 f, MdtBodyID to, MeVector3 t, MeReal w) {
-    MeVector3 world = {f[0], f[1], f[2]};
+static void convert(MdtBodyID from, const MeVector3 f, MdtBodyID to, MeVector3 t, double w) {
+    double given[3], world[3], result[3];
+    mdt_fromReal(given, f);
+    keaCopy(world, given);
     if (from) {
-        MeMatrix4Ptr tm = MdtBodyGetTransformPtr(from);
+        const MeMatrix4Ptr tm = MdtBodyGetTransformPtr(from);
         for (int i = 0; i < 3; i++)
-            world[i] = f[0] * tm[0][i] + f[1] * tm[1][i] + f[2] * tm[2][i] + w * tm[3][i];
+            world[i] = given[0] * (double)tm[0][i] + given[1] * (double)tm[1][i] + given[2] * (double)tm[2][i] +
+                       w * (double)tm[3][i];
     }
-    if (!to) {
-        memcpy(t, world, sizeof world);
-        return;
+    keaCopy(result, world);
+    if (to) {
+        const MeMatrix4Ptr tm = MdtBodyGetTransformPtr(to);
+        for (int i = 0; i < 3; i++)
+            world[i] -= w * (double)tm[3][i];
+        for (int i = 0; i < 3; i++)
+            result[i] = world[0] * (double)tm[i][0] + world[1] * (double)tm[i][1] + world[2] * (double)tm[i][2];
     }
-    MeMatrix4Ptr tm = MdtBodyGetTransformPtr(to);
-    for (int i = 0; i < 3; i++)
-        t[i] = (world[0] - w * tm[3][0]) * tm[i][0] + (world[1] - w * tm[3][1]) * tm[i][1] +
-               (world[2] - w * tm[3][2]) * tm[i][2];
+    mdt_toReal(t, result);
 }
 
 static MeBool mayConvert(const char *caller, MdtBodyID from, const MeReal *f, MdtBodyID to, const MeReal *t) {
     return mdt_isPointer(caller, "the vector", f) && mdt_isPointer(caller, "the result", t) &&
+           mdt_isFinite3(caller, "the vector", f[0], f[1], f[2]) &&
            (!from || mdt_isBody(from, caller)) && (!to || mdt_isBody(to, caller));
 }
 

@@ -3,12 +3,13 @@
 #include "MdtInternal.h"
 #include "MeAssert.h"
 #include "MeMath.h"
+#include <float.h>
 #include <limits.h>
 
 static const double usualStep = 1.0 / 60; /* s, for converting alive windows before the first step */
 
 static MeReal scaleOr1(const char *what, MeReal scale) {
-    if (scale > 0 && isfinite(scale))
+    if (mdt_isUsable(scale) && scale <= (MeReal)FLT_MAX)
         return scale;
     MeWarning(1, "MdtWorldCreate: the %s scale is %g, it must be positive; 1 is taken", what, (double)scale);
     return 1;

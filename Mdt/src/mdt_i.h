@@ -116,7 +116,7 @@ typedef struct MdtFeedback {
     double before[2][3];           /* kg m/s or kg m²/s: the mean momentum of the frame before, and its change */
     double sum[3][5];              /* addToFit: of products of 1, p, q of the frame before with 1, p, q, f, p² + q² */
     int frames;
-    int growth;                    /* frames in which the force was larger than before, less those in which it was not */
+    int growth;                    /* frames in which the force was larger than before, less others */
 } MdtFeedback;
 
 /* What a program applied to a body for the last frame. */
@@ -711,6 +711,7 @@ MeBool mdt_areFinite(const MeReal v[3]); /* without one */
 MeBool mdt_isPlace(const char *caller, const char *what, const MdtWorld *w, MeReal x, MeReal y, MeReal z);
 /* True for lower <= x; else a warning. */
 MeBool mdt_isAtLeast(const char *caller, const char *what, MeReal x, MeReal lower);
+MeBool mdt_isUsable(MeReal x); /* positive, and not below what numbers of single precision can be */
 MeBool mdt_isPositive(const char *caller, const char *what, MeReal x);
 MeBool mdt_isSortKey(const char *caller, MeI32 key);
 MeBool mdt_isPointer(const char *caller, const char *what, const void *p);

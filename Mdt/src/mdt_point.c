@@ -76,8 +76,12 @@ static const MeReal *rawNormal(const MdtPoint *p) {
 void mdt_pointNormal(const MdtPoint *p, double normal[3]) {
     mdt_fromReal(normal, rawNormal(p));
     const double size = keaLength(normal);
-    MEASSERT(size > 0);
-    keaScale(normal, 1 / size, normal);
+    if (size > 0 && isfinite(size)) {
+        keaScale(normal, 1 / size, normal);
+        return;
+    }
+    keaZero(normal); /* what was found of shapes as large as numbers can be may have no direction */
+    normal[2] = 1;
 }
 
 void mdt_pointSetNormal(MdtPoint *p, const MeReal normal[3]) {

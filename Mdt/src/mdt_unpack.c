@@ -25,7 +25,8 @@ static void addJointForces(MdtJoint *j, const MdtKeaRow rows[], double share) {
             keaAddScaled(j->force.body[k].lin, share * rows[r].force, rows[r].J[k].lin);
             keaAddScaled(j->force.body[k].ang, share * rows[r].force, rows[r].J[k].ang);
         }
-    MEASSERT(isfinite(keaDot(j->force.body[0].lin, j->force.body[0].lin)));
+    if (!isfinite(keaDot(j->force.body[0].lin, j->force.body[0].lin))) /* rows of the program's may be anything */
+        memset(&j->force, 0, sizeof j->force);
 }
 
 static void addForces(MdtIsland *p, double share) {
@@ -123,6 +124,7 @@ void mdt_unpackStopped(MdtIsland *p) {
     for (int i = 0; i < p->numBodies; i++) {
         keaZero(p->bodies[i]->kea.velocity);
         MdtKeaBodySetAngularVelocity(&p->bodies[i]->kea, none);
+        mdt_bodyKeepWithinReach(p->bodies[i]); /* an earlier part of the step may have taken it far */
         mdt_bodyShow(p->bodies[i]);
     }
 }

@@ -104,7 +104,8 @@ int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow
     limit->isMeasured = METRUE;
     const double rate = bcl_rate(coordinate, x->velocity), predicted = bcl_rate(coordinate, x->predicted);
     const double impactSpin = x->parameters.hasContacts && isAngle(coordinate) ? spinAfterImpact(x) : 0;
-    MEASSERT(isfinite(measured) && isfinite(rate) && isfinite(predicted));
+    if (!isfinite(measured + rate + predicted)) /* beyond the numbers: the step is not taken */
+        return 0;
     int count = 0;
     if (limit->bLocked || (limit->bPowered && limit->fmax > 0)) {
         limit->rows |= limit->bLocked ? LOCK : MOTOR;

@@ -77,7 +77,7 @@ static void measure(const MdtBclConstraint *c, const MdtKeaTransformation *const
     p->f = sqrt(u[0] * u[0] + u[1] * u[1]);
     const double gradient[2] = {p->f > 0 ? u[0] / alpha / p->f : 1 / alpha, p->f > 0 ? u[1] / beta / p->f : 0};
     p->scale = sqrt(gradient[0] * gradient[0] + gradient[1] * gradient[1]);
-    MEASSERT(p->scale > 0 && isfinite(p->scale) && p->f >= 0);
+    MEASSERT(isnan(theta) || (p->scale > 0 && isfinite(p->scale) && p->f >= 0)); /* a pose beyond the numbers: NaN */
     const double along[2] = {gradient[0] / p->scale, gradient[1] / p->scale};
     swingRow(a, t, theta, along, p->cone);
 }

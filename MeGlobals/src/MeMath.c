@@ -332,9 +332,12 @@ void MEAPI MeMatrixPrint(const MeReal *const A, const int n, const int m, const 
 
 /* ---- packed triangles ---- */
 
+/* So many have an index that is an int. */
+enum { MOST_COLUMNS = 46340 };
+
 /* The index in a triangle whose row i starts at column i + gap, or -1 with a warning. */
 static int triangleIndex(const char *function, int row, int col, int n, int gap) {
-    if (row < 0 || col < row + gap || col >= n) {
+    if (n > MOST_COLUMNS || row < 0 || col >= n || col - gap < row) {
         MeWarning(1, "%s: row %d, column %d of %d is not stored", function, row, col, n);
         return -1;
     }
@@ -351,7 +354,10 @@ int MEAPI MeSymUpperDiagonalIndex(const int inRow, const int inCol, const int in
 }
 
 int MEAPI MeUpperDiagonalSize(const int inNCols) {
-    return inNCols * (inNCols + 1) / 2;
+    if (inNCols >= 0 && inNCols <= MOST_COLUMNS)
+        return inNCols * (inNCols + 1) / 2;
+    MeWarning(1, "MeUpperDiagonalSize: %d columns: there may be 0 to %d", inNCols, MOST_COLUMNS);
+    return 0;
 }
 
 int MEAPI MeSuperDiagonalIndex(const int inRow, const int inCol, const int inNCols) {

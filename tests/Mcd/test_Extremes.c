@@ -298,6 +298,76 @@ START_TEST(any_numbers_against_parts_out_of_reach) {
 }
 END_TEST
 
+/* Flat transforms, of which shapes have no sides, touch nothing; a scale that is left in one is no reason to fail. */
+START_TEST(flat_transforms_touch_nothing_and_are_told) {
+    McdContact contact[CONTACTS];
+    MeMatrix4 flat = {{1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0}, {0, 0, 0, 1}}, tm;
+    McdFrameworkID f = McdInit(0, 10, 10, 1);
+    McdPrimitivesRegisterTypes(f);
+    McdPrimitivesRegisterInteractions(f);
+    MeMatrix4TMMakeIdentity(tm);
+    messages_catch();
+    for (int kind = 0; kind < PLANE + 1; kind++) {
+        McdGeometryID g = kind == LIST || kind == FIELD ? 0 : geometryOf(f, kind);
+        if (!g) /* not of the primitives */
+            continue;
+        caught.warnings = 0;
+        McdGeometryID box = McdBoxCreate(f, 1, 1, 1);
+        McdModelID m = McdModelCreate(g), other = McdModelCreate(box);
+        McdModelSetTransformPtr(m, flat);
+        McdModelSetTransformPtr(other, tm);
+        McdModelPairID pair = McdModelPairCreate(other, m);
+        McdIntersectResult result = {.contacts = contact, .contactMaxCount = CONTACTS};
+        McdDistanceResult d;
+        McdHello(pair);
+        McdIntersect(pair, &result);
+        ck_assert_int_eq(result.contactCount, 0);
+        assert_warned("flat");
+        ck_assert(!McdDistance(pair, &d));
+        assert_warned("flat");
+        McdGoodbye(pair);
+        McdModelPairDestroy(pair);
+        McdModelDestroy(m);
+        McdModelDestroy(other);
+        McdGeometryDestroy(g);
+        McdGeometryDestroy(box);
+    }
+    messages_release();
+    McdTerm(f);
+}
+END_TEST
+
+/* The functions of one pair of types, by a program's own result. */
+START_TEST(a_result_without_room_is_refused) {
+    MeMatrix4 tm;
+    McdFrameworkID f = McdInit(0, 10, 10, 1);
+    McdPrimitivesRegisterTypes(f);
+    McdRGHeightFieldRegisterType(f);
+    MeMatrix4TMMakeIdentity(tm);
+    McdGeometryID g[3] = {McdBoxCreate(f, 1, 1, 1), McdPlaneCreate(f), geometryOf(f, FIELD)};
+    McdModelID m[3];
+    for (int i = 0; i < 3; i++) {
+        m[i] = McdModelCreate(g[i]);
+        McdModelSetTransformPtr(m[i], tm);
+    }
+    McdModelPairID pair = McdModelPairCreate(m[0], m[1]), rough = McdModelPairCreate(m[0], m[2]);
+    McdIntersectResult result = {.contactMaxCount = CONTACTS};
+    messages_catch();
+    ck_assert_int_eq(McdPlaneIntersect(pair, &result), 0);
+    assert_warned("McdPlaneIntersect: the result has no place for contacts");
+    ck_assert_int_eq(McdBoxRGHeightFieldIntersect(rough, &result), 0);
+    assert_warned("McdBoxRGHeightFieldIntersect: the result has no place for contacts");
+    messages_release();
+    McdModelPairDestroy(pair);
+    McdModelPairDestroy(rough);
+    for (int i = 0; i < 3; i++) {
+        McdModelDestroy(m[i]);
+        McdGeometryDestroy(g[i]);
+    }
+    McdTerm(f);
+}
+END_TEST
+
 /* The field is a part, and the model's place plus the part's is more than there is: its cells had the index
  * (int)NaN. */
 START_TEST(a_segment_against_a_height_field_in_an_aggregate) {
@@ -335,6 +405,8 @@ END_TEST
 static void tests(TCase *t) {
     tcase_add_test(t, any_numbers_against_any_geometry);
     tcase_add_test(t, any_numbers_against_parts_out_of_reach);
+    tcase_add_test(t, flat_transforms_touch_nothing_and_are_told);
+    tcase_add_test(t, a_result_without_room_is_refused);
     tcase_add_test(t, a_segment_against_a_height_field_in_an_aggregate);
 }
 TEST_MAIN("McdExtremes", tests)

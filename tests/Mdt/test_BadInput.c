@@ -501,6 +501,43 @@ START_TEST(rubbish_in_public_structures_does_not_reach_the_bodies) {
 END_TEST
 
 /* Forces beyond all measure stop the body where it is; the others move on. */
+/* What is asked by a vector that is no vector, or so large that its product is not. */
+START_TEST(questions_by_no_numbers_are_refused) {
+    setUp();
+    for (int i = 0; i < 3; i++) {
+        MeVector3 asked = {0, bad[i], 0}, answer = {1, 2, 3};
+        MdtBodyGetVelocityAtPoint(b, asked, answer);
+        assert_warned("MdtBodyGetVelocityAtPoint");
+        assert_vec3_near(answer, 0, 0, 0, 0);
+        MdtConvertVector(b, asked, 0, answer);
+        assert_warned("MdtConvertVector");
+        MdtConvertPositionVector(b, asked, 0, answer);
+        assert_warned("MdtConvertPositionVector");
+    }
+    MeVector3 far = {(MeReal)3e38, (MeReal)-3e38, (MeReal)3e38};
+    MdtBodySetQuaternion(b, (MeReal).5, (MeReal).5, (MeReal).5, (MeReal).5);
+    MdtConvertPositionVector(b, far, b, far);
+    for (int i = 0; i < 3; i++)
+        ck_assert(!isnan(far[i]));
+    tearDown();
+}
+END_TEST
+
+/* Smaller than numbers of single precision can be: what is divided by it is infinite. */
+START_TEST(numbers_that_are_all_but_0_are_not_positive) {
+    setUp();
+    const MeReal tiny = (MeReal)1e-39;
+    MdtBodySetMass(b, tiny);
+    assert_warned("MdtBodySetMass");
+    MdtWorldStep(w, tiny);
+    assert_warned("MdtWorldStep");
+    MdtWorldID small = MdtWorldCreate(1, 1, tiny, tiny);
+    assert_warned("scale");
+    MdtWorldDestroy(small);
+    tearDown();
+}
+END_TEST
+
 START_TEST(overflow_stops_only_its_partition) {
     setUp();
     MdtBodyID other = scene_body(w, 1, 5, 5, 5);
@@ -538,6 +575,8 @@ static void tests(TCase *t) {
     tcase_add_test(t, scales_that_are_none_count_as_1);
     tcase_add_test(t, getters_of_nothing_return_nothing);
     tcase_add_test(t, rubbish_in_public_structures_does_not_reach_the_bodies);
+    tcase_add_test(t, questions_by_no_numbers_are_refused);
+    tcase_add_test(t, numbers_that_are_all_but_0_are_not_positive);
     tcase_add_test(t, overflow_stops_only_its_partition);
 }
 

@@ -187,7 +187,7 @@ START_TEST(a_plane_of_zeros_is_met_by_nothing) {
     assert_said("MstFixedModelCreate", "right angles");
     McdModelID m = boxAt(0, 0);
     MstUniverseStep(u, (MeReal)(1.0 / 60));
-    assert_said("MstUniverseStep", "do not touch");
+    assert_silent(); /* once */
     ck_assert(isfinite(coordinate(m, 2)));
 }
 END_TEST

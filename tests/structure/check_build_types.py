@@ -36,7 +36,7 @@ ALONE = [
     (['-DCMAKE_BUILD_TYPE=Release', '-DKARMA_CHECK=ON'], BOTH),
     (['-DCMAKE_BUILD_TYPE=Debug', '-DKARMA_CHECK=OFF'], NEITHER),
     (['-DCMAKE_BUILD_TYPE=Debug', '-DKARMA_CHECK=auto'], BOTH)]
-PRESETS = {'ON': ['asan', 'ci', 'ci-double', 'dev', 'tsan'], 'OFF': ['bench', 'double', 'release']}
+PRESETS = {'ON': ['asan', 'ci', 'ci-double', 'dev', 'tsan'], 'OFF': ['asan-release', 'bench', 'double', 'release']}
 CONFIGURATIONS = {'Debug': BOTH, 'RelWithDebInfo': ASSERTIONS, 'Release': NEITHER, 'MinSizeRel': NEITHER}
 
 PROGRAM = '''cmake_minimum_required(VERSION 3.25)

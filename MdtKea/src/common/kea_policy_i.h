@@ -279,6 +279,14 @@ static const double kea_energyRounding = 1e-12;
 /* Relative: what assertions of check builds allow to energies, bounds and unit quaternions that were computed in
  * another order: a thousand times kea_energyRounding. No answer depends on it. */
 static const double kea_assertedRounding = 1e-9;
+/* Relative to the largest terms of a sum of energies, for the same assertions: of a needle that spins about itself at
+ * 1e16 rad/s they cancel to 1e-14. */
+static const double kea_assertedCancelling = 1e-12;
+/* m/s, rad/s: the largest change of a pass, whose square, and that of a distance, a double holds. No motion is near. */
+static const double kea_largestChange = 1e100;
+/* What is left of a direction of length 1 when its part along the normal is taken off; less is no direction but
+ * rounding, and not across the normal to kea_unitRounding any more. */
+static const double kea_leastAcross = 1e-6;
 
 /* ---- contacts in time ---- */
 

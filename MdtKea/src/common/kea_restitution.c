@@ -76,7 +76,8 @@ static double changeWithoutImpact(const MdtKeaSystem *s, const KeaApproach *a) {
 double kea_reboundInStep(const MdtKeaSystem *s, const KeaApproach *a, double gap, double restitution,
                          double threshold) {
     const MeBool isHit = gap + s->parameters.stepsize * a->predicted < 0;
-    MEASSERT(isfinite(a->rate) && isfinite(a->acceleration));
+    if (!isfinite(a->rate) || !isfinite(a->acceleration)) /* beyond the numbers: the step is not taken */
+        return 0;
     if (!(restitution > 0) || !isHit || !(a->rate < -keaMax(threshold, changeWithoutImpact(s, a))))
         return 0;
     return restitution * sqrt(a->rate * a->rate + 2 * keaMax(gap, 0) * keaMax(-a->acceleration, 0));

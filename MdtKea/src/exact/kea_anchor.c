@@ -147,12 +147,12 @@ static void renewNormal(const MdtKeaSystem *s, KeaContact *c) {
     keaSubtract(n, poseOf(s, c, 0)->pos, poseOf(s, c, 1)->pos);
     keaCopy(d, c->direction);
     const double distance = keaLength(n);
-    if (!(distance > 0))
+    if (!(distance > 0) || !isfinite(distance))
         return;
     keaScale(n, 1 / distance, n);
     keaAddScaled(d, -keaDot(d, n), n);
     const double across = keaLength(d);
-    if (!(across > 0)) /* turned to where the direction was */
+    if (!(across > kea_leastAcross)) /* turned to where the direction was: what is left of it is rounding */
         return;
     keaCopy(c->normal, n);
     keaScale(c->direction, 1 / across, d);

@@ -140,12 +140,12 @@ static MeBool turnsOver(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* The matrix of the coupled problem is singular where rows contradict each other; d may then be NaN or infinite, and
- * passes have to end. */
+/* The matrix of the coupled problem is singular where rows contradict each other; d may then be NaN, infinite, or so
+ * large that the squares of distances are, and passes have to end. */
 static MeBool isStepFinite(const KeaProblem *q) {
     for (int i = 0; i < q->numBodies; i++)
         for (int k = 0; k < 6; k++)
-            if (!isfinite(q->d[i][k]))
+            if (!(fabs(q->d[i][k]) <= kea_largestChange))
                 return MEFALSE;
     return METRUE;
 }

@@ -257,10 +257,15 @@ static void fillMatrix(KeaProblem *q, MeBool unsymmetric) {
 
 /* For assertions: p of all rows are within their bounds or cones. */
 static inline MeBool areWithinBounds(const KeaProblem *q) {
+    double sum = 0;
+    for (int i = 0; i < q->numRows; i++)
+        sum += fabs(q->row[i].p);
+    if (!isfinite(sum)) /* beyond the numbers: the step is not taken */
+        return METRUE;
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
         const double size = keaHypotenuse(row->p, row->partner >= 0 ? q->row[row->partner].p : 0);
-        if (row->isOff || isnan(row->p))
+        if (row->isOff)
             continue;
         if (row->normal < 0 ? row->p < row->lower || row->p > row->upper
                             : size > row->frictionBound * (1 + kea_assertedRounding) + DBL_MIN)

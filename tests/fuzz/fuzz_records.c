@@ -1,0 +1,131 @@
+/* Structures that functions take by pointer, filled with any values that a program may write there. calls.py reads the
+ * table at the end: each stands for the C type of its name, an underscore behind it for another pointer. */
+#include "fuzz_calls.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "Mcd.h"
+#include "McdQuery.h"
+#include "Mdt.h"
+#include "MeProfile.h"
+#include "Mst.h"
+#include "MstDebugDraw.h"
+
+enum { MANY = 64, RESULTS = 16 };
+
+static void fill_Nothing(void *record, FuzzRandom *random) {
+    (void)record;
+    (void)random;
+}
+
+static void fill_McdContact(void *record, FuzzRandom *random) {
+    McdContact *contacts = record;
+    memset(contacts, 0, MANY * sizeof *contacts);
+    for (int i = 0; i < MANY; i++) {
+        McdContact *const c = &contacts[i];
+        for (int k = 0; k < 3; k++) {
+            c->position[k] = (MeReal)fuzzReal(random);
+            c->normal[k] = (MeReal)fuzzReal(random);
+        }
+        c->separation = (MeReal)fuzzReal(random);
+        c->dims = (int)fuzzInteger(random);
+    }
+}
+
+static void fill_McdIntersectResult(void *record, FuzzRandom *random) {
+    McdIntersectResult *result = record;
+    memset(result, 0, sizeof *result);
+    result->contacts = fuzzIsNasty(random) ? NULL : (McdContact *)(result + RESULTS);
+    const long count = fuzzInteger(random);
+    result->contactMaxCount = (int)(count > MANY ? MANY : count);
+}
+
+static void fill_McdRequest(void *record, FuzzRandom *random) {
+    McdRequest *request = record;
+    request->contactMaxCount = (int)fuzzInteger(random);
+    request->faceNormalsFirst = (MeBool)fuzzBelow(random, 2);
+}
+
+static void fill_McdIterators(void *record, FuzzRandom *random) {
+    int *numbers = record; /* all members are ints, or pointers that are null at the end */
+    (void)random;
+    memset(numbers, 0, 64);
+}
+
+static void fill_MdtPartitionParams(void *record, FuzzRandom *random) {
+    MdtPartitionParams *p = record;
+    p->autoDisable = (MeBool)fuzzBelow(random, 2);
+    p->vel_thresh = (MeReal)fuzzReal(random);
+    p->velrot_thresh = (MeReal)fuzzReal(random);
+    p->acc_thresh = (MeReal)fuzzReal(random);
+    p->accrot_thresh = (MeReal)fuzzReal(random);
+    p->alive_time = (MeReal)fuzzReal(random);
+    p->alive_window = (int)fuzzInteger(random);
+}
+
+static unsigned int count(FuzzRandom *random, unsigned int usual) {
+    return fuzzIsNasty(random) ? (unsigned int)fuzzInteger(random) : usual;
+}
+
+static MeReal scale(FuzzRandom *random) {
+    return (MeReal)(fuzzIsNasty(random) ? fuzzReal(random) : 1);
+}
+
+static void fill_MstUniverseSizes(void *record, FuzzRandom *random) {
+    MstUniverseSizes *s = record;
+    *s = fuzzChance(random, 50) ? MstUniverseGrowingSizes : MstUniverseDefaultSizes;
+    s->dynamicBodiesMaxCount = count(random, s->dynamicBodiesMaxCount);
+    s->dynamicConstraintsMaxCount = count(random, s->dynamicConstraintsMaxCount);
+    s->collisionUserGeometryTypesMaxCount = count(random, s->collisionUserGeometryTypesMaxCount);
+    s->collisionModelsMaxCount = count(random, s->collisionModelsMaxCount);
+    s->collisionPairsMaxCount = count(random, s->collisionPairsMaxCount);
+    s->collisionGeometryInstancesMaxCount = count(random, s->collisionGeometryInstancesMaxCount);
+    s->materialsMaxCount = count(random, s->materialsMaxCount);
+    s->lengthScale = scale(random);
+    s->massScale = scale(random);
+}
+
+static void MEAPI drawLine(void *data, const MeVector3 a, const MeVector3 b, const float color[4]) {
+    (void)data, (void)a, (void)b, (void)color;
+}
+
+static void MEAPI drawText(void *data, const MeVector3 p, const char *text, const float color[4]) {
+    (void)data, (void)p, (void)text, (void)color;
+}
+
+static void fill_MstDebugDraw(void *record, FuzzRandom *random) {
+    MstDebugDraw *draw = record;
+    memset(draw, 0, sizeof *draw);
+    draw->line = fuzzChance(random, 80) ? drawLine : NULL;
+    draw->text = fuzzChance(random, 80) ? drawText : NULL;
+}
+
+enum { ITERATOR = 64, RESULTS_BYTES = RESULTS * sizeof(McdIntersectResult) + MANY * sizeof(McdContact) };
+
+const FuzzRecordType fuzzRecords[] = {
+#define RECORD(name, size, fill) {size, fill},
+    /* clang-format off */
+    RECORD(McdContact, MANY * sizeof(McdContact), fill_McdContact)
+    RECORD(McdIntersectResult, RESULTS_BYTES, fill_McdIntersectResult)
+    RECORD(McdSafeTimeResult, sizeof(McdSafeTimeResult), fill_Nothing)
+    RECORD(McdDistanceResult, sizeof(McdDistanceResult), fill_Nothing)
+    RECORD(McdLineSegIntersectResult, 16 * sizeof(McdLineSegIntersectResult), fill_Nothing)
+    RECORD(McdCastResult, sizeof(McdCastResult), fill_Nothing)
+    RECORD(McdClosestResult, sizeof(McdClosestResult), fill_Nothing)
+    RECORD(McdRequest, sizeof(McdRequest), fill_McdRequest)
+    RECORD(McdModelPairContainerIterator, ITERATOR, fill_McdIterators)
+    RECORD(McdSpacePairIterator, ITERATOR, fill_McdIterators)
+    RECORD(McdSpaceModelIterator, ITERATOR, fill_McdIterators)
+    RECORD(McdModel_, MANY * sizeof(McdModelID), fill_Nothing)
+    RECORD(MeVector4_, sizeof(MeMatrix4Ptr), fill_Nothing)
+    RECORD(char_, sizeof(char *), fill_Nothing)
+    RECORD(int, sizeof(int), fill_Nothing)
+    RECORD(MdtPartitionParams, sizeof(MdtPartitionParams), fill_MdtPartitionParams)
+    RECORD(MdtReport, sizeof(MdtReport), fill_Nothing)
+    RECORD(MeProfileTimerResult, sizeof(MeProfileTimerResult), fill_Nothing)
+    RECORD(MstUniverseSizes, sizeof(MstUniverseSizes), fill_MstUniverseSizes)
+    RECORD(MstDebugDraw, sizeof(MstDebugDraw), fill_MstDebugDraw)
+    /* clang-format on */
+};
+const int fuzzRecordCount = sizeof fuzzRecords / sizeof fuzzRecords[0];
