@@ -44,8 +44,8 @@ MEPUBLIC int MEAPI MdtWorldTakeRest(const MdtWorldID w);
  *  same. */
 MEPUBLIC unsigned long MEAPI MdtBodyGetMoves(const MdtBodyID b);
 
-/** Its model's geometry has its centre of mass elsewhere than at the origin: a warning before the body is simulated first,
- *  if the program has not said where by then (MdtBodySetCenterOfMassRelativePosition). */
+/** Its model's geometry has its centre of mass elsewhere than at the origin: a warning before the body is simulated
+ *  first, if the program has not said where by then (MdtBodySetCenterOfMassRelativePosition). */
 MEPUBLIC void MEAPI MdtBodyExpectCentreOfMass(const MdtBodyID b);
 
 /** How many contact groups, and contacts that are in none, it has. */
