@@ -27,6 +27,10 @@ MeBool mcd_instanceIs(McdGeometryInstanceID ins, McdGeometryType type, const cha
 /* ---- boxes and farthest points ----------------------------------------------------------------------------------- */
 
 void mcd_localXYAABB(const McdGeometry *g, const MeMatrix4Ptr tm, MeReal bounds[4], McdLocalSupportFn support) {
+    if (!mcd_isPlace(mcd_const(tm))) {
+        MeWarning(1, "Mcd...GetXYAABB: tm is no transform, or not finite");
+        return;
+    }
     for (int i = 0; i < 2; i++) {
         double low, high;
         mcd_localExtent(g, mcd_const(tm), i, support, &low, &high);

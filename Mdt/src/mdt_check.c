@@ -157,14 +157,14 @@ MeBool mdt_isAtLeast(const char *caller, const char *what, MeReal x, MeReal lowe
 
 /* What is smaller than this overflows where something is divided by it, or by its square. */
 MeBool mdt_isUsable(MeReal x) {
-    return x >= (MeReal)FLT_MIN && isfinite(x);
+    return x >= (MeReal)FLT_MIN && x <= (MeReal)FLT_MAX;
 }
 
 MeBool mdt_isPositive(const char *caller, const char *what, MeReal x) {
     if (mdt_isUsable(x))
         return METRUE;
     MeWarning(1, "%s: %s is %g, it must be positive%s; nothing is changed", caller, what, (double)x,
-              x > 0 && isfinite(x) ? ", and not smaller than numbers of single precision can be" : "");
+              x > 0 && isfinite(x) ? ", and a number that single precision can have" : "");
     return MEFALSE;
 }
 

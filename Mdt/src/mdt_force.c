@@ -77,7 +77,8 @@ static double stableShare(const Law *law, MeBool alternates) {
  * stable, κ <= 4 and δ <= 2. What is tied to something, or rests on it, may be held: the rest of the change is a push
  * on it, and taken as it is given. */
 static double explainedShare(double change, const double p[3], const double q[3]) {
-    return fmin((4 * keaLength(p) + 2 * keaLength(q)) / change, 1);
+    const double share = fmin((4 * keaLength(p) + 2 * keaLength(q)) / change, 1);
+    return share < 0.1 ? 0 : share; /* the motion of what is held is rounding */
 }
 
 /* Does it grow in frame after frame, as a force does that is too stiff for the step, κ > 4 or δ > 2? These are
@@ -124,7 +125,8 @@ static void correct(const MdtBody *b, MdtFeedback *fit, const double now[3], con
     addToFit(fit, keaDot(mean, fit->along), keaDot(change, fit->along), h * size);
     keaCopy(fit->before[0], mean);
     keaCopy(fit->before[1], change);
-    fit->growth = growth > 1 ? fit->growth + (growth > 16 ? 2 : 1) : fit->growth > 2 ? fit->growth - 2 : 0;
+    const MeBool isAnswer = growth > 1 && explained > 0.5;
+    fit->growth = isAnswer ? fit->growth + (growth > 16 ? 2 : 1) : fit->growth > 2 ? fit->growth - 2 : 0;
     const Law law = lawOf(fit);
     keaScale(correction, (1 - b->theta) * h * explained * stableShare(&law, fit->growth > 2 && keaDot(now, last) < 0),
              correction);

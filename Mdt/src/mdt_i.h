@@ -711,7 +711,7 @@ MeBool mdt_areFinite(const MeReal v[3]); /* without one */
 MeBool mdt_isPlace(const char *caller, const char *what, const MdtWorld *w, MeReal x, MeReal y, MeReal z);
 /* True for lower <= x; else a warning. */
 MeBool mdt_isAtLeast(const char *caller, const char *what, MeReal x, MeReal lower);
-MeBool mdt_isUsable(MeReal x); /* positive, and not below what numbers of single precision can be */
+MeBool mdt_isUsable(MeReal x); /* positive, and within what single precision can have */
 MeBool mdt_isPositive(const char *caller, const char *what, MeReal x);
 MeBool mdt_isSortKey(const char *caller, MeI32 key);
 MeBool mdt_isPointer(const char *caller, const char *what, const void *p);

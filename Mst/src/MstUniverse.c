@@ -220,7 +220,7 @@ static void stepWithAdvice(MstUniverse *u, MeReal step) {
 void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step) {
     if (!isUniverse(u, "MstUniverseStep") || !isWhole(u, "MstUniverseStep") || !isFree(u, "MstUniverseStep"))
         return;
-    if (!(step > 0) || !MeRealIsValid(step)) {
+    if (!(step >= (MeReal)FLT_MIN && step <= (MeReal)FLT_MAX)) {
         MeWarning(1, "MstUniverseStep: the step is %g: it must be positive; nothing is changed", (double)step);
         return;
     }
