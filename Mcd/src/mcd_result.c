@@ -173,10 +173,13 @@ static MeBool isContactGood(const McdIntersectResult *result, int i) {
            c->instance2->model == result->pair->model2;
 }
 
-/* The program's functions may have changed what was found of two parts. */
+/* The program's functions may have changed what was found of two parts; of what is so large, places have no digits that
+ * tell contacts apart. */
 static MeBool areContactsGood(const McdIntersectResult *result) {
-    if (mcd_record(result->pair->model1)->intersect || mcd_record(result->pair->model2)->intersect)
-        return METRUE;
+    const McdModelRecord *m[2] = {mcd_record(result->pair->model1), mcd_record(result->pair->model2)};
+    for (int k = 0; k < 2; k++)
+        if (m[k]->intersect || !(MeVector3Magnitude(m[k]->instance.max) < (MeReal)1e15))
+            return METRUE;
     for (int i = 0; i < result->contactCount; i++)
         if (!isContactGood(result, i))
             return MEFALSE;

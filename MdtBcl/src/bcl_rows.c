@@ -148,7 +148,7 @@ void bcl_alongRow(const MdtBclConstraint *c, const MdtBclContext *x, const doubl
         keaCross(row->J[k].ang, arm, row->J[k].lin);
         keaCopy(row->arm[k], arm);
     }
-    MEVALIDATE(bcl_areRows(row, 1));
+    MEVALIDATE(!isFinite3(d) || bcl_areRows(row, 1)); /* of a pose beyond the numbers it is NaN */
 }
 
 void bcl_matchPositions(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {

@@ -279,6 +279,8 @@ static const double kea_energyRounding = 1e-12;
 /* Relative: what assertions of check builds allow to energies, bounds and unit quaternions that were computed in
  * another order: a thousand times kea_energyRounding. No answer depends on it. */
 static const double kea_assertedRounding = 1e-9;
+/* N s, of all impulses together: assertions do not compare larger ones, which fuzzed input reaches. */
+static const double kea_mostAsserted = 1e20;
 /* Relative to the largest terms of a sum of energies, for the same assertions: of a needle that spins about itself at
  * 1e16 rad/s they cancel to 1e-14. */
 static const double kea_assertedCancelling = 1e-12;

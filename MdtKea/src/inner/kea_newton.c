@@ -260,7 +260,7 @@ static inline MeBool areWithinBounds(const KeaProblem *q) {
     double sum = 0;
     for (int i = 0; i < q->numRows; i++)
         sum += fabs(q->row[i].p);
-    if (!isfinite(sum)) /* beyond the numbers: the step is not taken */
+    if (!(sum < kea_mostAsserted)) /* differences have no digits left */
         return METRUE;
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
