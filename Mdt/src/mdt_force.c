@@ -81,8 +81,8 @@ static double explainedShare(double change, const double p[3], const double q[3]
     return share < 0.1 ? 0 : share; /* the motion of what is held is rounding */
 }
 
-/* Does it grow in frame after frame, as a force does that is too stiff for the step, κ > 4 or δ > 2? These are
- * estimated to a quarter; what grows by chance, or by the program's will, has others. What grows by more than 4 in a
+/* Does it turn round and grow in frame after frame, as a force does that is too stiff for the step, κ > 4 or δ > 2?
+ * These are estimated to a quarter; what grows by chance, or by the program's will, has others. What grows by more than 4 in a
  * frame is sooner beyond all numbers. */
 static MeBool runsAway(const MdtFeedback *fit) {
     enum { MANY = 8 };
@@ -125,7 +125,9 @@ static void correct(const MdtBody *b, MdtFeedback *fit, const double now[3], con
     addToFit(fit, keaDot(mean, fit->along), keaDot(change, fit->along), h * size);
     keaCopy(fit->before[0], mean);
     keaCopy(fit->before[1], change);
-    const MeBool isAnswer = growth > 1 && explained > 0.5;
+    fit->steady = size * fit->change < 0 ? 0 : fit->steady + 1;
+    fit->change = size;
+    const MeBool isAnswer = fit->steady < 3 && growth > 1 && explained > 0.5;
     fit->growth = isAnswer ? fit->growth + (growth > 16 ? 2 : 1) : fit->growth > 2 ? fit->growth - 2 : 0;
     const Law law = lawOf(fit);
     keaScale(correction, (1 - b->theta) * h * explained * stableShare(&law, fit->growth > 2 && keaDot(now, last) < 0),

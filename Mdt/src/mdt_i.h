@@ -112,11 +112,13 @@ typedef struct MdtStay {
 
 /* How the force on a body answers to its motion: sums over frames (mdt_force.c). */
 typedef struct MdtFeedback {
-    double along[3];               /* the direction of the force's last change */
+    double along[3];               /* the direction of the force's last change, */
+    double change;                 /* N s, N m s: and the change along it */
     double before[2][3];           /* kg m/s or kg m²/s: the mean momentum of the frame before, and its change */
     double sum[3][5];              /* addToFit: of products of 1, p, q of the frame before with 1, p, q, f, p² + q² */
     int frames;
-    int growth;                    /* frames in which the force was larger than before, less others */
+    int steady;                    /* frames since its change turned round */
+    int growth;                    /* frames, near such ones, in which the force was larger than before, less others */
 } MdtFeedback;
 
 /* What a program applied to a body for the last frame. */
