@@ -22,7 +22,8 @@ def check():
 
 def pulls():
     """Eight layers lie on the three planks of one: a third of their weight, and its own, press on the plank's sides. A tower
-    that is built again is solved exactly from its first step."""
-    friction = 0.5 * (8 * WEIGHT + 9 * WEIGHT)
-    most = max(figure(line, 'pull') for line in statuses(117, 'Enter@1,3@60'))
-    assert 0.9 * friction < most < 1.02 * friction, f'the greatest pull is {most} N, the friction {friction:.0f} N'
+    that is built again is solved exactly from its first step. The pull exceeds the friction by what it grows in a frame."""
+    friction, growth = 0.5 * (8 * WEIGHT + 9 * WEIGHT), 20000 * 0.1 / 60
+    pull = [figure(line, 'pull') for line in statuses(117, 'Enter@1,3@60')]
+    near(pull[-1], friction, 0.01 * friction, 'the pull of what slides steadily')
+    assert max(pull) < 1.01 * friction + growth, f'the greatest pull is {max(pull)} N, the friction {friction:.0f} N'
