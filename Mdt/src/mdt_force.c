@@ -82,8 +82,8 @@ static double explainedShare(double change, const double p[3], const double q[3]
 }
 
 /* Does it turn round and grow in frame after frame, as a force does that is too stiff for the step, κ > 4 or δ > 2?
- * These are estimated to a quarter; what grows by chance, or by the program's will, has others. What grows by more than 4 in a
- * frame is sooner beyond all numbers. */
+ * These are estimated to a quarter; what grows by chance, or by the program's will, has others. What grows by more than
+ * 4 in a frame is sooner beyond all numbers. */
 static MeBool runsAway(const MdtFeedback *fit) {
     enum { MANY = 8 };
     const Law law = lawOf(fit);

@@ -17,8 +17,8 @@ enum { LAYERS = 18, PLANKS = 3 * LAYERS, DRAWN_LAYER = 9, NONE = -1 };
 static const double length = .75, width = .25, height = .15; /* m: ten times those of the game */
 static const double gap = .003;                              /* m, between neighbours */
 static const double density = 600;                           /* kg/m³ */
-/* Wood gives way, .14 mm for a tonne. What rigid planks share of a load is undetermined: without this the middle one may
- * come to bear all of it, and to take the tower along. */
+/* Wood gives way, .14 mm for a tonne. What rigid planks share of a load is undetermined: without this the middle one
+ * may come to bear all of it, and to take the tower along. */
 static const double compliance = 1e-5; /* 1/kg */
 
 static McdModelID plank[PLANKS];
