@@ -162,7 +162,7 @@ static void cornerOverFace(const McdShape *a, const McdShape *b, McdProximity *p
 
 MeBool mcd_isAlongNormal(const McdShape *a, const McdShape *b, const McdProximity *p) {
     const double most = 1e-8 * mcd_pairSize(a, b) + 1e-12 * (MeMAX(a->extent, b->extent) + fabs(p->separation));
-    return !mcd_shapeIsRigid(a) || !mcd_shapeIsRigid(b) ||
+    return !mcd_areResolved(a, b) ||
            (mcd_isUnit(p->normal) && fabs(mcd_separationAlong(a, b, p->normal) - p->separation) <= most);
 }
 

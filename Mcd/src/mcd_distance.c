@@ -229,12 +229,23 @@ static void weighted(const Corner *const corner[], const double *weight, int cou
     }
 }
 
+/* Witness points are sums with weights, which a thin simplex has to few digits, and a facet of EPA's is within M: divides
+ * what their difference lacks of the separation along the normal evenly between the two. */
+static void matchEnds(McdProximity *p) {
+    double lack[3];
+    mcd_sub(lack, p->onB, p->onA);
+    mcd_mad(lack, lack, p->separation, p->normal);
+    mcd_mad(p->onA, p->onA, .5, lack);
+    mcd_mad(p->onB, p->onB, -.5, lack);
+}
+
 static void reportSeparated(const Simplex *s, McdProximity *p) {
     MEASSERT(s->count >= 1 && s->count <= 3 && s->squared > 0);
     const Corner *corner[3] = {&s->corner[0], &s->corner[1], &s->corner[2]};
     weighted(corner, s->weight, s->count, p);
     p->separation = sqrt(s->squared);
     mcd_scale(p->normal, s->nearest, 1 / p->separation);
+    matchEnds(p);
 }
 
 /* ---- overlapping: EPA's polytope within M ------------------------------------------------------------------------ */
@@ -614,10 +625,9 @@ static int facetUnderOrigin(const Polytope *t, double weight[3]) {
     return best;
 }
 
-/* Witness points: points of the cores whose difference is the point of M's boundary nearest to the origin. The distance
- * of the polytope from that boundary, at most the tolerance, is divided evenly between the two. */
+/* Witness points: points of the cores whose difference is the point of M's boundary nearest to the origin. */
 static void reportPenetration(const Polytope *t, McdProximity *out) {
-    double weight[3], lack[3], sum = 0;
+    double weight[3], sum = 0;
     const int facet = facetUnderOrigin(t, weight);
     MEASSERT(t->facetCount > facet && t->support < INFINITY);
     for (int i = 0; i < 3; i++) {
@@ -630,10 +640,7 @@ static void reportPenetration(const Polytope *t, McdProximity *out) {
     weighted(corner, weight, 3, out);
     mcd_scale(out->normal, t->normal, -1);
     out->separation = -t->support;
-    mcd_sub(lack, out->onB, out->onA);
-    mcd_mad(lack, lack, t->support, t->normal);
-    mcd_mad(out->onA, out->onA, .5, lack);
-    mcd_mad(out->onB, out->onB, -.5, lack);
+    matchEnds(out);
 }
 
 static void findPenetration(const Pair *p, const Simplex *s, const McdProximity *guess, McdProximity *out) {

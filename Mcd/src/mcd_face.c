@@ -589,6 +589,8 @@ static MeBool isManifoldGood(const McdShape *a, const McdShape *b, const McdProx
                              const McdManifold *m) {
     const double rounding = a->rounding + b->rounding;
     const double slack_ = preference * mcd_pairSize(a, b) + 1e-12 * fabs(p->separation);
+    if (!mcd_areResolved(a, b))
+        return METRUE;
     for (int i = 0; i < m->count; i++) {
         const McdManifoldPoint *point = &m->point[i];
         for (int j = 0; j < i; j++)

@@ -94,18 +94,12 @@ static void preferFaces(const McdShape *a, const McdShape *b, const McdFace *fac
 
 /* ---- what the others call ------------------------------------------------------------------------------------- */
 
-/* Does a double resolve the smaller shape at the distances of the larger one's surface? What checks look at is lost in
- * rounding otherwise. */
-static MeBool areComparable(const McdShape *a, const McdShape *b) {
-    return mcd_shapeIsRigid(a) && mcd_shapeIsRigid(b) && MeMAX(a->extent, b->extent) <= 1e6 * mcd_pairSize(a, b);
-}
-
 /* The normal has length 1, and the separation is that along it, to 1e-5 of the size: a wrong feature is off by more.
  * Hulls that touch within 1e-6 of their size have a normal that is no better than that; 1.2e-6 was met in a falling
  * arch. */
 static MeBool isProximityGood(const McdShape *a, const McdShape *b, const McdProximity *p) {
     const double most = 1e-5 * mcd_pairSize(a, b) + 1e-9 * (MeMAX(a->extent, b->extent) + fabs(p->separation));
-    if (!areComparable(a, b))
+    if (!mcd_areResolved(a, b))
         return METRUE;
     return mcd_isUnit(p->normal) && fabs(mcd_separationAlong(a, b, p->normal) - p->separation) <= most;
 }
@@ -229,7 +223,7 @@ int mcd_convexManifold(const McdShape *a, const McdShape *b, double margin, McdM
         return manifoldOf(a, b, margin, m);
     const int count = manifoldOf(b, a, margin, m);
     mcd_manifoldTurn(m);
-    MEASSERT(count == m->count && isManifoldWithin(m, margin));
+    MEASSERT(count == m->count && (isManifoldWithin(m, margin) || !mcd_areResolved(a, b)));
     return count;
 }
 
@@ -256,7 +250,7 @@ static MeBool areEndsGood(const McdShape *a, const McdShape *b, const McdProximi
     mcd_sub(d, p->onA, p->onB);
     mcd_mad(d, d, -p->separation, p->normal);
     const double most = 1e-7 * mcd_pairSize(a, b) + 1e-9 * (MeMAX(a->extent, b->extent) + fabs(p->separation));
-    return !areComparable(a, b) || mcd_length(d) <= most;
+    return !mcd_areResolved(a, b) || mcd_length(d) <= most;
 }
 
 double mcd_convexDistance(const McdShape *a, const McdShape *b, double onA[3], double onB[3], double normal[3]) {

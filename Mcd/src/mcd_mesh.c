@@ -165,8 +165,10 @@ static MeBool isShapeInBall(const McdMeshQuery *q) {
 static MeBool areAxesUnit(const McdMeshQuery *q) {
     double x[3];
     mcd_cross(x, q->axis[0], q->axis[1]);
-    return fabs(mcd_length(q->axis[0]) - 1) < 1e-6 && fabs(mcd_length(q->axis[1]) - 1) < 1e-6 &&
-           fabs(fabs(mcd_dot(x, q->axis[2])) - 1) < 1e-6;
+    for (int i = 0; i < 3; i++)
+        if (fabs(mcd_length(q->axis[i]) - 1) > 1e-6)
+            return MEFALSE;
+    return fabs(fabs(mcd_dot(x, q->axis[2])) - 1) < 1e-6;
 }
 
 /* No farther than the triangles are gathered: a model that is fast looks no farther than its radius. */

@@ -28,6 +28,11 @@ MeBool mcd_shapeIsRigid(const McdShape *s) {
     return areAxesRigid(s->axis);
 }
 
+MeBool mcd_areResolved(const McdShape *a, const McdShape *b) {
+    const double surface = MeMAX(a->extent, b->extent), place = MeMAX(mcd_length(a->place), mcd_length(b->place));
+    return mcd_shapeIsRigid(a) && mcd_shapeIsRigid(b) && MeMAX(surface, place) <= 1e5 * mcd_pairSize(a, b);
+}
+
 /* Makes a rotation that was rounded to single precision orthonormal in double, so that a box's faces are across its
  * axes: R + (I - R R^T) R / 2, one step towards the nearest rotation. Other matrices are left as they are. */
 static void squareAxes(double axis[3][3]) {
