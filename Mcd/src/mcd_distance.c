@@ -229,8 +229,8 @@ static void weighted(const Corner *const corner[], const double *weight, int cou
     }
 }
 
-/* Witness points are sums with weights, which a thin simplex has to few digits, and a facet of EPA's is within M: divides
- * what their difference lacks of the separation along the normal evenly between the two. */
+/* Witness points are sums with weights, which a thin simplex has to few digits, and a facet of EPA's is within M:
+ * divides what their difference lacks of the separation along the normal evenly between the two. */
 static void matchEnds(McdProximity *p) {
     double lack[3];
     mcd_sub(lack, p->onB, p->onA);
