@@ -205,7 +205,16 @@ void mdt_islandsEnd(MdtWorldID w) {
     MeStageEnd(&w->stage, MDT_HOLD_GRAPH);
 }
 
-/* A group is followed by its contacts (updateIslands has made room). */
+/* Room for all constraints, also for those that functions of the program have made since the islands were found. */
+static MeBool reserveList(MdtWorldID w) {
+    const MeBool isRoom = w->numConstraints <= w->constraintRoom ||
+                          MeMemoryGrow(&w->constraintOf, 0, (size_t)w->numConstraints, sizeof *w->constraintOf,
+                                       "MdtWorldStep", "the constraints of a step");
+    w->output.constraints = w->constraintOf;
+    return isRoom;
+}
+
+/* A group is followed by its contacts. */
 static int listConstraint(MdtWorldID w, MdtConstraintID base, int at) {
     w->constraintOf[at++] = mdt_constraintShown(base);
     if (!mdt_isManifold(base) || (base->record.flags & MDT_LONE))
@@ -217,10 +226,10 @@ static int listConstraint(MdtWorldID w, MdtConstraintID base, int at) {
 
 void mdt_islandsList(MdtWorldID w) {
     int at = 0;
-    MEASSERT(w->numPartitions == 0 || w->constraintRoom >= w->numConstraints);
+    const MeBool isRoom = reserveList(w);
     for (int p = 0; p < w->numPartitions; p++) {
         w->constraintStart[p] = at;
-        for (int i = w->actingStart[p]; i < w->actingStart[p + 1]; i++)
+        for (int i = w->actingStart[p]; isRoom && i < w->actingStart[p + 1]; i++)
             at = listConstraint(w, w->actingOf[i], at);
     }
     w->constraintStart[w->numPartitions] = at;
