@@ -128,7 +128,7 @@ void MEAPI McdBoxGetXYAABB(McdBoxID g, MeMatrix4 tm, MeReal bounds[4]) {
         return;
     MeVectorSetZero(bounds, 4);
     if (mcd_geometryIs(g, kMcdGeometryTypeBox, "McdBoxGetXYAABB"))
-        mcd_localXYAABB(g, tm, bounds, support);
+        mcd_localXYAABB(g, tm, bounds, support, __func__);
 }
 
 void MEAPI McdBoxMaximumPointLocal(McdBoxID g, MeReal *inDir, MeReal *outPoint) {

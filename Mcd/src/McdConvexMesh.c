@@ -327,7 +327,7 @@ void MEAPI McdConvexMeshGetXYAABB(McdConvexMeshID g, MeMatrix4 tm, MeReal bounds
         return;
     MeVectorSetZero(bounds, 4);
     if (isMesh(g, "McdConvexMeshGetXYAABB"))
-        mcd_localXYAABB(g, tm, bounds, support);
+        mcd_localXYAABB(g, tm, bounds, support, __func__);
 }
 
 /* ---- what it is like --------------------------------------------------------------------------------------------- */

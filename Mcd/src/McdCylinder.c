@@ -114,7 +114,7 @@ void MEAPI McdCylinderGetXYAABB(McdGeometry *g, MeMatrix4 tm, MeReal bounds[4]) 
         return;
     MeVectorSetZero(bounds, 4);
     if (isCylinder(g, "McdCylinderGetXYAABB"))
-        mcd_localXYAABB(g, tm, bounds, support);
+        mcd_localXYAABB(g, tm, bounds, support, __func__);
 }
 
 void MEAPI McdCylinderMaximumPointLocal(McdGeometry *g, MeReal *const inDir, MeReal *const outPoint) {

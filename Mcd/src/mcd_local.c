@@ -26,9 +26,10 @@ MeBool mcd_instanceIs(McdGeometryInstanceID ins, McdGeometryType type, const cha
 
 /* ---- boxes and farthest points ----------------------------------------------------------------------------------- */
 
-void mcd_localXYAABB(const McdGeometry *g, const MeMatrix4Ptr tm, MeReal bounds[4], McdLocalSupportFn support) {
+void mcd_localXYAABB(const McdGeometry *g, const MeMatrix4Ptr tm, MeReal bounds[4], McdLocalSupportFn support,
+                     const char *caller) {
     if (!mcd_isPlace(mcd_const(tm))) {
-        MeWarning(1, "Mcd...GetXYAABB: tm is no transform, or not finite");
+        MeWarning(1, "%s: tm is no transform, or not finite; the bounds are 0", caller);
         return;
     }
     for (int i = 0; i < 2; i++) {

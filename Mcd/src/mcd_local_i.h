@@ -86,7 +86,9 @@ static inline void mcd_localUpdateAABB(McdGeometryInstanceID ins, const MeMatrix
 
 void mcd_localMaximumPoint(McdGeometryInstanceID ins, const MeReal *direction, MeReal *point,
                            McdLocalSupportFn support);
-void mcd_localXYAABB(const McdGeometry *g, const MeMatrix4Ptr tm, MeReal bounds[4], McdLocalSupportFn support);
+/* A tm that is no transform: a warning, and bounds are left as they are. */
+void mcd_localXYAABB(const McdGeometry *g, const MeMatrix4Ptr tm, MeReal bounds[4], McdLocalSupportFn support,
+                     const char *caller);
 
 /* For geometries that have no better bound than a box in their own frame. */
 void mcd_boxSupport(const MeReal *min, const MeReal *max, const double direction[3], double point[3]);

@@ -125,9 +125,10 @@ static void correct(const MdtBody *b, MdtFeedback *fit, const double now[3], con
     addToFit(fit, keaDot(mean, fit->along), keaDot(change, fit->along), h * size);
     keaCopy(fit->before[0], mean);
     keaCopy(fit->before[1], change);
+    enum { LONGEST_RISE = 3 }; /* frames: at κ = 4.4 a change keeps its sign for two */
     fit->steady = size * fit->change < 0 ? 0 : fit->steady + 1;
     fit->change = size;
-    const MeBool isAnswer = fit->steady < 3 && growth > 1 && explained > 0.5;
+    const MeBool isAnswer = fit->steady < LONGEST_RISE && growth > 1 && explained > 0.5;
     fit->growth = isAnswer ? fit->growth + (growth > 16 ? 2 : 1) : fit->growth > 2 ? fit->growth - 2 : 0;
     const Law law = lawOf(fit);
     keaScale(correction, (1 - b->theta) * h * explained * stableShare(&law, fit->growth > 2 && keaDot(now, last) < 0),
