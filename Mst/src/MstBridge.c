@@ -337,10 +337,17 @@ static void handleCollisions(MstBridgeRecord *record, McdModelPairContainer *pai
     }
 }
 
+static MeBool isSpace(McdSpaceID s, const char *function) {
+    if (!McdSpaceIsValid(s))
+        MeWarning(1, "%s: s is %s: it must be a space", function, s ? "no space, or one that is destroyed" : "null");
+    return McdSpaceIsValid(s);
+}
+
 void MEAPI MstHandleCollisions(McdModelPairContainer *pairs, const McdSpaceID s, const MdtWorldID w,
                                const MstBridgeID b) {
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstHandleCollisions");
-    if (!record || !pairs || !areFree(record, record->frame, w, "MstHandleCollisions"))
+    if (!record || !pairs || !isSpace(s, "MstHandleCollisions") ||
+        !areFree(record, record->frame, w, "MstHandleCollisions"))
         return;
     mst_holdPairs(record, record->frame, worldOf(w));
     handleCollisions(record, pairs, s, w);
@@ -364,12 +371,6 @@ static void reservePairs(MstBridgeRecord *b, int count) {
         size *= 2;
     if (!b->isPairsSizeSet && size > b->bridge.pairs->size)
         setPairsSize(b, size);
-}
-
-static MeBool isSpace(McdSpaceID s, const char *function) {
-    if (!s)
-        MeWarning(1, "%s: s is null: it must be a space", function);
-    return s != 0;
 }
 
 /* What callbacks have destroyed goes when the next change block is open. */
