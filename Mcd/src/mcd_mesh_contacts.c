@@ -16,7 +16,7 @@ static double heightOfCentre(const McdMeshQuery *q, const McdMeshTriangle *t) {
 }
 
 /* The unit vectors across the edges, in the triangle's plane, towards its inside. False for a triangle that is so far
- * away, or so large, that rounding has left an edge of it no length. */
+ * away, or so large, that rounding has left an edge of it no length, or its third corner on an edge. */
 static MeBool findInward(McdMeshTriangle *t) {
     for (int i = 0; i < 3; i++) {
         double *inward = t->inward[i], edge[3], across[3];
@@ -27,7 +27,8 @@ static MeBool findInward(McdMeshTriangle *t) {
         if (!(length > 0))
             return MEFALSE;
         mcd_scale(inward, inward, (mcd_dot(inward, across) < 0 ? -1 : 1) / length);
-        MEASSERT(mcd_dot(inward, across) >= 0); /* the third corner is inside */
+        if (!(mcd_dot(inward, across) > 0))
+            return MEFALSE;
     }
     return METRUE;
 }

@@ -117,7 +117,8 @@ MEPUBLIC MeReal MEAPI MdtBodyGetKineticEnergy(const MdtBodyID b);
 /** kg, > 0. The inertia tensor does not follow: set it too. */
 MEPUBLIC void MEAPI MdtBodySetMass(const MdtBodyID b, const MeReal mass);
 MEPUBLIC MeReal MEAPI MdtBodyGetMass(const MdtBodyID b);
-/** kg m², about the centre of mass, in its frame; symmetric and positive definite. MdtUtilities.h makes some. */
+/** kg m², about the centre of mass, in its frame; symmetric and positive definite, of moments that single precision can
+ *  have. MdtUtilities.h makes some. */
 MEPUBLIC void MEAPI MdtBodySetInertiaTensor(const MdtBodyID b, const MeMatrix3 i);
 MEPUBLIC void MEAPI MdtBodyGetInertiaTensor(const MdtBodyID b, MeMatrix3 i);
 /** @a i times the unit matrix. */

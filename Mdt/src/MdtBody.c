@@ -836,6 +836,10 @@ MeReal MEAPI MdtBodyGetMass(const MdtBodyID b) {
     return (MeReal)b->mass;
 }
 
+static MeBool areUsable(const double moments[3]) {
+    return mdt_isUsable((MeReal)moments[0]) && mdt_isUsable((MeReal)moments[1]) && mdt_isUsable((MeReal)moments[2]);
+}
+
 void MEAPI MdtBodySetInertiaTensor(const MdtBodyID b, const MeMatrix3 i) {
     MDT_CHANGE_BODY(b);
     if (!mdt_isPointer(__func__, "the tensor", i))
@@ -845,8 +849,11 @@ void MEAPI MdtBodySetInertiaTensor(const MdtBodyID b, const MeMatrix3 i) {
     for (int k = 0; k < 3; k++)
         mdt_fromReal(tensor[k], i[k]);
     if (!mdt_areFinite(i[0]) || !mdt_areFinite(i[1]) || !mdt_areFinite(i[2]) ||
-        !MdtKeaBodySetInertia(&trial, (const double(*)[3])tensor)) {
-        MeWarning(1, "%s: the tensor must be finite, symmetric and positive definite; nothing is changed", __func__);
+        !MdtKeaBodySetInertia(&trial, (const double(*)[3])tensor) || !areUsable(trial.moments)) {
+        MeWarning(1,
+                  "%s: the tensor must be symmetric and positive definite, of moments that single precision can have; "
+                  "nothing is changed",
+                  __func__);
         return;
     }
     memcpy(b->inertia, tensor, sizeof tensor);
