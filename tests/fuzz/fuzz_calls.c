@@ -143,6 +143,10 @@ static void makeArrays(Arrays *a, FuzzRandom *random) {
             a->records[i][slot] = calloc(1, fuzzRecords[i].size);
             fuzzRecords[i].fill(a->records[i][slot], random);
         }
+        if (slot % 2) { /* contacts as they were found */
+            free(a->records[FUZZ_CONTACTS][slot]);
+            a->records[FUZZ_CONTACTS][slot] = fuzzContactsOf(a->records[FUZZ_RESULTS][slot]);
+        }
     }
 }
 
@@ -293,17 +297,64 @@ static const char *const opening[] = {"MstUniverseCreate",
                                       "MstUniverseStep",
                                       "MstUniverseStep"};
 
+/* What some runs go on with: few things that are met together in programs, and seldom in random calls. */
+static const char *const scenes[][12] = {
+    {"McdModelSetBody", "McdModelSetBody", "McdModelSetBody", "MstUniverseStep", "McdModelDynamicsSetPosition",
+     "MstUniverseStep"},
+    {"McdModelCreate", "McdModelSetBody", "McdSpaceInsertModel", "McdModelDestroy", "MstUniverseStep", "MdtBodyDestroy",
+     "MstUniverseStep"},
+    {"MstUniverseCreate", "MstUniverseGetWorld", "MstUniverseGetWorld", "MdtBodyCreate", "MdtBodyEnable",
+     "McdModelSetBody", "McdModelSetBody", "McdModelSetBody", "MstUniverseStep", "MstUniverseStep"},
+    {"MstUniverseCreate", "MstUniverseGetFramework", "McdModelSetGeometry", "McdSpaceInsertModel", "MstUniverseStep"},
+    {"MdtBodyGetFirstContact", "MdtBodyGetFirstContact", "MdtContactGetContactGroup", "MdtContactGetContactGroup",
+     "MdtContactGroupSetBodies", "MdtConstraintSetBodies", "MdtContactGroupSetBodies", "MdtBodyDestroy",
+     "MstUniverseStep"},
+    {"McdModelPairCreate", "McdHello", "McdIntersect", "McdContactGetRim", "McdContactGetRadius", "McdIntersect",
+     "McdModelDestroy", "McdContactGetRim", "McdContactGetRim", "McdContactGetRadius", "McdModelPairDestroy"},
+    {"McdModelDestroy", "MstUniverseStep", "McdGeometryDestroy", "MstUniverseStep", "MdtBodyDestroy", "MstUniverseStep"},
+};
+
+static const char *nameInScene(int scene, int index) {
+    const int count = sizeof scenes[0] / sizeof scenes[0][0];
+    return index < count ? scenes[scene][index] : NULL;
+}
+
+/* A function that takes what the last one gave. NULL: it gave nothing. */
+static const FuzzFunction *pickFollowing(FuzzRandom *random, int pool) {
+    const int start = fuzzBelow(random, fuzzFunctionCount);
+    for (int i = 0; pool >= 0 && i < fuzzFunctionCount; i++) {
+        const FuzzFunction *f = &fuzzFunctions[(start + i) % fuzzFunctionCount];
+        for (int k = 0; k < f->count; k++)
+            if (f->parameters[k].kind == FUZZ_HANDLE && f->parameters[k].type == pool)
+                return f;
+    }
+    return NULL;
+}
+
 /* Every fourth run goes on through the table of functions where the last such one ended; others call any. */
-static void generate(FuzzRandom *random, int index, FuzzLine *line) {
+static const FuzzFunction *functionAt(FuzzRandom *random, int index) {
+    static int scene, given = -1; /* of this run: what it goes on with; the pool that the last call was to fill */
     const int count = sizeof opening / sizeof opening[0];
     if (index == 0)
-        chooseFunctions(random);
+        scene = fuzzBelow(random, sizeof scenes / sizeof scenes[0]);
     if (index < count)
-        writeCall(line, random, functionNamed(opening[index]));
-    else if (random->run % 4 == 0)
-        writeCall(line, random, &fuzzFunctions[(random->run / 4 * 256 + index) % fuzzFunctionCount]);
-    else
-        writeCall(line, random, pickFunction(random));
+        return functionNamed(opening[index]);
+    const char *name = nameInScene(scene, index - count);
+    const FuzzFunction *f = name ? functionNamed(name) : NULL;
+    if (!f && random->run % 4 == 0)
+        f = &fuzzFunctions[(random->run / 4 * 256 + index) % fuzzFunctionCount];
+    if (!f && fuzzChance(random, 30))
+        f = pickFollowing(random, given);
+    if (!f)
+        f = pickFunction(random);
+    given = f->result == FUZZ_HANDLE ? f->pool : -1;
+    return f;
+}
+
+static void generate(FuzzRandom *random, int index, FuzzLine *line) {
+    if (index == 0)
+        chooseFunctions(random);
+    writeCall(line, random, functionAt(random, index));
 }
 
 /* ---- reading lines ---- */

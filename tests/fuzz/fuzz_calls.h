@@ -57,6 +57,8 @@ typedef struct FuzzRecordType {
     void (*fill)(void *record, FuzzRandom *random);
 } FuzzRecordType;
 extern const FuzzRecordType fuzzRecords[];
+enum { FUZZ_CONTACTS, FUZZ_RESULTS }; /* the first two */
+void *fuzzContactsOf(void *results);
 
 typedef struct FuzzCallbackType {
     const FuzzCallback *callbacks;

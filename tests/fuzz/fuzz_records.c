@@ -33,10 +33,15 @@ static void fill_McdContact(void *record, FuzzRandom *random) {
     }
 }
 
+/* Behind the results. */
+void *fuzzContactsOf(void *results) {
+    return (McdIntersectResult *)results + RESULTS;
+}
+
 static void fill_McdIntersectResult(void *record, FuzzRandom *random) {
     McdIntersectResult *result = record;
     memset(result, 0, sizeof *result);
-    result->contacts = fuzzIsNasty(random) ? NULL : (McdContact *)(result + RESULTS);
+    result->contacts = fuzzIsNasty(random) ? NULL : fuzzContactsOf(result);
     const long count = fuzzInteger(random);
     result->contactMaxCount = (int)(count > MANY ? MANY : count);
 }

@@ -35,7 +35,8 @@ FAULTS = {
     'numbers-that-are-none':
         ('calls', 'Mdt/src/mdt_check.c', 'if (mdt_areFinite(v))', 'if (mdt_areFinite(v) || x != x)'),
     'sizes-that-are-none':
-        ('calls', 'Mcd/src/mcd_local.c', 'size >= (MeReal)FLT_MIN', '(size >= (MeReal)FLT_MIN || size != size)'),
+        ('calls', 'Mcd/src/mcd_local.c', 'if (size >= (MeReal)FLT_MIN && size <= (MeReal)(FLT_MAX / 4))',
+         'if (!(size < (MeReal)FLT_MIN) && !(size > (MeReal)(FLT_MAX / 4)))'),
     'facet-before-the-first':
         ('geometries', 'Mcd/src/mcd_distance.c', 'MeMAX(nearestFacet(t), 0)', '-1'),
     'line-longer-than-its-place':
