@@ -54,9 +54,17 @@ static MeBool areOfWorld(MstBridgeRecord *b, MdtBodyID body1, MdtBodyID body2, M
     return MEFALSE;
 }
 
+/* For assertions: the pair's group has the bodies of its models, that of a world second. */
+static inline MeBool hasItsBodies(const McdModelPair *p) {
+    const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
+    return MdtContactGroupGetBody(p->responseData, 0) == (body1 ? body1 : body2) &&
+           MdtContactGroupGetBody(p->responseData, 1) == (body1 ? body2 : 0);
+}
+
 /* The pair's group; null if the world is full, or the bodies make none. */
 static MdtContactGroupID ensureGroup(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w) {
     const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
+    MEASSERT(!p->responseData || hasItsBodies(p));
     if (p->responseData)
         return p->responseData;
     if ((!body1 && !body2) || body1 == body2 || !areOfWorld(b, body1, body2, w))
@@ -91,6 +99,7 @@ static void keepContacts(MstBridgeRecord *b, McdModelPair *p, MstMaterialPair *m
     const MdtContactGroupID group = p->responseData;
     const unsigned long version = mst_materialVersion(b, materials);
     MstTouch *t = p->touch;
+    MEASSERT(hasItsBodies(p));
     if (t->version != version)
         for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c))
             MdtContactSetParams(c, &materials->params);

@@ -306,12 +306,13 @@ static const char *const scenes[][12] = {
     {"MstUniverseCreate", "MstUniverseGetWorld", "MstUniverseGetWorld", "MdtBodyCreate", "MdtBodyEnable",
      "McdModelSetBody", "McdModelSetBody", "McdModelSetBody", "MstUniverseStep", "MstUniverseStep"},
     {"MstUniverseCreate", "MstUniverseGetFramework", "McdModelSetGeometry", "McdSpaceInsertModel", "MstUniverseStep"},
-    {"MdtBodyGetFirstContact", "MdtBodyGetFirstContact", "MdtContactGetContactGroup", "MdtContactGetContactGroup",
-     "MdtContactGroupSetBodies", "MdtConstraintSetBodies", "MdtContactGroupSetBodies", "MdtBodyDestroy",
-     "MstUniverseStep"},
+    {"MdtBodyGetFirstContact", "MdtBodyGetFirstContact", "MdtContactGetContactGroup", "MdtContactGroupDisable",
+     "MdtContactGroupSetBodies", "MdtContactGroupSetBodies", "MdtConstraintSetBodies", "MstUniverseStep",
+     "MdtBodyDestroy", "MstUniverseStep"},
     {"McdModelPairCreate", "McdHello", "McdIntersect", "McdContactGetRim", "McdContactGetRadius", "McdIntersect",
      "McdModelDestroy", "McdContactGetRim", "McdContactGetRim", "McdContactGetRadius", "McdModelPairDestroy"},
-    {"McdModelDestroy", "MstUniverseStep", "McdGeometryDestroy", "MstUniverseStep", "MdtBodyDestroy", "MstUniverseStep"},
+    {"McdModelDestroy", "MstUniverseStep", "McdGeometryDestroy", "MstUniverseStep", "MdtBodyDestroy",
+     "MstUniverseStep"},
 };
 
 static const char *nameInScene(int scene, int index) {

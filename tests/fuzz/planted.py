@@ -10,7 +10,7 @@ TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))
 PLACE = os.path.join(TOP, 'build', 'planted')
 TREE, BUILD = os.path.join(PLACE, 'tree'), os.path.join(PLACE, 'build')
 
-# name: (the fuzzer, file, what is there, what is put there)
+# name: (the fuzzer, file, what is there, what is put there, maybe another file ...)
 FAULTS = {
     'callbacks-destroy-at-once':
         ('calls', 'MeGlobals/src/me_stage.c', 'return MeStageIsHeld(stage, level) ? MeWhenStageEnds : MeWhenNow;',
@@ -20,7 +20,9 @@ FAULTS = {
     'body-keeps-its-joints':
         ('calls', 'Mdt/src/MdtBody.c', 'while (b->attachments)\n', 'while (b->attachments && b->attachments->next)\n'),
     'two-models-of-a-body-touch':
-        ('calls', 'Mst/src/mst_commit.c', '|| body1 == body2 ||', '||'),
+        ('calls', 'Mst/src/mst_commit.c', '|| body1 == body2 ||', '||',
+         'Mst/src/mst_i.h', 'return mst_bodyOf(p->model1) && mst_bodyOf(p->model1) == mst_bodyOf(p->model2);',
+         'return MEFALSE && p;'),
     'model-of-another-world':
         ('calls', 'Mst/src/mst_commit.c', '|| !areOfWorld(b, body1, body2, w)', '|| (areOfWorld(b, body1, body2, w), 0)'),
     'bodies-of-a-bridges-group':
@@ -102,15 +104,17 @@ def main():
     copy(options.preset)
     missed = []
     for name in options.fault or FAULTS:
-        fuzzer, file, there, instead = FAULTS[name]
-        place = os.path.join(TREE, file)
-        with open(place, 'w') as f:
-            f.write(planted(file, there, instead))
+        fuzzer, *changes = FAULTS[name]
+        changes = [changes[i:i + 3] for i in range(0, len(changes), 3)]
+        for file, there, instead in changes:
+            with open(os.path.join(TREE, file), 'w') as f:
+                f.write(planted(file, there, instead))
         build()
         found = search(fuzzer, options.seconds)
         print(f'{name}: ' + (f'found in {found[0]:.1f} s: {found[1]}' if found else 'NOT FOUND'), flush=True)
         missed += [] if found else [name]
-        shutil.copy(os.path.join(TOP, file), place)
+        for file, _, _ in changes:
+            shutil.copy(os.path.join(TOP, file), os.path.join(TREE, file))
     sys.exit(1 if missed else 0)
 
 
