@@ -29,9 +29,9 @@ static void findExtremes(McdRGHeightField *f) {
 }
 
 static MeBool isGrid(int xCount, int yCount, MeReal xStep, MeReal yStep, MeReal x0, MeReal y0) {
+    const MeReal reach[4] = {xStep * (MeReal)xCount, yStep * (MeReal)yCount, x0, y0};
     return xCount >= 2 && yCount >= 2 && xCount <= 1000000000 / yCount && xStep > 0 && yStep > 0 &&
-           MeRealIsValid(xStep * (MeReal)xCount) && MeRealIsValid(yStep * (MeReal)yCount) && MeRealIsValid(x0) &&
-           MeRealIsValid(y0);
+           mcd_areNear(reach, 4);
 }
 
 McdRGHeightFieldID MEAPI McdRGHeightFieldCreate(McdFramework *frame, const MeReal *heights, int xCount, int yCount,

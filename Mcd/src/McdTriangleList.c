@@ -15,9 +15,9 @@ static McdTriangleListRecord *listOf(McdGeometryID g, const char *function) {
 
 static MeBool isBox(const MeReal *min, const MeReal *max) {
     for (int i = 0; min && max && i < 3; i++)
-        if (!(min[i] <= max[i]) || !MeRealIsValid(min[i]) || !MeRealIsValid(max[i]))
+        if (!(min[i] <= max[i]))
             return MEFALSE;
-    return min && max;
+    return min && max && mcd_areNear(min, 3) && mcd_areNear(max, 3);
 }
 
 /* Place for what the callback hands over; false if there is no memory. */

@@ -87,10 +87,11 @@ typedef struct Cloud {
     double centre[3], scale;
 } Cloud;
 
-static MeBool pointsAreFinite(const double (*point)[3], int count, const char *function) {
+/* Within the range of single precision, see mcd_areNear. */
+static MeBool pointsAreNear(const double (*point)[3], int count, const char *function) {
     for (int i = 0; i < count; i++)
-        if (!isfinite(point[i][0]) || !isfinite(point[i][1]) || !isfinite(point[i][2])) {
-            MeWarning(0, "%s: vertex %d is not finite", function, i);
+        if (!(fmax(fmax(fabs(point[i][0]), fabs(point[i][1])), fabs(point[i][2])) <= (double)FLT_MAX)) {
+            MeWarning(0, "%s: vertex %d is not finite, or beyond %g", function, i, (double)FLT_MAX);
             return MEFALSE;
         }
     return METRUE;
@@ -764,7 +765,7 @@ McdHull *mcd_hullCreate(const double (*point)[3], int count, const char *functio
         MeWarning(0, "%s: a hull has at least 4 vertices, not %d", function, point ? count : 0);
         return NULL;
     }
-    if (!pointsAreFinite(point, count, function))
+    if (!pointsAreNear(point, count, function))
         return NULL;
     Work w = {function, NULL, 0};
     Cloud c;

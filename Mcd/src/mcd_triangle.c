@@ -1,5 +1,6 @@
 /* One triangle: as a convex shape, its normal, and a segment that meets it. */
 #include "mcd_kind_i.h"
+#include <float.h>
 #include <string.h>
 
 /* A triangle whose height is a smaller part of its longest side has no area. */
@@ -59,10 +60,11 @@ void mcd_triangleShape(const double corners[3][3], McdShape *shape) {
 
 /* ---- its normal -------------------------------------------------------------------------------------------- */
 
-static MeBool areFinite(const double corner[3][3]) {
+/* Within the range of single precision, see mcd_areNear. */
+static MeBool areNear(const double corner[3][3]) {
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
-            if (!isfinite(corner[i][k]))
+            if (!(fabs(corner[i][k]) <= (double)FLT_MAX))
                 return MEFALSE;
     return METRUE;
 }
@@ -83,7 +85,7 @@ static MeBool normalOf(const double corner[3][3], double normal[3]) {
 }
 
 MeBool mcd_triangleNormal(const double corner[3][3], const double *given, double normal[3]) {
-    if (!areFinite(corner) || !normalOf(corner, normal))
+    if (!areNear(corner) || !normalOf(corner, normal))
         return MEFALSE;
     if (given && mcd_dot(given, normal) < 0)
         mcd_scale(normal, normal, -1);

@@ -2,6 +2,7 @@
 #include "mdt_manifold_i.h"
 #include "mdt_named_i.h"
 #include "MeAssert.h"
+#include <float.h>
 #include <string.h>
 
 const MdtContactID MdtContactInvalidID = NULL;
@@ -89,9 +90,18 @@ void MEAPI MdtContactGetNormal(const MdtContactID c, MeVector3 v) {
     readBack(v, __func__, normal);
 }
 
+/* What single precision can have: its square is finite. */
+static MeBool isDepth(const char *caller, double depth) {
+    if (fabs(depth) <= (double)FLT_MAX)
+        return METRUE;
+    MeWarning(1, "%s: the penetration is %g, it must be a number that single precision can have; nothing is changed",
+              caller, depth);
+    return MEFALSE;
+}
+
 void MEAPI MdtContactSetPenetration(const MdtContactID c, const MeReal penetration) {
     MdtPoint *p = mdt_pointOf(c, __func__);
-    if (!p || !mdt_isFinite(__func__, "the penetration", penetration) || p->depth == (double)penetration)
+    if (!p || !isDepth(__func__, penetration) || p->depth == (double)penetration)
         return;
     p->depth = penetration;
     disturb(p);
@@ -107,7 +117,7 @@ void MEAPI MdtContactSetExact(const MdtContactID c, const double position[3], co
     double normal[3], share[2];
     if (!p || !mdt_isPointer(__func__, "the position", position) ||
         !mdt_isFinite3(__func__, "the position", (MeReal)position[0], (MeReal)position[1], (MeReal)position[2]) ||
-        !mdt_isFinite(__func__, "the penetration", (MeReal)penetration))
+        !isDepth(__func__, penetration))
         return;
     mdt_pointNormal(p, normal);
     mdt_pointShares(p, share);

@@ -23,7 +23,7 @@
 /* Steps until the errors that gamma takes away are a thousandth: (1 - γ)^n = 1e-3. */
 static double relaxationSteps(const MdtWorld *w) {
     const double gamma = w->gamma;
-    return gamma > 0 && gamma < 1 ? ceil(log(1e-3) / log(1 - gamma)) : 1;
+    return gamma > 0 && gamma < 1 ? ceil(log(1e-3) / log1p(-gamma)) : 1;
 }
 
 void mdt_restBegin(MdtWorldID w) {

@@ -349,7 +349,7 @@ MEPUBLIC void MEAPI MdtKeaSolve(MdtKeaSystem *system);
 
 /**
  * Advances the bodies to the end of the step, with the forces found by MdtKeaSolve. Returns true. Should a state not
- * be finite, in MeReal, no body is changed, and false is returned.
+ * be finite, in MeReal, or a point's force, no body is changed, and false is returned.
  */
 MEPUBLIC MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *system);
 

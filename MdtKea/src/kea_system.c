@@ -232,7 +232,20 @@ static void MEAPI commitBodies(void *system, int first, int end, int worker) {
     }
 }
 
+/* Those of a step that is very long can be beyond the numbers where its end states are not. */
+static MeBool areForcesFinite(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numManifolds; i++)
+        for (int k = 0; k < s->manifolds[i].numPoints; k++) {
+            const double *force = s->manifolds[i].point[k].force;
+            if (!isfinite(force[0] + force[1] + force[2]))
+                return MEFALSE;
+        }
+    return METRUE;
+}
+
 MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *s) {
+    if (!areForcesFinite(s))
+        return MEFALSE;
     for (int i = 0; i < s->numBodies; i++)
         if (!mayCommit(s->bodies[i], &s->work->end[i]))
             return MEFALSE;

@@ -17,6 +17,7 @@
 #include "MeAssert.h"
 #include "MeMessage.h"
 #include "mst_i.h"
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -171,11 +172,14 @@ MeBool mst_intersectPair(MstRun *run, McdModelPair *p) {
     return McdIntersect(p, &run->result);
 }
 
-/* Are the numbers of a contact that the program has made, or changed, finite, and has its normal a length? */
+/* Are the numbers of a contact that the program has made, or changed, in the range of single precision, and has its
+ * normal a length? */
 static MeBool isContact(const McdContact *c) {
     const double square = (double)MeVector3MagnitudeSqr(c->normal);
-    return square > 0 && isfinite(square) && isfinite(c->separation) && isfinite(c->position[0]) &&
-           isfinite(c->position[1]) && isfinite(c->position[2]) && c->instance1 && c->instance2;
+    MeBool isNear = square <= (double)FLT_MAX && fabs((double)c->separation) <= (double)FLT_MAX;
+    for (int k = 0; k < 3; k++)
+        isNear = isNear && fabs((double)c->position[k]) <= (double)FLT_MAX;
+    return square > 0 && isNear && c->instance1 && c->instance2;
 }
 
 void mst_checkContacts(MstBridgeRecord *b, MstRun *run) {
