@@ -30,7 +30,7 @@ MeBool mcd_shapeIsRigid(const McdShape *s) {
 
 MeBool mcd_areResolved(const McdShape *a, const McdShape *b) {
     const double surface = MeMAX(a->extent, b->extent), place = MeMAX(mcd_length(a->place), mcd_length(b->place));
-    return mcd_shapeIsRigid(a) && mcd_shapeIsRigid(b) && MeMAX(surface, place) <= 1e5 * mcd_pairSize(a, b);
+    return mcd_shapeIsRigid(a) && mcd_shapeIsRigid(b) && MeMAX(surface, place) <= 1e4 * mcd_pairSize(a, b);
 }
 
 /* Makes a rotation that was rounded to single precision orthonormal in double, so that a box's faces are across its

@@ -42,8 +42,10 @@ static void setFriction(const MdtBclContactParams *params, int directions, MdtKe
         s->slip[i] = params->options & slips[i] ? fmax(slip[i], 0) : 0; /* 0 for NaN */
         s->slide[i] = params->options & slides[i] ? slide[i] : 0;
     }
-    s->isOneWay = directions < 2 || (s->coefficient[1] == 0 && s->bound[1] == 0);
     s->isCone = directions == 2 && isCone(params);
+    if (s->isCone)
+        s->coefficient[1] = s->coefficient[0], s->bound[1] = s->bound[0];
+    s->isOneWay = directions < 2 || (s->coefficient[1] == 0 && s->bound[1] == 0);
 }
 
 void MEAPI MdtBclContactSurface(const MdtBclContactParams *params, MdtKeaSurface *s) {

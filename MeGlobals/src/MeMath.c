@@ -369,5 +369,8 @@ int MEAPI MeSymSuperDiagonalIndex(const int inRow, const int inCol, const int in
 }
 
 int MEAPI MeSuperDiagonalSize(const int inNCols) {
-    return inNCols * (inNCols - 1) / 2;
+    if (inNCols >= 0 && inNCols <= MOST_COLUMNS)
+        return inNCols * (inNCols - 1) / 2;
+    MeWarning(1, "MeSuperDiagonalSize: %d columns: there may be 0 to %d", inNCols, MOST_COLUMNS);
+    return 0;
 }

@@ -155,9 +155,10 @@ static double chooseStart(KeaProblem *q, double *none) {
     return least;
 }
 
-/* The Gauss-Seidel update of p without bounds; `unit` is A_ii + E, of a cone the larger one of its two rows. */
+/* The Gauss-Seidel update of p without bounds; `unit` is A_ii + E, of a cone the larger one of its two rows. 0 where
+ * stiffness of a very fast spin has left the row no mass that is positive. */
 static double freeImpulse(const KeaProblem *q, const KeaProblemRow *row, double unit) {
-    return row->p + (row->r - rateOfChange(q, row) - row->E * row->p) / unit;
+    return !(unit > 0) ? 0 : row->p + (row->r - rateOfChange(q, row) - row->E * row->p) / unit;
 }
 
 static void setImpulse(KeaProblem *q, KeaProblemRow *row, double p) {
@@ -188,11 +189,11 @@ static void relaxFriction(KeaProblem *q, int i) {
 
 static void relaxRow(KeaProblem *q, int i) {
     KeaProblemRow *row = &q->row[i];
-    if (row->isOff || !(row->Aii > 0))
+    if (row->isOff)
         return;
     if (row->normal >= 0)
         relaxFriction(q, i);
-    else
+    else if (row->Aii > 0)
         setImpulse(q, row, clampToBounds(row, freeImpulse(q, row, row->Aii + row->E)));
 }
 
