@@ -55,6 +55,11 @@ MEPUBLIC MeBool MEAPI McdModelPairIsLeaving(const McdModelPair *p);
 /** Live ones? */
 MEPUBLIC MeBool MEAPI McdFrameworkIsValid(McdFrameworkID frame);
 MEPUBLIC MeBool MEAPI McdSpaceIsValid(McdSpaceID s);
+/** The framework that a live space was made in. */
+MEPUBLIC McdFrameworkID MEAPI McdSpaceGetFramework(McdSpaceID s);
+/** What collides its pairs, and keeps records of them: null at first. */
+MEPUBLIC void *MEAPI McdSpaceGetCollider(McdSpaceID s);
+MEPUBLIC void MEAPI McdSpaceSetCollider(McdSpaceID s, void *collider);
 /** Has it got another body than it was tested with, so that its pairs' contacts are not its own any more? Forgets all
  *  of them (McdModelPair.forget). */
 MEPUBLIC void MEAPI McdModelForgetPairs(McdModelID cm);

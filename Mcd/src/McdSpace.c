@@ -244,6 +244,18 @@ void MEAPI McdSpaceBuild(McdSpaceID s) {
         mcd_treeBalance(s->tree);
 }
 
+McdFrameworkID MEAPI McdSpaceGetFramework(McdSpaceID s) {
+    return s->frame;
+}
+
+void *MEAPI McdSpaceGetCollider(McdSpaceID s) {
+    return s->collider;
+}
+
+void MEAPI McdSpaceSetCollider(McdSpaceID s, void *collider) {
+    s->collider = collider;
+}
+
 void MEAPI McdSpaceSetUserData(McdSpaceID s, void *data) {
     if (mcd_spaceCheck(s, "McdSpaceSetUserData"))
         s->userData = data;

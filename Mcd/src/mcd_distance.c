@@ -453,8 +453,8 @@ static void runEpa(const Pair *p, const McdProximity *guess, Polytope *t) {
         const int corner = t->cornerCount;
         farthest(p, f.normal, &t->corner[corner]);
         const double *w = t->corner[corner].w, support = mcd_dot(f.normal, w);
-        MEASSERT(support >= f.offset - p->tolerance || !mcd_shapeIsRigid(p->a) ||
-                 !mcd_shapeIsRigid(p->b)); /* M holds the facet's own corners */
+        MEASSERT(support >= f.offset - p->tolerance ||
+                 !mcd_areResolved(p->a, p->b)); /* M holds the facet's own corners */
         if (support - f.offset <= p->tolerance) {
             keepFacet(t, &f, support);
             return;

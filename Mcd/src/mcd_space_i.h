@@ -111,6 +111,7 @@ struct _McdSpace {
     McdSpacePoolErrorFnPtr poolFull;
     MeBool queriesMeetSensors;
     void *userData;
+    void *collider; /* see McdSpaceSetCollider */
 
     McdProxy *proxy; /* proxyRoom; moves when there is no room for another one */
     int proxyRoom;

@@ -337,7 +337,7 @@ enum { MOST_COLUMNS = 46340 };
 
 /* The index in a triangle whose row i starts at column i + gap, or -1 with a warning. */
 static int triangleIndex(const char *function, int row, int col, int n, int gap) {
-    if (n > MOST_COLUMNS || row < 0 || col >= n || col - gap < row) {
+    if (n > MOST_COLUMNS || row < 0 || col < 0 || col >= n || col - gap < row) {
         MeWarning(1, "%s: row %d, column %d of %d is not stored", function, row, col, n);
         return -1;
     }

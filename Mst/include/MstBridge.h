@@ -49,7 +49,8 @@ MEPUBLIC MstPerPairCBPtr MEAPI MstBridgeGetPerPairCB(const MstBridgeID b, const 
 /** @name Each step
  *  Both end the space's change block and begin the next one.
  *  @{ */
-/** Makes the contacts of all pairs of the space: transitions, then collisions, until all pairs are done. A pair of
+/** A space of the bridge's framework, whose pairs no other bridge has collided; else a warning, and nothing is done.
+ *  Makes the contacts of all pairs of the space: transitions, then collisions, until all pairs are done. A pair of
  *  convex geometries, planes or aggregates of these that stands still to the last bit keeps its contacts as they are,
  *  with what a program has written to their places and normals meanwhile; their parameters follow the materials. */
 MEPUBLIC void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, const MdtWorldID w);

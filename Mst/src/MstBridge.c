@@ -337,16 +337,27 @@ static void handleCollisions(MstBridgeRecord *record, McdModelPairContainer *pai
     }
 }
 
-static MeBool isSpace(McdSpaceID s, const char *function) {
-    if (!McdSpaceIsValid(s))
+/* May the bridge collide the space's pairs? Its records of them are those of one bridge. */
+static MeBool mayCollide(MstBridgeRecord *b, McdSpaceID s, const char *function) {
+    if (!McdSpaceIsValid(s)) {
         MeWarning(1, "%s: s is %s: it must be a space", function, s ? "no space, or one that is destroyed" : "null");
-    return McdSpaceIsValid(s);
+        return MEFALSE;
+    }
+    const void *collider = McdSpaceGetCollider(s);
+    const MeBool isOthers = collider && collider != b && MeHandleIsLive(collider, MST_BRIDGE);
+    if (isOthers || McdSpaceGetFramework(s) != b->frame) {
+        MeWarning(1, "%s: the space is %s; nothing is done", function,
+                  isOthers ? "another bridge's, which has collided its pairs" : "of another framework than the bridge");
+        return MEFALSE;
+    }
+    McdSpaceSetCollider(s, b);
+    return METRUE;
 }
 
 void MEAPI MstHandleCollisions(McdModelPairContainer *pairs, const McdSpaceID s, const MdtWorldID w,
                                const MstBridgeID b) {
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstHandleCollisions");
-    if (!record || !pairs || !isSpace(s, "MstHandleCollisions") ||
+    if (!record || !pairs || !mayCollide(record, s, "MstHandleCollisions") ||
         !areFree(record, record->frame, w, "MstHandleCollisions"))
         return;
     mst_holdPairs(record, record->frame, worldOf(w));
@@ -411,7 +422,8 @@ void mst_updateContacts(MstBridgeRecord *record, McdSpaceID s, MdtWorldID w) {
 
 void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, const MdtWorldID w) {
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeUpdateContacts");
-    if (record && isSpace(s, "MstBridgeUpdateContacts") && areFree(record, record->frame, w, "MstBridgeUpdateContacts"))
+    if (record && mayCollide(record, s, "MstBridgeUpdateContacts") &&
+        areFree(record, record->frame, w, "MstBridgeUpdateContacts"))
         mst_updateContacts(record, s, w);
 }
 
@@ -419,7 +431,7 @@ void MEAPI MstBridgeUpdateTransitions(const MstBridgeID b, const McdSpaceID s, c
     McdSpacePairIterator iterator;
     int isMore;
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeUpdateTransitions");
-    if (!record || !isSpace(s, "MstBridgeUpdateTransitions") ||
+    if (!record || !mayCollide(record, s, "MstBridgeUpdateTransitions") ||
         !areFree(record, record->frame, w, "MstBridgeUpdateTransitions"))
         return;
     McdSpaceEndChanges(s);

@@ -110,6 +110,8 @@ static void createParts(MstUniverse *u) {
         createCollision(u);
     if (u->space)
         u->bridge = MstBridgeCreate(u->frame, limitOf(sizes->materialsMaxCount));
+    if (u->bridge)
+        McdSpaceSetCollider(u->space, u->bridge);
 }
 
 #define MEMBER(member) "MstUniverseSizes." #member
