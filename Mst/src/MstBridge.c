@@ -344,10 +344,11 @@ static MeBool mayCollide(MstBridgeRecord *b, McdSpaceID s, const char *function)
         return MEFALSE;
     }
     const void *collider = McdSpaceGetCollider(s);
-    const MeBool isOthers = collider && collider != b && MeHandleIsLive(collider, MST_BRIDGE);
-    if (isOthers || McdSpaceGetFramework(s) != b->frame) {
+    const MeBool isForeign = McdSpaceGetFramework(s) != b->frame;
+    if (isForeign || (collider && collider != b && MeHandleIsLive(collider, MST_BRIDGE))) {
         MeWarning(1, "%s: the space is %s; nothing is done", function,
-                  isOthers ? "another bridge's, which has collided its pairs" : "of another framework than the bridge");
+                  isForeign ? "of another framework than the bridge"
+                            : "another bridge's, which has collided its pairs");
         return MEFALSE;
     }
     McdSpaceSetCollider(s, b);

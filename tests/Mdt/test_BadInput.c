@@ -132,8 +132,9 @@ START_TEST(masses_and_tensors_that_no_body_has) {
                                  {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
                                  {{1, 2, 0}, {2, 1, 0}, {0, 0, 1}},
                                  {{1, .5, 0}, {0, 1, 0}, {0, 0, 1}},
-                                 {{1, 0, 0}, {0, (MeReal)NAN, 0}, {0, 0, 1}}};
-    for (int i = 0; i < 5; i++) {
+                                 {{1, 0, 0}, {0, (MeReal)NAN, 0}, {0, 0, 1}},
+                                 {{(MeReal)1e-39, 0, 0}, {0, (MeReal)1e-39, 0}, {0, 0, (MeReal)1e-39}}};
+    for (int i = 0; i < 6; i++) {
         MdtBodySetInertiaTensor(b, tensors[i]);
         assert_warned("positive definite");
     }

@@ -163,6 +163,32 @@ START_TEST(queries_meet_sensors_if_they_are_asked_to) {
 }
 END_TEST
 
+/* A bridge collides the spaces of its framework that are no other bridge's, and nothing else. */
+START_TEST(a_space_that_a_bridge_may_not_collide) {
+    begin();
+    addBox(0, .5);
+    MstUniverseID other = MstUniverseCreate(&MstUniverseGrowingSizes);
+    MstBridgeID second = MstBridgeCreate(u->frame, 2);
+    McdSpaceID own = McdSpaceAxisSortCreate(u->frame, McdAllAxes, 4, 4);
+    step(2);
+    assert_silent();
+    MstBridgeUpdateContacts(second, u->space, u->world);
+    assert_warned("MstBridgeUpdateContacts: the space is another bridge's");
+    MstBridgeUpdateTransitions(other->bridge, u->space, u->world);
+    assert_warned("MstBridgeUpdateTransitions: the space is of another framework");
+    MstBridgeUpdateContacts(second, own, u->world);
+    assert_silent();
+    McdSpaceDestroy(own);
+    MstBridgeUpdateContacts(second, own, u->world);
+    assert_warned("MstBridgeUpdateContacts: s is no space, or one that is destroyed");
+    MstBridgeUpdateContacts(second, NULL, u->world);
+    assert_warned("MstBridgeUpdateContacts: s is null");
+    MstBridgeDestroy(second);
+    MstUniverseDestroy(other);
+    end();
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_test(t, a_bound_of_friction_without_a_type);
     tcase_add_test(t, a_negative_force_of_a_motor);
@@ -170,6 +196,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_centre_of_mass_that_is_elsewhere);
     tcase_add_test(t, a_matrix_that_is_none_any_more);
     tcase_add_test(t, queries_meet_sensors_if_they_are_asked_to);
+    tcase_add_test(t, a_space_that_a_bridge_may_not_collide);
 }
 
 TEST_MAIN("Told", tests)
