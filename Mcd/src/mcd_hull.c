@@ -87,11 +87,10 @@ typedef struct Cloud {
     double centre[3], scale;
 } Cloud;
 
-/* Within the range of single precision, see mcd_areNear. */
 static MeBool pointsAreNear(const double (*point)[3], int count, const char *function) {
-    for (int i = 0; i < 3 * count; i++)
-        if (!(fabs(point[i / 3][i % 3]) <= (double)FLT_MAX)) {
-            MeWarning(0, "%s: vertex %d is not finite, or beyond %g", function, i / 3, (double)FLT_MAX);
+    for (int i = 0; i < count; i++)
+        if (!mcd_isNear3(point[i])) {
+            MeWarning(0, "%s: vertex %d is not finite, or beyond %g", function, i, (double)FLT_MAX);
             return MEFALSE;
         }
     return METRUE;

@@ -101,6 +101,10 @@ static inline MeBool mcd_areNear(const MeReal *x, int count) {
     return areNear;
 }
 
+static inline MeBool mcd_isNear3(const double x[3]) {
+    return fabs(x[0]) <= (double)FLT_MAX && fabs(x[1]) <= (double)FLT_MAX && fabs(x[2]) <= (double)FLT_MAX;
+}
+
 /* A result for programs: numbers beyond the range of MeReal become its largest. */
 static inline MeReal mcd_real(double x) {
     return (MeReal)MeCLAMP(x, -(double)MEINFINITY, (double)MEINFINITY);

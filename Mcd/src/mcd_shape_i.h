@@ -66,7 +66,8 @@ static inline void mcd_shapeOwn(const McdShape *s, const double direction[3], do
 /* Are its axes orthonormal? Programs may set any transform; checks of lengths apply to rigid ones only. */
 MeBool mcd_shapeIsRigid(const McdShape *s);
 /* For checks: are both rigid, and does a double resolve the smaller one at the distances of the larger one's surface,
- * and at their places? What checks look at is lost in rounding otherwise. */
+ * and at their places? What checks look at is lost in rounding otherwise: a hull
+ * of 427 m is told to be .8 m farther from a triangle of 1.1e7 m than it is along the normal. */
 MeBool mcd_areResolved(const McdShape *a, const McdShape *b);
 
 /* The point of the core farthest in a direction of any length. */

@@ -1,6 +1,5 @@
 /* One triangle: as a convex shape, its normal, and a segment that meets it. */
 #include "mcd_kind_i.h"
-#include <float.h>
 #include <string.h>
 
 /* A triangle whose height is a smaller part of its longest side has no area. */
@@ -60,13 +59,8 @@ void mcd_triangleShape(const double corners[3][3], McdShape *shape) {
 
 /* ---- its normal -------------------------------------------------------------------------------------------- */
 
-/* Within the range of single precision, see mcd_areNear. */
 static MeBool areNear(const double corner[3][3]) {
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 3; k++)
-            if (!(fabs(corner[i][k]) <= (double)FLT_MAX))
-                return MEFALSE;
-    return METRUE;
+    return mcd_isNear3(corner[0]) && mcd_isNear3(corner[1]) && mcd_isNear3(corner[2]);
 }
 
 /* The unit normal by the right-hand rule; false if there is no area. */

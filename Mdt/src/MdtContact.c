@@ -2,7 +2,6 @@
 #include "mdt_manifold_i.h"
 #include "mdt_named_i.h"
 #include "MeAssert.h"
-#include <float.h>
 #include <string.h>
 
 const MdtContactID MdtContactInvalidID = NULL;
@@ -90,9 +89,9 @@ void MEAPI MdtContactGetNormal(const MdtContactID c, MeVector3 v) {
     readBack(v, __func__, normal);
 }
 
-/* What single precision can have: its square is finite. */
 static MeBool isDepth(const char *caller, double depth) {
-    if (fabs(depth) <= (double)FLT_MAX)
+    const MeReal x[3] = {(MeReal)depth, 0, 0};
+    if (mdt_areFinite(x))
         return METRUE;
     MeWarning(1, "%s: the penetration is %g, it must be a number that single precision can have; nothing is changed",
               caller, depth);

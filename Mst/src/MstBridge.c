@@ -337,8 +337,9 @@ static void handleCollisions(MstBridgeRecord *record, McdModelPairContainer *pai
     }
 }
 
-/* May the bridge collide the space's pairs? Its records of them are those of one bridge. */
-static MeBool mayCollide(MstBridgeRecord *b, McdSpaceID s, const char *function) {
+/* Makes the bridge the one that collides the space's pairs, whose records are one bridge's. False, with a warning: it
+ * cannot be. */
+static MeBool claimSpace(MstBridgeRecord *b, McdSpaceID s, const char *function) {
     if (!McdSpaceIsValid(s)) {
         MeWarning(1, "%s: s is %s: it must be a space", function, s ? "no space, or one that is destroyed" : "null");
         return MEFALSE;
@@ -358,7 +359,7 @@ static MeBool mayCollide(MstBridgeRecord *b, McdSpaceID s, const char *function)
 void MEAPI MstHandleCollisions(McdModelPairContainer *pairs, const McdSpaceID s, const MdtWorldID w,
                                const MstBridgeID b) {
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstHandleCollisions");
-    if (!record || !pairs || !mayCollide(record, s, "MstHandleCollisions") ||
+    if (!record || !pairs || !claimSpace(record, s, "MstHandleCollisions") ||
         !areFree(record, record->frame, w, "MstHandleCollisions"))
         return;
     mst_holdPairs(record, record->frame, worldOf(w));
@@ -423,7 +424,7 @@ void mst_updateContacts(MstBridgeRecord *record, McdSpaceID s, MdtWorldID w) {
 
 void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, const MdtWorldID w) {
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeUpdateContacts");
-    if (record && mayCollide(record, s, "MstBridgeUpdateContacts") &&
+    if (record && claimSpace(record, s, "MstBridgeUpdateContacts") &&
         areFree(record, record->frame, w, "MstBridgeUpdateContacts"))
         mst_updateContacts(record, s, w);
 }
@@ -432,7 +433,7 @@ void MEAPI MstBridgeUpdateTransitions(const MstBridgeID b, const McdSpaceID s, c
     McdSpacePairIterator iterator;
     int isMore;
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeUpdateTransitions");
-    if (!record || !mayCollide(record, s, "MstBridgeUpdateTransitions") ||
+    if (!record || !claimSpace(record, s, "MstBridgeUpdateTransitions") ||
         !areFree(record, record->frame, w, "MstBridgeUpdateTransitions"))
         return;
     McdSpaceEndChanges(s);

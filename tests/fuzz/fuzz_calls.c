@@ -297,7 +297,7 @@ static const char *const opening[] = {"MstUniverseCreate",
                                       "MstUniverseStep",
                                       "MstUniverseStep"};
 
-/* What some runs go on with: few things that are met together in programs, and seldom in random calls. */
+/* With one of these a run goes on: calls that programs make one after the other, and random ones seldom. */
 static const char *const scenes[][12] = {
     {"McdModelSetBody", "McdModelSetBody", "McdModelSetBody", "MstUniverseStep", "McdModelDynamicsSetPosition",
      "MstUniverseStep"},
