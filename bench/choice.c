@@ -604,7 +604,7 @@ static Result run(const Variant *v, int steps, MdtSolver solver, int subSteps) {
 static const Result *bestOf(const Scene *scene, const Result r[SETTINGS]) {
     const Result *best = NULL;
     for (int k = 1; k < SETTINGS; k++)
-        if (r[k].error <= scene->acceptable && (!best || r[k].work < best->work))
+        if (fabs(r[k].error) <= scene->acceptable && (!best || r[k].work < best->work))
             best = &r[k];
     return best;
 }
@@ -613,7 +613,7 @@ static void tell(const Variant *v, const char *name, const Result *r, const Resu
     const Measure *m = v->scene->measure;
     printf("| %s | %s | %.3f | %.2f | %.3f | %.2f | %s %.3g%s | %s %.3g | %.1e | %.1e | %.1e |", v->name, name,
            1e3 * r->mean, 1e3 * r->worst, r->work, r->worstWork, m->what, r->error,
-           r->error <= v->scene->acceptable ? "" : " !", m->alsoWhat, r->also, r->deepest, r->gap, r->gain);
+           fabs(r->error) <= v->scene->acceptable ? "" : " !", m->alsoWhat, r->also, r->deepest, r->gap, r->gain);
     if (best)
         printf(" %.2f | %.2f |\n", r->mean / best->mean, r->work / best->work);
     else
