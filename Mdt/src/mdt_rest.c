@@ -208,20 +208,57 @@ static MdtKeaVelocity meanVelocity(const MdtIsland *p, int i) {
     return way;
 }
 
+/* m/s: of the fast solver, ten times its threshold of rest is the accuracy (kea_restingShare). */
+enum { MDT_SWAY = 10 };
+
+static MeBool hasFriction(const MdtKeaSurface *s) {
+    for (int k = 0; k < (s->isCone ? 1 : 2); k++)
+        if (!(s->coefficient[k] > 0 || s->bound[k] > 0))
+            return MEFALSE;
+    return METRUE;
+}
+
+/* What rolls goes on at any speed, and so does what slides without friction. */
+static MeBool mayGlide(const MdtIsland *p) {
+    for (int i = 0; i < p->kea.numManifolds; i++) {
+        const MdtKeaManifold *m = &p->kea.manifolds[i];
+        if (m->radius[0] > 0 || m->radius[1] > 0 || !hasFriction(&m->surface))
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
+/* Whether bodies stand where their forces balance their loads and they are slower than the accuracy: a crowd sways
+ * within its resting depths for long after. The same forces hold it standing. Joints close for longer. */
+static MeBool mayStand(const MdtIsland *p) {
+    return p->isFast && p->numJoints == 0 && !mayGlide(p);
+}
+
+static MeBool isBalanced(const MdtBody *b, const MdtKeaVelocity *end, double speed) {
+    MdtKeaVelocity gain;
+    keaSubtract(gain.lin, end->lin, b->start.velocity.lin);
+    keaSubtract(gain.ang, end->ang, b->start.velocity.ang);
+    return isSlow(b, &gain, speed);
+}
+
 /* The factor 2: with the midpoint rule an error of the mean velocity is twice as large at either end of the step. */
-static MeBool isResting(const MdtIsland *p, int i, double speed) {
+static MeBool isResting(const MdtIsland *p, int i, MeBool isStanding, double speed) {
     const MdtBody *b = p->bodies[i];
     const MdtKeaVelocity way = meanVelocity(p, i);
     MdtKeaVelocity end; /* not yet shown */
     keaCopy(end.lin, b->kea.velocity);
     MdtKeaBodyGetAngularVelocity(&b->kea, end.ang);
-    return isSlow(b, &p->bodies[i]->start.velocity, 2 * speed) && isSlow(b, &end, 2 * speed) && isSlow(b, &way, speed);
+    if (isStanding)
+        return isBalanced(b, &end, speed) && isSlow(b, &b->start.velocity, MDT_SWAY * speed) &&
+               isSlow(b, &way, MDT_SWAY * speed);
+    return isSlow(b, &b->start.velocity, 2 * speed) && isSlow(b, &end, 2 * speed) && isSlow(b, &way, speed);
 }
 
 static MeBool areCalm(const MdtIsland *p, int first, int end) {
     const double speed = resolvedSpeed(p);
+    const MeBool isStanding = mayStand(p);
     for (int i = first; i < end; i++)
-        if (!isResting(p, i, speed))
+        if (!isResting(p, i, isStanding, speed))
             return MEFALSE;
     return METRUE;
 }
@@ -294,10 +331,16 @@ MeBool mdt_restIsSettled(MdtIsland *p) {
 }
 
 void mdt_restStay(MdtIsland *p) {
+    static const double none[3] = {0, 0, 0};
+    const MeBool isStanding = mayStand(p);
     for (int i = 0; i < p->numBodies; i++) {
         MdtKeaBody *b = &p->bodies[i]->kea;
         keaCopy(b->position, p->bodies[i]->start.position);
         memcpy(b->quaternion, p->bodies[i]->start.quaternion, sizeof b->quaternion);
+        if (isStanding) {
+            keaZero(b->velocity);
+            MdtKeaBodySetAngularVelocity(b, none);
+        }
     }
 }
 
