@@ -1,10 +1,10 @@
 /* Rest certificate: a partition at rest, in which nothing has changed since the last step, is not solved again.
  *
- * A step settles a partition if it was taken whole, if Kea's answer is within its tolerances, and if all bodies'
- * velocities have been below Kea's threshold of rest, for long enough that gamma has relaxed position errors. The
- * bodies then stay where they are, bit for bit, so that contacts are found again as they were. In the next step the
- * inputs may be the same to the last bit: then so are the forces, and the step costs a look at each body. Bodies age
- * meanwhile, so that they are put to sleep as ever.
+ * A step settles a partition if it was taken whole, if Kea's answer is within its tolerances, and if all bodies have
+ * been at rest, for long enough that gamma has relaxed position errors: their velocities below Kea's threshold of rest,
+ * or, in crowds (mayStand), in balance and slower than the accuracy. The bodies then stay where they are, bit for bit,
+ * so that contacts are found again as they were. In the next step the inputs may be the same to the last bit: then so
+ * are the forces, and the step costs a look at each body. Bodies age meanwhile, so that they are put to sleep as ever.
  *
  * Inputs, and how a change of them is noticed:
  *     of the world           a copy of them (MdtRestInputs)
