@@ -220,8 +220,7 @@ static void fillWorlds(const KeaGathering *from, const MdtKeaManifold *m, KeaGro
 
 void kea_fillGroups(const KeaGathering *from, KeaGroup groups[], int count) {
     const MdtKeaSystem *s = from->s;
-    const double share = 1 / (double)KEA_POSITION_PASSES; /* of a pass, so that all of them take gamma away */
-    const float correction = (float)(1 - pow(1 - s->parameters.gamma, share));
+    const float correction = (float)(1 - pow(1 - s->parameters.gamma, kea_pushExponent));
     for (int i = 0; i < count; i++)
         for (int lane = 0; lane < KEA_LANES; lane++) {
             const int manifold = groups[i].manifold[lane];
