@@ -232,7 +232,7 @@ KeaApproach kea_approachOfRow(const MdtKeaSystem *s, const MdtKeaRow *row);
 /* Along the manifold's normal; arms are from the bodies' centres, or the world's origin, to the point. */
 KeaApproach kea_approachOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const double arm[2][3]);
 /* Whether the bodies touch, or may within the step; gap in m. */
-MeBool kea_mayTouch(const MdtKeaSystem *s, const KeaApproach *a, double gap);
+MeBool kea_mayTouch(const MdtKeaSystem *s, const MdtKeaBodyIndexPair body, const KeaApproach *a, double gap);
 /* m/s, >= 0: the separating velocity by the law of restitution, after an impact that is resolved when it happens,
  * faster than minSpeed; or at the end of a step that contains the impact, 0 where there is none. */
 double kea_reboundOfImpact(double restitution, double threshold, double speed, double minSpeed);

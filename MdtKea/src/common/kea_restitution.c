@@ -55,8 +55,8 @@ KeaApproach kea_approachOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, 
     return a;
 }
 
-MeBool kea_mayTouch(const MdtKeaSystem *s, const KeaApproach *a, double gap) {
-    return gap <= 0 || s->parameters.stepsize * a->fastest < -gap;
+MeBool kea_mayTouch(const MdtKeaSystem *s, const MdtKeaBodyIndexPair body, const KeaApproach *a, double gap) {
+    return gap < kea_touchingGap * kea_smallerSize(s, body) || s->parameters.stepsize * a->fastest < -gap;
 }
 
 /* ---- the law ---- */

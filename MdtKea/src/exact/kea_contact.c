@@ -33,7 +33,7 @@ void kea_contactCount(const MdtKeaSystem *s, KeaContact *c) {
     const MdtKeaSurface *surface = &c->manifold->surface;
     kea_contactPlace(s, c);
     const KeaApproach approach = kea_approachOfPoint(s, c->manifold, (const double(*)[3])c->arm);
-    const MeBool touches = kea_mayTouch(s, &approach, -c->depth);
+    const MeBool touches = kea_mayTouch(s, c->manifold->body, &approach, -c->depth);
     c->frictionRows = touches ? hasFriction(surface, 0) * PRIMARY + hasFriction(surface, 1) * SECONDARY : 0;
     c->at->depthNow = c->depth;
     c->at->numRows = 1 + countDirections(c->frictionRows);

@@ -147,7 +147,7 @@ static void fillBounds(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaGroup 
     double count = 0, lever = 0;
     for (int k = 0; k < m->numPoints && (bound[0] > 0 || bound[1] > 0); k++) {
         const KeaApproach a = approachOf(s, m, &m->point[k]);
-        if (!kea_mayTouch(s, &a, -m->point[k].depth))
+        if (!kea_mayTouch(s, m->body, &a, -m->point[k].depth))
             continue;
         count += 1;
         lever += (double)g->lever[k][lane];
