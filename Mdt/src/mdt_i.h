@@ -100,7 +100,8 @@ typedef struct MdtStart {
 
 /* For how long a body has hardly moved, and near which pose it swings (mdt_sleep.c). */
 typedef struct MdtStay {
-    double way;                        /* m, in the last second */
+    double way[6];                     /* m, in the last second: that it moved, and turned at its radius */
+    double most;                       /* m, of that, in the last second */
     double position[3], quaternion[4]; /* of the centre of mass */
     double time;                       /* s, for which it has been near there */
     double farthest;                   /* m, that it was away from there, */

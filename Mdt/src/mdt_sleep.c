@@ -61,7 +61,8 @@ static void settle(MdtBodyID b, double reach) {
 }
 
 void mdt_stayForget(MdtBodyID b) {
-    b->stay.way = HUGE_VAL;
+    memset(b->stay.way, 0, sizeof b->stay.way);
+    b->stay.most = HUGE_VAL;
     settle(b, 0);
 }
 
@@ -82,10 +83,32 @@ static double speedOf(const MdtBody *b, double radius) {
     return keaLength(v) + radius * keaLength(b->spin);
 }
 
-/* In the last second, each part of it forgotten exponentially. What was fast is forgotten in a second, too, at e times
- * what is still. */
-static void countWay(MdtStay *s, double way, double still, double part) {
-    s->way = fmin(s->way, exp(1) * still) * exp(-part) + way;
+/* Of the last step: of the centre of mass, and of what turns about it at the radius. */
+static void findWay(const MdtBody *b, double radius, double way[6]) {
+    double back[4], turned[4];
+    keaSubtract(way, b->kea.position, b->start.position);
+    keaQuaternionConjugate(back, b->start.quaternion);
+    keaQuaternionProduct(turned, b->kea.quaternion, back);
+    keaScale(way + 3, 2 * radius, turned + 1);
+}
+
+static double lengthOfWay(const double way[6]) {
+    return keaLength(way) + keaLength(way + 3);
+}
+
+static void clamp(double way[6], double most) {
+    const double length = lengthOfWay(way);
+    for (int i = 0; i < 6 && length > most; i++)
+        way[i] *= most / length;
+}
+
+/* In the last second, each part of it forgotten exponentially: of what trembles nothing is left. What swings comes
+ * through its place: the most that there was is forgotten in a second, too, at e times what is still. */
+static void countWay(MdtStay *s, const double way[6], double still, double part) {
+    clamp(s->way, exp(1) * still);
+    for (int i = 0; i < 6; i++)
+        s->way[i] = exp(-part) * s->way[i] + way[i];
+    s->most = fmax(exp(-part) * fmin(s->most, exp(1) * still), lengthOfWay(s->way));
 }
 
 /* What comes back twice swings or trembles, unless it goes a tenth farther in between. Once is not enough: so does what
@@ -113,7 +136,9 @@ static MeBool swingsLittle(const MdtStay *s, double radius, double second) {
 void mdt_stayCount(MdtBodyID b, double h) {
     const double radius = radiusOf(b), distance = distanceOf(b, radius), second = timeAhead(b);
     MdtStay *s = &b->stay;
-    countWay(s, speedOf(b, radius) * h, stillWay(radius), h / second);
+    double way[6];
+    findWay(b, radius, way);
+    countWay(s, way, stillWay(radius), h / second);
     if (distance > swingingReach * radius)
         settle(b, 0);
     else if (s->time > swingingReach / stayingReach * second)
@@ -124,7 +149,7 @@ void mdt_stayCount(MdtBodyID b, double h) {
 
 MeBool mdt_staysInPlace(const MdtBody *b) {
     const double radius = radiusOf(b);
-    return b->stay.way <= stillWay(radius) || b->stay.reach > 0 || swingsLittle(&b->stay, radius, timeAhead(b));
+    return b->stay.most <= stillWay(radius) || b->stay.reach > 0 || swingsLittle(&b->stay, radius, timeAhead(b));
 }
 
 /* m, in the next second, if it goes on as in the last step. */
