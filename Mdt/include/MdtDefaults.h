@@ -19,7 +19,7 @@
 #define MDTWORLD_DEFAULT_ACC_THRESH        0.5   /**< m²/s⁴, for a length scale of 1 m */
 #define MDTWORLD_DEFAULT_ACCROT_THRESH     0.002 /**< rad²/s⁴ */
 #define MDTWORLD_DEFAULT_ALIVE_TIME_THRESH 0.2   /**< s */
-#define MDTWORLD_DEFAULT_WORK_BUDGET       200   /**< millions of multiplications, of a partition in a step */
+#define MDTWORLD_DEFAULT_WORK_BUDGET       400   /**< millions of multiplications, of a partition in a step */
 
 #define MDTMAXMATRIXSIZE_MAX 2147483647 /**< rows of a partition: no cap */
 

@@ -29,17 +29,16 @@ typedef enum MdtReportWay {
 
 /** Why that solver (MdtWorldSetSolver); of a world, the first partition's whose way is the world's. */
 typedef enum MdtReportWhy {
-    MdtReportWhyNone,   /**< nothing was solved */
-    MdtReportWhyAsked,  /**< the program's choice, or an accuracy of 0 */
-    MdtReportWhyUnfit,  /**< exact: without contacts, with rows that the program makes, or with more than the cap */
-    MdtReportWhyCalm,   /**< exact: fewer bodies than the fast solver is for, which have not been hit */
-    MdtReportWhyBounce, /**< exact: few of its bodies are held, and those that bounce are met one after the other */
+    MdtReportWhyNone,  /**< nothing was solved */
+    MdtReportWhyAsked, /**< the program's choice, or an accuracy of 0 */
+    MdtReportWhyUnfit, /**< exact: with rows that the program makes, with more than the cap, where bodies fly that keep
+                            their energy, or without contacts where the fast one is asked for, or has not met the
+                            accuracy */
+    MdtReportWhyCheap, /**< exact: it costs no more than the fast solver; without contacts a hundred times as much */
+    MdtReportWhyAfforded, /**< exact: the world's account of exact work pays it */
     /* those of the fast solver */
-    MdtReportWhyMany,      /**< 64 bodies or more */
-    MdtReportWhyHit,       /**< bodies have met, or come out of many, and are not slow yet */
-    MdtReportWhyFlight,    /**< nothing in it touches the world */
-    MdtReportWhyDebris,    /**< it was hit, and is one of many that are small */
-    MdtReportWhyUnsettled, /**< contacts took the exact solver too much work, and have not come to rest since */
+    MdtReportWhyFlight,    /**< nothing in it touches the world, and it is not met in time (MdtWorldSetTimedContacts) */
+    MdtReportWhyDear,      /**< the exact one costs more than the account pays */
     MdtReportWhyTakenOver, /**< for the rest of a step, in which the exact solver left joints open or ran out of work */
 } MdtReportWhy;
 

@@ -255,10 +255,10 @@ MEPUBLIC int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w);
  *
  *  The making of the rows, a few visits of each, and one such answer for each part are done in any case.
  *
- *  What has collapsed has less (MdtWorldSetSolver). Default 200. A pyramid of 210 boxes, solved exactly
- *  (MdtWorldSetSolver), takes 207 in its first step, which has no forces to begin with, and rests after 31; with 200 it
- *  rests after 58, with 100 never. The hard cases in docs/solver.md take 17 at most (100 links with 1e5 kg), one Newton
- *  iteration of 30 boxes in a heap 0.1. 0: no bound. Beyond Karma.
+ *  Default 400; the exact steps that MdtSolverAuto takes draw from accounts that are shares of it. A pyramid of 210
+ *  boxes, solved exactly (MdtWorldSetSolver), takes 207 in its first step, which has no forces to begin with. The hard
+ *  cases in docs/solver.md take 17 at most (100 links with 1e5 kg), one Newton iteration of 30 boxes in a heap 0.1. 0:
+ *  no bound, and accounts as by default. Beyond Karma.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetWorkBudget(const MdtWorldID w, const MeReal work);
 MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
@@ -270,22 +270,14 @@ MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
  *  that visits contacts in passes, more of them the higher a pile is and the more masses differ. It leaves small
  *  velocities at contacts (MdtReport, `residualVelocity`), by which bodies sink and creep a little until they rest.
  *
- *  MdtSolverAuto, the default, takes the fast one for
- *  - partitions of 64 bodies or more;
- *  - partitions of more bodies than MdtWorldSetTimedContacts that touch nothing fixed, or in which bodies have just
- *    met, until all are slow (MdtPartitionParams);
- *  - what comes out of these, however few bodies, without joints, until it is at rest;
- *  - what is hit while 64 bodies or more of smaller partitions are not at rest, such as debris, without joints or
- *    restitution, until it is at rest: many of these are solved together, without acting on each other;
- *  - what has collapsed and is wedged, when the exact solver has taken two work budgets to settle it, until it is at
- *    rest; a step of it may cost three eighths of the budget (MdtWorldSetWorkBudget; of fewer than 20 bodies less);
- *  - such with joints for which the exact solver has taken more than 12 factorizations, or all of its work, in a step,
- *    too, and, even without contacts, if the joints make a net (a cloth); what joints tie stays with the fast solver
- *    until it is at rest.
+ *  MdtSolverAuto, the default, takes the exact one where that costs no more than the fast one, or where the world's
+ *  accounts of exact work pay it: for any partition as long as that is little, and for those of which the fast answer
+ *  does not meet the accuracy (MdtWorldSetAccuracy), in which nothing touches or bodies bounce, and that have just
+ *  been made, for more. docs/solver.md, "Crowds", has the table; MdtReport.why tells which row held.
  *
- *  All others are solved exactly, and so are, whatever is chosen, other partitions without contacts and those with
- *  constraints whose rows the program makes; with MdtSolverAuto bouncing bodies of which few touch anything, too (of 64
- *  or more with a restitution below 1: while none does).
+ *  Whatever is chosen, partitions with constraints whose rows the program makes, with more rows than the cap, and, with
+ *  MdtSolverFast, without contacts, are solved exactly. With MdtSolverAuto partitions of more bodies than
+ *  MdtWorldSetTimedContacts that touch nothing fixed are the fast solver's.
  *  Beyond Karma.
  *  @{ */
 typedef enum MdtSolver {
@@ -340,10 +332,12 @@ MEPUBLIC MeReal MEAPI MdtWorldGetWorkerTime(const MdtWorldID w, const int worker
 /** @} */
 
 /** @name The accuracy of the fast solver
- *  The largest error of the velocity at a contact, m/s: while the error is larger, the solver takes more passes, up to
- *  four times as many. Bodies that are ten times slower count as resting. 0: the automatic choice takes the exact
- *  solver. Negative, the default: a hundredth of the velocity that gravity gives in a step; without gravity 1e-3 of the
- *  length scale in a second. Beyond Karma.
+ *  The error of the velocity at a contact that is borne where bodies of equal mass rest on each other, m/s; less under
+ *  the load of others, and under heavier bodies, and more while velocities change (docs/solver.md, "Crowds"). While
+ *  contacts have more in the mean, the solver takes more passes, up to six times as many; where one has more, the exact
+ *  solver takes the step, if it may. Bodies that are ten times slower count as resting. 0: the automatic choice takes
+ *  the exact solver. Negative, the default: a hundredth of the velocity that gravity gives in a step; without gravity
+ *  1e-3 of the length scale in a second. Beyond Karma.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetAccuracy(const MdtWorldID w, const MeReal velocity);
 /** As it was set, or what the last step's length makes of the default. */

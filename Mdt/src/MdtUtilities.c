@@ -52,8 +52,8 @@ static void convert(MdtBodyID from, const MeVector3 f, MdtBodyID to, MeVector3 t
 
 static MeBool mayConvert(const char *caller, MdtBodyID from, const MeReal *f, MdtBodyID to, const MeReal *t) {
     return mdt_isPointer(caller, "the vector", f) && mdt_isPointer(caller, "the result", t) &&
-           mdt_isFinite3(caller, "the vector", f[0], f[1], f[2]) &&
-           (!from || mdt_isBody(from, caller)) && (!to || mdt_isBody(to, caller));
+           mdt_isFinite3(caller, "the vector", f[0], f[1], f[2]) && (!from || mdt_isBody(from, caller)) &&
+           (!to || mdt_isBody(to, caller));
 }
 
 void MEAPI MdtConvertPositionVector(const MdtBodyID from_body, const MeVector3 f, const MdtBodyID to_body,

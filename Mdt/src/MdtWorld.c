@@ -69,10 +69,10 @@ static void freeWorld(MdtWorldID w) {
         MeHandleLeave(&((MdtBodyID)mdt_linkOwner(link))->record.handle);
     for (MdtLink *link = w->constraints.first; link; link = link->next)
         releaseConstraint(mdt_linkOwner(link));
-    void *arrays[] = {w->bodyOf,       w->actingOf,        w->constraintOf,   w->keaOf,         w->bodyStart,
-                      w->actingStart,  w->constraintStart, w->taskOf,         w->output.info,   w->reports,
-                      w->broken,       w->graph.body,      w->graph.parent,   w->graph.isAwake, w->graph.acting,
-                      w->graph.actsOn, w->graph.isEnabled, w->graph.partition};
+    void *arrays[] = {w->bodyOf,       w->actingOf,        w->constraintOf,    w->keaOf,         w->bodyStart,
+                      w->actingStart,  w->constraintStart, w->taskOf,          w->output.info,   w->reports,
+                      w->broken,       w->graph.body,      w->graph.parent,    w->graph.isAwake, w->graph.acting,
+                      w->graph.actsOn, w->graph.isEnabled, w->graph.partition, w->record,        w->lastRecord};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         MeMemoryGive(arrays[i]);
     mdt_batchesTerm(&w->batches);
@@ -86,9 +86,9 @@ static void freeWorld(MdtWorldID w) {
     MeMemoryGive(w);
 }
 
-/* Nothing in them is kept. */
+/* Nothing in them is kept but the records of partitions. */
 static MeBool reserveBodies(MdtWorldID w, int bodies, const char *caller) {
-    const size_t n = (size_t)MeMAX(bodies, 2 * w->bodyRoom);
+    const size_t n = (size_t)MeMAX(bodies, 2 * w->bodyRoom), records = (size_t)w->numPartitions;
     if (bodies <= w->bodyRoom)
         return METRUE;
     if (!MeMemoryGrow(&w->bodyOf, 0, n, sizeof *w->bodyOf, caller, "the bodies of a step") ||
@@ -101,6 +101,8 @@ static MeBool reserveBodies(MdtWorldID w, int bodies, const char *caller) {
         !MeMemoryGrow(&w->bodyStart, 0, n + 1, sizeof *w->bodyStart, caller, "partitions") ||
         !MeMemoryGrow(&w->actingStart, 0, n + 1, sizeof *w->actingStart, caller, "partitions") ||
         !MeMemoryGrow(&w->constraintStart, 0, n + 1, sizeof *w->constraintStart, caller, "partitions") ||
+        !MeMemoryGrow(&w->record, records, n, sizeof *w->record, caller, "partitions") ||
+        !MeMemoryGrow(&w->lastRecord, 0, n, sizeof *w->lastRecord, caller, "partitions") ||
         !MeMemoryGrow(&w->output.info, 0, n, sizeof *w->output.info, caller, "partitions") ||
         !MeMemoryGrow(&w->taskOf, 0, mdt_tasksSize(n), sizeof *w->taskOf, caller, "tasks"))
         return MEFALSE;
@@ -162,6 +164,7 @@ MdtWorldID MEAPI(MdtWorldCreate)(const unsigned int maxBodies, const unsigned in
         return NULL;
     w->timedBodies = MDT_TIMED_BODIES;
     w->accuracy = -1;
+    mdt_choicesReset(w);
     w->subSteps = 1;
     w->order = 2;
     w->certificate = 1;   /* 0 is none */
@@ -232,6 +235,7 @@ static MeBool empty(MdtWorldID w, const char *caller) {
             mdt_bodyTerm(mdt_linkOwner(link));
     }
     MeStageEnd(&w->stage, MDT_HOLD_GRAPH);
+    mdt_choicesReset(w);
     return METRUE;
 }
 

@@ -4,7 +4,7 @@
  *
  *     candidates   partitions of few bodies with constraints, not at rest; if these have enough bodies in all,
  *     members      those without joints and restitution, not in flight, for which the fast solver is chosen
- *                  (mdt_crowd.c): hit in this step or before, and not at rest since
+ *                  (mdt_choice.c)
  *     batches      members in their order, until there are enough bodies
  *
  * No constraint couples two members. The solver writes no body before its solution is whole: if that is not finite, or
@@ -88,9 +88,9 @@ static int findCandidates(MdtWorldID w, double h, MeBool safely, int *bodies) {
 /* Not in flight: a system that touches no world is advanced by its mean velocity (kea_fast.c), a batch is not. */
 static MeBool isMember(MdtWorldID w, int partition, double h) {
     MdtIsland p = mdt_islandOf(w, partition, h);
-    p.isAmongMany = METRUE;
     mdt_islandCount(&p);
-    return p.numJoints == 0 && !p.bounces && !mdt_crowdIsInFlight(&p) && mdt_crowdIsChosen(&p);
+    return p.numJoints == 0 && !p.bounces && !(p.record->isUnmet && p.record->share > 0) && !mdt_choiceIsInFlight(&p) &&
+           mdt_choiceIsFast(&p);
 }
 
 typedef struct Choosing {
@@ -167,7 +167,7 @@ MdtIsland mdt_batchOf(MdtWorldID w, int batch, double h) {
     MdtIsland p = mdt_islandOf(w, first->partition, h);
     p.member = first;
     p.numMembers = (int)(end - first);
-    p.why = MdtReportWhyDebris;
+    p.why = MdtReportWhyDear;
     p.numBodies = end->firstBody - first->firstBody;
     p.numActing = end->firstActing - first->firstActing;
     p.bodies = b->body + first->firstBody;
@@ -211,6 +211,8 @@ static void reportMembers(const MdtIsland *p) {
 static void unpackBatch(MdtIsland *p) {
     mdt_restCountCalm(p);
     mdt_unpackBodies(p);
+    for (const MdtMember *m = p->member; m < p->member + p->numMembers; m++)
+        mdt_choiceNote(p, &p->world->record[m->partition]);
     if (p->report)
         mdt_reportLap(p, MdtReportStageIntegrate);
     if (p->report || p->world->sizeLogLength > 0)

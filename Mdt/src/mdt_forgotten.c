@@ -83,8 +83,7 @@ void mdt_forgottenScale(MdtBodyID b) {
               "%s: bodies of more than %g kg sink into what they lie on: contacts are made for bodies of about %g kg "
               "(massScale of MstUniverseSizes or MdtWorldCreate, which is to follow lengthScale, %g m), or call "
               "MdtWorldSetEpsilon",
-              MeCallerName("MdtWorldStep"), w->sinkingMass, (double)w->params.massScale,
-              (double)w->params.lengthScale);
+              MeCallerName("MdtWorldStep"), w->sinkingMass, (double)w->params.massScale, (double)w->params.lengthScale);
 }
 
 /* ---- each step ---- */

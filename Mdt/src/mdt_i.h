@@ -113,13 +113,13 @@ typedef struct MdtStay {
 
 /* How the force on a body answers to its motion: sums over frames (mdt_force.c). */
 typedef struct MdtFeedback {
-    double along[3];               /* the direction of the force's last change, */
-    double change;                 /* N s, N m s: and the change along it */
-    double before[2][3];           /* kg m/s or kg m²/s: the mean momentum of the frame before, and its change */
-    double sum[3][5];              /* addToFit: of products of 1, p, q of the frame before with 1, p, q, f, p² + q² */
+    double along[3];     /* the direction of the force's last change, */
+    double change;       /* N s, N m s: and the change along it */
+    double before[2][3]; /* kg m/s or kg m²/s: the mean momentum of the frame before, and its change */
+    double sum[3][5];    /* addToFit: of products of 1, p, q of the frame before with 1, p, q, f, p² + q² */
     int frames;
-    int steady;                    /* frames since its change turned round */
-    int growth;                    /* frames, near such ones, in which the force was larger than before, less others */
+    int steady; /* frames since its change turned round */
+    int growth; /* frames, near such ones, in which the force was larger than before, less others */
 } MdtFeedback;
 
 /* What a program applied to a body for the last frame. */
@@ -147,13 +147,6 @@ enum {
     MDT_CONDEMNED = 8192,   /* is being destroyed, or will be when a stage ends (mdt_stage.c) */
     MDT_BRIDGED = 16384,    /* a group that a bridge made and keeps */
 };
-
-/* What has happened in a body's partition, and for how long that matters: mdt_crowd.c. */
-typedef enum MdtUnrest {
-    MDT_CALM,
-    MDT_HIT,      /* bodies met */
-    MDT_UNSETTLED /* whether contacts stick did not settle within few iterations of the exact solver */
-} MdtUnrest;
 
 /* Fields that are read together share cache lines of 64 bytes, in single precision (records begin with one). */
 /* A body's frame in double: its transform, but for rounding. */
@@ -188,10 +181,7 @@ struct MdtBody {
     double aliveTime; /* s, since MdtBodyEnable was called last, though it may have been enabled already */
     int aliveSteps;
     MeReal safeTime;
-    MdtUnrest unrest;    /* of its partition (mdt_crowd.c) */
-    MeBool wasHit;       /* and has not been at rest since */
-    MdtSolver solver;    /* the answer of MdtSolverCB for its partition, if there is one (mdt_crowd.c) */
-    double settlingWork; /* work budgets that the exact solver has taken to settle its collapsed partition */
+    MdtSolver solver; /* the answer of MdtSolverCB for its partition, if there is one (mdt_choice.c) */
 
     MdtKeaBody kea; /* the centre of mass: the authoritative state */
     MdtStart start;
@@ -430,29 +420,8 @@ void mdt_surfaceWarn(MdtWorldID w, int problems);
 void mdt_limitAssign(MdtLimitID to, const MdtBclLimit *from);
 
 enum { MDT_TIMED_BODIES = 8, MDT_NO_REPORTS = -1 };
-/* Bodies of a partition, at least, that the fast solver is chosen for: below, Newton's method takes no longer. As many
- * that are not at rest, of partitions of fewer, make batches (mdt_batch.c): x2 and /2 fail Mst_Debris:
- * many_that_were_hit_are_the_fast_solvers, few_are_the_exact_solvers. */
+/* Bodies, at least, that make batches (mdt_batch.c), and partitions that all workers take together (mdt_parallel.c). */
 enum { MDT_CROWD = 64 };
-/* Times gravity: what resting and sliding bodies do not reach. */
-enum { MDT_IMPACT = 4 };
-/* Factorizations of a part of a step: where the exact solver takes more, contacts do not settle whether they stick.
- * Ordinary steps take 1 to 6. 30 machines of 10 bodies among crates, ms a step: 2.0, 2.3, 3.0 with 12, 24, 48. */
-enum { MDT_SETTLING = 12 };
-/* Bodies of a net are tied to more others than this, on average: knots to four, while links of chains and rings are
- * tied to two, and rungs of ladders to three. x2 fails Mst_Jointed: a_cloth_swings_and_folds, /2
- * a_chain_that_uses_up_its_work_is_not. */
-enum { MDT_NET_NEIGHBOURS = 3 };
-/* One of so many bodies that were hit since they rested: what collapsed. Of pyramids and walls 4 of 35 to all of them
- * were, of a tower of planks of which one is drawn out 1 of 54. /2 fails Mst_Spikes: a_ball_brings_down_a_wall. */
-enum { MDT_COLLAPSED = 10 };
-/* Of the work budget, where something collapsed: what a step may cost; what a solve may, for nothing; and how much the
- * rest of it all may add up to, until the partition is the fast solver's. A tower of 20 that is let go askew takes .31
- * in its worst step, and 1.3 in all, until it stands; a wall of 47 bricks would take 25. Fewer bodies than the tower's
- * have a smaller budget. x2 of the first three fails Mst_Spikes: a_ball_brings_down_a_wall; /2 of the first and the
- * third, and x2 of the last, Mst_Cases_Stacks: towers_of_twenty_stand. */
-static const double mdt_collapsedStepWork = 0.375, mdt_freeWork = 1. / 16, mdt_mostSettlingWork = 2;
-enum { MDT_WHOLE_BUDGET = 20 };
 /* One of so many bodies that bounce may be held, for their impacts to be met in time. Measured, and no test tells 4
  * from 8: 216 balls a hundredth apart that land with 4 m/s lose 4, 4, 2 and 14 % of the energy in 5 s with 2, 4, 8, 16,
  * those a fiftieth apart .2 % with each. */
@@ -462,6 +431,26 @@ enum { MDT_HELD = 4 };
 MeBool mdt_isSolver(MdtSolver solver);
 /* m/s: the residual of contact laws that a step of h seconds may leave (MdtWorldSetAccuracy). */
 double mdt_worldAccuracy(const MdtWorld *w, double h);
+
+/* A world's accounts of exact work (mdt_choice.c). */
+typedef enum MdtAccount { MDT_WANTED, MDT_NEEDED, MDT_ACCOUNTS } MdtAccount;
+
+/* What is known of a partition from step to step (mdt_choice.c). */
+typedef struct MdtIslandRecord {
+    int steps;       /* that it has taken, up to 2 */
+    float exactWork; /* multiplications that an exact step takes, a body; 0: none was taken */
+    float fastWork;  /* those of the exact solver in the time of a fast step, a body */
+    MeBool isAlone;  /* nothing touches */
+    MeBool isUnfit;  /* the fast solver is not for it: nothing touches, or bodies bounce */
+    MeBool isUnmet;  /* the fast solver's last answer did not meet the accuracy; */
+    int wait, since; /* steps until it is tried again then, and since it was */
+    MeBool wasExact; /* the exact solver has taken the last step */
+    /* this step */
+    MeBool isExactFirst; /* the exact solver begins */
+    MdtAccount account;  /* that pays it, */
+    double share;        /* multiplications that it may take, */
+    double drawn, loan;  /* of these from that account, and lent by MDT_NEEDED; after the step what is left */
+} MdtIslandRecord;
 
 struct MdtIsland;
 /* A partition that is stepped together with others, and where its own begin among theirs. */
@@ -481,6 +470,8 @@ typedef struct MdtBatches {
     MdtConstraintID *acting; /* and what acts on them */
 } MdtBatches;
 
+/* The world's accounts are full (mdt_choice.c). */
+void mdt_choicesReset(MdtWorldID w);
 size_t mdt_tasksSize(size_t bodies); /* ints that the tasks of so many bodies need */
 
 /* ---- worlds -------------------------------------------------------------------------------------------------- */
@@ -582,6 +573,8 @@ struct MdtWorld {
     MdtConstraintID *actingOf;
     MdtKeaBody **keaOf; /* parallel to bodyOf */
     int *bodyStart, *actingStart;
+    MdtIslandRecord *record, *lastRecord; /* by partition; those of the partitions before, while these are found */
+    double credit[MDT_ACCOUNTS];          /* multiplications (mdt_choice.c) */
     MdtBatches batches;
     /* the same as programs see it, contacts among them; made when they ask (mdt_islandsList) */
     MdtConstraintID *constraintOf;

@@ -11,6 +11,7 @@
 #include "MeDict.h"
 #include "MeInternal.h"
 #include "mdt_step_i.h"
+#include <string.h>
 
 enum { NONE = -1 };
 
@@ -132,6 +133,19 @@ static void sortActing(MdtWorldID w) {
     }
 }
 
+/* What is known of partitions goes to those that have their bodies now. */
+static void passRecordsOn(MdtWorldID w, int numBefore) {
+    MdtIslandRecord *const before = w->record;
+    w->record = w->lastRecord;
+    w->lastRecord = before;
+    memset(w->record, 0, (size_t)w->numPartitions * sizeof *w->record);
+    for (int i = 0; i < w->graph.numBodies; i++) {
+        const int from = w->graph.body[i]->partition, to = w->graph.partition[i];
+        if (to != NONE && from != NONE && from < numBefore)
+            mdt_recordJoin(&w->record[to], &before[from]);
+    }
+}
+
 /* Sorting has moved every start to its end, which is the next partition's start. */
 static void restoreStarts(MdtWorldID w) {
     for (int p = w->numPartitions; p > 0; p--) {
@@ -169,7 +183,9 @@ static void findIslands(MdtWorldID w) {
     mdt_listSort(&w->constraints);
     placeBodies(w);
     joinBodies(w);
+    const int numBefore = w->numPartitions;
     numberIslands(w);
+    passRecordsOn(w, numBefore);
     countActing(w);
     sumCounts(w);
     sortBodies(w);
@@ -248,7 +264,8 @@ MdtIsland mdt_islandOf(MdtWorldID w, int number, double h) {
                        .worker = &w->workers[0],
                        .clock = &w->lap,
                        .number = number,
-                       .solver = mdt_crowdWanted(w, number),
+                       .solver = mdt_choiceWanted(w, number),
+                       .record = &w->record[number],
                        .numBodies = w->bodyStart[number + 1] - w->bodyStart[number],
                        .numActing = w->actingStart[number + 1] - w->actingStart[number],
                        .bodies = w->bodyOf + w->bodyStart[number],

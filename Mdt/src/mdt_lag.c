@@ -68,10 +68,11 @@ int MEAPI MdtWorldTakeRest(const MdtWorldID w) {
     int moved = 0;
     MeStageBegin(&w->stage, MDT_HOLD_WORLD);
     mdt_islandsBegin(w);
-    mdt_crowdAsk(w);
+    mdt_choicesBegin(w, MEFALSE);
     MeStageBegin(&w->stage, MDT_HOLD_STATES);
     for (int i = 0; i < w->numPartitions; i++)
         moved += stepRest(w, i);
+    mdt_choicesEnd(w);
     MeStageEnd(&w->stage, MDT_HOLD_STATES);
     mdt_islandsEnd(w);
     mdt_breakEnd(w);

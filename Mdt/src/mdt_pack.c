@@ -118,6 +118,16 @@ static MeBool takeScratch(MdtIsland *p, int manifolds) {
     return METRUE;
 }
 
+/* Enough for the exact solver, if it may take the step after the fast one. */
+static MeBool takeScratchForBoth(MdtIsland *p, int manifolds) {
+    const MeBool isFast = p->isFast;
+    if (p->numMembers == 0 && p->record->share > 0)
+        mdt_islandSetFast(p, MEFALSE);
+    const MeBool isTaken = takeScratch(p, manifolds);
+    mdt_islandSetFast(p, isFast);
+    return isTaken;
+}
+
 void mdt_islandSetFast(MdtIsland *p, MeBool isFast) {
     p->isFast = isFast;
     p->kea.parameters.solver = isFast ? MdtKeaSolverFast : MdtKeaSolverExact;
@@ -134,7 +144,7 @@ static void noteActing(MdtIsland *p, const Chunk *all) {
 }
 
 static void setSystem(MdtIsland *p) {
-    mdt_islandSetFast(p, p->numMembers > 0 || mdt_crowdIsChosen(p));
+    mdt_islandSetFast(p, p->numMembers > 0 || mdt_choiceIsFast(p));
     p->kea.numBodies = p->numBodies;
     p->kea.errors = p->numJoints > 0 ? mdt_rowsErrors : NULL;
     p->kea.jacobians = p->numJoints > 0 ? mdt_rowsMove : NULL;
@@ -177,7 +187,7 @@ MeBool mdt_islandPack(MdtIsland *p) {
     const Chunk all = countActing(&acting);
     noteActing(p, &all);
     setSystem(p);
-    if (!takeScratch(p, all.manifolds))
+    if (!takeScratchForBoth(p, all.manifolds))
         return MEFALSE;
     MeTeamRunRanges(p->team, p->numBodies, MDT_RANGE, packBodies, p);
     packContacts(&acting);

@@ -98,7 +98,7 @@ static int sizeOfAll(const MdtWorld *w) {
 /* More than one worker's share of all work, and enough of it for the fast solver. */
 static MeBool isTakenTogether(const MdtWorld *w, int i) {
     const int bodies = w->bodyStart[i + 1] - w->bodyStart[i];
-    return bodies >= MDT_CROWD && mdt_crowdWanted(w, i) != MdtSolverExact &&
+    return bodies >= MDT_CROWD && !w->record[i].isExactFirst && mdt_choiceWanted(w, i) != MdtSolverExact &&
            (double)sizeOf(w, i) * w->numWorkers > (double)sizeOfAll(w);
 }
 
@@ -217,7 +217,7 @@ static void warnOfSurfaces(MdtWorldID w) {
 
 void mdt_islandsStep(MdtWorldID w, double h, MeBool safely) {
     w->batches.count = 0;
-    mdt_crowdAsk(w);
+    mdt_choicesBegin(w, METRUE);
     if (w->partitionCb)
         showInOrder(w, h, safely);
     else {
@@ -229,5 +229,6 @@ void mdt_islandsStep(MdtWorldID w, double h, MeBool safely) {
             takeInOrder(w, h, safely);
         MeStageEnd(&w->stage, MDT_HOLD_STATES);
     }
+    mdt_choicesEnd(w);
     warnOfSurfaces(w);
 }

@@ -224,7 +224,7 @@ void mdt_reportPart(MdtReport *r, const MdtIsland *p, MeBool isFinite) {
     const MdtKeaSystem *kea = &p->kea;
     MEASSERT(kea->report.capped || !kea->report.limited);
     r->parts++;
-    r->fallbacks += kea->report.capped || !isFinite;
+    r->fallbacks += (kea->report.capped && !kea->report.declined) || !isFinite;
     r->conflicts += kea->report.conflicting;
     r->limited += kea->report.limited;
     if (kea->report.limited)

@@ -310,12 +310,9 @@ static MeBool dependsOnProgram(const MdtIsland *p) {
 }
 
 /* Where passes alternate between joints and contacts, the joints' error decays more slowly than the fast solver's
- * threshold of rest: the exact solver takes over. */
+ * threshold of rest. */
 static MeBool areJointsClosed(const MdtIsland *p) {
-    const MeBool are = !p->isFast || p->kea.report.opening <= MDT_CLOSED;
-    for (int i = 0; i < p->numBodies && !are; i++)
-        p->bodies[i]->unrest = MDT_CALM;
-    return are;
+    return !p->isFast || p->kea.report.opening <= MDT_CLOSED;
 }
 
 /* Whether the step was taken in one part, and its solve is within tolerances. */
@@ -355,11 +352,6 @@ static void MEAPI certifyBodies(void *context, int first, int end, int worker) {
     for (int i = first; i < end; i++) {
         MdtBodyID b = c->p->bodies[i];
         b->certificate = c->isSettled ? c->p->world->certificate : 0;
-        if (!c->isSettled)
-            continue;
-        b->unrest = MDT_CALM;
-        b->wasHit = MEFALSE;
-        b->settlingWork = 0;
     }
 }
 

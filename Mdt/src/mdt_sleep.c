@@ -266,9 +266,6 @@ void mdt_bodySleep(MdtBodyID b) {
     MdtKeaBodySetAngularVelocity(&b->kea, none);
     keaZero(b->kea.lastStep.lin);
     keaZero(b->kea.lastStep.ang);
-    b->unrest = MDT_CALM;
-    b->wasHit = MEFALSE;
-    b->settlingWork = 0;
     keaZero(b->push);
     mdt_bodyShow(b);
     keepLoad(b);

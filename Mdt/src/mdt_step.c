@@ -19,7 +19,6 @@ void mdt_partSolveRows(MdtIsland *p) {
     MeProfileStartSection("Solve", 0);
     mdt_budgetGrant(p);
     MdtKeaSolve(&p->kea);
-    mdt_crowdNote(p);
     mdt_budgetDraw(p);
     MeProfileEndSection("Solve");
     if (p->report)
@@ -66,6 +65,7 @@ void mdt_islandStep(MdtIsland *p) {
         mdt_unpackBodies(p);
         mdt_restCertify(p, isSettled);
     }
+    mdt_choiceNote(p, p->record);
     mdt_islandRelease(p);
 }
 

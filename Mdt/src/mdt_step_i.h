@@ -5,7 +5,7 @@
  *     rest        mdt_sleep.c       motion of the last step -> bodies that are put to sleep
  *                 mdt_rest.c        what has changed since the last step -> partitions whose last answer holds again
  *     pack        mdt_pack.c        forces, impulses, gravity -> loads of Kea's bodies; scratch, start
- *                 mdt_crowd.c       bodies, contacts -> which of Kea's solvers
+ *                 mdt_choice.c      records of partitions -> which of Kea's solvers
  *                 mdt_contacts.c    the manifolds of contacts -> kea.manifolds
  *     rows        mdt_rows.c        poses, velocities, parameters of the part -> kea.rows of joints; contacts', by Kea
  *     solve       MdtKeaSolve       kea.rows, kea.manifolds -> their forces; kea.report
@@ -41,13 +41,13 @@ typedef struct MdtIsland {
     MdtWorker *worker; /* the worker that steps it, */
     MeTeam *team;      /* and the team that helps; null: none */
     int number, numBodies, numActing;
-    MdtSolver solver; /* that the program wants */
+    MdtSolver solver;        /* that the program wants */
+    MdtIslandRecord *record; /* what is kept of it from step to step */
     MdtBodyID *bodies;
     MdtConstraintID *acting; /* joints and manifolds */
     /* mdt_batch.c */
     const MdtMember *member; /* partitions that it is made of; */
     int numMembers;          /* 0: it is one */
-    MeBool isAmongMany;      /* that move in this step */
     double whole;            /* s, the argument of MdtWorldStep */
     /* mdt_step.c, mdt_lag.c */
     double h; /* s, by which the partition is moved on: `whole`, or what its safe time allows of it */
@@ -56,19 +56,22 @@ typedef struct MdtIsland {
     MeBool isTimedByStage; /* else together with others */
     MeU64 lap, *clock;     /* ticks, when the stage began that is being timed: the world's, or of many workers `lap` */
     /* pack */
-    void *scratch; /* Kea's arrays, and behind them */
-    MeBool isFast; /* Kea's fast solver is chosen, or has taken over (mdt_subdivide.c); */
-    MdtReportWhy why; /* also mdt_batch.c, mdt_crowd.c */
+    void *scratch;                         /* Kea's arrays, and behind them */
+    MeBool isFast;                         /* Kea's fast solver is chosen, or has taken over (mdt_subdivide.c); */
+    MdtReportWhy why;                      /* also mdt_batch.c, mdt_choice.c */
     int numContacts, numJoints, jointRows; /* of all joints, at most */
-    MeBool bounces, losesEnergy;  /* a contact has restitution; one has less than 1 */
-    MdtIslandManifold *manifolds; /* beside kea.manifolds */
-    MdtKeaSystem kea;             /* its parameters: mdt_subdivide.c; its arrays and answers: rows, MdtKea; its bodies:
+    MeBool bounces, losesEnergy;           /* a contact has restitution; one has less than 1 */
+    MdtIslandManifold *manifolds;          /* beside kea.manifolds */
+    MdtKeaSystem kea; /* its parameters: mdt_subdivide.c; its arrays and answers: rows, MdtKea; its bodies:
                                      mdt_islandOf, mdt_batch.c */
     /* subdivide */
     MdtBclSolverParameters parameters; /* of the part that is being taken */
     double elapsed;                    /* s, of the step before that part */
     double work;                       /* multiplications that the step may still cost; MDT_NO_BOUND: any number */
     int iterations;                    /* of Newton's method, the same; 0: any number */
+    double exactWork, fastWork, least; /* multiplications that it has cost so far, and that the exact solver needs */
+    double excess;                     /* of the fast solver's last answer */
+    MeBool hasDeclined;                /* the exact solver has */
     MeBool hasMet;                     /* there was an impact at the start of a part */
     /* mdt_compose.c */
     MdtStage stage;
@@ -166,24 +169,33 @@ void mdt_islandRelease(MdtIsland *p);
  * the fast one. */
 void mdt_islandSetFast(MdtIsland *p, MeBool isFast);
 
-/* Asks the program for the solver of each partition (MdtWorldSetSolverCB), and what it wants for one. */
-void mdt_crowdAsk(MdtWorldID w);
-MdtSolver mdt_crowdWanted(const MdtWorld *w, int partition);
-/* Whether Kea's fast solver is chosen for it (mdt_crowd.c). */
-MeBool mdt_crowdIsChosen(MdtIsland *p);
+/* ---- the choice of solver (mdt_choice.c) ---- */
+
+/* A step, or another part of one, begins: asks the program for the solver of each partition (MdtWorldSetSolverCB),
+ * gives out shares of exact work; and ends. What the program wants for one. */
+void mdt_choicesBegin(MdtWorldID w, MeBool isStep);
+void mdt_choicesEnd(MdtWorldID w);
+MdtSolver mdt_choiceWanted(const MdtWorld *w, int partition);
+/* A partition's record gets what is known of one that it had bodies in. */
+void mdt_recordJoin(MdtIslandRecord *to, const MdtIslandRecord *from);
+/* Whether Kea's fast solver begins the step; writes why. */
+MeBool mdt_choiceIsFast(MdtIsland *p);
 /* Whether nothing in it touches the world. */
-MeBool mdt_crowdIsInFlight(const MdtIsland *p);
-/* Whether it may take over a part that the exact one has not solved. */
-MeBool mdt_crowdMayTakeOver(const MdtIsland *p);
-/* Whether it takes a step, or the rest of one, whose contacts were to be met in time, and cannot. */
-MeBool mdt_crowdTakesRest(const MdtIsland *p);
-void mdt_crowdTakeOver(MdtIsland *p);
-/* After a solve: contacts that did not settle disturb the partition. */
-void mdt_crowdNote(const MdtIsland *p);
-/* Multiplications that a step of it may cost; 0: any number. Less than the world's where it has collapsed. */
-double mdt_crowdBudget(const MdtIsland *p);
-/* How many bodies may be held in a partition whose impacts are met in time; 0: none are. */
+MeBool mdt_choiceIsInFlight(const MdtIsland *p);
+/* Multiplications that a step of it may cost; 0: any number. Whether the exact solver may leave it to the fast one; may
+ * the fast one take a part that the exact one has not solved; it takes the rest of the step. */
+double mdt_choiceBudget(const MdtIsland *p);
+/* How many bodies of one that bounces may be held, at most, so that impacts are followed. */
 int mdt_mostHeld(const MdtIsland *p);
+MeBool mdt_choiceHasShare(const MdtIsland *p);
+MeBool mdt_choiceMayTakeOver(const MdtIsland *p);
+void mdt_choiceTakeOver(MdtIsland *p);
+/* Whether the exact solver takes a part that the fast one has solved, since its answer does not meet the accuracy; it
+ * does. */
+MeBool mdt_choiceTurns(const MdtIsland *p);
+void mdt_choiceTurn(MdtIsland *p);
+/* The step has ended: writes what is known of it to the record, its own or that of a member. */
+void mdt_choiceNote(const MdtIsland *p, MdtIslandRecord *r);
 
 /* ---- contacts, as Kea takes them (mdt_contacts.c) ---- */
 

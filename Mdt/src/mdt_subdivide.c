@@ -17,7 +17,7 @@ enum { MAX_HALVINGS = 6 };
 
 /* A part by safe time gets its share of the budget; the bridge may take 16 of them (mst_continuous.c). */
 static void beginBudget(MdtIsland *p) {
-    const double budget = mdt_crowdBudget(p) * MeMAX(p->numMembers, 1), least = 1. / 16;
+    const double budget = mdt_choiceBudget(p) * MeMAX(p->numMembers, 1), least = 1. / 16;
     p->work = budget > 0 ? budget * fmax(p->h / p->whole, least) : MDT_NO_BOUND;
     p->iterations = p->world->maxLcpIterations;
 }
@@ -30,9 +30,11 @@ static double keepWork(MdtIsland *p, double share) {
     return kept;
 }
 
-/* Kea's budgets are at least 1, as 0 means unlimited. */
+/* Kea's budgets are at least 1, as 0 means unlimited. What may decline the step is bound by its share. */
 void mdt_budgetGrant(MdtIsland *p) {
-    p->kea.parameters.maxWork = p->work < MDT_NO_BOUND ? fmax(p->work, 1) : 0;
+    const double share = p->kea.parameters.mayDecline ? p->record->share - p->exactWork : MDT_NO_BOUND;
+    const double work = fmin(p->work, share);
+    p->kea.parameters.maxWork = work < MDT_NO_BOUND ? fmax(work, 1) : 0;
     p->kea.parameters.maxIterations = p->world->maxLcpIterations == 0 ? 0 : p->iterations > 1 ? p->iterations : 1;
 }
 
@@ -42,6 +44,13 @@ void mdt_budgetDraw(MdtIsland *p) {
     p->work = p->work < MDT_NO_BOUND ? fmax(p->work - cost->work, 0) : MDT_NO_BOUND;
     MEASSERT(p->work >= 0 && p->work <= MDT_NO_BOUND);
     p->iterations -= p->iterations < cost->iterations ? p->iterations : cost->iterations;
+    *(p->isFast ? &p->fastWork : &p->exactWork) += cost->work;
+    if (cost->declined) {
+        p->hasDeclined = METRUE;
+        p->least = cost->least;
+    }
+    if (p->isFast)
+        p->excess = cost->excess;
     if (p->report)
         p->report->work += (MeReal)(1e-6 * cost->work);
 }
@@ -75,6 +84,7 @@ static void setPart(MdtIsland *p, double part) {
     p->kea.parameters.softening = p->parameters.softening;
     p->kea.parameters.gamma = p->parameters.gamma;
     p->kea.parameters.isPart = p->h < p->whole;
+    p->kea.parameters.mayDecline = part * p->world->subSteps >= p->whole * (1 - 1e-9) && mdt_choiceHasShare(p);
 }
 
 void mdt_partBegin(MdtIsland *p, double part) {
@@ -161,20 +171,34 @@ static MeBool isUnsupported(const MdtIsland *p) {
            p->kea.report.residual > share * fallIn(p, p->whole);
 }
 
+/* Has its share been used up before its joints are closed, of which the fast solver makes sure? By a thousandth of a
+ * body: dolls that fall opened by 3 mm in a step. */
+static MeBool isLeftOpen(const MdtIsland *p) {
+    const double open = 1e-3;
+    return p->kea.report.limited && p->kea.report.opening > open && mdt_choiceHasShare(p);
+}
+
 /* Takes one part of the step, in halves where its motion is violent. Where joints would open all the same, or contacts
  * would not hold, the fast solver takes the rest of the step. False: the bodies were stopped. */
 static MeBool takeMade(MdtIsland *p, double part, int halvings) {
     p->kea.parameters.mayRefuse = halvings < MAX_HALVINGS;
     mdt_partSolveRows(p);
-    const MeBool isInexact = p->kea.report.opens || isUnsupported(p);
+    if (p->kea.report.declined || mdt_choiceTurns(p)) {
+        if (p->isFast)
+            mdt_choiceTurn(p);
+        else
+            mdt_choiceTakeOver(p);
+        return takePart(p, part, halvings);
+    }
+    const MeBool isInexact = p->kea.report.opens || isLeftOpen(p) || isUnsupported(p);
     if (!p->kea.report.violent && !isInexact)
         return mdt_partIntegrate(p);
     if (!p->kea.report.violent || !mayDivide(p, halvings)) {
         if (p->kea.report.refused)
             return takePart(p, part, MAX_HALVINGS);
-        if (!isInexact || !mdt_crowdMayTakeOver(p))
+        if (!isInexact || !mdt_choiceMayTakeOver(p))
             return mdt_partIntegrate(p);
-        mdt_crowdTakeOver(p);
+        mdt_choiceTakeOver(p);
         return takePart(p, part, halvings);
     }
     if (p->report)
@@ -224,6 +248,14 @@ static void fly(MdtIsland *p, double rest, double least, int mostImpacts) {
     mdt_contactsClearForces(p);
     if (p->report)
         mdt_reportFlight(p->report, p->kea.report.impacts, flown < rest);
+}
+
+/* Impacts of a crowd that keeps its energy are followed also where some bodies are held, with a solve at each event; of
+ * other crowds only as long as all bodies fly. */
+int mdt_mostHeld(const MdtIsland *p) {
+    if (p->world->timedBodies == 0 || (p->numBodies >= MDT_CROWD && p->losesEnergy))
+        return 0;
+    return MeMAX(p->world->timedBodies, p->numBodies / MDT_HELD);
 }
 
 /* Whether joints or closed contacts hold too many of its bodies for a solve at each event. */
@@ -289,8 +321,6 @@ static MeBool takeInTime(MdtIsland *p, double part) {
     for (int events = 0; rest > least; events += MeMAX(p->kea.report.impacts, 1)) {
         if (events >= most || p->work < kept || !solveToEventOrHalf(p, rest, least, most - events)) {
             p->kea.parameters.timed = MEFALSE;
-            if (mdt_crowdTakesRest(p))
-                mdt_crowdTakeOver(p);
             return takePart(p, rest, 0);
         }
         rest -= p->parameters.stepsize;
@@ -328,8 +358,6 @@ static MeBool takeSubStep(MdtIsland *p, double part) {
         return takeInTime(p, part);
     if (mdt_mayCompose(p))
         return mdt_partCompose(p, part);
-    if (mdt_crowdTakesRest(p))
-        mdt_crowdTakeOver(p);
     return mdt_partTake(p, part);
 }
 

@@ -232,6 +232,7 @@ typedef struct MdtKeaParameters {
     double gamma;      /**< the part of a position error that the step takes away, 0..1 */
     int maxIterations; /**< Newton iterations of the whole solve; 0: as many as it takes */
     double maxWork;    /**< multiplications of the whole solve, roughly; 0: as many as it takes */
+    MeBool mayDecline; /**< an answer that takes more than maxWork need not be found */
     MeBool mayRefuse;  /**< a step in which bodies turn too far may be reported as violent without being solved */
     MeBool isPart;     /**< a part of a step by safe times: corrections of joints must not add energy */
     MdtKeaPair pair;   /**< a composition of higher order takes steps in pairs */
@@ -255,12 +256,14 @@ typedef struct MdtKeaReport {
     MeBool capped;      /**< passes, work or iterations ran out: the forces are within bounds, but not exact, and the
                              bodies have no more energy than loads, springs and motors explain */
     MeBool violent;     /**< positions have not converged: the step is too long for the motion */
+    MeBool declined;    /**< the work that it takes is more than it was given, see MdtKeaParameters.mayDecline */
     MeBool refused;     /**< `violent` without having been solved, see MdtKeaParameters.mayRefuse */
     MeBool conflicting; /**< joints contradict each other: the answer is a compromise */
     double event;       /**< s: the first event of a timed step, which is to be divided there; none: its length */
     MeBool trembles;    /**< chattering: the only events are impacts, all too slow to rebound */
     MeBool ballistic;   /**< of a timed step: no row acts up to the event (MdtKeaFly) */
     int impacts;        /**< that MdtKeaFly has met */
+    double excess;      /**< the largest residual in tolerances, its row's own: up to 1 the answer is accurate enough */
     double residual;   /**< m/s: the largest violation of J v⁺ = s - h E λ, but for rows at a bound that allows it */
     double resolution; /**< m/s: residuals up to this count as none; 0 where nothing was solved */
     double force;      /**< N: the largest change of a row's force that such a violation asks for */

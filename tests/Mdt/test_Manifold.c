@@ -194,12 +194,12 @@ static double workOfKinds(int kinds) {
         found[i].normal[0] = (MeReal)(.01 * (i % kinds));
     MdtContactGroupRenew(group, found, 8, 0, contact);
     MdtWorldSetSolver(world, MdtSolverFast);
-    MdtWorldSetMaxLCPIterations(world, 24);
+    MdtWorldSetMaxLCPIterations(world, 16);
     MdtWorldEnableReport(world);
     MdtWorldStep(world, (MeReal)(1. / 60));
     ck_assert(MdtWorldGetReport(world, &r));
     ck_assert_int_eq(r.way, MdtReportWayFast);
-    ck_assert_int_eq(r.iterations, 24);
+    ck_assert_int_eq(r.iterations, 16);
     return (double)r.work;
 }
 

@@ -8,6 +8,7 @@ enum { GROUPS = 40, BODIES = 1 + GROUPS * KEA_LANES * 2, PASSES = 12 };
 
 static KeaGroup groups[GROUPS] __attribute__((aligned(64)));
 static KeaMotion motion[BODIES], before[BODIES], way[BODIES];
+static float speedChange[BODIES];
 static unsigned int seed;
 
 static float chance(double low, double high) {
@@ -98,6 +99,7 @@ static void makeGroups(unsigned int from) {
 /* All that a step does; what comes out is in groups, motion, way and `measured`. */
 static void run(const KeaKernel *kernel, KeaMeasure *measured) {
     float uphill[KEA_LANES] = {0};
+    const KeaTolerance tolerance = {.change = speedChange, .accuracy = 1e-3f, .loadSpeed = .16f, .stepsize = 1.f / 60};
     kernel->prepare(groups, GROUPS, 1.f / 60);
     kernel->apply(groups, GROUPS, motion);
     memcpy(before, motion, sizeof motion);
@@ -107,7 +109,7 @@ static void run(const KeaKernel *kernel, KeaMeasure *measured) {
         kernel->pass(groups, GROUPS, motion, beta, uphill);
     }
     memset(measured, 0, sizeof *measured);
-    kernel->measure(groups, GROUPS, motion, 1.f / 60, measured);
+    kernel->measure(groups, GROUPS, motion, &tolerance, measured);
     kernel->advance(groups, GROUPS, motion, 1.f / 60);
     for (int i = 0; i < 4; i++)
         kernel->push(groups, GROUPS, way);

@@ -157,12 +157,12 @@ START_TEST(a_pyramid_of_forty_rows_comes_to_rest) {
 }
 END_TEST
 
-/* After 64 steps; by its velocities alone, which sway within its resting depths, after 125. */
+/* After 165 steps; by its velocities alone, which sway within its resting depths, after 313. */
 START_TEST(a_pyramid_rests_where_its_forces_balance_its_loads) {
     makeWorld(MdtSolverFast);
     makeFloor();
     makePyramid(40);
-    const MdtReport last = step(100);
+    const MdtReport last = step(200);
     ck_assert_int_eq(last.way, MdtReportWayRest);
     assert_near(place(count - 1, 1), 39.5, 1.5e-3);
     MstUniverseDestroy(u);
@@ -355,7 +355,7 @@ START_TEST(bodies_that_bounce_into_a_pit_take_no_solve_for_each_impact) {
     }
     printf("balls that bounce into a pit: %.0f millions, %d events\n", most, events);
     ck_assert_int_gt(events, 100);
-    assert_below(most, 50);
+    assert_below(most, .2 * MDTWORLD_DEFAULT_WORK_BUDGET);
     MstUniverseDestroy(u);
 }
 END_TEST
@@ -536,9 +536,10 @@ END_TEST
 
 /* ---- the choice ---- */
 
-static void assertChoice(int rows, MdtSolver solver, MdtReportWay way, MdtReportWhy why) {
+static void assertChoice(int rows, MdtSolver solver, double accuracy, MdtReportWay way, MdtReportWhy why) {
     makeWorld(solver);
     MdtWorldSetTimedContacts(u->world, 8);
+    MdtWorldSetAccuracy(u->world, (MeReal)accuracy);
     makeFloor();
     makePyramid(rows);
     const MdtReport r = step(1);
@@ -548,31 +549,13 @@ static void assertChoice(int rows, MdtSolver solver, MdtReportWay way, MdtReport
     MstUniverseDestroy(u);
 }
 
-START_TEST(crowds_are_fast_and_others_exact) {
-    assertChoice(11, MdtSolverAuto, MdtReportWayFast, MdtReportWhyMany); /* 66 boxes */
-    assertChoice(10, MdtSolverAuto, MdtReportWayExact, MdtReportWhyCalm);
-    assertChoice(11, MdtSolverExact, MdtReportWayExact, MdtReportWhyAsked);
-    assertChoice(3, MdtSolverFast, MdtReportWayFast, MdtReportWhyAsked);
-}
-END_TEST
-
-/* A tower of twelve that falls, pressed together, and then lands. */
+/* What the account pays is exact: the first step of a pyramid of 210, but not of one of 820. */
 START_TEST(a_report_tells_why_a_solver_was_chosen) {
-    MdtReport r;
-    makeWorld(MdtSolverAuto);
-    makeFloor();
-    const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
-    for (int i = 0; i < TOWER; i++)
-        put(cube, 0, 1 + .99 * i, 0);
-    r = step(1);
-    ck_assert_int_eq(r.why, MdtReportWhyFlight);
-    for (int i = 0; i < 60 && r.why == MdtReportWhyFlight; i++)
-        r = step(1);
-    ck_assert_int_eq(r.why, MdtReportWhyHit);
-    for (int i = 0; i < 600 && r.why == MdtReportWhyHit; i++)
-        r = step(1);
-    ck_assert_msg(r.why == MdtReportWhyCalm || r.way == MdtReportWayRest, "%d", (int)r.why);
-    MstUniverseDestroy(u);
+    assertChoice(20, MdtSolverAuto, -1, MdtReportWayExact, MdtReportWhyAfforded);
+    assertChoice(40, MdtSolverAuto, -1, MdtReportWayFast, MdtReportWhyDear);
+    assertChoice(11, MdtSolverExact, -1, MdtReportWayExact, MdtReportWhyAsked);
+    assertChoice(11, MdtSolverAuto, 0, MdtReportWayExact, MdtReportWhyAsked);
+    assertChoice(3, MdtSolverFast, -1, MdtReportWayFast, MdtReportWhyAsked);
 }
 END_TEST
 
@@ -636,28 +619,6 @@ END_TEST
 
 /* ---- the engine's ---- */
 
-/* How often forty boxes that fall onto each other go from the fast solver to the exact one: once, when all are slow,
- * but for those that others join or leave. If the solver depended on the impacts of the step alone, 17 times. */
-START_TEST(what_was_hit_stays_fast_until_it_is_slow) {
-    makeWorld(MdtSolverAuto);
-    makeFloor();
-    makeHeap(40);
-    int turns = 0;
-    MdtReport last = {0};
-    for (int i = 0; i < 400; i++) {
-        step(1);
-        MdtReport r, largest = {0};
-        for (int k = 0; k < MdtWorldGetReportCount(u->world); k++)
-            if (MdtWorldGetPartitionReport(u->world, k, &r) && r.bodies > largest.bodies)
-                largest = r;
-        turns += last.way == MdtReportWayFast && largest.way == MdtReportWayExact && last.bodies == largest.bodies;
-        last = largest;
-    }
-    ck_assert_int_le(turns, 1);
-    ck_assert_int_ne(last.way, MdtReportWayFast);
-}
-END_TEST
-
 /* ---- joints ---- */
 
 /* A ball on a ball joint above it. */
@@ -672,7 +633,7 @@ static MdtBodyID hang(MdtBodyID from, double x, double y, double z) {
 
 static double jointGap(int links, double speed) {
     double gap = 0;
-    makeWorld(MdtSolverAuto);
+    makeWorld(MdtSolverFast);
     makeFloor();
     makePyramid(11);
     MdtBodyID last = McdModelGetBody(model[count - 1]); /* the top box drags a chain */
@@ -718,11 +679,11 @@ END_TEST
 
 /* What is asked for decides what a pyramid's first steps leave, and what they cost. */
 START_TEST(more_accuracy_is_more_passes_and_less_error) {
-    static const double wanted[] = {1e-1, 1e-2, 1e-3};
+    static const double wanted[] = {1e-1, 1e-3, 1e-5};
     double sunk[3];
     int passes[3];
     for (int i = 0; i < 3; i++) {
-        makeWorld(MdtSolverAuto);
+        makeWorld(MdtSolverFast);
         MdtWorldSetAccuracy(u->world, (MeReal)wanted[i]);
         makeFloor();
         makePyramid(20);
@@ -734,7 +695,7 @@ START_TEST(more_accuracy_is_more_passes_and_less_error) {
     }
     for (int i = 1; i < 3; i++) {
         ck_assert_int_gt(passes[i], passes[i - 1]);
-        assert_below(sunk[i], sunk[i - 1]);
+        ck_assert_double_le(sunk[i], sunk[i - 1]);
     }
 }
 END_TEST
@@ -755,10 +716,8 @@ static void tests(TCase *t) {
     tcase_add_test(t, momentum_is_kept);
     tcase_add_test(t, a_rebound_reaches_what_had_not_been_touched);
     tcase_add_loop_test(t, parameters_mean_what_they_mean_to_the_exact_solver, 0, (int)(sizeof cases / sizeof *cases));
-    tcase_add_test(t, crowds_are_fast_and_others_exact);
     tcase_add_test(t, a_program_may_choose_for_each_partition);
     tcase_add_test(t, a_report_tells_why_a_solver_was_chosen);
-    tcase_add_test(t, what_was_hit_stays_fast_until_it_is_slow);
     tcase_add_test(t, chains_hold_in_a_crowd);
     tcase_add_test(t, settings_are_kept_and_checked);
     tcase_add_test(t, more_accuracy_is_more_passes_and_less_error);

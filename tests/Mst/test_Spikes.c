@@ -10,8 +10,8 @@ enum { STEPS = 600 };
 
 typedef struct Cost {
     int all, worst; /* factorizations, of all steps and of one */
-    double work;    /* millions of multiplications, of the worst step */
-    double beyond;  /* the same of all steps, beyond a sixteenth of the budget each */
+    double work;    /* millions of multiplications, of the worst step, */
+    double mean;    /* and of a step in the mean */
 } Cost;
 
 static Cost costOfUniverse(const char *name, MstUniverseID u, int steps) {
@@ -24,12 +24,12 @@ static Cost costOfUniverse(const char *name, MstUniverseID u, int steps) {
         cost.all += r.factorizations;
         cost.worst = MeMAX(cost.worst, r.factorizations);
         cost.work = MeMAX(cost.work, (double)r.work);
-        cost.beyond += MeMAX((double)r.work - (double)MdtWorldGetWorkBudget(u->world) / 16, 0);
+        cost.mean += (double)r.work / steps;
     }
     ck_assert(twelve_isFinite(u->world));
     MstUniverseDestroy(u);
-    printf("%-9s %d factorizations, %d in a step, work %.1f at most, %.1f beyond\n", name, cost.all, cost.worst,
-           cost.work, cost.beyond);
+    printf("%-9s %d factorizations, %d in a step, work %.2f a step, %.1f at most\n", name, cost.all, cost.worst,
+           cost.mean, cost.work);
     return cost;
 }
 
@@ -52,36 +52,31 @@ static Cost costOf(const char *name) {
     return costUnder(0, name);
 }
 
-/* Some contacts among few rebound in every step, and the drum is tied: neither keeps what does not settle with the
- * exact solver, which took 24 000 factorizations for the drum, 400 of them in a step. */
+/* A step's exact work is three fortieths of the budget at most; what the fast solver takes is as much again where few
+ * touch. Millions of multiplications. */
+static void assertWork(Cost cost, double mean) {
+    assert_below(cost.mean, mean);
+    assert_below(cost.work, .2 * MDTWORLD_DEFAULT_WORK_BUDGET);
+}
+
+/* Some contacts among few rebound in every step, and the drum is tied: the exact solver took 24 000 factorizations, 400
+ * of them in a step. */
 START_TEST(a_drum_of_boxes) {
-    const Cost cost = costOf("tumbler");
-    ck_assert_int_le(cost.all, 1000);
-    ck_assert_int_le(cost.worst, 200);
+    assertWork(costOf("tumbler"), 9);
 }
 END_TEST
 
-/* Planks, tied to each other, count as held. 2991 factorizations where they did not. */
 START_TEST(a_bridge_that_boxes_fall_onto) {
-    const Cost cost = costOf("bridge");
-    ck_assert_int_le(cost.all, 600);
-    ck_assert_int_le(cost.worst, 120);
+    assertWork(costOf("bridge"), 1);
 }
 END_TEST
 
-/* Bricks without joints settle as little. 72 000 factorizations, 3200 in a step. How the wall comes to lie, and with it
- * the dearest step, is chance: 37 to 725 in 44 runs under gravities that differ by a millionth. */
+/* Bricks without joints settle as little: 72 000 factorizations, 3200 in a step. How the wall comes to lie is chance,
+ * so that it is run under gravities that differ by a millionth. */
 START_TEST(a_ball_on_a_chain_hits_a_wall) {
     enum { RUNS = 5 };
-    int all = 0, worst = 0;
-    for (int i = 0; i < RUNS; i++) {
-        const Cost cost = costUnder(1e-6 * i, "chain");
-        all += cost.all;
-        worst += cost.worst;
-        ck_assert_int_le(cost.worst, 1200);
-    }
-    ck_assert_int_le(all, RUNS * 8000);
-    ck_assert_int_le(worst, RUNS * 600);
+    for (int i = 0; i < RUNS; i++)
+        assertWork(costUnder(1e-6 * i, "chain"), 6);
 }
 END_TEST
 
@@ -132,22 +127,16 @@ END_TEST
  * any. */
 START_TEST(a_row_of_dominoes) {
     const Cost cost = costOf("dominoes");
-    ck_assert_int_le(cost.worst, 1300);
-    ck_assert_double_lt(cost.work, 100);
+    assertWork(cost, 3);
 }
 END_TEST
 
-/* What has collapsed and is wedged is given up by the exact solver: 25 budgets, 45 ms a step for a second, where it was
- * not. A step takes no more than three eighths of the budget, and all of them two budgets beyond what they may, and one
- * step. By then it has come to rest, or been given up. */
+/* What has collapsed and is wedged is given up by the exact solver: 45 ms a step for a second where it was not. */
 START_TEST(a_ball_brings_down_a_wall) {
     enum { UNTIL_IT_LIES = 300 };
     const MstUniverseID u = twelve_makeUniverse();
-    const double budget = (double)MdtWorldGetWorkBudget(u->world);
     wall_make(u);
-    const Cost cost = costOfUniverse("wall", u, UNTIL_IT_LIES);
-    ck_assert_double_le(cost.work, .376 * budget);
-    ck_assert_double_le(cost.beyond, 2.75 * budget);
+    assertWork(costOfUniverse("wall", u, UNTIL_IT_LIES), 5);
 }
 END_TEST
 
@@ -161,7 +150,7 @@ START_TEST(a_program_may_have_a_wall_solved_exactly) {
         MstUniverseStep(u, (MeReal)(1. / 60));
     MdtWorldSetSolver(u->world, MdtSolverExact);
     const Cost cost = costOfUniverse("exact", u, STEPS_MORE);
-    ck_assert_double_gt(cost.work, .376 * budget);
+    ck_assert_double_gt(cost.work, .2 * budget);
 }
 END_TEST
 

@@ -11,8 +11,9 @@ void kea_setBudget(MdtKeaSystem *s, double share, int sweptPasses) {
         sweptPasses = 1 + q->maxIterations;
     q->maxWork = share * s->parameters.maxWork;
     q->sweptPasses = sweptPasses;
-    q->reserve =
-        keaMin(sweptPasses * kea_problemSweptPass(q, KEA_SWEEPS), 0.5 * keaMax(q->maxWork - q->counts.work, 0));
+    q->reserve = s->parameters.mayDecline ? 0
+                                          : keaMin(sweptPasses * kea_problemSweptPass(q, KEA_SWEEPS),
+                                                   0.5 * keaMax(q->maxWork - q->counts.work, 0));
     q->counts.isLimited = MEFALSE;
 }
 

@@ -240,6 +240,10 @@ enum {
     KEA_ITERATION_VISITS = 8 /* of an iteration: gradient, forces, and five of the line search */
 };
 
+/* Factorizations that a solve must be able to pay, or one that may be declined is not begun. Ordinary steps take 1 to
+ * 6. */
+enum { KEA_ORDINARY_FACTORIZATIONS = 2 };
+
 /* ---- sweeps ----
  *
  * x2 and /2 of each fail MdtKea_policy: sweeps_share_what_work_is_left. */
@@ -358,34 +362,18 @@ static const double kea_asymmetry = 1e-5, kea_leastMoment = 1e-12;
 
 /* ---- the fast solver ---- */
 
-/* Passes over velocities: at least, at most, and per body whose weight one carries. An accelerated method's error falls
- * with the square of the passes and grows with the height that forces have to pass, and what is left of a mode of the
- * whole pile is a small residual of each contact. 12 let a tower of 20 sag by 1e-3 of its height; with 8 a heap of 1000
- * that lies is not at rest after 15 s, with 24 after 9 s; without the last, one of 40 sways ever more, and what lies
- * under things of 10 times its weight is passed through by 1e-2 m. Reasoned: above the most, Newton's method is
- * cheaper. x2 of the least fails Mst_Crowd: more_accuracy_is_more_passes_and_less_error; /2 of the most
- * a_tower_of_forty_comes_to_rest; x2 and /2 of each MdtKea_fast_policy: passes_go_with_the_bodies_that_one_carries, of
- * those at a time more_passes_come_by_eight. */
-enum { KEA_LEAST_PASSES = 24, KEA_MOST_PASSES = 96, KEA_MORE_PASSES = 8 /* at a time: a third of the least */ };
-static const double kea_passesPerLoad = 0.7;
+/* Passes over velocities: at least, at most, and at a time. An accelerated method's error falls with the square of the
+ * passes and grows with the height that forces have to pass. With 8, 16 and 24 at least a pyramid of 40 rows takes
+ * 10.6, 7.6 and 6.3 millions of multiplications a step until it rests, a row of dominoes .61, .76 and .95
+ * (bench/choice). With 32, 48 and 64 at most a tower of 64 cubes falls, sinks by .6 and by .008 of a cube; above the
+ * most, Newton's method is cheaper. */
+enum { KEA_LEAST_PASSES = 16, KEA_MOST_PASSES = 96, KEA_MORE_PASSES = 8 };
 /* Theta of the extrapolation, at most, once more passes have left more. Derived: what KEA_MORE_PASSES reach, so that it
  * goes no further than between two measures. 200 balls that settle in a pit leave .0034 m/s, and .0074 where all passes
  * are taken without it (Mst_Crowd: what_friction_feeds_is_held_back). x2 and /2 fail MdtKea_fast_policy:
  * held_extrapolation_is_that_of_eight_passes. KEA_LEAST_PASSES are taken from there on: no test tells 12, 24, 48 apart,
  * which leave .0037, .0034, .0032 m/s in that test. */
 static const double kea_heldTheta = 5.42;
-/* The same while most bodies move by more than their loads give them in a step, and contacts come and go: what passes
- * leave is taken up by those of the next step. In a heap of 1000 boxes that falls, 300 steps, overlaps are 3.6e-5,
- * 3.3e-5 and 2.7e-5 of a box with 12, 16 and 24, and each third costs 2.4 % of a step. x2 and /2 fail
- * MdtKea_fast_policy: what_moves_takes_two_thirds_of_the_passes. */
-enum { KEA_LEAST_MOVING_PASSES = 16 };
-/* The same where there are joints, which pass forces on at once: a rag doll's step costs .6 of it, and joints are as
- * closed. x2 and /2 of either fail MdtKea_fast_policy: passes_go_with_the_bodies_that_one_carries. */
-enum { KEA_LEAST_TIED_PASSES = 8 };
-static const double kea_tiedPassesPerLoad = 1.2;
-/* Times its loads, an acceleration that only an impact gives: what settles does not reach it. x2 and /2 fail
- * MdtKea_fast_policy: four_times_its_loads_accelerate_a_body_in_impacts_only. */
-static const double kea_impactLoads = 4;
 /* Passes over displacements. 1 leaves half of the overlaps of a heap, 12 gain nothing. x2 and /2 fail
  * MdtKea_fast_policy: six_passes_push_bodies_apart. */
 enum { KEA_POSITION_PASSES = 6 };
@@ -435,9 +423,15 @@ static const float kea_soundDeterminant = 1e-4f;
 static const double kea_smallOverlap = 0.1;
 /* Of the bodies' speeds (root of the mean square): the residual that passes may leave where bodies are slow, and at
  * deep overlaps. Less takes more passes while a heap settles, and overlaps are the same. x4 fails Mst_Crowd:
- * a_pyramid_of_forty_rows_comes_to_rest, which sinks by more than a millimetre; x2 and /2 MdtKea_fast_policy:
- * a_twentieth_of_the_speed_is_left_to_the_next_step. */
+ * a_pyramid_of_forty_rows_comes_to_rest, which sinks by more than a millimetre. */
 static const double kea_impactAccuracy = 0.05;
+/* Of the smaller body's size a step: no contact may leave a larger residual, or a cube of 2 cm sinks by what nobody
+ * sees of one of a metre. As kea_restingDepth. */
+static const double kea_stepShare = 1e-4;
+/* In tolerances: the root of the mean square of the contacts' residuals with which passes end. A heap of 1000 boxes
+ * that falls and settles takes 3.1, 2.85, 3.0 s for 500 steps with .1, .3, 1 (bench/heap), a pyramid of 40 rows 7.6,
+ * 8.7, 11.5 millions of multiplications a step until it rests (bench/choice). */
+static const double kea_passedExcess = 0.3;
 /* Of the accuracy: velocities of bodies that are not told from none. The accuracy is the worst of all contacts. x2 and
  * /2 fail MdtKea_fast_policy: a_tenth_of_the_accuracy_is_rest. */
 static const double kea_restingShare = 0.1;

@@ -15,6 +15,7 @@
 #include "kea_i.h"
 #include "MeAssert.h"
 #include "common/kea_policy_i.h"
+#include "inner/kea_factor_i.h"
 #include <string.h>
 
 /* ---- budget ---- */
@@ -52,7 +53,8 @@ static void applyPass(MdtKeaSystem *s) {
 
 /* Whether the share of the work that the iteration of friction bounds may take is used up. */
 static MeBool isFrictionBudgetSpent(const MdtKeaSystem *s) {
-    return s->parameters.maxWork > 0 && s->work->problem.counts.work > kea_workForFriction * s->parameters.maxWork;
+    const double share = s->parameters.mayDecline ? kea_workForMotion : kea_workForFriction;
+    return s->parameters.maxWork > 0 && s->work->problem.counts.work > share * s->parameters.maxWork;
 }
 
 /* One solve of the inner problem. Friction bounds are a fixed point, R = μ p_n(R), of which each pass takes one step,
@@ -296,7 +298,8 @@ static void takePasses(MdtKeaSystem *s) {
         const MeBool isConvergingFast = kea_isExactEnough(&e, 1) && e.worst < kea_refinedShare * before;
         before = e.worst;
         if (isFinal(q, &e, isRefined) || pass == last ||
-            (isLimited && (kea_isExactEnough(&e, kea_sweptMargin) || !kea_problemMaySweep(q))))
+            (isLimited && (s->parameters.mayDecline || kea_isExactEnough(&e, kea_sweptMargin) ||
+                           !kea_problemMaySweep(q))))
             break;
         if (isnan(e.worst) || (isinf(e.worst) && isfinite(best.worst) && !q->hasFriction))
             break; /* a runaway: none returns but where its friction is frozen, and the best iterate is taken */
@@ -445,6 +448,33 @@ static void moveBallistically(MdtKeaSystem *s) {
     kea_reportWork(s);
 }
 
+/* Whether the work would end before the answer does, as even simple steps take so many factorizations. */
+static MeBool isTooExpensive(const MdtKeaSystem *s) {
+    return s->parameters.mayDecline && s->parameters.maxWork > 0 &&
+           KEA_ORDINARY_FACTORIZATIONS * kea_factorFlops(s->work->problem.factor) > s->parameters.maxWork;
+}
+
+/* m/s: what a row may leave; its load and masses do not count, as Newton's method does not leave more where they
+ * differ. */
+static double tolerance(const MdtKeaSystem *s) {
+    double most = 0;
+    for (int i = 0; i < s->numBodies; i++) {
+        double change[3];
+        keaSubtract(change, s->work->end[i].velocity, s->velocity[i].lin);
+        most = keaMax(most, keaLength(change));
+    }
+    return s->parameters.accuracy + most;
+}
+
+/* The answer is left as it is. */
+static void decline(MdtKeaSystem *s) {
+    s->report.declined = s->report.limited = METRUE;
+    s->report.least = KEA_ORDINARY_FACTORIZATIONS * kea_factorFlops(s->work->problem.factor);
+    s->report.residual = s->report.excess = HUGE_VAL;
+    kea_moveFreely(s);
+    kea_reportWork(s);
+}
+
 void kea_exactSolve(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     memset(&q->counts, 0, sizeof q->counts);
@@ -466,6 +496,10 @@ void kea_exactSolve(MdtKeaSystem *s) {
     }
     s->report.capped = s->numRows > 0; /* stays if kea_problemBegin has no memory */
     if (s->numRows > 0 && kea_problemBegin(q, s->cache)) {
+        if (isTooExpensive(s)) {
+            decline(s);
+            return;
+        }
         if (s->parameters.timed) /* its rows were made for this part of the step alone */
             kea_problemSpend(q, workOfLinearization(s));
         kea_setBudget(s, kea_workForMotion, KEA_SWEPT_PASSES);
@@ -486,4 +520,6 @@ void kea_exactSolve(MdtKeaSystem *s) {
     if (s->parameters.timed && s->numRows > 0 && q->factor) /* null: there was no memory */
         kea_project(s);
     kea_reportWork(s);
+    s->report.declined = s->report.limited && s->parameters.mayDecline;
+    s->report.excess = s->report.capped ? s->report.residual / tolerance(s) : 0;
 }

@@ -27,6 +27,7 @@ typedef struct Step {
     KeaRegions regions;
     KeaMotion *motion, *before, *way; /* the world, the bodies by place, and where worlds move, one for each manifold */
     KeaPatch *patch;                  /* by manifold */
+    float *speedChange;               /* by motion: m/s, in the step, see findSpeedChanges */
     double (*change)[6];              /* by place: N s, N m s */
     double (*turned)[4];              /* by place: the orientation at the end, but for `way` */
     KeaGroup *groups;
@@ -36,7 +37,7 @@ typedef struct Step {
     double mean[3];     /* m/s, the bodies' mean velocity, */
     double speed;       /* and their speed against it: root of the mean square, see findSpeed */
     MeBool isMoving;    /* see findSpeed */
-    double load;        /* of how many bodies one carries the weight, see loadRatio */
+    double loadSpeed;   /* m/s, what loads add to a body's velocity in the step, at most */
     double theta, beta; /* of the extrapolation, */
     double mostTheta;   /* at most */
 } Step;
@@ -45,9 +46,10 @@ typedef struct Passes {
     int least, most;
 } Passes;
 
-/* What passes leave, of all lanes (KeaMeasure). */
+/* What passes leave, of all lanes (KeaMeasure); excess in tolerances, the largest of all, the root of the contacts'
+ * mean square, the largest of joints. */
 typedef struct Residual {
-    double most, squares, closing;
+    double most, excess, meanExcess, ofJoints, squares, closing;
 } Residual;
 
 static const KeaKernel *kernelOfMachine(void) {
@@ -64,6 +66,7 @@ static size_t layOut(Step *p, char *memory) {
     p->motion = kea_carve(&arena, motions, sizeof *p->motion);
     p->before = kea_carve(&arena, motions, sizeof *p->before);
     p->way = kea_carve(&arena, motions, sizeof *p->way);
+    p->speedChange = kea_carve(&arena, motions, sizeof *p->speedChange);
     p->patch = kea_carve(&arena, m, sizeof *p->patch);
     p->change = kea_carve(&arena, n, sizeof *p->change);
     p->turned = kea_carve(&arena, n, sizeof *p->turned);
@@ -88,6 +91,7 @@ static void setMotionsOf(void *context, KeaNode *node) {
 
 static void setMotions(Step *p) {
     memset(p->motion, 0, sizeof *p->motion);
+    memset(p->speedChange, 0, (size_t)(1 + p->s->numBodies + p->s->numManifolds) * sizeof *p->speedChange);
     kea_overRegions(&p->regions, setMotionsOf, p);
 }
 
@@ -173,12 +177,14 @@ static double sumOverNodes(const KeaRegions *r) {
 }
 
 static Residual residualOverNodes(const KeaRegions *r) {
-    Residual all = {0, 0, 0};
+    Residual all = {0};
     for (int n = 1; n < 2 * r->count; n++)
         for (int i = 0; i < KEA_LANES; i++) {
             const KeaMeasure *m = &r->node[n].measure;
             all.most = keaMax(all.most, (double)m->most[i]);
+            all.excess = keaMax(all.excess, (double)m->excess[i]);
             all.squares += (double)m->squares[i];
+            all.meanExcess += (double)m->excessSquares[i];
             all.closing = keaMax(all.closing, (double)m->closing[i]);
         }
     return all;
@@ -205,11 +211,33 @@ static void passNode(void *context, KeaNode *node) {
     p->kernel->pass(p->groups + node->firstGroup, node->numGroups, p->motion, beta, node->lanes);
 }
 
+/* m/s, by which a body's velocities change in the step, those of turning at its radius of gyration. */
+static void findSpeedChangesOf(void *context, KeaNode *node) {
+    const Step *p = context;
+    for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++) {
+        const int body = p->regions.body[i];
+        const MdtKeaVelocity *v = &p->s->velocity[body];
+        double change[2][3];
+        for (int k = 0; k < 3; k++) {
+            change[0][k] = (double)p->motion[1 + i].lin[k] - v->lin[k];
+            change[1][k] = (double)p->motion[1 + i].ang[k] - v->ang[k];
+        }
+        p->speedChange[1 + i] = (float)(keaLength(change[0]) + p->s->work->body[body].size * keaLength(change[1]));
+    }
+}
+
+static KeaTolerance tolerance(const Step *p) {
+    return (KeaTolerance){.change = p->speedChange,
+                          .accuracy = (float)p->s->parameters.accuracy,
+                          .loadSpeed = (float)p->loadSpeed,
+                          .stepsize = (float)p->s->parameters.stepsize};
+}
+
 static void measureGroups(void *context, KeaNode *node) {
     const Step *p = context;
+    const KeaTolerance allowed = tolerance(p);
     memset(&node->measure, 0, sizeof node->measure);
-    p->kernel->measure(p->groups + node->firstGroup, node->numGroups, p->motion, (float)p->s->parameters.stepsize,
-                       &node->measure);
+    p->kernel->measure(p->groups + node->firstGroup, node->numGroups, p->motion, &allowed, &node->measure);
 }
 
 /* With Nesterov's extrapolation, which is restarted after a pass that goes against it. */
@@ -228,10 +256,15 @@ static void takePasses(Step *p, int passes) {
 
 /* Of joints too; the report's residual is the largest. */
 static Residual measureAll(Step *p) {
+    const KeaTolerance allowed = tolerance(p);
+    kea_overRegions(&p->regions, findSpeedChangesOf, p);
     kea_overNodes(&p->regions, measureGroups, p);
     Residual r = residualOverNodes(&p->regions);
-    r.most = keaMax(kea_jointsResidual(&p->joints, p->motion), r.most);
+    r.meanExcess = p->s->numManifolds > 0 ? sqrt(r.meanExcess / p->s->numManifolds) : 0;
+    r.most = keaMax(kea_jointsResidual(&p->joints, p->motion, &allowed, &r.ofJoints), r.most);
+    r.excess = keaMax(r.excess, r.ofJoints);
     p->s->report.residual = r.most;
+    p->s->report.excess = r.excess;
     return r;
 }
 
@@ -240,43 +273,6 @@ static double loadOf(const MdtKeaSystem *s, int body) {
     double load[3];
     keaSubtract(load, s->predicted[body].lin, s->velocity[body].lin);
     return keaLength(load);
-}
-
-/* Adds the normal forces of the last step, N, to the bodies' changes. */
-static void addNormalForces(void *context, KeaNode *node) {
-    const Step *p = context;
-    const KeaRegions *r = &p->regions;
-    for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++)
-        p->change[i][0] = 0;
-    for (int i = node->firstManifold; i < node->firstManifold + node->numManifolds; i++) {
-        const MdtKeaManifold *m = &p->s->manifolds[r->manifold[i]];
-        double force = 0;
-        for (int n = 0; n < m->numPoints; n++)
-            force += keaMax(m->point[n].guess[0], 0);
-        for (int k = 0; k < 2; k++)
-            if (m->body[k] >= 0)
-                p->change[r->place[m->body[k]]][0] += force;
-    }
-}
-
-static void compareWithLoads(void *context, KeaNode *node) {
-    const Step *p = context;
-    const MdtKeaSystem *s = p->s;
-    node->sum[0] = 0;
-    for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++) {
-        const MdtKeaBody *b = s->bodies[p->regions.body[i]];
-        const double load = loadOf(s, p->regions.body[i]), weight = load / (s->parameters.stepsize * b->invMass);
-        const MeBool isCalm = keaLength(b->acceleration) * s->parameters.stepsize < kea_impactLoads * load;
-        if (isCalm && weight > 0)
-            node->sum[0] = keaMax(node->sum[0], 0.5 * p->change[i][0] / weight);
-    }
-}
-
-/* Of how many bodies one carries the weight, at most: half of the last step's normal forces on it, in its own loads. */
-static double loadRatio(Step *p) {
-    kea_inOrder(&p->regions, addNormalForces, p);
-    kea_overRegions(&p->regions, compareWithLoads, p);
-    return mostOverRegions(&p->regions, 0);
 }
 
 /* Σ v², Σ v. */
@@ -304,7 +300,7 @@ static void countFast(void *context, KeaNode *node) {
     }
 }
 
-/* Bodies move where most are fast: contact forces are those of impacts then, and tell nothing of weights. */
+/* Bodies move where most are fast. */
 static void findSpeed(Step *p) {
     const double n = p->s->numBodies;
     kea_overRegions(&p->regions, sumSpeeds, p);
@@ -316,15 +312,13 @@ static void findSpeed(Step *p) {
     p->speed = sqrt(keaMax(spread, 0));
     kea_overRegions(&p->regions, countFast, p);
     p->isMoving = sumOverRegions(&p->regions, 0) > 0.5 * n;
-    p->load = p->isMoving ? 1 : loadRatio(p);
 }
 
-/* Whether the residual is small enough. In a stack of n bodies the contacts' residuals add up, so each may be an n-th
- * of the accuracy. While bodies move, a part of their speed is left to the next step; where impacts dominate, all of
- * it, except at deep overlaps that grow. */
+/* Whether the residual is small enough, in the mean: few contacts of many that are far off are not worth passes over
+ * all. While bodies move, the next step takes up what is left, except of deep overlaps that grow. */
 static MeBool isResidualSmall(const Step *p, const Residual *r) {
-    const double least = keaMax(p->s->parameters.accuracy / keaMax(p->load, 1), kea_impactAccuracy * p->speed);
-    return r->most <= (p->isMoving ? p->speed : least) && r->closing <= least;
+    return (r->meanExcess <= kea_passedExcess && r->ofJoints <= 1) ||
+           (p->isMoving && r->closing <= kea_impactAccuracy * p->speed);
 }
 
 /* The least passes, then more, up to the most, while the residual is too large. Once more passes have left more, and
@@ -357,22 +351,15 @@ static double workBeside(const Step *p) {
            kea_jointsWorkBeside(&p->joints);
 }
 
-static double passesWanted(const Step *p) {
-    if (p->joints.numBlocks > 0)
-        return keaMax(kea_tiedPassesPerLoad * p->load, KEA_LEAST_TIED_PASSES);
-    return p->isMoving ? KEA_LEAST_MOVING_PASSES : keaMax(kea_passesPerLoad * p->load, KEA_LEAST_PASSES);
-}
-
-/* At least as many as the loads want, and at most as the budget allows. */
+/* At least and at most, and as many as the budget allows. */
 static Passes choosePasses(Step *p) {
     const double most = p->s->parameters.maxWork;
-    const double least = keaMin(passesWanted(p), KEA_MOST_PASSES);
     const int cap = p->s->parameters.maxIterations > 0 ? p->s->parameters.maxIterations : KEA_MOST_PASSES;
     const double paid = most > 0 ? keaMax((most - workBeside(p)) / workOfPass(p), 1) : KEA_MOST_PASSES;
     const double affordable = keaMin(paid, cap);
-    p->s->report.limited = p->s->report.capped = affordable < least;
-    p->s->report.least = workBeside(p) + least * workOfPass(p);
-    return (Passes){(int)keaMin(least, affordable), (int)keaMin(KEA_MOST_PASSES, affordable)};
+    p->s->report.limited = p->s->report.capped = affordable < KEA_LEAST_PASSES;
+    p->s->report.least = workBeside(p) + KEA_LEAST_PASSES * workOfPass(p);
+    return (Passes){(int)keaMin(KEA_LEAST_PASSES, affordable), (int)keaMin(KEA_MOST_PASSES, affordable)};
 }
 
 /* ---- rebounds ---- */
@@ -765,6 +752,7 @@ void kea_fastSolve(MdtKeaSystem *s) {
         return;
     }
     findSpeed(&p);
+    p.loadSpeed = kea_loadSpeed(s);
     const Passes passes = choosePasses(&p);
     applyImpulses(&p);
     kea_overRegions(&p.regions, keepMotions, &p);

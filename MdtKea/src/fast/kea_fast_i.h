@@ -80,11 +80,24 @@ typedef struct KeaGroup {
     KeaLanes twist, twistBefore;                      /* N m s, about n */
 } KeaGroup;
 
-/* What is left after passes, by lane: m/s, the residual, which is the largest violation of the laws of contact; (m/s)²,
- * the sum of the squares of all; m/s, the largest speed at which deep overlaps grow (kea_smallOverlap). */
+/* What is left after passes, by lane: m/s, the residual, which is the largest violation of the laws of contact; the
+ * same in tolerances (KeaTolerance), each contact's own, and the sum of the squares of all; (m/s)², the sum of the
+ * squares of all rows; m/s, the largest speed at which deep overlaps grow (kea_smallOverlap). */
 typedef struct KeaMeasure {
-    float most[KEA_LANES], squares[KEA_LANES], closing[KEA_LANES];
+    float most[KEA_LANES], excess[KEA_LANES], excessSquares[KEA_LANES], squares[KEA_LANES], closing[KEA_LANES];
 } KeaMeasure;
+
+/* The residual that a contact of two bodies may leave, m/s:
+ *
+ *     min((accuracy + Δv) / max(1, P / (m_light (loadSpeed + Δv)), m_heavy / m_light), kea_stepShare size / h)
+ *
+ * In a stack the contacts' errors add up, and a light body under a heavy one moves by the error of the latter's load.
+ * Δv is the larger change of velocity of the two in the step, P the sum of the contact's normal impulses. */
+typedef struct KeaTolerance {
+    const float *change;       /* m/s, Δv by motion */
+    float accuracy, loadSpeed; /* m/s */
+    float stepsize;            /* s */
+} KeaTolerance;
 
 /* What passes over groups do, in their order, for one width of registers. */
 typedef struct KeaKernel {
@@ -102,7 +115,8 @@ typedef struct KeaKernel {
     /* One pass over displacements, which reduces overlaps; whether one moves far enough to open a joint. */
     MeBool (*push)(const KeaGroup groups[], int count, KeaMotion motion[]);
     /* Adds what these groups leave. */
-    void (*measure)(const KeaGroup groups[], int count, const KeaMotion motion[], float stepsize, KeaMeasure *measure);
+    void (*measure)(const KeaGroup groups[], int count, const KeaMotion motion[], const KeaTolerance *tolerance,
+                    KeaMeasure *measure);
 } KeaKernel;
 
 extern const KeaKernel kea_kernel;

@@ -586,14 +586,27 @@ static double residualOf(const KeaJointRow *r, double rate) {
     return fabs(next - r->impulse) * size * r->length;
 }
 
-double kea_jointsResidual(const KeaJoints *j, const KeaMotion motion[]) {
+/* m/s, that a row may leave: of a contact, but for its load (KeaTolerance). */
+static double toleranceOf(const KeaJoints *j, const KeaJointBlock *b, const KeaJointRow *r, const KeaTolerance *t) {
+    double change = 0;
+    for (int k = 0; k < 2; k++)
+        if (r->node[k] >= 0)
+            change = keaMax(change, (double)t->change[j->body[b->firstNode + r->node[k]].motion]);
+    return (double)t->accuracy + change;
+}
+
+double kea_jointsResidual(const KeaJoints *j, const KeaMotion motion[], const KeaTolerance *t, double *excess) {
     double most = 0;
     for (int i = 0; i < j->numBlocks; i++) {
         const KeaJointBlock *b = &j->block[i];
         double(*const v)[6] = motionsOf(j, b, motion);
-        for (int k = b->firstRow; k < b->firstRow + b->numRows; k++)
-            if (!j->row[k].isOff)
-                most = keaMax(most, residualOf(&j->row[k], rateOf(&j->row[k], v)));
+        for (int k = b->firstRow; k < b->firstRow + b->numRows; k++) {
+            if (j->row[k].isOff)
+                continue;
+            const double residual = residualOf(&j->row[k], rateOf(&j->row[k], v));
+            most = keaMax(most, residual);
+            *excess = keaMax(*excess, residual / toleranceOf(j, b, &j->row[k], t));
+        }
     }
     return most;
 }

@@ -72,7 +72,7 @@ void kea_jointsScale(KeaJoints *j, double share);
 /* A pass over velocities, from impulses extrapolated by beta; returns the criterion of restarts (KeaKernel.pass). */
 double kea_jointsPass(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[], double beta);
 /* m/s, the largest violation of the rows' laws. */
-double kea_jointsResidual(const KeaJoints *j, const KeaMotion motion[]);
+double kea_jointsResidual(const KeaJoints *j, const KeaMotion motion[], const KeaTolerance *t, double *excess);
 /* How far joints are open at the start, of a body's size. */
 double kea_jointsOpening(const KeaJoints *j);
 /* Evaluates position errors at the end's poses, displacements included; returns the largest, of a body's size. */

@@ -112,8 +112,7 @@ KEA_INLINE void visitPoint(const KeaGroup *g, int points, int k, KeaLanes least,
  * First by the inverse, as if all points acted; where that pulls at one, by three projected Gauss-Seidel sweeps over
  * the points, forwards and backwards: one lets a tower of 20 fall, eight gain nothing. `impulse` is the guess, `rate`
  * the rates with it, less their targets. */
-KEA_INLINE void solvePoints(const KeaGroup *g, int points, const KeaLanes rate[], KeaLanes least,
-                            KeaLanes impulse[]) {
+KEA_INLINE void solvePoints(const KeaGroup *g, int points, const KeaLanes rate[], KeaLanes least, KeaLanes impulse[]) {
     KeaLanes all[KEA_POINTS], swept[KEA_POINTS], left[KEA_POINTS];
     KeaMask isAnswer = g->isDirect;
     for (int k = 0; k < points; k++) {
@@ -524,11 +523,28 @@ KEA_INLINE void addMiss(KeaMask isRow, KeaLanes miss, KeaLanes *worst, KeaLanes 
     *squares += counted * counted;
 }
 
+/* m/s, see KeaTolerance. */
+KEA_INLINE KeaLanes toleranceOf(const KeaGroup *g, const KeaTolerance *t) {
+    KeaLanes change, load = lanesOf(0);
+    for (int i = 0; i < KEA_LANES; i++)
+        change[i] = fmaxf(t->change[g->body[0][i]], t->change[g->body[1][i]]);
+    for (int k = 0; k < KEA_POINTS; k++)
+        load += lanesSelect(g->isPoint[k], lanesMax(g->impulse[k], lanesOf(0)), lanesOf(0));
+    const KeaLanes light = lanesMax(g->invMass[0], g->invMass[1]), heavy = lanesMin(g->invMass[0], g->invMass[1]);
+    const KeaLanes ratio = lanesSelect(heavy > lanesOf(0), light / heavy, lanesOf(1));
+    const KeaLanes carried = light * load / (lanesOf(t->loadSpeed) + change);
+    return lanesMin((lanesOf(t->accuracy) + change) / lanesMax(lanesMax(carried, ratio), lanesOf(1)),
+                    lanesOf((float)kea_stepShare / t->stepsize) * g->size);
+}
+
 /* Of a row it is the change of its projected impulse in one visit, as a velocity. */
-static void measure(const KeaGroup groups[], int count, const KeaMotion motion[], float stepsize, KeaMeasure *measure) {
-    const KeaLanes h = lanesOf(stepsize);
-    KeaLanes worst, squares, fastest;
+static void measure(const KeaGroup groups[], int count, const KeaMotion motion[], const KeaTolerance *tolerance,
+                    KeaMeasure *measure) {
+    const KeaLanes h = lanesOf(tolerance->stepsize);
+    KeaLanes worst, excess, excessSquares, squares, fastest;
     memcpy(&worst, measure->most, sizeof worst);
+    memcpy(&excess, measure->excess, sizeof excess);
+    memcpy(&excessSquares, measure->excessSquares, sizeof excessSquares);
     memcpy(&squares, measure->squares, sizeof squares);
     memcpy(&fastest, measure->closing, sizeof fastest);
     for (int i = 0; i < count; i++) {
@@ -538,23 +554,33 @@ static void measure(const KeaGroup groups[], int count, const KeaMotion motion[]
         const Limits limits = frictionLimits(g, KEA_POINTS, g->impulse);
         const Rates rates = ratesOf(g, &p, across);
         const KeaLanes *u = rates.u;
-        KeaLanes rate[2], rub[2] = {g->rub[0], g->rub[1]};
+        KeaLanes rate[2], rub[2] = {g->rub[0], g->rub[1]}, left = lanesOf(0), lever = lanesOf(0);
         for (int k = 0; k < KEA_POINTS; k++) {
             const KeaLanes speed = u[0] + g->x[k] * u[1] + g->y[k] * u[2];
             const KeaLanes off = speed - g->target[k] + g->compliance * g->impulse[k];
             const KeaLanes next = lanesMax(g->impulse[k] - g->response[k] * off, g->least);
             const KeaLanes miss = lanesAbs(next - g->impulse[k]) / g->response[k];
-            addMiss(g->isPoint[k], miss, &worst, &squares);
+            addMiss(g->isPoint[k], miss, &left, &squares);
+            lever = lanesMax(lanesSelect(g->isPoint[k], g->lever[k], lanesOf(0)), lever);
             fastest = lanesMax(closingOf(g, k, speed, h), fastest);
         }
         slidingRates(g, rates.slide, rub, rate);
         solveFriction(g, rate, &limits, rub);
         for (int k = 0; k < 2; k++) {
             const KeaLanes miss = lanesAbs(rub[k] - g->rub[k]) / g->grip[2 * k];
-            addMiss(g->isPoint[0] & (g->grip[2 * k] > lanesOf(0)), miss, &worst, &squares);
+            addMiss(g->isPoint[0] & (g->grip[2 * k] > lanesOf(0)), miss, &left, &squares);
         }
+        const KeaLanes twist = lanesClamp(g->twist - g->twistMass * rates.spin, limits.twist);
+        addMiss(g->isPoint[1] & (g->twistMass > lanesOf(0)), lever * lanesAbs(twist - g->twist) / g->twistMass, &left,
+                &squares);
+        worst = lanesMax(left, worst);
+        const KeaLanes over = left / toleranceOf(g, tolerance);
+        excess = lanesMax(over, excess);
+        excessSquares += lanesSelect(g->isPoint[0], over * over, lanesOf(0));
     }
     memcpy(measure->most, &worst, sizeof worst);
+    memcpy(measure->excess, &excess, sizeof excess);
+    memcpy(measure->excessSquares, &excessSquares, sizeof excessSquares);
     memcpy(measure->squares, &squares, sizeof squares);
     memcpy(measure->closing, &fastest, sizeof fastest);
 }

@@ -13,7 +13,7 @@ def check():
     assert figure(status(115), 'awake') == 0 and figure(status(125), 'awake') == 56, 'the weight that comes by itself'
     line = status(12, '4@5,3@10')
     assert figure(line, 'rows') > 500, line  # iterations may be 0: where the last answer holds, nothing is solved
-    assert figure(line, 'residual') < 1e-4 and figure(line, 'deepest') < 0.1, line
+    assert figure(line, 'residual') < 1e-3 and figure(line, 'deepest') < 0.1, line  # the accuracy is 1.6e-3 m/s
     line = status(300, '4@5')
     near(figure(line, 'top at'), 6, 0.001, 'the top')
     assert figure(line, 'awake') == 56 and figure(line, 'rows') == 0, line

@@ -1,0 +1,438 @@
+/* The choice between Kea's solvers for a partition's step. The first row that holds:
+ *
+ *     condition                                                                   solver   MdtReportWhy
+ *     1  the program asks for a solver, or for an accuracy of 0                   that     Asked
+ *     2  the program makes rows, there are more than the cap, or what bounces     exact    Unfit
+ *        keeps its energy and flies
+ *     3  it is not met in time, and touches nothing but itself                     fast     Flight
+ *     4  exact costs no more than fast; a hundred times as much if nothing        exact    Cheap
+ *        touches
+ *     5  the world's accounts of exact work pay it                                exact    Afforded
+ *     6  else                                                                     fast     Dear
+ *     7  the exact solver declines the step, which is dearer than was likely,     fast     TakenOver
+ *        or leaves joints open: the rest of it
+ *
+ * What a step costs is known from the last one (MdtIslandRecord). There are two accounts, into which each step pays:
+ *
+ *     MDT_WANTED   for any partition: from one step to the next, as long as it lasts, or within what a step pays
+ *     MDT_NEEDED   where the fast answer does not meet the accuracy; where nothing touches, as the fast solver damps
+ *                  what swings; where bodies bounce, as it loses rebounds that follow each other; and for first steps,
+ *                  which have no forces to begin with
+ *
+ * They pay no step that is far dearer than the fast solver's (mdt_mostOfFast) and than what a step pays.
+ *
+ * Shares are given out before any partition is stepped, in their order, by multiplications and never by time, so that
+ * threads change nothing; what is not used goes back. Where the fast solver has not met the accuracy, it is tried again
+ * after 1, 2, 4 and so on steps; its answer is taken only if it is within it then, or if there is no share. Where
+ * nothing touches, the exact solver takes the step then, whatever it costs: what is left of joints may drive them.
+ */
+#include "mdt_step_i.h"
+
+/* Of the work budget (MdtWorldSetWorkBudget), by account: what a step pays, and what it holds. Of the default of 400
+ * millions, of which one takes .3 ms: what is wanted, .3 ms a step; a tower of 100 layers of planks has come to rest
+ * for 130. What is needed: a bridge of 30 planks that carries ten thousand times its weight takes 4.5 a step; the first
+ * step of that tower 240. All steps after their first together take mdt_stepShare. */
+static const double mdt_payment[MDT_ACCOUNTS] = {1 / 400., 4 / 400.}, mdt_creditLimit[MDT_ACCOUNTS] = {150 / 400., 1};
+static const double mdt_stepShare = 30 / 400.;
+/* The same, that the fast solver has at least where the exact one has used up what it may. */
+static const double mdt_fastReserve = 1. / 8;
+/* Multiplications, the budget of worlds without bound. */
+static const double mdt_unboundedBudget = 400e6;
+/* Multiplications of an exact step as long as none is known, over the square of the number of bodies: the work of
+ * factors of what fills space, and of chains of up to 60 bodies more than enough. */
+static const double mdt_guessedWork = 600;
+/* The same in the time of the fast solver, a body, with the least passes. */
+static const double mdt_guessedFastWork = 1e4;
+/* Multiplications of the fast solver, which does eight at a time, in the time of one of the exact one. */
+static const double mdt_exactTime = 4;
+/* Of the time of the fast solver: what the accounts pay, at most. A bridge of 30 planks that carries ten thousand times
+ * its weight takes 8 to 64; contacts that are wedged any number: ten boxes took 300 factorizations, and gained nothing.
+ * With 32 a tower of 20 cubes that is shaken sinks by .4 mm (Mst_Cases_Stacks). */
+static const double mdt_mostOfFast = 100;
+/* What is left of a cost that was too much after a step without trying: half of it after 138. */
+static const double mdt_forgetting = 0.995;
+/* Of the cost that is expected: what a step's has in it, so that one that costs more does not end exact steps. */
+static const double mdt_newShare = 0.125;
+/* Steps after which the fast solver is tried again, at most. */
+enum { MDT_WAIT_LIMIT = 64 };
+
+/* ---- what the program wants ---- */
+
+static MdtSolver askFor(MdtWorldID w, MdtBodyID *bodies, int numBodies) {
+    const MeProgramCall before = MeProgramEnter("MdtWorldSetSolverCB");
+    const MdtSolver solver = w->solverCb(bodies, numBodies, w->solverCbData);
+    MeProgramLeave(&before);
+    if (mdt_isSolver(solver))
+        return solver;
+    if (!w->isSolverWarned)
+        MeWarning(1, "MdtWorldSetSolverCB: the callback returned %d, which is no solver: MdtSolverAuto is taken",
+                  (int)solver);
+    w->isSolverWarned = METRUE;
+    return MdtSolverAuto;
+}
+
+static void askForAll(MdtWorldID w) {
+    for (int i = 0; w->solverCb && i < w->numPartitions; i++) {
+        const int first = w->bodyStart[i], end = w->bodyStart[i + 1];
+        const MdtSolver solver = askFor(w, w->bodyOf + first, end - first);
+        for (int k = first; k < end; k++) {
+            MdtBodyID b = w->bodyOf[k];
+            if (b->solver != solver)
+                mdt_bodyDisturb(b);
+            b->solver = solver;
+        }
+    }
+}
+
+MdtSolver mdt_choiceWanted(const MdtWorld *w, int partition) {
+    const MdtSolver solver = w->solverCb ? w->bodyOf[w->bodyStart[partition]]->solver : w->solver;
+    return solver == MdtSolverAuto && w->accuracy == 0 ? MdtSolverExact : solver;
+}
+
+/* ---- the account ---- */
+
+void mdt_recordJoin(MdtIslandRecord *to, const MdtIslandRecord *from) {
+    to->exactWork = fmaxf(to->exactWork, from->exactWork);
+    to->fastWork = fmaxf(to->fastWork, from->fastWork);
+    to->isUnmet = to->isUnmet || from->isUnmet;
+    to->isUnfit = to->isUnfit || from->isUnfit;
+    to->isAlone = to->isAlone && from->isAlone;
+    to->wasExact = to->wasExact || from->wasExact;
+    to->steps = MeMAX(to->steps, from->steps);
+    to->wait = MeMAX(to->wait, from->wait);
+    to->since = MeMAX(to->since, from->since);
+}
+
+static double budgetOf(const MdtWorld *w) {
+    return w->workBudget > 0 ? 1e6 * (double)w->workBudget : mdt_unboundedBudget;
+}
+
+static int bodiesOf(const MdtWorld *w, int partition) {
+    return w->bodyStart[partition + 1] - w->bodyStart[partition];
+}
+
+/* Who is given shares. */
+typedef enum Standing {
+    NO_NEED, /* nothing acts on it, or the program has chosen */
+    RESTS,   /* it will be stepped only if something has changed without a word */
+    FIRST,   /* what a step with forces to begin with costs is not known yet */
+    UNMET,   /* the fast solver has not met its accuracy, or is not for it */
+    GOES_ON, /* it has, or was not tried: the exact solver has taken the last step, */
+    MET      /* or the fast one */
+} Standing;
+
+static Standing standingOf(const MdtWorld *w, int partition) {
+    const MdtIslandRecord *r = &w->record[partition];
+    if (mdt_choiceWanted(w, partition) != MdtSolverAuto || w->actingStart[partition + 1] == w->actingStart[partition])
+        return NO_NEED;
+    if (w->bodyOf[w->bodyStart[partition]]->certificate != 0)
+        return RESTS;
+    return r->steps < 2 ? FIRST : r->isUnmet || r->isUnfit ? UNMET : r->wasExact ? GOES_ON : MET;
+}
+
+/* Multiplications that an exact step is likely to take. */
+static double needOf(const MdtWorld *w, int partition) {
+    const MdtIslandRecord *r = &w->record[partition];
+    const double n = bodiesOf(w, partition);
+    return n * (r->exactWork == 0 ? mdt_guessedWork * n : (double)r->exactWork);
+}
+
+/* Multiplications in the time of a fast step. */
+static double fastOf(const MdtWorld *w, int partition) {
+    const double fast = (double)w->record[partition].fastWork;
+    return bodiesOf(w, partition) * (fast > 0 ? fast : mdt_guessedFastWork);
+}
+
+/* Far more than a fast step, and than what a step is paid for anything. */
+static MeBool isOutOfProportion(const MdtWorld *w, int partition) {
+    const double need = needOf(w, partition);
+    return need > mdt_payment[MDT_WANTED] * budgetOf(w) && need > mdt_mostOfFast * fastOf(w, partition);
+}
+
+/* Multiplications of an exact step that costs no more than a fast one, and where nothing touches a hundred times as
+ * much, since the fast solver damps what swings. */
+static double freeWorkOf(const MdtWorld *w, int partition) {
+    const MdtIslandRecord *r = &w->record[partition];
+    if (r->isAlone)
+        return fmin(mdt_mostOfFast * fastOf(w, partition), mdt_stepShare * budgetOf(w));
+    return r->fastWork > 0 ? fastOf(w, partition) : 0;
+}
+
+/* Gives shares to those of this standing that have none and that the funds pay, which are part of an account; returns
+ * what is left of these. */
+static double giveShares(MdtWorldID w, Standing standing, MeBool isExactFirst, MdtAccount account, double funds) {
+    for (int i = 0; i < w->numPartitions; i++) {
+        MdtIslandRecord *r = &w->record[i];
+        const double need = needOf(w, i);
+        if (r->share > 0 || need > funds || standingOf(w, i) != standing)
+            continue;
+        if (standing != FIRST && !r->isUnfit && isOutOfProportion(w, i))
+            continue;
+        r->share = r->drawn = need;
+        r->account = account;
+        r->isExactFirst = isExactFirst || r->isUnfit || (standing == UNMET && r->since <= r->wait);
+        w->credit[account] -= need;
+        funds -= need;
+    }
+    return funds;
+}
+
+/* Those of which an exact step takes no longer than a fast one. */
+static void beginShares(MdtWorldID w) {
+    for (int i = 0; i < w->numPartitions; i++) {
+        MdtIslandRecord *r = &w->record[i];
+        const double freeWork = freeWorkOf(w, i);
+        const Standing standing = standingOf(w, i);
+        r->drawn = r->loan = 0;
+        r->isExactFirst = standing >= UNMET && needOf(w, i) <= freeWork;
+        r->share = r->isExactFirst ? freeWork : 0;
+    }
+}
+
+/* Lends to those of this standing, or to the others, that have a share, by their bodies, for steps that take more than
+ * was likely. */
+static void lend(MdtWorldID w, MeBool isFirst, double funds) {
+    double bodies = 0;
+    for (int i = 0; i < w->numPartitions; i++)
+        if (w->record[i].share > 0 && isFirst == (standingOf(w, i) == FIRST))
+            bodies += bodiesOf(w, i);
+    for (int i = 0; i < w->numPartitions && bodies > 0; i++)
+        if (w->record[i].share > 0 && isFirst == (standingOf(w, i) == FIRST)) {
+            const double loan = funds * bodiesOf(w, i) / bodies;
+            w->record[i].loan = loan;
+            w->record[i].share += loan;
+            w->credit[MDT_NEEDED] -= loan;
+        }
+}
+
+static void divideAccounts(MdtWorldID w) {
+    const double paid = mdt_payment[MDT_WANTED] * budgetOf(w), limit = mdt_stepShare * budgetOf(w);
+    beginShares(w);
+    giveShares(w, FIRST, METRUE, MDT_NEEDED, w->credit[MDT_NEEDED]);
+    giveShares(w, GOES_ON, METRUE, MDT_WANTED, fmin(limit, w->credit[MDT_WANTED]));
+    giveShares(w, UNMET, METRUE, MDT_WANTED, fmin(paid, w->credit[MDT_WANTED]));
+    giveShares(w, MET, METRUE, MDT_WANTED, fmin(paid, w->credit[MDT_WANTED]));
+    double left = giveShares(w, UNMET, MEFALSE, MDT_NEEDED, fmin(limit, w->credit[MDT_NEEDED]));
+    left = giveShares(w, GOES_ON, MEFALSE, MDT_NEEDED, left);
+    left = giveShares(w, MET, MEFALSE, MDT_NEEDED, left);
+    giveShares(w, RESTS, METRUE, MDT_WANTED, w->credit[MDT_WANTED]);
+    lend(w, MEFALSE, left);
+    lend(w, METRUE, w->credit[MDT_NEEDED]);
+}
+
+static void pay(MdtWorldID w) {
+    for (int i = 0; i < MDT_ACCOUNTS; i++)
+        w->credit[i] = fmin(w->credit[i] + mdt_payment[i] * budgetOf(w), mdt_creditLimit[i] * budgetOf(w));
+}
+
+void mdt_choicesReset(MdtWorldID w) {
+    for (int i = 0; i < MDT_ACCOUNTS; i++)
+        w->credit[i] = DBL_MAX; /* as much as they can hold, when the next step pays */
+}
+
+void mdt_choicesBegin(MdtWorldID w, MeBool isStep) {
+    askForAll(w);
+    if (isStep)
+        pay(w);
+    divideAccounts(w);
+}
+
+void mdt_choicesEnd(MdtWorldID w) {
+    for (int i = 0; i < w->numPartitions; i++) {
+        w->credit[w->record[i].account] += w->record[i].drawn;
+        w->credit[MDT_NEEDED] = fmax(w->credit[MDT_NEEDED] + w->record[i].loan, 0);
+    }
+}
+
+/* ---- the choice ---- */
+
+/* Nothing in it touches the world: it carries no weight, and its forces come of meetings and of overlaps alone. */
+MeBool mdt_choiceIsInFlight(const MdtIsland *p) {
+    for (int i = 0; i < p->numActing; i++)
+        if (!p->acting[i]->side[0].body || !p->acting[i]->side[1].body)
+            return MEFALSE;
+    return METRUE;
+}
+
+/* Rows of user constraints are the program's: how they move with the bodies is not known. */
+static MeBool hasUserConstraints(const MdtIsland *p) {
+    for (int i = 0; i < p->numActing && p->numJoints > 0; i++)
+        if (mdt_isJoint(p->acting[i]) && mdt_constraintType(p->acting[i]) == MdtBclUSER)
+            return METRUE;
+    return MEFALSE;
+}
+
+/* The fast solver leaves no rows out. */
+static MeBool mayBeFast(const MdtIsland *p) {
+    return p->jointRows + p->numContacts * MdtBclGETMAXROWSCONTACT <= p->world->maxMatrixSize && !hasUserConstraints(p);
+}
+
+/* m/s, at which its bodies come nearer to each other there. */
+static double approachAt(const MdtPoint *point) {
+    const MdtBaseConstraint *base = &mdt_manifoldOf(point)->base;
+    double normal[3], sum = 0;
+    mdt_pointNormal(point, normal);
+    for (int k = 0; k < 2; k++) {
+        const MdtBody *b = base->side[k].body;
+        double arm[3], v[3], w[3], turn[3];
+        if (!b)
+            continue;
+        mdt_fromReal(v, b->velocity);
+        mdt_fromReal(w, b->angularVelocity);
+        keaSubtract(arm, point->position, b->kea.position);
+        keaCross(turn, w, arm);
+        sum += (k == 0 ? -1 : 1) * (keaDot(normal, v) + keaDot(normal, turn));
+    }
+    return sum;
+}
+
+static MeBool holds(const MdtPoint *point, double loadSpeed) {
+    const MdtBaseConstraint *base = &mdt_manifoldOf(point)->base;
+    const MdtKeaBody *bodies[2];
+    for (int k = 0; k < 2; k++)
+        bodies[k] = base->side[k].body ? &base->side[k].body->kea : NULL;
+    return MdtKeaContactHolds(bodies, -point->depth, -approachAt(point), mdt_pointParams(point)->restitution,
+                              loadSpeed);
+}
+
+static MeBool isManifoldHeld(const MdtManifold *m, double loadSpeed) {
+    for (const MdtPoint *at = mdt_pointFirst(m); at; at = mdt_pointAfter(at))
+        if (holds(at, loadSpeed))
+            return METRUE;
+    return MEFALSE;
+}
+
+/* Bodies that keep their energy, of which only few are held, are met one after the other (mdt_subdivide.c): the fast
+ * solver loses rebounds that follow each other. */
+static MeBool isMetInTime(const MdtIsland *p) {
+    const int most = mdt_mostHeld(p);
+    int held = 0;
+    double g[3];
+    if (!p->bounces || p->losesEnergy || p->numJoints > 0)
+        return MEFALSE;
+    mdt_fromReal(g, p->world->params.gravity);
+    for (int i = 0; i < p->numActing && held <= most; i++)
+        held += isManifoldHeld(mdt_asManifold(p->acting[i]), keaLength(g) * p->h);
+    return held <= most;
+}
+
+/* Its centre of mass moves as a free body by the fast solver, which the exact one takes for what it does not meet in
+ * time to the end's velocity. */
+static MeBool mayFly(const MdtIsland *p) {
+    return p->solver == MdtSolverAuto && p->numBodies > p->world->timedBodies && p->numContacts > 0 && !p->bounces &&
+           mayBeFast(p) && mdt_choiceIsInFlight(p);
+}
+
+/* Joints alone: what the fast solver leaves of them may drive them. */
+static MeBool mustBeMet(const MdtIsland *p) {
+    return p->numContacts == 0;
+}
+
+static MdtReportWhy reasonForExact(const MdtIsland *p) {
+    return p->record->share == 0 ? MdtReportWhyUnfit : p->record->drawn > 0 ? MdtReportWhyAfforded : MdtReportWhyCheap;
+}
+
+static MdtReportWhy reasonOf(const MdtIsland *p) {
+    if (p->solver == MdtSolverExact)
+        return MdtReportWhyAsked;
+    if (mayFly(p))
+        return MdtReportWhyFlight;
+    if (!mayBeFast(p) || (p->numContacts == 0 && p->solver == MdtSolverFast))
+        return MdtReportWhyUnfit;
+    if (p->solver == MdtSolverFast)
+        return MdtReportWhyAsked;
+    if (isMetInTime(p))
+        return MdtReportWhyUnfit;
+    if (p->record->isExactFirst)
+        return reasonForExact(p);
+    return mustBeMet(p) && p->record->isUnmet && p->record->since <= p->record->wait ? MdtReportWhyUnfit
+                                                                                     : MdtReportWhyDear;
+}
+
+MeBool mdt_choiceIsFast(MdtIsland *p) {
+    p->why = reasonOf(p);
+    return p->why == MdtReportWhyAsked ? p->solver == MdtSolverFast : p->why >= MdtReportWhyFlight;
+}
+
+/* ---- the step ---- */
+
+MeBool mdt_choiceHasShare(const MdtIsland *p) {
+    const MeBool isMet = p->record->fastWork > 0 && !p->record->isUnmet;
+    return !p->isFast && (p->why == MdtReportWhyCheap || p->why == MdtReportWhyAfforded) && (isMet || !mustBeMet(p));
+}
+
+/* Parts of a step that has not been declined may take more than its share. */
+double mdt_choiceBudget(const MdtIsland *p) {
+    const double budget = budgetOf(p->world), most = fmax(p->record->share, 2 * mdt_stepShare * budget);
+    if (mdt_choiceHasShare(p) && !mustBeMet(p))
+        return fmin(most, (1 - mdt_fastReserve) * budget);
+    return 1e6 * (double)p->world->workBudget;
+}
+
+MeBool mdt_choiceMayTakeOver(const MdtIsland *p) {
+    return !p->isFast && mayBeFast(p) && (p->numContacts > 0 || p->kea.report.opens);
+}
+
+void mdt_choiceTakeOver(MdtIsland *p) {
+    p->why = MdtReportWhyTakenOver;
+    p->work = p->world->workBudget > 0 ? fmax(budgetOf(p->world) - p->exactWork, mdt_fastReserve * budgetOf(p->world))
+                                       : MDT_NO_BOUND;
+    mdt_islandSetFast(p, METRUE);
+}
+
+MeBool mdt_choiceTurns(const MdtIsland *p) {
+    const MeBool isWanted = p->why == MdtReportWhyDear
+                                ? p->record->share > 0 || mustBeMet(p)
+                                : p->why == MdtReportWhyTakenOver && mustBeMet(p) && p->hasDeclined;
+    return isWanted && p->numMembers == 0 && p->elapsed == 0 && p->kea.report.excess > 1;
+}
+
+void mdt_choiceTurn(MdtIsland *p) {
+    p->why = mustBeMet(p) ? MdtReportWhyUnfit : reasonForExact(p);
+    mdt_islandSetFast(p, MEFALSE);
+    const double budget = mdt_choiceBudget(p);
+    p->work = budget > 0 ? fmax(budget - p->exactWork, 1) : MDT_NO_BOUND;
+}
+
+/* The fast solver's last answer decides when it is tried again. */
+static void noteFast(const MdtIsland *p, MdtIslandRecord *r) {
+    r->isUnmet = p->excess > 1;
+    r->wait = !r->isUnmet ? 0 : r->wait == 0 ? 1 : MeMIN(2 * r->wait, MDT_WAIT_LIMIT);
+    r->since = 0;
+    r->fastWork = (float)(p->fastWork / p->numBodies / (p->numContacts > 0 ? mdt_exactTime : 1));
+}
+
+/* What an exact step has taken: one that was declined would have taken more; a first one has no forces to begin with,
+ * and takes more factorizations than those that follow. */
+static double exactWorkOf(const MdtIsland *p, const MdtIslandRecord *r) {
+    if (p->hasDeclined)
+        return fmax(2 * p->exactWork, p->least);
+    return r->steps == 0 ? p->exactWork / MeMAX(1, p->kea.report.factorizations) : p->exactWork;
+}
+
+static void noteExact(const MdtIsland *p, MdtIslandRecord *r) {
+    const double share = p->hasDeclined || r->steps < 2 ? 1 : mdt_newShare;
+    r->exactWork += (float)(share * (exactWorkOf(p, r) / p->numBodies - (double)r->exactWork));
+}
+
+/* What it has used comes first of its own account, then of the loan, and of what is left for loans. */
+static void giveBack(const MdtIsland *p, MdtIslandRecord *r) {
+    const double used = r->share > 0 ? fmax(p->exactWork - (r->share - r->drawn - r->loan), 0) : 0;
+    r->loan -= fmax(used - r->drawn, 0);
+    r->drawn = fmax(r->drawn - used, 0);
+}
+
+void mdt_choiceNote(const MdtIsland *p, MdtIslandRecord *r) {
+    r->since++;
+    if (p->fastWork > 0)
+        noteFast(p, r);
+    if (p->exactWork > 0 || p->hasDeclined)
+        noteExact(p, r);
+    else
+        r->exactWork *= (float)mdt_forgetting;
+    r->steps = MeMIN(r->steps + 1, 2);
+    r->isAlone = p->numContacts == 0;
+    r->isUnfit = r->isAlone || p->bounces;
+    r->wasExact = p->exactWork > 0 && !p->hasDeclined;
+    giveBack(p, r);
+}
