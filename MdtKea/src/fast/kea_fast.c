@@ -321,10 +321,32 @@ static MeBool isResidualSmall(const Step *p, const Residual *r) {
            (p->isMoving && r->closing <= kea_impactAccuracy * p->speed);
 }
 
+/* Multiplications of a pass over velocities; of passes over displacements and of preparation. */
+static double workOfPass(const Step *p) {
+    return (double)p->numGroups * KEA_LANES * KEA_MANIFOLD_VISIT + kea_jointsWorkOfPass(&p->joints);
+}
+static double workBeside(const Step *p) {
+    return KEA_POSITION_PASSES * workOfPass(p) + (double)p->s->numManifolds * KEA_MANIFOLD_PREPARATION +
+           kea_jointsWorkBeside(&p->joints);
+}
+
+/* At least and at most, and as many as the budget still allows. */
+static Passes choosePasses(Step *p) {
+    const double most = p->s->parameters.maxWork;
+    const int cap = p->s->parameters.maxIterations > 0 ? p->s->parameters.maxIterations : KEA_MOST_PASSES;
+    const double paid = most > 0 ? (most - workBeside(p)) / workOfPass(p) - p->s->report.iterations : KEA_MOST_PASSES;
+    const double affordable = keaMin(keaMax(paid, 1), cap);
+    p->s->report.limited |= affordable < KEA_LEAST_PASSES;
+    p->s->report.capped |= p->s->report.limited;
+    p->s->report.least = workBeside(p) + KEA_LEAST_PASSES * workOfPass(p);
+    return (Passes){(int)keaMin(KEA_LEAST_PASSES, affordable), (int)keaMin(KEA_MOST_PASSES, affordable)};
+}
+
 /* The least passes, then more, up to the most, while the residual is too large. Once more passes have left more, and
  * not because a deep overlap grows, which only many can stop, there is a last round of the least, with less
  * extrapolation. */
-static void findVelocities(Step *p, Passes passes) {
+static void findVelocities(Step *p) {
+    const Passes passes = choosePasses(p);
     restartExtrapolation(p);
     p->mostTheta = HUGE_VAL;
     takePasses(p, passes.least);
@@ -340,26 +362,6 @@ static void findVelocities(Step *p, Passes passes) {
             end = done + KEA_LEAST_PASSES < end ? done + KEA_LEAST_PASSES : end;
         }
     }
-}
-
-/* Multiplications of a pass over velocities; of passes over displacements and of preparation. */
-static double workOfPass(const Step *p) {
-    return (double)p->numGroups * KEA_LANES * KEA_MANIFOLD_VISIT + kea_jointsWorkOfPass(&p->joints);
-}
-static double workBeside(const Step *p) {
-    return KEA_POSITION_PASSES * workOfPass(p) + (double)p->s->numManifolds * KEA_MANIFOLD_PREPARATION +
-           kea_jointsWorkBeside(&p->joints);
-}
-
-/* At least and at most, and as many as the budget allows. */
-static Passes choosePasses(Step *p) {
-    const double most = p->s->parameters.maxWork;
-    const int cap = p->s->parameters.maxIterations > 0 ? p->s->parameters.maxIterations : KEA_MOST_PASSES;
-    const double paid = most > 0 ? keaMax((most - workBeside(p)) / workOfPass(p), 1) : KEA_MOST_PASSES;
-    const double affordable = keaMin(paid, cap);
-    p->s->report.limited = p->s->report.capped = affordable < KEA_LEAST_PASSES;
-    p->s->report.least = workBeside(p) + KEA_LEAST_PASSES * workOfPass(p);
-    return (Passes){(int)keaMin(KEA_LEAST_PASSES, affordable), (int)keaMin(KEA_MOST_PASSES, affordable)};
 }
 
 /* ---- rebounds ---- */
@@ -464,7 +466,7 @@ static void solveByDescent(Step *p) {
     for (int i = 0; i < p->numGroups; i++)
         memset(&p->groups[i].isDirect, 0, sizeof p->groups[i].isDirect);
     setMotions(p);
-    for (int i = 0; i < KEA_MOST_PASSES; i++) {
+    for (int i = choosePasses(p).most; i > 0; i--) {
         restartExtrapolation(p);
         takePasses(p, 1);
     }
@@ -753,10 +755,9 @@ void kea_fastSolve(MdtKeaSystem *s) {
     }
     findSpeed(&p);
     p.loadSpeed = kea_loadSpeed(s);
-    const Passes passes = choosePasses(&p);
     applyImpulses(&p);
     kea_overRegions(&p.regions, keepMotions, &p);
-    findVelocities(&p, passes);
+    findVelocities(&p);
     setEndMomentum(&p);
     guardEnergy(&p);
     kea_jointsSetMomenta(s, &p.joints);
@@ -765,7 +766,7 @@ void kea_fastSolve(MdtKeaSystem *s) {
     const MeBool doRebound = setRebounds(&p);
     if (kea_jointsRebound(&p.joints) || doRebound) {
         kea_jointsRefill(s, &p.joints);
-        findVelocities(&p, passes);
+        findVelocities(&p);
         setEndMomentum(&p);
         limitRebounds(&p);
         kea_jointsSetMomenta(s, &p.joints);
