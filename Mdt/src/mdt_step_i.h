@@ -182,12 +182,11 @@ void mdt_recordJoin(MdtIslandRecord *to, const MdtIslandRecord *from);
 MeBool mdt_choiceIsFast(MdtIsland *p);
 /* Whether nothing in it touches the world. */
 MeBool mdt_choiceIsInFlight(const MdtIsland *p);
-/* Multiplications that a step of it may cost; 0: any number. Whether the exact solver may leave it to the fast one; may
- * the fast one take a part that the exact one has not solved; it takes the rest of the step. */
+/* Multiplications that a step of it may cost; 0: any number. Whether the exact solver has begun the step with a share
+ * of exact work, and may decline it. */
 double mdt_choiceBudget(const MdtIsland *p);
-/* How many bodies of one that bounces may be held, at most, so that impacts are followed. */
-int mdt_mostHeld(const MdtIsland *p);
 MeBool mdt_choiceHasShare(const MdtIsland *p);
+/* Whether the fast solver may take a part that the exact one has not solved; it takes the rest of the step. */
 MeBool mdt_choiceMayTakeOver(const MdtIsland *p);
 void mdt_choiceTakeOver(MdtIsland *p);
 /* Whether the exact solver takes a part that the fast one has solved, since its answer does not meet the accuracy; it
@@ -216,7 +215,8 @@ double mdt_contactsPenetration(const MdtIsland *p);
 
 /* Takes the step in parts, within its budget of work. False: the bodies were stopped (mdt_subdivide.c). */
 MeBool mdt_islandSubdivide(MdtIsland *p);
-/* Whether a contact of it rebounds; manifolds are packed. */
+/* How many bodies may be held, at most, in a partition whose impacts are met in time, one after the other; 0: none. */
+int mdt_mostHeld(const MdtIsland *p);
 /* A part of the step begins: its parameters, Kea's arrays; bodies meet in it; it has been integrated. */
 void mdt_partBegin(MdtIsland *p, double part);
 void mdt_partImpact(MdtIsland *p);
