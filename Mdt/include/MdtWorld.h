@@ -271,9 +271,9 @@ MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
  *  velocities at contacts (MdtReport, `residualVelocity`), by which bodies sink and creep a little until they rest.
  *
  *  MdtSolverAuto, the default, takes the exact one where that costs no more than the fast one, or where the world's
- *  accounts of exact work pay it: for any partition as long as that is little, and for those of which the fast answer
- *  does not meet the accuracy (MdtWorldSetAccuracy), in which nothing touches or bodies bounce, and that have just
- *  been made, for more. docs/solver.md, "Crowds", has the table; MdtReport.why tells which row held.
+ *  accounts of exact work pay it: for those of which the exact one has taken the last step as long as that is little,
+ *  and for those of which the fast answer does not meet the accuracy (MdtWorldSetAccuracy), in which nothing touches
+ *  or bodies bounce, and that have just been made, for more. docs/solver.md, "Crowds", has the table; MdtReport.why tells which row held.
  *
  *  Whatever is chosen, partitions with constraints whose rows the program makes, with more rows than the cap, and, with
  *  MdtSolverFast, without contacts, are solved exactly. With MdtSolverAuto partitions of more bodies than
@@ -335,12 +335,13 @@ MEPUBLIC MeReal MEAPI MdtWorldGetWorkerTime(const MdtWorldID w, const int worker
  *  The error of the velocity at a contact that is borne where bodies of equal mass rest on each other, m/s; less under
  *  the load of others, and under heavier bodies, and more while velocities change (docs/solver.md, "Crowds"). While
  *  contacts have more in the mean, the solver takes more passes, up to six times as many; where one has more, the exact
- *  solver takes the step, if it may. Bodies that are ten times slower count as resting. 0: the automatic choice takes
- *  the exact solver. Negative, the default: a hundredth of the velocity that gravity gives in a step; without gravity
- *  1e-3 of the length scale in a second. Beyond Karma.
+ *  solver takes the step, if it may. 0: the automatic choice takes the exact solver. Negative, the default: 1e-4 of the
+ *  velocity that gravity gives in a step, and of partitions with joints 1e-2 of it; without gravity of a tenth of the
+ *  length scale in a second. Bodies that are slower than 1e-3 of that velocity, and than a tenth of an accuracy that is
+ *  set, count as resting. Beyond Karma.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetAccuracy(const MdtWorldID w, const MeReal velocity);
-/** As it was set, or what the last step's length makes of the default. */
+/** As it was set, or what the last step's length makes of the default where there are no joints. */
 MEPUBLIC MeReal MEAPI MdtWorldGetAccuracy(const MdtWorldID w);
 /** @} */
 

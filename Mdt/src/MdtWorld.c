@@ -565,12 +565,21 @@ void MEAPI MdtWorldSetSolverCB(const MdtWorldID w, MdtSolverCB cb, void *data) {
     w->certificate++; /* what rests may have another solver now */
 }
 
-double mdt_worldAccuracy(const MdtWorld *w, double h) {
-    const double share = 1e-2, least = 1e-3 * (double)w->params.lengthScale; /* see MdtWorldSetAccuracy */
+/* m/s: what gravity gives in a step; without gravity a tenth of the length scale in a second. */
+static double speedScale(const MdtWorld *w, double h) {
     double g[3];
     mdt_fromReal(g, w->params.gravity);
     const double fall = keaLength(g) * h;
-    return w->accuracy >= 0 ? (double)w->accuracy : fall > 0 ? share * fall : least;
+    return fall > 0 ? fall : 0.1 * (double)w->params.lengthScale;
+}
+
+double mdt_worldAccuracy(const MdtWorld *w, double h, MeBool hasJoints) {
+    const double share = hasJoints ? 1e-2 : 1e-4; /* see MdtWorldSetAccuracy */
+    return w->accuracy >= 0 ? (double)w->accuracy : share * speedScale(w, h);
+}
+
+double mdt_worldRestSpeed(const MdtWorld *w, double h) {
+    return fmax(1e-3 * speedScale(w, h), 0.1 * (double)w->accuracy);
 }
 
 void MEAPI MdtWorldSetAccuracy(const MdtWorldID w, const MeReal velocity) {
@@ -581,7 +590,7 @@ void MEAPI MdtWorldSetAccuracy(const MdtWorldID w, const MeReal velocity) {
 
 MeReal MEAPI MdtWorldGetAccuracy(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
-    return (MeReal)mdt_worldAccuracy(w, w->lastStep);
+    return (MeReal)mdt_worldAccuracy(w, w->lastStep, MEFALSE);
 }
 
 /* ---- the cap on the rows ---- */

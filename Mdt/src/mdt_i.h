@@ -430,8 +430,9 @@ enum { MDT_HELD = 4 };
 /* Of a body's size: how far joints may be open at rest. As much as overlaps may be there. */
 #define MDT_CLOSED 1e-4
 MeBool mdt_isSolver(MdtSolver solver);
-/* m/s: the residual of contact laws that a step of h seconds may leave (MdtWorldSetAccuracy). */
-double mdt_worldAccuracy(const MdtWorld *w, double h);
+/* m/s: the residual that a step of h seconds may leave (MdtWorldSetAccuracy); below which bodies rest. */
+double mdt_worldAccuracy(const MdtWorld *w, double h, MeBool hasJoints);
+double mdt_worldRestSpeed(const MdtWorld *w, double h);
 
 /* A world's accounts of exact work (mdt_choice.c). */
 typedef enum MdtAccount { MDT_WANTED, MDT_NEEDED, MDT_ACCOUNTS } MdtAccount;

@@ -151,7 +151,8 @@ static void setSystem(MdtIsland *p) {
     p->kea.cache = p->worker->keaCache;
     p->kea.team = p->team;
     p->kea.context = p;
-    p->kea.parameters.accuracy = mdt_worldAccuracy(p->world, p->h);
+    p->kea.parameters.accuracy = mdt_worldAccuracy(p->world, p->h, p->numJoints > 0);
+    p->kea.parameters.restSpeed = mdt_worldRestSpeed(p->world, p->h);
 }
 
 /* ---- bodies ---- */

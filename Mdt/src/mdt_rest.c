@@ -34,7 +34,7 @@ void mdt_restBegin(MdtWorldID w) {
     now.epsilon = (double)w->epsilon;
     now.gamma = (double)w->gamma;
     now.workBudget = (double)w->workBudget;
-    now.accuracy = mdt_worldAccuracy(w, w->lastStep);
+    now.accuracy = mdt_worldAccuracy(w, w->lastStep, MEFALSE);
     now.importance = w->importance;
     now.maxLcpIterations = w->maxLcpIterations;
     now.subSteps = w->subSteps;

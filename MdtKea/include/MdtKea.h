@@ -240,7 +240,8 @@ typedef struct MdtKeaParameters {
     MeBool holdsSlow;  /**< a timed step is not divided where contacts meet too slowly to rebound, which are held from
                             its start on so that they touch at its end; nor where something comes to stick */
     MdtKeaSolver solver;
-    double accuracy; /**< m/s, of the fast solver: the residual that passes are to reach */
+    double accuracy;  /**< m/s: the residual that a row may have, and more while bodies are accelerated */
+    double restSpeed; /**< m/s, of the fast solver: slower bodies are not told from resting ones */
 } MdtKeaParameters;
 
 /** How a solve went. */

@@ -458,16 +458,6 @@ START_TEST(friction_without_bound_is_bounded_by_single_precision) {
 }
 END_TEST
 
-START_TEST(a_tenth_of_the_accuracy_is_rest) {
-    begin(1, 1, 0);
-    s.parameters.accuracy = 1e-3;
-    MdtKeaInit(&s, scratch);
-    solve();
-    end();
-    assert_near_rel(s.report.resolution, 1e-4, 1e-12);
-}
-END_TEST
-
 /* ---- workers ---- */
 
 static int regionsOf(int manifolds) {
@@ -553,7 +543,6 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_thousandth_of_the_mobility_is_soft);
     tcase_add_test(t, a_hundred_thousandth_of_the_energy_may_be_gained);
     tcase_add_test(t, friction_without_bound_is_bounded_by_single_precision);
-    tcase_add_test(t, a_tenth_of_the_accuracy_is_rest);
     tcase_add_test(t, regions_have_four_hundred_manifolds);
     tcase_add_test(t, a_worker_takes_sixty_four_bodies_at_a_time);
 }

@@ -147,9 +147,6 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     };
     if (!playStart(argc, argv, "Marbles", MARBLES))
         return 1;
-    /* Nothing but their damping stops marbles that roll round the bowl together: what the fast solver leaves, a
-     * hundred-thousandth of their weight, would keep them going. */
-    MdtWorldSetSolver(playUniverse->world, MdtSolverExact);
     playFloor();
     createBowl();
     createMarbles();

@@ -463,7 +463,7 @@ static double tolerance(const MdtKeaSystem *s) {
         keaSubtract(change, s->work->end[i].velocity, s->velocity[i].lin);
         most = keaMax(most, keaLength(change));
     }
-    return s->parameters.accuracy + most;
+    return s->parameters.accuracy + kea_changeShare * most;
 }
 
 /* The answer is left as it is. */

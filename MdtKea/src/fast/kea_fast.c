@@ -514,7 +514,7 @@ static MeBool doMotionsMatchImpulses(Step *p) {
     applyImpulses(p);
     kea_overRegions(&p->regions, compareMotions, p);
     const double off = mostOverRegions(&p->regions, 0), speed = mostOverRegions(&p->regions, 1);
-    return off <= p->s->parameters.accuracy + kea_impactAccuracy * speed;
+    return off <= kea_lostMotion * p->s->parameters.restSpeed + kea_impactAccuracy * speed;
 }
 
 /* Contacts do not add energy, unless something is driven. Where the answer does, or is inaccurate, since masses or
@@ -723,7 +723,7 @@ static void moveFreely(Step *p) {
 static void report(Step *p) {
     MdtKeaReport *r = &p->s->report;
     r->passes = 1;
-    r->resolution = kea_restingShare * p->s->parameters.accuracy;
+    r->resolution = p->s->parameters.restSpeed;
     r->work = r->iterations * workOfPass(p) + workBeside(p);
     r->capped = r->capped || !kea_jointsAreSound(&p->joints);
 }

@@ -89,7 +89,8 @@ typedef struct KeaMeasure {
 
 /* The residual that a contact of two bodies may leave, m/s:
  *
- *     min((accuracy + Δv) / max(1, P / (m_light (loadSpeed + Δv)), m_heavy / m_light), kea_stepShare size / h)
+ *     min((accuracy + kea_changeShare Δv) / max(1, P / (m_light (loadSpeed + Δv)), m_heavy / m_light),
+ *         kea_stepShare size / h)
  *
  * In a stack the contacts' errors add up, and a light body under a heavy one moves by the error of the latter's load.
  * Δv is the larger change of velocity of the two in the step, P the sum of the contact's normal impulses. */

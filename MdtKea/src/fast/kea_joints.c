@@ -592,7 +592,7 @@ static double toleranceOf(const KeaJoints *j, const KeaJointBlock *b, const KeaJ
     for (int k = 0; k < 2; k++)
         if (r->node[k] >= 0)
             change = keaMax(change, (double)t->change[j->body[b->firstNode + r->node[k]].motion]);
-    return (double)t->accuracy + change;
+    return (double)t->accuracy + kea_changeShare * change;
 }
 
 double kea_jointsResidual(const KeaJoints *j, const KeaMotion motion[], const KeaTolerance *t, double *excess) {

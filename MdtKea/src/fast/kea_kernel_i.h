@@ -533,7 +533,8 @@ KEA_INLINE KeaLanes toleranceOf(const KeaGroup *g, const KeaTolerance *t) {
     const KeaLanes light = lanesMax(g->invMass[0], g->invMass[1]), heavy = lanesMin(g->invMass[0], g->invMass[1]);
     const KeaLanes ratio = lanesSelect(heavy > lanesOf(0), light / heavy, lanesOf(1));
     const KeaLanes carried = light * load / (lanesOf(t->loadSpeed) + change);
-    return lanesMin((lanesOf(t->accuracy) + change) / lanesMax(lanesMax(carried, ratio), lanesOf(1)),
+    const KeaLanes alone = lanesOf(t->accuracy) + lanesOf((float)kea_changeShare) * change;
+    return lanesMin(alone / lanesMax(lanesMax(carried, ratio), lanesOf(1)),
                     lanesOf((float)kea_stepShare / t->stepsize) * g->size);
 }
 
