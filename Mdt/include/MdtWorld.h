@@ -271,9 +271,10 @@ MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
  *  velocities at contacts (MdtReport, `residualVelocity`), by which bodies sink and creep a little until they rest.
  *
  *  MdtSolverAuto, the default, takes the exact one where that costs no more than the fast one, or where the world's
- *  accounts of exact work pay it: for those of which the exact one has taken the last step as long as that is little,
- *  and for those of which the fast answer does not meet the accuracy (MdtWorldSetAccuracy), in which nothing touches
- *  or bodies bounce, and that have just been made, for more. docs/solver.md, "Crowds", has the table; MdtReport.why tells which row held.
+ *  accounts of exact work pay it: for partitions of which the exact one has taken the last step as long as that is
+ *  little, and for those of which the fast answer does not meet the accuracy (MdtWorldSetAccuracy), in which nothing
+ *  touches or bodies bounce, and that have just been made, for more. docs/solver.md, "Crowds", has the table;
+ *  MdtReport.why tells which row held.
  *
  *  Whatever is chosen, partitions with constraints whose rows the program makes, with more rows than the cap, and, with
  *  MdtSolverFast, without contacts, are solved exactly. With MdtSolverAuto partitions of more bodies than

@@ -14,11 +14,13 @@
  *
  * What a step costs is known from the last one (MdtIslandRecord). There are two accounts, into which each step pays:
  *
- *     MDT_WANTED   for any partition: from one step to the next, as long as it lasts, or within what a step pays
+ *     MDT_WANTED   for any partition of which the exact solver has taken the last step, as long as it lasts
  *     MDT_NEEDED   where the fast answer does not meet the accuracy; where nothing touches, as the fast solver damps
  *                  what swings; where bodies bounce, as it loses rebounds that follow each other; and for first steps,
  *                  which have no forces to begin with
  *
+ * Where the fast solver has taken the last step and met the accuracy, it goes on: what comes to rest is disturbed by
+ * each change between them, as they stop it at different speeds.
  * They pay no step that is far dearer than the fast solver's (mdt_mostOfFast) and than what a step pays.
  *
  * Shares are given out before any partition is stepped, in their order, by multiplications and never by time, so that
@@ -206,15 +208,12 @@ static void lend(MdtWorldID w, MeBool isFirst, double funds) {
 }
 
 static void divideAccounts(MdtWorldID w) {
-    const double paid = mdt_payment[MDT_WANTED] * budgetOf(w), limit = mdt_stepShare * budgetOf(w);
+    const double limit = mdt_stepShare * budgetOf(w);
     beginShares(w);
     giveShares(w, FIRST, METRUE, MDT_NEEDED, w->credit[MDT_NEEDED]);
     giveShares(w, GOES_ON, METRUE, MDT_WANTED, fmin(limit, w->credit[MDT_WANTED]));
-    giveShares(w, UNMET, METRUE, MDT_WANTED, fmin(paid, w->credit[MDT_WANTED]));
-    giveShares(w, MET, METRUE, MDT_WANTED, fmin(paid, w->credit[MDT_WANTED]));
     double left = giveShares(w, UNMET, MEFALSE, MDT_NEEDED, fmin(limit, w->credit[MDT_NEEDED]));
     left = giveShares(w, GOES_ON, MEFALSE, MDT_NEEDED, left);
-    left = giveShares(w, MET, MEFALSE, MDT_NEEDED, left);
     giveShares(w, RESTS, METRUE, MDT_WANTED, w->credit[MDT_WANTED]);
     lend(w, MEFALSE, left);
     lend(w, METRUE, w->credit[MDT_NEEDED]);

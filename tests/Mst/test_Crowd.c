@@ -575,12 +575,17 @@ static MdtSolver MEAPI solverBySide(MdtBodyID const bodies[], int numBodies, voi
     return p[0] < 0 ? wishes->left : wishes->right;
 }
 
-/* MdtReportWayExact: by the exact solver, whether the last answer still held or not. */
-static MdtReportWay wayOfTower(int k) {
+static MdtReport reportOfTower(int k) {
     MdtReport r;
     const int partition = MdtBodyGetPartition(McdModelGetBody(model[k * TOWER]));
     ck_assert(MdtWorldGetPartitionReport(u->world, partition, &r));
-    return r.way == MdtReportWayKept ? MdtReportWayExact : r.way;
+    return r;
+}
+
+/* MdtReportWayExact: by the exact solver, whether the last answer still held or not. */
+static MdtReportWay wayOfTower(int k) {
+    const MdtReportWay way = reportOfTower(k).way;
+    return way == MdtReportWayKept ? MdtReportWayExact : way;
 }
 
 static void assertNextWays(MdtReportWay left, MdtReportWay right) {
@@ -606,8 +611,9 @@ START_TEST(a_program_may_choose_for_each_partition) {
     wishes.left = MdtSolverFast;
     assertNextWays(MdtReportWayFast, MdtReportWayRest);
     messages_catch();
-    wishes.right = (MdtSolver)9; /* so that the engine chooses: twelve bodies that stand are the exact solver's */
-    assertNextWays(MdtReportWayFast, MdtReportWayExact);
+    wishes.right = (MdtSolver)9; /* so that the engine chooses: the fast solver goes on where it meets the accuracy */
+    assertNextWays(MdtReportWayFast, MdtReportWayFast);
+    ck_assert_int_eq(reportOfTower(1).why, MdtReportWhyDear);
     assert_warned("MdtWorldSetSolverCB");
     messages_release();
     MdtWorldSetSolver(u->world, MdtSolverFast);

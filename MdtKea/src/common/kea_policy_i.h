@@ -433,8 +433,8 @@ static const double kea_stepShare = 1e-4;
  * 8.7, 11.5 millions of multiplications a step until it rests (bench/choice). */
 static const double kea_passedExcess = 0.3;
 /* Of a body's change of velocity in the step: the residual that its rows may leave beside the accuracy, since a step's
- * motion is that uncertain by its length. Of what is settled .01 costs twice as much, and of what moves all of it leaves
- * sixty marbles rolling round a bowl for ever (tutorial Marbles), and houses of cards slide. */
+ * motion is that uncertain by its length. With .01 dolls that settle cost twice as much; with 1 sixty marbles roll
+ * round a bowl for ever (tutorial Marbles), and houses of cards slide. */
 static const double kea_changeShare = 0.1;
 /* Of the speed of rest: what passes in single precision may lose of a velocity, which is found anew from impulses. A
  * pyramid of 40 rows has lost .1 to 1 of it. */
