@@ -446,17 +446,27 @@ static double energyGained(Step *p, double *all) {
     return sumOverRegions(&p->regions, 0);
 }
 
-/* Whether something may give the bodies energy: motors, springs, belts, worlds that move. */
-static MeBool isDriven(const MdtKeaSystem *s) {
-    for (int i = 0; i < s->numRows; i++)
-        if (s->rows[i].spring || s->rows[i].drift != 0 || (!s->rows[i].position && s->rows[i].target != 0))
-            return METRUE;
-    for (int i = 0; i < s->numManifolds; i++) {
-        const MdtKeaManifold *m = &s->manifolds[i];
-        if (m->worldVelocity || m->surface.slide[0] != 0 || m->surface.slide[1] != 0)
-            return METRUE;
-    }
-    return MEFALSE;
+static void sumWork(void *context, KeaNode *node) {
+    const Step *p = context;
+    const KeaGathering from = gathering(p);
+    node->sum[0] = kea_workOfSurfaces(&from, p->groups + node->firstGroup, node->numGroups);
+}
+
+/* J, what motors, springs, belts and worlds that move may have added. By the laws of rows J v⁺ = t - E p within bounds,
+ * and of contacts, the impulses p add p·J v⁺ - |Jᵀp|²/2 <= p·(t - E p). */
+static double workOfDrives(Step *p) {
+    double work = kea_jointsWork(&p->joints);
+    kea_overNodes(&p->regions, sumWork, p);
+    for (int n = 1; n < 2 * p->regions.count; n++)
+        work += p->regions.node[n].sum[0];
+    return work;
+}
+
+/* Whether the answer has more energy than what drives the bodies explains. */
+static MeBool isEnergyGained(Step *p) {
+    double all;
+    const double gained = energyGained(p, &all);
+    return gained > kea_energyRoom * all && gained - workOfDrives(p) > kea_energyRoom * all;
 }
 
 /* Solves again from no impulses, point by point and without extrapolation, so that each visit is a descent. */
@@ -475,10 +485,11 @@ static void solveByDescent(Step *p) {
 }
 
 /* With a share of the impulses P the energy changes by share P·v + share² |P|²/2 (norm by M⁻¹): takes the largest share
- * that gains none. A pass over the joints follows, since a share leaves them a velocity; it only takes energy. */
+ * that gains no more than its part of what drives the bodies. A pass over the joints follows, since a share leaves them
+ * a velocity; it only takes energy. */
 static void limitImpulses(Step *p) {
     const MdtKeaSystem *s = p->s;
-    double linear = 0, square = 0;
+    double linear = -workOfDrives(p), square = 0;
     for (int i = 0; i < s->numBodies; i++) {
         const double *change = p->change[p->regions.place[i]];
         double turned[3];
@@ -517,17 +528,13 @@ static MeBool doMotionsMatchImpulses(Step *p) {
     return off <= kea_lostMotion * p->s->parameters.restSpeed + kea_impactAccuracy * speed;
 }
 
-/* Contacts do not add energy, unless something is driven. Where the answer does, or is inaccurate, since masses or
- * levers differ too much for single precision, it is found again by descent; should that still gain energy, by
- * rounding, all impulses are multiplied by a share. */
+/* Where the answer adds energy, or is inaccurate, since masses or levers differ too much for single precision, it is
+ * found again by descent; should that still gain energy, by rounding, all impulses are multiplied by a share. */
 static void guardEnergy(Step *p) {
-    double all, gained = energyGained(p, &all);
-    const MeBool isGained = gained > kea_energyRoom * all && !isDriven(p->s);
-    if (!isGained && doMotionsMatchImpulses(p))
+    if (!isEnergyGained(p) && doMotionsMatchImpulses(p))
         return;
     solveByDescent(p);
-    gained = energyGained(p, &all);
-    if (gained <= kea_energyRoom * all || isDriven(p->s))
+    if (!isEnergyGained(p))
         return;
     limitImpulses(p);
     p->s->report.capped = METRUE;
@@ -536,9 +543,7 @@ static void guardEnergy(Step *p) {
 /* Newton's law of restitution at several points together may add energy: then all impulses are multiplied by the share
  * with which none is gained. */
 static void limitRebounds(Step *p) {
-    double all;
-    const double gained = energyGained(p, &all);
-    if (gained > kea_energyRoom * all && !isDriven(p->s))
+    if (isEnergyGained(p))
         limitImpulses(p);
 }
 

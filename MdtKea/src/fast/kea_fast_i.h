@@ -140,6 +140,8 @@ typedef struct KeaGathering {
 void kea_fillGroups(const KeaGathering *from, KeaGroup groups[], int count);
 /* Adds what the groups' impulses change momenta by, N s and N m s, to `change`, by place. */
 void kea_addImpulses(const KeaGathering *from, const KeaGroup groups[], int count, double (*change)[6]);
+/* J, the work that what drives the groups' bodies does by their impulses: each times the velocity that it is for. */
+double kea_workOfSurfaces(const KeaGathering *from, const KeaGroup groups[], int count);
 /* Multiplies all impulses by a share; by 0 also such as are not finite. */
 void kea_scaleImpulses(KeaGroup groups[], int count, float share);
 /* Writes the forces of the manifolds' points. */

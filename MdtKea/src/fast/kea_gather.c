@@ -235,8 +235,10 @@ void kea_fillGroups(const KeaGathering *from, KeaGroup groups[], int count) {
 
 /* ---- back to manifolds ---- */
 
-/* In double precision, about the bodies' centres of mass: what one body gets the other loses, to the last bit. */
-static void addImpulse(const KeaGathering *from, const KeaGroup *g, int lane, double (*change)[6]) {
+/* N s, N m s, what a manifold gives its first body, about its centre of mass, and takes from the second, about that of
+ * this: in double precision the same to the last bit; of worlds, about the origin. */
+static void impulsesOf(const KeaGathering *from, const KeaGroup *g, int lane, double of[2][6]) {
+    static const double noPlace[3];
     const MdtKeaManifold *m = &from->s->manifolds[g->manifold[lane]];
     const KeaPatch *p = &from->patch[g->manifold[lane]];
     double impulse[3], couple[3];
@@ -251,15 +253,45 @@ static void addImpulse(const KeaGathering *from, const KeaGroup *g, int lane, do
     }
     for (int k = 0; k < 2; k++) {
         double arm[3], turn[3];
-        if (m->body[k] < 0)
-            continue;
-        keaSubtract(arm, p->centre, from->s->pose[m->body[k]].pos);
+        keaSubtract(arm, p->centre, m->body[k] >= 0 ? from->s->pose[m->body[k]].pos : noPlace);
         keaCross(turn, arm, impulse);
         keaAddScaled(turn, 1, couple);
-        double *of = change[g->body[k][lane] - 1];
-        keaAddScaled(of, k == 0 ? 1 : -1, impulse);
-        keaAddScaled(of + 3, k == 0 ? 1 : -1, turn);
+        keaScale(of[k], k == 0 ? 1 : -1, impulse);
+        keaScale(of[k] + 3, k == 0 ? 1 : -1, turn);
     }
+}
+
+static void addImpulse(const KeaGathering *from, const KeaGroup *g, int lane, double (*change)[6]) {
+    const MdtKeaManifold *m = &from->s->manifolds[g->manifold[lane]];
+    double of[2][6];
+    impulsesOf(from, g, lane, of);
+    for (int k = 0; k < 2; k++)
+        if (m->body[k] >= 0)
+            kea_addScaled6(change[g->body[k][lane] - 1], 1, of[k]);
+}
+
+/* What a world gives that moves, a surface that slides, and an overlap that is pushed apart. */
+static double workOf(const KeaGathering *from, const KeaGroup *g, int lane) {
+    const MdtKeaManifold *m = &from->s->manifolds[g->manifold[lane]];
+    double work = 0, of[2][6];
+    for (int k = 0; k < 2; k++)
+        work += (double)g->rub[k][lane] * (double)g->slide[k][lane];
+    for (int k = 0; k < m->numPoints && g->compliance[lane] > 0; k++)
+        work += (double)g->impulse[k][lane] * keaMax((double)g->target[k][lane], 0);
+    impulsesOf(from, g, lane, of);
+    for (int k = 0; k < 2 && m->worldVelocity; k++)
+        if (m->body[k] < 0)
+            work -= keaDot(of[k], m->worldVelocity->lin) + keaDot(of[k] + 3, m->worldVelocity->ang);
+    return work;
+}
+
+double kea_workOfSurfaces(const KeaGathering *from, const KeaGroup groups[], int count) {
+    double work = 0;
+    for (int i = 0; i < count; i++)
+        for (int lane = 0; lane < KEA_LANES; lane++)
+            if (groups[i].manifold[lane] >= 0)
+                work += workOf(from, &groups[i], lane);
+    return work;
 }
 
 void kea_addImpulses(const KeaGathering *from, const KeaGroup groups[], int count, double (*change)[6]) {

@@ -759,6 +759,17 @@ MeBool kea_jointsRebound(KeaJoints *j) {
     return isAny;
 }
 
+double kea_jointsWork(const KeaJoints *j) {
+    double work = 0;
+    for (int i = 0; i < j->numBlocks; i++)
+        for (int k = j->block[i].firstRow; k < j->block[i].firstRow + j->block[i].numRows; k++) {
+            const KeaJointRow *r = &j->row[k];
+            if (!r->row->bounces)
+                work += r->impulse * (r->target - r->compliance * r->impulse);
+        }
+    return work;
+}
+
 void kea_jointsAddImpulses(const KeaJoints *j, double (*change)[6]) {
     sumImpulses(j);
     for (int i = 0; i < j->numBlocks; i++)

@@ -86,6 +86,8 @@ void kea_jointsRefill(const MdtKeaSystem *s, KeaJoints *j);
 double kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion way[]);
 /* Makes the rebound the target of stops that were hit; whether there are any. */
 MeBool kea_jointsRebound(KeaJoints *j);
+/* J, the work that motors, springs and worlds that move do by the impulses; a rebound does none. */
+double kea_jointsWork(const KeaJoints *j);
 /* Adds what the impulses change momenta by, N s and N m s, to `change`, by place. */
 void kea_jointsAddImpulses(const KeaJoints *j, double (*change)[6]);
 /* Takes the part of geometric stiffness out of the end's angular momenta, once they are found. */
