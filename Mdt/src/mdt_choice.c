@@ -429,7 +429,7 @@ void mdt_choiceNote(const MdtIsland *p, MdtIslandRecord *r) {
         noteExact(p, r);
     else
         r->exactWork *= (float)mdt_forgetting;
-    r->steps = MeMIN(r->steps + 1, 2);
+    r->steps = p->solver == MdtSolverAuto ? MeMIN(r->steps + 1, 2) : 0; /* what the program chose begins anew */
     r->isAlone = p->numContacts == 0;
     r->isUnfit = r->isAlone || p->bounces;
     r->wasExact = p->exactWork > 0 && !p->hasDeclined;

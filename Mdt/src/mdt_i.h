@@ -439,7 +439,7 @@ typedef enum MdtAccount { MDT_WANTED, MDT_NEEDED, MDT_ACCOUNTS } MdtAccount;
 
 /* What is known of a partition from step to step (mdt_choice.c). */
 typedef struct MdtIslandRecord {
-    int steps;       /* that it has taken, up to 2 */
+    int steps;       /* that it has taken by the engine's choice, up to 2 */
     float exactWork; /* multiplications that an exact step takes, a body; 0: none was taken */
     float fastWork;  /* those of the exact solver in the time of a fast step, a body */
     MeBool isAlone;  /* nothing touches */

@@ -1,4 +1,4 @@
-from tutorial import figure, near, status
+from tutorial import figure, near, status, statuses
 
 USES = ['Mdt', 'Mcd', 'Mst']
 IS_LONG = True
@@ -12,4 +12,5 @@ def check():
     for line in before, after:
         assert figure(line, 'joints open at most') < 0.02, line
     near(figure(after, 'ball'), 2000 * 4 / 3 * 3.14159265 * 0.8 ** 3, 0.6, 'the mass of the ball')
-    assert figure(status(2400), 'awake') <= 13, 'the bricks do not come to rest'
+    awake = [figure(line, 'awake') for line in statuses(2400)[1800:]]
+    assert sum(count <= 13 for count in awake) > 0.9 * len(awake), 'the bricks do not rest but when the ball brushes them'
