@@ -255,8 +255,8 @@ MEPUBLIC int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w);
  *
  *  The making of the rows, a few visits of each, and one such answer for each part are done in any case.
  *
- *  Default 400; the exact steps that MdtSolverAuto takes draw from accounts that are shares of it. A pyramid of 210
- *  boxes, solved exactly (MdtWorldSetSolver), takes 207 in its first step, which has no forces to begin with. The hard
+ *  Default 400; the exact steps that MdtSolverAuto takes draw from accounts that are shares of it. The first
+ *  step of a tower of 100 layers of three planks, solved exactly (MdtWorldSetSolver), takes 38. The hard
  *  cases in docs/solver.md take 17 at most (100 links with 1e5 kg), one Newton iteration of 30 boxes in a heap 0.1. 0:
  *  no bound, and accounts as by default. Beyond Karma.
  *  @{ */

@@ -33,7 +33,7 @@
 /* Of the work budget (MdtWorldSetWorkBudget), by account: what a step pays, and what it holds. Of the default of 400
  * millions, of which one takes .3 ms: what is wanted, .3 ms a step; a tower of 100 layers of planks has come to rest
  * for 130. What is needed: a bridge of 30 planks that carries ten thousand times its weight takes 4.5 a step; the first
- * step of that tower 240. All steps after their first together take mdt_stepShare. */
+ * step of that tower 38. All steps after their first together take mdt_stepShare. */
 static const double mdt_payment[MDT_ACCOUNTS] = {1 / 400., 4 / 400.}, mdt_creditLimit[MDT_ACCOUNTS] = {150 / 400., 1};
 static const double mdt_stepShare = 30 / 400.;
 /* The same, that the fast solver has at least where the exact one has used up what it may. */
@@ -362,10 +362,11 @@ MeBool mdt_choiceHasShare(const MdtIsland *p) {
 
 /* Parts of a step that has not been declined may take more than its share. */
 double mdt_choiceBudget(const MdtIsland *p) {
-    const double budget = budgetOf(p->world), most = fmax(p->record->share, 2 * mdt_stepShare * budget);
+    const double all = 1e6 * (double)p->world->workBudget;
+    const double most = !p->isFast && p->numContacts > 0 && mayBeFast(p) ? (1 - mdt_fastReserve) * all : all;
     if (mdt_choiceHasShare(p) && !mustBeMet(p))
-        return fmin(most, (1 - mdt_fastReserve) * budget);
-    return 1e6 * (double)p->world->workBudget;
+        return fmin(fmax(p->record->share, 2 * mdt_stepShare * budgetOf(p->world)), all > 0 ? most : MDT_NO_BOUND);
+    return most;
 }
 
 MeBool mdt_choiceMayTakeOver(const MdtIsland *p) {

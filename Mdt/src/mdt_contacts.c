@@ -121,6 +121,7 @@ static void packPoint(MdtKeaManifold *m, MdtIslandManifold *own, MdtPoint *point
     keaCopy(to->position, point->position);
     to->depth = to->depthNow = point->depth;
     to->guess[0] = point->force[0];
+    to->isNew = !isWarm && point->force[0] == 0;
     for (int i = 1; i < 3; i++)
         to->guess[i] = isWarm ? point->force[i] : 0;
 }

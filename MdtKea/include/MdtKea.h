@@ -181,6 +181,7 @@ typedef struct MdtKeaPoint {
     double position[3]; /**< m, as the step begins */
     double depth;       /**< m, as the step begins; negative: a gap */
     double guess[3];    /**< N, normal, primary, secondary: the warm start; 0: none */
+    MeBool isNew;       /**< there is none; where that is so of all, MdtKeaInit makes one for a step's first part */
     double force[3];    /**< N, the same: the answer (MdtKeaSolve); of an impact, N s (MdtKeaImpact) */
     double depthNow;    /**< m, as this part of the step begins (MdtKeaCountContactRows, of the exact solver) */
     int numRows;        /**< rows that the exact solver makes of it (the same): 1 and friction. The owner may leave out

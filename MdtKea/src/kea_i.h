@@ -146,6 +146,11 @@ void kea_beginBody(MdtKeaSystem *s, int i);
 /* What MdtKeaIntegrate does with one body: its end state becomes its state. */
 void kea_commitBody(MdtKeaSystem *s, int i);
 
+/* ---- kea_guess.c ---- */
+
+/* Writes the guess at the forces of contacts, as a step begins, if none are known. */
+void kea_guessLoads(MdtKeaSystem *s);
+
 /* ---- kea_rotation.c ---- */
 
 /* The orientation q1 after h seconds of free rotation from q0 with the angular momentum L (world, constant). */

@@ -149,6 +149,8 @@ void MEAPI MdtKeaInit(MdtKeaSystem *s, void *scratch) {
     layOut(s, &arena);
     s->work->numContacts = 0;
     MeTeamRunRanges(s->team, s->numBodies, KEA_BODY_CHUNK, beginBodies, s);
+    if (s->parameters.elapsed == 0)
+        kea_guessLoads(s);
 }
 
 void MEAPI MdtKeaSolve(MdtKeaSystem *s) {

@@ -123,14 +123,14 @@ static MdtReport firstStepOfTower(double along) {
     MdtContactParamsSetSurface(params(), 0, 0);
     const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
     for (int i = 0; i < 12; i++)
-        MdtBodySetLinearVelocity(McdModelGetBody(put(cube, 0, .5 + i, 0)), (MeReal)along, 0, 0);
+        MdtBodySetLinearVelocity(McdModelGetBody(put(cube, 0, .5 + 1.0005 * i, 0)), (MeReal)along, 0, 0);
     const MdtReport r = step(1);
     MstUniverseDestroy(u);
     return r;
 }
 
-/* A tower that slides along without friction takes the passes of one that stands: 24 are not enough for it, unless its
- * common velocity counted as motion. */
+/* A tower that lands, half a millimetre between its cubes, and slides along without friction, takes the passes of one
+ * that does not slide: 24 are not enough for it, unless its common velocity counted as motion. */
 START_TEST(a_common_velocity_saves_no_passes) {
     const MdtReport still = firstStepOfTower(0), sliding = firstStepOfTower(30);
     ck_assert_int_gt(still.iterations, 24);
@@ -677,10 +677,10 @@ START_TEST(settings_are_kept_and_checked) {
 }
 END_TEST
 
-/* What is asked for decides what a pyramid's first steps leave, and what they cost. */
+/* What is asked for decides what the first steps of a pyramid that settles leave, and what they cost. */
 START_TEST(more_accuracy_is_more_passes_and_less_error) {
     static const double wanted[] = {1e-1, 1e-3, 1e-5};
-    double sunk[3];
+    double left[3];
     int passes[3];
     for (int i = 0; i < 3; i++) {
         makeWorld(MdtSolverFast);
@@ -688,14 +688,17 @@ START_TEST(more_accuracy_is_more_passes_and_less_error) {
         makeFloor();
         makePyramid(20);
         passes[i] = 0;
-        for (int n = 0; n < 40; n++)
-            passes[i] += step(1).iterations;
-        sunk[i] = 19.5 - place(count - 1, 1);
+        left[i] = 0;
+        for (int n = 0; n < 40; n++) {
+            const MdtReport r = step(1);
+            passes[i] += r.iterations;
+            left[i] += (double)r.residualVelocity;
+        }
         MstUniverseDestroy(u);
     }
     for (int i = 1; i < 3; i++) {
         ck_assert_int_gt(passes[i], passes[i - 1]);
-        ck_assert_double_le(sunk[i], sunk[i - 1]);
+        ck_assert_double_lt(left[i], left[i - 1]);
     }
 }
 END_TEST

@@ -481,6 +481,11 @@ enum { KEA_MAX_FACTORS = 64 };
 
 /* ---- contacts as they come ---- */
 
+/* Of the sum of all forces: changes in a sweep by rounding. A load that has not come down yet changes few forces in
+ * each sweep: with 1e-2 those of a column whose contacts come in no order are a fifth too small. x1e7 fails
+ * MdtKea_guess: a_columns_contacts_bear_what_is_above. */
+static const double kea_guessTolerance = 1e-9;
+
 /* Of coordinates: half a unit of the last digit of MeReal, in which collision sees the bodies' transforms. */
 #ifdef _ME_API_DOUBLE
 static const double kea_poseRounding = 1.2e-16;

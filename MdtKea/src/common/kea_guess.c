@@ -1,0 +1,135 @@
+/* The forces that contacts are likely to carry where none are known, as in the first step of a tower. Both solvers
+ * start from the last step's forces; from none Newton's method finds which contacts hold from the ground up, one layer
+ * in each iteration, and the fast solver's passes pass forces down as slowly.
+ *
+ * A body's load L is its force, and what bodies above it press it with. It is shared by the contacts below it as if
+ * there were no friction and no lever arms:
+ *
+ *     F_i = L c_i / Σ c²,    c = -n·l, with the load's direction l
+ *
+ * Sweeps over the contacts, against their order and in it in turn, pass loads on. Where contacts come from the ground
+ * up or from the top down, two sweeps do. */
+#include "kea_i.h"
+#include "common/kea_policy_i.h"
+#include "inner/kea_factor_i.h"
+
+/* Of a body, N, and Σ c² of the contacts that bear it. */
+typedef struct Load {
+    double force, squares;
+} Load;
+
+/* A manifold whose bodies rest on each other. */
+typedef struct Bearing {
+    MdtKeaManifold *manifold;
+    double size, c[2], force; /* m, of the smaller body; of either body; N, of all points */
+    int numTouching;
+} Bearing;
+
+typedef struct Guess {
+    Load *load; /* by body */
+    Bearing *contact;
+    int numContacts;
+} Guess;
+
+static size_t layOut(const MdtKeaSystem *s, Guess *g, char *memory) {
+    KeaArena arena = {memory, 0};
+    g->load = kea_carve(&arena, (size_t)s->numBodies, sizeof *g->load);
+    g->contact = kea_carve(&arena, (size_t)s->numManifolds, sizeof *g->contact);
+    return arena.used;
+}
+
+static MeBool isAnyForceKnown(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numManifolds; i++)
+        for (int k = 0; k < s->manifolds[i].numPoints; k++)
+            if (!s->manifolds[i].point[k].isNew)
+                return METRUE;
+    return MEFALSE;
+}
+
+/* Of a unit of a manifold's normal force: the part that bears a body's load, negative where it adds to that. */
+static double bearingOf(const MdtKeaSystem *s, const MdtKeaManifold *m, int k) {
+    if (m->body[k] < 0)
+        return 0;
+    const double *force = s->bodies[m->body[k]]->force, size = keaLength(force);
+    return size > 0 ? (k == 0 ? -1 : 1) * keaDot(m->normal, force) / size : 0;
+}
+
+/* Neither open, nor so deep that it has to be pushed apart. */
+static MeBool rests(const MdtKeaPoint *point, double size) {
+    return point->depth >= -kea_touchingGap * size && point->depth <= kea_smallOverlap * size;
+}
+
+static void addContact(const MdtKeaSystem *s, MdtKeaManifold *m, Guess *g) {
+    Bearing *n = &g->contact[g->numContacts];
+    *n = (Bearing){.manifold = m, .size = kea_smallerSize(s, m->body)};
+    for (int k = 0; k < m->numPoints; k++)
+        n->numTouching += rests(&m->point[k], n->size);
+    if (n->numTouching == 0)
+        return;
+    g->numContacts++;
+    for (int k = 0; k < 2; k++) {
+        n->c[k] = bearingOf(s, m, k);
+        if (n->c[k] > 0)
+            g->load[m->body[k]].squares += n->c[k] * n->c[k];
+    }
+}
+
+static void begin(const MdtKeaSystem *s, Guess *g) {
+    g->numContacts = 0;
+    for (int i = 0; i < s->numBodies; i++)
+        g->load[i] = (Load){.force = keaLength(s->bodies[i]->force)};
+    for (int i = 0; i < s->numManifolds; i++)
+        addContact(s, &s->manifolds[i], g);
+}
+
+/* Shares the load of the body that it bears, and passes it on to the other. Returns by how much the force changes. */
+static double passLoad(Bearing *n, Load load[]) {
+    const double before = n->force;
+    n->force = 0;
+    for (int k = 0; k < 2; k++)
+        if (n->c[k] > 0) {
+            const Load *l = &load[n->manifold->body[k]];
+            n->force = keaMax(n->force, l->force * n->c[k] / l->squares);
+        }
+    for (int k = 0; k < 2; k++)
+        if (n->c[k] < 0)
+            load[n->manifold->body[k]].force -= n->c[k] * (n->force - before);
+    return fabs(n->force - before);
+}
+
+/* Whether the forces settle. They may not where bodies bear each other in a circle. */
+static MeBool sweep(Guess *g, int most) {
+    for (int i = 0; i < most; i++) {
+        double change = 0, all = 0;
+        for (int k = 0; k < g->numContacts; k++) {
+            Bearing *n = &g->contact[i % 2 ? k : g->numContacts - 1 - k];
+            change += passLoad(n, g->load);
+            all += n->force;
+        }
+        if (change <= kea_guessTolerance * all)
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
+static void write(const Guess *g) {
+    for (int i = 0; i < g->numContacts; i++) {
+        const Bearing *n = &g->contact[i];
+        for (int k = 0; k < n->manifold->numPoints; k++)
+            if (rests(&n->manifold->point[k], n->size))
+                n->manifold->point[k].guess[0] = n->force / n->numTouching;
+    }
+}
+
+void kea_guessLoads(MdtKeaSystem *s) {
+    Guess g;
+    if (s->numManifolds == 0 || isAnyForceKnown(s))
+        return;
+    char *memory = kea_cacheScratch(s->cache, KEA_STEP_BLOCK, layOut(s, &g, NULL));
+    if (!memory)
+        return;
+    layOut(s, &g, memory);
+    begin(s, &g);
+    if (sweep(&g, s->numBodies + 1))
+        write(&g);
+}

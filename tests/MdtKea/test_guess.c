@@ -1,0 +1,137 @@
+/* The guess at the forces of contacts where none are known (common/kea_guess.c): bodies of 1 kg under a load of 8 N. */
+#include "common/kea_policy_i.h"
+#include "karma_test.h"
+#include "kea_i.h"
+
+enum { MOST = 60 };
+
+static const double load = 8, unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+static MdtKeaSystem s;
+static MdtKeaBody body[MOST], *pointer[MOST];
+static MdtKeaManifold manifold[2 * MOST];
+
+/* Whose manifolds are new, of a point each between the world and the first body, with y up. */
+static void begin(int numBodies, int numManifolds) {
+    memset(&s, 0, sizeof s);
+    memset(body, 0, sizeof body);
+    for (int i = 0; i < numBodies; i++) {
+        pointer[i] = &body[i];
+        body[i].quaternion[0] = body[i].invMass = 1;
+        body[i].force[1] = -load;
+        ck_assert(MdtKeaBodySetInertia(&body[i], unit));
+    }
+    for (int i = 0; i < numManifolds; i++)
+        manifold[i] = (MdtKeaManifold){.body = {0, MdtKeaWORLD},
+                                       .numPoints = 1,
+                                       .normal = {0, 1, 0},
+                                       .direction = {1, 0, 0},
+                                       .point[0].isNew = METRUE};
+    s.numBodies = numBodies;
+    s.bodies = pointer;
+    s.numManifolds = numManifolds;
+    s.manifolds = manifold;
+    s.cache = MdtKeaCacheCreate();
+    s.parameters = (MdtKeaParameters){.stepsize = 1. / 64, .solver = MdtKeaSolverFast};
+}
+
+static void guess(void) {
+    void *scratch = calloc(1, MdtKeaScratchSize(s.numBodies, 0, 0));
+    MdtKeaInit(&s, scratch);
+    free(scratch);
+    MdtKeaCacheDestroy(s.cache);
+}
+
+static double forceOf(int i) {
+    double sum = 0;
+    for (int k = 0; k < manifold[i].numPoints; k++)
+        sum += manifold[i].point[k].guess[0];
+    return sum;
+}
+
+/* Body k's place from the ground up, in an order of some kind: the world's is -1. */
+static void makeColumn(const int place[]) {
+    begin(MOST, MOST);
+    for (int i = 0; i < MOST; i++)
+        for (int k = 0; k < MOST; k++) {
+            if (place[k] == place[i] - 1)
+                manifold[i].body[1] = k;
+            manifold[i].body[0] = i;
+        }
+}
+
+/* Each contact of a column bears all that is above it, in whatever order contacts and bodies come. */
+START_TEST(a_columns_contacts_bear_what_is_above) {
+    for (int stride = 1; stride < MOST; stride += 6) { /* coprime with 60: 1, 7, 13, 19, 31, 37, 43, 49 */
+        int place[MOST];
+        if (stride % 5 == 0)
+            continue;
+        for (int i = 0; i < MOST; i++)
+            place[i] = i * stride % MOST;
+        makeColumn(place);
+        guess();
+        for (int i = 0; i < MOST; i++)
+            assert_near_rel(forceOf(i), load * (MOST - place[i]), kea_guessTolerance);
+    }
+}
+END_TEST
+
+/* A row of boxes on twice as many legs, of which each bears half. Only points that touch do: a gap, and what has come
+ * deep into the ground, bear nothing. */
+START_TEST(contacts_that_touch_share_the_load) {
+    begin(1, 2);
+    manifold[0].numPoints = 4;
+    for (int k = 0; k < 4; k++)
+        manifold[0].point[k] = (MdtKeaPoint){.isNew = METRUE, .depth = k == 3 ? -1e-3 : 0};
+    guess();
+    assert_near(forceOf(0), load / 2, 1e-12);
+    assert_near(forceOf(1), load / 2, 1e-12);
+    ck_assert(manifold[0].point[3].guess[0] == 0 && manifold[0].point[2].guess[0] > 0);
+    begin(1, 3);
+    manifold[1].point[0].depth = 2 * kea_smallOverlap;
+    manifold[2].point[0].depth = -1e-3;
+    guess();
+    assert_near(forceOf(0), load, 1e-12);
+    ck_assert(forceOf(1) == 0 && forceOf(2) == 0);
+}
+END_TEST
+
+/* In a groove of 60 degrees to each side, F = G / (2 cos 60). */
+START_TEST(a_groove_presses_from_both_sides) {
+    begin(1, 2);
+    for (int k = 0; k < 2; k++) {
+        manifold[k].normal[0] = (k ? 1 : -1) * sqrt(.75);
+        manifold[k].normal[1] = .5;
+        manifold[k].direction[0] = manifold[k].direction[1] = 0;
+        manifold[k].direction[2] = 1;
+    }
+    guess();
+    assert_near(forceOf(0), load, 1e-9);
+    assert_near(forceOf(1), load, 1e-9);
+}
+END_TEST
+
+/* What is known is not touched, nor guessed beside; bodies that bear each other in a circle are left alone. */
+START_TEST(known_forces_are_left_alone) {
+    begin(1, 2);
+    manifold[1].point[0].isNew = MEFALSE;
+    manifold[1].point[0].guess[0] = 3;
+    guess();
+    ck_assert(forceOf(0) == 0 && forceOf(1) == 3);
+    begin(2, 2);
+    for (int k = 0; k < 2; k++) {
+        manifold[k].body[0] = k;
+        manifold[k].body[1] = 1 - k;
+    }
+    guess();
+    ck_assert(forceOf(0) == 0 && forceOf(1) == 0);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, a_columns_contacts_bear_what_is_above);
+    tcase_add_test(t, contacts_that_touch_share_the_load);
+    tcase_add_test(t, a_groove_presses_from_both_sides);
+    tcase_add_test(t, known_forces_are_left_alone);
+}
+
+TEST_MAIN("guess", tests)

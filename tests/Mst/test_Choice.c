@@ -1,0 +1,120 @@
+/* What the engine chooses by default is right: scenes that either solver alone had got wrong, or too dear. */
+#include "choice_scenes.h"
+#include "karma_test.h"
+
+#ifdef TEST_IS_SLOW
+enum { QUICK = 10 };
+#else
+enum { QUICK = 1 };
+#endif
+
+typedef struct Outcome {
+    double error, drift, fallen, widest; /* see choice_scenes.h */
+} Outcome;
+
+static const Scene *sceneNamed(const char *name) {
+    for (int i = 0; i < SCENES; i++)
+        if (strcmp(scenes[i].name, name) == 0)
+            return &scenes[i];
+    ck_abort_msg("no scene is called %s", name);
+}
+
+/* Of a scene with these parameters, by default; its time is divided where sanitizers make it long. */
+static Outcome outcomeOf(const char *name, double p0, double p1, double p2, double seconds) {
+    const Variant v = {.p = {p0, p1, p2}, .scene = sceneNamed(name)};
+    makeUniverse(MdtSolverAuto);
+    makeScene(&v);
+    const int steps = (int)(seconds / h + .5) / QUICK;
+    for (int i = 0; i < steps; i++) {
+        advance(i);
+        note(i);
+    }
+    const Outcome o = {v.scene->measure->error(), drift(), fallen(), widest};
+    MstUniverseDestroy(universe);
+    return o;
+}
+
+/* Had burst the stack, from nine bodies on. */
+START_TEST(a_ton_lies_on_cubes_of_a_kilogram) {
+    for (int count = 2; count <= 21; count += count < 11 ? 1 : 10)
+        for (double load = 100; load <= 1000; load *= 10) {
+            const Outcome o = outcomeOf("ton-cubes", count, load, 0, 5);
+            assert_below(o.error, 1e-8);
+            assert_below(o.drift, 1e-6);
+        }
+}
+END_TEST
+
+/* Whatever it sags by at first; had fallen through from 500 kg on. */
+static void assertCarried(double sag, double load) {
+    const Outcome o = outcomeOf("ton-bridge", sag, load, 0, 10);
+    ck_assert_msg(o.error < 1e-3 && o.widest < 2e-4, "%g kg, sag %g: error %g, joints open by %g", load, sag, o.error,
+                  o.widest);
+}
+
+START_TEST(a_ton_lies_on_a_bridge_of_planks_of_a_kilogram) {
+    for (double sag = .1; sag < 2; sag *= sqrt(10))
+        for (double load = 1; load <= 1000; load *= 10)
+            assertCarried(sag, load);
+    assertCarried(.5, 1e4);
+    assertCarried(1, 1e4);
+}
+END_TEST
+
+/* Of planks of 8 mm, 12 cm long; had fallen. */
+START_TEST(towers_of_a_hundred_layers_of_planks_stand) {
+    static const int layers[] = {30, 60, 100};
+    for (int i = 0; i < 3; i++) {
+        const Outcome o = outcomeOf("kapla", layers[i], 0, 0, 30);
+        assert_below(fabs(o.error), 1e-4);
+        assert_below(o.fallen, 1);
+        assert_below(o.drift, 1e-5);
+    }
+}
+END_TEST
+
+/* Whatever their number, size, and the mass of the top: none sinks by more than rounding, so that nothing changes from
+ * one number to the next. */
+START_TEST(stacks_of_any_number_stand) {
+    static const double edge[] = {1, .05, .02};
+    for (int k = 0; k < 3; k++)
+        for (double top = 1; top <= 1e4; top *= 100)
+            for (int count = 2; count <= 200; count += count < 12 ? 1 : count < 62 || count > 66 ? 13 : 1) {
+                const Outcome o = outcomeOf("stack", count, edge[k], top, 1.5);
+
+                ck_assert_msg(fabs(o.error) < 1e-7, "%d of %g m, the top %g times: sinks by %g", count, edge[k], top,
+                              o.error);
+                assert_below(o.drift, 1e-6 * edge[k]);
+            }
+}
+END_TEST
+
+/* Multiplications, millions, of the first step, whose forces are not known. */
+static double firstWorkOf(const char *name, double count) {
+    MdtReport report;
+    const Variant v = {.p = {count, 1, 1}, .scene = sceneNamed(name)};
+    makeUniverse(MdtSolverExact);
+    makeScene(&v);
+    advance(0);
+    MdtWorldGetReport(universe->world, &report);
+    MstUniverseDestroy(universe);
+    return (double)report.work;
+}
+
+/* Had taken an iteration a layer: 62, 240 and 110. */
+START_TEST(first_steps_of_towers_are_cheap) {
+    assert_below(firstWorkOf("stack", 100), 1);
+    assert_below(firstWorkOf("kapla", 100), 60);
+    assert_below(firstWorkOf("pyramid", 20), 25);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, a_ton_lies_on_cubes_of_a_kilogram);
+    tcase_add_test(t, a_ton_lies_on_a_bridge_of_planks_of_a_kilogram);
+    tcase_add_test(t, towers_of_a_hundred_layers_of_planks_stand);
+    tcase_add_test(t, stacks_of_any_number_stand);
+    tcase_add_test(t, first_steps_of_towers_are_cheap);
+}
+
+TEST_MAIN("Choice", tests)
