@@ -13,15 +13,17 @@
 #include "common/kea_policy_i.h"
 #include "inner/kea_factor_i.h"
 
-/* Of a body, N, and Σ c² of the contacts that bear it. */
+/* The load L of a body, and the sum Σ c² over the contacts that support it. */
 typedef struct Load {
-    double force, squares;
+    double force, squares; /* N */
 } Load;
 
-/* A manifold whose bodies rest on each other. */
+/* A resting contact: a manifold of which some points touch. */
 typedef struct Bearing {
     MdtKeaManifold *manifold;
-    double size, c[2], force; /* m, of the smaller body; of either body; N, of all points */
+    double size;  /* m, of the smaller body */
+    double c[2];  /* by body: the part of the normal force that supports it; negative where it presses it down */
+    double force; /* N, the normal force of all points */
     int numTouching;
 } Bearing;
 
@@ -46,7 +48,7 @@ static MeBool isAnyForceKnown(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* Of a unit of a manifold's normal force: the part that bears a body's load, negative where it adds to that. */
+/* c of a body: -n·l. */
 static double bearingOf(const MdtKeaSystem *s, const MdtKeaManifold *m, int k) {
     if (m->body[k] < 0)
         return 0;
@@ -82,7 +84,8 @@ static void begin(const MdtKeaSystem *s, Guess *g) {
         addContact(s, &s->manifolds[i], g);
 }
 
-/* Shares the load of the body that it bears, and passes it on to the other. Returns by how much the force changes. */
+/* The contact takes its share of the upper body's load and adds it to the lower body's. Returns the change of its
+ * force. */
 static double passLoad(Bearing *n, Load load[]) {
     const double before = n->force;
     n->force = 0;
@@ -97,7 +100,7 @@ static double passLoad(Bearing *n, Load load[]) {
     return fabs(n->force - before);
 }
 
-/* Whether the forces settle. They may not where bodies bear each other in a circle. */
+/* Sweeps until the forces have converged. False: they have not, as bodies support each other in a cycle. */
 static MeBool sweep(Guess *g, int most) {
     for (int i = 0; i < most; i++) {
         double change = 0, all = 0;
@@ -112,7 +115,7 @@ static MeBool sweep(Guess *g, int most) {
     return MEFALSE;
 }
 
-static void write(const Guess *g) {
+static void writeForces(const Guess *g) {
     for (int i = 0; i < g->numContacts; i++) {
         const Bearing *n = &g->contact[i];
         for (int k = 0; k < n->manifold->numPoints; k++)
@@ -131,5 +134,5 @@ void kea_guessLoads(MdtKeaSystem *s) {
     layOut(s, &g, memory);
     begin(s, &g);
     if (sweep(&g, s->numBodies + 1))
-        write(&g);
+        writeForces(&g);
 }

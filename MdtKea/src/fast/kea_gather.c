@@ -278,8 +278,10 @@ static double workOf(const KeaGathering *from, const KeaGroup *g, int lane) {
         work += (double)g->rub[k][lane] * (double)g->slide[k][lane];
     for (int k = 0; k < m->numPoints && g->compliance[lane] > 0; k++)
         work += (double)g->impulse[k][lane] * keaMax((double)g->target[k][lane], 0);
+    if (!m->worldVelocity)
+        return work;
     impulsesOf(from, g, lane, of);
-    for (int k = 0; k < 2 && m->worldVelocity; k++)
+    for (int k = 0; k < 2; k++)
         if (m->body[k] < 0)
             work -= keaDot(of[k], m->worldVelocity->lin) + keaDot(of[k] + 3, m->worldVelocity->ang);
     return work;
