@@ -12,7 +12,7 @@
 typedef struct Chunk {
     int rows, joints, points, manifolds; /* rows: of joints, at most */
     int firstManifold, surfaceProblems;
-    MeBool bounces, losesEnergy;
+    MeBool hasUserRows, bounces, losesEnergy;
 } Chunk;
 
 /* The rule for order (MeTeam.h): chunks depend on the number of constraints alone, and so do the manifolds' places,
@@ -55,6 +55,7 @@ static void MEAPI countChunk(void *context, int item, int worker) {
         const MdtJoint *j = mdt_asJoint(a->p->acting[i]);
         c.rows += j ? j->type->maxRows : 0;
         c.joints += j != NULL;
+        c.hasUserRows |= j && j->bcl.type == MdtBclUSER;
         if (!j)
             countManifold(mdt_asManifold(a->p->acting[i]), &c);
     }
@@ -89,6 +90,7 @@ static Chunk countActing(Acting *a) {
         all.joints += a->chunk[i].joints;
         all.points += a->chunk[i].points;
         all.manifolds += a->chunk[i].manifolds;
+        all.hasUserRows |= a->chunk[i].hasUserRows;
         all.bounces |= a->chunk[i].bounces;
         all.losesEnergy |= a->chunk[i].losesEnergy;
     }
@@ -139,6 +141,7 @@ static void noteActing(MdtIsland *p, const Chunk *all) {
     p->numJoints = all->joints;
     p->jointRows = all->rows;
     p->numContacts = all->points;
+    p->hasUserRows = all->hasUserRows;
     p->bounces = all->bounces;
     p->losesEnergy = all->losesEnergy;
 }

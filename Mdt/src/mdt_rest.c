@@ -16,6 +16,7 @@
  */
 #include "MeAssert.h"
 #include "mdt_step_i.h"
+#include <limits.h>
 #include <string.h>
 
 /* ---- inputs ---- */
@@ -61,56 +62,41 @@ static MeU64 hashOf(const void *record, size_t size) {
     return hash;
 }
 
-/* Calls back for all of a manifold's contacts whose parameters are watched, until one says false. */
-static MeBool forWatchedContacts(MdtManifold *m, MeBool (*visit)(MdtExtra *extra)) {
-    for (MdtManifold *block = m; block; block = block->next)
-        for (MdtExtra *extra = block->extras; extra; extra = extra->next)
-            if ((extra->record.flags & MDT_WATCHED) && !visit(extra))
-                return MEFALSE;
-    return METRUE;
-}
-
-static MeBool isContactAsCertified(MdtExtra *extra) {
-    return extra->certified == hashOf(&extra->params, sizeof extra->params);
-}
-
-static MeBool certifyContact(MdtExtra *extra) {
-    extra->certified = hashOf(&extra->params, sizeof extra->params);
-    return METRUE;
-}
-
+/* Whether the constraint's parameters are those that were certified. */
 static MeBool isAsCertified(MdtConstraintID c) {
     const MdtJoint *j = mdt_asJoint(c);
-    return j ? j->certified == hashOf(&j->bcl, sizeof j->bcl)
-             : forWatchedContacts(mdt_asManifold(c), isContactAsCertified);
+    if (j)
+        return j->certified == hashOf(&j->bcl, sizeof j->bcl);
+    for (const MdtManifold *block = mdt_asManifold(c); block; block = block->next)
+        for (const MdtExtra *extra = block->extras; extra; extra = extra->next)
+            if ((extra->record.flags & MDT_WATCHED) && extra->certified != hashOf(&extra->params, sizeof extra->params))
+                return MEFALSE;
+    return METRUE;
 }
 
 static void certifyConstraint(MdtConstraintID c) {
     MdtJoint *j = mdt_asJoint(c);
     if (j)
         j->certified = hashOf(&j->bcl, sizeof j->bcl);
-    else
-        forWatchedContacts(mdt_asManifold(c), certifyContact);
+    for (MdtManifold *block = j ? NULL : mdt_asManifold(c); block; block = block->next)
+        for (MdtExtra *extra = block->extras; extra; extra = extra->next)
+            if (extra->record.flags & MDT_WATCHED)
+                extra->certified = hashOf(&extra->params, sizeof extra->params);
 }
 
 /* Each constraint is visited from one of its bodies: the first, unless that is not simulated. */
-static MeBool isVisitedFrom(const MdtAttachment *at, const MdtBaseConstraint *c) {
-    const MdtBody *first = c->side[0].body;
-    return mdt_attachmentSide(at) == 0 || !first || !(first->record.flags & (MDT_ENABLED | MDT_ASLEEP));
-}
-
-static MeBool isToCompare(const MdtBaseConstraint *c) {
-    return (c->record.flags & (MDT_WATCHED | MDT_TOUCHED)) && (c->record.flags & MDT_ENABLED);
-}
-
 MeBool mdt_restAreConstraintsAsCertified(MdtBodyID b) {
     if (!(b->record.flags & (MDT_WATCHED | MDT_TOUCHED)))
         return METRUE;
     for (const MdtAttachment *at = b->attachments; at; at = at->next) {
         const MdtConstraintID c = mdt_attachmentOwner(at);
-        if (!isVisitedFrom(at, c))
+        const MdtBody *first = c->side[0].body;
+        const MeBool isVisited =
+            mdt_attachmentSide(at) == 0 || !first || !(first->record.flags & (MDT_ENABLED | MDT_ASLEEP));
+        const MeBool mayDiffer = (c->record.flags & MDT_ENABLED) && (c->record.flags & (MDT_WATCHED | MDT_TOUCHED));
+        if (!isVisited)
             continue;
-        if (isToCompare(c) && !isAsCertified(c))
+        if (mayDiffer && !isAsCertified(c))
             return MEFALSE;
         c->record.flags &= ~MDT_TOUCHED;
     }
@@ -118,26 +104,21 @@ MeBool mdt_restAreConstraintsAsCertified(MdtBodyID b) {
     return METRUE;
 }
 
-static MeBool isNone(const double v[3]) {
-    return v[0] == 0 && v[1] == 0 && v[2] == 0;
-}
-
-static MeBool isLoadedAsBefore(const MdtBody *b) {
-    return memcmp(b->force, b->applied.force, sizeof b->force) == 0 &&
-           memcmp(b->torque, b->applied.torque, sizeof b->torque) == 0 && isNone(b->impulse) && isNone(b->twist);
-}
-
-/* Also by programs, through pointers. */
-static MeBool movesAsBefore(const MdtBody *b) {
-    return memcmp(b->velocity, b->shownVelocity, sizeof b->velocity) == 0 &&
-           memcmp(b->angularVelocity, b->shownAngularVelocity, sizeof b->angularVelocity) == 0;
-}
-
+/* Programs write velocities through pointers, too. */
 MeBool mdt_restHolds(const MdtIsland *p) {
     for (int i = 0; i < p->numBodies; i++) {
         const MdtBody *b = p->bodies[i];
-        if (b->certificate != p->world->certificate || !isLoadedAsBefore(b) || !movesAsBefore(b) ||
-            !mdt_restAreConstraintsAsCertified(p->bodies[i]))
+        if (b->certificate != p->world->certificate)
+            return MEFALSE;
+        const MeBool hasForces = memcmp(b->force, b->applied.force, sizeof b->force) == 0 &&
+                                 memcmp(b->torque, b->applied.torque, sizeof b->torque) == 0;
+        MeBool hasImpulse = MEFALSE;
+        for (int k = 0; k < 3; k++)
+            hasImpulse = hasImpulse || b->impulse[k] != 0 || b->twist[k] != 0;
+        const MeBool hasVelocities =
+            memcmp(b->velocity, b->shownVelocity, sizeof b->velocity) == 0 &&
+            memcmp(b->angularVelocity, b->shownAngularVelocity, sizeof b->angularVelocity) == 0;
+        if (!hasForces || hasImpulse || !hasVelocities || !mdt_restAreConstraintsAsCertified(p->bodies[i]))
             return MEFALSE;
     }
     return p->h >= p->whole;
@@ -170,29 +151,21 @@ void mdt_restKeep(MdtIsland *p) {
 
 /* ---- giving it ---- */
 
-/* Joints and springs approach their equilibrium asymptotically, at any speed: a threshold would stop them too early. */
-static MeBool comesNearerForEver(const MdtIsland *p) {
-    for (int i = 0; i < p->kea.numRows; i++)
-        if (p->kea.rows[i].spring || p->kea.rows[i].position)
-            return METRUE;
-    return MEFALSE;
-}
-
 /* m/s: the threshold of rest, for mean velocities of a step. Each row's velocity error is within its tolerance;
  * independent errors along a chain of n bodies add up to sqrt(n) times that (3 times in a tower of 20 boxes). */
 static double resolvedSpeed(const MdtIsland *p) {
     if (p->isFast)
         return p->kea.report.resolution;
-    return comesNearerForEver(p) ? 0 : sqrt(p->numBodies) * p->kea.report.resolution;
+    for (int i = 0; i < p->kea.numRows; i++)
+        if (p->kea.rows[i].spring || p->kea.rows[i].position)
+            return 0; /* they approach equilibrium asymptotically, at any speed: it would stop them too early */
+    return sqrt(p->numBodies) * p->kea.report.resolution;
 }
 
-static double turningSpeed(const MdtBody *b, const double w[3]) {
+/* m/s: of the centre of mass, or of what turns about it at the radius of gyration. */
+static double speedOf(const MdtBody *b, const MdtKeaVelocity *v) {
     const double *I = b->kea.moments;
-    return keaLength(w) * sqrt(fmax(I[0], fmax(I[1], I[2])) * b->kea.invMass);
-}
-
-static MeBool isSlow(const MdtBody *b, const MdtKeaVelocity *v, double speed) {
-    return keaLength(v->lin) <= speed && turningSpeed(b, v->ang) <= speed;
+    return fmax(keaLength(v->lin), keaLength(v->ang) * sqrt(fmax(I[0], fmax(I[1], I[2])) * b->kea.invMass));
 }
 
 /* m/s, rad/s: displacement of the step over h; it includes position corrections, which velocities do not. */
@@ -211,55 +184,42 @@ static MdtKeaVelocity meanVelocity(const MdtIsland *p, int i) {
 /* m/s: of the fast solver, ten times its threshold of rest is the accuracy (kea_restingShare). */
 enum { MDT_SWAY = 10 };
 
-static MeBool hasFriction(const MdtKeaSurface *s) {
-    for (int k = 0; k < (s->isCone ? 1 : 2); k++)
-        if (!(s->coefficient[k] > 0 || s->bound[k] > 0))
+/* Whether bodies stand where their forces balance their loads and they are slower than the accuracy: a crowd sways
+ * within its resting depths for long after. The same forces hold it standing. Joints close for longer; what rolls goes
+ * on at any speed, and so does what slides without friction. */
+static MeBool mayStand(const MdtIsland *p) {
+    if (!p->isFast || p->numJoints > 0)
+        return MEFALSE;
+    for (int i = 0; i < p->kea.numManifolds; i++) {
+        const MdtKeaManifold *m = &p->kea.manifolds[i];
+        const MdtKeaSurface *s = &m->surface;
+        const MeBool isRound = m->radius[0] > 0 || m->radius[1] > 0;
+        const MeBool hasFriction =
+            (s->coefficient[0] > 0 || s->bound[0] > 0) && (s->isCone || s->coefficient[1] > 0 || s->bound[1] > 0);
+        if (isRound || !hasFriction)
             return MEFALSE;
+    }
     return METRUE;
 }
 
-/* What rolls goes on at any speed, and so does what slides without friction. */
-static MeBool mayGlide(const MdtIsland *p) {
-    for (int i = 0; i < p->kea.numManifolds; i++) {
-        const MdtKeaManifold *m = &p->kea.manifolds[i];
-        if (m->radius[0] > 0 || m->radius[1] > 0 || !hasFriction(&m->surface))
-            return METRUE;
-    }
-    return MEFALSE;
-}
-
-/* Whether bodies stand where their forces balance their loads and they are slower than the accuracy: a crowd sways
- * within its resting depths for long after. The same forces hold it standing. Joints close for longer. */
-static MeBool mayStand(const MdtIsland *p) {
-    return p->isFast && p->numJoints == 0 && !mayGlide(p);
-}
-
-static MeBool isBalanced(const MdtBody *b, const MdtKeaVelocity *end, double speed) {
-    MdtKeaVelocity gain;
-    keaSubtract(gain.lin, end->lin, b->start.velocity.lin);
-    keaSubtract(gain.ang, end->ang, b->start.velocity.ang);
-    return isSlow(b, &gain, speed);
-}
-
 /* The factor 2: with the midpoint rule an error of the mean velocity is twice as large at either end of the step. */
-static MeBool isResting(const MdtIsland *p, int i, MeBool isStanding, double speed) {
-    const MdtBody *b = p->bodies[i];
-    const MdtKeaVelocity way = meanVelocity(p, i);
-    MdtKeaVelocity end; /* not yet shown */
-    keaCopy(end.lin, b->kea.velocity);
-    MdtKeaBodyGetAngularVelocity(&b->kea, end.ang);
-    if (isStanding)
-        return isBalanced(b, &end, speed) && isSlow(b, &b->start.velocity, MDT_SWAY * speed) &&
-               isSlow(b, &way, MDT_SWAY * speed);
-    return isSlow(b, &b->start.velocity, 2 * speed) && isSlow(b, &end, 2 * speed) && isSlow(b, &way, speed);
-}
-
 static MeBool areCalm(const MdtIsland *p, int first, int end) {
     const double speed = resolvedSpeed(p);
     const MeBool isStanding = mayStand(p);
-    for (int i = first; i < end; i++)
-        if (!isResting(p, i, isStanding, speed))
+    const double mostAtEnds = (isStanding ? MDT_SWAY : 2) * speed, mostMean = (isStanding ? MDT_SWAY : 1) * speed;
+    for (int i = first; i < end; i++) {
+        const MdtBody *b = p->bodies[i];
+        const MdtKeaVelocity mean = meanVelocity(p, i), *start = &b->start.velocity;
+        MdtKeaVelocity last, gain; /* not yet shown */
+        keaCopy(last.lin, b->kea.velocity);
+        MdtKeaBodyGetAngularVelocity(&b->kea, last.ang);
+        keaSubtract(gain.lin, last.lin, start->lin);
+        keaSubtract(gain.ang, last.ang, start->ang);
+        if (speedOf(b, start) > mostAtEnds || speedOf(b, &mean) > mostMean)
             return MEFALSE;
+        if (isStanding ? speedOf(b, &gain) > speed : speedOf(b, &last) > mostAtEnds)
+            return MEFALSE;
+    }
     return METRUE;
 }
 
@@ -271,24 +231,16 @@ static void MEAPI forgetCalmSteps(void *island, int first, int end, int worker) 
         p->bodies[i]->calmSteps = 0;
 }
 
-/* Returns whether all have enough. The count begins anew when a body loses its certificate. */
-static MeBool countCalmStep(const MdtIsland *p, int first, int end) {
-    const double enough = p->world->calmStepsToRest;
-    MeBool areEnough = METRUE;
-    MEASSERT(enough >= 1 && end > first);
+/* Returns how many they have, the fewest. The count begins anew when a body loses its certificate. */
+static int countCalmStep(const MdtIsland *p, int first, int end) {
+    int fewest = INT_MAX;
+    MEASSERT(end > first);
     for (int i = first; i < end; i++) {
         MdtBodyID b = p->bodies[i];
         b->calmSteps = b->certificate ? 0 : b->calmSteps + 1;
-        areEnough = areEnough && b->calmSteps >= enough;
+        fewest = MeMIN(fewest, b->calmSteps);
     }
-    return areEnough;
-}
-
-static MeBool isCalmForLong(MdtIsland *p) {
-    if (areCalm(p, 0, p->numBodies))
-        return countCalmStep(p, 0, p->numBodies);
-    MeTeamRunRanges(p->team, p->numBodies, MDT_RANGE, forgetCalmSteps, p);
-    return MEFALSE;
+    return fewest;
 }
 
 /* Contacts with slip or moving surfaces keep bodies in motion, be it below the fast solver's threshold of rest. */
@@ -301,30 +253,23 @@ static MeBool mayCreep(const MdtIsland *p) {
     return MEFALSE;
 }
 
-/* Whether rows depend on a function of the program, which may give another result in the next step. */
-static MeBool dependsOnProgram(const MdtIsland *p) {
-    for (int i = 0; i < p->numActing; i++)
-        if (mdt_constraintType(p->acting[i]) == MdtBclUSER)
-            return METRUE;
-    return p->world->importance && p->isCapped;
-}
-
-/* Where passes alternate between joints and contacts, the joints' error decays more slowly than the fast solver's
- * threshold of rest. */
-static MeBool areJointsClosed(const MdtIsland *p) {
-    return !p->isFast || p->kea.report.opening <= MDT_CLOSED;
-}
-
-/* Whether the step was taken in one part, and its solve is within tolerances. */
-static MeBool wasAnswerFound(const MdtIsland *p) {
-    const MdtKeaReport *r = &p->kea.report;
-    const MeBool isWhole = p->h >= p->whole && p->parameters.stepsize >= p->h;
-    const MeBool isExact = !r->capped && !r->limited && !r->violent && !r->conflicting && !p->isDegenerate;
-    return isWhole && isExact && p->numRows > 0 && !p->hasMet && r->residual <= r->resolution;
-}
-
+/* Not where rows depend on a function of the program, which may give another result in the next step. Where passes
+ * alternate between joints and contacts, the joints' error decays more slowly than the fast solver's threshold of
+ * rest. */
 MeBool mdt_restIsSettled(MdtIsland *p) {
-    return isCalmForLong(p) && wasAnswerFound(p) && !dependsOnProgram(p) && !mayCreep(p) && areJointsClosed(p);
+    const MdtKeaReport *r = &p->kea.report;
+    if (!areCalm(p, 0, p->numBodies)) {
+        MeTeamRunRanges(p->team, p->numBodies, MDT_RANGE, forgetCalmSteps, p);
+        return MEFALSE;
+    }
+    MEASSERT(p->world->calmStepsToRest >= 1);
+    const MeBool isForLong = countCalmStep(p, 0, p->numBodies) >= p->world->calmStepsToRest;
+    const MeBool isWhole = p->h >= p->whole && p->parameters.stepsize >= p->h && !p->hasMet;
+    const MeBool isExact = !r->capped && !r->limited && !r->violent && !r->conflicting && !p->isDegenerate;
+    const MeBool areClosed = !p->isFast || r->opening <= MDT_CLOSED;
+    const MeBool isProgrammed = p->hasUserRows || (p->world->importance && p->isCapped);
+    return isForLong && isWhole && isExact && areClosed && !isProgrammed && p->numRows > 0 &&
+           r->residual <= r->resolution && !mayCreep(p);
 }
 
 void mdt_restStay(MdtIsland *p) {
