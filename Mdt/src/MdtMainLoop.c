@@ -15,7 +15,7 @@ void MEAPI MdtAutoDisableLastPartition(MdtPartitionOutput *po, void *cbdata) {
     if (!hasPartition(po, po ? po->numPartitions - 1 : 0, __func__))
         return;
     const MdtIsland p = mdt_islandOf(po->world, po->numPartitions - 1, po->world->lastStep);
-    po->info[p.number].isDisabled = po->world->rest.autoDisable && mdt_islandIsAtRest(&p);
+    po->info[p.number].isDisabled = mdt_islandIsToSleep(&p);
 }
 
 MeReal MEAPI MdtPartitionGetSafeTime(MdtPartitionOutput *po, int i) {

@@ -27,7 +27,8 @@ enum { SIZES = 32 }; /* powers of two */
 static void putToRest(MdtIsland *p, MeBool safely) {
     const double lack = p->h;
     MeBool *isDisabled = &p->world->output.info[p->number].isDisabled;
-    *isDisabled = mdt_islandIsToSleep(p);
+    if (!p->world->partitionCb) /* else it has said so */
+        *isDisabled = mdt_islandIsToSleep(p);
     if (!*isDisabled)
         return;
     if (safely)

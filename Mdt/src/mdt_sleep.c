@@ -159,18 +159,12 @@ static double wayAhead(const MdtBody *b, double radius) {
     return t * speedOf(b, radius) + 0.5 * t * t * (keaLength(a->lin) + radius * keaLength(a->ang));
 }
 
-static MeBool isQuiet(const MdtBody *b) {
-    const double radius = radiusOf(b);
-    return b->world->hasThresholds || wayAhead(b, radius) <= quietReach * radius;
-}
-
 /* N s, N m s over h seconds: how its load differs from that with which it rested. */
-static MeBool getChange(const MdtBody *b, double h, double change[2][3]) {
+static void changeOfLoad(const MdtBody *b, double h, double change[2][3]) {
     for (int i = 0; i < 3; i++) {
         change[0][i] = h * (b->force[i] - b->applied.force[i]) + b->impulse[i];
         change[1][i] = h * (b->torque[i] - b->applied.torque[i]) + b->twist[i];
     }
-    return keaDot(change[0], change[0]) + keaDot(change[1], change[1]) > 0;
 }
 
 /* By a change of momentum in h seconds. */
@@ -185,59 +179,48 @@ static MeBool wouldMove(const MdtBody *b, const double push[3], const double twi
 
 static MeBool isAtRest(MdtBodyID b, double h) {
     const MdtPartitionParams *rest = &b->world->rest;
+    const double radius = radiusOf(b);
     double change[2][3];
     const MeBool isYoung =
         rest->alive_window < 0 ? b->aliveTime < (double)rest->alive_time : b->aliveSteps < rest->alive_window;
-    if (isYoung || b->enabledSteps == 0 || MdtBodyIsMovingTest(b, rest) || !(isQuiet(b) || mdt_staysInPlace(b)))
+    if (isYoung || b->enabledSteps == 0 || MdtBodyIsMovingTest(b, rest))
         return MEFALSE;
-    return !getChange(b, h, change) || !wouldMove(b, change[0], change[1], h);
+    const MeBool isQuiet = b->world->hasThresholds || wayAhead(b, radius) <= quietReach * radius;
+    changeOfLoad(b, h, change);
+    return (isQuiet || mdt_staysInPlace(b)) && !wouldMove(b, change[0], change[1], h);
 }
 
 /* ---- what keeps a partition awake ---- */
 
-/* Does the surface of the contact's other side move, though what it belongs to need not
- * (MdtContactParamsSetPrimarySlide, MdtConstraintSetWorldLinearVelocity)? */
-static MeBool isSurfaceMoving(const MdtPoint *point) {
-    const MdtBclContactParams *surface = mdt_pointParams(point);
-    const MdtKeaVelocity *world = mdt_pointWorldVelocity(point);
-    return ((surface->options & MdtBclContactOptionSlide1) && surface->slide1 != 0) ||
-           ((surface->options & MdtBclContactOptionSlide2) && surface->slide2 != 0) ||
-           keaDot(world->lin, world->lin) + keaDot(world->ang, world->ang) > 0;
-}
-
-/* Bodies on a moving surface stay awake: they move with it, however slowly, or are held against its friction. */
-static MeBool isCarried(const MdtIsland *p) {
-    for (int i = 0; i < p->numActing; i++) {
-        if (mdt_isJoint(p->acting[i]))
-            continue;
-        for (const MdtPoint *at = mdt_pointFirst(mdt_asManifold(p->acting[i])); at; at = mdt_pointAfter(at))
-            if (at->force[0] > 0 && isSurfaceMoving(at))
-                return METRUE;
-    }
-    return MEFALSE;
-}
-
-static MeBool isDriven(const MdtIsland *p) {
-    for (int i = 0; i < p->numActing; i++) {
-        const MdtJoint *j = mdt_asJoint(p->acting[i]);
-        if (j && j->isDriven)
+/* Whether a joint drives its bodies, or they are in contact with a surface that moves, though what it belongs to need
+ * not (MdtContactParamsSetPrimarySlide, MdtConstraintSetWorldLinearVelocity): they move with it, however slowly, or are
+ * held against its friction. */
+static MeBool isDriving(MdtConstraintID c) {
+    const MdtJoint *j = mdt_asJoint(c);
+    if (j)
+        return j->isDriven;
+    for (const MdtPoint *at = mdt_pointFirst(mdt_asManifold(c)); at; at = mdt_pointAfter(at)) {
+        const MdtBclContactParams *surface = mdt_pointParams(at);
+        const MdtKeaVelocity *world = mdt_pointWorldVelocity(at);
+        const MeBool slides = ((surface->options & MdtBclContactOptionSlide1) && surface->slide1 != 0) ||
+                              ((surface->options & MdtBclContactOptionSlide2) && surface->slide2 != 0);
+        const MeBool moves = keaDot(world->lin, world->lin) + keaDot(world->ang, world->ang) > 0;
+        if (at->force[0] > 0 && (slides || moves))
             return METRUE;
     }
     return MEFALSE;
 }
 
-MeBool mdt_islandIsAtRest(const MdtIsland *p) {
+MeBool mdt_islandIsToSleep(const MdtIsland *p) {
+    if (!p->world->rest.autoDisable)
+        return MEFALSE;
     for (int i = 0; i < p->numBodies; i++)
         if (!isAtRest(p->bodies[i], p->h))
             return MEFALSE;
-    return !isCarried(p) && !isDriven(p);
-}
-
-MeBool mdt_islandIsToSleep(const MdtIsland *p) {
-    const MdtWorld *w = p->world;
-    if (w->partitionCb)
-        return w->output.info[p->number].isDisabled;
-    return w->rest.autoDisable && mdt_islandIsAtRest(p);
+    for (int i = 0; i < p->numActing; i++)
+        if (isDriving(p->acting[i]))
+            return MEFALSE;
+    return METRUE;
 }
 
 /* ---- falling asleep, and waking ---- */
@@ -296,21 +279,19 @@ MeBool MEAPI MdtBodyWakeIfAsleep(const MdtBodyID b) {
 
 /* Pushes in a row add up, so that a slight one that goes on wakes it in the end; after a step without one they are
  * forgotten. */
-static MeBool isPushed(MdtBodyID b, double h) {
-    double change[2][3];
-    const MeBool isChanged = getChange(b, h, change);
-    if (!isChanged || b->world->hasThresholds)
-        memset(b->applied.momentum, 0, sizeof b->applied.momentum);
-    if (!isChanged)
-        return MEFALSE;
-    for (int k = 0; k < 2; k++)
-        keaAddScaled(b->applied.momentum[k], 1, change[k]);
-    return wouldMove(b, b->applied.momentum[0], b->applied.momentum[1], h);
-}
-
 static MeBool isToWake(MdtBodyID b, double h) {
+    double change[2][3], (*pushed)[3] = b->applied.momentum;
     mdt_bodyAcceptVelocities(b);
-    return b->certificate == 0 || isPushed(b, h) || !mdt_restAreConstraintsAsCertified(b);
+    if (b->certificate == 0)
+        return METRUE;
+    changeOfLoad(b, h, change);
+    const MeBool isPushed = keaDot(change[0], change[0]) + keaDot(change[1], change[1]) > 0;
+    for (int k = 0; k < 2; k++) {
+        if (!isPushed || b->world->hasThresholds)
+            keaZero(pushed[k]);
+        keaAddScaled(pushed[k], 1, change[k]);
+    }
+    return (isPushed && wouldMove(b, pushed[0], pushed[1], h)) || !mdt_restAreConstraintsAsCertified(b);
 }
 
 static void wake(MdtBodyID b) {

@@ -127,9 +127,8 @@ MeBool mdt_partIntegrate(MdtIsland *p);
 MdtIsland mdt_islandOf(MdtWorldID w, int number, double h);
 void mdt_islandShow(const MdtIsland *p);
 
-/* Whether the world, or a program's callback, puts the partition to rest; that it rests (mdt_sleep.c). */
+/* Whether the world puts the partition to rest; that it rests (mdt_sleep.c). */
 MeBool mdt_islandIsToSleep(const MdtIsland *p);
-MeBool mdt_islandIsAtRest(const MdtIsland *p);
 void mdt_islandSleep(const MdtIsland *p);
 
 /* The rest certificate (mdt_rest.c): a step begins; whether a partition's last answer holds again; taking it, instead
