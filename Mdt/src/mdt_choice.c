@@ -145,12 +145,6 @@ static double fastOf(const MdtWorld *w, int partition) {
     return bodiesOf(w, partition) * (fast > 0 ? fast : mdt_guessedFastWork);
 }
 
-/* Far more than a fast step, and than what a step is paid for anything. */
-static MeBool isOutOfProportion(const MdtWorld *w, int partition) {
-    const double need = needOf(w, partition);
-    return need > mdt_payment[MDT_WANTED] * budgetOf(w) && need > mdt_mostOfFast * fastOf(w, partition);
-}
-
 /* Multiplications of an exact step that costs no more than a fast one, and where nothing touches a hundred times as
  * much, since the fast solver damps what swings. */
 static double freeWorkOf(const MdtWorld *w, int partition) {
@@ -166,9 +160,11 @@ static double giveShares(MdtWorldID w, Standing standing, MeBool isExactFirst, M
     for (int i = 0; i < w->numPartitions; i++) {
         MdtIslandRecord *r = &w->record[i];
         const double need = needOf(w, i);
+        const MeBool isOutOfProportion = /* far more than a fast step, and than what a step is paid for anything */
+            need > mdt_payment[MDT_WANTED] * budgetOf(w) && need > mdt_mostOfFast * fastOf(w, i);
         if (r->share > 0 || need > funds || standingOf(w, i) != standing)
             continue;
-        if (standing != FIRST && !r->isUnfit && isOutOfProportion(w, i))
+        if (isOutOfProportion && standing != FIRST && !r->isUnfit)
             continue;
         r->share = r->drawn = need;
         r->account = account;
@@ -253,19 +249,6 @@ MeBool mdt_choiceIsInFlight(const MdtIsland *p) {
     return METRUE;
 }
 
-/* Rows of user constraints are the program's: how they move with the bodies is not known. */
-static MeBool hasUserConstraints(const MdtIsland *p) {
-    for (int i = 0; i < p->numActing && p->numJoints > 0; i++)
-        if (mdt_isJoint(p->acting[i]) && mdt_constraintType(p->acting[i]) == MdtBclUSER)
-            return METRUE;
-    return MEFALSE;
-}
-
-/* The fast solver leaves no rows out. */
-static MeBool mayBeFast(const MdtIsland *p) {
-    return p->jointRows + p->numContacts * MdtBclGETMAXROWSCONTACT <= p->world->maxMatrixSize && !hasUserConstraints(p);
-}
-
 /* m/s, at which its bodies come nearer to each other there. */
 static double approachAt(const MdtPoint *point) {
     const MdtBaseConstraint *base = &mdt_manifoldOf(point)->base;
@@ -285,67 +268,53 @@ static double approachAt(const MdtPoint *point) {
     return sum;
 }
 
-static MeBool holds(const MdtPoint *point, double loadSpeed) {
-    const MdtBaseConstraint *base = &mdt_manifoldOf(point)->base;
-    const MdtKeaBody *bodies[2];
-    for (int k = 0; k < 2; k++)
-        bodies[k] = base->side[k].body ? &base->side[k].body->kea : NULL;
-    return MdtKeaContactHolds(bodies, -point->depth, -approachAt(point), mdt_pointParams(point)->restitution,
-                              loadSpeed);
-}
-
-static MeBool isManifoldHeld(const MdtManifold *m, double loadSpeed) {
-    for (const MdtPoint *at = mdt_pointFirst(m); at; at = mdt_pointAfter(at))
-        if (holds(at, loadSpeed))
-            return METRUE;
-    return MEFALSE;
-}
-
-/* Bodies that keep their energy, of which only few are held, are met one after the other (mdt_subdivide.c): the fast
- * solver loses rebounds that follow each other. */
-static MeBool isMetInTime(const MdtIsland *p) {
-    const int most = mdt_mostHeld(p);
-    int held = 0;
+/* Groups of contacts that hold their bodies; not more than one above `most` are counted. */
+static int countHeld(const MdtIsland *p, int most) {
     double g[3];
-    if (!p->bounces || p->losesEnergy || p->numJoints > 0)
-        return MEFALSE;
+    int held = 0;
     mdt_fromReal(g, p->world->params.gravity);
-    for (int i = 0; i < p->numActing && held <= most; i++)
-        held += isManifoldHeld(mdt_asManifold(p->acting[i]), keaLength(g) * p->h);
-    return held <= most;
-}
-
-/* Its centre of mass moves as a free body by the fast solver, which the exact one takes for what it does not meet in
- * time to the end's velocity. */
-static MeBool mayFly(const MdtIsland *p) {
-    return p->solver == MdtSolverAuto && p->numBodies > p->world->timedBodies && p->numContacts > 0 && !p->bounces &&
-           mayBeFast(p) && mdt_choiceIsInFlight(p);
-}
-
-/* Joints alone: what the fast solver leaves of them may drive them. */
-static MeBool mustBeMet(const MdtIsland *p) {
-    return p->numContacts == 0;
+    for (int i = 0; i < p->numActing && held <= most; i++) {
+        MeBool isHeld = MEFALSE;
+        for (const MdtPoint *at = mdt_pointFirst(mdt_asManifold(p->acting[i])); at && !isHeld;
+             at = mdt_pointAfter(at)) {
+            const MdtBaseConstraint *base = &mdt_manifoldOf(at)->base;
+            const MdtKeaBody *bodies[2];
+            for (int k = 0; k < 2; k++)
+                bodies[k] = base->side[k].body ? &base->side[k].body->kea : NULL;
+            isHeld = MdtKeaContactHolds(bodies, -at->depth, -approachAt(at), mdt_pointParams(at)->restitution,
+                                        keaLength(g) * p->h);
+        }
+        held += isHeld;
+    }
+    return held;
 }
 
 static MdtReportWhy reasonForExact(const MdtIsland *p) {
     return p->record->share == 0 ? MdtReportWhyUnfit : p->record->drawn > 0 ? MdtReportWhyAfforded : MdtReportWhyCheap;
 }
 
+/* Rows 1 to 6 of the table. Bodies that keep their energy, of which only few are held, are met one after the other
+ * (mdt_subdivide.c): the fast solver loses rebounds that follow each other. Of a crowd in flight the centre of mass
+ * moves as a free body by the fast solver, which the exact one takes for what it does not meet in time to the end's
+ * velocity. What the fast solver leaves of joints alone may drive them: its answer has to meet the accuracy. */
 static MdtReportWhy reasonOf(const MdtIsland *p) {
+    const MdtIslandRecord *r = p->record;
+    const MeBool isCrowd = p->numBodies > p->world->timedBodies && p->numContacts > 0 && !p->bounces;
+    const MeBool keepsEnergy = p->bounces && !p->losesEnergy && p->numJoints == 0;
+    const MeBool isUnmet = p->numContacts == 0 && r->isUnmet && r->since <= r->wait;
     if (p->solver == MdtSolverExact)
         return MdtReportWhyAsked;
-    if (mayFly(p))
+    if (p->solver == MdtSolverAuto && isCrowd && p->mayBeFast && mdt_choiceIsInFlight(p))
         return MdtReportWhyFlight;
-    if (!mayBeFast(p) || (p->numContacts == 0 && p->solver == MdtSolverFast))
+    if (!p->mayBeFast || (p->numContacts == 0 && p->solver == MdtSolverFast))
         return MdtReportWhyUnfit;
     if (p->solver == MdtSolverFast)
         return MdtReportWhyAsked;
-    if (isMetInTime(p))
+    if (keepsEnergy && countHeld(p, mdt_mostHeld(p)) <= mdt_mostHeld(p))
         return MdtReportWhyUnfit;
-    if (p->record->isExactFirst)
+    if (r->isExactFirst)
         return reasonForExact(p);
-    return mustBeMet(p) && p->record->isUnmet && p->record->since <= p->record->wait ? MdtReportWhyUnfit
-                                                                                     : MdtReportWhyDear;
+    return isUnmet ? MdtReportWhyUnfit : MdtReportWhyDear;
 }
 
 MeBool mdt_choiceIsFast(MdtIsland *p) {
@@ -357,20 +326,21 @@ MeBool mdt_choiceIsFast(MdtIsland *p) {
 
 MeBool mdt_choiceHasShare(const MdtIsland *p) {
     const MeBool isMet = p->record->fastWork > 0 && !p->record->isUnmet;
-    return !p->isFast && (p->why == MdtReportWhyCheap || p->why == MdtReportWhyAfforded) && (isMet || !mustBeMet(p));
+    return !p->isFast && (p->why == MdtReportWhyCheap || p->why == MdtReportWhyAfforded) &&
+           (isMet || p->numContacts > 0);
 }
 
 /* Parts of a step that has not been declined may take more than its share. */
 double mdt_choiceBudget(const MdtIsland *p) {
     const double all = 1e6 * (double)p->world->workBudget;
-    const double most = !p->isFast && p->numContacts > 0 && mayBeFast(p) ? (1 - mdt_fastReserve) * all : all;
-    if (mdt_choiceHasShare(p) && !mustBeMet(p))
+    const double most = !p->isFast && p->numContacts > 0 && p->mayBeFast ? (1 - mdt_fastReserve) * all : all;
+    if (mdt_choiceHasShare(p) && p->numContacts > 0)
         return fmin(fmax(p->record->share, 2 * mdt_stepShare * budgetOf(p->world)), all > 0 ? most : MDT_NO_BOUND);
     return most;
 }
 
 MeBool mdt_choiceMayTakeOver(const MdtIsland *p) {
-    return !p->isFast && mayBeFast(p) && (p->numContacts > 0 || p->kea.report.opens);
+    return !p->isFast && p->mayBeFast && (p->numContacts > 0 || p->kea.report.opens);
 }
 
 void mdt_choiceTakeOver(MdtIsland *p) {
@@ -381,14 +351,14 @@ void mdt_choiceTakeOver(MdtIsland *p) {
 }
 
 MeBool mdt_choiceTurns(const MdtIsland *p) {
-    const MeBool isWanted = p->why == MdtReportWhyDear
-                                ? p->record->share > 0 || mustBeMet(p)
-                                : p->why == MdtReportWhyTakenOver && mustBeMet(p) && p->hasDeclined;
+    const MeBool mustMeet = p->numContacts == 0; /* joints alone */
+    const MeBool isWanted = p->why == MdtReportWhyDear ? p->record->share > 0 || mustMeet
+                                                       : p->why == MdtReportWhyTakenOver && mustMeet && p->hasDeclined;
     return isWanted && p->numMembers == 0 && p->elapsed == 0 && p->kea.report.excess > 1;
 }
 
 void mdt_choiceTurn(MdtIsland *p) {
-    p->why = mustBeMet(p) ? MdtReportWhyUnfit : reasonForExact(p);
+    p->why = p->numContacts == 0 ? MdtReportWhyUnfit : reasonForExact(p);
     mdt_islandSetFast(p, MEFALSE);
     const double budget = mdt_choiceBudget(p);
     p->work = budget > 0 ? fmax(budget - p->exactWork, 1) : MDT_NO_BOUND;

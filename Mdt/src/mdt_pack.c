@@ -142,6 +142,8 @@ static void noteActing(MdtIsland *p, const Chunk *all) {
     p->jointRows = all->rows;
     p->numContacts = all->points;
     p->hasUserRows = all->hasUserRows;
+    p->mayBeFast = p->jointRows + p->numContacts * MdtBclGETMAXROWSCONTACT <= p->world->maxMatrixSize &&
+                   !p->hasUserRows; /* it leaves no rows out, and has to know how rows move with bodies */
     p->bounces = all->bounces;
     p->losesEnergy = all->losesEnergy;
 }

@@ -61,6 +61,7 @@ typedef struct MdtIsland {
     MdtReportWhy why;                      /* also mdt_batch.c, mdt_choice.c */
     int numContacts, numJoints, jointRows; /* of all joints, at most */
     MeBool hasUserRows;                    /* a joint's rows are the program's */
+    MeBool mayBeFast;                      /* the fast solver is able to take it */
     MeBool bounces, losesEnergy;           /* a contact has restitution; one has less than 1 */
     MdtIslandManifold *manifolds;          /* beside kea.manifolds */
     MdtKeaSystem kea; /* its parameters: mdt_subdivide.c; its arrays and answers: rows, MdtKea; its bodies:
