@@ -223,7 +223,8 @@ static void unpackBatch(MdtIsland *p) {
 static MeBool stepTogether(MdtIsland *p) {
     if (!mdt_islandPack(p))
         return MEFALSE;
-    const MeBool isTaken = mdt_islandSubdivide(p);
+    mdt_islandSubdivide(p);
+    const MeBool isTaken = !p->isStopped;
     if (isTaken)
         unpackBatch(p);
     for (int i = 0; i < p->numBodies && !isTaken; i++)

@@ -339,10 +339,6 @@ double mdt_choiceBudget(const MdtIsland *p) {
     return most;
 }
 
-MeBool mdt_choiceMayTakeOver(const MdtIsland *p) {
-    return !p->isFast && p->mayBeFast && (p->numContacts > 0 || p->kea.report.opens);
-}
-
 void mdt_choiceTakeOver(MdtIsland *p) {
     p->why = MdtReportWhyTakenOver;
     p->work = p->world->workBudget > 0 ? fmax(budgetOf(p->world) - p->exactWork, mdt_fastReserve * budgetOf(p->world))

@@ -27,54 +27,57 @@ MeBool mdt_mayCompose(const MdtIsland *p) {
 
 enum { STAGES = 5 };
 
-/* One of two halves of a stage, if it can be reversed. False: the bodies were stopped. */
-static MeBool takeHalf(MdtIsland *p, double half, MeBool *isTaken) {
+/* One of two halves of a stage. False: it can not be reversed, or was not solved to its end. */
+static MeBool takeHalf(MdtIsland *p, double half) {
     mdt_partMakeRows(p, half);
-    *isTaken = MdtKeaIsReversible(&p->kea);
-    const MeBool isFinite = !*isTaken || mdt_partTakeMade(p, half);
-    *isTaken = *isTaken && !p->kea.report.capped;
-    return isFinite;
+    if (!MdtKeaIsReversible(&p->kea))
+        return MEFALSE;
+    mdt_partTakeMade(p, half, 0);
+    return !p->isStopped && !p->kea.report.capped;
 }
 
-/* False: the bodies were stopped. *isTaken: the whole stage was, and was solved to its end. */
-static MeBool takeStage(MdtIsland *p, double stage, MeBool *isTaken) {
+/* Returns whether the whole stage was taken, and solved to its end. */
+static MeBool takeStage(MdtIsland *p, double stage) {
     const double half = 0.5 * fabs(stage);
     p->stage = stage < 0 ? MDT_STAGE_BACK : MDT_STAGE_FORWARD;
     p->kea.parameters.pair = MdtKeaPairFirst;
     if (stage < 0)
         MdtKeaReverse(&p->kea);
-    const MeBool isFinite = takeHalf(p, half, isTaken) && (!*isTaken || takeHalf(p, half, isTaken));
+    const MeBool isTaken = takeHalf(p, half) && takeHalf(p, half);
     if (stage < 0)
         MdtKeaReverse(&p->kea);
     p->stage = MDT_STAGE_NONE;
     p->kea.parameters.pair = MdtKeaPairNone;
-    return isFinite;
+    return isTaken;
 }
 
 /* One composition, and what is left of the part where that comes to an end. */
-static MeBool takeStages(MdtIsland *p, const double share[], double part) {
+static void takeStages(MdtIsland *p, const double share[], double part) {
     const double end = p->elapsed + part, least = 1e-9 * part;
     MeBool isTaken = METRUE;
     for (int i = 0; i < STAGES && isTaken; i++)
-        if (!takeStage(p, share[i] * part, &isTaken))
-            return MEFALSE;
+        isTaken = takeStage(p, share[i] * part);
     if (isTaken && p->report)
         mdt_reportComposed(p->report);
-    return end - p->elapsed <= least || mdt_partTake(p, end - p->elapsed);
+    if (!p->isStopped && end - p->elapsed > least)
+        mdt_partTake(p, end - p->elapsed, 0);
 }
 
 /* Where the motion is violent the whole composition is halved, not its stages: errors of order 3 cancel only among
  * stages of one composition. */
-static MeBool divideComposition(MdtIsland *p, const double share[], double part, int halvings) {
+static void divideComposition(MdtIsland *p, const double share[], double part, int halvings) {
     enum { MOST = 6 };
-    if (halvings < MOST && MdtKeaTurnsTooFar(&p->kea, 0.5 * fabs(share[STAGES / 2]) * part))
-        return divideComposition(p, share, 0.5 * part, halvings + 1) &&
-               divideComposition(p, share, 0.5 * part, halvings + 1);
-    return takeStages(p, share, part);
+    if (halvings == MOST || !MdtKeaTurnsTooFar(&p->kea, 0.5 * fabs(share[STAGES / 2]) * part)) {
+        takeStages(p, share, part);
+        return;
+    }
+    divideComposition(p, share, 0.5 * part, halvings + 1);
+    if (!p->isStopped)
+        divideComposition(p, share, 0.5 * part, halvings + 1);
 }
 
-MeBool mdt_partCompose(MdtIsland *p, double part) {
+void mdt_partCompose(MdtIsland *p, double part) {
     const double a = 1 / (4 - cbrt(4)), share[STAGES] = {a, a, 1 - 4 * a, a, a};
     p->forward = 4 * a;
-    return divideComposition(p, share, part, 0);
+    divideComposition(p, share, part, 0);
 }

@@ -45,20 +45,20 @@ static void endPart(MdtIsland *p, MeBool isFinite) {
     mdt_partEnd(p);
 }
 
-MeBool mdt_partIntegrate(MdtIsland *p) {
+void mdt_partIntegrate(MdtIsland *p) {
     MeProfileStartSection("Integrate", 0);
-    const MeBool isTaken = isUsable(p) && MdtKeaIntegrate(&p->kea);
-    if (isTaken || p->numMembers == 0)
-        endPart(p, isTaken);
+    p->isStopped = !isUsable(p) || !MdtKeaIntegrate(&p->kea);
+    if (!p->isStopped || p->numMembers == 0)
+        endPart(p, !p->isStopped);
     MeProfileEndSection("Integrate");
-    return isTaken;
 }
 
 void mdt_islandStep(MdtIsland *p) {
     if (!mdt_islandPack(p))
         return;
     mdt_unpackBegin(p);
-    if (mdt_islandSubdivide(p)) {
+    mdt_islandSubdivide(p);
+    if (!p->isStopped) {
         const MeBool isSettled = mdt_restIsSettled(p);
         if (isSettled)
             mdt_restStay(p);

@@ -75,6 +75,7 @@ typedef struct MdtIsland {
     double excess;                     /* of the fast solver's last answer */
     MeBool hasDeclined;                /* the exact solver has */
     MeBool hasMet;                     /* there was an impact at the start of a part */
+    MeBool isStopped;                  /* mdt_step.c: the part's answer was not finite, and its bodies stay */
     /* mdt_compose.c */
     MdtStage stage;
     double forward; /* the sum of the stages that go forward, over the part that they make up */
@@ -121,8 +122,8 @@ void mdt_partSolve(MdtIsland *p, double part);
 /* The same by itself: rows; impacts of a timed part, and solve. */
 void mdt_partMakeRows(MdtIsland *p, double part);
 void mdt_partSolveRows(MdtIsland *p);
-/* Integrate, and unpack of the constraints. False: the bodies were stopped. */
-MeBool mdt_partIntegrate(MdtIsland *p);
+/* Integrate, and unpack of the constraints; writes isStopped. */
+void mdt_partIntegrate(MdtIsland *p);
 
 /* A partition of this step, to be moved on by h seconds; shows it, and those before it, to the program's callback. */
 MdtIsland mdt_islandOf(MdtWorldID w, int number, double h);
@@ -187,8 +188,7 @@ MeBool mdt_choiceIsInFlight(const MdtIsland *p);
  * of exact work, and may decline it. */
 double mdt_choiceBudget(const MdtIsland *p);
 MeBool mdt_choiceHasShare(const MdtIsland *p);
-/* Whether the fast solver may take a part that the exact one has not solved; it takes the rest of the step. */
-MeBool mdt_choiceMayTakeOver(const MdtIsland *p);
+/* The fast solver takes the rest of the step from the exact one. */
 void mdt_choiceTakeOver(MdtIsland *p);
 /* Whether the exact solver takes a part that the fast one has solved, since its answer does not meet the accuracy; it
  * does. */
@@ -214,21 +214,21 @@ void mdt_contactsClearForces(MdtIsland *p);
 void mdt_contactsUnpack(MdtIsland *p, MeBool isGuess);
 double mdt_contactsPenetration(const MdtIsland *p);
 
-/* Takes the step in parts, within its budget of work. False: the bodies were stopped (mdt_subdivide.c). */
-MeBool mdt_islandSubdivide(MdtIsland *p);
+/* Takes the step in parts, within its budget of work, until its bodies are stopped (mdt_subdivide.c). */
+void mdt_islandSubdivide(MdtIsland *p);
 /* How many bodies may be held, at most, in a partition whose impacts are met in time, one after the other; 0: none. */
 int mdt_mostHeld(const MdtIsland *p);
 /* A part of the step begins: its parameters, Kea's arrays; bodies meet in it; it has been integrated. */
 void mdt_partBegin(MdtIsland *p, double part);
 void mdt_partImpact(MdtIsland *p);
 void mdt_partEnd(MdtIsland *p);
-/* Takes a part, in halves where its motion is violent; the same when its rows are made. False: the bodies were
- * stopped. */
-MeBool mdt_partTake(MdtIsland *p, double part);
-MeBool mdt_partTakeMade(MdtIsland *p, double part);
+/* Takes a part, which so many halvings have made, in halves where its motion is violent; the same when its rows are
+ * made. */
+void mdt_partTake(MdtIsland *p, double part, int halvings);
+void mdt_partTakeMade(MdtIsland *p, double part, int halvings);
 /* Whether parts may be taken in stages of order 4; takes one so, as far as that goes (mdt_compose.c). */
 MeBool mdt_mayCompose(const MdtIsland *p);
-MeBool mdt_partCompose(MdtIsland *p, double part);
+void mdt_partCompose(MdtIsland *p, double part);
 /* The budget of a solve; the cost of the last one. */
 void mdt_budgetGrant(MdtIsland *p);
 void mdt_budgetDraw(MdtIsland *p);

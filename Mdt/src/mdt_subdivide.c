@@ -55,11 +55,6 @@ void mdt_budgetDraw(MdtIsland *p) {
         p->report->work += (MeReal)(1e-6 * cost->work);
 }
 
-/* Whether the budget allows for a solve of each half of the part. */
-static MeBool mayDivide(const MdtIsland *p, int halvings) {
-    return halvings < MAX_HALVINGS && p->work > 2 * p->kea.report.least;
-}
-
 /* ---- one part ---- */
 
 /* A part of H / n takes the n-th part of a step's relaxation, and a load sags as it would in a whole one:
@@ -154,72 +149,79 @@ void mdt_partEnd(MdtIsland *p) {
 
 /* ---- halves ---- */
 
-static MeBool takePart(MdtIsland *p, double part, int halvings);
-
 /* m/s: what a body gains by falling in the time. */
 static double fallIn(const MdtIsland *p, double time) {
     const MeReal *g = p->world->params.gravity;
     return sqrt((double)(g[0] * g[0] + g[1] * g[1] + g[2] * g[2])) * time;
 }
 
-/* Has the work of a whole step run out before its contacts hold anything, where there are no joints? An error of all
- * that a body gains by falling in the step is what they leave that do not act: 100 boxes in one place, and what they
- * hit, would pass through the floor. */
-static MeBool isUnsupported(const MdtIsland *p) {
-    const double share = 0.5;
-    return p->kea.report.limited && p->numJoints == 0 && p->h == p->whole && p->world->maxLcpIterations == 0 &&
-           p->kea.report.residual > share * fallIn(p, p->whole);
+/* What is done with the solve of a part. */
+typedef enum Verdict {
+    INTEGRATE,    /* its answer is taken */
+    TAKE_OVER,    /* the fast solver takes the rest of the step */
+    TURN,         /* the exact solver takes the part instead of the fast one */
+    HALVE,        /* both halves are taken instead */
+    SOLVE_REFUSED /* it was refused, and can not be halved: it is solved as it is */
+} Verdict;
+
+/* Joints that open would let bodies come apart, and contacts that do not act would let them pass through what they hit:
+ * the work of the step has run out before these hold. Dolls that fall opened by 3 mm in a step where a share of exact
+ * work was used up; 100 boxes in one place passed through the floor. */
+static Verdict judgeSolve(const MdtIsland *p, int halvings) {
+    const double open = 1e-3, unsupported = 0.5; /* of a body's size; of what a body gains by falling in the step */
+    const MdtKeaReport *r = &p->kea.report;
+    const MeBool areJointsOpen = r->opens || (r->limited && r->opening > open && mdt_choiceHasShare(p));
+    const MeBool isUnsupported = r->limited && p->numJoints == 0 && p->h == p->whole &&
+                                 p->world->maxLcpIterations == 0 && r->residual > unsupported * fallIn(p, p->whole);
+    const MeBool mayDivide = halvings < MAX_HALVINGS && p->work > 2 * r->least; /* there is work for two solves */
+    const MeBool mayTakeOver = !p->isFast && p->mayBeFast && (p->numContacts > 0 || r->opens);
+    if (r->declined)
+        return TAKE_OVER;
+    if (mdt_choiceTurns(p))
+        return TURN;
+    if (r->violent && mayDivide)
+        return HALVE;
+    if (r->refused)
+        return SOLVE_REFUSED;
+    return (areJointsOpen || isUnsupported) && mayTakeOver ? TAKE_OVER : INTEGRATE;
 }
 
-/* Has its share been used up before its joints are closed, of which the fast solver makes sure? By a thousandth of a
- * body: dolls that fall opened by 3 mm in a step. */
-static MeBool isLeftOpen(const MdtIsland *p) {
-    const double open = 1e-3;
-    return p->kea.report.limited && p->kea.report.opening > open && mdt_choiceHasShare(p);
-}
-
-/* Takes one part of the step, in halves where its motion is violent. Where joints would open all the same, or contacts
- * would not hold, the fast solver takes the rest of the step. False: the bodies were stopped. */
-static MeBool takeMade(MdtIsland *p, double part, int halvings) {
-    p->kea.parameters.mayRefuse = halvings < MAX_HALVINGS;
-    mdt_partSolveRows(p);
-    if (p->kea.report.declined || mdt_choiceTurns(p)) {
-        if (p->isFast)
-            mdt_choiceTurn(p);
-        else
-            mdt_choiceTakeOver(p);
-        return takePart(p, part, halvings);
-    }
-    const MeBool isInexact = p->kea.report.opens || isLeftOpen(p) || isUnsupported(p);
-    if (!p->kea.report.violent && !isInexact)
-        return mdt_partIntegrate(p);
-    if (!p->kea.report.violent || !mayDivide(p, halvings)) {
-        if (p->kea.report.refused)
-            return takePart(p, part, MAX_HALVINGS);
-        if (!isInexact || !mdt_choiceMayTakeOver(p))
-            return mdt_partIntegrate(p);
-        mdt_choiceTakeOver(p);
-        return takePart(p, part, halvings);
-    }
+static void takeHalves(MdtIsland *p, double part, int halvings) {
     if (p->report)
         mdt_reportDivision(p->report);
     const double kept = keepWork(p, 0.5);
-    const MeBool isTaken = takePart(p, 0.5 * part, halvings + 1);
+    mdt_partTake(p, 0.5 * part, halvings + 1);
     p->work += kept;
-    return isTaken && takePart(p, 0.5 * part, halvings + 1);
+    if (!p->isStopped)
+        mdt_partTake(p, 0.5 * part, halvings + 1);
 }
 
-static MeBool takePart(MdtIsland *p, double part, int halvings) {
+void mdt_partTakeMade(MdtIsland *p, double part, int halvings) {
+    p->kea.parameters.mayRefuse = halvings < MAX_HALVINGS;
+    mdt_partSolveRows(p);
+    switch (judgeSolve(p, halvings)) {
+    case INTEGRATE:
+        mdt_partIntegrate(p);
+        return;
+    case HALVE:
+        takeHalves(p, part, halvings);
+        return;
+    case TAKE_OVER:
+        mdt_choiceTakeOver(p);
+        break;
+    case TURN:
+        mdt_choiceTurn(p);
+        break;
+    case SOLVE_REFUSED:
+        halvings = MAX_HALVINGS;
+        break;
+    }
+    mdt_partTake(p, part, halvings);
+}
+
+void mdt_partTake(MdtIsland *p, double part, int halvings) {
     mdt_partMakeRows(p, part);
-    return takeMade(p, part, halvings);
-}
-
-MeBool mdt_partTake(MdtIsland *p, double part) {
-    return takePart(p, part, 0);
-}
-
-MeBool mdt_partTakeMade(MdtIsland *p, double part) {
-    return takeMade(p, part, 0);
+    mdt_partTakeMade(p, part, halvings);
 }
 
 /* ---- events ---- */
@@ -263,36 +265,44 @@ static MeBool hasManyHeld(const MdtIsland *p) {
     return p->numBodies > p->world->timedBodies && MdtKeaHeldBodies(&p->kea) > mdt_mostHeld(p);
 }
 
-/* Solves a timed part up to the next event, or through at most so many impacts, at most `rest` s. False: not solved
- * accurately, or too expensive to follow, or impacts chatter. */
-static MeBool solveToEvent(MdtIsland *p, double rest, double least, int mostImpacts) {
+typedef enum Following {
+    FOLLOWED,   /* solved up to the next event, or through at most so many impacts */
+    UNFOLLOWED, /* not solved accurately, or too expensive to follow, or impacts chatter */
+    VIOLENT     /* the same, since the motion is too violent for a part of this length */
+} Following;
+
+/* Solves a timed part up to the next event, at most `rest` s. */
+static Following solveToEvent(MdtIsland *p, double rest, double least, int mostImpacts) {
+    const MdtKeaReport *r = &p->kea.report;
     p->kea.parameters.timed = METRUE;
     mdt_partMakeRows(p, rest);
     if (hasManyHeld(p) || (!p->kea.parameters.holdsSlow && MdtKeaTrembles(&p->kea)))
-        return MEFALSE;
+        return UNFOLLOWED;
     mdt_partSolveRows(p);
-    if (!isFollowed(p) || p->kea.report.factorizations > MDT_FOLLOWING)
-        return MEFALSE;
-    if (p->kea.report.event >= rest - least)
-        return METRUE;
-    if (p->kea.report.trembles) /* chattering: slow impacts would follow each other without end */
-        return MEFALSE;
-    if (p->kea.report.ballistic) {
+    const MeBool hasEvent = r->event < rest - least;
+    const MeBool chatters = hasEvent && r->trembles; /* slow impacts would follow each other without end */
+    if (!isFollowed(p) || r->factorizations > MDT_FOLLOWING || chatters)
+        return r->violent ? VIOLENT : UNFOLLOWED;
+    if (!hasEvent)
+        return FOLLOWED;
+    if (r->ballistic) {
         fly(p, rest, least, mostImpacts);
     } else {
         if (p->report)
             mdt_reportEvent(p->report);
-        mdt_partSolve(p, fmax(p->kea.report.event, least));
+        mdt_partSolve(p, fmax(r->event, least));
     }
-    return isFollowed(p);
+    return isFollowed(p) ? FOLLOWED : r->violent ? VIOLENT : UNFOLLOWED;
 }
 
 /* The same, with the part halved while the motion is violent. */
-static MeBool solveToEventOrHalf(MdtIsland *p, double rest, double least, int mostImpacts) {
-    for (double ahead = rest; !solveToEvent(p, ahead, least, mostImpacts); ahead *= 0.5)
-        if (!p->kea.report.violent || ahead < 0.2 * rest)
-            return MEFALSE;
-    return METRUE;
+static Following solveToEventOrHalf(MdtIsland *p, double rest, double least, int mostImpacts) {
+    Following following = solveToEvent(p, rest, least, mostImpacts);
+    for (double ahead = rest; following == VIOLENT && ahead >= 0.2 * rest;) {
+        ahead *= 0.5;
+        following = solveToEvent(p, ahead, least, mostImpacts);
+    }
+    return following;
 }
 
 /* The most events at which a part is divided. A column of n balls that lands has n (n + 1)/2 impacts, as the lowest one
@@ -312,22 +322,21 @@ static int mostEvents(const MdtIsland *p) {
 /* A part of the step with timed contacts: divided at each event. After too many events, or where a solve is not
  * accurate, the rest is one part that is not timed. What rolls on a surface of triangles meets some of them slowly in
  * nearly every step: these do not divide it. */
-static MeBool takeInTime(MdtIsland *p, double part) {
+static void takeInTime(MdtIsland *p, double part) {
     const double least = 1e-9 * part;
     const int most = mostEvents(p);
     const double kept = 0.5 * p->work; /* for what is left after the events */
     double rest = part;
     p->kea.parameters.holdsSlow = p->numJoints > 0 && !p->bounces;
-    for (int events = 0; rest > least; events += MeMAX(p->kea.report.impacts, 1)) {
-        if (events >= most || p->work < kept || !solveToEventOrHalf(p, rest, least, most - events)) {
+    for (int events = 0; rest > least && !p->isStopped; events += MeMAX(p->kea.report.impacts, 1)) {
+        if (events >= most || p->work < kept || solveToEventOrHalf(p, rest, least, most - events) != FOLLOWED) {
             p->kea.parameters.timed = MEFALSE;
-            return takePart(p, rest, 0);
+            mdt_partTake(p, rest, 0);
+            return;
         }
         rest -= p->parameters.stepsize;
-        if (!mdt_partIntegrate(p))
-            return MEFALSE;
+        mdt_partIntegrate(p);
     }
-    return METRUE;
 }
 
 /* Whether contacts are timed: in partitions of few bodies without joints, or of which all rolls that touches; with
@@ -352,25 +361,21 @@ static MeBool isTimed(MdtIsland *p, double part) {
 
 /* ---- sub-steps ---- */
 
-static MeBool takeSubStep(MdtIsland *p, double part) {
-    p->kea.parameters.timed = MEFALSE; /* as the sub-step before this one may have been */
-    if (isTimed(p, part))
-        return takeInTime(p, part);
-    if (mdt_mayCompose(p))
-        return mdt_partCompose(p, part);
-    return mdt_partTake(p, part);
-}
-
-MeBool mdt_islandSubdivide(MdtIsland *p) {
+void mdt_islandSubdivide(MdtIsland *p) {
+    const int n = p->world->subSteps;
+    const double part = p->h / n;
     beginBudget(p);
     p->parameters.hasContacts = p->numContacts > 0;
     kick(p);
-    const int n = p->world->subSteps;
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i < n && !p->isStopped; i++) {
         const double kept = keepWork(p, 1. / (n - i));
-        if (!takeSubStep(p, p->h / n))
-            return MEFALSE;
+        p->kea.parameters.timed = MEFALSE; /* as the sub-step before this one may have been */
+        if (isTimed(p, part))
+            takeInTime(p, part);
+        else if (mdt_mayCompose(p))
+            mdt_partCompose(p, part);
+        else
+            mdt_partTake(p, part, 0);
         p->work += kept;
     }
-    return METRUE;
 }
