@@ -23,21 +23,22 @@ enum { BATCH = 64 };
 
 /* ---- memory ---- */
 
-static MeBool reserveBodies(MdtBatches *b, size_t n, const char *caller) {
-    return MeMemoryGrow(&b->firstMember, 0, n + 1, sizeof *b->firstMember, caller, "batches") &&
-           MeMemoryGrow(&b->member, 0, n + 1, sizeof *b->member, caller, "batches") &&
-           MeMemoryGrow(&b->isIn, 0, n, sizeof *b->isIn, caller, "batches") &&
-           MeMemoryGrow(&b->body, 0, n, sizeof *b->body, caller, "batches") &&
-           MeMemoryGrow(&b->kea, 0, n, sizeof *b->kea, caller, "batches");
-}
-
 MeBool mdt_batchesReserve(MdtBatches *b, int bodies, int acting, const char *caller) {
-    if (bodies > b->bodyRoom && !reserveBodies(b, (size_t)bodies, caller))
-        return MEFALSE;
-    b->bodyRoom = MeMAX(b->bodyRoom, bodies);
-    if (acting > b->actingRoom && !MeMemoryGrow(&b->acting, 0, (size_t)acting, sizeof *b->acting, caller, "batches"))
-        return MEFALSE;
-    b->actingRoom = MeMAX(b->actingRoom, acting);
+    const size_t n = (size_t)bodies;
+    if (bodies > b->bodyRoom) {
+        if (!MeMemoryGrow(&b->firstMember, 0, n + 1, sizeof *b->firstMember, caller, "batches") ||
+            !MeMemoryGrow(&b->member, 0, n + 1, sizeof *b->member, caller, "batches") ||
+            !MeMemoryGrow(&b->isIn, 0, n, sizeof *b->isIn, caller, "batches") ||
+            !MeMemoryGrow(&b->body, 0, n, sizeof *b->body, caller, "batches") ||
+            !MeMemoryGrow(&b->kea, 0, n, sizeof *b->kea, caller, "batches"))
+            return MEFALSE;
+        b->bodyRoom = bodies;
+    }
+    if (acting > b->actingRoom) {
+        if (!MeMemoryGrow(&b->acting, 0, (size_t)acting, sizeof *b->acting, caller, "batches"))
+            return MEFALSE;
+        b->actingRoom = acting;
+    }
     return METRUE;
 }
 
@@ -49,62 +50,49 @@ void mdt_batchesTerm(MdtBatches *b) {
 
 /* ---- candidates ---- */
 
-/* Is it to be taken by the whole of the step? */
-static MeBool isWhole(MdtWorldID w, int partition, double h, MeBool safely) {
-    if (!safely)
-        return METRUE;
-    const MdtIsland p = mdt_islandOf(w, partition, h);
-    return mdt_lagSafeStep(&p) == h;
+/* How many bodies a partition has, if these are few and constraints act on them; else 0. */
+static int fewBodies(const MdtWorld *w, int partition) {
+    const int bodies = w->bodyStart[partition + 1] - w->bodyStart[partition];
+    return bodies < MDT_CROWD && w->actingStart[partition + 1] > w->actingStart[partition] ? bodies : 0;
 }
 
-static MeBool hasFewThatTouch(const MdtWorld *w, int partition) {
-    return w->bodyStart[partition + 1] - w->bodyStart[partition] < MDT_CROWD &&
-           w->actingStart[partition + 1] > w->actingStart[partition];
-}
-
-/* How many bodies are in partitions of few, by their numbers alone. */
-static int countInFew(const MdtWorld *w) {
-    int bodies = 0;
-    for (int i = 0; i < w->numPartitions; i++)
-        bodies += hasFewThatTouch(w, i) ? w->bodyStart[i + 1] - w->bodyStart[i] : 0;
-    return bodies;
-}
-
-/* Writes them as the first members; returns how many, and how many bodies they have. */
+/* Writes the candidates as the first members; returns how many, and how many bodies they have. Those that their safe
+ * time lets take a part of the step only are none. */
 static int findCandidates(MdtWorldID w, double h, MeBool safely, int *bodies) {
     int count = 0;
     *bodies = 0;
     for (int i = 0; i < w->numPartitions; i++) {
-        if (!hasFewThatTouch(w, i) || w->output.info[i].isDisabled || mdt_restIsNear(w, i) || !isWhole(w, i, h, safely))
+        if (fewBodies(w, i) == 0 || w->output.info[i].isDisabled || mdt_restIsNear(w, i))
+            continue;
+        const MdtIsland p = mdt_islandOf(w, i, h);
+        if (safely && mdt_lagSafeStep(&p) != h)
             continue;
         w->batches.member[count++].partition = i;
-        *bodies += w->bodyStart[i + 1] - w->bodyStart[i];
+        *bodies += p.numBodies;
     }
     return count;
 }
 
 /* ---- members ---- */
 
-/* Not in flight: a system that touches no world is advanced by its mean velocity (kea_fast.c), a batch is not. */
-static MeBool isMember(MdtWorldID w, int partition, double h) {
-    MdtIsland p = mdt_islandOf(w, partition, h);
-    mdt_islandCount(&p);
-    return p.numJoints == 0 && !p.bounces && !(p.record->isUnmet && p.record->share > 0) && !mdt_choiceIsInFlight(&p) &&
-           mdt_choiceIsFast(&p);
-}
-
 typedef struct Choosing {
     MdtWorldID world;
     double h;
 } Choosing;
 
-/* The rule for order (MeTeam.h): a partition's choice reads and writes its own bodies alone. */
+/* Those in flight are none: a system that touches no world is advanced by its mean velocity (kea_fast.c), a batch is
+ * not. The rule for order (MeTeam.h): a partition's choice reads and writes its own bodies alone. */
 static void MEAPI chooseMembers(void *context, int first, int end, int worker) {
     const Choosing *c = context;
     MdtBatches *b = &c->world->batches;
     (void)worker;
-    for (int i = first; i < end; i++)
-        b->isIn[b->member[i].partition] = isMember(c->world, b->member[i].partition, c->h);
+    for (int i = first; i < end; i++) {
+        MdtIsland p = mdt_islandOf(c->world, b->member[i].partition, c->h);
+        mdt_islandCount(&p);
+        const MeBool isPlain = p.numJoints == 0 && !p.bounces;
+        const MeBool isUnmet = p.record->isUnmet && p.record->share > 0; /* the exact solver may have to take it */
+        b->isIn[p.number] = isPlain && !isUnmet && !mdt_choiceIsInFlight(&p) && mdt_choiceIsFast(&p);
+    }
 }
 
 static void addMember(MdtWorldID w, int partition) {
@@ -150,7 +138,9 @@ static void makeBatches(MdtBatches *b) {
 void mdt_batchesFind(MdtWorldID w, double h, MeBool safely, MeTeam *team) {
     int bodies = 0;
     w->batches.count = 0;
-    if ((!w->solverCb && w->solver == MdtSolverExact) || countInFew(w) < MDT_CROWD)
+    for (int i = 0; i < w->numPartitions; i++)
+        bodies += fewBodies(w, i);
+    if ((!w->solverCb && w->solver == MdtSolverExact) || bodies < MDT_CROWD)
         return;
     const int candidates = findCandidates(w, h, safely, &bodies);
     if (bodies < MDT_CROWD)
@@ -219,20 +209,6 @@ static void unpackBatch(MdtIsland *p) {
         reportMembers(p);
 }
 
-/* False: the solution was discarded, and the bodies are as the part began, with their loads. */
-static MeBool stepTogether(MdtIsland *p) {
-    if (!mdt_islandPack(p))
-        return MEFALSE;
-    mdt_islandSubdivide(p);
-    const MeBool isTaken = !p->isStopped;
-    if (isTaken)
-        unpackBatch(p);
-    for (int i = 0; i < p->numBodies && !isTaken; i++)
-        mdt_forceKeep(p->bodies[i]);
-    mdt_islandRelease(p);
-    return isTaken;
-}
-
 /* Each by itself, for the rest of the step. */
 static void stepMembersAlone(const MdtIsland *p) {
     for (const MdtMember *m = p->member; m < p->member + p->numMembers; m++) {
@@ -244,10 +220,20 @@ static void stepMembersAlone(const MdtIsland *p) {
     }
 }
 
+/* If the solution is discarded, the bodies are as the part began, with their loads. */
 void mdt_batchTake(MdtIsland *p) {
     MdtReport report;
     mdt_reportBatch(p, &report);
     mdt_lagSet(p, p->h);
-    if (!stepTogether(p))
+    const MeBool isPacked = mdt_islandPack(p);
+    if (isPacked) {
+        mdt_islandSubdivide(p);
+        if (!p->isStopped)
+            unpackBatch(p);
+        for (int i = 0; i < p->numBodies && p->isStopped; i++)
+            mdt_forceKeep(p->bodies[i]);
+        mdt_islandRelease(p);
+    }
+    if (!isPacked || p->isStopped)
         stepMembersAlone(p);
 }
