@@ -413,16 +413,6 @@ MEPUBLIC int MEAPI MdtKeaHeldBodies(const MdtKeaSystem *system);
  */
 MEPUBLIC MeBool MEAPI MdtKeaContactHolds(const MdtKeaBody *const bodies[2], double gap, double rate, double restitution,
                                          double loadSpeed);
-/**
- * Whether bodies meet in a step, or nearly, and rebound: what MdtKeaBounces asks of a contact.
- *  @param gap       m, negative where they overlap
- *  @param rate      m/s, at which the gap grows as they meet
- *  @param threshold m/s, slower impacts do not rebound
- *  @param loadSpeed m/s, by which the loads change the bodies' velocities in a step
- *  @param stepsize  s
- */
-MEPUBLIC MeBool MEAPI MdtKeaContactRebounds(double gap, double rate, double restitution, double threshold,
-                                            double loadSpeed, double stepsize);
 
 /** Whether momentum was given to a body as the step begins (MdtKeaBody.kick). */
 MEPUBLIC MeBool MEAPI MdtKeaIsKicked(const MdtKeaSystem *system);

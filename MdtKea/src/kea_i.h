@@ -267,8 +267,8 @@ double kea_pushSpeed(const MdtKeaSystem *s, const MdtKeaRow *row, double speed);
 
 /* Sets isOpen of all contacts. */
 void kea_timedBegin(MdtKeaSystem *s);
-/* Holds the contacts that meet slowly within the step, by the end of the last solve (holdsSlow). False: none do. */
-MeBool kea_holdMeeting(MdtKeaSystem *s);
+/* Holds the contacts that meet slowly within the step, by the end of the last solve (holdsSlow); returns how many. */
+int kea_holdMeeting(MdtKeaSystem *s);
 /* s: the first impact or end of sliding within the step; HUGE_VAL: none. `mustRepeat`: contacts stop sliding, and their
  * friction is now fixed against the sliding of the start (isForced): solve and call again for the time.
  * kea_releaseSlides undoes that. */

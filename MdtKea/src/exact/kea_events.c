@@ -32,16 +32,6 @@ static double freeRate(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return rate;
 }
 
-/* Would it part again with a speed that counts, of what meets at that rate? */
-static MeBool rebounds(double restitution, double threshold, double rate, double gate) {
-    return -rate > threshold && -rate * restitution > gate;
-}
-
-static MeBool isDeep(const MdtKeaSystem *s, const MdtKeaRow *row) {
-    const MdtKeaRow out = {.body = {row->body[0], row->body[1]}, .error = -row->error};
-    return row->error < 0 && !kea_isTouching(s, &out);
-}
-
 /* Not with springs: their forces change within a step, and stiff ones need the damping of θ = 1. Not with deep
  * overlaps, whose projection against joints changes the energy; unless the bodies still approach fast, as where a body
  * that was hit in the last step had no contact with the next one yet: that is a late impact. */
@@ -55,8 +45,9 @@ MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
         if (row->contact != i)
             continue;
         const double rate = keaMin(kea_startRate(s, i), freeRate(s, row) - row->drift);
-        const MeBool isFast = rebounds(row->restitution, row->threshold, rate, minSpeed);
-        if (isDeep(s, row) && !isFast)
+        const MeBool isFast = -rate > row->threshold && -rate * row->restitution > minSpeed;
+        const MeBool isDeep = row->error <= -kea_touchingGap * kea_smallerSize(s, row->body);
+        if (isDeep && !isFast)
             return MEFALSE;
         if (isFast && row->error + reach * rate < 0)
             bounces = METRUE;
@@ -64,24 +55,22 @@ MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
     return bounces;
 }
 
-/* Of a normal row: round, and no deeper than what is near. */
-static MeBool isRolling(const MdtKeaSystem *s, const MdtKeaRow *row) {
-    return row->error >= -kea_nearbyGap * kea_smallerSize(s, row->body) && (row->radius[0] > 0 || row->radius[1] > 0);
-}
-
 MeBool MEAPI MdtKeaRolls(const MdtKeaSystem *s) {
     MeBool hasContact = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        if (row->contact < 0 ? row->spring || (row->position && kea_mayReachBound(row))
-                             : row->contact == i && !isRolling(s, row))
+        const MeBool isStop = row->position && kea_mayReachBound(row);
+        const MeBool isRound = row->radius[0] > 0 || row->radius[1] > 0;
+        if (row->contact < 0 && (row->spring || isStop))
+            return MEFALSE;
+        if (row->contact == i && (!isRound || row->error < -kea_nearbyGap * kea_smallerSize(s, row->body)))
             return MEFALSE;
         hasContact = hasContact || row->contact >= 0;
     }
     return hasContact;
 }
 
-/* Of what touches: that which is met late, deep already, rebounds at once. */
+/* Whether a contact that touches neither parts nor rebounds. One already deep on arrival rebounds immediately. */
 static MeBool holds(double rate, double restitution, double speed) {
     return rate <= kea_partingSpeed * speed && -rate * restitution <= kea_minReboundSpeed * speed;
 }
@@ -95,27 +84,16 @@ MeBool MEAPI MdtKeaContactHolds(const MdtKeaBody *const bodies[2], double gap, d
     return gap < kea_touchingGap * size && holds(rate, restitution, loadSpeed);
 }
 
-static MeBool isHeldBy(const MdtKeaSystem *s, int i, double speed) {
-    const MdtKeaRow *row = &s->rows[i];
-    if (row->contact < 0)
-        return METRUE;
-    return row->contact == i && kea_isTouching(s, row) && holds(kea_startRate(s, i), row->restitution, speed);
-}
-
-MeBool MEAPI MdtKeaContactRebounds(double gap, double rate, double restitution, double threshold, double loadSpeed,
-                                   double stepsize) {
-    return rebounds(restitution, threshold, rate, kea_minReboundSpeed * loadSpeed) &&
-           gap + kea_reach * stepsize * rate < 0;
-}
-
 int MEAPI MdtKeaHeldBodies(const MdtKeaSystem *s) {
     const double speed = kea_eventSpeed(s);
     int *isHeld = s->work->parent, count = 0;
     memset(isHeld, 0, (size_t)s->numBodies * sizeof *isHeld);
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        const MeBool holds = isHeldBy(s, i, speed);
-        for (int k = 0; holds && k < 2; k++)
+        const MeBool isJoint = row->contact < 0, isNormal = row->contact == i;
+        if (!isJoint && !(isNormal && kea_isTouching(s, row) && holds(kea_startRate(s, i), row->restitution, speed)))
+            continue;
+        for (int k = 0; k < 2; k++)
             if (row->body[k] >= 0)
                 isHeld[row->body[k]] = 1;
     }
@@ -165,14 +143,14 @@ void kea_timedBegin(MdtKeaSystem *s) {
             s->rows[i].isOpen = kea_isOpen(s, i, speed) && !isToHold(s, i, freeRate(s, &s->rows[i]));
 }
 
-MeBool kea_holdMeeting(MdtKeaSystem *s) {
-    MeBool any = MEFALSE;
+int kea_holdMeeting(MdtKeaSystem *s) {
+    int count = 0;
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact == i && s->rows[i].isOpen && isToHold(s, i, kea_endRate(s, i))) {
             s->rows[i].isOpen = MEFALSE;
-            any = METRUE;
+            count++;
         }
-    return any;
+    return count;
 }
 
 /* ---- events ---- */
@@ -219,19 +197,7 @@ static Slip slipOf(const MdtKeaSystem *s, int i) {
     return slip;
 }
 
-/* Friction with slip: below its bound the force is proportional to the speed, so that sliding ends smoothly. */
-static MeBool isViscous(const MdtKeaSystem *s, const MdtKeaRow *row) {
-    return row->softness > 0 || (row->partner >= 0 && s->rows[row->partner].softness > 0);
-}
-
-/* Whether a friction row, bounded by a normal force, slides faster than minSpeed at the start, and would stop with a
- * jerk; a cone is represented by its first row. */
-static MeBool canStop(const MdtKeaSystem *s, int i, double minSpeed) {
-    const MdtKeaRow *row = &s->rows[i];
-    return row->normal >= 0 && !s->rows[row->contact].isOpen && !(row->partner >= 0 && row->partner < i) &&
-           !isViscous(s, row) && slipOf(s, i).size > minSpeed;
-}
-
+/* Whether friction holds, or would slide back, at the end. */
 static MeBool hasStopped(const MdtKeaSystem *s, const Slip *slip) {
     const KeaProblemRow *p = &s->work->problem.row[slip->row[0]];
     const double force = keaHypotenuse(p->p, slip->row[1] >= 0 ? s->work->problem.row[slip->row[1]].p : 0);
@@ -239,23 +205,28 @@ static MeBool hasStopped(const MdtKeaSystem *s, const Slip *slip) {
     return sticks || slip->start[0] * slip->end[0] + slip->start[1] * slip->end[1] < 0;
 }
 
-/* Fixes the friction of contacts that stop within the step against the slip of the start (isForced). Returns whether
- * there are any. */
-static MeBool forceSlides(MdtKeaSystem *s, double minSpeed) {
-    MeBool any = MEFALSE;
+/* Fixes the friction of contacts that slide faster than minSpeed and stop with a jerk within the step against the slip
+ * of the start (isForced); a cone is represented by its first row. Friction with slip stops smoothly: below its bound
+ * the force is proportional to the speed. Returns how many there are. */
+static int forceSlides(MdtKeaSystem *s, double minSpeed) {
+    int count = 0;
     for (int i = 0; i < s->numRows; i++) {
-        if (!canStop(s, i, minSpeed) || s->rows[i].isForced)
+        const MdtKeaRow *row = &s->rows[i], *partner = row->partner >= 0 ? &s->rows[row->partner] : NULL;
+        const MeBool isViscous = row->softness > 0 || (partner && partner->softness > 0);
+        if (row->normal < 0 || (partner && row->partner < i) || s->rows[row->contact].isOpen)
+            continue;
+        if (isViscous || row->isForced)
             continue;
         const Slip slip = slipOf(s, i);
-        if (!hasStopped(s, &slip))
+        if (slip.size <= minSpeed || !hasStopped(s, &slip))
             continue;
         for (int k = 0; k < 2 && slip.row[k] >= 0; k++) {
             s->rows[slip.row[k]].isForced = METRUE;
             s->rows[slip.row[k]].forced = -slip.start[k] / slip.size;
         }
-        any = METRUE;
+        count++;
     }
-    return any;
+    return count;
 }
 
 static double firstStop(const MdtKeaSystem *s) {
@@ -274,7 +245,7 @@ static double firstStop(const MdtKeaSystem *s) {
 
 double kea_firstEvent(MdtKeaSystem *s, MeBool *mustRepeat) {
     const double speed = kea_eventSpeed(s);
-    *mustRepeat = !s->parameters.holdsSlow && forceSlides(s, kea_partingSpeed * speed);
+    *mustRepeat = !s->parameters.holdsSlow && forceSlides(s, kea_partingSpeed * speed) > 0;
     const Impact impact = firstImpact(s);
     const double stop = firstStop(s);
     s->report.trembles = impact.time < s->parameters.stepsize && impact.speed <= kea_minReboundSpeed * speed;
