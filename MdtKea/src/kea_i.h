@@ -135,7 +135,7 @@ typedef struct MdtKeaWork {
     KeaFlight flight;
     MeBool hasLoops;          /* of joints */
     MeBool isInconsistent;    /* joints contradict each other: some keep a residual above tolerance */
-    MeBool hasJoints;         /* there are rows that are not contacts' */
+    MeBool hasJoints;         /* there are rows that are not contacts' (kea_beginRows) */
     MeBool usesTangentAnswer; /* the answer is tangentU, tangentP: symmetric passes did not improve on it */
 } MdtKeaWork;
 
@@ -213,8 +213,8 @@ void kea_differentiateRows(MdtKeaSystem *s);
 void kea_setMovingRates(MdtKeaSystem *s);
 /* r, E and N of each row of the inner problem; after kea_linearizeBodies. */
 void kea_linearizeRows(MdtKeaSystem *s);
-/* Activates contacts that were inactive (out of reach) and would be passed through. Returns whether there were any. */
-MeBool kea_admitContacts(MdtKeaSystem *s);
+/* Activates contacts that were inactive (out of reach) and would be passed through. */
+void kea_admitContacts(MdtKeaSystem *s);
 /* Whether a spring is too stiff for the midpoint rule and is integrated by backward Euler (θ = 1). */
 MeBool kea_isTooStiff(const MdtKeaSystem *s, const MdtKeaRow *row);
 

@@ -35,18 +35,6 @@ static double rateWith(const MdtKeaRow *row, const MdtKeaVelocity *velocity) {
 
 /* ---- theta ---- */
 
-/* Whether the normal row of a contact may carry something in this step. */
-static MeBool mayBeReached(const MdtKeaSystem *s, const MdtKeaRow *row) {
-    double size = 0;
-    for (int k = 0; k < 2; k++)
-        if (row->body[k] >= 0)
-            size = keaMax(size, s->work->body[row->body[k]].size);
-    const double speed = keaMin(rateWith(row, s->velocity), rateWith(row, s->predicted));
-    const double h = s->parameters.stepsize,
-                 gap = row->error + h * keaMax(speed, 0); /* at the end, if the bodies part */
-    return row->lower < 0 || gap < kea_nearbyGap * size || row->error + kea_reach * h * speed < 0;
-}
-
 static void setTheta(MdtKeaSystem *s, const MdtKeaRow *row) {
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
@@ -59,11 +47,6 @@ static double thetaOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
         if (row->body[k] >= 0)
             theta = keaMax(theta, s->work->body[row->body[k]].theta);
     return theta;
-}
-
-static MeBool hasOneTheta(const MdtKeaSystem *s, const MdtKeaRow *row) {
-    return row->body[0] < 0 || row->body[1] < 0 ||
-           s->work->body[row->body[0]].theta == s->work->body[row->body[1]].theta;
 }
 
 static double inverseMassOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
@@ -88,7 +71,9 @@ static void spreadTheta(MdtKeaSystem *s) {
         changed = MEFALSE;
         for (int i = 0; i < s->numRows; i++) {
             const MdtKeaRow *row = &s->rows[i];
-            if (row->position || row->spring || s->work->problem.row[i].isOff || hasOneTheta(s, row))
+            const KeaBody *a = row->body[0] < 0 ? NULL : &s->work->body[row->body[0]];
+            const KeaBody *b = row->body[1] < 0 ? NULL : &s->work->body[row->body[1]];
+            if (row->position || row->spring || s->work->problem.row[i].isOff || !a || !b || a->theta == b->theta)
                 continue;
             setTheta(s, row);
             changed = METRUE;
@@ -124,10 +109,23 @@ static void copyJacobian(KeaProblemRow *p, const MdtKeaJBlockPair J) {
     }
 }
 
+/* Whether the row carries nothing in this step: a spring without stiffness and damping, or a contact that is open or
+ * out of reach. */
 static MeBool isInactive(const MdtKeaSystem *s, const MdtKeaRow *row) {
-    if (row->contact >= 0)
-        return s->rows[row->contact].isOpen || (!s->parameters.timed && !mayBeReached(s, &s->rows[row->contact]));
-    return row->spring && !(row->stiffness > 0) && !(row->damping > 0);
+    if (row->contact < 0)
+        return row->spring && !(row->stiffness > 0) && !(row->damping > 0);
+    const MdtKeaRow *normal = &s->rows[row->contact];
+    if (normal->isOpen || s->parameters.timed)
+        return normal->isOpen;
+    double size = 0;
+    for (int k = 0; k < 2; k++)
+        if (normal->body[k] >= 0)
+            size = keaMax(size, s->work->body[normal->body[k]].size);
+    const double speed = keaMin(rateWith(normal, s->velocity), rateWith(normal, s->predicted));
+    const double h = s->parameters.stepsize,
+                 gap = normal->error + h * keaMax(speed, 0); /* at the end, if the bodies part */
+    const MeBool mayPull = normal->lower < 0, isNear = gap < kea_nearbyGap * size;
+    return !mayPull && !isNear && !(normal->error + kea_reach * h * speed < 0);
 }
 
 /* Friction bound of the first pass. Warm start: μ p_n. Cold start: no bound, so that the first answer sticks or has the
@@ -145,9 +143,11 @@ static double startingBound(const MdtKeaSystem *s, const MdtKeaRow *row) {
 
 void kea_beginRows(MdtKeaSystem *s) {
     const double h = s->parameters.stepsize;
+    s->work->hasJoints = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
         KeaProblemRow *p = &s->work->problem.row[i];
+        s->work->hasJoints |= row->contact < 0;
         MEASSERT(row->body[0] < s->numBodies && row->body[1] < s->numBodies && row->body[0] != row->body[1]);
         MEASSERT(!(row->softness < 0) && (row->normal >= 0 || row->isForced || !(row->lower > row->upper)));
         MEASSERT(row->normal < 0 || (s->rows[row->normal].normal < 0 && row->friction >= 0));
@@ -174,15 +174,15 @@ void kea_beginRows(MdtKeaSystem *s) {
     chooseTheta(s);
 }
 
-MeBool kea_admitContacts(MdtKeaSystem *s) {
+void kea_admitContacts(MdtKeaSystem *s) {
     const double h = s->parameters.stepsize;
-    MeBool admitted = MEFALSE;
+    int admitted = 0;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
         if (row->position && kea_mayReachBound(row) && !row->bounces && s->work->problem.row[i].p != 0 &&
             thetaOf(s, row) < 1) {
             setTheta(s, row);
-            admitted = METRUE;
+            admitted++;
         }
         if (row->contact != i || !s->work->problem.row[i].isOff || row->isOpen)
             continue;
@@ -191,11 +191,10 @@ MeBool kea_admitContacts(MdtKeaSystem *s) {
         for (int k = i; k < s->numRows && s->rows[k].contact == i; k++)
             s->work->problem.row[k].isOff = MEFALSE;
         setTheta(s, row);
-        admitted = METRUE;
+        admitted++;
     }
-    if (admitted)
+    if (admitted > 0)
         spreadTheta(s);
-    return admitted;
 }
 
 /* ---- every pass ---- */
