@@ -18,7 +18,25 @@
 #include "inner/kea_factor_i.h"
 #include <string.h>
 
-/* ---- budget ---- */
+/* The passes of a solve. */
+typedef struct Passes {
+    KeaResiduals e, best;  /* of this pass, and of the kept iterate */
+    double speed;          /* m/s: the largest scale of velocities so far */
+    double tangent;        /* the worst residual of the kept tangent iterate; HUGE_VAL: there is none */
+    double before, motion; /* of the pass before: the worst residual; the one of positions and momenta */
+    int pass, last;        /* this pass, and the one after which they end */
+    int worse;             /* passes in which `motion` has grown */
+    MeBool isRefined;      /* the answer had converged before this pass */
+    MeBool isLimited;      /* work has run out */
+    MeBool mayBeTangent;   /* the kept tangent iterate may be the answer: symmetric passes have followed */
+} Passes;
+
+/* How a pass has ended. */
+typedef enum PassResult {
+    TAKEN,
+    CONVERGED, /* there is nothing to do: the answer has, and kept factors do not refine it */
+    DIVERGED   /* the change is not finite, and is not applied */
+} PassResult;
 
 static double workOfLinearization(const MdtKeaSystem *s) {
     return KEA_LINEARIZATION * ((double)s->numRows + s->numBodies);
@@ -44,19 +62,6 @@ static void differentiate(MdtKeaSystem *s) {
     kea_problemSpend(&s->work->problem, workOfLinearization(s));
 }
 
-static void applyPass(MdtKeaSystem *s) {
-    const KeaProblem *q = &s->work->problem;
-    for (int i = 0; i < s->numBodies; i++)
-        for (int k = 0; k < 6; k++)
-            s->work->body[i].u[k] += q->d[i][k];
-}
-
-/* Whether the share of the work that the iteration of friction bounds may take is used up. */
-static MeBool isFrictionBudgetSpent(const MdtKeaSystem *s) {
-    const double share = s->parameters.mayDecline ? kea_workForMotion : kea_workForFriction;
-    return s->parameters.maxWork > 0 && s->work->problem.counts.work > share * s->parameters.maxWork;
-}
-
 /* One solve of the inner problem. Friction bounds are a fixed point, R = μ p_n(R), of which each pass takes one step,
  * damped from some pass on. Where the iteration does not converge, they are frozen: early if the velocity residual is
  * below its loose tolerance, else after KEA_MAX_COUPLED_PASSES. */
@@ -75,26 +80,6 @@ static void solveInnerProblem(MdtKeaSystem *s, int pass, MeBool isGoodEnough, Me
     q->hasTangent = q->hasTangent && !(q->isSingular && s->work->hasLoops);
 }
 
-/* One pass. Where passes converge fast, the factors of the last one are tried first. False: the answer has converged,
- * and these factors do not refine it. */
-static MeBool runPass(MdtKeaSystem *s, int pass, const KeaResiduals *e, MeBool isConvergingFast) {
-    KeaProblem *q = &s->work->problem;
-    if (q->hasTangent)
-        differentiate(s);
-    if (isConvergingFast && kea_problemRefine(q))
-        return METRUE;
-    if (kea_isConverged(e))
-        return MEFALSE;
-    solveInnerProblem(s, pass, e->velocity < kea_looseVelocity, isConvergingFast && q->hasTangent);
-    return METRUE;
-}
-
-/* Whether passes end here. A converged answer is refined once more where that costs no factorization, since it is the
- * warm start of the next step. */
-static MeBool isFinal(const KeaProblem *q, const KeaResiduals *e, MeBool isRefined) {
-    return isRefined || (kea_isConverged(e) && !(q->isFactored && e->worst > kea_refinedEnough));
-}
-
 static void saveIterate(MdtKeaSystem *s, double (*u)[6], double p[]) {
     for (int i = 0; i < s->numBodies; i++)
         memcpy(u[i], s->work->body[i].u, sizeof u[i]);
@@ -102,54 +87,41 @@ static void saveIterate(MdtKeaSystem *s, double (*u)[6], double p[]) {
         p[i] = s->work->problem.row[i].p;
 }
 
-static void restoreIterate(MdtKeaSystem *s, double (*const u)[6], const double p[]) {
+/* Returns its residuals. */
+static KeaResiduals restoreIterate(MdtKeaSystem *s, double (*const u)[6], const double p[], double speed) {
     for (int i = 0; i < s->numBodies; i++)
         memcpy(s->work->body[i].u, u[i], sizeof u[i]);
     for (int i = 0; i < s->numRows; i++)
         s->work->problem.row[i].p = p[i];
     linearize(s);
+    return kea_residuals(s, speed);
 }
 
-static void restoreBest(MdtKeaSystem *s) {
-    restoreIterate(s, s->work->bestU, s->work->bestP);
-}
-
-/* Whether the normal of this contact goes through the body's centre, so that the body may turn without changing the
- * contact. */
-static MeBool isCentred(const MdtKeaRow *normal, int k) {
-    return normal->radius[k] > 0 && keaLength(normal->J[k].ang) <= kea_centredArm * normal->radius[k];
-}
-
-/* Whether it matters how a body is turned: not for a ball whose contacts all push towards its centre. */
-static MeBool isTurnRelevant(const MdtKeaSystem *s, int body) {
+/* Whether a body with the angular velocity w turns by half a turn or so, and it matters how it is turned: not for a
+ * ball whose contacts all push towards its centre. */
+static MeBool turnsOver(const MdtKeaSystem *s, int body, const double w[3]) {
+    if (s->parameters.stepsize * keaLength(w) <= kea_mostTurn)
+        return MEFALSE;
     if (!s->work->body[body].isSpatial)
         return METRUE;
     for (int i = 0; i < s->numRows; i++)
         for (int k = 0; k < 2; k++) {
-            const int normal = s->rows[i].contact;
-            if (s->rows[i].body[k] == body && (normal < 0 || !isCentred(&s->rows[normal], k)))
+            const MdtKeaRow *normal = s->rows[i].contact < 0 ? NULL : &s->rows[s->rows[i].contact];
+            const MeBool isCentred =
+                normal && normal->radius[k] > 0 && keaLength(normal->J[k].ang) <= kea_centredArm * normal->radius[k];
+            if (s->rows[i].body[k] == body && !isCentred)
                 return METRUE;
         }
     return MEFALSE;
 }
 
-/* The Cayley map turns a body by less than half a turn for any angular velocity: near half a turn, the velocity does
- * not determine the motion. */
-static MeBool turnsOver(const MdtKeaSystem *s) {
+/* Bodies that turn over by the end of the pass. The Cayley map turns a body by less than half a turn for any angular
+ * velocity: near half a turn, the velocity does not determine the motion. */
+static int countTurns(const MdtKeaSystem *s) {
+    int count = 0;
     for (int i = 0; i < s->numBodies; i++)
-        if (!(s->parameters.stepsize * keaLength(s->work->body[i].u + 3) <= kea_mostTurn) && isTurnRelevant(s, i))
-            return METRUE;
-    return MEFALSE;
-}
-
-/* The matrix of the coupled problem is singular where rows contradict each other; d may then be NaN, infinite, or so
- * large that the squares of distances are, and passes have to end. */
-static MeBool isStepFinite(const KeaProblem *q) {
-    for (int i = 0; i < q->numBodies; i++)
-        for (int k = 0; k < 6; k++)
-            if (!(fabs(q->d[i][k]) <= kea_largestChange))
-                return MEFALSE;
-    return METRUE;
+        count += turnsOver(s, i, s->work->body[i].u + 3);
+    return count;
 }
 
 /* Whether an iterate that has not converged has more kinetic energy than any motion of the step: than the whole
@@ -174,7 +146,7 @@ static MeBool isRunaway(const MdtKeaSystem *s) {
  * runaway iterate fulfils all rows: its residual is set to infinity. */
 static KeaResiduals residualsOfPass(MdtKeaSystem *s, double speed) {
     KeaResiduals e = kea_residuals(s, speed);
-    if (turnsOver(s) && isRunaway(s))
+    if (countTurns(s) > 0 && isRunaway(s))
         e.position = e.worst = HUGE_VAL;
     return e;
 }
@@ -195,23 +167,6 @@ static void moveWithoutRows(MdtKeaSystem *s) {
     linearize(s);
 }
 
-/* Whether to go on with the symmetric problem. Where joints make loops, passes begin with the tangent problem, which
- * follows a linkage through its change point. Its matrix is singular at the change point itself and where joints are
- * redundant; the symmetric problem is regular in both cases. */
-static MeBool mustLeaveTangent(const MdtKeaSystem *s, int pass, const KeaResiduals *e) {
-    return s->work->problem.hasTangent && s->work->hasLoops && !kea_isConverged(e) &&
-           (pass >= KEA_TANGENT_PASSES || !isfinite(e->worst));
-}
-
-/* Where joints make no loops, the tangent problem is given up once the residual of position or momentum has grown
- * twice. It can diverge, since the derivative of an angular row's direction is left out of it. */
-static MeBool isDiverging(const KeaResiduals *e, double *motion, int *worse) {
-    const double before = *motion;
-    *motion = keaMax(e->position, e->momentum);
-    *worse += *motion > 1 && *motion > before;
-    return *worse >= 2;
-}
-
 /* Whether the symmetric passes have left the branch of motion that the tangent passes found. They removed joint errors
  * below the rounding ε of attachments, which moves a body by at most sqrt(2 ε) of its size: at a change point a
  * displacement x (in sizes) gives the error x²/2. More means another branch than the one that momentum selects. */
@@ -228,6 +183,19 @@ static MeBool hasLeftBranch(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
+/* Writes how the passes have ended: missed positions, capped or limited solves, residuals. */
+static void reportMotion(MdtKeaSystem *s, const KeaResiduals *e, MeBool isLimited) {
+    const MeBool isMissed = (!s->work->usesTangentAnswer && !kea_isMotionExactEnough(e, 1)) || countTurns(s) > 0;
+    s->report.opening = isMissed ? kea_openingLeft(s) : 0;
+    s->report.opens = s->report.opening > kea_violentOpening;
+    s->report.violent = isMissed && !isLimited;
+    s->report.capped = isMissed || !(e->velocity <= kea_looseVelocity);
+    s->report.limited = s->report.capped && isLimited;
+    s->report.resolution = e->resolution;
+    s->report.residual = e->velocity * e->resolution;
+    s->report.force = e->impulse / s->parameters.stepsize;
+}
+
 /* Whether passes begin with the tangent problem. Its matrix is not positive definite: where bodies turn far in a step,
  * it may converge to another solution of the equations, one that gains energy. */
 static MeBool mayBeTangent(const MdtKeaSystem *s) {
@@ -239,102 +207,147 @@ static MeBool mayBeTangent(const MdtKeaSystem *s) {
     return s->work->hasJoints && s->work->problem.hasFriction;
 }
 
-/* Writes how the passes have ended: missed positions, capped or limited solves, residuals. */
-static void reportMotion(MdtKeaSystem *s, const KeaResiduals *e, MeBool isLimited) {
-    const MeBool isMissed = (!s->work->usesTangentAnswer && !kea_isMotionExactEnough(e, 1)) || turnsOver(s);
-    s->report.opening = isMissed ? kea_openingLeft(s) : 0;
-    s->report.opens = s->report.opening > kea_violentOpening;
-    s->report.violent = isMissed && !isLimited;
-    s->report.capped = isMissed || !(e->velocity <= kea_looseVelocity);
-    s->report.limited = s->report.capped && isLimited;
-    s->report.resolution = e->resolution;
-    s->report.residual = e->velocity * e->resolution;
-    s->report.force = e->impulse / s->parameters.stepsize;
-}
-
-/* Newton's method for the step: passes until the residuals are below tolerance, or the budget or the passes are used
- * up. The answer is the best iterate, but the last sweep's if only that is exact in positions; of linkages the tangent
- * one, if symmetric passes leave its branch or do not converge; the motion without rows, if passes run away. */
-static void takePasses(MdtKeaSystem *s) {
-    int last = KEA_MAX_COUPLED_PASSES + KEA_FROZEN_PASSES;
+static Passes beginPasses(MdtKeaSystem *s) {
+    const KeaResiduals unknown = {.worst = HUGE_VAL};
     KeaProblem *q = &s->work->problem;
-    MeBool isLimited = MEFALSE;
-    double speed = kea_bodySpeedScale(s);           /* m/s: the largest scale of velocities so far */
-    double bestTangent = HUGE_VAL;                  /* the worst residual of the kept tangent iterate */
-    KeaResiduals e = {.worst = HUGE_VAL}, best = e; /* of this pass, and of the kept iterate */
-    double motion = HUGE_VAL, before = HUGE_VAL;
-    int worse = 0;
-    MeBool hasTangentAnswer = MEFALSE, isRefined = MEFALSE;
     q->hasTangent = mayBeTangent(s);
     q->isFactored = MEFALSE;
     q->sweptPasses =
         q->sweptPasses > 1 ? q->sweptPasses : 1; /* motions of timed contacts are solved up to three times */
-    for (int pass = 0;; pass++) {
-        linearize(s);
-        speed = keaMax(speed, kea_rowSpeedScale(s));
-        e = residualsOfPass(s, speed);
-        if (e.worst < best.worst || pass == 0) {
-            best = e;
-            saveIterate(s, s->work->bestU, s->work->bestP);
-        }
-        if (q->hasTangent && s->work->hasLoops && e.attachment < 1 && e.worst < bestTangent) {
-            bestTangent = e.worst;
-            saveIterate(s, s->work->tangentU, s->work->tangentP);
-        }
-        q->hasTangent = q->hasTangent && (s->work->hasLoops || !isDiverging(&e, &motion, &worse));
-        if (mustLeaveTangent(s, pass, &e)) {
-            q->hasTangent = MEFALSE;
-            restoreBest(s);
-            e = kea_residuals(s, speed);
-            hasTangentAnswer = bestTangent < HUGE_VAL;
-            last = hasTangentAnswer ? pass + KEA_UNUSUAL_PASSES : last;
-        }
-        if (isFrictionBudgetSpent(s) && q->counts.stuck > 0) {
-            if (!q->counts.isLimited && kea_isExactEnough(&best, 1))
-                break;
-            q->counts.isLimited = METRUE;
-        }
-        isLimited = q->counts.isLimited;
-        const MeBool isConvergingFast = kea_isExactEnough(&e, 1) && e.worst < kea_refinedShare * before;
-        before = e.worst;
-        if (isFinal(q, &e, isRefined) || pass == last ||
-            (isLimited && (s->parameters.mayDecline || kea_isExactEnough(&e, kea_sweptMargin) ||
-                           !kea_problemMaySweep(q))))
-            break;
-        if (isnan(e.worst) || (isinf(e.worst) && isfinite(best.worst) && !q->hasFriction))
-            break; /* a runaway: none returns but where its friction is frozen, and the best iterate is taken */
-        isRefined = kea_isConverged(&e);
-        /* in the first pass contacts alone start from the convex problem, which shares loads evenly */
-        q->isWarm = s->work->hasJoints || pass > 0;
-        if (!runPass(s, pass, &e, isConvergingFast))
-            break;
-        if (!isStepFinite(q)) {
-            e.worst = HUGE_VAL;
-            break;
-        }
-        kea_noteInconsistent(s);
-        applyPass(s);
-        kea_admitContacts(s);
-        s->report.passes++;
+    return (Passes){.e = unknown,
+                    .best = unknown,
+                    .speed = kea_bodySpeedScale(s),
+                    .tangent = HUGE_VAL,
+                    .before = HUGE_VAL,
+                    .motion = HUGE_VAL,
+                    .last = KEA_MAX_COUPLED_PASSES + KEA_FROZEN_PASSES};
+}
+
+/* Residuals of the iterate; keeps the best one, and the best tangent one with joint errors below the rounding of
+ * attachments. */
+static void measurePass(MdtKeaSystem *s, Passes *p) {
+    linearize(s);
+    p->speed = keaMax(p->speed, kea_rowSpeedScale(s));
+    p->e = residualsOfPass(s, p->speed);
+    if (p->e.worst < p->best.worst || p->pass == 0) {
+        p->best = p->e;
+        saveIterate(s, s->work->bestU, s->work->bestP);
     }
-    if (!(e.worst <= best.worst) &&
-        (kea_isMotionExactEnough(&best, 1) || !(isLimited && e.position <= kea_loosePosition))) {
-        restoreBest(s);
-        e = kea_residuals(s, speed);
+    if (s->work->problem.hasTangent && s->work->hasLoops && p->e.attachment < 1 && p->e.worst < p->tangent) {
+        p->tangent = p->e.worst;
+        saveIterate(s, s->work->tangentU, s->work->tangentP);
     }
-    s->work->usesTangentAnswer = hasTangentAnswer && (!kea_isConverged(&e) || hasLeftBranch(s));
-    if (s->work->usesTangentAnswer) {
-        restoreIterate(s, s->work->tangentU, s->work->tangentP);
-        e = kea_residuals(s, speed);
+}
+
+/* Whether to go on with the tangent problem or with the symmetric one. Where joints make loops, passes begin with the
+ * tangent problem, which follows a linkage through its change point. Its matrix is singular at the change point itself
+ * and where joints are redundant; the symmetric problem is regular in both cases. Where they make none, the tangent
+ * problem is given up once the residual of position or momentum has grown twice: it can diverge, since the derivative
+ * of an angular row's direction is left out of it. */
+static void chooseProblem(MdtKeaSystem *s, Passes *p) {
+    KeaProblem *q = &s->work->problem;
+    if (!q->hasTangent)
+        return;
+    if (!s->work->hasLoops) {
+        const double motion = keaMax(p->e.position, p->e.momentum);
+        p->worse += motion > 1 && motion > p->motion;
+        p->motion = motion;
+        q->hasTangent = p->worse < 2;
+    } else if (!kea_isConverged(&p->e) && (p->pass >= KEA_TANGENT_PASSES || !isfinite(p->e.worst))) {
+        q->hasTangent = MEFALSE;
+        p->e = restoreIterate(s, s->work->bestU, s->work->bestP, p->speed);
+        p->mayBeTangent = p->tangent < HUGE_VAL;
+        p->last = p->mayBeTangent ? p->pass + KEA_UNUSUAL_PASSES : p->last;
     }
+}
+
+/* Whether passes end here. A converged answer is refined once more where that costs no factorization, since it is the
+ * warm start of the next step. A runaway returns only where its friction is frozen. Writes whether work has run out. */
+static MeBool isLastPass(MdtKeaSystem *s, Passes *p) {
+    KeaProblem *q = &s->work->problem;
+    const double share = s->parameters.mayDecline ? kea_workForMotion : kea_workForFriction;
+    const MeBool isFrictionSpent =
+        s->parameters.maxWork > 0 && q->counts.stuck > 0 && q->counts.work > share * s->parameters.maxWork;
+    if (isFrictionSpent && !q->counts.isLimited && kea_isExactEnough(&p->best, 1))
+        return METRUE;
+    p->isLimited = q->counts.isLimited = q->counts.isLimited || isFrictionSpent;
+    const MeBool isEnough =
+        p->isRefined || (kea_isConverged(&p->e) && !(q->isFactored && p->e.worst > kea_refinedEnough));
+    const MeBool isCut = p->isLimited && (s->parameters.mayDecline || kea_isExactEnough(&p->e, kea_sweptMargin) ||
+                                          !kea_problemMaySweep(q));
+    const MeBool hasRunAway = isnan(p->e.worst) || (isinf(p->e.worst) && isfinite(p->best.worst) && !q->hasFriction);
+    return isEnough || isCut || hasRunAway || p->pass == p->last;
+}
+
+/* Solves the inner problem and applies its answer. Where passes converge fast, the factors of the last one are tried
+ * first. The matrix of the coupled problem is singular where rows contradict each other; the change d may then be NaN,
+ * infinite, or so large that the squares of distances are. */
+static PassResult takePass(MdtKeaSystem *s, Passes *p) {
+    KeaProblem *q = &s->work->problem;
+    const MeBool isConvergingFast = kea_isExactEnough(&p->e, 1) && p->e.worst < kea_refinedShare * p->before;
+    MeBool isFinite = METRUE;
+    p->before = p->e.worst;
+    p->isRefined = kea_isConverged(&p->e);
+    q->isWarm = s->work->hasJoints || p->pass > 0; /* at first contacts alone share loads evenly: a convex problem */
+    if (q->hasTangent)
+        differentiate(s);
+    if (!isConvergingFast || !kea_problemRefine(q)) {
+        if (p->isRefined)
+            return CONVERGED;
+        solveInnerProblem(s, p->pass, p->e.velocity < kea_looseVelocity, isConvergingFast && q->hasTangent);
+    }
+    for (int i = 0; i < q->numBodies; i++)
+        for (int k = 0; k < 6; k++)
+            isFinite = isFinite && fabs(q->d[i][k]) <= kea_largestChange;
+    if (!isFinite)
+        return DIVERGED;
+    kea_noteInconsistent(s);
+    for (int i = 0; i < s->numBodies; i++)
+        for (int k = 0; k < 6; k++)
+            s->work->body[i].u[k] += q->d[i][k];
+    kea_admitContacts(s);
+    s->report.passes++;
+    return TAKEN;
+}
+
+/* The answer is the best iterate, but the last sweep's if only that is exact in positions; of linkages the tangent one,
+ * if symmetric passes leave its branch or do not converge; the motion without rows, if passes run away. Returns its
+ * residuals. */
+static KeaResiduals chooseAnswer(MdtKeaSystem *s, const Passes *p) {
+    KeaResiduals e = p->e;
+    const MeBool isSweepExact =
+        p->isLimited && e.position <= kea_loosePosition && !kea_isMotionExactEnough(&p->best, 1);
+    if (!(e.worst <= p->best.worst) && !isSweepExact)
+        e = restoreIterate(s, s->work->bestU, s->work->bestP, p->speed);
+    s->work->usesTangentAnswer = p->mayBeTangent && (!kea_isConverged(&e) || hasLeftBranch(s));
+    if (s->work->usesTangentAnswer)
+        e = restoreIterate(s, s->work->tangentU, s->work->tangentP, p->speed);
     if (!kea_isConverged(&e) && isRunaway(s)) {
         moveWithoutRows(s);
-        e = kea_residuals(s, speed);
+        e = kea_residuals(s, p->speed);
     }
+    return e;
+}
+
+/* Newton's method for the step: passes until the residuals are below tolerance, or the budget or the passes are used
+ * up. */
+static void takePasses(MdtKeaSystem *s) {
+    KeaProblem *q = &s->work->problem;
+    Passes p = beginPasses(s);
+    for (PassResult result = TAKEN; result == TAKEN; p.pass++) {
+        measurePass(s, &p);
+        chooseProblem(s, &p);
+        if (isLastPass(s, &p))
+            break;
+        result = takePass(s, &p);
+        if (result == DIVERGED)
+            p.e.worst = HUGE_VAL;
+    }
+    const KeaResiduals e = chooseAnswer(s, &p);
     q->hasTangent = q->isWarm = q->isFactored = MEFALSE;
     s->report.conflicting = kea_isConflicting(s);
     s->work->isInconsistent = kea_isInconsistent(s);
-    reportMotion(s, &e, isLimited);
+    reportMotion(s, &e, p.isLimited);
 }
 
 static void markFreeBodies(MdtKeaSystem *s) {
@@ -374,7 +387,7 @@ static void solveToFirstEvent(MdtKeaSystem *s) {
     const double h = s->parameters.stepsize;
     MeBool mustRepeat, isNew;
     double event = kea_firstEvent(s, &mustRepeat);
-    while (s->report.trembles && kea_holdMeeting(s)) {
+    while (s->report.trembles && kea_holdMeeting(s) > 0) {
         solveMotion(s);
         event = kea_firstEvent(s, &mustRepeat);
     }
@@ -390,19 +403,14 @@ static void solveToFirstEvent(MdtKeaSystem *s) {
     MEASSERT(s->report.event >= 0);
 }
 
-static MeBool hasActingContact(const MdtKeaSystem *s) {
-    for (int i = 0; i < s->numRows; i++)
-        if (s->rows[i].contact == i && !s->work->problem.row[i].isOff)
-            return METRUE;
-    return MEFALSE;
-}
-
 /* Whether a body turns too far for the midpoint rule, which turns a body with different moments too little by (h w)²/12
  * and lets a fast top precess wrongly. Bodies with contacts (θ = 1) are not checked; if any contact acts, the others
  * may turn five times as far: the error, 2 % of the angle, is less than what an impact loses. */
 static MeBool turnsTooFar(const MdtKeaSystem *s) {
-    const double far =
-        hasActingContact(s) ? kea_farTurnInContact : kea_farTurn; /* rad, times the moments' relative difference */
+    double far = kea_farTurn; /* rad, times the moments' relative difference */
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].contact == i && !s->work->problem.row[i].isOff)
+            far = kea_farTurnInContact;
     for (int i = 0; i < s->numBodies; i++) {
         const double *I = s->bodies[i]->moments;
         const double most = keaMax(I[0], keaMax(I[1], I[2])), least = keaMin(I[0], keaMin(I[1], I[2]));
@@ -414,13 +422,6 @@ static MeBool turnsTooFar(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-static MeBool hasJoint(const MdtKeaSystem *s) {
-    for (int i = 0; i < s->numRows; i++)
-        if (s->rows[i].contact < 0)
-            return METRUE;
-    return MEFALSE;
-}
-
 /* Whether all rows are those of open contacts: the bodies then move ballistically up to the first time of impact. Not
  * where a body turns by half a turn or so: rates of its contacts do not predict the time of impact. */
 static MeBool isBallistic(const MdtKeaSystem *s) {
@@ -428,7 +429,7 @@ static MeBool isBallistic(const MdtKeaSystem *s) {
         if (s->rows[i].contact < 0 || !s->rows[s->rows[i].contact].isOpen)
             return MEFALSE;
     for (int b = 0; b < s->numBodies; b++)
-        if (s->parameters.stepsize * keaLength(s->velocity[b].ang) > kea_mostTurn && isTurnRelevant(s, b))
+        if (turnsOver(s, b, s->velocity[b].ang))
             return MEFALSE;
     return s->parameters.timed;
 }
@@ -448,12 +449,6 @@ static void moveBallistically(MdtKeaSystem *s) {
     kea_reportWork(s);
 }
 
-/* Whether the work would end before the answer does, as even simple steps take so many factorizations. */
-static MeBool isTooExpensive(const MdtKeaSystem *s) {
-    return s->parameters.mayDecline && s->parameters.maxWork > 0 &&
-           KEA_ORDINARY_FACTORIZATIONS * kea_factorFlops(s->work->problem.factor) > s->parameters.maxWork;
-}
-
 /* m/s: what a row may leave; its load and masses do not count, as Newton's method does not leave more where they
  * differ. */
 static double tolerance(const MdtKeaSystem *s) {
@@ -466,10 +461,10 @@ static double tolerance(const MdtKeaSystem *s) {
     return s->parameters.accuracy + kea_changeShare * most;
 }
 
-/* The answer is left as it is. */
-static void decline(MdtKeaSystem *s) {
+/* The work that even simple steps take. The answer is left as it is. */
+static void decline(MdtKeaSystem *s, double work) {
     s->report.declined = s->report.limited = METRUE;
-    s->report.least = KEA_ORDINARY_FACTORIZATIONS * kea_factorFlops(s->work->problem.factor);
+    s->report.least = work;
     s->report.residual = s->report.excess = HUGE_VAL;
     kea_moveFreely(s);
     kea_reportWork(s);
@@ -496,15 +491,15 @@ void kea_exactSolve(MdtKeaSystem *s) {
     }
     s->report.capped = s->numRows > 0; /* stays if kea_problemBegin has no memory */
     if (s->numRows > 0 && kea_problemBegin(q, s->cache)) {
-        if (isTooExpensive(s)) {
-            decline(s);
+        const double least = KEA_ORDINARY_FACTORIZATIONS * kea_factorFlops(q->factor);
+        if (s->parameters.mayDecline && s->parameters.maxWork > 0 && least > s->parameters.maxWork) {
+            decline(s, least);
             return;
         }
         if (s->parameters.timed) /* its rows were made for this part of the step alone */
             kea_problemSpend(q, workOfLinearization(s));
         kea_setBudget(s, kea_workForMotion, KEA_SWEPT_PASSES);
         s->work->hasLoops = kea_hasLoops(s);
-        s->work->hasJoints = hasJoint(s);
         kea_dualBegin(s);
         solveMotion(s);
         if (s->parameters.timed)
