@@ -53,9 +53,10 @@ static double squareDistance(const double a[3], const double b[3]) {
     return keaDot(way, way);
 }
 
-/* Matches the nearest two of the contacts found and those of the group that are unmatched. False: there are none. */
-static MeBool matchNearest(const MdtManifold *m, const MdtFoundContact found[], int count, double time,
-                           MdtContactID contacts[]) {
+/* Matches the nearest two of the contacts found and those of the group that are unmatched. Returns the latter; null:
+ * there are none. */
+static MdtPoint *matchNearest(const MdtManifold *m, const MdtFoundContact found[], int count, double time,
+                              MdtContactID contacts[]) {
     MdtPoint *nearest = NULL;
     double least = HUGE_VAL;
     int match = 0;
@@ -75,35 +76,29 @@ static MeBool matchNearest(const MdtManifold *m, const MdtFoundContact found[], 
     }
     if (nearest)
         contacts[match] = markFound(nearest);
-    return nearest != NULL;
+    return nearest;
 }
 
 /* Contacts that are unmatched by feature id are matched by distance. Feature ids of boxes that lie flat change with
  * rounding, from a corner to an edge, while the points and their forces remain. */
 static void matchContacts(MdtManifold *m, const MdtFoundContact found[], int count, double time,
                           MdtContactID contacts[]) {
-    MeBool areAll = METRUE;
+    int unmatched = 0;
     clearFound(m);
     for (int i = 0; i < count; i++) {
         contacts[i] = markFound(pointOfFeature(m, found[i].feature));
-        areAll &= contacts[i] != NULL;
+        unmatched += contacts[i] == NULL;
     }
-    while (!areAll && matchNearest(m, found, count, time, contacts))
-        ;
+    while (unmatched > 0 && matchNearest(m, found, count, time, contacts))
+        unmatched--;
 }
 
-static MeBool areAllFound(const MdtManifold *m) {
+static void destroyOthers(MdtManifold *m) {
     unsigned int others = 0;
     for (const MdtManifold *block = m; block; block = block->next)
         for (int slot = 0; slot < MDT_POINTS; slot++)
             others |= (unsigned int)!block->point[slot].isFound << slot & block->used;
-    return others == 0;
-}
-
-static void destroyOthers(MdtManifold *m) {
-    if (areAllFound(m))
-        return;
-    for (MdtPoint *p = mdt_pointFirst(m), *next; p; p = next) {
+    for (MdtPoint *p = others ? mdt_pointFirst(m) : NULL, *next; p; p = next) {
         next = mdt_pointAfter(p);
         if (!p->isFound)
             mdt_pointTerm(p);
@@ -153,31 +148,27 @@ static void setRound(MdtPoint *p, int side, const MdtFoundContact *found) {
     mdt_pointSetRim(p, side, found->rim[side], found->axis[side]);
 }
 
-/* Whether the record's shared values are those found of the contact; only its position is its own. */
-static MeBool isAsRecord(const MdtManifold *block, const MdtFoundContact *found) {
-    return !block->extras && memcmp(block->normal, found->normal, sizeof block->normal) == 0 &&
-           memcmp(block->radius, found->radius, sizeof block->radius) == 0 && !(found->rim[0] > 0) &&
-           !(found->rim[1] > 0) && memcmp(&block->surface->params, found->params, sizeof *found->params) == 0;
-}
-
-static MeBool hasRimFound(const MdtExtra *extra, const MdtFoundContact *found, int side) {
-    return extra->rim[side] == found->rim[side] &&
-           (!(found->rim[side] > 0) || memcmp(extra->axis[side], found->axis[side], sizeof extra->axis[side]) == 0);
-}
-
-/* Has the point what is found of the contact, of its own or with its record? So do most of those on triangles. */
+/* Whether the point has what was found of the contact, of its own (extra; null: it has nothing) or with its record. Its
+ * position is always its own. */
 static MeBool isAsFound(const MdtManifold *block, const MdtExtra *extra, const MdtFoundContact *found) {
-    if (!extra || (extra->record.flags & (MDT_WATCHED | MDT_OWN_PARAMS)))
+    const int own = extra ? extra->record.flags : 0;
+    const MeReal *normal = own & MDT_OWN_NORMAL ? extra->normal : block->normal;
+    const MeReal *radius = own & MDT_OWN_RADIUS ? extra->radius : block->radius;
+    if ((own & (MDT_WATCHED | MDT_OWN_PARAMS)) || memcmp(normal, found->normal, sizeof found->normal) != 0 ||
+        memcmp(radius, found->radius, sizeof found->radius) != 0)
         return MEFALSE;
-    const MeReal *normal = extra->record.flags & MDT_OWN_NORMAL ? extra->normal : block->normal;
-    const MeReal *radius = extra->record.flags & MDT_OWN_RADIUS ? extra->radius : block->radius;
-    return memcmp(normal, found->normal, sizeof extra->normal) == 0 &&
-           memcmp(radius, found->radius, sizeof extra->radius) == 0 && hasRimFound(extra, found, 0) &&
-           hasRimFound(extra, found, 1) && memcmp(&block->surface->params, found->params, sizeof *found->params) == 0;
+    for (int k = 0; k < 2; k++) {
+        const MeBool hasRim = found->rim[k] > 0;
+        if (extra ? extra->rim[k] != found->rim[k] : hasRim)
+            return MEFALSE;
+        if (hasRim && memcmp(extra->axis[k], found->axis[k], sizeof extra->axis[k]) != 0)
+            return MEFALSE;
+    }
+    return memcmp(&block->surface->params, found->params, sizeof *found->params) == 0;
 }
 
 /* Has the contact nothing of its own, as the group's first one? */
-static MeBool isShared(const MdtFoundContact *found, const MdtFoundContact *first) {
+static MeBool isLikeFirst(const MdtFoundContact *found, const MdtFoundContact *first) {
     return memcmp(found->normal, first->normal, sizeof found->normal) == 0 &&
            memcmp(found->radius, first->radius, sizeof found->radius) == 0 && found->params == first->params &&
            !(found->rim[0] > 0) && !(found->rim[1] > 0);
@@ -193,15 +184,16 @@ typedef struct Shared {
 
 static void setPoint(MdtPoint *p, const MdtFoundContact *found, Shared *last) {
     const MdtManifold *block = mdt_blockOf(p);
-    if (block != last->block || !isShared(found, last->found)) {
-        const MeBool isAlike = isAsRecord(block, found);
-        if (!isAlike && !isAsFound(block, mdt_extraOf(block, p->slot), found)) {
+    if (block != last->block || !isLikeFirst(found, last->found)) {
+        const MdtExtra *extra = mdt_extraOf(block, p->slot);
+        const MeBool isShared = !block->extras, isSame = (isShared || extra) && isAsFound(block, extra, found);
+        if (!isSame) {
             mdt_pointSetParams(p, found->params);
             mdt_pointSetNormal(p, found->normal);
             for (int k = 0; k < 2; k++)
                 setRound(p, k, found);
         }
-        last->block = isAlike ? block : NULL;
+        last->block = isShared && isSame ? block : NULL;
         last->found = found;
         mdt_pointNormal(p, last->normal);
         mdt_pointShares(p, last->share);
@@ -212,22 +204,13 @@ static void setPoint(MdtPoint *p, const MdtFoundContact *found, Shared *last) {
 
 static MeBool areShared(const MdtFoundContact found[], int count) {
     for (int i = 0; i < count; i++)
-        if (!isShared(&found[i], &found[0]))
+        if (!isLikeFirst(&found[i], &found[0]))
             return MEFALSE;
     return METRUE;
 }
 
-/* Whether the points of a record take contacts of these parameters without one from a pool: all have the surface, and
- * what of them is not shared has its place (places are made for all points of a group, or for none). */
-static MeBool hasRoomFor(const MdtManifold *block, const MdtFoundContact *found, MeBool areAlike) {
-    if (memcmp(&block->surface->params, found->params, sizeof *found->params) != 0)
-        return MEFALSE;
-    for (const MdtPoint *p = mdt_pointIn(block, 0); p && !areAlike; p = mdt_pointIn(block, p->slot + 1))
-        if (!mdt_extraOf(block, p->slot))
-            return MEFALSE;
-    return METRUE;
-}
-
+/* The points of the group's records take contacts without one from a pool if all have the surface, and what of them is
+ * not shared has its place (places are made for all points of a group, or for none). */
 MeBool MEAPI MdtContactGroupGoesOn(MdtContactGroupID g, const MdtFoundContact found[], int count) {
     const MdtManifold *m = mdt_groupOf(g, __func__);
     if (!m || m->numPoints != count || count == 0 || (found->params->options & MdtBclContactOptionUseDirection))
@@ -236,9 +219,13 @@ MeBool MEAPI MdtContactGroupGoesOn(MdtContactGroupID g, const MdtFoundContact fo
     for (int i = 0; i < count; i++)
         if (found[i].params != found[0].params)
             return MEFALSE;
-    for (const MdtManifold *block = m; block; block = block->next)
-        if (!hasRoomFor(block, found, areAlike))
+    for (const MdtManifold *block = m; block; block = block->next) {
+        if (memcmp(&block->surface->params, found->params, sizeof *found->params) != 0)
             return MEFALSE;
+        for (const MdtPoint *p = mdt_pointIn(block, 0); p && !areAlike; p = mdt_pointIn(block, p->slot + 1))
+            if (!mdt_extraOf(block, p->slot))
+                return MEFALSE;
+    }
     return METRUE;
 }
 
