@@ -221,15 +221,6 @@ void mdt_islandsEnd(MdtWorldID w) {
     MeStageEnd(&w->stage, MDT_HOLD_GRAPH);
 }
 
-/* Room for all constraints, also for those that functions of the program have made since the islands were found. */
-static MeBool reserveList(MdtWorldID w) {
-    const MeBool isRoom = w->numConstraints <= w->constraintRoom ||
-                          MeMemoryGrow(&w->constraintOf, 0, (size_t)w->numConstraints, sizeof *w->constraintOf,
-                                       "MdtWorldStep", "the constraints of a step");
-    w->output.constraints = w->constraintOf;
-    return isRoom;
-}
-
 /* A group is followed by its contacts. */
 static int listConstraint(MdtWorldID w, MdtConstraintID base, int at) {
     w->constraintOf[at++] = mdt_constraintShown(base);
@@ -242,7 +233,11 @@ static int listConstraint(MdtWorldID w, MdtConstraintID base, int at) {
 
 void mdt_islandsList(MdtWorldID w) {
     int at = 0;
-    const MeBool isRoom = reserveList(w);
+    const MeBool isRoom = /* also for those that functions of the program have made since the islands were found */
+        w->numConstraints <= w->constraintRoom ||
+        MeMemoryGrow(&w->constraintOf, 0, (size_t)w->numConstraints, sizeof *w->constraintOf, "MdtWorldStep",
+                     "the constraints of a step");
+    w->output.constraints = w->constraintOf;
     for (int p = 0; p < w->numPartitions; p++) {
         w->constraintStart[p] = at;
         for (int i = w->actingStart[p]; isRoom && i < w->actingStart[p + 1]; i++)
