@@ -55,69 +55,60 @@ MeBool mst_hasCallback(const MstMaterialPair *materials) {
     return materials->intersectCb || materials->perContactCb || materials->perPairCb;
 }
 
-/* Has the pair's group all the contacts that were found in its last test? */
-static MeBool hasAllContacts(const McdModelPair *p) {
+/* What a pair has of its last test, or of the contacts carried since. */
+typedef enum LastTest {
+    INVALID,  /* not all contacts that were found, or the touch is of other ones */
+    APART,    /* it has found none */
+    IN_PLACE, /* all contacts that were found, and its bodies stay where they were then, to the last bit */
+    MOVED     /* all contacts, but its bodies have moved */
+} LastTest;
+
+static LastTest lastTestOf(const MstBridgeRecord *b, const McdModelPair *p) {
     const MstTouch *t = p->touch;
     const MdtContactGroupID group = p->responseData;
-    return t && t->found > 0 && group && MdtContactGroupGetCount(group) == t->found;
-}
-
-/* The same, and did its bodies stay where they were then, to the last bit? */
-static MeBool isAsTested(const MstBridgeRecord *b, const McdModelPair *p, MeBool hasAll) {
-    const MstTouch *t = p->touch;
+    if (!t)
+        return group ? INVALID : APART;
     if (t->found == 0)
-        return !mst_touchIsTouching(&b->events, t);
-    return hasAll && t->moves[0] == mst_movesOf(p->model1) && t->moves[1] == mst_movesOf(p->model2);
+        return mst_touchIsTouching(&b->events, t) ? INVALID : APART;
+    if (!group || MdtContactGroupGetCount(group) != t->found)
+        return INVALID;
+    return t->moves[0] == mst_movesOf(p->model1) && t->moves[1] == mst_movesOf(p->model2) ? IN_PLACE : MOVED;
 }
 
-/* Whether its last test found no contacts. */
-static MeBool isApart(const MstBridgeRecord *b, const McdModelPair *p) {
-    const MstTouch *t = p->touch;
-    return t ? t->found == 0 && !mst_touchIsTouching(&b->events, t) : !p->responseData;
-}
-
-/* Whether the body's only motion since then is that of its last step. */
-static MeBool movedByStep(McdModelID m, unsigned long before, MeBool *hasMoved) {
-    *hasMoved = mst_movesOf(m) != before;
-    return !*hasMoved || MdtBodyMovedByStep(mst_bodyOf(m), before);
-}
-
-/* The bodies of the pair's group that have moved since all its contacts were found, or carried. False: they cannot be
- * carried. */
+/* Whether the contacts of the pair's group can be carried with its bodies: their only motion since the last test is
+ * that of their last step. Writes which of the group's bodies have moved. */
 static MeBool mayCarry(const MstBridgeRecord *b, const McdModelPair *p, MeBool hasMoved[2]) {
     const MstTouch *t = p->touch;
-    MeBool moved[2];
-    if (t->carried >= MST_CARRIES || !movedByStep(p->model1, t->moves[0], &moved[0]) ||
-        !movedByStep(p->model2, t->moves[1], &moved[1]))
-        return MEFALSE;
+    const McdModelID model[2] = {p->model1, p->model2};
     const MeBool isTurned = !mst_bodyOf(p->model1);
-    hasMoved[0] = moved[isTurned];
-    hasMoved[1] = moved[!isTurned];
-    return b->part == 0 && MdtContactGroupIsFlat(p->responseData);
-}
-
-/* What has hardly moved is not tested again in large partitions only: small ones are solved so exactly that contacts
- * off by 1e-7 m would show (as under a mass ratio of a million). */
-static MeBool mayReuse(const McdModelPair *p) {
-    return mst_isInCrowd(mst_bodyOf(p->model1)) || mst_isInCrowd(mst_bodyOf(p->model2));
+    if (t->carried >= MST_CARRIES || b->part > 0)
+        return MEFALSE;
+    for (int k = 0; k < 2; k++) {
+        const MeBool moved = mst_movesOf(model[k]) != t->moves[k];
+        if (moved && !MdtBodyMovedByStep(mst_bodyOf(model[k]), t->moves[k]))
+            return MEFALSE;
+        hasMoved[isTurned ? 1 - k : k] = moved;
+    }
+    return MdtContactGroupIsFlat(p->responseData);
 }
 
 /* The outcome if the last test, or the contacts carried since, still hold; MST_TO_TEST, a test that is noted: they may
- * not. */
+ * not. What has hardly moved is not tested again in large partitions only: small ones are solved so exactly that
+ * contacts off by 1e-7 m would show (as under a mass ratio of a million). */
 static MstOutcome outcomeWithoutTest(const MstBridgeRecord *b, MstFinding *f) {
     McdModelPair *p = f->pair;
-    const MeBool mayMove[2] = {mst_bodyOf(p->model1) != 0, mst_bodyOf(p->model2) != 0};
+    const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
+    const MeBool mayMove[2] = {body1 != 0, body2 != 0};
     const McdPairChange change = McdModelPairLook(p, f->isFast ? 0 : b->reuse, mayMove);
-    const MstTouch *t = p->touch;
     if (change == McdPairHasChanged)
         return MST_TO_TEST;
-    if (!mst_hasCallback(f->materials) && (change != McdPairHasMoved || mayReuse(p))) {
-        const MeBool hasAll = hasAllContacts(p);
-        if (t ? isAsTested(b, p, hasAll) : change == McdPairIsUnchanged && !p->responseData)
-            return t && t->found != 0 ? MST_KEPT : MST_NOTHING;
-        if (isApart(b, p)) /* the gap exceeds their relative displacement */
+    if (!mst_hasCallback(f->materials) && (change != McdPairHasMoved || mst_isInCrowd(body1) || mst_isInCrowd(body2))) {
+        const LastTest last = lastTestOf(b, p);
+        if (last == APART) /* the gap exceeds their relative displacement */
             return MST_NOTHING;
-        if (hasAll && mayCarry(b, p, f->hasMoved))
+        if (last == IN_PLACE)
+            return MST_KEPT;
+        if (last == MOVED && mayCarry(b, p, f->hasMoved))
             return MST_CARRIED;
     }
     McdModelPairNoteTest(p);
@@ -172,26 +163,24 @@ MeBool mst_intersectPair(MstRun *run, McdModelPair *p) {
     return McdIntersect(p, &run->result);
 }
 
-/* Are the numbers of a contact that the program has made, or changed, in the range of single precision, and has its
- * normal a length? */
-static MeBool isContact(const McdContact *c) {
-    const double square = (double)MeVector3MagnitudeSqr(c->normal);
-    MeBool isNear = square <= (double)FLT_MAX && fabs((double)c->separation) <= (double)FLT_MAX;
-    for (int k = 0; k < 3; k++)
-        isNear = isNear && fabs((double)c->position[k]) <= (double)FLT_MAX;
-    return square > 0 && isNear && c->instance1 && c->instance2;
-}
-
+/* Contacts that the program has made, or changed, have numbers in the range of single precision, and a normal that has
+ * a length. */
 void mst_checkContacts(MstBridgeRecord *b, MstRun *run) {
     McdIntersectResult *result = &run->result;
     const int count = MeCLAMP(result->contactCount, 0, run->contactMax);
     MeBool areGood = count == result->contactCount;
     result->contactCount = 0;
-    for (int i = 0; i < count; i++)
-        if (isContact(&result->contacts[i]))
-            result->contacts[result->contactCount++] = result->contacts[i];
-        else
-            areGood = MEFALSE;
+    for (int i = 0; i < count; i++) {
+        const McdContact *c = &result->contacts[i];
+        const double square = (double)MeVector3MagnitudeSqr(c->normal);
+        MeBool isGood = square > 0 && square <= (double)FLT_MAX && fabs((double)c->separation) <= (double)FLT_MAX &&
+                        c->instance1 && c->instance2;
+        for (int k = 0; k < 3; k++)
+            isGood = isGood && fabs((double)c->position[k]) <= (double)FLT_MAX;
+        areGood = areGood && isGood;
+        if (isGood)
+            result->contacts[result->contactCount++] = *c;
+    }
     if (!areGood && !b->hasWarned[1])
         MeWarning(
             1,
@@ -199,11 +188,6 @@ void mst_checkContacts(MstBridgeRecord *b, MstRun *run) {
             "numbers that are not finite, a normal without a length, or no instance; they are left out",
             MeCallerName("MstBridgeUpdateContacts"));
     b->hasWarned[1] = b->hasWarned[1] || !areGood;
-}
-
-/* A function of the program may have taken a transform away. */
-static MeBool arePlaced(const McdModelPair *p) {
-    return McdModelGetTransformPtr(p->model1) && McdModelGetTransformPtr(p->model2);
 }
 
 static void takeResult(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
@@ -221,21 +205,16 @@ static void testPlain(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
 
 MeBool mst_testPairIfChanged(MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     McdModelPair *p = f->pair;
-    const MeBool holds = p->touch ? isAsTested(b, p, hasAllContacts(p)) : !p->responseData;
+    const LastTest last = lastTestOf(b, p);
+    const MeBool mayHold = (last == APART || last == IN_PLACE) && !f->isFast && !mst_hasCallback(f->materials);
     beginResult(run);
-    if (!McdModelPairIntersectIfChanged(p, holds && !f->isFast && !mst_hasCallback(f->materials), &run->result,
-                                        &f->isKnown))
+    if (!McdModelPairIntersectIfChanged(p, mayHold, &run->result, &f->isKnown))
         return MEFALSE;
     mst_checkContacts(b, run);
-    if (!arePlaced(p))
-        run->result.contactCount = 0;
+    if (!McdModelGetTransformPtr(p->model1) || !McdModelGetTransformPtr(p->model2))
+        run->result.contactCount = 0; /* a function of the program has taken a transform away */
     takeResult(b, run, f);
     return METRUE;
-}
-
-/* Whether a callback of the program is involved in the pair's test or contacts. */
-static MeBool callsProgram(const MstFinding *f) {
-    return mst_hasCallback(f->materials) || !McdModelPairIsPlain(f->pair);
 }
 
 void mst_noteHeldApart(McdModelPair *const pairs[], int count) {
@@ -245,19 +224,16 @@ void mst_noteHeldApart(McdModelPair *const pairs[], int count) {
     }
 }
 
-/* By a joint, or as parts of one body; sensors sense all the same. */
-static MeBool isHeldApart(const MstBridgeRecord *b, const McdModelPair *p) {
-    return b->areApart && p->isHeldApart;
-}
-
-static MeBool isOneBody(const McdModelPair *p, MeU32 traits) {
-    return mst_isOneBody(p) && !(traits & McdPairHasSensor);
+/* Whether the bodies' collision is disabled: by a joint, or as both models are parts of one body. Sensors sense parts
+ * of their own body all the same. */
+static MeBool isDisabled(const MstBridgeRecord *b, const McdModelPair *p, MeU32 traits) {
+    return (b->areApart && p->isHeldApart) || (mst_isOneBody(p) && !(traits & McdPairHasSensor));
 }
 
 MeBool mst_isPlainPair(const MstBridgeRecord *b, const McdModelPair *p) {
     MeU32 m[2];
     const MeU32 traits = McdModelPairGetTraits(p, m);
-    const MeBool parts = (p->touch || p->responseData) && (isHeldApart(b, p) || isOneBody(p, traits));
+    const MeBool parts = (p->touch || p->responseData) && isDisabled(b, p, traits);
     return !parts && m[0] < b->materialCount && m[1] < b->materialCount && !(traits & McdPairHasSensor) &&
            McdModelPairIsPlain(p) && !mst_hasCallback(mst_materialPair(b, m[0], m[1]));
 }
@@ -268,7 +244,7 @@ MeBool mst_isPlainPair(const MstBridgeRecord *b, const McdModelPair *p) {
 static MstOutcome outcomeOfModels(const MstBridgeRecord *b, const McdModelPair *p, MeU32 traits) {
     if (traits & (McdPairIsAsleep | McdPairIsGone))
         return MST_NOTHING;
-    if (isHeldApart(b, p) || isOneBody(p, traits))
+    if (isDisabled(b, p, traits))
         return p->touch || p->responseData ? MST_TO_PART : MST_NOTHING;
     if (b->part > 0 && !mst_mayMeet(p))
         return mst_mustWait(p) ? MST_TO_WAIT : MST_NOTHING;
@@ -294,8 +270,8 @@ static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p, 
     f->materials = mst_materialPair(b, material[0], material[1]);
     p->mayTurnRound = f->materials->params.restitution > 0;
     f->outcome = outcomeWithoutTest(b, f);
-    if (f->outcome != MST_TO_TEST || callsProgram(f))
-        return;
+    if (f->outcome != MST_TO_TEST || mst_hasCallback(f->materials) || !McdModelPairIsPlain(p))
+        return; /* a test or contacts that involve the program are commit's */
     f->outcome = MST_TESTED;
     testPlain(b, run, f);
     McdModelPairNoteApart(p, f->count == 0 ? run->result.apart : 0);

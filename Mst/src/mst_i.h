@@ -14,9 +14,9 @@
  * Collide and commit take turns, run by run (MstHandleCollisions): a run is as many pairs as stay in the nearest cache
  * from one to the other. Collide and update call no function of the program, take nothing from a pool, and write to
  * nothing that two pairs share, but for the stamp that Mcd gives a model at its first look in a round, and for the mark
- * that a body's certificate of rest has ended, which any number of threads may set. A pair whose test or
- * contacts involve a function of the program (callsProgram) is only looked at there: it ends the run, and commit tests
- * it; with a list of triangles, only until it is known that these are as they were.
+ * that a body's certificate of rest has ended, which any number of threads may set. A pair whose test or contacts
+ * involve a function of the program is only looked at there: it ends the run, and commit tests it; with a list of
+ * triangles, only until it is known that these are as they were.
  *
  * With workers (mst_workers.c), models get their stamps first; then runs of pairs that call no program are collided by
  * all workers, some runs ahead of the calling thread, which commits them in their order. In the first part of a step no
