@@ -19,28 +19,30 @@ static int sizeOfBlock(int block) {
     return MST_TOUCH_BLOCK << block;
 }
 
-static MeBool addBlock(MstEvents *e) {
-    if (e->blockCount == MST_TOUCH_BLOCKS)
-        return MEFALSE;
+/* Without memory, there are no free ones after it either. */
+static void addBlock(MstEvents *e) {
     const int size = sizeOfBlock(e->blockCount);
-    MstTouch *touch =
-        MeMemoryTakeAligned((size_t)size, sizeof *touch, ME_CACHE_LINE, "MstBridgeUpdateContacts", "what touches");
+    MstTouch *touch = e->blockCount == MST_TOUCH_BLOCKS
+                          ? 0
+                          : MeMemoryTakeAligned((size_t)size, sizeof *touch, ME_CACHE_LINE, "MstBridgeUpdateContacts",
+                                                "what touches");
     if (!touch)
-        return MEFALSE;
+        return;
     memset(touch, 0, (size_t)size * sizeof *touch);
     e->block[e->blockCount++] = touch;
     for (int i = size - 1; i >= 0; i--) { /* taken as they lie in memory */
         touch[i].nextFree = e->free;
         e->free = &touch[i];
     }
-    return METRUE;
 }
 
 static MstTouch *takeTouch(MstBridgeRecord *b) {
     MstEvents *e = &b->events;
-    if (!e->free && !addBlock(e))
-        return 0;
+    if (!e->free)
+        addBlock(e);
     MstTouch *t = e->free;
+    if (!t)
+        return 0;
     e->free = t->nextFree;
     MEASSERT(!t->pair && !mst_touchIsListed(e, t));
     memset(t, 0, sizeof *t);
@@ -97,10 +99,6 @@ static MeBool addTo(MstTouch ***list, int *count, int *max, MstTouch *t) {
     return METRUE;
 }
 
-static MeBool addToUndecided(MstEvents *e, MstTouch *t) {
-    return addTo(&e->undecided, &e->undecidedCount, &e->undecidedMax, t);
-}
-
 /* As if it had not been looked at. */
 static void unlist(MstTouch *t) {
     t->listedIn = 0;
@@ -112,7 +110,7 @@ void mst_touchList(MstEvents *e, MstTouch *t, MeBool isUndecided) {
     MEASSERT(mst_touchIsListed(e, t) && !isUndecided == !t->isUndecided);
     if (!addTo(&e->listed, &e->listedCount, &e->listedMax, t))
         unlist(t);
-    else if (isUndecided && !addToUndecided(e, t))
+    else if (isUndecided && !addTo(&e->undecided, &e->undecidedCount, &e->undecidedMax, t))
         t->isUndecided = false;
 }
 
@@ -129,23 +127,16 @@ void mst_touchUnlist(MstTouch *t) {
     unlist(t);
 }
 
-/* Of one block; the listed and the undecided ones of it are added to the counts. */
-static MeBool isBlockConsistent(const MstEvents *e, const MstTouch *touch, int count, int *listed, int *undecided) {
-    for (int i = 0; i < count; i++) {
-        const MeBool isListed = mst_touchIsListed(e, &touch[i]);
-        if (touch[i].pair ? touch[i].pair->touch != &touch[i] : isListed)
-            return MEFALSE;
-        *listed += isListed;
-        *undecided += isListed && touch[i].isUndecided;
-    }
-    return METRUE;
-}
-
 MeBool mst_touchesAreConsistent(const MstEvents *e) {
     int listed = 0, undecided = 0;
     for (int k = 0; k < e->blockCount; k++)
-        if (!isBlockConsistent(e, e->block[k], sizeOfBlock(k), &listed, &undecided))
-            return MEFALSE;
+        for (const MstTouch *t = e->block[k]; t < e->block[k] + sizeOfBlock(k); t++) {
+            const MeBool isListed = mst_touchIsListed(e, t);
+            if (t->pair ? t->pair->touch != t : isListed)
+                return MEFALSE;
+            listed += isListed;
+            undecided += isListed && t->isUndecided;
+        }
     for (int i = 0; i < e->listedCount; i++)
         listed -= e->listed[i] != 0;
     for (int i = 0; i < e->undecidedCount; i++)
@@ -167,22 +158,20 @@ MeBool mst_touchTouches(const MstTouch *t) {
     return t->impulse > 0 || t->separation <= 0 || (t->wasTouching && !t->isSensor && t->separation <= t->tolerance);
 }
 
-/* Do forces make no difference to it? */
-static MeBool isDecided(const MstTouch *t) {
-    return !t->hasContacts || t->isSensor || t->separation <= (t->wasTouching ? t->tolerance : 0);
-}
-
-/* After something has been noted. Returns whether forces count from now on, so that it may be wrong without them. */
-static MeBool decide(MstTouch *t) {
-    const MeBool isUndecided = !isDecided(t), isNew = isUndecided && !t->isUndecided;
+/* After something has been noted. It is undecided once its forces make a difference: then it may be wrong without
+ * them. */
+static void decide(MstTouch *t) {
+    const MeBool isDecided = !t->hasContacts || t->isSensor || t->separation <= (t->wasTouching ? t->tolerance : 0);
     t->isTouching = mst_touchTouches(t);
-    t->isUndecided = t->isUndecided || isUndecided;
-    return isNew;
+    t->isUndecided = t->isUndecided || !isDecided;
 }
 
 /* The same of one that is in this step's list already. */
 static void decideListed(MstTouch *t) {
-    if (decide(t) && !addToUndecided(&t->bridge->events, t))
+    MstEvents *e = &t->bridge->events;
+    const MeBool wasUndecided = t->isUndecided;
+    decide(t);
+    if (t->isUndecided && !wasUndecided && !addTo(&e->undecided, &e->undecidedCount, &e->undecidedMax, t))
         t->isUndecided = false;
 }
 
