@@ -30,25 +30,21 @@ void mst_rememberTest(const MstFinding *f, int held, unsigned long version) {
 
 /* ---- may it be done here? ---------------------------------------------------------------------------------------- */
 
-static MeBool isGroupToStay(const MstRun *run, const MstFinding *f) {
-    const MdtContactGroupID group = f->pair->responseData;
-    if (f->outcome != MST_TESTED)
-        return MdtContactGroupIsEnabled(group);
-    if (f->count == 0)
-        return !group || (MdtContactGroupGetCount(group) == 0 && !MdtContactGroupIsEnabled(group));
-    return group && MdtContactGroupIsEnabled(group) && MdtContactGroupGoesOn(group, &run->found[f->first], f->count);
-}
-
 /* Later parts are left to commit: their touches may be listed already. */
-static MeBool isOwn(const MstBridgeRecord *b, const MstRun *run, const MstFinding *f) {
+static MeBool mayUpdate(const MstBridgeRecord *b, const MstRun *run, const MstFinding *f) {
     const McdModelPair *p = f->pair;
     const MstTouch *t = p->touch;
+    const MdtContactGroupID group = p->responseData;
     if (b->part > 0 || p->phase == kMcdFFStateInactive || !t || mst_touchIsListed(&b->events, t) || f->isFast ||
         !mst_areMaterialsSeen(b) || mst_isPushed(p))
         return MEFALSE;
-    if (f->outcome == MST_TESTED ? !f->isKnown : t->version != mst_versionSeen(f->materials))
+    if (f->outcome != MST_TESTED)
+        return t->version == mst_versionSeen(f->materials) && MdtContactGroupIsEnabled(group);
+    if (!f->isKnown)
         return MEFALSE;
-    return isGroupToStay(run, f);
+    if (f->count == 0)
+        return !group || (MdtContactGroupGetCount(group) == 0 && !MdtContactGroupIsEnabled(group));
+    return group && MdtContactGroupIsEnabled(group) && MdtContactGroupGoesOn(group, &run->found[f->first], f->count);
 }
 
 /* ---- the update -------------------------------------------------------------------------------------------------- */
@@ -68,23 +64,18 @@ static void renew(const MstBridgeRecord *b, const MstRun *run, const MstFinding 
     mst_rememberTest(f, held, mst_versionSeen(f->materials));
 }
 
-/* Whether the pair was tested without contacts, and had none before. */
-static MeBool isNothing(const MstFinding *f) {
-    const McdModelPair *p = f->pair;
-    return f->outcome == MST_TESTED && f->count == 0 && !p->touch && !p->responseData && !f->isFast;
-}
-
 void mst_updatePair(const MstBridgeRecord *b, const MstRun *run, MstFinding *f) {
-    if (isNothing(f))
-        f->outcome = MST_NOTHING;
-    if ((f->outcome != MST_KEPT && f->outcome != MST_CARRIED && f->outcome != MST_TESTED) || !isOwn(b, run, f))
+    const McdModelPair *p = f->pair;
+    if (f->outcome == MST_TESTED && f->count == 0 && !p->touch && !p->responseData && !f->isFast)
+        f->outcome = MST_NOTHING; /* it had no contacts before, either */
+    if ((f->outcome != MST_KEPT && f->outcome != MST_CARRIED && f->outcome != MST_TESTED) || !mayUpdate(b, run, f))
         return;
     if (f->outcome == MST_CARRIED)
         mst_carry(f);
     if (f->outcome == MST_TESTED)
         renew(b, run, f);
     else
-        mst_touchUpdateAgain(b, f->pair);
-    f->updated = f->pair->touch;
+        mst_touchUpdateAgain(b, p);
+    f->updated = p->touch;
     f->isUndecided = f->updated->isUndecided;
 }
