@@ -16,9 +16,9 @@ FAULTS = {
         ('calls', 'MeGlobals/src/me_stage.c', 'return MeStageIsHeld(stage, level) ? MeWhenStageEnds : MeWhenNow;',
          'return level < 0 ? MeWhenStageEnds : MeWhenNow;'),
     'body-keeps-its-models':
-        ('calls', 'Mdt/src/MdtBody.c', '    if (b->user)\n        b->user->leave(b);\n', ''),
+        ('calls', 'Mdt/src/record/MdtBody.c', '    if (b->user)\n        b->user->leave(b);\n', ''),
     'body-keeps-its-joints':
-        ('calls', 'Mdt/src/MdtBody.c', 'while (b->attachments)\n', 'while (b->attachments && b->attachments->next)\n'),
+        ('calls', 'Mdt/src/record/MdtBody.c', 'while (b->attachments)\n', 'while (b->attachments && b->attachments->next)\n'),
     'two-models-of-a-body-touch':
         ('calls', 'Mst/src/mst_commit.c', '|| body1 == body2 ||', '||',
          'Mst/src/mst_i.h', 'return mst_bodyOf(p->model1) && mst_bodyOf(p->model1) == mst_bodyOf(p->model2);',
@@ -26,16 +26,16 @@ FAULTS = {
     'model-of-another-world':
         ('calls', 'Mst/src/mst_commit.c', '|| !areOfWorld(b, body1, body2, w)', '|| (areOfWorld(b, body1, body2, w), 0)'),
     'bodies-of-a-bridges-group':
-        ('calls', 'Mdt/src/MdtConstraint.c', 'if (base->record.flags & MDT_BRIDGED) {', 'if (0) {'),
+        ('calls', 'Mdt/src/record/MdtConstraint.c', 'if (base->record.flags & MDT_BRIDGED) {', 'if (0) {'),
     'centre-of-mass-anywhere':
-        ('calls', 'Mdt/src/MdtBody.c', '    if (!isCentre(caller, b, centre))\n        return;\n', ''),
+        ('calls', 'Mdt/src/record/MdtBody.c', '    if (!isCentre(caller, b, centre))\n        return;\n', ''),
     'rim-of-a-model-that-is-gone':
         ('calls', 'Mcd/src/McdContact.c', 'return isKnown && mcd_record(ins->model)->magic == MCD_MODEL ? ins : 0;',
          'return ins;'),
     'side-out-of-range':
         ('calls', 'Mcd/src/McdContact.c', 'if (!c || side < 0 || side > 1) {', 'if (!c) {'),
     'numbers-that-are-none':
-        ('calls', 'Mdt/src/mdt_check.c', 'if (mdt_areFinite(v))', 'if (mdt_areFinite(v) || x != x)'),
+        ('calls', 'Mdt/src/base/mdt_check.c', 'if (mdt_areFinite(v))', 'if (mdt_areFinite(v) || x != x)'),
     'sizes-that-are-none':
         ('calls', 'Mcd/src/mcd_local.c', 'if (size >= (MeReal)FLT_MIN && size <= (MeReal)(FLT_MAX / 4))',
          'if (!(size < (MeReal)FLT_MIN) && !(size > (MeReal)(FLT_MAX / 4)))'),
