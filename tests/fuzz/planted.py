@@ -30,17 +30,17 @@ FAULTS = {
     'centre-of-mass-anywhere':
         ('calls', 'Mdt/src/record/MdtBody.c', '    if (!isCentre(caller, b, centre))\n        return;\n', ''),
     'rim-of-a-model-that-is-gone':
-        ('calls', 'Mcd/src/McdContact.c', 'return isKnown && mcd_record(ins->model)->magic == MCD_MODEL ? ins : 0;',
+        ('calls', 'Mcd/src/model/McdContact.c', 'return isKnown && mcd_record(ins->model)->magic == MCD_MODEL ? ins : 0;',
          'return ins;'),
     'side-out-of-range':
-        ('calls', 'Mcd/src/McdContact.c', 'if (!c || side < 0 || side > 1) {', 'if (!c) {'),
+        ('calls', 'Mcd/src/model/McdContact.c', 'if (!c || side < 0 || side > 1) {', 'if (!c) {'),
     'numbers-that-are-none':
         ('calls', 'Mdt/src/base/mdt_check.c', 'if (mdt_areFinite(v))', 'if (mdt_areFinite(v) || x != x)'),
     'sizes-that-are-none':
-        ('calls', 'Mcd/src/mcd_local.c', 'if (size >= (MeReal)FLT_MIN && size <= (MeReal)(FLT_MAX / 4))',
+        ('calls', 'Mcd/src/geometry/mcd_local.c', 'if (size >= (MeReal)FLT_MIN && size <= (MeReal)(FLT_MAX / 4))',
          'if (!(size < (MeReal)FLT_MIN) && !(size > (MeReal)(FLT_MAX / 4)))'),
     'facet-before-the-first':
-        ('geometries', 'Mcd/src/mcd_distance.c', 'MeMAX(nearestFacet(t), 0)', '-1'),
+        ('geometries', 'Mcd/src/convex/mcd_distance.c', 'MeMAX(nearestFacet(t), 0)', '-1'),
     'line-longer-than-its-place':
         ('files', 'MeGlobals/src/MeStream.c', 'MeMIN(there, (size_t)n - 1)', 'MeMIN(there, (size_t)n)'),
 }
