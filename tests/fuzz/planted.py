@@ -20,11 +20,11 @@ FAULTS = {
     'body-keeps-its-joints':
         ('calls', 'Mdt/src/record/MdtBody.c', 'while (b->attachments)\n', 'while (b->attachments && b->attachments->next)\n'),
     'two-models-of-a-body-touch':
-        ('calls', 'Mst/src/mst_commit.c', '|| body1 == body2 ||', '||',
+        ('calls', 'Mst/src/step/mst_commit.c', '|| body1 == body2 ||', '||',
          'Mst/src/mst_i.h', 'return mst_bodyOf(p->model1) && mst_bodyOf(p->model1) == mst_bodyOf(p->model2);',
          'return MEFALSE && p;'),
     'model-of-another-world':
-        ('calls', 'Mst/src/mst_commit.c', '|| !areOfWorld(b, body1, body2, w)', '|| (areOfWorld(b, body1, body2, w), 0)'),
+        ('calls', 'Mst/src/step/mst_commit.c', '|| !areOfWorld(b, body1, body2, w)', '|| (areOfWorld(b, body1, body2, w), 0)'),
     'bodies-of-a-bridges-group':
         ('calls', 'Mdt/src/record/MdtConstraint.c', 'if (base->record.flags & MDT_BRIDGED) {', 'if (0) {'),
     'centre-of-mass-anywhere':
