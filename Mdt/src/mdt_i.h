@@ -228,8 +228,11 @@ void mdt_bodyWakeIfAsleep(MdtBodyID b);
 void mdt_stayForget(MdtBodyID b);
 /* After a step of h seconds. */
 void mdt_stayCount(MdtBodyID b, double h);
-/* Has it stayed where it is for long? */
+/* Has it stayed where it is for long? Would it hardly move in the next second? */
 MeBool mdt_staysInPlace(const MdtBody *b);
+MeBool mdt_isQuiet(const MdtBody *b);
+/* Would it move by a change of momentum, N s and N m s, in h seconds? */
+MeBool mdt_wouldMove(const MdtBody *b, const double push[3], const double twist[3], double h);
 /* Wakes the sleepers of which an input has changed since they fell asleep, before a step of h seconds. */
 void mdt_sleepersWake(MdtWorldID w, double h);
 /* The forces of those that sleep on are over with the step. */
@@ -650,6 +653,8 @@ struct MdtIsland;
 void mdt_reportBegin(struct MdtIsland *p);
 /* The stage ends. */
 void mdt_reportLap(struct MdtIsland *p, MdtReportStage stage);
+/* Notes a way that a part was taken in. */
+void mdt_reportWay(MdtReport *r, MdtReportWay way);
 /* Notes an impact at the start of a part; a part that ends early, at an event; a step that is halved. */
 void mdt_reportImpact(MdtReport *r);
 void mdt_reportEvent(MdtReport *r);

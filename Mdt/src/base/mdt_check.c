@@ -137,6 +137,11 @@ MeBool mdt_isFinite3(const char *caller, const char *what, MeReal x, MeReal y, M
     return MEFALSE;
 }
 
+/* Where the rounding of MeReal is half the length scale, and squares of distances are finite. */
+double mdt_worldBound(const MdtWorld *w) {
+    return fmin(2 / (double)ME_EPSILON * (double)w->params.lengthScale, sqrt((double)MEINFINITY) / 4);
+}
+
 MeBool mdt_isPlace(const char *caller, const char *what, const MdtWorld *w, MeReal x, MeReal y, MeReal z) {
     const double most = mdt_worldBound(w);
     if (!mdt_isFinite3(caller, what, x, y, z))
@@ -198,4 +203,8 @@ void mdt_setAtLeast0(const char *caller, const char *what, MeReal *place, MeReal
 void mdt_setAngle(const char *caller, const char *what, MeReal *place, MeReal x) {
     if (place && mdt_isFinite(caller, what, x))
         *place = x < 0 ? 0 : x > ME_PI ? ME_PI : x;
+}
+
+MeBool mdt_isSolver(MdtSolver solver) {
+    return solver == MdtSolverAuto || solver == MdtSolverExact || solver == MdtSolverFast;
 }

@@ -161,11 +161,6 @@ void mdt_bodyLostByRounding(const MdtBody *b, const double point[3], double lost
         lost[i] += b->frame.position[i] - point[i];
 }
 
-/* Where the rounding of MeReal is half the length scale, and squares of distances are finite. */
-double mdt_worldBound(const MdtWorld *w) {
-    return fmin(2 / (double)ME_EPSILON * (double)w->params.lengthScale, sqrt((double)MEINFINITY) / 4);
-}
-
 MeReal MEAPI MdtBodyGetPositionBound(const MdtBodyID b) {
     MDT_NEED_BODY(b, 0);
     return (MeReal)mdt_worldBound(b->world);
@@ -437,6 +432,11 @@ void MEAPI MdtBodyEnable(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
     if (isToEnableNow(b, METRUE, __func__))
         mdt_bodyEnable(b);
+}
+
+void mdt_bodyWakeIfAsleep(MdtBodyID b) {
+    if (b->record.flags & MDT_ASLEEP)
+        MdtBodyEnable(b);
 }
 
 void MEAPI MdtBodyDisable(const MdtBodyID b) {
@@ -977,13 +977,6 @@ void MEAPI MdtBodyGetTorque(const MdtBodyID b, MeVector3 v) {
     if (!mdt_isResult(__func__, v, 3) || !mdt_isBody(b, __func__))
         return;
     mdt_toReal(v, b->torque);
-}
-
-void MEAPI MdtBodyResetForces(const MdtBodyID b) {
-    MDT_NEED_BODY(b, );
-    keaZero(b->force);
-    keaZero(b->torque);
-    b->record.flags &= ~MDT_FORCED;
 }
 
 void MEAPI MdtBodyResetImpulses(const MdtBodyID b) {

@@ -181,6 +181,13 @@ void mdt_forceBegin(MdtBodyID b) {
         continueLoad(b);
 }
 
+void MEAPI MdtBodyResetForces(const MdtBodyID b) {
+    MDT_NEED_BODY(b, );
+    keaZero(b->force);
+    keaZero(b->torque);
+    b->record.flags &= ~MDT_FORCED;
+}
+
 void mdt_forceApply(MdtBodyID b, double frame) {
     MdtApplied *a = &b->applied;
     keaCopy(a->force, b->force);

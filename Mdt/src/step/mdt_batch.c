@@ -21,33 +21,6 @@
  * tells these apart. */
 enum { BATCH = 64 };
 
-/* ---- memory ---- */
-
-MeBool mdt_batchesReserve(MdtBatches *b, int bodies, int acting, const char *caller) {
-    const size_t n = (size_t)bodies;
-    if (bodies > b->bodyRoom) {
-        if (!MeMemoryGrow(&b->firstMember, 0, n + 1, sizeof *b->firstMember, caller, "batches") ||
-            !MeMemoryGrow(&b->member, 0, n + 1, sizeof *b->member, caller, "batches") ||
-            !MeMemoryGrow(&b->isIn, 0, n, sizeof *b->isIn, caller, "batches") ||
-            !MeMemoryGrow(&b->body, 0, n, sizeof *b->body, caller, "batches") ||
-            !MeMemoryGrow(&b->kea, 0, n, sizeof *b->kea, caller, "batches"))
-            return MEFALSE;
-        b->bodyRoom = bodies;
-    }
-    if (acting > b->actingRoom) {
-        if (!MeMemoryGrow(&b->acting, 0, (size_t)acting, sizeof *b->acting, caller, "batches"))
-            return MEFALSE;
-        b->actingRoom = acting;
-    }
-    return METRUE;
-}
-
-void mdt_batchesTerm(MdtBatches *b) {
-    void *arrays[] = {b->firstMember, b->member, b->isIn, b->body, b->kea, b->acting};
-    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
-        MeMemoryGive(arrays[i]);
-}
-
 /* ---- candidates ---- */
 
 /* How many bodies a partition has, if these are few and constraints act on them; else 0. */

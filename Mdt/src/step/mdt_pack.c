@@ -130,13 +130,6 @@ static MeBool takeScratchForBoth(MdtIsland *p, int manifolds) {
     return isTaken;
 }
 
-void mdt_islandSetFast(MdtIsland *p, MeBool isFast) {
-    p->isFast = isFast;
-    p->kea.parameters.solver = isFast ? MdtKeaSolverFast : MdtKeaSolverExact;
-    p->kea.maxRows = p->jointRows + (isFast ? 0 : p->numContacts * MdtBclGETMAXROWSCONTACT);
-    p->kea.maxContacts = isFast ? 0 : p->numContacts;
-}
-
 static void noteActing(MdtIsland *p, const Chunk *all) {
     p->numJoints = all->joints;
     p->jointRows = all->rows;

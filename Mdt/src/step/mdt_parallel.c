@@ -83,11 +83,6 @@ typedef struct Stepping {
     int *partition, *firstOf; /* by task: firstOf[t] .. firstOf[t + 1] */
 } Stepping;
 
-/* Each partition once, and of tasks one more than there are. */
-size_t mdt_tasksSize(size_t bodies) {
-    return 2 * bodies + 1;
-}
-
 static int sizeOf(const MdtWorld *w, int i) {
     return w->bodyStart[i + 1] - w->bodyStart[i] + w->actingStart[i + 1] - w->actingStart[i];
 }

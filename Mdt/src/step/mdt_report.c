@@ -146,40 +146,6 @@ static void keepMost(MeReal *most, double x) {
         *most = mdt_real(x);
 }
 
-static void keepWay(MdtReport *r, MdtReportWay way) {
-    if (way > r->way)
-        r->way = way;
-}
-
-void mdt_reportImpact(MdtReport *r) {
-    keepWay(r, MdtReportWayTimed);
-}
-
-void mdt_reportEvent(MdtReport *r) {
-    r->events++;
-    keepWay(r, MdtReportWayTimed);
-}
-
-/* Each impact begins a part, but for that which ended the flight: its part is still to come. */
-void mdt_reportFlight(MdtReport *r, int impacts, MeBool isHeld) {
-    r->events += impacts;
-    r->parts += impacts > 0 && isHeld ? impacts - 1 : impacts;
-    keepWay(r, MdtReportWayTimed);
-}
-
-void mdt_reportComposed(MdtReport *r) {
-    r->composed++;
-}
-
-void mdt_reportRest(MdtReport *r) {
-    r->parts = r->rested = 1;
-    keepWay(r, MdtReportWayRest);
-}
-
-void mdt_reportDivision(MdtReport *r) {
-    keepWay(r, MdtReportWayDivided);
-}
-
 void mdt_reportSolve(MdtIsland *p) {
     const MdtKeaSystem *kea = &p->kea;
     MdtReport *r = p->report;
@@ -194,7 +160,9 @@ void mdt_reportSolve(MdtIsland *p) {
     r->stages += kea->report.stages;
     r->freezes += kea->report.freezes;
     r->why = p->why;
-    keepWay(r, p->isFast ? MdtReportWayFast : kea->report.factorizations > 0 ? MdtReportWayExact : MdtReportWayKept);
+    mdt_reportWay(r, p->isFast                        ? MdtReportWayFast
+                     : kea->report.factorizations > 0 ? MdtReportWayExact
+                                                      : MdtReportWayKept);
 }
 
 static void addSquare(double *sum, double x) {
@@ -228,7 +196,7 @@ void mdt_reportPart(MdtReport *r, const MdtIsland *p, MeBool isFinite) {
     r->conflicts += kea->report.conflicting;
     r->limited += kea->report.limited;
     if (kea->report.limited)
-        keepWay(r, MdtReportWayLimited);
+        mdt_reportWay(r, MdtReportWayLimited);
     keepMost(&r->residualVelocity, kea->report.residual);
     keepMost(&r->residualForce, kea->report.force);
     keepMost(&r->jointError, kea->report.error);
@@ -340,7 +308,7 @@ static void addCounts(MdtReport *sum, const MdtReport *r) {
 
 static void keepErrors(MdtReport *most, const MdtReport *r) {
     most->why = r->way > most->way ? r->why : most->why;
-    keepWay(most, r->way);
+    mdt_reportWay(most, r->way);
     keepMost(&most->residualVelocity, (double)r->residualVelocity);
     keepMost(&most->residualForce, (double)r->residualForce);
     keepMost(&most->jointError, (double)r->jointError);

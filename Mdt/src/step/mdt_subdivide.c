@@ -252,14 +252,6 @@ static void fly(MdtIsland *p, double rest, double least, int mostImpacts) {
         mdt_reportFlight(p->report, p->kea.report.impacts, flown < rest);
 }
 
-/* Impacts of a crowd that keeps its energy are followed also where some bodies are held, with a solve at each event; of
- * other crowds only as long as all bodies fly. */
-int mdt_mostHeld(const MdtIsland *p) {
-    if (p->world->timedBodies == 0 || (p->numBodies >= MDT_CROWD && p->losesEnergy))
-        return 0;
-    return MeMAX(p->world->timedBodies, p->numBodies / MDT_HELD);
-}
-
 /* Whether joints or closed contacts hold too many of its bodies for a solve at each event. */
 static MeBool hasManyHeld(const MdtIsland *p) {
     return p->numBodies > p->world->timedBodies && MdtKeaHeldBodies(&p->kea) > mdt_mostHeld(p);

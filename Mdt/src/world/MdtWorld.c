@@ -86,56 +86,6 @@ static void freeWorld(MdtWorldID w) {
     MeMemoryGive(w);
 }
 
-/* Nothing in them is kept but the records of partitions. */
-static MeBool reserveBodies(MdtWorldID w, int bodies, const char *caller) {
-    const size_t n = (size_t)MeMAX(bodies, 2 * w->bodyRoom), records = (size_t)w->numPartitions;
-    if (bodies <= w->bodyRoom)
-        return METRUE;
-    if (!MeMemoryGrow(&w->bodyOf, 0, n, sizeof *w->bodyOf, caller, "the bodies of a step") ||
-        !MeMemoryGrow(&w->keaOf, 0, n, sizeof *w->keaOf, caller, "the bodies of a step") ||
-        !MeMemoryGrow(&w->graph.body, 0, n, sizeof *w->graph.body, caller, "the bodies of a step") ||
-        !MeMemoryGrow(&w->graph.parent, 0, n, sizeof *w->graph.parent, caller, "the bodies of a step") ||
-        !MeMemoryGrow(&w->graph.isEnabled, 0, n, sizeof *w->graph.isEnabled, caller, "the bodies of a step") ||
-        !MeMemoryGrow(&w->graph.isAwake, 0, n, sizeof *w->graph.isAwake, caller, "the bodies of a step") ||
-        !MeMemoryGrow(&w->graph.partition, 0, n, sizeof *w->graph.partition, caller, "the bodies of a step") ||
-        !MeMemoryGrow(&w->bodyStart, 0, n + 1, sizeof *w->bodyStart, caller, "partitions") ||
-        !MeMemoryGrow(&w->actingStart, 0, n + 1, sizeof *w->actingStart, caller, "partitions") ||
-        !MeMemoryGrow(&w->constraintStart, 0, n + 1, sizeof *w->constraintStart, caller, "partitions") ||
-        !MeMemoryGrow(&w->record, records, n, sizeof *w->record, caller, "partitions") ||
-        !MeMemoryGrow(&w->lastRecord, 0, n, sizeof *w->lastRecord, caller, "partitions") ||
-        !MeMemoryGrow(&w->output.info, 0, n, sizeof *w->output.info, caller, "partitions") ||
-        !MeMemoryGrow(&w->taskOf, 0, mdt_tasksSize(n), sizeof *w->taskOf, caller, "tasks"))
-        return MEFALSE;
-    w->bodyRoom = (int)n;
-    MEASSERT(w->bodyRoom >= bodies);
-    return METRUE;
-}
-
-/* Joints that broke are kept: there may be more in the rest of the step. */
-static MeBool reserveConstraints(MdtWorldID w, int constraints, const char *caller) {
-    const size_t n = (size_t)MeMAX(constraints, 2 * w->constraintRoom), broken = (size_t)w->numBroken;
-    if (constraints <= w->constraintRoom)
-        return METRUE;
-    if (!MeMemoryGrow(&w->constraintOf, 0, n, sizeof *w->constraintOf, caller, "the constraints of a step") ||
-        !MeMemoryGrow(&w->actingOf, 0, n, sizeof *w->actingOf, caller, "the constraints of a step") ||
-        !MeMemoryGrow(&w->graph.acting, 0, n, sizeof *w->graph.acting, caller, "the constraints of a step") ||
-        !MeMemoryGrow(&w->graph.actsOn, 0, n, sizeof *w->graph.actsOn, caller, "the constraints of a step") ||
-        !MeMemoryGrow(&w->broken, broken, n, sizeof *w->broken, caller, "broken joints"))
-        return MEFALSE;
-    w->constraintRoom = (int)n;
-    return METRUE;
-}
-
-MeBool mdt_worldReserve(MdtWorldID w, int bodies, int constraints, const char *caller) {
-    const MeBool isDone = reserveBodies(w, MeMAX(bodies, 1), caller) &&
-                          reserveConstraints(w, MeMAX(constraints, 1), caller) &&
-                          mdt_batchesReserve(&w->batches, w->bodyRoom, w->constraintRoom, caller);
-    w->output.world = w;
-    w->output.bodies = w->bodyOf;
-    w->output.constraints = w->constraintOf;
-    return isDone;
-}
-
 static MeBool allocateParts(MdtWorldID w, int bodies, int constraints, const char *caller) {
     w->bodyPool = (MdtPool){.recordSize = sizeof(MdtBody),
                             .what = "bodies",
@@ -540,10 +490,6 @@ MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w) {
 
 /* ---- the solver ---- */
 
-MeBool mdt_isSolver(MdtSolver solver) {
-    return solver == MdtSolverAuto || solver == MdtSolverExact || solver == MdtSolverFast;
-}
-
 void MEAPI MdtWorldSetSolver(const MdtWorldID w, const MdtSolver solver) {
     MDT_NEED_WORLD(w, );
     if (mdt_isSolver(solver))
@@ -563,23 +509,6 @@ void MEAPI MdtWorldSetSolverCB(const MdtWorldID w, MdtSolverCB cb, void *data) {
     w->solverCbData = data;
     w->isSolverWarned = MEFALSE;
     w->certificate++; /* what rests may have another solver now */
-}
-
-/* m/s: what gravity gives in a step; without gravity a tenth of the length scale in a second. */
-static double speedScale(const MdtWorld *w, double h) {
-    double g[3];
-    mdt_fromReal(g, w->params.gravity);
-    const double fall = keaLength(g) * h;
-    return fall > 0 ? fall : 0.1 * (double)w->params.lengthScale;
-}
-
-double mdt_worldAccuracy(const MdtWorld *w, double h, MeBool hasJoints) {
-    const double share = hasJoints ? 1e-2 : 1e-4; /* see MdtWorldSetAccuracy */
-    return w->accuracy >= 0 ? (double)w->accuracy : share * speedScale(w, h);
-}
-
-double mdt_worldRestSpeed(const MdtWorld *w, double h) {
-    return fmax(1e-3 * speedScale(w, h), 0.1 * (double)w->accuracy);
 }
 
 void MEAPI MdtWorldSetAccuracy(const MdtWorldID w, const MeReal velocity) {

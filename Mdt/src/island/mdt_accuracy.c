@@ -1,0 +1,19 @@
+/* How accurate a step of a world is, and below which speed its bodies rest. */
+#include "mdt_i.h"
+
+/* m/s: what gravity gives in a step; without gravity a tenth of the length scale in a second. */
+static double speedScale(const MdtWorld *w, double h) {
+    double g[3];
+    mdt_fromReal(g, w->params.gravity);
+    const double fall = keaLength(g) * h;
+    return fall > 0 ? fall : 0.1 * (double)w->params.lengthScale;
+}
+
+double mdt_worldAccuracy(const MdtWorld *w, double h, MeBool hasJoints) {
+    const double share = hasJoints ? 1e-2 : 1e-4; /* see MdtWorldSetAccuracy */
+    return w->accuracy >= 0 ? (double)w->accuracy : share * speedScale(w, h);
+}
+
+double mdt_worldRestSpeed(const MdtWorld *w, double h) {
+    return fmax(1e-3 * speedScale(w, h), 0.1 * (double)w->accuracy);
+}

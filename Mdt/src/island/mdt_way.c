@@ -1,0 +1,54 @@
+/* The way in which a partition's step is taken: by which of Kea's solvers, through how many impacts, and what its
+ * report says of that. */
+#include "mdt_step_i.h"
+
+void mdt_islandSetFast(MdtIsland *p, MeBool isFast) {
+    p->isFast = isFast;
+    p->kea.parameters.solver = isFast ? MdtKeaSolverFast : MdtKeaSolverExact;
+    p->kea.maxRows = p->jointRows + (isFast ? 0 : p->numContacts * MdtBclGETMAXROWSCONTACT);
+    p->kea.maxContacts = isFast ? 0 : p->numContacts;
+}
+
+/* Impacts of a crowd that keeps its energy are followed also where some bodies are held, with a solve at each event; of
+ * other crowds only as long as all bodies fly. */
+int mdt_mostHeld(const MdtIsland *p) {
+    if (p->world->timedBodies == 0 || (p->numBodies >= MDT_CROWD && p->losesEnergy))
+        return 0;
+    return MeMAX(p->world->timedBodies, p->numBodies / MDT_HELD);
+}
+
+/* ---- in the report ---- */
+
+void mdt_reportWay(MdtReport *r, MdtReportWay way) {
+    if (way > r->way)
+        r->way = way;
+}
+
+void mdt_reportImpact(MdtReport *r) {
+    mdt_reportWay(r, MdtReportWayTimed);
+}
+
+void mdt_reportEvent(MdtReport *r) {
+    r->events++;
+    mdt_reportWay(r, MdtReportWayTimed);
+}
+
+/* Each impact begins a part, but for that which ended the flight: its part is still to come. */
+void mdt_reportFlight(MdtReport *r, int impacts, MeBool isHeld) {
+    r->events += impacts;
+    r->parts += impacts > 0 && isHeld ? impacts - 1 : impacts;
+    mdt_reportWay(r, MdtReportWayTimed);
+}
+
+void mdt_reportComposed(MdtReport *r) {
+    r->composed++;
+}
+
+void mdt_reportRest(MdtReport *r) {
+    r->parts = r->rested = 1;
+    mdt_reportWay(r, MdtReportWayRest);
+}
+
+void mdt_reportDivision(MdtReport *r) {
+    mdt_reportWay(r, MdtReportWayDivided);
+}
