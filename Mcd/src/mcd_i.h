@@ -354,6 +354,10 @@ struct _McdFramework {
 };
 
 MeBool mcd_frameCheck(McdFrameworkID frame, const char *function);
+/* How many frameworks live: one more, or one less. */
+void mcd_countFrames(int change);
+/* Returns its memory, but for scratches. */
+void mcd_frameFree(McdFramework *frame);
 /* Makes a pool that is empty larger. False, with a message that names the function, if it must not be, or cannot. */
 MeBool mcd_frameAddModels(McdFramework *frame, const char *function);
 MeBool mcd_frameAddInstances(McdFramework *frame, const char *function);

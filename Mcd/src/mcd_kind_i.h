@@ -95,7 +95,7 @@ int mcd_planeContacts(McdModelPair *p, McdIntersectResult *result, const char *f
     .box = Mcd##Type##UpdateAABB, .sphere = Mcd##Type##GetBSphere, .farthest = Mcd##Type##MaximumPoint,                \
     .mass = Mcd##Type##GetMassProperties, .draw = Mcd##Type##DebugDraw
 
-/* Cores that are a point: spheres, and points of their own (McdSphere.c). */
+/* Cores that are a point: spheres, and points of their own (mcd_shape.c). */
 void mcd_pointSupport(const McdShape *s, const double direction[3], double point[3]);
 void mcd_pointFace(const McdShape *s, const double direction[3], McdFace *f);
 

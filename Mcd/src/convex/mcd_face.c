@@ -640,3 +640,15 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
     MEVALIDATE(isManifoldGood(a, b, p, margin, m));
     return m->count;
 }
+
+void mcd_manifoldTurn(McdManifold *m) {
+    MEASSERT(m->count >= 0 && m->count <= MCD_MANIFOLD_POINTS);
+    mcd_scale(m->normal, m->normal, -1);
+    for (int i = 0; i < m->count; i++) {
+        McdManifoldPoint *p = &m->point[i];
+        const double radius = p->radius[0];
+        p->radius[0] = p->radius[1];
+        p->radius[1] = radius;
+        p->feature = p->feature << 32 | p->feature >> 32;
+    }
+}

@@ -83,8 +83,7 @@ MeBool mcd_isPlace(const MeVector4 *tm) {
         longest = fmax(longest, mcd_dot(axis[i], axis[i]));
     }
     mcd_cross(across, axis[0], axis[1]);
-    return longest >= 1e-12 && longest <= 3e12 &&
-           fabs(mcd_dot(across, axis[2])) >= 1e-6 * longest * sqrt(longest);
+    return longest >= 1e-12 && longest <= 3e12 && fabs(mcd_dot(across, axis[2])) >= 1e-6 * longest * sqrt(longest);
 }
 
 /* All but its axes; corners are a triangle's alone. */
@@ -153,4 +152,16 @@ void mcd_support(const McdShape *s, const double direction[3], double point[3]) 
 
 double mcd_surfaceRadius(const McdShape *s, const double outward[3], const double point[3]) {
     return s->kind->radius ? s->kind->radius(s, outward, point) : s->rounding;
+}
+
+/* ---- points ---- */
+
+void mcd_pointSupport(const McdShape *s, const double d[3], double point[3]) {
+    (void)d;
+    mcd_copy(point, s->place);
+}
+
+void mcd_pointFace(const McdShape *s, const double direction[3], McdFace *f) {
+    (void)direction;
+    mcd_faceAdd(s, f, 0, 0, 0, 0);
 }

@@ -25,16 +25,6 @@ static void setShape(const McdGeometry *g, McdShape *s) {
     s->rounding = s->extent = (double)get(g)->radius;
 }
 
-void mcd_pointSupport(const McdShape *s, const double d[3], double point[3]) {
-    (void)d;
-    mcd_copy(point, s->place);
-}
-
-void mcd_pointFace(const McdShape *s, const double direction[3], McdFace *f) {
-    (void)direction;
-    mcd_faceAdd(s, f, 0, 0, 0, 0);
-}
-
 static const McdKind kind = {MCD_KIND_FUNCTIONS(Sphere, mcd_geometryFree),
                              .size = sizeof(McdSphere),
                              .setShape = setShape,

@@ -1,15 +1,9 @@
-/* The framework: types, interactions, defaults, and the end of everything in it. */
+/* The framework: its life, types, interactions, defaults. */
 #include "mcd_kind_i.h"
-#include "mcd_scratch_i.h"
 #include "McdInternal.h"
 #include <stdatomic.h>
 #include <stdint.h>
 #include <string.h>
-
-struct McdTermActionLink {
-    McdTermAction action;
-    McdTermActionLink *next; /* registered before */
-};
 
 static const McdRequest builtInRequest = {20, MEFALSE};
 
@@ -22,6 +16,10 @@ MeBool mcd_areGiven(const char *function, const void *a, const void *b, const vo
         return METRUE;
     MeWarning(1, "%s: a pointer is null: it must say where to read or write", function);
     return MEFALSE;
+}
+
+void mcd_countFrames(int change) {
+    atomic_fetch_add(&liveFrames, change);
 }
 
 void mcd_warnGone(const void *p, const char *what, const char *function) {
@@ -57,10 +55,9 @@ static void freeBlocks(McdPoolBlock *block) {
     }
 }
 
-static void freeFramework(McdFramework *frame) {
+void mcd_frameFree(McdFramework *frame) {
     MeMemoryGive(frame->types);
     MeMemoryGive(frame->grid);
-    mcd_scratchFreeAll(frame);
     freeBlocks(frame->modelBlocks);
     freeBlocks(frame->instanceBlocks);
     MeMemoryGive(frame);
@@ -155,7 +152,7 @@ McdFrameworkID MEAPI(McdInit)(int geoTypeMaxCount, int modelCount, int instanceC
     frame->grid = MeMemoryTakeZeroed(types * types, sizeof *frame->grid, "McdInit", "interactions");
     if (!frame->types || !frame->grid || (modelCount != MeNoLimit && !addModels(frame, modelCount, "McdInit")) ||
         (instanceCount && instanceCount != MeNoLimit && !addInstances(frame, instanceCount, "McdInit"))) {
-        freeFramework(frame);
+        mcd_frameFree(frame);
         return 0;
     }
     frame->lengthScale = lengthScale;
@@ -164,7 +161,7 @@ McdFrameworkID MEAPI(McdInit)(int geoTypeMaxCount, int modelCount, int instanceC
     frame->defaultRequest = &frame->builtInRequest;
     frame->magic = MCD_FRAMEWORK;
     MeHandleEnter(&frame->handle, frame, MCD_FRAMEWORK);
-    atomic_fetch_add(&liveFrames, 1);
+    mcd_countFrames(1);
     return frame;
 }
 
@@ -181,86 +178,10 @@ McdFrameworkID MEAPI McdInitUnscaled(int geoTypeMaxCount, int modelCount, int in
     ME_RETURN_UNDER_OWN_NAME(McdFrameworkID, (McdInit)(geoTypeMaxCount, modelCount, instanceCount, 1));
 }
 
-/* Unreferenced geometries go first: an aggregate before its parts, whichever is older. */
-static void destroyGeometries(McdFramework *frame) {
-    while (frame->lastGeometry) {
-        const int before = frame->geometryCount;
-        for (McdGeometry *g = frame->lastGeometry, *previous; g; g = previous) {
-            previous = g->previous;
-            if (g->referenceCount == 0)
-                mcd_geometryDestroy(g);
-        }
-        if (frame->geometryCount == before) /* the program has set counts that nothing accounts for */
-            frame->lastGeometry->referenceCount = 0;
-    }
-}
-
-/* Functions of the program are called with what goes; they create nothing meanwhile. */
-static void destroyAll(McdFramework *frame) {
-    frame->isEmptied = METRUE;
-    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
-    while (frame->lastModel)
-        mcd_modelDestroy(frame->lastModel);
-    destroyGeometries(frame);
-    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
-    frame->isEmptied = MEFALSE;
-}
-
 MeBool mcd_mayCreate(const McdFramework *frame, const char *function) {
     if (frame->isEmptied)
         MeProgramRefuse(function, "the framework is being emptied");
     return !frame->isEmptied && MeProgramMayChange(function);
-}
-
-void MEAPI McdFrameworkDestroyAllModelsAndGeometries(McdFrameworkID frame) {
-    const char *const function = "McdFrameworkDestroyAllModelsAndGeometries";
-    if (mcd_frameCheck(frame, function) && MeStageIsFree(&frame->stage, function))
-        destroyAll(frame);
-}
-
-static void runTermActions(McdFramework *frame) {
-    MeStageBegin(&frame->stage, MCD_HOLD_FRAME);
-    const MeProgramCall before = MeProgramEnter("McdFrameworkRegisterTermAction");
-    while (frame->termActions) {
-        McdTermActionLink *link = frame->termActions;
-        frame->termActions = link->next;
-        link->action(frame);
-        MeMemoryGive(link);
-    }
-    MeProgramLeave(&before);
-    MeStageEnd(&frame->stage, MCD_HOLD_FRAME);
-}
-
-void MEAPI McdTerm(McdFrameworkID frame) {
-    if (!frame)
-        mcd_warnGone(frame, "collision framework", "McdTerm");
-    if (!mcd_mayDestroy(frame, MCD_FRAMEWORK, "collision framework", "McdTerm") ||
-        !MeStageIsFree(&frame->stage, "McdTerm"))
-        return;
-    if (frame->spaceCount) {
-        MeWarning(1, "McdTerm: %d spaces are left; destroy them first. Nothing was destroyed", frame->spaceCount);
-        return;
-    }
-    runTermActions(frame);
-    if (frame->modelCount || frame->geometryCount)
-        MeWarning(2, "McdTerm: %d models and %d geometries were left", frame->modelCount, frame->geometryCount);
-    destroyAll(frame);
-    MEASSERT(!frame->modelCount && !frame->instanceCount && !frame->geometryCount);
-    frame->magic = 0;
-    MeHandleLeave(&frame->handle);
-    atomic_fetch_sub(&liveFrames, 1);
-    freeFramework(frame);
-}
-
-void MEAPI McdFrameworkRegisterTermAction(McdFrameworkID frame, McdTermAction action) {
-    if (!mcd_frameCheck(frame, "McdFrameworkRegisterTermAction") || !action)
-        return;
-    McdTermActionLink *link = MeMemoryTake(1, sizeof *link, "McdFrameworkRegisterTermAction", "an action");
-    if (!link)
-        return;
-    link->action = action;
-    link->next = frame->termActions;
-    frame->termActions = link;
 }
 
 int MEAPI McdFrameworkGetModelCount(McdFrameworkID frame) {

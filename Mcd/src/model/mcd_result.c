@@ -92,18 +92,6 @@ static void tellApart(McdIntersectResult *result) {
             }
 }
 
-void mcd_manifoldTurn(McdManifold *m) {
-    MEASSERT(m->count >= 0 && m->count <= MCD_MANIFOLD_POINTS);
-    mcd_scale(m->normal, m->normal, -1);
-    for (int i = 0; i < m->count; i++) {
-        McdManifoldPoint *p = &m->point[i];
-        const double radius = p->radius[0];
-        p->radius[0] = p->radius[1];
-        p->radius[1] = radius;
-        p->feature = p->feature << 32 | p->feature >> 32;
-    }
-}
-
 /* The manifold's points that there is room for, as ascending indices; returns how many. */
 static int choosePoints(const McdManifold *m, int room, int kept[MCD_MANIFOLD_POINTS]) {
     McdSpot spot[MCD_MANIFOLD_POINTS];

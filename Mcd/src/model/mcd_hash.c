@@ -1,0 +1,20 @@
+/* Hashes of what is compared from step to step. */
+#include "mcd_i.h"
+#include <string.h>
+
+/* Mixes a word into a hash of 128 bits. Each half is one to one in the word, so a change of one word always changes the
+ * hash; changes of several could cancel out by chance only. */
+static void addWord(MeU64 hash[2], MeU64 word) {
+    hash[0] = (hash[0] ^ word) * 0x9e3779b97f4a7c15ull;
+    hash[0] ^= hash[0] >> 29;
+    hash[1] = (hash[1] + word) * 0xbf58476d1ce4e5b9ull;
+    hash[1] ^= hash[1] >> 32;
+}
+
+void mcd_hashAdd(MeU64 hash[2], const void *data, size_t bytes) {
+    for (size_t i = 0; i < bytes; i += sizeof(MeU64)) {
+        MeU64 word = 0;
+        memcpy(&word, (const char *)data + i, MeMIN(bytes - i, sizeof word));
+        addWord(hash, word);
+    }
+}
