@@ -246,6 +246,8 @@ MstBridgeRecord *mst_bridgeCheck(MstBridgeID b, const char *function);
 MstMaterialPair *mst_materialPair(const MstBridgeRecord *b, MstMaterialID m1, MstMaterialID m2);
 /* The parameters at a contact: parts of models may have materials of their own. */
 MstMaterialPair *mst_materialsOf(const MstBridgeRecord *b, const McdContact *c);
+/* One more material: its pairs with itself and all before it. False, after a fatal error: there is no memory. */
+MeBool mst_materialAdd(MstBridgeRecord *b, const char *function);
 /* A number that changes with anything that holds between two materials. */
 unsigned long mst_materialVersion(MstBridgeRecord *b, MstMaterialPair *pair);
 /* Are those of all materials known in this round? Then it is: */
@@ -319,7 +321,8 @@ void mst_pairTie(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w);
 static inline MeBool mst_isOneBody(const McdModelPair *p) {
     return mst_bodyOf(p->model1) && mst_bodyOf(p->model1) == mst_bodyOf(p->model2);
 }
-/* Destroys the contacts of a pair. */
+/* Destroys the contacts of a pair; the same as the space releases it. */
+void mst_groupDestroy(McdModelPair *p);
 void MEAPI mst_pairForget(McdModelPair *p);
 
 /* ---- touches (mst_touch.c) --------------------------------------------------------------------------------------- */

@@ -19,20 +19,6 @@
 
 /* ---- groups ------------------------------------------------------------------------------------------------------ */
 
-static void destroyGroup(McdModelPair *p) {
-    if (p->responseData)
-        MdtContactGroupDestroy((MdtContactGroupID)p->responseData);
-    MEASSERT(!p->responseData); /* the group has cleared it */
-}
-
-void MEAPI mst_pairForget(McdModelPair *p) {
-    if (!MdtConstraintIsValid(p->responseData)) /* it may have gone with its world */
-        p->responseData = 0;
-    mst_touchForget(p); /* while its forces can be read */
-    destroyGroup(p);
-    p->forget = 0;
-}
-
 /* The group stays, empty. */
 static void emptyGroup(McdModelPair *p) {
     MdtContactGroupID group = p->responseData;
@@ -245,7 +231,7 @@ static void testAndCommit(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpa
 
 /* A sensor's overlap makes an event, but no contacts. Two sensors do not overlap. */
 static void senseAndCommit(MstBridgeRecord *b, MstRun *run, McdModelPair *p) {
-    destroyGroup(p);
+    mst_groupDestroy(p);
     if (McdModelIsSensor(p->model1) && McdModelIsSensor(p->model2))
         return;
     if (!mst_intersectPair(run, p) || McdModelPairIsLeaving(p))

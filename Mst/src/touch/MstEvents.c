@@ -299,3 +299,19 @@ const MstEvent *MEAPI MstBridgeGetEvents(const MstBridgeID b, int *count) {
         refreshEvent(&record->events, i);
     return record->events.done.event;
 }
+
+/* ---- pairs ---- */
+
+void mst_groupDestroy(McdModelPair *p) {
+    if (p->responseData)
+        MdtContactGroupDestroy((MdtContactGroupID)p->responseData);
+    MEASSERT(!p->responseData); /* the group has cleared it */
+}
+
+void MEAPI mst_pairForget(McdModelPair *p) {
+    if (!MdtConstraintIsValid(p->responseData)) /* it may have gone with its world */
+        p->responseData = 0;
+    mst_touchForget(p); /* while its forces can be read */
+    mst_groupDestroy(p);
+    p->forget = 0;
+}

@@ -1,0 +1,167 @@
+/* The bridge's table of materials, and checks of its handle. */
+#include "McdFrame.h"
+#include "McdGeometryInstance.h"
+#include "McdInternal.h"
+#include "MeAssert.h"
+#include "MeInternal.h"
+#include "MeMessage.h"
+#include "mst_i.h"
+#include <string.h>
+
+/* ---- handles ---- */
+
+void mst_warnGone(const void *p, const char *what, const char *function) {
+    if (p)
+        MeWarning(1, "%s: %p is no %s: it has been destroyed, or never was one", function, p, what);
+    else
+        MeWarning(1, "%s: null is no %s", function, what);
+}
+
+MstBridgeRecord *mst_bridgeCheck(MstBridgeID b, const char *function) {
+    MstBridgeRecord *record = (MstBridgeRecord *)b;
+    if (record && MST_IS_KNOWN(b, MST_BRIDGE) && record->magic == MST_BRIDGE)
+        return record;
+    mst_warnGone(b, "bridge", function);
+    return 0;
+}
+
+/* ---- materials ------------------------------------------------------------------------------------------------ */
+
+/* One more material: a row of pairs, with itself and with all before it, which stays where it is. */
+MeBool mst_materialAdd(MstBridgeRecord *b, const char *function) {
+    const unsigned int m = b->materialCount, more = m ? 2 * m : 8;
+    if (m == b->materialRoom) {
+        if (!MeMemoryGrow(&b->materials, m, more, sizeof *b->materials, function, "materials"))
+            return MEFALSE;
+        b->materialRoom = more;
+    }
+    MstMaterialRecord *row = MeMemoryTakeZeroed((size_t)m + 1, sizeof *row, function, "a material");
+    if (!row)
+        return MEFALSE;
+    for (unsigned int i = 0; i <= m; i++) {
+        MdtContactParamsReset(&row[i].pair.params);
+        row[i].pair.params.velThreshold *= McdFrameworkGetLengthScale(b->frame);
+        row[i].known = row[i].pair.params;
+    }
+    b->materials[b->materialCount++] = row;
+    return METRUE;
+}
+
+MstMaterialID MEAPI MstBridgeGetNewMaterial(const MstBridgeID b) {
+    MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeGetNewMaterial");
+    if (!record)
+        return MstBridgeGetDefaultMaterial();
+    const MstMaterialID m = record->materialCount;
+    if (m >= (MstMaterialID)record->materialLimit.most) {
+        MeLimitWarn(&record->materialLimit, "MstBridgeGetNewMaterial", "more materials");
+        return MstBridgeGetDefaultMaterial();
+    }
+    return mst_materialAdd(record, "MstBridgeGetNewMaterial") ? m : MstBridgeGetDefaultMaterial();
+}
+
+static MstMaterialID knownMaterial(const MstBridgeRecord *b, MstMaterialID m, const char *function) {
+    if (m < b->materialCount)
+        return m;
+    MeWarning(1, "%s: there is no material %u; there are %u: see MstBridgeGetNewMaterial. The default one is taken",
+              MeCallerName(function), m, b->materialCount);
+    return MstBridgeGetDefaultMaterial();
+}
+
+static MstMaterialPair *materialPair(const MstBridgeRecord *b, MstMaterialID m1, MstMaterialID m2,
+                                     const char *function) {
+    const MstMaterialID a = knownMaterial(b, m1, function), c = knownMaterial(b, m2, function);
+    const MstMaterialID high = MeMAX(a, c), low = MeMIN(a, c);
+    MEASSERT(high < b->materialCount && b->materialCount <= b->materialRoom);
+    return &b->materials[high][low].pair;
+}
+
+MstMaterialPair *mst_materialPair(const MstBridgeRecord *b, MstMaterialID m1, MstMaterialID m2) {
+    return materialPair(b, m1, m2, "MstHandleCollisions");
+}
+
+MstMaterialPair *mst_materialsOf(const MstBridgeRecord *b, const McdContact *c) {
+    return mst_materialPair(b, McdGeometryInstanceGetMaterial(c->instance1),
+                            McdGeometryInstanceGetMaterial(c->instance2));
+}
+
+unsigned long mst_materialVersion(MstBridgeRecord *b, MstMaterialPair *pair) {
+    MstMaterialRecord *record = (MstMaterialRecord *)pair;
+    if (record->lookedIn == b->round)
+        return record->version;
+    record->lookedIn = b->round;
+    if (record->version == 0 || memcmp(&record->pair, &record->seen, sizeof record->pair) != 0) {
+        record->seen = record->pair;
+        record->version = ++b->lastVersion;
+    }
+    return record->version;
+}
+
+static MstMaterialPair *pairOf(MstBridgeID b, MstMaterialID m1, MstMaterialID m2, const char *function) {
+    const char *const before = MeMessagesAs(function); /* of two materials that are none one is named */
+    MstBridgeRecord *record = mst_bridgeCheck(b, function);
+    MstMaterialPair *pair = record ? materialPair(record, m1, m2, function) : 0;
+    MeMessagesAs(before);
+    return pair;
+}
+
+MdtContactParamsID MEAPI MstBridgeGetContactParams(const MstBridgeID b, const MstMaterialID m1,
+                                                   const MstMaterialID m2) {
+    MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeGetContactParams");
+    return pair ? &pair->params : 0;
+}
+
+void MEAPI MstBridgeSetIntersectCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
+                                   const MstIntersectCBPtr cb) {
+    MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeSetIntersectCB");
+    if (!pair)
+        return;
+    pair->intersectCb = cb;
+    mst_wakeTouching(mst_bridgeCheck(b, "MstBridgeSetIntersectCB"), pair);
+}
+
+MstIntersectCBPtr MEAPI MstBridgeGetIntersectCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2) {
+    const MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeGetIntersectCB");
+    return pair ? pair->intersectCb : 0;
+}
+
+void MEAPI MstBridgeSetPerContactCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
+                                    const MstPerContactCBPtr cb) {
+    MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeSetPerContactCB");
+    if (!pair)
+        return;
+    pair->perContactCb = cb;
+    mst_wakeTouching(mst_bridgeCheck(b, "MstBridgeSetPerContactCB"), pair);
+}
+
+MstPerContactCBPtr MEAPI MstBridgeGetPerContactCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2) {
+    const MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeGetPerContactCB");
+    return pair ? pair->perContactCb : 0;
+}
+
+void MEAPI MstBridgeSetPerPairCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
+                                 const MstPerPairCBPtr cb) {
+    MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeSetPerPairCB");
+    if (!pair)
+        return;
+    pair->perPairCb = cb;
+    mst_wakeTouching(mst_bridgeCheck(b, "MstBridgeSetPerPairCB"), pair);
+}
+
+MstPerPairCBPtr MEAPI MstBridgeGetPerPairCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2) {
+    const MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeGetPerPairCB");
+    return pair ? pair->perPairCb : 0;
+}
+
+void MEAPI MstBridgeSetTouchCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
+                               const MstTouchCBPtr cb) {
+    MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeSetTouchCB");
+    if (!pair)
+        return;
+    ((MstBridgeRecord *)b)->events.callbacks += (cb != 0) - (pair->touchCb != 0);
+    pair->touchCb = cb;
+}
+
+MstTouchCBPtr MEAPI MstBridgeGetTouchCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2) {
+    const MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeGetTouchCB");
+    return pair ? pair->touchCb : 0;
+}
