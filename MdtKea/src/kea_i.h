@@ -1,6 +1,6 @@
 /* Inside Kea: the working data of a step and the functions that its files share.
  *
- *     kea_system.c            memory, predictions, integration: the front door, with MdtKeaSolve and MdtKeaImpact
+ *     kea_system.c            memory, integration: the front door, with MdtKeaSolve and MdtKeaImpact
  *
  *   exact/, a step by Newton's method to the tolerance:
  *     kea_step.c              one step: passes of linearization, then the velocity stage
@@ -17,6 +17,7 @@
  *
  *   common/, laws and measures that do not depend on the solver:
  *     kea_policy_i.h          every constant that is a choice
+ *     kea_body.c              a body as a step begins and ends
  *     kea_budget.c            the work that a solve may take
  *     kea_rates.c             rates of rows, J v; which rows may reach a bound
  *     kea_residual.c          residuals and the test of convergence
@@ -139,7 +140,7 @@ typedef struct MdtKeaWork {
     MeBool usesTangentAnswer; /* the answer is tangentU, tangentP: symmetric passes did not improve on it */
 } MdtKeaWork;
 
-/* ---- kea_system.c ---- */
+/* ---- kea_body.c ---- */
 
 /* What MdtKeaInit sets of one body, from its state and loads. */
 void kea_beginBody(MdtKeaSystem *s, int i);

@@ -1,5 +1,4 @@
-/* The system of one partition: its memory, the prediction without rows, the choice of solver, and the commit of end
- * states. */
+/* The system of one partition: its memory, the choice of solver, and whether end states may be committed. */
 #include "kea_i.h"
 #include "MeAssert.h"
 #include "MeInternal.h"
@@ -85,51 +84,6 @@ int MEAPI MdtKeaMemoryRequired(const int num_rows_exc_padding[], int num_partiti
     return most > (size_t)INT32_MAX ? INT32_MAX : (int)most;
 }
 
-static void setPose(MdtKeaTransformation *pose, const double position[3], const double quaternion[4]) {
-    keaCopy(pose->pos, position);
-    keaQuaternionToMatrix(pose->R, quaternion);
-}
-
-/* The solution of dv/dt = a - d v after h seconds; without damping exactly v + h a. */
-static void advance(double r[3], const double v[3], const double a[3], double scale, double damping, double h) {
-    const double x = damping * h;
-    MEASSERT(x >= 0);
-    const double keep = exp(-x), gain = x > 0 ? -expm1(-x) / x : 1;
-    for (int i = 0; i < 3; i++)
-        r[i] = keep * v[i] + h * gain * scale * a[i];
-}
-
-double kea_sizeOf(const MdtKeaBody *body) {
-    const double *I = body->moments;
-    return sqrt(keaMax(I[0], keaMax(I[1], I[2])) * body->invMass);
-}
-
-/* Velocity and momentum at the end of the step without rows, and the angular velocity of that momentum at the start
- * pose. */
-static void predict(MdtKeaSystem *s, int i, const double R[3][3]) {
-    const MdtKeaBody *body = s->bodies[i];
-    KeaBody *b = &s->work->body[i];
-    const double h = s->parameters.stepsize;
-    b->size = kea_sizeOf(body);
-    advance(b->freeVelocity, body->velocity, body->force, body->invMass, body->linearDamping, h);
-    advance(b->freeMomentum, body->angularMomentum, body->torque, 1, body->angularDamping, h);
-    keaCopy(s->predicted[i].lin, b->freeVelocity);
-    kea_angularVelocityBy(body->moments, R, b->freeMomentum, s->predicted[i].ang);
-}
-
-void kea_beginBody(MdtKeaSystem *s, int i) {
-    const MdtKeaBody *body = s->bodies[i];
-    double R[3][3];
-    const double(*axes)[3] = (const double(*)[3])R; /* principal ones */
-    setPose(&s->pose[i], body->position, body->quaternion);
-    keaCopy(s->velocity[i].lin, body->velocity);
-    kea_principalAxes(body, body->quaternion, R);
-    kea_angularVelocityBy(body->moments, axes, body->angularMomentum, s->velocity[i].ang);
-    s->invMass[i].mass = body->invMass;
-    kea_inverseInertiaBy(body->moments, axes, s->invMass[i].inertia);
-    predict(s, i, axes);
-}
-
 /* The rule for order (MeTeam.h), here and as bodies are committed: a range writes to its own bodies alone. */
 static void MEAPI beginBodies(void *system, int first, int end, int worker) {
     MdtKeaSystem *s = system;
@@ -187,41 +141,6 @@ static MeBool mayCommit(const MdtKeaBody *body, const KeaEnd *end) {
         return MEFALSE;
     const double *I = body->moments; /* |w| <= |L| / the least moment */
     return keaLength(end->angularMomentum) / keaMin(I[0], keaMin(I[1], I[2])) <= (double)MEINFINITY;
-}
-
-/* `start` becomes the velocity at the end. */
-static void noteAcceleration(MdtKeaBody *body, MdtKeaVelocity *start, double h) {
-    double w[3];
-    MdtKeaBodyGetAngularVelocity(body, w);
-    for (int i = 0; i < 3; i++) {
-        body->acceleration[i] = (body->velocity[i] - start->lin[i]) / h;
-        body->acceleration[3 + i] = (w[i] - start->ang[i]) / h;
-        start->lin[i] = body->velocity[i];
-        start->ang[i] = w[i];
-    }
-}
-
-static void commitState(MdtKeaBody *body, const KeaEnd *end) {
-    double w[3];
-    const MeBool steady = !(body->flags & MdtKeaBodyFlagAddCoriolisForce);
-    if (steady)
-        kea_angularVelocity(body, body->quaternion, end->angularMomentum, w);
-    keaCopy(body->position, end->position);
-    memcpy(body->quaternion, end->quaternion, sizeof body->quaternion);
-    keaCopy(body->velocity, end->velocity);
-    keaCopy(body->angularMomentum, end->angularMomentum);
-    if (steady)
-        MdtKeaBodySetAngularVelocity(body, w);
-}
-
-void kea_commitBody(MdtKeaSystem *s, int i) {
-    MEASSERT(fabs(keaDot(s->work->end[i].quaternion, s->work->end[i].quaternion) +
-                  s->work->end[i].quaternion[3] * s->work->end[i].quaternion[3] - 1) < kea_assertedRounding);
-    commitState(s->bodies[i], &s->work->end[i]);
-    const double part = s->parameters.isBack ? -s->parameters.stepsize : s->parameters.stepsize;
-    s->bodies[i]->fall += part * (s->parameters.elapsed + s->work->end[i].theta * part);
-    noteAcceleration(s->bodies[i], &s->velocity[i], s->parameters.stepsize);
-    s->pose[i] = s->work->endPose[i];
 }
 
 static void MEAPI commitBodies(void *system, int first, int end, int worker) {
