@@ -1,5 +1,5 @@
 /* The car wheel's part of the API: its axes are the primary one of frame 0 and the second one of frame 1. */
-#include "mdt_i.h"
+#include "api/mdt_api_i.h"
 
 MDT_JOINT_BASICS(CarWheel, MdtBclCARWHEEL)
 

@@ -1,5 +1,5 @@
 /* The cone limit's part of the API. */
-#include "mdt_i.h"
+#include "api/mdt_api_i.h"
 
 MDT_JOINT_BASICS(ConeLimit, MdtBclCONELIMIT)
 

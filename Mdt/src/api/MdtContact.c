@@ -1,6 +1,5 @@
 /* Contacts: geometry, parameters, the list that their maker keeps. */
-#include "mdt_manifold_i.h"
-#include "mdt_named_i.h"
+#include "api/mdt_api_i.h"
 #include "MeAssert.h"
 #include <string.h>
 

@@ -1,7 +1,6 @@
 /* Contact groups: the contacts of a manifold, as programs see them. */
 #include "MdtInternal.h"
-#include "mdt_manifold_i.h"
-#include "mdt_named_i.h"
+#include "api/mdt_api_i.h"
 #include "MeAssert.h"
 
 MdtContactGroupID MEAPI MdtContactGroupCreate(const MdtWorldID w) {

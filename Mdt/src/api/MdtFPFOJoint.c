@@ -1,5 +1,5 @@
 /* The FPFO joint's part of the API. */
-#include "mdt_named_i.h"
+#include "api/mdt_api_i.h"
 
 MDT_JOINT_BASICS(FPFOJoint, MdtBclFPFOJOINT)
 

@@ -1,6 +1,6 @@
 /* The fixed-path joint's part of the API. Its numbers are in the bodies' own frames; Bcl's are in those of the centres
  * of mass. */
-#include "mdt_i.h"
+#include "api/mdt_api_i.h"
 
 MDT_JOINT_BASICS(FixedPath, MdtBclFIXEDPATH)
 

@@ -1,5 +1,5 @@
 /* The prismatic joint's part of the API. */
-#include "mdt_i.h"
+#include "api/mdt_api_i.h"
 
 MDT_JOINT_BASICS(Prismatic, MdtBclPRISMATIC)
 

@@ -1,5 +1,5 @@
 /* The RPRO joint's part of the API. */
-#include "mdt_i.h"
+#include "api/mdt_api_i.h"
 #include <string.h>
 
 MDT_JOINT_BASICS(RPROJoint, MdtBclRPROJOINT)

@@ -1,5 +1,5 @@
 /* The skeletal joint's part of the API. */
-#include "mdt_i.h"
+#include "api/mdt_api_i.h"
 
 MDT_JOINT_BASICS(Skeletal, MdtBclSKELETAL)
 

@@ -1,5 +1,5 @@
 /* The user constraint's part of the API. Its rows are in memory of its own, which it has from creation on. */
-#include "mdt_i.h"
+#include "api/mdt_api_i.h"
 
 /* MDT_JOINT_BASICS, but for the creation. */
 MdtUserConstraintID MEAPI MdtUserConstraintCreate(const MdtWorldID w) {

@@ -1,5 +1,5 @@
 /* Inertia tensors, changing frames, and a position controller for limits. */
-#include "mdt_i.h"
+#include "api/mdt_api_i.h"
 #include <string.h>
 
 static void setDiagonal(MeMatrix3 i, MeReal x, MeReal y, MeReal z) {

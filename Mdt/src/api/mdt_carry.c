@@ -2,7 +2,7 @@
  * other (MdtInternal.h). */
 #include "MdtInternal.h"
 #include "MeAssert.h"
-#include "mdt_manifold_i.h"
+#include "api/mdt_api_i.h"
 #include <string.h>
 
 /* A rigid motion: x -> R (x - from) + to. */

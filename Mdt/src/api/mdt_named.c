@@ -1,7 +1,7 @@
 /* The functions of all constraints under the name MdtConstraint and under those of the joints, listed in
  * tests/structure/check_joints.py. Each hands on the name that it was called by, for messages. */
 #include "Mdt.h"
-#include "mdt_named_i.h"
+#include "api/mdt_api_i.h"
 
 #define COMMON(Joint)                                                                                                  \
     void MEAPI Mdt##Joint##Destroy(const Mdt##Joint##ID j) {                                                           \

@@ -2,7 +2,7 @@
  * starting. */
 #include "MdtInternal.h"
 #include "MeAssert.h"
-#include "mdt_manifold_i.h"
+#include "api/mdt_api_i.h"
 #include <string.h>
 
 /* Of slots that are not in use, too. */

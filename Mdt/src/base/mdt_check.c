@@ -6,7 +6,7 @@
  * world. In all builds that is done with a body that is to be destroyed: programs may end their objects in any order.
  */
 #include "MdtInternal.h"
-#include "mdt_manifold_i.h"
+#include "base/mdt_world_i.h"
 #include "MdtBody.h"
 #include "MdtConstraint.h"
 #include "MeMath.h"

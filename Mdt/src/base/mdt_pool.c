@@ -1,6 +1,6 @@
 /* Pools of records, and the sorted lists of what is in use. */
 #include "MeAssert.h"
-#include "mdt_i.h"
+#include "base/mdt_world_i.h"
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>

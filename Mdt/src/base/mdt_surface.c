@@ -1,5 +1,5 @@
 /* Surfaces: the parameters of contacts, kept once for all contacts that have the same (mdt_surface_i.h). */
-#include "mdt_surface_i.h"
+#include "base/mdt_surface_i.h"
 #include "MeAssert.h"
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* How accurate a step of a world is, and below which speed its bodies rest. */
-#include "mdt_i.h"
+#include "island/mdt_choice_i.h"
 
 /* m/s: what gravity gives in a step; without gravity a tenth of the length scale in a second. */
 static double speedScale(const MdtWorld *w, double h) {

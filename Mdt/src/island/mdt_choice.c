@@ -28,7 +28,7 @@
  * after 1, 2, 4 and so on steps; its answer is taken only if it is within it then, or if there is no share. Where
  * nothing touches, the exact solver takes the step then, whatever it costs: what is left of joints may drive them.
  */
-#include "mdt_step_i.h"
+#include "island/mdt_choice_i.h"
 
 /* Of the work budget (MdtWorldSetWorkBudget), by account: what a step pays, and what it holds. Of the default of 400
  * millions, of which one takes .3 ms: what is wanted, .3 ms a step; a tower of 100 layers of planks has come to rest

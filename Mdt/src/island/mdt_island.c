@@ -10,7 +10,7 @@
 #include "MeAssert.h"
 #include "MeDict.h"
 #include "MeInternal.h"
-#include "mdt_step_i.h"
+#include "island/mdt_choice_i.h"
 #include <string.h>
 
 enum { NONE = -1 };

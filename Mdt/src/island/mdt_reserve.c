@@ -1,7 +1,7 @@
 /* Room for so many bodies and constraints in the arrays of a world's steps: partitions, batches and tasks. */
 #include "MeAssert.h"
 #include "MeInternal.h"
-#include "mdt_i.h"
+#include "island/mdt_choice_i.h"
 
 /* ---- tasks ---- */
 

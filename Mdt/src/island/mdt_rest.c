@@ -15,7 +15,7 @@
  *                            or programs have a pointer to them; two that differ are equal by a chance of 2^-64
  */
 #include "MeAssert.h"
-#include "mdt_step_i.h"
+#include "island/mdt_choice_i.h"
 #include <limits.h>
 #include <string.h>
 

@@ -16,7 +16,7 @@
  */
 #include "MdtInternal.h"
 #include "MeAssert.h"
-#include "mdt_step_i.h"
+#include "island/mdt_choice_i.h"
 #include <math.h>
 #include <string.h>
 

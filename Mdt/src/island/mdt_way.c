@@ -1,6 +1,6 @@
 /* The way in which a partition's step is taken: by which of Kea's solvers, through how many impacts, and what its
  * report says of that. */
-#include "mdt_step_i.h"
+#include "island/mdt_choice_i.h"
 
 void mdt_islandSetFast(MdtIsland *p, MeBool isFast) {
     p->isFast = isFast;

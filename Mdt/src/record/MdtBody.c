@@ -1,7 +1,7 @@
 /* Rigid bodies: properties, state, forces. */
 #include "MdtInternal.h"
-#include "mdt_i.h"
-#include "mdt_named_i.h"
+#include "record/mdt_record_i.h"
+#include "record/mdt_named_i.h"
 #include "MeAssert.h"
 #include <string.h>
 

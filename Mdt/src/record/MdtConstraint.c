@@ -1,7 +1,7 @@
 /* Common to all constraints: bodies, frames, forces read back. */
 #include "MeAssert.h"
-#include "mdt_manifold_i.h"
-#include "mdt_named_i.h"
+#include "record/mdt_point_i.h"
+#include "record/mdt_named_i.h"
 #include <string.h>
 
 /* ---- life ---- */

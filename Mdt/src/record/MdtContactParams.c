@@ -1,5 +1,5 @@
 /* Contact parameters: setters with checks, getters. A parameter's option bit says whether it is in use. */
-#include "mdt_i.h"
+#include "record/mdt_record_i.h"
 
 static MeBool isParams(const MdtContactParamsID p, const char *caller) {
     return mdt_isPointer(caller, "the pointer to the parameters", p);

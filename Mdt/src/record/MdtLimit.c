@@ -1,5 +1,5 @@
 /* Limits: stops and motors of joints. */
-#include "mdt_i.h"
+#include "record/mdt_record_i.h"
 
 static MeBool isLimit(const MdtBclLimit *l, const char *caller) {
     return mdt_isPointer(caller, "the limit", l);

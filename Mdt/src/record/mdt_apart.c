@@ -4,7 +4,7 @@
  * says whether it has ever had one, and only where both have, their joints are looked through. */
 #include "MdtInternal.h"
 #include "MeAssert.h"
-#include "mdt_i.h"
+#include "record/mdt_record_i.h"
 
 void mdt_apartForget(MdtJoint *j) {
     const MdtConstraintID c = &j->base;

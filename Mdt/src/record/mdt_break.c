@@ -1,6 +1,6 @@
 /* Breaking joints: those whose force, or torque about their position, exceeded its limit in a step. */
 #include "MeAssert.h"
-#include "mdt_i.h"
+#include "record/mdt_record_i.h"
 
 /* ---- limits ---- */
 

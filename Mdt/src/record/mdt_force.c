@@ -16,7 +16,7 @@
  * fades out where damping is large.
  */
 #include "MeAssert.h"
-#include "mdt_i.h"
+#include "record/mdt_record_i.h"
 #include <string.h>
 
 /* ---- what the force answers to ---- */

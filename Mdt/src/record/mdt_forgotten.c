@@ -1,7 +1,7 @@
 /* What programs forget, told once: to enable a joint whose motor they have switched on, to say where the centre of mass
  * of a compound is, to scale masses with lengths. */
 #include "MdtInternal.h"
-#include "mdt_i.h"
+#include "record/mdt_record_i.h"
 
 /* ---- motors ---- */
 

@@ -1,5 +1,5 @@
 /* Manifolds: the life of contacts and their groups (mdt_manifold_i.h). */
-#include "mdt_manifold_i.h"
+#include "record/mdt_point_i.h"
 #include "MeAssert.h"
 #include <string.h>
 

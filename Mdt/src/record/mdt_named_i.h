@@ -3,7 +3,7 @@
 #ifndef MDT_NAMED_I_H
 #define MDT_NAMED_I_H
 
-#include "mdt_i.h"
+#include "base/mdt_base_i.h"
 
 void mdt_constraintDestroy(MdtConstraintID c, const char *caller);
 void mdt_constraintEnable(MdtConstraintID handle, const char *caller);

@@ -1,5 +1,5 @@
 /* Contacts: their properties, shared within a manifold or of their own (mdt_manifold_i.h). */
-#include "mdt_manifold_i.h"
+#include "record/mdt_point_i.h"
 #include "MeAssert.h"
 #include <string.h>
 

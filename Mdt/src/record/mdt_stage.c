@@ -1,5 +1,5 @@
-/* Stages of a world: what the program calls from its callbacks, and may not happen before they are done (mdt_i.h,
- * MeInternal.h).
+/* Stages of a world: what the program calls from its callbacks, and may not happen before they are done
+ * (mdt_record_i.h, MeInternal.h).
  *
  *     stage                                         level               what waits
  *     pairs of models are handled (Mst)             MDT_HOLD_BODIES     destroying bodies
@@ -12,7 +12,7 @@
  * no. */
 #include "MdtInternal.h"
 #include "MeAssert.h"
-#include "mdt_manifold_i.h"
+#include "record/mdt_point_i.h"
 
 MeStage *MEAPI MdtWorldGetStage(const MdtWorldID w) {
     MEASSERT(w);

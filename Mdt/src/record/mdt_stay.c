@@ -1,5 +1,5 @@
 /* Whether a body stays where it is: what trembles, or swings by little, does (mdt_sleep.c). */
-#include "mdt_i.h"
+#include "record/mdt_record_i.h"
 #include <math.h>
 #include <string.h>
 

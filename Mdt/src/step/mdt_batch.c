@@ -13,7 +13,7 @@
  */
 #include "MeAssert.h"
 #include "MeInternal.h"
-#include "mdt_step_i.h"
+#include "step/mdt_step_i.h"
 #include <string.h>
 
 /* Bodies of a batch, at least: the cost of setting up a solve is shared, and there are enough batches for some workers.

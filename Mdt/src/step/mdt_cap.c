@@ -5,7 +5,7 @@
  * contact group keeps one contact.
  */
 #include "MeAssert.h"
-#include "mdt_step_i.h"
+#include "step/mdt_step_i.h"
 #include <limits.h>
 
 /* A contact of the partition. Those of a group come one after the other. */

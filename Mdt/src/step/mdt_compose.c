@@ -18,7 +18,7 @@
  * without composition.
  */
 #include "MeAssert.h"
-#include "mdt_step_i.h"
+#include "step/mdt_step_i.h"
 
 /* Only for partitions without contacts; whether the joints are reversible is known when their rows are made. */
 MeBool mdt_mayCompose(const MdtIsland *p) {

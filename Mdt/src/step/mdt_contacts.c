@@ -2,7 +2,8 @@
  * and radii are a manifold of Kea's, up to four of them; a point that has something else of its own (MdtExtra) is one
  * by itself. They come in the order of simulation. */
 #include "MeAssert.h"
-#include "mdt_step_i.h"
+#include "api/mdt_api_i.h"
+#include "step/mdt_step_i.h"
 #include <string.h>
 
 /* ---- which points are one manifold ---- */

@@ -6,7 +6,7 @@
 #include "MeDebugDraw.h"
 #include "MeInternal.h"
 #include "MeMath.h"
-#include "mdt_i.h"
+#include "step/mdt_step_i.h"
 
 /* A force is drawn as the acceleration that it gives its contact's first body: .1 m for 1 m/s², so that what carries a
  * body's weight is about a metre long, whatever the mass. */

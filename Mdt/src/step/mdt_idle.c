@@ -5,7 +5,7 @@
  * second begins anew where the program moves a body itself, as one does that uses bodies to carry models. */
 #include "MdtBody.h"
 #include "MdtInternal.h"
-#include "mdt_i.h"
+#include "step/mdt_step_i.h"
 
 #if KARMA_CHECK
 static MeBool isZero(const double v[3]) {

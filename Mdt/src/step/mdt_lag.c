@@ -1,7 +1,7 @@
 /* Steps by safe time: a partition advances by its bodies' least safe time, and the rest of the step, its lag, follows
  * in parts (MdtWorldStepRest). */
 #include "MeAssert.h"
-#include "mdt_step_i.h"
+#include "step/mdt_step_i.h"
 #include <math.h>
 
 double mdt_lagSafeStep(const MdtIsland *p) {

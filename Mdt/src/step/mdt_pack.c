@@ -2,7 +2,7 @@
 #include "MeAssert.h"
 #include "MeInternal.h"
 #include "MeMath.h"
-#include "mdt_step_i.h"
+#include "step/mdt_step_i.h"
 #include <limits.h>
 #include <string.h>
 

@@ -12,7 +12,7 @@
  * partition's step, partitions are stepped one after the other, in their order.
  */
 #include "MeAssert.h"
-#include "mdt_step_i.h"
+#include "step/mdt_step_i.h"
 
 /* The least size of a task, in bodies and constraints: 150 us where these are chains of balls; taking it costs less
  * than 1. */

@@ -4,7 +4,7 @@
  * in less than a microsecond, so that reading it for each stage would show: one of them in sixteen is timed by stage,
  * and the others together.
  */
-#include "mdt_step_i.h"
+#include "step/mdt_step_i.h"
 #include "MeAssert.h"
 #include "MeMath.h"
 #include "MeProfile.h"

@@ -2,7 +2,7 @@
  * are counted, filled in their order of simulation, and refilled for Kea where the bodies have moved. Contacts follow,
  * whose rows Kea makes of their manifolds, within the cap on all of them (mdt_cap.c). */
 #include "MeAssert.h"
-#include "mdt_step_i.h"
+#include "step/mdt_step_i.h"
 #include <string.h>
 
 void mdt_rowsContext(const MdtIsland *p, MdtConstraintID c, const MdtKeaVelocity *worldVelocity, MdtBclContext *x) {

@@ -1,6 +1,6 @@
 /* One step of a world: its stages in their order (mdt_step_i.h; Dynamics guide ch. 2; User Guide ch. 2). */
 #include "MeProfile.h"
-#include "mdt_step_i.h"
+#include "step/mdt_step_i.h"
 
 void mdt_partMakeRows(MdtIsland *p, double part) {
     MeProfileStartSection("Rows", 0);

@@ -9,7 +9,7 @@
  * included. When it is used up, Kea answers by sweeps, and the step is divided no further.
  */
 #include "MeAssert.h"
-#include "mdt_step_i.h"
+#include "step/mdt_step_i.h"
 
 enum { MAX_HALVINGS = 6 };
 

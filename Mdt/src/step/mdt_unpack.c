@@ -2,7 +2,7 @@
  * step. */
 #include "MeAssert.h"
 #include "MeInternal.h"
-#include "mdt_step_i.h"
+#include "step/mdt_step_i.h"
 #include <string.h>
 
 /* ---- constraints ---- */

@@ -1,5 +1,5 @@
 /* The functions that a program's callback may call with the partitions of a step (MdtMainLoop.h). */
-#include "mdt_step_i.h"
+#include "world/mdt_workers_i.h"
 
 static MeBool hasPartition(const MdtPartitionOutput *po, int i, const char *caller) {
     if (!mdt_isPointer(caller, "the partition output", po))

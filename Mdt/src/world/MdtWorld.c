@@ -1,5 +1,5 @@
 /* Worlds: creation, parameters, counting. The stages of a step are in mdt_step.c. */
-#include "mdt_step_i.h"
+#include "world/mdt_workers_i.h"
 #include "MdtInternal.h"
 #include "MeAssert.h"
 #include "MeMath.h"

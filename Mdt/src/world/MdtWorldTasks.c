@@ -1,7 +1,7 @@
 /* A world's workers: their number, and the memory of each. */
 #include "MdtInternal.h"
 #include "MeAssert.h"
-#include "mdt_i.h"
+#include "world/mdt_workers_i.h"
 #include <string.h>
 
 /* ---- their memory ---- */
