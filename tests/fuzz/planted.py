@@ -21,7 +21,7 @@ FAULTS = {
         ('calls', 'Mdt/src/record/MdtBody.c', 'while (b->attachments)\n', 'while (b->attachments && b->attachments->next)\n'),
     'two-models-of-a-body-touch':
         ('calls', 'Mst/src/step/mst_commit.c', '|| body1 == body2 ||', '||',
-         'Mst/src/mst_i.h', 'return mst_bodyOf(p->model1) && mst_bodyOf(p->model1) == mst_bodyOf(p->model2);',
+         'Mst/src/step/mst_step_i.h', 'return mst_bodyOf(p->model1) && mst_bodyOf(p->model1) == mst_bodyOf(p->model2);',
          'return MEFALSE && p;'),
     'model-of-another-world':
         ('calls', 'Mst/src/step/mst_commit.c', '|| !areOfWorld(b, body1, body2, w)', '|| (areOfWorld(b, body1, body2, w), 0)'),

@@ -5,7 +5,7 @@
 #include "MeAssert.h"
 #include "MeInternal.h"
 #include "MeMessage.h"
-#include "mst_i.h"
+#include "bridge/mst_bridge_i.h"
 #include <string.h>
 
 /* ---- handles ---- */

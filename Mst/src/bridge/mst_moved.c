@@ -18,7 +18,7 @@
 #include "MdtInternal.h"
 #include "MeAssert.h"
 #include "MeMessage.h"
-#include "mst_i.h"
+#include "bridge/mst_bridge_i.h"
 #include <string.h>
 
 /* ---- frozen models that have changed ----------------------------------------------------------------------------- */

@@ -8,7 +8,7 @@
 #include "MeInternal.h"
 #include "MeMessage.h"
 #include "MeProfile.h"
-#include "mst_i.h"
+#include "step/mst_step_i.h"
 #include <limits.h>
 #include <string.h>
 

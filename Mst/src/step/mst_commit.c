@@ -15,7 +15,7 @@
 #include "MdtInternal.h"
 #include "MeAssert.h"
 #include "MeMessage.h"
-#include "mst_i.h"
+#include "step/mst_step_i.h"
 
 /* ---- groups ------------------------------------------------------------------------------------------------------ */
 

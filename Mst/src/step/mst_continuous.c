@@ -27,7 +27,7 @@
 #include "MeAssert.h"
 #include "MeMessage.h"
 #include "MstUniverse.h"
-#include "mst_i.h"
+#include "step/mst_step_i.h"
 
 enum {
     PARTS = 16,

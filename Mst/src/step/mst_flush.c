@@ -7,7 +7,7 @@
 #include "McdBox.h"
 #include "McdContact.h"
 #include "McdGeometry.h"
-#include "mst_i.h"
+#include "step/mst_step_i.h"
 
 /* Of a model's radius: flush. More than contacts that rest are deep, and single precision rounds at a hundred times the
  * model's size from the origin; a step of this height is climbed. x2 and /2 fail Mst_Seams:

@@ -8,7 +8,7 @@
 #include "MdtContactGroup.h"
 #include "MdtInternal.h"
 #include "MeAssert.h"
-#include "mst_i.h"
+#include "step/mst_step_i.h"
 
 /* ---- what is remembered ------------------------------------------------------------------------------------------ */
 

@@ -1,5 +1,5 @@
-/* Collide and commit by workers (mst_i.h): runs of pairs are collided ahead of the calling thread, which commits them
- * in their order, and collides too where it would have to wait.
+/* Collide and commit by workers (mst_step_i.h): runs of pairs are collided ahead of the calling thread, which commits
+ * them in their order, and collides too where it would have to wait.
  *
  * The rule for order (MeTeam.h): a run writes to its own record and to its pairs (mst_update.c); where runs are looked
  * through, each writes its own counts, which are read in the runs' order. */
@@ -7,7 +7,7 @@
 #include "MdtInternal.h"
 #include "MeAssert.h"
 #include "MeTeam.h"
-#include "mst_i.h"
+#include "step/mst_step_i.h"
 
 typedef struct Piping {
     MstBridgeRecord *b;

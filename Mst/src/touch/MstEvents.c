@@ -14,7 +14,7 @@
 #include "MeAssert.h"
 #include "MeMessage.h"
 #include "MeTeam.h"
-#include "mst_i.h"
+#include "touch/mst_touch_i.h"
 #include <string.h>
 
 /* ---- memory ---------------------------------------------------------------------------------------------------- */

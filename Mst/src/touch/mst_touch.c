@@ -10,7 +10,7 @@
 #include "MdtContact.h"
 #include "MdtContactGroup.h"
 #include "MeAssert.h"
-#include "mst_i.h"
+#include "touch/mst_touch_i.h"
 #include <string.h>
 
 /* ---- memory ------------------------------------------------------------------------------------------------------ */

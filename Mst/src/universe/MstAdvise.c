@@ -12,8 +12,8 @@
 #include "MdtWorld.h"
 #include "MeAssert.h"
 #include "MeMessage.h"
-#include "mst_advise_i.h"
-#include "mst_i.h"
+#include "universe/mst_advise_i.h"
+#include "step/mst_step_i.h"
 #include <stdio.h>
 #include <string.h>
 

@@ -11,8 +11,8 @@
 #include "MeMessage.h"
 #include "MeProfile.h"
 #include "MeTeam.h"
-#include "mst_advise_i.h"
-#include "mst_i.h"
+#include "universe/mst_advise_i.h"
+#include "step/mst_step_i.h"
 
 const MstUniverseSizes MstUniverseDefaultSizes = {100, 500, 0, 100, 500, 100, 10, 1, 1};
 const MstUniverseSizes MstUniverseGrowingSizes = {0, 0, 0, 0, 0, 0, 0, 1, 1};

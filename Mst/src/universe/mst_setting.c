@@ -7,8 +7,8 @@
 #include "MeAssert.h"
 #include "MeMath.h"
 #include "MeTask.h"
-#include "mst_advise_i.h"
-#include "mst_i.h"
+#include "universe/mst_advise_i.h"
+#include "step/mst_step_i.h"
 #include <stdarg.h>
 #include <stdio.h>
 
