@@ -5,7 +5,7 @@
  *     nearfield [--rounds COUNT] */
 #include "timing.h"
 
-#include "mcd_vector_i.h"
+#include "convex/mcd_vector_i.h"
 #include "nearfield_fcl.h"
 #include "reference.h"
 

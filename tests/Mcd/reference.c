@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "mcd_vector_i.h"
+#include "convex/mcd_vector_i.h"
 
 static const double pi = 3.14159265358979323846;
 

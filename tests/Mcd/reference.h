@@ -6,8 +6,8 @@
 #ifndef REFERENCE_H
 #define REFERENCE_H
 
-#include "mcd_geometries_i.h"
-#include "mcd_kind_i.h"
+#include "model/mcd_geometries_i.h"
+#include "convex/mcd_kind_i.h"
 
 /* xorshift64*: the same on every machine. */
 typedef struct Random {

@@ -1,7 +1,7 @@
 /* Boxes on boxes: 20 000 poses x { aligned, tilted by at most a milliradian, any } x { boxes, slabs 1:50 } against the
  * separating axes, tried one by one. */
 #include "karma_test.h"
-#include "mcd_vector_i.h"
+#include "convex/mcd_vector_i.h"
 #include "reference.h"
 
 enum { POSES = 20000 };

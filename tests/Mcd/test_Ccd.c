@@ -1,7 +1,7 @@
 /* An independent oracle: libccd, which this library does not use, must agree about what overlaps, and never know a
  * shorter way out. How often its depths are wrong where things rest on each other is counted and shown. */
 #include "karma_test.h"
-#include "mcd_vector_i.h"
+#include "convex/mcd_vector_i.h"
 #include "reference.h"
 
 #include <ccd/ccd.h>

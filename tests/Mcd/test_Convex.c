@@ -1,6 +1,6 @@
 /* Pairs of convex shapes of all kinds against a slow reference (HARD-CASES: exact depths, full manifolds). */
 #include "karma_test.h"
-#include "mcd_vector_i.h"
+#include "convex/mcd_vector_i.h"
 #include "reference.h"
 
 /* Of the smaller shape's extent. */

@@ -1,7 +1,7 @@
 /* The interactions of convex geometries and planes, as programs call them. The geometries are made by hand. */
 #include "McdConvexInteractions.h"
 #include "karma_test.h"
-#include "mcd_geometries_i.h"
+#include "model/mcd_geometries_i.h"
 #include "reference.h"
 
 #include <string.h>

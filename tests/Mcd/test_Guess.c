@@ -1,6 +1,6 @@
 /* Guesses of the normal between round sides: how often they save the search; none that is wrong is verified. */
 #include "karma_test.h"
-#include "mcd_vector_i.h"
+#include "convex/mcd_vector_i.h"
 #include "reference.h"
 
 static double sizeOf(const McdShape *a, const McdShape *b) {

@@ -1,6 +1,6 @@
 /* Hulls: closed, convex, with merged faces, and the same for points of any size. */
 #include "karma_test.h"
-#include "mcd_geometries_i.h"
+#include "model/mcd_geometries_i.h"
 
 static unsigned long seed = 1;
 

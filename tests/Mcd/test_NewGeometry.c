@@ -4,9 +4,9 @@
 #include "McdAll.h"
 #include "McdQuery.h"
 #include "karma_test.h"
-#include "mcd_geometries_i.h"
-#include "mcd_kind_i.h"
-#include "mcd_local_i.h"
+#include "model/mcd_geometries_i.h"
+#include "convex/mcd_kind_i.h"
+#include "geometry/mcd_local_i.h"
 
 /* ---- the geometry ------------------------------------------------------------------------------------------------ */
 

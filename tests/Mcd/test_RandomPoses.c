@@ -5,7 +5,7 @@
 #include "McdConvexMesh.h"
 #include "McdPrimitives.h"
 #include "karma_test.h"
-#include "mcd_vector_i.h"
+#include "convex/mcd_vector_i.h"
 #include "reference.h"
 
 enum { POSES = 40, MAX_CORNERS = 48 };

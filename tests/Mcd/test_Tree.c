@@ -1,8 +1,8 @@
 /* The tree of boxes, against every box one by one: what only touches overlaps, and what a float's last place is away
  * from it does not. */
 #include "karma_test.h"
-#include "mcd_space_i.h"
-#include "mcd_tree_i.h"
+#include "space/mcd_space_i.h"
+#include "space/mcd_tree_i.h"
 #include <float.h>
 
 enum { MANY = 3000, SIDE = 10 };

@@ -1,6 +1,6 @@
 /* Two boxes by the separating axis theorem (Gottschalk, Lin and Manocha, OBBTree, 1996): of the 15 axes, face normals
  * and cross products of edges, the one with the least overlap is the contact normal. */
-#include "mcd_nearfield_i.h"
+#include "convex/mcd_nearfield_i.h"
 
 /* Both boxes in the axes of the first. */
 typedef struct Boxes {

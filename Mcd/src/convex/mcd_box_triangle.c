@@ -1,6 +1,6 @@
 /* A box and a triangle by the separating axis theorem: of the 13 axes, normals of faces and cross products of edges,
  * the one with the least overlap is the contact normal. Their Minkowski difference has no faces but across these. */
-#include "mcd_nearfield_i.h"
+#include "convex/mcd_nearfield_i.h"
 
 /* Both in the box' axes, relative to its centre. */
 typedef struct BoxTriangle {

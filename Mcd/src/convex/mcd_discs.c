@@ -1,5 +1,5 @@
 /* Solids between two discs about z: cylinders and cones. */
-#include "mcd_kind_i.h"
+#include "convex/mcd_kind_i.h"
 
 /* Relative to the radius: the rim's support point becomes a corner if it exceeds the fixed corners by more than this;
  * as the slack in mcd_face.c. */

@@ -13,7 +13,7 @@
  * libccd has the same algorithms, but its EPA finds no normal for exactly aligned cubes, and wrong depths in a quarter
  * of nearly aligned ones. Here the result is always measured by a support point, never taken from a facet's plane
  * alone. */
-#include "mcd_kind_i.h"
+#include "convex/mcd_kind_i.h"
 
 #include <string.h>
 

@@ -4,7 +4,7 @@
  * are the corners of their intersection; each has a height on either surface, and the difference is its separation.
  * Where faces are flat that difference is linear, so that the deepest point is among these corners.
  */
-#include "mcd_kind_i.h"
+#include "convex/mcd_kind_i.h"
 
 #include <stdbool.h>
 #include <string.h>

@@ -3,7 +3,7 @@
  * A cell finds the normal, by closed form where there is a short one; the faces along it give the contacts, the same
  * way for all pairs (mcd_face.c). An empty cell is served by its mirror image across the diagonal, with the shapes
  * swapped. */
-#include "mcd_kind_i.h"
+#include "convex/mcd_kind_i.h"
 
 typedef MeBool (*Proximity)(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
 

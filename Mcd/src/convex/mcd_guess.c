@@ -6,7 +6,7 @@
  * it is right if their faces along it are as near as it says (mcd_facesManifold). Where they overlap, if no direction
  * is less deep: if M, their Minkowski difference, contains the ball around the origin with the guessed depth as radius.
  */
-#include "mcd_kind_i.h"
+#include "convex/mcd_kind_i.h"
 
 typedef struct Pair {
     const McdShape *a, *b;

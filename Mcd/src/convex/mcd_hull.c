@@ -5,7 +5,7 @@
  * facets that lie in one plane become one polygon, and vertices within a face or an edge vanish. Then everything is put
  * into an order that depends on the order of the points only. */
 #define _POSIX_C_SOURCE 200809L /* fmemopen */
-#include "mcd_geometries_i.h"
+#include "convex/mcd_shape_i.h"
 
 #include <float.h>
 #include <limits.h>

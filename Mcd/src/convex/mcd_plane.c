@@ -1,5 +1,5 @@
 /* Manifold and distance of a convex shape and a half-space. */
-#include "mcd_kind_i.h"
+#include "convex/mcd_kind_i.h"
 
 /* The part of the plane that counts: its face is made here. */
 static const McdKind flat = {.type = kMcdGeometryTypePlane};

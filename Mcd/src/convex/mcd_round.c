@@ -1,6 +1,6 @@
 /* Cores that are points or segments, in closed form: those of spheres and sphyls, against each other, boxes and
  * cylinders. Where cores intersect or touch, the normal is not unique: a fixed direction orthogonal to them. */
-#include "mcd_nearfield_i.h"
+#include "convex/mcd_nearfield_i.h"
 
 /* Relative to the smaller shape: nearer cores touch. */
 static const double touching = 1e-12;

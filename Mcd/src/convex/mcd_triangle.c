@@ -1,5 +1,5 @@
 /* One triangle: as a convex shape, its normal, and a segment that meets it. */
-#include "mcd_kind_i.h"
+#include "convex/mcd_kind_i.h"
 #include <string.h>
 
 /* A triangle whose height is a smaller part of its longest side has no area. */

@@ -1,8 +1,8 @@
 /* Aggregates: their elements; AABB, bounding sphere and mass properties of the whole from those of the elements. */
 #include "McdAggregate.h"
-#include "mcd_geometries_i.h"
-#include "mcd_kind_i.h"
-#include "mcd_local_i.h"
+#include "model/mcd_geometries_i.h"
+#include "convex/mcd_kind_i.h"
+#include "geometry/mcd_geometry_i.h"
 #include <math.h>
 #include <string.h>
 

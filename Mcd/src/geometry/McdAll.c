@@ -1,7 +1,7 @@
 /* Every geometry type and interaction at once. */
 #include "McdAll.h"
 #include "Mcd.h"
-#include "mcd_i.h"
+#include "pair/mcd_pair_i.h"
 
 void MEAPI McdAllRegisterTypes(McdFramework *frame) {
     if (!mcd_frameCheck(frame, "McdAllRegisterTypes"))

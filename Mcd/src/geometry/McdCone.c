@@ -1,7 +1,7 @@
 /* Cones about z, maybe cut off, with their centre of mass at the origin. */
 #include "McdCone.h"
-#include "mcd_kind_i.h"
-#include "mcd_local_i.h"
+#include "convex/mcd_kind_i.h"
+#include "geometry/mcd_geometry_i.h"
 
 static const McdCone *get(const McdGeometry *g) {
     return (const McdCone *)g;

@@ -6,8 +6,8 @@
 #include "McdConvexMesh.h"
 #include "McdConvexInteractions.h"
 #include "McdTriangleList.h"
-#include "mcd_kind_i.h"
-#include "mcd_local_i.h"
+#include "convex/mcd_kind_i.h"
+#include "geometry/mcd_geometry_i.h"
 #include <string.h>
 
 static const McdConvexMesh *get(const McdGeometry *g) {

@@ -1,7 +1,7 @@
 /* Cylinders about z. */
 #include "McdCylinder.h"
-#include "mcd_kind_i.h"
-#include "mcd_local_i.h"
+#include "convex/mcd_kind_i.h"
+#include "geometry/mcd_geometry_i.h"
 
 static const McdCylinder *get(const McdGeometry *g) {
     return (const McdCylinder *)g;

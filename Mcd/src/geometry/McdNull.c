@@ -1,7 +1,7 @@
 /* The geometry without extent. */
 #include "McdNull.h"
-#include "mcd_kind_i.h"
-#include "mcd_local_i.h"
+#include "convex/mcd_kind_i.h"
+#include "geometry/mcd_geometry_i.h"
 
 static void support(const McdGeometry *g, const double direction[3], double point[3]) {
     (void)g;

@@ -1,7 +1,7 @@
 /* Planes: z = 0, and all below is inside. */
 #include "McdPlane.h"
-#include "mcd_kind_i.h"
-#include "mcd_local_i.h"
+#include "convex/mcd_kind_i.h"
+#include "geometry/mcd_geometry_i.h"
 
 /* The extent given for unbounded planes: sums and differences of such numbers are finite. */
 static const double reach = (double)(MEINFINITY / 4);

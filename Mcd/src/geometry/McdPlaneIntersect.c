@@ -1,7 +1,8 @@
 /* Cross-sections: where a plane cuts the edges of a convex body, in order around the middle of these points. */
 #include "McdPlaneIntersect.h"
 
-#include "mcd_kind_i.h"
+#include "convex/mcd_kind_i.h"
+#include "pair/mcd_pair_i.h"
 #include <stdlib.h>
 #include <string.h>
 

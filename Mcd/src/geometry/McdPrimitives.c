@@ -2,7 +2,7 @@
 #include "McdPrimitives.h"
 #include "McdConvexInteractions.h"
 #include "McdTriangleList.h"
-#include "mcd_i.h"
+#include "pair/mcd_pair_i.h"
 
 unsigned int MEAPI McdPrimitivesGetTypeCount(void) {
     return 6;

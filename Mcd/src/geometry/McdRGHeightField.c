@@ -1,10 +1,10 @@
 /* The height field: triangles over a regular grid. */
 #include "McdRGHeightField.h"
 #include "MeDebugDraw.h"
-#include "mcd_geometries_i.h"
-#include "mcd_kind_i.h"
-#include "mcd_local_i.h"
-#include "mcd_vector_i.h"
+#include "model/mcd_geometries_i.h"
+#include "convex/mcd_kind_i.h"
+#include "geometry/mcd_geometry_i.h"
+#include "convex/mcd_vector_i.h"
 #include <math.h>
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* Balls. */
 #include "McdSphere.h"
-#include "mcd_kind_i.h"
-#include "mcd_local_i.h"
+#include "convex/mcd_kind_i.h"
+#include "geometry/mcd_geometry_i.h"
 
 static const McdSphere *get(const McdGeometry *g) {
     return (const McdSphere *)g;

@@ -1,7 +1,7 @@
 /* Sphere, box and plane at once: a file of its own, so that a program that uses no more links no more. */
 #include "McdPrimitives.h"
 #include "McdConvexInteractions.h"
-#include "mcd_i.h"
+#include "pair/mcd_pair_i.h"
 
 void MEAPI McdSphereBoxPlaneRegisterTypes(McdFramework *frame) {
     if (!mcd_frameCheck(frame, "McdSphereBoxPlaneRegisterTypes"))

@@ -1,7 +1,7 @@
 /* Sphyls: a cylinder about z between two half balls. */
 #include "McdSphyl.h"
-#include "mcd_kind_i.h"
-#include "mcd_local_i.h"
+#include "convex/mcd_kind_i.h"
+#include "geometry/mcd_geometry_i.h"
 
 static const McdSphyl *get(const McdGeometry *g) {
     return (const McdSphyl *)g;

@@ -1,9 +1,9 @@
 /* The triangle list: a box, and a program's callback that returns the triangles in it near a point. */
 #include "McdTriangleList.h"
-#include "mcd_geometries_i.h"
-#include "mcd_kind_i.h"
-#include "mcd_local_i.h"
-#include "mcd_scratch_i.h"
+#include "model/mcd_geometries_i.h"
+#include "convex/mcd_kind_i.h"
+#include "geometry/mcd_geometry_i.h"
+#include "surface/mcd_scratch_i.h"
 #include <math.h>
 #include <string.h>
 

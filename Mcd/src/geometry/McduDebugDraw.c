@@ -1,6 +1,6 @@
 /* Drawing of boxes, geometries and models, line by line. */
 #include "McduDebugDraw.h"
-#include "mcd_local_i.h"
+#include "geometry/mcd_local_i.h"
 
 void MEAPI McduDebugDrawAABB(const MeVector3 min, const MeVector3 max, const MeReal colour[3]) {
     if (!mcd_areGiven(__func__, min, max, colour))

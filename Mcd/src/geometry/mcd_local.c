@@ -1,5 +1,5 @@
 /* Shared by the geometry types: conversions from the geometry's own frame, in double, to the world and MeReal. */
-#include "mcd_local_i.h"
+#include "geometry/mcd_local_i.h"
 #include "MeDebugDraw.h"
 #include <string.h>
 

@@ -1,10 +1,10 @@
 /* Contacts: accessors, and contact reduction: a few points that support as well as many. */
 #include "McdContact.h"
 #include "McdInternal.h"
-#include "mcd_i.h"
-#include "mcd_kind_i.h"
-#include "mcd_shape_i.h"
-#include "mcd_spread_i.h"
+#include "model/mcd_result_i.h"
+#include "convex/mcd_kind_i.h"
+#include "convex/mcd_shape_i.h"
+#include "model/mcd_spread_i.h"
 #include <math.h>
 #include <string.h>
 

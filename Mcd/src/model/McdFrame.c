@@ -1,5 +1,6 @@
 /* The framework: its life, types, interactions, defaults. */
-#include "mcd_kind_i.h"
+#include "convex/mcd_kind_i.h"
+#include "model/mcd_result_i.h"
 #include "McdInternal.h"
 #include <stdatomic.h>
 #include <stdint.h>

@@ -1,5 +1,5 @@
 /* Common to all geometries: a head, a type, a reference count; queries go to the type's functions. */
-#include "mcd_i.h"
+#include "model/mcd_result_i.h"
 #include <string.h>
 
 /* ---- life ---------------------------------------------------------------------------------------------------- */

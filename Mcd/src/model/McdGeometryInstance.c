@@ -1,6 +1,7 @@
 /* Instances: geometries at places, and the trees that aggregates make of them. */
-#include "mcd_geometries_i.h"
-#include "mcd_shape_i.h"
+#include "model/mcd_geometries_i.h"
+#include "convex/mcd_shape_i.h"
+#include "model/mcd_result_i.h"
 #include <string.h>
 
 MeBool mcd_instanceCheck(const McdGeometryInstance *ins, const char *function) {

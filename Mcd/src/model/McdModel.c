@@ -1,7 +1,8 @@
 /* Models: geometries at places, which collide. */
 #include "McdInternal.h"
-#include "mcd_geometries_i.h"
-#include "mcd_kind_i.h"
+#include "model/mcd_geometries_i.h"
+#include "convex/mcd_kind_i.h"
+#include "model/mcd_result_i.h"
 #include <string.h>
 
 McdModelRecord *mcd_modelCheck(McdModelID cm, const char *function) {

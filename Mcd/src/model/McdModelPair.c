@@ -1,6 +1,6 @@
 /* Pairs of models that programs make by hand. */
 #include "McdModelPair.h"
-#include "mcd_i.h"
+#include "model/mcd_result_i.h"
 #include <string.h>
 
 MeBool mcd_modelsMakeAPair(McdModelID m1, McdModelID m2, const char *function) {

@@ -3,7 +3,7 @@
  * There is one for the process, as the functions name no framework. Whoever replaces or ends it takes it out in one
  * step, so that two threads that do so at once do not free it twice. */
 #include "McduRequestTable.h"
-#include "mcd_i.h"
+#include "model/mcd_result_i.h"
 
 typedef struct Table {
     int idCount;

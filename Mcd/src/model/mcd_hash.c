@@ -1,5 +1,5 @@
 /* Hashes of what is compared from step to step. */
-#include "mcd_i.h"
+#include "model/mcd_result_i.h"
 #include <string.h>
 
 /* Mixes a word into a hash of 128 bits. Each half is one to one in the word, so a change of one word always changes the

@@ -7,8 +7,9 @@
  * s / mu is a time without touch. Within one direction only support points are needed; when s gets small against the
  * true distance, the direction is found anew.
  */
-#include "mcd_geometries_i.h"
-#include "mcd_motion_i.h"
+#include "model/mcd_geometries_i.h"
+#include "model/mcd_motion_i.h"
+#include "model/mcd_result_i.h"
 #include <string.h>
 
 enum { DIRECTIONS = 64, ADVANCES = 32 };

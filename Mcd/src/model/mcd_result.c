@@ -1,7 +1,8 @@
 /* From manifolds to McdIntersectResult: margins, contacts, unique features, the mean normal. */
-#include "mcd_shape_i.h"
-#include "mcd_spread_i.h"
-#include "mcd_vector_i.h"
+#include "convex/mcd_shape_i.h"
+#include "model/mcd_spread_i.h"
+#include "convex/mcd_vector_i.h"
+#include "model/mcd_result_i.h"
 
 /* m: an upper bound of the approach of two models, with these velocities, before the next test. What rebounds may turn
  * round on the way: then each comes as far as it can. */

@@ -1,5 +1,5 @@
-/* Stages of a framework: what the program calls from its callbacks, and may not happen before they are done (mcd_i.h,
- * MeInternal.h).
+/* Stages of a framework: what the program calls from its callbacks, and may not happen before they are done
+ * (mcd_frame_i.h, MeInternal.h).
  *
  *     stage                                                      level            what waits, or is refused
  *     pairs are handled; boxes are updated; a block ends; a      MCD_HOLD_MODELS  destroying models and geometries,
@@ -12,7 +12,7 @@
  * A model that is to go makes no more pairs and contacts (isGone); else it lives until then, but for McdModelIsValid.
  */
 #include "McdInternal.h"
-#include "mcd_i.h"
+#include "model/mcd_result_i.h"
 
 MeBool MEAPI McdFrameworkIsValid(McdFrameworkID frame) {
     return frame && MeHandleIsLive(frame, MCD_FRAMEWORK);

@@ -1,6 +1,6 @@
 /* Many pairs at once: McdIntersectEach and its iterator. */
 #include "McdBatch.h"
-#include "mcd_i.h"
+#include "pair/mcd_pair_i.h"
 
 struct McdBatchContext {
     const McdModelPairContainer *pairs; /* null: none is begun */

@@ -1,9 +1,10 @@
 /* The interactions of convex geometries with each other and with planes. */
 #include "McdConvexInteractions.h"
 #include "McdPlaneIntersect.h"
-#include "mcd_kind_i.h"
-#include "mcd_motion_i.h"
-#include "mcd_vector_i.h"
+#include "convex/mcd_kind_i.h"
+#include "model/mcd_motion_i.h"
+#include "convex/mcd_vector_i.h"
+#include "pair/mcd_pair_i.h"
 #include <string.h>
 
 static MeBool areOfTypes(const McdModelPair *p, int type1, int type2, const char *function) {

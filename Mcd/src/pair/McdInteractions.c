@@ -1,10 +1,11 @@
 /* The narrow phase of a pair of models: dispatch by the framework's table of interactions. */
 #include "McdContact.h"
 #include "McdInternal.h"
-#include "mcd_kind_i.h"
-#include "mcd_motion_i.h"
-#include "mcd_scratch_i.h"
-#include "mcd_spread_i.h"
+#include "convex/mcd_kind_i.h"
+#include "model/mcd_motion_i.h"
+#include "surface/mcd_scratch_i.h"
+#include "model/mcd_spread_i.h"
+#include "pair/mcd_pair_i.h"
 
 static MeBool checkPair(const McdModelPair *p, const char *function) {
     if (p)

@@ -1,7 +1,7 @@
 /* The end of a framework, and of everything in it. */
 #include "McdInternal.h"
-#include "mcd_i.h"
-#include "mcd_scratch_i.h"
+#include "pair/mcd_pair_i.h"
+#include "surface/mcd_scratch_i.h"
 
 struct McdTermActionLink {
     McdTermAction action;

@@ -1,9 +1,10 @@
 /* Interactions of aggregates: the mid phase over pairs of parts, each by the interaction of the parts' types. */
 #include "McdAggregate.h"
-#include "mcd_compound_i.h"
-#include "mcd_geometries_i.h"
-#include "mcd_kind_i.h"
-#include "mcd_spread_i.h"
+#include "pair/mcd_compound_i.h"
+#include "model/mcd_geometries_i.h"
+#include "convex/mcd_kind_i.h"
+#include "model/mcd_spread_i.h"
+#include "pair/mcd_pair_i.h"
 #include <string.h>
 
 /* ---- pairs of parts ---------------------------------------------------------------------------------------------- */

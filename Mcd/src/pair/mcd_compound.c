@@ -11,9 +11,10 @@
  * as far as that one pushes, along its normal, they no longer overlap. So nothing is lost. What remains is in a corner
  * of the whole, and right, or deep between parts, each of which pushes into the other: there the manifold is replaced
  * by that of the least depth along a normal of the whole. */
-#include "mcd_compound_i.h"
-#include "mcd_geometries_i.h"
-#include "mcd_kind_i.h"
+#include "pair/mcd_compound_i.h"
+#include "model/mcd_geometries_i.h"
+#include "convex/mcd_kind_i.h"
+#include "pair/mcd_pair_i.h"
 
 #include <string.h>
 

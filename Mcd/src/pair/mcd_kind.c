@@ -1,6 +1,7 @@
 /* The interactions of a convex type with the framework's other types, by the tables of both. */
-#include "mcd_kind_i.h"
-#include "mcd_motion_i.h"
+#include "convex/mcd_kind_i.h"
+#include "model/mcd_motion_i.h"
+#include "pair/mcd_pair_i.h"
 
 static int MEAPI intersectConvex(McdModelPair *p, McdIntersectResult *result) {
     mcd_resultBegin(result, p);

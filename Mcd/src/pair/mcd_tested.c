@@ -15,10 +15,10 @@
  * the last one (McdModelPairIntersectIfChanged), which is kept in the place of the stamps of both shapes, too.
  */
 #include "McdInternal.h"
-#include "mcd_geometries_i.h"
-#include "mcd_kind_i.h"
-#include "mcd_space_i.h"
-#include "mcd_vector_i.h"
+#include "model/mcd_geometries_i.h"
+#include "convex/mcd_kind_i.h"
+#include "space/mcd_space_i.h"
+#include "convex/mcd_vector_i.h"
 #include <string.h>
 
 /* Bit by bit; leaves the vector as it is where there is none. */

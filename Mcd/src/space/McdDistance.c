@@ -1,7 +1,8 @@
 /* The signed distance of two models: the least over the pairs of their convex parts and triangles. */
-#include "mcd_geometries_i.h"
-#include "mcd_kind_i.h"
-#include "mcd_vector_i.h"
+#include "model/mcd_geometries_i.h"
+#include "convex/mcd_kind_i.h"
+#include "convex/mcd_vector_i.h"
+#include "pair/mcd_pair_i.h"
 #include <string.h>
 
 /* A nearest pair so far. */

@@ -3,7 +3,7 @@
 #include "McdModelPairManager.h"
 
 #include "McdInteractions.h"
-#include "mcd_i.h"
+#include "pair/mcd_pair_i.h"
 #include <stdint.h>
 #include <string.h>
 

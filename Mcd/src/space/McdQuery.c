@@ -1,9 +1,9 @@
 /* Queries of a space beyond line segments: overlaps, nearest models, shape casts. */
 #include "McdQuery.h"
 #include "McdGeometry.h"
-#include "mcd_kind_i.h"
-#include "mcd_space_i.h"
-#include "mcd_vector_i.h"
+#include "convex/mcd_kind_i.h"
+#include "space/mcd_space_i.h"
+#include "convex/mcd_vector_i.h"
 #include <string.h>
 
 enum { MAX_ADVANCES = 100, MAX_PIECES = 64 };

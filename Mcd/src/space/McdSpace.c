@@ -1,8 +1,8 @@
 /* Spaces: change blocks, models and their boxes, handing over pairs. Which pairs there are is found in mcd_pairs.c. */
-#include "mcd_space_i.h"
+#include "space/mcd_space_i.h"
 #include "McdInternal.h"
-#include "mcd_kind_i.h"
-#include "mcd_motion_i.h"
+#include "convex/mcd_kind_i.h"
+#include "model/mcd_motion_i.h"
 #include <string.h>
 
 const int McdXAxis = 1, McdYAxis = 2, McdZAxis = 4, McdAllAxes = 7;

@@ -1,7 +1,7 @@
 /* Drawing of all models of a space: a file of its own, so that drawing a model does not link spaces. */
 #include "McduDebugDraw.h"
 #include "McdSpace.h"
-#include "mcd_i.h"
+#include "pair/mcd_pair_i.h"
 
 void MEAPI McduDebugDrawSpace(const McdSpaceID space, McduDebugDrawFlags flags, const MeReal colour[3]) {
     McdSpaceModelIterator it;

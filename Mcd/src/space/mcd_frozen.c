@@ -4,7 +4,7 @@
  * frozen model's matrix without a word; so some are looked at in each step, in turn.
  */
 #include "McdInternal.h"
-#include "mcd_space_i.h"
+#include "space/mcd_space_i.h"
 #include <string.h>
 
 /* Of them, in a step: each is looked at within as many steps. A look takes some 60 ns. */

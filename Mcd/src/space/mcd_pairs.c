@@ -1,5 +1,5 @@
 /* Links and pairs of a space: the broad phase's candidates, and the lists of hello, staying and goodbye pairs. */
-#include "mcd_space_i.h"
+#include "space/mcd_space_i.h"
 #include "McdInteractions.h"
 #include "McdInternal.h"
 #include "MeInternal.h"

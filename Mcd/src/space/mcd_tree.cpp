@@ -3,7 +3,7 @@
  * FCL puts a new box next to the box whose centre is nearest, without balancing; so the tree is made anew where a leaf
  * gets much deeper than it would be in a balanced tree. Nothing here depends on addresses.
  */
-#include "mcd_tree_i.h"
+#include "space/mcd_tree_i.h"
 #include "MeAssert.h"
 #include <algorithm>
 #include <cstdint>

@@ -1,8 +1,8 @@
 /* A query of a surface of triangles: contacts of a convex shape with it, without ghost contacts at internal edges. The
  * triangles near the shape are gathered in the query's memory, then go through the stages of mcd_mesh_stages_i.h. */
-#include "mcd_mesh_stages_i.h"
-#include "mcd_nearfield_i.h"
-#include "mcd_scratch_i.h"
+#include "surface/mcd_mesh_stages_i.h"
+#include "convex/mcd_nearfield_i.h"
+#include "surface/mcd_scratch_i.h"
 #include <string.h>
 
 /* ---- memory ------------------------------------------------------------------------------------------------------ */

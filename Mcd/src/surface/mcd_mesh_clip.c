@@ -1,6 +1,6 @@
 /* Contacts of a convex shape with a triangle along a given normal: the shape's face clipped to the triangle. */
-#include "mcd_mesh_stages_i.h"
-#include "mcd_nearfield_i.h"
+#include "surface/mcd_mesh_stages_i.h"
+#include "convex/mcd_nearfield_i.h"
 
 _Static_assert(MCD_POLYGON_POINTS == MCD_FACE_POINTS + 4, "a face, cut three times");
 

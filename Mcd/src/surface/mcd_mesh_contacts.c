@@ -1,8 +1,8 @@
 /* Contacts of a convex shape with each triangle of a surface. A triangle with flat surroundings has one admissible
  * normal, its own: the shape's face is clipped to it. Others are searched by the narrow phase, and the normal found is
  * taken only where it belongs to the Voronoi region of an edge or a corner. */
-#include "mcd_mesh_stages_i.h"
-#include "mcd_nearfield_i.h"
+#include "surface/mcd_mesh_stages_i.h"
+#include "convex/mcd_nearfield_i.h"
 
 /* The distance beyond a border, relative to the shape's extent, at which continuesBeyond looks for the surface. */
 #define BEYOND 1e-5

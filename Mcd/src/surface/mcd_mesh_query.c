@@ -1,8 +1,8 @@
 /* The triangles of lists and height fields near a box, and the one nearest to a convex shape: for queries, which take
  * each triangle as a convex shape of its own. */
-#include "mcd_kind_i.h"
-#include "mcd_scratch_i.h"
-#include "mcd_vector_i.h"
+#include "convex/mcd_kind_i.h"
+#include "surface/mcd_scratch_i.h"
+#include "convex/mcd_vector_i.h"
 #include <string.h>
 
 static McdMeshGather gatherOf(const McdGeometryInstance *ins) {

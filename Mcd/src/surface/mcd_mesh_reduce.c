@@ -1,6 +1,6 @@
 /* From the contacts of all triangles to manifolds: clusters of one normal, at most four spread contacts of each. */
-#include "mcd_mesh_stages_i.h"
-#include "mcd_spread_i.h"
+#include "surface/mcd_mesh_stages_i.h"
+#include "model/mcd_spread_i.h"
 #include <string.h>
 
 MeBool mcd_meshReserveContacts(McdMesh *mesh, int contacts) {

@@ -1,5 +1,5 @@
 /* Which normals a surface of triangles has: adjacency by vertices, and the Voronoi regions of edges and corners. */
-#include "mcd_mesh_stages_i.h"
+#include "surface/mcd_mesh_stages_i.h"
 #include <string.h>
 
 /* Corners whose heights over a plane differ by a smaller part of their distance are equally high. */

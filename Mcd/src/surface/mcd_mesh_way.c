@@ -10,8 +10,8 @@
  *
  * The way is that of the velocities now, as for all contacts ahead (mcd_pairMargin). Other shapes than balls touch with
  * points whose ways differ; their contacts are those of now. */
-#include "mcd_kind_i.h"
-#include "mcd_mesh_stages_i.h"
+#include "convex/mcd_kind_i.h"
+#include "surface/mcd_mesh_stages_i.h"
 
 /* Of the extent: a fall that is no more than the rounding of two distances. */
 #define NO_FALL 1e-9

@@ -1,6 +1,6 @@
 /* The scratches of a framework: a list behind a lock that is held for a few instructions. */
-#include "mcd_compound_i.h"
-#include "mcd_spread_i.h"
+#include "surface/mcd_scratch_i.h"
+#include "model/mcd_spread_i.h"
 #include <string.h>
 
 static void lock(McdFramework *frame) {

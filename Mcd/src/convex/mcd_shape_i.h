@@ -9,7 +9,61 @@
 #ifndef MCD_SHAPE_H
 #define MCD_SHAPE_H
 
-#include "mcd_i.h"
+#include "McdCTypes.h"
+#include "McdGeometryTypes.h"
+#include "MeAssert.h"
+#include "MeInternal.h"
+#include "MeMessage.h"
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+
+/* A transform for functions that only read it: before C23, C does not convert the pointer by itself. */
+static inline const MeVector4 *mcd_const(MeMatrix4Ptr tm) {
+    return (const MeVector4 *)tm;
+}
+
+/* Numbers that collision takes from programs, and from products of their transforms, are finite and not beyond the
+ * range of single precision, in double precision too: so no product of eight of them is beyond the range of double. */
+static inline MeBool mcd_areNear(const MeReal *x, int count) {
+    MeBool areNear = METRUE;
+    for (int i = 0; i < count; i++)
+        areNear &= MeFabs(x[i]) <= (MeReal)FLT_MAX; /* false for NaN */
+    return areNear;
+}
+
+static inline MeBool mcd_isNear3(const double x[3]) {
+    return fabs(x[0]) <= (double)FLT_MAX && fabs(x[1]) <= (double)FLT_MAX && fabs(x[2]) <= (double)FLT_MAX;
+}
+
+/* A result for programs: numbers beyond the range of MeReal become its largest. */
+static inline MeReal mcd_real(double x) {
+    return (MeReal)MeCLAMP(x, -(double)MEINFINITY, (double)MEINFINITY);
+}
+
+/* Transforms whose axes are not of length 1, or not at right angles, are accepted, though not rigid: only overflow of
+ * products is excluded, and axes near one plane, which make shapes flat. False for null. */
+MeBool mcd_isPlace(const MeVector4 *tm);
+
+/* ---- shapes ---- */
+
+typedef struct McdKind McdKind; /* mcd_kind_i.h */
+typedef struct McdHull McdHull;
+
+/* A convex shape at a place. */
+typedef struct McdShape {
+    const McdKind *kind; /* its type's functions */
+    const McdHull *hull;
+    double axis[3][3];   /* rows: its own axes */
+    double place[3];     /* its own origin */
+    double size[3];      /* box: half sizes. cylinder and cone: lower radius, upper radius, length; they lie between
+                          z = -low and length - low */
+    double low;          /* cylinder and cone: distance of the base below the origin; of a cylinder and a sphyl's core
+                          half the height */
+    double rounding;     /* all points within it of the core belong to the shape */
+    double extent;       /* no point is farther than this from `place`: tolerances are relative to it */
+    double corner[3][3]; /* triangle: its corners, in the coordinates of the query */
+} McdShape;
 
 /* A convex polyhedron in its own frame, made by mcd_hullCreate. Faces are convex polygons, counter-clockwise from
  * outside, coplanar triangles merged. */
@@ -33,19 +87,19 @@ struct McdHull {
 
 enum { MCD_SHAPE_TRIANGLE = -2 }; /* McdKind.type of a triangle, which is no geometry of its own */
 
-/* The common origin of a pair's coordinates: the middle of the overlap of their boxes. */
-void mcd_pairOrigin(McdGeometryInstanceID ins1, McdGeometryInstanceID ins2, double origin[3]);
-/* The convex shape of an instance; false for geometries that are none (plane, lists, aggregates, null). */
-MeBool mcd_shapeOf(McdGeometryInstanceID ins, const double origin[3], McdShape *shape);
-/* The same, at another transform than the instance's present one. */
-MeBool mcd_shapeAt(McdGeometryID g, const MeMatrix4 tm, const double origin[3], McdShape *shape);
-/* The same of a model that has been compared in this round (mcd_modelStamp), without reading its geometry anew. */
-MeBool mcd_shapeInRound(McdModelRecord *m, const double origin[3], McdShape *shape);
-/* Its kind, sizes and extent, as its geometry has them now. False: it is none. */
-MeBool mcd_shapeSizes(McdGeometryID g, McdShape *shape);
 /* A shape's axes at a transform that mcd_isPlace. */
 void mcd_shapeAxes(const MeMatrix4 tm, double axis[3][3]);
 void mcd_triangleShape(const double corners[3][3], McdShape *shape);
+/* The unit normal of a triangle, by the right-hand rule or, if one is given, on its side; false without area. */
+MeBool mcd_triangleNormal(const double corner[3][3], const double *given, double normal[3]);
+/* Where a segment enters a triangle's front (either side if both count): false if it does not. All in one frame. */
+MeBool mcd_segmentTriangle(const double corner[3][3], const double normal[3], MeBool twoSided, const double from[3],
+                           const double to[3], double *part, double hitNormal[3]);
+
+/* Qhull's hull of some points, in their own coordinates; null, with a warning that names the function, for points that
+ * span no volume (flat, collinear, fewer than four, NaN). */
+McdHull *mcd_hullCreate(const double (*point)[3], int count, const char *function);
+void mcd_hullDestroy(McdHull *hull);
 
 /* A point and a direction from its own axes, and a direction to them. */
 static inline void mcd_shapePoint(const McdShape *s, double x, double y, double z, double out[3]) {
@@ -89,12 +143,12 @@ typedef struct McdManifoldPoint {
     MeU64 feature;      /* which features touch, a's in the upper half: a pure function of the shapes' topology */
 } McdManifoldPoint;
 
-struct McdManifold {
+typedef struct McdManifold {
     double normal[3]; /* from b to a, length 1 */
     int count;
     double apart; /* m: without points, the surfaces are so far apart at least; 0: it is not known */
     McdManifoldPoint point[MCD_MANIFOLD_POINTS];
-};
+} McdManifold;
 
 /* Contacts of two convex shapes whose gap is at most margin. Returns the count; 0 if they are farther apart. Every
  * pair of types is served, through the grid in mcd_grid.c. */

@@ -2,8 +2,7 @@
 #ifndef MCD_GEOMETRIES_H
 #define MCD_GEOMETRIES_H
 
-#include "mcd_mesh_i.h"
-#include "mcd_shape_i.h"
+#include "model/mcd_frame_i.h"
 
 struct McdNull {
     McdGeometry head;
@@ -79,10 +78,5 @@ struct McdAggregate {
 static inline const McdAggregate *mcd_partsOf(const McdGeometry *g) {
     return g->type == kMcdGeometryTypeAggregate ? (const McdAggregate *)g : 0;
 }
-
-/* Qhull's hull of some points, in their own coordinates; null, with a warning that names the function, for points that
- * span no volume (flat, collinear, fewer than four, NaN). */
-McdHull *mcd_hullCreate(const double (*point)[3], int count, const char *function);
-void mcd_hullDestroy(McdHull *hull);
 
 #endif

@@ -17,8 +17,8 @@
 
 #include "McdSpace.h"
 #include "MeTeam.h"
-#include "mcd_i.h"
-#include "mcd_tree_i.h"
+#include "pair/mcd_pair_i.h"
+#include "space/mcd_tree_i.h"
 #include <stdbool.h>
 
 enum { MCD_NONE = -1 };
@@ -116,8 +116,8 @@ struct _McdSpace {
     McdProxy *proxy; /* proxyRoom; moves when there is no room for another one */
     int proxyRoom;
     int proxyCount, firstProxy, lastProxy, freeProxy;
-    MeU64 changesSeen; /* of the framework's, by mcd_frozen.c, */
-    int nextLook;      /* whose turn begins behind this proxy */
+    MeU64 changesSeen;         /* of the framework's, by mcd_frozen.c, */
+    int nextLook;              /* whose turn begins behind this proxy */
     int firstAwake, lastAwake; /* what is updated: frozen models cost no time */
     int *awake, awakeCount;    /* the same, as they were listed for workers; MCD_NONE: not since; proxyRoom */
     MeU8 *updates;             /* beside awake: an McdBoxUpdate */
@@ -153,12 +153,12 @@ MeBool mcd_spaceIsReady(McdSpaceID s, const char *function);
 
 /* ---- links and pairs (mcd_pairs.c) ------------------------------------------------------------------------------- */
 
-void mcd_proxyTouch(McdSpace *s, int proxy);        /* its links are classified at the end of the block */
-void mcd_pairsForgetProxy(McdSpace *s, int proxy);  /* drops its links; its pairs say goodbye */
-void mcd_pairsEraseProxy(McdSpace *s, int proxy);   /* drops its links and its pairs, which say nothing */
+void mcd_proxyTouch(McdSpace *s, int proxy);          /* its links are classified at the end of the block */
+void mcd_pairsForgetProxy(McdSpace *s, int proxy);    /* drops its links; its pairs say goodbye */
+void mcd_pairsEraseProxy(McdSpace *s, int proxy);     /* drops its links and its pairs, which say nothing */
 void mcd_pairsForgetContacts(McdSpace *s, int proxy); /* what Mst has of its pairs, which stay */
-void mcd_pairsTidy(McdSpace *s);                    /* takes erased pairs out of the lists */
-MeBool mcd_pairsDisable(McdSpace *s, int a, int b); /* false: no memory */
+void mcd_pairsTidy(McdSpace *s);                      /* takes erased pairs out of the lists */
+MeBool mcd_pairsDisable(McdSpace *s, int a, int b);   /* false: no memory */
 void mcd_pairsEnable(McdSpace *s, int a, int b);
 MeBool mcd_pairsAreEnabled(const McdSpace *s, int a, int b); /* neither disabled, culled nor filtered */
 void mcd_pairsBegin(McdSpace *s);                            /* a block begins: goodbyes become invalid */

@@ -7,7 +7,20 @@
 #ifndef MCD_SCRATCH_H
 #define MCD_SCRATCH_H
 
-#include "mcd_mesh_i.h"
+#include "surface/mcd_mesh_i.h"
+
+/* The contacts of two parts that have one normal, as a range of the scratch's contacts. Only mcd_dropInternalContacts
+ * writes it: first the range and the parts, then what follows from the contacts, last what is dropped. */
+typedef struct McdPartManifold {
+    int first, count;
+    McdGeometryInstance *part[2];  /* of the first model and of the second */
+    McdGeometryInstance *cover[2]; /* the part of the same model that covers part[i] there; null: none does */
+    double lean; /* 0: it is on the surface of both models; else the sine of the angle by which the normal leans over a
+                    flush face, or mcd_coveredLean: it is no normal of the whole */
+    double skin; /* m, of the covered parts: what is lower is flush */
+    double separation; /* m, the least */
+    MeBool isDropped;
+} McdPartManifold;
 
 typedef struct McdScratch {
     struct McdScratch *next; /* of the free ones */
@@ -17,7 +30,7 @@ typedef struct McdScratch {
     McdContact *contact; /* contactRoom */
     void *choice;        /* mcd_simplifyBytes(contactRoom) */
     int contactRoom;
-    struct McdPartManifold *manifold; /* mcd_compound_i.h; manifoldRoom */
+    McdPartManifold *manifold; /* manifoldRoom */
     int manifoldRoom;
 } McdScratch;
 

@@ -7,8 +7,7 @@
 #ifndef MCD_KIND_H
 #define MCD_KIND_H
 
-#include "mcd_mesh_i.h"
-#include "mcd_nearfield_i.h"
+#include "convex/mcd_nearfield_i.h"
 
 /* The order of two convex shapes in a pair: manifolds are found with the lower one first. The first ones have closed
  * forms with each other (mcd_grid.c); a new type is among the others. */
@@ -24,6 +23,15 @@ typedef enum McdRank {
 } McdRank;
 
 typedef void (*McdEdgeVisit)(void *context, const double from[3], const double to[3]);
+
+typedef struct McdMeshQuery McdMeshQuery; /* mcd_mesh_i.h */
+
+/* Adds the triangles that may be near the box. */
+typedef void (*McdMeshGather)(McdMeshQuery *q);
+
+/* Mixes what there is of a mesh near the box into a hash of 128 bits, and calls no function of the program: equal
+ * hashes, equal triangles. Of the query only the box and the mesh's frame are set. */
+typedef void (*McdMeshHash)(const McdMeshQuery *q, const McdGeometry *mesh, MeU64 hash[2]);
 
 struct McdKind {
     int type; /* kMcdGeometryType..., or MCD_SHAPE_TRIANGLE */
@@ -62,32 +70,6 @@ struct McdKind {
     MeBool isStatic;    /* usually fixed: no warning where two of them have no interaction */
     MeBool isEmpty;     /* no warning where it has no interaction with any type */
 };
-
-/* The table of a geometry's type; null for a program's own types. */
-static inline const McdKind *mcd_kindOf(const McdGeometry *g) {
-    return g->frame->types[g->type].kind;
-}
-
-static inline MeBool mcd_isHalfSpace(const McdGeometryInstance *ins) {
-    const McdKind *kind = mcd_kindOf(ins->geometry);
-    return kind && kind->isHalfSpace;
-}
-
-/* Registers the type with a framework. */
-void mcd_kindRegister(McdFramework *frame, const McdKind *kind, const char *function);
-/* Registers how a convex type interacts with each type that the framework knows by now, where nothing is registered:
- * convex ones, half-spaces, surfaces of triangles. (Aggregates: McdAggregateGenericRegisterInteractions, after it.) */
-void mcd_kindRegisterInteractions(McdFramework *frame, const McdKind *kind, const char *function);
-
-/* Interactions of convex types, with pairs whose types have been checked: two of them; one and a half-space, in either
- * order. The function is named in messages. */
-int mcd_convexContacts(McdModelPair *p, McdIntersectResult *result, const char *function);
-/* Adds the contacts of two convex instances, and sets result->apart; false: one has no valid transform. */
-MeBool mcd_convexInstances(McdGeometryInstance *ins1, McdGeometryInstance *ins2, double margin,
-                           McdIntersectResult *result);
-/* The same of models, if both are convex shapes that have been compared in this round (mcd_shapeInRound). */
-MeBool mcd_convexModels(McdModelRecord *m1, McdModelRecord *m2, double margin, McdIntersectResult *result);
-int mcd_planeContacts(McdModelPair *p, McdIntersectResult *result, const char *function);
 
 /* The entries that all built-in types have, from the functions of their headers. */
 #define MCD_KIND_FUNCTIONS(Type, release)                                                                              \

@@ -13,7 +13,8 @@
 #ifndef MCD_MESH_H
 #define MCD_MESH_H
 
-#include "mcd_shape_i.h"
+#include "convex/mcd_kind_i.h"
+#include "model/mcd_result_i.h"
 
 typedef struct McdMeshTriangle {
     double corner[3][3]; /* in the query's coordinates */
@@ -62,7 +63,7 @@ typedef struct McdMesh {
     MeMemoryGrow(&(pointer), (size_t)(used), (size_t)(count), sizeof *(pointer), "McdIntersect",                       \
                  "triangles and contacts")
 
-typedef struct McdMeshQuery {
+struct McdMeshQuery {
     McdModelPair *pair;         /* model1 is the convex one */
     struct McdScratch *scratch; /* the query's memory */
     McdMesh *mesh;              /* the scratch's */
@@ -75,14 +76,7 @@ typedef struct McdMeshQuery {
     double radius;               /* from there to the box' corners */
     double ball[3], ballRadius;  /* around the shape and the margin, in the mesh's frame */
     double box[3], half[3];      /* the middle of the shape's box along its own axes, and half of its sizes */
-} McdMeshQuery;
-
-/* Adds the triangles that may be near the box. */
-typedef void (*McdMeshGather)(McdMeshQuery *q);
-
-/* Mixes what there is of a mesh near the box into a hash of 128 bits, and calls no function of the program: equal
- * hashes, equal triangles. Of the query only the box and the mesh's frame are set. */
-typedef void (*McdMeshHash)(const McdMeshQuery *q, const McdGeometry *mesh, MeU64 hash[2]);
+};
 
 /* The interaction of a convex model with a mesh: 1 if there are contacts. */
 int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather gather);
@@ -121,12 +115,6 @@ void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const doubl
 /* As mcd_convexDistance, to the nearest triangle; false if there is none up to most, which may be INFINITY. */
 MeBool mcd_meshNearest(const McdShape *shape, McdGeometryInstance *ins, McdModelID asker, const double origin[3],
                        double most, double *distance, double onShape[3], double onMesh[3], double normal[3]);
-
-/* The unit normal of a triangle, by the right-hand rule or, if one is given, on its side; false without area. */
-MeBool mcd_triangleNormal(const double corner[3][3], const double *given, double normal[3]);
-/* Where a segment enters a triangle's front (either side if both count): false if it does not. All in one frame. */
-MeBool mcd_segmentTriangle(const double corner[3][3], const double normal[3], MeBool twoSided, const double from[3],
-                           const double to[3], double *part, double hitNormal[3]);
 
 /* Are there a pair of live models, and room for contacts? Warns if not. */
 MeBool mcd_meshMayIntersect(const McdModelPair *p, const McdIntersectResult *result, const char *function);

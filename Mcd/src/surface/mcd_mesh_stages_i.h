@@ -2,8 +2,8 @@
 #ifndef MCD_MESH_STAGES_H
 #define MCD_MESH_STAGES_H
 
-#include "mcd_mesh_i.h"
-#include "mcd_vector_i.h"
+#include "surface/mcd_mesh_i.h"
+#include "convex/mcd_vector_i.h"
 
 /* Unit normals that differ by less (rad) are one direction. */
 #define MCD_MESH_SAME_DIRECTION 1e-4

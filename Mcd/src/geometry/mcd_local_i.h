@@ -3,7 +3,8 @@
 #ifndef MCD_LOCAL_H
 #define MCD_LOCAL_H
 
-#include "mcd_geometries_i.h"
+#include "model/mcd_geometries_i.h"
+#include "pair/mcd_pair_i.h"
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -157,51 +158,5 @@ void mcd_drawArc(const MeVector4 *tm, const MeReal colour[3], const double centr
 void mcd_drawCircle(const MeVector4 *tm, const MeReal colour[3], double z, double radius);
 /* Four lines between two such circles. */
 void mcd_drawSides(const MeVector4 *tm, const MeReal colour[3], double z1, double radius1, double z2, double radius2);
-
-/* ---- what all types' files define alike -------------------------------------------------------------------------- */
-
-#define MCD_DEFINE_DESTROY(Type)                                                                                       \
-    void MEAPI Mcd##Type##Destroy(McdGeometryID g) {                                                                   \
-        mcd_geometryDestroyAs(g, kMcdGeometryType##Type, "Mcd" #Type "Destroy");                                       \
-    }
-
-/* The functions of McdGeometryDeclare.h that go by the file's static `kind` (mcd_kind_i.h) and `support`; the type's
- * own file has the rest. */
-#define MCD_DEFINE_GEOMETRY_TYPE(Type)                                                                                 \
-    MCD_DEFINE_DESTROY(Type)                                                                                           \
-    void MEAPI Mcd##Type##RegisterType(McdFramework *frame) {                                                          \
-        mcd_kindRegister(frame, &kind, "Mcd" #Type "RegisterType");                                                    \
-    }                                                                                                                  \
-    MeI16 MEAPI Mcd##Type##GetTypeId(void) {                                                                           \
-        return kMcdGeometryType##Type;                                                                                 \
-    }                                                                                                                  \
-    char *MEAPI Mcd##Type##GetTypeName(const McdGeometryID g) {                                                        \
-        static char name[] = #Type;                                                                                    \
-        (void)g;                                                                                                       \
-        return name;                                                                                                   \
-    }                                                                                                                  \
-    void MEAPI Mcd##Type##MaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir, MeReal *const outPoint) {       \
-        if (!mcd_areGiven(__func__, inDir, outPoint, outPoint))                                                        \
-            return;                                                                                                    \
-        MeVector3Set(outPoint, 0, 0, 0);                                                                               \
-        if (mcd_instanceIs(ins, kMcdGeometryType##Type, "Mcd" #Type "MaximumPoint"))                                   \
-            mcd_localMaximumPoint(ins, inDir, outPoint, support);                                                      \
-    }                                                                                                                  \
-    void MEAPI Mcd##Type##UpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, MeBool tight) {            \
-        (void)tight;                                                                                                   \
-        if (mcd_instanceIs(ins, kMcdGeometryType##Type, "Mcd" #Type "UpdateAABB"))                                     \
-            mcd_localUpdateAABB(ins, finalTM, support);                                                                \
-    }
-
-/* Goes by the file's static `clip`. */
-#define MCD_DEFINE_LINE_SEGMENT(Type)                                                                                  \
-    static int MEAPI lineSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,                      \
-                                 McdLineSegIntersectResult *outOverlap) {                                              \
-        return mcd_localLineSegment(cm, inOrig, inDest, outOverlap, clip);                                             \
-    }                                                                                                                  \
-    void MEAPI Mcd##Type##LineSegmentRegisterInteraction(McdFramework *frame) {                                        \
-        if (mcd_frameCheck(frame, "Mcd" #Type "LineSegmentRegisterInteraction"))                                       \
-            McdFrameworkSetLineSegInteraction(frame, kMcdGeometryType##Type, lineSegment);                             \
-    }
 
 #endif

@@ -2,8 +2,8 @@
 #ifndef MCD_NEARFIELD_H
 #define MCD_NEARFIELD_H
 
-#include "mcd_shape_i.h"
-#include "mcd_vector_i.h"
+#include "convex/mcd_shape_i.h"
+#include "convex/mcd_vector_i.h"
 
 /* The signed distance of two cores, and its witness points. Where the cores are farther apart than a limit, functions
  * that find it return false, and only the separation is valid: a lower bound. */

@@ -2,7 +2,7 @@
 #ifndef MCD_MOTION_H
 #define MCD_MOTION_H
 
-#include "mcd_shape_i.h"
+#include "model/mcd_frame_i.h"
 
 /* Shapes count as touching where they are nearer than this part of the smaller one's extent. */
 #define MCD_TOUCH 1e-4
@@ -10,11 +10,6 @@
 /* The shape after a time at constant velocity (of its origin) and spin; its axes turn exactly. Not for triangles. */
 void mcd_shapeMove(const McdShape *s, const double velocity[3], const double spin[3], double time, McdShape *moved);
 
-/* Sets the result of a pair that does not touch until maxTime, and checks the pair and the time; false, with a
- * warning that names the function. */
-MeBool mcd_safeTimeBegin(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result, const char *function);
-/* Are both models somewhere, with velocities that are numbers? Warns if not. */
-MeBool mcd_safeTimeIsToBeHad(const McdModelPair *p, const char *function);
 /* For the interactions' tables: two convex models; a convex one and a plane. */
 int MEAPI mcd_safeTimeConvex(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result);
 int MEAPI mcd_safeTimePlane(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result);

@@ -1,0 +1,74 @@
+/* Convex shapes of geometries, instances and models, where these are. */
+#include "convex/mcd_vector_i.h"
+#include "model/mcd_result_i.h"
+#include <string.h>
+
+/* The middle of an interval; 0 where it is not finite: boxes of planes are infinite, and a program's box may be NaN. */
+static double middleOf(double lower, double upper) {
+    const double middle = (lower + upper) / 2;
+    return isfinite(middle) ? middle : 0;
+}
+
+void mcd_pairOrigin(McdGeometryInstanceID ins1, McdGeometryInstanceID ins2, double origin[3]) {
+    for (int i = 0; i < 3; i++)
+        origin[i] = middleOf(MeMAX(ins1->min[i], ins2->min[i]), MeMIN(ins1->max[i], ins2->max[i]));
+    MEASSERT(isfinite(origin[0]) && isfinite(origin[1]) && isfinite(origin[2]));
+}
+
+MeBool mcd_shapeSizes(McdGeometryID g, McdShape *s) {
+    s->kind = mcd_kindOf(g);
+    if (!s->kind || !s->kind->setShape) {
+        s->kind = 0;
+        return MEFALSE;
+    }
+    mcd_set(s->size, 0, 0, 0);
+    s->low = s->rounding = s->extent = 0;
+    s->hull = 0;
+    s->kind->setShape(g, s);
+    MEASSERT(s->rounding >= 0 && !(s->extent < s->rounding));
+    return METRUE;
+}
+
+/* All but its axes; corners are a triangle's alone. */
+static MeBool beginShape(McdGeometryID g, const MeReal place[3], const double origin[3], McdShape *s) {
+    if (!mcd_shapeSizes(g, s))
+        return MEFALSE;
+    for (int i = 0; i < 3; i++)
+        s->place[i] = (double)place[i] - origin[i];
+    return isfinite(s->place[0] + s->place[1] + s->place[2]);
+}
+
+MeBool mcd_shapeAt(McdGeometryID g, const MeMatrix4 tm, const double origin[3], McdShape *shape) {
+    if (!mcd_isPlace(tm) || !beginShape(g, tm[3], origin, shape))
+        return MEFALSE;
+    mcd_shapeAxes(tm, shape->axis);
+    return METRUE;
+}
+
+MeBool mcd_shapeOf(McdGeometryInstanceID ins, const double origin[3], McdShape *shape) {
+    const McdModelRecord *m = mcd_record(ins->model);
+    if (ins->parent && !ins->firstChild && ins->isPlaced) {
+        memcpy(shape->axis, ins->placedAxis, sizeof shape->axis);
+        return beginShape(ins->geometry, ins->placed[3], origin, shape);
+    }
+    if (!m || ins != &m->instance || !mcd_isPlacedAsSeen(m))
+        return mcd_shapeAt(ins->geometry, (const MeReal(*)[4])mcd_instanceTM(ins), origin, shape);
+    memcpy(shape->axis, m->shape.axis, sizeof shape->axis);
+    return beginShape(ins->geometry, ins->tm[3], origin, shape);
+}
+
+/* For checks: is it what the model's geometry and transform make? */
+static MeBool isShapeAsNow(McdModelRecord *m, const double origin[3], const McdShape *shape) {
+    McdShape now;
+    return mcd_shapeAt(m->instance.geometry, mcd_const(m->instance.tm), origin, &now) &&
+           memcmp(&now, shape, offsetof(McdShape, corner)) == 0;
+}
+
+MeBool mcd_shapeInRound(McdModelRecord *m, const double origin[3], McdShape *shape) {
+    if (m->stamp == 0 || m->comparedIn != m->frame->round || !m->isPlaced || !m->shape.kind)
+        return MEFALSE;
+    memcpy(shape, &m->shape, offsetof(McdShape, corner));
+    mcd_sub(shape->place, shape->place, origin);
+    MEVALIDATE(isShapeAsNow(m, origin, shape));
+    return METRUE;
+}
