@@ -40,7 +40,7 @@
  *     kea_cache.c             kept structures, and the memory of all factors
  *
  * inner/ calls no other room, common/ only inner/; exact/ and fast/ call both, but not each other
- * (tests/structure/check_includes.py).
+ * (tests/structure/rooms.py).
  */
 #ifndef KEA_I_H
 #define KEA_I_H

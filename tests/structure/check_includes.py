@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
-"""Which library includes whose headers, and which room of Kea calls which? The layers allow no cycles, and third-party
-headers stay private."""
+"""Which library includes whose headers, and which room of a library which one's? The layers allow no cycles,
+third-party headers stay private, and private headers are short."""
 import pathlib
 import re
 import sys
+
+sys.dont_write_bytecode = True  # the sources may be read only
+from rooms import ROOMS
 
 ALLOWED = {  # library: the libraries whose public headers it may include
     'MeGlobals': [],
@@ -45,28 +48,47 @@ for library, others in ALLOWED.items():
                 wrong.append(f'{where}: a public header includes the third-party {name}')
 
 
-# The rooms of MdtKea/src: the other rooms whose functions each may call, and whose headers include.
-ROOMS = {'inner': [], 'common': ['inner'], 'exact': ['inner', 'common'], 'fast': ['inner', 'common']}
-SHARED = ['common/kea_policy_i.h', 'common/kea_arena_i.h', 'common/kea_machine_i.h']  # constants and types that every room may include
+PREFIX = {'MdtKea': 'kea', 'Mdt': 'mdt', 'Mcd': 'mcd', 'Mst': 'mst'}
+# Constants and types that every room may include.
+SHARED = ['common/kea_policy_i.h', 'common/kea_arena_i.h', 'common/kea_machine_i.h']
+UPWARD = {  # (file, header of a room above): why it may include that
+    ('pair/mcd_tested.c', 'space/mcd_space_i.h'): 'reads in which block of its space a model is; calls nothing there',
+}
+LONGEST = 200  # lines of a private header; those of MdtKea are not divided among its rooms
 
-source = top / 'MdtKea/src'
-room_of = {}
-for room in ROOMS:
-    for file in (source / room).glob('*.c'):
-        for name in re.findall(r'^[A-Za-z][\w *]*?\b(kea_\w+)\(', file.read_text(), flags=re.M):
-            room_of[name] = room
-if len(set(room_of.values())) < len(ROOMS):
-    wrong.append('MdtKea: rooms without functions')
-for room, others in ROOMS.items():
-    for file in (source / room).iterdir():
-        text = re.sub(r'/\*.*?\*/', lambda c: '\n' * c.group().count('\n'), file.read_text(), flags=re.S)
-        for number, line in enumerate(text.splitlines(), 1):
-            where = f'{file.relative_to(top)}:{number}'
-            used = [(n, room_of.get(n, room)) for n in re.findall(r'\bkea_\w+', line)]
-            include = re.match(r'#include "((\w+)/\w+\.h)"', line)
-            if include and include.group(1) not in SHARED:
-                used.append((include.group(1), include.group(2)))
-            wrong += [f'{where}: {room}/ may not use {other}/ ({name})'
-                      for name, other in used if other in ROOMS and other not in others + [room]]
+
+def code_of(file):
+    return re.sub(r'/\*.*?\*/', lambda c: '\n' * c.group().count('\n'), file.read_text(), flags=re.S)
+
+
+def check_rooms(library, rooms):
+    """What files of rooms include of rooms that they may not use, and the functions of these that they name."""
+    source, prefix = top / library / 'src', PREFIX[library]
+    room_of = {}
+    for room in rooms:
+        for file in (source / room).glob('*.c*'):
+            for name in re.findall(rf'^[A-Za-z][\w *]*?\b({prefix}_\w+)\([^;{{]*\{{', code_of(file), flags=re.M):
+                room_of[name] = room
+    if len(set(room_of.values())) < len(rooms):
+        yield f'{library}: rooms without functions'
+    for room, others in rooms.items():
+        files = sorted((source / room).iterdir())
+        for file in files:
+            for number, line in enumerate(code_of(file).splitlines(), 1):
+                where = f'{file.relative_to(top)}:{number}'
+                used = [(name, room_of.get(name, room)) for name in re.findall(rf'\b{prefix}_\w+', line)]
+                include = re.match(r'#include "((\w+)/\w+\.h)"', line)
+                name = include.group(1) if include else ''
+                if name and name not in SHARED and (f'{room}/{file.name}', name) not in UPWARD:
+                    used.append((name, include.group(2)))
+                yield from (f'{where}: {room}/ may not use {other}/ ({name})'
+                            for name, other in used if other in rooms and other not in others.split() + [room])
+            length = len(file.read_text().splitlines())
+            if file.suffix == '.h' and library != 'MdtKea' and length > LONGEST:
+                yield f'{file.relative_to(top)}: {length} lines: divide it'
+
+
+for library, rooms in ROOMS.items():
+    wrong += check_rooms(library, rooms)
 print('\n'.join(wrong) or 'all includes follow the layers')
 sys.exit(bool(wrong))
