@@ -11,7 +11,8 @@ function(karma_reference)
   set(KARMA_REFERENCE_DIRECTORY ${PROJECT_BINARY_DIR}/reference)
   file(MAKE_DIRECTORY ${KARMA_REFERENCE_DIRECTORY})
   configure_file(${PROJECT_SOURCE_DIR}/docs/Doxyfile.in ${KARMA_REFERENCE_DIRECTORY}/Doxyfile @ONLY)
-  file(GLOB pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/*.md ${PROJECT_SOURCE_DIR}/*/include/*.h)
+  file(GLOB pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/*.md ${PROJECT_SOURCE_DIR}/docs/*/*.md
+    ${PROJECT_SOURCE_DIR}/*/include/*.h)
   add_custom_command(OUTPUT ${KARMA_REFERENCE_DIRECTORY}/karma.tag
     COMMAND ${KARMA_DOXYGEN} ${KARMA_REFERENCE_DIRECTORY}/Doxyfile
     DEPENDS ${pages} ${PROJECT_SOURCE_DIR}/README.md ${KARMA_REFERENCE_DIRECTORY}/Doxyfile

@@ -257,8 +257,8 @@ MEPUBLIC int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w);
  *
  *  Default 400; the exact steps that MdtSolverAuto takes draw from accounts that are shares of it. The first
  *  step of a tower of 100 layers of three planks, solved exactly (MdtWorldSetSolver), takes 38. The hard
- *  cases in docs/solver.md take 17 at most (100 links with 1e5 kg), one Newton iteration of 30 boxes in a heap 0.1. 0:
- *  no bound, and accounts as by default. Beyond Karma.
+ *  cases in docs/lab/accuracy.md take 17 at most (100 links with 1e5 kg), one Newton iteration of 30 boxes in a heap
+ *  0.1. 0: no bound, and accounts as by default. Beyond Karma.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetWorkBudget(const MdtWorldID w, const MeReal work);
 MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
@@ -266,9 +266,10 @@ MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
 
 /** @name The choice of solver: exact or fast
  *
- *  Exact: Newton's method, to the tolerances that docs/solver.md states. Fast: an iterative method in single precision
- *  that visits contacts in passes, more of them the higher a pile is and the more masses differ. It leaves small
- *  velocities at contacts (MdtReport, `residualVelocity`), by which bodies sink and creep a little until they rest.
+ *  Exact: Newton's method, to the tolerances that docs/lab/accuracy.md states. Fast: an iterative method in single
+ *  precision that visits contacts in passes, more of them the higher a pile is and the more masses differ. It leaves
+ *  small velocities at contacts (MdtReport, `residualVelocity`), by which bodies sink and creep a little until they
+ *  rest.
  *
  *  MdtSolverAuto, the default, takes the exact one where that costs no more than the fast one, or where the world's
  *  accounts of exact work pay it: for partitions of which the exact one has taken the last step as long as that is

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """check_links.py SOURCE - do the pages speak of what there is?
 
-In README.md, CONTRIBUTING.md and docs/*.md: every link to a file of the project has a file, every anchor a heading, every
+In README.md, CONTRIBUTING.md and the pages of docs/: every link to a file of the project has a file, every anchor a heading, every
 page of docs/ is linked or named by another page, and every public name in `back quotes` stands in some source.
 """
 import pathlib
@@ -9,7 +9,7 @@ import re
 import sys
 
 top = pathlib.Path(sys.argv[1])
-pages = [top / 'README.md', top / 'CONTRIBUTING.md', *sorted((top / 'docs').glob('*.md'))]
+pages = [top / 'README.md', top / 'CONTRIBUTING.md', *sorted((top / 'docs').rglob('*.md'))]
 EXEMPT = {top / 'docs' / 'api-coverage.md'}  # names what is not offered
 NEW = {'McdNew'}                            # of a geometry that a reader is to add
 PUBLIC = re.compile(r'^(?:Mdt|Mcd|Mst|Me|RRender|RGraphic|RCamera|RPanel)[A-Z][A-Za-z0-9]+$')
@@ -45,7 +45,7 @@ known = set(re.findall(r'\w+', code))
 wrong, mentioned = [], ''
 for page in pages:
     text = page.read_text()
-    mentioned += text.replace(page.name, '') if page.parent.name == 'docs' else text
+    mentioned += text.replace(page.name, '') if page.is_relative_to(top / 'docs') else text
     where = page.relative_to(top)
     for target in links(text):
         path, _, anchor = target.partition('#')
@@ -56,6 +56,6 @@ for page in pages:
             wrong.append(f'{where}: {target}: no such heading')
     if page not in EXEMPT:
         wrong += [f'{where}: {name} is nowhere in the sources' for name in sorted(set(names(text)) - known - NEW)]
-wrong += [f'docs/{page.name}: no page links to it or names it' for page in pages[2:] if page.name not in mentioned]
+wrong += [f'{page.relative_to(top)}: no page links to it or names it' for page in pages[2:] if page.name not in mentioned]
 print(*(wrong or [f'{len(pages)} pages speak of what there is']), sep='\n')
 sys.exit(bool(wrong))

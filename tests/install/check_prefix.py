@@ -61,7 +61,7 @@ def complaints(source, scratch):
 
 
 def lines_without_home(source):
-    for page in source / 'README.md', *source.glob('docs/*.md'):
+    for page in source / 'README.md', *source.glob('docs/**/*.md'):
         for line in page.read_text().splitlines():
             if not line.startswith('cmake --install'):
                 continue

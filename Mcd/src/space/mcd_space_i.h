@@ -81,7 +81,7 @@ typedef struct McdPairList {
     int count, max;
 } McdPairList;
 
-/* Of each pair of near boxes, together 256 bytes in single precision (docs/solver.md, "At rest"). */
+/* Of each pair of near boxes, together 256 bytes in single precision (docs/lab/speed.md, "At rest"). */
 typedef struct McdLink {
     int proxy[2]; /* proxy[0] comes later in the order: it is model1; MCD_NONE: the link is free */
     int previous[2], next[2];
