@@ -26,4 +26,4 @@ for count in workers:
             print(f'{name}, {count} workers: state {state}, and not {kept[name]}')
             differ = True
 if differ:
-    sys.exit('if results were meant to change, say so in CHANGELOG.md, and run tools/states')
+    sys.exit('if results were meant to change, say so in the commit, and run tools/states')

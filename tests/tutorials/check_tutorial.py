@@ -44,7 +44,7 @@ def check_state():
     for line in lines:
         if line[0] == name:
             assert state() == line[column], f'{name}: state {state()} after 120 frames, and not {line[column]}: if results ' \
-                'were meant to change, say so in CHANGELOG.md and write the new state into tests/tutorials/states.txt'
+                'were meant to change, say so in the commit and write the new state into tests/tutorials/states.txt'
 
 
 def frames_of(effect):
