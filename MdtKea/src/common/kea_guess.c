@@ -5,17 +5,19 @@
  * A body's load L is its force, and what bodies above it press it with. It is shared by the contacts below it as if
  * there were no friction and no lever arms:
  *
- *     F_i = L c_i / Σ c²,    c = -n·l, with the load's direction l
+ *     F_i = α c_i,    c = -n·l,    α = -L l·N / N²,    N = Σ c n,
  *
+ * with the load's direction l: α minimizes |α N + L l|, what is not borne, so that a slope bears L c, and either side
+ * of a groove L / (2 c). What is steeper than 60 degrees is borne by friction: no contact has more than L.
  * Sweeps over the contacts, against their order and in it in turn, pass loads on. Where contacts come from the ground
  * up or from the top down, two sweeps do. */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
 #include "inner/kea_factor_i.h"
 
-/* The load L of a body, and the sum Σ c² over the contacts that support it. */
+/* The load L of a body, in N, and N of the contacts that support it; each of them bears α c = L share c. */
 typedef struct Load {
-    double force, squares; /* N */
+    double force, normal[3], share;
 } Load;
 
 /* A resting contact: a manifold of which some points touch. */
@@ -72,8 +74,13 @@ static void addContact(const MdtKeaSystem *s, MdtKeaManifold *m, Guess *g) {
     for (int k = 0; k < 2; k++) {
         n->c[k] = bearingOf(s, m, k);
         if (n->c[k] > 0)
-            g->load[m->body[k]].squares += n->c[k] * n->c[k];
+            keaAddScaled(g->load[m->body[k]].normal, k == 0 ? n->c[k] : -n->c[k], m->normal);
     }
+}
+
+static void setShare(const double force[3], Load *load) {
+    const double *N = load->normal, squares = keaDot(N, N);
+    load->share = squares > 0 ? -keaDot(N, force) / (load->force * squares) : 0;
 }
 
 static void begin(const MdtKeaSystem *s, Guess *g) {
@@ -82,6 +89,8 @@ static void begin(const MdtKeaSystem *s, Guess *g) {
         g->load[i] = (Load){.force = keaLength(s->bodies[i]->force)};
     for (int i = 0; i < s->numManifolds; i++)
         addContact(s, &s->manifolds[i], g);
+    for (int i = 0; i < s->numBodies; i++)
+        setShare(s->bodies[i]->force, &g->load[i]);
 }
 
 /* The contact takes its share of the upper body's load and adds it to the lower body's. Returns the change of its
@@ -92,7 +101,7 @@ static double passLoad(Bearing *n, Load load[]) {
     for (int k = 0; k < 2; k++)
         if (n->c[k] > 0) {
             const Load *l = &load[n->manifold->body[k]];
-            n->force = keaMax(n->force, l->force * n->c[k] / l->squares);
+            n->force = keaMax(n->force, l->force * keaMin(l->share * n->c[k], 1));
         }
     for (int k = 0; k < 2; k++)
         if (n->c[k] < 0)
