@@ -349,7 +349,7 @@ START_TEST(outlines_tell_of_partitions_sleep_and_solver) {
     box(5, 0, 1.5);
     floorUnder();
     MdtWorldEnableReport(u->world);
-    run(2);
+    run(1);
     memcpy(a, colorAt(MstDebugPartitions, -5), sizeof a);
     memcpy(b, colorAt(MstDebugPartitions, 5), sizeof b);
     ck_assert(!sameColor(a, b));

@@ -1,8 +1,9 @@
 /* Rest certificate: a partition at rest, in which nothing has changed since the last step, is not solved again.
  *
- * A step settles a partition if it was taken whole, if Kea's answer is within its tolerances, and if all bodies have
- * been at rest, for long enough that gamma has relaxed position errors: their velocities below Kea's threshold of rest,
- * or, in crowds (mayStand), in balance and slower than the accuracy. The bodies then stay where they are, bit for bit,
+ * A step settles a partition if it was taken whole, if Kea's answer is within its tolerances, and if all bodies are at
+ * rest: their velocities below Kea's threshold of rest, or, in crowds (mayStand), in balance and slower than the
+ * accuracy. Below the exact solver's threshold gamma has no position errors left to relax; by the fast one bodies have
+ * to rest for as long as it takes to do so. The bodies then stay where they are, bit for bit,
  * so that contacts are found again as they were. In the next step the inputs may be the same to the last bit: then so
  * are the forces, and the step costs a look at each body. Bodies age meanwhile, so that they are put to sleep as ever.
  *
@@ -263,7 +264,7 @@ MeBool mdt_restIsSettled(MdtIsland *p) {
         return MEFALSE;
     }
     MEASSERT(p->world->calmStepsToRest >= 1);
-    const MeBool isForLong = countCalmStep(p, 0, p->numBodies) >= p->world->calmStepsToRest;
+    const MeBool isForLong = countCalmStep(p, 0, p->numBodies) >= (p->isFast ? p->world->calmStepsToRest : 1);
     const MeBool isWhole = p->h >= p->whole && p->parameters.stepsize >= p->h && !p->hasMet;
     const MeBool isExact = !r->capped && !r->limited && !r->violent && !r->conflicting && !p->isDegenerate;
     const MeBool areClosed = !p->isFast || r->opening <= MDT_CLOSED;
