@@ -5,7 +5,7 @@
  *   exact/, a step by Newton's method to the tolerance:
  *     kea_step.c              one step: passes of linearization, then the velocity stage
  *     kea_scheme.c            time integration: end poses from the unknowns u, the residual of momentum, its derivative
- *     kea_contact.c           rows of contacts, from manifolds; kea_anchor.c: their places and lever arms
+ *     kea_contact.c           rows of contacts, from manifolds
  *     kea_rows.c              linearization of rows; the choice of θ per body
  *     kea_dual.c              the inner problem solved for the joints' impulses (dual)
  *     kea_redundancy.c        redundant joints: the impulses of least norm
@@ -17,6 +17,7 @@
  *
  *   common/, laws and measures that do not depend on the solver:
  *     kea_policy_i.h          every constant that is a choice
+ *     kea_anchor.c            places of contacts, and how their lever arms move
  *     kea_body.c              a body as a step begins and ends
  *     kea_budget.c            the work that a solve may take
  *     kea_rates.c             rates of rows, J v; which rows may reach a bound
@@ -156,6 +157,9 @@ void kea_guessLoads(MdtKeaSystem *s);
 
 /* The orientation q1 after h seconds of free rotation from q0 with the angular momentum L (world, constant). */
 void kea_rotateFree(const MdtKeaBody *body, const double q0[4], const double L[3], double h, double q1[4]);
+/* The rotation from q0 to q1, of the angle a, becomes that of 2 atan(a/2), Cayley's map of its rotation vector, which
+ * takes points along chords as displacements by mean velocities do. A larger one than kea_mostChord stays. */
+void kea_rotateByChord(const double q0[4], double q1[4]);
 /* The angular velocity (world) of a body at orientation q with angular momentum L, and the other way round. */
 void kea_angularVelocity(const MdtKeaBody *body, const double q[4], const double L[3], double w[3]);
 void kea_angularMomentum(const MdtKeaBody *body, const double q[4], const double w[3], double L[3]);

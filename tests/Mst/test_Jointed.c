@@ -47,9 +47,9 @@ static double weight(void) {
 typedef struct Course {
     double open, opened; /* m, at most; in a step */
     double gain;         /* J, of any step */
-    double beyondLift; /* the same, but for what takes overlaps away: gamma of the deepest, of all weights */
-    double energy;     /* J, at the end */
-    int fast, exact;   /* partitions with joints, over the steps, by the solver that took them */
+    double beyondLift;   /* the same, but for what takes overlaps away: gamma of the deepest, of all weights */
+    double energy;       /* J, at the end */
+    int fast, exact;     /* partitions with joints, over the steps, by the solver that took them */
     int factorizations;
     int because[MdtReportWhyTakenOver + 1]; /* partitions with joints, over the steps, by why that solver */
 } Course;

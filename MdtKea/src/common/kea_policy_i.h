@@ -343,6 +343,9 @@ static const double kea_touchingGap = 1e-5;
 
 /* ---- rotation, inertia ---- */
 
+/* Rad: what turns further in a step turns as a free body does, and not by the chord, which is 93 degrees of 120 and
+ * never reaches 180. Reasoned: nothing is carried round a third of a circle in a step. */
+static const double kea_mostChord = 2.1;
 /* Rad a step by the splitting's own rates: below it the leapfrog's error, angle³/12, is 1e-7 of a radian in the worst
  * case. Reasoned: it is work against accuracy of slow rotation. x2 and /2 fail MdtKea_policy:
  * rotation_beyond_a_hundredth_of_a_radian_is_of_fourth_order. */
@@ -449,6 +452,13 @@ static const double kea_restingDepth = 1e-4;
 /* Of the kinetic energy: what the passes of a step may add to it by their rounding and by what they leave. x2 and /2
  * fail MdtKea_fast_policy: a_hundred_thousandth_of_the_energy_may_be_gained. */
 static const double kea_energyRoom = 1e-5;
+/* Of the smaller body's size: so much deeper than the end's velocities the mean ones may press a contact; where it
+ * is more, its bodies are moved by the former: a tenth of kea_restingDepth, so that what rests moves by the
+ * mean, and what presses comes no deeper than to where contacts rest. */
+static const double kea_pressedDepth = 1e-5;
+/* Sweeps over contacts that find what is pressed, at most: bodies that are moved by the end's velocities may press
+ * others. */
+enum { KEA_PRESSED_SWEEPS = 3 };
 /* N s, or a coefficient of friction: a bound that is none. Derived: a coefficient times an impulse of that size, and
  * such a bound beside it, are within single precision, 2^128. x2 and /2 fail MdtKea_fast_policy:
  * friction_without_bound_is_bounded_by_single_precision. */

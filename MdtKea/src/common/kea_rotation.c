@@ -112,6 +112,19 @@ void kea_rotateFree(const MdtKeaBody *body, const double q0[4], const double L[3
     keaQuaternionNormalize(q1);
 }
 
+void kea_rotateByChord(const double q0[4], double q1[4]) {
+    double back[4], turn[4];
+    keaQuaternionConjugate(back, q0);
+    keaQuaternionProduct(turn, q1, back);
+    const double sine = keaLength(turn + 1), half = atan2(sine, turn[0]);
+    if (sine == 0 || half > 0.5 * kea_mostChord)
+        return;
+    turn[0] = 1;
+    keaScale(turn + 1, half / sine, turn + 1);
+    keaQuaternionProduct(q1, turn, q0);
+    keaQuaternionNormalize(q1);
+}
+
 void kea_principalAxes(const MdtKeaBody *body, const double q[4], double R[3][3]) {
     double qp[4];
     toPrincipal(body, q, qp, R);

@@ -3,7 +3,8 @@
  *     velocities   block Gauss-Seidel over the manifolds, eight at a time, region by region (kea_regions_i.h), with
  *                  Nesterov's extrapolation of the impulses within the step and its restart (O'Donoghue and Candès
  *                  2015, "Adaptive restart for accelerated gradient schemes"): gaps may close, but no further
- *     positions    the same without friction, on displacements, which reduce overlaps and give no velocity (split
+ *     the way      by the mean of the velocities at the start and the end; by the latter where that presses
+ *     positions    passes without friction, on displacements, which reduce overlaps and give no velocity (split
  *                  impulses)
  *     rebounds     velocities again, with restitution at the points that push; bodies have been moved by then
  *
@@ -27,9 +28,11 @@ typedef struct Step {
     KeaRegions regions;
     KeaMotion *motion, *before, *way; /* the world, the bodies by place, and where worlds move, one for each manifold */
     KeaPatch *patch;                  /* by manifold */
-    float *speedChange;               /* by motion: m/s, in the step, see findSpeedChanges */
-    double (*change)[6];              /* by place: N s, N m s */
-    double (*turned)[4];              /* by place: the orientation at the end, but for `way` */
+    KeaMotion *move;     /* the velocities that bodies are moved by, (1 - θ) v + θ v⁺; and by motion, θ: */
+    float *thetas;       /* 1/2 or, where that presses something, 1 */
+    float *speedChange;  /* by motion: m/s, in the step, see findSpeedChanges */
+    double (*change)[6]; /* by place: N s, N m s */
+    double (*turned)[4]; /* by place: the orientation at the end, but for `way` */
     KeaGroup *groups;
     int numGroups;
     KeaJoints joints;
@@ -66,6 +69,8 @@ static size_t layOut(Step *p, char *memory) {
     p->motion = kea_carve(&arena, motions, sizeof *p->motion);
     p->before = kea_carve(&arena, motions, sizeof *p->before);
     p->way = kea_carve(&arena, motions, sizeof *p->way);
+    p->move = kea_carve(&arena, motions, sizeof *p->move);
+    p->thetas = kea_carve(&arena, motions, sizeof *p->thetas);
     p->speedChange = kea_carve(&arena, motions, sizeof *p->speedChange);
     p->patch = kea_carve(&arena, m, sizeof *p->patch);
     p->change = kea_carve(&arena, n, sizeof *p->change);
@@ -174,6 +179,14 @@ static double sumOverNodes(const KeaRegions *r) {
         for (int i = 0; i < KEA_LANES; i++)
             sum += (double)r->node[n].lanes[i];
     return sum;
+}
+
+/* Whether node->sum[0] is set in any node. */
+static MeBool isAnyOverNodes(const KeaRegions *r) {
+    for (int n = 1; n < 2 * r->count; n++)
+        if (r->node[n].sum[0] != 0)
+            return METRUE;
+    return MEFALSE;
 }
 
 static Residual residualOverNodes(const KeaRegions *r) {
@@ -382,11 +395,8 @@ static void setReboundsOf(void *context, KeaNode *node) {
 
 /* The target of points that push becomes their rebound; whether there are any. */
 static MeBool setRebounds(Step *p) {
-    MeBool isAny = MEFALSE;
     kea_overNodes(&p->regions, setReboundsOf, p);
-    for (int n = 1; n < 2 * p->regions.count; n++)
-        isAny |= p->regions.node[n].sum[0] > 0;
-    return isAny;
+    return isAnyOverNodes(&p->regions);
 }
 
 /* ---- end ---- */
@@ -549,8 +559,58 @@ static void limitRebounds(Step *p) {
 
 /* ---- where bodies are then ---- */
 
+static void setMeansOf(void *context, KeaNode *node) {
+    const Step *p = context;
+    for (int place = node->firstPlace; place < node->firstPlace + node->numPlaces; place++) {
+        const MdtKeaVelocity *v = &p->s->velocity[p->regions.body[place]];
+        const KeaMotion *end = &p->motion[1 + place];
+        KeaMotion *mean = &p->move[1 + place];
+        *mean = *end;
+        for (int k = 0; k < 3; k++) {
+            mean->lin[k] = (float)(0.5 * (v->lin[k] + (double)end->lin[k]));
+            mean->ang[k] = (float)(0.5 * (v->ang[k] + (double)end->ang[k]));
+        }
+        p->thetas[1 + place] = (float)0.5;
+    }
+}
+
+/* Worlds move as they are said to. */
+static void setMeans(Step *p) {
+    const int n = p->s->numBodies, m = p->s->numManifolds;
+    p->move[0] = p->motion[0];
+    p->thetas[0] = 1;
+    memcpy(p->move + 1 + n, p->motion + 1 + n, (size_t)m * sizeof *p->move);
+    for (int i = 1 + n; i < 1 + n + m; i++)
+        p->thetas[i] = 1;
+    kea_overRegions(&p->regions, setMeansOf, p);
+}
+
+static void choosePressedOf(void *context, KeaNode *node) {
+    const Step *p = context;
+    node->sum[0] = p->kernel->choosePressed(p->groups + node->firstGroup, node->numGroups, p->motion,
+                                            (float)p->s->parameters.stepsize, p->move, p->thetas);
+}
+
+static MeBool choosePressed(Step *p) {
+    kea_inOrder(&p->regions, choosePressedOf, p);
+    return isAnyOverNodes(&p->regions);
+}
+
+/* The scheme. Bodies move by the mean of their velocities at the start and the end, which is of second order, unless
+ * that presses a contact deeper than the end's velocities do, which contacts bound: then by these. */
+static void chooseThetas(Step *p) {
+    setMeans(p);
+    kea_jointsMoveByEnd(&p->joints, p->motion, p->move, p->thetas);
+    for (int sweep = 0; sweep < KEA_PRESSED_SWEEPS && choosePressed(p);)
+        sweep++;
+}
+
+static double thetaOf(const Step *p, int body) {
+    return (double)p->thetas[1 + p->regions.place[body]];
+}
+
 /* A partition that nothing joins to the world flies: its centre of mass moves by the mean of its velocities at the
- * start and the end. Positions are advanced with the latter; `fall` takes half of the difference, by loads, back. */
+ * start and the end. `fall` gives back what bodies miss of it that are moved with those of the end. */
 static void fallOfCentre(Step *p) {
     const MdtKeaSystem *s = p->s;
     double mass = 0;
@@ -562,12 +622,12 @@ static void fallOfCentre(Step *p) {
         if (s->rows[i].body[0] < 0 || s->rows[i].body[1] < 0)
             return;
     for (int i = 0; i < s->numBodies; i++) {
-        const double m = 1 / s->bodies[i]->invMass;
-        keaAddScaled(p->fall, m, s->velocity[i].lin);
-        keaAddScaled(p->fall, -m, s->work->body[i].freeVelocity);
+        const double m = 1 / s->bodies[i]->invMass, missed = m * (thetaOf(p, i) - 0.5);
+        keaAddScaled(p->fall, missed, s->velocity[i].lin);
+        keaAddScaled(p->fall, -missed, s->work->end[i].velocity);
         mass += m;
     }
-    keaScale(p->fall, 0.5 * s->parameters.stepsize / mass, p->fall);
+    keaScale(p->fall, s->parameters.stepsize / mass, p->fall);
 }
 
 /* What the system keeps of the body some places ahead: bodies of a region lie anywhere in it. */
@@ -579,19 +639,24 @@ static void prefetchBody(const Step *p, const KeaNode *node, int place) {
     me_prefetch(&p->s->work->end[i], sizeof *p->s->work->end);
 }
 
-/* Orientations at the end, as a free body turns with the end's angular momentum. */
+/* Orientations at the end, as a free body turns with the angular momentum (1 - θ) L + θ L⁺; by the chord, as points on
+ * it are moved. */
 static void turnFreely(void *context, KeaNode *node) {
     const Step *p = context;
     for (int place = node->firstPlace; place < node->firstPlace + node->numPlaces; place++) {
         const int i = p->regions.body[place];
         const MdtKeaBody *body = p->s->bodies[i];
+        const double theta = (double)p->thetas[1 + place];
+        double L[3];
         prefetchBody(p, node, place);
-        kea_rotateFree(body, body->quaternion, p->s->work->end[i].angularMomentum, p->s->parameters.stepsize,
-                       p->turned[place]);
+        keaScale(L, 1 - theta, body->angularMomentum);
+        keaAddScaled(L, theta, p->s->work->end[i].angularMomentum);
+        kea_rotateFree(body, body->quaternion, L, p->s->parameters.stepsize, p->turned[place]);
+        kea_rotateByChord(body->quaternion, p->turned[place]);
     }
 }
 
-/* By the velocities of the end and the displacements. */
+/* By the velocities, and the displacements. */
 static void setEndPose(const Step *p, int place) {
     MdtKeaSystem *s = p->s;
     const int i = p->regions.body[place];
@@ -600,9 +665,10 @@ static void setEndPose(const Step *p, int place) {
     KeaEnd *end = &s->work->end[i];
     const double out[3] = {(double)way->ang[0], (double)way->ang[1], (double)way->ang[2]};
     double turn[4];
-    end->theta = 1;
+    end->theta = (double)p->thetas[1 + place];
     keaCopy(end->position, s->bodies[i]->position);
-    keaAddScaled(end->position, h, end->velocity);
+    keaAddScaled(end->position, (1 - end->theta) * h, s->bodies[i]->velocity);
+    keaAddScaled(end->position, end->theta * h, end->velocity);
     keaAddScaled(end->position, 1, p->fall);
     for (int k = 0; k < 3; k++)
         end->position[k] += (double)way->lin[k];
@@ -628,7 +694,7 @@ static void setEndPoses(Step *p) {
 static void advanceNode(void *context, KeaNode *node) {
     const Step *p = context;
     memset(p->way + 1 + node->firstPlace, 0, (size_t)node->numPlaces * sizeof *p->way);
-    p->kernel->advance(p->groups + node->firstGroup, node->numGroups, p->motion, (float)p->s->parameters.stepsize);
+    p->kernel->advance(p->groups + node->firstGroup, node->numGroups, p->move, (float)p->s->parameters.stepsize);
 }
 
 static void pushGroups(void *context, KeaNode *node) {
@@ -638,11 +704,8 @@ static void pushGroups(void *context, KeaNode *node) {
 
 /* Whether some contact has moved its bodies by so much that joints open. */
 static MeBool pushContacts(Step *p) {
-    MeBool isAny = MEFALSE;
     kea_inOrder(&p->regions, pushGroups, p);
-    for (int n = 1; n < 2 * p->regions.count; n++)
-        isAny |= p->regions.node[n].sum[0] != 0;
-    return isAny;
+    return isAnyOverNodes(&p->regions);
 }
 
 /* The passes of some rounds, over contacts, and over joints as long as these are open. Returns whether contacts have
@@ -766,6 +829,7 @@ void kea_fastSolve(MdtKeaSystem *s) {
     setEndMomentum(&p);
     guardEnergy(&p);
     kea_jointsSetMomenta(s, &p.joints);
+    chooseThetas(&p);
     fallOfCentre(&p);
     findPositions(&p);
     const MeBool doRebound = setRebounds(&p);

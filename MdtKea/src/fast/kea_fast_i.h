@@ -40,6 +40,7 @@ typedef struct KeaMotion {
 /* A manifold's centre, and its points along t1 and t2. */
 typedef struct KeaPatch {
     double centre[3], across[3], x[KEA_POINTS], y[KEA_POINTS]; /* m; across: t2 */
+    double arm[2][3]; /* m, from the bodies to the centre, the mean of the start and the end of the step */
 } KeaPatch;
 
 /* Eight manifolds. Passes over velocities write the last fields only. Lanes that are not in use have the world as
@@ -111,6 +112,10 @@ typedef struct KeaKernel {
     /* One pass over velocities, from impulses extrapolated by beta. Adds to `uphill`, by lane, (guess - next)·(next -
      * last), which is positive where extrapolation went too far: the criterion of restarts. */
     void (*pass)(KeaGroup groups[], int count, KeaMotion motion[], float beta, float uphill[KEA_LANES]);
+    /* Bodies that are moved by `move` become such as are moved by `motion`, with theta 1, where the former presses a
+     * contact deeper by more than kea_pressedDepth. Whether there are new ones. */
+    MeBool (*choosePressed)(const KeaGroup groups[], int count, const KeaMotion motion[], float stepsize,
+                            KeaMotion move[], float theta[]);
     /* Turns gaps into those at the end of a step with these velocities. */
     void (*advance)(KeaGroup groups[], int count, const KeaMotion motion[], float stepsize);
     /* One pass over displacements, which reduces overlaps; whether one moves far enough to open a joint. */

@@ -1,4 +1,5 @@
 /* Copies manifolds, in double precision, into the groups of eight that passes work on, and their impulses back. */
+#include "common/kea_anchor_i.h"
 #include "common/kea_policy_i.h"
 #include <string.h>
 #include "fast/kea_fast_i.h"
@@ -71,12 +72,9 @@ static float clampBound(double bound) {
 
 static void fillBody(const MdtKeaSystem *s, const int place[], const MdtKeaManifold *m, const KeaPatch *p, int k,
                      KeaGroup *g, int lane) {
-    static const double noPlace[3];
     const int body = m->body[k];
     const MdtKeaInverseMassMatrix *mass = body >= 0 ? &s->invMass[body] : NULL;
-    double arm[3];
-    keaSubtract(arm, p->centre, mass ? s->pose[body].pos : noPlace);
-    setLane3(&g->arm[k], lane, arm);
+    setLane3(&g->arm[k], lane, p->arm[k]);
     g->body[k][lane] = body >= 0 ? 1 + place[body] : 0;
     g->invMass[k][lane] = mass ? (float)mass->mass : 0;
     for (int i = 0, at = 0; i < 3; i++)
@@ -178,12 +176,67 @@ static void fillFriction(const MdtKeaSystem *s, const MdtKeaManifold *m, const K
     g->isCone[lane] = m->surface.isCone ? -1 : 0;
 }
 
+/* Whether its lever arms move: a body turns, and at the centre they do not move against each other, within what the
+ * mean motion may press. Where they meet or slide, impulses act at one place of both, the start's, or angular momentum
+ * would not be kept. */
+static MeBool goesRound(const MdtKeaSystem *s, const MdtKeaManifold *m, const KeaPatch *p) {
+    double rate[3] = {0, 0, 0}, spin2 = 0;
+    for (int k = 0; k < 2; k++) {
+        const MdtKeaVelocity *v = kea_sideVelocity(s, m, k);
+        double turn[3];
+        keaCross(turn, v->ang, p->arm[k]);
+        keaAddScaled(rate, k == 0 ? 1 : -1, v->lin);
+        keaAddScaled(rate, k == 0 ? 1 : -1, turn);
+        spin2 += keaDot(v->ang, v->ang);
+    }
+    return spin2 > 0 && 0.5 * s->parameters.stepsize * keaLength(rate) < kea_pressedDepth * kea_smallerSize(s, m->body);
+}
+
+/* Impulses act with the mean of the lever arms at the start and the end of the step, or bodies that go round with each
+ * other would gain angular momentum. The rates that are to vanish are those at the end; what these add to the rates
+ * with the mean, `added`, is known before passes, by the velocities of the start: Σ ± w_k x (arm_k⁺ - arm_k). */
+static void setArms(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaPatch *p, double added[3]) {
+    MdtKeaPoint centre = m->point[0];
+    KeaContact c = {.manifold = m, .at = &centre};
+    double end[2][3];
+    keaCopy(centre.position, p->centre);
+    keaZero(added);
+    for (int k = 0; k < 2; k++) {
+        keaCopy(p->arm[k], p->centre);
+        if (m->body[k] >= 0)
+            keaAddScaled(p->arm[k], -1, s->pose[m->body[k]].pos);
+    }
+    if (!goesRound(s, m, p))
+        return;
+    kea_contactPlaceAnew(s, &c);
+    if (!c.moves)
+        return;
+    kea_contactArms(s, &c, 0.5, p->arm);
+    kea_contactArms(s, &c, 1, end);
+    for (int k = 0; k < 2; k++) {
+        double rest[3], rate[3];
+        keaSubtract(rest, end[k], p->arm[k]);
+        keaCross(rate, kea_sideVelocity(s, m, k)->ang, rest);
+        keaAddScaled(added, k == 0 ? 1 : -1, rate);
+    }
+}
+
+/* Targets are those of the rates with the mean arms. */
+static void addRates(const MdtKeaManifold *m, const KeaPatch *p, const double added[3], KeaGroup *g, int lane) {
+    g->slide[0][lane] -= (float)keaDot(added, m->direction);
+    g->slide[1][lane] -= (float)keaDot(added, p->across);
+    for (int k = 0; k < m->numPoints; k++)
+        g->target[k][lane] -= (float)keaDot(added, m->normal);
+}
+
 static void fillLane(const KeaGathering *from, int manifold, float correction, KeaGroup *g, int lane) {
     const MdtKeaSystem *s = from->s;
     const MdtKeaManifold *m = &s->manifolds[manifold];
     KeaPatch *p = &from->patch[manifold];
     const double size = kea_smallerSize(s, m->body);
+    double added[3];
     setPatch(m, p);
+    setArms(s, m, p, added);
     setLane3(&g->normal, lane, m->normal);
     setLane3(&g->along, lane, m->direction);
     for (int k = 0; k < 2; k++)
@@ -199,6 +252,7 @@ static void fillLane(const KeaGathering *from, int manifold, float correction, K
     fillRebounds(s, m, g, lane);
     fillBounds(s, m, g, lane);
     fillFriction(s, m, p, g, lane);
+    addRates(m, p, added, g, lane);
 }
 
 static void setWorldMotion(const MdtKeaVelocity *velocity, KeaMotion *world) {
@@ -238,7 +292,6 @@ void kea_fillGroups(const KeaGathering *from, KeaGroup groups[], int count) {
 /* N s, N m s, what a manifold gives its first body, about its centre of mass, and takes from the second, about that of
  * this: in double precision the same to the last bit; of worlds, about the origin. */
 static void impulsesOf(const KeaGathering *from, const KeaGroup *g, int lane, double of[2][6]) {
-    static const double noPlace[3];
     const MdtKeaManifold *m = &from->s->manifolds[g->manifold[lane]];
     const KeaPatch *p = &from->patch[g->manifold[lane]];
     double impulse[3], couple[3];
@@ -252,9 +305,8 @@ static void impulsesOf(const KeaGathering *from, const KeaGroup *g, int lane, do
         keaAddScaled(couple, -normal * p->x[k], p->across);
     }
     for (int k = 0; k < 2; k++) {
-        double arm[3], turn[3];
-        keaSubtract(arm, p->centre, m->body[k] >= 0 ? from->s->pose[m->body[k]].pos : noPlace);
-        keaCross(turn, arm, impulse);
+        double turn[3];
+        keaCross(turn, p->arm[k], impulse);
         keaAddScaled(turn, 1, couple);
         keaScale(of[k], k == 0 ? 1 : -1, impulse);
         keaScale(of[k] + 3, k == 0 ? 1 : -1, turn);

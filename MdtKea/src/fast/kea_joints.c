@@ -632,6 +632,14 @@ double kea_jointsOpening(const KeaJoints *j) {
     return most;
 }
 
+void kea_jointsMoveByEnd(const KeaJoints *j, const KeaMotion motion[], KeaMotion move[], float theta[]) {
+    for (int i = 0; i < j->numBlocks; i++)
+        for (int n = j->block[i].firstNode; n < j->block[i].firstNode + j->block[i].numNodes; n++) {
+            move[j->body[n].motion] = motion[j->body[n].motion];
+            theta[j->body[n].motion] = 1;
+        }
+}
+
 double kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]) {
     const double h = s->parameters.stepsize;
     double most = 0, all = 0;

@@ -73,6 +73,8 @@ void kea_jointsScale(KeaJoints *j, double share);
 double kea_jointsPass(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[], double beta);
 /* m/s, the largest violation of the rows' laws. */
 double kea_jointsResidual(const KeaJoints *j, const KeaMotion motion[], const KeaTolerance *t, double *excess);
+/* Bodies that joints hold are moved by the end's velocities, θ = 1: their rows are those of the start's poses. */
+void kea_jointsMoveByEnd(const KeaJoints *j, const KeaMotion motion[], KeaMotion move[], float theta[]);
 /* How far joints are open at the start, of a body's size. */
 double kea_jointsOpening(const KeaJoints *j);
 /* Evaluates position errors at the end's poses, displacements included; returns the largest, of a body's size. */

@@ -95,6 +95,11 @@ KEA_INLINE Rates ratesOf(const KeaGroup *g, const Pair *p, KeaLanes3 across) {
                    .spin = lanesDot(g->normal, w)};
 }
 
+/* At a point, along n. */
+KEA_INLINE KeaLanes pointRate(const KeaGroup *g, int k, const KeaLanes u[3]) {
+    return u[0] + g->x[k] * u[1] + g->y[k] * u[2];
+}
+
 /* The place of an entry of a symmetric matrix, 4 by 4, of which the rows of the upper triangle are kept. */
 KEA_INLINE int entryOf(int i, int j) {
     return i <= j ? 4 * i - i * (i - 1) / 2 + j - i : 4 * j - j * (j - 1) / 2 + i - j;
@@ -192,7 +197,7 @@ KEA_INLINE void visitNormals(KeaGroup *g, int points, Rates *rates, KeaLanes bet
     const KeaLanes *u = rates->u;
     for (int k = 0; k < points; k++) {
         guess[k] = next[k] = g->impulse[k] + beta * (g->impulse[k] - g->before[k]);
-        rate[k] = u[0] + g->x[k] * u[1] + g->y[k] * u[2] - g->target[k] + g->compliance * guess[k];
+        rate[k] = pointRate(g, k, u) - g->target[k] + g->compliance * guess[k];
     }
     solvePoints(g, points, rate, g->least, next);
     for (int k = 0; k < points; k++) {
@@ -464,8 +469,45 @@ static void advance(KeaGroup groups[], int count, const KeaMotion motion[], floa
         const Rates rates = ratesOf(g, &p, lanesCross(g->normal, g->along));
         const KeaLanes *u = rates.u;
         for (int k = 0; k < KEA_POINTS; k++)
-            g->gap[k] += lanesOf(stepsize) * (u[0] + g->x[k] * u[1] + g->y[k] * u[2]);
+            g->gap[k] += lanesOf(stepsize) * pointRate(g, k, u);
     }
+}
+
+/* The end's velocities become those that both bodies are moved by. Whether they were not yet. */
+KEA_INLINE MeBool moveByEnd(const KeaGroup *g, int lane, const KeaMotion motion[], KeaMotion move[], float theta[]) {
+    MeBool isNew = MEFALSE;
+    for (int k = 0; k < 2; k++) {
+        const int i = g->body[k][lane];
+        if (theta[i] == 1)
+            continue;
+        move[i] = motion[i];
+        theta[i] = 1;
+        isNew = METRUE;
+    }
+    return isNew;
+}
+
+static MeBool choosePressed(const KeaGroup groups[], int count, const KeaMotion motion[], float stepsize,
+                            KeaMotion move[], float theta[]) {
+    const KeaLanes h = lanesOf(stepsize);
+    MeBool isAny = MEFALSE;
+    for (int i = 0; i < count; i++) {
+        const KeaGroup *g = &groups[i];
+        const KeaLanes3 across = lanesCross(g->normal, g->along);
+        const Pair p = gather(g, motion), q = gather(g, move);
+        const Rates end = ratesOf(g, &p, across), way = ratesOf(g, &q, across);
+        KeaMask isPressed = {0};
+        for (int k = 0; k < KEA_POINTS; k++) {
+            const KeaLanes atEnd = g->gap[k] + h * pointRate(g, k, end.u);
+            const KeaLanes atWay = g->gap[k] + h * pointRate(g, k, way.u);
+            isPressed |=
+                g->isPoint[k] & (atWay < lanesMin(atEnd, lanesOf(0)) - lanesOf((float)kea_pressedDepth) * g->size);
+        }
+        for (int lane = 0; lane < KEA_LANES && !lanesAreAll(~isPressed); lane++)
+            if (isPressed[lane])
+                isAny |= moveByEnd(g, lane, motion, move, theta);
+    }
+    return isAny;
 }
 
 /* Overlap beyond the sag shrinks by the share; a gap may close, but no further. Returns the lanes that move by
@@ -478,7 +520,7 @@ KEA_INLINE KeaMask pushGroup(const KeaGroup *g, int points, KeaMotion motion[]) 
     KeaLanes rate[KEA_POINTS], way[KEA_POINTS];
     KeaMask isAny = {0};
     for (int k = 0; k < points; k++) {
-        const KeaLanes gap = g->gap[k] + u[0] + g->x[k] * u[1] + g->y[k] * u[2];
+        const KeaLanes gap = g->gap[k] + pointRate(g, k, u);
         const KeaLanes overlap = lanesMin(gap + g->sag[k], lanesOf(0));
         rate[k] = lanesSelect(gap > lanesOf(0), gap, g->correction * overlap);
         way[k] = lanesOf(0);
@@ -557,7 +599,7 @@ static void measure(const KeaGroup groups[], int count, const KeaMotion motion[]
         const KeaLanes *u = rates.u;
         KeaLanes rate[2], rub[2] = {g->rub[0], g->rub[1]}, left = lanesOf(0), lever = lanesOf(0);
         for (int k = 0; k < KEA_POINTS; k++) {
-            const KeaLanes speed = u[0] + g->x[k] * u[1] + g->y[k] * u[2];
+            const KeaLanes speed = pointRate(g, k, u);
             const KeaLanes off = speed - g->target[k] + g->compliance * g->impulse[k];
             const KeaLanes next = lanesMax(g->impulse[k] - g->response[k] * off, g->least);
             const KeaLanes miss = lanesAbs(next - g->impulse[k]) / g->response[k];
@@ -590,6 +632,7 @@ const KeaKernel KEA_KERNEL = {.prepare = prepare,
                               .apply = apply,
                               .extrapolate = extrapolate,
                               .pass = pass,
+                              .choosePressed = choosePressed,
                               .advance = advance,
                               .push = pushApart,
                               .measure = measure};

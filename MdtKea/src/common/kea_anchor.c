@@ -5,7 +5,7 @@
  * depth = n·(p_1 - p_0). The anchor, which is fixed in the body, is that point, or the centre of the sphere or circle
  * if the surface is round there.
  */
-#include "exact/kea_contact_i.h"
+#include "common/kea_anchor_i.h"
 #include "MeAssert.h"
 #include "common/kea_policy_i.h"
 #include <float.h>
@@ -17,10 +17,13 @@ static const MdtKeaTransformation *poseOf(const MdtKeaSystem *s, const KeaContac
     return c->manifold->body[k] >= 0 ? &s->pose[c->manifold->body[k]] : &world;
 }
 
-static const MdtKeaVelocity *velocityOf(const MdtKeaSystem *s, const KeaContact *c, int k) {
+const MdtKeaVelocity *kea_sideVelocity(const MdtKeaSystem *s, const MdtKeaManifold *m, int k) {
     static const MdtKeaVelocity still;
-    const MdtKeaManifold *m = c->manifold;
     return m->body[k] >= 0 ? &s->velocity[m->body[k]] : m->worldVelocity ? m->worldVelocity : &still;
+}
+
+static const MdtKeaVelocity *velocityOf(const MdtKeaSystem *s, const KeaContact *c, int k) {
+    return kea_sideVelocity(s, c->manifold, k);
 }
 
 static MeBool isWorld(const KeaContact *c, int k) {
@@ -293,15 +296,24 @@ static MeBool rolls(const KeaContact *c) {
     return isRound(c, 0) || isRound(c, 1);
 }
 
+static void setArms(const MdtKeaSystem *s, KeaContact *c) {
+    keaZero(c->turn);
+    for (int k = 0; k < 2; k++)
+        keaSubtract(c->arm[k], c->point, poseOf(s, c, k)->pos);
+    c->moves = rolls(c) ? !isArmConstant(s, c, 0) || !isArmConstant(s, c, 1) : findSharedTurn(s, c);
+}
+
+void kea_contactPlaceAnew(const MdtKeaSystem *s, KeaContact *c) {
+    setAnchors(s, c);
+    setArms(s, c);
+}
+
 void kea_contactPlace(const MdtKeaSystem *s, KeaContact *c) {
     if (s->parameters.elapsed > 0)
         followBodies(s, c);
     else
         setAnchors(s, c);
-    keaZero(c->turn);
-    for (int k = 0; k < 2; k++)
-        keaSubtract(c->arm[k], c->point, poseOf(s, c, k)->pos);
-    c->moves = rolls(c) ? !isArmConstant(s, c, 0) || !isArmConstant(s, c, 1) : findSharedTurn(s, c);
+    setArms(s, c);
 }
 
 void kea_contactArms(const MdtKeaSystem *s, const KeaContact *c, double share, double arm[2][3]) {
