@@ -82,6 +82,10 @@ typedef struct MdtReport {
     /* how far off */
     MeReal residualVelocity; /**< m/s: largest velocity of a row that its force should have prevented (angular: times
                                 the bodies' radius of gyration) */
+    /** The same in tolerances, of which each contact and joint has its own: accuracy (MdtWorldSetAccuracy) and a tenth
+     *  of its bodies' change of velocity, less where it bears more than their own weight or joins unequal masses, and
+     *  at most 1e-4 of a size a step. Up to 1 the accuracy is met; 0: by the exact solver, to its own tolerance. */
+    MeReal excess;
     MeReal residualForce;    /**< N: largest change of a row's force that would prevent it (angular: N m) */
     MeReal jointError;       /**< m: largest error left in a joint against what this step asked (angular: rad) */
     MeReal jointGap;    /**< m: how far the bodies of a joint are from where it holds them, at the end of the step */

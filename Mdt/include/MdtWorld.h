@@ -268,8 +268,8 @@ MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
  *
  *  Exact: Newton's method, to the tolerances that docs/lab/accuracy.md states. Fast: an iterative method in single
  *  precision that visits contacts in passes, more of them the higher a pile is and the more masses differ. It leaves
- *  small velocities at contacts (MdtReport, `residualVelocity`), by which bodies sink and creep a little until they
- *  rest.
+ *  small velocities at contacts (MdtReport, `residualVelocity`, `excess`), by which bodies sink and creep a little
+ *  until they rest.
  *
  *  MdtSolverAuto, the default, takes the exact one where that costs no more than the fast one, or where the world's
  *  accounts of exact work pay it: for partitions of which the exact one has taken the last step as long as that is

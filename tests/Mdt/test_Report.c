@@ -168,15 +168,14 @@ START_TEST(joints_that_contradict_each_other_are_told) {
 }
 END_TEST
 
-/* Twelve boxes of 1 kg and 100 kg by turns, which slide over each other and press on each other. */
-static MdtWorldID movingPile(void) {
-    enum { BODIES = 12 };
-    MdtWorldID w = reportedWorld(BODIES, 4 * BODIES, 10);
+/* Boxes of 1 kg and 100 kg by turns, which slide over each other and press on each other. */
+static MdtWorldID pileOf(unsigned int bodies) {
+    MdtWorldID w = reportedWorld(bodies, 4 * bodies, 10);
     const double edge[3] = {1, 1, 1};
     MdtWorldSetSolver(w, MdtSolverExact);
     MdtWorldSetEpsilon(w, 0);
     MdtBodyID below = 0;
-    for (int i = 0; i < BODIES; i++) {
+    for (unsigned int i = 0; i < bodies; i++) {
         MdtBodyID b = scene_box(w, i % 2 ? 100 : 1, edge, .1 * (i % 3), i + .5, 0);
         MdtBodySetLinearVelocity(b, (MeReal)(i % 2 ? 3 : -2), -1, 0);
         for (int k = 0; k < 4; k++) {
@@ -197,7 +196,7 @@ static MdtWorldID movingPile(void) {
 START_TEST(a_solve_that_is_stopped_short_tells_its_residual) {
     MdtReport r = {0};
     for (int cap = 0; cap <= 1; cap++) {
-        MdtWorldID w = movingPile();
+        MdtWorldID w = pileOf(12);
         MdtWorldSetMaxLCPIterations(w, cap);
         messages_catch();
         MdtWorldStep(w, FRAME);
@@ -205,6 +204,7 @@ START_TEST(a_solve_that_is_stopped_short_tells_its_residual) {
         r = reportOf(w);
         ck_assert_int_eq(r.fallbacks > 0, caught.warnings > 0);
         ck_assert_int_eq(r.fallbacks > 0, cap);
+        ck_assert_int_eq(r.excess > 0, cap);
         if (!cap) {
             assert_below(r.residualVelocity, 1e-5);
             assert_below(r.residualForce, 1e-1); /* of weights of 7 kN */
@@ -214,6 +214,34 @@ START_TEST(a_solve_that_is_stopped_short_tells_its_residual) {
     ck_assert_double_gt(r.residualVelocity, 1e-4);
     /* A row between bodies of 1 kg and of 100 kg weighs 0.2 kg at least, 1 kg at most. */
     ck_assert_double_gt((double)(r.residualForce * FRAME), .1 * (double)r.residualVelocity);
+}
+END_TEST
+
+/* Of one step by the fast solver; no budget: 0. */
+static MdtReport fastStep(unsigned int bodies, double accuracy, double budget) {
+    MdtWorldID w = pileOf(bodies);
+    MdtWorldSetSolver(w, MdtSolverFast);
+    MdtWorldSetAccuracy(w, (MeReal)accuracy);
+    MdtWorldSetWorkBudget(w, (MeReal)budget);
+    messages_catch();
+    MdtWorldStep(w, FRAME);
+    messages_release();
+    const MdtReport r = reportOf(w);
+    MdtWorldDestroy(w);
+    return r;
+}
+
+/* The fast solver takes passes until its answer meets the accuracy, as it does of one box, and tells where it does not,
+ * as of many with different masses, the less where its work is bounded. */
+START_TEST(an_excess_up_to_one_meets_the_accuracy) {
+    const MdtReport lax = fastStep(1, 1e-2, 0), strict = fastStep(1, 1e-6, 0);
+    assert_below(lax.excess, 1);
+    assert_below(strict.excess, 1);
+    ck_assert_double_ge((double)strict.work, (double)lax.work);
+    const MdtReport whole = fastStep(12, 1e-4, 0), limited = fastStep(12, 1e-4, 1e-3);
+    ck_assert_double_gt((double)whole.excess, 1);
+    ck_assert_double_gt((double)limited.excess, (double)whole.excess);
+    ck_assert_double_gt((double)whole.work, 2 * (double)limited.work);
 }
 END_TEST
 
@@ -285,7 +313,7 @@ END_TEST
 
 /* Nobody need mend what a budget ends: its report says so. */
 START_TEST(a_budget_that_is_used_up_is_told_to_developers_only) {
-    MdtWorldID w = movingPile();
+    MdtWorldID w = pileOf(12);
     MdtWorldSetWorkBudget(w, (MeReal).02);
     const MdtReport r = stepListening(w);
     ck_assert_int_gt(r.limited, 0);
@@ -779,6 +807,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, the_deepest_contact_is_told_as_it_was_when_the_step_began);
     tcase_add_test(t, joints_that_contradict_each_other_are_told);
     tcase_add_test(t, a_solve_that_is_stopped_short_tells_its_residual);
+    tcase_add_test(t, an_excess_up_to_one_meets_the_accuracy);
     tcase_add_test(t, velocity_stages_are_counted);
     tcase_add_test(t, a_cap_that_suffices_and_an_answer_that_is_exact_are_not_spoken_of);
     tcase_add_test(t, a_budget_that_is_used_up_is_told_to_developers_only);

@@ -198,6 +198,7 @@ void mdt_reportPart(MdtReport *r, const MdtIsland *p, MeBool isFinite) {
     if (kea->report.limited)
         mdt_reportWay(r, MdtReportWayLimited);
     keepMost(&r->residualVelocity, kea->report.residual);
+    keepMost(&r->excess, kea->report.excess);
     keepMost(&r->residualForce, kea->report.force);
     keepMost(&r->jointError, kea->report.error);
     r->jointGap = r->jointTurn = 0;
@@ -310,6 +311,7 @@ static void keepErrors(MdtReport *most, const MdtReport *r) {
     most->why = r->way > most->way ? r->why : most->why;
     mdt_reportWay(most, r->way);
     keepMost(&most->residualVelocity, (double)r->residualVelocity);
+    keepMost(&most->excess, (double)r->excess);
     keepMost(&most->residualForce, (double)r->residualForce);
     keepMost(&most->jointError, (double)r->jointError);
     keepMost(&most->jointGap, (double)r->jointGap);
