@@ -459,6 +459,41 @@ START_TEST(a_violently_turning_pair_stays_together) {
 }
 END_TEST
 
+/* The largest force on a door of 1 kg that turns with 1 rad/s on two hinges whose axes are so far apart, in m. */
+static double forceOnDoor(double apart) {
+    MdtWorldID w = scene_world(1, 2, 9.81);
+    MdtWorldSetEpsilon(w, 0);
+    MdtWorldSetSolver(w, MdtSolverExact);
+    MdtBodyID door = scene_body(w, 1, .5, 0, 0);
+    MdtHingeID hinge[2];
+    double most = 0;
+    MdtBodySetAngularVelocity(door, 0, 1, 0);
+    for (int k = 0; k < 2; k++) {
+        hinge[k] = MdtHingeCreate(w);
+        MdtHingeSetBodies(hinge[k], door, 0);
+        MdtHingeSetPosition(hinge[k], (MeReal)(k * apart), (MeReal)(2 * k - 1), 0);
+        MdtHingeSetAxis(hinge[k], 0, 1, 0);
+        MdtHingeEnable(hinge[k]);
+    }
+    for (int i = 0; i < 300; i++) {
+        MeVector3 f;
+        MdtWorldStep(w, FRAME);
+        for (int k = 0; k < 2; k++) {
+            MdtHingeGetForce(hinge[k], 0, f);
+            most = fmax(most, (double)MeVector3Magnitude(f));
+        }
+    }
+    MdtWorldDestroy(w);
+    return most;
+}
+
+/* Hinges whose axes are parallel allow no turn: forces are those that stop it, and do not grow from step to step. */
+START_TEST(hinges_that_contradict_each_other_do_not_build_up_forces) {
+    assert_below(forceOnDoor(0), 12);
+    assert_below(forceOnDoor(1e-6), 1e5);
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_test(t, only_the_angle_is_free);
     tcase_add_test(t, the_angle_counts_full_turns);
@@ -482,6 +517,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, limits_follow_the_guide_s_rules);
     tcase_add_test(t, set_limit_copies_the_public_values);
     tcase_add_test(t, a_violently_turning_pair_stays_together);
+    tcase_add_test(t, hinges_that_contradict_each_other_do_not_build_up_forces);
 }
 
 TEST_MAIN("Hinge", tests)

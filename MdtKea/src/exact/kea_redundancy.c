@@ -1,8 +1,10 @@
 /* Impulses of redundant joints: the solution of least norm.
  *
  * Where joints make a loop, Jᵀ has a null space. The component of p in it is arbitrary, and grows from step to step if
- * the joints contradict each other, be it by rounding. The p of least weighted norm is reported and kept as the next
- * warm start:
+ * the joints contradict each other, be it by rounding: a door of 1 kg that turns on two hinges 1e-6 m apart, with
+ * epsilon 0, is held by 1.7e4 N, by 7e6 N after 300 steps without this, and by 5e11 N after 20 000 (Mdt_Hinge:
+ * hinges_that_contradict_each_other_do_not_build_up_forces). The p of least weighted norm is reported and kept as the
+ * next warm start:
  *
  *     min 1/2 Σ p_i² / w_i,  Jᵀ p = f:    p = W J y,   (Jᵀ W J + δ B) y = f,
  *
