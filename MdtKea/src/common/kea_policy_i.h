@@ -240,10 +240,6 @@ enum {
     KEA_ITERATION_VISITS = 8 /* of an iteration: gradient, forces, and five of the line search */
 };
 
-/* Factorizations that a solve must be able to pay, or one that may be declined is not begun. Ordinary steps take 1 to
- * 6. */
-enum { KEA_ORDINARY_FACTORIZATIONS = 2 };
-
 /* ---- sweeps ----
  *
  * x2 and /2 of each fail MdtKea_policy: sweeps_share_what_work_is_left. */

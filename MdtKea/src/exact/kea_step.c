@@ -491,7 +491,7 @@ void kea_exactSolve(MdtKeaSystem *s) {
     }
     s->report.capped = s->numRows > 0; /* stays if kea_problemBegin has no memory */
     if (s->numRows > 0 && kea_problemBegin(q, s->cache)) {
-        const double least = KEA_ORDINARY_FACTORIZATIONS * kea_factorFlops(q->factor);
+        const double least = kea_factorFlops(q->factor); /* of a step that takes one factorization */
         if (s->parameters.mayDecline && s->parameters.maxWork > 0 && least > s->parameters.maxWork) {
             decline(s, least);
             return;
