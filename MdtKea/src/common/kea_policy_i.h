@@ -125,7 +125,8 @@ static const double kea_centredArm = 1e-3;
  * hold. x2 and /2 fail MdtKea_policy: a_runaway_has_ten_times_the_energy. */
 static const double kea_runawayRoom = 10;
 /* Times the load speed: a greater acceleration in the last step was a jerk, and is no guess for this one. It
- * changes the first guess only, never the answer beyond tolerance. x2 and /2 fail MdtKea_policy:
+ * changes the first guess only, never the answer beyond tolerance. Without it Mdt_CarWheel fails,
+ * the_steering_motor_moves_and_stops, in one figure by 3e-5. x2 and /2 fail MdtKea_policy:
  * an_acceleration_goes_on_up_to_thirty_loads. */
 static const double kea_jerk = 30;
 
@@ -189,7 +190,8 @@ enum {
     /* Of the coupled one, which has no potential: quadratic near the answer, else the outer iteration has to bring it
      * there. /2 fails MdtKea_policy: iterations_of_solves. */
     KEA_MAX_COUPLED = 12,
-    /* Solves with kept factors: each leaves 1e-2 of the error or less where they are any good. x2 and /2 fail
+    /* Solves with kept factors: each leaves 1e-2 of the error or less where they are any good. Without such solves
+     * bridges under a ton take 4 to 6 % more work (bench/choice, ton-bridge-0.5-1 and -1-1). x2 and /2 fail
      * MdtKea_policy: factors_that_are_kept_are_good_enough. */
     KEA_MAX_REFINEMENTS = 4,
     /* Halvings of its step: an eighth at least. Reasoned: shorter steps go to the outer iteration instead. x2 and /2
@@ -215,7 +217,8 @@ static const double kea_lineSearchTolerance = 1e-3, kea_longestStep = 64;
  * rounding. x2 and /2 of either fail MdtKea_policy: iterations_of_solves. */
 static const double kea_convexRounding = 1e5, kea_convexProgress = 0.3;
 /* The coupled step must leave at most this of the error; else it is shorter, or rounding below the second, in
- * tolerances. x2 and /2 of either fail MdtKea_policy: iterations_of_solves. */
+ * tolerances. With 1 for the first Mst_SweptJoints fails, swept_pairs_on_hinges_do_not_explode, and a wall takes 8 %
+ * more work (bench/choice). x2 and /2 of either fail MdtKea_policy: iterations_of_solves. */
 static const double kea_coupledProgress = 0.9, kea_coupledRounding = 1e3;
 /* Of the error: what a solve with kept factors may leave; else there is a new factor. x2 and /2 fail MdtKea_policy:
  * factors_that_are_kept_are_good_enough. */
@@ -325,7 +328,8 @@ static const double kea_unloadedSpeed = 1e-6;
  * part of a round, so that what is reflected does not meet again. x2 and /2 fail MdtKea_policy:
  * impacts_are_solved_to_twelve_digits. */
 static const double kea_impactTolerance = 1e-12;
-/* Of friction: a force that is less than the bound by more than this sticks. x2 and /2 fail MdtKea_policy:
+/* Of friction: a force that is less than the bound by more than this sticks. With 0 what slides seems to stop: a wall
+ * takes 15 % more work, 100 balls that roll 25 % (bench/choice, wall and roll-100). x2 and /2 fail MdtKea_policy:
  * friction_below_its_bound_by_rounding_slides. */
 static const double kea_stickMargin = 1e-7;
 /* Of the smaller body's size: a gap below it touches. 1e-5 in double precision toppled a tower, 1e-6 left it rocking
@@ -343,7 +347,8 @@ static const double kea_touchingGap = 1e-5;
  * never reaches 180. Reasoned: nothing is carried round a third of a circle in a step. */
 static const double kea_mostChord = 2.1;
 /* Rad a step by the splitting's own rates: below it the leapfrog's error, angle³/12, is 1e-7 of a radian in the worst
- * case. Reasoned: it is work against accuracy of slow rotation. x2 and /2 fail MdtKea_policy:
+ * case. Reasoned: it is work against accuracy of slow rotation. With 0 Mdt_Behaviours_Joints fails,
+ * a_ball_and_socket_leaves_all_rotations_free. x2 and /2 fail MdtKea_policy:
  * rotation_beyond_a_hundredth_of_a_radian_is_of_fourth_order. */
 static const double kea_slowRotation = 1e-2;
 /* Rad, the same: faster rotation is divided. A box of 1 x .5 x .2 m about its middle axis keeps energy to 5.7e-8 for
@@ -410,7 +415,8 @@ static const double kea_mostPush = 0.1;
  * x2 and /2 fail MdtKea_fast_policy: joints_of_thin_bodies_are_softer_by_half_of_the_decades. */
 static const double kea_softerJoint = 1e3;
 /* Bodies that joints tie together, for which rows with bounds are given the response of all: their memory, and a visit,
- * go with the bodies. Reasoned: 128 are 6 kB a row. x2 and /2 fail MdtKea_fast_policy:
+ * go with the bodies: where all blocks do so, a free chain of 1000 hinges with motors takes 364 ms a step instead of
+ * 11, one of 300 19 instead of 10. 128 are 6 kB a row. x2 and /2 fail MdtKea_fast_policy:
  * motors_feel_a_block_of_up_to_128_bodies. */
 enum { KEA_WIDE_BLOCK = 128 };
 /* Of the product of its diagonal, a determinant in single precision: 6e-8 / 1e-4 is what is wrong with the inverse. x2
