@@ -39,7 +39,7 @@ ALONE = [
 PRESETS = {'ON': ['asan', 'ci', 'ci-double', 'dev', 'tsan'], 'OFF': ['asan-release', 'bench', 'double', 'release']}
 CONFIGURATIONS = {'Debug': BOTH, 'RelWithDebInfo': ASSERTIONS, 'Release': NEITHER, 'MinSizeRel': NEITHER}
 
-PROGRAM = '''cmake_minimum_required(VERSION 3.25)
+PROGRAM = '''cmake_minimum_required(VERSION 3.22)
 project(game C CXX)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 add_subdirectory({source} karma)
