@@ -3,11 +3,13 @@
 
 usage: check_tutorial.py <program> <png_check> <frames> <single|double>
 
-For all: so many frames (or FRAMES of effects/<name>.py, if that is fewer) without a warning, the same end on one thread and on
-two, a picture of its own, F1 shows the help, and it contains no more of Karma than it uses. After 120 frames the bodies of those
-that are in states.txt are where they have been on every machine: `check_tutorial.py ... --state` prints the line for that file. The effect is checked by check() in
-effects/<name>.py, most often by the figures of the status line, which a run without a window prints at its end. Effects that
-take long (IS_LONG) are not checked where frames are fewer than 600.
+For all: so many frames (or FRAMES of effects/<name>.py, if that is fewer) without a warning, of 600 the same end on
+one thread and on two, a picture of its own, F1 shows the help, and it contains no more of Karma than it uses. After
+120 frames the bodies of those that are in states.txt are where they have been on every machine: `check_tutorial.py
+... --state` prints the line for that file. The effect is checked by check() in effects/<name>.py, most often by the
+figures of the status line, which a run without a window prints at its end. Effects that take long (IS_LONG) are not
+checked where frames are fewer than 600. Fewer than 100 are for sanitizers, which find nothing in what is asserted:
+two threads, a picture with the help, and the keys.
 """
 import importlib
 import os
@@ -23,7 +25,8 @@ from tutorial import SIZE, look, picture, program, status
 def check_all(effect):
     frames = frames_of(effect)
     end = status(frames)
-    assert end == status(frames, workers=2), 'on two threads it ends differently'
+    compared = min(frames, 600)
+    assert status(compared) == status(compared, workers=2), 'on two threads it ends differently'
     assert not re.search(r'\b(nan|inf)\b', end, re.I), f'not finite: {end}'
     look('size', picture('all.png', 30), '%dx%d' % SIZE)
     look('help', 'all.png', picture('help.png', 30, '-key', 'F1@20'))
@@ -56,6 +59,13 @@ def press_all(effect):
     status(frames_of(effect), '3@20,4@30,5@40,Up@45,Left@50,Enter@60')
 
 
+def run_sanitized(effect):
+    end = status(frames_of(effect), workers=2)
+    assert not re.search(r'\b(nan|inf)\b', end, re.I), f'not finite: {end}'
+    picture('help.png', 30, '-key', 'F1@20')
+    press_all(effect)
+
+
 if sys.argv[-1] == '--state':
     print(os.path.basename(program), state())
     sys.exit(0)
@@ -63,6 +73,10 @@ with tempfile.TemporaryDirectory() as directory:
     os.chdir(directory)
     try:
         effect = importlib.import_module('effects.' + os.path.basename(program))
+        if int(sys.argv[3]) < 100:
+            run_sanitized(effect)
+            print('as it should be')
+            sys.exit(0)
         check_all(effect)
         check_state()
         if getattr(effect, 'IS_LONG', False) and int(sys.argv[3]) < 600:
