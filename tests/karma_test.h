@@ -32,6 +32,9 @@
 #if __has_feature(address_sanitizer)
 #define TEST_IS_SLOW 1
 #endif
+#if __has_feature(thread_sanitizer)
+#define TEST_IS_FOR_THREADS 1 /* of the build that looks for races, which takes 15 times as long */
+#endif
 #endif
 
 /* margins.c: with KARMA_TEST_MARGINS=file each comparison appends to that file how much of its tolerance it used. */

@@ -110,13 +110,19 @@ static void comparePair(int kindA, int kindB, int pose, double scale, MeBool sla
                   deepest(&m), expected, (expected - deepest(&m)) / size);
 }
 
+#ifdef TEST_IS_SLOW
+enum { POSES_OF_A_PAIR = 10 }; /* the reference takes most of the time */
+#else
+enum { POSES_OF_A_PAIR = 60 };
+#endif
+
 /* For long runs: NEARFIELD_POSES=60000 poses of each pair, a third of them of each kind, NEARFIELD_PAIR=hull-hull
  * only. */
 static int posesOf(int i, int j) {
     const char *const poses = getenv("NEARFIELD_POSES"), *const only = getenv("NEARFIELD_PAIR");
     char pair[40];
     snprintf(pair, sizeof pair, "%s-%s", shape_name[i], shape_name[j]);
-    return only && strcmp(only, pair) ? 0 : poses ? atoi(poses) : 100;
+    return only && strcmp(only, pair) ? 0 : poses ? atoi(poses) : POSES_OF_A_PAIR;
 }
 
 START_TEST(depths_are_those_of_the_reference) {

@@ -90,6 +90,12 @@ static void addLowTriangle(double size) {
                      terrain_vertex(&ground, 0, r, z), 0);
 }
 
+#ifdef TEST_IS_SLOW
+enum { TURNS = 30 };
+#else
+enum { TURNS = 300 };
+#endif
+
 /* On a grid of triangles as on a plane: the lowest point is the deepest, and the normal is the plane's. */
 static void onPlane(int kind, double size, int isAlone) {
     MeReal down[3] = {0, 0, -1}, up[3] = {0, 0, 1};
@@ -103,7 +109,7 @@ static void onPlane(int kind, double size, int isAlone) {
     McdModelSetContactTolerance(probe.model, (MeReal)(.01 * size));
     McdModelSetContactTolerance(probe.ground, 0);
     seed = 1;
-    for (int i = 0; i < 300; i++) {
+    for (int i = 0; i < TURNS; i++) {
         randomTurn(probe.tm);
         MeMatrix4TMSetPosition(probe.tm, (MeReal)(size * (random01() - .5)), (MeReal)(size * (random01() - .5)), 0);
         McdGeometryMaximumPoint(McdModelGetGeometry(probe.model), (const MeVector4 *)probe.tm, down, lowest);
@@ -560,7 +566,7 @@ START_TEST(nothing_falls_through_where_corners_meet_edges) {
         seed = (unsigned int)kind;
         makeSeam(kind % 2 ? ONE_SIDED : kMcdTriangleUseSmallestPenetration);
         probe_init(&probe, makeShape(kind / 2, 1), terrain_list(frame, &ground));
-        for (int i = 0; i < 30; i++) {
+        for (int i = 0; i < TURNS / 10; i++) {
             randomTurn(probe.tm);
             MeMatrix4TMSetPosition(probe.tm, (MeReal)(.6 * (random01() - .5)), (MeReal)(2 * (random01() - .5)), 0);
             probe.tm[3][2] = (MeReal)(.01 - lowestOf(&probe));

@@ -19,6 +19,8 @@
 #endif
 #ifdef IS_SANITIZED
 enum { SCENES = 1000, STRIDE = 10 };
+#elif defined _ME_API_DOUBLE
+enum { SCENES = 1000, STRIDE = 3 };
 #else
 enum { SCENES = 1000, STRIDE = 1 };
 #endif

@@ -218,7 +218,12 @@ END_TEST
 
 START_TEST(help_is_inside_the_picture) {
     static const char *const sizes[] = {"-osmesa -size 320x240", "-osmesa -size 960x600", "-osmesa -size 3840x2160"};
-    for (int n = 0; n < 3; n++) {
+#ifdef TEST_IS_SLOW
+    enum { SIZES = 2 };
+#else
+    enum { SIZES = 3 };
+#endif
+    for (int n = 0; n < SIZES; n++) {
         start(sizes[n]);
         sphereOnGround();
         RPicture p = shoot(1);
