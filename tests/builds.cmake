@@ -30,7 +30,7 @@ set(KARMA_ONCE_IN_SINGLE
 # 1 s and more in the build `ci`, of a processor; everything else is labelled `quick`.
 set(KARMA_DEAR
   docs.* fuzz.* install.* sweep.* tutorials.* api.coverage
-  structure.headers structure.build_types structure.policy states.*
+  structure.format structure.headers structure.build_types structure.policy states.*
   MeApp.window viewer.Picture viewer.Up viewer.interface viewer.runs viewer.window
   scenes.faults scenes.instructions scenes.linkage scenes.rings scenes.scenes
   Mcd.BoxBox Mcd.Ccd Mcd.Convex Mcd.Guess Mcd.MassProperties Mcd.MeshQuery Mcd.RandomPoses Mcd.Threads Mcd.TriangleList

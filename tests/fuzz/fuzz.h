@@ -29,7 +29,7 @@ MeBool fuzzIsNasty(FuzzRandom *random);                             /* as often 
 double fuzzUniform(FuzzRandom *random, double lower, double upper); /* a sane number */
 double fuzzReal(FuzzRandom *random);                                /* any number, NaN and infinities too */
 long fuzzInteger(FuzzRandom *random);                               /* any int */
-void fuzzMatrix(FuzzRandom *random, MeReal *tm);                 /* a transform, mostly a rigid one */
+void fuzzMatrix(FuzzRandom *random, MeReal *tm);                    /* a transform, mostly a rigid one */
 
 /* ---- lines ---- */
 

@@ -14,8 +14,8 @@
 
 enum { RODS = 6, KEYLESS = 2, COPIES };
 
-static const MeReal step = (MeReal)(1.0 / 60);                              /* s */
-static const MeReal size[3] = {(MeReal)0.7, (MeReal)0.12, (MeReal)0.12};    /* m */
+static const MeReal step = (MeReal)(1.0 / 60);                                                  /* s */
+static const MeReal size[3] = {(MeReal)0.7, (MeReal)0.12, (MeReal)0.12};                        /* m */
 static const MeReal hookAt[COPIES][3] = {{(MeReal)-4.6, 5, 0}, {0, 5, 0}, {(MeReal)4.6, 5, 0}}; /* m */
 
 static MdtWorldID world[COPIES]; /* worlds have nothing to do with each other */
