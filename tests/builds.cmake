@@ -24,7 +24,7 @@ set(KARMA_ONCE_WITHOUT_SANITIZERS
 # pictures; and convex shapes, which Mcd has in double in each build.
 set(KARMA_ONCE_IN_SINGLE
   scenes.linkage scenes.rings Mcd.BoxBox Mcd.Ccd Mcd.Convex Mcd.Guess Mcd.RandomPoses Mcd.Threads
-  Mst.Advise Mst.Callbacks Mst.Cases_Long Mst.Choice Mst.Jointed Mst.Memory Mst.Spikes Mst.Threads
+  Mst.Advise Mst.Callbacks Mst.Cases_Long Mst.Memory Mst.Threads
   MeApp.window viewer.Picture viewer.Up viewer.runs viewer.window tutorials.advise install.programs fuzz.files)
 
 # 1 s and more in the build `ci`, of a processor; everything else is labelled `quick`.
