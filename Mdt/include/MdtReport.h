@@ -86,11 +86,11 @@ typedef struct MdtReport {
      *  of its bodies' change of velocity, less where it bears more than their own weight or joins unequal masses, and
      *  at most 1e-4 of a size a step. Up to 1 the accuracy is met; 0: by the exact solver, to its own tolerance. */
     MeReal excess;
-    MeReal residualForce;    /**< N: largest change of a row's force that would prevent it (angular: N m) */
-    MeReal jointError;       /**< m: largest error left in a joint against what this step asked (angular: rad) */
-    MeReal jointGap;    /**< m: how far the bodies of a joint are from where it holds them, at the end of the step */
-    MeReal jointTurn;   /**< rad: the same for joints that hold directions */
-    MeReal penetration; /**< m: of the deepest contact as the step began, 0 where none is deep, or at rest */
+    MeReal residualForce; /**< N: largest change of a row's force that would prevent it (angular: N m) */
+    MeReal jointError;    /**< m: largest error left in a joint against what this step asked (angular: rad) */
+    MeReal jointGap;      /**< m: how far the bodies of a joint are from where it holds them, at the end of the step */
+    MeReal jointTurn;     /**< rad: the same for joints that hold directions */
+    MeReal penetration;   /**< m: of the deepest contact as the step began, 0 where none is deep, or at rest */
     /* energy at the end of the step */
     MeReal kineticEnergy;   /**< J, of the bodies */
     MeReal potentialEnergy; /**< J, in the world's gravity, 0 at the origin; of gravity only, not of springs */

@@ -98,9 +98,9 @@ typedef enum MdtBclContactOption {
 /** The properties of a contact (Dynamics guide ch. 3, "The MdtBclContactParams Structure"). */
 typedef struct MdtBclContactParams {
     MdtContactType type;
-    MdtFrictionModel model1;     /**< along the primary direction */
-    MdtFrictionModel model2;     /**< along the secondary direction */
-    int options;                 /**< MdtBclContactOption, or-ed */
+    MdtFrictionModel model1; /**< along the primary direction */
+    MdtFrictionModel model2; /**< along the secondary direction */
+    int options;             /**< MdtBclContactOption, or-ed */
     union {
         MeReal FrictionCoefficient; /**< of the normal-force model, along the primary direction */
         MeReal frictioncoeff1;      /**< the same member under the name that 1.2 gave it */
@@ -109,16 +109,16 @@ typedef struct MdtBclContactParams {
         MeReal FrictionCoefficient2; /**< the same along the secondary direction */
         MeReal frictioncoeff2;       /**< the same member under the name that 1.2 gave it */
     };
-    MeReal restitution;          /**< 0..1 */
-    MeReal velThreshold;         /**< m/s, slower impacts do not bounce */
-    MeReal softness;             /**< 1/kg, added to the world's epsilon along this contact's normal */
-    MeReal max_adhesive_force;   /**< N, how hard the contact may pull */
-    MeReal friction1;            /**< N, bound of the box model, primary direction; MEINFINITY: none */
-    MeReal friction2;            /**< N, the same along the secondary direction */
-    MeReal slip1;                /**< m/s per N along the primary direction */
-    MeReal slip2;                /**< m/s per N along the secondary direction */
-    MeReal slide1;               /**< m/s, surface velocity along the primary direction */
-    MeReal slide2;               /**< m/s, the same along the secondary direction */
+    MeReal restitution;        /**< 0..1 */
+    MeReal velThreshold;       /**< m/s, slower impacts do not bounce */
+    MeReal softness;           /**< 1/kg, added to the world's epsilon along this contact's normal */
+    MeReal max_adhesive_force; /**< N, how hard the contact may pull */
+    MeReal friction1;          /**< N, bound of the box model, primary direction; MEINFINITY: none */
+    MeReal friction2;          /**< N, the same along the secondary direction */
+    MeReal slip1;              /**< m/s per N along the primary direction */
+    MeReal slip2;              /**< m/s per N along the secondary direction */
+    MeReal slide1;             /**< m/s, surface velocity along the primary direction */
+    MeReal slide2;             /**< m/s, the same along the secondary direction */
 } MdtBclContactParams;
 
 /** The rows of a constraint that a program writes (MdtBcl.h). */
@@ -136,10 +136,10 @@ typedef void(MEAPI *MdtBclAddConstraintFn)(MdtKeaConstraints *const keaConstrain
 
 /** A step's parameters, for the rows. */
 typedef struct MdtBclSolverParameters {
-    double stepsize;  /**< s */
-    double epsilon;   /**< 1/kg, the world's, made fit for this length of step */
-    double gamma;     /**< fraction of an error that one step removes, made fit for this length of step */
-    double softening; /**< what epsilon was multiplied by to make it fit; for other compliances of its kind */
+    double stepsize;    /**< s */
+    double epsilon;     /**< 1/kg, the world's, made fit for this length of step */
+    double gamma;       /**< fraction of an error that one step removes, made fit for this length of step */
+    double softening;   /**< what epsilon was multiplied by to make it fit; for other compliances of its kind */
     MeBool hasContacts; /**< something in the partition may be hit */
 } MdtBclSolverParameters;
 

@@ -15,12 +15,13 @@
 #endif
 #define ME_VERSION_TEXT_OF(a, b, c) #a "." #b "." #c
 #define ME_VERSION_TEXT(a, b, c)    ME_VERSION_TEXT_OF(a, b, c)
-#define ME_VERSION_STRING                                                                                              \
-    ME_VERSION_TEXT(ME_PRODUCTVERSION_MAJOR, ME_PRODUCTVERSION_MINOR, ME_PRODUCTVERSION_REV)
-#define ME_BUILD_VERSION_STRING     ME_PRODUCT_NAME " " ME_VERSION_STRING
-#define ME_COPYRIGHT_LINE1          "Copyright the Karma authors."
-#define ME_COPYRIGHT_LINE2          "MIT licence: see the file LICENSE."
-#define ME_COPYRIGHT_LINE3          "An independent implementation of the interface of MathEngine Karma."
+
+#define ME_VERSION_STRING ME_VERSION_TEXT(ME_PRODUCTVERSION_MAJOR, ME_PRODUCTVERSION_MINOR, ME_PRODUCTVERSION_REV)
+
+#define ME_BUILD_VERSION_STRING ME_PRODUCT_NAME " " ME_VERSION_STRING
+#define ME_COPYRIGHT_LINE1      "Copyright the Karma authors."
+#define ME_COPYRIGHT_LINE2      "MIT licence: see the file LICENSE."
+#define ME_COPYRIGHT_LINE3      "An independent implementation of the interface of MathEngine Karma."
 
 ME_BEGIN_C
 

@@ -31,8 +31,7 @@ void mcd_discsSupport(const McdShape *s, const double d[3], double point[3]) {
     const Discs discs = discsOf(s);
     const double x = mcd_dot(s->axis[0], d), y = mcd_dot(s->axis[1], d), z = mcd_dot(s->axis[2], d);
     const double across = sqrt(x * x + y * y);
-    const int end =
-        discs.height[1] * z + discs.radius[1] * across >= discs.height[0] * z + discs.radius[0] * across;
+    const int end = discs.height[1] * z + discs.radius[1] * across >= discs.height[0] * z + discs.radius[0] * across;
     const double radius = discs.radius[end], k = across > 0 ? radius / across : 0;
     mcd_shapePoint(s, across > 0 ? x * k : radius, y * k, discs.height[end], point);
 }

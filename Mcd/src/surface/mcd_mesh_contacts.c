@@ -309,9 +309,8 @@ static MeBool addSearchedContacts(McdMeshQuery *q, McdMeshTriangle *t) {
     if (region == MCD_FLAT_BORDER && cosine < .5) /* pushed from the side of an edge that is not sharp: no contact */
         return METRUE;
 
-    const MeBool isFace =
-        mcd_distanceSquared(m.normal, face) < MCD_MESH_SAME_DIRECTION * MCD_MESH_SAME_DIRECTION ||
-        (region == MCD_FACE_REGION && cosine > 0);
+    const MeBool isFace = mcd_distanceSquared(m.normal, face) < MCD_MESH_SAME_DIRECTION * MCD_MESH_SAME_DIRECTION ||
+                          (region == MCD_FACE_REGION && cosine > 0);
     const MeBool isFromBehind = !(t->flags & kMcdTriangleTwoSided) && cosine < -MCD_MESH_SAME_DIRECTION;
     const MeBool mayUseBorder = (t->flags & kMcdTriangleUseSmallestPenetration) != 0;
     if (!isFace && region == MCD_BORDER_REGION && mayUseBorder && !isFromBehind) {
