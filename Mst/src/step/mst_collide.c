@@ -2,7 +2,7 @@
  *
  * Reads models, poses and motion of their bodies, materials; of each pair its manifold and its touch. Writes the run,
  * and in each pair Mcd's record of its last test. Nothing here calls the program, takes from a pool, or writes to
- * anything that two pairs share (mst_i.h names the two exceptions).
+ * anything that two pairs share (mst_step_i.h names the two exceptions).
  *
  * A pair that has stood still to the last bit since its last test keeps its contacts. One that has hardly moved has
  * them carried with its bodies. All others are tested.
