@@ -90,7 +90,7 @@ static void solveColumn(int count, double mass, double last, double accuracy) {
 
 /* Passes, by eight, until the residuals are small against their tolerances. */
 START_TEST(passes_end_where_the_accuracy_is_met) {
-    int before = KEA_LEAST_PASSES;
+    int before = KEA_MIN_PASSES;
     for (double accuracy = 1e-2; accuracy > 1e-6; accuracy *= 0.1) {
         solveColumn(4, 1, 1, accuracy);
         ck_assert_int_ge(s.report.iterations, before);
@@ -98,7 +98,7 @@ START_TEST(passes_end_where_the_accuracy_is_met) {
         assert_below(s.report.excess, 1);
         before = s.report.iterations;
     }
-    ck_assert_int_gt(before, KEA_LEAST_PASSES);
+    ck_assert_int_gt(before, KEA_MIN_PASSES);
 }
 END_TEST
 
@@ -108,7 +108,7 @@ START_TEST(loads_and_mass_ratios_ask_for_smaller_residuals) {
     solveColumn(2, 1, 1, 1e-3);
     assert_below(s.report.excess, 1);
     solveColumn(2, 1, 1e4, 1e-3);
-    ck_assert_int_eq(s.report.iterations, KEA_MOST_PASSES);
+    ck_assert_int_eq(s.report.iterations, KEA_MAX_PASSES);
     ck_assert_double_gt(s.report.excess, 10);
     solveColumn(COLUMN, 1, 1e3, 1e-3);
     ck_assert_double_gt(s.report.excess, 10);
@@ -120,7 +120,7 @@ START_TEST(held_extrapolation_is_that_of_eight_passes) {
     double theta = 1;
     for (int i = 0; i < KEA_MORE_PASSES; i++)
         theta = .5 * (1 + sqrt(1 + 4 * theta * theta));
-    assert_near(theta, kea_heldTheta, 1e-3);
+    assert_near(theta, kea_limitedTheta, 1e-3);
 }
 END_TEST
 
@@ -451,7 +451,7 @@ static double speedOfHeld(double along, double down) {
 
 /* It holds with any load, and not without one. The bound is the largest power of two whose products are finite. */
 START_TEST(friction_without_bound_is_bounded_by_single_precision) {
-    const volatile float bound = (float)kea_mostBound;
+    const volatile float bound = (float)kea_maxBound;
     assert_near(speedOfHeld(gravity, 1e-6 * gravity), 0, 1e-7);
     assert_near(speedOfHeld(gravity, -gravity), gravity * h, 1e-7);
     ck_assert(isfinite(bound * bound + bound) && !isfinite(2 * bound * 2 * bound));
@@ -461,7 +461,7 @@ END_TEST
 /* ---- workers ---- */
 
 static int regionsOf(int manifolds) {
-    static KeaNode nodes[KEA_MOST_NODES];
+    static KeaNode nodes[KEA_MAX_NODES];
     static KeaRegions regions = {.node = nodes};
     begin(16, manifolds, 0);
     for (int i = 0; i < 16; i++)

@@ -7,7 +7,7 @@
 enum { GROUPS = 40, BODIES = 1 + GROUPS * KEA_LANES * 2, PASSES = 12 };
 
 static KeaGroup groups[GROUPS] __attribute__((aligned(64)));
-static KeaMotion motion[BODIES], before[BODIES], way[BODIES];
+static KeaMotion motion[BODIES], before[BODIES], displacement[BODIES];
 static float speedChange[BODIES];
 static unsigned int seed;
 
@@ -54,7 +54,7 @@ static void setPoints(KeaGroup *g, int lane, int points) {
         g->x[k][lane] = points == 1 ? 0 : x[k] * chance(.5, 1);
         g->y[k][lane] = points == 1 ? 0 : y[k] * chance(.5, 1);
         g->gap[k][lane] = chance(-.01, .002);
-        g->sag[k][lane] = 1e-5f;
+        g->slop[k][lane] = 1e-5f;
         g->impulse[k][lane] = chance(0, .1);
         g->lever[k][lane] = points == 1 ? 0 : chance(.1, .7);
     }
@@ -89,7 +89,7 @@ static void makeGroupsOf(unsigned int from, int mostPoints) {
             setSurface(&groups[i], lane);
         }
     memcpy(before, motion, sizeof motion);
-    memset(way, 0, sizeof way);
+    memset(displacement, 0, sizeof displacement);
 }
 
 static void makeGroups(unsigned int from) {
@@ -112,7 +112,7 @@ static void run(const KeaKernel *kernel, KeaMeasure *measured) {
     kernel->measure(groups, GROUPS, motion, &tolerance, measured);
     kernel->advance(groups, GROUPS, motion, 1.f / 60);
     for (int i = 0; i < 4; i++)
-        kernel->push(groups, GROUPS, way);
+        kernel->push(groups, GROUPS, displacement);
 }
 
 START_TEST(every_width_gives_the_same_bits) {
@@ -126,16 +126,18 @@ START_TEST(every_width_gives_the_same_bits) {
     run(&kea_kernel, &narrowMeasured);
     memcpy(narrow, groups, sizeof narrow);
     memcpy(narrowMotion, motion, sizeof motion);
-    memcpy(narrowWay, way, sizeof way);
+    memcpy(narrowWay, displacement, sizeof displacement);
     makeGroups((unsigned int)_i);
     run(&kea_kernelAvx2, &measured);
     ck_assert_int_eq(memcmp(&measured, &narrowMeasured, sizeof measured), 0);
     ck_assert_int_eq(memcmp(motion, narrowMotion, sizeof motion), 0);
-    ck_assert_int_eq(memcmp(way, narrowWay, sizeof way), 0);
+    ck_assert_int_eq(memcmp(displacement, narrowWay, sizeof displacement), 0);
     for (int i = 0; i < GROUPS; i++) {
         ck_assert_int_eq(memcmp(groups[i].impulse, narrow[i].impulse, sizeof narrow[i].impulse), 0);
-        ck_assert_int_eq(memcmp(groups[i].rub, narrow[i].rub, sizeof narrow[i].rub), 0);
-        ck_assert_int_eq(memcmp(&groups[i].twist, &narrow[i].twist, sizeof narrow[i].twist), 0);
+        ck_assert_int_eq(memcmp(groups[i].frictionImpulse, narrow[i].frictionImpulse, sizeof narrow[i].frictionImpulse),
+                         0);
+        ck_assert_int_eq(memcmp(&groups[i].torsionImpulse, &narrow[i].torsionImpulse, sizeof narrow[i].torsionImpulse),
+                         0);
     }
 #endif
 }
@@ -153,18 +155,18 @@ START_TEST(visits_of_few_points_give_the_same_bits) {
     run(&kea_kernel, &measured);
     memcpy(all, groups, sizeof all);
     memcpy(allMotion, motion, sizeof motion);
-    memcpy(allWay, way, sizeof way);
+    memcpy(allWay, displacement, sizeof displacement);
     makeGroupsOf((unsigned int)(1 + _i), most);
     for (int i = 0; i < GROUPS; i++)
         groups[i].points = most;
     run(&kea_kernel, &measured);
     ck_assert_int_eq(memcmp(motion, allMotion, sizeof motion), 0);
-    ck_assert_int_eq(memcmp(way, allWay, sizeof way), 0);
+    ck_assert_int_eq(memcmp(displacement, allWay, sizeof displacement), 0);
     for (int i = 0; i < GROUPS; i++) {
         ck_assert_int_eq(memcmp(groups[i].impulse, all[i].impulse, sizeof all[i].impulse), 0);
-        ck_assert_int_eq(memcmp(groups[i].rub, all[i].rub, sizeof all[i].rub), 0);
+        ck_assert_int_eq(memcmp(groups[i].frictionImpulse, all[i].frictionImpulse, sizeof all[i].frictionImpulse), 0);
         for (int lane = 0; lane < KEA_LANES; lane++) /* where one of them is -0 */
-            assert_near(groups[i].twist[lane], all[i].twist[lane], 0);
+            assert_near(groups[i].torsionImpulse[lane], all[i].torsionImpulse[lane], 0);
     }
 }
 END_TEST
@@ -203,7 +205,7 @@ static Point pointOf(const KeaGroup *g, int lane, int k) {
             rate += (b == 0 ? 1 : -1) * n[i] * ((double)m->lin[i] + turn[i]);
     }
     const double impulse = (double)g->impulse[k][lane];
-    return (Point){rate - (double)g->target[k][lane] + (double)g->compliance[lane] * impulse, impulse};
+    return (Point){rate - (double)g->bias[k][lane] + (double)g->compliance[lane] * impulse, impulse};
 }
 
 /* Along t1 and t2 at the centre, and about the normal, from the bodies' motions. */
@@ -234,10 +236,10 @@ static void coupledRatesOf(const KeaGroup *g, int lane, double rate[3]) {
         resultant[1] += p * (double)g->x[k][lane];
         resultant[2] += p * (double)g->y[k][lane];
     }
-    const double twist = (double)g->twist[lane];
+    const double torsionImpulse = (double)g->torsionImpulse[lane];
     for (int k = 0; k < 2; k++)
-        rate[k] = (double)g->twistToSlide[k][lane] * twist;
-    rate[2] = g->twistMass[lane] > 0 ? twist / (double)g->twistMass[lane] : 0;
+        rate[k] = (double)g->torsionToSlide[k][lane] * torsionImpulse;
+    rate[2] = g->torsionMass[lane] > 0 ? torsionImpulse / (double)g->torsionMass[lane] : 0;
     for (int j = 0; j < 3; j++) {
         rate[0] += (double)g->toSlide[0][j][lane] * resultant[j];
         rate[1] += (double)g->toSlide[1][j][lane] * resultant[j];
@@ -250,7 +252,7 @@ START_TEST(rates_of_friction_follow_from_the_coupling) {
     memset(motion, 0, sizeof motion);
     for (int i = 0; i < GROUPS; i++)
         for (int lane = 0; lane < KEA_LANES; lane++)
-            groups[i].twist[lane] = groups[i].manifold[lane] >= 0 ? chance(-.1, .1) : 0;
+            groups[i].torsionImpulse[lane] = groups[i].manifold[lane] >= 0 ? chance(-.1, .1) : 0;
     kea_kernel.prepare(groups, GROUPS, 1.f / 60);
     kea_kernel.apply(groups, GROUPS, motion);
     for (int i = 0; i < GROUPS; i++)

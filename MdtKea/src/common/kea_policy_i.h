@@ -371,13 +371,13 @@ static const double kea_asymmetry = 1e-5, kea_leastMoment = 1e-12;
  * 10.6, 7.6 and 6.3 millions of multiplications a step until it rests, a row of dominoes .61, .76 and .95
  * (bench/choice). With 32, 48 and 64 at most a tower of 64 cubes falls, sinks by .6 and by .008 of a cube; above the
  * most, Newton's method is cheaper. */
-enum { KEA_LEAST_PASSES = 16, KEA_MOST_PASSES = 96, KEA_MORE_PASSES = 8 };
+enum { KEA_MIN_PASSES = 16, KEA_MAX_PASSES = 96, KEA_MORE_PASSES = 8 };
 /* Theta of the extrapolation, at most, once more passes have left more. Derived: what KEA_MORE_PASSES reach, so that it
  * goes no further than between two measures. 200 balls that settle in a pit leave .0034 m/s, and .0074 where all passes
  * are taken without it (Mst_Crowd: what_friction_feeds_is_held_back). x2 and /2 fail MdtKea_fast_policy:
- * held_extrapolation_is_that_of_eight_passes. KEA_LEAST_PASSES are taken from there on: no test tells 12, 24, 48 apart,
+ * held_extrapolation_is_that_of_eight_passes. KEA_MIN_PASSES are taken from there on: no test tells 12, 24, 48 apart,
  * which leave .0037, .0034, .0032 m/s in that test. */
-static const double kea_heldTheta = 5.42;
+static const double kea_limitedTheta = 5.42;
 /* Passes over displacements. 1 leaves half of the overlaps of a heap, 12 gain nothing. x2 and /2 fail
  * MdtKea_fast_policy: six_passes_push_bodies_apart. */
 enum { KEA_POSITION_PASSES = 6 };
@@ -391,7 +391,7 @@ static const double kea_pushExponent = 0.73;
  * fails Mst_Jointed: figures_of_any_kind_hold_together_and_gain_no_energy; of the second Mst_Crowd:
  * chains_hold_in_a_crowd; x2 of the first MdtKea_fast_policy: contacts_take_part_in_three_rounds_of_joints, x2 and /2
  * of the second joints_are_closed_at_three_millionths. */
-enum { KEA_JOINT_ROUNDS = 3, KEA_MOST_JOINT_ROUNDS = 8 };
+enum { KEA_JOINT_ROUNDS = 3, KEA_MAX_JOINT_ROUNDS = 8 };
 /* Of a body's size: joints and stops are closed. gamma adds up five steps' of it; a net of 225 balls in loops, whose
  * rows contradict each other by rounding, comes no nearer than 1.5e-6. 1e-5 lets the ropes of tutorial Bridge give way
  * by 2.5e-5 m. x2 and /2 fail MdtKea_fast_policy: joints_are_closed_at_three_millionths. */
@@ -410,7 +410,7 @@ static const double kea_roundShare = 0.1;
  * and a chain that is pulled straight asks for large ones. Without it a ton on a light chain opens it by a metre
  * (Mst_Jointed). /2 fails Mst_Crowd: chains_hold_in_a_crowd; x2 and /2 MdtKea_fast_policy:
  * a_pass_turns_by_a_tenth_of_a_radian. */
-static const double kea_mostPush = 0.1;
+static const double kea_maxPush = 0.1;
 /* Times kea_proximalLimit, where a block has no factor: half of its decades, so that the third trial is A_ii itself.
  * x2 and /2 fail MdtKea_fast_policy: joints_of_thin_bodies_are_softer_by_half_of_the_decades. */
 static const double kea_softerJoint = 1e3;
@@ -464,7 +464,7 @@ enum { KEA_PRESSED_SWEEPS = 3 };
 /* N s, or a coefficient of friction: a bound that is none. Derived: a coefficient times an impulse of that size, and
  * such a bound beside it, are within single precision, 2^128. x2 and /2 fail MdtKea_fast_policy:
  * friction_without_bound_is_bounded_by_single_precision. */
-static const double kea_mostBound = 0x1p63;
+static const double kea_maxBound = 0x1p63;
 /* Multiplications, counted: of a visit to a manifold, 275 in a pass (kea_kernel_i.h), and the measure of the residual
  * after each eighth; of preparation and of what follows passes, 600 in the kernel, and about as many in double
  * precision, of the manifold and of its share of a body. x2 and /2 of either fail MdtKea_fast_policy:

@@ -15,24 +15,24 @@ typedef struct Colouring {
     KeaRegions *regions;
 } Colouring;
 
-static int lowestFree(MeU64 taken) {
+static int lowestFree(MeU64 usedColours) {
     int colour = 0;
-    while (colour < ALONE && (taken >> colour & 1))
+    while (colour < ALONE && (usedColours >> colour & 1))
         colour++;
     return colour;
 }
 
 /* The colours that one of its bodies has (KeaRegions.taken); null: the world. */
-static MeU64 *takenBy(const Colouring *c, const MdtKeaManifold *m, int k) {
-    return m->body[k] >= 0 ? &c->regions->taken[c->regions->place[m->body[k]]] : NULL;
+static MeU64 *usedColoursOf(const Colouring *c, const MdtKeaManifold *m, int k) {
+    return m->body[k] >= 0 ? &c->regions->usedColours[c->regions->place[m->body[k]]] : NULL;
 }
 
 static void clearColours(const Colouring *c, const KeaNode *node) {
     for (int i = 0; i < node->numManifolds; i++)
         for (int k = 0; k < 2; k++) {
-            MeU64 *taken = takenBy(c, &c->s->manifolds[c->regions->manifold[node->firstManifold + i]], k);
-            if (taken)
-                *taken = 0;
+            MeU64 *usedColours = usedColoursOf(c, &c->s->manifolds[c->regions->manifold[node->firstManifold + i]], k);
+            if (usedColours)
+                *usedColours = 0;
         }
 }
 
@@ -40,15 +40,15 @@ static void chooseColours(const Colouring *c, const KeaNode *node, int count[COL
     for (int i = 0; i < node->numManifolds; i++) {
         const int index = c->regions->manifold[node->firstManifold + i];
         const MdtKeaManifold *m = &c->s->manifolds[index];
-        MeU64 *taken[2], both = 0;
+        MeU64 *usedColours[2], both = 0;
         for (int k = 0; k < 2; k++) {
-            taken[k] = takenBy(c, m, k);
-            both |= taken[k] ? *taken[k] : 0;
+            usedColours[k] = usedColoursOf(c, m, k);
+            both |= usedColours[k] ? *usedColours[k] : 0;
         }
         const int colour = lowestFree(both);
         for (int k = 0; k < 2; k++)
-            if (taken[k] && colour < ALONE)
-                *taken[k] |= (MeU64)1 << colour;
+            if (usedColours[k] && colour < ALONE)
+                *usedColours[k] |= (MeU64)1 << colour;
         c->regions->colour[index] = (MeU8)colour;
         count[colour][m->numPoints]++;
     }

@@ -26,13 +26,14 @@ typedef struct Step {
     MdtKeaSystem *s;
     const KeaKernel *kernel;
     KeaRegions regions;
-    KeaMotion *motion, *before, *way; /* the world, the bodies by place, and where worlds move, one for each manifold */
-    KeaPatch *patch;                  /* by manifold */
+    KeaMotion *motion, *before,
+        *displacement;   /* the world, the bodies by place, and where worlds move, one for each manifold */
+    KeaPatch *patch;     /* by manifold */
     KeaMotion *move;     /* the velocities that bodies are moved by, (1 - θ) v + θ v⁺; and by motion, θ: */
     float *thetas;       /* 1/2 or, where that presses something, 1 */
     float *speedChange;  /* by motion: m/s, in the step, see findSpeedChanges */
     double (*change)[6]; /* by place: N s, N m s */
-    double (*turned)[4]; /* by place: the orientation at the end, but for `way` */
+    double (*turned)[4]; /* by place: the orientation at the end, but for `displacement` */
     KeaGroup *groups;
     int numGroups;
     KeaJoints joints;
@@ -42,7 +43,7 @@ typedef struct Step {
     MeBool isMoving;    /* see findSpeed */
     double loadSpeed;   /* m/s, what loads add to a body's velocity in the step, at most */
     double theta, beta; /* of the extrapolation, */
-    double mostTheta;   /* at most */
+    double maxTheta;    /* at most */
 } Step;
 
 typedef struct Passes {
@@ -68,7 +69,7 @@ static size_t layOut(Step *p, char *memory) {
     KeaArena arena = {memory, 0};
     p->motion = kea_carve(&arena, motions, sizeof *p->motion);
     p->before = kea_carve(&arena, motions, sizeof *p->before);
-    p->way = kea_carve(&arena, motions, sizeof *p->way);
+    p->displacement = kea_carve(&arena, motions, sizeof *p->displacement);
     p->move = kea_carve(&arena, motions, sizeof *p->move);
     p->thetas = kea_carve(&arena, motions, sizeof *p->thetas);
     p->speedChange = kea_carve(&arena, motions, sizeof *p->speedChange);
@@ -101,7 +102,7 @@ static void setMotions(Step *p) {
 }
 
 static KeaGathering gathering(const Step *p) {
-    return (KeaGathering){p->s, p->regions.place, p->patch, p->motion, p->way};
+    return (KeaGathering){p->s, p->regions.place, p->patch, p->motion, p->displacement};
 }
 
 static void fillGroups(void *context, KeaNode *node) {
@@ -113,7 +114,7 @@ static void fillGroups(void *context, KeaNode *node) {
     p->kernel->prepare(groups, node->numGroups, (float)p->s->parameters.stepsize);
 }
 
-static MeBool takeGroups(Step *p) {
+static MeBool allocateGroups(Step *p) {
     p->numGroups = kea_colour(p->s, &p->regions);
     p->groups = kea_cacheScratch(p->s->cache, KEA_GROUP_BLOCK, (size_t)p->numGroups * sizeof *p->groups);
     if (!p->groups)
@@ -133,7 +134,7 @@ static MeBool begin(Step *p) {
     if (!kea_jointsBegin(s, p->regions.place, &p->joints))
         return MEFALSE;
     setMotions(p);
-    return takeGroups(p);
+    return allocateGroups(p);
 }
 
 static void applyGroups(void *context, KeaNode *node) {
@@ -163,7 +164,7 @@ static double sumOverRegions(const KeaRegions *r, int k) {
     return sum;
 }
 
-static double mostOverRegions(const KeaRegions *r, int k) {
+static double maxOverRegions(const KeaRegions *r, int k) {
     double most = 0;
     for (int n = r->count; n < 2 * r->count; n++)
         most = keaMax(most, r->node[n].sum[k]);
@@ -210,9 +211,9 @@ static void restartExtrapolation(Step *p) {
 
 /* Friction that goes with normal forces has no energy that passes lower, and extrapolation may feed what it leaves from
  * pass to pass, in few contacts of many, which the criterion of restarts does not feel. */
-static void holdExtrapolation(Step *p) {
+static void limitExtrapolation(Step *p) {
     restartExtrapolation(p);
-    p->mostTheta = kea_heldTheta;
+    p->maxTheta = kea_limitedTheta;
 }
 
 /* Regions come before the cuts between them, so that both bodies of a manifold have been extrapolated. */
@@ -254,13 +255,13 @@ static void measureGroups(void *context, KeaNode *node) {
 }
 
 /* With Nesterov's extrapolation, which is restarted after a pass that goes against it. */
-static void takePasses(Step *p, int passes) {
+static void iteratePasses(Step *p, int passes) {
     for (int i = 0; i < passes; i++) {
         kea_inOrder(&p->regions, passNode, p);
         const double ofJoints = kea_jointsPass(p->s, &p->joints, p->motion, (double)(float)p->beta);
         const double next = 0.5 * (1 + sqrt(1 + 4 * p->theta * p->theta));
         p->beta = (p->theta - 1) / next;
-        p->theta = keaMin(next, p->mostTheta);
+        p->theta = keaMin(next, p->maxTheta);
         if (sumOverNodes(&p->regions) + ofJoints > 0)
             restartExtrapolation(p);
     }
@@ -307,9 +308,9 @@ static void countFast(void *context, KeaNode *node) {
     for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++) {
         const int body = p->regions.body[i];
         const double *v = p->s->velocity[body].lin;
-        double apart[3];
-        keaSubtract(apart, v, p->mean);
-        node->sum[0] += keaMin(keaLength(v), keaLength(apart)) > loadOf(p->s, body);
+        double relative[3];
+        keaSubtract(relative, v, p->mean);
+        node->sum[0] += keaMin(keaLength(v), keaLength(relative)) > loadOf(p->s, body);
     }
 }
 
@@ -346,13 +347,13 @@ static double workBeside(const Step *p) {
 /* At least and at most, and as many as the budget still allows. */
 static Passes choosePasses(Step *p) {
     const double most = p->s->parameters.maxWork;
-    const int cap = p->s->parameters.maxIterations > 0 ? p->s->parameters.maxIterations : KEA_MOST_PASSES;
-    const double paid = most > 0 ? (most - workBeside(p)) / workOfPass(p) - p->s->report.iterations : KEA_MOST_PASSES;
+    const int cap = p->s->parameters.maxIterations > 0 ? p->s->parameters.maxIterations : KEA_MAX_PASSES;
+    const double paid = most > 0 ? (most - workBeside(p)) / workOfPass(p) - p->s->report.iterations : KEA_MAX_PASSES;
     const double affordable = keaMin(keaMax(paid, 1), cap);
-    p->s->report.limited |= affordable < KEA_LEAST_PASSES;
+    p->s->report.limited |= affordable < KEA_MIN_PASSES;
     p->s->report.capped |= p->s->report.limited;
-    p->s->report.least = workBeside(p) + KEA_LEAST_PASSES * workOfPass(p);
-    return (Passes){(int)keaMin(KEA_LEAST_PASSES, affordable), (int)keaMin(KEA_MOST_PASSES, affordable)};
+    p->s->report.least = workBeside(p) + KEA_MIN_PASSES * workOfPass(p);
+    return (Passes){(int)keaMin(KEA_MIN_PASSES, affordable), (int)keaMin(KEA_MAX_PASSES, affordable)};
 }
 
 /* The least passes, then more, up to the most, while the residual is too large. Once more passes have left more, and
@@ -361,18 +362,18 @@ static Passes choosePasses(Step *p) {
 static void findVelocities(Step *p) {
     const Passes passes = choosePasses(p);
     restartExtrapolation(p);
-    p->mostTheta = HUGE_VAL;
-    takePasses(p, passes.least);
+    p->maxTheta = HUGE_VAL;
+    iteratePasses(p, passes.least);
     Residual before, now = measureAll(p);
     for (int done = passes.least, end = passes.most; done < end && !isResidualSmall(p, &now);) {
         const int more = end - done < KEA_MORE_PASSES ? end - done : KEA_MORE_PASSES;
-        takePasses(p, more);
+        iteratePasses(p, more);
         before = now;
         now = measureAll(p);
         done += more;
-        if (now.squares > before.squares && now.closing == 0 && p->mostTheta == HUGE_VAL) {
-            holdExtrapolation(p);
-            end = done + KEA_LEAST_PASSES < end ? done + KEA_LEAST_PASSES : end;
+        if (now.squares > before.squares && now.closing == 0 && p->maxTheta == HUGE_VAL) {
+            limitExtrapolation(p);
+            end = done + KEA_MIN_PASSES < end ? done + KEA_MIN_PASSES : end;
         }
     }
 }
@@ -387,7 +388,7 @@ static void setReboundsOf(void *context, KeaNode *node) {
             for (int lane = 0; lane < KEA_LANES; lane++) {
                 KeaGroup *g = &p->groups[i];
                 if (g->rebound[k][lane] > 0 && g->impulse[k][lane] > 0) {
-                    g->target[k][lane] = g->rebound[k][lane];
+                    g->bias[k][lane] = g->rebound[k][lane];
                     node->sum[0] = 1;
                 }
             }
@@ -488,7 +489,7 @@ static void solveByDescent(Step *p) {
     setMotions(p);
     for (int i = choosePasses(p).most; i > 0; i--) {
         restartExtrapolation(p);
-        takePasses(p, 1);
+        iteratePasses(p, 1);
     }
     measureAll(p);
     setEndMomentum(p);
@@ -534,8 +535,8 @@ static MeBool doMotionsMatchImpulses(Step *p) {
     setMotions(p);
     applyImpulses(p);
     kea_overRegions(&p->regions, compareMotions, p);
-    const double off = mostOverRegions(&p->regions, 0), speed = mostOverRegions(&p->regions, 1);
-    return off <= kea_lostMotion * p->s->parameters.restSpeed + kea_impactAccuracy * speed;
+    const double lost = maxOverRegions(&p->regions, 0), speed = maxOverRegions(&p->regions, 1);
+    return lost <= kea_lostMotion * p->s->parameters.restSpeed + kea_impactAccuracy * speed;
 }
 
 /* Where the answer adds energy, or is inaccurate, since masses or levers differ too much for single precision, it is
@@ -661,9 +662,9 @@ static void setEndPose(const Step *p, int place) {
     MdtKeaSystem *s = p->s;
     const int i = p->regions.body[place];
     const double h = s->parameters.stepsize;
-    const KeaMotion *way = &p->way[1 + place];
+    const KeaMotion *displacement = &p->displacement[1 + place];
     KeaEnd *end = &s->work->end[i];
-    const double out[3] = {(double)way->ang[0], (double)way->ang[1], (double)way->ang[2]};
+    const double out[3] = {(double)displacement->ang[0], (double)displacement->ang[1], (double)displacement->ang[2]};
     double turn[4];
     end->theta = (double)p->thetas[1 + place];
     keaCopy(end->position, s->bodies[i]->position);
@@ -671,7 +672,7 @@ static void setEndPose(const Step *p, int place) {
     keaAddScaled(end->position, end->theta * h, end->velocity);
     keaAddScaled(end->position, 1, p->fall);
     for (int k = 0; k < 3; k++)
-        end->position[k] += (double)way->lin[k];
+        end->position[k] += (double)displacement->lin[k];
     keaQuaternionExp(turn, out);
     keaQuaternionProduct(end->quaternion, turn, p->turned[place]);
     keaQuaternionNormalize(end->quaternion);
@@ -693,13 +694,13 @@ static void setEndPoses(Step *p) {
 /* Gaps are those at the end of the step from here on; there are no displacements yet. */
 static void advanceNode(void *context, KeaNode *node) {
     const Step *p = context;
-    memset(p->way + 1 + node->firstPlace, 0, (size_t)node->numPlaces * sizeof *p->way);
+    memset(p->displacement + 1 + node->firstPlace, 0, (size_t)node->numPlaces * sizeof *p->displacement);
     p->kernel->advance(p->groups + node->firstGroup, node->numGroups, p->move, (float)p->s->parameters.stepsize);
 }
 
 static void pushGroups(void *context, KeaNode *node) {
     const Step *p = context;
-    node->sum[0] = p->kernel->push(p->groups + node->firstGroup, node->numGroups, p->way);
+    node->sum[0] = p->kernel->push(p->groups + node->firstGroup, node->numGroups, p->displacement);
 }
 
 /* Whether some contact has moved its bodies by so much that joints open. */
@@ -710,12 +711,12 @@ static MeBool pushContacts(Step *p) {
 
 /* The passes of some rounds, over contacts, and over joints as long as these are open. Returns whether contacts have
  * opened them. */
-static MeBool pushApart(Step *p, int roundCount, double open) {
+static MeBool correctPositions(Step *p, int roundCount, double jointError) {
     MeBool isPushed = MEFALSE;
     for (int i = 0; i < roundCount * (KEA_POSITION_PASSES / KEA_JOINT_ROUNDS); i++) {
         const MeBool isMoved = pushContacts(p);
-        if (isMoved || open > kea_closedJoint)
-            open = kea_jointsPush(p->s, &p->joints, p->way);
+        if (isMoved || jointError > kea_closedJoint)
+            jointError = kea_jointsPush(p->s, &p->joints, p->displacement);
         isPushed |= isMoved;
     }
     return isPushed;
@@ -730,23 +731,23 @@ static void pushJoined(Step *p) {
     kea_keepRows(p->s);
     for (int round = 0;; round++) {
         setEndPoses(p);
-        if (round == KEA_MOST_JOINT_ROUNDS)
+        if (round == KEA_MAX_JOINT_ROUNDS)
             break;
-        const double open = kea_jointsAdvance(p->s, &p->joints, p->way);
-        const MeBool areClosed = open <= kea_closedJoint;
+        const double jointError = kea_jointsAdvance(p->s, &p->joints, p->displacement);
+        const MeBool areClosed = jointError <= kea_closedJoint;
         if (round >= KEA_JOINT_ROUNDS && areClosed)
             break;
-        if (round > 0 && !areClosed && open > kea_roundShare * before)
-            kea_jointsTurn(p->s, &p->joints, p->way);
-        before = open;
+        if (round > 0 && !areClosed && jointError > kea_roundShare * before)
+            kea_jointsTurn(p->s, &p->joints, p->displacement);
+        before = jointError;
         if (round >= KEA_JOINT_ROUNDS) {
-            kea_jointsPush(p->s, &p->joints, p->way);
+            kea_jointsPush(p->s, &p->joints, p->displacement);
         } else if (!areClosed) {
-            pushApart(p, 1, open);
-        } else if (pushApart(p, KEA_JOINT_ROUNDS - round, open)) {
+            correctPositions(p, 1, jointError);
+        } else if (correctPositions(p, KEA_JOINT_ROUNDS - round, jointError)) {
             round = KEA_JOINT_ROUNDS - 1; /* all of contacts have been taken */
         } else {
-            kea_jointsPush(p->s, &p->joints, p->way); /* or what is small would add up from step to step */
+            kea_jointsPush(p->s, &p->joints, p->displacement); /* or what is small would add up from step to step */
             setEndPoses(p);
             break;
         }
@@ -756,7 +757,7 @@ static void pushJoined(Step *p) {
 }
 
 static void findPositions(Step *p) {
-    memset(p->way, 0, sizeof *p->way);
+    memset(p->displacement, 0, sizeof *p->displacement);
     kea_overNodes(&p->regions, advanceNode, p);
     kea_overRegions(&p->regions, turnFreely, p);
     if (p->joints.numBlocks > 0) {
@@ -768,9 +769,9 @@ static void findPositions(Step *p) {
     setEndPoses(p);
 }
 
-static MeBool isZero(const KeaMotion *way) {
+static MeBool isZero(const KeaMotion *displacement) {
     for (int k = 0; k < 3; k++)
-        if (way->lin[k] != 0 || way->ang[k] != 0)
+        if (displacement->lin[k] != 0 || displacement->ang[k] != 0)
             return MEFALSE;
     return METRUE;
 }
@@ -779,7 +780,7 @@ static void findFree(void *context, KeaNode *node) {
     const Step *p = context;
     for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++)
         p->s->work->body[p->regions.body[i]].isFree =
-            isZero(&p->way[1 + i]) && keaLength(p->change[i]) + keaLength(p->change[i] + 3) == 0;
+            isZero(&p->displacement[1 + i]) && keaLength(p->change[i]) + keaLength(p->change[i] + 3) == 0;
 }
 
 /* Bodies without impulse and displacement move as free ones. */
@@ -811,7 +812,7 @@ static void clearForces(MdtKeaSystem *s) {
 }
 
 void kea_fastSolve(MdtKeaSystem *s) {
-    KeaNode nodes[KEA_MOST_NODES]; /* no initializer: 24 kB, of which most partitions use two nodes */
+    KeaNode nodes[KEA_MAX_NODES]; /* no initializer: 24 kB, of which most partitions use two nodes */
     Step p = {.s = s, .kernel = kernelOfMachine(), .regions.node = nodes};
     if (!begin(&p)) {
         s->report.capped = METRUE;

@@ -56,29 +56,30 @@ typedef struct KeaGroup {
     KeaLanes x[KEA_POINTS], y[KEA_POINTS]; /* m */
     KeaLanes size;                         /* m, of the smaller body */
     KeaLanes gap[KEA_POINTS];              /* m; negative: overlap */
-    KeaLanes sag[KEA_POINTS];              /* m, overlap that is allowed (slop): epsilon under load, and rounding */
-    KeaLanes target[KEA_POINTS];           /* m/s, the lower bound of normal velocities (bias) */
+    KeaLanes slop[KEA_POINTS];             /* m, overlap that is allowed (slop): epsilon under load, and rounding */
+    KeaLanes bias[KEA_POINTS];             /* m/s, the lower bound of normal velocities (bias) */
     KeaLanes rebound[KEA_POINTS]; /* m/s, by restitution: the target of points that push, in a second solve; 0: none */
     KeaLanes compliance;          /* 1/kg, of soft contacts */
     KeaLanes correction;          /* the share of an overlap that one pass over displacements removes */
     KeaLanes least;               /* N s, the lower bound of normal impulses: 0, or minus adhesion */
-    KeaLanes coefficient[2], bound[2];      /* of friction: of the normal impulse, and N s */
-    KeaLanes slip[2], slide[2];             /* 1/kg, compliance of friction; m/s, velocity of the surface */
-    KeaLanes lever[KEA_POINTS], boundTwist; /* m, N m s: of friction's moment about n */
+    KeaLanes coefficient[2], bound[2];        /* of friction: of the normal impulse, and N s */
+    KeaLanes slip[2], slide[2];               /* 1/kg, compliance of friction; m/s, velocity of the surface */
+    KeaLanes lever[KEA_POINTS], torsionBound; /* m, N m s: of friction's moment about n */
     KeaMask isPoint[KEA_POINTS], isCone, isOneWay;
     /* prepare */
     KeaLanes coupling[10];         /* 1/kg, J M⁻¹ Jᵀ + E of the points' normals: the rows of its upper triangle */
     KeaLanes response[KEA_POINTS]; /* kg, the inverse of its diagonal */
     KeaLanes direct[10];           /* kg, its inverse, or pseudo-inverse */
     KeaMask isDirect;              /* that is well enough conditioned */
-    KeaLanes grip[3], twistMass;   /* kg, of friction along t1 and t2: 11 12 22; kg m², about n (effective masses) */
+    KeaLanes frictionMass[3],
+        torsionMass; /* kg, of friction along t1 and t2: 11 12 22; kg m², about n (effective masses) */
     /* the same of the coupling J_f M⁻¹ J_nᵀ: rates along t1, t2, and about n, by the sum of normal impulses and their
      * moments Σ x p, Σ y p; and along t1, t2 by friction about n */
-    KeaLanes toSlide[2][3], toSpin[3], twistToSlide[2];
+    KeaLanes toSlide[2][3], toSpin[3], torsionToSlide[2];
     /* pass */
-    KeaLanes impulse[KEA_POINTS], before[KEA_POINTS]; /* N s, and one pass earlier */
-    KeaLanes rub[2], rubBefore[2];                    /* of friction: along t1 and t2, at the centre */
-    KeaLanes twist, twistBefore;                      /* N m s, about n */
+    KeaLanes impulse[KEA_POINTS], before[KEA_POINTS];      /* N s, and one pass earlier */
+    KeaLanes frictionImpulse[2], frictionImpulseBefore[2]; /* of friction: along t1 and t2, at the centre */
+    KeaLanes torsionImpulse, torsionImpulseBefore;         /* N m s, about n */
 } KeaGroup;
 
 /* What is left after passes, by lane: m/s, the residual, which is the largest violation of the laws of contact; the
@@ -135,9 +136,9 @@ extern const KeaKernel kea_kernelAvx2;
 /* The step that groups are filled from. */
 typedef struct KeaGathering {
     const MdtKeaSystem *s;
-    const int *place;        /* by body */
-    KeaPatch *patch;         /* by manifold; written by kea_fillGroups */
-    KeaMotion *motion, *way; /* of worlds that move, see kea_fillGroups */
+    const int *place;                 /* by body */
+    KeaPatch *patch;                  /* by manifold; written by kea_fillGroups */
+    KeaMotion *motion, *displacement; /* of worlds that move, see kea_fillGroups */
 } KeaGathering;
 
 /* Fills groups, whose manifolds are chosen. A world that moves has a motion of its own for each manifold, behind the

@@ -40,10 +40,10 @@ static void setPatch(const MdtKeaManifold *m, KeaPatch *p) {
     for (int k = 0; k < m->numPoints; k++)
         keaAddScaled(p->centre, share[k], m->point[k].position);
     for (int k = 0; k < m->numPoints; k++) {
-        double off[3];
-        keaSubtract(off, m->point[k].position, p->centre);
-        p->x[k] = keaDot(off, m->direction);
-        p->y[k] = keaDot(off, p->across);
+        double offset[3];
+        keaSubtract(offset, m->point[k].position, p->centre);
+        p->x[k] = keaDot(offset, m->direction);
+        p->y[k] = keaDot(offset, p->across);
     }
 }
 
@@ -67,7 +67,7 @@ static void setLane3(KeaLanes3 *to, int lane, const double from[3]) {
 }
 
 static float clampBound(double bound) {
-    return (float)keaMin(bound, kea_mostBound);
+    return (float)keaMin(bound, kea_maxBound);
 }
 
 static void fillBody(const MdtKeaSystem *s, const int place[], const MdtKeaManifold *m, const KeaPatch *p, int k,
@@ -106,7 +106,7 @@ static KeaApproach approachOf(const MdtKeaSystem *s, const MdtKeaManifold *m, co
 /* m, along the normal: the least displacement of the point within the step. A gap may close; but one below the resting
  * depth, at a point that has carried a load, counts as closed: it is a tilt of the face, whose points would else have
  * targets that contradict each other. */
-static double aimOf(const MdtKeaSystem *s, const MdtKeaPoint *point, double size, MeBool isSoft) {
+static double minDisplacement(const MdtKeaSystem *s, const MdtKeaPoint *point, double size, MeBool isSoft) {
     const double resting = point->guess[0] > 0 ? kea_restingDepth * size : 0;
     if (point->depth >= 0)
         return isSoft ? s->parameters.gamma * point->depth : 0;
@@ -118,14 +118,14 @@ static void fillPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const KeaP
     const MdtKeaPoint *point = &m->point[k];
     const double h = s->parameters.stepsize, gamma = s->parameters.gamma;
     const MeBool soft = g->correction[lane] == 0;
-    const double sag = soft || gamma == 0 ? 0 : softnessOf(s, m) * h * h * keaMax(point->guess[0], 0) / gamma;
+    const double slop = soft || gamma == 0 ? 0 : softnessOf(s, m) * h * h * keaMax(point->guess[0], 0) / gamma;
     const double along = g->isOneWay[lane] ? 0 : p->x[k];
     g->isPoint[k][lane] = -1;
     g->x[k][lane] = (float)p->x[k];
     g->y[k][lane] = (float)p->y[k];
     g->gap[k][lane] = (float)-point->depth;
-    g->sag[k][lane] = (float)(sag + kea_restingDepth * size);
-    g->target[k][lane] = (float)(aimOf(s, point, size, soft) / h);
+    g->slop[k][lane] = (float)(slop + kea_restingDepth * size);
+    g->bias[k][lane] = (float)(minDisplacement(s, point, size, soft) / h);
     g->lever[k][lane] = (float)sqrt(along * along + p->y[k] * p->y[k]);
     g->impulse[k][lane] = (float)(h * keaMax(point->guess[0], -m->surface.adhesion));
 }
@@ -152,27 +152,27 @@ static void fillBounds(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaGroup 
     }
     for (int i = 0; i < 2; i++)
         g->bound[i][lane] = count > 0 ? clampBound(h * count * bound[i]) : 0;
-    g->boundTwist[lane] = lever > 0 ? clampBound(h * lever * bound[0]) : 0;
+    g->torsionBound[lane] = lever > 0 ? clampBound(h * lever * bound[0]) : 0;
 }
 
 /* Coefficients, and the warm start: the last step's friction of all points, as an impulse at the centre and a
  * moment. */
 static void fillFriction(const MdtKeaSystem *s, const MdtKeaManifold *m, const KeaPatch *p, KeaGroup *g, int lane) {
     const double h = s->parameters.stepsize;
-    double twist = 0, rub[2] = {0, 0};
+    double torsionImpulse = 0, frictionImpulse[2] = {0, 0};
     for (int k = 0; k < m->numPoints; k++) {
         const double *guess = m->point[k].guess;
         for (int i = 0; i < 2; i++)
-            rub[i] += guess[1 + i];
-        twist += p->x[k] * guess[2] - p->y[k] * guess[1];
+            frictionImpulse[i] += guess[1 + i];
+        torsionImpulse += p->x[k] * guess[2] - p->y[k] * guess[1];
     }
     for (int i = 0; i < 2; i++) {
-        g->rub[i][lane] = (float)(h * rub[i]);
+        g->frictionImpulse[i][lane] = (float)(h * frictionImpulse[i]);
         g->coefficient[i][lane] = clampBound(m->surface.coefficient[i]);
         g->slip[i][lane] = (float)(m->surface.slip[i] / (h * m->numPoints));
         g->slide[i][lane] = (float)m->surface.slide[i];
     }
-    g->twist[lane] = (float)(h * twist);
+    g->torsionImpulse[lane] = (float)(h * torsionImpulse);
     g->isCone[lane] = m->surface.isCone ? -1 : 0;
 }
 
@@ -214,9 +214,9 @@ static void setArms(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaPatch *p,
     kea_contactArms(s, &c, 0.5, p->arm);
     kea_contactArms(s, &c, 1, end);
     for (int k = 0; k < 2; k++) {
-        double rest[3], rate[3];
-        keaSubtract(rest, end[k], p->arm[k]);
-        keaCross(rate, kea_sideVelocity(s, m, k)->ang, rest);
+        double remainder[3], rate[3];
+        keaSubtract(remainder, end[k], p->arm[k]);
+        keaCross(rate, kea_sideVelocity(s, m, k)->ang, remainder);
         keaAddScaled(added, k == 0 ? 1 : -1, rate);
     }
 }
@@ -226,7 +226,7 @@ static void addRates(const MdtKeaManifold *m, const KeaPatch *p, const double ad
     g->slide[0][lane] -= (float)keaDot(added, m->direction);
     g->slide[1][lane] -= (float)keaDot(added, p->across);
     for (int k = 0; k < m->numPoints; k++)
-        g->target[k][lane] -= (float)keaDot(added, m->normal);
+        g->bias[k][lane] -= (float)keaDot(added, m->normal);
 }
 
 static void fillLane(const KeaGathering *from, int manifold, float correction, KeaGroup *g, int lane) {
@@ -268,7 +268,7 @@ static void fillWorlds(const KeaGathering *from, const MdtKeaManifold *m, KeaGro
         if (m->body[k] < 0) {
             const int world = g->body[k][lane] = 1 + from->s->numBodies + g->manifold[lane];
             setWorldMotion(m->worldVelocity, &from->motion[world]);
-            memset(&from->way[world], 0, sizeof *from->way);
+            memset(&from->displacement[world], 0, sizeof *from->displacement);
         }
 }
 
@@ -295,9 +295,9 @@ static void impulsesOf(const KeaGathering *from, const KeaGroup *g, int lane, do
     const MdtKeaManifold *m = &from->s->manifolds[g->manifold[lane]];
     const KeaPatch *p = &from->patch[g->manifold[lane]];
     double impulse[3], couple[3];
-    keaScale(impulse, (double)g->rub[0][lane], m->direction);
-    keaAddScaled(impulse, (double)g->rub[1][lane], p->across);
-    keaScale(couple, (double)g->twist[lane], m->normal);
+    keaScale(impulse, (double)g->frictionImpulse[0][lane], m->direction);
+    keaAddScaled(impulse, (double)g->frictionImpulse[1][lane], p->across);
+    keaScale(couple, (double)g->torsionImpulse[lane], m->normal);
     for (int k = 0; k < m->numPoints; k++) {
         const double normal = (double)g->impulse[k][lane];
         keaAddScaled(impulse, normal, m->normal);
@@ -327,9 +327,9 @@ static double workOf(const KeaGathering *from, const KeaGroup *g, int lane) {
     const MdtKeaManifold *m = &from->s->manifolds[g->manifold[lane]];
     double work = 0, of[2][6];
     for (int k = 0; k < 2; k++)
-        work += (double)g->rub[k][lane] * (double)g->slide[k][lane];
+        work += (double)g->frictionImpulse[k][lane] * (double)g->slide[k][lane];
     for (int k = 0; k < m->numPoints && g->compliance[lane] > 0; k++)
-        work += (double)g->impulse[k][lane] * keaMax((double)g->target[k][lane], 0);
+        work += (double)g->impulse[k][lane] * keaMax((double)g->bias[k][lane], 0);
     if (!m->worldVelocity)
         return work;
     impulsesOf(from, g, lane, of);
@@ -364,8 +364,8 @@ void kea_scaleImpulses(KeaGroup groups[], int count, float share) {
             for (int k = 0; k < KEA_POINTS; k++)
                 g->impulse[k][lane] = share > 0 ? share * g->impulse[k][lane] : 0;
             for (int k = 0; k < 2; k++)
-                g->rub[k][lane] = share > 0 ? share * g->rub[k][lane] : 0;
-            g->twist[lane] = share > 0 ? share * g->twist[lane] : 0;
+                g->frictionImpulse[k][lane] = share > 0 ? share * g->frictionImpulse[k][lane] : 0;
+            g->torsionImpulse[lane] = share > 0 ? share * g->torsionImpulse[lane] : 0;
         }
 }
 
@@ -379,7 +379,8 @@ static double square(double x) {
 static void returnPoints(const KeaGathering *from, const KeaGroup *g, int lane) {
     MdtKeaManifold *m = &from->s->manifolds[g->manifold[lane]];
     const KeaPatch *p = &from->patch[g->manifold[lane]];
-    const double h = from->s->parameters.stepsize, rub[2] = {(double)g->rub[0][lane], (double)g->rub[1][lane]};
+    const double h = from->s->parameters.stepsize,
+                 frictionImpulse[2] = {(double)g->frictionImpulse[0][lane], (double)g->frictionImpulse[1][lane]};
     double sum = 0, middle[2] = {0, 0}, spread = 0, share[KEA_POINTS];
     for (int k = 0; k < m->numPoints; k++)
         sum += keaMax((double)g->impulse[k][lane], 0);
@@ -390,13 +391,14 @@ static void returnPoints(const KeaGathering *from, const KeaGroup *g, int lane) 
     }
     for (int k = 0; k < m->numPoints; k++)
         spread += share[k] * (square(p->x[k] - middle[0]) + square(p->y[k] - middle[1]));
-    const double rest = (double)g->twist[lane] - (middle[0] * rub[1] - middle[1] * rub[0]);
-    const double turn = spread > 0 ? rest / spread : 0;
+    const double remainder =
+        (double)g->torsionImpulse[lane] - (middle[0] * frictionImpulse[1] - middle[1] * frictionImpulse[0]);
+    const double turn = spread > 0 ? remainder / spread : 0;
     for (int k = 0; k < m->numPoints; k++) {
         double *force = m->point[k].force;
         force[0] = (double)g->impulse[k][lane] / h;
-        force[1] = share[k] * (rub[0] - turn * (p->y[k] - middle[1])) / h;
-        force[2] = share[k] * (rub[1] + turn * (p->x[k] - middle[0])) / h;
+        force[1] = share[k] * (frictionImpulse[0] - turn * (p->y[k] - middle[1])) / h;
+        force[2] = share[k] * (frictionImpulse[1] + turn * (p->x[k] - middle[0])) / h;
     }
 }
 

@@ -27,20 +27,20 @@ static MeBool isTwoSided(const MdtKeaRow *row) {
 }
 
 /* J M⁻¹ Jᵀ */
-static double sizeOf(const MdtKeaSystem *s, const KeaJointRow *r) {
-    double size = 0, turned[3];
+static double invEffectiveMassOf(const MdtKeaSystem *s, const KeaJointRow *r) {
+    double invMass = 0, turned[3];
     for (int k = 0; k < 2; k++) {
         if (r->row->body[k] < 0)
             continue;
         const MdtKeaInverseMassMatrix *m = &s->invMass[r->row->body[k]];
         keaApply(turned, (const double(*)[3])m->inertia, r->J[k] + 3);
-        size += m->mass * keaDot(r->J[k], r->J[k]) + keaDot(r->J[k] + 3, turned);
+        invMass += m->mass * keaDot(r->J[k], r->J[k]) + keaDot(r->J[k] + 3, turned);
     }
-    return size;
+    return invMass;
 }
 
 /* The row's Jacobian, as it is now. */
-static void takeJacobian(KeaJointRow *r) {
+static void copyJacobian(KeaJointRow *r) {
     for (int k = 0; k < 2; k++) {
         keaCopy(r->J[k], r->row->J[k].lin);
         keaCopy(r->J[k] + 3, r->row->J[k].ang);
@@ -50,20 +50,20 @@ static void takeJacobian(KeaJointRow *r) {
 /* A spring without stiffness and damping is inactive. */
 static void setSpring(double h, KeaJointRow *r) {
     const MdtKeaRow *row = r->row;
-    const double hold = h * (h * row->stiffness + row->damping);
-    r->isOff = !(hold > 0);
-    r->compliance = r->isOff ? 0 : 1 / hold;
+    const double h2Stiffness = h * (h * row->stiffness + row->damping);
+    r->isOff = !(h2Stiffness > 0);
+    r->compliance = r->isOff ? 0 : 1 / h2Stiffness;
     r->target = r->compliance * h * (row->damping * row->target - row->stiffness * row->error);
 }
 
 static void setPosition(double h, KeaJointRow *r) {
     const MdtKeaRow *row = r->row;
-    const MeBool isSoft = row->softness > kea_softShare * r->size;
-    r->isHeld = !isSoft && (isTwoSided(row) || row->lower == 0 || row->upper == 0);
-    if (!r->isHeld)
+    const MeBool isSoft = row->softness > kea_softShare * r->invEffectiveMass;
+    r->isRigid = !isSoft && (isTwoSided(row) || row->lower == 0 || row->upper == 0);
+    if (!r->isRigid)
         return;
     r->compliance = 0;
-    r->wanted = row->error + h * row->target;
+    r->targetError = row->error + h * row->target;
     r->target = isTwoSided(row)   ? row->drift
                 : row->lower == 0 ? keaMin(row->target, row->drift)
                                   : keaMax(row->target, row->drift);
@@ -72,17 +72,17 @@ static void setPosition(double h, KeaJointRow *r) {
 static void setRow(const MdtKeaSystem *s, KeaJointRow *r) {
     const MdtKeaRow *row = r->row;
     const double h = s->parameters.stepsize;
-    takeJacobian(r);
-    r->size = sizeOf(s, r);
+    copyJacobian(r);
+    r->invEffectiveMass = invEffectiveMassOf(s, r);
     r->length = kea_lengthOf(s, row);
     r->perSize = r->length / kea_smallerSize(s, row->body);
     r->perSquare = 1 / (r->length * r->length);
-    r->isOff = !(r->size > 0);
-    r->isHeld = MEFALSE;
+    r->isOff = !(r->invEffectiveMass > 0);
+    r->isRigid = MEFALSE;
     r->target = row->target;
     r->compliance = row->softness;
-    r->wanted = r->gap = 0;
-    r->blockSize = 0;
+    r->targetError = r->jointError = 0;
+    r->invMassInBlock = 0;
     if (row->spring)
         setSpring(h, r);
     else if (row->position)
@@ -163,7 +163,7 @@ static MeBool factorizeWith(const MdtKeaSystem *s, const KeaJoints *j, const Kea
         }
     }
     for (int i = b->firstRow; i < b->firstRow + b->numTied; i++)
-        j->row[i].weight = j->row[i].isOff ? 0 : 1 / (j->row[i].compliance + soft * j->row[i].size);
+        j->row[i].weight = j->row[i].isOff ? 0 : 1 / (j->row[i].compliance + soft * j->row[i].invEffectiveMass);
     for (int i = b->firstRow; i < b->firstRow + b->numTied;)
         i += addTied(j, b, i);
     return kea_factorCholesky(b->factor, kea_leastPivot);
@@ -350,7 +350,7 @@ static MeBool setBlocks(MdtKeaSystem *s, const int place[], KeaJoints *j) {
 }
 
 /* The memory of factors, and of the responses of rows with bounds. */
-static MeBool takeMemory(const MdtKeaSystem *s, KeaJoints *j) {
+static MeBool allocateArrays(const MdtKeaSystem *s, KeaJoints *j) {
     for (char *memory = NULL;;) {
         KeaArena arena = {memory, 0};
         for (int i = 0; i < j->numBlocks; i++) {
@@ -400,7 +400,7 @@ MeBool kea_jointsBegin(MdtKeaSystem *s, const int place[], KeaJoints *j) {
         if (!setBlocks(s, place, j))
             return MEFALSE;
     }
-    if (!takeMemory(s, j))
+    if (!allocateArrays(s, j))
         return MEFALSE;
     for (int i = 0; i < j->numBlocks; i++)
         factorize(s, j, &j->block[i]);
@@ -466,7 +466,7 @@ static void solveTied(const KeaJoints *j, const KeaJointBlock *b) {
     double(*x)[6] = unknownsOf(j, b);
     memset(x, 0, (size_t)b->numNodes * sizeof *x);
     for (int i = b->firstRow; i < b->firstRow + b->numTied; i++)
-        addAlong(&j->row[i], j->row[i].weight * j->row[i].missing, x);
+        addAlong(&j->row[i], j->row[i].weight * j->row[i].residual, x);
     solveWithFactor(b, x[0]);
 }
 
@@ -475,7 +475,7 @@ static void solveTied(const KeaJoints *j, const KeaJointBlock *b) {
 static void findResponse(const MdtKeaSystem *s, const KeaJointBlock *b, KeaJointRow *r) {
     double(*response)[6] = (double(*)[6])(void *)r->response;
     if (b->isWide) {
-        r->blockSize = r->size;
+        r->invMassInBlock = r->invEffectiveMass;
         for (int k = 0; k < 2; k++) {
             if (r->node[k] < 0)
                 continue;
@@ -488,7 +488,7 @@ static void findResponse(const MdtKeaSystem *s, const KeaJointBlock *b, KeaJoint
     memset(response, 0, (size_t)b->numNodes * sizeof *response);
     addAlong(r, 1, response);
     solveWithFactor(b, response[0]);
-    r->blockSize = rateOf(r, response);
+    r->invMassInBlock = rateOf(r, response);
 }
 
 static void addResponse(const KeaJoints *j, const KeaJointBlock *b, const KeaJointRow *r, double impulse) {
@@ -522,7 +522,7 @@ static void setResiduals(const KeaJoints *j, const KeaJointBlock *b, const KeaMo
     double(*const v)[6] = motionsOf(j, b, motion);
     for (int i = b->firstRow; i < b->firstRow + b->numRows; i++) {
         KeaJointRow *r = &j->row[i];
-        r->missing = r->target - rateOf(r, v) - r->compliance * guessOf(r, beta);
+        r->residual = r->target - rateOf(r, v) - r->compliance * guessOf(r, beta);
     }
 }
 
@@ -531,12 +531,12 @@ static double visitBounded(const MdtKeaSystem *s, const KeaJoints *j, const KeaJ
                            double beta) {
     if (r->isOff)
         return 0;
-    const double guess = guessOf(r, beta), off = r->missing - rateOf(r, unknownsOf(j, b));
-    if ((guess == r->lower && off <= 0) || (guess == r->upper && off >= 0))
+    const double guess = guessOf(r, beta), residual = r->residual - rateOf(r, unknownsOf(j, b));
+    if ((guess == r->lower && residual <= 0) || (guess == r->upper && residual >= 0))
         return setImpulse(r, guess, guess);
-    if (r->blockSize == 0)
+    if (r->invMassInBlock == 0)
         findResponse(s, b, r);
-    const double next = keaMin(keaMax(guess + off / (r->blockSize + r->compliance), r->lower), r->upper);
+    const double next = keaMin(keaMax(guess + residual / (r->invMassInBlock + r->compliance), r->lower), r->upper);
     addResponse(j, b, r, next - guess);
     return setImpulse(r, guess, next);
 }
@@ -567,7 +567,7 @@ static double visitBlock(const MdtKeaSystem *s, const KeaJoints *j, const KeaJoi
     for (int i = b->firstRow; i < b->firstRow + b->numTied; i++) {
         KeaJointRow *r = &j->row[i];
         const double guess = guessOf(r, beta);
-        uphill += setImpulse(r, guess, guess + r->weight * (r->missing - rateOf(r, unknownsOf(j, b))));
+        uphill += setImpulse(r, guess, guess + r->weight * (r->residual - rateOf(r, unknownsOf(j, b))));
     }
     moveBodies(j, b, motion);
     return uphill;
@@ -581,9 +581,10 @@ double kea_jointsPass(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[], d
 }
 
 static double residualOf(const KeaJointRow *r, double rate) {
-    const double off = r->target - rate - r->compliance * r->impulse, size = r->size + r->compliance;
-    const double next = keaMin(keaMax(r->impulse + off / size, r->lower), r->upper);
-    return fabs(next - r->impulse) * size * r->length;
+    const double residual = r->target - rate - r->compliance * r->impulse,
+                 invEffectiveMass = r->invEffectiveMass + r->compliance;
+    const double next = keaMin(keaMax(r->impulse + residual / invEffectiveMass, r->lower), r->upper);
+    return fabs(next - r->impulse) * invEffectiveMass * r->length;
 }
 
 /* m/s, that a row may leave: of a contact, but for its load (KeaTolerance). */
@@ -627,7 +628,7 @@ double kea_jointsOpening(const KeaJoints *j) {
     double most = 0;
     for (int i = 0; i < j->numBlocks; i++)
         for (int k = j->block[i].firstRow; k < j->block[i].firstRow + j->block[i].numRows; k++)
-            if (j->row[k].isHeld)
+            if (j->row[k].isRigid)
                 most = keaMax(most, opening(&j->row[k], violationOf(&j->row[k], j->row[k].row->error)));
     return most;
 }
@@ -640,7 +641,7 @@ void kea_jointsMoveByEnd(const KeaJoints *j, const KeaMotion motion[], KeaMotion
         }
 }
 
-double kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]) {
+double kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displacement[]) {
     const double h = s->parameters.stepsize;
     double most = 0, all = 0;
     if (!s->errors)
@@ -648,13 +649,13 @@ double kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]) {
     s->errors(s->context, s->work->endPose, j->errors);
     for (int i = 0; i < j->numBlocks; i++) {
         const KeaJointBlock *b = &j->block[i];
-        double(*const v)[6] = motionsOf(j, b, way);
+        double(*const v)[6] = motionsOf(j, b, displacement);
         for (int k = b->firstRow; k < b->firstRow + b->numRows; k++) {
             KeaJointRow *r = &j->row[k];
-            if (!r->isHeld)
+            if (!r->isRigid)
                 continue;
-            const double error = j->errors[r->row - s->rows] - (r->wanted - h * r->row->softness * r->impulse);
-            r->gap = error - rateOf(r, v);
+            const double error = j->errors[r->row - s->rows] - (r->targetError - h * r->row->softness * r->impulse);
+            r->jointError = error - rateOf(r, v);
             most = keaMax(most, opening(r, violationOf(r, error)));
             all = keaMax(all, opening(r, violationOf(r, j->errors[r->row - s->rows])));
         }
@@ -663,17 +664,17 @@ double kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]) {
     return most;
 }
 
-void kea_jointsTurn(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]) {
+void kea_jointsTurn(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displacement[]) {
     if (!s->jacobians)
         return;
     s->jacobians(s->context, s->work->endPose);
     for (int i = 0; i < j->numBlocks; i++) {
-        double(*const v)[6] = motionsOf(j, &j->block[i], way);
+        double(*const v)[6] = motionsOf(j, &j->block[i], displacement);
         for (int k = j->block[i].firstRow; k < j->block[i].firstRow + j->block[i].numRows; k++) {
             KeaJointRow *r = &j->row[k];
             const double before = rateOf(r, v);
-            takeJacobian(r);
-            r->gap += before - rateOf(r, v);
+            copyJacobian(r);
+            r->jointError += before - rateOf(r, v);
         }
     }
     kea_jointsRefill(s, j);
@@ -683,8 +684,8 @@ void kea_jointsRefill(const MdtKeaSystem *s, KeaJoints *j) {
     for (int i = 0; i < j->numBlocks; i++) {
         KeaJointBlock *b = &j->block[i];
         for (int k = b->firstRow; k < b->firstRow + b->numRows; k++) {
-            takeJacobian(&j->row[k]);
-            j->row[k].blockSize = 0;
+            copyJacobian(&j->row[k]);
+            j->row[k].invMassInBlock = 0;
         }
         factorize(s, j, b);
     }
@@ -692,35 +693,35 @@ void kea_jointsRefill(const MdtKeaSystem *s, KeaJoints *j) {
 
 /* Removes the violation of a stop; it does not pull back to the stop. */
 static void pushStop(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, KeaJointRow *r) {
-    const double off = r->missing - rateOf(r, unknownsOf(j, b));
-    const double need = r->lower == 0 ? keaMax(off, 0) : keaMin(off, 0);
-    if (!r->isHeld || r->isOff || need == 0)
+    const double residual = r->residual - rateOf(r, unknownsOf(j, b));
+    const double need = r->lower == 0 ? keaMax(residual, 0) : keaMin(residual, 0);
+    if (!r->isRigid || r->isOff || need == 0)
         return;
-    if (r->blockSize == 0)
+    if (r->invMassInBlock == 0)
         findResponse(s, b, r);
-    addResponse(j, b, r, need / r->blockSize);
+    addResponse(j, b, r, need / r->invMassInBlock);
 }
 
-/* Scales a pass's displacements down to the largest turn for which errors are linear in them (kea_mostPush). */
+/* Scales a pass's displacements down to the largest turn for which errors are linear in them (kea_maxPush). */
 static void limitTurn(const KeaJoints *j, const KeaJointBlock *b) {
     double most = 0;
     for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++)
         most = keaMax(most, keaLength(j->x[n] + 3));
-    if (most <= kea_mostPush)
+    if (most <= kea_maxPush)
         return;
     for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++)
         for (int i = 0; i < 6; i++)
-            j->x[n][i] *= kea_mostPush / most;
+            j->x[n][i] *= kea_maxPush / most;
 }
 
 /* Returns the largest, of a size. */
-static double setPositionResiduals(const KeaJoints *j, const KeaJointBlock *b, const KeaMotion way[]) {
-    double(*const v)[6] = motionsOf(j, b, way);
+static double setPositionResiduals(const KeaJoints *j, const KeaJointBlock *b, const KeaMotion displacement[]) {
+    double(*const v)[6] = motionsOf(j, b, displacement);
     double most = 0;
     for (int k = b->firstRow; k < b->firstRow + b->numRows; k++) {
         KeaJointRow *r = &j->row[k];
-        r->missing = r->isHeld ? -(r->gap + rateOf(r, v)) : 0;
-        most = keaMax(most, opening(r, violationOf(r, -r->missing)));
+        r->residual = r->isRigid ? -(r->jointError + rateOf(r, v)) : 0;
+        most = keaMax(most, opening(r, violationOf(r, -r->residual)));
     }
     return most;
 }
@@ -730,24 +731,24 @@ static void pushStops(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointB
         pushStop(s, j, b, &j->row[k]);
 }
 
-double kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion way[]) {
+double kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion displacement[]) {
     double most = 0;
     for (int i = 0; i < j->numBlocks; i++) {
         const KeaJointBlock *b = &j->block[i];
         if (!b->isSound)
             continue;
-        most = keaMax(most, setPositionResiduals(j, b, way));
+        most = keaMax(most, setPositionResiduals(j, b, displacement));
         if (b->isWide) {
             memset(unknownsOf(j, b), 0, (size_t)b->numNodes * sizeof *j->x);
             pushStops(s, j, b);
-            moveBodies(j, b, way);
-            setPositionResiduals(j, b, way);
+            moveBodies(j, b, displacement);
+            setPositionResiduals(j, b, displacement);
         }
         solveTied(j, b);
         if (!b->isWide)
             pushStops(s, j, b);
         limitTurn(j, b);
-        moveBodies(j, b, way);
+        moveBodies(j, b, displacement);
     }
     return most;
 }

@@ -8,19 +8,19 @@
 typedef struct KeaJointRow {
     double J[2][6]; /* copied from the system's row, to lie with what passes read */
     const MdtKeaRow *row;
-    int node[2], edge;    /* of the block's graph; -1: the world; no edge */
-    MeBool isOff, isHeld; /* it is inactive; displacements remove its position error */
-    double length;        /* m per unit of the row: 1, or the bodies' size */
-    double perSize;       /* of the smaller body's size, per unit of the row */
-    double perSquare;     /* 1/length², with which the squares of impulses of all rows are comparable */
-    double size;          /* J M⁻¹ Jᵀ, 1/kg */
-    double weight;        /* kg, of a row without bounds: 1 / (E + N) */
+    int node[2], edge;       /* of the block's graph; -1: the world; no edge */
+    MeBool isOff, isRigid;   /* it is inactive; displacements remove its position error */
+    double length;           /* m per unit of the row: 1, or the bodies' size */
+    double perSize;          /* of the smaller body's size, per unit of the row */
+    double perSquare;        /* 1/length², with which the squares of impulses of all rows are comparable */
+    double invEffectiveMass; /* J M⁻¹ Jᵀ, 1/kg */
+    double weight;           /* kg, of a row without bounds: 1 / (E + N) */
     double *response; /* of a row with bounds, by node, six: S⁻¹ Jᵀ, the block's velocities by a unit of impulse */
-    double blockSize; /* J S⁻¹ Jᵀ, 1/kg; 0: not computed yet */
+    double invMassInBlock; /* J S⁻¹ Jᵀ, 1/kg; 0: not computed yet */
     double target, compliance, lower, upper;
-    double wanted;  /* m, the error that is aimed at for the end, without the compliance's part */
-    double gap;     /* m, the error with the end's velocities, which displacements are to remove */
-    double missing; /* m/s or m, the residual in this pass */
+    double targetError; /* m, the error that is aimed at for the end, without the compliance's part */
+    double jointError;  /* m, the error with the end's velocities, which displacements are to remove */
+    double residual;    /* m/s or m, the residual in this pass */
     double impulse, before;
 } KeaJointRow;
 
@@ -78,14 +78,14 @@ void kea_jointsMoveByEnd(const KeaJoints *j, const KeaMotion motion[], KeaMotion
 /* How far joints are open at the start, of a body's size. */
 double kea_jointsOpening(const KeaJoints *j);
 /* Evaluates position errors at the end's poses, displacements included; returns the largest, of a body's size. */
-double kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]);
+double kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displacement[]);
 /* Evaluates the rows' Jacobians there, and factorizes with them. */
-void kea_jointsTurn(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]);
+void kea_jointsTurn(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displacement[]);
 /* Factorizes again, after the rows' Jacobians have changed. */
 void kea_jointsRefill(const MdtKeaSystem *s, KeaJoints *j);
 /* A pass over displacements, which removes position errors. Returns the largest that there was, as
  * kea_jointsAdvance. */
-double kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion way[]);
+double kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion displacement[]);
 /* Makes the rebound the target of stops that were hit; whether there are any. */
 MeBool kea_jointsRebound(KeaJoints *j);
 /* J, the work that motors, springs and worlds that move do by the impulses; a rebound does none. */

@@ -76,11 +76,12 @@ KEA_INLINE void applyNormals(const KeaGroup *g, int points, Pair *p, KeaLanes3 a
 }
 
 /* Normal impulses of that resultant, with friction along t1 and t2, and about n. */
-KEA_INLINE void applyAll(const KeaGroup *g, Pair *p, KeaLanes3 across, const KeaLanes r[3], const KeaLanes rub[2],
-                         KeaLanes twist) {
-    const KeaLanes3 friction = lanesSum(lanesScale(rub[0], g->along), lanesScale(rub[1], across));
+KEA_INLINE void applyAll(const KeaGroup *g, Pair *p, KeaLanes3 across, const KeaLanes r[3],
+                         const KeaLanes frictionImpulse[2], KeaLanes torsionImpulse) {
+    const KeaLanes3 friction =
+        lanesSum(lanesScale(frictionImpulse[0], g->along), lanesScale(frictionImpulse[1], across));
     applyImpulse(g, p, lanesSum(lanesScale(r[0], g->normal), friction),
-                 lanesSum(coupleOf(g, across, r), lanesScale(twist, g->normal)));
+                 lanesSum(coupleOf(g, across, r), lanesScale(torsionImpulse, g->normal)));
 }
 
 /* Of the first body against the second, at the centre: u of kea_fast_i.h; along t1 and t2, m/s; about n, rad/s. */
@@ -149,7 +150,7 @@ KEA_INLINE void solvePoints(const KeaGroup *g, int points, const KeaLanes rate[]
 
 /* N s of friction along t1 and t2, at most, and N m s about n. */
 typedef struct Limits {
-    KeaLanes rub[2], twist;
+    KeaLanes frictionImpulse[2], torsionImpulse;
 } Limits;
 
 KEA_INLINE Limits frictionLimits(const KeaGroup *g, int points, const KeaLanes impulse[]) {
@@ -161,29 +162,33 @@ KEA_INLINE Limits frictionLimits(const KeaGroup *g, int points, const KeaLanes i
         moment += pressing * g->lever[k];
     }
     for (int i = 0; i < 2; i++)
-        limits.rub[i] = g->bound[i] + g->coefficient[i] * load;
-    limits.twist = g->boundTwist + g->coefficient[0] * moment;
+        limits.frictionImpulse[i] = g->bound[i] + g->coefficient[i] * load;
+    limits.torsionImpulse = g->torsionBound + g->coefficient[0] * moment;
     return limits;
 }
 
-KEA_INLINE void clampFriction(const KeaGroup *g, const Limits *limits, KeaLanes rub[2]) {
-    const KeaLanes size = lanesRoot(rub[0] * rub[0] + rub[1] * rub[1]);
-    const KeaLanes share = lanesSelect(size > limits->rub[0], limits->rub[0] / size, lanesOf(1));
+KEA_INLINE void clampFriction(const KeaGroup *g, const Limits *limits, KeaLanes frictionImpulse[2]) {
+    const KeaLanes size = lanesRoot(frictionImpulse[0] * frictionImpulse[0] + frictionImpulse[1] * frictionImpulse[1]);
+    const KeaLanes share =
+        lanesSelect(size > limits->frictionImpulse[0], limits->frictionImpulse[0] / size, lanesOf(1));
     for (int i = 0; i < 2; i++)
-        rub[i] = lanesSelect(g->isCone, share * rub[i], lanesClamp(rub[i], limits->rub[i]));
+        frictionImpulse[i] = lanesSelect(g->isCone, share * frictionImpulse[i],
+                                         lanesClamp(frictionImpulse[i], limits->frictionImpulse[i]));
 }
 
-/* Friction from the guess `rub`: the rates along t1 and t2 vanish, or it is at its limits. */
-KEA_INLINE void solveFriction(const KeaGroup *g, const KeaLanes rate[2], const Limits *limits, KeaLanes rub[2]) {
-    rub[0] -= g->grip[0] * rate[0] + g->grip[1] * rate[1];
-    rub[1] -= g->grip[1] * rate[0] + g->grip[2] * rate[1];
-    clampFriction(g, limits, rub);
+/* Friction from the guess `frictionImpulse`: the rates along t1 and t2 vanish, or it is at its limits. */
+KEA_INLINE void solveFriction(const KeaGroup *g, const KeaLanes rate[2], const Limits *limits,
+                              KeaLanes frictionImpulse[2]) {
+    frictionImpulse[0] -= g->frictionMass[0] * rate[0] + g->frictionMass[1] * rate[1];
+    frictionImpulse[1] -= g->frictionMass[1] * rate[0] + g->frictionMass[2] * rate[1];
+    clampFriction(g, limits, frictionImpulse);
 }
 
 /* Less those that the surface is to have, with the compliance of such friction. */
-KEA_INLINE void slidingRates(const KeaGroup *g, const KeaLanes slide[2], const KeaLanes rub[2], KeaLanes rate[2]) {
+KEA_INLINE void slidingRates(const KeaGroup *g, const KeaLanes slide[2], const KeaLanes frictionImpulse[2],
+                             KeaLanes rate[2]) {
     for (int i = 0; i < 2; i++)
-        rate[i] = slide[i] - g->slide[i] + g->slip[i] * rub[i];
+        rate[i] = slide[i] - g->slide[i] + g->slip[i] * frictionImpulse[i];
 }
 
 /* ---- a visit ---- */
@@ -197,7 +202,7 @@ KEA_INLINE void visitNormals(KeaGroup *g, int points, Rates *rates, KeaLanes bet
     const KeaLanes *u = rates->u;
     for (int k = 0; k < points; k++) {
         guess[k] = next[k] = g->impulse[k] + beta * (g->impulse[k] - g->before[k]);
-        rate[k] = pointRate(g, k, u) - g->target[k] + g->compliance * guess[k];
+        rate[k] = pointRate(g, k, u) - g->bias[k] + g->compliance * guess[k];
     }
     solvePoints(g, points, rate, g->least, next);
     for (int k = 0; k < points; k++) {
@@ -215,13 +220,14 @@ KEA_INLINE void visitNormals(KeaGroup *g, int points, Rates *rates, KeaLanes bet
     }
 }
 
-KEA_INLINE KeaLanes visitTwist(KeaGroup *g, Rates *rates, const Limits *limits, KeaLanes beta) {
-    const KeaLanes guess = g->twist + beta * (g->twist - g->twistBefore);
-    const KeaLanes next = lanesClamp(guess - g->twistMass * rates->spin, limits->twist), change = next - guess;
-    g->twistBefore = g->twist;
-    g->twist = next;
+KEA_INLINE KeaLanes visitTorsion(KeaGroup *g, Rates *rates, const Limits *limits, KeaLanes beta) {
+    const KeaLanes guess = g->torsionImpulse + beta * (g->torsionImpulse - g->torsionImpulseBefore);
+    const KeaLanes next = lanesClamp(guess - g->torsionMass * rates->spin, limits->torsionImpulse),
+                   change = next - guess;
+    g->torsionImpulseBefore = g->torsionImpulse;
+    g->torsionImpulse = next;
     for (int i = 0; i < 2; i++)
-        rates->slide[i] += g->twistToSlide[i] * change;
+        rates->slide[i] += g->torsionToSlide[i] * change;
     return change;
 }
 
@@ -229,14 +235,14 @@ KEA_INLINE void visitFriction(KeaGroup *g, const Rates *rates, const Limits *lim
                               KeaLanes change[2]) {
     KeaLanes guess[2], next[2], rate[2];
     for (int i = 0; i < 2; i++)
-        guess[i] = next[i] = g->rub[i] + beta * (g->rub[i] - g->rubBefore[i]);
+        guess[i] = next[i] = g->frictionImpulse[i] + beta * (g->frictionImpulse[i] - g->frictionImpulseBefore[i]);
     slidingRates(g, rates->slide, guess, rate);
     solveFriction(g, rate, limits, next);
     for (int i = 0; i < 2; i++) {
         change[i] = next[i] - guess[i];
-        *uphill -= change[i] * (next[i] - g->rub[i]);
-        g->rubBefore[i] = g->rub[i];
-        g->rub[i] = next[i];
+        *uphill -= change[i] * (next[i] - g->frictionImpulse[i]);
+        g->frictionImpulseBefore[i] = g->frictionImpulse[i];
+        g->frictionImpulse[i] = next[i];
     }
 }
 
@@ -245,13 +251,13 @@ KEA_INLINE void visit(KeaGroup *g, int points, KeaMotion motion[], KeaLanes beta
     const KeaLanes3 across = lanesCross(g->normal, g->along);
     Pair p = gather(g, motion);
     Rates rates = ratesOf(g, &p, across);
-    KeaLanes normal[3], rub[2], twist = lanesOf(0);
+    KeaLanes normal[3], frictionImpulse[2], torsionImpulse = lanesOf(0);
     visitNormals(g, points, &rates, beta, uphill, normal);
     const Limits limits = frictionLimits(g, points, g->impulse);
     if (points > 1)
-        twist = visitTwist(g, &rates, &limits, beta);
-    visitFriction(g, &rates, &limits, beta, uphill, rub);
-    applyAll(g, &p, across, normal, rub, twist);
+        torsionImpulse = visitTorsion(g, &rates, &limits, beta);
+    visitFriction(g, &rates, &limits, beta, uphill, frictionImpulse);
+    applyAll(g, &p, across, normal, frictionImpulse, torsionImpulse);
     scatter(g, &p, motion);
 }
 
@@ -344,10 +350,10 @@ KEA_INLINE void invertBlocks(KeaLanes M[10], KeaMask *isSound) {
     const KeaLanes q[4] = {M[2], M[3], M[5], M[6]};
     const KeaLanes w[4] = {P.a * q[0] + P.b * q[2], P.a * q[1] + P.b * q[3], P.b * q[0] + P.d * q[2],
                            P.b * q[1] + P.d * q[3]};
-    const Block rest = {M[7] - (q[0] * w[0] + q[2] * w[2]), M[8] - (q[0] * w[1] + q[2] * w[3]),
-                        M[9] - (q[1] * w[1] + q[3] * w[3])};
-    *isSound &= (rest.a > lanesOf(kea_soundDeterminant) * M[7]) & (rest.d > lanesOf(kea_soundDeterminant) * M[9]);
-    const Block S = inverseOf(rest, isSound);
+    const Block schur = {M[7] - (q[0] * w[0] + q[2] * w[2]), M[8] - (q[0] * w[1] + q[2] * w[3]),
+                         M[9] - (q[1] * w[1] + q[3] * w[3])};
+    *isSound &= (schur.a > lanesOf(kea_soundDeterminant) * M[7]) & (schur.d > lanesOf(kea_soundDeterminant) * M[9]);
+    const Block S = inverseOf(schur, isSound);
     const KeaLanes v[4] = {w[0] * S.a + w[1] * S.b, w[0] * S.b + w[1] * S.d, w[2] * S.a + w[3] * S.b,
                            w[2] * S.b + w[3] * S.d};
     M[0] = P.a + v[0] * w[0] + v[1] * w[1];
@@ -362,7 +368,7 @@ KEA_INLINE void invertBlocks(KeaLanes M[10], KeaMask *isSound) {
  * each other, which the pseudo-inverse would ignore: where they do by more than the sag it is not used. */
 KEA_INLINE void setInverse(KeaGroup *g, float stepsize) {
     const KeaLanes scale = g->coupling[0];
-    KeaLanes null[KEA_POINTS], misfit = lanesOf(0), sag = lanesOf(0);
+    KeaLanes null[KEA_POINTS], misfit = lanesOf(0), slop = lanesOf(0);
     findNullVector(g, null);
     for (int k = 0; k < KEA_POINTS; k++)
         for (int j = k; j < KEA_POINTS; j++) {
@@ -372,47 +378,47 @@ KEA_INLINE void setInverse(KeaGroup *g, float stepsize) {
     g->isDirect = (KeaMask){-1, -1, -1, -1, -1, -1, -1, -1};
     invertBlocks(g->direct, &g->isDirect);
     for (int k = 0; k < KEA_POINTS; k++) {
-        misfit += null[k] * g->target[k];
-        sag = lanesMax(sag, g->sag[k]);
+        misfit += null[k] * g->bias[k];
+        slop = lanesMax(slop, g->slop[k]);
         for (int j = k; j < KEA_POINTS; j++)
             g->direct[entryOf(k, j)] = lanesSelect(g->isPoint[k] & g->isPoint[j],
                                                    g->direct[entryOf(k, j)] - null[k] * null[j] / scale, lanesOf(0));
     }
-    g->isDirect &= lanesAbs(misfit) * lanesOf(stepsize) <= sag;
+    g->isDirect &= lanesAbs(misfit) * lanesOf(stepsize) <= slop;
 }
 
 /* Effective masses of friction: along t1 and t2 together, and about n. */
 KEA_INLINE void setFrictionMass(KeaGroup *g, KeaLanes3 across) {
-    KeaLanes T[3] = {g->slip[0], lanesOf(0), g->slip[1]}, twist = lanesOf(0);
+    KeaLanes T[3] = {g->slip[0], lanesOf(0), g->slip[1]}, invTorsionMass = lanesOf(0);
     for (int b = 0; b < 2; b++) {
         const KeaLanes3 first = lanesCross(g->arm[b], g->along), second = lanesCross(g->arm[b], across);
         const KeaLanes3 turned = lanesApply(g->invInertia[b], second);
         T[0] += g->invMass[b] + lanesDot(first, lanesApply(g->invInertia[b], first));
         T[1] += lanesDot(first, turned);
         T[2] += g->invMass[b] + lanesDot(second, turned);
-        twist += lanesDot(g->normal, lanesApply(g->invInertia[b], g->normal));
+        invTorsionMass += lanesDot(g->normal, lanesApply(g->invInertia[b], g->normal));
     }
     T[1] = lanesSelect(g->isOneWay, lanesOf(0), T[1]);
     const KeaLanes det = T[0] * T[2] - T[1] * T[1];
-    g->grip[0] = lanesSelect(det > lanesOf(0), T[2] / det, lanesOf(0));
-    g->grip[1] = lanesSelect(det > lanesOf(0), -T[1] / det, lanesOf(0));
-    g->grip[2] = lanesSelect((det > lanesOf(0)) & ~g->isOneWay, T[0] / det, lanesOf(0));
-    g->twistMass = lanesSelect(twist > lanesOf(0), lanesOf(1) / twist, lanesOf(0));
+    g->frictionMass[0] = lanesSelect(det > lanesOf(0), T[2] / det, lanesOf(0));
+    g->frictionMass[1] = lanesSelect(det > lanesOf(0), -T[1] / det, lanesOf(0));
+    g->frictionMass[2] = lanesSelect((det > lanesOf(0)) & ~g->isOneWay, T[0] / det, lanesOf(0));
+    g->torsionMass = lanesSelect(invTorsionMass > lanesOf(0), lanesOf(1) / invTorsionMass, lanesOf(0));
 }
 
 /* Rates of friction by normal impulses, as resultantOf has them, and by friction about n. */
 KEA_INLINE void setFrictionCoupling(KeaGroup *g, KeaLanes3 across) {
     for (int j = 0; j < 3; j++)
         g->toSlide[0][j] = g->toSlide[1][j] = g->toSpin[j] = lanesOf(0);
-    g->twistToSlide[0] = g->twistToSlide[1] = lanesOf(0);
+    g->torsionToSlide[0] = g->torsionToSlide[1] = lanesOf(0);
     for (int b = 0; b < 2; b++) {
         const KeaLanes3 lever[2] = {lanesCross(g->arm[b], g->along), lanesCross(g->arm[b], across)};
         const KeaLanes3 minus = lanesScale(lanesOf(-1), across);
         const KeaLanes3 by[3] = {lanesApply(g->invInertia[b], lanesCross(g->arm[b], g->normal)),
                                  lanesApply(g->invInertia[b], minus), lanesApply(g->invInertia[b], g->along)};
-        const KeaLanes3 byTwist = lanesApply(g->invInertia[b], g->normal);
+        const KeaLanes3 byTorsion = lanesApply(g->invInertia[b], g->normal);
         for (int i = 0; i < 2; i++) {
-            g->twistToSlide[i] += lanesDot(lever[i], byTwist);
+            g->torsionToSlide[i] += lanesDot(lever[i], byTorsion);
             for (int j = 0; j < 3; j++)
                 g->toSlide[i][j] += lanesDot(lever[i], by[j]);
         }
@@ -431,9 +437,9 @@ static void prepare(KeaGroup groups[], int count, float stepsize) {
         setInverse(g, stepsize);
         setFrictionMass(g, across);
         setFrictionCoupling(g, across);
-        g->rubBefore[0] = g->rub[0];
-        g->rubBefore[1] = g->rub[1];
-        g->twistBefore = g->twist;
+        g->frictionImpulseBefore[0] = g->frictionImpulse[0];
+        g->frictionImpulseBefore[1] = g->frictionImpulse[1];
+        g->torsionImpulseBefore = g->torsionImpulse;
     }
 }
 
@@ -444,7 +450,7 @@ static void apply(const KeaGroup groups[], int count, KeaMotion motion[]) {
         Pair p = gather(g, motion);
         KeaLanes normal[3];
         resultantOf(g, KEA_POINTS, g->impulse, normal);
-        applyAll(g, &p, across, normal, g->rub, g->twist);
+        applyAll(g, &p, across, normal, g->frictionImpulse, g->torsionImpulse);
         scatter(g, &p, motion);
     }
 }
@@ -495,13 +501,13 @@ static MeBool choosePressed(const KeaGroup groups[], int count, const KeaMotion 
         const KeaGroup *g = &groups[i];
         const KeaLanes3 across = lanesCross(g->normal, g->along);
         const Pair p = gather(g, motion), q = gather(g, move);
-        const Rates end = ratesOf(g, &p, across), way = ratesOf(g, &q, across);
+        const Rates end = ratesOf(g, &p, across), moved = ratesOf(g, &q, across);
         KeaMask isPressed = {0};
         for (int k = 0; k < KEA_POINTS; k++) {
             const KeaLanes atEnd = g->gap[k] + h * pointRate(g, k, end.u);
-            const KeaLanes atWay = g->gap[k] + h * pointRate(g, k, way.u);
+            const KeaLanes atMove = g->gap[k] + h * pointRate(g, k, moved.u);
             isPressed |=
-                g->isPoint[k] & (atWay < lanesMin(atEnd, lanesOf(0)) - lanesOf((float)kea_pressedDepth) * g->size);
+                g->isPoint[k] & (atMove < lanesMin(atEnd, lanesOf(0)) - lanesOf((float)kea_pressedDepth) * g->size);
         }
         for (int lane = 0; lane < KEA_LANES && !lanesAreAll(~isPressed); lane++)
             if (isPressed[lane])
@@ -517,25 +523,25 @@ KEA_INLINE KeaMask pushGroup(const KeaGroup *g, int points, KeaMotion motion[]) 
     Pair p = gather(g, motion);
     const Rates rates = ratesOf(g, &p, across);
     const KeaLanes *u = rates.u;
-    KeaLanes rate[KEA_POINTS], way[KEA_POINTS];
+    KeaLanes rate[KEA_POINTS], pseudoImpulse[KEA_POINTS];
     KeaMask isAny = {0};
     for (int k = 0; k < points; k++) {
         const KeaLanes gap = g->gap[k] + pointRate(g, k, u);
-        const KeaLanes overlap = lanesMin(gap + g->sag[k], lanesOf(0));
+        const KeaLanes overlap = lanesMin(gap + g->slop[k], lanesOf(0));
         rate[k] = lanesSelect(gap > lanesOf(0), gap, g->correction * overlap);
-        way[k] = lanesOf(0);
+        pseudoImpulse[k] = lanesOf(0);
     }
-    solvePoints(g, points, rate, lanesOf(0), way);
+    solvePoints(g, points, rate, lanesOf(0), pseudoImpulse);
     for (int k = 0; k < points; k++) {
         isAny |= g->isPoint[k] & (rate[k] < -lanesOf((float)kea_closedJoint) * g->size);
-        way[k] = lanesSelect(g->isPoint[k] & (g->correction > lanesOf(0)), way[k], lanesOf(0));
+        pseudoImpulse[k] = lanesSelect(g->isPoint[k] & (g->correction > lanesOf(0)), pseudoImpulse[k], lanesOf(0));
     }
-    applyNormals(g, points, &p, across, way);
+    applyNormals(g, points, &p, across, pseudoImpulse);
     scatter(g, &p, motion);
     return isAny;
 }
 
-static MeBool pushApart(const KeaGroup groups[], int count, KeaMotion motion[]) {
+static MeBool pushManifolds(const KeaGroup groups[], int count, KeaMotion motion[]) {
     KeaMask isAny = {0};
     for (int i = 0; i < count; i++)
         switch (groups[i].points) {
@@ -597,25 +603,27 @@ static void measure(const KeaGroup groups[], int count, const KeaMotion motion[]
         const Limits limits = frictionLimits(g, KEA_POINTS, g->impulse);
         const Rates rates = ratesOf(g, &p, across);
         const KeaLanes *u = rates.u;
-        KeaLanes rate[2], rub[2] = {g->rub[0], g->rub[1]}, left = lanesOf(0), lever = lanesOf(0);
+        KeaLanes rate[2], frictionImpulse[2] = {g->frictionImpulse[0], g->frictionImpulse[1]}, left = lanesOf(0),
+                          lever = lanesOf(0);
         for (int k = 0; k < KEA_POINTS; k++) {
             const KeaLanes speed = pointRate(g, k, u);
-            const KeaLanes off = speed - g->target[k] + g->compliance * g->impulse[k];
-            const KeaLanes next = lanesMax(g->impulse[k] - g->response[k] * off, g->least);
+            const KeaLanes residual = speed - g->bias[k] + g->compliance * g->impulse[k];
+            const KeaLanes next = lanesMax(g->impulse[k] - g->response[k] * residual, g->least);
             const KeaLanes miss = lanesAbs(next - g->impulse[k]) / g->response[k];
             addMiss(g->isPoint[k], miss, &left, &squares);
             lever = lanesMax(lanesSelect(g->isPoint[k], g->lever[k], lanesOf(0)), lever);
             fastest = lanesMax(closingOf(g, k, speed, h), fastest);
         }
-        slidingRates(g, rates.slide, rub, rate);
-        solveFriction(g, rate, &limits, rub);
+        slidingRates(g, rates.slide, frictionImpulse, rate);
+        solveFriction(g, rate, &limits, frictionImpulse);
         for (int k = 0; k < 2; k++) {
-            const KeaLanes miss = lanesAbs(rub[k] - g->rub[k]) / g->grip[2 * k];
-            addMiss(g->isPoint[0] & (g->grip[2 * k] > lanesOf(0)), miss, &left, &squares);
+            const KeaLanes miss = lanesAbs(frictionImpulse[k] - g->frictionImpulse[k]) / g->frictionMass[2 * k];
+            addMiss(g->isPoint[0] & (g->frictionMass[2 * k] > lanesOf(0)), miss, &left, &squares);
         }
-        const KeaLanes twist = lanesClamp(g->twist - g->twistMass * rates.spin, limits.twist);
-        addMiss(g->isPoint[1] & (g->twistMass > lanesOf(0)), lever * lanesAbs(twist - g->twist) / g->twistMass, &left,
-                &squares);
+        const KeaLanes torsionImpulse =
+            lanesClamp(g->torsionImpulse - g->torsionMass * rates.spin, limits.torsionImpulse);
+        addMiss(g->isPoint[1] & (g->torsionMass > lanesOf(0)),
+                lever * lanesAbs(torsionImpulse - g->torsionImpulse) / g->torsionMass, &left, &squares);
         worst = lanesMax(left, worst);
         const KeaLanes over = left / toleranceOf(g, tolerance);
         excess = lanesMax(over, excess);
@@ -634,5 +642,5 @@ const KeaKernel KEA_KERNEL = {.prepare = prepare,
                               .pass = pass,
                               .choosePressed = choosePressed,
                               .advance = advance,
-                              .push = pushApart,
+                              .push = pushManifolds,
                               .measure = measure};

@@ -19,7 +19,7 @@ void kea_regionsLayOut(const MdtKeaSystem *s, KeaRegions *r, KeaArena *arena) {
     r->leaf = kea_carve(arena, n, sizeof *r->leaf);
     r->home = kea_carve(arena, m, sizeof *r->home);
     r->colour = kea_carve(arena, m, sizeof *r->colour);
-    r->taken = kea_carve(arena, n, sizeof *r->taken);
+    r->usedColours = kea_carve(arena, n, sizeof *r->usedColours);
     r->bisected = kea_carve(arena, n, sizeof *r->bisected);
 }
 
@@ -74,7 +74,7 @@ typedef struct Division {
 
 static int numRegionsOf(const MdtKeaSystem *s) {
     int count = 1;
-    while (count < KEA_MOST_REGIONS && s->numManifolds >= 2 * count * KEA_REGION_MANIFOLDS)
+    while (count < KEA_MAX_REGIONS && s->numManifolds >= 2 * count * KEA_REGION_MANIFOLDS)
         count *= 2;
     return count;
 }

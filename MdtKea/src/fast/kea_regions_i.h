@@ -19,7 +19,7 @@
 #include "fast/kea_fast_i.h"
 #include "MeTeam.h"
 
-enum { KEA_MOST_REGIONS = MeTaskMaxWorkers, KEA_MOST_NODES = 2 * KEA_MOST_REGIONS };
+enum { KEA_MAX_REGIONS = MeTaskMaxWorkers, KEA_MAX_NODES = 2 * KEA_MAX_REGIONS };
 
 typedef struct KeaNode {
     /* kea_regions.c */
@@ -40,9 +40,9 @@ typedef struct KeaRegions {
     int *manifold;                /* by node; */
     int *sorted;                  /* by node, colour, and number of points: kea_colour.c */
     MeU8 *leaf, *home, *colour;   /* by body, the region; by manifold, the node; by manifold */
-    MeU64 *taken;                 /* by place: scratch of kea_colour.c */
+    MeU64 *usedColours;           /* by place: scratch of kea_colour.c */
     struct KeaBisected *bisected; /* by place: scratch */
-    KeaNode *node;                /* the caller's KEA_MOST_NODES, from 1 on; only 2 count are touched */
+    KeaNode *node;                /* the caller's KEA_MAX_NODES, from 1 on; only 2 count are touched */
 } KeaRegions;
 
 typedef void (*KeaNodeWork)(void *context, KeaNode *node);
