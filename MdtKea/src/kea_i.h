@@ -103,7 +103,7 @@ typedef struct KeaFlight {
     KeaEventScale scale;        /* as flight began */
     double end, least;          /* s: of the step; the least way on to a meeting that was foreseen too early */
     double *time;               /* s, by body: up to when it has been moved */
-    double *meets;              /* s, by contact: when its bodies meet next; -HUGE_VAL: they do, in this impact */
+    double *impactTime;         /* s, by contact: when its bodies meet next; -HUGE_VAL: they do, in this impact */
     int *start, *list;          /* the contacts of body b: list[start[b] .. start[b + 1]) */
     int *body, numBodies;       /* those that take part in this impact, */
     char *isIn;                 /* by body: it is among them; */
@@ -128,7 +128,7 @@ typedef struct MdtKeaWork {
     double *target;                   /* by row, twice: targets of normal rows, of impacts in m/s, of projection in m */
     double (*velocity)[6];            /* by body: input of the energy limit, m/s, rad/s */
     double *savedP;                   /* by row: impulses, while the inner problem is used for something else */
-    char *takesPart;                  /* by row: whether an impact or a projection has it */
+    char *isIncluded;                 /* by row: whether an impact or a projection has it */
     int *activeRow, *problemRowOf;    /* of impacts: system row of a problem row; problem row of a system row */
     int *activeBody, *problemBodyOf;  /* the same of bodies; -1: it has no part in the impact */
     int *parent;                      /* union-find, by body, the world last */
@@ -158,7 +158,7 @@ void kea_guessLoads(MdtKeaSystem *s);
 /* The orientation q1 after h seconds of free rotation from q0 with the angular momentum L (world, constant). */
 void kea_rotateFree(const MdtKeaBody *body, const double q0[4], const double L[3], double h, double q1[4]);
 /* The rotation from q0 to q1, of the angle a, becomes that of 2 atan(a/2), Cayley's map of its rotation vector, which
- * takes points along chords as displacements by mean velocities do. A larger one than kea_mostChord stays. */
+ * takes points along chords as displacements by mean velocities do. A larger one than kea_maxChord stays. */
 void kea_rotateByChord(const double q0[4], double q1[4]);
 /* The angular velocity (world) of a body at orientation q with angular momentum L, and the other way round. */
 void kea_angularVelocity(const MdtKeaBody *body, const double q[4], const double L[3], double w[3]);
@@ -171,7 +171,7 @@ void kea_inverseInertiaBy(const double moments[3], const double R[3][3], double 
 /* The inertia tensor in world axes at orientation q. */
 void kea_inertia(const MdtKeaBody *body, const double q[4], double inertia[3][3]);
 /* m, the largest radius of gyration. */
-double kea_sizeOf(const MdtKeaBody *body);
+double kea_bodyExtent(const MdtKeaBody *body);
 /* The inverse of any regular matrix. */
 void kea_invert(double inverse[3][3], const double M[3][3]);
 /* The largest absolute value of an entry. */
@@ -261,7 +261,7 @@ double kea_meanRate(const MdtKeaSystem *s, int i);
 /* m per unit of a row's coordinate: 1 of a linear row, the larger radius of gyration of an angular one. */
 double kea_lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row);
 /* m: the smaller radius of gyration of a row's or a manifold's bodies, which gaps and depths are compared with. */
-double kea_smallerSize(const MdtKeaSystem *s, const int body[2]);
+double kea_smallerExtent(const MdtKeaSystem *s, const int body[2]);
 /* Save and restore the rows' Jacobians. */
 void kea_keepRows(MdtKeaSystem *s);
 void kea_recallRows(MdtKeaSystem *s);
@@ -273,7 +273,7 @@ double kea_pushSpeed(const MdtKeaSystem *s, const MdtKeaRow *row, double speed);
 /* Sets isOpen of all contacts. */
 void kea_timedBegin(MdtKeaSystem *s);
 /* Holds the contacts that meet slowly within the step, by the end of the last solve (holdsSlow); returns how many. */
-int kea_holdMeeting(MdtKeaSystem *s);
+int kea_closeSlowContacts(MdtKeaSystem *s);
 /* s: the first impact or end of sliding within the step; HUGE_VAL: none. `mustRepeat`: contacts stop sliding, and their
  * friction is now fixed against the sliding of the start (isForced): solve and call again for the time.
  * kea_releaseSlides undoes that. */
@@ -284,7 +284,7 @@ double kea_firstEventOfFlight(const MdtKeaSystem *s);
 /* s: when the bodies of an open contact meet, by its normal row and without forces of rows; HUGE_VAL: they do not. */
 double kea_timeOfMeeting(const MdtKeaSystem *s, int i);
 /* Whether a normal row's contact has a gap, or opens. */
-MeBool kea_isOpen(const MdtKeaSystem *s, int i, double speed);
+MeBool kea_isContactOpen(const MdtKeaSystem *s, int i, double speed);
 
 /* ---- kea_impact.c ---- */
 
@@ -363,15 +363,15 @@ typedef struct KeaResiduals {
 
 /* m/s: slower, a body moves in the step by less than a double's rounding of its size, and is not told from one that
  * rests. Without this floor, what a motor has stopped in a world without loads is solved for again and again. */
-static inline double kea_leastSpeed(double size, double stepsize) {
+static inline double kea_minSpeed(double size, double stepsize) {
     return DBL_EPSILON * size / stepsize;
 }
 /* The same, the greatest of all bodies. */
-double kea_leastSpeedOfAll(const MdtKeaSystem *s);
+double kea_minSpeedOfAll(const MdtKeaSystem *s);
 /* m/s: the largest change of a body's velocity by loads in the step. */
 double kea_loadSpeed(const MdtKeaSystem *s);
 /* m/s: the scale of velocities, to which tolerances are relative: of bodies and their changes by loads, at least
- * kea_leastSpeedOfAll; and of their changes by springs and motors, with the present impulses. */
+ * kea_minSpeedOfAll; and of their changes by springs and motors, with the present impulses. */
 double kea_bodySpeedScale(const MdtKeaSystem *s);
 double kea_rowSpeedScale(const MdtKeaSystem *s);
 /* After a linearization. Writes report.error. */

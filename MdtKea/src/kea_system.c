@@ -38,7 +38,7 @@ static void layOut(MdtKeaSystem *s, KeaArena *arena) {
     work->target = kea_carve(arena, 2 * m, sizeof(double));
     work->velocity = kea_carve(arena, n, sizeof *work->velocity);
     work->savedP = kea_carve(arena, m, sizeof(double));
-    work->takesPart = kea_carve(arena, m, 1);
+    work->isIncluded = kea_carve(arena, m, 1);
     work->activeRow = kea_carve(arena, m, sizeof(int));
     work->problemRowOf = kea_carve(arena, m, sizeof(int));
     work->activeBody = kea_carve(arena, n, sizeof(int));
@@ -48,7 +48,7 @@ static void layOut(MdtKeaSystem *s, KeaArena *arena) {
     work->flight.start = kea_carve(arena, n + 1, sizeof(int));
     work->flight.body = kea_carve(arena, n, sizeof(int));
     work->flight.isIn = kea_carve(arena, n, 1);
-    work->flight.meets = kea_carve(arena, (size_t)s->maxContacts, sizeof(double));
+    work->flight.impactTime = kea_carve(arena, (size_t)s->maxContacts, sizeof(double));
     work->flight.list = kea_carve(arena, 2 * (size_t)s->maxContacts, sizeof(int));
     work->flight.touching = kea_carve(arena, (size_t)s->maxContacts, sizeof(int));
     work->dual.start = kea_carve(arena, m + 1, sizeof(int));

@@ -735,7 +735,7 @@ static void solveBy(const KeaFactorKernel *kernel, const Graph *g, int seed, For
     for (int i = 0; i < MOST; i++)
         x[i] = uniform(-1, 1);
     f->isSymmetric = isSymmetric;
-    ck_assert(kernel->factorize(f, kea_leastPivot));
+    ck_assert(kernel->factorize(f, kea_minPivot));
     if (form == INVERTED)
         kernel->invert(f);
     (form == INVERTED ? kernel->solveInverted : kernel->solve)(f, x);

@@ -38,7 +38,7 @@ static void begin(int numBodies, int numRows) {
         row->normal = row->partner = -1;
         row->lower = -HUGE_VAL;
         row->upper = HUGE_VAL;
-        row->state = KEA_HELD;
+        row->state = KEA_ACTIVE;
     }
     cache = MdtKeaCacheCreate();
 }

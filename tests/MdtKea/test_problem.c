@@ -86,7 +86,7 @@ static void begin(int numBodies, int numRows) {
         row->normal = row->partner = -1;
         row->lower = -HUGE_VAL;
         row->upper = HUGE_VAL;
-        row->state = KEA_HELD;
+        row->state = KEA_ACTIVE;
     }
 }
 
@@ -500,7 +500,7 @@ START_TEST(rows_that_are_off_keep_their_impulse) {
     for (unsigned seed = 1; seed <= 20; seed++) {
         state = seed;
         randomProblem(2, 4, MEFALSE, MEFALSE);
-        q.row[2].isOff = METRUE;
+        q.row[2].isInactive = METRUE;
         q.row[2].p = q.row[2].p0 = 0.3;
         solve();
         ck_assert(q.row[2].p == 0.3);

@@ -155,7 +155,7 @@ static void renewNormal(const MdtKeaSystem *s, KeaContact *c) {
     keaScale(n, 1 / distance, n);
     keaAddScaled(d, -keaDot(d, n), n);
     const double across = keaLength(d);
-    if (!(across > kea_leastAcross)) /* turned to where the direction was: what is left of it is rounding */
+    if (!(across > kea_minAcross)) /* turned to where the direction was: what is left of it is rounding */
         return;
     keaCopy(c->normal, n);
     keaScale(c->direction, 1 / across, d);
@@ -178,8 +178,8 @@ static void followBodies(const MdtKeaSystem *s, KeaContact *c) {
     keaSubtract(between, p[1], p[0]);
     c->depth = keaDot(c->normal, between);
     for (int i = 0; i < 3; i++) {
-        const double off = 0.5 * c->depth * c->normal[i];
-        const double on[2] = {p[0][i] + off, p[1][i] - off};
+        const double offset = 0.5 * c->depth * c->normal[i];
+        const double on[2] = {p[0][i] + offset, p[1][i] - offset};
         c->point[i] = owner == BOTH ? 0.5 * (on[0] + on[1]) : on[owner];
     }
 }
@@ -191,12 +191,12 @@ static void followBodies(const MdtKeaSystem *s, KeaContact *c) {
 
 /* cay(φ) r - r = (φ x r + φ x (φ x r) / 2) / (1 + φ²/4), as bodies turn. */
 static void turnBy(const double turn[3], double share, double r[3]) {
-    const double part = share / (1 + keaDot(turn, turn) / 4);
+    const double halfAngleFactor = share / (1 + keaDot(turn, turn) / 4);
     double once[3], twice[3];
     keaCross(once, turn, r);
     keaCross(twice, turn, once);
-    keaAddScaled(r, part, once);
-    keaAddScaled(r, 0.5 * part, twice);
+    keaAddScaled(r, halfAngleFactor, once);
+    keaAddScaled(r, 0.5 * halfAngleFactor, twice);
 }
 
 /* The displacement, m, and the rotation vector of a side in this part of the step; 0 of the world, even where its
@@ -261,7 +261,7 @@ static void armFromAxis(const MdtKeaSystem *s, const KeaContact *c, int k, doubl
  * share, which is taken to be that of the side that displaces it less. False: so small that half its square is lost in
  * rounding. */
 static MeBool findSharedTurn(const MdtKeaSystem *s, KeaContact *c) {
-    const double h = s->parameters.stepsize, least = kea_leastTurn;
+    const double h = s->parameters.stepsize, least = kea_minTurn;
     const double *spin[2] = {velocityOf(s, c, 0)->ang, velocityOf(s, c, 1)->ang};
     double distance2[2] = {0, 0}, size2 = 0;
     if (h * keaLength(spin[0]) <= least || h * keaLength(spin[1]) <= least)

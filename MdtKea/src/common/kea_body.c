@@ -18,7 +18,7 @@ static void advance(double r[3], const double v[3], const double a[3], double sc
         r[i] = keep * v[i] + h * gain * scale * a[i];
 }
 
-double kea_sizeOf(const MdtKeaBody *body) {
+double kea_bodyExtent(const MdtKeaBody *body) {
     const double *I = body->moments;
     return sqrt(keaMax(I[0], keaMax(I[1], I[2])) * body->invMass);
 }
@@ -29,7 +29,7 @@ static void predict(MdtKeaSystem *s, int i, const double R[3][3]) {
     const MdtKeaBody *body = s->bodies[i];
     KeaBody *b = &s->work->body[i];
     const double h = s->parameters.stepsize;
-    b->size = kea_sizeOf(body);
+    b->size = kea_bodyExtent(body);
     advance(b->freeVelocity, body->velocity, body->force, body->invMass, body->linearDamping, h);
     advance(b->freeMomentum, body->angularMomentum, body->torque, 1, body->angularDamping, h);
     keaCopy(s->predicted[i].lin, b->freeVelocity);
@@ -78,8 +78,8 @@ void kea_commitBody(MdtKeaSystem *s, int i) {
     MEASSERT(fabs(keaDot(s->work->end[i].quaternion, s->work->end[i].quaternion) +
                   s->work->end[i].quaternion[3] * s->work->end[i].quaternion[3] - 1) < kea_assertedRounding);
     commitState(s->bodies[i], &s->work->end[i]);
-    const double part = s->parameters.isBack ? -s->parameters.stepsize : s->parameters.stepsize;
-    s->bodies[i]->fall += part * (s->parameters.elapsed + s->work->end[i].theta * part);
+    const double signedStep = s->parameters.isBack ? -s->parameters.stepsize : s->parameters.stepsize;
+    s->bodies[i]->fall += signedStep * (s->parameters.elapsed + s->work->end[i].theta * signedStep);
     noteAcceleration(s->bodies[i], &s->velocity[i], s->parameters.stepsize);
     s->pose[i] = s->work->endPose[i];
 }

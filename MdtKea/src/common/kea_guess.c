@@ -59,15 +59,15 @@ static double bearingOf(const MdtKeaSystem *s, const MdtKeaManifold *m, int k) {
 }
 
 /* Neither open, nor so deep that it has to be pushed apart. */
-static MeBool rests(const MdtKeaPoint *point, double size) {
+static MeBool isTouching(const MdtKeaPoint *point, double size) {
     return point->depth >= -kea_touchingGap * size && point->depth <= kea_smallOverlap * size;
 }
 
 static void addContact(const MdtKeaSystem *s, MdtKeaManifold *m, Guess *g) {
     Bearing *n = &g->contact[g->numContacts];
-    *n = (Bearing){.manifold = m, .size = kea_smallerSize(s, m->body)};
+    *n = (Bearing){.manifold = m, .size = kea_smallerExtent(s, m->body)};
     for (int k = 0; k < m->numPoints; k++)
-        n->numTouching += rests(&m->point[k], n->size);
+        n->numTouching += isTouching(&m->point[k], n->size);
     if (n->numTouching == 0)
         return;
     g->numContacts++;
@@ -128,7 +128,7 @@ static void writeForces(const Guess *g) {
     for (int i = 0; i < g->numContacts; i++) {
         const Bearing *n = &g->contact[i];
         for (int k = 0; k < n->manifold->numPoints; k++)
-            if (rests(&n->manifold->point[k], n->size))
+            if (isTouching(&n->manifold->point[k], n->size))
                 n->manifold->point[k].guess[0] = n->force / n->numTouching;
     }
 }

@@ -41,7 +41,7 @@ KeaEventScale kea_eventScale(const MdtKeaSystem *s) {
 }
 
 MeBool kea_isTouching(const MdtKeaSystem *s, const MdtKeaRow *row) {
-    return row->error < kea_touchingGap * kea_smallerSize(s, row->body);
+    return row->error < kea_touchingGap * kea_smallerExtent(s, row->body);
 }
 
 /* ---- the problem of an instant ---- */
@@ -51,7 +51,7 @@ void kea_setInstantBody(KeaProblem *q, int b, const MdtKeaBody *body) {
     B->linear = 1 / body->invMass;
     kea_inertia(body, body->quaternion, B->angular);
     kea_invert(B->inverse, (const double(*)[3])B->angular);
-    q->length[b] = kea_sizeOf(body);
+    q->length[b] = kea_bodyExtent(body);
     memset(q->load[b], 0, sizeof q->load[b]);
 }
 
@@ -71,7 +71,7 @@ void kea_setInstantRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     p->E = row->contact == i ? 0 : row->softness;
     p->p = p->p0 = 0;
     p->isForced = p->isCheckedElsewhere = p->isOut = MEFALSE;
-    p->state = KEA_HELD;
+    p->state = KEA_ACTIVE;
 }
 
 /* Whether a row has an impulse in an instant: touching contacts, joints without bounds, and stops that are reached. */
@@ -108,14 +108,14 @@ static void separateBodies(MdtKeaSystem *s) {
             }
 }
 
-/* The bodies that acting rows (work->takesPart) connect with a contact that is hit, in the rows' order. A root whose
+/* The bodies that acting rows (work->isIncluded) connect with a contact that is hit, in the rows' order. A root whose
  * bodies take part has itself in the problem from the start. */
 static void chooseBodies(MdtKeaSystem *s, double slowest) {
     KeaProblem *q = &s->work->problem;
     int *parent = s->work->parent, *place = s->work->problemBodyOf;
     separateBodies(s);
     for (int i = 0; i < s->numRows; i++)
-        if (s->work->takesPart[i] && s->rows[i].body[0] >= 0 && s->rows[i].body[1] >= 0)
+        if (s->work->isIncluded[i] && s->rows[i].body[0] >= 0 && s->rows[i].body[1] >= 0)
             kea_unite(parent, s->rows[i].body[0], s->rows[i].body[1]);
     q->numBodies = 0;
     for (int i = 0; i < s->numRows; i++) {
@@ -136,7 +136,7 @@ static double scaleOf(const MdtKeaSystem *s, int b, const MdtKeaVelocity *v) {
     const KeaProblem *q = &s->work->problem;
     const double own = keaLength(v->lin) + q->length[b] * keaLength(v->ang);
     return q->metric[b].linear * keaMax(own + kea_impactTolerance / kea_newtonTolerance * s->work->speed,
-                                        kea_leastSpeed(q->length[b], s->parameters.stepsize));
+                                        kea_minSpeed(q->length[b], s->parameters.stepsize));
 }
 
 /* Sets row k of the problem, which is row i of the system. */
@@ -154,7 +154,7 @@ static void setRow(MdtKeaSystem *s, int k, int i) {
 static void setProblem(MdtKeaSystem *s, double slowest) {
     KeaProblem *q = &s->work->problem;
     for (int i = 0; i < s->numRows; i++)
-        s->work->takesPart[i] = (char)actsInInstant(s, i);
+        s->work->isIncluded[i] = (char)actsInInstant(s, i);
     chooseBodies(s, slowest);
     for (int b = 0; b < q->numBodies; b++) {
         kea_setInstantBody(q, b, s->bodies[s->work->activeBody[b]]);
@@ -163,7 +163,7 @@ static void setProblem(MdtKeaSystem *s, double slowest) {
     q->numRows = 0;
     for (int i = 0; i < s->numRows; i++) {
         const int *body = s->rows[i].body;
-        if (s->work->takesPart[i] && s->work->problemBodyOf[body[body[0] >= 0 ? 0 : 1]] >= 0)
+        if (s->work->isIncluded[i] && s->work->problemBodyOf[body[body[0] >= 0 ? 0 : 1]] >= 0)
             setRow(s, q->numRows++, i);
     }
     for (int k = 0; k < q->numRows; k++) {
@@ -183,15 +183,15 @@ static double changeOfRate(const MdtKeaSystem *s, int i, const double target[]) 
     return row->lower == -HUGE_VAL && row->upper == HUGE_VAL ? 0 : row->drift - row->target - kea_startRate(s, i);
 }
 
-/* One round: the contacts in `takesPart` (by normal row) get their target velocities, joints hold,
+/* One round: the contacts in `isIncluded` (by normal row) get their target velocities, joints hold,
  * the rest does nothing. The change of velocities is left in `change`. */
-static void solveRound(MdtKeaSystem *s, const double target[], const char takesPart[], double (*change)[6]) {
+static void solveRound(MdtKeaSystem *s, const double target[], const char isIncluded[], double (*change)[6]) {
     KeaProblem *q = &s->work->problem;
     double start = -1;
     for (int k = 0; k < q->numRows; k++) {
         KeaProblemRow *p = &q->row[k];
         const int i = s->work->activeRow[k], contact = s->rows[i].contact;
-        p->isOff = (contact >= 0 && !takesPart[contact]) || p->Aii == 0;
+        p->isInactive = (contact >= 0 && !isIncluded[contact]) || p->Aii == 0;
         p->p = p->p0 = 0;
         p->frictionBound = HUGE_VAL;
         p->Jd = 0;
@@ -270,7 +270,7 @@ static void blend(MdtKeaSystem *s, double (*elastic)[6], double (*plastic)[6]) {
 static void storeImpulses(MdtKeaSystem *s) {
     const KeaProblem *q = &s->work->problem;
     for (int k = 0; k < q->numRows; k++)
-        if (!q->row[k].isOff)
+        if (!q->row[k].isInactive)
             s->rows[s->work->activeRow[k]].force += q->row[k].p;
 }
 
@@ -302,8 +302,8 @@ MeBool kea_trembles(const MdtKeaSystem *s, const KeaEventScale *scale) {
         const double rate = kea_startRate(s, i);
         if (rate < -kea_minReboundSpeed * speed && (isTouching || row->error + s->parameters.stepsize * rate < 0))
             return MEFALSE;
-        approaches =
-            approaches || (isTouching && rate < -keaMax(kea_partingSpeed, minImpactSpeedOf(row, scale->mass)) * speed);
+        approaches = approaches ||
+                     (isTouching && rate < -keaMax(kea_separatingSpeed, minImpactSpeedOf(row, scale->mass)) * speed);
     }
     return approaches;
 }
@@ -313,15 +313,15 @@ MeBool MEAPI MdtKeaTrembles(const MdtKeaSystem *s) {
     return kea_trembles(s, &scale);
 }
 
-/* The touching contacts that approach faster than `slowest` (takesPart). Returns the speed with which the fastest of
+/* The touching contacts that approach faster than `slowest` (isIncluded). Returns the speed with which the fastest of
  * them rebounds; 0: none does. */
-static double findImpacts(MdtKeaSystem *s, double slowest, double minReboundSpeed, char takesPart[]) {
+static double findImpacts(MdtKeaSystem *s, double slowest, double minReboundSpeed, char isIncluded[]) {
     double fastest = 0;
     for (int k = 0; k < s->work->problem.numRows; k++) {
         const int i = s->work->activeRow[k];
         const MdtKeaRow *row = &s->rows[i];
-        takesPart[i] = (char)isHit(s, i, slowest);
-        if (takesPart[i])
+        isIncluded[i] = (char)isHit(s, i, slowest);
+        if (isIncluded[i])
             fastest = keaMax(
                 fastest, kea_reboundOfImpact(row->restitution, row->threshold, -kea_startRate(s, i), minReboundSpeed));
     }
@@ -330,26 +330,26 @@ static double findImpacts(MdtKeaSystem *s, double slowest, double minReboundSpee
 
 /* The velocities with which they separate. Beside a contact that rebounds the slow ones do so too: stopped, one would
  * dissipate p v / 2, with an impulse p that comes from the others and may be large. */
-static void setTargets(const MdtKeaSystem *s, const char takesPart[], double target[]) {
+static void setTargets(const MdtKeaSystem *s, const char isIncluded[], double target[]) {
     for (int k = 0; k < s->work->problem.numRows; k++) {
         const int i = s->work->activeRow[k];
         const MdtKeaRow *row = &s->rows[i];
-        target[i] = takesPart[i] ? kea_reboundOfImpact(row->restitution, row->threshold, -kea_startRate(s, i), 0) : 0;
+        target[i] = isIncluded[i] ? kea_reboundOfImpact(row->restitution, row->threshold, -kea_startRate(s, i), 0) : 0;
     }
 }
 
 /* ---- rounds ---- */
 
 /* False: every change of velocity would add energy; the contacts are left to the solve of the step. */
-static MeBool applyRound(MdtKeaSystem *s, const double target[], const char takesPart[]) {
-    solveRound(s, target, takesPart, s->work->added);
+static MeBool applyRound(MdtKeaSystem *s, const double target[], const char isIncluded[]) {
+    solveRound(s, target, isIncluded, s->work->added);
     if (isAffordable(s, s->work->added)) {
         storeImpulses(s);
         addChange(s, s->work->added);
         return METRUE;
     }
     memset(s->work->target + s->numRows, 0, (size_t)s->numRows * sizeof(double));
-    solveRound(s, s->work->target + s->numRows, takesPart, s->work->plastic);
+    solveRound(s, s->work->target + s->numRows, isIncluded, s->work->plastic);
     if (!isAffordable(s, s->work->plastic))
         return MEFALSE;
     storeImpulses(s);
@@ -357,11 +357,11 @@ static MeBool applyRound(MdtKeaSystem *s, const double target[], const char take
     return METRUE;
 }
 
-static void selectTouching(MdtKeaSystem *s, double target[], char takesPart[]) {
+static void selectTouching(MdtKeaSystem *s, double target[], char isIncluded[]) {
     for (int k = 0; k < s->work->problem.numRows; k++) {
         const int i = s->work->activeRow[k];
         target[i] = 0;
-        takesPart[i] = (char)(s->rows[i].contact == i);
+        isIncluded[i] = (char)(s->rows[i].contact == i);
     }
 }
 
@@ -376,7 +376,7 @@ static void commitVelocities(MdtKeaSystem *s) {
 
 MeBool kea_impact(MdtKeaSystem *s, const KeaEventScale *scale) {
     double *target = s->work->target;
-    char *takesPart = s->work->takesPart;
+    char *isIncluded = s->work->isIncluded;
     const double minReboundSpeed = kea_minReboundSpeed * scale->speed;
     const double slowest = kea_velocityTolerance * keaMax(scale->speed, scale->fastest);
     s->work->speed = scale->fastest;
@@ -390,16 +390,16 @@ MeBool kea_impact(MdtKeaSystem *s, const KeaEventScale *scale) {
     kea_problemSetEffectiveMasses(&s->work->problem);
     double first = 0; /* m/s: the fastest rebound of the first round */
     for (int round = 0; round < KEA_MAX_ROUNDS; round++) {
-        const double fastest = findImpacts(s, slowest, minReboundSpeed, takesPart);
+        const double fastest = findImpacts(s, slowest, minReboundSpeed, isIncluded);
         first = keaMax(first, fastest);
         if (!(fastest > kea_lastRound * first))
             break;
-        setTargets(s, takesPart, target);
-        if (!applyRound(s, target, takesPart) || s->work->problem.counts.isLimited)
+        setTargets(s, isIncluded, target);
+        if (!applyRound(s, target, isIncluded) || s->work->problem.counts.isLimited)
             break;
     }
-    selectTouching(s, target, takesPart);
-    applyRound(s, target, takesPart);
+    selectTouching(s, target, isIncluded);
+    applyRound(s, target, isIncluded);
     MEASSERT(!(energyWith(s, NULL) > before * (1 + kea_assertedRounding)));
     commitVelocities(s);
     kea_reportWork(s);

@@ -41,7 +41,7 @@ static void setProblem(MdtKeaSystem *s, double (*kicked)[6], double target[]) {
         q->scale[b] = q->metric[b].linear * most;
     for (int i = 0; i < s->numRows; i++) {
         kea_setInstantRow(s, i, &q->row[i]);
-        s->work->takesPart[i] = (char)kea_isRigidJoint(&s->rows[i]);
+        s->work->isIncluded[i] = (char)kea_isRigidJoint(&s->rows[i]);
         target[i] = -rateOf(&s->rows[i], kicked);
     }
     q->numBodies = s->numBodies;

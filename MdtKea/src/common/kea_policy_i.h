@@ -19,8 +19,8 @@ static const double kea_tiny = 1e-300;
  * (rounding 1e-16 times the ratio), since errors feed back: what a pass leaves of a joint's error does work λ φ in
  * every step, and a contact's residual is a creep. */
 
-/* Of a position row's size (sizeOfRow, kea_residual.c). 1e-5 diverges with 1000 kg on links of 1 kg, 1e-6 holds them;
- * what is below is energy, λ φ a step. x2 fails Mdt_Order: the_sag_of_a_load_is_epsilon_force_over_gamma. */
+/* Of a position row's size (lengthScaleOf, kea_residual.c). 1e-5 diverges with 1000 kg on links of 1 kg, 1e-6 holds
+ * them; what is below is energy, λ φ a step. x2 fails Mdt_Order: the_sag_of_a_load_is_epsilon_force_over_gamma. */
 static const double kea_positionTolerance = 1e-10;
 /* Of the partition's speed, and of the residual that a velocity stage starts with. Under gravity at 60 Hz a contact
  * may creep by 2e-10 m/s; scenes allow 1e-9 m in 2 s. x2 fails MdtKea_system: velocity_rows_obey_their_law. */
@@ -97,7 +97,7 @@ enum {
 /* The range of the secant's t, which takes back that part of the last approach: t -> 1 is division by zero, and a
  * straight line is not to be trusted beyond five times its length. x2 and /2 of either fail MdtKea_policy:
  * friction_bounds_follow_in_full_then_by_a_secant. */
-static const double kea_leastSecant = -4, kea_mostSecant = 0.9;
+static const double kea_minSecant = -4, kea_maxSecant = 0.9;
 
 /* Of the budget of work (MdtKeaParameters.maxWork): what passes may use, so that velocities and positions at the end
  * have the rest. x2 fails Mdt_RandomJoints:
@@ -111,7 +111,7 @@ static const double kea_workForFriction = 0.375;
 /* Rad, h |w_m| of the Cayley map, which turns by 2 atan of half of it, 1.8: near half a turn (infinite h w) the
  * velocity means nothing. Halved it is 1.1 rad, which is followed well; doubled 2.4. x2 fails Mdt_Friction:
  * a_ball_may_spin_as_fast_as_it_likes. */
-static const double kea_mostTurn = 2.5;
+static const double kea_maxTurn = 2.5;
 /* Rad, h |w| times the moments' relative difference: a step that turns further is divided. A top would precess
  * wrongly, and the angle is short by its square over 12: 1e-3, and 2 % where there are contacts, which lose more. .5
  * everywhere fails free rotation and tops of tests/scenes; .2 in contact costs ragdolls 40 % more factorizations. x2
@@ -203,8 +203,8 @@ enum {
 };
 /* A pivot of a block's factor, of its diagonal entry: below 4 roundings of a double there is no digit left. x2 and /2
  * fail MdtKea_policy: a_pivot_of_four_roundings_is_none. */
-static const double kea_leastPivot = 1e-15;
-/* Times a double's rounding: of the sums r - J d, 12 products. With 6 (and kea_leastPivot of 4 roundings)
+static const double kea_minPivot = 1e-15;
+/* Times a double's rounding: of the sums r - J d, 12 products. With 6 (and kea_minPivot of 4 roundings)
  * Mst_SweptJoints fails, swept_pairs_on_hinges_do_not_explode, which hangs on single bits. x2 and /2 fail
  * MdtKea_policy: eight_roundings_of_rates_are_no_error. */
 static const double kea_roundingSteps = 8;
@@ -275,7 +275,7 @@ static const double kea_rippleBalance = 0.5, kea_rippleShare = 0.1;
 /* Of a body's size: a joint's error above it is an open joint. Solved joints leave 1e-9 of it; piles of swept boxes on
  * hinges gained energy from 1.5e-4 of it on (test_Mst_SweptJoints); with 1e-3 two of 4000 gain over 1e-3 of theirs. x2
  * and /2 fail MdtKea_policy: open_joints_close_calmly_among_contacts. */
-static const double kea_openJoint = 1e-5;
+static const double kea_brokenJoint = 1e-5;
 /* Relative: rounding of sums of energies, which is not gained energy. x2 and /2 fail MdtKea_policy:
  * energy_is_known_to_twelve_digits. */
 static const double kea_energyRounding = 1e-12;
@@ -283,7 +283,7 @@ static const double kea_energyRounding = 1e-12;
  * another order: a thousand times kea_energyRounding. No answer depends on it. */
 static const double kea_assertedRounding = 1e-9;
 /* N s, of all impulses together: assertions do not compare larger ones, which fuzzed input reaches. */
-static const double kea_mostAsserted = 1e20;
+static const double kea_maxAsserted = 1e20;
 /* Relative to the largest terms of a sum of energies, for the same assertions: of a needle that spins about itself at
  * 1e16 rad/s they cancel to 1e-14. */
 static const double kea_assertedCancelling = 1e-12;
@@ -291,7 +291,7 @@ static const double kea_assertedCancelling = 1e-12;
 static const double kea_largestChange = 1e100;
 /* What is left of a direction of length 1 when its part along the normal is taken off; less is no direction but
  * rounding, and not across the normal to kea_unitRounding any more. */
-static const double kea_leastAcross = 1e-6;
+static const double kea_minAcross = 1e-6;
 
 /* ---- contacts in time ---- */
 
@@ -311,7 +311,7 @@ static const double kea_lastRound = 0.02;
  * does not rebound, trembles: what rolls meets the ground more slowly (with 0 Mst_Rims and Mst_Cases_Friction fail).
  * Far above rounding: with 1e-7 a rolling ball made 794 stops, and far below 1, a step's own change. x2 fails
  * Mst_Cases_Friction: one_block_stops_and_one_topples. */
-static const double kea_partingSpeed = 0.03;
+static const double kea_separatingSpeed = 0.03;
 /* The same: what meets more slowly is no impact. Every impact is located: with .25 a rocking column of ten kept its
  * energy for 120 s, in 3 of 8 runs. x2 and /2 fail MdtKea_system: giving_way_to_a_load_is_no_impact. */
 static const double kea_minImpactSpeed = 1e-6;
@@ -345,7 +345,7 @@ static const double kea_touchingGap = 1e-5;
 
 /* Rad: what turns further in a step turns as a free body does, and not by the chord, which is 93 degrees of 120 and
  * never reaches 180. Reasoned: nothing is carried round a third of a circle in a step. */
-static const double kea_mostChord = 2.1;
+static const double kea_maxChord = 2.1;
 /* Rad a step by the splitting's own rates: below it the leapfrog's error, angle³/12, is 1e-7 of a radian in the worst
  * case. Reasoned: it is work against accuracy of slow rotation. With 0 Mdt_Behaviours_Joints fails,
  * a_ball_and_socket_leaves_all_rotations_free. x2 and /2 fail MdtKea_policy:
@@ -356,13 +356,13 @@ static const double kea_slowRotation = 1e-2;
  * whirling_about_the_middle_axis_keeps_its_energy. And so many parts at most, a cap on the cost of a step: 60 000 rad/s
  * at 60 Hz. /2 fails the same test. */
 static const double kea_fastRotation = 1;
-enum { KEA_MOST_ROTATIONS = 1000 };
+enum { KEA_MAX_ROTATIONS = 1000 };
 /* Of the diagonal's squares: off-diagonal entries of 1e-16 of it are rounding. x2 and /2 fail MdtKea_policy:
  * an_off_diagonal_of_rounding_is_none. */
 static const double kea_jacobiTolerance = 1e-32;
 /* A program's tensor: by so little it may miss symmetry, single precision; and its least moment of its largest:
  * thinner is no body. x2 and /2 of either fail MdtKea_rotation: tensors_are_refused_where_they_are_said_to_be. */
-static const double kea_asymmetry = 1e-5, kea_leastMoment = 1e-12;
+static const double kea_asymmetry = 1e-5, kea_minMoment = 1e-12;
 
 /* ---- the fast solver ---- */
 
@@ -512,7 +512,7 @@ static const double kea_unitRounding = 1e-5;
  * a_ball_whose_centre_is_off_by_a_millionth_moves. */
 static const double kea_centredBall = 1e-6;
 /* rad, sqrt(2 DBL_EPSILON): the square of a smaller turn, over 2, is lost in rounding. */
-static const double kea_leastTurn = 2.1e-8;
+static const double kea_minTurn = 2.1e-8;
 /* Of the change of an approach by one step's own acceleration: a body that fell for just one step must not seem faster
  * by rounding. x2 and /2 fail MdtKea_policy: one_steps_own_acceleration_is_no_blow. */
 static const double kea_ownChangeMargin = 1.1;

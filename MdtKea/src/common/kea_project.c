@@ -6,11 +6,11 @@
 static MeBool isOverlapping(const MdtKeaSystem *s, int i, double *error) {
     const MdtKeaRow *row = &s->rows[i];
     *error = row->error + 0.5 * s->parameters.stepsize * (kea_startRate(s, i) + kea_endRate(s, i) - row->drift);
-    return row->contact == i && !row->isOpen && *error < -kea_touchingGap * kea_smallerSize(s, row->body);
+    return row->contact == i && !row->isOpen && *error < -kea_touchingGap * kea_smallerExtent(s, row->body);
 }
 
 /* m: γ times the sag of a soft contact under its load, which remains. */
-static double correctedSag(const MdtKeaSystem *s, int i) {
+static double correctedSlop(const MdtKeaSystem *s, int i) {
     return s->parameters.stepsize * s->rows[i].softness * s->work->problem.row[i].p;
 }
 
@@ -35,7 +35,7 @@ void kea_solveInstant(MdtKeaSystem *s, const double target[]) {
     KeaProblem *q = &s->work->problem;
     memset(s->work->added, 0, (size_t)s->numBodies * sizeof *s->work->added);
     for (int i = 0; i < s->numRows; i++) {
-        q->row[i].isOff = !s->work->takesPart[i];
+        q->row[i].isInactive = !s->work->isIncluded[i];
         q->row[i].r = target[i];
     }
     for (int pass = 0; pass < KEA_PROJECTION_PASSES && !q->counts.isLimited; pass++) {
@@ -51,8 +51,8 @@ void kea_project(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     double *target = s->work->target, error, most = 0;
     for (int i = 0; i < s->numRows; i++) {
-        s->work->takesPart[i] = (char)isOverlapping(s, i, &error);
-        target[i] = s->work->takesPart[i] ? keaMax(-s->parameters.gamma * error - correctedSag(s, i), 0) : 0;
+        s->work->isIncluded[i] = (char)isOverlapping(s, i, &error);
+        target[i] = s->work->isIncluded[i] ? keaMax(-s->parameters.gamma * error - correctedSlop(s, i), 0) : 0;
         most = keaMax(most, target[i]);
     }
     if (!(most > 0))
@@ -65,7 +65,7 @@ void kea_project(MdtKeaSystem *s) {
     }
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        s->work->takesPart[i] = (char)(kea_isRigidJoint(row) || (row->contact == i && !row->isOpen));
+        s->work->isIncluded[i] = (char)(kea_isRigidJoint(row) || (row->contact == i && !row->isOpen));
         kea_setInstantRow(s, i, &q->row[i]);
         q->row[i].isCheckedElsewhere = s->rows[i].contact != i;
     }

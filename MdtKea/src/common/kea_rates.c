@@ -43,7 +43,7 @@ double kea_lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return size;
 }
 
-double kea_smallerSize(const MdtKeaSystem *s, const int body[2]) {
+double kea_smallerExtent(const MdtKeaSystem *s, const int body[2]) {
     double size = HUGE_VAL;
     for (int k = 0; k < 2; k++)
         if (body[k] >= 0)

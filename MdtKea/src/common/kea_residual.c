@@ -21,7 +21,7 @@ void kea_setErrorScales(MdtKeaSystem *s, int body) {
 
 /* Scale of a position row's error: its initial error, lever arms, the displacement of its bodies, a share of their size
  * and, for rounding far from the origin, of their distance from it. Of an angular row all of these are angles. */
-static double sizeOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
+static double lengthScaleOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
     double size = fabs(row->error);
     for (int k = 0; k < 2; k++) {
         if (row->body[k] < 0)
@@ -49,16 +49,16 @@ static double roundingOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
 /* m or rad: the part of a row's error that it was to correct and has not; none where its bound keeps it from that. */
 static double leftOf(const MdtKeaSystem *s, int i) {
     const KeaProblemRow *p = &s->work->problem.row[i];
-    const double missing = s->parameters.stepsize * (p->r - p->E * p->p);
-    const MeBool isKept = (p->p >= p->upper && missing > 0) || (p->p <= p->lower && missing < 0);
-    return s->rows[i].position && !p->isOff && !isKept ? fabs(missing) : 0;
+    const double residual = s->parameters.stepsize * (p->r - p->E * p->p);
+    const MeBool isKept = (p->p >= p->upper && residual > 0) || (p->p <= p->lower && residual < 0);
+    return s->rows[i].position && !p->isInactive && !isKept ? fabs(residual) : 0;
 }
 
 double kea_openingLeft(const MdtKeaSystem *s) {
     double most = 0;
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact < 0)
-            most = keaMax(most, leftOf(s, i) * kea_lengthOf(s, &s->rows[i]) / kea_smallerSize(s, s->rows[i].body));
+            most = keaMax(most, leftOf(s, i) * kea_lengthOf(s, &s->rows[i]) / kea_smallerExtent(s, s->rows[i].body));
     return most;
 }
 
@@ -75,7 +75,7 @@ static double positionError(MdtKeaSystem *s, double *attachment) {
         *attachment = keaMax(*attachment, left / roundingOfRow(s, row));
         if (s->work->problem.row[i].isInconsistent)
             continue;
-        worst = keaMax(worst, left / (sizeOfRow(s, row) + kea_tiny));
+        worst = keaMax(worst, left / (lengthScaleOf(s, row) + kea_tiny));
     }
     return worst;
 }
@@ -97,9 +97,9 @@ static MeBool mayContradict(const MdtKeaSystem *s, int i) {
 /* Whether a pass has left most of a joint's residual, and that is not negligible. */
 static MeBool isUnmetByPass(const MdtKeaSystem *s, int i) {
     const KeaProblemRow *p = &s->work->problem.row[i];
-    const double asked = p->r - p->E * p->p0, left = asked - p->Jd - p->E * (p->p - p->p0);
-    return fabs(left) > kea_inconsistentShare * fabs(asked) && mayContradict(s, i) &&
-           s->parameters.stepsize * fabs(asked) > kea_positionTolerance * sizeOfRow(s, &s->rows[i]);
+    const double required = p->r - p->E * p->p0, left = required - p->Jd - p->E * (p->p - p->p0);
+    return fabs(left) > kea_inconsistentShare * fabs(required) && mayContradict(s, i) &&
+           s->parameters.stepsize * fabs(required) > kea_positionTolerance * lengthScaleOf(s, &s->rows[i]);
 }
 
 /* A joint is inconsistent if two passes in succession have left most of its residual, for any impulse. */
@@ -112,21 +112,21 @@ void kea_noteInconsistent(MdtKeaSystem *s) {
     }
 }
 
-static double missingOf(const MdtKeaSystem *s, int i) {
+static double positionResidual(const MdtKeaSystem *s, int i) {
     const KeaProblemRow *p = &s->work->problem.row[i];
-    return p->isInconsistent && !p->isOff ? s->parameters.stepsize * fabs(p->r - p->E * p->p) : 0;
+    return p->isInconsistent && !p->isInactive ? s->parameters.stepsize * fabs(p->r - p->E * p->p) : 0;
 }
 
 MeBool kea_isInconsistent(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
-        if (missingOf(s, i) > kea_positionTolerance * sizeOfRow(s, &s->rows[i]))
+        if (positionResidual(s, i) > kea_positionTolerance * lengthScaleOf(s, &s->rows[i]))
             return METRUE;
     return MEFALSE;
 }
 
 MeBool kea_isConflicting(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
-        if (missingOf(s, i) > roundingOfRow(s, &s->rows[i]))
+        if (positionResidual(s, i) > roundingOfRow(s, &s->rows[i]))
             return METRUE;
     return MEFALSE;
 }
@@ -147,15 +147,15 @@ double kea_loadSpeed(const MdtKeaSystem *s) {
     return speed;
 }
 
-double kea_leastSpeedOfAll(const MdtKeaSystem *s) {
+double kea_minSpeedOfAll(const MdtKeaSystem *s) {
     double speed = 0;
     for (int i = 0; i < s->numBodies; i++)
-        speed = keaMax(speed, kea_leastSpeed(s->work->body[i].size, s->parameters.stepsize));
+        speed = keaMax(speed, kea_minSpeed(s->work->body[i].size, s->parameters.stepsize));
     return speed;
 }
 
 double kea_bodySpeedScale(const MdtKeaSystem *s) {
-    double speed = kea_leastSpeedOfAll(s);
+    double speed = kea_minSpeedOfAll(s);
     for (int i = 0; i < s->numBodies; i++) {
         const KeaBody *b = &s->work->body[i];
         speed = keaMax(speed, changeByLoads(s, i) + kea_ownSpeedShare * keaLength(b->freeVelocity) +

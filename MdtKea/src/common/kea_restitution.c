@@ -56,7 +56,7 @@ KeaApproach kea_approachOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, 
 }
 
 MeBool kea_mayTouch(const MdtKeaSystem *s, const MdtKeaBodyIndexPair body, const KeaApproach *a, double gap) {
-    return gap < kea_touchingGap * kea_smallerSize(s, body) || s->parameters.stepsize * a->fastest < -gap;
+    return gap < kea_touchingGap * kea_smallerExtent(s, body) || s->parameters.stepsize * a->fastest < -gap;
 }
 
 /* ---- the law ---- */

@@ -56,9 +56,9 @@ static void blanesMoan4(double q[4], double L[3], const Split *s, double h) {
  * its axis has rates of thousands of radians a step about it. */
 static void rotateFast(double q[4], double L[3], const Split *s, double h, double angle) {
     const MeBool isExact = s->rateA == 0 || s->rateB == 0;
-    const int parts = isExact ? 1 : (int)keaMin(ceil(angle / kea_fastRotation), KEA_MOST_ROTATIONS);
-    for (int i = 0; i < parts; i++)
-        blanesMoan4(q, L, s, h / parts);
+    const int numSubsteps = isExact ? 1 : (int)keaMin(ceil(angle / kea_fastRotation), KEA_MAX_ROTATIONS);
+    for (int i = 0; i < numSubsteps; i++)
+        blanesMoan4(q, L, s, h / numSubsteps);
 }
 
 static int middleOf(const double I[3]) {
@@ -117,7 +117,7 @@ void kea_rotateByChord(const double q0[4], double q1[4]) {
     keaQuaternionConjugate(back, q0);
     keaQuaternionProduct(turn, q1, back);
     const double sine = keaLength(turn + 1), half = atan2(sine, turn[0]);
-    if (sine == 0 || half > 0.5 * kea_mostChord)
+    if (sine == 0 || half > 0.5 * kea_maxChord)
         return;
     turn[0] = 1;
     keaScale(turn + 1, half / sine, turn + 1);
@@ -226,8 +226,8 @@ static void jacobiRotate(double S[3][3], double V[3][3], int p, int q) {
 
 /* True if off-diagonal entries are below the rounding of the diagonal; also for NaN, so that the iteration ends. */
 static MeBool isDiagonal(const double S[3][3]) {
-    const double off = S[0][1] * S[0][1] + S[0][2] * S[0][2] + S[1][2] * S[1][2];
-    return !(off > kea_jacobiTolerance * (S[0][0] * S[0][0] + S[1][1] * S[1][1] + S[2][2] * S[2][2]));
+    const double offDiagonal = S[0][1] * S[0][1] + S[0][2] * S[0][2] + S[1][2] * S[1][2];
+    return !(offDiagonal > kea_jacobiTolerance * (S[0][0] * S[0][0] + S[1][1] * S[1][1] + S[2][2] * S[2][2]));
 }
 
 void kea_eigen(double S[3][3], double V[3][3]) {
@@ -262,7 +262,7 @@ MeBool MEAPI MdtKeaBodySetInertia(MdtKeaBody *body, const double inertia[3][3]) 
     kea_eigen(S, V);
     const double largest = fmax(S[0][0], fmax(S[1][1], S[2][2]));
     for (int i = 0; i < 3; i++)
-        if (!(S[i][i] > kea_leastMoment * largest))
+        if (!(S[i][i] > kea_minMoment * largest))
             return MEFALSE;
     for (int i = 0; i < 3; i++)
         body->moments[i] = S[i][i];
@@ -274,8 +274,8 @@ MeBool MEAPI MdtKeaBodySetInertia(MdtKeaBody *body, const double inertia[3][3]) 
 static void eigenvalues(const double S[3][3], double e[3]) {
     const double mean = (S[0][0] + S[1][1] + S[2][2]) / 3;
     const double a = S[0][0] - mean, b = S[1][1] - mean, c = S[2][2] - mean;
-    const double off = S[0][1] * S[0][1] + S[0][2] * S[0][2] + S[1][2] * S[1][2];
-    const double p = sqrt((a * a + b * b + c * c + 2 * off) / 6);
+    const double offDiagonal = S[0][1] * S[0][1] + S[0][2] * S[0][2] + S[1][2] * S[1][2];
+    const double p = sqrt((a * a + b * b + c * c + 2 * offDiagonal) / 6);
     e[0] = e[1] = e[2] = mean;
     if (!(p > 0))
         return;

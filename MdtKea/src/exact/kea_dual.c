@@ -21,7 +21,7 @@ static MeBool findNodes(MdtKeaSystem *s, KeaDual *d) {
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
         if (row->contact >= 0 || row->normal >= 0 || row->lower > -HUGE_VAL || row->upper < HUGE_VAL ||
-            s->work->problem.row[i].isOff)
+            s->work->problem.row[i].isInactive)
             return MEFALSE;
         if (i == 0 || !areOfOneJoint(row, row - 1)) {
             d->start[d->numNodes] = i;
@@ -125,7 +125,7 @@ static MeBool factorize(KeaProblem *q, KeaDual *d) {
     q->counts.factorizations++;
     kea_problemSpend(q, kea_factorFlops(d->factor) + 2.0 * (double)kea_factorEntries(d->factor) +
                             (double)q->numRows * (KEA_ASSEMBLY + 2 * KEA_VISIT));
-    return kea_factorCholesky(d->factor, kea_leastPivot);
+    return kea_factorCholesky(d->factor, kea_minPivot);
 }
 
 /* d := B⁻¹ (Jᵀ p - g) with the present p, and Jd of all rows. */
@@ -162,7 +162,7 @@ MeBool kea_dualSolve(MdtKeaSystem *s) {
     kea_factorSolve(d->factor, d->x);
     for (int i = 0; i < q->numRows; i++) {
         q->row[i].p += d->x[i];
-        q->row[i].state = KEA_HELD;
+        q->row[i].state = KEA_ACTIVE;
     }
     setMotion(q);
     return METRUE;

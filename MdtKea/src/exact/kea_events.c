@@ -16,8 +16,8 @@
 #include "common/kea_policy_i.h"
 #include <string.h>
 
-MeBool kea_isOpen(const MdtKeaSystem *s, int i, double speed) {
-    return !kea_isTouching(s, &s->rows[i]) || kea_startRate(s, i) > kea_partingSpeed * speed;
+MeBool kea_isContactOpen(const MdtKeaSystem *s, int i, double speed) {
+    return !kea_isTouching(s, &s->rows[i]) || kea_startRate(s, i) > kea_separatingSpeed * speed;
 }
 
 /* ---- which systems are timed ---- */
@@ -46,7 +46,7 @@ MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
             continue;
         const double rate = keaMin(kea_startRate(s, i), freeRate(s, row) - row->drift);
         const MeBool isFast = -rate > row->threshold && -rate * row->restitution > minSpeed;
-        const MeBool isDeep = row->error <= -kea_touchingGap * kea_smallerSize(s, row->body);
+        const MeBool isDeep = row->error <= -kea_touchingGap * kea_smallerExtent(s, row->body);
         if (isDeep && !isFast)
             return MEFALSE;
         if (isFast && row->error + reach * rate < 0)
@@ -63,7 +63,7 @@ MeBool MEAPI MdtKeaRolls(const MdtKeaSystem *s) {
         const MeBool isRound = row->radius[0] > 0 || row->radius[1] > 0;
         if (row->contact < 0 && (row->spring || isStop))
             return MEFALSE;
-        if (row->contact == i && (!isRound || row->error < -kea_nearbyGap * kea_smallerSize(s, row->body)))
+        if (row->contact == i && (!isRound || row->error < -kea_nearbyGap * kea_smallerExtent(s, row->body)))
             return MEFALSE;
         hasContact = hasContact || row->contact >= 0;
     }
@@ -71,34 +71,35 @@ MeBool MEAPI MdtKeaRolls(const MdtKeaSystem *s) {
 }
 
 /* Whether a contact that touches neither parts nor rebounds. One already deep on arrival rebounds immediately. */
-static MeBool holds(double rate, double restitution, double speed) {
-    return rate <= kea_partingSpeed * speed && -rate * restitution <= kea_minReboundSpeed * speed;
+static MeBool isPersistent(double rate, double restitution, double speed) {
+    return rate <= kea_separatingSpeed * speed && -rate * restitution <= kea_minReboundSpeed * speed;
 }
 
 MeBool MEAPI MdtKeaContactHolds(const MdtKeaBody *const bodies[2], double gap, double rate, double restitution,
                                 double loadSpeed) {
-    double size = HUGE_VAL;
+    double extent = HUGE_VAL;
     for (int k = 0; k < 2; k++)
         if (bodies[k])
-            size = keaMin(size, kea_sizeOf(bodies[k]));
-    return gap < kea_touchingGap * size && holds(rate, restitution, loadSpeed);
+            extent = keaMin(extent, kea_bodyExtent(bodies[k]));
+    return gap < kea_touchingGap * extent && isPersistent(rate, restitution, loadSpeed);
 }
 
 int MEAPI MdtKeaHeldBodies(const MdtKeaSystem *s) {
     const double speed = kea_eventSpeed(s);
-    int *isHeld = s->work->parent, count = 0;
-    memset(isHeld, 0, (size_t)s->numBodies * sizeof *isHeld);
+    int *isConstrained = s->work->parent, count = 0;
+    memset(isConstrained, 0, (size_t)s->numBodies * sizeof *isConstrained);
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
         const MeBool isJoint = row->contact < 0, isNormal = row->contact == i;
-        if (!isJoint && !(isNormal && kea_isTouching(s, row) && holds(kea_startRate(s, i), row->restitution, speed)))
+        if (!isJoint &&
+            !(isNormal && kea_isTouching(s, row) && isPersistent(kea_startRate(s, i), row->restitution, speed)))
             continue;
         for (int k = 0; k < 2; k++)
             if (row->body[k] >= 0)
-                isHeld[row->body[k]] = 1;
+                isConstrained[row->body[k]] = 1;
     }
     for (int b = 0; b < s->numBodies; b++)
-        count += isHeld[b];
+        count += isConstrained[b];
     return count;
 }
 
@@ -130,7 +131,7 @@ static Impact impactOf(const MdtKeaSystem *s, int i, double endRate) {
 /* ---- contacts that are held instead ---- */
 
 /* Whether a contact whose rate changes linearly to endRate meets within the step, and is to be held from its start. */
-static MeBool isToHold(const MdtKeaSystem *s, int i, double endRate) {
+static MeBool closesEarly(const MdtKeaSystem *s, int i, double endRate) {
     const Impact m = impactOf(s, i, endRate);
     return s->parameters.holdsSlow && m.time < s->parameters.stepsize &&
            m.speed <= kea_minReboundSpeed * kea_eventSpeed(s);
@@ -140,13 +141,13 @@ void kea_timedBegin(MdtKeaSystem *s) {
     const double speed = kea_eventSpeed(s);
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact == i)
-            s->rows[i].isOpen = kea_isOpen(s, i, speed) && !isToHold(s, i, freeRate(s, &s->rows[i]));
+            s->rows[i].isOpen = kea_isContactOpen(s, i, speed) && !closesEarly(s, i, freeRate(s, &s->rows[i]));
 }
 
-int kea_holdMeeting(MdtKeaSystem *s) {
+int kea_closeSlowContacts(MdtKeaSystem *s) {
     int count = 0;
     for (int i = 0; i < s->numRows; i++)
-        if (s->rows[i].contact == i && s->rows[i].isOpen && isToHold(s, i, kea_endRate(s, i))) {
+        if (s->rows[i].contact == i && s->rows[i].isOpen && closesEarly(s, i, kea_endRate(s, i))) {
             s->rows[i].isOpen = MEFALSE;
             count++;
         }
@@ -245,7 +246,7 @@ static double firstStop(const MdtKeaSystem *s) {
 
 double kea_firstEvent(MdtKeaSystem *s, MeBool *mustRepeat) {
     const double speed = kea_eventSpeed(s);
-    *mustRepeat = !s->parameters.holdsSlow && forceSlides(s, kea_partingSpeed * speed) > 0;
+    *mustRepeat = !s->parameters.holdsSlow && forceSlides(s, kea_separatingSpeed * speed) > 0;
     const Impact impact = firstImpact(s);
     const double stop = firstStop(s);
     s->report.trembles = impact.time < s->parameters.stepsize && impact.speed <= kea_minReboundSpeed * speed;

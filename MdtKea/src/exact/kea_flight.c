@@ -88,12 +88,12 @@ static MeBool isLeftOut(const MdtKeaSystem *s, int c) {
 
 /* -1: nothing meets before the end. */
 static int earliest(const MdtKeaSystem *s) {
-    const double *meets = s->work->flight.meets;
+    const double *impactTime = s->work->flight.impactTime;
     double time = s->work->flight.end;
     int first = -1;
     for (int c = 0; c < s->work->numContacts; c++)
-        if (meets[c] < time) {
-            time = meets[c];
+        if (impactTime[c] < time) {
+            time = impactTime[c];
             first = c;
         }
     return first;
@@ -114,12 +114,12 @@ static void findMeeting(MdtKeaSystem *s, int c, double t) {
         return;
     makeNormalRow(s, c);
     s->rows[0].isOpen = METRUE;
-    s->work->flight.meets[c] = t + kea_timeOfMeeting(s, 0);
+    s->work->flight.impactTime[c] = t + kea_timeOfMeeting(s, 0);
 }
 
 /* ---- impacts ---- */
 
-static void takeIn(MdtKeaSystem *s, int b) {
+static void addBody(MdtKeaSystem *s, int b) {
     KeaFlight *f = &s->work->flight;
     if (b < 0 || f->isIn[b])
         return;
@@ -136,7 +136,7 @@ static void gather(MdtKeaSystem *s, double t) {
         for (int i = f->start[f->body[n]]; i < f->start[f->body[n] + 1]; i++) {
             const int c = f->list[i], first = s->numRows;
             KeaContact *contact = &s->work->contact[c];
-            if (isLeftOut(s, c) || f->meets[c] == -HUGE_VAL) /* it is among them */
+            if (isLeftOut(s, c) || f->impactTime[c] == -HUGE_VAL) /* it is among them */
                 continue;
             for (int k = 0; k < 2; k++)
                 moveTo(s, bodyOf(s, c, k), t);
@@ -146,22 +146,22 @@ static void gather(MdtKeaSystem *s, double t) {
                 s->numRows = first;
                 continue;
             }
-            f->meets[c] = -HUGE_VAL;
+            f->impactTime[c] = -HUGE_VAL;
             f->touching[f->numTouching++] = c;
             for (int k = 0; k < 2; k++)
-                takeIn(s, bodyOf(s, c, k));
+                addBody(s, bodyOf(s, c, k));
         }
 }
 
 /* Whether all part, and no body turns so far that its contacts do not tell when it meets the next one. */
-static MeBool doPart(const MdtKeaSystem *s) {
+static MeBool areSeparated(const MdtKeaSystem *s) {
     const KeaFlight *f = &s->work->flight;
     for (int i = 0; i < f->numTouching; i++)
-        if (!kea_isOpen(s, s->work->contact[f->touching[i]].firstRow, f->scale.speed))
+        if (!kea_isContactOpen(s, s->work->contact[f->touching[i]].firstRow, f->scale.speed))
             return MEFALSE;
     for (int n = 0; n < f->numBodies; n++) {
         const int b = f->body[n];
-        const MeBool isFast = s->parameters.stepsize * keaLength(s->velocity[b].ang) > kea_mostTurn;
+        const MeBool isFast = s->parameters.stepsize * keaLength(s->velocity[b].ang) > kea_maxTurn;
         for (int i = f->start[b]; isFast && i < f->start[b + 1]; i++)
             if (!s->work->contact[f->list[i]].isAboutCentre[bodyOf(s, f->list[i], 0) == b ? 0 : 1])
                 return MEFALSE;
@@ -183,25 +183,25 @@ static MeBool collide(MdtKeaSystem *s, int c, double t) {
     makeNormalRow(s, c);
     if (!kea_isTouching(s, &s->rows[0])) { /* a turn has changed the way that was foreseen */
         findMeeting(s, c, t);
-        f->meets[c] = keaMax(f->meets[c], t + f->least);
+        f->impactTime[c] = keaMax(f->impactTime[c], t + f->least);
         f->misses++;
         return METRUE;
     }
     f->numBodies = 0;
     for (int k = 0; k < 2; k++)
-        takeIn(s, bodyOf(s, c, k));
+        addBody(s, bodyOf(s, c, k));
     gather(s, t);
     if (kea_trembles(s, &f->scale)) /* too slow to rebound */
         return MEFALSE;
-    const MeBool isDone = kea_impact(s, &f->scale), doAllPart = isDone && doPart(s);
+    const MeBool isDone = kea_impact(s, &f->scale), isSeparated = isDone && areSeparated(s);
     addImpulses(s);
     for (int n = 0; n < f->numBodies; n++)
         f->isIn[f->body[n]] = 0;
-    for (int n = 0; n < f->numBodies && doAllPart; n++)
+    for (int n = 0; n < f->numBodies && isSeparated; n++)
         for (int i = f->start[f->body[n]]; i < f->start[f->body[n] + 1]; i++)
             findMeeting(s, f->list[i], t);
     f->impacts++;
-    return doAllPart;
+    return isSeparated;
 }
 
 static void beginFlight(MdtKeaSystem *s, double least) {
@@ -216,7 +216,7 @@ static void beginFlight(MdtKeaSystem *s, double least) {
         f->isIn[b] = 0;
     }
     for (int c = 0; c < s->work->numContacts; c++) {
-        f->meets[c] = isLeftOut(s, c) ? HUGE_VAL : kea_timeOfMeeting(s, s->work->contact[c].firstRow);
+        f->impactTime[c] = isLeftOut(s, c) ? HUGE_VAL : kea_timeOfMeeting(s, s->work->contact[c].firstRow);
         keaZero(s->work->contact[c].at->force);
     }
 }
@@ -229,7 +229,7 @@ double MEAPI MdtKeaFly(MdtKeaSystem *s, double least, int mostImpacts) {
     beginFlight(s, least);
     for (MeBool flies = METRUE; flies;) {
         const int c = earliest(s);
-        t = c < 0 ? f->end : f->meets[c];
+        t = c < 0 ? f->end : f->impactTime[c];
         /* misses are few, as a time that is foreseen anew is right to the next order; each would cost f->least */
         if (c < 0 || f->impacts == mostImpacts || f->misses > mostImpacts ||
             (s->parameters.maxWork > 0 && work > s->parameters.maxWork))

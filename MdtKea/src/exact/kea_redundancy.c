@@ -38,7 +38,7 @@ MeBool kea_hasLoops(const MdtKeaSystem *s) {
 static MeBool isRigidJoint(const MdtKeaSystem *s, int i) {
     const MdtKeaRow *row = &s->rows[i];
     return row->position && row->softness == 0 && row->lower == -HUGE_VAL && row->upper == HUGE_VAL &&
-           !s->work->problem.row[i].isOff;
+           !s->work->problem.row[i].isInactive;
 }
 
 static double weightOf(const MdtKeaSystem *s, int i) {
@@ -61,8 +61,8 @@ static void setProblem(MdtKeaSystem *s) {
     }
     for (int i = 0; i < s->numRows; i++) {
         KeaProblemRow *p = &q->row[i];
-        p->isOff = !isRigidJoint(s, i);
-        if (p->isOff)
+        p->isInactive = !isRigidJoint(s, i);
+        if (p->isInactive)
             continue;
         for (int k = 0; k < 2; k++)
             for (int c = 0; c < 6 && p->body[k] >= 0; c++)
@@ -70,7 +70,7 @@ static void setProblem(MdtKeaSystem *s) {
         p->E = 0;
         p->N = 1 / weightOf(s, i);
         p->r = p->p0 = 0;
-        p->state = KEA_HELD;
+        p->state = KEA_ACTIVE;
     }
 }
 
@@ -84,13 +84,13 @@ void kea_minimizeRedundantForces(MdtKeaSystem *s) {
         s->work->savedP[i] = q->row[i].p;
     setProblem(s);
     for (int i = 0; i < s->numRows; i++)
-        if (q->row[i].isOff)
+        if (q->row[i].isInactive)
             q->row[i].p = 0;
     q->hasBounds = MEFALSE;
     const MeBool isSolved = kea_problemSolve(q, MEFALSE);
     q->hasBounds = hadBounds;
     for (int i = 0; i < s->numRows; i++)
-        if (!isSolved || q->row[i].isOff)
+        if (!isSolved || q->row[i].isInactive)
             q->row[i].p = s->work->savedP[i];
         else
             q->row[i].p = -q->row[i].p;

@@ -73,7 +73,7 @@ static void spreadTheta(MdtKeaSystem *s) {
             const MdtKeaRow *row = &s->rows[i];
             const KeaBody *a = row->body[0] < 0 ? NULL : &s->work->body[row->body[0]];
             const KeaBody *b = row->body[1] < 0 ? NULL : &s->work->body[row->body[1]];
-            if (row->position || row->spring || s->work->problem.row[i].isOff || !a || !b || a->theta == b->theta)
+            if (row->position || row->spring || s->work->problem.row[i].isInactive || !a || !b || a->theta == b->theta)
                 continue;
             setTheta(s, row);
             changed = METRUE;
@@ -86,10 +86,10 @@ static void chooseTheta(MdtKeaSystem *s) {
         s->work->body[i].theta = 0.5;
     for (int i = 0; i < s->numRows && !s->parameters.timed; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        const MeBool holds = row->contact == i ? !s->work->problem.row[i].isOff
-                                               : row->position && kea_mayReachBound(row) && row->force != 0 &&
-                                                     rateWith(row, s->velocity) <= 0;
-        if (holds || kea_isTooStiff(s, row))
+        const MeBool isActing = row->contact == i ? !s->work->problem.row[i].isInactive
+                                                  : row->position && kea_mayReachBound(row) && row->force != 0 &&
+                                                        rateWith(row, s->velocity) <= 0;
+        if (isActing || kea_isTooStiff(s, row))
             setTheta(s, row);
     }
     spreadTheta(s);
@@ -160,11 +160,11 @@ void kea_beginRows(MdtKeaSystem *s) {
         copyBounds(p, row, h);
         copyJacobian(p, row->moves ? s->moves[i][0].J : row->J);
         s->work->movingRate[i] = 0;
-        p->isOff = isInactive(s, row);
-        /* with holdsSlow an open contact may be closed by kea_holdMeeting, and needs its place in the matrix */
+        p->isInactive = isInactive(s, row);
+        /* with holdsSlow an open contact may be closed by kea_closeSlowContacts, and needs its place in the matrix */
         p->isOut = row->contact >= 0 && s->rows[row->contact].isOpen && !s->parameters.holdsSlow;
-        p->p = p->p0 = p->isOff || !isfinite(row->force) ? 0 : keaMin(keaMax(h * row->force, p->lower), p->upper);
-        p->state = KEA_HELD;
+        p->p = p->p0 = p->isInactive || !isfinite(row->force) ? 0 : keaMin(keaMax(h * row->force, p->lower), p->upper);
+        p->state = KEA_ACTIVE;
         p->isInconsistent = p->isUnmet = MEFALSE;
         p->isCheckedElsewhere = row->position;
         p->isForced = row->isForced;
@@ -184,12 +184,12 @@ void kea_admitContacts(MdtKeaSystem *s) {
             setTheta(s, row);
             admitted++;
         }
-        if (row->contact != i || !s->work->problem.row[i].isOff || row->isOpen)
+        if (row->contact != i || !s->work->problem.row[i].isInactive || row->isOpen)
             continue;
         if (row->error + h * kea_endRate(s, i) >= 0)
             continue;
         for (int k = i; k < s->numRows && s->rows[k].contact == i; k++)
-            s->work->problem.row[k].isOff = MEFALSE;
+            s->work->problem.row[k].isInactive = MEFALSE;
         setTheta(s, row);
         admitted++;
     }
@@ -268,8 +268,8 @@ static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     p->r = row->target - (s->work->endErrors[i] - row->error) / h;
     const MeBool mayContradict = s->work->hasLoops && !s->work->problem.hasTangent;
     /* without lever arms, with which joints that share a load would not share it evenly */
-    const double size = p->AiiLinear > 0 ? p->AiiLinear : p->Aii;
-    p->N = (kea_mayReachBound(row) || mayContradict ? kea_proximalLimit : kea_proximalJoint) * size;
+    const double invEffectiveMass = p->AiiLinear > 0 ? p->AiiLinear : p->Aii;
+    p->N = (kea_mayReachBound(row) || mayContradict ? kea_proximalLimit : kea_proximalJoint) * invEffectiveMass;
 }
 
 /* A contact in a timed step, where overlaps are removed by kea_project instead of by a velocity. Only a soft one gets
@@ -319,7 +319,7 @@ void kea_linearizeRows(MdtKeaSystem *s) {
         p->p0 = p->p;
         p->Jd = 0;
         if (p->Aii == 0)
-            p->isOff = METRUE;
+            p->isInactive = METRUE;
         if (row->spring)
             springRow(s, i, p);
         else if (row->position)

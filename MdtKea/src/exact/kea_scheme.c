@@ -60,7 +60,7 @@ static double scaleOf(const MdtKeaBody *body, const KeaBody *b, double size, dou
     keaSubtract(dL, b->freeMomentum, body->angularMomentum);
     const double momentum = keaLength(body->velocity) / body->invMass + keaLength(body->angularMomentum) / size;
     return keaMax(keaLength(dv) / body->invMass + keaLength(dL) / size + kea_momentumShare * momentum,
-                  kea_leastSpeed(size, h) / body->invMass);
+                  kea_minSpeed(size, h) / body->invMass);
 }
 
 /* Initial guess: the acceleration of the last step, unless it was an impact's or the like. */

@@ -33,9 +33,9 @@ typedef struct Passes {
 
 /* How a pass has ended. */
 typedef enum PassResult {
-    TAKEN,
-    CONVERGED, /* there is nothing to do: the answer has, and kept factors do not refine it */
-    DIVERGED   /* the change is not finite, and is not applied */
+    PASS_CHANGED,
+    PASS_CONVERGED, /* there is nothing to do: the answer has, and kept factors do not refine it */
+    PASS_DIVERGED   /* the change is not finite, and is not applied */
 } PassResult;
 
 static double workOfLinearization(const MdtKeaSystem *s) {
@@ -100,7 +100,7 @@ static KeaResiduals restoreIterate(MdtKeaSystem *s, double (*const u)[6], const 
 /* Whether a body with the angular velocity w turns by half a turn or so, and it matters how it is turned: not for a
  * ball whose contacts all push towards its centre. */
 static MeBool turnsOver(const MdtKeaSystem *s, int body, const double w[3]) {
-    if (s->parameters.stepsize * keaLength(w) <= kea_mostTurn)
+    if (s->parameters.stepsize * keaLength(w) <= kea_maxTurn)
         return MEFALSE;
     if (!s->work->body[body].isSpatial)
         return METRUE;
@@ -282,7 +282,7 @@ static MeBool isLastPass(MdtKeaSystem *s, Passes *p) {
 /* Solves the inner problem and applies its answer. Where passes converge fast, the factors of the last one are tried
  * first. The matrix of the coupled problem is singular where rows contradict each other; the change d may then be NaN,
  * infinite, or so large that the squares of distances are. */
-static PassResult takePass(MdtKeaSystem *s, Passes *p) {
+static PassResult runPass(MdtKeaSystem *s, Passes *p) {
     KeaProblem *q = &s->work->problem;
     const MeBool isConvergingFast = kea_isExactEnough(&p->e, 1) && p->e.worst < kea_refinedShare * p->before;
     MeBool isFinite = METRUE;
@@ -293,21 +293,21 @@ static PassResult takePass(MdtKeaSystem *s, Passes *p) {
         differentiate(s);
     if (!isConvergingFast || !kea_problemRefine(q)) {
         if (p->isRefined)
-            return CONVERGED;
+            return PASS_CONVERGED;
         solveInnerProblem(s, p->pass, p->e.velocity < kea_looseVelocity, isConvergingFast && q->hasTangent);
     }
     for (int i = 0; i < q->numBodies; i++)
         for (int k = 0; k < 6; k++)
             isFinite = isFinite && fabs(q->d[i][k]) <= kea_largestChange;
     if (!isFinite)
-        return DIVERGED;
+        return PASS_DIVERGED;
     kea_noteInconsistent(s);
     for (int i = 0; i < s->numBodies; i++)
         for (int k = 0; k < 6; k++)
             s->work->body[i].u[k] += q->d[i][k];
     kea_admitContacts(s);
     s->report.passes++;
-    return TAKEN;
+    return PASS_CHANGED;
 }
 
 /* The answer is the best iterate, but the last sweep's if only that is exact in positions; of linkages the tangent one,
@@ -331,16 +331,16 @@ static KeaResiduals chooseAnswer(MdtKeaSystem *s, const Passes *p) {
 
 /* Newton's method for the step: passes until the residuals are below tolerance, or the budget or the passes are used
  * up. */
-static void takePasses(MdtKeaSystem *s) {
+static void runPasses(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     Passes p = beginPasses(s);
-    for (PassResult result = TAKEN; result == TAKEN; p.pass++) {
+    for (PassResult result = PASS_CHANGED; result == PASS_CHANGED; p.pass++) {
         measurePass(s, &p);
         chooseProblem(s, &p);
         if (isLastPass(s, &p))
             break;
-        result = takePass(s, &p);
-        if (result == DIVERGED)
+        result = runPass(s, &p);
+        if (result == PASS_DIVERGED)
             p.e.worst = HUGE_VAL;
     }
     const KeaResiduals e = chooseAnswer(s, &p);
@@ -354,7 +354,7 @@ static void markFreeBodies(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
         s->work->body[i].isFree = METRUE;
     for (int i = 0; i < s->numRows; i++) {
-        if (s->work->problem.row[i].isOff || (s->rows[i].contact >= 0 && s->work->problem.row[i].p == 0))
+        if (s->work->problem.row[i].isInactive || (s->rows[i].contact >= 0 && s->work->problem.row[i].p == 0))
             continue;
         for (int k = 0; k < 2; k++)
             if (s->rows[i].body[k] >= 0)
@@ -376,7 +376,7 @@ static void storeForces(MdtKeaSystem *s) {
 static void solveMotion(MdtKeaSystem *s) {
     kea_beginRows(s);
     kea_guessMotion(s);
-    takePasses(s);
+    runPasses(s);
     kea_balanceMomentum(s);
 }
 
@@ -387,7 +387,7 @@ static void solveToFirstEvent(MdtKeaSystem *s) {
     const double h = s->parameters.stepsize;
     MeBool mustRepeat, isNew;
     double event = kea_firstEvent(s, &mustRepeat);
-    while (s->report.trembles && kea_holdMeeting(s) > 0) {
+    while (s->report.trembles && kea_closeSlowContacts(s) > 0) {
         solveMotion(s);
         event = kea_firstEvent(s, &mustRepeat);
     }
@@ -409,7 +409,7 @@ static void solveToFirstEvent(MdtKeaSystem *s) {
 static MeBool turnsTooFar(const MdtKeaSystem *s) {
     double far = kea_farTurn; /* rad, times the moments' relative difference */
     for (int i = 0; i < s->numRows; i++)
-        if (s->rows[i].contact == i && !s->work->problem.row[i].isOff)
+        if (s->rows[i].contact == i && !s->work->problem.row[i].isInactive)
             far = kea_farTurnInContact;
     for (int i = 0; i < s->numBodies; i++) {
         const double *I = s->bodies[i]->moments;

@@ -45,7 +45,7 @@ static void setRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     p->isCheckedElsewhere = MEFALSE;
     p->N = (row->position && !isUnilateral(row) ? kea_proximalJoint : kea_proximalLimit) * p->Aii;
     if (row->spring || p->Aii == 0)
-        p->isOff = METRUE;
+        p->isInactive = METRUE;
     else if (isStop)
         p->r = row->drift + row->rebound;
     else if (row->position)
@@ -53,7 +53,7 @@ static void setRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     else
         p->r = row->target, p->E = row->softness;
     if (row->contact >= 0 ? s->work->problem.row[row->contact].p == 0 : isStop && p->p == 0)
-        p->isOff = METRUE;
+        p->isInactive = METRUE;
     p->r -= kea_endRate(s, i);
 }
 
@@ -141,7 +141,7 @@ static void solveRows(MdtKeaSystem *s, double start, double (*added)[6]) {
 
 static MeBool rebounds(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
-        if (s->rows[i].bounces && !s->work->problem.row[i].isOff)
+        if (s->rows[i].bounces && !s->work->problem.row[i].isInactive)
             return METRUE;
     return MEFALSE;
 }
@@ -161,7 +161,7 @@ static void limitEnergy(MdtKeaSystem *s, double start, double allowed) {
         q->row[i].p = q->row[i].p0 = s->work->savedP[i];
     setProblem(s);
     for (int i = 0; i < s->numRows; i++)
-        if (s->rows[i].bounces && !q->row[i].isOff)
+        if (s->rows[i].bounces && !q->row[i].isInactive)
             q->row[i].r -= s->rows[i].rebound;
     solveRows(s, start, s->work->plastic);
     const double share =
@@ -193,7 +193,7 @@ static MeBool alternates(const MdtKeaSystem *s, double residual) {
         return MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         const double now = velocityResidual(s, i), before = s->rows[i].ripple;
-        const MeBool counts = s->rows[i].position && !s->work->problem.row[i].isOff;
+        const MeBool counts = s->rows[i].position && !s->work->problem.row[i].isInactive;
         if (counts && now * before < 0 && fabs(now + before) < kea_rippleBalance * fabs(now - before) &&
             fabs(now) > kea_rippleShare * residual)
             return METRUE;
@@ -214,18 +214,18 @@ static MeBool hasActingContact(const MdtKeaSystem *s) {
 }
 
 /* Whether a joint of two bodies is open. One to the world is left out: the program may move its attachment. */
-static MeBool isOpenJoint(const MdtKeaSystem *s, const MdtKeaRow *row) {
+static MeBool isBrokenJoint(const MdtKeaSystem *s, const MdtKeaRow *row) {
     if (!row->position || isUnilateral(row) || row->body[0] < 0 || row->body[1] < 0)
         return MEFALSE;
     const double size = keaMax(s->work->body[row->body[0]].size, s->work->body[row->body[1]].size);
-    return fabs(row->error) * kea_lengthOf(s, row) > kea_openJoint * size;
+    return fabs(row->error) * kea_lengthOf(s, row) > kea_brokenJoint * size;
 }
 
 /* Whether contacts act while a joint is open: the correction of its error, against the contacts, may then add a
  * multiple of the energy. */
 static MeBool isJammed(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
-        if (isOpenJoint(s, &s->rows[i]))
+        if (isBrokenJoint(s, &s->rows[i]))
             return hasActingContact(s);
     return MEFALSE;
 }
@@ -264,7 +264,7 @@ void kea_velocityStage(MdtKeaSystem *s) {
     kea_keepRows(s);
     setProblem(s);
     const double start = kea_problemResidual(q, NULL);
-    const MeBool isNeeded = !s->work->usesTangentAnswer && start > kea_velocityTolerance * kea_leastSpeedOfAll(s) &&
+    const MeBool isNeeded = !s->work->usesTangentAnswer && start > kea_velocityTolerance * kea_minSpeedOfAll(s) &&
                             (isMandatory || isDiscontinuity(s, start) || alternates(s, start)) &&
                             kea_problemMaySweep(q);
     storeRipples(s, isNeeded);

@@ -189,7 +189,8 @@ static MeBool goesRound(const MdtKeaSystem *s, const MdtKeaManifold *m, const Ke
         keaAddScaled(rate, k == 0 ? 1 : -1, turn);
         spin2 += keaDot(v->ang, v->ang);
     }
-    return spin2 > 0 && 0.5 * s->parameters.stepsize * keaLength(rate) < kea_pressedDepth * kea_smallerSize(s, m->body);
+    return spin2 > 0 &&
+           0.5 * s->parameters.stepsize * keaLength(rate) < kea_pressedDepth * kea_smallerExtent(s, m->body);
 }
 
 /* Impulses act with the mean of the lever arms at the start and the end of the step, or bodies that go round with each
@@ -233,7 +234,7 @@ static void fillLane(const KeaGathering *from, int manifold, float correction, K
     const MdtKeaSystem *s = from->s;
     const MdtKeaManifold *m = &s->manifolds[manifold];
     KeaPatch *p = &from->patch[manifold];
-    const double size = kea_smallerSize(s, m->body);
+    const double size = kea_smallerExtent(s, m->body);
     double added[3];
     setPatch(m, p);
     setArms(s, m, p, added);

@@ -51,8 +51,8 @@ static void copyJacobian(KeaJointRow *r) {
 static void setSpring(double h, KeaJointRow *r) {
     const MdtKeaRow *row = r->row;
     const double h2Stiffness = h * (h * row->stiffness + row->damping);
-    r->isOff = !(h2Stiffness > 0);
-    r->compliance = r->isOff ? 0 : 1 / h2Stiffness;
+    r->isInactive = !(h2Stiffness > 0);
+    r->compliance = r->isInactive ? 0 : 1 / h2Stiffness;
     r->target = r->compliance * h * (row->damping * row->target - row->stiffness * row->error);
 }
 
@@ -75,9 +75,9 @@ static void setRow(const MdtKeaSystem *s, KeaJointRow *r) {
     copyJacobian(r);
     r->invEffectiveMass = invEffectiveMassOf(s, r);
     r->length = kea_lengthOf(s, row);
-    r->perSize = r->length / kea_smallerSize(s, row->body);
+    r->perSize = r->length / kea_smallerExtent(s, row->body);
     r->perSquare = 1 / (r->length * r->length);
-    r->isOff = !(r->invEffectiveMass > 0);
+    r->isInactive = !(r->invEffectiveMass > 0);
     r->isRigid = MEFALSE;
     r->target = row->target;
     r->compliance = row->softness;
@@ -89,7 +89,7 @@ static void setRow(const MdtKeaSystem *s, KeaJointRow *r) {
         setPosition(h, r);
     r->lower = h * row->lower;
     r->upper = h * row->upper;
-    r->impulse = r->before = r->isOff ? 0 : keaMin(keaMax(h * row->force, r->lower), r->upper);
+    r->impulse = r->before = r->isInactive ? 0 : keaMin(keaMax(h * row->force, r->lower), r->upper);
 }
 
 /* ---- the block's bodies ---- */
@@ -163,10 +163,10 @@ static MeBool factorizeWith(const MdtKeaSystem *s, const KeaJoints *j, const Kea
         }
     }
     for (int i = b->firstRow; i < b->firstRow + b->numTied; i++)
-        j->row[i].weight = j->row[i].isOff ? 0 : 1 / (j->row[i].compliance + soft * j->row[i].invEffectiveMass);
+        j->row[i].weight = j->row[i].isInactive ? 0 : 1 / (j->row[i].compliance + soft * j->row[i].invEffectiveMass);
     for (int i = b->firstRow; i < b->firstRow + b->numTied;)
         i += addTied(j, b, i);
-    return kea_factorCholesky(b->factor, kea_leastPivot);
+    return kea_factorCholesky(b->factor, kea_minPivot);
 }
 
 /* Where masses differ so much that S is not positive definite in double precision, a larger N is tried. Where even that
@@ -181,7 +181,7 @@ static void factorize(const MdtKeaSystem *s, const KeaJoints *j, KeaJointBlock *
 }
 
 static void solveWithFactor(const KeaJointBlock *b, double x[]) {
-    kea_factorTakeNumbers(b->factor, b->numbers);
+    kea_factorAllocateNumbers(b->factor, b->numbers);
     (b->isInverted ? kea_factorSolveInverted : kea_factorSolve)(b->factor, x);
 }
 
@@ -529,7 +529,7 @@ static void setResiduals(const KeaJoints *j, const KeaJointBlock *b, const KeaMo
 /* A row that stays at its bound needs no response. */
 static double visitBounded(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, KeaJointRow *r,
                            double beta) {
-    if (r->isOff)
+    if (r->isInactive)
         return 0;
     const double guess = guessOf(r, beta), residual = r->residual - rateOf(r, unknownsOf(j, b));
     if ((guess == r->lower && residual <= 0) || (guess == r->upper && residual >= 0))
@@ -602,7 +602,7 @@ double kea_jointsResidual(const KeaJoints *j, const KeaMotion motion[], const Ke
         const KeaJointBlock *b = &j->block[i];
         double(*const v)[6] = motionsOf(j, b, motion);
         for (int k = b->firstRow; k < b->firstRow + b->numRows; k++) {
-            if (j->row[k].isOff)
+            if (j->row[k].isInactive)
                 continue;
             const double residual = residualOf(&j->row[k], rateOf(&j->row[k], v));
             most = keaMax(most, residual);
@@ -695,7 +695,7 @@ void kea_jointsRefill(const MdtKeaSystem *s, KeaJoints *j) {
 static void pushStop(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, KeaJointRow *r) {
     const double residual = r->residual - rateOf(r, unknownsOf(j, b));
     const double need = r->lower == 0 ? keaMax(residual, 0) : keaMin(residual, 0);
-    if (!r->isRigid || r->isOff || need == 0)
+    if (!r->isRigid || r->isInactive || need == 0)
         return;
     if (r->invMassInBlock == 0)
         findResponse(s, b, r);

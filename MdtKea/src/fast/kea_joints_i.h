@@ -8,13 +8,13 @@
 typedef struct KeaJointRow {
     double J[2][6]; /* copied from the system's row, to lie with what passes read */
     const MdtKeaRow *row;
-    int node[2], edge;       /* of the block's graph; -1: the world; no edge */
-    MeBool isOff, isRigid;   /* it is inactive; displacements remove its position error */
-    double length;           /* m per unit of the row: 1, or the bodies' size */
-    double perSize;          /* of the smaller body's size, per unit of the row */
-    double perSquare;        /* 1/length², with which the squares of impulses of all rows are comparable */
-    double invEffectiveMass; /* J M⁻¹ Jᵀ, 1/kg */
-    double weight;           /* kg, of a row without bounds: 1 / (E + N) */
+    int node[2], edge;          /* of the block's graph; -1: the world; no edge */
+    MeBool isInactive, isRigid; /* it is inactive; displacements remove its position error */
+    double length;              /* m per unit of the row: 1, or the bodies' size */
+    double perSize;             /* of the smaller body's size, per unit of the row */
+    double perSquare;           /* 1/length², with which the squares of impulses of all rows are comparable */
+    double invEffectiveMass;    /* J M⁻¹ Jᵀ, 1/kg */
+    double weight;              /* kg, of a row without bounds: 1 / (E + N) */
     double *response; /* of a row with bounds, by node, six: S⁻¹ Jᵀ, the block's velocities by a unit of impulse */
     double invMassInBlock; /* J S⁻¹ Jᵀ, 1/kg; 0: not computed yet */
     double target, compliance, lower, upper;

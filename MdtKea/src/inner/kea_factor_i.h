@@ -35,10 +35,10 @@ MeBool kea_factorMatches(const KeaFactor *f, int numNodes, const int size[], int
 /* Begins a matrix: sets all its blocks to zero, in the memory that the factors of the cache share. */
 void kea_factorClear(KeaFactor *f);
 /* For several matrices at once: the memory of each is the caller's, kea_factorNumbersSize bytes. kea_factorClearIn
- * begins a matrix there; kea_factorTakeNumbers returns to one after others were used. */
+ * begins a matrix there; kea_factorAllocateNumbers returns to one after others were used. */
 size_t kea_factorNumbersSize(const KeaFactor *f);
 void kea_factorClearIn(KeaFactor *f, char *memory);
-void kea_factorTakeNumbers(KeaFactor *f, char *memory);
+void kea_factorAllocateNumbers(KeaFactor *f, char *memory);
 /* The blocks of the matrix, row-major, to be added to. Of an edge e = (i, j): `upper` is A_ij, size[i] rows by size[j]
  * columns; `lower` is A_ji, and is read by kea_factorLU only. */
 double *kea_factorDiagonal(KeaFactor *f, int node);

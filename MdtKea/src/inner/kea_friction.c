@@ -9,7 +9,7 @@ double kea_frictionBoundsError(const KeaProblem *q) {
     double worst = 0;
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
-        if (row->normal < 0 || row->isOff)
+        if (row->normal < 0 || row->isInactive)
             continue;
         const double coulomb = kea_frictionBound(q, row);
         if (row->state == KEA_SLIPS || keaHypotenuse(row->p, row->partner >= 0 ? q->row[row->partner].p : 0) > coulomb)
@@ -36,7 +36,7 @@ static double secant(const KeaProblem *q) {
         above += f * change;
         below += change * change;
     }
-    return below > 0 ? keaMin(keaMax(above / below, kea_leastSecant), kea_mostSecant) : 0;
+    return below > 0 ? keaMin(keaMax(above / below, kea_minSecant), kea_maxSecant) : 0;
 }
 
 /* R' = R + β f - t (ΔR + β Δf): Anderson's acceleration (1965) with a memory of one step. β is 1 in the first passes,

@@ -45,26 +45,26 @@ static double within(double y, double lower, double upper) {
 }
 
 static double clampTo(double y, double lower, double upper, KeaRowState *state) {
-    *state = y > lower && y < upper ? KEA_HELD : KEA_IDLE;
+    *state = y > lower && y < upper ? KEA_ACTIVE : KEA_IDLE;
     return within(y, lower, upper);
 }
 
 static void setCone(KeaProblemRow *a, KeaProblemRow *b) {
     const double size = keaHypotenuse(a->y, b->y);
-    const MeBool holds = size < a->frictionBound;
-    const double share = holds ? 1 : a->frictionBound / size;
+    const MeBool sticks = size < a->frictionBound;
+    const double share = sticks ? 1 : a->frictionBound / size;
     a->p = a->y * (size > 0 ? share : 0);
     b->p = b->y * (size > 0 ? share : 0);
-    a->state = b->state = holds ? KEA_HELD : KEA_SLIPS;
-    a->along = holds || size == 0 ? 0 : a->y / size;
-    b->along = holds || size == 0 ? 0 : b->y / size;
-    a->across = b->across = holds || size == 0 ? 0 : a->frictionBound / size / softness(a);
+    a->state = b->state = sticks ? KEA_ACTIVE : KEA_SLIPS;
+    a->along = sticks || size == 0 ? 0 : a->y / size;
+    b->along = sticks || size == 0 ? 0 : b->y / size;
+    a->across = b->across = sticks || size == 0 ? 0 : a->frictionBound / size / softness(a);
 }
 
 void kea_newtonSetUnclamped(KeaProblem *q, double step) {
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
-        if (!row->isOff)
+        if (!row->isInactive)
             row->y = (row->N * row->p0 + row->r - row->Jd - step * row->Je) / softness(row);
     }
 }
@@ -72,7 +72,7 @@ void kea_newtonSetUnclamped(KeaProblem *q, double step) {
 void kea_newtonClamp(KeaProblem *q, MeBool coupled) {
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
-        if (row->isOff)
+        if (row->isInactive)
             continue;
         if (row->normal < 0) {
             row->p = clampTo(row->y, row->lower, row->upper, &row->state);
@@ -104,7 +104,7 @@ static void setForcesAt(KeaProblem *q, double step, MeBool coupled) {
 
 /* N s: the rounding of p of a row within its bounds, by that of r and J d. */
 static double roundingOf(const KeaProblemRow *row) {
-    if (row->isOff || row->state != KEA_HELD)
+    if (row->isInactive || row->state != KEA_ACTIVE)
         return 0;
     return kea_roundingSteps * DBL_EPSILON * (fabs(row->r) + fabs(row->Jd)) / softness(row);
 }
@@ -176,15 +176,15 @@ static void addRow(KeaProblem *q, const KeaProblemRow *row, double w, double (*c
     kea_factorAddRows(q->factor, &rows, isSymmetric);
 }
 
-static MeBool isHeld(const KeaProblemRow *row) {
-    return !row->isOff && row->state == KEA_HELD;
+static MeBool isActive(const KeaProblemRow *row) {
+    return !row->isInactive && row->state == KEA_ACTIVE;
 }
 
 /* Adds the held rows from `first` on that join the same bodies. Returns how many. */
-static int addHeld(KeaProblem *q, int first, MeBool isSymmetric) {
+static int addActiveRows(KeaProblem *q, int first, MeBool isSymmetric) {
     const KeaProblemRow *row = &q->row[first];
     KeaFactorRows rows = rowsLike(row);
-    for (int i = first; i < q->numRows && rows.count < KEA_FACTOR_ROWS && isHeld(&q->row[i]); i++) {
+    for (int i = first; i < q->numRows && rows.count < KEA_FACTOR_ROWS && isActive(&q->row[i]); i++) {
         if (q->row[i].body[0] != row->body[0] || q->row[i].body[1] != row->body[1])
             break;
         kea_factorPutRow(&rows, 1 / softness(&q->row[i]), q->row[i].J, ratesOf(q, i));
@@ -201,7 +201,7 @@ static void combine(double r[2][6], double s, double (*const a)[6], double t, do
 
 static void addForced(KeaProblem *q, KeaProblemRow *row, MeBool unsymmetric) {
     KeaProblemRow *normal = &q->row[row->normal];
-    if (unsymmetric && !normal->isOff && normal->state == KEA_HELD)
+    if (unsymmetric && !normal->isInactive && normal->state == KEA_ACTIVE)
         addRow(q, row, row->forced * row->friction / softness(normal), row->J, normal->J, MEFALSE);
 }
 
@@ -220,13 +220,13 @@ static void addSliding(KeaProblem *q, KeaProblemRow *row, MeBool unsymmetric) {
     } else {
         combine(slip, row->along, row->J, 0, row->J);
     }
-    if (unsymmetric && !normal->isOff && normal->state == KEA_HELD)
+    if (unsymmetric && !normal->isInactive && normal->state == KEA_ACTIVE)
         addRow(q, row, row->friction / softness(normal), slip, normal->J, MEFALSE);
 }
 
 static MeBool slidesUnderLoad(const KeaProblem *q) {
     for (int i = 0; q->hasFriction && i < q->numRows; i++)
-        if (q->row[i].state == KEA_SLIPS && !q->row[i].isOff && q->row[q->row[i].normal].state == KEA_HELD)
+        if (q->row[i].state == KEA_SLIPS && !q->row[i].isInactive && q->row[q->row[i].normal].state == KEA_ACTIVE)
             return METRUE;
     return MEFALSE;
 }
@@ -245,11 +245,11 @@ static void fillMatrix(KeaProblem *q, MeBool unsymmetric) {
     }
     for (int i = 0; i < q->numRows;) {
         KeaProblemRow *row = &q->row[i];
-        if (isHeld(row)) {
-            i += addHeld(q, i, !unsymmetric);
+        if (isActive(row)) {
+            i += addActiveRows(q, i, !unsymmetric);
             continue;
         }
-        if (!row->isOff && row->state == KEA_SLIPS && (row->partner < 0 || row->partner > i || row->isForced))
+        if (!row->isInactive && row->state == KEA_SLIPS && (row->partner < 0 || row->partner > i || row->isForced))
             addSliding(q, row, unsymmetric);
         i++;
     }
@@ -260,12 +260,12 @@ static inline MeBool areWithinBounds(const KeaProblem *q) {
     double sum = 0;
     for (int i = 0; i < q->numRows; i++)
         sum += fabs(q->row[i].p);
-    if (!(sum < kea_mostAsserted)) /* differences have no digits left */
+    if (!(sum < kea_maxAsserted)) /* differences have no digits left */
         return METRUE;
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
         const double size = keaHypotenuse(row->p, row->partner >= 0 ? q->row[row->partner].p : 0);
-        if (row->isOff)
+        if (row->isInactive)
             continue;
         if (row->normal < 0 ? row->p < row->lower || row->p > row->upper
                             : size > row->frictionBound * (1 + kea_assertedRounding) + DBL_MIN)
@@ -283,7 +283,7 @@ MeBool kea_newtonFactorize(KeaProblem *q, MeBool coupled) {
         q->row[i].factored = q->row[i].state;
     q->counts.factorizations++;
     kea_problemSpend(q, kea_problemIterationWork(q, unsymmetric));
-    return unsymmetric ? kea_factorLU(q->factor, kea_leastPivot) : kea_factorCholesky(q->factor, kea_leastPivot);
+    return unsymmetric ? kea_factorLU(q->factor, kea_minPivot) : kea_factorCholesky(q->factor, kea_minPivot);
 }
 
 void kea_newtonDirection(KeaProblem *q) {
@@ -330,7 +330,7 @@ static double slopeAt(const KeaProblem *q, double constant, double linear, doubl
     double slope = constant + step * linear;
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
-        if (row->isOff)
+        if (row->isInactive)
             slope -= row->Je * row->p;
         else if (row->isForced || row->partner < 0 || row->partner > i)
             slope -= powerAt(q, row, step);
@@ -346,7 +346,7 @@ static double bestStep(KeaProblem *q) {
     if (!q->hasBounds)
         return 1;
     for (int i = 0; i < q->numRows; i++)
-        if (!q->row[i].isOff)
+        if (!q->row[i].isInactive)
             q->row[i].yRate = -q->row[i].Je / softness(&q->row[i]);
     for (int b = 0; b < q->numBodies; b++) {
         kea_applyMetric(Bd, &q->metric[b], q->d[b]);
@@ -543,17 +543,17 @@ static MeBool setAside(KeaProblem *q) {
     MeBool isLeft = MEFALSE;
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
-        row->isAside = !row->isOff && !isUnbounded(row);
-        row->isOff = row->isOff || row->isAside;
-        isLeft = isLeft || !row->isOff;
-        row->p0 = row->isOff ? row->p0 : row->p;
+        row->isAside = !row->isInactive && !isUnbounded(row);
+        row->isInactive = row->isInactive || row->isAside;
+        isLeft = isLeft || !row->isInactive;
+        row->p0 = row->isInactive ? row->p0 : row->p;
     }
     return isLeft;
 }
 
 double kea_problemWorkOfJoints(const KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++)
-        if (!q->row[i].isOff && isUnbounded(&q->row[i]))
+        if (!q->row[i].isInactive && isUnbounded(&q->row[i]))
             return kea_problemIterationWork(q, MEFALSE);
     return 0;
 }
@@ -568,9 +568,9 @@ void kea_problemSolveJoints(KeaProblem *q) {
             setForcesAt(q, 0, MEFALSE);
         } else {
             for (int i = 0; i < q->numRows; i++)
-                q->row[i].p = q->row[i].isOff ? q->row[i].p : q->row[i].p0;
+                q->row[i].p = q->row[i].isInactive ? q->row[i].p : q->row[i].p0;
         }
     }
     for (int i = 0; i < q->numRows; i++)
-        q->row[i].isOff = q->row[i].isOff && !q->row[i].isAside;
+        q->row[i].isInactive = q->row[i].isInactive && !q->row[i].isAside;
 }

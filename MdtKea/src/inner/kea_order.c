@@ -78,7 +78,7 @@ static int weightOf(Degree d) {
     return d.nodes == 1 ? 1 : d.unknowns;
 }
 
-static int popLeast(Elimination *g) {
+static int popMin(Elimination *g) {
     while (g->first[g->least] < 0)
         g->least++;
     const int v = g->first[g->least];
@@ -289,7 +289,7 @@ static MeBool eliminateAll(Elimination *g) {
     }
     o->start[0] = 0;
     for (int t = 0; t < o->numNodes; t++) {
-        const int v = popLeast(g);
+        const int v = popMin(g);
         if (!makeRoomForRows(o, o->start[t], g->node[v].degree.nodes))
             return MEFALSE;
         o->node[t] = v;

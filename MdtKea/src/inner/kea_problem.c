@@ -150,7 +150,7 @@ double kea_problemResidual(const KeaProblem *q, double *impulse) {
     double worst = 0, most = 0;
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
-        if (row->isOff || row->isCheckedElsewhere || row->Aii == 0)
+        if (row->isInactive || row->isCheckedElsewhere || row->Aii == 0)
             continue;
         if (row->isForced) {
             const double projected = row->forced * kea_frictionBound(q, row);
@@ -159,19 +159,19 @@ double kea_problemResidual(const KeaProblem *q, double *impulse) {
         }
         if (row->isForced || (row->partner >= 0 && row->partner < i))
             continue;
-        const double missing[2] = {row->Jd + row->E * row->p - row->r,
-                                   row->partner >= 0
-                                       ? q->row[row->partner].Jd + q->row[row->partner].E * q->row[row->partner].p -
-                                             q->row[row->partner].r
-                                       : 0};
+        const double residual[2] = {row->Jd + row->E * row->p - row->r,
+                                    row->partner >= 0
+                                        ? q->row[row->partner].Jd + q->row[row->partner].E * q->row[row->partner].p -
+                                              q->row[row->partner].r
+                                        : 0};
         if (row->partner >= 0) {
-            const double part = coneResidual(q, row, missing);
-            worst = keaMax(worst, part);
-            most = keaMax(most, part / row->Aii);
+            const double rowResidual = coneResidual(q, row, residual);
+            worst = keaMax(worst, rowResidual);
+            most = keaMax(most, rowResidual / row->Aii);
             continue;
         }
         const double bound = row->normal >= 0 ? kea_frictionBound(q, row) : HUGE_VAL;
-        const double projected = keaMin(keaMax(row->p - missing[0] / (row->Aii + row->E), keaMax(row->lower, -bound)),
+        const double projected = keaMin(keaMax(row->p - residual[0] / (row->Aii + row->E), keaMax(row->lower, -bound)),
                                         keaMin(row->upper, bound));
         worst = keaMax(worst, lengthOf(q, row) * row->Aii * fabs(row->p - projected));
         most = keaMax(most, fabs(row->p - projected));

@@ -32,7 +32,7 @@ typedef struct KeaMetric {
     double inverse[3][3]; /* of angular */
 } KeaMetric;
 
-typedef enum KeaRowState { KEA_IDLE, KEA_HELD, KEA_SLIPS } KeaRowState; /* at a bound; within bounds; on the cone */
+typedef enum KeaRowState { KEA_IDLE, KEA_ACTIVE, KEA_SLIPS } KeaRowState; /* at a bound; within bounds; on the cone */
 
 typedef struct KeaProblemRow {
     double J[2][6];
@@ -60,7 +60,7 @@ typedef struct KeaProblemRow {
     double forced;
     MeBool isUnmet, isInconsistent; /* a joint that kept most of its residual in the last pass; in the last two */
     MeBool isCheckedElsewhere;      /* kea_problemResidual leaves it out: its error is checked in positions */
-    MeBool isOff;                   /* inactive: p is constant */
+    MeBool isInactive;              /* inactive: p is constant */
     MeBool isAside;                 /* inactive during kea_problemSolveJoints */
     MeBool isOut;                   /* inactive in all solves of the step: it has no edge in the graph */
     KeaRowState state, factored;    /* now; when the matrix was factored */

@@ -25,20 +25,20 @@ static double diagonalOf(const KeaProblem *q, const KeaProblemRow *row) {
     return (row->partner < 0 ? row->Aii : 0.5 * (row->Aii + q->row[row->partner].Aii)) + row->E;
 }
 
-static double isolatedImpulse(const KeaProblemRow *row, double size) {
-    return row->affine + (row->r - row->Jd - row->E * row->affine - row->N * (row->affine - row->p0)) / size;
+static double isolatedImpulse(const KeaProblemRow *row, double diagonal) {
+    return row->affine + (row->r - row->Jd - row->E * row->affine - row->N * (row->affine - row->p0)) / diagonal;
 }
 
 /* J: the squared distance of p from its bounds, the same unit for forces and torques. */
-static double violation(double p, double allowed, double size) {
-    return size * (p - allowed) * (p - allowed);
+static double violation(double p, double allowed, double diagonal) {
+    return diagonal * (p - allowed) * (p - allowed);
 }
 
-static double chooseBounded(KeaProblemRow *row, double lower, double upper, double size) {
-    const double z = isolatedImpulse(row, size);
-    row->state = z > lower && z < upper ? KEA_HELD : KEA_IDLE;
+static double chooseBounded(KeaProblemRow *row, double lower, double upper, double diagonal) {
+    const double z = isolatedImpulse(row, diagonal);
+    row->state = z > lower && z < upper ? KEA_ACTIVE : KEA_IDLE;
     row->p = keaMin(keaMax(z, lower), upper);
-    return violation(row->affine, row->p, size);
+    return violation(row->affine, row->p, diagonal);
 }
 
 static double chooseForced(KeaProblemRow *row, double bound) {
@@ -46,24 +46,24 @@ static double chooseForced(KeaProblemRow *row, double bound) {
     return violation(row->affine, row->forced * bound, row->Aii);
 }
 
-static double chooseInterval(KeaProblemRow *row, double bound, double size) {
-    const double violated = chooseBounded(row, keaMax(row->lower, -bound), keaMin(row->upper, bound), size);
+static double chooseInterval(KeaProblemRow *row, double bound, double diagonal) {
+    const double violated = chooseBounded(row, keaMax(row->lower, -bound), keaMin(row->upper, bound), diagonal);
     if (row->state == KEA_IDLE && fabs(row->p) >= bound)
         row->state = KEA_SLIPS;
-    row->along = row->p > 0 || (row->p == 0 && isolatedImpulse(row, size) > 0) ? 1 : -1;
+    row->along = row->p > 0 || (row->p == 0 && isolatedImpulse(row, diagonal) > 0) ? 1 : -1;
     row->across = 0;
     return violated;
 }
 
-static double chooseCone(KeaProblemRow *row, KeaProblemRow *other, double bound, double size) {
-    const double a = isolatedImpulse(row, size), b = isolatedImpulse(other, size), length = keaHypotenuse(a, b);
-    const MeBool isHeld = length <= bound;
-    const double share = isHeld ? 1 : bound / length;
-    row->state = other->state = isHeld ? KEA_HELD : KEA_SLIPS;
-    row->along = isHeld ? 0 : a / length;
-    other->along = isHeld ? 0 : b / length;
-    row->across = other->across = share > 0 ? 1 / (size * (1 - share) / share + softness(row)) : 0;
-    return violation(row->affine, share * a, size) + violation(other->affine, share * b, size);
+static double chooseCone(KeaProblemRow *row, KeaProblemRow *other, double bound, double diagonal) {
+    const double a = isolatedImpulse(row, diagonal), b = isolatedImpulse(other, diagonal), length = keaHypotenuse(a, b);
+    const MeBool sticks = length <= bound;
+    const double share = sticks ? 1 : bound / length;
+    row->state = other->state = sticks ? KEA_ACTIVE : KEA_SLIPS;
+    row->along = sticks ? 0 : a / length;
+    other->along = sticks ? 0 : b / length;
+    row->across = other->across = share > 0 ? 1 / (diagonal * (1 - share) / share + softness(row)) : 0;
+    return violation(row->affine, share * a, diagonal) + violation(other->affine, share * b, diagonal);
 }
 
 /* The states of all rows from `affine` and d. Returns the sum of their violations, J. */
@@ -71,18 +71,18 @@ static double chooseStates(KeaProblem *q) {
     double violated = 0;
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
-        if (row->isOff || (row->partner >= 0 && row->partner < i))
+        if (row->isInactive || (row->partner >= 0 && row->partner < i))
             continue;
-        const double size = diagonalOf(q, row);
+        const double diagonal = diagonalOf(q, row);
         const double bound = row->normal < 0 ? 0 : row->friction * keaMax(q->row[row->normal].affine, 0);
         if (row->normal < 0)
-            violated += chooseBounded(row, row->lower, row->upper, size);
+            violated += chooseBounded(row, row->lower, row->upper, diagonal);
         else if (row->isForced)
             violated += chooseForced(row, bound);
         else if (row->partner < 0)
-            violated += chooseInterval(row, bound, size);
+            violated += chooseInterval(row, bound, diagonal);
         else
-            violated += chooseCone(row, &q->row[row->partner], bound, size);
+            violated += chooseCone(row, &q->row[row->partner], bound, diagonal);
     }
     return violated;
 }
@@ -103,9 +103,9 @@ static double slidingForce(const KeaProblem *q, const KeaProblemRow *row) {
 static void setForces(KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
-        if (row->isOff || row->state == KEA_IDLE)
+        if (row->isInactive || row->state == KEA_IDLE)
             continue;
-        row->p = row->state == KEA_HELD ? row->y : slidingForce(q, row);
+        row->p = row->state == KEA_ACTIVE ? row->y : slidingForce(q, row);
     }
 }
 
@@ -115,7 +115,7 @@ static void keepAffine(KeaProblem *q) {
 }
 
 /* Solves for the present states, then clamps p to its bounds. Returns the error of the gradient, in tolerances. */
-static double takeStep(KeaProblem *q) {
+static double applyNewtonStep(KeaProblem *q) {
     kea_newtonDirection(q);
     kea_newtonApply(q, 1);
     kea_newtonSetUnclamped(q, 0);
@@ -127,7 +127,7 @@ static double takeStep(KeaProblem *q) {
 
 static MeBool areStatesFactored(const KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++)
-        if (!q->row[i].isOff && q->row[i].state != q->row[i].factored)
+        if (!q->row[i].isInactive && q->row[i].state != q->row[i].factored)
             return MEFALSE;
     return METRUE;
 }
@@ -141,7 +141,7 @@ MeBool kea_statesRefine(KeaProblem *q) {
         const double before = error;
         setForces(q);
         kea_newtonGradient(q);
-        error = takeStep(q);
+        error = applyNewtonStep(q);
         if (error < 1)
             return METRUE;
         if (!(error < kea_refinedShare * before))
@@ -161,7 +161,7 @@ MeBool kea_statesSolve(KeaProblem *q) {
         if (!kea_problemMaySpend(q, METRUE) || !kea_newtonFactorize(q, METRUE))
             return MEFALSE;
         q->counts.iterations++;
-        if (takeStep(q) < 1)
+        if (applyNewtonStep(q) < 1)
             return METRUE;
         const double before = violated;
         violated = chooseStates(q);

@@ -72,7 +72,7 @@ static double objective(const KeaProblem *q) {
         sum += 2 * kea_energyOf(&q->metric[b], q->d[b], q->d[b]);
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
-        if (!row->isOff)
+        if (!row->isInactive)
             sum += row->p * (row->E * row->p - 2 * row->r);
     }
     return sum;
@@ -91,7 +91,7 @@ static void setFrictionBound(const KeaProblem *q, KeaProblemRow *row) {
     row->frictionBound = kea_frictionBound(q, row);
 }
 
-static void takeBest(KeaProblem *q) {
+static void restoreBest(KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++)
         q->row[i].p = q->row[i].bestP;
     for (int i = 0; i < q->numRows; i++)
@@ -108,7 +108,7 @@ static double clampToBounds(const KeaProblemRow *row, double p) {
 static void projectImpulses(KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i], *other = row->partner >= 0 ? &q->row[row->partner] : NULL;
-        if (row->isOff)
+        if (row->isInactive)
             continue;
         if (row->normal < 0) {
             row->p = clampToBounds(row, row->p);
@@ -141,13 +141,13 @@ static double chooseStart(KeaProblem *q, double *none) {
         q->row[i].bestP = q->row[i].p; /* in case that all D are NaN */
     tryStart(q, &least);
     for (int i = 0; i < q->numRows; i++)
-        q->row[i].p = q->row[i].isOff ? q->row[i].p : q->row[i].p0;
+        q->row[i].p = q->row[i].isInactive ? q->row[i].p : q->row[i].p0;
     tryStart(q, &least);
     for (int i = 0; i < q->numRows; i++)
-        q->row[i].p = q->row[i].isOff ? q->row[i].p : 0;
+        q->row[i].p = q->row[i].isInactive ? q->row[i].p : 0;
     tryStart(q, &least);
     *none = objective(q);
-    takeBest(q);
+    restoreBest(q);
     MEASSERT(!(objective(q) > least + kea_assertedRounding * fabs(least)));
     memcpy(q->savedD, q->d, (size_t)q->numBodies * sizeof *q->d);
     for (int i = 0; i < q->numRows; i++)
@@ -189,7 +189,7 @@ static void relaxFriction(KeaProblem *q, int i) {
 
 static void relaxRow(KeaProblem *q, int i) {
     KeaProblemRow *row = &q->row[i];
-    if (row->isOff)
+    if (row->isInactive)
         return;
     if (row->normal >= 0)
         relaxFriction(q, i);
@@ -219,7 +219,7 @@ static void extrapolate(KeaProblem *q, double beta) {
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
         const double p = row->p;
-        row->p = row->y = row->isOff ? p : p + beta * (p - row->previousP);
+        row->p = row->y = row->isInactive ? p : p + beta * (p - row->previousP);
         row->previousP = p;
     }
 }
@@ -291,12 +291,12 @@ void kea_problemSweep(KeaProblem *q) {
         m = c.against > 0 ? noMomentum() : nextMomentum(m);
     }
     if (!(objective(q) <= none))
-        takeBest(q);
+        restoreBest(q);
     q->sweptPasses--;
     for (int i = 0; i < q->numRows; i++) {
         q->row[i].Jd = rateOfChange(q, &q->row[i]);
         q->row[i].Je = 0;
-        q->row[i].state = KEA_HELD;
+        q->row[i].state = KEA_ACTIVE;
     }
     memset(q->direction, 0, (size_t)q->numBodies * sizeof *q->direction);
     kea_problemSpend(q, (double)q->numRows * KEA_SWEEP * (sweeps + KEA_START_SWEEPS));
