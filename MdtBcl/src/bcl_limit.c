@@ -60,7 +60,7 @@ static double distanceToStop(const MdtBclLimit *limit, int side) {
 
 /* The least rate of z in this step: of the present rate, the one predicted without constraints, and the motor's
  * velocity. */
-static double leastRate(const MdtBclLimit *limit, int side, double rate, double predicted) {
+static double minRate(const MdtBclLimit *limit, int side, double rate, double predicted) {
     const double sign = side == 0 ? 1 : -1, slowest = fmin(sign * rate, sign * predicted);
     return limit->rows & MOTOR ? fmin(slowest, sign * (double)limit->desired_vel) : slowest;
 }
@@ -93,7 +93,7 @@ static MeBool isWithinReach(const MdtBclLimit *limit, int side, double rate, dou
     if (!isHard(limit, side) && !(stop->stiffness > 0))
         return z < 0 && stop->damping > 0;
     return z <= 0 || limit->stopForce[side] > 0 || z < h * impactSpin ||
-           z + 2 * h * leastRate(limit, side, rate, predicted) < 0;
+           z + 2 * h * minRate(limit, side, rate, predicted) < 0;
 }
 
 int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow *coordinate, double measured) {

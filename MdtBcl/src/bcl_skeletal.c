@@ -100,7 +100,7 @@ static void setStop(MdtBclSingleLimit *stop, double at, MeReal stiffness, MeReal
 }
 
 /* How many of the swing's two coordinates are constrained to 0: none, the secondary one, or both. */
-static int heldSwings(const MdtBclSkeletal *s) {
+static int lockedSwings(const MdtBclSkeletal *s) {
     return s->coneOption == MdtSkeletalConeOptionFixed ? 2 : s->coneOption == MdtSkeletalConeOptionSlot ? 1 : 0;
 }
 
@@ -132,7 +132,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     Pose p;
     measure(c, x->pose, &p);
     s->scale = p.scale;
-    int count = 3 + heldSwings(s) + (s->twistOption == MdtSkeletalTwistOptionFixed);
+    int count = 3 + lockedSwings(s) + (s->twistOption == MdtSkeletalTwistOptionFixed);
     s->cone.rows = s->turn.rows = 0;
     if (hasCone(s)) {
         setStop(&s->cone.limit[1], 0, s->coneStiffness, s->coneDamping);
@@ -155,9 +155,9 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
     bcl_pointErrors(c, pose, e);
     measure(c, pose, &p);
     int n = 3;
-    if (heldSwings(s) > 0)
+    if (lockedSwings(s) > 0)
         e[n++] = p.sigma[1];
-    if (heldSwings(s) > 1)
+    if (lockedSwings(s) > 1)
         e[n++] = p.sigma[0];
     if (s->twistOption == MdtSkeletalTwistOptionFixed)
         e[n++] = p.tau;
@@ -172,7 +172,7 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
     measure(c, x->pose, &p);
     bcl_pointRows(c, x, rows);
     rows += 3;
-    for (int i = 0; i < heldSwings(s); i++, rows++) {
+    for (int i = 0; i < lockedSwings(s); i++, rows++) {
         turnRow(c, x, p.swing[1 - i], rows);
         bcl_aimAtZero(rows, x, p.sigma[1 - i]);
     }
@@ -192,7 +192,7 @@ static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRo
     MdtKeaRow row;
     Pose p;
     measure(c, x->pose, &p);
-    rows += 3 + heldSwings(s) + (s->twistOption == MdtSkeletalTwistOptionFixed);
+    rows += 3 + lockedSwings(s) + (s->twistOption == MdtSkeletalTwistOptionFixed);
     coneRow(c, x, &p, &row);
     bcl_limitReadBack(&s->cone, coneCoordinate(s, &p), bcl_rate(&row, x->velocity), rows);
     rows += s->cone.rows != 0;

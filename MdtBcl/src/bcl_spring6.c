@@ -59,10 +59,10 @@ static void springRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKea
 
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
     const MdtBclSprings *s = &c->of.springs;
-    MdtKeaRow spring[6], held[3];
+    MdtKeaRow spring[6], locked[3];
     double strain[6];
     springRows(c, x, spring, strain);
-    bcl_turnRows(c, x, NULL, held);
+    bcl_turnRows(c, x, NULL, locked);
     for (int i = 0, n = 0; i < 6; i++) {
         if (!acts(s, i))
             continue;
@@ -73,7 +73,7 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
         else if (i < 3)
             bcl_aimAtZero(row, x, strain[i]);
         else
-            *row = held[i - 3];
+            *row = locked[i - 3];
     }
 }
 

@@ -21,7 +21,7 @@ MeBool MEAPI MdtAngular3RotationIsEnabled(const MdtAngular3ID j) {
 
 void MEAPI MdtAngular3SetStiffness(const MdtAngular3ID j, const MeReal s) {
     MdtBclAngular *joint = angularOf(j, __func__);
-    mdt_setAtLeast0(__func__, "the stiffness", joint ? &joint->stiffness : NULL, s);
+    mdt_setNonNegative(__func__, "the stiffness", joint ? &joint->stiffness : NULL, s);
 }
 
 MeReal MEAPI MdtAngular3GetStiffness(const MdtAngular3ID j) {
@@ -31,7 +31,7 @@ MeReal MEAPI MdtAngular3GetStiffness(const MdtAngular3ID j) {
 
 void MEAPI MdtAngular3SetDamping(const MdtAngular3ID j, const MeReal d) {
     MdtBclAngular *joint = angularOf(j, __func__);
-    mdt_setAtLeast0(__func__, "the damping", joint ? &joint->damping : NULL, d);
+    mdt_setNonNegative(__func__, "the damping", joint ? &joint->damping : NULL, d);
 }
 
 MeReal MEAPI MdtAngular3GetDamping(const MdtAngular3ID j) {

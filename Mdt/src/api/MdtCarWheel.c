@@ -113,11 +113,11 @@ void MEAPI MdtCarWheelSetSuspension(const MdtCarWheelID j, const MeReal Kp, cons
                                     const MeReal limit_softness, const MeReal lolimit, const MeReal hilimit,
                                     const MeReal reference) {
     MdtBclCarWheel *w = wheelOf(j, __func__);
-    if (!w || !mdt_isAtLeast(__func__, "Kp", Kp, 0) || !mdt_isAtLeast(__func__, "Kd", Kd, 0) ||
-        !mdt_isAtLeast(__func__, "the softness", limit_softness, 0) ||
+    if (!w || !mdt_isNotBelow(__func__, "Kp", Kp, 0) || !mdt_isNotBelow(__func__, "Kd", Kd, 0) ||
+        !mdt_isNotBelow(__func__, "the softness", limit_softness, 0) ||
         !mdt_isFinite(__func__, "the low limit", lolimit) || !mdt_isFinite(__func__, "the high limit", hilimit) ||
         !mdt_isFinite(__func__, "the reference", reference) ||
-        !mdt_isAtLeast(__func__, "the high limit", hilimit, lolimit))
+        !mdt_isNotBelow(__func__, "the high limit", hilimit, lolimit))
         return;
     w->kp = Kp;
     w->kd = Kd;

@@ -20,7 +20,7 @@ MeReal MEAPI MdtConeLimitGetConeHalfAngle(const MdtConeLimitID j) {
 
 void MEAPI MdtConeLimitSetStiffness(const MdtConeLimitID j, const MeReal kp) {
     MdtBclCone *s = coneOf(j, __func__);
-    mdt_setAtLeast0(__func__, "the stiffness", s ? &s->stiffness : NULL, kp);
+    mdt_setNonNegative(__func__, "the stiffness", s ? &s->stiffness : NULL, kp);
 }
 
 MeReal MEAPI MdtConeLimitGetStiffness(const MdtConeLimitID j) {
@@ -30,7 +30,7 @@ MeReal MEAPI MdtConeLimitGetStiffness(const MdtConeLimitID j) {
 
 void MEAPI MdtConeLimitSetDamping(const MdtConeLimitID j, const MeReal kd) {
     MdtBclCone *s = coneOf(j, __func__);
-    mdt_setAtLeast0(__func__, "the damping", s ? &s->damping : NULL, kd);
+    mdt_setNonNegative(__func__, "the damping", s ? &s->damping : NULL, kd);
 }
 
 MeReal MEAPI MdtConeLimitGetDamping(const MdtConeLimitID j) {

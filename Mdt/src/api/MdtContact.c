@@ -124,7 +124,7 @@ void MEAPI MdtContactSetExact(const MdtContactID c, const double position[3], co
 
 void MEAPI MdtContactSetRadius(const MdtContactID c, const unsigned int bodyindex, const MeReal radius) {
     MdtPoint *p = mdt_pointOf(c, __func__);
-    if (p && mdt_isSide(__func__, bodyindex) && mdt_isAtLeast(__func__, "the radius", radius, 0))
+    if (p && mdt_isSide(__func__, bodyindex) && mdt_isNotBelow(__func__, "the radius", radius, 0))
         mdt_pointSetRadius(p, (int)bodyindex, radius);
 }
 
@@ -137,7 +137,7 @@ void MEAPI MdtContactSetRim(const MdtContactID c, const unsigned int bodyindex, 
                             const MeVector3 axis) {
     MdtPoint *p = mdt_pointOf(c, __func__);
     double unit[3] = {0, 0, 0};
-    if (!p || !mdt_isSide(__func__, bodyindex) || !mdt_isAtLeast(__func__, "the radius", radius, 0) ||
+    if (!p || !mdt_isSide(__func__, bodyindex) || !mdt_isNotBelow(__func__, "the radius", radius, 0) ||
         !mdt_isPointer(__func__, "the axis", axis) || !isDirection(__func__, "the axis", axis[0], axis[1], axis[2]))
         return;
     for (int i = 0; i < 3; i++)

@@ -64,7 +64,7 @@ static MdtPoint *laterMember(const MeLater *later) {
 static MeBool isToMoveNow(MdtManifold *group, MdtPoint *p, void(MEAPI *carryOut)(const MeLater *later),
                           const char *caller) {
     const MeLater later = {.carryOut = carryOut, .object = group, .other = {p}, .serial = group->base.link.serial};
-    return mdt_when(group->base.world, MDT_HOLD_CONSTRAINTS, caller, &later) == MeWhenNow;
+    return mdt_when(group->base.world, MDT_GUARD_CONSTRAINTS, caller, &later) == MeWhenNow;
 }
 
 static void MEAPI joinLater(const MeLater *later) {

@@ -124,7 +124,7 @@ void MEAPI MdtRPROJointSetPosition(const MdtRPROJointID j, const MeReal x, const
 static void setStrength(MeReal strength[3], const char *caller, MeReal x, MeReal y, MeReal z) {
     const MeReal s[3] = {x, y, z};
     for (int i = 0; i < 3; i++)
-        if (!mdt_isAtLeast(caller, "a strength", s[i], 0))
+        if (!mdt_isNotBelow(caller, "a strength", s[i], 0))
             return;
     memcpy(strength, s, sizeof s);
 }

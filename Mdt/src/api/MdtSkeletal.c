@@ -44,7 +44,7 @@ MeReal MEAPI MdtSkeletalGetTwistLimitAngle(const MdtSkeletalID j) {
 
 void MEAPI MdtSkeletalSetConeStiffness(const MdtSkeletalID j, const MeReal kp) {
     MdtBclSkeletal *s = skeletalOf(j, __func__);
-    mdt_setAtLeast0(__func__, "the stiffness", s ? &s->coneStiffness : NULL, kp);
+    mdt_setNonNegative(__func__, "the stiffness", s ? &s->coneStiffness : NULL, kp);
 }
 
 MeReal MEAPI MdtSkeletalGetConeStiffness(const MdtSkeletalID j) {
@@ -54,7 +54,7 @@ MeReal MEAPI MdtSkeletalGetConeStiffness(const MdtSkeletalID j) {
 
 void MEAPI MdtSkeletalSetConeDamping(const MdtSkeletalID j, const MeReal kd) {
     MdtBclSkeletal *s = skeletalOf(j, __func__);
-    mdt_setAtLeast0(__func__, "the damping", s ? &s->coneDamping : NULL, kd);
+    mdt_setNonNegative(__func__, "the damping", s ? &s->coneDamping : NULL, kd);
 }
 
 MeReal MEAPI MdtSkeletalGetConeDamping(const MdtSkeletalID j) {
@@ -64,7 +64,7 @@ MeReal MEAPI MdtSkeletalGetConeDamping(const MdtSkeletalID j) {
 
 void MEAPI MdtSkeletalSetTwistStiffness(const MdtSkeletalID j, const MeReal kp) {
     MdtBclSkeletal *s = skeletalOf(j, __func__);
-    mdt_setAtLeast0(__func__, "the stiffness", s ? &s->twistStiffness : NULL, kp);
+    mdt_setNonNegative(__func__, "the stiffness", s ? &s->twistStiffness : NULL, kp);
 }
 
 MeReal MEAPI MdtSkeletalGetTwistStiffness(const MdtSkeletalID j) {
@@ -74,7 +74,7 @@ MeReal MEAPI MdtSkeletalGetTwistStiffness(const MdtSkeletalID j) {
 
 void MEAPI MdtSkeletalSetTwistDamping(const MdtSkeletalID j, const MeReal kd) {
     MdtBclSkeletal *s = skeletalOf(j, __func__);
-    mdt_setAtLeast0(__func__, "the damping", s ? &s->twistDamping : NULL, kd);
+    mdt_setNonNegative(__func__, "the damping", s ? &s->twistDamping : NULL, kd);
 }
 
 MeReal MEAPI MdtSkeletalGetTwistDamping(const MdtSkeletalID j) {

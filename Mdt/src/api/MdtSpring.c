@@ -36,7 +36,7 @@ void MEAPI MdtSpringGetPosition(const MdtSpringID j, MeVector3 v, const unsigned
 
 void MEAPI MdtSpringSetNaturalLength(const MdtSpringID j, const MeReal NewNaturalLength) {
     MdtBclDistance *s = distanceOf(j, __func__);
-    if (!s || !mdt_isAtLeast(__func__, "the length", NewNaturalLength, 0) ||
+    if (!s || !mdt_isNotBelow(__func__, "the length", NewNaturalLength, 0) ||
         !mdt_isFinite3(__func__, "the length", NewNaturalLength, 0, 0))
         return;
     s->limit.limit[0].stop = s->limit.limit[1].stop = NewNaturalLength;
@@ -45,12 +45,12 @@ void MEAPI MdtSpringSetNaturalLength(const MdtSpringID j, const MeReal NewNatura
 
 void MEAPI MdtSpringSetStiffness(const MdtSpringID j, const MeReal NewStiffness) {
     MdtBclDistance *s = distanceOf(j, __func__);
-    if (s && mdt_isAtLeast(__func__, "the stiffness", NewStiffness, 0))
+    if (s && mdt_isNotBelow(__func__, "the stiffness", NewStiffness, 0))
         s->limit.limit[0].stiffness = s->limit.limit[1].stiffness = NewStiffness;
 }
 
 void MEAPI MdtSpringSetDamping(const MdtSpringID j, const MeReal NewDamping) {
     MdtBclDistance *s = distanceOf(j, __func__);
-    if (s && mdt_isAtLeast(__func__, "the damping", NewDamping, 0))
+    if (s && mdt_isNotBelow(__func__, "the damping", NewDamping, 0))
         s->limit.limit[0].damping = s->limit.limit[1].damping = NewDamping;
 }

@@ -19,7 +19,7 @@ static MeReal *placeOf(MdtSpring6ID j, const char *caller, int kind, int axis, P
 }
 
 void MEAPI MdtSpring6SetLinearStiffness(const MdtSpring6ID j, int axisindex, MeReal s) {
-    mdt_setAtLeast0(__func__, "the stiffness", placeOf(j, __func__, LINEAR, axisindex, stiffness), s);
+    mdt_setNonNegative(__func__, "the stiffness", placeOf(j, __func__, LINEAR, axisindex, stiffness), s);
 }
 
 MeReal MEAPI MdtSpring6GetLinearStiffness(const MdtSpring6ID j, int axisindex) {
@@ -28,7 +28,7 @@ MeReal MEAPI MdtSpring6GetLinearStiffness(const MdtSpring6ID j, int axisindex) {
 }
 
 void MEAPI MdtSpring6SetLinearDamping(const MdtSpring6ID j, int axisindex, MeReal d) {
-    mdt_setAtLeast0(__func__, "the damping", placeOf(j, __func__, LINEAR, axisindex, damping), d);
+    mdt_setNonNegative(__func__, "the damping", placeOf(j, __func__, LINEAR, axisindex, damping), d);
 }
 
 MeReal MEAPI MdtSpring6GetLinearDamping(const MdtSpring6ID j, int axisindex) {
@@ -37,7 +37,7 @@ MeReal MEAPI MdtSpring6GetLinearDamping(const MdtSpring6ID j, int axisindex) {
 }
 
 void MEAPI MdtSpring6SetAngularStiffness(const MdtSpring6ID j, int axisindex, MeReal s) {
-    mdt_setAtLeast0(__func__, "the stiffness", placeOf(j, __func__, ANGULAR, axisindex, stiffness), s);
+    mdt_setNonNegative(__func__, "the stiffness", placeOf(j, __func__, ANGULAR, axisindex, stiffness), s);
 }
 
 MeReal MEAPI MdtSpring6GetAngularStiffness(const MdtSpring6ID j, int axisindex) {
@@ -46,7 +46,7 @@ MeReal MEAPI MdtSpring6GetAngularStiffness(const MdtSpring6ID j, int axisindex) 
 }
 
 void MEAPI MdtSpring6SetAngularDamping(const MdtSpring6ID j, int axisindex, MeReal d) {
-    mdt_setAtLeast0(__func__, "the damping", placeOf(j, __func__, ANGULAR, axisindex, damping), d);
+    mdt_setNonNegative(__func__, "the damping", placeOf(j, __func__, ANGULAR, axisindex, damping), d);
 }
 
 MeReal MEAPI MdtSpring6GetAngularDamping(const MdtSpring6ID j, int axisindex) {

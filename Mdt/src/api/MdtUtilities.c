@@ -70,7 +70,7 @@ void MEAPI MdtConvertVector(const MdtBodyID from_body, const MeVector3 f, const 
 void MEAPI MdtLimitController(const MdtLimitID limit, const MeReal desiredPosition, const MeReal gap,
                               const MeReal maxSpeed, const MeReal maxForce) {
     if (!mdt_isPointer(__func__, "the limit", limit) || !mdt_isFinite(__func__, "the position", desiredPosition) ||
-        !mdt_isPositive(__func__, "the gap", gap) || !mdt_isAtLeast(__func__, "the speed", maxSpeed, 0))
+        !mdt_isPositive(__func__, "the gap", gap) || !mdt_isNotBelow(__func__, "the speed", maxSpeed, 0))
         return;
     const MeReal left = (desiredPosition - limit->position) / gap;
     const MeReal share = left > 1 ? 1 : left < -1 ? -1 : left;

@@ -48,9 +48,9 @@ static void carriedPlace(const MdtPoint *p, double time, double place[3]) {
 }
 
 static double squareDistance(const double a[3], const double b[3]) {
-    double way[3];
-    keaSubtract(way, a, b);
-    return keaDot(way, way);
+    double difference[3];
+    keaSubtract(difference, a, b);
+    return keaDot(difference, difference);
 }
 
 /* Matches the nearest two of the contacts found and those of the group that are unmatched. Returns the latter; null:
@@ -135,7 +135,7 @@ static MdtPoint *addPoint(MdtManifold *m, const MdtFoundContact *found) {
                     return NULL;
                 m->numPoints++;
                 mdt_constraintDisturb(&m->base);
-                return mdt_slotTake(block, slot);
+                return mdt_slotActivate(block, slot);
             }
     MdtPoint *p = mdt_pointCreateIn(m, "MdtContactGroupCreateContact");
     if (p)

@@ -97,7 +97,7 @@ MeBool mdt_areFinite(const MeReal v[3]); /* without one */
 /* Within the bound of positions, too. */
 MeBool mdt_isPlace(const char *caller, const char *what, const MdtWorld *w, MeReal x, MeReal y, MeReal z);
 /* True for lower <= x; else a warning. */
-MeBool mdt_isAtLeast(const char *caller, const char *what, MeReal x, MeReal lower);
+MeBool mdt_isNotBelow(const char *caller, const char *what, MeReal x, MeReal lower);
 MeBool mdt_isUsable(MeReal x); /* positive, and within what single precision can have */
 MeBool mdt_isPositive(const char *caller, const char *what, MeReal x);
 MeBool mdt_isSortKey(const char *caller, MeI32 key);
@@ -105,7 +105,7 @@ MeBool mdt_isPointer(const char *caller, const char *what, const void *p);
 /* True for a place to write n numbers to, which are zeroed: the neutral result. */
 MeBool mdt_isResult(const char *caller, MeReal *result, int n);
 /* Stores x >= 0; else a warning. A null place, of a joint that was none, is left alone. */
-void mdt_setAtLeast0(const char *caller, const char *what, MeReal *place, MeReal x);
+void mdt_setNonNegative(const char *caller, const char *what, MeReal *place, MeReal x);
 /* Stores an angle, clamped to 0..pi; a warning for one that is not finite. */
 void mdt_setAngle(const char *caller, const char *what, MeReal *place, MeReal x);
 /* Warns of one that has gone while any world lives, and of null. */

@@ -16,8 +16,8 @@ typedef struct MdtStart {
 
 /* For how long a body has hardly moved, and near which pose it swings (mdt_sleep.c). */
 typedef struct MdtStay {
-    double way[6];                     /* m, in the last second: that it moved, and turned at its radius */
-    double most;                       /* m, of that, in the last second */
+    double displacement[6];            /* m, in the last second: that it moved, and turned at its radius */
+    double maxDisplacement;            /* m, of that, in the last second */
     double position[3], quaternion[4]; /* of the centre of mass */
     double time;                       /* s, for which it has been near there */
     double farthest;                   /* m, that it was away from there, */
@@ -47,17 +47,17 @@ typedef struct MdtApplied {
 } MdtApplied;
 
 enum {
-    MDT_ENABLED = 1,    /* takes part in the simulation */
-    MDT_ASLEEP = 2,     /* was disabled by the world, not by the program */
-    MDT_FAR = 4,        /* was stopped at the bound of positions, with a warning */
-    MDT_WATCHED = 8,    /* programs write its parameters through a pointer; of a body: those of a constraint of it */
-    MDT_LONE = 16,      /* a manifold of one contact that is in no group */
-    MDT_SWAPPED = 32,   /* a group that was attached as (null, body) */
-    MDT_APART = 64,     /* a joint whose bodies do not collide with each other; a body that has or had such a joint */
-    MDT_FORCED = 128,   /* a body whose program has given a force, be it 0, for the step that comes */
-    MDT_KEPT = 256,     /* a body whose force goes on for the rest of the step in which it was given */
-    MDT_TOUCHED = 1024, /* a joint that a program may have changed by a call; of a body: one of its joints is */
-    MDT_TOLD = 512,     /* a body, or a joint, of which the program was warned (mdt_force.c, mdt_forgotten.c) */
+    MDT_ENABLED = 1,     /* takes part in the simulation */
+    MDT_ASLEEP = 2,      /* was disabled by the world, not by the program */
+    MDT_FAR = 4,         /* was stopped at the bound of positions, with a warning */
+    MDT_WATCHED = 8,     /* programs write its parameters through a pointer; of a body: those of a constraint of it */
+    MDT_LONE = 16,       /* a manifold of one contact that is in no group */
+    MDT_SWAPPED = 32,    /* a group that was attached as (null, body) */
+    MDT_NO_COLLIDE = 64, /* a joint whose bodies do not collide with each other; a body that has or had such a joint */
+    MDT_FORCED = 128,    /* a body whose program has given a force, be it 0, for the step that comes */
+    MDT_KEPT = 256,      /* a body whose force goes on for the rest of the step in which it was given */
+    MDT_TOUCHED = 1024,  /* a joint that a program may have changed by a call; of a body: one of its joints is */
+    MDT_WARNED = 512,    /* a body, or a joint, of which the program was warned (mdt_force.c, mdt_forgotten.c) */
     MDT_WAS_ENABLED = 2048, /* a joint that has been enabled */
     MDT_OFF_CENTRE = 4096,  /* a body whose program has yet to say where its centre of mass is */
     MDT_CONDEMNED = 8192,   /* is being destroyed, or will be when a stage ends (mdt_stage.c) */
@@ -90,8 +90,8 @@ struct MdtBody {
     MeVector3 shownVelocity, shownAngularVelocity; /* as last written by the library: a difference was written by a
                                                       program */
     double force[3], torque[3];                    /* N, N m, added since the last step */
-    double impulse[3], twist[3];                   /* N s, N m s, the same */
-    double lag, part;                              /* s: time by which it is behind its world; its last step */
+    double impulse[3], angularImpulse[3];          /* N s, N m s, the same */
+    double lag, lastAdvance;                       /* s: time by which it is behind its world; its last step */
     double enabledTime;                            /* s */
     int enabledSteps;
     double aliveTime; /* s, since MdtBodyEnable was called last, though it may have been enabled already */

@@ -153,7 +153,7 @@ MeBool mdt_isPlace(const char *caller, const char *what, const MdtWorld *w, MeRe
     return MEFALSE;
 }
 
-MeBool mdt_isAtLeast(const char *caller, const char *what, MeReal x, MeReal lower) {
+MeBool mdt_isNotBelow(const char *caller, const char *what, MeReal x, MeReal lower) {
     if (x >= lower && isfinite(x))
         return METRUE;
     MeWarning(1, "%s: %s is %g, it must be at least %g; nothing is changed", caller, what, (double)x, (double)lower);
@@ -195,8 +195,8 @@ MeBool mdt_isResult(const char *caller, MeReal *result, int n) {
     return METRUE;
 }
 
-void mdt_setAtLeast0(const char *caller, const char *what, MeReal *place, MeReal x) {
-    if (place && mdt_isAtLeast(caller, what, x, 0))
+void mdt_setNonNegative(const char *caller, const char *what, MeReal *place, MeReal x) {
+    if (place && mdt_isNotBelow(caller, what, x, 0))
         *place = x;
 }
 

@@ -8,17 +8,17 @@
 
 enum { MDT_TIMED_BODIES = 8, MDT_NO_REPORTS = -1 };
 /* Bodies, at least, that make batches (mdt_batch.c), partitions that all workers take together (mdt_parallel.c), and
- * crowds of which impacts that take energy are followed only while all fly (mdt_mostHeld). */
-enum { MDT_CROWD = 64 };
+ * crowds of which impacts that take energy are followed only while all fly (mdt_maxConstrained). */
+enum { MDT_LARGE_ISLAND = 64 };
 /* One of so many bodies that bounce may be held, for their impacts to be met in time. Measured, and no test tells 4
  * from 8: 216 balls a hundredth apart that land with 4 m/s lose 4, 4, 2 and 14 % of the energy in 5 s with 2, 4, 8, 16,
  * those a fiftieth apart .2 % with each. */
-enum { MDT_HELD = 4 };
+enum { MDT_CONSTRAINED_SHARE = 4 };
 /* Of a body's size: how far joints may be open at rest. As much as overlaps may be there. */
-#define MDT_CLOSED 1e-4
+#define MDT_MAX_JOINT_ERROR 1e-4
 
 /* A world's accounts of exact work (mdt_choice.c). */
-typedef enum MdtAccount { MDT_WANTED, MDT_NEEDED, MDT_ACCOUNTS } MdtAccount;
+typedef enum MdtAccount { MDT_OPTIONAL, MDT_NEEDED, MDT_ACCOUNTS } MdtAccount;
 
 /* What is known of a partition from step to step (mdt_choice.c). */
 typedef struct MdtIslandRecord {
@@ -69,11 +69,11 @@ typedef struct MdtGraph {
 } MdtGraph;
 
 /* The world's inputs of a step of any partition. They are compared as bytes, so there is no padding. */
-typedef struct MdtRestInputs {
+typedef struct MdtCertificateInputs {
     double h, gravity[3], epsilon, gamma, workBudget, accuracy;
     MdtContactImportanceCBPtr importance;
     int maxLcpIterations, subSteps, timedBodies, maxMatrixSize, solver, order;
-} MdtRestInputs;
+} MdtCertificateInputs;
 
 /* A worker's own memory while it steps partitions, and its results that concern all of them. */
 typedef struct MdtWorker {

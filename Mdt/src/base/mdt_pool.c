@@ -20,8 +20,8 @@ static void append(MdtPool *pool, MdtRecord *record) {
 }
 
 static MeBool addBlock(MdtPool *pool, int count, const char *caller) {
-    const size_t head = roundUp(sizeof(void *)), wanted = (size_t)count;
-    const size_t bytes = wanted <= (SIZE_MAX - head) / pool->recordSize ? head + wanted * pool->recordSize : SIZE_MAX;
+    const size_t head = roundUp(sizeof(void *)), records = (size_t)count;
+    const size_t bytes = records <= (SIZE_MAX - head) / pool->recordSize ? head + records * pool->recordSize : SIZE_MAX;
     char *block = MeMemoryTakeAligned(bytes, 1, ALIGNMENT, caller, pool->what);
     if (!block)
         return MEFALSE;
@@ -57,14 +57,14 @@ static MeBool makeRoom(MdtPool *pool, const char *caller) {
     return MEFALSE;
 }
 
-static MdtRecord *takeFresh(MdtPool *pool) {
+static MdtRecord *popFresh(MdtPool *pool) {
     MdtRecord *record = (MdtRecord *)(void *)pool->fresh;
     pool->fresh += pool->recordSize;
     pool->numFresh--;
     return record;
 }
 
-static MdtRecord *takeFreed(MdtPool *pool) {
+static MdtRecord *popFreed(MdtPool *pool) {
     MdtRecord *record = pool->firstFree;
     MEASSERT(record->magic == 0);
     pool->firstFree = record->free;
@@ -76,7 +76,7 @@ static MdtRecord *takeFreed(MdtPool *pool) {
 void *mdt_poolGet(MdtPool *pool, unsigned int magic, const char *caller) {
     if (!MeProgramMayChange(caller) || (!pool->numFresh && !pool->firstFree && !makeRoom(pool, caller)))
         return NULL;
-    MdtRecord *record = pool->numFresh ? takeFresh(pool) : takeFreed(pool);
+    MdtRecord *record = pool->numFresh ? popFresh(pool) : popFreed(pool);
     MEASSERT(pool->used < pool->room);
     memset(record, 0, pool->recordSize);
     record->magic = magic;
@@ -147,7 +147,7 @@ void mdt_listSetKey(MdtList *list, MdtLink *link, MeI32 key) {
 }
 
 /* Takes the smaller head of two runs and appends it to the list that is being built. */
-static MdtLink **takeSmaller(MdtLink **end, MdtLink **a, MdtLink **b) {
+static MdtLink **mergeSmaller(MdtLink **end, MdtLink **a, MdtLink **b) {
     MdtLink **from = *b == NULL || (*a && isBefore(*a, *b)) ? a : b;
     *end = *from;
     *from = (*from)->next;
@@ -173,7 +173,7 @@ static int mergeRuns(MdtLink **first, int length) {
         MdtLink *a = rest, *b = cutAfter(a, length);
         rest = cutAfter(b, length);
         while (a || b)
-            end = takeSmaller(end, &a, &b);
+            end = mergeSmaller(end, &a, &b);
         runs++;
     }
     *end = NULL;

@@ -74,7 +74,7 @@ void mdt_surfacesTerm(MdtSurfaces *s) {
     MeMemoryGive(s->bucket);
 }
 
-const MdtSurface *mdt_surfaceTake(MdtSurfaces *s, const MdtBclContactParams *params) {
+const MdtSurface *mdt_surfaceAcquire(MdtSurfaces *s, const MdtBclContactParams *params) {
     static const char caller[] = "MdtContactSetParams";
     for (MdtSurface *known = *bucketOf(s, params); known; known = known->next)
         if (memcmp(&known->params, params, sizeof *params) == 0) {

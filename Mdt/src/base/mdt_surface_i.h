@@ -27,7 +27,7 @@ void mdt_surfacesTerm(MdtSurfaces *s);
 
 /* The surface with these parameters, to the last bit; one more contact has it. Where there is no memory for a new one,
  * after a fatal error, that of the default parameters. */
-const MdtSurface *mdt_surfaceTake(MdtSurfaces *s, const MdtBclContactParams *params);
+const MdtSurface *mdt_surfaceAcquire(MdtSurfaces *s, const MdtBclContactParams *params);
 /* One contact less has it. */
 void mdt_surfaceGive(MdtSurfaces *s, const MdtSurface *surface);
 

@@ -8,8 +8,8 @@
 struct MdtWorld {
     unsigned int magic;
     MdtWorldParams params;
-    MdtPartitionParams rest;
-    MeBool hasVelThresh, hasAccThresh; /* of `rest`, the program has set them, */
+    MdtPartitionParams sleepParams;
+    MeBool hasVelThresh, hasAccThresh; /* of `sleepParams`, the program has set them, */
     MeBool hasThresholds;              /* or any */
     MeReal epsilon, gamma, minSafeTime;
     int maxLcpIterations;
@@ -39,26 +39,26 @@ struct MdtWorld {
     int enabledJoints;       /* of the enabled constraints */
     int watchedSteps;        /* of mdt_forgotten.c, */
     MeBool expectsCentre;    /* which is to warn of a body's centre of mass, */
-    MeBool isCentreTold;     /* and has, */
-    MeBool isScaleTold;      /* and has of the mass scale */
+    MeBool isCentreWarned;   /* and has, */
+    MeBool isScaleWarned;    /* and has of the mass scale */
     double sinkingMass;      /* kg, of which it warns */
     int breakable;           /* constraints with a limit */
-    int apart;               /* joints whose bodies do not collide with each other */
+    int numNoCollide;        /* joints whose bodies do not collide with each other */
     int userConstraints;     /* whose rows a function of the program makes */
     MdtConstraintID *broken; /* in the last step; constraintRoom */
     int numBroken;
     MdtBreakCBPtr breakCb; /* null: none */
     double lastStep;       /* s, 0 before the first */
     struct {
-        MeBool isOver;         /* gravity was set, something has acted, or the warning was given */
-        double time;           /* s, in which nothing has acted on the bodies, */
-        unsigned long sum;     /* which were as many, and where they are now */
-    } idle;                    /* mdt_idle.c */
-    unsigned long certificate; /* of rest, valid now (mdt_rest.c) */
-    double calmStepsToRest;    /* after which it is given */
-    MdtRestInputs restInputs;  /* with which it was */
-    int surfaceWarnings;       /* MdtContactParams.c: which were given */
-    MdtWorker *workers;        /* numWorkers of them; the first is the thread that steps the world */
+        MeBool isOver;                      /* gravity was set, something has acted, or the warning was given */
+        double time;                        /* s, in which nothing has acted on the bodies, */
+        unsigned long sum;                  /* which were as many, and where they are now */
+    } idle;                                 /* mdt_idle.c */
+    unsigned long certificate;              /* of rest, valid now (mdt_certificate.c) */
+    double calmStepsToCertify;              /* after which it is given */
+    MdtCertificateInputs certificateInputs; /* with which it was */
+    int surfaceWarnings;                    /* MdtContactParams.c: which were given */
+    MdtWorker *workers;                     /* numWorkers of them; the first is the thread that steps the world */
     int numWorkers;
     MeTeam *team;  /* null: there is one worker */
     int *taskOf;   /* partitions by task, and where tasks begin among them (mdt_parallel.c) */

@@ -14,6 +14,6 @@ double mdt_worldAccuracy(const MdtWorld *w, double h, MeBool hasJoints) {
     return w->accuracy >= 0 ? (double)w->accuracy : share * speedScale(w, h);
 }
 
-double mdt_worldRestSpeed(const MdtWorld *w, double h) {
+double mdt_worldCalmSpeed(const MdtWorld *w, double h) {
     return fmax(1e-3 * speedScale(w, h), 0.1 * (double)w->accuracy);
 }

@@ -14,14 +14,14 @@
  *
  * What a step costs is known from the last one (MdtIslandRecord). There are two accounts, into which each step pays:
  *
- *     MDT_WANTED   for any partition of which the exact solver has taken the last step, as long as it lasts
+ *     MDT_OPTIONAL   for any partition of which the exact solver has taken the last step, as long as it lasts
  *     MDT_NEEDED   where the fast answer does not meet the accuracy; where nothing touches, as the fast solver damps
  *                  what swings; where bodies bounce, as it loses rebounds that follow each other; and for first steps,
  *                  which have no forces to begin with
  *
  * Where the fast solver has taken the last step and met the accuracy, it goes on: what comes to rest is disturbed by
  * each change between them, as they stop it at different speeds.
- * They pay no step that is far dearer than the fast solver's (mdt_mostOfFast) and than what a step pays.
+ * They pay no step that is far dearer than the fast solver's (mdt_maxOfFast) and than what a step pays.
  *
  * Shares are given out before any partition is stepped, in their order, by multiplications and never by time, so that
  * threads change nothing; what is not used goes back. Where the fast solver has not met the accuracy, it is tried again
@@ -50,7 +50,7 @@ static const double mdt_exactTime = 4;
 /* Of the time of the fast solver: what the accounts pay, at most. A bridge of 30 planks that carries ten thousand times
  * its weight takes 8 to 64; contacts that are wedged any number: ten boxes took 300 factorizations, and gained nothing.
  * With 32 a tower of 20 cubes that is shaken sinks by .4 mm (Mst_Cases_Stacks). */
-static const double mdt_mostOfFast = 100;
+static const double mdt_maxOfFast = 100;
 /* What is left of a cost that was too much after a step without trying: half of it after 138. */
 static const double mdt_forgetting = 0.995;
 /* Of the cost that is expected: what a step's has in it, so that one that costs more does not end exact steps. */
@@ -60,7 +60,7 @@ enum { MDT_WAIT_LIMIT = 64 };
 
 /* ---- what the program wants ---- */
 
-static MdtSolver askFor(MdtWorldID w, MdtBodyID *bodies, int numBodies) {
+static MdtSolver solverOfProgram(MdtWorldID w, MdtBodyID *bodies, int numBodies) {
     const MeProgramCall before = MeProgramEnter("MdtWorldSetSolverCB");
     const MdtSolver solver = w->solverCb(bodies, numBodies, w->solverCbData);
     MeProgramLeave(&before);
@@ -73,10 +73,10 @@ static MdtSolver askFor(MdtWorldID w, MdtBodyID *bodies, int numBodies) {
     return MdtSolverAuto;
 }
 
-static void askForAll(MdtWorldID w) {
+static void readSolversOfProgram(MdtWorldID w) {
     for (int i = 0; w->solverCb && i < w->numPartitions; i++) {
         const int first = w->bodyStart[i], end = w->bodyStart[i + 1];
-        const MdtSolver solver = askFor(w, w->bodyOf + first, end - first);
+        const MdtSolver solver = solverOfProgram(w, w->bodyOf + first, end - first);
         for (int k = first; k < end; k++) {
             MdtBodyID b = w->bodyOf[k];
             if (b->solver != solver)
@@ -86,7 +86,7 @@ static void askForAll(MdtWorldID w) {
     }
 }
 
-MdtSolver mdt_choiceWanted(const MdtWorld *w, int partition) {
+MdtSolver mdt_choiceRequested(const MdtWorld *w, int partition) {
     const MdtSolver solver = w->solverCb ? w->bodyOf[w->bodyStart[partition]]->solver : w->solver;
     return solver == MdtSolverAuto && w->accuracy == 0 ? MdtSolverExact : solver;
 }
@@ -115,21 +115,22 @@ static int bodiesOf(const MdtWorld *w, int partition) {
 
 /* Who is given shares. */
 typedef enum Standing {
-    NO_NEED, /* nothing acts on it, or the program has chosen */
-    RESTS,   /* it will be stepped only if something has changed without a word */
-    FIRST,   /* what a step with forces to begin with costs is not known yet */
-    UNMET,   /* the fast solver has not met its accuracy, or is not for it */
-    GOES_ON, /* it has, or was not tried: the exact solver has taken the last step, */
-    MET      /* or the fast one */
+    NO_NEED,   /* nothing acts on it, or the program has chosen */
+    CERTIFIED, /* it will be stepped only if something has changed without a word */
+    FIRST,     /* what a step with forces to begin with costs is not known yet */
+    UNMET,     /* the fast solver has not met its accuracy, or is not for it */
+    GOES_ON,   /* it has, or was not tried: the exact solver has taken the last step, */
+    SATISFIED  /* or the fast one */
 } Standing;
 
 static Standing standingOf(const MdtWorld *w, int partition) {
     const MdtIslandRecord *r = &w->record[partition];
-    if (mdt_choiceWanted(w, partition) != MdtSolverAuto || w->actingStart[partition + 1] == w->actingStart[partition])
+    if (mdt_choiceRequested(w, partition) != MdtSolverAuto ||
+        w->actingStart[partition + 1] == w->actingStart[partition])
         return NO_NEED;
     if (w->bodyOf[w->bodyStart[partition]]->certificate != 0)
-        return RESTS;
-    return r->steps < 2 ? FIRST : r->isUnmet || r->isUnfit ? UNMET : r->wasExact ? GOES_ON : MET;
+        return CERTIFIED;
+    return r->steps < 2 ? FIRST : r->isUnmet || r->isUnfit ? UNMET : r->wasExact ? GOES_ON : SATISFIED;
 }
 
 /* Multiplications that an exact step is likely to take. */
@@ -150,7 +151,7 @@ static double fastOf(const MdtWorld *w, int partition) {
 static double freeWorkOf(const MdtWorld *w, int partition) {
     const MdtIslandRecord *r = &w->record[partition];
     if (r->isAlone)
-        return fmin(mdt_mostOfFast * fastOf(w, partition), mdt_stepShare * budgetOf(w));
+        return fmin(mdt_maxOfFast * fastOf(w, partition), mdt_stepShare * budgetOf(w));
     return r->fastWork > 0 ? fastOf(w, partition) : 0;
 }
 
@@ -161,7 +162,7 @@ static double giveShares(MdtWorldID w, Standing standing, MeBool isExactFirst, M
         MdtIslandRecord *r = &w->record[i];
         const double need = needOf(w, i);
         const MeBool isOutOfProportion = /* far more than a fast step, and than what a step is paid for anything */
-            need > mdt_payment[MDT_WANTED] * budgetOf(w) && need > mdt_mostOfFast * fastOf(w, i);
+            need > mdt_payment[MDT_OPTIONAL] * budgetOf(w) && need > mdt_maxOfFast * fastOf(w, i);
         if (r->share > 0 || need > funds || standingOf(w, i) != standing)
             continue;
         if (isOutOfProportion && standing != FIRST && !r->isUnfit)
@@ -207,10 +208,10 @@ static void divideAccounts(MdtWorldID w) {
     const double limit = mdt_stepShare * budgetOf(w);
     beginShares(w);
     giveShares(w, FIRST, METRUE, MDT_NEEDED, w->credit[MDT_NEEDED]);
-    giveShares(w, GOES_ON, METRUE, MDT_WANTED, fmin(limit, w->credit[MDT_WANTED]));
+    giveShares(w, GOES_ON, METRUE, MDT_OPTIONAL, fmin(limit, w->credit[MDT_OPTIONAL]));
     double left = giveShares(w, UNMET, MEFALSE, MDT_NEEDED, fmin(limit, w->credit[MDT_NEEDED]));
     left = giveShares(w, GOES_ON, MEFALSE, MDT_NEEDED, left);
-    giveShares(w, RESTS, METRUE, MDT_WANTED, w->credit[MDT_WANTED]);
+    giveShares(w, CERTIFIED, METRUE, MDT_OPTIONAL, w->credit[MDT_OPTIONAL]);
     lend(w, MEFALSE, left);
     lend(w, METRUE, w->credit[MDT_NEEDED]);
 }
@@ -226,7 +227,7 @@ void mdt_choicesReset(MdtWorldID w) {
 }
 
 void mdt_choicesBegin(MdtWorldID w, MeBool isStep) {
-    askForAll(w);
+    readSolversOfProgram(w);
     if (isStep)
         pay(w);
     divideAccounts(w);
@@ -269,24 +270,24 @@ static double approachAt(const MdtPoint *point) {
 }
 
 /* Groups of contacts that hold their bodies; not more than one above `most` are counted. */
-static int countHeld(const MdtIsland *p, int most) {
+static int countPersistent(const MdtIsland *p, int most) {
     double g[3];
-    int held = 0;
+    int count = 0;
     mdt_fromReal(g, p->world->params.gravity);
-    for (int i = 0; i < p->numActing && held <= most; i++) {
-        MeBool isHeld = MEFALSE;
-        for (const MdtPoint *at = mdt_pointFirst(mdt_asManifold(p->acting[i])); at && !isHeld;
+    for (int i = 0; i < p->numActing && count <= most; i++) {
+        MeBool isPersistent = MEFALSE;
+        for (const MdtPoint *at = mdt_pointFirst(mdt_asManifold(p->acting[i])); at && !isPersistent;
              at = mdt_pointAfter(at)) {
             const MdtBaseConstraint *base = &mdt_manifoldOf(at)->base;
             const MdtKeaBody *bodies[2];
             for (int k = 0; k < 2; k++)
                 bodies[k] = base->side[k].body ? &base->side[k].body->kea : NULL;
-            isHeld = MdtKeaContactHolds(bodies, -at->depth, -approachAt(at), mdt_pointParams(at)->restitution,
-                                        keaLength(g) * p->h);
+            isPersistent = MdtKeaContactHolds(bodies, -at->depth, -approachAt(at), mdt_pointParams(at)->restitution,
+                                              keaLength(g) * p->h);
         }
-        held += isHeld;
+        count += isPersistent;
     }
-    return held;
+    return count;
 }
 
 static MdtReportWhy reasonForExact(const MdtIsland *p) {
@@ -299,18 +300,18 @@ static MdtReportWhy reasonForExact(const MdtIsland *p) {
  * velocity. What the fast solver leaves of joints alone may drive them: its answer has to meet the accuracy. */
 static MdtReportWhy reasonOf(const MdtIsland *p) {
     const MdtIslandRecord *r = p->record;
-    const MeBool isCrowd = p->numBodies > p->world->timedBodies && p->numContacts > 0 && !p->bounces;
+    const MeBool isLarge = p->numBodies > p->world->timedBodies && p->numContacts > 0 && !p->bounces;
     const MeBool keepsEnergy = p->bounces && !p->losesEnergy && p->numJoints == 0;
     const MeBool isUnmet = p->numContacts == 0 && r->isUnmet && r->since <= r->wait;
     if (p->solver == MdtSolverExact)
         return MdtReportWhyAsked;
-    if (p->solver == MdtSolverAuto && isCrowd && p->mayBeFast && mdt_choiceIsInFlight(p))
+    if (p->solver == MdtSolverAuto && isLarge && p->mayBeFast && mdt_choiceIsInFlight(p))
         return MdtReportWhyFlight;
     if (!p->mayBeFast || (p->numContacts == 0 && p->solver == MdtSolverFast))
         return MdtReportWhyUnfit;
     if (p->solver == MdtSolverFast)
         return MdtReportWhyAsked;
-    if (keepsEnergy && countHeld(p, mdt_mostHeld(p)) <= mdt_mostHeld(p))
+    if (keepsEnergy && countPersistent(p, mdt_maxConstrained(p)) <= mdt_maxConstrained(p))
         return MdtReportWhyUnfit;
     if (r->isExactFirst)
         return reasonForExact(p);
@@ -325,9 +326,9 @@ MeBool mdt_choiceIsFast(MdtIsland *p) {
 /* ---- the step ---- */
 
 MeBool mdt_choiceHasShare(const MdtIsland *p) {
-    const MeBool isMet = p->record->fastWork > 0 && !p->record->isUnmet;
+    const MeBool isSatisfied = p->record->fastWork > 0 && !p->record->isUnmet;
     return !p->isFast && (p->why == MdtReportWhyCheap || p->why == MdtReportWhyAfforded) &&
-           (isMet || p->numContacts > 0);
+           (isSatisfied || p->numContacts > 0);
 }
 
 /* Parts of a step that has not been declined may take more than its share. */
@@ -339,21 +340,22 @@ double mdt_choiceBudget(const MdtIsland *p) {
     return most;
 }
 
-void mdt_choiceTakeOver(MdtIsland *p) {
+void mdt_choiceSwitchToFast(MdtIsland *p) {
     p->why = MdtReportWhyTakenOver;
     p->work = p->world->workBudget > 0 ? fmax(budgetOf(p->world) - p->exactWork, mdt_fastReserve * budgetOf(p->world))
                                        : MDT_NO_BOUND;
     mdt_islandSetFast(p, METRUE);
 }
 
-MeBool mdt_choiceTurns(const MdtIsland *p) {
-    const MeBool mustMeet = p->numContacts == 0; /* joints alone */
-    const MeBool isWanted = p->why == MdtReportWhyDear ? p->record->share > 0 || mustMeet
-                                                       : p->why == MdtReportWhyTakenOver && mustMeet && p->hasDeclined;
-    return isWanted && p->numMembers == 0 && p->elapsed == 0 && p->kea.report.excess > 1;
+MeBool mdt_choiceNeedsExact(const MdtIsland *p) {
+    const MeBool mustBeAccurate = p->numContacts == 0; /* joints alone */
+    const MeBool isAllowed = p->why == MdtReportWhyDear
+                                 ? p->record->share > 0 || mustBeAccurate
+                                 : p->why == MdtReportWhyTakenOver && mustBeAccurate && p->hasDeclined;
+    return isAllowed && p->numMembers == 0 && p->elapsed == 0 && p->kea.report.excess > 1;
 }
 
-void mdt_choiceTurn(MdtIsland *p) {
+void mdt_choiceSwitchToExact(MdtIsland *p) {
     p->why = p->numContacts == 0 ? MdtReportWhyUnfit : reasonForExact(p);
     mdt_islandSetFast(p, MEFALSE);
     const double budget = mdt_choiceBudget(p);

@@ -10,7 +10,7 @@
  * gives out shares of exact work; and ends. What the program wants for one. */
 void mdt_choicesBegin(MdtWorldID w, MeBool isStep);
 void mdt_choicesEnd(MdtWorldID w);
-MdtSolver mdt_choiceWanted(const MdtWorld *w, int partition);
+MdtSolver mdt_choiceRequested(const MdtWorld *w, int partition);
 /* A partition's record gets what is known of one that it had bodies in. */
 void mdt_recordJoin(MdtIslandRecord *to, const MdtIslandRecord *from);
 /* Whether Kea's fast solver begins the step; writes why. */
@@ -22,41 +22,41 @@ MeBool mdt_choiceIsInFlight(const MdtIsland *p);
 double mdt_choiceBudget(const MdtIsland *p);
 MeBool mdt_choiceHasShare(const MdtIsland *p);
 /* The fast solver takes the rest of the step from the exact one. */
-void mdt_choiceTakeOver(MdtIsland *p);
+void mdt_choiceSwitchToFast(MdtIsland *p);
 /* Whether the exact solver takes a part that the fast one has solved, since its answer does not meet the accuracy; it
  * does. */
-MeBool mdt_choiceTurns(const MdtIsland *p);
-void mdt_choiceTurn(MdtIsland *p);
+MeBool mdt_choiceNeedsExact(const MdtIsland *p);
+void mdt_choiceSwitchToExact(MdtIsland *p);
 /* The step has ended: writes what is known of it to the record, its own or that of a member. */
 void mdt_choiceNote(const MdtIsland *p, MdtIslandRecord *r);
 /* The world's accounts are full. */
 void mdt_choicesReset(MdtWorldID w);
 
-/* ---- the way of a step (mdt_way.c) ---- */
+/* ---- the way of a step (mdt_path.c) ---- */
 
 /* Which of Kea's solvers takes the parts from now on. The scratch memory that was taken for the exact one is enough for
  * the fast one. */
 void mdt_islandSetFast(MdtIsland *p, MeBool isFast);
 /* How many bodies may be held, at most, in a partition whose impacts are met in time, one after the other; 0: none. */
-int mdt_mostHeld(const MdtIsland *p);
+int mdt_maxConstrained(const MdtIsland *p);
 
 /* A report notes a way in which a part was taken. */
-void mdt_reportWay(MdtReport *r, MdtReportWay way);
+void mdt_reportPath(MdtReport *r, MdtReportWay path);
 /* An impact at the start of a part; a part that ends early, at an event; a step that is halved. */
 void mdt_reportImpact(MdtReport *r);
 void mdt_reportEvent(MdtReport *r);
-void mdt_reportFlight(MdtReport *r, int impacts, MeBool isHeld);
+void mdt_reportFlight(MdtReport *r, int impacts, MeBool isEnded);
 void mdt_reportDivision(MdtReport *r);
 /* A sub-step was of order 4. */
 void mdt_reportComposed(MdtReport *r);
 /* The last step's answer was taken without a solve. */
-void mdt_reportRest(MdtReport *r);
+void mdt_reportCertified(MdtReport *r);
 
 /* ---- accuracy (mdt_accuracy.c) ---- */
 
 /* m/s: the residual that a step of h seconds may leave (MdtWorldSetAccuracy); below which bodies rest. */
 double mdt_worldAccuracy(const MdtWorld *w, double h, MeBool hasJoints);
-double mdt_worldRestSpeed(const MdtWorld *w, double h);
+double mdt_worldCalmSpeed(const MdtWorld *w, double h);
 
 /* ---- room (mdt_reserve.c) ---- */
 

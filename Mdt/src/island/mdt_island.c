@@ -213,12 +213,12 @@ static void updateIslands(MdtWorldID w) {
 }
 
 void mdt_islandsBegin(MdtWorldID w) {
-    MeStageBegin(&w->stage, MDT_HOLD_GRAPH);
+    MeStageBegin(&w->stage, MDT_GUARD_GRAPH);
     updateIslands(w);
 }
 
 void mdt_islandsEnd(MdtWorldID w) {
-    MeStageEnd(&w->stage, MDT_HOLD_GRAPH);
+    MeStageEnd(&w->stage, MDT_GUARD_GRAPH);
 }
 
 /* A group is followed by its contacts. */
@@ -259,7 +259,7 @@ MdtIsland mdt_islandOf(MdtWorldID w, int number, double h) {
                        .worker = &w->workers[0],
                        .clock = &w->lap,
                        .number = number,
-                       .solver = mdt_choiceWanted(w, number),
+                       .solver = mdt_choiceRequested(w, number),
                        .record = &w->record[number],
                        .numBodies = w->bodyStart[number + 1] - w->bodyStart[number],
                        .numActing = w->actingStart[number + 1] - w->actingStart[number],

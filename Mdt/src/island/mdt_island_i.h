@@ -58,7 +58,7 @@ typedef struct MdtIsland {
     double exactWork, fastWork, least; /* multiplications that it has cost so far, and that the exact solver needs */
     double excess;                     /* of the fast solver's last answer */
     MeBool hasDeclined;                /* the exact solver has */
-    MeBool hasMet;                     /* there was an impact at the start of a part */
+    MeBool hadImpact;                  /* there was an impact at the start of a part */
     MeBool isStopped;                  /* mdt_step.c: the part's answer was not finite, and its bodies stay */
     /* mdt_compose.c */
     MdtStage stage;
@@ -80,7 +80,7 @@ enum { MDT_RANGE = 64 };
 enum { MDT_AHEAD = 4 };
 
 /* s, by which the part takes the step on. */
-static inline double mdt_partTime(const MdtIsland *p) {
+static inline double mdt_substepTime(const MdtIsland *p) {
     return p->stage == MDT_STAGE_BACK ? -p->parameters.stepsize : p->parameters.stepsize;
 }
 static inline MeBool mdt_bounces(const MdtBclContactParams *params) {
@@ -117,24 +117,24 @@ void mdt_sleepersWakeAll(MdtWorldID w);
 MeBool mdt_islandIsToSleep(const MdtIsland *p);
 void mdt_islandSleep(const MdtIsland *p);
 
-/* ---- the rest certificate (mdt_rest.c) ---- */
+/* ---- the rest certificate (mdt_certificate.c) ---- */
 
 /* A step begins; whether a partition's last answer holds again; taking it, instead
  * of all other stages. */
-void mdt_restBegin(MdtWorldID w);
-MeBool mdt_restHolds(const MdtIsland *p);
-void mdt_restKeep(MdtIsland *p);
+void mdt_certificatesBegin(MdtWorldID w);
+MeBool mdt_certificateIsValid(const MdtIsland *p);
+void mdt_certificateApply(MdtIsland *p);
 /* Whether this step's answer may hold in the next one; then its bodies stay where they were, and get a certificate. */
-MeBool mdt_restIsSettled(MdtIsland *p);
-void mdt_restStay(MdtIsland *p);
-void mdt_restCertify(MdtIsland *p, MeBool isSettled);
+MeBool mdt_islandIsSettled(MdtIsland *p);
+void mdt_islandResetPoses(MdtIsland *p);
+void mdt_islandCertify(MdtIsland *p, MeBool isSettled);
 /* Whether a partition has a certificate, or gets one by itself if it is calm in one step more; counts the calm steps of
  * a batch's members. */
-MeBool mdt_restIsNear(const MdtWorld *w, int partition);
-void mdt_restCountCalm(MdtIsland *p);
+MeBool mdt_certificateIsNear(const MdtWorld *w, int partition);
+void mdt_membersCountCalm(MdtIsland *p);
 /* The parameters of its constraints are what it rests with; whether those of a body still are, of which programs may
  * have changed some without a word. */
-void mdt_restCertifyConstraints(const MdtIsland *p);
-MeBool mdt_restAreConstraintsAsCertified(MdtBodyID b);
+void mdt_constraintsCertify(const MdtIsland *p);
+MeBool mdt_areConstraintsCertified(MdtBodyID b);
 
 #endif

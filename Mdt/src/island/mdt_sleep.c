@@ -26,16 +26,16 @@
 static void changeOfLoad(const MdtBody *b, double h, double change[2][3]) {
     for (int i = 0; i < 3; i++) {
         change[0][i] = h * (b->force[i] - b->applied.force[i]) + b->impulse[i];
-        change[1][i] = h * (b->torque[i] - b->applied.torque[i]) + b->twist[i];
+        change[1][i] = h * (b->torque[i] - b->applied.torque[i]) + b->angularImpulse[i];
     }
 }
 
-static MeBool isAtRest(MdtBodyID b, double h) {
-    const MdtPartitionParams *rest = &b->world->rest;
+static MeBool isBelowThresholds(MdtBodyID b, double h) {
+    const MdtPartitionParams *sleepParams = &b->world->sleepParams;
     double change[2][3];
-    const MeBool isYoung =
-        rest->alive_window < 0 ? b->aliveTime < (double)rest->alive_time : b->aliveSteps < rest->alive_window;
-    if (isYoung || b->enabledSteps == 0 || MdtBodyIsMovingTest(b, rest))
+    const MeBool isYoung = sleepParams->alive_window < 0 ? b->aliveTime < (double)sleepParams->alive_time
+                                                         : b->aliveSteps < sleepParams->alive_window;
+    if (isYoung || b->enabledSteps == 0 || MdtBodyIsMovingTest(b, sleepParams))
         return MEFALSE;
     changeOfLoad(b, h, change);
     return (mdt_isQuiet(b) || mdt_staysInPlace(b)) && !mdt_wouldMove(b, change[0], change[1], h);
@@ -63,10 +63,10 @@ static MeBool isDriving(MdtConstraintID c) {
 }
 
 MeBool mdt_islandIsToSleep(const MdtIsland *p) {
-    if (!p->world->rest.autoDisable)
+    if (!p->world->sleepParams.autoDisable)
         return MEFALSE;
     for (int i = 0; i < p->numBodies; i++)
-        if (!isAtRest(p->bodies[i], p->h))
+        if (!isBelowThresholds(p->bodies[i], p->h))
             return MEFALSE;
     for (int i = 0; i < p->numActing; i++)
         if (isDriving(p->acting[i]))
@@ -110,7 +110,7 @@ void mdt_bodySleep(MdtBodyID b) {
 }
 
 void mdt_islandSleep(const MdtIsland *p) {
-    mdt_restCertifyConstraints(p);
+    mdt_constraintsCertify(p);
     for (int i = 0; i < p->numBodies; i++)
         mdt_bodySleep(p->bodies[i]);
     MEASSERT(p->world->asleepBodies >= p->numBodies);
@@ -137,7 +137,7 @@ static MeBool isToWake(MdtBodyID b, double h) {
             keaZero(pushed[k]);
         keaAddScaled(pushed[k], 1, change[k]);
     }
-    return (isPushed && mdt_wouldMove(b, pushed[0], pushed[1], h)) || !mdt_restAreConstraintsAsCertified(b);
+    return (isPushed && mdt_wouldMove(b, pushed[0], pushed[1], h)) || !mdt_areConstraintsCertified(b);
 }
 
 static void wake(MdtBodyID b) {
@@ -162,13 +162,13 @@ void mdt_sleepersEndForces(MdtWorldID w) {
 void mdt_sleepersWake(MdtWorldID w, double h) {
     if (w->asleepBodies == 0)
         return;
-    MeStageBegin(&w->stage, MDT_HOLD_CONSTRAINTS);
+    MeStageBegin(&w->stage, MDT_GUARD_CONSTRAINTS);
     for (MdtLink *link = w->bodies.first; link; link = link->next) {
         MdtBodyID b = mdt_linkOwner(link);
         if ((b->record.flags & (MDT_ASLEEP | MDT_CONDEMNED)) == MDT_ASLEEP && isToWake(b, h))
             wake(b);
     }
-    MeStageEnd(&w->stage, MDT_HOLD_CONSTRAINTS);
+    MeStageEnd(&w->stage, MDT_GUARD_CONSTRAINTS);
 }
 
 void mdt_sleepersWakeAll(MdtWorldID w) {

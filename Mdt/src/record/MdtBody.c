@@ -47,10 +47,11 @@ static double distance2(const double a[3], const double b[3]) {
 /* The program's forces begin anew where it has changed the motion by more than what counts as rest. They go on where it
  * sets what was so already, or puts the body back into a plane. */
 static void forgetForceIfFast(MdtBodyID b, const double v[3], const double w[3]) {
-    const MdtPartitionParams *rest = &b->world->rest;
+    const MdtPartitionParams *sleepParams = &b->world->sleepParams;
     double spin[3];
     MdtKeaBodyGetAngularVelocity(&b->kea, spin);
-    if (distance2(b->kea.velocity, v) > (double)rest->vel_thresh || distance2(spin, w) > (double)rest->velrot_thresh)
+    if (distance2(b->kea.velocity, v) > (double)sleepParams->vel_thresh ||
+        distance2(spin, w) > (double)sleepParams->velrot_thresh)
         mdt_forceForget(b);
 }
 
@@ -64,21 +65,21 @@ static void forgetForces(MdtBodyID b) {
 }
 
 /* Restarts the time for which it has been slow. */
-static void forgetRest(MdtBodyID b) {
+static void restartSleepTime(MdtBodyID b) {
     b->enabledTime = b->aliveTime = 0;
     mdt_stayForget(b);
     b->enabledSteps = b->aliveSteps = 0;
 }
 
 /* What sleeps wakes, and is seen then. */
-static void tellMoved(MdtBodyID b) {
+static void notifyMoved(MdtBodyID b) {
     if (b->user && !(b->record.flags & (MDT_ENABLED | MDT_ASLEEP)))
         b->user->moved(b);
 }
 
 /* Places the frame; the velocities stay, so the angular momentum turns along. */
 static void setFrame(MdtBodyID b, const double p[3], const double q[4]) {
-    const MdtPartitionParams *rest = &b->world->rest;
+    const MdtPartitionParams *sleepParams = &b->world->sleepParams;
     const double h2 = b->world->lastStep * b->world->lastStep;
     double w[3], R[3][3], offset[3], before[3], turned[4];
     mdt_bodyAcceptVelocities(b);
@@ -92,13 +93,13 @@ static void setFrame(MdtBodyID b, const double p[3], const double q[4]) {
     keaQuaternionNormalize(b->kea.quaternion);
     MdtKeaBodySetAngularVelocity(&b->kea, w);
     keaQuaternionProduct(turned, b->kea.quaternion, turned);
-    if (distance2(b->kea.position, before) > h2 * (double)rest->vel_thresh ||
-        4 * keaDot(turned + 1, turned + 1) > h2 * (double)rest->velrot_thresh)
+    if (distance2(b->kea.position, before) > h2 * (double)sleepParams->vel_thresh ||
+        4 * keaDot(turned + 1, turned + 1) > h2 * (double)sleepParams->velrot_thresh)
         mdt_forceForget(b);
     forgetForces(b);
-    forgetRest(b); /* it was slow elsewhere */
+    restartSleepTime(b); /* it was slow elsewhere */
     mdt_bodyShow(b);
-    tellMoved(b);
+    notifyMoved(b);
 }
 
 static void writeTransform(MeMatrix4 tm, const double p[3], const double R[3][3]) {
@@ -150,12 +151,12 @@ MeBool MEAPI MdtBodyMovedByStep(const MdtBodyID b, unsigned long moves) {
 }
 
 void mdt_bodyLostByRounding(const MdtBody *b, const double point[3], double lost[3]) {
-    double off[3], local[3];
+    double offset[3], local[3];
     for (int i = 0; i < 3; i++)
-        off[i] = point[i] - (double)b->transform[3][i];
+        offset[i] = point[i] - (double)b->transform[3][i];
     for (int i = 0; i < 3; i++)
-        local[i] = off[0] * (double)b->transform[i][0] + off[1] * (double)b->transform[i][1] +
-                   off[2] * (double)b->transform[i][2];
+        local[i] = offset[0] * (double)b->transform[i][0] + offset[1] * (double)b->transform[i][1] +
+                   offset[2] * (double)b->transform[i][2];
     keaApply(lost, b->frame.axes, local);
     for (int i = 0; i < 3; i++)
         lost[i] += b->frame.position[i] - point[i];
@@ -276,7 +277,8 @@ static void setDefaults(MdtBodyID b) {
     for (int i = 0; i < 3; i++)
         b->inertia[i][i] = MDTBODY_DEFAULT_INERTIA * m * l * l;
     setKeaInertia(b);
-    double *sums[] = {b->force, b->torque, b->impulse, b->twist, b->kea.lastStep.lin, b->kea.lastStep.ang, b->push};
+    double *sums[] = {b->force, b->torque, b->impulse, b->angularImpulse, b->kea.lastStep.lin, b->kea.lastStep.ang,
+                      b->push};
     for (size_t i = 0; i < sizeof sums / sizeof *sums; i++)
         keaZero(sums[i]);
     b->linearDamping = MDTBODY_DEFAULT_LINEAR_DAMPING;
@@ -306,7 +308,7 @@ MdtBodyID MEAPI MdtBodyCreate(const MdtWorldID w) {
 /* What a bridge has made of two models' touch goes with one of the bodies. */
 static void releaseConstraint(MdtAttachment *at) {
     MdtConstraintID c = mdt_attachmentOwner(at);
-    mdt_constraintOff(c);
+    mdt_constraintDeactivate(c);
     if (c->record.flags & MDT_BRIDGED)
         mdt_constraintRemove(c);
     else
@@ -316,7 +318,7 @@ static void releaseConstraint(MdtAttachment *at) {
 void mdt_bodyTerm(MdtBodyID b) {
     MdtWorldID w = b->world;
     b->record.flags |= MDT_CONDEMNED;
-    MeStageBegin(&w->stage, MDT_HOLD_GRAPH); /* handlers of the program are called */
+    MeStageBegin(&w->stage, MDT_GUARD_GRAPH); /* handlers of the program are called */
     mdt_bodyDisable(b);
     if (b->user)
         b->user->leave(b);
@@ -325,7 +327,7 @@ void mdt_bodyTerm(MdtBodyID b) {
     MEASSERT(!b->attachments && !(b->record.flags & (MDT_ENABLED | MDT_ASLEEP)));
     mdt_listRemove(&w->bodies, &b->link);
     mdt_poolPut(&w->bodyPool, b);
-    MeStageEnd(&w->stage, MDT_HOLD_GRAPH);
+    MeStageEnd(&w->stage, MDT_GUARD_GRAPH);
 }
 
 void MEAPI MdtBodyDestroy(const MdtBodyID b) {
@@ -378,11 +380,11 @@ static void callHandler(MdtBodyID b, MdtBodyHandler handler) {
     MdtWorldID w = b->world;
     if (!handler)
         return;
-    MeStageBegin(&w->stage, MDT_HOLD_GRAPH);
+    MeStageBegin(&w->stage, MDT_GUARD_GRAPH);
     const MeProgramCall before = MeProgramEnter("MdtWorldSetBodyHandlers");
     handler(b);
     MeProgramLeave(&before);
-    MeStageEnd(&w->stage, MDT_HOLD_GRAPH);
+    MeStageEnd(&w->stage, MDT_GUARD_GRAPH);
 }
 
 void mdt_bodyEnable(MdtBodyID b) {
@@ -395,7 +397,7 @@ void mdt_bodyEnable(MdtBodyID b) {
     mdt_graphChanged(b->world);
     mdt_forceForget(b);
     forgetMotion(b);
-    forgetRest(b);
+    restartSleepTime(b);
     b->world->enabledBodies++;
     MEASSERT(b->world->enabledBodies <= b->world->bodies.count);
     callHandler(b, b->world->bodyEnabled);
@@ -408,7 +410,7 @@ void mdt_bodyDisable(MdtBodyID b) {
     b->record.flags &= ~MDT_ENABLED;
     mdt_graphChanged(b->world);
     b->lag = 0;
-    forgetRest(b);
+    restartSleepTime(b);
     b->partition = -1;
     b->world->enabledBodies--;
     MEASSERT(b->world->enabledBodies >= 0);
@@ -425,7 +427,7 @@ static void MEAPI enableLater(const MeLater *later) {
 
 static MeBool isToEnableNow(MdtBodyID b, MeBool isEnabled, const char *caller) {
     const MeLater later = {.carryOut = enableLater, .object = b, .serial = b->link.serial, .number = (long)isEnabled};
-    return mdt_when(b->world, MDT_HOLD_GRAPH, caller, &later) == MeWhenNow;
+    return mdt_when(b->world, MDT_GUARD_GRAPH, caller, &later) == MeWhenNow;
 }
 
 void MEAPI MdtBodyEnable(const MdtBodyID b) {
@@ -466,7 +468,7 @@ static MeBool isAccelerated(const MdtBody *b, const MdtPartitionParams *params) 
 }
 
 MeBool mdt_bodyIsFast(const MdtBody *b) {
-    return isFast(b, &b->world->rest);
+    return isFast(b, &b->world->sleepParams);
 }
 
 void mdt_bodyAge(MdtBodyID b, double h) {
@@ -516,7 +518,7 @@ void mdt_bodyPack(MdtBodyID b, double frame, MeBool hasJoints) {
     if (b->mass > b->world->sinkingMass)
         mdt_forgottenScale(b);
     keaCopy(b->kea.kick[0], b->impulse);
-    keaCopy(b->kea.kick[1], b->twist);
+    keaCopy(b->kea.kick[1], b->angularImpulse);
     mdt_forceBegin(b);
     if (!hasJoints)
         addKick(b);
@@ -585,8 +587,8 @@ static MeBool toRotation(const char *caller, const double R[3][3], double q[4]) 
     keaCross(across, R[0], R[1]);
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
-            const double wanted = i == j ? 1 : 0;
-            if (!(fabs(keaDot(R[i], R[j]) - wanted) < 0.01) || !(fabs(across[j] - R[2][j]) < 0.03)) {
+            const double expected = i == j ? 1 : 0;
+            if (!(fabs(keaDot(R[i], R[j]) - expected) < 0.01) || !(fabs(across[j] - R[2][j]) < 0.03)) {
                 MeWarning(1, "%s: the matrix is no rotation; nothing is changed", caller);
                 return MEFALSE;
             }
@@ -714,10 +716,10 @@ void MEAPI MdtBodySetCenterOfMassPosition(const MdtBodyID b, const MeVector3 pos
     mdt_fromReal(b->kea.position, pos);
     mdt_forceForget(b);
     forgetForces(b);
-    forgetRest(b);
+    restartSleepTime(b);
     mdt_bodyAcceptVelocities(b);
     mdt_bodyShow(b);
-    tellMoved(b);
+    notifyMoved(b);
     mdt_bodyWakeIfAsleep(b);
 }
 
@@ -956,7 +958,7 @@ void MEAPI MdtBodyAddImpulse(const MdtBodyID b, const MeReal ix, const MeReal iy
     MDT_NEED_BODY(b, );
     const double i[3] = {ix, iy, iz};
     if (mdt_isFinite3(__func__, "the impulse", ix, iy, iz))
-        addAt(b, i, NULL, b->impulse, b->twist);
+        addAt(b, i, NULL, b->impulse, b->angularImpulse);
 }
 
 void MEAPI MdtBodyAddImpulseAtPosition(const MdtBodyID b, const MeReal ix, const MeReal iy, const MeReal iz,
@@ -964,7 +966,7 @@ void MEAPI MdtBodyAddImpulseAtPosition(const MdtBodyID b, const MeReal ix, const
     MDT_NEED_BODY(b, );
     const double i[3] = {ix, iy, iz}, p[3] = {px, py, pz};
     if (mdt_isFinite3(__func__, "the impulse", ix, iy, iz) && mdt_isFinite3(__func__, "the position", px, py, pz))
-        addAt(b, i, p, b->impulse, b->twist);
+        addAt(b, i, p, b->impulse, b->angularImpulse);
 }
 
 void MEAPI MdtBodyGetForce(const MdtBodyID b, MeVector3 v) {
@@ -982,7 +984,7 @@ void MEAPI MdtBodyGetTorque(const MdtBodyID b, MeVector3 v) {
 void MEAPI MdtBodyResetImpulses(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
     keaZero(b->impulse);
-    keaZero(b->twist);
+    keaZero(b->angularImpulse);
 }
 
 /* ---- damping and fast spin ---- */
@@ -995,7 +997,7 @@ static void setDamping(MdtBodyID b, MeReal *damping, MeReal d) {
 
 void MEAPI MdtBodySetLinearVelocityDamping(const MdtBodyID b, const MeReal d) {
     MDT_CHANGE_BODY(b);
-    if (mdt_isAtLeast(__func__, "the damping", d, 0))
+    if (mdt_isNotBelow(__func__, "the damping", d, 0))
         setDamping(b, &b->linearDamping, d);
 }
 
@@ -1006,7 +1008,7 @@ MeReal MEAPI MdtBodyGetLinearVelocityDamping(const MdtBodyID b) {
 
 void MEAPI MdtBodySetAngularVelocityDamping(const MdtBodyID b, const MeReal d) {
     MDT_CHANGE_BODY(b);
-    if (mdt_isAtLeast(__func__, "the damping", d, 0))
+    if (mdt_isNotBelow(__func__, "the damping", d, 0))
         setDamping(b, &b->angularDamping, d);
 }
 
@@ -1089,7 +1091,7 @@ void MEAPI MdtBodySetSortKey(const MdtBodyID b, const MeI32 key) {
     if (!mdt_isSortKey(__func__, key))
         return;
     const MeLater later = {.carryOut = sortLater, .object = b, .serial = b->link.serial, .number = key};
-    if (mdt_when(b->world, MDT_HOLD_GRAPH, __func__, &later) != MeWhenNow)
+    if (mdt_when(b->world, MDT_GUARD_GRAPH, __func__, &later) != MeWhenNow)
         return;
     mdt_listSetKey(&b->world->bodies, &b->link, key);
     mdt_graphChanged(b->world);
@@ -1113,7 +1115,7 @@ int MEAPI MdtBodyGetPartition(const MdtBodyID b) {
 
 void MEAPI MdtBodySetSafeTime(const MdtBodyID b, const MeReal t) {
     MDT_NEED_BODY(b, );
-    if (mdt_isAtLeast(__func__, "the safe time", t, 0))
+    if (mdt_isNotBelow(__func__, "the safe time", t, 0))
         b->safeTime = t;
 }
 
@@ -1124,7 +1126,7 @@ MeReal MEAPI MdtBodyGetLag(const MdtBodyID b) {
 
 MeReal MEAPI MdtBodyGetPart(const MdtBodyID b) {
     MDT_NEED_BODY(b, 0);
-    return (MeReal)b->part;
+    return (MeReal)b->lastAdvance;
 }
 
 MeReal MEAPI MdtBodyGetSafeTime(const MdtBodyID b) {
@@ -1199,12 +1201,12 @@ void MEAPI MdtBodyForAllConstraints(const MdtBodyID b, MdtConstraintIteratorCBPt
     if (!mdt_isPointer(__func__, "the callback", (const void *)(size_t)cb))
         return;
     MdtWorldID w = b->world;
-    MeStageBegin(&w->stage, MDT_HOLD_CONSTRAINTS);
+    MeStageBegin(&w->stage, MDT_GUARD_CONSTRAINTS);
     const MeProgramCall before = MeProgramEnter(__func__);
     for (MdtAttachment *at = b->attachments; at; at = at->next)
         mdt_constraintVisit(mdt_attachmentOwner(at), cb, ccbdata);
     MeProgramLeave(&before);
-    MeStageEnd(&w->stage, MDT_HOLD_CONSTRAINTS);
+    MeStageEnd(&w->stage, MDT_GUARD_CONSTRAINTS);
 }
 
 /* ---- all of them, or the contacts ---- */
@@ -1217,9 +1219,9 @@ static void removeOne(MdtConstraintID c, const char *caller) {
     mdt_constraintRemove(mdt_constraintShown(c));
 }
 
-static void turnOffOne(MdtConstraintID c, const char *caller) {
+static void deactivateOne(MdtConstraintID c, const char *caller) {
     (void)caller;
-    mdt_constraintOff(c);
+    mdt_constraintDeactivate(c);
 }
 
 static void destroyOne(MdtConstraintID c, const char *caller) {
@@ -1238,32 +1240,32 @@ static void forAll(MdtBodyID b, MeBool contactsOnly, int level, ConstraintFn now
     const MeWhen when = MeStageWhen(&w->stage, level, caller);
     if (when == MeWhenNever)
         return;
-    MeStageBegin(&w->stage, MDT_HOLD_GRAPH);
+    MeStageBegin(&w->stage, MDT_GUARD_GRAPH);
     for (MdtAttachment *at = b->attachments, *next; at; at = next) {
         const MdtConstraintID c = mdt_attachmentOwner(at);
         next = at->next;
         if ((!contactsOnly || !mdt_isJoint(c)) && !mdt_constraintIsCondemned(mdt_constraintShown(c)))
             (when == MeWhenNow ? now : later)(c, caller);
     }
-    MeStageEnd(&w->stage, MDT_HOLD_GRAPH);
+    MeStageEnd(&w->stage, MDT_GUARD_GRAPH);
 }
 
 void MEAPI MdtBodyDestroyConstraints(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    forAll(b, MEFALSE, MDT_HOLD_CONSTRAINTS, removeOne, destroyOne, __func__);
+    forAll(b, MEFALSE, MDT_GUARD_CONSTRAINTS, removeOne, destroyOne, __func__);
 }
 
 void MEAPI MdtBodyDestroyContacts(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    forAll(b, METRUE, MDT_HOLD_CONSTRAINTS, removeOne, destroyOne, __func__);
+    forAll(b, METRUE, MDT_GUARD_CONSTRAINTS, removeOne, destroyOne, __func__);
 }
 
 void MEAPI MdtBodyDisableConstraints(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    forAll(b, MEFALSE, MDT_HOLD_GRAPH, turnOffOne, disableOne, __func__);
+    forAll(b, MEFALSE, MDT_GUARD_GRAPH, deactivateOne, disableOne, __func__);
 }
 
 void MEAPI MdtBodyDisableContacts(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    forAll(b, METRUE, MDT_HOLD_GRAPH, turnOffOne, disableOne, __func__);
+    forAll(b, METRUE, MDT_GUARD_GRAPH, deactivateOne, disableOne, __func__);
 }

@@ -45,7 +45,7 @@ void mdt_jointFree(MdtJoint *j) {
 }
 
 void mdt_constraintTerm(MdtConstraintID c) {
-    mdt_constraintOff(c);
+    mdt_constraintDeactivate(c);
     mdt_constraintDetach(c, 0);
     mdt_constraintDetach(c, 1);
     MEASSERT(!c->side[0].body && !c->side[1].body && !(c->record.flags & MDT_ENABLED));
@@ -57,7 +57,7 @@ static void termJoint(MdtJoint *j) {
     mdt_constraintTerm(&j->base);
     mdt_jointFree(j);
     mdt_breakForget(j);
-    mdt_apartForget(j);
+    mdt_noCollideForget(j);
     j->base.world->userConstraints -= j->bcl.type == MdtBclUSER;
     mdt_constraintUncount(j->base.world);
     mdt_poolPut(&j->base.world->jointPool, j);
@@ -151,7 +151,7 @@ void mdt_constraintDestroy(MdtConstraintID c, const char *caller) {
     }
     const MeLater later = {.carryOut = destroyLater, .object = c, .serial = baseOf(c)->link.serial};
     const MeWhen when =
-        mdt_when(baseOf(c)->world, MDT_HOLD_CONSTRAINTS, caller ? caller : "MdtConstraintDestroy", &later);
+        mdt_when(baseOf(c)->world, MDT_GUARD_CONSTRAINTS, caller ? caller : "MdtConstraintDestroy", &later);
     if (when == MeWhenNow)
         mdt_constraintRemove(c);
     else if (when == MeWhenStageEnds)
@@ -179,7 +179,7 @@ static void constraintOn(MdtConstraintID c) {
     }
 }
 
-void mdt_constraintOff(MdtConstraintID c) {
+void mdt_constraintDeactivate(MdtConstraintID c) {
     if (!(c->record.flags & MDT_ENABLED))
         return;
     mdt_constraintDisturb(c);
@@ -202,12 +202,12 @@ static void MEAPI enableLater(const MeLater *later) {
     if (c && later->number && isAttached(c))
         constraintOn(c);
     else if (c && !later->number)
-        mdt_constraintOff(c);
+        mdt_constraintDeactivate(c);
 }
 
 static MeBool isToEnableNow(MdtConstraintID c, MeBool isEnabled, const char *caller) {
     const MeLater later = {.carryOut = enableLater, .object = c, .serial = c->link.serial, .number = (long)isEnabled};
-    return mdt_when(c->world, MDT_HOLD_GRAPH, caller, &later) == MeWhenNow;
+    return mdt_when(c->world, MDT_GUARD_GRAPH, caller, &later) == MeWhenNow;
 }
 
 void mdt_constraintEnable(MdtConstraintID handle, const char *caller) {
@@ -226,7 +226,7 @@ void mdt_constraintDisable(MdtConstraintID handle, const char *caller) {
     if (!mdt_isConstraint(handle, caller) || isGroupMember(handle))
         return;
     if (isToEnableNow(baseOf(handle), MEFALSE, caller))
-        mdt_constraintOff(baseOf(handle));
+        mdt_constraintDeactivate(baseOf(handle));
 }
 
 MeBool mdt_constraintIsEnabled(MdtConstraintID c, const char *caller) {
@@ -268,7 +268,7 @@ static void attach(MdtConstraintID c, int side, MdtBodyID b) {
         at->next->previous = at;
     b->attachments = at;
     b->manifolds += !mdt_isJoint(c);
-    b->record.flags |= c->record.flags & (MDT_WATCHED | MDT_TOUCHED | MDT_APART);
+    b->record.flags |= c->record.flags & (MDT_WATCHED | MDT_TOUCHED | MDT_NO_COLLIDE);
     mdt_graphChanged(c->world);
     mdt_constraintDisturb(c);
     MEVALIDATE(mdt_attachmentsAreLinked(b));
@@ -298,7 +298,7 @@ typedef struct {
     const MdtKeaTransformation *at[2];
 } Poses;
 
-static void takePoses(MdtConstraintID c, Poses *poses) {
+static void copyPoses(MdtConstraintID c, Poses *poses) {
     mdt_constraintPoses(c, poses->of);
     poses->at[0] = &poses->of[0];
     poses->at[1] = &poses->of[1];
@@ -306,14 +306,14 @@ static void takePoses(MdtConstraintID c, Poses *poses) {
 
 static void notifyPositioned(MdtJoint *j) {
     Poses poses;
-    takePoses(&j->base, &poses);
+    copyPoses(&j->base, &poses);
     if (j->type->positioned)
         j->type->positioned(&j->bcl, poses.at);
 }
 
 static void notifyAttached(MdtJoint *j) {
     Poses poses;
-    takePoses(&j->base, &poses);
+    copyPoses(&j->base, &poses);
     if (j->type->attached)
         j->type->attached(&j->bcl, poses.at);
     if (j->type->positioned)
@@ -322,7 +322,7 @@ static void notifyAttached(MdtJoint *j) {
 
 static void notifyAxesSet(MdtJoint *j, const MdtBclFrame before[2]) {
     Poses poses;
-    takePoses(&j->base, &poses);
+    copyPoses(&j->base, &poses);
     if (j->type->axesSet)
         j->type->axesSet(&j->bcl, before, poses.at);
 }
@@ -370,7 +370,7 @@ void mdt_constraintSetBodies(MdtConstraintID c, MdtBodyID b1, MdtBodyID b2, cons
         return;
     }
     const MeLater later = {.carryOut = attachLater, .object = base, .other = {b1, b2}, .serial = base->link.serial};
-    if (isAttached(base) && mdt_when(base->world, MDT_HOLD_CONSTRAINTS, caller, &later) != MeWhenNow)
+    if (isAttached(base) && mdt_when(base->world, MDT_GUARD_CONSTRAINTS, caller, &later) != MeWhenNow)
         return;
     if (base->record.flags & MDT_ENABLED)
         MeWarning(1, "%s: the %s is enabled; disable it before changing its bodies", caller, mdt_constraintName(c));
@@ -762,10 +762,10 @@ static const MdtKeaVelocity *worldVelocityOf(MdtConstraintID c) {
     return mdt_isJoint(c) ? &jointOf(c)->worldVelocity : extra ? &extra->worldVelocity : &MdtBclWorldVelocity;
 }
 
-static void setPart(MdtConstraintID c, double part[3], const double v[3]) {
-    if (memcmp(part, v, 3 * sizeof *v) != 0)
+static void setComponent(MdtConstraintID c, double component[3], const double v[3]) {
+    if (memcmp(component, v, 3 * sizeof *v) != 0)
         mdt_constraintDisturb(baseOf(c));
-    keaCopy(part, v);
+    keaCopy(component, v);
 }
 
 void MEAPI MdtConstraintSetWorldLinearVelocity(const MdtConstraintID c, const MeReal vx, const MeReal vy,
@@ -775,7 +775,7 @@ void MEAPI MdtConstraintSetWorldLinearVelocity(const MdtConstraintID c, const Me
         return;
     MdtKeaVelocity *velocity = worldVelocity(c, __func__);
     if (velocity)
-        setPart(c, velocity->lin, v);
+        setComponent(c, velocity->lin, v);
 }
 
 void MEAPI MdtConstraintSetWorldAngularVelocity(const MdtConstraintID c, const MeReal ax, const MeReal ay,
@@ -785,7 +785,7 @@ void MEAPI MdtConstraintSetWorldAngularVelocity(const MdtConstraintID c, const M
         return;
     MdtKeaVelocity *velocity = worldVelocity(c, __func__);
     if (velocity)
-        setPart(c, velocity->ang, v);
+        setComponent(c, velocity->ang, v);
 }
 
 void MEAPI MdtConstraintGetWorldLinearVelocity(const MdtConstraintID c, MeVector3 lv) {
@@ -842,7 +842,7 @@ void mdt_constraintSetSortKey(MdtConstraintID c, MeI32 key, const char *caller) 
     }
     const MdtConstraintID base = baseOf(c);
     const MeLater later = {.carryOut = sortLater, .object = base, .serial = base->link.serial, .number = key};
-    if (mdt_when(base->world, MDT_HOLD_CONSTRAINTS, caller, &later) != MeWhenNow)
+    if (mdt_when(base->world, MDT_GUARD_CONSTRAINTS, caller, &later) != MeWhenNow)
         return;
     mdt_listSetKey(&base->world->constraints, &base->link, key);
     mdt_graphChanged(base->world);

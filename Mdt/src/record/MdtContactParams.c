@@ -10,8 +10,8 @@ static void setOption(MdtContactParamsID p, int option, MeBool on) {
 }
 
 /* Sets a number >= 0; else warns. */
-static MeBool setAtLeast0(MdtContactParamsID p, MeReal *value, MeReal x, const char *caller, const char *what) {
-    if (!isParams(p, caller) || !mdt_isAtLeast(caller, what, x, 0))
+static MeBool setNonNegative(MdtContactParamsID p, MeReal *value, MeReal x, const char *caller, const char *what) {
+    if (!isParams(p, caller) || !mdt_isNotBelow(caller, what, x, 0))
         return MEFALSE;
     *value = x;
     return METRUE;
@@ -27,7 +27,7 @@ void MEAPI MdtContactParamsReset(const MdtContactParamsID p) {
 /* ---- the usual surface ---- */
 
 void MEAPI MdtContactParamsSetSurface(const MdtContactParamsID p, MeReal friction, MeReal restitution) {
-    if (!isParams(p, __func__) || !mdt_isAtLeast(__func__, "the friction coefficient", friction, 0))
+    if (!isParams(p, __func__) || !mdt_isNotBelow(__func__, "the friction coefficient", friction, 0))
         return;
     if (!(restitution >= 0 && restitution <= 1)) {
         MeWarning(1, "MdtContactParamsSetSurface: the restitution %g is not between 0 and 1; nothing is changed",
@@ -138,14 +138,14 @@ MdtFrictionModel MEAPI MdtContactParamsGetSecondaryFrictionModel(const MdtContac
 /* ---- friction ---- */
 
 static MeBool setBound(MdtContactParamsID p, MeReal *bound, MeReal f, const char *caller) {
-    if (!setAtLeast0(p, bound, f, caller, "the friction"))
+    if (!setNonNegative(p, bound, f, caller, "the friction"))
         return MEFALSE;
     setOption(p, MdtBclContactOptionBoundSet, METRUE);
     return METRUE;
 }
 
 static MeBool setCoefficient(MdtContactParamsID p, MeReal *coefficient, MeReal f, const char *caller) {
-    return setAtLeast0(p, coefficient, f, caller, "the friction coefficient");
+    return setNonNegative(p, coefficient, f, caller, "the friction coefficient");
 }
 
 void MEAPI MdtContactParamsSetFriction(const MdtContactParamsID p, MeReal f) {
@@ -193,7 +193,7 @@ MeReal MEAPI MdtContactParamsGetSecondaryFrictionCoeffecient(const MdtContactPar
 /* ---- slip and slide ---- */
 
 static MeBool setSlip(MdtContactParamsID p, MeReal *slip, MeReal s, int option, const char *caller) {
-    if (!setAtLeast0(p, slip, s, caller, "the slip"))
+    if (!setNonNegative(p, slip, s, caller, "the slip"))
         return MEFALSE;
     setOption(p, option, s > 0);
     return METRUE;
@@ -260,7 +260,7 @@ MeReal MEAPI MdtContactParamsGetRestitution(const MdtContactParamsID p) {
 }
 
 void MEAPI MdtContactParamsSetRestitutionThreshold(const MdtContactParamsID p, MeReal v) {
-    setAtLeast0(p, FIELD(p, velThreshold), v, __func__, "the threshold");
+    setNonNegative(p, FIELD(p, velThreshold), v, __func__, "the threshold");
 }
 
 MeReal MEAPI MdtContactParamsGetRestitutionThreshold(const MdtContactParamsID p) {
@@ -268,7 +268,7 @@ MeReal MEAPI MdtContactParamsGetRestitutionThreshold(const MdtContactParamsID p)
 }
 
 void MEAPI MdtContactParamsSetSoftness(const MdtContactParamsID p, MeReal s) {
-    if (setAtLeast0(p, FIELD(p, softness), s, __func__, "the softness"))
+    if (setNonNegative(p, FIELD(p, softness), s, __func__, "the softness"))
         setOption(p, MdtBclContactOptionSoft, s > 0);
 }
 
@@ -277,7 +277,7 @@ MeReal MEAPI MdtContactParamsGetSoftness(const MdtContactParamsID p) {
 }
 
 void MEAPI MdtContactParamsSetMaxAdhesiveForce(const MdtContactParamsID p, MeReal s) {
-    if (setAtLeast0(p, FIELD(p, max_adhesive_force), s, __func__, "the adhesive force"))
+    if (setNonNegative(p, FIELD(p, max_adhesive_force), s, __func__, "the adhesive force"))
         setOption(p, MdtBclContactOptionAdhesive, s > 0);
 }
 

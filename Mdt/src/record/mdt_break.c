@@ -22,7 +22,7 @@ static MdtJoint *jointOf(MdtConstraintID c, const char *caller) {
 void MEAPI MdtConstraintSetBreakLimits(const MdtConstraintID c, const MeReal force, const MeReal torque) {
     MDT_NEED_CONSTRAINT(c, );
     MdtJoint *j = jointOf(c, __func__);
-    if (!j || !mdt_isAtLeast(__func__, "the force", force, 0) || !mdt_isAtLeast(__func__, "the torque", torque, 0))
+    if (!j || !mdt_isNotBelow(__func__, "the force", force, 0) || !mdt_isNotBelow(__func__, "the torque", torque, 0))
         return;
     c->world->breakable -= isBreakable(j);
     j->breakForce = force;
@@ -87,16 +87,16 @@ void mdt_breakBegin(MdtWorldID w) {
 
 /* Bodies wake, whose handlers may destroy joints: later. */
 static void breakJoints(MdtWorldID w) {
-    MeStageBegin(&w->stage, MDT_HOLD_GRAPH);
+    MeStageBegin(&w->stage, MDT_GUARD_GRAPH);
     for (MdtLink *link = w->constraints.first; link && w->breakable; link = link->next) {
         MdtConstraintID c = mdt_linkOwner(link);
         MdtJoint *j = asJoint(c);
         if (!j || !isBreakable(j) || !wasStepped(c) || !isOverloaded(j))
             continue;
-        mdt_constraintOff(c);
+        mdt_constraintDeactivate(c);
         w->broken[w->numBroken++] = c;
     }
-    MeStageEnd(&w->stage, MDT_HOLD_GRAPH);
+    MeStageEnd(&w->stage, MDT_GUARD_GRAPH);
 }
 
 void mdt_breakEnd(MdtWorldID w) {

@@ -96,9 +96,9 @@ static MeBool isVisible(const double load[3], double inverse, double h, MeReal t
 }
 
 static void warnOfStiffness(MdtBodyID b, const char *function) {
-    if (b->record.flags & MDT_TOLD)
+    if (b->record.flags & MDT_WARNED)
         return;
-    b->record.flags |= MDT_TOLD;
+    b->record.flags |= MDT_WARNED;
     MeWarning(2,
               "%s: the load on a body (sort key %d) grows step by step of %g s: its spring or "
               "damper is too stiff for explicit forces, with frequency times step above 2. Take shorter steps, or "
@@ -150,9 +150,9 @@ static void continueLoad(MdtBodyID b) {
     correct(b, &last->pushing, b->force, last->force, last->momentum[0], after[0], correction[0]);
     correct(b, &last->turning, b->torque, last->torque, last->momentum[1], after[1], correction[1]);
     const double h = last->time, *I = b->kea.moments, inverse = 1 / fmax(I[0], fmax(I[1], I[2]));
-    if (runsAway(&last->pushing) && isVisible(b->force, b->kea.invMass, h, b->world->rest.vel_thresh))
+    if (runsAway(&last->pushing) && isVisible(b->force, b->kea.invMass, h, b->world->sleepParams.vel_thresh))
         warnOfStiffness(b, "MdtBodyAddForce");
-    if (runsAway(&last->turning) && isVisible(b->torque, inverse, h, b->world->rest.velrot_thresh))
+    if (runsAway(&last->turning) && isVisible(b->torque, inverse, h, b->world->sleepParams.velrot_thresh))
         warnOfStiffness(b, "MdtBodyAddTorque");
     for (int k = 0; k < 2; k++)
         keaAddScaled(b->kea.kick[k], 1, correction[k]);

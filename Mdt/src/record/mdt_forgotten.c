@@ -20,7 +20,7 @@ static const MdtBclLimit *limitOf(const MdtJoint *j) {
 static MeBool isMotorForgotten(const MdtJoint *j) {
     const MdtBclLimit *l = limitOf(j);
     return l && l->bPowered && l->fmax > 0 && (j->base.side[0].body || j->base.side[1].body) &&
-           !(j->base.record.flags & (MDT_ENABLED | MDT_WAS_ENABLED | MDT_TOLD));
+           !(j->base.record.flags & (MDT_ENABLED | MDT_WAS_ENABLED | MDT_WARNED));
 }
 
 /* Joints are looked through in one step of so many, and only while one of them is disabled. */
@@ -32,7 +32,7 @@ static void watchMotors(MdtWorldID w) {
         MdtJoint *j = mdt_linkOwner(link);
         if (!mdt_isJoint(&j->base) || !isMotorForgotten(j))
             continue;
-        j->base.record.flags |= MDT_TOLD;
+        j->base.record.flags |= MDT_WARNED;
         MeWarning(1, "%s: a %s has a motor that runs, and was never enabled: call Mdt%sEnable",
                   MeCallerName("MdtWorldStep"), j->type->name, j->type->name);
     }
@@ -43,7 +43,7 @@ static void watchMotors(MdtWorldID w) {
 void MEAPI MdtBodyExpectCentreOfMass(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
     b->record.flags |= MDT_OFF_CENTRE;
-    b->world->expectsCentre = !b->world->isCentreTold;
+    b->world->expectsCentre = !b->world->isCentreWarned;
 }
 
 /* Of the first that is simulated; once a world. */
@@ -53,7 +53,7 @@ static void watchCentres(MdtWorldID w) {
         if ((b->record.flags & (MDT_OFF_CENTRE | MDT_ENABLED)) != (MDT_OFF_CENTRE | MDT_ENABLED))
             continue;
         w->expectsCentre = MEFALSE;
-        w->isCentreTold = METRUE;
+        w->isCentreWarned = METRUE;
         MeWarning(1,
                   "%s: the centre of mass of a model's geometry is not at its origin, and that of its body (sort key "
                   "%d) is still taken to be there. McdGeometryGetMassProperties tells where it is; call "
@@ -77,7 +77,7 @@ static double sinkingMass(const MdtWorld *w, double h) {
 
 void mdt_forgottenScale(MdtBodyID b) {
     MdtWorldID w = b->world;
-    if (b->manifolds == 0 || __atomic_exchange_n(&w->isScaleTold, METRUE, __ATOMIC_RELAXED))
+    if (b->manifolds == 0 || __atomic_exchange_n(&w->isScaleWarned, METRUE, __ATOMIC_RELAXED))
         return;
     MeWarning(1,
               "%s: bodies of more than %g kg sink into what they lie on: contacts are made for bodies of about %g kg "
@@ -91,5 +91,5 @@ void mdt_forgottenScale(MdtBodyID b) {
 void mdt_forgottenWatch(MdtWorldID w, double h) {
     watchMotors(w);
     watchCentres(w);
-    w->sinkingMass = w->isScaleTold ? HUGE_VAL : sinkingMass(w, h);
+    w->sinkingMass = w->isScaleWarned ? HUGE_VAL : sinkingMass(w, h);
 }

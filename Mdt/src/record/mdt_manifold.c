@@ -39,7 +39,7 @@ MeBool mdt_manifoldIsConsistent(const MdtManifold *m) {
 
 /* ---- records ----------------------------------------------------------------------------------------------------- */
 
-static MdtManifold *takeBlock(MdtWorldID w, const char *caller) {
+static MdtManifold *allocateBlock(MdtWorldID w, const char *caller) {
     MdtManifold *block = mdt_poolGet(&w->manifoldPool, MDT_MANIFOLD, caller);
     if (!block)
         return NULL;
@@ -62,7 +62,7 @@ static void giveBlock(MdtManifold *block) {
     mdt_poolPut(&w->manifoldPool, block);
 }
 
-MdtPoint *mdt_slotTake(MdtManifold *block, int slot) {
+MdtPoint *mdt_slotActivate(MdtManifold *block, int slot) {
     MdtPoint *p = &block->point[slot];
     MEASSERT(!(block->used & 1u << slot));
     block->used |= 1u << slot;
@@ -126,7 +126,7 @@ static void giveExtra(MdtManifold *block, int slot) {
 static MdtManifold *createLinked(MdtWorldID w, int flags, const char *caller) {
     if (!mdt_isWorld(w, caller) || !mdt_constraintCount(w, caller))
         return NULL;
-    MdtManifold *m = takeBlock(w, caller);
+    MdtManifold *m = allocateBlock(w, caller);
     if (!m) {
         mdt_constraintUncount(w);
         return NULL;
@@ -145,14 +145,14 @@ MdtPoint *mdt_pointCreate(MdtWorldID w, const char *caller) {
     if (!m)
         return NULL;
     m->numPoints = 1;
-    return mdt_slotTake(m, 0);
+    return mdt_slotActivate(m, 0);
 }
 
 MdtPoint *mdt_pointCreateIn(MdtManifold *group, const char *caller) {
     MdtWorldID w = group->base.world;
     if (!mdt_constraintCount(w, caller))
         return NULL;
-    MdtManifold *block = takeBlock(w, caller);
+    MdtManifold *block = allocateBlock(w, caller);
     if (!block) {
         mdt_constraintUncount(w);
         return NULL;
@@ -160,7 +160,7 @@ MdtPoint *mdt_pointCreateIn(MdtManifold *group, const char *caller) {
     continueWith(group, block);
     group->numPoints++;
     mdt_constraintDisturb(&group->base);
-    return mdt_slotTake(block, 0);
+    return mdt_slotActivate(block, 0);
 }
 
 static void freeSlot(MdtPoint *p) {

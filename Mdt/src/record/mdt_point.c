@@ -11,16 +11,16 @@ static MdtExtra *ownOf(const MdtPoint *p, int own) {
 }
 
 /* Writes a value that points of a record share or replace. Writing an equal value does not end rest certificates. */
-static void setPart(MdtPoint *p, void *part, const void *value, size_t size) {
-    if (memcmp(part, value, size) == 0)
+static void setProperty(MdtPoint *p, void *property, const void *value, size_t size) {
+    if (memcmp(property, value, size) == 0)
         return;
-    memcpy(part, value, size);
+    memcpy(property, value, size);
     mdt_constraintDisturb(&mdt_manifoldOf(p)->base);
 }
 
 /* The extra in which a point keeps a value that differs from the shared one. Null: it may write the shared one, since
  * it is the same, or no other point has it; or there is no memory. */
-static MdtExtra *ownPart(MdtPoint *p, int own, MeBool isShared, const char *caller) {
+static MdtExtra *ownExtra(MdtPoint *p, int own, MeBool isShared, const char *caller) {
     MdtManifold *block = mdt_blockOf(p);
     MdtExtra *extra = block->extras ? mdt_extraOf(block, p->slot) : NULL;
     if (isShared || mdt_countSlots(block) == 1) {
@@ -44,7 +44,7 @@ const MdtBclContactParams *mdt_pointParams(const MdtPoint *p) {
 void mdt_blockSetSurface(MdtManifold *block, const MdtBclContactParams *params) {
     MdtSurfaces *surfaces = &block->base.world->surfaces;
     const MdtSurface *before = block->surface;
-    block->surface = mdt_surfaceTake(surfaces, params);
+    block->surface = mdt_surfaceAcquire(surfaces, params);
     mdt_surfaceGive(surfaces, before);
     mdt_constraintDisturb(block->group ? &block->group->base : &block->base);
 }
@@ -57,13 +57,13 @@ void mdt_pointSetParams(MdtPoint *p, const MdtBclContactParams *params) {
     own.options &= ~MdtBclContactOptionUseDirection;
     if (extra) {
         own.options |= extra->params.options & MdtBclContactOptionUseDirection;
-        setPart(p, &extra->params, &own, sizeof own);
+        setProperty(p, &extra->params, &own, sizeof own);
         return;
     }
     const MeBool isShared = memcmp(&block->surface->params, &own, sizeof own) == 0;
-    extra = ownPart(p, MDT_OWN_PARAMS, isShared, "MdtContactSetParams");
+    extra = ownExtra(p, MDT_OWN_PARAMS, isShared, "MdtContactSetParams");
     if (extra)
-        setPart(p, &extra->params, &own, sizeof own);
+        setProperty(p, &extra->params, &own, sizeof own);
     else if (!isShared && mdt_countSlots(block) == 1)
         mdt_blockSetSurface(block, &own);
 }
@@ -87,11 +87,11 @@ void mdt_pointNormal(const MdtPoint *p, double normal[3]) {
 void mdt_pointSetNormal(MdtPoint *p, const MeReal normal[3]) {
     MdtManifold *block = mdt_blockOf(p);
     const MeBool isShared = memcmp(block->normal, normal, sizeof block->normal) == 0;
-    MdtExtra *extra = ownPart(p, MDT_OWN_NORMAL, isShared, "MdtContactSetNormal");
+    MdtExtra *extra = ownExtra(p, MDT_OWN_NORMAL, isShared, "MdtContactSetNormal");
     if (extra)
-        setPart(p, extra->normal, normal, sizeof extra->normal);
+        setProperty(p, extra->normal, normal, sizeof extra->normal);
     else if (!isShared && mdt_countSlots(block) == 1)
-        setPart(p, block->normal, normal, sizeof block->normal);
+        setProperty(p, block->normal, normal, sizeof block->normal);
 }
 
 MeReal mdt_pointRadius(const MdtPoint *p, int side) {
@@ -104,11 +104,11 @@ void mdt_pointSetRadius(MdtPoint *p, int side, MeReal radius) {
     MeReal both[2] = {mdt_pointRadius(p, 0), mdt_pointRadius(p, 1)};
     both[side] = radius;
     const MeBool isShared = memcmp(block->radius, both, sizeof both) == 0;
-    MdtExtra *extra = ownPart(p, MDT_OWN_RADIUS, isShared, "MdtContactSetRadius");
+    MdtExtra *extra = ownExtra(p, MDT_OWN_RADIUS, isShared, "MdtContactSetRadius");
     if (extra)
-        setPart(p, extra->radius, both, sizeof both);
+        setProperty(p, extra->radius, both, sizeof both);
     else if (!isShared && mdt_countSlots(block) == 1)
-        setPart(p, block->radius, both, sizeof both);
+        setProperty(p, block->radius, both, sizeof both);
 }
 
 double mdt_pointRim(const MdtPoint *p, int side, double axis[3]) {
@@ -134,8 +134,8 @@ void mdt_pointSetRim(MdtPoint *p, int side, double rim, const double axis[3]) {
         extra = mdt_extraMake(block, p->slot, "MdtContactSetRim");
     if (!extra)
         return;
-    setPart(p, &extra->rim[side], &rim, sizeof rim);
-    setPart(p, extra->axis[side], rim > 0 ? axis : none, sizeof extra->axis[side]);
+    setProperty(p, &extra->rim[side], &rim, sizeof rim);
+    setProperty(p, extra->axis[side], rim > 0 ? axis : none, sizeof extra->axis[side]);
 }
 
 /* Makes `direction` a unit vector in the contact plane, as near as may be to what it is; false when it is along the

@@ -27,7 +27,7 @@ MeBool mdt_pointIsAlone(const MdtPoint *p);
 /* ---- properties -------------------------------------------------------------------------------------------------- */
 
 /* A slot of the record comes into use; how many are. */
-MdtPoint *mdt_slotTake(MdtManifold *block, int slot);
+MdtPoint *mdt_slotActivate(MdtManifold *block, int slot);
 int mdt_countSlots(const MdtManifold *block);
 /* The values that its points share. */
 void mdt_blockSetSurface(MdtManifold *block, const MdtBclContactParams *params);

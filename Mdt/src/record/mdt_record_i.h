@@ -35,7 +35,7 @@ MeBool mdt_staysInPlace(const MdtBody *b);
 /* Would it hardly move in the next second, as it moves now? */
 MeBool mdt_isQuiet(const MdtBody *b);
 /* Would it move by a change of momentum, N s and N m s, in h seconds? */
-MeBool mdt_wouldMove(const MdtBody *b, const double push[3], const double twist[3], double h);
+MeBool mdt_wouldMove(const MdtBody *b, const double push[3], const double angularImpulse[3], double h);
 
 /* ---- forces that go on (mdt_force.c) ---- */
 
@@ -62,8 +62,8 @@ void mdt_constraintUncount(MdtWorldID w);
 MdtJoint *mdt_jointCreate(MdtWorldID w, MdtBclJointType type, const char *caller);
 /* The joint if it is live and of the type; else null, with a warning. */
 MdtJoint *mdt_jointOfType(void *handle, MdtBclJointType type, const char *caller);
-/* The joint goes, and its switch with it (mdt_apart.c). */
-void mdt_apartForget(MdtJoint *j);
+/* The joint goes, and its switch with it (mdt_no_collide.c). */
+void mdt_noCollideForget(MdtJoint *j);
 /* The constraint as a joint of the type for MdtConstraintDCast*: null, without a warning, when it is another. */
 void *mdt_jointCast(MdtConstraintID c, MdtBclJointType type, const char *caller);
 /* The kind of a constraint: a point is a contact, a manifold a group, or the contact that is alone in it. */
@@ -85,7 +85,7 @@ void mdt_constraintDetach(MdtConstraintID c, int side);
 /* Detaches it and takes it from the world's list; the record is the caller's to return. */
 void mdt_constraintTerm(MdtConstraintID c);
 /* Disables a joint or a manifold; destroys a joint, a group or a contact: now, in a stage of the world, too. */
-void mdt_constraintOff(MdtConstraintID c);
+void mdt_constraintDeactivate(MdtConstraintID c);
 void mdt_constraintRemove(MdtConstraintID c);
 /* Where both sides are now: a body's centre of mass, or the world. */
 void mdt_constraintPoses(MdtConstraintID c, MdtKeaTransformation pose[2]);
@@ -133,12 +133,12 @@ void mdt_breakForget(MdtJoint *j);
 
 /* What must stay as it is while a stage calls the program (MeInternal.h). Each level includes those before it. */
 enum {
-    MDT_HOLD_WORLD = 0,              /* the world itself */
-    MDT_HOLD_BODIES = MDT_BODY_HELD, /* records of bodies: pairs of models are handled */
-    MDT_HOLD_CONSTRAINTS,            /* records of constraints, to which bodies they are attached, and the order: lists
+    MDT_GUARD_WORLD = 0,              /* the world itself */
+    MDT_GUARD_BODIES = MDT_BODY_HELD, /* records of bodies: pairs of models are handled */
+    MDT_GUARD_CONSTRAINTS,            /* records of constraints, to which bodies they are attached, and the order: lists
                                         are walked */
-    MDT_HOLD_GRAPH,                  /* what is enabled: there are partitions; a body's handler runs */
-    MDT_HOLD_STATES                  /* poses, velocities, masses, options of joints: partitions are being solved */
+    MDT_GUARD_GRAPH,                  /* what is enabled: there are partitions; a body's handler runs */
+    MDT_GUARD_STATES                  /* poses, velocities, masses, options of joints: partitions are being solved */
 };
 /* MeStageWhen; what has to wait is in the world's list then. */
 MeWhen mdt_when(MdtWorldID w, int level, const char *caller, const MeLater *later);

@@ -2,11 +2,11 @@
  * (mdt_record_i.h, MeInternal.h).
  *
  *     stage                                         level               what waits
- *     pairs of models are handled (Mst)             MDT_HOLD_BODIES     destroying bodies
+ *     pairs of models are handled (Mst)             MDT_GUARD_BODIES    destroying bodies
  *     MdtWorldForAllConstraints and its like        .. _CONSTRAINTS     and constraints; attaching, sorting them anew
  *     partitions are found and stepped; handlers    .. _GRAPH           and enabling, disabling
  *     a partition is solved                         .. _STATES          what is refused: placing bodies, and the like
- *     joints that broke are told                    MDT_HOLD_WORLD      nothing
+ *     joints that broke are told                    MDT_GUARD_WORLD     nothing
  *
  * What is condemned lives until then: it can be asked and changed, but not destroyed again, and its Mdt...IsValid says
  * no. */
@@ -25,7 +25,7 @@ MeWhen mdt_when(MdtWorldID w, int level, const char *caller, const MeLater *late
 }
 
 MeBool mdt_mayChangeState(const MdtBody *b, const char *caller) {
-    if (b->partition < 0 || !MeStageIsHeld(&b->world->stage, MDT_HOLD_STATES))
+    if (b->partition < 0 || !MeStageIsHeld(&b->world->stage, MDT_GUARD_STATES))
         return METRUE;
     MeProgramRefuse(caller, "a partition is being solved");
     return MEFALSE;
@@ -51,12 +51,12 @@ static void MEAPI destroyBody(const MeLater *later);
 /* The stage that keeps the body from going: its world's, or that of its models. */
 static MeStage *holderOf(MdtBodyID b) {
     MeStage *own = &b->world->stage, *user = b->user ? b->user->heldBy(b) : NULL;
-    return MeStageIsHeld(own, MDT_HOLD_BODIES) ? own : user;
+    return MeStageIsHeld(own, MDT_GUARD_BODIES) ? own : user;
 }
 
 static MeBool deferDestroy(MeStage *stage, MdtBodyID b, const char *caller) {
     const MeLater later = {.carryOut = destroyBody, .object = b, .serial = b->link.serial};
-    return MeStageDefer(stage, MDT_HOLD_BODIES, &later, caller);
+    return MeStageDefer(stage, MDT_GUARD_BODIES, &later, caller);
 }
 
 static void MEAPI destroyBody(const MeLater *later) {

@@ -17,7 +17,7 @@ static const double wakingReach = 2.5e-2;  /* ten times: a push that moves a sle
 
 /* s: "a second". */
 static double timeAhead(const MdtBody *b) {
-    const double alive = (double)b->world->rest.alive_time;
+    const double alive = (double)b->world->sleepParams.alive_time;
     return AHEAD * (alive > 0 ? alive : MDTWORLD_DEFAULT_ALIVE_TIME_THRESH);
 }
 
@@ -28,7 +28,7 @@ static double radiusOf(const MdtBody *b) {
 }
 
 /* m: it is still if its way is no longer than this. */
-static double stillWay(double radius) {
+static double stillDistance(double radius) {
     return stayingReach * radius;
 }
 
@@ -44,8 +44,8 @@ static void settle(MdtBodyID b, double reach) {
 }
 
 void mdt_stayForget(MdtBodyID b) {
-    memset(b->stay.way, 0, sizeof b->stay.way);
-    b->stay.most = HUGE_VAL;
+    memset(b->stay.displacement, 0, sizeof b->stay.displacement);
+    b->stay.maxDisplacement = HUGE_VAL;
     settle(b, 0);
 }
 
@@ -67,31 +67,32 @@ static double speedOf(const MdtBody *b, double radius) {
 }
 
 /* Of the last step: of the centre of mass, and of what turns about it at the radius. */
-static void findWay(const MdtBody *b, double radius, double way[6]) {
+static void findDisplacement(const MdtBody *b, double radius, double displacement[6]) {
     double back[4], turned[4];
-    keaSubtract(way, b->kea.position, b->start.position);
+    keaSubtract(displacement, b->kea.position, b->start.position);
     keaQuaternionConjugate(back, b->start.quaternion);
     keaQuaternionProduct(turned, b->kea.quaternion, back);
-    keaScale(way + 3, 2 * radius, turned + 1);
+    keaScale(displacement + 3, 2 * radius, turned + 1);
 }
 
-static double lengthOfWay(const double way[6]) {
-    return keaLength(way) + keaLength(way + 3);
+static double lengthOfDisplacement(const double displacement[6]) {
+    return keaLength(displacement) + keaLength(displacement + 3);
 }
 
-static void clamp(double way[6], double most) {
-    const double length = lengthOfWay(way);
-    for (int i = 0; i < 6 && length > most; i++)
-        way[i] *= most / length;
+static void clamp(double displacement[6], double maxDisplacement) {
+    const double length = lengthOfDisplacement(displacement);
+    for (int i = 0; i < 6 && length > maxDisplacement; i++)
+        displacement[i] *= maxDisplacement / length;
 }
 
 /* In the last second, each part of it forgotten exponentially: of what trembles nothing is left. What swings comes
  * through its place: the most that there was is forgotten in a second, too, at e times what is still. */
-static void countWay(MdtStay *s, const double way[6], double still, double part) {
-    clamp(s->way, exp(1) * still);
+static void addDisplacement(MdtStay *s, const double displacement[6], double still, double share) {
+    clamp(s->displacement, exp(1) * still);
     for (int i = 0; i < 6; i++)
-        s->way[i] = exp(-part) * s->way[i] + way[i];
-    s->most = fmax(exp(-part) * fmin(s->most, exp(1) * still), lengthOfWay(s->way));
+        s->displacement[i] = exp(-share) * s->displacement[i] + displacement[i];
+    s->maxDisplacement =
+        fmax(exp(-share) * fmin(s->maxDisplacement, exp(1) * still), lengthOfDisplacement(s->displacement));
 }
 
 /* What comes back twice swings or trembles, unless it goes a tenth farther in between. Once is not enough: so does what
@@ -119,9 +120,9 @@ static MeBool swingsLittle(const MdtStay *s, double radius, double second) {
 void mdt_stayCount(MdtBodyID b, double h) {
     const double radius = radiusOf(b), distance = distanceOf(b, radius), second = timeAhead(b);
     MdtStay *s = &b->stay;
-    double way[6];
-    findWay(b, radius, way);
-    countWay(s, way, stillWay(radius), h / second);
+    double displacement[6];
+    findDisplacement(b, radius, displacement);
+    addDisplacement(s, displacement, stillDistance(radius), h / second);
     if (distance > swingingReach * radius)
         settle(b, 0);
     else if (s->time > swingingReach / stayingReach * second)
@@ -132,11 +133,12 @@ void mdt_stayCount(MdtBodyID b, double h) {
 
 MeBool mdt_staysInPlace(const MdtBody *b) {
     const double radius = radiusOf(b);
-    return b->stay.most <= stillWay(radius) || b->stay.reach > 0 || swingsLittle(&b->stay, radius, timeAhead(b));
+    return b->stay.maxDisplacement <= stillDistance(radius) || b->stay.reach > 0 ||
+           swingsLittle(&b->stay, radius, timeAhead(b));
 }
 
 /* m, in the next second, if it goes on as in the last step. */
-static double wayAhead(const MdtBody *b, double radius) {
+static double distanceAhead(const MdtBody *b, double radius) {
     const MdtKeaVelocity *a = &b->kea.lastStep;
     const double t = timeAhead(b);
     return t * speedOf(b, radius) + 0.5 * t * t * (keaLength(a->lin) + radius * keaLength(a->ang));
@@ -144,15 +146,17 @@ static double wayAhead(const MdtBody *b, double radius) {
 
 MeBool mdt_isQuiet(const MdtBody *b) {
     const double radius = radiusOf(b);
-    return b->world->hasThresholds || wayAhead(b, radius) <= quietReach * radius;
+    return b->world->hasThresholds || distanceAhead(b, radius) <= quietReach * radius;
 }
 
 /* By a change of momentum in h seconds. */
-MeBool mdt_wouldMove(const MdtBody *b, const double push[3], const double twist[3], double h) {
-    const MdtPartitionParams *rest = &b->world->rest;
+MeBool mdt_wouldMove(const MdtBody *b, const double push[3], const double angularImpulse[3], double h) {
+    const MdtPartitionParams *sleepParams = &b->world->sleepParams;
     const double *I = b->kea.moments, radius = radiusOf(b);
-    const double speed = keaLength(push) * b->kea.invMass, spin = keaLength(twist) / fmin(I[0], fmin(I[1], I[2]));
+    const double speed = keaLength(push) * b->kea.invMass,
+                 spin = keaLength(angularImpulse) / fmin(I[0], fmin(I[1], I[2]));
     if (b->world->hasThresholds)
-        return speed * speed > h * h * (double)rest->acc_thresh || spin * spin > h * h * (double)rest->accrot_thresh;
+        return speed * speed > h * h * (double)sleepParams->acc_thresh ||
+               spin * spin > h * h * (double)sleepParams->accrot_thresh;
     return (speed + radius * spin) * timeAhead(b) > wakingReach * radius;
 }

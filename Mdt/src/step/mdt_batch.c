@@ -9,7 +9,7 @@
  *
  * No constraint couples two members. The solver writes no body before its solution is whole: if that is not finite, or
  * gains energy, the members are stepped one by one instead. The residual is known for the batch only, so a partition
- * that has been calm for long leaves it, to get its certificate of rest by itself (mdt_rest.c).
+ * that has been calm for long leaves it, to get its certificate of rest by itself (mdt_certificate.c).
  */
 #include "MeAssert.h"
 #include "MeInternal.h"
@@ -26,7 +26,7 @@ enum { BATCH = 64 };
 /* How many bodies a partition has, if these are few and constraints act on them; else 0. */
 static int fewBodies(const MdtWorld *w, int partition) {
     const int bodies = w->bodyStart[partition + 1] - w->bodyStart[partition];
-    return bodies < MDT_CROWD && w->actingStart[partition + 1] > w->actingStart[partition] ? bodies : 0;
+    return bodies < MDT_LARGE_ISLAND && w->actingStart[partition + 1] > w->actingStart[partition] ? bodies : 0;
 }
 
 /* Writes the candidates as the first members; returns how many, and how many bodies they have. Those that their safe
@@ -35,7 +35,7 @@ static int findCandidates(MdtWorldID w, double h, MeBool safely, int *bodies) {
     int count = 0;
     *bodies = 0;
     for (int i = 0; i < w->numPartitions; i++) {
-        if (fewBodies(w, i) == 0 || w->output.info[i].isDisabled || mdt_restIsNear(w, i))
+        if (fewBodies(w, i) == 0 || w->output.info[i].isDisabled || mdt_certificateIsNear(w, i))
             continue;
         const MdtIsland p = mdt_islandOf(w, i, h);
         if (safely && mdt_lagSafeStep(&p) != h)
@@ -113,10 +113,10 @@ void mdt_batchesFind(MdtWorldID w, double h, MeBool safely, MeTeam *team) {
     w->batches.count = 0;
     for (int i = 0; i < w->numPartitions; i++)
         bodies += fewBodies(w, i);
-    if ((!w->solverCb && w->solver == MdtSolverExact) || bodies < MDT_CROWD)
+    if ((!w->solverCb && w->solver == MdtSolverExact) || bodies < MDT_LARGE_ISLAND)
         return;
     const int candidates = findCandidates(w, h, safely, &bodies);
-    if (bodies < MDT_CROWD)
+    if (bodies < MDT_LARGE_ISLAND)
         return;
     findMembers(w, h, team, candidates);
     makeBatches(&w->batches);
@@ -172,7 +172,7 @@ static void reportMembers(const MdtIsland *p) {
 }
 
 static void unpackBatch(MdtIsland *p) {
-    mdt_restCountCalm(p);
+    mdt_membersCountCalm(p);
     mdt_unpackBodies(p);
     for (const MdtMember *m = p->member; m < p->member + p->numMembers; m++)
         mdt_choiceNote(p, &p->world->record[m->partition]);
@@ -189,12 +189,12 @@ static void stepMembersAlone(const MdtIsland *p) {
         own.worker = p->worker;
         own.clock = &own.lap;
         p->worker->messages.key = m->partition;
-        mdt_islandTake(&own, MEFALSE);
+        mdt_islandAdvance(&own, MEFALSE);
     }
 }
 
 /* If the solution is discarded, the bodies are as the part began, with their loads. */
-void mdt_batchTake(MdtIsland *p) {
+void mdt_batchAdvance(MdtIsland *p) {
     MdtReport report;
     mdt_reportBatch(p, &report);
     mdt_lagSet(p, p->h);

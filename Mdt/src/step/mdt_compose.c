@@ -28,56 +28,56 @@ MeBool mdt_mayCompose(const MdtIsland *p) {
 enum { STAGES = 5 };
 
 /* One of two halves of a stage. False: it can not be reversed, or was not solved to its end. */
-static MeBool takeHalf(MdtIsland *p, double half) {
-    mdt_partMakeRows(p, half);
+static MeBool advanceHalf(MdtIsland *p, double half) {
+    mdt_substepMakeRows(p, half);
     if (!MdtKeaIsReversible(&p->kea))
         return MEFALSE;
-    mdt_partTakeMade(p, half, 0);
+    mdt_substepAdvanceRows(p, half, 0);
     return !p->isStopped && !p->kea.report.capped;
 }
 
 /* Returns whether the whole stage was taken, and solved to its end. */
-static MeBool takeStage(MdtIsland *p, double stage) {
+static MeBool advanceStage(MdtIsland *p, double stage) {
     const double half = 0.5 * fabs(stage);
     p->stage = stage < 0 ? MDT_STAGE_BACK : MDT_STAGE_FORWARD;
     p->kea.parameters.pair = MdtKeaPairFirst;
     if (stage < 0)
         MdtKeaReverse(&p->kea);
-    const MeBool isTaken = takeHalf(p, half) && takeHalf(p, half);
+    const MeBool isDone = advanceHalf(p, half) && advanceHalf(p, half);
     if (stage < 0)
         MdtKeaReverse(&p->kea);
     p->stage = MDT_STAGE_NONE;
     p->kea.parameters.pair = MdtKeaPairNone;
-    return isTaken;
+    return isDone;
 }
 
 /* One composition, and what is left of the part where that comes to an end. */
-static void takeStages(MdtIsland *p, const double share[], double part) {
-    const double end = p->elapsed + part, least = 1e-9 * part;
-    MeBool isTaken = METRUE;
-    for (int i = 0; i < STAGES && isTaken; i++)
-        isTaken = takeStage(p, share[i] * part);
-    if (isTaken && p->report)
+static void advanceStages(MdtIsland *p, const double share[], double substep) {
+    const double end = p->elapsed + substep, least = 1e-9 * substep;
+    MeBool isDone = METRUE;
+    for (int i = 0; i < STAGES && isDone; i++)
+        isDone = advanceStage(p, share[i] * substep);
+    if (isDone && p->report)
         mdt_reportComposed(p->report);
     if (!p->isStopped && end - p->elapsed > least)
-        mdt_partTake(p, end - p->elapsed, 0);
+        mdt_substepAdvance(p, end - p->elapsed, 0);
 }
 
 /* Where the motion is violent the whole composition is halved, not its stages: errors of order 3 cancel only among
  * stages of one composition. */
-static void divideComposition(MdtIsland *p, const double share[], double part, int halvings) {
-    enum { MOST = 6 };
-    if (halvings == MOST || !MdtKeaTurnsTooFar(&p->kea, 0.5 * fabs(share[STAGES / 2]) * part)) {
-        takeStages(p, share, part);
+static void divideComposition(MdtIsland *p, const double share[], double substep, int halvings) {
+    enum { MAX_HALVINGS_COMPOSED = 6 };
+    if (halvings == MAX_HALVINGS_COMPOSED || !MdtKeaTurnsTooFar(&p->kea, 0.5 * fabs(share[STAGES / 2]) * substep)) {
+        advanceStages(p, share, substep);
         return;
     }
-    divideComposition(p, share, 0.5 * part, halvings + 1);
+    divideComposition(p, share, 0.5 * substep, halvings + 1);
     if (!p->isStopped)
-        divideComposition(p, share, 0.5 * part, halvings + 1);
+        divideComposition(p, share, 0.5 * substep, halvings + 1);
 }
 
-void mdt_partCompose(MdtIsland *p, double part) {
+void mdt_substepCompose(MdtIsland *p, double substep) {
     const double a = 1 / (4 - cbrt(4)), share[STAGES] = {a, a, 1 - 4 * a, a, a};
     p->forward = 4 * a;
-    divideComposition(p, share, part, 0);
+    divideComposition(p, share, substep, 0);
 }

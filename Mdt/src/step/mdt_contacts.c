@@ -19,7 +19,7 @@ static MeBool needsOwnManifold(const MdtExtra *extra) {
 }
 
 /* Whether a point of the record does not share all of its values. */
-static MeBool hasApart(const MdtManifold *block) {
+static MeBool hasOwnValues(const MdtManifold *block) {
     for (const MdtExtra *extra = block->extras; extra; extra = extra->next)
         if (extra->slot != MDT_GROUP_SLOT &&
             ((extra->record.flags & (MDT_OWN_NORMAL | MDT_OWN_RADIUS)) || needsOwnManifold(extra)))
@@ -29,7 +29,7 @@ static MeBool hasApart(const MdtManifold *block) {
 
 /* Most groups: their points need not come from memory to be counted. */
 static MeBool isOneManifold(const MdtManifold *first) {
-    return !first->next && !hasApart(first);
+    return !first->next && !hasOwnValues(first);
 }
 
 /* Other groups, as on the triangles of a surface, or of the parts of compounds: points of equal normal, radii and
@@ -97,17 +97,17 @@ int mdt_contactsCount(const MdtManifold *first) {
     return isOneManifold(first) ? first->numPoints > 0 : countSorted(first);
 }
 
-static size_t keaSize(int count) {
+static size_t keaBytes(int count) {
     return (size_t)count * sizeof(MdtKeaManifold);
 }
 
 size_t mdt_contactsSize(int count) {
-    return keaSize(count) + (size_t)count * sizeof(MdtIslandManifold);
+    return keaBytes(count) + (size_t)count * sizeof(MdtIslandManifold);
 }
 
 void mdt_contactsLayOut(MdtIsland *p, void *memory, int count) {
     p->kea.manifolds = memory;
-    p->manifolds = (MdtIslandManifold *)(void *)((char *)memory + keaSize(count));
+    p->manifolds = (MdtIslandManifold *)(void *)((char *)memory + keaBytes(count));
     p->kea.numManifolds = count;
 }
 

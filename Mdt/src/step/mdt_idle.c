@@ -13,7 +13,7 @@ static MeBool isZero(const double v[3]) {
 }
 
 static MeBool isAlone(const MdtBody *b) {
-    return isZero(b->force) && isZero(b->torque) && isZero(b->impulse) && isZero(b->twist) &&
+    return isZero(b->force) && isZero(b->torque) && isZero(b->impulse) && isZero(b->angularImpulse) &&
            MeVector3MagnitudeSqr(b->velocity) == 0 && MeVector3MagnitudeSqr(b->angularVelocity) == 0;
 }
 

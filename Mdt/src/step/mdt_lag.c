@@ -13,7 +13,7 @@ double mdt_lagSafeStep(const MdtIsland *p) {
 
 typedef struct Lagging {
     const MdtIsland *p;
-    double lack;
+    double remainingTime;
 } Lagging;
 
 /* The rule for order (MeTeam.h): a range writes to its own bodies alone. */
@@ -21,14 +21,14 @@ static void MEAPI setLags(void *context, int first, int end, int worker) {
     const Lagging *l = context;
     (void)worker;
     for (int i = first; i < end; i++) {
-        l->p->bodies[i]->lag = l->lack - l->p->h;
-        l->p->bodies[i]->part = l->p->h;
+        l->p->bodies[i]->lag = l->remainingTime - l->p->h;
+        l->p->bodies[i]->lastAdvance = l->p->h;
     }
 }
 
-void mdt_lagSet(const MdtIsland *p, double lack) {
-    Lagging lagging = {p, lack};
-    MEASSERT(lack >= p->h);
+void mdt_lagSet(const MdtIsland *p, double remainingTime) {
+    Lagging lagging = {p, remainingTime};
+    MEASSERT(remainingTime >= p->h);
     MeTeamRunRanges(p->team, p->numBodies, MDT_RANGE, setLags, &lagging);
 }
 
@@ -45,11 +45,11 @@ static double lagOf(const MdtIsland *p) {
  * 1 km in 2^-14 of 1/60 s is 1e-7 m/s. A body that passes its own size in a hundredth of the step moves by less than 1
  * % of it. */
 static MeBool isTooShort(const MdtIsland *p) {
-    enum { PARTS = 1 << 14 };
-    return !(p->h * PARTS > p->whole);
+    enum { MAX_SUBSTEPS = 1 << 14 };
+    return !(p->h * MAX_SUBSTEPS > p->whole);
 }
 
-static MeBool stepRest(MdtWorldID w, int number) {
+static MeBool advanceLag(MdtWorldID w, int number) {
     MdtIsland p = mdt_islandOf(w, number, 0);
     const double lag = lagOf(&p);
     p.h = lag;
@@ -66,17 +66,17 @@ static MeBool stepRest(MdtWorldID w, int number) {
 
 int MEAPI MdtWorldTakeRest(const MdtWorldID w) {
     int moved = 0;
-    MeStageBegin(&w->stage, MDT_HOLD_WORLD);
+    MeStageBegin(&w->stage, MDT_GUARD_WORLD);
     mdt_islandsBegin(w);
     mdt_choicesBegin(w, MEFALSE);
-    MeStageBegin(&w->stage, MDT_HOLD_STATES);
+    MeStageBegin(&w->stage, MDT_GUARD_STATES);
     for (int i = 0; i < w->numPartitions; i++)
-        moved += stepRest(w, i);
+        moved += advanceLag(w, i);
     mdt_choicesEnd(w);
-    MeStageEnd(&w->stage, MDT_HOLD_STATES);
+    MeStageEnd(&w->stage, MDT_GUARD_STATES);
     mdt_islandsEnd(w);
     mdt_breakEnd(w);
-    MeStageEnd(&w->stage, MDT_HOLD_WORLD);
+    MeStageEnd(&w->stage, MDT_GUARD_WORLD);
     return moved;
 }
 

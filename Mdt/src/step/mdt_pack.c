@@ -106,7 +106,7 @@ static void packContacts(Acting *a) {
 /* ---- the system ---- */
 
 /* Room for Kea's arrays and, behind them, the manifolds. */
-static MeBool takeScratch(MdtIsland *p, int manifolds) {
+static MeBool allocateScratch(MdtIsland *p, int manifolds) {
     const size_t bytes = MdtKeaScratchSize(p->numBodies, p->kea.maxRows, p->kea.maxContacts);
     const size_t total = bytes + mdt_contactsSize(manifolds);
     char *scratch = total <= INT_MAX ? MeChunkGetMem(&p->worker->scratch, (int)total) : NULL;
@@ -121,13 +121,13 @@ static MeBool takeScratch(MdtIsland *p, int manifolds) {
 }
 
 /* Enough for the exact solver, if it may take the step after the fast one. */
-static MeBool takeScratchForBoth(MdtIsland *p, int manifolds) {
+static MeBool allocateScratchForBoth(MdtIsland *p, int manifolds) {
     const MeBool isFast = p->isFast;
     if (p->numMembers == 0 && p->record->share > 0)
         mdt_islandSetFast(p, MEFALSE);
-    const MeBool isTaken = takeScratch(p, manifolds);
+    const MeBool isDone = allocateScratch(p, manifolds);
     mdt_islandSetFast(p, isFast);
-    return isTaken;
+    return isDone;
 }
 
 static void noteActing(MdtIsland *p, const Chunk *all) {
@@ -150,7 +150,7 @@ static void setSystem(MdtIsland *p) {
     p->kea.team = p->team;
     p->kea.context = p;
     p->kea.parameters.accuracy = mdt_worldAccuracy(p->world, p->h, p->numJoints > 0);
-    p->kea.parameters.restSpeed = mdt_worldRestSpeed(p->world, p->h);
+    p->kea.parameters.restSpeed = mdt_worldCalmSpeed(p->world, p->h);
 }
 
 /* ---- bodies ---- */
@@ -186,7 +186,7 @@ MeBool mdt_islandPack(MdtIsland *p) {
     const Chunk all = countActing(&acting);
     noteActing(p, &all);
     setSystem(p);
-    if (!takeScratchForBoth(p, all.manifolds))
+    if (!allocateScratchForBoth(p, all.manifolds))
         return MEFALSE;
     MeTeamRunRanges(p->team, p->numBodies, MDT_RANGE, packBodies, p);
     packContacts(&acting);

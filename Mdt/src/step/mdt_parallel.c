@@ -24,8 +24,8 @@ enum { SIZES = 32 }; /* powers of two */
 
 /* ---- rest, and one after the other ---- */
 
-static void putToRest(MdtIsland *p, MeBool safely) {
-    const double lack = p->h;
+static void sleepIfDue(MdtIsland *p, MeBool safely) {
+    const double remainingTime = p->h;
     MeBool *isDisabled = &p->world->output.info[p->number].isDisabled;
     if (!p->world->partitionCb) /* else it has said so */
         *isDisabled = mdt_islandIsToSleep(p);
@@ -33,30 +33,30 @@ static void putToRest(MdtIsland *p, MeBool safely) {
         return;
     if (safely)
         p->h = mdt_lagSafeStep(p);
-    mdt_lagSet(p, lack);
+    mdt_lagSet(p, remainingTime);
     mdt_islandSleep(p);
-    p->h = lack;
+    p->h = remainingTime;
 }
 
-static void restAll(MdtWorldID w, double h, MeBool safely) {
+static void sleepAllDue(MdtWorldID w, double h, MeBool safely) {
     for (int i = 0; i < w->numPartitions; i++) {
         MdtIsland p = mdt_islandOf(w, i, h);
-        putToRest(&p, safely);
+        sleepIfDue(&p, safely);
     }
 }
 
-static void takeInOrder(MdtWorldID w, double h, MeBool safely) {
+static void advanceInOrder(MdtWorldID w, double h, MeBool safely) {
     mdt_batchesFind(w, h, safely, NULL);
     for (int i = 0; i < w->batches.count; i++) {
         MdtIsland p = mdt_batchOf(w, i, h);
-        mdt_batchTake(&p);
+        mdt_batchAdvance(&p);
     }
     mdt_reportBatchesEnd(w);
     for (int i = 0; i < w->numPartitions; i++) {
         if (mdt_isInBatch(w, i))
             continue;
         MdtIsland p = mdt_islandOf(w, i, h);
-        mdt_islandTake(&p, safely);
+        mdt_islandAdvance(&p, safely);
     }
 }
 
@@ -66,10 +66,10 @@ static void showInOrder(MdtWorldID w, double h, MeBool safely) {
     for (int i = 0; i < w->numPartitions; i++) {
         MdtIsland p = mdt_islandOf(w, i, h);
         mdt_islandShow(&p);
-        putToRest(&p, safely);
-        MeStageBegin(&w->stage, MDT_HOLD_STATES);
-        mdt_islandTake(&p, safely);
-        MeStageEnd(&w->stage, MDT_HOLD_STATES);
+        sleepIfDue(&p, safely);
+        MeStageBegin(&w->stage, MDT_GUARD_STATES);
+        mdt_islandAdvance(&p, safely);
+        MeStageEnd(&w->stage, MDT_GUARD_STATES);
     }
 }
 
@@ -83,19 +83,19 @@ typedef struct Stepping {
     int *partition, *firstOf; /* by task: firstOf[t] .. firstOf[t + 1] */
 } Stepping;
 
-static int sizeOf(const MdtWorld *w, int i) {
+static int sizeOfPartition(const MdtWorld *w, int i) {
     return w->bodyStart[i + 1] - w->bodyStart[i] + w->actingStart[i + 1] - w->actingStart[i];
 }
 
-static int sizeOfAll(const MdtWorld *w) {
+static int sizeOfAllPartitions(const MdtWorld *w) {
     return w->bodyStart[w->numPartitions] + w->actingStart[w->numPartitions];
 }
 
 /* More than one worker's share of all work, and enough of it for the fast solver. */
-static MeBool isTakenTogether(const MdtWorld *w, int i) {
+static MeBool isForTeam(const MdtWorld *w, int i) {
     const int bodies = w->bodyStart[i + 1] - w->bodyStart[i];
-    return bodies >= MDT_CROWD && !w->record[i].isExactFirst && mdt_choiceWanted(w, i) != MdtSolverExact &&
-           (double)sizeOf(w, i) * w->numWorkers > (double)sizeOfAll(w);
+    return bodies >= MDT_LARGE_ISLAND && !w->record[i].isExactFirst && mdt_choiceRequested(w, i) != MdtSolverExact &&
+           (double)sizeOfPartition(w, i) * w->numWorkers > (double)sizeOfAllPartitions(w);
 }
 
 /* Steps a partition, or a batch, on a worker's memory; what it has to say is held. */
@@ -106,9 +106,9 @@ static void stepOn(const Stepping *s, MdtIsland *p, int worker, MeTeam *team) {
     MeHeldMessages *const before = MeMessagesHold(&p->worker->messages);
     p->worker->messages.key = p->number;
     if (p->numMembers > 0)
-        mdt_batchTake(p);
+        mdt_batchAdvance(p);
     else
-        mdt_islandTake(p, s->safely);
+        mdt_islandAdvance(p, s->safely);
     MeMessagesHold(before);
 }
 
@@ -122,9 +122,9 @@ static void stepBatch(const Stepping *s, int batch, int worker) {
     stepOn(s, &p, worker, NULL);
 }
 
-static void takeTogether(const Stepping *s) {
+static void advanceByTeam(const Stepping *s) {
     for (int i = 0; i < s->world->numPartitions; i++)
-        if (isTakenTogether(s->world, i))
+        if (isForTeam(s->world, i))
             stepPartition(s, i, 0, s->world->team);
 }
 
@@ -136,8 +136,8 @@ static int log2Of(int size) {
 }
 
 /* Is it none of those that are taken by all workers, and in no batch? */
-static MeBool isTakenAlone(const MdtWorld *w, int i) {
-    return !mdt_isInBatch(w, i) && !isTakenTogether(w, i);
+static MeBool isForOneWorker(const MdtWorld *w, int i) {
+    return !mdt_isInBatch(w, i) && !isForTeam(w, i);
 }
 
 /* Sorts the other partitions by size, in powers of two, the largest first: a counting sort. Returns how many. */
@@ -145,13 +145,13 @@ static int sortPartitions(Stepping *s) {
     int first[SIZES + 1] = {0};
     const MdtWorld *w = s->world;
     for (int i = 0; i < w->numPartitions; i++)
-        if (isTakenAlone(w, i))
-            first[SIZES - log2Of(sizeOf(w, i))]++;
+        if (isForOneWorker(w, i))
+            first[SIZES - log2Of(sizeOfPartition(w, i))]++;
     for (int k = 0; k < SIZES; k++)
         first[k + 1] += first[k];
     for (int i = 0; i < w->numPartitions; i++)
-        if (isTakenAlone(w, i))
-            s->partition[first[SIZES - 1 - log2Of(sizeOf(w, i))]++] = i;
+        if (isForOneWorker(w, i))
+            s->partition[first[SIZES - 1 - log2Of(sizeOfPartition(w, i))]++] = i;
     return first[SIZES - 1];
 }
 
@@ -161,7 +161,7 @@ static void makeTasks(Stepping *s) {
     s->numTasks = 0;
     s->firstOf[0] = 0;
     for (int i = 0; i < count; i++) {
-        size += sizeOf(s->world, s->partition[i]);
+        size += sizeOfPartition(s->world, s->partition[i]);
         if (size < TASK_SIZE && i + 1 < count)
             continue;
         s->firstOf[++s->numTasks] = i + 1;
@@ -180,17 +180,17 @@ static void MEAPI doTask(void *context, int task, int worker) {
 }
 
 static void sendMessages(MdtWorldID w) {
-    MeHeldMessages *held[MeTaskMaxWorkers];
+    MeHeldMessages *buffered[MeTaskMaxWorkers];
     for (int i = 0; i < w->numWorkers; i++)
-        held[i] = &w->workers[i].messages;
-    MeMessagesSend(held, w->numWorkers);
+        buffered[i] = &w->workers[i].messages;
+    MeMessagesSend(buffered, w->numWorkers);
 }
 
-static void takeByWorkers(MdtWorldID w, double h, MeBool safely) {
+static void advanceByWorkers(MdtWorldID w, double h, MeBool safely) {
     Stepping s = {.world = w, .h = h, .safely = safely, .partition = w->taskOf, .firstOf = w->taskOf + w->bodyRoom};
     MeTeamOpen(w->team);
     mdt_batchesFind(w, h, safely, w->team);
-    takeTogether(&s);
+    advanceByTeam(&s);
     makeTasks(&s);
     MeTeamRun(w->team, w->batches.count + s.numTasks, doTask, &s);
     MeTeamClose(w->team);
@@ -217,13 +217,13 @@ void mdt_islandsStep(MdtWorldID w, double h, MeBool safely) {
     if (w->partitionCb)
         showInOrder(w, h, safely);
     else {
-        restAll(w, h, safely);
-        MeStageBegin(&w->stage, MDT_HOLD_STATES);
-        if (w->team && !callsProgram(w) && sizeOfAll(w) >= STEP_SIZE)
-            takeByWorkers(w, h, safely);
+        sleepAllDue(w, h, safely);
+        MeStageBegin(&w->stage, MDT_GUARD_STATES);
+        if (w->team && !callsProgram(w) && sizeOfAllPartitions(w) >= STEP_SIZE)
+            advanceByWorkers(w, h, safely);
         else
-            takeInOrder(w, h, safely);
-        MeStageEnd(&w->stage, MDT_HOLD_STATES);
+            advanceInOrder(w, h, safely);
+        MeStageEnd(&w->stage, MDT_GUARD_STATES);
     }
     mdt_choicesEnd(w);
     warnOfSurfaces(w);

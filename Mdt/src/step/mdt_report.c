@@ -141,9 +141,9 @@ void mdt_reportStepEnd(MdtWorldID w) {
         shareTime(w, w->numReports);
 }
 
-static void keepMost(MeReal *most, double x) {
-    if ((MeReal)x > *most)
-        *most = mdt_real(x);
+static void keepMax(MeReal *worst, double x) {
+    if ((MeReal)x > *worst)
+        *worst = mdt_real(x);
 }
 
 void mdt_reportSolve(MdtIsland *p) {
@@ -160,9 +160,9 @@ void mdt_reportSolve(MdtIsland *p) {
     r->stages += kea->report.stages;
     r->freezes += kea->report.freezes;
     r->why = p->why;
-    mdt_reportWay(r, p->isFast                        ? MdtReportWayFast
-                     : kea->report.factorizations > 0 ? MdtReportWayExact
-                                                      : MdtReportWayKept);
+    mdt_reportPath(r, p->isFast                        ? MdtReportWayFast
+                      : kea->report.factorizations > 0 ? MdtReportWayExact
+                                                       : MdtReportWayKept);
 }
 
 static void addSquare(double *sum, double x) {
@@ -174,7 +174,7 @@ static void addSquare(double *sum, double x) {
 static void measureJoint(MdtReport *r, const MdtJoint *j, const MdtKeaSystem *kea) {
     const MdtKeaRow *rows = kea->rows + j->firstRow;
     const MdtKeaTransformation *pose[2];
-    double errors[MdtBclGETMAXROWS], gap = 0, turn = 0;
+    double errors[MdtBclGETMAXROWS], linearError = 0, angularError = 0;
     for (int k = 0; k < 2; k++)
         pose[k] = j->base.side[k].body ? &kea->pose[j->base.side[k].body->index] : &MdtBclWorldPose;
     j->type->errors(&j->bcl, pose, errors);
@@ -182,13 +182,13 @@ static void measureJoint(MdtReport *r, const MdtJoint *j, const MdtKeaSystem *ke
         const MeBool isLinear =
             keaDot(rows[i].J[0].lin, rows[i].J[0].lin) + keaDot(rows[i].J[1].lin, rows[i].J[1].lin) > 0;
         if (rows[i].position)
-            addSquare(isLinear ? &gap : &turn, errors[i] - kea->parameters.stepsize * rows[i].drift);
+            addSquare(isLinear ? &linearError : &angularError, errors[i] - kea->parameters.stepsize * rows[i].drift);
     }
-    keepMost(&r->jointGap, sqrt(gap));
-    keepMost(&r->jointTurn, sqrt(turn));
+    keepMax(&r->jointGap, sqrt(linearError));
+    keepMax(&r->jointTurn, sqrt(angularError));
 }
 
-void mdt_reportPart(MdtReport *r, const MdtIsland *p, MeBool isFinite) {
+void mdt_reportSubstep(MdtReport *r, const MdtIsland *p, MeBool isFinite) {
     const MdtKeaSystem *kea = &p->kea;
     MEASSERT(kea->report.capped || !kea->report.limited);
     r->parts++;
@@ -196,13 +196,13 @@ void mdt_reportPart(MdtReport *r, const MdtIsland *p, MeBool isFinite) {
     r->conflicts += kea->report.conflicting;
     r->limited += kea->report.limited;
     if (kea->report.limited)
-        mdt_reportWay(r, MdtReportWayLimited);
-    keepMost(&r->residualVelocity, kea->report.residual);
-    keepMost(&r->excess, kea->report.excess);
-    keepMost(&r->residualForce, kea->report.force);
-    keepMost(&r->jointError, kea->report.error);
+        mdt_reportPath(r, MdtReportWayLimited);
+    keepMax(&r->residualVelocity, kea->report.residual);
+    keepMax(&r->excess, kea->report.excess);
+    keepMax(&r->residualForce, kea->report.force);
+    keepMax(&r->jointError, kea->report.error);
     r->jointGap = r->jointTurn = 0;
-    keepMost(&r->penetration, mdt_contactsPenetration(p));
+    keepMax(&r->penetration, mdt_contactsPenetration(p));
     for (int i = 0; i < p->numActing; i++) {
         const MdtJoint *j = mdt_asJoint(p->acting[i]);
         if (j && j->numRows > 0 && j->type->errors)
@@ -307,16 +307,16 @@ static void addCounts(MdtReport *sum, const MdtReport *r) {
     sum->work += r->work;
 }
 
-static void keepErrors(MdtReport *most, const MdtReport *r) {
-    most->why = r->way > most->way ? r->why : most->why;
-    mdt_reportWay(most, r->way);
-    keepMost(&most->residualVelocity, (double)r->residualVelocity);
-    keepMost(&most->excess, (double)r->excess);
-    keepMost(&most->residualForce, (double)r->residualForce);
-    keepMost(&most->jointError, (double)r->jointError);
-    keepMost(&most->jointGap, (double)r->jointGap);
-    keepMost(&most->jointTurn, (double)r->jointTurn);
-    keepMost(&most->penetration, (double)r->penetration);
+static void keepErrors(MdtReport *worst, const MdtReport *r) {
+    worst->why = r->way > worst->way ? r->why : worst->why;
+    mdt_reportPath(worst, r->way);
+    keepMax(&worst->residualVelocity, (double)r->residualVelocity);
+    keepMax(&worst->excess, (double)r->excess);
+    keepMax(&worst->residualForce, (double)r->residualForce);
+    keepMax(&worst->jointError, (double)r->jointError);
+    keepMax(&worst->jointGap, (double)r->jointGap);
+    keepMax(&worst->jointTurn, (double)r->jointTurn);
+    keepMax(&worst->penetration, (double)r->penetration);
 }
 
 static void sumReports(MdtReport *sum, const MdtReport reports[], int count) {

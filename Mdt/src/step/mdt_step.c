@@ -2,17 +2,17 @@
 #include "MeProfile.h"
 #include "step/mdt_step_i.h"
 
-void mdt_partMakeRows(MdtIsland *p, double part) {
+void mdt_substepMakeRows(MdtIsland *p, double substep) {
     MeProfileStartSection("Rows", 0);
-    mdt_partBegin(p, part);
+    mdt_substepBegin(p, substep);
     mdt_rowsMake(p);
     MeProfileEndSection("Rows");
 }
 
-void mdt_partSolveRows(MdtIsland *p) {
+void mdt_substepSolveRows(MdtIsland *p) {
     MeProfileStartSection("Rows", 0);
     if (p->kea.parameters.timed && MdtKeaMeets(&p->kea))
-        mdt_partImpact(p);
+        mdt_substepImpact(p);
     MeProfileEndSection("Rows");
     if (p->report && p->numRows > 0)
         mdt_reportLap(p, MdtReportStageRows);
@@ -25,9 +25,9 @@ void mdt_partSolveRows(MdtIsland *p) {
         mdt_reportSolve(p);
 }
 
-void mdt_partSolve(MdtIsland *p, double part) {
-    mdt_partMakeRows(p, part);
-    mdt_partSolveRows(p);
+void mdt_substepSolve(MdtIsland *p, double substep) {
+    mdt_substepMakeRows(p, substep);
+    mdt_substepSolveRows(p);
 }
 
 /* A batch whose impulses were scaled down by the energy guard is discarded: they were so for all of its members. */
@@ -35,21 +35,21 @@ static MeBool isUsable(const MdtIsland *p) {
     return p->numMembers == 0 || !p->kea.report.capped || p->kea.report.limited;
 }
 
-static void endPart(MdtIsland *p, MeBool isFinite) {
+static void endSubstep(MdtIsland *p, MeBool isFinite) {
     if (p->report)
-        mdt_reportPart(p->report, p, isFinite);
+        mdt_reportSubstep(p->report, p, isFinite);
     if (isFinite)
         mdt_unpackConstraints(p);
     else
         mdt_unpackStopped(p);
-    mdt_partEnd(p);
+    mdt_substepEnd(p);
 }
 
-void mdt_partIntegrate(MdtIsland *p) {
+void mdt_substepIntegrate(MdtIsland *p) {
     MeProfileStartSection("Integrate", 0);
     p->isStopped = !isUsable(p) || !MdtKeaIntegrate(&p->kea);
     if (!p->isStopped || p->numMembers == 0)
-        endPart(p, !p->isStopped);
+        endSubstep(p, !p->isStopped);
     MeProfileEndSection("Integrate");
 }
 
@@ -59,26 +59,26 @@ void mdt_islandStep(MdtIsland *p) {
     mdt_unpackBegin(p);
     mdt_islandSubdivide(p);
     if (!p->isStopped) {
-        const MeBool isSettled = mdt_restIsSettled(p);
+        const MeBool isSettled = mdt_islandIsSettled(p);
         if (isSettled)
-            mdt_restStay(p);
+            mdt_islandResetPoses(p);
         mdt_unpackBodies(p);
-        mdt_restCertify(p, isSettled);
+        mdt_islandCertify(p, isSettled);
     }
     mdt_choiceNote(p, p->record);
     mdt_islandRelease(p);
 }
 
 /* A partition that was put to rest is reported, too. */
-void mdt_islandTake(MdtIsland *p, MeBool safely) {
-    const double lack = p->h;
+void mdt_islandAdvance(MdtIsland *p, MeBool safely) {
+    const double remainingTime = p->h;
     if (safely)
         p->h = mdt_lagSafeStep(p);
     mdt_reportBegin(p);
     if (!p->world->output.info[p->number].isDisabled) {
-        mdt_lagSet(p, lack);
-        if (mdt_restHolds(p))
-            mdt_restKeep(p);
+        mdt_lagSet(p, remainingTime);
+        if (mdt_certificateIsValid(p))
+            mdt_certificateApply(p);
         else
             mdt_islandStep(p);
     }
@@ -92,7 +92,7 @@ void mdt_worldStep(MdtWorldID w, double h, MeBool safely) {
     mdt_sleepersWake(w, h);
     mdt_islandsBegin(w); /* wakes what they touch */
     mdt_sleepersEndForces(w);
-    mdt_restBegin(w);
+    mdt_certificatesBegin(w);
     if (w->isReported)
         mdt_reportStep(w);
     MeProfileEndSection("Partition");

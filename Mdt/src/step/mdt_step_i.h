@@ -3,7 +3,7 @@
  *     stage       file              reads -> writes
  *     partition   mdt_island.c      bodies, constraints -> the world's partitions; wakes what is tied to awake bodies
  *     rest        mdt_sleep.c       motion of the last step -> bodies that are put to sleep
- *                 mdt_rest.c        what has changed since the last step -> partitions whose last answer holds again
+ *                 mdt_certificate.c what has changed since the last step -> partitions whose last answer holds again
  *     pack        mdt_pack.c        forces, impulses, gravity -> loads of Kea's bodies; scratch, start
  *                 mdt_choice.c      records of partitions -> which of Kea's solvers
  *                 mdt_contacts.c    the manifolds of contacts -> kea.manifolds
@@ -28,22 +28,22 @@
 void mdt_islandStep(MdtIsland *p);
 /* All partitions of a step, by its workers (mdt_parallel.c); one of them. */
 void mdt_islandsStep(MdtWorldID w, double h, MeBool safely);
-void mdt_islandTake(MdtIsland *p, MeBool safely);
+void mdt_islandAdvance(MdtIsland *p, MeBool safely);
 /* Moves the world on by h seconds; safely: each partition by what its safe time allows of them. */
 void mdt_worldStep(MdtWorldID w, double h, MeBool safely);
 /* Rows and solve, of a part of the step of these seconds. Nothing has moved yet: it may be thrown away. */
-void mdt_partSolve(MdtIsland *p, double part);
+void mdt_substepSolve(MdtIsland *p, double substep);
 /* The same by itself: rows; impacts of a timed part, and solve. */
-void mdt_partMakeRows(MdtIsland *p, double part);
-void mdt_partSolveRows(MdtIsland *p);
+void mdt_substepMakeRows(MdtIsland *p, double substep);
+void mdt_substepSolveRows(MdtIsland *p);
 /* Integrate, and unpack of the constraints; writes isStopped. */
-void mdt_partIntegrate(MdtIsland *p);
+void mdt_substepIntegrate(MdtIsland *p);
 
 /* Finds the batches of a step, with a team's help unless it is null; such a one; takes it, instead of its members'
  * steps (mdt_batch.c). */
 void mdt_batchesFind(MdtWorldID w, double h, MeBool safely, MeTeam *team);
 MdtIsland mdt_batchOf(MdtWorldID w, int batch, double h);
-void mdt_batchTake(MdtIsland *p);
+void mdt_batchAdvance(MdtIsland *p);
 
 /* The rows that the partition's joints and contacts have as they are now. */
 int mdt_rowsCount(MdtIsland *p);
@@ -73,16 +73,16 @@ double mdt_contactsPenetration(const MdtIsland *p);
 /* Takes the step in parts, within its budget of work, until its bodies are stopped (mdt_subdivide.c). */
 void mdt_islandSubdivide(MdtIsland *p);
 /* A part of the step begins: its parameters, Kea's arrays; bodies meet in it; it has been integrated. */
-void mdt_partBegin(MdtIsland *p, double part);
-void mdt_partImpact(MdtIsland *p);
-void mdt_partEnd(MdtIsland *p);
+void mdt_substepBegin(MdtIsland *p, double substep);
+void mdt_substepImpact(MdtIsland *p);
+void mdt_substepEnd(MdtIsland *p);
 /* Takes a part, which so many halvings have made, in halves where its motion is violent; the same when its rows are
  * made. */
-void mdt_partTake(MdtIsland *p, double part, int halvings);
-void mdt_partTakeMade(MdtIsland *p, double part, int halvings);
+void mdt_substepAdvance(MdtIsland *p, double substep, int halvings);
+void mdt_substepAdvanceRows(MdtIsland *p, double substep, int halvings);
 /* Whether parts may be taken in stages of order 4; takes one so, as far as that goes (mdt_compose.c). */
 MeBool mdt_mayCompose(const MdtIsland *p);
-void mdt_partCompose(MdtIsland *p, double part);
+void mdt_substepCompose(MdtIsland *p, double substep);
 /* The budget of a solve; the cost of the last one. */
 void mdt_budgetGrant(MdtIsland *p);
 void mdt_budgetDraw(MdtIsland *p);
@@ -113,7 +113,7 @@ void mdt_unpackStopped(MdtIsland *p);
 /* How far a partition may move: the shortest safe time of its bodies, within bounds. */
 double mdt_lagSafeStep(const MdtIsland *p);
 /* The partition has advanced by h: subtracts it from the lag of its bodies. */
-void mdt_lagSet(const MdtIsland *p, double lack);
+void mdt_lagSet(const MdtIsland *p, double remainingTime);
 
 /* Draws what MdtWorldSetDebugDrawing has chosen (mdt_debug.c). */
 void mdt_debugDraw(MdtWorldID w);
@@ -131,7 +131,7 @@ void mdt_reportLap(MdtIsland *p, MdtReportStage stage);
 /* Reports the cost of a solve; its stage ends. */
 void mdt_reportSolve(MdtIsland *p);
 /* A part was integrated: its errors, before anything is read back. */
-void mdt_reportPart(MdtReport *r, const MdtIsland *p, MeBool isFinite);
+void mdt_reportSubstep(MdtReport *r, const MdtIsland *p, MeBool isFinite);
 /* The partition is done, or was put to rest. */
 void mdt_reportEnd(MdtIsland *p);
 /* A batch begins, with a report of its own, if there is one; that of a member, when the batch is done; all batches

@@ -61,10 +61,10 @@ void mdt_budgetDraw(MdtIsland *p) {
  *     1 - γ = (1 - γ')^n,   ε' F (H/n)² / γ' = ε F H² / γ.
  * H is the step that the program asked for: a partition that its safe time moves on by less takes that share of an
  * error away, however short it is, at the same speed γ φ / H. */
-static void setPart(MdtIsland *p, double part) {
-    MEASSERT(part > 0 && part <= p->h * (1 + 1e-9) && p->h <= p->whole * (1 + 1e-9));
-    const double n = p->whole / part * (p->stage == MDT_STAGE_NONE ? 1 : p->forward), gamma = p->world->gamma;
-    p->parameters.stepsize = part;
+static void setSubstep(MdtIsland *p, double substep) {
+    MEASSERT(substep > 0 && substep <= p->h * (1 + 1e-9) && p->h <= p->whole * (1 + 1e-9));
+    const double n = p->whole / substep * (p->stage == MDT_STAGE_NONE ? 1 : p->forward), gamma = p->world->gamma;
+    p->parameters.stepsize = substep;
     p->parameters.gamma = n > 1 ? 1 - pow(1 - gamma, 1 / n) : gamma;
     p->parameters.softening = gamma > 0 ? n * n * p->parameters.gamma / gamma : n;
     if (p->stage != MDT_STAGE_NONE) {
@@ -72,27 +72,27 @@ static void setPart(MdtIsland *p, double part) {
         p->parameters.softening = 0;
     }
     p->parameters.epsilon = p->parameters.softening * (double)p->world->epsilon;
-    p->kea.parameters.stepsize = part;
+    p->kea.parameters.stepsize = substep;
     p->kea.parameters.elapsed = p->elapsed;
     p->kea.parameters.isBack = p->stage == MDT_STAGE_BACK;
     p->kea.parameters.epsilon = p->parameters.epsilon;
     p->kea.parameters.softening = p->parameters.softening;
     p->kea.parameters.gamma = p->parameters.gamma;
     p->kea.parameters.isPart = p->h < p->whole;
-    p->kea.parameters.mayDecline = part * p->world->subSteps >= p->whole * (1 - 1e-9) && mdt_choiceHasShare(p);
+    p->kea.parameters.mayDecline = substep * p->world->subSteps >= p->whole * (1 - 1e-9) && mdt_choiceHasShare(p);
 }
 
-void mdt_partBegin(MdtIsland *p, double part) {
+void mdt_substepBegin(MdtIsland *p, double substep) {
     if (p->report && p->elapsed > 0)
         mdt_reportLap(p, MdtReportStageIntegrate);
-    setPart(p, part);
+    setSubstep(p, substep);
     MdtKeaInit(&p->kea, p->scratch);
     if (p->isFast && p->elapsed > 0)
         mdt_contactsCarry(p);
 }
 
-void mdt_partImpact(MdtIsland *p) {
-    p->hasMet = METRUE;
+void mdt_substepImpact(MdtIsland *p) {
+    p->hadImpact = METRUE;
     mdt_budgetGrant(p);
     MdtKeaImpact(&p->kea);
     mdt_budgetDraw(p);
@@ -109,7 +109,7 @@ void mdt_partImpact(MdtIsland *p) {
 static void kick(MdtIsland *p) {
     if (p->numJoints == 0 || p->isFast || !MdtKeaIsKicked(&p->kea))
         return;
-    mdt_partMakeRows(p, p->h);
+    mdt_substepMakeRows(p, p->h);
     mdt_budgetGrant(p);
     MdtKeaKick(&p->kea);
     mdt_budgetDraw(p);
@@ -139,9 +139,9 @@ static void warnOfSolver(const MdtIsland *p) {
                 p->number, p->numRows);
 }
 
-void mdt_partEnd(MdtIsland *p) {
+void mdt_substepEnd(MdtIsland *p) {
     warnOfSolver(p);
-    p->elapsed += mdt_partTime(p);
+    p->elapsed += mdt_substepTime(p);
     if (p->stage != MDT_STAGE_NONE)
         p->kea.parameters.pair = p->kea.parameters.pair == MdtKeaPairFirst ? MdtKeaPairSecond : MdtKeaPairFirst;
     MEASSERT(p->elapsed <= p->h * (1 + 1e-6));
@@ -156,72 +156,73 @@ static double fallIn(const MdtIsland *p, double time) {
 }
 
 /* What is done with the solve of a part. */
-typedef enum Verdict {
-    INTEGRATE,    /* its answer is taken */
-    TAKE_OVER,    /* the fast solver takes the rest of the step */
-    TURN,         /* the exact solver takes the part instead of the fast one */
-    HALVE,        /* both halves are taken instead */
-    SOLVE_REFUSED /* it was refused, and can not be halved: it is solved as it is */
-} Verdict;
+typedef enum AfterSolve {
+    INTEGRATE,       /* its answer is taken */
+    SWITCH_TO_FAST,  /* the fast solver takes the rest of the step */
+    SWITCH_TO_EXACT, /* the exact solver takes the part instead of the fast one */
+    HALVE,           /* both halves are taken instead */
+    SOLVE_REFUSED    /* it was refused, and can not be halved: it is solved as it is */
+} AfterSolve;
 
 /* Joints that open would let bodies come apart, and contacts that do not act would let them pass through what they hit:
  * the work of the step has run out before these hold. Dolls that fall opened by 3 mm in a step where a share of exact
  * work was used up; 100 boxes in one place passed through the floor. */
-static Verdict judgeSolve(const MdtIsland *p, int halvings) {
-    const double open = 1e-3, unsupported = 0.5; /* of a body's size; of what a body gains by falling in the step */
+static AfterSolve chooseAfterSolve(const MdtIsland *p, int halvings) {
+    const double maxOpening = 1e-3,
+                 unsupported = 0.5; /* of a body's size; of what a body gains by falling in the step */
     const MdtKeaReport *r = &p->kea.report;
-    const MeBool areJointsOpen = r->opens || (r->limited && r->opening > open && mdt_choiceHasShare(p));
+    const MeBool haveJointsOpened = r->opens || (r->limited && r->opening > maxOpening && mdt_choiceHasShare(p));
     const MeBool isUnsupported = r->limited && p->numJoints == 0 && p->h == p->whole &&
                                  p->world->maxLcpIterations == 0 && r->residual > unsupported * fallIn(p, p->whole);
     const MeBool mayDivide = halvings < MAX_HALVINGS && p->work > 2 * r->least; /* there is work for two solves */
-    const MeBool mayTakeOver = !p->isFast && p->mayBeFast && (p->numContacts > 0 || r->opens);
+    const MeBool maySwitch = !p->isFast && p->mayBeFast && (p->numContacts > 0 || r->opens);
     if (r->declined)
-        return TAKE_OVER;
-    if (mdt_choiceTurns(p))
-        return TURN;
+        return SWITCH_TO_FAST;
+    if (mdt_choiceNeedsExact(p))
+        return SWITCH_TO_EXACT;
     if (r->violent && mayDivide)
         return HALVE;
     if (r->refused)
         return SOLVE_REFUSED;
-    return (areJointsOpen || isUnsupported) && mayTakeOver ? TAKE_OVER : INTEGRATE;
+    return (haveJointsOpened || isUnsupported) && maySwitch ? SWITCH_TO_FAST : INTEGRATE;
 }
 
-static void takeHalves(MdtIsland *p, double part, int halvings) {
+static void advanceHalves(MdtIsland *p, double substep, int halvings) {
     if (p->report)
         mdt_reportDivision(p->report);
     const double kept = keepWork(p, 0.5);
-    mdt_partTake(p, 0.5 * part, halvings + 1);
+    mdt_substepAdvance(p, 0.5 * substep, halvings + 1);
     p->work += kept;
     if (!p->isStopped)
-        mdt_partTake(p, 0.5 * part, halvings + 1);
+        mdt_substepAdvance(p, 0.5 * substep, halvings + 1);
 }
 
-void mdt_partTakeMade(MdtIsland *p, double part, int halvings) {
+void mdt_substepAdvanceRows(MdtIsland *p, double substep, int halvings) {
     p->kea.parameters.mayRefuse = halvings < MAX_HALVINGS;
-    mdt_partSolveRows(p);
-    switch (judgeSolve(p, halvings)) {
+    mdt_substepSolveRows(p);
+    switch (chooseAfterSolve(p, halvings)) {
     case INTEGRATE:
-        mdt_partIntegrate(p);
+        mdt_substepIntegrate(p);
         return;
     case HALVE:
-        takeHalves(p, part, halvings);
+        advanceHalves(p, substep, halvings);
         return;
-    case TAKE_OVER:
-        mdt_choiceTakeOver(p);
+    case SWITCH_TO_FAST:
+        mdt_choiceSwitchToFast(p);
         break;
-    case TURN:
-        mdt_choiceTurn(p);
+    case SWITCH_TO_EXACT:
+        mdt_choiceSwitchToExact(p);
         break;
     case SOLVE_REFUSED:
         halvings = MAX_HALVINGS;
         break;
     }
-    mdt_partTake(p, part, halvings);
+    mdt_substepAdvance(p, substep, halvings);
 }
 
-void mdt_partTake(MdtIsland *p, double part, int halvings) {
-    mdt_partMakeRows(p, part);
-    mdt_partTakeMade(p, part, halvings);
+void mdt_substepAdvance(MdtIsland *p, double substep, int halvings) {
+    mdt_substepMakeRows(p, substep);
+    mdt_substepAdvanceRows(p, substep, halvings);
 }
 
 /* ---- events ---- */
@@ -230,8 +231,9 @@ void mdt_partTake(MdtIsland *p, double part, int halvings) {
  * h²: in very short parts rounding leaves a residual above tolerance. */
 static MeBool isFollowed(const MdtIsland *p) {
     const double fall = fallIn(p, p->h) * p->h;
-    const double way = p->kea.report.residual * p->parameters.stepsize;
-    const MeBool isNear = !p->kea.report.violent && way < 1e-7 * fall; /* violent: positions have not converged */
+    const double displacement = p->kea.report.residual * p->parameters.stepsize;
+    const MeBool isNear =
+        !p->kea.report.violent && displacement < 1e-7 * fall; /* violent: positions have not converged */
     return !p->kea.report.capped || (isNear && !p->kea.report.limited);
 }
 
@@ -239,22 +241,22 @@ static MeBool isFollowed(const MdtIsland *p) {
  * much. /2 fails Mst_Cases_Defaults: stacks_stand_by_default in double, x2 Mst_Spikes: a_row_of_dominoes. */
 enum { MDT_FOLLOWING = 96 };
 
-/* Takes what flies on, through at most so many impacts, until it is held or the part of `rest` s ends. */
-static void fly(MdtIsland *p, double rest, double least, int mostImpacts) {
+/* Takes what flies on, through at most so many impacts, until it is held or the part of `remaining` s ends. */
+static void fly(MdtIsland *p, double remaining, double least, int mostImpacts) {
     mdt_budgetGrant(p);
     const double flown = MdtKeaFly(&p->kea, least, mostImpacts);
     mdt_budgetDraw(p);
-    setPart(p, flown);
-    p->hasMet = p->hasMet || p->kea.report.impacts > 0;
+    setSubstep(p, flown);
+    p->hadImpact = p->hadImpact || p->kea.report.impacts > 0;
     mdt_unpackImpact(p);
     mdt_contactsClearForces(p);
     if (p->report)
-        mdt_reportFlight(p->report, p->kea.report.impacts, flown < rest);
+        mdt_reportFlight(p->report, p->kea.report.impacts, flown < remaining);
 }
 
 /* Whether joints or closed contacts hold too many of its bodies for a solve at each event. */
-static MeBool hasManyHeld(const MdtIsland *p) {
-    return p->numBodies > p->world->timedBodies && MdtKeaHeldBodies(&p->kea) > mdt_mostHeld(p);
+static MeBool hasTooManyConstrained(const MdtIsland *p) {
+    return p->numBodies > p->world->timedBodies && MdtKeaHeldBodies(&p->kea) > mdt_maxConstrained(p);
 }
 
 typedef enum Following {
@@ -263,34 +265,34 @@ typedef enum Following {
     VIOLENT     /* the same, since the motion is too violent for a part of this length */
 } Following;
 
-/* Solves a timed part up to the next event, at most `rest` s. */
-static Following solveToEvent(MdtIsland *p, double rest, double least, int mostImpacts) {
+/* Solves a timed part up to the next event, at most `remaining` s. */
+static Following solveToEvent(MdtIsland *p, double remaining, double least, int mostImpacts) {
     const MdtKeaReport *r = &p->kea.report;
     p->kea.parameters.timed = METRUE;
-    mdt_partMakeRows(p, rest);
-    if (hasManyHeld(p) || (!p->kea.parameters.holdsSlow && MdtKeaTrembles(&p->kea)))
+    mdt_substepMakeRows(p, remaining);
+    if (hasTooManyConstrained(p) || (!p->kea.parameters.holdsSlow && MdtKeaTrembles(&p->kea)))
         return UNFOLLOWED;
-    mdt_partSolveRows(p);
-    const MeBool hasEvent = r->event < rest - least;
+    mdt_substepSolveRows(p);
+    const MeBool hasEvent = r->event < remaining - least;
     const MeBool chatters = hasEvent && r->trembles; /* slow impacts would follow each other without end */
     if (!isFollowed(p) || r->factorizations > MDT_FOLLOWING || chatters)
         return r->violent ? VIOLENT : UNFOLLOWED;
     if (!hasEvent)
         return FOLLOWED;
     if (r->ballistic) {
-        fly(p, rest, least, mostImpacts);
+        fly(p, remaining, least, mostImpacts);
     } else {
         if (p->report)
             mdt_reportEvent(p->report);
-        mdt_partSolve(p, fmax(r->event, least));
+        mdt_substepSolve(p, fmax(r->event, least));
     }
     return isFollowed(p) ? FOLLOWED : r->violent ? VIOLENT : UNFOLLOWED;
 }
 
 /* The same, with the part halved while the motion is violent. */
-static Following solveToEventOrHalf(MdtIsland *p, double rest, double least, int mostImpacts) {
-    Following following = solveToEvent(p, rest, least, mostImpacts);
-    for (double ahead = rest; following == VIOLENT && ahead >= 0.2 * rest;) {
+static Following solveToEventOrHalf(MdtIsland *p, double remaining, double least, int mostImpacts) {
+    Following following = solveToEvent(p, remaining, least, mostImpacts);
+    for (double ahead = remaining; following == VIOLENT && ahead >= 0.2 * remaining;) {
         ahead *= 0.5;
         following = solveToEvent(p, ahead, least, mostImpacts);
     }
@@ -301,7 +303,7 @@ static Following solveToEventOrHalf(MdtIsland *p, double rest, double least, int
  * hits the ground once for each of them; so has each column of a crowd that is as high as it is wide, (n + 1)/2 for
  * each ball. Where nothing rebounds, one event, and another that follows from it, as where a box comes down on one edge
  * and then on the other: what meets after that is held at the end of the step, no more than a step too late. */
-static int mostEvents(const MdtIsland *p) {
+static int maxEvents(const MdtIsland *p) {
     enum { EVENTS = 8, PLASTIC_EVENTS = 2 };
     int high = 1;
     if (!p->bounces)
@@ -314,20 +316,20 @@ static int mostEvents(const MdtIsland *p) {
 /* A part of the step with timed contacts: divided at each event. After too many events, or where a solve is not
  * accurate, the rest is one part that is not timed. What rolls on a surface of triangles meets some of them slowly in
  * nearly every step: these do not divide it. */
-static void takeInTime(MdtIsland *p, double part) {
-    const double least = 1e-9 * part;
-    const int most = mostEvents(p);
+static void advanceTimed(MdtIsland *p, double substep) {
+    const double least = 1e-9 * substep;
+    const int most = maxEvents(p);
     const double kept = 0.5 * p->work; /* for what is left after the events */
-    double rest = part;
+    double remaining = substep;
     p->kea.parameters.holdsSlow = p->numJoints > 0 && !p->bounces;
-    for (int events = 0; rest > least && !p->isStopped; events += MeMAX(p->kea.report.impacts, 1)) {
-        if (events >= most || p->work < kept || solveToEventOrHalf(p, rest, least, most - events) != FOLLOWED) {
+    for (int events = 0; remaining > least && !p->isStopped; events += MeMAX(p->kea.report.impacts, 1)) {
+        if (events >= most || p->work < kept || solveToEventOrHalf(p, remaining, least, most - events) != FOLLOWED) {
             p->kea.parameters.timed = MEFALSE;
-            mdt_partTake(p, rest, 0);
+            mdt_substepAdvance(p, remaining, 0);
             return;
         }
-        rest -= p->parameters.stepsize;
-        mdt_partIntegrate(p);
+        remaining -= p->parameters.stepsize;
+        mdt_substepIntegrate(p);
     }
 }
 
@@ -335,7 +337,7 @@ static void takeInTime(MdtIsland *p, double part) {
  * restitution also in those in which only few bodies are held by joints or closed contacts, such as a crowd of flying
  * balls. With joints and restitution only if an impact is predicted; with joints not in a step by safe time, which ends
  * at impacts anyway. */
-static MeBool isTimed(MdtIsland *p, double part) {
+static MeBool isTimed(MdtIsland *p, double substep) {
     const int most = p->world->timedBodies;
     if (most == 0 || p->numActing == 0 || p->isFast)
         return MEFALSE;
@@ -344,30 +346,30 @@ static MeBool isTimed(MdtIsland *p, double part) {
     const MeBool mayRoll = !p->bounces && p->numContacts > 0 && p->numBodies <= most;
     if (!(p->bounces || mayRoll) || (p->numJoints > 0 && p->h < p->whole))
         return MEFALSE;
-    mdt_partBegin(p, part);
+    mdt_substepBegin(p, substep);
     mdt_rowsMake(p);
     if (mayRoll)
         return MdtKeaRolls(&p->kea);
-    return !hasManyHeld(p) && (p->numJoints == 0 || MdtKeaBounces(&p->kea));
+    return !hasTooManyConstrained(p) && (p->numJoints == 0 || MdtKeaBounces(&p->kea));
 }
 
 /* ---- sub-steps ---- */
 
 void mdt_islandSubdivide(MdtIsland *p) {
     const int n = p->world->subSteps;
-    const double part = p->h / n;
+    const double substep = p->h / n;
     beginBudget(p);
     p->parameters.hasContacts = p->numContacts > 0;
     kick(p);
     for (int i = 0; i < n && !p->isStopped; i++) {
         const double kept = keepWork(p, 1. / (n - i));
         p->kea.parameters.timed = MEFALSE; /* as the sub-step before this one may have been */
-        if (isTimed(p, part))
-            takeInTime(p, part);
+        if (isTimed(p, substep))
+            advanceTimed(p, substep);
         else if (mdt_mayCompose(p))
-            mdt_partCompose(p, part);
+            mdt_substepCompose(p, substep);
         else
-            mdt_partTake(p, part, 0);
+            mdt_substepAdvance(p, substep, 0);
         p->work += kept;
     }
 }

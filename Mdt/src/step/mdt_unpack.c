@@ -68,7 +68,7 @@ static void unpackJoint(const MdtIsland *p, MdtJoint *j, MeBool isGuess) {
 
 void mdt_unpackConstraints(MdtIsland *p) {
     const MeBool isGuess = p->parameters.stepsize > 0.1 * p->h; /* those of a very short part are no warm start */
-    addForces(p, mdt_partTime(p) / p->h);
+    addForces(p, mdt_substepTime(p) / p->h);
     for (int i = 0; i < p->numActing && p->numJoints > 0; i++) {
         MdtJoint *j = mdt_asJoint(p->acting[i]);
         if (j)

@@ -18,15 +18,15 @@ static MeReal scaleOr1(const char *what, MeReal scale) {
 /* The default thresholds of rest, unless the program has set them. They scale with the length scale, but the one of
  * accelerations is at most a tenth of gravity, or a falling body would count as resting. Both have one factor, so that
  * their ratio, a time, is constant. */
-static void setThresholdsOfRest(MdtWorldID w) {
+static void setSleepThresholds(MdtWorldID w) {
     const double length = (double)w->params.lengthScale, full = MDTWORLD_DEFAULT_ACC_THRESH * length * length;
     double g[3];
     mdt_fromReal(g, w->params.gravity);
     const double tenth = keaDot(g, g) / 100, share = tenth > 0 ? fmin(tenth / full, 1) : 1;
     if (!w->hasAccThresh)
-        w->rest.acc_thresh = (MeReal)(share * full);
+        w->sleepParams.acc_thresh = (MeReal)(share * full);
     if (!w->hasVelThresh)
-        w->rest.vel_thresh = (MeReal)(share * MDTWORLD_DEFAULT_VEL_THRESH * length * length);
+        w->sleepParams.vel_thresh = (MeReal)(share * MDTWORLD_DEFAULT_VEL_THRESH * length * length);
 }
 
 static void setDefaults(MdtWorldID w, MeReal lengthScale, MeReal massScale) {
@@ -41,13 +41,13 @@ static void setDefaults(MdtWorldID w, MeReal lengthScale, MeReal massScale) {
     w->maxMatrixSize = MDTMAXMATRIXSIZE_MAX;
     w->workBudget = MDTWORLD_DEFAULT_WORK_BUDGET;
     w->minSafeTime = (MeReal)MDTWORLD_DEFAULT_MIN_SAFETIME;
-    w->rest.autoDisable = METRUE;
+    w->sleepParams.autoDisable = METRUE;
     w->hasVelThresh = w->hasAccThresh = w->hasThresholds = MEFALSE;
-    setThresholdsOfRest(w);
-    w->rest.velrot_thresh = (MeReal)MDTWORLD_DEFAULT_VELROT_THRESH;
-    w->rest.accrot_thresh = (MeReal)MDTWORLD_DEFAULT_ACCROT_THRESH;
-    w->rest.alive_time = (MeReal)MDTWORLD_DEFAULT_ALIVE_TIME_THRESH;
-    w->rest.alive_window = -1;
+    setSleepThresholds(w);
+    w->sleepParams.velrot_thresh = (MeReal)MDTWORLD_DEFAULT_VELROT_THRESH;
+    w->sleepParams.accrot_thresh = (MeReal)MDTWORLD_DEFAULT_ACCROT_THRESH;
+    w->sleepParams.alive_time = (MeReal)MDTWORLD_DEFAULT_ALIVE_TIME_THRESH;
+    w->sleepParams.alive_window = -1;
 }
 
 /* Its record goes with the pool. */
@@ -86,7 +86,7 @@ static void freeWorld(MdtWorldID w) {
     MeMemoryGive(w);
 }
 
-static MeBool allocateParts(MdtWorldID w, int bodies, int constraints, const char *caller) {
+static MeBool allocateArrays(MdtWorldID w, int bodies, int constraints, const char *caller) {
     w->bodyPool = (MdtPool){.recordSize = sizeof(MdtBody),
                             .what = "bodies",
                             .limit = {.most = bodies, .name = "MdtWorldCreate's maxBodies"}};
@@ -121,7 +121,7 @@ MdtWorldID MEAPI(MdtWorldCreate)(const unsigned int maxBodies, const unsigned in
     w->graph.changes = 1; /* seen is 0: partitions are to be found */
     w->numReports = MDT_NO_REPORTS;
     setDefaults(w, scaleOr1("length", lengthScale), scaleOr1("mass", massScale));
-    if (!allocateParts(w, (int)maxBodies, (int)maxConstraints, "MdtWorldCreate")) {
+    if (!allocateArrays(w, (int)maxBodies, (int)maxConstraints, "MdtWorldCreate")) {
         freeWorld(w);
         return NULL;
     }
@@ -173,7 +173,7 @@ static MeBool empty(MdtWorldID w, const char *caller) {
         return MEFALSE;
     mdt_listSort(&w->constraints);
     mdt_listSort(&w->bodies);
-    MeStageBegin(&w->stage, MDT_HOLD_GRAPH);
+    MeStageBegin(&w->stage, MDT_GUARD_GRAPH);
     for (MdtLink *link = w->constraints.first, *next; link; link = next) {
         next = link->next;
         if (link->serial < end)
@@ -184,7 +184,7 @@ static MeBool empty(MdtWorldID w, const char *caller) {
         if (link->serial < end)
             mdt_bodyTerm(mdt_linkOwner(link));
     }
-    MeStageEnd(&w->stage, MDT_HOLD_GRAPH);
+    MeStageEnd(&w->stage, MDT_GUARD_GRAPH);
     mdt_choicesReset(w);
     return METRUE;
 }
@@ -217,7 +217,7 @@ void MEAPI MdtWorldSetGravity(const MdtWorldID w, const MeReal gx, const MeReal 
         mdt_sleepersWakeAll(w);
     w->params.gravity[0] = gx, w->params.gravity[1] = gy, w->params.gravity[2] = gz;
     w->idle.isOver = METRUE;
-    setThresholdsOfRest(w);
+    setSleepThresholds(w);
 }
 
 void MEAPI MdtWorldGetGravity(const MdtWorldID w, MeVector3 g) {
@@ -229,7 +229,7 @@ void MEAPI MdtWorldGetGravity(const MdtWorldID w, MeVector3 g) {
 
 void MEAPI MdtWorldSetEpsilon(const MdtWorldID w, const MeReal e) {
     MDT_NEED_WORLD(w, );
-    if (mdt_isAtLeast(__func__, "epsilon", e, 0))
+    if (mdt_isNotBelow(__func__, "epsilon", e, 0))
         w->epsilon = e;
 }
 
@@ -266,70 +266,70 @@ void MEAPI MdtWorldSetGammaWithRefTimeStep(const MdtWorldID w, const MeReal aGam
 
 void MEAPI MdtWorldSetAutoDisable(const MdtWorldID w, const MeBool d) {
     MDT_NEED_WORLD(w, );
-    w->rest.autoDisable = d != 0;
+    w->sleepParams.autoDisable = d != 0;
 }
 
 MeBool MEAPI MdtWorldGetAutoDisable(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
-    return w->rest.autoDisable;
+    return w->sleepParams.autoDisable;
 }
 
 void MEAPI MdtWorldSetAutoDisableVelocityThreshold(const MdtWorldID w, const MeReal vt) {
     MDT_NEED_WORLD(w, );
-    if (mdt_isAtLeast(__func__, "the threshold", vt, 0))
-        w->rest.vel_thresh = vt, w->hasVelThresh = w->hasThresholds = METRUE;
+    if (mdt_isNotBelow(__func__, "the threshold", vt, 0))
+        w->sleepParams.vel_thresh = vt, w->hasVelThresh = w->hasThresholds = METRUE;
 }
 
 MeReal MEAPI MdtWorldGetAutoDisableVelocityThreshold(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
-    return w->rest.vel_thresh;
+    return w->sleepParams.vel_thresh;
 }
 
 void MEAPI MdtWorldSetAutoDisableAngularVelocityThreshold(const MdtWorldID w, const MeReal avt) {
     MDT_NEED_WORLD(w, );
-    if (mdt_isAtLeast(__func__, "the threshold", avt, 0))
-        w->rest.velrot_thresh = avt, w->hasThresholds = METRUE;
+    if (mdt_isNotBelow(__func__, "the threshold", avt, 0))
+        w->sleepParams.velrot_thresh = avt, w->hasThresholds = METRUE;
 }
 
 MeReal MEAPI MdtWorldGetAutoDisableAngularVelocityThreshold(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
-    return w->rest.velrot_thresh;
+    return w->sleepParams.velrot_thresh;
 }
 
 void MEAPI MdtWorldSetAutoDisableAccelerationThreshold(const MdtWorldID w, const MeReal at) {
     MDT_NEED_WORLD(w, );
-    if (mdt_isAtLeast(__func__, "the threshold", at, 0))
-        w->rest.acc_thresh = at, w->hasAccThresh = w->hasThresholds = METRUE;
+    if (mdt_isNotBelow(__func__, "the threshold", at, 0))
+        w->sleepParams.acc_thresh = at, w->hasAccThresh = w->hasThresholds = METRUE;
 }
 
 MeReal MEAPI MdtWorldGetAutoDisableAccelerationThreshold(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
-    return w->rest.acc_thresh;
+    return w->sleepParams.acc_thresh;
 }
 
 void MEAPI MdtWorldSetAutoDisableAngularAccelerationThreshold(const MdtWorldID w, const MeReal aat) {
     MDT_NEED_WORLD(w, );
-    if (mdt_isAtLeast(__func__, "the threshold", aat, 0))
-        w->rest.accrot_thresh = aat, w->hasThresholds = METRUE;
+    if (mdt_isNotBelow(__func__, "the threshold", aat, 0))
+        w->sleepParams.accrot_thresh = aat, w->hasThresholds = METRUE;
 }
 
 MeReal MEAPI MdtWorldGetAutoDisableAngularAccelerationThreshold(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
-    return w->rest.accrot_thresh;
+    return w->sleepParams.accrot_thresh;
 }
 
 void MEAPI MdtWorldSetAutoDisableAliveTime(const MdtWorldID w, const MeReal aw) {
     MDT_NEED_WORLD(w, );
-    if (!mdt_isAtLeast(__func__, "the alive time", aw, 0))
+    if (!mdt_isNotBelow(__func__, "the alive time", aw, 0))
         return;
-    w->rest.alive_time = aw;
-    w->rest.alive_window = -1;
+    w->sleepParams.alive_time = aw;
+    w->sleepParams.alive_window = -1;
 }
 
 void MEAPI(MdtWorldSetAutoDisableAliveWindow)(const MdtWorldID w, const int aliveWindow) {
     MDT_NEED_WORLD(w, );
-    if (mdt_isAtLeast(__func__, "the alive window", (MeReal)aliveWindow, 0))
-        w->rest.alive_window = aliveWindow;
+    if (mdt_isNotBelow(__func__, "the alive window", (MeReal)aliveWindow, 0))
+        w->sleepParams.alive_window = aliveWindow;
 }
 
 static double stepForWindows(const MdtWorldID w) {
@@ -338,14 +338,15 @@ static double stepForWindows(const MdtWorldID w) {
 
 MeReal MEAPI MdtWorldGetAutoDisableAliveTime(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
-    return w->rest.alive_window < 0 ? w->rest.alive_time : (MeReal)(w->rest.alive_window * stepForWindows(w));
+    return w->sleepParams.alive_window < 0 ? w->sleepParams.alive_time
+                                           : (MeReal)(w->sleepParams.alive_window * stepForWindows(w));
 }
 
 int MEAPI MdtWorldGetAutoDisableAliveWindow(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
-    if (w->rest.alive_window >= 0)
-        return w->rest.alive_window;
-    return (int)fmin(ceil((double)w->rest.alive_time / stepForWindows(w) - 1e-3), INT_MAX);
+    if (w->sleepParams.alive_window >= 0)
+        return w->sleepParams.alive_window;
+    return (int)fmin(ceil((double)w->sleepParams.alive_time / stepForWindows(w) - 1e-3), INT_MAX);
 }
 
 void MEAPI MdtWorldSetMinSafeTime(const MdtWorldID w, const MeReal t) {
@@ -401,13 +402,13 @@ void MEAPI MdtWorldForAllConstraints(const MdtWorldID w, MdtConstraintIteratorCB
         return;
     mdt_listSort(&w->constraints);
     const unsigned long end = w->nextSerial; /* those that are created meanwhile are not visited */
-    MeStageBegin(&w->stage, MDT_HOLD_CONSTRAINTS);
+    MeStageBegin(&w->stage, MDT_GUARD_CONSTRAINTS);
     const MeProgramCall before = MeProgramEnter(__func__);
     for (MdtLink *link = w->constraints.first; link; link = link->next)
         if (link->serial < end)
             mdt_constraintVisit(mdt_linkOwner(link), cb, ccbdata);
     MeProgramLeave(&before);
-    MeStageEnd(&w->stage, MDT_HOLD_CONSTRAINTS);
+    MeStageEnd(&w->stage, MDT_GUARD_CONSTRAINTS);
 }
 
 void MEAPI MdtWorldResetForces(const MdtWorldID w) {
@@ -468,7 +469,7 @@ int MEAPI MdtWorldGetTimedContacts(const MdtWorldID w) {
 
 void MEAPI MdtWorldSetMaxLCPIterations(const MdtWorldID w, const int mi) {
     MDT_NEED_WORLD(w, );
-    if (mdt_isAtLeast(__func__, "the number of iterations", (MeReal)mi, 0))
+    if (mdt_isNotBelow(__func__, "the number of iterations", (MeReal)mi, 0))
         w->maxLcpIterations = mi;
 }
 
@@ -479,7 +480,7 @@ int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w) {
 
 void MEAPI MdtWorldSetWorkBudget(const MdtWorldID w, const MeReal work) {
     MDT_NEED_WORLD(w, );
-    if (mdt_isAtLeast(__func__, "the work", work, 0))
+    if (mdt_isNotBelow(__func__, "the work", work, 0))
         w->workBudget = work;
 }
 
@@ -551,7 +552,7 @@ void MEAPI MdtWorldSetMatrixSizeLog(const MdtWorldID w, int *const sizeLog, cons
 /* ---- the step ---- */
 
 void MEAPI MdtWorldTakeStep(const MdtWorldID w, const MeReal h, const MeBool safely) {
-    MeStageBegin(&w->stage, MDT_HOLD_WORLD);
+    MeStageBegin(&w->stage, MDT_GUARD_WORLD);
     w->lastStep = (double)h;
     for (int i = 0; i < w->sizeLogLength; i++)
         w->sizeLog[i] = 0;
@@ -560,7 +561,7 @@ void MEAPI MdtWorldTakeStep(const MdtWorldID w, const MeReal h, const MeBool saf
     mdt_breakBegin(w);
     mdt_worldStep(w, (double)h, safely);
     mdt_breakEnd(w);
-    MeStageEnd(&w->stage, MDT_HOLD_WORLD);
+    MeStageEnd(&w->stage, MDT_GUARD_WORLD);
 }
 
 void MEAPI MdtWorldStep(const MdtWorldID w, const MeReal stepSize) {

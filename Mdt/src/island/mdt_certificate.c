@@ -8,7 +8,7 @@
  * are the forces, and the step costs a look at each body. Bodies age meanwhile, so that they are put to sleep as ever.
  *
  * Inputs, and how a change of them is noticed:
- *     of the world           a copy of them (MdtRestInputs)
+ *     of the world           a copy of them (MdtCertificateInputs)
  *     bodies, contacts,      whatever changes one takes the certificate from the bodies concerned (mdt_bodyDisturb); a
  *     the graph              contact that is renewed as it was is no change
  *     forces, velocities     compared with those that the last step began with, or has shown
@@ -28,8 +28,8 @@ static double relaxationSteps(const MdtWorld *w) {
     return gamma > 0 && gamma < 1 ? ceil(log(1e-3) / log1p(-gamma)) : 1;
 }
 
-void mdt_restBegin(MdtWorldID w) {
-    MdtRestInputs now;
+void mdt_certificatesBegin(MdtWorldID w) {
+    MdtCertificateInputs now;
     memset(&now, 0, sizeof now);
     now.h = w->lastStep;
     mdt_fromReal(now.gravity, w->params.gravity);
@@ -44,10 +44,10 @@ void mdt_restBegin(MdtWorldID w) {
     now.timedBodies = w->timedBodies;
     now.maxMatrixSize = w->maxMatrixSize;
     now.solver = (int)w->solver;
-    if (memcmp(&now, &w->restInputs, sizeof now) != 0)
+    if (memcmp(&now, &w->certificateInputs, sizeof now) != 0)
         w->certificate++;
-    w->restInputs = now;
-    w->calmStepsToRest = relaxationSteps(w);
+    w->certificateInputs = now;
+    w->calmStepsToCertify = relaxationSteps(w);
 }
 
 /* Word by word; the multiplier is 2^64 over the golden ratio, and the shift brings high bits down again. */
@@ -86,7 +86,7 @@ static void certifyConstraint(MdtConstraintID c) {
 }
 
 /* Each constraint is visited from one of its bodies: the first, unless that is not simulated. */
-MeBool mdt_restAreConstraintsAsCertified(MdtBodyID b) {
+MeBool mdt_areConstraintsCertified(MdtBodyID b) {
     if (!(b->record.flags & (MDT_WATCHED | MDT_TOUCHED)))
         return METRUE;
     for (const MdtAttachment *at = b->attachments; at; at = at->next) {
@@ -106,7 +106,7 @@ MeBool mdt_restAreConstraintsAsCertified(MdtBodyID b) {
 }
 
 /* Programs write velocities through pointers, too. */
-MeBool mdt_restHolds(const MdtIsland *p) {
+MeBool mdt_certificateIsValid(const MdtIsland *p) {
     for (int i = 0; i < p->numBodies; i++) {
         const MdtBody *b = p->bodies[i];
         if (b->certificate != p->world->certificate)
@@ -115,11 +115,11 @@ MeBool mdt_restHolds(const MdtIsland *p) {
                                  memcmp(b->torque, b->applied.torque, sizeof b->torque) == 0;
         MeBool hasImpulse = MEFALSE;
         for (int k = 0; k < 3; k++)
-            hasImpulse = hasImpulse || b->impulse[k] != 0 || b->twist[k] != 0;
+            hasImpulse = hasImpulse || b->impulse[k] != 0 || b->angularImpulse[k] != 0;
         const MeBool hasVelocities =
             memcmp(b->velocity, b->shownVelocity, sizeof b->velocity) == 0 &&
             memcmp(b->angularVelocity, b->shownAngularVelocity, sizeof b->angularVelocity) == 0;
-        if (!hasForces || hasImpulse || !hasVelocities || !mdt_restAreConstraintsAsCertified(p->bodies[i]))
+        if (!hasForces || hasImpulse || !hasVelocities || !mdt_areConstraintsCertified(p->bodies[i]))
             return MEFALSE;
     }
     return p->h >= p->whole;
@@ -135,10 +135,10 @@ static void logRows(const MdtIsland *p) {
     p->world->sizeLog[p->number] = rows;
 }
 
-void mdt_restKeep(MdtIsland *p) {
+void mdt_certificateApply(MdtIsland *p) {
     for (int i = 0; i < p->numBodies; i++) {
         MdtBodyID b = p->bodies[i];
-        MEASSERT(b->lag == 0 && b->part == p->h && b->enabledSteps > 0);
+        MEASSERT(b->lag == 0 && b->lastAdvance == p->h && b->enabledSteps > 0);
         if (!(b->record.flags & MDT_FORCED))
             mdt_forceForget(b);
         MdtBodyResetForces(b);
@@ -147,7 +147,7 @@ void mdt_restKeep(MdtIsland *p) {
     if (p->number < p->world->sizeLogLength)
         logRows(p);
     if (p->report)
-        mdt_reportRest(p->report);
+        mdt_reportCertified(p->report);
 }
 
 /* ---- giving it ---- */
@@ -172,14 +172,14 @@ static double speedOf(const MdtBody *b, const MdtKeaVelocity *v) {
 /* m/s, rad/s: displacement of the step over h; it includes position corrections, which velocities do not. */
 static MdtKeaVelocity meanVelocity(const MdtIsland *p, int i) {
     const MdtKeaBody *b = &p->bodies[i]->kea;
-    MdtKeaVelocity way;
+    MdtKeaVelocity mean;
     double back[4], turn[4];
-    keaSubtract(way.lin, b->position, p->bodies[i]->start.position);
-    keaScale(way.lin, 1 / p->h, way.lin);
+    keaSubtract(mean.lin, b->position, p->bodies[i]->start.position);
+    keaScale(mean.lin, 1 / p->h, mean.lin);
     keaQuaternionConjugate(back, p->bodies[i]->start.quaternion);
     keaQuaternionProduct(turn, b->quaternion, back);
-    keaScale(way.ang, 2 / p->h, turn + 1);
-    return way;
+    keaScale(mean.ang, 2 / p->h, turn + 1);
+    return mean;
 }
 
 /* m/s: of the fast solver, ten times its threshold of rest is the accuracy (kea_restingShare). */
@@ -207,7 +207,7 @@ static MeBool mayStand(const MdtIsland *p) {
 static MeBool areCalm(const MdtIsland *p, int first, int end) {
     const double speed = resolvedSpeed(p);
     const MeBool isStanding = mayStand(p);
-    const double mostAtEnds = (isStanding ? MDT_SWAY : 2) * speed, mostMean = (isStanding ? MDT_SWAY : 1) * speed;
+    const double maxAtEnds = (isStanding ? MDT_SWAY : 2) * speed, maxMean = (isStanding ? MDT_SWAY : 1) * speed;
     for (int i = first; i < end; i++) {
         const MdtBody *b = p->bodies[i];
         const MdtKeaVelocity mean = meanVelocity(p, i), *start = &b->start.velocity;
@@ -216,9 +216,9 @@ static MeBool areCalm(const MdtIsland *p, int first, int end) {
         MdtKeaBodyGetAngularVelocity(&b->kea, last.ang);
         keaSubtract(gain.lin, last.lin, start->lin);
         keaSubtract(gain.ang, last.ang, start->ang);
-        if (speedOf(b, start) > mostAtEnds || speedOf(b, &mean) > mostMean)
+        if (speedOf(b, start) > maxAtEnds || speedOf(b, &mean) > maxMean)
             return MEFALSE;
-        if (isStanding ? speedOf(b, &gain) > speed : speedOf(b, &last) > mostAtEnds)
+        if (isStanding ? speedOf(b, &gain) > speed : speedOf(b, &last) > maxAtEnds)
             return MEFALSE;
     }
     return METRUE;
@@ -257,23 +257,23 @@ static MeBool mayCreep(const MdtIsland *p) {
 /* Not where rows depend on a function of the program, which may give another result in the next step. Where passes
  * alternate between joints and contacts, the joints' error decays more slowly than the fast solver's threshold of
  * rest. */
-MeBool mdt_restIsSettled(MdtIsland *p) {
+MeBool mdt_islandIsSettled(MdtIsland *p) {
     const MdtKeaReport *r = &p->kea.report;
     if (!areCalm(p, 0, p->numBodies)) {
         MeTeamRunRanges(p->team, p->numBodies, MDT_RANGE, forgetCalmSteps, p);
         return MEFALSE;
     }
-    MEASSERT(p->world->calmStepsToRest >= 1);
-    const MeBool isForLong = countCalmStep(p, 0, p->numBodies) >= (p->isFast ? p->world->calmStepsToRest : 1);
-    const MeBool isWhole = p->h >= p->whole && p->parameters.stepsize >= p->h && !p->hasMet;
+    MEASSERT(p->world->calmStepsToCertify >= 1);
+    const MeBool isForLong = countCalmStep(p, 0, p->numBodies) >= (p->isFast ? p->world->calmStepsToCertify : 1);
+    const MeBool isWhole = p->h >= p->whole && p->parameters.stepsize >= p->h && !p->hadImpact;
     const MeBool isExact = !r->capped && !r->limited && !r->violent && !r->conflicting && !p->isDegenerate;
-    const MeBool areClosed = !p->isFast || r->opening <= MDT_CLOSED;
+    const MeBool areClosed = !p->isFast || r->opening <= MDT_MAX_JOINT_ERROR;
     const MeBool isProgrammed = p->hasUserRows || (p->world->importance && p->isCapped);
     return isForLong && isWhole && isExact && areClosed && !isProgrammed && p->numRows > 0 &&
            r->residual <= r->resolution && !mayCreep(p);
 }
 
-void mdt_restStay(MdtIsland *p) {
+void mdt_islandResetPoses(MdtIsland *p) {
     static const double none[3] = {0, 0, 0};
     const MeBool isStanding = mayStand(p);
     for (int i = 0; i < p->numBodies; i++) {
@@ -301,31 +301,31 @@ static void MEAPI certifyBodies(void *context, int first, int end, int worker) {
     }
 }
 
-void mdt_restCertifyConstraints(const MdtIsland *p) {
+void mdt_constraintsCertify(const MdtIsland *p) {
     for (int i = 0; i < p->numActing; i++)
         if (mdt_isJoint(p->acting[i]) || (p->acting[i]->record.flags & MDT_WATCHED))
             certifyConstraint(p->acting[i]);
 }
 
-void mdt_restCertify(MdtIsland *p, MeBool isSettled) {
+void mdt_islandCertify(MdtIsland *p, MeBool isSettled) {
     Certifying certifying = {p, isSettled};
     MEASSERT(p->world->certificate != 0 && p->elapsed > 0);
     MeTeamRunRanges(p->team, p->numBodies, MDT_RANGE, certifyBodies, &certifying);
     if (isSettled)
-        mdt_restCertifyConstraints(p);
+        mdt_constraintsCertify(p);
 }
 
 /* ---- of batches ---- */
 
-MeBool mdt_restIsNear(const MdtWorld *w, int partition) {
-    const double enough = w->calmStepsToRest - 1;
+MeBool mdt_certificateIsNear(const MdtWorld *w, int partition) {
+    const double enough = w->calmStepsToCertify - 1;
     for (int i = w->bodyStart[partition]; i < w->bodyStart[partition + 1]; i++)
         if (w->bodyOf[i]->certificate == 0 && w->bodyOf[i]->calmSteps < enough)
             return MEFALSE;
     return METRUE;
 }
 
-void mdt_restCountCalm(MdtIsland *p) {
+void mdt_membersCountCalm(MdtIsland *p) {
     for (const MdtMember *m = p->member; m < p->member + p->numMembers; m++) {
         const int first = m->firstBody - p->member->firstBody, end = m[1].firstBody - p->member->firstBody;
         if (areCalm(p, first, end))
@@ -333,5 +333,5 @@ void mdt_restCountCalm(MdtIsland *p) {
         else
             forgetCalmSteps(p, first, end, 0);
     }
-    mdt_restCertify(p, MEFALSE);
+    mdt_islandCertify(p, MEFALSE);
 }

@@ -11,44 +11,44 @@ void mdt_islandSetFast(MdtIsland *p, MeBool isFast) {
 
 /* Impacts of a crowd that keeps its energy are followed also where some bodies are held, with a solve at each event; of
  * other crowds only as long as all bodies fly. */
-int mdt_mostHeld(const MdtIsland *p) {
-    if (p->world->timedBodies == 0 || (p->numBodies >= MDT_CROWD && p->losesEnergy))
+int mdt_maxConstrained(const MdtIsland *p) {
+    if (p->world->timedBodies == 0 || (p->numBodies >= MDT_LARGE_ISLAND && p->losesEnergy))
         return 0;
-    return MeMAX(p->world->timedBodies, p->numBodies / MDT_HELD);
+    return MeMAX(p->world->timedBodies, p->numBodies / MDT_CONSTRAINED_SHARE);
 }
 
 /* ---- in the report ---- */
 
-void mdt_reportWay(MdtReport *r, MdtReportWay way) {
-    if (way > r->way)
-        r->way = way;
+void mdt_reportPath(MdtReport *r, MdtReportWay path) {
+    if (path > r->way)
+        r->way = path;
 }
 
 void mdt_reportImpact(MdtReport *r) {
-    mdt_reportWay(r, MdtReportWayTimed);
+    mdt_reportPath(r, MdtReportWayTimed);
 }
 
 void mdt_reportEvent(MdtReport *r) {
     r->events++;
-    mdt_reportWay(r, MdtReportWayTimed);
+    mdt_reportPath(r, MdtReportWayTimed);
 }
 
 /* Each impact begins a part, but for that which ended the flight: its part is still to come. */
-void mdt_reportFlight(MdtReport *r, int impacts, MeBool isHeld) {
+void mdt_reportFlight(MdtReport *r, int impacts, MeBool isEnded) {
     r->events += impacts;
-    r->parts += impacts > 0 && isHeld ? impacts - 1 : impacts;
-    mdt_reportWay(r, MdtReportWayTimed);
+    r->parts += impacts > 0 && isEnded ? impacts - 1 : impacts;
+    mdt_reportPath(r, MdtReportWayTimed);
 }
 
 void mdt_reportComposed(MdtReport *r) {
     r->composed++;
 }
 
-void mdt_reportRest(MdtReport *r) {
+void mdt_reportCertified(MdtReport *r) {
     r->parts = r->rested = 1;
-    mdt_reportWay(r, MdtReportWayRest);
+    mdt_reportPath(r, MdtReportWayRest);
 }
 
 void mdt_reportDivision(MdtReport *r) {
-    mdt_reportWay(r, MdtReportWayDivided);
+    mdt_reportPath(r, MdtReportWayDivided);
 }

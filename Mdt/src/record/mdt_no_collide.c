@@ -6,19 +6,19 @@
 #include "MeAssert.h"
 #include "record/mdt_record_i.h"
 
-void mdt_apartForget(MdtJoint *j) {
+void mdt_noCollideForget(MdtJoint *j) {
     const MdtConstraintID c = &j->base;
-    c->world->apart -= (c->record.flags & MDT_APART) != 0;
-    c->record.flags &= ~MDT_APART;
-    MEASSERT(c->world->apart >= 0);
+    c->world->numNoCollide -= (c->record.flags & MDT_NO_COLLIDE) != 0;
+    c->record.flags &= ~MDT_NO_COLLIDE;
+    MEASSERT(c->world->numNoCollide >= 0);
 }
 
-static void setApart(MdtConstraintID c) {
-    c->world->apart++;
-    c->record.flags |= MDT_APART;
+static void setNoCollide(MdtConstraintID c) {
+    c->world->numNoCollide++;
+    c->record.flags |= MDT_NO_COLLIDE;
     for (int k = 0; k < 2; k++)
         if (c->side[k].body)
-            c->side[k].body->record.flags |= MDT_APART;
+            c->side[k].body->record.flags |= MDT_NO_COLLIDE;
 }
 
 void MEAPI MdtConstraintSetBodiesCollide(const MdtConstraintID c, const MeBool collide) {
@@ -27,12 +27,12 @@ void MEAPI MdtConstraintSetBodiesCollide(const MdtConstraintID c, const MeBool c
         MeWarning(1, "%s: a %s is what a collision makes; nothing is changed", __func__, mdt_constraintName(c));
         return;
     }
-    if (!collide == ((c->record.flags & MDT_APART) != 0))
+    if (!collide == ((c->record.flags & MDT_NO_COLLIDE) != 0))
         return;
     if (collide)
-        mdt_apartForget((MdtJoint *)(void *)c);
+        mdt_noCollideForget((MdtJoint *)(void *)c);
     else
-        setApart(c);
+        setNoCollide(c);
     for (int k = 0; k < 2; k++) /* it may be asleep because of these contacts, or because there were none */
         if (c->side[k].body && (c->record.flags & MDT_ENABLED))
             mdt_bodyWakeIfAsleep(c->side[k].body);
@@ -40,27 +40,27 @@ void MEAPI MdtConstraintSetBodiesCollide(const MdtConstraintID c, const MeBool c
 
 MeBool MEAPI MdtConstraintGetBodiesCollide(const MdtConstraintID c) {
     MDT_NEED_CONSTRAINT(c, 0);
-    return !(c->record.flags & MDT_APART);
+    return !(c->record.flags & MDT_NO_COLLIDE);
 }
 
 MeBool MEAPI MdtWorldHasBodiesApart(const MdtWorldID w) {
     MEASSERT(MdtWorldIsValid(w));
-    return w->apart > 0;
+    return w->numNoCollide > 0;
 }
 
-static MeBool holdsApart(const MdtAttachment *at, const MdtBody *other) {
+static MeBool isNoCollideJoint(const MdtAttachment *at, const MdtBody *other) {
     const MdtConstraintID c = mdt_attachmentOwner(at);
-    const int both = MDT_ENABLED | MDT_APART;
+    const int both = MDT_ENABLED | MDT_NO_COLLIDE;
     return (c->record.flags & both) == both && c->side[1 - mdt_attachmentSide(at)].body == other;
 }
 
 /* Both lists are walked at once: a joint of both is in both, so the end of the shorter list decides. */
 MeBool MEAPI MdtBodiesAreApart(const MdtBodyID b1, const MdtBodyID b2) {
     const MdtAttachment *of1 = b1->attachments, *of2 = b2->attachments;
-    if (!(b1->record.flags & b2->record.flags & MDT_APART))
+    if (!(b1->record.flags & b2->record.flags & MDT_NO_COLLIDE))
         return MEFALSE;
     for (; of1 && of2; of1 = of1->next, of2 = of2->next)
-        if (holdsApart(of1, b2) || holdsApart(of2, b1))
+        if (isNoCollideJoint(of1, b2) || isNoCollideJoint(of2, b1))
             return METRUE;
     return MEFALSE;
 }
