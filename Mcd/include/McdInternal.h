@@ -41,11 +41,11 @@ MEPUBLIC MeBool MEAPI McdModelGetDisplacement(McdModelID cm, const MeVector3 poi
 /** @name Stages (MeInternal.h, mcd_stage.c)
  *  @{ */
 enum {
-    MCD_MODELS_HELD = 1 /**< the level at which models and their pairs stay */
+    MCD_MODELS_GUARD = 1 /**< the level at which models and their pairs stay */
 };
 MEPUBLIC MeStage *MEAPI McdFrameworkGetStage(McdFrameworkID frame);
 /** That of the model's framework, if it is held at that level; else null. */
-MEPUBLIC MeStage *MEAPI McdModelGetHeldStage(McdModelID cm);
+MEPUBLIC MeStage *MEAPI McdModelGetGuardStage(McdModelID cm);
 /** May its transform's pointer be set? Else a message: it is being tested. */
 MEPUBLIC MeBool MEAPI McdModelMayBePlaced(McdModelID cm, const char *function);
 /** Whether its body is to go when the stage ends: it makes no more contacts. */
@@ -86,7 +86,7 @@ MEPUBLIC void MEAPI McdFrameworkBeginRound(McdFrameworkID frame);
 typedef enum McdPairChange {
     McdPairHasChanged,  /**< unknown: test it; that test is noted */
     McdPairHasMoved,    /**< little relative motion since the last test: its contacts may be moved with the models */
-    McdPairIsApart,     /**< less relative motion than the gap at the last test: another would find nothing, either */
+    McdPairIsSeparated, /**< less relative motion than the gap at the last test: another would find nothing, either */
     McdPairIsUnchanged, /**< all inputs are equal, to the last bit, to those of the last McdModelPairLook */
 } McdPairChange;
 /** Compares both models with their last inputs, unless that was done in this round. After it McdModelPairLook writes to
@@ -98,10 +98,10 @@ MEPUBLIC MeBool MEAPI McdModelPairHasSeenModels(const McdModelPair *p);
  *  height fields, and aggregates of these whose parts have no materials of their own, with the library's own
  *  interactions, without callbacks, and with unchanged sizes, places of parts, margins, and heights of the cells that a
  *  test would visit, which are read in each call; and only models that @a mayMove have moved since the last call.
- *  McdPairIsApart: since the last test (McdModelPairNoteTest) no point has moved relative to the other model by as much
- *  as the models were apart then (McdModelPairNoteApart). McdPairHasMoved: else no point of the smaller model by more
- *  than @a part of its size, or a quarter of the pair's margin; who tests such a pair all the same calls
- *  McdModelPairNoteTest before. */
+ *  McdPairIsSeparated: since the last test (McdModelPairNoteTest) no point has moved relative to the other model by as
+ *  much as the models were separated then (McdModelPairNoteSeparated). McdPairHasMoved: else no point of the smaller
+ *  model by more than @a part of its size, or a quarter of the margin of the pair; who tests such a pair all the same
+ *  calls McdModelPairNoteTest before. */
 MEPUBLIC McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool mayMove[2]);
 /** What of a pair's models decides how it is handled; flags. */
 typedef enum McdPairTrait {
@@ -122,7 +122,7 @@ MEPUBLIC MeBool MEAPI McdModelPairIntersectPlain(McdModelPair *p, McdIntersectRe
 /** Stores the inputs of the test that follows, though the last one may hold. */
 MEPUBLIC void MEAPI McdModelPairNoteTest(McdModelPair *p);
 /** Stores the gap that the test has found, m, a lower bound (McdIntersectResult.apart); 0: unknown, or none. */
-MEPUBLIC void MEAPI McdModelPairNoteApart(McdModelPair *p, MeReal apart);
+MEPUBLIC void MEAPI McdModelPairNoteSeparated(McdModelPair *p, MeReal apart);
 /** As McdIntersect, for a pair whose McdModelPairLook has just given McdPairHasChanged. Of one convex model and a
  *  triangle list, with the library's own interaction and without callbacks of models, the list's callback is called,
  *  and MEFALSE returned, without contacts, if @a mayBeUnchanged and the triangles, the convex model and all else that

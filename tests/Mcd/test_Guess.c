@@ -30,7 +30,7 @@ static MeBool isVerified(const McdShape *a, const McdShape *b, const McdProximit
     const double back[3] = {-guess->normal[0], -guess->normal[1], -guess->normal[2]};
     McdFace faceA, faceB;
     McdManifold m;
-    if (guess->separation <= 0 && !mcd_isLeastDepth(a, b, guess) && !mcd_isLeastDepthOfRound(a, b, guess))
+    if (guess->separation <= 0 && !mcd_isMinDepth(a, b, guess) && !mcd_isMinDepthOfRound(a, b, guess))
         return MEFALSE;
     mcd_faceToward(a, back, &faceA);
     mcd_faceToward(b, guess->normal, &faceB);

@@ -534,14 +534,14 @@ START_TEST(models_that_are_still_apart_have_no_contacts) {
             }
             McdFrameworkBeginRound(p.frame);
             steps[hasParts]++;
-            if (McdModelPairLook(&p.pair, 0, mayMove) == McdPairIsApart) {
+            if (McdModelPairLook(&p.pair, 0, mayMove) == McdPairIsSeparated) {
                 kept[hasParts]++;
                 ck_assert_msg(contactsOf(&p.pair, &apart) == 0, "flight %d, step %d", flight, step);
                 continue;
             }
             const int count = contactsOf(&p.pair, &apart);
             found += count > 0;
-            McdModelPairNoteApart(&p.pair, count == 0 ? apart : 0);
+            McdModelPairNoteSeparated(&p.pair, count == 0 ? apart : 0);
         }
         McdFrameworkDestroyAllModelsAndGeometries(p.frame);
     }

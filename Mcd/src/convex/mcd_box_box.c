@@ -5,7 +5,7 @@
 /* Both boxes in the axes of the first. */
 typedef struct Boxes {
     const double *sizeA, *sizeB;
-    double apart[3];    /* from b's centre to a's */
+    double offset[3];   /* from b's centre to a's */
     double turn[3][3];  /* relative rotation: turn[i][j] = a's axis i . b's axis j */
     double steep[3][3]; /* |turn| */
 } Boxes;
@@ -24,7 +24,7 @@ static void compare(const McdShape *a, const McdShape *b, Boxes *x) {
     x->sizeA = a->size;
     x->sizeB = b->size;
     for (int i = 0; i < 3; i++) {
-        x->apart[i] = mcd_dot(a->axis[i], d);
+        x->offset[i] = mcd_dot(a->axis[i], d);
         for (int j = 0; j < 3; j++) {
             x->turn[i][j] = mcd_dot(a->axis[i], b->axis[j]);
             x->steep[i][j] = fabs(x->turn[i][j]);
@@ -33,7 +33,7 @@ static void compare(const McdShape *a, const McdShape *b, Boxes *x) {
 }
 
 /* An axis along which they are so far apart settles it: false. */
-static MeBool isApart(Best *best, double separation) {
+static MeBool isSeparated(Best *best, double separation) {
     best->separation = separation;
     return MEFALSE;
 }
@@ -43,7 +43,7 @@ static MeBool isApart(Best *best, double separation) {
 static MeBool compareFaces(const double separation[3], int first, double limit, double bias, Best *best) {
     for (int i = 0; i < 3; i++)
         if (separation[i] > limit)
-            return isApart(best, separation[i]);
+            return isSeparated(best, separation[i]);
     for (int i = 0; i < 3; i++) {
         const int isBetter = separation[i] > best->separation + bias;
         best->separation = isBetter ? separation[i] : best->separation;
@@ -55,14 +55,14 @@ static MeBool compareFaces(const double separation[3], int first, double limit, 
 static MeBool facesOfA(const Boxes *x, double limit, Best *best) {
     double separation[3];
     for (int i = 0; i < 3; i++)
-        separation[i] = fabs(x->apart[i]) - x->sizeA[i] - mcd_dot(x->steep[i], x->sizeB);
+        separation[i] = fabs(x->offset[i]) - x->sizeA[i] - mcd_dot(x->steep[i], x->sizeB);
     return compareFaces(separation, 0, limit, 0, best);
 }
 
 /* Of the way between the centres, the part along b's axis j. */
 static double alongB(const Boxes *x, int j) {
     const double axis[3] = {x->turn[0][j], x->turn[1][j], x->turn[2][j]};
-    return mcd_dot(x->apart, axis);
+    return mcd_dot(x->offset, axis);
 }
 
 static MeBool facesOfB(const Boxes *x, double limit, double bias, Best *best) {
@@ -83,7 +83,7 @@ static MeBool edges(const Boxes *x, double limit, double bias, Best *best) {
             const double y = -x->turn[i2][j], z = x->turn[i1][j], squared = y * y + z * z;
             if (squared < mcd_parallelSine * mcd_parallelSine)
                 continue;
-            const double along = x->apart[i1] * y + x->apart[i2] * z;
+            const double along = x->offset[i1] * y + x->offset[i2] * z;
             const double reach = x->sizeA[i1] * x->steep[i2][j] + x->sizeA[i2] * x->steep[i1][j] +
                                  x->sizeB[j1] * x->steep[i][j2] + x->sizeB[j2] * x->steep[i][j1];
             const double gap = fabs(along) - reach;
@@ -92,7 +92,7 @@ static MeBool edges(const Boxes *x, double limit, double bias, Best *best) {
                 continue;
             const double sine = sqrt(squared), s = gap / sine;
             if (s > limit)
-                return isApart(best, s);
+                return isSeparated(best, s);
             if (s > least) {
                 const double k = (along < 0 ? -1 : 1) / sine;
                 least = s;
@@ -110,7 +110,7 @@ static void setNormal(const McdShape *a, const Boxes *x, const Best *best, doubl
     if (best->edgeA >= 0) {
         mcd_copy(axis, best->axis);
     } else if (best->face < 3) {
-        axis[best->face] = x->apart[best->face] < 0 ? -1 : 1;
+        axis[best->face] = x->offset[best->face] < 0 ? -1 : 1;
     } else {
         const int j = best->face - 3;
         const double sign = alongB(x, j) < 0 ? -1 : 1;

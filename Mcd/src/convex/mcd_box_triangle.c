@@ -15,9 +15,9 @@ typedef struct BoxTriangle {
 static void toBox(const McdShape *box, const McdShape *triangle, BoxTriangle *x) {
     x->size = box->size;
     for (int k = 0; k < 3; k++) {
-        double off[3];
-        mcd_sub(off, triangle->corner[k], box->place);
-        mcd_shapeOwn(box, off, x->corner[k]);
+        double opposite[3];
+        mcd_sub(opposite, triangle->corner[k], box->place);
+        mcd_shapeOwn(box, opposite, x->corner[k]);
     }
     mcd_shapeOwn(box, triangle->axis[2], x->normal);
     for (int k = 0; k < 3; k++)
@@ -57,7 +57,7 @@ static MeBool tryTriangleFace(BoxTriangle *x) {
 /* The cross product of the box' axis i and the triangle's edge k; both corners of the edge project to one point. */
 static MeBool tryEdgeAxis(BoxTriangle *x, int i, int k, double least) {
     const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
-    const double *edge = x->edge[k], *on = x->corner[k], *off = x->corner[(k + 2) % 3];
+    const double *edge = x->edge[k], *on = x->corner[k], *opposite = x->corner[(k + 2) % 3];
     double d[3];
     d[i] = 0;
     d[i1] = -edge[i2];
@@ -65,7 +65,7 @@ static MeBool tryEdgeAxis(BoxTriangle *x, int i, int k, double least) {
     const double squared = d[i1] * d[i1] + d[i2] * d[i2];
     if (!(squared > mcd_parallelSine * mcd_parallelSine * mcd_dot(edge, edge)))
         return METRUE;
-    const double p = d[i1] * on[i1] + d[i2] * on[i2], q = d[i1] * off[i1] + d[i2] * off[i2];
+    const double p = d[i1] * on[i1] + d[i2] * on[i2], q = d[i1] * opposite[i1] + d[i2] * opposite[i2];
     const double reach = x->size[i1] * fabs(d[i1]) + x->size[i2] * fabs(d[i2]);
     const double below = MeMIN(p, q) - reach, above = -MeMAX(p, q) - reach, gap = MeMAX(below, above);
     /* gap <= least * length, without the root */

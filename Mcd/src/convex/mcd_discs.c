@@ -120,12 +120,12 @@ double mcd_discsRadius(const McdShape *s, const double outward[3], const double 
     const double lower = discs.radius[0], upper = discs.radius[1], bottom = discs.height[0], top = discs.height[1];
     const double slant = slantOf(&discs), out = (top - bottom) / slant;
     const double up = mcd_dot(s->axis[2], outward), aside = sqrt(fmax(1 - up * up, 0));
-    double off[3];
+    double offset[3];
     MEASSERT(out >= 0);
     if (!(aside * out + up * (lower - upper) / slant >= across))
         return 0;
-    mcd_sub(off, point, s->place);
-    const double t = MeCLAMP((mcd_dot(off, s->axis[2]) - bottom) / (top - bottom), 0, 1);
+    mcd_sub(offset, point, s->place);
+    const double t = MeCLAMP((mcd_dot(offset, s->axis[2]) - bottom) / (top - bottom), 0, 1);
     return (lower + t * (upper - lower)) / out;
 }
 
@@ -134,10 +134,10 @@ double mcd_discsRadius(const McdShape *s, const double outward[3], const double 
 double mcd_discsRim(const McdShape *s, const double outward[3], const double point[3]) {
     static const double least = .05, near = .9987502603949663; /* rad: nearer to the axis it is a disc that touches */
     const double up = mcd_dot(s->axis[2], outward);
-    double off[3], aside[3];
-    mcd_sub(off, point, s->place);
-    mcd_mad(off, off, -mcd_dot(off, s->axis[2]), s->axis[2]);
+    double offset[3], aside[3];
+    mcd_sub(offset, point, s->place);
+    mcd_mad(offset, offset, -mcd_dot(offset, s->axis[2]), s->axis[2]);
     mcd_mad(aside, outward, -up, s->axis[2]);
-    const double rim = mcd_length(off), sine = mcd_length(aside);
-    return sine > least && mcd_dot(off, aside) > near * rim * sine ? rim : 0;
+    const double rim = mcd_length(offset), sine = mcd_length(aside);
+    return sine > least && mcd_dot(offset, aside) > near * rim * sine ? rim : 0;
 }

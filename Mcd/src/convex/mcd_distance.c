@@ -98,22 +98,22 @@ static void offerEdge(const Simplex *s, int i, int j, Candidate *best) {
 /* The projection of the origin on the triangle's plane is inside if the areas of all three parts have the same sign. */
 static void offerFacet(const Simplex *s, int i, int j, int k, Candidate *best) {
     const double *p = s->corner[i].w, *q = s->corner[j].w, *r = s->corner[k].w;
-    double pq[3], pr[3], n[3], x[3], part[3];
+    double pq[3], pr[3], n[3], x[3], coordinate[3];
     mcd_sub(pq, q, p);
     mcd_sub(pr, r, p);
     mcd_cross(n, pq, pr);
     mcd_cross(x, q, r);
-    part[0] = mcd_dot(n, x);
+    coordinate[0] = mcd_dot(n, x);
     mcd_cross(x, r, p);
-    part[1] = mcd_dot(n, x);
+    coordinate[1] = mcd_dot(n, x);
     mcd_cross(x, p, q);
-    part[2] = mcd_dot(n, x);
-    const double all = part[0] + part[1] + part[2], squared = mcd_dot(n, n);
-    if (!(part[0] > 0 && part[1] > 0 && part[2] > 0) || !(squared > 0))
+    coordinate[2] = mcd_dot(n, x);
+    const double all = coordinate[0] + coordinate[1] + coordinate[2], squared = mcd_dot(n, n);
+    if (!(coordinate[0] > 0 && coordinate[1] > 0 && coordinate[2] > 0) || !(squared > 0))
         return;
     Candidate c = {.count = 3, .corner = {i, j, k}};
     for (int l = 0; l < 3; l++)
-        c.weight[l] = part[l] / all;
+        c.weight[l] = coordinate[l] / all;
     mcd_scale(c.point, n, mcd_dot(n, p) / squared);
     c.squared = mcd_dot(c.point, c.point);
     keepIfNearer(best, &c);
@@ -122,21 +122,21 @@ static void offerFacet(const Simplex *s, int i, int j, int k, Candidate *best) {
 /* Is the origin on the same side of each face as the corner opposite? */
 static MeBool containsOrigin(const Simplex *s) {
     const double *p = s->corner[0].w, *q = s->corner[1].w, *r = s->corner[2].w, *t = s->corner[3].w;
-    double qr[3], rt[3], tq[3], part[4];
+    double qr[3], rt[3], tq[3], coordinate[4];
     mcd_cross(qr, q, r);
     mcd_cross(rt, r, t);
     mcd_cross(tq, t, q);
-    part[0] = mcd_dot(q, rt);
-    part[1] = -mcd_dot(p, rt);
-    part[2] = -mcd_dot(p, tq);
-    part[3] = -mcd_dot(p, qr);
-    const double sign = part[0] + part[1] + part[2] + part[3] < 0 ? -1 : 1;
-    return part[0] * sign > 0 && part[1] * sign > 0 && part[2] * sign > 0 && part[3] * sign > 0;
+    coordinate[0] = mcd_dot(q, rt);
+    coordinate[1] = -mcd_dot(p, rt);
+    coordinate[2] = -mcd_dot(p, tq);
+    coordinate[3] = -mcd_dot(p, qr);
+    const double sign = coordinate[0] + coordinate[1] + coordinate[2] + coordinate[3] < 0 ? -1 : 1;
+    return coordinate[0] * sign > 0 && coordinate[1] * sign > 0 && coordinate[2] * sign > 0 && coordinate[3] * sign > 0;
 }
 
 /* The nearest point among all parts of the simplex that have its newest, last corner: the parts without it are farther
  * than the previous nearest point, whose direction gave the newest corner. */
-static Candidate nearestPart(const Simplex *s) {
+static Candidate nearestSubSimplex(const Simplex *s) {
     const int last = s->count - 1;
     Candidate best = {.squared = INFINITY};
     offerCorner(s, last, &best);
@@ -149,16 +149,16 @@ static Candidate nearestPart(const Simplex *s) {
     return best;
 }
 
-static void keepPart(Simplex *s, const Candidate *part) {
+static void keepSubSimplex(Simplex *s, const Candidate *subSimplex) {
     Corner kept[3];
-    for (int i = 0; i < part->count; i++) {
-        kept[i] = s->corner[part->corner[i]];
-        s->weight[i] = part->weight[i];
+    for (int i = 0; i < subSimplex->count; i++) {
+        kept[i] = s->corner[subSimplex->corner[i]];
+        s->weight[i] = subSimplex->weight[i];
     }
-    memcpy(s->corner, kept, (size_t)part->count * sizeof *kept);
-    s->count = part->count;
-    mcd_copy(s->nearest, part->point);
-    s->squared = part->squared;
+    memcpy(s->corner, kept, (size_t)subSimplex->count * sizeof *kept);
+    s->count = subSimplex->count;
+    mcd_copy(s->nearest, subSimplex->point);
+    s->squared = subSimplex->squared;
 }
 
 static MeBool isCorner(const Simplex *s, const Corner *c) {
@@ -176,8 +176,8 @@ static void beginGjk(const Pair *p, Simplex *s) {
     farthest(p, v, &s->corner[0]);
     s->count = 1;
     s->inside = MEFALSE;
-    const Candidate part = nearestPart(s);
-    keepPart(s, &part);
+    const Candidate subSimplex = nearestSubSimplex(s);
+    keepSubSimplex(s, &subSimplex);
 }
 
 typedef enum { BEYOND_LIMIT, SEPARATED, OVERLAPPING } GjkResult;
@@ -202,12 +202,12 @@ static GjkResult runGjk(const Pair *p, double limit, Simplex *s, double *bound) 
         s->inside = s->count == 4 && containsOrigin(s);
         if (s->inside)
             return OVERLAPPING;
-        const Candidate part = nearestPart(s);
-        if (part.squared >= s->squared) { /* no progress: rounding */
+        const Candidate subSimplex = nearestSubSimplex(s);
+        if (subSimplex.squared >= s->squared) { /* no progress: rounding */
             s->count--;
             return distance > p->guessTolerance ? SEPARATED : OVERLAPPING;
         }
-        keepPart(s, &part);
+        keepSubSimplex(s, &subSimplex);
     }
     return SEPARATED;
 }
@@ -232,11 +232,11 @@ static void weighted(const Corner *const corner[], const double *weight, int cou
 /* Witness points are sums with weights, which a thin simplex has to few digits, and a facet of EPA's is within M:
  * divides what their difference lacks of the separation along the normal evenly between the two. */
 static void matchEnds(McdProximity *p) {
-    double lack[3];
-    mcd_sub(lack, p->onB, p->onA);
-    mcd_mad(lack, lack, p->separation, p->normal);
-    mcd_mad(p->onA, p->onA, .5, lack);
-    mcd_mad(p->onB, p->onB, -.5, lack);
+    double deficit[3];
+    mcd_sub(deficit, p->onB, p->onA);
+    mcd_mad(deficit, deficit, p->separation, p->normal);
+    mcd_mad(p->onA, p->onA, .5, deficit);
+    mcd_mad(p->onB, p->onB, -.5, deficit);
 }
 
 static void reportSeparated(const Simplex *s, McdProximity *p) {
@@ -539,16 +539,16 @@ static MeBool addFarthest(const Pair *p, Polytope *t) {
 static Simplex nearestOfFacets(const Simplex *s) {
     Simplex best = {.squared = INFINITY};
     for (int omitted = 0; omitted < 4; omitted++)
-        for (int turn = 1; turn < 4; turn++) { /* nearestPart() looks only at those that have the last corner */
-            Simplex part = {.count = 0};
+        for (int turn = 1; turn < 4; turn++) { /* nearestSubSimplex() looks only at those that have the last corner */
+            Simplex subSimplex = {.count = 0};
             for (int i = 0; i < 4; i++)
                 if (i != omitted && i != (omitted + turn) % 4)
-                    part.corner[part.count++] = s->corner[i];
-            part.corner[part.count++] = s->corner[(omitted + turn) % 4];
-            const Candidate nearest = nearestPart(&part);
-            keepPart(&part, &nearest);
-            if (part.squared < best.squared)
-                best = part;
+                    subSimplex.corner[subSimplex.count++] = s->corner[i];
+            subSimplex.corner[subSimplex.count++] = s->corner[(omitted + turn) % 4];
+            const Candidate nearest = nearestSubSimplex(&subSimplex);
+            keepSubSimplex(&subSimplex, &nearest);
+            if (subSimplex.squared < best.squared)
+                best = subSimplex;
         }
     return best;
 }

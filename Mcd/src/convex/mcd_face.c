@@ -23,7 +23,7 @@ static const double preference = 1e-5;
 /* Lines at a smaller angle (sine) touch along a segment, others in a point. */
 static const double parallelSine = .05;
 /* Faces whose normal has a smaller cosine with the contact normal are seen edge-on and are not clipped. */
-static const double leastSlope = 1e-2;
+static const double minSlope = 1e-2;
 
 /* A feature's number: on which face, what it is, which of the face's corners (McdFace). All faces of a hull that memory
  * can hold have one of their own. */
@@ -117,7 +117,7 @@ static MeBool makeOutline(const View *v, const McdFace *f, MeBool isMirrored, Ou
     if (f->count < 3)
         return METRUE;
     const double up = mcd_dot(f->normal, v->n);
-    if (!(fabs(up) > leastSlope))
+    if (!(fabs(up) > minSlope))
         return MEFALSE;
     o->slopeX = -mcd_dot(f->normal, v->u) / up;
     o->slopeY = -mcd_dot(f->normal, v->w) / up;
@@ -623,12 +623,12 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
         count = crossLines(&outA, &outB, support, candidate);
     count = dropFarAndDuplicates(candidate, count, coreMargin, v.slack);
     const int least = clampSeparations(candidate, count, p->separation);
-    const double missing = least < 0 ? INFINITY : candidate[least].a - candidate[least].b - p->separation;
-    if (p->isGuess && !(missing <= v.slack && isExact(&outA, (MeU32)(candidate[least].feature >> 32)) &&
+    const double deficit = least < 0 ? INFINITY : candidate[least].a - candidate[least].b - p->separation;
+    if (p->isGuess && !(deficit <= v.slack && isExact(&outA, (MeU32)(candidate[least].feature >> 32)) &&
                         isExact(&outB, (MeU32)candidate[least].feature)))
         return 0;
     /* Where a face's normal was preferred to a slightly better one, the deepest candidate is off by that preference. */
-    if (missing <= preference * mcd_pairSize(a, b))
+    if (deficit <= preference * mcd_pairSize(a, b))
         candidate[least].a = candidate[least].b + p->separation;
     else if (p->separation <= coreMargin)
         candidate[count++] = supportCandidate(&v, p, support);

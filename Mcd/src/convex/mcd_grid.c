@@ -182,7 +182,7 @@ static int alongFaces(const McdShape *a, const McdShape *b, double margin, McdPr
 
 /* No contacts: m->apart, of the surfaces, which are round about their cores. */
 static int noneOf(const McdShape *a, const McdShape *b, const McdProximity *p, McdManifold *m) {
-    m->apart = fmax(p->separation - a->rounding - b->rounding, 0);
+    m->minGap = fmax(p->separation - a->rounding - b->rounding, 0);
     return 0;
 }
 
@@ -191,18 +191,18 @@ static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdMa
     const double limit = margin + a->rounding + b->rounding;
     McdProximity p;
     m->count = 0;
-    m->apart = 0;
+    m->minGap = 0;
     mcd_set(m->normal, 0, 0, 1);
     if (isPoint(a) || isPoint(b))
         return proximity(a, b, limit, &p) ? mcd_pointManifold(a, b, &p, 0, margin, m) : noneOf(a, b, &p, m);
     if (!guess(a, b, limit, &p))
         return noneOf(a, b, &p, m);
-    if ((p.separation > 0 || (p.isGuess && mcd_isLeastDepth(a, b, &p))) && alongFaces(a, b, margin, &p, m))
+    if ((p.separation > 0 || (p.isGuess && mcd_isMinDepth(a, b, &p))) && alongFaces(a, b, margin, &p, m))
         return m->count;
     if (p.isGuess && mcd_guessSides(a, b, &p)) {
         if (!(p.separation <= limit))
             return noneOf(a, b, &p, m);
-        if ((p.separation > 0 || mcd_isLeastDepthOfRound(a, b, &p)) && alongFaces(a, b, margin, &p, m))
+        if ((p.separation > 0 || mcd_isMinDepthOfRound(a, b, &p)) && alongFaces(a, b, margin, &p, m))
             return m->count;
     }
     if (p.isGuess && !proximity(a, b, limit, &p))

@@ -26,9 +26,9 @@ static void tryNormal(const Pair *p, const double n[3], double bias, McdProximit
 
 /* From b's place to a's. */
 static void tryAxis(const Pair *p, const double axis[3], double bias, McdProximity *g) {
-    double n[3], apart[3];
-    mcd_sub(apart, p->a->place, p->b->place);
-    mcd_scale(n, axis, mcd_dot(axis, apart) < 0 ? -1 : 1);
+    double n[3], between[3];
+    mcd_sub(between, p->a->place, p->b->place);
+    mcd_scale(n, axis, mcd_dot(axis, between) < 0 ? -1 : 1);
     tryNormal(p, n, bias, g);
 }
 
@@ -63,10 +63,10 @@ static double nearestOfEllipse(const double e[2], const double y[2], double near
     for (int step = 0; step < STEPS; step++) {
         double f = -1, rate = 0;
         for (int i = 0; i < 2; i++) {
-            const double below = t + e[i] * e[i], part = below > 0 ? e[i] * y[i] / below : 0;
-            f += part * part;
-            rate += below > 0 ? 2 * part * part / below : 0;
-            nearest[i] = e[i] * part;
+            const double below = t + e[i] * e[i], term = below > 0 ? e[i] * y[i] / below : 0;
+            f += term * term;
+            rate += below > 0 ? 2 * term * term / below : 0;
+            nearest[i] = e[i] * term;
         }
         if (!(f > 1e-15))
             return f > -1e-9 ? t : NAN; /* else y is near an axis: two points are as near */
@@ -134,9 +134,9 @@ static void turnTo(RimPoint *r, double x, double y) {
 
 /* To the point nearest to another one. False: all are. */
 static MeBool turnToward(RimPoint *r, const double point[3]) {
-    double off[3];
-    mcd_sub(off, point, r->centre);
-    const double x = mcd_dot(off, r->disc->axis[0]), y = mcd_dot(off, r->disc->axis[1]);
+    double offset[3];
+    mcd_sub(offset, point, r->centre);
+    const double x = mcd_dot(offset, r->disc->axis[0]), y = mcd_dot(offset, r->disc->axis[1]);
     if (!(x * x + y * y > 0))
         return MEFALSE;
     turnTo(r, x, y);
@@ -198,11 +198,11 @@ static MeBool isAtRim(const McdShape *s, double height) {
  * its end, from the rim there. */
 static void tryRoundSides(const Pair *p, McdProximity *g) {
     const McdShape *a = p->a, *b = p->b;
-    double s, t, n[3], apart[3];
+    double s, t, n[3], between[3];
     mcd_nearestOfSegments(a, b, &s, &t);
     tryAcross(p, a->axis[2], b->axis[2], g);
-    mcd_sub(apart, a->place, b->place);
-    mcd_mad(n, apart, s, a->axis[2]);
+    mcd_sub(between, a->place, b->place);
+    mcd_mad(n, between, s, a->axis[2]);
     mcd_mad(n, n, -t, b->axis[2]);
     const double distance = mcd_length(n);
     if (distance > 0) {
@@ -230,15 +230,15 @@ static void cornerAt(const McdShape *box, const McdShape *cylinder, double heigh
 /* Across an edge and the axis; from the axis to a corner; between an edge and a rim. */
 static void tryBox(const Pair *p, const McdShape *box, const McdShape *cylinder, McdProximity *g) {
     const double *axis = cylinder->axis[2];
-    double off[3], corner[3], n[3];
+    double offset[3], corner[3], n[3];
     for (int i = 0; i < 3; i++)
         tryAcross(p, box->axis[i], axis, g);
-    mcd_sub(off, box->place, cylinder->place);
-    const double height = MeCLAMP(mcd_dot(off, axis), -cylinder->low, cylinder->low);
+    mcd_sub(offset, box->place, cylinder->place);
+    const double height = MeCLAMP(mcd_dot(offset, axis), -cylinder->low, cylinder->low);
     const double end = copysign(cylinder->low, height);
     cornerAt(box, cylinder, height, corner);
-    mcd_sub(off, corner, cylinder->place);
-    mcd_mad(n, off, -mcd_dot(off, axis), axis);
+    mcd_sub(offset, corner, cylinder->place);
+    mcd_mad(n, offset, -mcd_dot(offset, axis), axis);
     const double distance = mcd_length(n);
     if (distance > 0) {
         mcd_scale(n, n, (box == p->a ? 1 : -1) / distance);
@@ -326,7 +326,7 @@ static MeBool makeBall(const McdShape *a, const McdShape *b, const McdProximity 
 
 /* Is the ball inside the pyramid whose base is M's face in the direction of the guess and whose tip is the support
  * point opposite? Both are parts of M. */
-MeBool mcd_isLeastDepth(const McdShape *a, const McdShape *b, const McdProximity *p) {
+MeBool mcd_isMinDepth(const McdShape *a, const McdShape *b, const McdProximity *p) {
     enum { CORNERS = 4 };
     /* Points that are not exactly across d are lower by at most this part of the size. */
     static const double flat = 1e-8;
@@ -404,7 +404,7 @@ static void betweenAxes(const McdShape *a, const McdShape *b, const double d[3],
  * around it are a roof over the ball. A plane of the roof is tilted by about half as much as these, and lower by as
  * much of a part of the depth as the cosine of that is less than 1: depth tilt^2 / 8 <= tolerance. The rim of a disc
  * that is seen almost flat turns by more than the direction. */
-MeBool mcd_isLeastDepthOfRound(const McdShape *a, const McdShape *b, const McdProximity *p) {
+MeBool mcd_isMinDepthOfRound(const McdShape *a, const McdShape *b, const McdProximity *p) {
     enum { TRIES = 3 };
     double u[3], ring[MOST_CORNERS][3], top[3], tip[3];
     Ball ball;

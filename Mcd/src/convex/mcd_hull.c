@@ -24,8 +24,8 @@
 
 /* Lengths relative to half the largest side of the box around the points. Single precision leaves about 1e-7 of noise
  * in the coordinates of a face's corners. */
-static const double flatness = 3e-7;       /* points nearer than this to a plane or a line lie in it */
-static const double leastThickness = 1e-6; /* thinner clouds are refused as flat */
+static const double flatness = 3e-7;     /* points nearer than this to a plane or a line lie in it */
+static const double minThickness = 1e-6; /* thinner clouds are refused as flat */
 
 /* ---- memory for the time of making a hull ---------------------------------------------------------------------- */
 
@@ -40,7 +40,7 @@ typedef struct Work {
     MeBool isExhausted;
 } Work;
 
-static void *takeMemory(Work *w, size_t count, size_t size) {
+static void *allocate(Work *w, size_t count, size_t size) {
     Block *b = (Block *)MeMemoryTake(1, sizeof(Block) + count * size, w->function, "making the hull");
     if (!b) {
         w->isExhausted = 1;
@@ -74,8 +74,8 @@ static double distance(const double a[3], const double b[3]) {
 static double distanceToLine(const double p[3], const double a[3], const double b[3]) {
     const double along[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, r[3] = {p[0] - a[0], p[1] - a[1], p[2] - a[2]};
     const double t = dot(r, along) / dot(along, along);
-    const double off[3] = {r[0] - t * along[0], r[1] - t * along[1], r[2] - t * along[2]};
-    return sqrt(dot(off, off));
+    const double offset[3] = {r[0] - t * along[0], r[1] - t * along[1], r[2] - t * along[2]};
+    return sqrt(dot(offset, offset));
 }
 
 /* ---- points: checked, scaled, each once ------------------------------------------------------------------------- */
@@ -143,10 +143,10 @@ static void markCopies(const double (*p)[3], Sortable *order, int count, char *i
 static MeBool makeCloud(Work *w, Cloud *c, const double (*point)[3], int count) {
     if (!findScale(c, point, count, w->function))
         return MEFALSE;
-    c->point = (double(*)[3])takeMemory(w, (size_t)count, sizeof *c->point);
-    c->source = (int *)takeMemory(w, (size_t)count, sizeof *c->source);
-    Sortable *order = (Sortable *)takeMemory(w, (size_t)count, sizeof *order);
-    char *isCopy = (char *)takeMemory(w, (size_t)count, 1);
+    c->point = (double(*)[3])allocate(w, (size_t)count, sizeof *c->point);
+    c->source = (int *)allocate(w, (size_t)count, sizeof *c->source);
+    Sortable *order = (Sortable *)allocate(w, (size_t)count, sizeof *order);
+    char *isCopy = (char *)allocate(w, (size_t)count, 1);
     if (w->isExhausted)
         return MEFALSE;
     for (int i = 0; i < count; i++)
@@ -186,12 +186,12 @@ static int nextCorner(const Facets *f, int corner) {
 static MeBool makeRoom(Work *w, Facets *f, int points) {
     f->faceMax = 2 * points;
     f->cornerMax = 6 * points;
-    f->first = (int *)takeMemory(w, (size_t)f->faceMax + 1, sizeof(int));
-    f->normal = (double(*)[3])takeMemory(w, (size_t)f->faceMax, sizeof *f->normal);
-    f->area = (double *)takeMemory(w, (size_t)f->faceMax, sizeof(double));
-    f->vertex = (int *)takeMemory(w, (size_t)f->cornerMax, sizeof(int));
-    f->face = (int *)takeMemory(w, (size_t)f->cornerMax, sizeof(int));
-    f->twin = (int *)takeMemory(w, (size_t)f->cornerMax, sizeof(int));
+    f->first = (int *)allocate(w, (size_t)f->faceMax + 1, sizeof(int));
+    f->normal = (double(*)[3])allocate(w, (size_t)f->faceMax, sizeof *f->normal);
+    f->area = (double *)allocate(w, (size_t)f->faceMax, sizeof(double));
+    f->vertex = (int *)allocate(w, (size_t)f->cornerMax, sizeof(int));
+    f->face = (int *)allocate(w, (size_t)f->cornerMax, sizeof(int));
+    f->twin = (int *)allocate(w, (size_t)f->cornerMax, sizeof(int));
     return !w->isExhausted;
 }
 
@@ -293,7 +293,7 @@ static int byVertices(const void *a, const void *b) {
 
 /* Finds the twins; false if the surface is not closed. */
 static MeBool joinFacets(Work *w, Facets *f) {
-    EdgeKey *key = (EdgeKey *)takeMemory(w, (size_t)f->cornerCount, sizeof *key);
+    EdgeKey *key = (EdgeKey *)allocate(w, (size_t)f->cornerCount, sizeof *key);
     if (!key || f->cornerCount % 2)
         return MEFALSE;
     for (int i = 0; i < f->cornerCount; i++) {
@@ -347,9 +347,9 @@ static void growRegion(const Facets *f, const Cloud *c, Regions *r, int seed) {
 
 /* The larger facets first: their planes are known best. */
 static MeBool makeRegions(Work *w, const Facets *f, const Cloud *c, Regions *r) {
-    Sortable *order = (Sortable *)takeMemory(w, (size_t)f->count, sizeof *order);
-    r->of = (int *)takeMemory(w, (size_t)f->count, sizeof(int));
-    r->stack = (int *)takeMemory(w, (size_t)f->count, sizeof(int));
+    Sortable *order = (Sortable *)allocate(w, (size_t)f->count, sizeof *order);
+    r->of = (int *)allocate(w, (size_t)f->count, sizeof(int));
+    r->stack = (int *)allocate(w, (size_t)f->count, sizeof(int));
     if (w->isExhausted)
         return MEFALSE;
     for (int i = 0; i < f->count; i++) {
@@ -427,12 +427,12 @@ static MeBool linkLoops(const Facets *f, Regions *r, Loops *l, int *seen, int po
 }
 
 static MeBool makeLoops(Work *w, const Facets *f, const Cloud *c, Regions *r, Loops *l) {
-    int *seen = (int *)takeMemory(w, (size_t)c->count, sizeof(int));
-    l->next = (int *)takeMemory(w, (size_t)f->cornerCount, sizeof(int));
-    l->previous = (int *)takeMemory(w, (size_t)f->cornerCount, sizeof(int));
-    l->start = (int *)takeMemory(w, (size_t)f->count, sizeof(int));
-    l->size = (int *)takeMemory(w, (size_t)f->count, sizeof(int));
-    l->degree = (int *)takeMemory(w, (size_t)c->count, sizeof(int));
+    int *seen = (int *)allocate(w, (size_t)c->count, sizeof(int));
+    l->next = (int *)allocate(w, (size_t)f->cornerCount, sizeof(int));
+    l->previous = (int *)allocate(w, (size_t)f->cornerCount, sizeof(int));
+    l->start = (int *)allocate(w, (size_t)f->count, sizeof(int));
+    l->size = (int *)allocate(w, (size_t)f->count, sizeof(int));
+    l->degree = (int *)allocate(w, (size_t)c->count, sizeof(int));
     if (w->isExhausted)
         return MEFALSE;
     memset(r->stack, 0, (size_t)f->count * sizeof(int)); /* from here on: which facets part */
@@ -479,7 +479,7 @@ static void findCorners(const Facets *f, const Loops *l, int (*corner)[2], int p
 }
 
 static MeBool straightenEdges(Work *w, const Facets *f, const Cloud *c, const Regions *r, Loops *l) {
-    int(*corner)[2] = (int(*)[2])takeMemory(w, (size_t)c->count, sizeof *corner);
+    int(*corner)[2] = (int(*)[2])allocate(w, (size_t)c->count, sizeof *corner);
     if (!corner)
         return MEFALSE;
     countDegrees(f, c, l);
@@ -552,9 +552,9 @@ static int byCorners(const void *a, const void *b) {
 }
 
 static MeBool makePlan(Work *w, const Facets *f, const Cloud *c, Loops *l, Plan *p) {
-    FaceKey *key = (FaceKey *)takeMemory(w, (size_t)f->count, sizeof *key);
-    p->number = (int *)takeMemory(w, (size_t)c->count, sizeof(int));
-    p->region = (int *)takeMemory(w, (size_t)f->count, sizeof(int));
+    FaceKey *key = (FaceKey *)allocate(w, (size_t)f->count, sizeof *key);
+    p->number = (int *)allocate(w, (size_t)c->count, sizeof(int));
+    p->region = (int *)allocate(w, (size_t)f->count, sizeof(int));
     if (w->isExhausted)
         return MEFALSE;
     p->vertices = p->faces = p->corners = 0;
@@ -643,7 +643,7 @@ static int byEnds(const void *a, const void *b) {
 
 /* Edges in the order of their vertices; the face whose border runs along with an edge is on its left. */
 static MeBool fillEdges(Work *w, McdHull *h) {
-    HullEdge *half = (HullEdge *)takeMemory(w, 2 * (size_t)h->edgeCount, sizeof *half);
+    HullEdge *half = (HullEdge *)allocate(w, 2 * (size_t)h->edgeCount, sizeof *half);
     if (!half)
         return MEFALSE;
     int n = 0;
@@ -705,9 +705,9 @@ static McdHull *buildHull(Work *w, const Facets *f, const Cloud *c, const Region
 static MeBool isThick(const McdHull *h, const Cloud *c) {
     for (int i = 0; i < h->faceCount; i++) {
         double width = 0;
-        for (int k = 0; k < h->vertexCount && width < leastThickness * c->scale; k++)
+        for (int k = 0; k < h->vertexCount && width < minThickness * c->scale; k++)
             width = fmax(width, h->face[i].offset - dot(h->face[i].normal, h->vertex[k]));
-        if (width < leastThickness * c->scale)
+        if (width < minThickness * c->scale)
             return MEFALSE;
     }
     return METRUE;

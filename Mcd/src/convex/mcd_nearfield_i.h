@@ -42,8 +42,8 @@ MeBool mcd_guessSides(const McdShape *a, const McdShape *b, McdProximity *p);
 /* Verify a guessed normal of cores that overlap, if their faces are as deep along it as it says (mcd_facesManifold): is
  * no other direction less deep? Conservative: may say no to a right guess. The second one is for contacts in a line or
  * a point of pairs that have sides. */
-MeBool mcd_isLeastDepth(const McdShape *a, const McdShape *b, const McdProximity *p);
-MeBool mcd_isLeastDepthOfRound(const McdShape *a, const McdShape *b, const McdProximity *p);
+MeBool mcd_isMinDepth(const McdShape *a, const McdShape *b, const McdProximity *p);
+MeBool mcd_isMinDepthOfRound(const McdShape *a, const McdShape *b, const McdProximity *p);
 /* Two boxes, a box and a triangle: if they overlap, the exact result; else a normal of a face or across two edges that
  * separates them, as a guess. The points of a box and a triangle may be beside each other's face where several are
  * equally deep: contacts, which come of faces, do not need them to be. */

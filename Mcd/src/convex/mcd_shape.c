@@ -25,18 +25,18 @@ MeBool mcd_areResolved(const McdShape *a, const McdShape *b) {
  * axes: R + (I - R R^T) R / 2, one step towards the nearest rotation. Other matrices are left as they are. */
 static void squareAxes(double axis[3][3]) {
     static const double rounded = 1e-5, square = 1e-13;
-    double off[3][3], old[3][3], most = 0;
+    double error[3][3], old[3][3], most = 0;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j <= i; j++) {
-            off[i][j] = off[j][i] = (i == j) - mcd_dot(axis[i], axis[j]);
-            most = MeMAX(most, fabs(off[i][j]));
+            error[i][j] = error[j][i] = (i == j) - mcd_dot(axis[i], axis[j]);
+            most = MeMAX(most, fabs(error[i][j]));
         }
     if (most < square || most > rounded)
         return;
     memcpy(old, axis, sizeof old);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            mcd_mad(axis[i], axis[i], off[i][j] / 2, old[j]);
+            mcd_mad(axis[i], axis[i], error[i][j] / 2, old[j]);
     MEASSERT(fabs(mcd_dot(axis[0], axis[1])) < 1e-9 && mcd_isUnit(axis[2])); /* the error is squared */
 }
 

@@ -94,7 +94,7 @@ void mcd_triangleShape(const double corners[3][3], McdShape *shape);
 MeBool mcd_triangleNormal(const double corner[3][3], const double *given, double normal[3]);
 /* Where a segment enters a triangle's front (either side if both count): false if it does not. All in one frame. */
 MeBool mcd_segmentTriangle(const double corner[3][3], const double normal[3], MeBool twoSided, const double from[3],
-                           const double to[3], double *part, double hitNormal[3]);
+                           const double to[3], double *fraction, double hitNormal[3]);
 
 /* Qhull's hull of some points, in their own coordinates; null, with a warning that names the function, for points that
  * span no volume (flat, collinear, fewer than four, NaN). */
@@ -146,7 +146,7 @@ typedef struct McdManifoldPoint {
 typedef struct McdManifold {
     double normal[3]; /* from b to a, length 1 */
     int count;
-    double apart; /* m: without points, the surfaces are so far apart at least; 0: it is not known */
+    double minGap; /* m: without points, the surfaces are so far apart at least; 0: it is not known */
     McdManifoldPoint point[MCD_MANIFOLD_POINTS];
 } McdManifold;
 

@@ -89,17 +89,17 @@ MeBool mcd_triangleNormal(const double corner[3][3], const double *given, double
 /* ---- a segment --------------------------------------------------------------------------------------------- */
 
 MeBool mcd_segmentTriangle(const double corner[3][3], const double normal[3], MeBool twoSided, const double from[3],
-                           const double to[3], double *part, double hitNormal[3]) {
-    double along[3], off[3], at[3];
+                           const double to[3], double *fraction, double hitNormal[3]) {
+    double along[3], offset[3], at[3];
     mcd_sub(along, to, from);
-    mcd_sub(off, from, corner[0]);
-    const double fall = -mcd_dot(along, normal), height = mcd_dot(off, normal);
+    mcd_sub(offset, from, corner[0]);
+    const double fall = -mcd_dot(along, normal), height = mcd_dot(offset, normal);
     const double side = fall < 0 ? -1 : 1;
     if (fall == 0 || (side < 0 && !twoSided) || side * height < 0 || side * height > side * fall)
         return MEFALSE;
-    *part = height / fall;
-    MEASSERT(*part >= 0 && *part <= 1);
-    mcd_mad(at, from, *part, along);
+    *fraction = height / fall;
+    MEASSERT(*fraction >= 0 && *fraction <= 1);
+    mcd_mad(at, from, *fraction, along);
     for (int i = 0; i < 3; i++) {
         const int next = (i + 1) % 3, last = (i + 2) % 3;
         double edge[3], inward[3], across[3], here[3];

@@ -43,12 +43,12 @@ MCD_DEFINE_DESTROY(Aggregate)
 
 /* ---- elements ---------------------------------------------------------------------------------------------------- */
 
-static MeBool isPartOf(const McdAggregate *part, const McdGeometry *g) {
-    if (g == &part->head)
+static MeBool isChildOf(const McdAggregate *child, const McdGeometry *g) {
+    if (g == &child->head)
         return METRUE;
-    const McdAggregate *a = mcd_partsOf(g);
+    const McdAggregate *a = mcd_childrenOf(g);
     for (int i = 0; a && i < a->count; i++)
-        if (isPartOf(part, a->element[i].geometry))
+        if (isChildOf(child, a->element[i].geometry))
             return METRUE;
     return MEFALSE;
 }
@@ -63,7 +63,7 @@ int MEAPI McdAggregateAddElement(McdAggregateID id, McdGeometryID geom, MeMatrix
     }
     if (!mcd_geometryBelongs(geom, a->head.frame, "McdAggregateAddElement"))
         return -1;
-    if (isPartOf(a, geom)) {
+    if (isChildOf(a, geom)) {
         MeWarning(1, "McdAggregateAddElement: the aggregate would be its own part");
         return -1;
     }
@@ -128,11 +128,11 @@ MeMatrix4Ptr MEAPI McdAggregateGetElementTransformPtr(McdAggregateID id, int i) 
 /* ---- parts of an instance ---------------------------------------------------------------------------------------- */
 
 /* Visits a part; finalTM is null if none was given. */
-typedef void (*PartFn)(McdGeometryInstance *part, const MeMatrix4Ptr finalTM, void *data);
+typedef void (*ChildFn)(McdGeometryInstance *child, const MeMatrix4Ptr finalTM, void *data);
 
 /* Visits all parts that are somewhere: children of a model's instance; of an instance without a model (McdGeometry.h)
  * temporary ones. */
-static void forEachPart(McdGeometryInstance *ins, const MeMatrix4Ptr finalTM, PartFn f, void *data) {
+static void forEachChild(McdGeometryInstance *ins, const MeMatrix4Ptr finalTM, ChildFn f, void *data) {
     const McdAggregate *a = (const McdAggregate *)ins->geometry;
     McdGeometryInstance *child = ins->firstChild;
     for (int i = 0; ins->model ? child != 0 : i < a->count; i++) {
@@ -164,23 +164,23 @@ typedef struct Extent {
     MeBool isSet, tight;
 } Extent;
 
-static void addBox(McdGeometryInstance *part, const MeMatrix4Ptr finalTM, void *data) {
+static void addBox(McdGeometryInstance *child, const MeMatrix4Ptr finalTM, void *data) {
     Extent *e = data;
-    const McdTypeRecord *type = mcd_geometryType(part->geometry, "McdAggregateUpdateAABB");
+    const McdTypeRecord *type = mcd_geometryType(child->geometry, "McdAggregateUpdateAABB");
     if (!type || !type->getAABB)
         return;
-    const McdTypeCall call = mcd_typeEnter(part->geometry->frame, type);
-    type->getAABB(part, finalTM, e->tight);
+    const McdTypeCall call = mcd_typeEnter(child->geometry->frame, type);
+    type->getAABB(child, finalTM, e->tight);
     mcd_typeLeave(&call);
     for (int i = 0; i < 3; i++) {
-        e->min[i] = e->isSet ? MeMIN(e->min[i], part->min[i]) : part->min[i];
-        e->max[i] = e->isSet ? MeMAX(e->max[i], part->max[i]) : part->max[i];
+        e->min[i] = e->isSet ? MeMIN(e->min[i], child->min[i]) : child->min[i];
+        e->max[i] = e->isSet ? MeMAX(e->max[i], child->max[i]) : child->max[i];
     }
     e->isSet = METRUE;
 }
 
 /* Are the boxes of a model's parts in that of the whole? */
-static MeBool arePartsWithin(const McdGeometryInstance *ins, const Extent *e) {
+static MeBool areChildrenWithin(const McdGeometryInstance *ins, const Extent *e) {
     for (McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)
         for (int i = 0; mcd_instanceIsPlaced(child) && i < 3; i++)
             if (child->min[i] < e->min[i] || child->max[i] > e->max[i])
@@ -193,8 +193,8 @@ void MEAPI McdAggregateUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr 
         return;
     Extent e = {{0, 0, 0}, {0, 0, 0}, MEFALSE, tight};
     const MeReal *place = mcd_instanceTM(ins)[3];
-    forEachPart(ins, finalTM, addBox, &e);
-    MEVALIDATE(arePartsWithin(ins, &e));
+    forEachChild(ins, finalTM, addBox, &e);
+    MEVALIDATE(areChildrenWithin(ins, &e));
     if (e.isSet)
         McdGeometryInstanceSetAABB(ins, e.min, e.max);
     else
@@ -207,15 +207,15 @@ typedef struct Farthest {
     MeBool isSet;
 } Farthest;
 
-static void addPoint(McdGeometryInstance *part, const MeMatrix4Ptr finalTM, void *data) {
+static void addPoint(McdGeometryInstance *child, const MeMatrix4Ptr finalTM, void *data) {
     Farthest *f = data;
     MeVector3 point;
-    const McdTypeRecord *type = mcd_geometryType(part->geometry, "McdAggregateMaximumPoint");
+    const McdTypeRecord *type = mcd_geometryType(child->geometry, "McdAggregateMaximumPoint");
     (void)finalTM;
     if (!type || !type->maximumPoint)
         return;
-    const McdTypeCall call = mcd_typeEnter(part->geometry->frame, type);
-    type->maximumPoint(part, f->direction, point);
+    const McdTypeCall call = mcd_typeEnter(child->geometry->frame, type);
+    type->maximumPoint(child, f->direction, point);
     mcd_typeLeave(&call);
     double height = 0;
     for (int k = 0; k < 3; k++)
@@ -235,7 +235,7 @@ void MEAPI McdAggregateMaximumPoint(McdGeometryInstanceID ins, MeReal *const inD
         return;
     Farthest f = {inDir, outPoint, 0, MEFALSE};
     MeVector3Copy(outPoint, mcd_instanceTM(ins)[3]);
-    forEachPart(ins, 0, addPoint, &f);
+    forEachChild(ins, 0, addPoint, &f);
 }
 
 typedef struct Ball {

@@ -69,14 +69,14 @@ static void clipFat(McdClip *c, const McdHull *h, double fatness) {
     *c = line;
     clipByFaces(c, h, 0);
     for (int i = 0; i < h->faceCount; i++) {
-        McdClip part = line;
-        clipByPrism(&part, h, &h->face[i], fatness);
-        mcd_clipUnion(c, &part);
+        McdClip clipped = line;
+        clipByPrism(&clipped, h, &h->face[i], fatness);
+        mcd_clipUnion(c, &clipped);
     }
     for (int i = 0; i < h->edgeCount; i++) {
-        McdClip part = line;
-        mcd_clipCapsule(&part, h->vertex[h->edge[i][0]], h->vertex[h->edge[i][1]], fatness);
-        mcd_clipUnion(c, &part);
+        McdClip clipped = line;
+        mcd_clipCapsule(&clipped, h->vertex[h->edge[i][0]], h->vertex[h->edge[i][1]], fatness);
+        mcd_clipUnion(c, &clipped);
     }
 }
 

@@ -100,8 +100,8 @@ static void sortCorners(Slice *s) {
 
 /* ---- the functions ----------------------------------------------------------------------------------------------- */
 
-static MeBool isAsked(McdGeometryInstanceID ins, const MeReal *normal, MeReal dist, int maxVert, const int *numVert,
-                      MeVector3 *outVert, const char *function) {
+static MeBool isValidQuery(McdGeometryInstanceID ins, const MeReal *normal, MeReal dist, int maxVert,
+                           const int *numVert, MeVector3 *outVert, const char *function) {
     MeBool isFine = ins && normal && maxVert >= 3 && numVert && outVert && MeRealIsValid(dist);
     for (int i = 0; isFine && i < 3; i++)
         isFine = MeRealIsValid(normal[i]);
@@ -159,7 +159,7 @@ static void sliceOfType(McdGeometryInstanceID ins, int type, const MeReal *norma
                         int *numVert, MeVector3 *outVert, const char *function) {
     if (numVert)
         *numVert = 0;
-    if (isAsked(ins, normal, dist, maxVert, numVert, outVert, function) &&
+    if (isValidQuery(ins, normal, dist, maxVert, numVert, outVert, function) &&
         (type < 0 || mcd_geometryIs(McdGeometryInstanceGetGeometry(ins), (McdGeometryType)type, function)))
         slice(ins, normal, dist, maxVert, numVert, outVert, function);
 }

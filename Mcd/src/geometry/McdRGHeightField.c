@@ -287,15 +287,15 @@ MCD_MESH_INTERACTIONS(RGHeightField, intersect)
 
 /* Tests both triangles of a cell. */
 static MeBool intersectCell(const McdRGHeightField *f, int i, int j, const double from[3], const double to[3],
-                            double *part, double normal[3]) {
+                            double *fraction, double normal[3]) {
     MeBool isHit = MEFALSE;
     for (int half = 0; half < 2; half++) {
         double corner[3][3], own[3], here, hit[3];
         triangleOf(f, i, j, half, corner);
         if (mcd_triangleNormal((const double(*)[3])corner, 0, own) &&
             mcd_segmentTriangle((const double(*)[3])corner, own, MEFALSE, from, to, &here, hit) &&
-            (!isHit || here < *part)) {
-            *part = here;
+            (!isHit || here < *fraction)) {
+            *fraction = here;
             memcpy(normal, hit, 3 * sizeof *normal);
             isHit = METRUE;
         }
@@ -331,7 +331,7 @@ static double exitOf(double x, double along, double x0, double step, int c) {
 
 /* Cell by cell along the segment. Where it runs along a line of the grid, rounding must not let it slip through: the
  * cells beside are tested as well. */
-static MeBool traverseCells(const McdRGHeightField *f, const double from[3], const double to[3], double *part,
+static MeBool traverseCells(const McdRGHeightField *f, const double from[3], const double to[3], double *fraction,
                             double normal[3]) {
     const double origin[2] = {(double)f->x0, (double)f->y0}, step[2] = {(double)f->xStep, (double)f->yStep};
     const int points[2] = {f->xCount, f->yCount};
@@ -347,13 +347,13 @@ static MeBool traverseCells(const McdRGHeightField *f, const double from[3], con
             const int i = cell[0] + beside % 3 - 1, j = cell[1] + beside / 3 - 1;
             double here = 0, hit[3];
             if (i < 0 || j < 0 || i > points[0] - 2 || j > points[1] - 2 ||
-                !intersectCell(f, i, j, from, to, &here, hit) || (isHit && here >= *part))
+                !intersectCell(f, i, j, from, to, &here, hit) || (isHit && here >= *fraction))
                 continue;
             isHit = METRUE;
-            *part = here;
+            *fraction = here;
             memcpy(normal, hit, 3 * sizeof *normal);
         }
-        MEASSERT(!isHit || (*part >= 0 && *part <= 1));
+        MEASSERT(!isHit || (*fraction >= 0 && *fraction <= 1));
         if (isHit)
             return METRUE;
         double next[2];
@@ -369,10 +369,10 @@ static MeBool traverseCells(const McdRGHeightField *f, const double from[3], con
 static int MEAPI intersectSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
                                   McdLineSegIntersectResult *outOverlap) {
     const McdGeometryInstance *ins = &mcd_record(cm)->instance;
-    double from[3], to[3], part, normal[3];
+    double from[3], to[3], fraction, normal[3];
     return mcd_toLocal(mcd_const(ins->tm), inOrig, from) && mcd_toLocal(mcd_const(ins->tm), inDest, to) &&
-           traverseCells((const McdRGHeightField *)ins->geometry, from, to, &part, normal) &&
-           mcd_segmentHit(mcd_const(ins->tm), inOrig, inDest, part, normal, outOverlap);
+           traverseCells((const McdRGHeightField *)ins->geometry, from, to, &fraction, normal) &&
+           mcd_segmentHit(mcd_const(ins->tm), inOrig, inDest, fraction, normal, outOverlap);
 }
 
 void MEAPI McdRGHeightFieldLineSegmentRegisterInteraction(McdFramework *frame) {

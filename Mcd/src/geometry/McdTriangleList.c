@@ -164,7 +164,7 @@ void MEAPI McdTriangleListDebugDraw(const McdGeometryID g, const MeMatrix4 tm, c
 /* ---- triangles --------------------------------------------------------------------------------------------------- */
 
 /* Programs may have written another number. */
-static void takeMaxCount(McdTriangleListRecord *list) {
+static void readMaxCount(McdTriangleListRecord *list) {
     const int count = list->list.triangleMaxCount;
     if (count == list->room)
         return;
@@ -186,7 +186,7 @@ typedef struct Generated {
 static MeBool claimArray(McdTriangleListRecord *list, McdScratch *scratch, Generated *generated) {
     *generated = (Generated){.isOwn = !atomic_exchange_explicit(&list->isInUse, 1, memory_order_acquire)};
     if (generated->isOwn) {
-        takeMaxCount(list);
+        readMaxCount(list);
         generated->room = list->room;
         generated->triangle = list->list.list;
         return METRUE;
@@ -215,11 +215,11 @@ static void callGenerator(McdTriangleListRecord *list, McdModelPair *p, McdScrat
     if (!claimArray(list, scratch, generated) || !list->generate)
         return;
     McdFramework *frame = list->list.head.frame;
-    MeStageBegin(&frame->stage, MCD_HOLD_SHAPES);
+    MeStageBegin(&frame->stage, MCD_GUARD_SHAPES);
     const MeProgramCall before = MeProgramEnter("McdTriangleListSetGenerator");
     const int count = list->generate(p, generated->triangle, pos, mcd_roundUp(reach), generated->room);
     MeProgramLeave(&before);
-    MeStageEnd(&frame->stage, MCD_HOLD_SHAPES);
+    MeStageEnd(&frame->stage, MCD_GUARD_SHAPES);
     if (count >= generated->room && !atomic_exchange(&list->hasWarned, 1))
         MeWarning(2,
                   "McdTriangleList: the callback gave %d triangles, as many as there is place for: contacts may be "
@@ -276,14 +276,14 @@ MCD_MESH_INTERACTIONS(TriangleList, intersect)
 static double firstHit(const Generated *generated, const double from[3], const double to[3], double normal[3]) {
     double least = 2;
     for (int i = 0; i < generated->count; i++) {
-        double corner[3][3], own[3], given[3], part, hit[3];
+        double corner[3][3], own[3], given[3], fraction, hit[3];
         const McdUserTriangle *t = &generated->triangle[i];
         if (!cornersOf(t, corner) || !mcd_triangleNormal((const double(*)[3])corner, normalOf(t, given), own))
             continue;
         if (mcd_segmentTriangle((const double(*)[3])corner, own, (t->flags & kMcdTriangleTwoSided) != 0, from, to,
-                                &part, hit) &&
-            part < least) {
-            least = part;
+                                &fraction, hit) &&
+            fraction < least) {
+            least = fraction;
             memcpy(normal, hit, sizeof hit);
         }
     }
@@ -304,7 +304,7 @@ static int MEAPI intersectSegment(const McdModelID cm, MeReal *const inOrig, MeR
         middle[i] = (from[i] + to[i]) / 2;
         length += (to[i] - from[i]) * (to[i] - from[i]);
     }
-    McdScratch *scratch = mcd_scratchTake(frame, "McdLineSegIntersect");
+    McdScratch *scratch = mcd_scratchAcquire(frame, "McdLineSegIntersect");
     if (!scratch)
         return 0;
     memset(&pair, 0, sizeof pair);

@@ -198,25 +198,25 @@ static void toLocal(const MeVector4 *tm, const double v[3], double out[3]) {
 }
 
 MeBool mcd_toLocal(const MeVector4 *tm, const MeReal *world, double local[3]) {
-    double off[3];
+    double offset[3];
     for (int i = 0; i < 3; i++)
-        off[i] = (double)world[i] - (double)tm[3][i];
-    toLocal(tm, off, local);
+        offset[i] = (double)world[i] - (double)tm[3][i];
+    toLocal(tm, offset, local);
     return isfinite(local[0] + local[1] + local[2]);
 }
 
-int mcd_segmentHit(const MeVector4 *tm, const MeReal *from, const MeReal *to, double part, const double normal[3],
+int mcd_segmentHit(const MeVector4 *tm, const MeReal *from, const MeReal *to, double fraction, const double normal[3],
                    McdLineSegIntersectResult *hit) {
     double length = 0;
-    MEASSERT(part >= 0 && part <= 1);
+    MEASSERT(fraction >= 0 && fraction <= 1);
     for (int i = 0; i < 3; i++) {
         const double along = (double)to[i] - (double)from[i];
         length += along * along;
-        hit->position[i] = mcd_real((double)from[i] + part * along);
+        hit->position[i] = mcd_real((double)from[i] + fraction * along);
         hit->normal[i] =
             (MeReal)((double)tm[0][i] * normal[0] + (double)tm[1][i] * normal[1] + (double)tm[2][i] * normal[2]);
     }
-    hit->distance = mcd_real(part * sqrt(length));
+    hit->distance = mcd_real(fraction * sqrt(length));
     return 1;
 }
 
@@ -227,14 +227,14 @@ int mcd_localLineSegment(McdModelID cm, const MeReal *from, const MeReal *to, Mc
         return 0;
     const MeVector4 *tm = mcd_const(mcd_instanceTM(ins));
     const double inside[3] = {0, 0, 0};
-    double way[3], localStart[3], localWay[3];
+    double displacement[3], localStart[3], localDisplacement[3];
     for (int i = 0; i < 3; i++)
-        way[i] = (double)to[i] - (double)from[i];
+        displacement[i] = (double)to[i] - (double)from[i];
     if (!mcd_toLocal(tm, from, localStart))
         return 0;
-    toLocal(tm, way, localWay);
+    toLocal(tm, displacement, localDisplacement);
     McdClip c;
-    mcd_clipBegin(&c, localStart, localWay);
+    mcd_clipBegin(&c, localStart, localDisplacement);
     clip(ins->geometry, &c);
     if (mcd_clipIsEmpty(&c) || c.in > 1 || c.out < 0)
         return 0;
@@ -340,10 +340,10 @@ void mcd_drawCircle(const MeVector4 *tm, const MeReal colour[3], double z, doubl
 }
 
 void mcd_drawSides(const MeVector4 *tm, const MeReal colour[3], double z1, double radius1, double z2, double radius2) {
-    const double way[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    const double direction[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
     for (int i = 0; i < 4; i++) {
-        const double a[3] = {radius1 * way[i][0], radius1 * way[i][1], z1};
-        const double b[3] = {radius2 * way[i][0], radius2 * way[i][1], z2};
+        const double a[3] = {radius1 * direction[i][0], radius1 * direction[i][1], z1};
+        const double b[3] = {radius2 * direction[i][0], radius2 * direction[i][1], z2};
         mcd_drawLine(tm, colour, a, b);
     }
 }

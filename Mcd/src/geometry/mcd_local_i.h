@@ -55,14 +55,14 @@ static inline void mcd_localExtent(const McdGeometry *g, const MeVector4 *tm, in
                                    double *low, double *high) {
     const double d[3] = {(double)tm[0][i], (double)tm[1][i], (double)tm[2][i]}, back[3] = {-d[0], -d[1], -d[2]};
     const double place = (double)tm[3][i];
-    double most[3], least[3], slack = fabs(place);
-    support(g, d, most);
-    support(g, back, least);
+    double highest[3], lowest[3], slack = fabs(place);
+    support(g, d, highest);
+    support(g, back, lowest);
     for (int k = 0; k < 3; k++)
-        slack += fabs(d[k] * most[k]) + fabs(d[k] * least[k]);
+        slack += fabs(d[k] * highest[k]) + fabs(d[k] * lowest[k]);
     slack *= 4 * DBL_EPSILON;
-    *low = place + d[0] * least[0] + d[1] * least[1] + d[2] * least[2] - slack;
-    *high = place + d[0] * most[0] + d[1] * most[1] + d[2] * most[2] + slack;
+    *low = place + d[0] * lowest[0] + d[1] * lowest[1] + d[2] * lowest[2] - slack;
+    *high = place + d[0] * highest[0] + d[1] * highest[1] + d[2] * highest[2] + slack;
 }
 
 /* Inline, as the extents are, so that each type's support function is part of its loops: boxes are updated in every
@@ -121,7 +121,7 @@ void mcd_clipAt(const McdClip *c, double t, double point[3]);
 MeBool mcd_toLocal(const MeVector4 *tm, const MeReal *world, double local[3]);
 /* Fills the result, but for the model, for a hit at a part of the segment, with a normal in the frame at tm. Returns
  * 1. */
-int mcd_segmentHit(const MeVector4 *tm, const MeReal *from, const MeReal *to, double part, const double normal[3],
+int mcd_segmentHit(const MeVector4 *tm, const MeReal *from, const MeReal *to, double fraction, const double normal[3],
                    McdLineSegIntersectResult *hit);
 
 /* Clips the line, which comes unclipped, by the geometry. */

@@ -67,14 +67,14 @@ static double rimOfShape(const McdContact *c, int side, McdGeometryInstanceID in
 }
 
 /* The part of a model that the contact is of. Null: there is none, or the model has gone since. */
-static McdGeometryInstanceID partOf(const McdContact *c, int side) {
+static McdGeometryInstanceID instanceOf(const McdContact *c, int side) {
     const McdGeometryInstanceID ins = side == 0 ? c->instance1 : c->instance2;
     const MeBool isKnown = ins && MCD_IS_KNOWN(ins, MCD_INSTANCE) && ins->geometry && ins->model;
     return isKnown && mcd_record(ins->model)->magic == MCD_MODEL ? ins : 0;
 }
 
 static double rimOf(const McdContact *c, int side, double axis[3]) {
-    const McdGeometryInstanceID ins = partOf(c, side);
+    const McdGeometryInstanceID ins = instanceOf(c, side);
     const McdKind *kind = ins ? mcd_kindOf(ins->geometry) : 0;
     const MeBool hasRim = kind && kind->rim && isAsFound(c) && mcd_instanceIsPlaced(ins);
     return hasRim ? rimOfShape(c, side, ins, axis) : 0;
@@ -88,7 +88,7 @@ double MEAPI McdContactGetRim(const McdContact *c, int side, double axis[3]) {
                          : "no place for the axis");
         return 0;
     }
-    if ((side == 0 ? c->instance1 : c->instance2) && !partOf(c, side))
+    if ((side == 0 ? c->instance1 : c->instance2) && !instanceOf(c, side))
         MeWarning(1, "McdContactGetRim: the contact's model has been destroyed");
     return rimOf(c, side, axis);
 }
@@ -168,7 +168,7 @@ static int farthestBeside(const McdSpot *spot, int count, int a, int b, const do
 /* Up to four corners of what the spots cover: two ends, and the farthest on either side; if there is nothing on the
  * second side, the largest addition across the two other sides of the triangle. All areas are seen along one normal:
  * the spots' own differ by up to 1.1 degrees, and along two of them a corner may lie outside of its own triangle. */
-static int corners(const McdSpot *spot, int count, int wanted, double same, int *kept) {
+static int corners(const McdSpot *spot, int count, int maxCount, double same, int *kept) {
     double mean[3] = {0, 0, 0}, ab[3];
     for (int i = 0; i < count; i++)
         for (int k = 0; k < 3; k++)
@@ -177,10 +177,10 @@ static int corners(const McdSpot *spot, int count, int wanted, double same, int 
     difference(spot[b].position, spot[a].position, ab);
     const double length = sqrt(dot(ab, ab));
     kept[0] = a;
-    if (wanted == 1 || !(length > same)) /* NaN: positions are no numbers */
+    if (maxCount == 1 || !(length > same)) /* NaN: positions are no numbers */
         return 1;
     kept[1] = b;
-    if (wanted == 2)
+    if (maxCount == 2)
         return 2;
     const double *normal = spot[a].normal;
     double left, right;
@@ -191,7 +191,7 @@ static int corners(const McdSpot *spot, int count, int wanted, double same, int 
     if (MeMAX(left, right) <= least)
         return 2;
     kept[2] = first;
-    if (wanted == 3)
+    if (maxCount == 3)
         return 3;
     if (MeMIN(left, right) > least) {
         kept[3] = second;
@@ -243,28 +243,28 @@ static double sizeOf(const McdSpot *spot, int count) {
 }
 
 /* Counts one that is chosen now. What is no number is not apart from anything: it is not chosen. */
-static void updateApart(McdSpot *spot, int count, const McdSpot *chosen, double size) {
+static void updateDistances(McdSpot *spot, int count, const McdSpot *chosen, double size) {
     for (int i = 0; i < count; i++) {
-        const double apart = differenceSquared(&spot[i], chosen, size);
-        spot[i].apart = isnan(apart) ? 0 : fmin(spot[i].apart, apart);
+        const double distance2 = differenceSquared(&spot[i], chosen, size);
+        spot[i].distance2 = isnan(distance2) ? 0 : fmin(spot[i].distance2, distance2);
     }
 }
 
-static int addMostDifferent(McdSpot *spot, int count, int wanted, double same, int *kept, int keptCount) {
+static int addFarthest(McdSpot *spot, int count, int maxCount, double same, int *kept, int keptCount) {
     const double size = fmax(sizeOf(spot, count), same);
     for (int i = 0; i < count; i++)
-        spot[i].apart = INFINITY;
+        spot[i].distance2 = INFINITY;
     for (int k = 0; k < keptCount; k++)
-        updateApart(spot, count, &spot[kept[k]], size);
-    while (keptCount < wanted) {
+        updateDistances(spot, count, &spot[kept[k]], size);
+    while (keptCount < maxCount) {
         int best = 0;
         for (int i = 1; i < count; i++)
-            if (spot[i].apart > spot[best].apart)
+            if (spot[i].distance2 > spot[best].distance2)
                 best = i;
-        if (!(spot[best].apart > same * same))
+        if (!(spot[best].distance2 > same * same))
             break;
         kept[keptCount++] = best;
-        updateApart(spot, count, &spot[best], size);
+        updateDistances(spot, count, &spot[best], size);
     }
     return keptCount;
 }
@@ -292,21 +292,21 @@ static MeBool areAscending(const int *kept, int count) {
     return METRUE;
 }
 
-int mcd_spread(McdSpot *spot, int count, int wanted, double same, int *kept) {
+int mcd_spread(McdSpot *spot, int count, int maxCount, double same, int *kept) {
     int keptCount;
-    if (count <= 0 || wanted <= 0)
+    if (count <= 0 || maxCount <= 0)
         return 0;
     if (haveOneNormal(spot, count)) {
-        keptCount = corners(spot, count, MeMIN(wanted, 4), same, kept);
+        keptCount = corners(spot, count, MeMIN(maxCount, 4), same, kept);
         includeDeepest(spot, count, kept, keptCount);
-        if (wanted > 4)
-            keptCount = addMostDifferent(spot, count, wanted, same, kept, keptCount);
+        if (maxCount > 4)
+            keptCount = addFarthest(spot, count, maxCount, same, kept, keptCount);
     } else {
         kept[0] = deepestOf(spot, count);
-        keptCount = addMostDifferent(spot, count, wanted, same, kept, 1);
+        keptCount = addFarthest(spot, count, maxCount, same, kept, 1);
     }
     ascending(kept, keptCount);
-    MEASSERT(keptCount >= 1 && keptCount <= wanted && kept[0] >= 0 && kept[keptCount - 1] < count);
+    MEASSERT(keptCount >= 1 && keptCount <= maxCount && kept[0] >= 0 && kept[keptCount - 1] < count);
     MEVALIDATE(areAscending(kept, keptCount));
     return keptCount;
 }
@@ -320,7 +320,7 @@ static McdSpot spotOf(const McdContact *c, const McdContact *reference) {
         s.normal[i] = (double)c->normal[i];
     }
     s.separation = (double)c->separation;
-    s.apart = 0;
+    s.distance2 = 0;
     return s;
 }
 
@@ -356,12 +356,12 @@ typedef struct Workplace {
     int *from, *kept, *chosen; /* `count` of each */
 } Workplace;
 
-static int choose(const Workplace *w, const McdContact *contacts, int count, int wanted, const MeReal *normal,
+static int choose(const Workplace *w, const McdContact *contacts, int count, int maxCount, const MeReal *normal,
                   double same) {
     int chosenCount = 0;
-    for (int pass = 0; pass < (normal ? 2 : 1) && chosenCount < wanted; pass++) {
+    for (int pass = 0; pass < (normal ? 2 : 1) && chosenCount < maxCount; pass++) {
         const int n = gatherSpots(contacts, count, normal, pass == 0, w->spot, w->from);
-        const int keptCount = mcd_spread(w->spot, n, wanted - chosenCount, same, w->kept);
+        const int keptCount = mcd_spread(w->spot, n, maxCount - chosenCount, same, w->kept);
         for (int i = 0; i < keptCount; i++)
             w->chosen[chosenCount++] = w->from[w->kept[i]];
     }
@@ -373,13 +373,13 @@ size_t mcd_simplifyBytes(int count) {
     return (size_t)count * (sizeof(McdSpot) + 3 * sizeof(int));
 }
 
-int mcd_simplify(const McdContact *from, int count, McdContact *to, int wanted, const MeReal *faceNormal, double same,
+int mcd_simplify(const McdContact *from, int count, McdContact *to, int maxCount, const MeReal *faceNormal, double same,
                  void *memory) {
     McdSpot *spot = memory;
     int *index = (int *)(spot + count);
     const Workplace w = {spot, index, index + count, index + 2 * count};
-    const int chosenCount = choose(&w, from, count, wanted, faceNormal, same);
-    MEASSERT(chosenCount <= MeMAX(wanted, 0) && chosenCount <= count);
+    const int chosenCount = choose(&w, from, count, maxCount, faceNormal, same);
+    MEASSERT(chosenCount <= MeMAX(maxCount, 0) && chosenCount <= count);
     for (int i = 0; i < chosenCount; i++)
         to[i] = from[w.chosen[i]]; /* chosen ascends: nothing is overwritten before it is read */
     return chosenCount;

@@ -107,14 +107,14 @@ void mcd_geometryDestroy(McdGeometry *g) {
     McdFramework *frame = g->frame;
     const McdTypeRecord *type = &frame->types[g->type];
     McdGeometryDeinit(g);
-    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
+    MeStageBegin(&frame->stage, MCD_GUARD_MODELS);
     const McdTypeCall call = mcd_typeEnter(frame, type);
     if (type->destroy)
         type->destroy(g);
     else
         MeMemoryGive(g);
     mcd_typeLeave(&call);
-    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
+    MeStageEnd(&frame->stage, MCD_GUARD_MODELS);
 }
 
 /* Whether something uses it is known only then: models may be destroyed before. */

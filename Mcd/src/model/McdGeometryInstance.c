@@ -49,7 +49,7 @@ void mcd_instanceFreeChildren(McdFramework *frame, McdGeometryInstance *ins) {
 }
 
 MeBool mcd_instanceMakeChildren(McdFramework *frame, McdGeometryInstance *ins, const char *function) {
-    const McdAggregate *aggregate = mcd_partsOf(ins->geometry);
+    const McdAggregate *aggregate = mcd_childrenOf(ins->geometry);
     if (!aggregate)
         return METRUE;
     McdGeometryInstance **end = &ins->firstChild;
@@ -126,7 +126,7 @@ void MEAPI McdGeometryInstanceSetGeometry(McdGeometryInstanceID ins, McdGeometry
         !mcd_geometryBelongs(g, mcd_record(ins->model)->frame, "McdGeometryInstanceSetGeometry") ||
         !mcd_mayPlace(g->frame, "McdGeometryInstanceSetGeometry"))
         return;
-    if (mcd_partsOf(g) || mcd_partsOf(ins->geometry)) {
+    if (mcd_childrenOf(g) || mcd_childrenOf(ins->geometry)) {
         MeWarning(1, "McdGeometryInstanceSetGeometry: aggregates are set by McdModelSetGeometry");
         return;
     }
@@ -221,9 +221,9 @@ void MEAPI McdGeometryInstanceUpdateAABB(McdGeometryInstanceID ins, const MeMatr
     if (!mcd_instanceCheck(ins, "McdGeometryInstanceUpdateAABB"))
         return;
     McdFramework *frame = ins->geometry->frame;
-    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
+    MeStageBegin(&frame->stage, MCD_GUARD_MODELS);
     mcd_instanceUpdateAABB(ins, finalTM, tight);
-    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
+    MeStageEnd(&frame->stage, MCD_GUARD_MODELS);
 }
 
 MeBool MEAPI McdGeometryInstanceOverlap(McdGeometryInstanceID a, McdGeometryInstanceID b) {
@@ -250,14 +250,14 @@ void MEAPI McdGeometryInstanceGetBSphere(const McdGeometryInstanceID ins, MeVect
         return;
     MeVector3 local;
     McdFramework *frame = ins->geometry->frame;
-    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
+    MeStageBegin(&frame->stage, MCD_GUARD_MODELS);
     McdGeometryGetBSphere(ins->geometry, local, radius);
     MeVector3Copy(center, local);
     if (mcd_instanceIsPlaced(ins))
         placePoint(center, mcd_instanceTM(ins), local);
     else if (mcd_instanceTM(ins))
         MeWarning(1, "McdGeometryInstanceGetBSphere: the transform is not finite, or flat");
-    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
+    MeStageEnd(&frame->stage, MCD_GUARD_MODELS);
 }
 
 void MEAPI McdGeometryInstanceMaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir, MeReal *const outPoint) {

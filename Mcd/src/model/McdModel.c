@@ -93,7 +93,7 @@ static void recordToPool(McdModelRecord *m) {
 }
 
 /* Makes g the geometry of a model without one. False, with a message, if there are too few child instances. */
-static MeBool takeGeometry(McdModelRecord *m, McdGeometryID g, const char *function) {
+static MeBool acquireGeometry(McdModelRecord *m, McdGeometryID g, const char *function) {
     m->instance.geometry = g;
     m->instance.model = &m->model;
     if (!mcd_instanceMakeChildren(m->frame, &m->instance, function)) {
@@ -121,7 +121,7 @@ McdModelID MEAPI McdModelCreate(McdGeometryID g) {
     if (!frame->firstFree && !mcd_frameAddModels(frame, "McdModelCreate"))
         return 0;
     McdModelRecord *m = recordFromPool(frame);
-    if (!takeGeometry(m, g, "McdModelCreate")) {
+    if (!acquireGeometry(m, g, "McdModelCreate")) {
         recordToPool(m);
         return 0;
     }
@@ -158,9 +158,9 @@ static void destroyModel(McdModelRecord *m) {
 void mcd_modelDestroy(McdModelRecord *m) {
     McdFramework *frame = m->frame;
     m->isCondemned = m->isGone = true;
-    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
+    MeStageBegin(&frame->stage, MCD_GUARD_MODELS);
     destroyModel(m);
-    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
+    MeStageEnd(&frame->stage, MCD_GUARD_MODELS);
 }
 
 static void MEAPI destroyLater(const MeLater *later) {
@@ -234,36 +234,36 @@ MeU64 MEAPI McdModelGetSerial(McdModelID cm) {
     return McdModelIsValid(cm) ? mcd_record(cm)->serial : 0;
 }
 
-MeReal *mcd_partVelocity(const McdGeometryInstance *part, MeVector3 memory) {
-    const McdModelRecord *m = mcd_record(part->model);
+MeReal *mcd_childVelocity(const McdGeometryInstance *child, MeVector3 memory) {
+    const McdModelRecord *m = mcd_record(child->model);
     MeVector3 arm;
-    if (!part->parent || !m->linearVelocity || !m->angularVelocity)
+    if (!child->parent || !m->linearVelocity || !m->angularVelocity)
         return m->linearVelocity;
-    MeVector3Subtract(arm, part->placed[3], m->instance.tm[3]);
+    MeVector3Subtract(arm, child->placed[3], m->instance.tm[3]);
     MeVector3Cross(memory, m->angularVelocity, arm);
     MeVector3Add(memory, memory, m->linearVelocity);
     return memory;
 }
 
-McdModelID mcd_standInBegin(McdStandIn *s, McdGeometryInstance *part) {
+McdModelID mcd_standInBegin(McdStandIn *s, McdGeometryInstance *child) {
     static const MeHandle none = {0, 0, 0};
-    const McdModelRecord *m = mcd_record(part->model);
-    if (!part->parent)
-        return part->model;
+    const McdModelRecord *m = mcd_record(child->model);
+    if (!child->parent)
+        return child->model;
     s->record = *m;
     s->record.handle = none;
-    s->record.instance = *part;
+    s->record.instance = *child;
     s->record.instance.handle = none;
     s->record.instance.parent = s->record.instance.nextSibling = 0;
     s->record.instance.model = &s->record.model;
-    s->record.standsFor = part->model;
-    s->record.instance.tm = part->placed;
-    s->record.material = mcd_instanceMaterial(part);
+    s->record.standsFor = child->model;
+    s->record.instance.tm = child->placed;
+    s->record.material = mcd_instanceMaterial(child);
     s->record.relTM = s->record.refTM = 0;
     s->record.ownsRelative = MEFALSE;
     s->record.update = 0;
     s->record.intersect = 0; /* called once for the whole */
-    s->record.linearVelocity = mcd_partVelocity(part, s->velocity);
+    s->record.linearVelocity = mcd_childVelocity(child, s->velocity);
 #if KARMA_CHECK
     MeHandleEnter(&s->record.handle, &s->record, MCD_MODEL);
 #endif
@@ -271,9 +271,9 @@ McdModelID mcd_standInBegin(McdStandIn *s, McdGeometryInstance *part) {
     return &s->record.model;
 }
 
-void mcd_standInEnd(McdModelID cm, McdGeometryInstance *part) {
+void mcd_standInEnd(McdModelID cm, McdGeometryInstance *child) {
     McdModelRecord *m = mcd_record(cm);
-    if (cm == part->model)
+    if (cm == child->model)
         return;
     MeHandleLeave(&m->handle);
     mcd_instanceLeave(&m->instance);
@@ -290,7 +290,7 @@ void MEAPI McdModelSetGeometry(McdModelID cm, McdGeometryID g) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetGeometry");
     if (!m || !mcd_geometryType(g, "McdModelSetGeometry") || !mcd_geometryBelongs(g, m->frame, "McdModelSetGeometry"))
         return;
-    if (m->space && !mcd_partsOf(g) && !mcd_partsOf(m->instance.geometry)) {
+    if (m->space && !mcd_childrenOf(g) && !mcd_childrenOf(m->instance.geometry)) {
         ME_UNDER_OWN_NAME(McdGeometryInstanceSetGeometry(&m->instance, g));
         return;
     }
@@ -302,8 +302,8 @@ void MEAPI McdModelSetGeometry(McdModelID cm, McdGeometryID g) {
         return;
     const McdGeometryID old = m->instance.geometry;
     dropGeometry(m);
-    if (!takeGeometry(m, g, "McdModelSetGeometry"))
-        takeGeometry(m, old, "McdModelSetGeometry");
+    if (!acquireGeometry(m, g, "McdModelSetGeometry"))
+        acquireGeometry(m, old, "McdModelSetGeometry");
 }
 
 McdGeometryType MEAPI McdModelGetGeometryType(McdModelID cm) {
@@ -531,10 +531,10 @@ void MEAPI McdModelUpdate(McdModelID cm) {
     if (!m)
         return;
     McdFramework *frame = m->frame;
-    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
+    MeStageBegin(&frame->stage, MCD_GUARD_MODELS);
     if (!mcd_modelUpdate(m))
         warnOfNoPlace("McdModelUpdate");
-    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
+    MeStageEnd(&frame->stage, MCD_GUARD_MODELS);
 }
 
 /* How far a point of the model leaves the straight line between its two ends while the model turns by an angle:
@@ -570,10 +570,10 @@ void MEAPI McdModelUpdatePath(McdModelID cm, MeReal motionDuration) {
     if (!m)
         return;
     McdFramework *frame = m->frame;
-    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
+    MeStageBegin(&frame->stage, MCD_GUARD_MODELS);
     if (!mcd_modelUpdatePath(m, motionDuration))
         warnOfNoPlace("McdModelUpdatePath");
-    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
+    MeStageEnd(&frame->stage, MCD_GUARD_MODELS);
 }
 
 void MEAPI McdModelUpdatePathCompatible(McdModelID cm, MeReal dummy) {

@@ -115,9 +115,9 @@ MeBool mcd_interactionRegister(McdFramework *frame, int type1, int type2, const 
 
 /* What must stay as it is while a stage calls the program. Each level includes those before it. */
 enum {
-    MCD_HOLD_FRAME,  /* the framework and its spaces */
-    MCD_HOLD_MODELS, /* models and their pairs, geometries, change blocks */
-    MCD_HOLD_SHAPES  /* transforms' pointers, what models are made of, boxes in the tree */
+    MCD_GUARD_FRAME,  /* the framework and its spaces */
+    MCD_GUARD_MODELS, /* models and their pairs, geometries, change blocks */
+    MCD_GUARD_SHAPES  /* transforms' pointers, what models are made of, boxes in the tree */
 };
 /* MeStageWhen, for what has to wait as long as models are held; it is in the framework's list then. */
 MeWhen mcd_when(McdFramework *frame, const MeLater *later, const char *function);

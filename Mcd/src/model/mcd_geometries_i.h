@@ -75,7 +75,7 @@ struct McdAggregate {
 };
 
 /* The aggregate that a geometry is, whose instances have children; null for all others. */
-static inline const McdAggregate *mcd_partsOf(const McdGeometry *g) {
+static inline const McdAggregate *mcd_childrenOf(const McdGeometry *g) {
     return g->type == kMcdGeometryTypeAggregate ? (const McdAggregate *)g : 0;
 }
 

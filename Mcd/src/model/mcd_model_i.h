@@ -116,7 +116,7 @@ static inline MeReal mcd_fastMargin(const McdModelRecord *m) {
 }
 
 /* The velocity of a part's origin, or its model's, in the memory given or the model's own; null: it has none. */
-MeReal *mcd_partVelocity(const McdGeometryInstance *part, MeVector3 memory);
+MeReal *mcd_childVelocity(const McdGeometryInstance *child, MeVector3 memory);
 
 /* A temporary model for one part of an aggregate: a copy of the aggregate's model with the part's geometry and
  * transform, valid from mcd_standInBegin to mcd_standInEnd. */
@@ -125,8 +125,8 @@ typedef struct McdStandIn {
     MeVector3 velocity; /* of the part's origin */
 } McdStandIn;
 /* The part's model itself where the part is no child, else the stand-in. */
-McdModelID mcd_standInBegin(McdStandIn *s, McdGeometryInstance *part);
-void mcd_standInEnd(McdModelID cm, McdGeometryInstance *part);
+McdModelID mcd_standInBegin(McdStandIn *s, McdGeometryInstance *child);
+void mcd_standInEnd(McdModelID cm, McdGeometryInstance *child);
 
 /* The record of a live model; null, with a warning that names the function, for anything else. */
 McdModelRecord *mcd_modelCheck(McdModelID cm, const char *function);

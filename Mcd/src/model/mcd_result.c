@@ -37,17 +37,17 @@ double mcd_pairMarginInRound(const McdModelPair *p) {
     return marginOf(p, mcd_record(p->model1)->inputs.velocity, mcd_record(p->model2)->inputs.velocity);
 }
 
-double mcd_partsMargin(const McdModelPair *p, const McdGeometryInstance *part1, const McdGeometryInstance *part2) {
+double mcd_childMargin(const McdModelPair *p, const McdGeometryInstance *child1, const McdGeometryInstance *child2) {
     MeVector3 memory[2];
-    return marginOf(p, mcd_partVelocity(part1, memory[0]), mcd_partVelocity(part2, memory[1]));
+    return marginOf(p, mcd_childVelocity(child1, memory[0]), mcd_childVelocity(child2, memory[1]));
 }
 
-void mcd_pairWay(const McdModelPair *p, double way[3]) {
+void mcd_pairDisplacement(const McdModelPair *p, double displacement[3]) {
     const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
     const double time = a->isFast || b->isFast ? 0 : fmax((double)a->lookAhead, (double)b->lookAhead);
     for (int i = 0; i < 3; i++)
-        way[i] = time * ((a->linearVelocity ? (double)a->linearVelocity[i] : 0) -
-                         (b->linearVelocity ? (double)b->linearVelocity[i] : 0));
+        displacement[i] = time * ((a->linearVelocity ? (double)a->linearVelocity[i] : 0) -
+                                  (b->linearVelocity ? (double)b->linearVelocity[i] : 0));
 }
 
 MeBool mcd_resultHasRoom(const McdIntersectResult *result, const char *function) {
@@ -74,8 +74,8 @@ static MeU64 mixBits(MeU64 x) {
     return x ^ x >> 33;
 }
 
-MeU32 mcd_featureMix(MeU32 feature, MeU32 part) {
-    return (MeU32)mixBits((MeU64)part << 32 | feature);
+MeU32 mcd_featureMix(MeU32 feature, MeU32 component) {
+    return (MeU32)mixBits((MeU64)component << 32 | feature);
 }
 
 MeU32 mcd_featureNumber(MeU64 feature) {
@@ -84,7 +84,7 @@ MeU32 mcd_featureNumber(MeU64 feature) {
 }
 
 /* Makes the feature ids of a result unique: of two equal hashes the later one is changed. */
-static void tellApart(McdIntersectResult *result) {
+static void setMinGap(McdIntersectResult *result) {
     for (int i = 1; i < result->contactCount; i++)
         for (int k = 0; k < i; k++)
             if (result->contacts[k].feature == result->contacts[i].feature) {
@@ -188,7 +188,7 @@ int mcd_resultEnd(McdIntersectResult *result) {
         MeVector3MultiplyScalar(result->normal, sum, 1 / length);
     else /* they cancel: the first one's */
         MeVector3Copy(result->normal, result->contacts[0].normal);
-    tellApart(result);
+    setMinGap(result);
     MEVALIDATE(areContactsGood(result));
     return result->touch = 1;
 }

@@ -31,7 +31,7 @@ static inline int mcd_regionDims(int pointCount) {
     return MeMIN(pointCount, 3) - 1;
 }
 /* A hash of a feature's number and of what it is a part of. */
-MeU32 mcd_featureMix(MeU32 feature, MeU32 part);
+MeU32 mcd_featureMix(MeU32 feature, MeU32 component);
 /* McdContact.feature of two shapes' features: of shapes with at most 256 faces as it is, of others a hash. */
 MeU32 mcd_featureNumber(MeU64 feature);
 int mcd_resultEnd(McdIntersectResult *result); /* the mean normal; 1 if there are contacts */
@@ -49,9 +49,9 @@ void mcd_hashAdd(MeU64 hash[2], const void *data, size_t bytes);
 double mcd_pairMargin(const McdModelPair *p);
 double mcd_pairMarginInRound(const McdModelPair *p); /* of models that have a stamp of this round */
 /* The same of two parts, whose origins move with the models that turn. */
-double mcd_partsMargin(const McdModelPair *p, const McdGeometryInstance *part1, const McdGeometryInstance *part2);
+double mcd_childMargin(const McdModelPair *p, const McdGeometryInstance *child1, const McdGeometryInstance *child2);
 /* m: by how much model1 moves against model2 until the next test, with the velocities that they have; 0 of fast models,
  * whose contacts are those of now. */
-void mcd_pairWay(const McdModelPair *p, double way[3]);
+void mcd_pairDisplacement(const McdModelPair *p, double displacement[3]);
 
 #endif

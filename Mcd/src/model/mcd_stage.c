@@ -1,13 +1,13 @@
 /* Stages of a framework: what the program calls from its callbacks, and may not happen before they are done
  * (mcd_frame_i.h, MeInternal.h).
  *
- *     stage                                                      level            what waits, or is refused
- *     pairs are handled; boxes are updated; a block ends; a      MCD_HOLD_MODELS  destroying models and geometries,
+ *     stage                                                     level             what waits, or is refused
+ *     pairs are handled; boxes are updated; a block ends; a     MCD_GUARD_MODELS  destroying models and geometries,
  *     model is updated; a query, a test                                           taking models out; blocks are opened
  *                                                                                 and closed when it is done
- *     in it, a function of a geometry type, an interaction, a    MCD_HOLD_SHAPES  refused: placing models, and changing
+ *     in it, a function of a geometry type, an interaction, a   MCD_GUARD_SHAPES  refused: placing models, and changing
  *     list of triangles or a filter of a query                                    what they are made of
- *     a universe is stepped; a framework ends                    MCD_HOLD_FRAME   refused: ending the framework, spaces
+ *     a universe is stepped; a framework ends                   MCD_GUARD_FRAME   refused: ending the framework, spaces
  *
  * A model that is to go makes no more pairs and contacts (isGone); else it lives until then, but for McdModelIsValid.
  */
@@ -27,15 +27,15 @@ MeStage *MEAPI McdFrameworkGetStage(McdFrameworkID frame) {
     return &frame->stage;
 }
 
-MeStage *MEAPI McdModelGetHeldStage(McdModelID cm) {
+MeStage *MEAPI McdModelGetGuardStage(McdModelID cm) {
     MeStage *stage = &mcd_record(cm)->frame->stage;
-    return MeStageIsHeld(stage, MCD_HOLD_MODELS) ? stage : 0;
+    return MeStageIsHeld(stage, MCD_GUARD_MODELS) ? stage : 0;
 }
 
 MeWhen mcd_when(McdFramework *frame, const MeLater *later, const char *function) {
-    const MeWhen when = MeStageWhen(&frame->stage, MCD_HOLD_MODELS, function);
-    return when == MeWhenStageEnds && !MeStageDefer(&frame->stage, MCD_HOLD_MODELS, later, function) ? MeWhenNever
-                                                                                                     : when;
+    const MeWhen when = MeStageWhen(&frame->stage, MCD_GUARD_MODELS, function);
+    return when == MeWhenStageEnds && !MeStageDefer(&frame->stage, MCD_GUARD_MODELS, later, function) ? MeWhenNever
+                                                                                                      : when;
 }
 
 McdModelRecord *mcd_laterModel(const MeLater *later) {
@@ -44,7 +44,7 @@ McdModelRecord *mcd_laterModel(const MeLater *later) {
 }
 
 MeBool mcd_mayPlace(const McdFramework *frame, const char *function) {
-    if (!MeStageIsHeld(&frame->stage, MCD_HOLD_SHAPES))
+    if (!MeStageIsHeld(&frame->stage, MCD_GUARD_SHAPES))
         return METRUE;
     MeProgramRefuse(function, "models are being tested");
     return MEFALSE;
@@ -57,11 +57,11 @@ MeBool MEAPI McdModelMayBePlaced(McdModelID cm, const char *function) {
 /* ---- functions of geometry types --------------------------------------------------------------------------------- */
 
 McdTypeCall mcd_typeEnterOwn(McdFramework *frame) {
-    MeStageBegin(&frame->stage, MCD_HOLD_SHAPES);
+    MeStageBegin(&frame->stage, MCD_GUARD_SHAPES);
     return (McdTypeCall){.frame = frame, .before = MeProgramEnter("McdFrameworkRegisterGeometryType")};
 }
 
 void mcd_typeLeaveOwn(const McdTypeCall *call) {
     MeProgramLeave(&call->before);
-    MeStageEnd(&call->frame->stage, MCD_HOLD_SHAPES);
+    MeStageEnd(&call->frame->stage, MCD_GUARD_SHAPES);
 }

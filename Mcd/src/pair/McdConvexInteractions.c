@@ -42,7 +42,7 @@ static void addManifold(const McdShape *a, const McdShape *b, const double origi
     McdManifold m;
     if (mcd_convexManifold(a, b, margin, &m))
         mcd_resultAdd(result, &m, origin, ins1, ins2);
-    result->apart = (MeReal)m.apart;
+    result->apart = (MeReal)m.minGap;
 }
 
 MeBool mcd_convexInstances(McdGeometryInstance *ins1, McdGeometryInstance *ins2, double margin,

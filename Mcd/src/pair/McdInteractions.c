@@ -35,7 +35,7 @@ static const McdGridCell *interactionOf(const McdModelPair *p, MeBool *isTurned)
     return turned->isSet ? turned : 0;
 }
 
-/* Around a call of an interaction's function, which may be the program's. It calls it at MCD_HOLD_SHAPES. */
+/* Around a call of an interaction's function, which may be the program's. It calls it at MCD_GUARD_SHAPES. */
 typedef struct Call {
     McdFramework *frame; /* null: it is the library's */
     MeProgramCall before;
@@ -45,7 +45,7 @@ static Call enter(const McdModelPair *p, MeBool isOfProgram) {
     Call call = {.frame = isOfProgram ? mcd_record(p->model1)->frame : 0};
     if (!isOfProgram)
         return call;
-    MeStageBegin(&call.frame->stage, MCD_HOLD_SHAPES);
+    MeStageBegin(&call.frame->stage, MCD_GUARD_SHAPES);
     call.before = MeProgramEnter("McdFrameworkSetInteractions");
     return call;
 }
@@ -54,7 +54,7 @@ static void leave(const Call *call) {
     if (!call->frame)
         return;
     MeProgramLeave(&call->before);
-    MeStageEnd(&call->frame->stage, MCD_HOLD_SHAPES);
+    MeStageEnd(&call->frame->stage, MCD_GUARD_SHAPES);
 }
 
 static MeBool areSame(const McdInteractions *a, const McdInteractions *b) {
@@ -80,8 +80,8 @@ MeBool mcd_instanceTypes(const McdGeometryInstance *ins, MeU64 *types) {
     if ((ins->parent && ins->material >= 0) || type >= TYPE_BITS || !kind || kind->callsProgram)
         return MEFALSE;
     *types |= (MeU64)1 << type;
-    for (const McdGeometryInstance *part = ins->firstChild; part; part = part->nextSibling)
-        if (!mcd_instanceTypes(part, types))
+    for (const McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)
+        if (!mcd_instanceTypes(child, types))
             return MEFALSE;
     return METRUE;
 }
@@ -113,7 +113,7 @@ static MeBool hasNoneByDesign(const McdModelPair *p) {
     return (a && a->isEmpty) || (b && b->isEmpty) || (a && b && a->isStatic && b->isStatic);
 }
 
-static void warnOfMissing(McdModelPair *p) {
+static void warnOfNoInteraction(McdModelPair *p) {
     McdGridCell *cell = cellOf(p->model1, p->model2);
     if (hasNoneByDesign(p))
         return;
@@ -129,16 +129,16 @@ void MEAPI McdHello(McdModelPair *p) {
         return;
     const McdGridCell *cell = interactionOf(p, &isTurned);
     if (!cell) {
-        warnOfMissing(p);
+        warnOfNoInteraction(p);
         return;
     }
     const McdHelloFn hello = cell->interactions.helloFn;
     if (!hello)
         return;
-    McdModelPair asked = isTurned ? turn(p) : *p;
+    McdModelPair ordered = isTurned ? turn(p) : *p;
     const Call call = enter(p, hello != cell->library.helloFn);
-    hello(&asked);
-    p->m_cachedData = asked.m_cachedData;
+    hello(&ordered);
+    p->m_cachedData = ordered.m_cachedData;
     leave(&call);
 }
 
@@ -152,9 +152,9 @@ void MEAPI McdGoodbye(McdModelPair *p) {
         p->m_cachedData = 0;
         return;
     }
-    McdModelPair asked = isTurned ? turn(p) : *p;
+    McdModelPair ordered = isTurned ? turn(p) : *p;
     const Call call = enter(p, goodbye != cell->library.goodbyeFn);
-    goodbye(&asked);
+    goodbye(&ordered);
     p->m_cachedData = 0;
     leave(&call);
 }
@@ -170,14 +170,14 @@ static McdFramework *frameOf(const McdModelPairContainer *pairs, int first, int 
 }
 
 /* For all pairs: the program's functions that are told of one may have others go. */
-static void forEach(McdModelPairContainer *pairs, int first, int end, void(MEAPI *tell)(McdModelPair *p)) {
+static void forEach(McdModelPairContainer *pairs, int first, int end, void(MEAPI *notify)(McdModelPair *p)) {
     McdFramework *frame = frameOf(pairs, first, end);
     if (!frame)
         return;
-    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
+    MeStageBegin(&frame->stage, MCD_GUARD_MODELS);
     for (int i = first; i < end; i++)
-        tell(pairs->array[i]);
-    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
+        notify(pairs->array[i]);
+    MeStageEnd(&frame->stage, MCD_GUARD_MODELS);
 }
 
 void MEAPI McdHelloEach(McdModelPairContainer *pairs) {
@@ -271,16 +271,16 @@ static void intersectFacesFirst(McdIntersectFn intersect, McdModelPair *p, MeBoo
                                 McdIntersectResult *result) {
     enum { MORE = 4 }; /* so that a manifold of four points is in them where one contact is wanted */
     McdFramework *frame = mcd_record(p->model1)->frame;
-    const int wanted = result->contactMaxCount;
+    const int maxCount = result->contactMaxCount;
     McdContact *kept = result->contacts;
-    McdScratch *scratch = mcd_scratchTake(frame, "McdIntersect");
+    McdScratch *scratch = mcd_scratchAcquire(frame, "McdIntersect");
     if (!scratch)
         return;
-    if (mcd_scratchReserveContacts(scratch, 0, MORE * wanted)) {
+    if (mcd_scratchReserveContacts(scratch, 0, MORE * maxCount)) {
         result->contacts = scratch->contact;
-        result->contactMaxCount = MORE * wanted;
+        result->contactMaxCount = MORE * maxCount;
         callIntersect(intersect, p, isTurned, result);
-        result->contactCount = mcd_simplify(scratch->contact, result->contactCount, kept, wanted, result->normal,
+        result->contactCount = mcd_simplify(scratch->contact, result->contactCount, kept, maxCount, result->normal,
                                             1e-6 * (double)frame->lengthScale, scratch->choice);
         result->contacts = kept;
     }
@@ -344,9 +344,9 @@ MeBool MEAPI(McdIntersect)(McdModelPair *p, McdIntersectResult *result) {
     if (!checkPair(p, "McdIntersect") || !mcd_resultHasRoom(result, "McdIntersect"))
         return MEFALSE;
     McdFramework *frame = mcd_record(p->model1)->frame;
-    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
+    MeStageBegin(&frame->stage, MCD_GUARD_MODELS);
     const MeBool isKnown = mcd_intersect(p, result);
-    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
+    MeStageEnd(&frame->stage, MCD_GUARD_MODELS);
     return isKnown;
 }
 
@@ -369,8 +369,8 @@ MeBool MEAPI McdModelPairIntersectPlain(McdModelPair *p, McdIntersectResult *res
     if (!request->faceNormalsFirst && cellOf(p->model1, p->model2)->isSet) {
         areConvex = addConvexContacts(p, request, result);
     } else if (!request->faceNormalsFirst) {
-        McdModelPair asked = turn(p);
-        areConvex = addConvexContacts(&asked, request, result);
+        McdModelPair ordered = turn(p);
+        areConvex = addConvexContacts(&ordered, request, result);
         result->pair = p;
         if (areConvex)
             turnContacts(result);
@@ -400,13 +400,13 @@ MeBool MEAPI McdModelPairIntersectIfChanged(McdModelPair *p, MeBool mayBeUnchang
         *isKnown = mcd_intersect(p, result);
         return METRUE;
     }
-    McdModelPair asked = isTurned ? turn(p) : *p;
-    McdMeshSeen seen = {.stamp = mcd_modelStampInRound(mcd_record(asked.model1)),
+    McdModelPair ordered = isTurned ? turn(p) : *p;
+    McdMeshSeen seen = {.stamp = mcd_modelStampInRound(mcd_record(ordered.model1)),
                         .hash = {p->test.shape1, p->test.shape2},
                         .mayBeUnchanged = mayBeUnchanged};
     seen.mayBeUnchanged = seen.mayBeUnchanged && seen.stamp != 0; /* 0: its inputs cannot be compared */
     const int max = limitContacts(result, request);
-    mcd_meshIntersectIfChanged(&asked, result, kindOf(asked.model2)->gather, &seen);
+    mcd_meshIntersectIfChanged(&ordered, result, kindOf(ordered.model2)->gather, &seen);
     if (isTurned)
         turnContacts(result);
     result->pair = p;
@@ -429,7 +429,7 @@ MeBool MEAPI McdIntersectAt(McdModelPair *p, McdIntersectResult *result, MeReal 
         return METRUE;
     McdModelRecord *models[2] = {mcd_record(p->model1), mcd_record(p->model2)};
     McdFramework *frame = models[0]->frame;
-    MeStageBegin(&frame->stage, MCD_HOLD_SHAPES); /* for a moment they are elsewhere */
+    MeStageBegin(&frame->stage, MCD_GUARD_SHAPES); /* for a moment they are elsewhere */
     MeMatrix4 then[2];
     MeMatrix4Ptr now[2];
     for (int i = 0; i < 2; i++) {
@@ -443,7 +443,7 @@ MeBool MEAPI McdIntersectAt(McdModelPair *p, McdIntersectResult *result, MeReal 
         models[i]->instance.tm = now[i];
         mcd_modelRefresh(models[i]);
     }
-    MeStageEnd(&frame->stage, MCD_HOLD_SHAPES);
+    MeStageEnd(&frame->stage, MCD_GUARD_SHAPES);
     return answer;
 }
 
@@ -467,14 +467,14 @@ static MeBool intersectEach(const Each *e) {
         McdModelPair *p = e->pairs->array[e->iterator->next];
         if (isGone(p) || !checkPair(p, "McdIntersectEach"))
             continue;
-        const int wanted = McdModelPairGetRequestPtr(p)->contactMaxCount;
+        const int maxCount = McdModelPairGetRequestPtr(p)->contactMaxCount;
         const int room = e->contactRoom - *e->contactCount;
         const MeBool isFirst = *e->resultCount == 0;
-        if (*e->resultCount == e->resultRoom || (room < wanted && !isFirst))
+        if (*e->resultCount == e->resultRoom || (room < maxCount && !isFirst))
             return METRUE;
         McdIntersectResult *result = &e->results[*e->resultCount];
         result->contacts = e->contacts + *e->contactCount;
-        result->contactMaxCount = MeMIN(room, wanted);
+        result->contactMaxCount = MeMIN(room, maxCount);
         if (!mcd_resultHasRoom(result, "McdIntersect") || !mcd_intersect(p, result))
             continue;
         *e->contactCount += result->contactCount;
@@ -500,9 +500,9 @@ MeBool MEAPI McdIntersectEach(McdModelPairContainer *pairs, McdModelPairContaine
     McdFramework *frame = frameOf(pairs, pairsIter->next, pairs->stayingEnd);
     if (!frame)
         return MEFALSE;
-    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
+    MeStageBegin(&frame->stage, MCD_GUARD_MODELS);
     const MeBool isMore = intersectEach(&e);
-    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
+    MeStageEnd(&frame->stage, MCD_GUARD_MODELS);
     return isMore;
 }
 
@@ -525,11 +525,11 @@ static MeBool areVelocitiesGood(const McdModelPair *p, const char *function) {
 static MeBool callSafeTime(const McdGridCell *cell, McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result) {
     const McdSafeTimeFn safeTime = cell->interactions.safeTimeFn;
     McdFramework *frame = mcd_record(p->model1)->frame;
-    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
+    MeStageBegin(&frame->stage, MCD_GUARD_MODELS);
     const Call call = enter(p, safeTime != cell->library.safeTimeFn);
     const MeBool answer = safeTime(p, maxTime, result) != 0;
     leave(&call);
-    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
+    MeStageEnd(&frame->stage, MCD_GUARD_MODELS);
     return answer;
 }
 
@@ -565,10 +565,10 @@ MeBool MEAPI McdSafeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *res
     const McdSafeTimeFn safeTime = cell ? cell->interactions.safeTimeFn : 0;
     if (!safeTime || !mcd_safeTimeIsToBeHad(p, "McdSafeTime"))
         return MEFALSE;
-    McdModelPair asked = isTurned ? turn(p) : *p;
+    McdModelPair ordered = isTurned ? turn(p) : *p;
     const MeBool mayCall = !areBothConvex(p) || safeTime != cell->library.safeTimeFn;
     const MeBool answer =
-        mayCall ? callSafeTime(cell, &asked, maxTime, result) : safeTime(&asked, maxTime, result) != 0;
+        mayCall ? callSafeTime(cell, &ordered, maxTime, result) : safeTime(&ordered, maxTime, result) != 0;
     if (isTurned)
         MeVector3MultiplyScalar(result->normal, result->normal, -1);
     result->pair = p;
@@ -602,8 +602,8 @@ unsigned int MEAPI McdLineSegIntersect(const McdModelID cm, MeReal *const inOrig
         return 0;
     }
     McdFramework *frame = m->frame;
-    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
+    MeStageBegin(&frame->stage, MCD_GUARD_MODELS);
     const MeBool isHit = mcd_lineSegIntersect(cm, inOrig, inDest, outOverlap);
-    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
+    MeStageEnd(&frame->stage, MCD_GUARD_MODELS);
     return isHit ? 1 : 0;
 }

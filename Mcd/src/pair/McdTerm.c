@@ -25,11 +25,11 @@ static void destroyGeometries(McdFramework *frame) {
 /* Functions of the program are called with what goes; they create nothing meanwhile. */
 static void destroyAll(McdFramework *frame) {
     frame->isEmptied = METRUE;
-    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
+    MeStageBegin(&frame->stage, MCD_GUARD_MODELS);
     while (frame->lastModel)
         mcd_modelDestroy(frame->lastModel);
     destroyGeometries(frame);
-    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
+    MeStageEnd(&frame->stage, MCD_GUARD_MODELS);
     frame->isEmptied = MEFALSE;
 }
 
@@ -40,7 +40,7 @@ void MEAPI McdFrameworkDestroyAllModelsAndGeometries(McdFrameworkID frame) {
 }
 
 static void runTermActions(McdFramework *frame) {
-    MeStageBegin(&frame->stage, MCD_HOLD_FRAME);
+    MeStageBegin(&frame->stage, MCD_GUARD_FRAME);
     const MeProgramCall before = MeProgramEnter("McdFrameworkRegisterTermAction");
     while (frame->termActions) {
         McdTermActionLink *link = frame->termActions;
@@ -49,7 +49,7 @@ static void runTermActions(McdFramework *frame) {
         MeMemoryGive(link);
     }
     MeProgramLeave(&before);
-    MeStageEnd(&frame->stage, MCD_HOLD_FRAME);
+    MeStageEnd(&frame->stage, MCD_GUARD_FRAME);
 }
 
 void MEAPI McdTerm(McdFrameworkID frame) {

@@ -9,31 +9,31 @@
 
 /* ---- pairs of parts ---------------------------------------------------------------------------------------------- */
 
-typedef struct PartPairs PartPairs;
-struct PartPairs {
+typedef struct ChildPairs ChildPairs;
+struct ChildPairs {
     McdModelPair *pair;
     MeReal margin; /* m: pairs of parts whose boxes are farther apart are skipped; negative: none are */
-    void (*visit)(PartPairs *, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2);
+    void (*visit)(ChildPairs *, McdModelPair *childPair, McdGeometryInstance *child1, McdGeometryInstance *child2);
     /* May be null. The same for convex parts that interact as the library has it, without stand-in models; false: not
      * for this pair. */
-    MeBool (*visitConvex)(PartPairs *, McdGeometryInstance *part1, McdGeometryInstance *part2);
-    MeReal apart; /* m: a lower bound of the gap between all pairs of parts so far; 0: unknown */
+    MeBool (*visitConvex)(ChildPairs *, McdGeometryInstance *child1, McdGeometryInstance *child2);
+    MeReal minGap; /* m: a lower bound of the gap between all pairs of parts so far; 0: unknown */
     void *data;
 };
 
 /* By their boxes, whose gap is a lower bound of that between the parts. */
-static MeBool areNear(PartPairs *m, const McdGeometryInstance *a, const McdGeometryInstance *b) {
+static MeBool areNear(ChildPairs *m, const McdGeometryInstance *a, const McdGeometryInstance *b) {
     MeReal gap = -MEINFINITY;
     for (int i = 0; i < 3 && m->margin >= 0; i++)
         gap = MeMAX(gap, MeMAX(a->min[i] - b->max[i], b->min[i] - a->max[i]));
     if (m->margin < 0 || !(gap > m->margin))
         return METRUE;
-    m->apart = MeMIN(m->apart, gap);
+    m->minGap = MeMIN(m->minGap, gap);
     return MEFALSE;
 }
 
 static MeBool isAggregate(const McdGeometryInstance *ins) {
-    return mcd_partsOf(ins->geometry) != 0;
+    return mcd_childrenOf(ins->geometry) != 0;
 }
 
 static MeBool areConvex(const McdGeometryInstance *a, const McdGeometryInstance *b) {
@@ -42,38 +42,38 @@ static MeBool areConvex(const McdGeometryInstance *a, const McdGeometryInstance 
            mcd_typesAreBuiltIn(a->geometry->frame, a->geometry->type, b->geometry->type);
 }
 
-static void visitPartPair(PartPairs *m, McdGeometryInstance *a, McdGeometryInstance *b) {
+static void visitChildPair(ChildPairs *m, McdGeometryInstance *a, McdGeometryInstance *b) {
     McdStandIn standIn[2];
     MEASSERT(!a->firstChild && !b->firstChild && a->model == m->pair->model1 && b->model == m->pair->model2);
     if (m->visitConvex && areConvex(a, b) && m->visitConvex(m, a, b))
         return;
-    McdModelPair parts = *m->pair;
-    parts.model1 = mcd_standInBegin(&standIn[0], a);
-    parts.model2 = mcd_standInBegin(&standIn[1], b);
-    parts.m_cachedData = 0;
-    McdHello(&parts);
-    m->visit(m, &parts, a, b);
-    McdGoodbye(&parts);
-    mcd_standInEnd(parts.model1, a);
-    mcd_standInEnd(parts.model2, b);
+    McdModelPair childPair = *m->pair;
+    childPair.model1 = mcd_standInBegin(&standIn[0], a);
+    childPair.model2 = mcd_standInBegin(&standIn[1], b);
+    childPair.m_cachedData = 0;
+    McdHello(&childPair);
+    m->visit(m, &childPair, a, b);
+    McdGoodbye(&childPair);
+    mcd_standInEnd(childPair.model1, a);
+    mcd_standInEnd(childPair.model2, b);
 }
 
 /* Every two parts, in the order of the elements. */
-static void forEachPartPair(PartPairs *m, McdGeometryInstance *a, McdGeometryInstance *b) {
+static void forEachChildPair(ChildPairs *m, McdGeometryInstance *a, McdGeometryInstance *b) {
     if (!areNear(m, a, b))
         return;
     if (isAggregate(a))
         for (McdGeometryInstance *child = a->firstChild; child; child = child->nextSibling)
-            forEachPartPair(m, child, b);
+            forEachChildPair(m, child, b);
     else if (isAggregate(b))
         for (McdGeometryInstance *child = b->firstChild; child; child = child->nextSibling)
-            forEachPartPair(m, a, child);
+            forEachChildPair(m, a, child);
     else
-        visitPartPair(m, a, b);
+        visitChildPair(m, a, b);
 }
 
-static void forEachPairOfParts(PartPairs *m) {
-    forEachPartPair(m, &mcd_record(m->pair->model1)->instance, &mcd_record(m->pair->model2)->instance);
+static void forEachPairOfChildren(ChildPairs *m) {
+    forEachChildPair(m, &mcd_record(m->pair->model1)->instance, &mcd_record(m->pair->model2)->instance);
 }
 
 /* ---- contacts ---------------------------------------------------------------------------------------------------- */
@@ -84,11 +84,11 @@ typedef struct Gathering {
     int each; /* contacts that two parts may make */
 } Gathering;
 
-MeU32 mcd_partPath(const McdGeometryInstance *part) {
+MeU32 mcd_childPath(const McdGeometryInstance *child) {
     MeU32 path = 0;
-    for (; part->parent; part = part->parent)
-        path = mcd_featureMix(path, (MeU32)part->element + 1);
-    MEASSERT(part == &mcd_record(part->model)->instance);
+    for (; child->parent; child = child->parent)
+        path = mcd_featureMix(path, (MeU32)child->element + 1);
+    MEASSERT(child == &mcd_record(child->model)->instance);
     return path;
 }
 
@@ -102,47 +102,48 @@ static MeBool beginResult(Gathering *g, McdIntersectResult *result) {
     return METRUE;
 }
 
-static void keepResult(Gathering *g, const McdIntersectResult *result, McdGeometryInstance *part1,
-                       McdGeometryInstance *part2) {
-    const MeU32 path = result->contactCount ? mcd_featureMix(mcd_partPath(part1), mcd_partPath(part2)) : 0;
+static void keepResult(Gathering *g, const McdIntersectResult *result, McdGeometryInstance *child1,
+                       McdGeometryInstance *child2) {
+    const MeU32 path = result->contactCount ? mcd_featureMix(mcd_childPath(child1), mcd_childPath(child2)) : 0;
     for (int i = 0; i < result->contactCount; i++) {
         McdContact *c = &result->contacts[i];
-        c->instance1 = part1;
-        c->instance2 = part2;
+        c->instance1 = child1;
+        c->instance2 = child2;
         c->feature = mcd_featureMix(c->feature, path);
     }
     g->count += result->contactCount;
     MEASSERT(g->count <= g->scratch->contactRoom);
 }
 
-static void gatherContacts(PartPairs *m, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2) {
+static void gatherContacts(ChildPairs *m, McdModelPair *childPair, McdGeometryInstance *child1,
+                           McdGeometryInstance *child2) {
     McdIntersectResult result;
-    m->apart = 0;
-    if (beginResult(m->data, &result) && mcd_intersect(parts, &result))
-        keepResult(m->data, &result, part1, part2);
+    m->minGap = 0;
+    if (beginResult(m->data, &result) && mcd_intersect(childPair, &result))
+        keepResult(m->data, &result, child1, child2);
 }
 
-static MeBool gatherConvex(PartPairs *m, McdGeometryInstance *part1, McdGeometryInstance *part2) {
+static MeBool gatherConvex(ChildPairs *m, McdGeometryInstance *child1, McdGeometryInstance *child2) {
     McdIntersectResult result;
     if (McdModelPairGetRequestPtr(m->pair)->faceNormalsFirst)
         return MEFALSE;
     if (!beginResult(m->data, &result))
         return METRUE;
-    if (!mcd_convexInstances(part1, part2, mcd_partsMargin(m->pair, part1, part2), &result))
+    if (!mcd_convexInstances(child1, child2, mcd_childMargin(m->pair, child1, child2), &result))
         return MEFALSE;
-    m->apart = MeMIN(m->apart, result.apart); /* with contacts 0 */
-    keepResult(m->data, &result, part1, part2);
+    m->minGap = MeMIN(m->minGap, result.apart); /* with contacts 0 */
+    keepResult(m->data, &result, child1, child2);
     return METRUE;
 }
 
 static int MEAPI intersect(McdModelPair *p, McdIntersectResult *result) {
     McdFramework *frame = mcd_record(p->model1)->frame;
-    Gathering g = {mcd_scratchTake(frame, "McdIntersect"), 0, MeMAX(result->contactMaxCount, 1)};
-    PartPairs m = {p, (MeReal)mcd_pairMargin(p), gatherContacts, gatherConvex, MEINFINITY, &g};
+    Gathering g = {mcd_scratchAcquire(frame, "McdIntersect"), 0, MeMAX(result->contactMaxCount, 1)};
+    ChildPairs m = {p, (MeReal)mcd_pairMargin(p), gatherContacts, gatherConvex, MEINFINITY, &g};
     mcd_resultBegin(result, p);
     if (!g.scratch)
         return 0;
-    forEachPairOfParts(&m);
+    forEachPairOfChildren(&m);
     g.count = mcd_dropInternalContacts(p, g.scratch, g.count);
     McdContact *found = g.scratch->contact;
     if (g.count > result->contactMaxCount)
@@ -152,25 +153,26 @@ static int MEAPI intersect(McdModelPair *p, McdIntersectResult *result) {
     if (g.count)
         memcpy(result->contacts, found, (size_t)g.count * sizeof *result->contacts);
     result->contactCount = g.count;
-    result->apart = m.apart < MEINFINITY ? m.apart : 0;
+    result->apart = m.minGap < MEINFINITY ? m.minGap : 0;
     mcd_scratchGive(frame, g.scratch);
     return mcd_resultEnd(result);
 }
 
 /* ---- safe time --------------------------------------------------------------------------------------------------- */
 
-static void keepEarliest(PartPairs *m, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2) {
+static void keepEarliest(ChildPairs *m, McdModelPair *childPair, McdGeometryInstance *child1,
+                         McdGeometryInstance *child2) {
     McdSafeTimeResult *best = m->data, here;
-    (void)part1;
-    (void)part2;
-    if (McdSafeTime(parts, best->time, &here) && here.time < best->time)
+    (void)child1;
+    (void)child2;
+    if (McdSafeTime(childPair, best->time, &here) && here.time < best->time)
         *best = here;
 }
 
 static int MEAPI safeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result) {
-    PartPairs m = {p, -1, keepEarliest, 0, 0, result};
+    ChildPairs m = {p, -1, keepEarliest, 0, 0, result};
     result->time = maxTime;
-    forEachPairOfParts(&m);
+    forEachPairOfChildren(&m);
     MEASSERT(result->time >= 0 && result->time <= maxTime);
     result->pair = p;
     return 1;
@@ -186,9 +188,9 @@ static int firstHit(McdGeometryInstance *ins, MeReal *from, MeReal *to, McdLineS
     }
     McdStandIn s;
     McdLineSegIntersectResult here;
-    const McdModelID part = mcd_standInBegin(&s, ins);
-    const MeBool isHit = mcd_lineSegIntersect(part, from, to, &here);
-    mcd_standInEnd(part, ins);
+    const McdModelID child = mcd_standInBegin(&s, ins);
+    const MeBool isHit = mcd_lineSegIntersect(child, from, to, &here);
+    mcd_standInEnd(child, ins);
     if (!isHit || (hits && here.distance >= best->distance))
         return hits;
     *best = here;

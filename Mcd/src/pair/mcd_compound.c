@@ -28,7 +28,7 @@ static const double skinShare = 1e-4;
 static const double flushCosine = .99;
 /* The sine of the angle between the normal of a contact and of a face that are the same: contacts have theirs in single
  * precision, off by 6e-8 in each coordinate. */
-static const double leastSine = 1e-6;
+static const double minSine = 1e-6;
 /* Directions of least depth that are tried for what is deep between parts: as many as two boxes have. */
 enum { MAX_DIRECTIONS = 12 };
 
@@ -48,16 +48,16 @@ static double distanceFrom(const McdShape *s, const double point[3]) {
     return mcd_convexDistance(&dot, s, onDot, onShape, normal);
 }
 
-static MeBool isInBox(const McdGeometryInstance *part, const double point[3], double reach) {
+static MeBool isInBox(const McdGeometryInstance *child, const double point[3], double reach) {
     for (int i = 0; i < 3; i++)
-        if (!(point[i] >= (double)part->min[i] - reach && point[i] <= (double)part->max[i] + reach))
+        if (!(point[i] >= (double)child->min[i] - reach && point[i] <= (double)child->max[i] + reach))
             return MEFALSE;
     return METRUE;
 }
 
 /* The surface of a part where contacts of one normal are. Points are relative to the origin. */
 typedef struct Surface {
-    McdGeometryInstance *part, *whole;
+    McdGeometryInstance *child, *whole;
     double origin[3], normal[3]; /* outward */
     McdShape shape;
     double skin;         /* m */
@@ -69,14 +69,14 @@ typedef struct Surface {
 } Surface;
 
 /* False: the part is no convex shape. */
-static MeBool beginSurface(Surface *s, const McdContact *contact, McdGeometryInstance *part, int side) {
-    s->part = part;
+static MeBool beginSurface(Surface *s, const McdContact *contact, McdGeometryInstance *child, int side) {
+    s->child = child;
     s->isClassified = MEFALSE;
-    s->whole = &mcd_record(part->model)->instance;
+    s->whole = &mcd_record(child->model)->instance;
     mcd_copy(s->origin, contact->exactPosition);
     for (int i = 0; i < 3; i++)
         s->normal[i] = side ? (double)contact->normal[i] : -(double)contact->normal[i];
-    if (!mcd_shapeOf(part, s->origin, &s->shape))
+    if (!mcd_shapeOf(child, s->origin, &s->shape))
         return MEFALSE;
     s->skin = skinShare * s->shape.extent;
     for (int i = 0; i < 3; i++) /* roundings of the places of two parts */
@@ -85,32 +85,32 @@ static MeBool beginSurface(Surface *s, const McdContact *contact, McdGeometryIns
 }
 
 /* The first part within reach of a point, other than the surface's own; null: none. */
-static McdGeometryInstance *partAt(const Surface *s, const McdGeometryInstance *whole, const double point[3],
-                                   const double world[3], double reach) {
+static McdGeometryInstance *childAt(const Surface *s, const McdGeometryInstance *whole, const double point[3],
+                                    const double world[3], double reach) {
     McdGeometryInstance *found = 0;
     for (McdGeometryInstance *child = whole->firstChild; child && !found; child = child->nextSibling) {
         McdShape shape;
-        if (child == s->part || !isInBox(child, world, reach))
+        if (child == s->child || !isInBox(child, world, reach))
             continue;
         if (child->firstChild)
-            found = partAt(s, child, point, world, reach);
+            found = childAt(s, child, point, world, reach);
         else if (mcd_shapeOf(child, s->origin, &shape) && distanceFrom(&shape, point) <= reach)
             found = child;
     }
     return found;
 }
 
-static McdGeometryInstance *partNear(const Surface *s, const double point[3], double reach) {
+static McdGeometryInstance *childNear(const Surface *s, const double point[3], double reach) {
     double world[3];
     mcd_mad(world, s->origin, 1, point);
-    return partAt(s, s->whole, point, world, reach);
+    return childAt(s, s->whole, point, world, reach);
 }
 
 /* The part that covers what is a skin outside of a point of the surface. */
 static McdGeometryInstance *coverAbove(const Surface *s, const double point[3]) {
     double outside[3];
     mcd_mad(outside, point, s->skin, s->normal);
-    return partNear(s, outside, flushCosine * s->skin);
+    return childNear(s, outside, flushCosine * s->skin);
 }
 
 static void classifyNormal(Surface *s) {
@@ -121,8 +121,8 @@ static void classifyNormal(Surface *s) {
     s->isOfFace = face.count > 2 && cosine > flushCosine;
     mcd_mad(s->lean, s->normal, -cosine, face.normal);
     s->sine = mcd_length(s->lean);
-    mcd_scale(s->lean, s->lean, s->isOfFace && s->sine > leastSine ? 1 / s->sine : 0);
-    s->isOfEdge = face.count > 2 && (!s->isOfFace || s->sine > leastSine);
+    mcd_scale(s->lean, s->lean, s->isOfFace && s->sine > minSine ? 1 / s->sine : 0);
+    s->isOfEdge = face.count > 2 && (!s->isOfFace || s->sine > minSine);
 }
 
 /* At an edge of the face, over which the normal leans: the part that continues the face there. */
@@ -131,11 +131,11 @@ static McdGeometryInstance *coverBeyond(const Surface *s, const double point[3])
     if (mcd_dot(s->lean, s->lean) == 0)
         return 0;
     mcd_mad(beyond, point, s->skin, s->lean);
-    return distanceFrom(&s->shape, beyond) > s->skin / 2 ? partNear(s, beyond, s->skin / 2) : 0;
+    return distanceFrom(&s->shape, beyond) > s->skin / 2 ? childNear(s, beyond, s->skin / 2) : 0;
 }
 
 /* Is one of eight points of the face, on a square about the point, on the surface of the whole? */
-static MeBool hasOpenNeighbour(const Surface *s, const double point[3]) {
+static MeBool hasExposedNeighbour(const Surface *s, const double point[3]) {
     static const double around[8][2] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
     double u[3], w[3], beside[3];
     mcd_basis(s->normal, u, w);
@@ -151,7 +151,7 @@ static MeBool hasOpenNeighbour(const Surface *s, const double point[3]) {
 /* The part that covers a point of the surface; null: it is on the surface of the whole. Lean: the sine of the angle by
  * which the normal leans over a flush face, or mcd_coveredLean. */
 static McdGeometryInstance *coverOf(Surface *s, const double point[3], double *lean) {
-    if (!partNear(s, point, 2 * s->skin))
+    if (!childNear(s, point, 2 * s->skin))
         return 0;
     McdGeometryInstance *cover = coverAbove(s, point);
     if (!s->isClassified)
@@ -159,7 +159,7 @@ static McdGeometryInstance *coverOf(Surface *s, const double point[3], double *l
     *lean = cover ? mcd_coveredLean : s->sine;
     if (!cover)
         return coverBeyond(s, point);
-    return s->isOfFace && hasOpenNeighbour(s, point) ? 0 : cover;
+    return s->isOfFace && hasExposedNeighbour(s, point) ? 0 : cover;
 }
 
 /* ---- manifolds --------------------------------------------------------------------------------------------------- */
@@ -167,14 +167,14 @@ static McdGeometryInstance *coverOf(Surface *s, const double point[3], double *l
 /* A manifold, and the surfaces that it is on. */
 typedef struct Classified {
     const McdContact *contact; /* the manifold's first */
-    McdPartManifold *m;
+    McdChildManifold *m;
     Surface surface[2];
     MeBool isCompound[2]; /* and the part is convex; the others have no surface yet */
 } Classified;
 
 /* Is a point covered on either surface? Separation: from both surfaces; the point is half-way between them. */
 static MeBool isCovered(Classified *l, const double position[3], double separation, MeBool isDeepest) {
-    McdPartManifold *m = l->m;
+    McdChildManifold *m = l->m;
     MeBool isIt = MEFALSE;
     for (int side = 0; side < 2; side++) {
         Surface *s = &l->surface[side];
@@ -198,8 +198,8 @@ static MeBool isCovered(Classified *l, const double position[3], double separati
 /* The surface on a side, classified; null: it is none. */
 static Surface *surfaceOf(Classified *l, int side) {
     Surface *s = &l->surface[side];
-    McdGeometryInstance *part = l->m->part[side];
-    if (!l->isCompound[side] && (part->parent || !beginSurface(s, l->contact, part, side)))
+    McdGeometryInstance *child = l->m->child[side];
+    if (!l->isCompound[side] && (child->parent || !beginSurface(s, l->contact, child, side)))
         return 0;
     if (!s->isClassified)
         classifyNormal(s);
@@ -215,7 +215,7 @@ static MeBool isOfEdges(Classified *l) {
 
 /* Are all contacts covered and, unless edges make the normal, the middle of these? */
 static MeBool isInternal(Classified *l, int deepest) {
-    const McdPartManifold *m = l->m;
+    const McdChildManifold *m = l->m;
     double mean[3] = {0, 0, 0}, separation = 0;
     for (int i = 0; i < m->count; i++) {
         const McdContact *c = &l->contact[(i + deepest) % m->count];
@@ -227,14 +227,14 @@ static MeBool isInternal(Classified *l, int deepest) {
     return isOfEdges(l) || isCovered(l, mean, separation, MEFALSE);
 }
 
-static MeBool isConvex(const McdGeometryInstance *part) {
-    const McdKind *kind = mcd_kindOf(part->geometry);
+static MeBool isConvex(const McdGeometryInstance *child) {
+    const McdKind *kind = mcd_kindOf(child->geometry);
     return kind && kind->setShape;
 }
 
 /* Sets the members that follow from the contacts. What meets a plane or triangles is on the surface: convex parts alone
  * can be separated along a normal. */
-static void classify(const McdContact *contact, McdPartManifold *m) {
+static void classify(const McdContact *contact, McdChildManifold *m) {
     Classified l;
     int deepest = 0;
     l.contact = &contact[m->first];
@@ -245,10 +245,10 @@ static void classify(const McdContact *contact, McdPartManifold *m) {
     m->separation = l.contact[deepest].exactSeparation;
     m->lean = m->skin = 0;
     m->cover[0] = m->cover[1] = 0;
-    if (!isConvex(m->part[0]) || !isConvex(m->part[1]))
+    if (!isConvex(m->child[0]) || !isConvex(m->child[1]))
         return;
     for (int side = 0; side < 2; side++)
-        l.isCompound[side] = m->part[side]->parent && beginSurface(&l.surface[side], l.contact, m->part[side], side);
+        l.isCompound[side] = m->child[side]->parent && beginSurface(&l.surface[side], l.contact, m->child[side], side);
     if (isInternal(&l, deepest))
         return;
     m->lean = 0;
@@ -261,26 +261,26 @@ static MeBool isOfOneManifold(const McdContact *a, const McdContact *b) {
 }
 
 /* Divides contacts into manifolds; returns how many there are. */
-static int makeManifolds(const McdContact *contact, int count, McdPartManifold *manifold) {
+static int makeManifolds(const McdContact *contact, int count, McdChildManifold *manifold) {
     int made = 0;
     for (int i = 0; i < count; i++) {
         if (i > 0 && isOfOneManifold(&contact[i - 1], &contact[i])) {
             manifold[made - 1].count++;
             continue;
         }
-        McdPartManifold *m = &manifold[made++];
+        McdChildManifold *m = &manifold[made++];
         memset(m, 0, sizeof *m);
         m->first = i;
         m->count = 1;
-        m->part[0] = contact[i].instance1;
-        m->part[1] = contact[i].instance2;
+        m->child[0] = contact[i].instance1;
+        m->child[1] = contact[i].instance2;
     }
     return made;
 }
 
 /* Normals by which a manifold separates: its own, and those of both parts' faces that are its own but for a tilt, of
  * which it has one where the other part's is as good. Returns how many. */
-static int normalsOf(const McdContact *contact, const McdPartManifold *m, double normal[3][3]) {
+static int normalsOf(const McdContact *contact, const McdChildManifold *m, double normal[3][3]) {
     int count = 1;
     for (int i = 0; i < 3; i++)
         normal[0][i] = (double)contact[m->first].normal[i];
@@ -290,7 +290,7 @@ static int normalsOf(const McdContact *contact, const McdPartManifold *m, double
         double outward[3];
         McdShape shape;
         McdFace face;
-        if (!mcd_shapeOf(m->part[side], origin, &shape))
+        if (!mcd_shapeOf(m->child[side], origin, &shape))
             continue;
         mcd_scale(outward, normal[0], out);
         mcd_faceToward(&shape, outward, &face);
@@ -301,12 +301,12 @@ static int normalsOf(const McdContact *contact, const McdPartManifold *m, double
 }
 
 /* The largest separation of a manifold's parts along another one's normals. */
-static double separationAlong(const McdContact *contact, const McdPartManifold *m, const McdPartManifold *along) {
+static double separationAlong(const McdContact *contact, const McdChildManifold *m, const McdChildManifold *along) {
     double normal[3][3], origin[3], most = -INFINITY;
     McdShape a, b;
     const int count = normalsOf(contact, along, normal);
-    mcd_pairOrigin(m->part[0], m->part[1], origin);
-    if (!mcd_shapeOf(m->part[0], origin, &a) || !mcd_shapeOf(m->part[1], origin, &b))
+    mcd_pairOrigin(m->child[0], m->child[1], origin);
+    if (!mcd_shapeOf(m->child[0], origin, &a) || !mcd_shapeOf(m->child[1], origin, &b))
         return most;
     for (int i = 0; i < count; i++)
         most = fmax(most, mcd_separationAlong(&a, &b, normal[i]) - a.rounding - b.rounding);
@@ -314,15 +314,15 @@ static double separationAlong(const McdContact *contact, const McdPartManifold *
 }
 
 /* Does another manifold separate the parts as well? One of the same part of the other model. */
-static MeBool isSeparatedBy(const McdContact *contact, const McdPartManifold *m, const McdPartManifold *other) {
+static MeBool isSeparatedBy(const McdContact *contact, const McdChildManifold *m, const McdChildManifold *other) {
     for (int side = 0; side < 2; side++)
-        if (m->cover[side] && other->part[!side] == m->part[!side])
+        if (m->cover[side] && other->child[!side] == m->child[!side])
             return separationAlong(contact, m, other) >= other->separation - m->skin;
     return MEFALSE;
 }
 
 /* The next larger lean of any manifold; INFINITY: there is none. */
-static double nextLean(const McdPartManifold *all, int count, double lean) {
+static double nextLean(const McdChildManifold *all, int count, double lean) {
     double next = INFINITY;
     for (int i = 0; i < count; i++)
         if (all[i].lean > lean && all[i].lean < next)
@@ -332,7 +332,7 @@ static double nextLean(const McdPartManifold *all, int count, double lean) {
 
 /* Drops manifolds that lean by more than `above` and whose parts are separated by one that leans less. Those that lean
  * less come first, so that none is dropped for one that is dropped itself. */
-static void dropSeparated(const McdContact *contact, McdPartManifold *all, int count, double above) {
+static void dropSeparated(const McdContact *contact, McdChildManifold *all, int count, double above) {
     for (double lean = nextLean(all, count, above); lean < INFINITY; lean = nextLean(all, count, lean))
         for (int i = 0; i < count; i++)
             for (int k = 0; k < count && all[i].lean == lean && !all[i].isDropped; k++)
@@ -351,13 +351,13 @@ static double translationAlong(const double n1[3], double d1, const double n2[3]
 
 /* m: how far the two parts must move for this manifold and those of the covering parts that push the other way; 0: none
  * does. */
-static double translationWithCovers(const McdContact *contact, const McdPartManifold *m, const McdPartManifold *all,
+static double translationWithCovers(const McdContact *contact, const McdChildManifold *m, const McdChildManifold *all,
                                     int count) {
     double n[2][3], most = 0;
     for (int i = 0; i < count; i++)
         for (int side = 0; side < 2; side++) {
-            const McdPartManifold *other = &all[i];
-            if (!m->cover[side] || other->part[side] != m->cover[side] || other->part[!side] != m->part[!side])
+            const McdChildManifold *other = &all[i];
+            if (!m->cover[side] || other->child[side] != m->cover[side] || other->child[!side] != m->child[!side])
                 continue;
             for (int k = 0; k < 3; k++) {
                 n[0][k] = (double)contact[m->first].normal[k];
@@ -429,7 +429,7 @@ static int chooseDirections(const Overlap *e, Direction direction[MAX_DIRECTIONS
 }
 
 /* The part's place from the other's, without what is along the line to the cover. */
-static void setAcross(const McdPartManifold *m, int side, Overlap *e) {
+static void setAcross(const McdChildManifold *m, int side, Overlap *e) {
     McdShape cover;
     double line[3];
     mcd_set(e->across[side], 0, 0, 0);
@@ -445,11 +445,11 @@ static void setAcross(const McdPartManifold *m, int side, Overlap *e) {
     mcd_scale(away, away, length > mcd_faceBias * e->shape[side].extent ? 1 / length : 0);
 }
 
-static MeBool beginOverlap(const McdModelPair *p, const McdPartManifold *m, Overlap *e) {
-    mcd_pairOrigin(m->part[0], m->part[1], e->origin);
-    if (!mcd_shapeOf(m->part[0], e->origin, &e->shape[0]) || !mcd_shapeOf(m->part[1], e->origin, &e->shape[1]))
+static MeBool beginOverlap(const McdModelPair *p, const McdChildManifold *m, Overlap *e) {
+    mcd_pairOrigin(m->child[0], m->child[1], e->origin);
+    if (!mcd_shapeOf(m->child[0], e->origin, &e->shape[0]) || !mcd_shapeOf(m->child[1], e->origin, &e->shape[1]))
         return MEFALSE;
-    e->margin = mcd_partsMargin(p, m->part[0], m->part[1]);
+    e->margin = mcd_childMargin(p, m->child[0], m->child[1]);
     setAcross(m, 0, e);
     setAcross(m, 1, e);
     return METRUE;
@@ -476,13 +476,13 @@ static int manifoldAlong(const Overlap *e, const double normal[3], double separa
 }
 
 /* Puts contacts behind the others; returns how many. */
-static int addContacts(const Overlap *e, const McdManifold *from, McdScratch *scratch, McdPartManifold *to) {
-    const MeU32 path = mcd_featureMix(mcd_partPath(to->part[0]), mcd_partPath(to->part[1]));
+static int addContacts(const Overlap *e, const McdManifold *from, McdScratch *scratch, McdChildManifold *to) {
+    const MeU32 path = mcd_featureMix(mcd_childPath(to->child[0]), mcd_childPath(to->child[1]));
     McdIntersectResult result;
     memset(&result, 0, sizeof result);
     result.contacts = scratch->contact + to->first;
     result.contactMaxCount = MCD_MANIFOLD_POINTS;
-    mcd_resultAdd(&result, from, e->origin, to->part[0], to->part[1]);
+    mcd_resultAdd(&result, from, e->origin, to->child[0], to->child[1]);
     for (int i = 0; i < result.contactCount; i++)
         result.contacts[i].feature = mcd_featureMix(result.contacts[i].feature, path);
     return to->count = result.contactCount;
@@ -490,8 +490,8 @@ static int addContacts(const Overlap *e, const McdManifold *from, McdScratch *sc
 
 /* Makes the manifold of least depth on the surfaces of both models, less than a limit, behind the others. False: there
  * is none. */
-static MeBool expose(const McdModelPair *p, McdScratch *scratch, int count, double limit, const McdPartManifold *m,
-                     McdPartManifold *made) {
+static MeBool expose(const McdModelPair *p, McdScratch *scratch, int count, double limit, const McdChildManifold *m,
+                     McdChildManifold *made) {
     Overlap e;
     McdManifold points;
     Direction direction[MAX_DIRECTIONS];
@@ -519,7 +519,7 @@ static MeBool expose(const McdModelPair *p, McdScratch *scratch, int count, doub
 static int replaceDeep(const McdModelPair *p, McdScratch *scratch, int *count, int manifolds) {
     int all = manifolds;
     for (int i = 0; i < manifolds; i++) {
-        McdPartManifold *m = &scratch->manifold[i];
+        McdChildManifold *m = &scratch->manifold[i];
         if (m->isDropped || m->lean < mcd_coveredLean)
             continue;
         const double limit = translationWithCovers(scratch->contact, m, scratch->manifold, manifolds);
@@ -532,7 +532,7 @@ static int replaceDeep(const McdModelPair *p, McdScratch *scratch, int *count, i
 }
 
 /* The next smaller separation of any manifold from number `first` on; -INFINITY: there is none. */
-static double nextSeparation(const McdPartManifold *all, int first, int count, double separation) {
+static double nextSeparation(const McdChildManifold *all, int first, int count, double separation) {
     double next = -INFINITY;
     for (int i = first; i < count; i++)
         if (all[i].separation < separation && all[i].separation > next)
@@ -543,7 +543,7 @@ static double nextSeparation(const McdPartManifold *all, int first, int count, d
 /* Drops what has replaced another, from number `first` on, where a manifold of less depth separates the parts: not each
  * of the parts between which something is deep is below the face through which that leaves. The least deep ones come
  * first, so that none is dropped for one that is dropped itself. */
-static void dropDeeper(const McdContact *contact, McdPartManifold *all, int first, int count) {
+static void dropDeeper(const McdContact *contact, McdChildManifold *all, int first, int count) {
     for (double least = nextSeparation(all, first, count, INFINITY); least > -INFINITY;
          least = nextSeparation(all, first, count, least))
         for (int i = first; i < count; i++)
@@ -555,10 +555,10 @@ static void dropDeeper(const McdContact *contact, McdPartManifold *all, int firs
 /* ---- the filter -------------------------------------------------------------------------------------------------- */
 
 /* Moves what remains to the front. Returns the number of contacts. */
-static int compact(McdContact *contact, const McdPartManifold *manifold, int manifolds) {
+static int compact(McdContact *contact, const McdChildManifold *manifold, int manifolds) {
     int kept = 0;
     for (int i = 0; i < manifolds; i++) {
-        const McdPartManifold *m = &manifold[i];
+        const McdChildManifold *m = &manifold[i];
         if (m->isDropped)
             continue;
         MEASSERT(kept <= m->first);

@@ -7,7 +7,7 @@
 static const double mcd_coveredLean = 2;
 
 /* Which part of its model it is, as a number. */
-MeU32 mcd_partPath(const McdGeometryInstance *part);
+MeU32 mcd_childPath(const McdGeometryInstance *child);
 
 /* Takes the contacts at internal faces of either model from the scratch's first `count` contacts, which are those of
  * the pair's parts, one pair of parts after the other. Returns how many remain: one at least, if there were any. */

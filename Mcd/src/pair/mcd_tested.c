@@ -43,9 +43,9 @@ static MeBool readParameters(const McdGeometry *g, MeU64 parameters[MCD_SHAPE_PA
 }
 
 /* Hashes all parts of an aggregate: their places in it, shapes, and the program's pointers for their transforms. */
-static MeBool addParts(const McdGeometryInstance *ins, MeU64 hash[2]) {
-    const McdAggregate *aggregate = mcd_partsOf(ins->geometry);
-    for (const McdGeometryInstance *part = ins->firstChild; part; part = part->nextSibling) {
+static MeBool addChildren(const McdGeometryInstance *ins, MeU64 hash[2]) {
+    const McdAggregate *aggregate = mcd_childrenOf(ins->geometry);
+    for (const McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling) {
         struct {
             const McdGeometry *geometry;
             const MeVector4 *tm;
@@ -53,12 +53,12 @@ static MeBool addParts(const McdGeometryInstance *ins, MeU64 hash[2]) {
             MeMatrix4 relTM;
         } all;
         memset(&all, 0, sizeof all);
-        all.geometry = part->geometry;
-        all.tm = mcd_const(part->tm);
-        memcpy(all.relTM, aggregate->element[part->element].relTM, sizeof all.relTM);
-        const MeBool isKnown =
-            mcd_partsOf(part->geometry) ? addParts(part, hash) : readParameters(part->geometry, all.parameters);
-        if (!isKnown || part->material >= 0)
+        all.geometry = child->geometry;
+        all.tm = mcd_const(child->tm);
+        memcpy(all.relTM, aggregate->element[child->element].relTM, sizeof all.relTM);
+        const MeBool isKnown = mcd_childrenOf(child->geometry) ? addChildren(child, hash)
+                                                               : readParameters(child->geometry, all.parameters);
+        if (!isKnown || child->material >= 0)
             return MEFALSE;
         mcd_hashAdd(hash, &all, sizeof all);
     }
@@ -72,8 +72,8 @@ static MeBool readInputs(const McdModelRecord *m, McdModelInputs *inputs) {
         return MEFALSE;
     memset(inputs, 0, sizeof *inputs);
     inputs->shape.geometry = g;
-    if (!(mcd_partsOf(g) ? addParts(&m->instance, inputs->shape.parameters)
-                         : readParameters(g, inputs->shape.parameters)))
+    if (!(mcd_childrenOf(g) ? addChildren(&m->instance, inputs->shape.parameters)
+                            : readParameters(g, inputs->shape.parameters)))
         return MEFALSE;
     for (int i = 0; i < 3; i++)
         memcpy(inputs->axis[i], m->instance.tm[i], sizeof inputs->axis[i]);
@@ -92,8 +92,8 @@ MeU64 mcd_modelNewStamp(McdModelRecord *m) {
 
 static MeBool hasSurface(const McdGeometryInstance *ins) {
     const McdKind *kind = mcd_kindOf(ins->geometry);
-    for (const McdGeometryInstance *part = ins->firstChild; part; part = part->nextSibling)
-        if (hasSurface(part))
+    for (const McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)
+        if (hasSurface(child))
             return METRUE;
     return kind && kind->hashNear;
 }
@@ -145,17 +145,17 @@ MeBool MEAPI McdModelHasMoved(McdModelID cm) {
 /* The point in the model's frame, and from there to where it was. */
 MeBool MEAPI McdModelGetDisplacement(McdModelID cm, const MeVector3 point, MeVector3 displacement) {
     const McdModelRecord *m = mcd_record(cm);
-    double off[3], size = 0;
+    double offset[3], size = 0;
     MeVector3Set(displacement, 0, 0, 0);
     if (!McdModelHasMoved(cm))
         return MEFALSE;
     for (int i = 0; i < 3; i++)
-        off[i] = (double)point[i] - (double)m->inputs.place[i];
+        offset[i] = (double)point[i] - (double)m->inputs.place[i];
     for (int i = 0; i < 3; i++) {
         double was = m->past.place[i];
         for (int k = 0; k < 3; k++) {
             const MeReal *axis = m->inputs.axis[k];
-            was += (off[0] * (double)axis[0] + off[1] * (double)axis[1] + off[2] * (double)axis[2]) *
+            was += (offset[0] * (double)axis[0] + offset[1] * (double)axis[1] + offset[2] * (double)axis[2]) *
                    (double)m->past.axis[k][i];
         }
         displacement[i] = (MeReal)((double)point[i] - was);
@@ -199,13 +199,13 @@ static McdStand standOf(const McdModelPair *p) {
  * `reach` of its origin: the sum of the changes of the relative position's coordinates, and ||R' - R|| times the reach.
  * The difference of two rotations has the norm ||.||_F / sqrt(2), at most 3 / sqrt(2) times its largest entry. */
 static MeReal motionSince(const McdStand *before, const McdStand *now, MeReal reach) {
-    MeReal turn = 0, way = 0;
+    MeReal turn = 0, distance = 0;
     for (int i = 0; i < 3; i++) {
-        way += MeFabs(now->place[i] - before->place[i]);
+        distance += MeFabs(now->place[i] - before->place[i]);
         for (int j = 0; j < 3; j++)
             turn = MeMAX(turn, MeFabs(now->axes[i][j] - before->axes[i][j]));
     }
-    return way + (MeReal)2.1214 * turn * reach;
+    return distance + (MeReal)2.1214 * turn * reach;
 }
 
 static MeReal sumOfCoordinates(const MeReal v[3]) {
@@ -214,7 +214,7 @@ static MeReal sumOfCoordinates(const MeReal v[3]) {
 
 /* Whether the gap at the last test exceeds the relative displacement since, and the margin within which contacts are
  * made ahead of time now. */
-static MeBool isStillApart(const McdModelPair *p, const McdStand *now) {
+static MeBool isStillSeparated(const McdModelPair *p, const McdStand *now) {
     const McdModelRecord *m1 = mcd_record(p->model1), *m2 = mcd_record(p->model2);
     /* of places that are sums of three products, and of the axes times the reach: some four roundings each */
     const MeReal rounding =
@@ -225,16 +225,16 @@ static MeBool isStillApart(const McdModelPair *p, const McdStand *now) {
 
 /* Whether no point of the smaller model has moved by more than a part of its size: its contacts may be moved along. Of
  * the first model those points count that were there: about its own origin, or about that of the second. */
-static MeBool hasHardlyMoved(const McdModelPair *p, const McdStand *now, MeReal part) {
+static MeBool hasHardlyMoved(const McdModelPair *p, const McdStand *now, MeReal share) {
     const McdModelRecord *m1 = mcd_record(p->model1), *m2 = mcd_record(p->model2);
     const MeReal margin = m1->tolerance + m2->tolerance, size = p->stand.size;
     const MeReal reach = m1->radius > m2->radius ? size + sumOfCoordinates(p->stand.place) : size;
-    return motionSince(&p->stand, now, reach) < MeMIN(part * size, margin / 4);
+    return motionSince(&p->stand, now, reach) < MeMIN(share * size, margin / 4);
 }
 
 /* Whether the last test can tell anything of a pose that is not its own. */
-static MeBool mayTestHold(const McdModelPair *p, MeReal part) {
-    return p->stand.size > 0 && (p->stand.apart > 0 || part > 0);
+static MeBool mayReuseTest(const McdModelPair *p, MeReal share) {
+    return p->stand.size > 0 && (p->stand.apart > 0 || share > 0);
 }
 
 static void noteStand(McdModelPair *p, const McdStand *now) {
@@ -249,15 +249,15 @@ static MeBool isAlike(const McdTest *now, const McdTest *before, const MeBool ma
            now->contactMaxCount == before->contactMaxCount && now->faceNormalsFirst == before->faceNormalsFirst;
 }
 
-static MeBool hasParts(const McdModelRecord *m) {
-    return mcd_partsOf(m->instance.geometry) != 0;
+static MeBool hasChildren(const McdModelRecord *m) {
+    return mcd_childrenOf(m->instance.geometry) != 0;
 }
 
 /* Of models that have stamps: is each interaction of their shapes, or parts, the library's own? */
 static MeBool isBuiltIn(const McdModelPair *p) {
     const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
-    return hasParts(a) || hasParts(b) ? mcd_typesInteractAsBuiltIn(a->frame, a->types, b->types)
-                                      : mcd_interactionIsBuiltIn(p);
+    return hasChildren(a) || hasChildren(b) ? mcd_typesInteractAsBuiltIn(a->frame, a->types, b->types)
+                                            : mcd_interactionIsBuiltIn(p);
 }
 
 /* ---- surfaces of triangles --------------------------------------------------------------------------------------- */
@@ -285,10 +285,10 @@ static void addSurfaceOfTwo(const McdModelPair *p, McdGeometryInstance *a, McdGe
 
 /* Of every two parts. More than the test reads: that skips parts whose boxes are apart. */
 static void addSurfaces(const McdModelPair *p, McdGeometryInstance *a, McdGeometryInstance *b, MeU64 hash[2]) {
-    for (McdGeometryInstance *part = a->firstChild; part; part = part->nextSibling)
-        addSurfaces(p, part, b, hash);
-    for (McdGeometryInstance *part = b->firstChild; part && !a->firstChild; part = part->nextSibling)
-        addSurfaces(p, a, part, hash);
+    for (McdGeometryInstance *child = a->firstChild; child; child = child->nextSibling)
+        addSurfaces(p, child, b, hash);
+    for (McdGeometryInstance *child = b->firstChild; child && !a->firstChild; child = child->nextSibling)
+        addSurfaces(p, a, child, hash);
     if (!a->firstChild && !b->firstChild)
         addSurfaceOfTwo(p, a, b, hash);
 }
@@ -296,11 +296,11 @@ static void addSurfaces(const McdModelPair *p, McdGeometryInstance *a, McdGeomet
 /* Replaces the stamps of both shapes by a hash, for a pair with a surface. While it moves, and its last test tells
  * nothing of other poses, there is none, but 0: it would take a twentieth of the test that follows. So a pair that
  * comes to rest is tested once more. */
-static void addSurfacesOf(McdModelPair *p, const McdTest *before, MeReal part) {
+static void addSurfacesOf(McdModelPair *p, const McdTest *before, MeReal share) {
     McdTest *t = &p->test;
     MeU64 hash[2] = {t->shape1, t->shape2};
     t->shape1 = t->shape2 = 0;
-    if (!mayTestHold(p, part) && (t->stamp1 != before->stamp1 || t->stamp2 != before->stamp2))
+    if (!mayReuseTest(p, share) && (t->stamp1 != before->stamp1 || t->stamp2 != before->stamp2))
         return;
     addSurfaces(p, &mcd_record(p->model1)->instance, &mcd_record(p->model2)->instance, hash);
     t->shape1 = hash[0];
@@ -309,7 +309,7 @@ static void addSurfacesOf(McdModelPair *p, const McdTest *before, MeReal part) {
 
 /* Sets the inputs of the pair's test to what they are now: stamps, and with a surface its triangles. part: see
  * McdModelPairLook. Member by member, as they are read then: a copy of the whole would wait for each. */
-static void setTest(McdModelPair *p, McdModelRecord *m1, McdModelRecord *m2, const McdTest *before, MeReal part) {
+static void setTest(McdModelPair *p, McdModelRecord *m1, McdModelRecord *m2, const McdTest *before, MeReal share) {
     const McdRequest *request = p->request ? p->request : m1->frame->defaultRequest;
     McdTest *t = &p->test;
     t->stamp1 = mcd_modelStampInRound(m1);
@@ -321,7 +321,7 @@ static void setTest(McdModelPair *p, McdModelRecord *m1, McdModelRecord *m2, con
     t->shape1 = m1->shapeStamp;
     t->shape2 = m2->shapeStamp;
     if ((t->shape1 | t->shape2) & MCD_HAS_SURFACE)
-        addSurfacesOf(p, before, part);
+        addSurfacesOf(p, before, share);
 }
 
 /* ---- pairs ------------------------------------------------------------------------------------------------------- */
@@ -335,21 +335,21 @@ MeBool MEAPI McdModelPairHasSeenModels(const McdModelPair *p) {
     return isSeen(mcd_record(p->model1)) && isSeen(mcd_record(p->model2));
 }
 
-McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool mayMove[2]) {
+McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal share, const MeBool mayMove[2]) {
     static const MeBool neither[2] = {MEFALSE, MEFALSE};
     MEASSERT(p && p->model1 && p->model2 && mayMove);
     McdModelRecord *m1 = mcd_record(p->model1), *m2 = mcd_record(p->model2);
     const McdTest before = p->test, *now = &p->test;
-    setTest(p, m1, m2, &before, part);
+    setTest(p, m1, m2, &before, share);
     const MeBool isComparable =
         now->stamp1 != 0 && now->stamp2 != 0 && before.stamp1 != 0 && before.stamp2 != 0 && isBuiltIn(p);
     if (isComparable && isAlike(now, &before, neither))
         return McdPairIsUnchanged;
-    if (isComparable && isAlike(now, &before, mayMove) && mayTestHold(p, part)) {
+    if (isComparable && isAlike(now, &before, mayMove) && mayReuseTest(p, share)) {
         const McdStand stand = standOf(p);
-        if (isStillApart(p, &stand))
-            return McdPairIsApart;
-        if (part > 0 && hasHardlyMoved(p, &stand, part))
+        if (isStillSeparated(p, &stand))
+            return McdPairIsSeparated;
+        if (share > 0 && hasHardlyMoved(p, &stand, share))
             return McdPairHasMoved;
         noteStand(p, &stand);
     } else {
@@ -407,7 +407,7 @@ void MEAPI McdModelPairNoteTest(McdModelPair *p) {
     noteStand(p, &now);
 }
 
-void MEAPI McdModelPairNoteApart(McdModelPair *p, MeReal apart) {
+void MEAPI McdModelPairNoteSeparated(McdModelPair *p, MeReal apart) {
     MEASSERT(p && apart >= 0);
     p->stand.apart = apart;
 }

@@ -23,7 +23,7 @@ static void keepNearest(Nearest *nearest, double distance, const double onA[3], 
 }
 
 /* The distance from a convex shape to the other one; turned: the shape is the second of the pair. */
-static void takeTurned(Nearest *nearest, MeBool isTurned, double distance, const double onShape[3],
+static void setNearest(Nearest *nearest, MeBool isTurned, double distance, const double onShape[3],
                        const double onOther[3], const double n[3]) {
     const double back[3] = {-n[0], -n[1], -n[2]};
     if (isTurned)
@@ -36,7 +36,7 @@ static void measurePlane(const McdShape *a, McdGeometryInstance *plane, const do
                          Nearest *nearest) {
     double onA[3], onB[3], n[3];
     const double distance = mcd_planeDistance(a, mcd_const(mcd_instanceTM(plane)), origin, onA, onB, n);
-    takeTurned(nearest, isTurned, distance, onA, onB, n);
+    setNearest(nearest, isTurned, distance, onA, onB, n);
 }
 
 /* A convex shape and a list or height field. */
@@ -45,11 +45,12 @@ static void measureMesh(const McdShape *a, McdModelID asker, McdGeometryInstance
     double distance, onA[3], onB[3], n[3];
     if (!mcd_meshNearest(a, mesh, asker, origin, INFINITY, &distance, onA, onB, n))
         return;
-    takeTurned(nearest, isTurned, distance, onA, onB, n);
+    setNearest(nearest, isTurned, distance, onA, onB, n);
 }
 
 /* False if none of the parts is convex, or the other one is null. */
-static MeBool measureParts(McdGeometryInstance *a, McdGeometryInstance *b, const double origin[3], Nearest *nearest) {
+static MeBool measureChildren(McdGeometryInstance *a, McdGeometryInstance *b, const double origin[3],
+                              Nearest *nearest) {
     McdShape shapeA, shapeB;
     if (!mcd_instanceIsPlaced(a) || !mcd_instanceIsPlaced(b))
         return MEFALSE;
@@ -76,17 +77,17 @@ static MeBool measureParts(McdGeometryInstance *a, McdGeometryInstance *b, const
 static MeBool measureInstances(McdGeometryInstance *a, McdGeometryInstance *b, const double origin[3],
                                Nearest *nearest) {
     MeBool isGood = METRUE;
-    if (mcd_partsOf(a->geometry)) {
+    if (mcd_childrenOf(a->geometry)) {
         for (McdGeometryInstance *child = a->firstChild; child; child = child->nextSibling)
             isGood = measureInstances(child, b, origin, nearest) && isGood;
         return isGood;
     }
-    if (mcd_partsOf(b->geometry)) {
+    if (mcd_childrenOf(b->geometry)) {
         for (McdGeometryInstance *child = b->firstChild; child; child = child->nextSibling)
             isGood = measureInstances(a, child, origin, nearest) && isGood;
         return isGood;
     }
-    return measureParts(a, b, origin, nearest);
+    return measureChildren(a, b, origin, nearest);
 }
 
 MeBool MEAPI McdDistance(McdModelPair *p, McdDistanceResult *result) {
@@ -101,9 +102,9 @@ MeBool MEAPI McdDistance(McdModelPair *p, McdDistanceResult *result) {
         return MEFALSE;
     }
     mcd_pairOrigin(&a->instance, &b->instance, origin);
-    MeStageBegin(&a->frame->stage, MCD_HOLD_MODELS);
+    MeStageBegin(&a->frame->stage, MCD_GUARD_MODELS);
     const MeBool isGood = measureInstances(&a->instance, &b->instance, origin, &nearest);
-    MeStageEnd(&a->frame->stage, MCD_HOLD_MODELS);
+    MeStageEnd(&a->frame->stage, MCD_GUARD_MODELS);
     if (!isGood || !nearest.isFound)
         return MEFALSE;
     MEASSERT(!isnan(nearest.distance) && isfinite(mcd_dot(nearest.normal, nearest.normal)));

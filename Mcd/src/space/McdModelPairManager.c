@@ -104,7 +104,7 @@ int MEAPI McdModelPairManagerGetSize(McdModelPairManagerID manager) {
 
 /* ---- coming and going -------------------------------------------------------------------------------------------- */
 
-static void tellFull(McdModelPairManager *manager, McdModelID m1, McdModelID m2) {
+static void warnFull(McdModelPairManager *manager, McdModelID m1, McdModelID m2) {
     if (!manager->poolFull && !manager->hasWarned)
         MeWarning(1, "McdModelPairManagerActivate: there are %d pairs: raise McdModelPairManagerCreate's size",
                   manager->size);
@@ -146,7 +146,7 @@ MeBool MEAPI McdModelPairManagerActivate(McdModelPairManagerID manager, McdModel
     if (isActive(r))
         return METRUE;
     if (!r && !manager->firstFree) {
-        tellFull(manager, model1, model2);
+        warnFull(manager, model1, model2);
         return MEFALSE;
     }
     manager->step++;
@@ -220,12 +220,12 @@ void MEAPI McdModelPairManagerResetIterator(McdModelPairManagerID manager, McdSp
 /* Puts the pairs of a phase after the first *done ones to array[at ..], at most `room`; returns how many. */
 static int copyPairsOfPhase(const McdModelPairManager *manager, McdModelPairPhase phase, int *done,
                             McdModelPair **array, int room) {
-    int seen = 0, taken = 0;
-    for (Record *r = manager->first; r && taken < room; r = r->after)
+    int seen = 0, count = 0;
+    for (Record *r = manager->first; r && count < room; r = r->after)
         if (r->pair.phase == phase && seen++ >= *done)
-            array[taken++] = &r->pair;
-    *done += taken;
-    return taken;
+            array[count++] = &r->pair;
+    *done += count;
+    return count;
 }
 
 static int countOf(const McdModelPairManager *manager, McdModelPairPhase phase) {

@@ -27,16 +27,16 @@ typedef struct Query {
 
 /* One part of a model next to the querying shape. */
 typedef struct Gap {
-    McdGeometryInstance *part;
-    double distance, onShape[3], onPart[3], normal[3];
+    McdGeometryInstance *child;
+    double distance, onShape[3], onOther[3], normal[3];
 } Gap;
 
 static McdModelID modelOf(const Query *q, int proxy) {
     return &q->space->proxy[proxy].model->model;
 }
 
-static MeBool isAsked(const Query *q, McdModelID cm) {
-    return cm != q->self && mcd_isAsked(q->space, cm, q->filter, q->filterData, q->function);
+static MeBool passesFilter(const Query *q, McdModelID cm) {
+    return cm != q->self && mcd_passesFilter(q->space, cm, q->filter, q->filterData, q->function);
 }
 
 /* Makes the shape of a geometry at a place. */
@@ -62,30 +62,30 @@ static MeBool setShape(Query *q, McdGeometryID g, const MeMatrix4 tm, const char
     return METRUE;
 }
 
-static MeBool isPlane(const McdGeometryInstance *part) {
-    return mcd_isHalfSpace(part);
+static MeBool isPlane(const McdGeometryInstance *child) {
+    return mcd_isHalfSpace(child);
 }
 
 /* other: the part's shape, or one triangle of it; null for planes. */
 static void measureGap(const Query *q, const McdShape *shape, const McdShape *other, Gap *gap) {
     if (other)
-        gap->distance = mcd_convexDistance(shape, other, gap->onShape, gap->onPart, gap->normal);
+        gap->distance = mcd_convexDistance(shape, other, gap->onShape, gap->onOther, gap->normal);
     else
-        gap->distance = mcd_planeDistance(shape, mcd_const(mcd_instanceTM(gap->part)), q->origin, gap->onShape,
-                                          gap->onPart, gap->normal);
+        gap->distance = mcd_planeDistance(shape, mcd_const(mcd_instanceTM(gap->child)), q->origin, gap->onShape,
+                                          gap->onOther, gap->normal);
 }
 
 /* False for a part that is too far away or does not support the query. */
-static MeBool measurePart(const Query *q, Gap *gap) {
+static MeBool measureChild(const Query *q, Gap *gap) {
     McdShape other;
-    if (!mcd_instanceIsPlaced(gap->part))
+    if (!mcd_instanceIsPlaced(gap->child))
         return MEFALSE;
-    if (mcd_isMesh(gap->part))
-        return mcd_meshNearest(&q->shape, gap->part, q->self, q->origin, q->reach, &gap->distance, gap->onShape,
-                               gap->onPart, gap->normal);
-    if (isPlane(gap->part))
+    if (mcd_isMesh(gap->child))
+        return mcd_meshNearest(&q->shape, gap->child, q->self, q->origin, q->reach, &gap->distance, gap->onShape,
+                               gap->onOther, gap->normal);
+    if (isPlane(gap->child))
         measureGap(q, &q->shape, 0, gap);
-    else if (mcd_shapeOf(gap->part, q->origin, &other))
+    else if (mcd_shapeOf(gap->child, q->origin, &other))
         measureGap(q, &q->shape, &other, gap);
     else
         return MEFALSE;
@@ -106,13 +106,13 @@ static McdGeometryInstance *nextLeaf(McdGeometryInstance *ins) {
 }
 
 /* The nearest part of a model; false if none supports the query. */
-static MeBool nearestPart(const Query *q, McdModelID cm, Gap *nearest) {
+static MeBool nearestChild(const Query *q, McdModelID cm, Gap *nearest) {
     Gap gap;
     MeBool isFound = MEFALSE;
     if (!mcd_modelIsPlaced(mcd_record(cm)))
         return MEFALSE;
-    for (gap.part = firstLeaf(&mcd_record(cm)->instance); gap.part; gap.part = nextLeaf(gap.part))
-        if (measurePart(q, &gap) && (!isFound || gap.distance < nearest->distance)) {
+    for (gap.child = firstLeaf(&mcd_record(cm)->instance); gap.child; gap.child = nextLeaf(gap.child))
+        if (measureChild(q, &gap) && (!isFound || gap.distance < nearest->distance)) {
             *nearest = gap;
             isFound = METRUE;
         }
@@ -122,9 +122,9 @@ static MeBool nearestPart(const Query *q, McdModelID cm, Gap *nearest) {
 /* ---- searches, during which the program's functions keep models as they are -------------------------------------- */
 
 static void overlap(const Query *q, const double min[3], const double max[3], McdTreeVisit visit, void *context) {
-    MeStageBegin(&q->space->frame->stage, MCD_HOLD_SHAPES);
+    MeStageBegin(&q->space->frame->stage, MCD_GUARD_SHAPES);
     mcd_spaceOverlap(q->space, min, max, visit, context);
-    MeStageEnd(&q->space->frame->stage, MCD_HOLD_SHAPES);
+    MeStageEnd(&q->space->frame->stage, MCD_GUARD_SHAPES);
 }
 
 static void toWorld(const Query *q, const double point[3], MeVector3 out) {
@@ -164,7 +164,7 @@ static MeBool visitBox(void *context, int proxy) {
     for (int i = 0; i < 3; i++)
         if ((double)p->min[i] > q->max[i] || (double)p->max[i] < q->min[i])
             return METRUE;
-    if (isAsked(q, modelOf(q, proxy)))
+    if (passesFilter(q, modelOf(q, proxy)))
         addToList(q, modelOf(q, proxy));
     return METRUE;
 }
@@ -196,7 +196,7 @@ static MeBool visitOverlap(void *context, int proxy) {
     Query *q = context;
     Gap gap;
     const McdModelID cm = modelOf(q, proxy);
-    if (isAsked(q, cm) && nearestPart(q, cm, &gap) && gap.distance <= 0)
+    if (passesFilter(q, cm) && nearestChild(q, cm, &gap) && gap.distance <= 0)
         addToList(q, cm);
     return METRUE;
 }
@@ -229,13 +229,13 @@ int MEAPI McdSpaceOverlapModel(McdSpaceID space, McdModelID cm, McdLineSegInters
     if (!m || !checkList(space, list, listSize, "McdSpaceOverlapModel"))
         return 0;
     McdFramework *frame = m->frame;
-    MeStageBegin(&frame->stage, MCD_HOLD_MODELS);
-    for (McdGeometryInstance *part = firstLeaf(&m->instance); part; part = nextLeaf(part)) {
-        if (!setShape(&q, part->geometry, mcd_const(mcd_instanceTM(part)), "McdSpaceOverlapModel"))
+    MeStageBegin(&frame->stage, MCD_GUARD_MODELS);
+    for (McdGeometryInstance *child = firstLeaf(&m->instance); child; child = nextLeaf(child)) {
+        if (!setShape(&q, child->geometry, mcd_const(mcd_instanceTM(child)), "McdSpaceOverlapModel"))
             break;
         overlap(&q, q.min, q.max, visitOverlap, &q);
     }
-    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
+    MeStageEnd(&frame->stage, MCD_GUARD_MODELS);
     return q.count;
 }
 
@@ -251,7 +251,7 @@ static MeBool visitClosest(void *context, int proxy) {
     Closest *c = context;
     Gap gap;
     const McdModelID cm = modelOf(&c->q, proxy);
-    if (!isAsked(&c->q, cm) || !nearestPart(&c->q, cm, &gap))
+    if (!passesFilter(&c->q, cm) || !nearestChild(&c->q, cm, &gap))
         return METRUE;
     const MeBool isFirst =
         c->model && gap.distance == c->gap.distance && mcd_modelPrecedes(mcd_record(cm), mcd_record(c->model));
@@ -263,8 +263,8 @@ static MeBool visitClosest(void *context, int proxy) {
 }
 
 /* Enlarges the searched box until no nearer point can be outside of it. */
-static void search(Closest *c, double most) {
-    double reach = fmin(c->q.shape.extent, most);
+static void search(Closest *c, double maxReach) {
+    double reach = fmin(c->q.shape.extent, maxReach);
     for (;;) {
         double min[3], max[3];
         for (int i = 0; i < 3; i++) {
@@ -274,19 +274,19 @@ static void search(Closest *c, double most) {
         c->model = 0;
         c->q.reach = reach;
         overlap(&c->q, min, max, visitClosest, c);
-        if ((c->model && c->gap.distance <= reach) || reach >= fmin(most, MCD_TREE_REACH))
+        if ((c->model && c->gap.distance <= reach) || reach >= fmin(maxReach, MCD_TREE_REACH))
             return;
-        reach = fmin(most, c->model ? c->gap.distance * 1.0001 : 4 * reach);
+        reach = fmin(maxReach, c->model ? c->gap.distance * 1.0001 : 4 * reach);
     }
 }
 
 static void writeClosest(const Closest *c, McdClosestResult *result) {
-    MEASSERT(c->gap.part->model == c->model);
+    MEASSERT(c->gap.child->model == c->model);
     result->model = c->model;
-    result->instance = c->gap.part;
+    result->instance = c->gap.child;
     result->distance = mcd_real(c->gap.distance);
     toWorld(&c->q, c->gap.onShape, result->position1);
-    toWorld(&c->q, c->gap.onPart, result->position2);
+    toWorld(&c->q, c->gap.onOther, result->position2);
     for (int i = 0; i < 3; i++)
         result->normal[i] = (MeReal)c->gap.normal[i];
 }
@@ -301,12 +301,12 @@ int MEAPI McdSpaceGetClosest(McdSpaceID space, McdGeometryID g, const MeMatrix4 
                   (double)maxDistance);
         return 0;
     }
-    MeStageBegin(&space->frame->stage, MCD_HOLD_MODELS);
+    MeStageBegin(&space->frame->stage, MCD_GUARD_MODELS);
     search(&c, (double)maxDistance);
     const MeBool isFound = c.model && c.gap.distance <= (double)maxDistance;
     if (isFound)
         writeClosest(&c, result);
-    MeStageEnd(&space->frame->stage, MCD_HOLD_MODELS);
+    MeStageEnd(&space->frame->stage, MCD_GUARD_MODELS);
     return isFound;
 }
 
@@ -355,10 +355,10 @@ static void keepFirstHit(Cast *c, McdModelID cm, const Gap *gap, double t) {
     c->fraction = t;
 }
 
-static void castAt(Cast *c, McdModelID cm, McdGeometryInstance *part, const McdShape *other) {
+static void castAt(Cast *c, McdModelID cm, McdGeometryInstance *child, const McdShape *other) {
     Gap gap;
     double t;
-    gap.part = part;
+    gap.child = child;
     if (advanceToTouch(c, other, c->fraction, &gap, &t))
         keepFirstHit(c, cm, &gap, t);
 }
@@ -368,7 +368,7 @@ static void castAt(Cast *c, McdModelID cm, McdGeometryInstance *part, const McdS
 typedef struct MeshCast {
     Cast *cast;
     McdModelID model;
-    McdGeometryInstance *part;
+    McdGeometryInstance *child;
 } MeshCast;
 
 static MeBool visitTriangle(void *context, const McdMeshTriangle *t, const McdShape *triangle) {
@@ -376,7 +376,7 @@ static MeBool visitTriangle(void *context, const McdMeshTriangle *t, const McdSh
     Cast *c = m->cast;
     Gap gap;
     double fraction;
-    gap.part = m->part;
+    gap.child = m->child;
     if (!advanceToTouch(c, triangle, c->fraction, &gap, &fraction))
         return METRUE;
     const MeBool isFromBehind = !(t->flags & kMcdTriangleTwoSided) && mcd_dot(t->normal, c->by) > 0;
@@ -386,9 +386,9 @@ static MeBool visitTriangle(void *context, const McdMeshTriangle *t, const McdSh
 }
 
 /* The part of the motion, from *enter to *leave, in which the shape's box meets that of the mesh; false: none. */
-static MeBool clip(const Cast *c, McdGeometryInstance *part, double *enter, double *leave) {
+static MeBool clip(const Cast *c, McdGeometryInstance *child, double *enter, double *leave) {
     double low[3], high[3];
-    mcd_meshBounds(part, c->q.origin, low, high);
+    mcd_meshBounds(child, c->q.origin, low, high);
     *enter = 0;
     *leave = c->fraction;
     for (int i = 0; i < 3; i++) {
@@ -405,10 +405,10 @@ static MeBool clip(const Cast *c, McdGeometryInstance *part, double *enter, doub
 }
 
 /* In pieces of the motion, so that the box around each has few triangles that are not near the swept shape. */
-static void castMesh(Cast *c, McdModelID cm, McdGeometryInstance *part) {
-    MeshCast m = {c, cm, part};
+static void castMesh(Cast *c, McdModelID cm, McdGeometryInstance *child) {
+    MeshCast m = {c, cm, child};
     double enter, leave;
-    if (!clip(c, part, &enter, &leave))
+    if (!clip(c, child, &enter, &leave))
         return;
     const double length = mcd_length(c->by) * (leave - enter);
     const int pieces = mcd_floorBetween(length / (2 * c->q.shape.extent), 1, MAX_PIECES);
@@ -421,7 +421,7 @@ static void castMesh(Cast *c, McdModelID cm, McdGeometryInstance *part) {
             low[i] = c->q.min[i] - c->q.origin[i] + fmin(from * c->by[i], to * c->by[i]) - touchingGap(c);
             high[i] = c->q.max[i] - c->q.origin[i] + fmax(from * c->by[i], to * c->by[i]) + touchingGap(c);
         }
-        mcd_meshForEachNear(part, c->q.self, c->q.origin, low, high, visitTriangle, &m);
+        mcd_meshForEachNear(child, c->q.self, c->q.origin, low, high, visitTriangle, &m);
     }
 }
 
@@ -431,17 +431,17 @@ static double visitCast(void *context, int proxy, double last) {
     Cast *c = context;
     const McdModelID cm = modelOf(&c->q, proxy);
     McdShape other;
-    if (!isAsked(&c->q, cm) || !mcd_modelIsPlaced(mcd_record(cm)))
+    if (!passesFilter(&c->q, cm) || !mcd_modelIsPlaced(mcd_record(cm)))
         return last;
-    for (McdGeometryInstance *part = firstLeaf(&mcd_record(cm)->instance); part; part = nextLeaf(part)) {
-        if (!mcd_instanceIsPlaced(part))
+    for (McdGeometryInstance *child = firstLeaf(&mcd_record(cm)->instance); child; child = nextLeaf(child)) {
+        if (!mcd_instanceIsPlaced(child))
             continue;
-        if (mcd_isMesh(part))
-            castMesh(c, cm, part);
-        else if (isPlane(part))
-            castAt(c, cm, part, 0);
-        else if (mcd_shapeOf(part, c->q.origin, &other))
-            castAt(c, cm, part, &other);
+        if (mcd_isMesh(child))
+            castMesh(c, cm, child);
+        else if (isPlane(child))
+            castAt(c, cm, child, 0);
+        else if (mcd_shapeOf(child, c->q.origin, &other))
+            castAt(c, cm, child, &other);
     }
     return c->fraction;
 }
@@ -457,11 +457,11 @@ static MeBool checkCast(McdSpaceID s, const MeReal *by, const McdCastResult *res
 }
 
 static void writeCast(const Cast *c, McdCastResult *result) {
-    MEASSERT(c->gap.part->model == c->model && c->fraction >= 0 && c->fraction <= 1);
+    MEASSERT(c->gap.child->model == c->model && c->fraction >= 0 && c->fraction <= 1);
     result->model = c->model;
-    result->instance = c->gap.part;
+    result->instance = c->gap.child;
     result->fraction = (MeReal)c->fraction;
-    toWorld(&c->q, c->gap.onPart, result->position);
+    toWorld(&c->q, c->gap.onOther, result->position);
     for (int i = 0; i < 3; i++)
         result->normal[i] = (MeReal)c->gap.normal[i];
 }
@@ -478,11 +478,11 @@ int MEAPI McdSpaceCastGeometry(McdSpaceID space, McdGeometryID g, const MeMatrix
         middle[i] = (c.q.min[i] + c.q.max[i]) / 2;
         half[i] = (c.q.max[i] - c.q.min[i]) / 2 * (1 + 8 * (double)ME_EPSILON);
     }
-    MeStageBegin(&space->frame->stage, MCD_HOLD_SHAPES);
+    MeStageBegin(&space->frame->stage, MCD_GUARD_SHAPES);
     mcd_spaceCast(space, middle, c.by, half, 1, visitCast, &c);
     if (c.model)
         writeCast(&c, result);
-    MeStageEnd(&space->frame->stage, MCD_HOLD_SHAPES);
+    MeStageEnd(&space->frame->stage, MCD_GUARD_SHAPES);
     return c.model != 0;
 }
 
@@ -506,10 +506,10 @@ int MEAPI McdSpaceCastRay(McdSpaceID space, const MeVector3 from, const MeVector
     }
     MeVector3Copy(start, from);
     MeVector3Add(end, start, displacement);
-    MeStageBegin(&space->frame->stage, MCD_HOLD_MODELS);
+    MeStageBegin(&space->frame->stage, MCD_GUARD_MODELS);
     const MeBool isHit = mcd_firstIntersection(space, start, end, filter, filterData, &hit, "McdSpaceCastRay") != 0;
     if (isHit)
         writeRay(&hit, MeVector3Magnitude(displacement), result);
-    MeStageEnd(&space->frame->stage, MCD_HOLD_MODELS);
+    MeStageEnd(&space->frame->stage, MCD_GUARD_MODELS);
     return isHit;
 }

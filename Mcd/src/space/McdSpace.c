@@ -25,17 +25,17 @@ static MeBool checkInside(McdSpaceID s, const char *function) {
     return s->isChanging || s->isInner;
 }
 
-static MeBool areModelsHeld(const McdSpace *s) {
-    return MeStageIsHeld(&s->frame->stage, MCD_HOLD_MODELS);
+static MeBool areModelsGuarded(const McdSpace *s) {
+    return MeStageIsHeld(&s->frame->stage, MCD_GUARD_MODELS);
 }
 
 static void endBlock(McdSpace *s) {
-    MeStageBegin(&s->frame->stage, MCD_HOLD_MODELS); /* the program is told of pairs for which there is no room */
+    MeStageBegin(&s->frame->stage, MCD_GUARD_MODELS); /* the program is told of pairs for which there is no room */
     mcd_pairsEnd(s);
     s->isChanging = s->isFirstBlock = s->isUpdated = MEFALSE;
     s->step++;
     McdSpacePairIteratorBegin(s, &s->own);
-    MeStageEnd(&s->frame->stage, MCD_HOLD_MODELS);
+    MeStageEnd(&s->frame->stage, MCD_GUARD_MODELS);
 }
 
 static void beginBlock(McdSpace *s) {
@@ -46,7 +46,7 @@ static void beginBlock(McdSpace *s) {
 MeBool mcd_spaceIsReady(McdSpaceID s, const char *function) {
     if (!mcd_spaceCheck(s, function))
         return MEFALSE;
-    if (s->isFirstBlock && s->isUpdated && !areModelsHeld(s))
+    if (s->isFirstBlock && s->isUpdated && !areModelsGuarded(s))
         endBlock(s);
     if (s->isChanging || s->isInner)
         MeWarning(1, "%s: legal only outside change blocks: see McdSpaceEndChanges", function);
@@ -187,7 +187,7 @@ static void dropBox(McdModelID cm) {
     McdSpaceUnfreezeModel(cm);
 }
 
-static void takeFilter(McdModelID cm) {
+static void applyFilter(McdModelID cm) {
     McdModelRecord *m = mcd_record(cm);
     McdProxy *p = m->proxy;
     p->filter = m->filter;
@@ -208,7 +208,7 @@ McdSpaceID MEAPI(McdSpaceAxisSortCreate)(McdFrameworkID framework, int axes, int
     s->isChanging = s->isFirstBlock = METRUE;
     s->step = MCD_SPACE; /* a number that an iterator which was never set will hardly have */
     framework->spaceForget = forget;
-    framework->spaceFilter = takeFilter;
+    framework->spaceFilter = applyFilter;
     framework->spaceForgetPairs = forgetPairs;
     framework->spaceDropBox = dropBox;
     framework->spaceCount++;
@@ -227,8 +227,8 @@ void MEAPI McdSpaceDestroy(McdSpaceID s) {
     if (!mcd_mayDestroy(s, MCD_SPACE, "space", "McdSpaceDestroy") ||
         !MeStageIsFree(&s->frame->stage, "McdSpaceDestroy"))
         return;
-    MeStageBegin(&s->frame->stage, MCD_HOLD_MODELS); /* goodbyes may be told to functions of the program */
-    s->isUpdating = METRUE;                          /* which put nothing into it any more */
+    MeStageBegin(&s->frame->stage, MCD_GUARD_MODELS); /* goodbyes may be told to functions of the program */
+    s->isUpdating = METRUE;                           /* which put nothing into it any more */
     while (s->firstProxy != MCD_NONE)
         forget(&s->proxy[s->firstProxy].model->model);
     s->frame->spaceCount--;
@@ -236,7 +236,7 @@ void MEAPI McdSpaceDestroy(McdSpaceID s) {
     MeHandleLeave(&s->handle);
     McdFramework *frame = s->frame;
     freeSpace(s);
-    MeStageEnd(&frame->stage, MCD_HOLD_MODELS);
+    MeStageEnd(&frame->stage, MCD_GUARD_MODELS);
 }
 
 void MEAPI McdSpaceBuild(McdSpaceID s) {
@@ -325,7 +325,7 @@ void MEAPI McdSpaceEndChanges(McdSpaceID space) {
     const MeLater later = {.carryOut = closeLater, .object = space};
     if (space->isInner)
         space->isInner = mcd_when(space->frame, &later, "McdSpaceEndChanges") == MeWhenNever;
-    else if (areModelsHeld(space))
+    else if (areModelsGuarded(space))
         MeProgramRefuse("McdSpaceEndChanges", "the space is in use");
     else if (MeProgramMayChange("McdSpaceEndChanges"))
         endBlock(space);
@@ -396,11 +396,11 @@ static void fatten(McdProxy *p, const double moved[3]) {
 /* Is the exact box, grown by the tolerance, still in the fat one, and the fat one not far too large for it? */
 static MeBool isFatBoxGood(const McdProxy *p) {
     const double side = largestSide(p), size = sizeOf(p, side), tolerance = 1.00001 * (double)p->tolerance;
-    const double most = isWithoutBounds(side) ? INFINITY : 4 * (size + 2 * fatMargin(p, size));
+    const double maxSide = isWithoutBounds(side) ? INFINITY : 4 * (size + 2 * fatMargin(p, size));
     for (int i = 0; i < 3; i++) {
         const double low = (double)p->fat.min[i], high = (double)p->fat.max[i];
         const double min = (double)p->min[i] - tolerance, max = (double)p->max[i] + tolerance;
-        if (MeMAX(min, -MCD_TREE_REACH) < low || MeMIN(max, MCD_TREE_REACH) > high || high - low > most)
+        if (MeMAX(min, -MCD_TREE_REACH) < low || MeMIN(max, MCD_TREE_REACH) > high || high - low > maxSide)
             return MEFALSE;
     }
     return METRUE;
@@ -456,7 +456,7 @@ typedef enum McdBoxUpdate {
 } McdBoxUpdate;
 
 /* Takes the model's box over. Writes to the proxy alone. */
-static McdBoxUpdate takeBox(McdProxy *p) {
+static McdBoxUpdate refreshBox(McdProxy *p) {
     const McdModelRecord *m = p->model;
     double moved[3] = {0, 0, 0};
     MeBool isSame = p->hasBox && p->tolerance == mcd_modelReach(m);
@@ -622,7 +622,7 @@ static McdBoxUpdate updateProxy(const McdSpace *s, McdProxy *p, MeReal duration)
     }
     p->isWarned = MEFALSE;
     lookAhead(s, m, isSeen);
-    const McdBoxUpdate update = takeBox(p);
+    const McdBoxUpdate update = refreshBox(p);
     markBoxValid(s, m, duration);
     return update;
 }
@@ -665,13 +665,13 @@ static void unlinkAwake(McdSpace *s, McdProxy *p) {
 }
 
 /* Frozen models are not updated, except once if they have no box yet. */
-static MeBool isToRest(const McdProxy *p) {
+static MeBool isToBeSkipped(const McdProxy *p) {
     return p->isFrozen && (p->hasBox || !p->model->instance.tm);
 }
 
 static void updateInOrder(McdSpace *s, MeReal duration) {
     for (int i = s->firstAwake; i != MCD_NONE; i = s->proxy[i].nextAwake)
-        if (isToRest(&s->proxy[i]))
+        if (isToBeSkipped(&s->proxy[i]))
             unlinkAwake(s, &s->proxy[i]);
         else /* whose callback may freeze and unfreeze models */
             applyUpdate(s, &s->proxy[i], updateProxy(s, &s->proxy[i], duration));
@@ -700,8 +700,8 @@ static MeBool isBoxOfProgram(const McdGeometryInstance *ins) {
     const McdTypeRecord *type = &ins->geometry->frame->types[ins->geometry->type];
     if (!type->kind || type->getAABB != type->kind->box)
         return METRUE;
-    for (const McdGeometryInstance *part = ins->firstChild; part; part = part->nextSibling)
-        if (isBoxOfProgram(part))
+    for (const McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)
+        if (isBoxOfProgram(child))
             return METRUE;
     return MEFALSE;
 }
@@ -724,7 +724,7 @@ static int listAwake(McdSpace *s) {
         return s->awakeCount;
     for (int i = s->firstAwake; i != MCD_NONE; i = s->proxy[i].nextAwake) {
         frozen += s->proxy[i].isFrozen;
-        if (isToRest(&s->proxy[i]))
+        if (isToBeSkipped(&s->proxy[i]))
             unlinkAwake(s, &s->proxy[i]);
         else
             s->awake[count++] = i;
@@ -775,9 +775,9 @@ static void updateAll(McdSpace *s, MeReal duration) {
     const int before = s->proxyCount;
     if (isAlone)
         beginBlock(s);
-    MeStageBegin(&s->frame->stage, MCD_HOLD_MODELS);
+    MeStageBegin(&s->frame->stage, MCD_GUARD_MODELS);
     s->isUpdating = METRUE;
-    if (s->team && s->proxyCount >= MCD_LEAST_RANGES * MCD_RANGE && !s->update && s->frame->updateCallbacks == 0)
+    if (s->team && s->proxyCount >= MCD_MIN_RANGES * MCD_RANGE && !s->update && s->frame->updateCallbacks == 0)
         updateByWorkers(s, duration);
     else
         updateInOrder(s, duration);
@@ -785,7 +785,7 @@ static void updateAll(McdSpace *s, MeReal duration) {
     MEASSERT(before == s->proxyCount); /* no callback changes which models there are */
     (void)before;
     s->isUpdated = METRUE;
-    MeStageEnd(&s->frame->stage, MCD_HOLD_MODELS);
+    MeStageEnd(&s->frame->stage, MCD_GUARD_MODELS);
     if (isAlone)
         endBlock(s);
 }
@@ -794,9 +794,9 @@ static void updateAll(McdSpace *s, MeReal duration) {
 static MeBool mayUpdate(McdSpaceID s, const char *function) {
     if (!mcd_spaceCheck(s, function) || !MeProgramMayChange(function))
         return MEFALSE;
-    if (areModelsHeld(s))
+    if (areModelsGuarded(s))
         MeProgramRefuse(function, "the space is in use");
-    return !areModelsHeld(s);
+    return !areModelsGuarded(s);
 }
 
 void MEAPI McdSpaceSetTeam(McdSpaceID s, MeTeam *team) {
@@ -841,7 +841,7 @@ void MEAPI McdSpaceUpdateModel(McdModelID cm) {
     McdProxy *p = proxyOf(cm, "McdSpaceUpdateModel");
     if (!p || !checkInside(p->model->space, "McdSpaceUpdateModel"))
         return;
-    if (MeStageIsHeld(&p->model->frame->stage, MCD_HOLD_SHAPES))
+    if (MeStageIsHeld(&p->model->frame->stage, MCD_GUARD_SHAPES))
         return; /* the next update finds it */
     if (p->isFrozen)
         MeWarning(1, "McdSpaceUpdateModel: the model is frozen: see McdSpaceUnfreezeModel");
@@ -910,7 +910,7 @@ static MeBool canInsert(McdSpaceID s, McdModelID cm, const char *function) {
     return MEFALSE;
 }
 
-static McdProxy *takeProxy(McdSpace *s) {
+static McdProxy *allocateProxy(McdSpace *s) {
     const int i = s->freeProxy;
     MEASSERT(i >= 0 && i < s->proxyRoom && s->proxyCount < s->proxyRoom);
     McdProxy *p = &s->proxy[i];
@@ -950,15 +950,15 @@ static MeBool wasUpdated(const McdModelRecord *m) {
 }
 
 static void insert(McdSpace *s, McdModelRecord *m) {
-    McdProxy *p = takeProxy(s);
+    McdProxy *p = allocateProxy(s);
     MEASSERT(m->frame == s->frame && !m->space && !m->proxy);
     p->model = m;
     p->filter = m->filter;
     p->order = (MeU64)(MeU16)m->sortKey << 48 | ((MeU64)m->serial & 0xffffffffffffull);
     m->space = s;
     m->proxy = p;
-    if (wasUpdated(m) && !areModelsHeld(s))
-        placeBox(s, p, takeBox(p));
+    if (wasUpdated(m) && !areModelsGuarded(s))
+        placeBox(s, p, refreshBox(p));
 }
 
 MeBool MEAPI McdSpaceInsertModel(McdSpaceID s, McdModelID cm) {
@@ -1183,17 +1183,17 @@ int MEAPI McdSpaceGetNextTransitions(McdSpaceID s, McdModelPairContainer *c) {
 
 /* A model is to go, or is a sensor and queries do not meet these. */
 static MeBool isPassed(const McdSpace *s, const McdModelRecord *m) {
-    return m->isGone || (m->isSensor && !s->queriesMeetSensors);
+    return m->isGone || (m->isSensor && !s->queriesHitSensors);
 }
 
-MeBool mcd_isAsked(const McdSpace *s, McdModelID cm, McdLineSegIntersectEnableCallback filter, void *filterData,
-                   const char *function) {
+MeBool mcd_passesFilter(const McdSpace *s, McdModelID cm, McdLineSegIntersectEnableCallback filter, void *filterData,
+                        const char *function) {
     if (!filter || isPassed(s, mcd_record(cm)))
         return !isPassed(s, mcd_record(cm));
     const MeProgramCall before = MeProgramEnter(function);
-    const MeBool isAsked = filter(cm, filterData) != 0;
+    const MeBool passes = filter(cm, filterData) != 0;
     MeProgramLeave(&before);
-    return isAsked && !mcd_record(cm)->isGone;
+    return passes && !mcd_record(cm)->isGone;
 }
 
 void mcd_spaceOverlap(const McdSpace *s, const double min[3], const double max[3], McdTreeVisit visit, void *context) {
@@ -1217,11 +1217,11 @@ void mcd_spaceCast(const McdSpace *s, const double from[3], const double by[3], 
 
 void MEAPI McdSpaceSetQuerySensors(McdSpaceID s, MeBool on) {
     if (mcd_spaceCheck(s, "McdSpaceSetQuerySensors"))
-        s->queriesMeetSensors = on != 0;
+        s->queriesHitSensors = on != 0;
 }
 
 MeBool MEAPI McdSpaceGetQuerySensors(McdSpaceID s) {
-    return mcd_spaceCheck(s, "McdSpaceGetQuerySensors") && s->queriesMeetSensors;
+    return mcd_spaceCheck(s, "McdSpaceGetQuerySensors") && s->queriesHitSensors;
 }
 
 typedef struct Segment {
@@ -1263,7 +1263,7 @@ static double intersectModel(void *context, int proxy, double fraction) {
     Segment *q = context;
     const McdModelID cm = modelAt(q->space, proxy);
     McdLineSegIntersectResult hit;
-    if (!mcd_isAsked(q->space, cm, q->filter, q->filterData, q->function) ||
+    if (!mcd_passesFilter(q->space, cm, q->filter, q->filterData, q->function) ||
         !mcd_lineSegIntersect(cm, q->from, q->to, &hit))
         return fraction;
     hit.model = cm;
@@ -1288,9 +1288,9 @@ static int intersect(Segment *q) {
         by[i] = (double)q->to[i] - from[i];
     }
     q->length = sqrt(by[0] * by[0] + by[1] * by[1] + by[2] * by[2]);
-    MeStageBegin(&q->space->frame->stage, MCD_HOLD_SHAPES);
+    MeStageBegin(&q->space->frame->stage, MCD_GUARD_SHAPES);
     mcd_spaceCast(q->space, from, by, still, 1, intersectModel, q);
-    MeStageEnd(&q->space->frame->stage, MCD_HOLD_SHAPES);
+    MeStageEnd(&q->space->frame->stage, MCD_GUARD_SHAPES);
     return q->count;
 }
 

@@ -98,7 +98,7 @@ static MeBool makePairBlock(McdSpace *s) {
     return METRUE;
 }
 
-static McdPairRecord *takePair(McdSpace *s) {
+static McdPairRecord *allocatePair(McdSpace *s) {
     if (!s->freePair && !makePairBlock(s))
         return 0;
     McdPairRecord *record = s->freePair;
@@ -173,10 +173,10 @@ static MeBool growHash(McdSpace *s) {
 
 static MeBool growLinks(McdSpace *s) {
     const int first = s->linkMax;
-    if (!reserveList(&s->wanted, first + 1) || /* as large as the links: both double from 64 on */
+    if (!reserveList(&s->pending, first + 1) || /* as large as the links: both double from 64 on */
         !reserve(&s->link, &s->linkMax, first + 1, sizeof *s->link, "near models"))
         return MEFALSE;
-    MEASSERT(s->wanted.max >= s->linkMax);
+    MEASSERT(s->pending.max >= s->linkMax);
     for (int i = s->linkMax - 1; i >= first; i--) {
         s->link[i].proxy[0] = MCD_NONE;
         s->link[i].nextInHash = s->freeLink;
@@ -262,17 +262,17 @@ static MeBool isNear(const McdSpace *s, const McdProxy *a, const McdProxy *b) {
     const MeReal margin = a->tolerance + b->tolerance;
     if (!a->hasBox || !b->hasBox)
         return MEFALSE;
-    int areApart = 0; /* no branches: along which axis they are cannot be predicted */
+    int separatedAxes = 0; /* no branches: along which axis they are cannot be predicted */
     for (int i = 0; i < 3; i++)
-        areApart |= ((a->min[i] - margin > b->max[i]) | (b->min[i] - margin > a->max[i])) << i;
-    return !(areApart & s->axes);
+        separatedAxes |= ((a->min[i] - margin > b->max[i]) | (b->min[i] - margin > a->max[i])) << i;
+    return !(separatedAxes & s->axes);
 }
 
 static MeBool fatBoxesOverlap(const McdSpace *s, const McdProxy *a, const McdProxy *b) {
-    int areApart = 0;
+    int separatedAxes = 0;
     for (int i = 0; i < 3; i++)
-        areApart |= ((a->fat.min[i] > b->fat.max[i]) | (b->fat.min[i] > a->fat.max[i])) << i;
-    return !(areApart & s->axes);
+        separatedAxes |= ((a->fat.min[i] > b->fat.max[i]) | (b->fat.min[i] > a->fat.max[i])) << i;
+    return !(separatedAxes & s->axes);
 }
 
 static McdPairEntry entryOf(const McdSpace *s, int i) {
@@ -315,7 +315,7 @@ static void queueForRoom(McdSpace *s, int i) {
     entry.link = i;
     s->link[i].isWaiting = METRUE;
     s->waitingCount++;
-    listAdd(&s->wanted, &entry);
+    listAdd(&s->pending, &entry);
 }
 
 static MeBool isPairOf(const McdSpace *s, const McdLink *link) {
@@ -367,7 +367,7 @@ typedef struct Search {
     const McdSpace *space;
     int proxy, count;
     int other[LOOKED_UP];
-    MeBool (*take)(void *context, int proxy, int other); /* each that is news; false: no more of them */
+    MeBool (*visit)(void *context, int proxy, int other); /* each that is news; false: no more of them */
     void *context;
     MeBool isDone; /* false: take has returned false */
 } Search;
@@ -381,7 +381,7 @@ static void lookUp(Search *r) {
     }
     for (int i = 0; i < r->count && r->isDone; i++)
         if (isNews(s, r->proxy, r->other[i]))
-            r->isDone = r->take(r->context, r->proxy, r->other[i]);
+            r->isDone = r->visit(r->context, r->proxy, r->other[i]);
     r->count = 0;
 }
 
@@ -419,7 +419,7 @@ static MeBool isToSearch(const McdProxy *p) {
 
 /* False: there was no memory for all of them. */
 static MeBool findLinks(McdSpace *s, int proxy) {
-    Search search = {.space = s, .proxy = proxy, .take = addLink, .context = s, .isDone = METRUE};
+    Search search = {.space = s, .proxy = proxy, .visit = addLink, .context = s, .isDone = METRUE};
     visitOverlaps(s, proxy, noteOverlap, &search);
     lookUp(&search);
     return search.isDone;
@@ -446,7 +446,7 @@ static MeBool noteFound(void *range, int proxy, int other) {
 static void MEAPI searchRange(void *space, int first, int end, int worker) {
     const McdSpace *s = space;
     Range r = {.found = s->found + first / MCD_RANGE * FOUND_ROOM};
-    Search search = {.space = s, .take = noteFound, .context = &r, .isDone = METRUE};
+    Search search = {.space = s, .visit = noteFound, .context = &r, .isDone = METRUE};
     (void)worker;
     for (int i = first; i < end; i++) {
         search.proxy = s->dirty[i];
@@ -475,7 +475,7 @@ static MeBool reserveFound(McdSpace *s) {
 
 /* Links of the dirty proxies that have moved; they stay moved where there was no memory. */
 static void findAllLinks(McdSpace *s) {
-    const MeBool isShared = s->team && s->dirtyCount >= MCD_LEAST_RANGES * MCD_RANGE && reserveFound(s);
+    const MeBool isShared = s->team && s->dirtyCount >= MCD_MIN_RANGES * MCD_RANGE && reserveFound(s);
     if (isShared) {
         MeTeamOpen(s->team);
         MeTeamRunRanges(s->team, s->dirtyCount, MCD_RANGE, searchRange, s);
@@ -517,7 +517,7 @@ static void MEAPI lookThroughRange(void *space, int first, int end, int worker) 
 /* Links as they lie in memory: workers look them through, and those that change are classified by the calling thread,
  * in the order that there is without workers. */
 static void classifyAll(McdSpace *s) {
-    const MeBool isShared = s->team && s->linkMax >= MCD_LEAST_RANGES * MCD_LINK_RANGE &&
+    const MeBool isShared = s->team && s->linkMax >= MCD_MIN_RANGES * MCD_LINK_RANGE &&
                             reserve(&s->changes, &s->changesRoom, s->linkMax, sizeof *s->changes, "near models");
     if (isShared) {
         MeTeamOpen(s->team);
@@ -614,7 +614,7 @@ static void renewStaying(McdSpace *s) {
 /* False: no memory; the link stays in the waiting list. */
 static MeBool sayHello(McdSpace *s, McdPairEntry entry) {
     McdLink *link = &s->link[entry.link];
-    McdPairRecord *record = takePair(s);
+    McdPairRecord *record = allocatePair(s);
     if (!record)
         return MEFALSE;
     record->pair.model1 = &s->proxy[link->proxy[0]].model->model;
@@ -631,11 +631,11 @@ static MeBool sayHello(McdSpace *s, McdPairEntry entry) {
 
 static void reportFull(McdSpace *s, int first) {
     char what[40];
-    snprintf(what, sizeof what, "%d more pairs", s->wanted.count - first);
+    snprintf(what, sizeof what, "%d more pairs", s->pending.count - first);
     MeLimitWarn(&s->pairLimit, caller, what);
     const MeProgramCall before = MeProgramEnter("McdSpaceSetPoolFullHandler");
-    for (int i = first; s->poolFull && i < s->wanted.count; i++) {
-        const McdLink *link = &s->link[s->wanted.entry[i].link];
+    for (int i = first; s->poolFull && i < s->pending.count; i++) {
+        const McdLink *link = &s->link[s->pending.entry[i].link];
         s->poolFull(&s->proxy[link->proxy[0]].model->model, &s->proxy[link->proxy[1]].model->model);
     }
     MeProgramLeave(&before);
@@ -643,27 +643,27 @@ static void reportFull(McdSpace *s, int first) {
 
 /* Links that found no room before are tried again, with the new ones, in order. */
 static void requeueWaiting(McdSpace *s) {
-    s->wanted.count = 0;
+    s->pending.count = 0;
     for (int i = 0; i < s->linkMax; i++)
         if (s->link[i].proxy[0] != MCD_NONE && s->link[i].isWaiting) {
             McdPairEntry entry = entryOf(s, i);
             entry.link = i;
-            listAdd(&s->wanted, &entry);
+            listAdd(&s->pending, &entry);
         }
 }
 
 static void admitQueued(McdSpace *s) {
-    const int newCount = s->wanted.count;
+    const int newCount = s->pending.count;
     if (s->waitingCount > newCount)
         requeueWaiting(s);
-    listSort(&s->wanted);
+    listSort(&s->pending);
     const MeLimit *limit = &s->pairLimit;
     int i = 0;
-    while (i < s->wanted.count && s->liveCount < limit->most && sayHello(s, s->wanted.entry[i]))
+    while (i < s->pending.count && s->liveCount < limit->most && sayHello(s, s->pending.entry[i]))
         i++;
-    if (i < s->wanted.count && newCount && s->liveCount == limit->most)
+    if (i < s->pending.count && newCount && s->liveCount == limit->most)
         reportFull(s, i);
-    s->wanted.count = 0;
+    s->pending.count = 0;
 }
 
 /* ---- the block --------------------------------------------------------------------------------------------------- */
@@ -869,7 +869,7 @@ void mcd_pairsDestroy(McdSpace *s) {
     }
     MeMemoryGive(s->link);
     MeMemoryGive(s->hash);
-    McdPairList *list[] = {&s->hello, &s->staying, &s->goodbye, &s->wanted, &s->silenced, &s->woken};
+    McdPairList *list[] = {&s->hello, &s->staying, &s->goodbye, &s->pending, &s->silenced, &s->woken};
     for (size_t i = 0; i < sizeof list / sizeof *list; i++)
         MeMemoryGive(list[i]->entry);
 }

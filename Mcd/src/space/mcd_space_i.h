@@ -25,7 +25,7 @@ enum { MCD_NONE = -1 };
 /* Models that a worker updates at a time: .5 us each, against 1 to begin and end a loop. With half as many and twice as
  * many, a heap of 1000 boxes takes the same time, within 5 % (bench/threads). Fewer than so many ranges are not worth
  * waking a thread for. */
-enum { MCD_RANGE = 64, MCD_LEAST_RANGES = 4 };
+enum { MCD_RANGE = 64, MCD_MIN_RANGES = 4 };
 /* Links that a worker looks through at a time: some 10 us, against 1 to begin and end a loop. */
 enum { MCD_LINK_RANGE = 1024 };
 /* Pairs in the first block, and so many blocks at most, each twice as large as the last: as many as an int counts. */
@@ -109,7 +109,7 @@ struct _McdSpace {
     MeReal lookAhead; /* s */
     McdSpaceUpdateAABBFnPtr update;
     McdSpacePoolErrorFnPtr poolFull;
-    MeBool queriesMeetSensors;
+    MeBool queriesHitSensors;
     void *userData;
     void *collider; /* see McdSpaceSetCollider */
 
@@ -140,7 +140,7 @@ struct _McdSpace {
     int blockCount, liveCount, waitingCount;
     McdPairRecord *freePair;
     MeBool isStale; /* there are erased pairs in the lists: their phase is kMcdFFStateInactive */
-    McdPairList hello, staying, goodbye, wanted;
+    McdPairList hello, staying, goodbye, pending;
     McdPairList silenced, woken; /* of the block that ends: out of, and back to, the staying ones */
     McdSpacePairIterator own;    /* of the calls without an iterator */
 };
@@ -174,8 +174,8 @@ void mcd_spaceCast(const McdSpace *s, const double from[3], const double by[3], 
                    McdTreeCastVisit visit, void *context);
 /* Does a query meet a model: none that is to go, nor one that the filter keeps out, nor sensors, unless the space's
  * queries meet these. The function is the query. */
-MeBool mcd_isAsked(const McdSpace *s, McdModelID cm, McdLineSegIntersectEnableCallback filter, void *filterData,
-                   const char *function);
+MeBool mcd_passesFilter(const McdSpace *s, McdModelID cm, McdLineSegIntersectEnableCallback filter, void *filterData,
+                        const char *function);
 /* McdSpaceGetLineSegFirstEnabledIntersection, by the name of the function. */
 int mcd_firstIntersection(McdSpaceID s, MeReal *from, MeReal *to, McdLineSegIntersectEnableCallback filter,
                           void *filterData, McdLineSegIntersectResult *result, const char *function);

@@ -25,7 +25,7 @@ namespace {
 
 /* Levels beyond twice those of a balanced tree at which the tree is rebuilt: before the next query, or at once, as
  * boxes inserted in order would make it a list. */
-const int spareDepth = 40, mostSpareDepth = 1000;
+const int spareDepth = 40, maxSpareDepth = 1000;
 
 Node *nodeOf(McdTreeLeaf *leaf) {
     return reinterpret_cast<Node *>(leaf);
@@ -110,7 +110,7 @@ void checkDepth(McdTree &tree, const Node *leaf) noexcept {
     }
     for (std::size_t size = tree.nodes.size(); size > 1; size /= 2)
         balanced++;
-    if (depth > 2 * balanced + mostSpareDepth)
+    if (depth > 2 * balanced + maxSpareDepth)
         balance(tree);
     else
         tree.isDeep = tree.isDeep || depth > 2 * balanced + spareDepth;
@@ -150,7 +150,8 @@ struct Query {
 };
 
 /* Is there a fraction in [0, last] at which the moving box overlaps the one from min to max? */
-bool meets(const float *min, const float *max, const double *from, const double *by, const double *half, double last) {
+bool overlaps(const float *min, const float *max, const double *from, const double *by, const double *half,
+              double last) {
     double first = 0;
     for (int i = 0; i < 3; i++) {
         const double low = static_cast<double>(min[i]) - half[i] - from[i];
@@ -182,7 +183,7 @@ struct Cast {
         return sum;
     }
     void walk(const Node *n) {
-        while (meets(n->bv.min_.data(), n->bv.max_.data(), from, by, half, fraction)) {
+        while (overlaps(n->bv.min_.data(), n->bv.max_.data(), from, by, half, fraction)) {
             if (n->isLeaf()) {
                 fraction = visit(context, itemOf(n), fraction);
                 return;
@@ -258,5 +259,5 @@ void mcd_treeCast(const McdTree *tree, const double from[3], const double by[3],
 
 MeBool mcd_treeCastBox(const McdTreeBox *box, const double from[3], const double by[3], const double half[3],
                        double fraction) {
-    return meets(box->min, box->max, from, by, half, fraction);
+    return overlaps(box->min, box->max, from, by, half, fraction);
 }

@@ -58,8 +58,8 @@ static MeBool overlapsQuery(const McdMeshQuery *q, const double corner[3][3]) {
         const double low = a < b ? (a < c ? a : c) : b < c ? b : c, high = a > b ? (a > c ? a : c) : b > c ? b : c;
         if (!(low <= q->high[i] && high >= q->low[i]))
             return MEFALSE;
-        const double off = q->ball[i] < low ? low - q->ball[i] : q->ball[i] > high ? q->ball[i] - high : 0;
-        square += off * off;
+        const double outside = q->ball[i] < low ? low - q->ball[i] : q->ball[i] > high ? q->ball[i] - high : 0;
+        square += outside * outside;
     }
     return square <= q->ballRadius * q->ballRadius;
 }
@@ -140,10 +140,10 @@ static void boundAlongMesh(McdMeshQuery *q) {
 /* A ball around the shape and the margin: the smaller of those around the shape's origin and around the box. */
 static void boundByBall(McdMeshQuery *q) {
     const MeBool isOriginBetter = q->shape.extent < q->radius;
-    double off[3];
-    mcd_sub(off, isOriginBetter ? q->shape.place : q->centre, q->place);
+    double offset[3];
+    mcd_sub(offset, isOriginBetter ? q->shape.place : q->centre, q->place);
     for (int i = 0; i < 3; i++)
-        q->ball[i] = mcd_dot(off, q->axis[i]);
+        q->ball[i] = mcd_dot(offset, q->axis[i]);
     q->ballRadius = (isOriginBetter ? q->shape.extent : q->radius) + q->margin;
 }
 
@@ -172,11 +172,11 @@ static MeBool areAxesUnit(const McdMeshQuery *q) {
 }
 
 /* No farther than the triangles are gathered: a model that is fast looks no farther than its radius. */
-static void findWay(McdMeshQuery *q) {
-    mcd_pairWay(q->pair, q->way);
-    const double length = mcd_length(q->way);
+static void findDisplacement(McdMeshQuery *q) {
+    mcd_pairDisplacement(q->pair, q->displacement);
+    const double length = mcd_length(q->displacement);
     if (length > q->margin)
-        mcd_scale(q->way, q->way, q->margin / length);
+        mcd_scale(q->displacement, q->displacement, q->margin / length);
 }
 
 /* ---- the query --------------------------------------------------------------------------------------------------- */
@@ -199,7 +199,7 @@ static MeBool placeQuery(McdMeshQuery *q, McdGeometryInstance *ins1, McdGeometry
 static MeBool beginQuery(McdMeshQuery *q, McdModelPair *p) {
     q->pair = p;
     q->margin = mcd_pairMargin(p);
-    findWay(q);
+    findDisplacement(q);
     if (!placeQuery(q, &mcd_record(p->model1)->instance, &mcd_record(p->model2)->instance))
         return MEFALSE;
     boundAlongShape(q);
@@ -289,7 +289,7 @@ int mcd_meshIntersectIfChanged(McdModelPair *p, McdIntersectResult *result, McdM
     mcd_resultBegin(result, p);
     if (!beginQuery(&q, p))
         return 0;
-    q.scratch = mcd_scratchTake(frame, "McdIntersect");
+    q.scratch = mcd_scratchAcquire(frame, "McdIntersect");
     if (!q.scratch)
         return 0;
     q.mesh = &q.scratch->mesh;
@@ -297,7 +297,7 @@ int mcd_meshIntersectIfChanged(McdModelPair *p, McdIntersectResult *result, McdM
     if (!(seen && isAsSeen(&q, result->contactMaxCount, before, seen)) && q.mesh->count) {
         mcd_meshBuildAdjacency(q.mesh);
         mcd_meshFindContacts(&q);
-        mcd_meshFollowWay(&q);
+        mcd_meshSweep(&q);
         mcd_meshReduceContacts(&q, result->contactMaxCount);
         addToResult(&q, result);
         touches = mcd_resultEnd(result);
@@ -309,7 +309,7 @@ int mcd_meshIntersectIfChanged(McdModelPair *p, McdIntersectResult *result, McdM
 void mcd_meshHashNear(const McdModelPair *p, McdGeometryInstance *convex, McdGeometryInstance *mesh, McdMeshHash add,
                       MeU64 hash[2]) {
     McdMeshQuery q;
-    q.margin = mcd_partsMargin(p, convex, mesh);
+    q.margin = mcd_childMargin(p, convex, mesh);
     if (placeQuery(&q, convex, mesh))
         add(&q, mesh->geometry, hash);
 }

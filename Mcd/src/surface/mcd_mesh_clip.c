@@ -49,11 +49,11 @@ static void clipByPlane(const McdPolygon *in, const double inward[3], double off
 }
 
 /* The part of a polygon inside the triangle's prism: over or below the triangle, seen along its normal. */
-static void clipToPrism(const McdMeshTriangle *t, double tolerance, const McdPolygon *p, McdPolygon *part) {
+static void clipToPrism(const McdMeshTriangle *t, double tolerance, const McdPolygon *p, McdPolygon *clipped) {
     McdPolygon a, b;
     const McdPolygon *from[3] = {p, &a, &b};
-    McdPolygon *to[3] = {&a, &b, part};
-    part->count = 0;
+    McdPolygon *to[3] = {&a, &b, clipped};
+    clipped->count = 0;
     for (int i = 0; i < 3 && from[i]->count; i++) {
         const double *inward = t->inward[i];
         clipByPlane(from[i], inward, mcd_dot(t->corner[i], inward), tolerance, t->key[i] + t->key[(i + 1) % 3], to[i]);
@@ -66,11 +66,11 @@ MeBool mcd_meshClipSegment(const McdMeshTriangle *t, const double from[3], const
     *out = 1;
     for (int i = 0; i < 3; i++) {
         const double *inward = t->inward[i];
-        double off[3];
-        mcd_sub(off, from, t->corner[i]);
-        const double a = mcd_dot(off, inward) + tolerance;
-        mcd_sub(off, to, t->corner[i]);
-        const double b = mcd_dot(off, inward) + tolerance;
+        double offset[3];
+        mcd_sub(offset, from, t->corner[i]);
+        const double a = mcd_dot(offset, inward) + tolerance;
+        mcd_sub(offset, to, t->corner[i]);
+        const double b = mcd_dot(offset, inward) + tolerance;
         if (a < 0 && b < 0)
             return MEFALSE;
         if (a < 0)
@@ -117,9 +117,9 @@ MeBool mcd_meshAddPoints(McdMeshQuery *q, const McdMeshTriangle *t, const double
                          MeBool onlyDeeper, double *least) {
     MeBool isAnyAdded = MEFALSE;
     for (int i = 0; i < p->count; i++) {
-        double off[3], at[3];
-        mcd_sub(off, p->point[i], t->corner[0]);
-        const double separation = mcd_dot(off, normal) - q->shape.rounding;
+        double offset[3], at[3];
+        mcd_sub(offset, p->point[i], t->corner[0]);
+        const double separation = mcd_dot(offset, normal) - q->shape.rounding;
         if (separation > q->margin || (onlyDeeper && separation >= *least - MCD_MESH_OVERLAP * q->shape.extent))
             continue;
         mcd_mad(at, p->point[i], -(q->shape.rounding + separation / 2), normal);
@@ -131,13 +131,13 @@ MeBool mcd_meshAddPoints(McdMeshQuery *q, const McdMeshTriangle *t, const double
 }
 
 MeBool mcd_meshAddClipped(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], double tolerance) {
-    McdPolygon p, part;
+    McdPolygon p, clipped;
     double back[3], least = INFINITY;
     mcd_scale(back, normal, -1);
     mcd_polygonFace(&q->shape, back, &p);
-    clipToPrism(t, tolerance * q->shape.extent, &p, &part);
-    const MeBool isAnyAdded = mcd_meshAddPoints(q, t, normal, &part, MEFALSE, &least);
+    clipToPrism(t, tolerance * q->shape.extent, &p, &clipped);
+    const MeBool isAnyAdded = mcd_meshAddPoints(q, t, normal, &clipped, MEFALSE, &least);
     mcd_polygonSupport(&q->shape, back, &p);
-    clipToPrism(t, tolerance * q->shape.extent, &p, &part);
-    return mcd_meshAddPoints(q, t, normal, &part, METRUE, &least) || isAnyAdded;
+    clipToPrism(t, tolerance * q->shape.extent, &p, &clipped);
+    return mcd_meshAddPoints(q, t, normal, &clipped, METRUE, &least) || isAnyAdded;
 }

@@ -10,9 +10,9 @@
 /* ---- distances of the shape and a triangle ----------------------------------------------------------------------- */
 
 static double heightOfCentre(const McdMeshQuery *q, const McdMeshTriangle *t) {
-    double off[3];
-    mcd_sub(off, q->centre, t->corner[0]);
-    return mcd_dot(off, t->normal);
+    double offset[3];
+    mcd_sub(offset, q->centre, t->corner[0]);
+    return mcd_dot(offset, t->normal);
 }
 
 /* The unit vectors across the edges, in the triangle's plane, towards its inside. False for a triangle that is so far
@@ -36,11 +36,11 @@ static MeBool findInward(McdMeshTriangle *t) {
 /* Does the shape's oriented box, grown by the margin, overlap the triangle's prism? */
 static MeBool overlapsPrism(const McdMeshQuery *q, const McdMeshTriangle *t) {
     for (int i = 0; i < 3; i++) {
-        double off[3], reach = 0;
+        double offset[3], reach = 0;
         for (int k = 0; k < 3; k++)
             reach += q->half[k] * fabs(mcd_dot(q->shape.axis[k], t->inward[i]));
-        mcd_sub(off, q->box, t->corner[i]);
-        if (mcd_dot(off, t->inward[i]) + reach < -q->margin - MCD_MESH_OVERLAP * q->shape.extent)
+        mcd_sub(offset, q->box, t->corner[i]);
+        if (mcd_dot(offset, t->inward[i]) + reach < -q->margin - MCD_MESH_OVERLAP * q->shape.extent)
             return MEFALSE;
     }
     return METRUE;
@@ -51,10 +51,10 @@ static MeBool overlapsBox(const McdMeshQuery *q, const McdMeshTriangle *t) {
     for (int i = 0; i < 3; i++) {
         double low = INFINITY, high = -INFINITY;
         for (int k = 0; k < 3; k++) {
-            double off[3];
-            mcd_sub(off, t->corner[k], q->box);
-            low = fmin(low, mcd_dot(off, q->shape.axis[i]));
-            high = fmax(high, mcd_dot(off, q->shape.axis[i]));
+            double offset[3];
+            mcd_sub(offset, t->corner[k], q->box);
+            low = fmin(low, mcd_dot(offset, q->shape.axis[i]));
+            high = fmax(high, mcd_dot(offset, q->shape.axis[i]));
         }
         const double reach = q->half[i] + q->margin + MCD_MESH_OVERLAP * q->shape.extent;
         if (low > reach || high < -reach)
@@ -76,9 +76,9 @@ static MeBool intersectTriangle(const McdMeshQuery *q, const McdMeshTriangle *t,
 
 /* For checks: are low and high, the shape's least and greatest heights over the plane, within its bounding sphere? */
 static MeBool areHeightsGood(const McdMeshQuery *q, const McdMeshTriangle *t, double low, double high) {
-    double off[3];
-    mcd_sub(off, q->shape.place, t->corner[0]);
-    const double place = mcd_dot(off, t->normal), slack = 1e-6 * q->shape.extent + 1e-9 * fabs(place);
+    double offset[3];
+    mcd_sub(offset, q->shape.place, t->corner[0]);
+    const double place = mcd_dot(offset, t->normal), slack = 1e-6 * q->shape.extent + 1e-9 * fabs(place);
     return !mcd_shapeIsRigid(&q->shape) || !mcd_isUnit(t->normal) ||
            (low <= high + slack && high <= place + q->shape.extent + slack && low >= place - q->shape.extent - slack);
 }
@@ -93,7 +93,7 @@ static MeBool isBelowShape(const McdMeshQuery *q, const McdMeshTriangle *t, cons
 
 /* Sets inward; isPending, for triangles within reach; facing, for those with one admissible normal; isBelow. */
 static void classifyTriangle(McdMeshQuery *q, McdMeshTriangle *t) {
-    double back[3], lowest[3], highest[3], off[3];
+    double back[3], lowest[3], highest[3], offset[3];
     t->facing = 0;
     t->isPending = t->isBelow = MEFALSE;
     t->isFlat = !findInward(t);
@@ -101,10 +101,10 @@ static void classifyTriangle(McdMeshQuery *q, McdMeshTriangle *t) {
         return;
     mcd_scale(back, t->normal, -1);
     mcd_support(&q->shape, back, lowest);
-    mcd_sub(off, lowest, t->corner[0]);
+    mcd_sub(offset, lowest, t->corner[0]);
     mcd_support(&q->shape, t->normal, highest);
     mcd_sub(highest, highest, t->corner[0]);
-    const double low = mcd_dot(off, t->normal), high = mcd_dot(highest, t->normal);
+    const double low = mcd_dot(offset, t->normal), high = mcd_dot(highest, t->normal);
     MEVALIDATE(areHeightsGood(q, t, low, high));
     if (low > q->margin || high < -q->margin)
         return;
@@ -123,14 +123,14 @@ static const McdMeshTriangle *commonPlane(const McdMeshQuery *q) {
     const McdMeshTriangle *first = 0;
     for (int i = 0; i < q->mesh->count; i++) {
         const McdMeshTriangle *t = &q->mesh->triangle[i];
-        double off[3];
+        double offset[3];
         if (!t->isPending)
             continue;
         if (!first)
             first = t;
-        mcd_sub(off, t->corner[0], first->corner[0]);
+        mcd_sub(offset, t->corner[0], first->corner[0]);
         if (!t->facing || t->facing != first->facing || !mcd_meshAreParallel(t->normal, first->normal) ||
-            fabs(mcd_dot(off, first->normal)) > MCD_MESH_OVERLAP * q->shape.extent)
+            fabs(mcd_dot(offset, first->normal)) > MCD_MESH_OVERLAP * q->shape.extent)
             return 0;
     }
     return first;
@@ -188,16 +188,16 @@ static void footOf(const McdMeshContact *c, double foot[3]) {
 /* The point where the shape is taken to have entered the surface: where the line from the contact's point below the
  * plane to the shape's highest point crosses the plane. False if all of the shape is below. */
 static MeBool findEntry(const McdMeshQuery *q, const McdMeshContact *c, double entry[3]) {
-    double foot[3], point[3], highest[3], off[3];
+    double foot[3], point[3], highest[3], offset[3];
     footOf(c, foot);
     mcd_mad(point, c->position, c->separation / 2, c->normal);
     mcd_support(&q->shape, c->normal, highest);
-    mcd_sub(off, highest, foot);
-    const double height = mcd_dot(off, c->normal);
+    mcd_sub(offset, highest, foot);
+    const double height = mcd_dot(offset, c->normal);
     if (height <= 0)
         return MEFALSE;
-    mcd_sub(off, highest, point);
-    mcd_mad(entry, point, c->separation / (c->separation - height), off);
+    mcd_sub(offset, highest, point);
+    mcd_mad(entry, point, c->separation / (c->separation - height), offset);
     MEASSERT(c->separation <= 0); /* between both: no division by 0 */
     return METRUE;
 }
@@ -251,13 +251,13 @@ static MeBool continuesBeyond(const McdMeshQuery *q, const McdMeshTriangle *t, c
     pointBeyondBorder(t, m, step, out, at);
     for (int i = 0; i < q->mesh->count; i++) {
         const McdMeshTriangle *other = &q->mesh->triangle[i];
-        double off[3], d[3];
+        double offset[3], d[3];
         MeBool sharesBorder = METRUE;
         for (int k = 0; k < 3; k++)
             if (mask & 1 << k && !mcd_meshHasVertex(other, t->vertex[k]))
                 sharesBorder = MEFALSE;
-        mcd_sub(off, at, other->corner[0]);
-        const double height = mcd_dot(off, other->normal);
+        mcd_sub(offset, at, other->corner[0]);
+        const double height = mcd_dot(offset, other->normal);
         if (other == t || fabs(height) > step || sharesBorder ||
             !mcd_meshClipSegment(other, at, at, overlap, &in, &end))
             continue;
@@ -332,11 +332,11 @@ static MeBool addSearchedContacts(McdMeshQuery *q, McdMeshTriangle *t) {
 /* ---- coplanar triangles that the shape does not touch ------------------------------------------------------------ */
 
 static MeBool areCoplanar(const McdMeshQuery *q, const McdMeshTriangle *a, const McdMeshTriangle *b) {
-    double off[3];
+    double offset[3];
     if (1 - fabs(mcd_dot(a->normal, b->normal)) > MCD_MESH_RISES * MCD_MESH_RISES)
         return MEFALSE;
-    mcd_sub(off, b->corner[0], a->corner[0]);
-    return fabs(mcd_dot(off, a->normal)) <= MCD_MESH_RISES * q->shape.extent;
+    mcd_sub(offset, b->corner[0], a->corner[0]);
+    return fabs(mcd_dot(offset, a->normal)) <= MCD_MESH_RISES * q->shape.extent;
 }
 
 /* Is the segment covered by triangles in t's plane, and does the last of them face along the normal? Extends the
@@ -361,16 +361,15 @@ static MeBool isSegmentCovered(const McdMeshQuery *q, const McdMeshTriangle *t, 
 }
 
 /* The least separation among the first `count` contacts that are on the triangle's plane. */
-static double leastSeparationOnPlane(const McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3],
-                                     int count) {
+static double minSeparationOnPlane(const McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], int count) {
     double least = INFINITY;
     for (int i = 0; i < count; i++) {
         const McdMeshContact *c = &q->mesh->contact[i];
-        double off[3];
-        footOf(c, off);
-        mcd_sub(off, off, t->corner[0]);
+        double offset[3];
+        footOf(c, offset);
+        mcd_sub(offset, offset, t->corner[0]);
         if (c->separation < least && mcd_meshAreParallel(c->normal, normal) &&
-            fabs(mcd_dot(off, normal)) <= MCD_MESH_RISES * q->shape.extent)
+            fabs(mcd_dot(offset, normal)) <= MCD_MESH_RISES * q->shape.extent)
             least = c->separation;
     }
     return least;
@@ -386,7 +385,7 @@ static void addCoplanarContacts(McdMeshQuery *q, const McdMeshTriangle *t) {
     mcd_scale(face, t->normal, t->facing < 0 ? -1 : 1);
     if (!mcd_meshAddClipped(q, t, face, MCD_MESH_OVERLAP))
         return;
-    const double deep = leastSeparationOnPlane(q, t, face, first) + MCD_MESH_OVERLAP * q->shape.extent;
+    const double deep = minSeparationOnPlane(q, t, face, first) + MCD_MESH_OVERLAP * q->shape.extent;
     for (int i = first; i < mesh->contactCount; i++) {
         const McdMeshContact *c = &mesh->contact[i];
         footOf(c, foot);

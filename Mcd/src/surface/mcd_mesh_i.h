@@ -69,7 +69,7 @@ struct McdMeshQuery {
     McdMesh *mesh;              /* the scratch's */
     McdShape shape;
     double margin, origin[3];
-    double way[3];               /* m, of the shape relative to the mesh until the next query; 0: it is not known */
+    double displacement[3];      /* m, of the shape relative to the mesh until the next query; 0: it is not known */
     double axis[3][3], place[3]; /* the mesh's frame, place relative to the origin */
     double low[3], high[3];      /* the shape's box in the mesh's frame, with the margin */
     double centre[3];            /* the middle of that box, in the query's coordinates */

@@ -67,7 +67,7 @@ void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const doubl
         return;
     memset(&q, 0, sizeof q);
     memset(&pair, 0, sizeof pair);
-    q.scratch = mcd_scratchTake(frame, "McdDistance");
+    q.scratch = mcd_scratchAcquire(frame, "McdDistance");
     if (!q.scratch)
         return;
     pair.model2 = mcd_standInBegin(&standIn, ins); /* what the callback of a list gets */

@@ -72,30 +72,30 @@ static MeBool isInCluster(const McdMesh *mesh, int count, const double position[
 
 /* Moves the first contact in contactOrder, and all with nearly its normal, to the cluster, without duplicates (nearer
  * than `same`). Returns the cluster's size. */
-static int takeCluster(McdMesh *mesh, int *left, double same) {
+static int removeCluster(McdMesh *mesh, int *left, double same) {
     const McdMeshContact *first = &mesh->contact[mesh->contactOrder[0]];
-    int count = 0, rest = 0;
+    int count = 0, remaining = 0;
     for (int i = 0; i < *left; i++) {
         const McdMeshContact *c = &mesh->contact[mesh->contactOrder[i]];
         if (i > 0 && mcd_dot(c->normal, first->normal) <= MCD_MESH_SAME_MANIFOLD)
-            mesh->contactOrder[rest++] = mesh->contactOrder[i];
+            mesh->contactOrder[remaining++] = mesh->contactOrder[i];
         else if (!isInCluster(mesh, count, c->position, same))
             mesh->cluster[count++] = *c;
     }
-    MEASSERT(rest < *left && count >= 1); /* at least the first one */
-    *left = rest;
+    MEASSERT(remaining < *left && count >= 1); /* at least the first one */
+    *left = remaining;
     return count;
 }
 
-/* Keeps at most `wanted` of the contacts (mcd_spread); returns their number. */
-static int keepSpread(McdMesh *mesh, McdMeshContact *contact, int count, int wanted, double same) {
+/* Keeps at most `maxCount` of the contacts (mcd_spread); returns their number. */
+static int keepSpread(McdMesh *mesh, McdMeshContact *contact, int count, int maxCount, double same) {
     McdSpot *spot = mesh->spots;
     for (int i = 0; i < count; i++) {
         mcd_copy(spot[i].position, contact[i].position);
         mcd_copy(spot[i].normal, contact[i].normal);
         spot[i].separation = contact[i].separation;
     }
-    const int keptCount = mcd_spread(spot, count, wanted, same, mesh->kept);
+    const int keptCount = mcd_spread(spot, count, maxCount, same, mesh->kept);
     for (int i = 0; i < keptCount; i++) {
         MEASSERT(mesh->kept[i] >= i); /* ascending: none is overwritten before it is moved */
         contact[i] = contact[mesh->kept[i]];
@@ -110,7 +110,7 @@ void mcd_meshReduceContacts(McdMeshQuery *q, int max) {
     int left = mesh->contactCount, count = 0;
     sortContacts(mesh, left);
     while (left) {
-        const int size = takeCluster(mesh, &left, same);
+        const int size = removeCluster(mesh, &left, same);
         const int keptCount = keepSpread(mesh, mesh->cluster, size, MCD_MANIFOLD_POINTS, same);
         for (int i = 0; i < keptCount; i++)
             mesh->cluster[i].dims = mcd_regionDims(keptCount);

@@ -45,10 +45,10 @@ int mcd_meshFarthestCorners(const McdMeshTriangle *t, const double direction[3])
 /* Finds the contacts with all triangles of the query. */
 void mcd_meshFindContacts(McdMeshQuery *q);
 
-/* ---- contacts on the way (mcd_mesh_way.c) ------------------------------------------------------------------------ */
+/* ---- contacts during a step (mcd_mesh_sweep.c) ------------------------------------------------------------------ */
 
 /* Takes the contacts of a ball to where its way leads. */
-void mcd_meshFollowWay(McdMeshQuery *q);
+void mcd_meshSweep(McdMeshQuery *q);
 
 /* ---- contacts along a given normal (mcd_mesh_clip.c) ------------------------------------------------------------- */
 

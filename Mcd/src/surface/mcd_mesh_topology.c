@@ -131,16 +131,16 @@ static McdMeshRegion regionAtBorder(const McdMesh *mesh, const McdMeshTriangle *
 /* Is the edge, or the corner if from == to, within the query's box and ball? Beyond them neighbours may be missing. */
 static MeBool isWithinQuery(const McdMeshQuery *q, const McdMeshTriangle *t, int from, int to) {
     const double(*place)[3] = (const double(*)[3]) & q->mesh->place[3 * (t - q->mesh->triangle)];
-    double along[3], off[3];
+    double along[3], offset[3];
     for (int i = 0; i < 3; i++)
         if (fmin(place[from][i], place[to][i]) > q->high[i] || fmax(place[from][i], place[to][i]) < q->low[i])
             return MEFALSE;
     mcd_sub(along, place[to], place[from]);
-    mcd_sub(off, q->ball, place[from]);
+    mcd_sub(offset, q->ball, place[from]);
     const double square = mcd_dot(along, along);
     if (square > 0)
-        mcd_mad(off, off, -MeCLAMP(mcd_dot(off, along) / square, 0, 1), along);
-    return mcd_dot(off, off) <= q->ballRadius * q->ballRadius;
+        mcd_mad(offset, offset, -MeCLAMP(mcd_dot(offset, along) / square, 0, 1), along);
+    return mcd_dot(offset, offset) <= q->ballRadius * q->ballRadius;
 }
 
 /* The feature of a triangle is given by its farthest corners along the normal: one: a corner, two: an edge, three: the

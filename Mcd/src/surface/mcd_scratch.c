@@ -12,7 +12,7 @@ static void unlock(McdFramework *frame) {
     atomic_store_explicit(&frame->scratchIsLocked, 0, memory_order_release);
 }
 
-McdScratch *mcd_scratchTake(McdFramework *frame, const char *function) {
+McdScratch *mcd_scratchAcquire(McdFramework *frame, const char *function) {
     lock(frame);
     McdScratch *scratch = frame->freeScratch;
     if (scratch)
@@ -72,7 +72,7 @@ MeBool mcd_scratchReserveContacts(McdScratch *s, int used, int count) {
 }
 
 /* Takes the memory of so many zeroed elements anew. */
-static MeBool takeAnew(void **memory, int *room, int count, size_t size, const char *what) {
+static MeBool reallocate(void **memory, int *room, int count, size_t size, const char *what) {
     void *made = MeMemoryTakeZeroed((size_t)count, size, "McdIntersect", what);
     if (!made)
         return MEFALSE;
@@ -85,7 +85,7 @@ static MeBool takeAnew(void **memory, int *room, int count, size_t size, const c
 MeBool mcd_scratchReserveTriangles(McdScratch *s, int count) {
     void *memory = s->triangle;
     const MeBool isThere =
-        count <= s->triangleRoom || takeAnew(&memory, &s->triangleRoom, count, sizeof *s->triangle, "triangles");
+        count <= s->triangleRoom || reallocate(&memory, &s->triangleRoom, count, sizeof *s->triangle, "triangles");
     s->triangle = memory;
     return isThere;
 }
@@ -93,8 +93,8 @@ MeBool mcd_scratchReserveTriangles(McdScratch *s, int count) {
 MeBool mcd_scratchReserveManifolds(McdScratch *s, int count) {
     void *memory = s->manifold;
     const MeBool isThere =
-        count <= s->manifoldRoom || takeAnew(&memory, &s->manifoldRoom, MeMAX(count, 2 * s->manifoldRoom),
-                                             sizeof *s->manifold, "manifolds of parts");
+        count <= s->manifoldRoom || reallocate(&memory, &s->manifoldRoom, MeMAX(count, 2 * s->manifoldRoom),
+                                               sizeof *s->manifold, "manifolds of parts");
     s->manifold = memory;
     return isThere;
 }

@@ -11,16 +11,16 @@
 
 /* The contacts of two parts that have one normal, as a range of the scratch's contacts. Only mcd_dropInternalContacts
  * writes it: first the range and the parts, then what follows from the contacts, last what is dropped. */
-typedef struct McdPartManifold {
+typedef struct McdChildManifold {
     int first, count;
-    McdGeometryInstance *part[2];  /* of the first model and of the second */
+    McdGeometryInstance *child[2]; /* of the first model and of the second */
     McdGeometryInstance *cover[2]; /* the part of the same model that covers part[i] there; null: none does */
     double lean; /* 0: it is on the surface of both models; else the sine of the angle by which the normal leans over a
                     flush face, or mcd_coveredLean: it is no normal of the whole */
     double skin; /* m, of the covered parts: what is lower is flush */
     double separation; /* m, the least */
     MeBool isDropped;
-} McdPartManifold;
+} McdChildManifold;
 
 typedef struct McdScratch {
     struct McdScratch *next; /* of the free ones */
@@ -30,12 +30,12 @@ typedef struct McdScratch {
     McdContact *contact; /* contactRoom */
     void *choice;        /* mcd_simplifyBytes(contactRoom) */
     int contactRoom;
-    McdPartManifold *manifold; /* manifoldRoom */
+    McdChildManifold *manifold; /* manifoldRoom */
     int manifoldRoom;
 } McdScratch;
 
 /* Null, after a fatal error that names the function, if there is no memory. May be called in any thread. */
-McdScratch *mcd_scratchTake(McdFramework *frame, const char *function);
+McdScratch *mcd_scratchAcquire(McdFramework *frame, const char *function);
 void mcd_scratchGive(McdFramework *frame, McdScratch *scratch);
 /* All of them; no query is running. */
 void mcd_scratchFreeAll(McdFramework *frame);

@@ -31,7 +31,7 @@ static void partModel(McdModelID m);
 static MeStage *MEAPI heldBy(const MdtBodyID b) {
     MeStage *stage = 0;
     for (McdModelID m = MdtBodyGetModel(b); m && !stage; m = m->mOfBody)
-        stage = McdModelGetHeldStage(m);
+        stage = McdModelGetGuardStage(m);
     return stage;
 }
 

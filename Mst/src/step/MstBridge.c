@@ -122,14 +122,14 @@ void mst_beginRound(MstBridgeRecord *b) {
 
 void mst_holdPairs(MstBridgeRecord *b, McdFrameworkID frame, MdtWorldID w) {
     MeStageBegin(&b->stage, MST_HOLD_PAIRS);
-    MeStageBegin(McdFrameworkGetStage(frame), MCD_MODELS_HELD);
+    MeStageBegin(McdFrameworkGetStage(frame), MCD_MODELS_GUARD);
     if (w)
         MeStageBegin(MdtWorldGetStage(w), MDT_BODY_HELD);
 }
 
 /* Models go first, then their bodies. */
 void mst_releasePairs(MstBridgeRecord *b, McdFrameworkID frame, MdtWorldID w) {
-    MeStageEnd(McdFrameworkGetStage(frame), MCD_MODELS_HELD);
+    MeStageEnd(McdFrameworkGetStage(frame), MCD_MODELS_GUARD);
     if (w)
         MeStageEnd(MdtWorldGetStage(w), MDT_BODY_HELD);
     MeStageEnd(&b->stage, MST_HOLD_PAIRS);

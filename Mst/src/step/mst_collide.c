@@ -274,7 +274,7 @@ static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p, 
         return; /* a test or contacts that involve the program are commit's */
     f->outcome = MST_TESTED;
     testPlain(b, run, f);
-    McdModelPairNoteApart(p, f->count == 0 ? run->result.apart : 0);
+    McdModelPairNoteSeparated(p, f->count == 0 ? run->result.apart : 0);
     if (f->count == 0 && f->isFast)
         f->timeToTouch = mst_timeToTouch(b, p, s);
 }

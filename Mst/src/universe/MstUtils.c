@@ -199,7 +199,7 @@ static MeBool mayDestroy(McdModelID m, const char *function) {
 
 /* In a stage of the models it goes when that ends. */
 static void destroyModel(McdModelID m) {
-    if (!McdModelGetHeldStage(m))
+    if (!McdModelGetGuardStage(m))
         removeModel(m);
     McdModelDestroy(m);
 }

@@ -17,23 +17,23 @@
 #define NO_FALL 1e-9
 
 static double heightOver(const McdMeshTriangle *t, const double point[3]) {
-    double off[3];
-    mcd_sub(off, point, t->corner[0]);
-    return mcd_dot(off, t->normal);
+    double offset[3];
+    mcd_sub(offset, point, t->corner[0]);
+    return mcd_dot(offset, t->normal);
 }
 
 static void nearestOnSegment(const double point[3], const double from[3], const double to[3], double nearest[3]) {
-    double along[3], off[3];
+    double along[3], offset[3];
     mcd_sub(along, to, from);
-    mcd_sub(off, point, from);
-    mcd_mad(nearest, from, MeCLAMP(mcd_dot(off, along) / mcd_dot(along, along), 0, 1), along);
+    mcd_sub(offset, point, from);
+    mcd_mad(nearest, from, MeCLAMP(mcd_dot(offset, along) / mcd_dot(along, along), 0, 1), along);
 }
 
 static MeBool isOver(const McdMeshTriangle *t, const double point[3]) {
     for (int i = 0; i < 3; i++) {
-        double off[3];
-        mcd_sub(off, point, t->corner[i]);
-        if (mcd_dot(off, t->inward[i]) < 0)
+        double offset[3];
+        mcd_sub(offset, point, t->corner[i]);
+        if (mcd_dot(offset, t->inward[i]) < 0)
             return MEFALSE;
     }
     return METRUE;
@@ -80,15 +80,15 @@ static double distanceToSurface(const McdMeshQuery *q, const double point[3], do
 /* Where the surface falls away below the contact on the way, the way bends with it: the normal is that of the chord to
  * where the ball touches then. */
 static void followSurface(const McdMeshQuery *q, McdMeshContact *c) {
-    double way[3], end[3], nearest[3], chord[3];
-    mcd_mad(way, q->way, -mcd_dot(q->way, c->normal), c->normal);
-    mcd_mad(end, q->shape.place, 1, way);
+    double displacement[3], end[3], nearest[3], chord[3];
+    mcd_mad(displacement, q->displacement, -mcd_dot(q->displacement, c->normal), c->normal);
+    mcd_mad(end, q->shape.place, 1, displacement);
     const double distance = distanceToSurface(q, end, nearest);
     const double drop = distance - q->shape.rounding - c->separation;
     if (!isfinite(distance) || !(drop > NO_FALL * q->shape.extent))
         return;
     mcd_sub(chord, nearest, end);
-    mcd_mad(chord, way, drop / distance, chord);
+    mcd_mad(chord, displacement, drop / distance, chord);
     mcd_mad(c->normal, c->normal, -mcd_dot(c->normal, chord) / mcd_dot(chord, chord), chord);
     mcd_scale(c->normal, c->normal, 1 / mcd_length(c->normal));
     mcd_mad(c->position, q->shape.place, -(q->shape.rounding + c->separation / 2), c->normal);
@@ -103,13 +103,13 @@ static MeBool hasContactAlong(const McdMesh *mesh, const double normal[3]) {
 
 /* The share of the way after which the ball, which is over the triangle's plane, comes down to it where the triangle
  * is; infinite: it does not. */
-static double touchOnWay(const McdMeshQuery *q, const McdMeshTriangle *t, double *gap) {
-    const double fall = -mcd_dot(q->way, t->normal);
+static double touchOnSweep(const McdMeshQuery *q, const McdMeshTriangle *t, double *gap) {
+    const double fall = -mcd_dot(q->displacement, t->normal);
     double end[3], in, out;
     *gap = heightOver(t, q->shape.place) - q->shape.rounding;
     if (!(*gap >= 0 && *gap < fall))
         return INFINITY;
-    mcd_mad(end, q->shape.place, 1, q->way);
+    mcd_mad(end, q->shape.place, 1, q->displacement);
     return mcd_meshClipSegment(t, q->shape.place, end, MCD_MESH_OVERLAP * q->shape.extent, &in, &out) &&
                    in <= *gap / fall && *gap / fall <= out
                ? *gap / fall
@@ -121,12 +121,12 @@ static void addContactAhead(McdMeshQuery *q) {
     const McdMeshTriangle *first = NULL;
     double soonest = INFINITY, gap = 0, at[3];
     for (int i = 0; i < q->mesh->count; i++) {
-        double gapOfThis;
-        const double share = touchOnWay(q, &q->mesh->triangle[i], &gapOfThis);
+        double ownGap;
+        const double share = touchOnSweep(q, &q->mesh->triangle[i], &ownGap);
         if (!(share < soonest) || hasContactAlong(q->mesh, q->mesh->triangle[i].normal))
             continue;
         soonest = share;
-        gap = gapOfThis;
+        gap = ownGap;
         first = &q->mesh->triangle[i];
     }
     if (!first)
@@ -135,9 +135,9 @@ static void addContactAhead(McdMeshQuery *q) {
     mcd_meshAddContact(q, first, at, first->normal, gap, 0, MEFALSE);
 }
 
-void mcd_meshFollowWay(McdMeshQuery *q) {
+void mcd_meshSweep(McdMeshQuery *q) {
     const int found = q->mesh->contactCount; /* without the one ahead */
-    if (q->shape.kind->rank != MCD_RANK_SPHERE || mcd_dot(q->way, q->way) == 0 || found == 0)
+    if (q->shape.kind->rank != MCD_RANK_SPHERE || mcd_dot(q->displacement, q->displacement) == 0 || found == 0)
         return;
     addContactAhead(q);
     for (int i = 0; i < found; i++)
