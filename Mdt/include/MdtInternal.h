@@ -20,13 +20,13 @@ MEPUBLIC MeBool MEAPI MdtWorldIsValid(const MdtWorldID w);
 /** @name Bodies that something else uses: Mst, those of models
  *  @{ */
 enum {
-    MDT_BODY_HELD = 1 /**< the level at which a stage (MeInternal.h) keeps bodies, or what uses them, from going */
+    MDT_BODY_GUARD = 1 /**< the level at which a stage (MeInternal.h) keeps bodies, or what uses them, from going */
 };
 typedef struct MdtBodyUser {
-    MeStage *(MEAPI *heldBy)(const MdtBodyID b); /**< The stage that keeps its user as it is; null: there is none. */
-    void(MEAPI *condemn)(const MdtBodyID b);     /**< It will be destroyed when a stage ends. */
-    void(MEAPI *leave)(const MdtBodyID b);       /**< It is being destroyed. */
-    void(MEAPI *moved)(const MdtBodyID b);       /**< The program has placed it while it was disabled. */
+    MeStage *(MEAPI *guardOf)(const MdtBodyID b); /**< The stage that keeps its user as it is; null: there is none. */
+    void(MEAPI *condemn)(const MdtBodyID b);      /**< It will be destroyed when a stage ends. */
+    void(MEAPI *leave)(const MdtBodyID b);        /**< It is being destroyed. */
+    void(MEAPI *moved)(const MdtBodyID b);        /**< The program has placed it while it was disabled. */
 } MdtBodyUser;
 /** Is somebody told? */
 MEPUBLIC MeBool MEAPI MdtBodyHasUser(const MdtBodyID b);
@@ -37,8 +37,8 @@ MEPUBLIC void MEAPI MdtBodySetUser(const MdtBodyID b, void *model, const MdtBody
 /** The stage of a world, for what goes through its bodies. */
 MEPUBLIC MeStage *MEAPI MdtWorldGetStage(const MdtWorldID w);
 /** MdtWorldStep, or MdtWorldStepSafeTime, and MdtWorldStepRest, of a world that the caller holds at level 0. */
-MEPUBLIC void MEAPI MdtWorldTakeStep(const MdtWorldID w, const MeReal h, const MeBool safely);
-MEPUBLIC int MEAPI MdtWorldTakeRest(const MdtWorldID w);
+MEPUBLIC void MEAPI MdtWorldAdvance(const MdtWorldID w, const MeReal h, const MeBool safely);
+MEPUBLIC int MEAPI MdtWorldAdvanceLag(const MdtWorldID w);
 
 /** A version of the body's pose in double, which changes with its last bit: collision results are valid while it is the
  *  same. */
@@ -100,9 +100,9 @@ MEPUBLIC MeReal MEAPI MdtContactGroupCarry(MdtContactGroupID g, const MeBool has
 MEPUBLIC MeBool MEAPI MdtContactGroupIsFlat(MdtContactGroupID g);
 
 /** Has the world a joint whose bodies do not collide with each other (MdtConstraintSetBodiesCollide)? */
-MEPUBLIC MeBool MEAPI MdtWorldHasBodiesApart(const MdtWorldID w);
+MEPUBLIC MeBool MEAPI MdtWorldHasNoCollide(const MdtWorldID w);
 /** Does an enabled joint between the two say so? Neither is null. */
-MEPUBLIC MeBool MEAPI MdtBodiesAreApart(const MdtBodyID b1, const MdtBodyID b2);
+MEPUBLIC MeBool MEAPI MdtBodiesAreNoCollide(const MdtBodyID b1, const MdtBodyID b2);
 
 /** The world's workers, for all that belongs to its step; null: there is one. */
 MEPUBLIC MeTeam *MEAPI MdtWorldGetTeam(const MdtWorldID w);

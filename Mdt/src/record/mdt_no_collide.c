@@ -43,7 +43,7 @@ MeBool MEAPI MdtConstraintGetBodiesCollide(const MdtConstraintID c) {
     return !(c->record.flags & MDT_NO_COLLIDE);
 }
 
-MeBool MEAPI MdtWorldHasBodiesApart(const MdtWorldID w) {
+MeBool MEAPI MdtWorldHasNoCollide(const MdtWorldID w) {
     MEASSERT(MdtWorldIsValid(w));
     return w->numNoCollide > 0;
 }
@@ -55,7 +55,7 @@ static MeBool isNoCollideJoint(const MdtAttachment *at, const MdtBody *other) {
 }
 
 /* Both lists are walked at once: a joint of both is in both, so the end of the shorter list decides. */
-MeBool MEAPI MdtBodiesAreApart(const MdtBodyID b1, const MdtBodyID b2) {
+MeBool MEAPI MdtBodiesAreNoCollide(const MdtBodyID b1, const MdtBodyID b2) {
     const MdtAttachment *of1 = b1->attachments, *of2 = b2->attachments;
     if (!(b1->record.flags & b2->record.flags & MDT_NO_COLLIDE))
         return MEFALSE;

@@ -133,12 +133,12 @@ void mdt_breakForget(MdtJoint *j);
 
 /* What must stay as it is while a stage calls the program (MeInternal.h). Each level includes those before it. */
 enum {
-    MDT_GUARD_WORLD = 0,              /* the world itself */
-    MDT_GUARD_BODIES = MDT_BODY_HELD, /* records of bodies: pairs of models are handled */
-    MDT_GUARD_CONSTRAINTS,            /* records of constraints, to which bodies they are attached, and the order: lists
+    MDT_GUARD_WORLD = 0,               /* the world itself */
+    MDT_GUARD_BODIES = MDT_BODY_GUARD, /* records of bodies: pairs of models are handled */
+    MDT_GUARD_CONSTRAINTS, /* records of constraints, to which bodies they are attached, and the order: lists
                                         are walked */
-    MDT_GUARD_GRAPH,                  /* what is enabled: there are partitions; a body's handler runs */
-    MDT_GUARD_STATES                  /* poses, velocities, masses, options of joints: partitions are being solved */
+    MDT_GUARD_GRAPH,       /* what is enabled: there are partitions; a body's handler runs */
+    MDT_GUARD_STATES       /* poses, velocities, masses, options of joints: partitions are being solved */
 };
 /* MeStageWhen; what has to wait is in the world's list then. */
 MeWhen mdt_when(MdtWorldID w, int level, const char *caller, const MeLater *later);

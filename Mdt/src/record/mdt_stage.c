@@ -50,7 +50,7 @@ static void MEAPI destroyBody(const MeLater *later);
 
 /* The stage that keeps the body from going: its world's, or that of its models. */
 static MeStage *holderOf(MdtBodyID b) {
-    MeStage *own = &b->world->stage, *user = b->user ? b->user->heldBy(b) : NULL;
+    MeStage *own = &b->world->stage, *user = b->user ? b->user->guardOf(b) : NULL;
     return MeStageIsHeld(own, MDT_GUARD_BODIES) ? own : user;
 }
 

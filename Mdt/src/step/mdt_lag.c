@@ -64,7 +64,7 @@ static MeBool advanceLag(MdtWorldID w, int number) {
     return METRUE;
 }
 
-int MEAPI MdtWorldTakeRest(const MdtWorldID w) {
+int MEAPI MdtWorldAdvanceLag(const MdtWorldID w) {
     int moved = 0;
     MeStageBegin(&w->stage, MDT_GUARD_WORLD);
     mdt_islandsBegin(w);
@@ -82,7 +82,7 @@ int MEAPI MdtWorldTakeRest(const MdtWorldID w) {
 
 int MEAPI MdtWorldStepRest(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
-    return MeStageIsFree(&w->stage, __func__) ? MdtWorldTakeRest(w) : 0;
+    return MeStageIsFree(&w->stage, __func__) ? MdtWorldAdvanceLag(w) : 0;
 }
 
 int MEAPI MdtWorldGetLaggingBodies(const MdtWorldID w) {

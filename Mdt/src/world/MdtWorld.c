@@ -143,7 +143,7 @@ static MeBool mayEmpty(MdtWorldID w, const char *caller) {
         return MEFALSE;
     for (MdtLink *link = w->bodies.first; link; link = link->next) {
         const MdtBodyID b = mdt_linkOwner(link);
-        if (b->user && b->user->heldBy(b)) {
+        if (b->user && b->user->guardOf(b)) {
             MeProgramRefuse(caller, "models of its bodies are in use");
             return MEFALSE;
         }
@@ -551,7 +551,7 @@ void MEAPI MdtWorldSetMatrixSizeLog(const MdtWorldID w, int *const sizeLog, cons
 
 /* ---- the step ---- */
 
-void MEAPI MdtWorldTakeStep(const MdtWorldID w, const MeReal h, const MeBool safely) {
+void MEAPI MdtWorldAdvance(const MdtWorldID w, const MeReal h, const MeBool safely) {
     MeStageBegin(&w->stage, MDT_GUARD_WORLD);
     w->lastStep = (double)h;
     for (int i = 0; i < w->sizeLogLength; i++)
@@ -567,13 +567,13 @@ void MEAPI MdtWorldTakeStep(const MdtWorldID w, const MeReal h, const MeBool saf
 void MEAPI MdtWorldStep(const MdtWorldID w, const MeReal stepSize) {
     MDT_NEED_WORLD(w, );
     if (mdt_isPositive(__func__, "the step size", stepSize) && MeStageIsFree(&w->stage, __func__))
-        MdtWorldTakeStep(w, stepSize, MEFALSE);
+        MdtWorldAdvance(w, stepSize, MEFALSE);
 }
 
 void MEAPI MdtWorldStepSafeTime(const MdtWorldID w, const MeReal stepSize) {
     MDT_NEED_WORLD(w, );
     if (mdt_isPositive(__func__, "the step size", stepSize) && MeStageIsFree(&w->stage, __func__))
-        MdtWorldTakeStep(w, stepSize, METRUE);
+        MdtWorldAdvance(w, stepSize, METRUE);
 }
 
 /* ---- partitions ---- */

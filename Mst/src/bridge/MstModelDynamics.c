@@ -26,9 +26,9 @@ static MeBool isOfBody(const McdModel *m, MdtBodyID b) {
 
 /* ---- what a body tells of itself --------------------------------------------------------------------------------- */
 
-static void partModel(McdModelID m);
+static void detachModel(McdModelID m);
 
-static MeStage *MEAPI heldBy(const MdtBodyID b) {
+static MeStage *MEAPI guardOf(const MdtBodyID b) {
     MeStage *stage = 0;
     for (McdModelID m = MdtBodyGetModel(b); m && !stage; m = m->mOfBody)
         stage = McdModelGetGuardStage(m);
@@ -44,7 +44,7 @@ static void MEAPI condemnModels(const MdtBodyID b) {
  * space takes notice. */
 static void MEAPI releaseModels(const MdtBodyID b) {
     for (McdModelID m = MdtBodyGetModel(b); m; m = MdtBodyGetModel(b)) {
-        partModel(m);
+        detachModel(m);
         McdModelSetGone(m, MEFALSE);
         if (!McdModelGetTransformPtr(m))
             McdModelDropBox(m);
@@ -56,7 +56,7 @@ static void MEAPI stirModels(const MdtBodyID b) {
         McdModelStir(m);
 }
 
-static const MdtBodyUser user = {heldBy, condemnModels, releaseModels, stirModels};
+static const MdtBodyUser user = {guardOf, condemnModels, releaseModels, stirModels};
 
 static void setModels(MdtBodyID b, McdModelID first) {
     MdtBodySetUser(b, first, first ? &user : 0);
@@ -88,7 +88,7 @@ static MeBool isPlacedBy(McdModelID m, MdtBodyID b) {
     return McdModelGetTransformPtr(m) == tm || reference == tm;
 }
 
-static void partModel(McdModelID m) {
+static void detachModel(McdModelID m) {
     if (isPlacedBy(m, m->mBody))
         McdModelSetTransformPtr(m, 0);
     McdModelSetLinearVelocityPtr(m, 0);
@@ -109,7 +109,7 @@ void MEAPI McdModelSetBody(const McdModelID m, const MdtBodyID b) {
         !McdModelMayBePlaced(m, function))
         return;
     if (m->mLeave)
-        partModel(m);
+        detachModel(m);
     McdModelForgetPairs(m);
     McdModelSetBodyData(m, b);
     if (!b)

@@ -33,7 +33,7 @@ typedef struct MstMaterialRecord {
 enum { MST_RUN = 32 };
 /* The least number of runs for which workers are woken: some 20 us each in a heap of boxes, while a sleeping thread
  * takes up to .35 ms to wake on a virtual machine. */
-enum { MST_LEAST_RUNS = 4 };
+enum { MST_MIN_RUNS = 4 };
 /* Runs that workers may be ahead of the calling thread: two for each of eight cores. */
 enum { MST_AHEAD = 16 };
 
@@ -44,14 +44,14 @@ enum { MST_CARRIES = 64 };
 enum { MST_GROUP = 8 * ME_CACHE_LINE };
 
 typedef enum MstOutcome {
-    MST_NOTHING,  /* nothing to do */
-    MST_KEPT,     /* the contacts stay as they are */
-    MST_CARRIED,  /* they move with their bodies */
-    MST_TESTED,   /* they become those that were found */
-    MST_TO_TEST,  /* the same, but commit has to test the pair */
-    MST_TO_PART,  /* a joint disables their collision: contacts and touch are removed */
-    MST_TO_SENSE, /* a model is a sensor: test it, for events only */
-    MST_TO_WAIT   /* one body lags, and must not push the other, which has advanced already */
+    MST_NOTHING,   /* nothing to do */
+    MST_KEPT,      /* the contacts stay as they are */
+    MST_CARRIED,   /* they move with their bodies */
+    MST_TESTED,    /* they become those that were found */
+    MST_TO_TEST,   /* the same, but commit has to test the pair */
+    MST_TO_REMOVE, /* a joint disables their collision: contacts and touch are removed */
+    MST_TO_SENSE,  /* a model is a sensor: test it, for events only */
+    MST_TO_WAIT    /* one body lags, and must not push the other, which has advanced already */
 } MstOutcome;
 
 /* The result of collide for one pair. */
@@ -101,8 +101,8 @@ struct MstBridgeRecord {
     MdtBodyID *clamped; /* bodies that have a safe time in this part of the step */
     int clampedCount, clampedMax;
     MeReal ahead;        /* s, the longest that a model may move in this part of the step */
-    MeBool areApart;     /* some joint of the world lets its bodies pass through each other, as this container begins */
-    int part;            /* of the step: 0 is the first, in which all bodies move */
+    MeBool hasNoCollide; /* some joint of the world lets its bodies pass through each other, as this container begins */
+    int substep;         /* of the step: 0 is the first, in which all bodies move */
     MeReal reuse;        /* MstBridgeSetContactReuse */
     MstModelRef *thawed; /* models that are frozen again in the next step (mst_moved.c) */
     int thawedCount, thawedMax;
@@ -114,8 +114,8 @@ struct MstBridgeRecord {
 /* The levels of a bridge's stage (MeInternal.h). The framework's models are held, and the world's bodies, while pairs
  * are handled: what of them is destroyed in callbacks goes when that is done. */
 enum {
-    MST_HOLD_BRIDGE, /* the bridge, and in a universe's step the universe */
-    MST_HOLD_PAIRS   /* its buffers: pairs are handled */
+    MST_GUARD_BRIDGE, /* the bridge, and in a universe's step the universe */
+    MST_GUARD_PAIRS   /* its buffers: pairs are handled */
 };
 
 /* A model's body: McdModelGetBody without the question whether it is a model, which costs a lock. */

@@ -73,12 +73,12 @@ void mst_freezeAgain(MstBridgeRecord *b) {
 /* ---- materials --------------------------------------------------------------------------------------------------- */
 
 /* Its parts may have materials of their own. */
-static MeBool hasParts(McdModelID m) {
+static MeBool hasChildren(McdModelID m) {
     return McdGeometryGetType(McdModelGetGeometry(m)) == kMcdGeometryTypeAggregate;
 }
 
 static MeBool maySlideBy(const MstBridgeRecord *b, const McdModelPair *p, const MstMaterialPair *materials) {
-    return hasParts(p->model1) || hasParts(p->model2) ||
+    return hasChildren(p->model1) || hasChildren(p->model2) ||
            mst_materialPair(b, McdModelGetMaterial(p->model1), McdModelGetMaterial(p->model2)) == materials;
 }
 
@@ -134,7 +134,7 @@ void mst_push(const MstBridgeRecord *b, const McdModelPair *p) {
     const McdModelID m = bodyless(p);
     const MdtContactGroupID group = p->responseData;
     MstTouch *t = p->touch;
-    if (!m || !group || !t || b->part > 0 || !mst_isPushed(p) || !(b->ahead > 0))
+    if (!m || !group || !t || b->substep > 0 || !mst_isPushed(p) || !(b->ahead > 0))
         return; /* in the parts of a step bodies alone move */
     t->isPushed = false;
     for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c)) {

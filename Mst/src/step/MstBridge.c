@@ -120,19 +120,19 @@ void mst_beginRound(MstBridgeRecord *b) {
     McdFrameworkBeginRound(b->frame);
 }
 
-void mst_holdPairs(MstBridgeRecord *b, McdFrameworkID frame, MdtWorldID w) {
-    MeStageBegin(&b->stage, MST_HOLD_PAIRS);
+void mst_guardPairs(MstBridgeRecord *b, McdFrameworkID frame, MdtWorldID w) {
+    MeStageBegin(&b->stage, MST_GUARD_PAIRS);
     MeStageBegin(McdFrameworkGetStage(frame), MCD_MODELS_GUARD);
     if (w)
-        MeStageBegin(MdtWorldGetStage(w), MDT_BODY_HELD);
+        MeStageBegin(MdtWorldGetStage(w), MDT_BODY_GUARD);
 }
 
 /* Models go first, then their bodies. */
 void mst_releasePairs(MstBridgeRecord *b, McdFrameworkID frame, MdtWorldID w) {
     MeStageEnd(McdFrameworkGetStage(frame), MCD_MODELS_GUARD);
     if (w)
-        MeStageEnd(MdtWorldGetStage(w), MDT_BODY_HELD);
-    MeStageEnd(&b->stage, MST_HOLD_PAIRS);
+        MeStageEnd(MdtWorldGetStage(w), MDT_BODY_GUARD);
+    MeStageEnd(&b->stage, MST_GUARD_PAIRS);
 }
 
 /* The world whose bodies are to be held; null: there is none. */
@@ -169,9 +169,9 @@ static void handleCollisions(MstBridgeRecord *record, McdModelPairContainer *pai
     mst_beginRound(record);
     lookAtMaterials(record, pairs->stayingEnd - pairs->helloFirst);
     mst_lookByWorkers(record, pairs->stayingEnd - pairs->helloFirst, s, w);
-    record->areApart = MdtWorldIsValid(w) && MdtWorldHasBodiesApart(w);
-    if (record->areApart)
-        mst_noteHeldApart(&pairs->array[pairs->helloFirst], pairs->stayingEnd - pairs->helloFirst);
+    record->hasNoCollide = MdtWorldIsValid(w) && MdtWorldHasNoCollide(w);
+    if (record->hasNoCollide)
+        mst_noteNoCollide(&pairs->array[pairs->helloFirst], pairs->stayingEnd - pairs->helloFirst);
     for (int i = pairs->helloFirst; i < pairs->stayingEnd;) {
         i += mst_handleByWorkers(record, &pairs->array[i], pairs->stayingEnd - i, s, w);
         if (i == pairs->stayingEnd)
@@ -206,7 +206,7 @@ void MEAPI MstHandleCollisions(McdModelPairContainer *pairs, const McdSpaceID s,
     if (!record || !pairs || !claimSpace(record, s, "MstHandleCollisions") ||
         !areFree(record, record->frame, w, "MstHandleCollisions"))
         return;
-    mst_holdPairs(record, record->frame, worldOf(w));
+    mst_guardPairs(record, record->frame, worldOf(w));
     handleCollisions(record, pairs, s, w);
     mst_releasePairs(record, record->frame, worldOf(w));
 }
@@ -234,15 +234,15 @@ static void reservePairs(MstBridgeRecord *b, int count) {
 void mst_updateContacts(MstBridgeRecord *record, McdSpaceID s, MdtWorldID w) {
     McdSpacePairIterator iterator;
     McdModelPairContainer **const pairs = &record->bridge.pairs;
-    const MdtWorldID held = worldOf(w);
+    const MdtWorldID world = worldOf(w);
     int isMore;
     const char *before = MeCallerSet("MstBridgeUpdateContacts");
     MeProfileStartSection("Collision", 0);
-    if (record->part == 0) {
+    if (record->substep == 0) {
         mst_eventsBegin(record, w ? MdtWorldGetTeam(w) : 0);
-        mst_holdPairs(record, record->frame, held);
+        mst_guardPairs(record, record->frame, world);
         mst_wakeChanged(record, s);
-        mst_releasePairs(record, record->frame, held);
+        mst_releasePairs(record, record->frame, world);
     }
     mst_clearSafeTimes(record);
     record->ahead = McdSpaceGetLookAhead(s);
@@ -251,7 +251,7 @@ void mst_updateContacts(MstBridgeRecord *record, McdSpaceID s, MdtWorldID w) {
     MeProfileEndSection("Pairs");
     reservePairs(record, McdSpaceGetPairCount(s));
     McdSpacePairIteratorBegin(s, &iterator);
-    mst_holdPairs(record, record->frame, held);
+    mst_guardPairs(record, record->frame, world);
     do {
         McdModelPairContainerReset(*pairs);
         isMore = McdSpaceGetPairs(s, &iterator, *pairs);
@@ -261,7 +261,7 @@ void mst_updateContacts(MstBridgeRecord *record, McdSpaceID s, MdtWorldID w) {
     } while (isMore);
     McdSpaceOpen(s);
     mst_freezeAgain(record);
-    mst_releasePairs(record, record->frame, held);
+    mst_releasePairs(record, record->frame, world);
     MeProfileEndSection("Collision");
     MeCallerSet(before);
 }
@@ -282,7 +282,7 @@ void MEAPI MstBridgeUpdateTransitions(const MstBridgeID b, const McdSpaceID s, c
         return;
     McdSpaceEndChanges(s);
     McdSpacePairIteratorBegin(s, &iterator);
-    mst_holdPairs(record, record->frame, worldOf(w));
+    mst_guardPairs(record, record->frame, worldOf(w));
     do {
         McdModelPairContainerReset(b->pairs);
         isMore = McdSpaceGetTransitions(s, &iterator, b->pairs);
@@ -292,12 +292,12 @@ void MEAPI MstBridgeUpdateTransitions(const MstBridgeID b, const McdSpaceID s, c
     mst_releasePairs(record, record->frame, worldOf(w));
 }
 
-void MEAPI MstBridgeSetContactReuse(const MstBridgeID b, const MeReal part) {
+void MEAPI MstBridgeSetContactReuse(const MstBridgeID b, const MeReal share) {
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeSetContactReuse");
-    if (record && !(part >= 0 && part <= 1))
-        MeWarning(1, "MstBridgeSetContactReuse: %g is not between 0 and 1; nothing is changed", (double)part);
+    if (record && !(share >= 0 && share <= 1))
+        MeWarning(1, "MstBridgeSetContactReuse: %g is not between 0 and 1; nothing is changed", (double)share);
     else if (record)
-        record->reuse = part;
+        record->reuse = share;
 }
 
 MeReal MEAPI MstBridgeGetContactReuse(const MstBridgeID b) {
@@ -317,9 +317,9 @@ static void MEAPI resizeLater(const MeLater *later) {
 /* False: it is done when the pairs are handled, or refused. */
 static MeBool isToResizeNow(MstBridgeRecord *b, MeBool isOfContacts, unsigned int size, const char *function) {
     const MeLater later = {.carryOut = resizeLater, .object = b, .other = {isOfContacts ? b : 0}, .number = (long)size};
-    const MeWhen when = MeStageWhen(&b->stage, MST_HOLD_PAIRS, function);
+    const MeWhen when = MeStageWhen(&b->stage, MST_GUARD_PAIRS, function);
     if (when == MeWhenStageEnds)
-        MeStageDefer(&b->stage, MST_HOLD_PAIRS, &later, function);
+        MeStageDefer(&b->stage, MST_GUARD_PAIRS, &later, function);
     return when == MeWhenNow;
 }
 

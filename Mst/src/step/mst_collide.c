@@ -57,19 +57,19 @@ MeBool mst_hasCallback(const MstMaterialPair *materials) {
 
 /* What a pair has of its last test, or of the contacts carried since. */
 typedef enum LastTest {
-    INVALID,  /* not all contacts that were found, or the touch is of other ones */
-    APART,    /* it has found none */
-    IN_PLACE, /* all contacts that were found, and its bodies stay where they were then, to the last bit */
-    MOVED     /* all contacts, but its bodies have moved */
+    INVALID,   /* not all contacts that were found, or the touch is of other ones */
+    SEPARATED, /* it has found none */
+    IN_PLACE,  /* all contacts that were found, and its bodies stay where they were then, to the last bit */
+    MOVED      /* all contacts, but its bodies have moved */
 } LastTest;
 
 static LastTest lastTestOf(const MstBridgeRecord *b, const McdModelPair *p) {
     const MstTouch *t = p->touch;
     const MdtContactGroupID group = p->responseData;
     if (!t)
-        return group ? INVALID : APART;
+        return group ? INVALID : SEPARATED;
     if (t->found == 0)
-        return mst_touchIsTouching(&b->events, t) ? INVALID : APART;
+        return mst_touchIsTouching(&b->events, t) ? INVALID : SEPARATED;
     if (!group || MdtContactGroupGetCount(group) != t->found)
         return INVALID;
     return t->moves[0] == mst_movesOf(p->model1) && t->moves[1] == mst_movesOf(p->model2) ? IN_PLACE : MOVED;
@@ -81,7 +81,7 @@ static MeBool mayCarry(const MstBridgeRecord *b, const McdModelPair *p, MeBool h
     const MstTouch *t = p->touch;
     const McdModelID model[2] = {p->model1, p->model2};
     const MeBool isTurned = !mst_bodyOf(p->model1);
-    if (t->carried >= MST_CARRIES || b->part > 0)
+    if (t->carried >= MST_CARRIES || b->substep > 0)
         return MEFALSE;
     for (int k = 0; k < 2; k++) {
         const MeBool moved = mst_movesOf(model[k]) != t->moves[k];
@@ -102,9 +102,10 @@ static MstOutcome outcomeWithoutTest(const MstBridgeRecord *b, MstFinding *f) {
     const McdPairChange change = McdModelPairLook(p, f->isFast ? 0 : b->reuse, mayMove);
     if (change == McdPairHasChanged)
         return MST_TO_TEST;
-    if (!mst_hasCallback(f->materials) && (change != McdPairHasMoved || mst_isInCrowd(body1) || mst_isInCrowd(body2))) {
+    if (!mst_hasCallback(f->materials) &&
+        (change != McdPairHasMoved || mst_isInLargeIsland(body1) || mst_isInLargeIsland(body2))) {
         const LastTest last = lastTestOf(b, p);
-        if (last == APART) /* the gap exceeds their relative displacement */
+        if (last == SEPARATED) /* the gap exceeds their relative displacement */
             return MST_NOTHING;
         if (last == IN_PLACE)
             return MST_KEPT;
@@ -190,7 +191,7 @@ void mst_checkContacts(MstBridgeRecord *b, MstRun *run) {
     b->hasWarned[1] = b->hasWarned[1] || !areGood;
 }
 
-static void takeResult(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
+static void storeResult(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     if (!f->isFast && mst_passesFlush(f->pair, run->contacts, run->result.contactCount))
         run->result.contactCount = 0;
     f->first = run->foundCount;
@@ -200,41 +201,41 @@ static void takeResult(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
 static void testPlain(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     beginResult(run);
     f->isKnown = McdModelPairIntersectPlain(f->pair, &run->result);
-    takeResult(b, run, f);
+    storeResult(b, run, f);
 }
 
 MeBool mst_testPairIfChanged(MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     McdModelPair *p = f->pair;
     const LastTest last = lastTestOf(b, p);
-    const MeBool mayHold = (last == APART || last == IN_PLACE) && !f->isFast && !mst_hasCallback(f->materials);
+    const MeBool mayReuse = (last == SEPARATED || last == IN_PLACE) && !f->isFast && !mst_hasCallback(f->materials);
     beginResult(run);
-    if (!McdModelPairIntersectIfChanged(p, mayHold, &run->result, &f->isKnown))
+    if (!McdModelPairIntersectIfChanged(p, mayReuse, &run->result, &f->isKnown))
         return MEFALSE;
     mst_checkContacts(b, run);
     if (!McdModelGetTransformPtr(p->model1) || !McdModelGetTransformPtr(p->model2))
         run->result.contactCount = 0; /* a function of the program has taken a transform away */
-    takeResult(b, run, f);
+    storeResult(b, run, f);
     return METRUE;
 }
 
-void mst_noteHeldApart(McdModelPair *const pairs[], int count) {
+void mst_noteNoCollide(McdModelPair *const pairs[], int count) {
     for (int i = 0; i < count; i++) {
         const MdtBodyID body1 = mst_bodyOf(pairs[i]->model1), body2 = mst_bodyOf(pairs[i]->model2);
-        pairs[i]->isHeldApart = body1 && body2 && MdtBodiesAreApart(body1, body2);
+        pairs[i]->isHeldApart = body1 && body2 && MdtBodiesAreNoCollide(body1, body2);
     }
 }
 
 /* Whether the bodies' collision is disabled: by a joint, or as both models are parts of one body. Sensors sense parts
  * of their own body all the same. */
 static MeBool isDisabled(const MstBridgeRecord *b, const McdModelPair *p, MeU32 traits) {
-    return (b->areApart && p->isHeldApart) || (mst_isOneBody(p) && !(traits & McdPairHasSensor));
+    return (b->hasNoCollide && p->isHeldApart) || (mst_isOneBody(p) && !(traits & McdPairHasSensor));
 }
 
 MeBool mst_isPlainPair(const MstBridgeRecord *b, const McdModelPair *p) {
     MeU32 m[2];
     const MeU32 traits = McdModelPairGetTraits(p, m);
-    const MeBool parts = (p->touch || p->responseData) && isDisabled(b, p, traits);
-    return !parts && m[0] < b->materialCount && m[1] < b->materialCount && !(traits & McdPairHasSensor) &&
+    const MeBool separates = (p->touch || p->responseData) && isDisabled(b, p, traits);
+    return !separates && m[0] < b->materialCount && m[1] < b->materialCount && !(traits & McdPairHasSensor) &&
            McdModelPairIsPlain(p) && !mst_hasCallback(mst_materialPair(b, m[0], m[1]));
 }
 
@@ -245,8 +246,8 @@ static MstOutcome outcomeOfModels(const MstBridgeRecord *b, const McdModelPair *
     if (traits & (McdPairIsAsleep | McdPairIsGone))
         return MST_NOTHING;
     if (isDisabled(b, p, traits))
-        return p->touch || p->responseData ? MST_TO_PART : MST_NOTHING;
-    if (b->part > 0 && !mst_mayMeet(p))
+        return p->touch || p->responseData ? MST_TO_REMOVE : MST_NOTHING;
+    if (b->substep > 0 && !mst_mayCollide(p))
         return mst_mustWait(p) ? MST_TO_WAIT : MST_NOTHING;
     if (traits & McdPairHasSensor)
         return MST_TO_SENSE;
@@ -281,14 +282,14 @@ static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p, 
 
 /* In the first part of a step pairs are independent of each other's commits. In later parts a pair has to wait for a
  * body that has advanced already, which may be one that an earlier pair has woken. */
-static int mostPairs(const MstBridgeRecord *b) {
-    return b->part == 0 ? MST_RUN : 1;
+static int maxPairs(const MstBridgeRecord *b) {
+    return b->substep == 0 ? MST_RUN : 1;
 }
 
 /* All are collided before any is updated: the code of both together does not fit into an instruction cache of 32 kB,
  * and would be loaded anew for each pair. */
 int mst_collideRun(const MstBridgeRecord *b, MstRun *run, McdModelPair *const pairs[], int count, McdSpaceID s) {
-    const int most = MeMIN(count, mostPairs(b));
+    const int most = MeMIN(count, maxPairs(b));
     run->pairCount = run->foundCount = 0;
     while (run->pairCount < most && run->foundCount + run->contactMax <= run->foundMax) {
         const int i = run->pairCount;

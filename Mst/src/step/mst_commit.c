@@ -187,18 +187,18 @@ static void commitWithCallbacks(MstBridgeRecord *b, MstRun *run, MstFinding *f, 
         callPerPair(run, f, group);
 }
 
-static void rememberTest(MstBridgeRecord *b, const MstFinding *f, int held) {
+static void rememberTest(MstBridgeRecord *b, const MstFinding *f, int numContacts) {
     if (f->pair->touch)
-        mst_rememberTest(f, held, mst_materialVersion(b, f->materials));
+        mst_rememberTest(f, numContacts, mst_materialVersion(b, f->materials));
     else if (f->count > 0) /* the world, or memory, was full: there may be room in the next step */
         McdModelPairForgetTest(f->pair);
 }
 
 static void finishTest(MstBridgeRecord *b, const MstFinding *f, McdSpaceID s, MdtWorldID w) {
     const MdtContactGroupID group = f->pair->responseData;
-    const int held = group ? MdtContactGroupGetCount(group) : 0;
-    mst_touchNote(b, f->pair, held, f->count, f->separation);
-    rememberTest(b, f, held);
+    const int numContacts = group ? MdtContactGroupGetCount(group) : 0;
+    mst_touchNote(b, f->pair, numContacts, f->count, f->separation);
+    rememberTest(b, f, numContacts);
     mst_followFast(b, f, f->count > 0, s, w);
 }
 
@@ -266,7 +266,7 @@ static void commitPair(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpaceI
     case MST_TO_TEST:
         testAndCommit(b, run, f, s, w);
         return;
-    case MST_TO_PART:
+    case MST_TO_REMOVE:
         forgetContacts(f->pair);
         return;
     case MST_TO_SENSE:

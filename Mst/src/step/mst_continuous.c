@@ -30,9 +30,9 @@
 #include "step/mst_step_i.h"
 
 enum {
-    PARTS = 16,
-    HEAVY_PARTS = 2,    /* more than these, for its own */
-    SHORTEST = 1 << 13, /* of a step is the shortest part: longer than what MdtWorldStepRest still takes */
+    MAX_SUBSTEPS = 16,
+    MAX_LARGE_ISLAND_SUBSTEPS = 2, /* more than these, for its own */
+    MIN_SUBSTEP = 1 << 13,         /* of a step is the shortest part: longer than what MdtWorldStepRest still takes */
 };
 
 /* ---- safe times ------------------------------------------------------------------------------------------------ */
@@ -65,14 +65,14 @@ static void clampSafeTime(MstBridgeRecord *b, MdtBodyID body, MeReal time) {
 
 /* ---- time of impact -------------------------------------------------------------------------------------------- */
 
-static int MEAPI isThatOne(McdModelID m, void *wanted) {
-    return m == (McdModelID)wanted;
+static int MEAPI isThatOne(McdModelID m, void *other) {
+    return m == (McdModelID)other;
 }
 
-static void addWay(MeVector3 way, McdModelID m, MeReal time) {
+static void addDisplacement(MeVector3 displacement, McdModelID m, MeReal time) {
     const MeReal *velocity = McdModelGetLinearVelocityPtr(m);
     for (int i = 0; velocity && i < 3; i++)
-        way[i] += time * velocity[i];
+        displacement[i] += time * velocity[i];
 }
 
 /* McdSafeTime does not support surfaces of triangles: there the shape is cast along its way, without its rotation. It
@@ -80,14 +80,14 @@ static void addWay(MeVector3 way, McdModelID m, MeReal time) {
 static MeReal timeToSurface(McdModelID shape, McdModelID surface, McdSpaceID s, MeReal most) {
     enum { STOP = 1000 };
     McdCastResult hit;
-    MeVector3 way = {0, 0, 0}, centre;
+    MeVector3 displacement = {0, 0, 0}, centre;
     MeReal radius;
-    addWay(way, shape, most);
-    addWay(way, surface, -most);
-    const MeReal length = MeVector3Magnitude(way);
+    addDisplacement(displacement, shape, most);
+    addDisplacement(displacement, surface, -most);
+    const MeReal length = MeVector3Magnitude(displacement);
     if (!(length > 0) ||
-        !McdSpaceCastGeometry(s, McdModelGetGeometry(shape), (const MeVector4 *)McdModelGetTransformPtr(shape), way,
-                              isThatOne, surface, &hit))
+        !McdSpaceCastGeometry(s, McdModelGetGeometry(shape), (const MeVector4 *)McdModelGetTransformPtr(shape),
+                              displacement, isThatOne, surface, &hit))
         return most;
     McdModelGetBSphere(shape, centre, &radius);
     return MeMAX(hit.fraction - radius / (STOP * length), 0) * most;
@@ -103,7 +103,7 @@ static MeReal marginOf(const McdModelPair *p) {
 
 /* s, for which the pair's bodies move in this part of the step. */
 static MeReal timeLeft(const MstBridgeRecord *b, const McdModelPair *p) {
-    return b->part == 0 ? b->ahead : mst_lagOfPair(p);
+    return b->substep == 0 ? b->ahead : mst_lagOfPair(p);
 }
 
 MeReal mst_timeToTouch(const MstBridgeRecord *b, McdModelPair *p, McdSpaceID s) {
@@ -138,19 +138,21 @@ static MeReal timeOfImpact(const McdModelPair *p, MeReal most) {
 
 /* s: the shortest part. In it a body moves by no more, or little more, than its speculative margin: at 100 times its
  * size per step by 1 % of its size. */
-static MeReal shortestPart(const MstBridgeRecord *b) {
-    return b->ahead / SHORTEST;
+static MeReal minSubstep(const MstBridgeRecord *b) {
+    return b->ahead / MIN_SUBSTEP;
 }
 
 /* Bodies are not stopped if the rest of the step would be shorter than the shortest part. */
 static MeBool stopsBefore(const MstBridgeRecord *b, MeReal time, MeReal most) {
-    return most - time > shortestPart(b);
+    return most - time > minSubstep(b);
 }
 
 static void stopAt(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w, MeReal time) {
     const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
-    const MeBool stops1 = !mst_isInCrowd(body1) || (b->part < HEAVY_PARTS && McdModelGetFastMargin(p->model1) > 0);
-    const MeBool stops2 = !mst_isInCrowd(body2) || (b->part < HEAVY_PARTS && McdModelGetFastMargin(p->model2) > 0);
+    const MeBool stops1 =
+        !mst_isInLargeIsland(body1) || (b->substep < MAX_LARGE_ISLAND_SUBSTEPS && McdModelGetFastMargin(p->model1) > 0);
+    const MeBool stops2 =
+        !mst_isInLargeIsland(body2) || (b->substep < MAX_LARGE_ISLAND_SUBSTEPS && McdModelGetFastMargin(p->model2) > 0);
     if (body1 && body2 && stops1 && stops2)
         mst_pairTie(b, p, w);
     if (stops1)
@@ -163,19 +165,19 @@ void mst_followFast(MstBridgeRecord *b, const MstFinding *f, MeBool hasContacts,
     McdModelPair *p = f->pair;
     if (!f->isFast)
         return;
-    if (hasContacts && (mst_isInCrowd(mst_bodyOf(p->model1)) || mst_isInCrowd(mst_bodyOf(p->model2))))
+    if (hasContacts && (mst_isInLargeIsland(mst_bodyOf(p->model1)) || mst_isInLargeIsland(mst_bodyOf(p->model2))))
         return;
     const MeReal most = timeLeft(b, p);
     const MeReal time = hasContacts                     ? timeOfImpact(p, most)
                         : f->timeToTouch != MST_UNKNOWN ? f->timeToTouch
                                                         : mst_timeToTouch(b, p, s);
     if (stopsBefore(b, time, most))
-        stopAt(b, p, w, MeMAX(time, shortestPart(b)));
+        stopAt(b, p, w, MeMAX(time, minSubstep(b)));
 }
 
-MeBool mst_isInCrowd(MdtBodyID body) {
-    enum { CROWD = 32 };
-    return body && MdtBodyGetPartitionSize(body) > CROWD;
+MeBool mst_isInLargeIsland(MdtBodyID body) {
+    enum { LARGE_ISLAND = 32 };
+    return body && MdtBodyGetPartitionSize(body) > LARGE_ISLAND;
 }
 
 /* ---- the parts after the first --------------------------------------------------------------------------------- */
@@ -203,7 +205,7 @@ static McdModelID laggingModel(const McdModelPair *p) {
     return isLagging(p->model1) ? p->model1 : p->model2;
 }
 
-MeBool mst_mayMeet(const McdModelPair *p) {
+MeBool mst_mayCollide(const McdModelPair *p) {
     return mayMove(p) && !hasDoneBody(p);
 }
 
@@ -217,25 +219,25 @@ void mst_waitFor(MstBridgeRecord *b, const MstFinding *f) {
 }
 
 /* 0: nothing can move on. */
-static int stepRest(MstUniverse *u, MstBridgeRecord *b, MeReal step) {
-    MEASSERT(b->part > 0 && b->part < PARTS);
+static int advanceLag(MstUniverse *u, MstBridgeRecord *b, MeReal step) {
+    MEASSERT(b->substep > 0 && b->substep < MAX_SUBSTEPS);
     mst_eventsGather(b);
     McdSpacePathUpdateAll(u->space, step);
     mst_updateContacts(b, u->space, u->world);
-    return MdtWorldTakeRest(u->world);
+    return MdtWorldAdvanceLag(u->world);
 }
 
 void mst_stepWorld(MstUniverse *u, MeReal step) {
     MstBridgeRecord *b = (MstBridgeRecord *)u->bridge;
     if (b->clampedCount == 0) {
-        MdtWorldTakeStep(u->world, step, MEFALSE);
+        MdtWorldAdvance(u->world, step, MEFALSE);
         return;
     }
-    MdtWorldTakeStep(u->world, step, METRUE);
-    for (b->part = 1; b->part < PARTS && MdtWorldGetLaggingBodies(u->world) > 0; b->part++)
-        if (!stepRest(u, b, step))
+    MdtWorldAdvance(u->world, step, METRUE);
+    for (b->substep = 1; b->substep < MAX_SUBSTEPS && MdtWorldGetLaggingBodies(u->world) > 0; b->substep++)
+        if (!advanceLag(u, b, step))
             break;
-    b->part = 0;
+    b->substep = 0;
     mst_clearSafeTimes(b);
     MEASSERT(b->clampedCount == 0);
 }

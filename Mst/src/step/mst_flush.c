@@ -12,7 +12,7 @@
 /* Of a model's radius: flush. More than contacts that rest are deep, and single precision rounds at a hundred times the
  * model's size from the origin; a step of this height is climbed. x2 and /2 fail Mst_Seams:
  * what_is_flush_to_a_ten_thousandth_of_its_radius_passes. */
-static const double flushPart = 1e-4;
+static const double flushShare = 1e-4;
 
 static double radiusOf(McdModelID m) {
     MeVector3 centre;
@@ -65,6 +65,6 @@ MeBool mst_passesFlush(const McdModelPair *p, const McdContact contacts[], int c
         return MEFALSE;
     const McdContact *nearest = nearestContact(contacts, count);
     const McdModelID box = isFirst ? p->model1 : p->model2, m = isFirst ? p->model2 : p->model1;
-    const double most = flushPart * radiusOf(m);
+    const double most = flushShare * radiusOf(m);
     return McdContactGetSeparation(nearest) > -most && isFlush(box, m, nearest, most);
 }

@@ -39,7 +39,7 @@
 /* ---- the bridge (MstBridge.c) ----------------------------------------------------------------------------------- */
 
 /* For the time in which pairs of the space, which may be null, are handled for the world, which may be none. */
-void mst_holdPairs(MstBridgeRecord *b, McdFrameworkID frame, MdtWorldID w);
+void mst_guardPairs(MstBridgeRecord *b, McdFrameworkID frame, MdtWorldID w);
 void mst_releasePairs(MstBridgeRecord *b, McdFrameworkID frame, MdtWorldID w);
 /* MstBridgeUpdateContacts, by who holds the bridge. */
 void mst_updateContacts(MstBridgeRecord *b, McdSpaceID s, MdtWorldID w);
@@ -77,7 +77,7 @@ MeBool mst_testPairIfChanged(MstBridgeRecord *b, MstRun *run, MstFinding *f);
 void mst_checkContacts(MstBridgeRecord *b, MstRun *run);
 /* Notes of each pair whether a joint of its bodies lets them pass through each other: before any is collided, as commit
  * changes the lists in which bodies have their joints. */
-void mst_noteHeldApart(McdModelPair *const pairs[], int count);
+void mst_noteNoCollide(McdModelPair *const pairs[], int count);
 /* Is the pair's outcome found without a function of the program, and without a sensor? */
 MeBool mst_isPlainPair(const MstBridgeRecord *b, const McdModelPair *p);
 /* The run's result, as a callback left it, becomes part of its contacts. */
@@ -95,7 +95,7 @@ void mst_updatePair(const MstBridgeRecord *b, const MstRun *run, MstFinding *f);
 void mst_carry(const MstFinding *f);
 /* Notes the state of the models that the contacts were made from. Not for pairs that are tested in every step: fast
  * ones, those with callbacks, and those whose group holds fewer contacts than were found. */
-void mst_rememberTest(const MstFinding *f, int held, unsigned long version);
+void mst_rememberTest(const MstFinding *f, int numContacts, unsigned long version);
 
 /* ---- commit (mst_commit.c) --------------------------------------------------------------------------------------- */
 
@@ -110,7 +110,7 @@ static inline MeBool mst_isOneBody(const McdModelPair *p) {
 /* ---- continuous motion (mst_continuous.c) ------------------------------------------------------------------------ */
 
 /* Whether the pair may get contacts in a later part of the step. */
-MeBool mst_mayMeet(const McdModelPair *p);
+MeBool mst_mayCollide(const McdModelPair *p);
 /* If not: whether its fast model has to wait for the other one. */
 MeBool mst_mustWait(const McdModelPair *p);
 /* s, for which the models of a pair without contacts do not touch, at most as long as they move in this part. */
@@ -120,7 +120,7 @@ void mst_waitFor(MstBridgeRecord *b, const MstFinding *f);
 /* For a pair with a fast model: sets the safe time of its bodies, if they meet now or later in the step. */
 void mst_followFast(MstBridgeRecord *b, const MstFinding *f, MeBool hasContacts, McdSpaceID s, MdtWorldID w);
 /* Is the body part of a large partition, in which a single pair matters little, and a solve costs much? */
-MeBool mst_isInCrowd(MdtBodyID body);
+MeBool mst_isInLargeIsland(MdtBodyID body);
 /* A part of the step begins: no body has a safe time. */
 void mst_clearSafeTimes(MstBridgeRecord *b);
 /* The world's step after the contacts were made: in parts, where a fast model has an impact. */

@@ -18,10 +18,10 @@ static void noteMoves(const McdModelPair *p) {
     t->moves[1] = mst_movesOf(p->model2);
 }
 
-void mst_rememberTest(const MstFinding *f, int held, unsigned long version) {
+void mst_rememberTest(const MstFinding *f, int numContacts, unsigned long version) {
     const McdModelPair *p = f->pair;
     MstTouch *t = p->touch;
-    const MeBool isWhole = p->responseData && held == f->count;
+    const MeBool isWhole = p->responseData && numContacts == f->count;
     noteMoves(p);
     t->carried = 0;
     t->version = version;
@@ -35,7 +35,7 @@ static MeBool mayUpdate(const MstBridgeRecord *b, const MstRun *run, const MstFi
     const McdModelPair *p = f->pair;
     const MstTouch *t = p->touch;
     const MdtContactGroupID group = p->responseData;
-    if (b->part > 0 || p->phase == kMcdFFStateInactive || !t || mst_touchIsListed(&b->events, t) || f->isFast ||
+    if (b->substep > 0 || p->phase == kMcdFFStateInactive || !t || mst_touchIsListed(&b->events, t) || f->isFast ||
         !mst_areMaterialsSeen(b) || mst_isPushed(p))
         return MEFALSE;
     if (f->outcome != MST_TESTED)
@@ -57,11 +57,11 @@ void mst_carry(const MstFinding *f) {
 }
 
 static void renew(const MstBridgeRecord *b, const MstRun *run, const MstFinding *f) {
-    int held = 0;
+    int numContacts = 0;
     if (f->count > 0)
-        held = MdtContactGroupRenew(f->pair->responseData, &run->found[f->first], f->count, b->ahead, run->made);
-    mst_touchUpdate(b, f->pair, held, f->count, f->separation);
-    mst_rememberTest(f, held, mst_versionSeen(f->materials));
+        numContacts = MdtContactGroupRenew(f->pair->responseData, &run->found[f->first], f->count, b->ahead, run->made);
+    mst_touchUpdate(b, f->pair, numContacts, f->count, f->separation);
+    mst_rememberTest(f, numContacts, mst_versionSeen(f->materials));
 }
 
 void mst_updatePair(const MstBridgeRecord *b, const MstRun *run, MstFinding *f) {

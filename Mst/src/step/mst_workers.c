@@ -90,7 +90,7 @@ static int countPlainPairs(MeTeam *team, MstBridgeRecord *b, McdModelPair *const
         for (int i = p.unseen[run]; i < plain; i++)
             McdModelPairLookAtModels(pairs[i]);
     }
-    b->runsLooked = plain < p.count ? MST_LEAST_RUNS : MeMIN(2 * b->runsLooked, MOST_RUNS);
+    b->runsLooked = plain < p.count ? MST_MIN_RUNS : MeMIN(2 * b->runsLooked, MOST_RUNS);
     return plain;
 }
 
@@ -120,7 +120,7 @@ static void MEAPI commit(void *context, int item, int worker) {
 }
 
 static MeBool areWorth(const MstBridgeRecord *b, const MeTeam *team, int count) {
-    return team && b->part == 0 && count >= MST_LEAST_RUNS * MST_RUN;
+    return team && b->substep == 0 && count >= MST_MIN_RUNS * MST_RUN;
 }
 
 /* Where there are more models than pairs, only the models of pairs are looked at. */

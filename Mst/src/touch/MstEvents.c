@@ -133,7 +133,7 @@ void mst_eventsGather(MstBridgeRecord *b) {
             gather(b->events.listed[i]);
 }
 
-static void tellChange(MstEvents *e, MstTouch *t) {
+static void reportChange(MstEvents *e, MstTouch *t) {
     const MeBool was = t->wasTouching, is = mst_touchTouches(t);
     t->isTouching = is;
     if (is)
@@ -142,13 +142,13 @@ static void tellChange(MstEvents *e, MstTouch *t) {
         addTouchEvent(&e->done, t, MstEventEnd);
 }
 
-static void takeEnded(MstEvents *e) {
+static void removeEnded(MstEvents *e) {
     for (int i = 0; i < e->ended.count; i++)
         addEvent(&e->done, &e->ended.event[i], e->ended.serial[i]);
     e->ended.count = 0;
 }
 
-static void tellBreaks(MstEvents *e, MdtWorldID w) {
+static void reportBreaks(MstEvents *e, MdtWorldID w) {
     static const MeU64 none[2] = {0, 0};
     int count;
     const MdtConstraintID *broken = MdtWorldGetBrokenJoints(w, &count);
@@ -199,12 +199,12 @@ static void makeList(MstBridgeRecord *b) {
         return;
     MEVALIDATE(mst_touchesAreConsistent(e));
     mst_eventsGather(b);
-    takeEnded(e);
+    removeEnded(e);
     for (int i = 0; i < e->listedCount; i++)
         if (e->listed[i])
-            tellChange(e, e->listed[i]);
+            reportChange(e, e->listed[i]);
     clearList(e);
-    tellBreaks(e, e->world);
+    reportBreaks(e, e->world);
 }
 
 void MEAPI mst_touchForget(McdModelPair *p) {
@@ -251,7 +251,7 @@ static void MEAPI settleRange(void *context, int first, int end, int worker) {
 /* No list of events was made: only whether each pair touches is kept, which is known but of the undecided ones. */
 static void skipList(MstBridgeRecord *b, MeTeam *team) {
     MstEvents *e = &b->events;
-    MeTeam *workers = e->undecidedCount >= MST_LEAST_RUNS * MST_RUN ? team : 0;
+    MeTeam *workers = e->undecidedCount >= MST_MIN_RUNS * MST_RUN ? team : 0;
     if (MdtWorldIsValid(e->world)) {
         MeTeamOpen(workers);
         MeTeamRunRanges(workers, e->undecidedCount, MST_RUN, settleRange, e);
@@ -276,9 +276,9 @@ void MEAPI MstBridgeUpdateEvents(const MstBridgeID b, const MdtWorldID w) {
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeUpdateEvents");
     if (!record || !MeStageIsFree(&record->stage, "MstBridgeUpdateEvents"))
         return;
-    MeStageBegin(&record->stage, MST_HOLD_BRIDGE);
+    MeStageBegin(&record->stage, MST_GUARD_BRIDGE);
     mst_updateEvents(record, w);
-    MeStageEnd(&record->stage, MST_HOLD_BRIDGE);
+    MeStageEnd(&record->stage, MST_GUARD_BRIDGE);
 }
 
 void mst_eventsBegin(MstBridgeRecord *b, MeTeam *team) {

@@ -36,7 +36,7 @@ static void addBlock(MstEvents *e) {
     }
 }
 
-static MstTouch *takeTouch(MstBridgeRecord *b) {
+static MstTouch *allocateTouch(MstBridgeRecord *b) {
     MstEvents *e = &b->events;
     if (!e->free)
         addBlock(e);
@@ -72,7 +72,7 @@ void mst_touchesTerm(MstEvents *e) {
 /* The touch of a pair; null if it has none and there is no memory. */
 static MstTouch *ensureTouch(MstBridgeRecord *b, McdModelPair *p) {
     const McdModelID model[2] = {p->model1, p->model2};
-    MstTouch *t = p->touch ? p->touch : takeTouch(b);
+    MstTouch *t = p->touch ? p->touch : allocateTouch(b);
     if (!t || p->touch)
         return t;
     t->pair = p;
@@ -183,7 +183,7 @@ static void beginTouch(const MstBridgeRecord *b, const McdModelPair *p, MeBool h
     t->wasTouching = mst_touchIsTouching(&b->events, t);
     t->listedIn = b->events.list;
     t->isUndecided = false;
-    t->lag = b->part == 0 ? MEINFINITY : mst_lagOfPair(p);
+    t->lag = b->substep == 0 ? MEINFINITY : mst_lagOfPair(p);
     t->hasContacts = hasContacts;
     t->isSensor = isSensor;
     t->material[0] = McdModelGetMaterial(p->model1);
@@ -256,9 +256,9 @@ void mst_touchNoteGroup(MstTouch *t, MdtContactGroupID group) {
 }
 
 /* Of the contacts found, or of those that callbacks have left. */
-static MeReal leastSeparation(MdtContactGroupID group, int held, int found, MeReal separation) {
+static MeReal minSeparation(MdtContactGroupID group, int numContacts, int found, MeReal separation) {
     MeReal least = MEINFINITY;
-    if (held == found)
+    if (numContacts == found)
         return separation;
     for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c))
         least = MeMIN(least, -MdtContactGetPenetration(c));
@@ -288,26 +288,26 @@ void mst_touchUpdateAgain(const MstBridgeRecord *b, const McdModelPair *p) {
     decide(t);
 }
 
-static void noteFound(MstTouch *t, int held, int found, MeReal separation) {
+static void noteFound(MstTouch *t, int numContacts, int found, MeReal separation) {
     const MdtContactGroupID group = t->pair->responseData;
     if (!t->wasTouching) /* the approach speed can be measured before the solve only */
         mst_touchNoteGroup(t, group);
     else
-        t->separation = MeMIN(t->separation, leastSeparation(group, held, found, separation));
+        t->separation = MeMIN(t->separation, minSeparation(group, numContacts, found, separation));
 }
 
-void mst_touchNote(MstBridgeRecord *b, McdModelPair *p, int held, int found, MeReal separation) {
-    MstTouch *t = listedTouch(b, p, held > 0, MEFALSE);
-    if (t && held > 0)
-        noteFound(t, held, found, separation);
+void mst_touchNote(MstBridgeRecord *b, McdModelPair *p, int numContacts, int found, MeReal separation) {
+    MstTouch *t = listedTouch(b, p, numContacts > 0, MEFALSE);
+    if (t && numContacts > 0)
+        noteFound(t, numContacts, found, separation);
     if (t)
         decideListed(t);
 }
 
-void mst_touchUpdate(const MstBridgeRecord *b, const McdModelPair *p, int held, int found, MeReal separation) {
-    beginTouch(b, p, held > 0, MEFALSE);
-    if (held > 0)
-        noteFound(p->touch, held, found, separation);
+void mst_touchUpdate(const MstBridgeRecord *b, const McdModelPair *p, int numContacts, int found, MeReal separation) {
+    beginTouch(b, p, numContacts > 0, MEFALSE);
+    if (numContacts > 0)
+        noteFound(p->touch, numContacts, found, separation);
     decide(p->touch);
 }
 

@@ -19,10 +19,10 @@ MeBool mst_touchTouches(const MstTouch *t);
 /* The touch, about which something was noted, is one of this step's. */
 void mst_touchList(MstEvents *e, MstTouch *t, MeBool isUndecided);
 /* As mst_touchNote and mst_touchNoteAgain, for a pair that has a touch that is not listed yet. */
-void mst_touchUpdate(const MstBridgeRecord *b, const McdModelPair *p, int held, int found, MeReal separation);
+void mst_touchUpdate(const MstBridgeRecord *b, const McdModelPair *p, int numContacts, int found, MeReal separation);
 void mst_touchUpdateAgain(const MstBridgeRecord *b, const McdModelPair *p);
 /* A pair was tested, and its group holds so many contacts now; the least separation of those found. */
-void mst_touchNote(MstBridgeRecord *b, McdModelPair *p, int held, int found, MeReal separation);
+void mst_touchNote(MstBridgeRecord *b, McdModelPair *p, int numContacts, int found, MeReal separation);
 /* The pair is unchanged since its touch was last noted. */
 void mst_touchNoteAgain(MstBridgeRecord *b, McdModelPair *p);
 void mst_touchNoteSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result);

@@ -245,12 +245,12 @@ static int chooseTogether(MstAdviser *a) {
     for (int pass = 0; pass < 2; pass++)
         for (int trial = 1; trial <= a->settings; trial++) {
             const MstTrial *t = &a->trial[trial];
-            int *taken = &a->together[a->setting[trial - 1].knob];
+            int *chosen = &a->together[a->setting[trial - 1].knob];
             if (t->verdict != (pass ? MstVerdictTake : MstVerdictMend))
                 continue;
-            if (!*taken || (a->trial[*taken].verdict == MstVerdictTake && t->ratio < a->trial[*taken].ratio)) {
-                count += !*taken;
-                *taken = trial;
+            if (!*chosen || (a->trial[*chosen].verdict == MstVerdictTake && t->ratio < a->trial[*chosen].ratio)) {
+                count += !*chosen;
+                *chosen = trial;
             }
         }
     return count;
@@ -291,10 +291,11 @@ static MeBool runTogether(MstAdviser *a, MstUniverseID u, MstRecord *record, dou
     a->advice.count++;
     if (timeTrials(a, u, record, trial, trial))
         return METRUE;
-    mst_trialsJudge(a->trial, a->advice.count, (double)a->advice.tolerance, METRUE);
+    mst_trialsRate(a->trial, a->advice.count, (double)a->advice.tolerance, METRUE);
     const MstTrial *all = &a->trial[trial], *alone = &a->trial[a->advice.best];
     const MeBool isNeeded = alone->verdict == MstVerdictMend;
-    if (mst_trialHolds(all, isNeeded ? alone : &a->trial[0], (double)a->advice.tolerance) && all->ratio < alone->ratio)
+    if (mst_trialIsAcceptable(all, isNeeded ? alone : &a->trial[0], (double)a->advice.tolerance) &&
+        all->ratio < alone->ratio)
         a->advice.best = trial;
     return MEFALSE;
 }
@@ -325,7 +326,7 @@ static MeBool runAll(MstAdviser *a, MstUniverseID u, MstRecord *record) {
     noteTrial(a, record, 0);
     if (runTrials(a, u, record, asItIs) || timeTrials(a, u, record, 1, a->settings))
         return METRUE;
-    mst_trialsJudge(a->trial, a->advice.count, (double)a->advice.tolerance, a->lastSample >= 0);
+    mst_trialsRate(a->trial, a->advice.count, (double)a->advice.tolerance, a->lastSample >= 0);
     if (runTogether(a, u, record, asItIs))
         return METRUE;
     listBest(a);
@@ -362,7 +363,7 @@ static MeBool advise(MstAdviser *a, MstUniverseID u, double step) {
 }
 
 /* The callback may ask again, or end the program: nothing is owned any more then. */
-static void tell(MstAdviser *a) {
+static void reportAdvice(MstAdviser *a) {
     MstTrial trial[TRIALS];
     MstAdvice advice = a->advice;
     const MstAdviceCB done = a->done;
@@ -391,7 +392,7 @@ void mst_adviserStepBegins(MstUniverseID u, MstAdviser **adviser, double step) {
         return;
     }
     *adviser = 0;
-    tell(a);
+    reportAdvice(a);
 }
 
 void mst_adviserStepEnds(MstUniverseID u, MstAdviser *a, double step) {

@@ -26,7 +26,7 @@ static const float white[4] = {.92f, .93f, .95f, 1}, grey[4] = {.55f, .57f, .60f
                    yellow[4] = {.98f, .90f, .25f, 1}, cyan[4] = {.35f, .85f, .90f, 1},
                    glass[4] = {.98f, .90f, .25f, .3f};
 
-static MeBool wants(const Drawing *d, unsigned int layers) {
+static MeBool isDrawn(const Drawing *d, unsigned int layers) {
     return (d->layers & layers) != 0;
 }
 
@@ -116,13 +116,13 @@ static const float *solverColor(MdtBodyID b) {
 
 /* Null: no layer wants its outline. */
 static const float *outlineColor(const Drawing *d, MdtBodyID b) {
-    if (b && wants(d, MstDebugSolver))
+    if (b && isDrawn(d, MstDebugSolver))
         return solverColor(b);
-    if (b && wants(d, MstDebugSleep))
+    if (b && isDrawn(d, MstDebugSleep))
         return MdtBodyIsEnabled(b) ? orange : blue;
-    if (b && wants(d, MstDebugPartitions))
+    if (b && isDrawn(d, MstDebugPartitions))
         return partitionColor(MdtBodyGetPartition(b));
-    return !wants(d, MstDebugShapes) ? 0 : b ? white : grey;
+    return !isDrawn(d, MstDebugShapes) ? 0 : b ? white : grey;
 }
 
 static void nameModel(const Drawing *d, McdModelID m, int number) {
@@ -145,9 +145,9 @@ static void drawModels(const Drawing *d, McdSpaceID s) {
         const float *color = outlineColor(d, McdModelGetBody(m));
         if (color)
             outline(d, m, kMcduDebugDrawDetail, color);
-        if (wants(d, MstDebugBoxes) && McdModelGetGeometryType(m) != kMcdGeometryTypePlane)
+        if (isDrawn(d, MstDebugBoxes) && McdModelGetGeometryType(m) != kMcdGeometryTypePlane)
             outline(d, m, kMcduDebugDrawAABB, cyan);
-        if (wants(d, MstDebugNames))
+        if (isDrawn(d, MstDebugNames))
             nameModel(d, m, number);
         number++;
     }
@@ -169,11 +169,11 @@ static void drawContact(const Drawing *d, MdtContactID c) {
     MeVector3 p, n, end;
     MdtContactGetPosition(c, p);
     MdtContactGetNormal(c, n);
-    if (wants(d, MstDebugContacts)) {
+    if (isDrawn(d, MstDebugContacts)) {
         point(d, p, MdtContactGetPenetration(c) > 0 ? red : yellow);
         lineAlong(d, p, n, (MeReal)0.2 * d->length, yellow, end);
     }
-    if (wants(d, MstDebugForces))
+    if (isDrawn(d, MstDebugForces))
         drawForce(d, MdtContactQuaConstraint(c), p);
 }
 
@@ -349,7 +349,7 @@ static void drawJoint(const Drawing *d, MdtConstraintID c) {
     const float *color = MdtConstraintIsEnabled(c) ? cyan : grey;
     MdtConstraintGetPosition(c, at);
     MdtConstraintGetAxes(c, axis, second);
-    if (wants(d, MstDebugJoints)) {
+    if (isDrawn(d, MstDebugJoints)) {
         for (unsigned int i = 0; i < 2; i++) {
             const MdtBodyID b = MdtConstraintGetBody(c, i);
             if (!b)
@@ -362,9 +362,9 @@ static void drawJoint(const Drawing *d, MdtConstraintID c) {
         arrow(d, at, axis, (MeReal)0.4 * d->length, color);
         drawSense(d, c, at, axis, second);
     }
-    if (wants(d, MstDebugLimits))
+    if (isDrawn(d, MstDebugLimits))
         drawLimits(d, c, at, axis, second);
-    if (wants(d, MstDebugNames))
+    if (isDrawn(d, MstDebugNames))
         text(d, at, jointName(c), cyan);
 }
 
@@ -387,13 +387,13 @@ static void drawBody(const Drawing *d, MdtBodyID b) {
     static const float *const colors[3] = {red, green, blue};
     MeVector3 centre, v, end;
     MdtBodyGetCenterOfMassPosition(b, centre);
-    if (wants(d, MstDebugCentresOfMass)) {
+    if (isDrawn(d, MstDebugCentresOfMass)) {
         const MeVector4 *tm = (const MeVector4 *)MdtBodyGetCenterOfMassTransformPtr(b);
         point(d, centre, white);
         for (int i = 0; i < 3; i++)
             lineAlong(d, centre, tm[i], (MeReal)0.2 * d->length, colors[i], end);
     }
-    if (!wants(d, MstDebugVelocities))
+    if (!isDrawn(d, MstDebugVelocities))
         return;
     MdtBodyGetLinearVelocity(b, v);
     if (MeVector3MagnitudeSqr(v) > 0)
@@ -414,8 +414,8 @@ static MeBool isGood(const char *function, unsigned int layers, const MstDebugDr
 }
 
 static void drawAll(const Drawing *d, MdtWorldID w, McdSpaceID s) {
-    if (s &&
-        wants(d, MstDebugShapes | MstDebugBoxes | MstDebugPartitions | MstDebugSleep | MstDebugSolver | MstDebugNames))
+    if (s && isDrawn(d, MstDebugShapes | MstDebugBoxes | MstDebugPartitions | MstDebugSleep | MstDebugSolver |
+                            MstDebugNames))
         drawModels(d, s);
     if (!w)
         return;

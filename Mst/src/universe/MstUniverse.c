@@ -37,7 +37,7 @@ static MeBool isBridge(const MstUniverse *u) {
 }
 
 /* The first of its parts that the program has destroyed; null: it has all of them. */
-static const char *missingPart(const MstUniverse *u) {
+static const char *missingMember(const MstUniverse *u) {
     return !MdtWorldIsValid(u->world)       ? "world"
            : !McdFrameworkIsValid(u->frame) ? "framework"
            : !McdSpaceIsValid(u->space)     ? "space"
@@ -46,7 +46,7 @@ static const char *missingPart(const MstUniverse *u) {
 }
 
 static MeBool isWhole(const MstUniverse *u, const char *function) {
-    const char *part = missingPart(u);
+    const char *part = missingMember(u);
     if (part)
         MeWarning(1, "%s: the universe's %s has been destroyed; it ends with the universe: see MstUniverseDestroy",
                   function, part);
@@ -61,7 +61,7 @@ static MeBool isFree(const MstUniverse *u, const char *function) {
 }
 
 /* Those that have been created, and that the program has not destroyed. */
-static void destroyParts(MstUniverse *u) {
+static void destroyMembers(MstUniverse *u) {
     if (McdSpaceIsValid(u->space))
         McdSpaceDestroy(u->space);
     if (McdFrameworkIsValid(u->frame)) {
@@ -102,7 +102,7 @@ double mst_epsilonOf(const MstUniverseSizes *sizes) {
     return sag * MDTWORLD_DEFAULT_GAMMA / (F * h * h);
 }
 
-static void createParts(MstUniverse *u) {
+static void createMembers(MstUniverse *u) {
     const MstUniverseSizes *sizes = &u->sizes;
     u->world = MdtWorldCreate(limitOf(sizes->dynamicBodiesMaxCount), limitOf(sizes->dynamicConstraintsMaxCount),
                               sizes->lengthScale, sizes->massScale);
@@ -134,13 +134,13 @@ MstUniverseID MEAPI MstUniverseCreate(const MstUniverseSizes *const sizes) {
     MstUniverse *u = &record->universe;
     u->sizes = sizes ? *sizes : MstUniverseDefaultSizes;
     const char *before = MeMessagesAs("MstUniverseCreate");
-    createParts(u);
+    createMembers(u);
     MeMessagesAs(before);
     record->magic = MST_UNIVERSE;
     MeHandleEnter(&record->handle, record, MST_UNIVERSE);
     if (!u->bridge) {
         MeWarning(1, "MstUniverseCreate: a part could not be created with these sizes");
-        destroyParts(u);
+        destroyMembers(u);
         return 0;
     }
     MEASSERT(u->world && u->frame && u->space);
@@ -156,7 +156,7 @@ void MEAPI MstUniverseDestroy(const MstUniverseID u) {
     if (u && !MeHandleIsLive(u, MST_UNIVERSE))
         mst_warnGone(u, "universe", "MstUniverseDestroy");
     else if (u && isFree(u, "MstUniverseDestroy"))
-        destroyParts(u);
+        destroyMembers(u);
 }
 
 static void updateBoxes(McdSpaceID s, MeReal step) {
@@ -169,7 +169,7 @@ static void updateBoxes(McdSpaceID s, MeReal step) {
 
 /* What rests in the air would fall by more than the size of a medium-sized object in one step, and through floors: the
  * program means another unit, as a rule. Said once. */
-static void judgeStep(MstUniverseRecord *u, double step) {
+static void warnOfLongStep(MstUniverseRecord *u, double step) {
     MeVector3 g;
     MdtWorldGetGravity(u->universe.world, g);
     const double fall = 0.5 * (double)MeVector3Magnitude(g) * step * step;
@@ -184,13 +184,13 @@ static void judgeStep(MstUniverseRecord *u, double step) {
 }
 
 /* The parts of a step. All that is in the universe is there to the end of it. */
-static void takeStep(MstUniverse *u, MeReal step) {
+static void advance(MstUniverse *u, MeReal step) {
     MstBridgeRecord *bridge = (MstBridgeRecord *)u->bridge;
-    MeStage *const held[] = {McdFrameworkGetStage(u->frame), MdtWorldGetStage(u->world)};
+    MeStage *const guarded[] = {McdFrameworkGetStage(u->frame), MdtWorldGetStage(u->world)};
     const char *before = MeCallerSet("MstUniverseStep");
     MEASSERT(McdFrameworkGetModelCount(u->frame) >= McdSpaceGetModelCount(u->space));
     for (int i = 0; i < 2; i++)
-        MeStageBegin(held[i], 0);
+        MeStageBegin(guarded[i], 0);
     McdSpaceSetLookAhead(u->space, step);
     MeTeam *team = MdtWorldGetTeam(u->world);
     McdSpaceSetTeam(u->space, team);
@@ -202,7 +202,7 @@ static void takeStep(MstUniverse *u, MeReal step) {
     McdSpaceSetTeam(u->space, 0); /* the program may change it now */
     mst_updateEvents(bridge, u->world);
     for (int i = 0; i < 2; i++)
-        MeStageEnd(held[i], 0);
+        MeStageEnd(guarded[i], 0);
     MeCallerSet(before);
 }
 
@@ -214,7 +214,7 @@ static void stepWithAdvice(MstUniverse *u, MeReal step) {
     begun = *adviser;
     if (!isWhole(u, "MstUniverseStep"))
         return;
-    takeStep(u, step);
+    advance(u, step);
     if (begun)
         mst_adviserStepEnds(u, begun, (double)step);
 }
@@ -226,11 +226,11 @@ void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step) {
         MeWarning(1, "MstUniverseStep: the step is %g: it must be positive; nothing is changed", (double)step);
         return;
     }
-    judgeStep((MstUniverseRecord *)u, (double)step);
+    warnOfLongStep((MstUniverseRecord *)u, (double)step);
     MeStage *stage = &((MstBridgeRecord *)u->bridge)->stage;
-    MeStageBegin(stage, MST_HOLD_BRIDGE);
+    MeStageBegin(stage, MST_GUARD_BRIDGE);
     stepWithAdvice(u, step);
-    MeStageEnd(stage, MST_HOLD_BRIDGE);
+    MeStageEnd(stage, MST_GUARD_BRIDGE);
 }
 
 MstAdviser **mst_universeAdviser(MstUniverseID u, const char *function) {

@@ -45,7 +45,7 @@ enum { MST_SETTINGS = 24 }; /* at most: two or three of each knob */
 
 /* What the scene as it is shows of itself, by which settings are chosen. */
 typedef struct MstSceneTraits {
-    MeBool hasContacts, hasJoints, hasFast, hasExactContacts, hasLimits, hasCrowd, hasRunners;
+    MeBool hasContacts, hasJoints, hasFast, hasExactContacts, hasLimits, hasLargeIsland, hasRunners;
 } MstSceneTraits;
 
 int mst_settingsPlan(MstUniverseID u, const MstSceneTraits *traits, MstSetting setting[MST_SETTINGS]);
@@ -112,9 +112,9 @@ void mst_trialMeasure(MstTrial *t, const MstRecord *r, const MstRecord *referenc
 /* Its ratios, and its time, if costs are times: costs of each round, negative where there was none. */
 void mst_trialTime(MstTrial *t, const double *cost, const double *asItIs, int rounds, MeBool isTime);
 /* What to do about all trials but the first, and sentences. */
-void mst_trialsJudge(MstTrial *t, int count, double tolerance, MeBool isCompared);
+void mst_trialsRate(MstTrial *t, int count, double tolerance, MeBool isCompared);
 /* Whether a trial is no worse than another, or within the tolerance. */
-MeBool mst_trialHolds(const MstTrial *t, const MstTrial *asItIs, double tolerance);
+MeBool mst_trialIsAcceptable(const MstTrial *t, const MstTrial *asItIs, double tolerance);
 
 /* ---- course ------------------------------------------------------------------------------------------------------ */
 

@@ -164,7 +164,7 @@ static void noteTraits(MstRecord *r, MdtWorldID w, double step) {
         t->hasFast |= report.way == MdtReportWayFast;
         t->hasExactContacts |= t->hasContacts && report.way >= MdtReportWayExact;
         t->hasLimits |= report.limited > 0;
-        t->hasCrowd |= report.bodies > 32; /* the bridge reuses contacts of such (MstBridgeSetContactReuse) */
+        t->hasLargeIsland |= report.bodies > 32; /* the bridge reuses contacts of such (MstBridgeSetContactReuse) */
     }
 }
 
@@ -181,10 +181,10 @@ static void noteReport(MstRecord *r, MdtWorldID w) {
 }
 
 void mst_copyStepEnds(MstCopy *c, MstUniverseID u, double step) {
-    const double taken = secondsOf(CLOCK_THREAD_CPUTIME_ID) - c->begun;
+    const double elapsed = secondsOf(CLOCK_THREAD_CPUTIME_ID) - c->begun;
     MstRecord *r = c->record;
     if (r->steps >= c->size.warmUp)
-        r->time += taken;
+        r->time += elapsed;
     noteReport(r, u->world);
     noteTraits(r, u->world, step);
     if ((r->steps + 1) % c->size.stride == 0 && r->sampleCount < c->size.samples)

@@ -142,7 +142,7 @@ static MeBool isNoWorse(MeReal value, MeReal before, double tolerance) {
     return (double)value <= fmax(tolerance, 1.1 * (double)before);
 }
 
-MeBool mst_trialHolds(const MstTrial *t, const MstTrial *asItIs, double tolerance) {
+MeBool mst_trialIsAcceptable(const MstTrial *t, const MstTrial *asItIs, double tolerance) {
     return isNoWorse(t->error, asItIs->error, tolerance) && isNoWorse(t->penetration, asItIs->penetration, tolerance) &&
            isNoWorse(t->jointGap, asItIs->jointGap, tolerance);
 }
@@ -161,7 +161,7 @@ static MstVerdict verdictOf(const MstTrial *t, const MstTrial *asItIs, double to
     if (!isCompared)
         return isFaster(t) ? MstVerdictTrade : MstVerdictNone;
     if (isFaster(t))
-        return mst_trialHolds(t, asItIs, tolerance) ? MstVerdictTake : MstVerdictTrade;
+        return mst_trialIsAcceptable(t, asItIs, tolerance) ? MstVerdictTake : MstVerdictTrade;
     return (double)t->error < .5 * (double)asItIs->error && !isWithin(asItIs, tolerance) ? MstVerdictExact
                                                                                          : MstVerdictNone;
 }
@@ -170,8 +170,8 @@ static MstVerdict verdictOf(const MstTrial *t, const MstTrial *asItIs, double to
 static void chooseMend(MstTrial *t, int count, double tolerance) {
     MstTrial *best = 0;
     for (int i = 1; i < count; i++)
-        if (t[i].verdict == MstVerdictExact && isWithin(&t[i], tolerance) && mst_trialHolds(&t[i], &t[0], tolerance) &&
-            (!best || t[i].ratio < best->ratio))
+        if (t[i].verdict == MstVerdictExact && isWithin(&t[i], tolerance) &&
+            mst_trialIsAcceptable(&t[i], &t[0], tolerance) && (!best || t[i].ratio < best->ratio))
             best = &t[i];
     if (best)
         best->verdict = MstVerdictMend;
@@ -232,7 +232,7 @@ static void say(MstTrial *t, const MstTrial *asItIs, double tolerance, MeBool is
     }
 }
 
-void mst_trialsJudge(MstTrial *t, int count, double tolerance, MeBool isCompared) {
+void mst_trialsRate(MstTrial *t, int count, double tolerance, MeBool isCompared) {
     for (int i = 1; i < count; i++)
         t[i].verdict = verdictOf(&t[i], &t[0], tolerance, isCompared);
     if (isCompared && !isWithin(&t[0], tolerance))

@@ -122,18 +122,18 @@ static void planFriction(Plan *plan, MstUniverseID u) {
     static const struct {
         MdtFrictionModel from, to;
         const char *name;
-    } way[] = {{MdtFrictionModelCone, MdtFrictionModelNormalForce, "MdtFrictionModelNormalForce"},
-               {MdtFrictionModelNormalForce, MdtFrictionModelCone, "MdtFrictionModelCone"}};
+    } change[] = {{MdtFrictionModelCone, MdtFrictionModelNormalForce, "MdtFrictionModelNormalForce"},
+                  {MdtFrictionModelNormalForce, MdtFrictionModelCone, "MdtFrictionModelCone"}};
     for (int i = 0; i < 2; i++) {
-        const int pairs = countFriction(u, way[i].from);
+        const int pairs = countFriction(u, change[i].from);
         if (pairs > 0)
-            add(plan, MST_KNOB_FRICTION, way[i].from, way[i].to,
-                "MdtContactParamsSetFrictionModel(params, %s) of %d material pair%s", way[i].name, pairs,
+            add(plan, MST_KNOB_FRICTION, change[i].from, change[i].to,
+                "MdtContactParamsSetFrictionModel(params, %s) of %d material pair%s", change[i].name, pairs,
                 pairs > 1 ? "s" : "");
     }
 }
 
-static void planRest(Plan *plan, MdtWorldID w) {
+static void planSleep(Plan *plan, MdtWorldID w) {
     const MeBool isOn = MdtWorldGetAutoDisable(w);
     add(plan, MST_KNOB_SLEEP, !isOn, 0, "MdtWorldSetAutoDisable(world, %s)", isOn ? "MEFALSE" : "METRUE");
     if (isOn)
@@ -167,10 +167,10 @@ int mst_settingsPlan(MstUniverseID u, const MstSceneTraits *traits, MstSetting s
         add(&plan, MST_KNOB_SWEPT, MEFALSE, 0, "McdModelSetSwept(model, MEFALSE) of all %d", models.swept);
     if (traits->hasRunners && models.swept < models.withBody)
         add(&plan, MST_KNOB_SWEPT, METRUE, 0, "McdModelSetSwept(model, METRUE) of all %d", models.withBody);
-    planRest(&plan, u->world);
-    if (traits->hasCrowd && MstBridgeGetContactReuse(u->bridge) > 0)
+    planSleep(&plan, u->world);
+    if (traits->hasLargeIsland && MstBridgeGetContactReuse(u->bridge) > 0)
         add(&plan, MST_KNOB_REUSE, 0, 0, "MstBridgeSetContactReuse(bridge, 0)");
-    if (traits->hasCrowd) {
+    if (traits->hasLargeIsland) {
         const double reuse = fmin(1, 10 * fmax((double)MstBridgeGetContactReuse(u->bridge), .1 * MST_CONTACT_REUSE));
         add(&plan, MST_KNOB_REUSE, reuse, 0, "MstBridgeSetContactReuse(bridge, %g)", reuse);
     }
