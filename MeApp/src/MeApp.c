@@ -48,7 +48,7 @@ static void *newZeroed(size_t size) {
 }
 
 /* The parts that the helpers own. */
-static MeBool createParts(MeApp *app) {
+static MeBool createMembers(MeApp *app) {
     static const float steel[4] = {.15f, .17f, .20f, 1};
     app->contacts = newZeroed(sizeof *app->contacts);
     app->pick.line = meapp_lineCreate(app->rc, steel);
@@ -69,7 +69,7 @@ static MeApp *create(MdtWorldID world, McdSpaceID space, RRender *rc, MeReal len
     app->space = space;
     app->rc = rc;
     app->lengthScale = lengthScale;
-    if (createParts(app))
+    if (createMembers(app))
         return app;
     MeAppDestroy(app);
     return 0;

@@ -47,16 +47,16 @@ void MEAPI MeAppFollow(MeApp *app, MdtBodyID body, AcmeReal distance, AcmeReal e
 /* A part of what is missing in each frame: at 60 a second the point is reached with a time constant of 1/17 s, the
  * heading with one of 1/3 s, so that the picture swings less than the body does. */
 void meapp_followStep(MeApp *app) {
-    const MeReal pointPart = (MeReal)0.25, headingPart = (MeReal)0.05;
+    const MeReal pointShare = (MeReal)0.25, headingShare = (MeReal)0.05;
     MeVector3 at;
     if (!app->follow.body || !MdtBodyIsValid(app->follow.body)) {
         app->follow.body = 0;
         return;
     }
-    const MeReal missing = headingOf(app, app->follow.body, app->follow.heading) - app->follow.heading;
-    const MeReal turn = headingPart * MeAtan2(MeSin(missing), MeCos(missing));
+    const MeReal headingError = headingOf(app, app->follow.body, app->follow.heading) - app->follow.heading;
+    const MeReal turn = headingShare * MeAtan2(MeSin(headingError), MeCos(headingError));
     MdtBodyGetPosition(app->follow.body, at);
-    MeVector3Lerp(app->follow.at, app->follow.at, at, pointPart);
+    MeVector3Lerp(app->follow.at, app->follow.at, at, pointShare);
     app->follow.heading += turn;
     lookAt(app);
     RCameraRotateAngle(app->rc, (AcmeReal)turn);

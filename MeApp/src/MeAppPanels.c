@@ -33,7 +33,7 @@ static void say(const char *format, ...) {
 
 /* Its strength; the direction stays, and is down where there was none. What sleeps wakes: it would not fall. */
 static void showGravity(MeApp *app) {
-    MeReal *way = app->controls->gravity;
+    MeReal *direction = app->controls->gravity;
     MeVector3 g;
     AcmeVector3 up;
     MdtWorldGetGravity(app->world, g);
@@ -41,12 +41,12 @@ static void showGravity(MeApp *app) {
     MeReal strength = MeVector3Magnitude(g);
     if (strength > 0)
         for (int i = 0; i < 3; i++)
-            way[i] = g[i] / strength;
-    else if (MeVector3MagnitudeSqr(way) == 0)
-        MeVector3Set(way, -(MeReal)up[0], -(MeReal)up[1], -(MeReal)up[2]);
+            direction[i] = g[i] / strength;
+    else if (MeVector3MagnitudeSqr(direction) == 0)
+        MeVector3Set(direction, -(MeReal)up[0], -(MeReal)up[1], -(MeReal)up[2]);
     if (!RPanelSlider("gravity", &strength, 0, 30 * app->lengthScale, "m/s\xc2\xb2"))
         return;
-    MdtWorldSetGravity(app->world, way[0] * strength, way[1] * strength, way[2] * strength);
+    MdtWorldSetGravity(app->world, direction[0] * strength, direction[1] * strength, direction[2] * strength);
     for (MdtBodyID b = MdtBodyGetFirst(app->world); b; b = MdtBodyGetNext(b))
         MdtBodyEnable(b);
 }
@@ -163,16 +163,16 @@ static void showWorkers(const MeApp *app) {
 void meapp_sampleReport(MeApp *app) {
     MeAppControls *c = app->controls;
     MdtReport report;
-    const MeBool isWanted = c->figuresSeen > 0 || (c->layers & MstDebugSolver),
+    const MeBool isSelected = c->figuresSeen > 0 || (c->layers & MstDebugSolver),
                  isOn = MdtWorldReportIsEnabled(app->world);
-    if (isWanted && !isOn) {
+    if (isSelected && !isOn) {
         MdtWorldEnableReport(app->world);
         c->reportIsOurs = METRUE;
-    } else if (!isWanted && c->reportIsOurs) {
+    } else if (!isSelected && c->reportIsOurs) {
         MdtWorldDisableReport(app->world);
         c->reportIsOurs = MEFALSE;
     }
-    if (!isWanted) {
+    if (!isSelected) {
         memset(c->worker, 0, sizeof c->worker);
         return;
     }
@@ -183,21 +183,21 @@ void meapp_sampleReport(MeApp *app) {
         append(c, &report);
 }
 
-static const char *wayName(MdtReportWay way) {
+static const char *pathName(MdtReportWay way) {
     static const char *const names[] = {
         "free",  "at rest, not solved",        "the last answer kept", "fast",
         "exact", "exact, met within the step", "exact, in parts",      "budget used up"};
     return names[way];
 }
 
-static void showWay(const MeApp *app) {
+static void showPath(const MeApp *app) {
     MdtReport r;
     const int partition = app->controls->partition;
     const MeBool isOne = partition >= 0 && partition < MdtWorldGetReportCount(app->world);
     if (!(isOne ? MdtWorldGetPartitionReport(app->world, partition, &r) : MdtWorldGetReport(app->world, &r)))
         return;
     say("%d bodies, %d constraints", r.bodies, r.constraints);
-    say("solver: %s", wayName(r.way));
+    say("solver: %s", pathName(r.way));
     say("joints open by %.2g mm at most", 1e3 * (double)r.jointGap);
 }
 
@@ -209,7 +209,7 @@ static void MEAPI showReport(RRender *rc, void *userdata) {
     c->figuresSeen = LINGERS;
     RPanelWhole("partition", &c->partition, -1, MeMAX(MdtWorldGetReportCount(app->world) - 1, 0));
     RPanelText(c->partition < 0 ? "-1: all of them" : "");
-    showWay(app);
+    showPath(app);
     showWorkers(app);
     for (int i = 0; i < MEAPP_PLOTS; i++)
         RPanelPlot(plots[i].name, c->history[i], MEAPP_HISTORY, 0, plots[i].unit);

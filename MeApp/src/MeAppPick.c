@@ -114,11 +114,11 @@ McdModelID MEAPI MeAppPickMcdModel(const MeApp *const app, int x, int y, MeVecto
 
 /* ---- what is held ------------------------------------------------------------------------------------------------ */
 
-static void heldPoint(const MeAppMousePickInfo *pick, MeVector3 p) {
+static void grabbedPoint(const MeAppMousePickInfo *pick, MeVector3 p) {
     MeMatrix4TMTransform(p, (const MeVector4 *)MdtBodyGetTransformPtr(pick->body), pick->relative);
 }
 
-static void hold(MeApp *app, McdModelID model, const MeVector3 pos) {
+static void grab(MeApp *app, McdModelID model, const MeVector3 pos) {
     MeAppMousePickInfo *pick = &app->pick;
     MEASSERT(!pick->model && !pick->body && McdModelGetBody(model));
     pick->model = model;
@@ -139,7 +139,7 @@ static void press(MeApp *app) {
     release(app);
     const McdModelID model = MeAppPickMcdModel(app, app->pick.x, app->pick.y, dir, pos, isOrthographic(app->rc));
     if (model && McdModelGetBody(model)) {
-        hold(app, model, pos);
+        grab(app, model, pos);
         app->selected = model;
     } else if (app->controls) {
         RRenderLeaveMouse(app->rc);
@@ -224,20 +224,20 @@ static void mobility(MdtBodyID b, const MeVector3 r, MeMatrix3 A) {
 static void springForce(MdtBodyID b, const MeVector3 at, const MeVector3 stretch, MeVector3 force) {
     const MeReal m = MdtBodyGetMass(b), k = m * FREQUENCY * FREQUENCY, c = 2 * m * FREQUENCY;
     MeMatrix3 A;
-    MeVector3 centre, r, v, g, wanted, point;
+    MeVector3 centre, r, v, g, momentum, point;
     MdtWorldGetGravity(MdtBodyGetWorld(b), g);
     MdtBodyGetCenterOfMassPosition(b, centre);
     MeVector3Subtract(r, at, centre);
     MeVector3Copy(point, at);
     MdtBodyGetVelocityAtPoint(b, point, v);
     for (int i = 0; i < 3; i++)
-        wanted[i] = -k * stretch[i] - (STEP * k + c) * (v[i] + STEP * g[i]);
+        momentum[i] = -k * stretch[i] - (STEP * k + c) * (v[i] + STEP * g[i]);
     mobility(b, r, A);
     MeMatrix3Scale(A, STEP * STEP * k + STEP * c);
     for (int i = 0; i < 3; i++)
         A[i][i] += 1;
     MeMatrix3Invert(A); /* positive definite */
-    MeMatrix3MultiplyVector(force, (const MeVector3 *)A, wanted);
+    MeMatrix3MultiplyVector(force, (const MeVector3 *)A, momentum);
 }
 
 static void slowRotation(MdtBodyID b) {
@@ -281,7 +281,7 @@ void MEAPI MeAppUpdateMouseSpring(MeApp *app) {
     }
     pointAsDeepAs(app, app->pick.x, app->pick.y, app->pick.target, target);
     MeVector3Copy(app->pick.target, target);
-    heldPoint(&app->pick, at);
+    grabbedPoint(&app->pick, at);
     MEASSERT(MeRealIsValid(MeVector3MagnitudeSqr(at)) && MeRealIsValid(MeVector3MagnitudeSqr(target)));
     MdtBodyEnable(app->pick.body);
     pull(app, at);

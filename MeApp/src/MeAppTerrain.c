@@ -116,7 +116,7 @@ MeReal MEAPI MeAppTerrainGetCell(const MeAppTerrain *t) {
 }
 
 MeVector3 *MEAPI MeAppTerrainGetCorner(MeAppTerrain *t, int i, int j, int triangle, int corner) {
-    static const int way[2][3][2] = {{{0, 0}, {1, 0}, {1, 1}}, {{0, 0}, {1, 1}, {0, 1}}};
+    static const int offset[2][3][2] = {{{0, 0}, {1, 0}, {1, 1}}, {{0, 0}, {1, 1}, {0, 1}}};
     if (!check(t, "MeAppTerrainGetCorner"))
         return 0;
     const int last = t->points - 2;
@@ -125,7 +125,7 @@ MeVector3 *MEAPI MeAppTerrainGetCorner(MeAppTerrain *t, int i, int j, int triang
                   i, j);
         return 0;
     }
-    return &t->corner[(j + way[triangle][corner][1]) * t->points + i + way[triangle][corner][0]];
+    return &t->corner[(j + offset[triangle][corner][1]) * t->points + i + offset[triangle][corner][0]];
 }
 
 McdModelID MEAPI MeAppTerrainCreateModel(MeAppTerrain *t, MstUniverseID u) {

@@ -223,16 +223,16 @@ static void MEAPI printAdviceAndEnd(const MstAdvice *advice, void *userdata) {
 }
 
 /* -advise */
-static void askForAdvice(MeApp *app) {
-    AcmeReal *asked = app->rc->m_Options.m_Advise;
+static void requestAdvice(MeApp *app) {
+    AcmeReal *request = app->rc->m_Options.m_Advise;
     MstAdviceParams params;
-    if (!(asked[0] > 0))
+    if (!(request[0] > 0))
         return;
     MstAdviceParamsReset(&params);
-    params.seconds = (MeReal)asked[0];
-    params.after = (MeReal)asked[1];
+    params.seconds = (MeReal)request[0];
+    params.after = (MeReal)request[1];
     MstAdvise(app->universe, &params, printAdviceAndEnd, 0);
-    asked[0] = 0;
+    request[0] = 0;
 }
 
 MeApp *MEAPI MeAppStart(int argc, const char **argv, const char *name, const MstUniverseSizes *sizes) {
@@ -247,7 +247,7 @@ MeApp *MEAPI MeAppStart(int argc, const char **argv, const char *name, const Mst
         placeCamera(rc, app->lengthScale);
         MeAppCreateControls(app);
         startWorkers(app, rc->m_Options.m_nWorkers);
-        askForAdvice(app);
+        requestAdvice(app);
         return app;
     }
     if (rc)

@@ -154,7 +154,7 @@ MEPUBLIC void MEAPI MeProgramRefuse(const char *function, const char *otherwise)
 enum { ME_STAGE_LEVELS = 5 };
 /** Of an owner; all zero: nobody holds it. */
 typedef struct MeStage {
-    int held[ME_STAGE_LEVELS]; /**< how often, by level */
+    int active[ME_STAGE_LEVELS]; /**< how often, by level */
     struct MeWaiting *first, *last;
     MeBool isCarrying; /**< what has waited is being carried out, */
     int round;         /**< which was called from the function of the program that what waited so often has led to */
@@ -170,7 +170,7 @@ MEPUBLIC void MEAPI MeStageBegin(MeStage *stage, int level);
 /** Ends it, and carries out what has waited for it. */
 MEPUBLIC void MEAPI MeStageEnd(MeStage *stage, int level);
 /** Is the owner held at that level, or a higher one? */
-MEPUBLIC MeBool MEAPI MeStageIsHeld(const MeStage *stage, int level);
+MEPUBLIC MeBool MEAPI MeStageIsActive(const MeStage *stage, int level);
 /** What a function has to do that changes what must stay from a level on. */
 typedef enum MeWhen {
     MeWhenNow,
@@ -187,19 +187,19 @@ MEPUBLIC MeBool MEAPI MeStageIsFree(const MeStage *stage, const char *function);
 
 /** Messages that wait until the program may be told: handlers are called on the thread that steps a world, in an order
  *  that does not depend on threads. All zero: none wait. */
-typedef struct MeHeldMessages {
-    struct MeHeldMessage *first, *last;
+typedef struct MeMessageBuffer {
+    struct MeBufferedMessage *first, *last;
     int key; /**< of those that come next: whoever holds them writes it */
-} MeHeldMessages;
+} MeMessageBuffer;
 
 /** @name Messages that wait
  *  @{ */
 /** From now on, in this thread, messages but for fatal errors join @a held, with its key; null: they are sent at once,
  *  as ever. Returns what they joined before. */
-MEPUBLIC MeHeldMessages *MEAPI MeMessagesHold(MeHeldMessages *held);
+MEPUBLIC MeMessageBuffer *MEAPI MeMessagesBuffer(MeMessageBuffer *active);
 /** Sends what waits in all of these, by their keys, and of one key in the order in which they came. Messages of one key
  *  are all in the same place. */
-MEPUBLIC void MEAPI MeMessagesSend(MeHeldMessages *const held[], int count);
+MEPUBLIC void MEAPI MeMessagesSend(MeMessageBuffer *const active[], int count);
 /** @} */
 
 /** @name Sections (MeProfile.h)

@@ -30,8 +30,8 @@ static MeBool areAxes(const MeReal *x, const MeReal *y, const MeReal *z, MeReal 
     const MeReal *const axes[3] = {x, y, z};
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j <= i; j++) {
-            const MeReal wanted = i == j ? (MeReal)1 : (MeReal)0;
-            if (!(MeFabs(MeVector3Dot(axes[i], axes[j]) - wanted) <= tolerance))
+            const MeReal expected = i == j ? (MeReal)1 : (MeReal)0;
+            if (!(MeFabs(MeVector3Dot(axes[i], axes[j]) - expected) <= tolerance))
                 return MEFALSE;
         }
     }
@@ -193,8 +193,8 @@ MeBool MEAPI MeMatrix3IsIsotropic(const MeMatrix3 i) {
     const MeReal tolerance = ME_SMALL_EPSILON * MeMAX3(MeFabs(i[0][0]), MeFabs(i[1][1]), MeFabs(i[2][2]));
     for (int row = 0; row < 3; row++) {
         for (int col = 0; col < 3; col++) {
-            const MeReal wanted = row == col ? i[0][0] : 0;
-            if (!(MeFabs(i[row][col] - wanted) <= tolerance))
+            const MeReal expected = row == col ? i[0][0] : 0;
+            if (!(MeFabs(i[row][col] - expected) <= tolerance))
                 return MEFALSE;
         }
     }

@@ -8,12 +8,12 @@
 #include <string.h>
 
 /* malloc may answer a request for nothing with null, which here is to mean that there is no memory. */
-static size_t atLeastOne(size_t bytes) {
+static size_t nonZero(size_t bytes) {
     return bytes > 0 ? bytes : 1;
 }
 
 static void *MEAPI createDefault(size_t bytes) {
-    return malloc(atLeastOne(bytes));
+    return malloc(nonZero(bytes));
 }
 
 /* aligned_alloc wants a multiple of the alignment; all that malloc gives is aligned for max_align_t. */
@@ -22,11 +22,11 @@ static void *MEAPI createAlignedDefault(size_t bytes, unsigned int alignment) {
         return createDefault(bytes);
     if (bytes > SIZE_MAX - alignment)
         return NULL;
-    return aligned_alloc(alignment, (atLeastOne(bytes) + alignment - 1) / alignment * alignment);
+    return aligned_alloc(alignment, (nonZero(bytes) + alignment - 1) / alignment * alignment);
 }
 
 static void *MEAPI resizeDefault(void *const block, size_t bytes) {
-    return realloc(block, atLeastOne(bytes));
+    return realloc(block, nonZero(bytes));
 }
 
 static void MEAPI destroyDefault(void *const block) {
@@ -75,7 +75,7 @@ void *me_createAligned(size_t bytes, unsigned int alignment, const char *asker) 
 
 /* 0 if it is more than a size_t holds. */
 static size_t bytesOf(size_t count, size_t size) {
-    return size > 0 && count > (SIZE_MAX - 1) / size ? 0 : atLeastOne(count * size);
+    return size > 0 && count > (SIZE_MAX - 1) / size ? 0 : nonZero(count * size);
 }
 
 static void *reported(void *block, size_t count, size_t size, const char *function, const char *what) {

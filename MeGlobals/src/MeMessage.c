@@ -49,7 +49,7 @@ void MEAPI_CDECL MeInfo(const int level, const char *const format, ...) {
         return;
     va_list ap;
     va_start(ap, format);
-    if (!me_messageHold(MeInfo, level, format, ap))
+    if (!me_messageBuffer(MeInfo, level, format, ap))
         handle(INFO, MeInfoHandler, MeHandlerInfo, level, format, ap);
     va_end(ap);
 }
@@ -59,7 +59,7 @@ void MEAPI_CDECL MeDebug(const int level, const char *const format, ...) {
         return;
     va_list ap;
     va_start(ap, format);
-    if (!me_messageHold(MeDebug, level, format, ap))
+    if (!me_messageBuffer(MeDebug, level, format, ap))
         handle(DEBUG, MeDebugHandler, MeHandlerDebug, level, format, ap);
     va_end(ap);
 }
@@ -69,7 +69,7 @@ void MEAPI_CDECL MeLog(const int level, const char *const format, ...) {
         return;
     va_list ap;
     va_start(ap, format);
-    if (!me_messageHold(MeLog, level, format, ap))
+    if (!me_messageBuffer(MeLog, level, format, ap))
         handle(LOG, MeLogHandler, MeHandlerLog, level, format, ap);
     va_end(ap);
 }
@@ -81,7 +81,7 @@ void MEAPI_CDECL MeWarning(const int level, const char *const format, ...) {
     va_list ap;
     va_start(ap, format);
     const char *text = me_messageRename(format, &ap, renamed);
-    if (!me_messageHold(MeWarning, level, text, ap))
+    if (!me_messageBuffer(MeWarning, level, text, ap))
         handle(WARNING, MeWarningHandler, MeHandlerWarning, level, text, ap);
     va_end(ap);
 }

@@ -9,8 +9,8 @@
 /* A function that sends a message: MeWarning and its like. */
 typedef void(MEAPI_CDECL *MeSender)(const int level, const char *const format, ...);
 
-/* Whether the message waits (MeMessagesHold); else it is to be sent. */
-MeBool me_messageHold(MeSender sender, int level, const char *format, va_list ap);
+/* Whether the message waits (MeMessagesBuffer); else it is to be sent. */
+MeBool me_messageBuffer(MeSender sender, int level, const char *format, va_list ap);
 
 /* The format under which the message goes out: under the name of MeMessagesAs, where one is set. */
 const char *me_messageRename(const char *format, va_list *ap, char renamed[MeMAXMESSAGE]);
@@ -18,7 +18,7 @@ const char *me_messageRename(const char *format, va_list *ap, char renamed[MeMAX
 MeBool me_messageIsRepeated(void);
 
 /* Which names messages have (MeCallerSet, MeMessagesAs) is kept in the call, and none is set; is set again. */
-void me_namesTake(MeProgramCall *call);
+void me_namesCopy(MeProgramCall *call);
 void me_namesGive(const MeProgramCall *call);
 
 #endif

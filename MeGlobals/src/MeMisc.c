@@ -13,8 +13,8 @@ static float toUnitInterval(float x) {
 /* How much of a primary is in a colour whose hue is `distance` sixths of a circle away from it: all up to one
  * sixth, nothing from two on. */
 static float share(float distance) {
-    const float shortWay = distance > 3 ? 6 - distance : distance;
-    return toUnitInterval(2 - shortWay);
+    const float shortest = distance > 3 ? 6 - distance : distance;
+    return toUnitInterval(2 - shortest);
 }
 
 void MEAPI MeHSVtoRGB(float h, float s, float v, float rgb[3]) {

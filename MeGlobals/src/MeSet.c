@@ -73,7 +73,7 @@ int MEAPI MeSetAdd(MeSet *s, void *item) {
     return MeDictAllocInsert(&s->dict, item, item);
 }
 
-static void *takeOut(MeSet *s, MeDictNode *node) {
+static void *unlinkNode(MeSet *s, MeDictNode *node) {
     if (!node)
         return NULL;
     void *item = MeDictNodeGet(node);
@@ -85,7 +85,7 @@ static void *takeOut(MeSet *s, MeDictNode *node) {
 int MEAPI MeSetRemove(MeSet *s, void *item) {
     MeDictNode *node = isSet(s, __func__) ? MeDictLookup(&s->dict, item) : NULL;
     if (node)
-        takeOut(s, node);
+        unlinkNode(s, node);
     return node != NULL;
 }
 
@@ -102,11 +102,11 @@ int MEAPI MeSetIsFull(MeSet *s) {
 }
 
 void *MEAPI MeSetPop(MeSet *s) {
-    return isSet(s, __func__) ? takeOut(s, MeDictLast(&s->dict)) : NULL;
+    return isSet(s, __func__) ? unlinkNode(s, MeDictLast(&s->dict)) : NULL;
 }
 
 void *MEAPI MeSetPopFirst(MeSet *s) {
-    return isSet(s, __func__) ? takeOut(s, MeDictFirst(&s->dict)) : NULL;
+    return isSet(s, __func__) ? unlinkNode(s, MeDictFirst(&s->dict)) : NULL;
 }
 
 void *MEAPI MeSetIteratorNext(MeSet *s) {

@@ -14,7 +14,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { MOST_OF_A_NAME = 4096 }; /* Linux' PATH_MAX: longer names cannot be opened */
+enum { MAX_NAME = 4096 }; /* Linux' PATH_MAX: longer names cannot be opened */
 
 /* ---- opening ---- */
 
@@ -58,7 +58,7 @@ static void slashes(char *name) {
 }
 
 static int openEither(const char *filename, MeOpenMode_enum mode, const char *function) {
-    char name[MOST_OF_A_NAME];
+    char name[MAX_NAME];
     const size_t length = strlen(filename);
     /* a name with backslashes is a legal one, but nobody's to be made */
     const MeBool isForeign = strchr(filename, '\\') != NULL && length < sizeof name;
@@ -94,13 +94,13 @@ const char *MEAPI MeGetDefaultFileLocation(int i) {
 
 /* In one directory, by the whole of a relative name, or by its last part. */
 static int openIn(const char *directory, const char *name, MeOpenMode_enum mode, const char *function) {
-    char path[MOST_OF_A_NAME];
+    char path[MAX_NAME];
     const int length = snprintf(path, sizeof path, "%s/%s", directory, name);
     return length < (int)sizeof path ? openFile(path, mode, function) : -1;
 }
 
 static int searchFor(const char *filename, MeOpenMode_enum mode, const char *function) {
-    char name[MOST_OF_A_NAME];
+    char name[MAX_NAME];
     if (strlen(filename) >= sizeof name)
         return -1;
     strcpy(name, filename);

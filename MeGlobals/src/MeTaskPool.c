@@ -54,7 +54,7 @@ static void append(MeTaskPoolID p, Task *task) {
     atomic_fetch_add_explicit(&p->queued, 1, memory_order_relaxed);
 }
 
-static Task *takeFirst(MeTaskPoolID p) {
+static Task *popFirst(MeTaskPoolID p) {
     Task *task = p->first;
     if (!task)
         return NULL;
@@ -83,7 +83,7 @@ static void *work(void *pool) {
     MeTaskPoolID p = pool;
     pthread_mutex_lock(&p->lock);
     while (!p->isEnding) {
-        Task *task = takeFirst(p);
+        Task *task = popFirst(p);
         if (task) {
             run(p, task);
             pthread_mutex_unlock(&p->lock);
@@ -216,7 +216,7 @@ void MEAPI MeTaskPoolFinish(void *userTask, void *pool) {
     waitForEnd(task);
     pthread_mutex_lock(&p->lock);
     while (task->state != TASK_DONE) {
-        Task *other = task->state == TASK_QUEUED ? takeFirst(p) : NULL;
+        Task *other = task->state == TASK_QUEUED ? popFirst(p) : NULL;
         if (other)
             run(p, other);
         else

@@ -61,7 +61,7 @@ const char *MEAPI MeCallerName(const char *function) {
     return caller != NULL ? caller : function;
 }
 
-void me_namesTake(MeProgramCall *call) {
+void me_namesCopy(MeProgramCall *call) {
     call->caller = caller;
     call->speaker = speaker.name;
     call->hasSpoken = speaker.hasSpoken;

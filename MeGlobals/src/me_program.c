@@ -10,7 +10,7 @@ static _Thread_local struct {
 
 static MeProgramCall enter(const char *setBy, MeBool isQuiet) {
     MeProgramCall before = {.setBy = running.setBy, .isQuiet = running.isQuiet};
-    me_namesTake(&before);
+    me_namesCopy(&before);
     running.setBy = setBy;
     running.isQuiet = isQuiet;
     return before;

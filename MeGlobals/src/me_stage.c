@@ -15,19 +15,19 @@ typedef struct MeWaiting {
 /* -1: it is not held. */
 static int levelOf(const MeStage *stage) {
     int level = ME_STAGE_LEVELS - 1;
-    while (level >= 0 && __atomic_load_n(&stage->held[level], __ATOMIC_RELAXED) == 0)
+    while (level >= 0 && __atomic_load_n(&stage->active[level], __ATOMIC_RELAXED) == 0)
         level--;
     return level;
 }
 
-MeBool MEAPI MeStageIsHeld(const MeStage *stage, int level) {
+MeBool MEAPI MeStageIsActive(const MeStage *stage, int level) {
     return levelOf(stage) >= level;
 }
 
 /* ---- what waits ---- */
 
 /* The first that need not wait any longer; null: none. */
-static MeWaiting *takeReady(MeStage *stage) {
+static MeWaiting *popReady(MeStage *stage) {
     const int level = levelOf(stage);
     MeWaiting *before = NULL, *w = stage->first;
     while (w && w->level <= level) {
@@ -44,7 +44,7 @@ static MeWaiting *takeReady(MeStage *stage) {
 
 static void carryOut(MeStage *stage) {
     stage->isCarrying = METRUE;
-    for (MeWaiting *w = takeReady(stage); w; w = takeReady(stage)) {
+    for (MeWaiting *w = popReady(stage); w; w = popReady(stage)) {
         stage->round = w->round;
         w->later.carryOut(&w->later);
         MeMemoryGive(w);
@@ -75,11 +75,11 @@ MeBool MEAPI MeStageDefer(MeStage *stage, int level, const MeLater *later, const
 
 void MEAPI MeStageBegin(MeStage *stage, int level) {
     MEASSERT(level >= 0 && level < ME_STAGE_LEVELS);
-    __atomic_fetch_add(&stage->held[level], 1, __ATOMIC_RELAXED);
+    __atomic_fetch_add(&stage->active[level], 1, __ATOMIC_RELAXED);
 }
 
 void MEAPI MeStageEnd(MeStage *stage, int level) {
-    const int before = __atomic_fetch_sub(&stage->held[level], 1, __ATOMIC_RELAXED);
+    const int before = __atomic_fetch_sub(&stage->active[level], 1, __ATOMIC_RELAXED);
     MEASSERT(before > 0);
     (void)before;
     if (stage->first && !stage->isCarrying)
@@ -89,7 +89,7 @@ void MEAPI MeStageEnd(MeStage *stage, int level) {
 MeWhen MEAPI MeStageWhen(const MeStage *stage, int level, const char *function) {
     if (!MeProgramMayChange(function))
         return MeWhenNever;
-    return MeStageIsHeld(stage, level) ? MeWhenStageEnds : MeWhenNow;
+    return MeStageIsActive(stage, level) ? MeWhenStageEnds : MeWhenNow;
 }
 
 MeBool MEAPI MeStageIsFree(const MeStage *stage, const char *function) {

@@ -28,9 +28,9 @@ typedef struct Share {
 typedef struct Worker {
     _Alignas(LINE) MeTeam *team;
     int index;
-    void *task;              /* the program's name for it; null: none is out */
-    MeU64 busy;              /* ticks; the worker */
-    MeHeldMessages messages; /* of a loop's items; the worker */
+    void *task;               /* the program's name for it; null: none is out */
+    MeU64 busy;               /* ticks; the worker */
+    MeMessageBuffer messages; /* of a loop's items; the worker */
 } Worker;
 
 /* What all workers do now. */
@@ -62,7 +62,7 @@ struct MeTeam {
     Share pipe;                                 /* all items of a pipe */
     Share used;                                 /* of a pipe: how many buffers there are, and how many items are used */
     _Alignas(LINE) atomic_int made[MOST_AHEAD]; /* by buffer: 1 + the last item that was made into it */
-    MeHeldMessages messages[MOST_AHEAD];        /* of that item */
+    MeMessageBuffer messages[MOST_AHEAD];       /* of that item */
 };
 
 static MeU64 pack(MeU64 number, int items, int next) {
@@ -151,7 +151,7 @@ void MEAPI MeTeamWatch(MeTeam *t, MeTeamWatchCB watch, void *watchContext) {
 /* ---- what a worker does ------------------------------------------------------------------------------------------ */
 
 /* The next item of a share; -1: there is none. */
-static int takeFrom(Share *share) {
+static int claimFrom(Share *share) {
     MeU64 claim = atomic_load_explicit(&share->claim, memory_order_acquire);
     while (nextOf(claim) < itemsOf(claim))
         if (atomic_compare_exchange_weak_explicit(&share->claim, &claim, claim + 1, memory_order_acq_rel,
@@ -177,7 +177,7 @@ static int startOf(const MeTeam *t, int share) {
     return (int)((long)t->loop.items * share / t->size);
 }
 
-static void tell(const MeTeam *t, MeTeamEvent event, int number, int ahead) {
+static void notifyObserver(const MeTeam *t, MeTeamEvent event, int number, int ahead) {
     if (t->watch)
         t->watch(&(MeTeamNews){event, number, ahead}, t->watchContext);
 }
@@ -185,21 +185,21 @@ static void tell(const MeTeam *t, MeTeamEvent event, int number, int ahead) {
 /* Returns how many items it has done. */
 static int doShare(MeTeam *t, int share, int worker) {
     int done = 0;
-    for (int item = takeFrom(&t->share[share]); item >= 0; item = takeFrom(&t->share[share]), done++) {
+    for (int item = claimFrom(&t->share[share]); item >= 0; item = claimFrom(&t->share[share]), done++) {
         t->worker[worker].messages.key = startOf(t, share) + item;
         t->loop.work(t->loop.context, startOf(t, share) + item, worker);
-        tell(t, MeTeamItemDone, startOf(t, share) + item, 0);
+        notifyObserver(t, MeTeamItemDone, startOf(t, share) + item, 0);
     }
     return done;
 }
 
 static void doLoop(MeTeam *t, int worker) {
     const MeU64 start = startClock(t);
-    MeHeldMessages *const before = MeMessagesHold(&t->worker[worker].messages);
+    MeMessageBuffer *const before = MeMessagesBuffer(&t->worker[worker].messages);
     int done = 0;
     for (int i = 0; i < t->size; i++)
         done += doShare(t, (worker + i) % t->size, worker);
-    MeMessagesHold(before);
+    MeMessagesBuffer(before);
     stopClock(t, worker, start);
     if (done > 0)
         atomic_fetch_add_explicit(&t->done, done, memory_order_release);
@@ -208,7 +208,7 @@ static void doLoop(MeTeam *t, int worker) {
 /* ---- pipes ---- */
 
 /* The next item for which there is a buffer; -1: there is none now, or all have been taken. */
-static int takeAhead(MeTeam *t) {
+static int claimAhead(MeTeam *t) {
     MeU64 claim = atomic_load_explicit(&t->pipe.claim, memory_order_acquire);
     while (nextOf(claim) < itemsOf(claim)) {
         const MeU64 used = atomic_load_explicit(&t->used.claim, memory_order_acquire);
@@ -229,14 +229,14 @@ static MeBool hasItems(const MeTeam *t) {
 /* Makes an item, if there is one to be made. */
 static MeBool makeOne(MeTeam *t, int worker) {
     const MeU64 start = startClock(t);
-    const int item = takeAhead(t);
+    const int item = claimAhead(t);
     if (item < 0)
         return MEFALSE;
     const int ahead = itemsOf(atomic_load_explicit(&t->used.claim, memory_order_relaxed));
-    MeHeldMessages *const before = MeMessagesHold(&t->messages[item % ahead]);
+    MeMessageBuffer *const before = MeMessagesBuffer(&t->messages[item % ahead]);
     t->loop.work(t->loop.context, item, worker);
-    tell(t, MeTeamItemDone, item, 0);
-    MeMessagesHold(before);
+    notifyObserver(t, MeTeamItemDone, item, 0);
+    MeMessagesBuffer(before);
     stopClock(t, worker, start); /* before the item is out: who opened the team may read the time then */
     atomic_store_explicit(&t->made[item % ahead], item + 1, memory_order_release);
     return METRUE;
@@ -376,26 +376,26 @@ static MeU64 describe(MeTeam *t, int items, MeTeamWork work, void *context) {
 
 /* As if the calling thread had taken all items. */
 static void sendMessages(MeTeam *t) {
-    MeHeldMessages *held[MeTaskMaxWorkers];
+    MeMessageBuffer *buffered[MeTaskMaxWorkers];
     for (int i = 0; i < t->size; i++)
-        held[i] = &t->worker[i].messages;
-    MeMessagesSend(held, t->size);
+        buffered[i] = &t->worker[i].messages;
+    MeMessagesSend(buffered, t->size);
 }
 
 /* Is what the calling thread does alone a loop of the team all the same, of one item? */
-static MeBool isToldAlone(const MeTeam *t, int items) {
+static MeBool isObservedAlone(const MeTeam *t, int items) {
     return t && t->depth > 0 && !t->isRunning && items == 1;
 }
 
 static void runAlone(MeTeam *t, int items, MeTeamWork work, void *context) {
-    const MeBool isTold = isToldAlone(t, items);
-    if (isTold)
-        tell(t, MeTeamLoopBegins, items, 0);
+    const MeBool isObserved = isObservedAlone(t, items);
+    if (isObserved)
+        notifyObserver(t, MeTeamLoopBegins, items, 0);
     for (int i = 0; i < items; i++)
         work(context, i, 0);
-    if (isTold) {
-        tell(t, MeTeamItemDone, 0, 0);
-        tell(t, MeTeamLoopEnds, items, 0);
+    if (isObserved) {
+        notifyObserver(t, MeTeamItemDone, 0, 0);
+        notifyObserver(t, MeTeamLoopEnds, items, 0);
     }
 }
 
@@ -404,7 +404,7 @@ void MEAPI MeTeamRun(MeTeam *t, int items, MeTeamWork work, void *context) {
         runAlone(t, items, work, context);
         return;
     }
-    tell(t, MeTeamLoopBegins, items, 0);
+    notifyObserver(t, MeTeamLoopBegins, items, 0);
     const MeU64 number = describe(t, items, work, context);
     for (int i = 0; i < t->size; i++)
         atomic_store_explicit(&t->share[i].claim, pack(number, startOf(t, i + 1) - startOf(t, i), 0),
@@ -415,7 +415,7 @@ void MEAPI MeTeamRun(MeTeam *t, int items, MeTeamWork work, void *context) {
         waitABit(&spins);
     t->isRunning = MEFALSE;
     sendMessages(t);
-    tell(t, MeTeamLoopEnds, items, 0);
+    notifyObserver(t, MeTeamLoopEnds, items, 0);
 }
 
 typedef struct Ranges {
@@ -450,7 +450,7 @@ void MEAPI MeTeamPipe(MeTeam *t, int items, int ahead, MeTeamWork make, MeTeamWo
         return;
     }
     const int buffers = MeMIN(ahead, MOST_AHEAD);
-    tell(t, MeTeamPipeBegins, items, buffers);
+    notifyObserver(t, MeTeamPipeBegins, items, buffers);
     const MeU64 number = describe(t, items, make, context);
     for (int i = 0; i < buffers; i++)
         atomic_store_explicit(&t->made[i], 0, memory_order_relaxed);
@@ -461,11 +461,11 @@ void MEAPI MeTeamPipe(MeTeam *t, int items, int ahead, MeTeamWork make, MeTeamWo
         for (int spins = 0; atomic_load_explicit(&t->made[i % buffers], memory_order_acquire) != i + 1;)
             if (!makeOne(t, 0))
                 waitABit(&spins);
-        MeMessagesSend((MeHeldMessages *[]){&t->messages[i % buffers]}, 1);
+        MeMessagesSend((MeMessageBuffer *[]){&t->messages[i % buffers]}, 1);
         use(context, i, 0);
-        tell(t, MeTeamItemUsed, i, 0);
+        notifyObserver(t, MeTeamItemUsed, i, 0);
         atomic_store_explicit(&t->used.claim, pack(number, buffers, i + 1), memory_order_release);
     }
     t->isRunning = MEFALSE;
-    tell(t, MeTeamLoopEnds, items, 0);
+    notifyObserver(t, MeTeamLoopEnds, items, 0);
 }

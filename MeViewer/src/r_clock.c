@@ -38,7 +38,7 @@ void r_clockFrame(RClock *c, int64_t now) {
     measure(c, now);
 }
 
-bool r_clockTakes(RClock *c, int64_t now, double rate) {
+bool r_clockCountTicks(RClock *c, int64_t now, double rate) {
     const double tick = 1e9 / rate;
     if (c->owed < tick * (1 - 1e-6))
         return false;

@@ -279,9 +279,9 @@ void r_overlayFree(ROverlay *overlay);
 struct RPanels;
 bool r_panelsStart(RRender *rc);
 void r_panelsFree(RRender *rc);
-bool r_panelsTake(RRender *rc, const REvent *event); /* True: a panel has taken the event. */
-void r_panelsBegin(RRender *rc);                     /* From here to the end, r_ui functions draw. */
-bool r_panelsEnd(RRender *rc, ROverlay *overlay);    /* False: a panel has only been measured, and is not seen. */
+bool r_panelsHandle(RRender *rc, const REvent *event); /* True: a panel has taken the event. */
+void r_panelsBegin(RRender *rc);                       /* From here to the end, r_ui functions draw. */
+bool r_panelsEnd(RRender *rc, ROverlay *overlay);      /* False: a panel has only been measured, and is not seen. */
 /* The picture of the letters, and its number, which changes with it; 0 before the first frame. */
 int r_panelsFont(const RRender *rc, int *width, int *height, const uint8_t **alpha);
 bool r_fontPicture(RPicture *picture);                    /* White letters on nothing. */
@@ -391,7 +391,7 @@ extern const char *const r_groundNames[R_GROUNDS]; /* Of RGroundLook (r_scene.c)
 /* False, after messages, if a value cannot be used; that option counts as not given then. */
 bool r_optionsRead(RRenderOptions *out, MeCommandLineOptions *options, MeCommandLineOptions *overrideoptions, bool eat);
 /* Says what of the options is left; false if nothing is. */
-bool r_refuseRest(const MeCommandLineOptions *options);
+bool r_refuseOthers(const MeCommandLineOptions *options);
 
 /* ---- The main loop (r_loop.c) ---- */
 
@@ -413,7 +413,7 @@ typedef struct {
 typedef struct {
     int frames, ticks; /* Done; a frame that is paused has no tick. */
     RClock clock;
-    bool quit, step, pictureAsked;
+    bool quit, step, pictureRequested;
     int pictures;     /* Of the series, written. */
     int64_t deadline; /* Nanoseconds: when the next frame begins. */
     int64_t progress; /* When progress was last shown. */
@@ -454,7 +454,7 @@ void r_clockRestart(RClock *c, int64_t now);
 /* A frame begins. */
 void r_clockFrame(RClock *c, int64_t now);
 /* Has the frame another tick, of so many in a second? */
-bool r_clockTakes(RClock *c, int64_t now, double rate);
+bool r_clockCountTicks(RClock *c, int64_t now, double rate);
 /* Does the program's tick follow the clock: in a window, where no number of frames was asked for? */
 bool r_isByClock(const RRender *rc);
 void r_frame(RRender *rc, const RTick *tick); /* One turn of the main loop; tick may be null. */

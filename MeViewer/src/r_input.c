@@ -82,7 +82,7 @@ void r_post(RRender *rc, REvent event) {
 }
 
 /* Takes "Ctrl+" or "Shift+" off the front of a key's name. */
-static bool takePrefix(const char **name, const char *end, const char *prefix) {
+static bool skipPrefix(const char **name, const char *end, const char *prefix) {
     const size_t length = strlen(prefix);
     if ((size_t)(end - *name) <= length || strncasecmp(*name, prefix, length) != 0)
         return false;
@@ -111,9 +111,9 @@ static bool scriptKey(RRender *rc, const char *text, const char *end) {
     if (at == text) /* The key @ itself. */
         at = memchr(text + 1, '@', (size_t)(end - text - 1));
     if (at) {
-        if (takePrefix(&name, at, "Ctrl+"))
+        if (skipPrefix(&name, at, "Ctrl+"))
             k.modifiers = RCONTROL;
-        else if (takePrefix(&name, at, "Shift+"))
+        else if (skipPrefix(&name, at, "Shift+"))
             k.modifiers = RSHIFT;
         if (scriptFrames(&k, at + 1, end))
             k.key = r_keyByName(name, (size_t)(at - name));
@@ -246,7 +246,7 @@ static void viewerKey(RRender *rc, int key) {
         RRenderToggleUserHelp(rc);
         break;
     case RKEY_F2:
-        v->loop.pictureAsked = true;
+        v->loop.pictureRequested = true;
         break;
     case RKEY_F3:
         r_barToggle(rc);
@@ -379,7 +379,7 @@ static void resize(RRender *rc, int width, int height) {
 }
 
 static void handle(RRender *rc, const REvent *e) {
-    if (r_panelsTake(rc, e))
+    if (r_panelsHandle(rc, e))
         return;
     switch (e->kind) {
     case rKeyDown:

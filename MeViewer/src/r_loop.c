@@ -52,7 +52,7 @@ static void tickByClock(RRender *rc, const RTick *tick) {
     const double rate = rc->m_Options.m_nRate > 0 ? rc->m_Options.m_nRate : (double)v->tickRate;
     const int slow = v->slow > 1 ? v->slow : 1;
     r_clockFrame(&v->loop.clock, r_now());
-    while (!rc->m_bPause && !v->loop.quit && r_clockTakes(&v->loop.clock, r_now(), rate / slow))
+    while (!rc->m_bPause && !v->loop.quit && r_clockCountTicks(&v->loop.clock, r_now(), rate / slow))
         callTick(rc, tick);
 }
 
@@ -180,7 +180,7 @@ static void begin(RRender *rc) {
 }
 
 /* Without a window the line of the status is printed. */
-static void tellStatus(const RRender *rc) {
+static void printStatus(const RRender *rc) {
     if (!rc->m_pViewer->backend->window && rc->m_pViewer->status)
         MeInfo(0, "%s", rc->m_pViewer->status);
 }
@@ -191,8 +191,8 @@ static bool isStatusDue(const RRender *rc) {
 }
 
 static int exitCode(const RRender *rc) {
-    const bool judged = !rc->m_pViewer->backend->window || !rc->m_pViewer->loop.quit;
-    return judged && r_warnings() ? 2 : EXIT_SUCCESS;
+    const bool isChecked = !rc->m_pViewer->backend->window || !rc->m_pViewer->loop.quit;
+    return isChecked && r_warnings() ? 2 : EXIT_SUCCESS;
 }
 
 static void run(RRender *rc, const RTick *tick) {
@@ -202,7 +202,7 @@ static void run(RRender *rc, const RTick *tick) {
     while (!r_loopEnded(rc)) {
         r_frame(rc, tick);
         if (isStatusDue(rc))
-            tellStatus(rc);
+            printStatus(rc);
         if (rc->m_pViewer->backend->window)
             pace(loop);
         else
@@ -211,7 +211,7 @@ static void run(RRender *rc, const RTick *tick) {
     if (loop->progressShown)
         fputc('\n', stderr);
     r_pictureEnd(rc);
-    tellStatus(rc);
+    printStatus(rc);
     if (rc->m_Options.m_bProfile)
         MeProfileOutputResults();
     exit(exitCode(rc));

@@ -215,7 +215,7 @@ static void displaySubmenu(RMenuBaseEntry *entry, MeReal x, MeReal y) {
 
 /* The mouse on an entry: on its left half what Left does, else what Right does; in the next frame, outside of the
  * drawing. */
-static void askMouse(RRender *rc, RMenuBaseEntry *e, float x, float y, float width, float height) {
+static void readMouse(RRender *rc, RMenuBaseEntry *e, float x, float y, float width, float height) {
     char name[32];
     snprintf(name, sizeof name, "%p", (void *)e);
     if (!r_uiClicked(name, x, y, width, height))
@@ -255,7 +255,7 @@ void r_menuDraw(RRender *rc) {
     for (RMenuBaseEntry *e = rm->m_pFirst; e; e = e->m_pNext) {
         y += row;
         e->m_Display(e, (MeReal)(left + pad), (MeReal)roundf(y));
-        askMouse(rc, e, left, y - 0.7f * row, width + 2 * pad, row);
+        readMouse(rc, e, left, y - 0.7f * row, width + 2 * pad, row);
     }
     r_uiText(left + pad, roundf(y + 1.1f * row), 0.8f * size, 0, rTextPlain, r_dimmed, keys);
     r_uiWindowEnd();

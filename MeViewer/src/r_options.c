@@ -42,7 +42,7 @@ static MeCommandLineOptions *environmentOptions(void) {
 
 /* Nobody else reads these options: what is left of them is a mistake. */
 static void finishEnvironment(const Source *s) {
-    if (r_refuseRest(s->sets[ENVIRONMENT]))
+    if (r_refuseOthers(s->sets[ENVIRONMENT]))
         *s->mistaken = true;
     MeCommandLineOptionsDestroy(s->sets[ENVIRONMENT]);
 }

@@ -83,7 +83,7 @@ static void showRun(RRender *rc) {
     }
     RPanelSameLine();
     if (RPanelButton("Picture (F2)"))
-        rc->m_pViewer->loop.pictureAsked = true;
+        rc->m_pViewer->loop.pictureRequested = true;
 }
 
 bool r_tickIsDue(const RRender *rc) {

@@ -28,7 +28,7 @@ struct RPanels {
     ImGuiContext *context;
     float fontScale;       // That the atlas was made for; 0 for none.
     int fontVersion;       // Counts the atlases.
-    unsigned taken;        // Mouse buttons, a bit each, that went down for a panel.
+    unsigned isHandled;    // Mouse buttons, a bit each, that went down for a panel.
     R_ARRAY(REvent) mouse; // What ImGui has not seen yet: of each picture it learns one press or release.
     int64_t lastFrame;
     bool released[RKEY_COUNT]; // Keys that went up since the last frame, which has to see them down.
@@ -355,7 +355,7 @@ static bool isOver(const RPanels *p, float x, float y) {
     return false;
 }
 
-static bool takeKey(ImGuiIO &io, const REvent *e) {
+static bool handleKey(ImGuiIO &io, const REvent *e) {
     if (!io.WantTextInput || e->key <= RKEY_NONE || e->key >= RKEY_COUNT)
         return false;
     io.KeysDown[e->key] = true;
@@ -364,7 +364,7 @@ static bool takeKey(ImGuiIO &io, const REvent *e) {
     return true;
 }
 
-bool r_panelsTake(RRender *rc, const REvent *e) {
+bool r_panelsHandle(RRender *rc, const REvent *e) {
     RPanels *p = rc->m_pViewer->panels;
     if (!p)
         return false;
@@ -374,24 +374,24 @@ bool r_panelsTake(RRender *rc, const REvent *e) {
     const float x = static_cast<float>(e->x), y = static_cast<float>(e->y);
     if ((e->kind == rMouseDown || e->kind == rMouseUp || e->kind == rMouseMove) && r_grow(p->mouse, 1))
         p->mouse.items[p->mouse.count++] = *e;
-    bool taken;
+    bool isHandled;
     switch (e->kind) {
     case rMouseDown:
-        p->taken |= isOver(p, x, y) ? bit : 0;
-        return (p->taken & bit) != 0;
+        p->isHandled |= isOver(p, x, y) ? bit : 0;
+        return (p->isHandled & bit) != 0;
     case rMouseUp:
-        taken = (p->taken & bit) != 0;
-        p->taken &= ~bit;
-        return taken;
+        isHandled = (p->isHandled & bit) != 0;
+        p->isHandled &= ~bit;
+        return isHandled;
     case rMouseMove:
-        return p->taken != 0;
+        return p->isHandled != 0;
     case rWheel:
         if (!isOver(p, x, y))
             return false;
         io.MouseWheel += static_cast<float>(e->which);
         return true;
     case rKeyDown:
-        return takeKey(io, e);
+        return handleKey(io, e);
     case rKeyUp:
         if (e->key > RKEY_NONE && e->key < RKEY_COUNT)
             p->released[e->key] = true;

@@ -36,7 +36,7 @@ static bool save(RRender *rc, const char *path) {
     return done;
 }
 
-static void tell(const RRender *rc, const char *what) {
+static void printMessage(const RRender *rc, const char *what) {
     MeInfo(0, "wrote %s (%dx%d)", what, rc->m_pViewer->width, rc->m_pViewer->height);
     fflush(stdout); /* Somebody may be waiting for it at the other end of a pipe. */
 }
@@ -57,7 +57,7 @@ static void numbered(const char *file, int number, char *out) {
 }
 
 /* F2: the next number that is free in the working directory. */
-static void writeAsked(RRender *rc) {
+static void writeRequested(RRender *rc) {
     char base[64], file[80], path[PATH_SIZE];
     baseName(rc, base, sizeof base);
     snprintf(file, sizeof file, "%s.png", base);
@@ -67,7 +67,7 @@ static void writeAsked(RRender *rc) {
             break;
     }
     if (save(rc, path))
-        tell(rc, path);
+        printMessage(rc, path);
 }
 
 void r_pictureFrame(RRender *rc) {
@@ -75,9 +75,9 @@ void r_pictureFrame(RRender *rc) {
     const RRenderOptions *o = &rc->m_Options;
     char path[PATH_SIZE];
     r_filmFrame(rc);
-    if (loop->pictureAsked) {
-        loop->pictureAsked = false;
-        writeAsked(rc);
+    if (loop->pictureRequested) {
+        loop->pictureRequested = false;
+        writeRequested(rc);
     }
     if (o->m_nEvery && o->m_Screenshot[0] && loop->frames % o->m_nEvery == 0) {
         numbered(o->m_Screenshot, loop->pictures + 1, path);
@@ -94,7 +94,7 @@ void r_pictureEnd(RRender *rc) {
         numbered(o->m_Screenshot, rc->m_pViewer->loop.pictures, path);
         snprintf(text, sizeof text, "%d pictures, the last one %s", rc->m_pViewer->loop.pictures, path);
         if (rc->m_pViewer->loop.pictures > 0)
-            tell(rc, text);
+            printMessage(rc, text);
         return;
     }
     if (o->m_Screenshot[0]) {
@@ -106,5 +106,5 @@ void r_pictureEnd(RRender *rc) {
         return;
     }
     if (save(rc, path))
-        tell(rc, path);
+        printMessage(rc, path);
 }

@@ -49,7 +49,7 @@ static const char *closest(const char *word) {
 }
 
 /* The first word that is left; what follows it may be its value, of which nothing is to be said. */
-static void tell(const char *left) {
+static void printRefusal(const char *left) {
     char word[LONGEST + 1];
     snprintf(word, sizeof word, "%.*s", (int)strcspn(left, "="), left);
     const char *like = closest(word);
@@ -63,17 +63,17 @@ static void tell(const char *left) {
         MeWarning(1, "%s is no option: -help lists all", word);
 }
 
-bool r_refuseRest(const MeCommandLineOptions *options) {
+bool r_refuseOthers(const MeCommandLineOptions *options) {
     if (!options || options->argc < 2)
         return false;
-    tell(options->argv[1]);
+    printRefusal(options->argv[1]);
     return true;
 }
 
 void MEAPI RRenderRefuseOptions(RRender *rc, MeCommandLineOptions *options) {
     if (!rc)
         return;
-    if (!r_isContext(rc, __func__) || (!rc->m_pViewer->isMistaken && !r_refuseRest(options)))
+    if (!r_isContext(rc, __func__) || (!rc->m_pViewer->isMistaken && !r_refuseOthers(options)))
         return;
     RRenderContextDestroy(rc);
     MeCommandLineOptionsDestroy(options);

@@ -220,18 +220,18 @@ static void MEAPI say(const int level, const char *const string) {
 }
 
 START_TEST(messages_that_wait_are_sent_by_their_keys) {
-    MeHeldMessages first = {0}, second = {0}, *held[] = {&first, &second};
+    MeMessageBuffer first = {0}, second = {0}, *held[] = {&first, &second};
     MeSetWarningShow(say);
-    ck_assert_ptr_null(MeMessagesHold(&first));
+    ck_assert_ptr_null(MeMessagesBuffer(&first));
     first.key = 5;
     MeWarning(1, "is %s", "e");
     MeWarning(1, "is %s", "f");
     first.key = 1;
     MeWarning(1, "is %s", "a");
-    ck_assert_ptr_eq(MeMessagesHold(&second), &first);
+    ck_assert_ptr_eq(MeMessagesBuffer(&second), &first);
     second.key = 3;
     MeWarning(1, "is %s", "c");
-    ck_assert_ptr_eq(MeMessagesHold(NULL), &second);
+    ck_assert_ptr_eq(MeMessagesBuffer(NULL), &second);
     ck_assert_str_eq(said, "");
     MeMessagesSend(held, 2);
     ck_assert_str_eq(said, " a c e f");

@@ -13,7 +13,7 @@ TREE, BUILD = os.path.join(PLACE, 'tree'), os.path.join(PLACE, 'build')
 # name: (the fuzzer, file, what is there, what is put there, maybe another file ...)
 FAULTS = {
     'callbacks-destroy-at-once':
-        ('calls', 'MeGlobals/src/me_stage.c', 'return MeStageIsHeld(stage, level) ? MeWhenStageEnds : MeWhenNow;',
+        ('calls', 'MeGlobals/src/me_stage.c', 'return MeStageIsActive(stage, level) ? MeWhenStageEnds : MeWhenNow;',
          'return level < 0 ? MeWhenStageEnds : MeWhenNow;'),
     'body-keeps-its-models':
         ('calls', 'Mdt/src/record/MdtBody.c', '    if (b->user)\n        b->user->leave(b);\n', ''),

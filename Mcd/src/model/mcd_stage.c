@@ -29,7 +29,7 @@ MeStage *MEAPI McdFrameworkGetStage(McdFrameworkID frame) {
 
 MeStage *MEAPI McdModelGetGuardStage(McdModelID cm) {
     MeStage *stage = &mcd_record(cm)->frame->stage;
-    return MeStageIsHeld(stage, MCD_GUARD_MODELS) ? stage : 0;
+    return MeStageIsActive(stage, MCD_GUARD_MODELS) ? stage : 0;
 }
 
 MeWhen mcd_when(McdFramework *frame, const MeLater *later, const char *function) {
@@ -44,7 +44,7 @@ McdModelRecord *mcd_laterModel(const MeLater *later) {
 }
 
 MeBool mcd_mayPlace(const McdFramework *frame, const char *function) {
-    if (!MeStageIsHeld(&frame->stage, MCD_GUARD_SHAPES))
+    if (!MeStageIsActive(&frame->stage, MCD_GUARD_SHAPES))
         return METRUE;
     MeProgramRefuse(function, "models are being tested");
     return MEFALSE;

@@ -26,7 +26,7 @@ static MeBool checkInside(McdSpaceID s, const char *function) {
 }
 
 static MeBool areModelsGuarded(const McdSpace *s) {
-    return MeStageIsHeld(&s->frame->stage, MCD_GUARD_MODELS);
+    return MeStageIsActive(&s->frame->stage, MCD_GUARD_MODELS);
 }
 
 static void endBlock(McdSpace *s) {
@@ -841,7 +841,7 @@ void MEAPI McdSpaceUpdateModel(McdModelID cm) {
     McdProxy *p = proxyOf(cm, "McdSpaceUpdateModel");
     if (!p || !checkInside(p->model->space, "McdSpaceUpdateModel"))
         return;
-    if (MeStageIsHeld(&p->model->frame->stage, MCD_GUARD_SHAPES))
+    if (MeStageIsActive(&p->model->frame->stage, MCD_GUARD_SHAPES))
         return; /* the next update finds it */
     if (p->isFrozen)
         MeWarning(1, "McdSpaceUpdateModel: the model is frozen: see McdSpaceUnfreezeModel");

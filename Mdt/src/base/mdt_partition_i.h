@@ -79,8 +79,8 @@ typedef struct MdtCertificateInputs {
 typedef struct MdtWorker {
     MeChunk scratch, ranking; /* of Kea and contacts; of contacts, to rank them */
     MdtKeaCache *keaCache;
-    MeHeldMessages messages; /* by partition */
-    int surfaceProblems;     /* of contacts that it packed (MdtContactParams.c) */
+    MeMessageBuffer messages; /* by partition */
+    int surfaceProblems;      /* of contacts that it packed (MdtContactParams.c) */
 } MdtWorker;
 
 #endif

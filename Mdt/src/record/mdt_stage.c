@@ -25,7 +25,7 @@ MeWhen mdt_when(MdtWorldID w, int level, const char *caller, const MeLater *late
 }
 
 MeBool mdt_mayChangeState(const MdtBody *b, const char *caller) {
-    if (b->partition < 0 || !MeStageIsHeld(&b->world->stage, MDT_GUARD_STATES))
+    if (b->partition < 0 || !MeStageIsActive(&b->world->stage, MDT_GUARD_STATES))
         return METRUE;
     MeProgramRefuse(caller, "a partition is being solved");
     return MEFALSE;
@@ -51,7 +51,7 @@ static void MEAPI destroyBody(const MeLater *later);
 /* The stage that keeps the body from going: its world's, or that of its models. */
 static MeStage *holderOf(MdtBodyID b) {
     MeStage *own = &b->world->stage, *user = b->user ? b->user->guardOf(b) : NULL;
-    return MeStageIsHeld(own, MDT_GUARD_BODIES) ? own : user;
+    return MeStageIsActive(own, MDT_GUARD_BODIES) ? own : user;
 }
 
 static MeBool deferDestroy(MeStage *stage, MdtBodyID b, const char *caller) {

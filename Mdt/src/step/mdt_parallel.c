@@ -103,13 +103,13 @@ static void stepOn(const Stepping *s, MdtIsland *p, int worker, MeTeam *team) {
     p->worker = &s->world->workers[worker];
     p->team = team;
     p->clock = &p->lap;
-    MeHeldMessages *const before = MeMessagesHold(&p->worker->messages);
+    MeMessageBuffer *const before = MeMessagesBuffer(&p->worker->messages);
     p->worker->messages.key = p->number;
     if (p->numMembers > 0)
         mdt_batchAdvance(p);
     else
         mdt_islandAdvance(p, s->safely);
-    MeMessagesHold(before);
+    MeMessagesBuffer(before);
 }
 
 static void stepPartition(const Stepping *s, int partition, int worker, MeTeam *team) {
@@ -180,7 +180,7 @@ static void MEAPI doTask(void *context, int task, int worker) {
 }
 
 static void sendMessages(MdtWorldID w) {
-    MeHeldMessages *buffered[MeTaskMaxWorkers];
+    MeMessageBuffer *buffered[MeTaskMaxWorkers];
     for (int i = 0; i < w->numWorkers; i++)
         buffered[i] = &w->workers[i].messages;
     MeMessagesSend(buffered, w->numWorkers);

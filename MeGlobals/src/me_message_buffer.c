@@ -1,0 +1,80 @@
+/* Messages that wait until the program may be told (MeInternal.h). */
+#include "MeInternal.h"
+#include "MeMessage_i.h"
+#include <stdio.h>
+#include <string.h>
+
+typedef struct MeBufferedMessage {
+    struct MeBufferedMessage *next;
+    MeSender sender;
+    int level, key;
+    char text[MeMAXMESSAGE];
+} MeBufferedMessage;
+
+/* Null: this thread's messages do not wait. */
+static _Thread_local MeMessageBuffer *holder;
+
+MeMessageBuffer *MEAPI MeMessagesBuffer(MeMessageBuffer *buffered) {
+    MeMessageBuffer *const before = holder;
+    holder = buffered;
+    return before;
+}
+
+/* Where there is no memory to keep it in, it does not wait. */
+MeBool me_messageBuffer(MeSender sender, int level, const char *format, va_list ap) {
+    MeMessageBuffer *const buffered = holder;
+    if (!buffered)
+        return MEFALSE;
+    holder = NULL; /* of memory nothing is said twice */
+    MeBufferedMessage *m = MeMemoryTake(1, sizeof *m, "MeMessagesBuffer", "a message");
+    holder = buffered;
+    if (!m)
+        return MEFALSE;
+    *m = (MeBufferedMessage){.sender = sender, .level = level, .key = buffered->key};
+    vsnprintf(m->text, sizeof m->text, format, ap);
+    if (buffered->last)
+        buffered->last->next = m;
+    else
+        buffered->first = m;
+    buffered->last = m;
+    return METRUE;
+}
+
+/* The first of those with the least key; -1: none waits. */
+static int minKeyOf(MeMessageBuffer *const buffered[], int count) {
+    int least = -1;
+    for (int i = 0; i < count; i++)
+        if (buffered[i]->first && (least < 0 || buffered[i]->first->key < buffered[least]->first->key))
+            least = i;
+    return least;
+}
+
+/* A worker takes keys in any order. */
+static void sortByKey(MeMessageBuffer *buffered) {
+    MeBufferedMessage *sorted = NULL, *last = NULL;
+    while (buffered->first) {
+        MeBufferedMessage *m = buffered->first, **at = &sorted;
+        buffered->first = m->next;
+        while (*at && (*at)->key <= m->key)
+            at = &(*at)->next;
+        m->next = *at;
+        *at = m;
+        if (!m->next)
+            last = m;
+    }
+    buffered->first = sorted;
+    buffered->last = last;
+}
+
+void MEAPI MeMessagesSend(MeMessageBuffer *const buffered[], int count) {
+    for (int i = 0; i < count; i++)
+        sortByKey(buffered[i]);
+    for (int i = minKeyOf(buffered, count); i >= 0; i = minKeyOf(buffered, count)) {
+        MeBufferedMessage *m = buffered[i]->first;
+        buffered[i]->first = m->next;
+        if (!m->next)
+            buffered[i]->last = NULL;
+        m->sender(m->level, "%s", m->text);
+        MeMemoryGive(m);
+    }
+}
