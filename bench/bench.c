@@ -486,10 +486,10 @@ static int countShares(const Options *o) {
 
 /* The rest takes as long a share as those that are done, if it is known yet, and no longer than is allowed. */
 static void tellProgress(const Options *o, const Scene *s, int done, int shares, double spent) {
-    const double left = done ? spent / done * (shares - done) : 0, most = o->total > 0 ? o->total - spent : INFINITY;
+    const double left = done ? spent / done * (shares - done) : 0, max = o->total > 0 ? o->total - spent : INFINITY;
     fprintf(stderr, "%d %%, %s", 100 * done / shares, s->name);
     if (done)
-        fprintf(stderr, ", about %.0f s left", fmax(fmin(left, most), 0));
+        fprintf(stderr, ", about %.0f s left", fmax(fmin(left, max), 0));
     fputc('\n', stderr);
 }
 

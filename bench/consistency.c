@@ -14,12 +14,12 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { FINEST = 64, SPAN = 6 /* frames */, MOST_SPANS = 10, FEW_SPANS = 2 };
+enum { FINEST = 64, SPAN = 6 /* frames */, MAX_SPANS = 10, FEW_SPANS = 2 };
 
 static const char *const names[] = {"erez-chain", "erez-capsules", "erez-humanoid", "erez-grasp"};
 static const int divisions[] = {1, 2, 4, 8, 16};
 
-static SceneState kept[MOST_SPANS + 1][SCENE_MAX_BODIES];
+static SceneState kept[MAX_SPANS + 1][SCENE_MAX_BODIES];
 
 /* The same world as it is in these states. Stops are left out, since angles begin anew at 0. */
 static void moveTo(const SceneWorld *from, const SceneState states[], SceneWorld *to) {
@@ -113,7 +113,7 @@ static void runScene(const Scene *s, int spans) {
 }
 
 int main(int argc, char *argv[]) {
-    int spans = MOST_SPANS;
+    int spans = MAX_SPANS;
     for (int i = 1; i < argc; i++)
         if (strcmp(argv[i], "--quick") == 0)
             spans = FEW_SPANS;

@@ -17,7 +17,7 @@
 
 #define LOOP 1e-6 /* s, to begin and end a loop (MeTeam.h) */
 
-enum { MOST_CORES = 16, MOST_STAGES = 32 };
+enum { MAX_CORES = 16, MAX_STAGES = 32 };
 
 /* Where one thread works alone. */
 typedef struct Stage {
@@ -33,14 +33,14 @@ typedef struct Watch {
     double *made, *used; /* s, by item of the loop; `room` of each */
     int room;
     double work, span; /* s, of all that was told: on one core, and on so many */
-    Stage stage[MOST_STAGES];
+    Stage stage[MAX_STAGES];
     int stages;
 } Watch;
 
 /* ---- tasks that wait --------------------------------------------------------------------------------------------- */
 
-static MeTaskCB waiting[MOST_CORES];
-static void *waitingContext[MOST_CORES];
+static MeTaskCB waiting[MAX_CORES];
+static void *waitingContext[MAX_CORES];
 static int numWaiting;
 
 static void *MEAPI keepTask(MeTaskCB task, void *taskContext, void *userContext) {
@@ -79,8 +79,8 @@ static double latest(const double free[], int cores) {
 }
 
 static double spanOfLoop(const Watch *w) {
-    double free[MOST_CORES] = {0};
-    int next[MOST_CORES];
+    double free[MAX_CORES] = {0};
+    int next[MAX_CORES];
     for (int i = 0; i < w->cores; i++)
         next[i] = startOf(w, i);
     for (int left = w->items; left > 0; left--) {
@@ -95,7 +95,7 @@ static double spanOfLoop(const Watch *w) {
 
 /* Core 0 makes items too, where the next one to be used is not begun. */
 static double spanOfPipe(const Watch *w, double *doneAt) {
-    double free[MOST_CORES] = {0};
+    double free[MAX_CORES] = {0};
     for (int made = 0, used = 0; used < w->items;) {
         const int core = earliest(free, w->cores);
         const int mayMake = made < w->items && made < used + w->ahead;
@@ -120,7 +120,7 @@ static void addAlone(Watch *w, double time, const char *suffix) {
     snprintf(name, sizeof name, "%s%s", section ? section : "the rest", suffix);
     while (i < w->stages && strcmp(w->stage[i].name, name) != 0)
         i++;
-    if (i == MOST_STAGES)
+    if (i == MAX_STAGES)
         abort();
     if (i == w->stages) {
         w->stage[w->stages++] = (Stage){.time = 0};
@@ -232,7 +232,7 @@ void critical_tell(const char *name, MstUniverseID (*make)(void), int steps) {
     MeProfileStartTiming(mode, kMeProfileDontLog);
     MeProfileWatch(hearSection, &w);
     printf("%-14s", name);
-    for (int cores = 2; cores <= MOST_CORES; cores *= 2) {
+    for (int cores = 2; cores <= MAX_CORES; cores *= 2) {
         w.cores = cores;
         run(&w, make(), steps);
         printf(" %6.2f", w.work / w.span);

@@ -19,7 +19,7 @@
 #define G  9.81
 #define PI 3.14159265358979323846
 
-enum { MOST = 64 };
+enum { MAX = 64 };
 
 typedef enum Joint { BALL, HINGE, UNIVERSAL, JOINTS } Joint;
 
@@ -40,7 +40,7 @@ static double *parameter(Case *c, int which) {
 }
 
 static MstUniverseID u;
-static McdModelID model[MOST];
+static McdModelID model[MAX];
 static int count, fallbacks;
 static MeMatrix4 ground;
 
@@ -189,14 +189,14 @@ static double chain(const Case *c) {
         MdtBodySetAngularVelocity(body(i), 0, (MeReal)(-c->speed / (10 * c->size)), 0);
     }
     letPass();
-    const double start = energy(G), most = energy(0);
+    const double start = energy(G), max = energy(0);
     for (int i = stepsIn(c, 5); i > 0; i--) {
         MdtReport r;
         step(c);
         MdtWorldGetReport(u->world, &r);
         gap = fmax(gap, (double)r.jointGap / c->size);
     }
-    return end(fmax(gap, fabs(energy(G) - start) / most));
+    return end(fmax(gap, fabs(energy(G) - start) / max));
 }
 
 /* The period of a pendulum, by the arithmetic-geometric mean. */

@@ -17,7 +17,7 @@ enum { STRETCH = 60 }; /* steps */
 
 typedef struct Sum {
     double factorizations, passes, parts, stages, time; /* s */
-    int most, inexact, steps;                           /* steps: of single dolls */
+    int max, inexact, steps;                            /* steps: of single dolls */
 } Sum;
 
 static MstUniverseID universe;
@@ -62,7 +62,7 @@ static void add(Sum *sum) {
         sum->parts += r.parts;
         sum->stages += r.stages;
         sum->time += (double)r.time[MdtReportStageSolve];
-        sum->most = r.factorizations > sum->most ? r.factorizations : sum->most;
+        sum->max = r.factorizations > sum->max ? r.factorizations : sum->max;
         sum->inexact += r.fallbacks > 0;
     }
 }
@@ -72,7 +72,7 @@ static void tell(const Sum *sum, int steps, int dolls) {
     double open = 0;
     for (int i = 0; i < dolls; i++)
         open = fmax(open, doll_opening(&doll[i]));
-    printf("| %d | %.1f | %d | %.2f | %.2f | %.2f | %d | %.4f | %.1e |\n", steps, sum->factorizations / n, sum->most,
+    printf("| %d | %.1f | %d | %.2f | %.2f | %.2f | %d | %.4f | %.1e |\n", steps, sum->factorizations / n, sum->max,
            sum->passes / n, sum->parts / n, sum->stages / n, sum->inexact, 1e3 * sum->time / n, open);
     fflush(stdout);
 }

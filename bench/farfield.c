@@ -29,9 +29,9 @@ typedef struct Motion {
     double (*place)[3], (*velocity)[3];
 } Motion;
 
-static double randomUpTo(unsigned long long *seed, double most) {
+static double randomUpTo(unsigned long long *seed, double max) {
     *seed = *seed * 6364136223846793005ull + 1442695040888963407ull;
-    return most * (double)(*seed >> 11) / 9007199254740992.0;
+    return max * (double)(*seed >> 11) / 9007199254740992.0;
 }
 
 static Motion makeMotion(int boxes, double percent) {

@@ -83,31 +83,31 @@ static Heap makeHeap(int boxes, int steps, int side, double budget, MeBool isSwe
 enum { STRETCH = 100 }; /* steps */
 
 /* Mean and largest overlap, m. */
-static void measureDepths(const Heap *h, double *mean, double *most) {
+static void measureDepths(const Heap *h, double *mean, double *max) {
     int count = 0;
-    *mean = *most = 0;
+    *mean = *max = 0;
     for (MdtBodyID b = MdtBodyGetFirst(h->universe->world); b; b = MdtBodyGetNext(b))
         for (MdtContactID c = MdtBodyGetFirstContact(b); c; c = MdtBodyGetNextContact(b, c), count++) {
             const double depth = fmax((double)MdtContactGetPenetration(c), 0);
             *mean += depth;
-            *most = fmax(*most, depth);
+            *max = fmax(*max, depth);
         }
     *mean /= count > 0 ? count : 1;
 }
 
 static void tellStretch(const Heap *h) {
-    double times[STRETCH], outside[STRETCH], sum = 0, mean, most;
+    double times[STRETCH], outside[STRETCH], sum = 0, mean, max;
     const int from = h->steps - STRETCH;
     memcpy(times, h->times + from, sizeof times);
     memcpy(outside, h->outside + from, sizeof outside);
     for (int i = 0; i < STRETCH; i++)
         sum += times[i];
-    measureDepths(h, &mean, &most);
+    measureDepths(h, &mean, &max);
     const double middle = median(times, STRETCH), middleOutside = median(outside, STRETCH);
     printf(
         "to %5d  mean %.3f ms, median %.3f ms, outside %.3f ms, worst %.1f ms; overlaps %.3g m on average, %.3g m at "
         "most; %.3g J; %d awake\n",
-        h->steps, 1e3 * sum / STRETCH, 1e3 * middle, 1e3 * middleOutside, 1e3 * times[STRETCH - 1], mean, most,
+        h->steps, 1e3 * sum / STRETCH, 1e3 * middle, 1e3 * middleOutside, 1e3 * times[STRETCH - 1], mean, max,
         (double)h->report.kineticEnergy, MdtWorldGetEnabledBodies(h->universe->world));
 }
 

@@ -14,11 +14,11 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { MOST = 1000 };
+enum { MAX = 1000 };
 
 static MstUniverseID universe;
 static McdGeometryID cube;
-static McdModelID model[MOST];
+static McdModelID model[MAX];
 static int boxes;
 static double budget; /* millions of multiplications; 0: no bound */
 

@@ -18,7 +18,7 @@ enum { RUNS = 3 };
 
 typedef struct Cost {
     double *time; /* s, of each step */
-    int factorizations, most;
+    int factorizations, max;
 } Cost;
 
 /* Makes the n-th scene, of which the wall is the last; returns how many bodies it has. */
@@ -48,7 +48,7 @@ static int run(int scene, MdtSolver solver, int steps, Cost *cost, MeBool isFirs
         cost->time[i] = isFirst || time < cost->time[i] ? time : cost->time[i];
         MdtWorldGetReport(u->world, &r);
         cost->factorizations += isFirst ? r.factorizations : 0;
-        cost->most = MeMAX(cost->most, r.factorizations);
+        cost->max = MeMAX(cost->max, r.factorizations);
     }
     MstUniverseDestroy(u);
     return bodies;
@@ -60,7 +60,7 @@ static void tell(const char *name, int bodies, int steps, const Cost *c) {
         sum += c->time[i];
     const double middle = median(c->time, steps);
     printf("| %s | %d | %.3f | %.3f | %.3f | %.3f | %.1f | %d |\n", name, bodies, 1e3 * sum / steps, 1e3 * middle,
-           1e3 * c->time[steps * 99 / 100], 1e3 * c->time[steps - 1], (double)c->factorizations / steps, c->most);
+           1e3 * c->time[steps * 99 / 100], 1e3 * c->time[steps - 1], (double)c->factorizations / steps, c->max);
     fflush(stdout);
 }
 

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 
 /* In the order of parameters[]. Sub-steps are powers of two: halving what is left to a step is what changes errors. */
-enum { SCENE, SOLVER, SUBSTEPS, MOST };
+enum { SCENE, SOLVER, SUBSTEPS, MAX };
 /* What a run says that made no errors. */
 enum { IMPOSSIBLE = 1, TOO_MUCH };
 
@@ -51,7 +51,7 @@ static int run(const double *parameter, double *result) {
     const double steps = bodySteps(scene, substeps);
     if (!engines_isSolverForScene(solver, scene) || run_lack(scene, solver.engine, solver.setting))
         return IMPOSSIBLE;
-    if (scene->isCrowd || steps > parameter[MOST])
+    if (scene->isCrowd || steps > parameter[MAX])
         return TOO_MUCH;
     const RunResult made = run_scene(scene, solver.engine, solver.setting, substeps, INFINITY);
     return tell(scene, &made, steps, result);

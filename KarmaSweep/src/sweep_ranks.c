@@ -74,7 +74,7 @@ void sweep_ranksEnd(SweepRanks ranks) {
 #include <mpi.h>
 
 enum { ASK = 1, RUNS, ROW, DONE };
-enum { MOST_AT_ONCE = 64 };
+enum { MAX_AT_ONCE = 64 };
 static const double beat = .5; /* s: a rank says that it lives */
 
 static double now(void) {
@@ -118,9 +118,9 @@ typedef struct Leader {
 
 static void giveRuns(Leader *l, int to, int wanted) {
     Rank *r = &l->rank[to];
-    long run[MOST_AT_ONCE];
+    long run[MAX_AT_ONCE];
     int count = 0;
-    while (count < wanted && count < MOST_AT_ONCE && (run[count] = sweep_queueTake(&l->local.queue)) >= 0)
+    while (count < wanted && count < MAX_AT_ONCE && (run[count] = sweep_queueTake(&l->local.queue)) >= 0)
         count++;
     if (r->given + count > r->room) {
         r->room = 2 * (r->given + count);
@@ -222,7 +222,7 @@ void sweep_ranksLead(SweepRanks ranks, const SweepPlan *plan, SweepJournal *jour
 /* ---- the others ---- */
 
 typedef struct Follower {
-    long run[MOST_AT_ONCE];
+    long run[MAX_AT_ONCE];
     int count;
     bool areAllAlive;
 } Follower;
@@ -251,7 +251,7 @@ static bool obey(Follower *f, bool *isAsking) {
         return false;
     if (!isThere)
         return true;
-    MPI_Recv(f->run, MOST_AT_ONCE, MPI_LONG, 0, status.MPI_TAG, MPI_COMM_WORLD, &status);
+    MPI_Recv(f->run, MAX_AT_ONCE, MPI_LONG, 0, status.MPI_TAG, MPI_COMM_WORLD, &status);
     if (status.MPI_TAG == DONE) {
         f->areAllAlive = f->run[0] == 0;
         return false;
@@ -270,7 +270,7 @@ bool sweep_ranksFollow(const SweepPlan *plan, int workers, int limit) {
     while (obey(&f, &isAsking)) {
         const bool isBusy = sweep_poolTurn(pool, 1);
         const bool wants = f.count == 0 && !isAsking && (isBusy || now() - said > .01);
-        const int most = 8 * workers < MOST_AT_ONCE ? 8 * workers : MOST_AT_ONCE, wanted = wants ? most : 0;
+        const int most = 8 * workers < MAX_AT_ONCE ? 8 * workers : MAX_AT_ONCE, wanted = wants ? most : 0;
         if (!wants && now() - said < beat)
             continue;
         MPI_Send(&wanted, 1, MPI_INT, 0, ASK, MPI_COMM_WORLD);

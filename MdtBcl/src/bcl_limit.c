@@ -68,14 +68,14 @@ static double minRate(const MdtBclLimit *limit, int side, double rate, double pr
 /* rad/s: an upper estimate of the angular velocity that an impact in this step can give a body: its speed over its
  * least radius of gyration, sqrt(moment / mass). */
 static double spinAfterImpact(const MdtBclContext *x) {
-    double most = 0;
+    double max = 0;
     for (int k = 0; k < 2; k++) {
         const MdtKeaInverseMassMatrix *m = x->invMass[k];
         const double inverse = fmax(m->inertia[0][0], fmax(m->inertia[1][1], m->inertia[2][2]));
         if (m->mass > 0)
-            most = fmax(most, keaLength(x->velocity[k]->lin) * sqrt(inverse / m->mass));
+            max = fmax(max, keaLength(x->velocity[k]->lin) * sqrt(inverse / m->mass));
     }
-    return most;
+    return max;
 }
 
 static MeBool isAngle(const MdtKeaRow *coordinate) {

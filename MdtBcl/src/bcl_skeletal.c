@@ -105,9 +105,9 @@ static int lockedSwings(const MdtBclSkeletal *s) {
 }
 
 static MeBool hasCone(const MdtBclSkeletal *s) {
-    const MeReal least = s->primary < s->secondary ? s->primary : s->secondary;
+    const MeReal min = s->primary < s->secondary ? s->primary : s->secondary;
     return s->coneOption == MdtSkeletalConeOptionSlot ? s->primary < ME_PI
-                                                      : s->coneOption == MdtSkeletalConeOptionCone && least < ME_PI;
+                                                      : s->coneOption == MdtSkeletalConeOptionCone && min < ME_PI;
 }
 
 /* rad: the coordinate that the cone limits, positive outside: (f - 1) / |∇f|, with |∇f| of the start of the step; in a

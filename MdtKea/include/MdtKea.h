@@ -440,10 +440,10 @@ MEPUBLIC MeBool MEAPI MdtKeaFlies(MdtKeaSystem *system);
  * first impact after which a contact is closed. Needs the rows of this step, and leaves none; MdtKeaIntegrate follows.
  * Writes the sums of the impulses, N s, into the points' force, and report.work and .impacts.
  * @param least       s, 0 < least < the step's: what counts as no time
- * @param mostImpacts after so many it ends
+ * @param maxImpacts after so many it ends
  * @return s, how far the bodies have come, least at the least; it is then the system's stepsize
  */
-MEPUBLIC double MEAPI MdtKeaFly(MdtKeaSystem *system, double least, int mostImpacts);
+MEPUBLIC double MEAPI MdtKeaFly(MdtKeaSystem *system, double least, int maxImpacts);
 
 /** The angular velocity of a body, rad/s, world frame. */
 MEPUBLIC void MEAPI MdtKeaBodyGetAngularVelocity(const MdtKeaBody *body, double w[3]);

@@ -75,13 +75,13 @@ size_t MEAPI MdtKeaScratchSize(int numBodies, int maxRows, int maxContacts) {
 }
 
 int MEAPI MdtKeaMemoryRequired(const int num_rows_exc_padding[], int num_partitions, int max_rows, int max_bodies) {
-    size_t most = 0;
+    size_t max = 0;
     for (int i = 0; i < num_partitions; i++) {
         const int rows = num_rows_exc_padding ? num_rows_exc_padding[i] : max_rows;
         const size_t bytes = MdtKeaScratchSize(max_bodies, rows, rows);
-        most = bytes > most ? bytes : most;
+        max = bytes > max ? bytes : max;
     }
-    return most > (size_t)INT32_MAX ? INT32_MAX : (int)most;
+    return max > (size_t)INT32_MAX ? INT32_MAX : (int)max;
 }
 
 /* The rule for order (MeTeam.h), here and as bodies are committed: a range writes to its own bodies alone. */

@@ -21,13 +21,13 @@ struct MeAppTerrain {
 /* ---- life -------------------------------------------------------------------------------------------------------- */
 
 static MeBool areGood(const char *function, int points, MeReal cell, MeAppHeightCB height) {
-    enum { MOST = 4097 };
-    if (height && points >= 2 && points <= MOST && cell > 0 && MeRealIsValid(cell))
+    enum { MAX = 4097 };
+    if (height && points >= 2 && points <= MAX && cell > 0 && MeRealIsValid(cell))
         return METRUE;
     MeWarning(1, "%s: %s", function,
-              !height                       ? "height is null"
-              : points < 2 || points > MOST ? "points must be 2 to 4097"
-                                            : "cell must be above 0");
+              !height                      ? "height is null"
+              : points < 2 || points > MAX ? "points must be 2 to 4097"
+                                           : "cell must be above 0");
     return MEFALSE;
 }
 

@@ -213,7 +213,7 @@ MEPUBLIC void MEAPI MeProfileWatch(void(MEAPI *watch)(void *watchContext), void 
 
 /** How many of something there may be. */
 typedef struct MeLimit {
-    int most;         /**< MeNoLimit: as many as there is memory for. */
+    int max;          /**< MeNoLimit: as many as there is memory for. */
     const char *name; /**< What the program is to raise: "McdInit's modelCount". */
     MeBool isSaidOnce, wasSaid;
 } MeLimit;

@@ -102,8 +102,8 @@ static inline int PrevMod4(const int i) {
 
 /** The position of the smallest of three numbers, of equal ones the first. */
 static inline MeI32 MinIndex(const MeReal a[3]) {
-    const MeI32 least = a[1] < a[0] ? 1 : 0;
-    return a[2] < a[least] ? 2 : least;
+    const MeI32 min = a[1] < a[0] ? 1 : 0;
+    return a[2] < a[min] ? 2 : min;
 }
 
 /** The positions of three numbers in ascending order: a[index[0]] <= a[index[1]] <= a[index[2]]. Equal

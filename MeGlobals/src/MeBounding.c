@@ -108,12 +108,12 @@ static int newSupport(double point[SUPPORT + 1][DIM], int count, Ball *ball) {
 
 /* The point farthest from the centre. */
 static void farthest(MeVector3 *points, int count, const double centre[DIM], double found[DIM]) {
-    double most = -1;
+    double max = -1;
     memcpy(found, centre, DIM * sizeof *found);
     for (int i = 0; i < count; i++) {
         const double p[DIM] = {(double)points[i][0], (double)points[i][1], (double)points[i][2]};
-        if (squaredDistance(p, centre) > most) {
-            most = squaredDistance(p, centre);
+        if (squaredDistance(p, centre) > max) {
+            max = squaredDistance(p, centre);
             memcpy(found, p, sizeof p);
         }
     }

@@ -86,7 +86,7 @@ int MEAPI MeHeapPush(MeHeap *h, void *item) {
 void *MEAPI MeHeapPop(MeHeap *h) {
     if (!isHeap(h, __func__) || h->count == 0)
         return NULL;
-    void *least = h->item[0];
+    void *min = h->item[0];
     h->item[0] = h->item[--h->count];
     for (int i = 0, child = 1; child < h->count; i = child, child = 2 * i + 1) {
         if (child + 1 < h->count && isBefore(h, child + 1, child))
@@ -96,5 +96,5 @@ void *MEAPI MeHeapPop(MeHeap *h) {
         swap(h, i, child);
     }
     MEVALIDATE(isInOrder(h));
-    return least;
+    return min;
 }

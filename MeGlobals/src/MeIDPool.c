@@ -7,7 +7,7 @@
 #include <limits.h>
 #include <string.h>
 
-enum { BITS = 32, MOST = INT_MAX / BITS * BITS }; /* whole words, in an int */
+enum { BITS = 32, MAX = INT_MAX / BITS * BITS }; /* whole words, in an int */
 
 static MeBool isPool(const MeIDPool *pool, const char *function) {
     if (!pool) {
@@ -82,11 +82,11 @@ int MEAPI MeIDPoolRequestID(MeIDPool *pool) {
     if (!isPool(pool, __func__))
         return -1;
     const int id = pool->firstFree;
-    if (id >= MOST) {
-        MeWarning(1, "MeIDPoolRequestID: all %d numbers are taken", MOST);
+    if (id >= MAX) {
+        MeWarning(1, "MeIDPoolRequestID: all %d numbers are taken", MAX);
         return -1;
     }
-    if (id / BITS >= pool->words && !growTo(pool, MeMIN(MeMAX(2 * pool->words, 1), MOST / BITS), __func__))
+    if (id / BITS >= pool->words && !growTo(pool, MeMIN(MeMAX(2 * pool->words, 1), MAX / BITS), __func__))
         return -1;
     MEASSERT(!isTaken(pool, id));
     pool->taken[id / BITS] |= (MeU32)1 << id % BITS;
@@ -111,5 +111,5 @@ void MEAPI MeIDPoolReturnID(MeIDPool *pool, int id) {
 }
 
 MeBool MEAPI MeIDPoolIsEmpty(MeIDPool *pool) {
-    return isPool(pool, __func__) && pool->count >= MOST;
+    return isPool(pool, __func__) && pool->count >= MAX;
 }

@@ -333,11 +333,11 @@ void MEAPI MeMatrixPrint(const MeReal *const A, const int n, const int m, const 
 /* ---- packed triangles ---- */
 
 /* So many have an index that is an int. */
-enum { MOST_COLUMNS = 46340 };
+enum { MAX_COLUMNS = 46340 };
 
 /* The index in a triangle whose row i starts at column i + gap, or -1 with a warning. */
 static int triangleIndex(const char *function, int row, int col, int n, int gap) {
-    if (n > MOST_COLUMNS || row < 0 || col < 0 || col >= n || col - gap < row) {
+    if (n > MAX_COLUMNS || row < 0 || col < 0 || col >= n || col - gap < row) {
         MeWarning(1, "%s: row %d, column %d of %d is not stored", function, row, col, n);
         return -1;
     }
@@ -354,9 +354,9 @@ int MEAPI MeSymUpperDiagonalIndex(const int inRow, const int inCol, const int in
 }
 
 int MEAPI MeUpperDiagonalSize(const int inNCols) {
-    if (inNCols >= 0 && inNCols <= MOST_COLUMNS)
+    if (inNCols >= 0 && inNCols <= MAX_COLUMNS)
         return inNCols * (inNCols + 1) / 2;
-    MeWarning(1, "MeUpperDiagonalSize: %d columns: there may be 0 to %d", inNCols, MOST_COLUMNS);
+    MeWarning(1, "MeUpperDiagonalSize: %d columns: there may be 0 to %d", inNCols, MAX_COLUMNS);
     return 0;
 }
 
@@ -369,8 +369,8 @@ int MEAPI MeSymSuperDiagonalIndex(const int inRow, const int inCol, const int in
 }
 
 int MEAPI MeSuperDiagonalSize(const int inNCols) {
-    if (inNCols >= 0 && inNCols <= MOST_COLUMNS)
+    if (inNCols >= 0 && inNCols <= MAX_COLUMNS)
         return inNCols * (inNCols - 1) / 2;
-    MeWarning(1, "MeSuperDiagonalSize: %d columns: there may be 0 to %d", inNCols, MOST_COLUMNS);
+    MeWarning(1, "MeSuperDiagonalSize: %d columns: there may be 0 to %d", inNCols, MAX_COLUMNS);
     return 0;
 }

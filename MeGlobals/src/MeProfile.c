@@ -11,7 +11,7 @@
 #include <string.h>
 #include <time.h>
 
-static const int firstEvents = 1024, mostEvents = 1 << 20;
+static const int firstEvents = 1024, maxEvents = 1 << 20;
 
 MeProfileState me_profile;
 
@@ -123,8 +123,8 @@ static MeBool growLog(void) {
     MEASSERT(p->numEvents <= p->maxEvents);
     if (p->numEvents < p->maxEvents)
         return METRUE;
-    if (p->maxEvents == mostEvents) {
-        MeWarning(1, "MeProfile: the log is full with %d calls; kMeProfileLogTotals needs none", mostEvents);
+    if (p->maxEvents == maxEvents) {
+        MeWarning(1, "MeProfile: the log is full with %d calls; kMeProfileLogTotals needs none", maxEvents);
         p->logging = kMeProfileLogTotals;
         return MEFALSE;
     }

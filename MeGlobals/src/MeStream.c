@@ -188,11 +188,11 @@ size_t MEAPI MeStreamWrite(void *buffer, size_t size, size_t count, MeStream str
 }
 
 static char *lineOfMemory(MeStream stream, char *string, int n) {
-    const size_t there = stream->length - stream->place, most = MeMIN(there, (size_t)n - 1);
+    const size_t there = stream->length - stream->place, max = MeMIN(there, (size_t)n - 1);
     if (!there)
         return NULL;
-    const char *from = stream->memory + stream->place, *end = memchr(from, '\n', most);
-    const size_t length = end ? (size_t)(end - from) + 1 : most;
+    const char *from = stream->memory + stream->place, *end = memchr(from, '\n', max);
+    const size_t length = end ? (size_t)(end - from) + 1 : max;
     MEASSERT(length < (size_t)n && stream->place + length <= stream->length);
     memcpy(string, from, length);
     string[length] = 0;

@@ -83,6 +83,6 @@ void MEAPI MeLimitRename(MeLimit *limit, const char *name) {
 void MEAPI MeLimitWarn(MeLimit *limit, const char *function, const char *what) {
     if (!limit->isSaidOnce || !limit->wasSaid)
         MeWarning(1, "%s: no room for %s: raise %s, which is %d", MeCallerName(function), what, limit->name,
-                  limit->most);
+                  limit->max);
     limit->wasSaid = METRUE;
 }

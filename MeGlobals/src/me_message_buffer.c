@@ -42,11 +42,11 @@ MeBool me_messageBuffer(MeSender sender, int level, const char *format, va_list 
 
 /* The first of those with the least key; -1: none waits. */
 static int minKeyOf(MeMessageBuffer *const buffered[], int count) {
-    int least = -1;
+    int min = -1;
     for (int i = 0; i < count; i++)
-        if (buffered[i]->first && (least < 0 || buffered[i]->first->key < buffered[least]->first->key))
-            least = i;
-    return least;
+        if (buffered[i]->first && (min < 0 || buffered[i]->first->key < buffered[min]->first->key))
+            min = i;
+    return min;
 }
 
 /* A worker takes keys in any order. */

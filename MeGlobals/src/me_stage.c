@@ -4,7 +4,7 @@
 #include "MeMessage.h"
 
 /* So often may what is carried out call a function of the program that calls for more to be carried out. */
-enum { MOST_ROUNDS = 16 };
+enum { MAX_ROUNDS = 16 };
 
 typedef struct MeWaiting {
     struct MeWaiting *next;
@@ -55,11 +55,11 @@ static void carryOut(MeStage *stage) {
 
 MeBool MEAPI MeStageDefer(MeStage *stage, int level, const MeLater *later, const char *function) {
     MEASSERT(level > 0 && level < ME_STAGE_LEVELS);
-    if (stage->round == MOST_ROUNDS) {
+    if (stage->round == MAX_ROUNDS) {
         MeWarning(1,
                   "%s: what was called from functions of the program, and carried out later, has called them again %d "
                   "times; nothing is changed",
-                  function, MOST_ROUNDS);
+                  function, MAX_ROUNDS);
         return MEFALSE;
     }
     MeWaiting *w = MeMemoryTake(1, sizeof *w, function, "what has to wait");

@@ -18,7 +18,7 @@
 
 enum { LINE = 64 };                 /* bytes, of a cache line: what threads write lies apart */
 enum { ITEM_BITS = 20 };            /* of an item's number; as many of a count, and the rest of the loop's number */
-enum { MOST_AHEAD = 64 };           /* buffers of a pipe */
+enum { MAX_AHEAD = 64 };            /* buffers of a pipe */
 enum { SPINS_BEFORE_YIELD = 2000 }; /* some 50 us: longer than what is done between two loops of a solver's pass */
 
 typedef struct Share {
@@ -53,16 +53,16 @@ struct MeTeam {
     void *watchContext;
     Worker *worker;
     Loop loop;
-    const char *opener;                         /* threadMark of the thread that opened it, */
-    const char *caller;                         /* whom messages name there, */
-    fenv_t arithmetic;                          /* and how it rounds */
-    _Alignas(LINE) atomic_uint number;          /* of the loop; odd numbers: the team is closed */
-    _Alignas(LINE) atomic_int done;             /* items of a loop */
-    Share share[MeTaskMaxWorkers];              /* of a loop */
-    Share pipe;                                 /* all items of a pipe */
-    Share used;                                 /* of a pipe: how many buffers there are, and how many items are used */
-    _Alignas(LINE) atomic_int made[MOST_AHEAD]; /* by buffer: 1 + the last item that was made into it */
-    MeMessageBuffer messages[MOST_AHEAD];       /* of that item */
+    const char *opener;                        /* threadMark of the thread that opened it, */
+    const char *caller;                        /* whom messages name there, */
+    fenv_t arithmetic;                         /* and how it rounds */
+    _Alignas(LINE) atomic_uint number;         /* of the loop; odd numbers: the team is closed */
+    _Alignas(LINE) atomic_int done;            /* items of a loop */
+    Share share[MeTaskMaxWorkers];             /* of a loop */
+    Share pipe;                                /* all items of a pipe */
+    Share used;                                /* of a pipe: how many buffers there are, and how many items are used */
+    _Alignas(LINE) atomic_int made[MAX_AHEAD]; /* by buffer: 1 + the last item that was made into it */
+    MeMessageBuffer messages[MAX_AHEAD];       /* of that item */
 };
 
 static MeU64 pack(MeU64 number, int items, int next) {
@@ -449,7 +449,7 @@ void MEAPI MeTeamPipe(MeTeam *t, int items, int ahead, MeTeamWork make, MeTeamWo
         pipeAlone(items, make, use, context);
         return;
     }
-    const int buffers = MeMIN(ahead, MOST_AHEAD);
+    const int buffers = MeMIN(ahead, MAX_AHEAD);
     notifyObserver(t, MeTeamPipeBegins, items, buffers);
     const MeU64 number = describe(t, items, make, context);
     for (int i = 0; i < buffers; i++)

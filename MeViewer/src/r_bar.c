@@ -128,9 +128,9 @@ RGraphic *MEAPI RPerformanceBarCreateTicks(RRender *rc) {
 }
 
 /* A length of the bar for some seconds; what is more than twice the budget is cut. Returns where it ends. */
-static float drawPart(float x, float y, float height, float perSecond, AcmeReal seconds, float most,
+static float drawPart(float x, float y, float height, float perSecond, AcmeReal seconds, float max,
                       const float color[4]) {
-    const float end = fminf(x + fmaxf(0, seconds) * perSecond, most);
+    const float end = fminf(x + fmaxf(0, seconds) * perSecond, max);
     if (end > x)
         r_uiBox(x, y, end - x, height, 0, color);
     return end;
@@ -164,13 +164,13 @@ void r_barDraw(RRender *rc) {
     const float size = fminf(11.5f * scale, 0.94f * w / 42);
     const float left = (0.5f + 0.5f * barLeft) * w, top = (0.5f - 0.5f * barTop) * h;
     const float width = 0.5f * barWidth * w, height = fmaxf(0.5f * barHeight * h, 3);
-    const float pad = 6 * scale, perSecond = width / budget, most = left + 1.6f * width;
+    const float pad = 6 * scale, perSecond = width / budget, max = left + 1.6f * width;
     const float panelWidth = fmaxf(1.6f * width, 41 * size);
     r_uiBox(left - pad, top - pad, panelWidth + 2 * pad, height + 1.9f * size + 2 * pad, 5 * scale, r_panel);
     r_uiBox(left, top, width, height, 0, groundColor);
-    float x = drawPart(left, top, height, perSecond, bar->m_Collision, most, collisionColor);
-    x = drawPart(x, top, height, perSecond, bar->m_Dynamics, most, dynamicsColor);
-    drawPart(x, top, height, perSecond, bar->m_Render, most, renderColor);
+    float x = drawPart(left, top, height, perSecond, bar->m_Collision, max, collisionColor);
+    x = drawPart(x, top, height, perSecond, bar->m_Dynamics, max, dynamicsColor);
+    drawPart(x, top, height, perSecond, bar->m_Render, max, renderColor);
     r_uiBox(left + width - scale, top - 0.4f * pad, 2 * scale, height + 0.8f * pad, 0, r_white);
     const float y = roundf(top + height + 1.6f * size);
     x = drawLegend(left, y, size, collisionColor, "collision", 1e3 * (double)bar->m_Collision, " ms");

@@ -125,14 +125,14 @@ void MEAPI RCameraSetUp(RRender *rc, AcmeReal x, AcmeReal y, AcmeReal z) {
     AcmeReal up[3] = {x, y, z}, lights[3][3];
     if (!r_isContext(rc, __func__) || !r_isFinite(up, 3, __func__, "the axis"))
         return;
-    const AcmeReal most = fmaxf(fmaxf(fabsf(x), fabsf(y)), fabsf(z)); /* Squares would over- or underflow. */
-    if (most == 0) {
+    const AcmeReal max = fmaxf(fmaxf(fabsf(x), fabsf(y)), fabsf(z)); /* Squares would over- or underflow. */
+    if (max == 0) {
         MeWarning(1, "%s: the axis is 0: it must have a length", __func__);
         return;
     }
-    const AcmeReal length = hypotf(hypotf(x / most, y / most), z / most);
+    const AcmeReal length = hypotf(hypotf(x / max, y / max), z / max);
     for (int i = 0; i < 3; i++)
-        up[i] = up[i] / most / length;
+        up[i] = up[i] / max / length;
     r_lightsToUpright(rc, lights);
     setUpright(&rc->m_pViewer->camera, up);
     r_lightsFromUpright(rc, lights);

@@ -215,7 +215,7 @@ static float gapAbove(const Row *row, float size, bool first) {
 
 /* Rows into columns of at most a height, in their order; a heading stays with what follows. False if there are too
  * many. */
-static bool fill(Page *page, Layout *l, float most) {
+static bool fill(Page *page, Layout *l, float max) {
     int column = 0;
     float y = 0;
     l->height = 0;
@@ -223,7 +223,7 @@ static bool fill(Page *page, Layout *l, float most) {
         Row *row = &page->rows[i];
         const bool leads = row->kind == rHeading && i + 1 < page->count;
         const float needed = row->height + gapAbove(row, l->size, y == 0) + (leads ? page->rows[i + 1].height : 0);
-        if (y > 0 && y + needed > most) {
+        if (y > 0 && y + needed > max) {
             column++;
             y = 0;
         }
@@ -233,7 +233,7 @@ static bool fill(Page *page, Layout *l, float most) {
         y += row->height + gapAbove(row, l->size, y == 0);
         l->height = fmaxf(l->height, y);
     }
-    return l->height <= most;
+    return l->height <= max;
 }
 
 /* How wide the columns are; a text is no wider than `wrap`. */
@@ -265,8 +265,8 @@ static bool tryLayout(Page *page, Layout *l, float wrap, float roomX, float room
         row->height = fmaxf(row->height, l->size) + (lineHeight - 1.164f) * l->size;
         total += row->height;
     }
-    for (float most = total / (float)l->columns; most <= roomY; most += l->size) {
-        if (fill(page, l, most)) {
+    for (float max = total / (float)l->columns; max <= roomY; max += l->size) {
+        if (fill(page, l, max)) {
             measureColumns(page, l, wrap);
             return l->width <= roomX;
         }

@@ -92,11 +92,11 @@ static bool skipPrefix(const char **name, const char *end, const char *prefix) {
 
 /* "FRAME" or "FIRST-LAST"; false for what is neither. */
 static bool scriptFrames(RScriptedKey *k, const char *text, const char *end) {
-    enum { MOST = 1000000000 };
+    enum { MAX = 1000000000 };
     char *rest;
     const long first = strtol(text, &rest, 10);
     const long last = rest < end && *rest == '-' ? strtol(rest + 1, &rest, 10) : first;
-    if (rest != end || first < 1 || last < first || last >= MOST)
+    if (rest != end || first < 1 || last < first || last >= MAX)
         return false;
     k->frame = (int)first;
     k->last = (int)last;

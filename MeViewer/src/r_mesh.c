@@ -15,12 +15,12 @@ typedef struct {
     size_t mask;
 } Numbering;
 
-static bool numberingBegin(Numbering *n, size_t size, size_t most) {
+static bool numberingBegin(Numbering *n, size_t size, size_t max) {
     size_t slots = 16;
-    while (slots < 2 * most)
+    while (slots < 2 * max)
         slots *= 2;
     *n = (Numbering){.size = size, .mask = slots - 1};
-    n->things = r_alloc(size * most);
+    n->things = r_alloc(size * max);
     n->slots = r_alloc(slots * sizeof *n->slots);
     return n->things && n->slots;
 }

@@ -66,9 +66,9 @@ static void addMesh(const struct aiMesh *mesh, RObjectVertex **to) {
 }
 
 static RGraphic *graphicOf(const struct aiScene *scene, const char *function, const char *filename) {
-    enum { MOST = 100000000 };
+    enum { MAX = 100000000 };
     const size_t triangles = countTriangles(scene);
-    if (triangles == 0 || triangles > MOST) {
+    if (triangles == 0 || triangles > MAX) {
         MeWarning(1, "%s: the file %s has %s triangles", function, filename, triangles ? "too many" : "no");
         return NULL;
     }

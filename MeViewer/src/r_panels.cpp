@@ -573,11 +573,11 @@ void MEAPI RPanelPlot(const char *label, const float *values, int count, float h
     if (!canShow(__func__, label, "label") || !r_isPointer(values, __func__, "values") || count < 1)
         return;
     char text[48];
-    float most = high;
+    float max = high;
     for (int i = 0; high <= 0 && i < count; i++)
-        most = fmaxf(most, values[i]);
+        max = fmaxf(max, values[i]);
     ImFormatString(text, sizeof text, "%.3g %.32s", static_cast<double>(values[count - 1]), unit ? unit : "");
-    ImGui::PlotLines(label, values, count, 0, text, 0, most > 0 ? most : 1, ImVec2(0, 2.4f * ImGui::GetFontSize()));
+    ImGui::PlotLines(label, values, count, 0, text, 0, max > 0 ? max : 1, ImVec2(0, 2.4f * ImGui::GetFontSize()));
 }
 
 void MEAPI RPanelPicture(int texture, AcmeReal width, AcmeReal height) {

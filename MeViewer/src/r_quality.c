@@ -22,14 +22,14 @@ enum { WINDOW = 500000000 };
 /* ns: how long frames have to be short at first. */
 enum { RAISE_AFTER = 2000000000 };
 /* A raise that was a mistake doubles the time to the next one, up to so many times. */
-enum { MOST_PATIENCE = 32 };
+enum { MAX_PATIENCE = 32 };
 
 void r_qualityRestart(RQuality *q) {
     *q = (RQuality){.level = R_QUALITY_FULL, .patience = 1};
 }
 
 static void change(RQuality *q, int by) {
-    if (by < 0 && q->raised && q->patience < MOST_PATIENCE)
+    if (by < 0 && q->raised && q->patience < MAX_PATIENCE)
         q->patience *= 2;
     *q = (RQuality){.level = q->level + by, .patience = q->patience, .raised = by > 0, .isNew = true};
 }

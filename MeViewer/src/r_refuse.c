@@ -12,7 +12,7 @@ static const char *const names[] = {"-gl",      "-osmesa", "-null",    "-bench",
                                     "-workers", "-scale",  "-ground",  "-advise"};
 enum { NAMES = sizeof names / sizeof names[0], LONGEST = 31 };
 
-static int least(int a, int b) {
+static int min(int a, int b) {
     return a < b ? a : b;
 }
 
@@ -27,7 +27,7 @@ static int distance(const char *a, const char *b) {
         row[0] = i;
         for (int j = 1; j <= length; j++) {
             const int above = row[j];
-            row[j] = least(least(above, row[j - 1]) + 1, diagonal + (a[i - 1] != b[j - 1]));
+            row[j] = min(min(above, row[j - 1]) + 1, diagonal + (a[i - 1] != b[j - 1]));
             diagonal = above;
         }
     }
@@ -37,7 +37,7 @@ static int distance(const char *a, const char *b) {
 /* The option that a word most likely means, or null: two letters wrong at most, and fewer than half of them. */
 static const char *closest(const char *word) {
     const char *best = NULL;
-    int fewest = least(2, (int)strlen(word) / 2) + 1;
+    int fewest = min(2, (int)strlen(word) / 2) + 1;
     for (int i = 0; i < NAMES; i++) {
         const int wrong = distance(word, names[i]);
         if (wrong < fewest) {

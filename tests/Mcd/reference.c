@@ -545,14 +545,14 @@ double reference_distance(const McdShape *a, const McdShape *b, int directions, 
 
 double reference_outside(const McdShape *s, const double point[3]) {
     Solid x;
-    double most = -INFINITY;
+    double max = -INFINITY;
     makeSolid(s, &x);
     for (int i = 0; i < x.normals; i++)
         for (int sign = -1; sign < 2; sign += 2) {
             double n[3], top[3];
             mcd_scale(n, x.normal[i], sign / mcd_length(x.normal[i]));
             reference_support(s, n, top);
-            most = fmax(most, mcd_dot(point, n) - mcd_dot(top, n));
+            max = fmax(max, mcd_dot(point, n) - mcd_dot(top, n));
         }
-    return most;
+    return max;
 }

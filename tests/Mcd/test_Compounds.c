@@ -45,10 +45,10 @@ static McdAggregateID boxInParts(int parts, double x, double y, double z) {
 
 /* How far the normal that leans most is from vertical: its part that is level. */
 static double leanOf(const Probe *p) {
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < p->result.contactCount; i++)
-        most = fmax(most, hypot((double)p->contact[i].normal[0], (double)p->contact[i].normal[1]));
-    return most;
+        max = fmax(max, hypot((double)p->contact[i].normal[0], (double)p->contact[i].normal[1]));
+    return max;
 }
 
 /* Contacts; without them McdIntersect tells that there are none. */
@@ -58,11 +58,11 @@ static int test(Probe *p) {
     return McdIntersect(p->pair, &p->result) ? p->result.contactCount : 0;
 }
 
-static double leastSeparation(const Probe *p) {
-    double least = HUGE_VAL;
+static double minSeparation(const Probe *p) {
+    double min = HUGE_VAL;
     for (int i = 0; i < p->result.contactCount; i++)
-        least = fmin(least, (double)p->contact[i].separation);
-    return least;
+        min = fmin(min, (double)p->contact[i].separation);
+    return min;
 }
 
 /* Both at the same place: contacts, vertical but for the tilt, and the deepest one is that of the solid shapes. */
@@ -74,10 +74,10 @@ static void compareWithSolid(const double angle[3], double x, double y, double z
     /* What leans by less than 1e-6 is straight. Up to 8 degrees are let pass where nearly parallel faces have a sliver
      * in common, between edges that cross: dropped, it would not support what it lies on. */
     const MeBool isTilted = angle[0] != 0 || angle[1] != 0;
-    const double lean = leanOf(&probe), most = isTilted ? .1411 : 1e-6;
-    ck_assert_msg(lean <= most, "at %g %g %g, tilted by %g %g %g: a normal leans by %g", x, y, z, angle[0], angle[1],
+    const double lean = leanOf(&probe), max = isTilted ? .1411 : 1e-6;
+    ck_assert_msg(lean <= max, "at %g %g %g, tilted by %g %g %g: a normal leans by %g", x, y, z, angle[0], angle[1],
                   angle[2], lean);
-    assert_near(leastSeparation(&probe), leastSeparation(&solid), 4e-7); /* hulls: 2e-7 of their size */
+    assert_near(minSeparation(&probe), minSeparation(&solid), 4e-7); /* hulls: 2e-7 of their size */
 }
 
 static const double tilts[][3] = {{0, 0, 0},     {1e-4, 0, 0}, {-1e-4, 0, 0},       {0, 1e-4, 0},
@@ -358,11 +358,11 @@ START_TEST(what_is_deep_between_parts_is_pushed_out) {
                 place(probe.tm, turns[t], offs[o], 0, .45);
                 ck_assert_int_gt(test(&probe), 0);
                 McdModelGetAABB(probe.model, low, high);
-                const double lean = leanOf(&probe), most = hypot(turns[t][0], turns[t][1]);
-                ck_assert_msg(lean <= most + TOL(1e-6, 1e-12), "%g of %g", lean, most); /* of its own face */
+                const double lean = leanOf(&probe), max = hypot(turns[t][0], turns[t][1]);
+                ck_assert_msg(lean <= max + TOL(1e-6, 1e-12), "%g of %g", lean, max); /* of its own face */
                 for (int i = 0; i < probe.result.contactCount; i++)
                     ck_assert((double)probe.contact[i].normal[2] > .9);
-                assert_below(leastSeparation(&probe), ((double)low[2] - .5) * .9);
+                assert_below(minSeparation(&probe), ((double)low[2] - .5) * .9);
                 if (s == 1 && fabs(offs[o]) >= 1e-3) /* the ball's middle is below one of them */
                     ck_assert_int_eq(probe.result.contactCount, 1);
             }
@@ -420,10 +420,10 @@ static void makeCompound(Compound *c) {
 
 /* Of a point, in the compound's frame, to the box: the largest distance from a face's plane; negative: inside. */
 static double heightOver(const Box *b, const double x[3]) {
-    double most = -HUGE_VAL;
+    double max = -HUGE_VAL;
     for (int k = 0; k < 3; k++)
-        most = fmax(most, fabs(x[k] - b->at[k]) - b->half[k]);
-    return most;
+        max = fmax(max, fabs(x[k] - b->at[k]) - b->half[k]);
+    return max;
 }
 
 static void toFrame(const MeMatrix4 tm, const double world[3], double own[3]) {
@@ -550,7 +550,7 @@ START_TEST(nothing_on_the_surface_is_lost) {
                 place(relative, none, a->at[0], a->at[1], a->at[2]);
                 MeMatrix4TMCompound(solid.tm, (const MeVector4 *)relative, (const MeVector4 *)probe.tm);
                 place(solid.groundTM, none, b->at[0], b->at[1], b->at[2]);
-                if (test(&solid) > 0 && leastSeparation(&solid) < 0)
+                if (test(&solid) > 0 && minSeparation(&solid) < 0)
                     ck_assert_msg(isLeft(c, i, k), "scene %d, parts %d and %d", scene, i, k);
                 const McdContact *deepest = deepestOf(&solid);
                 if (deepest && isOutside(&c[0], i, probe.tm, deepest, -1) &&

@@ -6,13 +6,13 @@
 #include "McdRGHeightField.h"
 #include "shapes.h"
 
-enum { MOST = 8, ROUND = kMcdGeometryFirstUserType };
+enum { MAX = 8, ROUND = kMcdGeometryFirstUserType };
 
 typedef struct Probe {
     McdFrameworkID frame;
     McdModelID model[2];
     MeMatrix4 tm[2];
-    McdContact contact[MOST];
+    McdContact contact[MAX];
     McdIntersectResult result;
 } Probe;
 
@@ -46,7 +46,7 @@ static const McdContact *meet(Probe *p) {
     pair.model2 = p->model[1];
     memset(&p->result, 0, sizeof p->result);
     p->result.contacts = p->contact;
-    p->result.contactMaxCount = MOST;
+    p->result.contactMaxCount = MAX;
     ck_assert((McdIntersect)(&pair, &p->result));
     ck_assert_int_gt(p->result.contactCount, 0);
     return p->contact;

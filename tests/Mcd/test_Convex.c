@@ -265,7 +265,7 @@ END_TEST
 /* How far outside of a shape a point is; of a cylinder and of polyhedra exactly, of others as far as directions
  * show it. */
 static double outsideOf(const McdShape *s, const double point[3], Random *r) {
-    double off[3], most = -INFINITY;
+    double off[3], max = -INFINITY;
     if (isSolid(s))
         return reference_outside(s, point);
     mcd_sub(off, point, s->place);
@@ -276,9 +276,9 @@ static double outsideOf(const McdShape *s, const double point[3], Random *r) {
         double e[3], top[3];
         random_direction(r, e);
         reference_support(s, e, top);
-        most = fmax(most, mcd_dot(point, e) - mcd_dot(top, e));
+        max = fmax(max, mcd_dot(point, e) - mcd_dot(top, e));
     }
-    return most;
+    return max;
 }
 
 /* The worst of them, relative to the size: how far the points' difference is from the way out, and how far they are

@@ -165,9 +165,9 @@ START_TEST(where_there_is_little_place_the_ends_are_kept) {
         result.contactMaxCount = max;
         ck_assert_int_eq(entry[2].intersect(&p, &result), max > 0);
         ck_assert_int_eq(result.contactCount, max);
-        MeReal least = 1, distance = 0;
+        MeReal min = 1, distance = 0;
         for (int i = 0; i < max; i++) {
-            least = MeMIN(least, contacts[i].separation);
+            min = MeMIN(min, contacts[i].separation);
             for (int k = 0; k < i; k++) {
                 MeVector3 apart;
                 MeVector3Subtract(apart, contacts[i].position, contacts[k].position);
@@ -176,7 +176,7 @@ START_TEST(where_there_is_little_place_the_ends_are_kept) {
             }
         }
         if (max)
-            assert_near(least, .004, TOL(2e-6, 2e-6));
+            assert_near(min, .004, TOL(2e-6, 2e-6));
         if (max > 1)
             ck_assert(distance > (MeReal)2.8);
     }

@@ -6,13 +6,13 @@
 #include "McdRGHeightField.h"
 #include "shapes.h"
 
-enum { CORNERS = 502, FACES = 1000, PARTS = 1000, MOST = 3 * FACES };
+enum { CORNERS = 502, FACES = 1000, PARTS = 1000, MAX = 3 * FACES };
 
 static McdFrameworkID frame;
 static McdModelID model[2];
 static MeMatrix4 tm[2];
-static McdContact contact[MOST];
-static MeU32 feature[MOST];
+static McdContact contact[MAX];
+static MeU32 feature[MAX];
 static int featureCount;
 
 static void setUp(void) {
@@ -37,7 +37,7 @@ static void place(int i, McdGeometryID g) {
 
 /* Notes the features of all contacts of both models. */
 static int meet(void) {
-    McdRequest request = {.contactMaxCount = MOST};
+    McdRequest request = {.contactMaxCount = MAX};
     McdModelPair pair;
     McdIntersectResult result;
     memset(&pair, 0, sizeof pair);
@@ -46,11 +46,11 @@ static int meet(void) {
     pair.model2 = model[1];
     pair.request = &request;
     result.contacts = contact;
-    result.contactMaxCount = MOST;
+    result.contactMaxCount = MAX;
     for (int i = 0; i < 2; i++)
         McdModelUpdate(model[i]);
     ck_assert((McdIntersect)(&pair, &result));
-    for (int i = 0; i < result.contactCount && featureCount < MOST; i++)
+    for (int i = 0; i < result.contactCount && featureCount < MAX; i++)
         feature[featureCount++] = contact[i].feature;
     return result.contactCount;
 }

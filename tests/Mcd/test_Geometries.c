@@ -253,7 +253,7 @@ START_TEST(spheres_are_tight) {
         MeMatrix4 tm;
         MeVector3 centre, d, p;
         MeReal radius;
-        double most = 0;
+        double max = 0;
         MeMatrix4TMMakeIdentity(tm);
         McdGeometryGetBSphere(g, centre, &radius);
         for (int n = 0; n < 50; n++) {
@@ -263,9 +263,9 @@ START_TEST(spheres_are_tight) {
                 McdGeometryMaximumPoint(g, tm, d, p);
                 MeVector3Subtract(d, p, centre);
             }
-            most = fmax(most, (double)MeVector3Magnitude(d));
+            max = fmax(max, (double)MeVector3Magnitude(d));
         }
-        assert_near(most, radius, TOL(5e-7, 3e-15));
+        assert_near(max, radius, TOL(5e-7, 3e-15));
         McdGeometryDestroy(g);
     }
     McdTerm(f);

@@ -42,10 +42,10 @@ static void end(void) {
 }
 
 static double deepest(const Probe *p) {
-    double least = 1;
+    double min = 1;
     for (int i = 0; i < p->result.contactCount; i++)
-        least = fmin(least, (double)p->contact[i].separation);
-    return least;
+        min = fmin(min, (double)p->contact[i].separation);
+    return min;
 }
 
 static void compareShapes(McdGeometryID shape, double above) {

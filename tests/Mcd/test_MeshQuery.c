@@ -27,9 +27,9 @@ static const double radius = .4, half[3] = {.5, .3, .2};
 static unsigned long long seed;
 static int ownCalls; /* of the list's callback, with one model twice */
 
-static double randomUpTo(double most) {
+static double randomUpTo(double max) {
     seed = seed * 6364136223846793005ull + 1442695040888963407ull;
-    return most * (double)(seed >> 11) / 9007199254740992.0;
+    return max * (double)(seed >> 11) / 9007199254740992.0;
 }
 
 /* ---- closed forms ------------------------------------------------------------------------------------------------ */
@@ -64,15 +64,15 @@ static double segments(const double p[3], const double p2[3], const double q[3],
     sub(e, q2, q);
     sub(r, p, q);
     const double a = dot(d, d), b = dot(d, e), c = dot(e, e), f = dot(d, r), g = dot(e, r), under = a * c - b * b;
-    double least =
+    double min =
         fmin(fmin(pointSegment(p, q, e), pointSegment(p2, q, e)), fmin(pointSegment(q, p, d), pointSegment(q2, p, d)));
     const double s = (b * g - c * f) / under, t = (a * g - b * f) / under;
     if (under > 1e-12 * a * c && s >= 0 && s <= 1 && t >= 0 && t <= 1) {
         for (int i = 0; i < 3; i++)
             rest[i] = r[i] + s * d[i] - t * e[i];
-        least = fmin(least, sqrt(dot(rest, rest)));
+        min = fmin(min, sqrt(dot(rest, rest)));
     }
-    return least;
+    return min;
 }
 
 static void normalOf(double n[3], const Triangle t) {
@@ -101,7 +101,7 @@ static int isOver(const double x[3], const Triangle t) {
 }
 
 static double pointTriangle(const double x[3], const Triangle t) {
-    double n[3], off[3], least = 1e30;
+    double n[3], off[3], min = 1e30;
     normalOf(n, t);
     sub(off, x, t[0]);
     if (isOver(x, t))
@@ -109,9 +109,9 @@ static double pointTriangle(const double x[3], const Triangle t) {
     for (int i = 0; i < 3; i++) {
         double edge[3];
         sub(edge, t[(i + 1) % 3], t[i]);
-        least = fmin(least, pointSegment(x, t[i], edge));
+        min = fmin(min, pointSegment(x, t[i], edge));
     }
-    return least;
+    return min;
 }
 
 /* Corners of the box at `at`, moved. */
@@ -137,7 +137,7 @@ static double pointBox(const double x[3], const double by[3]) {
 
 /* How far box and triangle are apart along the best of all axes that can separate them; negative if none does. */
 static double separation(const Triangle t, const double by[3]) {
-    double axis[13][3], most = -1e30, corner[8][3];
+    double axis[13][3], max = -1e30, corner[8][3];
     normalOf(axis[0], t);
     for (int k = 0; k < 3; k++) {
         const double own[3] = {(double)at[k][0], (double)at[k][1], (double)at[k][2]};
@@ -160,27 +160,27 @@ static double separation(const Triangle t, const double by[3]) {
             low[c >= 8] = fmin(low[c >= 8], x);
             high[c >= 8] = fmax(high[c >= 8], x);
         }
-        most = fmax(most, fmax(low[0] - high[1], low[1] - high[0]));
+        max = fmax(max, fmax(low[0] - high[1], low[1] - high[0]));
     }
-    return most;
+    return max;
 }
 
 /* Between the box and a triangle that it does not touch. */
 static double boxTriangle(const Triangle t) {
     static const double still[3] = {0, 0, 0};
-    double least = 1e30, a[3], b[3];
+    double min = 1e30, a[3], b[3];
     for (int c = 0; c < 8; c++) {
         cornerOf(c, still, a);
-        least = fmin(least, pointTriangle(a, t));
+        min = fmin(min, pointTriangle(a, t));
         for (int k = 0; k < 3; k++) {
             cornerOf(c ^ 1 << k, still, b);
             for (int i = 0; i < 3 && !(c >> k & 1); i++)
-                least = fmin(least, segments(a, b, t[i], t[(i + 1) % 3]));
+                min = fmin(min, segments(a, b, t[i], t[(i + 1) % 3]));
         }
     }
     for (int i = 0; i < 3; i++)
-        least = fmin(least, pointBox(t[i], still));
-    return least;
+        min = fmin(min, pointBox(t[i], still));
+    return min;
 }
 
 /* The gap between what asks, moved, and a triangle; for boxes that penetrate something negative. */
@@ -279,11 +279,11 @@ static void tearDown(void) {
 }
 
 /* A random place near one of the surfaces. */
-static void placeNear(double most) {
+static void placeNear(double max) {
     const Surface *s = &surface[(int)randomUpTo(3)];
     const double *corner = s->triangle[(int)randomUpTo(TRIANGLES)][0];
-    turn(at, randomUpTo(6), randomUpTo(6), corner[0] + randomUpTo(2 * most) - most,
-         corner[1] + randomUpTo(2 * most) - most, corner[2] + randomUpTo(2 * most) - most);
+    turn(at, randomUpTo(6), randomUpTo(6), corner[0] + randomUpTo(2 * max) - max, corner[1] + randomUpTo(2 * max) - max,
+         corner[2] + randomUpTo(2 * max) - max);
 }
 
 static int surfaceOf(McdModelID m) {
@@ -297,10 +297,10 @@ static int surfaceOf(McdModelID m) {
 static const double still[3] = {0, 0, 0};
 
 static double gapToSurface(McdGeometryID g, int i) {
-    double least = 1e30;
+    double min = 1e30;
     for (int n = 0; n < TRIANGLES; n++)
-        least = fmin(least, gapTo(g, surface[i].triangle[n], still));
-    return least;
+        min = fmin(min, gapTo(g, surface[i].triangle[n], still));
+    return min;
 }
 
 /* ---- tests ------------------------------------------------------------------------------------------------------- */
@@ -344,15 +344,15 @@ END_TEST
 
 /* The gap of balls, penetrating or not, and of boxes that are free; else -1. */
 static double exactGap(McdGeometryID g, int i) {
-    double least = gapToSurface(g, i);
+    double min = gapToSurface(g, i);
     if (g == ball)
-        return least;
-    if (least < 0)
+        return min;
+    if (min < 0)
         return -1;
-    least = 1e30;
+    min = 1e30;
     for (int n = 0; n < TRIANGLES; n++)
-        least = fmin(least, boxTriangle(surface[i].triangle[n]));
-    return least;
+        min = fmin(min, boxTriangle(surface[i].triangle[n]));
+    return min;
 }
 
 /* Are the points where they must be? */
@@ -361,10 +361,10 @@ static void assertPoints(McdGeometryID g, int i, const MeReal *onShape, const Me
     const double tol = TOL(2e-5, 2e-13);
     const double x[3] = {(double)onShape[0], (double)onShape[1], (double)onShape[2]};
     const double y[3] = {(double)onMesh[0], (double)onMesh[1], (double)onMesh[2]};
-    double least = 1e30;
+    double min = 1e30;
     for (int n = 0; n < TRIANGLES; n++)
-        least = fmin(least, pointTriangle(y, surface[i].triangle[n]));
-    assert_below(least, tol);
+        min = fmin(min, pointTriangle(y, surface[i].triangle[n]));
+    assert_below(min, tol);
     if (g == box)
         assert_below(pointBox(x, still), tol);
     for (int k = 0; k < 3; k++)
@@ -376,7 +376,7 @@ START_TEST(the_nearest) {
     setUp();
     for (int n = 0; n < QUERIES; n++) {
         const McdGeometryID g = n % 2 ? ball : box;
-        const double most = n % 5 ? 1e6 : .5;
+        const double max = n % 5 ? 1e6 : .5;
         McdClosestResult r;
         int nearest = 0;
         placeNear(n % 3 ? 2 : 12);
@@ -386,8 +386,8 @@ START_TEST(the_nearest) {
         for (int i = 1; i < 3; i++)
             if (gap[i] < gap[nearest])
                 nearest = i;
-        const int isFound = McdSpaceGetClosest(space, g, at, (MeReal)most, 0, 0, &r);
-        ck_assert(isFound == (gap[nearest] <= most) || fabs(gap[nearest] - most) < TOL(1e-5, 1e-10));
+        const int isFound = McdSpaceGetClosest(space, g, at, (MeReal)max, 0, 0, &r);
+        ck_assert(isFound == (gap[nearest] <= max) || fabs(gap[nearest] - max) < TOL(1e-5, 1e-10));
         if (!isFound)
             continue;
         found++;

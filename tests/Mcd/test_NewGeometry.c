@@ -154,10 +154,10 @@ static int meet(McdModelID a, McdModelID b) {
 }
 
 static MeReal deepest(void) {
-    MeReal least = MEINFINITY;
+    MeReal min = MEINFINITY;
     for (int i = 0; i < result.contactCount; i++)
-        least = MeMIN(least, contact[i].separation);
-    return least;
+        min = MeMIN(min, contact[i].separation);
+    return min;
 }
 
 /* On what is flat on top, at z = 0 around the origin, it stands as deep as its own extent along z says. */

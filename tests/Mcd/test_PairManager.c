@@ -2,7 +2,7 @@
 #include "Mcd.h"
 #include "karma_test.h"
 
-enum { MODELS = 12, MOST = MODELS * (MODELS - 1) / 2 };
+enum { MODELS = 12, MAX = MODELS * (MODELS - 1) / 2 };
 
 static McdFrameworkID frame;
 static McdModelID model[MODELS];
@@ -19,7 +19,7 @@ static void setUp(void) {
         model[i] = McdModelCreate(McdSphereCreate(frame, 1));
         McdModelSetTransformPtr(model[i], place);
     }
-    manager = McdModelPairManagerCreate(MOST);
+    manager = McdModelPairManagerCreate(MAX);
     told = 0;
 }
 

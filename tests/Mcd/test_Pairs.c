@@ -25,9 +25,9 @@ typedef struct Run {
     int order[MODELS]; /* models by sort key, then creation */
 } Run;
 
-static double randomUpTo(Run *r, double most) {
+static double randomUpTo(Run *r, double max) {
     r->seed = r->seed * 6364136223846793005ull + 1442695040888963407ull;
-    return most * (double)(r->seed >> 11) / 9007199254740992.0;
+    return max * (double)(r->seed >> 11) / 9007199254740992.0;
 }
 
 static int chance(Run *r, int n) {

@@ -19,9 +19,9 @@ static double radius[BALLS];
 static MeMatrix4 tm[BALLS], groundTM, at;
 static unsigned long long seed;
 
-static double randomUpTo(double most) {
+static double randomUpTo(double max) {
     seed = seed * 6364136223846793005ull + 1442695040888963407ull;
-    return most * (double)(seed >> 11) / 9007199254740992.0;
+    return max * (double)(seed >> 11) / 9007199254740992.0;
 }
 
 static void setUp(void) {
@@ -153,10 +153,10 @@ START_TEST(the_nearest) {
         for (int i = 1; i <= BALLS; i++)
             if (gapTo(i, still) < gapTo(nearest, still))
                 nearest = i;
-        const double gap = gapTo(nearest, still), most = n % 7 ? 1e6 : .2;
-        const int isFound = McdSpaceGetClosest(space, probe, at, (MeReal)most, 0, 0, &result);
+        const double gap = gapTo(nearest, still), max = n % 7 ? 1e6 : .2;
+        const int isFound = McdSpaceGetClosest(space, probe, at, (MeReal)max, 0, 0, &result);
         found += isFound;
-        ck_assert_int_eq(isFound, gap <= most);
+        ck_assert_int_eq(isFound, gap <= max);
         if (!isFound)
             continue;
         ck_assert_ptr_eq(result.model, nearest < BALLS ? ball[nearest] : ground);

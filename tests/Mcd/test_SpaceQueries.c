@@ -5,9 +5,9 @@ enum { COUNT = 300 };
 static Yard yard, *const y = &yard;
 static unsigned long long seed = 3;
 
-static double randomUpTo(double most) {
+static double randomUpTo(double max) {
     seed = seed * 6364136223846793005ull + 1442695040888963407ull;
-    return most * (double)(seed >> 11) / 9007199254740992.0;
+    return max * (double)(seed >> 11) / 9007199254740992.0;
 }
 
 static void makeYard(void) {

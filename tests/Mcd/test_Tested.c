@@ -699,8 +699,8 @@ static struct {
     int count, calls;
 } shown;
 
-static int MEAPI show(McdModelPair *pair, McdUserTriangle *triangle, MeVector3 at, MeReal radius, int most) {
-    (void)pair, (void)at, (void)radius, (void)most;
+static int MEAPI show(McdModelPair *pair, McdUserTriangle *triangle, MeVector3 at, MeReal radius, int max) {
+    (void)pair, (void)at, (void)radius, (void)max;
     shown.calls++;
     memcpy(triangle, shown.triangle, (size_t)shown.count * sizeof *triangle);
     return shown.count;

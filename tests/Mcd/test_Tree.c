@@ -8,7 +8,7 @@
 enum { MANY = 3000, SIDE = 10 };
 
 typedef struct Seen {
-    int count, last, first, most; /* most: it returns false then */
+    int count, last, first, max; /* most: it returns false then */
     int times[MANY];
 } Seen;
 
@@ -17,11 +17,11 @@ static MeBool see(void *context, int item) {
     seen->first = seen->count ? seen->first : item;
     seen->last = item;
     seen->times[item]++;
-    return ++seen->count < seen->most;
+    return ++seen->count < seen->max;
 }
 
 static Seen query(const McdTree *tree, const McdTreeBox *box) {
-    Seen seen = {.most = MANY + 1};
+    Seen seen = {.max = MANY + 1};
     mcd_treeQuery(tree, box, see, &seen);
     return seen;
 }
@@ -112,10 +112,10 @@ END_TEST
 START_TEST(a_query_ends_where_its_visitor_has_enough) {
     McdTree *tree = makeGrid(100, leaves);
     const McdTreeBox everywhere = {{-1e6f, -1e6f, -1e6f}, {1e6f, 1e6f, 1e6f}};
-    for (int most = 1; most <= 100; most += 33) {
-        Seen seen = {.most = most};
+    for (int max = 1; max <= 100; max += 33) {
+        Seen seen = {.max = max};
         mcd_treeQuery(tree, &everywhere, see, &seen);
-        ck_assert_int_eq(seen.count, most);
+        ck_assert_int_eq(seen.count, max);
     }
     mcd_treeDestroy(tree);
 }
@@ -206,7 +206,7 @@ START_TEST(casts_meet_what_is_near_before_what_is_far) {
             double from[3] = {.5, .5, .5}, by[3] = {0, 0, 0};
             from[axis] = isBack ? 200 : -10;
             by[axis] = isBack ? -300 : 300;
-            Seen all = {.most = MANY}, first = {.most = MANY};
+            Seen all = {.max = MANY}, first = {.max = MANY};
             mcd_treeCast(tree, from, by, point, 1, seeAll, &all);
             ck_assert_int_eq(all.count, 64);
             ck_assert_int_eq(all.first, isBack ? 63 : 0);

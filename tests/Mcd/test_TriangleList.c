@@ -19,10 +19,10 @@ static void end(void) {
 }
 
 static double deepest(const Probe *p) {
-    double least = INFINITY;
+    double min = INFINITY;
     for (int i = 0; i < p->result.contactCount; i++)
-        least = fmin(least, (double)p->contact[i].separation);
-    return least;
+        min = fmin(min, (double)p->contact[i].separation);
+    return min;
 }
 
 static int hasNormal(const Probe *p, double x, double y, double z) {
@@ -382,15 +382,15 @@ static double distanceToTriangle(const double p[3], double c[3][3]) {
 }
 
 static double distanceToGround(const double p[3]) {
-    double least = INFINITY;
+    double min = INFINITY;
     for (int i = 0; i < ground.triangleCount; i++) {
         double c[3][3];
         for (int v = 0; v < 3; v++)
             for (int k = 0; k < 3; k++)
                 c[v][k] = (double)ground.vertex[ground.triangle[i][v]][k];
-        least = fmin(least, distanceToTriangle(p, c));
+        min = fmin(min, distanceToTriangle(p, c));
     }
-    return least;
+    return min;
 }
 
 START_TEST(a_ball_on_bumpy_ground_touches_its_nearest_point) {

@@ -188,10 +188,10 @@ static double scaleOf(const RandomScene *s, double kinetic) {
 }
 
 static double lastingGrowth(const RandomJudge *j) {
-    double least = HUGE_VAL;
+    double min = HUGE_VAL;
     for (int i = 0; i < RANDOM_LASTING; i++)
-        least = fmin(least, j->growth[i]);
-    return least;
+        min = fmin(min, j->growth[i]);
+    return min;
 }
 
 static void judgeGrowth(RandomJudge *j, double growth, RandomFaultKind kind) {
@@ -209,14 +209,14 @@ static void judgeGrowth(RandomJudge *j, double growth, RandomFaultKind kind) {
 static void judgeEnergy(RandomJudge *j, const Energy *e, MeBool wasKicked) {
     const double power = powerOf(&j->scene);
     if (wasKicked) {
-        j->least = e->high;
+        j->min = e->high;
         j->scale = scaleOf(&j->scene, e->kinetic);
         j->calm = 0;
         return;
     }
-    j->least += j->scene.step * power;
-    judgeGrowth(j, (e->low - j->least) / j->scale, power > 0 ? FAULT_MOTOR : FAULT_ENERGY);
-    j->least = fmin(j->least, e->high);
+    j->min += j->scene.step * power;
+    judgeGrowth(j, (e->low - j->min) / j->scale, power > 0 ? FAULT_MOTOR : FAULT_ENERGY);
+    j->min = fmin(j->min, e->high);
 }
 
 /* ---- a scene ---- */
@@ -233,7 +233,7 @@ static void logStep(const RandomJudge *j, const Energy *e, MeBool wasKicked) {
     const int i = widestJoint(j);
     const double size = j->scene.joint[i].size;
     fprintf(j->log, "%4d%s energy %.6g to %.6g, kinetic %.6g, growth %.3g; ", j->step, wasKicked ? "*" : " ", e->low,
-            e->high, e->kinetic, (e->low - j->least) / j->scale);
+            e->high, e->kinetic, (e->low - j->min) / j->scale);
     fprintf(j->log, "gap %.3g of the size (joint %d, allowed %.3g); %d contacts\n", j->gap[i] / size, i,
             j->stretch[i] / size, j->scene.contacts);
 }

@@ -59,7 +59,7 @@ typedef struct {
     RandomVerdict verdict;
     FILE *log; /* gets a line for every step; may be null */
     int step;
-    double least, scale;           /* J: the least energy since the last kick, motors' gifts included; what it is of */
+    double min, scale;             /* J: the least energy since the last kick, motors' gifts included; what it is of */
     double growth[RANDOM_LASTING]; /* of the last steps, in turn */
     int calm;                      /* steps since the last kick */
     double stretch[RANDOM_JOINTS]; /* m, that epsilon allows */

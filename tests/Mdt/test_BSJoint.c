@@ -181,14 +181,14 @@ START_TEST(the_force_read_back_is_the_pendulum_s_tension) {
     MdtBSJointSetBodies(j, b, 0);
     MdtBSJointSetPosition(j, 0, 0, 0);
     MdtBSJointEnable(j);
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < 300; i++) {
         MeVector3 f;
         MdtWorldStep(w, (MeReal).005);
         MdtBSJointGetForce(j, 0, f);
-        most = fmax(most, sqrt((double)f[0] * f[0] + (double)f[1] * f[1] + (double)f[2] * f[2]));
+        max = fmax(max, sqrt((double)f[0] * f[0] + (double)f[1] * f[1] + (double)f[2] * f[2]));
     }
-    assert_near(most, 30, .02);
+    assert_near(max, 30, .02);
     MdtWorldDestroy(w);
 }
 END_TEST

@@ -712,13 +712,13 @@ START_TEST(a_cone_of_half_angle_pi_is_no_limit) {
     Cone s = makeCone(0);
     assert_near(MdtConeLimitGetConeHalfAngle(s.cone), PI, TOL(1e-6, 3e-13));
     MdtBodySetAngularVelocity(s.body, 0, 3, 0);
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < 300; i++) {
         MdtWorldStep(s.world, FRAME);
-        most = fmax(most, coneAngle(s));
+        max = fmax(max, coneAngle(s));
         assert_spin(s.body, 0, 3, 0, TOL(3e-6, 3e-13));
     }
-    ck_assert_msg(most > PI - .05, "it came to %g only", most);
+    ck_assert_msg(max > PI - .05, "it came to %g only", max);
     MdtWorldDestroy(s.world);
 }
 END_TEST

@@ -116,10 +116,10 @@ START_TEST(partitions_are_found_from_a_list_of_bodies) {
 }
 END_TEST
 
-/* How many steps until the body is disabled; `most` when it is not. */
-static int stepsAwake(MdtWorldID w, MdtBodyID b, int most) {
+/* How many steps until the body is disabled; `max` when it is not. */
+static int stepsAwake(MdtWorldID w, MdtBodyID b, int max) {
     int n = 0;
-    while (n < most && MdtBodyIsEnabled(b)) {
+    while (n < max && MdtBodyIsEnabled(b)) {
         MdtWorldStep(w, FRAME);
         n++;
     }

@@ -135,13 +135,13 @@ START_TEST(hard_stops_are_not_passed) {
     for (int side = -1; side <= 1; side += 2) {
         Car c = quarterCar(g * side);
         const double stop = side > 0 ? .07 : -.05;
-        double most = 0;
+        double max = 0;
         MdtCarWheelSetSuspension(c.joint, 500, 20, 0, (MeReal)-.05, (MeReal).07, 0);
         for (int n = 0; n < 300; n++) {
             MdtWorldStep(c.world, FRAME);
-            most = fmax(most, side * (double)MdtCarWheelGetSuspensionHeight(c.joint));
+            max = fmax(max, side * (double)MdtCarWheelGetSuspensionHeight(c.joint));
         }
-        assert_near(most, stop * side, TOL(7e-8, 3e-12));
+        assert_near(max, stop * side, TOL(7e-8, 3e-12));
         assert_near(MdtCarWheelGetSuspensionHeight(c.joint), stop, TOL(7e-8, 2e-12));
         ck_assert_int_eq(MdtConstraintGetRowCount(MdtCarWheelQuaConstraint(c.joint)),
                          6); /* 3, steering, spring, stop */

@@ -7,7 +7,7 @@
 /* ---- a pyramid of boxes, with contacts by Mcd, through the bridge ---- */
 
 enum { CALM = 60 }; /* steps, in which gamma, 0.2, relaxes what there is */
-enum { LARGE = 10, SMALL = 4, MOST = LARGE * (LARGE + 1) / 2, SETTLING = 200 }; /* rows, boxes, steps */
+enum { LARGE = 10, SMALL = 4, MAX = LARGE * (LARGE + 1) / 2, SETTLING = 200 }; /* rows, boxes, steps */
 #define MASS 1000.0
 #define G    9.81
 
@@ -17,8 +17,8 @@ typedef struct Pyramid {
     McdGeometryID cube;
     MeMatrix4 floorTM;
     int boxes;
-    MdtBodyID box[MOST]; /* the last one is the top */
-    MdtHingeID hinge;    /* between the top and the world; free until it is given a motor */
+    MdtBodyID box[MAX]; /* the last one is the top */
+    MdtHingeID hinge;   /* between the top and the world; free until it is given a motor */
 } Pyramid;
 
 static McdModelID addBox(Pyramid *s, double x, double y) {
@@ -113,7 +113,7 @@ static const struct {
 
 START_TEST(a_pyramid_at_rest_is_looked_at_and_not_solved) {
     Pyramid s;
-    State before[MOST];
+    State before[MAX];
     build(&s, resting[_i].rows);
     MdtWorldSetSolver(s.world, resting[_i].solver);
     settle(&s);

@@ -68,13 +68,13 @@ START_TEST(it_rests_on_its_side) {
     for (int k = 0; k < 8; k++) {
         Hung s = hang(.1);
         const double way = k * pi / 4;
-        double t[3], most = 0;
+        double t[3], max = 0;
         pull(s, 10 * cos(way), 10 * sin(way));
         for (int i = 0; i < 300; i++) {
             MdtWorldStep(s.world, FRAME);
-            most = fmax(most, angleOf(s));
+            max = fmax(max, angleOf(s));
         }
-        assert_near(most, halfAngle, TOL(5e-7, 3e-9));
+        assert_near(max, halfAngle, TOL(5e-7, 3e-9));
         assert_near(angleOf(s), halfAngle, TOL(5e-7, 6e-10));
         ck_assert_int_eq(rowsOf(s), 1);
         read_torque(MdtConeLimitQuaConstraint(s.cone), 0, t);
@@ -87,13 +87,13 @@ END_TEST
 
 START_TEST(a_hit_takes_the_speed_and_gives_none_back) {
     Hung s = hang(.1);
-    double most = 0, w[3];
+    double max = 0, w[3];
     swingAboutZ(s, 3);
     for (int i = 0; i < 60; i++) {
         MdtWorldStep(s.world, FRAME);
-        most = fmax(most, angleOf(s));
+        max = fmax(max, angleOf(s));
     }
-    assert_near(most, halfAngle, TOL(5e-7, 3e-11));
+    assert_near(max, halfAngle, TOL(5e-7, 3e-11));
     assert_near(angleOf(s), halfAngle, TOL(5e-7, 4e-9));
     measure_rate(s.bar, w);
     assert_vec3_near(w, 0, 0, 0, TOL(1e-6, 6e-9));
@@ -104,19 +104,19 @@ END_TEST
 /* Round along the side, pressed to it. */
 START_TEST(a_bar_that_circles_stays_in_the_cone) {
     Hung s = hang(.01);
-    double most = 0, least = 9;
+    double max = 0, min = 9;
     pull(s, 0, 0);
     MdtBodySetPosition(s.bar, (MeReal)(arm * sin(.45)), (MeReal)(-arm * cos(.45)), 0);
     MdtBodySetQuaternion(s.bar, (MeReal)cos(.225), 0, 0, (MeReal)sin(.225));
     MdtBodySetLinearVelocity(s.bar, 0, 0, 2);
     for (int i = 0; i < 600; i++) {
         MdtWorldStep(s.world, FRAME);
-        most = fmax(most, angleOf(s));
+        max = fmax(max, angleOf(s));
         if (i > 100)
-            least = fmin(least, angleOf(s));
+            min = fmin(min, angleOf(s));
     }
-    assert_below(most, halfAngle + 5e-3);
-    assert_below(halfAngle - 5e-3, least);
+    assert_below(max, halfAngle + 5e-3);
+    assert_below(halfAngle - 5e-3, min);
     MdtWorldDestroy(s.world);
 }
 END_TEST
@@ -218,7 +218,7 @@ START_TEST(half_angles_from_5_to_170_degrees) {
         MdtBodyID b = scene_body(w, 1, 0, 0, 0);
         MdtConeLimitID cone = MdtConeLimitCreate(w);
         const double limit = angles[k] * pi / 180;
-        double x[3] = {1, 0, 0}, axis[3], most = 0;
+        double x[3] = {1, 0, 0}, axis[3], max = 0;
         MdtWorldSetEpsilon(w, 0);
         MdtConeLimitSetBodies(cone, b, 0);
         MdtConeLimitSetConeHalfAngle(cone, (MeReal)limit);
@@ -227,9 +227,9 @@ START_TEST(half_angles_from_5_to_170_degrees) {
             MdtBodyAddTorque(b, 0, 0, (MeReal).5);
             MdtWorldStep(w, FRAME);
             measure_turnOut(b, x, axis);
-            most = fmax(most, fabs(atan2(axis[1], axis[0])));
+            max = fmax(max, fabs(atan2(axis[1], axis[0])));
         }
-        assert_near(most, limit, TOL(2e-6, 4e-11));
+        assert_near(max, limit, TOL(2e-6, 4e-11));
         assert_near(atan2(axis[1], axis[0]), limit, TOL(2e-6, 2e-11));
         MdtWorldDestroy(w);
     }
@@ -277,15 +277,15 @@ START_TEST(beside_a_universal_joint_it_limits_the_bend) {
     MdtConeLimitEnable(cone);
     messages_catch();
     MdtBodySetLinearVelocity(b, 1, 0, 0);
-    double most = 0;
+    double max = 0;
     for (int n = 0; n < 600; n++) {
         double z[3] = {0, 0, 1}, axis[3];
         MdtWorldStep(w, FRAME);
         measure_turnOut(b, z, axis);
-        most = fmax(most, atan2(sqrt(axis[0] * axis[0] + axis[1] * axis[1]), axis[2]));
+        max = fmax(max, atan2(sqrt(axis[0] * axis[0] + axis[1] * axis[1]), axis[2]));
     }
-    assert_below(most, 1.01);
-    assert_below(.99, most);
+    assert_below(max, 1.01);
+    assert_below(.99, max);
     assert_silent();
     messages_release();
     MdtWorldDestroy(w);

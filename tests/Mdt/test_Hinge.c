@@ -90,11 +90,11 @@ START_TEST(a_hard_stop_returns_its_restitution_in_one_step) {
             HingedBar s = scene_hingedBar(0);
             setStops(s, -.7, .9, es[k]);
             scene_spinBar(s, 2 * side);
-            double most = 0, before = 2 * side;
+            double max = 0, before = 2 * side;
             int reversals = 0;
             for (int i = 0; i < 40; i++) {
                 MdtWorldStep(s.world, FRAME);
-                most = fmax(most, angleOf(s) * side);
+                max = fmax(max, angleOf(s) * side);
                 if (fabs(rateOf(s) - before) > 1e-3) {
                     reversals++;
                     if (es[k] > 0)
@@ -105,11 +105,11 @@ START_TEST(a_hard_stop_returns_its_restitution_in_one_step) {
             if (es[k] == 0) {
                 ck_assert_int_le(reversals, 2); /* it arrives within a step, then stands */
                 assert_near(rateOf(s), 0, TOL(1e-6, 7e-12));
-                assert_near(most, side > 0 ? .9 : .7, TOL(1e-6, 5e-12));
+                assert_near(max, side > 0 ? .9 : .7, TOL(1e-6, 5e-12));
                 assert_near(angleOf(s), side > 0 ? .9 : -.7, TOL(1e-6, 5e-12));
             } else {
                 ck_assert_int_eq(reversals, 1);
-                assert_below(most, (side > 0 ? .9 : .7) + TOL(1e-6, 1e-9));
+                assert_below(max, (side > 0 ? .9 : .7) + TOL(1e-6, 1e-9));
             }
             MdtWorldDestroy(s.world);
         }
@@ -119,17 +119,17 @@ END_TEST
 START_TEST(a_lossless_stop_keeps_the_energy_of_a_falling_bar) {
     HingedBar s = scene_hingedBar(9.81);
     setStops(s, -.4, 3, 1);
-    double least = 1e9, most = -1e9;
+    double min = 1e9, max = -1e9;
     for (int i = 0; i < 1200; i++) {
         MdtWorldStep(s.world, FRAME);
         MeVector3 p;
         MdtBodyGetPosition(s.bar, p);
         const double energy = .5 * inertia * rateOf(s) * rateOf(s) + 9.81 * (double)p[1];
-        least = fmin(least, energy);
-        most = fmax(most, energy);
+        min = fmin(min, energy);
+        max = fmax(max, energy);
     }
-    assert_below(most, .25); /* of g v h / 2, by which a hit can come late; it started with 0 */
-    assert_below(-least, .25);
+    assert_below(max, .25); /* of g v h / 2, by which a hit can come late; it started with 0 */
+    assert_below(-min, .25);
     MdtWorldDestroy(s.world);
 }
 END_TEST
@@ -138,14 +138,14 @@ START_TEST(stops_lie_beyond_full_turns) {
     HingedBar s = scene_hingedBar(0);
     setStops(s, -3 * pi, 5 * pi, 1);
     scene_spinBar(s, 9);
-    double most = 0, least = 0;
+    double max = 0, min = 0;
     for (int i = 0; i < 600; i++) {
         MdtWorldStep(s.world, FRAME);
-        most = fmax(most, angleOf(s));
-        least = fmin(least, angleOf(s));
+        max = fmax(max, angleOf(s));
+        min = fmin(min, angleOf(s));
     }
-    ck_assert_msg(most > 5 * pi - .16 && most <= 5 * pi + 1e-5, "highest angle %g", most);
-    ck_assert_msg(least < -3 * pi + .16 && least >= -3 * pi - 1e-5, "lowest angle %g", least);
+    ck_assert_msg(max > 5 * pi - .16 && max <= 5 * pi + 1e-5, "highest angle %g", max);
+    ck_assert_msg(min < -3 * pi + .16 && min >= -3 * pi - 1e-5, "lowest angle %g", min);
     assert_near(fabs(rateOf(s)), 9, steady);
     MdtWorldDestroy(s.world);
 }
@@ -180,12 +180,12 @@ START_TEST(a_very_stiff_soft_stop_gains_no_energy) {
     HingedBar s = scene_hingedBar(9.81);
     setStops(s, -.5, 10, 0);
     setSpring(s, 1e8, 0);
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < 600; i++) {
         MdtWorldStep(s.world, FRAME);
-        most = fmax(most, angleOf(s));
+        max = fmax(max, angleOf(s));
     }
-    assert_below(most, .05); /* it started at 0 */
+    assert_below(max, .05); /* it started at 0 */
     assert_near(angleOf(s), -.5, TOL(6e-7, 5e-7));
     MdtWorldDestroy(s.world);
 }
@@ -256,14 +256,14 @@ START_TEST(what_a_motor_has_stopped_costs_nothing) {
     MdtWorldEnableReport(s.world);
     MdtBodySetAngularVelocity(s.bar, 0, 0, 1);
     MdtLimitSetLimitedForceMotor(s.limit, 0, 100);
-    int most = 0;
+    int max = 0;
     for (int i = 0; i < 200; i++) {
         MdtReport r;
         MdtWorldStep(s.world, FRAME);
         ck_assert(MdtWorldGetReport(s.world, &r));
-        most = MeMAX(most, r.factorizations);
+        max = MeMAX(max, r.factorizations);
     }
-    ck_assert_int_le(most, 12);
+    ck_assert_int_le(max, 12);
     assert_near(rateOf(s), 0, 1e-20);
     MdtWorldDestroy(s.world);
 }
@@ -308,14 +308,14 @@ START_TEST(a_motor_rests_on_a_hard_stop) {
         setStops(s, -1, pi / 4, es[k]);
         MdtLimitSetLimitedForceMotor(s.limit, 50, 10);
         steps(s.world, 300, FRAME);
-        double most = 0, least = 10;
+        double max = 0, min = 10;
         for (int i = 0; i < 60; i++) {
             MdtWorldStep(s.world, FRAME);
-            most = fmax(most, angleOf(s));
-            least = fmin(least, angleOf(s));
+            max = fmax(max, angleOf(s));
+            min = fmin(min, angleOf(s));
         }
-        assert_near(least, pi / 4, TOL(1e-6, 1e-9));
-        assert_near(most, pi / 4, TOL(1e-6, 3e-9));
+        assert_near(min, pi / 4, TOL(1e-6, 1e-9));
+        assert_near(max, pi / 4, TOL(1e-6, 3e-9));
         assert_near(s.limit->stopForce[1], 10 - 4.905 * cos(pi / 4), TOL(7e-6, 5e-7));
         MdtWorldDestroy(s.world);
     }
@@ -466,7 +466,7 @@ static double forceOnDoor(double apart) {
     MdtWorldSetSolver(w, MdtSolverExact);
     MdtBodyID door = scene_body(w, 1, .5, 0, 0);
     MdtHingeID hinge[2];
-    double most = 0;
+    double max = 0;
     MdtBodySetAngularVelocity(door, 0, 1, 0);
     for (int k = 0; k < 2; k++) {
         hinge[k] = MdtHingeCreate(w);
@@ -480,11 +480,11 @@ static double forceOnDoor(double apart) {
         MdtWorldStep(w, FRAME);
         for (int k = 0; k < 2; k++) {
             MdtHingeGetForce(hinge[k], 0, f);
-            most = fmax(most, (double)MeVector3Magnitude(f));
+            max = fmax(max, (double)MeVector3Magnitude(f));
         }
     }
     MdtWorldDestroy(w);
-    return most;
+    return max;
 }
 
 /* Hinges whose axes are parallel allow no turn: forces are those that stop it, and do not grow from step to step. */

@@ -429,20 +429,20 @@ static void totalMomentum(const Pair *s, double linear[3], double angular[3]) {
     }
 }
 
-static void widen(double least[6], double most[6], const double x[6]) {
+static void widen(double min[6], double max[6], const double x[6]) {
     for (int i = 0; i < 6; i++) {
-        least[i] = fmin(least[i], x[i]);
-        most[i] = fmax(most[i], x[i]);
+        min[i] = fmin(min[i], x[i]);
+        max[i] = fmax(max[i], x[i]);
     }
 }
 
 static void shake(const Joint *j, int first, int second) {
     Pair s;
     Random random = {4711};
-    double x[6], least[6], most[6], p[3], L[3], given[3] = {0, 0, 0};
+    double x[6], min[6], max[6], p[3], L[3], given[3] = {0, 0, 0};
     makePair(j, &s, first, second);
-    coordinates(&s, least);
-    coordinates(&s, most);
+    coordinates(&s, min);
+    coordinates(&s, max);
     assertHeld(j, &s, 0);
     for (int i = 1; i <= 300; i++) {
         if (i % 2) /* one that goes on in the next step would be taken for samples of one that varies */
@@ -450,11 +450,11 @@ static void shake(const Joint *j, int first, int second) {
         MdtWorldStep(s.world, FRAME);
         assertHeld(j, &s, i);
         coordinates(&s, x);
-        widen(least, most, x);
+        widen(min, max, x);
     }
     for (int i = 0; i < 6; i++)
-        ck_assert_msg(!(j->free & 1 << i) || most[i] - least[i] > .1, "%s: coordinate %d moves by %.3g only", j->name,
-                      i, most[i] - least[i]);
+        ck_assert_msg(!(j->free & 1 << i) || max[i] - min[i] > .1, "%s: coordinate %d moves by %.3g only", j->name, i,
+                      max[i] - min[i]);
     totalMomentum(&s, p, L);
     for (int i = 0; i < 3 && first >= 0 && second >= 0; i++)
         assert_near(p[i], given[i], TOL(6e-6, 6e-13));
@@ -508,7 +508,7 @@ START_TEST(forces_are_opposite) {
     for (int i = 0; i < NUM_JOINTS; i++) {
         Pair s;
         Random random = {7};
-        double most = 0;
+        double max = 0;
         makePair(&joints[i], &s, 0, 1);
         for (int step = 0; step < 100; step++) {
             double place[2][3], end[2][3], f[2][3], t[2][3], about[3], sum[3] = {0, 0, 0}, given[3] = {0, 0, 0};
@@ -526,14 +526,14 @@ START_TEST(forces_are_opposite) {
                 keaAddScaled(sum, 1, about);
                 keaAddScaled(sum, 1, t[k]);
             }
-            most = fmax(most, fmax(keaLength(f[0]), keaLength(t[0])));
+            max = fmax(max, fmax(keaLength(f[0]), keaLength(t[0])));
             for (int n = 0; n < 3; n++) {
                 assert_near(f[1][n], -f[0][n], 0);
                 ck_assert_msg(fabs(sum[n]) < TOL(1e-4, 1e-8), "%s, step %d: torques differ by %.3g", joints[i].name,
                               step, sum[n]);
             }
         }
-        ck_assert_msg(most > 1, "%s gives no more than %.3g", joints[i].name, most);
+        ck_assert_msg(max > 1, "%s gives no more than %.3g", joints[i].name, max);
         MdtWorldDestroy(s.world);
     }
     messages_release();

@@ -134,14 +134,14 @@ START_TEST(without_a_call_there_is_no_cap) {
 }
 END_TEST
 
-static int shown, mostShown;
+static int shown, maxShown;
 
 static void MEAPI restIfEven(MdtPartitionOutput *po, void *data) {
     const MdtPartitionInfo *last = &po->info[po->numPartitions - 1];
     ck_assert_ptr_eq(data, &shown);
     ck_assert_int_eq(last->numBodies, 1);
     ck_assert_int_eq(MdtBodyGetPartition(po->bodies[last->firstBody]), po->numPartitions - 1);
-    mostShown = po->numPartitions;
+    maxShown = po->numPartitions;
     po->info[po->numPartitions - 1].isDisabled = shown++ % 2 == 0;
 }
 
@@ -150,10 +150,10 @@ START_TEST(a_program_may_decide_about_rest) {
     MdtBodyID b[4];
     for (int i = 0; i < 4; i++)
         b[i] = scene_body(w, 1, i, 0, 0);
-    shown = mostShown = 0;
+    shown = maxShown = 0;
     MdtWorldSetPartitionCB(w, restIfEven, &shown);
     MdtWorldStep(w, FRAME);
-    ck_assert_int_eq(mostShown, 4);
+    ck_assert_int_eq(maxShown, 4);
     for (int i = 0; i < 4; i++)
         ck_assert_int_eq(MdtBodyIsEnabled(b[i]), i % 2);
     MdtWorldSetPartitionCB(w, NULL, NULL);

@@ -1,7 +1,7 @@
 /* How errors fall with the length of the step: convergence orders, sub-steps, and what a load does to a soft joint. */
 #include "measure.h"
 
-enum { MOST = 16 };
+enum { MAX = 16 };
 
 /* ---- references ---- */
 
@@ -11,7 +11,7 @@ typedef void (*Rates)(const double y[], double rates[]);
 static void integrate(int n, Rates rates, double duration, int count, double y[]) {
     const double h = duration / count, weight[] = {1. / 6, 1. / 3, 1. / 3, 1. / 6}, reach[] = {0, .5, .5, 1};
     for (int i = 0; i < count; i++) {
-        double k[4][MOST], at[MOST], next[MOST];
+        double k[4][MAX], at[MAX], next[MAX];
         memcpy(next, y, (size_t)n * sizeof *y);
         for (int stage = 0; stage < 4; stage++) {
             for (int c = 0; c < n; c++)
@@ -30,14 +30,14 @@ static void integrate(int n, Rates rates, double duration, int count, double y[]
 typedef int (*Run)(double duration, double h, int parts, double result[]);
 
 static double distance(int n, const double *a, const double *b) {
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < n; i++)
-        most = fmax(most, fabs(a[i] - b[i]));
-    return most;
+        max = fmax(max, fabs(a[i] - b[i]));
+    return max;
 }
 
 static double errorOf(Run run, double duration, double h, int parts, const double *reference) {
-    double result[MOST];
+    double result[MAX];
     const int n = run(duration, h, parts, result);
     return distance(n, result, reference);
 }
@@ -203,7 +203,7 @@ static void freeRotationRates(const double y[], double rates[]) {
 /* ---- tests ---- */
 
 static void pendulumReference(double duration, double *angle) {
-    double y[MOST] = {0};
+    double y[MAX] = {0};
     integrate(2, pendulumRates, duration, 20000, y);
     *angle = y[0];
 }
@@ -218,7 +218,7 @@ START_TEST(a_pendulum_from_level_is_of_order_2) {
 END_TEST
 
 static void doublePendulumReference(double duration, double place[6]) {
-    double y[MOST] = {0};
+    double y[MAX] = {0};
     integrate(4, doublePendulumRates, duration, 20000, y);
     const double p[] = {.5 * cos(y[0]), -.5 * sin(y[0]), 0, cos(y[0]) + .5 * cos(y[1]), -sin(y[0]) - .5 * sin(y[1]), 0};
     memcpy(place, p, sizeof p);
@@ -233,7 +233,7 @@ START_TEST(a_double_pendulum_is_of_order_2) {
 END_TEST
 
 START_TEST(a_chain_of_springs_is_of_order_2) {
-    double y[MOST] = {1, 0, 2, 0, 3, 0, 0, 1, 0, 2, 0, 3};
+    double y[MAX] = {1, 0, 2, 0, 3, 0, 0, 1, 0, 2, 0, 3};
     integrate(4 * LINKS, springChainRates, 1, 20000, y);
     assertOrder("springs", springChain, 1, 1. / 128, 2, .02, y);
     assertPartsAreSteps("springs", springChain, 1, 1. / 64, y);
@@ -241,7 +241,7 @@ START_TEST(a_chain_of_springs_is_of_order_2) {
 END_TEST
 
 START_TEST(free_rotation_is_of_order_4) {
-    double y[MOST] = {1, 0, 0, 0, 1, 0, 0, 0, 1, spin[0], spin[1], spin[2]};
+    double y[MAX] = {1, 0, 0, 0, 1, 0, 0, 0, 1, spin[0], spin[1], spin[2]};
     integrate(12, freeRotationRates, 128, 100000, y);
     assertOrder("rotation", freeRotation, 128, 1. / 4, 4, .1, y);
     assertPartsAreSteps("rotation", freeRotation, 128, 1, y);

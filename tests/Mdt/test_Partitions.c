@@ -4,21 +4,21 @@
 #include "MdtPartition.h"
 #include "measure.h"
 
-enum { MOST_BODIES = 40, MOST_CONSTRAINTS = 200, STEPS = 1000 };
+enum { MAX_BODIES = 40, MAX_CONSTRAINTS = 200, STEPS = 1000 };
 
 /* Bodies and constraints in the order of simulation, partition by partition, and where each begins. */
 typedef struct Partitions {
     int count;
-    int bodyStart[MOST_BODIES + 1], constraintStart[MOST_BODIES + 1];
-    MdtBodyID body[MOST_BODIES];
-    MdtConstraintID constraint[MOST_CONSTRAINTS];
+    int bodyStart[MAX_BODIES + 1], constraintStart[MAX_BODIES + 1];
+    MdtBodyID body[MAX_BODIES];
+    MdtConstraintID constraint[MAX_CONSTRAINTS];
 } Partitions;
 
 typedef struct Scene {
     MdtWorldID world;
     Random random;
-    MdtBodyID body[MOST_BODIES];
-    MdtConstraintID constraint[MOST_CONSTRAINTS]; /* joints and groups; contacts are in groups */
+    MdtBodyID body[MAX_BODIES];
+    MdtConstraintID constraint[MAX_CONSTRAINTS]; /* joints and groups; contacts are in groups */
     int numBodies, numConstraints;
     int shown;       /* partitions that the world has shown in this step */
     Partitions seen; /* what they were */
@@ -79,8 +79,8 @@ static void addConstraints(Partitions *p, MdtWorldID w, const MdtBodyID list[], 
 
 static Partitions search(MdtWorldID w) {
     Partitions p = {0};
-    MdtBodyID list[MOST_BODIES];
-    int labels[MOST_BODIES], n = 0;
+    MdtBodyID list[MAX_BODIES];
+    int labels[MAX_BODIES], n = 0;
     for (MdtBodyID b = MdtBodyGetFirst(w); b; b = MdtBodyGetNext(b))
         list[n++] = b;
     label(w, list, n, labels);
@@ -166,7 +166,7 @@ static void keep(Scene *s, MdtConstraintID c) {
 }
 
 static void createBody(Scene *s) {
-    if (s->numBodies == MOST_BODIES - 2)
+    if (s->numBodies == MAX_BODIES - 2)
         return;
     const MdtBodyID from = below(s, 4) == 0 ? someBody(s) : 0;
     const MdtBodyID b = from ? MdtBodyCopy(from, s->world) : MdtBodyCreate(s->world);
@@ -233,7 +233,7 @@ static void createJoint(Scene *s) {
     const MdtBodyID a = someBody(s), b = someBody(s);
     if (!a || a == b)
         return;
-    if (s->numConstraints >= MOST_CONSTRAINTS / 5)
+    if (s->numConstraints >= MAX_CONSTRAINTS / 5)
         destroyConstraint(s);
     const MdtConstraintID c = below(s, 2) ? MdtContactGroupQuaConstraint(MdtContactGroupCreate(s->world))
                                           : MdtBSJointQuaConstraint(MdtBSJointCreate(s->world));
@@ -281,7 +281,7 @@ static void destroyContact(Scene *s) {
 /* A contact that leaves its group is a constraint of its own. */
 static void removeContact(Scene *s) {
     const MdtContactGroupID g = someGroup(s);
-    const MdtContactID c = g && s->numConstraints < MOST_CONSTRAINTS / 4 ? MdtContactGroupGetFirstContact(g) : 0;
+    const MdtContactID c = g && s->numConstraints < MAX_CONSTRAINTS / 4 ? MdtContactGroupGetFirstContact(g) : 0;
     if (!c)
         return;
     MdtContactGroupRemoveContact(g, c);
@@ -328,7 +328,7 @@ static void (*const actions[])(Scene *) = {
     destroyContact, removeContact,     sortBody,         sortConstraint, rest,       reset};
 
 static Scene create(void) {
-    Scene s = {.world = MdtWorldCreate(MOST_BODIES, MOST_CONSTRAINTS), .random = {1}};
+    Scene s = {.world = MdtWorldCreate(MAX_BODIES, MAX_CONSTRAINTS), .random = {1}};
     MdtWorldSetGravity(s.world, 0, 0, 0);
     MdtWorldSetGamma(s.world, 0);
     return s;
@@ -337,7 +337,7 @@ static Scene create(void) {
 START_TEST(partitions_are_those_of_a_search_after_whatever_changes_the_graph) {
     enum { ACTIONS = sizeof actions / sizeof *actions };
     Scene s = create();
-    int done[ACTIONS] = {0}, most = 0;
+    int done[ACTIONS] = {0}, max = 0;
     messages_catch();
     MdtWorldSetPartitionCB(s.world, see, &s);
     for (int i = 0; i < 20; i++)
@@ -354,11 +354,11 @@ START_TEST(partitions_are_those_of_a_search_after_whatever_changes_the_graph) {
         MdtWorldStep(s.world, FRAME);
         ck_assert_int_eq(s.shown, wanted.count);
         compare(&s.seen, &wanted, step, isQuiet ? -1 : action);
-        most = wanted.count > most ? wanted.count : most;
+        max = wanted.count > max ? wanted.count : max;
     }
     for (int i = 0; i < ACTIONS; i++)
         ck_assert_int_gt(done[i], STEPS / ACTIONS / 4);
-    ck_assert_int_gt(most, 5);
+    ck_assert_int_gt(max, 5);
     messages_release();
     MdtWorldDestroy(s.world);
 }

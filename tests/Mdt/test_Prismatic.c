@@ -175,16 +175,16 @@ START_TEST(a_hard_stop_returns_its_restitution) {
         for (int side = 0; side < 2; side++) {
             Cart s = makeCart();
             const double way = side == 0 ? -1 : 1;
-            double most = 0;
+            double max = 0;
             setStop(s, 0, -.4, MEINFINITY, 0, es[k]);
             setStop(s, 1, .6, MEINFINITY, 0, es[k]);
             throwCart(s, 2 * way);
             for (int i = 0; i < 30; i++) {
                 MdtWorldStep(s.world, FRAME);
-                most = fmax(most, way * wayOf(s, NULL));
+                max = fmax(max, way * wayOf(s, NULL));
             }
             assert_near(speedOf(s), -es[k] * 2 * way, TOL(2e-6, 2e-11));
-            assert_below(most, (side == 0 ? .4 : .6) + TOL(2e-6, 1e-8));
+            assert_below(max, (side == 0 ? .4 : .6) + TOL(2e-6, 1e-8));
             if (es[k] == 0)
                 assert_near(wayOf(s, NULL), side == 0 ? -.4 : .6, TOL(2e-6, 6e-12));
             MdtWorldDestroy(s.world);

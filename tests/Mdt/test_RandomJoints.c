@@ -116,20 +116,20 @@ static double kineticEnergy(void) {
     return sum;
 }
 
-typedef struct Most {
+typedef struct Max {
     double value;
     int system;
-} Most;
+} Max;
 
 typedef struct Worst {
-    Most work;   /* millions, in a step */
-    Most growth; /* of the kinetic energy, gravity's work apart, of what there was */
+    Max work;    /* millions, in a step */
+    Max growth;  /* of the kinetic energy, gravity's work apart, of what there was */
     int limited; /* steps */
 } Worst;
 
-static void note(Most *most, double value) {
-    if (value > most->value)
-        *most = (Most){value, running};
+static void note(Max *max, double value) {
+    if (value > max->value)
+        *max = (Max){value, running};
 }
 
 static double heightOfEnergy(void) {

@@ -776,12 +776,12 @@ START_TEST(the_simulation_is_the_same_bit_for_bit) {
     MdtBodyID with[4], without[4];
     MdtWorldID a = mixedScene(with), b = mixedScene(without);
     MdtWorldEnableReport(a);
-    int most = 0;
+    int max = 0;
     for (int i = 0; i < 60; i++) {
         MdtWorldStep(a, FRAME);
         MdtWorldStep(b, FRAME);
         const int way = (int)reportOf(a).way;
-        most = way > most ? way : most;
+        max = way > max ? way : max;
         for (int k = 0; k < 4; k++) {
             ck_assert(memcmp(MdtBodyGetTransformPtr(with[k]), MdtBodyGetTransformPtr(without[k]), sizeof(MeMatrix4)) ==
                       0);
@@ -792,7 +792,7 @@ START_TEST(the_simulation_is_the_same_bit_for_bit) {
                 ck_assert(memcmp(v[n], u[n], 3 * sizeof(MeReal)) == 0);
         }
     }
-    ck_assert_int_eq(most, MdtReportWayDivided);
+    ck_assert_int_eq(max, MdtReportWayDivided);
     MdtWorldDestroy(a);
     MdtWorldDestroy(b);
 }

@@ -62,15 +62,15 @@ static void assertAttached(Bar s) {
 START_TEST(the_primary_angle_holds_towards_the_second_axis) {
     for (int side = -1; side <= 1; side += 2) {
         Bar s = makeBar();
-        double swing[2], twist, most = 0;
+        double swing[2], twist, max = 0;
         pull(s, 10 * side, 0);
         for (int i = 0; i < 300; i++) {
             MdtWorldStep(s.world, FRAME);
             measureSwing(s.bar, swing, &twist);
-            most = fmax(most, swing[0] * side);
+            max = fmax(max, swing[0] * side);
             assertAttached(s);
         }
-        assert_near(most, primary, TOL(3e-7, 2e-9));
+        assert_near(max, primary, TOL(3e-7, 2e-9));
         assert_near(swing[0], side * primary, TOL(3e-7, 1e-10)); /* to a position row's tolerance, of 1 rad */
         assert_near(swing[1], 0, TOL(1e-6, 9e-14));
         ck_assert_int_eq(rowsOf(s), 4);
@@ -82,14 +82,14 @@ END_TEST
 START_TEST(the_secondary_angle_holds_towards_the_third_axis) {
     for (int side = -1; side <= 1; side += 2) {
         Bar s = makeBar();
-        double swing[2], twist, most = 0;
+        double swing[2], twist, max = 0;
         pull(s, 0, 10 * side);
         for (int i = 0; i < 300; i++) {
             MdtWorldStep(s.world, FRAME);
             measureSwing(s.bar, swing, &twist);
-            most = fmax(most, swing[1] * side);
+            max = fmax(max, swing[1] * side);
         }
-        assert_near(most, secondary, TOL(8e-7, 3e-9));
+        assert_near(max, secondary, TOL(8e-7, 3e-9));
         assert_near(swing[0], 0, TOL(1e-6, 9e-14));
         assert_near(swing[1], side * secondary, TOL(1e-6, 8e-14));
         MdtWorldDestroy(s.world);
@@ -169,15 +169,15 @@ static void twistBar(Bar s, double torque) {
 START_TEST(the_twist_stops_at_its_limit) {
     for (int side = -1; side <= 1; side += 2) {
         Bar s = makeBar();
-        double swing[2], twist, most = 0, t[3];
+        double swing[2], twist, max = 0, t[3];
         MdtSkeletalSetTwistLimitAngle(s.joint, (MeReal).6);
         for (int i = 0; i < 200; i++) {
             twistBar(s, side);
             MdtWorldStep(s.world, FRAME);
             measureSwing(s.bar, swing, &twist);
-            most = fmax(most, twist * side);
+            max = fmax(max, twist * side);
         }
-        assert_near(most, .6, TOL(6e-7, 4e-11));
+        assert_near(max, .6, TOL(6e-7, 4e-11));
         assert_near(twist, .6 * side, TOL(1e-6, 2e-10));
         read_torque(MdtSkeletalQuaConstraint(s.joint), 0, t);
         assert_vec3_near(t, -side, 0, 0, TOL(1e-6, 9e-14));
@@ -256,7 +256,7 @@ END_TEST
 
 START_TEST(free_options_leave_a_ball_and_socket) {
     Bar s = makeBar();
-    double swing[2], twist, most = 0, mostTwist = 0;
+    double swing[2], twist, max = 0, maxTwist = 0;
     MdtSkeletalSetConeOption(s.joint, MdtSkeletalConeOptionFree);
     MdtSkeletalSetTwistOption(s.joint, MdtSkeletalTwistOptionFree);
     pull(s, 10, 0);
@@ -264,12 +264,12 @@ START_TEST(free_options_leave_a_ball_and_socket) {
     for (int i = 0; i < 120; i++) {
         MdtWorldStep(s.world, FRAME);
         measureSwing(s.bar, swing, &twist);
-        most = fmax(most, fabs(swing[0]));
-        mostTwist = fmax(mostTwist, fabs(twist));
+        max = fmax(max, fabs(swing[0]));
+        maxTwist = fmax(maxTwist, fabs(twist));
         ck_assert_int_eq(rowsOf(s), 3);
     }
-    assert_below(1.5, most);
-    assert_below(1.5, mostTwist);
+    assert_below(1.5, max);
+    assert_below(1.5, maxTwist);
     MdtWorldDestroy(s.world);
 }
 END_TEST
@@ -290,16 +290,16 @@ END_TEST
 
 START_TEST(in_a_slot_it_swings_in_the_primary_plane) {
     Bar s = makeBar();
-    double swing[2], twist, most = 0;
+    double swing[2], twist, max = 0;
     MdtSkeletalSetConeOption(s.joint, MdtSkeletalConeOptionSlot);
     pull(s, 5, 20);
     for (int i = 0; i < 300; i++) {
         MdtWorldStep(s.world, FRAME);
         measureSwing(s.bar, swing, &twist);
         assert_near(swing[1], 0, TOL(1e-6, 4e-9));
-        most = fmax(most, swing[0]);
+        max = fmax(max, swing[0]);
     }
-    assert_near(most, primary, TOL(3e-7, 6e-11));
+    assert_near(max, primary, TOL(3e-7, 6e-11));
     assert_near(swing[0], primary, TOL(3e-7, 5e-10));
     ck_assert_int_eq(rowsOf(s), 5); /* 3, the slot, its end */
     MdtWorldDestroy(s.world);

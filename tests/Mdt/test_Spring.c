@@ -199,7 +199,7 @@ START_TEST(a_string_pulls_and_does_not_push) {
     setStop(s, 0, 0, 0, 0);
     setStop(s, 1, MEINFINITY, 0, 0);
     MdtBodySetPosition(s.body, 0, (MeReal)-.5, 0); /* slack: it falls freely for 0.3 s */
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < 18; i++) {
         MdtWorldStep(s.world, FRAME);
         read_force(MdtSpringQuaConstraint(s.spring), 0, f);
@@ -208,9 +208,9 @@ START_TEST(a_string_pulls_and_does_not_push) {
     assert_near(lengthOf(s), .5 + g / 2 * 18 * 18 / 3600, TOL(1e-6, 9e-14));
     for (int i = 0; i < 100; i++) {
         MdtWorldStep(s.world, FRAME);
-        most = fmax(most, lengthOf(s));
+        max = fmax(max, lengthOf(s));
     }
-    assert_near(most, 1, TOL(1e-6, 2e-11));
+    assert_near(max, 1, TOL(1e-6, 2e-11));
     assert_near(lengthOf(s), 1, TOL(1e-6, 7e-13));
     read_force(MdtSpringQuaConstraint(s.spring), 0, f);
     assert_near(f[1], mass * g, TOL(2e-5, 2e-12));
@@ -221,15 +221,15 @@ END_TEST
 /* A ball on a string swings round and never gets farther than its length. */
 START_TEST(a_taut_string_swings_like_a_rod) {
     Hung s = hang(g, 1);
-    double most = 0;
+    double max = 0;
     setStop(s, 0, 0, 0, 0);
     setStop(s, 1, MEINFINITY, 0, 0);
     MdtBodySetPosition(s.body, 1, 0, 0);
     for (int i = 0; i < 600; i++) {
         MdtWorldStep(s.world, FRAME);
-        most = fmax(most, lengthOf(s));
+        max = fmax(max, lengthOf(s));
     }
-    assert_below(most, 1 + TOL(5e-6, 5e-6));
+    assert_below(max, 1 + TOL(5e-6, 5e-6));
     MdtWorldDestroy(s.world);
 }
 END_TEST

@@ -7,7 +7,7 @@
 #include "inner/kea_structure_i.h"
 #include "karma_test.h"
 
-enum { MOST_NODES = 24, MOST_EDGES = MOST_NODES * MOST_NODES / 2, MOST = MOST_NODES * KEA_FACTOR_MAX_BLOCK };
+enum { MAX_NODES = 24, MAX_EDGES = MAX_NODES * MAX_NODES / 2, MAX = MAX_NODES * KEA_FACTOR_MAX_BLOCK };
 
 /* A small generator of its own, so that a failure can be repeated from the printed seed. */
 static unsigned long long state;
@@ -25,7 +25,7 @@ static int below(int n) {
 
 typedef struct {
     int numNodes, numEdges;
-    int size[MOST_NODES], edges[MOST_EDGES][2];
+    int size[MAX_NODES], edges[MAX_EDGES][2];
 } Graph;
 
 static void join(Graph *g, int a, int b) {
@@ -43,7 +43,7 @@ typedef enum { CHAIN, TREE, STAR, LOOP, RANDOM, KINDS } Kind;
 
 /* Nodes in no order that would help; sizes 1 to 12. */
 static void makeGraph(Graph *g, Kind kind, int numNodes) {
-    int label[MOST_NODES];
+    int label[MAX_NODES];
     g->numNodes = numNodes;
     g->numEdges = 0;
     for (int i = 0; i < numNodes; i++) {
@@ -82,7 +82,7 @@ static void destroy(void) {
 
 typedef struct {
     int n;
-    double A[MOST][MOST];
+    double A[MAX][MAX];
 } Dense;
 
 static Dense dense, eliminated;
@@ -164,16 +164,16 @@ static void solveDense(double *x) {
 }
 
 static double sizeOf(const double *x, int n) {
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < n; i++)
-        most = fmax(most, fabs(x[i]));
-    return most;
+        max = fmax(max, fabs(x[i]));
+    return max;
 }
 
 /* The last factorization against elimination, for a random right-hand side. */
 static void assertSolvesBy(void (*solve)(const KeaFactor *f, double x[]), KeaFactor *f, const Graph *g,
                            const char *what, unsigned seed) {
-    double x[MOST], y[MOST];
+    double x[MAX], y[MAX];
     toDense(f, g);
     for (int i = 0; i < dense.n; i++)
         x[i] = y[i] = uniform(-1, 1);
@@ -229,7 +229,7 @@ START_TEST(equal_blocks_solve_as_elimination_does) {
     for (unsigned seed = 1; seed <= 60; seed++) {
         Graph g;
         state = seed * 104729;
-        makeGraph(&g, (Kind)(seed % KINDS), 2 + below(MOST_NODES - 1));
+        makeGraph(&g, (Kind)(seed % KINDS), 2 + below(MAX_NODES - 1));
         for (int i = 0; i < g.numNodes; i++)
             g.size[i] = seed % 2 ? 6 : 3;
         KeaFactor *f = create(&g);
@@ -246,7 +246,7 @@ END_TEST
 /* What Cholesky's factorization does not read may hold anything. */
 START_TEST(cholesky_reads_upper_parts_only) {
     Graph g;
-    double x[MOST], y[MOST];
+    double x[MAX], y[MAX];
     state = 5;
     makeGraph(&g, RANDOM, 10);
     KeaFactor *f = create(&g);
@@ -337,7 +337,7 @@ END_TEST
 START_TEST(not_positive_definite_is_told_and_the_matrix_kept) {
     for (unsigned seed = 1; seed <= 100; seed++) {
         Graph g;
-        double x[MOST], y[MOST];
+        double x[MAX], y[MAX];
         state = seed * 31;
         makeGraph(&g, (Kind)(seed % KINDS), 1 + below(10));
         KeaFactor *f = create(&g);
@@ -401,7 +401,7 @@ START_TEST(trees_are_factored_without_fill) {
     for (unsigned seed = 1; seed <= 300; seed++) {
         Graph g;
         state = seed * 1299709;
-        makeGraph(&g, seed % 3 == 0 ? CHAIN : seed % 3 == 1 ? TREE : STAR, 1 + below(MOST_NODES));
+        makeGraph(&g, seed % 3 == 0 ? CHAIN : seed % 3 == 1 ? TREE : STAR, 1 + below(MAX_NODES));
         size_t entries = 0;
         for (int i = 0; i < g.numNodes; i++)
             entries += (size_t)(g.size[i] * g.size[i]);
@@ -416,7 +416,7 @@ END_TEST
 
 /* A ring of n nodes is a triangle at last: n - 3 blocks come into being. */
 START_TEST(rings_fill_one_block_a_node) {
-    for (int n = 3; n <= MOST_NODES; n++) {
+    for (int n = 3; n <= MAX_NODES; n++) {
         Graph g;
         state = (unsigned)n;
         makeGraph(&g, LOOP, n);
@@ -520,10 +520,10 @@ static void solveInto(double *x, const Graph *g, unsigned seed, const int *origi
 START_TEST(one_graph_gives_the_same_bits) {
     for (unsigned seed = 1; seed <= 50; seed++) {
         Graph g, mixed;
-        double x[MOST] = {0}, y[MOST] = {0};
-        int original[MOST_EDGES], same[MOST_EDGES];
+        double x[MAX] = {0}, y[MAX] = {0};
+        int original[MAX_EDGES], same[MAX_EDGES];
         state = seed * 17;
-        makeGraph(&g, (Kind)(seed % KINDS), 2 + below(MOST_NODES - 1));
+        makeGraph(&g, (Kind)(seed % KINDS), 2 + below(MAX_NODES - 1));
         mixed = g;
         for (int e = 0; e < g.numEdges; e++)
             original[e] = same[e] = e;
@@ -604,7 +604,7 @@ START_TEST(the_cache_survives_lack_of_memory) {
     ck_assert_ptr_null(MdtKeaCacheCreate());
     for (unsigned seed = 1; seed <= 20; seed++) {
         state = seed;
-        makeGraph(&g, (Kind)(seed % KINDS), 2 + below(MOST_NODES - 1));
+        makeGraph(&g, (Kind)(seed % KINDS), 2 + below(MAX_NODES - 1));
         ck_assert_int_ge(failuresOf(&g), 4); /* the order, its columns, the structure, the numbers */
     }
     MeMemoryAPI = real;
@@ -617,7 +617,7 @@ START_TEST(a_factor_survives_lack_of_memory_for_another) {
     Graph g, large;
     state = 11;
     makeGraph(&g, RANDOM, 6);
-    makeGraph(&large, RANDOM, MOST_NODES);
+    makeGraph(&large, RANDOM, MAX_NODES);
     messages_catch();
     makeScarce();
     KeaFactor *f = NULL, *other = NULL;
@@ -696,7 +696,7 @@ START_TEST(a_warm_cache_allocates_nothing) {
     makeScarce();
     cache = MdtKeaCacheCreate();
     for (int i = 0; i < GRAPHS; i++) {
-        makeGraph(&g, (Kind)(i % KINDS), 1 + below(MOST_NODES));
+        makeGraph(&g, (Kind)(i % KINDS), 1 + below(MAX_NODES));
         const int before = calls;
         ck_assert_ptr_nonnull(kea_cacheFind(cache, g.numNodes, g.size, g.numEdges, g.edges));
         ck_assert_msg(i < WARM || calls == before, "graph %d: %d allocations", i, calls - before);
@@ -714,7 +714,7 @@ END_TEST
 /* Of a matrix that depends on the seed alone: A⁻¹ of a vector, by one kernel. */
 typedef enum { LU, CHOLESKY, INVERTED, FORMS } Form;
 
-static void solveBy(const KeaFactorKernel *kernel, const Graph *g, int seed, Form form, double x[MOST]) {
+static void solveBy(const KeaFactorKernel *kernel, const Graph *g, int seed, Form form, double x[MAX]) {
     const MeBool isSymmetric = form != LU;
     state = (unsigned long long)seed;
     KeaFactor *f = create(g);
@@ -732,7 +732,7 @@ static void solveBy(const KeaFactorKernel *kernel, const Graph *g, int seed, For
         if (g->size[i] == 6)
             kernel->addRows(f, &rows, isSymmetric);
     }
-    for (int i = 0; i < MOST; i++)
+    for (int i = 0; i < MAX; i++)
         x[i] = uniform(-1, 1);
     f->isSymmetric = isSymmetric;
     ck_assert(kernel->factorize(f, kea_minPivot));
@@ -746,7 +746,7 @@ static void solveBy(const KeaFactorKernel *kernel, const Graph *g, int seed, For
 /* With blocks of any size, and of six all, and of three. */
 START_TEST(every_width_gives_the_same_bits) {
 #ifdef KEA_HAS_AVX2
-    static double narrow[MOST], wide[MOST];
+    static double narrow[MAX], wide[MAX];
     static Graph g;
     if (!kea_machineHasAvx2())
         return;

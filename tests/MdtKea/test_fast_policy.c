@@ -6,13 +6,13 @@
 #include "karma_test.h"
 #include "kea_i.h"
 
-enum { MOST_BODIES = 130, MOST_MANIFOLDS = 1600 };
+enum { MAX_BODIES = 130, MAX_MANIFOLDS = 1600 };
 
 static const double h = 1. / 64, gravity = 8, unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 static MdtKeaSystem s;
-static MdtKeaBody body[MOST_BODIES], *pointer[MOST_BODIES];
-static MdtKeaManifold manifold[MOST_MANIFOLDS];
+static MdtKeaBody body[MAX_BODIES], *pointer[MAX_BODIES];
+static MdtKeaManifold manifold[MAX_MANIFOLDS];
 static void *scratch;
 
 /* Any residual is small enough, so that as few passes are taken as may be. */
@@ -160,11 +160,11 @@ static const double sharePerPass = 0.189422168068;
 
 /* Six passes of Gauss-Seidel, each of which removes a share of what is more than a ten thousandth. */
 START_TEST(six_passes_push_bodies_apart) {
-    const double share = sharePerPass, most = 0.9e-3;
+    const double share = sharePerPass, max = 0.9e-3;
     double low = 0, high = 0;
     for (int pass = 0; pass < 6; pass++) {
-        low += share * (most - low);
-        const double apart = 0.5 * share * (most - (high - low));
+        low += share * (max - low);
+        const double apart = 0.5 * share * (max - (high - low));
         low -= apart;
         high += apart;
     }

@@ -3,15 +3,15 @@
 #include "MdtKeaMath.h"
 #include "karma_test.h"
 
-enum { MOST = 60 };
+enum { MAX = 60 };
 
 static const double radius = .5;
 /* m, at a place 1 m from the origin: of the transforms that gaps come from, which may be as much less. */
 static const double rounding = 1e-7;
 
 static MdtKeaSystem s;
-static MdtKeaBody body[MOST], *bodies[MOST];
-static MdtKeaManifold manifold[MOST];
+static MdtKeaBody body[MAX], *bodies[MAX];
+static MdtKeaManifold manifold[MAX];
 static void *scratch;
 
 static void begin(int numBodies) {
@@ -21,8 +21,8 @@ static void begin(int numBodies) {
     s.numBodies = numBodies;
     s.bodies = bodies;
     s.manifolds = manifold;
-    s.maxContacts = MOST;
-    s.maxRows = 3 * MOST;
+    s.maxContacts = MAX;
+    s.maxRows = 3 * MAX;
     s.cache = MdtKeaCacheCreate();
     s.parameters.stepsize = 1;
     s.parameters.timed = METRUE;
@@ -63,21 +63,21 @@ static void addContact(int a, int b, double gap, double restitution) {
 }
 
 /* The rows of the first contacts are left out. */
-static double flyWithout(int contacts, int mostImpacts) {
+static double flyWithout(int contacts, int maxImpacts) {
     MdtKeaInit(&s, scratch);
     MdtKeaCountContactRows(&s);
     for (int i = 0; i < contacts; i++)
         manifold[i].point[0].numRows = 0;
     MdtKeaMakeContactRows(&s);
     ck_assert(MdtKeaFlies(&s));
-    const double flown = MdtKeaFly(&s, 1e-9, mostImpacts);
+    const double flown = MdtKeaFly(&s, 1e-9, maxImpacts);
     ck_assert(s.parameters.stepsize == flown);
     ck_assert(MdtKeaIntegrate(&s));
     return flown;
 }
 
-static double fly(int mostImpacts) {
-    return flyWithout(0, mostImpacts);
+static double fly(int maxImpacts) {
+    return flyWithout(0, maxImpacts);
 }
 
 /* Five balls .1 m apart; the first comes with 1 m/s, stops where it hits, and so on. `others` fly elsewhere. Returns

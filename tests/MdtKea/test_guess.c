@@ -3,12 +3,12 @@
 #include "karma_test.h"
 #include "kea_i.h"
 
-enum { MOST = 60 };
+enum { MAX = 60 };
 
 static const double load = 8, unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 static MdtKeaSystem s;
-static MdtKeaBody body[MOST], *pointer[MOST];
-static MdtKeaManifold manifold[2 * MOST];
+static MdtKeaBody body[MAX], *pointer[MAX];
+static MdtKeaManifold manifold[2 * MAX];
 
 /* Whose manifolds are new, of a point each between the world and the first body, with y up. */
 static void begin(int numBodies, int numManifolds) {
@@ -50,9 +50,9 @@ static double forceOf(int i) {
 
 /* Body k's place from the ground up, in an order of some kind: the world's is -1. */
 static void makeColumn(const int place[]) {
-    begin(MOST, MOST);
-    for (int i = 0; i < MOST; i++)
-        for (int k = 0; k < MOST; k++) {
+    begin(MAX, MAX);
+    for (int i = 0; i < MAX; i++)
+        for (int k = 0; k < MAX; k++) {
             if (place[k] == place[i] - 1)
                 manifold[i].body[1] = k;
             manifold[i].body[0] = i;
@@ -61,16 +61,16 @@ static void makeColumn(const int place[]) {
 
 /* Each contact of a column bears all that is above it, in whatever order contacts and bodies come. */
 START_TEST(a_columns_contacts_bear_what_is_above) {
-    for (int stride = 1; stride < MOST; stride += 6) { /* coprime with 60: 1, 7, 13, 19, 31, 37, 43, 49 */
-        int place[MOST];
+    for (int stride = 1; stride < MAX; stride += 6) { /* coprime with 60: 1, 7, 13, 19, 31, 37, 43, 49 */
+        int place[MAX];
         if (stride % 5 == 0)
             continue;
-        for (int i = 0; i < MOST; i++)
-            place[i] = i * stride % MOST;
+        for (int i = 0; i < MAX; i++)
+            place[i] = i * stride % MAX;
         makeColumn(place);
         guess();
-        for (int i = 0; i < MOST; i++)
-            assert_near_rel(forceOf(i), load * (MOST - place[i]), kea_guessTolerance);
+        for (int i = 0; i < MAX; i++)
+            assert_near_rel(forceOf(i), load * (MAX - place[i]), kea_guessTolerance);
     }
 }
 END_TEST

@@ -70,7 +70,7 @@ static void setSurface(KeaGroup *g, int lane) {
     g->correction[lane] = .05f;
 }
 
-static void makeGroupsOf(unsigned int from, int mostPoints) {
+static void makeGroupsOf(unsigned int from, int maxPoints) {
     seed = from;
     memset(groups, 0, sizeof groups);
     memset(motion, 0, sizeof motion);
@@ -79,7 +79,7 @@ static void makeGroupsOf(unsigned int from, int mostPoints) {
             motion[i].lin[k] = chance(-1, 1), motion[i].ang[k] = chance(-2, 2);
     for (int i = 0; i < GROUPS; i++)
         for (int lane = 0; lane < KEA_LANES; lane++) {
-            const int points = (int)chance(0, mostPoints + .999);
+            const int points = (int)chance(0, maxPoints + .999);
             groups[i].manifold[lane] = points ? 0 : -1;
             if (!points)
                 continue;
@@ -147,18 +147,18 @@ END_TEST
 START_TEST(visits_of_few_points_give_the_same_bits) {
     static KeaGroup all[GROUPS];
     static KeaMotion allMotion[BODIES], allWay[BODIES];
-    const int most = 1 + _i % 2;
+    const int max = 1 + _i % 2;
     KeaMeasure measured;
-    makeGroupsOf((unsigned int)(1 + _i), most);
+    makeGroupsOf((unsigned int)(1 + _i), max);
     for (int i = 0; i < GROUPS; i++)
         groups[i].points = KEA_POINTS;
     run(&kea_kernel, &measured);
     memcpy(all, groups, sizeof all);
     memcpy(allMotion, motion, sizeof motion);
     memcpy(allWay, displacement, sizeof displacement);
-    makeGroupsOf((unsigned int)(1 + _i), most);
+    makeGroupsOf((unsigned int)(1 + _i), max);
     for (int i = 0; i < GROUPS; i++)
-        groups[i].points = most;
+        groups[i].points = max;
     run(&kea_kernel, &measured);
     ck_assert_int_eq(memcmp(motion, allMotion, sizeof motion), 0);
     ck_assert_int_eq(memcmp(displacement, allWay, sizeof displacement), 0);

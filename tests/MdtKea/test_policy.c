@@ -7,7 +7,7 @@
 #include "kea_i.h"
 #include <float.h>
 
-enum { MOST_BODIES = 70 };
+enum { MAX_BODIES = 70 };
 
 static const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
@@ -226,7 +226,7 @@ END_TEST
 /* ---- a step ---- */
 
 static MdtKeaSystem s;
-static MdtKeaBody body[MOST_BODIES], *pointer[MOST_BODIES];
+static MdtKeaBody body[MAX_BODIES], *pointer[MAX_BODIES];
 static void *scratch;
 static const double h = 1. / 64;
 

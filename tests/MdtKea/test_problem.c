@@ -6,7 +6,7 @@
 #include "karma_test.h"
 #include "kea_i.h"
 
-enum { MOST_BODIES = 12, MOST_ROWS = 48, MOST_ENUMERATED = 7, MAX_PASSES = 12 };
+enum { MAX_BODIES = 12, MAX_ROWS = 48, MAX_ENUMERATED = 7, MAX_PASSES = 12 };
 
 /* A small generator of its own, so that a failure can be repeated from the printed seed. */
 static unsigned long long state;
@@ -23,9 +23,9 @@ static int below(int n) {
 /* ---- dense elimination ---- */
 
 /* x := M⁻¹ x with full pivoting. Unknowns that M does not determine become 0. Returns the rank. */
-static int eliminate(int n, double M[][MOST_ROWS], double *x) {
-    int column[MOST_ROWS], rank = 0;
-    double most = 0, solution[MOST_ROWS] = {0};
+static int eliminate(int n, double M[][MAX_ROWS], double *x) {
+    int column[MAX_ROWS], rank = 0;
+    double max = 0, solution[MAX_ROWS] = {0};
     for (int i = 0; i < n; i++)
         column[i] = i;
     for (; rank < n; rank++) {
@@ -34,8 +34,8 @@ static int eliminate(int n, double M[][MOST_ROWS], double *x) {
             for (int j = rank; j < n; j++)
                 if (fabs(M[i][column[j]]) > fabs(M[r][column[c]]))
                     r = i, c = j;
-        most = fmax(most, fabs(M[r][column[c]]));
-        if (fabs(M[r][column[c]]) <= 1e-11 * most)
+        max = fmax(max, fabs(M[r][column[c]]));
+        if (fabs(M[r][column[c]]) <= 1e-11 * max)
             break;
         for (int j = 0; j < n; j++) {
             const double t = M[r][j];
@@ -70,7 +70,7 @@ static int eliminate(int n, double M[][MOST_ROWS], double *x) {
 static _Alignas(16) char memory[1 << 20];
 static KeaProblem q;
 static MdtKeaCache *cache;
-static double startLoad[MOST_BODIES][6], startR[MOST_ROWS], total[MOST_BODIES][6];
+static double startLoad[MAX_BODIES][6], startR[MAX_ROWS], total[MAX_BODIES][6];
 
 static void begin(int numBodies, int numRows) {
     KeaArena arena = {memory, 0};
@@ -92,7 +92,7 @@ static void begin(int numBodies, int numRows) {
 
 static void setInverse(KeaMetric *B) {
     for (int c = 0; c < 3; c++) {
-        double M[3][MOST_ROWS] = {{0}}, x[MOST_ROWS] = {0};
+        double M[3][MAX_ROWS] = {{0}}, x[MAX_ROWS] = {0};
         for (int i = 0; i < 3; i++)
             for (int j = 0; j < 3; j++)
                 M[i][j] = B->angular[i][j];
@@ -169,7 +169,7 @@ static void randomLaws(double (*const v0)[6]) {
 }
 
 static void randomProblem(int numBodies, int numRows, MeBool isSoft, MeBool isRedundant) {
-    double v0[MOST_BODIES][6];
+    double v0[MAX_BODIES][6];
     begin(numBodies, numRows);
     for (int b = 0; b < numBodies; b++) {
         randomBody(b);
@@ -227,14 +227,14 @@ static void end(void) {
 
 typedef struct {
     int n;
-    double A[MOST_ROWS][MOST_ROWS], b[MOST_ROWS]; /* A = J B⁻¹ Jᵀ, b = r + J B⁻¹ g */
+    double A[MAX_ROWS][MAX_ROWS], b[MAX_ROWS]; /* A = J B⁻¹ Jᵀ, b = r + J B⁻¹ g */
 } Reference;
 
 static Reference ref;
 
 /* B⁻¹ x, by elimination. */
 static void divide(int b, const double x[6], double result[6]) {
-    double M[6][MOST_ROWS] = {{0}}, y[MOST_ROWS] = {0};
+    double M[6][MAX_ROWS] = {{0}}, y[MAX_ROWS] = {0};
     for (int i = 0; i < 3; i++) {
         M[i][i] = q.metric[b].linear;
         for (int j = 0; j < 3; j++)
@@ -248,7 +248,7 @@ static void divide(int b, const double x[6], double result[6]) {
 static void makeReference(void) {
     ref.n = q.numRows;
     for (int i = 0; i < q.numRows; i++) {
-        double v[MOST_BODIES][6] = {{0}}, push[6];
+        double v[MAX_BODIES][6] = {{0}}, push[6];
         for (int k = 0; k < 2; k++)
             if (q.row[i].body[k] >= 0)
                 divide(q.row[i].body[k], q.row[i].J[k], v[q.row[i].body[k]]);
@@ -292,8 +292,8 @@ static MeBool enumerate(double *p) {
     for (int i = 0; i < ref.n; i++)
         sets *= 3;
     for (int code = 0; code < sets; code++) {
-        double M[MOST_ENUMERATED][MOST_ROWS], x[MOST_ROWS];
-        int free[MOST_ENUMERATED], count = 0, c = code;
+        double M[MAX_ENUMERATED][MAX_ROWS], x[MAX_ROWS];
+        int free[MAX_ENUMERATED], count = 0, c = code;
         MeBool possible = METRUE;
         for (int i = 0; i < ref.n; i++, c /= 3) {
             p[i] = c % 3 == 1 ? q.row[i].lower : c % 3 == 2 ? q.row[i].upper : 0;
@@ -331,11 +331,11 @@ static void assertRates(const double *p, double tolerance, const char *what, uns
 }
 
 static void assertForces(const double *p, double tolerance, const char *what, unsigned seed) {
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < q.numRows; i++)
-        most = fmax(most, fabs(p[i]));
+        max = fmax(max, fabs(p[i]));
     for (int i = 0; i < q.numRows; i++)
-        ck_assert_msg(fabs(q.row[i].p - p[i]) <= tolerance * most, "%s, seed %u, row %d of %d: p = %.15g, not %.15g",
+        ck_assert_msg(fabs(q.row[i].p - p[i]) <= tolerance * max, "%s, seed %u, row %d of %d: p = %.15g, not %.15g",
                       what, seed, i, q.numRows, q.row[i].p, p[i]);
 }
 
@@ -366,9 +366,9 @@ static void assertBalance(double tolerance, const char *what, unsigned seed) {
 static void compareWithEnumeration(unsigned count, MeBool isSoft, MeBool isRedundant, const char *what) {
     unsigned skipped = 0;
     for (unsigned seed = 1; seed <= count; seed++) {
-        double p[MOST_ROWS];
+        double p[MAX_ROWS];
         state = seed + (isSoft ? 100000u : 0) + (isRedundant ? 200000u : 0);
-        randomProblem(2 + below(3), 1 + below(MOST_ENUMERATED), isSoft, isRedundant);
+        randomProblem(2 + below(3), 1 + below(MAX_ENUMERATED), isSoft, isRedundant);
         makeReference();
         solve();
         if (!enumerate(p)) {
@@ -405,9 +405,9 @@ END_TEST
 /* More rows than can be enumerated, and more than the bodies have degrees of freedom: the conditions themselves. */
 START_TEST(large_problems_are_complementary) {
     for (unsigned seed = 1; seed <= 60; seed++) {
-        double p[MOST_ROWS];
+        double p[MAX_ROWS];
         state = seed * 7919;
-        randomProblem(MOST_BODIES - (int)(seed % 5), MOST_ROWS, seed % 2, seed % 3 == 0);
+        randomProblem(MAX_BODIES - (int)(seed % 5), MAX_ROWS, seed % 2, seed % 3 == 0);
         makeReference();
         solve();
         for (int i = 0; i < q.numRows; i++)
@@ -613,7 +613,7 @@ typedef enum { NONE, OPEN, STICKS, SLIPS, AMBIGUOUS } Outcome;
 static Outcome slowContact(double mu, double *p) {
     enum { STEPS = 3600 };
     const double step = 2 * 3.14159265358979323846 / STEPS;
-    double M[3][MOST_ROWS], slipping[3], at[3], along, before;
+    double M[3][MAX_ROWS], slipping[3], at[3], along, before;
     Outcome outcome = NONE;
     p[0] = p[1] = p[2] = 0;
     if (ref.b[0] <= 0)
@@ -622,7 +622,7 @@ static Outcome slowContact(double mu, double *p) {
         slipping[i] = at[i] = 0;
         memcpy(M[i], ref.A[i], sizeof M[i]);
     }
-    double x[MOST_ROWS] = {ref.b[0], ref.b[1], ref.b[2]};
+    double x[MAX_ROWS] = {ref.b[0], ref.b[1], ref.b[2]};
     eliminate(3, M, x);
     if (x[0] > 0 && hypot(x[1], x[2]) <= mu * x[0]) {
         memcpy(p, x, 3 * sizeof *p);
@@ -656,7 +656,7 @@ static Outcome slowContact(double mu, double *p) {
 START_TEST(single_contacts_stick_or_slip_rightly) {
     int counts[5] = {0};
     for (unsigned seed = 1; seed <= 200; seed++) {
-        double frame[3][3], arm[2][3] = {{0}}, p[MOST_ROWS];
+        double frame[3][3], arm[2][3] = {{0}}, p[MAX_ROWS];
         state = seed * 104729;
         const double mu = uniform(0.05, 0.7);
         begin(1, 3);
@@ -756,7 +756,7 @@ static MeBool relax(double *p) {
 START_TEST(pairs_of_contacts_are_fixed_points) {
     int settled = 0;
     for (unsigned seed = 1; seed <= 150; seed++) {
-        double frame[3][3], arm[2][3], p[MOST_ROWS];
+        double frame[3][3], arm[2][3], p[MAX_ROWS];
         state = seed * 1299709;
         const int numBodies = 1 + (int)(seed % 2);
         begin(numBodies, 6);
@@ -843,7 +843,7 @@ START_TEST(forced_friction_follows_the_normal_force) {
         }
         makeReference();
         solve();
-        double p[MOST_ROWS], along;
+        double p[MAX_ROWS], along;
         across(angle, mu, p, &along);
         if (p[0] > 0) {
             assertForces(p, 1e-9, "forced", seed);
@@ -860,8 +860,8 @@ END_TEST
 /* A column of balls, each on the one below, the lowest on the ground, that a step's weight acts on. */
 static void makeColumn(void) {
     const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    begin(MOST_BODIES, MOST_BODIES);
-    for (int b = 0; b < MOST_BODIES; b++) {
+    begin(MAX_BODIES, MAX_BODIES);
+    for (int b = 0; b < MAX_BODIES; b++) {
         setBody(b, 1, unit);
         q.load[b][1] = 1;
         q.row[b].body[0] = b;
@@ -881,7 +881,7 @@ START_TEST(sweeps_carry_weight_down_a_column) {
     kea_problemAccumulate(&q, total);
     assertBalance(1e-12, "column", 0);
     for (int i = 0; i < q.numRows; i++)
-        assert_near(q.row[i].p, MOST_BODIES - i, 0.03);
+        assert_near(q.row[i].p, MAX_BODIES - i, 0.03);
     assert_below(kea_problemResidual(&q, NULL), 0.006);
     end();
 }
@@ -912,7 +912,7 @@ END_TEST
  * friction is within its cone. */
 START_TEST(sweeps_gain_no_energy) {
     for (unsigned seed = 1; seed <= 200; seed++) {
-        double v[MOST_BODIES][6], before = 0, after = 0;
+        double v[MAX_BODIES][6], before = 0, after = 0;
         state = seed * 104729;
         begin(6, 30);
         for (int b = 0; b < q.numBodies; b++) {

@@ -181,14 +181,14 @@ END_TEST
 /* ---- clamped matrices ---- */
 
 /* All principal minors: >= 0 if and only if no eigenvalue is negative. */
-static double leastMinor(const double M[3][3]) {
-    double least = HUGE_VAL, det = 0;
+static double minMinor(const double M[3][3]) {
+    double min = HUGE_VAL, det = 0;
     for (int i = 0; i < 3; i++) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        least = fmin(least, fmin(M[i][i], M[i][i] * M[j][j] - M[i][j] * M[j][i]));
+        min = fmin(min, fmin(M[i][i], M[i][i] * M[j][j] - M[i][j] * M[j][i]));
         det += M[0][i] * (M[1][j] * M[2][k] - M[1][k] * M[2][j]);
     }
-    return fmin(least, det);
+    return fmin(min, det);
 }
 
 /* The nearest matrix without negative eigenvalues, and the only one K₊ with K₊ >= 0, K₊ - K >= 0, K₊ (K₊ - K) = 0. Of
@@ -213,8 +213,8 @@ START_TEST(clamping_takes_the_negative_part_away) {
             for (int j = 0; j < 9; j++)
                 for (int k = 0; k < 3; k++)
                     product[j / 3][j % 3] += clamped[j / 3][k] * taken[k][j % 3];
-            ck_assert_msg(leastMinor((const double(*)[3])clamped) > -1e-13, "set %u, angle %d: negative", i, angle);
-            ck_assert_msg(leastMinor((const double(*)[3])taken) > -1e-13, "set %u, angle %d: too little", i, angle);
+            ck_assert_msg(minMinor((const double(*)[3])clamped) > -1e-13, "set %u, angle %d: negative", i, angle);
+            ck_assert_msg(minMinor((const double(*)[3])taken) > -1e-13, "set %u, angle %d: too little", i, angle);
             ck_assert_msg(kea_largestEntry((const double(*)[3])product) < 1e-13, "set %u, angle %d: not across", i,
                           angle);
         }

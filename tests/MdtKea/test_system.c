@@ -4,7 +4,7 @@
 #include "MeMemory.h"
 #include "karma_test.h"
 
-enum { MOST_BODIES = 12, MOST_ROWS = 80, MOST_BALLS = 12, GUARD = 256 };
+enum { MAX_BODIES = 12, MAX_ROWS = 80, MAX_BALLS = 12, GUARD = 256 };
 
 /* A small generator of its own, so that a failure can be repeated from the printed seed. */
 static unsigned long long state;
@@ -28,8 +28,8 @@ typedef struct {
 
 typedef struct {
     MdtKeaSystem s;
-    MdtKeaBody body[MOST_BODIES], *pointer[MOST_BODIES];
-    Ball ball[MOST_BALLS];
+    MdtKeaBody body[MAX_BODIES], *pointer[MAX_BODIES];
+    Ball ball[MAX_BALLS];
     int numBalls;
     double epsilon;
     unsigned char *block;
@@ -188,7 +188,7 @@ static void init(Scene *scene) {
         row->owner = -1 - i / 3;
         row->softness = scene->epsilon;
     }
-    double errors[3 * MOST_BALLS];
+    double errors[3 * MAX_BALLS];
     ballErrors(scene, scene->s.pose, errors);
     ballJacobians(scene, scene->s.pose);
     for (int i = 0; i < 3 * scene->numBalls; i++) {
@@ -237,8 +237,8 @@ static void addContact(Scene *scene, int a, int b, double gap) {
 
 /* Everything there is: joints in trees and loops, motors, springs, stops, contacts. */
 static void randomScene(Scene *scene, int garbage) {
-    const int n = 1 + below(MOST_BODIES), balls = below(MOST_BALLS + 1);
-    begin(scene, n, MOST_ROWS, uniform(0.002, 0.03), garbage);
+    const int n = 1 + below(MAX_BODIES), balls = below(MAX_BALLS + 1);
+    begin(scene, n, MAX_ROWS, uniform(0.002, 0.03), garbage);
     scene->epsilon = below(2) ? 0 : 1e-4;
     for (int i = 0; i < n; i++)
         randomBody(scene, i);
@@ -368,7 +368,7 @@ END_TEST
 
 /* φ⁺ = φ + h (s - h E λ) where the bodies have arrived. */
 static void assertPositionLaw(const Scene *scene, unsigned seed) {
-    double errors[3 * MOST_BALLS];
+    double errors[3 * MAX_BALLS];
     const double h = scene->s.parameters.stepsize;
     ballErrors((void *)scene, scene->s.pose, errors);
     for (int i = 0; i < 3 * scene->numBalls; i++) {
@@ -646,7 +646,7 @@ START_TEST(scratch_memory_is_not_left) {
         scene.s.parameters.mayRefuse = seed % 3 == 0;
         for (int i = 0; i < 3; i++) {
             fillRandomRows(&scene);
-            scene.s.maxRows = MOST_ROWS;
+            scene.s.maxRows = MAX_ROWS;
             MdtKeaSolve(&scene.s);
             ck_assert_msg(MdtKeaIntegrate(&scene.s), "seed %u", seed);
         }
@@ -657,7 +657,7 @@ END_TEST
 
 /* No more room than rows: the arrays are not laid out larger than they were measured. */
 START_TEST(scratch_of_exactly_that_many_rows) {
-    for (int n = 1; n <= MOST_BODIES; n++) {
+    for (int n = 1; n <= MAX_BODIES; n++) {
         Scene scene;
         state = (unsigned)n;
         begin(&scene, n, 3 * n, 0.01, 0x7f);
@@ -1129,7 +1129,7 @@ END_TEST
  * Returns the work of the impact. */
 static double hitAmong(int others, double speed) {
     Scene scene;
-    MdtKeaBody before[MOST_BODIES];
+    MdtKeaBody before[MAX_BODIES];
     begin(&scene, 3 + others, 2, 0.01, 0);
     for (int i = 0; i < 3; i++)
         setBody(&scene, i, 1, 0.4, i);
@@ -1328,7 +1328,7 @@ static void record(unsigned seed, int garbage, int others, MdtKeaBody bodies[], 
         MdtKeaSolve(&scene.s);
         ck_assert_msg(MdtKeaIntegrate(&scene.s), "seed %u", seed);
     }
-    memset(forces, 0, MOST_ROWS * sizeof *forces);
+    memset(forces, 0, MAX_ROWS * sizeof *forces);
     memcpy(bodies, scene.body, sizeof scene.body);
     for (int i = 0; i < scene.s.numRows; i++)
         forces[i] = scene.s.rows[i].force;
@@ -1338,8 +1338,8 @@ static void record(unsigned seed, int garbage, int others, MdtKeaBody bodies[], 
 /* The same bits: twice, whatever was in the scratch memory, and whatever the cache has seen. */
 START_TEST(steps_depend_on_the_system_alone) {
     for (unsigned seed = 1; seed <= 40; seed++) {
-        static MdtKeaBody a[MOST_BODIES], b[MOST_BODIES];
-        double p[MOST_ROWS], q[MOST_ROWS];
+        static MdtKeaBody a[MAX_BODIES], b[MAX_BODIES];
+        double p[MAX_ROWS], q[MAX_ROWS];
         record(seed, 0, 0, a, p);
         record(seed, 0, 0, b, q);
         ck_assert_msg(memcmp(a, b, sizeof a) == 0 && memcmp(p, q, sizeof p) == 0, "twice, seed %u", seed);

@@ -214,9 +214,9 @@ END_TEST
 
 /* ---- sets ---- */
 
-static void checkSet(MeSet *s, const MeBool *isIn, int most) {
+static void checkSet(MeSet *s, const MeBool *isIn, int max) {
     int size = 0;
-    for (int i = 0; i < most; i++) {
+    for (int i = 0; i < max; i++) {
         ck_assert_int_eq(MeSetContains(s, &number[i]), isIn[i]);
         if (isIn[i])
             ck_assert_ptr_eq(MeSetIteratorNext(s), &number[i]);
@@ -227,14 +227,14 @@ static void checkSet(MeSet *s, const MeBool *isIn, int most) {
 }
 
 START_TEST(a_set_has_each_item_once_and_in_order) {
-    enum { MOST = 60 };
-    MeDictNode nodes[MOST];
+    enum { MAX = 60 };
+    MeDictNode nodes[MAX];
     MeSet own, *sets[2] = {&own, MeSetCreate(compare)};
-    MeSetInit(&own, nodes, MOST, compare);
+    MeSetInit(&own, nodes, MAX, compare);
     for (int k = 0; k < 2; k++) {
-        MeBool isIn[MOST] = {0};
+        MeBool isIn[MAX] = {0};
         for (int round = 0; round < 2000; round++) {
-            const int i = randomBelow(MOST);
+            const int i = randomBelow(MAX);
             int copy = i;
             if (round & 1)
                 ck_assert_int_eq(MeSetAdd(sets[k], &number[i]), !isIn[i]);
@@ -242,11 +242,11 @@ START_TEST(a_set_has_each_item_once_and_in_order) {
                 ck_assert_int_eq(MeSetRemove(sets[k], &copy), isIn[i]);
             isIn[i] = round & 1;
             if (round % 50 == 0)
-                checkSet(sets[k], isIn, MOST);
+                checkSet(sets[k], isIn, MAX);
         }
         MeSetAdd(sets[k], &number[0]);
-        MeSetAdd(sets[k], &number[MOST - 1]);
-        ck_assert(MeSetPop(sets[k]) == &number[MOST - 1] && MeSetPopFirst(sets[k]) == &number[0]);
+        MeSetAdd(sets[k], &number[MAX - 1]);
+        ck_assert(MeSetPop(sets[k]) == &number[MAX - 1] && MeSetPopFirst(sets[k]) == &number[0]);
         while (MeSetPop(sets[k]))
             ;
         ck_assert(MeSetSize(sets[k]) == 0 && !MeSetPopFirst(sets[k]));
@@ -284,13 +284,13 @@ START_TEST(the_least_number_that_is_not_taken_is_given) {
     MeBool isTaken[300] = {0};
     for (int round = 0; round < 5000; round++) {
         if (randomBelow(100) < 55) {
-            int least = 0;
-            while (least < 300 && isTaken[least])
-                least++;
-            if (least == 300)
+            int min = 0;
+            while (min < 300 && isTaken[min])
+                min++;
+            if (min == 300)
                 break;
-            ck_assert_int_eq(MeIDPoolRequestID(pool), least);
-            isTaken[least] = METRUE;
+            ck_assert_int_eq(MeIDPoolRequestID(pool), min);
+            isTaken[min] = METRUE;
         } else {
             const int id = randomBelow(300);
             if (isTaken[id])

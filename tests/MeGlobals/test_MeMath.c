@@ -6,18 +6,18 @@ static const MeReal huge = TOL((MeReal)1e30, (MeReal)1e300), tiny = TOL((MeReal)
 /* ---- numbers ---- */
 
 START_TEST(random_numbers_fill_their_range) {
-    double least = 9, most = -9, sum = 0;
+    double min = 9, max = -9, sum = 0;
     int low = 0;
     for (int i = 0; i < 100000; i++) {
         const MeReal x = MeRealRandomInRange(-3, 5);
-        least = fmin(least, (double)x);
-        most = fmax(most, (double)x);
+        min = fmin(min, (double)x);
+        max = fmax(max, (double)x);
         sum += (double)x;
         low += x < -1;
     }
-    ck_assert(least >= -3 && most <= 5);
-    assert_near(least, -3, 1e-3);
-    assert_near(most, 5, 1e-3);
+    ck_assert(min >= -3 && max <= 5);
+    assert_near(min, -3, 1e-3);
+    assert_near(max, 5, 1e-3);
     assert_near(sum / 100000, 1, 0.05); /* 7 standard errors */
     assert_near(low / 100000., 0.25, 0.01);
 }
@@ -145,15 +145,15 @@ END_TEST
 /* Each component for itself, whichever operand has the larger one, and whatever the others are. */
 START_TEST(smaller_and_larger_components) {
     for (int i = 0; i < 8; i++) {
-        MeVector3 b = {1, 10, 100}, c = {2, 20, 200}, least, most;
+        MeVector3 b = {1, 10, 100}, c = {2, 20, 200}, min, max;
         for (int j = 0; j < 3; j++) {
             if (i >> j & 1)
                 MeRealSwap(&b[j], &c[j]);
         }
-        MeVector3Min(least, b, c);
-        assert_vec3_near(least, 1, 10, 100, 0);
-        MeVector3Max(most, b, c);
-        assert_vec3_near(most, 2, 20, 200, 0);
+        MeVector3Min(min, b, c);
+        assert_vec3_near(min, 1, 10, 100, 0);
+        MeVector3Max(max, b, c);
+        assert_vec3_near(max, 2, 20, 200, 0);
     }
 }
 END_TEST

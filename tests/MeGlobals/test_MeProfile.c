@@ -46,8 +46,8 @@ static double timeOf(const char *name) {
     return (double)MeProfileGetSectionTime(name);
 }
 
-static void assertAtLeast(double time, double least) {
-    ck_assert_msg(time >= least * (1 - rounding), "%g seconds, expected at least %g", time, least);
+static void assertNotBelow(double time, double min) {
+    ck_assert_msg(time >= min * (1 - rounding), "%g seconds, expected at least %g", time, min);
 }
 
 /* ---- sections ---- */
@@ -55,7 +55,7 @@ static void assertAtLeast(double time, double least) {
 START_TEST(clock_counts_seconds) {
     const double begin = now();
     spend();
-    assertAtLeast(now() - begin, waiting);
+    assertNotBelow(now() - begin, waiting);
     messages_catch();
     MeProfileGetTimerValue(NULL);
     assert_warned("MeProfileGetTimerValue");
@@ -80,10 +80,10 @@ START_TEST(inner_time_counts_for_the_outer) {
     MeProfileEndSection("other");
     MeProfileEndFrame();
     const double whole = now() - begin;
-    assertAtLeast(timeOf("inner"), 2 * waiting);
-    assertAtLeast(timeOf("outer"), timeOf("inner") + waiting);
-    assertAtLeast(timeOf("other"), waiting);
-    assertAtLeast(whole, (double)MeProfileGetAllSectionTime());
+    assertNotBelow(timeOf("inner"), 2 * waiting);
+    assertNotBelow(timeOf("outer"), timeOf("inner") + waiting);
+    assertNotBelow(timeOf("other"), waiting);
+    assertNotBelow(whole, (double)MeProfileGetAllSectionTime());
     assert_near_rel(MeProfileGetAllSectionTime(), timeOf("outer") + timeOf("other"), rounding);
     stop();
 }
@@ -106,8 +106,8 @@ START_TEST(sections_are_told_apart_by_text_and_place) {
     MeProfileEndSection("solve");
     MeProfileEndSection("b");
     MeProfileEndFrame();
-    assertAtLeast(timeOf("solve"), 2 * waiting);
-    assertAtLeast((double)MeProfileGetAllSectionTime(), timeOf("solve"));
+    assertNotBelow(timeOf("solve"), 2 * waiting);
+    assertNotBelow((double)MeProfileGetAllSectionTime(), timeOf("solve"));
     ck_assert(timeOf("Solve") == 0);
     ck_assert(MeProfileGetSectionTime("unknown") == 0);
     ck_assert(MeProfileGetSectionTime(NULL) == 0);
@@ -125,7 +125,7 @@ START_TEST(recursion_is_not_counted_twice) {
     for (int i = 0; i < 3; i++)
         MeProfileEndSection("a");
     MeProfileEndFrame();
-    assertAtLeast(timeOf("a"), waiting);
+    assertNotBelow(timeOf("a"), waiting);
     assert_near_rel(timeOf("a"), MeProfileGetAllSectionTime(), 0);
     stop();
 }
@@ -144,9 +144,9 @@ START_TEST(auto_stop_sections_follow_one_another) {
     spend();
     MeProfileEndSection("draw");
     MeProfileEndFrame();
-    assertAtLeast(timeOf("collide"), waiting);
-    assertAtLeast(timeOf("solve"), waiting);
-    assertAtLeast(timeOf("step"), timeOf("collide") + timeOf("solve"));
+    assertNotBelow(timeOf("collide"), waiting);
+    assertNotBelow(timeOf("solve"), waiting);
+    assertNotBelow(timeOf("step"), timeOf("collide") + timeOf("solve"));
     assert_near_rel(MeProfileGetAllSectionTime(), timeOf("step") + timeOf("draw"), rounding);
     stop();
 }
@@ -164,8 +164,8 @@ START_TEST(auto_stop_needs_both) {
     MeProfileEndSection("auto");
     MeProfileEndSection("plain");
     MeProfileEndFrame();
-    assertAtLeast(timeOf("auto"), timeOf("in auto"));
-    assertAtLeast(timeOf("plain"), timeOf("auto"));
+    assertNotBelow(timeOf("auto"), timeOf("in auto"));
+    assertNotBelow(timeOf("plain"), timeOf("auto"));
     assert_near_rel(timeOf("plain"), MeProfileGetAllSectionTime(), 0);
     stop();
 }
@@ -181,7 +181,7 @@ START_TEST(times_are_those_of_the_last_frame) {
     MeProfileEndSection("a");
     ck_assert(timeOf("a") == 0); /* the frame is not finished */
     MeProfileStartFrame();       /* which finishes the first */
-    assertAtLeast(timeOf("a"), waiting);
+    assertNotBelow(timeOf("a"), waiting);
     MeProfileEndFrame();
     ck_assert(timeOf("a") == 0 && MeProfileGetAllSectionTime() == 0);
     stop();
@@ -196,7 +196,7 @@ START_TEST(an_end_without_a_frame_does_nothing) {
     MeProfileEndSection("a");
     MeProfileEndFrame();
     MeProfileEndFrame();
-    assertAtLeast(timeOf("a"), waiting);
+    assertNotBelow(timeOf("a"), waiting);
     stop();
 }
 END_TEST
@@ -222,12 +222,12 @@ START_TEST(sections_are_split_by_frames) {
     spend();
     MeProfileEndFrame();
     const double whole = now() - begin;
-    assertAtLeast(timeOf("a"), waiting);
-    assertAtLeast(whole, timeOf("a"));
+    assertNotBelow(timeOf("a"), waiting);
+    assertNotBelow(whole, timeOf("a"));
     MeProfileStartFrame();
     MeProfileEndSection("a");
     MeProfileEndFrame();
-    assertAtLeast(whole, timeOf("a"));
+    assertNotBelow(whole, timeOf("a"));
     stop();
 }
 END_TEST
@@ -239,7 +239,7 @@ START_TEST(results_outlive_the_timers) {
     spend();
     MeProfileStopTimers();
     const double time = timeOf("a");
-    assertAtLeast(time, waiting);
+    assertNotBelow(time, waiting);
     MeProfileStartFrame();
     MeProfileStartSection("b", 0);
     spend();
@@ -298,7 +298,7 @@ START_TEST(ends_without_a_beginning_warn_once) {
     MeProfileEndSection("a");
     MeProfileEndFrame();
     assert_silent();
-    assertAtLeast(timeOf("a"), waiting);
+    assertNotBelow(timeOf("a"), waiting);
     MeProfileStartTiming(mode, kMeProfileDontLog);
     MeProfileEndSection("b");
     assert_warned("'b'");
@@ -319,8 +319,8 @@ START_TEST(inner_sections_end_with_the_outer) {
     spend();
     MeProfileEndSection("next");
     MeProfileEndFrame();
-    assertAtLeast(timeOf("inner"), waiting);
-    assertAtLeast(timeOf("outer"), timeOf("inner"));
+    assertNotBelow(timeOf("inner"), waiting);
+    assertNotBelow(timeOf("outer"), timeOf("inner"));
     assert_near_rel(MeProfileGetAllSectionTime(), timeOf("outer") + timeOf("next"), rounding);
     stop();
 }
@@ -346,7 +346,7 @@ START_TEST(other_threads_are_not_timed) {
     spend();
     MeProfileEndSection("here");
     MeProfileEndFrame();
-    assertAtLeast(timeOf("here"), waiting);
+    assertNotBelow(timeOf("here"), waiting);
     ck_assert(timeOf("elsewhere") == 0);
     stop();
 }
@@ -430,7 +430,7 @@ START_TEST(totals_are_reported) {
     assertColumns(1, 4, "step ", step);
     assertColumns(2, 4, "  solve ", solve);
     ck_assert(step[0] == 4 && solve[0] == 6); /* calls */
-    assertAtLeast(solve[1], 6 * 1000 * waiting);
+    assertNotBelow(solve[1], 6 * 1000 * waiting);
     ck_assert(step[1] >= solve[1] - 1e-4 && step[1] <= whole + 1e-4);
     ck_assert_uint_eq(strlen(report.lines[1]), strlen(report.lines[0]));
     ck_assert_uint_eq(strlen(report.lines[2]), strlen(report.lines[0]));
@@ -448,7 +448,7 @@ START_TEST(averages_are_reported) {
     assertColumns(1, 3, "step ", step);
     assertColumns(2, 3, "  solve ", solve);
     ck_assert(step[0] == 1 && solve[0] == 2); /* calls per frame, without those outside */
-    assertAtLeast(solve[1], 2 * 1000 * waiting);
+    assertNotBelow(solve[1], 2 * 1000 * waiting);
     ck_assert(solve[2] >= solve[1] - 1e-4 && 3 * step[1] <= whole + 3e-4);
     stop();
 }
@@ -471,7 +471,7 @@ START_TEST(calls_are_reported) {
         ck_assert(strstr(report.lines[i + 1], strcmp(name, "step") == 0 ? "  step\n" : "    solve\n") ==
                   report.lines[i + 1] + strlen("   frame     begin ms           ms"));
         if (strcmp(name, "solve") == 0)
-            assertAtLeast(duration, 1000 * waiting);
+            assertNotBelow(duration, 1000 * waiting);
         ck_assert(begin + duration >= last - 2.1e-4); /* four times rounded to 1e-4 */
         last = begin + duration;
     }
@@ -490,7 +490,7 @@ START_TEST(frames_are_reported) {
         double columns[3];
         assertColumns(i, 3, "", columns);
         ck_assert(columns[0] == i);
-        assertAtLeast(columns[2], 2 * 1000 * waiting);
+        assertNotBelow(columns[2], 2 * 1000 * waiting);
         ck_assert(columns[1] >= columns[2] - 1e-4);
         sum += columns[1];
     }
@@ -508,7 +508,7 @@ START_TEST(averages_without_frames_are_zero) {
     makeReport(kMeProfileOutputNormal);
     assertColumns(1, 4, "a ", columns);
     ck_assert(columns[0] == 1 && columns[2] == 0 && columns[3] == 0);
-    assertAtLeast(columns[1], 1000 * waiting);
+    assertNotBelow(columns[1], 1000 * waiting);
     stop();
 }
 END_TEST
@@ -578,15 +578,15 @@ END_TEST
 /* ---- the stopwatch ---- */
 
 /* A line for a section that was passed twice, in no more than so many milliseconds. */
-static void assertTicLine(int line, const char *name, double most) {
+static void assertTicLine(int line, const char *name, double max) {
     char found[32];
     int calls;
     double milliseconds;
     ck_assert_int_eq(sscanf(report.lines[line], "%31s %d %lf ms\n", found, &calls, &milliseconds), 3);
     ck_assert_str_eq(found, name);
     ck_assert_int_eq(calls, 2);
-    assertAtLeast(milliseconds, 2 * 1000 * waiting);
-    ck_assert(milliseconds <= most);
+    assertNotBelow(milliseconds, 2 * 1000 * waiting);
+    ck_assert(milliseconds <= max);
 }
 
 START_TEST(tic_times_what_follows) {
@@ -603,14 +603,14 @@ START_TEST(tic_times_what_follows) {
         spend();
     }
     tic(NULL);
-    const double most = 1000 * (now() - begin - 2 * waiting) + 1e-4; /* without the other */
+    const double max = 1000 * (now() - begin - 2 * waiting) + 1e-4; /* without the other */
     spend();
     tic(NULL);
     ticOutputResults(REPORT);
     readReport();
     ck_assert_int_eq(report.count, 2);
-    assertTicLine(0, "collide", most);
-    assertTicLine(1, "solve", most);
+    assertTicLine(0, "collide", max);
+    assertTicLine(1, "solve", max);
     ticOutputResults("/no/such/directory/report");
     assert_warned("ticOutputResults");
     ticInit();

@@ -79,13 +79,13 @@ typedef struct CallbackKind {
 static const CallbackKind callbackKind[] = {CALLBACKS(CB_KIND)};
 #undef CB_KIND
 
-enum { STACK = 3, MOST_MODELS = 160 };
+enum { STACK = 3, MAX_MODELS = 160 };
 #define CB_H (MeReal)(1. / 60)
 
 /* What the scene is made of, and what the function that acts was called with, or may as well act on. */
 static struct {
     int acting, calls; /* which function acts; how often it has */
-    int most;          /* so often it is to */
+    int max;           /* so often it is to */
     MeBool isArmed, isInside;
     void (*act)(void);
 
@@ -111,7 +111,7 @@ static struct {
 } cb;
 
 static inline void cb_call(int which) {
-    if (which != cb.acting || !cb.isArmed || cb.isInside || cb.calls >= cb.most)
+    if (which != cb.acting || !cb.isArmed || cb.isInside || cb.calls >= cb.max)
         return;
     cb.isInside = METRUE;
     cb.calls++;
@@ -176,10 +176,10 @@ static inline int MEAPI cb_noContacts(McdModelPair *p, McdIntersectResult *r) {
     (void)p, (void)r;
     return 0;
 }
-static inline int MEAPI cb_ownSafeTime(McdModelPair *p, MeReal most, McdSafeTimeResult *r) {
+static inline int MEAPI cb_ownSafeTime(McdModelPair *p, MeReal max, McdSafeTimeResult *r) {
     (void)p;
     cb_call(CB_OWN_SAFE_TIME);
-    r->time = most;
+    r->time = max;
     return 1;
 }
 static inline void MEAPI cb_ownBox(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, MeBool tight) {
@@ -218,12 +218,12 @@ static inline int MEAPI cb_ownSegment(const McdModelID m, MeReal *const from, Me
     cb_call(CB_OWN_SEGMENT);
     return 0;
 }
-static inline int MEAPI cb_triangles(McdModelPair *p, McdUserTriangle *t, MeVector3 at, MeReal radius, int most) {
+static inline int MEAPI cb_triangles(McdModelPair *p, McdUserTriangle *t, MeVector3 at, MeReal radius, int max) {
     static const int of[2][3] = {{0, 1, 2}, {0, 2, 3}};
     (void)p, (void)at, (void)radius;
     cb_call(CB_TRIANGLES);
     cb_call(CB_TRIANGLES_OF_QUERY);
-    for (int n = 0; n < 2 && n < most; n++) {
+    for (int n = 0; n < 2 && n < max; n++) {
         memset(&t[n], 0, sizeof t[n]);
         for (int k = 0; k < 3; k++)
             t[n].vertices[k] = &cb.corner[of[n][k]];
@@ -483,12 +483,12 @@ static inline void cb_makeMistakes(void) {
     McdModelSetMaterial(cb.stack[2], material++);
 }
 
-static inline void cb_begin(int acting, void (*act)(void), int most) {
+static inline void cb_begin(int acting, void (*act)(void), int max) {
     MstUniverseSizes sizes = MstUniverseGrowingSizes;
     memset(&cb, 0, sizeof cb);
     cb.acting = acting;
     cb.act = act;
-    cb.most = most;
+    cb.max = max;
     sizes.collisionUserGeometryTypesMaxCount = 2;
     if (acting == CB_PAIR_POOL)
         sizes.collisionPairsMaxCount = 4;

@@ -8,7 +8,7 @@
 
 #include <stdio.h>
 
-enum { MOST = 1100, FIXED = 5, MOTORS = 56, VALUES = 5 };
+enum { MAX = 1100, FIXED = 5, MOTORS = 56, VALUES = 5 };
 
 static const double h = 1. / 60, gravity = 9.81, pi = 3.14159265358979;
 
@@ -39,8 +39,8 @@ typedef struct Variant {
 /* ---- the scene that is simulated --------------------------------------------------------------------------------- */
 
 static MstUniverseID universe;
-static McdModelID model[MOST];
-static MeVector3 start[MOST];             /* where models were */
+static McdModelID model[MAX];
+static MeVector3 start[MAX];              /* where models were */
 static int bodies, fixed, watched;        /* the last: the body that the scene's error is about */
 static double mass, size;                 /* kg, of all bodies; m, by which an error is divided */
 static void (*drive)(double t);           /* called before each step; null: nothing to do */
@@ -61,7 +61,7 @@ static McdGeometryID boxOf(double x, double y, double z) {
 }
 
 static McdModelID add(McdModelID m) {
-    if (bodies == MOST)
+    if (bodies == MAX)
         abort();
     mass += (double)MdtBodyGetMass(McdModelGetBody(m));
     return model[bodies++] = m;
@@ -141,10 +141,10 @@ static double moved(int i, int axis) {
 }
 
 static double drift(void) {
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < bodies; i++)
-        most = fmax(most, hypot(moved(i, 0), moved(i, 2)));
-    return most;
+        max = fmax(max, hypot(moved(i, 0), moved(i, 2)));
+    return max;
 }
 
 static double lateOverlap(void) {

@@ -6,12 +6,12 @@
 #include "Mst.h"
 #include <math.h>
 
-enum { MOST = 1000 };
+enum { MAX = 1000 };
 
 static const double gravity = 9.81;
 static MstUniverseID u;
-static McdModelID model[MOST];
-static MdtConstraintID joint[MOST];
+static McdModelID model[MAX];
+static MdtConstraintID joint[MAX];
 static int numModels, numJoints;
 static unsigned int seed;
 
@@ -74,16 +74,16 @@ static inline MdtLimitID joinByHinge(McdModelID a, McdModelID b, const double at
 
 /* m, of the joint that is open furthest. */
 static inline double opening(void) {
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < numJoints; i++) {
         MeVector3 a, b;
         MdtConstraintBodyGetPosition(joint[i], 0, a);
         MdtConstraintBodyGetPosition(joint[i], 1, b);
         MeVector3Subtract(a, a, b);
         const double open = (double)MeVector3Magnitude(a);
-        most = open <= most ? most : open;
+        max = open <= max ? max : open;
     }
-    return most;
+    return max;
 }
 
 /* A level chain of links of half a kilogram, the first one joined to the world. Returns the last. */

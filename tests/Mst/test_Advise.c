@@ -6,7 +6,7 @@
 #include <signal.h>
 #include <unistd.h>
 
-enum { MOST = 32 };
+enum { MAX = 32 };
 
 static MstUniverseID u;
 static const MeReal step = (MeReal)(1. / 60);
@@ -15,11 +15,11 @@ static MeMatrix4 groundPlace;
 /* ---- asking ------------------------------------------------------------------------------------------------------ */
 
 static MstAdvice advice;
-static MstTrial trial[MOST];
+static MstTrial trial[MAX];
 static int told;
 
 static void MEAPI keep(const MstAdvice *a, void *userdata) {
-    ck_assert_int_le(a->count, MOST);
+    ck_assert_int_le(a->count, MAX);
     memcpy(trial, a->trial, (size_t)a->count * sizeof *trial);
     advice = *a;
     advice.trial = trial;
@@ -286,7 +286,7 @@ END_TEST
 
 START_TEST(it_says_the_same_again_and_with_workers) {
     const MstAdviceParams p = paramsOf(.3);
-    MstTrial before[MOST];
+    MstTrial before[MAX];
     createFallingBoxes();
     ask(&p);
     const int count = advice.count;

@@ -193,10 +193,10 @@ typedef struct Seen {
     MeVector3 place;
 } Seen;
 
-static int contactsOf(MdtBodyID body, Seen seen[], int most) {
+static int contactsOf(MdtBodyID body, Seen seen[], int max) {
     int count = 0;
     for (MdtContactID c = MdtBodyGetFirstContact(body); c; c = MdtBodyGetNextContact(body, c)) {
-        ck_assert_int_lt(count, most);
+        ck_assert_int_lt(count, max);
         seen[count].contact = c;
         seen[count].feature = MdtContactGetFeature(c);
         MdtContactGetPosition(c, seen[count++].place);

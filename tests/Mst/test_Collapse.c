@@ -22,8 +22,8 @@ static void begin(double friction) {
 }
 
 typedef struct Cost {
-    int events, most, factorizations, worst; /* of a partition in a step: most events, worst: matrices */
-    double work, start, energy;              /* millions of multiplications; J, before and now */
+    int events, max, factorizations, worst; /* of a partition in a step: most events, worst: matrices */
+    double work, start, energy;             /* millions of multiplications; J, before and now */
 } Cost;
 
 static void stepAndCount(Cost *c) {
@@ -37,14 +37,14 @@ static void stepAndCount(Cost *c) {
     c->work += (double)r.work;
     for (int i = 0; i < MdtWorldGetReportCount(u->world); i++) {
         ck_assert(MdtWorldGetPartitionReport(u->world, i, &r));
-        c->most = c->most > r.events ? c->most : r.events;
+        c->max = c->max > r.events ? c->max : r.events;
         c->worst = c->worst > r.factorizations ? c->worst : r.factorizations;
     }
 }
 
 static void tell(const char *name, const Cost *c) {
     printf("%-12s %d events, %d in a step of a partition, %d factorizations, %d in a step, work %.1f, %g of %g J\n",
-           name, c->events, c->most, c->factorizations, c->worst, c->work, c->energy, c->start);
+           name, c->events, c->max, c->factorizations, c->worst, c->work, c->energy, c->start);
 }
 
 /* ---- an arch ----------------------------------------------------------------------------------------------------- */
@@ -94,8 +94,8 @@ START_TEST(an_arch_falls_in_few_parts) {
     const Cost byDefault = dropArch(MdtSolverAuto), exact = dropArch(MdtSolverExact);
     tell("arch", &byDefault);
     tell("arch, exact", &exact);
-    ck_assert_int_le(byDefault.most, 2);
-    ck_assert_int_eq(exact.most, 2);
+    ck_assert_int_le(byDefault.max, 2);
+    ck_assert_int_eq(exact.max, 2);
     assert_below(byDefault.work, exact.work);
     ck_assert(byDefault.energy < .5 * byDefault.start && exact.energy < .5 * exact.start);
 }

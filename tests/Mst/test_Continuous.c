@@ -267,8 +267,8 @@ END_TEST
 /* A wall of boxes that sleeps: the bullet wakes it, does not go through, and loses what the boxes gain. A large one is
  * not held back by the bullet. */
 static void shootWall(int columns, int rows) {
-    enum { MOST = 64 };
-    McdModelID box[MOST];
+    enum { MAX = 64 };
+    McdModelID box[MAX];
     double momentum = 0, v[3], x = 0;
     const int count = columns * rows, hit = columns / 2 + columns * (rows / 2);
     MdtWorldSetGravity(u->world, 0, 0, -10);

@@ -6,11 +6,11 @@
 
 #define FRAME ((MeReal)(1. / 60))
 
-enum { MOST = 820, TOWER = 12 };
+enum { MAX = 820, TOWER = 12 };
 
 static const double gravity = 9.81;
 static MstUniverseID u;
-static McdModelID model[MOST];
+static McdModelID model[MAX];
 static int count;
 static unsigned int seed;
 static MeMatrix4 floorPlace = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
@@ -26,8 +26,8 @@ static MdtContactParamsID params(void) {
 
 static void makeWorld(MdtSolver solver) {
     MstUniverseSizes sizes = MstUniverseDefaultSizes;
-    sizes.dynamicBodiesMaxCount = MOST;
-    sizes.collisionModelsMaxCount = MOST + 2;
+    sizes.dynamicBodiesMaxCount = MAX;
+    sizes.collisionModelsMaxCount = MAX + 2;
     sizes.collisionPairsMaxCount = 20000;
     sizes.dynamicConstraintsMaxCount = 40000;
     u = MstUniverseCreate(&sizes);
@@ -94,13 +94,13 @@ static double speed(int i, int axis) {
 }
 
 static double deepest(void) {
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < count; i++) {
         const MdtBodyID b = McdModelGetBody(model[i]);
         for (MdtContactID c = MdtBodyGetFirstContact(b); c; c = MdtBodyGetNextContact(b, c))
-            most = fmax(most, (double)MdtContactGetPenetration(c));
+            max = fmax(max, (double)MdtContactGetPenetration(c));
     }
-    return most;
+    return max;
 }
 
 /* The mean of all contacts' overlaps, m. */
@@ -341,7 +341,7 @@ END_TEST
  * rest of a step. If the exact one does, a step takes 198 million multiplications, all of its budget; if impacts beside
  * held bodies are followed, or bodies that come to be held in the step are not counted, 115. */
 START_TEST(bodies_that_bounce_into_a_pit_take_no_solve_for_each_impact) {
-    double most = 0;
+    double max = 0;
     int events = 0;
     makeWorld(MdtSolverAuto);
     MdtWorldSetTimedContacts(u->world, 8); /* the default */
@@ -350,12 +350,12 @@ START_TEST(bodies_that_bounce_into_a_pit_take_no_solve_for_each_impact) {
     fillPit(1);
     for (int i = 0; i < 60; i++) {
         const MdtReport r = step(1);
-        most = fmax(most, (double)r.work);
+        max = fmax(max, (double)r.work);
         events = MeMAX(events, r.events);
     }
-    printf("balls that bounce into a pit: %.0f millions, %d events\n", most, events);
+    printf("balls that bounce into a pit: %.0f millions, %d events\n", max, events);
     ck_assert_int_gt(events, 100);
-    assert_below(most, .2 * MDTWORLD_DEFAULT_WORK_BUDGET);
+    assert_below(max, .2 * MDTWORLD_DEFAULT_WORK_BUDGET);
     MstUniverseDestroy(u);
 }
 END_TEST

@@ -56,13 +56,13 @@ static int countWay(MdtReportWay way) {
     return count;
 }
 
-static int mostTaken(MdtReportWay way, int steps) {
-    int most = 0;
+static int maxTaken(MdtReportWay way, int steps) {
+    int max = 0;
     for (int i = 0; i < steps; i++) {
         step(1);
-        most = MeMAX(most, countWay(way));
+        max = MeMAX(max, countWay(way));
     }
-    return most;
+    return max;
 }
 
 static void placeOf(int i, double place[3]) {
@@ -80,11 +80,11 @@ static double distanceOf(const double a[3], const double b[3]) {
 
 START_TEST(what_the_program_wants_exact_is_exact) {
     scatter(MdtSolverExact, brick, MANY);
-    ck_assert_int_eq(mostTaken(MdtReportWayFast, 30), 0);
+    ck_assert_int_eq(maxTaken(MdtReportWayFast, 30), 0);
     MstUniverseDestroy(u);
     scatter(MdtSolverAuto, brick, MANY);
     MdtWorldSetAccuracy(u->world, 0);
-    ck_assert_int_eq(mostTaken(MdtReportWayFast, 30), 0);
+    ck_assert_int_eq(maxTaken(MdtReportWayFast, 30), 0);
     MstUniverseDestroy(u);
 }
 END_TEST
@@ -95,7 +95,7 @@ START_TEST(what_slides_without_being_hit_is_exact) {
     makeWorld(MdtSolverAuto, .5);
     for (int i = 0; i < MANY; i++)
         McdModelDynamicsSetLinearVelocity(putAt(brick(), 4 * (i % 10), .25, 4 * (i / 10), 500), (MeReal)speed, 0, 0);
-    ck_assert_int_eq(mostTaken(MdtReportWayFast, 70), 0);
+    ck_assert_int_eq(maxTaken(MdtReportWayFast, 70), 0);
     for (int i = 0; i < MANY; i++) {
         double place[3];
         placeOf(i, place);
@@ -109,7 +109,7 @@ START_TEST(what_bounces_is_met_in_time) {
     scatter(MdtSolverAuto, marble, MANY);
     MdtContactParamsSetRestitution(MstBridgeGetContactParams(u->bridge, 0, 0), 1);
     const MdtReport before = step(1);
-    ck_assert_int_eq(mostTaken(MdtReportWayFast, 120), 0);
+    ck_assert_int_eq(maxTaken(MdtReportWayFast, 120), 0);
     const MdtReport after = step(1); /* friction takes 2/7 of 3 J/kg, on average, of 12.8: until the balls roll */
     ck_assert_double_gt((double)after.kineticEnergy + (double)after.potentialEnergy,
                         .9 * ((double)before.kineticEnergy + (double)before.potentialEnergy));
@@ -194,7 +194,7 @@ START_TEST(each_moves_as_if_it_were_alone) {
     for (int i = 0; i < 3; i++)
         runAlone(40 * i, alone[i]);
     scatter(MdtSolverFast, marble, MANY);
-    ck_assert_int_ge(mostTaken(MdtReportWayFast, SHORT), MANY);
+    ck_assert_int_ge(maxTaken(MdtReportWayFast, SHORT), MANY);
     for (int i = 0; i < 3; i++) {
         placeOf(40 * i, among[i]);
         assert_below(distanceOf(alone[i], among[i]), 1e-6);
@@ -216,7 +216,7 @@ START_TEST(what_meets_in_flight_falls_as_one_body) {
         McdModelDynamicsSetLinearVelocity(putAt(marble(), 12 * i + apart, 50, 0, 500), -2, 0, 0);
         McdModelDynamicsSetLinearVelocity(putAt(marble(), 12 * i, height, 6, 500), 3, 0, 0);
     }
-    ck_assert_int_gt(mostTaken(MdtReportWayFast, STEPS), PAIRS / 2);
+    ck_assert_int_gt(maxTaken(MdtReportWayFast, STEPS), PAIRS / 2);
     for (int i = 0; i < PAIRS; i++) {
         double a[3], b[3];
         placeOf(3 * i, a);

@@ -4,7 +4,7 @@
 #include "Mst.h"
 #include "karma_test.h"
 
-enum { MOST = 4096 };
+enum { MAX = 4096 };
 typedef struct {
     int kind; /* 1 point, 2 line, 3 triangle, 4 text */
     double p[3][3];
@@ -12,13 +12,13 @@ typedef struct {
     char text[64];
 } Mark;
 
-static Mark marks[MOST];
+static Mark marks[MAX];
 static int count;
 static MstUniverseID u;
 static MeMatrix4 ground;
 
 static Mark *mark(int kind, const float color[4]) {
-    ck_assert_int_lt(count, MOST);
+    ck_assert_int_lt(count, MAX);
     Mark *m = &marks[count++];
     m->kind = kind;
     memcpy(m->color, color, sizeof m->color);

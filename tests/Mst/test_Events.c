@@ -326,7 +326,7 @@ static void makeCrowd(void) {
 }
 
 /* The events of every tenth step, as numbers; whether the others' were asked for must not matter. */
-static int playCrowd(MeBool asksAlways, double *told, int most) {
+static int playCrowd(MeBool asksAlways, double *told, int max) {
     int count = 0;
     tearDown();
     setUp();
@@ -336,7 +336,7 @@ static int playCrowd(MeBool asksAlways, double *told, int most) {
         if (i % 10 == 0)
             for (int k = 0; k < eventCount(); k++) {
                 const MstEvent *e = event(k);
-                ck_assert_int_le(count + 10, most);
+                ck_assert_int_le(count + 10, max);
                 told[count++] = (double)e->kind;
                 told[count++] = (double)e->impulse;
                 told[count++] = (double)e->approachSpeed;
@@ -353,11 +353,11 @@ static int playCrowd(MeBool asksAlways, double *told, int most) {
 }
 
 START_TEST(the_list_is_the_same_whether_or_not_earlier_ones_were_asked_for) {
-    enum { MOST = 100000 };
-    static double always[MOST], sometimes[MOST];
-    const int count = playCrowd(METRUE, always, MOST);
+    enum { MAX = 100000 };
+    static double always[MAX], sometimes[MAX];
+    const int count = playCrowd(METRUE, always, MAX);
     ck_assert_int_gt(count, 1000);
-    ck_assert_int_eq(playCrowd(MEFALSE, sometimes, MOST), count);
+    ck_assert_int_eq(playCrowd(MEFALSE, sometimes, MAX), count);
     for (int i = 0; i < count; i++)
         ck_assert_msg(always[i] == sometimes[i], "number %d: %.17g, and %.17g", i, always[i], sometimes[i]);
 }

@@ -253,7 +253,7 @@ START_TEST(forces_of_programs_act_as_by_verlet) {
         for (double w = 3; w < 25; w *= 2) {
             MstUniverseID u = MstUniverseCreate(&MstUniverseGrowingSizes);
             MdtBodyID b = lonelyBody(u);
-            double x[3] = {way == 2 ? 0 : 1, way == 1 ? 1 : 0, way == 2 ? 2 : 0}, v[3] = {0, 0, 0}, a[3], most = 0,
+            double x[3] = {way == 2 ? 0 : 1, way == 1 ? 1 : 0, way == 2 ? 2 : 0}, v[3] = {0, 0, 0}, a[3], max = 0,
                    off = 0;
             MdtWorldSetGravity(MstUniverseGetWorld(u), 0, 0, 0);
             MdtBodySetPosition(b, (MeReal)x[0], (MeReal)x[1], (MeReal)x[2]);
@@ -277,9 +277,9 @@ START_TEST(forces_of_programs_act_as_by_verlet) {
                     v[k] += .5 * h * (a[k] + next[k]);
                 MdtBodyGetPosition(b, at);
                 for (int k = 0; k < 3; k++)
-                    off = fmax(off, fabs((double)at[k] - x[k])), most = fmax(most, fabs(x[k]));
+                    off = fmax(off, fabs((double)at[k] - x[k])), max = fmax(max, fabs(x[k]));
             }
-            ck_assert_msg(off < TOL(2e-2, 1e-6) * most, "way %d, %g rad/s: %g off by %g", way, w, most, off);
+            ck_assert_msg(off < TOL(2e-2, 1e-6) * max, "way %d, %g rad/s: %g off by %g", way, w, max, off);
             MstUniverseDestroy(u);
         }
 }

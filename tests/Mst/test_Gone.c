@@ -272,8 +272,8 @@ END_TEST
 START_TEST(the_depth_of_tiny_and_huge_shapes) {
     static MeMatrix4 tm[2];
     begin();
-    const double least = sizeof(MeReal) == 4 ? 1e-37 : 1e-300;
-    for (double size = least; size < 1e37; size *= 3) {
+    const double min = sizeof(MeReal) == 4 ? 1e-37 : 1e-300;
+    for (double size = min; size < 1e37; size *= 3) {
         McdDistanceResult result;
         const McdModelID a = McdModelCreate(McdBoxCreate(u->frame, (MeReal)size, (MeReal)size, (MeReal)size)),
                          b = McdModelCreate(McdConeCreate(u->frame, (MeReal)size, (MeReal)size));

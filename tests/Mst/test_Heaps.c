@@ -141,12 +141,12 @@ static void makeHeap(void) {
 }
 
 START_TEST(a_heap_settles_and_sleeps) {
-    enum { MOST = 1200 };
+    enum { MAX = 1200 };
     int inexact = 0, steps = 0;
     messages_catch();
     makeWorld();
     makeHeap();
-    for (; steps < MOST && (steps == 0 || MdtWorldGetEnabledBodies(u->world) > 0); steps++) {
+    for (; steps < MAX && (steps == 0 || MdtWorldGetEnabledBodies(u->world) > 0); steps++) {
         MdtReport report;
         MstUniverseStep(u, (MeReal)(1. / 60));
         ck_assert(MdtWorldGetReport(u->world, &report));
@@ -155,7 +155,7 @@ START_TEST(a_heap_settles_and_sleeps) {
     ck_assert_int_eq(caught.warnings, 0);
     messages_release();
     printf("%d cubes sleep after %d steps, %d of them inexact\n", CUBES, steps, inexact);
-    ck_assert_int_lt(steps, MOST);
+    ck_assert_int_lt(steps, MAX);
     ck_assert_int_le(inexact, steps / IN_STEPS);
     ck_assert(deepest() < 5e-4);
     MstUniverseDestroy(u);

@@ -43,7 +43,7 @@ static void makeDolls(void) {
 
 typedef struct Cost {
     double sum;
-    int most, dear, inexact; /* dear: steps of more than DEAR */
+    int max, dear, inexact; /* dear: steps of more than DEAR */
 } Cost;
 
 static void note(Cost *cost) {
@@ -51,7 +51,7 @@ static void note(Cost *cost) {
     for (int i = 0; i < MdtWorldGetReportCount(u->world); i++) {
         ck_assert(MdtWorldGetPartitionReport(u->world, i, &r));
         cost->sum += r.factorizations;
-        cost->most = r.factorizations > cost->most ? r.factorizations : cost->most;
+        cost->max = r.factorizations > cost->max ? r.factorizations : cost->max;
         cost->dear += r.factorizations > DEAR;
         cost->inexact += r.fallbacks > 0;
     }
@@ -71,7 +71,7 @@ START_TEST(dolls_that_fall_cost_few_factorizations_and_stay_together) {
     }
     printf("%.1f factorizations of a doll's step, %d at most, more than %d in %d steps; joints open by %.1e m, limits "
            "overrun by %.1e rad\n",
-           cost.sum / (DOLLS * STEPS), cost.most, DEAR, cost.dear, open, overrun);
+           cost.sum / (DOLLS * STEPS), cost.max, DEAR, cost.dear, open, overrun);
     MstUniverseDestroy(u);
     assert_below(cost.sum, 20 * DOLLS * STEPS);
     ck_assert_int_le(100 * cost.dear, 2 * DOLLS * STEPS);

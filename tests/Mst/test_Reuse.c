@@ -37,7 +37,7 @@ static void putPoint(MeVector3 *point, int x, int y, McdUserTriangle *t, int cor
 }
 
 /* The triangles of the field's cells within the radius. */
-static int MEAPI giveTriangles(McdModelPair *pair, McdUserTriangle *triangle, MeVector3 at, MeReal radius, int most) {
+static int MEAPI giveTriangles(McdModelPair *pair, McdUserTriangle *triangle, MeVector3 at, MeReal radius, int max) {
     static MeVector3 point[SIDE * SIDE];
     int count = 0;
     (void)pair;
@@ -47,7 +47,7 @@ static int MEAPI giveTriangles(McdModelPair *pair, McdUserTriangle *triangle, Me
             if (MeFabs(at[0] - (MeReal)(x - SIDE / 2) - (MeReal).5) > radius + (MeReal).5 ||
                 MeFabs(at[1] - (MeReal)(y - SIDE / 2) - (MeReal).5) > radius + (MeReal).5)
                 continue;
-            for (int half = 0; half < 2 && count < most; half++) {
+            for (int half = 0; half < 2 && count < max; half++) {
                 McdUserTriangle *t = &triangle[count++];
                 putPoint(point, x, y, t, 0);
                 putPoint(point, x + 1, y + half, t, 1);
@@ -366,7 +366,7 @@ static double depthsOf(McdModelID m) {
 
 /* The box at the top is tilted by less than what asks for a test: so are the depths of its four corners. */
 START_TEST(depths_follow_the_bodies) {
-    double most = 0;
+    double max = 0;
     build(MST_CONTACT_REUSE, _i);
     const McdModelID top = model[BOXES - 1];
     step(90);
@@ -378,13 +378,13 @@ START_TEST(depths_follow_the_bodies) {
         step(1);
         findContacts();
         const double carried = depthsOf(top);
-        most = fmax(most, fabs(carried - still));
+        max = fmax(max, fabs(carried - still));
         MstBridgeSetContactReuse(u->bridge, 0);
         findContacts();
         assert_near(depthsOf(top), carried, TOL(1e-6, 1e-9));
         MstBridgeSetContactReuse(u->bridge, (MeReal)MST_CONTACT_REUSE);
     }
-    ck_assert_msg(most > 1e-4, "the corners moved by %g in all", most);
+    ck_assert_msg(max > 1e-4, "the corners moved by %g in all", max);
     MstUniverseDestroy(u);
 }
 END_TEST

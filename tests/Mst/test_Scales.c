@@ -7,7 +7,7 @@
 #include "Mst.h"
 #include "karma_test.h"
 
-enum { MOST = 100 };
+enum { MAX = 100 };
 
 /* Powers of two. */
 typedef struct Units {
@@ -16,7 +16,7 @@ typedef struct Units {
 
 static Units units;
 static MstUniverseID u;
-static McdModelID model[MOST];
+static McdModelID model[MAX];
 static int count;
 static MeMatrix4 place;
 
@@ -143,10 +143,10 @@ static void makePyramid(void) {
 enum { CELLS = 8 };
 static MeVector3 corner[CELLS + 1][CELLS + 1];
 
-static int MEAPI triangles(McdModelPair *pair, McdUserTriangle *out, MeVector3 at, MeReal radius, int most) {
+static int MEAPI triangles(McdModelPair *pair, McdUserTriangle *out, MeVector3 at, MeReal radius, int max) {
     int found = 0;
     (void)pair;
-    for (int i = 0; i < 2 * CELLS * CELLS && found < most; i++) {
+    for (int i = 0; i < 2 * CELLS * CELLS && found < max; i++) {
         const int x = i / 2 / CELLS, y = i / 2 % CELLS, upper = i % 2;
         MeVector3 *const c[3] = {&corner[x][y], upper ? &corner[x + 1][y + 1] : &corner[x + 1][y],
                                  upper ? &corner[x][y + 1] : &corner[x + 1][y + 1]};
@@ -264,7 +264,7 @@ enum { SCENES = sizeof scenes / sizeof *scenes, STEPS = 120, STATE = 13 };
 
 /* The motion without units, step by step, and what it cost. */
 typedef struct Run {
-    double state[STEPS][MOST][STATE];
+    double state[STEPS][MAX][STATE];
     int contacts, factorizations, parts, passes, events, fallbacks, asleepFrom;
     double work;
 } Run;
@@ -329,12 +329,12 @@ static void play(const Scene *scene, Units in, Run *run) {
 
 /* Of the larger of 1 and the unit in which the state is told. */
 static double difference(const Run *a, const Run *b, int steps) {
-    double most = 0;
+    double max = 0;
     for (int step = 0; step < steps; step++)
-        for (int i = 0; i < MOST; i++)
+        for (int i = 0; i < MAX; i++)
             for (int k = 0; k < STATE; k++)
-                most = fmax(most, fabs(a->state[step][i][k] - b->state[step][i][k]));
-    return most;
+                max = fmax(max, fabs(a->state[step][i][k] - b->state[step][i][k]));
+    return max;
 }
 
 static Run one, other;

@@ -199,16 +199,16 @@ START_TEST(what_is_pushed_moves) {
         McdModelDynamicsGetPosition(sleeper, p0);
         McdModelDynamicsGetQuaternion(sleeper, q0);
         changes[i]();
-        double most = 0;
+        double max = 0;
         for (int k = 0; k < 30; k++) {
             step(1);
             McdModelDynamicsGetPosition(sleeper, p);
             McdModelDynamicsGetQuaternion(sleeper, q);
             for (int c = 0; c < 3; c++)
-                most = fmax(most, fabs((double)p[c] - (double)p0[c]) + fabs((double)q[c + 1] - (double)q0[c + 1]));
-            most = changes[i] == dropOnto && isAwake(sleeper) ? 1 : most;
+                max = fmax(max, fabs((double)p[c] - (double)p0[c]) + fabs((double)q[c + 1] - (double)q0[c + 1]));
+            max = changes[i] == dropOnto && isAwake(sleeper) ? 1 : max;
         }
-        ck_assert_msg(most > .01, "change %d: moved by %g", i, most);
+        ck_assert_msg(max > .01, "change %d: moved by %g", i, max);
         assert_silent();
         tearDown();
     }

@@ -3,10 +3,10 @@
 #include "karma_test.h"
 
 #define STEP (1. / 60)
-enum { MOST = 12 };
+enum { MAX = 12 };
 
 static MstUniverseID u;
-static McdModelID box[MOST];
+static McdModelID box[MAX];
 static int count;
 static MeU32 seed;
 

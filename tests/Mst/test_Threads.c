@@ -9,11 +9,11 @@
 
 #define FRAME ((MeReal)(1. / 60))
 
-enum { MOST = 400, JOINTED = 6 };
+enum { MAX = 400, JOINTED = 6 };
 
 typedef struct Scene {
     MstUniverseID u;
-    McdModelID model[MOST];
+    McdModelID model[MAX];
     int count;
     unsigned int seed;
 } Scene;

@@ -153,10 +153,10 @@ static int step(int *touches) {
 
 /* How the two falls that are counted went. */
 typedef struct Falls {
-    int cold, warm;                   /* allocations, until they began, and in them */
-    int jammed;                       /* pairs of models that touched in the first step */
-    int changes;                      /* steps in which the graph changed */
-    int factorizations, fewest, most; /* partitions */
+    int cold, warm;                  /* allocations, until they began, and in them */
+    int jammed;                      /* pairs of models that touched in the first step */
+    int changes;                     /* steps in which the graph changed */
+    int factorizations, fewest, max; /* partitions */
 } Falls;
 
 static void noteStep(Falls *f, int allocated) {
@@ -169,7 +169,7 @@ static void noteStep(Falls *f, int allocated) {
     f->changes += graph != last;
     f->factorizations += report.factorizations;
     f->fewest = MeMIN(f->fewest, partitions);
-    f->most = MeMAX(f->most, partitions);
+    f->max = MeMAX(f->max, partitions);
     last = graph;
 }
 
@@ -206,11 +206,11 @@ static void assertWarm(const MstUniverseSizes *sizes) {
     MeMemoryAPI = before;
     printf("%d cold and %d warm allocations, %d pairs jammed; the graph changed in %d steps, %d to %d partitions, %d "
            "factorizations\n",
-           f.cold, f.warm, f.jammed, f.changes, f.fewest, f.most, f.factorizations);
+           f.cold, f.warm, f.jammed, f.changes, f.fewest, f.max, f.factorizations);
     ck_assert_int_gt(f.cold, 0);
     ck_assert_int_lt(4 * f.cold, f.jammed); /* memory doubles, and is not taken one by one */
     ck_assert_int_gt(f.changes, (FALLS - WARM_FALLS) * FALL / 2);
-    ck_assert_int_gt(f.most, 2 * f.fewest);
+    ck_assert_int_gt(f.max, 2 * f.fewest);
     ck_assert_int_gt(f.factorizations, 0);
     ck_assert_int_eq(f.warm, 0);
 }

@@ -3,10 +3,10 @@
 #include "Mst.h"
 #include "karma_test.h"
 
-enum { MOST = 100 };
+enum { MAX = 100 };
 
 static MstUniverseID u;
-static MdtBodyID body[MOST];
+static MdtBodyID body[MAX];
 static unsigned int seed;
 
 static double chance(double from, double to) {
@@ -52,21 +52,21 @@ static void makeHeap(int boxes) {
 
 typedef struct Run {
     int factorizations, fallbacks, limited, rows;
-    double work, mostWork; /* millions; in a step and partition */
-    double speed;          /* m/s, the largest */
-    double growth;         /* J, of the kinetic energy in a step, beyond what gravity has done: by the height, or by the
+    double work, maxWork; /* millions; in a step and partition */
+    double speed;         /* m/s, the largest */
+    double growth;        /* J, of the kinetic energy in a step, beyond what gravity has done: by the height, or by the
                             * mean velocity where overlaps that are taken away have lifted boxes */
-    double start;          /* J */
+    double start;         /* J */
 } Run;
 
 static double fastest(int boxes) {
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < boxes; i++) {
         MeVector3 v;
         MdtBodyGetLinearVelocity(body[i], v);
-        most = fmax(most, sqrt((double)(v[0] * v[0] + v[1] * v[1] + v[2] * v[2])));
+        max = fmax(max, sqrt((double)(v[0] * v[0] + v[1] * v[1] + v[2] * v[2])));
     }
-    return most;
+    return max;
 }
 
 typedef struct Energy {
@@ -104,7 +104,7 @@ static void noteStep(Run *run, int boxes, Energy *last) {
     for (int i = 0; i < MdtWorldGetReportCount(u->world); i++) {
         MdtReport part;
         ck_assert(MdtWorldGetPartitionReport(u->world, i, &part));
-        run->mostWork = fmax(run->mostWork, (double)part.work);
+        run->maxWork = fmax(run->maxWork, (double)part.work);
     }
 }
 
@@ -151,10 +151,10 @@ START_TEST(a_budget_bounds_every_step_of_a_heap) {
     static const double budgets[] = {1, 4, -1};
     for (int i = 0; i < 3; i++) {
         const Run run = runHeap(30, 80, 0, budgets[i]);
-        const double most = budgets[i] < 0 ? MDTWORLD_DEFAULT_WORK_BUDGET : budgets[i];
+        const double max = budgets[i] < 0 ? MDTWORLD_DEFAULT_WORK_BUDGET : budgets[i];
         assert_below(run.speed, 15);
         assert_below(run.growth, TOL(1e-5, 1e-12) * run.start);
-        assert_below(run.mostWork, most + 0.25); /* a linearization, the fewest sweeps and passes, of 230 rows */
+        assert_below(run.maxWork, max + 0.25); /* a linearization, the fewest sweeps and passes, of 230 rows */
         ck_assert(budgets[i] < 0 || run.limited > 0);
     }
 }
@@ -165,7 +165,7 @@ END_TEST
 START_TEST(a_hundred_boxes_in_one_place_are_bounded) {
     enum { BOXES = 100, STEPS = 10 };
     const double sweep = 96e-6; /* of a row */
-    double most = 0;
+    double max = 0;
     Run run = {0};
     makeWorld(BOXES, 6 * BOXES * BOXES);
     const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
@@ -180,8 +180,8 @@ START_TEST(a_hundred_boxes_in_one_place_are_bounded) {
         MstUniverseStep(u, (MeReal)(1. / 60));
         noteStep(&run, BOXES, &energy);
         run.speed = fmax(run.speed, fastest(BOXES));
-        most = fmax(most, MDTWORLD_DEFAULT_WORK_BUDGET + sweep * run.rows);
-        assert_below(run.mostWork, most);
+        max = fmax(max, MDTWORLD_DEFAULT_WORK_BUDGET + sweep * run.rows);
+        assert_below(run.maxWork, max);
     }
     ck_assert(run.limited > 0 && run.fallbacks >= run.limited);
     assert_below(run.growth, TOL(1e-5, 1e-12) * run.start);

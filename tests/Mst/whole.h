@@ -35,12 +35,12 @@ static inline void whole_touch(const MstEvent *event) {
 }
 
 /* Two triangles that are one square. */
-static inline int MEAPI whole_triangles(McdModelPair *p, McdUserTriangle *t, MeVector3 p0, MeReal radius, int most) {
+static inline int MEAPI whole_triangles(McdModelPair *p, McdUserTriangle *t, MeVector3 p0, MeReal radius, int max) {
     MeVector3 *corner = McdTriangleListGetUserData(McdModelGetGeometry(p->model2));
     static const int of[2][3] = {{0, 1, 2}, {0, 2, 3}};
     int n = 0;
     (void)p0, (void)radius;
-    for (; corner && n < 2 && n < most; n++) {
+    for (; corner && n < 2 && n < max; n++) {
         memset(&t[n], 0, sizeof t[n]);
         for (int k = 0; k < 3; k++)
             t[n].vertices[k] = &corner[of[n][k]];

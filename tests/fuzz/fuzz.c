@@ -9,14 +9,14 @@
 #include <string.h>
 #include <sys/stat.h>
 
-enum { MOST_FINDINGS = 100 };
+enum { MAX_FINDINGS = 100 };
 
 typedef struct Options {
     uint64_t seed;
     int first; /* number of a run */
     long calls;
     double seconds, shortening;
-    int length, most;
+    int length, max;
     MeBool isLoud;
     const char *save, *corpus;
     char **files;
@@ -24,8 +24,8 @@ typedef struct Options {
 } Options;
 
 typedef struct Findings {
-    char why[MOST_FINDINGS][FUZZ_WHY];
-    int times[MOST_FINDINGS];
+    char why[MAX_FINDINGS][FUZZ_WHY];
+    int times[MAX_FINDINGS];
     int count;
 } Findings;
 
@@ -59,7 +59,7 @@ static MeBool readOption(Options *o, const char *name, const char *value) {
     else if (strcmp(name, "--length") == 0)
         o->length = (int)strtol(value, &end, 0);
     else if (strcmp(name, "--most") == 0)
-        o->most = (int)strtol(value, &end, 0);
+        o->max = (int)strtol(value, &end, 0);
     else if (strcmp(name, "--save") == 0)
         o->save = value, end = "";
     else if (strcmp(name, "--corpus") == 0)
@@ -79,7 +79,7 @@ static MeBool readOptions(Options *o, int argc, char **argv) {
     }
     o->files = argv + i;
     o->numFiles = argc - i;
-    return o->length > 0 && o->most > 0;
+    return o->length > 0 && o->max > 0;
 }
 
 /* ---- lines ---- */
@@ -114,7 +114,7 @@ static MeBool note(Findings *f, const char *why) {
     for (int i = 0; i < f->count; i++)
         if (strcmp(f->why[i], why) == 0)
             return f->times[i]++, MEFALSE;
-    if (f->count == MOST_FINDINGS)
+    if (f->count == MAX_FINDINGS)
         return MEFALSE;
     strcpy(f->why[f->count], why);
     f->times[f->count++] = 1;
@@ -214,7 +214,7 @@ static int runSeed(const Options *o, const FuzzTarget *target) {
     const double start = fuzzClock();
     long calls = 0;
     int number = o->first;
-    for (; calls < o->calls && findings.count < o->most; number++) {
+    for (; calls < o->calls && findings.count < o->max; number++) {
         if (o->seconds > 0 && fuzzClock() - start > o->seconds)
             break;
         FuzzRandom mix = {o->seed, 0, 0}; /* runs of one seed have nothing in common with those of the next */

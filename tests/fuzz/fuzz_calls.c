@@ -20,7 +20,7 @@
 #include "MeTask.h"
 #include "Mst.h"
 
-enum { SLOTS = 12, MOST_POOLS = 64, MOST_OBJECTS = 1 << 14, ARRAY_SLOTS = 8, MANY_REALS = 192 };
+enum { SLOTS = 12, MAX_POOLS = 64, MAX_OBJECTS = 1 << 14, ARRAY_SLOTS = 8, MANY_REALS = 192 };
 
 /* ---- handles ---- */
 
@@ -31,9 +31,9 @@ typedef struct Object {
     MeBool isDestroyed;
 } Object;
 
-static Object objects[MOST_OBJECTS];
+static Object objects[MAX_OBJECTS];
 static int objectCount;
-static int slots[MOST_POOLS][SLOTS]; /* objects; -1: empty */
+static int slots[MAX_POOLS][SLOTS]; /* objects; -1: empty */
 
 static MeBool isPool(int pool, const char *name) {
     return strcmp(fuzzPoolNames[pool], name) == 0;
@@ -88,7 +88,7 @@ static MeBool isLive(int object) {
 }
 
 static void put(int pool, int slot, void *p, const int owner[2]) {
-    if (!p || objectCount == MOST_OBJECTS)
+    if (!p || objectCount == MAX_OBJECTS)
         return;
     objects[objectCount] = (Object){p, pool, {owner[0], owner[1]}, MEFALSE};
     slots[pool][slot] = objectCount++;

@@ -20,11 +20,11 @@
 #include "r_i.h"
 #endif
 
-enum { MOST = 1 << 14, CHANGES = 8, WORDS = 64 };
+enum { MAX = 1 << 14, CHANGES = 8, WORDS = 64 };
 
 /* What is read: an example, changed; in memory, and in a file. */
 typedef struct Text {
-    char bytes[MOST];
+    char bytes[MAX];
     int size;
 } Text;
 
@@ -61,7 +61,7 @@ static void readLines(Text *t) {
     MeStream stream = MeStreamOpen(path, kMeOpenModeRDONLY);
     if (stream)
         readStream(stream, t);
-    stream = MeStreamCreateFromMemBuffer(t->bytes, (unsigned)t->size, MOST);
+    stream = MeStreamCreateFromMemBuffer(t->bytes, (unsigned)t->size, MAX);
     if (stream)
         readStream(stream, t);
 }
@@ -222,7 +222,7 @@ static void makePictures(void) {
     snprintf(path, sizeof path, "%s/file.png", directory);
     r_writePng(path, &(RPicture){4, 3, pixels});
     FILE *file = fopen(path, "rb");
-    png.size = file ? (int)fread(png.bytes, 1, MOST, file) : 0;
+    png.size = file ? (int)fread(png.bytes, 1, MAX, file) : 0;
     if (file)
         fclose(file);
 #endif
@@ -232,7 +232,7 @@ static void takeExample(const struct Reader *r, Text *t) {
     if (r->bytes)
         *t = *r->bytes;
     else
-        t->size = snprintf(t->bytes, MOST, "%s", r->example);
+        t->size = snprintf(t->bytes, MAX, "%s", r->example);
 }
 
 /* ---- changes ---- */
@@ -248,7 +248,7 @@ static void change(Text *t, const char *word) {
     const int more = used ? (int)strlen(word + used) / 2 : 0;
     place = place > t->size ? t->size : place;
     count = count > t->size - place ? t->size - place : count;
-    if (t->size - count + more >= MOST)
+    if (t->size - count + more >= MAX)
         return;
     memmove(t->bytes + place + more, t->bytes + place + count, (size_t)(t->size - place - count));
     for (int i = 0; i < more; i++)
@@ -294,7 +294,7 @@ static void generate(FuzzRandom *random, int index, FuzzLine *line) {
     fuzzWrite(line, "%s", r->name);
     for (int i = fuzzBelow(random, CHANGES); i >= 0; i--) {
         fuzzWrite(line, " %d:%d:", fuzzBelow(random, text.size + 1),
-                  fuzzChance(random, 10) ? MOST : fuzzBelow(random, 6));
+                  fuzzChance(random, 10) ? MAX : fuzzBelow(random, 6));
         writeBytes(line, random);
     }
 }

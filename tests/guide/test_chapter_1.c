@@ -98,9 +98,9 @@ START_TEST(an_elbow_moves_the_upper_arm_and_bends_by_160_degrees) {
     MdtHingeSetPosition(elbow, 0, 0, 0);
     MdtHingeSetAxis(elbow, 0, 0, 1);
     MdtLimitID limit = MdtHingeGetLimit(elbow);
-    const double most = 160 * PI / 180;
+    const double max = 160 * PI / 180;
     MdtSingleLimitSetStop(MdtLimitGetLowerLimit(limit), 0);
-    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(limit), (MeReal)most);
+    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(limit), (MeReal)max);
     MdtSingleLimitSetRestitution(MdtLimitGetLowerLimit(limit), 0);
     MdtSingleLimitSetRestitution(MdtLimitGetUpperLimit(limit), 0);
     MdtLimitActivateLimits(limit, 1);
@@ -112,9 +112,9 @@ START_TEST(an_elbow_moves_the_upper_arm_and_bends_by_160_degrees) {
         MdtBodyAddTorque(upperArm, 0, 0, -1);
         MdtWorldStep(world, (MeReal)0.01);
         const double bend = MdtLimitGetPosition(limit);
-        ck_assert_msg(bend > -1e-4 && bend < most + 1e-4, "bent by %g", bend);
+        ck_assert_msg(bend > -1e-4 && bend < max + 1e-4, "bent by %g", bend);
     }
-    assert_near(MdtLimitGetPosition(limit), most, TOL(3e-6, 6e-7));
+    assert_near(MdtLimitGetPosition(limit), max, TOL(3e-6, 6e-7));
     for (int i = 0; i < 100; i++) { /* pull the forearm away */
         MdtBodyAddForce(forearm, 10, 0, 0);
         MdtWorldStep(world, (MeReal)0.01);

@@ -89,18 +89,18 @@ END_TEST
 START_TEST(coulomb_friction) {
     beginOnPlane();
     MdtContactParamsID params = MdtContactGetParams(contact);
-    const double mu = .25, most = mu * 9.8;
+    const double mu = .25, max = mu * 9.8;
     MdtContactParamsSetType(params, MdtContactTypeFriction2D);
     MdtContactParamsSetFrictionModel(params, MdtFrictionModelNormalForce);
     MdtContactParamsSetFrictionCoeffecient(params, (MeReal)mu);
     for (int i = 1; i <= 9; i++) {
-        push(0, most * i / 10, 10);
-        assert_near(forceOn(MdtContactQuaConstraint(contact), 0, 2), -most * i / 10, TOL(8e-6, 3e-6));
+        push(0, max * i / 10, 10);
+        assert_near(forceOn(MdtContactQuaConstraint(contact), 0, 2), -max * i / 10, TOL(8e-6, 3e-6));
     }
     for (int speed = 1; speed <= 100; speed *= 10) {
         MdtBodySetLinearVelocity(body, 0, 0, (MeReal)speed);
         push(0, 0, 1);
-        assert_near(forceOn(MdtContactQuaConstraint(contact), 0, 2), -most, TOL(5e-6, 3e-8));
+        assert_near(forceOn(MdtContactQuaConstraint(contact), 0, 2), -max, TOL(5e-6, 3e-8));
     }
     MdtWorldDestroy(world);
 }

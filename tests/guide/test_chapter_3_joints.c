@@ -428,15 +428,15 @@ START_TEST(spring) {
     MdtSpringSetNaturalLength(joint, (MeReal).8);
     MdtSpringSetStiffness(joint, 5);
     MdtSpringSetDamping(joint, 0);
-    double least = 9, most = 0;
+    double min = 9, max = 0;
     for (int i = 0; i < 300; i++) {
         evolve(1);
         const double d = coordinate(body2, 0) - coordinate(body1, 0);
-        least = fmin(least, d);
-        most = fmax(most, d);
+        min = fmin(min, d);
+        max = fmax(max, d);
     }
-    assert_near(most, 1, 2e-4); /* it swings about its natural length */
-    assert_near(least, .6, 4e-5);
+    assert_near(max, 1, 2e-4); /* it swings about its natural length */
+    assert_near(min, .6, 4e-5);
     ck_assert_int_eq(MdtConstraintGetRowCount(MdtSpringQuaConstraint(joint)), 1);
     ck_assert(MdtSpringGetLimit(joint) != 0);
     end();

@@ -22,7 +22,7 @@ static double ofBoxes(const SceneBody *a, const SceneState *p, const SceneBody *
     const SceneState *states[2] = {p, q};
     const double between[3] = {q->position[0] - p->position[0], q->position[1] - p->position[1],
                                q->position[2] - p->position[2]};
-    double sides[2][3][3] = {{{0}}}, units[2][3][3] = {{{0}}}, least = INFINITY;
+    double sides[2][3][3] = {{{0}}}, units[2][3][3] = {{{0}}}, min = INFINITY;
     for (int k = 0; k < 6; k++) {
         double *side = sides[k / 3][k % 3], *unit = units[k / 3][k % 3];
         unit[k % 3] = 1;
@@ -31,13 +31,13 @@ static double ofBoxes(const SceneBody *a, const SceneState *p, const SceneBody *
             side[c] = bodies[k / 3]->half[k % 3] * unit[c];
     }
     for (int k = 0; k < 6; k++)
-        least = fmin(least, overlapAlong(units[k / 3][k % 3], between, sides));
+        min = fmin(min, overlapAlong(units[k / 3][k % 3], between, sides));
     for (int k = 0; k < 9; k++) {
         const double *u = units[0][k / 3], *v = units[1][k % 3];
         const double cross[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-        least = fmin(least, overlapAlong(cross, between, sides));
+        min = fmin(min, overlapAlong(cross, between, sides));
     }
-    return least;
+    return min;
 }
 
 /* How far a point is from a box, or, negative, from its surface inside. */
@@ -70,7 +70,7 @@ static void pointAt(double ends[2][3], double t, double point[3]) {
 }
 
 /* The distance along a segment is convex: thirds of it are left out until nothing is. */
-static double leastAlong(double ends[2][3], double (*distance)(const void *of, const double point[3]), const void *of) {
+static double minAlong(double ends[2][3], double (*distance)(const void *of, const double point[3]), const void *of) {
     double low = 0, high = 1, point[3];
     for (int i = 0; i < 60 && high - low > 1e-9; i++) {
         const double t1 = low + (high - low) / 3, t2 = high - (high - low) / 3;
@@ -115,10 +115,10 @@ static double ofRound(const SceneBody *a, const SceneState *p, const SceneBody *
     segment(a, p, ends);
     if (b->shape == SCENE_BOX) {
         const Placed box = {b, q};
-        return a->half[0] - leastAlong(ends, distanceToBox, &box);
+        return a->half[0] - minAlong(ends, distanceToBox, &box);
     }
     segment(b, q, others);
-    return a->half[0] + b->half[0] - leastAlong(ends, distanceToSegment, others);
+    return a->half[0] + b->half[0] - minAlong(ends, distanceToSegment, others);
 }
 
 double scenes_overlap(const SceneBody *a, const SceneState *p, const SceneBody *b, const SceneState *q) {

@@ -11,10 +11,10 @@ static bool isWatched(double time) {
 }
 
 static double fastest(const SceneWorld *w, const SceneState states[]) {
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < w->numBodies; i++)
-        most = fmax(most, sqrt(scene_dot(states[i].velocity, states[i].velocity)));
-    return most;
+        max = fmax(max, sqrt(scene_dot(states[i].velocity, states[i].velocity)));
+    return max;
 }
 
 /* Columns, each of which stands by itself */

@@ -93,9 +93,9 @@ END_TEST
 /* As long as a level costs less than 1.9 times the one below, it does not swing; if it costs more, less and less
  * often. */
 START_TEST(it_does_not_swing) {
-    for (double least = 4; least < 40; least += 0.25) {
+    for (double min = 4; min < 40; min += 0.25) {
         RQuality q = fresh();
-        const double cost[] = {least, 1.86 * least, 1.86 * 1.78 * least, 1.86 * 1.78 * 1.4 * least};
+        const double cost[] = {min, 1.86 * min, 1.86 * 1.78 * min, 1.86 * 1.78 * 1.4 * min};
         run(&q, 10, cost, 0.5);
         ck_assert_int_eq(run(&q, 60, cost, 0.5), 0);
     }

@@ -81,11 +81,11 @@ static RPicture shootScene(const double up[3], Turn turn) {
 static int differing(const RPicture *p, const RPicture *q, int levels) {
     int n = 0;
     for (int i = 0; i < p->width * p->height; i++) {
-        int most = 0;
+        int max = 0;
         for (int k = 0; k < 3; k++)
-            most = abs(p->rgba[4 * i + k] - q->rgba[4 * i + k]) > most ? abs(p->rgba[4 * i + k] - q->rgba[4 * i + k])
-                                                                       : most;
-        n += most > levels;
+            max =
+                abs(p->rgba[4 * i + k] - q->rgba[4 * i + k]) > max ? abs(p->rgba[4 * i + k] - q->rgba[4 * i + k]) : max;
+        n += max > levels;
     }
     return n;
 }
@@ -94,7 +94,7 @@ static int differing(const RPicture *p, const RPicture *q, int levels) {
  * here and there. */
 START_TEST(a_turned_scene_gives_the_same_picture) {
     static const double axes[][3] = {{0, 0, 1}, {1, 0, 0}, {0, 0, -1}, {0.6, 0, 0.8}, {0.48, 0.6, 0.64}};
-    static const int most[] = {0, 0, 0, 8, 8};
+    static const int max[] = {0, 0, 0, 8, 8};
     Turn none = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     RPicture expected = shootScene((const double[3]){0, 1, 0}, none);
     for (int i = 0; i < 5; i++) {
@@ -102,7 +102,7 @@ START_TEST(a_turned_scene_gives_the_same_picture) {
         shortestTurn(axes[i], turn);
         RPicture p = shootScene(axes[i], turn);
         const int n = differing(&expected, &p, 1);
-        ck_assert_msg(n <= most[i], "up %g %g %g: %d pixels differ", axes[i][0], axes[i][1], axes[i][2], n);
+        ck_assert_msg(n <= max[i], "up %g %g %g: %d pixels differ", axes[i][0], axes[i][1], axes[i][2], n);
         r_free(p.rgba);
     }
     /* And the axis matters. */

@@ -13,7 +13,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#define MOST_PATH 900 /* pieces of the line that shows where the ball has been */
+#define MAX_PATH 900 /* pieces of the line that shows where the ball has been */
 
 static const MeReal step = (MeReal)(1.0 / 60); /* s */
 static const MeReal ballRadius = (MeReal)0.6;  /* m */
@@ -82,7 +82,7 @@ static void drawPath(void) {
     MdtBodyGetPosition(body, pos);
     const AcmeVector3 from = {(float)pathEnd[0], (float)pathEnd[1], (float)pathEnd[2]};
     const AcmeVector3 to = {(float)pos[0], (float)pos[1], (float)pos[2]};
-    if (pathLength++ < MOST_PATH)
+    if (pathLength++ < MAX_PATH)
         RLineAdd(rc, from, to, RPalette[1][0], RPalette[1][1], RPalette[1][2]);
     for (int i = 0; i < 3; i++)
         pathEnd[i] = pos[i];

@@ -24,7 +24,7 @@ static const MeReal wheelbase = (MeReal)2.4;            /* m, from axle to axle 
 static const MeReal track = (MeReal)1.7;                /* m, from the left wheels to the right ones */
 static const MeReal rideHeight = (MeReal)0.27;          /* m, of the chassis' middle above the wheels' */
 static const MeReal stiffness = 25000, damping = 2500;  /* N/m and N s/m, of one wheel's suspension */
-static const MeReal most = (MeReal)0.55;                /* rad, of the steering */
+static const MeReal max = (MeReal)0.55;                 /* rad, of the steering */
 static const MeReal brakeTorque = 600;                  /* N m, at each wheel */
 static const MeReal handbrakeTorque = 3000;             /* N m, at each rear wheel: it locks */
 static const MeReal drag = (MeReal)0.8;                 /* N / (m/s)² */
@@ -92,9 +92,9 @@ static MeReal driveCourse(int *pedal) {
 }
 
 /* The fastest bend costs 7 m/s² to the side. */
-static MeReal mostSteering(void) {
+static MeReal maxSteering(void) {
     const MeReal v = speedOf();
-    return MeMIN(most, MeAtan(wheelbase * 7 / MeMAX(v * v, 1)));
+    return MeMIN(max, MeAtan(wheelbase * 7 / MeMAX(v * v, 1)));
 }
 
 /* What the driver does with the pedals (1: forward, -1: brake or back) and where the steering is to be. */
@@ -104,12 +104,12 @@ static MeReal askDriver(int *pedal) {
     if (isAutomatic)
         return driveCourse(pedal);
     *pedal = driveForward();
-    return (MeReal)driveLeft() * most;
+    return (MeReal)driveLeft() * max;
 }
 
 /* The steering wheel turns at 1.5 rad/s. */
 static void turnSteering(MeReal wanted) {
-    const MeReal limit = mostSteering(), further = (MeReal)1.5 * playFrame;
+    const MeReal limit = maxSteering(), further = (MeReal)1.5 * playFrame;
     steering += MeCLAMP(MeCLAMP(wanted, -limit, limit) - steering, -further, further);
 }
 

@@ -324,13 +324,13 @@ static void routeAt(MeReal s, AcmeVector3 p) {
 /* The part of a cylinder that is above the ground: its surface, and the two ends as fans of triangles. */
 static void createBump(const Bump *bump) {
     enum { SEGMENTS = 24 };
-    const MeReal most = MeAcos(1 - bumpHeight / bumpRadius), w = bump->width / 2;
+    const MeReal max = MeAcos(1 - bumpHeight / bumpRadius), w = bump->width / 2;
     RGraphic *g = RGraphicCreateEmpty(12 * SEGMENTS);
     RObjectVertex *v = g->m_pVertices;
     for (int i = 0; i < SEGMENTS; i++) {
         MeVector3 p[2], n[2], corner[2][2];
         for (int k = 0; k < 2; k++) {
-            const MeReal a = most * (2 * ((MeReal)i + (MeReal)k) / SEGMENTS - 1);
+            const MeReal a = max * (2 * ((MeReal)i + (MeReal)k) / SEGMENTS - 1);
             MeVector3Set(n[k], MeSin(a), MeCos(a), 0);
             MeVector3Set(p[k], bump->x + bumpRadius * n[k][0], bumpHeight + bumpRadius * (n[k][1] - 1), bump->z);
         }

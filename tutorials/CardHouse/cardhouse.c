@@ -88,14 +88,14 @@ static void pullOn(void) {
 
 /* mm, of the card that has moved farthest. */
 static double farthest(void) {
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < CARDS; i++) {
         MeVector3 p;
         McdModelDynamicsGetPosition(card[i], p);
         MeVector3Subtract(p, p, built[i]);
-        most = fmax(most, 1000 * (double)MeVector3Magnitude(p));
+        max = fmax(max, 1000 * (double)MeVector3Magnitude(p));
     }
-    return most;
+    return max;
 }
 
 static double top(void) {

@@ -16,7 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_CONTACTS = 20, MOST_PARTS = 16, GRID = 9, TRIANGLES = 2 * (GRID - 1) * (GRID - 1) };
+enum { MAX_CONTACTS = 20, MAX_PARTS = 16, GRID = 9, TRIANGLES = 2 * (GRID - 1) * (GRID - 1) };
 
 /* The kinds of geometries, the ones that can be driven first. */
 enum {
@@ -52,7 +52,7 @@ static MeMatrix4 part[5]; /* of the stool */
 static MeVector3 corner[TRIANGLES][3];
 static MeReal height[GRID * GRID]; /* of the field */
 
-static McdContact contact[MOST_CONTACTS];
+static McdContact contact[MAX_CONTACTS];
 static McdIntersectResult touch;
 static McdDistanceResult gap;
 static MeBool hasGap;
@@ -82,10 +82,10 @@ static void makeTriangles(void) {
 }
 
 /* Hands over the triangles near a place: those whose boxes, seen from above, come near. */
-static int MEAPI getTriangles(McdModelPair *p, McdUserTriangle *triangle, MeVector3 position, MeReal radius, int most) {
+static int MEAPI getTriangles(McdModelPair *p, McdUserTriangle *triangle, MeVector3 position, MeReal radius, int max) {
     int count = 0;
     (void)p;
-    for (int i = 0; i < TRIANGLES && count < most; i++) {
+    for (int i = 0; i < TRIANGLES && count < max; i++) {
         MeBool isNear = METRUE;
         for (int k = 0; k < 3; k += 2) {
             const MeReal low = MeMIN3(corner[i][0][k], corner[i][1][k], corner[i][2][k]);
@@ -143,7 +143,7 @@ static McdGeometryID makeField(void) {
 }
 
 static void createGeometries(void) {
-    frame = McdInit(0, 2, MOST_PARTS, 1);
+    frame = McdInit(0, 2, MAX_PARTS, 1);
     McdAllRegisterTypes(frame);
     McdAllRegisterInteractions(frame);
     geometry[BALL] = McdSphereCreate(frame, (MeReal)0.7);
@@ -359,7 +359,7 @@ static void collide(void) {
     McdModelUpdate(driven);
     McdModelUpdate(fixed);
     touch.contacts = contact;
-    touch.contactMaxCount = MOST_CONTACTS;
+    touch.contactMaxCount = MAX_CONTACTS;
     touch.contactCount = 0;
     if (McdNearby(pair))
         McdIntersect(pair, &touch);

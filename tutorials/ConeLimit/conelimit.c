@@ -30,7 +30,7 @@ static const MeReal width[PENDULUMS] = {15, 30, 50}; /* degrees, half angles of 
 static MeReal wider;                                 /* and by how much they are wider */
 static MeReal tilt;                                  /* degrees, of the cones' axes from the vertical */
 static int isSoft;
-static MeReal most[PENDULUMS]; /* rad, the greatest angles since Reset */
+static MeReal max[PENDULUMS]; /* rad, the greatest angles since Reset */
 
 static RRender *rc;
 static RGraphic *coneG[PENDULUMS];
@@ -113,7 +113,7 @@ static void applySettings(void) {
 static void MEAPI Reset(RRender *context, void *userdata) {
     for (int i = 0; i < PENDULUMS; i++) {
         placeBall(i, radians(halfAngle(i)) * (MeReal)0.7);
-        most[i] = 0;
+        max[i] = 0;
     }
     applySettings();
     push(context, userdata);
@@ -137,10 +137,10 @@ static void showFigures(void) {
     int n =
         snprintf(text, sizeof text, "tilt %.0f deg, sides %s    angles (deg):", (double)tilt, isSoft ? "soft" : "hard");
     for (int i = 0; i < PENDULUMS; i++) {
-        most[i] = MeMAX(most[i], angleOf(i));
+        max[i] = MeMAX(max[i], angleOf(i));
         n += snprintf(text + n, sizeof text - (size_t)n, "    %.2f of %.0f, most %.2f",
                       (double)angleOf(i) * 180 / (double)ME_PI, (double)halfAngle(i),
-                      (double)most[i] * 180 / (double)ME_PI);
+                      (double)max[i] * 180 / (double)ME_PI);
     }
     RRenderSetStatusText(rc, text);
 }

@@ -186,16 +186,16 @@ static void MEAPI stopOrGo(RRender *context, void *userdata) {
 }
 
 static void showFigures(void) {
-    double least = lap[0], most = lap[0];
+    double min = lap[0], max = lap[0];
     char text[200];
     for (int i = 1; i < BOXES; i++) {
-        least = least < lap[i] ? least : lap[i];
-        most = most > lap[i] ? most : lap[i];
+        min = min < lap[i] ? min : lap[i];
+        max = max > lap[i] ? max : lap[i];
     }
     snprintf(
         text, sizeof text,
         "belts %.2f m/s    on the straight %.3f m/s    boxes on the belts %d of %d    laps %.2f to %.2f    awake %d",
-        (double)speed, speedOnTheStraight(), countOnBelts(), BOXES, least, most, playAwake());
+        (double)speed, speedOnTheStraight(), countOnBelts(), BOXES, min, max, playAwake());
     RRenderSetStatusText(playRc, text);
 }
 

@@ -15,7 +15,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#define MOST_PATH 240 /* pieces of the line that the load leaves behind */
+#define MAX_PATH 240 /* pieces of the line that the load leaves behind */
 
 static const MeReal step = (MeReal)(1.0 / 60); /* s */
 static const MeReal length = 3;                /* m, from the trolley to the load's centre */
@@ -122,7 +122,7 @@ static void drawPath(void) {
     const MeReal *now = MdtBodyGetTransformPtr(load)[3];
     const AcmeVector3 from = {(float)pathEnd[0], (float)pathEnd[1], (float)pathEnd[2]};
     const AcmeVector3 to = {(float)now[0], (float)now[1], (float)now[2]};
-    if (pathLength++ < MOST_PATH)
+    if (pathLength++ < MAX_PATH)
         RLineAdd(rc, from, to, RPalette[0][0], RPalette[0][1], RPalette[0][2]);
     MdtBodyGetPosition(load, pathEnd);
 }

@@ -12,10 +12,10 @@
 #include <stdio.h>
 
 enum { TETRAHEDRON, CUBE, OCTAHEDRON, DODECAHEDRON, ICOSAHEDRON, GEM, PEBBLE, CRYSTAL, KINDS };
-enum { EACH = 6, PIECES = KINDS * EACH, MOST_POINTS = 80, INNER = 20, WALLS = 4 };
+enum { EACH = 6, PIECES = KINDS * EACH, MAX_POINTS = 80, INNER = 20, WALLS = 4 };
 
 typedef struct Cloud {
-    MeVector3 point[MOST_POINTS];
+    MeVector3 point[MAX_POINTS];
     int count;
 } Cloud;
 

@@ -14,7 +14,7 @@
 #include "play.h"
 #include <stdio.h>
 
-enum { MARBLES = 60, RINGS = 14, SECTORS = 48, TRIANGLES = 2 * RINGS * SECTORS, MOST_AT_ONCE = 200 };
+enum { MARBLES = 60, RINGS = 14, SECTORS = 48, TRIANGLES = 2 * RINGS * SECTORS, MAX_AT_ONCE = 200 };
 
 static const MeReal ringWidth = (MeReal)0.4; /* m */
 static const MeReal radius = (MeReal)0.3;    /* m, of a marble */
@@ -60,12 +60,12 @@ static void handOver(McdUserTriangle *t, MeVector3 *corner) {
 }
 
 /* The callback: the triangles near a place. */
-static int MEAPI getTriangles(McdModelPair *pair, McdUserTriangle *t, MeVector3 p, MeReal r, int most) {
+static int MEAPI getTriangles(McdModelPair *pair, McdUserTriangle *t, MeVector3 p, MeReal r, int max) {
     const MeReal distance = MeSqrt(p[0] * p[0] + p[2] * p[2]);
     const int first = (int)((distance - r) / ringWidth) - 1, last = (int)((distance + r) / ringWidth) + 1;
     int count = 0;
     (void)pair;
-    for (int i = MeMAX(first, 0) * 2 * SECTORS; i < MeMIN(last + 1, RINGS) * 2 * SECTORS && count < most; i++)
+    for (int i = MeMAX(first, 0) * 2 * SECTORS; i < MeMIN(last + 1, RINGS) * 2 * SECTORS && count < max; i++)
         if (isNear(triangle[i], p, r))
             handOver(&t[count++], triangle[i]);
     return count;
@@ -77,7 +77,7 @@ static void createBowl(void) {
     MeVector3 low = {-r, bottom, -r}, high = {r, bottom + steepness * r * r, r};
     makeBowl();
     MeMatrix4TMMakeIdentity(bowlTM);
-    playFixed(McdTriangleListCreate(playUniverse->frame, low, high, MOST_AT_ONCE, getTriangles), bowlTM, 0);
+    playFixed(McdTriangleListCreate(playUniverse->frame, low, high, MAX_AT_ONCE, getTriangles), bowlTM, 0);
     RGraphicTrianglesCreate(playRc, triangle, TRIANGLES, clay, bowlTM);
 }
 

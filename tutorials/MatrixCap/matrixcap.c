@@ -12,14 +12,14 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { STOREYS = 5, BALLS = STOREYS * (STOREYS + 1) / 2, BASE = STOREYS + 1, MOST_CONTACTS = 4 * BALLS };
+enum { STOREYS = 5, BALLS = STOREYS * (STOREYS + 1) / 2, BASE = STOREYS + 1, MAX_CONTACTS = 4 * BALLS };
 
 static const MeReal step = (MeReal)(1.0 / 60); /* s */
 static const MeReal radius = (MeReal)0.5;      /* m */
 
 static MdtWorldID world;
 static MdtBodyID ball[BALLS];
-static MdtContactID contact[MOST_CONTACTS];
+static MdtContactID contact[MAX_CONTACTS];
 static int contacts;
 static MeReal cap = 100; /* rows */
 static int rows[1];      /* of the one partition that there is, written by the world */
@@ -76,7 +76,7 @@ static void touch(MdtBodyID a, MdtBodyID b, const MeVector3 p, const MeVector3 q
     for (int i = 0; i < 3; i++)
         n[i] = p[i] - q[i];
     const MeReal distance = MeSqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    if (distance > 2 * radius + margin || contacts == MOST_CONTACTS)
+    if (distance > 2 * radius + margin || contacts == MAX_CONTACTS)
         return;
     MdtContactID c = MdtContactCreate(world, a, b);
     MdtContactSetPosition(c, (p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2);
@@ -155,7 +155,7 @@ static void MEAPI_CDECL cleanup(void) {
 
 static void createDynamics(void) {
     MeMatrix3 inertia;
-    world = MdtWorldCreate(BALLS, MOST_CONTACTS);
+    world = MdtWorldCreate(BALLS, MAX_CONTACTS);
     MdtWorldSetGravity(world, 0, (MeReal)-9.8, 0);
     MdtWorldSetAutoDisable(world, 0);
     MdtWorldSetMatrixSizeLog(world, rows, 1);

@@ -84,14 +84,14 @@ static void MEAPI kick(RRender *context, void *userdata) {
 
 /* Bodies that are not simulated have no partition. */
 static int countPartitions(int *sleeping) {
-    int most = -1;
+    int max = -1;
     *sleeping = 0;
     for (int i = 0; i < BODIES; i++) {
         const int p = MdtBodyIsEnabled(body[i]) ? MdtBodyGetPartition(body[i]) : -1;
-        most = MeMAX(most, p);
+        max = MeMAX(max, p);
         *sleeping += p < 0;
     }
-    return most + 1;
+    return max + 1;
 }
 
 static void showBodies(void) {

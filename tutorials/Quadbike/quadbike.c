@@ -186,14 +186,14 @@ static int cellAt(MeReal way) {
 
 /* Hands over the triangles of the cells round a place: the grid tells at once which those are. */
 static int MEAPI TriListGeneratorCB(McdModelPair *pair, McdUserTriangle *triangle, MeVector3 pos, MeReal radius,
-                                    int most) {
+                                    int max) {
     const int i0 = cellAt(pos[0] - radius), i1 = cellAt(pos[0] + radius);
     const int j0 = cellAt(-pos[2] - radius), j1 = cellAt(-pos[2] + radius);
     int count = 0;
     (void)pair;
     for (int j = j0; j <= j1; j++) {
         for (int i = i0; i <= i1; i++) {
-            for (int t = 0; t < 2 && count < most; t++, count++) {
+            for (int t = 0; t < 2 && count < max; t++, count++) {
                 for (int k = 0; k < 3; k++)
                     triangle[count].vertices[k] = MeAppTerrainGetCorner(terrain, i, j, t, k);
                 triangle[count].normal = 0;
@@ -475,7 +475,7 @@ static void UpdateRiderControls(Rider *rider) {
 
 /* Keys: throttle, brake (standing: back), steering; or the course at 6 m/s. The bars turn at 3 1/s. */
 static void readInput(Vehicle *veh) {
-    const MeReal v = speedOf(veh), most = MeMIN(1, 20 / MeMAX(v * v, 1)), further = 3 * playFrame;
+    const MeReal v = speedOf(veh), max = MeMIN(1, 20 / MeMAX(v * v, 1)), further = 3 * playFrame;
     MeReal wanted = (MeReal)driveLeft(), forward = (MeReal)driveForward();
     if (driveLeft() || driveForward())
         isAutomatic = MEFALSE;
@@ -483,7 +483,7 @@ static void readInput(Vehicle *veh) {
         wanted = MeAtan((MeReal)1.25 * driveAlong(veh->chassisBody, course, COURSE, &target)) / width;
         forward = v < 6 ? (MeReal)0.8 : 0;
     }
-    veh->steeringInput += MeCLAMP(MeCLAMP(wanted, -most, most) - veh->steeringInput, -further, further);
+    veh->steeringInput += MeCLAMP(MeCLAMP(wanted, -max, max) - veh->steeringInput, -further, further);
     veh->throttleInput = forward > 0 || v < (MeReal)0.5 ? MeMAX(forward, (MeReal)-0.4) : 0;
     veh->brakeInput = forward < 0 && v >= (MeReal)0.5 ? 1 : 0;
     if (forward != 0 || wanted != 0)

@@ -12,7 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { RAYS = 90, MODELS = 9, MOST_HITS = 16 };
+enum { RAYS = 90, MODELS = 9, MAX_HITS = 16 };
 
 static const MeReal range = 9;                /* m */
 static const MeReal thickness = (MeReal)0.15; /* m, radius of a thick ray */
@@ -180,11 +180,11 @@ static void castAround(void) {
 
 /* All models on the way. */
 static void castRadar(void) {
-    McdLineSegIntersectResult all[MOST_HITS];
+    McdLineSegIntersectResult all[MAX_HITS];
     MeVector3 end;
     aim(radar, end);
     line(lamp, end, 1, .2f, .2f);
-    radarHits = McdSpaceGetLineSegIntersections(space, lamp, end, all, MOST_HITS);
+    radarHits = McdSpaceGetLineSegIntersections(space, lamp, end, all, MAX_HITS);
     for (int i = 0; i < radarHits; i++)
         drawCross(all[i].position);
 }

@@ -22,9 +22,9 @@
 
 enum { SPRING, ROD, STRING, ELASTIC, KINDS };
 
-#define RINGS     18  /* turns of the spring's coil */
-#define PIECES    16  /* of a line that sags */
-#define MOST_PATH 270 /* pieces of the lines that show where the balls have been */
+#define RINGS    18  /* turns of the spring's coil */
+#define PIECES   16  /* of a line that sags */
+#define MAX_PATH 270 /* pieces of the lines that show where the balls have been */
 
 static const MeReal step = (MeReal)(1.0 / 60); /* s */
 static const MeReal length = 2;                /* m, of all four, without load */
@@ -108,14 +108,14 @@ static void MEAPI toggleElastic(RRender *context, void *userdata) {
 
 /* Draws the way of the last step. */
 static void drawPaths(void) {
-    if (pathLength++ == MOST_PATH)
+    if (pathLength++ == MAX_PATH)
         return;
     for (int i = 0; i < KINDS; i++) {
         const float *c = RPalette[colorOf[i]];
         const MeReal *end = pathEnd[i], *now = MdtBodyGetTransformPtr(ball[i])[3];
         const AcmeVector3 from = {(float)end[0], (float)end[1], (float)end[2]};
         const AcmeVector3 to = {(float)now[0], (float)now[1], (float)now[2]};
-        if (pathLength <= MOST_PATH)
+        if (pathLength <= MAX_PATH)
             RLineAdd(rc, from, to, c[0], c[1], c[2]);
         MdtBodyGetPosition(ball[i], pathEnd[i]);
     }

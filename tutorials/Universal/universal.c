@@ -37,7 +37,7 @@ static RRender *rc;
 static RGraphic *post[2];
 static RGraphic *fork[2][2][FORK_PARTS]; /* of the second joint: both ways round, on both sides */
 static MeMatrix4 postTM[2];
-static MeReal least[SHAFTS], most[SHAFTS]; /* the speeds of the last two shafts over that of the first, since Reset */
+static MeReal min[SHAFTS], max[SHAFTS]; /* the speeds of the last two shafts over that of the first, since Reset */
 static int steps;
 static MeReal chartAt[SHAFTS];      /* what was drawn last */
 static MeReal turned, turnedBefore; /* rad, of the first shaft, 0 to 2 pi */
@@ -126,7 +126,7 @@ static void MEAPI Reset(RRender *context, void *userdata) {
     turned = turnedBefore = 0;
     steps = 0;
     for (int i = 0; i < SHAFTS; i++)
-        chartAt[i] = least[i] = most[i] = 1;
+        chartAt[i] = min[i] = max[i] = 1;
 }
 
 /* The forks of the second joint exist both ways round; what is in the list is drawn. */
@@ -179,8 +179,8 @@ static void measure(void) {
         if (onChart < 2 * ME_PI)
             drawChart(i, ratio);
         chartAt[i] = ratio;
-        least[i] = MeMIN(least[i], ratio);
-        most[i] = MeMAX(most[i], ratio);
+        min[i] = MeMIN(min[i], ratio);
+        max[i] = MeMAX(max[i], ratio);
     }
 }
 
@@ -189,8 +189,8 @@ static void showFigures(void) {
     snprintf(text, sizeof text,
              "bend %.0f deg    first %.2f rad/s    middle: slowest %.3f, fastest %.3f times that    "
              "last: slowest %.3f, fastest %.3f",
-             (double)bend, (double)rate(FIRST), (double)least[MIDDLE], (double)most[MIDDLE], (double)least[LAST],
-             (double)most[LAST]);
+             (double)bend, (double)rate(FIRST), (double)min[MIDDLE], (double)max[MIDDLE], (double)min[LAST],
+             (double)max[LAST]);
     RRenderSetStatusText(rc, text);
 }
 

@@ -76,7 +76,7 @@ static MeBool facesOfB(const Boxes *x, double limit, double bias, Best *best) {
 
 /* The direction e_i x b_j, whose length is the sine of their angle. */
 static MeBool edges(const Boxes *x, double limit, double bias, Best *best) {
-    double least = best->separation + bias; /* to be better than */
+    double min = best->separation + bias; /* to be better than */
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
@@ -88,14 +88,14 @@ static MeBool edges(const Boxes *x, double limit, double bias, Best *best) {
                                  x->sizeB[j1] * x->steep[i][j2] + x->sizeB[j2] * x->steep[i][j1];
             const double gap = fabs(along) - reach;
             /* gap <= least * sine, without the root */
-            if (gap < 0 && (least >= 0 || gap * gap >= least * least * squared))
+            if (gap < 0 && (min >= 0 || gap * gap >= min * min * squared))
                 continue;
             const double sine = sqrt(squared), s = gap / sine;
             if (s > limit)
                 return isSeparated(best, s);
-            if (s > least) {
+            if (s > min) {
                 const double k = (along < 0 ? -1 : 1) / sine;
-                least = s;
+                min = s;
                 *best = (Best){s, -1, i, j, {0, 0, 0}};
                 best->axis[i1] = y * k;
                 best->axis[i2] = z * k;
@@ -161,9 +161,9 @@ static void cornerOverFace(const McdShape *a, const McdShape *b, McdProximity *p
 }
 
 MeBool mcd_isAlongNormal(const McdShape *a, const McdShape *b, const McdProximity *p) {
-    const double most = 1e-8 * mcd_pairSize(a, b) + 1e-12 * (MeMAX(a->extent, b->extent) + fabs(p->separation));
+    const double max = 1e-8 * mcd_pairSize(a, b) + 1e-12 * (MeMAX(a->extent, b->extent) + fabs(p->separation));
     return !mcd_areResolved(a, b) ||
-           (mcd_isUnit(p->normal) && fabs(mcd_separationAlong(a, b, p->normal) - p->separation) <= most);
+           (mcd_isUnit(p->normal) && fabs(mcd_separationAlong(a, b, p->normal) - p->separation) <= max);
 }
 
 MeBool mcd_boxBoxProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {

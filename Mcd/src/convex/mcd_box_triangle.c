@@ -55,7 +55,7 @@ static MeBool tryTriangleFace(BoxTriangle *x) {
 }
 
 /* The cross product of the box' axis i and the triangle's edge k; both corners of the edge project to one point. */
-static MeBool tryEdgeAxis(BoxTriangle *x, int i, int k, double least) {
+static MeBool tryEdgeAxis(BoxTriangle *x, int i, int k, double min) {
     const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
     const double *edge = x->edge[k], *on = x->corner[k], *opposite = x->corner[(k + 2) % 3];
     double d[3];
@@ -69,10 +69,10 @@ static MeBool tryEdgeAxis(BoxTriangle *x, int i, int k, double least) {
     const double reach = x->size[i1] * fabs(d[i1]) + x->size[i2] * fabs(d[i2]);
     const double below = MeMIN(p, q) - reach, above = -MeMAX(p, q) - reach, gap = MeMAX(below, above);
     /* gap <= least * length, without the root */
-    if (gap < 0 && (least >= 0 || gap * gap >= least * least * squared))
+    if (gap < 0 && (min >= 0 || gap * gap >= min * min * squared))
         return METRUE;
     const double scale = 1 / sqrt(squared);
-    if (gap * scale <= least)
+    if (gap * scale <= min)
         return METRUE;
     x->boxEdge = i;
     x->triangleEdge = k;

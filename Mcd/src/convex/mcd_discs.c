@@ -132,12 +132,12 @@ double mcd_discsRadius(const McdShape *s, const double outward[3], const double 
 /* The radius of the circle about the axis on which the contact point lies, on a rim or on the side; 0 where a disc
  * touches flat, the normal being the axis. */
 double mcd_discsRim(const McdShape *s, const double outward[3], const double point[3]) {
-    static const double least = .05, near = .9987502603949663; /* rad: nearer to the axis it is a disc that touches */
+    static const double min = .05, near = .9987502603949663; /* rad: nearer to the axis it is a disc that touches */
     const double up = mcd_dot(s->axis[2], outward);
     double offset[3], aside[3];
     mcd_sub(offset, point, s->place);
     mcd_mad(offset, offset, -mcd_dot(offset, s->axis[2]), s->axis[2]);
     mcd_mad(aside, outward, -up, s->axis[2]);
     const double rim = mcd_length(offset), sine = mcd_length(aside);
-    return sine > least && mcd_dot(offset, aside) > near * rim * sine ? rim : 0;
+    return sine > min && mcd_dot(offset, aside) > near * rim * sine ? rim : 0;
 }

@@ -417,10 +417,10 @@ static void removeVisible(Polytope *t, const int *seen, int count) {
 
 static int nearestFacet(const Polytope *t) {
     int best = -1;
-    double least = INFINITY;
+    double min = INFINITY;
     for (int i = 0; i < t->facetCount; i++)
-        if (t->offset[i] < least) {
-            least = t->offset[i];
+        if (t->offset[i] < min) {
+            min = t->offset[i];
             best = i;
         }
     return best;
@@ -517,18 +517,18 @@ static int orthogonalDirections(const Polytope *t, double d[6][3]) {
 
 /* Adds the support point farthest from the affine hull of the corners so far; false if M is flat there. */
 static MeBool addFarthest(const Pair *p, Polytope *t) {
-    double d[6][3], most = 0;
+    double d[6][3], max = 0;
     const int count = orthogonalDirections(t, d);
     for (int i = 0; i < count; i++) {
         Corner c;
         farthest(p, d[i], &c);
         const double away = distanceFromHull(t, c.w);
-        if (away > most) {
-            most = away;
+        if (away > max) {
+            max = away;
             t->corner[t->cornerCount] = c;
         }
     }
-    if (!(most > 2 * p->tolerance))
+    if (!(max > 2 * p->tolerance))
         return MEFALSE;
     MEASSERT(t->cornerCount < 4);
     t->cornerCount++;
@@ -589,7 +589,7 @@ static MeBool startPolytope(const Pair *p, const Simplex *s, Polytope *t) {
 /* The weights of a facet's corners in the point where the line through the origin along d passes its plane outward;
  * the least of them, negative where it passes beside the facet. */
 static double weightsOnLine(const Polytope *t, const Facet *f, const double d[3], double weight[3]) {
-    double sum = 0, least = INFINITY, x[3];
+    double sum = 0, min = INFINITY, x[3];
     for (int i = 0; i < 3; i++) {
         mcd_cross(x, t->corner[f->corner[(i + 1) % 3]].w, t->corner[f->corner[(i + 2) % 3]].w);
         weight[i] = mcd_dot(x, d);
@@ -599,9 +599,9 @@ static double weightsOnLine(const Polytope *t, const Facet *f, const double d[3]
         return -INFINITY;
     for (int i = 0; i < 3; i++) {
         weight[i] /= sum;
-        least = MeMIN(least, weight[i]);
+        min = MeMIN(min, weight[i]);
     }
-    return least;
+    return min;
 }
 
 /* The facet that the line from the origin along the result passes, and the weights of its corners there. A face of M is
@@ -609,15 +609,15 @@ static double weightsOnLine(const Polytope *t, const Facet *f, const double d[3]
  * passes is farther out than the result. The middle of the nearest one where rounding leaves none that it passes. */
 static int facetUnderOrigin(const Polytope *t, double weight[3]) {
     int best = MeMAX(nearestFacet(t), 0);
-    double most = -INFINITY;
+    double max = -INFINITY;
     mcd_set(weight, 1. / 3, 1. / 3, 1. / 3);
     for (int i = 0; i < t->facetCount; i++) {
         double here[3];
         if (t->offset[i] > t->support + t->epsilon)
             continue;
-        const double least = weightsOnLine(t, &t->facet[i], t->normal, here);
-        if (least > most) {
-            most = least;
+        const double min = weightsOnLine(t, &t->facet[i], t->normal, here);
+        if (min > max) {
+            max = min;
             best = i;
             mcd_copy(weight, here);
         }

@@ -180,7 +180,7 @@ typedef struct Circle {
 /* The bounding circle of an outline, of infinite radius for up to 4 corners, where testing it would not pay. */
 static Circle circleAround(const Outline *o) {
     Circle c = {0, 0, INFINITY};
-    double most = 0;
+    double max = 0;
     if (o->count <= 4)
         return c;
     for (int i = 0; i < o->count; i++) {
@@ -189,9 +189,9 @@ static Circle circleAround(const Outline *o) {
     }
     for (int i = 0; i < o->count; i++) {
         const double x = o->x[i] - c.x, y = o->y[i] - c.y;
-        most = MeMAX(most, x * x + y * y);
+        max = MeMAX(max, x * x + y * y);
     }
-    c.radius = sqrt(most);
+    c.radius = sqrt(max);
     return c;
 }
 
@@ -201,14 +201,14 @@ static MeBool isEdgeCutting(const Polygon *p, const Circle *around, const Outlin
                             double *inside) {
     const int next = j + 1 < b->count ? j + 1 : 0;
     const double x = b->x[j], y = b->y[j], ex = b->x[next] - x, ey = b->y[next] - y, length = sqrt(ex * ex + ey * ey);
-    double least = INFINITY;
+    double min = INFINITY;
     if (ex * (around->y - y) - ey * (around->x - x) >= around->radius * length)
         return MEFALSE; /* of no length, too */
     for (int i = 0; i < p->count; i++) {
         inside[i] = ex * (p->y[i] - y) - ey * (p->x[i] - x) + slack_ * length;
-        least = MeMIN(least, inside[i]);
+        min = MeMIN(min, inside[i]);
     }
-    return !(least >= 0);
+    return !(min >= 0);
 }
 
 static void copyCorner(Polygon *to, int k, const Polygon *from, int i) {
@@ -359,12 +359,12 @@ static double acrossSquared(const Candidate *p, const Candidate *q) {
 /* Drops points farther apart than the margin, and duplicates: of more than 8 points, which go round the polygon,
  * only the previous and the first are compared. */
 static int dropFarAndDuplicates(Candidate *candidate, int count, double margin, double slack_) {
-    const double least = 16 * slack_ * slack_;
+    const double min = 16 * slack_ * slack_;
     int kept = 0;
     for (int i = 0; i < count; i++) {
         int isNew = candidate[i].a - candidate[i].b <= margin;
         for (int j = 0; j < kept; j = j == 0 && count > 8 && kept > 1 ? kept - 1 : j + 1)
-            isNew &= acrossSquared(&candidate[i], &candidate[j]) > least;
+            isNew &= acrossSquared(&candidate[i], &candidate[j]) > min;
         if (kept != i)
             candidate[kept] = candidate[i];
         kept += isNew;
@@ -383,8 +383,8 @@ static int farthestOf(const Candidate *candidate, int count, const Candidate *fr
     for (int i = 0; i < count; i++) {
         const double squared = acrossSquared(&candidate[i], from);
         if (squared > enough) {
-            const double most = sqrt(squared) + slack_;
-            enough = most * most;
+            const double max = sqrt(squared) + slack_;
+            enough = max * max;
             best = i;
         }
     }
@@ -408,14 +408,14 @@ static double areaOf(const Candidate *a, const Candidate *b, const Candidate *c)
 /* The farthest on either side of the line of two; -1: there is none. */
 static void farthestBeside(const Candidate *candidate, int count, const Candidate *first, const Candidate *second,
                            double slack_, int best[2]) {
-    const double dx = second->x - first->x, dy = second->y - first->y, least = 4 * slack_ * sqrt(dx * dx + dy * dy);
-    double most[2] = {least, least};
+    const double dx = second->x - first->x, dy = second->y - first->y, min = 4 * slack_ * sqrt(dx * dx + dy * dy);
+    double max[2] = {min, min};
     best[0] = best[1] = -1;
     for (int i = 0; i < count; i++) {
         const double area = areaOf(first, second, &candidate[i]);
         const int side = area < 0;
-        if (fabs(area) > most[side] * (1 + 1e-6)) {
-            most[side] = fabs(area);
+        if (fabs(area) > max[side] * (1 + 1e-6)) {
+            max[side] = fabs(area);
             best[side] = i;
         }
     }
@@ -445,7 +445,7 @@ static void includeDeepest(const Candidate *candidate, int count, Candidate *kep
 /* Adds to a triangle of kept points the candidate that enlarges its area most, beyond one of the two sides at the third
  * point. Returns the number of points. */
 static int addBeyond(const Candidate *candidate, int count, Candidate *kept, double slack_) {
-    double most = 0;
+    double max = 0;
     int best = -1;
     for (int k = 0; k < 2; k++) {
         int beside[2];
@@ -454,8 +454,8 @@ static int addBeyond(const Candidate *candidate, int count, Candidate *kept, dou
         const double inside = areaOf(&kept[k], &kept[2], &kept[1 - k]);
         const int beyond = beside[inside >= 0];
         const double area = beyond >= 0 ? fabs(areaOf(&kept[k], &kept[2], &candidate[beyond])) : 0;
-        if (area > most) {
-            most = area;
+        if (area > max) {
+            max = area;
             best = beyond;
         }
     }
@@ -473,9 +473,9 @@ static int moveDeepestToFront(Candidate *candidate, int count, double band) {
         deepest = fmax(deepest, depthOf(&candidate[i]));
         shallowest = fmin(shallowest, depthOf(&candidate[i]));
     }
-    const double least = deepest - fmax(band, tiltShare * (deepest - shallowest));
+    const double min = deepest - fmax(band, tiltShare * (deepest - shallowest));
     for (int i = 0; i < count; i++)
-        if (depthOf(&candidate[i]) >= least) {
+        if (depthOf(&candidate[i]) >= min) {
             const Candidate c = candidate[i];
             memmove(&candidate[nearDeepest + 1], &candidate[nearDeepest],
                     (size_t)(i - nearDeepest) * sizeof *candidate);
@@ -572,13 +572,13 @@ static MeBool isExact(const Outline *o, MeU32 feature) {
 /* Limits the depth of all candidates to that of the cores, which the slack lets them exceed on steep faces. Returns the
  * deepest one; -1: there is none. */
 static int clampSeparations(Candidate *candidate, int count, double separation) {
-    double least = INFINITY;
+    double min = INFINITY;
     int deepest = -1;
     for (int i = 0; i < count; i++) {
         candidate[i].a = MeMAX(candidate[i].a, candidate[i].b + separation);
         const double gap = candidate[i].a - candidate[i].b;
-        const int isLess = gap < least;
-        least = isLess ? gap : least;
+        const int isLess = gap < min;
+        min = isLess ? gap : min;
         deepest = isLess ? i : deepest;
     }
     return deepest;
@@ -622,14 +622,14 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
     if (p->isGuess && outA.count == 2 && outB.count == 2 && count == 0)
         count = crossLines(&outA, &outB, support, candidate);
     count = dropFarAndDuplicates(candidate, count, coreMargin, v.slack);
-    const int least = clampSeparations(candidate, count, p->separation);
-    const double deficit = least < 0 ? INFINITY : candidate[least].a - candidate[least].b - p->separation;
-    if (p->isGuess && !(deficit <= v.slack && isExact(&outA, (MeU32)(candidate[least].feature >> 32)) &&
-                        isExact(&outB, (MeU32)candidate[least].feature)))
+    const int min = clampSeparations(candidate, count, p->separation);
+    const double deficit = min < 0 ? INFINITY : candidate[min].a - candidate[min].b - p->separation;
+    if (p->isGuess && !(deficit <= v.slack && isExact(&outA, (MeU32)(candidate[min].feature >> 32)) &&
+                        isExact(&outB, (MeU32)candidate[min].feature)))
         return 0;
     /* Where a face's normal was preferred to a slightly better one, the deepest candidate is off by that preference. */
     if (deficit <= preference * mcd_pairSize(a, b))
-        candidate[least].a = candidate[least].b + p->separation;
+        candidate[min].a = candidate[min].b + p->separation;
     else if (p->separation <= coreMargin)
         candidate[count++] = supportCandidate(&v, p, support);
     if (count > MCD_MANIFOLD_POINTS)

@@ -44,11 +44,11 @@ static McdRank rankOf(const McdShape *s) {
 
 /* ---- preference for a face's normal --------------------------------------------------------- */
 
-static void tryNormal(const McdShape *a, const McdShape *b, const double n[3], McdProximity *p, double least) {
+static void tryNormal(const McdShape *a, const McdShape *b, const double n[3], McdProximity *p, double min) {
     if (!(mcd_dot(n, p->normal) > .9))
         return;
     const double s = mcd_separationAlong(a, b, n);
-    if (!(s >= least))
+    if (!(s >= min))
         return;
     mcd_copy(p->normal, n);
     p->separation = s;
@@ -57,7 +57,7 @@ static void tryNormal(const McdShape *a, const McdShape *b, const double n[3], M
 /* Two lines on round sides: the normal is across both, or, where they are parallel, from axis to axis. The search for
  * it ends where the depth is exact enough; its own error is the square root of that. */
 static void tryAcrossLines(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
-                           McdProximity *p, double least) {
+                           McdProximity *p, double min) {
     double u[3], w[3], n[3];
     mcd_sub(u, faceA->point[1], faceA->point[0]);
     mcd_sub(w, faceB->point[1], faceB->point[0]);
@@ -71,25 +71,25 @@ static void tryAcrossLines(const McdShape *a, const McdShape *b, const McdFace *
     if (!(length > 0))
         return;
     mcd_scale(n, n, (mcd_dot(n, p->normal) < 0 ? -1 : 1) / length);
-    tryNormal(a, b, n, p, least);
+    tryNormal(a, b, n, p, min);
 }
 
 /* A normal within rounding of a face's normal is replaced by it, so that it is constant from step to step. */
 static void preferFaces(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
                         McdProximity *p) {
-    const double least = p->separation - mcd_faceBias * mcd_pairSize(a, b);
+    const double min = p->separation - mcd_faceBias * mcd_pairSize(a, b);
     const double turned[3] = {-faceA->normal[0], -faceA->normal[1], -faceA->normal[2]};
     const int first = faceA->count >= faceB->count; /* the normal of a polygon is better defined than that of a line */
     double best[3];
     if (faceA->count == 2 && faceB->count == 2) {
-        tryAcrossLines(a, b, faceA, faceB, p, least);
+        tryAcrossLines(a, b, faceA, faceB, p, min);
         return;
     }
     mcd_copy(best, p->normal);
-    tryNormal(a, b, first ? turned : faceB->normal, p, least);
+    tryNormal(a, b, first ? turned : faceB->normal, p, min);
     if (mcd_distanceSquared(best, p->normal) == 0)
-        tryNormal(a, b, first ? faceB->normal : turned, p, least);
-    MEASSERT(p->separation >= least);
+        tryNormal(a, b, first ? faceB->normal : turned, p, min);
+    MEASSERT(p->separation >= min);
 }
 
 /* ---- what the others call ------------------------------------------------------------------------------------- */
@@ -98,10 +98,10 @@ static void preferFaces(const McdShape *a, const McdShape *b, const McdFace *fac
  * Hulls that touch within 1e-6 of their size have a normal that is no better than that, the direction between places
  * known to 1e-12: 1.01e-5 was met in a falling arch, of stones 5e-7 m apart. */
 static MeBool isProximityGood(const McdShape *a, const McdShape *b, const McdProximity *p) {
-    const double most = 2e-5 * mcd_pairSize(a, b) + 1e-9 * (MeMAX(a->extent, b->extent) + fabs(p->separation));
+    const double max = 2e-5 * mcd_pairSize(a, b) + 1e-9 * (MeMAX(a->extent, b->extent) + fabs(p->separation));
     if (!mcd_areResolved(a, b))
         return METRUE;
-    return mcd_isUnit(p->normal) && fabs(mcd_separationAlong(a, b, p->normal) - p->separation) <= most;
+    return mcd_isUnit(p->normal) && fabs(mcd_separationAlong(a, b, p->normal) - p->separation) <= max;
 }
 
 /* By the spheres about their places. */
@@ -249,8 +249,8 @@ static MeBool areEndsGood(const McdShape *a, const McdShape *b, const McdProximi
     double d[3];
     mcd_sub(d, p->onA, p->onB);
     mcd_mad(d, d, -p->separation, p->normal);
-    const double most = 1e-7 * mcd_pairSize(a, b) + 1e-9 * (MeMAX(a->extent, b->extent) + fabs(p->separation));
-    return !mcd_areResolved(a, b) || mcd_length(d) <= most;
+    const double max = 1e-7 * mcd_pairSize(a, b) + 1e-9 * (MeMAX(a->extent, b->extent) + fabs(p->separation));
+    return !mcd_areResolved(a, b) || mcd_length(d) <= max;
 }
 
 double mcd_convexDistance(const McdShape *a, const McdShape *b, double onA[3], double onB[3], double normal[3]) {

@@ -155,7 +155,7 @@ static void turnBy(RimPoint *r, double tangent) {
 static void tryRims(const Pair *p, double heightA, double heightB, McdProximity *g) {
     enum { STEPS = 8 }; /* mostly four or five */
     RimPoint a = {.disc = p->a}, b = {.disc = p->b};
-    const double most = .5; /* of a turn's tangent: the first is of a good start, or leads away */
+    const double max = .5; /* of a turn's tangent: the first is of a good start, or leads away */
     const double size = a.disc->size[0] + b.disc->size[0];
     mcd_mad(a.centre, a.disc->place, heightA, a.disc->axis[2]);
     mcd_mad(b.centre, b.disc->place, heightB, b.disc->axis[2]);
@@ -173,8 +173,8 @@ static void tryRims(const Pair *p, double heightA, double heightB, McdProximity 
         const double ofB = mcd_dot(b.along, b.along) + mcd_dot(d, b.out), all = ofA * ofB - mixed * mixed;
         if (!(fabs(all) > 1e-12 * size * size * size * size))
             return;
-        turnBy(&a, MeCLAMP((mixed * h - ofB * f) / all, -most, most));
-        turnBy(&b, MeCLAMP((mixed * f - ofA * h) / all, -most, most));
+        turnBy(&a, MeCLAMP((mixed * h - ofB * f) / all, -max, max));
+        turnBy(&b, MeCLAMP((mixed * f - ofA * h) / all, -max, max));
     }
 }
 
@@ -280,19 +280,19 @@ static void farthest(const McdShape *a, const McdShape *b, const double directio
     mcd_sub(w, x, y);
 }
 
-enum { MOST_CORNERS = 8 };
+enum { MAX_CORNERS = 8 };
 
 /* M's support points in four or eight directions beside d, counter-clockwise, `aside` from it, the first toward u,
  * which is across d. */
 static void cornersAround(const McdShape *a, const McdShape *b, const double d[3], const double u[3], double aside,
                           int count, double corner[][3]) {
     static const double diagonal = .7071067811865476;
-    static const double turn[MOST_CORNERS][2] = {{1, 0},  {diagonal, diagonal},   {0, 1},  {-diagonal, diagonal},
-                                                 {-1, 0}, {-diagonal, -diagonal}, {0, -1}, {diagonal, -diagonal}};
+    static const double turn[MAX_CORNERS][2] = {{1, 0},  {diagonal, diagonal},   {0, 1},  {-diagonal, diagonal},
+                                                {-1, 0}, {-diagonal, -diagonal}, {0, -1}, {diagonal, -diagonal}};
     double w[3];
     mcd_cross(w, d, u);
     for (int i = 0; i < count; i++) {
-        const double *to = turn[i * (MOST_CORNERS / count)];
+        const double *to = turn[i * (MAX_CORNERS / count)];
         double e[3];
         mcd_mad(e, d, aside * to[0], u);
         mcd_mad(e, e, aside * to[1], w);
@@ -330,7 +330,7 @@ MeBool mcd_isMinDepth(const McdShape *a, const McdShape *b, const McdProximity *
     enum { CORNERS = 4 };
     /* Points that are not exactly across d are lower by at most this part of the size. */
     static const double flat = 1e-8;
-    double u[3], w[3], tip[3], base[CORNERS][3], least = INFINITY; /* and stays that if the base is a point */
+    double u[3], w[3], tip[3], base[CORNERS][3], min = INFINITY; /* and stays that if the base is a point */
     Ball ball;
     if (!makeBall(a, b, p, &ball))
         return MEFALSE;
@@ -343,9 +343,9 @@ MeBool mcd_isMinDepth(const McdShape *a, const McdShape *b, const McdProximity *
     for (int i = 0; i < CORNERS; i++) {
         if (!(mcd_dot(base[i], ball.down) >= radius))
             return MEFALSE;
-        least = MeMIN(least, distanceInside(base[i], base[(i + 1) % CORNERS], tip));
+        min = MeMIN(min, distanceInside(base[i], base[(i + 1) % CORNERS], tip));
     }
-    return least >= radius && least < INFINITY;
+    return min >= radius && min < INFINITY;
 }
 
 /* Twice the area of a triangle as seen against d. */
@@ -406,7 +406,7 @@ static void betweenAxes(const McdShape *a, const McdShape *b, const double d[3],
  * that is seen almost flat turns by more than the direction. */
 MeBool mcd_isMinDepthOfRound(const McdShape *a, const McdShape *b, const McdProximity *p) {
     enum { TRIES = 3 };
-    double u[3], ring[MOST_CORNERS][3], top[3], tip[3];
+    double u[3], ring[MAX_CORNERS][3], top[3], tip[3];
     Ball ball;
     if (!makeBall(a, b, p, &ball))
         return MEFALSE;
@@ -415,8 +415,8 @@ MeBool mcd_isMinDepthOfRound(const McdShape *a, const McdShape *b, const McdProx
     farthest(a, b, p->normal, tip);
     double tilt = MeMIN(sqrt(8 * ball.tolerance / ball.depth), 1);
     for (int i = 0; i < TRIES; i++, tilt /= 4) {
-        cornersAround(a, b, ball.down, u, tilt, MOST_CORNERS, ring);
-        const int count = keepConvex(ball.down, ring, MOST_CORNERS);
+        cornersAround(a, b, ball.down, u, tilt, MAX_CORNERS, ring);
+        const int count = keepConvex(ball.down, ring, MAX_CORNERS);
         if (count > 2 && isInSolid(top, ring, count, tip, ball.depth - ball.tolerance))
             return METRUE;
     }

@@ -25,13 +25,13 @@ MeBool mcd_areResolved(const McdShape *a, const McdShape *b) {
  * axes: R + (I - R R^T) R / 2, one step towards the nearest rotation. Other matrices are left as they are. */
 static void squareAxes(double axis[3][3]) {
     static const double rounded = 1e-5, square = 1e-13;
-    double error[3][3], old[3][3], most = 0;
+    double error[3][3], old[3][3], max = 0;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j <= i; j++) {
             error[i][j] = error[j][i] = (i == j) - mcd_dot(axis[i], axis[j]);
-            most = MeMAX(most, fabs(error[i][j]));
+            max = MeMAX(max, fabs(error[i][j]));
         }
-    if (most < square || most > rounded)
+    if (max < square || max > rounded)
         return;
     memcpy(old, axis, sizeof old);
     for (int i = 0; i < 3; i++)
@@ -68,8 +68,8 @@ void mcd_coreSupport(const McdShape *s, const double d[3], double point[3]) {
 
 /* Is the point no farther from the shape's place than its extent says? */
 static MeBool isWithinExtent(const McdShape *s, const double point[3]) {
-    const double most = s->extent * (1 + 1e-6) + 4 * DBL_EPSILON * mcd_length(s->place);
-    return !mcd_shapeIsRigid(s) || mcd_distanceSquared(point, s->place) <= most * most;
+    const double max = s->extent * (1 + 1e-6) + 4 * DBL_EPSILON * mcd_length(s->place);
+    return !mcd_shapeIsRigid(s) || mcd_distanceSquared(point, s->place) <= max * max;
 }
 
 void mcd_support(const McdShape *s, const double direction[3], double point[3]) {

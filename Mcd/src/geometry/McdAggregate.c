@@ -203,7 +203,7 @@ void MEAPI McdAggregateUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr 
 
 typedef struct Farthest {
     MeReal *direction, *point;
-    double most;
+    double max;
     MeBool isSet;
 } Farthest;
 
@@ -220,10 +220,10 @@ static void addPoint(McdGeometryInstance *child, const MeMatrix4Ptr finalTM, voi
     double height = 0;
     for (int k = 0; k < 3; k++)
         height += (double)point[k] * (double)f->direction[k];
-    if (f->isSet && !(height > f->most))
+    if (f->isSet && !(height > f->max))
         return;
     f->isSet = METRUE;
-    f->most = height;
+    f->max = height;
     MeVector3Copy(f->point, point);
 }
 

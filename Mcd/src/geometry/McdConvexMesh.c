@@ -108,11 +108,11 @@ static void setShape(const McdGeometry *g, McdShape *s) {
 
 static int farthestOfAll(const McdHull *h, const double d[3]) {
     int best = 0;
-    double most = mcd_dot(h->vertex[0], d);
+    double max = mcd_dot(h->vertex[0], d);
     for (int i = 1; i < h->vertexCount; i++) {
         const double x = mcd_dot(h->vertex[i], d);
-        if (x > most) {
-            most = x;
+        if (x > max) {
+            max = x;
             best = i;
         }
     }
@@ -122,20 +122,20 @@ static int farthestOfAll(const McdHull *h, const double d[3]) {
 /* On a convex polyhedron a corner that no neighbour beats is the farthest of all. */
 static int farthestByClimbing(const McdHull *h, const double d[3]) {
     int here = 0, next = 0;
-    double most = mcd_dot(h->vertex[0], d);
+    double max = mcd_dot(h->vertex[0], d);
     do {
         here = next;
         for (int i = h->neighbourFirst[here]; i < h->neighbourFirst[here + 1]; i++) {
             const double x = mcd_dot(h->vertex[h->neighbour[i]], d);
-            if (x > most) {
-                most = x;
+            if (x > max) {
+                max = x;
                 next = h->neighbour[i];
             }
         }
     } while (next != here);
     /* Corners that were removed within mcd_hull.c's flatness are not walked over: a local maximum may be lower by as
      * much. */
-    MEVALIDATE(most >= mcd_dot(h->vertex[farthestOfAll(h, d)], d) - 1e-6 * h->extent * mcd_length(d));
+    MEVALIDATE(max >= mcd_dot(h->vertex[farthestOfAll(h, d)], d) - 1e-6 * h->extent * mcd_length(d));
     return here;
 }
 
@@ -151,11 +151,11 @@ static void hullFace(const McdShape *s, const double direction[3], McdFace *f) {
     mcd_shapeOwn(s, direction, d);
     const McdHull *h = s->hull;
     int best = 0;
-    double most = -INFINITY;
+    double max = -INFINITY;
     for (int i = 0; i < h->faceCount; i++) {
         const double x = mcd_dot(h->face[i].normal, d);
-        if (x > most) {
-            most = x;
+        if (x > max) {
+            max = x;
             best = i;
         }
     }
@@ -340,16 +340,16 @@ void MEAPI McdConvexMeshGetBSphere(const McdGeometryID g, MeVector3 center, MeRe
     if (!isMesh(g, "McdConvexMeshGetBSphere"))
         return;
     const McdHull *h = get(g)->hull;
-    double most = 0;
+    double max = 0;
     for (int k = 0; k < 3; k++)
         center[k] = (MeReal)h->centre[k];
     for (int i = 0; i < h->vertexCount; i++) {
         double d[3];
         for (int k = 0; k < 3; k++)
             d[k] = h->vertex[i][k] - (double)center[k];
-        most = MeMAX(most, dot(d, d));
+        max = MeMAX(max, dot(d, d));
     }
-    *radius = mcd_roundUp(sqrt(most) * (1 + 4 * DBL_EPSILON) + (double)get(g)->fatness);
+    *radius = mcd_roundUp(sqrt(max) * (1 + 4 * DBL_EPSILON) + (double)get(g)->fatness);
 }
 
 void MEAPI McdConvexMeshDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {

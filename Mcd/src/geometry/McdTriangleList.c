@@ -274,7 +274,7 @@ MCD_MESH_INTERACTIONS(TriangleList, intersect)
 /* The first of the triangles that a segment meets: where, as a part of it, and the normal there; a part above 1:
  * none. */
 static double firstHit(const Generated *generated, const double from[3], const double to[3], double normal[3]) {
-    double least = 2;
+    double min = 2;
     for (int i = 0; i < generated->count; i++) {
         double corner[3][3], own[3], given[3], fraction, hit[3];
         const McdUserTriangle *t = &generated->triangle[i];
@@ -282,12 +282,12 @@ static double firstHit(const Generated *generated, const double from[3], const d
             continue;
         if (mcd_segmentTriangle((const double(*)[3])corner, own, (t->flags & kMcdTriangleTwoSided) != 0, from, to,
                                 &fraction, hit) &&
-            fraction < least) {
-            least = fraction;
+            fraction < min) {
+            min = fraction;
             memcpy(normal, hit, sizeof hit);
         }
     }
-    return least;
+    return min;
 }
 
 static int MEAPI intersectSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
@@ -310,10 +310,10 @@ static int MEAPI intersectSegment(const McdModelID cm, MeReal *const inOrig, MeR
     memset(&pair, 0, sizeof pair);
     pair.model1 = pair.model2 = cm;
     callGenerator(list, &pair, scratch, middle, sqrt(length) / 2, &generated);
-    const double least = firstHit(&generated, from, to, normal);
+    const double min = firstHit(&generated, from, to, normal);
     releaseArray(list, &generated);
     mcd_scratchGive(frame, scratch);
-    return least <= 1 && mcd_segmentHit(mcd_const(ins->tm), inOrig, inDest, least, normal, outOverlap);
+    return min <= 1 && mcd_segmentHit(mcd_const(ins->tm), inOrig, inDest, min, normal, outOverlap);
 }
 
 void MEAPI McdTriangleListLineSegmentRegisterInteraction(McdFramework *frame) {

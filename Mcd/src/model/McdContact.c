@@ -121,12 +121,12 @@ static void cross(const double a[3], const double b[3], double out[3]) {
 
 static int farthestFrom(const McdSpot *spot, int count, const double place[3]) {
     int best = 0;
-    double most = -1;
+    double max = -1;
     for (int i = 0; i < count; i++) {
         double d[3];
         difference(spot[i].position, place, d);
-        if (dot(d, d) > most) {
-            most = dot(d, d);
+        if (dot(d, d) > max) {
+            max = dot(d, d);
             best = i;
         }
     }
@@ -186,14 +186,14 @@ static int corners(const McdSpot *spot, int count, int maxCount, double same, in
     double left, right;
     const int l = farthestBeside(spot, count, a, b, normal, 1, &left);
     const int r = farthestBeside(spot, count, a, b, normal, -1, &right);
-    const double least = MeMAX(same, 1e-6 * length) * length;
+    const double min = MeMAX(same, 1e-6 * length) * length;
     const int first = left >= right ? l : r, second = left >= right ? r : l;
-    if (MeMAX(left, right) <= least)
+    if (MeMAX(left, right) <= min)
         return 2;
     kept[2] = first;
     if (maxCount == 3)
         return 3;
-    if (MeMIN(left, right) > least) {
+    if (MeMIN(left, right) > min) {
         kept[3] = second;
         return 4;
     }
@@ -202,7 +202,7 @@ static int corners(const McdSpot *spot, int count, int maxCount, double same, in
     const int beyond[2] = {farthestBeside(spot, count, b, first, normal, outward, &across[0]),
                            farthestBeside(spot, count, first, a, normal, outward, &across[1])};
     const int better = across[1] > across[0];
-    if (across[better] <= least)
+    if (across[better] <= min)
         return 3;
     kept[3] = beyond[better];
     return 4;

@@ -111,7 +111,7 @@ static int roomToAdd(int room) {
 
 MeBool mcd_frameAddModels(McdFramework *frame, const char *function) {
     MEASSERT(!frame->firstFree && frame->modelCount == frame->modelRoom);
-    if (frame->modelLimit.most == MeNoLimit)
+    if (frame->modelLimit.max == MeNoLimit)
         return addModels(frame, roomToAdd(frame->modelRoom), function);
     MeLimitWarn(&frame->modelLimit, function, "more models");
     return MEFALSE;
@@ -119,7 +119,7 @@ MeBool mcd_frameAddModels(McdFramework *frame, const char *function) {
 
 MeBool mcd_frameAddInstances(McdFramework *frame, const char *function) {
     MEASSERT(!frame->freeInstance && frame->instanceCount == frame->instanceRoom);
-    if (frame->instanceLimit.most == MeNoLimit)
+    if (frame->instanceLimit.max == MeNoLimit)
         return addInstances(frame, roomToAdd(frame->instanceRoom), function);
     MeLimitWarn(&frame->instanceLimit, function, "the parts of an aggregate");
     return MEFALSE;
@@ -146,9 +146,9 @@ McdFrameworkID MEAPI(McdInit)(int geoTypeMaxCount, int modelCount, int instanceC
         return 0;
     const size_t types = (size_t)(kMcdGeometryFirstUserType + geoTypeMaxCount);
     frame->typeCount = (int)types;
-    frame->typeLimit = (MeLimit){.most = geoTypeMaxCount, .name = "McdInit's geoTypeMaxCount"};
-    frame->modelLimit = (MeLimit){.most = modelCount, .name = "McdInit's modelCount"};
-    frame->instanceLimit = (MeLimit){.most = instanceCount, .name = "McdInit's instanceCount"};
+    frame->typeLimit = (MeLimit){.max = geoTypeMaxCount, .name = "McdInit's geoTypeMaxCount"};
+    frame->modelLimit = (MeLimit){.max = modelCount, .name = "McdInit's modelCount"};
+    frame->instanceLimit = (MeLimit){.max = instanceCount, .name = "McdInit's instanceCount"};
     frame->types = MeMemoryTakeZeroed(types, sizeof *frame->types, "McdInit", "geometry types");
     frame->grid = MeMemoryTakeZeroed(types * types, sizeof *frame->grid, "McdInit", "interactions");
     if (!frame->types || !frame->grid || (modelCount != MeNoLimit && !addModels(frame, modelCount, "McdInit")) ||
@@ -206,7 +206,7 @@ static McdTypeRecord *typeRecord(McdFramework *frame, int typeId, const char *fu
     if (typeId >= 0 && typeId < frame->typeCount)
         return &frame->types[typeId];
     MeWarning(1, "%s: there is no geometry type %d: own types are from %d on, %d of them: see %s", function, typeId,
-              kMcdGeometryFirstUserType, frame->typeLimit.most, frame->typeLimit.name);
+              kMcdGeometryFirstUserType, frame->typeLimit.max, frame->typeLimit.name);
     return 0;
 }
 

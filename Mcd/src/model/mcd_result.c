@@ -8,16 +8,16 @@
  * round on the way: then each comes as far as it can. */
 static double greatestApproach(const McdModelRecord *a, const McdModelRecord *b, const MeReal *velocity1,
                                const MeReal *velocity2, MeBool mayTurnRound) {
-    const double time = fmax((double)a->lookAhead, (double)b->lookAhead), most = (double)a->travel + (double)b->travel;
+    const double time = fmax((double)a->lookAhead, (double)b->lookAhead), max = (double)a->travel + (double)b->travel;
     double square = 0;
-    if (!(most > 0) || mayTurnRound)
-        return fmax(most, 0);
+    if (!(max > 0) || mayTurnRound)
+        return fmax(max, 0);
     for (int i = 0; i < 3; i++) {
         const double va = velocity1 ? (double)velocity1[i] : 0;
         const double vb = velocity2 ? (double)velocity2[i] : 0;
         square += (va - vb) * (va - vb);
     }
-    return fmin(most, time * sqrt(square) + (double)a->turnTravel + (double)b->turnTravel);
+    return fmin(max, time * sqrt(square) + (double)a->turnTravel + (double)b->turnTravel);
 }
 
 static double marginOf(const McdModelPair *p, const MeReal *velocity1, const MeReal *velocity2) {

@@ -302,15 +302,15 @@ static int normalsOf(const McdContact *contact, const McdChildManifold *m, doubl
 
 /* The largest separation of a manifold's parts along another one's normals. */
 static double separationAlong(const McdContact *contact, const McdChildManifold *m, const McdChildManifold *along) {
-    double normal[3][3], origin[3], most = -INFINITY;
+    double normal[3][3], origin[3], max = -INFINITY;
     McdShape a, b;
     const int count = normalsOf(contact, along, normal);
     mcd_pairOrigin(m->child[0], m->child[1], origin);
     if (!mcd_shapeOf(m->child[0], origin, &a) || !mcd_shapeOf(m->child[1], origin, &b))
-        return most;
+        return max;
     for (int i = 0; i < count; i++)
-        most = fmax(most, mcd_separationAlong(&a, &b, normal[i]) - a.rounding - b.rounding);
-    return most;
+        max = fmax(max, mcd_separationAlong(&a, &b, normal[i]) - a.rounding - b.rounding);
+    return max;
 }
 
 /* Does another manifold separate the parts as well? One of the same part of the other model. */
@@ -353,7 +353,7 @@ static double translationAlong(const double n1[3], double d1, const double n2[3]
  * does. */
 static double translationWithCovers(const McdContact *contact, const McdChildManifold *m, const McdChildManifold *all,
                                     int count) {
-    double n[2][3], most = 0;
+    double n[2][3], max = 0;
     for (int i = 0; i < count; i++)
         for (int side = 0; side < 2; side++) {
             const McdChildManifold *other = &all[i];
@@ -364,9 +364,9 @@ static double translationWithCovers(const McdContact *contact, const McdChildMan
                 n[1][k] = (double)contact[other->first].normal[k];
             }
             if (m->separation < 0 && other->separation < 0 && mcd_dot(n[0], n[1]) < 0)
-                most = fmax(most, translationAlong(n[0], -m->separation, n[1], -other->separation));
+                max = fmax(max, translationAlong(n[0], -m->separation, n[1], -other->separation));
         }
-    return most;
+    return max;
 }
 
 /* Two parts that overlap, and the normals that are tried. */
@@ -544,11 +544,11 @@ static double nextSeparation(const McdChildManifold *all, int first, int count, 
  * of the parts between which something is deep is below the face through which that leaves. The least deep ones come
  * first, so that none is dropped for one that is dropped itself. */
 static void dropDeeper(const McdContact *contact, McdChildManifold *all, int first, int count) {
-    for (double least = nextSeparation(all, first, count, INFINITY); least > -INFINITY;
-         least = nextSeparation(all, first, count, least))
+    for (double min = nextSeparation(all, first, count, INFINITY); min > -INFINITY;
+         min = nextSeparation(all, first, count, min))
         for (int i = first; i < count; i++)
-            for (int k = 0; k < count && all[i].separation == least && !all[i].isDropped; k++)
-                all[i].isDropped = all[k].lean == 0 && !all[k].isDropped && all[k].separation > least + all[i].skin &&
+            for (int k = 0; k < count && all[i].separation == min && !all[i].isDropped; k++)
+                all[i].isDropped = all[k].lean == 0 && !all[k].isDropped && all[k].separation > min + all[i].skin &&
                                    isSeparatedBy(contact, &all[i], &all[k]);
 }
 

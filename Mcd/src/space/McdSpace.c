@@ -114,7 +114,7 @@ static MeBool makeRoom(McdSpace *s, const char *function) {
     if (s->freeProxy != MCD_NONE)
         return METRUE;
     MEASSERT(s->proxyCount == s->proxyRoom);
-    if (s->modelLimit.most == MeNoLimit)
+    if (s->modelLimit.max == MeNoLimit)
         return reserveProxies(s, s->proxyRoom ? 2 * s->proxyRoom : FIRST_ROOM, function);
     MeLimitWarn(&s->modelLimit, function, "more models");
     return MEFALSE;
@@ -203,8 +203,8 @@ McdSpaceID MEAPI(McdSpaceAxisSortCreate)(McdFrameworkID framework, int axes, int
     s->magic = MCD_SPACE;
     s->frame = framework;
     s->axes = axes;
-    s->modelLimit = (MeLimit){.most = objectCount, .name = "McdSpaceAxisSortCreate's objectCount"};
-    s->pairLimit = (MeLimit){.most = pairCount, .name = "McdSpaceAxisSortCreate's pairCount"};
+    s->modelLimit = (MeLimit){.max = objectCount, .name = "McdSpaceAxisSortCreate's objectCount"};
+    s->pairLimit = (MeLimit){.max = pairCount, .name = "McdSpaceAxisSortCreate's pairCount"};
     s->isChanging = s->isFirstBlock = METRUE;
     s->step = MCD_SPACE; /* a number that an iterator which was never set will hardly have */
     framework->spaceForget = forget;
@@ -536,9 +536,9 @@ static MeReal rateOf(const MeReal *velocity) {
     return velocity ? MeVector3Magnitude(velocity) : 0;
 }
 
-/* m: half of the model's least extent along its own axes, at most `most`. */
-static MeReal thicknessOf(McdModelRecord *m, MeReal most) {
-    MeReal least = most;
+/* m: half of the model's least extent along its own axes, at most `max`. */
+static MeReal thicknessOf(McdModelRecord *m, MeReal max) {
+    MeReal min = max;
     for (int i = 0; i < 3; i++) {
         MeVector3 axis, back, high, low;
         MeVector3Copy(axis, m->instance.tm[i]);
@@ -546,9 +546,9 @@ static MeReal thicknessOf(McdModelRecord *m, MeReal most) {
         McdGeometryInstanceMaximumPoint(&m->instance, axis, high);
         McdGeometryInstanceMaximumPoint(&m->instance, back, low);
         MeVector3Subtract(high, high, low);
-        least = MeMIN(least, MeVector3Dot(high, axis) / 2);
+        min = MeMIN(min, MeVector3Dot(high, axis) / 2);
     }
-    return MeMAX(least, 0);
+    return MeMAX(min, 0);
 }
 
 /* The margin of a swept model: one that moves by more than its thickness is tested for its time of impact

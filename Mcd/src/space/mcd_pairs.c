@@ -659,9 +659,9 @@ static void admitQueued(McdSpace *s) {
     listSort(&s->pending);
     const MeLimit *limit = &s->pairLimit;
     int i = 0;
-    while (i < s->pending.count && s->liveCount < limit->most && sayHello(s, s->pending.entry[i]))
+    while (i < s->pending.count && s->liveCount < limit->max && sayHello(s, s->pending.entry[i]))
         i++;
-    if (i < s->pending.count && newCount && s->liveCount == limit->most)
+    if (i < s->pending.count && newCount && s->liveCount == limit->max)
         reportFull(s, i);
     s->pending.count = 0;
 }
@@ -758,7 +758,7 @@ void mcd_pairsEnd(McdSpace *s) {
     keepUnfinished(s);
     renewStaying(s);
     admitQueued(s);
-    MEASSERT(s->liveCount >= 0 && s->liveCount <= s->pairLimit.most && s->waitingCount >= 0);
+    MEASSERT(s->liveCount >= 0 && s->liveCount <= s->pairLimit.max && s->waitingCount >= 0);
     MEVALIDATE(areBoxesGood(s) && areLinksGood(s));
     MEVALIDATE(isListGood(&s->hello, kMcdFFStateHello) && isListGood(&s->staying, kMcdFFStateStaying) &&
                isListGood(&s->goodbye, kMcdFFStateGoodbye));

@@ -114,17 +114,17 @@ void mcd_meshAddContact(McdMeshQuery *q, const McdMeshTriangle *t, const double 
 }
 
 MeBool mcd_meshAddPoints(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], const McdPolygon *p,
-                         MeBool onlyDeeper, double *least) {
+                         MeBool onlyDeeper, double *min) {
     MeBool isAnyAdded = MEFALSE;
     for (int i = 0; i < p->count; i++) {
         double offset[3], at[3];
         mcd_sub(offset, p->point[i], t->corner[0]);
         const double separation = mcd_dot(offset, normal) - q->shape.rounding;
-        if (separation > q->margin || (onlyDeeper && separation >= *least - MCD_MESH_OVERLAP * q->shape.extent))
+        if (separation > q->margin || (onlyDeeper && separation >= *min - MCD_MESH_OVERLAP * q->shape.extent))
             continue;
         mcd_mad(at, p->point[i], -(q->shape.rounding + separation / 2), normal);
         mcd_meshAddContact(q, t, at, normal, separation, p->name[i], p->isCut[i]);
-        *least = fmin(*least, separation);
+        *min = fmin(*min, separation);
         isAnyAdded = METRUE;
     }
     return isAnyAdded;
@@ -132,12 +132,12 @@ MeBool mcd_meshAddPoints(McdMeshQuery *q, const McdMeshTriangle *t, const double
 
 MeBool mcd_meshAddClipped(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], double tolerance) {
     McdPolygon p, clipped;
-    double back[3], least = INFINITY;
+    double back[3], min = INFINITY;
     mcd_scale(back, normal, -1);
     mcd_polygonFace(&q->shape, back, &p);
     clipToPrism(t, tolerance * q->shape.extent, &p, &clipped);
-    const MeBool isAnyAdded = mcd_meshAddPoints(q, t, normal, &clipped, MEFALSE, &least);
+    const MeBool isAnyAdded = mcd_meshAddPoints(q, t, normal, &clipped, MEFALSE, &min);
     mcd_polygonSupport(&q->shape, back, &p);
     clipToPrism(t, tolerance * q->shape.extent, &p, &clipped);
-    return mcd_meshAddPoints(q, t, normal, &clipped, METRUE, &least) || isAnyAdded;
+    return mcd_meshAddPoints(q, t, normal, &clipped, METRUE, &min) || isAnyAdded;
 }

@@ -138,7 +138,7 @@ static const McdMeshTriangle *commonPlane(const McdMeshQuery *q) {
 
 /* Adds each of the polygon's points as a contact of the first pending triangle below it; false if one has none. */
 static MeBool addPointsOverTriangles(McdMeshQuery *q, const double normal[3], const McdPolygon *p, MeBool onlyDeeper,
-                                     double *least) {
+                                     double *min) {
     for (int i = 0; i < p->count; i++) {
         McdPolygon one; /* only its first point is written */
         double in, out;
@@ -153,7 +153,7 @@ static MeBool addPointsOverTriangles(McdMeshQuery *q, const double normal[3], co
             k++;
         if (k == q->mesh->count)
             return MEFALSE;
-        mcd_meshAddPoints(q, &q->mesh->triangle[k], normal, &one, onlyDeeper, least);
+        mcd_meshAddPoints(q, &q->mesh->triangle[k], normal, &one, onlyDeeper, min);
     }
     return METRUE;
 }
@@ -163,15 +163,15 @@ static MeBool addPointsOverTriangles(McdMeshQuery *q, const double normal[3], co
 static MeBool addPlaneContacts(McdMeshQuery *q) {
     const McdMeshTriangle *t = commonPlane(q);
     McdPolygon p;
-    double face[3], back[3], least = INFINITY;
+    double face[3], back[3], min = INFINITY;
     if (!t)
         return MEFALSE;
     mcd_scale(face, t->normal, t->facing);
     mcd_scale(back, face, -1);
     mcd_polygonFace(&q->shape, back, &p);
-    if (addPointsOverTriangles(q, face, &p, MEFALSE, &least)) {
+    if (addPointsOverTriangles(q, face, &p, MEFALSE, &min)) {
         mcd_polygonSupport(&q->shape, back, &p);
-        if (addPointsOverTriangles(q, face, &p, METRUE, &least))
+        if (addPointsOverTriangles(q, face, &p, METRUE, &min))
             return METRUE;
     }
     q->mesh->contactCount = 0;
@@ -362,17 +362,17 @@ static MeBool isSegmentCovered(const McdMeshQuery *q, const McdMeshTriangle *t, 
 
 /* The least separation among the first `count` contacts that are on the triangle's plane. */
 static double minSeparationOnPlane(const McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], int count) {
-    double least = INFINITY;
+    double min = INFINITY;
     for (int i = 0; i < count; i++) {
         const McdMeshContact *c = &q->mesh->contact[i];
         double offset[3];
         footOf(c, offset);
         mcd_sub(offset, offset, t->corner[0]);
-        if (c->separation < least && mcd_meshAreParallel(c->normal, normal) &&
+        if (c->separation < min && mcd_meshAreParallel(c->normal, normal) &&
             fabs(mcd_dot(offset, normal)) <= MCD_MESH_RISES * q->shape.extent)
-            least = c->separation;
+            min = c->separation;
     }
-    return least;
+    return min;
 }
 
 /* Adds contacts of coplanar neighbours that were not hit directly: points below the triangle that are as deep as the
@@ -403,13 +403,13 @@ static void addCoplanarContacts(McdMeshQuery *q, const McdMeshTriangle *t) {
 static void recoverFromBehind(McdMeshQuery *q) {
     const McdMeshTriangle *nearest = 0;
     McdManifold m;
-    double least = fmin(q->radius, q->shape.extent) / 2;
+    double min = fmin(q->radius, q->shape.extent) / 2;
     for (int i = 0; i < q->mesh->count; i++) {
         const McdMeshTriangle *t = &q->mesh->triangle[i];
         const double depth = -heightOfCentre(q, t);
-        if (t->flags & kMcdTriangleTwoSided || depth < 0 || depth >= least || !intersectTriangle(q, t, &m))
+        if (t->flags & kMcdTriangleTwoSided || depth < 0 || depth >= min || !intersectTriangle(q, t, &m))
             continue;
-        least = depth;
+        min = depth;
         nearest = t;
     }
     for (int i = 0; nearest && i < q->mesh->count; i++) {

@@ -114,7 +114,7 @@ void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const doubl
                          const double high[3], McdMeshVisit visit, void *context);
 /* As mcd_convexDistance, to the nearest triangle; false if there is none up to most, which may be INFINITY. */
 MeBool mcd_meshNearest(const McdShape *shape, McdGeometryInstance *ins, McdModelID asker, const double origin[3],
-                       double most, double *distance, double onShape[3], double onMesh[3], double normal[3]);
+                       double max, double *distance, double onShape[3], double onMesh[3], double normal[3]);
 
 /* Are there a pair of live models, and room for contacts? Warns if not. */
 MeBool mcd_meshMayIntersect(const McdModelPair *p, const McdIntersectResult *result, const char *function);

@@ -136,9 +136,9 @@ static MeBool visitNearest(void *context, const McdMeshTriangle *t, const McdSha
 }
 
 /* Enlarges the searched box until no nearer point can be outside of it. */
-static void search(Nearest *n, McdGeometryInstance *ins, McdModelID asker, const double origin[3], double most) {
+static void search(Nearest *n, McdGeometryInstance *ins, McdModelID asker, const double origin[3], double max) {
     double boundsLow[3], boundsHigh[3], low[3], high[3];
-    double reach = isfinite(most) ? most : n->shape->extent;
+    double reach = isfinite(max) ? max : n->shape->extent;
     mcd_meshBounds(ins, origin, boundsLow, boundsHigh);
     for (;;) {
         MeBool isAll = METRUE;
@@ -149,21 +149,21 @@ static void search(Nearest *n, McdGeometryInstance *ins, McdModelID asker, const
         }
         n->distance = INFINITY;
         mcd_meshForEachNear(ins, asker, origin, low, high, visitNearest, n);
-        if (n->distance <= reach || reach >= most || isAll)
+        if (n->distance <= reach || reach >= max || isAll)
             return;
-        reach = fmin(most, isfinite(n->distance) ? n->distance * 1.0001 : 4 * reach);
+        reach = fmin(max, isfinite(n->distance) ? n->distance * 1.0001 : 4 * reach);
     }
 }
 
 MeBool mcd_meshNearest(const McdShape *shape, McdGeometryInstance *ins, McdModelID asker, const double origin[3],
-                       double most, double *distance, double onShape[3], double onMesh[3], double normal[3]) {
+                       double max, double *distance, double onShape[3], double onMesh[3], double normal[3]) {
     Nearest n;
     n.shape = shape;
     boundShape(shape, n.low, n.high);
-    search(&n, ins, asker, origin, most);
-    if (!isfinite(n.distance) || n.distance > most)
+    search(&n, ins, asker, origin, max);
+    if (!isfinite(n.distance) || n.distance > max)
         return MEFALSE;
-    MEASSERT(isfinite(mcd_dot(n.normal, n.normal)) && n.distance <= most);
+    MEASSERT(isfinite(mcd_dot(n.normal, n.normal)) && n.distance <= max);
     *distance = n.distance;
     mcd_copy(onShape, n.onShape);
     mcd_copy(onMesh, n.onMesh);

@@ -71,7 +71,7 @@ void mcd_meshAddContact(McdMeshQuery *q, const McdMeshTriangle *t, const double 
 /* Adds contacts at the polygon's points within the margin; false if there are none. *least is the least separation so
  * far; onlyDeeper skips points that are not deeper than it. */
 MeBool mcd_meshAddPoints(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], const McdPolygon *p,
-                         MeBool onlyDeeper, double *least);
+                         MeBool onlyDeeper, double *min);
 /* Adds contacts along the normal (the triangle's or its opposite): of the shape's face, clipped to the triangle grown
  * by tolerance times the extent, and of the support point. False if there are none. */
 MeBool mcd_meshAddClipped(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], double tolerance);

@@ -41,7 +41,7 @@ static MeBool isOver(const McdMeshTriangle *t, const double point[3]) {
 
 /* The point of the triangle nearest to another one. */
 static void nearestOnTriangle(const McdMeshTriangle *t, const double point[3], double nearest[3]) {
-    double least = INFINITY;
+    double min = INFINITY;
     mcd_copy(nearest, t->corner[0]);
     if (isOver(t, point)) {
         mcd_mad(nearest, point, -heightOver(t, point), t->normal);
@@ -51,16 +51,16 @@ static void nearestOnTriangle(const McdMeshTriangle *t, const double point[3], d
         double at[3];
         nearestOnSegment(point, t->corner[i], t->corner[(i + 1) % 3], at);
         const double square = mcd_distanceSquared(at, point);
-        if (square >= least)
+        if (square >= min)
             continue;
-        least = square;
+        min = square;
         mcd_copy(nearest, at);
     }
 }
 
 /* m: the distance of the surface, but for triangles that are seen from behind and have a front only; where it is. */
 static double distanceToSurface(const McdMeshQuery *q, const double point[3], double nearest[3]) {
-    double least = INFINITY;
+    double min = INFINITY;
     mcd_copy(nearest, point);
     for (int i = 0; i < q->mesh->count; i++) {
         const McdMeshTriangle *t = &q->mesh->triangle[i];
@@ -69,12 +69,12 @@ static double distanceToSurface(const McdMeshQuery *q, const double point[3], do
             continue;
         nearestOnTriangle(t, point, at);
         const double square = mcd_distanceSquared(at, point);
-        if (square >= least)
+        if (square >= min)
             continue;
-        least = square;
+        min = square;
         mcd_copy(nearest, at);
     }
-    return sqrt(least);
+    return sqrt(min);
 }
 
 /* Where the surface falls away below the contact on the way, the way bends with it: the normal is that of the chord to

@@ -70,17 +70,17 @@ void mcd_meshBuildAdjacency(McdMesh *mesh) {
 /* ---- Voronoi regions --------------------------------------------------------------------------------------------- */
 
 int mcd_meshFarthestCorners(const McdMeshTriangle *t, const double direction[3]) {
-    double height[3], most = -INFINITY;
+    double height[3], max = -INFINITY;
     int mask = 0, top = 0;
     for (int i = 0; i < 3; i++) {
         height[i] = mcd_dot(t->corner[i], direction);
-        if (height[i] > most) {
-            most = height[i];
+        if (height[i] > max) {
+            max = height[i];
             top = i;
         }
     }
     for (int i = 0; i < 3; i++)
-        if (most - height[i] <= SAME_HEIGHT * sqrt(mcd_distanceSquared(t->corner[i], t->corner[top])))
+        if (max - height[i] <= SAME_HEIGHT * sqrt(mcd_distanceSquared(t->corner[i], t->corner[top])))
             mask |= 1 << i;
     MEASSERT(mask & 1 << top);
     return mask;

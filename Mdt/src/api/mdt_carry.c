@@ -95,7 +95,7 @@ static void findNormals(const MdtManifold *block, double normal[MDT_POINTS][3]) 
 
 MeReal MEAPI MdtContactGroupCarry(MdtContactGroupID g, const MeBool hasMoved[2]) {
     MdtManifold *m = mdt_groupOf(g, __func__);
-    double before[MDT_POINTS][3], after[MDT_POINTS][3], least = (double)MEINFINITY;
+    double before[MDT_POINTS][3], after[MDT_POINTS][3], min = (double)MEINFINITY;
     Motion motion[2];
     if (!m)
         return MEINFINITY;
@@ -113,11 +113,11 @@ MeReal MEAPI MdtContactGroupCarry(MdtContactGroupID g, const MeBool hasMoved[2])
         findNormals(block, after);
         for (MdtPoint *p = mdt_pointIn(block, 0); p; p = mdt_pointIn(block, p->slot + 1)) {
             moveSurfaces(p, motion, before[p->slot], after[p->slot], !m->base.side[1].body);
-            least = keaMin(least, -p->depth);
+            min = keaMin(min, -p->depth);
         }
     }
     mdt_constraintDisturb(&m->base);
-    return (MeReal)least;
+    return (MeReal)min;
 }
 
 MeBool MEAPI MdtContactGroupIsFlat(MdtContactGroupID g) {

@@ -58,7 +58,7 @@ static double squareDistance(const double a[3], const double b[3]) {
 static MdtPoint *matchNearest(const MdtManifold *m, const MdtFoundContact found[], int count, double time,
                               MdtContactID contacts[]) {
     MdtPoint *nearest = NULL;
-    double least = HUGE_VAL;
+    double min = HUGE_VAL;
     int match = 0;
     for (MdtPoint *p = mdt_pointFirst(m); p; p = mdt_pointAfter(p)) {
         double place[3];
@@ -67,8 +67,8 @@ static MdtPoint *matchNearest(const MdtManifold *m, const MdtFoundContact found[
         carriedPlace(p, time, place);
         for (int i = 0; i < count; i++) {
             const double distance = contacts[i] ? HUGE_VAL : squareDistance(place, found[i].position);
-            if (distance < least) {
-                least = distance;
+            if (distance < min) {
+                min = distance;
                 nearest = p;
                 match = i;
             }

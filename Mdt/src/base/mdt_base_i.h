@@ -141,8 +141,8 @@ MeBool mdt_constraintIsCondemned(const MdtBaseConstraint *c);
 
 /* What MeReal has no number for is MEINFINITY. */
 static inline MeReal mdt_real(double x) {
-    const double most = (double)MEINFINITY;
-    return (MeReal)(x > most ? most : x < -most ? -most : x);
+    const double max = (double)MEINFINITY;
+    return (MeReal)(x > max ? max : x < -max ? -max : x);
 }
 
 /* Zero times infinity is no number: three are looked at at once, as this is done for all that moves. */

@@ -125,8 +125,8 @@ MeBool mdt_isFinite(const char *caller, const char *what, MeReal x) {
 }
 
 MeBool mdt_areFinite(const MeReal v[3]) {
-    const double most = (double)FLT_MAX;
-    return fabs((double)v[0]) <= most && fabs((double)v[1]) <= most && fabs((double)v[2]) <= most;
+    const double max = (double)FLT_MAX;
+    return fabs((double)v[0]) <= max && fabs((double)v[1]) <= max && fabs((double)v[2]) <= max;
 }
 
 MeBool mdt_isFinite3(const char *caller, const char *what, MeReal x, MeReal y, MeReal z) {
@@ -143,13 +143,13 @@ double mdt_worldBound(const MdtWorld *w) {
 }
 
 MeBool mdt_isPlace(const char *caller, const char *what, const MdtWorld *w, MeReal x, MeReal y, MeReal z) {
-    const double most = mdt_worldBound(w);
+    const double max = mdt_worldBound(w);
     if (!mdt_isFinite3(caller, what, x, y, z))
         return MEFALSE;
-    if (fabs((double)x) <= most && fabs((double)y) <= most && fabs((double)z) <= most)
+    if (fabs((double)x) <= max && fabs((double)y) <= max && fabs((double)z) <= max)
         return METRUE;
     MeWarning(1, "%s: %s (%g, %g, %g) is farther away than %g m (MdtBodyGetPositionBound); nothing is changed", caller,
-              what, (double)x, (double)y, (double)z, most);
+              what, (double)x, (double)y, (double)z, max);
     return MEFALSE;
 }
 

@@ -35,7 +35,7 @@ static MeBool addBlock(MdtPool *pool, int count, const char *caller) {
 
 MeBool mdt_poolInit(MdtPool *pool, const char *caller) {
     pool->recordSize = roundUp(pool->recordSize);
-    return pool->limit.most == 0 || pool->limit.most == MeNoLimit || addBlock(pool, pool->limit.most, caller);
+    return pool->limit.max == 0 || pool->limit.max == MeNoLimit || addBlock(pool, pool->limit.max, caller);
 }
 
 void mdt_poolTerm(MdtPool *pool) {
@@ -50,7 +50,7 @@ void mdt_poolTerm(MdtPool *pool) {
 static MeBool makeRoom(MdtPool *pool, const char *caller) {
     char what[40];
     MEASSERT(pool->used == pool->room);
-    if (pool->limit.most == MeNoLimit)
+    if (pool->limit.max == MeNoLimit)
         return addBlock(pool, pool->room > 0 ? pool->room : FIRST_BLOCK, caller);
     snprintf(what, sizeof what, "more %s", pool->what);
     MeLimitWarn(&pool->limit, caller, what);

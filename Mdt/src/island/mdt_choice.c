@@ -269,12 +269,12 @@ static double approachAt(const MdtPoint *point) {
     return sum;
 }
 
-/* Groups of contacts that hold their bodies; not more than one above `most` are counted. */
-static int countPersistent(const MdtIsland *p, int most) {
+/* Groups of contacts that hold their bodies; not more than one above `max` are counted. */
+static int countPersistent(const MdtIsland *p, int max) {
     double g[3];
     int count = 0;
     mdt_fromReal(g, p->world->params.gravity);
-    for (int i = 0; i < p->numActing && count <= most; i++) {
+    for (int i = 0; i < p->numActing && count <= max; i++) {
         MeBool isPersistent = MEFALSE;
         for (const MdtPoint *at = mdt_pointFirst(mdt_asManifold(p->acting[i])); at && !isPersistent;
              at = mdt_pointAfter(at)) {
@@ -334,10 +334,10 @@ MeBool mdt_choiceHasShare(const MdtIsland *p) {
 /* Parts of a step that has not been declined may take more than its share. */
 double mdt_choiceBudget(const MdtIsland *p) {
     const double all = 1e6 * (double)p->world->workBudget;
-    const double most = !p->isFast && p->numContacts > 0 && p->mayBeFast ? (1 - mdt_fastReserve) * all : all;
+    const double max = !p->isFast && p->numContacts > 0 && p->mayBeFast ? (1 - mdt_fastReserve) * all : all;
     if (mdt_choiceHasShare(p) && p->numContacts > 0)
-        return fmin(fmax(p->record->share, 2 * mdt_stepShare * budgetOf(p->world)), all > 0 ? most : MDT_NO_BOUND);
-    return most;
+        return fmin(fmax(p->record->share, 2 * mdt_stepShare * budgetOf(p->world)), all > 0 ? max : MDT_NO_BOUND);
+    return max;
 }
 
 void mdt_choiceSwitchToFast(MdtIsland *p) {
@@ -374,7 +374,7 @@ static void noteFast(const MdtIsland *p, MdtIslandRecord *r) {
  * and takes more factorizations than those that follow. */
 static double exactWorkOf(const MdtIsland *p, const MdtIslandRecord *r) {
     if (p->hasDeclined)
-        return fmax(2 * p->exactWork, p->least);
+        return fmax(2 * p->exactWork, p->min);
     return r->steps == 0 ? p->exactWork / MeMAX(1, p->kea.report.factorizations) : p->exactWork;
 }
 

@@ -55,7 +55,7 @@ typedef struct MdtIsland {
     double elapsed;                    /* s, of the step before that part */
     double work;                       /* multiplications that the step may still cost; MDT_NO_BOUND: any number */
     int iterations;                    /* of Newton's method, the same; 0: any number */
-    double exactWork, fastWork, least; /* multiplications that it has cost so far, and that the exact solver needs */
+    double exactWork, fastWork, min;   /* multiplications that it has cost so far, and that the exact solver needs */
     double excess;                     /* of the fast solver's last answer */
     MeBool hasDeclined;                /* the exact solver has */
     MeBool hadImpact;                  /* there was an impact at the start of a part */

@@ -169,12 +169,12 @@ MeReal MEAPI MdtBodyGetPositionBound(const MdtBodyID b) {
 
 void mdt_bodyKeepWithinReach(MdtBodyID b) {
     static const double none[3] = {0, 0, 0};
-    const double most = mdt_worldBound(b->world);
+    const double max = mdt_worldBound(b->world);
     double *at = b->kea.position;
-    if (fabs(at[0]) < most && fabs(at[1]) < most && fabs(at[2]) < most)
+    if (fabs(at[0]) < max && fabs(at[1]) < max && fabs(at[2]) < max)
         return;
     for (int i = 0; i < 3; i++)
-        at[i] = fmin(fmax(at[i], -most), most);
+        at[i] = fmin(fmax(at[i], -max), max);
     keaZero(b->kea.velocity);
     MdtKeaBodySetAngularVelocity(&b->kea, none);
     forgetMotion(b);
@@ -183,7 +183,7 @@ void mdt_bodyKeepWithinReach(MdtBodyID b) {
         MeWarning(2,
                   "%s: a body (sort key %d) has come to %g m, where positions have no digits left, and is "
                   "stopped; disable or destroy what leaves the scene",
-                  MeCallerName("MdtWorldStep"), b->link.sortKey, most);
+                  MeCallerName("MdtWorldStep"), b->link.sortKey, max);
     b->record.flags |= MDT_FAR;
 }
 

@@ -7,7 +7,7 @@
 /* ---- life ---- */
 
 MeBool mdt_constraintCount(MdtWorldID w, const char *caller) {
-    if (w->constraintLimit.most != MeNoLimit && w->numConstraints >= w->constraintLimit.most) {
+    if (w->constraintLimit.max != MeNoLimit && w->numConstraints >= w->constraintLimit.max) {
         MeLimitWarn(&w->constraintLimit, caller, "more constraints");
         return MEFALSE;
     }
@@ -549,9 +549,9 @@ MeBool mdt_makeAxes(const char *caller, double p[3], double o[3]) {
 /* By leaving out p's smallest component. */
 void mdt_chooseOrthogonal(const double p[3], double o[3]) {
     const double a[3] = {fabs(p[0]), fabs(p[1]), fabs(p[2])};
-    const int least = a[0] <= a[1] && a[0] <= a[2] ? 0 : a[1] <= a[2] ? 1 : 2;
+    const int min = a[0] <= a[1] && a[0] <= a[2] ? 0 : a[1] <= a[2] ? 1 : 2;
     double unit[3] = {0, 0, 0};
-    unit[least] = 1;
+    unit[min] = 1;
     keaCross(o, p, unit);
 }
 

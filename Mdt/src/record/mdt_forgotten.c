@@ -71,8 +71,8 @@ static double sinkingMass(const MdtWorld *w, double h) {
     const double share = 0.02;
     double g[3];
     mdt_fromReal(g, w->params.gravity);
-    const double most = share * (double)w->params.lengthScale * (double)w->gamma;
-    return most > 0 ? most / ((double)w->epsilon * keaLength(g) * h * h) : HUGE_VAL; /* infinite: there is no sag */
+    const double max = share * (double)w->params.lengthScale * (double)w->gamma;
+    return max > 0 ? max / ((double)w->epsilon * keaLength(g) * h * h) : HUGE_VAL; /* infinite: there is no sag */
 }
 
 void mdt_forgottenScale(MdtBodyID b) {

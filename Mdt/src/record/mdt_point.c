@@ -156,12 +156,12 @@ static MeBool layIntoPlane(const double normal[3], double direction[3]) {
 static void chooseDirection(const double n[3], double direction[3]) {
     static const int order[] = {0, 2, 1};
     const double clearly = 0.1;
-    int least = order[0];
+    int min = order[0];
     for (int i = 1; i < 3; i++)
-        if (fabs(n[order[i]]) < fabs(n[least]) - clearly)
-            least = order[i];
+        if (fabs(n[order[i]]) < fabs(n[min]) - clearly)
+            min = order[i];
     keaZero(direction);
-    direction[least] = 1;
+    direction[min] = 1;
     layIntoPlane(n, direction);
 }
 

@@ -23,8 +23,8 @@ static double timeAhead(const MdtBody *b) {
 
 /* m: of gyration, or a fifth of the length scale, for what is smaller. */
 static double radiusOf(const MdtBody *b) {
-    const double *I = b->kea.moments, least = 0.2 * (double)b->world->params.lengthScale;
-    return fmax(sqrt(fmax(I[0], fmax(I[1], I[2])) * b->kea.invMass), least);
+    const double *I = b->kea.moments, min = 0.2 * (double)b->world->params.lengthScale;
+    return fmax(sqrt(fmax(I[0], fmax(I[1], I[2])) * b->kea.invMass), min);
 }
 
 /* m: it is still if its way is no longer than this. */

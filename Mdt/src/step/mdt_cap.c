@@ -65,8 +65,8 @@ static void rankContacts(MdtIsland *p, MdtRanked ranking[]) {
 }
 
 /* Returns how many rows are left. */
-static int dropFriction(const MdtIsland *p, MdtRanked ranking[], int rows, int most) {
-    for (int i = 0; i < p->numContacts && rows > most; i++) {
+static int dropFriction(const MdtIsland *p, MdtRanked ranking[], int rows, int max) {
+    for (int i = 0; i < p->numContacts && rows > max; i++) {
         MdtKeaPoint *at = ranking[ranking[i].place].at;
         rows -= at->numRows - 1;
         at->numRows = 1;
@@ -88,9 +88,9 @@ static MeBool isAny(const MdtPoint *point) {
     return METRUE;
 }
 
-static int dropContacts(const MdtIsland *p, MdtRanked ranking[], int rows, int most,
+static int dropContacts(const MdtIsland *p, MdtRanked ranking[], int rows, int max,
                         MeBool (*isOfKind)(const MdtPoint *)) {
-    for (int i = 0; i < p->numContacts && rows > most; i++) {
+    for (int i = 0; i < p->numContacts && rows > max; i++) {
         MdtRanked *c = &ranking[ranking[i].place], *first = &ranking[c->first];
         if (c->at->numRows == 0 || !isOfKind(c->point) || (mdt_isInGroup(c->point) && first->numKept == 1))
             continue;
@@ -102,15 +102,15 @@ static int dropContacts(const MdtIsland *p, MdtRanked ranking[], int rows, int m
     return rows;
 }
 
-static int dropRows(const MdtIsland *p, MdtRanked ranking[], int rows, int most) {
-    rows = dropFriction(p, ranking, rows, most);
+static int dropRows(const MdtIsland *p, MdtRanked ranking[], int rows, int max) {
+    rows = dropFriction(p, ranking, rows, max);
     if (p->world->importance)
-        return dropContacts(p, ranking, rows, most, isAny);
-    rows = dropContacts(p, ranking, rows, most, isBetweenBodies);
-    return dropContacts(p, ranking, rows, most, isWithWorld);
+        return dropContacts(p, ranking, rows, max, isAny);
+    rows = dropContacts(p, ranking, rows, max, isBetweenBodies);
+    return dropContacts(p, ranking, rows, max, isWithWorld);
 }
 
-int mdt_capRows(MdtIsland *p, int rows, int most) {
+int mdt_capRows(MdtIsland *p, int rows, int max) {
     const size_t bytes = (size_t)p->numContacts * sizeof(MdtRanked);
     MdtRanked *ranking = bytes <= INT_MAX ? MeChunkGetMem(&p->worker->ranking, (int)bytes) : NULL;
     p->isCapped = METRUE;
@@ -119,7 +119,7 @@ int mdt_capRows(MdtIsland *p, int rows, int most) {
     rankContacts(p, ranking);
     if (p->world->importance) /* which may have changed joints, though it must not */
         rows = mdt_rowsCount(p);
-    rows = dropRows(p, ranking, rows, most);
+    rows = dropRows(p, ranking, rows, max);
     MeChunkPutMem(&p->worker->ranking, ranking);
     return rows;
 }

@@ -53,13 +53,13 @@ static MeBool advanceStage(MdtIsland *p, double stage) {
 
 /* One composition, and what is left of the part where that comes to an end. */
 static void advanceStages(MdtIsland *p, const double share[], double substep) {
-    const double end = p->elapsed + substep, least = 1e-9 * substep;
+    const double end = p->elapsed + substep, min = 1e-9 * substep;
     MeBool isDone = METRUE;
     for (int i = 0; i < STAGES && isDone; i++)
         isDone = advanceStage(p, share[i] * substep);
     if (isDone && p->report)
         mdt_reportComposed(p->report);
-    if (!p->isStopped && end - p->elapsed > least)
+    if (!p->isStopped && end - p->elapsed > min)
         mdt_substepAdvance(p, end - p->elapsed, 0);
 }
 

@@ -35,7 +35,7 @@ static MeBool isOneManifold(const MdtManifold *first) {
 /* Other groups, as on the triangles of a surface, or of the parts of compounds: points of equal normal, radii and
  * surface are one manifold, whatever records they are in. So many combinations are compared; a point of a further one
  * is a manifold by itself, which is right too, and slower: no test tells 8 from 32. */
-enum { MOST_KINDS = 16 };
+enum { MAX_KINDS = 16 };
 
 typedef struct Kind {
     const MeReal *normal, *radius;
@@ -45,7 +45,7 @@ typedef struct Kind {
 
 typedef struct Sorting {
     int numKinds, numManifolds; /* of the group */
-    Kind kind[MOST_KINDS];
+    Kind kind[MAX_KINDS];
 } Sorting;
 
 static MeBool isOfKind(const Kind *kind, const Kind *other) {
@@ -77,9 +77,9 @@ static int assignManifold(Sorting *s, const MdtManifold *block, const MdtPoint *
     }
     kind.manifold = s->numManifolds;
     kind.numPoints = 1;
-    if (at < MOST_KINDS)
+    if (at < MAX_KINDS)
         s->kind[at] = kind;
-    s->numKinds = MeMAX(s->numKinds, MeMIN(at + 1, MOST_KINDS));
+    s->numKinds = MeMAX(s->numKinds, MeMIN(at + 1, MAX_KINDS));
     return s->numManifolds++;
 }
 
@@ -245,9 +245,9 @@ void mdt_contactsUnpack(MdtIsland *p, MeBool isGuess) {
 }
 
 double mdt_contactsPenetration(const MdtIsland *p) {
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < p->kea.numManifolds; i++)
         for (int k = 0; k < p->kea.manifolds[i].numPoints; k++)
-            most = fmax(most, p->kea.manifolds[i].point[k].depth);
-    return most;
+            max = fmax(max, p->kea.manifolds[i].point[k].depth);
+    return max;
 }

@@ -34,11 +34,11 @@ void mdt_lagSet(const MdtIsland *p, double remainingTime) {
 
 /* s: the common lag of the partition's bodies, without those that have just been woken; 0: one of them has no lag. */
 static double lagOf(const MdtIsland *p) {
-    double least = INFINITY;
+    double min = INFINITY;
     for (int i = 0; i < p->numBodies; i++)
         if (p->bodies[i]->enabledSteps > 0)
-            least = fmin(least, p->bodies[i]->lag);
-    return least < INFINITY ? least : 0;
+            min = fmin(min, p->bodies[i]->lag);
+    return min < INFINITY ? min : 0;
 }
 
 /* Is the part too short to be taken? A velocity that is found from positions has their rounding over the part: 2^-53 of

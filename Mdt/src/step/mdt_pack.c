@@ -17,12 +17,12 @@ typedef struct Chunk {
 
 /* The rule for order (MeTeam.h): chunks depend on the number of constraints alone, and so do the manifolds' places,
  * which each chunk writes; what chunks count is summed in their order. */
-enum { MOST_CHUNKS = 128 };
+enum { MAX_CHUNKS = 128 };
 
 typedef struct Acting {
     MdtIsland *p;
     int chunkSize, numChunks;
-    Chunk chunk[MOST_CHUNKS];
+    Chunk chunk[MAX_CHUNKS];
 } Acting;
 
 static void noteRestitution(const MdtBclContactParams *params, Chunk *c) {
@@ -81,7 +81,7 @@ static void MEAPI packChunk(void *context, int item, int worker) {
 static Chunk countActing(Acting *a) {
     MdtIsland *p = a->p;
     Chunk all = {0};
-    a->chunkSize = MeMAX(MDT_RANGE, (p->numActing + MOST_CHUNKS - 1) / MOST_CHUNKS);
+    a->chunkSize = MeMAX(MDT_RANGE, (p->numActing + MAX_CHUNKS - 1) / MAX_CHUNKS);
     a->numChunks = (p->numActing + a->chunkSize - 1) / a->chunkSize;
     MeTeamRun(p->team, a->numChunks, countChunk, a);
     for (int i = 0; i < a->numChunks; i++) {

@@ -94,9 +94,9 @@ void MEAPI mdt_rowsMove(void *island, const MdtKeaTransformation poses[]);
 void MEAPI mdt_rowsErrors(void *island, const MdtKeaTransformation poses[], double errors[]);
 /* The system as a constraint sees it in this part, but for its first row. */
 void mdt_rowsContext(const MdtIsland *p, MdtConstraintID c, const MdtKeaVelocity *worldVelocity, MdtBclContext *x);
-/* Leaves out rows of contacts until the partition, which has that many, has at most `most`, in the documented order
+/* Leaves out rows of contacts until the partition, which has that many, has at most `max`, in the documented order
  * (mdt_cap.c). Returns how many it has then. */
-int mdt_capRows(MdtIsland *p, int rows, int most);
+int mdt_capRows(MdtIsland *p, int rows, int max);
 
 /* Constraints of any kind: their forces are empty; the impulses of an impact, those of a part count among them; read
  * back. */

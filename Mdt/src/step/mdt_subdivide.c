@@ -17,8 +17,8 @@ enum { MAX_HALVINGS = 6 };
 
 /* A part by safe time gets its share of the budget; the bridge may take 16 of them (mst_continuous.c). */
 static void beginBudget(MdtIsland *p) {
-    const double budget = mdt_choiceBudget(p) * MeMAX(p->numMembers, 1), least = 1. / 16;
-    p->work = budget > 0 ? budget * fmax(p->h / p->whole, least) : MDT_NO_BOUND;
+    const double budget = mdt_choiceBudget(p) * MeMAX(p->numMembers, 1), min = 1. / 16;
+    p->work = budget > 0 ? budget * fmax(p->h / p->whole, min) : MDT_NO_BOUND;
     p->iterations = p->world->maxLcpIterations;
 }
 
@@ -47,7 +47,7 @@ void mdt_budgetDraw(MdtIsland *p) {
     *(p->isFast ? &p->fastWork : &p->exactWork) += cost->work;
     if (cost->declined) {
         p->hasDeclined = METRUE;
-        p->least = cost->least;
+        p->min = cost->least;
     }
     if (p->isFast)
         p->excess = cost->excess;
@@ -242,9 +242,9 @@ static MeBool isFollowed(const MdtIsland *p) {
 enum { MDT_FOLLOWING = 96 };
 
 /* Takes what flies on, through at most so many impacts, until it is held or the part of `remaining` s ends. */
-static void fly(MdtIsland *p, double remaining, double least, int mostImpacts) {
+static void fly(MdtIsland *p, double remaining, double min, int maxImpacts) {
     mdt_budgetGrant(p);
-    const double flown = MdtKeaFly(&p->kea, least, mostImpacts);
+    const double flown = MdtKeaFly(&p->kea, min, maxImpacts);
     mdt_budgetDraw(p);
     setSubstep(p, flown);
     p->hadImpact = p->hadImpact || p->kea.report.impacts > 0;
@@ -266,35 +266,35 @@ typedef enum Following {
 } Following;
 
 /* Solves a timed part up to the next event, at most `remaining` s. */
-static Following solveToEvent(MdtIsland *p, double remaining, double least, int mostImpacts) {
+static Following solveToEvent(MdtIsland *p, double remaining, double min, int maxImpacts) {
     const MdtKeaReport *r = &p->kea.report;
     p->kea.parameters.timed = METRUE;
     mdt_substepMakeRows(p, remaining);
     if (hasTooManyConstrained(p) || (!p->kea.parameters.holdsSlow && MdtKeaTrembles(&p->kea)))
         return UNFOLLOWED;
     mdt_substepSolveRows(p);
-    const MeBool hasEvent = r->event < remaining - least;
+    const MeBool hasEvent = r->event < remaining - min;
     const MeBool chatters = hasEvent && r->trembles; /* slow impacts would follow each other without end */
     if (!isFollowed(p) || r->factorizations > MDT_FOLLOWING || chatters)
         return r->violent ? VIOLENT : UNFOLLOWED;
     if (!hasEvent)
         return FOLLOWED;
     if (r->ballistic) {
-        fly(p, remaining, least, mostImpacts);
+        fly(p, remaining, min, maxImpacts);
     } else {
         if (p->report)
             mdt_reportEvent(p->report);
-        mdt_substepSolve(p, fmax(r->event, least));
+        mdt_substepSolve(p, fmax(r->event, min));
     }
     return isFollowed(p) ? FOLLOWED : r->violent ? VIOLENT : UNFOLLOWED;
 }
 
 /* The same, with the part halved while the motion is violent. */
-static Following solveToEventOrHalf(MdtIsland *p, double remaining, double least, int mostImpacts) {
-    Following following = solveToEvent(p, remaining, least, mostImpacts);
+static Following solveToEventOrHalf(MdtIsland *p, double remaining, double min, int maxImpacts) {
+    Following following = solveToEvent(p, remaining, min, maxImpacts);
     for (double ahead = remaining; following == VIOLENT && ahead >= 0.2 * remaining;) {
         ahead *= 0.5;
-        following = solveToEvent(p, ahead, least, mostImpacts);
+        following = solveToEvent(p, ahead, min, maxImpacts);
     }
     return following;
 }
@@ -317,13 +317,13 @@ static int maxEvents(const MdtIsland *p) {
  * accurate, the rest is one part that is not timed. What rolls on a surface of triangles meets some of them slowly in
  * nearly every step: these do not divide it. */
 static void advanceTimed(MdtIsland *p, double substep) {
-    const double least = 1e-9 * substep;
-    const int most = maxEvents(p);
+    const double min = 1e-9 * substep;
+    const int max = maxEvents(p);
     const double kept = 0.5 * p->work; /* for what is left after the events */
     double remaining = substep;
     p->kea.parameters.holdsSlow = p->numJoints > 0 && !p->bounces;
-    for (int events = 0; remaining > least && !p->isStopped; events += MeMAX(p->kea.report.impacts, 1)) {
-        if (events >= most || p->work < kept || solveToEventOrHalf(p, remaining, least, most - events) != FOLLOWED) {
+    for (int events = 0; remaining > min && !p->isStopped; events += MeMAX(p->kea.report.impacts, 1)) {
+        if (events >= max || p->work < kept || solveToEventOrHalf(p, remaining, min, max - events) != FOLLOWED) {
             p->kea.parameters.timed = MEFALSE;
             mdt_substepAdvance(p, remaining, 0);
             return;
@@ -338,12 +338,12 @@ static void advanceTimed(MdtIsland *p, double substep) {
  * balls. With joints and restitution only if an impact is predicted; with joints not in a step by safe time, which ends
  * at impacts anyway. */
 static MeBool isTimed(MdtIsland *p, double substep) {
-    const int most = p->world->timedBodies;
-    if (most == 0 || p->numActing == 0 || p->isFast)
+    const int max = p->world->timedBodies;
+    if (max == 0 || p->numActing == 0 || p->isFast)
         return MEFALSE;
-    if (p->numJoints == 0 && p->numBodies <= most)
+    if (p->numJoints == 0 && p->numBodies <= max)
         return METRUE;
-    const MeBool mayRoll = !p->bounces && p->numContacts > 0 && p->numBodies <= most;
+    const MeBool mayRoll = !p->bounces && p->numContacts > 0 && p->numBodies <= max;
     if (!(p->bounces || mayRoll) || (p->numJoints > 0 && p->h < p->whole))
         return MEFALSE;
     mdt_substepBegin(p, substep);

@@ -89,8 +89,8 @@ static void freeWorld(MdtWorldID w) {
 static MeBool allocateArrays(MdtWorldID w, int bodies, int constraints, const char *caller) {
     w->bodyPool = (MdtPool){.recordSize = sizeof(MdtBody),
                             .what = "bodies",
-                            .limit = {.most = bodies, .name = "MdtWorldCreate's maxBodies"}};
-    const MeLimit room = {.most = constraints, .name = "MdtWorldCreate's maxConstraints"};
+                            .limit = {.max = bodies, .name = "MdtWorldCreate's maxBodies"}};
+    const MeLimit room = {.max = constraints, .name = "MdtWorldCreate's maxConstraints"};
     w->constraintLimit = room;
     w->jointPool = (MdtPool){.recordSize = sizeof(MdtJoint), .what = "joints", .limit = room};
     w->manifoldPool = (MdtPool){.recordSize = sizeof(MdtManifold), .what = "contacts", .limit = room};
@@ -103,10 +103,10 @@ static MeBool allocateArrays(MdtWorldID w, int bodies, int constraints, const ch
 
 MdtWorldID MEAPI(MdtWorldCreate)(const unsigned int maxBodies, const unsigned int maxConstraints,
                                  const MeReal lengthScale, const MeReal massScale) {
-    const unsigned int most = INT_MAX / 4;
-    if ((maxBodies > most && maxBodies != MeNoLimit) || (maxConstraints > most && maxConstraints != MeNoLimit)) {
+    const unsigned int max = INT_MAX / 4;
+    if ((maxBodies > max && maxBodies != MeNoLimit) || (maxConstraints > max && maxConstraints != MeNoLimit)) {
         MeWarning(1, "MdtWorldCreate: %u bodies and %u constraints are more than the %u that a world can have",
-                  maxBodies, maxConstraints, most);
+                  maxBodies, maxConstraints, max);
         return NULL;
     }
     MdtWorldID w = MeMemoryTakeZeroed(1, sizeof *w, "MdtWorldCreate", "a world");
@@ -202,10 +202,10 @@ void MEAPI MdtWorldReCreate(const MdtWorldID w) {
 
 int MEAPI MdtWorldGetMaxMemoryPoolUsed(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
-    int most = 0;
+    int max = 0;
     for (int i = 0; i < w->numWorkers; i++)
-        most = MeMAX(most, MeChunkGetMaxSize(&w->workers[i].scratch));
-    return most;
+        max = MeMAX(max, MeChunkGetMaxSize(&w->workers[i].scratch));
+    return max;
 }
 
 void MEAPI MdtWorldSetGravity(const MdtWorldID w, const MeReal gx, const MeReal gy, const MeReal gz) {
@@ -368,12 +368,12 @@ MeReal MEAPI MdtWorldGetMinSafeTime(const MdtWorldID w) {
 
 int MEAPI MdtWorldGetMaxBodies(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
-    return w->bodyPool.limit.most;
+    return w->bodyPool.limit.max;
 }
 
 int MEAPI MdtWorldGetMaxConstraints(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
-    return w->constraintLimit.most;
+    return w->constraintLimit.max;
 }
 
 int MEAPI MdtWorldGetTotalBodies(const MdtWorldID w) {
@@ -425,10 +425,10 @@ MeReal MEAPI MdtWorldGetDefaultDensity(const MdtWorldID w) {
     return w->params.massScale / (l * l * l);
 }
 
-static MeBool isCount(const char *caller, int n, int least, int most) {
-    if (n >= least && n <= most)
+static MeBool isCount(const char *caller, int n, int min, int max) {
+    if (n >= min && n <= max)
         return METRUE;
-    MeWarning(1, "%s: %d is not between %d and %d; nothing is changed", caller, n, least, most);
+    MeWarning(1, "%s: %d is not between %d and %d; nothing is changed", caller, n, min, max);
     return MEFALSE;
 }
 

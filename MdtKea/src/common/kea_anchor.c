@@ -88,8 +88,8 @@ static MeBool isAboutCentre(const KeaContact *c, int k) {
 /* Is it a ball about its body's centre? A sphyl is round, too, but moments tell them apart. */
 static MeBool isBall(const MdtKeaSystem *s, const KeaContact *c, int k) {
     const double *I = isWorld(c, k) ? NULL : s->bodies[c->manifold->body[k]]->moments;
-    const double most = I ? kea_equalMoments * I[0] : 0;
-    return I && c->isAboutCentre[k] && fabs(I[1] - I[0]) <= most && fabs(I[2] - I[0]) <= most;
+    const double max = I ? kea_equalMoments * I[0] : 0;
+    return I && c->isAboutCentre[k] && fabs(I[1] - I[0]) <= max && fabs(I[2] - I[0]) <= max;
 }
 
 /* m: the radius of the circle that touches; 0 if its axis may reach the normal within this part of the step. A circle
@@ -261,10 +261,10 @@ static void armFromAxis(const MdtKeaSystem *s, const KeaContact *c, int k, doubl
  * share, which is taken to be that of the side that displaces it less. False: so small that half its square is lost in
  * rounding. */
 static MeBool findSharedTurn(const MdtKeaSystem *s, KeaContact *c) {
-    const double h = s->parameters.stepsize, least = kea_minTurn;
+    const double h = s->parameters.stepsize, min = kea_minTurn;
     const double *spin[2] = {velocityOf(s, c, 0)->ang, velocityOf(s, c, 1)->ang};
     double distance2[2] = {0, 0}, size2 = 0;
-    if (h * keaLength(spin[0]) <= least || h * keaLength(spin[1]) <= least)
+    if (h * keaLength(spin[0]) <= min || h * keaLength(spin[1]) <= min)
         return MEFALSE;
     for (int k = 0; k < 2; k++) {
         double r[3], speed[3];
@@ -277,7 +277,7 @@ static MeBool findSharedTurn(const MdtKeaSystem *s, KeaContact *c) {
     }
     const int less = distance2[1] <= distance2[0];
     keaScale(c->turn, h, spin[less]);
-    return distance2[less] > least * least * size2;
+    return distance2[less] > min * min * size2;
 }
 
 static void turnArms(const MdtKeaSystem *s, const KeaContact *c, double share, double arm[2][3]) {

@@ -110,8 +110,8 @@ static double passLoad(Bearing *n, Load load[]) {
 }
 
 /* Sweeps until the forces have converged. False: they have not, as bodies support each other in a cycle. */
-static MeBool sweep(Guess *g, int most) {
-    for (int i = 0; i < most; i++) {
+static MeBool sweep(Guess *g, int max) {
+    for (int i = 0; i < max; i++) {
         double change = 0, all = 0;
         for (int k = 0; k < g->numContacts; k++) {
             Bearing *n = &g->contact[i % 2 ? k : g->numContacts - 1 - k];

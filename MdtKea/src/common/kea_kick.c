@@ -31,14 +31,14 @@ static double rateOf(const MdtKeaRow *row, double (*velocity)[6]) {
 /* Joints keep their rates; contacts, stops and motors have bounded forces, which do nothing in an instant. */
 static void setProblem(MdtKeaSystem *s, double (*kicked)[6], double target[]) {
     KeaProblem *q = &s->work->problem;
-    double most = 0;
+    double max = 0;
     for (int b = 0; b < s->numBodies; b++) {
         kea_setInstantBody(q, b, s->bodies[b]);
         velocityOf(&q->metric[b], s->bodies[b], kicked[b]);
-        most = keaMax(most, keaLength(kicked[b]) + q->length[b] * keaLength(kicked[b] + 3));
+        max = keaMax(max, keaLength(kicked[b]) + q->length[b] * keaLength(kicked[b] + 3));
     }
     for (int b = 0; b < s->numBodies; b++)
-        q->scale[b] = q->metric[b].linear * most;
+        q->scale[b] = q->metric[b].linear * max;
     for (int i = 0; i < s->numRows; i++) {
         kea_setInstantRow(s, i, &q->row[i]);
         s->work->isIncluded[i] = (char)kea_isRigidJoint(&s->rows[i]);

@@ -49,19 +49,19 @@ void kea_solveInstant(MdtKeaSystem *s, const double target[]) {
 /* The least displacement, in the metric of masses, that removes the part γ of every overlap and makes none deeper. */
 void kea_project(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
-    double *target = s->work->target, error, most = 0;
+    double *target = s->work->target, error, max = 0;
     for (int i = 0; i < s->numRows; i++) {
         s->work->isIncluded[i] = (char)isOverlapping(s, i, &error);
         target[i] = s->work->isIncluded[i] ? keaMax(-s->parameters.gamma * error - correctedSlop(s, i), 0) : 0;
-        most = keaMax(most, target[i]);
+        max = keaMax(max, target[i]);
     }
-    if (!(most > 0))
+    if (!(max > 0))
         return;
     for (int i = 0; i < s->numRows; i++)
         s->work->savedP[i] = q->row[i].p;
     for (int b = 0; b < s->numBodies; b++) {
         kea_setInstantBody(q, b, s->bodies[b]);
-        q->scale[b] = q->metric[b].linear * most; /* kg m: of displacements */
+        q->scale[b] = q->metric[b].linear * max; /* kg m: of displacements */
     }
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];

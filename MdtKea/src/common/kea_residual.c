@@ -55,11 +55,11 @@ static double leftOf(const MdtKeaSystem *s, int i) {
 }
 
 double kea_openingLeft(const MdtKeaSystem *s) {
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact < 0)
-            most = keaMax(most, leftOf(s, i) * kea_lengthOf(s, &s->rows[i]) / kea_smallerExtent(s, s->rows[i].body));
-    return most;
+            max = keaMax(max, leftOf(s, i) * kea_lengthOf(s, &s->rows[i]) / kea_smallerExtent(s, s->rows[i].body));
+    return max;
 }
 
 static double positionError(MdtKeaSystem *s, double *attachment) {

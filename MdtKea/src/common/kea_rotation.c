@@ -196,11 +196,11 @@ void kea_invert(double inverse[3][3], const double M[3][3]) {
 }
 
 double kea_largestEntry(const double M[3][3]) {
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
-            most = keaMax(most, fabs(M[i][k]));
-    return most;
+            max = keaMax(max, fabs(M[i][k]));
+    return max;
 }
 
 /* One Jacobi rotation that zeroes S[p][q] of a symmetric matrix; the columns of V follow. */

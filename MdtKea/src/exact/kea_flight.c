@@ -183,7 +183,7 @@ static MeBool collide(MdtKeaSystem *s, int c, double t) {
     makeNormalRow(s, c);
     if (!kea_isTouching(s, &s->rows[0])) { /* a turn has changed the way that was foreseen */
         findMeeting(s, c, t);
-        f->impactTime[c] = keaMax(f->impactTime[c], t + f->least);
+        f->impactTime[c] = keaMax(f->impactTime[c], t + f->min);
         f->misses++;
         return METRUE;
     }
@@ -204,11 +204,11 @@ static MeBool collide(MdtKeaSystem *s, int c, double t) {
     return isSeparated;
 }
 
-static void beginFlight(MdtKeaSystem *s, double least) {
+static void beginFlight(MdtKeaSystem *s, double min) {
     KeaFlight *f = &s->work->flight;
     f->scale = kea_eventScale(s);
     f->end = s->parameters.stepsize;
-    f->least = least;
+    f->min = min;
     f->impacts = f->misses = 0;
     listContacts(s);
     for (int b = 0; b < s->numBodies; b++) {
@@ -221,17 +221,17 @@ static void beginFlight(MdtKeaSystem *s, double least) {
     }
 }
 
-double MEAPI MdtKeaFly(MdtKeaSystem *s, double least, int mostImpacts) {
+double MEAPI MdtKeaFly(MdtKeaSystem *s, double min, int maxImpacts) {
     const KeaFlight *f = &s->work->flight;
     const double elapsed = s->parameters.elapsed;
     double t, work = 0;
-    MEASSERT(least > 0 && least < s->parameters.stepsize);
-    beginFlight(s, least);
+    MEASSERT(min > 0 && min < s->parameters.stepsize);
+    beginFlight(s, min);
     for (MeBool flies = METRUE; flies;) {
         const int c = earliest(s);
         t = c < 0 ? f->end : f->impactTime[c];
         /* misses are few, as a time that is foreseen anew is right to the next order; each would cost f->least */
-        if (c < 0 || f->impacts == mostImpacts || f->misses > mostImpacts ||
+        if (c < 0 || f->impacts == maxImpacts || f->misses > maxImpacts ||
             (s->parameters.maxWork > 0 && work > s->parameters.maxWork))
             break;
         s->parameters.elapsed = elapsed + t;
@@ -239,7 +239,7 @@ double MEAPI MdtKeaFly(MdtKeaSystem *s, double least, int mostImpacts) {
         flies = collide(s, c, t);
         work += s->report.work;
     }
-    t = keaMax(t, least);
+    t = keaMax(t, min);
     endFlight(s, t);
     s->numRows = 0;
     s->parameters.elapsed = elapsed;

@@ -11,9 +11,9 @@
 /* Not a damped body, nor one with different moments whose Coriolis term is off. */
 static MeBool isBodyReversible(const MdtKeaBody *body) {
     const double *I = body->moments;
-    const double most = keaMax(I[0], keaMax(I[1], I[2])), least = keaMin(I[0], keaMin(I[1], I[2]));
+    const double max = keaMax(I[0], keaMax(I[1], I[2])), min = keaMin(I[0], keaMin(I[1], I[2]));
     return body->linearDamping == 0 && body->angularDamping == 0 &&
-           ((body->flags & MdtKeaBodyFlagAddCoriolisForce) || most - least < kea_equalMoments * most);
+           ((body->flags & MdtKeaBodyFlagAddCoriolisForce) || max - min < kea_equalMoments * max);
 }
 
 static MeBool isRowReversible(const MdtKeaSystem *s, const MdtKeaRow *row) {
@@ -39,10 +39,10 @@ MeBool MEAPI MdtKeaIsReversible(const MdtKeaSystem *s) {
 MeBool MEAPI MdtKeaTurnsTooFar(const MdtKeaSystem *s, double step) {
     for (int i = 0; i < s->numBodies; i++) {
         const double *I = s->bodies[i]->moments;
-        const double most = keaMax(I[0], keaMax(I[1], I[2])), least = keaMin(I[0], keaMin(I[1], I[2]));
+        const double max = keaMax(I[0], keaMax(I[1], I[2])), min = keaMin(I[0], keaMin(I[1], I[2]));
         double w[3];
         MdtKeaBodyGetAngularVelocity(s->bodies[i], w);
-        if (step * keaLength(w) * (most - least) > kea_farTurn * most)
+        if (step * keaLength(w) * (max - min) > kea_farTurn * max)
             return METRUE;
     }
     return MEFALSE;

@@ -35,8 +35,8 @@ static void toPrincipal(const MdtKeaBody *body, const double q[4], double axes[3
 }
 
 static MeBool hasEqualMoments(const double I[3]) {
-    const double most = keaMax(I[0], keaMax(I[1], I[2])), least = keaMin(I[0], keaMin(I[1], I[2]));
-    return most - least < kea_equalMoments * most;
+    const double max = keaMax(I[0], keaMax(I[1], I[2])), min = keaMin(I[0], keaMin(I[1], I[2]));
+    return max - min < kea_equalMoments * max;
 }
 
 static void fromAngular(const MdtKeaBody *body, KeaBody *b) {
@@ -207,11 +207,11 @@ static void gatherStiffness(MdtKeaSystem *s) {
 /* Metric B = inertia / θ + geometric stiffness. Stiffness far below the inertia is left out: Newton's method converges
  * as well without it. */
 static void setMetric(const MdtKeaBody *body, const KeaBody *b, KeaMetric *B) {
-    const double *I = body->moments, perTheta = 1 / b->theta, least = keaMin(I[0], keaMin(I[1], I[2])) * perTheta;
+    const double *I = body->moments, perTheta = 1 / b->theta, min = keaMin(I[0], keaMin(I[1], I[2])) * perTheta;
     double inertia[3][3];
     meanInertia(body, b, inertia);
-    if (kea_largestEntry((const double(*)[3])B->angular) > kea_smallStiffness * least)
-        kea_clampPositive(B->angular, kea_harmlessStiffness * least);
+    if (kea_largestEntry((const double(*)[3])B->angular) > kea_smallStiffness * min)
+        kea_clampPositive(B->angular, kea_harmlessStiffness * min);
     else
         memset(B->angular, 0, sizeof B->angular);
     MEASSERT(b->theta == 0.5 || b->theta == 1);

@@ -171,13 +171,13 @@ static void moveWithoutRows(MdtKeaSystem *s) {
  * below the rounding ε of attachments, which moves a body by at most sqrt(2 ε) of its size: at a change point a
  * displacement x (in sizes) gives the error x²/2. More means another branch than the one that momentum selects. */
 static MeBool hasLeftBranch(const MdtKeaSystem *s) {
-    const double most = sqrt(2 * kea_attachmentRounding);
+    const double max = sqrt(2 * kea_attachmentRounding);
     for (int i = 0; i < s->numBodies; i++) {
         const KeaBody *b = &s->work->body[i];
         double dv[3], dw[3];
         keaSubtract(dv, b->u, s->work->tangentU[i]);
         keaSubtract(dw, b->u + 3, s->work->tangentU[i] + 3);
-        if (s->parameters.stepsize * (keaLength(dv) + b->size * keaLength(dw)) > most * b->size)
+        if (s->parameters.stepsize * (keaLength(dv) + b->size * keaLength(dw)) > max * b->size)
             return METRUE;
     }
     return MEFALSE;
@@ -413,10 +413,10 @@ static MeBool turnsTooFar(const MdtKeaSystem *s) {
             far = kea_farTurnInContact;
     for (int i = 0; i < s->numBodies; i++) {
         const double *I = s->bodies[i]->moments;
-        const double most = keaMax(I[0], keaMax(I[1], I[2])), least = keaMin(I[0], keaMin(I[1], I[2]));
+        const double max = keaMax(I[0], keaMax(I[1], I[2])), min = keaMin(I[0], keaMin(I[1], I[2]));
         const KeaBody *b = &s->work->body[i];
         if (b->theta < 1 && !b->isSpatial &&
-            s->parameters.stepsize * keaLength(s->velocity[i].ang) * (most - least) > far * most)
+            s->parameters.stepsize * keaLength(s->velocity[i].ang) * (max - min) > far * max)
             return METRUE;
     }
     return MEFALSE;
@@ -452,13 +452,13 @@ static void moveBallistically(MdtKeaSystem *s) {
 /* m/s: what a row may leave; its load and masses do not count, as Newton's method does not leave more where they
  * differ. */
 static double tolerance(const MdtKeaSystem *s) {
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < s->numBodies; i++) {
         double change[3];
         keaSubtract(change, s->work->end[i].velocity, s->velocity[i].lin);
-        most = keaMax(most, keaLength(change));
+        max = keaMax(max, keaLength(change));
     }
-    return s->parameters.accuracy + kea_changeShare * most;
+    return s->parameters.accuracy + kea_changeShare * max;
 }
 
 /* The work that even simple steps take. The answer is left as it is. */
@@ -491,9 +491,9 @@ void kea_exactSolve(MdtKeaSystem *s) {
     }
     s->report.capped = s->numRows > 0; /* stays if kea_problemBegin has no memory */
     if (s->numRows > 0 && kea_problemBegin(q, s->cache)) {
-        const double least = kea_factorFlops(q->factor); /* of a step that takes one factorization */
-        if (s->parameters.mayDecline && s->parameters.maxWork > 0 && least > s->parameters.maxWork) {
-            decline(s, least);
+        const double min = kea_factorFlops(q->factor); /* of a step that takes one factorization */
+        if (s->parameters.mayDecline && s->parameters.maxWork > 0 && min > s->parameters.maxWork) {
+            decline(s, min);
             return;
         }
         if (s->parameters.timed) /* its rows were made for this part of the step alone */

@@ -244,8 +244,8 @@ static void limitMotion(MdtKeaSystem *s, double allowed) {
     const MeBool isSuspect = needsEnergyLimit(s);
     if (!isSuspect && !isJammed(s))
         return;
-    const double most = isSuspect ? allowed : keaMax(allowed, kea_energyOfCorrection(s));
-    if (kea_scaleVelocities(s, endVelocities(s), most, s->work->added))
+    const double max = isSuspect ? allowed : keaMax(allowed, kea_energyOfCorrection(s));
+    if (kea_scaleVelocities(s, endVelocities(s), max, s->work->added))
         addVelocities(s, s->work->added);
 }
 

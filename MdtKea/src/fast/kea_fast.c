@@ -47,13 +47,13 @@ typedef struct Step {
 } Step;
 
 typedef struct Passes {
-    int least, most;
+    int min, max;
 } Passes;
 
 /* What passes leave, of all lanes (KeaMeasure); excess in tolerances, the largest of all, the root of the contacts'
  * mean square, the largest of joints. */
 typedef struct Residual {
-    double most, excess, meanExcess, ofJoints, squares, closing;
+    double max, excess, meanExcess, ofJoints, squares, closing;
 } Residual;
 
 static const KeaKernel *kernelOfMachine(void) {
@@ -165,10 +165,10 @@ static double sumOverRegions(const KeaRegions *r, int k) {
 }
 
 static double maxOverRegions(const KeaRegions *r, int k) {
-    double most = 0;
+    double max = 0;
     for (int n = r->count; n < 2 * r->count; n++)
-        most = keaMax(most, r->node[n].sum[k]);
-    return most;
+        max = keaMax(max, r->node[n].sum[k]);
+    return max;
 }
 
 /* ---- passes ---- */
@@ -195,7 +195,7 @@ static Residual residualOverNodes(const KeaRegions *r) {
     for (int n = 1; n < 2 * r->count; n++)
         for (int i = 0; i < KEA_LANES; i++) {
             const KeaMeasure *m = &r->node[n].measure;
-            all.most = keaMax(all.most, (double)m->most[i]);
+            all.max = keaMax(all.max, (double)m->max[i]);
             all.excess = keaMax(all.excess, (double)m->excess[i]);
             all.squares += (double)m->squares[i];
             all.meanExcess += (double)m->excessSquares[i];
@@ -275,9 +275,9 @@ static Residual measureAll(Step *p) {
     kea_overNodes(&p->regions, measureGroups, p);
     Residual r = residualOverNodes(&p->regions);
     r.meanExcess = p->s->numManifolds > 0 ? sqrt(r.meanExcess / p->s->numManifolds) : 0;
-    r.most = keaMax(kea_jointsResidual(&p->joints, p->motion, &allowed, &r.ofJoints), r.most);
+    r.max = keaMax(kea_jointsResidual(&p->joints, p->motion, &allowed, &r.ofJoints), r.max);
     r.excess = keaMax(r.excess, r.ofJoints);
-    p->s->report.residual = r.most;
+    p->s->report.residual = r.max;
     p->s->report.excess = r.excess;
     return r;
 }
@@ -346,9 +346,9 @@ static double workBeside(const Step *p) {
 
 /* At least and at most, and as many as the budget still allows. */
 static Passes choosePasses(Step *p) {
-    const double most = p->s->parameters.maxWork;
+    const double max = p->s->parameters.maxWork;
     const int cap = p->s->parameters.maxIterations > 0 ? p->s->parameters.maxIterations : KEA_MAX_PASSES;
-    const double paid = most > 0 ? (most - workBeside(p)) / workOfPass(p) - p->s->report.iterations : KEA_MAX_PASSES;
+    const double paid = max > 0 ? (max - workBeside(p)) / workOfPass(p) - p->s->report.iterations : KEA_MAX_PASSES;
     const double affordable = keaMin(keaMax(paid, 1), cap);
     p->s->report.limited |= affordable < KEA_MIN_PASSES;
     p->s->report.capped |= p->s->report.limited;
@@ -363,9 +363,9 @@ static void findVelocities(Step *p) {
     const Passes passes = choosePasses(p);
     restartExtrapolation(p);
     p->maxTheta = HUGE_VAL;
-    iteratePasses(p, passes.least);
+    iteratePasses(p, passes.min);
     Residual before, now = measureAll(p);
-    for (int done = passes.least, end = passes.most; done < end && !isResidualSmall(p, &now);) {
+    for (int done = passes.min, end = passes.max; done < end && !isResidualSmall(p, &now);) {
         const int more = end - done < KEA_MORE_PASSES ? end - done : KEA_MORE_PASSES;
         iteratePasses(p, more);
         before = now;
@@ -487,7 +487,7 @@ static void solveByDescent(Step *p) {
     for (int i = 0; i < p->numGroups; i++)
         memset(&p->groups[i].isDirect, 0, sizeof p->groups[i].isDirect);
     setMotions(p);
-    for (int i = choosePasses(p).most; i > 0; i--) {
+    for (int i = choosePasses(p).max; i > 0; i--) {
         restartExtrapolation(p);
         iteratePasses(p, 1);
     }

@@ -61,7 +61,7 @@ typedef struct KeaGroup {
     KeaLanes rebound[KEA_POINTS]; /* m/s, by restitution: the target of points that push, in a second solve; 0: none */
     KeaLanes compliance;          /* 1/kg, of soft contacts */
     KeaLanes correction;          /* the share of an overlap that one pass over displacements removes */
-    KeaLanes least;               /* N s, the lower bound of normal impulses: 0, or minus adhesion */
+    KeaLanes min;                 /* N s, the lower bound of normal impulses: 0, or minus adhesion */
     KeaLanes coefficient[2], bound[2];        /* of friction: of the normal impulse, and N s */
     KeaLanes slip[2], slide[2];               /* 1/kg, compliance of friction; m/s, velocity of the surface */
     KeaLanes lever[KEA_POINTS], torsionBound; /* m, N m s: of friction's moment about n */
@@ -86,7 +86,7 @@ typedef struct KeaGroup {
  * same in tolerances (KeaTolerance), each contact's own, and the sum of the squares of all; (m/s)², the sum of the
  * squares of all rows; m/s, the largest speed at which deep overlaps grow (kea_smallOverlap). */
 typedef struct KeaMeasure {
-    float most[KEA_LANES], excess[KEA_LANES], excessSquares[KEA_LANES], squares[KEA_LANES], closing[KEA_LANES];
+    float max[KEA_LANES], excess[KEA_LANES], excessSquares[KEA_LANES], squares[KEA_LANES], closing[KEA_LANES];
 } KeaMeasure;
 
 /* The residual that a contact of two bodies may leave, m/s:

@@ -246,7 +246,7 @@ static void fillLane(const KeaGathering *from, int manifold, float correction, K
     g->size[lane] = (float)size;
     g->compliance[lane] = soft ? (float)softnessOf(s, m) : 0;
     g->correction[lane] = soft ? 0 : correction;
-    g->least[lane] = -clampBound(s->parameters.stepsize * m->surface.adhesion);
+    g->min[lane] = -clampBound(s->parameters.stepsize * m->surface.adhesion);
     g->isOneWay[lane] = m->surface.isOneWay ? -1 : 0;
     for (int k = 0; k < m->numPoints; k++)
         fillPoint(s, m, p, size, k, g, lane);

@@ -257,9 +257,9 @@ static void sumStiffness(const MdtKeaSystem *s, KeaJoints *j, const KeaJointBloc
 /* I w⁺ = L + Jᵀ p - K w⁺: impulses act on the inertia I + K. */
 static void addToInertia(MdtKeaSystem *s, KeaJointBody *body) {
     KeaJointBody b = *body;
-    const double *I = s->bodies[b.body]->moments, least = keaMin(I[0], keaMin(I[1], I[2]));
+    const double *I = s->bodies[b.body]->moments, min = keaMin(I[0], keaMin(I[1], I[2]));
     double(*inverse)[3] = s->invMass[b.body].inertia;
-    if (kea_largestEntry((const double(*)[3])b.stiffness) <= kea_smallStiffness * least)
+    if (kea_largestEntry((const double(*)[3])b.stiffness) <= kea_smallStiffness * min)
         return;
     b.isStiff = METRUE;
     kea_clampPositive(b.stiffness, 0);
@@ -597,7 +597,7 @@ static double toleranceOf(const KeaJoints *j, const KeaJointBlock *b, const KeaJ
 }
 
 double kea_jointsResidual(const KeaJoints *j, const KeaMotion motion[], const KeaTolerance *t, double *excess) {
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < j->numBlocks; i++) {
         const KeaJointBlock *b = &j->block[i];
         double(*const v)[6] = motionsOf(j, b, motion);
@@ -605,11 +605,11 @@ double kea_jointsResidual(const KeaJoints *j, const KeaMotion motion[], const Ke
             if (j->row[k].isInactive)
                 continue;
             const double residual = residualOf(&j->row[k], rateOf(&j->row[k], v));
-            most = keaMax(most, residual);
+            max = keaMax(max, residual);
             *excess = keaMax(*excess, residual / toleranceOf(j, b, &j->row[k], t));
         }
     }
-    return most;
+    return max;
 }
 
 /* ---- positions ---- */
@@ -625,12 +625,12 @@ static double violationOf(const KeaJointRow *r, double error) {
 }
 
 double kea_jointsOpening(const KeaJoints *j) {
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < j->numBlocks; i++)
         for (int k = j->block[i].firstRow; k < j->block[i].firstRow + j->block[i].numRows; k++)
             if (j->row[k].isRigid)
-                most = keaMax(most, opening(&j->row[k], violationOf(&j->row[k], j->row[k].row->error)));
-    return most;
+                max = keaMax(max, opening(&j->row[k], violationOf(&j->row[k], j->row[k].row->error)));
+    return max;
 }
 
 void kea_jointsMoveByEnd(const KeaJoints *j, const KeaMotion motion[], KeaMotion move[], float theta[]) {
@@ -643,7 +643,7 @@ void kea_jointsMoveByEnd(const KeaJoints *j, const KeaMotion motion[], KeaMotion
 
 double kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displacement[]) {
     const double h = s->parameters.stepsize;
-    double most = 0, all = 0;
+    double max = 0, all = 0;
     if (!s->errors)
         return 0;
     s->errors(s->context, s->work->endPose, j->errors);
@@ -656,12 +656,12 @@ double kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displace
                 continue;
             const double error = j->errors[r->row - s->rows] - (r->targetError - h * r->row->softness * r->impulse);
             r->jointError = error - rateOf(r, v);
-            most = keaMax(most, opening(r, violationOf(r, error)));
+            max = keaMax(max, opening(r, violationOf(r, error)));
             all = keaMax(all, opening(r, violationOf(r, j->errors[r->row - s->rows])));
         }
     }
     s->report.opening = all;
-    return most;
+    return max;
 }
 
 void kea_jointsTurn(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displacement[]) {
@@ -704,26 +704,26 @@ static void pushStop(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBl
 
 /* Scales a pass's displacements down to the largest turn for which errors are linear in them (kea_maxPush). */
 static void limitTurn(const KeaJoints *j, const KeaJointBlock *b) {
-    double most = 0;
+    double max = 0;
     for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++)
-        most = keaMax(most, keaLength(j->x[n] + 3));
-    if (most <= kea_maxPush)
+        max = keaMax(max, keaLength(j->x[n] + 3));
+    if (max <= kea_maxPush)
         return;
     for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++)
         for (int i = 0; i < 6; i++)
-            j->x[n][i] *= kea_maxPush / most;
+            j->x[n][i] *= kea_maxPush / max;
 }
 
 /* Returns the largest, of a size. */
 static double setPositionResiduals(const KeaJoints *j, const KeaJointBlock *b, const KeaMotion displacement[]) {
     double(*const v)[6] = motionsOf(j, b, displacement);
-    double most = 0;
+    double max = 0;
     for (int k = b->firstRow; k < b->firstRow + b->numRows; k++) {
         KeaJointRow *r = &j->row[k];
         r->residual = r->isRigid ? -(r->jointError + rateOf(r, v)) : 0;
-        most = keaMax(most, opening(r, violationOf(r, -r->residual)));
+        max = keaMax(max, opening(r, violationOf(r, -r->residual)));
     }
-    return most;
+    return max;
 }
 
 static void pushStops(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b) {
@@ -732,12 +732,12 @@ static void pushStops(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointB
 }
 
 double kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion displacement[]) {
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < j->numBlocks; i++) {
         const KeaJointBlock *b = &j->block[i];
         if (!b->isSound)
             continue;
-        most = keaMax(most, setPositionResiduals(j, b, displacement));
+        max = keaMax(max, setPositionResiduals(j, b, displacement));
         if (b->isWide) {
             memset(unknownsOf(j, b), 0, (size_t)b->numNodes * sizeof *j->x);
             pushStops(s, j, b);
@@ -750,7 +750,7 @@ double kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion displacemen
         limitTurn(j, b);
         moveBodies(j, b, displacement);
     }
-    return most;
+    return max;
 }
 
 /* ---- rebounds, and the end ---- */

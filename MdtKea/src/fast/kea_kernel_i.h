@@ -107,8 +107,8 @@ KEA_INLINE int entryOf(int i, int j) {
 }
 
 /* Projected Gauss-Seidel at one point; `left` are the rates of all. */
-KEA_INLINE void visitPoint(const KeaGroup *g, int points, int k, KeaLanes least, KeaLanes swept[], KeaLanes left[]) {
-    const KeaLanes next = lanesMax(swept[k] - g->response[k] * left[k], least), change = next - swept[k];
+KEA_INLINE void visitPoint(const KeaGroup *g, int points, int k, KeaLanes min, KeaLanes swept[], KeaLanes left[]) {
+    const KeaLanes next = lanesMax(swept[k] - g->response[k] * left[k], min), change = next - swept[k];
     swept[k] = next;
     for (int j = 0; j < points; j++)
         left[j] += change * g->coupling[entryOf(k, j)];
@@ -118,14 +118,14 @@ KEA_INLINE void visitPoint(const KeaGroup *g, int points, int k, KeaLanes least,
  * First by the inverse, as if all points acted; where that pulls at one, by three projected Gauss-Seidel sweeps over
  * the points, forwards and backwards: one lets a tower of 20 fall, eight gain nothing. `impulse` is the guess, `rate`
  * the rates with it, less their targets. */
-KEA_INLINE void solvePoints(const KeaGroup *g, int points, const KeaLanes rate[], KeaLanes least, KeaLanes impulse[]) {
+KEA_INLINE void solvePoints(const KeaGroup *g, int points, const KeaLanes rate[], KeaLanes min, KeaLanes impulse[]) {
     KeaLanes all[KEA_POINTS], swept[KEA_POINTS], left[KEA_POINTS];
     KeaMask isAnswer = g->isDirect;
     for (int k = 0; k < points; k++) {
         all[k] = impulse[k];
         for (int j = 0; j < points; j++)
             all[k] -= g->direct[entryOf(k, j)] * rate[j];
-        isAnswer &= all[k] >= least;
+        isAnswer &= all[k] >= min;
     }
     if (lanesAreAll(isAnswer)) {
         for (int k = 0; k < points; k++)
@@ -137,11 +137,11 @@ KEA_INLINE void solvePoints(const KeaGroup *g, int points, const KeaLanes rate[]
         left[k] = rate[k];
     }
     for (int k = 0; k < points; k++)
-        visitPoint(g, points, k, least, swept, left);
+        visitPoint(g, points, k, min, swept, left);
     for (int k = points - 1; k >= 0; k--)
-        visitPoint(g, points, k, least, swept, left);
+        visitPoint(g, points, k, min, swept, left);
     for (int k = 0; k < points; k++)
-        visitPoint(g, points, k, least, swept, left);
+        visitPoint(g, points, k, min, swept, left);
     for (int k = 0; k < points; k++)
         impulse[k] = lanesSelect(isAnswer, all[k], swept[k]);
 }
@@ -204,7 +204,7 @@ KEA_INLINE void visitNormals(KeaGroup *g, int points, Rates *rates, KeaLanes bet
         guess[k] = next[k] = g->impulse[k] + beta * (g->impulse[k] - g->before[k]);
         rate[k] = pointRate(g, k, u) - g->bias[k] + g->compliance * guess[k];
     }
-    solvePoints(g, points, rate, g->least, next);
+    solvePoints(g, points, rate, g->min, next);
     for (int k = 0; k < points; k++) {
         next[k] = lanesSelect(g->isPoint[k], next[k], lanesOf(0));
         change[k] = next[k] - guess[k];
@@ -591,7 +591,7 @@ static void measure(const KeaGroup groups[], int count, const KeaMotion motion[]
                     KeaMeasure *measure) {
     const KeaLanes h = lanesOf(tolerance->stepsize);
     KeaLanes worst, excess, excessSquares, squares, fastest;
-    memcpy(&worst, measure->most, sizeof worst);
+    memcpy(&worst, measure->max, sizeof worst);
     memcpy(&excess, measure->excess, sizeof excess);
     memcpy(&excessSquares, measure->excessSquares, sizeof excessSquares);
     memcpy(&squares, measure->squares, sizeof squares);
@@ -608,7 +608,7 @@ static void measure(const KeaGroup groups[], int count, const KeaMotion motion[]
         for (int k = 0; k < KEA_POINTS; k++) {
             const KeaLanes speed = pointRate(g, k, u);
             const KeaLanes residual = speed - g->bias[k] + g->compliance * g->impulse[k];
-            const KeaLanes next = lanesMax(g->impulse[k] - g->response[k] * residual, g->least);
+            const KeaLanes next = lanesMax(g->impulse[k] - g->response[k] * residual, g->min);
             const KeaLanes miss = lanesAbs(next - g->impulse[k]) / g->response[k];
             addMiss(g->isPoint[k], miss, &left, &squares);
             lever = lanesMax(lanesSelect(g->isPoint[k], g->lever[k], lanesOf(0)), lever);
@@ -629,7 +629,7 @@ static void measure(const KeaGroup groups[], int count, const KeaMotion motion[]
         excess = lanesMax(over, excess);
         excessSquares += lanesSelect(g->isPoint[0], over * over, lanesOf(0));
     }
-    memcpy(measure->most, &worst, sizeof worst);
+    memcpy(measure->max, &worst, sizeof worst);
     memcpy(measure->excess, &excess, sizeof excess);
     memcpy(measure->excessSquares, &excessSquares, sizeof excessSquares);
     memcpy(measure->squares, &squares, sizeof squares);

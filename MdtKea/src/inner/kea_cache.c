@@ -131,7 +131,7 @@ static Entry *find(MdtKeaCache *c, int numNodes, const int size[], int numEdges,
     return NULL;
 }
 
-static Entry *leastRecentlyUsed(MdtKeaCache *c) {
+static Entry *oldestEntry(MdtKeaCache *c) {
     Entry *oldest = &c->entry[0];
     for (int i = 1; i < KEA_MAX_FACTORS; i++)
         if (c->entry[i].used < oldest->used)
@@ -145,7 +145,7 @@ KeaFactor *kea_cacheFind(MdtKeaCache *c, int numNodes, const int size[], int num
         return NULL;
     Entry *e = find(c, numNodes, size, numEdges, edges);
     if (!e) {
-        e = leastRecentlyUsed(c);
+        e = oldestEntry(c);
         if (!createIn(c, e, numNodes, size, numEdges, edges))
             return NULL;
     }

@@ -77,14 +77,14 @@ void kea_factorAddRows(KeaFactor *f, const KeaFactorRows *rows, MeBool isSymmetr
     kernelOfMachine()->addRows(f, rows, isSymmetric);
 }
 
-MeBool kea_factorCholesky(KeaFactor *f, double least) {
+MeBool kea_factorCholesky(KeaFactor *f, double min) {
     f->isSymmetric = METRUE;
-    return kernelOfMachine()->factorize(f, least);
+    return kernelOfMachine()->factorize(f, min);
 }
 
-MeBool kea_factorLU(KeaFactor *f, double least) {
+MeBool kea_factorLU(KeaFactor *f, double min) {
     f->isSymmetric = MEFALSE;
-    return kernelOfMachine()->factorize(f, least);
+    return kernelOfMachine()->factorize(f, min);
 }
 
 void kea_factorSolve(const KeaFactor *f, double x[]) {

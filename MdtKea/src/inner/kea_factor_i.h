@@ -72,13 +72,13 @@ void kea_factorAddRows(KeaFactor *f, const KeaFactorRows *rows, MeBool isSymmetr
 int kea_factorOffset(const KeaFactor *f, int node);
 
 /* A = L Lᵀ of a symmetric matrix, of which the diagonal blocks (upper triangles) and `upper` are read. False where A is
- * not positive definite in the arithmetic: a pivot below `least`, e.g. 1e-14, relative to its diagonal entry as it was
+ * not positive definite in the arithmetic: a pivot below `min`, e.g. 1e-14, relative to its diagonal entry as it was
  * when the turn of its block came. The matrix itself is kept, and may be changed and factored again. */
-MeBool kea_factorCholesky(KeaFactor *f, double least);
+MeBool kea_factorCholesky(KeaFactor *f, double min);
 /* A = L U of a matrix whose structure is symmetric but whose numbers are not, without pivoting between blocks (within a
  * diagonal block rows are exchanged, which are compared by their own diagonal entries). False where a pivot is below
- * `least`, relative to these. */
-MeBool kea_factorLU(KeaFactor *f, double least);
+ * `min`, relative to these. */
+MeBool kea_factorLU(KeaFactor *f, double min);
 /* x := A⁻¹ x, by the last factorization. */
 void kea_factorSolve(const KeaFactor *f, double x[]);
 

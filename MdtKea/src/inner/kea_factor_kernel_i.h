@@ -148,13 +148,13 @@ static void transpose(double *r, const double *a, int rows, int columns) {
 }
 
 /* D = Uᵀ U in place, the upper triangle; its diagonal is kept inverted. */
-KEA_INLINE MeBool choleskyOf(double *D, int n, double least) {
+KEA_INLINE MeBool choleskyOf(double *D, int n, double min) {
     for (int k = 0; k < n; k++) {
         const double start = D[k * n + k];
         double d = start;
         for (int p = 0; p < k; p++)
             d -= D[p * n + k] * D[p * n + k];
-        if (!(d > least * start))
+        if (!(d > min * start))
             return MEFALSE;
         MEASSERT(d > 0);
         const double inverse = 1 / sqrt(d);
@@ -169,8 +169,8 @@ KEA_INLINE MeBool choleskyOf(double *D, int n, double least) {
     return METRUE;
 }
 
-static MeBool cholesky(double *D, int n, double least) {
-    return n == 6 ? choleskyOf(D, 6, least) : n == 3 ? choleskyOf(D, 3, least) : choleskyOf(D, n, least);
+static MeBool cholesky(double *D, int n, double min) {
+    return n == 6 ? choleskyOf(D, 6, min) : n == 3 ? choleskyOf(D, 3, min) : choleskyOf(D, n, min);
 }
 
 /* What an entry a_ij is compared with is sqrt(size_i size_j), which has its unit: a block may have rows of kg and of
@@ -194,14 +194,14 @@ static void exchangeRows(double *D, int n, double size[], int i, int k) {
     size[i] = t;
 }
 
-/* The row in which column k has its pivot: where a_ik² / size_i is largest, which becomes `most`. */
-KEA_INLINE int pivotOf(const double *D, int n, const double size[], int k, double *most) {
+/* The row in which column k has its pivot: where a_ik² / size_i is largest, which becomes `max`. */
+KEA_INLINE int pivotOf(const double *D, int n, const double size[], int k, double *max) {
     int best = k;
-    *most = 0;
+    *max = 0;
     for (int i = k; i < n; i++) {
         const double square = D[i * n + k] * D[i * n + k];
-        if (square > *most * size[i]) {
-            *most = square / size[i];
+        if (square > *max * size[i]) {
+            *max = square / size[i];
             best = i;
         }
     }
@@ -209,14 +209,14 @@ KEA_INLINE int pivotOf(const double *D, int n, const double size[], int k, doubl
 }
 
 /* P D = L U in place, L with a unit diagonal; the diagonal of U is kept inverted. */
-KEA_INLINE MeBool luOf(double *D, const double *given, int n, int exchange[], double least) {
-    double size[KEA_FACTOR_MAX_BLOCK], own[KEA_FACTOR_MAX_BLOCK], most;
+KEA_INLINE MeBool luOf(double *D, const double *given, int n, int exchange[], double min) {
+    double size[KEA_FACTOR_MAX_BLOCK], own[KEA_FACTOR_MAX_BLOCK], max;
     MEASSERT(n <= KEA_FACTOR_MAX_BLOCK);
     measureRows(given, n, size);
     memcpy(own, size, sizeof own);
     for (int k = 0; k < n; k++) {
-        exchange[k] = pivotOf(D, n, size, k, &most);
-        if (!(most > least * least * own[k]))
+        exchange[k] = pivotOf(D, n, size, k, &max);
+        if (!(max > min * min * own[k]))
             return MEFALSE;
         exchangeRows(D, n, size, exchange[k], k);
         const double inverse = 1 / D[k * n + k];
@@ -235,13 +235,13 @@ static const double fromColumn[6][6] = {{1, 1, 1, 1, 1, 1}, {0, 1, 1, 1, 1, 1}, 
                                         {0, 0, 0, 1, 1, 1}, {0, 0, 0, 0, 1, 1}, {0, 0, 0, 0, 0, 1}};
 
 /* luOf by whole rows: the same operations in the same order. */
-static MeBool lu6(double *D, const double *given, int exchange[], double least) {
-    double size[6], own[6], most;
+static MeBool lu6(double *D, const double *given, int exchange[], double min) {
+    double size[6], own[6], max;
     measureRows(given, 6, size);
     memcpy(own, size, sizeof own);
     for (int k = 0; k < 6; k++) {
-        exchange[k] = pivotOf(D, 6, size, k, &most);
-        if (!(most > least * least * own[k]))
+        exchange[k] = pivotOf(D, 6, size, k, &max);
+        if (!(max > min * min * own[k]))
             return MEFALSE;
         exchangeRows(D, 6, size, exchange[k], k);
         const KeaSix whole = sixAt(D + 6 * k), from = sixAt(fromColumn[k]);
@@ -257,8 +257,8 @@ static MeBool lu6(double *D, const double *given, int exchange[], double least) 
     return METRUE;
 }
 
-static MeBool lu(double *D, const double *given, int n, int exchange[], double least) {
-    return n == 6 ? lu6(D, given, exchange, least) : luOf(D, given, n, exchange, least);
+static MeBool lu(double *D, const double *given, int n, int exchange[], double min) {
+    return n == 6 ? lu6(D, given, exchange, min) : luOf(D, given, n, exchange, min);
 }
 
 KEA_INLINE void divideUpperOf(double *restrict B, const double *restrict D, int n, int columns) {
@@ -383,11 +383,11 @@ static void gatherUpdates(KeaFactor *f, int t) {
     }
 }
 
-static MeBool divideColumn(KeaFactor *f, int t, double least) {
+static MeBool divideColumn(KeaFactor *f, int t, double min) {
     const int j = f->node[t], n = f->size[j];
     double *D = f->pivot + f->diagonalAt[j];
     int *exchange = f->exchange + f->offset[j];
-    if (!(f->isSymmetric ? cholesky(D, n, least) : lu(D, f->diagonal + f->diagonalAt[j], n, exchange, least)))
+    if (!(f->isSymmetric ? cholesky(D, n, min) : lu(D, f->diagonal + f->diagonalAt[j], n, exchange, min)))
         return MEFALSE;
     for (int k = f->start[t]; k < f->start[t + 1]; k++) {
         const KeaFactorEntry *e = &f->entry[k];
@@ -402,12 +402,12 @@ static MeBool divideColumn(KeaFactor *f, int t, double least) {
     return METRUE;
 }
 
-static MeBool factorize(KeaFactor *f, double least) {
+static MeBool factorize(KeaFactor *f, double min) {
     MEASSERT(f->numbers->owner == f);
     for (int t = 0; t < f->numNodes; t++) {
         loadColumn(f, t);
         gatherUpdates(f, t);
-        if (!divideColumn(f, t, least))
+        if (!divideColumn(f, t, min))
             return MEFALSE;
     }
     return METRUE;
@@ -522,8 +522,8 @@ static void solve(const KeaFactor *f, double x[]) {
 
 /* The pivot becomes -E_j, an entry M_ji, with its transpose in `lower`. */
 KEA_INLINE void invertColumnOf(KeaFactor *f, int t, int n) {
-    enum { MOST = KEA_FACTOR_MAX_BLOCK * KEA_FACTOR_MAX_BLOCK };
-    double inverse[MOST], minus[MOST];
+    enum { MAX = KEA_FACTOR_MAX_BLOCK * KEA_FACTOR_MAX_BLOCK };
+    double inverse[MAX], minus[MAX];
     double *D = f->pivot + f->diagonalAt[f->node[t]];
     for (int i = 0; i < n * n; i++)
         inverse[i] = i % (n + 1) == 0;

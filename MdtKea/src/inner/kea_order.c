@@ -45,7 +45,7 @@ typedef struct Elimination {
     Node *node;
     Element *element; /* by node */
     int *first;       /* by weight: the queue */
-    int least;        /* no weight below has a node */
+    int min;          /* no weight below has a node */
     int *merged[2];   /* scratch, numNodes each */
     int visits;
 } Elimination;
@@ -60,7 +60,7 @@ static void enqueue(Elimination *g, int i) {
     if (node[i].next >= 0)
         node[node[i].next].previous = i;
     g->first[w] = i;
-    g->least = w < g->least ? w : g->least;
+    g->min = w < g->min ? w : g->min;
 }
 
 static void dequeue(Elimination *g, int i) {
@@ -79,9 +79,9 @@ static int weightOf(Degree d) {
 }
 
 static int popMin(Elimination *g) {
-    while (g->first[g->least] < 0)
-        g->least++;
-    const int v = g->first[g->least];
+    while (g->first[g->min] < 0)
+        g->min++;
+    const int v = g->first[g->min];
     dequeue(g, v);
     return v;
 }
@@ -127,11 +127,11 @@ static void readEdges(Elimination *g, int *unsorted, int numNodes, int numEdges,
 static int merge(int *r, const int *a, int numA, const int *b, int numB, int v) {
     int n = 0, s = 0, t = 0;
     while (s < numA && t < numB) {
-        const int least = a[s] < b[t] ? a[s] : b[t];
-        s += a[s] == least;
-        t += b[t] == least;
-        r[n] = least;
-        n += least != v;
+        const int min = a[s] < b[t] ? a[s] : b[t];
+        s += a[s] == min;
+        t += b[t] == min;
+        r[n] = min;
+        n += min != v;
     }
     for (; s < numA; s++)
         if (a[s] != v)
@@ -278,7 +278,7 @@ static void clear(Elimination *g, int numNodes, int numWeights) {
         g->node[i] = (Node){.column = -1};
     for (int w = 0; w < numWeights; w++)
         g->first[w] = -1;
-    g->least = numWeights - 1;
+    g->min = numWeights - 1;
 }
 
 static MeBool eliminateAll(Elimination *g) {

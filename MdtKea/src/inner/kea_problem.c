@@ -147,7 +147,7 @@ static double coneResidual(const KeaProblem *q, const KeaProblemRow *row, const 
 }
 
 double kea_problemResidual(const KeaProblem *q, double *impulse) {
-    double worst = 0, most = 0;
+    double worst = 0, max = 0;
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
         if (row->isInactive || row->isCheckedElsewhere || row->Aii == 0)
@@ -155,7 +155,7 @@ double kea_problemResidual(const KeaProblem *q, double *impulse) {
         if (row->isForced) {
             const double projected = row->forced * kea_frictionBound(q, row);
             worst = keaMax(worst, row->Aii * fabs(row->p - projected));
-            most = keaMax(most, fabs(row->p - projected));
+            max = keaMax(max, fabs(row->p - projected));
         }
         if (row->isForced || (row->partner >= 0 && row->partner < i))
             continue;
@@ -167,16 +167,16 @@ double kea_problemResidual(const KeaProblem *q, double *impulse) {
         if (row->partner >= 0) {
             const double rowResidual = coneResidual(q, row, residual);
             worst = keaMax(worst, rowResidual);
-            most = keaMax(most, rowResidual / row->Aii);
+            max = keaMax(max, rowResidual / row->Aii);
             continue;
         }
         const double bound = row->normal >= 0 ? kea_frictionBound(q, row) : HUGE_VAL;
         const double projected = keaMin(keaMax(row->p - residual[0] / (row->Aii + row->E), keaMax(row->lower, -bound)),
                                         keaMin(row->upper, bound));
         worst = keaMax(worst, lengthOf(q, row) * row->Aii * fabs(row->p - projected));
-        most = keaMax(most, fabs(row->p - projected));
+        max = keaMax(max, fabs(row->p - projected));
     }
     if (impulse)
-        *impulse = most;
+        *impulse = max;
     return worst;
 }

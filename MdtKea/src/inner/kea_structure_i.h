@@ -52,7 +52,7 @@ struct KeaFactor {
 
 /* Loops over the numbers, once for each width of registers that the machine may have (kea_factor_kernel_i.h). */
 typedef struct KeaFactorKernel {
-    MeBool (*factorize)(KeaFactor *f, double least);
+    MeBool (*factorize)(KeaFactor *f, double min);
     void (*solve)(const KeaFactor *f, double x[]);
     void (*invert)(KeaFactor *f);
     void (*solveInverted)(const KeaFactor *f, double x[]);

@@ -78,11 +78,11 @@ static double objective(const KeaProblem *q) {
     return sum;
 }
 
-static void keepIfBetter(KeaProblem *q, double *least) {
+static void keepIfBetter(KeaProblem *q, double *min) {
     const double D = objective(q);
-    if (!(D < *least))
+    if (!(D < *min))
         return;
-    *least = D;
+    *min = D;
     for (int i = 0; i < q->numRows; i++)
         q->row[i].bestP = q->row[i].p;
 }
@@ -128,31 +128,31 @@ static void projectImpulses(KeaProblem *q) {
     }
 }
 
-static void tryStart(KeaProblem *q, double *least) {
+static void tryStart(KeaProblem *q, double *min) {
     projectImpulses(q);
     setMotion(q);
-    keepIfBetter(q, least);
+    keepIfBetter(q, min);
 }
 
 /* Chooses the start of least D. Returns its 2 D, and 2 D(0) in `none`. */
 static double chooseStart(KeaProblem *q, double *none) {
-    double least = HUGE_VAL;
+    double min = HUGE_VAL;
     for (int i = 0; i < q->numRows; i++)
         q->row[i].bestP = q->row[i].p; /* in case that all D are NaN */
-    tryStart(q, &least);
+    tryStart(q, &min);
     for (int i = 0; i < q->numRows; i++)
         q->row[i].p = q->row[i].isInactive ? q->row[i].p : q->row[i].p0;
-    tryStart(q, &least);
+    tryStart(q, &min);
     for (int i = 0; i < q->numRows; i++)
         q->row[i].p = q->row[i].isInactive ? q->row[i].p : 0;
-    tryStart(q, &least);
+    tryStart(q, &min);
     *none = objective(q);
     restoreBest(q);
-    MEASSERT(!(objective(q) > least + kea_assertedRounding * fabs(least)));
+    MEASSERT(!(objective(q) > min + kea_assertedRounding * fabs(min)));
     memcpy(q->savedD, q->d, (size_t)q->numBodies * sizeof *q->d);
     for (int i = 0; i < q->numRows; i++)
         q->row[i].previousP = q->row[i].p;
-    return least;
+    return min;
 }
 
 /* The Gauss-Seidel update of p without bounds; `unit` is A_ii + E, of a cone the larger one of its two rows. 0 where
@@ -273,20 +273,20 @@ static int numberOfSweeps(const KeaProblem *q) {
     if (!(q->maxWork > 0))
         return KEA_SWEEPS;
     const double left = q->maxWork - q->counts.work - KEA_LINEARIZATION * ((double)q->numRows + q->numBodies);
-    const double most = left / kea_problemSweptPass(q, KEA_SOME_SWEEPS);
-    const double share = left / keaMax(keaMin(floor(most), q->sweptPasses), 1) - kea_problemSweptPass(q, 0);
+    const double max = left / kea_problemSweptPass(q, KEA_SOME_SWEEPS);
+    const double share = left / keaMax(keaMin(floor(max), q->sweptPasses), 1) - kea_problemSweptPass(q, 0);
     return (int)keaMin(keaMax(share / (KEA_SWEEP * (q->numRows + 1.0)), KEA_FEWEST_SWEEPS), KEA_SWEEPS);
 }
 
 void kea_problemSweep(KeaProblem *q) {
-    const int most = numberOfSweeps(q);
+    const int max = numberOfSweeps(q);
     int sweeps = 0;
     Momentum m = noMomentum();
     Change c = {0, HUGE_VAL, 0};
-    double none, least = chooseStart(q, &none);
-    for (; sweeps < most && !hasSettled(c); sweeps++) {
+    double none, min = chooseStart(q, &none);
+    for (; sweeps < max && !hasSettled(c); sweeps++) {
         sweepOnce(q, m.beta);
-        keepIfBetter(q, &least);
+        keepIfBetter(q, &min);
         c = changeOf(q);
         m = c.against > 0 ? noMomentum() : nextMomentum(m);
     }

@@ -52,7 +52,7 @@ MstMaterialID MEAPI MstBridgeGetNewMaterial(const MstBridgeID b) {
     if (!record)
         return MstBridgeGetDefaultMaterial();
     const MstMaterialID m = record->materialCount;
-    if (m >= (MstMaterialID)record->materialLimit.most) {
+    if (m >= (MstMaterialID)record->materialLimit.max) {
         MeLimitWarn(&record->materialLimit, "MstBridgeGetNewMaterial", "more materials");
         return MstBridgeGetDefaultMaterial();
     }

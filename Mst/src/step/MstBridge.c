@@ -21,11 +21,11 @@ void mst_runTerm(MstRun *run) {
 }
 
 /* Room for contacts of a run: so many per pair on average. */
-MeBool mst_runInit(MstRun *run, int most, const char *function) {
+MeBool mst_runInit(MstRun *run, int max, const char *function) {
     enum { AVERAGE = 8 };
-    if (most > INT_MAX - AVERAGE * MST_RUN)
-        most = INT_MAX - AVERAGE * MST_RUN;
-    MstRun made = {.contactMax = most, .foundMax = most + AVERAGE * MST_RUN};
+    if (max > INT_MAX - AVERAGE * MST_RUN)
+        max = INT_MAX - AVERAGE * MST_RUN;
+    MstRun made = {.contactMax = max, .foundMax = max + AVERAGE * MST_RUN};
     made.contacts = MeMemoryTake((size_t)made.contactMax, sizeof *made.contacts, function, "contacts");
     if (made.contacts)
         made.found = MeMemoryTake((size_t)made.foundMax, sizeof *made.found, function, "contacts");
@@ -41,8 +41,8 @@ MeBool mst_runInit(MstRun *run, int most, const char *function) {
 }
 
 /* False: there is no memory, and all is as it was. */
-static MeBool makeContacts(MstBridgeRecord *b, int most, const char *function) {
-    if (!mst_runInit(&b->run, most, function))
+static MeBool makeContacts(MstBridgeRecord *b, int max, const char *function) {
+    if (!mst_runInit(&b->run, max, function))
         return MEFALSE;
     mst_workersTerm(b); /* their runs have the same room */
     return METRUE;
@@ -78,7 +78,7 @@ MstBridgeID MEAPI MstBridgeCreate(McdFrameworkID frame, const unsigned int maxMa
     if (!b)
         return 0;
     b->frame = frame;
-    b->materialLimit = (MeLimit){.most = isLimited ? (int)MeCLAMP(maxMaterials, 1, MST_MATERIALS) : MeNoLimit,
+    b->materialLimit = (MeLimit){.max = isLimited ? (int)MeCLAMP(maxMaterials, 1, MST_MATERIALS) : MeNoLimit,
                                  .name = "MstBridgeCreate's maxMaterials"};
     b->reuse = (MeReal)MST_CONTACT_REUSE;
     b->events.list = 1; /* touches that were in none have 0 */

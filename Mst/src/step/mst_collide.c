@@ -289,9 +289,9 @@ static int maxPairs(const MstBridgeRecord *b) {
 /* All are collided before any is updated: the code of both together does not fit into an instruction cache of 32 kB,
  * and would be loaded anew for each pair. */
 int mst_collideRun(const MstBridgeRecord *b, MstRun *run, McdModelPair *const pairs[], int count, McdSpaceID s) {
-    const int most = MeMIN(count, maxPairs(b));
+    const int max = MeMIN(count, maxPairs(b));
     run->pairCount = run->foundCount = 0;
-    while (run->pairCount < most && run->foundCount + run->contactMax <= run->foundMax) {
+    while (run->pairCount < max && run->foundCount + run->contactMax <= run->foundMax) {
         const int i = run->pairCount;
         mst_prefetchModels(pairs, i, count);
         prefetchContacts(pairs, i, count);

@@ -77,20 +77,20 @@ static void addDisplacement(MeVector3 displacement, McdModelID m, MeReal time) {
 
 /* McdSafeTime does not support surfaces of triangles: there the shape is cast along its way, without its rotation. It
  * is stopped a little before. */
-static MeReal timeToSurface(McdModelID shape, McdModelID surface, McdSpaceID s, MeReal most) {
+static MeReal timeToSurface(McdModelID shape, McdModelID surface, McdSpaceID s, MeReal max) {
     enum { STOP = 1000 };
     McdCastResult hit;
     MeVector3 displacement = {0, 0, 0}, centre;
     MeReal radius;
-    addDisplacement(displacement, shape, most);
-    addDisplacement(displacement, surface, -most);
+    addDisplacement(displacement, shape, max);
+    addDisplacement(displacement, surface, -max);
     const MeReal length = MeVector3Magnitude(displacement);
     if (!(length > 0) ||
         !McdSpaceCastGeometry(s, McdModelGetGeometry(shape), (const MeVector4 *)McdModelGetTransformPtr(shape),
                               displacement, isThatOne, surface, &hit))
-        return most;
+        return max;
     McdModelGetBSphere(shape, centre, &radius);
-    return MeMAX(hit.fraction - radius / (STOP * length), 0) * most;
+    return MeMAX(hit.fraction - radius / (STOP * length), 0) * max;
 }
 
 static MeReal lagOf(MdtBodyID body) {
@@ -107,33 +107,33 @@ static MeReal timeLeft(const MstBridgeRecord *b, const McdModelPair *p) {
 }
 
 MeReal mst_timeToTouch(const MstBridgeRecord *b, McdModelPair *p, McdSpaceID s) {
-    const MeReal most = timeLeft(b, p);
+    const MeReal max = timeLeft(b, p);
     McdSafeTimeResult safe;
     if (McdModelIsSurface(p->model2) && McdModelIsConvex(p->model1))
-        return timeToSurface(p->model1, p->model2, s, most);
+        return timeToSurface(p->model1, p->model2, s, max);
     if (McdModelIsSurface(p->model1) && McdModelIsConvex(p->model2))
-        return timeToSurface(p->model2, p->model1, s, most);
-    return McdSafeTime(p, most, &safe) ? safe.time : most;
+        return timeToSurface(p->model2, p->model1, s, max);
+    return McdSafeTime(p, max, &safe) ? safe.time : max;
 }
 
 static MeReal approachOf(const McdModelPair *p) {
     const MdtContactGroupID group = p->responseData;
     MdtContactID c = group ? MdtContactGroupGetFirstContact(group) : 0;
-    MeReal most = 0;
+    MeReal max = 0;
     for (; c; c = MdtContactGroupGetNextContact(group, c)) {
         MeVector3 position, normal;
         MdtContactGetPosition(c, position);
         mst_normalOf(p, c, normal);
-        most = MeMAX(most, mst_approachAt(p, position, normal));
+        max = MeMAX(max, mst_approachAt(p, position, normal));
     }
-    return most;
+    return max;
 }
 
 /* s: an impact gets a part of its own, twice as long as it takes to close the gap; the motion after it is predicted in
  * the next part. Not where the pair slides or rests, and its motion continues. */
-static MeReal timeOfImpact(const McdModelPair *p, MeReal most) {
+static MeReal timeOfImpact(const McdModelPair *p, MeReal max) {
     const MeReal approach = approachOf(p), margin = marginOf(p);
-    return approach * most > 4 * margin ? 2 * margin / approach : most;
+    return approach * max > 4 * margin ? 2 * margin / approach : max;
 }
 
 /* s: the shortest part. In it a body moves by no more, or little more, than its speculative margin: at 100 times its
@@ -143,8 +143,8 @@ static MeReal minSubstep(const MstBridgeRecord *b) {
 }
 
 /* Bodies are not stopped if the rest of the step would be shorter than the shortest part. */
-static MeBool stopsBefore(const MstBridgeRecord *b, MeReal time, MeReal most) {
-    return most - time > minSubstep(b);
+static MeBool stopsBefore(const MstBridgeRecord *b, MeReal time, MeReal max) {
+    return max - time > minSubstep(b);
 }
 
 static void stopAt(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w, MeReal time) {
@@ -167,11 +167,11 @@ void mst_followFast(MstBridgeRecord *b, const MstFinding *f, MeBool hasContacts,
         return;
     if (hasContacts && (mst_isInLargeIsland(mst_bodyOf(p->model1)) || mst_isInLargeIsland(mst_bodyOf(p->model2))))
         return;
-    const MeReal most = timeLeft(b, p);
-    const MeReal time = hasContacts                     ? timeOfImpact(p, most)
+    const MeReal max = timeLeft(b, p);
+    const MeReal time = hasContacts                     ? timeOfImpact(p, max)
                         : f->timeToTouch != MST_UNKNOWN ? f->timeToTouch
                                                         : mst_timeToTouch(b, p, s);
-    if (stopsBefore(b, time, most))
+    if (stopsBefore(b, time, max))
         stopAt(b, p, w, MeMAX(time, minSubstep(b)));
 }
 

@@ -32,16 +32,16 @@ static double beyondFace(McdModelID box, McdModelID m, MeVector3 outward) {
 }
 
 /* Apart, or side by side: a contact that is not with the face, within 60 degrees. */
-static MeBool isBesideFace(const McdContact *contact, const MeVector3 outward, double most) {
-    return McdContactGetSeparation(contact) > most || 2 * MeFabs(MeVector3Dot(contact->normal, outward)) < 1;
+static MeBool isBesideFace(const McdContact *contact, const MeVector3 outward, double max) {
+    return McdContactGetSeparation(contact) > max || 2 * MeFabs(MeVector3Dot(contact->normal, outward)) < 1;
 }
 
-static MeBool isFlush(McdModelID box, McdModelID m, const McdContact *contact, double most) {
+static MeBool isFlush(McdModelID box, McdModelID m, const McdContact *contact, double max) {
     const MeMatrix4Ptr tm = McdModelGetTransformPtr(box);
     for (int i = 0; i < 6; i++) {
         MeVector3 outward;
         MeVector3MultiplyScalar(outward, tm[i / 2], i % 2 ? -1 : 1);
-        if (isBesideFace(contact, outward, most) && fabs(beyondFace(box, m, outward)) <= most)
+        if (isBesideFace(contact, outward, max) && fabs(beyondFace(box, m, outward)) <= max)
             return METRUE;
     }
     return MEFALSE;
@@ -65,6 +65,6 @@ MeBool mst_passesFlush(const McdModelPair *p, const McdContact contacts[], int c
         return MEFALSE;
     const McdContact *nearest = nearestContact(contacts, count);
     const McdModelID box = isFirst ? p->model1 : p->model2, m = isFirst ? p->model2 : p->model1;
-    const double most = flushShare * radiusOf(m);
-    return McdContactGetSeparation(nearest) > -most && isFlush(box, m, nearest, most);
+    const double max = flushShare * radiusOf(m);
+    return McdContactGetSeparation(nearest) > -max && isFlush(box, m, nearest, max);
 }

@@ -54,14 +54,14 @@ static int runsOf(int count) {
 
 /* How many pairs are looked through at once: in runs. Fewer once one has been found that workers may not collide, and
  * twice as many as long as there is none. */
-enum { MOST_RUNS = 1024 };
+enum { MAX_RUNS = 1024 };
 
 typedef struct Plain {
     const MstBridgeRecord *b;
     McdModelPair *const *pairs;
     int count;
-    int end[MOST_RUNS];    /* by run: behind its first pairs that are plain */
-    int unseen[MOST_RUNS]; /* the first of them with a model that has no stamp of this round; or its end */
+    int end[MAX_RUNS];    /* by run: behind its first pairs that are plain */
+    int unseen[MAX_RUNS]; /* the first of them with a model that has no stamp of this round; or its end */
 } Plain;
 
 static void MEAPI findPlainPairs(void *context, int run, int worker) {
@@ -90,7 +90,7 @@ static int countPlainPairs(MeTeam *team, MstBridgeRecord *b, McdModelPair *const
         for (int i = p.unseen[run]; i < plain; i++)
             McdModelPairLookAtModels(pairs[i]);
     }
-    b->runsLooked = plain < p.count ? MST_MIN_RUNS : MeMIN(2 * b->runsLooked, MOST_RUNS);
+    b->runsLooked = plain < p.count ? MST_MIN_RUNS : MeMIN(2 * b->runsLooked, MAX_RUNS);
     return plain;
 }
 
@@ -126,7 +126,7 @@ static MeBool areWorth(const MstBridgeRecord *b, const MeTeam *team, int count) 
 /* Where there are more models than pairs, only the models of pairs are looked at. */
 void mst_lookByWorkers(MstBridgeRecord *b, int count, McdSpaceID s, MdtWorldID w) {
     MeTeam *team = w ? MdtWorldGetTeam(w) : 0;
-    b->runsLooked = MOST_RUNS;
+    b->runsLooked = MAX_RUNS;
     if (!areWorth(b, team, count) || count < McdSpaceGetModelCount(s))
         return;
     MeTeamOpen(team);

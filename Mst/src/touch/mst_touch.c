@@ -257,12 +257,12 @@ void mst_touchNoteGroup(MstTouch *t, MdtContactGroupID group) {
 
 /* Of the contacts found, or of those that callbacks have left. */
 static MeReal minSeparation(MdtContactGroupID group, int numContacts, int found, MeReal separation) {
-    MeReal least = MEINFINITY;
+    MeReal min = MEINFINITY;
     if (numContacts == found)
         return separation;
     for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c))
-        least = MeMIN(least, -MdtContactGetPenetration(c));
-    return least;
+        min = MeMIN(min, -MdtContactGetPenetration(c));
+    return min;
 }
 
 static void noteAgain(MstTouch *t, MeReal separation) {

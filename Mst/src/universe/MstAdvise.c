@@ -17,9 +17,9 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { MOST_ROUNDS = 15, TRIALS = MST_SETTINGS + 2 }; /* as it is, each setting, those taken together */
-enum { MOST_STEPS = 1000000, MOST_SAMPLES = 128 };
-enum { MOST_RECORD_BYTES = 64 << 20 }; /* of one copy */
+enum { MAX_ROUNDS = 15, TRIALS = MST_SETTINGS + 2 }; /* as it is, each setting, those taken together */
+enum { MAX_STEPS = 1000000, MAX_SAMPLES = 128 };
+enum { MAX_RECORD_BYTES = 64 << 20 }; /* of one copy */
 /* Settings that take more than this factor of the scene's present time are not advised, whatever their error. */
 enum { TOO_SLOW = 20 };
 /* Settings that are slower than this are timed once. */
@@ -39,7 +39,7 @@ struct MstAdviser {
     MstRecord *right; /* the better reference */
     int lastSample;
     int rounds; /* done */
-    double cost[TRIALS][MOST_ROUNDS];
+    double cost[TRIALS][MAX_ROUNDS];
     MstTrial trial[TRIALS];
     int together[MST_KNOBS]; /* by knob: which trial is taken, 0: none */
     MstAdvice advice;
@@ -61,7 +61,7 @@ static const char *mistakeIn(const MstAdviceParams *p) {
         return "after must be 0 or more";
     if (!(p->tolerance >= 0) || !MeRealIsValid(p->tolerance))
         return "tolerance must be 0 or more";
-    if (p->rounds < 1 || p->rounds > MOST_ROUNDS)
+    if (p->rounds < 1 || p->rounds > MAX_ROUNDS)
         return "rounds must be 1 to 15";
     return p->patience > 0 && MeRealIsValid(p->patience) ? 0 : "patience must be above 0";
 }
@@ -127,14 +127,14 @@ static MstRecordSize sizeOf(const MstAdviser *a, MstUniverseID u, double step) {
     enum { FEW = 64, WARM_UP = 8 };
     MstRecordSize size;
     const double steps = (double)a->params.seconds / step;
-    size.steps = steps < 1 ? 1 : steps > MOST_STEPS ? MOST_STEPS : (int)(steps + .5);
+    size.steps = steps < 1 ? 1 : steps > MAX_STEPS ? MAX_STEPS : (int)(steps + .5);
     size.warmUp = size.steps >= 4 * WARM_UP ? WARM_UP : 0;
-    size.stride = (size.steps + MOST_SAMPLES - 1) / MOST_SAMPLES;
+    size.stride = (size.steps + MAX_SAMPLES - 1) / MAX_SAMPLES;
     size.samples = size.steps / size.stride;
     size.bodies = MdtWorldGetTotalBodies(u->world) + FEW;
-    const double most = (double)MOST_RECORD_BYTES / ((double)size.samples * sizeof(MstSample));
-    if (size.bodies > most)
-        size.bodies = most < 1 ? 1 : (int)most;
+    const double max = (double)MAX_RECORD_BYTES / ((double)size.samples * sizeof(MstSample));
+    if (size.bodies > max)
+        size.bodies = max < 1 ? 1 : (int)max;
     return size;
 }
 

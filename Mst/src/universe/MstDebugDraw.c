@@ -244,7 +244,7 @@ static MeBool isMeasured(MdtLimitID limit) {
  * the first body, all is seen from the second one: `side` is -1. Stops of ten turns and more are none. */
 static void drawHinge(const Drawing *d, MdtHingeID hinge, const MeVector3 at, const MeVector3 axis,
                       const MeVector3 second, MeReal side) {
-    enum { STEPS = 16, MOST_TURN = 63 };
+    enum { STEPS = 16, MAX_TURN = 63 };
     const MdtLimitID limit = MdtHingeGetLimit(hinge);
     if (!isMeasured(limit))
         return;
@@ -257,7 +257,7 @@ static void drawHinge(const Drawing *d, MdtHingeID hinge, const MeVector3 at, co
     arcArrow(d, at, axis, edge, (MeReal)0.75 * radius, side * (MeReal)fmod((double)angle, 2 * ME_PI), orange);
     const MeReal low = side * (MdtSingleLimitGetStop(MdtLimitGetLowerLimit(limit)) - angle);
     const MeReal high = side * (MdtSingleLimitGetStop(MdtLimitGetUpperLimit(limit)) - angle);
-    if (!MdtLimitIsActive(limit) || !(MeFabs(low) < MOST_TURN) || !(MeFabs(high) < MOST_TURN))
+    if (!MdtLimitIsActive(limit) || !(MeFabs(low) < MAX_TURN) || !(MeFabs(high) < MAX_TURN))
         return;
     for (int i = 0; i <= STEPS; i++) {
         turn(second, axis, low + (high - low) * (MeReal)i / STEPS, edge);

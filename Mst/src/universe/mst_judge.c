@@ -117,13 +117,13 @@ static double median(const double *x, int count) {
 }
 
 void mst_trialTime(MstTrial *t, const double *cost, const double *asItIs, int rounds, MeBool isTime) {
-    double seen[15], ratio[15], least = HUGE_VAL, largest = 0;
+    double seen[15], ratio[15], min = HUGE_VAL, largest = 0;
     int count = 0;
     for (int i = 0; i < rounds; i++)
         if (cost[i] >= 0 && asItIs[i] >= 0) {
             seen[count] = cost[i];
             ratio[count] = asItIs[i] > 0 ? cost[i] / asItIs[i] : cost[i] > 0 ? HUGE_VAL : 1;
-            least = fmin(least, ratio[count]);
+            min = fmin(min, ratio[count]);
             largest = fmax(largest, ratio[count++]);
         }
     if (count == 0)
@@ -131,7 +131,7 @@ void mst_trialTime(MstTrial *t, const double *cost, const double *asItIs, int ro
     if (isTime)
         t->time = (MeReal)median(seen, count);
     t->ratio = (MeReal)median(ratio, count);
-    t->leastRatio = (MeReal)least;
+    t->leastRatio = (MeReal)min;
     t->largestRatio = (MeReal)largest;
 }
 

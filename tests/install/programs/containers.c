@@ -28,7 +28,7 @@ int main(void) {
         MeHeapPush(heap, &number[i]);
         MeSetAdd(set, &number[i]);
     }
-    const int least = *(int *)MeHeapPop(heap), most = *(int *)MeSetPop(set);
+    const int min = *(int *)MeHeapPop(heap), max = *(int *)MeSetPop(set);
     const int first = MeIDPoolRequestID(ids), second = MeIDPoolRequestID(ids);
     MeHeapDestroy(heap);
     MeSetDestroy(set);
@@ -37,5 +37,5 @@ int main(void) {
     MeVector3 point[2] = {{0, 0, 0}, {2, 0, 0}}, centre;
     MeReal radius;
     MeBoundingSphereCalc(point, 2, centre, &radius);
-    return !(found && least == 1 && most == 3 && first == 0 && second == 1 && centre[0] == 1 && radius >= 1);
+    return !(found && min == 1 && max == 3 && first == 0 && second == 1 && centre[0] == 1 && radius >= 1);
 }
