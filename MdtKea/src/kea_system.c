@@ -9,7 +9,7 @@
 #include <stdint.h>
 #include <string.h>
 
-static void layOut(MdtKeaSystem *s, KeaArena *arena) {
+static void layOutSystem(MdtKeaSystem *s, KeaArena *arena) {
     const size_t n = (size_t)s->numBodies, m = (size_t)s->maxRows;
     s->pose = kea_carve(arena, n, sizeof *s->pose);
     s->velocity = kea_carve(arena, n, sizeof *s->velocity);
@@ -70,7 +70,7 @@ size_t MEAPI MdtKeaScratchSize(int numBodies, int maxRows, int maxContacts) {
     s.maxRows = maxRows > 0 ? maxRows : 0;
     s.maxContacts = maxContacts > 0 ? maxContacts : 0;
     KeaArena measure = {NULL, 0};
-    layOut(&s, &measure);
+    layOutSystem(&s, &measure);
     return measure.used;
 }
 
@@ -100,7 +100,7 @@ void MEAPI MdtKeaInit(MdtKeaSystem *s, void *scratch) {
     MEASSERTALIGNED(scratch, 16);
     s->numRows = 0;
     memset(&s->report, 0, sizeof s->report);
-    layOut(s, &arena);
+    layOutSystem(s, &arena);
     s->work->numContacts = 0;
     MeTeamRunRanges(s->team, s->numBodies, KEA_BODY_CHUNK, beginBodies, s);
     if (s->parameters.elapsed == 0)

@@ -275,7 +275,7 @@ static bool tryLayout(Page *page, Layout *l, float wrap, float roomX, float room
 }
 
 /* The largest text, then the fewest columns, that fit. What fits at no size is cut at the lower edge. */
-static void layOut(const RRender *rc, Page *page, Layout *l) {
+static void layOutPage(const RRender *rc, Page *page, Layout *l) {
     static const float wraps[] = {36, 30, 25, 21, 18, 15, 12};
     const float preferred = 15 * r_uiScale(rc), roomX = 0.97f * (float)rc->m_pViewer->width,
                 roomY = 0.97f * (float)rc->m_pViewer->height;
@@ -313,7 +313,7 @@ void r_helpDraw(RRender *rc, RHelpLayout *layout) {
     Page page;
     Layout l = {0};
     fillPage(rc, &page);
-    layOut(rc, &page, &l);
+    layOutPage(rc, &page, &l);
     const float width = l.width + 2 * padding * l.size, height = l.height + 2 * padding * l.size;
     const float left = roundf(((float)v->width - width) / 2), top = roundf(((float)v->height - height) / 2);
     *layout = (RHelpLayout){left, top, left + width, top + height, l.size};

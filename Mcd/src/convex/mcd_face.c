@@ -149,7 +149,7 @@ static MeU32 isSet(MeU32 origin, int bit) {
 }
 
 /* One of two, without a branch: what a corner is of cannot be predicted. */
-static MeU32 choose(MeU32 condition, MeU32 yes, MeU32 no) {
+static MeU32 selectBits(MeU32 condition, MeU32 yes, MeU32 no) {
     return no ^ ((yes ^ no) & (0 - condition));
 }
 
@@ -158,14 +158,14 @@ static MeU32 choose(MeU32 condition, MeU32 yes, MeU32 no) {
 static MeU32 originOfCross(MeU32 origin, MeU32 j, MeU32 edges, MeU32 isIn) {
     const MeU32 isB = isSet(origin, IS_EDGE_B), edge = indexAt(origin, EDGE_OF),
                 after = edge + 1 < edges ? edge + 1 : 0;
-    return choose(isB, none, edge) << OF_A | choose(isB & (j != after), edge, j) << OF_B |
-           choose(isIn, j, edge) << EDGE_OF | (isB | isIn) << IS_EDGE_B | (isB ^ 1) << IS_CROSS;
+    return selectBits(isB, none, edge) << OF_A | selectBits(isB & (j != after), edge, j) << OF_B |
+           selectBits(isIn, j, edge) << EDGE_OF | (isB | isIn) << IS_EDGE_B | (isB ^ 1) << IS_CROSS;
 }
 
 /* Of a corner or edge of the outline, or of its inside, if that is none. */
 static MeU32 codeOf(const Outline *o, MeU32 of, MeU32 kind) {
     const MeU32 isSome = of != none, name = o->name[of & (0 - isSome)];
-    return code(choose(isSome, kind, INSIDE), o->id, choose(isSome, name, 0));
+    return code(selectBits(isSome, kind, INSIDE), o->id, selectBits(isSome, name, 0));
 }
 
 static MeU64 featureOf(MeU32 origin, const Outline *a, const Outline *b) {

@@ -183,7 +183,7 @@ static int nextCorner(const Facets *f, int corner) {
 }
 
 /* A convex surface on n points has at most 2 n - 4 faces and 3 n - 6 edges. */
-static MeBool makeRoom(Work *w, Facets *f, int points) {
+static MeBool allocateFacets(Work *w, Facets *f, int points) {
     f->faceMax = 2 * points;
     f->cornerMax = 6 * points;
     f->first = (int *)allocate(w, (size_t)f->faceMax + 1, sizeof(int));
@@ -748,7 +748,7 @@ static McdHull *hullOfCloud(Work *w, const Cloud *c, const double (*point)[3], c
     Facets f;
     Regions r;
     Loops l;
-    if (!makeRoom(w, &f, c->count) || !runQhull(w, &f, c, options) || !joinFacets(w, &f) ||
+    if (!allocateFacets(w, &f, c->count) || !runQhull(w, &f, c, options) || !joinFacets(w, &f) ||
         !makeRegions(w, &f, c, &r) || !makeLoops(w, &f, c, &r, &l) || !straightenEdges(w, &f, c, &r, &l))
         return NULL;
     McdHull *h = buildHull(w, &f, c, &r, &l, point);

@@ -21,7 +21,7 @@ static MeBool isBox(const MeReal *min, const MeReal *max) {
 }
 
 /* Place for what the callback hands over; false if there is no memory. */
-static MeBool makeRoom(McdTriangleListRecord *list, int count) {
+static MeBool reserveTriangles(McdTriangleListRecord *list, int count) {
     /* zeroed: the triangleData of programs that do not set it */
     McdUserTriangle *generated =
         MeMemoryTakeZeroed((size_t)count, sizeof *generated, "McdTriangleListCreate", "triangles");
@@ -44,7 +44,7 @@ McdTriangleListID MEAPI McdTriangleListCreate(McdFramework *frame, MeVector3 min
         mcd_geometryCreate(frame, kMcdGeometryTypeTriangleList, sizeof *list, "McdTriangleListCreate");
     if (!list)
         return 0;
-    if (!makeRoom(list, triangleMaxCount)) {
+    if (!reserveTriangles(list, triangleMaxCount)) {
         McdGeometryDestroy(&list->list.head);
         return 0;
     }
@@ -107,7 +107,7 @@ void MEAPI McdTriangleListSetMaxTriangles(McdTriangleListID g, int max) {
     if (list && max < 1)
         MeWarning(1, "McdTriangleListSetMaxTriangles: max is %d (> 0)", max);
     else if (list && mcd_mayPlace(list->list.head.frame, "McdTriangleListSetMaxTriangles"))
-        makeRoom(list, max);
+        reserveTriangles(list, max);
 }
 
 void *MEAPI McdTriangleListGetUserData(McdTriangleListID g) {
@@ -170,7 +170,7 @@ static void readMaxCount(McdTriangleListRecord *list) {
         return;
     if (count < 1)
         MeWarning(1, "McdTriangleList: triangleMaxCount is %d (> 0); it stays %d", count, list->room);
-    if (count < 1 || !makeRoom(list, count))
+    if (count < 1 || !reserveTriangles(list, count))
         list->list.triangleMaxCount = list->room;
 }
 

@@ -236,7 +236,7 @@ static double differenceSquared(const McdSpot *a, const McdSpot *b, double size)
     return dot(d, d) + size * size * dot(n, n);
 }
 
-static double sizeOf(const McdSpot *spot, int count) {
+static double extentOfSpots(const McdSpot *spot, int count) {
     double d[3];
     difference(spot[farthestFrom(spot, count, spot[0].position)].position, spot[0].position, d);
     return sqrt(dot(d, d));
@@ -251,7 +251,7 @@ static void updateDistances(McdSpot *spot, int count, const McdSpot *chosen, dou
 }
 
 static int addFarthest(McdSpot *spot, int count, int maxCount, double same, int *kept, int keptCount) {
-    const double size = fmax(sizeOf(spot, count), same);
+    const double size = fmax(extentOfSpots(spot, count), same);
     for (int i = 0; i < count; i++)
         spot[i].distance2 = INFINITY;
     for (int k = 0; k < keptCount; k++)
@@ -356,8 +356,8 @@ typedef struct Workplace {
     int *from, *kept, *chosen; /* `count` of each */
 } Workplace;
 
-static int choose(const Workplace *w, const McdContact *contacts, int count, int maxCount, const MeReal *normal,
-                  double same) {
+static int chooseContacts(const Workplace *w, const McdContact *contacts, int count, int maxCount, const MeReal *normal,
+                          double same) {
     int chosenCount = 0;
     for (int pass = 0; pass < (normal ? 2 : 1) && chosenCount < maxCount; pass++) {
         const int n = gatherSpots(contacts, count, normal, pass == 0, w->spot, w->from);
@@ -378,7 +378,7 @@ int mcd_simplify(const McdContact *from, int count, McdContact *to, int maxCount
     McdSpot *spot = memory;
     int *index = (int *)(spot + count);
     const Workplace w = {spot, index, index + count, index + 2 * count};
-    const int chosenCount = choose(&w, from, count, maxCount, faceNormal, same);
+    const int chosenCount = chooseContacts(&w, from, count, maxCount, faceNormal, same);
     MEASSERT(chosenCount <= MeMAX(maxCount, 0) && chosenCount <= count);
     for (int i = 0; i < chosenCount; i++)
         to[i] = from[w.chosen[i]]; /* chosen ascends: nothing is overwritten before it is read */

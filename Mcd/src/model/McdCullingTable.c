@@ -17,7 +17,7 @@ static size_t bitOf(MeU32 a, MeU32 b) {
     return row * (row + 1) / 2 + column;
 }
 
-static MeBool check(const McdCullingTable *table, MeU32 a, MeU32 b, const char *function) {
+static MeBool checkTable(const McdCullingTable *table, MeU32 a, MeU32 b, const char *function) {
     if (table && a < table->size && b < table->size)
         return METRUE;
     if (!table)
@@ -46,7 +46,7 @@ void MEAPI McdCullingTableDestroy(McdCullingTable *const table) {
 }
 
 void MEAPI McdCullingTableSet(McdCullingTable *const table, MeU32 a, MeU32 b, MeBool flag) {
-    if (!check(table, a, b, "McdCullingTableSet"))
+    if (!checkTable(table, a, b, "McdCullingTableSet"))
         return;
     const size_t bit = bitOf(a, b);
     const unsigned mask = 1u << bit % 8;
@@ -54,7 +54,7 @@ void MEAPI McdCullingTableSet(McdCullingTable *const table, MeU32 a, MeU32 b, Me
 }
 
 MeBool MEAPI McdCullingTableGet(const McdCullingTable *const table, MeU32 a, MeU32 b) {
-    if (!check(table, a, b, "McdCullingTableGet"))
+    if (!checkTable(table, a, b, "McdCullingTableGet"))
         return MEFALSE;
     const size_t bit = bitOf(a, b);
     return table->bits[bit / 8] >> bit % 8 & 1;

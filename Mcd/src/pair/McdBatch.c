@@ -7,7 +7,7 @@ struct McdBatchContext {
     McdModelPairContainerIterator at;
 };
 
-static MeBool check(const McdBatchContext *context, const char *function) {
+static MeBool checkBatch(const McdBatchContext *context, const char *function) {
     if (!context)
         MeWarning(1, "%s: no context", function);
     return context != 0;
@@ -24,19 +24,19 @@ void MEAPI McdBatchContextDestroy(McdBatchContext *context) {
 }
 
 void MEAPI McdBatchContextReset(McdBatchContext *context) {
-    if (check(context, "McdBatchContextReset"))
+    if (checkBatch(context, "McdBatchContextReset"))
         context->pairs = 0;
 }
 
 void MEAPI McdBatchContextRelease(McdBatchContext *context) {
-    if (check(context, "McdBatchContextRelease"))
+    if (checkBatch(context, "McdBatchContextRelease"))
         context->pairs = 0;
 }
 
 MeBool MEAPI McdBatchIntersectEach(McdBatchContext *context, McdModelPairContainer *pairs,
                                    McdIntersectResult *resultArray, int *resultCount, int resultMaxCount,
                                    McdContact *contactArray, int *contactCount, int contactMaxCount) {
-    if (!check(context, "McdBatchIntersectEach"))
+    if (!checkBatch(context, "McdBatchIntersectEach"))
         return MEFALSE;
     if (pairs && context->pairs != pairs) {
         context->pairs = pairs;

@@ -5,7 +5,7 @@
 #include "MeMessage.h"
 #include <string.h>
 
-static MeBool check(const McdModelPairContainer *c, const char *function) {
+static MeBool checkContainer(const McdModelPairContainer *c, const char *function) {
     if (c && c->array)
         return METRUE;
     MeWarning(1, "%s: no container", function);
@@ -44,28 +44,28 @@ void MEAPI McdModelPairContainerInit(McdModelPairContainer *c, McdModelPair **ar
 }
 
 void MEAPI McdModelPairContainerReset(McdModelPairContainer *c) {
-    if (!check(c, "McdModelPairContainerReset"))
+    if (!checkContainer(c, "McdModelPairContainerReset"))
         return;
     c->goodbyeFirst = c->goodbyeEnd = 0;
     c->helloFirst = c->helloEnd = c->stayingFirst = c->stayingEnd = (c->size + 1) / 2;
 }
 
 MeBool MEAPI McdModelPairContainerInsertHelloPair(McdModelPairContainer *c, McdModelPairID p) {
-    if (!check(c, "McdModelPairContainerInsertHelloPair") || c->helloFirst == c->goodbyeEnd)
+    if (!checkContainer(c, "McdModelPairContainerInsertHelloPair") || c->helloFirst == c->goodbyeEnd)
         return MEFALSE;
     c->array[--c->helloFirst] = p;
     return METRUE;
 }
 
 MeBool MEAPI McdModelPairContainerInsertStayingPair(McdModelPairContainer *c, McdModelPairID p) {
-    if (!check(c, "McdModelPairContainerInsertStayingPair") || c->stayingEnd == c->size)
+    if (!checkContainer(c, "McdModelPairContainerInsertStayingPair") || c->stayingEnd == c->size)
         return MEFALSE;
     c->array[c->stayingEnd++] = p;
     return METRUE;
 }
 
 MeBool MEAPI McdModelPairContainerInsertGoodbyePair(McdModelPairContainer *c, McdModelPairID p) {
-    if (!check(c, "McdModelPairContainerInsertGoodbyePair") || c->goodbyeEnd == c->helloFirst)
+    if (!checkContainer(c, "McdModelPairContainerInsertGoodbyePair") || c->goodbyeEnd == c->helloFirst)
         return MEFALSE;
     c->array[c->goodbyeEnd++] = p;
     return METRUE;
@@ -78,7 +78,7 @@ static void movePairs(McdModelPairContainer *c, int first, int last, int by) {
 }
 
 void MEAPI McdModelPairContainerRemovePair(McdModelPairContainer *c, McdModelPairID *p) {
-    if (!check(c, "McdModelPairContainerRemovePair"))
+    if (!checkContainer(c, "McdModelPairContainerRemovePair"))
         return;
     int at = 0;
     while (at < c->size && c->array + at != p)
@@ -106,41 +106,43 @@ static McdModelPair **noPairs(int *count) {
 }
 
 McdModelPair **MEAPI McdModelPairContainerGetHelloArray(McdModelPairContainer *c, int *count) {
-    return check(c, "McdModelPairContainerGetHelloArray") ? pairsOfRange(c, c->helloFirst, c->helloEnd, count)
-                                                          : noPairs(count);
+    return checkContainer(c, "McdModelPairContainerGetHelloArray") ? pairsOfRange(c, c->helloFirst, c->helloEnd, count)
+                                                                   : noPairs(count);
 }
 
 McdModelPair **MEAPI McdModelPairContainerGetStayingArray(McdModelPairContainer *c, int *count) {
-    return check(c, "McdModelPairContainerGetStayingArray") ? pairsOfRange(c, c->stayingFirst, c->stayingEnd, count)
-                                                            : noPairs(count);
+    return checkContainer(c, "McdModelPairContainerGetStayingArray")
+               ? pairsOfRange(c, c->stayingFirst, c->stayingEnd, count)
+               : noPairs(count);
 }
 
 McdModelPair **MEAPI McdModelPairContainerGetGoodbyeArray(McdModelPairContainer *c, int *count) {
-    return check(c, "McdModelPairContainerGetGoodbyeArray") ? pairsOfRange(c, c->goodbyeFirst, c->goodbyeEnd, count)
-                                                            : noPairs(count);
+    return checkContainer(c, "McdModelPairContainerGetGoodbyeArray")
+               ? pairsOfRange(c, c->goodbyeFirst, c->goodbyeEnd, count)
+               : noPairs(count);
 }
 
 int MEAPI McdModelPairContainerGetHelloCount(McdModelPairContainer *c) {
-    return check(c, "McdModelPairContainerGetHelloCount") ? c->helloEnd - c->helloFirst : 0;
+    return checkContainer(c, "McdModelPairContainerGetHelloCount") ? c->helloEnd - c->helloFirst : 0;
 }
 
 int MEAPI McdModelPairContainerGetStayingCount(McdModelPairContainer *c) {
-    return check(c, "McdModelPairContainerGetStayingCount") ? c->stayingEnd - c->stayingFirst : 0;
+    return checkContainer(c, "McdModelPairContainerGetStayingCount") ? c->stayingEnd - c->stayingFirst : 0;
 }
 
 int MEAPI McdModelPairContainerGetGoodbyeCount(McdModelPairContainer *c) {
-    return check(c, "McdModelPairContainerGetGoodbyeCount") ? c->goodbyeEnd - c->goodbyeFirst : 0;
+    return checkContainer(c, "McdModelPairContainerGetGoodbyeCount") ? c->goodbyeEnd - c->goodbyeFirst : 0;
 }
 
 void MEAPI McdModelPairContainerIteratorInit(McdModelPairContainerIterator *it, McdModelPairContainer *c) {
     if (!it)
         MeWarning(1, "McdModelPairContainerIteratorInit: no iterator");
     else
-        it->next = check(c, "McdModelPairContainerIteratorInit") ? c->helloFirst : 0;
+        it->next = checkContainer(c, "McdModelPairContainerIteratorInit") ? c->helloFirst : 0;
 }
 
 void MEAPI McdModelPairContainerPrintStats(McdModelPairContainer *c) {
-    if (check(c, "McdModelPairContainerPrintStats"))
+    if (checkContainer(c, "McdModelPairContainerPrintStats"))
         MeInfo(1, "pairs: %d hello, %d staying, %d goodbye, place for %d", c->helloEnd - c->helloFirst,
                c->stayingEnd - c->stayingFirst, c->goodbyeEnd - c->goodbyeFirst, c->size);
 }

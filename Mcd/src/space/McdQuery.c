@@ -121,7 +121,8 @@ static MeBool nearestChild(const Query *q, McdModelID cm, Gap *nearest) {
 
 /* ---- searches, during which the program's functions keep models as they are -------------------------------------- */
 
-static void overlap(const Query *q, const double min[3], const double max[3], McdTreeVisit visit, void *context) {
+static void visitOverlapping(const Query *q, const double min[3], const double max[3], McdTreeVisit visit,
+                             void *context) {
     MeStageBegin(&q->space->frame->stage, MCD_GUARD_SHAPES);
     mcd_spaceOverlap(q->space, min, max, visit, context);
     MeStageEnd(&q->space->frame->stage, MCD_GUARD_SHAPES);
@@ -188,7 +189,7 @@ int MEAPI McdSpaceOverlapBox(McdSpaceID space, const MeVector3 minCorner, const 
         q.min[i] = (double)minCorner[i];
         q.max[i] = (double)maxCorner[i];
     }
-    overlap(&q, q.min, q.max, visitBox, &q);
+    visitOverlapping(&q, q.min, q.max, visitBox, &q);
     return q.count;
 }
 
@@ -212,7 +213,7 @@ int MEAPI McdSpaceOverlapGeometry(McdSpaceID space, McdGeometryID g, const MeMat
                .listSize = listSize};
     if (!checkList(space, list, listSize, "McdSpaceOverlapGeometry") || !setShape(&q, g, tm, "McdSpaceOverlapGeometry"))
         return 0;
-    overlap(&q, q.min, q.max, visitOverlap, &q);
+    visitOverlapping(&q, q.min, q.max, visitOverlap, &q);
     return q.count;
 }
 
@@ -233,7 +234,7 @@ int MEAPI McdSpaceOverlapModel(McdSpaceID space, McdModelID cm, McdLineSegInters
     for (McdGeometryInstance *child = firstLeaf(&m->instance); child; child = nextLeaf(child)) {
         if (!setShape(&q, child->geometry, mcd_const(mcd_instanceTM(child)), "McdSpaceOverlapModel"))
             break;
-        overlap(&q, q.min, q.max, visitOverlap, &q);
+        visitOverlapping(&q, q.min, q.max, visitOverlap, &q);
     }
     MeStageEnd(&frame->stage, MCD_GUARD_MODELS);
     return q.count;
@@ -263,7 +264,7 @@ static MeBool visitClosest(void *context, int proxy) {
 }
 
 /* Enlarges the searched box until no nearer point can be outside of it. */
-static void search(Closest *c, double maxReach) {
+static void searchClosest(Closest *c, double maxReach) {
     double reach = fmin(c->q.shape.extent, maxReach);
     for (;;) {
         double min[3], max[3];
@@ -273,7 +274,7 @@ static void search(Closest *c, double maxReach) {
         }
         c->model = 0;
         c->q.reach = reach;
-        overlap(&c->q, min, max, visitClosest, c);
+        visitOverlapping(&c->q, min, max, visitClosest, c);
         if ((c->model && c->gap.distance <= reach) || reach >= fmin(maxReach, MCD_TREE_REACH))
             return;
         reach = fmin(maxReach, c->model ? c->gap.distance * 1.0001 : 4 * reach);
@@ -302,7 +303,7 @@ int MEAPI McdSpaceGetClosest(McdSpaceID space, McdGeometryID g, const MeMatrix4 
         return 0;
     }
     MeStageBegin(&space->frame->stage, MCD_GUARD_MODELS);
-    search(&c, (double)maxDistance);
+    searchClosest(&c, (double)maxDistance);
     const MeBool isFound = c.model && c.gap.distance <= (double)maxDistance;
     if (isFound)
         writeClosest(&c, result);

@@ -109,7 +109,7 @@ static MeBool reserveProxies(McdSpace *s, int count, const char *function) {
 }
 
 /* Makes sure that there is a free proxy. */
-static MeBool makeRoom(McdSpace *s, const char *function) {
+static MeBool reserveOneProxy(McdSpace *s, const char *function) {
     enum { FIRST_ROOM = 64 };
     if (s->freeProxy != MCD_NONE)
         return METRUE;
@@ -360,7 +360,7 @@ static MeBool isWithoutBounds(double side) {
 }
 
 /* The size that the fat box's margin is a part of: the model's, or, if it is unbounded, that of a medium-sized one. */
-static double sizeOf(const McdProxy *p, double side) {
+static double sizeOfProxy(const McdProxy *p, double side) {
     return isWithoutBounds(side) ? (double)p->model->frame->lengthScale : side;
 }
 
@@ -381,7 +381,7 @@ static MeBool isWithinFatBox(const McdProxy *p) {
 /* Predictive enlargement: the fat box covers four more steps of the last step's motion, but at most twice the model's
  * size. */
 static void fatten(McdProxy *p, const double moved[3]) {
-    const double size = sizeOf(p, largestSide(p)), margin = fatMargin(p, size), rounding = 4 * (double)ME_EPSILON;
+    const double size = sizeOfProxy(p, largestSide(p)), margin = fatMargin(p, size), rounding = 4 * (double)ME_EPSILON;
     double min[3], max[3];
     for (int i = 0; i < 3; i++) {
         const double ahead = fmax(-2 * size, fmin(4 * moved[i], 2 * size));
@@ -395,7 +395,7 @@ static void fatten(McdProxy *p, const double moved[3]) {
 
 /* Is the exact box, grown by the tolerance, still in the fat one, and the fat one not far too large for it? */
 static MeBool isFatBoxGood(const McdProxy *p) {
-    const double side = largestSide(p), size = sizeOf(p, side), tolerance = 1.00001 * (double)p->tolerance;
+    const double side = largestSide(p), size = sizeOfProxy(p, side), tolerance = 1.00001 * (double)p->tolerance;
     const double maxSide = isWithoutBounds(side) ? INFINITY : 4 * (size + 2 * fatMargin(p, size));
     for (int i = 0; i < 3; i++) {
         const double low = (double)p->fat.min[i], high = (double)p->fat.max[i];
@@ -906,7 +906,7 @@ static MeBool canInsert(McdSpaceID s, McdModelID cm, const char *function) {
     else if (!MeProgramMayChange(function))
         return MEFALSE;
     else
-        return makeRoom(s, function);
+        return reserveOneProxy(s, function);
     return MEFALSE;
 }
 

@@ -25,7 +25,7 @@ void mcd_meshBounds(McdGeometryInstance *ins, const double origin[3], double low
     }
 }
 
-static MeBool overlap(const double low1[3], const double high1[3], const double low2[3], const double high2[3]) {
+static MeBool doBoxesOverlap(const double low1[3], const double high1[3], const double low2[3], const double high2[3]) {
     for (int i = 0; i < 3; i++)
         if (low1[i] > high2[i] || low2[i] > high1[i])
             return MEFALSE;
@@ -63,7 +63,7 @@ void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const doubl
     double boundsLow[3], boundsHigh[3];
     McdFramework *frame = ins->geometry->frame;
     mcd_meshBounds(ins, origin, boundsLow, boundsHigh);
-    if (!overlap(low, high, boundsLow, boundsHigh))
+    if (!doBoxesOverlap(low, high, boundsLow, boundsHigh))
         return;
     memset(&q, 0, sizeof q);
     memset(&pair, 0, sizeof pair);
@@ -136,7 +136,7 @@ static MeBool visitNearest(void *context, const McdMeshTriangle *t, const McdSha
 }
 
 /* Enlarges the searched box until no nearer point can be outside of it. */
-static void search(Nearest *n, McdGeometryInstance *ins, McdModelID asker, const double origin[3], double max) {
+static void searchNearest(Nearest *n, McdGeometryInstance *ins, McdModelID asker, const double origin[3], double max) {
     double boundsLow[3], boundsHigh[3], low[3], high[3];
     double reach = isfinite(max) ? max : n->shape->extent;
     mcd_meshBounds(ins, origin, boundsLow, boundsHigh);
@@ -160,7 +160,7 @@ MeBool mcd_meshNearest(const McdShape *shape, McdGeometryInstance *ins, McdModel
     Nearest n;
     n.shape = shape;
     boundShape(shape, n.low, n.high);
-    search(&n, ins, asker, origin, max);
+    searchNearest(&n, ins, asker, origin, max);
     if (!isfinite(n.distance) || n.distance > max)
         return MEFALSE;
     MEASSERT(isfinite(mcd_dot(n.normal, n.normal)) && n.distance <= max);

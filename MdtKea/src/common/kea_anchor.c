@@ -22,7 +22,7 @@ const MdtKeaVelocity *kea_sideVelocity(const MdtKeaSystem *s, const MdtKeaManifo
     return m->body[k] >= 0 ? &s->velocity[m->body[k]] : m->worldVelocity ? m->worldVelocity : &still;
 }
 
-static const MdtKeaVelocity *velocityOf(const MdtKeaSystem *s, const KeaContact *c, int k) {
+static const MdtKeaVelocity *sideVelocityOf(const MdtKeaSystem *s, const KeaContact *c, int k) {
     return kea_sideVelocity(s, c->manifold, k);
 }
 
@@ -98,7 +98,7 @@ static double circleOf(const MdtKeaSystem *s, const KeaContact *c, int k) {
     const double *axis = c->manifold->axis[k];
     double aside[3], turn[3];
     keaCross(aside, axis, c->normal);
-    keaCross(turn, axis, velocityOf(s, c, k)->ang);
+    keaCross(turn, axis, sideVelocityOf(s, c, k)->ang);
     return keaLength(aside) > s->parameters.stepsize * keaLength(turn) ? c->manifold->rim[k] : 0;
 }
 
@@ -203,8 +203,8 @@ static void turnBy(const double turn[3], double share, double r[3]) {
  * surface moves (conveyor belt). */
 static void motionOf(const MdtKeaSystem *s, const KeaContact *c, int k, double displacement[3], double turn[3]) {
     const double h = isWorld(c, k) ? 0 : s->parameters.stepsize;
-    keaScale(displacement, h, velocityOf(s, c, k)->lin);
-    keaScale(turn, h, velocityOf(s, c, k)->ang);
+    keaScale(displacement, h, sideVelocityOf(s, c, k)->lin);
+    keaScale(turn, h, sideVelocityOf(s, c, k)->ang);
 }
 
 /* The contact point of a round surface after a share of this part of the step. */
@@ -237,7 +237,7 @@ static void rollArms(const MdtKeaSystem *s, const KeaContact *c, double share, d
 /* Whether the lever arm of this side is constant: of a world that does not turn, of a ball that turns about its own
  * centre. */
 static MeBool isArmConstant(const MdtKeaSystem *s, const KeaContact *c, int k) {
-    const double *spin = velocityOf(s, c, k)->ang;
+    const double *spin = sideVelocityOf(s, c, k)->ang;
     if (isWorld(c, k) && keaDot(spin, spin) == 0)
         return METRUE;
     return c->isAboutCentre[k];
@@ -246,7 +246,7 @@ static MeBool isArmConstant(const MdtKeaSystem *s, const KeaContact *c, int k) {
 /* The arm from the axis of rotation: through the body's centre, or, of a world that moves with v at the origin and
  * turns with w, through w x v / w². */
 static void armFromAxis(const MdtKeaSystem *s, const KeaContact *c, int k, double r[3]) {
-    const MdtKeaVelocity *v = velocityOf(s, c, k);
+    const MdtKeaVelocity *v = sideVelocityOf(s, c, k);
     const double w2 = keaDot(v->ang, v->ang);
     keaCopy(r, c->arm[k]);
     if (isWorld(c, k) && w2 > 0) {
@@ -262,7 +262,7 @@ static void armFromAxis(const MdtKeaSystem *s, const KeaContact *c, int k, doubl
  * rounding. */
 static MeBool findSharedTurn(const MdtKeaSystem *s, KeaContact *c) {
     const double h = s->parameters.stepsize, min = kea_minTurn;
-    const double *spin[2] = {velocityOf(s, c, 0)->ang, velocityOf(s, c, 1)->ang};
+    const double *spin[2] = {sideVelocityOf(s, c, 0)->ang, sideVelocityOf(s, c, 1)->ang};
     double distance2[2] = {0, 0}, size2 = 0;
     if (h * keaLength(spin[0]) <= min || h * keaLength(spin[1]) <= min)
         return MEFALSE;

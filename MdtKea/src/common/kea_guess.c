@@ -35,7 +35,7 @@ typedef struct Guess {
     int numContacts;
 } Guess;
 
-static size_t layOut(const MdtKeaSystem *s, Guess *g, char *memory) {
+static size_t layOutGuess(const MdtKeaSystem *s, Guess *g, char *memory) {
     KeaArena arena = {memory, 0};
     g->load = kea_carve(&arena, (size_t)s->numBodies, sizeof *g->load);
     g->contact = kea_carve(&arena, (size_t)s->numManifolds, sizeof *g->contact);
@@ -83,7 +83,7 @@ static void setShare(const double force[3], Load *load) {
     load->share = squares > 0 ? -keaDot(N, force) / (load->force * squares) : 0;
 }
 
-static void begin(const MdtKeaSystem *s, Guess *g) {
+static void beginGuess(const MdtKeaSystem *s, Guess *g) {
     g->numContacts = 0;
     for (int i = 0; i < s->numBodies; i++)
         g->load[i] = (Load){.force = keaLength(s->bodies[i]->force)};
@@ -137,11 +137,11 @@ void kea_guessLoads(MdtKeaSystem *s) {
     Guess g;
     if (s->numManifolds == 0 || isAnyForceKnown(s))
         return;
-    char *memory = kea_cacheScratch(s->cache, KEA_STEP_BLOCK, layOut(s, &g, NULL));
+    char *memory = kea_cacheScratch(s->cache, KEA_STEP_BLOCK, layOutGuess(s, &g, NULL));
     if (!memory)
         return;
-    layOut(s, &g, memory);
-    begin(s, &g);
+    layOutGuess(s, &g, memory);
+    beginGuess(s, &g);
     if (sweep(&g, s->numBodies + 1))
         writeForces(&g);
 }

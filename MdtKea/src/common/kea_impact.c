@@ -90,7 +90,7 @@ static MeBool isHit(const MdtKeaSystem *s, int i, double slowest) {
     return s->rows[i].contact == i && kea_isTouching(s, &s->rows[i]) && -kea_startRate(s, i) > slowest;
 }
 
-static void addBody(MdtKeaSystem *s, int b) {
+static void addImpactBody(MdtKeaSystem *s, int b) {
     KeaProblem *q = &s->work->problem;
     if (s->work->problemBodyOf[b] >= 0)
         return;
@@ -122,17 +122,17 @@ static void chooseBodies(MdtKeaSystem *s, double slowest) {
         const MeBool isReached = isHit(s, i, slowest);
         for (int k = 0; isReached && k < 2; k++)
             if (s->rows[i].body[k] >= 0)
-                addBody(s, kea_rootOf(parent, s->rows[i].body[k]));
+                addImpactBody(s, kea_rootOf(parent, s->rows[i].body[k]));
     }
     for (int i = 0; i < s->numRows; i++)
         for (int k = 0; k < 2; k++)
             if (s->rows[i].body[k] >= 0 && place[kea_rootOf(parent, s->rows[i].body[k])] >= 0)
-                addBody(s, s->rows[i].body[k]);
+                addImpactBody(s, s->rows[i].body[k]);
 }
 
 /* N s: what a body's impulses are compared with. One that is all but at rest beside moving ones is solved for to what
  * an impact's passes leave of their speed, not to ten digits of its own. */
-static double scaleOf(const MdtKeaSystem *s, int b, const MdtKeaVelocity *v) {
+static double momentumScaleOf(const MdtKeaSystem *s, int b, const MdtKeaVelocity *v) {
     const KeaProblem *q = &s->work->problem;
     const double own = keaLength(v->lin) + q->length[b] * keaLength(v->ang);
     return q->metric[b].linear * keaMax(own + kea_impactTolerance / kea_newtonTolerance * s->work->speed,
@@ -140,7 +140,7 @@ static double scaleOf(const MdtKeaSystem *s, int b, const MdtKeaVelocity *v) {
 }
 
 /* Sets row k of the problem, which is row i of the system. */
-static void setRow(MdtKeaSystem *s, int k, int i) {
+static void setImpactRow(MdtKeaSystem *s, int k, int i) {
     KeaProblemRow *p = &s->work->problem.row[k];
     s->work->activeRow[k] = i;
     s->work->problemRowOf[i] = k;
@@ -151,20 +151,20 @@ static void setRow(MdtKeaSystem *s, int k, int i) {
 
 /* The inner problem of the rows that act in an instant, on bodies that an impact faster than `slowest` may move.
  * work->activeRow and activeBody map its rows and bodies to those of the system. */
-static void setProblem(MdtKeaSystem *s, double slowest) {
+static void setImpactProblem(MdtKeaSystem *s, double slowest) {
     KeaProblem *q = &s->work->problem;
     for (int i = 0; i < s->numRows; i++)
         s->work->isIncluded[i] = (char)actsInInstant(s, i);
     chooseBodies(s, slowest);
     for (int b = 0; b < q->numBodies; b++) {
         kea_setInstantBody(q, b, s->bodies[s->work->activeBody[b]]);
-        q->scale[b] = scaleOf(s, b, &s->velocity[s->work->activeBody[b]]);
+        q->scale[b] = momentumScaleOf(s, b, &s->velocity[s->work->activeBody[b]]);
     }
     q->numRows = 0;
     for (int i = 0; i < s->numRows; i++) {
         const int *body = s->rows[i].body;
         if (s->work->isIncluded[i] && s->work->problemBodyOf[body[body[0] >= 0 ? 0 : 1]] >= 0)
-            setRow(s, q->numRows++, i);
+            setImpactRow(s, q->numRows++, i);
     }
     for (int k = 0; k < q->numRows; k++) {
         KeaProblemRow *p = &q->row[k];
@@ -222,22 +222,22 @@ static void solveRound(MdtKeaSystem *s, const double target[], const char isIncl
 }
 
 /* Of a body of the problem. */
-static MdtKeaVelocity *velocityOf(const MdtKeaSystem *s, int b) {
+static MdtKeaVelocity *impactVelocityOf(const MdtKeaSystem *s, int b) {
     return &s->velocity[s->work->activeBody[b]];
 }
 
 static void addChange(MdtKeaSystem *s, double (*change)[6]) {
     for (int b = 0; b < s->work->problem.numBodies; b++) {
-        keaAddScaled(velocityOf(s, b)->lin, 1, change[b]);
-        keaAddScaled(velocityOf(s, b)->ang, 1, change[b] + 3);
+        keaAddScaled(impactVelocityOf(s, b)->lin, 1, change[b]);
+        keaAddScaled(impactVelocityOf(s, b)->ang, 1, change[b] + 3);
     }
 }
 
 /* The velocities at the start, as the limiter of energy takes them. */
 static double (*startVelocities(const MdtKeaSystem *s))[6] {
     for (int b = 0; b < s->work->problem.numBodies; b++) {
-        keaCopy(s->work->velocity[b], velocityOf(s, b)->lin);
-        keaCopy(s->work->velocity[b] + 3, velocityOf(s, b)->ang);
+        keaCopy(s->work->velocity[b], impactVelocityOf(s, b)->lin);
+        keaCopy(s->work->velocity[b] + 3, impactVelocityOf(s, b)->ang);
     }
     return s->work->velocity;
 }
@@ -260,8 +260,8 @@ static void blend(MdtKeaSystem *s, double (*elastic)[6], double (*plastic)[6]) {
     addChange(s, plastic);
     for (int b = 0; share > 0 && b < s->work->problem.numBodies; b++) {
         for (int k = 0; k < 3; k++) {
-            velocityOf(s, b)->lin[k] += share * (elastic[b][k] - plastic[b][k]);
-            velocityOf(s, b)->ang[k] += share * (elastic[b][3 + k] - plastic[b][3 + k]);
+            impactVelocityOf(s, b)->lin[k] += share * (elastic[b][k] - plastic[b][k]);
+            impactVelocityOf(s, b)->ang[k] += share * (elastic[b][3 + k] - plastic[b][3 + k]);
         }
     }
     MEASSERT(energyWith(s, NULL) <= before * (1 + kea_assertedRounding));
@@ -368,8 +368,8 @@ static void selectTouching(MdtKeaSystem *s, double target[], char isIncluded[]) 
 static void commitVelocities(MdtKeaSystem *s) {
     for (int b = 0; b < s->work->problem.numBodies; b++) {
         MdtKeaBody *body = s->bodies[s->work->activeBody[b]];
-        keaCopy(body->velocity, velocityOf(s, b)->lin);
-        MdtKeaBodySetAngularVelocity(body, velocityOf(s, b)->ang);
+        keaCopy(body->velocity, impactVelocityOf(s, b)->lin);
+        MdtKeaBodySetAngularVelocity(body, impactVelocityOf(s, b)->ang);
         kea_beginBody(s, s->work->activeBody[b]);
     }
 }
@@ -382,7 +382,7 @@ MeBool kea_impact(MdtKeaSystem *s, const KeaEventScale *scale) {
     s->work->speed = scale->fastest;
     for (int i = 0; i < s->numRows; i++)
         s->rows[i].force = 0;
-    setProblem(s, slowest);
+    setImpactProblem(s, slowest);
     if (!kea_problemBegin(&s->work->problem, s->cache))
         return MEFALSE;
     kea_setBudget(s, 1, 1);

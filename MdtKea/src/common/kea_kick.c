@@ -15,12 +15,12 @@ MeBool MEAPI MdtKeaIsKicked(const MdtKeaSystem *s) {
 }
 
 /* m/s, rad/s: what the momentum alone would do. */
-static void velocityOf(const KeaMetric *B, const MdtKeaBody *b, double change[6]) {
+static void kickVelocityOf(const KeaMetric *B, const MdtKeaBody *b, double change[6]) {
     keaScale(change, 1 / B->linear, b->kick[0]);
     keaApply(change + 3, B->inverse, b->kick[1]);
 }
 
-static double rateOf(const MdtKeaRow *row, double (*velocity)[6]) {
+static double kickRateOf(const MdtKeaRow *row, double (*velocity)[6]) {
     double rate = 0;
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
@@ -29,12 +29,12 @@ static double rateOf(const MdtKeaRow *row, double (*velocity)[6]) {
 }
 
 /* Joints keep their rates; contacts, stops and motors have bounded forces, which do nothing in an instant. */
-static void setProblem(MdtKeaSystem *s, double (*kicked)[6], double target[]) {
+static void setKickProblem(MdtKeaSystem *s, double (*kicked)[6], double target[]) {
     KeaProblem *q = &s->work->problem;
     double max = 0;
     for (int b = 0; b < s->numBodies; b++) {
         kea_setInstantBody(q, b, s->bodies[b]);
-        velocityOf(&q->metric[b], s->bodies[b], kicked[b]);
+        kickVelocityOf(&q->metric[b], s->bodies[b], kicked[b]);
         max = keaMax(max, keaLength(kicked[b]) + q->length[b] * keaLength(kicked[b] + 3));
     }
     for (int b = 0; b < s->numBodies; b++)
@@ -42,7 +42,7 @@ static void setProblem(MdtKeaSystem *s, double (*kicked)[6], double target[]) {
     for (int i = 0; i < s->numRows; i++) {
         kea_setInstantRow(s, i, &q->row[i]);
         s->work->isIncluded[i] = (char)kea_isRigidJoint(&s->rows[i]);
-        target[i] = -rateOf(&s->rows[i], kicked);
+        target[i] = -kickRateOf(&s->rows[i], kicked);
     }
     q->numBodies = s->numBodies;
     q->numRows = s->numRows;
@@ -51,7 +51,7 @@ static void setProblem(MdtKeaSystem *s, double (*kicked)[6], double target[]) {
 /* min 1/2 |d - d_0|²_M over the changes d of velocity that leave the rates of joints as they are; d_0 = M⁻¹ kick. */
 void MEAPI MdtKeaKick(MdtKeaSystem *s) {
     double(*kicked)[6] = s->work->velocity;
-    setProblem(s, kicked, s->work->target);
+    setKickProblem(s, kicked, s->work->target);
     const MeBool isShared = kea_problemBegin(&s->work->problem, s->cache);
     if (isShared) {
         kea_setBudget(s, 1, 1);

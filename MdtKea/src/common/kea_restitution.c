@@ -18,7 +18,7 @@ static double along(const MdtKeaJBlock *J, const MdtKeaVelocity *v) {
     return keaDot(J->lin, v->lin) + keaDot(J->ang, v->ang);
 }
 
-static void addBody(const MdtKeaSystem *s, int body, const MdtKeaJBlock *J, KeaApproach *a) {
+static void addApproachOfBody(const MdtKeaSystem *s, int body, const MdtKeaJBlock *J, KeaApproach *a) {
     const double now = along(J, &s->velocity[body]), then = along(J, &s->predicted[body]);
     a->rate += now;
     a->predicted += then;
@@ -36,7 +36,7 @@ KeaApproach kea_approachOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
     KeaApproach a = {0, 0, 0, 0};
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
-            addBody(s, row->body[k], &row->J[k], &a);
+            addApproachOfBody(s, row->body[k], &row->J[k], &a);
     addWorldRate(-row->drift, &a);
     return a;
 }
@@ -48,7 +48,7 @@ KeaApproach kea_approachOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, 
         keaScale(J.lin, k == 0 ? 1 : -1, m->normal);
         keaCross(J.ang, arm[k], J.lin);
         if (m->body[k] >= 0)
-            addBody(s, m->body[k], &J, &a);
+            addApproachOfBody(s, m->body[k], &J, &a);
         else if (m->worldVelocity)
             addWorldRate(along(&J, m->worldVelocity), &a);
     }

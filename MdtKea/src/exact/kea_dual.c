@@ -116,7 +116,7 @@ static void fillEdge(KeaProblem *q, KeaDual *d, int e) {
             block[i * d->size[n] + j] += dotOfBody(d->response[d->start[m] + i][k], q->row[d->start[n] + j].J[l]);
 }
 
-static MeBool factorize(KeaProblem *q, KeaDual *d) {
+static MeBool factorizeDual(KeaProblem *q, KeaDual *d) {
     kea_factorClear(d->factor);
     for (int n = 0; n < d->numNodes; n++)
         fillDiagonal(q, d, n);
@@ -153,7 +153,7 @@ static void setMotion(KeaProblem *q) {
 MeBool kea_dualSolve(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     KeaDual *d = &s->work->dual;
-    if (!d->factor || !kea_problemMaySpend(q, MEFALSE) || !factorize(q, d))
+    if (!d->factor || !kea_problemMaySpend(q, MEFALSE) || !factorizeDual(q, d))
         return MEFALSE;
     q->counts.iterations++;
     setMotion(q);

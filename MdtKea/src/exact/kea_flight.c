@@ -119,7 +119,7 @@ static void findMeeting(MdtKeaSystem *s, int c, double t) {
 
 /* ---- impacts ---- */
 
-static void addBody(MdtKeaSystem *s, int b) {
+static void addFlightBody(MdtKeaSystem *s, int b) {
     KeaFlight *f = &s->work->flight;
     if (b < 0 || f->isIn[b])
         return;
@@ -149,7 +149,7 @@ static void gather(MdtKeaSystem *s, double t) {
             f->impactTime[c] = -HUGE_VAL;
             f->touching[f->numTouching++] = c;
             for (int k = 0; k < 2; k++)
-                addBody(s, bodyOf(s, c, k));
+                addFlightBody(s, bodyOf(s, c, k));
         }
 }
 
@@ -189,7 +189,7 @@ static MeBool collide(MdtKeaSystem *s, int c, double t) {
     }
     f->numBodies = 0;
     for (int k = 0; k < 2; k++)
-        addBody(s, bodyOf(s, c, k));
+        addFlightBody(s, bodyOf(s, c, k));
     gather(s, t);
     if (kea_trembles(s, &f->scale)) /* too slow to rebound */
         return MEFALSE;

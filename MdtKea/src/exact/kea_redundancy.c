@@ -50,7 +50,7 @@ static double weightOf(const MdtKeaSystem *s, int i) {
     return 1 / (sum > 0 ? sum : p->Aii);
 }
 
-static void setProblem(MdtKeaSystem *s) {
+static void setRedundancyProblem(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     for (int b = 0; b < s->numBodies; b++) {
         KeaMetric *B = &q->metric[b];
@@ -82,7 +82,7 @@ void kea_minimizeRedundantForces(MdtKeaSystem *s) {
         return; /* any solution has the same effect on the bodies */
     for (int i = 0; i < s->numRows; i++)
         s->work->savedP[i] = q->row[i].p;
-    setProblem(s);
+    setRedundancyProblem(s);
     for (int i = 0; i < s->numRows; i++)
         if (q->row[i].isInactive)
             q->row[i].p = 0;

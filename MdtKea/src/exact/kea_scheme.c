@@ -54,7 +54,7 @@ static void fromAngular(const MdtKeaBody *body, KeaBody *b) {
 }
 
 /* N s: the scale of impulses: that of the loads, and a small share of the momentum. */
-static double scaleOf(const MdtKeaBody *body, const KeaBody *b, double size, double h) {
+static double impulseScaleOf(const MdtKeaBody *body, const KeaBody *b, double size, double h) {
     double dv[3], dL[3];
     keaSubtract(dv, b->freeVelocity, body->velocity);
     keaSubtract(dL, b->freeMomentum, body->angularMomentum);
@@ -82,7 +82,7 @@ void kea_beginBodies(MdtKeaSystem *s) {
         MEASSERT(body->invMass > 0 && body->moments[0] > 0 && body->moments[1] > 0 && body->moments[2] > 0);
         b->isFree = METRUE;
         fromAngular(body, b);
-        q->scale[i] = b->scale = scaleOf(body, b, b->size, s->parameters.stepsize);
+        q->scale[i] = b->scale = impulseScaleOf(body, b, b->size, s->parameters.stepsize);
         q->length[i] = b->size;
     }
 }
@@ -206,7 +206,7 @@ static void gatherStiffness(MdtKeaSystem *s) {
 
 /* Metric B = inertia / θ + geometric stiffness. Stiffness far below the inertia is left out: Newton's method converges
  * as well without it. */
-static void setMetric(const MdtKeaBody *body, const KeaBody *b, KeaMetric *B) {
+static void setBodyMetric(const MdtKeaBody *body, const KeaBody *b, KeaMetric *B) {
     const double *I = body->moments, perTheta = 1 / b->theta, min = keaMin(I[0], keaMin(I[1], I[2])) * perTheta;
     double inertia[3][3];
     meanInertia(body, b, inertia);
@@ -296,7 +296,7 @@ void kea_linearizeBodies(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++) {
         const KeaBody *b = &s->work->body[i];
         setLoad(s->bodies[i], b, &s->work->end[i], q->load[i]);
-        setMetric(s->bodies[i], b, &q->metric[i]);
+        setBodyMetric(s->bodies[i], b, &q->metric[i]);
     }
 }
 

@@ -37,7 +37,7 @@ static void jointLaw(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
 }
 
 /* The row of the inner problem for d = v - v⁺. */
-static void setRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
+static void setVelocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const MdtKeaRow *row = &s->rows[i];
     const MeBool isStop = row->contact == i || (row->position && isUnilateral(row));
     p->p0 = p->p;
@@ -57,7 +57,7 @@ static void setRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     p->r -= kea_endRate(s, i);
 }
 
-static void setMetric(MdtKeaSystem *s, int i) {
+static void setVelocityMetric(MdtKeaSystem *s, int i) {
     KeaMetric *B = &s->work->problem.metric[i];
     B->linear = 1 / s->bodies[i]->invMass;
     kea_endInertia(s, i, B->angular);
@@ -65,7 +65,7 @@ static void setMetric(MdtKeaSystem *s, int i) {
 }
 
 /* The load Jᵀ p_1. */
-static void setLoads(MdtKeaSystem *s) {
+static void setVelocityLoads(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     for (int i = 0; i < s->numBodies; i++)
         memset(q->load[i], 0, sizeof q->load[i]);
@@ -77,18 +77,18 @@ static void setLoads(MdtKeaSystem *s) {
     }
 }
 
-static void setProblem(MdtKeaSystem *s) {
+static void setVelocityProblem(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     kea_refreshRows(s, s->work->endPose, MEFALSE); /* bounds stay: p is the impulse of the whole step */
     for (int i = 0; i < s->numBodies; i++)
-        setMetric(s, i);
+        setVelocityMetric(s, i);
     kea_problemSetEffectiveMasses(q);
     for (int i = 0; i < s->numRows; i++)
-        setRow(s, i, &q->row[i]);
+        setVelocityRow(s, i, &q->row[i]);
     for (int i = 0; i < s->numRows; i++)
         if (q->row[i].partner > i)
             q->row[i].N = q->row[q->row[i].partner].N = keaMax(q->row[i].N, q->row[q->row[i].partner].N);
-    setLoads(s);
+    setVelocityLoads(s);
 }
 
 static void addVelocities(MdtKeaSystem *s, double (*added)[6]) {
@@ -159,7 +159,7 @@ static void limitEnergy(MdtKeaSystem *s, double start, double allowed) {
     KeaProblem *q = &s->work->problem;
     for (int i = 0; i < s->numRows; i++)
         q->row[i].p = q->row[i].p0 = s->work->savedP[i];
-    setProblem(s);
+    setVelocityProblem(s);
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].bounces && !q->row[i].isInactive)
             q->row[i].r -= s->rows[i].rebound;
@@ -262,7 +262,7 @@ void kea_velocityStage(MdtKeaSystem *s) {
     const MeBool isMandatory = isRequired(s);
     const double allowed = kea_energyAllowed(s);
     kea_keepRows(s);
-    setProblem(s);
+    setVelocityProblem(s);
     const double start = kea_problemResidual(q, NULL);
     const MeBool isNeeded = !s->work->usesTangentAnswer && start > kea_velocityTolerance * kea_minSpeedOfAll(s) &&
                             (isMandatory || isDiscontinuity(s, start) || alternates(s, start)) &&

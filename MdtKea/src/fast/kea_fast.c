@@ -64,7 +64,7 @@ static const KeaKernel *kernelOfMachine(void) {
     return &kea_kernel;
 }
 
-static size_t layOut(Step *p, char *memory) {
+static size_t layOutStep(Step *p, char *memory) {
     const size_t n = (size_t)p->s->numBodies, m = (size_t)p->s->numManifolds, motions = 1 + n + m;
     KeaArena arena = {memory, 0};
     p->motion = kea_carve(&arena, motions, sizeof *p->motion);
@@ -123,12 +123,12 @@ static MeBool allocateGroups(Step *p) {
     return METRUE;
 }
 
-static MeBool begin(Step *p) {
+static MeBool beginStep(Step *p) {
     MdtKeaSystem *s = p->s;
-    char *memory = kea_cacheScratch(s->cache, KEA_STEP_BLOCK, layOut(p, NULL));
+    char *memory = kea_cacheScratch(s->cache, KEA_STEP_BLOCK, layOutStep(p, NULL));
     if (!memory)
         return MEFALSE;
-    layOut(p, memory);
+    layOutStep(p, memory);
     p->regions.team = s->team;
     kea_regionsDivide(s, &p->regions);
     if (!kea_jointsBegin(s, p->regions.place, &p->joints))
@@ -698,14 +698,14 @@ static void advanceNode(void *context, KeaNode *node) {
     p->kernel->advance(p->groups + node->firstGroup, node->numGroups, p->move, (float)p->s->parameters.stepsize);
 }
 
-static void pushGroups(void *context, KeaNode *node) {
+static void pushNode(void *context, KeaNode *node) {
     const Step *p = context;
     node->sum[0] = p->kernel->push(p->groups + node->firstGroup, node->numGroups, p->displacement);
 }
 
 /* Whether some contact has moved its bodies by so much that joints open. */
 static MeBool pushContacts(Step *p) {
-    kea_inOrder(&p->regions, pushGroups, p);
+    kea_inOrder(&p->regions, pushNode, p);
     return isAnyOverNodes(&p->regions);
 }
 
@@ -765,7 +765,7 @@ static void findPositions(Step *p) {
         return;
     }
     for (int i = 0; i < KEA_POSITION_PASSES; i++)
-        kea_inOrder(&p->regions, pushGroups, p);
+        kea_inOrder(&p->regions, pushNode, p);
     setEndPoses(p);
 }
 
@@ -814,7 +814,7 @@ static void clearForces(MdtKeaSystem *s) {
 void kea_fastSolve(MdtKeaSystem *s) {
     KeaNode nodes[KEA_MAX_NODES]; /* no initializer: 24 kB, of which most partitions use two nodes */
     Step p = {.s = s, .kernel = kernelOfMachine(), .regions.node = nodes};
-    if (!begin(&p)) {
+    if (!beginStep(&p)) {
         s->report.capped = METRUE;
         clearForces(s);
         for (int i = 0; i < s->numBodies; i++)

@@ -40,7 +40,7 @@ static double invEffectiveMassOf(const MdtKeaSystem *s, const KeaJointRow *r) {
 }
 
 /* The row's Jacobian, as it is now. */
-static void copyJacobian(KeaJointRow *r) {
+static void copyJointJacobian(KeaJointRow *r) {
     for (int k = 0; k < 2; k++) {
         keaCopy(r->J[k], r->row->J[k].lin);
         keaCopy(r->J[k] + 3, r->row->J[k].ang);
@@ -69,10 +69,10 @@ static void setPosition(double h, KeaJointRow *r) {
                                   : keaMax(row->target, row->drift);
 }
 
-static void setRow(const MdtKeaSystem *s, KeaJointRow *r) {
+static void setJointRow(const MdtKeaSystem *s, KeaJointRow *r) {
     const MdtKeaRow *row = r->row;
     const double h = s->parameters.stepsize;
-    copyJacobian(r);
+    copyJointJacobian(r);
     r->invEffectiveMass = invEffectiveMassOf(s, r);
     r->length = kea_lengthOf(s, row);
     r->perSize = r->length / kea_smallerExtent(s, row->body);
@@ -100,7 +100,7 @@ static void addAlong(const KeaJointRow *r, double a, double (*x)[6]) {
         if (r->node[k] >= 0)
             kea_addScaled6(x[r->node[k]], a, r->J[k]);
 }
-static double rateOf(const KeaJointRow *r, double (*const x)[6]) {
+static double jointRateOf(const KeaJointRow *r, double (*const x)[6]) {
     KeaTwo rate = {0, 0};
     for (int k = 0; k < 2; k++)
         for (int i = 0; r->node[k] >= 0 && i < 6; i += 2)
@@ -172,7 +172,7 @@ static MeBool factorizeWith(const MdtKeaSystem *s, const KeaJoints *j, const Kea
 /* Where masses differ so much that S is not positive definite in double precision, a larger N is tried. Where even that
  * of A_ii fails, the block's joints have no force in this step. Only where no larger one was needed, blocks are
  * inverted: products with inverses lose digits that the factors keep. */
-static void factorize(const MdtKeaSystem *s, const KeaJoints *j, KeaJointBlock *b) {
+static void factorizeBlock(const MdtKeaSystem *s, const KeaJoints *j, KeaJointBlock *b) {
     b->isInverted = b->isSound = factorizeWith(s, j, b, kea_proximalLimit);
     for (double soft = kea_softerJoint * kea_proximalLimit; soft <= 1 && !b->isSound; soft *= kea_softerJoint)
         b->isSound = factorizeWith(s, j, b, soft);
@@ -220,7 +220,7 @@ static void sortRows(const MdtKeaSystem *s, KeaJoints *j) {
 }
 
 /* Gives a body its number in the block, if it has none yet. */
-static void addBody(const MdtKeaSystem *s, const int place[], KeaJoints *j, KeaJointBlock *b, int body) {
+static void addJointBody(const MdtKeaSystem *s, const int place[], KeaJoints *j, KeaJointBlock *b, int body) {
     if (body >= 0 && j->node[body] < 0) {
         KeaJointBody *own = &j->body[b->firstNode + b->numNodes];
         j->node[body] = b->numNodes++;
@@ -233,7 +233,7 @@ static void addBody(const MdtKeaSystem *s, const int place[], KeaJoints *j, KeaJ
 
 /* The stiffness of an impulse P of the last step whose arm r turns with the body: h times the symmetric part of
  * (P·r) 1 - r Pᵀ. */
-static void addStiffness(double K[3][3], double h, const double P[3], const double r[3]) {
+static void addJointStiffness(double K[3][3], double h, const double P[3], const double r[3]) {
     const double Pr = keaDot(P, r);
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
@@ -249,7 +249,7 @@ static void sumStiffness(const MdtKeaSystem *s, KeaJoints *j, const KeaJointBloc
             if (row->body[k] < 0 || !(row->position || row->spring))
                 continue;
             keaScale(P, h * row->force, row->J[k].lin);
-            addStiffness(j->body[b->firstNode + j->node[row->body[k]]].stiffness, h, P, row->arm[k]);
+            addJointStiffness(j->body[b->firstNode + j->node[row->body[k]]].stiffness, h, P, row->arm[k]);
         }
     }
 }
@@ -289,7 +289,7 @@ void kea_jointsSetMomenta(MdtKeaSystem *s, const KeaJoints *j) {
 static void setBodies(MdtKeaSystem *s, const int place[], KeaJoints *j, KeaJointBlock *b) {
     for (int i = b->firstRow; i < b->firstRow + b->numRows; i++)
         for (int k = 0; k < 2; k++)
-            addBody(s, place, j, b, j->sorted[i]->body[k]);
+            addJointBody(s, place, j, b, j->sorted[i]->body[k]);
     sumStiffness(s, j, b);
     for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++)
         addToInertia(s, &j->body[n]);
@@ -308,7 +308,7 @@ static void setRows(const MdtKeaSystem *s, KeaJoints *j, KeaJointBlock *b) {
             for (int k = 0; k < 2; k++)
                 r->node[k] = row->body[k] >= 0 ? j->node[row->body[k]] : -1;
             r->edge = r->node[0] >= 0 && r->node[1] >= 0 ? kea_graphEdge(&j->graph, r->node[0], r->node[1]) : -1;
-            setRow(s, r);
+            setJointRow(s, r);
         }
         b->numTied = bounded ? b->numTied : at - b->firstRow;
     }
@@ -403,7 +403,7 @@ MeBool kea_jointsBegin(MdtKeaSystem *s, const int place[], KeaJoints *j) {
     if (!allocateArrays(s, j))
         return MEFALSE;
     for (int i = 0; i < j->numBlocks; i++)
-        factorize(s, j, &j->block[i]);
+        factorizeBlock(s, j, &j->block[i]);
     return METRUE;
 }
 
@@ -488,10 +488,10 @@ static void findResponse(const MdtKeaSystem *s, const KeaJointBlock *b, KeaJoint
     memset(response, 0, (size_t)b->numNodes * sizeof *response);
     addAlong(r, 1, response);
     solveWithFactor(b, response[0]);
-    r->invMassInBlock = rateOf(r, response);
+    r->invMassInBlock = jointRateOf(r, response);
 }
 
-static void addResponse(const KeaJoints *j, const KeaJointBlock *b, const KeaJointRow *r, double impulse) {
+static void addJointResponse(const KeaJoints *j, const KeaJointBlock *b, const KeaJointRow *r, double impulse) {
     double(*x)[6] = unknownsOf(j, b);
     if (b->isWide) {
         for (int k = 0; k < 2; k++)
@@ -511,7 +511,7 @@ static double guessOf(const KeaJointRow *r, double beta) {
 
 /* Returns its part of the criterion of restarts (KeaKernel.pass), in which impulses of angular rows are divided by the
  * bodies' size. */
-static double setImpulse(KeaJointRow *r, double guess, double next) {
+static double setJointImpulse(KeaJointRow *r, double guess, double next) {
     const double uphill = -(next - guess) * (next - r->impulse) * r->perSquare;
     r->before = r->impulse;
     r->impulse = next;
@@ -522,7 +522,7 @@ static void setResiduals(const KeaJoints *j, const KeaJointBlock *b, const KeaMo
     double(*const v)[6] = motionsOf(j, b, motion);
     for (int i = b->firstRow; i < b->firstRow + b->numRows; i++) {
         KeaJointRow *r = &j->row[i];
-        r->residual = r->target - rateOf(r, v) - r->compliance * guessOf(r, beta);
+        r->residual = r->target - jointRateOf(r, v) - r->compliance * guessOf(r, beta);
     }
 }
 
@@ -531,14 +531,14 @@ static double visitBounded(const MdtKeaSystem *s, const KeaJoints *j, const KeaJ
                            double beta) {
     if (r->isInactive)
         return 0;
-    const double guess = guessOf(r, beta), residual = r->residual - rateOf(r, unknownsOf(j, b));
+    const double guess = guessOf(r, beta), residual = r->residual - jointRateOf(r, unknownsOf(j, b));
     if ((guess == r->lower && residual <= 0) || (guess == r->upper && residual >= 0))
-        return setImpulse(r, guess, guess);
+        return setJointImpulse(r, guess, guess);
     if (r->invMassInBlock == 0)
         findResponse(s, b, r);
     const double next = keaMin(keaMax(guess + residual / (r->invMassInBlock + r->compliance), r->lower), r->upper);
-    addResponse(j, b, r, next - guess);
-    return setImpulse(r, guess, next);
+    addJointResponse(j, b, r, next - guess);
+    return setJointImpulse(r, guess, next);
 }
 
 static double visitAllBounded(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, double beta) {
@@ -567,7 +567,7 @@ static double visitBlock(const MdtKeaSystem *s, const KeaJoints *j, const KeaJoi
     for (int i = b->firstRow; i < b->firstRow + b->numTied; i++) {
         KeaJointRow *r = &j->row[i];
         const double guess = guessOf(r, beta);
-        uphill += setImpulse(r, guess, guess + r->weight * (r->residual - rateOf(r, unknownsOf(j, b))));
+        uphill += setJointImpulse(r, guess, guess + r->weight * (r->residual - jointRateOf(r, unknownsOf(j, b))));
     }
     moveBodies(j, b, motion);
     return uphill;
@@ -604,7 +604,7 @@ double kea_jointsResidual(const KeaJoints *j, const KeaMotion motion[], const Ke
         for (int k = b->firstRow; k < b->firstRow + b->numRows; k++) {
             if (j->row[k].isInactive)
                 continue;
-            const double residual = residualOf(&j->row[k], rateOf(&j->row[k], v));
+            const double residual = residualOf(&j->row[k], jointRateOf(&j->row[k], v));
             max = keaMax(max, residual);
             *excess = keaMax(*excess, residual / toleranceOf(j, b, &j->row[k], t));
         }
@@ -655,7 +655,7 @@ double kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displace
             if (!r->isRigid)
                 continue;
             const double error = j->errors[r->row - s->rows] - (r->targetError - h * r->row->softness * r->impulse);
-            r->jointError = error - rateOf(r, v);
+            r->jointError = error - jointRateOf(r, v);
             max = keaMax(max, opening(r, violationOf(r, error)));
             all = keaMax(all, opening(r, violationOf(r, j->errors[r->row - s->rows])));
         }
@@ -672,9 +672,9 @@ void kea_jointsTurn(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displacement[
         double(*const v)[6] = motionsOf(j, &j->block[i], displacement);
         for (int k = j->block[i].firstRow; k < j->block[i].firstRow + j->block[i].numRows; k++) {
             KeaJointRow *r = &j->row[k];
-            const double before = rateOf(r, v);
-            copyJacobian(r);
-            r->jointError += before - rateOf(r, v);
+            const double before = jointRateOf(r, v);
+            copyJointJacobian(r);
+            r->jointError += before - jointRateOf(r, v);
         }
     }
     kea_jointsRefill(s, j);
@@ -684,22 +684,22 @@ void kea_jointsRefill(const MdtKeaSystem *s, KeaJoints *j) {
     for (int i = 0; i < j->numBlocks; i++) {
         KeaJointBlock *b = &j->block[i];
         for (int k = b->firstRow; k < b->firstRow + b->numRows; k++) {
-            copyJacobian(&j->row[k]);
+            copyJointJacobian(&j->row[k]);
             j->row[k].invMassInBlock = 0;
         }
-        factorize(s, j, b);
+        factorizeBlock(s, j, b);
     }
 }
 
 /* Removes the violation of a stop; it does not pull back to the stop. */
 static void pushStop(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, KeaJointRow *r) {
-    const double residual = r->residual - rateOf(r, unknownsOf(j, b));
+    const double residual = r->residual - jointRateOf(r, unknownsOf(j, b));
     const double need = r->lower == 0 ? keaMax(residual, 0) : keaMin(residual, 0);
     if (!r->isRigid || r->isInactive || need == 0)
         return;
     if (r->invMassInBlock == 0)
         findResponse(s, b, r);
-    addResponse(j, b, r, need / r->invMassInBlock);
+    addJointResponse(j, b, r, need / r->invMassInBlock);
 }
 
 /* Scales a pass's displacements down to the largest turn for which errors are linear in them (kea_maxPush). */
@@ -720,7 +720,7 @@ static double setPositionResiduals(const KeaJoints *j, const KeaJointBlock *b, c
     double max = 0;
     for (int k = b->firstRow; k < b->firstRow + b->numRows; k++) {
         KeaJointRow *r = &j->row[k];
-        r->residual = r->isRigid ? -(r->jointError + rateOf(r, v)) : 0;
+        r->residual = r->isRigid ? -(r->jointError + jointRateOf(r, v)) : 0;
         max = keaMax(max, opening(r, violationOf(r, -r->residual)));
     }
     return max;

@@ -110,7 +110,7 @@ static double roundingOf(const KeaProblemRow *row) {
 }
 
 /* B d + g at d + step * direction. */
-static void setLoads(KeaProblem *q, double step) {
+static void setInnerLoads(KeaProblem *q, double step) {
     for (int b = 0; b < q->numBodies; b++) {
         double *g = q->gradient[b], d[6];
         for (int i = 0; i < 6; i++)
@@ -128,7 +128,7 @@ static void subtractForce(KeaProblem *q, const KeaProblemRow *row) {
 }
 
 void kea_newtonGradient(KeaProblem *q) {
-    setLoads(q, 0);
+    setInnerLoads(q, 0);
     for (int i = 0; i < q->numRows; i++)
         subtractForce(q, &q->row[i]);
 }
@@ -136,7 +136,7 @@ void kea_newtonGradient(KeaProblem *q) {
 /* The tolerances allow for the rounding of r and J d in p. */
 double kea_newtonError(KeaProblem *q, double step) {
     double worst = 0;
-    setLoads(q, step);
+    setInnerLoads(q, step);
     for (int b = 0; b < q->numBodies; b++)
         q->tolerance[b] = kea_newtonTolerance * q->scale[b];
     for (int i = 0; i < q->numRows; i++) {

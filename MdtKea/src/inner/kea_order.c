@@ -251,7 +251,7 @@ static void eliminate(Elimination *g, int t, int v) {
 
 /* ---- all turns ---- */
 
-static void layOut(Elimination *g, size_t n, size_t edges, size_t weights, KeaArena *a) {
+static void layOutElimination(Elimination *g, size_t n, size_t edges, size_t weights, KeaArena *a) {
     KeaOrder *o = g->order;
     o->node = kea_carve(a, n, sizeof *o->node);
     o->turn = kea_carve(a, n, sizeof *o->turn);
@@ -313,11 +313,11 @@ MeBool kea_orderFind(KeaOrder *o, int numNodes, const int size[], int numEdges, 
     int numWeights = 1;
     for (int i = 0; i < numNodes; i++)
         numWeights += size[i];
-    layOut(&g, (size_t)numNodes, (size_t)numEdges, (size_t)numWeights, &arena);
+    layOutElimination(&g, (size_t)numNodes, (size_t)numEdges, (size_t)numWeights, &arena);
     if (!kea_blockReserve(&o->work, 0, arena.used, "the order of elimination") || !makeRoomForRows(o, 0, 2 * numEdges))
         return MEFALSE;
     arena = (KeaArena){o->work.memory, 0};
-    layOut(&g, (size_t)numNodes, (size_t)numEdges, (size_t)numWeights, &arena);
+    layOutElimination(&g, (size_t)numNodes, (size_t)numEdges, (size_t)numWeights, &arena);
     o->numNodes = numNodes;
     clear(&g, numNodes, numWeights);
     divideSlots(&g, numNodes, numEdges, edges);

@@ -6,7 +6,7 @@
 
 /* ---- memory ---- */
 
-static size_t layOut(KeaFactor *f, char *memory) {
+static size_t layOutFactor(KeaFactor *f, char *memory) {
     const size_t n = (size_t)f->numNodes, m = (size_t)f->numEdges, k = (size_t)f->numEntries;
     KeaArena a = {memory, 0};
     f->size = kea_carve(&a, n, sizeof *f->size);
@@ -23,7 +23,7 @@ static size_t layOut(KeaFactor *f, char *memory) {
 }
 
 void kea_structureMove(KeaFactor *f, char *memory) {
-    layOut(f, memory);
+    layOutFactor(f, memory);
 }
 
 size_t kea_structureLayOutNumbers(KeaFactor *f, char *memory) {
@@ -60,7 +60,7 @@ size_t kea_structurePlan(KeaFactor *f, const KeaOrder *o, const int size[], int 
         measureColumn(f, o, size, i);
     for (int e = 0; e < numEdges; e++)
         f->inputSize += (size_t)(size[edges[e][0]] * size[edges[e][1]]);
-    return layOut(f, NULL);
+    return layOutFactor(f, NULL);
 }
 
 /* ---- writing ---- */
@@ -156,7 +156,7 @@ static inline MeBool hasSortedColumns(const KeaFactor *f) {
 }
 
 void kea_structureWrite(KeaFactor *f, char *memory, const KeaOrder *o, const int size[], const int (*edges)[2]) {
-    layOut(f, memory);
+    layOutFactor(f, memory);
     copyGraph(f, size, edges);
     listSources(f, o);
     writeColumns(f, o);

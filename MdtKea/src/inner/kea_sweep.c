@@ -29,7 +29,7 @@
 #include <math.h>
 #include <string.h>
 
-static void addResponse(double *d, const KeaMetric *B, double p, const double J[6]) {
+static void addRowResponse(double *d, const KeaMetric *B, double p, const double J[6]) {
     double turn[3];
     keaApply(turn, B->inverse, J + 3);
     for (int i = 0; i < 3; i++) {
@@ -41,7 +41,7 @@ static void addResponse(double *d, const KeaMetric *B, double p, const double J[
 static void addImpulse(KeaProblem *q, const KeaProblemRow *row, double p) {
     for (int k = 0; k < 2 && p != 0; k++)
         if (row->body[k] >= 0)
-            addResponse(q->d[row->body[k]], &q->metric[row->body[k]], p, row->J[k]);
+            addRowResponse(q->d[row->body[k]], &q->metric[row->body[k]], p, row->J[k]);
 }
 
 static double rateOfChange(const KeaProblem *q, const KeaProblemRow *row) {
@@ -59,7 +59,7 @@ static void setMotion(KeaProblem *q) {
         for (int i = 0; i < 6; i++)
             minus[i] = -q->load[b][i];
         memset(q->d[b], 0, sizeof q->d[b]);
-        addResponse(q->d[b], &q->metric[b], 1, minus);
+        addRowResponse(q->d[b], &q->metric[b], 1, minus);
     }
     for (int i = 0; i < q->numRows; i++)
         addImpulse(q, &q->row[i], q->row[i].p);
@@ -161,7 +161,7 @@ static double freeImpulse(const KeaProblem *q, const KeaProblemRow *row, double 
     return !(unit > 0) ? 0 : row->p + (row->r - rateOfChange(q, row) - row->E * row->p) / unit;
 }
 
-static void setImpulse(KeaProblem *q, KeaProblemRow *row, double p) {
+static void sweepImpulse(KeaProblem *q, KeaProblemRow *row, double p) {
     addImpulse(q, row, p - row->p);
     row->p = p;
 }
@@ -171,7 +171,7 @@ static void relaxFriction(KeaProblem *q, int i) {
     setFrictionBound(q, row);
     const double bound = row->frictionBound;
     if (row->isForced) {
-        setImpulse(q, row, row->forced * bound);
+        sweepImpulse(q, row, row->forced * bound);
     } else if (other && !other->isForced) {
         if (row->partner < i)
             return; /* with its partner */
@@ -179,11 +179,11 @@ static void relaxFriction(KeaProblem *q, int i) {
         const double a = freeImpulse(q, row, unit), b = freeImpulse(q, other, unit), size = keaHypotenuse(a, b);
         const double share = size > bound ? bound / size : 1;
         other->frictionBound = bound;
-        setImpulse(q, row, share * a);
-        setImpulse(q, other, share * b);
+        sweepImpulse(q, row, share * a);
+        sweepImpulse(q, other, share * b);
     } else {
         const double p = freeImpulse(q, row, row->Aii + row->E);
-        setImpulse(q, row, keaMin(keaMax(p, keaMax(row->lower, -bound)), keaMin(row->upper, bound)));
+        sweepImpulse(q, row, keaMin(keaMax(p, keaMax(row->lower, -bound)), keaMin(row->upper, bound)));
     }
 }
 
@@ -194,7 +194,7 @@ static void relaxRow(KeaProblem *q, int i) {
     if (row->normal >= 0)
         relaxFriction(q, i);
     else if (row->Aii > 0)
-        setImpulse(q, row, clampToBounds(row, freeImpulse(q, row, row->Aii + row->E)));
+        sweepImpulse(q, row, clampToBounds(row, freeImpulse(q, row, row->Aii + row->E)));
 }
 
 /* ---- acceleration ---- */
