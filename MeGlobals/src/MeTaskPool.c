@@ -131,14 +131,15 @@ static MeTaskPoolID createPool(int workers) {
 }
 
 MeTaskPoolID MEAPI MeTaskPoolCreate(int workers) {
-    const int taken = MeCLAMP(workers, 1, MeTaskMaxWorkers);
-    if (taken != workers)
+    const int clamped = MeCLAMP(workers, 1, MeTaskMaxWorkers);
+    if (clamped != workers)
         MeWarning(1, "MeTaskPoolCreate: %d workers: there must be 1 .. %d; there are %d", workers, MeTaskMaxWorkers,
-                  taken);
-    MeTaskPoolID p = createPool(taken);
-    while (p && p->numThreads < taken - 1) {
+                  clamped);
+    MeTaskPoolID p = createPool(clamped);
+    while (p && p->numThreads < clamped - 1) {
         if (pthread_create(&p->thread[p->numThreads], NULL, work, p) != 0) {
-            MeWarning(1, "MeTaskPoolCreate: the system starts no more than %d threads of %d", p->numThreads, taken - 1);
+            MeWarning(1, "MeTaskPoolCreate: the system starts no more than %d threads of %d", p->numThreads,
+                      clamped - 1);
             MeTaskPoolDestroy(p);
             return NULL;
         }

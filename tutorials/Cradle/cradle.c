@@ -27,7 +27,7 @@ static const MeReal startAngle = (MeReal)0.7; /* rad */
 static McdModelID ball[BALLS];
 static MdtSpringID thread[THREADS];
 static int released = 1;
-static int mostRight; /* balls that were out on the right at a time, since the start */
+static int rightmost; /* balls that were out on the right at a time, since the start */
 static double energyAtStart;
 
 /* ---- the cradle -------------------------------------------------------------------------------------------------- */
@@ -140,7 +140,7 @@ static void MEAPI Reset(RRender *context, void *userdata) {
     (void)context, (void)userdata;
     for (int i = 0; i < BALLS; i++)
         placeBall(i, i < released ? -startAngle : 0);
-    mostRight = 0;
+    rightmost = 0;
     energyAtStart = energy();
 }
 
@@ -155,11 +155,11 @@ static void MEAPI Tick(RRender *context) {
     for (int k = 0; k < steps; k++)
         MstUniverseStep(playUniverse, playFrame / (MeReal)steps);
     drawThreads();
-    mostRight = MeMAX(mostRight, countOut(1));
+    rightmost = MeMAX(rightmost, countOut(1));
     snprintf(text, sizeof text,
              "released %d    out on the left %d, on the right %d    most on the right %d    momentum %.2f kg m/s    "
              "energy %.2f J, %+.3f %%",
-             released, countOut(-1), countOut(1), mostRight, momentum(), energy(),
+             released, countOut(-1), countOut(1), rightmost, momentum(), energy(),
              100 * (energy() / energyAtStart - 1));
     RRenderSetStatusText(playRc, text);
 }

@@ -62,7 +62,7 @@ struct MdtWorld {
     int numWorkers;
     MeTeam *team;  /* null: there is one worker */
     int *taskOf;   /* partitions by task, and where tasks begin among them (mdt_parallel.c) */
-    MeStage stage; /* at which of the levels MDT_HOLD_... it is held */
+    MeStage stage; /* at which of the levels MDT_GUARD_... it is */
 
     /* Arrays of a step have room for so many; they are made larger before a step only (mdt_worldReserve). */
     int bodyRoom, constraintRoom;

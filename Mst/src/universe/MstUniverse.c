@@ -46,11 +46,11 @@ static const char *missingMember(const MstUniverse *u) {
 }
 
 static MeBool isWhole(const MstUniverse *u, const char *function) {
-    const char *part = missingMember(u);
-    if (part)
+    const char *member = missingMember(u);
+    if (member)
         MeWarning(1, "%s: the universe's %s has been destroyed; it ends with the universe: see MstUniverseDestroy",
-                  function, part);
-    return !part;
+                  function, member);
+    return !member;
 }
 
 /* Is none of its parts in use? Else a message. */
