@@ -101,7 +101,7 @@ typedef struct KeaEventScale {
 /* Bodies in flight (exact/kea_flight.c). */
 typedef struct KeaFlight {
     KeaEventScale scale;        /* as flight began */
-    double end, min;            /* s: of the step; the least way on to a meeting that was foreseen too early */
+    double end, min;            /* s: of the step; the shortest time on to an impact that was foreseen too early */
     double *time;               /* s, by body: up to when it has been moved */
     double *impactTime;         /* s, by contact: when its bodies meet next; -HUGE_VAL: they do, in this impact */
     int *start, *list;          /* the contacts of body b: list[start[b] .. start[b + 1]) */

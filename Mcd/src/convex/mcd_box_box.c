@@ -59,7 +59,7 @@ static MeBool facesOfA(const Boxes *x, double limit, Best *best) {
     return compareFaces(separation, 0, limit, 0, best);
 }
 
-/* Of the way between the centres, the part along b's axis j. */
+/* Of the offset of the centres, the part along b's axis j. */
 static double alongB(const Boxes *x, int j) {
     const double axis[3] = {x->turn[0][j], x->turn[1][j], x->turn[2][j]};
     return mcd_dot(x->offset, axis);

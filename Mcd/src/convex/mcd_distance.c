@@ -53,7 +53,7 @@ double mcd_separationAlong(const McdShape *a, const McdShape *b, const double n[
     return mcd_dot(x, n);
 }
 
-/* ---- apart ------------------------------------------------------------------------------------------------- */
+/* ---- separated ------------------------------------------------------------------------------------------- */
 
 typedef struct Simplex {
     int count;

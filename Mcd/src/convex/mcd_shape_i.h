@@ -146,7 +146,7 @@ typedef struct McdManifoldPoint {
 typedef struct McdManifold {
     double normal[3]; /* from b to a, length 1 */
     int count;
-    double minGap; /* m: without points, the surfaces are so far apart at least; 0: it is not known */
+    double minGap; /* m: without points, a lower bound of the gap between the surfaces; 0: not known */
     McdManifoldPoint point[MCD_MANIFOLD_POINTS];
 } McdManifold;
 

@@ -242,7 +242,7 @@ static double extentOfSpots(const McdSpot *spot, int count) {
     return sqrt(dot(d, d));
 }
 
-/* Counts one that is chosen now. What is no number is not apart from anything: it is not chosen. */
+/* Counts one that is chosen now. What is no number is at distance 0: it is not chosen. */
 static void updateDistances(McdSpot *spot, int count, const McdSpot *chosen, double size) {
     for (int i = 0; i < count; i++) {
         const double distance2 = differenceSquared(&spot[i], chosen, size);

@@ -47,7 +47,7 @@ void mcd_meshFindContacts(McdMeshQuery *q);
 
 /* ---- contacts during a step (mcd_mesh_sweep.c) ------------------------------------------------------------------ */
 
-/* Takes the contacts of a ball to where its way leads. */
+/* Moves the contacts of a ball to where it comes to in the step. */
 void mcd_meshSweep(McdMeshQuery *q);
 
 /* ---- contacts along a given normal (mcd_mesh_clip.c) ------------------------------------------------------------- */

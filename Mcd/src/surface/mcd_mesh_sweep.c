@@ -1,15 +1,15 @@
-/* Contacts of a ball along its way. Contacts act throughout a step, in which a ball that rolls over triangles goes from
- * one to the next. Those of its start alone would hold it up on the first one's plane, beyond an edge behind which the
- * surface falls, and let it into the next one, where the surface rises: both by the way times the edge's angle, of
- * first order in the step. So
+/* Contacts of a ball along its displacement. They act throughout a step, in which a ball that rolls over triangles goes
+ * from one to the next. Those of its start alone would hold it up on the first one's plane, beyond an edge behind which
+ * the surface falls, and let it into the next one, where the surface rises: both by the displacement times the edge's
+ * angle, of first order in the step. So
  *
  *     where the surface falls away below a contact, its normal is that of the chord: from where the ball is to where it
- *     touches the surface after its way. Along that it comes to be on the surface, and no work is done;
+ *     touches the surface after its displacement. Along that it comes to be on the surface, and no work is done;
  *     the first triangle whose plane it comes down to, over the triangle, is a contact ahead, with the gap of now. The
  *     narrow phase does not find it, as what is nearest there is still the edge between both, which has no normal.
  *
- * The way is that of the velocities now, as for all contacts ahead (mcd_pairMargin). Other shapes than balls touch with
- * points whose ways differ; their contacts are those of now. */
+ * The displacement is that of the velocities now, as for all contacts ahead (mcd_pairMargin). Other shapes than balls
+ * touch with points whose displacements differ; their contacts are those of now. */
 #include "convex/mcd_kind_i.h"
 #include "surface/mcd_mesh_stages_i.h"
 
@@ -77,7 +77,7 @@ static double distanceToSurface(const McdMeshQuery *q, const double point[3], do
     return sqrt(min);
 }
 
-/* Where the surface falls away below the contact on the way, the way bends with it: the normal is that of the chord to
+/* Where the surface falls away below the contact, the path bends with it: the normal is that of the chord to
  * where the ball touches then. */
 static void followSurface(const McdMeshQuery *q, McdMeshContact *c) {
     double displacement[3], end[3], nearest[3], chord[3];
@@ -101,8 +101,8 @@ static MeBool hasContactAlong(const McdMesh *mesh, const double normal[3]) {
     return MEFALSE;
 }
 
-/* The share of the way after which the ball, which is over the triangle's plane, comes down to it where the triangle
- * is; infinite: it does not. */
+/* The share of the displacement after which the ball, which is over the triangle's plane, comes down to it where the
+ * triangle is; infinite: it does not. */
 static double touchOnSweep(const McdMeshQuery *q, const McdMeshTriangle *t, double *gap) {
     const double fall = -mcd_dot(q->displacement, t->normal);
     double end[3], in, out;
@@ -116,7 +116,7 @@ static double touchOnSweep(const McdMeshQuery *q, const McdMeshTriangle *t, doub
                : INFINITY;
 }
 
-/* The first triangle that the ball comes to on its way, unless there is a contact along its normal. */
+/* The first triangle that the ball comes to, unless there is a contact along its normal. */
 static void addContactAhead(McdMeshQuery *q) {
     const McdMeshTriangle *first = NULL;
     double soonest = INFINITY, gap = 0, at[3];

@@ -8,7 +8,7 @@
 
 enum { MDT_TIMED_BODIES = 8, MDT_NO_REPORTS = -1 };
 /* Bodies, at least, that make batches (mdt_batch.c), partitions that all workers take together (mdt_parallel.c), and
- * crowds of which impacts that take energy are followed only while all fly (mdt_maxConstrained). */
+ * islands of which impacts that take energy are followed only while all fly (mdt_maxConstrained). */
 enum { MDT_LARGE_ISLAND = 64 };
 /* One of so many bodies that bounce may be held, for their impacts to be met in time. Measured, and no test tells 4
  * from 8: 216 balls a hundredth apart that land with 4 m/s lose 4, 4, 2 and 14 % of the energy in 5 s with 2, 4, 8, 16,

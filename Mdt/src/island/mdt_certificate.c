@@ -1,7 +1,7 @@
 /* Rest certificate: a partition at rest, in which nothing has changed since the last step, is not solved again.
  *
  * A step settles a partition if it was taken whole, if Kea's answer is within its tolerances, and if all bodies are at
- * rest: their velocities below Kea's threshold of rest, or, in crowds (mayStand), in balance and slower than the
+ * rest: their velocities below Kea's threshold of rest, or, in large islands (mayStand), in balance and slower than the
  * accuracy. Below the exact solver's threshold gamma has no position errors left to relax; by the fast one bodies have
  * to rest for as long as it takes to do so. The bodies then stay where they are, bit for bit,
  * so that contacts are found again as they were. In the next step the inputs may be the same to the last bit: then so
@@ -185,7 +185,7 @@ static MdtKeaVelocity meanVelocity(const MdtIsland *p, int i) {
 /* m/s: of the fast solver, ten times its threshold of rest is the accuracy (kea_restingShare). */
 enum { MDT_SWAY = 10 };
 
-/* Whether bodies stand where their forces balance their loads and they are slower than the accuracy: a crowd sways
+/* Whether bodies stand where their forces balance their loads and they are slower than the accuracy: a heap sways
  * within its resting depths for long after. The same forces hold it standing. Joints close for longer; what rolls goes
  * on at any speed, and so does what slides without friction. */
 static MeBool mayStand(const MdtIsland *p) {

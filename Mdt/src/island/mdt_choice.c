@@ -295,7 +295,7 @@ static MdtReportWhy reasonForExact(const MdtIsland *p) {
 }
 
 /* Rows 1 to 6 of the table. Bodies that keep their energy, of which only few are held, are met one after the other
- * (mdt_subdivide.c): the fast solver loses rebounds that follow each other. Of a crowd in flight the centre of mass
+ * (mdt_subdivide.c): the fast solver loses rebounds that follow each other. Of a swarm in flight the centre of mass
  * moves as a free body by the fast solver, which the exact one takes for what it does not meet in time to the end's
  * velocity. What the fast solver leaves of joints alone may drive them: its answer has to meet the accuracy. */
 static MdtReportWhy reasonOf(const MdtIsland *p) {

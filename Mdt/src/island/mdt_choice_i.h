@@ -1,4 +1,4 @@
-/* Inside Mdt: the choice between Kea's solvers, the way in which a partition's step is taken, and room for it. */
+/* Inside Mdt: the choice between Kea's solvers, the path of a partition's step, and room for it. */
 #ifndef MDT_CHOICE_I_H
 #define MDT_CHOICE_I_H
 
@@ -32,7 +32,7 @@ void mdt_choiceNote(const MdtIsland *p, MdtIslandRecord *r);
 /* The world's accounts are full. */
 void mdt_choicesReset(MdtWorldID w);
 
-/* ---- the way of a step (mdt_path.c) ---- */
+/* ---- the path of a step (mdt_path.c) ---- */
 
 /* Which of Kea's solvers takes the parts from now on. The scratch memory that was taken for the exact one is enough for
  * the fast one. */
@@ -40,7 +40,7 @@ void mdt_islandSetFast(MdtIsland *p, MeBool isFast);
 /* How many bodies may be held, at most, in a partition whose impacts are met in time, one after the other; 0: none. */
 int mdt_maxConstrained(const MdtIsland *p);
 
-/* A report notes a way in which a part was taken. */
+/* A report notes the path of a sub-step. */
 void mdt_reportPath(MdtReport *r, MdtReportWay path);
 /* An impact at the start of a part; a part that ends early, at an event; a step that is halved. */
 void mdt_reportImpact(MdtReport *r);

@@ -1,4 +1,4 @@
-/* The way in which a partition's step is taken: by which of Kea's solvers, through how many impacts, and what its
+/* The path of a partition's step: by which of Kea's solvers, through how many impacts, and what its
  * report says of that. */
 #include "island/mdt_choice_i.h"
 
@@ -9,8 +9,8 @@ void mdt_islandSetFast(MdtIsland *p, MeBool isFast) {
     p->kea.maxContacts = isFast ? 0 : p->numContacts;
 }
 
-/* Impacts of a crowd that keeps its energy are followed also where some bodies are held, with a solve at each event; of
- * other crowds only as long as all bodies fly. */
+/* Impacts of a large island that keeps its energy are followed also where some bodies are held, with a solve at each
+ * event; of other large islands only as long as all bodies fly. */
 int mdt_maxConstrained(const MdtIsland *p) {
     if (p->world->timedBodies == 0 || (p->numBodies >= MDT_LARGE_ISLAND && p->losesEnergy))
         return 0;

@@ -27,7 +27,7 @@ static double radiusOf(const MdtBody *b) {
     return fmax(sqrt(fmax(I[0], fmax(I[1], I[2])) * b->kea.invMass), min);
 }
 
-/* m: it is still if its way is no longer than this. */
+/* m: it is still if its displacement is no longer than this. */
 static double stillDistance(double radius) {
     return stayingReach * radius;
 }
@@ -96,7 +96,7 @@ static void addDisplacement(MdtStay *s, const double displacement[6], double sti
 }
 
 /* What comes back twice swings or trembles, unless it goes a tenth farther in between. Once is not enough: so does what
- * turns slowly near an end of its way. */
+ * turns slowly near an end of its path. */
 static void countReturns(MdtStay *s, double distance, double h) {
     const MeBool isBack = distance < 0.5 * s->farthest;
     s->farthest = fmax(s->farthest, distance);

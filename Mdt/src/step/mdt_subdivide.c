@@ -300,7 +300,7 @@ static Following solveToEventOrHalf(MdtIsland *p, double remaining, double min, 
 }
 
 /* The most events at which a part is divided. A column of n balls that lands has n (n + 1)/2 impacts, as the lowest one
- * hits the ground once for each of them; so has each column of a crowd that is as high as it is wide, (n + 1)/2 for
+ * hits the ground once for each of them; so has each column of a heap that is as high as it is wide, (n + 1)/2 for
  * each ball. Where nothing rebounds, one event, and another that follows from it, as where a box comes down on one edge
  * and then on the other: what meets after that is held at the end of the step, no more than a step too late. */
 static int maxEvents(const MdtIsland *p) {
@@ -334,7 +334,7 @@ static void advanceTimed(MdtIsland *p, double substep) {
 }
 
 /* Whether contacts are timed: in partitions of few bodies without joints, or of which all rolls that touches; with
- * restitution also in those in which only few bodies are held by joints or closed contacts, such as a crowd of flying
+ * restitution also in those in which only few bodies are held by joints or closed contacts, such as a swarm of flying
  * balls. With joints and restitution only if an impact is predicted; with joints not in a step by safe time, which ends
  * at impacts anyway. */
 static MeBool isTimed(MdtIsland *p, double substep) {

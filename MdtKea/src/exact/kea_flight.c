@@ -1,10 +1,10 @@
-/* Flight: bodies that bounce, and that nothing holds, follow their own ways from impact to impact.
+/* Flight: bodies that bounce, and that nothing holds, follow their own paths from impact to impact.
  *
- * Without rows a body's way is known until it is hit. So each body has a time of its own, up to which it has been
+ * Without rows a body's path is known until it is hit. So each body has a time of its own, up to which it has been
  * moved, and each contact the time at which its bodies meet next. The contact that meets first comes next: its bodies
  * are moved to that time, and those that touch them take part in the impact (kea_impact.c); then the contacts of all of
- * these find anew when they meet. What the others do does not matter: an impact costs as much in a crowd as among few
- * bodies.
+ * these find anew when they meet. What the others do does not matter: an impact costs as much among many bodies as
+ * among few bodies.
  *
  * Flight ends with the step, or with an impact after which a contact is closed: from there on rows act.
  */
@@ -181,7 +181,7 @@ static MeBool collide(MdtKeaSystem *s, int c, double t) {
     for (int k = 0; k < 2; k++)
         moveTo(s, bodyOf(s, c, k), t);
     makeNormalRow(s, c);
-    if (!kea_isTouching(s, &s->rows[0])) { /* a turn has changed the way that was foreseen */
+    if (!kea_isTouching(s, &s->rows[0])) { /* a turn has changed the path that was foreseen */
         findMeeting(s, c, t);
         f->impactTime[c] = keaMax(f->impactTime[c], t + f->min);
         f->misses++;

@@ -3,7 +3,7 @@
  *     velocities   block Gauss-Seidel over the manifolds, eight at a time, region by region (kea_regions_i.h), with
  *                  Nesterov's extrapolation of the impulses within the step and its restart (O'Donoghue and Candès
  *                  2015, "Adaptive restart for accelerated gradient schemes"): gaps may close, but no further
- *     the way      by the mean of the velocities at the start and the end; by the latter where that presses
+ *     displacement by the mean of the velocities at the start and the end; by the latter where that presses
  *     positions    passes without friction, on displacements, which reduce overlaps and give no velocity (split
  *                  impulses)
  *     rebounds     velocities again, with restitution at the points that push; bodies have been moved by then

@@ -56,9 +56,9 @@ typedef struct KeaGroup {
     KeaLanes x[KEA_POINTS], y[KEA_POINTS]; /* m */
     KeaLanes size;                         /* m, of the smaller body */
     KeaLanes gap[KEA_POINTS];              /* m; negative: overlap */
-    KeaLanes slop[KEA_POINTS];             /* m, overlap that is allowed (slop): epsilon under load, and rounding */
-    KeaLanes bias[KEA_POINTS];             /* m/s, the lower bound of normal velocities (bias) */
-    KeaLanes rebound[KEA_POINTS]; /* m/s, by restitution: the target of points that push, in a second solve; 0: none */
+    KeaLanes slop[KEA_POINTS];             /* m, overlap that is allowed: epsilon under load, and rounding */
+    KeaLanes bias[KEA_POINTS];             /* m/s, the lower bound of normal velocities */
+    KeaLanes rebound[KEA_POINTS]; /* m/s, by restitution: the bias of points that push, in a second solve; 0: none */
     KeaLanes compliance;          /* 1/kg, of soft contacts */
     KeaLanes correction;          /* the share of an overlap that one pass over displacements removes */
     KeaLanes min;                 /* N s, the lower bound of normal impulses: 0, or minus adhesion */
@@ -71,8 +71,7 @@ typedef struct KeaGroup {
     KeaLanes response[KEA_POINTS]; /* kg, the inverse of its diagonal */
     KeaLanes direct[10];           /* kg, its inverse, or pseudo-inverse */
     KeaMask isDirect;              /* that is well enough conditioned */
-    KeaLanes frictionMass[3],
-        torsionMass; /* kg, of friction along t1 and t2: 11 12 22; kg m², about n (effective masses) */
+    KeaLanes frictionMass[3], torsionMass; /* kg, of friction along t1 and t2: 11 12 22; kg m², about n */
     /* the same of the coupling J_f M⁻¹ J_nᵀ: rates along t1, t2, and about n, by the sum of normal impulses and their
      * moments Σ x p, Σ y p; and along t1, t2 by friction about n */
     KeaLanes toSlide[2][3], toSpin[3], torsionToSlide[2];

@@ -86,7 +86,7 @@ static double softnessOf(const MdtKeaSystem *s, const MdtKeaManifold *m) {
     return s->parameters.epsilon + s->parameters.softening * m->surface.softness;
 }
 
-/* The effect of a compliance that is small against the masses is allowed as overlap, the sag E F h² / gamma; a larger
+/* The effect of a compliance that is small against the masses is allowed as overlap, the slop E F h² / gamma; a larger
  * one is a part of the matrix, and gamma then corrects by velocities. */
 static MeBool isSoft(const MdtKeaSystem *s, const MdtKeaManifold *m) {
     double mobility = 0;

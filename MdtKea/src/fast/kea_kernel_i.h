@@ -365,7 +365,7 @@ KEA_INLINE void invertBlocks(KeaLanes M[10], KeaMask *isSound) {
 
 /* The inverse of A + E, in which missing points have a diagonal of the others' size. Of four rigid points A has rank 3:
  * its pseudo-inverse is (A + s q qᵀ)⁻¹ - q qᵀ / s, with the null vector q and any s. Four targets may then contradict
- * each other, which the pseudo-inverse would ignore: where they do by more than the sag it is not used. */
+ * each other, which the pseudo-inverse would ignore: where they do by more than the slop it is not used. */
 KEA_INLINE void setInverse(KeaGroup *g, float stepsize) {
     const KeaLanes scale = g->coupling[0];
     KeaLanes null[KEA_POINTS], misfit = lanesOf(0), slop = lanesOf(0);
@@ -516,7 +516,7 @@ static MeBool choosePressed(const KeaGroup groups[], int count, const KeaMotion 
     return isAny;
 }
 
-/* Overlap beyond the sag shrinks by the share; a gap may close, but no further. Returns the lanes that move by
+/* Overlap beyond the slop shrinks by the share; a gap may close, but no further. Returns the lanes that move by
  * so much that joints may open. */
 KEA_INLINE KeaMask pushGroup(const KeaGroup *g, int points, KeaMotion motion[]) {
     const KeaLanes3 across = lanesCross(g->normal, g->along);

@@ -75,8 +75,8 @@ static void addDisplacement(MeVector3 displacement, McdModelID m, MeReal time) {
         displacement[i] += time * velocity[i];
 }
 
-/* McdSafeTime does not support surfaces of triangles: there the shape is cast along its way, without its rotation. It
- * is stopped a little before. */
+/* McdSafeTime does not support surfaces of triangles: there the shape is cast along its displacement, without its
+ * rotation. It is stopped a little before. */
 static MeReal timeToSurface(McdModelID shape, McdModelID surface, McdSpaceID s, MeReal max) {
     enum { STOP = 1000 };
     McdCastResult hit;
