@@ -65,7 +65,7 @@ static void showSolver(MdtWorldID w) {
 
 static void showSleep(MdtWorldID w) {
     MeBool sleeps = MdtWorldGetAutoDisable(w);
-    if (RPanelCheck("what rests sleeps", &sleeps))
+    if (RPanelCheck("sleep", &sleeps))
         MdtWorldSetAutoDisable(w, sleeps);
     RPanelSameLine();
     if (RPanelButton("wake all"))
@@ -184,9 +184,8 @@ void meapp_sampleReport(MeApp *app) {
 }
 
 static const char *pathName(MdtReportWay way) {
-    static const char *const names[] = {
-        "free",  "at rest, not solved",        "the last answer kept", "fast",
-        "exact", "exact, met within the step", "exact, in parts",      "budget used up"};
+    static const char *const names[] = {"free",  "at rest, not solved",   "the last answer kept", "fast",
+                                        "exact", "exact, time of impact", "exact, sub-steps",     "budget used up"};
     return names[way];
 }
 
@@ -198,7 +197,7 @@ static void showPath(const MeApp *app) {
         return;
     say("%d bodies, %d constraints", r.bodies, r.constraints);
     say("solver: %s", pathName(r.way));
-    say("joints open by %.2g mm at most", 1e3 * (double)r.jointGap);
+    say("joint error %.2g mm", 1e3 * (double)r.jointGap);
 }
 
 static void MEAPI showReport(RRender *rc, void *userdata) {

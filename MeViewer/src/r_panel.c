@@ -93,7 +93,7 @@ bool r_tickIsDue(const RRender *rc) {
 
 /* Slow motion, and the steps that there are in a second of the clock. */
 static void showPace(RRender *rc) {
-    static const char *const names[] = {"as it is", "half", "a quarter", "an eighth", "a sixteenth"};
+    static const char *const names[] = {"1x", "1/2x", "1/4x", "1/8x", "1/16x"};
     enum { SPEEDS = sizeof names / sizeof names[0] };
     struct RViewer *v = rc->m_pViewer;
     int which = 0;
@@ -145,7 +145,7 @@ static void showLine(RRender *rc, const char *line) {
 }
 
 static void showQuality(RRender *rc) {
-    static const char *const names[] = {"by itself", "fastest", "fast", "outlines not smooth", "full"};
+    static const char *const names[] = {"auto", "fastest", "fast", "no antialiasing", "full"};
     if (rc->m_Options.m_bQuality) /* It wins. */
         return;
     int which = r_pictureQuality(rc) - R_QUALITY_AUTO;
@@ -154,7 +154,7 @@ static void showQuality(RRender *rc) {
 }
 
 static void showGround(RRender *rc) {
-    static const char *const names[] = {"as it is", "grid", "checker", "plain", "earth"};
+    static const char *const names[] = {"default", "grid", "checker", "plain", "earth"};
     if (rc->m_Options.m_Ground >= 0) /* It wins. */
         return;
     int which = RRenderGetGroundLook(rc) + 1;

@@ -136,7 +136,7 @@ static void MEAPI showParameters(RRender *rc, void *userdata) {
         const RParameterKept p = list->items[i];
         showSlider(rc, &p);
     }
-    if (!RPanelButton("as at first"))
+    if (!RPanelButton("reset"))
         return;
     for (size_t i = 0; i < list->count; i++) {
         const RParameterKept p = list->items[i];

@@ -64,7 +64,7 @@ int MEAPI McdAggregateAddElement(McdAggregateID id, McdGeometryID geom, MeMatrix
     if (!mcd_geometryBelongs(geom, a->head.frame, "McdAggregateAddElement"))
         return -1;
     if (isChildOf(a, geom)) {
-        MeWarning(1, "McdAggregateAddElement: the aggregate would be its own part");
+        MeWarning(1, "McdAggregateAddElement: the aggregate would contain itself");
         return -1;
     }
     McdAggregateElement *element = &a->element[a->count];

@@ -175,7 +175,7 @@ static MeBool mayDestroy(const McdModelRecord *m, const char *function) {
     if (m->isCondemned)
         mcd_warnGone(m, "model", function);
     else if (m->standsFor)
-        MeWarning(1, "%s: the model stands for a part of an aggregate's model; nothing is changed", function);
+        MeWarning(1, "%s: the model stands for a child of an aggregate's model; nothing is changed", function);
     return !m->isCondemned && !m->standsFor;
 }
 

@@ -632,7 +632,7 @@ static void applyUpdate(McdSpace *s, McdProxy *p, McdBoxUpdate update) {
     MEASSERT(update != MCD_BOX_LATER && update != MCD_BOX_TOUCHED);
     if (update == MCD_BOX_UNSET)
         warnOfTransform(p, p->hasBox ? "is not set; it keeps its old box"
-                                     : "is not set, or its body was destroyed; it meets nothing");
+                                     : "is not set, or its body was destroyed; it collides with nothing");
     else if (update == MCD_BOX_UNBOUND)
         warnOfTransform(p, "or box is not finite; it keeps its old box");
     else

@@ -194,7 +194,7 @@ static const char *jointName(MdtConstraintID c) {
            : MdtConstraintDCastSkeletal(c)       ? "skeletal"
            : MdtConstraintDCastFixedPath(c)      ? "fixed path"
            : MdtConstraintDCastRPROJoint(c)      ? "RPRO"
-           : MdtConstraintDCastFPFOJoint(c)      ? "held"
+           : MdtConstraintDCastFPFOJoint(c)      ? "fixed"
            : MdtConstraintDCastUserConstraint(c) ? "the program's"
                                                  : "joint";
 }

@@ -139,7 +139,7 @@ MstUniverseID MEAPI MstUniverseCreate(const MstUniverseSizes *const sizes) {
     record->magic = MST_UNIVERSE;
     MeHandleEnter(&record->handle, record, MST_UNIVERSE);
     if (!u->bridge) {
-        MeWarning(1, "MstUniverseCreate: a part could not be created with these sizes");
+        MeWarning(1, "MstUniverseCreate: an object of it could not be created with these sizes");
         destroyMembers(u);
         return 0;
     }
