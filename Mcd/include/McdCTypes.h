@@ -89,7 +89,7 @@ typedef enum McdModelPairPhase {
 /** Mcd's: what the test of a pair depends on. Zeros: there was none. */
 typedef struct McdTest {
     MeU64 stamp1, stamp2; /**< Of the models: others wherever a model moves, or has another shape or margin. */
-    MeU64 shape1, shape2; /**< The same, but not where it moves; with a surface of triangles a hash, also of that. */
+    MeU64 shape1, shape2; /**< The same, but not where it moves. */
     int contactMaxCount;
     MeBool faceNormalsFirst;
 } McdTest;

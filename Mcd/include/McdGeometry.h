@@ -47,6 +47,21 @@ MEPUBLIC MeI16 MEAPI McdGeometryGetMassProperties(McdGeometryID g, MeMatrix4 rel
 /** Draws the geometry at @a tm by MeDebugDrawAPI. */
 MEPUBLIC void MEAPI McdGeometryDebugDraw(const McdGeometryID g, const MeMatrix4Ptr tm, const MeReal colour[3]);
 
+/**
+ * Says that what the program keeps for a geometry was changed: the heights of a height field, the triangles that a
+ * list's callback hands over, what functions of the program's own types read. To be called after the change, between
+ * steps; once for all changes of a step. Each model of the geometry, or of aggregates with it, gets a new box, and all
+ * its pairs are tested in the next step: bodies asleep wake if a bit of their contacts is another. It takes time as the
+ * framework's models, and for a height field as all of its heights.
+ *
+ * Without the call a change counts as well, but later where bodies sleep: pairs of which a body is awake are tested in
+ * each step and meet the change in the next one; a body asleep may stay as it is until something wakes it, and then
+ * meets it. The box of a height field stays as it was: models wholly above or below that box meet nothing of heights
+ * beyond it. What is no live geometry gets a warning. Beyond Karma; McdRGHeightFieldUpdateHeights is the same for
+ * height fields.
+ */
+MEPUBLIC void MEAPI McdGeometryUpdate(McdGeometryID g);
+
 /** @name For geometry types of a program
  *  @{ */
 /** Makes the head of a geometry that begins at @a g, of a registered type. */

@@ -96,8 +96,8 @@ MEPUBLIC void MEAPI McdModelPairLookAtModels(const McdModelPair *p);
 MEPUBLIC MeBool MEAPI McdModelPairHasSeenModels(const McdModelPair *p);
 /** Compares a pair with its last test. Other results than McdPairHasChanged are given only for convex models, planes,
  *  height fields, and aggregates of these whose parts have no materials of their own, with the library's own
- *  interactions, without callbacks, and with unchanged sizes, places of parts, margins, and heights of the cells that a
- *  test would visit, which are read in each call; and only models that @a mayMove have moved since the last call.
+ *  interactions, without callbacks, and with unchanged sizes, places of parts and margins; with height fields only
+ *  while each model that @a mayMove is frozen; and only models that @a mayMove have moved since the last call.
  *  McdPairIsSeparated: since the last test (McdModelPairNoteTest) no point has moved relative to the other model by as
  *  much as the models were separated then (McdModelPairNoteSeparated). McdPairHasMoved: else no point of the smaller
  *  model by more than @a part of its size, or a quarter of the margin of the pair; who tests such a pair all the same
@@ -123,13 +123,6 @@ MEPUBLIC MeBool MEAPI McdModelPairIntersectPlain(McdModelPair *p, McdIntersectRe
 MEPUBLIC void MEAPI McdModelPairNoteTest(McdModelPair *p);
 /** Stores the gap that the test has found, m, a lower bound (McdIntersectResult.apart); 0: unknown, or none. */
 MEPUBLIC void MEAPI McdModelPairNoteSeparated(McdModelPair *p, MeReal apart);
-/** As McdIntersect, for a pair whose McdModelPairLook has just given McdPairHasChanged. Of one convex model and a
- *  triangle list, with the library's own interaction and without callbacks of models, the list's callback is called,
- *  and MEFALSE returned, without contacts, if @a mayBeUnchanged and the triangles, the convex model and all else that
- *  the test would read are, to the last bit, as in the last such call for this pair. Else METRUE; @a isKnown is then
- *  what McdIntersect returns. */
-MEPUBLIC MeBool MEAPI McdModelPairIntersectIfChanged(McdModelPair *p, MeBool mayBeUnchanged, McdIntersectResult *result,
-                                                     MeBool *isKnown);
 /** Invalidates the last test: the next McdModelPairLook returns McdPairHasChanged. */
 MEPUBLIC void MEAPI McdModelPairForgetTest(McdModelPair *p);
 /** @} */

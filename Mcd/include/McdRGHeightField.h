@@ -22,7 +22,8 @@ ME_BEGIN_C
 MEPUBLIC void MEAPI McdRGHeightFieldRegisterType(McdFramework *frame);
 /**
  * Creates a height field.
- * @param heights       xCount yCount heights (m), row after row of x. Kept by pointer, and read in every query.
+ * @param heights       xCount yCount heights (m), row after row of x. Kept by pointer, and read in every query. Where
+ *                      they are changed, McdGeometryUpdate says so.
  * @param xCount,yCount points along x and y: 2 or more.
  * @param xStep,yStep   the distance of points (m): > 0.
  * @param x0,y0         where the first point is (m).
@@ -37,8 +38,8 @@ MEPUBLIC McdRGHeightFieldID MEAPI McdRGHeightFieldCreate(McdFramework *frame, co
 MEPUBLIC const MeReal *MEAPI McdRGHeightFieldGetHeights(McdRGHeightFieldID g);
 /** Other heights, by pointer. */
 MEPUBLIC void MEAPI McdRGHeightFieldSetHeights(McdRGHeightFieldID g, const MeReal *heights);
-/** To be called after heights have changed: looks for the lowest and the highest one, for the box. The models are to be
- *  updated after it. */
+/** McdGeometryUpdate for a height field: to be called after heights have changed. Looks for the lowest and the highest
+ *  one, for the box. Outside of a universe the models are to be updated after it. */
 MEPUBLIC void MEAPI McdRGHeightFieldUpdateHeights(McdRGHeightFieldID g);
 MEPUBLIC void MEAPI McdRGHeightFieldGetCounts(McdRGHeightFieldID g, int *xCount, int *yCount);
 MEPUBLIC void MEAPI McdRGHeightFieldGetSteps(McdRGHeightFieldID g, MeReal *xStep, MeReal *yStep);

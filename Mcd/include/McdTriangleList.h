@@ -17,6 +17,8 @@
  *  Contacts of triangles in one plane become one manifold of at most four. McdContact.element1 or element2 is the
  *  triangle's triangleData. Features do not depend on it, nor on the order in which triangles are given.
  *  Triangles without area, or with coordinates that are not finite, are skipped; MeDebug counts them.
+ *
+ *  Where other triangles are shown than before, McdGeometryUpdate says so to bodies that sleep on them.
  */
 #ifndef MCDTRIANGLELIST_H
 #define MCDTRIANGLELIST_H

@@ -1,5 +1,4 @@
-/* Which pairs need not be tested again: those whose test would read the same bits, heights of a field and triangles of
- * a list among them. */
+/* Which pairs need not be tested again: those whose test would read the same bits. */
 #include "McdAggregate.h"
 #include "McdAll.h"
 #include "McdInternal.h"
@@ -330,24 +329,11 @@ static MeReal *heightAt(int x, int y) {
     return &height[(y + 4) * SIDE + x + 4];
 }
 
-/* Only what is within so much of the points of the field is seen, and that to the last bit. */
-static void assertSeen(double lowX, double highX, double lowY, double highY) {
-    for (int y = -4; y <= 4; y++)
-        for (int x = -4; x <= 4; x++) {
-            const MeBool isNear = x >= lowX && x <= highX && y >= lowY && y <= highY;
-            *heightAt(x, y) = (MeReal)1e-30;
-            ck_assert_msg(isAsTested() == !isNear, "at (%d, %d)", x, y);
-            *heightAt(x, y) = 0;
-            ck_assert_msg(isAsTested() == !isNear, "back at (%d, %d)", x, y);
-        }
-}
-
-/* The same as assertChanged for a pair with a field whose models have moved: while they do, heights are not hashed, so
- * that the first test in the new place is made twice. */
-static void assertMoved(const char *what) {
-    ck_assert_msg(!isAsTested(), "%s: not seen", what);
-    isAsTested();
-    ck_assert_msg(isAsTested(), "%s: seen for ever", what);
+/* Whether the last test of the pair still holds while one of its models may move. */
+static MeBool isAsTestedAwake(void) {
+    static const MeBool mayMove[2] = {METRUE, METRUE};
+    McdFrameworkBeginRound(p.frame);
+    return McdModelPairLook(&p.pair, (MeReal)1e-3, mayMove) != McdPairHasChanged;
 }
 
 static McdGeometryID turnedBoxes(void) {
@@ -361,78 +347,84 @@ static McdGeometryID turnedBoxes(void) {
     return whole;
 }
 
-/* A box between x = 1.1 and 1.9, y = -1.4 and .4, in either order of the pair. */
-START_TEST(heights_near_a_shape_count_and_no_others) {
-    for (int which = 0; which < 2; which++) {
-        const McdGeometryID box = McdBoxCreate(p.frame, (MeReal).8, (MeReal)1.8, 1), field = flatField();
-        meet(which ? field : box, which ? box : field);
-        p.tm[which][3][0] = (MeReal)1.5;
-        p.tm[which][3][1] = (MeReal)-.5;
-        p.tm[!which][3][2] = p.tm[which][3][2];
-        assertMoved("a new pair");
-        assertSeen(1, 2, -2, 1);
-        McdModelSetContactTolerance(p.model[which], (MeReal).2);
-        assertMoved("a margin");
-        assertSeen(0, 3, -2, 1);
-        p.tm[!which][3][1] = 1;
-        assertMoved("the field's move");
-        assertSeen(0, 3, -3, 0);
-    }
-}
-END_TEST
-
-START_TEST(heights_near_each_part_count) {
-    meet(turnedBoxes(), flatField());
-    McdModelUpdate(p.model[0]);
-    assertMoved("a new pair");
-    for (int y = -4; y <= 4; y++)
-        for (int x = -4; x <= 4; x++) {
-            *heightAt(x, y) = (MeReal)1e-30;
-            ck_assert_msg(isAsTested() == !(abs(y) <= 1 && (abs(x) == 2 || abs(x) == 3)), "at (%d, %d)", x, y);
-            isAsTested();
-        }
-}
-END_TEST
-
-START_TEST(a_surface_among_the_parts_counts_as_one_alone) {
+/* A field among the parts as one alone, of either model. */
+START_TEST(what_may_move_on_a_field_is_tested_always) {
     MeMatrix4 tm;
     const McdAggregateID whole = McdAggregateCreate(p.frame, 2);
     MeMatrix4TMMakeIdentity(tm);
     McdAggregateAddElement(whole, McdBoxCreate(p.frame, 1, 1, 1), tm);
     tm[3][0] = -2;
     McdAggregateAddElement(whole, flatField(), tm);
-    meet(McdBoxCreate(p.frame, (MeReal).5, (MeReal).5, (MeReal).5), whole);
-    assertMoved("a new pair");
-    assertSeen(1, 3, -1, 1);
-    meet(whole, turnedBoxes());
-    assertMoved("with parts on either side");
-    *heightAt(0, 0) = 1;
-    assertChanged("a height under a part");
-    *heightAt(-3, 0) = 1;
-    ck_assert(isAsTested());
+    for (int which = 0; which < 2; which++)
+        for (int parts = 0; parts < 4; parts++) {
+            const McdGeometryID over = parts & 1 ? turnedBoxes() : McdBoxCreate(p.frame, 1, 1, 1);
+            const McdGeometryID ground = parts & 2 ? whole : flatField();
+            meet(which ? ground : over, which ? over : ground);
+            ck_assert(!isAsTestedAwake() && !isAsTestedAwake());
+            ck_assert(isAsTested()); /* where neither may move */
+        }
 }
 END_TEST
 
-START_TEST(what_a_field_is_made_of_counts) {
+/* Of models that do not move: as asleep. */
+START_TEST(a_change_of_heights_counts_once_it_is_told) {
     static MeReal others[SIDE * SIDE];
-    meet(McdBoxCreate(p.frame, 1, 1, 1), flatField());
-    assertMoved("a new pair");
-    p.tm[0][3][0] = (MeReal)1e-30;
-    assertMoved("the box' move");
-    p.tm[1][0][1] = (MeReal)1e-30;
-    assertMoved("the field's turn");
-    *heightAt(0, 0) = NAN;
-    assertChanged("a hole");
-    *heightAt(0, 0) = 0;
-    assertChanged("none");
-    McdRGHeightFieldSetHeights(p.shape[1], others);
-    assertMoved("another array");
-    others[0] = 1; /* far away */
+    for (int which = 0; which < 2; which++) {
+        const McdGeometryID box = McdBoxCreate(p.frame, 1, 1, 1), field = flatField();
+        meet(which ? field : box, which ? box : field);
+        assertChanged("a new pair");
+        *heightAt(0, 0) = (MeReal)-.1;
+        ck_assert(isAsTested());
+        McdGeometryUpdate(field);
+        assertChanged("a height");
+        McdGeometryUpdate(field);
+        assertChanged("no height");
+        McdRGHeightFieldUpdateHeights(field);
+        assertChanged("the field's own call");
+        McdRGHeightFieldSetHeights(field, others);
+        assertChanged("another array");
+        McdGeometryUpdate(box);
+        ck_assert(isAsTested());
+        p.tm[which][3][0] = (MeReal)1e-30;
+        assertChanged("a move");
+    }
+}
+END_TEST
+
+START_TEST(a_change_of_a_part_counts_once_it_is_told) {
+    MeMatrix4 tm;
+    const McdAggregateID whole = McdAggregateCreate(p.frame, 1);
+    const McdGeometryID field = flatField();
+    MeMatrix4TMMakeIdentity(tm);
+    McdAggregateAddElement(whole, field, tm);
+    meet(whole, turnedBoxes());
+    assertChanged("a new pair");
+    *heightAt(2, 0) = 1;
     ck_assert(isAsTested());
-    McdRGHeightFieldUpdateHeights(p.shape[1]);
-    assertMoved("its height in all");
-    McdModelUpdate(p.model[1]); /* late: the box that a test of parts reads changes now */
-    assertChanged("its box");
+    McdGeometryUpdate(field);
+    assertChanged("a height");
+}
+END_TEST
+
+START_TEST(an_update_of_a_field_renews_its_box) {
+    MeVector3 low, high;
+    meet(McdBoxCreate(p.frame, 1, 1, 1), flatField());
+    *heightAt(1, 1) = 3;
+    McdModelUpdate(p.model[1]);
+    McdModelGetAABB(p.model[1], low, high);
+    assert_near((double)(high[2] - p.tm[1][3][2]), 0, 1e-3);
+    McdGeometryUpdate(p.shape[1]);
+    McdModelUpdate(p.model[1]);
+    McdModelGetAABB(p.model[1], low, high);
+    assert_near((double)(high[2] - p.tm[1][3][2]), 3, 1e-3);
+}
+END_TEST
+
+START_TEST(what_is_no_geometry_is_told_of) {
+    messages_catch();
+    McdGeometryUpdate(0);
+    assert_warned("McdGeometryUpdate");
+    messages_release();
 }
 END_TEST
 
@@ -575,247 +567,6 @@ START_TEST(a_circle_about_the_larger_ones_origin_is_a_motion) {
 }
 END_TEST
 
-START_TEST(heights_count_where_a_shape_has_hardly_moved) {
-    for (int which = 0; which < 2; which++) {
-        const McdGeometryID box = McdBoxCreate(p.frame, 1, 1, 1), field = flatField();
-        meet(which ? field : box, which ? box : field);
-        changeOf((MeReal)1e-3);
-        changeOf((MeReal)1e-3); /* in the first look heights are not hashed */
-        for (int i = 1; i < 5; i++) {
-            p.tm[which][3][0] += (MeReal)1e-5;
-            if (i % 2 == 0)
-                *heightAt(0, 1) = (MeReal)(1e-5 * i);
-            ck_assert_int_eq(changeOf((MeReal)1e-3), i % 2 ? McdPairHasMoved : McdPairHasChanged);
-        }
-        const MeReal margin = McdModelGetContactTolerance(p.model[0]) + McdModelGetContactTolerance(p.model[1]);
-        p.tm[which][3][0] = (MeReal)-.5 + margin + (MeReal)5e-6; /* 4e-6 right of the cells beyond x = -1, */
-        changeOf((MeReal)1e-3);
-        p.tm[which][3][0] -= (MeReal)2e-6;
-        ck_assert_int_eq(changeOf((MeReal)1e-3), McdPairHasMoved);
-        p.tm[which][3][0] -= (MeReal)1e-5; /* and left of that */
-        ck_assert_int_eq(changeOf((MeReal)1e-3), McdPairHasChanged);
-    }
-}
-END_TEST
-
-/* It goes to other cells as these get the heights of those it was over. */
-START_TEST(the_cells_count_not_their_heights_alone) {
-    meetBoxes();
-    const MeReal margin = McdModelGetContactTolerance(p.model[0]) + McdModelGetContactTolerance(p.model[1]);
-    meet(McdBoxCreate(p.frame, 1 - 2 * margin, 1, 1), flatField());
-    p.tm[0][3][0] = (MeReal)-.5 + (MeReal)5e-6;
-    changeOf((MeReal)1e-3); /* in the first look heights are not hashed */
-    for (int shift = 0; shift < 2; shift++) {
-        for (int y = -4; y <= 4; y++)
-            for (int x = -4; x <= 4; x++)
-                *heightAt(x, y) = (MeReal)(x + shift);
-        ck_assert_int_eq(changeOf((MeReal)1e-3), McdPairHasChanged);
-        p.tm[0][3][0] -= (MeReal)1e-5; /* both its ends over a line of the field */
-    }
-}
-END_TEST
-
-/* ---- what a test would read -------------------------------------------------------------------------------------- */
-
-static void intersectNow(McdContact contact[20], McdIntersectResult *result) {
-    memset(contact, 0, 20 * sizeof *contact);
-    *result = (McdIntersectResult){.contacts = contact, .contactMaxCount = 20};
-    McdIntersect(&p.pair, result);
-}
-
-/* Member by member: what is between them is not written. */
-static MeBool isSameContact(const McdContact *a, const McdContact *b) {
-    return memcmp(a->position, b->position, sizeof a->position) == 0 &&
-           memcmp(a->normal, b->normal, sizeof a->normal) == 0 && a->separation == b->separation &&
-           a->feature == b->feature && a->instance1 == b->instance1 && a->instance2 == b->instance2 &&
-           a->element1.ptr == b->element1.ptr && a->element2.tag == b->element2.tag && a->dims == b->dims &&
-           a->exactSeparation == b->exactSeparation &&
-           memcmp(a->exactPosition, b->exactPosition, sizeof a->exactPosition) == 0 &&
-           memcmp(a->radius, b->radius, sizeof a->radius) == 0;
-}
-
-static MeBool areSameContacts(const McdContact *a, int countA, const McdContact *b, int countB) {
-    for (int i = 0; i < countA && countA == countB; i++)
-        if (!isSameContact(&a[i], &b[i]))
-            return MEFALSE;
-    return countA == countB;
-}
-
-/* Any shape on any ground, of which single heights change, near and far: where the pair is said to be unchanged, a test
- * finds what the last one did, to the last bit. */
-START_TEST(a_test_of_what_is_unchanged_gives_the_same_bits) {
-    enum { PLACES = 300, CHANGES = 60 };
-    int kept = 0, changed = 0, touching = 0;
-    randomState = 3;
-    for (int i = 0; i < PLACES; i++) {
-        static const double still[4] = {0, 0, 0, 0};
-        double start[4], at[3];
-        McdContact contact[20], before[20];
-        McdIntersectResult result, old;
-        meet(anyShape(), flatField());
-        for (int k = 0; k < SIDE * SIDE; k++)
-            height[k] = (MeReal)uniform(-.5, .5);
-        for (int k = 0; k < 4; k++)
-            start[k] = uniform(-1, 1);
-        for (int k = 0; k < 3; k++)
-            at[k] = k < 2 ? uniform(-3, 3) : uniform(-.2, 1.2);
-        put(0, start, still, 0, at);
-        for (int k = 0; k < 4; k++)
-            start[k] = k ? uniform(-.3, .3) : 1;
-        put(1, start, still, 0, still);
-        McdModelSetContactTolerance(p.model[0], (MeReal)uniform(0, .3));
-        McdRGHeightFieldUpdateHeights(p.shape[1]);
-        McdModelUpdate(p.model[0]);
-        McdModelUpdate(p.model[1]);
-        isAsTested();
-        intersectNow(before, &old);
-        touching += old.contactCount > 0;
-        for (int k = 0; k < CHANGES; k++) {
-            height[(int)uniform(0, SIDE * SIDE)] = (MeReal)uniform(-.5, .5);
-            const MeBool isSame = isAsTested();
-            intersectNow(contact, &result);
-            kept += isSame;
-            const MeBool areSame = areSameContacts(contact, result.contactCount, before, old.contactCount);
-            changed += !areSame;
-            ck_assert_msg(!isSame || (areSame && result.apart == old.apart), "place %d, change %d", i, k);
-            memcpy(before, contact, sizeof before);
-            old = result;
-        }
-        McdFrameworkDestroyAllModelsAndGeometries(p.frame);
-    }
-    printf("of %d changes of heights %d left pairs as tested, %d changed contacts\n", PLACES * CHANGES, kept, changed);
-    ck_assert_int_gt(kept, PLACES * CHANGES / 4);
-    ck_assert_int_gt(changed, PLACES * CHANGES / 20);
-    ck_assert_int_gt(touching, PLACES / 3);
-}
-END_TEST
-
-/* ---- lists of triangles ------------------------------------------------------------------------------------------ */
-
-enum { TRIANGLES = 6 };
-static struct {
-    MeVector3 corner[TRIANGLES][3], normal[TRIANGLES];
-    McdUserTriangle triangle[TRIANGLES];
-    int count, calls;
-} shown;
-
-static int MEAPI show(McdModelPair *pair, McdUserTriangle *triangle, MeVector3 at, MeReal radius, int max) {
-    (void)pair, (void)at, (void)radius, (void)max;
-    shown.calls++;
-    memcpy(triangle, shown.triangle, (size_t)shown.count * sizeof *triangle);
-    return shown.count;
-}
-
-/* A strip along x, rough across it. */
-static McdGeometryID strip(void) {
-    MeVector3 low = {-9, -9, -1}, high = {9, 9, 1};
-    memset(&shown, 0, sizeof shown);
-    shown.count = TRIANGLES;
-    for (int i = 0; i < TRIANGLES; i++) {
-        for (int k = 0; k < 3; k++) {
-            MeVector3Set(shown.corner[i][k], (MeReal)(.2 * (i + k) - .7), (i + k) % 2 ? 1 : -1,
-                         (MeReal)(.01 * (i + k)));
-            shown.triangle[i].vertices[k] = &shown.corner[i][k];
-        }
-        MeVector3Set(shown.normal[i], 0, 0, 1);
-        shown.triangle[i].normal = &shown.normal[i];
-        shown.triangle[i].flags = kMcdTriangleStandard;
-    }
-    return McdTriangleListCreate(p.frame, low, high, TRIANGLES + 1, show);
-}
-
-/* As the bridge tests it, with the outcome of the last test known or not. In any case the callback is called once, and
- * what is found is what McdIntersect finds. */
-static MeBool isFoundAnew(MeBool isLastKnown) {
-    McdContact contact[20], same[20];
-    McdIntersectResult result = {.contacts = contact, .contactMaxCount = 20}, expected;
-    MeBool isKnown = MEFALSE;
-    intersectNow(same, &expected);
-    memset(contact, 0, sizeof contact);
-    ck_assert(!isAsTested());
-    const int calls = shown.calls;
-    const MeBool isAnew = McdModelPairIntersectIfChanged(&p.pair, isLastKnown, &result, &isKnown);
-    ck_assert_int_eq(shown.calls, calls + 1);
-    ck_assert_int_eq(result.contactMaxCount, 20);
-    ck_assert(result.pair == &p.pair);
-    if (!isAnew) {
-        ck_assert_int_eq(result.contactCount, 0);
-        return MEFALSE;
-    }
-    ck_assert(isKnown);
-    ck_assert_int_eq(result.contactCount, expected.contactCount);
-    ck_assert_int_eq(result.touch, expected.touch);
-    ck_assert(memcmp(result.normal, expected.normal, sizeof result.normal) == 0);
-    ck_assert(areSameContacts(contact, result.contactCount, same, expected.contactCount));
-    return METRUE;
-}
-
-/* What has just been changed is found, once. */
-static void assertFound(const char *what) {
-    ck_assert_msg(isFoundAnew(METRUE), "%s: not found", what);
-    ck_assert_msg(!isFoundAnew(METRUE), "%s: found twice", what);
-}
-
-START_TEST(whatever_a_list_shows_counts) {
-    for (int which = 0; which < 2; which++) {
-        const McdGeometryID box = McdBoxCreate(p.frame, 1, 1, 1), list = strip();
-        meet(which ? list : box, which ? box : list);
-        p.tm[which][3][2] = (MeReal).5 + p.tm[!which][3][2];
-        McdModelUpdate(p.model[which]);
-        assertFound("a new pair");
-        ck_assert(isFoundAnew(MEFALSE)); /* the bridge has not what was found */
-        shown.corner[3][1][2] += shown.corner[3][1][2] * ME_EPSILON;
-        assertFound("the last bit of a corner");
-        shown.normal[2][0] = (MeReal).1;
-        shown.triangle[2].normal = 0;
-        assertFound("no normal");
-        MeVector3Set(shown.normal[1], 0, 0, -1);
-        assertFound("a normal to the other side");
-        shown.triangle[2].flags = kMcdTriangleUseSmallestPenetration;
-        assertFound("flags");
-        shown.triangle[4].triangleData.tag = 5;
-        assertFound("a triangle's data");
-        shown.count--;
-        assertFound("one less");
-        p.tm[which][3][0] += (MeReal)1e-30;
-        assertFound("a move");
-        p.tm[!which][0][1] += (MeReal)1e-30;
-        assertFound("the list's turn");
-        McdModelSetContactTolerance(p.model[!which], (MeReal).3);
-        assertFound("a margin");
-        McdBoxSetDimensions(box, 1, 1, (MeReal)1.01);
-        assertFound("a size");
-        McdRequest request = *McdModelPairGetRequestPtr(&p.pair);
-        McdModelPairSetRequestPtr(&p.pair, &request);
-        request.contactMaxCount = 2;
-        assertFound("a request's count");
-        shown.count = 0;
-        assertFound("nothing");
-        McdModelPairForgetTest(&p.pair);
-        assertFound("what was given away");
-        request.faceNormalsFirst = METRUE;
-        ck_assert(isFoundAnew(METRUE) && isFoundAnew(METRUE));
-    }
-}
-END_TEST
-
-START_TEST(a_list_is_tested_where_more_than_it_decides) {
-    meet(McdBoxCreate(p.frame, 1, 1, 1), strip());
-    assertFound("a new pair");
-    McdModelSetIntersectCallback(p.model[0], onIntersect);
-    ck_assert(isFoundAnew(METRUE) && isFoundAnew(METRUE));
-    McdModelSetIntersectCallback(p.model[0], 0);
-    assertFound("without the callback");
-    meet(nested(McdBoxCreate(p.frame, 1, 1, 1)), strip());
-    McdModelUpdate(p.model[0]);
-    MeBool isKnown;
-    McdContact contact[20];
-    McdIntersectResult result = {.contacts = contact, .contactMaxCount = 20};
-    for (int i = 0; i < 2; i++)
-        ck_assert(McdModelPairIntersectIfChanged(&p.pair, METRUE, &result, &isKnown) && isKnown);
-}
-END_TEST
-
 /* ---- what calls no function of the program ----------------------------------------------------------------------- */
 
 static McdGeometryID field(void) {
@@ -902,18 +653,14 @@ static void tests(TCase *t) {
     tcase_add_test(t, what_a_program_answers_is_always_asked);
     tcase_add_test(t, parts_their_places_and_sizes_count);
     tcase_add_test(t, two_parts_that_change_places_count);
-    tcase_add_test(t, heights_near_a_shape_count_and_no_others);
-    tcase_add_test(t, heights_near_each_part_count);
-    tcase_add_test(t, a_surface_among_the_parts_counts_as_one_alone);
-    tcase_add_test(t, what_a_field_is_made_of_counts);
+    tcase_add_test(t, what_may_move_on_a_field_is_tested_always);
+    tcase_add_test(t, a_change_of_heights_counts_once_it_is_told);
+    tcase_add_test(t, a_change_of_a_part_counts_once_it_is_told);
+    tcase_add_test(t, an_update_of_a_field_renews_its_box);
+    tcase_add_test(t, what_is_no_geometry_is_told_of);
     tcase_add_test(t, a_list_among_the_parts_is_always_tested);
     tcase_add_test(t, a_circle_about_the_larger_ones_origin_is_a_motion);
-    tcase_add_test(t, heights_count_where_a_shape_has_hardly_moved);
-    tcase_add_test(t, the_cells_count_not_their_heights_alone);
-    tcase_add_test(t, a_test_of_what_is_unchanged_gives_the_same_bits);
     tcase_add_test(t, models_that_are_still_apart_have_no_contacts);
-    tcase_add_test(t, whatever_a_list_shows_counts);
-    tcase_add_test(t, a_list_is_tested_where_more_than_it_decides);
     tcase_add_test(t, whatever_the_library_tests_alone_is_plain);
     tcase_add_test(t, a_list_of_triangles_is_a_function_of_the_program);
     tcase_add_test(t, callbacks_and_interactions_of_the_program_are_not_plain);

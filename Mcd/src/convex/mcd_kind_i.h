@@ -29,14 +29,10 @@ typedef struct McdMeshQuery McdMeshQuery; /* mcd_mesh_i.h */
 /* Adds the triangles that may be near the box. */
 typedef void (*McdMeshGather)(McdMeshQuery *q);
 
-/* Mixes what there is of a mesh near the box into a hash of 128 bits, and calls no function of the program: equal
- * hashes, equal triangles. Of the query only the box and the mesh's frame are set. */
-typedef void (*McdMeshHash)(const McdMeshQuery *q, const McdGeometry *mesh, MeU64 hash[2]);
-
 struct McdKind {
     int type; /* kMcdGeometryType..., or MCD_SHAPE_TRIANGLE */
     char *(MEAPI *name)(const McdGeometryID);
-    size_t size; /* bytes of its record, which has all that its tests depend on, but for what hashNear adds
+    size_t size; /* bytes of its record, which has all that its tests depend on but for a surface's triangles
                     (mcd_tested.c); 0: maybe not all */
 
     /* Any type: what McdFrameworkRegisterGeometryType takes. */
@@ -62,9 +58,8 @@ struct McdKind {
 
     /* Surfaces of triangles: adds those near a query's box. */
     McdMeshGather gather;
-    MeBool callsProgram; /* which calls a function of the program */
-    /* Of a type with a size: mixes all that gather would read beside its record into a hash. May be null. */
-    McdMeshHash hashNear;
+    MeBool callsProgram;            /* which calls a function of the program */
+    void (*update)(McdGeometry *g); /* McdGeometryUpdate: writes to its record, so that it differs. May be null */
 
     MeBool isHalfSpace; /* all below z = 0 of its frame */
     MeBool isStatic;    /* usually fixed: no warning where two of them have no interaction */

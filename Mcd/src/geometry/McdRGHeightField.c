@@ -71,18 +71,12 @@ void MEAPI McdRGHeightFieldSetHeights(McdRGHeightFieldID g, const MeReal *height
         return;
     }
     f->height = heights;
-    f->version++;
-    findExtremes(f);
-    mcd_geometryChanged(g);
+    McdGeometryUpdate(g);
 }
 
 void MEAPI McdRGHeightFieldUpdateHeights(McdRGHeightFieldID g) {
-    McdRGHeightField *f = fieldOf(g, "McdRGHeightFieldUpdateHeights");
-    if (!f)
-        return;
-    f->version++;
-    findExtremes(f);
-    mcd_geometryChanged(g);
+    if (fieldOf(g, "McdRGHeightFieldUpdateHeights"))
+        McdGeometryUpdate(g);
 }
 
 void MEAPI McdRGHeightFieldGetCounts(McdRGHeightFieldID g, int *xCount, int *yCount) {
@@ -168,9 +162,9 @@ static void support(const McdGeometry *g, const double direction[3], double poin
 }
 
 static void gather(McdMeshQuery *q);
-static void hashNear(const McdMeshQuery *q, const McdGeometry *g, MeU64 hash[2]);
+static void update(McdGeometry *g);
 static const McdKind kind = {MCD_KIND_FUNCTIONS(RGHeightField, mcd_geometryFree), .size = sizeof(McdRGHeightField),
-                             .gather = gather, .hashNear = hashNear, .isStatic = METRUE};
+                             .gather = gather, .update = update, .isStatic = METRUE};
 MCD_DEFINE_GEOMETRY_TYPE(RGHeightField)
 
 void MEAPI McdRGHeightFieldGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
@@ -264,14 +258,10 @@ static void gather(McdMeshQuery *q) {
             addCell(q, f, i, j, near.i0, near.j0, width);
 }
 
-/* The cells that gather visits: which, and the heights of their corners. */
-static void hashNear(const McdMeshQuery *q, const McdGeometry *g, MeU64 hash[2]) {
-    const McdRGHeightField *f = (const McdRGHeightField *)g;
-    const Cells near = cellsNear(q, f);
-    const size_t width = (size_t)(near.i1 - near.i0 + 2);
-    mcd_hashAdd(hash, &near, sizeof near);
-    for (int j = near.j0; j <= near.j1 + 1; j++)
-        mcd_hashAdd(hash, &f->height[(size_t)j * (size_t)f->xCount + (size_t)near.i0], width * sizeof *f->height);
+static void update(McdGeometry *g) {
+    McdRGHeightField *f = (McdRGHeightField *)g;
+    f->version++;
+    findExtremes(f);
 }
 
 static int intersect(McdModelPair *p, McdIntersectResult *result) {

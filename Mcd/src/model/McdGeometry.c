@@ -51,6 +51,24 @@ void mcd_geometryChanged(McdGeometryID g) {
     g->frame->changes++;
 }
 
+static MeBool uses(const McdGeometryInstance *ins, const McdGeometry *g) {
+    for (const McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)
+        if (uses(child, g))
+            return METRUE;
+    return ins->geometry == g;
+}
+
+void MEAPI McdGeometryUpdate(McdGeometryID g) {
+    if (!checkLive(g, "McdGeometryUpdate"))
+        return;
+    const McdKind *kind = mcd_kindOf(g);
+    if (kind && kind->update)
+        kind->update(g);
+    for (McdModelRecord *m = g->frame->firstModel; m; m = m->next)
+        if (uses(&m->instance, g))
+            mcd_modelStir(m);
+}
+
 void mcd_modelStir(McdModelRecord *m) {
     m->isStirred = METRUE;
     m->frame->changes++;

@@ -31,8 +31,8 @@ typedef struct McdModelInputs {
     } shape;
 } McdModelInputs;
 
-/* Set in McdModelRecord.shapeStamp: its shape, or a part of it, has triangles that are not among its inputs
- * (McdKind.hashNear). There, as the pair loop reads that line of a model anyway. */
+/* Set in McdModelRecord.shapeStamp: its shape, or a part of it, is a surface of triangles, which are not among its
+ * inputs. There, as the pair loop reads that line of a model anyway. */
 #define MCD_HAS_SURFACE ((MeU64)1 << 63)
 
 /* Where a model was before its transform became what it is, and the block of its space in which it did. */

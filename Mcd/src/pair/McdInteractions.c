@@ -378,45 +378,6 @@ MeBool MEAPI McdModelPairIntersectPlain(McdModelPair *p, McdIntersectResult *res
     return areConvex || mcd_intersect(p, result);
 }
 
-/* One convex model and one surface that a function of the program makes, with the library's own interaction, and
- * without callbacks of the models. */
-static MeBool isOfGeneratedSurface(const McdModelPair *p, MeBool *isTurned) {
-    const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
-    const McdKind *kindA = kindOf(p->model1), *kindB = kindOf(p->model2);
-    if (!kindA || !kindB || a->intersect || b->intersect || !mcd_interactionIsBuiltIn(p))
-        return MEFALSE;
-    *isTurned = kindA->gather != 0;
-    return (*isTurned ? kindA : kindB)->gather && (*isTurned ? kindA : kindB)->callsProgram &&
-           (*isTurned ? kindB : kindA)->setShape;
-}
-
-MeBool MEAPI McdModelPairIntersectIfChanged(McdModelPair *p, MeBool mayBeUnchanged, McdIntersectResult *result,
-                                            MeBool *isKnown) {
-    MeBool isTurned;
-    MEASSERT(p && result && isKnown);
-    const McdRequest *request = McdModelPairGetRequestPtr(p);
-    if (!isOfGeneratedSurface(p, &isTurned) || request->faceNormalsFirst || !arePlaced(p, "McdIntersect")) {
-        p->test.shape1 = p->test.shape2 = 0;
-        *isKnown = mcd_intersect(p, result);
-        return METRUE;
-    }
-    McdModelPair ordered = isTurned ? turn(p) : *p;
-    McdMeshSeen seen = {.stamp = mcd_modelStampInRound(mcd_record(ordered.model1)),
-                        .hash = {p->test.shape1, p->test.shape2},
-                        .mayBeUnchanged = mayBeUnchanged};
-    seen.mayBeUnchanged = seen.mayBeUnchanged && seen.stamp != 0; /* 0: its inputs cannot be compared */
-    const int max = limitContacts(result, request);
-    mcd_meshIntersectIfChanged(&ordered, result, kindOf(ordered.model2)->gather, &seen);
-    if (isTurned)
-        turnContacts(result);
-    result->pair = p;
-    result->contactMaxCount = max;
-    p->test.shape1 = seen.hash[0];
-    p->test.shape2 = seen.hash[1];
-    *isKnown = METRUE;
-    return !seen.isUnchanged;
-}
-
 MeBool MEAPI McdIntersectAt(McdModelPair *p, McdIntersectResult *result, MeReal time) {
     if (!checkPair(p, "McdIntersectAt") || !mcd_resultHasRoom(result, "McdIntersectAt"))
         return MEFALSE;

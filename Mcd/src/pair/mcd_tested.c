@@ -4,15 +4,12 @@
  * new stamp (version) when any bit of these has changed since the last comparison; a pair keeps the stamps of its
  * models at its last test, and their relative pose.
  *
- * A program may change the heights of a height field in its own array, without a call. So a pair with one keeps,
- * instead of the stamps of both shapes, a hash of these, of the field's box, and of the cells that a test would visit:
- * which they are, and their heights. It is made at each look, unless the pair has moved, by the function that bounds a
- * test's query, so that it covers what a test would read. Two hashes of 128 bits are equal by chance once in 3e38.
+ * Surfaces of triangles are arrays and functions of the program, which may change them without a call. So a pair with
+ * one is tested in each step in which a model that may move is awake: 12 us for a box on a height field. While all of
+ * them sleep, only stamps count: McdGeometryUpdate changes that of a height field.
  *
  * Parts with a material of their own and a program's own types may depend on more: they are always tested. So are
- * triangle lists here: what a list shows is known only once its callback has been called, which is done in the calling
- * thread, as it commits. There a test of one convex model ends after that, if all that it would read has the hash of
- * the last one (McdModelPairIntersectIfChanged), which is kept in the place of the stamps of both shapes, too.
+ * triangle lists, by the thread that steps, as their callbacks are called.
  */
 #include "McdInternal.h"
 #include "model/mcd_geometries_i.h"
@@ -27,8 +24,8 @@ static void copyIfThere(MeVector3 to, const MeReal *from) {
         memcpy(to, from, sizeof(MeVector3));
 }
 
-/* What a shape's tests depend on beside its place, but for triangles (McdKind.hashNear): its own members, or a hash of
- * them. False: they may depend on more. */
+/* What a shape's tests depend on beside its place, but for a program's arrays: its own members, or a hash of them.
+ * False: they may depend on more. */
 static MeBool readParameters(const McdGeometry *g, MeU64 parameters[MCD_SHAPE_PARAMETERS]) {
     const McdKind *kind = mcd_kindOf(g);
     if (!kind || kind->size == 0)
@@ -95,7 +92,7 @@ static MeBool hasSurface(const McdGeometryInstance *ins) {
     for (const McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)
         if (hasSurface(child))
             return METRUE;
-    return kind && kind->hashNear;
+    return kind && kind->gather;
 }
 
 /* Stores changed inputs: new stamps, and the members of the record that follow from the inputs. */
@@ -260,68 +257,31 @@ static MeBool isBuiltIn(const McdModelPair *p) {
                                             : mcd_interactionIsBuiltIn(p);
 }
 
-/* ---- surfaces of triangles --------------------------------------------------------------------------------------- */
-
-/* Mixes what a test of a convex part against a surface would read of the surface: its box, which decides whether it is
- * tested at all as a part, and where the origin is; and its triangles near the convex one. The program may change both
- * while no model moves: heights through its own array, the box by updating the model later than them. p: the models
- * of both, the convex one's first. */
-static void addSurface(const McdModelPair *p, McdGeometryInstance *convex, McdGeometryInstance *surface,
-                       MeU64 hash[2]) {
-    mcd_hashAdd(hash, surface->min, sizeof surface->min);
-    mcd_hashAdd(hash, surface->max, sizeof surface->max);
-    mcd_meshHashNear(p, convex, surface, mcd_kindOf(surface->geometry)->hashNear, hash);
+static MeBool isFrozen(const McdModelRecord *m) {
+    return m->space && ((const McdProxy *)m->proxy)->isFrozen;
 }
 
-static void addSurfaceOfTwo(const McdModelPair *p, McdGeometryInstance *a, McdGeometryInstance *b, MeU64 hash[2]) {
-    const McdKind *kindA = mcd_kindOf(a->geometry), *kindB = mcd_kindOf(b->geometry);
-    if (kindB->hashNear && kindA->setShape)
-        addSurface(p, a, b, hash);
-    if (kindA->hashNear && kindB->setShape) {
-        const McdModelPair turned = {.model1 = p->model2, .model2 = p->model1, .mayTurnRound = p->mayTurnRound};
-        addSurface(&turned, b, a, hash);
-    }
+/* Has one of the models, or a part of it, triangles that the program may have changed? */
+static MeBool hasSurfaces(const McdModelPair *p) {
+    return ((p->test.shape1 | p->test.shape2) & MCD_HAS_SURFACE) != 0;
 }
 
-/* Of every two parts. More than the test reads: that skips parts whose boxes are apart. */
-static void addSurfaces(const McdModelPair *p, McdGeometryInstance *a, McdGeometryInstance *b, MeU64 hash[2]) {
-    for (McdGeometryInstance *child = a->firstChild; child; child = child->nextSibling)
-        addSurfaces(p, child, b, hash);
-    for (McdGeometryInstance *child = b->firstChild; child && !a->firstChild; child = child->nextSibling)
-        addSurfaces(p, a, child, hash);
-    if (!a->firstChild && !b->firstChild)
-        addSurfaceOfTwo(p, a, b, hash);
+/* Are all models that may move frozen? */
+static MeBool areAsleep(const McdModelPair *p, const MeBool mayMove[2]) {
+    return (!mayMove[0] || isFrozen(mcd_record(p->model1))) && (!mayMove[1] || isFrozen(mcd_record(p->model2)));
 }
 
-/* Replaces the stamps of both shapes by a hash, for a pair with a surface. While it moves, and its last test tells
- * nothing of other poses, there is none, but 0: it would take a twentieth of the test that follows. So a pair that
- * comes to rest is tested once more. */
-static void addSurfacesOf(McdModelPair *p, const McdTest *before, MeReal share) {
-    McdTest *t = &p->test;
-    MeU64 hash[2] = {t->shape1, t->shape2};
-    t->shape1 = t->shape2 = 0;
-    if (!mayReuseTest(p, share) && (t->stamp1 != before->stamp1 || t->stamp2 != before->stamp2))
-        return;
-    addSurfaces(p, &mcd_record(p->model1)->instance, &mcd_record(p->model2)->instance, hash);
-    t->shape1 = hash[0];
-    t->shape2 = hash[1];
-}
-
-/* Sets the inputs of the pair's test to what they are now: stamps, and with a surface its triangles. part: see
- * McdModelPairLook. Member by member, as they are read then: a copy of the whole would wait for each. */
-static void setTest(McdModelPair *p, McdModelRecord *m1, McdModelRecord *m2, const McdTest *before, MeReal share) {
+/* Sets the inputs of the pair's test to what they are now. Member by member, as they are read then: a copy of the whole
+ * would wait for each. */
+static void setTest(McdModelPair *p, McdModelRecord *m1, McdModelRecord *m2) {
     const McdRequest *request = p->request ? p->request : m1->frame->defaultRequest;
     McdTest *t = &p->test;
     t->stamp1 = mcd_modelStampInRound(m1);
     t->stamp2 = mcd_modelStampInRound(m2);
     t->contactMaxCount = request->contactMaxCount;
     t->faceNormalsFirst = request->faceNormalsFirst;
-    if (t->stamp1 == 0 || t->stamp2 == 0) /* not compared here: McdModelPairIntersectIfChanged keeps a hash there */
-        return;
     t->shape1 = m1->shapeStamp;
     t->shape2 = m2->shapeStamp;
-    if ((t->shape1 | t->shape2) & MCD_HAS_SURFACE)
-        addSurfacesOf(p, before, share);
 }
 
 /* ---- pairs ------------------------------------------------------------------------------------------------------- */
@@ -340,9 +300,9 @@ McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal share, const MeBool
     MEASSERT(p && p->model1 && p->model2 && mayMove);
     McdModelRecord *m1 = mcd_record(p->model1), *m2 = mcd_record(p->model2);
     const McdTest before = p->test, *now = &p->test;
-    setTest(p, m1, m2, &before, share);
-    const MeBool isComparable =
-        now->stamp1 != 0 && now->stamp2 != 0 && before.stamp1 != 0 && before.stamp2 != 0 && isBuiltIn(p);
+    setTest(p, m1, m2);
+    const MeBool isComparable = now->stamp1 != 0 && now->stamp2 != 0 && before.stamp1 != 0 && before.stamp2 != 0 &&
+                                (!hasSurfaces(p) || areAsleep(p, mayMove)) && isBuiltIn(p);
     if (isComparable && isAlike(now, &before, neither))
         return McdPairIsUnchanged;
     if (isComparable && isAlike(now, &before, mayMove) && mayReuseTest(p, share)) {
@@ -356,10 +316,6 @@ McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal share, const MeBool
         McdModelPairNoteTest(p);
     }
     return McdPairHasChanged;
-}
-
-static MeBool isFrozen(const McdModelRecord *m) {
-    return m->space && ((const McdProxy *)m->proxy)->isFrozen;
 }
 
 MeU32 MEAPI McdModelPairGetTraits(const McdModelPair *p, MeU32 material[2]) {

@@ -237,31 +237,6 @@ static void addToResult(McdMeshQuery *q, McdIntersectResult *result) {
     }
 }
 
-/* Mixes all that the stages after gathering read: the numbers of the query, the convex model by its stamp, and the
- * triangles. */
-static void hashQuery(const McdMeshQuery *q, MeU64 stamp, int contactMaxCount, MeU64 hash[2]) {
-    enum { FIRST = offsetof(McdMeshQuery, margin), BYTES = sizeof *q - FIRST };
-    _Static_assert(BYTES == 39 * sizeof(double), "from there on numbers only, without padding");
-    const McdMesh *mesh = q->mesh;
-    const MeU64 head[3] = {stamp, (MeU64)contactMaxCount, (MeU64)mesh->count};
-    mcd_hashAdd(hash, head, sizeof head);
-    mcd_hashAdd(hash, (const char *)q + FIRST, BYTES);
-    mcd_hashAdd(hash, mesh->place, 3 * (size_t)mesh->count * sizeof *mesh->place);
-    for (int i = 0; i < mesh->count; i++) {
-        const McdMeshTriangle *t = &mesh->triangle[i];
-        mcd_hashAdd(hash, t->normal, sizeof t->normal);
-        mcd_hashAdd(hash, &t->flags, sizeof t->flags);
-        mcd_hashAdd(hash, &t->element, sizeof t->element);
-    }
-}
-
-/* Whether the query would find what the last one did; notes what it reads. */
-static MeBool isAsSeen(const McdMeshQuery *q, int contactMaxCount, const MeU64 before[2], McdMeshSeen *seen) {
-    hashQuery(q, seen->stamp, contactMaxCount, seen->hash);
-    seen->isUnchanged = seen->mayBeUnchanged && seen->hash[0] == before[0] && seen->hash[1] == before[1];
-    return seen->isUnchanged;
-}
-
 MeBool mcd_meshMayIntersect(const McdModelPair *p, const McdIntersectResult *result, const char *function) {
     if (!mcd_areGiven(function, p, result, result) || !mcd_resultHasRoom(result, function) ||
         !mcd_modelCheck(p->model1, function) || !mcd_modelCheck(p->model2, function))
@@ -273,19 +248,9 @@ MeBool mcd_meshMayIntersect(const McdModelPair *p, const McdIntersectResult *res
 }
 
 int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather gather) {
-    return mcd_meshIntersectIfChanged(p, result, gather, 0);
-}
-
-int mcd_meshIntersectIfChanged(McdModelPair *p, McdIntersectResult *result, McdMeshGather gather, McdMeshSeen *seen) {
     McdFramework *frame = mcd_record(p->model1)->frame;
     McdMeshQuery q;
-    MeU64 before[2] = {0, 0};
     int touches = 0;
-    if (seen) {
-        memcpy(before, seen->hash, sizeof before);
-        memset(seen->hash, 0, sizeof seen->hash);
-        seen->isUnchanged = MEFALSE;
-    }
     mcd_resultBegin(result, p);
     if (!beginQuery(&q, p))
         return 0;
@@ -294,7 +259,7 @@ int mcd_meshIntersectIfChanged(McdModelPair *p, McdIntersectResult *result, McdM
         return 0;
     q.mesh = &q.scratch->mesh;
     gatherTriangles(&q, gather);
-    if (!(seen && isAsSeen(&q, result->contactMaxCount, before, seen)) && q.mesh->count) {
+    if (q.mesh->count) {
         mcd_meshBuildAdjacency(q.mesh);
         mcd_meshFindContacts(&q);
         mcd_meshSweep(&q);
@@ -304,14 +269,6 @@ int mcd_meshIntersectIfChanged(McdModelPair *p, McdIntersectResult *result, McdM
     }
     mcd_scratchGive(frame, q.scratch);
     return touches;
-}
-
-void mcd_meshHashNear(const McdModelPair *p, McdGeometryInstance *convex, McdGeometryInstance *mesh, McdMeshHash add,
-                      MeU64 hash[2]) {
-    McdMeshQuery q;
-    q.margin = mcd_childMargin(p, convex, mesh);
-    if (placeQuery(&q, convex, mesh))
-        add(&q, mesh->geometry, hash);
 }
 
 /* ---- the framework's table --------------------------------------------------------------------------------------- */

@@ -80,18 +80,6 @@ struct McdMeshQuery {
 
 /* The interaction of a convex model with a mesh: 1 if there are contacts. */
 int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather gather);
-/* What such a query has read, as a hash of 128 bits; zeros: there was none. */
-typedef struct McdMeshSeen {
-    MeU64 stamp;           /* of the convex model; to be set before a query, like all but the last member */
-    MeU64 hash[2];         /* of the last query, and after this one of this */
-    MeBool mayBeUnchanged; /* the caller has the results of the last query */
-    MeBool isUnchanged;    /* this one would have had the same: it ended once the triangles were gathered */
-} McdMeshSeen;
-int mcd_meshIntersectIfChanged(McdModelPair *p, McdIntersectResult *result, McdMeshGather gather, McdMeshSeen *seen);
-/* Mixes what that interaction of two parts would read of the mesh into a hash; p: their models, the convex one's
- * first. */
-void mcd_meshHashNear(const McdModelPair *p, McdGeometryInstance *convex, McdGeometryInstance *mesh, McdMeshHash add,
-                      MeU64 hash[2]);
 /* Room for so many triangles; false, after a fatal error, if there is no memory. */
 MeBool mcd_meshReserve(McdMesh *mesh, int triangles);
 void mcd_meshFree(McdMesh *mesh);

@@ -204,18 +204,13 @@ static void testPlain(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     storeResult(b, run, f);
 }
 
-MeBool mst_testPairIfChanged(MstBridgeRecord *b, MstRun *run, MstFinding *f) {
+void mst_testPair(MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     McdModelPair *p = f->pair;
-    const LastTest last = lastTestOf(b, p);
-    const MeBool mayReuse = (last == SEPARATED || last == IN_PLACE) && !f->isFast && !mst_hasCallback(f->materials);
-    beginResult(run);
-    if (!McdModelPairIntersectIfChanged(p, mayReuse, &run->result, &f->isKnown))
-        return MEFALSE;
+    f->isKnown = mst_intersectPair(run, p);
     mst_checkContacts(b, run);
     if (!McdModelGetTransformPtr(p->model1) || !McdModelGetTransformPtr(p->model2))
         run->result.contactCount = 0; /* a function of the program has taken a transform away */
     storeResult(b, run, f);
-    return METRUE;
 }
 
 void mst_noteNoCollide(McdModelPair *const pairs[], int count) {

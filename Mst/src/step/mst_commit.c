@@ -210,17 +210,8 @@ static void commitTested(MstBridgeRecord *b, const MstRun *run, const MstFinding
     finishTest(b, f, s, w);
 }
 
-static MeBool hasFoundContacts(const McdModelPair *p) {
-    const MstTouch *t = p->touch;
-    return t && t->found != 0;
-}
-
 static void testAndCommit(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpaceID s, MdtWorldID w) {
-    if (!mst_testPairIfChanged(b, run, f)) {
-        if (hasFoundContacts(f->pair))
-            keepContacts(b, f->pair, f->materials);
-        return;
-    }
+    mst_testPair(b, run, f);
     if (f->isKnown && !McdModelPairIsLeaving(f->pair))
         commitWithCallbacks(b, run, f, w);
     if (mst_hasCallback(f->materials))

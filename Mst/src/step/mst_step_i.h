@@ -15,8 +15,7 @@
  * from one to the other. Collide and update call no function of the program, take nothing from a pool, and write to
  * nothing that two pairs share, but for the stamp that Mcd gives a model at its first look in a round, and for the mark
  * that a body's certificate of rest has ended, which any number of threads may set. A pair whose test or contacts
- * involve a function of the program is only looked at there: it ends the run, and commit tests it; with a list of
- * triangles, only until it is known that these are as they were.
+ * involve a function of the program is only looked at there: it ends the run, and commit tests it.
  *
  * With workers (mst_workers.c), models get their stamps first; then runs of pairs that call no program are collided by
  * all workers, some runs ahead of the calling thread, which commits them in their order. In the first part of a step no
@@ -70,9 +69,8 @@ MeBool mst_intersectPair(MstRun *run, McdModelPair *p);
 /* Is a model flush with a face of a fixed box that it will slide over, notwithstanding all contacts of them
  * (mst_flush.c)? */
 MeBool mst_passesFlush(const McdModelPair *p, const McdContact contacts[], int count);
-/* Tests a pair that may have a list of triangles, whose callback is called; its contacts become part of the run's.
- * False: all triangles, the models and the materials are as in the last test, and the pair has its contacts still. */
-MeBool mst_testPairIfChanged(MstBridgeRecord *b, MstRun *run, MstFinding *f);
+/* Tests a pair whose test may call functions of the program; its contacts become part of the run's. */
+void mst_testPair(MstBridgeRecord *b, MstRun *run, MstFinding *f);
 /* Of the run's result, as a function of the program has left it: what is no contact is left out, with a warning. */
 void mst_checkContacts(MstBridgeRecord *b, MstRun *run);
 /* Notes of each pair whether a joint of its bodies lets them pass through each other: before any is collided, as commit
