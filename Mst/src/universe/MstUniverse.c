@@ -11,8 +11,8 @@
 #include "MeMessage.h"
 #include "MeProfile.h"
 #include "MeTeam.h"
-#include "universe/mst_advise_i.h"
 #include "step/mst_step_i.h"
+#include "universe/mst_universe_i.h"
 
 const MstUniverseSizes MstUniverseDefaultSizes = {100, 500, 0, 100, 500, 100, 10, 1, 1};
 const MstUniverseSizes MstUniverseGrowingSizes = {0, 0, 0, 0, 0, 0, 0, 1, 1};
@@ -21,7 +21,7 @@ typedef struct MstUniverseRecord {
     MstUniverse universe; /* what programs see: first */
     MeU32 magic;
     MeHandle handle;
-    MstAdviser *adviser; /* null: nobody has asked for advice */
+    MstStepHook *hook; /* null: a step is nothing but a step */
     MeBool saidLongStep;
 } MstUniverseRecord;
 
@@ -72,7 +72,9 @@ static void destroyMembers(MstUniverse *u) {
         MstBridgeDestroy(u->bridge);
     if (MdtWorldIsValid(u->world))
         MdtWorldDestroy(u->world);
-    mst_adviserDestroy(((MstUniverseRecord *)u)->adviser);
+    MstStepHook *hook = ((MstUniverseRecord *)u)->hook;
+    if (hook)
+        hook->destroy(hook);
     MeHandleLeave(&((MstUniverseRecord *)u)->handle);
     ((MstUniverseRecord *)u)->magic = 0;
     MeMemoryGive(u);
@@ -206,17 +208,12 @@ static void advance(MstUniverse *u, MeReal step) {
     MeCallerSet(before);
 }
 
-/* With advice: a callback of it is called before the step. */
-static void stepWithAdvice(MstUniverse *u, MeReal step) {
-    MstAdviser **adviser = &((MstUniverseRecord *)u)->adviser, *begun;
-    if (*adviser)
-        mst_adviserStepBegins(u, adviser, (double)step);
-    begun = *adviser;
+/* After functions of the program, which may have destroyed a part. */
+static MeBool advanceWholeStep(MstUniverse *u, MeReal step) {
     if (!isWhole(u, "MstUniverseStep"))
-        return;
+        return MEFALSE;
     advance(u, step);
-    if (begun)
-        mst_adviserStepEnds(u, begun, (double)step);
+    return METRUE;
 }
 
 void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step) {
@@ -229,12 +226,16 @@ void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step) {
     warnOfLongStep((MstUniverseRecord *)u, (double)step);
     MeStage *stage = &((MstBridgeRecord *)u->bridge)->stage;
     MeStageBegin(stage, MST_GUARD_BRIDGE);
-    stepWithAdvice(u, step);
+    MstStepHook *hook = ((MstUniverseRecord *)u)->hook;
+    if (hook)
+        hook->step(hook, u, step, advanceWholeStep);
+    else
+        advance(u, step);
     MeStageEnd(stage, MST_GUARD_BRIDGE);
 }
 
-MstAdviser **mst_universeAdviser(MstUniverseID u, const char *function) {
-    return isUniverse(u, function) ? &((MstUniverseRecord *)u)->adviser : 0;
+MstStepHook **mst_universeHook(MstUniverseID u, const char *function) {
+    return isUniverse(u, function) ? &((MstUniverseRecord *)u)->hook : 0;
 }
 
 const MstEvent *MEAPI MstUniverseGetEvents(const MstUniverseID u, int *count) {

@@ -9,7 +9,7 @@
 #include "MdtWorld.h"
 #include "MeAssert.h"
 #include "MeMath.h"
-#include "universe/mst_advise_i.h"
+#include "advise/mst_advise_i.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>

@@ -7,7 +7,7 @@
 #include "MeAssert.h"
 #include "MeMath.h"
 #include "MeTask.h"
-#include "universe/mst_advise_i.h"
+#include "advise/mst_advise_i.h"
 #include "step/mst_step_i.h"
 #include <stdarg.h>
 #include <stdio.h>

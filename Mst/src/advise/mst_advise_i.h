@@ -11,7 +11,7 @@
 
 #include "MdtReport.h"
 #include "MstAdvise.h"
-#include "MstUniverse.h"
+#include "universe/mst_universe_i.h"
 #include <stddef.h>
 
 /* ---- settings ---------------------------------------------------------------------------------------------------- */
@@ -115,17 +115,5 @@ void mst_trialTime(MstTrial *t, const double *cost, const double *asItIs, int ro
 void mst_trialsRate(MstTrial *t, int count, double tolerance, MeBool isCompared);
 /* Whether a trial is no worse than another, or within the tolerance. */
 MeBool mst_trialIsAcceptable(const MstTrial *t, const MstTrial *asItIs, double tolerance);
-
-/* ---- course ------------------------------------------------------------------------------------------------------ */
-
-typedef struct MstAdviser MstAdviser;
-/* Where a universe keeps its adviser; null, with a warning, for anything else (MstUniverse.c). */
-MstAdviser **mst_universeAdviser(MstUniverseID u, const char *function);
-/* What a universe's world has as its epsilon, 1/kg (MstUniverse.c). */
-double mst_epsilonOf(const MstUniverseSizes *sizes);
-/* Around each step of a universe that has an adviser. */
-void mst_adviserStepBegins(MstUniverseID u, MstAdviser **adviser, double step);
-void mst_adviserStepEnds(MstUniverseID u, MstAdviser *adviser, double step);
-void mst_adviserDestroy(MstAdviser *a);
 
 #endif

@@ -1,6 +1,6 @@
 /* From records of copies to advice: errors, ratios, verdicts, sentences (MstAdvise.h). */
 #include "MeMath.h"
-#include "universe/mst_advise_i.h"
+#include "advise/mst_advise_i.h"
 #include <stdio.h>
 #include <string.h>
 

@@ -7,12 +7,12 @@
  *     what is to be taken, together
  *
  * Each of these runs a copy of the process. In the copy the function that made it returns METRUE, and so do those that
- * called it, up to MstUniverseStep: the copy goes on with the program. */
+ * called it, up to the hook of MstUniverseStep: the copy goes on with the program. */
 #include "MstAdvise.h"
 #include "MdtWorld.h"
 #include "MeAssert.h"
 #include "MeMessage.h"
-#include "universe/mst_advise_i.h"
+#include "advise/mst_advise_i.h"
 #include "step/mst_step_i.h"
 #include <stdio.h>
 #include <string.h>
@@ -25,7 +25,8 @@ enum { TOO_SLOW = 20 };
 /* Settings that are slower than this are timed once. */
 static const double slow = 3;
 
-struct MstAdviser {
+typedef struct MstAdviser {
+    MstStepHook hook; /* the universe's pointer to it: first */
     MstAdviceParams params;
     MstAdviceCB done;
     void *userdata;
@@ -43,7 +44,7 @@ struct MstAdviser {
     MstTrial trial[TRIALS];
     int together[MST_KNOBS]; /* by knob: which trial is taken, 0: none */
     MstAdvice advice;
-};
+} MstAdviser;
 
 /* ---- parameters -------------------------------------------------------------------------------------------------- */
 
@@ -66,12 +67,15 @@ static const char *mistakeIn(const MstAdviceParams *p) {
     return p->patience > 0 && MeRealIsValid(p->patience) ? 0 : "patience must be above 0";
 }
 
+static void adviserStep(MstStepHook *hook, MstUniverseID u, MeReal step, MstStepFn stepOnce);
+static void adviserDestroy(MstStepHook *hook);
+
 MeBool MEAPI MstAdvise(const MstUniverseID u, const MstAdviceParams *params, MstAdviceCB done, void *userdata) {
     MstAdviceParams all;
     MstAdviceParamsReset(&all);
     if (params)
         all = *params;
-    MstAdviser **place = mst_universeAdviser(u, "MstAdvise");
+    MstStepHook **place = mst_universeHook(u, "MstAdvise");
     const char *mistake = mistakeIn(&all);
     if (place && mistake)
         MeWarning(1, "MstAdvise: %s", mistake);
@@ -82,21 +86,21 @@ MeBool MEAPI MstAdvise(const MstUniverseID u, const MstAdviceParams *params, Mst
     MstAdviser *a = MeMemoryTakeZeroed(1, sizeof *a, "MstAdvise", "advice");
     if (!a)
         return MEFALSE;
+    a->hook = (MstStepHook){adviserStep, adviserDestroy};
     a->params = all;
     a->done = done;
     a->userdata = userdata;
-    *place = a;
+    *place = &a->hook;
     return METRUE;
 }
 
 MeBool MEAPI MstAdviseIsCopy(const MstUniverseID u) {
-    MstAdviser **place = mst_universeAdviser(u, "MstAdviseIsCopy");
-    return place && *place && (*place)->isCopy;
+    MstStepHook **place = mst_universeHook(u, "MstAdviseIsCopy");
+    return place && *place && (*place)->step == adviserStep && ((MstAdviser *)*place)->isCopy;
 }
 
-void mst_adviserDestroy(MstAdviser *a) {
-    if (a)
-        MeMemoryGive(a);
+static void adviserDestroy(MstStepHook *hook) {
+    MeMemoryGive(hook);
 }
 
 /* ---- one copy ---------------------------------------------------------------------------------------------------- */
@@ -370,7 +374,7 @@ static void reportAdvice(MstAdviser *a) {
     void *userdata = a->userdata;
     memcpy(trial, a->trial, sizeof trial);
     advice.trial = trial;
-    mst_adviserDestroy(a);
+    MeMemoryGive(a);
     const MeProgramCall before = MeProgramEnter("MstAdvise");
     if (done)
         done(&advice, userdata);
@@ -379,25 +383,28 @@ static void reportAdvice(MstAdviser *a) {
     MeProgramLeave(&before);
 }
 
-void mst_adviserStepBegins(MstUniverseID u, MstAdviser **adviser, double step) {
-    MstAdviser *a = *adviser;
+/* False: the universe is not advised in this step, or any more. */
+static MeBool beginStep(MstAdviser *a, MstUniverseID u, double step) {
     if (!(step > 0) || !MeRealIsValid((MeReal)step))
-        return; /* nothing moves: no advice */
+        return MEFALSE; /* nothing moves: no advice */
     if (!a->isCopy && a->waited < (double)a->params.after - .5 * step) {
         a->waited += step;
-        return;
+        return MEFALSE;
     }
     if (a->isCopy || advise(a, u, step)) {
         mst_copyStepBegins(&a->copy);
-        return;
+        return METRUE;
     }
-    *adviser = 0;
+    *mst_universeHook(u, "MstUniverseStep") = 0;
     reportAdvice(a);
+    return MEFALSE;
 }
 
-void mst_adviserStepEnds(MstUniverseID u, MstAdviser *a, double step) {
-    if (a->isCopy)
-        mst_copyStepEnds(&a->copy, u, step);
+static void adviserStep(MstStepHook *hook, MstUniverseID u, MeReal step, MstStepFn stepOnce) {
+    MstAdviser *a = (MstAdviser *)hook;
+    const MeBool isCopy = beginStep(a, u, (double)step);
+    if (stepOnce(u, step) && isCopy)
+        mst_copyStepEnds(&a->copy, u, (double)step);
 }
 
 /* ---- printing ---------------------------------------------------------------------------------------------------- */
