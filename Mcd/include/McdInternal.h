@@ -123,6 +123,10 @@ MEPUBLIC MeBool MEAPI McdModelPairIntersectPlain(McdModelPair *p, McdIntersectRe
 MEPUBLIC void MEAPI McdModelPairNoteTest(McdModelPair *p);
 /** Stores the gap that the test has found, m, a lower bound (McdIntersectResult.apart); 0: unknown, or none. */
 MEPUBLIC void MEAPI McdModelPairNoteSeparated(McdModelPair *p, MeReal apart);
+/** Whether one of the models is a box that may not move, and the other one is flush with a face of it, over which it
+ *  will slide, notwithstanding all the contacts that a test of the pair has found. */
+MEPUBLIC MeBool MEAPI McdModelPairPassesSeam(const McdModelPair *p, const MeBool mayMove[2],
+                                             const McdContact contacts[], int count);
 /** Invalidates the last test: the next McdModelPairLook returns McdPairHasChanged. */
 MEPUBLIC void MEAPI McdModelPairForgetTest(McdModelPair *p);
 /** @} */

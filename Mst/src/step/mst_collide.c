@@ -192,7 +192,8 @@ void mst_checkContacts(MstBridgeRecord *b, MstRun *run) {
 }
 
 static void storeResult(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
-    if (!f->isFast && mst_passesFlush(f->pair, run->contacts, run->result.contactCount))
+    const MeBool mayMove[2] = {mst_bodyOf(f->pair->model1) != 0, mst_bodyOf(f->pair->model2) != 0};
+    if (!f->isFast && McdModelPairPassesSeam(f->pair, mayMove, run->contacts, run->result.contactCount))
         run->result.contactCount = 0;
     f->first = run->foundCount;
     mst_convertContacts(b, run, f);

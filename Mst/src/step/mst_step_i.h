@@ -66,9 +66,6 @@ int mst_collideRun(const MstBridgeRecord *b, MstRun *run, McdModelPair *const pa
 void mst_prefetchModels(McdModelPair *const pairs[], int i, int count);
 /* Tests a pair: the run's result. False: no interaction of its types is known. */
 MeBool mst_intersectPair(MstRun *run, McdModelPair *p);
-/* Is a model flush with a face of a fixed box that it will slide over, notwithstanding all contacts of them
- * (mst_flush.c)? */
-MeBool mst_passesFlush(const McdModelPair *p, const McdContact contacts[], int count);
 /* Tests a pair whose test may call functions of the program; its contacts become part of the run's. */
 void mst_testPair(MstBridgeRecord *b, MstRun *run, MstFinding *f);
 /* Of the run's result, as a function of the program has left it: what is no contact is left out, with a warning. */

@@ -4,10 +4,10 @@
  * this is the way along the floor to the next tile's side, though it will pass over the tile: it stopped at the seam.
  * What lies beyond the plane of a box's face cannot meet the box but through this plane; and if it is apart from the
  * box, but flush with the plane, it has not got to the face yet. When it does, the contact is with the face. */
-#include "McdBox.h"
 #include "McdContact.h"
-#include "McdGeometry.h"
-#include "step/mst_step_i.h"
+#include "McdInternal.h"
+#include "model/mcd_frame_i.h"
+#include <math.h>
 
 /* Of a model's radius: flush. More than contacts that rest are deep, and single precision rounds at a hundred times the
  * model's size from the origin; a step of this height is climbed. x2 and /2 fail Mst_Seams:
@@ -17,7 +17,7 @@ static const double flushShare = 1e-4;
 static double radiusOf(McdModelID m) {
     MeVector3 centre;
     MeReal radius;
-    McdGeometryGetBSphere(McdModelGetGeometry(m), centre, &radius);
+    McdGeometryGetBSphere(mcd_record(m)->instance.geometry, centre, &radius);
     return (double)radius;
 }
 
@@ -25,8 +25,9 @@ static double radiusOf(McdModelID m) {
 static double beyondFace(McdModelID box, McdModelID m, MeVector3 outward) {
     MeVector3 inward, face, nearest;
     MeVector3MultiplyScalar(inward, outward, -1);
-    McdGeometryMaximumPoint(McdModelGetGeometry(box), (const MeVector4 *)McdModelGetTransformPtr(box), outward, face);
-    McdGeometryMaximumPoint(McdModelGetGeometry(m), (const MeVector4 *)McdModelGetTransformPtr(m), inward, nearest);
+    const McdGeometryInstance *a = &mcd_record(box)->instance, *b = &mcd_record(m)->instance;
+    McdGeometryMaximumPoint(a->geometry, mcd_const(a->tm), outward, face);
+    McdGeometryMaximumPoint(b->geometry, mcd_const(b->tm), inward, nearest);
     MeVector3Subtract(nearest, nearest, face);
     return (double)MeVector3Dot(nearest, outward);
 }
@@ -37,7 +38,7 @@ static MeBool isBesideFace(const McdContact *contact, const MeVector3 outward, d
 }
 
 static MeBool isFlush(McdModelID box, McdModelID m, const McdContact *contact, double max) {
-    const MeMatrix4Ptr tm = McdModelGetTransformPtr(box);
+    const MeMatrix4Ptr tm = mcd_record(box)->instance.tm;
     for (int i = 0; i < 6; i++) {
         MeVector3 outward;
         MeVector3MultiplyScalar(outward, tm[i / 2], i % 2 ? -1 : 1);
@@ -47,8 +48,8 @@ static MeBool isFlush(McdModelID box, McdModelID m, const McdContact *contact, d
     return MEFALSE;
 }
 
-static MeBool isFixedBox(McdModelID m) {
-    return !mst_bodyOf(m) && McdGeometryGetTypeId(McdModelGetGeometry(m)) == McdBoxGetTypeId();
+static MeBool isBox(McdModelID m) {
+    return mcd_record(m)->instance.geometry->type == kMcdGeometryTypeBox;
 }
 
 static const McdContact *nearestContact(const McdContact contacts[], int count) {
@@ -59,9 +60,10 @@ static const McdContact *nearestContact(const McdContact contacts[], int count) 
     return nearest;
 }
 
-MeBool mst_passesFlush(const McdModelPair *p, const McdContact contacts[], int count) {
-    const MeBool isFirst = isFixedBox(p->model1);
-    if (count == 0 || (!isFirst && !isFixedBox(p->model2)))
+MeBool MEAPI McdModelPairPassesSeam(const McdModelPair *p, const MeBool mayMove[2], const McdContact contacts[],
+                                    int count) {
+    const MeBool isFirst = !mayMove[0] && isBox(p->model1);
+    if (count == 0 || (!isFirst && (mayMove[1] || !isBox(p->model2))))
         return MEFALSE;
     const McdContact *nearest = nearestContact(contacts, count);
     const McdModelID box = isFirst ? p->model1 : p->model2, m = isFirst ? p->model2 : p->model1;
