@@ -3,8 +3,9 @@
 
 usage: check_headers.py SOURCE single|double CC CXX alone|together
 
-Alone: with nothing else before it. What a header includes does not hang on the precision nor on the compiler, so that one build asks
-for that, and the others for warnings of all headers in one file.
+Alone: with nothing else before it. What a header includes does not hang on the precision nor on the compiler, so that
+one build asks for that, and the others for warnings of all headers in one file. Nor does it hang on the language, but
+for headers that have lines for one of the two: C++ is asked about these alone, and about all in one file.
 """
 import concurrent.futures
 import os
@@ -29,8 +30,14 @@ def complaint(job):
     return f'{included[0].name} as {standard}:\n{run.stderr}' if run.returncode else ''
 
 
+def has_language(header):
+    return '__cplusplus' in header.read_text()
+
+
 groups = [[header] for header in headers] if alone == 'alone' else [headers]
-jobs = [(group, *how) for group in groups for how in ((cc, 'c11', 'c'), (cxx, 'c++17', 'c++'))]
+jobs = [(group, cc, 'c11', 'c') for group in groups]
+jobs += [([header], cxx, 'c++17', 'c++') for header in headers if alone == 'alone' and has_language(header)]
+jobs.append((headers, cxx, 'c++17', 'c++'))
 with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
     complaints = [text for text in pool.map(complaint, jobs) if text]
 print(*complaints, sep='\n')
