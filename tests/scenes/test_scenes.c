@@ -440,21 +440,7 @@ START_TEST(runs_are_alike) {
 }
 END_TEST
 
-#ifndef TEST_IS_SLOW
-START_TEST(a_shaken_tower_stands_for_ten_minutes) {
-    const RunResult r = run_scene(&scenes_longTower, KARMA, 0, 1, 1e9);
-    ck_assert_int_eq(r.outcome, RUN_HOLDS);
-    assert_near(r.errors[0], 0, 0);
-    assert_below(r.errors[1], TOL(2.5e-5, 1e-8));
-    assert_below(r.errors[2], TOL(1e-5, 1e-7));
-}
-END_TEST
-#endif
-
 static void tests(TCase *t) {
-#ifndef TEST_IS_SLOW
-    tcase_add_test(t, a_shaken_tower_stands_for_ten_minutes);
-#endif
     tcase_add_test(t, loops_of_joints_hold_and_agree);
     tcase_add_test(t, a_rolling_disc_goes_round_as_its_momentum_asks);
     tcase_add_test(t, pendulum_periods_are_the_elliptic_integral);
