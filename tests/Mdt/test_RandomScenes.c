@@ -1,4 +1,4 @@
-/* Stability as a property: none of 1000 random scenes (random_scene.h), all of them shaken, has a number that is not
+/* Stability as a property: no random scene (random_scene.h), all of them shaken, has a number that is not
  * finite, an energy that grows without a motor, or a joint that stays open (random_judge.h).
  *
  *     test_Mdt_RandomScenes                       the tests
@@ -8,7 +8,7 @@
 #include "random_judge.h"
 #include <time.h>
 
-/* A sanitizer makes a step many times as long, so that build runs every tenth scene. */
+/* A third of the scenes in each precision, each another one; a sanitizer makes a step many times as long. */
 #ifdef __has_feature
 #if __has_feature(address_sanitizer)
 #define IS_SANITIZED
@@ -18,11 +18,11 @@
 #define IS_SANITIZED
 #endif
 #ifdef IS_SANITIZED
-enum { SCENES = 1000, STRIDE = 10 };
+enum { SCENES = 1000, STRIDE = 20, FIRST = 2 };
 #elif defined _ME_API_DOUBLE
-enum { SCENES = 1000, STRIDE = 3 };
+enum { SCENES = 1000, STRIDE = 3, FIRST = 1 };
 #else
-enum { SCENES = 1000, STRIDE = 1 };
+enum { SCENES = 1000, STRIDE = 3, FIRST = 0 };
 #endif
 
 /* A chain of balls in free air, without motors. */
@@ -126,9 +126,9 @@ static int survey(unsigned long long count, unsigned long long first) {
 
 /* ---- the tests ---- */
 
-START_TEST(none_of_1000_random_scenes_goes_wrong) {
+START_TEST(no_random_scene_goes_wrong) {
     int bad = 0, inexact = 0;
-    for (unsigned long long seed = 0; seed < SCENES; seed += STRIDE) {
+    for (unsigned long long seed = FIRST; seed < SCENES; seed += STRIDE) {
         const MeBool isGood = random_judge(&judge, seed, NULL);
         inexact += judge.verdict.fault[FAULT_CAPPED].is;
         if (isGood)
@@ -202,7 +202,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, the_judge_has_nothing_to_say_of_a_good_scene);
     tcase_add_test(t, the_judge_sees_an_open_joint);
     tcase_add_test(t, the_judge_sees_energy_from_nowhere);
-    tcase_add_test(t, none_of_1000_random_scenes_goes_wrong);
+    tcase_add_test(t, no_random_scene_goes_wrong);
     tcase_add_test(t, the_same_scene_gives_the_same_bits);
 }
 
