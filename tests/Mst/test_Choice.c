@@ -54,7 +54,7 @@ static void assertCarried(double sag, double load) {
 
 START_TEST(a_ton_lies_on_a_bridge_of_planks_of_a_kilogram) {
     for (double sag = .1; sag < 2; sag *= sqrt(10))
-        for (double load = 1; load <= 1000; load *= 10)
+        for (double load = 1; load <= 1000; load *= 1000)
             assertCarried(sag, load);
     assertCarried(.5, 1e4);
     assertCarried(1, 1e4);
@@ -63,8 +63,8 @@ END_TEST
 
 /* Of planks of 8 mm, 12 cm long; had fallen. */
 START_TEST(towers_of_a_hundred_layers_of_planks_stand) {
-    for (int layers = 30; layers <= 120; layers += 15) {
-        const Outcome o = outcomeOf("kapla", layers, 0, 0, 10);
+    for (int layers = 30; layers <= 120; layers += 30) {
+        const Outcome o = outcomeOf("kapla", layers, 0, 0, 4);
         assert_below(fabs(o.error), 1e-4);
         assert_below(o.fallen, 1);
         assert_below(o.drift, 1e-5);
@@ -72,18 +72,20 @@ START_TEST(towers_of_a_hundred_layers_of_planks_stand) {
 }
 END_TEST
 
+static void assertStands(int count, double edge, double top) {
+    const Outcome o = outcomeOf("stack", count, edge, top, 1.5);
+    ck_assert_msg(fabs(o.error) < 1e-6, "%d of %g m, the top %g times: sinks by %g", count, edge, top, o.error);
+    assert_below(o.drift, 1e-6 * edge);
+}
+
 /* Whatever their number, size, and the mass of the top: none sinks by more than rounding, so that nothing changes from
- * one number to the next. */
+ * one number to the next. Of high ones each number has one size and mass in its turn. */
 START_TEST(stacks_of_any_number_stand) {
-    static const double edge[] = {1, .05, .02};
-    for (int k = 0; k < 3; k++)
-        for (double top = 1; top <= 1e4; top *= 100)
-            for (int count = 2; count <= 200; count += count < 12 ? 1 : count < 62 || count > 66 ? 13 : 1) {
-                const Outcome o = outcomeOf("stack", count, edge[k], top, 1.5);
-                ck_assert_msg(fabs(o.error) < 1e-6, "%d of %g m, the top %g times: sinks by %g", count, edge[k], top,
-                              o.error);
-                assert_below(o.drift, 1e-6 * edge[k]);
-            }
+    static const double edge[] = {1, .05, .02}, top[] = {1, 1e2, 1e4};
+    for (int count = 2; count <= 200; count += count < 12 ? 1 : count < 62 || count > 66 ? 13 : 1)
+        for (int k = 0; k < 9; k++)
+            if (count < 12 || k == count % 9)
+                assertStands(count, edge[k / 3], top[k % 3]);
 }
 END_TEST
 
