@@ -318,7 +318,7 @@ static void fillPit(unsigned int from) {
 /* Wedged between walls and each other, while they settle. Where more passes were taken for as long as the residual was
  * too large, they added to it: it was .0074 m/s on average. */
 START_TEST(what_friction_feeds_is_held_back) {
-    enum { PITS = 6, STEPS = 100 };
+    enum { PITS = 3, STEPS = 100 };
     double residual = 0, passes = 0;
     for (int i = 0; i < PITS; i++) {
         makeWorld(MdtSolverFast);

@@ -7,7 +7,7 @@
 #ifdef TEST_IS_SLOW
 enum { FIGURES = 4, FIGURE_STEPS = 150, TEST_STEPS = 30, EXACT_STEPS = 10 };
 #else
-enum { FIGURES = 40, FIGURE_STEPS = 200, TEST_STEPS = 120, EXACT_STEPS = 20 };
+enum { FIGURES = 16, FIGURE_STEPS = 200, TEST_STEPS = 120, EXACT_STEPS = 20 };
 #endif
 
 /* ---- what is measured ---- */

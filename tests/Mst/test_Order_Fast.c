@@ -127,7 +127,7 @@ START_TEST(a_ball_slides_and_then_rolls) {
 }
 END_TEST
 
-/* m: how far a box has crept in 20 s on a driven disc, at half the speed that friction holds, with `others` boxes on a
+/* m: how far a box has crept in 10 s on a driven disc, at half the speed that friction holds, with `others` boxes on a
  * circle of half its radius, which make the partition large. */
 static double creepOnDisc(int others) {
     begin();
@@ -155,7 +155,7 @@ static double creepOnDisc(int others) {
         MdtBodySetAngularVelocity(box, 0, 0, (MeReal)speed);
     }
     double worst = 0;
-    for (int i = 0, n = (int)lround(20 / step); i < n; i++) {
+    for (int i = 0, n = (int)lround(10 / step); i < n; i++) {
         MeVector3 x;
         MeMatrix4 tm;
         MstUniverseStep(u, (MeReal)step);
@@ -168,9 +168,9 @@ static double creepOnDisc(int others) {
 }
 
 START_TEST(a_box_stays_where_it_is_on_a_driven_disc) {
-    for (int others = 0; others <= 100; others += 50) {
+    for (int others = 0; others <= 100; others += 100) {
         const double creep = creepOnDisc(others);
-        assert_below(creep, TOL(1e-5, 1e-4)); /* 1.2e-6; in double precision it lags by 2.3e-6 m/s, at any accuracy */
+        assert_below(creep, TOL(5e-6, 5e-5)); /* 1.2e-6; in double precision it lags by 2.3e-6 m/s, at any accuracy */
     }
 }
 END_TEST
