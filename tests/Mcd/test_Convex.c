@@ -113,7 +113,7 @@ static void comparePair(int kindA, int kindB, int pose, double scale, MeBool sla
 #ifdef TEST_IS_SLOW
 enum { POSES_OF_A_PAIR = 10 }; /* the reference takes most of the time */
 #else
-enum { POSES_OF_A_PAIR = 60 };
+enum { POSES_OF_A_PAIR = 30 };
 #endif
 
 /* For long runs: NEARFIELD_POSES=60000 poses of each pair, a third of them of each kind, NEARFIELD_PAIR=hull-hull

@@ -93,7 +93,7 @@ static void addLowTriangle(double size) {
 #ifdef TEST_IS_SLOW
 enum { TURNS = 30 };
 #else
-enum { TURNS = 300 };
+enum { TURNS = 120 };
 #endif
 
 /* On a grid of triangles as on a plane: the lowest point is the deepest, and the normal is the plane's. */
