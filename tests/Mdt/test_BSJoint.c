@@ -27,6 +27,10 @@ START_TEST(sag_is_epsilon_force_step_squared_over_gamma) {
         for (int g = 0; g < 4; g++)
             for (int k = 0; k < 3; k++)
                 for (int f = 0; f < 2; f++) {
+#ifdef TEST_IS_SLOW
+                    if ((e + g + k + f) % 4)
+                        continue;
+#endif
                     double force;
                     const double sag = sagOf(epsilons[e], gammas[g], hs[k], forces[f], &force);
                     const double expected = epsilons[e] * forces[f] * hs[k] * hs[k] / gammas[g];

@@ -7,7 +7,11 @@
 #include <fenv.h>
 #include <stdatomic.h>
 
+#ifdef TEST_IS_FOR_THREADS
+enum { ITEMS = 10000, ROUNDS = 50 };
+#else
 enum { ITEMS = 10000, ROUNDS = 200 };
+#endif
 
 /* What is not as it should be on other threads, where Check may not be asked. */
 static atomic_int wrong;

@@ -3,12 +3,12 @@
 #include "Mst.h"
 #include "karma_test.h"
 
-enum { BOXES = 20, TOWERS = 8, STEPS = 500, THROW = 100, IN_STEPS = 50 };
+enum { BOXES = 20, STEPS = 500, THROW = 100, IN_STEPS = 50 };
 
 #if defined TEST_IS_SLOW || defined _ME_API_DOUBLE /* it takes a minute */
-enum { CUBES = 60 };
+enum { CUBES = 60, TOWERS = 2 };
 #else
-enum { CUBES = 300 };
+enum { CUBES = 300, TOWERS = 8 };
 #endif
 
 static MstUniverseID u;
