@@ -717,7 +717,7 @@ static void runOne(int callback) {
     needMemory();
     cb_isFailing = callback == CB_FATAL_HANDLER;
     cb.isArmed = METRUE;
-    for (int i = 0; i < 6 && !isOver; i++)
+    for (int i = 0; i < 6 && !isOver && (i < 2 || cb.calls < cb.max); i++)
         frame();
     cb_isFailing = MEFALSE;
     if (callback != CB_TERM) {
@@ -728,7 +728,7 @@ static void runOne(int callback) {
     ck_assert_msg(said.namesCaller, "%s, %s: '%s' does not name who called", name, action->name, said.last);
     ck_assert_msg(said.others == 0, "%s, %s: %s", name, action->name, said.other);
     cb.isArmed = callback == CB_TERM;
-    for (int i = 0; i < 6 && !isOver; i++)
+    for (int i = 0; i < 3 && !isOver; i++)
         MstUniverseStep(cb.u, CB_H);
     if (!isOver)
         checkWorld(name);
