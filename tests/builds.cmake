@@ -17,15 +17,15 @@ set(KARMA_ONCE_WITHOUT_SANITIZERS
   Mcd.BoxBox Mcd.Ccd Mcd.Guess Mcd.RandomPoses Mcd.Sliding
   Mdt.Certificate Mdt.Degenerate Mdt.MisfitScenes Mdt.Order
   Mst.Blows Mst.Cases_Crowds Mst.Cases_Long Mst.Cases_Stacks Mst.Cases_Terrain Mst.Choice
-  Mst.Collapse Mst.Crowd Mst.Forces Mst.Jointed Mst.Reuse Mst.Scales Mst.Spikes Mst.WarmSteps Mst.WorkBudget
+  Mst.Collapse Mst.Crowd Mst.Forces Mst.Jointed Mst.Order_Fast Mst.Reuse Mst.Scales Mst.Spikes Mst.WarmSteps Mst.WorkBudget
   Mst.Threads) # ThreadSanitizer's build runs it, and states.twelve sanitizes the same workers
 
 # Double precision: what asserts the same of both (no TOL(), no _ME_API_DOUBLE) and has no arithmetic of MeReal in it;
 # pictures; and convex shapes, which Mcd has in double in each build.
 set(KARMA_ONCE_IN_SINGLE
   scenes.linkage scenes.rings Mcd.BoxBox Mcd.Ccd Mcd.Convex Mcd.Guess Mcd.RandomPoses Mcd.Threads
-  Mst.Advise Mst.Callbacks Mst.Cases_Long Mst.Memory Mst.Threads
-  MeApp.window viewer.Picture viewer.Up viewer.runs viewer.window tutorials.advise install.programs fuzz.files)
+  Mst.Advise Mst.Callbacks Mst.Cases_Long Mst.Memory Mst.Threads states.longrun
+  MeApp.window viewer.Picture viewer.Up viewer.interface viewer.runs viewer.window tutorials.advise install.programs fuzz.files)
 
 # 1 s and more in the build `ci`, of a processor; everything else is labelled `quick`.
 set(KARMA_DEAR
