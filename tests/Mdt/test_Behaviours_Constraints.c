@@ -6,6 +6,7 @@
  *   a second body of null is the world                      test_BSJoint: sag_is_epsilon_force_step_squared_over_gamma
  *   it has to be disabled before its bodies change; a warning  test_Constraint: changing_the_bodies_of_an_enabled_...
  *   MdtConstraintSetAxes normalizes and makes orthogonal    test_Constraint: frames_are_given_in_the_world_...
+ *   reset brings the defaults of each type back             test_JointLife: reset_restores_the_defaults_and_...
  *   positions and axes are the world's and move with bodies  test_Constraint: frames_are_given_in_the_world_...
  */
 #include "behaviour.h"
@@ -249,51 +250,6 @@ START_TEST(forces_are_the_last_step_s_and_opposite_on_the_two_bodies) {
 }
 END_TEST
 
-/* Ch. 3, Mdt*Reset: the defaults of the type, those of the attachments to the bodies too; the bodies stay. */
-START_TEST(reset_restores_the_defaults_of_every_type) {
-    MdtWorldID w = scene_world(2, 20, 0);
-    MdtBodyID a = scene_body(w, 1, 1, 0, 0), b = scene_body(w, 1, 0, 1, 0);
-#define RESET(Type)                                                                                                    \
-    {                                                                                                                  \
-        Mdt##Type##ID fresh = Mdt##Type##Create(w), j = Mdt##Type##Create(w);                                          \
-        MdtConstraintID c = Mdt##Type##QuaConstraint(j), d = Mdt##Type##QuaConstraint(fresh);                          \
-        Mdt##Type##SetBodies(j, a, b);                                                                                 \
-        MdtConstraintSetPosition(c, 3, 4, 5);                                                                          \
-        MdtConstraintSetAxes(c, 0, 1, 1, 1, 0, 0);                                                                     \
-        Mdt##Type##Reset(j);                                                                                           \
-        ck_assert(Mdt##Type##GetBody(j, 0) == a && Mdt##Type##GetBody(j, 1) == b);                                     \
-        for (unsigned int k = 0; k < 2; k++) {                                                                         \
-            MeVector3 p, q, r, s;                                                                                      \
-            MdtConstraintBodyGetPositionRel(c, k, p);                                                                  \
-            MdtConstraintBodyGetPositionRel(d, k, q);                                                                  \
-            assert_vec3_near(p, q[0], q[1], q[2], 0);                                                                  \
-            MdtConstraintBodyGetAxesRel(c, k, p, q);                                                                   \
-            MdtConstraintBodyGetAxesRel(d, k, r, s);                                                                   \
-            assert_vec3_near(p, r[0], r[1], r[2], 0);                                                                  \
-            assert_vec3_near(q, s[0], s[1], s[2], 0);                                                                  \
-        }                                                                                                              \
-        Mdt##Type##Destroy(j);                                                                                         \
-        Mdt##Type##Destroy(fresh);                                                                                     \
-    }
-    RESET(Angular3)
-    RESET(BSJoint)
-    RESET(CarWheel)
-    RESET(ConeLimit)
-    RESET(FPFOJoint)
-    RESET(FixedPath)
-    RESET(Hinge)
-    RESET(Linear1)
-    RESET(Linear2)
-    RESET(Prismatic)
-    RESET(RPROJoint)
-    RESET(Spring)
-    RESET(Universal)
-    RESET(Spring6)
-    RESET(Skeletal)
-    MdtWorldDestroy(w);
-}
-END_TEST
-
 /* Ch. 3, MdtConstraintSetAxes: the third axis is the cross product of the two, so the pair is a full orientation. */
 START_TEST(two_axes_make_a_right_handed_frame) {
     MdtWorldID w = scene_world(1, 1, 0);
@@ -386,7 +342,6 @@ static void tests(TCase *t) {
     tcase_add_test(t, user_data_and_world_are_returned);
     tcase_add_test(t, bodies_are_placed_attached_and_then_the_position_is_set);
     tcase_add_test(t, forces_are_the_last_step_s_and_opposite_on_the_two_bodies);
-    tcase_add_test(t, reset_restores_the_defaults_of_every_type);
     tcase_add_test(t, two_axes_make_a_right_handed_frame);
     tcase_add_test(t, each_type_removes_its_degrees_of_freedom);
     tcase_add_test(t, a_car_wheel_removes_3_to_6);

@@ -15,6 +15,8 @@
  *   slide: a conveyor belt                            test_Contact: slide_carries_at_belt_speed
  *   restitution e, above the threshold only           test_Contact: impacts_below_the_threshold_do_not_bounce
  *   softness lets bodies overlap                      test_Contact: softness_rests_softness_force_step_squared_over_...
+ *   what overlaps is pushed out, a gap may be closed  test_Contact: overlap_is_pushed_out_by_gamma_a_step
+ *                                                     test_Contact: a_gap_closes_exactly
  *   MdtContactGetNext ends with MdtContactInvalidID   test_Constraint: contacts_form_lists_of_their_makers
  *   a group's list, count, creating, removing         test_ContactGroup: the_list_is_walked_from_first_to_null
  *                                                     test_ContactGroup: contacts_come_and_go
@@ -79,43 +81,6 @@ START_TEST(a_contact_blocks_motion_against_its_normal_only) {
             assert_near(pushed, way > 0 ? 1 / (double)FRAME : 0, TOL(1e-3, 1e-6)); /* both to 1 m/s: 1 N s */
             MdtWorldDestroy(s.world);
         }
-}
-END_TEST
-
-/* "Positive, the value of penetration is the distance of penetration": it is pushed out, which leaves no velocity
- * behind; a negative one is a gap, which may be closed. */
-START_TEST(positive_penetration_is_overlap) {
-    for (int gap = 0; gap < 2; gap++) {
-        Pair s = makePair(0, 1, 0);
-        MdtContactSetPenetration(s.contact, gap ? (MeReal)-.01 : (MeReal).01);
-        assert_near(MdtContactGetPenetration(s.contact), gap ? -.01 : .01, TOL(1e-8, 9e-11));
-        approachWith(&s, 2);
-        MdtWorldStep(s.world, FRAME);
-        /* separated by gamma of the overlap; or closed by the gap and no more */
-        assert_near(coordinate(s.first, 1) - coordinate(s.second, 1) - 2, gap ? -.01 : .2 * .01, TOL(1e-6, 1e-9));
-        assert_near(separation(&s), 0, TOL(1e-6, 1e-9));
-        MdtWorldDestroy(s.world);
-    }
-}
-END_TEST
-
-/* "Frictionless: the objects are free to slide"; "Infinite friction: can not slide over each other at all": between two
- * bodies in any direction. */
-START_TEST(frictionless_keeps_the_tangential_velocity_and_infinite_friction_stops_it) {
-    for (int infinite = 0; infinite < 2; infinite++) {
-        Pair s = makePair(0, 1, 0);
-        if (infinite)
-            MdtContactParamsSetType(MdtContactGetParams(s.contact), MdtContactTypeFriction2D);
-        MdtBodySetLinearVelocity(s.first, 3, -1, 2);
-        MdtWorldStep(s.world, FRAME);
-        /* v + ω × r of the points that touched, r = ∓y */
-        const double x = velocity(s.first, 0) + spin(s.first, 2) - velocity(s.second, 0) + spin(s.second, 2);
-        const double z = velocity(s.first, 2) - spin(s.first, 0) - velocity(s.second, 2) - spin(s.second, 0);
-        assert_near(x, infinite ? 0 : 3, TOL(1e-5, 1e-9));
-        assert_near(z, infinite ? 0 : 2, TOL(1e-5, 1e-9));
-        assert_near(separation(&s), 0, TOL(1e-6, 1e-9));
-        MdtWorldDestroy(s.world);
-    }
 }
 END_TEST
 
@@ -188,32 +153,6 @@ START_TEST(separation_is_restitution_times_approach) {
                         TOL(1e-6, 1e-9) * (1 + speeds[k]));
             MdtWorldDestroy(s.world);
         }
-}
-END_TEST
-
-/* "Softness ... gives a 'springy' effect", and ch. 5, "Preventing Jitter": a soft contact rests in a small overlap,
- * without leaving it, so that it is never broken and made again. */
-START_TEST(a_soft_contact_rests_in_a_small_overlap_without_jitter) {
-    MdtWorldID w = scene_world(1, 1, 10);
-    MdtBodyID b = scene_body(w, 1, 0, .01, 0);
-    MdtContactID c = 0;
-    int broken = 0;
-    for (int i = 0; i < 600; i++) {
-        if (c)
-            MdtContactDestroy(c);
-        c = 0;
-        const double depth = -coordinate(b, 1);
-        if (depth > 0) {
-            c = scene_contact(w, b, 0, 0, 0, 0);
-            MdtContactSetPenetration(c, (MeReal)depth);
-            MdtContactParamsSetSoftness(MdtContactGetParams(c), (MeReal).001);
-        } else if (i > 120)
-            broken++;
-        MdtWorldStep(w, FRAME);
-    }
-    ck_assert_int_eq(broken, 0);
-    assert_near_rel(-coordinate(b, 1), .0011 * 10 * (double)FRAME * (double)FRAME / .2, 1e-3);
-    MdtWorldDestroy(w);
 }
 END_TEST
 
@@ -290,12 +229,9 @@ END_TEST
 
 static void tests(TCase *t) {
     tcase_add_test(t, a_contact_blocks_motion_against_its_normal_only);
-    tcase_add_test(t, positive_penetration_is_overlap);
-    tcase_add_test(t, frictionless_keeps_the_tangential_velocity_and_infinite_friction_stops_it);
     tcase_add_test(t, the_secondary_direction_follows_the_right_hand_rule);
     tcase_add_test(t, a_primary_direction_is_chosen_when_none_is_set);
     tcase_add_test(t, separation_is_restitution_times_approach);
-    tcase_add_test(t, a_soft_contact_rests_in_a_small_overlap_without_jitter);
     tcase_add_test(t, a_contact_of_infinite_adhesion_never_lets_go);
     tcase_add_test(t, set_params_copies_all_values);
     tcase_add_test(t, a_group_s_normal_force_is_the_load);

@@ -1,45 +1,6 @@
 /* What all constraints share: life, attachment, frames, casts, bookkeeping. */
 #include "scene.h"
 
-START_TEST(life_of_a_joint) {
-    MdtWorldID w = scene_world(2, 2, 0);
-    MdtBodyID a = scene_body(w, 1, 0, 0, 0);
-    MdtHingeID j = MdtHingeCreate(w);
-    int data;
-    ck_assert(!MdtHingeIsEnabled(j) && MdtHingeGetBody(j, 0) == NULL && MdtHingeGetBody(j, 1) == NULL);
-    ck_assert(MdtHingeGetWorld(j) == w && MdtHingeGetUserData(j) == NULL && MdtHingeGetSortKey(j) == 0);
-    MdtHingeSetBodies(j, 0, a);
-    MdtHingeSetUserData(j, &data);
-    MdtHingeSetSortKey(j, 2147483647);
-    MdtHingeEnable(j);
-    ck_assert(MdtHingeIsEnabled(j) == 1 && MdtHingeGetBody(j, 1) == a && MdtHingeGetUserData(j) == &data);
-    ck_assert(MdtHingeGetSortKey(j) == 2147483647);
-    ck_assert_int_eq(MdtWorldGetEnabledConstraints(w), 1);
-    MdtHingeDisable(j);
-    ck_assert(!MdtHingeIsEnabled(j));
-    MdtHingeEnable(j);
-    MdtHingeDestroy(j); /* disables first */
-    ck_assert_int_eq(MdtWorldGetEnabledConstraints(w), 0);
-    ck_assert_int_eq(MdtWorldGetTotalConstraints(w), 0);
-    MdtWorldDestroy(w);
-}
-END_TEST
-
-START_TEST(casts_know_the_type) {
-    MdtWorldID w = scene_world(1, 3, 0);
-    MdtHingeID hinge = MdtHingeCreate(w);
-    MdtBSJointID ball = MdtBSJointCreate(w);
-    MdtContactID contact = MdtContactCreate(w);
-    ck_assert(MdtConstraintDCastHinge(MdtHingeQuaConstraint(hinge)) == hinge);
-    ck_assert(MdtConstraintDCastBSJoint(MdtBSJointQuaConstraint(ball)) == ball);
-    ck_assert(MdtConstraintDCastContact(MdtContactQuaConstraint(contact)) == contact);
-    ck_assert(MdtConstraintDCastHinge(MdtBSJointQuaConstraint(ball)) == NULL);
-    ck_assert(MdtConstraintDCastBSJoint(MdtContactQuaConstraint(contact)) == NULL);
-    ck_assert(MdtConstraintDCastContact(MdtHingeQuaConstraint(hinge)) == NULL);
-    MdtWorldDestroy(w);
-}
-END_TEST
-
 START_TEST(frames_are_given_in_the_world_and_move_with_the_bodies) {
     MdtWorldID w = scene_world(2, 1, 0);
     MdtBodyID a = scene_body(w, 1, 1, 0, 0), b = scene_body(w, 1, 0, 3, 0);
@@ -76,25 +37,6 @@ START_TEST(frames_are_given_in_the_world_and_move_with_the_bodies) {
     MdtConstraintBodySetBothAxis(c, 0, 1, 0, 0, 0, 1, 0); /* the deprecated names */
     MdtConstraintBodyGetBothAxes(c, 0, p, o);
     assert_vec3_near(p, 1, 0, 0, TOL(1e-6, 9e-14));
-    MdtWorldDestroy(w);
-}
-END_TEST
-
-START_TEST(reset_brings_a_joint_s_defaults_back) {
-    MdtWorldID w = scene_world(1, 1, 0);
-    MdtBodyID a = scene_body(w, 1, 1, 0, 0);
-    MdtHingeID j = MdtHingeCreate(w);
-    MeVector3 p;
-    MdtHingeSetBodies(j, a, 0);
-    MdtHingeSetPosition(j, 2, 2, 2);
-    MdtHingeSetAxis(j, 0, 1, 0);
-    MdtLimitActivateMotor(MdtHingeGetLimit(j), 1);
-    MdtHingeReset(j);
-    MdtConstraintBodyGetPositionRel(MdtHingeQuaConstraint(j), 0, p);
-    assert_vec3_near(p, 0, 0, 0, 0);
-    MdtHingeGetAxis(j, p);
-    assert_vec3_near(p, 1, 0, 0, TOL(1e-7, 9e-14));
-    ck_assert(!MdtLimitIsMotorized(MdtHingeGetLimit(j)) && MdtHingeGetBody(j, 0) == a);
     MdtWorldDestroy(w);
 }
 END_TEST
@@ -160,10 +102,7 @@ START_TEST(contacts_form_lists_of_their_makers) {
 END_TEST
 
 static void tests(TCase *t) {
-    tcase_add_test(t, life_of_a_joint);
-    tcase_add_test(t, casts_know_the_type);
     tcase_add_test(t, frames_are_given_in_the_world_and_move_with_the_bodies);
-    tcase_add_test(t, reset_brings_a_joint_s_defaults_back);
     tcase_add_test(t, a_constraint_acts_only_when_enabled);
     tcase_add_test(t, a_moving_world_drags_a_joint_along);
     tcase_add_test(t, changing_the_bodies_of_an_enabled_constraint_warns_and_does_it);
