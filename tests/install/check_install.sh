@@ -45,7 +45,7 @@ for program in "$scratch"/consumer/consumer*; do
 done
 
 echo "pkg-config"
-PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name 'karma-mdt.pc')")
+PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name 'karma-mdt*.pc' | head -n 1)")
 export PKG_CONFIG_PATH
 LD_LIBRARY_PATH=$(dirname "$PKG_CONFIG_PATH")
 export LD_LIBRARY_PATH
