@@ -14,7 +14,7 @@ static MeBool boxBox(const McdShape *a, const McdShape *b, double limit, McdProx
     return p->separation <= 0 || mcd_coreProximity(a, b, limit, p);
 }
 
-enum { CLOSED = MCD_RANK_CYLINDER + 1 }; /* so many ranks have closed forms; all others are served by the walk */
+enum { CLOSED = MCD_RANK_CYLINDER + 1 }; /* so many ranks have closed forms; all others take GJK and EPA */
 
 #define POINTS   mcd_pointPoint
 #define SEGMENT  mcd_pointSegment
