@@ -170,7 +170,7 @@ static double creepOnDisc(int others) {
 START_TEST(a_box_stays_where_it_is_on_a_driven_disc) {
     for (int others = 0; others <= 100; others += 100) {
         const double creep = creepOnDisc(others);
-        assert_below(creep, TOL(5e-6, 5e-5)); /* 1.2e-6; in double precision it lags by 2.3e-6 m/s, at any accuracy */
+        assert_below(creep, TOL(5e-6, 5e-5)); /* 5e-7; in double precision it lags by 2.3e-6 m/s, at any accuracy */
     }
 }
 END_TEST

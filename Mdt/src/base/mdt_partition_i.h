@@ -25,7 +25,7 @@ typedef struct MdtIslandRecord {
     int steps;       /* that it has taken by the engine's choice, up to 2 */
     float exactWork; /* multiplications that an exact step takes, a body; 0: none was taken */
     float fastWork;  /* those of the exact solver in the time of a fast step, a body */
-    MeBool isAlone;  /* nothing touches */
+    MeBool hasNoContacts;
     MeBool isUnfit;  /* the fast solver is not for it: nothing touches, or bodies bounce */
     MeBool isUnmet;  /* the fast solver's last answer did not meet the accuracy; */
     int wait, since; /* steps until it is tried again then, and since it was */

@@ -3,7 +3,7 @@
  * A step settles a partition if it was taken whole, if Kea's answer is within its tolerances, and if all bodies are at
  * rest: their velocities below Kea's threshold of rest, or, in large islands (mayStand), in balance and slower than the
  * accuracy. Below the exact solver's threshold gamma has no position errors left to relax; by the fast one bodies have
- * to rest for as long as it takes to do so. The bodies then stay where they are, bit for bit,
+ * to be calm until gamma has removed them (calmStepsToCertify). The bodies then stay where they are, bit for bit,
  * so that contacts are found again as they were. In the next step the inputs may be the same to the last bit: then so
  * are the forces, and the step costs a look at each body. Bodies age meanwhile, so that they are put to sleep as ever.
  *

@@ -2,9 +2,9 @@
  *
  *     condition                                                                   solver   MdtReportWhy
  *     1  the program asks for a solver, or for an accuracy of 0                   that     Asked
- *     2  the program makes rows, there are more than the cap, or what bounces     exact    Unfit
- *        keeps its energy and flies
- *     3  it is not met in time, and touches nothing but itself                     fast     Flight
+ *     2  the program makes rows, there are more than the cap, or all impacts      exact    Unfit
+ *        are elastic, few contacts persist and there are no joints
+ *     3  impacts are not met in time, and no contact is with the world             fast     Flight
  *     4  exact costs no more than fast; a hundred times as much if nothing        exact    Cheap
  *        touches
  *     5  the world's accounts of exact work pay it                                exact    Afforded
@@ -31,8 +31,8 @@
 #include "island/mdt_choice_i.h"
 
 /* Of the work budget (MdtWorldSetWorkBudget), by account: what a step pays, and what it holds. Of the default of 400
- * millions, of which one takes .3 ms: what is wanted, .3 ms a step; a tower of 100 layers of planks has come to rest
- * for 130. What is needed: a bridge of 30 planks that carries ten thousand times its weight takes 4.5 a step; the first
+ * millions, of which one takes .3 ms: optional steps, .3 ms a step; a tower of 100 layers of planks has come to rest
+ * for 130. Needed ones: a bridge of 30 planks with ten thousand times a plank's weight takes 2 to 15 a step; the first
  * step of that tower 38. All steps after their first together take mdt_stepShare. */
 static const double mdt_payment[MDT_ACCOUNTS] = {1 / 400., 4 / 400.}, mdt_creditLimit[MDT_ACCOUNTS] = {150 / 400., 1};
 static const double mdt_stepShare = 30 / 400.;
@@ -98,7 +98,7 @@ void mdt_recordJoin(MdtIslandRecord *to, const MdtIslandRecord *from) {
     to->fastWork = fmaxf(to->fastWork, from->fastWork);
     to->isUnmet = to->isUnmet || from->isUnmet;
     to->isUnfit = to->isUnfit || from->isUnfit;
-    to->isAlone = to->isAlone && from->isAlone;
+    to->hasNoContacts = to->hasNoContacts && from->hasNoContacts;
     to->wasExact = to->wasExact || from->wasExact;
     to->steps = MeMAX(to->steps, from->steps);
     to->wait = MeMAX(to->wait, from->wait);
@@ -150,7 +150,7 @@ static double fastOf(const MdtWorld *w, int partition) {
  * much, since the fast solver damps what swings. */
 static double freeWorkOf(const MdtWorld *w, int partition) {
     const MdtIslandRecord *r = &w->record[partition];
-    if (r->isAlone)
+    if (r->hasNoContacts)
         return fmin(mdt_maxOfFast * fastOf(w, partition), mdt_stepShare * budgetOf(w));
     return r->fastWork > 0 ? fastOf(w, partition) : 0;
 }
@@ -399,8 +399,8 @@ void mdt_choiceNote(const MdtIsland *p, MdtIslandRecord *r) {
     else
         r->exactWork *= (float)mdt_forgetting;
     r->steps = p->solver == MdtSolverAuto ? MeMIN(r->steps + 1, 2) : 0; /* what the program chose begins anew */
-    r->isAlone = p->numContacts == 0;
-    r->isUnfit = r->isAlone || p->bounces;
+    r->hasNoContacts = p->numContacts == 0;
+    r->isUnfit = r->hasNoContacts || p->bounces;
     r->wasExact = p->exactWork > 0 && !p->hasDeclined;
     giveBack(p, r);
 }
