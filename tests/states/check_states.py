@@ -2,24 +2,19 @@
 """The twelve scenes end with the same bits in every build: whatever compiler, optimization, width of registers and number of
 threads.
 
-usage: check_states.py <states> <states.txt> <single|double> [-<scene>]... <workers>...
+usage: check_states.py <states> <states.txt> <single|double> <workers>...
 
--<scene>: it is left out.
 `tools/states` writes states.txt anew.
 """
 import subprocess
 import sys
 
-program, file, precision, *rest = sys.argv[1:]
-workers = [word for word in rest if not word.startswith('-')]
+program, file, precision, *workers = sys.argv[1:]
 column = {'single': 1, 'double': 2}[precision]
 kept = {line.split()[0]: line.split()[column] for line in open(file) if not line.startswith('#')}
-for word in rest:
-    if word.startswith('-'):
-        del kept[word[1:]]
 differ = False
 for count in workers:
-    run = subprocess.run([program, '--workers', count, *kept], capture_output=True, text=True)
+    run = subprocess.run([program, '--workers', count], capture_output=True, text=True)
     print(run.stderr, end='')
     if run.returncode:
         sys.exit(f'{count} workers: it ends with {run.returncode}')
