@@ -17,7 +17,7 @@ set(KARMA_ONCE_WITHOUT_SANITIZERS
   Mcd.BoxBox Mcd.Ccd Mcd.Guess Mcd.RandomPoses Mcd.Sliding
   Mdt.Certificate Mdt.Degenerate Mdt.MisfitScenes Mdt.Order
   Mst.Blows Mst.Cases_Crowds Mst.Cases_Long Mst.Cases_Stacks Mst.Cases_Terrain Mst.Choice
-  Mst.Collapse Mst.Crowd Mst.Forces Mst.Jointed Mst.Order_Fast Mst.Reuse Mst.Scales Mst.Spikes Mst.WarmSteps Mst.WorkBudget
+  Mst.Collapse Mst.Crowd Mst.Forces Mst.Jointed Mst.Order_Contacts Mst.Reuse Mst.Scales Mst.Spikes Mst.WarmSteps Mst.WorkBudget
   Mst.Threads) # ThreadSanitizer's build runs it, and states.twelve sanitizes the same workers
 
 # Double precision: what asserts the same of both (no TOL(), no _ME_API_DOUBLE) and has no arithmetic of MeReal in it;

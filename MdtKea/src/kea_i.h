@@ -59,7 +59,8 @@ typedef struct KeaEnd {
 
 /* The working data of a body in a step. */
 typedef struct KeaBody {
-    double theta;           /* 1/2: midpoint rule; 1: backward Euler (only these, so that dividing by it is exact) */
+    double theta;           /* of u; 1/2: midpoint rule; 1: backward Euler (only these: dividing by it is exact) */
+    double moveTheta;       /* of an untied body's displacement: 1/2; 1 where that would press a contact */
     double size;            /* m, radius of gyration */
     MeBool isSpatial;       /* its angular velocity changes in the world's axes: no gyroscopic term */
     double axes[3][3];      /* principal axes at the start, as columns */
@@ -76,7 +77,8 @@ typedef struct KeaBody {
     double distance; /* m, of its end from the origin */
     /* m, rad: the body's part in the scales of position errors (kea_residual.c) */
     double linearScale, angularScale;
-    MeBool isFree; /* no row acts on it: it moves as a free body */
+    MeBool isUntied; /* no row of its displacement: it moves by v + moveTheta (v⁺ - v), not by u */
+    MeBool isFree;   /* no row acts on it: it moves as a free body */
 } KeaBody;
 
 /* The graph of joints (kea_dual.c): nodes are joints, edges are bodies that two joints share. */
@@ -194,6 +196,8 @@ void kea_beginBodies(MdtKeaSystem *s);
 void kea_guessMotion(MdtKeaSystem *s);
 /* End states and poses of all bodies from u. */
 void kea_moveBodies(MdtKeaSystem *s);
+/* m/s, rad/s: what moves a body in the step; or, of one that is untied, what would if it were moved by v⁺. */
+void kea_moveOf(const MdtKeaSystem *s, int body, MeBool isOfEnd, double move[6]);
 /* Load and metric of the inner problem: the residual of momentum without rows, and its derivative with u, symmetric and
  * positive definite. */
 void kea_linearizeBodies(MdtKeaSystem *s);
@@ -220,6 +224,9 @@ void kea_setMovingRates(MdtKeaSystem *s);
 void kea_linearizeRows(MdtKeaSystem *s);
 /* Activates contacts that were inactive (out of reach) and would be passed through. */
 void kea_admitContacts(MdtKeaSystem *s);
+/* Untied bodies are moved by the mean of their velocities at the start and the end, of second order, unless that
+ * presses a contact deeper than the end's velocities do, which contacts bound: then by these. */
+void kea_chooseMoves(MdtKeaSystem *s);
 /* Whether a spring is too stiff for the midpoint rule and is integrated by backward Euler (θ = 1). */
 MeBool kea_isTooStiff(const MdtKeaSystem *s, const MdtKeaRow *row);
 

@@ -2,8 +2,9 @@
  *
  * Neighbouring planks have a hinge along their edges: the bridge bends, but it does not twist. Two ropes at each end
  * tie it to posts: a rope is a spring joint whose upper stop is hard and whose lower one does nothing (tutorial
- * Spring), so it pulls and cannot push, and the bridge may swing. It gives under each box that lands, and hangs still
- * in the end. Watch how far the hinges open, how much longer the ropes get, and how low the bridge hangs.
+ * Spring), so it pulls and cannot push, and the bridge may swing. It gives under each box that lands. Hinges and ropes
+ * have no friction, so that it would swing for minutes: the planks are damped, and it hangs still in the end. Watch how
+ * far the hinges open, how much longer the ropes get, and how low the bridge hangs.
  *
  * Planks that are hinged nearly touch; McdSpaceDisablePair keeps them from colliding.
  */
@@ -125,8 +126,10 @@ static void createBridge(void) {
     static const float wood[2][4] = {{.72f, .52f, .33f, 1}, {.63f, .44f, .27f, 1}};
     const McdGeometryID g = McdBoxCreate(playUniverse->frame, plankSize[0], plankSize[1], plankSize[2]);
     layOut();
-    for (int i = 0; i < PLANKS; i++)
+    for (int i = 0; i < PLANKS; i++) {
         plank[i] = playModel(g, 500, 0, 0, 0, wood[i & 1]);
+        McdModelDynamicsSetDamping(plank[i], (MeReal)0.5, (MeReal)0.5); /* 1/s: hinges and ropes rub */
+    }
     placePlanks();
     for (int i = 1; i < PLANKS; i++)
         createHinge(start[i], plank[i], plank[i - 1]);

@@ -92,7 +92,7 @@ static void createMarbles(void) {
     for (int i = 0; i < MARBLES; i++) {
         marble[i] = playModel(ball, 10, 0, 0, 0, RPalette[i % 6]);
         McdModelSetMaterial(marble[i], (int)glass);
-        McdModelDynamicsSetDamping(marble[i], (MeReal)0.2, (MeReal)0.2); /* rolling has its resistance */
+        McdModelDynamicsSetDamping(marble[i], (MeReal)0.3, (MeReal)0.3); /* rolling has its resistance */
     }
 }
 

@@ -8,14 +8,16 @@
  *              one that only pushes and has a gap, φ_0 > 0, carries no force at the start: (1 - θ) φ_0 less
  *   velocity:  J v⁺ = s - E p, v⁺ = v + (u - v)/θ     r = θ (s - J v_k⁺), E := θ E
  *
- * The velocity v⁺ is, to second order, that of the time h/2θ: of the middle of the step with θ = 1, of its end
- * with 1/2. So the rate J v⁺ of a contact is evaluated with its lever arms at that time; impulses act with the mean of
- * the lever arms, as those of joints do. With θ = 1, where v⁺ = u, friction that holds causes no drift: a box on a
- * turning disc goes round with it. With θ = 1/2 the scheme is symmetric in time.
+ * θ of the unknown u is chosen per body. It is 1 where a contact may act or a stop does, so that these constrain v⁺ and
+ * not only the mean velocity, and where a spring is too stiff for the midpoint rule. The two bodies of a velocity row
+ * have the same θ, since J of the row would differ from that of its impulse otherwise.
  *
- * θ is chosen per body. It is 1 where a contact may act or a stop does, so that these constrain v⁺ and not only the
- * mean velocity, and where a spring is too stiff for the midpoint rule. The two bodies of a velocity row have the same
- * θ, since J of the row would differ from that of its impulse otherwise.
+ * A body without position rows and springs has no row of its displacement: whatever its θ, it is moved by the mean
+ * velocity, which is symmetric in time, or by v⁺ where the mean would press a contact deeper (KeaBody.moveTheta).
+ *
+ * The rate J v⁺ of a contact is evaluated with its lever arms at the end, where v⁺ is. Where joints keep θ of all its
+ * bodies at 1, these are moved by v⁺, and the arms are those of the middle of the step: friction that holds causes no
+ * drift on turning ground. Impulses act with the mean of the lever arms, as those of joints do.
  */
 #include "kea_i.h"
 #include "MeAssert.h"
@@ -81,9 +83,36 @@ static void spreadTheta(MdtKeaSystem *s) {
     }
 }
 
-static void chooseTheta(MdtKeaSystem *s) {
+/* Which bodies no row holds the displacement of; in timed steps impacts are found along that by u. */
+static void markUntied(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
-        s->work->body[i].theta = 0.5;
+        s->work->body[i].isUntied = !s->parameters.timed;
+    for (int i = 0; i < s->numRows; i++)
+        for (int k = 0; k < 2; k++)
+            if ((s->rows[i].position || s->rows[i].spring) && s->rows[i].body[k] >= 0)
+                s->work->body[s->rows[i].body[k]].isUntied = MEFALSE;
+}
+
+static MeBool isTied(const MdtKeaSystem *s, int body) {
+    return body >= 0 && !s->work->body[body].isUntied;
+}
+
+/* What touches a tied body that is moved by v⁺ is so, too: their force would do more work on one than on the other. */
+static void moveWithTied(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        if (row->contact != i || s->work->problem.row[i].isInactive)
+            continue;
+        for (int k = 0; k < 2; k++)
+            if (row->body[k] >= 0 && isTied(s, row->body[1 - k]) && s->work->body[row->body[1 - k]].theta == 1)
+                s->work->body[row->body[k]].moveTheta = 1;
+    }
+}
+
+static void chooseTheta(MdtKeaSystem *s) {
+    markUntied(s);
+    for (int i = 0; i < s->numBodies; i++)
+        s->work->body[i].theta = s->work->body[i].moveTheta = 0.5;
     for (int i = 0; i < s->numRows && !s->parameters.timed; i++) {
         const MdtKeaRow *row = &s->rows[i];
         const MeBool isActing = row->contact == i ? !s->work->problem.row[i].isInactive
@@ -93,6 +122,63 @@ static void chooseTheta(MdtKeaSystem *s) {
             setTheta(s, row);
     }
     spreadTheta(s);
+    moveWithTied(s);
+}
+
+/* m/s: the rate of a contact's gap, of the displacement as it is or as it would be by v⁺. */
+static double moveRate(const MdtKeaSystem *s, int i, MeBool isOfEnd) {
+    const KeaProblemRow *p = &s->work->problem.row[i];
+    double rate = s->rows[i].moves ? s->moves[i][0].rate : 0;
+    for (int k = 0; k < 2; k++) {
+        double move[6];
+        if (p->body[k] < 0)
+            continue;
+        kea_moveOf(s, p->body[k], isOfEnd, move);
+        rate += keaDot(p->J[k], move) + keaDot(p->J[k] + 3, move + 3);
+    }
+    return rate;
+}
+
+/* Whether the displacement closes a contact's gap, or deepens its overlap, by more than that by v⁺. */
+static MeBool isPressed(const MdtKeaSystem *s, int i) {
+    const MdtKeaRow *row = &s->rows[i];
+    const double h = s->parameters.stepsize, atEnd = row->error + h * moveRate(s, i, METRUE);
+    return row->error + h * moveRate(s, i, MEFALSE) <
+           keaMin(atEnd, 0) - kea_pressedDepth * kea_smallerExtent(s, row->body);
+}
+
+/* Bodies whose velocities change by no more than the solver resolves are at rest, and stay where contacts hold them. */
+static void keepResting(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numBodies; i++) {
+        KeaBody *b = &s->work->body[i];
+        double linear[3], angular[3];
+        keaSubtract(linear, b->endVelocity, s->velocity[i].lin);
+        keaSubtract(angular, b->endVelocity + 3, s->velocity[i].ang);
+        if (keaLength(linear) + b->size * keaLength(angular) < kea_restingChange * s->report.resolution)
+            b->moveTheta = 1;
+    }
+}
+
+void kea_chooseMoves(MdtKeaSystem *s) {
+    keepResting(s);
+    MeBool isAny = !s->parameters.timed;
+    for (int sweep = 0; sweep < KEA_PRESSED_SWEEPS && isAny; sweep++) {
+        isAny = MEFALSE;
+        for (int i = 0; i < s->numRows; i++) {
+            const MdtKeaRow *row = &s->rows[i];
+            if (row->contact != i || s->work->problem.row[i].isInactive || !isPressed(s, i))
+                continue;
+            for (int k = 0; k < 2; k++) {
+                KeaBody *b = row->body[k] < 0 ? NULL : &s->work->body[row->body[k]];
+                if (!b || !b->isUntied || b->moveTheta == 1)
+                    continue;
+                b->moveTheta = 1;
+                isAny = METRUE;
+            }
+        }
+    }
+    if (!s->parameters.timed)
+        kea_moveBodies(s);
 }
 
 /* ---- begin ---- */
@@ -209,10 +295,23 @@ void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool
         copyBounds(&s->work->problem.row[i], &s->rows[i], s->parameters.stepsize);
 }
 
+/* Whether the row has a tied body, and all are moved by v⁺. */
+static MeBool isMovedByEnd(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    for (int k = 0; k < 2; k++) {
+        const KeaBody *b = row->body[k] < 0 ? NULL : &s->work->body[row->body[k]];
+        if (b && (b->isUntied ? b->moveTheta : b->theta) < 1)
+            return MEFALSE;
+    }
+    return isTied(s, row->body[0]) || isTied(s, row->body[1]);
+}
+
+/* What is to be added to J v⁺ with J of the mean lever arms. */
 static double movingRate(const MdtKeaSystem *s, int i) {
     const MdtKeaMove *mean = &s->moves[i][0], *end = &s->moves[i][1];
-    double rate = s->parameters.timed ? end->rate : mean->rate;
-    for (int k = 0; k < 2 && s->parameters.timed; k++) {
+    if (!s->parameters.timed && isMovedByEnd(s, &s->rows[i]))
+        return mean->rate;
+    double rate = end->rate;
+    for (int k = 0; k < 2; k++) {
         if (s->rows[i].body[k] < 0)
             continue;
         const double *v = s->work->body[s->rows[i].body[k]].endVelocity;

@@ -94,16 +94,30 @@ void kea_guessMotion(MdtKeaSystem *s) {
 
 /* ---- motion ---- */
 
+void kea_moveOf(const MdtKeaSystem *s, int i, MeBool isOfEnd, double move[6]) {
+    const MdtKeaBody *body = s->bodies[i];
+    const KeaBody *b = &s->work->body[i];
+    const double theta = !b->isUntied ? b->theta : isOfEnd ? 1 : b->moveTheta, share = theta / b->theta;
+    double w[3];
+    keaCopy(w, b->spin);
+    if (!b->isSpatial)
+        keaApply(w, (const double(*)[3])b->axes, b->spin);
+    for (int k = 0; k < 3; k++) {
+        move[k] = share == 1 ? b->u[k] : body->velocity[k] + (b->u[k] - body->velocity[k]) * share;
+        move[3 + k] = share == 1 ? b->u[3 + k] : w[k] + (b->u[3 + k] - w[k]) * share;
+    }
+}
+
 static void cayley(double turn[4], const double u[6], double h) {
     turn[0] = 1;
     keaScale(turn + 1, 0.5 * h, u + 3);
     keaQuaternionNormalize(turn);
 }
 
-static void turnBody(const MdtKeaBody *body, KeaBody *b, KeaEnd *end, double h) {
+static void turnBody(const MdtKeaBody *body, const double move[6], KeaBody *b, KeaEnd *end, double h) {
     const double perTheta = 1 / b->theta;
     double turn[4], w[3], L[3];
-    cayley(turn, b->u, h);
+    cayley(turn, move, h);
     keaQuaternionProduct(end->quaternion, turn, body->quaternion);
     keaQuaternionNormalize(end->quaternion);
     toPrincipal(body, end->quaternion, b->endAxes);
@@ -129,12 +143,14 @@ void kea_moveBodies(MdtKeaSystem *s) {
         KeaBody *b = &s->work->body[i];
         KeaEnd *end = &s->work->end[i];
         const double perTheta = 1 / b->theta;
-        end->theta = b->theta;
+        double move[6];
+        kea_moveOf(s, i, MEFALSE, move);
+        end->theta = b->isUntied ? b->moveTheta : b->theta;
         keaCopy(end->position, body->position);
-        keaAddScaled(end->position, h, b->u);
+        keaAddScaled(end->position, h, move);
         for (int k = 0; k < 3; k++)
             b->endVelocity[k] = end->velocity[k] = body->velocity[k] + (b->u[k] - body->velocity[k]) * perTheta;
-        turnBody(body, b, end, h);
+        turnBody(body, move, b, end, h);
         kea_setPoses(s, i);
         kea_setErrorScales(s, i);
     }

@@ -377,6 +377,7 @@ static void solveMotion(MdtKeaSystem *s) {
     kea_beginRows(s);
     kea_guessMotion(s);
     runPasses(s);
+    kea_chooseMoves(s);
     kea_balanceMomentum(s);
 }
 
