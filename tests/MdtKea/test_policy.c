@@ -840,7 +840,7 @@ START_TEST(iterations_of_steps) {
     ck_assert_int_eq(contacts, 483);
     ck_assert_int_eq(friction, 1474);
     ck_assert_int_eq(jointed, 1679);
-    ck_assert_int_eq(passes, 298);
+    ck_assert_int_eq(passes, 273);
 }
 END_TEST
 

@@ -223,9 +223,6 @@ static const double kea_coupledProgress = 0.9, kea_coupledRounding = 1e3;
 /* Of the error: what a solve with kept factors may leave; else there is a new factor. x2 and /2 fail MdtKea_policy:
  * factors_that_are_kept_are_good_enough. */
 static const double kea_refinedShare = 0.1;
-/* In tolerances: an answer above it is refined with the factors that there are, which costs no factorization: the next
- * step's first guess is that much better. x2 and /2 fail MdtKea_policy: iterations_of_steps. */
-static const double kea_refinedEnough = 1e-2;
 /* Relative: friction bounds that agree with μ p_n so well need no coupled solve. x2 and /2 fail MdtKea_policy:
  * bounds_that_agree_to_twelve_digits_stay. */
 static const double kea_boundsAgree = 1e-12;

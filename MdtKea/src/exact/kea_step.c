@@ -26,17 +26,9 @@ typedef struct Passes {
     double before, motion; /* of the pass before: the worst residual; the one of positions and momenta */
     int pass, last;        /* this pass, and the one after which they end */
     int worse;             /* passes in which `motion` has grown */
-    MeBool isRefined;      /* the answer had converged before this pass */
     MeBool isLimited;      /* work has run out */
     MeBool mayBeTangent;   /* the kept tangent iterate may be the answer: symmetric passes have followed */
 } Passes;
-
-/* How a pass has ended. */
-typedef enum PassResult {
-    PASS_CHANGED,
-    PASS_CONVERGED, /* there is nothing to do: the answer has, and kept factors do not refine it */
-    PASS_DIVERGED   /* the change is not finite, and is not applied */
-} PassResult;
 
 static double workOfLinearization(const MdtKeaSystem *s) {
     return KEA_LINEARIZATION * ((double)s->numRows + s->numBodies);
@@ -261,8 +253,7 @@ static void chooseProblem(MdtKeaSystem *s, Passes *p) {
     }
 }
 
-/* Whether passes end here. A converged answer is refined once more where that costs no factorization, since it is the
- * warm start of the next step. A runaway returns only where its friction is frozen. Writes whether work has run out. */
+/* Whether passes end here. A runaway returns only where its friction is frozen. Writes whether work has run out. */
 static MeBool isLastPass(MdtKeaSystem *s, Passes *p) {
     KeaProblem *q = &s->work->problem;
     const double share = s->parameters.mayDecline ? kea_workForMotion : kea_workForFriction;
@@ -271,43 +262,37 @@ static MeBool isLastPass(MdtKeaSystem *s, Passes *p) {
     if (isFrictionSpent && !q->counts.isLimited && kea_isExactEnough(&p->best, 1))
         return METRUE;
     p->isLimited = q->counts.isLimited = q->counts.isLimited || isFrictionSpent;
-    const MeBool isEnough =
-        p->isRefined || (kea_isConverged(&p->e) && !(q->isFactored && p->e.worst > kea_refinedEnough));
     const MeBool isCut = p->isLimited && (s->parameters.mayDecline || kea_isExactEnough(&p->e, kea_sweptMargin) ||
                                           !kea_problemMaySweep(q));
     const MeBool hasRunAway = isnan(p->e.worst) || (isinf(p->e.worst) && isfinite(p->best.worst) && !q->hasFriction);
-    return isEnough || isCut || hasRunAway || p->pass == p->last;
+    return kea_isConverged(&p->e) || isCut || hasRunAway || p->pass == p->last;
 }
 
 /* Solves the inner problem and applies its answer. Where passes converge fast, the factors of the last one are tried
- * first. The matrix of the coupled problem is singular where rows contradict each other; the change d may then be NaN,
- * infinite, or so large that the squares of distances are. */
-static PassResult runPass(MdtKeaSystem *s, Passes *p) {
+ * first. False: the change is not applied, since it is not finite, or the squares of distances would not be: the matrix
+ * of the coupled problem is singular where rows contradict each other. */
+static MeBool runPass(MdtKeaSystem *s, Passes *p) {
     KeaProblem *q = &s->work->problem;
     const MeBool isConvergingFast = kea_isExactEnough(&p->e, 1) && p->e.worst < kea_refinedShare * p->before;
     MeBool isFinite = METRUE;
     p->before = p->e.worst;
-    p->isRefined = kea_isConverged(&p->e);
     q->isWarm = s->work->hasJoints || p->pass > 0; /* at first contacts alone share loads evenly: a convex problem */
     if (q->hasTangent)
         differentiate(s);
-    if (!isConvergingFast || !kea_problemRefine(q)) {
-        if (p->isRefined)
-            return PASS_CONVERGED;
+    if (!isConvergingFast || !kea_problemRefine(q))
         solveInnerProblem(s, p->pass, p->e.velocity < kea_looseVelocity, isConvergingFast && q->hasTangent);
-    }
     for (int i = 0; i < q->numBodies; i++)
         for (int k = 0; k < 6; k++)
             isFinite = isFinite && fabs(q->d[i][k]) <= kea_largestChange;
     if (!isFinite)
-        return PASS_DIVERGED;
+        return MEFALSE;
     kea_noteInconsistent(s);
     for (int i = 0; i < s->numBodies; i++)
         for (int k = 0; k < 6; k++)
             s->work->body[i].u[k] += q->d[i][k];
     kea_admitContacts(s);
     s->report.passes++;
-    return PASS_CHANGED;
+    return METRUE;
 }
 
 /* The answer is the best iterate, but the last sweep's if only that is exact in positions; of linkages the tangent one,
@@ -334,13 +319,13 @@ static KeaResiduals chooseAnswer(MdtKeaSystem *s, const Passes *p) {
 static void runPasses(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     Passes p = beginPasses(s);
-    for (PassResult result = PASS_CHANGED; result == PASS_CHANGED; p.pass++) {
+    for (MeBool isChanged = METRUE; isChanged; p.pass++) {
         measurePass(s, &p);
         chooseProblem(s, &p);
         if (isLastPass(s, &p))
             break;
-        result = runPass(s, &p);
-        if (result == PASS_DIVERGED)
+        isChanged = runPass(s, &p);
+        if (!isChanged)
             p.e.worst = HUGE_VAL;
     }
     const KeaResiduals e = chooseAnswer(s, &p);
