@@ -1,27 +1,27 @@
 /** @file KarmaClassic.h
- *  The calls of Karma 1.0 and 1.1, which knew no framework: for programs written for them, without a change.
+ *  The calls of Karma 1.0 and 1.1, which had no frameworks: compiles programs that were written for them unchanged.
  *
  *  @code
  *      cc -include KarmaClassic.h program.c ...
  *  @endcode
  *
- *  There is one framework in the process for all of these calls. McdInit with two arguments creates it, McdTerm()
- *  destroys it, and between them everything that is created without a framework belongs to it. The newer forms stay as
- *  they are: which one is meant follows from the number of arguments, and where that is the same from their types. What
- *  fits neither does not compile.
+ *  All of these calls share one framework in the process. McdInit with two arguments creates it, McdTerm() destroys it,
+ *  and everything that is created without a framework in between belongs to it. The newer forms remain available: the
+ *  number of arguments selects the form or, where that is the same, their types. Calls that fit neither form do not
+ *  compile.
  *
  *  @verbatim
- *  McdInit(types, models)                     McdTerm()                          McdGetDefaultRequestPtr()
- *  Mcd...RegisterType(), ...RegisterTypes(), ...RegisterInteractions(), Mcd...TriangleListRegisterInteraction()
- *  McdNullCreate()         McdPlaneCreate()   McdSphereCreate(r)                 McdBoxCreate(x, y, z)
- *  McdCylinderCreate(r, h) McdSphylCreate(r, h)   McdConeCreate(h, r)            McdAggregateCreate(n)
- *  McdConvexMeshCreateHull(vertices, n, fatness)  McdTriangleListCreate(min, max, n, f)
- *  McdSpaceAxisSortCreate(axes, models, pairs, 1) MstBridgeCreate(materials)
- *  MdtFPFOJointSetPosition(joint, bodyindex, x, y, z)
+ *      McdInit(types, models)                     McdTerm()                          McdGetDefaultRequestPtr()
+ *      Mcd...RegisterType(), ...RegisterTypes(), ...RegisterInteractions(), Mcd...TriangleListRegisterInteraction()
+ *      McdNullCreate()         McdPlaneCreate()   McdSphereCreate(r)                 McdBoxCreate(x, y, z)
+ *      McdCylinderCreate(r, h) McdSphylCreate(r, h)   McdConeCreate(h, r)            McdAggregateCreate(n)
+ *      McdConvexMeshCreateHull(vertices, n, fatness)  McdTriangleListCreate(min, max, n, f)
+ *      McdSpaceAxisSortCreate(axes, models, pairs, 1) MstBridgeCreate(materials)
+ *      MdtFPFOJointSetPosition(joint, bodyindex, x, y, z)
  *  @endverbatim
  *
- *  Before McdInit and after McdTerm() the functions warn that there is no framework, and do nothing or give null. Not
- *  for several threads at a time.
+ *  Before McdInit and after McdTerm() the functions warn that there is no framework, and do nothing or return null.
+ *  They are not thread-safe.
  */
 #ifndef KARMACLASSIC_H
 #define KARMACLASSIC_H
@@ -33,18 +33,18 @@
 
 ME_BEGIN_C
 
-/** McdInit(types, models): creates the framework, for as many children of aggregates as models and a length scale of
- *  1. If there is one already, it warns and returns that. Null, with a warning, for bad numbers. */
+/** McdInit(types, models): creates the framework, with room for as many children of aggregates as models, and a length
+ *  scale of 1. If there is one already, warns and returns it. Null, with a warning, for bad numbers. */
 MEPUBLIC McdFrameworkID MEAPI MstClassicInit(int geoTypeMaxCount, int modelCount);
-/** McdPrimitivesRegisterTypes; with the process' framework cones are among them, as they were. */
+/** McdPrimitivesRegisterTypes; for the process' framework cones are included, as in the classic interface. */
 MEPUBLIC void MEAPI MstClassicPrimitivesRegisterTypes(McdFrameworkID frame);
-/** McdPrimitivesRegisterInteractions; with the process' framework cones are among them. */
+/** McdPrimitivesRegisterInteractions; for the process' framework cones are included. */
 MEPUBLIC MeBool MEAPI MstClassicPrimitivesRegisterInteractions(McdFrameworkID frame);
 /** McdTerm, also of another framework. */
 MEPUBLIC void MEAPI MstClassicTerm(McdFrameworkID frame);
 /** The framework; null before McdInit and after McdTerm(). */
 MEPUBLIC McdFrameworkID MEAPI MstClassicFramework(void);
-/** McdSpaceAxisSortCreate(axes, models, pairs, 1); the last argument does not matter. */
+/** McdSpaceAxisSortCreate(axes, models, pairs, 1); the last argument is ignored. */
 MEPUBLIC McdSpaceID MEAPI MstClassicSpaceAxisSortCreate(int axes, int objectCount, int pairCount, int last);
 
 ME_END_C
@@ -138,11 +138,13 @@ inline void MdtFPFOJointSetPosition(MdtFPFOJointID j, unsigned int bodyindex, Me
 #undef McdInit
 #undef McdSpaceAxisSortCreate
 
-/* The argument or, if there is none, the process' framework: the last one of a list. */
+/* The last element of a list of the process' framework and the arguments: the argument or, if there is none, the
+ * process' framework. */
 #define KARMA_FRAMES(...) ((McdFrameworkID[]){__VA_ARGS__})
 #define KARMA_FRAME(...)                                                                                               \
     (KARMA_FRAMES(MstClassicFramework(), __VA_ARGS__)[sizeof KARMA_FRAMES(0, __VA_ARGS__) / sizeof(McdFrameworkID) - 1])
-/* The n-th of its arguments: what stands there depends on how many were put before. */
+/* The n-th argument: which one that is depends on the number of arguments before it, and so selects the form of a
+ * call. */
 #define KARMA_THIRD(a, b, c, ...)          c
 #define KARMA_FOURTH(a, b, c, d, ...)      d
 #define KARMA_FIFTH(a, b, c, d, e, ...)    e
@@ -234,7 +236,7 @@ inline void MdtFPFOJointSetPosition(MdtFPFOJointID j, unsigned int bodyindex, Me
                 McdTriangleListCreate_takes_4_or_5_arguments, 0)                                                       \
     (__VA_ARGS__)
 
-/* Four arguments of either form: a framework comes first, or axes. */
+/* Four arguments: the newer form begins with a framework, the classic one with axes. */
 #define KarmaSpace4(a, b, c, d)                                                                                        \
     _Generic((a), McdFrameworkID                                                                                       \
              : (McdSpaceAxisSortCreate), default                                                                       \

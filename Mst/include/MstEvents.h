@@ -1,27 +1,27 @@
 /** @file MstEvents.h
- *  Events: who began to touch whom, how hard, who still does, who no longer does; what overlaps a sensor; which joints
- *  broke. Beyond Karma; they belong to the bridge (User Guide ch. 5).
+ *  Events of a step: touches that begin, persist or end, with their impulses; overlaps with sensors; joints that broke.
+ *  Beyond Karma; events belong to the bridge (User Guide ch. 5).
  *
- *  Touch. Two models touch in a step when a contact of theirs carried a force or overlapped; they touch on until no
- *  contact does and their gap is larger than their contact tolerances, so that resting contacts do not blink. Contacts
- *  that a callback took away do not count. A touch is one begin, a persist in every later step that the models touch,
- *  and one end. Where both models are frozen, as those of sleeping bodies are, the pair is silent: no event, and the
- *  touch goes on.
+ *  Touch. Two models begin to touch in a step in which one of their contacts carries a force or overlaps. They continue
+ *  to touch until no contact does either and their gap exceeds the sum of their contact tolerances; this hysteresis
+ *  keeps resting contacts from flickering. Contacts that a callback has removed do not count. A touch gives one begin
+ *  event, a persist event in every later step in which the models touch, and one end event. While both models are
+ *  frozen, as those of sleeping bodies are, the pair has no events, and the touch continues.
  *
- *  Sensors (McdModelSetSensor) touch what they overlap as a step begins, with or without a body, also models that are
- *  frozen or asleep; they wake nothing, and sensors do not see each other. Two models that are both frozen are silent
- *  here too, so a sensor that is to find what sleeps already is left unfrozen: McdModelCreate and McdSpaceInsertModel,
- *  not MstFixedModelCreate.
+ *  Sensors (McdModelSetSensor) touch the models that they overlap at the beginning of a step, with or without a body,
+ *  also frozen and sleeping ones. They wake nothing, and do not detect each other. Pairs of two frozen models have no
+ *  events here either, so a sensor that is to detect sleeping models must not be frozen: use McdModelCreate and
+ *  McdSpaceInsertModel, not MstFixedModelCreate.
  *
- *  What goes. When a model leaves the space, is destroyed or filtered (McdModelSetFilter), or moves away while its body
- *  sleeps, its touches end with an event in the next step's list. Models that were destroyed are null in the list. A
- *  joint that was destroyed has no event any more, or a null in it.
+ *  Removal. When a model leaves the space, is destroyed or filtered (McdModelSetFilter), or moves away while its body
+ *  sleeps, its touches end with an event in the list of the next step. Destroyed models are null in the list. The event
+ *  of a destroyed joint is missing, or has a null joint.
  *
- *  Order. First the touches that ended between the steps, in the order in which they did; then pairs as the space hands
- *  them over, goodbyes, hellos, staying ones, each by sort keys, then creation; then broken joints, by sort keys, then
- *  creation. Callbacks of touches are called in that order when the list is complete; they may create and destroy what
- *  they like, but not step or end the universe (docs/simulation.md, "Callbacks"). Joints have a callback of the world's
- *  (MdtWorldSetBreakCB), at the end of its step.
+ *  Order. First touches that ended between the steps, in the order in which they ended; then pairs in the order of the
+ *  space: goodbye, hello, staying pairs, each by sort keys, then creation; then broken joints, by sort keys, then
+ *  creation. Touch callbacks are called in that order when the list is complete; they may create and destroy anything,
+ *  but not step or destroy the universe (docs/simulation.md, "Callbacks"). Broken joints have a callback of the world
+ *  (MdtWorldSetBreakCB), called at the end of its step.
  */
 #ifndef MSTEVENTS_H
 #define MSTEVENTS_H
@@ -31,21 +31,20 @@
 ME_BEGIN_C
 
 /**
- * The events of the step just done: the bridge's, valid until the next step. After destroying something ask again: what
- * is gone is null then.
- * @param count how many there are; 0, and a null result, for what is no bridge.
+ * The events of the last step. Owned by the bridge, valid until the next step. Call it again after destroying a model
+ * or a joint: destroyed ones are null then.
+ * @param count the number of events; 0, with a null result, if @a b is not a bridge.
  */
 MEPUBLIC const MstEvent *MEAPI MstBridgeGetEvents(const MstBridgeID b, int *count);
-/** The same, of a universe's bridge. */
+/** The events of a universe's bridge: MstBridgeGetEvents. */
 MEPUBLIC const MstEvent *MEAPI MstUniverseGetEvents(const MstUniverseID u, int *count);
-/** Who is called for the events of touches of a pair of materials (docs/simulation.md, "Callbacks"); null: nobody, the
- *  default. */
+/** The callback for touch events of a pair of materials (docs/simulation.md, "Callbacks"); null, the default: none. */
 MEPUBLIC void MEAPI MstBridgeSetTouchCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
                                         const MstTouchCBPtr cb);
 MEPUBLIC MstTouchCBPtr MEAPI MstBridgeGetTouchCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2);
 /**
- * Makes the list after a step of the world, and calls the callbacks: for programs that do by hand what
- * MstUniverseStep does; after MdtWorldStep. Without it there are no events.
+ * Makes the list of events after MdtWorldStep and calls the callbacks: for programs that make the parts of
+ * MstUniverseStep themselves. Without this call there are no events.
  */
 MEPUBLIC void MEAPI MstBridgeUpdateEvents(const MstBridgeID b, const MdtWorldID w);
 

@@ -11,18 +11,19 @@
 ME_BEGIN_C
 
 /**
- * Joins a model to a body: it takes the body's transform and velocities, by pointer. Null parts them; the model then
- * has no transform until one is set. A body may have several models, a model one body. McdModelSetTransformPtr, called
- * afterwards, puts the model elsewhere than the body. The model is destroyed, or parted, before the body.
+ * Attaches a model to a body: the model gets pointers to the body's transform and velocities. Null detaches it; it then
+ * has no transform until one is set. A body may have several models, a model one body. A later McdModelSetTransformPtr
+ * places the model independently of the body. Destroy or detach the model before its body.
  */
 MEPUBLIC void MEAPI McdModelSetBody(const McdModelID m, const MdtBodyID b);
 /** The model's body, or null. */
 MEPUBLIC MdtBodyID MEAPI McdModelGetBody(const McdModelID m);
-/** Puts the model's body at the origin, unturned and at rest; a model without a body stays where it is. */
+/** Moves the model's body to the origin, with identity rotation and zero velocity; a model without a body is
+ * unchanged. */
 MEPUBLIC void MEAPI McdModelDynamicsReset(const McdModelID m);
 
-/** @name The body's properties, by its model
- *  As the functions of MdtBody.h. A model without a body gets a warning, and zeros. A fixed model is moved by its
+/** @name Properties of a model's body
+ *  The same as the functions of MdtBody.h. A model without a body gets a warning, and zeros. Move a fixed model by its
  *  transform: McdModelSetTransformPtr.
  *  @{ */
 MEPUBLIC void MEAPI McdModelDynamicsEnable(const McdModelID m);
@@ -44,7 +45,7 @@ MEPUBLIC void MEAPI McdModelDynamicsGetForce(const McdModelID m, MeVector3 f);
 MEPUBLIC void MEAPI McdModelDynamicsGetTorque(const McdModelID m, MeVector3 t);
 MEPUBLIC void MEAPI McdModelDynamicsAddForce(const McdModelID m, const MeReal fx, const MeReal fy, const MeReal fz);
 MEPUBLIC void MEAPI McdModelDynamicsAddTorque(const McdModelID m, const MeReal tx, const MeReal ty, const MeReal tz);
-/** Damping of the linear and of the angular velocity. */
+/** Sets the damping of the linear and the angular velocity. */
 MEPUBLIC void MEAPI McdModelDynamicsSetDamping(const McdModelID m, const MeReal lvd, const MeReal avd);
 /** @} */
 

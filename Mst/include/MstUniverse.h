@@ -1,5 +1,5 @@
 /** @file MstUniverse.h
- *  Universes: collision and dynamics in one (User Guide ch. 5, "Creating a Universe"). Brings all of Mst.h.
+ *  Universes: collision and dynamics in one (User Guide ch. 5, "Creating a Universe"). Includes all of Mst.h.
  */
 #ifndef MSTUNIVERSE_H
 #define MSTUNIVERSE_H
@@ -11,22 +11,22 @@ ME_BEGIN_C
 /**
  * Creates a world, a framework with all geometry types and interactions, a space and a bridge, of the given sizes; null
  * means MstUniverseDefaultSizes, and MstUniverseGrowingSizes has no limits. Returns null, with a warning, if a size is
- * out of range. Bodies that are disabled have their models frozen (MstSetWorldHandlers). The space is inside a change
- * block between steps.
+ * out of range. Models of disabled bodies are frozen (MstSetWorldHandlers). Between steps the space is inside a change
+ * block.
  *
- * Its world's epsilon follows the scales, 7.2e-12 lengthScale / massScale [1/kg]: at 60 Hz and 10 m/s² a load of a
- * million times the mass scale makes joints and contacts sag by 1e-7 of the length scale (epsilon F h² / gamma), and a
- * body that weighs up to 10 000 times the mass scale sags by no more than 1e-9 of it under its own weight.
- * MdtWorldSetEpsilon on the universe's world takes its place, with its absolute meaning; the Dynamics guide's softer
- * joints and contacts have MDTWORLD_DEFAULT_EPSILON / massScale.
+ * The world's epsilon follows from the scales: 7.2e-12 lengthScale / massScale [1/kg]. At 60 Hz and 10 m/s², a load of
+ * a million times the mass scale makes joints and contacts sag by 1e-7 of the length scale (epsilon F h² / gamma); a
+ * body of up to 10 000 times the mass scale sags under its own weight by no more than 1e-9 of it. MdtWorldSetEpsilon on
+ * the universe's world replaces this value by an absolute one; the softer joints and contacts of the Dynamics guide
+ * have MDTWORLD_DEFAULT_EPSILON / massScale.
  */
 MEPUBLIC MstUniverseID MEAPI MstUniverseCreate(const MstUniverseSizes *const sizes);
 /** Destroys a universe with all bodies, constraints, models and geometries in it. Null does nothing. */
 MEPUBLIC void MEAPI MstUniverseDestroy(const MstUniverseID u);
-/** The next step (s): McdSpaceUpdateAll, MstBridgeUpdateContacts, MdtWorldStep and MstBridgeUpdateEvents, which a
- *  program may also call; swept models (McdModelSetSwept) are moved continuously, up to what they meet and on from
- *  there. Its world's least safe time is 1e-9 s. A step in which a body that is dropped falls farther than the length
- *  scale gets a warning, once. */
+/** Advances the universe by a step (s): McdSpaceUpdateAll, MstBridgeUpdateContacts, MdtWorldStep and
+ *  MstBridgeUpdateEvents, which a program may also call itself. Swept models (McdModelSetSwept) move continuously: they
+ *  stop at their time of impact and continue from there. The world's minimum safe time is 1e-9 s. A step so long that a
+ *  body in free fall, from rest, falls farther than the length scale gets a warning, once. */
 MEPUBLIC void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step);
 MEPUBLIC MdtWorldID MEAPI MstUniverseGetWorld(const MstUniverseID u);
 MEPUBLIC McdFrameworkID MEAPI MstUniverseGetFramework(const MstUniverseID u);

@@ -1,6 +1,5 @@
 /** @file MstUtils.h
- *  Models with and without bodies, and the parts that the bridge is made of (User Guide ch. 5, "Fitting Out the
- *  Universe").
+ *  Models with and without bodies, and the parts of the bridge (User Guide ch. 5, "Fitting Out the Universe").
  */
 #ifndef MSTUTILS_H
 #define MSTUTILS_H
@@ -12,25 +11,25 @@ ME_BEGIN_C
 /** @name Models
  *  @{ */
 /**
- * Creates a model of a geometry with an enabled body at the origin, its mass and inertia those of the geometry at a
- * density (kg/m³, > 0), and puts the model into the universe's space. Null, with a warning, if something has no room.
+ * Creates a model of a geometry with an enabled body at the origin, whose mass and inertia follow from the geometry and
+ * a density (kg/m³, > 0), and inserts the model into the universe's space. Null, with a warning, if there is no room.
  */
 MEPUBLIC McdModelID MEAPI MstModelAndBodyCreate(const MstUniverseID u, const McdGeometryID g, const MeReal density);
-/** Takes such a model out of its space and destroys it, its body and its contacts. The geometry stays. */
+/** Removes such a model from its space and destroys it, its body and its contacts. The geometry remains. */
 MEPUBLIC void MEAPI MstModelAndBodyDestroy(const McdModelID m);
-/** Creates a model that does not move, at a transform that is kept by pointer, in the universe's space, and freezes
- *  it. A transform that is more than a rotation and a position, a scale or a mirror image, gets a warning. */
+/** Creates and freezes a model that does not move, in the universe's space. The transform is kept by pointer; if it is
+ *  more than a rotation and a translation (a scale or a mirror image), there is a warning. */
 MEPUBLIC McdModelID MEAPI MstFixedModelCreate(const MstUniverseID u, const McdGeometryID g,
                                               MeMatrix4Ptr transformation);
-/** Takes such a model out of its space and destroys it and its contacts. The geometry stays. */
+/** Removes such a model from its space and destroys it and its contacts. The geometry remains. */
 MEPUBLIC void MEAPI MstFixedModelDestroy(const McdModelID m);
 /**
- * Sets a body's mass and inertia from the model's geometry and a density (kg/m³, > 0). The centre of mass stays where
- * it is, at first the geometry's origin (User Guide ch. 4): a geometry whose own centre of mass is elsewhere wants
- * MdtBodySetCenterOfMassRelativePosition as well. A geometry without mass properties changes nothing, with a warning.
+ * Sets a body's mass and inertia from the model's geometry and a density (kg/m³, > 0). The centre of mass is unchanged,
+ * by default the geometry's origin (User Guide ch. 4): if the geometry's centre of mass is elsewhere, also call
+ * MdtBodySetCenterOfMassRelativePosition. A geometry without mass properties changes nothing, with a warning.
  */
 MEPUBLIC void MEAPI MstAutoSetMassProperties(const MdtBodyID body, const McdModelID model, const MeReal density);
-/** The same for the model's own body, whose mass stays: only the inertia is set. */
+/** Sets the inertia of the model's own body from the geometry; the mass is unchanged. */
 MEPUBLIC void MEAPI MstAutoSetInertialTensor(const McdModelID model);
 /** @} */
 
@@ -38,11 +37,11 @@ MEPUBLIC void MEAPI MstAutoSetInertialTensor(const McdModelID model);
  *  @{ */
 /**
  * McdHello for the hello pairs of a container; for the goodbye pairs, destroys their contacts and calls McdGoodbye. The
- * guide's sample passes the container alone.
+ * sample of the guide passes the container alone.
  */
 MEPUBLIC void MEAPI MstHandleTransitions(McdModelPairContainer *pairs, const McdSpaceID s, const MdtWorldID w,
                                          const MstBridgeID b);
-/** What the form with one argument stands for. */
+/** MstHandleTransitions with one argument. */
 MEPUBLIC void MEAPI MstHandleTransitionsOf(McdModelPairContainer *pairs);
 #ifdef __cplusplus
 ME_END_C
@@ -59,10 +58,11 @@ ME_BEGIN_C
               MstHandleTransitions_takes_1_or_4_arguments, MstHandleTransitionsWith1, 0)                               \
     (__VA_ARGS__)
 #endif
-/** Makes the contacts of the hello and staying pairs of a container, but where both models are frozen. */
+/** Updates the contacts of the hello and staying pairs of a container, except pairs of two frozen models. */
 MEPUBLIC void MEAPI MstHandleCollisions(McdModelPairContainer *pairs, const McdSpaceID s, const MdtWorldID w,
                                         const MstBridgeID b);
-/** Has the models of the world's bodies frozen while their bodies are disabled. MstUniverseCreate does so. */
+/** From now on, models of the world's bodies are frozen while their bodies are disabled. Called by
+ * MstUniverseCreate. */
 MEPUBLIC void MEAPI MstSetWorldHandlers(const MdtWorldID world);
 /** @} */
 
