@@ -1,13 +1,13 @@
 /* Advice: the order of trials, and the report to the program (MstAdvise.h, mst_advise_i.h).
  *
  *     scene as it is      -> its traits, and by them the settings
- *     reference, twice    -> how long it holds
+ *     reference, twice    -> how long it is valid
  *     each setting, once  -> errors
  *     all of them, again  -> times, in turns
- *     what is to be taken, together
+ *     all settings to be combined, together
  *
- * Each of these runs a copy of the process. In the copy the function that made it returns METRUE, and so do those that
- * called it, up to the hook of MstUniverseStep: the copy goes on with the program. */
+ * Each of these runs a copy of the process. In the copy, the function that created it returns METRUE, as do its callers
+ * up to the hook of MstUniverseStep: the copy then continues the program. */
 #include "MstAdvise.h"
 #include "MdtWorld.h"
 #include "MeAssert.h"
@@ -17,32 +17,32 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { MAX_ROUNDS = 15, TRIALS = MST_SETTINGS + 2 }; /* as it is, each setting, those taken together */
+enum { MAX_ROUNDS = 15, TRIALS = MST_SETTINGS + 2 }; /* as it is, each setting, all advised settings together */
 enum { MAX_STEPS = 1000000, MAX_SAMPLES = 128 };
-enum { MAX_RECORD_BYTES = 64 << 20 }; /* of one copy */
-/* Settings that take more than this factor of the scene's present time are not advised, whatever their error. */
+enum { MAX_RECORD_BYTES = 64 << 20 }; /* of one copy's record */
+/* Trials are ended after this factor of the time of the scene as it is, and fail. */
 enum { TOO_SLOW = 20 };
-/* Settings that are slower than this are timed once. */
-static const double slow = 3;
+/* Settings slower than this factor are timed only once. */
+static const double maxRatioToRepeat = 3;
 
 typedef struct MstAdviser {
-    MstStepHook hook; /* the universe's pointer to it: first */
+    MstStepHook hook; /* first: the universe points to it */
     MstAdviceParams params;
     MstAdviceCB done;
     void *userdata;
-    double waited; /* s of the scene */
+    double elapsed; /* s simulated since the request */
     MeBool isCopy;
     MstCopy copy;
-    /* of the course */
-    double deadline; /* s, of the clock */
+    /* during the trials: */
+    double deadline; /* s, of mst_clock */
     MstSetting setting[MST_SETTINGS];
     int settings;
-    MstRecord *right; /* the better reference */
+    MstRecord *reference; /* the reference with more sub-steps */
     int lastSample;
-    int rounds; /* done */
+    int rounds; /* completed rounds of timing */
     double cost[TRIALS][MAX_ROUNDS];
     MstTrial trial[TRIALS];
-    int together[MST_KNOBS]; /* by knob: which trial is taken, 0: none */
+    int together[MST_KNOBS]; /* by knob: index of the chosen trial; 0: none */
     MstAdvice advice;
 } MstAdviser;
 
@@ -55,7 +55,7 @@ void MEAPI MstAdviceParamsReset(MstAdviceParams *p) {
         MeWarning(1, "MstAdviceParamsReset: p is null");
 }
 
-static const char *mistakeIn(const MstAdviceParams *p) {
+static const char *findMistake(const MstAdviceParams *p) {
     if (!(p->seconds > 0) || !MeRealIsValid(p->seconds))
         return "seconds must be above 0";
     if (!(p->after >= 0) || !MeRealIsValid(p->after))
@@ -76,7 +76,7 @@ MeBool MEAPI MstAdvise(const MstUniverseID u, const MstAdviceParams *params, Mst
     if (params)
         all = *params;
     MstStepHook **place = mst_universeHook(u, "MstAdvise");
-    const char *mistake = mistakeIn(&all);
+    const char *mistake = findMistake(&all);
     if (place && mistake)
         MeWarning(1, "MstAdvise: %s", mistake);
     else if (place && *place)
@@ -105,11 +105,11 @@ static void adviserDestroy(MstStepHook *hook) {
 
 /* ---- one copy ---------------------------------------------------------------------------------------------------- */
 
-static double timeLeft(const MstAdviser *a) {
+static double remainingTime(const MstAdviser *a) {
     return a->deadline - mst_clock();
 }
 
-/* Runs settings in a copy, which leaves the record. METRUE: this is the copy. */
+/* Runs settings in a copy, which writes the record. METRUE: this process is the copy. */
 static MeBool runCopy(MstAdviser *a, MstUniverseID u, MstRecord *record, const MstSetting *const setting[], int count,
                       double limit) {
     a->copy.record = record;
@@ -117,17 +117,17 @@ static MeBool runCopy(MstAdviser *a, MstUniverseID u, MstRecord *record, const M
     return a->isCopy;
 }
 
-/* The cost of a step in a record; negative: it has not made all steps. */
-static double costOf(const MstAdviser *a, const MstRecord *r) {
+/* The cost per step of a record: work or seconds; negative if steps are missing. */
+static double costPerStep(const MstAdviser *a, const MstRecord *r) {
     const MstRecordSize *size = &a->copy.size;
     if (r->steps < size->steps)
         return -1;
     return a->params.byWork ? r->work / r->steps : r->time / (size->steps - size->warmUp);
 }
 
-/* ---- how much is kept -------------------------------------------------------------------------------------------- */
+/* ---- size of records --------------------------------------------------------------------------------------------- */
 
-static MstRecordSize sizeOf(const MstAdviser *a, MstUniverseID u, double step) {
+static MstRecordSize recordSizeFor(const MstAdviser *a, MstUniverseID u, double step) {
     enum { FEW = 64, WARM_UP = 8 };
     MstRecordSize size;
     const double steps = (double)a->params.seconds / step;
@@ -142,15 +142,15 @@ static MstRecordSize sizeOf(const MstAdviser *a, MstUniverseID u, double step) {
     return size;
 }
 
-/* ---- the course -------------------------------------------------------------------------------------------------- */
+/* ---- sequence of trials ------------------------------------------------------------------------------------------ */
 
-static const MstSetting nothing = {MST_KNOB_NONE, 0, 0, "as it is"};
+static const MstSetting asItIsSetting = {MST_KNOB_NONE, 0, 0, "as it is"};
 
-/* Which settings a trial has. */
-static int settingsOf(const MstAdviser *a, int trial, const MstSetting *setting[MST_KNOBS]) {
+/* Lists the settings of a trial; returns their number. */
+static int settingsOfTrial(const MstAdviser *a, int trial, const MstSetting *setting[MST_KNOBS]) {
     int count = 0;
     if (trial == 0)
-        setting[count++] = &nothing;
+        setting[count++] = &asItIsSetting;
     else if (trial <= a->settings)
         setting[count++] = &a->setting[trial - 1];
     else
@@ -162,12 +162,12 @@ static int settingsOf(const MstAdviser *a, int trial, const MstSetting *setting[
 
 static MeBool runTrial(MstAdviser *a, MstUniverseID u, MstRecord *record, int trial, double limit) {
     const MstSetting *setting[MST_KNOBS];
-    const int count = settingsOf(a, trial, setting);
+    const int count = settingsOfTrial(a, trial, setting);
     return runCopy(a, u, record, setting, count, limit);
 }
 
 static MeBool runAsItIs(MstAdviser *a, MstUniverseID u, MstRecord *record) {
-    if (runTrial(a, u, record, 0, timeLeft(a)))
+    if (runTrial(a, u, record, 0, remainingTime(a)))
         return METRUE;
     if (record->steps < a->copy.size.steps) {
         a->advice.restriction = "The program ended, or its patience did, before all steps were made.";
@@ -178,72 +178,74 @@ static MeBool runAsItIs(MstAdviser *a, MstUniverseID u, MstRecord *record) {
     return MEFALSE;
 }
 
-/* A copy that is cut has made fewer steps, and the comparison ends with them. */
+/* Runs the reference with 4 and with 8 sub-steps, and compares both. A copy that runs out of time has fewer steps, and
+ * the comparison ends there. */
 static MeBool runReference(MstAdviser *a, MstUniverseID u, MstRecord *record) {
-    const MeBool hasRunners = record->traits.hasRunners;
+    const MeBool hasFastBodies = record->traits.hasFastBodies;
     for (int i = 0; i < 2; i++) {
-        const MstSetting reference = {MST_KNOB_REFERENCE, i ? 8 : 4, hasRunners, "reference"};
+        const MstSetting reference = {MST_KNOB_REFERENCE, i ? 8 : 4, hasFastBodies, "reference"};
         const MstSetting *setting = &reference;
-        if (runCopy(a, u, i ? a->right : record, &setting, 1, timeLeft(a) / 4))
+        if (runCopy(a, u, i ? a->reference : record, &setting, 1, remainingTime(a) / 4))
             return METRUE;
     }
-    if (a->right->steps < a->copy.size.steps)
+    if (a->reference->steps < a->copy.size.steps)
         a->advice.restriction = "The reference took too long to make all steps.";
     double largest;
-    a->lastSample = mst_recordsAgree(record, a->right, &a->copy.size, (double)a->advice.tolerance, &largest);
+    a->lastSample = mst_recordsAgree(record, a->reference, &a->copy.size, (double)a->advice.tolerance, &largest);
     a->advice.referenceError = (MeReal)largest;
     a->advice.comparedTime = (MeReal)((a->lastSample + 1) * a->copy.size.stride * (double)a->advice.step);
     return MEFALSE;
 }
 
-/* The first run of a trial: its errors and residuals; times are measured later, in turns with other trials. */
-static void noteTrial(MstAdviser *a, const MstRecord *record, int trial) {
+/* Evaluates the first run of a trial: its errors and residuals. Its times are measured later, in turns with other
+ * trials. */
+static void recordTrial(MstAdviser *a, const MstRecord *record, int trial) {
     MstTrial *t = &a->trial[trial];
-    mst_trialMeasure(t, record, a->right, &a->copy.size, a->lastSample);
-    a->cost[trial][0] = costOf(a, record);
+    mst_trialMeasure(t, record, a->reference, &a->copy.size, a->lastSample);
+    a->cost[trial][0] = costPerStep(a, record);
     if (trial > 0 && a->cost[trial][0] < 0)
         t->verdict = MstVerdictFailed;
 }
 
-static double limitOf(const MstAdviser *a, double asItIs) {
-    return fmin(timeLeft(a), fmax(1, TOO_SLOW * asItIs));
+static double timeLimit(const MstAdviser *a, double asItIs) {
+    return fmin(remainingTime(a), fmax(1, TOO_SLOW * asItIs));
 }
 
 static MeBool runTrials(MstAdviser *a, MstUniverseID u, MstRecord *record, double asItIs) {
     for (int trial = 1; trial <= a->settings; trial++) {
         snprintf(a->trial[trial].setting, sizeof a->trial[trial].setting, "%s", a->setting[trial - 1].call);
-        if (timeLeft(a) <= 0) {
+        if (remainingTime(a) <= 0) {
             a->advice.restriction = "Patience ended before all settings were tried.";
             a->trial[trial].verdict = MstVerdictFailed;
             continue;
         }
-        if (runTrial(a, u, record, trial, limitOf(a, asItIs)))
+        if (runTrial(a, u, record, trial, timeLimit(a, asItIs)))
             return METRUE;
-        noteTrial(a, record, trial);
+        recordTrial(a, record, trial);
     }
     return MEFALSE;
 }
 
-/* Trials `first` to `last` and the scene as it is, in turns. */
+/* Times the trials `first` to `last` and the scene as it is, in turns. */
 static MeBool timeTrials(MstAdviser *a, MstUniverseID u, MstRecord *record, int first, int last) {
     const int rounds = a->params.byWork ? 1 : a->params.rounds;
-    for (a->rounds = 1; a->rounds < rounds && timeLeft(a) > 0; a->rounds++)
+    for (a->rounds = 1; a->rounds < rounds && remainingTime(a) > 0; a->rounds++)
         for (int trial = 0; trial <= last; trial = trial < first ? first : trial + 1) {
             double *cost = a->cost[trial];
             cost[a->rounds] = -1;
-            if (trial > 0 && (cost[0] < 0 || cost[0] > slow * a->cost[0][0]))
+            if (trial > 0 && (cost[0] < 0 || cost[0] > maxRatioToRepeat * a->cost[0][0]))
                 continue;
-            if (runTrial(a, u, record, trial, fmax(timeLeft(a), 1)))
+            if (runTrial(a, u, record, trial, fmax(remainingTime(a), 1)))
                 return METRUE;
-            cost[a->rounds] = costOf(a, record);
+            cost[a->rounds] = costPerStep(a, record);
         }
-    mst_trialTime(&a->trial[0], a->cost[0], a->cost[0], a->rounds, !a->params.byWork);
+    mst_trialSetCosts(&a->trial[0], a->cost[0], a->cost[0], a->rounds, !a->params.byWork);
     for (int trial = first; trial <= last; trial++)
-        mst_trialTime(&a->trial[trial], a->cost[trial], a->cost[0], a->rounds, !a->params.byWork);
+        mst_trialSetCosts(&a->trial[trial], a->cost[trial], a->cost[0], a->rounds, !a->params.byWork);
     return MEFALSE;
 }
 
-/* Chooses for each knob the setting that saves most, and those that the scene needs. Returns their number. */
+/* Chooses for each knob the setting that saves most time, or that the scene needs. Returns their number. */
 static int chooseTogether(MstAdviser *a) {
     int count = 0;
     for (int pass = 0; pass < 2; pass++)
@@ -268,8 +270,8 @@ static void nameTogether(MstAdviser *a, MstTrial *t) {
                                length ? " and " : "together: ", a->together[knob]);
 }
 
-/* The single setting that saves most, or that corrects errors. */
-static int bestAlone(const MstAdviser *a) {
+/* The index of the setting that saves most time or, if there is one, that the scene needs. */
+static int bestSingleTrial(const MstAdviser *a) {
     int best = 0;
     for (int i = 1; i <= a->settings; i++) {
         const MstTrial *t = &a->trial[i];
@@ -283,15 +285,16 @@ static int bestAlone(const MstAdviser *a) {
 
 static MeBool runTogether(MstAdviser *a, MstUniverseID u, MstRecord *record, double asItIs) {
     const int trial = a->settings + 1, chosen = chooseTogether(a);
-    a->advice.best = bestAlone(a);
+    a->advice.best = bestSingleTrial(a);
     if (chosen < 2)
         return MEFALSE;
-    const double spread = (double)a->params.patience / 4; /* as much again may be left of no patience */
-    a->deadline = fmax(a->deadline, mst_clock() + spread);
+    const double extension = (double)a->params.patience / 4; /* the trial of all settings together may exceed the
+                                                                patience by this */
+    a->deadline = fmax(a->deadline, mst_clock() + extension);
     nameTogether(a, &a->trial[trial]);
-    if (runTrial(a, u, record, trial, limitOf(a, asItIs)))
+    if (runTrial(a, u, record, trial, timeLimit(a, asItIs)))
         return METRUE;
-    noteTrial(a, record, trial);
+    recordTrial(a, record, trial);
     a->advice.count++;
     if (timeTrials(a, u, record, trial, trial))
         return METRUE;
@@ -314,10 +317,10 @@ static void listBest(MstAdviser *a) {
         advice->follow[advice->followCount++] = advice->best;
 }
 
-/* METRUE: this is a copy. */
+/* Returns METRUE in a copy. */
 static MeBool runAll(MstAdviser *a, MstUniverseID u, MstRecord *record) {
     const double begin = mst_clock();
-    snprintf(a->trial[0].setting, sizeof a->trial[0].setting, "%s", nothing.call);
+    snprintf(a->trial[0].setting, sizeof a->trial[0].setting, "%s", asItIsSetting.call);
     if (runAsItIs(a, u, record))
         return METRUE;
     const double asItIs = mst_clock() - begin;
@@ -325,9 +328,9 @@ static MeBool runAll(MstAdviser *a, MstUniverseID u, MstRecord *record) {
         return MEFALSE;
     a->settings = mst_settingsPlan(u, &record->traits, a->setting);
     a->advice.count = 1 + a->settings;
-    if (runReference(a, u, record) || runTrial(a, u, record, 0, fmax(timeLeft(a), 1)))
+    if (runReference(a, u, record) || runTrial(a, u, record, 0, fmax(remainingTime(a), 1)))
         return METRUE;
-    noteTrial(a, record, 0);
+    recordTrial(a, record, 0);
     if (runTrials(a, u, record, asItIs) || timeTrials(a, u, record, 1, a->settings))
         return METRUE;
     mst_trialsRate(a->trial, a->advice.count, (double)a->advice.tolerance, a->lastSample >= 0);
@@ -343,7 +346,7 @@ static void prepare(MstAdviser *a, MstUniverseID u, double step) {
     const double tolerance = (double)a->params.tolerance;
     a->deadline = mst_clock() + (double)a->params.patience;
     a->lastSample = -1;
-    a->copy.size = sizeOf(a, u, step);
+    a->copy.size = recordSizeFor(a, u, step);
     a->advice.trial = a->trial;
     a->advice.restriction = "";
     a->advice.step = (MeReal)step;
@@ -351,22 +354,22 @@ static void prepare(MstAdviser *a, MstUniverseID u, double step) {
     a->advice.tolerance = (MeReal)(tolerance > 0 ? tolerance : 1e-3 * (double)u->sizes.lengthScale);
 }
 
-/* METRUE: this is a copy. */
+/* Returns METRUE in a copy. */
 static MeBool advise(MstAdviser *a, MstUniverseID u, double step) {
     prepare(a, u, step);
     const MstRecordSize size = a->copy.size;
     MstRecord *record = mst_recordCreate(&size);
-    a->right = mst_recordCreate(&size);
-    if (!record || !a->right)
+    a->reference = mst_recordCreate(&size);
+    if (!record || !a->reference)
         MeWarning(1, "MstAdvise: there is no memory for the records of copies");
     else if (runAll(a, u, record))
         return METRUE;
     mst_recordDestroy(record, &size);
-    mst_recordDestroy(a->right, &size);
+    mst_recordDestroy(a->reference, &size);
     return MEFALSE;
 }
 
-/* The callback may ask again, or end the program: nothing is owned any more then. */
+/* Frees the adviser first, as the callback may request advice again or end the program. */
 static void reportAdvice(MstAdviser *a) {
     MstTrial trial[TRIALS];
     MstAdvice advice = a->advice;
@@ -383,12 +386,12 @@ static void reportAdvice(MstAdviser *a) {
     MeProgramLeave(&before);
 }
 
-/* False: the universe is not advised in this step, or any more. */
+/* Runs all trials if their time has come. METRUE: this process is a copy, which makes the step and records it. */
 static MeBool beginStep(MstAdviser *a, MstUniverseID u, double step) {
     if (!(step > 0) || !MeRealIsValid((MeReal)step))
         return MEFALSE; /* nothing moves: no advice */
-    if (!a->isCopy && a->waited < (double)a->params.after - .5 * step) {
-        a->waited += step;
+    if (!a->isCopy && a->elapsed < (double)a->params.after - .5 * step) {
+        a->elapsed += step;
         return MEFALSE;
     }
     if (a->isCopy || advise(a, u, step)) {

@@ -1,7 +1,7 @@
-/* A setting in a copy of the process (MstAdvise.h): fork, and a record in memory that both share.
+/* Runs a setting in a copy of the process (MstAdvise.h): fork, with a record in shared memory.
  *
- * The record is laid out once, for so many samples of so many bodies: the copy writes as it goes, so that what a copy
- * has done before it crashed, or was ended, is known all the same. */
+ * The record's layout is fixed beforehand, for a number of samples of a number of bodies. The copy writes it step by
+ * step, so that the results of a copy that crashes or is ended are available up to then. */
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS, fork */
 #include "MdtBody.h"
 #include "MdtConstraint.h"
@@ -65,8 +65,8 @@ double mst_clock(void) {
 
 /* ---- in the copy ------------------------------------------------------------------------------------------------- */
 
-/* Silences the copy: the process itself prints the same messages. */
-static void swallowTexts(void) {
+/* Discards the copy's texts: the original process prints the same ones. */
+static void discardOutput(void) {
     const int nowhere = open("/dev/null", O_WRONLY);
     if (nowhere < 0)
         return;
@@ -75,15 +75,15 @@ static void swallowTexts(void) {
     close(nowhere);
 }
 
-/* Limits the CPU time, s: a copy that hangs ends even if the process that made it has ended. */
-static void limitTime(double seconds) {
+/* Limits the CPU time, s, so that a copy that hangs ends even if the original process has ended. */
+static void limitCpuTime(double seconds) {
     const struct rlimit limit = {(rlim_t)ceil(seconds) + 1, (rlim_t)ceil(seconds) + 2};
     setrlimit(RLIMIT_CPU, &limit);
 }
 
 static void becomeCopy(MstUniverseID u, const MstSetting *const setting[], int count, double limit) {
-    swallowTexts();
-    limitTime(limit);
+    discardOutput();
+    limitCpuTime(limit);
     MdtWorldSetTaskPool(u->world, 0); /* threads do not survive fork */
     MdtWorldEnableReport(u->world);
     for (int i = 0; i < count; i++)
@@ -91,10 +91,10 @@ static void becomeCopy(MstUniverseID u, const MstSetting *const setting[], int c
 }
 
 void mst_copyStepBegins(MstCopy *c) {
-    c->begun = secondsOf(CLOCK_THREAD_CPUTIME_ID);
+    c->stepBegin = secondsOf(CLOCK_THREAD_CPUTIME_ID);
 }
 
-static double gyrationOf(MdtBodyID b) {
+static double radiusOfGyration(MdtBodyID b) {
     MeMatrix3 inertia;
     MdtBodyGetInertiaTensor(b, inertia);
     return sqrt((double)(inertia[0][0] + inertia[1][1] + inertia[2][2]) / (2 * (double)MdtBodyGetMass(b)));
@@ -108,10 +108,10 @@ static void sampleBody(MdtBodyID b, MstSample *s) {
     MdtBodyGetLinearVelocity(b, v);
     MdtBodyGetAngularVelocity(b, w);
     for (int i = 0; i < 3; i++)
-        s->position[i] = (double)p[i], s->velocity[i] = (double)v[i], s->turning[i] = (double)w[i];
+        s->position[i] = (double)p[i], s->velocity[i] = (double)v[i], s->angularVelocity[i] = (double)w[i];
     for (int i = 0; i < 4; i++)
         s->quaternion[i] = (double)q[i];
-    s->radius = gyrationOf(b);
+    s->radius = radiusOfGyration(b);
 }
 
 static void sampleBodies(const MstCopy *c, MdtWorldID w) {
@@ -133,12 +133,13 @@ static void sampleBodies(const MstCopy *c, MdtWorldID w) {
     r->sampleCount++;
 }
 
-/* How far apart bodies have to be for a step to carry one past another, as far as one can tell without shapes. */
-static MeBool hasRunner(MdtWorldID w, double step) {
+/* Whether a body moves in a step by more than its radius of gyration, and so may pass another one. A guess, as bodies
+ * have no shapes. */
+static MeBool hasFastBody(MdtWorldID w, double step) {
     MeVector3 v;
     for (MdtBodyID b = MdtBodyGetFirst(w); b; b = MdtBodyGetNext(b)) {
         MdtBodyGetLinearVelocity(b, v);
-        if ((double)MeVector3Magnitude(v) * step > gyrationOf(b))
+        if ((double)MeVector3Magnitude(v) * step > radiusOfGyration(b))
             return METRUE;
     }
     return MEFALSE;
@@ -157,14 +158,15 @@ static void noteTraits(MstRecord *r, MdtWorldID w, double step) {
     MdtReport report;
     if (!t->hasContacts || !t->hasJoints)
         MdtWorldForAllConstraints(w, noteConstraint, t);
-    if (!t->hasRunners)
-        t->hasRunners = hasRunner(w, step);
+    if (!t->hasFastBodies)
+        t->hasFastBodies = hasFastBody(w, step);
     for (int i = 0; i < MdtWorldGetReportCount(w); i++) {
         MdtWorldGetPartitionReport(w, i, &report);
-        t->hasFast |= report.way == MdtReportWayFast;
-        t->hasExactContacts |= t->hasContacts && report.way >= MdtReportWayExact;
-        t->hasLimits |= report.limited > 0;
-        t->hasLargeIsland |= report.bodies > 32; /* the bridge reuses contacts of such (MstBridgeSetContactReuse) */
+        t->usesFastSolver |= report.way == MdtReportWayFast;
+        t->usesExactSolver |= t->hasContacts && report.way >= MdtReportWayExact;
+        t->exceedsBudget |= report.limited > 0;
+        t->hasLargeIsland |= report.bodies > 32; /* the bridge reuses contacts in such partitions
+                                                    (MstBridgeSetContactReuse) */
     }
 }
 
@@ -181,7 +183,7 @@ static void noteReport(MstRecord *r, MdtWorldID w) {
 }
 
 void mst_copyStepEnds(MstCopy *c, MstUniverseID u, double step) {
-    const double elapsed = secondsOf(CLOCK_THREAD_CPUTIME_ID) - c->begun;
+    const double elapsed = secondsOf(CLOCK_THREAD_CPUTIME_ID) - c->stepBegin;
     MstRecord *r = c->record;
     if (r->steps >= c->size.warmUp)
         r->time += elapsed;
@@ -193,10 +195,10 @@ void mst_copyStepEnds(MstCopy *c, MstUniverseID u, double step) {
         _exit(0);
 }
 
-/* ---- in the process that asked ----------------------------------------------------------------------------------- */
+/* ---- in the original process ------------------------------------------------------------------------------------- */
 
-/* Until it has ended, or must. */
-static void await(pid_t copy, double limit) {
+/* Waits until the copy has ended, and kills it after `limit` s. */
+static void awaitCopy(pid_t copy, double limit) {
     const double end = mst_clock() + limit;
     const struct timespec pause = {0, 1000000};
     for (;;) {
@@ -215,13 +217,13 @@ static void await(pid_t copy, double limit) {
 MeBool mst_copyRun(MstCopy *c, MstUniverseID u, const MstSetting *const setting[], int count, double limit) {
     memset(c->record, 0, sizeof *c->record);
     c->record->isReporting = 1;
-    fflush(NULL); /* or the copy would print buffered output again */
+    fflush(NULL); /* otherwise the copy would print buffered output again */
     const pid_t copy = fork();
     if (copy == 0) {
         becomeCopy(u, setting, count, limit);
         return METRUE;
     }
     if (copy > 0)
-        await(copy, limit);
+        awaitCopy(copy, limit);
     return MEFALSE;
 }

@@ -1,11 +1,12 @@
-/* From records of copies to advice: errors, ratios, verdicts, sentences (MstAdvise.h). */
+/* Evaluates the records of copies: errors, ratios, verdicts, sentences (MstAdvise.h). */
 #include "MeMath.h"
 #include "advise/mst_advise_i.h"
 #include <stdio.h>
 #include <string.h>
 
-/* The least gain, in every round: less may be noise, and is not worth a line in a program. */
-static const double worthIt = .95;
+/* A setting is faster if its cost ratio is below this in every round: smaller gains may be noise, and are not worth a
+ * line in a program. */
+static const double maxRatioOfGain = .95;
 
 /* ---- errors ------------------------------------------------------------------------------------------------------ */
 
@@ -13,8 +14,9 @@ static double distance(const double a[3], const double b[3]) {
     return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
 }
 
-/* The angle (rad) between two attitudes: twice that between the quaternions, of which q and -q are one attitude. */
-static double turnBetween(const double a[4], const double b[4]) {
+/* The angle (rad) between two orientations: four times asin of half the quaternions' distance; q and -q are the same
+ * orientation. */
+static double angleBetween(const double a[4], const double b[4]) {
     double minus = 0, plus = 0;
     for (int i = 0; i < 4; i++) {
         minus += (a[i] - b[i]) * (a[i] - b[i]);
@@ -23,30 +25,30 @@ static double turnBetween(const double a[4], const double b[4]) {
     return 4 * asin(fmin(1, .5 * sqrt(fmin(minus, plus))));
 }
 
-/* m: the distance between two states of a body: of its position, and of a point at its radius of gyration by its
- * rotation. */
-static double placeError(const MstSample *a, const MstSample *b) {
-    return distance(a->position, b->position) + b->radius * turnBetween(a->quaternion, b->quaternion);
+/* m: the distance of the positions, plus that of a point at the radius of gyration due to the rotation. */
+static double positionError(const MstSample *a, const MstSample *b) {
+    return distance(a->position, b->position) + b->radius * angleBetween(a->quaternion, b->quaternion);
 }
 
-static double speedError(const MstSample *a, const MstSample *b) {
-    return distance(a->velocity, b->velocity) + b->radius * distance(a->turning, b->turning);
+static double velocityErrorOf(const MstSample *a, const MstSample *b) {
+    return distance(a->velocity, b->velocity) + b->radius * distance(a->angularVelocity, b->angularVelocity);
 }
 
-/* Bodies that both records have; 0, if a body has come or gone in one of them. */
-static int comparable(const MstRecord *a, const MstRecord *b, const MstRecordSize *size, int sample) {
+/* Number of bodies in a sample of both records; 0 if the numbers differ, as a body was created or destroyed in one. */
+static int comparableBodies(const MstRecord *a, const MstRecord *b, const MstRecordSize *size, int sample) {
     if (sample >= a->sampleCount || sample >= b->sampleCount)
         return 0;
     const int bodies = mst_recordMoment(b, sample)->bodies;
     return mst_recordMoment(a, sample)->bodies == bodies ? (bodies < size->bodies ? bodies : size->bodies) : 0;
 }
 
-/* The worst body's, in a sample. */
-static double worstPlace(const MstRecord *a, const MstRecord *b, const MstRecordSize *size, int sample, int bodies) {
+/* The largest position error of a body in a sample. */
+static double maxPositionError(const MstRecord *a, const MstRecord *b, const MstRecordSize *size, int sample,
+                               int bodies) {
     const MstSample *x = mst_recordSamples(a, size, sample), *y = mst_recordSamples(b, size, sample);
     double worst = 0;
     for (int i = 0; i < bodies; i++)
-        worst = fmax(worst, placeError(&x[i], &y[i]));
+        worst = fmax(worst, positionError(&x[i], &y[i]));
     return worst;
 }
 
@@ -54,22 +56,24 @@ int mst_recordsAgree(const MstRecord *a, const MstRecord *b, const MstRecordSize
                      double *largest) {
     *largest = 0;
     for (int sample = 0;; sample++) {
-        const int bodies = comparable(a, b, size, sample);
-        const double error = bodies > 0 ? worstPlace(a, b, size, sample, bodies) : HUGE_VAL;
+        const int bodies = comparableBodies(a, b, size, sample);
+        const double error = bodies > 0 ? maxPositionError(a, b, size, sample, bodies) : HUGE_VAL;
         if (!(error <= tolerance))
             return sample - 1;
         *largest = fmax(*largest, error);
     }
 }
 
-static double worstMeanSpeed(const MstRecord *r, const MstRecord *reference, const MstRecordSize *size, int last) {
-    const int bodies = comparable(r, reference, size, 0);
+static double maxMeanVelocityError(const MstRecord *r, const MstRecord *reference, const MstRecordSize *size,
+                                   int last) {
+    const int bodies = comparableBodies(r, reference, size, 0);
     double worst = 0;
     for (int i = 0; i < bodies; i++) {
         double sum = 0;
         int count = 0;
-        for (int sample = 0; sample <= last && i < comparable(r, reference, size, sample); sample++, count++)
-            sum += speedError(&mst_recordSamples(r, size, sample)[i], &mst_recordSamples(reference, size, sample)[i]);
+        for (int sample = 0; sample <= last && i < comparableBodies(r, reference, size, sample); sample++, count++)
+            sum +=
+                velocityErrorOf(&mst_recordSamples(r, size, sample)[i], &mst_recordSamples(reference, size, sample)[i]);
         worst = fmax(worst, count > 0 ? sum / count : 0);
     }
     return worst;
@@ -79,15 +83,15 @@ static void measureErrors(MstTrial *t, const MstRecord *r, const MstRecord *refe
                           int last) {
     double place = 0, energy = 0, kinetic = 0;
     for (int sample = 0; sample <= last; sample++) {
-        const int bodies = comparable(r, reference, size, sample);
-        const MstMoment *now = mst_recordMoment(r, sample), *right = mst_recordMoment(reference, sample);
-        place = fmax(place, bodies > 0 ? worstPlace(r, reference, size, sample, bodies) : HUGE_VAL);
-        energy = fmax(energy, fabs(now->energy - right->energy));
-        kinetic = fmax(kinetic, right->kinetic);
+        const int bodies = comparableBodies(r, reference, size, sample);
+        const MstMoment *now = mst_recordMoment(r, sample), *exact = mst_recordMoment(reference, sample);
+        place = fmax(place, bodies > 0 ? maxPositionError(r, reference, size, sample, bodies) : HUGE_VAL);
+        energy = fmax(energy, fabs(now->energy - exact->energy));
+        kinetic = fmax(kinetic, exact->kinetic);
     }
     t->error = (MeReal)place;
     t->energyError = (MeReal)(kinetic > 0 ? energy / kinetic : 0);
-    t->velocityError = (MeReal)worstMeanSpeed(r, reference, size, last);
+    t->velocityError = (MeReal)maxMeanVelocityError(r, reference, size, last);
 }
 
 void mst_trialMeasure(MstTrial *t, const MstRecord *r, const MstRecord *reference, const MstRecordSize *size,
@@ -104,7 +108,7 @@ void mst_trialMeasure(MstTrial *t, const MstRecord *r, const MstRecord *referenc
 
 /* ---- cost -------------------------------------------------------------------------------------------------------- */
 
-/* Of a copy of a few numbers, which is sorted. */
+/* The median of at most 15 numbers, sorted in a copy. */
 static double median(const double *x, int count) {
     double sorted[15];
     for (int i = 0; i < count; i++) {
@@ -116,7 +120,7 @@ static double median(const double *x, int count) {
     return count % 2 ? sorted[count / 2] : .5 * (sorted[count / 2 - 1] + sorted[count / 2]);
 }
 
-void mst_trialTime(MstTrial *t, const double *cost, const double *asItIs, int rounds, MeBool isTime) {
+void mst_trialSetCosts(MstTrial *t, const double *cost, const double *asItIs, int rounds, MeBool isTime) {
     double seen[15], ratio[15], min = HUGE_VAL, largest = 0;
     int count = 0;
     for (int i = 0; i < rounds; i++)
@@ -137,7 +141,7 @@ void mst_trialTime(MstTrial *t, const double *cost, const double *asItIs, int ro
 
 /* ---- verdicts ---------------------------------------------------------------------------------------------------- */
 
-/* Whether a value is within tolerance, or at most 10 % above the one before: no visible difference. */
+/* Whether a value is within the tolerance, or exceeds the one before by at most 10 %: no visible difference. */
 static MeBool isNoWorse(MeReal value, MeReal before, double tolerance) {
     return (double)value <= fmax(tolerance, 1.1 * (double)before);
 }
@@ -148,10 +152,10 @@ MeBool mst_trialIsAcceptable(const MstTrial *t, const MstTrial *asItIs, double t
 }
 
 static MeBool isFaster(const MstTrial *t) {
-    return (double)t->largestRatio < worthIt;
+    return (double)t->largestRatio < maxRatioOfGain;
 }
 
-static MeBool isWithin(const MstTrial *t, double tolerance) {
+static MeBool isWithinTolerance(const MstTrial *t, double tolerance) {
     return (double)t->error <= tolerance;
 }
 
@@ -162,15 +166,15 @@ static MstVerdict verdictOf(const MstTrial *t, const MstTrial *asItIs, double to
         return isFaster(t) ? MstVerdictTrade : MstVerdictNone;
     if (isFaster(t))
         return mst_trialIsAcceptable(t, asItIs, tolerance) ? MstVerdictTake : MstVerdictTrade;
-    return (double)t->error < .5 * (double)asItIs->error && !isWithin(asItIs, tolerance) ? MstVerdictExact
-                                                                                         : MstVerdictNone;
+    return (double)t->error < .5 * (double)asItIs->error && !isWithinTolerance(asItIs, tolerance) ? MstVerdictExact
+                                                                                                  : MstVerdictNone;
 }
 
-/* The cheapest setting that corrects the scene's errors. */
+/* Marks the cheapest setting that corrects the scene's errors as needed. */
 static void chooseMend(MstTrial *t, int count, double tolerance) {
     MstTrial *best = 0;
     for (int i = 1; i < count; i++)
-        if (t[i].verdict == MstVerdictExact && isWithin(&t[i], tolerance) &&
+        if (t[i].verdict == MstVerdictExact && isWithinTolerance(&t[i], tolerance) &&
             mst_trialIsAcceptable(&t[i], &t[0], tolerance) && (!best || t[i].ratio < best->ratio))
             best = &t[i];
     if (best)
@@ -179,7 +183,7 @@ static void chooseMend(MstTrial *t, int count, double tolerance) {
 
 /* ---- sentences --------------------------------------------------------------------------------------------------- */
 
-static void sayCost(const MstTrial *t, char *text, size_t size) {
+static void formatCost(const MstTrial *t, char *text, size_t size) {
     const double ratio = (double)t->ratio;
     if (ratio < 1)
         snprintf(text, size, "%.0f %% less", 100 * (1 - ratio));
@@ -189,8 +193,8 @@ static void sayCost(const MstTrial *t, char *text, size_t size) {
         snprintf(text, size, "%.1f times", ratio);
 }
 
-/* Names what a trial makes worse than the scene as it is, beyond the tolerance. */
-static void sayLoss(const MstTrial *t, const MstTrial *asItIs, double tolerance, char *text, size_t size) {
+/* Writes which errors of a trial exceed the tolerance and those of the scene as it is. */
+static void formatLoss(const MstTrial *t, const MstTrial *asItIs, double tolerance, char *text, size_t size) {
     int length = 0;
     *text = 0;
     const struct {
@@ -205,10 +209,10 @@ static void sayLoss(const MstTrial *t, const MstTrial *asItIs, double tolerance,
                                loss[i].name, (double)loss[i].value, (double)loss[i].before);
 }
 
-static void say(MstTrial *t, const MstTrial *asItIs, double tolerance, MeBool isCompared) {
+static void writeAdvice(MstTrial *t, const MstTrial *asItIs, double tolerance, MeBool isCompared) {
     char cost[32], loss[160];
-    sayCost(t, cost, sizeof cost);
-    sayLoss(t, asItIs, tolerance, loss, sizeof loss);
+    formatCost(t, cost, sizeof cost);
+    formatLoss(t, asItIs, tolerance, loss, sizeof loss);
     const double error = (double)t->error, now = (double)asItIs->error;
     switch (t->verdict) {
     case MstVerdictTake:
@@ -235,9 +239,9 @@ static void say(MstTrial *t, const MstTrial *asItIs, double tolerance, MeBool is
 void mst_trialsRate(MstTrial *t, int count, double tolerance, MeBool isCompared) {
     for (int i = 1; i < count; i++)
         t[i].verdict = verdictOf(&t[i], &t[0], tolerance, isCompared);
-    if (isCompared && !isWithin(&t[0], tolerance))
+    if (isCompared && !isWithinTolerance(&t[0], tolerance))
         chooseMend(t, count, tolerance);
     for (int i = 1; i < count; i++)
-        say(&t[i], &t[0], tolerance, isCompared);
+        writeAdvice(&t[i], &t[0], tolerance, isCompared);
     snprintf(t[0].advice, sizeof t[0].advice, "%s", "");
 }

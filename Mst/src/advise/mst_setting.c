@@ -1,4 +1,4 @@
-/* Settings that are worth a trial in a scene, and how each is applied (MstAdvise.h). */
+/* Selects the settings that are worth a trial in a scene, and applies them (MstAdvise.h). */
 #include "McdModel.h"
 #include "McdSpace.h"
 #include "MdtContactParams.h"
@@ -31,14 +31,14 @@ static void add(Plan *plan, MstKnob knob, double value, double value2, const cha
     va_end(arguments);
 }
 
-/* ---- what the scene is like -------------------------------------------------------------------------------------- */
+/* ---- properties of the scene ------------------------------------------------------------------------------------- */
 
 typedef struct Models {
     int withBody, swept;
     double size, mass; /* m, kg: geometric means of their radii and masses, as scales are ratios */
 } Models;
 
-static Models lookAtModels(MstUniverseID u) {
+static Models summarizeModels(MstUniverseID u) {
     Models all = {0, 0, 0, 0};
     McdSpaceModelIterator it;
     McdModelID m;
@@ -64,7 +64,7 @@ static Models lookAtModels(MstUniverseID u) {
     return all;
 }
 
-/* How many pairs of materials have such a friction, and act at all. */
+/* Number of material pairs with this friction model and non-zero friction. */
 static int countFriction(MstUniverseID u, MdtFrictionModel model) {
     const MstBridgeRecord *b = (const MstBridgeRecord *)u->bridge;
     int count = 0;
@@ -76,24 +76,24 @@ static int countFriction(MstUniverseID u, MdtFrictionModel model) {
     return count;
 }
 
-/* ---- which are worth it ------------------------------------------------------------------------------------------ */
+/* ---- selection --------------------------------------------------------------------------------------------------- */
 
 static void planSolver(Plan *plan, MdtWorldID w, const MstSceneTraits *traits) {
     static const char *const name[] = {"MdtSolverAuto", "MdtSolverExact", "MdtSolverFast"};
     const MdtSolver now = MdtWorldGetSolver(w);
     for (int i = MdtSolverAuto; i <= (int)MdtSolverFast; i++) {
-        const MeBool isUsed = now == MdtSolverAuto && ((i == MdtSolverExact && !traits->hasFast) ||
-                                                       (i == MdtSolverFast && !traits->hasExactContacts));
+        const MeBool isUsed = now == MdtSolverAuto && ((i == MdtSolverExact && !traits->usesFastSolver) ||
+                                                       (i == MdtSolverFast && !traits->usesExactSolver));
         if (i != (int)now && !isUsed)
             add(plan, MST_KNOB_SOLVER, i, 0, "MdtWorldSetSolver(world, %s)", name[i]);
     }
     const double accuracy = (double)MdtWorldGetAccuracy(w);
-    if (traits->hasFast && accuracy > 0)
+    if (traits->usesFastSolver && accuracy > 0)
         for (int i = 0; i < 2; i++) {
             const double value = i ? accuracy / 10 : accuracy * 10;
             add(plan, MST_KNOB_ACCURACY, value, 0, "MdtWorldSetAccuracy(world, %.2g)", value);
         }
-    if (traits->hasLimits) {
+    if (traits->exceedsBudget) {
         const double budget = 4 * (double)MdtWorldGetWorkBudget(w);
         add(plan, MST_KNOB_BUDGET, budget, 0, "MdtWorldSetWorkBudget(world, %g)", budget);
     }
@@ -143,7 +143,8 @@ static void planSleep(Plan *plan, MdtWorldID w) {
                 i ? "a quarter" : "four times");
 }
 
-/* Off by more than four, thresholds of speed and acceleration are off by more than sixteen as squares. */
+/* Plans a trial of other scales if the length scale is wrong by a factor of 4, as sleep thresholds, which are squares
+ * of speeds and accelerations, are then wrong by 16; or if the mass scale is wrong by 64. */
 static void planScales(Plan *plan, MstUniverseID u, const Models *models) {
     enum { FAR = 4 };
     const double length = 2 * models->size, mass = models->mass;
@@ -157,7 +158,7 @@ static void planScales(Plan *plan, MstUniverseID u, const Models *models) {
 
 int mst_settingsPlan(MstUniverseID u, const MstSceneTraits *traits, MstSetting setting[MST_SETTINGS]) {
     Plan plan = {setting, 0};
-    const Models models = lookAtModels(u);
+    const Models models = summarizeModels(u);
     planTime(&plan, u->world, traits);
     if (traits->hasContacts) {
         planSolver(&plan, u->world, traits);
@@ -165,7 +166,7 @@ int mst_settingsPlan(MstUniverseID u, const MstSceneTraits *traits, MstSetting s
     }
     if (models.swept > 0)
         add(&plan, MST_KNOB_SWEPT, MEFALSE, 0, "McdModelSetSwept(model, MEFALSE) of all %d", models.swept);
-    if (traits->hasRunners && models.swept < models.withBody)
+    if (traits->hasFastBodies && models.swept < models.withBody)
         add(&plan, MST_KNOB_SWEPT, METRUE, 0, "McdModelSetSwept(model, METRUE) of all %d", models.withBody);
     planSleep(&plan, u->world);
     if (traits->hasLargeIsland && MstBridgeGetContactReuse(u->bridge) > 0)
@@ -199,19 +200,20 @@ static void setSwept(MstUniverseID u, MeBool isSwept) {
             McdModelSetSwept(m, isSwept);
 }
 
-/* They are squares: of speeds that are so many times as large. */
-static void scaleThresholds(MdtWorldID w, double velocity, double turning, double acceleration, double turningAcc) {
+/* Scales the sleep thresholds, which are squares, to speeds and accelerations larger by these factors. */
+static void scaleThresholds(MdtWorldID w, double velocity, double angularVelocity, double acceleration,
+                            double turningAcc) {
     MdtWorldSetAutoDisableVelocityThreshold(
         w, (MeReal)(velocity * velocity * (double)MdtWorldGetAutoDisableVelocityThreshold(w)));
     MdtWorldSetAutoDisableAngularVelocityThreshold(
-        w, (MeReal)(turning * turning * (double)MdtWorldGetAutoDisableAngularVelocityThreshold(w)));
+        w, (MeReal)(angularVelocity * angularVelocity * (double)MdtWorldGetAutoDisableAngularVelocityThreshold(w)));
     MdtWorldSetAutoDisableAccelerationThreshold(
         w, (MeReal)(acceleration * acceleration * (double)MdtWorldGetAutoDisableAccelerationThreshold(w)));
     MdtWorldSetAutoDisableAngularAccelerationThreshold(
         w, (MeReal)(turningAcc * turningAcc * (double)MdtWorldGetAutoDisableAngularAccelerationThreshold(w)));
 }
 
-/* What a universe derives of its scales: epsilon, the thresholds of rest, and how near models have contacts. */
+/* Sets what a universe derives from its scales: epsilon, sleep thresholds, and contact tolerances of models. */
 static void setScales(MstUniverseID u, double length, double mass) {
     MstUniverseSizes sizes = u->sizes;
     const double by = length / (double)sizes.lengthScale;
@@ -219,14 +221,14 @@ static void setScales(MstUniverseID u, double length, double mass) {
     McdModelID m;
     sizes.lengthScale = (MeReal)length;
     sizes.massScale = (MeReal)mass;
-    MdtWorldSetEpsilon(u->world, (MeReal)mst_epsilonOf(&sizes));
+    MdtWorldSetEpsilon(u->world, (MeReal)mst_epsilonForSizes(&sizes));
     scaleThresholds(u->world, by, 1, by, 1);
     McdSpaceModelIteratorBegin(u->space, &it);
     while (McdSpaceGetModel(u->space, &it, &m))
         McdModelSetContactTolerance(m, (MeReal)(by * (double)McdModelGetContactTolerance(m)));
 }
 
-static void setReference(MstUniverseID u, int subSteps, MeBool isFast) {
+static void setReference(MstUniverseID u, int subSteps, MeBool sweeps) {
     MdtWorldSetSolver(u->world, MdtSolverExact);
     MdtWorldSetAccuracy(u->world, 0);
     MdtWorldSetSubSteps(u->world, subSteps);
@@ -236,7 +238,7 @@ static void setReference(MstUniverseID u, int subSteps, MeBool isFast) {
     MdtWorldSetMaxLCPIterations(u->world, 0);
     MdtWorldSetAutoDisable(u->world, MEFALSE);
     MstBridgeSetContactReuse(u->bridge, 0);
-    if (isFast)
+    if (sweeps)
         setSwept(u, METRUE);
 }
 

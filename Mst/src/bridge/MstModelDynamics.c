@@ -1,4 +1,4 @@
-/* Links between models and bodies. A body knows its first model, a model the next one of its body. */
+/* Links between models and bodies: each body points to its first model, each model to the next one of the same body. */
 #include "MstModelDynamics.h"
 #include "McdInternal.h"
 #include "MdtInternal.h"
@@ -13,7 +13,7 @@ static MeBool isModel(McdModelID m, const char *function) {
     return MEFALSE;
 }
 
-/* Is the model once in the body's list, and do all models there say that it is their body? */
+/* Whether the list of the body's models has this model once, and only models of this body. */
 static MeBool isOfBody(const McdModel *m, MdtBodyID b) {
     int found = 0;
     for (McdModelID other = MdtBodyGetModel(b); other; other = other->mOfBody) {
@@ -24,7 +24,7 @@ static MeBool isOfBody(const McdModel *m, MdtBodyID b) {
     return found == 1;
 }
 
-/* ---- what a body tells of itself --------------------------------------------------------------------------------- */
+/* ---- callbacks of bodies (MdtBodyUser) --------------------------------------------------------------------------- */
 
 static void detachModel(McdModelID m);
 
@@ -35,14 +35,14 @@ static MeStage *MEAPI guardOf(const MdtBodyID b) {
     return stage;
 }
 
-static void MEAPI condemnModels(const MdtBodyID b) {
+static void MEAPI markModelsGone(const MdtBodyID b) {
     for (McdModelID m = MdtBodyGetModel(b); m; m = m->mOfBody)
         McdModelSetGone(m, METRUE);
 }
 
-/* Models without a body that they had stay where they are put next, and are nowhere until then: awake, so that the
- * space takes notice. */
-static void MEAPI releaseModels(const MdtBodyID b) {
+/* Detaches all models of a body that is destroyed. Those placed by it have no transform until one is set, and are
+ * marked unfrozen, so that the space notices. */
+static void MEAPI detachModels(const MdtBodyID b) {
     for (McdModelID m = MdtBodyGetModel(b); m; m = MdtBodyGetModel(b)) {
         detachModel(m);
         McdModelSetGone(m, MEFALSE);
@@ -51,20 +51,20 @@ static void MEAPI releaseModels(const MdtBodyID b) {
     }
 }
 
-static void MEAPI stirModels(const MdtBodyID b) {
+static void MEAPI markModelsChanged(const MdtBodyID b) {
     for (McdModelID m = MdtBodyGetModel(b); m; m = m->mOfBody)
         McdModelStir(m);
 }
 
-static const MdtBodyUser user = {guardOf, condemnModels, releaseModels, stirModels};
+static const MdtBodyUser modelCallbacks = {guardOf, markModelsGone, detachModels, markModelsChanged};
 
 static void setModels(MdtBodyID b, McdModelID first) {
-    MdtBodySetUser(b, first, first ? &user : 0);
+    MdtBodySetUser(b, first, first ? &modelCallbacks : 0);
 }
 
 /* ---- links ------------------------------------------------------------------------------------------------------- */
 
-/* Takes the model out of its body's list. Contacts of its pairs are the body's. */
+/* Removes the model from its body's list. Its pairs lose their contacts, which belong to the body. */
 static void MEAPI unlinkModel(McdModel *m) {
     const MdtBodyID b = m->mBody;
     McdModelID first = MdtBodyGetModel(b);
@@ -80,7 +80,7 @@ static void MEAPI unlinkModel(McdModel *m) {
     m->mBody = 0;
 }
 
-/* Is the model placed by the body's transform, or relative to it? */
+/* Whether the model's transform is the body's, or relative to it. */
 static MeBool isPlacedBy(McdModelID m, MdtBodyID b) {
     MeMatrix4Ptr relative, reference;
     McdModelGetRelativeTransformPtrs(m, &relative, &reference);
@@ -139,7 +139,7 @@ void MEAPI McdModelDynamicsReset(const McdModelID m) {
 
 /* ---- the body's properties ---- */
 
-/* Null, with a warning: none. */
+/* The model's body; null, with a warning, if it has none. */
 static MdtBodyID bodyOf(McdModelID m, const char *function) {
     if (!isModel(m, function))
         return 0;

@@ -1,4 +1,4 @@
-/* The bridge's table of materials, and checks of its handle. */
+/* The bridge's table of materials, and the check of its handle. */
 #include "McdFrame.h"
 #include "McdGeometryInstance.h"
 #include "McdInternal.h"
@@ -27,7 +27,7 @@ MstBridgeRecord *mst_bridgeCheck(MstBridgeID b, const char *function) {
 
 /* ---- materials ------------------------------------------------------------------------------------------------ */
 
-/* One more material: a row of pairs, with itself and with all before it, which stays where it is. */
+/* Adds a row of pairs: the new material with itself and all earlier ones. Rows are never moved. */
 MeBool mst_materialAdd(MstBridgeRecord *b, const char *function) {
     const unsigned int m = b->materialCount, more = m ? 2 * m : 8;
     if (m == b->materialRoom) {
@@ -96,8 +96,8 @@ unsigned long mst_materialVersion(MstBridgeRecord *b, MstMaterialPair *pair) {
     return record->version;
 }
 
-static MstMaterialPair *pairOf(MstBridgeID b, MstMaterialID m1, MstMaterialID m2, const char *function) {
-    const char *const before = MeMessagesAs(function); /* of two materials that are none one is named */
+static MstMaterialPair *materialPairFor(MstBridgeID b, MstMaterialID m1, MstMaterialID m2, const char *function) {
+    const char *const before = MeMessagesAs(function); /* with two unknown materials, only one warning */
     MstBridgeRecord *record = mst_bridgeCheck(b, function);
     MstMaterialPair *pair = record ? materialPair(record, m1, m2, function) : 0;
     MeMessagesAs(before);
@@ -106,55 +106,55 @@ static MstMaterialPair *pairOf(MstBridgeID b, MstMaterialID m1, MstMaterialID m2
 
 MdtContactParamsID MEAPI MstBridgeGetContactParams(const MstBridgeID b, const MstMaterialID m1,
                                                    const MstMaterialID m2) {
-    MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeGetContactParams");
+    MstMaterialPair *pair = materialPairFor(b, m1, m2, "MstBridgeGetContactParams");
     return pair ? &pair->params : 0;
 }
 
 void MEAPI MstBridgeSetIntersectCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
                                    const MstIntersectCBPtr cb) {
-    MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeSetIntersectCB");
+    MstMaterialPair *pair = materialPairFor(b, m1, m2, "MstBridgeSetIntersectCB");
     if (!pair)
         return;
     pair->intersectCb = cb;
-    mst_wakeTouching(mst_bridgeCheck(b, "MstBridgeSetIntersectCB"), pair);
+    mst_wakeBodiesOfMaterials(mst_bridgeCheck(b, "MstBridgeSetIntersectCB"), pair);
 }
 
 MstIntersectCBPtr MEAPI MstBridgeGetIntersectCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2) {
-    const MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeGetIntersectCB");
+    const MstMaterialPair *pair = materialPairFor(b, m1, m2, "MstBridgeGetIntersectCB");
     return pair ? pair->intersectCb : 0;
 }
 
 void MEAPI MstBridgeSetPerContactCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
                                     const MstPerContactCBPtr cb) {
-    MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeSetPerContactCB");
+    MstMaterialPair *pair = materialPairFor(b, m1, m2, "MstBridgeSetPerContactCB");
     if (!pair)
         return;
     pair->perContactCb = cb;
-    mst_wakeTouching(mst_bridgeCheck(b, "MstBridgeSetPerContactCB"), pair);
+    mst_wakeBodiesOfMaterials(mst_bridgeCheck(b, "MstBridgeSetPerContactCB"), pair);
 }
 
 MstPerContactCBPtr MEAPI MstBridgeGetPerContactCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2) {
-    const MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeGetPerContactCB");
+    const MstMaterialPair *pair = materialPairFor(b, m1, m2, "MstBridgeGetPerContactCB");
     return pair ? pair->perContactCb : 0;
 }
 
 void MEAPI MstBridgeSetPerPairCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
                                  const MstPerPairCBPtr cb) {
-    MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeSetPerPairCB");
+    MstMaterialPair *pair = materialPairFor(b, m1, m2, "MstBridgeSetPerPairCB");
     if (!pair)
         return;
     pair->perPairCb = cb;
-    mst_wakeTouching(mst_bridgeCheck(b, "MstBridgeSetPerPairCB"), pair);
+    mst_wakeBodiesOfMaterials(mst_bridgeCheck(b, "MstBridgeSetPerPairCB"), pair);
 }
 
 MstPerPairCBPtr MEAPI MstBridgeGetPerPairCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2) {
-    const MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeGetPerPairCB");
+    const MstMaterialPair *pair = materialPairFor(b, m1, m2, "MstBridgeGetPerPairCB");
     return pair ? pair->perPairCb : 0;
 }
 
 void MEAPI MstBridgeSetTouchCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
                                const MstTouchCBPtr cb) {
-    MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeSetTouchCB");
+    MstMaterialPair *pair = materialPairFor(b, m1, m2, "MstBridgeSetTouchCB");
     if (!pair)
         return;
     ((MstBridgeRecord *)b)->events.callbacks += (cb != 0) - (pair->touchCb != 0);
@@ -162,6 +162,6 @@ void MEAPI MstBridgeSetTouchCB(const MstBridgeID b, const MstMaterialID m1, cons
 }
 
 MstTouchCBPtr MEAPI MstBridgeGetTouchCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2) {
-    const MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeGetTouchCB");
+    const MstMaterialPair *pair = materialPairFor(b, m1, m2, "MstBridgeGetTouchCB");
     return pair ? pair->touchCb : 0;
 }

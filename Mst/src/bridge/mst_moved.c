@@ -1,11 +1,11 @@
-/* What programs change beside the simulation: frozen models, models without a body that move, parameters of materials.
+/* Detection of the program's changes: frozen models, moving models without a body, parameters of materials.
  *
  * Pairs of two frozen models are skipped. A frozen model that has changed is unfrozen for one step, so that its pairs
- * are tested again: contacts that change wake the bodies (mdt_bodyDisturb). What the program moves stays unfrozen. The
- * bodies that touch by materials whose parameters change are woken one by one.
+ * are tested again; contacts that differ wake the bodies (mdt_bodyDisturb). Models that the program has moved stay
+ * unfrozen. Where parameters of a pair of materials change, the bodies that touch with it are woken individually.
  *
- * A model without a body that has been moved pushes what it touches: its contacts get the component along their normal
- * of the motion of its surface. Friction is with a world at rest, as before: what stands on it is not carried along.
+ * A model without a body that the program moves pushes bodies: its contacts get the velocity of its surface along their
+ * normal. Friction acts as on a world at rest, so bodies standing on it are not carried along.
  */
 #include "McdInternal.h"
 #include "McdGeometry.h"
@@ -27,8 +27,8 @@ static MeBool isAwake(McdModelID m) {
     return mst_bodyOf(m) && MdtBodyIsEnabled(mst_bodyOf(m));
 }
 
-/* False, after MeFatalError: there is no memory; it stays unfrozen. */
-static MeBool keepThawed(MstBridgeRecord *b, McdModelID m) {
+/* Adds a model to the list of those to freeze again. False, after MeFatalError: no memory; the model stays unfrozen. */
+static MeBool addThawed(MstBridgeRecord *b, McdModelID m) {
     if (b->thawedCount == b->thawedMax) {
         const int more = b->thawedMax ? 2 * b->thawedMax : 16;
         if (!MeMemoryGrow(&b->thawed, (size_t)b->thawedCount, (size_t)more, sizeof *b->thawed,
@@ -40,7 +40,7 @@ static MeBool keepThawed(MstBridgeRecord *b, McdModelID m) {
     return METRUE;
 }
 
-static void warnOfMove(McdModelID m) {
+static void warnOfFrozenMove(McdModelID m) {
     MeWarning(
         1,
         "%s: the matrix of a frozen model (number %d) was changed; it is unfrozen now. Call McdSpaceUnfreezeModel "
@@ -48,19 +48,19 @@ static void warnOfMove(McdModelID m) {
         MeCallerName("MstBridgeUpdateContacts"), (int)McdModelGetSerial(m));
 }
 
-static void MEAPI thaw(McdModelID m, MeBool hasMoved, void *bridge) {
+static void MEAPI thawModel(McdModelID m, MeBool hasMoved, void *bridge) {
     const MdtBodyID body = mst_bodyOf(m);
     if (body && MdtBodyWakeIfAsleep(body))
-        return; /* its models are unfrozen */
+        return; /* waking the body has unfrozen its models */
     McdSpaceUnfreezeModel(m);
     McdSpaceUpdateModel(m);
     if (hasMoved && !body)
-        warnOfMove(m);
+        warnOfFrozenMove(m);
     else
-        keepThawed(bridge, m);
+        addThawed(bridge, m);
 }
 
-void mst_freezeAgain(MstBridgeRecord *b) {
+void mst_refreezeModels(MstBridgeRecord *b) {
     for (int i = 0; i < b->thawedCount; i++) {
         const MstModelRef *ref = &b->thawed[i];
         const McdModelID m = ref->model;
@@ -72,21 +72,21 @@ void mst_freezeAgain(MstBridgeRecord *b) {
 
 /* ---- materials --------------------------------------------------------------------------------------------------- */
 
-/* Its parts may have materials of their own. */
+/* Whether the model is an aggregate, whose children may have materials of their own. */
 static MeBool hasChildren(McdModelID m) {
     return McdGeometryGetType(McdModelGetGeometry(m)) == kMcdGeometryTypeAggregate;
 }
 
-static MeBool maySlideBy(const MstBridgeRecord *b, const McdModelPair *p, const MstMaterialPair *materials) {
+static MeBool mayUseMaterials(const MstBridgeRecord *b, const McdModelPair *p, const MstMaterialPair *materials) {
     return hasChildren(p->model1) || hasChildren(p->model2) ||
            mst_materialPair(b, McdModelGetMaterial(p->model1), McdModelGetMaterial(p->model2)) == materials;
 }
 
-void mst_wakeTouching(const MstBridgeRecord *b, const MstMaterialPair *changed) {
+void mst_wakeBodiesOfMaterials(const MstBridgeRecord *b, const MstMaterialPair *changed) {
     for (int k = 0; k < b->events.blockCount; k++)
         for (int i = 0; i < MST_TOUCH_BLOCK << k; i++) {
             const McdModelPair *p = b->events.block[k][i].pair;
-            if (!p || !maySlideBy(b, p, changed))
+            if (!p || !mayUseMaterials(b, p, changed))
                 continue;
             if (mst_bodyOf(p->model1))
                 MdtBodyWakeIfAsleep(mst_bodyOf(p->model1));
@@ -95,8 +95,8 @@ void mst_wakeTouching(const MstBridgeRecord *b, const MstMaterialPair *changed) 
         }
 }
 
-/* Some pairs of materials a step, in turn. */
-static void lookAtMaterials(MstBridgeRecord *b) {
+/* Compares some pairs of materials per step with their last parameters, in turn. */
+static void checkSomeMaterials(MstBridgeRecord *b) {
     enum { LOOKS = 64 };
     const unsigned int pairs = b->materialCount * (b->materialCount + 1) / 2;
     for (unsigned int i = 0; i < LOOKS && i < pairs; i++) {
@@ -108,34 +108,34 @@ static void lookAtMaterials(MstBridgeRecord *b) {
         if (memcmp(&m->pair.params, &m->known, sizeof m->known) == 0)
             continue;
         m->known = m->pair.params;
-        mst_wakeTouching(b, &m->pair);
+        mst_wakeBodiesOfMaterials(b, &m->pair);
     }
 }
 
-void mst_wakeChanged(MstBridgeRecord *b, McdSpaceID s) {
-    lookAtMaterials(b);
-    McdSpaceVisitChangedFrozen(s, thaw, b);
+void mst_applyProgramChanges(MstBridgeRecord *b, McdSpaceID s) {
+    checkSomeMaterials(b);
+    McdSpaceVisitChangedFrozen(s, thawModel, b);
 }
 
 /* ---- models that are moved --------------------------------------------------------------------------------------- */
 
-/* The model of the pair that has no body; null: both have. */
-static McdModelID bodyless(const McdModelPair *p) {
+/* The pair's model without a body; null: both have one. */
+static McdModelID modelWithoutBody(const McdModelPair *p) {
     return !mst_bodyOf(p->model1) ? p->model1 : !mst_bodyOf(p->model2) ? p->model2 : 0;
 }
 
-MeBool mst_isPushed(const McdModelPair *p) {
-    const McdModelID m = bodyless(p);
+MeBool mst_isPushedByModel(const McdModelPair *p) {
+    const McdModelID m = modelWithoutBody(p);
     const MstTouch *t = p->touch;
     return m && (McdModelHasMoved(m) || (t && t->isPushed));
 }
 
-void mst_push(const MstBridgeRecord *b, const McdModelPair *p) {
-    const McdModelID m = bodyless(p);
+void mst_setPushVelocities(const MstBridgeRecord *b, const McdModelPair *p) {
+    const McdModelID m = modelWithoutBody(p);
     const MdtContactGroupID group = p->responseData;
     MstTouch *t = p->touch;
-    if (!m || !group || !t || b->substep > 0 || !mst_isPushed(p) || !(b->ahead > 0))
-        return; /* in the parts of a step bodies alone move */
+    if (!m || !group || !t || b->substep > 0 || !mst_isPushedByModel(p) || !(b->ahead > 0))
+        return; /* after the first sub-step, models without a body do not move */
     t->isPushed = false;
     for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c)) {
         MeVector3 position, normal, moved;

@@ -1,4 +1,4 @@
-/* Inside Mst: the bridge's record of a pair, its touch, and the events that are made of touches. */
+/* Inside Mst: touches (the bridge's records of pairs), and the events made from them. */
 #ifndef MST_PAIR_I_H
 #define MST_PAIR_I_H
 
@@ -12,13 +12,14 @@
 
 enum { MST_UNKNOWN = -1 };
 
-/* Touches of the first block, and so many blocks at most, each twice as large as the last: as many as an int counts. */
+/* Number of touches in the first block, and maximum number of blocks, each twice as large as the previous one: together
+ * as many as an int counts. */
 enum { MST_TOUCH_BLOCK = 64, MST_TOUCH_BLOCKS = 24 };
 
 typedef struct MstBridgeRecord MstBridgeRecord;
 typedef struct MstTouch MstTouch;
 
-/* A model handle with its serial, by which a destroyed model is noticed. */
+/* A model handle with the model's serial number, which reveals whether the model was destroyed. */
 typedef struct MstModelRef {
     McdModelID model;
     MeU64 serial;
@@ -26,32 +27,36 @@ typedef struct MstModelRef {
 
 /* The bridge's record of a pair, from its first contact until the space releases the pair. */
 struct MstTouch {
-    /* Read or written in every step: one cache line in single precision.
-     * As of the last test of the pair: */
-    _Alignas(ME_CACHE_LINE) unsigned long moves[2]; /* of its bodies */
-    unsigned long version;                          /* of its materials' record */
-    int found;                                      /* contacts; MST_UNKNOWN: not all that were found became contacts */
-    int carried;                                    /* how often they have been carried since; `moves` is as of then */
-    unsigned long listedIn;                         /* the list that it was last in: mst_touchIsListed */
-    bool wasTouching;                               /* before the step of that list; mst_touchIsTouching */
-    bool isTouching;                                /* after it; unless it is undecided, without its forces */
-    bool isSensor;                                  /* as of that step, like the rest of the line */
-    bool hasContacts;                               /* got any */
-    bool isUndecided;                               /* forces say whether it touches: it is in that list, too */
-    bool isPushed;                                  /* its contacts move with a model without a body (mst_moved.c) */
-    MeReal lag;        /* s, of its bodies when `impulse` was last added to; MEINFINITY: the step is whole yet */
-    MeReal separation; /* m, the least of its contacts as the step began */
-    MeReal tolerance;  /* m, of both models */
-    MeReal impulse;    /* N s, of all contacts */
-    /* Cleared in every step; of a touch that goes on, found out only for a list of events. */
+    /* Read or written in every step: one cache line in single precision. First the state at the last test of the
+     * pair: */
+    _Alignas(ME_CACHE_LINE) unsigned long moves[2]; /* pose versions of its bodies (mst_moveCountOf), updated when
+                                                       contacts are carried */
+    unsigned long version;                          /* version of its materials' record */
+    int found;                                      /* number of contacts; MST_UNKNOWN: not all that were found became
+                                                       contacts */
+    int carried;                                    /* number of times that the contacts were carried since */
+    unsigned long listedIn;                         /* number of the last list that it was in: mst_touchIsListed */
+    bool wasTouching;                               /* state before the step of that list; see mst_touchIsTouching */
+    bool isTouching;                                /* state after that step; while undecided, without forces */
+    bool isSensor;                                  /* a model is a sensor; as of that step, like the rest of the
+                                                       line */
+    bool hasContacts;                               /* the pair has contacts */
+    bool isUndecided;                               /* whether it touches depends on forces: it is in the list of
+                                                       undecided touches, too */
+    bool isPushed;                                  /* a model without a body pushes its contacts (mst_moved.c) */
+    MeReal lag;        /* s, lag of its bodies when `impulse` was last summed; MEINFINITY: not yet in this step */
+    MeReal separation; /* m, the least separation of its contacts at the beginning of the step */
+    MeReal tolerance;  /* m, sum of both models */
+    MeReal impulse;    /* N s, sum over all contacts */
+    /* Reset in every step; of persisting touches, computed only if the program wants events. */
     McdModelPair *pair; /* null: the touch is free */
     MstBridgeRecord *bridge;
     MstMaterialID material[2];
-    MeReal approachSpeed;       /* m/s, the largest */
-    MeReal deepest;             /* m, the separation at `position`, while no force says which contact matters most */
+    MeReal approachSpeed;       /* m/s, the largest of its contacts */
+    MeReal deepest;             /* m, the separation at `position`, until forces select the contact */
     MeReal largestImpulse;      /* N s, of one contact */
-    MeVector3 position, normal; /* of that one; of sensors the deepest */
-    /* Written when the touch is taken. */
+    MeVector3 position, normal; /* of the contact with the largest impulse; of sensors, the deepest one */
+    /* Written when the touch is allocated. */
     MstModelRef model[2];
     MstTouch *nextFree;
 };
@@ -62,28 +67,29 @@ _Static_assert(offsetof(MstTouch, pair) == ME_CACHE_LINE && offsetof(MstTouch, m
 _Static_assert(sizeof(MstTouch) == 3 * ME_CACHE_LINE, "and one for the models");
 #endif
 
-/* Events, and for each the serials of its two models: whether a handle still means the same one. */
+/* Events, each with the serial numbers of its models, which reveal whether a handle still means the same model. */
 typedef struct MstEventList {
     MstEvent *event;
     MeU64 (*serial)[2];
     int count, max;
 } MstEventList;
 
-/* All touches of a bridge, and the lists of events made of them. */
+/* All touches of a bridge, and the lists of events made from them. */
 typedef struct MstEvents {
     MstTouch *block[MST_TOUCH_BLOCKS]; /* all touches, free ones too */
     int blockCount;
     MstTouch *free;
     unsigned long list; /* the number of this step's list */
-    MstTouch **listed;  /* the touches of this step, in the order of the space's pairs, */
+    MstTouch **listed;  /* touches of this step in the order of the space's pairs; null: removed since */
     int listedCount, listedMax;
-    MstTouch **undecided; /* and those of them of which forces say whether they touch */
+    MstTouch **undecided; /* those of them that touch or not depending on forces */
     int undecidedCount, undecidedMax;
-    MeBool isPending;         /* the step is done, and its list of events has not been made yet */
-    int callbacks;            /* material pairs that have one: the list is made at once */
-    MstEventList done, ended; /* of the step just done, and ends since then */
-    MdtWorldID world;         /* whose joints broke */
-    int firstBreak;           /* from this event on */
+    MeBool isPending;         /* the step is done, but its list of events has not been made yet */
+    int callbacks;            /* number of material pairs with a touch callback; if not 0, the list is made at the end
+                                 of the step */
+    MstEventList done, ended; /* done: events of the last step; ended: ends of touches since then */
+    MdtWorldID world;         /* the world that was stepped */
+    int firstBreak;           /* index of the first break in `done` */
 } MstEvents;
 
 #endif

@@ -1,4 +1,4 @@
-/* The bridge: its life, and the loop over pairs, which takes runs of them from collide to commit. */
+/* The bridge: creation and destruction, and the loop over pairs, which collides and commits them run by run. */
 #include "McdFrame.h"
 #include "McdGeometryInstance.h"
 #include "McdInteractions.h"
@@ -20,7 +20,7 @@ void mst_runTerm(MstRun *run) {
     MeMemoryGive(run->made);
 }
 
-/* Room for contacts of a run: so many per pair on average. */
+/* AVERAGE: contacts per pair of a run, beyond the first pair's maximum. */
 MeBool mst_runInit(MstRun *run, int max, const char *function) {
     enum { AVERAGE = 8 };
     if (max > INT_MAX - AVERAGE * MST_RUN)
@@ -40,15 +40,15 @@ MeBool mst_runInit(MstRun *run, int max, const char *function) {
     return METRUE;
 }
 
-/* False: there is no memory, and all is as it was. */
-static MeBool makeContacts(MstBridgeRecord *b, int max, const char *function) {
+/* False: no memory, and nothing is changed. */
+static MeBool resizeRuns(MstBridgeRecord *b, int max, const char *function) {
     if (!mst_runInit(&b->run, max, function))
         return MEFALSE;
-    mst_workersTerm(b); /* their runs have the same room */
+    mst_workersTerm(b); /* workers' runs must have the same capacity: they are allocated again when needed */
     return METRUE;
 }
 
-static void freeAll(MstBridgeRecord *b) {
+static void freeBridge(MstBridgeRecord *b) {
     if (b->bridge.pairs)
         McdModelPairContainerDestroy(b->bridge.pairs);
     for (unsigned int m = 0; m < b->materialCount; m++)
@@ -81,10 +81,10 @@ MstBridgeID MEAPI MstBridgeCreate(McdFrameworkID frame, const unsigned int maxMa
     b->materialLimit = (MeLimit){.max = isLimited ? (int)MeCLAMP(maxMaterials, 1, MST_MATERIALS) : MeNoLimit,
                                  .name = "MstBridgeCreate's maxMaterials"};
     b->reuse = (MeReal)MST_CONTACT_REUSE;
-    b->events.list = 1; /* touches that were in none have 0 */
+    b->events.list = 1; /* new touches have listedIn = 0, in no list */
     b->bridge.pairs = McdModelPairContainerCreate(MST_PAIRS);
-    if (!b->bridge.pairs || !makeContacts(b, MST_CONTACTS, function) || !mst_materialAdd(b, function)) {
-        freeAll(b);
+    if (!b->bridge.pairs || !resizeRuns(b, MST_CONTACTS, function) || !mst_materialAdd(b, function)) {
+        freeBridge(b);
         return 0;
     }
     b->magic = MST_BRIDGE;
@@ -100,13 +100,13 @@ void MEAPI MstBridgeDestroy(const MstBridgeID b) {
         return;
     record->magic = 0;
     MeHandleLeave(&record->handle);
-    freeAll(record);
+    freeBridge(record);
 }
 
 /* ---- each step ------------------------------------------------------------------------------------------------- */
 
-/* Computes the versions of all, unless there are more pairs of materials than pairs of models. */
-static void lookAtMaterials(MstBridgeRecord *b, int count) {
+/* Computes the versions of all pairs of materials, unless there are more of them than `count` pairs of models. */
+static void updateMaterialVersions(MstBridgeRecord *b, int count) {
     if (0.5 * b->materialCount * (b->materialCount + 1.0) > (double)count)
         return;
     for (unsigned int i = 0; i < b->materialCount; i++)
@@ -127,7 +127,7 @@ void mst_guardPairs(MstBridgeRecord *b, McdFrameworkID frame, MdtWorldID w) {
         MeStageBegin(MdtWorldGetStage(w), MDT_BODY_GUARD);
 }
 
-/* Models go first, then their bodies. */
+/* Deferred removals of models are done before those of bodies. */
 void mst_releasePairs(MstBridgeRecord *b, McdFrameworkID frame, MdtWorldID w) {
     MeStageEnd(McdFrameworkGetStage(frame), MCD_MODELS_GUARD);
     if (w)
@@ -135,15 +135,15 @@ void mst_releasePairs(MstBridgeRecord *b, McdFrameworkID frame, MdtWorldID w) {
     MeStageEnd(&b->stage, MST_GUARD_PAIRS);
 }
 
-/* The world whose bodies are to be held; null: there is none. */
-static MdtWorldID worldOf(MdtWorldID w) {
+/* The world if it is valid, else null. */
+static MdtWorldID liveWorld(MdtWorldID w) {
     return MdtWorldIsValid(w) ? w : 0;
 }
 
-/* Is nothing of them in use? Else a message. */
-static MeBool areFree(MstBridgeRecord *b, McdFrameworkID frame, MdtWorldID w, const char *function) {
+/* Whether no stage of the bridge, framework or world is active. False: with a message. */
+static MeBool areStagesFree(MstBridgeRecord *b, McdFrameworkID frame, MdtWorldID w, const char *function) {
     return MeStageIsFree(&b->stage, function) && MeStageIsFree(McdFrameworkGetStage(frame), function) &&
-           (!worldOf(w) || MeStageIsFree(MdtWorldGetStage(w), function));
+           (!liveWorld(w) || MeStageIsFree(MdtWorldGetStage(w), function));
 }
 
 void MEAPI MstHandleTransitionsOf(McdModelPairContainer *pairs) {
@@ -167,13 +167,13 @@ void MEAPI(MstHandleTransitions)(McdModelPairContainer *pairs, const McdSpaceID 
 
 static void handleCollisions(MstBridgeRecord *record, McdModelPairContainer *pairs, McdSpaceID s, MdtWorldID w) {
     mst_beginRound(record);
-    lookAtMaterials(record, pairs->stayingEnd - pairs->helloFirst);
-    mst_lookByWorkers(record, pairs->stayingEnd - pairs->helloFirst, s, w);
+    updateMaterialVersions(record, pairs->stayingEnd - pairs->helloFirst);
+    mst_stampModelsByWorkers(record, pairs->stayingEnd - pairs->helloFirst, s, w);
     record->hasNoCollide = MdtWorldIsValid(w) && MdtWorldHasNoCollide(w);
     if (record->hasNoCollide)
-        mst_noteNoCollide(&pairs->array[pairs->helloFirst], pairs->stayingEnd - pairs->helloFirst);
+        mst_markNoCollidePairs(&pairs->array[pairs->helloFirst], pairs->stayingEnd - pairs->helloFirst);
     for (int i = pairs->helloFirst; i < pairs->stayingEnd;) {
-        i += mst_handleByWorkers(record, &pairs->array[i], pairs->stayingEnd - i, s, w);
+        i += mst_handlePairsByWorkers(record, &pairs->array[i], pairs->stayingEnd - i, s, w);
         if (i == pairs->stayingEnd)
             break;
         i += mst_collideRun(record, &record->run, &pairs->array[i], pairs->stayingEnd - i, s);
@@ -181,8 +181,8 @@ static void handleCollisions(MstBridgeRecord *record, McdModelPairContainer *pai
     }
 }
 
-/* Makes the bridge the one that collides the space's pairs, whose records are one bridge's. False, with a warning: it
- * cannot be. */
+/* Makes the bridge the collider of the space: only one bridge may keep records of its pairs. False, with a warning: the
+ * space is invalid, of another framework, or another bridge's. */
 static MeBool claimSpace(MstBridgeRecord *b, McdSpaceID s, const char *function) {
     if (!McdSpaceIsValid(s)) {
         MeWarning(1, "%s: s is %s: it must be a space", function, s ? "no space, or one that is destroyed" : "null");
@@ -204,14 +204,14 @@ void MEAPI MstHandleCollisions(McdModelPairContainer *pairs, const McdSpaceID s,
                                const MstBridgeID b) {
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstHandleCollisions");
     if (!record || !pairs || !claimSpace(record, s, "MstHandleCollisions") ||
-        !areFree(record, record->frame, w, "MstHandleCollisions"))
+        !areStagesFree(record, record->frame, w, "MstHandleCollisions"))
         return;
-    mst_guardPairs(record, record->frame, worldOf(w));
+    mst_guardPairs(record, record->frame, liveWorld(w));
     handleCollisions(record, pairs, s, w);
-    mst_releasePairs(record, record->frame, worldOf(w));
+    mst_releasePairs(record, record->frame, liveWorld(w));
 }
 
-static MeBool setPairsSize(MstBridgeRecord *b, int size) {
+static MeBool replacePairContainer(MstBridgeRecord *b, int size) {
     McdModelPairContainer *pairs = McdModelPairContainerCreate(size);
     if (!pairs)
         return MEFALSE;
@@ -220,28 +220,28 @@ static MeBool setPairsSize(MstBridgeRecord *b, int size) {
     return METRUE;
 }
 
-/* Room for all pairs at once, unless the program has said otherwise: workers wait as each round ends. Without memory,
- * they come in several rounds. Half of a container is for goodbyes. */
+/* Makes room for all pairs at once, unless the program has set the size: workers are idle at the end of each container.
+ * Without memory, pairs are handled in several containers. Half of a container is for goodbye pairs. */
 static void reservePairs(MstBridgeRecord *b, int count) {
     int size = b->bridge.pairs->size;
     while (size / 2 < count && size <= INT_MAX / 2)
         size *= 2;
     if (!b->isPairsSizeSet && size > b->bridge.pairs->size)
-        setPairsSize(b, size);
+        replacePairContainer(b, size);
 }
 
-/* What callbacks have destroyed goes when the next change block is open. */
+/* Objects that callbacks destroyed are removed at the end, once the next change block is open. */
 void mst_updateContacts(MstBridgeRecord *record, McdSpaceID s, MdtWorldID w) {
     McdSpacePairIterator iterator;
     McdModelPairContainer **const pairs = &record->bridge.pairs;
-    const MdtWorldID world = worldOf(w);
+    const MdtWorldID world = liveWorld(w);
     int isMore;
     const char *before = MeCallerSet("MstBridgeUpdateContacts");
     MeProfileStartSection("Collision", 0);
     if (record->substep == 0) {
         mst_eventsBegin(record, w ? MdtWorldGetTeam(w) : 0);
         mst_guardPairs(record, record->frame, world);
-        mst_wakeChanged(record, s);
+        mst_applyProgramChanges(record, s);
         mst_releasePairs(record, record->frame, world);
     }
     mst_clearSafeTimes(record);
@@ -260,7 +260,7 @@ void mst_updateContacts(MstBridgeRecord *record, McdSpaceID s, MdtWorldID w) {
         handleCollisions(record, *pairs, s, w);
     } while (isMore);
     McdSpaceOpen(s);
-    mst_freezeAgain(record);
+    mst_refreezeModels(record);
     mst_releasePairs(record, record->frame, world);
     MeProfileEndSection("Collision");
     MeCallerSet(before);
@@ -269,7 +269,7 @@ void mst_updateContacts(MstBridgeRecord *record, McdSpaceID s, MdtWorldID w) {
 void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, const MdtWorldID w) {
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeUpdateContacts");
     if (record && claimSpace(record, s, "MstBridgeUpdateContacts") &&
-        areFree(record, record->frame, w, "MstBridgeUpdateContacts"))
+        areStagesFree(record, record->frame, w, "MstBridgeUpdateContacts"))
         mst_updateContacts(record, s, w);
 }
 
@@ -278,18 +278,18 @@ void MEAPI MstBridgeUpdateTransitions(const MstBridgeID b, const McdSpaceID s, c
     int isMore;
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeUpdateTransitions");
     if (!record || !claimSpace(record, s, "MstBridgeUpdateTransitions") ||
-        !areFree(record, record->frame, w, "MstBridgeUpdateTransitions"))
+        !areStagesFree(record, record->frame, w, "MstBridgeUpdateTransitions"))
         return;
     McdSpaceEndChanges(s);
     McdSpacePairIteratorBegin(s, &iterator);
-    mst_guardPairs(record, record->frame, worldOf(w));
+    mst_guardPairs(record, record->frame, liveWorld(w));
     do {
         McdModelPairContainerReset(b->pairs);
         isMore = McdSpaceGetTransitions(s, &iterator, b->pairs);
         MstHandleTransitionsOf(b->pairs);
     } while (isMore);
     McdSpaceOpen(s);
-    mst_releasePairs(record, record->frame, worldOf(w));
+    mst_releasePairs(record, record->frame, liveWorld(w));
 }
 
 void MEAPI MstBridgeSetContactReuse(const MstBridgeID b, const MeReal share) {
@@ -307,16 +307,17 @@ MeReal MEAPI MstBridgeGetContactReuse(const MstBridgeID b) {
 
 /* ---- buffers ---------------------------------------------------------------------------------------------------- */
 
-static void MEAPI resizeLater(const MeLater *later) {
+static void MEAPI executeDeferredResize(const MeLater *later) {
     if (later->other[0])
         MstBridgeSetContactBufferSize(later->object, (unsigned int)later->number);
     else
         MstBridgeSetModelPairBufferSize(later->object, (unsigned int)later->number);
 }
 
-/* False: it is done when the pairs are handled, or refused. */
-static MeBool isToResizeNow(MstBridgeRecord *b, MeBool isOfContacts, unsigned int size, const char *function) {
-    const MeLater later = {.carryOut = resizeLater, .object = b, .other = {isOfContacts ? b : 0}, .number = (long)size};
+/* Whether the program may resize a buffer now. False: deferred until all pairs are handled, or refused. */
+static MeBool mayResizeNow(MstBridgeRecord *b, MeBool isOfContacts, unsigned int size, const char *function) {
+    const MeLater later = {
+        .carryOut = executeDeferredResize, .object = b, .other = {isOfContacts ? b : 0}, .number = (long)size};
     const MeWhen when = MeStageWhen(&b->stage, MST_GUARD_PAIRS, function);
     if (when == MeWhenStageEnds)
         MeStageDefer(&b->stage, MST_GUARD_PAIRS, &later, function);
@@ -331,8 +332,8 @@ void MEAPI MstBridgeSetContactBufferSize(const MstBridgeID b, const unsigned int
         MeWarning(1, "MstBridgeSetContactBufferSize: %u contacts: it must be 1 .. %d", s, INT_MAX);
         return;
     }
-    if (isToResizeNow(record, METRUE, s, "MstBridgeSetContactBufferSize"))
-        makeContacts(record, (int)s, "MstBridgeSetContactBufferSize");
+    if (mayResizeNow(record, METRUE, s, "MstBridgeSetContactBufferSize"))
+        resizeRuns(record, (int)s, "MstBridgeSetContactBufferSize");
 }
 
 void MEAPI MstBridgeSetModelPairBufferSize(const MstBridgeID b, const unsigned int s) {
@@ -343,6 +344,6 @@ void MEAPI MstBridgeSetModelPairBufferSize(const MstBridgeID b, const unsigned i
         MeWarning(1, "MstBridgeSetModelPairBufferSize: %u pairs: it must be 8 .. %d", s, INT_MAX);
         return;
     }
-    if (isToResizeNow(record, MEFALSE, s, "MstBridgeSetModelPairBufferSize") && setPairsSize(record, (int)s))
+    if (mayResizeNow(record, MEFALSE, s, "MstBridgeSetModelPairBufferSize") && replacePairContainer(record, (int)s))
         record->isPairsSizeSet = METRUE;
 }

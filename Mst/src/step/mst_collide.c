@@ -1,11 +1,11 @@
-/* Collide: the narrow phase of a run of pairs. Its results are findings, which update and commit take.
+/* Collide: the narrow phase of a run of pairs. Its results are findings, the input of update and commit.
  *
- * Reads models, poses and motion of their bodies, materials; of each pair its manifold and its touch. Writes the run,
- * and in each pair Mcd's record of its last test. Nothing here calls the program, takes from a pool, or writes to
- * anything that two pairs share (mst_step_i.h names the two exceptions).
+ * Reads models, poses and motion of their bodies, materials, and each pair's manifold and touch. Writes the run, and
+ * Mcd's record of each pair's last test. Nothing here calls the program, allocates from a pool, or writes to anything
+ * that two pairs share (with the two exceptions in mst_step_i.h).
  *
- * A pair that has stood still to the last bit since its last test keeps its contacts. One that has hardly moved has
- * them carried with its bodies. All others are tested.
+ * A pair that has not moved, to the last bit, since its last test keeps its contacts. If it has moved only a little,
+ * its contacts are moved with its bodies. All other pairs are tested.
  */
 #include "McdContact.h"
 #include "McdGeometryInstance.h"
@@ -23,12 +23,12 @@
 
 /* ---- memory that will be read ------------------------------------------------------------------------------------ */
 
-/* Prefetch distances, in pairs: of the pair itself, and of the records that it points to. In a heap of 1000 boxes,
- * twice as far costs the same. */
+/* Prefetch distances, in pairs: PAIR_AHEAD for the pair itself, CONTENT_AHEAD for its models, touch and group. In a
+ * heap of 1000 boxes, twice as far costs the same. */
 enum { PAIR_AHEAD = 8, CONTENT_AHEAD = 4 };
 
 void mst_prefetchModels(McdModelPair *const pairs[], int i, int count) {
-    enum { MODEL = 3 * ME_CACHE_LINE }; /* bytes of one that the pair loop reads (McdModelRecord) */
+    enum { MODEL = 3 * ME_CACHE_LINE }; /* bytes of a model that the loop over pairs reads (McdModelRecord) */
     if (i + PAIR_AHEAD < count)
         me_prefetch(pairs[i + PAIR_AHEAD], sizeof *pairs[i]);
     if (i + CONTENT_AHEAD >= count)
@@ -46,7 +46,7 @@ static void prefetchContacts(McdModelPair *const pairs[], int i, int count) {
 
 /* ---- pairs whose contacts remain --------------------------------------------------------------------------------- */
 
-unsigned long mst_movesOf(McdModelID m) {
+unsigned long mst_moveCountOf(McdModelID m) {
     const MdtBodyID body = mst_bodyOf(m);
     return body ? MdtBodyGetMoves(body) : 0;
 }
@@ -55,12 +55,12 @@ MeBool mst_hasCallback(const MstMaterialPair *materials) {
     return materials->intersectCb || materials->perContactCb || materials->perPairCb;
 }
 
-/* What a pair has of its last test, or of the contacts carried since. */
+/* The state of a pair's contacts relative to its last test, or to their last move with the bodies. */
 typedef enum LastTest {
-    INVALID,   /* not all contacts that were found, or the touch is of other ones */
-    SEPARATED, /* it has found none */
-    IN_PLACE,  /* all contacts that were found, and its bodies stay where they were then, to the last bit */
-    MOVED      /* all contacts, but its bodies have moved */
+    INVALID,   /* some contacts are missing, or the touch does not match them */
+    SEPARATED, /* the test found no contacts */
+    IN_PLACE,  /* all contacts exist, and both bodies have the same pose, to the last bit */
+    MOVED      /* all contacts exist, but a body has moved */
 } LastTest;
 
 static LastTest lastTestOf(const MstBridgeRecord *b, const McdModelPair *p) {
@@ -72,29 +72,29 @@ static LastTest lastTestOf(const MstBridgeRecord *b, const McdModelPair *p) {
         return mst_touchIsTouching(&b->events, t) ? INVALID : SEPARATED;
     if (!group || MdtContactGroupGetCount(group) != t->found)
         return INVALID;
-    return t->moves[0] == mst_movesOf(p->model1) && t->moves[1] == mst_movesOf(p->model2) ? IN_PLACE : MOVED;
+    return t->moves[0] == mst_moveCountOf(p->model1) && t->moves[1] == mst_moveCountOf(p->model2) ? IN_PLACE : MOVED;
 }
 
-/* Whether the contacts of the pair's group can be carried with its bodies: their only motion since the last test is
- * that of their last step. Writes which of the group's bodies have moved. */
-static MeBool mayCarry(const MstBridgeRecord *b, const McdModelPair *p, MeBool hasMoved[2]) {
+/* Whether the contacts of the pair's group can be moved with its bodies: since the last test, the bodies have moved
+ * only by their last step. Sets which of the group's bodies have moved. */
+static MeBool mayCarryContacts(const MstBridgeRecord *b, const McdModelPair *p, MeBool hasMoved[2]) {
     const MstTouch *t = p->touch;
     const McdModelID model[2] = {p->model1, p->model2};
-    const MeBool isTurned = !mst_bodyOf(p->model1);
+    const MeBool isSwapped = !mst_bodyOf(p->model1);
     if (t->carried >= MST_CARRIES || b->substep > 0)
         return MEFALSE;
     for (int k = 0; k < 2; k++) {
-        const MeBool moved = mst_movesOf(model[k]) != t->moves[k];
+        const MeBool moved = mst_moveCountOf(model[k]) != t->moves[k];
         if (moved && !MdtBodyMovedByStep(mst_bodyOf(model[k]), t->moves[k]))
             return MEFALSE;
-        hasMoved[isTurned ? 1 - k : k] = moved;
+        hasMoved[isSwapped ? 1 - k : k] = moved;
     }
     return MdtContactGroupIsFlat(p->responseData);
 }
 
-/* The outcome if the last test, or the contacts carried since, still hold; MST_TO_TEST, a test that is noted: they may
- * not. What has hardly moved is not tested again in large partitions only: small ones are solved so exactly that
- * contacts off by 1e-7 m would show (as under a mass ratio of a million). */
+/* The outcome if the last test is still valid; else MST_TO_TEST, and the inputs of the coming test are recorded. Pairs
+ * that have moved a little are spared a test only in large partitions: small ones are solved so exactly that contact
+ * errors of 1e-7 m would show (as under a mass ratio of a million). */
 static MstOutcome outcomeWithoutTest(const MstBridgeRecord *b, MstFinding *f) {
     McdModelPair *p = f->pair;
     const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
@@ -105,11 +105,11 @@ static MstOutcome outcomeWithoutTest(const MstBridgeRecord *b, MstFinding *f) {
     if (!mst_hasCallback(f->materials) &&
         (change != McdPairHasMoved || mst_isInLargeIsland(body1) || mst_isInLargeIsland(body2))) {
         const LastTest last = lastTestOf(b, p);
-        if (last == SEPARATED) /* the gap exceeds their relative displacement */
+        if (last == SEPARATED) /* the models' relative displacement is less than their gap */
             return MST_NOTHING;
         if (last == IN_PLACE)
             return MST_KEPT;
-        if (last == MOVED && mayCarry(b, p, f->hasMoved))
+        if (last == MOVED && mayCarryContacts(b, p, f->hasMoved))
             return MST_CARRIED;
     }
     McdModelPairNoteTest(p);
@@ -118,16 +118,16 @@ static MstOutcome outcomeWithoutTest(const MstBridgeRecord *b, MstFinding *f) {
 
 /* ---- tests ------------------------------------------------------------------------------------------------------- */
 
-static void convertContact(MdtFoundContact *found, const McdContact *from, MeBool isTurned,
+static void convertContact(MdtFoundContact *found, const McdContact *from, MeBool isSwapped,
                            const MstMaterialPair *materials) {
     McdExactContact exact;
     McdContactGetExact(from, &exact);
     for (int i = 0; i < 3; i++) {
-        found->normal[i] = isTurned ? -from->normal[i] : from->normal[i];
+        found->normal[i] = isSwapped ? -from->normal[i] : from->normal[i];
         found->position[i] = exact.position[i];
     }
     for (int k = 0; k < 2; k++) {
-        const int side = isTurned ? 1 - k : k;
+        const int side = isSwapped ? 1 - k : k;
         found->radius[side] = (MeReal)exact.radius[k];
         found->rim[side] = exact.rim[k];
         if (exact.rim[k] > 0)
@@ -140,14 +140,14 @@ static void convertContact(MdtFoundContact *found, const McdContact *from, MeBoo
 
 void mst_convertContacts(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     const McdIntersectResult *result = &run->result;
-    const MeBool isTurned = !mst_bodyOf(f->pair->model1);
+    const MeBool isSwapped = !mst_bodyOf(f->pair->model1);
     f->count = result->contactCount;
     f->separation = MEINFINITY;
     MEASSERT(f->count <= result->contactMaxCount && f->first + f->count <= run->foundMax);
     for (int i = 0; i < f->count; i++) {
         const McdContact *from = &result->contacts[i];
         const MstMaterialPair *materials = f->outcome == MST_TESTED ? f->materials : mst_materialsOf(b, from);
-        convertContact(&run->found[f->first + i], from, isTurned, materials);
+        convertContact(&run->found[f->first + i], from, isSwapped, materials);
         f->separation = MeMIN(f->separation, from->separation);
     }
     run->foundCount = f->first + f->count;
@@ -164,8 +164,8 @@ MeBool mst_intersectPair(MstRun *run, McdModelPair *p) {
     return McdIntersect(p, &run->result);
 }
 
-/* Contacts that the program has made, or changed, have numbers in the range of single precision, and a normal that has
- * a length. */
+/* Removes contacts that the program has made or changed and that are invalid: numbers beyond single precision, a zero
+ * normal, or no instance. */
 void mst_checkContacts(MstBridgeRecord *b, MstRun *run) {
     McdIntersectResult *result = &run->result;
     const int count = MeCLAMP(result->contactCount, 0, run->contactMax);
@@ -199,7 +199,7 @@ static void storeResult(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     mst_convertContacts(b, run, f);
 }
 
-static void testPlain(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
+static void testPlainPair(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     beginResult(run);
     f->isKnown = McdModelPairIntersectPlain(f->pair, &run->result);
     storeResult(b, run, f);
@@ -210,19 +210,19 @@ void mst_testPair(MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     f->isKnown = mst_intersectPair(run, p);
     mst_checkContacts(b, run);
     if (!McdModelGetTransformPtr(p->model1) || !McdModelGetTransformPtr(p->model2))
-        run->result.contactCount = 0; /* a function of the program has taken a transform away */
+        run->result.contactCount = 0; /* a function of the program has removed a transform */
     storeResult(b, run, f);
 }
 
-void mst_noteNoCollide(McdModelPair *const pairs[], int count) {
+void mst_markNoCollidePairs(McdModelPair *const pairs[], int count) {
     for (int i = 0; i < count; i++) {
         const MdtBodyID body1 = mst_bodyOf(pairs[i]->model1), body2 = mst_bodyOf(pairs[i]->model2);
         pairs[i]->isHeldApart = body1 && body2 && MdtBodiesAreNoCollide(body1, body2);
     }
 }
 
-/* Whether the bodies' collision is disabled: by a joint, or as both models are parts of one body. Sensors sense parts
- * of their own body all the same. */
+/* Whether collision of the pair is disabled: by a joint, or because both models have the same body. Sensors detect
+ * models of their own body all the same. */
 static MeBool isDisabled(const MstBridgeRecord *b, const McdModelPair *p, MeU32 traits) {
     return (b->hasNoCollide && p->isHeldApart) || (mst_isOneBody(p) && !(traits & McdPairHasSensor));
 }
@@ -237,14 +237,14 @@ MeBool mst_isPlainPair(const MstBridgeRecord *b, const McdModelPair *p) {
 
 /* ---- runs -------------------------------------------------------------------------------------------------------- */
 
-/* The outcome that follows from the models alone; MST_TO_TEST: none does. */
+/* The outcome that follows from the models alone; MST_TO_TEST if it depends on a test. */
 static MstOutcome outcomeOfModels(const MstBridgeRecord *b, const McdModelPair *p, MeU32 traits) {
     if (traits & (McdPairIsAsleep | McdPairIsGone))
         return MST_NOTHING;
     if (isDisabled(b, p, traits))
         return p->touch || p->responseData ? MST_TO_REMOVE : MST_NOTHING;
     if (b->substep > 0 && !mst_mayCollide(p))
-        return mst_mustWait(p) ? MST_TO_WAIT : MST_NOTHING;
+        return mst_mustClampLagging(p) ? MST_TO_WAIT : MST_NOTHING;
     if (traits & McdPairHasSensor)
         return MST_TO_SENSE;
     return mst_bodyOf(p->model1) || mst_bodyOf(p->model2) ? MST_TO_TEST : MST_NOTHING;
@@ -268,24 +268,24 @@ static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p, 
     p->mayTurnRound = f->materials->params.restitution > 0;
     f->outcome = outcomeWithoutTest(b, f);
     if (f->outcome != MST_TO_TEST || mst_hasCallback(f->materials) || !McdModelPairIsPlain(p))
-        return; /* a test or contacts that involve the program are commit's */
+        return; /* tests and contacts that involve the program are left to commit */
     f->outcome = MST_TESTED;
-    testPlain(b, run, f);
+    testPlainPair(b, run, f);
     McdModelPairNoteSeparated(p, f->count == 0 ? run->result.apart : 0);
     if (f->count == 0 && f->isFast)
         f->timeToTouch = mst_timeToTouch(b, p, s);
 }
 
-/* In the first part of a step pairs are independent of each other's commits. In later parts a pair has to wait for a
- * body that has advanced already, which may be one that an earlier pair has woken. */
-static int maxPairs(const MstBridgeRecord *b) {
+/* The maximum number of pairs in a run. In the first sub-step, pairs are independent of each other's commits. In later
+ * ones, a pair may depend on a body that the commit of an earlier pair has woken. */
+static int maxPairsOfRun(const MstBridgeRecord *b) {
     return b->substep == 0 ? MST_RUN : 1;
 }
 
-/* All are collided before any is updated: the code of both together does not fit into an instruction cache of 32 kB,
- * and would be loaded anew for each pair. */
+/* All pairs are collided before any is updated: the code of both together exceeds an instruction cache of 32 kB, and
+ * would be loaded again for each pair. */
 int mst_collideRun(const MstBridgeRecord *b, MstRun *run, McdModelPair *const pairs[], int count, McdSpaceID s) {
-    const int max = MeMIN(count, maxPairs(b));
+    const int max = MeMIN(count, maxPairsOfRun(b));
     run->pairCount = run->foundCount = 0;
     while (run->pairCount < max && run->foundCount + run->contactMax <= run->foundMax) {
         const int i = run->pairCount;

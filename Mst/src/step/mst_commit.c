@@ -1,10 +1,11 @@
-/* Commit: makes contacts of bodies from findings, in the pairs' order, in one thread.
+/* Commit: makes contacts of bodies from findings, in the order of the pairs, in one thread.
  *
- * Reads the findings of a run. Writes manifolds, touches and safe times, and calls the program: a pair whose test or
- * contacts a function of the program sees is tested here, and ends its run, as that function may change anything.
+ * Reads the findings of a run. Writes manifolds, touches and safe times, and calls the program: if the test or the
+ * contacts of a pair involve a function of the program, the pair is tested here, and ends its run, as that function may
+ * change anything.
  *
- * The contact group is kept in the pair's responseData. It pushes the first model's body; where only the second model
- * has a body, that one is the group's first, and normals are turned.
+ * The contact group is stored in the pair's responseData. Its first body is that of the first model or, if only the
+ * second model has a body, that one; then normals are reversed.
  */
 #include "McdContact.h"
 #include "McdInteractions.h"
@@ -19,7 +20,7 @@
 
 /* ---- groups ------------------------------------------------------------------------------------------------------ */
 
-/* The group stays, empty. */
+/* Removes all contacts and disables the group. */
 static void emptyGroup(McdModelPair *p) {
     MdtContactGroupID group = p->responseData;
     if (!group)
@@ -28,7 +29,7 @@ static void emptyGroup(McdModelPair *p) {
     MdtContactGroupDisable(group);
 }
 
-static MeBool areOfWorld(MstBridgeRecord *b, MdtBodyID body1, MdtBodyID body2, MdtWorldID w) {
+static MeBool areBodiesOfWorld(MstBridgeRecord *b, MdtBodyID body1, MdtBodyID body2, MdtWorldID w) {
     if ((!body1 || MdtBodyGetWorld(body1) == w) && (!body2 || MdtBodyGetWorld(body2) == w))
         return METRUE;
     if (!b->hasWarned[0])
@@ -40,48 +41,48 @@ static MeBool areOfWorld(MstBridgeRecord *b, MdtBodyID body1, MdtBodyID body2, M
     return MEFALSE;
 }
 
-/* For assertions: the pair's group has the bodies of its models, that of a world second. */
+/* For assertions: the bodies of the pair's group are those of its models, with the world second. */
 static inline MeBool hasItsBodies(const McdModelPair *p) {
     const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
     return MdtContactGroupGetBody(p->responseData, 0) == (body1 ? body1 : body2) &&
            MdtContactGroupGetBody(p->responseData, 1) == (body1 ? body2 : 0);
 }
 
-/* The pair's group; null if the world is full, or the bodies make none. */
+/* The pair's group, created if needed; null if the world is full, or the pair's bodies make no contacts. */
 static MdtContactGroupID ensureGroup(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w) {
     const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
     MEASSERT(!p->responseData || hasItsBodies(p));
     if (p->responseData)
         return p->responseData;
-    if ((!body1 && !body2) || body1 == body2 || !areOfWorld(b, body1, body2, w))
+    if ((!body1 && !body2) || body1 == body2 || !areBodiesOfWorld(b, body1, body2, w))
         return 0;
     p->responseData = MdtContactGroupCreateBridged(w, body1 ? body1 : body2, body1 ? body2 : 0, p, &p->responseData);
     p->forget = mst_pairForget;
     return p->responseData;
 }
 
-void mst_pairTie(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w) {
+void mst_joinPartitions(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w) {
     const MdtContactGroupID group = ensureGroup(b, p, w);
     if (group)
         MdtContactGroupEnable(group);
 }
 
-/* Of many bodies in one place each overlaps with each, and a thousand would have half a million groups, of 2 kB. What
- * is deep in each other, while both touch so many others, waits until these have separated: it would be pushed apart
- * no faster. What meets at its surface never waits. */
+/* Defers the group of a deeply overlapping pair while both bodies have MANY_OTHERS manifolds: otherwise a thousand
+ * bodies in one place would have half a million groups of 2 kB each, which would not separate them faster. Pairs in
+ * contact at the surface are never deferred. */
 enum { MANY_OTHERS = 32 };
 
-static MeBool mustWait(const McdModelPair *p, MeReal separation) {
+static MeBool isOverlapDeferred(const McdModelPair *p, MeReal separation) {
     const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
-    const MeReal deep = (MeReal)0.1 * p->stand.size; /* of the smaller one's radius */
+    const MeReal deep = (MeReal)0.1 * p->stand.size; /* 0.1 of the smaller model's radius */
     return !p->responseData && body1 && body2 && -separation > deep && deep > 0 &&
            MdtBodyGetManifoldCount(body1) >= MANY_OTHERS && MdtBodyGetManifoldCount(body2) >= MANY_OTHERS;
 }
 
 /* ---- contacts that remain ---------------------------------------------------------------------------------------- */
 
-/* Parameters follow the materials. */
-static void keepContacts(MstBridgeRecord *b, McdModelPair *p, MstMaterialPair *materials) {
+/* Keeps positions and normals of the contacts, and updates their parameters if the materials have changed. */
+static void keepContactsInPlace(MstBridgeRecord *b, McdModelPair *p, MstMaterialPair *materials) {
     const MdtContactGroupID group = p->responseData;
     const unsigned long version = mst_materialVersion(b, materials);
     MstTouch *t = p->touch;
@@ -90,24 +91,24 @@ static void keepContacts(MstBridgeRecord *b, McdModelPair *p, MstMaterialPair *m
         for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c))
             MdtContactSetParams(c, &materials->params);
     t->version = version;
-    mst_push(b, p);
+    mst_setPushVelocities(b, p);
     MdtContactGroupEnable(group);
-    mst_touchNoteAgain(b, p);
+    mst_touchNoteUnchanged(b, p);
 }
 
 static void carryContacts(MstBridgeRecord *b, const MstFinding *f) {
-    mst_carry(f);
-    keepContacts(b, f->pair, f->materials);
+    mst_carryContacts(f);
+    keepContactsInPlace(b, f->pair, f->materials);
 }
 
 /* ---- contacts that were found ------------------------------------------------------------------------------------ */
 
-/* Does the pair's group go on? A callback may have destroyed it, or parted a model from its body. */
+/* Whether the group is still the pair's: a callback may have destroyed it, or detached a model from its body. */
 static MeBool isGroupOf(const McdModelPair *p, MdtContactGroupID group) {
     return group && p->responseData == group && !McdModelPairIsLeaving(p);
 }
 
-/* Calls the callback of a contact, and destroys the contact if it is rejected. */
+/* Calls the per-contact callbacks, and destroys the contacts that they reject. */
 static void callPerContact(const MstBridgeRecord *b, MstRun *run, const McdModelPair *p, int count) {
     McdIntersectResult *result = &run->result;
     const MdtContactGroupID group = p->responseData;
@@ -124,25 +125,25 @@ static void callPerContact(const MstBridgeRecord *b, MstRun *run, const McdModel
     MeProgramLeave(&before);
 }
 
-/* Replaces the group's contacts by those found; returns how many there was room for. */
-static int renewContacts(MstBridgeRecord *b, const MstRun *run, const MstFinding *f, MdtContactGroupID group) {
+/* Replaces the group's contacts by those found; returns the number for which there was room. */
+static int replaceContacts(MstBridgeRecord *b, const MstRun *run, const MstFinding *f, MdtContactGroupID group) {
     return MdtContactGroupRenew(group, &run->found[f->first], f->count, b->ahead, run->made);
 }
 
-/* For the contacts that were found; null: there are none, or is no room for them. */
+/* The group for the contacts found; null if there are none, or no room, or the overlap is deferred. */
 static MdtContactGroupID contactGroupOf(MstBridgeRecord *b, const MstFinding *f, MdtWorldID w) {
-    return f->count > 0 && !mustWait(f->pair, f->separation) ? ensureGroup(b, f->pair, w) : 0;
+    return f->count > 0 && !isOverlapDeferred(f->pair, f->separation) ? ensureGroup(b, f->pair, w) : 0;
 }
 
-/* As collide found them. */
+/* Replaces the pair's contacts by those that collide found. */
 static void commitContacts(MstBridgeRecord *b, const MstRun *run, const MstFinding *f, MdtWorldID w) {
     const MdtContactGroupID group = contactGroupOf(b, f, w);
     if (!group) {
         emptyGroup(f->pair);
         return;
     }
-    renewContacts(b, run, f, group);
-    mst_push(b, f->pair);
+    replaceContacts(b, run, f, group);
+    mst_setPushVelocities(b, f->pair);
     if (MdtContactGroupGetCount(group) > 0)
         MdtContactGroupEnable(group);
 }
@@ -165,7 +166,7 @@ static void callPerPair(MstRun *run, const MstFinding *f, MdtContactGroupID grou
         emptyGroup(f->pair);
 }
 
-/* The same, with the program's callbacks; the pair has just been tested. */
+/* The same as commitContacts, with the program's callbacks, for a pair that was just tested. */
 static void commitWithCallbacks(MstBridgeRecord *b, MstRun *run, MstFinding *f, MdtWorldID w) {
     const MstMaterialPair *materials = f->materials;
     McdModelPair *p = f->pair;
@@ -176,8 +177,8 @@ static void commitWithCallbacks(MstBridgeRecord *b, MstRun *run, MstFinding *f, 
         emptyGroup(p);
         return;
     }
-    const int renewed = renewContacts(b, run, f, group);
-    mst_push(b, p);
+    const int renewed = replaceContacts(b, run, f, group);
+    mst_setPushVelocities(b, p);
     callPerContact(b, run, p, renewed);
     if (!isGroupOf(p, group))
         return;
@@ -189,17 +190,17 @@ static void commitWithCallbacks(MstBridgeRecord *b, MstRun *run, MstFinding *f, 
 
 static void rememberTest(MstBridgeRecord *b, const MstFinding *f, int numContacts) {
     if (f->pair->touch)
-        mst_rememberTest(f, numContacts, mst_materialVersion(b, f->materials));
-    else if (f->count > 0) /* the world, or memory, was full: there may be room in the next step */
+        mst_recordTest(f, numContacts, mst_materialVersion(b, f->materials));
+    else if (f->count > 0) /* the world or the memory was full: test the pair again in the next step */
         McdModelPairForgetTest(f->pair);
 }
 
 static void finishTest(MstBridgeRecord *b, const MstFinding *f, McdSpaceID s, MdtWorldID w) {
     const MdtContactGroupID group = f->pair->responseData;
     const int numContacts = group ? MdtContactGroupGetCount(group) : 0;
-    mst_touchNote(b, f->pair, numContacts, f->count, f->separation);
+    mst_touchNoteTested(b, f->pair, numContacts, f->count, f->separation);
     rememberTest(b, f, numContacts);
-    mst_followFast(b, f, f->count > 0, s, w);
+    mst_clampFastPair(b, f, f->count > 0, s, w);
 }
 
 /* ---- pairs ------------------------------------------------------------------------------------------------------- */
@@ -220,9 +221,9 @@ static void testAndCommit(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpa
         finishTest(b, f, s, w);
 }
 
-/* A sensor's overlap makes an event, but no contacts. Two sensors do not overlap. */
+/* An overlap with a sensor gives an event, but no contacts. Two sensors do not detect each other. */
 static void senseAndCommit(MstBridgeRecord *b, MstRun *run, McdModelPair *p) {
-    mst_groupDestroy(p);
+    mst_destroyGroup(p);
     if (McdModelIsSensor(p->model1) && McdModelIsSensor(p->model2))
         return;
     if (!mst_intersectPair(run, p) || McdModelPairIsLeaving(p))
@@ -231,8 +232,9 @@ static void senseAndCommit(MstBridgeRecord *b, MstRun *run, McdModelPair *p) {
     mst_touchNoteSensor(b, p, &run->result);
 }
 
-/* As at the space's goodbye. The last test is no longer valid when they collide again. */
-static void forgetContacts(McdModelPair *p) {
+/* Removes contacts and touch as at goodbye, and invalidates the last test, so that it is not reused if the collision is
+ * enabled again. */
+static void removeContacts(McdModelPair *p) {
     mst_pairForget(p);
     McdModelPairForgetTest(p);
 }
@@ -246,7 +248,7 @@ static void commitPair(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpaceI
     case MST_NOTHING:
         return;
     case MST_KEPT:
-        keepContacts(b, f->pair, f->materials);
+        keepContactsInPlace(b, f->pair, f->materials);
         return;
     case MST_CARRIED:
         carryContacts(b, f);
@@ -258,13 +260,13 @@ static void commitPair(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpaceI
         testAndCommit(b, run, f, s, w);
         return;
     case MST_TO_REMOVE:
-        forgetContacts(f->pair);
+        removeContacts(f->pair);
         return;
     case MST_TO_SENSE:
         senseAndCommit(b, run, f->pair);
         return;
     case MST_TO_WAIT:
-        mst_waitFor(b, f);
+        mst_clampLaggingBody(b, f);
         return;
     }
 }

@@ -1,20 +1,21 @@
-/* Continuous motion: fast models are stopped where they touch, and go on from there.
+/* Continuous motion: fast models are stopped at their time of impact, and continue from there.
  *
- * A step is taken in parts. In the first all bodies move, but the partition of a fast model only up to its time of
- * impact; the others have then done their step. In each further part the lagging ones get new contacts, and advance to
- * the next impact or to the end of the step. A pair of bodies that will meet is tied into one partition before it
- * touches, so that both are at the same time when they do. The impact itself is a short part of its own, as the motion
- * after it is not known before.
+ * A step is divided into sub-steps. In the first one all bodies move, but the partition of a fast model only up to its
+ * time of impact; the other bodies have then completed their step. In each further sub-step the lagging bodies get new
+ * contacts, and advance to the next impact or to the end of the step. Two bodies that will collide are joined into one
+ * partition beforehand, so that both are at the same time at the impact. The impact itself is a short sub-step of its
+ * own, as the motion after it is not known in advance.
  *
- * Lagging bodies must not push those already advanced, which would move for longer than the step. A lagging body that
- * meets such a one is stopped, and loses the rest of its step; so do bodies that still lag after the last part.
+ * Lagging bodies must not push bodies that have already advanced, which would then move for longer than the step. A
+ * lagging body that reaches such a body is stopped, and loses the rest of its step; so do bodies that still lag after
+ * the last sub-step.
  *
- * A large partition is not held back by what hits it, which would cost as many solves of it: the fast body waits for it
- * and meets it in the next step, which is not divided either. A fast body in a large partition has safe times in the
- * first parts only.
+ * A large partition is not stopped by a fast body that hits it, as each sub-step would need a solve of the whole
+ * partition. The fast body waits in front of it and collides in the next step, which is not divided either. Fast bodies
+ * within a large partition get safe times in the first sub-steps only.
  *
  * Reads findings, poses and velocities, contacts of the pair. Writes safe times of bodies, and the list of bodies that
- * have one; moves the world on. Times to touch are found by collide, and become safe times in commit.
+ * have one; advances the world. Collide computes the times of impact; commit sets them as safe times.
  */
 #include "McdGeometry.h"
 #include "McdInteractions.h"
@@ -31,8 +32,9 @@
 
 enum {
     MAX_SUBSTEPS = 16,
-    MAX_LARGE_ISLAND_SUBSTEPS = 2, /* more than these, for its own */
-    MIN_SUBSTEP = 1 << 13,         /* of a step is the shortest part: longer than what MdtWorldStepRest still takes */
+    MAX_LARGE_ISLAND_SUBSTEPS = 2, /* sub-steps with safe times for fast bodies in a large partition */
+    MIN_SUBSTEP = 1 << 13,         /* the shortest sub-step is 1 / MIN_SUBSTEP of the step: longer than the remainder
+                                      that MdtWorldStepRest drops */
 };
 
 /* ---- safe times ------------------------------------------------------------------------------------------------ */
@@ -44,7 +46,7 @@ void mst_clearSafeTimes(MstBridgeRecord *b) {
     b->clampedCount = 0;
 }
 
-static MeBool hasRoom(MstBridgeRecord *b) {
+static MeBool growClamped(MstBridgeRecord *b) {
     if (b->clampedCount < b->clampedMax)
         return METRUE;
     const int more = b->clampedMax ? 2 * b->clampedMax : 32;
@@ -55,8 +57,8 @@ static MeBool hasRoom(MstBridgeRecord *b) {
     return METRUE;
 }
 
-static void clampSafeTime(MstBridgeRecord *b, MdtBodyID body, MeReal time) {
-    if (!body || !hasRoom(b))
+static void clampBody(MstBridgeRecord *b, MdtBodyID body, MeReal time) {
+    if (!body || !growClamped(b))
         return;
     MEASSERT(time >= 0 && time <= b->ahead);
     MdtBodySetSafeTime(body, MeMIN(time, MdtBodyGetSafeTime(body)));
@@ -65,29 +67,29 @@ static void clampSafeTime(MstBridgeRecord *b, MdtBodyID body, MeReal time) {
 
 /* ---- time of impact -------------------------------------------------------------------------------------------- */
 
-static int MEAPI isThatOne(McdModelID m, void *other) {
+static int MEAPI isSameModel(McdModelID m, void *other) {
     return m == (McdModelID)other;
 }
 
-static void addDisplacement(MeVector3 displacement, McdModelID m, MeReal time) {
+static void addLinearDisplacement(MeVector3 displacement, McdModelID m, MeReal time) {
     const MeReal *velocity = McdModelGetLinearVelocityPtr(m);
     for (int i = 0; velocity && i < 3; i++)
         displacement[i] += time * velocity[i];
 }
 
-/* McdSafeTime does not support surfaces of triangles: there the shape is cast along its displacement, without its
- * rotation. It is stopped a little before. */
+/* The time until a convex shape touches a surface of triangles, which McdSafeTime does not support: the shape is cast
+ * along its displacement, without rotation, and stopped 1/STOP of its radius before the surface. */
 static MeReal timeToSurface(McdModelID shape, McdModelID surface, McdSpaceID s, MeReal max) {
     enum { STOP = 1000 };
     McdCastResult hit;
     MeVector3 displacement = {0, 0, 0}, centre;
     MeReal radius;
-    addDisplacement(displacement, shape, max);
-    addDisplacement(displacement, surface, -max);
+    addLinearDisplacement(displacement, shape, max);
+    addLinearDisplacement(displacement, surface, -max);
     const MeReal length = MeVector3Magnitude(displacement);
     if (!(length > 0) ||
         !McdSpaceCastGeometry(s, McdModelGetGeometry(shape), (const MeVector4 *)McdModelGetTransformPtr(shape),
-                              displacement, isThatOne, surface, &hit))
+                              displacement, isSameModel, surface, &hit))
         return max;
     McdModelGetBSphere(shape, centre, &radius);
     return MeMAX(hit.fraction - radius / (STOP * length), 0) * max;
@@ -97,17 +99,17 @@ static MeReal lagOf(MdtBodyID body) {
     return body ? MdtBodyGetLag(body) : 0;
 }
 
-static MeReal marginOf(const McdModelPair *p) {
+static MeReal fastMarginOf(const McdModelPair *p) {
     return MeMAX(McdModelGetFastMargin(p->model1), McdModelGetFastMargin(p->model2));
 }
 
-/* s, for which the pair's bodies move in this part of the step. */
-static MeReal timeLeft(const MstBridgeRecord *b, const McdModelPair *p) {
-    return b->substep == 0 ? b->ahead : mst_lagOfPair(p);
+/* s, the time that the pair's bodies move in this sub-step. */
+static MeReal remainingTime(const MstBridgeRecord *b, const McdModelPair *p) {
+    return b->substep == 0 ? b->ahead : mst_pairLag(p);
 }
 
 MeReal mst_timeToTouch(const MstBridgeRecord *b, McdModelPair *p, McdSpaceID s) {
-    const MeReal max = timeLeft(b, p);
+    const MeReal max = remainingTime(b, p);
     McdSafeTimeResult safe;
     if (McdModelIsSurface(p->model2) && McdModelIsConvex(p->model1))
         return timeToSurface(p->model1, p->model2, s, max);
@@ -116,7 +118,7 @@ MeReal mst_timeToTouch(const MstBridgeRecord *b, McdModelPair *p, McdSpaceID s) 
     return McdSafeTime(p, max, &safe) ? safe.time : max;
 }
 
-static MeReal approachOf(const McdModelPair *p) {
+static MeReal maxApproachSpeed(const McdModelPair *p) {
     const MdtContactGroupID group = p->responseData;
     MdtContactID c = group ? MdtContactGroupGetFirstContact(group) : 0;
     MeReal max = 0;
@@ -124,55 +126,55 @@ static MeReal approachOf(const McdModelPair *p) {
         MeVector3 position, normal;
         MdtContactGetPosition(c, position);
         mst_normalOf(p, c, normal);
-        max = MeMAX(max, mst_approachAt(p, position, normal));
+        max = MeMAX(max, mst_approachSpeedAt(p, position, normal));
     }
     return max;
 }
 
-/* s: an impact gets a part of its own, twice as long as it takes to close the gap; the motion after it is predicted in
- * the next part. Not where the pair slides or rests, and its motion continues. */
+/* s: a pair that closes fast enough gets a sub-step of its own for the impact, twice as long as the time to close the
+ * gap; the motion after the impact is computed in the next one. Sliding and resting pairs: max. */
 static MeReal timeOfImpact(const McdModelPair *p, MeReal max) {
-    const MeReal approach = approachOf(p), margin = marginOf(p);
+    const MeReal approach = maxApproachSpeed(p), margin = fastMarginOf(p);
     return approach * max > 4 * margin ? 2 * margin / approach : max;
 }
 
-/* s: the shortest part. In it a body moves by no more, or little more, than its speculative margin: at 100 times its
- * size per step by 1 % of its size. */
+/* s: the shortest sub-step. In it, a body moves hardly farther than its speculative margin: 1 % of its size at a speed
+ * of 100 times its size per step. */
 static MeReal minSubstep(const MstBridgeRecord *b) {
     return b->ahead / MIN_SUBSTEP;
 }
 
-/* Bodies are not stopped if the rest of the step would be shorter than the shortest part. */
-static MeBool stopsBefore(const MstBridgeRecord *b, MeReal time, MeReal max) {
+/* Bodies are not stopped if the remaining time would be less than the shortest sub-step. */
+static MeBool isWorthClamping(const MstBridgeRecord *b, MeReal time, MeReal max) {
     return max - time > minSubstep(b);
 }
 
-static void stopAt(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w, MeReal time) {
+static void clampPair(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w, MeReal time) {
     const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
-    const MeBool stops1 =
+    const MeBool clamps1 =
         !mst_isInLargeIsland(body1) || (b->substep < MAX_LARGE_ISLAND_SUBSTEPS && McdModelGetFastMargin(p->model1) > 0);
-    const MeBool stops2 =
+    const MeBool clamps2 =
         !mst_isInLargeIsland(body2) || (b->substep < MAX_LARGE_ISLAND_SUBSTEPS && McdModelGetFastMargin(p->model2) > 0);
-    if (body1 && body2 && stops1 && stops2)
-        mst_pairTie(b, p, w);
-    if (stops1)
-        clampSafeTime(b, body1, time);
-    if (stops2)
-        clampSafeTime(b, body2, time);
+    if (body1 && body2 && clamps1 && clamps2)
+        mst_joinPartitions(b, p, w);
+    if (clamps1)
+        clampBody(b, body1, time);
+    if (clamps2)
+        clampBody(b, body2, time);
 }
 
-void mst_followFast(MstBridgeRecord *b, const MstFinding *f, MeBool hasContacts, McdSpaceID s, MdtWorldID w) {
+void mst_clampFastPair(MstBridgeRecord *b, const MstFinding *f, MeBool hasContacts, McdSpaceID s, MdtWorldID w) {
     McdModelPair *p = f->pair;
     if (!f->isFast)
         return;
     if (hasContacts && (mst_isInLargeIsland(mst_bodyOf(p->model1)) || mst_isInLargeIsland(mst_bodyOf(p->model2))))
         return;
-    const MeReal max = timeLeft(b, p);
+    const MeReal max = remainingTime(b, p);
     const MeReal time = hasContacts                     ? timeOfImpact(p, max)
                         : f->timeToTouch != MST_UNKNOWN ? f->timeToTouch
                                                         : mst_timeToTouch(b, p, s);
-    if (stopsBefore(b, time, max))
-        stopAt(b, p, w, MeMAX(time, minSubstep(b)));
+    if (isWorthClamping(b, time, max))
+        clampPair(b, p, w, MeMAX(time, minSubstep(b)));
 }
 
 MeBool mst_isInLargeIsland(MdtBodyID body) {
@@ -182,8 +184,8 @@ MeBool mst_isInLargeIsland(MdtBodyID body) {
 
 /* ---- the parts after the first --------------------------------------------------------------------------------- */
 
-/* Whether the body has done its step, so that it must not be pushed. */
-static MeBool isDone(MdtBodyID body) {
+/* Whether the body has completed its step, so that it must not be pushed. */
+static MeBool hasAdvanced(MdtBodyID body) {
     return body && MdtBodyIsEnabled(body) && !(MdtBodyGetLag(body) > 0);
 }
 
@@ -191,14 +193,14 @@ static MeBool isLagging(McdModelID m) {
     return lagOf(mst_bodyOf(m)) > 0;
 }
 
-/* Whether a body of the pair lags, so that it still moves in this step, and the pair may have contacts. */
-static MeBool mayMove(const McdModelPair *p) {
+/* Whether a body of the pair lags, so that it still moves in this step, and neither model is a sensor. */
+static MeBool isLaggingPair(const McdModelPair *p) {
     return (isLagging(p->model1) || isLagging(p->model2)) && !McdModelIsSensor(p->model1) &&
            !McdModelIsSensor(p->model2);
 }
 
-static MeBool hasDoneBody(const McdModelPair *p) {
-    return isDone(mst_bodyOf(p->model1)) || isDone(mst_bodyOf(p->model2));
+static MeBool hasAdvancedBody(const McdModelPair *p) {
+    return hasAdvanced(mst_bodyOf(p->model1)) || hasAdvanced(mst_bodyOf(p->model2));
 }
 
 static McdModelID laggingModel(const McdModelPair *p) {
@@ -206,19 +208,19 @@ static McdModelID laggingModel(const McdModelPair *p) {
 }
 
 MeBool mst_mayCollide(const McdModelPair *p) {
-    return mayMove(p) && !hasDoneBody(p);
+    return isLaggingPair(p) && !hasAdvancedBody(p);
 }
 
-MeBool mst_mustWait(const McdModelPair *p) {
-    return mayMove(p) && hasDoneBody(p) && McdModelGetFastMargin(laggingModel(p)) > 0;
+MeBool mst_mustClampLagging(const McdModelPair *p) {
+    return isLaggingPair(p) && hasAdvancedBody(p) && McdModelGetFastMargin(laggingModel(p)) > 0;
 }
 
-void mst_waitFor(MstBridgeRecord *b, const MstFinding *f) {
+void mst_clampLaggingBody(MstBridgeRecord *b, const MstFinding *f) {
     MEASSERT(f->timeToTouch != MST_UNKNOWN);
-    clampSafeTime(b, mst_bodyOf(laggingModel(f->pair)), f->timeToTouch);
+    clampBody(b, mst_bodyOf(laggingModel(f->pair)), f->timeToTouch);
 }
 
-/* 0: nothing can move on. */
+/* Makes one more sub-step. Returns 0 if no body can advance. */
 static int advanceLag(MstUniverse *u, MstBridgeRecord *b, MeReal step) {
     MEASSERT(b->substep > 0 && b->substep < MAX_SUBSTEPS);
     mst_eventsGather(b);

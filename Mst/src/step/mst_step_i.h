@@ -1,32 +1,33 @@
 /* Inside Mst: the stages from pairs of models to contacts of their bodies.
  *
  *     stage     file              reads -> writes
- *     pairs     MstBridge.c       the space's pairs -> the bridge's buffer of them; hello and goodbye pairs
- *     collide   mst_collide.c     models, poses, motion of bodies; the pair's manifold and touch -> a run's
- *                                 findings; of each pair, what Mcd keeps of its test
- *     update    mst_update.c      findings about contacts that go on -> the pair's manifold and touch
+ *     pairs     MstBridge.c       pairs of the space -> the bridge's pair buffer; hello and goodbye pairs
+ *     collide   mst_collide.c     models, poses, motion of bodies; manifold and touch of the pair -> findings of a run;
+ *                                 Mcd's record of the pair's last test
+ *     update    mst_update.c      findings with persisting contacts -> manifold and touch of the pair
  *     commit    mst_commit.c      all other findings -> manifolds, touches, safe times of bodies; callbacks of the
  *                                 program; the step's list of touches
  *     touches   mst_touch.c       contacts of a pair -> its touch
- *     parts     mst_continuous.c  findings of fast models -> safe times; the world's step, in parts
+ *     sub-steps mst_continuous.c  findings of fast models -> safe times; the world's step, in sub-steps
  *     events    MstEvents.c       touches, forces of their contacts -> events; callbacks of the program
  *
- * Collide and commit take turns, run by run (MstHandleCollisions): a run is as many pairs as stay in the nearest cache
- * from one to the other. Collide and update call no function of the program, take nothing from a pool, and write to
- * nothing that two pairs share, but for the stamp that Mcd gives a model at its first look in a round, and for the mark
- * that a body's certificate of rest has ended, which any number of threads may set. A pair whose test or contacts
- * involve a function of the program is only looked at there: it ends the run, and commit tests it.
+ * Collide and commit alternate, run by run (MstHandleCollisions): a run has as many pairs as stay in the L1 cache
+ * between the two. Collide and update call no function of the program, allocate nothing from a pool, and write to
+ * nothing that two pairs share, with two exceptions: Mcd stamps a model at its first comparison in a round, and a
+ * body's certificate of rest may be ended, which any number of threads may do. If the test or the contacts of a pair
+ * involve a function of the program, collide leaves the test to commit, and the pair is the last one of its run.
  *
- * With workers (mst_workers.c), models get their stamps first; then runs of pairs that call no program are collided by
- * all workers, some runs ahead of the calling thread, which commits them in their order. In the first part of a step no
- * pair depends on what is committed of another one, so that contacts are the same.
+ * With workers (mst_workers.c), all models are stamped first. Then all workers collide runs of pairs that call no
+ * program, some runs ahead of the calling thread, which commits them in order. In the first sub-step no pair depends on
+ * what is committed for another one, so the contacts are the same as without workers.
  *
- *     data                                owner: who writes it
- *     McdModelPair.test, .stand           Mcd, as collide looks at the pair; commit, where it tests it, or got no touch
+ *     data                                written by
+ *     McdModelPair.test, .stand           Mcd, when collide compares the pair; commit, if it tests the pair or could
+ *                                         not create a touch
  *     McdModelPair.responseData, .forget  commit (mst_commit.c, mst_touch.c)
- *     MstRun                              collide; commit, of a pair that it has to test
+ *     MstRun                              collide; commit, for a pair that it tests
  *     MstTouch                            update and commit (of the last test; mst_touch.c: of this step); events
- *     manifolds                           Mdt, at the call of update and commit
+ *     manifolds                           Mdt, called by update and commit
  *     versions of materials               commit
  *     MdtBody's safe time                 commit (mst_continuous.c)
  */
@@ -37,88 +38,93 @@
 
 /* ---- the bridge (MstBridge.c) ----------------------------------------------------------------------------------- */
 
-/* For the time in which pairs of the space, which may be null, are handled for the world, which may be none. */
+/* Begin and end the stages in which pairs are handled: callbacks' removals of the framework's models and of the world's
+ * bodies are deferred. The world may be null. */
 void mst_guardPairs(MstBridgeRecord *b, McdFrameworkID frame, MdtWorldID w);
 void mst_releasePairs(MstBridgeRecord *b, McdFrameworkID frame, MdtWorldID w);
-/* MstBridgeUpdateContacts, by who holds the bridge. */
+/* MstBridgeUpdateContacts without its checks: for the bridge itself and MstUniverseStep, whose stages are active. */
 void mst_updateContacts(MstBridgeRecord *b, McdSpaceID s, MdtWorldID w);
-/* Begins a round of pairs: inputs are compared anew, as programs may have changed them before, or in a callback. */
+/* Begins a round: inputs of models and materials are compared anew, as the program may have changed them. */
 void mst_beginRound(MstBridgeRecord *b);
-/* Room for the contacts of one pair, and of the rest of a run. False: there is no memory, and the run is as it was. */
+/* Allocates a run: contactMax contacts for one pair, and some more for the others. False: no memory, and the run is
+ * unchanged. */
 MeBool mst_runInit(MstRun *run, int contactMax, const char *function);
 void mst_runTerm(MstRun *run);
 
 /* ---- workers (mst_workers.c) ------------------------------------------------------------------------------------- */
 
-/* So many pairs are about to be handled: looks at the models that move. */
-void mst_lookByWorkers(MstBridgeRecord *b, int count, McdSpaceID s, MdtWorldID w);
-/* Collides and commits some pairs, from the first on, by the workers; returns how many: none, where a function of
- * the program has to do with the first, or there are no workers. */
-int mst_handleByWorkers(MstBridgeRecord *b, McdModelPair *const pairs[], int count, McdSpaceID s, MdtWorldID w);
+/* Stamps the awake models by the workers, before `count` pairs are handled; nothing if that does not pay. */
+void mst_stampModelsByWorkers(MstBridgeRecord *b, int count, McdSpaceID s, MdtWorldID w);
+/* Collides by the workers and commits the first pairs of an array; returns their number. 0: there are no workers, or
+ * the first pair involves a function of the program or a sensor. */
+int mst_handlePairsByWorkers(MstBridgeRecord *b, McdModelPair *const pairs[], int count, McdSpaceID s, MdtWorldID w);
 void mst_workersTerm(MstBridgeRecord *b);
 
 /* ---- collide (mst_collide.c) ------------------------------------------------------------------------------------- */
 
-/* Looks at pairs from the first on, and tests them, until the run is full, or ends for another reason; returns how
- * many. */
+/* Collides and updates the first pairs of an array until the run is full or a pair has to be tested by commit; returns
+ * their number. */
 int mst_collideRun(const MstBridgeRecord *b, MstRun *run, McdModelPair *const pairs[], int count, McdSpaceID s);
-/* Asks for the memory of pairs that follow pairs[i], up to the last of them, and of their models. */
+/* Prefetches pairs that follow pairs[i] (`count` pairs in all), and their models. */
 void mst_prefetchModels(McdModelPair *const pairs[], int i, int count);
-/* Tests a pair: the run's result. False: no interaction of its types is known. */
+/* Tests a pair and writes the run's result. False: their geometry types have no interaction. */
 MeBool mst_intersectPair(MstRun *run, McdModelPair *p);
-/* Tests a pair whose test may call functions of the program; its contacts become part of the run's. */
+/* Tests a pair whose test may call functions of the program, and adds its contacts to the run. */
 void mst_testPair(MstBridgeRecord *b, MstRun *run, MstFinding *f);
-/* Of the run's result, as a function of the program has left it: what is no contact is left out, with a warning. */
+/* Removes invalid contacts, which a function of the program has made, from the run's result, with a warning. */
 void mst_checkContacts(MstBridgeRecord *b, MstRun *run);
-/* Notes of each pair whether a joint of its bodies lets them pass through each other: before any is collided, as commit
- * changes the lists in which bodies have their joints. */
-void mst_noteNoCollide(McdModelPair *const pairs[], int count);
-/* Is the pair's outcome found without a function of the program, and without a sensor? */
+/* Sets isHeldApart of each pair: a joint between its bodies disables their collision. Before any pair is collided, as
+ * commit changes the bodies' lists of constraints. */
+void mst_markNoCollidePairs(McdModelPair *const pairs[], int count);
+/* True if neither a function of the program nor a sensor is involved in the pair's outcome. */
 MeBool mst_isPlainPair(const MstBridgeRecord *b, const McdModelPair *p);
-/* The run's result, as a callback left it, becomes part of its contacts. */
+/* Adds the contacts of the run's result to the run's. */
 void mst_convertContacts(const MstBridgeRecord *b, MstRun *run, MstFinding *f);
-/* Whether the pair of materials has a callback of contacts. */
+/* Whether the pair of materials has a callback for collisions or contacts. */
 MeBool mst_hasCallback(const MstMaterialPair *materials);
-unsigned long mst_movesOf(McdModelID m);
+/* The version of the pose of the model's body (MdtBodyGetMoves); 0 without a body. */
+unsigned long mst_moveCountOf(McdModelID m);
 
 /* ---- update (mst_update.c) --------------------------------------------------------------------------------------- */
 
-/* Updates the contacts and the touch of a pair that has just been collided, if it may be done beside other pairs;
- * writes f->updated, or that nothing is left to do. */
+/* Updates the contacts and the touch of a collided pair, if no other pair is affected; then sets f->updated. May also
+ * reduce the outcome to MST_NOTHING. */
 void mst_updatePair(const MstBridgeRecord *b, const MstRun *run, MstFinding *f);
-/* Its contacts move with its bodies. */
-void mst_carry(const MstFinding *f);
-/* Notes the state of the models that the contacts were made from. Not for pairs that are tested in every step: fast
- * ones, those with callbacks, and those whose group holds fewer contacts than were found. */
-void mst_rememberTest(const MstFinding *f, int numContacts, unsigned long version);
+/* Moves the pair's contacts with its bodies. */
+void mst_carryContacts(const MstFinding *f);
+/* Records the state of the models for which the contacts were made. Fast pairs, pairs with callbacks, and pairs whose
+ * group has fewer contacts than were found are marked instead, so that they are tested in every step. */
+void mst_recordTest(const MstFinding *f, int numContacts, unsigned long version);
 
 /* ---- commit (mst_commit.c) --------------------------------------------------------------------------------------- */
 
+/* Commits the findings of a run, in order. */
 void mst_commitRun(MstBridgeRecord *b, MstRun *run, McdSpaceID s, MdtWorldID w);
-/* Joins the pair's bodies into one partition, whether they touch or not. */
-void mst_pairTie(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w);
-/* Have both models the same body? They make no contacts. */
+/* Joins the pair's bodies into one partition, even without contacts. */
+void mst_joinPartitions(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w);
+/* True if both models have the same body: they make no contacts. */
 static inline MeBool mst_isOneBody(const McdModelPair *p) {
     return mst_bodyOf(p->model1) && mst_bodyOf(p->model1) == mst_bodyOf(p->model2);
 }
 
 /* ---- continuous motion (mst_continuous.c) ------------------------------------------------------------------------ */
 
-/* Whether the pair may get contacts in a later part of the step. */
+/* Whether the pair may get contacts in a sub-step after the first. */
 MeBool mst_mayCollide(const McdModelPair *p);
-/* If not: whether its fast model has to wait for the other one. */
-MeBool mst_mustWait(const McdModelPair *p);
-/* s, for which the models of a pair without contacts do not touch, at most as long as they move in this part. */
+/* Whether the pair's lagging body, which may not get contacts, has to stop before it touches the other one. */
+MeBool mst_mustClampLagging(const McdModelPair *p);
+/* s: a safe time in which a pair without contacts does not touch, at most the time that its bodies move in this
+ * sub-step. */
 MeReal mst_timeToTouch(const MstBridgeRecord *b, McdModelPair *p, McdSpaceID s);
-/* Sets that time as the safe time of the body that has to wait. */
-void mst_waitFor(MstBridgeRecord *b, const MstFinding *f);
-/* For a pair with a fast model: sets the safe time of its bodies, if they meet now or later in the step. */
-void mst_followFast(MstBridgeRecord *b, const MstFinding *f, MeBool hasContacts, McdSpaceID s, MdtWorldID w);
-/* Is the body part of a large partition, in which a single pair matters little, and a solve costs much? */
+/* Limits the safe time of the pair's lagging body to the finding's timeToTouch. */
+void mst_clampLaggingBody(MstBridgeRecord *b, const MstFinding *f);
+/* Limits the safe times of the bodies of a fast pair to the time of their impact, if it is within the step. */
+void mst_clampFastPair(MstBridgeRecord *b, const MstFinding *f, MeBool hasContacts, McdSpaceID s, MdtWorldID w);
+/* Is the body in a large partition, which is costly to solve and which a single pair affects little? */
 MeBool mst_isInLargeIsland(MdtBodyID body);
-/* A part of the step begins: no body has a safe time. */
+/* Removes the safe times of all bodies, as a sub-step begins. */
 void mst_clearSafeTimes(MstBridgeRecord *b);
-/* The world's step after the contacts were made: in parts, where a fast model has an impact. */
+/* Steps the world after the contacts were made: in sub-steps, if a fast model has an impact. */
 void mst_stepWorld(MstUniverse *u, MeReal step);
 
 #endif

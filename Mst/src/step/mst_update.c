@@ -1,8 +1,8 @@
-/* Update: persisting contacts and the records of their pairs. It follows collide in the same thread, which has the
- * pairs of a run in its cache.
+/* Update: writes persisting contacts and the touches of their pairs. Runs right after collide in the same thread, while
+ * the run's pairs are in the cache.
  *
- * Writes the pair's own group and touch alone, and that the certificates of rest of its bodies have ended. Where
- * contacts come or go, where the program is called, or what pairs share is to be written, commit does it all.
+ * Writes only the pair's own group and touch, and ends certificates of rest of its bodies. Commit does all of it where
+ * contacts are created or destroyed, where the program is called, or where shared data are written.
  */
 #include "McdModelPair.h"
 #include "MdtContactGroup.h"
@@ -12,17 +12,17 @@
 
 /* ---- what is remembered ------------------------------------------------------------------------------------------ */
 
-static void noteMoves(const McdModelPair *p) {
+static void recordMoveCounts(const McdModelPair *p) {
     MstTouch *t = p->touch;
-    t->moves[0] = mst_movesOf(p->model1);
-    t->moves[1] = mst_movesOf(p->model2);
+    t->moves[0] = mst_moveCountOf(p->model1);
+    t->moves[1] = mst_moveCountOf(p->model2);
 }
 
-void mst_rememberTest(const MstFinding *f, int numContacts, unsigned long version) {
+void mst_recordTest(const MstFinding *f, int numContacts, unsigned long version) {
     const McdModelPair *p = f->pair;
     MstTouch *t = p->touch;
     const MeBool isWhole = p->responseData && numContacts == f->count;
-    noteMoves(p);
+    recordMoveCounts(p);
     t->carried = 0;
     t->version = version;
     t->found = isWhole && !mst_hasCallback(f->materials) && !f->isFast ? f->count : MST_UNKNOWN;
@@ -30,13 +30,14 @@ void mst_rememberTest(const MstFinding *f, int numContacts, unsigned long versio
 
 /* ---- may it be done here? ---------------------------------------------------------------------------------------- */
 
-/* Later parts are left to commit: their touches may be listed already. */
-static MeBool mayUpdate(const MstBridgeRecord *b, const MstRun *run, const MstFinding *f) {
+/* Whether the pair may be updated outside of commit. Never in sub-steps after the first: the touch may be listed
+ * already. */
+static MeBool mayUpdatePair(const MstBridgeRecord *b, const MstRun *run, const MstFinding *f) {
     const McdModelPair *p = f->pair;
     const MstTouch *t = p->touch;
     const MdtContactGroupID group = p->responseData;
     if (b->substep > 0 || p->phase == kMcdFFStateInactive || !t || mst_touchIsListed(&b->events, t) || f->isFast ||
-        !mst_areMaterialsSeen(b) || mst_isPushed(p))
+        !mst_areMaterialsSeen(b) || mst_isPushedByModel(p))
         return MEFALSE;
     if (f->outcome != MST_TESTED)
         return t->version == mst_versionSeen(f->materials) && MdtContactGroupIsEnabled(group);
@@ -49,33 +50,33 @@ static MeBool mayUpdate(const MstBridgeRecord *b, const MstRun *run, const MstFi
 
 /* ---- the update -------------------------------------------------------------------------------------------------- */
 
-void mst_carry(const MstFinding *f) {
+void mst_carryContacts(const MstFinding *f) {
     MstTouch *t = f->pair->touch;
     t->separation = MdtContactGroupCarry(f->pair->responseData, f->hasMoved);
     t->carried++;
-    noteMoves(f->pair);
+    recordMoveCounts(f->pair);
 }
 
-static void renew(const MstBridgeRecord *b, const MstRun *run, const MstFinding *f) {
+static void renewPair(const MstBridgeRecord *b, const MstRun *run, const MstFinding *f) {
     int numContacts = 0;
     if (f->count > 0)
         numContacts = MdtContactGroupRenew(f->pair->responseData, &run->found[f->first], f->count, b->ahead, run->made);
-    mst_touchUpdate(b, f->pair, numContacts, f->count, f->separation);
-    mst_rememberTest(f, numContacts, mst_versionSeen(f->materials));
+    mst_touchUpdateTested(b, f->pair, numContacts, f->count, f->separation);
+    mst_recordTest(f, numContacts, mst_versionSeen(f->materials));
 }
 
 void mst_updatePair(const MstBridgeRecord *b, const MstRun *run, MstFinding *f) {
     const McdModelPair *p = f->pair;
     if (f->outcome == MST_TESTED && f->count == 0 && !p->touch && !p->responseData && !f->isFast)
-        f->outcome = MST_NOTHING; /* it had no contacts before, either */
-    if ((f->outcome != MST_KEPT && f->outcome != MST_CARRIED && f->outcome != MST_TESTED) || !mayUpdate(b, run, f))
+        f->outcome = MST_NOTHING; /* no contacts before and now */
+    if ((f->outcome != MST_KEPT && f->outcome != MST_CARRIED && f->outcome != MST_TESTED) || !mayUpdatePair(b, run, f))
         return;
     if (f->outcome == MST_CARRIED)
-        mst_carry(f);
+        mst_carryContacts(f);
     if (f->outcome == MST_TESTED)
-        renew(b, run, f);
+        renewPair(b, run, f);
     else
-        mst_touchUpdateAgain(b, p);
+        mst_touchUpdateUnchanged(b, p);
     f->updated = p->touch;
     f->isUndecided = f->updated->isUndecided;
 }

@@ -1,21 +1,21 @@
-/* Collide and commit by workers (mst_step_i.h): runs of pairs are collided ahead of the calling thread, which commits
- * them in their order, and collides too where it would have to wait.
+/* Collide by workers, commit by the calling thread (mst_step_i.h): runs of pairs are collided ahead of the calling
+ * thread, which commits them in order, and collides as well where it would have to wait.
  *
- * The rule for order (MeTeam.h): a run writes to its own record and to its pairs (mst_update.c); where runs are looked
- * through, each writes its own counts, which are read in the runs' order. */
+ * Determinism (MeTeam.h): a run writes only to its own record and its pairs (mst_update.c); a search for plain pairs
+ * writes only the counts of its run, which are then read in the order of the runs. */
 #include "McdInternal.h"
 #include "MdtInternal.h"
 #include "MeAssert.h"
 #include "MeTeam.h"
 #include "step/mst_step_i.h"
 
-typedef struct Piping {
+typedef struct PairPipeline {
     MstBridgeRecord *b;
     McdModelPair *const *pairs;
     int count;
     McdSpaceID s;
     MdtWorldID w;
-} Piping;
+} PairPipeline;
 
 static void freeRuns(MstRun *runs) {
     for (int i = 0; runs && i < MST_AHEAD; i++)
@@ -28,8 +28,8 @@ void mst_workersTerm(MstBridgeRecord *b) {
     b->runsAhead = 0;
 }
 
-/* Allocates the runs once; again only if contacts need more room. */
-static MeBool makeRuns(MstBridgeRecord *b) {
+/* Allocates the runs for workers, unless they exist. */
+static MeBool allocateRuns(MstBridgeRecord *b) {
     if (b->runsAhead)
         return METRUE;
     MstRun *runs = MeMemoryTakeZeroed(MST_AHEAD, sizeof *runs, "MstBridgeUpdateContacts", "runs of pairs");
@@ -42,105 +42,106 @@ static MeBool makeRuns(MstBridgeRecord *b) {
     return runs != 0;
 }
 
-/* ---- pairs that workers may collide ---- */
+/* ---- pairs that workers may collideItem ---- */
 
-static int firstOf(int run) {
+static int firstPairOf(int run) {
     return run * MST_RUN;
 }
 
-static int runsOf(int count) {
+static int runCountOf(int count) {
     return (count + MST_RUN - 1) / MST_RUN;
 }
 
-/* How many pairs are looked through at once: in runs. Fewer once one has been found that workers may not collide, and
- * twice as many as long as there is none. */
+/* The maximum number of runs that a search for plain pairs covers. The next search covers MST_MIN_RUNS after a pair was
+ * found that workers may not collide, else twice as many as this one. */
 enum { MAX_RUNS = 1024 };
 
-typedef struct Plain {
+typedef struct PlainSearch {
     const MstBridgeRecord *b;
     McdModelPair *const *pairs;
     int count;
-    int end[MAX_RUNS];    /* by run: behind its first pairs that are plain */
-    int unseen[MAX_RUNS]; /* the first of them with a model that has no stamp of this round; or its end */
-} Plain;
+    int end[MAX_RUNS];       /* by run: end of its leading plain pairs */
+    int unstamped[MAX_RUNS]; /* by run: the first of these pairs with a model that has no stamp of this round; or
+                                `end` */
+} PlainSearch;
 
 static void MEAPI findPlainPairs(void *context, int run, int worker) {
-    Plain *p = context;
-    const int end = MeMIN(firstOf(run + 1), p->count);
-    int i = firstOf(run), unseen = i;
+    PlainSearch *p = context;
+    const int end = MeMIN(firstPairOf(run + 1), p->count);
+    int i = firstPairOf(run), unstamped = i;
     (void)worker;
     for (; i < end && mst_isPlainPair(p->b, p->pairs[i]); i++) {
         mst_prefetchModels(p->pairs, i, end);
-        if (unseen == i && McdModelPairHasSeenModels(p->pairs[i]))
-            unseen++;
+        if (unstamped == i && McdModelPairHasSeenModels(p->pairs[i]))
+            unstamped++;
     }
     p->end[run] = i;
-    p->unseen[run] = unseen;
+    p->unstamped[run] = unstamped;
 }
 
-/* Pairs from the first on that workers may collide. All models of these have been looked at then: what is fixed or
- * sleeps, with the first pair that it is in. */
+/* The number of leading pairs that workers may collide. Stamps their models: of fixed and sleeping ones, with the first
+ * pair that has them. */
 static int countPlainPairs(MeTeam *team, MstBridgeRecord *b, McdModelPair *const pairs[], int count) {
-    Plain p = {.b = b, .pairs = pairs, .count = MeMIN(count, firstOf(b->runsLooked))};
-    const int runs = runsOf(p.count);
+    PlainSearch p = {.b = b, .pairs = pairs, .count = MeMIN(count, firstPairOf(b->runsLooked))};
+    const int runs = runCountOf(p.count);
     int plain = 0;
     MeTeamRun(team, runs, findPlainPairs, &p);
-    for (int run = 0; run < runs && plain == firstOf(run); run++) {
+    for (int run = 0; run < runs && plain == firstPairOf(run); run++) {
         plain = p.end[run];
-        for (int i = p.unseen[run]; i < plain; i++)
+        for (int i = p.unstamped[run]; i < plain; i++)
             McdModelPairLookAtModels(pairs[i]);
     }
     b->runsLooked = plain < p.count ? MST_MIN_RUNS : MeMIN(2 * b->runsLooked, MAX_RUNS);
     return plain;
 }
 
-/* ---- collide and commit ---- */
+/* ---- collideItem and commitItem ---- */
 
-static int endOf(const Piping *p, int run) {
-    return MeMIN(firstOf(run + 1), p->count);
+static int endPairOf(const PairPipeline *p, int run) {
+    return MeMIN(firstPairOf(run + 1), p->count);
 }
 
-static void MEAPI collide(void *context, int item, int worker) {
-    const Piping *p = context;
+static void MEAPI collideItem(void *context, int item, int worker) {
+    const PairPipeline *p = context;
     MstRun *run = &p->b->runsAhead[item % MST_AHEAD];
     (void)worker;
-    mst_collideRun(p->b, run, p->pairs + firstOf(item), endOf(p, item) - firstOf(item), p->s);
+    mst_collideRun(p->b, run, p->pairs + firstPairOf(item), endPairOf(p, item) - firstPairOf(item), p->s);
 }
 
-/* Pairs for whose contacts the run had no room are taken as without workers. */
-static void MEAPI commit(void *context, int item, int worker) {
-    const Piping *p = context;
+/* Commits a run; pairs that its contact buffer had no room for are collided and committed here. */
+static void MEAPI commitItem(void *context, int item, int worker) {
+    const PairPipeline *p = context;
     MstRun *run = &p->b->runsAhead[item % MST_AHEAD];
     (void)worker;
     mst_commitRun(p->b, run, p->s, p->w);
-    for (int i = firstOf(item) + run->pairCount; i < endOf(p, item);) {
-        i += mst_collideRun(p->b, &p->b->run, p->pairs + i, endOf(p, item) - i, p->s);
+    for (int i = firstPairOf(item) + run->pairCount; i < endPairOf(p, item);) {
+        i += mst_collideRun(p->b, &p->b->run, p->pairs + i, endPairOf(p, item) - i, p->s);
         mst_commitRun(p->b, &p->b->run, p->s, p->w);
     }
 }
 
-static MeBool areWorth(const MstBridgeRecord *b, const MeTeam *team, int count) {
+static MeBool areWorthWorkers(const MstBridgeRecord *b, const MeTeam *team, int count) {
     return team && b->substep == 0 && count >= MST_MIN_RUNS * MST_RUN;
 }
 
-/* Where there are more models than pairs, only the models of pairs are looked at. */
-void mst_lookByWorkers(MstBridgeRecord *b, int count, McdSpaceID s, MdtWorldID w) {
+/* If there are more models than pairs, only the models of pairs are stamped (countPlainPairs). */
+void mst_stampModelsByWorkers(MstBridgeRecord *b, int count, McdSpaceID s, MdtWorldID w) {
     MeTeam *team = w ? MdtWorldGetTeam(w) : 0;
     b->runsLooked = MAX_RUNS;
-    if (!areWorth(b, team, count) || count < McdSpaceGetModelCount(s))
+    if (!areWorthWorkers(b, team, count) || count < McdSpaceGetModelCount(s))
         return;
     MeTeamOpen(team);
     McdSpaceLookAtModels(s);
     MeTeamClose(team);
 }
 
-int mst_handleByWorkers(MstBridgeRecord *b, McdModelPair *const pairs[], int count, McdSpaceID s, MdtWorldID w) {
+int mst_handlePairsByWorkers(MstBridgeRecord *b, McdModelPair *const pairs[], int count, McdSpaceID s, MdtWorldID w) {
     MeTeam *team = w ? MdtWorldGetTeam(w) : 0;
-    if (!areWorth(b, team, count) || !makeRuns(b))
+    if (!areWorthWorkers(b, team, count) || !allocateRuns(b))
         return 0;
     MeTeamOpen(team);
-    Piping p = {b, pairs, countPlainPairs(team, b, pairs, count), s, w};
-    MeTeamPipe(team, runsOf(p.count), MST_AHEAD, collide, commit, &p);
+    PairPipeline p = {b, pairs, countPlainPairs(team, b, pairs, count), s, w};
+    MeTeamPipe(team, runCountOf(p.count), MST_AHEAD, collideItem, commitItem, &p);
     MeTeamClose(team);
     return p.count;
 }

@@ -1,10 +1,10 @@
-/* Events: beginning, persisting and ending touches, made of the step's touches (mst_touch.c) once it is done.
+/* Events: begin, persist and end of touches, made from the step's touches (mst_touch.c) once the step is done.
  *
- * Reads the touches that are listed, and the forces of their contacts, which say which of them touch. Writes whether
- * they do, what only events need of them, and the list of events; calls the program's callbacks of touches.
+ * Reads the listed touches, and the forces of their contacts, which decide which of them touch. Writes whether they
+ * touch, the members of touches that only events need, and the list of events; calls the program's touch callbacks.
  *
- * The list of events is made when a program reads it, has a callback, or destroys an object that it names. If it has
- * not been made when the next step begins, only whether each pair touches is kept: most pairs go on touching. */
+ * The list of events is made when a program reads it, has a callback, or destroys an object in it. If it was not made
+ * before the next step begins, only whether each pair touches is stored, since most pairs continue to touch. */
 #include "MstEvents.h"
 #include "MdtBody.h"
 #include "MdtContact.h"
@@ -19,8 +19,8 @@
 
 /* ---- memory ---------------------------------------------------------------------------------------------------- */
 
-/* Room for one more. False, after MeFatalError: no memory, and the list is unchanged. */
-static MeBool hasRoom(MstEventList *list) {
+/* Makes room for one more event. False, after MeFatalError: no memory, and the list is unchanged. */
+static MeBool growEventList(MstEventList *list) {
     const size_t count = (size_t)list->count, more = count ? 2 * count : 64;
     if (list->count < list->max)
         return METRUE;
@@ -32,7 +32,7 @@ static MeBool hasRoom(MstEventList *list) {
 }
 
 static void addEvent(MstEventList *list, const MstEvent *event, const MeU64 serial[2]) {
-    if (!hasRoom(list))
+    if (!growEventList(list))
         return;
     list->event[list->count] = *event;
     memcpy(list->serial[list->count++], serial, sizeof *list->serial);
@@ -45,7 +45,7 @@ static void freeList(MstEventList *list) {
 
 /* ---- one event --------------------------------------------------------------------------------------------------- */
 
-static MstEvent eventOf(const MstTouch *t, MstEventKind kind) {
+static MstEvent makeEvent(const MstTouch *t, MstEventKind kind) {
     MstEvent event;
     memset(&event, 0, sizeof event);
     event.kind = kind;
@@ -64,38 +64,39 @@ static MstEvent eventOf(const MstTouch *t, MstEventKind kind) {
 }
 
 static void addTouchEvent(MstEventList *list, const MstTouch *t, MstEventKind kind) {
-    const MstEvent event = eventOf(t, kind);
+    const MstEvent event = makeEvent(t, kind);
     const MeU64 serial[2] = {t->model[0].serial, t->model[1].serial};
     addEvent(list, &event, serial);
 }
 
 void mst_eventsTerm(MstBridgeRecord *b) {
     MstEvents *e = &b->events;
-    mst_touchesTerm(e);
+    mst_freeTouches(e);
     freeList(&e->done);
     freeList(&e->ended);
 }
 
 /* ---- after the step -------------------------------------------------------------------------------------------- */
 
-/* No touch is of this step any more. */
-static void clearList(MstEvents *e) {
+/* Empties the list of this step's touches. */
+static void clearListedTouches(MstEvents *e) {
     e->listedCount = e->undecidedCount = 0;
     e->list++;
 }
 
-/* The contacts' separations and places. Of a pair that did not touch they were noted before the solve. */
-static void noteContacts(MstTouch *t) {
+/* Updates separation and place from the contacts after the step. For pairs that did not touch, this was done before the
+ * solve. */
+static void noteContactsAfterStep(MstTouch *t) {
     const MdtContactGroupID group = t->pair->responseData;
     if (group && t->wasTouching && !t->isSensor)
         mst_touchNoteGroup(t, group);
 }
 
-/* Adds the contacts' impulse since the last time; returns for how long they acted, s. */
+/* Adds the contacts' impulse since the last call for this touch; returns the time for which they acted, s. */
 static MeReal addImpulse(MstTouch *t) {
     const MdtContactGroupID group = t->pair->responseData;
     const MeReal before = t->lag;
-    t->lag = mst_lagOfPair(t->pair);
+    t->lag = mst_pairLag(t->pair);
     if (!group || MdtContactGroupGetCount(group) == 0 || !(t->lag < before))
         return 0;
     const MeReal time = MdtBodyGetPart(MdtContactGroupGetBody(group, 0));
@@ -103,8 +104,9 @@ static MeReal addImpulse(MstTouch *t) {
     return time;
 }
 
-/* The touch is where the largest impulse is, of contacts that acted for so long. */
-static void findLargest(MstTouch *t, MeReal time) {
+/* Sets place and normal of the touch to those of the contact with the largest impulse; the contacts acted for `time`
+ * s. */
+static void findLargestImpulse(MstTouch *t, MeReal time) {
     const MdtContactGroupID group = t->pair->responseData;
     for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c)) {
         MeVector3 force, normal;
@@ -119,22 +121,22 @@ static void findLargest(MstTouch *t, MeReal time) {
     }
 }
 
-/* What the contacts did since the last time. */
-static void gather(MstTouch *t) {
-    noteContacts(t);
+/* Updates a touch with its contacts' impulses since the last call. */
+static void gatherTouch(MstTouch *t) {
+    noteContactsAfterStep(t);
     const MeReal time = addImpulse(t);
     if (time > 0)
-        findLargest(t, time);
+        findLargestImpulse(t, time);
 }
 
 void mst_eventsGather(MstBridgeRecord *b) {
     for (int i = 0; i < b->events.listedCount; i++)
         if (b->events.listed[i])
-            gather(b->events.listed[i]);
+            gatherTouch(b->events.listed[i]);
 }
 
 static void reportChange(MstEvents *e, MstTouch *t) {
-    const MeBool was = t->wasTouching, is = mst_touchTouches(t);
+    const MeBool was = t->wasTouching, is = mst_touchEvaluate(t);
     t->isTouching = is;
     if (is)
         addTouchEvent(&e->done, t, was ? MstEventPersist : MstEventBegin);
@@ -142,7 +144,7 @@ static void reportChange(MstEvents *e, MstTouch *t) {
         addTouchEvent(&e->done, t, MstEventEnd);
 }
 
-static void removeEnded(MstEvents *e) {
+static void reportEnded(MstEvents *e) {
     for (int i = 0; i < e->ended.count; i++)
         addEvent(&e->done, &e->ended.event[i], e->ended.serial[i]);
     e->ended.count = 0;
@@ -163,22 +165,22 @@ static void reportBreaks(MstEvents *e, MdtWorldID w) {
     }
 }
 
-static McdModelID ifAlive(McdModelID m, MeU64 serial) {
+static McdModelID liveModelOrNull(McdModelID m, MeU64 serial) {
     return McdModelGetSerial(m) == serial ? m : 0;
 }
 
-/* Nulls what was destroyed since. Breaks come last, in the order of the world's list. */
+/* Nulls an event's models and joint if destroyed. Breaks are the last events, in the order of the world's list. */
 static void refreshEvent(MstEvents *e, int i) {
     MstEvent *event = &e->done.event[i];
     if (event->kind == MstEventBreak) {
         event->joint = MdtWorldGetBrokenJoints(e->world, 0)[i - e->firstBreak];
         return;
     }
-    event->model1 = ifAlive(event->model1, e->done.serial[i][0]);
-    event->model2 = ifAlive(event->model2, e->done.serial[i][1]);
+    event->model1 = liveModelOrNull(event->model1, e->done.serial[i][0]);
+    event->model2 = liveModelOrNull(event->model2, e->done.serial[i][1]);
 }
 
-static void callBack(MstBridgeRecord *b) {
+static void callTouchCallbacks(MstBridgeRecord *b) {
     const MeProgramCall before = MeProgramEnter("MstBridgeSetTouchCB");
     for (int i = 0; i < b->events.firstBreak; i++) {
         refreshEvent(&b->events, i);
@@ -190,8 +192,8 @@ static void callBack(MstBridgeRecord *b) {
     MeProgramLeave(&before);
 }
 
-/* Makes the list of the step that is done, unless there is one, or its world is gone. */
-static void makeList(MstBridgeRecord *b) {
+/* Makes the list of events of the last step, unless it exists or its world was destroyed. */
+static void makeEventList(MstBridgeRecord *b) {
     MstEvents *e = &b->events;
     const MeBool isToDo = e->isPending && MdtWorldIsValid(e->world);
     e->isPending = MEFALSE;
@@ -199,11 +201,11 @@ static void makeList(MstBridgeRecord *b) {
         return;
     MEVALIDATE(mst_touchesAreConsistent(e));
     mst_eventsGather(b);
-    removeEnded(e);
+    reportEnded(e);
     for (int i = 0; i < e->listedCount; i++)
         if (e->listed[i])
             reportChange(e, e->listed[i]);
-    clearList(e);
+    clearListedTouches(e);
     reportBreaks(e, e->world);
 }
 
@@ -211,19 +213,18 @@ void MEAPI mst_touchForget(McdModelPair *p) {
     MstTouch *t = p->touch;
     if (!t)
         return;
-    makeList(t->bridge);
+    makeEventList(t->bridge);
     MEASSERT(t->pair == p);
     p->touch = 0;
     if (mst_touchIsTouching(&t->bridge->events, t))
         addTouchEvent(&t->bridge->events.ended, t, MstEventEnd);
     if (mst_touchIsListed(&t->bridge->events, t))
         mst_touchUnlist(t);
-    mst_touchGive(t);
+    mst_touchFree(t);
 }
 
-/* Asks for the memory of touches that follow: of each, of its pair and of its contacts, as each says where the next
- * is. */
-static void prefetchSettled(MstTouch *const touches[], int i, int end) {
+/* Prefetches following touches, their pairs and their contacts, each at the distance at which its address is known. */
+static void prefetchTouches(MstTouch *const touches[], int i, int end) {
     enum { AHEAD = 4 };
     if (i + 3 * AHEAD < end)
         me_prefetch(touches[i + 3 * AHEAD], 2 * ME_CACHE_LINE);
@@ -233,31 +234,31 @@ static void prefetchSettled(MstTouch *const touches[], int i, int end) {
         me_prefetch(touches[i + AHEAD]->pair->responseData, MST_GROUP);
 }
 
-/* The rule for order (MeTeam.h): each touch is in the list once, and a range writes to its own alone. */
-static void MEAPI settleRange(void *context, int first, int end, int worker) {
+/* Determinism (MeTeam.h): each touch is in the list once, and a range writes only to its own touches. */
+static void MEAPI settleTouches(void *context, int first, int end, int worker) {
     const MstEvents *e = context;
     (void)worker;
     for (int i = first; i < end; i++) {
         MstTouch *t = e->undecided[i];
-        prefetchSettled(e->undecided, i, end);
+        prefetchTouches(e->undecided, i, end);
         if (!t)
             continue;
-        noteContacts(t);
+        noteContactsAfterStep(t);
         addImpulse(t);
-        t->isTouching = mst_touchTouches(t);
+        t->isTouching = mst_touchEvaluate(t);
     }
 }
 
-/* No list of events was made: only whether each pair touches is kept, which is known but of the undecided ones. */
-static void skipList(MstBridgeRecord *b, MeTeam *team) {
+/* The list of events was not made: computes only whether the undecided pairs touch. */
+static void settleWithoutEvents(MstBridgeRecord *b, MeTeam *team) {
     MstEvents *e = &b->events;
     MeTeam *workers = e->undecidedCount >= MST_MIN_RUNS * MST_RUN ? team : 0;
     if (MdtWorldIsValid(e->world)) {
         MeTeamOpen(workers);
-        MeTeamRunRanges(workers, e->undecidedCount, MST_RUN, settleRange, e);
+        MeTeamRunRanges(workers, e->undecidedCount, MST_RUN, settleTouches, e);
         MeTeamClose(workers);
     }
-    clearList(e);
+    clearListedTouches(e);
     e->ended.count = 0;
     e->isPending = MEFALSE;
 }
@@ -267,8 +268,8 @@ void mst_updateEvents(MstBridgeRecord *record, MdtWorldID w) {
     record->events.world = w;
     record->events.isPending = METRUE;
     if (record->events.callbacks > 0) {
-        makeList(record);
-        callBack(record);
+        makeEventList(record);
+        callTouchCallbacks(record);
     }
 }
 
@@ -283,14 +284,14 @@ void MEAPI MstBridgeUpdateEvents(const MstBridgeID b, const MdtWorldID w) {
 
 void mst_eventsBegin(MstBridgeRecord *b, MeTeam *team) {
     if (b->events.isPending)
-        skipList(b, team);
-    clearList(&b->events);
+        settleWithoutEvents(b, team);
+    clearListedTouches(&b->events);
 }
 
 const MstEvent *MEAPI MstBridgeGetEvents(const MstBridgeID b, int *count) {
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeGetEvents");
     if (record)
-        makeList(record);
+        makeEventList(record);
     if (count)
         *count = record ? record->events.done.count : 0;
     if (!record)
@@ -302,16 +303,16 @@ const MstEvent *MEAPI MstBridgeGetEvents(const MstBridgeID b, int *count) {
 
 /* ---- pairs ---- */
 
-void mst_groupDestroy(McdModelPair *p) {
+void mst_destroyGroup(McdModelPair *p) {
     if (p->responseData)
         MdtContactGroupDestroy((MdtContactGroupID)p->responseData);
-    MEASSERT(!p->responseData); /* the group has cleared it */
+    MEASSERT(!p->responseData); /* cleared by the group's destruction */
 }
 
 void MEAPI mst_pairForget(McdModelPair *p) {
-    if (!MdtConstraintIsValid(p->responseData)) /* it may have gone with its world */
+    if (!MdtConstraintIsValid(p->responseData)) /* the group may have been destroyed with its world */
         p->responseData = 0;
-    mst_touchForget(p); /* while its forces can be read */
-    mst_groupDestroy(p);
+    mst_touchForget(p); /* before the contacts, whose forces it reads */
+    mst_destroyGroup(p);
     p->forget = 0;
 }

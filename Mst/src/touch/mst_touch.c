@@ -1,9 +1,10 @@
 /* Touches: the bridge's records of pairs, kept from step to step and updated as their contacts are committed.
  *
- * A pair has a touch from its first contact until the space takes the pair back. Those of pairs that were looked at in
- * a step, and have or had contacts, are listed, in the order of the pairs; events are made of that list (MstEvents.c).
+ * A pair has a touch from its first contact until the space releases the pair. In each step, the touches of pairs that
+ * were handled and have or had contacts are listed in the order of the pairs; events are made from that list
+ * (MstEvents.c).
  *
- * Reads models, the motion of bodies, contacts. Writes touches, the list, and the pair's pointers to its touch.
+ * Reads models, the motion of bodies, contacts. Writes touches, the list, and the pairs' pointers to their touches.
  */
 #include "McdModel.h"
 #include "MdtBody.h"
@@ -19,8 +20,8 @@ static int sizeOfBlock(int block) {
     return MST_TOUCH_BLOCK << block;
 }
 
-/* Without memory, there are no free ones after it either. */
-static void addBlock(MstEvents *e) {
+/* Adds a block of free touches. Without memory, the free list remains empty. */
+static void addTouchBlock(MstEvents *e) {
     const int size = sizeOfBlock(e->blockCount);
     MstTouch *touch = e->blockCount == MST_TOUCH_BLOCKS
                           ? 0
@@ -30,7 +31,7 @@ static void addBlock(MstEvents *e) {
         return;
     memset(touch, 0, (size_t)size * sizeof *touch);
     e->block[e->blockCount++] = touch;
-    for (int i = size - 1; i >= 0; i--) { /* taken as they lie in memory */
+    for (int i = size - 1; i >= 0; i--) { /* so that they are allocated in the order of addresses */
         touch[i].nextFree = e->free;
         e->free = &touch[i];
     }
@@ -39,7 +40,7 @@ static void addBlock(MstEvents *e) {
 static MstTouch *allocateTouch(MstBridgeRecord *b) {
     MstEvents *e = &b->events;
     if (!e->free)
-        addBlock(e);
+        addTouchBlock(e);
     MstTouch *t = e->free;
     if (!t)
         return 0;
@@ -50,7 +51,7 @@ static MstTouch *allocateTouch(MstBridgeRecord *b) {
     return t;
 }
 
-void mst_touchGive(MstTouch *t) {
+void mst_touchFree(MstTouch *t) {
     MstEvents *e = &t->bridge->events;
     MEASSERT(t->pair && !t->pair->touch);
     memset(t, 0, sizeof *t);
@@ -58,7 +59,7 @@ void mst_touchGive(MstTouch *t) {
     e->free = t;
 }
 
-void mst_touchesTerm(MstEvents *e) {
+void mst_freeTouches(MstEvents *e) {
     for (int k = 0; k < e->blockCount; k++) {
         for (int i = 0; i < sizeOfBlock(k); i++)
             if (e->block[k][i].pair)
@@ -69,7 +70,7 @@ void mst_touchesTerm(MstEvents *e) {
     MeMemoryGive(e->undecided);
 }
 
-/* The touch of a pair; null if it has none and there is no memory. */
+/* The touch of a pair, allocated if needed; null without memory. */
 static MstTouch *ensureTouch(MstBridgeRecord *b, McdModelPair *p) {
     const McdModelID model[2] = {p->model1, p->model2};
     MstTouch *t = p->touch ? p->touch : allocateTouch(b);
@@ -87,8 +88,8 @@ static MstTouch *ensureTouch(MstBridgeRecord *b, McdModelPair *p) {
 
 /* ---- the list of the step ---------------------------------------------------------------------------------------- */
 
-/* False, after MeFatalError: there is no memory, and the list is as it was. */
-static MeBool addTo(MstTouch ***list, int *count, int *max, MstTouch *t) {
+/* Appends a touch to a list. False, after MeFatalError: no memory, and the list is unchanged. */
+static MeBool appendTouch(MstTouch ***list, int *count, int *max, MstTouch *t) {
     if (*count == *max) {
         const int more = *max ? 2 * *max : 64;
         if (!MeMemoryGrow(list, (size_t)*count, (size_t)more, sizeof **list, "MstBridgeUpdateContacts", "what touches"))
@@ -99,8 +100,8 @@ static MeBool addTo(MstTouch ***list, int *count, int *max, MstTouch *t) {
     return METRUE;
 }
 
-/* As if it had not been looked at. */
-static void unlist(MstTouch *t) {
+/* Resets a touch to its state before this step. */
+static void markUnlisted(MstTouch *t) {
     t->listedIn = 0;
     t->isTouching = t->wasTouching;
     t->isUndecided = false;
@@ -108,13 +109,13 @@ static void unlist(MstTouch *t) {
 
 void mst_touchList(MstEvents *e, MstTouch *t, MeBool isUndecided) {
     MEASSERT(mst_touchIsListed(e, t) && !isUndecided == !t->isUndecided);
-    if (!addTo(&e->listed, &e->listedCount, &e->listedMax, t))
-        unlist(t);
-    else if (isUndecided && !addTo(&e->undecided, &e->undecidedCount, &e->undecidedMax, t))
+    if (!appendTouch(&e->listed, &e->listedCount, &e->listedMax, t))
+        markUnlisted(t);
+    else if (isUndecided && !appendTouch(&e->undecided, &e->undecidedCount, &e->undecidedMax, t))
         t->isUndecided = false;
 }
 
-static void removeFrom(MstTouch **list, int count, const MstTouch *t) {
+static void nullEntry(MstTouch **list, int count, const MstTouch *t) {
     for (int i = 0; i < count; i++)
         if (list[i] == t)
             list[i] = 0;
@@ -122,9 +123,9 @@ static void removeFrom(MstTouch **list, int count, const MstTouch *t) {
 
 void mst_touchUnlist(MstTouch *t) {
     MstEvents *e = &t->bridge->events;
-    removeFrom(e->listed, e->listedCount, t);
-    removeFrom(e->undecided, e->undecidedCount, t);
-    unlist(t);
+    nullEntry(e->listed, e->listedCount, t);
+    nullEntry(e->undecided, e->undecidedCount, t);
+    markUnlisted(t);
 }
 
 MeBool mst_touchesAreConsistent(const MstEvents *e) {
@@ -144,7 +145,7 @@ MeBool mst_touchesAreConsistent(const MstEvents *e) {
     return listed == 0 && undecided == 0 && e->done.count <= e->done.max && e->ended.count <= e->ended.max;
 }
 
-MeReal mst_lagOfPair(const McdModelPair *p) {
+MeReal mst_pairLag(const McdModelPair *p) {
     const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
     const MeReal lag1 = body1 ? MdtBodyGetLag(body1) : 0, lag2 = body2 ? MdtBodyGetLag(body2) : 0;
     return MeMAX(lag1, lag2);
@@ -152,38 +153,38 @@ MeReal mst_lagOfPair(const McdModelPair *p) {
 
 /* ---- whether it touches ------------------------------------------------------------------------------------------ */
 
-MeBool mst_touchTouches(const MstTouch *t) {
+MeBool mst_touchEvaluate(const MstTouch *t) {
     if (!t->hasContacts)
         return MEFALSE;
     return t->impulse > 0 || t->separation <= 0 || (t->wasTouching && !t->isSensor && t->separation <= t->tolerance);
 }
 
-/* After something has been noted. It is undecided once its forces make a difference: then it may be wrong without
- * them. */
-static void decide(MstTouch *t) {
+/* Evaluates a touch after an update. It is undecided if, without contact forces, it does not touch, as forces may
+ * change that. */
+static void evaluateTouch(MstTouch *t) {
     const MeBool isDecided = !t->hasContacts || t->isSensor || t->separation <= (t->wasTouching ? t->tolerance : 0);
-    t->isTouching = mst_touchTouches(t);
+    t->isTouching = mst_touchEvaluate(t);
     t->isUndecided = t->isUndecided || !isDecided;
 }
 
-/* The same of one that is in this step's list already. */
-static void decideListed(MstTouch *t) {
+/* evaluateTouch for a touch that is in this step's list already. */
+static void evaluateListedTouch(MstTouch *t) {
     MstEvents *e = &t->bridge->events;
     const MeBool wasUndecided = t->isUndecided;
-    decide(t);
-    if (t->isUndecided && !wasUndecided && !addTo(&e->undecided, &e->undecidedCount, &e->undecidedMax, t))
+    evaluateTouch(t);
+    if (t->isUndecided && !wasUndecided && !appendTouch(&e->undecided, &e->undecidedCount, &e->undecidedMax, t))
         t->isUndecided = false;
 }
 
 /* ---- the touch of a step ----------------------------------------------------------------------------------------- */
 
-/* Begins the touch of this step: no contact has been added to its sums yet. */
+/* Begins a touch's data of this step, with empty sums over its contacts. */
 static void beginTouch(const MstBridgeRecord *b, const McdModelPair *p, MeBool hasContacts, MeBool isSensor) {
     MstTouch *t = p->touch;
     t->wasTouching = mst_touchIsTouching(&b->events, t);
     t->listedIn = b->events.list;
     t->isUndecided = false;
-    t->lag = b->substep == 0 ? MEINFINITY : mst_lagOfPair(p);
+    t->lag = b->substep == 0 ? MEINFINITY : mst_pairLag(p);
     t->hasContacts = hasContacts;
     t->isSensor = isSensor;
     t->material[0] = McdModelGetMaterial(p->model1);
@@ -193,16 +194,17 @@ static void beginTouch(const MstBridgeRecord *b, const McdModelPair *p, MeBool h
     t->approachSpeed = t->impulse = t->largestImpulse = 0;
 }
 
-/* The touch of a pair that was looked at, listed for this step; null where there is nothing to note. */
+/* The touch of a handled pair, listed for this step; null if it has no contacts and had none, or without memory. */
 static MstTouch *listedTouch(MstBridgeRecord *b, McdModelPair *p, MeBool hasContacts, MeBool isSensor) {
-    const MeBool isSpaces = p->phase != kMcdFFStateInactive; /* a program's own pair may go at any time, unnoticed */
+    const MeBool isSpaces = p->phase != kMcdFFStateInactive; /* a program's own pair may be destroyed at any time,
+                                                                unnoticed */
     MstTouch *t = isSpaces && (hasContacts || p->touch) ? ensureTouch(b, p) : 0;
-    if (!t || mst_touchIsListed(&b->events, t)) { /* in a later part of the step */
+    if (!t || mst_touchIsListed(&b->events, t)) { /* listed in an earlier sub-step */
         if (t)
             t->hasContacts = t->hasContacts || hasContacts;
         return t;
     }
-    if (!addTo(&b->events.listed, &b->events.listedCount, &b->events.listedMax, t))
+    if (!appendTouch(&b->events.listed, &b->events.listedCount, &b->events.listedMax, t))
         return 0;
     beginTouch(b, p, hasContacts, isSensor);
     return t;
@@ -210,7 +212,7 @@ static MstTouch *listedTouch(MstBridgeRecord *b, McdModelPair *p, MeBool hasCont
 
 /* ---- its contacts ------------------------------------------------------------------------------------------------ */
 
-static void velocityAt(McdModelID m, MeVector3 point, MeVector3 velocity) {
+static void surfaceVelocityAt(McdModelID m, MeVector3 point, MeVector3 velocity) {
     const MdtBodyID body = mst_bodyOf(m);
     const MeReal *linear = McdModelGetLinearVelocityPtr(m);
     MeVector3Set(velocity, 0, 0, 0);
@@ -220,15 +222,15 @@ static void velocityAt(McdModelID m, MeVector3 point, MeVector3 velocity) {
         MeVector3Copy(velocity, linear);
 }
 
-MeReal mst_approachAt(const McdModelPair *p, MeVector3 point, const MeVector3 normal) {
+MeReal mst_approachSpeedAt(const McdModelPair *p, MeVector3 point, const MeVector3 normal) {
     MeVector3 v1, v2;
-    velocityAt(p->model1, point, v1);
-    velocityAt(p->model2, point, v2);
+    surfaceVelocityAt(p->model1, point, v1);
+    surfaceVelocityAt(p->model2, point, v2);
     MeVector3Subtract(v1, v1, v2);
     return -MeVector3Dot(v1, normal);
 }
 
-/* The touch's position is that of the deepest contact, until forces tell the one with the largest impulse. */
+/* Adds a contact to the touch. Its position is that of the deepest contact, until impulses select another one. */
 static void noteContact(MstTouch *t, MeVector3 position, const MeVector3 normal, MeReal separation) {
     t->separation = MeMIN(t->separation, separation);
     if (separation < t->deepest) {
@@ -237,7 +239,7 @@ static void noteContact(MstTouch *t, MeVector3 position, const MeVector3 normal,
         MeVector3Copy(t->normal, normal);
     }
     if (!t->wasTouching)
-        t->approachSpeed = MeMAX(t->approachSpeed, mst_approachAt(t->pair, position, normal));
+        t->approachSpeed = MeMAX(t->approachSpeed, mst_approachSpeedAt(t->pair, position, normal));
 }
 
 void mst_normalOf(const McdModelPair *p, MdtContactID c, MeVector3 normal) {
@@ -255,7 +257,7 @@ void mst_touchNoteGroup(MstTouch *t, MdtContactGroupID group) {
     }
 }
 
-/* Of the contacts found, or of those that callbacks have left. */
+/* The least separation of the contacts found or, if callbacks have removed some, of the remaining ones. */
 static MeReal minSeparation(MdtContactGroupID group, int numContacts, int found, MeReal separation) {
     MeReal min = MEINFINITY;
     if (numContacts == found)
@@ -265,50 +267,51 @@ static MeReal minSeparation(MdtContactGroupID group, int numContacts, int found,
     return min;
 }
 
-static void noteAgain(MstTouch *t, MeReal separation) {
+static void noteUnchangedContacts(MstTouch *t, MeReal separation) {
     t->separation = MeMIN(t->separation, separation);
     if (!t->wasTouching)
         mst_touchNoteGroup(t, t->pair->responseData);
 }
 
-void mst_touchNoteAgain(MstBridgeRecord *b, McdModelPair *p) {
+void mst_touchNoteUnchanged(MstBridgeRecord *b, McdModelPair *p) {
     MstTouch *t = p->touch;
     const MeReal separation = t->separation;
     if (!listedTouch(b, p, METRUE, MEFALSE))
         return;
-    noteAgain(t, separation);
-    decideListed(t);
+    noteUnchangedContacts(t, separation);
+    evaluateListedTouch(t);
 }
 
-void mst_touchUpdateAgain(const MstBridgeRecord *b, const McdModelPair *p) {
+void mst_touchUpdateUnchanged(const MstBridgeRecord *b, const McdModelPair *p) {
     MstTouch *t = p->touch;
     const MeReal separation = t->separation;
     beginTouch(b, p, METRUE, MEFALSE);
-    noteAgain(t, separation);
-    decide(t);
+    noteUnchangedContacts(t, separation);
+    evaluateTouch(t);
 }
 
 static void noteFound(MstTouch *t, int numContacts, int found, MeReal separation) {
     const MdtContactGroupID group = t->pair->responseData;
-    if (!t->wasTouching) /* the approach speed can be measured before the solve only */
+    if (!t->wasTouching) /* the approach speed is known only before the solve */
         mst_touchNoteGroup(t, group);
     else
         t->separation = MeMIN(t->separation, minSeparation(group, numContacts, found, separation));
 }
 
-void mst_touchNote(MstBridgeRecord *b, McdModelPair *p, int numContacts, int found, MeReal separation) {
+void mst_touchNoteTested(MstBridgeRecord *b, McdModelPair *p, int numContacts, int found, MeReal separation) {
     MstTouch *t = listedTouch(b, p, numContacts > 0, MEFALSE);
     if (t && numContacts > 0)
         noteFound(t, numContacts, found, separation);
     if (t)
-        decideListed(t);
+        evaluateListedTouch(t);
 }
 
-void mst_touchUpdate(const MstBridgeRecord *b, const McdModelPair *p, int numContacts, int found, MeReal separation) {
+void mst_touchUpdateTested(const MstBridgeRecord *b, const McdModelPair *p, int numContacts, int found,
+                           MeReal separation) {
     beginTouch(b, p, numContacts > 0, MEFALSE);
     if (numContacts > 0)
         noteFound(p->touch, numContacts, found, separation);
-    decide(p->touch);
+    evaluateTouch(p->touch);
 }
 
 void mst_touchNoteSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result) {
@@ -317,5 +320,5 @@ void mst_touchNoteSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersect
         return;
     for (int i = 0; i < result->contactCount; i++)
         noteContact(t, result->contacts[i].position, result->contacts[i].normal, result->contacts[i].separation);
-    decideListed(t);
+    evaluateListedTouch(t);
 }

@@ -6,55 +6,62 @@
 
 /* ---- touches (mst_touch.c) --------------------------------------------------------------------------------------- */
 
-/* Was it looked at in this step? */
+/* Whether the touch is in the list of this step. */
 static inline MeBool mst_touchIsListed(const MstEvents *e, const MstTouch *t) {
     return t->listedIn == e->list;
 }
-/* Does it touch, as of the last step that is done? Nothing is written to all touches when a step begins. */
+/* Whether it touched at the end of the last finished step. Computed this way so that no pass over all touches is needed
+ * when a step begins. */
 static inline MeBool mst_touchIsTouching(const MstEvents *e, const MstTouch *t) {
     return mst_touchIsListed(e, t) ? t->wasTouching : t->isTouching;
 }
-/* From what is known of a touch, whether it touches. */
-MeBool mst_touchTouches(const MstTouch *t);
-/* The touch, about which something was noted, is one of this step's. */
+/* Whether the pair touches, by the contacts and the impulse known so far. */
+MeBool mst_touchEvaluate(const MstTouch *t);
+/* Appends a touch that was updated for this step to the lists. */
 void mst_touchList(MstEvents *e, MstTouch *t, MeBool isUndecided);
-/* As mst_touchNote and mst_touchNoteAgain, for a pair that has a touch that is not listed yet. */
-void mst_touchUpdate(const MstBridgeRecord *b, const McdModelPair *p, int numContacts, int found, MeReal separation);
-void mst_touchUpdateAgain(const MstBridgeRecord *b, const McdModelPair *p);
-/* A pair was tested, and its group holds so many contacts now; the least separation of those found. */
-void mst_touchNote(MstBridgeRecord *b, McdModelPair *p, int numContacts, int found, MeReal separation);
-/* The pair is unchanged since its touch was last noted. */
-void mst_touchNoteAgain(MstBridgeRecord *b, McdModelPair *p);
+/* The same as mst_touchNoteTested and mst_touchNoteUnchanged for an existing touch that is not listed yet, without
+ * appending it to lists: may run in any thread. */
+void mst_touchUpdateTested(const MstBridgeRecord *b, const McdModelPair *p, int numContacts, int found,
+                           MeReal separation);
+void mst_touchUpdateUnchanged(const MstBridgeRecord *b, const McdModelPair *p);
+/* Updates the touch of a pair that was tested, and whose group now has numContacts contacts; `separation` is the least
+ * one of the `found` contacts. */
+void mst_touchNoteTested(MstBridgeRecord *b, McdModelPair *p, int numContacts, int found, MeReal separation);
+/* Updates the touch of a pair whose contacts remain as they are. */
+void mst_touchNoteUnchanged(MstBridgeRecord *b, McdModelPair *p);
+/* Updates the touch of a pair with a sensor from its collision contacts. */
 void mst_touchNoteSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result);
-/* Notes the contacts of a group. */
+/* Updates the touch's separation, place and approach speed from the contacts of a group. */
 void mst_touchNoteGroup(MstTouch *t, MdtContactGroupID group);
-/* The touch is no longer among those of this step; it is free. */
+/* Removes a touch from the lists of this step. */
 void mst_touchUnlist(MstTouch *t);
-void mst_touchGive(MstTouch *t);
-/* Check: do touches and pairs refer to each other, and does the list hold exactly those marked as listed? */
+/* Returns a touch without a pair to the free list. */
+void mst_touchFree(MstTouch *t);
+/* For assertions: touches and pairs refer to each other, and the lists have exactly the touches marked as listed. */
 MeBool mst_touchesAreConsistent(const MstEvents *e);
-/* Returns their memory. Pairs know of none any more. */
-void mst_touchesTerm(MstEvents *e);
-/* s, by which the pair's bodies are behind their world: those that are tied move together. */
-MeReal mst_lagOfPair(const McdModelPair *p);
-/* m/s: the approach speed of the models at a point, along the normal, which pushes the first one. */
-MeReal mst_approachAt(const McdModelPair *p, MeVector3 point, const MeVector3 normal);
-/* A contact's normal as it pushes the first model, whichever body its group has first. */
+/* Frees the memory of all touches, and clears the pairs' pointers to them. */
+void mst_freeTouches(MstEvents *e);
+/* s, the lag of the pair's bodies behind their world; bodies joined by a pair have the same lag. */
+MeReal mst_pairLag(const McdModelPair *p);
+/* m/s: the closing speed of the models at a point; the normal is the direction in which the first model is pushed. */
+MeReal mst_approachSpeedAt(const McdModelPair *p, MeVector3 point, const MeVector3 normal);
+/* Contact normal in the direction in which the first model is pushed, whichever body is first in its group. */
 void mst_normalOf(const McdModelPair *p, MdtContactID c, MeVector3 normal);
 
 /* ---- events (MstEvents.c) ---------------------------------------------------------------------------------------- */
 
-/* A step begins: the workers mark the touches of the last one as such. */
+/* Begins a step: settles the touches of the last one, by the workers, if its list of events was never made. */
 void mst_eventsBegin(MstBridgeRecord *b, MeTeam *team);
-/* Adds what contacts did in the part of the step just done. */
+/* Adds the contact impulses of the sub-step just done to the listed touches. */
 void mst_eventsGather(MstBridgeRecord *b);
-/* Ends the touch of a pair that goes. */
+/* Ends and frees the touch of a pair that is removed. */
 void MEAPI mst_touchForget(McdModelPair *p);
 void mst_eventsTerm(MstBridgeRecord *b);
-/* MstBridgeUpdateEvents, by who holds the bridge. */
+/* MstBridgeUpdateEvents without its checks. */
 void mst_updateEvents(MstBridgeRecord *b, MdtWorldID w);
-/* Destroys the contacts of a pair; the same as the space releases it. */
-void mst_groupDestroy(McdModelPair *p);
+/* mst_destroyGroup: destroys the contacts of a pair; mst_pairForget: its touch as well, when the space releases the
+ * pair. */
+void mst_destroyGroup(McdModelPair *p);
 void MEAPI mst_pairForget(McdModelPair *p);
 
 #endif

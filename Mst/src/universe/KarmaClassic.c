@@ -1,4 +1,4 @@
-/* The default framework, for programs written for interfaces without frameworks. */
+/* The process' framework, for programs written for Karma 1.0 and 1.1, which had no frameworks. */
 #include "KarmaClassic.h"
 
 static McdFrameworkID classicFrame;

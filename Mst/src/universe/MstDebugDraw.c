@@ -1,4 +1,4 @@
-/* Draws what a simulation is made of, by a program's table of functions: models, then contacts, joints and bodies. */
+/* Debug drawing of a universe by the program's table of functions: models, then contacts, joints and bodies. */
 #include "MstDebugDraw.h"
 #include "Mcd.h"
 #include "McduDebugDraw.h"
@@ -13,27 +13,27 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Common arguments of the functions here. */
+/* Common arguments of the drawing functions. */
 typedef struct Drawing {
     const MstDebugDraw *to;
     unsigned int layers;
     MeReal length;
-    const char *function; /* that draws */
+    const char *function; /* name of the public function, for messages */
 } Drawing;
 
 static const float white[4] = {.92f, .93f, .95f, 1}, grey[4] = {.55f, .57f, .60f, 1}, red[4] = {.90f, .25f, .20f, 1},
                    green[4] = {.25f, .75f, .35f, 1}, blue[4] = {.30f, .50f, .95f, 1}, orange[4] = {.95f, .60f, .15f, 1},
                    yellow[4] = {.98f, .90f, .25f, 1}, cyan[4] = {.35f, .85f, .90f, 1},
-                   glass[4] = {.98f, .90f, .25f, .3f};
+                   translucent[4] = {.98f, .90f, .25f, .3f};
 
 static MeBool isDrawn(const Drawing *d, unsigned int layers) {
     return (d->layers & layers) != 0;
 }
 
-/* ---- what the table is asked for --------------------------------------------------------------------------------- */
+/* ---- calls of the program's functions ---------------------------------------------------------------------------- */
 
-/* Calls one of its functions, which may change nothing, if there is one. */
-#define CALL(d, member, ...)                                                                                           \
+/* Calls a function of the program's table unless it is null. The function may change nothing. */
+#define CALL_PROGRAM(d, member, ...)                                                                                   \
     do {                                                                                                               \
         if ((d)->to->member) {                                                                                         \
             const MeProgramCall before = MeProgramEnterQuiet((d)->function);                                           \
@@ -43,32 +43,32 @@ static MeBool isDrawn(const Drawing *d, unsigned int layers) {
     } while (0)
 
 static void line(const Drawing *d, const MeVector3 a, const MeVector3 b, const float color[4]) {
-    CALL(d, line, a, b, color);
+    CALL_PROGRAM(d, line, a, b, color);
 }
 
 static void point(const Drawing *d, const MeVector3 p, const float color[4]) {
-    CALL(d, point, p, color);
+    CALL_PROGRAM(d, point, p, color);
 }
 
 static void triangle(const Drawing *d, const MeVector3 a, const MeVector3 b, const MeVector3 c, const float color[4]) {
-    CALL(d, triangle, a, b, c, color);
+    CALL_PROGRAM(d, triangle, a, b, c, color);
 }
 
 static void text(const Drawing *d, const MeVector3 p, const char *words, const float color[4]) {
-    CALL(d, text, p, words, color);
+    CALL_PROGRAM(d, text, p, words, color);
 }
 
-/* From a point along a vector. Returns the end. */
-static void lineAlong(const Drawing *d, const MeVector3 from, const MeVector3 v, MeReal times, const float color[4],
-                      MeVector3 end) {
+/* Draws a line from a point along `times` v, and returns its end. */
+static void drawLineAlong(const Drawing *d, const MeVector3 from, const MeVector3 v, MeReal times, const float color[4],
+                          MeVector3 end) {
     MeVector3ScaleAndAdd(end, v, times, from);
     line(d, from, end, color);
 }
 
-/* A line with a head of two strokes. */
-static void arrow(const Drawing *d, const MeVector3 from, const MeVector3 v, MeReal times, const float color[4]) {
+/* Draws a line from a point along `times` v, with a head of two strokes. */
+static void drawArrow(const Drawing *d, const MeVector3 from, const MeVector3 v, MeReal times, const float color[4]) {
     MeVector3 end, side, other, barb;
-    lineAlong(d, from, v, times, color, end);
+    drawLineAlong(d, from, v, times, color, end);
     MeVector3PlaneSpace(v, side, other);
     for (int i = -1; i <= 1; i += 2) {
         for (int k = 0; k < 3; k++)
@@ -79,19 +79,19 @@ static void arrow(const Drawing *d, const MeVector3 from, const MeVector3 v, MeR
 
 /* ---- models ------------------------------------------------------------------------------------------------------ */
 
-/* McdGeometryDebugDraw has one callback without context; this is the context of the present call. */
-static _Thread_local const Drawing *outlinesFor;
+/* The drawing of the present call: the line callback of McdGeometryDebugDraw has no context argument. */
+static _Thread_local const Drawing *outlineDrawing;
 
-static void MEAPI outlineLine(MeVector3 a, MeVector3 b, MeReal r, MeReal g, MeReal bl) {
+static void MEAPI drawOutlineLine(MeVector3 a, MeVector3 b, MeReal r, MeReal g, MeReal bl) {
     const float color[4] = {(float)r, (float)g, (float)bl, 1};
-    line(outlinesFor, a, b, color);
+    line(outlineDrawing, a, b, color);
 }
 
-static void outline(const Drawing *d, McdModelID m, McduDebugDrawFlags flags, const float color[4]) {
+static void drawOutline(const Drawing *d, McdModelID m, McduDebugDrawFlags flags, const float color[4]) {
     const MeReal c[3] = {(MeReal)color[0], (MeReal)color[1], (MeReal)color[2]};
     const MeDebugLineFuncPtr before = MeDebugDrawAPI.line;
-    outlinesFor = d;
-    MeDebugDrawAPI.line = outlineLine;
+    outlineDrawing = d;
+    MeDebugDrawAPI.line = drawOutlineLine;
     McduDebugDrawModel(m, flags, c);
     MeDebugDrawAPI.line = before;
 }
@@ -103,7 +103,8 @@ static const float *partitionColor(int partition) {
     return partition < 0 ? grey : colors[partition % 8];
 }
 
-/* At rest grey, kept cyan, fast blue, exact green, in parts orange, out of budget red. */
+/* By the partition's path in the last step: at rest grey, result kept cyan, fast solver blue, exact solver green,
+ * sub-steps orange, out of work budget red. */
 static const float *solverColor(MdtBodyID b) {
     static const float *const colors[] = {white, grey, cyan, blue, green, orange, orange, red};
     MdtReport report;
@@ -114,7 +115,7 @@ static const float *solverColor(MdtBodyID b) {
     return colors[report.way];
 }
 
-/* Null: no layer wants its outline. */
+/* The colour of a model's outline; null if no layer draws it. */
 static const float *outlineColor(const Drawing *d, MdtBodyID b) {
     if (b && isDrawn(d, MstDebugSolver))
         return solverColor(b);
@@ -144,9 +145,9 @@ static void drawModels(const Drawing *d, McdSpaceID s) {
     while (McdSpaceGetModel(s, &it, &m)) {
         const float *color = outlineColor(d, McdModelGetBody(m));
         if (color)
-            outline(d, m, kMcduDebugDrawDetail, color);
+            drawOutline(d, m, kMcduDebugDrawDetail, color);
         if (isDrawn(d, MstDebugBoxes) && McdModelGetGeometryType(m) != kMcdGeometryTypePlane)
-            outline(d, m, kMcduDebugDrawAABB, cyan);
+            drawOutline(d, m, kMcduDebugDrawAABB, cyan);
         if (isDrawn(d, MstDebugNames))
             nameModel(d, m, number);
         number++;
@@ -155,14 +156,14 @@ static void drawModels(const Drawing *d, McdSpaceID s) {
 
 /* ---- contacts ---------------------------------------------------------------------------------------------------- */
 
-/* Of a body's mass: the force that holds 1 kg up is as long as the one that holds up a ton. */
+/* Draws a contact's force divided by the body's mass: the weights of 1 kg and of 1000 kg have the same length. */
 static void drawForce(const Drawing *d, MdtConstraintID c, const MeVector3 at) {
     MeVector3 f;
     const unsigned int side = MdtConstraintGetBody(c, 0) ? 0 : 1;
     const MdtBodyID b = MdtConstraintGetBody(c, side);
     MdtConstraintGetForce(c, side, f);
     if (b && MeVector3MagnitudeSqr(f) > 0)
-        arrow(d, at, f, (MeReal)0.1 / MdtBodyGetMass(b), red);
+        drawArrow(d, at, f, (MeReal)0.1 / MdtBodyGetMass(b), red);
 }
 
 static void drawContact(const Drawing *d, MdtContactID c) {
@@ -171,7 +172,7 @@ static void drawContact(const Drawing *d, MdtContactID c) {
     MdtContactGetNormal(c, n);
     if (isDrawn(d, MstDebugContacts)) {
         point(d, p, MdtContactGetPenetration(c) > 0 ? red : yellow);
-        lineAlong(d, p, n, (MeReal)0.2 * d->length, yellow, end);
+        drawLineAlong(d, p, n, (MeReal)0.2 * d->length, yellow, end);
     }
     if (isDrawn(d, MstDebugForces))
         drawForce(d, MdtContactQuaConstraint(c), p);
@@ -199,8 +200,8 @@ static const char *jointName(MdtConstraintID c) {
                                                  : "joint";
 }
 
-/* v turned about a unit axis: Rodrigues. */
-static void turn(const MeVector3 v, const MeVector3 axis, MeReal angle, MeVector3 out) {
+/* out: v rotated about a unit axis (Rodrigues' formula). */
+static void rotateVector(const MeVector3 v, const MeVector3 axis, MeReal angle, MeVector3 out) {
     const MeReal cosine = MeCos(angle), sine = MeSin(angle), along = MeVector3Dot(axis, v) * (1 - cosine);
     MeVector3 cross;
     MeVector3Cross(cross, axis, v);
@@ -208,14 +209,14 @@ static void turn(const MeVector3 v, const MeVector3 axis, MeReal angle, MeVector
         out[i] = cosine * v[i] + sine * cross[i] + along * axis[i];
 }
 
-/* A part of a circle about a point, from a unit direction on, with a head where it ends. */
-static void arcArrow(const Drawing *d, const MeVector3 at, const MeVector3 axis, const MeVector3 from, MeReal radius,
-                     MeReal angle, const float color[4]) {
+/* Draws a circular arc about a point, from a unit direction on, with an arrow head at its end. */
+static void drawArcArrow(const Drawing *d, const MeVector3 at, const MeVector3 axis, const MeVector3 from,
+                         MeReal radius, MeReal angle, const float color[4]) {
     enum { STEPS = 12 };
     const MeReal head = (angle < 0 ? -1 : 1) * (MeReal)0.25 * radius;
     MeVector3 edge, end, before, ahead, barb;
     for (int i = 0; i <= STEPS; i++) {
-        turn(from, axis, angle * (MeReal)i / STEPS, edge);
+        rotateVector(from, axis, angle * (MeReal)i / STEPS, edge);
         MeVector3ScaleAndAdd(end, edge, radius, at);
         if (i > 0)
             line(d, before, end, color);
@@ -229,7 +230,7 @@ static void arcArrow(const Drawing *d, const MeVector3 at, const MeVector3 axis,
     }
 }
 
-static void sayAngle(const Drawing *d, const MeVector3 at, MeReal angle) {
+static void drawAngleText(const Drawing *d, const MeVector3 at, MeReal angle) {
     char words[32];
     snprintf(words, sizeof words, "%.1f\xc2\xb0", (double)angle * 57.29577951308232);
     text(d, at, words, yellow);
@@ -239,9 +240,9 @@ static MeBool isMeasured(MdtLimitID limit) {
     return MdtLimitIsActive(limit) || MdtLimitIsMotorized(limit) || MdtLimitPositionIsCalculated(limit);
 }
 
-/* The sector between a hinge's stops, a needle that moves with the first body and is in the sector while the angle is
- * between them, and an arrow from where the angle is zero to the needle, less full turns. With the world in place of
- * the first body, all is seen from the second one: `side` is -1. Stops of ten turns and more are none. */
+/* Draws the sector between a hinge's stops, a needle that moves with the first body and is inside the sector while the
+ * angle is between the stops, and an arrow from angle zero to the needle, without full turns. `side` is -1 if the first
+ * body is the world: then the needle moves with the second one. Stops of ten turns and more are not drawn. */
 static void drawHinge(const Drawing *d, MdtHingeID hinge, const MeVector3 at, const MeVector3 axis,
                       const MeVector3 second, MeReal side) {
     enum { STEPS = 16, MAX_TURN = 63 };
@@ -250,27 +251,27 @@ static void drawHinge(const Drawing *d, MdtHingeID hinge, const MeVector3 at, co
         return;
     const MeReal angle = MdtLimitGetPosition(limit), radius = (MeReal)0.4 * d->length;
     MeVector3 edge, end, before;
-    lineAlong(d, at, second, radius, yellow, end);
-    sayAngle(d, end, angle);
-    turn(second, axis, -side * angle, edge);
-    lineAlong(d, at, edge, radius, orange, end);
-    arcArrow(d, at, axis, edge, (MeReal)0.75 * radius, side * (MeReal)fmod((double)angle, 2 * ME_PI), orange);
+    drawLineAlong(d, at, second, radius, yellow, end);
+    drawAngleText(d, end, angle);
+    rotateVector(second, axis, -side * angle, edge);
+    drawLineAlong(d, at, edge, radius, orange, end);
+    drawArcArrow(d, at, axis, edge, (MeReal)0.75 * radius, side * (MeReal)fmod((double)angle, 2 * ME_PI), orange);
     const MeReal low = side * (MdtSingleLimitGetStop(MdtLimitGetLowerLimit(limit)) - angle);
     const MeReal high = side * (MdtSingleLimitGetStop(MdtLimitGetUpperLimit(limit)) - angle);
     if (!MdtLimitIsActive(limit) || !(MeFabs(low) < MAX_TURN) || !(MeFabs(high) < MAX_TURN))
         return;
     for (int i = 0; i <= STEPS; i++) {
-        turn(second, axis, low + (high - low) * (MeReal)i / STEPS, edge);
+        rotateVector(second, axis, low + (high - low) * (MeReal)i / STEPS, edge);
         MeVector3ScaleAndAdd(end, edge, radius, at);
         if (i > 0) {
-            triangle(d, at, before, end, glass);
+            triangle(d, at, before, end, translucent);
             line(d, before, end, yellow);
         }
         MeVector3Copy(before, end);
     }
 }
 
-/* The track between a slider's stops, and an arrow from where its coordinate is zero to where it is. */
+/* Draws the track between a slider's stops, and an arrow from coordinate zero to the present one. */
 static void drawSlider(const Drawing *d, MdtPrismaticID slider, const MeVector3 at, const MeVector3 axis, MeReal side) {
     const MdtLimitID limit = MdtPrismaticGetLimit(slider);
     if (!isMeasured(limit))
@@ -284,7 +285,7 @@ static void drawSlider(const Drawing *d, MdtPrismaticID slider, const MeVector3 
     text(d, at, words, yellow);
     MeVector3ScaleAndAdd(a, axis, -side * now, at);
     if (now != 0)
-        arrow(d, a, axis, side * now, orange);
+        drawArrow(d, a, axis, side * now, orange);
     if (!MdtLimitIsActive(limit) || !(MeFabs(high - low) < (MeReal)1e6 * d->length))
         return;
     MeVector3ScaleAndAdd(a, axis, low, at);
@@ -294,7 +295,7 @@ static void drawSlider(const Drawing *d, MdtPrismaticID slider, const MeVector3 
     point(d, b, yellow);
 }
 
-/* The cone round the second body's axis, and the first body's axis in it. */
+/* Draws the cone about the second body's axis, and the first body's axis. */
 static void drawCone(const Drawing *d, MdtConeLimitID cone, const MeVector3 at) {
     enum { SIDES = 16 };
     const MdtConstraintID c = MdtConeLimitQuaConstraint(cone);
@@ -303,19 +304,19 @@ static void drawCone(const Drawing *d, MdtConeLimitID cone, const MeVector3 at) 
     MdtConstraintBodyGetAxis(c, 0, inner);
     MdtConstraintBodyGetAxis(c, 1, axis);
     MeVector3PlaneSpace(axis, across, other);
-    turn(axis, across, half, edge);
+    rotateVector(axis, across, half, edge);
     for (int i = 0; i <= SIDES; i++) {
-        turn(edge, axis, (MeReal)(2 * ME_PI) * (MeReal)i / SIDES, side);
+        rotateVector(edge, axis, (MeReal)(2 * ME_PI) * (MeReal)i / SIDES, side);
         MeVector3ScaleAndAdd(end, side, radius, at);
         if (i > 0) {
-            triangle(d, at, before, end, glass);
+            triangle(d, at, before, end, translucent);
             line(d, before, end, yellow);
         }
         MeVector3Copy(before, end);
     }
-    lineAlong(d, at, inner, radius, yellow, end);
+    drawLineAlong(d, at, inner, radius, yellow, end);
     const MeReal cosine = MeVector3Dot(inner, axis);
-    sayAngle(d, end, MeAcos(MeCLAMP(cosine, -1, 1)));
+    drawAngleText(d, end, MeAcos(MeCLAMP(cosine, -1, 1)));
 }
 
 static void drawLimits(const Drawing *d, MdtConstraintID c, const MeVector3 at, const MeVector3 axis,
@@ -329,18 +330,18 @@ static void drawLimits(const Drawing *d, MdtConstraintID c, const MeVector3 at, 
         drawCone(d, MdtConstraintDCastConeLimit(c), at);
 }
 
-/* Which way its coordinate grows when the first body moves; with the world in place of that one, the second: a quarter
- * of a turn about the axis of a hinge, an arrow beside that of a slider. */
-static void drawSense(const Drawing *d, MdtConstraintID c, const MeVector3 at, const MeVector3 axis,
-                      const MeVector3 second) {
+/* Draws the direction of motion of the first body in which the coordinate grows (of the second body, if the first is
+ * the world): a quarter turn about a hinge's axis, an arrow beside a slider's. */
+static void drawPositiveDirection(const Drawing *d, MdtConstraintID c, const MeVector3 at, const MeVector3 axis,
+                                  const MeVector3 second) {
     const MeReal side = MdtConstraintGetBody(c, 0) ? 1 : -1;
     MeVector3 beside;
     if (MdtConstraintDCastHinge(c)) {
         MeVector3ScaleAndAdd(beside, axis, (MeReal)0.2 * d->length, at);
-        arcArrow(d, beside, axis, second, (MeReal)0.15 * d->length, side * (MeReal)(ME_PI / 2), orange);
+        drawArcArrow(d, beside, axis, second, (MeReal)0.15 * d->length, side * (MeReal)(ME_PI / 2), orange);
     } else if (MdtConstraintDCastPrismatic(c)) {
         MeVector3ScaleAndAdd(beside, second, (MeReal)0.08 * d->length, at);
-        arrow(d, beside, axis, side * (MeReal)0.3 * d->length, orange);
+        drawArrow(d, beside, axis, side * (MeReal)0.3 * d->length, orange);
     }
 }
 
@@ -359,8 +360,8 @@ static void drawJoint(const Drawing *d, MdtConstraintID c) {
             line(d, centre, second, color);
         }
         MdtConstraintGetAxes(c, axis, second);
-        arrow(d, at, axis, (MeReal)0.4 * d->length, color);
-        drawSense(d, c, at, axis, second);
+        drawArrow(d, at, axis, (MeReal)0.4 * d->length, color);
+        drawPositiveDirection(d, c, at, axis, second);
     }
     if (isDrawn(d, MstDebugLimits))
         drawLimits(d, c, at, axis, second);
@@ -368,7 +369,7 @@ static void drawJoint(const Drawing *d, MdtConstraintID c) {
         text(d, at, jointName(c), cyan);
 }
 
-/* Contacts of groups are drawn with their group; the rest are joints. */
+/* Contacts of groups are drawn with their group; all other constraints are joints. */
 static void drawConstraint(const Drawing *d, MdtConstraintID c) {
     const MdtContactGroupID group = MdtConstraintDCastContactGroup(c);
     const MdtContactID single = group ? 0 : MdtConstraintDCastContact(c);
@@ -391,21 +392,21 @@ static void drawBody(const Drawing *d, MdtBodyID b) {
         const MeVector4 *tm = (const MeVector4 *)MdtBodyGetCenterOfMassTransformPtr(b);
         point(d, centre, white);
         for (int i = 0; i < 3; i++)
-            lineAlong(d, centre, tm[i], (MeReal)0.2 * d->length, colors[i], end);
+            drawLineAlong(d, centre, tm[i], (MeReal)0.2 * d->length, colors[i], end);
     }
     if (!isDrawn(d, MstDebugVelocities))
         return;
     MdtBodyGetLinearVelocity(b, v);
     if (MeVector3MagnitudeSqr(v) > 0)
-        arrow(d, centre, v, (MeReal)0.1, green);
+        drawArrow(d, centre, v, (MeReal)0.1, green);
     MdtBodyGetAngularVelocity(b, v);
     if (MeVector3MagnitudeSqr(v) > 0)
-        arrow(d, centre, v, (MeReal)0.1 * d->length, orange);
+        drawArrow(d, centre, v, (MeReal)0.1 * d->length, orange);
 }
 
 /* ---- the interface ----------------------------------------------------------------------------------------------- */
 
-static MeBool isGood(const char *function, unsigned int layers, const MstDebugDraw *to) {
+static MeBool areArgumentsValid(const char *function, unsigned int layers, const MstDebugDraw *to) {
     if (!to)
         MeWarning(1, "%s: draw is null", function);
     else if (layers & ~(unsigned int)MstDebugAll)
@@ -427,7 +428,7 @@ static void drawAll(const Drawing *d, MdtWorldID w, McdSpaceID s) {
 
 void MEAPI MstDebugDrawParts(const MdtWorldID w, const McdSpaceID s, const MeReal lengthScale,
                              const unsigned int layers, const MstDebugDraw *draw) {
-    if (!isGood("MstDebugDrawParts", layers, draw))
+    if (!areArgumentsValid("MstDebugDrawParts", layers, draw))
         return;
     if (!(lengthScale > 0) || !MeRealIsValid(lengthScale)) {
         MeWarning(1, "MstDebugDrawParts: lengthScale is %g: it must be positive", (double)lengthScale);
@@ -439,7 +440,7 @@ void MEAPI MstDebugDrawParts(const MdtWorldID w, const McdSpaceID s, const MeRea
 void MEAPI MstDebugDrawUniverse(const MstUniverseID u, const unsigned int layers, const MstDebugDraw *draw) {
     MdtWorldID w;
     ME_UNDER_OWN_NAME(w = MstUniverseGetWorld(u));
-    if (!w || !isGood("MstDebugDrawUniverse", layers, draw))
+    if (!w || !areArgumentsValid("MstDebugDrawUniverse", layers, draw))
         return;
     drawAll(&(Drawing){draw, layers, u->sizes.lengthScale, "MstDebugDrawUniverse"}, w, u->space);
 }

@@ -18,11 +18,11 @@ const MstUniverseSizes MstUniverseDefaultSizes = {100, 500, 0, 100, 500, 100, 10
 const MstUniverseSizes MstUniverseGrowingSizes = {0, 0, 0, 0, 0, 0, 0, 1, 1};
 
 typedef struct MstUniverseRecord {
-    MstUniverse universe; /* what programs see: first */
+    MstUniverse universe; /* the public part: first */
     MeU32 magic;
     MeHandle handle;
-    MstStepHook *hook; /* null: a step is nothing but a step */
-    MeBool saidLongStep;
+    MstStepHook *hook; /* called around each step; null: none */
+    MeBool hasWarnedOfLongStep;
 } MstUniverseRecord;
 
 static MeBool isUniverse(MstUniverseID u, const char *function) {
@@ -36,7 +36,7 @@ static MeBool isBridge(const MstUniverse *u) {
     return u->bridge && MeHandleIsLive(u->bridge, MST_BRIDGE);
 }
 
-/* The first of its parts that the program has destroyed; null: it has all of them. */
+/* Name of the first member that the program has destroyed; null if there is none. */
 static const char *missingMember(const MstUniverse *u) {
     return !MdtWorldIsValid(u->world)       ? "world"
            : !McdFrameworkIsValid(u->frame) ? "framework"
@@ -45,7 +45,7 @@ static const char *missingMember(const MstUniverse *u) {
                                             : 0;
 }
 
-static MeBool isWhole(const MstUniverse *u, const char *function) {
+static MeBool hasAllMembers(const MstUniverse *u, const char *function) {
     const char *member = missingMember(u);
     if (member)
         MeWarning(1, "%s: the universe's %s has been destroyed; it ends with the universe: see MstUniverseDestroy",
@@ -53,14 +53,14 @@ static MeBool isWhole(const MstUniverse *u, const char *function) {
     return !member;
 }
 
-/* Is none of its parts in use? Else a message. */
-static MeBool isFree(const MstUniverse *u, const char *function) {
+/* Whether no stage of the bridge, framework or world is active. False: with a message. */
+static MeBool areStagesFree(const MstUniverse *u, const char *function) {
     return (!isBridge(u) || MeStageIsFree(&((MstBridgeRecord *)u->bridge)->stage, function)) &&
            (!McdFrameworkIsValid(u->frame) || MeStageIsFree(McdFrameworkGetStage(u->frame), function)) &&
            (!MdtWorldIsValid(u->world) || MeStageIsFree(MdtWorldGetStage(u->world), function));
 }
 
-/* Those that have been created, and that the program has not destroyed. */
+/* Destroys the members that exist: not all may have been created, and the program may have destroyed some. */
 static void destroyMembers(MstUniverse *u) {
     if (McdSpaceIsValid(u->space))
         McdSpaceDestroy(u->space);
@@ -80,7 +80,7 @@ static void destroyMembers(MstUniverse *u) {
     MeMemoryGive(u);
 }
 
-/* As the parts have it. */
+/* A size in the form of the members' limits. */
 static unsigned int limitOf(unsigned int size) {
     return size > 0 ? size : MeNoLimit;
 }
@@ -97,9 +97,9 @@ static void createCollision(MstUniverse *u) {
                                       (int)limitOf(sizes->collisionPairsMaxCount));
 }
 
-/* A load of a million times the mass scale, under 10 m/s² and in steps of 1/60 s, sags by 1e-7 of the length scale:
- * epsilon = sag gamma / (F h²). */
-double mst_epsilonOf(const MstUniverseSizes *sizes) {
+/* epsilon = sag gamma / (F h²), where a load of a million times the mass scale, under 10 m/s² and in steps of 1/60 s,
+ * sags by 1e-7 of the length scale. */
+double mst_epsilonForSizes(const MstUniverseSizes *sizes) {
     const double sag = 1e-7 * (double)sizes->lengthScale, F = 10 * 1e6 * (double)sizes->massScale, h = 1. / 60;
     return sag * MDTWORLD_DEFAULT_GAMMA / (F * h * h);
 }
@@ -118,7 +118,7 @@ static void createMembers(MstUniverse *u) {
 
 #define MEMBER(member) "MstUniverseSizes." #member
 
-/* Names of the parts' limits, for messages. */
+/* Makes messages about full pools name the universe's sizes. */
 static void nameLimits(MstUniverse *u) {
     MdtWorldRenameLimits(u->world, MEMBER(dynamicBodiesMaxCount), MEMBER(dynamicConstraintsMaxCount));
     McdFrameworkRenameLimits(u->frame, MEMBER(collisionUserGeometryTypesMaxCount), MEMBER(collisionModelsMaxCount),
@@ -146,10 +146,10 @@ MstUniverseID MEAPI MstUniverseCreate(const MstUniverseSizes *const sizes) {
         return 0;
     }
     MEASSERT(u->world && u->frame && u->space);
-    MdtWorldSetEpsilon(u->world, (MeReal)mst_epsilonOf(&u->sizes));
+    MdtWorldSetEpsilon(u->world, (MeReal)mst_epsilonForSizes(&u->sizes));
     nameLimits(u);
-    McdSpaceSetLookAhead(u->space, (MeReal)(1. / 60)); /* until a step says how long it is */
-    MdtWorldSetMinSafeTime(u->world, (MeReal)1e-9);    /* what is fast is stopped where it touches */
+    McdSpaceSetLookAhead(u->space, (MeReal)(1. / 60)); /* until the first step */
+    MdtWorldSetMinSafeTime(u->world, (MeReal)1e-9);    /* fast bodies are stopped at their time of impact */
     MstSetWorldHandlers(u->world);
     return u;
 }
@@ -157,7 +157,7 @@ MstUniverseID MEAPI MstUniverseCreate(const MstUniverseSizes *const sizes) {
 void MEAPI MstUniverseDestroy(const MstUniverseID u) {
     if (u && !MeHandleIsLive(u, MST_UNIVERSE))
         mst_warnGone(u, "universe", "MstUniverseDestroy");
-    else if (u && isFree(u, "MstUniverseDestroy"))
+    else if (u && areStagesFree(u, "MstUniverseDestroy"))
         destroyMembers(u);
 }
 
@@ -169,15 +169,15 @@ static void updateBoxes(McdSpaceID s, MeReal step) {
     MeProfileEndSection("Collision");
 }
 
-/* What rests in the air would fall by more than the size of a medium-sized object in one step, and through floors: the
- * program means another unit, as a rule. Said once. */
+/* Warns, once, if a body dropped from rest would fall farther than the length scale in one step, and so pass through
+ * floors: usually the program gives the step in another unit. */
 static void warnOfLongStep(MstUniverseRecord *u, double step) {
     MeVector3 g;
     MdtWorldGetGravity(u->universe.world, g);
     const double fall = 0.5 * (double)MeVector3Magnitude(g) * step * step;
-    if (u->saidLongStep || fall <= (double)u->universe.sizes.lengthScale)
+    if (u->hasWarnedOfLongStep || fall <= (double)u->universe.sizes.lengthScale)
         return;
-    u->saidLongStep = METRUE;
+    u->hasWarnedOfLongStep = METRUE;
     MeWarning(
         1,
         "MstUniverseStep: the step is %g s, in which a body falls %g m: things will go through each other. Steps are "
@@ -185,7 +185,7 @@ static void warnOfLongStep(MstUniverseRecord *u, double step) {
         step, fall);
 }
 
-/* The parts of a step. All that is in the universe is there to the end of it. */
+/* Makes a step. Its stages defer or refuse removals of objects until the end. */
 static void advance(MstUniverse *u, MeReal step) {
     MstBridgeRecord *bridge = (MstBridgeRecord *)u->bridge;
     MeStage *const guarded[] = {McdFrameworkGetStage(u->frame), MdtWorldGetStage(u->world)};
@@ -201,23 +201,24 @@ static void advance(MstUniverse *u, MeReal step) {
     mst_updateContacts(bridge, u->space, u->world);
     mst_stepWorld(u, step);
     MeTeamRelease(team);
-    McdSpaceSetTeam(u->space, 0); /* the program may change it now */
+    McdSpaceSetTeam(u->space, 0); /* the program may set another one until the next step */
     mst_updateEvents(bridge, u->world);
     for (int i = 0; i < 2; i++)
         MeStageEnd(guarded[i], 0);
     MeCallerSet(before);
 }
 
-/* After functions of the program, which may have destroyed a part. */
+/* Makes a step after functions of the program, which may have destroyed a member. False: a member is missing. */
 static MeBool advanceWholeStep(MstUniverse *u, MeReal step) {
-    if (!isWhole(u, "MstUniverseStep"))
+    if (!hasAllMembers(u, "MstUniverseStep"))
         return MEFALSE;
     advance(u, step);
     return METRUE;
 }
 
 void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step) {
-    if (!isUniverse(u, "MstUniverseStep") || !isWhole(u, "MstUniverseStep") || !isFree(u, "MstUniverseStep"))
+    if (!isUniverse(u, "MstUniverseStep") || !hasAllMembers(u, "MstUniverseStep") ||
+        !areStagesFree(u, "MstUniverseStep"))
         return;
     if (!(step >= (MeReal)FLT_MIN && step <= (MeReal)FLT_MAX)) {
         MeWarning(1, "MstUniverseStep: the step is %g: it must be positive; nothing is changed", (double)step);

@@ -11,7 +11,7 @@
 
 /* ---- mass ------------------------------------------------------------------------------------------------------ */
 
-static MeBool massOf(McdModelID model, MeMatrix3 inertia, MeReal *volume, const char *function) {
+static MeBool getMassProperties(McdModelID model, MeMatrix3 inertia, MeReal *volume, const char *function) {
     MeMatrix4 relative;
     if (!McdModelIsValid(model) ||
         !McdGeometryGetMassProperties(McdModelGetGeometry(model), relative, inertia, volume) || !(*volume > 0)) {
@@ -38,7 +38,7 @@ void MEAPI MstAutoSetMassProperties(const MdtBodyID body, const McdModelID model
                   MeCallerName("MstAutoSetMassProperties"), (double)density);
         return;
     }
-    if (!massOf(model, inertia, &volume, "MstAutoSetMassProperties"))
+    if (!getMassProperties(model, inertia, &volume, "MstAutoSetMassProperties"))
         return;
     scaleInertia(inertia, density);
     MdtBodySetMass(body, density * volume);
@@ -51,7 +51,7 @@ void MEAPI MstAutoSetInertialTensor(const McdModelID model) {
     const MdtBodyID body = McdModelIsValid(model) ? McdModelGetBody(model) : 0;
     if (!body)
         MeWarning(1, "MstAutoSetInertialTensor: the model is null, or has no body; nothing is changed");
-    if (!body || !massOf(model, inertia, &volume, "MstAutoSetInertialTensor"))
+    if (!body || !getMassProperties(model, inertia, &volume, "MstAutoSetInertialTensor"))
         return;
     scaleInertia(inertia, MdtBodyGetMass(body) / volume);
     MdtBodySetInertiaTensor(body, (const MeVector3 *)inertia);
@@ -59,7 +59,7 @@ void MEAPI MstAutoSetInertialTensor(const McdModelID model) {
 
 /* ---- models ---------------------------------------------------------------------------------------------------- */
 
-/* Between changes as it was before. The space is told where a model is, if that is known yet. */
+/* Inserts a model, in a change block of its own if none is open, and updates its box if its transform is known. */
 static MeBool insertModel(McdSpaceID s, McdModelID m, MeBool isPlaced) {
     const MeBool isOpen = McdSpaceIsChanging(s) != 0;
     if (!isOpen)
@@ -72,14 +72,14 @@ static MeBool insertModel(McdSpaceID s, McdModelID m, MeBool isPlaced) {
     return isIn;
 }
 
-static MeBool isGeometry(McdGeometryID g, const char *function) {
+static MeBool checkGeometry(McdGeometryID g, const char *function) {
     if (g && McdGeometryIsValid(g))
         return METRUE;
     MeWarning(1, "%s: g %s", function, g ? "is no geometry, or has been destroyed" : "is null: it must be a geometry");
     return MEFALSE;
 }
 
-/* Is its centre of mass at its origin, to a hundredth of its size? */
+/* Whether the geometry's centre of mass is at its origin, to a hundredth of its radius. */
 static MeBool isCentred(McdGeometryID g) {
     MeMatrix4 relative;
     MeMatrix3 inertia;
@@ -91,7 +91,7 @@ static MeBool isCentred(McdGeometryID g) {
     return MeVector3Magnitude(relative[3]) <= (MeReal)0.01 * radius;
 }
 
-/* All of it, or nothing. */
+/* Creates model and body; on failure, nothing remains. */
 static McdModelID createWithBody(MstUniverse *u, McdGeometryID g, MeReal density) {
     const McdModelID m = McdModelCreate(g);
     const MdtBodyID b = m ? MdtBodyCreate(u->world) : 0;
@@ -111,12 +111,13 @@ static McdModelID createWithBody(MstUniverse *u, McdGeometryID g, MeReal density
 
 McdModelID MEAPI MstModelAndBodyCreate(const MstUniverseID u, const McdGeometryID g, const MeReal density) {
     ME_RETURN_UNDER_OWN_NAME(McdModelID,
-                             MstUniverseGetWorld(u) && isGeometry(g, __func__) ? createWithBody(u, g, density) : 0);
+                             MstUniverseGetWorld(u) && checkGeometry(g, __func__) ? createWithBody(u, g, density) : 0);
 }
 
-/* Are the rows of its rotation at right angles, of length 1, and right-handed, to the digits that people write? */
+/* Whether the rotation has orthogonal rows of length 1 and is right-handed, to the precision of hand-written
+ * numbers. */
 static MeBool isRigid(const MeMatrix4 tm) {
-    const double digits = 0.01; /* a rotation whose numbers have two digits; what is meant as a scale is farther off */
+    const double digits = 0.01; /* tolerates a rotation written with two digits; intended scales differ by more */
     double cross[3], handed = 0;
     for (int i = 0; i < 3; i++)
         for (int k = i; k < 3; k++) {
@@ -135,7 +136,7 @@ static MeBool isRigid(const MeMatrix4 tm) {
 }
 
 static McdModelID createFixed(McdSpaceID s, McdGeometryID g, MeMatrix4Ptr transformation) {
-    if (!s || !isGeometry(g, "MstFixedModelCreate"))
+    if (!s || !checkGeometry(g, "MstFixedModelCreate"))
         return 0;
     if (!transformation)
         MeWarning(1,
@@ -160,8 +161,8 @@ McdModelID MEAPI MstFixedModelCreate(const MstUniverseID u, const McdGeometryID 
     ME_RETURN_UNDER_OWN_NAME(McdModelID, createFixed(MstUniverseGetSpace(u), g, transformation));
 }
 
-/* Hands over the goodbye pairs of a model that leaves, so that their contacts go. */
-static void removeModel(McdModelID m) {
+/* Removes a model from its space and handles the goodbye pairs, so that its contacts are destroyed. */
+static void removeFromSpace(McdModelID m) {
     enum { ROOM = 64 };
     McdModelPair *array[ROOM];
     McdModelPairContainer pairs;
@@ -187,7 +188,7 @@ static void removeModel(McdModelID m) {
         McdSpaceBeginChanges(s);
 }
 
-/* Of one that is gone McdModelDestroy says what is to be said. */
+/* For an invalid model, McdModelDestroy gives the warning. */
 static MeBool mayDestroy(McdModelID m, const char *function) {
     if (!m || McdModelIsValid(m))
         return m && MeProgramMayChange(function);
@@ -197,10 +198,10 @@ static MeBool mayDestroy(McdModelID m, const char *function) {
     return MEFALSE;
 }
 
-/* In a stage of the models it goes when that ends. */
+/* While a stage guards the models, McdModelDestroy defers the removal to its end. */
 static void destroyModel(McdModelID m) {
     if (!McdModelGetGuardStage(m))
-        removeModel(m);
+        removeFromSpace(m);
     McdModelDestroy(m);
 }
 

@@ -1,22 +1,22 @@
-/* Inside Mst: what another room may do to a universe: stand round its steps. */
+/* Inside Mst: a hook around the steps of a universe, for advice (mst_advise_i.h). */
 #ifndef MST_UNIVERSE_I_H
 #define MST_UNIVERSE_I_H
 
 #include "MstUniverse.h"
 
-/* Takes one step. False, after a message: the universe has lost a part meanwhile, and there was none. */
+/* Makes one step. False, after a message: a member of the universe has been destroyed, and no step was made. */
 typedef MeBool (*MstStepFn)(MstUniverseID u, MeReal step);
 
-/* Stands round the steps of one universe: the head of its owner's record. */
+/* Wraps the steps of one universe; the first member of its owner's record. */
 typedef struct MstStepHook {
-    /* A step of that universe: calls `stepOnce`, or does not return. May remove the hook before it. */
+    /* Called for each step: calls `stepOnce`, or does not return. May remove the hook before that. */
     void (*step)(struct MstStepHook *hook, MstUniverseID u, MeReal step, MstStepFn stepOnce);
-    void (*destroy)(struct MstStepHook *hook); /* with the universe */
+    void (*destroy)(struct MstStepHook *hook); /* called when the universe is destroyed */
 } MstStepHook;
 
-/* Where a universe keeps its hook, or null; null, with a warning, for anything else than a universe. */
+/* The address of a universe's hook pointer; null, with a warning, if it is not a universe. */
 MstStepHook **mst_universeHook(MstUniverseID u, const char *function);
-/* What a universe's world has as its epsilon, 1/kg. */
-double mst_epsilonOf(const MstUniverseSizes *sizes);
+/* The epsilon of a universe's world, 1/kg. */
+double mst_epsilonForSizes(const MstUniverseSizes *sizes);
 
 #endif
