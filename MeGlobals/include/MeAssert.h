@@ -1,13 +1,12 @@
 /** @file MeAssert.h
- *  Checks of what must be true whatever the program does.
+ *  Assertions: conditions that hold whatever the program does.
  *
- *  They are for broken invariants, not for bad input, which gets a MeWarning. In Karma's libraries they are on in Debug
- *  and RelWithDebInfo builds, and where CMake's KARMA_CHECK is ON (then KARMA_ASSERT=1); in programs, which do not set
- *  KARMA_ASSERT, unless NDEBUG is defined, as for assert(). Otherwise they evaluate nothing. They cost no more than
- *  what they check.
+ *  They check Karma's own invariants, not input, which gets a MeWarning if it is bad. In Karma's libraries they are on
+ *  in Debug and RelWithDebInfo builds, and if CMake's KARMA_CHECK is ON (then KARMA_ASSERT=1). In programs, which do
+ *  not define KARMA_ASSERT, they are on unless NDEBUG is defined, as for assert(). When off, nothing is evaluated. The
+ *  check of an assertion costs no more than the operation that it checks.
  *
- *  MEVALIDATE is for checks that cost more than what they check, such as walking a list: they are compiled in where
- *  KARMA_VALIDATE is defined too.
+ *  MEVALIDATE is for checks that cost more, such as walking a list: they are on only if KARMA_VALIDATE is defined, too.
  */
 #ifndef MEASSERT_H
 #define MEASSERT_H
@@ -24,15 +23,17 @@
 #endif
 
 #if ME_ASSERT_ENABLED
-/** MeFatalError with the place and the text of @a P, should it be false. */
+/** If @a P is false: MeFatalError with its file, line and text. */
 #define MEASSERT(P) ((P) ? (void)0 : MeFatalError(0, "%s:%d: not true: %s", __FILE__, __LINE__, #P))
 #else
-#define MEASSERT(P) ((void)(0 && (P))) /* named, so that no compiler takes what only checks use for forgotten */
+#define MEASSERT(P)                                                                                                    \
+    ((void)(0 && (P))) /* names P, so that variables used only in assertions cause no warning of the
+                                          compiler */
 #endif
 
 #if ME_ASSERT_ENABLED && defined(KARMA_VALIDATE)
 #define ME_VALIDATE_ENABLED 1
-/** MEASSERT of something that takes long to find out. */
+/** MEASSERT of a condition that is expensive to evaluate. */
 #define MEVALIDATE(P) MEASSERT(P)
 #else
 #define ME_VALIDATE_ENABLED 0

@@ -1,9 +1,9 @@
 /** @file MeCall.h
- *  How Karma's functions are called and exported (User Guide ch. 3, "Calling Conventions").
+ *  Calling conventions and export of Karma's functions (User Guide ch. 3, "Calling Conventions").
  *
- *  MEAPI stands between the return type and the name of every API function and callback. On the platforms that
- *  Karma is built for today all conventions are the compiler's own, so the words expand to nothing; programs keep
- *  them for source compatibility.
+ *  MEAPI stands between the return type and the name of every API function and callback. On all platforms that Karma
+ *  supports today, the compiler's default convention is used: the macros expand to nothing, and exist for source
+ *  compatibility.
  */
 #ifndef MECALL_H
 #define MECALL_H
@@ -13,14 +13,14 @@
 #define MEAPI_STDCALL  /**< The callee cleans the stack, where such a convention exists. */
 #define MEAPI_FASTCALL /**< Arguments in registers, where such a convention exists. */
 
-/** Marks what a shared library exports; everything else in it is hidden. */
+/** Marks functions and variables that a shared library exports; all others are hidden. */
 #if defined(__GNUC__)
 #define MEPUBLIC __attribute__((visibility("default")))
 #else
 #define MEPUBLIC
 #endif
 
-/** Around the declarations of a header: C linkage for programs in C++. */
+/** Enclose the declarations of a header: C linkage for programs in C++. */
 #ifdef __cplusplus
 #define ME_BEGIN_C extern "C" {
 #define ME_END_C   }

@@ -1,11 +1,11 @@
 /** @file MeChunk.h
- *  A scratch buffer that grows to what is asked of it (User Guide app. C, "Memory Usage In Kea").
+ *  A growing scratch buffer (User Guide app. C, "Memory Usage In Kea").
  *
- *  A chunk hands out one piece of memory at a time. It starts with 1024 bytes and doubles until the piece
- *  fits; contents do not survive from one piece to the next. When the needs are the same in every frame, the
- *  chunk stops allocating after the first.
+ *  A chunk lends one block of memory at a time. Its capacity starts at 1024 bytes and doubles until the requested block
+ *  fits; contents are lost when it grows or is lent again. If all frames need the same memory, only the first one
+ *  allocates.
  *
- *  Every function warns of a null chunk, and then does nothing or gives 0. One chunk is for one thread at a
+ *  Every function warns of a null chunk, and then does nothing or returns 0. A chunk may be used by one thread at a
  *  time.
  */
 #ifndef MECHUNK_H
@@ -15,47 +15,45 @@
 
 ME_BEGIN_C
 
-/** What happens to the memory when a piece is given back. */
+/** What MeChunkPutMem does with the memory. */
 typedef enum kMeChunkMode {
-    kMeChunkModeKeepOnPut = 1, /**< It is kept for the next piece. The default. */
-    kMeChunkModeFreeOnPut = 2  /**< It is freed. */
+    kMeChunkModeKeepOnPut = 1, /**< Keeps the memory for the next block. The default. */
+    kMeChunkModeFreeOnPut = 2  /**< Frees the memory. */
 } kMeChunkMode;
 
-/** Read and changed by the functions below only. */
+/** A chunk. Use only the functions below. */
 typedef struct MeChunk {
-    void *mem;         /**< Null, or size bytes. */
+    void *mem;         /**< null, or size bytes */
     int size;          /**< bytes */
-    int maxSize;       /**< bytes, the largest piece asked for */
+    int maxSize;       /**< bytes, the largest block so far */
     int alignment;     /**< bytes, a power of 2 */
-    MeBool inUse;      /**< A piece is out. */
-    kMeChunkMode mode; /**< What PutMem does. */
+    MeBool inUse;      /**< The block is lent. */
+    kMeChunkMode mode; /**< What MeChunkPutMem does. */
 } MeChunk;
 
-/** Makes an empty chunk whose pieces begin at multiples of @a alignment bytes: a power of 2, else it warns
- *  and takes 16. Allocates nothing. */
+/** Initializes an empty chunk whose blocks are aligned to @a alignment bytes, a power of 2; otherwise warns and uses
+ *  16. Allocates nothing. */
 MEPUBLIC void MEAPI MeChunkInit(MeChunk *chunk, int alignment);
-/** Frees the memory, that of a piece which is out included (with a warning). The chunk is then as after
- *  MeChunkInit. */
+/** Frees the memory, with a warning if the block is lent. The chunk is then as after MeChunkInit. */
 MEPUBLIC void MEAPI MeChunkTerm(MeChunk *chunk);
-/** Sets the mode for pieces given back from now on. Anything but a mode warns and changes nothing. */
+/** Sets the mode for blocks returned from now on. An unknown mode warns and changes nothing. */
 MEPUBLIC void MEAPI MeChunkSetMode(MeChunk *chunk, kMeChunkMode mode);
-/** Grows the chunk to hold @a initialSize bytes now, and not in the frame that first needs them. A negative
- *  size, or a piece that is out, warns and changes nothing. */
+/** Allocates at least @a initialSize bytes in advance. A negative size, or a lent block, warns and changes nothing. */
 MEPUBLIC void MEAPI MeChunkSetAuto(MeChunk *chunk, int initialSize);
 
 /**
- * A piece of @a size bytes, with any contents, to be given back with MeChunkPutMem.
- * @return null, with a warning, for a negative size or while a piece is out; null if out of memory
+ * Lends a block of @a size bytes with undefined contents, to be returned with MeChunkPutMem.
+ * @return null, with a warning, for a negative size or while the block is lent; null if out of memory
  */
 MEPUBLIC void *MEAPI MeChunkGetMem(MeChunk *chunk, int size);
-/** Gives the piece back. Null does nothing; anything else that is not the piece that is out warns. */
+/** Returns the block. Null does nothing; any other pointer than the lent block warns. */
 MEPUBLIC void MEAPI MeChunkPutMem(MeChunk *chunk, void *mem);
 
-/** @name What a chunk has
+/** @name Properties of a chunk
  *  @{ */
-MEPUBLIC MeBool MEAPI MeChunkIsInUse(MeChunk *chunk);     /**< Is a piece out? */
-MEPUBLIC int MEAPI MeChunkGetCurrentSize(MeChunk *chunk); /**< The bytes that the chunk holds now. */
-/** The bytes of the largest piece asked for so far. */
+MEPUBLIC MeBool MEAPI MeChunkIsInUse(MeChunk *chunk);     /**< Is the block lent? */
+MEPUBLIC int MEAPI MeChunkGetCurrentSize(MeChunk *chunk); /**< The capacity now, bytes. */
+/** The size of the largest block so far, bytes. */
 MEPUBLIC int MEAPI MeChunkGetMaxSize(MeChunk *chunk);
 MEPUBLIC int MEAPI MeChunkGetAlignment(MeChunk *chunk); /**< As given to MeChunkInit. */
 /** @} */

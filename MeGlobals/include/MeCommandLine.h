@@ -1,16 +1,13 @@
 /** @file MeCommandLine.h
- *  The options that a program was started with (User Guide app. B, "Initializing the Renderer").
+ *  Command line options of a program (User Guide app. B, "Initializing the Renderer").
  *
- *  An option is a word such as -gl, alone or with a value: "-frames 60" or "-frames=60". The functions find
- *  an option by its whole name, as `arg` gives it with its dash, in both forms. Of an option given twice they
- *  see the first.
+ *  An option is a word such as -gl, alone or with a value: "-frames 60" or "-frames=60". `arg` is the whole name of an
+ *  option, with its dash; it is found in both forms. If an option is given twice, the first one is used.
  *
- *  With `eat` an option that was found is removed, and its value with it when the function is one that reads
- *  values. So each part of a program takes what it knows, and what is left at the end is unknown, or a file
- *  name.
+ *  If `eat` is true, a found option is removed, and its value as well if the function reads values. So each part of a
+ *  program removes the options that it knows; the remaining words are unknown options or file names.
  *
- *  Programs pass null options for "no options", and then nothing is ever found. All functions are for one
- *  thread at a time per options.
+ *  Null options stand for "no options", in which nothing is found. One object may be used by one thread at a time.
  */
 #ifndef MECOMMANDLINE_H
 #define MECOMMANDLINE_H
@@ -19,43 +16,43 @@
 
 ME_BEGIN_C
 
-/** The words that have not been eaten. Read them here; to remove one use MeCommandLineOptionsEat. */
+/** The remaining words. Read-only: MeCommandLineOptionsEat removes words. */
 typedef struct MeCommandLineOptions {
-    int argc;    /**< How many words, the program's name included. */
+    int argc;    /**< Number of words, the program's name included. */
     char **argv; /**< argv[0] is the program's name; argv[argc] is null. */
 } MeCommandLineOptions;
 
 /**
- * Copies the arguments of main(). @a argv[0] is taken for the program's name, and is "" when there is none.
+ * Copies the arguments of main(). @a argv[0] is the program's name, "" if there is none.
  * @return options to be destroyed with MeCommandLineOptionsDestroy; null if out of memory
  */
 MEPUBLIC MeCommandLineOptions *MEAPI MeCommandLineOptionsCreate(const int argc, const char **argv);
-/** Frees the options and all texts that came from them. Null is allowed. */
+/** Frees the options and all strings returned for them. Null is allowed. */
 MEPUBLIC void MEAPI MeCommandLineOptionsDestroy(MeCommandLineOptions *options);
 
-/** Is the option there? @a eat removes the option alone, in the form "-name=value" with its value. */
+/** Is the option given? @a eat removes only the option, in the form "-name=value" with its value. */
 MEPUBLIC MeBool MEAPI MeCommandLineOptionsCheckFor(MeCommandLineOptions *options, const char *arg, const MeBool eat);
-/** Is any option of a list there, which ends with a null? @a eat removes each of the list that is there. */
+/** Is any option of a null-terminated list given? @a eat removes all options of the list. */
 MEPUBLIC MeBool MEAPI MeCommandLineOptionsCheckForList(MeCommandLineOptions *options, const char *arglist[],
                                                        const MeBool eat);
-/** Where in argv the option is; 0 if it is not there. */
+/** Index of the option in argv; 0 if it is not given. */
 MEPUBLIC int MEAPI MeCommandLineOptionsGetPos(MeCommandLineOptions *options, const char *arg);
 
 /** @name The value of an option
- *  An option that is not there gives 0 or null. One without a value warns and gives the same, and so does one
- *  with something else than a number where a number must stand. A value is the word after the option, unless
- *  that is an option itself: begins with a dash and is no number. With "=" a value may be anything.
+ *  A missing option returns 0 or null. An option without a value, or with text where a number is expected, warns and
+ *  returns the same. The value is the word after the option, unless that word is an option itself: begins with a dash
+ *  and is not a number. After "=" any text is a value.
  *  @{ */
-/** A whole number, decimal. */
+/** A decimal integer. */
 MEPUBLIC int MEAPI MeCommandLineOptionsGetNumeric(MeCommandLineOptions *options, const char *arg, const MeBool eat);
-/** A number as strtod() reads it, but for infinity and NaN. */
+/** A number in the form of strtod(), except infinity and NaN. */
 MEPUBLIC double MEAPI MeCommandLineOptionsGetFloat(MeCommandLineOptions *options, const char *arg, const MeBool eat);
-/** A text, which is the options' and lives as long as they do, eaten or not. */
+/** A string, owned by the options and valid as long as they exist, eaten or not. */
 MEPUBLIC char *MEAPI MeCommandLineOptionsGetString(MeCommandLineOptions *options, const char *arg, const MeBool eat);
 /** @} */
 
-/** Removes the words at @a num_eat places of argv, given in any order. The program's name and places where no
- *  word is cannot be removed: that warns. */
+/** Removes the words at @a num_eat indices of argv, in any order. Index 0, the program's name, and indices out of range
+ *  warn and are skipped. */
 MEPUBLIC void MEAPI MeCommandLineOptionsEat(MeCommandLineOptions *options, const int *eat, const int num_eat);
 
 ME_END_C

@@ -1,5 +1,5 @@
 /** @file MeDebugDraw.h
- *  Lines that Karma can draw to show what it is doing. A viewer or a program puts its own function here.
+ *  Line drawing for debugging. A viewer or a program sets its own function here.
  */
 #ifndef MEDEBUGDRAW_H
 #define MEDEBUGDRAW_H
@@ -8,8 +8,9 @@
 
 ME_BEGIN_C
 
-/** Draws a line between two points of the world frame in the colour red, green, blue (each 0 to 1). It must not create,
- *  destroy or step anything of Karma: such calls are refused, with a warning (docs/simulation.md, "Callbacks"). */
+/** Draws a line between two points in the world frame, with a colour of red, green, blue (each 0 to 1). It must not
+ *  create, destroy or step anything of Karma: such calls are refused, with a warning (docs/simulation.md,
+ *  "Callbacks"). */
 typedef void(MEAPI *MeDebugLineFuncPtr)(MeVector3 start, MeVector3 end, MeReal r, MeReal g, MeReal b);
 
 /** The functions in use. */

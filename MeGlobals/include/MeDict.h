@@ -1,11 +1,11 @@
 /** @file MeDict.h
- *  Dictionaries: nodes in the order of their keys, found, put in and taken out in logarithmic time. MdtUpdatePartitions
- *  takes one (User Guide ch. 2).
+ *  Dictionaries: nodes ordered by keys; search, insertion and removal take logarithmic time. MdtUpdatePartitions uses
+ *  one (User Guide ch. 2).
  *
- *  A node carries a pointer of the program's and, while it is in a dictionary, its key, which must not change
- *  meanwhile. Nodes are the program's, in its own memory (MeDictNodeInit) or made one by one (MeDictNodeCreate); keys
- *  and what nodes point to are its own in any case. Members of the structures are private. Every function warns of a
- *  null pointer, and then does nothing or gives 0. A dictionary is for one thread at a time.
+ *  A node has a data pointer of the program and, while it is in a dictionary, a key, which must not change meanwhile.
+ *  The program provides the memory of nodes (MeDictNodeInit) or has them allocated one by one (MeDictNodeCreate); keys
+ *  and data are always the program's. Members of the structures are private. Every function warns of a null pointer,
+ *  and then does nothing or returns 0. A dictionary may be used by one thread at a time.
  */
 #ifndef MEDICT_H
 #define MEDICT_H
@@ -15,18 +15,18 @@
 
 ME_BEGIN_C
 
-#define DICTCOUNT_T_MAX ULONG_MAX /**< As a maxcount: no limit. */
+#define DICTCOUNT_T_MAX ULONG_MAX /**< As maxcount: no limit. */
 
 typedef struct MeDict MeDict;
 typedef struct MeDictNode MeDictNode;
 
-/** Less than, equal to or greater than 0, as key1 is before, the same as or after key2. */
+/** Returns a value less than, equal to or greater than 0 if key1 is before, equal to or after key2. */
 typedef int(MEAPI *MeDictCompareFn)(const void *key1, const void *key2);
-/** Gives a node that is in no dictionary; null if there is none. */
+/** Allocates a node that is in no dictionary; null if there is none. */
 typedef MeDictNode *(MEAPI *MeDictAllocFn)(void *context);
-/** Takes such a node back. */
+/** Frees such a node. */
 typedef void(MEAPI *MeDictFreeFn)(MeDictNode *node, void *context);
-/** Sees a node; may take it out of the dictionary. */
+/** Called with a node; may remove it from the dictionary. */
 typedef void(MEAPI *MeDictProcessFn)(MeDict *dict, MeDictNode *node, void *context);
 
 struct MeDictNode {
@@ -56,21 +56,20 @@ typedef struct MeDictLoad {
 
 /** @name Life
  *  @{ */
-/** Makes an empty dictionary of memory that is the program's, for at most maxcount nodes. Null for a null argument. */
+/** Initializes an empty dictionary in the program's memory, for at most maxcount nodes. Null for a null argument. */
 MEPUBLIC MeDict *MEAPI MeDictInit(MeDict *dict, unsigned long maxcount, MeDictCompareFn compare);
-/** The same in memory of its own; null, after MeFatalError, if there is none. MeDictDestroy gives it back. */
+/** Allocates an empty dictionary; null, after MeFatalError, without memory. Free it with MeDictDestroy. */
 MEPUBLIC MeDict *MEAPI MeDictCreate(unsigned long maxcount, MeDictCompareFn compare);
-/** Makes an empty dictionary of memory that is the program's, with the limit, the order, the allocator and the leave
- *  for equal keys of another one. */
+/** Initializes an empty dictionary in the program's memory, with the limit, comparison, allocator and handling of equal
+ *  keys of another one. */
 MEPUBLIC void MEAPI MeDictInitLike(MeDict *dict, const MeDict *like);
-/** Have two dictionaries the same order, the same allocator, and the same leave for equal keys? */
+/** Have two dictionaries the same comparison, allocator and handling of equal keys? */
 MEPUBLIC int MEAPI MeDictSimilar(const MeDict *dict1, const MeDict *dict2);
-/** Destroys a dictionary that MeDictCreate made. One that is not empty gets a warning; its nodes are in none then. */
+/** Destroys a dictionary made by MeDictCreate. If it is not empty, warns and removes the nodes. */
 MEPUBLIC void MEAPI MeDictDestroy(MeDict *dict);
-/** Lets several nodes have the same key; later ones come after earlier ones. Default: not. */
+/** Allows equal keys; later nodes come after earlier ones. Default: not allowed. */
 MEPUBLIC void MEAPI MeDictAllowDupes(MeDict *dict);
-/** Where MeDictAllocInsert gets nodes and MeDictDeleteFree puts them; both null: MeDictNodeCreate and
- *  MeDictNodeDestroy. */
+/** Sets the allocator for MeDictAllocInsert and MeDictDeleteFree; both null: MeDictNodeCreate and MeDictNodeDestroy. */
 MEPUBLIC void MEAPI MeDictSetAllocator(MeDict *dict, MeDictAllocFn alloc, MeDictFreeFn freeNode, void *context);
 /** @} */
 
@@ -79,51 +78,51 @@ MEPUBLIC void MEAPI MeDictSetAllocator(MeDict *dict, MeDictAllocFn alloc, MeDict
 MEPUBLIC MeDictNode *MEAPI MeDictNodeInit(MeDictNode *node, void *data);
 /** Null, after MeFatalError, if there is no memory. */
 MEPUBLIC MeDictNode *MEAPI MeDictNodeCreate(void *data);
-/** Destroys a node that MeDictNodeCreate made; one that is in a dictionary gets a warning and stays. */
+/** Destroys a node made by MeDictNodeCreate; a node in a dictionary is kept, with a warning. */
 MEPUBLIC void MEAPI MeDictNodeDestroy(MeDictNode *node);
 MEPUBLIC void *MEAPI MeDictNodeGet(MeDictNode *node);
 MEPUBLIC void MEAPI MeDictNodePut(MeDictNode *node, void *data);
-/** Null while it is in no dictionary. */
+/** The node's key; null while it is in no dictionary. */
 MEPUBLIC const void *MEAPI MeDictNodeGetKey(MeDictNode *node);
 MEPUBLIC int MEAPI MeDictNodeIsInADict(MeDictNode *node);
 /** @} */
 
-/** @name In and out
+/** @name Insertion and removal
  *  @{ */
-/** Puts a node in. A full dictionary, a node that is in one, and a key that is there already get a warning. */
+/** Inserts a node. Warns and does nothing if the dictionary is full, the node is in one already, or the key exists. */
 MEPUBLIC void MEAPI MeDictInsert(MeDict *dict, MeDictNode *node, const void *key);
-/** The same with a node of the allocator's that carries data; 1 if it is in now. */
+/** Inserts a newly allocated node with the given data; returns 1 on success. */
 MEPUBLIC int MEAPI MeDictAllocInsert(MeDict *dict, const void *key, void *data);
-/** Takes a node out, and returns it; null, with a warning, if it is not in this dictionary. */
+/** Removes a node and returns it; null, with a warning, if it is not in this dictionary. */
 MEPUBLIC MeDictNode *MEAPI MeDictDelete(MeDict *dict, MeDictNode *node);
-/** The same, and back to the allocator. */
+/** Removes a node and frees it by the allocator. */
 MEPUBLIC void MEAPI MeDictDeleteFree(MeDict *dict, MeDictNode *node);
 /** MeDictDeleteFree of all nodes. */
 MEPUBLIC void MEAPI MeDictFreeNodes(MeDict *dict);
-MEPUBLIC void MEAPI MeDictFree(MeDict *dict); /**< The same. */
+MEPUBLIC void MEAPI MeDictFree(MeDict *dict); /**< The same as MeDictFreeNodes. */
 /**
- * Moves the nodes of source to dict, which must be similar (MeDictSimilar), else it warns and moves none. Nodes whose
- * keys are in dict already stay in source, unless equal keys are allowed; and, with a warning, those for which dict is
- * too full.
+ * Moves the nodes of source to dict, which must be similar (MeDictSimilar), otherwise warns and moves none. Nodes whose
+ * keys exist in dict remain in source, unless equal keys are allowed; so do nodes that exceed dict's limit, with a
+ * warning.
  */
 MEPUBLIC void MEAPI MeDictMerge(MeDict *dict, MeDict *source);
-/** Begins to fill an empty dictionary with nodes in the order of their keys, which takes constant time for each. One
- *  that is not empty gets a warning; nothing is put in then. */
+/** Begins filling an empty dictionary with nodes in the order of their keys, in constant time per node. If it is not
+ *  empty, warns, and nothing is inserted. */
 MEPUBLIC void MEAPI MeDictLoadBegin(MeDictLoad *load, MeDict *dict);
-/** Puts the next node in. A key before that of the last one gets a warning, as does what MeDictInsert warns of. */
+/** Inserts the next node. Warns and does nothing if its key is before the last one, or in the cases of MeDictInsert. */
 MEPUBLIC void MEAPI MeDictLoadNext(MeDictLoad *load, MeDictNode *node, const void *key);
-/** Ends that. */
+/** Ends filling a dictionary. */
 MEPUBLIC void MEAPI MeDictLoadEnd(MeDictLoad *load);
 /** @} */
 
-/** @name Finding
- *  Null where there is none.
+/** @name Search
+ *  Functions that return a node return null if there is none.
  *  @{ */
-/** The first node with that key. */
+/** The first node with the key. */
 MEPUBLIC MeDictNode *MEAPI MeDictLookup(MeDict *dict, const void *key);
-/** The first node whose key is not before that one. */
+/** The first node whose key is not before the given one. */
 MEPUBLIC MeDictNode *MEAPI MeDictLowerBound(MeDict *dict, const void *key);
-/** The last node whose key is not after that one. */
+/** The last node whose key is not after the given one. */
 MEPUBLIC MeDictNode *MEAPI MeDictUpperBound(MeDict *dict, const void *key);
 MEPUBLIC MeDictNode *MEAPI MeDictFirst(MeDict *dict);
 MEPUBLIC MeDictNode *MEAPI MeDictLast(MeDict *dict);
@@ -132,11 +131,11 @@ MEPUBLIC MeDictNode *MEAPI MeDictPrev(MeDict *dict, MeDictNode *node);
 MEPUBLIC unsigned long MEAPI MeDictCount(MeDict *dict);
 MEPUBLIC int MEAPI MeDictIsEmpty(MeDict *dict);
 MEPUBLIC int MEAPI MeDictIsFull(MeDict *dict);
-/** Is that very node in it? */
+/** Is this node in the dictionary? */
 MEPUBLIC int MEAPI MeDictContains(MeDict *dict, MeDictNode *node);
 /** Calls f for every node, in order. */
 MEPUBLIC void MEAPI MeDictProcess(MeDict *dict, void *context, MeDictProcessFn f);
-/** Is it in order, and are its links sound? Takes time in proportion to its nodes. */
+/** Are the keys in order and the links consistent? Takes linear time. */
 MEPUBLIC int MEAPI MeDictVerify(MeDict *dict);
 /** @} */
 

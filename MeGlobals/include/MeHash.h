@@ -1,10 +1,10 @@
 /** @file MeHash.h
- *  Hash tables: pointers by keys, found in constant time.
+ *  Hash tables: map keys to pointers, in constant time.
  *
- *  Keys and data are the program's and must stay while they are in the table; functions to free them may be set. What a
- *  key is, the hash and comparison functions say: by default its address counts, and for keys that point to ints or
- *  strings there are functions here. Set functions while the table is empty. Every function warns of a null pointer,
- *  and then does nothing or gives 0. A table is for one thread at a time.
+ *  Keys and data are owned by the program and must exist while they are in the table; functions to free them may be
+ *  set. The hash and comparison functions define the meaning of keys: by default a key's address, with functions here
+ *  for keys that point to ints or strings. Set them while the table is empty. Every function warns of a null pointer,
+ *  and then does nothing or returns 0. A table may be used by one thread at a time.
  */
 #ifndef MEHASH_H
 #define MEHASH_H
@@ -13,9 +13,9 @@
 
 ME_BEGIN_C
 
-/** A number from 0 to size - 1, the same for keys that are equal. */
+/** Returns a number from 0 to size - 1, the same for equal keys. */
 typedef int(MEAPI *MeHashFunc)(const void *key, int size);
-/** 0 for keys that are equal. */
+/** Returns 0 for equal keys. */
 typedef int(MEAPI *MeHashCompareFunc)(const void *key1, const void *key2);
 /** Frees a key or a datum. */
 typedef void(MEAPI *MeHashFreeFunc)(void *const item);
@@ -24,8 +24,8 @@ typedef void(MEAPI *MeHashFreeFunc)(void *const item);
 typedef struct MeHashBucket {
     const void *key;
     void *datum;
-    struct MeHashBucket *next;           /* of the same hash */
-    struct MeHashBucket *before, *after; /* in the order in which they came */
+    struct MeHashBucket *next;           /* entries of the same hash */
+    struct MeHashBucket *before, *after; /* entries in the order of insertion */
 } MeHashBucket;
 
 /** A table. Its members are private. */
@@ -37,22 +37,22 @@ typedef struct MeHash {
     MeHashFreeFunc keyFree, datumFree;
 } MeHash;
 
-/** Where one is in a table. Its members are private. */
+/** The state of an iteration. */
 typedef struct MeHashIterator {
     const MeHash *table;
     const MeHashBucket *next;
 } MeHashIterator;
 
-/** Makes an empty table of so many buckets, 1 or more: best about as many as there will be entries, of which there may
- *  be any number. Null, with a warning, for less than 1, and, after MeFatalError, without memory. */
+/** Creates an empty table with @a size buckets, 1 or more: best about the number of entries, which is not limited.
+ *  Null: with a warning, for less than 1; after MeFatalError, without memory. */
 MEPUBLIC MeHash *MEAPI MeHashCreate(int size);
-/** Frees the table and what is in it, by the functions that were set. */
+/** Frees the table, and its keys and data by the functions that were set. */
 MEPUBLIC void MEAPI MeHashDestroy(MeHash *table);
-/** Empties the table, and frees what was in it by the functions that were set. */
+/** Removes all entries, and frees keys and data by the functions that were set. */
 MEPUBLIC void MEAPI MeHashReset(MeHash *table);
 
-/** @name What keys are, and who frees them
- *  Null: the default again, the key's address; nobody.
+/** @name Functions for keys and data
+ *  Null restores the default: the key is its address; keys and data are not freed.
  *  @{ */
 MEPUBLIC void MEAPI MeHashSetHashFunc(MeHash *table, MeHashFunc hash);
 MEPUBLIC void MEAPI MeHashSetKeyCompareFunc(MeHash *table, MeHashCompareFunc compare);
@@ -66,19 +66,19 @@ MEPUBLIC int MEAPI MeHashStringCompare(const void *k1, const void *k2); /**< For
 
 /** @name Entries
  *  @{ */
-/** Puts a datum in. Where there is one with that key, it replaces that one, which is returned and not freed; the key
- *  stays the one that was there. Else returns null. */
+/** Inserts a datum. If the key exists, replaces its datum and returns the old one without freeing it; the old key is
+ *  kept. Otherwise returns null. */
 MEPUBLIC void *MEAPI MeHashInsert(const void *key, const void *datum, MeHash *table);
-/** The datum with that key; null: none. */
+/** The datum of a key; null if there is none. */
 MEPUBLIC void *MEAPI MeHashLookup(const void *key, const MeHash *table);
-/** Takes the entry with that key out; its key is freed by the function that was set, its datum is returned. Null:
+/** Removes the entry of a key, frees the key by the function that was set, and returns the datum. Null if there is
  *  none. */
 MEPUBLIC void *MEAPI MeHashDelete(const void *key, MeHash *table);
-/** How many entries there are. */
+/** The number of entries. */
 MEPUBLIC int MEAPI MeHashPopulation(const MeHash *table);
-/** Begins with the entry that came first; returns i. The table must not lose entries until the last one was seen. */
+/** Starts an iteration at the first inserted entry; returns i. Do not remove entries until the iteration is done. */
 MEPUBLIC MeHashIterator *MEAPI MeHashInitIterator(MeHashIterator *i, const MeHash *table);
-/** The datum of the next entry, in the order in which they came; null after the last. */
+/** The datum of the next entry, in the order of insertion; null after the last. */
 MEPUBLIC void *MEAPI MeHashGetDatum(MeHashIterator *i);
 /** @} */
 

@@ -1,8 +1,8 @@
 /** @file MeHeap.h
- *  Heaps: pointers, of which the least is taken out first, put in and taken out in logarithmic time.
+ *  Heaps (priority queues): pointers, of which the least is removed first; insertion and removal take logarithmic time.
  *
- *  What the pointers point to is the program's and must not change its order while it is in a heap. Every function
- *  warns of a null pointer, and then does nothing or gives 0. A heap is for one thread at a time.
+ *  The objects are owned by the program and must not change their order while they are in a heap. Every function warns
+ *  of a null pointer, and then does nothing or returns 0. A heap may be used by one thread at a time.
  */
 #ifndef MEHEAP_H
 #define MEHEAP_H
@@ -11,7 +11,7 @@
 
 ME_BEGIN_C
 
-/** Less than, equal to or greater than 0, as elem1 is to come out before, with or after elem2. */
+/** Returns a value less than, equal to or greater than 0 if elem1 is to be removed before, with or after elem2. */
 typedef int(MEAPI *MeHeapComparisonFnPtr)(const void *elem1, const void *elem2);
 
 /** A heap. Its members are private. */
@@ -22,18 +22,18 @@ typedef struct _MeHeap {
     MeBool isCreated;
 } MeHeap;
 
-/** Makes an empty heap for at most capacity items, 1 or more. Null, with a warning, for bad arguments, and, after
- *  MeFatalError, without memory. MeHeapDestroy gives it back. */
+/** Creates an empty heap for at most capacity items, 1 or more. Null: with a warning, for bad arguments; after
+ *  MeFatalError, without memory. Free it with MeHeapDestroy. */
 MEPUBLIC MeHeap *MEAPI MeHeapCreate(int capacity, MeHeapComparisonFnPtr cmp);
-/** The same in memory that is the program's: h, and place for capacity pointers. After bad arguments it has no
- *  place. */
+/** Initializes an empty heap in the program's memory: h, and an array of capacity pointers. After bad arguments its
+ *  capacity is 0. */
 MEPUBLIC void MEAPI MeHeapInit(MeHeap *h, void **memory, int capacity, MeHeapComparisonFnPtr cmp);
-/** Destroys a heap that MeHeapCreate made; others get a warning. */
+/** Destroys a heap made by MeHeapCreate; others get a warning. */
 MEPUBLIC void MEAPI MeHeapDestroy(MeHeap *h);
-/** Puts an item in: 1; 0, with a warning, if the heap is full. */
+/** Inserts an item and returns 1; returns 0, with a warning, if the heap is full. */
 MEPUBLIC int MEAPI MeHeapPush(MeHeap *h, void *item);
-/** Takes the least item out; null for an empty heap. Which one of equal ones comes first depends on nothing but the
- *  order of calls. */
+/** Removes and returns the least item; null for an empty heap. The order of equal items depends only on the order of
+ *  calls. */
 MEPUBLIC void *MEAPI MeHeapPop(MeHeap *h);
 
 ME_END_C

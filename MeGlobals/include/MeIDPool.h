@@ -1,8 +1,8 @@
 /** @file MeIDPool.h
- *  Numbers for things: 0, 1, 2 and so on, each given to one at a time.
+ *  Pools of ids: 0, 1, 2 and so on, each assigned once at a time.
  *
- *  Every function warns of a null pool, and then does nothing or gives 0 (MeIDPoolRequestID: -1). A pool is for one
- *  thread at a time.
+ *  Every function warns of a null pool, and then does nothing or returns 0 (MeIDPoolRequestID: -1). A pool may be used
+ *  by one thread at a time.
  */
 #ifndef MEIDPOOL_H
 #define MEIDPOOL_H
@@ -13,22 +13,23 @@ ME_BEGIN_C
 
 /** A pool. Its members are private. */
 typedef struct MeIDPool {
-    MeU32 *taken; /* a bit for each number */
+    MeU32 *taken; /* one bit per id */
     int words, firstFree, count;
 } MeIDPool;
 
-/** Makes a pool that has given nothing. Null, after MeFatalError, without memory. MeIDPoolDestroy gives it back. */
+/** Creates a pool without assigned ids. Null, after MeFatalError, without memory. Free it with MeIDPoolDestroy. */
 MEPUBLIC MeIDPool *MEAPI MeIDPoolCreate(void);
 MEPUBLIC void MEAPI MeIDPoolDestroy(MeIDPool *pool); /**< Frees a pool. */
-/** Takes all numbers back. */
+/** Releases all ids. */
 MEPUBLIC void MEAPI MeIDPoolReset(MeIDPool *pool);
-/** Makes those numbers taken in the first pool that are taken in the second. */
+/** Copies the set of assigned ids. */
 MEPUBLIC void MEAPI MeIDPoolCopy(MeIDPool *to, MeIDPool *from);
-/** The least number that is not taken; -1, after MeFatalError, without memory. */
+/** Assigns and returns the smallest free id; -1: with a warning if all are assigned; after MeFatalError, without
+ * memory. */
 MEPUBLIC int MEAPI MeIDPoolRequestID(MeIDPool *pool);
-/** Takes a number back. One that is not taken gets a warning. */
+/** Releases an id. Warns if it is not assigned. */
 MEPUBLIC void MEAPI MeIDPoolReturnID(MeIDPool *pool, int id);
-/** Is there no number left to be given? A pool has 2147483616 of them. */
+/** Are all 2147483616 ids of the pool assigned? */
 MEPUBLIC MeBool MEAPI MeIDPoolIsEmpty(MeIDPool *pool);
 
 ME_END_C

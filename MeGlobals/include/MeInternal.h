@@ -1,14 +1,13 @@
 /** @file MeInternal.h
- *  What Karma's own libraries share and programs do not see: this header is not installed, and may change at any time.
+ *  Shared by Karma's own libraries: this header is not installed, and may change at any time.
  *
- *  Memory. Every library takes its memory by these functions, and none calls MeMemoryAPI itself. They keep what
- *  MeMemory.h promises: a failing allocation is a MeFatalError that names the function and what it wanted, resize is
- *  never called, and null is never destroyed. Who gets a null has only to undo what was half made: nothing is left to
- *  be said.
+ *  Memory. All libraries allocate by these functions; none calls MeMemoryAPI itself. They implement the guarantees of
+ *  MeMemory.h: a failed allocation is a MeFatalError that names the function and the purpose, resize is never called,
+ *  and null is never destroyed. A caller that gets null only has to undo its partial work; the message has been sent.
  *
- *  Handles. In check builds a library wants to know whether a pointer that a program hands over is a live object,
- *  without reading through it. An object has a MeHandle in it, which is entered when the object is complete and leaves
- *  before its memory is freed or goes back to a pool:
+ *  Handles. In check builds, a library checks whether a pointer from a program is a live object, without dereferencing
+ *  it. Each object contains a MeHandle, which is entered into a table when the object is complete, and removed before
+ *  its memory is freed or returned to a pool:
  *
  *  @code
  *      typedef struct Thing {
@@ -16,13 +15,13 @@
  *          MeHandle handle;
  *      } Thing;
  *      MeHandleEnter(&thing->handle, thing, THING);     // THING: the magic number of its kind
- *      MeHandleIsLive(pointer, THING)                   // true for that address and kind; reads nothing at pointer
+ *      MeHandleIsLive(pointer, THING)                   // true for that address and kind; does not read *pointer
  *      MeHandleLeave(&thing->handle);
  *  @endcode
  *
- *  One table serves all libraries. It allocates nothing, so that entering cannot fail, and it may be used from several
- *  threads at once (a lock per bucket). A copy of an object is not live: where a stand-in is made by copying, clear its
- *  MeHandle (all zero) and enter it for as long as it is used.
+ *  All libraries share one table. It allocates nothing, so that entering cannot fail, and is thread-safe (one lock per
+ *  bucket). A copy of an object is not live: to use a copy as an object, set its MeHandle to zero and enter it for that
+ *  time.
  */
 #ifndef MEINTERNAL_H
 #define MEINTERNAL_H
@@ -34,27 +33,27 @@
 ME_BEGIN_C
 
 /** @name Memory
- *  @a function (or MeCallerSet's) and @a what are for the message: "function: no memory for what (n bytes)". All return
- *  null, or false, after a fatal error if there is no memory or if count * size is more than there can be.
+ *  Messages are "function: no memory for what (n bytes)", with MeCallerSet's name instead of @a function if it is set.
+ *  All functions return null or false, after a fatal error, without memory or if count * size overflows.
  *  @{ */
-/** A block of @a count elements of @a size bytes, with any contents; 0 elements count as 1 byte. */
+/** Allocates a block of @a count elements of @a size bytes, with undefined contents; 0 elements count as 1 byte. */
 MEPUBLIC void *MEAPI MeMemoryTake(size_t count, size_t size, const char *function, const char *what);
-/** The same, of zeros. */
+/** The same, set to zero. */
 MEPUBLIC void *MEAPI MeMemoryTakeZeroed(size_t count, size_t size, const char *function, const char *what);
-/** Makes @a *block, from one of these functions or null, a block of @a count elements, of which the first @a used are
- *  kept. False: it is as it was. @a block is the address of a pointer to any type. */
+/** Replaces @a *block, which one of these functions allocated or which is null, by a block of @a count elements, and
+ *  copies the first @a used ones. False: it is unchanged. @a block is the address of a pointer to any type. */
 MEPUBLIC MeBool MEAPI MeMemoryGrow(void *block, size_t used, size_t count, size_t size, const char *function,
                                    const char *what);
-/** Takes back what these three gave. Null is nothing. */
+/** Frees a block of these three functions. Null is allowed. */
 MEPUBLIC void MEAPI MeMemoryGive(void *block);
-/** Any contents, which are not touched, at a multiple of @a alignment bytes (a power of 2), and their way back. */
+/** Allocate a block with undefined contents at a multiple of @a alignment bytes (a power of 2), and free it. */
 MEPUBLIC void *MEAPI MeMemoryTakeAligned(size_t count, size_t size, unsigned int alignment, const char *function,
                                          const char *what);
 MEPUBLIC void MEAPI MeMemoryGiveAligned(void *block);
 /** @} */
 
-/** Says that what is at an address will soon be read; any address will do. Nothing where the compiler has no word for
- *  it. The empty statement keeps gcc from dropping calls of a function that does nothing else, which it takes for pure.
+/** Prefetches the cache line of an address, which may be any. Does nothing if the compiler has no such builtin. The
+ *  empty statement keeps gcc from dropping calls of functions that only prefetch, which it treats as pure.
  */
 #if defined(__GNUC__)
 #define ME_PREFETCH(address)                                                                                           \
@@ -66,19 +65,19 @@ MEPUBLIC void MEAPI MeMemoryGiveAligned(void *block);
 #define ME_PREFETCH(address) ((void)(address))
 #endif
 
-/** Bytes that processors read from memory at once. Records that loops read are aligned to it. */
+/** Size of a cache line, bytes. Records that loops read are aligned to it. */
 enum { ME_CACHE_LINE = 64 };
 
-/** ME_PREFETCH of a whole record; null does nothing. For loops over records that lie anywhere in memory, which no
- *  processor foresees. */
+/** Prefetches a whole record; null does nothing. For loops over records at scattered addresses, which hardware does not
+ *  prefetch. */
 static inline void me_prefetch(const void *start, size_t bytes) {
     for (size_t at = 0; start && at < bytes; at += ME_CACHE_LINE)
         ME_PREFETCH((const char *)start + at);
 }
 
-/** @name Who is told
- *  A function that does its work by functions of other libraries says its name first, so that what they have to say of
- *  memory and of limits names what the program called:
+/** @name Names in messages
+ *  A function that works by calling other libraries sets its own name first, so that messages about memory and limits
+ *  name the function that the program called:
  *
  *  @code
  *      const char *before = MeCallerSet("MstUniverseStep");
@@ -86,24 +85,24 @@ static inline void me_prefetch(const void *start, size_t bytes) {
  *      MeCallerSet(before);
  *  @endcode
  *  @{ */
-/** From now on, in this thread; null: nobody. Where somebody is set already, that stays. Returns who was set before. */
+/** Sets the caller of this thread; null: none. A caller that is set already is kept. Returns the caller before. */
 MEPUBLIC const char *MEAPI MeCallerSet(const char *function);
-/** Who is to be named: who is set, else @a function. */
+/** The caller, or @a function if none is set. */
 MEPUBLIC const char *MEAPI MeCallerName(const char *function);
 /**
- * As MeCallerSet, for a function that does nothing but by others, and calls no callbacks: from now on, in this thread,
- * all warnings and fatal errors begin with its name in place of that of the function that sends them, "Name: ...", and
- * of several warnings the first is sent. So what is said names the function that the program has called.
+ * For a function that only calls others, and no callbacks: from now on, in this thread, all warnings and fatal errors
+ * begin with its name, "Name: ...", instead of that of the function that sends them, and only the first of several
+ * warnings is sent. So messages name the function that the program called. Null ends it. Returns the name before.
  */
 MEPUBLIC const char *MEAPI MeMessagesAs(const char *function);
-/** Runs a statement so, under the name of the function that it stands in. */
+/** Runs a statement under MeMessagesAs with the name of the enclosing function. */
 #define ME_UNDER_OWN_NAME(...)                                                                                         \
     do {                                                                                                               \
         const char *const nameBefore = MeMessagesAs(__func__);                                                         \
         __VA_ARGS__;                                                                                                   \
         MeMessagesAs(nameBefore);                                                                                      \
     } while (0)
-/** Returns a value that is found so. */
+/** Returns a value that is computed under MeMessagesAs with the name of the enclosing function. */
 #define ME_RETURN_UNDER_OWN_NAME(Type, value)                                                                          \
     do {                                                                                                               \
         const char *const nameBefore = MeMessagesAs(__func__);                                                         \
@@ -114,7 +113,7 @@ MEPUBLIC const char *MEAPI MeMessagesAs(const char *function);
 /** @} */
 
 /** @name Functions of the program (callbacks)
- *  The library says by which function the program has set the one that it calls, for messages, and until when it runs:
+ *  Around each callback the library registers by which function the program has set it; messages name that function:
  *
  *  @code
  *      const MeProgramCall before = MeProgramEnter("MdtWorldSetBreakCB");
@@ -122,111 +121,113 @@ MEPUBLIC const char *MEAPI MeMessagesAs(const char *function);
  *      MeProgramLeave(&before);
  *  @endcode
  *
- *  A quiet one may be called in the middle of anything: functions that take memory, handle messages, or draw. What it
- *  calls to create, destroy or step anything is refused, with a message that names both.
+ *  A quiet callback may run in the middle of any operation: functions that allocate memory, handle messages, or draw.
+ *  Its calls to create, destroy or step anything are refused, with a message that names both functions.
  *  @{ */
-/** What was said before; of this thread. */
+/** The state of this thread before a callback. */
 typedef struct MeProgramCall {
     const char *setBy;
     MeBool isQuiet;
-    const char *caller, *speaker; /**< MeCallerSet, MeMessagesAs: the program's own calls go by their own names */
+    const char *caller, *speaker; /**< of MeCallerSet and MeMessagesAs: not used for calls made by the callback */
     MeBool hasSpoken;
 } MeProgramCall;
 MEPUBLIC MeProgramCall MEAPI MeProgramEnter(const char *setBy);
 MEPUBLIC MeProgramCall MEAPI MeProgramEnterQuiet(const char *setBy);
 MEPUBLIC void MEAPI MeProgramLeave(const MeProgramCall *before);
-/** False, with a message that names @a function: a quiet function of the program runs. */
+/** Whether objects may be changed. False, with a message that names @a function: a quiet callback runs. */
 MEPUBLIC MeBool MEAPI MeProgramMayChange(const char *function);
-/** MeWarning: "function: not from the function of X; nothing is changed", X being who set what runs; else @a otherwise.
+/** Warns "function: not from the function of X; nothing is changed", where X is the function that set the running
+ * callback; without a callback, "function: otherwise; nothing is changed".
  */
 MEPUBLIC void MEAPI MeProgramRefuse(const char *function, const char *otherwise);
 /** @} */
 
 /** @name Stages
- *  While a function of the library goes through the records of an owner (a world, a framework, a bridge) and calls
- *  functions of the program, it holds the owner: at a level, which says what must stay as it is. What the program calls
- *  meanwhile, and would change that, waits in the owner's list, and is carried out, in the order in which it was
- *  called, when the owner is no longer held at that level. What cannot wait is refused.
+ *  While the library iterates over the records of an owner (a world, a framework, a bridge) and runs callbacks, a stage
+ *  of the owner is active, at a level that defines which records must not change. Calls from callbacks that would
+ *  change these records are deferred: they are queued, and executed in order once the owner has no active stage of that
+ *  level. Calls that cannot be deferred are refused.
  *
- *  Each library says what its levels are. Level 0 only forbids what is refused: to destroy the owner, and to call again
- *  what is running. Several threads may hold an owner at once; what waits is the calling thread's affair.
+ *  Each library defines its levels. Level 0 only refuses calls: destroying the owner, and calling again the function
+ *  that is running. Several threads may have stages of an owner active at once; only the calling thread defers calls.
  *  @{ */
 enum { ME_STAGE_LEVELS = 5 };
-/** Of an owner; all zero: nobody holds it. */
+/** The stages of an owner; all zero: none is active. */
 typedef struct MeStage {
-    int active[ME_STAGE_LEVELS]; /**< how often, by level */
-    struct MeWaiting *first, *last;
-    MeBool isCarrying; /**< what has waited is being carried out, */
-    int round;         /**< which was called from the function of the program that what waited so often has led to */
+    int active[ME_STAGE_LEVELS]; /**< number of active stages, by level */
+    struct MeDeferredCall *first, *last;
+    MeBool isExecuting; /**< deferred calls are being executed */
+    int round;          /**< nesting of the deferred call that is executed: deferred by a callback of a deferred call,
+                             and so on */
 } MeStage;
-/** What is carried out: a function and what it was called with. */
+/** A deferred call: a function and its arguments. */
 typedef struct MeLater {
     void(MEAPI *carryOut)(const struct MeLater *later);
     void *object, *other[2];
-    unsigned long serial; /**< of the object, by which another one in its place is told from it */
+    unsigned long serial; /**< serial number of the object, which reveals whether another object now has its address */
     long number;
 } MeLater;
 MEPUBLIC void MEAPI MeStageBegin(MeStage *stage, int level);
-/** Ends it, and carries out what has waited for it. */
+/** Ends a stage, and executes deferred calls that no active stage prevents. */
 MEPUBLIC void MEAPI MeStageEnd(MeStage *stage, int level);
-/** Is the owner held at that level, or a higher one? */
+/** Is a stage of that level, or a higher one, active? */
 MEPUBLIC MeBool MEAPI MeStageIsActive(const MeStage *stage, int level);
-/** What a function has to do that changes what must stay from a level on. */
+/** When a function may change records that are guarded from a level on. */
 typedef enum MeWhen {
     MeWhenNow,
     MeWhenStageEnds, /**< MeStageDefer */
-    MeWhenNever      /**< nothing: it was refused, with a message (MeProgramMayChange) */
+    MeWhenNever      /**< not at all: refused, with a message (MeProgramMayChange) */
 } MeWhen;
 MEPUBLIC MeWhen MEAPI MeStageWhen(const MeStage *stage, int level, const char *function);
-/** Puts it into the owner's list. False, after a message: no memory; or what is carried out makes the program call for
- *  more of it again and again, so that it would not end. */
+/** Queues a deferred call. False, after a message: no memory, or deferred calls lead to further ones without end. */
 MEPUBLIC MeBool MEAPI MeStageDefer(MeStage *stage, int level, const MeLater *later, const char *function);
-/** True for an owner that is not held at all; else a message that names @a function. */
+/** Whether no stage of the owner is active. False: with a message that names @a function. */
 MEPUBLIC MeBool MEAPI MeStageIsFree(const MeStage *stage, const char *function);
 /** @} */
 
-/** Messages that wait until the program may be told: handlers are called on the thread that steps a world, in an order
- *  that does not depend on threads. All zero: none wait. */
+/** A buffer of messages: sent later, so that handlers run on the thread that steps a world, in an order that does not
+ *  depend on threads. All zero: empty. */
 typedef struct MeMessageBuffer {
     struct MeBufferedMessage *first, *last;
-    int key; /**< of those that come next: whoever holds them writes it */
+    int key; /**< sort key of the following messages: set by the owner of the buffer */
 } MeMessageBuffer;
 
-/** @name Messages that wait
+/** @name Buffered messages
  *  @{ */
-/** From now on, in this thread, messages but for fatal errors join @a held, with its key; null: they are sent at once,
- *  as ever. Returns what they joined before. */
+/** From now on, messages of this thread except fatal errors are buffered, with the buffer's key; null: sent at once.
+ *  Returns the buffer before. */
 MEPUBLIC MeMessageBuffer *MEAPI MeMessagesBuffer(MeMessageBuffer *active);
-/** Sends what waits in all of these, by their keys, and of one key in the order in which they came. Messages of one key
- *  are all in the same place. */
+/** Sends the messages of all buffers in the order of keys; those of equal keys in the order in which they were
+ *  buffered. All messages of a key must be in the same buffer. */
 MEPUBLIC void MEAPI MeMessagesSend(MeMessageBuffer *const active[], int count);
 /** @} */
 
 /** @name Sections (MeProfile.h)
- *  For who asks what is done by one thread alone (bench/critical.c).
+ *  For measuring which work is done by a single thread (bench/critical.c).
  *  @{ */
-/** The innermost one in progress; null: none is, or this thread is not timed. Valid until the profile is stopped. */
+/** The innermost section in progress; null if there is none, or this thread is not timed. Valid until the profile
+ * stops. */
 MEPUBLIC const char *MEAPI MeProfileCurrentSection(void);
-/** From now on, @a watch is called on the timed thread before a section begins or ends; null: nothing is. */
+/** Sets a callback of the timed thread, called before each section begins or ends; null: none. */
 MEPUBLIC void MEAPI MeProfileWatch(void(MEAPI *watch)(void *watchContext), void *watchContext);
 /** @} */
 
-/** How many of something there may be. */
+/** A capacity limit. */
 typedef struct MeLimit {
     int max;          /**< MeNoLimit: as many as there is memory for. */
-    const char *name; /**< What the program is to raise: "McdInit's modelCount". */
-    MeBool isSaidOnce, wasSaid;
+    const char *name; /**< The setting that the program can raise, for messages: "McdInit's modelCount". */
+    MeBool warnsOnce, hasWarnedOnce;
 } MeLimit;
 
 /** @name Limits
  *  @{ */
-/** Gives a limit another name, by which the program knows it; it is spoken of once from then on. */
+/** Sets another name of a limit, in the program's terms; from then on it warns only once. */
 MEPUBLIC void MEAPI MeLimitRename(MeLimit *limit, const char *name);
-/** MeWarning: "function: no room for what: raise name, which is most". */
+/** Warns "function: no room for what: raise name, which is max". */
 MEPUBLIC void MEAPI MeLimitWarn(MeLimit *limit, const char *function, const char *what);
 /** @} */
 
-/** Makes an object known; a part of it. All zero: not entered. */
+/** Entry of an object in the table of live objects; a member of the object. All zero: not entered. */
 typedef struct MeHandle {
     struct MeHandle *next; /**< in its bucket */
     const void *object;
@@ -236,7 +237,7 @@ typedef struct MeHandle {
 /** @name Handles
  *  @{ */
 MEPUBLIC void MEAPI MeHandleEnter(MeHandle *handle, const void *object, unsigned int kind);
-/** One that is not entered is left alone. */
+/** A handle that is not entered is ignored. */
 MEPUBLIC void MEAPI MeHandleLeave(MeHandle *handle);
 MEPUBLIC MeBool MEAPI MeHandleIsLive(const void *object, unsigned int kind);
 /** @} */

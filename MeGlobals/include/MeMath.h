@@ -47,10 +47,10 @@
 
 ME_BEGIN_C
 
-#define ME_PI ((MeReal)3.14159265358979323846) /**< Half a turn, in radians. */
+#define ME_PI ((MeReal)3.14159265358979323846) /**< pi. */
 
-/** @name The smaller, the larger, the nearest
- *  Macros for any numbers; they may evaluate an argument twice. MeCLAMP: the number from b to c nearest to a.
+/** @name Minimum, maximum, clamping
+ *  Macros for all number types; they may evaluate an argument twice. MeCLAMP: a, limited to b .. c.
  *  @{ */
 #define MeMIN(a, b)      ((a) < (b) ? (a) : (b))
 #define MeMAX(a, b)      ((a) > (b) ? (a) : (b))
@@ -60,8 +60,8 @@ ME_BEGIN_C
 /** @} */
 
 /** @name Rounding to multiples
- *  For whole numbers n >= 0: the smallest multiple that is not below n (CEIL), the largest not above it
- *  (FLOOR). MeMathCEILN takes the multiple c first.
+ *  For integers n >= 0: the smallest multiple >= n (CEIL), the largest <= n (FLOOR). MeMathCEILN has the multiple c as
+ *  its first argument.
  *  @{ */
 #define MeMathCEILN(c, n) (((n) + ((c)-1)) / (c) * (c))
 #define MeMathCEIL4(n)    MeMathCEILN(4, n)
@@ -71,8 +71,8 @@ ME_BEGIN_C
 #define MeMathFLOOR4(n)   ((n) / 4 * 4)
 /** @} */
 
-/** @name Going round in circles
- *  The number after or before i among 0 .. N-1, where 0 follows N-1. i must be one of them.
+/** @name Cyclic indices
+ *  The index after or before i modulo N; i must be in 0 .. N-1.
  *  @{ */
 static inline int NextModN(const int i, const int N) {
     return i + 1 < N ? i + 1 : 0;
@@ -100,14 +100,14 @@ static inline int PrevMod4(const int i) {
 }
 /** @} */
 
-/** The position of the smallest of three numbers, of equal ones the first. */
+/** The index of the smallest of three numbers; of equal ones, the first. */
 static inline MeI32 MinIndex(const MeReal a[3]) {
     const MeI32 min = a[1] < a[0] ? 1 : 0;
     return a[2] < a[min] ? 2 : min;
 }
 
-/** The positions of three numbers in ascending order: a[index[0]] <= a[index[1]] <= a[index[2]]. Equal
- *  numbers keep their order. */
+/** The indices of three numbers in ascending order: a[index[0]] <= a[index[1]] <= a[index[2]]. Equal numbers keep their
+ *  order. */
 static inline void Sort3(MeI32 index[3], const MeReal a[3]) {
     const MeI32 low = a[1] < a[0] ? 1 : 0, high = 1 - low;
     const MeI32 place = a[2] < a[low] ? 0 : a[2] < a[high] ? 1 : 2;
@@ -118,14 +118,13 @@ static inline void Sort3(MeI32 index[3], const MeReal a[3]) {
 
 /** @name Numbers
  *  @{ */
-/** Exchanges two numbers. */
+/** Swaps two numbers. */
 MEPUBLIC void MEAPI MeRealSwap(MeReal *const a, MeReal *const b);
-/** 1/x, but never infinite: where |x| is too small for that, MEINFINITY with the sign of x. Both zeros are
- *  taken for positive. */
+/** 1/x, or MEINFINITY with the sign of x where that would be infinite. Both zeros count as positive. */
 MEPUBLIC MeReal MEAPI MeSafeRecip(MeReal x);
 /**
- * A number from start to end, all equally likely. The sequence is the same in every run of a program (and, up
- * to rounding, in both precisions). Not for several threads at a time.
+ * A random number from start to end, uniformly distributed. The sequence is the same in every run of a program (and, up
+ * to rounding, in both precisions). Not thread-safe.
  */
 MEPUBLIC MeReal MEAPI MeRealRandomInRange(MeReal start, MeReal end);
 /** Are all numbers 0? True for no numbers at all. */
@@ -139,7 +138,7 @@ MEPUBLIC void MEAPI MeVectorSetZero(MeReal *const A, const int n);
 /** c = (x, y, z) */
 MEPUBLIC void MEAPI MeVector3Set(MeVector3 c, const MeReal x, const MeReal y, const MeReal z);
 MEPUBLIC void MEAPI MeVector3Copy(MeVector3 c, const MeVector3 b); /**< c = b */
-MEPUBLIC void MEAPI MeVector3Swap(MeVector3 a, MeVector3 b);       /**< Exchanges a and b. */
+MEPUBLIC void MEAPI MeVector3Swap(MeVector3 a, MeVector3 b);       /**< Swaps a and b. */
 /** a = b + c */
 MEPUBLIC void MEAPI MeVector3Add(MeVector3 a, const MeVector3 b, const MeVector3 c);
 /** a = b - c */
@@ -156,20 +155,20 @@ MEPUBLIC void MEAPI MeVector3MultiplyAdd(MeVector3 v, const MeReal a, const MeVe
 MEPUBLIC void MEAPI MeVector3MultiplySubtract(MeVector3 v, const MeReal a, const MeVector3 v1);
 /** a = c b + d */
 MEPUBLIC void MEAPI MeVector3ScaleAndAdd(MeVector3 a, const MeVector3 b, const MeReal c, const MeVector3 d);
-/** The smaller of each. */
+/** The component-wise minimum. */
 MEPUBLIC void MEAPI MeVector3Min(MeVector3 out, const MeVector3 in1, const MeVector3 in2);
-/** The larger of each. */
+/** The component-wise maximum. */
 MEPUBLIC void MEAPI MeVector3Max(MeVector3 out, const MeVector3 in1, const MeVector3 in2);
-/** Brings each component of a into min .. max. */
+/** Clamps each component of a to min .. max. */
 MEPUBLIC void MEAPI MeVector3Clamp(MeVector3 a, const MeReal min, const MeReal max);
-/** On the line from one point to another: (1 - howFar) from + howFar to. 0 and 1 give the ends exactly,
- *  numbers outside go beyond them. */
+/** Linear interpolation: (1 - howFar) from + howFar to. 0 and 1 give the end points exactly; other numbers
+ *  extrapolate. */
 MEPUBLIC void MEAPI MeVector3Lerp(MeVector3 out, const MeVector3 from, const MeVector3 to, const MeReal howFar);
 /** @} */
 
 /** @name MeVector3: lengths, angles, directions
- *  Magnitude, Distance, Normalize and MakeOrthogonal neither overflow nor lose digits where the squares of
- *  the components would; the squared ones do.
+ *  Magnitude, Distance, Normalize and MakeOrthogonal are accurate even where squares of components overflow or
+ *  underflow; the Sqr functions are not.
  *  @{ */
 MEPUBLIC MeReal MEAPI MeVector3Dot(const MeVector3 b, const MeVector3 c); /**< b . c */
 /** a = b x c */
@@ -180,8 +179,8 @@ MEPUBLIC MeReal MEAPI MeVector3MagnitudeSqr(const MeVector3 v);
 MEPUBLIC MeReal MEAPI MeVector3Distance(const MeVector3 a, const MeVector3 b); /**< |a - b| */
 /** |a - b| squared */
 MEPUBLIC MeReal MEAPI MeVector3DistanceSqr(const MeVector3 a, const MeVector3 b);
-/** Brings v to length 1 and returns the length it had. A vector that is zero, infinite or NaN has no
- *  direction: it stays as it is, and the result is 0. */
+/** Normalizes v and returns its previous length. A vector that is zero, infinite or NaN is unchanged, and the result is
+ *  0. */
 MEPUBLIC MeReal MEAPI MeVector3Normalize(MeVector3 v);
 /** vec x e, where e is the x, y or z axis (axisN 0, 1 or 2). */
 static inline void MeVector3CrossAxis(MeVector3 result, const MeVector3 vec, const int axisN) {
@@ -191,25 +190,23 @@ static inline void MeVector3CrossAxis(MeVector3 result, const MeVector3 vec, con
     result[k] = -vj;
     result[axisN] = 0;
 }
-/** a . (b x c): the volume that the three span, positive when they are right-handed. */
+/** a . (b x c): the volume of the parallelepiped, positive if a, b, c are right-handed. */
 MEPUBLIC MeReal MEAPI MeVector3ScalarTripleProduct(const MeVector3 a, const MeVector3 b, const MeVector3 c);
 /** a[i][j] = b[i] c[j] */
 MEPUBLIC void MEAPI MeVector3OuterProduct(MeMatrix3 a, const MeVector3 b, const MeVector3 c);
 /** The area of a triangle with the edges v1 and v2 from one corner: |v1 x v2| / 2. */
 MEPUBLIC MeReal MEAPI MeVector3AreaOfTriangle(const MeVector3 v1, const MeVector3 v2);
-/** Takes away from v what it has along v1 (of any length), so that v . v1 = 0. A v1 without a direction
- *  changes nothing. */
+/** Removes the component of v along v1 (of any length), so that v . v1 = 0. If v1 has no direction, v is unchanged. */
 MEPUBLIC void MEAPI MeVector3MakeOrthogonal(MeVector3 v, const MeVector3 v1);
 /**
- * Two directions a, b that complete the unit vector n to a right-handed frame: n x a = b. a and b turn
- * smoothly with n, but for a jump where n[2] changes its sign; the z axis gives x and y. (Duff and others,
- * Building an Orthonormal Basis, Revisited, JCGT 2017.)
+ * Two unit vectors a, b that complete the unit vector n to a right-handed frame: n x a = b. They depend continuously on
+ * n, except for a jump where n[2] changes its sign; for the z axis they are x and y. (Duff et al., Building an
+ * Orthonormal Basis, Revisited, JCGT 2017.)
  */
 MEPUBLIC void MEAPI MeVector3PlaneSpace(const MeVector3 n, MeVector3 a, MeVector3 b);
 /** @} */
 
 /** @name MeVector4
- *  All four components count alike.
  *  @{ */
 /** c = b */
 MEPUBLIC void MEAPI MeVector4Copy(MeVector4 c, const MeVector4 b);
@@ -225,7 +222,7 @@ MEPUBLIC void MEAPI MeVector4MultiplyElements(MeVector4 a, const MeVector4 b, co
 MEPUBLIC MeReal MEAPI MeVector4Dot(const MeVector4 b, const MeVector4 c);
 /** v . v */
 MEPUBLIC MeReal MEAPI MeVector4MagnitudeSqr(const MeVector4 v);
-/** Brings each component of a into min .. max. */
+/** Clamps each component of a to min .. max. */
 MEPUBLIC void MEAPI MeVector4Clamp(MeVector4 a, const MeReal min, const MeReal max);
 /** @} */
 
@@ -248,57 +245,54 @@ MEPUBLIC void MEAPI MeMatrix3Transpose(MeMatrix3 A);     /**< Exchanges A[i][j] 
 MEPUBLIC MeReal MEAPI MeMatrix3Trace(const MeMatrix3 m); /**< The sum of the diagonal. */
 /** The rows of A become B1, B2, B3. */
 MEPUBLIC void MEAPI MeMatrix3CopyVec(MeMatrix3 A, const MeVector3 B1, const MeVector3 B2, const MeVector3 B3);
-/** Exchanges two columns, 0 to 2. With any other number it warns and changes nothing. */
+/** Swaps two columns, 0 to 2. With any other number it warns and changes nothing. */
 MEPUBLIC void MEAPI MeMatrix3SwapColumns(MeMatrix3 a, const unsigned int col1, const unsigned int col2);
-/** The rows of the matrix for a cross product: A v = factor (a x v). */
+/** Sets the rows of the cross product matrix A: A v = factor (a x v). */
 MEPUBLIC void MEAPI MeMatrix3CrossFromVector(const MeVector3 a, const MeReal factor, MeVector3 A0, MeVector3 A1,
                                              MeVector3 A2);
 /**
- * Puts the inverse of a into a and returns METRUE. A matrix that is singular to working precision stays as it
- * is, and the result is MEFALSE; which one that is does not depend on the units of its rows: det a is
- * compared with the product of the rows' largest elements. The same for a matrix with an element that is not
- * a finite number, or whose inverse would have one.
+ * Inverts a in place and returns METRUE. A matrix that is singular to working precision is unchanged, and the result is
+ * MEFALSE; the test, which compares det a with the product of the rows' largest elements, does not depend on the units
+ * of the rows. The same for a matrix that has an element that is not finite, or whose inverse would have one.
  */
 MEPUBLIC MeBool MEAPI MeMatrix3Invert(MeMatrix3 a);
-/** The same for a symmetric matrix: only the diagonal and what is right of it is read, and the inverse is
- *  symmetric to the last bit. */
+/** The same for a symmetric matrix: only the diagonal and the upper triangle are read, and the inverse is exactly
+ *  symmetric. */
 MEPUBLIC MeBool MEAPI MeMatrix3SymmetricInvert(MeMatrix3 a);
 /**
- * Factors a with its rows in a better order: L U = P a, where L has ones on its diagonal and nothing right of
- * it and U nothing left of its diagonal. Works for singular matrices too: then U has a 0 on its diagonal. P
- * is told by three numbers: exchange rows 0 and SwappedRow[0], then 1 and SwappedRow[1], then 2 and
- * SwappedRow[2]. scale gets what the rows of a were multiplied with when pivots were compared, one over the
- * largest element.
+ * LU decomposition with partial pivoting: L U = P a, where L is unit lower triangular and U is upper triangular.
+ * Singular matrices are factored, too: then U has a 0 on its diagonal. The permutation P swaps rows 0 and
+ * SwappedRow[0], then 1 and SwappedRow[1], then 2 and SwappedRow[2]. scale gets the weights of the rows in the choice
+ * of pivots: one over the row's largest element.
  */
 MEPUBLIC void MEAPI MeMatrix3LUDecompose(MeMatrix3 L, MeMatrix3 U, const MeMatrix3 a, unsigned int *const SwappedRow,
                                          MeVector3 scale);
 /** Is every element within the tolerance of the identity's? */
 MEPUBLIC MeBool MEAPI MeMatrix3IsIdentity(const MeMatrix3 a, const MeReal tolerance);
-/** Is this inertia the same about every axis, i.e. a multiple of the identity? Within ME_SMALL_EPSILON of its
- *  largest diagonal element. */
+/** Is this inertia isotropic, i.e. a multiple of the identity? The tolerance is ME_SMALL_EPSILON times the largest
+ *  diagonal element. */
 MEPUBLIC MeBool MEAPI MeMatrix3IsIsotropic(const MeMatrix3 i);
 /** @} */
 
 /** @name MeMatrix3: rotations
- *  y = R x, see above. In single precision an angle that is a quarter turn, or a multiple, to its rounding, as
- *  ME_PI / 2 is, is that exactly: a plane that it turns is level.
+ *  y = R x, see above. In single precision, angles that are multiples of a quarter turn up to rounding, such as ME_PI /
+ *  2, give exact matrices: a plane rotated by them is exactly level.
  *  @{ */
-/** By the angle a about x: y to z. */
+/** Rotation by the angle a about x: y to z. */
 MEPUBLIC void MEAPI MeMatrix3MakeRotationX(MeMatrix3 m, const MeReal a);
-/** By the angle a about y: z to x. */
+/** Rotation by the angle a about y: z to x. */
 MEPUBLIC void MEAPI MeMatrix3MakeRotationY(MeMatrix3 m, const MeReal a);
-/** By the angle a about z: x to y. */
+/** Rotation by the angle a about z: x to y. */
 MEPUBLIC void MEAPI MeMatrix3MakeRotationZ(MeMatrix3 m, const MeReal a);
-/** Turns about x, then about y, then about z, all of them axes that stay where they are: m = Rz Ry Rx. */
+/** Rotation about the fixed axis x, then y, then z: m = Rz Ry Rx. */
 MEPUBLIC void MEAPI MeMatrix3FromEulerAngles(MeMatrix3 m, const MeReal xangle, const MeReal yangle,
                                              const MeReal zangle);
-/** Is it a rotation: rows of length 1 and at right angles, each dot product within the tolerance, and no
- *  mirror? */
+/** Is it a rotation matrix: orthonormal rows, each dot product within the tolerance, and no reflection? */
 MEPUBLIC MeBool MEAPI MeMatrix3IsValidOrientationMatrix(const MeMatrix3 rot, const MeReal tolerance);
 /** @} */
 
 /** @name MeMatrix4: any matrix
- *  Products are the usual ones of rows and columns. For transforms use the functions of TMs.
+ *  Ordinary matrix products. For transforms use the functions of TMs.
  *  @{ */
 MEPUBLIC void MEAPI MeMatrix4Copy(MeMatrix4 A, const MeMatrix4 B); /**< A = B */
 MEPUBLIC void MEAPI MeMatrix4SetZero(MeMatrix4 A);                 /**< A = 0 */
@@ -312,17 +306,17 @@ MEPUBLIC void MEAPI MeMatrix4Transpose(MeMatrix4 A);      /**< Exchanges A[i][j]
 MEPUBLIC MeBool MEAPI MeMatrix4IsZero(const MeMatrix4 m); /**< Is every element 0? */
 /** Is every element within the tolerance of the identity's? */
 MEPUBLIC MeBool MEAPI MeMatrix4IsIdentity(const MeMatrix4 a, const MeReal tolerance);
-/** Is it a rigid transform: a rotation, finite position, and 0, 0, 0, 1 on the right, all within the
+/** Is it a rigid transform: a rotation, a finite position, and 0, 0, 0, 1 in the last column, all within the
  *  tolerance? */
 MEPUBLIC MeBool MEAPI MeMatrix4IsTM(const MeMatrix4 tm, const MeReal tolerance);
-/** A = B, for matrices that begin at multiples of 16 bytes (MeALIGNDATA). The same as MeMatrix4Copy here. */
+/** A = B, for matrices aligned to 16 bytes (MeALIGNDATA). The same as MeMatrix4Copy here. */
 static inline void MeMatrix4CopyAligned(MeMatrix4 A, const MeMatrix4 B) {
     MeMatrix4Copy(A, B);
 }
 /** @} */
 
-/** @name TMs: making them, reading and changing parts
- *  The functions that make a TM write all of it. Those that set a part leave the rest as it is.
+/** @name TMs: construction and access
+ *  Functions that make a TM write all of it. Functions that set a part leave the rest unchanged.
  *  @{ */
 MEPUBLIC void MEAPI MeMatrix4TMMakeIdentity(MeMatrix4 tm); /**< No rotation, position 0. */
 /** Rotation R, position (x, y, z). */
@@ -344,81 +338,77 @@ MEPUBLIC void MEAPI MeMatrix4TMSetRotation(MeMatrix4 tm, const MeMatrix3 R);
 MEPUBLIC void MEAPI MeMatrix4TMGetRotation(MeMatrix3 R, const MeMatrix4 tm);
 /** Sets the rotation. */
 MEPUBLIC void MEAPI MeMatrix4TMSetRotationFromQuaternion(MeMatrix4 tm, const MeVector4 q);
-/** Makes a rotation again of one that has gathered rounding errors: x keeps its direction, y its plane with
- *  x, and z = x cross y. An x or y that is zero, or both along one line, cannot be mended: then it warns and
- *  changes nothing. The position is kept. */
+/** Orthonormalizes a rotation that has accumulated rounding errors: x keeps its direction, y its plane with x, and z =
+ *  x cross y. If x or y is zero, or both are parallel, it warns and changes nothing. The position is kept. */
 MEPUBLIC void MEAPI MeMatrix4TMOrthoNormalize(MeMatrix4 tm);
 /** @} */
 
-/** @name TMs: using them
+/** @name TMs: application
  *  The TM must be a rigid transform (MeMatrix4IsTM).
  *  @{ */
-/** The point in: R in + X. */
+/** Transforms a point: R in + X. */
 MEPUBLIC void MEAPI MeMatrix4TMTransform(MeVector3 out, const MeMatrix4 tm, const MeVector3 in);
-/** The way back, the inverse rotation of in - X. */
+/** Transforms a point by the inverse: transpose(R) (in - X). */
 MEPUBLIC void MEAPI MeMatrix4TMInverseTransform(MeVector3 out, const MeMatrix4 tm, const MeVector3 in);
-/** The direction in: R in. */
+/** Rotates a direction: R in. */
 MEPUBLIC void MEAPI MeMatrix4TMRotate(MeVector3 out, const MeMatrix4 tm, const MeVector3 in);
-/** The way back, the inverse rotation of in. */
+/** Rotates a direction by the inverse: transpose(R) in. */
 MEPUBLIC void MEAPI MeMatrix4TMInverseRotate(MeVector3 out, const MeMatrix4 tm, const MeVector3 in);
-/** Puts the inverse transform into tm. */
+/** Inverts tm in place. */
 MEPUBLIC void MEAPI MeMatrix4TMInvert(MeMatrix4 tm);
-/** The transform that does B first and then C: where B goes from a part to a body and C from the body to the
- *  world, A goes from the part to the world. In memory it is the product B C. */
+/** Composes transforms, B first and then C: if B maps a part's frame to a body's and C the body's frame to the world's,
+ *  A maps the part's frame to the world's. In memory it is the product B C. */
 MEPUBLIC void MEAPI MeMatrix4TMCompound(MeMatrix4 A, const MeMatrix4 B, const MeMatrix4 C);
 /**
- * Where a body's transform is after a time of constant velocity and constant angular velocity, both in the
- * world frame: the position moves by v h, and exp(h w) turns the rotation from the left. When it turns by
- * less than @a aEpsilon (radians) in all, the rotation stays as it is. After many updates of one transform
- * see MeMatrix4TMOrthoNormalize.
+ * The transform of a body after a time of constant linear and angular velocity, both in the world frame: the position
+ * moves by v h, and the rotation is multiplied by exp(h w) from the left. If the total angle is less than @a aEpsilon
+ * (radians), the rotation is unchanged. After many updates of a transform see MeMatrix4TMOrthoNormalize.
  */
 MEPUBLIC void MEAPI MeMatrix4TMUpdateFromVelocities(MeMatrix4 aTransformReturn, MeReal aEpsilon, MeReal aTimeStep,
                                                     const MeVector3 aVelocity, const MeVector3 aAngularVelocity,
                                                     const MeMatrix4 aTransform);
-/** The same with constant accelerations: the position moves by h v + h^2/2 a, and the turn is by h w + h^2/2
- *  alpha, which is exact as long as w and alpha share an axis. */
+/** The same with constant accelerations: the position moves by h v + h^2/2 a, the rotation by h w + h^2/2 alpha, which
+ *  is exact if w and alpha are parallel. */
 MEPUBLIC void MEAPI MeMatrix4TMUpdateFromVelocitiesAndAcceler(
     MeMatrix4 aTransformReturn, MeReal aEpsilon, MeReal aTimeStep, const MeVector3 aVelocity, const MeVector3 aAcceler,
     const MeVector3 aAngularVelocity, const MeVector3 aAngularAcceler, const MeMatrix4 aTransform);
 /** @} */
 
-/** @name Quaternions: making them
+/** @name Quaternions: construction
  *  @{ */
 MEPUBLIC void MEAPI MeQuaternionSet(MeVector4 q, MeReal w, MeReal x, MeReal y, MeReal z); /**< As given. */
-/** The rotation by the angle a about the axis x, which may have any length. Without a direction it warns and
- *  gives the identity. */
+/** The rotation by the angle a about the axis x, which may have any length. For a zero axis it warns and returns the
+ *  identity. */
 MEPUBLIC void MEAPI MeQuaternionMake(MeVector4 q, const MeVector3 x, const MeReal a);
-/** The smallest rotation that takes the direction of v1 to that of v2; for opposite ones it is half a turn
- *  about some axis at right angles to them. Without a direction it warns and gives the identity. */
+/** The smallest rotation of the direction of v1 to that of v2; for opposite ones, half a turn about some perpendicular
+ *  axis. For a zero vector it warns and returns the identity. */
 MEPUBLIC void MEAPI MeQuaternionForRotation(MeVector4 q, const MeVector3 v1, const MeVector3 v2);
 /** The rotation of a TM, with w >= 0. */
 MEPUBLIC void MEAPI MeQuaternionFromTM(MeVector4 q, const MeMatrix4 tm);
 /** @} */
 
-/** @name Quaternions: using them
+/** @name Quaternions: application
  *  @{ */
 MEPUBLIC void MEAPI MeQuaternionToR(MeMatrix3 R, const MeVector4 q); /**< The rotation matrix. */
 /** A TM with that rotation and position 0. */
 MEPUBLIC void MEAPI MeQuaternionToTM(MeMatrix4 tm, const MeVector4 q);
-/** v turned by q: R v. */
+/** v rotated by q: R v. */
 MEPUBLIC void MEAPI MeQuaternionRotateVector3(MeVector3 vout, const MeVector4 q, const MeVector3 v);
-/** r = p q: the rotation q first and then p. Lengths are multiplied. */
+/** r = p q: the rotation q first, then p. Lengths are multiplied. */
 MEPUBLIC void MEAPI MeQuaternionProduct(MeVector4 r, const MeVector4 p, const MeVector4 q);
-/** Between two rotations at constant angular velocity, the short way round: 0 gives @a from, 1 gives @a to
- *  (or its negative), numbers outside go on beyond. Both must be of length 1; so is the result. */
+/** Spherical linear interpolation along the shorter arc: 0 gives @a from, 1 gives @a to (or its negative), other
+ *  numbers extrapolate. Both must have length 1; so has the result. */
 MEPUBLIC void MEAPI MeQuaternionSlerp(MeVector4 q, const MeVector4 from, const MeVector4 to, const MeReal howFar);
 /** @} */
 
 /** @name Quaternions in motion
- *  A body whose orientation is q turns with the angular velocity w, given in the world frame, in radians per
- *  second.
+ *  For a body with the orientation q and the angular velocity w, in the world frame, radians per second.
  *  @{ */
-/** How fast q changes: dq = (0, w) q / 2. For q of length 1. */
+/** The time derivative of q: dq = (0, w) q / 2. For q of length 1. */
 MEPUBLIC void MEAPI MeQuaternionWtoDQ(MeVector4 dq, const MeVector4 q, const MeVector3 w);
 /** The 3 x 4 matrix D, row by row, with dq = D^T w / 2 and w = 2 D dq. For q of length 1. */
 MEPUBLIC void MEAPI MeQuaternionToD(MeReal D[12], const MeVector4 q);
-/** The orientation after the time h: q = exp(h w) q, exactly and however small or large the angle, brought to
- *  length 1. */
+/** The orientation after the time h: q = exp(h w) q, exact for any angle, normalized. */
 MEPUBLIC void MEAPI MeQuaternionFiniteRotation(MeVector4 q, const MeVector3 w, const MeReal h);
 /** @} */
 
@@ -433,16 +423,15 @@ MEPUBLIC void MEAPI MeMatrixMultiplyT1(MeReal *A, const int p, const int q, cons
                                        const MeReal *const C);
 /** A (m x n) = B^T, where B is n x m. */
 MEPUBLIC void MEAPI MeMatrixTranspose(MeReal *A, const int n, const int m, const MeReal *const B);
-/** Prints n rows of m numbers on stdout, each number with the printf format for one double (null: "%g "),
- *  each row on a line. */
+/** Prints n rows of m numbers on stdout, one row per line; format is the printf format of a double (null: "%g "). */
 MEPUBLIC void MEAPI MeMatrixPrint(const MeReal *const A, const int n, const int m, const char *const format);
-/** The same into a file. */
+/** The same to a file. */
 MEPUBLIC void MEAPI MeMatrixFPrint(FILE *const file, const MeReal *const A, const int n, const int m,
                                    const char *const format);
 /** @} */
 
 /** @name Packed triangles
- *  Where the element at a row and column of an n x n matrix is, when only one triangle is stored, row by row:
+ *  The index of an element of an n x n matrix of which only one triangle is stored, row by row:
  *
  *  @verbatim
  *      UpperDiagonal, n = 4        SuperDiagonal
@@ -452,17 +441,17 @@ MEPUBLIC void MEAPI MeMatrixFPrint(FILE *const file, const MeReal *const A, cons
  *            9                           .
  *  @endverbatim
  *
- *  The Sym ones are for symmetric matrices: a place below the diagonal is that of its mirror image. A place
- *  that is not stored: warning, and -1.
+ *  The Sym functions are for symmetric matrices: an element below the diagonal has the index of its mirror image. An
+ *  element that is not stored: warning, and -1.
  *  @{ */
-/** Place on or above the diagonal. */
+/** Index of an element on or above the diagonal. */
 MEPUBLIC int MEAPI MeUpperDiagonalIndex(const int inRow, const int inCol, const int inNCols);
-/** Any place. */
+/** Index of any element. */
 MEPUBLIC int MEAPI MeSymUpperDiagonalIndex(const int inRow, const int inCol, const int inNCols);
 MEPUBLIC int MEAPI MeUpperDiagonalSize(const int inNCols); /**< How many numbers that are. */
-/** Place above the diagonal. */
+/** Index of an element above the diagonal. */
 MEPUBLIC int MEAPI MeSuperDiagonalIndex(const int inRow, const int inCol, const int inNCols);
-/** Any place but on the diagonal. */
+/** Index of any element off the diagonal. */
 MEPUBLIC int MEAPI MeSymSuperDiagonalIndex(const int inRow, const int inCol, const int inNCols);
 MEPUBLIC int MEAPI MeSuperDiagonalSize(const int inNCols); /**< How many numbers that are. */
 /** @} */

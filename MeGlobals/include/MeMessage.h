@@ -1,16 +1,16 @@
 /** @file MeMessage.h
  *  Messages: information, debugging, logs, warnings, fatal errors (User Guide ch. 6 mentions the warnings).
  *
- *  A message goes through two replaceable functions: its handler formats it, its show function prints the text.
- *  Replace the handler to see every message of a kind with its arguments; replace the show function to put the
- *  finished text elsewhere. The level says how important a message is: 0 is the most important. A message whose
- *  level is above the kind's limit (MeWarningLevel and so on) is dropped before its handler is called.
+ *  A message passes two replaceable functions: its handler formats it, its show function prints the text. Replace the
+ *  handler to get all messages of a kind with their arguments; replace the show function to redirect the text. The
+ *  level is the importance of a message: 0 is the most important. Messages with a level above their kind's limit
+ *  (MeWarningLevel and so on) are dropped before the handler is called.
  *
- *  The functions may be called from several threads; the handlers are process-wide and are set before use.
+ *  The functions are thread-safe; handlers are process-wide and must be set before use.
  *
- *  A message may come in the middle of anything. Handlers and show functions may read, and must not create, destroy,
- *  enable or step anything of Karma: such calls are refused, with a warning that names them (docs/simulation.md,
- *  "Callbacks"). A message of the kind that is being handled goes to the standard handler meanwhile.
+ *  A message may be sent in the middle of any operation. Handlers and show functions may read, but must not create,
+ *  destroy, enable or step anything of Karma: such calls are refused, with a warning that names them
+ *  (docs/simulation.md, "Callbacks"). While a message is handled, further ones of its kind go to the standard handler.
  */
 #ifndef MEMESSAGE_H
 #define MEMESSAGE_H
@@ -20,7 +20,7 @@
 
 ME_BEGIN_C
 
-#define MeMAXMESSAGE 1024 /**< Bytes of the longest message text, its end included; longer texts are cut. */
+#define MeMAXMESSAGE 1024 /**< Maximum size of a message text in bytes, terminator included; longer texts are cut. */
 
 #if defined(__GNUC__)
 #define ME_PRINTF_LIKE(text, first) __attribute__((__format__(__printf__, text, first)))
@@ -28,7 +28,7 @@ ME_BEGIN_C
 #define ME_PRINTF_LIKE(text, first)
 #endif
 
-/** Formats a message and shows it. What handlers may do is said above. */
+/** Formats a message and shows it. See above for restrictions. */
 typedef void(MEAPI *MeHandler)(const int level, const char *const format, va_list ap);
 /** Prints a finished text, e.g. "Karma warning: ...", which ends without a newline. */
 typedef void(MEAPI *MeShow)(const int level, const char *const string);
@@ -39,22 +39,22 @@ typedef void(MEAPI *MeShow)(const int level, const char *const string);
         __VA_ARGS__;                                                                                                   \
     } while (0)
 
-/** Something that the user may like to know. Shown on stdout by default. */
+/** Information for the user. Shown on stdout by default. */
 MEPUBLIC void MEAPI_CDECL MeInfo(const int level, const char *const format, ...) ME_PRINTF_LIKE(2, 3);
-/** Something that the developer of Karma or of a program may like to know. Not shown by default (MeDebugLevel). */
+/** Information for developers of Karma or of a program. Not shown by default (MeDebugLevel). */
 MEPUBLIC void MEAPI_CDECL MeDebug(const int level, const char *const format, ...) ME_PRINTF_LIKE(2, 3);
 /** A line for a log. Shown on stderr by default. */
 MEPUBLIC void MEAPI_CDECL MeLog(const int level, const char *const format, ...) ME_PRINTF_LIKE(2, 3);
 /**
- * Misuse or trouble that Karma has dealt with; the program goes on. Shown on stderr by default.
- * Every Karma function that is given bad input says so here and then does what its documentation promises. The default
- * handler shows a text twice and not again, unless 64 others came between; a handler of your own gets each of them.
+ * Misuse or a problem that Karma has handled; the program continues. Shown on stderr by default. Every Karma function
+ * that gets bad input sends one, and then does what its documentation promises. The default handler shows a text twice
+ * only, unless 64 other texts came in between; a handler of your own gets all of them.
  */
 MEPUBLIC void MEAPI_CDECL MeWarning(const int level, const char *const format, ...) ME_PRINTF_LIKE(2, 3);
 /**
- * The program cannot go on (out of memory, for instance). The default handler shows the message on stderr and
- * calls abort(). With a handler that returns, MeFatalError returns, and so does the function that called it, with
- * its neutral result.
+ * The program cannot continue (out of memory, for instance). The default handler shows the message on stderr and calls
+ * abort(). If a replaced handler returns, MeFatalError returns, and so does the function that called it, with its
+ * neutral result.
  */
 MEPUBLIC void MEAPI_CDECL MeFatalError(const int level, const char *const format, ...) ME_PRINTF_LIKE(2, 3);
 
@@ -74,7 +74,7 @@ extern MEPUBLIC MeShow MeInfoShow, MeDebugShow, MeLogShow, MeWarningShow, MeFata
 /** @} */
 
 /** @name Replacing a handler or a show function
- *  Each returns the one that was in use. Null brings the default back.
+ *  Each returns the previous one. Null restores the default.
  *  @{ */
 MEPUBLIC MeHandler MEAPI MeSetInfoHandler(MeHandler n);
 MEPUBLIC MeHandler MEAPI MeSetDebugHandler(MeHandler n);
@@ -97,7 +97,7 @@ MEPUBLIC void MEAPI MeHandlerWarning(const int level, const char *const format, 
 MEPUBLIC void MEAPI MeHandlerFatalError(const int level, const char *const format, va_list ap);
 /** @} */
 
-/** @name Show functions to choose from
+/** @name Available show functions
  *  The dialog and the two "Crt" ones have no counterpart on this platform and print on stderr.
  *  @{ */
 MEPUBLIC void MEAPI MeShowStdout(const int level, const char *const string);

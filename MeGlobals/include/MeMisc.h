@@ -9,9 +9,9 @@
 ME_BEGIN_C
 
 /**
- * Red, green and blue, 0 to 1, of a colour given by its hue in degrees (0 red, 120 green, 240 blue, 360 red
- * again, and so on round the circle), its saturation (0 grey, 1 full colour) and its value (0 black, 1
- * bright). Saturation and value outside 0 to 1 count as the nearer end, and what is not a finite number as 0.
+ * Converts a colour to red, green and blue, each 0 to 1, from hue in degrees (0 red, 120 green, 240 blue, periodic in
+ * 360), saturation (0 grey, 1 full colour) and value (0 black, 1 bright). Saturation and value are clamped to 0 .. 1;
+ * numbers that are not finite count as 0.
  */
 MEPUBLIC void MEAPI MeHSVtoRGB(float h, float s, float v, float rgb[3]);
 

@@ -1,8 +1,8 @@
 /** @file MePool.h
- *  Records of one size, got and put back in any order (User Guide app. C, "Setting Karma Memory Usage").
+ *  Pools of records of one size, allocated and released in any order (User Guide app. C, "Setting Karma Memory Usage").
  *
- *  There are two kinds of pool, each a table of the same functions. A fixed pool allocates once and hands out
- *  up to that many records. A malloc pool allocates each record when it is asked for, and has no limit.
+ *  There are two kinds of pool, with the same table of functions. A fixed pool allocates memory once, for a fixed
+ *  number of records. A malloc pool allocates each record on request, without limit.
  *
  *  @code
  *      MePool pool;
@@ -14,8 +14,8 @@
  *      }
  *  @endcode
  *
- *  A pool is for one thread at a time. Every function warns of a null pool and of one of the other kind or of
- *  none, and then does nothing or gives 0.
+ *  A pool may be used by one thread at a time. Every function warns of a null pool and of one of another kind, and then
+ *  does nothing or returns 0.
  */
 #ifndef MEPOOL_H
 #define MEPOOL_H
@@ -24,65 +24,65 @@
 
 ME_BEGIN_C
 
-/** What a pool is now. */
+/** The kind of a pool. */
 typedef enum MePoolType {
-    MePoolNULL = 0,  /**< Nothing yet, or destroyed. */
-    MePoolFIXED = 1, /**< From MePoolFixedAPI. */
-    MePoolMALLOC = 2 /**< From MePoolMallocAPI. */
+    MePoolNULL = 0,  /**< Not initialized, or destroyed. */
+    MePoolFIXED = 1, /**< Made by MePoolFixedAPI. */
+    MePoolMALLOC = 2 /**< Made by MePoolMallocAPI. */
 } MePoolType;
 
-/** What a fixed pool has. */
+/** The data of a fixed pool. */
 typedef struct MePoolFixed {
-    char *memory;    /**< count * stride bytes, then for each record whether it is out */
-    MeU8 *isOut;     /**< count flags, the end of memory */
-    void *firstFree; /**< the first of a list; a record that is not out holds a pointer to the next */
-    int count;       /**< how many records in all */
+    char *memory;    /**< count * stride bytes, followed by a flag per record */
+    MeU8 *isOut;     /**< count flags, at the end of memory: is the record in use? */
+    void *firstFree; /**< free list; a free record begins with a pointer to the next one */
+    int count;       /**< total number of records */
 } MePoolFixed;
 
-/** What a malloc pool has. */
+/** The data of a malloc pool. */
 typedef struct MePoolMalloc {
-    struct MePoolMallocLink *first; /**< the newest of a list of the records that are out */
-    int header;                     /**< bytes that each record has before it, for the list */
+    struct MePoolMallocLink *first; /**< list of the records in use, newest first */
+    int header;                     /**< size of the list header before each record, bytes */
 } MePoolMalloc;
 
-/** Written by the functions of the table only. */
+/** A pool. Its members are read-only. */
 typedef struct MePool {
-    const struct MePoolAPI *api; /**< The table that the pool was made with. */
-    MePoolType type;             /**< Of which kind it is. */
-    int stride;                  /**< Bytes from record to record. */
+    const struct MePoolAPI *api; /**< The pool's functions. */
+    MePoolType type;             /**< The pool's kind. */
+    int stride;                  /**< Distance of records, bytes. */
     int alignment;               /**< Bytes. */
-    int used;                    /**< How many records are out. */
+    int used;                    /**< Number of records in use. */
     union {
         MePoolFixed fixed;
         MePoolMalloc allocated;
-    } u; /**< What its kind has. */
+    } u; /**< Data of its kind. */
 } MePool;
 
-/** The functions of a kind of pool. */
+/** The functions of a pool. */
 struct MePoolAPI {
-    /** Makes a pool of records of @a structSize bytes (at least 1) at multiples of @a alignment bytes (a
-     *  power of 2). @a count is how many a fixed pool has; a malloc pool does not use it. Bad numbers warn.
+    /** Initializes a pool of records of @a structSize bytes (at least 1), aligned to @a alignment bytes (a power of 2).
+     *  @a count is the number of records of a fixed pool; ignored for a malloc pool. Bad numbers warn.
      *  @return MEFALSE for bad numbers or when out of memory; the pool is then of the type MePoolNULL */
     MeBool(MEAPI *init)(MePool *pool, int structSize, int count, int alignment);
-    /** Takes all records back. The next ones come in the order in which those of a new pool do. */
+    /** Releases all records. The following ones are allocated in the order of a new pool. */
     void(MEAPI *reset)(MePool *pool);
-    /** Frees everything, records that are out included. */
+    /** Frees all memory, also of records in use. */
     void(MEAPI *destroy)(MePool *pool);
-    /** A record, with any contents; null, with a warning that says how large the pool is, when all are out;
-     *  null if out of memory. A fixed pool gives its records from the first to the last, and those put back
-     *  before all others. */
+    /** Allocates a record, with undefined contents. Null: with a warning that tells the pool's size, if all records are
+     *  in use; without memory. A fixed pool first reuses released records, the last one first, then allocates records
+     *  in the order of addresses. */
     void *(MEAPI *getStruct)(MePool *pool);
-    /** Puts a record back. Null does nothing. What is not a record that is out warns in a fixed pool, and
-     *  must not be given to a malloc pool. */
+    /** Releases a record. Null does nothing. A pointer that is not a record in use warns in a fixed pool, and is
+     *  undefined in a malloc pool. */
     void(MEAPI *putStruct)(MePool *pool, void *record);
-    /** How many records are out. */
+    /** The number of records in use. */
     int(MEAPI *getUsed)(const MePool *pool);
-    /** How many records there are in all: 0 (no limit) for a malloc pool. */
+    /** The total number of records: 0 (no limit) for a malloc pool. */
     int(MEAPI *getCount)(const MePool *pool);
 };
 
-extern MEPUBLIC const struct MePoolAPI MePoolFixedAPI;  /**< Pools that allocate once. */
-extern MEPUBLIC const struct MePoolAPI MePoolMallocAPI; /**< Pools that allocate record by record. */
+extern MEPUBLIC const struct MePoolAPI MePoolFixedAPI;  /**< Fixed pools. */
+extern MEPUBLIC const struct MePoolAPI MePoolMallocAPI; /**< Malloc pools. */
 
 ME_END_C
 

@@ -1,7 +1,7 @@
 /** @file MePoolx.h
- *  Records of one size in memory that is the program's: MePool without an allocation.
+ *  Pools of records of one size in the program's memory: allocate nothing.
  *
- *  Every function warns of a null pool, and then does nothing or gives 0. A pool is for one thread at a time.
+ *  Every function warns of a null pool, and then does nothing or returns 0. A pool may be used by one thread at a time.
  */
 #ifndef MEPOOLX_H
 #define MEPOOLX_H
@@ -13,21 +13,21 @@ ME_BEGIN_C
 /** A pool. Its members are private. */
 typedef struct _MePoolx {
     char *memory;
-    void *firstFree;              /* of a list of records that were put back */
-    int size, count, used, begun; /* bytes of a record; how many there are, are out, were out once */
+    void *firstFree;              /* free list of released records */
+    int size, count, used, begun; /* size of a record, bytes; total number of records; in use; ever used */
 } MePoolx;
 
-/** Makes a pool of numrec records of recsize bytes, one after the other in memory, which must stay: recsize must be at
- *  least a pointer's size, and a multiple of what the records are to be aligned to. With bad numbers it warns, and has
- *  none. */
+/** Initializes a pool of numrec records of recsize bytes, contiguous in memory that must remain valid. recsize must be
+ *  at least a pointer's size, and a multiple of the records' alignment. With bad numbers it warns, and the pool has no
+ *  records. */
 MEPUBLIC void MEAPI MePoolxInit(MePoolx *p, void *memory, int recsize, int numrec);
-/** A record, with any contents; null when all are out. */
+/** Allocates a record, with undefined contents; null if all are in use. */
 MEPUBLIC void *MEAPI MePoolxGet(MePoolx *p);
-/** A record whose bytes are 0; null when all are out. */
+/** Allocates a record of zeros; null if all are in use. */
 MEPUBLIC void *MEAPI MePoolxGetZeroed(MePoolx *p);
-/** Puts a record back. Null does nothing; what is none of its records warns. */
+/** Releases a record. Null does nothing; any other pointer that is not one of its records warns. */
 MEPUBLIC void MEAPI MePoolxPut(MePoolx *p, void *rec);
-/** Has a dictionary take its nodes from the pool, whose records must have room for a MeDictNode. */
+/** Makes the pool the allocator of a dictionary's nodes; a record must be at least a MeDictNode in size. */
 MEPUBLIC void MEAPI MePoolxUseWithDict(MePoolx *p, struct MeDict *d);
 
 ME_END_C

@@ -1,9 +1,9 @@
 /** @file MePrecision.h
- *  The number type, its functions and the small fixed-size types (Dynamics guide, Preface, "Type Conventions").
+ *  The number type, its functions and small types of fixed size (Dynamics guide, Preface, "Type Conventions").
  *
- *  Karma is built in two precisions. A program chooses by compiling with or without `_ME_API_DOUBLE`, which the
- *  CMake targets and pkg-config files set by themselves. Code compiled for one precision refuses to link with
- *  libraries of the other: the linker then names `MeGlobalsIsSinglePrecision` or `MeGlobalsIsDoublePrecision`.
+ *  Karma is built in two precisions. A program selects double precision by defining `_ME_API_DOUBLE`, which the CMake
+ *  targets and pkg-config files do. Code compiled for one precision does not link with libraries of the other: the
+ *  linker then reports `MeGlobalsIsSinglePrecision` or `MeGlobalsIsDoublePrecision` as undefined.
  */
 #ifndef MEPRECISION_H
 #define MEPRECISION_H
@@ -28,7 +28,7 @@ extern MEPUBLIC const char MeGlobalsIsSinglePrecision;
 #define ME_PRECISION_MARK MeGlobalsIsSinglePrecision
 #endif
 
-/* Every compiled file asks the linker for the mark of its own precision. */
+/* Every object file refers to the mark of its own precision. */
 #if defined(__GNUC__)
 __attribute__((used)) static const char *const mePrecisionMark = &ME_PRECISION_MARK;
 #endif
@@ -53,7 +53,7 @@ __extension__ typedef unsigned __int128 MeU128;
 #endif
 
 typedef MeReal MeVector3[3];    /**< x, y, z. */
-typedef MeReal MeVector4[4];    /**< x, y, z and w (1 for a point, 0 for a direction), or a quaternion (w, x, y, z). */
+typedef MeReal MeVector4[4];    /**< x, y, z, w (1 for a point, 0 for a direction), or a quaternion (w, x, y, z). */
 typedef MeVector3 MeMatrix3[3]; /**< Three rows. MeMatrix3 m = {a,b,c, d,e,f, g,h,i} fills it row by row. */
 typedef MeVector4 MeMatrix4[4]; /**< A transform as OpenGL stores it: rows 0-2 the axes, row 3 the translation. */
 typedef MeReal *MeVector3Ptr;
@@ -67,7 +67,8 @@ typedef AcmeReal AcmeVector3[3];
 /** Declares @a V of type @a T, aligned to @a N bytes: `static MeALIGNDATA(MeMatrix4, identity, 16) = {...};` */
 #if defined(__GNUC__)
 #define MeALIGNDATA(T, V, N) T V __attribute__((aligned(N)))
-/** Before or after a declaration, aligns what it declares to @a N bytes: `MeALIGNTO(16) static MeMatrix4 identity;` */
+/** Aligns the declared variable to @a N bytes, before or after the declaration: `MeALIGNTO(16) static MeMatrix4
+ * identity;` */
 #define MeALIGNTO(N) __attribute__((aligned(N)))
 #else
 #define MeALIGNDATA(T, V, N) T V
@@ -101,7 +102,7 @@ typedef AcmeReal AcmeVector3[3];
 /** True for a number, false for NaN and the infinities. */
 #define MeRealIsValid(f) (isfinite(f) ? METRUE : MEFALSE)
 
-/** Tolerances for numbers near 1: rounding of one operation, of a few, of a long computation. */
+/** Tolerances for numbers near 1: rounding errors of one operation, of a few, of a long computation. */
 #ifdef _ME_API_DOUBLE
 #define ME_MIN_EPSILON    ((MeReal)1e-14)
 #define ME_SMALL_EPSILON  ((MeReal)1e-11)
@@ -112,7 +113,7 @@ typedef AcmeReal AcmeVector3[3];
 #define ME_MEDIUM_EPSILON ((MeReal)1e-3)
 #endif
 
-/** Comparisons within a tolerance @a e (absolute); without one, within ME_SMALL_EPSILON. */
+/** Comparisons with an absolute tolerance @a e; in those without one it is ME_SMALL_EPSILON. */
 #define ME_IS_ZERO_TOL(x, e)      (MeFabs(x) < (e))
 #define ME_ARE_EQUAL_TOL(x, y, e) (MeFabs((x) - (y)) < (e))
 #define ME_IS_ZERO_3VEC_TOL(x, e) (ME_IS_ZERO_TOL((x)[0], e) && ME_IS_ZERO_TOL((x)[1], e) && ME_IS_ZERO_TOL((x)[2], e))

@@ -1,7 +1,7 @@
 /** @file MeProfile.h
- *  How much time is spent where (User Guide app. B mentions it as the viewer's companion).
+ *  Profiling: the time spent in sections of code (User Guide app. B mentions it as the viewer's companion).
  *
- *  A program marks sections of its code, which may contain others, and frames:
+ *  A program marks sections of its code, which may be nested, and frames:
  *
  *  @code
  *      MeProfileStartTiming(mode, kMeProfileLogTotals);
@@ -16,11 +16,10 @@
  *      MeProfileStopTiming();
  *  @endcode
  *
- *  Sections are told apart by the text of their names and by the sections that they are in. While timing is
- *  off, marks cost one test each; they are never compiled out. One thread is timed, the one that started
- *  timing: marks in other threads do nothing, and only that thread may read results or stop.
- *  Memory comes from MeMemoryAPI, when a section is met for the first time and, with kMeProfileLogAll, as the
- *  log grows; when there is none, timing stops.
+ *  Sections are distinguished by their names and their enclosing sections. While timing is off, a mark costs one test;
+ *  marks are never compiled out. Only the thread that started timing is timed: marks in other threads do nothing, and
+ *  only that thread may read results or stop. Memory is allocated by MeMemoryAPI, for each new section and, with
+ *  kMeProfileLogAll, as the log grows; without memory, timing stops.
  */
 #ifndef MEPROFILE_H
 #define MEPROFILE_H
@@ -29,72 +28,69 @@
 
 ME_BEGIN_C
 
-/** What a processor's counters would count. There are no counters on this platform: time is measured in any
- *  mode. */
+/** Hardware counters. There are none on this platform: time is measured in any mode. */
 typedef enum MeProfileCounterModes_enum {
-    kMeProfileCounterModeFlops = 0, /**< Operations with real numbers. */
+    kMeProfileCounterModeFlops = 0, /**< Floating-point operations. */
     kMeProfileCounterModeCache = 1  /**< Cache misses. */
 } MeProfileCounterModes_enum;
 
-/** What is remembered besides the last finished frame. */
+/** What is stored besides the last finished frame. */
 typedef enum MeProfileLogModes_enum {
     kMeProfileDontLog = 0,  /**< Nothing: MeProfileOutputResults has nothing to print. */
-    kMeProfileLogAll = 1,   /**< Totals, and every single call: 32 bytes each, up to a million. */
+    kMeProfileLogAll = 1,   /**< Totals, and every call: 32 bytes each, up to a million. */
     kMeProfileLogTotals = 2 /**< Totals for each section. */
 } MeProfileLogModes_enum;
 
 /** What MeProfileOutputResults prints. Event and Gnuplot need kMeProfileLogAll. */
 typedef enum MeProfileOutput_enum {
-    kMeProfileOutputAverage = 0, /**< For each section: calls and milliseconds per frame, worst frame. */
-    kMeProfileOutputEvent = 1,   /**< For each call, as they end: frame, begin, duration. */
-    kMeProfileOutputNormal = 2,  /**< For each section: calls, total, average and worst frame. The default. */
-    kMeProfileOutputGnuplot = 3  /**< For each frame: its number, and a column of milliseconds per section. */
+    kMeProfileOutputAverage = 0, /**< Per section: calls and milliseconds per frame, worst frame. */
+    kMeProfileOutputEvent = 1,   /**< Per call, in the order of their ends: frame, begin, duration. */
+    kMeProfileOutputNormal = 2,  /**< Per section: calls, total, average and worst frame. The default. */
+    kMeProfileOutputGnuplot = 3  /**< Per frame: its number, and a column of milliseconds per section. */
 } MeProfileOutput_enum;
 
 /** How to measure. */
 typedef struct MeProfileTimerMode {
-    MeProfileCounterModes_enum counter; /**< Without effect, see there. */
+    MeProfileCounterModes_enum counter; /**< Without effect: see MeProfileCounterModes_enum. */
 } MeProfileTimerMode;
 
 /** How to report. */
 typedef struct MeProfileOutput {
     MeProfileOutput_enum format; /**< What to print. */
-    const char *filename;        /**< Where to, replacing the file; null for stdout. Kept as a pointer. */
+    const char *filename;        /**< Output file, replaced; null for stdout. The pointer is kept. */
 } MeProfileOutput;
 
 /** A reading of the clock. */
 typedef struct MeProfileTimerResult {
-    MeU64 ticks; /**< Since some moment in the past; MeProfileGetClockSpeed() ticks are a second. */
+    MeU64 ticks; /**< Since an arbitrary time; MeProfileGetClockSpeed() ticks are a second. */
 } MeProfileTimerResult;
 
-/** @name On and off
+/** @name Start and stop
  *  @{ */
-/** Begins to measure, forgetting all that was measured before. */
+/** Starts timing, and discards all earlier results. */
 MEPUBLIC void MEAPI MeProfileStartTiming(MeProfileTimerMode mode, MeProfileLogModes_enum logging);
-/** Ends all sections and the frame, and measures no more. Results are still to be had. */
+/** Ends all sections and the frame, and stops timing. Results remain available. */
 MEPUBLIC void MEAPI MeProfileStopTimers(void);
-/** The same, and forgets and frees everything. */
+/** The same, and discards all results and frees the memory. */
 MEPUBLIC void MEAPI MeProfileStopTiming(void);
 /** @} */
 
 /** @name Marks
  *  @{ */
-/** Begins a frame, ending the one that has not been ended. */
+/** Begins a frame; ends the present one if there is one. */
 MEPUBLIC void MEAPI MeProfileStartFrame(void);
-/** Ends a frame. A call that is still in progress is split, here and where a frame begins: its time so far
- *  counts for this frame. What happens outside of frames counts in totals, but not in the times of any
- *  frame. */
+/** Ends a frame. Calls in progress are split at the begin and the end of a frame: their time so far counts for the
+ *  ending frame. Time outside of frames counts in totals, but in no frame. */
 MEPUBLIC void MEAPI MeProfileEndFrame(void);
 /**
- * Begins a section, inside the one in progress.
+ * Begins a section inside the present one.
  * @param codeSection its name, which is copied; null warns and does nothing
- * @param autoStop    not 0: when the section in progress was begun like this too, then it is ended first, so
- *                    that both are in the same outer section. Such a section also ends with its outer one and
- *                    needs no end of its own.
+ * @param autoStop    not 0: if the present section was begun with autoStop, too, it is ended first, so that both are in
+ * the same outer section. Such a section also ends with its outer one, and needs no end of its own.
  */
 MEPUBLIC void MEAPI MeProfileStartSectionFn(const char *codeSection, char unsigned autoStop);
-/** Ends a section. Sections that were begun in it are ended too, with a warning; an end without a beginning
- *  warns and does nothing. Only the first such warning since MeProfileStartTiming is given. */
+/** Ends a section. Unfinished sections inside it are ended, too, with a warning; an end without a begin warns and does
+ *  nothing. Only the first such warning since MeProfileStartTiming is given. */
 MEPUBLIC void MEAPI MeProfileEndSectionFn(const char *codeSection);
 /** @} */
 
@@ -102,36 +98,36 @@ MEPUBLIC void MEAPI MeProfileEndSectionFn(const char *codeSection);
 #define MeProfileEndSection(x)      MeProfileEndSectionFn((x))                       /**< The same. */
 
 /** @name Results
- *  Of the last frame that was finished; 0 before.
+ *  Of the last finished frame; 0 before there is one.
  *  @{ */
-/** The seconds spent in a section, wherever it is called from, with what is inside. 0 for an unknown name or
- *  null. */
+/** The seconds spent in a section, inner sections included, summed over all enclosing sections. 0 for null or an
+ *  unknown name. */
 MEPUBLIC MeReal MEAPI MeProfileGetSectionTime(const char *codeSection);
-/** The seconds spent in all sections together. */
+/** The seconds spent in all sections. */
 MEPUBLIC MeReal MEAPI MeProfileGetAllSectionTime(void);
-/** Chooses format and file for MeProfileOutputResults. An unknown format warns and changes nothing. */
+/** Sets format and file of MeProfileOutputResults. An unknown format warns and changes nothing. */
 MEPUBLIC void MEAPI MeProfileSetOutputParameters(MeProfileOutput output);
-/** Prints what has been measured. Warns if there is nothing, if the format needs a log that was not kept, or
- *  if the file cannot be written. */
+/** Prints the results. Warns if there are none, if the format needs a log that was not kept, or if the file cannot be
+ *  written. */
 MEPUBLIC void MEAPI MeProfileOutputResults(void);
 /** @} */
 
 /** @name The clock
- *  Runs whether timing is on or off, evenly, and never back.
+ *  Monotonic, and independent of timing.
  *  @{ */
 MEPUBLIC MeU64 MEAPI MeProfileGetClockSpeed(void);                              /**< Ticks per second. */
 MEPUBLIC void MEAPI MeProfileGetTimerValue(MeProfileTimerResult *const result); /**< Reads the clock. */
 /** @} */
 
 /** @name A stopwatch
- *  Independent of everything above: one section follows another, without frames and without nesting.
+ *  Independent of all functions above: consecutive sections, without frames and nesting.
  *  @{ */
-MEPUBLIC void MEAPI ticInit(void);    /**< Begins to measure, forgetting all that was measured before. */
-MEPUBLIC void MEAPI ticCleanup(void); /**< Measures no more, forgets and frees everything. */
-/** Ends the section in progress and begins another; null only ends. Does nothing before ticInit. */
+MEPUBLIC void MEAPI ticInit(void);    /**< Starts measuring, and discards earlier results. */
+MEPUBLIC void MEAPI ticCleanup(void); /**< Stops measuring, discards results and frees the memory. */
+/** Ends the present section and begins another one; null only ends. Does nothing before ticInit. */
 MEPUBLIC void MEAPI tic(const char *name);
-/** Prints calls and milliseconds of each section, into a file (replacing it) or, for null, on stdout. Warns
- *  if the file cannot be written. */
+/** Prints calls and milliseconds of each section to a file, which is replaced, or to stdout if null. Warns if the file
+ *  cannot be written. */
 MEPUBLIC void MEAPI ticOutputResults(const char *filename);
 /** @} */
 

@@ -1,8 +1,8 @@
 /** @file MeSet.h
- *  Sets of pointers, in an order that the program gives.
+ *  Ordered sets of pointers, with the program's comparison.
  *
- *  What the pointers point to is the program's and must not change its order while it is in a set. Every function warns
- *  of a null set, and then does nothing or gives 0. A set is for one thread at a time.
+ *  The objects are owned by the program and must not change their order while they are in a set. Every function warns
+ *  of a null set, and then does nothing or returns 0. A set may be used by one thread at a time.
  */
 #ifndef MESET_H
 #define MESET_H
@@ -16,33 +16,33 @@ ME_BEGIN_C
 typedef struct _MeSet {
     MeDict dict;
     MePoolx pool;
-    MeDictNode *next; /* of MeSetIteratorNext */
+    MeDictNode *next; /* last node of MeSetIteratorNext */
     MeBool isCreated;
 } MeSet;
 
-/** Makes an empty set of any size. Null, with a warning, without a comparison, and, after MeFatalError, without memory.
- *  MeSetDestroy gives it back. */
+/** Creates an empty set without limit. Null: with a warning, without a comparison; after MeFatalError, without memory.
+ *  Free it with MeSetDestroy. */
 MEPUBLIC MeSet *MEAPI MeSetCreate(MeDictCompareFn cmp);
-/** Makes an empty set in memory that is the program's: s, and maxnode nodes, which is how many items there may be. */
+/** Initializes an empty set in the program's memory: s, and an array of maxnode nodes, the maximum number of items. */
 MEPUBLIC void MEAPI MeSetInit(MeSet *s, MeDictNode *nodemem, int maxnode, MeDictCompareFn cmp);
-/** Empties a set, and frees it if MeSetCreate made it. */
+/** Empties a set, and frees it if it was made by MeSetCreate. */
 MEPUBLIC void MEAPI MeSetDestroy(MeSet *s);
-/** Puts an item in: 1. 0 if an equal one is in it, and, with a warning, if it is full. */
+/** Inserts an item and returns 1; returns 0 if an equal one exists or, with a warning, if the set is full. */
 MEPUBLIC int MEAPI MeSetAdd(MeSet *s, void *item);
-/** Takes the item out that equals this one: 1; 0 if there is none. */
+/** Removes the item that equals the given one and returns 1; returns 0 if there is none. */
 MEPUBLIC int MEAPI MeSetRemove(MeSet *s, void *item);
-/** Is an item in it that equals this one? */
+/** Does the set contain an item equal to the given one? */
 MEPUBLIC int MEAPI MeSetContains(MeSet *s, void *item);
-/** How many items there are. */
+/** The number of items. */
 MEPUBLIC int MEAPI MeSetSize(MeSet *s);
-/** Is there no place for another item? */
+/** Is the set full? */
 MEPUBLIC int MEAPI MeSetIsFull(MeSet *s);
-/** Takes the last item out; null for an empty set. */
+/** Removes and returns the last item; null for an empty set. */
 MEPUBLIC void *MEAPI MeSetPop(MeSet *s);
-/** Takes the first item out; null for an empty set. */
+/** Removes and returns the first item; null for an empty set. */
 MEPUBLIC void *MEAPI MeSetPopFirst(MeSet *s);
-/** The items one after the other, in order; after the last one null, and then the first one again. What adds an item or
- *  takes one out starts anew. */
+/** Returns the items in order, one per call; null after the last one, then starts again. Inserting or removing an item
+ *  also starts again. */
 MEPUBLIC void *MEAPI MeSetIteratorNext(MeSet *s);
 
 ME_END_C

@@ -1,9 +1,9 @@
 /** @file MeSimpleFile.h
- *  Files by numbers, as the system knows them: what programs read their data with.
+ *  Files by descriptors of the system.
  *
- *  A file that cannot be opened gives -1, without a message: programs ask, and go on. Otherwise a number of 0 or more,
- *  to be closed by MeClose. The functions warn of null pointers, of counts below 0 and of numbers of files that are not
- *  open, and then give -1 or null. Bytes are read and written as they are, whatever the mode.
+ *  An open file has a number >= 0, to be closed by MeClose. If it cannot be opened, the result is -1, without a
+ *  message. All functions warn of null pointers, negative counts and descriptors that are not open, and then return -1
+ *  or null. Bytes are read and written unchanged in all modes.
  */
 #ifndef MESIMPLEFILE_H
 #define MESIMPLEFILE_H
@@ -12,34 +12,35 @@
 
 ME_BEGIN_C
 
-/** What a file is opened for. */
+/** The access mode of a file. */
 typedef enum MeOpenMode_enum {
-    kMeOpenModeRDONLY = 0,  /**< To be read; there must be such a file. */
-    kMeOpenModeWRONLY = 1,  /**< To be written: made if there is none, else emptied. */
-    kMeOpenModeRDWR = 2,    /**< To be read and written: made if there is none, else kept as it is. */
+    kMeOpenModeRDONLY = 0,  /**< Read; the file must exist. */
+    kMeOpenModeWRONLY = 1,  /**< Write; created, or truncated if it exists. */
+    kMeOpenModeRDWR = 2,    /**< Read and write; created if missing, otherwise unchanged. */
     kMeOpenModeRDBINARY = 3 /**< The same as kMeOpenModeRDONLY. */
 } MeOpenMode_enum;
 
-/** Where MeLseek counts from. */
+/** The origin of MeLseek. */
 typedef enum MeSeekOrigin_enum {
     kMeSeekSET = 0, /**< From the beginning. */
-    kMeSeekCUR = 1, /**< From where the file is read next. */
+    kMeSeekCUR = 1, /**< From the present position. */
     kMeSeekEND = 2  /**< From the end. */
 } MeSeekOrigin_enum;
 
 /** @name Opening
- *  Directories are not files: -1.
+ *  Directories cannot be opened: -1.
  *  @{ */
-/** Opens the file of exactly that name. */
+/** Opens a file by exactly this name. */
 MEPUBLIC int MEAPI MeOpenRaw(const char *filename, MeOpenMode_enum mode);
-/** The same; where there is no such file, backslashes count as slashes: names may be those of programs for Windows. */
+/** Opens a file; if there is none of this name, with backslashes replaced by slashes, as in names of programs for
+ * Windows. */
 MEPUBLIC int MEAPI MeOpen(const char *filename, MeOpenMode_enum mode);
-/** MeOpen; to be read, a file that is not there is looked for in the directories of MeGetDefaultFileLocation, in their
- *  order: first by the name as it is given, if that is relative, then by what follows its last slash. */
+/** MeOpen; in modes for reading, a missing file is searched in the directories of MeGetDefaultFileLocation, in order:
+ *  in each by the given name, if it is relative, then by the part after its last slash. */
 MEPUBLIC int MEAPI MeOpenWithSearch(const char *filename, MeOpenMode_enum mode);
 /**
- * Directories that are searched, i = 0, 1, ... until null: the one that the environment variable KARMA_FILES names, if
- * it is set, then resources, ../resources, ../../resources, .. and ../.. of the working directory.
+ * The i-th directory of the search; null after the last: the value of the environment variable KARMA_FILES, if set,
+ * then resources, ../resources, ../../resources, .. and ../.. relative to the working directory.
  */
 MEPUBLIC const char *MEAPI MeGetDefaultFileLocation(int i);
 /** Closes a file: 0, or -1. */
@@ -48,17 +49,17 @@ MEPUBLIC int MEAPI MeClose(int file);
 
 /** @name Reading and writing
  *  @{ */
-/** Reads count bytes, or as many as there are; how many, 0 at the end, -1 if it cannot be read. */
+/** Reads up to count bytes; returns their number, 0 at the end, -1 on an error. */
 MEPUBLIC int MEAPI MeRead(int file, void *buf, int count);
-/** Writes count bytes; how many, -1 if it cannot be written. */
+/** Writes count bytes; returns the number written, -1 on an error. */
 MEPUBLIC int MEAPI MeWrite(int file, void *buf, int count);
-/** Sets where the file is read or written next: offset bytes from the origin. The place from the beginning, -1 for one
- *  before it, which changes nothing. */
+/** Sets the position for reading and writing: offset bytes from the origin. Returns the position from the beginning;
+ *  -1, without effect, if it would be before it. */
 MEPUBLIC int MEAPI MeLseek(int file, int offset, MeSeekOrigin_enum origin);
-/** All bytes of a file from its beginning on, with a 0 after them; size gets how many, without the 0, and may be null.
- *  The memory is the caller's, who gives it to MeMemoryAPI.destroy. The file stays open. Null if it cannot be read. */
+/** Reads a whole file and appends a 0; size, which may be null, gets the number of bytes without the 0. The caller owns
+ *  the memory and frees it by MeMemoryAPI.destroy. The file remains open. Null if it cannot be read. */
 MEPUBLIC char *MEAPI MeLoadWholeFileHandle(const int f, int *size);
-/** Makes size bytes all that is in a file. It stays open. What cannot be written gets a warning. */
+/** Replaces the contents of a file. The file remains open. A failure gets a warning. */
 MEPUBLIC void MEAPI MeSaveWholeFileHandle(const int f, const char *data, const int size);
 /** @} */
 

@@ -1,13 +1,12 @@
 /** @file MeTask.h
- *  Tasks: how a step's work gets onto several threads.
+ *  Tasks: run parts of a step on several threads.
  *
- *  Karma starts no thread by itself. A world steps on the thread that calls it until it is given workers
- *  (MdtWorldSetTaskPool, MdtWorldSetTaskCallbacks): either a pool of this file, or functions that hand tasks to the
- *  program's own job system. A step gives the same bits whatever runs its tasks, and on however many threads.
+ *  Karma starts no thread by itself. A world steps on the calling thread until it is given workers
+ *  (MdtWorldSetTaskPool, MdtWorldSetTaskCallbacks): either a pool of this file, or callbacks that pass tasks to the
+ *  program's own job system. A step gives the same bits for any scheduling of its tasks and any number of threads.
  *
- *  A task is a function and its context. Karma enqueues at most as many tasks at a time as there are workers beside the
- *  calling thread, and that thread works too: a task that is started late, or only as it is waited for, costs time and
- *  nothing else.
+ *  A task is a function and its context. Karma enqueues at most one task at a time per worker other than the calling
+ *  thread, which works, too: a task that starts late, or only when it is waited for, costs nothing but time.
  */
 #ifndef METASK_H
 #define METASK_H
@@ -16,48 +15,49 @@
 
 ME_BEGIN_C
 
-/** What a task does: it is called once, on any thread. */
+/** The function of a task: called once, on any thread. */
 typedef void(MEAPI *MeTaskCB)(void *taskContext);
 
-/** @name How tasks are run
- *  While a world steps these may not destroy it, step it or move its bodies: such calls are refused, with a warning.
- *  What of it they create or destroy waits until the step is done (docs/simulation.md, "Callbacks").
+/** @name Callbacks that run tasks
+ *  While a world steps, these callbacks must not destroy it, step it or move its bodies: such calls are refused, with a
+ *  warning. Creation and destruction of its objects are deferred to the end of the step (docs/simulation.md,
+ *  "Callbacks").
  *  @{ */
 
-/** Has @a task called with @a taskContext, once, by any thread: now, before this returns; soon; or only when
- *  MeFinishTaskCB waits for it.
- *  @return what identifies the task to MeFinishTaskCB; null: it has been called already */
+/** Calls @a task with @a taskContext once, on any thread: before this returns, later, or when MeFinishTaskCB waits for
+ *  it.
+ *  @return an identifier of the task for MeFinishTaskCB; null: the task has been called already */
 typedef void *(MEAPI *MeEnqueueTaskCB)(MeTaskCB task, void *taskContext, void *userContext);
 
-/** Returns once the task has been called and has returned. May call it, or others, meanwhile. */
+/** Waits until the task has returned. May run it, or others, meanwhile. */
 typedef void(MEAPI *MeFinishTaskCB)(void *userTask, void *userContext);
 /** @} */
 
-/** Threads that wait for tasks. */
+/** A pool of threads that run tasks. */
 typedef struct MeTaskPool *MeTaskPoolID;
 
 enum {
-    MeTaskMaxWorkers = 64 /**< More are not made use of. */
+    MeTaskMaxWorkers = 64 /**< Maximum number of workers. */
 };
 
 /**
- * Starts threads that sleep until there is something to do.
- * @param workers how many threads work at once, the one that steps a world included: this many less one are started. At
- *        least 1, at most MeTaskMaxWorkers; other numbers warn, and the next of these is taken.
- * @return null, with a warning or a fatal error, if they cannot be had
+ * Creates a pool of threads, which sleep until there are tasks.
+ * @param workers the number of threads that work at the same time, including the one that steps a world: workers - 1
+ * threads are started. Clamped, with a warning, to 1 .. MeTaskMaxWorkers.
+ * @return null, with a warning or a fatal error, if the threads cannot be created
  */
 MEPUBLIC MeTaskPoolID MEAPI MeTaskPoolCreate(int workers);
 
-/** Ends the threads and frees the pool. No world may use it any more. Null does nothing. While there are tasks that are
- *  not finished, in a callback in the middle of a step: a warning, and nothing is done. */
+/** Ends the threads and frees the pool. No world may use it any more. Null does nothing. With unfinished tasks (in a
+ *  callback during a step) it warns and does nothing. */
 MEPUBLIC void MEAPI MeTaskPoolDestroy(MeTaskPoolID pool);
 
-/** As many as MeTaskPoolCreate was asked for, or took; 1 for null. */
+/** The number of workers; 1 for null. */
 MEPUBLIC int MEAPI MeTaskPoolGetWorkers(MeTaskPoolID pool);
 
 /** @name A pool as callbacks
- *  What MdtWorldSetTaskPool gives a world; programs may use them for tasks of their own. @a pool is a MeTaskPoolID. Any
- *  number of threads may call them at once.
+ *  The callbacks that MdtWorldSetTaskPool sets; programs may use them for their own tasks. @a pool is a MeTaskPoolID.
+ *  Thread-safe.
  *  @{ */
 MEPUBLIC void *MEAPI MeTaskPoolEnqueue(MeTaskCB task, void *taskContext, void *pool);
 MEPUBLIC void MEAPI MeTaskPoolFinish(void *userTask, void *pool);

@@ -1,14 +1,14 @@
 /** @file MeTeam.h
- *  Teams: parallel loops for Karma's own libraries, on top of a program's tasks (MeTask.h). Not installed.
+ *  Teams: parallel loops for Karma's own libraries, run by the program's tasks (MeTask.h). Not installed.
  *
- *  A team is opened for a stretch of a step, runs loops, and is closed. Opening enqueues one task per worker, which
- *  waits for loops, spinning, until the team is closed: a loop costs no more than a microsecond to begin and to end.
- *  The opening thread is worker 0 and takes items too: it can do all of them, so that a loop ends even if no task is
- *  ever started.
+ *  A team is opened for a stage of a step, runs loops, and is closed. Opening enqueues one task per worker, which spins
+ *  until the team is closed, waiting for loops: beginning and ending a loop costs no more than a microsecond. The
+ *  opening thread is worker 0 and processes items, too; it can process all of them, so a loop ends even if no task ever
+ *  starts.
  *
- *  The rule for order: which worker takes an item, and when, is left open. What a loop computes must not depend on it:
- *  an item writes to nothing that another item of its loop reads or writes, and sums over items are made afterwards, in
- *  the items' order, of what each has left. How many items there are must not depend on the number of workers.
+ *  Determinism: it is undefined which worker processes an item, and when, so results must not depend on it. An item
+ *  must not write data that another item of its loop reads or writes; sums over items are computed afterwards, in the
+ *  order of items. The number of items must not depend on the number of workers.
  */
 #ifndef METEAM_H
 #define METEAM_H
@@ -19,75 +19,75 @@ ME_BEGIN_C
 
 typedef struct MeTeam MeTeam;
 
-/** One item of a loop, done by that worker, 0 .. MeTeamGetSize - 1: for memory that workers have of their own. */
+/** Processes one item of a loop on a worker, 0 .. MeTeamGetSize - 1, which selects per-worker memory. */
 typedef void(MEAPI *MeTeamWork)(void *context, int item, int worker);
 
-/** The items first .. end - 1 of a loop over ranges, by that worker. */
+/** Processes the items first .. end - 1 of a loop over ranges, on a worker. */
 typedef void(MEAPI *MeTeamRangeWork)(void *context, int first, int end, int worker);
 
 /** @name Life
  *  @{ */
-/** With that many workers, at most MeTaskMaxWorkers. Null, after a fatal error, if there is no memory. */
+/** Creates a team of @a workers, at most MeTaskMaxWorkers. Null, after a fatal error, without memory. */
 MEPUBLIC MeTeam *MEAPI MeTeamCreate(int workers, MeEnqueueTaskCB enqueue, MeFinishTaskCB finish, void *userContext,
                                     const char *function);
-/** Null is nothing. */
+/** Destroys a team. Null does nothing. */
 MEPUBLIC void MEAPI MeTeamDestroy(MeTeam *team);
-/** 1 for null. */
+/** The number of workers; 1 for null. */
 MEPUBLIC int MEAPI MeTeamGetSize(const MeTeam *team);
 /** @} */
 
 /** @name Work
- *  All by the same thread. Open and close nest. Null is a team of the calling thread alone.
+ *  To be called by one thread. Open and close may be nested. A null team runs everything on the calling thread.
  *  @{ */
 MEPUBLIC void MEAPI MeTeamOpen(MeTeam *team);
 MEPUBLIC void MEAPI MeTeamClose(MeTeam *team);
-/** From now on a team that has been opened stays so, whoever closes it, until it is released: a sleeping thread needs
- *  up to .35 ms to wake. Workers wait, spinning, while the calling thread does something alone in between. */
+/** Keeps the tasks of a team running when it is closed, until MeTeamRelease: a sleeping thread takes up to .35 ms to
+ *  wake. Workers spin while the calling thread works alone in between. */
 MEPUBLIC void MEAPI MeTeamKeep(MeTeam *team);
 MEPUBLIC void MEAPI MeTeamRelease(MeTeam *team);
-/** Does all items, and returns then. On the calling thread alone, in their order, where the team is not open, is null,
- *  or is in a loop already. Messages of the items reach the calling thread in the items' order, after the loop. */
+/** Processes all items, then returns. If the team is null, not open, or in a loop already, the calling thread processes
+ *  them alone, in order. Messages of the items are sent after the loop, in the order of items. */
 MEPUBLIC void MEAPI MeTeamRun(MeTeam *team, int items, MeTeamWork work, void *context);
-/** The same of so many things, in ranges of that size; the last one may be shorter. */
+/** The same for @a count items in ranges of @a size; the last range may be shorter. */
 MEPUBLIC void MEAPI MeTeamRunRanges(MeTeam *team, int count, int size, MeTeamRangeWork work, void *context);
 /**
- * Makes items on all workers, and uses them on the calling thread, each as soon as it and all before it are made: use
- * may write to what is shared, in the items' order. No more than @a ahead items are made and not used: item i has the
- * i % ahead-th of so many buffers. @a ahead is at least 1. Messages of making an item come before those of using it.
+ * A pipeline: all workers run @a make for items; the calling thread runs @a use for each item, in order, as soon as it
+ * and all earlier ones are made. So @a use may write shared data. At most @a ahead (>= 1) items are made and not yet
+ * used: item i may use buffer i % ahead. Messages of making an item precede those of using it.
  */
 MEPUBLIC void MEAPI MeTeamPipe(MeTeam *team, int items, int ahead, MeTeamWork make, MeTeamWork use, void *context);
 /** @} */
 
 /** @name Time
- *  What workers spend on items, if somebody wants to know.
+ *  The time that workers spend on items.
  *  @{ */
-/** From now on, or no longer; all times are 0 again. */
+/** Switches timing on or off, and resets all times to 0. */
 MEPUBLIC void MEAPI MeTeamTime(MeTeam *team, MeBool isTimed);
-/** s, since then. */
+/** s spent on items since timing was switched on. */
 MEPUBLIC double MEAPI MeTeamGetBusyTime(const MeTeam *team, int worker);
 /** @} */
 
 /** @name Watching
- *  For who asks what more workers would gain (bench/critical.c): all that an open team does is told as it is done, on
- *  the thread that has done it. Loops inside an item are a part of the item.
+ *  For estimates of the gain by more workers (bench/critical.c): every event of an open team is reported on the thread
+ *  where it happens. Loops inside an item are part of the item.
  *  @{ */
 typedef enum MeTeamEvent {
     MeTeamLoopBegins,
     MeTeamPipeBegins,
-    MeTeamItemDone, /**< of a pipe: made */
+    MeTeamItemDone, /**< in a pipe: made */
     MeTeamItemUsed,
-    MeTeamLoopEnds /**< or the pipe */
+    MeTeamLoopEnds /**< or a pipe ends */
 } MeTeamEvent;
 
 typedef struct MeTeamNews {
     MeTeamEvent event;
-    int number; /**< of the item; where a loop or a pipe begins or ends, how many there are */
-    int ahead;  /**< of a pipe that begins: how many items may be made and not used */
+    int number; /**< index of the item; where a loop or a pipe begins or ends, the number of items */
+    int ahead;  /**< where a pipe begins: the number of items that may be made and not used */
 } MeTeamNews;
 
 typedef void(MEAPI *MeTeamWatchCB)(const MeTeamNews *news, void *watchContext);
 
-/** Null: nobody watches any more. Not while the team is open. */
+/** Sets the callback; null: none. Not while the team is open. */
 MEPUBLIC void MEAPI MeTeamWatch(MeTeam *team, MeTeamWatchCB watch, void *watchContext);
 /** @} */
 

@@ -12,7 +12,7 @@
 enum { DIM = 3, SUPPORT = DIM + 1 };
 
 typedef struct Ball {
-    double centre[DIM], squaredRadius;
+    double centre[DIM], radiusSquared;
 } Ball;
 
 /* What rounding does to squared distances, relative to the squared radius. */
@@ -22,13 +22,13 @@ static double dot(const double a[DIM], const double b[DIM]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-static double squaredDistance(const double a[DIM], const double b[DIM]) {
+static double distanceSquared(const double a[DIM], const double b[DIM]) {
     const double d[DIM] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
     return dot(d, d);
 }
 
 static MeBool isInside(const Ball *ball, const double point[DIM]) {
-    return squaredDistance(ball->centre, point) <= ball->squaredRadius * (1 + slack);
+    return distanceSquared(ball->centre, point) <= ball->radiusSquared * (1 + slack);
 }
 
 /* Solves the system of n <= 3 equations, in place; false if it is singular to working precision. */
@@ -73,12 +73,12 @@ static MeBool ballThrough(double *const p[SUPPORT], int n, Ball *ball) {
     for (int i = 0; i < n - 1; i++)
         for (int k = 0; k < DIM; k++)
             ball->centre[k] += m[i][DIM] * v[i][k];
-    ball->squaredRadius = squaredDistance(ball->centre, p[0]);
+    ball->radiusSquared = distanceSquared(ball->centre, p[0]);
     return METRUE;
 }
 
 /* The smallest sphere around count <= 5 points that goes through the last one; the first ones become those on it. */
-static int newSupport(double point[SUPPORT + 1][DIM], int count, Ball *ball) {
+static int updateSupport(double point[SUPPORT + 1][DIM], int count, Ball *ball) {
     const int last = count - 1;
     int best = -1;
     for (int set = 0; set < 1 << last; set++) {
@@ -91,7 +91,7 @@ static int newSupport(double point[SUPPORT + 1][DIM], int count, Ball *ball) {
         MeBool isAround = n <= SUPPORT && ballThrough(p, n, &here);
         for (int i = 0; i < last && isAround; i++)
             isAround = set >> i & 1 || isInside(&here, point[i]);
-        if (isAround && (best < 0 || here.squaredRadius < ball->squaredRadius)) {
+        if (isAround && (best < 0 || here.radiusSquared < ball->radiusSquared)) {
             best = set;
             *ball = here;
         }
@@ -107,13 +107,13 @@ static int newSupport(double point[SUPPORT + 1][DIM], int count, Ball *ball) {
 }
 
 /* The point farthest from the centre. */
-static void farthest(MeVector3 *points, int count, const double centre[DIM], double found[DIM]) {
+static void findFarthestPoint(MeVector3 *points, int count, const double centre[DIM], double found[DIM]) {
     double max = -1;
     memcpy(found, centre, DIM * sizeof *found);
     for (int i = 0; i < count; i++) {
         const double p[DIM] = {(double)points[i][0], (double)points[i][1], (double)points[i][2]};
-        if (squaredDistance(p, centre) > max) {
-            max = squaredDistance(p, centre);
+        if (distanceSquared(p, centre) > max) {
+            max = distanceSquared(p, centre);
             memcpy(found, p, sizeof p);
         }
     }
@@ -130,14 +130,14 @@ static MeBool areFinite(MeVector3 *points, int count) {
 static void smallestBall(MeVector3 *points, int count, Ball *ball) {
     double support[SUPPORT + 1][DIM] = {{(double)points[0][0], (double)points[0][1], (double)points[0][2]}};
     memcpy(ball->centre, support[0], sizeof ball->centre);
-    ball->squaredRadius = 0;
+    ball->radiusSquared = 0;
     for (int n = 1;;) {
-        const double before = ball->squaredRadius;
-        farthest(points, count, ball->centre, support[n]);
+        const double before = ball->radiusSquared;
+        findFarthestPoint(points, count, ball->centre, support[n]);
         if (isInside(ball, support[n]))
             return;
-        n = newSupport(support, n + 1, ball);
-        if (n == 0 || !(ball->squaredRadius > before)) /* rounding has the last word */
+        n = updateSupport(support, n + 1, ball);
+        if (n == 0 || !(ball->radiusSquared > before)) /* rounding has the last word */
             return;
         MEASSERT(n <= SUPPORT);
     }
@@ -162,8 +162,8 @@ void MEAPI MeBoundingSphereCalc(MeVector3 *points, int numPoints, MeVector3 cent
     *radius = 0;
     if (!isGiven)
         return;
-    farthest(points, numPoints, rounded, outermost);
-    const double reach = sqrt(squaredDistance(outermost, rounded));
+    findFarthestPoint(points, numPoints, rounded, outermost);
+    const double reach = sqrt(distanceSquared(outermost, rounded));
     *radius = (MeReal)(reach * (1 + 2 * (double)ME_EPSILON)); /* two roundings, upwards */
     MEASSERT((double)*radius >= reach);
 }

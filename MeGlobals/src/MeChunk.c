@@ -76,7 +76,7 @@ void MEAPI MeChunkSetMode(MeChunk *chunk, kMeChunkMode mode) {
 }
 
 /* May a piece of this size be had now? Warns if not. */
-static MeBool isFreeFor(const MeChunk *chunk, int size, const char *function) {
+static MeBool mayAllocate(const MeChunk *chunk, int size, const char *function) {
     if (!isChunk(chunk, function))
         return MEFALSE;
     if (size < 0) {
@@ -91,12 +91,12 @@ static MeBool isFreeFor(const MeChunk *chunk, int size, const char *function) {
 }
 
 void MEAPI MeChunkSetAuto(MeChunk *chunk, int initialSize) {
-    if (isFreeFor(chunk, initialSize, "MeChunkSetAuto"))
+    if (mayAllocate(chunk, initialSize, "MeChunkSetAuto"))
         reserve(chunk, initialSize, "MeChunkSetAuto");
 }
 
 void *MEAPI MeChunkGetMem(MeChunk *chunk, int size) {
-    if (!isFreeFor(chunk, size, "MeChunkGetMem") || !reserve(chunk, size, "MeChunkGetMem"))
+    if (!mayAllocate(chunk, size, "MeChunkGetMem") || !reserve(chunk, size, "MeChunkGetMem"))
         return NULL;
     chunk->maxSize = MeMAX(chunk->maxSize, size);
     chunk->inUse = METRUE;

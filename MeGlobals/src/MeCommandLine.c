@@ -127,7 +127,7 @@ static MeBool looksLikeOption(const char *word) {
 }
 
 /* The value of an option that is there, or null with a warning. */
-static char *parseValue(MeCommandLineOptions *options, const char *arg, MeBool eat, const char *function) {
+static char *findValue(MeCommandLineOptions *options, const char *arg, MeBool eat, const char *function) {
     const int pos = MeCommandLineOptionsGetPos(options, arg);
     const int places[2] = {pos, pos + 1};
     if (pos == 0)
@@ -149,7 +149,7 @@ static char *parseValue(MeCommandLineOptions *options, const char *arg, MeBool e
 
 int MEAPI MeCommandLineOptionsGetNumeric(MeCommandLineOptions *options, const char *arg, const MeBool eat) {
     int number = 0;
-    const char *const value = parseValue(options, arg, eat, "MeCommandLineOptionsGetNumeric");
+    const char *const value = findValue(options, arg, eat, "MeCommandLineOptionsGetNumeric");
     if (value == NULL || readInt(value, &number))
         return number;
     MeWarning(1, "MeCommandLineOptionsGetNumeric: option %s has '%s', expected a whole number", arg, value);
@@ -158,7 +158,7 @@ int MEAPI MeCommandLineOptionsGetNumeric(MeCommandLineOptions *options, const ch
 
 double MEAPI MeCommandLineOptionsGetFloat(MeCommandLineOptions *options, const char *arg, const MeBool eat) {
     double number = 0;
-    const char *const value = parseValue(options, arg, eat, "MeCommandLineOptionsGetFloat");
+    const char *const value = findValue(options, arg, eat, "MeCommandLineOptionsGetFloat");
     if (value == NULL || readFloat(value, &number))
         return number;
     MeWarning(1, "MeCommandLineOptionsGetFloat: option %s has '%s', expected a number", arg, value);
@@ -166,5 +166,5 @@ double MEAPI MeCommandLineOptionsGetFloat(MeCommandLineOptions *options, const c
 }
 
 char *MEAPI MeCommandLineOptionsGetString(MeCommandLineOptions *options, const char *arg, const MeBool eat) {
-    return parseValue(options, arg, eat, "MeCommandLineOptionsGetString");
+    return findValue(options, arg, eat, "MeCommandLineOptionsGetString");
 }

@@ -138,7 +138,7 @@ int MEAPI MeDictNodeIsInADict(MeDictNode *node) {
 /* ---- the tree -------------------------------------------------------------------------------------------------- */
 
 /* Where the pointer to a node stands. */
-static MeDictNode **placeOf(MeDict *dict, MeDictNode *node) {
+static MeDictNode **linkTo(MeDict *dict, MeDictNode *node) {
     MeDictNode *parent = node->parent;
     return parent ? &parent->child[parent->child[1] == node] : &dict->root;
 }
@@ -148,7 +148,7 @@ static void rotateUp(MeDict *dict, MeDictNode *node) {
     MeDictNode *parent = node->parent;
     const int side = parent->child[1] == node;
     MeDictNode *inner = node->child[!side];
-    *placeOf(dict, parent) = node;
+    *linkTo(dict, parent) = node;
     node->parent = parent->parent;
     node->child[!side] = parent;
     parent->parent = node;
@@ -158,42 +158,42 @@ static void rotateUp(MeDict *dict, MeDictNode *node) {
 }
 
 /* Knuth's generator, its upper half folded in. */
-static MeU32 draw(MeDict *dict) {
+static MeU32 drawPriority(MeDict *dict) {
     dict->seed = dict->seed * 1664525u + 1013904223u;
     return dict->seed ^ dict->seed >> 16;
 }
 
 /* A leaf rises to where its priority is at most its parent's. */
-static void hangAt(MeDict *dict, MeDictNode *node, MeDictNode *parent, MeDictNode **place) {
+static void insertLeaf(MeDict *dict, MeDictNode *node, MeDictNode *parent, MeDictNode **place) {
     MEASSERT(*place == NULL);
     *place = node;
     node->parent = parent;
-    node->priority = draw(dict);
+    node->priority = drawPriority(dict);
     while (node->parent && node->parent->priority < node->priority)
         rotateUp(dict, node);
 }
 
-static void hang(MeDict *dict, MeDictNode *node) {
+static void insertNode(MeDict *dict, MeDictNode *node) {
     MeDictNode **place = &dict->root, *parent = NULL;
     while (*place) {
         parent = *place;
         place = &parent->child[dict->compare(node->key, parent->key) >= 0];
     }
-    hangAt(dict, node, parent, place);
+    insertLeaf(dict, node, parent, place);
 }
 
 /* Down to the leaves, and off. */
-static void unhang(MeDict *dict, MeDictNode *node) {
+static void removeNode(MeDict *dict, MeDictNode *node) {
     MEASSERT(dict->count > 0 && dict->root != NULL);
     while (node->child[0] || node->child[1]) {
         MeDictNode *left = node->child[0], *right = node->child[1];
         rotateUp(dict, !left || (right && right->priority > left->priority) ? right : left);
     }
-    *placeOf(dict, node) = NULL;
+    *linkTo(dict, node) = NULL;
     node->parent = NULL;
 }
 
-static MeDictNode *farthest(MeDictNode *node, int side) {
+static MeDictNode *extremeNode(MeDictNode *node, int side) {
     while (node && node->child[side])
         node = node->child[side];
     return node;
@@ -201,7 +201,7 @@ static MeDictNode *farthest(MeDictNode *node, int side) {
 
 static MeDictNode *neighbour(MeDictNode *node, int side) {
     if (node->child[side])
-        return farthest(node->child[side], !side);
+        return extremeNode(node->child[side], !side);
     while (node->parent && node->parent->child[side] == node)
         node = node->parent;
     return node->parent;
@@ -231,7 +231,7 @@ static MeBool hasRoom(MeDict *dict, const MeDictNode *node, const char *function
     return MEFALSE;
 }
 
-static void own(MeDict *dict, MeDictNode *node, const void *key) {
+static void initNodeInDict(MeDict *dict, MeDictNode *node, const void *key) {
     node->child[0] = node->child[1] = NULL;
     node->key = key;
     node->dict = dict;
@@ -246,8 +246,8 @@ void MEAPI MeDictInsert(MeDict *dict, MeDictNode *node, const void *key) {
         MeWarning(1, "MeDictInsert: there is a node with that key: see MeDictAllowDupes");
         return;
     }
-    own(dict, node, key);
-    hang(dict, node);
+    initNodeInDict(dict, node, key);
+    insertNode(dict, node);
 }
 
 static void freeNode(MeDict *dict, MeDictNode *node) {
@@ -278,7 +278,7 @@ MeDictNode *MEAPI MeDictDelete(MeDict *dict, MeDictNode *node) {
         MeWarning(1, "MeDictDelete: the node is not in this dictionary");
         return NULL;
     }
-    unhang(dict, node);
+    removeNode(dict, node);
     node->dict = NULL;
     node->key = NULL;
     dict->count--;
@@ -309,7 +309,7 @@ void MEAPI MeDictMerge(MeDict *dict, MeDict *source) {
         MeWarning(1, "MeDictMerge: the dictionaries are not similar: see MeDictSimilar");
         return;
     }
-    for (MeDictNode *node = farthest(source->root, 0), *next; node; node = next) {
+    for (MeDictNode *node = extremeNode(source->root, 0), *next; node; node = next) {
         const void *key = node->key;
         next = neighbour(node, 1);
         if (!dict->allowsDupes && MeDictLookup(dict, key))
@@ -344,9 +344,9 @@ void MEAPI MeDictLoadNext(MeDictLoad *load, MeDictNode *node, const void *key) {
         MeWarning(1, "MeDictLoadNext: the key is not after that of the last node");
         return;
     }
-    MEASSERT(last == farthest(dict->root, 1));
-    own(dict, node, key);
-    hangAt(dict, node, last, last ? &last->child[1] : &dict->root);
+    MEASSERT(last == extremeNode(dict->root, 1));
+    initNodeInDict(dict, node, key);
+    insertLeaf(dict, node, last, last ? &last->child[1] : &dict->root);
     load->last = node;
 }
 
@@ -371,7 +371,7 @@ MeDictNode *MEAPI MeDictLowerBound(MeDict *dict, const void *key) {
     if (!isGiven(dict, "dictionary", __func__))
         return NULL;
     MeDictNode *before = lastBefore(dict, key, MEFALSE);
-    return before ? neighbour(before, 1) : farthest(dict->root, 0);
+    return before ? neighbour(before, 1) : extremeNode(dict->root, 0);
 }
 
 MeDictNode *MEAPI MeDictUpperBound(MeDict *dict, const void *key) {
@@ -379,14 +379,14 @@ MeDictNode *MEAPI MeDictUpperBound(MeDict *dict, const void *key) {
 }
 
 MeDictNode *MEAPI MeDictFirst(MeDict *dict) {
-    return isGiven(dict, "dictionary", __func__) ? farthest(dict->root, 0) : NULL;
+    return isGiven(dict, "dictionary", __func__) ? extremeNode(dict->root, 0) : NULL;
 }
 
 MeDictNode *MEAPI MeDictLast(MeDict *dict) {
-    return isGiven(dict, "dictionary", __func__) ? farthest(dict->root, 1) : NULL;
+    return isGiven(dict, "dictionary", __func__) ? extremeNode(dict->root, 1) : NULL;
 }
 
-static MeDictNode *beside(MeDict *dict, MeDictNode *node, int side, const char *function) {
+static MeDictNode *checkedNeighbour(MeDict *dict, MeDictNode *node, int side, const char *function) {
     if (!isGiven(dict, "dictionary", function) || !isGiven(node, "node", function))
         return NULL;
     if (node->dict == dict)
@@ -396,11 +396,11 @@ static MeDictNode *beside(MeDict *dict, MeDictNode *node, int side, const char *
 }
 
 MeDictNode *MEAPI MeDictNext(MeDict *dict, MeDictNode *node) {
-    return beside(dict, node, 1, __func__);
+    return checkedNeighbour(dict, node, 1, __func__);
 }
 
 MeDictNode *MEAPI MeDictPrev(MeDict *dict, MeDictNode *node) {
-    return beside(dict, node, 0, __func__);
+    return checkedNeighbour(dict, node, 0, __func__);
 }
 
 unsigned long MEAPI MeDictCount(MeDict *dict) {
@@ -422,7 +422,7 @@ int MEAPI MeDictContains(MeDict *dict, MeDictNode *node) {
 void MEAPI MeDictProcess(MeDict *dict, void *context, MeDictProcessFn f) {
     if (!isGiven(dict, "dictionary", __func__) || !isGiven((const void *)(size_t)f, "function", __func__))
         return;
-    for (MeDictNode *node = farthest(dict->root, 0), *next; node; node = next) {
+    for (MeDictNode *node = extremeNode(dict->root, 0), *next; node; node = next) {
         next = neighbour(node, 1);
         f(dict, node, context);
     }
@@ -430,7 +430,7 @@ void MEAPI MeDictProcess(MeDict *dict, void *context, MeDictProcessFn f) {
 
 /* ---- checking -------------------------------------------------------------------------------------------------- */
 
-static MeBool isSound(const MeDict *dict, const MeDictNode *node) {
+static MeBool areLinksValid(const MeDict *dict, const MeDictNode *node) {
     for (int side = 0; side < 2; side++) {
         const MeDictNode *child = node->child[side];
         if (child && (child->parent != node || child->priority > node->priority))
@@ -443,9 +443,9 @@ int MEAPI MeDictVerify(MeDict *dict) {
     unsigned long count = 0;
     if (!isGiven(dict, "dictionary", __func__))
         return 0;
-    for (MeDictNode *node = farthest(dict->root, 0), *last = NULL; node; last = node, node = neighbour(node, 1)) {
+    for (MeDictNode *node = extremeNode(dict->root, 0), *last = NULL; node; last = node, node = neighbour(node, 1)) {
         const int order = last ? dict->compare(last->key, node->key) : -1;
-        if (!isSound(dict, node) || order > 0 || (order == 0 && !dict->allowsDupes))
+        if (!areLinksValid(dict, node) || order > 0 || (order == 0 && !dict->allowsDupes))
             return 0;
         count++;
     }

@@ -141,7 +141,7 @@ void MEAPI MeHashSetDatumFreeFunc(MeHash *table, MeHashFreeFunc datumFree) {
 /* ---- entries ---- */
 
 /* Where the pointer to the entry with that key stands, or would. */
-static MeHashBucket **placeOf(const MeHash *table, const void *key, const char *function) {
+static MeHashBucket **findLink(const MeHash *table, const void *key, const char *function) {
     const int hash = table->hash(key, table->size);
     const MeBool isInside = hash >= 0 && hash < table->size;
     if (!isInside)
@@ -155,7 +155,7 @@ static MeHashBucket **placeOf(const MeHash *table, const void *key, const char *
 void *MEAPI MeHashInsert(const void *key, const void *datum, MeHash *table) {
     if (!isTable(table, __func__))
         return NULL;
-    MeHashBucket **place = placeOf(table, key, __func__), *b = *place;
+    MeHashBucket **place = findLink(table, key, __func__), *b = *place;
     if (b) {
         void *old = b->datum;
         b->datum = (void *)(size_t)datum;
@@ -173,14 +173,14 @@ void *MEAPI MeHashInsert(const void *key, const void *datum, MeHash *table) {
 }
 
 void *MEAPI MeHashLookup(const void *key, const MeHash *table) {
-    const MeHashBucket *b = isTable(table, __func__) ? *placeOf(table, key, __func__) : NULL;
+    const MeHashBucket *b = isTable(table, __func__) ? *findLink(table, key, __func__) : NULL;
     return b ? b->datum : NULL;
 }
 
 void *MEAPI MeHashDelete(const void *key, MeHash *table) {
     if (!isTable(table, __func__))
         return NULL;
-    MeHashBucket **place = placeOf(table, key, __func__), *b = *place;
+    MeHashBucket **place = findLink(table, key, __func__), *b = *place;
     if (!b)
         return NULL;
     void *datum = b->datum;

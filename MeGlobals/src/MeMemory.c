@@ -57,18 +57,18 @@ static void destroy(void *block) {
     MeProgramLeave(&before);
 }
 
-static void *checked(void *block, size_t bytes, const char *asker) {
+static void *reportIfNull(void *block, size_t bytes, const char *function) {
     if (block == NULL)
-        MeFatalError(0, "%s: out of memory, %zu bytes wanted", asker, bytes);
+        MeFatalError(0, "%s: out of memory, %zu bytes wanted", function, bytes);
     return block;
 }
 
-void *me_create(size_t bytes, const char *asker) {
-    return checked(create(bytes), bytes, asker);
+void *me_create(size_t bytes, const char *function) {
+    return reportIfNull(create(bytes), bytes, function);
 }
 
-void *me_createAligned(size_t bytes, unsigned int alignment, const char *asker) {
-    return checked(createAligned(bytes, alignment), bytes, asker);
+void *me_createAligned(size_t bytes, unsigned int alignment, const char *function) {
+    return reportIfNull(createAligned(bytes, alignment), bytes, function);
 }
 
 /* ---- for all libraries (MeInternal.h) ---- */
@@ -78,7 +78,7 @@ static size_t bytesOf(size_t count, size_t size) {
     return size > 0 && count > (SIZE_MAX - 1) / size ? 0 : nonZero(count * size);
 }
 
-static void *reported(void *block, size_t count, size_t size, const char *function, const char *what) {
+static void *reportIfNoMemory(void *block, size_t count, size_t size, const char *function, const char *what) {
     if (block == NULL)
         MeFatalError(0, "%s: no memory for %s (%zu times %zu bytes)", MeCallerName(function), what, count, size);
     return block;
@@ -86,7 +86,7 @@ static void *reported(void *block, size_t count, size_t size, const char *functi
 
 void *MEAPI MeMemoryTake(size_t count, size_t size, const char *function, const char *what) {
     const size_t bytes = bytesOf(count, size);
-    return reported(bytes > 0 ? create(bytes) : NULL, count, size, function, what);
+    return reportIfNoMemory(bytes > 0 ? create(bytes) : NULL, count, size, function, what);
 }
 
 void *MEAPI MeMemoryTakeZeroed(size_t count, size_t size, const char *function, const char *what) {
@@ -117,7 +117,7 @@ void *MEAPI MeMemoryTakeAligned(size_t count, size_t size, unsigned int alignmen
                                 const char *what) {
     const size_t bytes = bytesOf(count, size);
     void *const block = bytes > 0 ? createAligned(bytes, alignment) : NULL;
-    return reported(block, count, size, function, what);
+    return reportIfNoMemory(block, count, size, function, what);
 }
 
 void MEAPI MeMemoryGiveAligned(void *block) {

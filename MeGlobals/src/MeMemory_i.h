@@ -5,7 +5,7 @@
 #include "MeMemory.h"
 
 /* Both return null after a fatal error that names the function that asked. */
-void *me_create(size_t bytes, const char *asker);
-void *me_createAligned(size_t bytes, unsigned int alignment, const char *asker);
+void *me_create(size_t bytes, const char *function);
+void *me_createAligned(size_t bytes, unsigned int alignment, const char *function);
 
 #endif

@@ -76,7 +76,7 @@ void MEAPI_CDECL MeLog(const int level, const char *const format, ...) {
 
 void MEAPI_CDECL MeWarning(const int level, const char *const format, ...) {
     char renamed[MeMAXMESSAGE];
-    if (level > MeWarningLevel || me_messageIsRepeated())
+    if (level > MeWarningLevel || me_messageIsSuppressed())
         return;
     va_list ap;
     va_start(ap, format);
@@ -182,13 +182,13 @@ void MEAPI MeHandlerLog(const int level, const char *const format, va_list ap) {
 }
 
 /* How often a text was shown: those of the last warnings that were new. */
-enum { REMEMBERED = 64 };
+enum { RECENT_TEXTS = 64 };
 static struct {
     MeU64 text; /* its hash, by FNV-1a; 0: none */
     int times;
-} remembered[REMEMBERED];
-static unsigned int nextRemembered;
-static atomic_flag isRemembering = ATOMIC_FLAG_INIT;
+} recentTexts[RECENT_TEXTS];
+static unsigned int nextRecentText;
+static atomic_flag recentTextsLock = ATOMIC_FLAG_INIT;
 
 static MeU64 hashOf(const char *text) {
     MeU64 hash = 0xcbf29ce484222325u;
@@ -198,21 +198,21 @@ static MeU64 hashOf(const char *text) {
 }
 
 /* How often it was shown before, as far as that is remembered. */
-static int countText(const char *text) {
+static int countRecentText(const char *text) {
     const MeU64 hash = hashOf(text);
     unsigned int i = 0;
-    while (atomic_flag_test_and_set(&isRemembering)) {
+    while (atomic_flag_test_and_set(&recentTextsLock)) {
     }
-    while (i < REMEMBERED && remembered[i].text != hash)
+    while (i < RECENT_TEXTS && recentTexts[i].text != hash)
         i++;
-    if (i == REMEMBERED) {
-        i = nextRemembered++ % REMEMBERED;
-        remembered[i].text = hash;
-        remembered[i].times = 0;
+    if (i == RECENT_TEXTS) {
+        i = nextRecentText++ % RECENT_TEXTS;
+        recentTexts[i].text = hash;
+        recentTexts[i].times = 0;
     }
-    const int before = remembered[i].times;
-    remembered[i].times += before < 2;
-    atomic_flag_clear(&isRemembering);
+    const int before = recentTexts[i].times;
+    recentTexts[i].times += before < 2;
+    atomic_flag_clear(&recentTextsLock);
     return before;
 }
 
@@ -221,7 +221,7 @@ void MEAPI MeHandlerWarning(const int level, const char *const format, va_list a
     static const char again[] = " (again: not shown any more)";
     char text[MeMAXMESSAGE];
     formatText(text, "Karma warning: ", format, ap);
-    const int before = countText(text);
+    const int before = countRecentText(text);
     if (before == 1)
         strncat(text, again, sizeof text - strlen(text) - 1);
     if (before < 2)

@@ -15,10 +15,10 @@ MeBool me_messageBuffer(MeSender sender, int level, const char *format, va_list 
 /* The format under which the message goes out: under the name of MeMessagesAs, where one is set. */
 const char *me_messageRename(const char *format, va_list *ap, char renamed[MeMAXMESSAGE]);
 /* Whether the function of MeMessagesAs has said something already. */
-MeBool me_messageIsRepeated(void);
+MeBool me_messageIsSuppressed(void);
 
 /* Which names messages have (MeCallerSet, MeMessagesAs) is kept in the call, and none is set; is set again. */
-void me_namesCopy(MeProgramCall *call);
-void me_namesGive(const MeProgramCall *call);
+void me_namesSave(MeProgramCall *call);
+void me_namesRestore(const MeProgramCall *call);
 
 #endif

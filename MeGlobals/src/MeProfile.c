@@ -61,7 +61,7 @@ void MEAPI MeProfileGetTimerValue(MeProfileTimerResult *const result) {
 
 /* ---- the tree ---- */
 
-static MeBool isInsideNamesake(const MeSection *parent, const char *name) {
+static MeBool isNestedInSameName(const MeSection *parent, const char *name) {
     for (const MeSection *s = parent; s != NULL; s = s->parent) {
         if (strcmp(s->name, name) == 0)
             return METRUE;
@@ -74,7 +74,7 @@ MeSection *me_sectionCreate(MeSection *parent, const char *name) {
     MeSection *const s = me_create(sizeof *s + length, "MeProfile");
     if (s == NULL)
         return NULL;
-    *s = (MeSection){.parent = parent, .isRecursive = isInsideNamesake(parent, name)};
+    *s = (MeSection){.parent = parent, .isRecursive = isNestedInSameName(parent, name)};
     memcpy(s->name, name, length);
     if (parent == NULL)
         return s;

@@ -30,7 +30,7 @@ void MEAPI MeQuaternionMake(MeVector4 q, const MeVector3 x, const MeReal a) {
  * For unit vectors a, b with the angle 2t between them, |a + b| = 2 cos t and |a - b| = 2 sin t, and the axis
  * is along (a - b) x (a + b). All of these are exact to rounding for any angle, unlike a . b and a x b.
  */
-static MeBool turnsTo(const MeVector4 q, const MeVector3 from, const MeVector3 to) {
+static MeBool rotatesTo(const MeVector4 q, const MeVector3 from, const MeVector3 to) {
     MeVector3 turned;
     MeQuaternionRotateVector3(turned, q, from);
     return MeVector3Distance(turned, to) < ME_MEDIUM_EPSILON;
@@ -55,7 +55,7 @@ void MEAPI MeQuaternionForRotation(MeVector4 q, const MeVector3 v1, const MeVect
     MeVector3Cross(axis, difference, sum);
     MeQuaternionSet(q, length, axis[0], axis[1], axis[2]);
     me_normalize(q, 4);
-    MEVALIDATE(turnsTo(q, a, b));
+    MEVALIDATE(rotatesTo(q, a, b));
 }
 
 /* Shepperd's method: start from the largest of w, x, y, z (times 4 of it), and nothing cancels. */

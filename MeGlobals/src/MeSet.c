@@ -36,7 +36,7 @@ MeSet *MEAPI MeSetCreate(MeDictCompareFn cmp) {
 }
 
 /* Without a comparison nothing can be in it. */
-static int MEAPI allAlike(const void *key1, const void *key2) {
+static int MEAPI compareAsEqual(const void *key1, const void *key2) {
     (void)key1;
     (void)key2;
     return 0;
@@ -49,7 +49,7 @@ void MEAPI MeSetInit(MeSet *s, MeDictNode *nodemem, int maxnode, MeDictCompareFn
     }
     memset(s, 0, sizeof *s);
     MePoolxInit(&s->pool, nodemem, sizeof(MeDictNode), isCompared(cmp, __func__) ? maxnode : 0);
-    MeDictInit(&s->dict, (unsigned long)s->pool.count, cmp ? cmp : allAlike);
+    MeDictInit(&s->dict, (unsigned long)s->pool.count, cmp ? cmp : compareAsEqual);
     MePoolxUseWithDict(&s->pool, &s->dict);
 }
 

@@ -51,13 +51,13 @@ static int openFile(const char *filename, MeOpenMode_enum mode, const char *func
     return -1;
 }
 
-static void slashes(char *name) {
+static void replaceBackslashes(char *name) {
     for (; *name; name++)
         if (*name == '\\')
             *name = '/';
 }
 
-static int openEither(const char *filename, MeOpenMode_enum mode, const char *function) {
+static int openWithAnySlashes(const char *filename, MeOpenMode_enum mode, const char *function) {
     char name[MAX_NAME];
     const size_t length = strlen(filename);
     /* a name with backslashes is a legal one, but nobody's to be made */
@@ -67,7 +67,7 @@ static int openEither(const char *filename, MeOpenMode_enum mode, const char *fu
     if (file >= 0 || !isForeign)
         return file;
     memcpy(name, filename, length + 1);
-    slashes(name);
+    replaceBackslashes(name);
     return openFile(name, mode, function);
 }
 
@@ -76,7 +76,7 @@ int MEAPI MeOpenRaw(const char *filename, MeOpenMode_enum mode) {
 }
 
 int me_open(const char *filename, MeOpenMode_enum mode, const char *function) {
-    return isNamed(filename, function) ? openEither(filename, mode, function) : -1;
+    return isNamed(filename, function) ? openWithAnySlashes(filename, mode, function) : -1;
 }
 
 int MEAPI MeOpen(const char *filename, MeOpenMode_enum mode) {
@@ -104,7 +104,7 @@ static int searchFor(const char *filename, MeOpenMode_enum mode, const char *fun
     if (strlen(filename) >= sizeof name)
         return -1;
     strcpy(name, filename);
-    slashes(name);
+    replaceBackslashes(name);
     const char *slash = strrchr(name, '/'), *last = slash ? slash + 1 : name;
     int file = -1;
     for (int i = 0; file < 0 && MeGetDefaultFileLocation(i); i++) {
@@ -135,7 +135,7 @@ int MEAPI MeClose(int file) {
 /* ---- reading and writing ---- */
 
 /* Bytes moved, until all are or the file ends; -1 for an error before the first. */
-static int moveAll(int file, char *bytes, int count, MeBool isRead, const char *function) {
+static int transferAll(int file, char *bytes, int count, MeBool isRead, const char *function) {
     int done = 0;
     while (done < count) {
         const size_t left = (size_t)(count - done);
@@ -162,11 +162,11 @@ static MeBool isBuffer(const void *buf, int count, const char *function) {
 }
 
 int MEAPI MeRead(int file, void *buf, int count) {
-    return isBuffer(buf, count, __func__) ? moveAll(file, buf, count, METRUE, __func__) : -1;
+    return isBuffer(buf, count, __func__) ? transferAll(file, buf, count, METRUE, __func__) : -1;
 }
 
 int MEAPI MeWrite(int file, void *buf, int count) {
-    return isBuffer(buf, count, __func__) ? moveAll(file, buf, count, MEFALSE, __func__) : -1;
+    return isBuffer(buf, count, __func__) ? transferAll(file, buf, count, MEFALSE, __func__) : -1;
 }
 
 int MEAPI MeLseek(int file, int offset, MeSeekOrigin_enum origin) {
@@ -190,7 +190,7 @@ char *MEAPI MeLoadWholeFileHandle(const int f, int *size) {
         return NULL;
     }
     char *text = me_create((size_t)status.st_size + 1, __func__);
-    const int count = text ? moveAll(f, text, (int)status.st_size, METRUE, __func__) : -1;
+    const int count = text ? transferAll(f, text, (int)status.st_size, METRUE, __func__) : -1;
     if (count < 0) {
         if (text)
             MeMemoryAPI.destroy(text);
@@ -207,6 +207,6 @@ void MEAPI MeSaveWholeFileHandle(const int f, const char *data, const int size) 
         return;
     if (lseek(f, 0, SEEK_SET) < 0 || ftruncate(f, 0))
         MeWarning(1, "MeSaveWholeFileHandle: file %d is not open for writing, or not a plain file", f);
-    else if (moveAll(f, (char *)(size_t)data, size, MEFALSE, __func__) != size)
+    else if (transferAll(f, (char *)(size_t)data, size, MEFALSE, __func__) != size)
         MeWarning(1, "MeSaveWholeFileHandle: file %d has not taken all of %d bytes", f, size);
 }

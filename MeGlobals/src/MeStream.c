@@ -38,7 +38,7 @@ static MeStream create(const char *function) {
 
 /* ---- life ---- */
 
-static MeStream ofFile(int file, MeOpenMode_enum mode, const char *function) {
+static MeStream openFileStream(int file, MeOpenMode_enum mode, const char *function) {
     if (file < 0)
         return NULL;
     MeStream stream = create(function);
@@ -52,11 +52,11 @@ static MeStream ofFile(int file, MeOpenMode_enum mode, const char *function) {
 }
 
 MeStream MEAPI MeStreamOpen(const char *filename, MeOpenMode_enum mode) {
-    return ofFile(me_open(filename, mode, __func__), mode, __func__);
+    return openFileStream(me_open(filename, mode, __func__), mode, __func__);
 }
 
 MeStream MEAPI MeStreamOpenWithSearch(const char *filename, MeOpenMode_enum mode) {
-    return ofFile(me_openWithSearch(filename, mode, __func__), mode, __func__);
+    return openFileStream(me_openWithSearch(filename, mode, __func__), mode, __func__);
 }
 
 MeStream MEAPI MeStreamOpenAsMemBuffer(unsigned int initialSize) {
@@ -100,7 +100,7 @@ void MEAPI MeStreamClose(MeStream stream) {
 /* ---- memory ---- */
 
 /* Puts what is there into a block of that size, 0 for none; false if there is no memory. */
-static MeBool moveTo(MeStream stream, size_t size, const char *function) {
+static MeBool reallocate(MeStream stream, size_t size, const char *function) {
     MEASSERT(size >= stream->length);
     char *memory = size ? me_create(size, function) : NULL;
     if (size && !memory)
@@ -115,11 +115,11 @@ static MeBool moveTo(MeStream stream, size_t size, const char *function) {
     return METRUE;
 }
 
-static MeBool makeRoom(MeStream stream, size_t bytes, const char *function) {
+static MeBool reserve(MeStream stream, size_t bytes, const char *function) {
     const size_t needed = stream->place + bytes;
     if (needed <= stream->size)
         return METRUE;
-    return moveTo(stream, stream->growsSlowly ? needed : MeMAX(needed, 2 * stream->size), function);
+    return reallocate(stream, stream->growsSlowly ? needed : MeMAX(needed, 2 * stream->size), function);
 }
 
 static MeBool isMemory(MeStream stream, const char *function) {
@@ -132,7 +132,7 @@ static MeBool isMemory(MeStream stream, const char *function) {
 
 void MEAPI MeStreamMemBufferFreeSlackSpace(MeStream stream) {
     if (isMemory(stream, __func__) && stream->isOwn && stream->length < stream->size)
-        moveTo(stream, stream->length, __func__);
+        reallocate(stream, stream->length, __func__);
 }
 
 void MEAPI MeStreamMemBufferUseConservativeGrowth(MeStream stream, MeBool bConsGrowth) {
@@ -151,7 +151,7 @@ static MeBool isBuffer(const void *buffer, size_t size, size_t count, const char
     return MEFALSE;
 }
 
-static void turnTo(MeStream stream, Use use) {
+static void setUse(MeStream stream, Use use) {
     if (stream->lastUse != NEITHER && stream->lastUse != use)
         fseek(stream->file, 0, SEEK_CUR);
     stream->lastUse = use;
@@ -161,7 +161,7 @@ size_t MEAPI MeStreamRead(void *buffer, size_t size, size_t count, MeStream stre
     if (!isStream(stream, __func__) || !isBuffer(buffer, size, count, __func__))
         return 0;
     if (stream->file) {
-        turnTo(stream, READS);
+        setUse(stream, READS);
         return fread(buffer, size, count, stream->file);
     }
     const size_t whole = MeMIN(count, (stream->length - stream->place) / size);
@@ -175,10 +175,10 @@ size_t MEAPI MeStreamWrite(void *buffer, size_t size, size_t count, MeStream str
     if (!isStream(stream, __func__) || !isBuffer(buffer, size, count, __func__))
         return 0;
     if (stream->file) {
-        turnTo(stream, WRITES);
+        setUse(stream, WRITES);
         return fwrite(buffer, size, count, stream->file);
     }
-    if (!makeRoom(stream, size * count, __func__))
+    if (!reserve(stream, size * count, __func__))
         return 0;
     MEASSERT(stream->place + size * count <= stream->size);
     memcpy(stream->memory + stream->place, buffer, size * count);
@@ -187,7 +187,7 @@ size_t MEAPI MeStreamWrite(void *buffer, size_t size, size_t count, MeStream str
     return count;
 }
 
-static char *lineOfMemory(MeStream stream, char *string, int n) {
+static char *readLineFromMemory(MeStream stream, char *string, int n) {
     const size_t there = stream->length - stream->place, max = MeMIN(there, (size_t)n - 1);
     if (!there)
         return NULL;
@@ -208,8 +208,8 @@ char *MEAPI MeStreamReadLine(char *string, int n, MeStream stream) {
         return NULL;
     }
     if (!stream->file)
-        return lineOfMemory(stream, string, n);
-    turnTo(stream, READS);
+        return readLineFromMemory(stream, string, n);
+    setUse(stream, READS);
     return fgets(string, n, stream->file);
 }
 

@@ -11,7 +11,7 @@
 
 /* A thread looks so often for a task, or for the end of one, before it sleeps, some 20 us: a step opens its teams one
  * after the other, and to wake a thread takes as long. */
-enum { LOOKS_BEFORE_SLEEP = 1000 };
+enum { SPINS_BEFORE_SLEEP = 1000 };
 
 static void pauseBriefly(void) {
 #if defined(__x86_64__) || defined(__i386__)
@@ -34,16 +34,16 @@ struct MeTaskPool {
     int workers, numThreads;
     pthread_t thread[MeTaskMaxWorkers];
     pthread_mutex_t lock;
-    pthread_cond_t isThereWork, isOneDone;
+    pthread_cond_t workAvailable, taskDone;
     Task *first, *last, *free;
     MeBool isEnding;
     atomic_int queued; /* tasks: read without the lock, by threads that look for some */
-    int given;         /* tasks that nobody has finished yet */
+    int numUnfinished; /* tasks that nobody has finished yet */
 };
 
 /* ---- the queue, with the lock held ---- */
 
-static void append(MeTaskPoolID p, Task *task) {
+static void appendTask(MeTaskPoolID p, Task *task) {
     task->state = TASK_QUEUED;
     task->next = NULL;
     if (p->first)
@@ -64,33 +64,33 @@ static Task *popFirst(MeTaskPoolID p) {
     return task;
 }
 
-static void run(MeTaskPoolID p, Task *task) {
+static void runTask(MeTaskPoolID p, Task *task) {
     pthread_mutex_unlock(&p->lock);
     task->call(task->context);
     pthread_mutex_lock(&p->lock);
     task->state = TASK_DONE;
-    pthread_cond_broadcast(&p->isOneDone);
+    pthread_cond_broadcast(&p->taskDone);
 }
 
 /* ---- threads ---- */
 
-static void lookForWork(MeTaskPoolID p) {
-    for (int i = 0; i < LOOKS_BEFORE_SLEEP && atomic_load_explicit(&p->queued, memory_order_relaxed) == 0; i++)
+static void spinForWork(MeTaskPoolID p) {
+    for (int i = 0; i < SPINS_BEFORE_SLEEP && atomic_load_explicit(&p->queued, memory_order_relaxed) == 0; i++)
         pauseBriefly();
 }
 
-static void *work(void *pool) {
+static void *threadMain(void *pool) {
     MeTaskPoolID p = pool;
     pthread_mutex_lock(&p->lock);
     while (!p->isEnding) {
         Task *task = popFirst(p);
         if (task) {
-            run(p, task);
+            runTask(p, task);
             pthread_mutex_unlock(&p->lock);
-            lookForWork(p);
+            spinForWork(p);
             pthread_mutex_lock(&p->lock);
         } else
-            pthread_cond_wait(&p->isThereWork, &p->lock);
+            pthread_cond_wait(&p->workAvailable, &p->lock);
     }
     pthread_mutex_unlock(&p->lock);
     return NULL;
@@ -99,7 +99,7 @@ static void *work(void *pool) {
 static void endThreads(MeTaskPoolID p) {
     pthread_mutex_lock(&p->lock);
     p->isEnding = METRUE;
-    pthread_cond_broadcast(&p->isThereWork);
+    pthread_cond_broadcast(&p->workAvailable);
     pthread_mutex_unlock(&p->lock);
     for (int i = 0; i < p->numThreads; i++)
         pthread_join(p->thread[i], NULL);
@@ -112,8 +112,8 @@ static void freePool(MeTaskPoolID p) {
         p->free = task->next;
         MeMemoryGive(task);
     }
-    pthread_cond_destroy(&p->isOneDone);
-    pthread_cond_destroy(&p->isThereWork);
+    pthread_cond_destroy(&p->taskDone);
+    pthread_cond_destroy(&p->workAvailable);
     pthread_mutex_destroy(&p->lock);
     MeMemoryGive(p);
 }
@@ -125,8 +125,8 @@ static MeTaskPoolID createPool(int workers) {
     p->workers = workers;
     atomic_init(&p->queued, 0);
     pthread_mutex_init(&p->lock, NULL);
-    pthread_cond_init(&p->isThereWork, NULL);
-    pthread_cond_init(&p->isOneDone, NULL);
+    pthread_cond_init(&p->workAvailable, NULL);
+    pthread_cond_init(&p->taskDone, NULL);
     return p;
 }
 
@@ -137,7 +137,7 @@ MeTaskPoolID MEAPI MeTaskPoolCreate(int workers) {
                   clamped);
     MeTaskPoolID p = createPool(clamped);
     while (p && p->numThreads < clamped - 1) {
-        if (pthread_create(&p->thread[p->numThreads], NULL, work, p) != 0) {
+        if (pthread_create(&p->thread[p->numThreads], NULL, threadMain, p) != 0) {
             MeWarning(1, "MeTaskPoolCreate: the system starts no more than %d threads of %d", p->numThreads,
                       clamped - 1);
             MeTaskPoolDestroy(p);
@@ -151,11 +151,11 @@ MeTaskPoolID MEAPI MeTaskPoolCreate(int workers) {
 /* In the middle of a step its workers wait for the next loop: they would never end. */
 static MeBool isInUse(MeTaskPoolID p) {
     pthread_mutex_lock(&p->lock);
-    const MeBool isGiven = p->given > 0;
+    const MeBool hasUnfinished = p->numUnfinished > 0;
     pthread_mutex_unlock(&p->lock);
-    if (isGiven)
+    if (hasUnfinished)
         MeProgramRefuse("MeTaskPoolDestroy", "there are unfinished tasks");
-    return isGiven;
+    return hasUnfinished;
 }
 
 void MEAPI MeTaskPoolDestroy(MeTaskPoolID p) {
@@ -171,7 +171,7 @@ int MEAPI MeTaskPoolGetWorkers(MeTaskPoolID p) {
 
 /* ---- tasks ---- */
 
-static Task *newTask(MeTaskPoolID p) {
+static Task *allocateTask(MeTaskPoolID p) {
     Task *task = p->free;
     if (task)
         p->free = task->next;
@@ -187,13 +187,13 @@ void *MEAPI MeTaskPoolEnqueue(MeTaskCB call, void *context, void *pool) {
         return NULL;
     }
     pthread_mutex_lock(&p->lock);
-    Task *task = newTask(p);
+    Task *task = allocateTask(p);
     if (task) {
         task->call = call;
         task->context = context;
-        append(p, task);
-        p->given++;
-        pthread_cond_signal(&p->isThereWork);
+        appendTask(p, task);
+        p->numUnfinished++;
+        pthread_cond_signal(&p->workAvailable);
     }
     pthread_mutex_unlock(&p->lock);
     if (!task)
@@ -201,8 +201,8 @@ void *MEAPI MeTaskPoolEnqueue(MeTaskCB call, void *context, void *pool) {
     return task;
 }
 
-static void waitForEnd(const Task *task) {
-    for (int i = 0; i < LOOKS_BEFORE_SLEEP && task->state == TASK_RUNNING; i++)
+static void spinUntilDone(const Task *task) {
+    for (int i = 0; i < SPINS_BEFORE_SLEEP && task->state == TASK_RUNNING; i++)
         pauseBriefly();
 }
 
@@ -214,17 +214,17 @@ void MEAPI MeTaskPoolFinish(void *userTask, void *pool) {
         MeWarning(1, "MeTaskPoolFinish: the %s is null", p ? "task" : "pool");
         return;
     }
-    waitForEnd(task);
+    spinUntilDone(task);
     pthread_mutex_lock(&p->lock);
     while (task->state != TASK_DONE) {
         Task *other = task->state == TASK_QUEUED ? popFirst(p) : NULL;
         if (other)
-            run(p, other);
+            runTask(p, other);
         else
-            pthread_cond_wait(&p->isOneDone, &p->lock);
+            pthread_cond_wait(&p->taskDone, &p->lock);
     }
     task->state = TASK_FREE;
-    p->given--;
+    p->numUnfinished--;
     task->next = p->free;
     p->free = task;
     pthread_mutex_unlock(&p->lock);

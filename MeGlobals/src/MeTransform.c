@@ -109,7 +109,7 @@ void MEAPI MeMatrix4TMCompound(MeMatrix4 A, const MeMatrix4 B, const MeMatrix4 C
 /* ---- moving ---- */
 
 /* Moves by a vector and turns by another, unless its length is below epsilon. */
-static void moveAndTurn(MeMatrix4 tm, const MeVector3 move, const MeVector3 turn, MeReal epsilon) {
+static void translateAndRotate(MeMatrix4 tm, const MeVector3 move, const MeVector3 turn, MeReal epsilon) {
     MeVector4 q = {1, 0, 0, 0};
     MeVector3Add(tm[3], tm[3], move);
     if (MeVector3Magnitude(turn) < epsilon)
@@ -138,5 +138,5 @@ void MEAPI MeMatrix4TMUpdateFromVelocitiesAndAcceler(MeMatrix4 aTransformReturn,
         turn[i] = h * aAngularVelocity[i] + half * aAngularAcceler[i];
     }
     MeMatrix4Copy(aTransformReturn, aTransform);
-    moveAndTurn(aTransformReturn, move, turn, aEpsilon);
+    translateAndRotate(aTransformReturn, move, turn, aEpsilon);
 }

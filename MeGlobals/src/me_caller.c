@@ -22,7 +22,7 @@ const char *MEAPI MeMessagesAs(const char *function) {
 
 /* What follows the name that a message begins with, "%s: ..." or "Name: ...", from its colon on. A name that is an
  * argument is taken. Null: it begins with no name. */
-static const char *afterName(const char *format, va_list *ap) {
+static const char *skipName(const char *format, va_list *ap) {
     const char *c = format;
     if (strncmp(format, "%s:", 3) == 0) {
         (void)va_arg(*ap, const char *);
@@ -37,14 +37,14 @@ const char *me_messageRename(const char *format, va_list *ap, char renamed[MeMAX
     if (!speaker.name)
         return format;
     speaker.hasSpoken = METRUE;
-    const char *rest = afterName(format, ap);
+    const char *rest = skipName(format, ap);
     if (!rest)
         return format;
     snprintf(renamed, MeMAXMESSAGE, "%s%s", speaker.name, rest);
     return renamed;
 }
 
-MeBool me_messageIsRepeated(void) {
+MeBool me_messageIsSuppressed(void) {
     return speaker.name && speaker.hasSpoken;
 }
 
@@ -61,7 +61,7 @@ const char *MEAPI MeCallerName(const char *function) {
     return caller != NULL ? caller : function;
 }
 
-void me_namesCopy(MeProgramCall *call) {
+void me_namesSave(MeProgramCall *call) {
     call->caller = caller;
     call->speaker = speaker.name;
     call->hasSpoken = speaker.hasSpoken;
@@ -69,7 +69,7 @@ void me_namesCopy(MeProgramCall *call) {
     speaker.hasSpoken = MEFALSE;
 }
 
-void me_namesGive(const MeProgramCall *call) {
+void me_namesRestore(const MeProgramCall *call) {
     caller = call->caller;
     speaker.name = call->speaker;
     speaker.hasSpoken = call->hasSpoken;
@@ -77,12 +77,12 @@ void me_namesGive(const MeProgramCall *call) {
 
 void MEAPI MeLimitRename(MeLimit *limit, const char *name) {
     limit->name = name;
-    limit->isSaidOnce = METRUE;
+    limit->warnsOnce = METRUE;
 }
 
 void MEAPI MeLimitWarn(MeLimit *limit, const char *function, const char *what) {
-    if (!limit->isSaidOnce || !limit->wasSaid)
+    if (!limit->warnsOnce || !limit->hasWarnedOnce)
         MeWarning(1, "%s: no room for %s: raise %s, which is %d", MeCallerName(function), what, limit->name,
                   limit->max);
-    limit->wasSaid = METRUE;
+    limit->hasWarnedOnce = METRUE;
 }

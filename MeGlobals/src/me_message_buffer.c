@@ -12,22 +12,22 @@ typedef struct MeBufferedMessage {
 } MeBufferedMessage;
 
 /* Null: this thread's messages do not wait. */
-static _Thread_local MeMessageBuffer *holder;
+static _Thread_local MeMessageBuffer *activeBuffer;
 
 MeMessageBuffer *MEAPI MeMessagesBuffer(MeMessageBuffer *buffered) {
-    MeMessageBuffer *const before = holder;
-    holder = buffered;
+    MeMessageBuffer *const before = activeBuffer;
+    activeBuffer = buffered;
     return before;
 }
 
 /* Where there is no memory to keep it in, it does not wait. */
 MeBool me_messageBuffer(MeSender sender, int level, const char *format, va_list ap) {
-    MeMessageBuffer *const buffered = holder;
+    MeMessageBuffer *const buffered = activeBuffer;
     if (!buffered)
         return MEFALSE;
-    holder = NULL; /* of memory nothing is said twice */
+    activeBuffer = NULL; /* of memory nothing is said twice */
     MeBufferedMessage *m = MeMemoryTake(1, sizeof *m, "MeMessagesBuffer", "a message");
-    holder = buffered;
+    activeBuffer = buffered;
     if (!m)
         return MEFALSE;
     *m = (MeBufferedMessage){.sender = sender, .level = level, .key = buffered->key};
@@ -41,7 +41,7 @@ MeBool me_messageBuffer(MeSender sender, int level, const char *format, va_list 
 }
 
 /* The first of those with the least key; -1: none waits. */
-static int minKeyOf(MeMessageBuffer *const buffered[], int count) {
+static int bufferOfMinKey(MeMessageBuffer *const buffered[], int count) {
     int min = -1;
     for (int i = 0; i < count; i++)
         if (buffered[i]->first && (min < 0 || buffered[i]->first->key < buffered[min]->first->key))
@@ -69,7 +69,7 @@ static void sortByKey(MeMessageBuffer *buffered) {
 void MEAPI MeMessagesSend(MeMessageBuffer *const buffered[], int count) {
     for (int i = 0; i < count; i++)
         sortByKey(buffered[i]);
-    for (int i = minKeyOf(buffered, count); i >= 0; i = minKeyOf(buffered, count)) {
+    for (int i = bufferOfMinKey(buffered, count); i >= 0; i = bufferOfMinKey(buffered, count)) {
         MeBufferedMessage *m = buffered[i]->first;
         buffered[i]->first = m->next;
         if (!m->next)

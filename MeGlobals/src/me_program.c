@@ -6,40 +6,40 @@
 static _Thread_local struct {
     const char *setBy; /* null: none runs */
     MeBool isQuiet;
-} running;
+} runningFunction;
 
-static MeProgramCall enter(const char *setBy, MeBool isQuiet) {
-    MeProgramCall before = {.setBy = running.setBy, .isQuiet = running.isQuiet};
-    me_namesCopy(&before);
-    running.setBy = setBy;
-    running.isQuiet = isQuiet;
+static MeProgramCall enterProgram(const char *setBy, MeBool isQuiet) {
+    MeProgramCall before = {.setBy = runningFunction.setBy, .isQuiet = runningFunction.isQuiet};
+    me_namesSave(&before);
+    runningFunction.setBy = setBy;
+    runningFunction.isQuiet = isQuiet;
     return before;
 }
 
 /* What a quiet function has the library call is in the middle of the same thing. */
 MeProgramCall MEAPI MeProgramEnter(const char *setBy) {
-    return enter(setBy, running.isQuiet);
+    return enterProgram(setBy, runningFunction.isQuiet);
 }
 
 MeProgramCall MEAPI MeProgramEnterQuiet(const char *setBy) {
-    return enter(setBy, METRUE);
+    return enterProgram(setBy, METRUE);
 }
 
 void MEAPI MeProgramLeave(const MeProgramCall *before) {
-    running.setBy = before->setBy;
-    running.isQuiet = before->isQuiet;
-    me_namesGive(before);
+    runningFunction.setBy = before->setBy;
+    runningFunction.isQuiet = before->isQuiet;
+    me_namesRestore(before);
 }
 
 void MEAPI MeProgramRefuse(const char *function, const char *otherwise) {
-    if (running.setBy)
-        MeWarning(1, "%s: not from the function of %s; nothing is changed", function, running.setBy);
+    if (runningFunction.setBy)
+        MeWarning(1, "%s: not from the function of %s; nothing is changed", function, runningFunction.setBy);
     else
         MeWarning(1, "%s: %s; nothing is changed", function, otherwise);
 }
 
 MeBool MEAPI MeProgramMayChange(const char *function) {
-    if (running.isQuiet)
+    if (runningFunction.isQuiet)
         MeProgramRefuse(function, "not now");
-    return !running.isQuiet;
+    return !runningFunction.isQuiet;
 }

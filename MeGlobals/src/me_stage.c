@@ -6,14 +6,14 @@
 /* So often may what is carried out call a function of the program that calls for more to be carried out. */
 enum { MAX_ROUNDS = 16 };
 
-typedef struct MeWaiting {
-    struct MeWaiting *next;
+typedef struct MeDeferredCall {
+    struct MeDeferredCall *next;
     int level, round;
     MeLater later;
-} MeWaiting;
+} MeDeferredCall;
 
 /* -1: it is not held. */
-static int levelOf(const MeStage *stage) {
+static int activeLevel(const MeStage *stage) {
     int level = ME_STAGE_LEVELS - 1;
     while (level >= 0 && __atomic_load_n(&stage->active[level], __ATOMIC_RELAXED) == 0)
         level--;
@@ -21,15 +21,15 @@ static int levelOf(const MeStage *stage) {
 }
 
 MeBool MEAPI MeStageIsActive(const MeStage *stage, int level) {
-    return levelOf(stage) >= level;
+    return activeLevel(stage) >= level;
 }
 
 /* ---- what waits ---- */
 
 /* The first that need not wait any longer; null: none. */
-static MeWaiting *popReady(MeStage *stage) {
-    const int level = levelOf(stage);
-    MeWaiting *before = NULL, *w = stage->first;
+static MeDeferredCall *popExecutable(MeStage *stage) {
+    const int level = activeLevel(stage);
+    MeDeferredCall *before = NULL, *w = stage->first;
     while (w && w->level <= level) {
         before = w;
         w = w->next;
@@ -42,15 +42,15 @@ static MeWaiting *popReady(MeStage *stage) {
     return w;
 }
 
-static void carryOut(MeStage *stage) {
-    stage->isCarrying = METRUE;
-    for (MeWaiting *w = popReady(stage); w; w = popReady(stage)) {
+static void executeDeferred(MeStage *stage) {
+    stage->isExecuting = METRUE;
+    for (MeDeferredCall *w = popExecutable(stage); w; w = popExecutable(stage)) {
         stage->round = w->round;
         w->later.carryOut(&w->later);
         MeMemoryGive(w);
     }
     stage->round = 0;
-    stage->isCarrying = MEFALSE;
+    stage->isExecuting = MEFALSE;
 }
 
 MeBool MEAPI MeStageDefer(MeStage *stage, int level, const MeLater *later, const char *function) {
@@ -62,10 +62,10 @@ MeBool MEAPI MeStageDefer(MeStage *stage, int level, const MeLater *later, const
                   function, MAX_ROUNDS);
         return MEFALSE;
     }
-    MeWaiting *w = MeMemoryTake(1, sizeof *w, function, "what has to wait");
+    MeDeferredCall *w = MeMemoryTake(1, sizeof *w, function, "what has to wait");
     if (!w)
         return MEFALSE;
-    *w = (MeWaiting){.level = level, .round = stage->round + 1, .later = *later};
+    *w = (MeDeferredCall){.level = level, .round = stage->round + 1, .later = *later};
     *(stage->last ? &stage->last->next : &stage->first) = w;
     stage->last = w;
     return METRUE;
@@ -82,8 +82,8 @@ void MEAPI MeStageEnd(MeStage *stage, int level) {
     const int before = __atomic_fetch_sub(&stage->active[level], 1, __ATOMIC_RELAXED);
     MEASSERT(before > 0);
     (void)before;
-    if (stage->first && !stage->isCarrying)
-        carryOut(stage);
+    if (stage->first && !stage->isExecuting)
+        executeDeferred(stage);
 }
 
 MeWhen MEAPI MeStageWhen(const MeStage *stage, int level, const char *function) {
@@ -95,7 +95,7 @@ MeWhen MEAPI MeStageWhen(const MeStage *stage, int level, const char *function) 
 MeBool MEAPI MeStageIsFree(const MeStage *stage, const char *function) {
     if (!MeProgramMayChange(function))
         return MEFALSE;
-    if (levelOf(stage) < 0 && !stage->isCarrying)
+    if (activeLevel(stage) < 0 && !stage->isExecuting)
         return METRUE;
     MeProgramRefuse(function, "it is in use");
     return MEFALSE;

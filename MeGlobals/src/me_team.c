@@ -16,17 +16,17 @@
 #include <stdatomic.h>
 #include <string.h>
 
-enum { LINE = 64 };                 /* bytes, of a cache line: what threads write lies apart */
+enum { CACHE_LINE = 64 };           /* bytes, of a cache line: what threads write lies apart */
 enum { ITEM_BITS = 20 };            /* of an item's number; as many of a count, and the rest of the loop's number */
 enum { MAX_AHEAD = 64 };            /* buffers of a pipe */
 enum { SPINS_BEFORE_YIELD = 2000 }; /* some 50 us: longer than what is done between two loops of a solver's pass */
 
 typedef struct Share {
-    _Alignas(LINE) _Atomic(MeU64) claim;
+    _Alignas(CACHE_LINE) _Atomic(MeU64) claim;
 } Share;
 
 typedef struct Worker {
-    _Alignas(LINE) MeTeam *team;
+    _Alignas(CACHE_LINE) MeTeam *team;
     int index;
     void *task;               /* the program's name for it; null: none is out */
     MeU64 busy;               /* ticks; the worker */
@@ -48,21 +48,21 @@ struct MeTeam {
     MeFinishTaskCB finish;
     void *userContext;
     int size, depth;
-    MeBool isRunning, isTimed, isKept, isOut; /* isOut: tasks are */
+    MeBool isRunning, isTimed, isKept, hasTasks; /* isOut: tasks are */
     MeTeamWatchCB watch;
     void *watchContext;
     Worker *worker;
     Loop loop;
-    const char *opener;                        /* threadMark of the thread that opened it, */
-    const char *caller;                        /* whom messages name there, */
-    fenv_t arithmetic;                         /* and how it rounds */
-    _Alignas(LINE) atomic_uint number;         /* of the loop; odd numbers: the team is closed */
-    _Alignas(LINE) atomic_int done;            /* items of a loop */
-    Share share[MeTaskMaxWorkers];             /* of a loop */
-    Share pipe;                                /* all items of a pipe */
-    Share used;                                /* of a pipe: how many buffers there are, and how many items are used */
-    _Alignas(LINE) atomic_int made[MAX_AHEAD]; /* by buffer: 1 + the last item that was made into it */
-    MeMessageBuffer messages[MAX_AHEAD];       /* of that item */
+    const char *opener;                      /* threadMark of the thread that opened it, */
+    const char *caller;                      /* whom messages name there, */
+    fenv_t arithmetic;                       /* and how it rounds */
+    _Alignas(CACHE_LINE) atomic_uint number; /* of the loop; odd numbers: the team is closed */
+    _Alignas(CACHE_LINE) atomic_int done;    /* items of a loop */
+    Share share[MeTaskMaxWorkers];           /* of a loop */
+    Share pipe;                              /* all items of a pipe */
+    Share used;                              /* of a pipe: how many buffers there are, and how many items are used */
+    _Alignas(CACHE_LINE) atomic_int made[MAX_AHEAD]; /* by buffer: 1 + the last item that was made into it */
+    MeMessageBuffer messages[MAX_AHEAD];             /* of that item */
 };
 
 static MeU64 pack(MeU64 number, int items, int next) {
@@ -81,7 +81,7 @@ static int itemsOf(MeU64 claim) {
     return (int)(claim >> ITEM_BITS & ((1u << ITEM_BITS) - 1));
 }
 
-static void waitABit(int *spins) {
+static void spinOrYield(int *spins) {
     if (++*spins > SPINS_BEFORE_YIELD)
         sched_yield();
 #if defined(__x86_64__) || defined(__i386__)
@@ -95,8 +95,8 @@ static void waitABit(int *spins) {
 MeTeam *MEAPI MeTeamCreate(int workers, MeEnqueueTaskCB enqueue, MeFinishTaskCB finish, void *userContext,
                            const char *function) {
     MEASSERT(workers >= 1 && workers <= MeTaskMaxWorkers && (workers == 1 || (enqueue && finish)));
-    MeTeam *t = MeMemoryTakeAligned(1, sizeof *t, LINE, function, "a team of workers");
-    Worker *worker = t ? MeMemoryTakeAligned((size_t)workers, sizeof *worker, LINE, function, "workers") : NULL;
+    MeTeam *t = MeMemoryTakeAligned(1, sizeof *t, CACHE_LINE, function, "a team of workers");
+    Worker *worker = t ? MeMemoryTakeAligned((size_t)workers, sizeof *worker, CACHE_LINE, function, "workers") : NULL;
     if (!worker) {
         MeMemoryGiveAligned(t);
         return NULL;
@@ -143,7 +143,7 @@ double MEAPI MeTeamGetBusyTime(const MeTeam *t, int worker) {
 void MEAPI MeTeamWatch(MeTeam *t, MeTeamWatchCB watch, void *watchContext) {
     if (!t)
         return;
-    MEASSERT(t->depth == 0 && !t->isOut);
+    MEASSERT(t->depth == 0 && !t->hasTasks);
     t->watch = watch;
     t->watchContext = watchContext;
 }
@@ -151,7 +151,7 @@ void MEAPI MeTeamWatch(MeTeam *t, MeTeamWatchCB watch, void *watchContext) {
 /* ---- what a worker does ------------------------------------------------------------------------------------------ */
 
 /* The next item of a share; -1: there is none. */
-static int claimFrom(Share *share) {
+static int claimItem(Share *share) {
     MeU64 claim = atomic_load_explicit(&share->claim, memory_order_acquire);
     while (nextOf(claim) < itemsOf(claim))
         if (atomic_compare_exchange_weak_explicit(&share->claim, &claim, claim + 1, memory_order_acq_rel,
@@ -173,7 +173,7 @@ static void stopClock(MeTeam *t, int worker, MeU64 start) {
 }
 
 /* The first item of the share of a worker, or behind the last one's. */
-static int startOf(const MeTeam *t, int share) {
+static int firstItemOf(const MeTeam *t, int share) {
     return (int)((long)t->loop.items * share / t->size);
 }
 
@@ -183,22 +183,22 @@ static void notifyObserver(const MeTeam *t, MeTeamEvent event, int number, int a
 }
 
 /* Returns how many items it has done. */
-static int doShare(MeTeam *t, int share, int worker) {
+static int runShare(MeTeam *t, int share, int worker) {
     int done = 0;
-    for (int item = claimFrom(&t->share[share]); item >= 0; item = claimFrom(&t->share[share]), done++) {
-        t->worker[worker].messages.key = startOf(t, share) + item;
-        t->loop.work(t->loop.context, startOf(t, share) + item, worker);
-        notifyObserver(t, MeTeamItemDone, startOf(t, share) + item, 0);
+    for (int item = claimItem(&t->share[share]); item >= 0; item = claimItem(&t->share[share]), done++) {
+        t->worker[worker].messages.key = firstItemOf(t, share) + item;
+        t->loop.work(t->loop.context, firstItemOf(t, share) + item, worker);
+        notifyObserver(t, MeTeamItemDone, firstItemOf(t, share) + item, 0);
     }
     return done;
 }
 
-static void doLoop(MeTeam *t, int worker) {
+static void runLoop(MeTeam *t, int worker) {
     const MeU64 start = startClock(t);
     MeMessageBuffer *const before = MeMessagesBuffer(&t->worker[worker].messages);
     int done = 0;
     for (int i = 0; i < t->size; i++)
-        done += doShare(t, (worker + i) % t->size, worker);
+        done += runShare(t, (worker + i) % t->size, worker);
     MeMessagesBuffer(before);
     stopClock(t, worker, start);
     if (done > 0)
@@ -208,7 +208,7 @@ static void doLoop(MeTeam *t, int worker) {
 /* ---- pipes ---- */
 
 /* The next item for which there is a buffer; -1: there is none now, or all have been taken. */
-static int claimAhead(MeTeam *t) {
+static int claimPipeItem(MeTeam *t) {
     MeU64 claim = atomic_load_explicit(&t->pipe.claim, memory_order_acquire);
     while (nextOf(claim) < itemsOf(claim)) {
         const MeU64 used = atomic_load_explicit(&t->used.claim, memory_order_acquire);
@@ -221,15 +221,15 @@ static int claimAhead(MeTeam *t) {
     return -1;
 }
 
-static MeBool hasItems(const MeTeam *t) {
+static MeBool hasUnclaimedItems(const MeTeam *t) {
     const MeU64 claim = atomic_load_explicit(&t->pipe.claim, memory_order_relaxed);
     return nextOf(claim) < itemsOf(claim);
 }
 
 /* Makes an item, if there is one to be made. */
-static MeBool makeOne(MeTeam *t, int worker) {
+static MeBool makePipeItem(MeTeam *t, int worker) {
     const MeU64 start = startClock(t);
-    const int item = claimAhead(t);
+    const int item = claimPipeItem(t);
     if (item < 0)
         return MEFALSE;
     const int ahead = itemsOf(atomic_load_explicit(&t->used.claim, memory_order_relaxed));
@@ -242,12 +242,12 @@ static MeBool makeOne(MeTeam *t, int worker) {
     return METRUE;
 }
 
-static void makeItems(MeTeam *t, int worker) {
-    for (int spins = 0; hasItems(t);)
-        if (makeOne(t, worker))
+static void makePipeItems(MeTeam *t, int worker) {
+    for (int spins = 0; hasUnclaimedItems(t);)
+        if (makePipeItem(t, worker))
             spins = 0;
         else
-            waitABit(&spins);
+            spinOrYield(&spins);
 }
 
 /* ---- tasks ------------------------------------------------------------------------------------------------------- */
@@ -256,26 +256,26 @@ static MeBool isClosed(unsigned int number) {
     return number & 1;
 }
 
-static void doLoopsUntilClosed(MeTeam *t, int worker) {
+static void runLoopsUntilClosed(MeTeam *t, int worker) {
     unsigned int seen = 0;
     for (int spins = 0;;) {
         const unsigned int number = atomic_load_explicit(&t->number, memory_order_acquire);
         if (isClosed(number))
             return;
         if (number == seen) {
-            waitABit(&spins);
+            spinOrYield(&spins);
             continue;
         }
         seen = number;
         spins = 0;
-        doLoop(t, worker);
-        makeItems(t, worker);
+        runLoop(t, worker);
+        makePipeItems(t, worker);
     }
 }
 
 /* One task: what a worker does while the team is open. Threads of a program may round otherwise, or name somebody else
  * in messages. A task that is called as it is enqueued has nothing to do. */
-static void MEAPI serve(void *context) {
+static void MEAPI runWorkerTask(void *context) {
     Worker *w = context;
     MeTeam *t = w->team;
     fenv_t before;
@@ -285,13 +285,13 @@ static void MEAPI serve(void *context) {
     fesetenv(&t->arithmetic);
     const char *callerBefore = MeCallerSet(NULL);
     MeCallerSet(t->caller);
-    doLoopsUntilClosed(t, w->index);
+    runLoopsUntilClosed(t, w->index);
     MeCallerSet(NULL);
     MeCallerSet(callerBefore);
     fesetenv(&before);
 }
 
-static void nextNumber(MeTeam *t, unsigned int step) {
+static void advanceLoopNumber(MeTeam *t, unsigned int step) {
     const unsigned int number = atomic_load_explicit(&t->number, memory_order_relaxed);
     atomic_store_explicit(&t->number, number + step, memory_order_release);
 }
@@ -299,42 +299,42 @@ static void nextNumber(MeTeam *t, unsigned int step) {
 /* The functions by which a program runs tasks (MdtWorldSetTaskPool sets those of a pool). */
 static const char setBy[] = "MdtWorldSetTaskCallbacks";
 
-static void *enqueue(MeTeam *t, int worker) {
+static void *enqueueTask(MeTeam *t, int worker) {
     const MeProgramCall before = MeProgramEnter(setBy);
-    void *const task = t->enqueue(serve, &t->worker[worker], t->userContext);
+    void *const task = t->enqueue(runWorkerTask, &t->worker[worker], t->userContext);
     MeProgramLeave(&before);
     return task;
 }
 
-static void finish(MeTeam *t, int worker) {
+static void finishTask(MeTeam *t, int worker) {
     const MeProgramCall before = MeProgramEnter(setBy);
     t->finish(t->worker[worker].task, t->userContext);
     MeProgramLeave(&before);
 }
 
-static void sendOut(MeTeam *t) {
+static void enqueueWorkers(MeTeam *t) {
     t->opener = &threadMark;
     t->caller = MeCallerName(NULL);
     fegetenv(&t->arithmetic);
-    t->isOut = METRUE;
-    nextNumber(t, 1);
+    t->hasTasks = METRUE;
+    advanceLoopNumber(t, 1);
     for (int i = 1; i < t->size; i++)
-        t->worker[i].task = enqueue(t, i);
+        t->worker[i].task = enqueueTask(t, i);
 }
 
-static void callBack(MeTeam *t) {
-    nextNumber(t, 1);
+static void finishWorkers(MeTeam *t) {
+    advanceLoopNumber(t, 1);
     for (int i = 1; i < t->size; i++) {
         if (t->worker[i].task)
-            finish(t, i);
+            finishTask(t, i);
         t->worker[i].task = NULL;
     }
-    t->isOut = MEFALSE;
+    t->hasTasks = MEFALSE;
 }
 
 void MEAPI MeTeamOpen(MeTeam *t) {
-    if (t && t->depth++ == 0 && !t->isOut)
-        sendOut(t);
+    if (t && t->depth++ == 0 && !t->hasTasks)
+        enqueueWorkers(t);
 }
 
 void MEAPI MeTeamClose(MeTeam *t) {
@@ -342,7 +342,7 @@ void MEAPI MeTeamClose(MeTeam *t) {
         return;
     MEASSERT(t->depth == 0 && !t->isRunning);
     if (!t->isKept)
-        callBack(t);
+        finishWorkers(t);
 }
 
 void MEAPI MeTeamKeep(MeTeam *t) {
@@ -355,18 +355,18 @@ void MEAPI MeTeamRelease(MeTeam *t) {
         return;
     MEASSERT(t->depth == 0);
     t->isKept = MEFALSE;
-    if (t->isOut)
-        callBack(t);
+    if (t->hasTasks)
+        finishWorkers(t);
 }
 
 /* ---- loops ------------------------------------------------------------------------------------------------------- */
 
-static MeBool isAlone(const MeTeam *t, int items) {
+static MeBool isSerial(const MeTeam *t, int items) {
     return !t || t->size == 1 || t->depth == 0 || t->isRunning || items <= 1;
 }
 
 /* No item is out; what is written here is read by those who take one. */
-static MeU64 describe(MeTeam *t, int items, MeTeamWork work, void *context) {
+static MeU64 setLoop(MeTeam *t, int items, MeTeamWork work, void *context) {
     MEASSERT(items < 1 << ITEM_BITS);
     t->isRunning = METRUE;
     t->loop = (Loop){.work = work, .context = context, .items = items};
@@ -383,12 +383,12 @@ static void sendMessages(MeTeam *t) {
 }
 
 /* Is what the calling thread does alone a loop of the team all the same, of one item? */
-static MeBool isObservedAlone(const MeTeam *t, int items) {
+static MeBool isObservedSerialLoop(const MeTeam *t, int items) {
     return t && t->depth > 0 && !t->isRunning && items == 1;
 }
 
-static void runAlone(MeTeam *t, int items, MeTeamWork work, void *context) {
-    const MeBool isObserved = isObservedAlone(t, items);
+static void runSerially(MeTeam *t, int items, MeTeamWork work, void *context) {
+    const MeBool isObserved = isObservedSerialLoop(t, items);
     if (isObserved)
         notifyObserver(t, MeTeamLoopBegins, items, 0);
     for (int i = 0; i < items; i++)
@@ -400,19 +400,19 @@ static void runAlone(MeTeam *t, int items, MeTeamWork work, void *context) {
 }
 
 void MEAPI MeTeamRun(MeTeam *t, int items, MeTeamWork work, void *context) {
-    if (isAlone(t, items)) {
-        runAlone(t, items, work, context);
+    if (isSerial(t, items)) {
+        runSerially(t, items, work, context);
         return;
     }
     notifyObserver(t, MeTeamLoopBegins, items, 0);
-    const MeU64 number = describe(t, items, work, context);
+    const MeU64 number = setLoop(t, items, work, context);
     for (int i = 0; i < t->size; i++)
-        atomic_store_explicit(&t->share[i].claim, pack(number, startOf(t, i + 1) - startOf(t, i), 0),
+        atomic_store_explicit(&t->share[i].claim, pack(number, firstItemOf(t, i + 1) - firstItemOf(t, i), 0),
                               memory_order_release);
-    nextNumber(t, 2);
-    doLoop(t, 0);
+    advanceLoopNumber(t, 2);
+    runLoop(t, 0);
     for (int spins = 0; atomic_load_explicit(&t->done, memory_order_acquire) < items;)
-        waitABit(&spins);
+        spinOrYield(&spins);
     t->isRunning = MEFALSE;
     sendMessages(t);
     notifyObserver(t, MeTeamLoopEnds, items, 0);
@@ -424,7 +424,7 @@ typedef struct Ranges {
     int count, size;
 } Ranges;
 
-static void MEAPI doRange(void *context, int item, int worker) {
+static void MEAPI runRange(void *context, int item, int worker) {
     const Ranges *r = context;
     const int first = item * r->size, end = r->count - first < r->size ? r->count : first + r->size;
     r->work(r->context, first, end, worker);
@@ -433,10 +433,10 @@ static void MEAPI doRange(void *context, int item, int worker) {
 void MEAPI MeTeamRunRanges(MeTeam *t, int count, int size, MeTeamRangeWork work, void *context) {
     MEASSERT(size >= 1);
     Ranges ranges = {work, context, count, size};
-    MeTeamRun(t, count / size + (count % size > 0), doRange, &ranges);
+    MeTeamRun(t, count / size + (count % size > 0), runRange, &ranges);
 }
 
-static void pipeAlone(int items, MeTeamWork make, MeTeamWork use, void *context) {
+static void pipeSerially(int items, MeTeamWork make, MeTeamWork use, void *context) {
     for (int i = 0; i < items; i++) {
         make(context, i, 0);
         use(context, i, 0);
@@ -445,22 +445,22 @@ static void pipeAlone(int items, MeTeamWork make, MeTeamWork use, void *context)
 
 void MEAPI MeTeamPipe(MeTeam *t, int items, int ahead, MeTeamWork make, MeTeamWork use, void *context) {
     MEASSERT(ahead >= 1);
-    if (isAlone(t, items)) {
-        pipeAlone(items, make, use, context);
+    if (isSerial(t, items)) {
+        pipeSerially(items, make, use, context);
         return;
     }
     const int buffers = MeMIN(ahead, MAX_AHEAD);
     notifyObserver(t, MeTeamPipeBegins, items, buffers);
-    const MeU64 number = describe(t, items, make, context);
+    const MeU64 number = setLoop(t, items, make, context);
     for (int i = 0; i < buffers; i++)
         atomic_store_explicit(&t->made[i], 0, memory_order_relaxed);
     atomic_store_explicit(&t->used.claim, pack(number, buffers, 0), memory_order_release);
     atomic_store_explicit(&t->pipe.claim, pack(number, items, 0), memory_order_release);
-    nextNumber(t, 2);
+    advanceLoopNumber(t, 2);
     for (int i = 0; i < items; i++) {
         for (int spins = 0; atomic_load_explicit(&t->made[i % buffers], memory_order_acquire) != i + 1;)
-            if (!makeOne(t, 0))
-                waitABit(&spins);
+            if (!makePipeItem(t, 0))
+                spinOrYield(&spins);
         MeMessagesSend((MeMessageBuffer *[]){&t->messages[i % buffers]}, 1);
         use(context, i, 0);
         notifyObserver(t, MeTeamItemUsed, i, 0);

@@ -24,7 +24,7 @@ FAULTS = {
          'Mst/src/step/mst_step_i.h', 'return mst_bodyOf(p->model1) && mst_bodyOf(p->model1) == mst_bodyOf(p->model2);',
          'return MEFALSE && p;'),
     'model-of-another-world':
-        ('calls', 'Mst/src/step/mst_commit.c', '|| !areOfWorld(b, body1, body2, w)', '|| (areOfWorld(b, body1, body2, w), 0)'),
+        ('calls', 'Mst/src/step/mst_commit.c', '|| !areBodiesOfWorld(b, body1, body2, w)', '|| (areBodiesOfWorld(b, body1, body2, w), 0)'),
     'bodies-of-a-bridges-group':
         ('calls', 'Mdt/src/record/MdtConstraint.c', 'if (base->record.flags & MDT_BRIDGED) {', 'if (0) {'),
     'centre-of-mass-anywhere':
