@@ -1,38 +1,35 @@
 /** @file MeMath.h
- *  Vectors, matrices, quaternions and rigid transforms (User Guide ch. 3, "Coordinate Systems and Reference
- *  Frames").
+ *  Vectors, matrices, quaternions and rigid transforms (User Guide ch. 3, "Coordinate Systems and Reference Frames").
  *
- *  Frames are right-handed and angles are in radians: a positive rotation about z takes x to y. A transform
- *  takes the coordinates x that a point has in one frame to those it has in another, y = R x + X. It is
- *  written
+ *  Frames are right-handed and angles are in radians: a positive rotation about z takes x to y. A transform maps the
+ *  coordinates x of a point in one frame to those in another, y = R x + X:
  *
  *  @verbatim
  *      MeMatrix3 R                 MeMatrix4 tm, a "TM"
- *      { { xx, yx, zx },           { { xx, xy, xz, 0 },      row 0: where the x axis points to
- *        { xy, yy, zy },             { yx, yy, yz, 0 },      row 1: where the y axis points to
- *        { xz, yz, zz } }            { zx, zy, zz, 0 },      row 2: where the z axis points to
- *                                    { X,  Y,  Z,  1 } }     row 3: where the origin is, X
+ *      { { xx, yx, zx },           { { xx, xy, xz, 0 },      row 0: direction of the x axis
+ *        { xy, yy, zy },             { yx, yy, yz, 0 },      row 1: direction of the y axis
+ *        { xz, yz, zz } }            { zx, zy, zz, 0 },      row 2: direction of the z axis
+ *                                    { X,  Y,  Z,  1 } }     row 3: position of the origin, X
  *
  *      y[i] = sum over j of R[i][j] x[j] + X[i]        tm[j][i] == R[i][j]
  *  @endverbatim
  *
- *  A MeMatrix3 holds an ordinary matrix row by row, for vectors that are columns. A TM is laid out as OpenGL
- *  wants it, which makes its rotation the transpose of R, and each axis a row that can be used as a
- *  MeVector3. A quaternion is (w, x, y, z): (cos a/2, n sin a/2) for the angle a about the unit axis n; q and
- *  -q are the same rotation. A quaternion that has drifted from length 1 is taken for the rotation it stands
- *  for, and a zero one for no rotation, unless its function says otherwise.
+ *  A MeMatrix3 is an ordinary row-major matrix for column vectors. A TM has OpenGL's layout: its rotation is the
+ *  transpose of R, and each axis is a row that can be used as a MeVector3. A quaternion is (w, x, y, z): (cos a/2, n
+ *  sin a/2) for the angle a about the unit axis n; q and -q are the same rotation. Unless a function says otherwise, a
+ *  quaternion of another length counts as normalized, and a zero one as the identity.
  *
  *  For every function here:
- *  - Results come first. An output may be the same array as an input, unless its function says otherwise; it
- *    gets what it would get if the input had been copied first. Two outputs are never the same array.
- *  - Pointers and array sizes are not checked, unlike in the rest of Karma. NaN in gives NaN out, without a
- *    word, and tests ("Is...") of NaN are false.
- *  - The functions keep no state and may be called from any thread, but for MeRealRandomInRange.
+ *  - Results come first. An output may be the same array as an input, unless the function says otherwise; the result
+ *    is as if the input had been copied first. Two outputs must be different arrays.
+ *  - Pointers and array sizes are not checked, unlike in the rest of Karma. NaN in gives NaN out, without a warning,
+ *    and tests ("Is...") of NaN are false.
+ *  - All functions are stateless and thread-safe, except MeRealRandomInRange.
  *
- *  C before C23 lets a MeMatrix3 or MeMatrix4 be passed as a const one only as an extension. All compilers
- *  have it; gcc -Wpedantic mentions it.
+ *  Before C23, passing a MeMatrix3 or MeMatrix4 as a const one is an extension of C. All compilers have it; gcc
+ *  -Wpedantic mentions it.
  *
- *  The header brings messages, assertions and the C library's headers along, which programs take from here.
+ *  The header includes messages, assertions and headers of the C library, on which programs rely.
  */
 #ifndef MEMATH_H
 #define MEMATH_H

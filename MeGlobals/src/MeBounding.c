@@ -1,8 +1,8 @@
-/* The smallest sphere around points.
+/* Bounding sphere of points.
  *
- * It is determined by 2 to 4 points on it. From any such support on: the point farthest outside joins, and the smallest
- * sphere around these few is that of the next support. Its radius grows each time, so that no support comes twice
- * (Gaertner, Fast and Robust Smallest Enclosing Balls, ESA 1999). */
+ * The smallest sphere is determined by 2 to 4 support points on it. Iteration: add the farthest point outside to the
+ * support; the smallest sphere of these few points gives the next support. The radius grows in each iteration, so no
+ * support occurs twice (Gaertner, Fast and Robust Smallest Enclosing Balls, ESA 1999). */
 #include "MeBounding.h"
 
 #include "MeAssert.h"
@@ -15,7 +15,7 @@ typedef struct Ball {
     double centre[DIM], radiusSquared;
 } Ball;
 
-/* What rounding does to squared distances, relative to the squared radius. */
+/* Tolerance for rounding errors of squared distances, relative to the squared radius. */
 static const double slack = 1e-12;
 
 static double dot(const double a[DIM], const double b[DIM]) {
@@ -31,7 +31,7 @@ static MeBool isInside(const Ball *ball, const double point[DIM]) {
     return distanceSquared(ball->centre, point) <= ball->radiusSquared * (1 + slack);
 }
 
-/* Solves the system of n <= 3 equations, in place; false if it is singular to working precision. */
+/* Solves n <= 3 linear equations in place; false if the matrix is singular to working precision. */
 static MeBool solve(double m[DIM][DIM + 1], int n) {
     for (int i = 0; i < n; i++) {
         int pivot = i;
@@ -77,7 +77,8 @@ static MeBool ballThrough(double *const p[SUPPORT], int n, Ball *ball) {
     return METRUE;
 }
 
-/* The smallest sphere around count <= 5 points that goes through the last one; the first ones become those on it. */
+/* Computes the smallest sphere that contains count <= 5 points and passes through the last one. Moves the points on it
+ * to the front and returns their number; 0: none was found. */
 static int updateSupport(double point[SUPPORT + 1][DIM], int count, Ball *ball) {
     const int last = count - 1;
     int best = -1;
@@ -106,7 +107,7 @@ static int updateSupport(double point[SUPPORT + 1][DIM], int count, Ball *ball) 
     return n;
 }
 
-/* The point farthest from the centre. */
+/* Finds the point farthest from the centre. */
 static void findFarthestPoint(MeVector3 *points, int count, const double centre[DIM], double found[DIM]) {
     double max = -1;
     memcpy(found, centre, DIM * sizeof *found);
@@ -137,7 +138,7 @@ static void smallestBall(MeVector3 *points, int count, Ball *ball) {
         if (isInside(ball, support[n]))
             return;
         n = updateSupport(support, n + 1, ball);
-        if (n == 0 || !(ball->radiusSquared > before)) /* rounding has the last word */
+        if (n == 0 || !(ball->radiusSquared > before)) /* no progress, due to rounding */
             return;
         MEASSERT(n <= SUPPORT);
     }
@@ -164,6 +165,6 @@ void MEAPI MeBoundingSphereCalc(MeVector3 *points, int numPoints, MeVector3 cent
         return;
     findFarthestPoint(points, numPoints, rounded, outermost);
     const double reach = sqrt(distanceSquared(outermost, rounded));
-    *radius = (MeReal)(reach * (1 + 2 * (double)ME_EPSILON)); /* two roundings, upwards */
+    *radius = (MeReal)(reach * (1 + 2 * (double)ME_EPSILON)); /* rounds up, for two rounding errors */
     MEASSERT((double)*radius >= reach);
 }

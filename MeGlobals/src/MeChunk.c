@@ -28,7 +28,7 @@ static void freeMemory(MeChunk *chunk) {
     chunk->size = 0;
 }
 
-/* Makes room for `size` bytes; false if out of memory. */
+/* Grows the chunk to at least `size` bytes; false if out of memory. */
 static MeBool reserve(MeChunk *chunk, int size, const char *function) {
     MEASSERT(!chunk->inUse);
     if (chunk->mem != NULL && chunk->size >= size)
@@ -75,7 +75,7 @@ void MEAPI MeChunkSetMode(MeChunk *chunk, kMeChunkMode mode) {
     chunk->mode = mode;
 }
 
-/* May a piece of this size be had now? Warns if not. */
+/* Whether a block of this size may be allocated now. False: with a warning. */
 static MeBool mayAllocate(const MeChunk *chunk, int size, const char *function) {
     if (!isChunk(chunk, function))
         return MEFALSE;

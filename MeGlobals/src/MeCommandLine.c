@@ -1,4 +1,4 @@
-/* Options: one block of memory with the struct, the pointers to the words that are left, and all words. */
+/* Command line options: one block of memory has the struct, the pointers to the remaining words, and all words. */
 #include "MeCommandLine.h"
 
 #include "MeAssert.h"
@@ -49,7 +49,7 @@ void MEAPI MeCommandLineOptionsDestroy(MeCommandLineOptions *options) {
 
 /* ---- finding ---- */
 
-/* The rest of a word that is an option: "" for "-name", "=value" for "-name=value", null for another word. */
+/* The rest of a word after an option's name: "" for "-name", "=value" for "-name=value", null for another word. */
 static char *restOfOption(char *word, const char *name) {
     const size_t length = strlen(name);
     if (strncmp(word, name, length) != 0)
@@ -100,7 +100,7 @@ void MEAPI MeCommandLineOptionsEat(MeCommandLineOptions *options, const int *eat
         if (options->argv[i] != NULL)
             options->argv[kept++] = options->argv[i];
     }
-    MEASSERT(kept >= 1 && kept <= options->argc); /* the program's name stays */
+    MEASSERT(kept >= 1 && kept <= options->argc); /* the program's name is never removed */
     options->argc = kept;
     options->argv[kept] = NULL;
 }
@@ -126,7 +126,7 @@ static MeBool looksLikeOption(const char *word) {
     return word[0] == '-' && !readFloat(word, &number);
 }
 
-/* The value of an option that is there, or null with a warning. */
+/* The value of an option, null if the option is missing; null with a warning if only the value is. */
 static char *findValue(MeCommandLineOptions *options, const char *arg, MeBool eat, const char *function) {
     const int pos = MeCommandLineOptionsGetPos(options, arg);
     const int places[2] = {pos, pos + 1};

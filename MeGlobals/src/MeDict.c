@@ -1,6 +1,6 @@
-/* Dictionaries: a treap (Seidel, Aragon). By keys a search tree, by priorities, which are drawn, a heap: so it is as
- * deep as a tree whose nodes came in any order, O(log n), whatever the order was. The numbers that are drawn are the
- * same in every run. */
+/* Dictionaries: a treap (Seidel, Aragon), a search tree by keys and a heap by random priorities. Its depth is that of a
+ * tree with nodes inserted in random order, O(log n), for any order of insertions. The random numbers are the same in
+ * every run. */
 #include "MeDict.h"
 #include "MeAssert.h"
 #include "MeMemory.h"
@@ -42,7 +42,7 @@ MeDict *MEAPI MeDictCreate(unsigned long maxcount, MeDictCompareFn compare) {
 void MEAPI MeDictInitLike(MeDict *dict, const MeDict *like) {
     if (!isGiven(dict, "dictionary", __func__) || !isGiven(like, "dictionary to be like", __func__))
         return;
-    const MeDict model = *like; /* which may be this one */
+    const MeDict model = *like; /* `like` may be `dict` */
     memset(dict, 0, sizeof *dict);
     dict->maxCount = model.maxCount;
     dict->compare = model.compare;
@@ -137,13 +137,13 @@ int MEAPI MeDictNodeIsInADict(MeDictNode *node) {
 
 /* ---- the tree -------------------------------------------------------------------------------------------------- */
 
-/* Where the pointer to a node stands. */
+/* The pointer that refers to a node: its parent's or the root. */
 static MeDictNode **linkTo(MeDict *dict, MeDictNode *node) {
     MeDictNode *parent = node->parent;
     return parent ? &parent->child[parent->child[1] == node] : &dict->root;
 }
 
-/* A node takes the place of its parent, which becomes its child on the other side. */
+/* Tree rotation: a node takes the place of its parent, which becomes its child on the other side. */
 static void rotateUp(MeDict *dict, MeDictNode *node) {
     MeDictNode *parent = node->parent;
     const int side = parent->child[1] == node;
@@ -157,13 +157,13 @@ static void rotateUp(MeDict *dict, MeDictNode *node) {
         inner->parent = parent;
 }
 
-/* Knuth's generator, its upper half folded in. */
+/* A random priority by Knuth's linear congruential generator, with the upper half mixed into the lower one. */
 static MeU32 drawPriority(MeDict *dict) {
     dict->seed = dict->seed * 1664525u + 1013904223u;
     return dict->seed ^ dict->seed >> 16;
 }
 
-/* A leaf rises to where its priority is at most its parent's. */
+/* Inserts a node as a leaf, then rotates it up until its priority is at most its parent's. */
 static void insertLeaf(MeDict *dict, MeDictNode *node, MeDictNode *parent, MeDictNode **place) {
     MEASSERT(*place == NULL);
     *place = node;
@@ -182,7 +182,7 @@ static void insertNode(MeDict *dict, MeDictNode *node) {
     insertLeaf(dict, node, parent, place);
 }
 
-/* Down to the leaves, and off. */
+/* Rotates a node down until it is a leaf, then removes it. */
 static void removeNode(MeDict *dict, MeDictNode *node) {
     MEASSERT(dict->count > 0 && dict->root != NULL);
     while (node->child[0] || node->child[1]) {
@@ -207,7 +207,7 @@ static MeDictNode *neighbour(MeDictNode *node, int side) {
     return node->parent;
 }
 
-/* The last node whose key is before that one, or not after it; null: all are behind. */
+/* The last node whose key is before (orEqual: not after) the given one; null if there is none. */
 static MeDictNode *lastBefore(MeDict *dict, const void *key, MeBool orEqual) {
     MeDictNode *found = NULL;
     for (MeDictNode *node = dict->root; node;) {

@@ -1,5 +1,4 @@
-/* Hash tables: chains of entries, which are also in a list of their own, so that their order does not depend on
- * addresses. */
+/* Hash tables with chaining. All entries are also in one list, so that their order does not depend on addresses. */
 #include "MeHash.h"
 
 #include "MeAssert.h"
@@ -109,7 +108,8 @@ void MEAPI MeHashDestroy(MeHash *table) {
     MeMemoryAPI.destroy(table);
 }
 
-/* A function that says what keys are; entries would be lost if it changed. */
+/* Whether the table is empty, so that hash and comparison may change: entries would be lost otherwise. False: with a
+ * warning. */
 static MeBool isEmpty(const MeHash *table, const char *function) {
     if (!isTable(table, function))
         return MEFALSE;
@@ -140,7 +140,7 @@ void MEAPI MeHashSetDatumFreeFunc(MeHash *table, MeHashFreeFunc datumFree) {
 
 /* ---- entries ---- */
 
-/* Where the pointer to the entry with that key stands, or would. */
+/* The pointer that refers to the entry of a key, or the null pointer at the end of its chain. */
 static MeHashBucket **findLink(const MeHash *table, const void *key, const char *function) {
     const int hash = table->hash(key, table->size);
     const MeBool isInside = hash >= 0 && hash < table->size;

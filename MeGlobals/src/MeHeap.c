@@ -51,7 +51,7 @@ void MEAPI MeHeapDestroy(MeHeap *h) {
         MeWarning(1, "MeHeapDestroy: MeHeapCreate has not made this heap");
 }
 
-/* Does item i come out before item k? */
+/* Whether item i is removed before item k. */
 static MeBool isBefore(const MeHeap *h, int i, int k) {
     return h->compare(h->item[i], h->item[k]) < 0;
 }

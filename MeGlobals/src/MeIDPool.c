@@ -1,4 +1,4 @@
-/* Numbers for things: a bit for each. */
+/* Pools of ids: one bit per id. */
 #include "MeIDPool.h"
 
 #include "MeAssert.h"
@@ -7,7 +7,7 @@
 #include <limits.h>
 #include <string.h>
 
-enum { BITS = 32, MAX = INT_MAX / BITS * BITS }; /* whole words, in an int */
+enum { BITS = 32, MAX = INT_MAX / BITS * BITS }; /* a multiple of the word size, at most INT_MAX */
 
 static MeBool isPool(const MeIDPool *pool, const char *function) {
     if (!pool) {

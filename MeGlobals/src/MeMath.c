@@ -20,8 +20,8 @@ MeReal MEAPI MeSafeRecip(MeReal x) {
     return x < 0 ? -MEINFINITY : MEINFINITY;
 }
 
-/* The next of 2^64 - 1 numbers (xorshift64*: Vigna, An experimental exploration of Marsaglia's xorshift
- * generators, 2016). */
+/* The next number of a sequence with the period 2^64 - 1 (xorshift64*: Vigna, An experimental exploration of
+ * Marsaglia's xorshift generators, 2016). */
 static uint64_t nextRandom(void) {
     static uint64_t state = 0x9E3779B97F4A7C15u;
     state ^= state >> 12;
@@ -59,7 +59,7 @@ static MeReal sumOfSquares(const MeReal *v, int n) {
     return sum;
 }
 
-/* Is a sum of squares neither spoilt by overflow nor by squares that are too small to be exact? */
+/* Whether a sum of squares is accurate: neither overflow nor underflow of squares. */
 static MeBool isSafeSum(MeReal sum) {
     return sum > (MeReal)1e-30 && sum <= MEINFINITY;
 }
@@ -84,7 +84,7 @@ MeReal me_length(const MeReal *v, int n) {
     return scale * MeSqrt(scaled);
 }
 
-/* me_normalize for vectors with components so large or small that their squares are not to be had. */
+/* me_normalize for vectors whose squares overflow or underflow. */
 static MeReal normalizeExtreme(MeReal *v, int n) {
     const MeReal scale = largestComponent(v, n);
     MeReal unit[4];
@@ -236,7 +236,7 @@ void MEAPI MeVector3MakeOrthogonal(MeVector3 v, const MeVector3 v1) {
     MeVector3Copy(n, v1);
     if (MeVector3Normalize(n) == 0)
         return;
-    /* The second time takes away the rounding error of the first, which matters when little of v is left. */
+    /* The second pass removes the rounding error of the first, which matters if v is nearly parallel to v1. */
     for (int i = 0; i < 2; i++)
         MeVector3MultiplySubtract(v, MeVector3Dot(v, n), n);
 }
@@ -332,7 +332,7 @@ void MEAPI MeMatrixPrint(const MeReal *const A, const int n, const int m, const 
 
 /* ---- packed triangles ---- */
 
-/* So many have an index that is an int. */
+/* Maximum number of columns for which indices fit into an int. */
 enum { MAX_COLUMNS = 46340 };
 
 /* The index in a triangle whose row i starts at column i + gap, or -1 with a warning. */

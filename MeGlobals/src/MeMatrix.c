@@ -25,7 +25,7 @@ static void transpose(MeReal *m, int n) {
     }
 }
 
-/* Are these right-handed unit vectors at right angles, each dot product within the tolerance? */
+/* Whether x, y, z are orthonormal and right-handed, each dot product within the tolerance. */
 static MeBool areAxes(const MeReal *x, const MeReal *y, const MeReal *z, MeReal tolerance) {
     const MeReal *const axes[3] = {x, y, z};
     for (int i = 0; i < 3; i++) {
@@ -110,7 +110,7 @@ static MeReal largestOf(const MeVector3 v) {
     return MeMAX3(MeFabs(v[0]), MeFabs(v[1]), MeFabs(v[2]));
 }
 
-/* Cramer's rule for a matrix whose rows have been divided by their largest elements. */
+/* Cramer's rule, with the rows scaled by their largest elements. */
 MeBool MEAPI MeMatrix3Invert(MeMatrix3 a) {
     MeVector3 scale;
     MeMatrix3 b, cofactors, inverse;
@@ -122,7 +122,7 @@ MeBool MEAPI MeMatrix3Invert(MeMatrix3 a) {
     for (int i = 0; i < 3; i++)
         MeVector3Cross(cofactors[i], b[NextMod3(i)], b[PrevMod3(i)]);
     const MeReal det = MeVector3Dot(b[0], cofactors[0]);
-    if (!(MeFabs(det) > 8 * ME_EPSILON)) /* NaN, from a row of zeros for instance, is singular too */
+    if (!(MeFabs(det) > 8 * ME_EPSILON)) /* false for NaN, which a zero row gives */
         return MEFALSE;
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
@@ -146,7 +146,7 @@ MeBool MEAPI MeMatrix3SymmetricInvert(MeMatrix3 a) {
     return METRUE;
 }
 
-/* Of the rows from k on, the one with the largest element in column k for its weight. */
+/* The pivot of column k: the row from k on with the largest weighted element. */
 static unsigned int pivotRow(MeMatrix3 u, const MeVector3 weight, unsigned int k) {
     unsigned int pivot = k;
     for (unsigned int i = k + 1; i < 3; i++) {
@@ -156,7 +156,7 @@ static unsigned int pivotRow(MeMatrix3 u, const MeVector3 weight, unsigned int k
     return pivot;
 }
 
-/* Takes multiples of row k of u away from the rows below, so that they begin with 0, and notes them in l. */
+/* Gaussian elimination below row k of u; stores the multipliers in l. */
 static void eliminate(MeMatrix3 l, MeMatrix3 u, unsigned int k) {
     for (unsigned int i = k + 1; i < 3; i++) {
         l[i][k] = u[k][k] == 0 ? 0 : u[i][k] / u[k][k];
@@ -203,9 +203,9 @@ MeBool MEAPI MeMatrix3IsIsotropic(const MeMatrix3 i) {
 
 /* ---- rotations ---- */
 
-/* A plane that is turned by ME_PI / 2 is level then; by the cosine of what that rounds to in single precision it would
- * lean by 4e-8. The 6e-17 of double precision are left. A multiple of ME_PI / 2 is off by three quarters of ME_EPSILON
- * at most: a quarter is ME_PI's rounding, a half the product's. */
+/* A plane rotated by ME_PI / 2 is exactly level; the cosine of the angle, which is rounded to single precision, would
+ * incline it by 4e-8. (The 6e-17 of double precision remain.) A multiple of ME_PI / 2 has a relative error of at most
+ * 3/4 ME_EPSILON: 1/4 by rounding of ME_PI, 1/2 by rounding of the product. */
 void me_direction(MeReal angle, MeReal *cosine, MeReal *sine) {
     const double quarter = 1.57079632679489661923, turns = rint((double)angle / quarter);
     static const MeReal exact[4] = {1, 0, -1, 0};

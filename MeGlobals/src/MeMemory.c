@@ -1,4 +1,4 @@
-/* The default memory functions, and this library's use of those that are set. */
+/* The default memory functions, and calls of those that are set. */
 #include "MeMemory_i.h"
 
 #include "MeInternal.h"
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* malloc may answer a request for nothing with null, which here is to mean that there is no memory. */
+/* malloc(0) may return null, which would count as out of memory. */
 static size_t nonZero(size_t bytes) {
     return bytes > 0 ? bytes : 1;
 }
@@ -16,7 +16,7 @@ static void *MEAPI createDefault(size_t bytes) {
     return malloc(nonZero(bytes));
 }
 
-/* aligned_alloc wants a multiple of the alignment; all that malloc gives is aligned for max_align_t. */
+/* aligned_alloc needs a multiple of the alignment; malloc aligns for max_align_t. */
 static void *MEAPI createAlignedDefault(size_t bytes, unsigned int alignment) {
     if (alignment <= _Alignof(max_align_t))
         return createDefault(bytes);
@@ -35,7 +35,7 @@ static void MEAPI destroyDefault(void *const block) {
 
 MeMemoryAPIStruct MeMemoryAPI = {createDefault, createAlignedDefault, resizeDefault, destroyDefault, destroyDefault};
 
-/* ---- their calls: nothing is to be changed meanwhile, wherever memory is asked for ---- */
+/* ---- calls of the functions that are set: quiet callbacks, which may change nothing (MeInternal.h) ---- */
 
 static void *create(size_t bytes) {
     const MeProgramCall before = MeProgramEnterQuiet("MeMemoryAPI.create");
@@ -73,7 +73,7 @@ void *me_createAligned(size_t bytes, unsigned int alignment, const char *functio
 
 /* ---- for all libraries (MeInternal.h) ---- */
 
-/* 0 if it is more than a size_t holds. */
+/* The size of a block, at least 1; 0 on overflow. */
 static size_t bytesOf(size_t count, size_t size) {
     return size > 0 && count > (SIZE_MAX - 1) / size ? 0 : nonZero(count * size);
 }
@@ -100,7 +100,7 @@ MeBool MEAPI MeMemoryGrow(void *block, size_t used, size_t count, size_t size, c
     void *old, *const larger = MeMemoryTake(count, size, function, what);
     if (larger == NULL)
         return MEFALSE;
-    memcpy(&old, block, sizeof old); /* the pointer is of any type: read and written as bytes */
+    memcpy(&old, block, sizeof old); /* copied as bytes, as the pointer may be of any type */
     if (old != NULL && used > 0)
         memcpy(larger, old, used * size);
     memcpy(block, &larger, sizeof larger);

@@ -15,10 +15,10 @@ MeShow MeInfoShow = MeShowStdout, MeDebugShow = MeShowStderr, MeLogShow = MeShow
 
 /* ---- the program's functions ---- */
 
-/* What a handler calls may send messages in turn: of its own kind they go to the standard handler, and of a show
- * function's kind to stderr, so that it ends. */
+/* Calls of handlers and show functions may send messages themselves. To end the recursion, messages of the kind that is
+ * being handled go to the standard handler, and texts of the kind that is being shown to stderr. */
 typedef enum Kind { INFO, DEBUG, LOG, WARNING, FATAL_ERROR } Kind;
-static _Thread_local unsigned int handling, showing; /* bits: of which kinds */
+static _Thread_local unsigned int handling, showing; /* a bit for each kind */
 
 static void handle(Kind kind, MeHandler handler, MeHandler standard, int level, const char *format, va_list ap) {
     static const char *const setBy[] = {"MeSetInfoHandler", "MeSetDebugHandler", "MeSetLogHandler",
@@ -153,7 +153,7 @@ MeShow MEAPI MeSetFatalErrorShow(MeShow n) {
 
 /* ---- the default handlers ---- */
 
-/* Without the newline that programs may end their messages with. */
+/* Formats a message after a prefix, without a final newline. */
 static void formatText(char text[MeMAXMESSAGE], const char *prefix, const char *format, va_list ap) {
     const size_t used = strlen(prefix);
     memcpy(text, prefix, used + 1);
@@ -181,10 +181,10 @@ void MEAPI MeHandlerLog(const int level, const char *const format, va_list ap) {
     formatAndShow(LOG, MeLogShow, level, "", format, ap);
 }
 
-/* How often a text was shown: those of the last warnings that were new. */
+/* The most recent different warnings, with the number of times that each was shown. */
 enum { RECENT_TEXTS = 64 };
 static struct {
-    MeU64 text; /* its hash, by FNV-1a; 0: none */
+    MeU64 text; /* FNV-1a hash of the text; 0: none */
     int times;
 } recentTexts[RECENT_TEXTS];
 static unsigned int nextRecentText;
@@ -197,7 +197,7 @@ static MeU64 hashOf(const char *text) {
     return hash ? hash : 1;
 }
 
-/* How often it was shown before, as far as that is remembered. */
+/* Counts a text; returns how often it was shown before, if it is among the recent ones. */
 static int countRecentText(const char *text) {
     const MeU64 hash = hashOf(text);
     unsigned int i = 0;
@@ -216,7 +216,7 @@ static int countRecentText(const char *text) {
     return before;
 }
 
-/* What is wrong in one step is wrong in the next: a text is shown twice. */
+/* Shows each text only twice, as a problem usually occurs in every step. */
 void MEAPI MeHandlerWarning(const int level, const char *const format, va_list ap) {
     static const char again[] = " (again: not shown any more)";
     char text[MeMAXMESSAGE];

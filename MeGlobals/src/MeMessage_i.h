@@ -1,4 +1,4 @@
-/* Inside MeGlobals: messages on their way to handlers. */
+/* Inside MeGlobals: processing of messages before handlers get them. */
 #ifndef MEMESSAGE_I_H
 #define MEMESSAGE_I_H
 
@@ -6,18 +6,18 @@
 #include "MeMessage.h"
 #include "MePrecision.h"
 
-/* A function that sends a message: MeWarning and its like. */
+/* A function that sends a message, such as MeWarning. */
 typedef void(MEAPI_CDECL *MeSender)(const int level, const char *const format, ...);
 
-/* Whether the message waits (MeMessagesBuffer); else it is to be sent. */
+/* Buffers a message if the thread has a buffer (MeMessagesBuffer). False: the message must be sent now. */
 MeBool me_messageBuffer(MeSender sender, int level, const char *format, va_list ap);
 
-/* The format under which the message goes out: under the name of MeMessagesAs, where one is set. */
+/* The format of a message, with its name replaced by that of MeMessagesAs if one is set. */
 const char *me_messageRename(const char *format, va_list *ap, char renamed[MeMAXMESSAGE]);
-/* Whether the function of MeMessagesAs has said something already. */
+/* Whether a message is to be dropped, as one was sent under the same name of MeMessagesAs already. */
 MeBool me_messageIsSuppressed(void);
 
-/* Which names messages have (MeCallerSet, MeMessagesAs) is kept in the call, and none is set; is set again. */
+/* Save the names for messages (MeCallerSet, MeMessagesAs) in a call and clear them; restore them. */
 void me_namesSave(MeProgramCall *call);
 void me_namesRestore(const MeProgramCall *call);
 

@@ -10,8 +10,8 @@ static float toUnitInterval(float x) {
     return x < 0 ? 0 : x > 1 ? 1 : x;
 }
 
-/* How much of a primary is in a colour whose hue is `distance` sixths of a circle away from it: all up to one
- * sixth, nothing from two on. */
+/* The share of a primary in a colour whose hue is `distance` sixths of the colour circle away: 1 up to one sixth, 0
+ * from two sixths on. */
 static float share(float distance) {
     const float shortest = distance > 3 ? 6 - distance : distance;
     return toUnitInterval(2 - shortest);

@@ -24,7 +24,7 @@ static int roundUp(int size, int step) {
     return size > INT_MAX - step ? 0 : MeMathCEILN(step, size);
 }
 
-/* Records and list pointers are aligned alike: `alignment`, or that of a pointer if it is larger. */
+/* Initializes the members of both kinds. Records are aligned to `alignment`, at least that of a pointer. */
 static MeBool initCommon(MePool *pool, const struct MePoolAPI *api, int structSize, int alignment,
                          const char *function) {
     if (pool == NULL) {
@@ -50,7 +50,7 @@ static void *recordAt(const MePool *pool, int i) {
     return pool->u.fixed.memory + (size_t)i * (size_t)pool->stride;
 }
 
-/* Which record an address is; -1 for none. */
+/* The index of the record at an address; -1 if there is none. */
 static int indexOf(const MePool *pool, const void *record) {
     const uintptr_t offset = (uintptr_t)record - (uintptr_t)pool->u.fixed.memory;
     const uintptr_t stride = (uintptr_t)pool->stride;
@@ -148,7 +148,7 @@ const struct MePoolAPI MePoolFixedAPI = {fixedInit,      fixedReset,   fixedDest
 
 /* ---- malloc ---- */
 
-/* Before each record: the list of those that are out, so that reset and destroy find them. */
+/* Precedes each record: the list of records in use, for reset and destroy. */
 typedef struct MePoolMallocLink {
     struct MePoolMallocLink *previous, *next;
 } MePoolMallocLink;

@@ -1,4 +1,4 @@
-/* Records of one size in a block of the program's. */
+/* Pools of records of one size in the program's memory. */
 #include "MePoolx.h"
 
 #include "MeAssert.h"

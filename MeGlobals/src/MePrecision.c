@@ -1,4 +1,4 @@
-/* The mark that makes a mixture of precisions a link error (see MePrecision.h). */
+/* A symbol whose name depends on the precision: mixing precisions is a link error (MePrecision.h). */
 #include "MePrecision.h"
 
 const char ME_PRECISION_MARK = 1;

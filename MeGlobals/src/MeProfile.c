@@ -1,4 +1,4 @@
-/* Measuring: marks, frames, the tree of sections and the log. */
+/* Profiling: marks, frames, the tree of sections and the log. */
 #define _POSIX_C_SOURCE 199309L /* clock_gettime */
 #include "MeProfile_i.h"
 
@@ -15,11 +15,11 @@ static const int firstEvents = 1024, maxEvents = 1 << 20;
 
 MeProfileState me_profile;
 
-/* One thread is timed, the one that switched timing on: the address of its mark is the owner. Null when off. */
+/* Only the thread that started timing is timed. `owner` is the address of its threadMark; null when timing is off. */
 static _Thread_local char threadMark;
 static _Atomic(const char *) owner;
 
-/* Who looks at sections (MeProfileWatch). */
+/* The callback of MeProfileWatch. */
 static struct {
     void(MEAPI *call)(void *context);
     void *context;
@@ -117,7 +117,7 @@ MeSection *me_sectionNext(MeSection *section) {
 
 /* ---- counting ---- */
 
-/* Makes room for another event; false when there is none to be had. */
+/* Makes room for another event; false if the log is full or there is no memory. */
 static MeBool growLog(void) {
     MeProfileState *const p = &me_profile;
     MEASSERT(p->numEvents <= p->maxEvents);
@@ -141,7 +141,7 @@ static MeBool growLog(void) {
     return METRUE;
 }
 
-/* Counts the time of a section in progress up to now. */
+/* Adds the time of a section in progress up to now. */
 static void countTime(MeSection *s, uint64_t now) {
     MeProfileState *const p = &me_profile;
     const uint64_t elapsed = now - s->start;
@@ -173,7 +173,7 @@ static void beginCall(MeSection *s, MeBool isAutoStop, uint64_t now) {
 
 static void endCurrentCall(uint64_t now) {
     MeSection *const s = me_profile.current;
-    MEASSERT(s->parent != NULL); /* the root is no call */
+    MEASSERT(s->parent != NULL); /* the root is not a section */
     countTime(s, now);
     me_profile.current = s->parent;
 }

@@ -1,4 +1,4 @@
-/* Printing what the profile has measured. */
+/* Printing of the profile's results. */
 #include "MeProfile_i.h"
 
 #include "MeMath.h"
@@ -62,7 +62,7 @@ static void printEvents(FILE *file) {
     }
 }
 
-/* Sums up one frame's events, from the one at `first` on, and returns the first of a later frame. */
+/* Sums the events of a frame by section, starting at the event `first`; returns the first event of a later frame. */
 static int sumUpFrame(int frame, int first) {
     for (MeSection *s = me_profile.root; s != NULL; s = me_sectionNext(s))
         s->reported = 0;

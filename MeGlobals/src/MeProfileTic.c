@@ -1,4 +1,4 @@
-/* tic: a stopwatch of sections that follow one another. */
+/* tic: a stopwatch of consecutive sections. */
 #include "MeProfile_i.h"
 
 static MeSection *ticRoot;    /* null when off */

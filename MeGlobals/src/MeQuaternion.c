@@ -27,8 +27,7 @@ void MEAPI MeQuaternionMake(MeVector4 q, const MeVector3 x, const MeReal a) {
 }
 
 /*
- * For unit vectors a, b with the angle 2t between them, |a + b| = 2 cos t and |a - b| = 2 sin t, and the axis
- * is along (a - b) x (a + b). All of these are exact to rounding for any angle, unlike a . b and a x b.
+ * Whether q rotates one unit vector to another.
  */
 static MeBool rotatesTo(const MeVector4 q, const MeVector3 from, const MeVector3 to) {
     MeVector3 turned;
@@ -36,6 +35,8 @@ static MeBool rotatesTo(const MeVector4 q, const MeVector3 from, const MeVector3
     return MeVector3Distance(turned, to) < ME_MEDIUM_EPSILON;
 }
 
+/* For unit vectors a, b with the angle 2t between them, |a + b| = 2 cos t and |a - b| = 2 sin t, and the axis is
+ * parallel to (a - b) x (a + b). These expressions are accurate for any angle, unlike a . b and a x b. */
 void MEAPI MeQuaternionForRotation(MeVector4 q, const MeVector3 v1, const MeVector3 v2) {
     MeVector3 a, b, sum, difference, axis, unused;
     MeVector3Copy(a, v1);
@@ -48,7 +49,7 @@ void MEAPI MeQuaternionForRotation(MeVector4 q, const MeVector3 v1, const MeVect
     MeVector3Add(sum, a, b);
     MeVector3Subtract(difference, a, b);
     MeReal length = MeVector3Normalize(sum);
-    if (length < 4 * ME_EPSILON) { /* opposite: what is left is rounding */
+    if (length < 4 * ME_EPSILON) { /* opposite: the sum is rounding error */
         length = 0;
         MeVector3PlaneSpace(a, sum, unused);
     }
@@ -58,7 +59,7 @@ void MEAPI MeQuaternionForRotation(MeVector4 q, const MeVector3 v1, const MeVect
     MEVALIDATE(rotatesTo(q, a, b));
 }
 
-/* Shepperd's method: start from the largest of w, x, y, z (times 4 of it), and nothing cancels. */
+/* Shepperd's method: computes the largest of w, x, y, z first (times 4 itself), so that nothing cancels. */
 void MEAPI MeQuaternionFromTM(MeVector4 q, const MeMatrix4 tm) {
     const MeReal diagonal[3] = {tm[0][0], tm[1][1], tm[2][2]};
     const MeReal trace = diagonal[0] + diagonal[1] + diagonal[2];
@@ -80,7 +81,7 @@ void MEAPI MeQuaternionFromTM(MeVector4 q, const MeMatrix4 tm) {
 
 /* ---- using ---- */
 
-/* 2 / |q|^2 makes the formulas for unit quaternions right for others; 0 is for no rotation. */
+/* 2 / |q|^2, by which formulas for unit quaternions hold for any length; 0 for zero, which means no rotation. */
 static MeReal twoOverSquare(const MeVector4 q) {
     const MeReal square = MeVector4Dot(q, q);
     return square < (MeReal)1e-30 ? 0 : 2 / square;
@@ -113,7 +114,7 @@ void MEAPI MeQuaternionProduct(MeVector4 r, const MeVector4 p, const MeVector4 q
                     w * q[2] - x * q[3] + y * q[0] + z * q[1], w * q[3] + x * q[2] - y * q[1] + z * q[0]);
 }
 
-/* The angle between two quaternions as directions in four dimensions, 0 to pi. */
+/* The angle between two quaternions as vectors in four dimensions, 0 to pi. */
 static MeReal angleBetween(const MeVector4 p, const MeVector4 q) {
     MeVector4 sum, difference;
     MeVector4Add(sum, p, q);
@@ -127,7 +128,7 @@ void MEAPI MeQuaternionSlerp(MeVector4 q, const MeVector4 from, const MeVector4 
     if (MeVector4Dot(from, to) < 0)
         MeVector4Scale(end, -1);
     const MeReal angle = angleBetween(from, end), s = MeSin(angle);
-    MEASSERT(!(MeVector4Dot(from, end) < 0)); /* the shorter way round */
+    MEASSERT(!(MeVector4Dot(from, end) < 0)); /* the shorter arc */
     const MeReal a = s > 0 ? MeSin((1 - howFar) * angle) / s : 1 - howFar;
     const MeReal b = s > 0 ? MeSin(howFar * angle) / s : howFar;
     for (int i = 0; i < 4; i++)
@@ -152,7 +153,7 @@ void MEAPI MeQuaternionToD(MeReal D[12], const MeVector4 q) {
 void MEAPI MeQuaternionFiniteRotation(MeVector4 q, const MeVector3 w, const MeReal h) {
     const MeVector3 turn = {h * w[0], h * w[1], h * w[2]};
     const MeReal angle = MeVector3Magnitude(turn);
-    /* sin(angle / 2) / angle; below epsilon it is 1/2 to rounding, and the quotient may not be to be had */
+    /* sin(angle / 2) / angle; below epsilon it is 1/2 to rounding, and the quotient may be 0/0 */
     const MeReal s = angle < ME_EPSILON ? (MeReal)0.5 : MeSin(angle / 2) / angle;
     const MeVector4 e = {MeCos(angle / 2), s * turn[0], s * turn[1], s * turn[2]};
     MeQuaternionProduct(q, e, q);

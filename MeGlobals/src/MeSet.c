@@ -35,7 +35,7 @@ MeSet *MEAPI MeSetCreate(MeDictCompareFn cmp) {
     return s;
 }
 
-/* Without a comparison nothing can be in it. */
+/* A stand-in for a missing comparison; the set has no room for items then. */
 static int MEAPI compareAsEqual(const void *key1, const void *key2) {
     (void)key1;
     (void)key2;

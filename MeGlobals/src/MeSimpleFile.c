@@ -1,4 +1,4 @@
-/* Files by the system's descriptors. */
+/* Files by descriptors of the system. */
 #define _POSIX_C_SOURCE 200809L
 #include "MeSimpleFile.h"
 
@@ -60,7 +60,7 @@ static void replaceBackslashes(char *name) {
 static int openWithAnySlashes(const char *filename, MeOpenMode_enum mode, const char *function) {
     char name[MAX_NAME];
     const size_t length = strlen(filename);
-    /* a name with backslashes is a legal one, but nobody's to be made */
+    /* existing files may have backslashes in their names, but none is created with such a name */
     const MeBool isForeign = strchr(filename, '\\') != NULL && length < sizeof name;
     const MeBool mayBeThere = !isForeign || flagsOf(mode) == O_RDONLY;
     const int file = mayBeThere ? openFile(filename, mode, function) : -1;
@@ -92,7 +92,7 @@ const char *MEAPI MeGetDefaultFileLocation(int i) {
     return i >= first && i - first < (int)(sizeof places / sizeof *places) ? places[i - first] : NULL;
 }
 
-/* In one directory, by the whole of a relative name, or by its last part. */
+/* Opens a file by its name relative to a directory. */
 static int openIn(const char *directory, const char *name, MeOpenMode_enum mode, const char *function) {
     char path[MAX_NAME];
     const int length = snprintf(path, sizeof path, "%s/%s", directory, name);
@@ -134,7 +134,8 @@ int MEAPI MeClose(int file) {
 
 /* ---- reading and writing ---- */
 
-/* Bytes moved, until all are or the file ends; -1 for an error before the first. */
+/* Reads or writes until all bytes are transferred or the file ends; returns their number, -1 for an error at the
+ * first. */
 static int transferAll(int file, char *bytes, int count, MeBool isRead, const char *function) {
     int done = 0;
     while (done < count) {

@@ -1,4 +1,4 @@
-/* Streams: the system's files through the C library, or a block of memory. */
+/* Streams: files by the C library, or blocks of memory. */
 #define _POSIX_C_SOURCE 200809L
 #include "MeStream.h"
 
@@ -14,9 +14,9 @@ typedef enum Use { NEITHER, READS, WRITES } Use;
 
 struct _MeStream {
     FILE *file;  /* null: memory */
-    Use lastUse; /* of the file: C wants it placed anew between reading and writing */
+    Use lastUse; /* of the file: C requires a seek between reading and writing */
     char *memory;
-    size_t length, size, place; /* bytes that are there, that there is room for, and before the next one */
+    size_t length, size, place; /* bytes of content, capacity, and present position */
     MeBool isOwn, growsSlowly;
 };
 
@@ -99,7 +99,7 @@ void MEAPI MeStreamClose(MeStream stream) {
 
 /* ---- memory ---- */
 
-/* Puts what is there into a block of that size, 0 for none; false if there is no memory. */
+/* Moves the contents into a block of another size, none for 0; false without memory. */
 static MeBool reallocate(MeStream stream, size_t size, const char *function) {
     MEASSERT(size >= stream->length);
     char *memory = size ? me_create(size, function) : NULL;

@@ -9,8 +9,8 @@
 #include <sched.h>
 #include <stdatomic.h>
 
-/* A thread looks so often for a task, or for the end of one, before it sleeps, some 20 us: a step opens its teams one
- * after the other, and to wake a thread takes as long. */
+/* Number of polls for a task, or for its end, before a thread sleeps, some 20 us: a step opens its teams in quick
+ * succession, and waking a thread takes as long. */
 enum { SPINS_BEFORE_SLEEP = 1000 };
 
 static void pauseBriefly(void) {
@@ -26,8 +26,8 @@ typedef enum TaskState { TASK_FREE, TASK_QUEUED, TASK_RUNNING, TASK_DONE } TaskS
 typedef struct Task {
     MeTaskCB call;
     void *context;
-    _Atomic(TaskState) state; /* written with the pool's lock held, as all of a pool */
-    struct Task *next;        /* of the queue, or of those that are free */
+    _Atomic(TaskState) state; /* written only with the pool's lock held, like all members of the pool */
+    struct Task *next;        /* in the queue or the free list */
 } Task;
 
 struct MeTaskPool {
@@ -37,8 +37,8 @@ struct MeTaskPool {
     pthread_cond_t workAvailable, taskDone;
     Task *first, *last, *free;
     MeBool isEnding;
-    atomic_int queued; /* tasks: read without the lock, by threads that look for some */
-    int numUnfinished; /* tasks that nobody has finished yet */
+    atomic_int queued; /* queued tasks: polled by threads without the lock */
+    int numUnfinished; /* tasks for which MeTaskPoolFinish has not returned */
 };
 
 /* ---- the queue, with the lock held ---- */
@@ -148,7 +148,8 @@ MeTaskPoolID MEAPI MeTaskPoolCreate(int workers) {
     return p;
 }
 
-/* In the middle of a step its workers wait for the next loop: they would never end. */
+/* Whether there are unfinished tasks; if so, with a message. During a step the workers' tasks wait for loops, and
+ * joining the threads would never end. */
 static MeBool isInUse(MeTaskPoolID p) {
     pthread_mutex_lock(&p->lock);
     const MeBool hasUnfinished = p->numUnfinished > 0;
@@ -206,7 +207,7 @@ static void spinUntilDone(const Task *task) {
         pauseBriefly();
 }
 
-/* Of tasks that nobody has begun one is done here, so that a pool without threads does them too. */
+/* Runs queued tasks itself while the awaited one is queued, so that a pool without threads runs them, too. */
 void MEAPI MeTaskPoolFinish(void *userTask, void *pool) {
     MeTaskPoolID p = pool;
     Task *task = userTask;

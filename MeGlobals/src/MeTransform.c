@@ -52,7 +52,7 @@ void MEAPI MeMatrix4TMOrthoNormalize(MeMatrix4 tm) {
     MeVector3Copy(y, tm[1]);
     if (MeVector3Normalize(x) > 0 && MeVector3Normalize(y) > 0) {
         MeVector3MakeOrthogonal(y, x);
-        if (MeVector3Normalize(y) > 8 * ME_EPSILON) { /* less is rounding of y, not a direction */
+        if (MeVector3Normalize(y) > 8 * ME_EPSILON) { /* smaller values are rounding errors of y */
             MeVector3Copy(tm[0], x);
             MeVector3Copy(tm[1], y);
             MeVector3Cross(tm[2], x, y);
@@ -108,7 +108,7 @@ void MEAPI MeMatrix4TMCompound(MeMatrix4 A, const MeMatrix4 B, const MeMatrix4 C
 
 /* ---- moving ---- */
 
-/* Moves by a vector and turns by another, unless its length is below epsilon. */
+/* Translates by a vector and rotates by a rotation vector, unless that is shorter than epsilon. */
 static void translateAndRotate(MeMatrix4 tm, const MeVector3 move, const MeVector3 turn, MeReal epsilon) {
     MeVector4 q = {1, 0, 0, 0};
     MeVector3Add(tm[3], tm[3], move);

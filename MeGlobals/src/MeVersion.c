@@ -1,4 +1,4 @@
-/* The version of the library itself. */
+/* The version of the library. */
 #include "MeVersion.h"
 
 #ifdef _ME_API_DOUBLE

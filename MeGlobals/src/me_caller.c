@@ -1,11 +1,11 @@
-/* Who is named in messages: of any kind, and in those of memory and limits, and what such a message says. */
+/* Names in messages: MeMessagesAs for all kinds, MeCallerSet for memory and limits; and warnings about limits. */
 #include "MeInternal.h"
 #include "MeMessage_i.h"
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
-/* Whose name messages begin with; null: with those of the functions that send them. */
+/* The name of MeMessagesAs, with which messages begin; null: that of the function that sends them. */
 static _Thread_local struct {
     const char *name;
     MeBool hasSpoken;
@@ -20,8 +20,8 @@ const char *MEAPI MeMessagesAs(const char *function) {
     return before;
 }
 
-/* What follows the name that a message begins with, "%s: ..." or "Name: ...", from its colon on. A name that is an
- * argument is taken. Null: it begins with no name. */
+/* The rest of a format after the name at its beginning, "%s: ..." or "Name: ...", from the colon on. Skips the argument
+ * of %s. Null if there is no name. */
 static const char *skipName(const char *format, va_list *ap) {
     const char *c = format;
     if (strncmp(format, "%s:", 3) == 0) {

@@ -1,4 +1,4 @@
-/* The table of live objects: buckets by address, each with a lock of its own that is held for a few instructions. */
+/* The table of live objects: buckets by address, each with its own spin lock. */
 #include "MeInternal.h"
 
 #include <stdatomic.h>

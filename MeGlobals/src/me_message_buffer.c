@@ -1,4 +1,4 @@
-/* Messages that wait until the program may be told (MeInternal.h). */
+/* Buffered messages (MeInternal.h). */
 #include "MeInternal.h"
 #include "MeMessage_i.h"
 #include <stdio.h>
@@ -11,7 +11,7 @@ typedef struct MeBufferedMessage {
     char text[MeMAXMESSAGE];
 } MeBufferedMessage;
 
-/* Null: this thread's messages do not wait. */
+/* The buffer of this thread's messages; null: sent at once. */
 static _Thread_local MeMessageBuffer *activeBuffer;
 
 MeMessageBuffer *MEAPI MeMessagesBuffer(MeMessageBuffer *buffered) {
@@ -20,12 +20,12 @@ MeMessageBuffer *MEAPI MeMessagesBuffer(MeMessageBuffer *buffered) {
     return before;
 }
 
-/* Where there is no memory to keep it in, it does not wait. */
+/* Without memory, the message is sent at once. */
 MeBool me_messageBuffer(MeSender sender, int level, const char *format, va_list ap) {
     MeMessageBuffer *const buffered = activeBuffer;
     if (!buffered)
         return MEFALSE;
-    activeBuffer = NULL; /* of memory nothing is said twice */
+    activeBuffer = NULL; /* no buffering of a message about its own memory */
     MeBufferedMessage *m = MeMemoryTake(1, sizeof *m, "MeMessagesBuffer", "a message");
     activeBuffer = buffered;
     if (!m)
@@ -40,7 +40,7 @@ MeBool me_messageBuffer(MeSender sender, int level, const char *format, va_list 
     return METRUE;
 }
 
-/* The first of those with the least key; -1: none waits. */
+/* Index of the first buffer with the smallest key; -1: all are empty. */
 static int bufferOfMinKey(MeMessageBuffer *const buffered[], int count) {
     int min = -1;
     for (int i = 0; i < count; i++)
@@ -49,7 +49,7 @@ static int bufferOfMinKey(MeMessageBuffer *const buffered[], int count) {
     return min;
 }
 
-/* A worker takes keys in any order. */
+/* Sorts a buffer, as workers process keys in any order. */
 static void sortByKey(MeMessageBuffer *buffered) {
     MeBufferedMessage *sorted = NULL, *last = NULL;
     while (buffered->first) {

@@ -1,10 +1,10 @@
-/* Functions of the program: which one runs, of this thread, and what it may not do (MeInternal.h). */
+/* Callbacks: which function of the program runs on this thread, and which calls it must not make (MeInternal.h). */
 #include "MeInternal.h"
 #include "MeMessage.h"
 #include "MeMessage_i.h"
 
 static _Thread_local struct {
-    const char *setBy; /* null: none runs */
+    const char *setBy; /* null: no callback runs */
     MeBool isQuiet;
 } runningFunction;
 
@@ -16,7 +16,7 @@ static MeProgramCall enterProgram(const char *setBy, MeBool isQuiet) {
     return before;
 }
 
-/* What a quiet function has the library call is in the middle of the same thing. */
+/* A callback within a quiet one is quiet, too. */
 MeProgramCall MEAPI MeProgramEnter(const char *setBy) {
     return enterProgram(setBy, runningFunction.isQuiet);
 }

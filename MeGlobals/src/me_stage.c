@@ -1,9 +1,9 @@
-/* Stages: what the program calls while its owner is held, and has to wait (MeInternal.h). */
+/* Stages: deferred calls of the program while records are in use (MeInternal.h). */
 #include "MeAssert.h"
 #include "MeInternal.h"
 #include "MeMessage.h"
 
-/* So often may what is carried out call a function of the program that calls for more to be carried out. */
+/* Maximum nesting of deferred calls that callbacks of deferred calls make. */
 enum { MAX_ROUNDS = 16 };
 
 typedef struct MeDeferredCall {
@@ -12,7 +12,7 @@ typedef struct MeDeferredCall {
     MeLater later;
 } MeDeferredCall;
 
-/* -1: it is not held. */
+/* The highest level of an active stage; -1: none is active. */
 static int activeLevel(const MeStage *stage) {
     int level = ME_STAGE_LEVELS - 1;
     while (level >= 0 && __atomic_load_n(&stage->active[level], __ATOMIC_RELAXED) == 0)
@@ -24,9 +24,9 @@ MeBool MEAPI MeStageIsActive(const MeStage *stage, int level) {
     return activeLevel(stage) >= level;
 }
 
-/* ---- what waits ---- */
+/* ---- deferred calls ---- */
 
-/* The first that need not wait any longer; null: none. */
+/* Removes and returns the first deferred call that no active stage prevents; null: none. */
 static MeDeferredCall *popExecutable(MeStage *stage) {
     const int level = activeLevel(stage);
     MeDeferredCall *before = NULL, *w = stage->first;

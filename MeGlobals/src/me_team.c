@@ -1,9 +1,10 @@
-/* Teams of workers: parallel loops on top of a program's tasks (MeTeam.h).
+/* Teams of workers: parallel loops, run by the program's tasks (MeTeam.h).
  *
- * A loop's items are divided into one share for each worker, who takes its own first and then those that others have
- * left. A share is one atomic word: the loop's number, how many items, and the next one. Only the opening thread writes
- * the loop's description, while no item is out: who has got an item may read it until the item is done, and who comes
- * too late gets none. A pipe's items are all in one share, which is taken from as buffers become free.
+ * The items of a loop are divided into one share per worker. A worker first processes its own share, then the remaining
+ * items of others. A share is one atomic word: the loop's number, the number of items, and the next item. Only the
+ * opening thread writes the loop's description, while no item is being processed: a worker that has claimed an item may
+ * read it until the item is done; a worker that comes too late claims nothing. The items of a pipe are all in one
+ * share, from which they are claimed as buffers become free.
  */
 #define _POSIX_C_SOURCE 199309L /* sched_yield */
 #include "MeAssert.h"
@@ -16,10 +17,13 @@
 #include <stdatomic.h>
 #include <string.h>
 
-enum { CACHE_LINE = 64 };           /* bytes, of a cache line: what threads write lies apart */
-enum { ITEM_BITS = 20 };            /* of an item's number; as many of a count, and the rest of the loop's number */
-enum { MAX_AHEAD = 64 };            /* buffers of a pipe */
-enum { SPINS_BEFORE_YIELD = 2000 }; /* some 50 us: longer than what is done between two loops of a solver's pass */
+enum { CACHE_LINE = 64 }; /* bytes; data written by different threads are in different lines */
+enum {
+    ITEM_BITS = 20
+};                                  /* bits of an item's index, and of the number of items; the rest is the loop's
+                                       number */
+enum { MAX_AHEAD = 64 };            /* maximum number of buffers of a pipe */
+enum { SPINS_BEFORE_YIELD = 2000 }; /* some 50 us: longer than the time between two loops of a solver's pass */
 
 typedef struct Share {
     _Alignas(CACHE_LINE) _Atomic(MeU64) claim;
@@ -28,19 +32,19 @@ typedef struct Share {
 typedef struct Worker {
     _Alignas(CACHE_LINE) MeTeam *team;
     int index;
-    void *task;               /* the program's name for it; null: none is out */
-    MeU64 busy;               /* ticks; the worker */
-    MeMessageBuffer messages; /* of a loop's items; the worker */
+    void *task;               /* identifier of the program's task; null: none is enqueued */
+    MeU64 busy;               /* ticks of work; written by the worker */
+    MeMessageBuffer messages; /* messages of a loop's items; written by the worker */
 } Worker;
 
-/* What all workers do now. */
+/* The loop that all workers run now. */
 typedef struct Loop {
-    MeTeamWork work; /* of a pipe: make */
+    MeTeamWork work; /* in a pipe: make */
     void *context;
     int items;
 } Loop;
 
-/* Its address tells threads apart. */
+/* Its address identifies a thread. */
 static _Thread_local char threadMark;
 
 struct MeTeam {
@@ -48,21 +52,21 @@ struct MeTeam {
     MeFinishTaskCB finish;
     void *userContext;
     int size, depth;
-    MeBool isRunning, isTimed, isKept, hasTasks; /* isOut: tasks are */
+    MeBool isRunning, isTimed, isKept, hasTasks; /* hasTasks: the workers' tasks are enqueued */
     MeTeamWatchCB watch;
     void *watchContext;
     Worker *worker;
     Loop loop;
-    const char *opener;                      /* threadMark of the thread that opened it, */
-    const char *caller;                      /* whom messages name there, */
-    fenv_t arithmetic;                       /* and how it rounds */
-    _Alignas(CACHE_LINE) atomic_uint number; /* of the loop; odd numbers: the team is closed */
-    _Alignas(CACHE_LINE) atomic_int done;    /* items of a loop */
-    Share share[MeTaskMaxWorkers];           /* of a loop */
-    Share pipe;                              /* all items of a pipe */
-    Share used;                              /* of a pipe: how many buffers there are, and how many items are used */
-    _Alignas(CACHE_LINE) atomic_int made[MAX_AHEAD]; /* by buffer: 1 + the last item that was made into it */
-    MeMessageBuffer messages[MAX_AHEAD];             /* of that item */
+    const char *opener;                              /* threadMark of the opening thread, */
+    const char *caller;                              /* its MeCallerSet, */
+    fenv_t arithmetic;                               /* and its floating-point environment */
+    _Alignas(CACHE_LINE) atomic_uint number;         /* number of the loop; odd while the team is closed */
+    _Alignas(CACHE_LINE) atomic_int done;            /* completed items of a loop */
+    Share share[MeTaskMaxWorkers];                   /* of a loop */
+    Share pipe;                                      /* share of all items of a pipe */
+    Share used;                                      /* of a pipe: number of buffers, and of used items */
+    _Alignas(CACHE_LINE) atomic_int made[MAX_AHEAD]; /* by buffer: 1 + the last item made in it */
+    MeMessageBuffer messages[MAX_AHEAD];             /* messages of that item */
 };
 
 static MeU64 pack(MeU64 number, int items, int next) {
@@ -150,7 +154,7 @@ void MEAPI MeTeamWatch(MeTeam *t, MeTeamWatchCB watch, void *watchContext) {
 
 /* ---- what a worker does ------------------------------------------------------------------------------------------ */
 
-/* The next item of a share; -1: there is none. */
+/* Claims the next item of a share; -1: none is left. */
 static int claimItem(Share *share) {
     MeU64 claim = atomic_load_explicit(&share->claim, memory_order_acquire);
     while (nextOf(claim) < itemsOf(claim))
@@ -160,7 +164,7 @@ static int claimItem(Share *share) {
     return -1;
 }
 
-/* Counts the time of the work in between. */
+/* startClock and stopClock add the time between them to a worker's busy time. */
 static MeU64 startClock(const MeTeam *t) {
     MeProfileTimerResult now = {0};
     if (t->isTimed)
@@ -172,7 +176,7 @@ static void stopClock(MeTeam *t, int worker, MeU64 start) {
     t->worker[worker].busy += startClock(t) - start;
 }
 
-/* The first item of the share of a worker, or behind the last one's. */
+/* The first item of a worker's share; for share = size, the number of items. */
 static int firstItemOf(const MeTeam *t, int share) {
     return (int)((long)t->loop.items * share / t->size);
 }
@@ -182,7 +186,7 @@ static void notifyObserver(const MeTeam *t, MeTeamEvent event, int number, int a
         t->watch(&(MeTeamNews){event, number, ahead}, t->watchContext);
 }
 
-/* Returns how many items it has done. */
+/* Processes the remaining items of a share; returns their number. */
 static int runShare(MeTeam *t, int share, int worker) {
     int done = 0;
     for (int item = claimItem(&t->share[share]); item >= 0; item = claimItem(&t->share[share]), done++) {
@@ -207,7 +211,7 @@ static void runLoop(MeTeam *t, int worker) {
 
 /* ---- pipes ---- */
 
-/* The next item for which there is a buffer; -1: there is none now, or all have been taken. */
+/* Claims the next item of a pipe for which a buffer is free; -1: none now, or all are claimed. */
 static int claimPipeItem(MeTeam *t) {
     MeU64 claim = atomic_load_explicit(&t->pipe.claim, memory_order_acquire);
     while (nextOf(claim) < itemsOf(claim)) {
@@ -226,7 +230,7 @@ static MeBool hasUnclaimedItems(const MeTeam *t) {
     return nextOf(claim) < itemsOf(claim);
 }
 
-/* Makes an item, if there is one to be made. */
+/* Makes one item of a pipe, if one can be claimed. */
 static MeBool makePipeItem(MeTeam *t, int worker) {
     const MeU64 start = startClock(t);
     const int item = claimPipeItem(t);
@@ -237,7 +241,7 @@ static MeBool makePipeItem(MeTeam *t, int worker) {
     t->loop.work(t->loop.context, item, worker);
     notifyObserver(t, MeTeamItemDone, item, 0);
     MeMessagesBuffer(before);
-    stopClock(t, worker, start); /* before the item is out: who opened the team may read the time then */
+    stopClock(t, worker, start); /* before the item is published, as the opening thread may read the time then */
     atomic_store_explicit(&t->made[item % ahead], item + 1, memory_order_release);
     return METRUE;
 }
@@ -273,8 +277,8 @@ static void runLoopsUntilClosed(MeTeam *t, int worker) {
     }
 }
 
-/* One task: what a worker does while the team is open. Threads of a program may round otherwise, or name somebody else
- * in messages. A task that is called as it is enqueued has nothing to do. */
+/* The task of a worker while the team is open. Sets the opener's floating-point environment and caller name, as threads
+ * of the program may have others. Does nothing if it is called on the opening thread, as it is enqueued. */
 static void MEAPI runWorkerTask(void *context) {
     Worker *w = context;
     MeTeam *t = w->team;
@@ -296,7 +300,7 @@ static void advanceLoopNumber(MeTeam *t, unsigned int step) {
     atomic_store_explicit(&t->number, number + step, memory_order_release);
 }
 
-/* The functions by which a program runs tasks (MdtWorldSetTaskPool sets those of a pool). */
+/* For messages: the function that sets the program's task callbacks (MdtWorldSetTaskPool sets those of a pool). */
 static const char setBy[] = "MdtWorldSetTaskCallbacks";
 
 static void *enqueueTask(MeTeam *t, int worker) {
@@ -365,7 +369,7 @@ static MeBool isSerial(const MeTeam *t, int items) {
     return !t || t->size == 1 || t->depth == 0 || t->isRunning || items <= 1;
 }
 
-/* No item is out; what is written here is read by those who take one. */
+/* Sets the loop that workers will run; returns its number. No worker reads it now, as none has an item. */
 static MeU64 setLoop(MeTeam *t, int items, MeTeamWork work, void *context) {
     MEASSERT(items < 1 << ITEM_BITS);
     t->isRunning = METRUE;
@@ -374,7 +378,7 @@ static MeU64 setLoop(MeTeam *t, int items, MeTeamWork work, void *context) {
     return atomic_load_explicit(&t->number, memory_order_relaxed) + 2;
 }
 
-/* As if the calling thread had taken all items. */
+/* Sends the workers' messages in the order of items. */
 static void sendMessages(MeTeam *t) {
     MeMessageBuffer *buffered[MeTaskMaxWorkers];
     for (int i = 0; i < t->size; i++)
@@ -382,7 +386,7 @@ static void sendMessages(MeTeam *t) {
     MeMessagesSend(buffered, t->size);
 }
 
-/* Is what the calling thread does alone a loop of the team all the same, of one item? */
+/* Whether a loop that the calling thread runs alone is reported as one of the team: it has one item. */
 static MeBool isObservedSerialLoop(const MeTeam *t, int items) {
     return t && t->depth > 0 && !t->isRunning && items == 1;
 }
