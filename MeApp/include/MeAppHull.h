@@ -1,5 +1,5 @@
 /** @file MeAppHull.h
- *  Convex hulls of graphics, as of meshes from files (RMesh.h). An addition to the 1.2 interface.
+ *  Convex hulls of graphics, such as meshes from files (RMesh.h). An addition to the 1.2 interface.
  *
  *      RGraphic *rock = RGraphicLoadMesh(app->rc, "rock.stl", 1, RPalette[0], 0);
  *      McdConvexMeshID hull = MeAppHullCreate(frame, app->rc, rock, 0);
@@ -14,9 +14,9 @@
 ME_BEGIN_C
 
 /**
- * The convex hull of a graphic's vertices. A body turns about its centre of mass, which has to be the origin of its
- * geometry: so the vertices of hull and graphic are moved until the hull's centre of mass is there; @a centre (may be
- * null) is told where it was. Null, with a warning, for a bad argument, or if the vertices span no volume.
+ * Creates the convex hull of a graphic's vertices. Translates the vertices of hull and graphic so that the hull's
+ * centre of mass is the origin, as a body's centre of mass is the origin of its geometry; @a centre (may be null) gets
+ * its former position. Null, with a warning, for a bad argument, or if the vertices span no volume.
  */
 MEPUBLIC McdConvexMeshID MEAPI MeAppHullCreate(McdFrameworkID frame, RRender *rc, RGraphic *rg, MeVector3 centre);
 

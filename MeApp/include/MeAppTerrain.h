@@ -1,14 +1,14 @@
 /** @file MeAppTerrain.h
- *  Terrain for demonstration programs: a square grid of heights that a function gives, as a height field
- *  to collide with, as triangles for a triangle list, and as a picture. An addition to the 1.2 interface.
+ *  Terrain for demonstration programs: a square grid of heights computed by a function, as a height field for
+ *  collision, as triangles for a triangle list, and as a graphic. An addition to the 1.2 interface.
  *
  *      static MeReal MEAPI hill(MeReal x, MeReal y, void *userdata) { return 3 * MeSin(x / 10) * MeCos(y / 10); }
  *      ...
- *      MeAppTerrain *terrain = MeAppTerrainCreateZUp(97, (MeReal)1.5, hill, 0);   // 144 m by 144 m round the origin
+ *      MeAppTerrain *terrain = MeAppTerrainCreateZUp(97, (MeReal)1.5, hill, 0);   // 144 m by 144 m about the origin
  *      MeAppTerrainCreateModel(terrain, universe);
  *      MeAppTerrainShow(terrain, app->rc);
  *
- *  A null terrain gets a warning; then the call does nothing and returns 0.
+ *  A null terrain gets a warning; the call then does nothing and returns 0.
  */
 #ifndef MEAPPTERRAIN_H
 #define MEAPPTERRAIN_H
@@ -19,33 +19,34 @@ ME_BEGIN_C
 
 typedef struct MeAppTerrain MeAppTerrain;
 
-/** The height (m) at a place: its x and z where y is up, its x and y where z is. */
+/** Returns the height (m) at a point: x and z if y is up, x and y if z is up. */
 typedef MeReal(MEAPI *MeAppHeightCB)(MeReal x, MeReal across, void *userdata);
 
 /** @name Life
  *  @{ */
 /**
- * Heights at @a points by @a points places (2 to 4097 a side), @a cell metres (> 0) apart, y up: point (i, j) is at
- * x = (i - points / 2) cell, z = (points / 2 - j) cell. Null, with a warning, for a bad argument.
+ * Creates a terrain of @a points by @a points heights (2 to 4097 per side), @a cell metres (> 0) apart, y up: point (i,
+ * j) is at x = (i - points / 2) cell, z = (points / 2 - j) cell. Null, with a warning, for a bad argument.
  */
 MEPUBLIC MeAppTerrain *MEAPI MeAppTerrainCreate(int points, MeReal cell, MeAppHeightCB height, void *userdata);
-/** The same with z up, as MeAppStart draws it: point (i, j) is at y = (j - points / 2) cell. */
+/** The same with z up, as in MeAppStart: point (i, j) is at y = (j - points / 2) cell. */
 MEPUBLIC MeAppTerrain *MEAPI MeAppTerrainCreateZUp(int points, MeReal cell, MeAppHeightCB height, void *userdata);
-/** To be called after the universe of its model is destroyed. Null does nothing. */
+/** Destroys a terrain. Call it after the universe of its model is destroyed. Null does nothing. */
 MEPUBLIC void MEAPI MeAppTerrainDestroy(MeAppTerrain *t);
 /** @} */
 
 /** @name Use
  *  @{ */
-/** A fixed model of the terrain as a height field. It reads heights and transform from the terrain, which outlives it.
+/** Creates a fixed model of the terrain as a height field. It refers to heights and transform of the terrain, which
+ * must outlive it.
  */
 MEPUBLIC McdModelID MEAPI MeAppTerrainCreateModel(MeAppTerrain *t, MstUniverseID u);
-/** Adds its picture, level ground (height 0) in another colour than hills. It is a copy. */
+/** Adds a graphic of the terrain, with level ground (height 0) in another colour than hills. It is a copy. */
 MEPUBLIC void MEAPI MeAppTerrainShow(MeAppTerrain *t, RRender *rc);
 /**
- * Corner 0, 1 or 2 of triangle 0 or 1 of the cell of (i, j) and (i + 1, j + 1), as it is in the world, for triangle
- * lists (McdTriangleList.h): counter-clockwise as seen from above. It belongs to the terrain. Null, with a warning, if
- * there is no such corner.
+ * Corner 0, 1 or 2 of triangle 0 or 1 of the cell between (i, j) and (i + 1, j + 1), in the world frame, for triangle
+ * lists (McdTriangleList.h): counter-clockwise seen from above. Owned by the terrain. Null, with a warning, if there is
+ * no such corner.
  */
 MEPUBLIC MeVector3 *MEAPI MeAppTerrainGetCorner(MeAppTerrain *t, int i, int j, int triangle, int corner);
 MEPUBLIC int MEAPI MeAppTerrainGetPoints(const MeAppTerrain *t);

@@ -1,5 +1,5 @@
 /** @file MeAppTypes.h
- *  The types of MeApp. All members may be read at any time; the functions of MeApp.h write them.
+ *  The types of MeApp. All members may be read at any time; only the functions of MeApp.h write them.
  */
 #ifndef MEAPPTYPES_H
 #define MEAPPTYPES_H
@@ -10,57 +10,58 @@
 
 ME_BEGIN_C
 
-/** What the mouse holds. */
+/** The body picked with the mouse. */
 typedef struct MeAppMousePickInfo {
-    McdModelID model; /**< Null: nothing; then the rest has no meaning. */
+    McdModelID model; /**< Null: none; then the other members are undefined. */
     union {
-        MdtBodyID body;     /**< The model's; null when nothing is held. */
-        MdtBodyID dragBody; /**< The same; so old programs call it. */
+        MdtBodyID body;     /**< The model's body; null if none is picked. */
+        MdtBodyID dragBody; /**< The same, for old programs. */
     };
-    MeVector3 relative; /**< Where it is held, in the body's frame. */
-    MeVector3 target;   /**< Where it is pulled to, world frame: under the mouse, as deep in the picture as it was. */
-    int x, y;           /**< The mouse, pixels from the window's upper left corner, y down. */
-    RNativeLine
-        *line;    /**< The spring, the redder the harder it pulls. In the context's list while something is held. */
-    MeReal force; /**< N, with which it has pulled last. */
+    MeVector3 relative; /**< The picked point, in the body's frame. */
+    MeVector3 target;   /**< The target point, world frame: under the mouse, at the depth of the picked point. */
+    int x, y;           /**< Position of the mouse, pixels from the window's upper left corner, y down. */
+    RNativeLine *line;  /**< Line of the spring, the redder the larger the force. In the context's list while a body is
+                       picked. */
+    MeReal force;       /**< N, the last force of the spring. */
 } MeAppMousePickInfo;
 
 /** How contacts are drawn. */
 typedef struct MeAppContactDrawInfo {
-    MeReal length;       /**< Of a line, m. */
-    int max;             /**< Lines there are. */
-    int count;           /**< Lines in the context's list: the first so many. */
+    MeReal length;       /**< Length of a line, m. */
+    int max;             /**< Number of lines allocated. */
+    int count;           /**< Number of lines in the context's list: the first ones. */
     RNativeLine **lines; /**< All lines; null before MeAppDrawContactsInit. */
 } MeAppContactDrawInfo;
 
-/** What the camera follows. */
+/** The body that the camera follows. */
 typedef struct MeAppFollowInfo {
-    MdtBodyID body; /**< Null: nothing. */
-    MeVector3 at;   /**< Where the camera looks. */
-    MeReal heading; /**< theta of a camera behind it, rad. */
+    MdtBodyID body; /**< Null: none. */
+    MeVector3 at;   /**< The camera's look-at point. */
+    MeReal heading; /**< theta of a camera behind the body, rad. */
 } MeAppFollowInfo;
 
-/** A demonstration program's helpers. Created by MeAppCreate. */
+/** The state of MeApp. Created by MeAppCreate. */
 typedef struct MeApp {
     MdtWorldID world;
     McdSpaceID space;
     RRender *rc;
-    MstUniverseID universe; /**< Null if it was created from a world and a space. */
-    MeReal lengthScale;     /**< m, of a medium-sized object: the universe's, else 1. */
+    MstUniverseID universe; /**< Null if created from a world and a space. */
+    MeReal lengthScale;     /**< m, size of a typical object: the universe's, else 1. */
     union {
         MeAppMousePickInfo pick;
-        MeAppMousePickInfo mouseInfo; /**< The same; so old programs call it. */
+        MeAppMousePickInfo mouseInfo; /**< The same, for old programs. */
     };
-    MeBool drawContacts;            /**< Are contacts drawn? MeAppDrawContactsInit and MeAppToggleDrawContacts say. */
+    MeBool drawContacts;            /**< Are contacts drawn? Set by MeAppDrawContactsInit and
+                                         MeAppToggleDrawContacts. */
     MeAppContactDrawInfo *contacts; /**< Never null. */
-    McdModelID selected; /**< What was clicked last, or null: MeAppGetSelected says whether it is still there. */
+    McdModelID selected;            /**< The model clicked last, or null; may be destroyed: use MeAppGetSelected. */
     struct MeAppControls *controls; /**< Null before MeAppCreateControls. */
     MeAppFollowInfo follow;         /**< MeAppFollow. */
-    struct MeAppShown *shown;       /**< The graphics of MeAppShowModel; null before the first. */
-    MeTaskPoolID pool;              /**< Of MeAppStart, for -workers; null: the universe steps on one thread. */
+    struct MeAppShown *shown;       /**< Graphics of models (MeAppShowModel); null before the first. */
+    MeTaskPoolID pool;              /**< Threads of MeAppStart, for -workers; null: the universe steps on one thread. */
 } MeApp;
 
-/** Called by MeAppRun before each step, when nothing is under way: it may do anything. */
+/** Called by MeAppRun before each step, between all operations: it may do anything. */
 typedef void(MEAPI *MeAppStepCB)(MeApp *app, void *userdata);
 
 ME_END_C

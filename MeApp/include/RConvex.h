@@ -10,8 +10,9 @@
 ME_BEGIN_C
 
 /**
- * The faces of a convex mesh, flat, as RGraphicBoxCreate in all else: in the context's 3D list, following @a matrix
- * (null: the identity). Null, with a warning, if @a conv is no convex mesh or another argument is bad.
+ * Creates a flat-shaded graphic of a convex mesh's faces; otherwise as RGraphicBoxCreate: in the context's 3D list,
+ * following @a matrix (null: the identity). Null, with a warning, if @a conv is not a convex mesh or another argument
+ * is bad.
  */
 MEPUBLIC RGraphic *MEAPI RGraphicConvexCreate(RRender *const rc, const McdConvexMeshID conv, const float color[4],
                                               const MeMatrix4Ptr matrix);

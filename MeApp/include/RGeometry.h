@@ -1,15 +1,13 @@
 /** @file RGeometry.h
- *  How collision geometries look: graphics made from geometries and models (library MeApp: the viewer itself does not
- *  know collision).
+ *  Graphics made from collision geometries and models (library MeApp: the viewer itself does not depend on collision).
  *
- *  Each function returns a graphic in the context's 3D list, which belongs to it as those of RGraphicBoxCreate do, or
- *  null with a warning if an argument is bad. The graphic has the geometry's shape as it is at the call; it does not
- *  keep the geometry. Graphics and transforms are independent of gravity's direction: everything is in the geometry's
- *  own frame.
+ *  Each function returns a graphic in the context's 3D list, which owns it as those of RGraphicBoxCreate; null, with a
+ *  warning, if an argument is bad. The graphic has the geometry's shape at the time of the call, and no reference to
+ *  the geometry. Vertices are in the geometry's own frame, independent of the direction of gravity.
  *
- *  A plane is a square of side 40 round its origin. A triangle list, whose triangles only the program's callback knows,
- *  is its box in wireframe. A geometry without shape (null type, or one of the program's own) has no graphic: null,
- *  silently.
+ *  A plane is drawn as a square of side 40 about its origin. A triangle list is drawn as its box in wireframe, since
+ *  its triangles are known only to the program's callback. A geometry without a shape (null type, or a type of the
+ *  program) has no graphic: null, silently.
  */
 #ifndef RGEOMETRY_H
 #define RGEOMETRY_H
@@ -20,17 +18,18 @@
 
 ME_BEGIN_C
 
-/** A geometry at the identity; RGraphicSetTransformPtr has it follow a transform. */
+/** Creates a graphic of a geometry with the identity as transform; RGraphicSetTransformPtr sets another one. */
 MEPUBLIC RGraphic *MEAPI RGraphicCreateFromGeometry(RRender *rc, McdGeometryID geom, const float color[4]);
 /**
- * A model's geometry that follows the model's transform (McdModelGetTransformPtr, as it is at the call: set it before,
- * and destroy the graphic before what the transform belongs to).
+ * Creates a graphic of a model's geometry that follows the model's present transform pointer (McdModelGetTransformPtr):
+ * set that before, and destroy the graphic before the owner of the transform.
  */
 MEPUBLIC RGraphic *MEAPI RGraphicCreateFromModel(RRender *rc, McdModelID m, const float color[4]);
-/** An aggregate with all its parts as one graphic that follows @a tm; null: the identity. Parts without a shape are
- *  left out. */
+/** Creates one graphic of an aggregate with all its children that follows @a tm; null: the identity. Children without a
+ *  shape are omitted. */
 MEPUBLIC RGraphic *MEAPI RGraphicAggregateCreate(RRender *rc, McdAggregateID g, const float color[4], MeMatrix4Ptr tm);
-/** @a count triangles, flat and seen from both sides, that follow @a tm. An addition to the 1.2 interface. */
+/** Creates a graphic of @a count flat-shaded, two-sided triangles that follows @a tm. An addition to the 1.2
+ * interface. */
 MEPUBLIC RGraphic *MEAPI RGraphicTrianglesCreate(RRender *rc, MeVector3 (*corners)[3], int count, const float color[4],
                                                  MeMatrix4Ptr tm);
 

@@ -1,8 +1,8 @@
 /** @file MeViewer.h
- *  The viewer: a window, or a picture without one, for test programs and prototypes (User Guide App. B).
+ *  The viewer: draws to a window or an off-screen buffer, for test programs and prototypes (User Guide App. B).
  *
- *  A program creates a context, puts graphics into it whose transforms point into the simulation, and hands its
- *  tick function to RRun:
+ *  A program creates a context, adds graphics whose transforms point into the simulation, and passes its tick function
+ *  to RRun:
  *
  *      MeCommandLineOptions *options = MeCommandLineOptionsCreate(argc, argv);
  *      rc = RRenderContextCreate(options, 0, 1);
@@ -14,25 +14,25 @@
  *      atexit(cleanup);   // calls RRenderContextDestroy(rc)
  *      RRun(rc, tick);    // does not return
  *
- *  Where it draws is chosen on the command line: `-gl` a window, `-osmesa` an off-screen buffer, `-null` nowhere;
- *  `-help` lists the options. The environment variable KARMA_VIEWER may hold options too, separated by blanks, for
- *  programs that do not pass theirs on: KARMA_VIEWER="-null -frames 600". The command line wins over it. Without a
- *  choice it is a window if one can be opened, else the off-screen buffer.
+ *  Options of the command line select the output: `-gl` a window, `-osmesa` an off-screen buffer, `-null` none; `-help`
+ *  lists all options. The environment variable KARMA_VIEWER may contain options, too, separated by blanks, for programs
+ *  that do not pass their command line: KARMA_VIEWER="-null -frames 600". The command line overrides it. By default the
+ *  output is a window if one can be opened, else the off-screen buffer.
  *
- *  The world is drawn as it is simulated, right-handed: x to the right, y up and z out of the screen for a camera at
- *  theta 0, or, after RCameraSetUp(rc, 0, 0, 1), z up and y into the screen. (The User Guide, Preface, excepts its
+ *  The world is drawn right-handed, as it is simulated: x to the right, y up and z out of the screen for a camera at
+ *  theta 0, or, after RCameraSetUp(rc, 0, 0, 1), z up and y into the screen. (The User Guide, Preface, excludes its
  *  viewer from "right-handed coordinate systems everywhere"; here it is no exception. The camera's angles are the
- *  guide's, App. B.) Lengths are the program's own; one cell of the ground's grid is one unit. 2D graphics have the
+ *  guide's, App. B.) Lengths are in the program's unit; a cell of the ground's grid is one unit. 2D graphics have the
  *  window's lower left corner at (-1, -1) and its upper right corner at (1, 1).
  *
- *  Bad input (a null context or graphic, a NaN, a size that is not positive, a number out of range) gets a MeWarning
- *  that names function and argument; then the call does nothing and returns 0. This holds for every function here
- *  and is not repeated. All functions are to be called from one thread.
+ *  For every function here: bad input (a null context or graphic, a NaN, a size that is not positive, a number out of
+ *  range) gets a MeWarning that names function and argument; the call then does nothing and returns 0. All functions
+ *  must be called from one thread.
  */
 #ifndef MEVIEWER_H
 #define MEVIEWER_H
 
-/* Programs rely on these coming along: transforms, memory, messages, times, options, colours (MeHSVtoRGB). */
+/* Included as programs rely on it: transforms, memory, messages, times, options, colours (MeHSVtoRGB). */
 #include "MeCommandLine.h"
 #include "MeMath.h"
 #include "MeMemory.h"
@@ -47,66 +47,65 @@ ME_BEGIN_C
  *  @{ */
 
 /**
- * Creates a context with default values and starts what it draws with (RInit).
- * Options in @a overrideoptions win over those in @a options; either may be null. With @a eat, the options that the
- * viewer has understood are removed from both. `-help` prints the options and ends the program. An option whose value
- * cannot be used counts as not given, after a warning; RRenderRefuseOptions ends the program then.
- * Destroy the context with RRenderContextDestroy. Returns null, after a warning that says why, if it cannot draw.
+ * Creates a context with default values and initializes its output (RInit). Options in @a overrideoptions override
+ * those in @a options; either may be null. With @a eat, the viewer's options are removed from both. `-help` prints the
+ * options and ends the program. An option with an unusable value is ignored, after a warning; RRenderRefuseOptions then
+ * ends the program. Destroy the context with RRenderContextDestroy. Returns null, after a warning with the reason, if
+ * it cannot draw.
  */
 MEPUBLIC RRender *MEAPI RRenderContextCreate(MeCommandLineOptions *options, MeCommandLineOptions *overrideoptions,
                                              MeBool eat);
 /**
- * The same; @a cb, unless null, is called with the new context when its values are set and before anything is
- * started. @a pWnd must be null: there is no drawing into a window of the program's own.
+ * The same; @a cb, unless null, is called with the new context after its values are set and before the output is
+ * initialized. @a pWnd must be null: drawing into a window of the program is not supported.
  */
 MEPUBLIC RRender *MEAPI RRenderContextCreate2(MeCommandLineOptions *options, MeCommandLineOptions *overrideoptions,
                                               int eat, void *pWnd, RCreateCallback cb);
 /**
- * Ends a program that was started with options which nobody knows: to be called with the options of
- * RRenderContextCreate, which has eaten its own, when the program has eaten its own too. Where a word is left, or the
- * viewer could not use the value of one of its options, a warning names the first of them and what to write instead;
- * context and options are destroyed, and the program ends with exit code 2. Does nothing if @a rc is null.
+ * Ends a program that was started with unknown options: call it with the options of RRenderContextCreate, after viewer
+ * and program have removed their own options. If a word is left, or the viewer could not use an option's value, a
+ * warning names the first of them and the valid form; context and options are destroyed, and the program ends with exit
+ * code 2. Does nothing if @a rc is null.
  */
 MEPUBLIC void MEAPI RRenderRefuseOptions(RRender *rc, MeCommandLineOptions *options);
-/** Starts what the context draws with. Called by RRenderContextCreate. Returns 1, or 0 if it cannot be started. */
+/** Initializes the context's output. Called by RRenderContextCreate. Returns 1, or 0 on failure. */
 MEPUBLIC int MEAPI RInit(RRender *rc);
 /**
- * Frees the context and everything that is still in its lists: graphics, lines, menus, the performance bar.
- * May be called from an atexit() handler. Called by the tick or a callback, it ends the program when that returns.
- * Returns 0, or 1 with a warning if @a rc is not a live context.
+ * Frees the context and all objects in its lists: graphics, lines, menus, the performance bar. May be called from an
+ * atexit() handler. If the tick or a callback calls it, the program ends when that returns. Returns 0, or 1 with a
+ * warning if @a rc is not a live context.
  */
 MEPUBLIC int MEAPI RRenderContextDestroy(RRender *rc);
 /** Ends the main loop before the next frame. */
 MEPUBLIC void MEAPI RRenderQuit(RRender *rc);
-/** The window's title, which also heads the help. The text is copied. */
+/** Sets the title of the window and the help. The text is copied. */
 MEPUBLIC void MEAPI RRenderSetWindowTitle(RRender *rc, const char *title);
-/** The program's name, up to 39 bytes: $APPNAME in texts, and the name of pictures. At first that of its file. */
+/** Sets the program's name, up to 39 bytes: $APPNAME in texts, and the name of pictures. Default: that of its file. */
 MEPUBLIC void MEAPI RRenderSetAppName(RRender *rc, const char *appname);
-/** The background at the horizon; it darkens towards the top. Alpha is not used. */
+/** Sets the background colour at the horizon; it darkens towards the top. Alpha is ignored. */
 MEPUBLIC void MEAPI RRenderSetBackgroundColor(RRender *rc, const float color[4]);
 /**
- * How often the tick is called in a second of the clock: above 0, at first 60. The option -rate wins. In a window a
- * frame that takes long has several ticks, as far as these are done within 1/30 s; beyond that the simulation is slower
- * than the clock, and the window says so ("x0.4"). Without a window, and with -frames, -every, -film or
- * -key, each frame has one tick. MeAppRun calls it for its step. An addition to the 1.2 interface.
+ * Sets the number of ticks per second of wall-clock time: above 0, default 60. The option -rate overrides it. In a
+ * window, a long frame has several ticks, as far as they can be computed within 1/30 s; beyond that the simulation is
+ * slower than real time, which the window shows ("x0.4"). Without a window, and with -frames, -every, -film or -key,
+ * each frame has one tick. MeAppRun calls it with its step. An addition to the 1.2 interface.
  */
 MEPUBLIC void MEAPI RRenderSetTickRate(RRender *rc, AcmeReal ticksPerSecond);
 /**
- * How much is spent on a window's picture: 3 is full, 2 without smooth outlines and without darker corners between
- * bodies, 1 and 0 are drawn smaller and scaled up, with coarser shadows; -1, as at first, lets the viewer choose by the
- * time that frames take: down, one level after half a second of frames that are longer than 1/30 s because of drawing,
- * and up, after two seconds of frames so short that the next level fits; longer where that has failed before. Without a
- * window, with -frames, -every, -film or -key, and in pictures that are written, it is full. The option -quality wins.
- * An addition to the 1.2 interface.
+ * Sets the rendering quality of a window: 3 is full; 2 without antialiasing and ambient occlusion; 1 and 0 render at a
+ * lower resolution, scaled up, with coarser shadows. -1, the default: the viewer chooses by the frame time: one level
+ * down after half a second of frames longer than 1/30 s due to drawing, and up after two seconds of frames short enough
+ * for the next level, or longer if that failed before. Without a window, with -frames, -every, -film or -key, and in
+ * pictures that are written, quality is full. The option -quality overrides it. An addition to the 1.2 interface.
  */
 MEPUBLIC void MEAPI RRenderSetPictureQuality(RRender *rc, int quality);
-/** The level of the next picture, 0 to 3. An addition to the 1.2 interface. */
+/** The quality of the next picture, 0 to 3. An addition to the 1.2 interface. */
 MEPUBLIC int MEAPI RRenderGetPictureQuality(RRender *rc);
 /** Pauses (not 0) or continues (0): while paused, the tick is not called. */
 MEPUBLIC void MEAPI RRenderSetPause(RRender *rc, int p);
 /**
- * One line at the lower left of the window; null or "" removes it. Copied. A run without a window prints the last one
- * when it ends. An addition to the 1.2 interface.
+ * Sets a line of text at the lower left of the window; null or "" removes it. Copied. A run without a window prints the
+ * last one when it ends. An addition to the 1.2 interface.
  */
 MEPUBLIC void MEAPI RRenderSetStatusText(RRender *rc, const char *text);
 /** Shows @a fps (frames per second) in the upper right corner until it is called with a negative number. */
@@ -116,87 +115,90 @@ MEPUBLIC void MEAPI RDisplayBanner(void);
 /** Prints the options that RRenderContextCreate understands. */
 MEPUBLIC void MEAPI RDisplayCommandLineHelp(void);
 
-/** Eight calm colours that colour-blind readers can tell apart. An addition to the 1.2 interface. */
+/** Eight muted colours that colour-blind people can distinguish. An addition to the 1.2 interface. */
 extern MEPUBLIC const float RPalette[8][4];
 /** @} */
 
 /** @name The main loop
- *  RRun(rc, tick) or RRun(rc, tick, userdata), where tick is `void MEAPI tick(RRender *)`, `void
- *  MEAPI tick(RRender *, void *)` or one of the forms at the end of this header: handles input, calls tick, draws; and
- *  so on until the user leaves (Escape, Q, the window's close button), the program calls RRenderQuit, or the frames of
- *  `-frames` are over. Then it calls exit(), so cleanup belongs into an atexit() handler. RRun itself does not return
- *  (App. B, "Terminating the Program").
+ *  RRun(rc, tick) or RRun(rc, tick, userdata), where tick is `void MEAPI tick(RRender *)`, `void MEAPI tick(RRender *,
+ *  void *)` or one of the forms at the end of this header. Each frame: handles input, calls tick, draws; until the user
+ *  leaves (Escape, Q, the window's close button), the program calls RRenderQuit, or the frames of `-frames` are over.
+ *  Then it calls exit(), so cleanup must be done in an atexit() handler. RRun itself does not return (App. B,
+ *  "Terminating the Program").
  *
- *  The exit code is 0; or 2 if warnings were given, when there was no window or `-frames` ended the loop. A window
- *  is drawn 60 times a second; without one, frames follow each other as fast as they can. Without a window, and with
- *  `-frames`, nobody is expected to watch: help that the program shows before RRun stays hidden and does not pause it.
+ *  The exit code is 0; or 2 if there were warnings and there was no window or `-frames` ended the loop. A window is
+ *  drawn 60 times a second; without one, frames follow each other as fast as possible. Without a window, and with
+ *  `-frames`, help that the program shows before RRun stays hidden and does not pause it.
  *  @{ */
 MEPUBLIC void MEAPI RRunWithData(RRender *rc, RMainLoopCallBack func, void *userdata);
-/** @a unused is there so that both functions are called in one way. */
+/** @a unused gives both functions the same parameters. */
 MEPUBLIC void MEAPI RRunWithoutData(RRender *rc, RMainLoopCallBackNoData func, void *unused);
 /** @} */
 
 /** @name Lists
- *  What is in a list is drawn. The functions that create graphics put them into a list; RGraphicCreateEmpty does not.
- *  A graphic that is not in a list belongs to the program, which destroys it.
+ *  Graphics in a list are drawn. Functions that create graphics add them to a list, except RGraphicCreateEmpty. A
+ *  graphic in no list is owned by the program, which must destroy it.
  *  @{ */
 MEPUBLIC void MEAPI RGraphicAddToList(RRender *rc, RGraphic *rg, int is2D);
 MEPUBLIC void MEAPI RGraphicRemoveFromList(RRender *rc, RGraphic *rg, int is2D);
-/** Removes from the list and frees. @a is2D says which list. */
+/** Removes a graphic from a list, given by @a is2D, and frees it. */
 MEPUBLIC void MEAPI RGraphicDelete(RRender *rc, RGraphic *rg, int is2D);
 /** Frees; if it is still in a list, removes it first. */
 MEPUBLIC void MEAPI RGraphicDestroy(RGraphic *rg);
 /** @} */
 
 /** @name Creating graphics
- *  Each returns a graphic in the context's list, or null. @a matrix is the transform that it follows, read every
- *  frame; null is the identity. It must live as long as the graphic. Curved shapes have 48 sides.
+ *  Each function returns a graphic in the context's list, or null. The graphic follows the transform @a matrix, read
+ *  every frame; null is the identity. The transform must exist as long as the graphic. Curved shapes have 48 sides.
  *  @{ */
 MEPUBLIC RGraphic *MEAPI RGraphicBoxCreate(RRender *rc, AcmeReal width, AcmeReal height, AcmeReal depth,
-                                           const float color[4], MeMatrix4Ptr matrix); /**< Along x, y, z. */
-/** Along z: the apex at @a upper_height, the base at -@a lower_height. One of the two heights may be negative or 0. */
+                                           const float color[4], MeMatrix4Ptr matrix); /**< A box with edges along x, y,
+                                                                                            z. */
+/** A cone along z: the apex at @a upper_height, the base at -@a lower_height. One of the heights may be negative or
+ * 0. */
 MEPUBLIC RGraphic *MEAPI RGraphicConeCreate(RRender *rc, AcmeReal radius, AcmeReal upper_height, AcmeReal lower_height,
                                             const float color[4], MeMatrix4Ptr matrix);
-/** Along z, the origin at half the height. */
+/** A cylinder along z, with the origin in its centre. */
 MEPUBLIC RGraphic *MEAPI RGraphicCylinderCreate(RRender *rc, AcmeReal radius, AcmeReal height, const float color[4],
                                                 MeMatrix4Ptr matrix);
-/** A cone without its tip, or a prism: @a sides sides (3 to 1024), along z from @a bottom to @a top (z coordinates). */
+/** A frustum or prism with @a sides sides (3 to 1024), along z from @a bottom to @a top (z coordinates). */
 MEPUBLIC RGraphic *MEAPI RGraphicFrustumCreate(RRender *rc, AcmeReal bottomRadius, AcmeReal topRadius, AcmeReal bottom,
                                                AcmeReal top, int sides, const float color[4], MeMatrix4Ptr matrix);
 MEPUBLIC RGraphic *MEAPI RGraphicSphereCreate(RRender *rc, AcmeReal radius, const float color[4], MeMatrix4Ptr matrix);
-/** A cylinder of @a height along z with a half sphere on each end. */
+/** A capsule: a cylinder of @a height along z with a hemisphere on each end. */
 MEPUBLIC RGraphic *MEAPI RGraphicSphylCreate(RRender *rc, AcmeReal radius, AcmeReal height, const float color[4],
                                              MeMatrix4Ptr matrix);
-/** A ring round the z axis: @a outerRadius from the centre to the outermost point, @a innerRadius to the innermost. */
+/** A ring about the z axis; @a innerRadius and @a outerRadius are the smallest and largest distance of its points from
+ * the axis. */
 MEPUBLIC RGraphic *MEAPI RGraphicTorusCreate(RRender *rc, AcmeReal innerRadius, AcmeReal outerRadius,
                                              const float color[4], MeMatrix4Ptr matrix);
-/** In the xy plane, its normal along z, seen from both sides. */
+/** A two-sided square in the xy plane. */
 MEPUBLIC RGraphic *MEAPI RGraphicSquareCreate(RRender *rc, AcmeReal side, const float color[4], MeMatrix4Ptr matrix);
 /**
- * A level square (across the axis of RCameraSetUp) at height @a y_position, with a grid of unit lines (every tenth
- * bolder) in tints of @a color, fading out towards its edge. With the texture "checkerboard" its squares are one unit
- * wide. It casts no shadow.
+ * A horizontal square (normal to the axis of RCameraSetUp) at height @a y_position, with a grid of unit lines (every
+ * tenth bolder) in tints of @a color, fading towards its edge. With the texture "checkerboard" it has squares of one
+ * unit. It casts no shadow.
  */
 MEPUBLIC RGraphic *MEAPI RGraphicGroundPlaneCreate(RRender *rc, AcmeReal side_length, int triangles_per_side,
                                                    const float color[4], AcmeReal y_position);
 /**
- * All grounds of a context look like this (an RGroundLook), whatever their textures; -1, as at first: each by its
- * texture. The option -ground wins. An addition to the 1.2 interface.
+ * Sets the look (an RGroundLook) of all grounds of a context, whatever their textures; -1, the default: each by its
+ * texture. The option -ground overrides it. An addition to the 1.2 interface.
  */
 MEPUBLIC void MEAPI RRenderSetGroundLook(RRender *rc, int look);
 MEPUBLIC int MEAPI RRenderGetGroundLook(RRender *rc);
-/** A line as a graphic; it is drawn as native lines are. */
+/** A line as a graphic, drawn like native lines. */
 MEPUBLIC RGraphic *MEAPI RGraphicLineCreate(RRender *rc, const AcmeReal origin[3], const AcmeReal end[3],
                                             const float color[4], MeMatrix4Ptr matrix);
-/** Text in the 2D list, its upper left corner at the given place. It is parsed (RParseText) and copied. */
+/** Text in the 2D list, with its upper left corner at the given position. It is parsed (RParseText) and copied. */
 MEPUBLIC RGraphic *MEAPI RGraphicTextCreate(RRender *rc, const char *text, AcmeReal orig_x, AcmeReal orig_y,
                                             const float color[4]);
-/** A rectangle in the 2D list: the coordinates of its left edge and of its top edge, and its size. */
+/** A rectangle in the 2D list, given by its left edge, its top edge and its size. */
 MEPUBLIC RGraphic *MEAPI RGraphic2DRectangleCreate(RRender *rc, AcmeReal orig_x, AcmeReal orig_y, AcmeReal width,
                                                    AcmeReal height, const float color[4]);
 /**
- * An object from an .ASE file, normalized to fit a cube of side 1 round the origin (RGraphicNormalize), then scaled.
- * Null after a warning that names the file, if it cannot be read.
+ * An object from an .ASE file, normalized to a cube of side 1 about the origin (RGraphicNormalize), then scaled. Null,
+ * after a warning that names the file, if it cannot be read.
  */
 MEPUBLIC RGraphic *MEAPI RGraphicCreate(RRender *rc, const char *filename, AcmeReal xScale, AcmeReal yScale,
                                         AcmeReal zScale, const float color[4], MeMatrix4Ptr matrix, MeBool is2D,
@@ -208,8 +210,8 @@ MEPUBLIC RGraphic *MEAPI RGraphicCreate(RRender *rc, const char *filename, AcmeR
 MEPUBLIC RGraphic *MEAPI RGraphicLoadASE(RRender *rc, const char *filename, AcmeReal xScale, AcmeReal yScale,
                                          AcmeReal zScale, const float color[4], MeMatrix4Ptr matrix);
 /**
- * The same without the objects whose name begins with MCD: so modelling programs mark shapes that are there for
- * collision only (MCDBX_..., MCDSP_..., MCDCX_...).
+ * The same without objects whose name begins with MCD, by which modelling programs mark collision shapes (MCDBX_...,
+ * MCDSP_..., MCDCX_...).
  */
 MEPUBLIC RGraphic *MEAPI RGraphicLoadASENoMCD(RRender *rc, const char *filename, AcmeReal xScale, AcmeReal yScale,
                                               AcmeReal zScale, const float color[4], MeMatrix4Ptr matrix);
@@ -217,62 +219,62 @@ MEPUBLIC RGraphic *MEAPI RGraphicLoadASENoMCD(RRender *rc, const char *filename,
 MEPUBLIC RGraphic *MEAPI RGraphicLoadASEwithOffset(RRender *rc, const char *filename, AcmeReal xScale, AcmeReal yScale,
                                                    AcmeReal zScale, const float color[4], const MeVector3 offset,
                                                    MeMatrix4Ptr matrix);
-/** The same of RGraphicLoadASENoMCD. */
+/** The same for RGraphicLoadASENoMCD. */
 MEPUBLIC RGraphic *MEAPI RGraphicLoadASEwithOffsetNoMcd(RRender *rc, const char *filename, AcmeReal xScale,
                                                         AcmeReal yScale, AcmeReal zScale, const float color[4],
                                                         const MeVector3 offset, MeMatrix4Ptr matrix);
-/** An object of @a numVertices vertices (a multiple of 3), all 0, white, in no list. */
+/** A white graphic of @a numVertices vertices (a multiple of 3), all 0, in no list. */
 MEPUBLIC RGraphic *MEAPI RGraphicCreateEmpty(int numVertices);
 /**
- * A sky: the named texture on the inside of a half sphere far away, repeated @a tileU times round and @a tileV times
- * up. A second one takes the first one's place; a null name removes it.
+ * Sets a sky: a texture on the inside of a distant hemisphere, repeated @a tileU times around and @a tileV times
+ * upwards. A second one replaces the first; a null name removes it.
  */
 MEPUBLIC void MEAPI RRenderSkydomeCreate(RRender *const rc, const char *name, int tileU, int tileV);
 /**
- * A new graphic, in the 3D list, of the triangles of @a a and of those of @a b moved by @a transform (null: the
- * identity). It has the look and the transform pointer of @a a. The two are left as they are.
+ * Creates a graphic, in the 3D list, of the triangles of @a a and those of @a b moved by @a transform (null: the
+ * identity). It has the look and the transform pointer of @a a, and leaves both unchanged.
  */
 MEPUBLIC RGraphic *MEAPI RGraphicCombine(RRender *rc, RGraphic *a, RGraphic *b, MeMatrix4Ptr transform);
-/** Sides of the spheres created from now on, 8 to 256 (at first 48), which have half as many rings. */
+/** Sets the number of sides of spheres created from now on, 8 to 256 (default 48); they have half as many rings. */
 MEPUBLIC void MEAPI RRenderSetSphereResolution(RRender *r, int res);
 MEPUBLIC int MEAPI RRenderGetSphereResolution(RRender *r);
 /** @} */
 
 /** @name Changing graphics
  *  @{ */
-/** Null: the identity. */
+/** Sets the transform to follow; null: the identity. */
 MEPUBLIC void MEAPI RGraphicSetTransformPtr(RGraphic *g, MeMatrix4Ptr matrix);
 /** Sets the ambient and the diffuse colour; the emissive and the specular one become 0. */
 MEPUBLIC void MEAPI RGraphicSetColor(RGraphic *g, const float color[4]);
-/** The ambient colour. */
+/** Gets the ambient colour. */
 MEPUBLIC void MEAPI RGraphicGetColor(RGraphic *g, float color[4]);
 MEPUBLIC void MEAPI RGraphicSetWireframe(RGraphic *g, MeBool b);
 MEPUBLIC MeBool MEAPI RGraphicIsWireframe(RGraphic *g);
-/** Moves a line that RGraphicLineCreate made. Returns 0, or 1 with a warning if it cannot. */
+/** Moves the ends of a line made by RGraphicLineCreate. Returns 0, or 1 with a warning on failure. */
 MEPUBLIC int MEAPI RGraphicLineMoveEnds(RGraphic *lineG, const AcmeReal *origin, const AcmeReal *end);
-/** Multiplies the vertices' coordinates; the normals stay right. The scales must not be 0. */
+/** Scales the vertices; the normals remain correct. The scales must not be 0. */
 MEPUBLIC void MEAPI RGraphicScale(RGraphic *rg, AcmeReal xScale, AcmeReal yScale, AcmeReal zScale);
-/** Adds @a offset to the vertices' coordinates. */
+/** Translates the vertices by @a offset. */
 MEPUBLIC void MEAPI RGraphicTranslateVertices(RRender *rc, RGraphic *rg, const MeVector3 offset);
-/** Moves and scales the vertices into the cube from -0.5 to 0.5; with @a bKeepAspectRatio, by the same on all axes. */
+/** Translates and scales the vertices to fill the cube from -0.5 to 0.5; with @a bKeepAspectRatio, equally on all
+ * axes. */
 MEPUBLIC void MEAPI RGraphicNormalize(RGraphic *rg, int bKeepAspectRatio);
 /**
- * Replaces the triangles of @a rg by those of @a numStrips triangle strips. Strip i is @a stripSize[i] vertices from
- * @a strips[@a stripStart[i]] on. @a rg must have room for 3 vertices per triangle.
+ * Replaces the triangles of @a rg by those of @a numStrips triangle strips. Strip i has @a stripSize[i] vertices,
+ * starting at @a strips[@a stripStart[i]]. @a rg must have room for 3 vertices per triangle.
  */
 MEPUBLIC void MEAPI RConvertTriStripToTriList(RGraphic *rg, RObjectVertex *strips, int *stripSize, int *stripStart,
                                               int numStrips);
 /**
- * Once told a renderer to prepare a graphic. Here each frame finds by itself what has changed, and keeps the rest on
- * the graphics card: nothing is to be done.
+ * Does nothing: changes of a graphic are found in each frame. Kept for source compatibility.
  */
 MEPUBLIC void MEAPI RGraphicCalcOGLDisplayList(RGraphic *rg);
-/** Copies the transforms that graphics follow into their m_Matrix. Every frame does it. */
+/** Copies the transforms that graphics follow to their m_Matrix. Done in every frame. */
 MEPUBLIC void MEAPI RRenderUpdateGraphicMatrices(RRender *rc);
 /** @} */
 
 /** @name Native lines
- *  They are as thick on the screen at every distance, and are not lit.
+ *  Lines of constant thickness on the screen, not lit.
  *  @{ */
 MEPUBLIC RNativeLine *MEAPI RNLineCreate(RRender *const rc, const AcmeReal start[3], const AcmeReal end[3],
                                          const AcmeReal color[4], const MeVector4 *const matrix);
@@ -280,27 +282,27 @@ MEPUBLIC void MEAPI RNLineMoveEnds(RNativeLine *const line, const AcmeReal start
 MEPUBLIC void MEAPI RNLineSetColor(RNativeLine *line, const AcmeReal color[4]);
 MEPUBLIC void MEAPI RNLineAddToList(RRender *rc, RNativeLine *line);
 MEPUBLIC void MEAPI RNLineRemoveFromList(RRender *rc, RNativeLine *line);
-/** Removes from the list and frees. */
+/** Removes a line from its list and frees it. */
 MEPUBLIC void MEAPI RNLineDelete(RRender *rc, RNativeLine *line);
 /** Frees; if it is still in a list, removes it first. */
 MEPUBLIC void MEAPI RNLineDestroy(RNativeLine *line);
 /** Adds a line in world coordinates that is drawn until RLineRemoveAll. */
 MEPUBLIC void MEAPI RLineAdd(RRender *const rc, const AcmeVector3 start, const AcmeVector3 end, const AcmeReal r,
                              const AcmeReal g, const AcmeReal b);
-/** Removes all lines that RLineAdd made. */
+/** Removes all lines of RLineAdd. */
 MEPUBLIC void MEAPI RLineRemoveAll(RRender *rc);
 /** @} */
 
 /** @name Particles
- *  A particle system draws an equilateral triangle at each of @a numParticles places of the world, turned towards the
- *  camera. @a positions is kept by pointer, must live as long, and is read every frame; particles that are not finite
- *  are not drawn. The size is a triangle's side.
+ *  A particle system draws an equilateral triangle, facing the camera, at each of @a numParticles positions in the
+ *  world frame. @a positions is kept by pointer, must exist as long, and is read every frame; particles with positions
+ *  that are not finite are not drawn. The size is a triangle's side.
  *  @{ */
-/** A new system in the context's list, which it belongs to. @a tex_filename is a texture's name, or null for none. */
+/** Creates a system in the list of the context, which owns it. @a tex_filename is a texture's name; null: none. */
 MEPUBLIC RParticleSystem *MEAPI RParticleSystemCreate(RRender *rc, int numParticles, MeVector3 *positions,
                                                       const char *tex_filename, const float color[4],
                                                       AcmeReal tri_size);
-/** The same, in no list, with a texture by number (RRenderTextureCreate); -1 for none. */
+/** The same, in no list, with the number of a texture (RRenderTextureCreate); -1: none. */
 MEPUBLIC RParticleSystem *MEAPI RParticleSystemNew(int numParticles, MeVector3 *positions, int tex_id,
                                                    const float color[4], AcmeReal size);
 MEPUBLIC void MEAPI RParticleSystemAddToList(RRender *rc, RParticleSystem *ps);
@@ -310,28 +312,28 @@ MEPUBLIC void MEAPI RParticleSystemDestroy(RParticleSystem *ps);
 /** @} */
 
 /** @name The camera
- *  It looks at a point from a distance (at least 0.01), in a direction given by two angles in radians: theta in the
- *  xz plane, anticlockwise from the z axis as seen from above, and phi, the elevation above that plane:
- *  position = look-at + distance (cos phi sin theta, sin phi, cos phi cos theta); with z up (RCameraSetUp) it is
- *  look-at + distance (cos phi sin theta, -cos phi cos theta, sin phi).
- *  At first, as in 1.2: distance 15, theta 0, phi 0, at (0, 0, 1); so the camera is at (0, 0, 16) and looks along -z, x
- *  to the right and y up. theta is wrapped to -pi..pi, phi is kept in -pi/2..pi/2.
- *  `-camera` wins over what the program sets before RRun.
+ *  The camera looks at a point from a distance (at least 0.01), in a direction given by two angles in radians: theta in
+ *  the xz plane, counter-clockwise from the z axis seen from above, and phi, the elevation above that plane: position =
+ *  look-at + distance (cos phi sin theta, sin phi, cos phi cos theta); with z up (RCameraSetUp) it is look-at +
+ *  distance (cos phi sin theta, -cos phi cos theta, sin phi). Defaults, as in 1.2: distance 15, theta 0, phi 0, look-at
+ *  (0, 0, 1); so the camera is at (0, 0, 16) and looks along -z, x to the right and y up. theta is wrapped to -pi..pi,
+ *  phi is clamped to -pi/2..pi/2. `-camera` overrides settings of the program before RRun.
  *  @{ */
 /**
- * The axis of the world that is up on the screen, of any length but 0: at first (0, 1, 0); MeAppStart makes it
- * (0, 0, 1). What this header says of x, y and z of the camera's angles and views, the ground and the sky holds in the
- * world turned by the shortest rotation that takes the axis to y (the other way about, by half a turn about x and the
- * shortest after it, for an axis whose y is negative). So with z up, theta 0 is seen from -y, with x to the right.
- * Angles, distance and look-at point stay as they are, grounds and sky that exist turn along, and so do the lights,
- * about the origin: they shine on the screen from where they did. An addition to the 1.2 interface.
+ * Sets the axis of the world that is up on the screen, of any length but 0: default (0, 1, 0); MeAppStart sets (0, 0,
+ * 1). All that this header says about x, y and z for camera angles and views, ground and sky holds in the world rotated
+ * by the shortest rotation of the axis to y (for an axis with negative y: half a turn about x, preceded by the shortest
+ * rotation of the axis to -y). So with z up, theta 0 looks from -y, with x to the right. Angles, distance and look-at
+ * point are unchanged; existing grounds and the sky are rotated, and so are the lights, about the origin: their
+ * direction on the screen is unchanged. An addition to the 1.2 interface.
  */
 MEPUBLIC void MEAPI RCameraSetUp(RRender *rc, AcmeReal x, AcmeReal y, AcmeReal z);
-/** The axis of RCameraSetUp, of length 1; RCameraGetUp is the camera's own. An addition to the 1.2 interface. */
+/** The axis of RCameraSetUp, normalized; RCameraGetUp returns the camera's own up vector. An addition to the 1.2
+ * interface. */
 MEPUBLIC void MEAPI RCameraGetUpAxis(RRender *rc, AcmeVector3 axis);
 /**
- * The angles of a camera that is in this direction (world, of any length) from its look-at point. @a theta keeps its
- * value for a direction along the up axis, both keep theirs for one without length. An addition to the 1.2 interface.
+ * The angles of a camera in a direction (world frame, any length) from its look-at point. For a direction along the up
+ * axis, @a theta is unchanged; for a zero direction, both are. An addition to the 1.2 interface.
  */
 MEPUBLIC void MEAPI RCameraFindAngles(RRender *rc, const AcmeVector3 direction, AcmeReal *theta, AcmeReal *phi);
 MEPUBLIC void MEAPI RCameraSetLookAt(RRender *rc, const AcmeVector3 lookAt);
@@ -353,32 +355,32 @@ MEPUBLIC void MEAPI RCameraZoom(RRender *rc, AcmeReal dist);
 MEPUBLIC void MEAPI RCameraRotateAngle(RRender *rc, AcmeReal d_theta);
 /** Adds to phi. */
 MEPUBLIC void MEAPI RCameraRotateElevation(RRender *rc, AcmeReal d_phi);
-/** Move the camera and the look-at point along the camera's own axes: right, up, and towards the viewer. */
+/** Move the camera and the look-at point along the camera's axes: right, up, and towards the viewer. */
 MEPUBLIC void MEAPI RCameraPanX(RRender *rc, AcmeReal dist);
 MEPUBLIC void MEAPI RCameraPanY(RRender *rc, AcmeReal dist);
 MEPUBLIC void MEAPI RCameraPanZ(RRender *rc, AcmeReal dist);
-/** The vertical field of view, radians, more than 0 and less than pi; at first 0.7. Ends an orthographic view. */
+/** Sets the vertical field of view, radians, more than 0 and less than pi; default 0.7. Ends an orthographic view. */
 MEPUBLIC void MEAPI RCameraSetFov(RRender *rc, AcmeReal fov);
 /**
- * Without perspective: @a zoomFactor is the height of what is seen, and what is nearer to the look-at point than
- * @a viewDepth along the line of sight is drawn. RCameraSetFov brings the perspective back.
+ * Sets an orthographic view: @a zoomFactor is the visible height; objects within @a viewDepth of the look-at point
+ * along the line of sight are drawn. RCameraSetFov restores the perspective.
  */
 MEPUBLIC void MEAPI RCameraSetOrthographicView(RRender *rc, AcmeReal zoomFactor, AcmeReal viewDepth);
-/** The same from one side: from +z, -z, -x, +x, +y and -y; with z up, from -y, +y, -x, +x, +z and -z. */
+/** Orthographic views from the sides +z, -z, -x, +x, +y and -y; with z up, from -y, +y, -x, +x, +z and -z. */
 MEPUBLIC void MEAPI RCameraSetFrontView(RRender *rc, AcmeReal zoomFactor, AcmeReal viewDepth);
 MEPUBLIC void MEAPI RCameraSetBackView(RRender *rc, AcmeReal zoomFactor, AcmeReal viewDepth);
 MEPUBLIC void MEAPI RCameraSetLeftView(RRender *rc, AcmeReal zoomFactor, AcmeReal viewDepth);
 MEPUBLIC void MEAPI RCameraSetRightView(RRender *rc, AcmeReal zoomFactor, AcmeReal viewDepth);
 MEPUBLIC void MEAPI RCameraSetTopView(RRender *rc, AcmeReal zoomFactor, AcmeReal viewDepth);
 MEPUBLIC void MEAPI RCameraSetBottomView(RRender *rc, AcmeReal zoomFactor, AcmeReal viewDepth);
-/** A view of the program's own: world to camera, as RRender::m_CameraMatrix. Other camera functions end it. */
+/** Sets a view matrix: world to camera, as RRender::m_CameraMatrix. Other camera functions end it. */
 MEPUBLIC void MEAPI RCameraSetMatrix(RRender *rc, MeMatrix4Ptr m);
-/** Makes position and matrix fit the look-at point and the polar coordinates. Only needed after writing members. */
+/** Updates position and matrix from the look-at point and the polar coordinates. Only needed after writing members. */
 MEPUBLIC void MEAPI RCameraUpdate(RRender *rc);
-/** Makes the projection fit the field of view and the window. Every frame does it. */
+/** Updates the projection from the field of view and the window's size. Done in every frame. */
 MEPUBLIC void MEAPI RRenderUpdateProjectionMatrices(RRender *rc);
 /**
- * Where a pixel is in a plane that fills the window, is @a width wide and @a height high, and has its origin in the
+ * The position of a pixel in a plane that fills the window, @a width wide and @a height high, with the origin in the
  * middle, x to the right and y up. The pixel is counted from the upper left corner, y down, as in RMouseCallBack.
  */
 MEPUBLIC void MEAPI RCalculatePortalCoordinates(RRender *rc, AcmeReal width, AcmeReal height, int x, int y,
@@ -386,44 +388,44 @@ MEPUBLIC void MEAPI RCalculatePortalCoordinates(RRender *rc, AcmeReal width, Acm
 /** @} */
 
 /** @name Lights
- *  One ambient light, two directional ones (the first casts shadows), one point light. The ambient one and the two
- *  directional ones are on at first. See RRender for their colours.
+ *  One ambient light, two directional ones (the first casts shadows), one point light. By default all but the point
+ *  light are on. See RRender for their colours.
  *  @{ */
 MEPUBLIC void MEAPI RLightSwitchOn(RRender *rc, RRenderLight light);
 MEPUBLIC void MEAPI RLightSwitchOff(RRender *rc, RRenderLight light);
 /** @} */
 
 /** @name Textures
- *  Up to 100; the guide's viewer had 25. A texture is a .bmp file or, beyond Karma, a .png, .jpg or .tga file, given by
- *  name without the extension. It is looked for in the working directory, in $KARMA_TEXTURES, and in `textures` and
- *  `../textures`, and is read when it is first drawn; without the file there is a message (MeInfo, once) and no
- *  texture. Two are built in: "checkerboard" and "font".
+ *  Up to 100; the guide's viewer had 25. A texture is a .bmp file or, beyond Karma, a .png, .jpg or .tga file, named
+ *  without its extension. It is searched in the working directory, in $KARMA_TEXTURES, and in `textures` and
+ *  `../textures`, and read when it is first drawn; a missing file gives a message (MeInfo, once) and no texture. Two
+ *  are built in: "checkerboard" and "font".
  *  @{ */
-/** The texture's number, the same for the same name; -1 if all are in use. */
+/** Creates a texture, or finds the one of this name, and returns its number; -1 if all are in use. */
 MEPUBLIC int MEAPI RRenderTextureCreate(RRender *rc, const char *filename);
-/** Gives a graphic a texture. Returns its number, or -1. A null name takes the texture off. */
+/** Sets a graphic's texture. Returns its number, or -1. A null name removes the texture. */
 MEPUBLIC int MEAPI RGraphicSetTexture(RRender *rc, RGraphic *rg, const char *filename);
 /** @} */
 
 /** @name Controls
- *  The viewer's own keys: F1 help and pause, F2 a picture NAME-0001.png into the working directory, F3 performance
- *  bar, F4 wireframe, F5 shadows, F9 menu and panels (RPanel.h), P pause, O or . one step, Escape or Q quit, PageUp and
- *  PageDown zoom, Ctrl and arrows turn the camera, Home the first view. The mouse: dragging turns the camera; with the
- *  right or the middle button, or Shift, it moves it; the wheel zooms to the pointer. What begins on a panel is the
- *  panel's. Upper and lower case are the same.
+ *  The viewer's own keys: F1 help and pause, F2 saves a picture NAME-0001.png in the working directory, F3 performance
+ *  bar, F4 wireframe, F5 shadows, F9 menu and panels (RPanel.h), P pause, O or . single step, Escape or Q quit, PageUp
+ *  and PageDown zoom, Ctrl and arrows turn the camera, Home the initial view. The mouse: dragging turns the camera;
+ *  with the right or the middle button, or Shift, it moves it; the wheel zooms to the pointer. A drag that begins on a
+ *  panel is handled by the panel. Keys are case-insensitive.
  *
  *  The program's: eight direction buttons (arrow keys; w s a d for the second four), actions and the mouse.
  *
  *  RRenderSetUpCallBack(rc, func) or (rc, func, userdata), and so for Down, Left, Right, Up2, Down2, Left2, Right2;
- *  RRenderSetActionNCallBack(rc, N, func) or (rc, N, func, userdata), N from 0 to 5;
- *  func is `void MEAPI func(RRender *, void *)`, `void MEAPI func(RRender *)` or one of the forms at the end of this
- *  header, called when the button is pressed, and again and again while a direction button is held. 0 or NULL removes
- *  it. Keys of the actions: 1 Space, 2 Enter, 3 to 5 the digits; 0 has none.
+ *  RRenderSetActionNCallBack(rc, N, func) or (rc, N, func, userdata), N from 0 to 5; func is `void MEAPI func(RRender
+ *  *, void *)`, `void MEAPI func(RRender *)` or one of the forms at the end of this header. It is called when the
+ *  button is pressed, and repeatedly while a direction button is down. 0 or NULL removes it. Keys of the actions: 1
+ *  Space, 2 Enter, 3 to 5 the digits; 0 has none.
  *
- *  RRenderSetMouseCallBack(rc, func) or (rc, func, userdata): func gets the left button's events while neither Ctrl
- *  nor Shift is held; then Ctrl and the left button turn the camera, and without Ctrl a drag that func leaves to it
- *  (RRenderLeaveMouse).
- *  RRenderSetJoystickCallBack is the same for a joystick; it is kept, but never called on this platform.
+ *  RRenderSetMouseCallBack(rc, func) or (rc, func, userdata): func gets the left button's events while neither Ctrl nor
+ *  Shift is down. Then Ctrl and the left button turn the camera; without Ctrl, only drags that func declines do
+ *  (RRenderLeaveMouse). RRenderSetJoystickCallBack is the same for a joystick; it is stored, but never called on this
+ *  platform.
  *  @{ */
 MEPUBLIC void MEAPI RRenderSetButtonCallBack(RRender *rc, RButtonList which, RButtonPressCallBack func, void *userdata);
 MEPUBLIC void MEAPI RRenderSetButtonCallBackNoData(RRender *rc, RButtonList which, RButtonPressCallBackNoData func,
@@ -431,7 +433,7 @@ MEPUBLIC void MEAPI RRenderSetButtonCallBackNoData(RRender *rc, RButtonList whic
 MEPUBLIC void MEAPI RRenderSetActionCallBack(RRender *rc, int N, RButtonPressCallBack func, void *userdata);
 MEPUBLIC void MEAPI RRenderSetActionCallBackNoData(RRender *rc, int N, RButtonPressCallBackNoData func, void *unused);
 
-/** The same with a text that says what the button does, for the help. The text is copied; it may be null. */
+/** The same with a text for the help that describes the button. The text is copied; it may be null. */
 MEPUBLIC void MEAPI RRenderSetUpCallBackWithText(RRender *rc, RButtonPressCallBack func, void *userdata,
                                                  const char *text);
 MEPUBLIC void MEAPI RRenderSetDownCallBackWithText(RRender *rc, RButtonPressCallBack func, void *userdata,
@@ -454,42 +456,42 @@ MEPUBLIC void MEAPI RRenderSetMouseCallBackWithText(RRender *rc, RMouseCallBack 
 MEPUBLIC void MEAPI RRenderSetJoystickCallBackWithText(RRender *rc, RJoystickCallBack func, void *userdata,
                                                        const char *text);
 /**
- * Gives action @a N (2 to 5) another key: a printable ASCII character. While the action has a callback, that one is
- * called and not what the viewer itself does with the key.
+ * Sets the key of action @a N (2 to 5): a printable ASCII character. While the action has a callback, it is called
+ * instead of the viewer's own function of the key.
  */
 MEPUBLIC void MEAPI RRenderSetActionNKey(RRender *rc, const unsigned int N, const char key);
 /**
- * For helpers of programs: a printable ASCII character whose callback is called unless the program has an action or a
- * direction button on that key; before the viewer's own use of it. A null @a func takes the viewer's own use away too.
- * The text is for the help; copied, may be null. An addition to the 1.2 interface.
+ * For helper libraries of programs: sets the callback of a key, a printable ASCII character. It is called unless the
+ * program has an action or a direction button on that key, and replaces the viewer's own function of the key, also if
+ * @a func is null. The text is for the help; copied, may be null. An addition to the 1.2 interface.
  */
 MEPUBLIC void MEAPI RRenderSetKeyCallBack(RRender *rc, char key, RButtonPressCallBack func, void *userdata,
                                           const char *text);
 /**
- * Called by a mouse callback that has been told kRNewlyPressed: it does not want this drag, which turns the camera
- * then. An addition to the 1.2 interface.
+ * Called by a mouse callback during kRNewlyPressed: declines the drag, which then turns the camera. An addition to the
+ * 1.2 interface.
  */
 MEPUBLIC void MEAPI RRenderLeaveMouse(RRender *rc);
 /** @} */
 
 /** @name Menus
- *  Up and Down choose an entry of the menu shown, Right and Left change it; a click does what Right does, on the left
- *  half of a value entry what Left does. F9 shows and hides the default menu, and the panels (RPanel.h).
+ *  Up and Down select an entry of the menu shown, Right and Left change it; a click does the same as Right, on the left
+ *  half of a value entry the same as Left. F9 shows and hides the default menu, and the panels (RPanel.h).
  *  @{ */
-/** A menu without entries. It belongs to the context, which destroys it; RMenuDestroy does so earlier. */
+/** Creates a menu without entries. The context owns and destroys it; RMenuDestroy destroys it earlier. */
 MEPUBLIC RMenu *MEAPI RMenuCreate(RRender *rc, const char *name);
 /**
- * Entries of other menus that lead to this one stay, but do nothing. One that is there no more,
- * as after its context has gone, is ignored.
+ * Destroys a menu. Entries of other menus that open it remain, but do nothing. A menu that was destroyed already, such
+ * as with its context, is ignored.
  */
 MEPUBLIC void MEAPI RMenuDestroy(RMenu *rm);
 MEPUBLIC void MEAPI RMenuDisplay(RMenu *rm);
 MEPUBLIC void MEAPI RRenderSetDefaultMenu(RRender *rc, RMenu *menu);
-/** @a func, which may be null, is called with each new state. */
+/** Adds a toggle; @a func, which may be null, is called with each new state. */
 MEPUBLIC void MEAPI RMenuAddToggleEntry(RMenu *rm, const char *name, RMenuToggleCallback func, MeBool defaultValue);
 /**
- * A number between @a lo and @a hi that changes by @a increment. @a func, which may be null, is called with each new
- * value. Warns and uses the nearest sensible value if @a lo is above @a hi or the default is outside.
+ * Adds a number between @a lo and @a hi that changes by @a increment; @a func, which may be null, is called with each
+ * new value. If @a lo is above @a hi, or the default is out of range, warns and uses the nearest valid value.
  */
 MEPUBLIC void MEAPI RMenuAddValueEntry(RMenu *rm, const char *name, RMenuValueCallback func, MeReal hi, MeReal lo,
                                        MeReal increment, MeReal defaultValue);
@@ -499,15 +501,16 @@ MEPUBLIC void MEAPI RMenuAddSubmenuEntry(RMenu *rm, const char *name, RMenu *sub
 /** @name Help and text
  *  @{ */
 /**
- * The program's part of the help that F1 shows: @a arraySize lines, put through RParseText and copied. Each call
- * replaces the lines. `char *help[]` and `const char *help[]` are accepted as they are.
+ * Sets the program's part of the help (F1): @a arraySize lines, parsed by RParseText and copied. Each call replaces the
+ * lines. `char *help[]` and `const char *help[]` are both accepted.
  */
 MEPUBLIC void MEAPI RRenderCreateUserHelp(RRender *const rc, const char *const help[], const int arraySize);
 /** Shows the help and pauses, or hides it and continues. */
 MEPUBLIC void MEAPI RRenderToggleUserHelp(RRender *const rc);
 /**
- * Replaces $UP, $DOWN, $LEFT, $RIGHT, $UP2 ... $RIGHT2, $ACTION1 ... $ACTION5, $MOUSE and $APPNAME by what they stand
- * for; other words after a $ stay. @a text_out gets at most @a outbuffersize bytes, its end included.
+ * Replaces $UP, $DOWN, $LEFT, $RIGHT, $UP2 ... $RIGHT2, $ACTION1 ... $ACTION5, $MOUSE and $APPNAME by the names of
+ * their keys and of the program; other words after a $ are kept. @a text_out gets at most @a outbuffersize bytes, its
+ * terminator included.
  */
 MEPUBLIC void MEAPI RParseText(RRender *rc, const char *text_in, char *text_out, int outbuffersize);
 /** @} */
@@ -515,22 +518,22 @@ MEPUBLIC void MEAPI RParseText(RRender *rc, const char *text_in, char *text_out,
 /** @name Performance
  *  @{ */
 /**
- * A bar that shows the milliseconds of the profile sections "Collision", "Dynamics" and "Render", the budget of one
- * sixtieth of a second, and frames per second. Starts profiling, if it does not run. It belongs to the context; a
- * second call returns the same. Without a window it is shown, and something is measured for it, only with `-bar`: it
- * makes pictures differ, and has every frame drawn.
+ * Creates a bar of the milliseconds of the profile sections "Collision", "Dynamics" and "Render", the budget of 1/60 s,
+ * and frames per second. Starts profiling if it is off. Owned by the context; a second call returns the same. Without a
+ * window, it is shown and measured only with `-bar`: it makes pictures differ, and forces every frame to be drawn.
  */
 MEPUBLIC RPerformanceBar *MEAPI RPerformanceBarCreate(RRender *rc);
 /** Shows these times (seconds) in this frame instead of the measured ones. */
 MEPUBLIC void MEAPI RPerformanceBarUpdate(RRender *rc, AcmeReal coltime, AcmeReal dyntime, AcmeReal rentime,
                                           AcmeReal idletime);
-/** Marks at every quarter of the budget along the bar: a graphic in the 2D list, or null if there is no bar. */
+/** Creates marks at every quarter of the budget along the bar: a graphic in the 2D list; null if there is no bar. */
 MEPUBLIC RGraphic *MEAPI RPerformanceBarCreateTicks(RRender *rc);
 /** @} */
 
 ME_END_C
 
-/* What follows makes one name serve calls with and without user data, and callbacks of several forms:
+/* The following macros and overloads let one name accept calls with and without user data, and callbacks of several
+ * forms:
  *
  *     void f(RRender *, void *)   and with user data of another type, as `int *` or `MyApp *`: get rc and the user data
  *     void f(RRender *)           gets rc
@@ -538,7 +541,7 @@ ME_END_C
  *                                 may stand for any of the three
  *     0, NULL, nullptr            none
  *
- * each also with a result, as int, that is ignored. Whatever cannot be called so does not compile. */
+ * each also with an ignored result, such as int. Other callbacks do not compile. */
 #ifdef __cplusplus
 
 /* The two forms of a callback, at most one of them not null. */
@@ -556,11 +559,11 @@ struct RButtonCallBackArgument {
     template <class Result>
     RButtonCallBackArgument(Result(MEAPI *f)())
         : func(reinterpret_cast<RButtonPressCallBack>(reinterpret_cast<void(MEAPI *)()>(f))) {}
-    /* A lambda that captures nothing. */
+    /* A lambda without captures. */
     template <class Lambda> RButtonCallBackArgument(Lambda f, int Lambda::* = nullptr) : RButtonCallBackArgument(+f) {}
 };
 
-/* Mouse and joystick: Func has fixed parameters and then the user data. */
+/* For mouse and joystick: Func has fixed parameters, followed by the user data. */
 template <class Func, class... Fixed> struct RAnalogCallBackArgument {
     Func func = nullptr;
 
@@ -613,7 +616,7 @@ inline void RRenderSetJoystickCallBack(RRender *rc, RJoystickCallBackArgument fu
 
 #else
 
-/* The ninth argument: a name chosen by how many stand before the names. */
+/* The ninth argument: the number of arguments before the names selects the name. */
 #define R_PICK(a1, a2, a3, a4, a5, a6, a7, a8, name, ...) name
 #define R_PICK_2_OR_3(with3, with2, ...)                                                                               \
     R_PICK(__VA_ARGS__, R_COUNT, R_COUNT, R_COUNT, R_COUNT, R_COUNT, with3, with2, R_COUNT, 0)
@@ -626,17 +629,18 @@ inline void RRenderSetJoystickCallBack(RRender *rc, RJoystickCallBackArgument fu
     }))
 #define R_COUNT(...)              R_MUST(0, "wrong number of arguments")
 
-/* One association at a time: `void f()` is compatible with several, which one _Generic does not allow. */
+/* One association per _Generic: `void f()` is compatible with several, which is not allowed in one. */
 #define R_IS(func, Type, yes, no) _Generic((func), Type : yes, default : no)
-/* What takes the callback: `func` is called with user data unless it is known to have no parameter for them. */
+/* Selects the function that accepts the callback: `func` is called with user data unless it has no parameter for
+ * them. */
 #define R_TAKER(func, WithData, NoData, takesWithData, takesNoData)                                                    \
     R_IS(func, WithData, takesWithData, R_IS(func, NoData, takesNoData, takesWithData))
-/* The callback in the type that its taker has. A null pointer constant stays one. */
+/* Casts the callback to the parameter type of that function. A null pointer constant is unchanged. */
 #define R_CALLBACK(func, WithData, NoData)                                                                             \
     R_IS(func, WithData, func,                                                                                         \
          R_IS(func, NoData, func,                                                                                      \
               _Generic((func), int: (func), void *: (func), default: (WithData)(void(MEAPI *)(void))(func))))
-/* Refuses what can not be called with these arguments, by a call that is not made; and integers other than 0. */
+/* Rejects, by an unevaluated call, callbacks that cannot be called with these arguments; and integers other than 0. */
 #define R_CHECK(func, WithData, NoData, IntNoData, arguments)                                                          \
     ((void)sizeof((R_IS(func, WithData, (WithData)0,                                                                   \
                         _Generic((func), NoData: (WithData)0, IntNoData: (WithData)0,                                  \
@@ -691,7 +695,7 @@ inline void RRenderSetJoystickCallBack(RRender *rc, RJoystickCallBackArgument fu
     R_ANALOG(rc, func, userdata, RJoystickCallBack, RRenderSetJoystickCallBackWithText,                                \
              ((RRender *)0, (AcmeReal)0, (AcmeReal)0, (void *)0))
 
-/* C, unlike C++, does not turn char ** into const char *const * by itself. */
+/* C, unlike C++, does not convert char ** to const char *const * implicitly. */
 static inline void RUserHelpOfChars(RRender *rc, char *const help[], int arraySize) {
     RRenderCreateUserHelp(rc, (const char *const *)help, arraySize);
 }

@@ -1,14 +1,13 @@
 /** @file MeViewerTypes.h
  *  The viewer's structures, enumerations and callback types (User Guide App. B).
  *
- *  Structure members that are documented here may be read at any time and written where the comment says so.
- *  Everything else that a viewer needs (window, OpenGL objects, input state) is out of sight behind
- *  RRender::m_pViewer. Numbers are AcmeReal, which is float in both precisions; only transforms are MeReal, because
- *  they point into the simulation.
+ *  Members that are documented here may be read at any time, and written where the comment says so. All other state
+ *  (window, OpenGL objects, input) is hidden behind RRender::m_pViewer. Numbers are AcmeReal, which is float in both
+ *  precisions; only transforms are MeReal, because they point into the simulation.
  *
  *  Strings are UTF-8 (ASCII, Latin-1, Greek letters and arrows can be shown). Colours are red, green, blue, alpha in
- *  0..1, as a screen shows them (sRGB). Alpha 0 counts as opaque, since old programs write {1, 0, 0, 0} for red;
- *  values between 0 and 1 are see-through.
+ *  0..1, in sRGB. Alpha 0 counts as opaque, since old programs write {1, 0, 0, 0} for red; values between 0 and 1 are
+ *  transparent.
  */
 #ifndef MEVIEWERTYPES_H
 #define MEVIEWERTYPES_H
@@ -20,8 +19,8 @@ ME_BEGIN_C
 /** @name Constants
  *  @{ */
 #define NUM_ACTION_CALLBACKS 6               /**< Actions are numbered 0 to 5; 1 to 5 have keys. */
-#define NEARZ                0.300000012f    /**< Nearest distance that is drawn when the camera is not close up. */
-#define FARZ                 500             /**< Distance up to which is always drawn; more if a scene needs it. */
+#define NEARZ                0.300000012f    /**< Near plane of the camera, unless it is close to its look-at point. */
+#define FARZ                 500             /**< Minimum distance of the far plane; larger if a scene needs it. */
 #define OFFSET_2D            9.99999975e-05f /**< Depth between two neighbours of the 2D list. */
 /** @} */
 
@@ -70,7 +69,7 @@ typedef enum RRenderLight { kRAmbient = 0, kRDirect1 = 1, kRDirect2 = 2, kRPoint
 
 /** Where a context draws. The PlayStation values are kept for source compatibility. */
 typedef enum RRenderType {
-    kRDefault = 0,   /**< What the machine has: a window, or an off-screen buffer. */
+    kRDefault = 0,   /**< A window if available, else an off-screen buffer. */
     kROpenGL = 1,    /**< A window (-gl). */
     kRPs2 = 3,       /**< Not on this platform. */
     kRPs2HiG = 4,    /**< Not on this platform. */
@@ -82,9 +81,9 @@ typedef enum RRenderType {
 /** How solid graphics are drawn (RRender::m_Quality). */
 typedef enum RRenderQuality {
     kRQualityWireframe = 0, /**< Edges only. */
-    kRFilled = 1,           /**< The plain colour, without light. */
+    kRFilled = 1,           /**< Unlit colour. */
     kRQualityFlat = 2,      /**< Lit, each triangle flat. */
-    kRQualitySmooth = 3     /**< Lit, with the vertices' normals. The default. */
+    kRQualitySmooth = 3     /**< Lit, smooth. The default. */
 } RRenderQuality;
 
 /** The eight direction buttons. */
@@ -115,12 +114,12 @@ typedef struct RParticleSystem RParticleSystem;
 typedef RParticleSystem *RPSystemPtr;
 
 /** @name Callbacks
- *  Called between frames, when no step is under way: they may do anything with the simulation.
+ *  Called between frames, when no step is in progress: they may do anything with the simulation.
  *  @{ */
 typedef void(MEAPI *RMainLoopCallBack)(RRender *rc, void *userdata);
-typedef void(MEAPI *RMainLoopCallBackNoData)(RRender *rc); /**< As the Dynamics guide writes Tick. */
+typedef void(MEAPI *RMainLoopCallBackNoData)(RRender *rc); /**< The form of Tick in the Dynamics guide. */
 typedef void(MEAPI *RButtonPressCallBack)(RRender *rc, void *userdata);
-typedef void(MEAPI *RButtonPressCallBackNoData)(RRender *rc); /**< As App. B describes it in words. */
+typedef void(MEAPI *RButtonPressCallBackNoData)(RRender *rc); /**< The form described in App. B. */
 /** A mouse event: @a x to the right and @a y DOWN, in pixels from the window's upper left corner. */
 typedef void(MEAPI *RMouseCallBack)(RRender *rc, int x, int y, int modifiers, RMouseButtonWhich which,
                                     RMouseButtonEvent event, void *userdata);
@@ -132,29 +131,29 @@ typedef void(MEAPI *RMenuEntryFunc)(RMenuBaseEntry *entry);
 typedef void(MEAPI *RMenuEntryDisplayFunc)(RMenuBaseEntry *entry, MeReal x, MeReal y);
 /** @} */
 
-/** One vertex of a triangle. Program may write all members at any time; the next frame shows it. */
+/** A vertex of a triangle. The program may write all members at any time; the next frame shows it. */
 typedef struct RObjectVertex {
     AcmeReal m_X, m_Y, m_Z;    /**< Position in the graphic's own frame. */
     AcmeReal m_NX, m_NY, m_NZ; /**< Normal, of length 1. */
-    AcmeReal m_U, m_V;         /**< Texture coordinates, 0..1; v is 0 at the picture's upper edge. */
+    AcmeReal m_U, m_V;         /**< Texture coordinates, 0..1; v is 0 at the upper edge of the picture. */
 } RObjectVertex;
 
-/** How a graphic looks. The program may write all members but m_Matrix at any time; the next frame shows it. */
+/** The look of a graphic. The program may write all members but m_Matrix at any time; the next frame shows it. */
 typedef struct RObjectHeader {
-    MeMatrix4 m_Matrix;       /**< The transform of the last frame: a copy of what m_pLWMatrix points to. */
+    MeMatrix4 m_Matrix;       /**< Copy of *m_pLWMatrix in the last frame. */
     int m_nNumVertices;       /**< Vertices in use: a multiple of 3, at most RGraphic::m_nMaxNumVertices. */
     int m_nTextureID;         /**< From RRenderTextureCreate; -1 for none. */
     int m_bIsWireFrame;       /**< Not 0: only the edges are drawn. */
-    float m_ColorAmbient[4];  /**< Reflects the ambient light. */
-    float m_ColorDiffuse[4];  /**< Reflects the other lights; its alpha is the graphic's. */
-    float m_ColorEmissive[4]; /**< Added to what is reflected. */
-    float m_ColorSpecular[4]; /**< Highlights, in addition to a slight sheen that everything has. */
+    float m_ColorAmbient[4];  /**< Reflectance of ambient light. */
+    float m_ColorDiffuse[4];  /**< Reflectance of other lights; its alpha is the graphic's. */
+    float m_ColorEmissive[4]; /**< Added to the reflected light. */
+    float m_ColorSpecular[4]; /**< Highlights, in addition to a slight sheen of all graphics. */
     AcmeReal m_SpecularPower; /**< Shininess: 1 is dull, 100 is polished. */
 } RObjectHeader;
 
-struct RGraphicPart; /* What the viewer keeps about a graphic. */
+struct RGraphicPart; /* The viewer's private data of a graphic. */
 
-/** Something that is drawn: a list of triangles with one transform and one look; or a line, or a text. */
+/** A graphic: a list of triangles with one transform and one look; or a line, or a text. */
 struct RGraphic {
     union {
         MeMatrix4Ptr m_pLWMatrix; /**< Local to world, read every frame; null is the identity. May be written. */
@@ -162,9 +161,9 @@ struct RGraphic {
     };
     RObjectHeader *m_pObject;     /**< Never null. */
     RObjectVertex *m_pVertices;   /**< Follows *m_pObject in memory. */
-    int m_nMaxNumVertices;        /**< Vertices that there is room for. Read only. */
-    RGraphic *m_pNext, *m_pPrev;  /**< Neighbours in the list that it is in. Read only. */
-    struct RGraphicPart *m_pPart; /**< The viewer's own. */
+    int m_nMaxNumVertices;        /**< Capacity for vertices. Read only. */
+    RGraphic *m_pNext, *m_pPrev;  /**< Neighbours in its list. Read only. */
+    struct RGraphicPart *m_pPart; /**< The viewer's private data. */
 };
 
 /** The ends of a line. */
@@ -173,7 +172,7 @@ typedef struct RNativeLineVectors {
     AcmeReal m_End[3];
 } RNativeLineVectors;
 
-/** A line that is always as thick on the screen. */
+/** A line of constant thickness on the screen. */
 struct RNativeLine {
     RNativeLineVectors m_Vectors; /**< In the line's own frame. May be written. */
     AcmeReal m_Color[4];          /**< May be written. */
@@ -182,26 +181,27 @@ struct RNativeLine {
     RRender *m_pRender;           /**< The context whose list it is in; null for none. Read only. */
 };
 
-/** Triangles at the program's positions, turned towards the camera. */
+/** Triangles at the program's positions, facing the camera. */
 struct RParticleSystem {
     int m_nParticles;         /**< Read only. */
-    MeVector3 *m_Positions;   /**< World; the program's, read every frame. May be written. */
+    MeVector3 *m_Positions;   /**< World frame; owned by the program, read every frame. May be written. */
     AcmeReal m_Size;          /**< Side of a triangle. May be written. */
-    RGraphic *m_pGraphic;     /**< What is drawn: its colour and texture may be changed, the rest is the viewer's. */
+    RGraphic *m_pGraphic;     /**< The graphic that is drawn: its colour and texture may be changed; other members are
+                                   private. */
     RParticleSystem *m_pNext; /**< Next in the context's list. Read only. */
     RRender *m_pRender;       /**< The context whose list it is in; null for none. Read only. */
 };
 
-/** A light from infinitely far away. After a change in the main loop, set the context's force-update flag. */
+/** A directional light. After a change in the main loop, set the context's force-update flag. */
 typedef struct RDirectLight {
     int m_bUseLight;           /**< Not 0: it shines. */
-    AcmeReal m_Direction[3];   /**< The way the light travels, of any length. */
-    AcmeReal m_rgbDiffuse[3];  /**< 1 lights a white surface that faces it fully. */
+    AcmeReal m_Direction[3];   /**< Direction in which the light travels, any length. */
+    AcmeReal m_rgbDiffuse[3];  /**< 1: a white surface that faces the light is fully lit. */
     AcmeReal m_rgbSpecular[3]; /**< Strength of highlights. */
     AcmeReal m_rgbAmbient[3];  /**< Added to the ambient light. */
 } RDirectLight;
 
-/** A lamp. Its light is divided by constant + linear d + quadratic d^2 at distance d. */
+/** A point light. Its intensity is divided by constant + linear d + quadratic d^2 at distance d. */
 typedef struct RPointLight {
     int m_bUseLight;        /**< Not 0: it shines. */
     AcmeReal m_Position[3]; /**< World. */
@@ -215,7 +215,7 @@ typedef struct RPointLight {
 
 /** The performance bar's figures. Read only; RPerformanceBarUpdate writes them. */
 struct RPerformanceBar {
-    AcmeReal m_Collision; /**< Seconds per frame, as are the others; averaged over some frames. */
+    AcmeReal m_Collision; /**< Seconds per frame, as the others; averaged over some frames. */
     AcmeReal m_Dynamics;
     AcmeReal m_Render;
     AcmeReal m_Idle;
@@ -223,12 +223,12 @@ struct RPerformanceBar {
     int m_bVisible;     /**< F3 toggles it. May be written. */
 };
 
-/** What a button calls. */
+/** The callback of a button. */
 typedef struct RCallBackDataButton {
     RButtonPressCallBack m_Func;             /**< Null if none. */
     RButtonPressCallBackNoData m_FuncNoData; /**< Null if none. At most one of the two is set. */
     void *m_pUserData;
-    char m_Text[64]; /**< What the button does, shown by the help; "" if unknown. */
+    char m_Text[64]; /**< Description of the button, for the help; "" if unknown. */
 } RCallBackDataButton;
 
 typedef struct RCallBackDataMouse {
@@ -238,12 +238,12 @@ typedef struct RCallBackDataMouse {
 } RCallBackDataMouse;
 
 typedef struct RCallBackDataJoystick {
-    RJoystickCallBack m_Func; /**< Kept, but never called on this platform. */
+    RJoystickCallBack m_Func; /**< Stored, but never called on this platform. */
     void *m_pUserData;
     char m_Text[64];
 } RCallBackDataJoystick;
 
-/** How a ground (RGraphicGroundPlaneCreate) looks. */
+/** The look of a ground (RGraphicGroundPlaneCreate). */
 typedef enum RGroundLook {
     kRGroundGrid,    /**< Lines, one unit apart, every tenth bolder. */
     kRGroundChecker, /**< Squares in two tones, one unit wide. */
@@ -262,16 +262,17 @@ typedef RRenderCallBacks *RRenderCallBacksPtr;
 
 /** The options that a context was created with. Read only. */
 typedef struct RRenderOptions {
-    RRenderType m_Type;      /**< As asked for; RRender::m_RenderType says what it came to. */
+    RRenderType m_Type;      /**< As requested; the actual type is RRender::m_RenderType. */
     int m_nWidth, m_nHeight; /**< -size, pixels; else 960x600 times the scale. */
     int m_bSize;             /**< -size was given. */
     AcmeReal m_Scale;        /**< -scale; 0 if it was not given. */
     int m_nFrames;           /**< -frames; 0 for no end. */
-    int m_nRate;             /**< -rate: ticks in a second (RRenderSetTickRate); 0 if it was not given. */
-    int m_nWorkers;          /**< -workers: threads that a program's worlds are to step on; 0 if it was not given. */
-    AcmeReal m_Advise[2];    /**< -advise: seconds to try settings for, and to wait before; 0 if it was not given, or a
-                                  program has seen to it. */
-    int m_nEvery;            /**< -every; 0: no series of pictures, and figures only at the end. */
+    int m_nRate;             /**< -rate: ticks per second (RRenderSetTickRate); 0 if not given. */
+    int m_nWorkers;          /**< -workers: number of threads on which a program's worlds are to step; 0 if not
+                                  given. */
+    AcmeReal m_Advise[2];    /**< -advise: seconds to try settings for, and seconds to wait before; 0 if not given, or
+                                  if a program has handled it. */
+    int m_nEvery;            /**< -every; 0: no series of pictures, and numbers only at the end. */
     int m_bPaused;           /**< -paused */
     int m_bBar;              /**< -bar */
     int m_bProfile;          /**< -profile */
@@ -285,15 +286,14 @@ typedef struct RRenderOptions {
     char m_Keys[512];        /**< -key; "" if not given. */
 } RRenderOptions;
 
-struct RViewer; /* The platform's private state. */
+struct RViewer; /* Private state of the platform. */
 
 /**
- * A rendering context: the state of the viewer.
- * Create one with RRenderContextCreate; a program must not make one of its own.
+ * A rendering context: the state of the viewer. Create it with RRenderContextCreate only.
  */
 struct _RRender {
     char m_AppName[40];       /**< The program's name, $APPNAME in texts. May be written. */
-    RRenderType m_RenderType; /**< Where it draws. Read only. */
+    RRenderType m_RenderType; /**< Type of the output. Read only. */
     RRenderQuality m_Quality; /**< May be written. */
     int m_nCapabilities;      /**< RMOUSE | RTEXT | ... Read only. */
     RRenderOptions m_Options; /**< Read only. */
@@ -313,11 +313,11 @@ struct _RRender {
     RParticleSystem *m_pParticleSystems; /**< The first one. Read only. */
 
     int m_bUseAmbientLight;             /**< May be written, as the lights below. */
-    AcmeReal m_rgbAmbientLightColor[4]; /**< A change is seen in the next frame. */
+    AcmeReal m_rgbAmbientLightColor[4]; /**< A change takes effect in the next frame. */
     RDirectLight m_DirectLight1;        /**< The key light, which casts shadows. */
     RDirectLight m_DirectLight2;        /**< The fill light. */
     RPointLight m_PointLight;           /**< Off unless switched on. */
-    int m_bForceDirectLight1Update;     /**< Set to not 0 after a change; the next frame clears it. */
+    int m_bForceDirectLight1Update;     /**< Set it to non-zero after a change; the next frame clears it. */
     int m_bForceDirectLight2Update;
     int m_bForcePointLightUpdate;
 
@@ -326,21 +326,21 @@ struct _RRender {
     RRenderCallBacks m_CallBacks; /**< Read only. */
     union {
         RPerformanceBar *m_pPerformanceBar; /**< Or null. */
-        RPerformanceBar *m_PerformanceBar;  /**< The same pointer; so old programs call it. */
+        RPerformanceBar *m_PerformanceBar;  /**< The same pointer, for old programs. */
     };
-    RMenu *m_pCurrentMenu; /**< The one shown, or null. */
-    RMenu *m_pDefaultMenu; /**< The one for the menu key, or null. */
+    RMenu *m_pCurrentMenu; /**< The visible menu, or null. */
+    RMenu *m_pDefaultMenu; /**< The menu of the menu key, or null. */
 
-    struct RViewer *m_pViewer; /**< The viewer's own. */
+    struct RViewer *m_pViewer; /**< The viewer's private data. */
 };
 
-/** What every entry of a menu begins with. */
+/** Common first member of menu entries. */
 struct RMenuBaseEntry {
-    RMenu *m_pMenu;                  /**< That it is in. */
-    char *m_Name;                    /**< What is shown. */
+    RMenu *m_pMenu;                  /**< The menu that it is in. */
+    char *m_Name;                    /**< Its text. */
     RMenuEntryFunc m_Execute1;       /**< Right: more, on, open. */
     RMenuEntryFunc m_Execute2;       /**< Left: less, off, back. */
-    RMenuEntryDisplayFunc m_Display; /**< Draws it with its left edge and baseline at x, y (pixels, y down). */
+    RMenuEntryDisplayFunc m_Display; /**< Draws the entry with its left edge and baseline at x, y (pixels, y down). */
     RMenuBaseEntry *m_pNext, *m_pPrev;
 };
 

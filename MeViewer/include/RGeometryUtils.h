@@ -1,10 +1,10 @@
 /** @file RGeometryUtils.h
  *  Triangles of simple shapes, for programs that fill graphics themselves (User Guide App. B, "Geometry Data Format").
  *
- *  To each shape belong a function that says how many vertices it has, and one that writes them into a graphic with
- *  room for as many (RGraphicCreateEmpty) and sets its m_nNumVertices. Round shapes lie along z; `sides` go round (3
- *  to 1024), `rings` go from end to end (2 to 1024). Bad input gets a MeWarning and leaves the graphic as it was; a
- *  count is then 0.
+ *  Each shape has two functions: one returns its number of vertices; the other writes them to a graphic with room for
+ *  as many (RGraphicCreateEmpty) and sets its m_nNumVertices. Round shapes have their axis along z, with a number of
+ *  `sides` around it (3 to 1024) and of `rings` from end to end (2 to 1024). Bad input gets a MeWarning and leaves the
+ *  graphic unchanged; a count is then 0.
  */
 #ifndef RGEOMETRYUTILS_H
 #define RGEOMETRYUTILS_H
@@ -13,37 +13,37 @@
 
 ME_BEGIN_C
 
-/** Along x, y and z, round the origin. */
+/** A box with edges along x, y and z, centred at the origin. */
 MEPUBLIC int MEAPI RCalculateBoxVertexCount(void);
 MEPUBLIC void MEAPI RCalculateBoxGeometry(RGraphic *rg, AcmeReal lx, AcmeReal ly, AcmeReal lz);
 
-/** Round the origin, its poles on the z axis. */
+/** A sphere about the origin, with its poles on the z axis. */
 MEPUBLIC int MEAPI RCalculateSphereVertexCount(int sides, int rings);
 MEPUBLIC void MEAPI RCalculateSphereGeometry(RGraphic *rg, AcmeReal radius, int sides, int rings);
 
-/** A sphere cut in two, with @a height between the halves. @a rings counts both halves' and is even. */
+/** A capsule: two hemispheres, @a height apart. @a rings is the even number of rings of both hemispheres. */
 MEPUBLIC int MEAPI RCalculateSphylVertexCount(int sides, int rings);
 MEPUBLIC void MEAPI RCalculateSphylGeometry(RGraphic *rg, AcmeReal radius, AcmeReal height, int sides, int rings);
 
-/** @a bottom and @a top are z coordinates; the apex is at @a top. */
+/** A cone; @a bottom and @a top are z coordinates, the apex is at @a top. */
 MEPUBLIC int MEAPI RCalculateConeVertexCount(int sides);
 MEPUBLIC void MEAPI RCalculateConeGeometry(RGraphic *rg, AcmeReal radius, AcmeReal bottom, AcmeReal top, int sides);
 
-/** A radius may be 0, but not both. Up to 12 sides its sides are flat, with more they are smooth. */
+/** A frustum. One radius may be 0, but not both. Shading is flat up to 12 sides, smooth with more. */
 MEPUBLIC int MEAPI RCalculateFrustumVertexCount(int sides);
 MEPUBLIC void MEAPI RCalculateFrustumGeometry(RGraphic *rg, AcmeReal bottomRadius, AcmeReal topRadius, AcmeReal bottom,
                                               AcmeReal top, int sides);
 
-/** @a rings go round the tube. */
+/** A torus; @a rings is the number of sections around the tube. */
 MEPUBLIC int MEAPI RCalculateTorusVertexCount(int sides, int rings);
 MEPUBLIC void MEAPI RCalculateTorusGeometry(RGraphic *rg, AcmeReal outerRadius, AcmeReal innerRadius, int sides,
                                             int rings);
 
-/** The upper half (y > 0) of a sphere seen from inside, its texture repeated @a tileU and @a tileV times. */
+/** The upper half (y > 0) of a sphere, seen from inside, with its texture repeated @a tileU and @a tileV times. */
 MEPUBLIC int MEAPI RCalculateDomeVertexCount(int sides, int rings);
 MEPUBLIC void MEAPI RCalculateDomeGeometry(RGraphic *rg, AcmeReal radius, int sides, int rings, int tileU, int tileV);
 
-/** Fills one vertex. */
+/** Sets all members of a vertex. */
 MEPUBLIC void MEAPI RSetVertex(RObjectVertex *vertex, const MeVector3 vert, const MeVector3 norm, MeReal u, MeReal v);
 
 ME_END_C

@@ -1,5 +1,5 @@
 /** @file RParameter.h
- *  Numbers of a program that its user may change, each by keys and by a slider. An addition to the 1.2 interface.
+ *  Numbers of a program that the user may change by keys and sliders. An addition to the 1.2 interface.
  *
  *      static MeReal slope = 24, grip = (MeReal)0.5;
  *      static const RParameter parameters[] = {
@@ -8,8 +8,8 @@
  *      };
  *      RRenderCreateParameters(rc, parameters, 2);
  *
- *  This one table makes the keys, their lines of the help (F1), and the sliders of the panel "Parameters" (F9). Its
- *  keys win over those of RRenderSetUpCallBack and its like; actions win over them.
+ *  This table defines the keys, their lines in the help (F1), and the sliders of the panel "Parameters" (F9). Its keys
+ *  override those of RRenderSetUpCallBack and the like; actions override its keys.
  */
 #ifndef RPARAMETER_H
 #define RPARAMETER_H
@@ -18,16 +18,17 @@
 
 ME_BEGIN_C
 
-/** One number. Members that are not given are 0 or null. */
+/** A parameter. Members that are not given are 0 or null. */
 typedef struct RParameter {
-    const char *name; /**< As help and slider show it; those of a context must differ. */
+    const char *name; /**< Text in help and slider; must be unique in a context. */
     const char *unit; /**< Null for none. */
-    MeReal *value; /**< The program's own number: it is read in every picture, and written when the user changes it. */
-    MeReal low, high; /**< The user stays within these; the program may write what it likes. */
-    MeReal step;     /**< What a press of a key adds or takes, above 0. A slider stops at whole steps from @a low on. */
-    MeBool isFactor; /**< Keys multiply and divide by @a step, which is above 1; so is @a low above 0. */
-    const char *less, *more; /**< Keys, named as in the option -key: "Down", "Left", "a"; null for none. */
-    /** Called after the user has changed the number: between ticks, not in one. Null for none. */
+    MeReal *value;    /**< The program's variable: read in every picture, and written when the user changes it. */
+    MeReal low, high; /**< Range of values that the user may set; the program may set others. */
+    MeReal step;      /**< Increment of a key press, above 0. Sliders are restricted to multiples of it, counted from @a
+                          low. */
+    MeBool isFactor;  /**< Keys multiply and divide by @a step, which must be above 1; then @a low must be above 0. */
+    const char *less, *more; /**< Names of the keys, as in the option -key: "Down", "Left", "a"; null for none. */
+    /** Called after the user has changed the number, between ticks. Null for none. */
     RButtonPressCallBack changed;
     void *userdata; /**< For @a changed. */
 } RParameter;
@@ -35,9 +36,9 @@ typedef struct RParameter {
 /** @name Parameters
  *  @{ */
 /**
- * Adds @a count parameters to those of the context. Table and texts are copied, the numbers are not: they must live as
- * long as the context. A parameter that is mistaken (no name, no value, a range or step that is none, a key that there
- * is not or that another parameter has) gets a warning and is left out.
+ * Adds @a count parameters to those of the context. Table and texts are copied; the variables are not, and must exist
+ * as long as the context. An invalid parameter (no name, no variable, a bad range or step, an unknown key or one that
+ * another parameter uses) gets a warning and is skipped.
  */
 MEPUBLIC void MEAPI RRenderCreateParameters(RRender *rc, const RParameter parameters[], int count);
 /** @} */

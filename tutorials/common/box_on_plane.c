@@ -1,4 +1,4 @@
-/* The contacts of boxes with a plane: one per corner. */
+/* Contacts of boxes with a plane: one per corner. */
 #include "box_on_plane.h"
 
 static const MeReal margin = (MeReal)0.02; /* m, above the plane */
@@ -18,7 +18,7 @@ void boxCreate(BoxOnPlane *box, MdtWorldID world, const MeReal size[3], MeReal m
     MdtContactGroupEnable(box->group);
 }
 
-/* The corner of that number, 0 to 7, in the world: its bits say on which side of the box it lies. */
+/* A corner of the box in the world frame: bit `axis` of its number, 0 to 7, is the side along that axis. */
 static void cornerOf(const BoxOnPlane *box, int number, MeVector3 corner) {
     const MeMatrix4Ptr tm = MdtBodyGetTransformPtr(box->body);
     for (int i = 0; i < 3; i++) {

@@ -1,6 +1,7 @@
 #include "drive.h"
 
-/* An arc that begins straight ahead and ends at (x, y), y to the left, has the curvature 2 y / (x² + y²). */
+/* An arc from the origin, tangential to the heading, through (x, y), y to the left, has the curvature 2 y / (x² +
+ * y²). */
 MeReal driveAlong(MdtBodyID body, const MeReal (*course)[2], int points, int *next) {
     MeMatrix4Ptr tm = MdtBodyGetTransformPtr(body);
     const MeVector3 way = {course[*next][0] - tm[3][0], 0, course[*next][1] - tm[3][2]};

@@ -12,7 +12,7 @@ static MeMatrix4 floorTM;
 static MeBool showContacts;
 static RMainLoopCallBackNoData programTick;
 
-/* FNV-1a over every bit of where the bodies are and how they move: two runs that end alike were alike. */
+/* FNV-1a hash of all bodies' transforms and velocities: two runs with the same hash are the same, bit by bit. */
 static MeU32 hashOf(const void *data, size_t size, MeU32 hash) {
     for (const unsigned char *byte = data; size > 0; size--)
         hash = (hash ^ *byte++) * 16777619u;
@@ -49,7 +49,7 @@ static void MEAPI toggleContacts(RRender *rc, void *userdata) {
     MeAppDrawContacts(playApp);
 }
 
-/* Contacts are hidden at first. */
+/* Sets up the drawing of contacts, hidden at first, and the key C. */
 static void prepareContacts(int contacts) {
     static float orange[4] = {1, .45f, 0, 1};
     MeAppDrawContactsInit(playApp, orange, contacts);
@@ -61,7 +61,7 @@ static void prepareContacts(int contacts) {
 MeBool playStart(int argc, const char **argv, const char *name, int models) {
     MstUniverseSizes sizes = MstUniverseDefaultSizes;
     char title[80];
-    models += 8; /* the balls that Space throws */
+    models += 8; /* balls thrown with Space */
     sizes.dynamicBodiesMaxCount = (unsigned int)models;
     sizes.collisionModelsMaxCount = (unsigned int)models + 16;
     sizes.collisionGeometryInstancesMaxCount = 8 * (unsigned int)models;

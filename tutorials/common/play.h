@@ -1,8 +1,8 @@
-/* A universe on the screen, by MeApp: what the tutorials of collision and dynamics together have in common.
+/* A universe on the screen, by MeApp: shared by the tutorials of collision and dynamics.
  *
- * y is up, gravity 9.81 m/s². There is one of everything, so that a tutorial shows what it is about. Models have
- * graphics that follow them; all of it is given back when the program ends. The key C (action 5) shows contacts; the
- * mouse, F, Space and the panels of F9 are those of MeAppCreateControls: every tutorial has them, and its help says so.
+ * y is up, gravity is 9.81 m/s². There is a single universe, viewer and MeApp, so that a tutorial shows only its
+ * subject. Models have graphics that follow them; everything is freed when the program ends. The key C (action 5) shows
+ * contacts; the mouse, F, Space and the panels of F9 are those of MeAppCreateControls, in every tutorial and its help.
  */
 #ifndef PLAY_H
 #define PLAY_H
@@ -12,39 +12,39 @@
 #include "Mst.h"
 
 extern MeApp *playApp;
-extern RRender *playRc; /* its context */
+extern RRender *playRc; /* playApp's context */
 extern MstUniverseID playUniverse;
-extern const MeReal playFrame; /* s, of a step: 1/60 */
+extern const MeReal playFrame; /* s, length of a step: 1/60 */
 
-/* The viewer and a universe for so many moving models; false if there is no picture to draw on. Materials touch with
- * the friction cone, coefficient .5, no restitution. */
+/* Creates the viewer and a universe with room for a number of moving models; false if there is nothing to draw on.
+ * Contacts have the friction cone, coefficient .5, and no restitution. */
 MeBool playStart(int argc, const char **argv, const char *name, int models);
-/* Help: the lines of RRenderCreateUserHelp. */
+/* Sets the help: lines as in RRenderCreateUserHelp. */
 void playHelp(const char *const help[], int lines);
-/* The camera: what it looks at, how far away, from which angles (rad). */
+/* Sets the camera: look-at point, distance, and angles (rad). */
 void playCamera(float x, float y, float z, float distance, float angle, float elevation);
-/* Calls tick before every frame, until the user leaves; does not return. Before it, the mouse pulls (MeAppStep). A run
- * of so many frames (-frames) ends on a hash of all bodies' state: the same program gives the same. */
+/* Calls MeAppStep (by which the mouse pulls bodies) and tick before every frame until the user leaves; does not return.
+ * A run with -frames prints a hash of all bodies' states at its end: the same in every run of a program. */
 void playRun(RMainLoopCallBackNoData tick);
 
-/* Moves an aggregate's parts, whose transforms are the program's, so that its centre of mass is its origin, where Karma
- * keeps a body's. Tells where it was. */
+/* Translates an aggregate's children, whose transforms the program owns, so that the centre of mass is the origin, as
+ * for bodies; `was` gets its former position. */
 void playCentre(McdAggregateID whole, MeVector3 was);
-/* A model with an enabled body of a density (kg/m³), its middle at a place, and its graphic. Null if there is no
+/* Creates a model with an enabled body of a density (kg/m³) at a position, and its graphic. Null if there is no
  * room. */
 McdModelID playModel(McdGeometryID g, MeReal density, MeReal x, MeReal y, MeReal z, const float color[4]);
-/* Another colour for such a model's graphic. */
+/* Sets the colour of the model's graphic. */
 void playColor(McdModelID m, const float color[4]);
-/* A model that does not move, at a transform that is kept. */
+/* Creates a model that does not move, at a transform that is kept by pointer. */
 McdModelID playFixed(McdGeometryID g, MeMatrix4Ptr tm, const float color[4]);
-/* The floor: the plane y = 0. */
+/* Creates the floor: the plane y = 0. */
 McdModelID playFloor(void);
-/* Puts a model's body at rest at a place, turned by an angle (rad) about an axis (0, 1, 2). Enables it. */
+/* Moves a model's body to a position, rotated by an angle (rad) about an axis (0, 1, 2), at rest. Enables it. */
 void playPlace(McdModelID m, MeReal x, MeReal y, MeReal z, int axis, MeReal angle);
 /* The contact parameters of two materials. */
 MdtContactParamsID playContact(MstMaterialID m1, MstMaterialID m2);
 
-/* For status lines: J, of motion; how many bodies are awake. */
+/* For status lines: the kinetic energy, J; the number of bodies that are awake. */
 double playEnergy(void);
 int playAwake(void);
 

@@ -11,7 +11,7 @@ typedef struct {
 
 static MeAppTerrain *terrain;
 
-/* From 0 to 1 while x does, level at both ends. */
+/* Smoothstep: 0 to 1 for x from 0 to 1, with slope 0 at both ends. */
 static MeReal smooth(MeReal x) {
     const MeReal t = MeCLAMP(x, 0, 1);
     return t * t * (3 - 2 * t);
