@@ -221,7 +221,7 @@ static MeDictNode *lastBefore(MeDict *dict, const void *key, MeBool orEqual) {
 
 /* ---- in and out ------------------------------------------------------------------------------------------------ */
 
-static MeBool hasRoom(MeDict *dict, const MeDictNode *node, const char *function) {
+static MeBool mayInsert(MeDict *dict, const MeDictNode *node, const char *function) {
     if (node->dict)
         MeWarning(1, "%s: the node is in a dictionary already", function);
     else if (dict->count >= dict->maxCount)
@@ -240,7 +240,7 @@ static void initNodeInDict(MeDict *dict, MeDictNode *node, const void *key) {
 }
 
 void MEAPI MeDictInsert(MeDict *dict, MeDictNode *node, const void *key) {
-    if (!isGiven(dict, "dictionary", __func__) || !isGiven(node, "node", __func__) || !hasRoom(dict, node, __func__))
+    if (!isGiven(dict, "dictionary", __func__) || !isGiven(node, "node", __func__) || !mayInsert(dict, node, __func__))
         return;
     if (!dict->allowsDupes && MeDictLookup(dict, key)) {
         MeWarning(1, "MeDictInsert: there is a node with that key: see MeDictAllowDupes");
@@ -335,7 +335,7 @@ void MEAPI MeDictLoadBegin(MeDictLoad *load, MeDict *dict) {
 
 void MEAPI MeDictLoadNext(MeDictLoad *load, MeDictNode *node, const void *key) {
     if (!isGiven(load, "load", __func__) || !isGiven(load->dict, "empty dictionary: see MeDictLoadBegin", __func__) ||
-        !isGiven(node, "node", __func__) || !hasRoom(load->dict, node, __func__))
+        !isGiven(node, "node", __func__) || !mayInsert(load->dict, node, __func__))
         return;
     MeDict *dict = load->dict;
     MeDictNode *last = load->last;

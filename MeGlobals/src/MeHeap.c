@@ -52,19 +52,19 @@ void MEAPI MeHeapDestroy(MeHeap *h) {
 }
 
 /* Whether item i is removed before item k. */
-static MeBool isBefore(const MeHeap *h, int i, int k) {
+static MeBool isRemovedBefore(const MeHeap *h, int i, int k) {
     return h->compare(h->item[i], h->item[k]) < 0;
 }
 
-static void swap(MeHeap *h, int i, int k) {
+static void swapItems(MeHeap *h, int i, int k) {
     void *item = h->item[i];
     h->item[i] = h->item[k];
     h->item[k] = item;
 }
 
-static MeBool isInOrder(const MeHeap *h) {
+static MeBool isHeapOrdered(const MeHeap *h) {
     for (int i = 1; i < h->count; i++)
-        if (isBefore(h, i, (i - 1) / 2))
+        if (isRemovedBefore(h, i, (i - 1) / 2))
             return MEFALSE;
     return METRUE;
 }
@@ -77,9 +77,9 @@ int MEAPI MeHeapPush(MeHeap *h, void *item) {
         return 0;
     }
     h->item[h->count] = item;
-    for (int i = h->count++; i > 0 && isBefore(h, i, (i - 1) / 2); i = (i - 1) / 2)
-        swap(h, i, (i - 1) / 2);
-    MEVALIDATE(isInOrder(h));
+    for (int i = h->count++; i > 0 && isRemovedBefore(h, i, (i - 1) / 2); i = (i - 1) / 2)
+        swapItems(h, i, (i - 1) / 2);
+    MEVALIDATE(isHeapOrdered(h));
     return 1;
 }
 
@@ -89,12 +89,12 @@ void *MEAPI MeHeapPop(MeHeap *h) {
     void *min = h->item[0];
     h->item[0] = h->item[--h->count];
     for (int i = 0, child = 1; child < h->count; i = child, child = 2 * i + 1) {
-        if (child + 1 < h->count && isBefore(h, child + 1, child))
+        if (child + 1 < h->count && isRemovedBefore(h, child + 1, child))
             child++;
-        if (!isBefore(h, child, i))
+        if (!isRemovedBefore(h, child, i))
             break;
-        swap(h, i, child);
+        swapItems(h, i, child);
     }
-    MEVALIDATE(isInOrder(h));
+    MEVALIDATE(isHeapOrdered(h));
     return min;
 }

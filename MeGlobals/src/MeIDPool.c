@@ -52,7 +52,7 @@ void MEAPI MeIDPoolReset(MeIDPool *pool) {
     pool->firstFree = pool->count = 0;
 }
 
-static MeBool growTo(MeIDPool *pool, int words, const char *function) {
+static MeBool growPool(MeIDPool *pool, int words, const char *function) {
     if (words <= pool->words)
         return METRUE;
     MeU32 *taken = me_create((size_t)words * sizeof *taken, function);
@@ -69,7 +69,7 @@ static MeBool growTo(MeIDPool *pool, int words, const char *function) {
 }
 
 void MEAPI MeIDPoolCopy(MeIDPool *to, MeIDPool *from) {
-    if (!isPool(to, __func__) || !isPool(from, __func__) || to == from || !growTo(to, from->words, __func__))
+    if (!isPool(to, __func__) || !isPool(from, __func__) || to == from || !growPool(to, from->words, __func__))
         return;
     MeIDPoolReset(to);
     if (from->words)
@@ -86,7 +86,7 @@ int MEAPI MeIDPoolRequestID(MeIDPool *pool) {
         MeWarning(1, "MeIDPoolRequestID: all %d numbers are taken", MAX);
         return -1;
     }
-    if (id / BITS >= pool->words && !growTo(pool, MeMIN(MeMAX(2 * pool->words, 1), MAX / BITS), __func__))
+    if (id / BITS >= pool->words && !growPool(pool, MeMIN(MeMAX(2 * pool->words, 1), MAX / BITS), __func__))
         return -1;
     MEASSERT(!isTaken(pool, id));
     pool->taken[id / BITS] |= (MeU32)1 << id % BITS;

@@ -37,21 +37,21 @@ MeMemoryAPIStruct MeMemoryAPI = {createDefault, createAlignedDefault, resizeDefa
 
 /* ---- calls of the functions that are set: quiet callbacks, which may change nothing (MeInternal.h) ---- */
 
-static void *create(size_t bytes) {
+static void *callCreate(size_t bytes) {
     const MeProgramCall before = MeProgramEnterQuiet("MeMemoryAPI.create");
     void *const block = MeMemoryAPI.create(bytes);
     MeProgramLeave(&before);
     return block;
 }
 
-static void *createAligned(size_t bytes, unsigned int alignment) {
+static void *callCreateAligned(size_t bytes, unsigned int alignment) {
     const MeProgramCall before = MeProgramEnterQuiet("MeMemoryAPI.createAligned");
     void *const block = MeMemoryAPI.createAligned(bytes, alignment);
     MeProgramLeave(&before);
     return block;
 }
 
-static void destroy(void *block) {
+static void callDestroy(void *block) {
     const MeProgramCall before = MeProgramEnterQuiet("MeMemoryAPI.destroy");
     MeMemoryAPI.destroy(block);
     MeProgramLeave(&before);
@@ -64,11 +64,11 @@ static void *reportIfNull(void *block, size_t bytes, const char *function) {
 }
 
 void *me_create(size_t bytes, const char *function) {
-    return reportIfNull(create(bytes), bytes, function);
+    return reportIfNull(callCreate(bytes), bytes, function);
 }
 
 void *me_createAligned(size_t bytes, unsigned int alignment, const char *function) {
-    return reportIfNull(createAligned(bytes, alignment), bytes, function);
+    return reportIfNull(callCreateAligned(bytes, alignment), bytes, function);
 }
 
 /* ---- for all libraries (MeInternal.h) ---- */
@@ -86,7 +86,7 @@ static void *reportIfNoMemory(void *block, size_t count, size_t size, const char
 
 void *MEAPI MeMemoryTake(size_t count, size_t size, const char *function, const char *what) {
     const size_t bytes = bytesOf(count, size);
-    return reportIfNoMemory(bytes > 0 ? create(bytes) : NULL, count, size, function, what);
+    return reportIfNoMemory(bytes > 0 ? callCreate(bytes) : NULL, count, size, function, what);
 }
 
 void *MEAPI MeMemoryTakeZeroed(size_t count, size_t size, const char *function, const char *what) {
@@ -110,13 +110,13 @@ MeBool MEAPI MeMemoryGrow(void *block, size_t used, size_t count, size_t size, c
 
 void MEAPI MeMemoryGive(void *block) {
     if (block != NULL)
-        destroy(block);
+        callDestroy(block);
 }
 
 void *MEAPI MeMemoryTakeAligned(size_t count, size_t size, unsigned int alignment, const char *function,
                                 const char *what) {
     const size_t bytes = bytesOf(count, size);
-    void *const block = bytes > 0 ? createAligned(bytes, alignment) : NULL;
+    void *const block = bytes > 0 ? callCreateAligned(bytes, alignment) : NULL;
     return reportIfNoMemory(block, count, size, function, what);
 }
 

@@ -20,7 +20,7 @@ MeShow MeInfoShow = MeShowStdout, MeDebugShow = MeShowStderr, MeLogShow = MeShow
 typedef enum Kind { INFO, DEBUG, LOG, WARNING, FATAL_ERROR } Kind;
 static _Thread_local unsigned int handling, showing; /* a bit for each kind */
 
-static void handle(Kind kind, MeHandler handler, MeHandler standard, int level, const char *format, va_list ap) {
+static void callHandler(Kind kind, MeHandler handler, MeHandler standard, int level, const char *format, va_list ap) {
     static const char *const setBy[] = {"MeSetInfoHandler", "MeSetDebugHandler", "MeSetLogHandler",
                                         "MeSetWarningHandler", "MeSetFatalErrorHandler"};
     const unsigned int before = handling;
@@ -50,7 +50,7 @@ void MEAPI_CDECL MeInfo(const int level, const char *const format, ...) {
     va_list ap;
     va_start(ap, format);
     if (!me_messageBuffer(MeInfo, level, format, ap))
-        handle(INFO, MeInfoHandler, MeHandlerInfo, level, format, ap);
+        callHandler(INFO, MeInfoHandler, MeHandlerInfo, level, format, ap);
     va_end(ap);
 }
 
@@ -60,7 +60,7 @@ void MEAPI_CDECL MeDebug(const int level, const char *const format, ...) {
     va_list ap;
     va_start(ap, format);
     if (!me_messageBuffer(MeDebug, level, format, ap))
-        handle(DEBUG, MeDebugHandler, MeHandlerDebug, level, format, ap);
+        callHandler(DEBUG, MeDebugHandler, MeHandlerDebug, level, format, ap);
     va_end(ap);
 }
 
@@ -70,7 +70,7 @@ void MEAPI_CDECL MeLog(const int level, const char *const format, ...) {
     va_list ap;
     va_start(ap, format);
     if (!me_messageBuffer(MeLog, level, format, ap))
-        handle(LOG, MeLogHandler, MeHandlerLog, level, format, ap);
+        callHandler(LOG, MeLogHandler, MeHandlerLog, level, format, ap);
     va_end(ap);
 }
 
@@ -82,7 +82,7 @@ void MEAPI_CDECL MeWarning(const int level, const char *const format, ...) {
     va_start(ap, format);
     const char *text = me_messageRename(format, &ap, renamed);
     if (!me_messageBuffer(MeWarning, level, text, ap))
-        handle(WARNING, MeWarningHandler, MeHandlerWarning, level, text, ap);
+        callHandler(WARNING, MeWarningHandler, MeHandlerWarning, level, text, ap);
     va_end(ap);
 }
 
@@ -93,7 +93,7 @@ void MEAPI_CDECL MeFatalError(const int level, const char *const format, ...) {
     va_list ap;
     va_start(ap, format);
     const char *text = me_messageRename(format, &ap, renamed);
-    handle(FATAL_ERROR, MeFatalErrorHandler, MeHandlerFatalError, level, text, ap);
+    callHandler(FATAL_ERROR, MeFatalErrorHandler, MeHandlerFatalError, level, text, ap);
     va_end(ap);
 }
 
@@ -190,7 +190,7 @@ static struct {
 static unsigned int nextRecentText;
 static atomic_flag recentTextsLock = ATOMIC_FLAG_INIT;
 
-static MeU64 hashOf(const char *text) {
+static MeU64 hashText(const char *text) {
     MeU64 hash = 0xcbf29ce484222325u;
     for (; *text; text++)
         hash = (hash ^ (unsigned char)*text) * 0x100000001b3u;
@@ -199,7 +199,7 @@ static MeU64 hashOf(const char *text) {
 
 /* Counts a text; returns how often it was shown before, if it is among the recent ones. */
 static int countRecentText(const char *text) {
-    const MeU64 hash = hashOf(text);
+    const MeU64 hash = hashText(text);
     unsigned int i = 0;
     while (atomic_flag_test_and_set(&recentTextsLock)) {
     }

@@ -12,7 +12,7 @@ static float toUnitInterval(float x) {
 
 /* The share of a primary in a colour whose hue is `distance` sixths of the colour circle away: 1 up to one sixth, 0
  * from two sixths on. */
-static float share(float distance) {
+static float primaryShare(float distance) {
     const float shortest = distance > 3 ? 6 - distance : distance;
     return toUnitInterval(2 - shortest);
 }
@@ -27,6 +27,6 @@ void MEAPI MeHSVtoRGB(float h, float s, float v, float rgb[3]) {
     const float saturation = toUnitInterval(s), value = toUnitInterval(v);
     for (int i = 0; i < 3; i++) {
         const float primary = 2 * (float)i; /* red at 0, green at 2, blue at 4 sixths */
-        rgb[i] = value * (1 - saturation * (1 - share(fabsf(hue - primary))));
+        rgb[i] = value * (1 - saturation * (1 - primaryShare(fabsf(hue - primary))));
     }
 }

@@ -30,7 +30,7 @@ static void callWatcher(void) {
         watcher.call(watcher.context);
 }
 
-static MeBool isOn(void) {
+static MeBool isThreadTimed(void) {
     return atomic_load_explicit(&owner, memory_order_relaxed) == &threadMark;
 }
 
@@ -191,7 +191,7 @@ void MEAPI MeProfileStartTiming(MeProfileTimerMode mode, MeProfileLogModes_enum 
 }
 
 void MEAPI MeProfileStopTimers(void) {
-    if (!isOn())
+    if (!isThreadTimed())
         return;
     const uint64_t now = me_now();
     while (me_profile.current != me_profile.root)
@@ -213,7 +213,7 @@ void MEAPI MeProfileStopTiming(void) {
 /* ---- marks ---- */
 
 void MEAPI MeProfileStartFrame(void) {
-    if (!isOn())
+    if (!isThreadTimed())
         return;
     if (me_profile.isInFrame)
         MeProfileEndFrame();
@@ -230,7 +230,7 @@ static void finishFrame(MeSection *s) {
 }
 
 void MEAPI MeProfileEndFrame(void) {
-    if (!isOn() || !me_profile.isInFrame)
+    if (!isThreadTimed() || !me_profile.isInFrame)
         return;
     countTimeOfAllInProgress(me_now());
     for (MeSection *s = me_profile.root; s != NULL; s = me_sectionNext(s))
@@ -240,7 +240,7 @@ void MEAPI MeProfileEndFrame(void) {
 }
 
 void MEAPI MeProfileStartSectionFn(const char *codeSection, char unsigned autoStop) {
-    if (!isOn())
+    if (!isThreadTimed())
         return;
     if (codeSection == NULL) {
         MeWarning(1, "MeProfileStartSection: the name is null");
@@ -264,7 +264,7 @@ static void warnOnce(const char *name, const char *what) {
 }
 
 void MEAPI MeProfileEndSectionFn(const char *codeSection) {
-    if (!isOn())
+    if (!isThreadTimed())
         return;
     const char *const name = codeSection != NULL ? codeSection : "(null)";
     const MeSection *ending = me_profile.current;
@@ -291,12 +291,12 @@ void MEAPI MeProfileWatch(void(MEAPI *watch)(void *watchContext), void *watchCon
 }
 
 const char *MEAPI MeProfileCurrentSection(void) {
-    return isOn() && me_profile.current->parent ? me_profile.current->name : NULL;
+    return isThreadTimed() && me_profile.current->parent ? me_profile.current->name : NULL;
 }
 
 /* ---- results ---- */
 
-static MeReal seconds(uint64_t nanoseconds) {
+static MeReal toSeconds(uint64_t nanoseconds) {
     return (MeReal)((double)nanoseconds / (double)ticksPerSecond);
 }
 
@@ -308,7 +308,7 @@ MeReal MEAPI MeProfileGetSectionTime(const char *codeSection) {
         if (!s->isRecursive && strcmp(s->name, codeSection) == 0)
             sum += s->lastFrame.time;
     }
-    return seconds(sum);
+    return toSeconds(sum);
 }
 
 MeReal MEAPI MeProfileGetAllSectionTime(void) {
@@ -317,5 +317,5 @@ MeReal MEAPI MeProfileGetAllSectionTime(void) {
         return 0;
     for (const MeSection *s = me_profile.root->firstChild; s != NULL; s = s->next)
         sum += s->lastFrame.time;
-    return seconds(sum);
+    return toSeconds(sum);
 }

@@ -93,7 +93,7 @@ const char *MEAPI MeGetDefaultFileLocation(int i) {
 }
 
 /* Opens a file by its name relative to a directory. */
-static int openIn(const char *directory, const char *name, MeOpenMode_enum mode, const char *function) {
+static int openInDirectory(const char *directory, const char *name, MeOpenMode_enum mode, const char *function) {
     char path[MAX_NAME];
     const int length = snprintf(path, sizeof path, "%s/%s", directory, name);
     return length < (int)sizeof path ? openFile(path, mode, function) : -1;
@@ -109,9 +109,9 @@ static int searchFor(const char *filename, MeOpenMode_enum mode, const char *fun
     int file = -1;
     for (int i = 0; file < 0 && MeGetDefaultFileLocation(i); i++) {
         if (name[0] != '/')
-            file = openIn(MeGetDefaultFileLocation(i), name, mode, function);
+            file = openInDirectory(MeGetDefaultFileLocation(i), name, mode, function);
         if (file < 0 && last != name && *last)
-            file = openIn(MeGetDefaultFileLocation(i), last, mode, function);
+            file = openInDirectory(MeGetDefaultFileLocation(i), last, mode, function);
     }
     return file;
 }

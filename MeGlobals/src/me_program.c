@@ -8,7 +8,7 @@ static _Thread_local struct {
     MeBool isQuiet;
 } runningFunction;
 
-static MeProgramCall enterProgram(const char *setBy, MeBool isQuiet) {
+static MeProgramCall enterCallback(const char *setBy, MeBool isQuiet) {
     MeProgramCall before = {.setBy = runningFunction.setBy, .isQuiet = runningFunction.isQuiet};
     me_namesSave(&before);
     runningFunction.setBy = setBy;
@@ -18,11 +18,11 @@ static MeProgramCall enterProgram(const char *setBy, MeBool isQuiet) {
 
 /* A callback within a quiet one is quiet, too. */
 MeProgramCall MEAPI MeProgramEnter(const char *setBy) {
-    return enterProgram(setBy, runningFunction.isQuiet);
+    return enterCallback(setBy, runningFunction.isQuiet);
 }
 
 MeProgramCall MEAPI MeProgramEnterQuiet(const char *setBy) {
-    return enterProgram(setBy, METRUE);
+    return enterCallback(setBy, METRUE);
 }
 
 void MEAPI MeProgramLeave(const MeProgramCall *before) {

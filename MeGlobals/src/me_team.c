@@ -69,19 +69,19 @@ struct MeTeam {
     MeMessageBuffer messages[MAX_AHEAD];             /* messages of that item */
 };
 
-static MeU64 pack(MeU64 number, int items, int next) {
+static MeU64 packClaim(MeU64 number, int items, int next) {
     return number << 2 * ITEM_BITS | (MeU64)items << ITEM_BITS | (MeU64)next;
 }
 
-static MeU64 numberOf(MeU64 claim) {
+static MeU64 loopNumberOf(MeU64 claim) {
     return claim >> 2 * ITEM_BITS;
 }
 
-static int nextOf(MeU64 claim) {
+static int nextItemOf(MeU64 claim) {
     return (int)(claim & ((1u << ITEM_BITS) - 1));
 }
 
-static int itemsOf(MeU64 claim) {
+static int itemCountOf(MeU64 claim) {
     return (int)(claim >> ITEM_BITS & ((1u << ITEM_BITS) - 1));
 }
 
@@ -157,10 +157,10 @@ void MEAPI MeTeamWatch(MeTeam *t, MeTeamWatchCB watch, void *watchContext) {
 /* Claims the next item of a share; -1: none is left. */
 static int claimItem(Share *share) {
     MeU64 claim = atomic_load_explicit(&share->claim, memory_order_acquire);
-    while (nextOf(claim) < itemsOf(claim))
+    while (nextItemOf(claim) < itemCountOf(claim))
         if (atomic_compare_exchange_weak_explicit(&share->claim, &claim, claim + 1, memory_order_acq_rel,
                                                   memory_order_acquire))
-            return nextOf(claim);
+            return nextItemOf(claim);
     return -1;
 }
 
@@ -214,20 +214,20 @@ static void runLoop(MeTeam *t, int worker) {
 /* Claims the next item of a pipe for which a buffer is free; -1: none now, or all are claimed. */
 static int claimPipeItem(MeTeam *t) {
     MeU64 claim = atomic_load_explicit(&t->pipe.claim, memory_order_acquire);
-    while (nextOf(claim) < itemsOf(claim)) {
+    while (nextItemOf(claim) < itemCountOf(claim)) {
         const MeU64 used = atomic_load_explicit(&t->used.claim, memory_order_acquire);
-        if (numberOf(used) != numberOf(claim) || nextOf(claim) >= nextOf(used) + itemsOf(used))
+        if (loopNumberOf(used) != loopNumberOf(claim) || nextItemOf(claim) >= nextItemOf(used) + itemCountOf(used))
             return -1;
         if (atomic_compare_exchange_weak_explicit(&t->pipe.claim, &claim, claim + 1, memory_order_acq_rel,
                                                   memory_order_acquire))
-            return nextOf(claim);
+            return nextItemOf(claim);
     }
     return -1;
 }
 
 static MeBool hasUnclaimedItems(const MeTeam *t) {
     const MeU64 claim = atomic_load_explicit(&t->pipe.claim, memory_order_relaxed);
-    return nextOf(claim) < itemsOf(claim);
+    return nextItemOf(claim) < itemCountOf(claim);
 }
 
 /* Makes one item of a pipe, if one can be claimed. */
@@ -236,7 +236,7 @@ static MeBool makePipeItem(MeTeam *t, int worker) {
     const int item = claimPipeItem(t);
     if (item < 0)
         return MEFALSE;
-    const int ahead = itemsOf(atomic_load_explicit(&t->used.claim, memory_order_relaxed));
+    const int ahead = itemCountOf(atomic_load_explicit(&t->used.claim, memory_order_relaxed));
     MeMessageBuffer *const before = MeMessagesBuffer(&t->messages[item % ahead]);
     t->loop.work(t->loop.context, item, worker);
     notifyObserver(t, MeTeamItemDone, item, 0);
@@ -256,7 +256,7 @@ static void makePipeItems(MeTeam *t, int worker) {
 
 /* ---- tasks ------------------------------------------------------------------------------------------------------- */
 
-static MeBool isClosed(unsigned int number) {
+static MeBool isTeamClosed(unsigned int number) {
     return number & 1;
 }
 
@@ -264,7 +264,7 @@ static void runLoopsUntilClosed(MeTeam *t, int worker) {
     unsigned int seen = 0;
     for (int spins = 0;;) {
         const unsigned int number = atomic_load_explicit(&t->number, memory_order_acquire);
-        if (isClosed(number))
+        if (isTeamClosed(number))
             return;
         if (number == seen) {
             spinOrYield(&spins);
@@ -411,7 +411,7 @@ void MEAPI MeTeamRun(MeTeam *t, int items, MeTeamWork work, void *context) {
     notifyObserver(t, MeTeamLoopBegins, items, 0);
     const MeU64 number = setLoop(t, items, work, context);
     for (int i = 0; i < t->size; i++)
-        atomic_store_explicit(&t->share[i].claim, pack(number, firstItemOf(t, i + 1) - firstItemOf(t, i), 0),
+        atomic_store_explicit(&t->share[i].claim, packClaim(number, firstItemOf(t, i + 1) - firstItemOf(t, i), 0),
                               memory_order_release);
     advanceLoopNumber(t, 2);
     runLoop(t, 0);
@@ -458,8 +458,8 @@ void MEAPI MeTeamPipe(MeTeam *t, int items, int ahead, MeTeamWork make, MeTeamWo
     const MeU64 number = setLoop(t, items, make, context);
     for (int i = 0; i < buffers; i++)
         atomic_store_explicit(&t->made[i], 0, memory_order_relaxed);
-    atomic_store_explicit(&t->used.claim, pack(number, buffers, 0), memory_order_release);
-    atomic_store_explicit(&t->pipe.claim, pack(number, items, 0), memory_order_release);
+    atomic_store_explicit(&t->used.claim, packClaim(number, buffers, 0), memory_order_release);
+    atomic_store_explicit(&t->pipe.claim, packClaim(number, items, 0), memory_order_release);
     advanceLoopNumber(t, 2);
     for (int i = 0; i < items; i++) {
         for (int spins = 0; atomic_load_explicit(&t->made[i % buffers], memory_order_acquire) != i + 1;)
@@ -468,7 +468,7 @@ void MEAPI MeTeamPipe(MeTeam *t, int items, int ahead, MeTeamWork make, MeTeamWo
         MeMessagesSend((MeMessageBuffer *[]){&t->messages[i % buffers]}, 1);
         use(context, i, 0);
         notifyObserver(t, MeTeamItemUsed, i, 0);
-        atomic_store_explicit(&t->used.claim, pack(number, buffers, i + 1), memory_order_release);
+        atomic_store_explicit(&t->used.claim, packClaim(number, buffers, i + 1), memory_order_release);
     }
     t->isRunning = MEFALSE;
     notifyObserver(t, MeTeamLoopEnds, items, 0);

@@ -42,7 +42,7 @@ typedef struct MstAdviser {
     int rounds; /* completed rounds of timing */
     double cost[TRIALS][MAX_ROUNDS];
     MstTrial trial[TRIALS];
-    int together[MST_KNOBS]; /* by knob: index of the chosen trial; 0: none */
+    int combination[MST_KNOBS]; /* by knob: index of the chosen trial; 0: none */
     MstAdvice advice;
 } MstAdviser;
 
@@ -155,8 +155,8 @@ static int settingsOfTrial(const MstAdviser *a, int trial, const MstSetting *set
         setting[count++] = &a->setting[trial - 1];
     else
         for (int knob = 0; knob < MST_KNOBS; knob++)
-            if (a->together[knob])
-                setting[count++] = &a->setting[a->together[knob] - 1];
+            if (a->combination[knob])
+                setting[count++] = &a->setting[a->combination[knob] - 1];
     return count;
 }
 
@@ -246,12 +246,12 @@ static MeBool timeTrials(MstAdviser *a, MstUniverseID u, MstRecord *record, int 
 }
 
 /* Chooses for each knob the setting that saves most time, or that the scene needs. Returns their number. */
-static int chooseTogether(MstAdviser *a) {
+static int chooseCombination(MstAdviser *a) {
     int count = 0;
     for (int pass = 0; pass < 2; pass++)
         for (int trial = 1; trial <= a->settings; trial++) {
             const MstTrial *t = &a->trial[trial];
-            int *chosen = &a->together[a->setting[trial - 1].knob];
+            int *chosen = &a->combination[a->setting[trial - 1].knob];
             if (t->verdict != (pass ? MstVerdictTake : MstVerdictMend))
                 continue;
             if (!*chosen || (a->trial[*chosen].verdict == MstVerdictTake && t->ratio < a->trial[*chosen].ratio)) {
@@ -262,12 +262,12 @@ static int chooseTogether(MstAdviser *a) {
     return count;
 }
 
-static void nameTogether(MstAdviser *a, MstTrial *t) {
+static void nameCombination(MstAdviser *a, MstTrial *t) {
     int length = 0;
     for (int knob = 0; knob < MST_KNOBS; knob++)
-        if (a->together[knob] && length < (int)sizeof t->setting)
+        if (a->combination[knob] && length < (int)sizeof t->setting)
             length += snprintf(t->setting + length, sizeof t->setting - (size_t)length, "%s%d",
-                               length ? " and " : "together: ", a->together[knob]);
+                               length ? " and " : "together: ", a->combination[knob]);
 }
 
 /* The index of the setting that saves most time or, if there is one, that the scene needs. */
@@ -283,15 +283,15 @@ static int bestSingleTrial(const MstAdviser *a) {
     return best;
 }
 
-static MeBool runTogether(MstAdviser *a, MstUniverseID u, MstRecord *record, double asItIs) {
-    const int trial = a->settings + 1, chosen = chooseTogether(a);
+static MeBool runCombination(MstAdviser *a, MstUniverseID u, MstRecord *record, double asItIs) {
+    const int trial = a->settings + 1, chosen = chooseCombination(a);
     a->advice.best = bestSingleTrial(a);
     if (chosen < 2)
         return MEFALSE;
-    const double extension = (double)a->params.patience / 4; /* the trial of all settings together may exceed the
-                                                                patience by this */
+    const double extension = (double)a->params.patience / 4; /* the trial of the combination may exceed the patience by
+                                                                this */
     a->deadline = fmax(a->deadline, mst_clock() + extension);
-    nameTogether(a, &a->trial[trial]);
+    nameCombination(a, &a->trial[trial]);
     if (runTrial(a, u, record, trial, timeLimit(a, asItIs)))
         return METRUE;
     recordTrial(a, record, trial);
@@ -307,12 +307,12 @@ static MeBool runTogether(MstAdviser *a, MstUniverseID u, MstRecord *record, dou
     return MEFALSE;
 }
 
-static void listBest(MstAdviser *a) {
+static void listBestSettings(MstAdviser *a) {
     MstAdvice *advice = &a->advice;
     if (advice->best > a->settings) {
         for (int knob = 0; knob < MST_KNOBS; knob++)
-            if (a->together[knob])
-                advice->follow[advice->followCount++] = a->together[knob];
+            if (a->combination[knob])
+                advice->follow[advice->followCount++] = a->combination[knob];
     } else if (advice->best > 0)
         advice->follow[advice->followCount++] = advice->best;
 }
@@ -334,15 +334,15 @@ static MeBool runAll(MstAdviser *a, MstUniverseID u, MstRecord *record) {
     if (runTrials(a, u, record, asItIs) || timeTrials(a, u, record, 1, a->settings))
         return METRUE;
     mst_trialsRate(a->trial, a->advice.count, (double)a->advice.tolerance, a->lastSample >= 0);
-    if (runTogether(a, u, record, asItIs))
+    if (runCombination(a, u, record, asItIs))
         return METRUE;
-    listBest(a);
+    listBestSettings(a);
     return MEFALSE;
 }
 
 /* ---- around a step ----------------------------------------------------------------------------------------------- */
 
-static void prepare(MstAdviser *a, MstUniverseID u, double step) {
+static void initAdvice(MstAdviser *a, MstUniverseID u, double step) {
     const double tolerance = (double)a->params.tolerance;
     a->deadline = mst_clock() + (double)a->params.patience;
     a->lastSample = -1;
@@ -356,7 +356,7 @@ static void prepare(MstAdviser *a, MstUniverseID u, double step) {
 
 /* Returns METRUE in a copy. */
 static MeBool advise(MstAdviser *a, MstUniverseID u, double step) {
-    prepare(a, u, step);
+    initAdvice(a, u, step);
     const MstRecordSize size = a->copy.size;
     MstRecord *record = mst_recordCreate(&size);
     a->reference = mst_recordCreate(&size);

@@ -117,7 +117,7 @@ void mst_trialMeasure(MstTrial *t, const MstRecord *r, const MstRecord *referenc
 void mst_trialSetCosts(MstTrial *t, const double *cost, const double *asItIs, int rounds, MeBool isTime);
 /* Sets verdicts and sentences of all trials but the first. */
 void mst_trialsRate(MstTrial *t, int count, double tolerance, MeBool isCompared);
-/* Whether a trial's errors are no larger than those of another one, or within the tolerance. */
+/* Whether a trial's errors are at most 10 % above those of another one, or within the tolerance. */
 MeBool mst_trialIsAcceptable(const MstTrial *t, const MstTrial *asItIs, double tolerance);
 
 #endif

@@ -19,9 +19,10 @@ typedef struct Plan {
     int count;
 } Plan;
 
-static void add(Plan *plan, MstKnob knob, double value, double value2, const char *format, ...) ME_PRINTF_LIKE(5, 6);
+static void addSetting(Plan *plan, MstKnob knob, double value, double value2, const char *format, ...)
+    ME_PRINTF_LIKE(5, 6);
 
-static void add(Plan *plan, MstKnob knob, double value, double value2, const char *format, ...) {
+static void addSetting(Plan *plan, MstKnob knob, double value, double value2, const char *format, ...) {
     va_list arguments;
     MEASSERT(plan->count < MST_SETTINGS);
     MstSetting *s = &plan->setting[plan->count++];
@@ -85,36 +86,36 @@ static void planSolver(Plan *plan, MdtWorldID w, const MstSceneTraits *traits) {
         const MeBool isUsed = now == MdtSolverAuto && ((i == MdtSolverExact && !traits->usesFastSolver) ||
                                                        (i == MdtSolverFast && !traits->usesExactSolver));
         if (i != (int)now && !isUsed)
-            add(plan, MST_KNOB_SOLVER, i, 0, "MdtWorldSetSolver(world, %s)", name[i]);
+            addSetting(plan, MST_KNOB_SOLVER, i, 0, "MdtWorldSetSolver(world, %s)", name[i]);
     }
     const double accuracy = (double)MdtWorldGetAccuracy(w);
     if (traits->usesFastSolver && accuracy > 0)
         for (int i = 0; i < 2; i++) {
             const double value = i ? accuracy / 10 : accuracy * 10;
-            add(plan, MST_KNOB_ACCURACY, value, 0, "MdtWorldSetAccuracy(world, %.2g)", value);
+            addSetting(plan, MST_KNOB_ACCURACY, value, 0, "MdtWorldSetAccuracy(world, %.2g)", value);
         }
     if (traits->exceedsBudget) {
         const double budget = 4 * (double)MdtWorldGetWorkBudget(w);
-        add(plan, MST_KNOB_BUDGET, budget, 0, "MdtWorldSetWorkBudget(world, %g)", budget);
+        addSetting(plan, MST_KNOB_BUDGET, budget, 0, "MdtWorldSetWorkBudget(world, %g)", budget);
     }
 }
 
 static void planTime(Plan *plan, MdtWorldID w, const MstSceneTraits *traits) {
     const int n = MdtWorldGetSubSteps(w);
     if (n > 2)
-        add(plan, MST_KNOB_SUBSTEPS, 1, 0, "MdtWorldSetSubSteps(world, 1)");
+        addSetting(plan, MST_KNOB_SUBSTEPS, 1, 0, "MdtWorldSetSubSteps(world, 1)");
     if (n > 1)
-        add(plan, MST_KNOB_SUBSTEPS, n / 2, 0, "MdtWorldSetSubSteps(world, %d)", n / 2);
+        addSetting(plan, MST_KNOB_SUBSTEPS, n / 2, 0, "MdtWorldSetSubSteps(world, %d)", n / 2);
     for (int factor = 2; factor <= 4; factor *= 2)
         if (factor * n <= 1000)
-            add(plan, MST_KNOB_SUBSTEPS, factor * n, 0, "MdtWorldSetSubSteps(world, %d)", factor * n);
+            addSetting(plan, MST_KNOB_SUBSTEPS, factor * n, 0, "MdtWorldSetSubSteps(world, %d)", factor * n);
     if (traits->hasContacts && MdtWorldGetTimedContacts(w) > 0)
-        add(plan, MST_KNOB_TIMED, 0, 0, "MdtWorldSetTimedContacts(world, 0)");
+        addSetting(plan, MST_KNOB_TIMED, 0, 0, "MdtWorldSetTimedContacts(world, 0)");
     else if (traits->hasContacts)
-        add(plan, MST_KNOB_TIMED, 8, 0, "MdtWorldSetTimedContacts(world, 8)");
+        addSetting(plan, MST_KNOB_TIMED, 8, 0, "MdtWorldSetTimedContacts(world, 8)");
     if (traits->hasJoints) {
         const int other = MdtWorldGetIntegratorOrder(w) == 2 ? 4 : 2;
-        add(plan, MST_KNOB_ORDER, other, 0, "MdtWorldSetIntegratorOrder(world, %d)", other);
+        addSetting(plan, MST_KNOB_ORDER, other, 0, "MdtWorldSetIntegratorOrder(world, %d)", other);
     }
 }
 
@@ -127,20 +128,20 @@ static void planFriction(Plan *plan, MstUniverseID u) {
     for (int i = 0; i < 2; i++) {
         const int pairs = countFriction(u, change[i].from);
         if (pairs > 0)
-            add(plan, MST_KNOB_FRICTION, change[i].from, change[i].to,
-                "MdtContactParamsSetFrictionModel(params, %s) of %d material pair%s", change[i].name, pairs,
-                pairs > 1 ? "s" : "");
+            addSetting(plan, MST_KNOB_FRICTION, change[i].from, change[i].to,
+                       "MdtContactParamsSetFrictionModel(params, %s) of %d material pair%s", change[i].name, pairs,
+                       pairs > 1 ? "s" : "");
     }
 }
 
 static void planSleep(Plan *plan, MdtWorldID w) {
     const MeBool isOn = MdtWorldGetAutoDisable(w);
-    add(plan, MST_KNOB_SLEEP, !isOn, 0, "MdtWorldSetAutoDisable(world, %s)", isOn ? "MEFALSE" : "METRUE");
+    addSetting(plan, MST_KNOB_SLEEP, !isOn, 0, "MdtWorldSetAutoDisable(world, %s)", isOn ? "MEFALSE" : "METRUE");
     if (isOn)
         for (int i = 0; i < 2; i++)
-            add(plan, MST_KNOB_SLEEP_THRESHOLD, i ? .5 : 2, 0,
-                "MdtWorldSetAutoDisable...Threshold(world, %s of what it is), all four",
-                i ? "a quarter" : "four times");
+            addSetting(plan, MST_KNOB_SLEEP_THRESHOLD, i ? .5 : 2, 0,
+                       "MdtWorldSetAutoDisable...Threshold(world, %s of what it is), all four",
+                       i ? "a quarter" : "four times");
 }
 
 /* Plans a trial of other scales if the length scale is wrong by a factor of 4, as sleep thresholds, which are squares
@@ -152,8 +153,8 @@ static void planScales(Plan *plan, MstUniverseID u, const Models *models) {
         return;
     const double byLength = length / (double)u->sizes.lengthScale, byMass = mass / (double)u->sizes.massScale;
     if (byLength > FAR || byLength < 1. / FAR || byMass > FAR * FAR * FAR || byMass < 1. / (FAR * FAR * FAR))
-        add(plan, MST_KNOB_SCALES, length, mass, "MstUniverseSizes.lengthScale = %.2g, .massScale = %.2g", length,
-            mass);
+        addSetting(plan, MST_KNOB_SCALES, length, mass, "MstUniverseSizes.lengthScale = %.2g, .massScale = %.2g",
+                   length, mass);
 }
 
 int mst_settingsPlan(MstUniverseID u, const MstSceneTraits *traits, MstSetting setting[MST_SETTINGS]) {
@@ -165,15 +166,15 @@ int mst_settingsPlan(MstUniverseID u, const MstSceneTraits *traits, MstSetting s
         planFriction(&plan, u);
     }
     if (models.swept > 0)
-        add(&plan, MST_KNOB_SWEPT, MEFALSE, 0, "McdModelSetSwept(model, MEFALSE) of all %d", models.swept);
+        addSetting(&plan, MST_KNOB_SWEPT, MEFALSE, 0, "McdModelSetSwept(model, MEFALSE) of all %d", models.swept);
     if (traits->hasFastBodies && models.swept < models.withBody)
-        add(&plan, MST_KNOB_SWEPT, METRUE, 0, "McdModelSetSwept(model, METRUE) of all %d", models.withBody);
+        addSetting(&plan, MST_KNOB_SWEPT, METRUE, 0, "McdModelSetSwept(model, METRUE) of all %d", models.withBody);
     planSleep(&plan, u->world);
     if (traits->hasLargeIsland && MstBridgeGetContactReuse(u->bridge) > 0)
-        add(&plan, MST_KNOB_REUSE, 0, 0, "MstBridgeSetContactReuse(bridge, 0)");
+        addSetting(&plan, MST_KNOB_REUSE, 0, 0, "MstBridgeSetContactReuse(bridge, 0)");
     if (traits->hasLargeIsland) {
         const double reuse = fmin(1, 10 * fmax((double)MstBridgeGetContactReuse(u->bridge), .1 * MST_CONTACT_REUSE));
-        add(&plan, MST_KNOB_REUSE, reuse, 0, "MstBridgeSetContactReuse(bridge, %g)", reuse);
+        addSetting(&plan, MST_KNOB_REUSE, reuse, 0, "MstBridgeSetContactReuse(bridge, %g)", reuse);
     }
     planScales(&plan, u, &models);
     return plan.count;

@@ -28,7 +28,7 @@ static MeBool isOfBody(const McdModel *m, MdtBodyID b) {
 
 static void detachModel(McdModelID m);
 
-static MeStage *MEAPI guardOf(const MdtBodyID b) {
+static MeStage *MEAPI guardStageOf(const MdtBodyID b) {
     MeStage *stage = 0;
     for (McdModelID m = MdtBodyGetModel(b); m && !stage; m = m->mOfBody)
         stage = McdModelGetGuardStage(m);
@@ -56,7 +56,7 @@ static void MEAPI markModelsChanged(const MdtBodyID b) {
         McdModelStir(m);
 }
 
-static const MdtBodyUser modelCallbacks = {guardOf, markModelsGone, detachModels, markModelsChanged};
+static const MdtBodyUser modelCallbacks = {guardStageOf, markModelsGone, detachModels, markModelsChanged};
 
 static void setModels(MdtBodyID b, McdModelID first) {
     MdtBodySetUser(b, first, first ? &modelCallbacks : 0);

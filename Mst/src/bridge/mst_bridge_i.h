@@ -153,10 +153,9 @@ void mst_applyProgramChanges(MstBridgeRecord *b, McdSpaceID s);
 void mst_wakeBodiesOfMaterials(const MstBridgeRecord *b, const MstMaterialPair *changed);
 /* Freezes the models again that mst_applyProgramChanges unfroze, unless their bodies are awake now. */
 void mst_refreezeModels(MstBridgeRecord *b);
-/* Whether the program moves the pair's model without a body in this step, or did in the last one, so that the surface
- * velocities of the contacts change. */
+/* Whether the program moves the pair's model without a body in this step, or did in the last one. */
 MeBool mst_isPushedByModel(const McdModelPair *p);
-/* Then sets these velocities. */
+/* If the program moves the pair's model without a body: sets the surface velocities of the contacts. */
 void mst_setPushVelocities(const MstBridgeRecord *b, const McdModelPair *p);
 
 #endif

@@ -41,7 +41,7 @@ struct MstTouch {
     bool isSensor;                                  /* a model is a sensor; as of that step, like the rest of the
                                                        line */
     bool hasContacts;                               /* the pair has contacts */
-    bool isUndecided;                               /* whether it touches depends on forces: it is in the list of
+    bool isUndecided;                               /* contact forces decide whether it touches: it is in the list of
                                                        undecided touches, too */
     bool isPushed;                                  /* a model without a body pushes its contacts (mst_moved.c) */
     MeReal lag;        /* s, lag of its bodies when `impulse` was last summed; MEINFINITY: not yet in this step */
@@ -53,7 +53,7 @@ struct MstTouch {
     MstBridgeRecord *bridge;
     MstMaterialID material[2];
     MeReal approachSpeed;       /* m/s, the largest of its contacts */
-    MeReal deepest;             /* m, the separation at `position`, until forces select the contact */
+    MeReal deepest;             /* m, the separation at `position`; used until impulses select the contact */
     MeReal largestImpulse;      /* N s, of one contact */
     MeVector3 position, normal; /* of the contact with the largest impulse; of sensors, the deepest one */
     /* Written when the touch is allocated. */
@@ -82,7 +82,7 @@ typedef struct MstEvents {
     unsigned long list; /* the number of this step's list */
     MstTouch **listed;  /* touches of this step in the order of the space's pairs; null: removed since */
     int listedCount, listedMax;
-    MstTouch **undecided; /* those of them that touch or not depending on forces */
+    MstTouch **undecided; /* those of them for which contact forces decide whether they touch */
     int undecidedCount, undecidedMax;
     MeBool isPending;         /* the step is done, but its list of events has not been made yet */
     int callbacks;            /* number of material pairs with a touch callback; if not 0, the list is made at the end

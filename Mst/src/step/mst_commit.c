@@ -42,7 +42,7 @@ static MeBool areBodiesOfWorld(MstBridgeRecord *b, MdtBodyID body1, MdtBodyID bo
 }
 
 /* For assertions: the bodies of the pair's group are those of its models, with the world second. */
-static inline MeBool hasItsBodies(const McdModelPair *p) {
+static inline MeBool hasGroupItsBodies(const McdModelPair *p) {
     const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
     return MdtContactGroupGetBody(p->responseData, 0) == (body1 ? body1 : body2) &&
            MdtContactGroupGetBody(p->responseData, 1) == (body1 ? body2 : 0);
@@ -51,7 +51,7 @@ static inline MeBool hasItsBodies(const McdModelPair *p) {
 /* The pair's group, created if needed; null if the world is full, or the pair's bodies make no contacts. */
 static MdtContactGroupID ensureGroup(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w) {
     const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
-    MEASSERT(!p->responseData || hasItsBodies(p));
+    MEASSERT(!p->responseData || hasGroupItsBodies(p));
     if (p->responseData)
         return p->responseData;
     if ((!body1 && !body2) || body1 == body2 || !areBodiesOfWorld(b, body1, body2, w))
@@ -86,7 +86,7 @@ static void keepContactsInPlace(MstBridgeRecord *b, McdModelPair *p, MstMaterial
     const MdtContactGroupID group = p->responseData;
     const unsigned long version = mst_materialVersion(b, materials);
     MstTouch *t = p->touch;
-    MEASSERT(hasItsBodies(p));
+    MEASSERT(hasGroupItsBodies(p));
     if (t->version != version)
         for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c))
             MdtContactSetParams(c, &materials->params);

@@ -42,7 +42,7 @@ static MeBool allocateRuns(MstBridgeRecord *b) {
     return runs != 0;
 }
 
-/* ---- pairs that workers may collideItem ---- */
+/* ---- pairs that workers may collide ---- */
 
 static int firstPairOf(int run) {
     return run * MST_RUN;
@@ -95,7 +95,7 @@ static int countPlainPairs(MeTeam *team, MstBridgeRecord *b, McdModelPair *const
     return plain;
 }
 
-/* ---- collideItem and commitItem ---- */
+/* ---- collide and commit ---- */
 
 static int endPairOf(const PairPipeline *p, int run) {
     return MeMIN(firstPairOf(run + 1), p->count);

@@ -10,8 +10,8 @@
 static inline MeBool mst_touchIsListed(const MstEvents *e, const MstTouch *t) {
     return t->listedIn == e->list;
 }
-/* Whether it touched at the end of the last finished step. Computed this way so that no pass over all touches is needed
- * when a step begins. */
+/* Whether the pair touched at the end of the last finished step. Computed from two flags, so that no pass over all
+ * touches is needed when a step begins. */
 static inline MeBool mst_touchIsTouching(const MstEvents *e, const MstTouch *t) {
     return mst_touchIsListed(e, t) ? t->wasTouching : t->isTouching;
 }

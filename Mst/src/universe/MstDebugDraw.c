@@ -42,19 +42,20 @@ static MeBool isDrawn(const Drawing *d, unsigned int layers) {
         }                                                                                                              \
     } while (0)
 
-static void line(const Drawing *d, const MeVector3 a, const MeVector3 b, const float color[4]) {
+static void drawLine(const Drawing *d, const MeVector3 a, const MeVector3 b, const float color[4]) {
     CALL_PROGRAM(d, line, a, b, color);
 }
 
-static void point(const Drawing *d, const MeVector3 p, const float color[4]) {
+static void drawPoint(const Drawing *d, const MeVector3 p, const float color[4]) {
     CALL_PROGRAM(d, point, p, color);
 }
 
-static void triangle(const Drawing *d, const MeVector3 a, const MeVector3 b, const MeVector3 c, const float color[4]) {
+static void drawTriangle(const Drawing *d, const MeVector3 a, const MeVector3 b, const MeVector3 c,
+                         const float color[4]) {
     CALL_PROGRAM(d, triangle, a, b, c, color);
 }
 
-static void text(const Drawing *d, const MeVector3 p, const char *words, const float color[4]) {
+static void drawText(const Drawing *d, const MeVector3 p, const char *words, const float color[4]) {
     CALL_PROGRAM(d, text, p, words, color);
 }
 
@@ -62,7 +63,7 @@ static void text(const Drawing *d, const MeVector3 p, const char *words, const f
 static void drawLineAlong(const Drawing *d, const MeVector3 from, const MeVector3 v, MeReal times, const float color[4],
                           MeVector3 end) {
     MeVector3ScaleAndAdd(end, v, times, from);
-    line(d, from, end, color);
+    drawLine(d, from, end, color);
 }
 
 /* Draws a line from a point along `times` v, with a head of two strokes. */
@@ -73,7 +74,7 @@ static void drawArrow(const Drawing *d, const MeVector3 from, const MeVector3 v,
     for (int i = -1; i <= 1; i += 2) {
         for (int k = 0; k < 3; k++)
             barb[k] = end[k] - (MeReal)0.2 * times * v[k] + (MeReal)(0.1 * i) * MeVector3Magnitude(v) * times * side[k];
-        line(d, end, barb, color);
+        drawLine(d, end, barb, color);
     }
 }
 
@@ -84,7 +85,7 @@ static _Thread_local const Drawing *outlineDrawing;
 
 static void MEAPI drawOutlineLine(MeVector3 a, MeVector3 b, MeReal r, MeReal g, MeReal bl) {
     const float color[4] = {(float)r, (float)g, (float)bl, 1};
-    line(outlineDrawing, a, b, color);
+    drawLine(outlineDrawing, a, b, color);
 }
 
 static void drawOutline(const Drawing *d, McdModelID m, McduDebugDrawFlags flags, const float color[4]) {
@@ -134,7 +135,7 @@ static void nameModel(const Drawing *d, McdModelID m, int number) {
     MeVector3Scale(low, (MeReal)0.5);
     snprintf(words, sizeof words, "%s %d", McdGeometryGetTypeName(McdModelGetGeometry(m)), number);
     if (MeRealIsValid(MeVector3MagnitudeSqr(low)))
-        text(d, low, words, white);
+        drawText(d, low, words, white);
 }
 
 static void drawModels(const Drawing *d, McdSpaceID s) {
@@ -171,7 +172,7 @@ static void drawContact(const Drawing *d, MdtContactID c) {
     MdtContactGetPosition(c, p);
     MdtContactGetNormal(c, n);
     if (isDrawn(d, MstDebugContacts)) {
-        point(d, p, MdtContactGetPenetration(c) > 0 ? red : yellow);
+        drawPoint(d, p, MdtContactGetPenetration(c) > 0 ? red : yellow);
         drawLineAlong(d, p, n, (MeReal)0.2 * d->length, yellow, end);
     }
     if (isDrawn(d, MstDebugForces))
@@ -219,21 +220,21 @@ static void drawArcArrow(const Drawing *d, const MeVector3 at, const MeVector3 a
         rotateVector(from, axis, angle * (MeReal)i / STEPS, edge);
         MeVector3ScaleAndAdd(end, edge, radius, at);
         if (i > 0)
-            line(d, before, end, color);
+            drawLine(d, before, end, color);
         MeVector3Copy(before, end);
     }
     MeVector3Cross(ahead, axis, edge);
     for (int i = -1; i <= 1; i += 2) {
         for (int k = 0; k < 3; k++)
             barb[k] = end[k] - head * ahead[k] + (MeReal)(0.12 * i) * radius * edge[k];
-        line(d, end, barb, color);
+        drawLine(d, end, barb, color);
     }
 }
 
 static void drawAngleText(const Drawing *d, const MeVector3 at, MeReal angle) {
     char words[32];
     snprintf(words, sizeof words, "%.1f\xc2\xb0", (double)angle * 57.29577951308232);
-    text(d, at, words, yellow);
+    drawText(d, at, words, yellow);
 }
 
 static MeBool isMeasured(MdtLimitID limit) {
@@ -264,8 +265,8 @@ static void drawHinge(const Drawing *d, MdtHingeID hinge, const MeVector3 at, co
         rotateVector(second, axis, low + (high - low) * (MeReal)i / STEPS, edge);
         MeVector3ScaleAndAdd(end, edge, radius, at);
         if (i > 0) {
-            triangle(d, at, before, end, translucent);
-            line(d, before, end, yellow);
+            drawTriangle(d, at, before, end, translucent);
+            drawLine(d, before, end, yellow);
         }
         MeVector3Copy(before, end);
     }
@@ -282,7 +283,7 @@ static void drawSlider(const Drawing *d, MdtPrismaticID slider, const MeVector3 
     MeVector3 a, b;
     char words[32];
     snprintf(words, sizeof words, "%.3g m", (double)now);
-    text(d, at, words, yellow);
+    drawText(d, at, words, yellow);
     MeVector3ScaleAndAdd(a, axis, -side * now, at);
     if (now != 0)
         drawArrow(d, a, axis, side * now, orange);
@@ -290,9 +291,9 @@ static void drawSlider(const Drawing *d, MdtPrismaticID slider, const MeVector3 
         return;
     MeVector3ScaleAndAdd(a, axis, low, at);
     MeVector3ScaleAndAdd(b, axis, high, at);
-    line(d, a, b, yellow);
-    point(d, a, yellow);
-    point(d, b, yellow);
+    drawLine(d, a, b, yellow);
+    drawPoint(d, a, yellow);
+    drawPoint(d, b, yellow);
 }
 
 /* Draws the cone about the second body's axis, and the first body's axis. */
@@ -309,8 +310,8 @@ static void drawCone(const Drawing *d, MdtConeLimitID cone, const MeVector3 at) 
         rotateVector(edge, axis, (MeReal)(2 * ME_PI) * (MeReal)i / SIDES, side);
         MeVector3ScaleAndAdd(end, side, radius, at);
         if (i > 0) {
-            triangle(d, at, before, end, translucent);
-            line(d, before, end, yellow);
+            drawTriangle(d, at, before, end, translucent);
+            drawLine(d, before, end, yellow);
         }
         MeVector3Copy(before, end);
     }
@@ -357,7 +358,7 @@ static void drawJoint(const Drawing *d, MdtConstraintID c) {
                 continue;
             MdtBodyGetCenterOfMassPosition(b, centre);
             MdtConstraintBodyGetPosition(c, i, second);
-            line(d, centre, second, color);
+            drawLine(d, centre, second, color);
         }
         MdtConstraintGetAxes(c, axis, second);
         drawArrow(d, at, axis, (MeReal)0.4 * d->length, color);
@@ -366,7 +367,7 @@ static void drawJoint(const Drawing *d, MdtConstraintID c) {
     if (isDrawn(d, MstDebugLimits))
         drawLimits(d, c, at, axis, second);
     if (isDrawn(d, MstDebugNames))
-        text(d, at, jointName(c), cyan);
+        drawText(d, at, jointName(c), cyan);
 }
 
 /* Contacts of groups are drawn with their group; all other constraints are joints. */
@@ -390,7 +391,7 @@ static void drawBody(const Drawing *d, MdtBodyID b) {
     MdtBodyGetCenterOfMassPosition(b, centre);
     if (isDrawn(d, MstDebugCentresOfMass)) {
         const MeVector4 *tm = (const MeVector4 *)MdtBodyGetCenterOfMassTransformPtr(b);
-        point(d, centre, white);
+        drawPoint(d, centre, white);
         for (int i = 0; i < 3; i++)
             drawLineAlong(d, centre, tm[i], (MeReal)0.2 * d->length, colors[i], end);
     }

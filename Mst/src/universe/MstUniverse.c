@@ -185,7 +185,7 @@ static void warnOfLongStep(MstUniverseRecord *u, double step) {
         step, fall);
 }
 
-/* Makes a step. Its stages defer or refuse removals of objects until the end. */
+/* Makes a step. Active stages defer or refuse removals of the universe's objects until its end. */
 static void advance(MstUniverse *u, MeReal step) {
     MstBridgeRecord *bridge = (MstBridgeRecord *)u->bridge;
     MeStage *const guarded[] = {McdFrameworkGetStage(u->frame), MdtWorldGetStage(u->world)};

@@ -91,7 +91,7 @@ static MeBool isCentred(McdGeometryID g) {
     return MeVector3Magnitude(relative[3]) <= (MeReal)0.01 * radius;
 }
 
-/* Creates model and body; on failure, nothing remains. */
+/* Creates a model and its body; on failure, nothing remains. */
 static McdModelID createWithBody(MstUniverse *u, McdGeometryID g, MeReal density) {
     const McdModelID m = McdModelCreate(g);
     const MdtBodyID b = m ? MdtBodyCreate(u->world) : 0;
