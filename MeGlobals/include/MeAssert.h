@@ -26,9 +26,7 @@
 /** If @a P is false: MeFatalError with its file, line and text. */
 #define MEASSERT(P) ((P) ? (void)0 : MeFatalError(0, "%s:%d: not true: %s", __FILE__, __LINE__, #P))
 #else
-#define MEASSERT(P)                                                                                                    \
-    ((void)(0 && (P))) /* names P, so that variables used only in assertions cause no warning of the
-                                          compiler */
+#define MEASSERT(P) ((void)(0 && (P))) /* names P: avoids warnings of unused variables */
 #endif
 
 #if ME_ASSERT_ENABLED && defined(KARMA_VALIDATE)

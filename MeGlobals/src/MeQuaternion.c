@@ -26,9 +26,7 @@ void MEAPI MeQuaternionMake(MeVector4 q, const MeVector3 x, const MeReal a) {
     MeQuaternionSet(q, c, s * n[0], s * n[1], s * n[2]);
 }
 
-/*
- * Whether q rotates one unit vector to another.
- */
+/* Whether q rotates one unit vector to another. */
 static MeBool rotatesTo(const MeVector4 q, const MeVector3 from, const MeVector3 to) {
     MeVector3 turned;
     MeQuaternionRotateVector3(turned, q, from);

@@ -17,11 +17,8 @@
 #include <stdatomic.h>
 #include <string.h>
 
-enum { CACHE_LINE = 64 }; /* bytes; data written by different threads are in different lines */
-enum {
-    ITEM_BITS = 20
-};                                  /* bits of an item's index, and of the number of items; the rest is the loop's
-                                       number */
+enum { CACHE_LINE = 64 };           /* bytes; data written by different threads are in different lines */
+enum { ITEM_BITS = 20 };            /* bits of an index, and of a count, in a claim; the loop's number has the rest */
 enum { MAX_AHEAD = 64 };            /* maximum number of buffers of a pipe */
 enum { SPINS_BEFORE_YIELD = 2000 }; /* some 50 us: longer than the time between two loops of a solver's pass */
 

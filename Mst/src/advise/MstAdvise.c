@@ -288,8 +288,7 @@ static MeBool runCombination(MstAdviser *a, MstUniverseID u, MstRecord *record, 
     a->advice.best = bestSingleTrial(a);
     if (chosen < 2)
         return MEFALSE;
-    const double extension = (double)a->params.patience / 4; /* the trial of the combination may exceed the patience by
-                                                                this */
+    const double extension = (double)a->params.patience / 4; /* extra time for the combination */
     a->deadline = fmax(a->deadline, mst_clock() + extension);
     nameCombination(a, &a->trial[trial]);
     if (runTrial(a, u, record, trial, timeLimit(a, asItIs)))

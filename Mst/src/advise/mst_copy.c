@@ -165,8 +165,7 @@ static void noteTraits(MstRecord *r, MdtWorldID w, double step) {
         t->usesFastSolver |= report.way == MdtReportWayFast;
         t->usesExactSolver |= t->hasContacts && report.way >= MdtReportWayExact;
         t->exceedsBudget |= report.limited > 0;
-        t->hasLargeIsland |= report.bodies > 32; /* the bridge reuses contacts in such partitions
-                                                    (MstBridgeSetContactReuse) */
+        t->hasLargeIsland |= report.bodies > 32; /* see MstBridgeSetContactReuse */
     }
 }
 

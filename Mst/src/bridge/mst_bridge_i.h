@@ -108,8 +108,7 @@ struct MstBridgeRecord {
     int thawedCount, thawedMax;
     unsigned int nextMaterial[2]; /* next pair of materials that checkSomeMaterials compares (mst_moved.c) */
     MeStage stage;                /* guards the bridge while it runs callbacks */
-    MeBool hasWarned[2];          /* [0]: models with bodies of other worlds; [1]: invalid contacts made by a
-                                     callback */
+    MeBool hasWarned[2];          /* of: [0] bodies of other worlds; [1] invalid contacts made by a callback */
 };
 
 /* The levels of a bridge's stage (MeInternal.h). While pairs are handled, stages of the framework's models and of the

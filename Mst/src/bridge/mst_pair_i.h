@@ -28,21 +28,17 @@ typedef struct MstModelRef {
 /* The bridge's record of a pair, from its first contact until the space releases the pair. */
 struct MstTouch {
     /* Read or written in every step: one cache line in single precision. First the state at the last test of the
-     * pair: */
-    _Alignas(ME_CACHE_LINE) unsigned long moves[2]; /* pose versions of its bodies (mst_moveCountOf), updated when
-                                                       contacts are carried */
+     * pair, up to `carried`; the members after `listedIn` are of the step of that list. */
+    _Alignas(ME_CACHE_LINE) unsigned long moves[2]; /* mst_moveCountOf; updated when contacts are carried */
     unsigned long version;                          /* version of its materials' record */
-    int found;                                      /* number of contacts; MST_UNKNOWN: not all that were found became
-                                                       contacts */
+    int found;                                      /* number of contacts; MST_UNKNOWN: contacts are missing */
     int carried;                                    /* number of times that the contacts were carried since */
     unsigned long listedIn;                         /* number of the last list that it was in: mst_touchIsListed */
     bool wasTouching;                               /* state before the step of that list; see mst_touchIsTouching */
     bool isTouching;                                /* state after that step; while undecided, without forces */
-    bool isSensor;                                  /* a model is a sensor; as of that step, like the rest of the
-                                                       line */
+    bool isSensor;                                  /* a model is a sensor */
     bool hasContacts;                               /* the pair has contacts */
-    bool isUndecided;                               /* contact forces decide whether it touches: it is in the list of
-                                                       undecided touches, too */
+    bool isUndecided;                               /* contact forces decide whether it touches: MstEvents.undecided */
     bool isPushed;                                  /* a model without a body pushes its contacts (mst_moved.c) */
     MeReal lag;        /* s, lag of its bodies when `impulse` was last summed; MEINFINITY: not yet in this step */
     MeReal separation; /* m, the least separation of its contacts at the beginning of the step */
@@ -85,8 +81,7 @@ typedef struct MstEvents {
     MstTouch **undecided; /* those of them for which contact forces decide whether they touch */
     int undecidedCount, undecidedMax;
     MeBool isPending;         /* the step is done, but its list of events has not been made yet */
-    int callbacks;            /* number of material pairs with a touch callback; if not 0, the list is made at the end
-                                 of the step */
+    int callbacks;            /* material pairs with a touch callback; if any, the list is made at once */
     MstEventList done, ended; /* done: events of the last step; ended: ends of touches since then */
     MdtWorldID world;         /* the world that was stepped */
     int firstBreak;           /* index of the first break in `done` */

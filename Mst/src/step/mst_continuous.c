@@ -33,8 +33,7 @@
 enum {
     MAX_SUBSTEPS = 16,
     MAX_LARGE_ISLAND_SUBSTEPS = 2, /* sub-steps with safe times for fast bodies in a large partition */
-    MIN_SUBSTEP = 1 << 13,         /* the shortest sub-step is 1 / MIN_SUBSTEP of the step: longer than the remainder
-                                      that MdtWorldStepRest drops */
+    MIN_SUBSTEP = 1 << 13,         /* step / shortest sub-step; MdtWorldStepRest skips those below 1 / 2^14 of a step */
 };
 
 /* ---- safe times ------------------------------------------------------------------------------------------------ */

@@ -61,8 +61,7 @@ typedef struct PlainSearch {
     McdModelPair *const *pairs;
     int count;
     int end[MAX_RUNS];       /* by run: end of its leading plain pairs */
-    int unstamped[MAX_RUNS]; /* by run: the first of these pairs with a model that has no stamp of this round; or
-                                `end` */
+    int unstamped[MAX_RUNS]; /* by run: the first of these with an unstamped model; or `end` */
 } PlainSearch;
 
 static void MEAPI findPlainPairs(void *context, int run, int worker) {

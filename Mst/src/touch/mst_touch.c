@@ -196,8 +196,7 @@ static void beginTouch(const MstBridgeRecord *b, const McdModelPair *p, MeBool h
 
 /* The touch of a handled pair, listed for this step; null if it has no contacts and had none, or without memory. */
 static MstTouch *listedTouch(MstBridgeRecord *b, McdModelPair *p, MeBool hasContacts, MeBool isSensor) {
-    const MeBool isSpaces = p->phase != kMcdFFStateInactive; /* a program's own pair may be destroyed at any time,
-                                                                unnoticed */
+    const MeBool isSpaces = p->phase != kMcdFFStateInactive; /* a program's own pair may vanish unnoticed */
     MstTouch *t = isSpaces && (hasContacts || p->touch) ? ensureTouch(b, p) : 0;
     if (!t || mst_touchIsListed(&b->events, t)) { /* listed in an earlier sub-step */
         if (t)
