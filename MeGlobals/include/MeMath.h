@@ -377,8 +377,8 @@ MEPUBLIC void MEAPI MeQuaternionSet(MeVector4 q, MeReal w, MeReal x, MeReal y, M
 /** The rotation by the angle a about the axis x, which may have any length. For a zero axis it warns and returns the
  *  identity. */
 MEPUBLIC void MEAPI MeQuaternionMake(MeVector4 q, const MeVector3 x, const MeReal a);
-/** The smallest rotation of the direction of v1 to that of v2; for opposite ones, half a turn about some perpendicular
- *  axis. For a zero vector it warns and returns the identity. */
+/** The smallest rotation that takes the direction of v1 to that of v2; for opposite ones, half a turn about some
+ *  perpendicular axis. For a zero vector it warns and returns the identity. */
 MEPUBLIC void MEAPI MeQuaternionForRotation(MeVector4 q, const MeVector3 v1, const MeVector3 v2);
 /** The rotation of a TM, with w >= 0. */
 MEPUBLIC void MEAPI MeQuaternionFromTM(MeVector4 q, const MeMatrix4 tm);

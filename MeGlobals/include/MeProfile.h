@@ -98,7 +98,7 @@ MEPUBLIC void MEAPI MeProfileEndSectionFn(const char *codeSection);
 #define MeProfileEndSection(x)      MeProfileEndSectionFn((x))                       /**< The same. */
 
 /** @name Results
- *  Of the last finished frame; 0 before there is one.
+ *  Results of the last finished frame; 0 before there is one.
  *  @{ */
 /** The seconds spent in a section, inner sections included, summed over all enclosing sections. 0 for null or an
  *  unknown name. */

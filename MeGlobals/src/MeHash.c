@@ -108,8 +108,7 @@ void MEAPI MeHashDestroy(MeHash *table) {
     MeMemoryAPI.destroy(table);
 }
 
-/* Whether the table is empty, so that hash and comparison may change: entries would be lost otherwise. False: with a
- * warning. */
+/* Whether the table is empty: changing hash or comparison would lose entries. False: with a warning. */
 static MeBool isEmpty(const MeHash *table, const char *function) {
     if (!isTable(table, function))
         return MEFALSE;

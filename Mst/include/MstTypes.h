@@ -63,10 +63,10 @@ struct MstBridge {
     McdModelPairContainer *pairs; /**< Buffer of the pairs that are being handled. */
 };
 
-/** Capacities of a universe. 0, for all but geometry types: limited only by memory. Such pools double when they are
- *  full, without moving any object that the program has a pointer to; the motion is the same, bit by bit, for all
- *  sizes. Other sizes: the memory is allocated when the universe is created; where it is full, creation fails with a
- *  warning, given once, that names the member of this structure. */
+/** Capacities of a universe. 0, except for geometry types, means no limit but memory: the pool doubles when it is full,
+ *  and pointers of the program stay valid. Any other capacity is allocated when the universe is created; creating an
+ *  object beyond it fails, with a warning, given once, that names the member of this structure. The motion is the same,
+ *  bit by bit, for all capacities. */
 typedef struct MstUniverseSizes {
     unsigned int dynamicBodiesMaxCount;
     unsigned int dynamicConstraintsMaxCount;         /**< Sum of joints, contact groups and contacts. */

@@ -75,8 +75,8 @@ static LastTest lastTestOf(const MstBridgeRecord *b, const McdModelPair *p) {
     return t->moves[0] == mst_moveCountOf(p->model1) && t->moves[1] == mst_moveCountOf(p->model2) ? IN_PLACE : MOVED;
 }
 
-/* Whether the contacts of the pair's group can be moved with its bodies: since the last test, the bodies have moved
- * only by their last step. Sets which of the group's bodies have moved. */
+/* Whether the contacts of the pair's group can be moved with its bodies: the bodies have not moved since the last test
+ * but by their last step. Sets which of the group's bodies have moved. */
 static MeBool mayCarryContacts(const MstBridgeRecord *b, const McdModelPair *p, MeBool hasMoved[2]) {
     const MstTouch *t = p->touch;
     const McdModelID model[2] = {p->model1, p->model2};

@@ -159,8 +159,8 @@ MeBool mst_touchEvaluate(const MstTouch *t) {
     return t->impulse > 0 || t->separation <= 0 || (t->wasTouching && !t->isSensor && t->separation <= t->tolerance);
 }
 
-/* Evaluates whether a touch touches after an update. It is undecided if only contact forces, known after the step, can
- * decide it. */
+/* Evaluates, after an update, whether the pair touches. That is undecided while only contact forces, known after the
+ * step, can decide it. */
 static void evaluateTouch(MstTouch *t) {
     const MeBool isDecided = !t->hasContacts || t->isSensor || t->separation <= (t->wasTouching ? t->tolerance : 0);
     t->isTouching = mst_touchEvaluate(t);
