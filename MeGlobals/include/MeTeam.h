@@ -6,9 +6,9 @@
  *  opening thread is worker 0 and processes items, too; it can process all of them, so a loop ends even if no task ever
  *  starts.
  *
- *  Determinism: it is undefined which worker processes an item, and when, so results must not depend on it. An item
- *  must not write data that another item of its loop reads or writes; sums over items are computed afterwards, in the
- *  order of items. The number of items must not depend on the number of workers.
+ *  The rule for order (determinism): it is undefined which worker processes an item, and when, so results must not
+ *  depend on it. An item must not write data that another item of its loop reads or writes; sums over items are
+ *  computed afterwards, in the order of items. The number of items must not depend on the number of workers.
  */
 #ifndef METEAM_H
 #define METEAM_H

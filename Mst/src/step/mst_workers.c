@@ -1,8 +1,8 @@
 /* Collide by workers, commit by the calling thread (mst_step_i.h): runs of pairs are collided ahead of the calling
  * thread, which commits them in order, and collides as well where it would have to wait.
  *
- * Determinism (MeTeam.h): a run writes only to its own record and its pairs (mst_update.c); a search for plain pairs
- * writes only the counts of its run, which are then read in the order of the runs. */
+ * The rule for order (MeTeam.h): a run writes only to its own record and its pairs (mst_update.c); a search for plain
+ * pairs writes only the counts of its run, which are then read in the order of the runs. */
 #include "McdInternal.h"
 #include "MdtInternal.h"
 #include "MeAssert.h"

@@ -234,7 +234,7 @@ static void prefetchTouches(MstTouch *const touches[], int i, int end) {
         me_prefetch(touches[i + AHEAD]->pair->responseData, MST_GROUP);
 }
 
-/* Determinism (MeTeam.h): each touch is in the list once, and a range writes only to its own touches. */
+/* The rule for order (MeTeam.h): each touch is in the list once, and a range writes only to its own touches. */
 static void MEAPI settleTouches(void *context, int first, int end, int worker) {
     const MstEvents *e = context;
     (void)worker;
