@@ -1,8 +1,8 @@
-/* Two boxes by the separating axis theorem (Gottschalk, Lin and Manocha, OBBTree, 1996): of the 15 axes, face normals
- * and cross products of edges, the one with the least overlap is the contact normal. */
+/* Two boxes by the separating axis theorem (Gottschalk, Lin and Manocha, OBBTree, 1996): of the 15 axes (face
+ * normals and cross products of edges) the one with the smallest overlap is the contact normal. */
 #include "convex/mcd_nearfield_i.h"
 
-/* Both boxes in the axes of the first. */
+/* Both boxes in the frame of box a. */
 typedef struct Boxes {
     const double *sizeA, *sizeB;
     double offset[3];   /* from b's centre to a's */
@@ -10,12 +10,12 @@ typedef struct Boxes {
     double steep[3][3]; /* |turn| */
 } Boxes;
 
-/* The axis with the least overlap so far. */
+/* The axis with the smallest overlap so far. */
 typedef struct Best {
     double separation;
-    int face;         /* 0 to 2: of the first, 3 to 5: of the second; -1: none yet */
-    int edgeA, edgeB; /* -1: a face */
-    double axis[3];   /* of edges: in a's axes, from b to a */
+    int face;         /* 0 to 2: a face of a, 3 to 5: a face of b; -1: none yet */
+    int edgeA, edgeB; /* axes of the two edges; -1: the axis is a face's normal */
+    double axis[3];   /* cross product of the edges: in a's axes, from b to a, unit */
 } Best;
 
 static void compare(const McdShape *a, const McdShape *b, Boxes *x) {
@@ -32,14 +32,13 @@ static void compare(const McdShape *a, const McdShape *b, Boxes *x) {
     }
 }
 
-/* An axis along which they are so far apart settles it: false. */
+/* Stores a separation above the limit, which ends the search: returns false. */
 static MeBool isSeparated(Best *best, double separation) {
     best->separation = separation;
     return MEFALSE;
 }
 
-/* Compares the normals of three faces, of which the first has that number. Which is best cannot be predicted, so this
- * has no branches. */
+/* Compares the normals of three faces, numbered from `first`. Without branches, since the best one is unpredictable. */
 static MeBool compareFaces(const double separation[3], int first, double limit, double bias, Best *best) {
     for (int i = 0; i < 3; i++)
         if (separation[i] > limit)
@@ -59,7 +58,7 @@ static MeBool facesOfA(const Boxes *x, double limit, Best *best) {
     return compareFaces(separation, 0, limit, 0, best);
 }
 
-/* Of the offset of the centres, the part along b's axis j. */
+/* The component along b's axis j of the offset between the centres. */
 static double alongB(const Boxes *x, int j) {
     const double axis[3] = {x->turn[0][j], x->turn[1][j], x->turn[2][j]};
     return mcd_dot(x->offset, axis);
@@ -74,9 +73,10 @@ static MeBool facesOfB(const Boxes *x, double limit, double bias, Best *best) {
     return compareFaces(separation, 3, limit, bias, best);
 }
 
-/* The direction e_i x b_j, whose length is the sine of their angle. */
+/* Compares the 9 cross products of edges, a's axis i x b's axis j; the length of each is the sine of the angle
+ * between them. */
 static MeBool edges(const Boxes *x, double limit, double bias, Best *best) {
-    double min = best->separation + bias; /* to be better than */
+    double min = best->separation + bias; /* the separation to exceed */
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
@@ -87,7 +87,7 @@ static MeBool edges(const Boxes *x, double limit, double bias, Best *best) {
             const double reach = x->sizeA[i1] * x->steep[i2][j] + x->sizeA[i2] * x->steep[i1][j] +
                                  x->sizeB[j1] * x->steep[i][j2] + x->sizeB[j2] * x->steep[i][j1];
             const double gap = fabs(along) - reach;
-            /* gap <= least * sine, without the root */
+            /* gap <= min * sine, without the square root */
             if (gap < 0 && (min >= 0 || gap * gap >= min * min * squared))
                 continue;
             const double sine = sqrt(squared), s = gap / sine;
@@ -104,7 +104,7 @@ static MeBool edges(const Boxes *x, double limit, double bias, Best *best) {
     return METRUE;
 }
 
-/* The best axis, in the world's. */
+/* The best axis, rotated to the world's frame. */
 static void setNormal(const McdShape *a, const Boxes *x, const Best *best, double normal[3]) {
     double axis[3] = {0, 0, 0};
     if (best->edgeA >= 0) {
@@ -120,7 +120,7 @@ static void setNormal(const McdShape *a, const Boxes *x, const Best *best, doubl
         normal[i] = a->axis[0][i] * axis[0] + a->axis[1][i] * axis[1] + a->axis[2][i] * axis[2];
 }
 
-/* The middle of the edge of a box that is farthest in a direction, along axis k. */
+/* The midpoint of the box's edge along axis k that is farthest in a direction. */
 static void edgeMiddle(const McdShape *s, const double direction[3], int k, double out[3]) {
     mcd_copy(out, s->place);
     for (int i = 0; i < 3; i++)
@@ -128,7 +128,7 @@ static void edgeMiddle(const McdShape *s, const double direction[3], int k, doub
             mcd_mad(out, out, copysign(s->size[i], mcd_dot(s->axis[i], direction)), s->axis[i]);
 }
 
-/* The nearest points of both edges' lines. */
+/* Witness points of an edge-edge contact: the closest points of the two edges. */
 static void crossEdges(const McdShape *a, const McdShape *b, const Best *best, McdProximity *p) {
     const double *u = a->axis[best->edgeA], *w = b->axis[best->edgeB];
     const double back[3] = {-p->normal[0], -p->normal[1], -p->normal[2]};
@@ -143,7 +143,7 @@ static void crossEdges(const McdShape *a, const McdShape *b, const Best *best, M
     mcd_mad(p->onB, to, MeCLAMP(t, -lb, lb), w);
 }
 
-/* The farthest corner of the one over the other's face. */
+/* Witness points of a face contact: the deepest corner of one box and its projection on the other's face. */
 static void cornerOverFace(const McdShape *a, const McdShape *b, McdProximity *p) {
     const double back[3] = {-p->normal[0], -p->normal[1], -p->normal[2]};
     double steepA = 0, steepB = 0;

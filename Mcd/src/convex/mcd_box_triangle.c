@@ -1,15 +1,16 @@
-/* A box and a triangle by the separating axis theorem: of the 13 axes, normals of faces and cross products of edges,
- * the one with the least overlap is the contact normal. Their Minkowski difference has no faces but across these. */
+/* A box and a triangle by the separating axis theorem: of the 13 axes (face normals and cross products of edges) the
+ * one with the smallest overlap is the contact normal. These are the normals of all faces of the Minkowski
+ * difference. */
 #include "convex/mcd_nearfield_i.h"
 
-/* Both in the box' axes, relative to its centre. */
+/* Both shapes in the box's frame, relative to its centre. */
 typedef struct BoxTriangle {
-    const double *size; /* half of the box' sides */
+    const double *size; /* half extents of the box */
     double corner[3][3], edge[3][3], normal[3];
     double limit, bias;
-    double separation, axis[3]; /* the best axis so far, from the triangle to the box, length 1 */
+    double separation, axis[3]; /* the best axis so far, unit, from the triangle to the box */
     MeBool isTriangleFace;
-    int boxEdge, triangleEdge; /* of a cross product: the box' axis, the triangle's edge; -1: it is a face's normal */
+    int boxEdge, triangleEdge; /* of a cross product: box's axis, triangle's edge; -1: a face's normal */
 } BoxTriangle;
 
 static void toBox(const McdShape *box, const McdShape *triangle, BoxTriangle *x) {
@@ -24,7 +25,7 @@ static void toBox(const McdShape *box, const McdShape *triangle, BoxTriangle *x)
         mcd_sub(x->edge[k], x->corner[(k + 1) % 3], x->corner[k]);
 }
 
-/* False: along this axis the shapes are farther apart than the limit. */
+/* Keeps this axis as the best. Returns false if the shapes are farther apart along it than the limit. */
 static MeBool keepAxis(BoxTriangle *x, double separation, const double direction[3], double side, double scale) {
     x->separation = separation;
     mcd_scale(x->axis, direction, side * scale);
@@ -36,7 +37,7 @@ static MeBool tryBoxFaces(BoxTriangle *x) {
     for (int i = 0; i < 3; i++) {
         const double a = x->corner[0][i], b = x->corner[1][i], c = x->corner[2][i];
         const double low = MeMIN(a, MeMIN(b, c)), high = MeMAX(a, MeMAX(b, c));
-        const double below = low - x->size[i], above = -high - x->size[i]; /* the box is below, or above */
+        const double below = low - x->size[i], above = -high - x->size[i]; /* separations, box below or above */
         double direction[3] = {0, 0, 0};
         direction[i] = 1;
         if (MeMAX(below, above) > x->separation &&
@@ -47,14 +48,15 @@ static MeBool tryBoxFaces(BoxTriangle *x) {
 }
 
 static MeBool tryTriangleFace(BoxTriangle *x) {
-    const double height = -mcd_dot(x->normal, x->corner[0]); /* of the box' centre */
+    const double height = -mcd_dot(x->normal, x->corner[0]); /* of the box's centre above the triangle's plane */
     const double reach =
         x->size[0] * fabs(x->normal[0]) + x->size[1] * fabs(x->normal[1]) + x->size[2] * fabs(x->normal[2]);
     x->isTriangleFace = !(fabs(height) - reach <= x->separation + x->bias);
     return !x->isTriangleFace || keepAxis(x, fabs(height) - reach, x->normal, height < 0 ? -1 : 1, 1);
 }
 
-/* The cross product of the box' axis i and the triangle's edge k; both corners of the edge project to one point. */
+/* Tries the cross product of the box's axis i and the triangle's edge k, along which both ends of the edge project
+ * to one point. */
 static MeBool tryEdgeAxis(BoxTriangle *x, int i, int k, double min) {
     const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
     const double *edge = x->edge[k], *on = x->corner[k], *opposite = x->corner[(k + 2) % 3];
@@ -68,7 +70,7 @@ static MeBool tryEdgeAxis(BoxTriangle *x, int i, int k, double min) {
     const double p = d[i1] * on[i1] + d[i2] * on[i2], q = d[i1] * opposite[i1] + d[i2] * opposite[i2];
     const double reach = x->size[i1] * fabs(d[i1]) + x->size[i2] * fabs(d[i2]);
     const double below = MeMIN(p, q) - reach, above = -MeMAX(p, q) - reach, gap = MeMAX(below, above);
-    /* gap <= least * length, without the root */
+    /* gap <= min * length, without the square root */
     if (gap < 0 && (min >= 0 || gap * gap >= min * min * squared))
         return METRUE;
     const double scale = 1 / sqrt(squared);
@@ -80,7 +82,7 @@ static MeBool tryEdgeAxis(BoxTriangle *x, int i, int k, double min) {
 }
 
 static MeBool tryEdgeAxes(BoxTriangle *x) {
-    const double ofFaces = x->separation + x->bias; /* to be better than */
+    const double ofFaces = x->separation + x->bias; /* the separation to exceed */
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
             if (!tryEdgeAxis(x, i, k, MeMAX(ofFaces, x->separation)))
@@ -88,7 +90,8 @@ static MeBool tryEdgeAxes(BoxTriangle *x) {
     return METRUE;
 }
 
-/* The nearest points of the triangle's edge and the box' edge that is farthest towards it. */
+/* Witness points of an edge-edge contact: the closest points of the triangle's edge and the box's edge that is
+ * farthest towards the triangle. */
 static void crossEdges(const McdShape *box, const McdShape *triangle, const BoxTriangle *x, McdProximity *p) {
     const double *u = box->axis[x->boxEdge], *to = triangle->corner[x->triangleEdge];
     const double length = box->size[x->boxEdge];
@@ -105,7 +108,8 @@ static void crossEdges(const McdShape *box, const McdShape *triangle, const BoxT
     mcd_mad(p->onB, to, MeCLAMP(t, 0, 1), w);
 }
 
-/* The box' farthest corner over the triangle, or the triangle's in the box' face. */
+/* Witness points of a face contact: the box's deepest corner and its projection on the triangle, or the triangle's
+ * deepest corner and its projection on the box's face. */
 static void cornerOverFace(const McdShape *box, const McdShape *triangle, MeBool isTriangleFace, McdProximity *p) {
     const double back[3] = {-p->normal[0], -p->normal[1], -p->normal[2]};
     if (isTriangleFace) {

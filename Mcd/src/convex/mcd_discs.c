@@ -1,8 +1,8 @@
-/* Solids between two discs about z: cylinders and cones. */
+/* Solids of revolution between two discs about z: cylinders and cones. */
 #include "convex/mcd_kind_i.h"
 
-/* Relative to the radius: the rim's support point becomes a corner if it exceeds the fixed corners by more than this;
- * as the slack in mcd_face.c. */
+/* Relative to the radius: the rim's support point becomes a corner of its own if it is farther along d than the
+ * fixed corners by more than this; the same as `slack` in mcd_face.c. */
 static const double standsOut = 2e-7;
 
 /* The lower disc and the upper one. */
@@ -20,12 +20,12 @@ static Discs discsOf(const McdShape *s) {
     return (Discs){{s->size[0], s->size[1]}, {-s->low, s->size[2] - s->low}};
 }
 
-/* The slant height: of the side, from rim to rim. */
+/* The slant height: the length of the side from rim to rim. */
 static double slantOf(const Discs *discs) {
     return hypot(discs->height[1] - discs->height[0], discs->radius[0] - discs->radius[1]);
 }
 
-/* ---- the farthest point ------------------------------------------------------------------------------------ */
+/* ---- support point ------------------------------------------------------------------------------------------ */
 
 void mcd_discsSupport(const McdShape *s, const double d[3], double point[3]) {
     const Discs discs = discsOf(s);
@@ -38,9 +38,9 @@ void mcd_discsSupport(const McdShape *s, const double d[3], double point[3]) {
 
 /* ---- faces ------------------------------------------------------------------------------------------------- */
 
-/* The index of the 16th of a turn in which a direction lies, counted from x. */
+/* The index of the sixteenth of a full turn in which the direction (x, y) lies, counted from x. */
 static int sectorOf(double x, double y) {
-    static const double tangent = .41421356237309503; /* of a 16th of a turn */
+    static const double tangent = .41421356237309503; /* of a sixteenth of a full turn */
     const double ax = fabs(x), ay = fabs(y);
     const int quarter = (ay > tangent * ax) + (ay > ax) + (tangent * ay > ax);
     MEASSERT(quarter >= 0 && quarter <= 3);
@@ -49,8 +49,8 @@ static int sectorOf(double x, double y) {
     return x < 0 ? 8 + quarter : 15 - quarter;
 }
 
-/* The rim of a disc as a polygon of 16 fixed corners, counter-clockwise seen from the side of z = side, and the support
- * point along d (own axes) where no fixed corner is as far. */
+/* Makes the rim of a disc a polygon of 16 fixed corners, counter-clockwise seen from the side of z = side, and adds
+ * the support point along d (own axes) where no fixed corner is as far. */
 static void discFace(const McdShape *s, const double d[3], double radius, double height, double side, McdFace *f) {
     enum { RIM = 16, FARTHEST = 63 };
     static const double cosine[RIM] = {1,  .9238795325112867,  .7071067811865476,  .3826834323650898,
@@ -59,7 +59,7 @@ static void discFace(const McdShape *s, const double d[3], double radius, double
                                        0,  .3826834323650898,  .7071067811865476,  .9238795325112867};
     const double across = sqrt(d[0] * d[0] + d[1] * d[1]), x = across > 0 ? d[0] / across : 1,
                  y = across > 0 ? side * d[1] / across : 0;
-    const int after = sectorOf(x, y), before = (after + 1) % RIM; /* the fixed points beside the farthest */
+    const int after = sectorOf(x, y), before = (after + 1) % RIM; /* fixed corners beside the support point */
     double centre[3], u[3], w[3];
     mcd_shapeDirection(s, 0, 0, side, f->normal);
     f->id = side > 0;
@@ -81,7 +81,7 @@ static void discFace(const McdShape *s, const double d[3], double radius, double
     }
 }
 
-/* The line on the side of a cylinder or cone that faces the direction d (own axes). */
+/* The generator line of the side that faces the direction d (own axes). */
 static void sideLine(const McdShape *s, const double d[3], const Discs *discs, McdFace *f) {
     const double across = sqrt(d[0] * d[0] + d[1] * d[1]), x = across > 0 ? d[0] / across : 1,
                  y = across > 0 ? d[1] / across : 0;
@@ -94,7 +94,7 @@ static void sideLine(const McdShape *s, const double d[3], const Discs *discs, M
         mcd_faceAdd(s, f, radius[i] * x, radius[i] * y, height[i], (MeU32)i);
 }
 
-/* The disc or the line on the side whose normal is nearest to the direction. */
+/* The feature whose normal is closest to the direction: an end disc, or a generator line of the side. */
 void mcd_discsFace(const McdShape *s, const double direction[3], McdFace *f) {
     const Discs discs = discsOf(s);
     const double *radius = discs.radius, *height = discs.height;
@@ -112,10 +112,10 @@ void mcd_discsFace(const McdShape *s, const double direction[3], McdFace *f) {
 
 /* ---- the side's curvature ---------------------------------------------------------------------------------- */
 
-/* The radius of curvature of a cylinder's or cone's side across its lines: the distance along the normal from the
- * surface to the axis (Meusnier), r / cos(slope). */
+/* The radius of curvature of the side across its generator lines, by Meusnier: the distance along the normal from
+ * the surface to the axis, r / cos(slope). */
 double mcd_discsRadius(const McdShape *s, const double outward[3], const double point[3]) {
-    static const double across = .9987502603949663; /* cos(.05): at a wider angle it is the rim that touches */
+    static const double across = .9987502603949663; /* cos(.05): wider angles to the side's normal: a rim */
     const Discs discs = discsOf(s);
     const double lower = discs.radius[0], upper = discs.radius[1], bottom = discs.height[0], top = discs.height[1];
     const double slant = slantOf(&discs), out = (top - bottom) / slant;
@@ -129,10 +129,10 @@ double mcd_discsRadius(const McdShape *s, const double outward[3], const double 
     return (lower + t * (upper - lower)) / out;
 }
 
-/* The radius of the circle about the axis on which the contact point lies, on a rim or on the side; 0 where a disc
- * touches flat, the normal being the axis. */
+/* The radius of the circle about the axis that the contact point lies on, on a rim or on the side; 0 where the
+ * normal is within .05 rad of the axis: a disc touches flat. */
 double mcd_discsRim(const McdShape *s, const double outward[3], const double point[3]) {
-    static const double min = .05, near = .9987502603949663; /* rad: nearer to the axis it is a disc that touches */
+    static const double min = .05, near = .9987502603949663; /* rad; cos(.05) */
     const double up = mcd_dot(s->axis[2], outward);
     double offset[3], aside[3];
     mcd_sub(offset, point, s->place);

@@ -1,34 +1,35 @@
-/* The signed distance of two convex cores, both cases by their Minkowski difference M = { x - y : x in A, y in B },
- * a convex set in which the origin lies if and only if the cores overlap.
+/* The signed distance of two convex cores by their Minkowski difference M = { x - y : x in A, y in B }, a convex set
+ * that contains the origin if and only if the cores overlap.
  *
- * Apart, the distance is that of the origin from M, by GJK (Gilbert, Johnson and Keerthi: A fast procedure for
- * computing the distance between complex objects in three-dimensional space, 1988). Overlapping, the depth is the
- * distance to the nearest point of M's surface, by EPA (van den Bergen: Proximity queries and penetration depth
- * computation on 3D game objects, 2001): a polytope within M grows, by M's support point over the facet nearest to
- * the origin, until no facet could be nearer than what was found. So the result is bounded from both sides: by the
- * nearest facet from below and by a supporting plane of M from above. For polyhedra both meet exactly, on a facet
- * of M; for round shapes at `tolerance`. What touches to within rounding is EPA's too, which finds a face's normal
- * where the direction of so small a distance is none: it was off by 2.5e-5 between the stones of an arch.
+ * Separated cores: the distance is that of the origin from M, by GJK (Gilbert, Johnson and Keerthi: A fast procedure
+ * for computing the distance between complex objects in three-dimensional space, 1988). Overlapping cores: the depth
+ * is the distance from the origin to the nearest point of M's surface, by EPA (van den Bergen: Proximity queries and
+ * penetration depth computation on 3D game objects, 2001): a polytope within M is expanded by M's support point
+ * along the normal of the facet nearest to the origin, until no facet can be nearer than the one found. The nearest
+ * facet bounds the depth from below, a supporting plane of M from above. For polyhedra both bounds become equal, on
+ * a facet of M; round shapes stop at `tolerance`. EPA also serves cores that touch to within rounding: it finds a
+ * face's normal, while GJK's direction is undefined at so small a distance (between the stones of an arch it was
+ * wrong by 2.5e-5).
  *
- * libccd has the same algorithms, but its EPA finds no normal for exactly aligned cubes, and wrong depths in a quarter
- * of nearly aligned ones. Here the result is always measured by a support point, never taken from a facet's plane
+ * libccd has the same algorithms, but its EPA finds no normal for exactly aligned cubes, and wrong depths for a
+ * quarter of nearly aligned ones. Here the result is always measured by a support point, never by a facet's plane
  * alone. */
 #include "convex/mcd_kind_i.h"
 
 #include <string.h>
 
-/* Of distances, relative to the smaller shape; rounding of coordinates, relative to the larger one. */
+/* Tolerance of distances, relative to the smaller shape; rounding of coordinates, relative to the larger shape. */
 static const double tolerance = 1e-9, resolution = 1e-14;
 enum { GJK_STEPS = 96 };
 
-/* A point w = a - b of M, with its points of A and B. */
+/* A point w = a - b of M, with its points a of A and b of B. */
 typedef struct Corner {
     double w[3], a[3], b[3];
 } Corner;
 
 typedef struct Pair {
     const McdShape *a, *b;
-    double tolerance, guessTolerance; /* lengths */
+    double tolerance, guessTolerance; /* m */
 } Pair;
 
 static Pair makePair(const McdShape *a, const McdShape *b) {
@@ -58,13 +59,13 @@ double mcd_separationAlong(const McdShape *a, const McdShape *b, const double n[
 typedef struct Simplex {
     int count;
     Corner corner[4];
-    double weight[4]; /* of the corners in the point nearest to the origin */
+    double weight[4]; /* of each corner in the point nearest to the origin */
     double nearest[3];
-    double squared; /* its distance from the origin */
-    MeBool inside;  /* the origin is within the tetrahedron */
+    double squared; /* distance of `nearest` from the origin, squared */
+    MeBool inside;  /* the tetrahedron contains the origin */
 } Simplex;
 
-/* The nearest point of the hull of some of a simplex's corners. */
+/* The nearest point of the convex hull of some of the simplex's corners. */
 typedef struct Candidate {
     int count, corner[3];
     double weight[3], point[3], squared;
@@ -95,7 +96,8 @@ static void offerEdge(const Simplex *s, int i, int j, Candidate *best) {
     keepIfNearer(best, &c);
 }
 
-/* The projection of the origin on the triangle's plane is inside if the areas of all three parts have the same sign. */
+/* The projection of the origin on the triangle's plane is inside the triangle if the areas of the three
+ * sub-triangles have the same sign. */
 static void offerFacet(const Simplex *s, int i, int j, int k, Candidate *best) {
     const double *p = s->corner[i].w, *q = s->corner[j].w, *r = s->corner[k].w;
     double pq[3], pr[3], n[3], x[3], coordinate[3];
@@ -119,7 +121,7 @@ static void offerFacet(const Simplex *s, int i, int j, int k, Candidate *best) {
     keepIfNearer(best, &c);
 }
 
-/* Is the origin on the same side of each face as the corner opposite? */
+/* Whether the origin is on the same side of each face as the opposite corner. */
 static MeBool containsOrigin(const Simplex *s) {
     const double *p = s->corner[0].w, *q = s->corner[1].w, *r = s->corner[2].w, *t = s->corner[3].w;
     double qr[3], rt[3], tq[3], coordinate[4];
@@ -134,8 +136,8 @@ static MeBool containsOrigin(const Simplex *s) {
     return coordinate[0] * sign > 0 && coordinate[1] * sign > 0 && coordinate[2] * sign > 0 && coordinate[3] * sign > 0;
 }
 
-/* The nearest point among all parts of the simplex that have its newest, last corner: the parts without it are farther
- * than the previous nearest point, whose direction gave the newest corner. */
+/* The point nearest to the origin among all faces of the simplex that contain its newest (last) corner. Faces
+ * without it are farther away than the previous nearest point, whose direction gave the newest corner. */
 static Candidate nearestSubSimplex(const Simplex *s) {
     const int last = s->count - 1;
     Candidate best = {.squared = INFINITY};
@@ -182,8 +184,8 @@ static void beginGjk(const Pair *p, Simplex *s) {
 
 typedef enum { BEYOND_LIMIT, SEPARATED, OVERLAPPING } GjkResult;
 
-/* Iterates until the plane through the nearest point supports M: no point of M is nearer. Beyond the limit, `bound` is
- * what all points of M are farther than. */
+/* Iterates until the plane through the nearest point supports M, so that no point of M is nearer. For BEYOND_LIMIT,
+ * `bound` is a lower bound of the distance. */
 static GjkResult runGjk(const Pair *p, double limit, Simplex *s, double *bound) {
     beginGjk(p, s);
     for (int step = 0; step < GJK_STEPS; step++) {
@@ -193,7 +195,7 @@ static GjkResult runGjk(const Pair *p, double limit, Simplex *s, double *bound) 
         Corner *c = &s->corner[s->count];
         const double d[3] = {-s->nearest[0], -s->nearest[1], -s->nearest[2]};
         farthest(p, d, c);
-        *bound = -mcd_dot(d, c->w) / distance; /* no point of M is nearer than that */
+        *bound = -mcd_dot(d, c->w) / distance; /* lower bound of the distance of M */
         if (*bound > limit)
             return BEYOND_LIMIT;
         if (distance - *bound <= .1 * p->tolerance || isCorner(s, c))
@@ -203,7 +205,7 @@ static GjkResult runGjk(const Pair *p, double limit, Simplex *s, double *bound) 
         if (s->inside)
             return OVERLAPPING;
         const Candidate subSimplex = nearestSubSimplex(s);
-        if (subSimplex.squared >= s->squared) { /* no progress: rounding */
+        if (subSimplex.squared >= s->squared) { /* no progress, because of rounding */
             s->count--;
             return distance > p->guessTolerance ? SEPARATED : OVERLAPPING;
         }
@@ -229,8 +231,8 @@ static void weighted(const Corner *const corner[], const double *weight, int cou
     }
 }
 
-/* Witness points are sums with weights, which a thin simplex has to few digits, and a facet of EPA's is within M:
- * divides what their difference lacks of the separation along the normal evenly between the two. */
+/* Weighted sums lose digits in a thin simplex, and facets of EPA lie within M. So the difference of the witness
+ * points is not exactly the separation along the normal: moves each of the two by half of the error. */
 static void matchEnds(McdProximity *p) {
     double deficit[3];
     mcd_sub(deficit, p->onB, p->onA);
@@ -254,22 +256,22 @@ enum { MAX_CORNERS = 200, MAX_FACETS = 2 * MAX_CORNERS };
 
 typedef struct Facet {
     int corner[3];    /* counter-clockwise from outside */
-    int neighbour[3]; /* across the edge from corner i to i + 1 */
+    int neighbour[3]; /* facet across the edge from corner i to i + 1 */
     double normal[3]; /* outward, length 1 */
-    double offset;    /* of its plane from the origin, along the normal; negative if the origin is outside */
-    int seen;         /* the round in which the new corner was above it */
+    double offset;    /* distance of its plane from the origin along the normal; negative if the origin is outside */
+    int seen;         /* the round in which the new corner was above this facet */
 } Facet;
 
 typedef struct Polytope {
     Corner corner[MAX_CORNERS];
     Facet facet[MAX_FACETS];
-    double offset[MAX_FACETS]; /* of live facets, INFINITY of others: searched for the least in every round */
+    double offset[MAX_FACETS]; /* of live facets, INFINITY of others: searched for its minimum in every round */
     int cornerCount, facetCount, freeCount, freeFacet[MAX_FACETS], startsAt[MAX_CORNERS];
     double epsilon;
-    double normal[3], support; /* the best direction so far; the support of M along it, which bounds the depth */
+    double normal[3], support; /* the best direction so far, and M's support along it: an upper bound of the depth */
 } Polytope;
 
-/* Makes the facet's plane; false if its corners are on a line. */
+/* Computes the facet's plane; false if its corners are collinear. */
 static MeBool makePlane(Polytope *t, int index) {
     Facet *f = &t->facet[index];
     const double *p = t->corner[f->corner[0]].w, *q = t->corner[f->corner[1]].w, *r = t->corner[f->corner[2]].w;
@@ -277,7 +279,7 @@ static MeBool makePlane(Polytope *t, int index) {
     mcd_sub(pq, q, p);
     mcd_sub(pr, r, p);
     mcd_sub(qr, r, q);
-    /* Of the two edges at the corner opposite to the longest one. */
+    /* The cross product of the two edges at the corner opposite to the longest edge. */
     const double a = mcd_dot(pq, pq), b = mcd_dot(qr, qr), c = mcd_dot(pr, pr);
     if (c >= a && c >= b)
         mcd_cross(f->normal, pq, qr);
@@ -312,7 +314,7 @@ static void link(Polytope *t, int f, int edge, int g) {
         }
 }
 
-/* Does the facet g have the edge from one corner to the other, and f across it? */
+/* Whether facet g has the edge `from` -> `to` and facet f as its neighbour across that edge. */
 static MeBool isLinkedBack(const Polytope *t, int g, int from, int to, int f) {
     for (int i = 0; i < 3; i++)
         if (t->facet[g].corner[i] == from && t->facet[g].corner[(i + 1) % 3] == to)
@@ -320,7 +322,7 @@ static MeBool isLinkedBack(const Polytope *t, int g, int from, int to, int f) {
     return MEFALSE;
 }
 
-/* For checks: each edge of a live facet is its neighbour's too, in the opposite direction, and links are mutual. */
+/* For checks: each edge of a live facet is also its neighbour's, in the opposite direction, and links are mutual. */
 static MeBool isClosed(const Polytope *t) {
     for (int i = 0; i < t->facetCount; i++)
         for (int edge = 0; edge < 3 && t->offset[i] < INFINITY; edge++) {
@@ -333,7 +335,7 @@ static MeBool isClosed(const Polytope *t) {
     return METRUE;
 }
 
-/* The first four corners, turned so that all facets look outward. */
+/* Makes the facets of the tetrahedron of the first four corners, ordered so that all normals point outward. */
 static MeBool makeTetrahedron(Polytope *t) {
     static const int corners[4][3] = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
     double x[3], y[3], z[3], n[3];
@@ -358,7 +360,7 @@ static MeBool makeTetrahedron(Polytope *t) {
     return METRUE;
 }
 
-/* Marks the facets visible from the new corner: those connected to the first. */
+/* Marks the facets visible from the new corner, by a flood fill from `first`. Returns their number. */
 static int findVisible(Polytope *t, int first, int round, const double w[3], int *seen) {
     int count = 0;
     seen[count++] = first;
@@ -375,8 +377,8 @@ static int findVisible(Polytope *t, int first, int round, const double w[3], int
     return count;
 }
 
-/* Joins the new corner to the horizon of the visible facets; false if that is no simple loop, or a new facet is
- * degenerate. */
+/* Connects the new corner to the horizon of the visible facets. Returns false if the horizon is not one simple loop,
+ * or a new facet is degenerate. */
 static MeBool closeHorizon(Polytope *t, const int *seen, int count, int round, int corner) {
     int made = 0, first = -1;
     for (int i = 0; i < t->cornerCount; i++)
@@ -436,8 +438,8 @@ static void keepGuess(Polytope *t, const McdProximity *guess) {
     mcd_scale(t->normal, guess->normal, -1);
 }
 
-/* Expands the polytope until the plane of its nearest facet supports M. If rounding makes it degenerate, the result is
- * the best plane so far: an upper bound of the depth, not the least. */
+/* Expands the polytope until the plane of its nearest facet supports M. If rounding makes the polytope degenerate,
+ * the result is the best plane so far: an upper bound of the depth, not the minimum. */
 static void runEpa(const Pair *p, const McdProximity *guess, Polytope *t) {
     int seen[MAX_FACETS];
     t->support = INFINITY;
@@ -454,7 +456,7 @@ static void runEpa(const Pair *p, const McdProximity *guess, Polytope *t) {
         farthest(p, f.normal, &t->corner[corner]);
         const double *w = t->corner[corner].w, support = mcd_dot(f.normal, w);
         MEASSERT(support >= f.offset - p->tolerance ||
-                 !mcd_areResolved(p->a, p->b)); /* M holds the facet's own corners */
+                 !mcd_areResolved(p->a, p->b)); /* M contains the facet's corners */
         if (support - f.offset <= p->tolerance) {
             keepFacet(t, &f, support);
             return;
@@ -472,7 +474,7 @@ static void runEpa(const Pair *p, const McdProximity *guess, Polytope *t) {
 
 /* ---- overlapping: the first tetrahedron ---------------------------------------------------------------------- */
 
-/* The distance of w from the point, line or plane through the corners so far. */
+/* The distance of w from the point, line or plane through the corners so far (1, 2 or 3). */
 static double distanceFromHull(const Polytope *t, const double w[3]) {
     const double *p = t->corner[0].w;
     double x[3], y[3], z[3], n[3];
@@ -488,7 +490,8 @@ static double distanceFromHull(const Polytope *t, const double w[3]) {
     return fabs(mcd_dot(n, x)) / mcd_length(n);
 }
 
-/* Directions orthogonal to the affine hull of the corners so far: all axes; across a line; across a plane. */
+/* Directions orthogonal to the affine hull of the corners so far: of a point all six, of a line four, of a plane
+ * two. Returns their number. */
 static int orthogonalDirections(const Polytope *t, double d[6][3]) {
     double x[3], y[3], u[3], w[3];
     mcd_set(u, 1, 0, 0);
@@ -515,7 +518,8 @@ static int orthogonalDirections(const Polytope *t, double d[6][3]) {
     return 2 * count;
 }
 
-/* Adds the support point farthest from the affine hull of the corners so far; false if M is flat there. */
+/* Adds the support point farthest from the affine hull of the corners so far; false if M has no extent in the
+ * orthogonal directions. */
 static MeBool addFarthest(const Pair *p, Polytope *t) {
     double d[6][3], max = 0;
     const int count = orthogonalDirections(t, d);
@@ -535,11 +539,11 @@ static MeBool addFarthest(const Pair *p, Polytope *t) {
     return METRUE;
 }
 
-/* The point of the simplex's facets (all four of a tetrahedron) nearest to the origin, with its weights. */
+/* The point of the tetrahedron's four facets nearest to the origin, with its weights. */
 static Simplex nearestOfFacets(const Simplex *s) {
     Simplex best = {.squared = INFINITY};
     for (int omitted = 0; omitted < 4; omitted++)
-        for (int turn = 1; turn < 4; turn++) { /* nearestSubSimplex() looks only at those that have the last corner */
+        for (int turn = 1; turn < 4; turn++) { /* nearestSubSimplex() looks only at faces with the last corner */
             Simplex subSimplex = {.count = 0};
             for (int i = 0; i < 4; i++)
                 if (i != omitted && i != (omitted + turn) % 4)
@@ -553,10 +557,10 @@ static Simplex nearestOfFacets(const Simplex *s) {
     return best;
 }
 
-/* M is a point, line or plane polygon, to within the tolerance, and contains the origin: the depth is 0 and every
- * direction orthogonal to M is a normal. By convention of a plane the one with the larger separation, if equal the side
- * from which its corners are counter-clockwise; of a line or a point the first orthogonal axis. Witness points are
- * those where GJK ended. */
+/* M is flat to within the tolerance (a point, line or planar polygon) and contains the origin: the depth is 0 and
+ * each direction orthogonal to M is a normal. Convention for a plane: the normal with the larger separation; if
+ * these are equal, the side from which its corners are counter-clockwise. For a line or a point: the first
+ * orthogonal axis. The witness points are those of GJK's last simplex. */
 static void reportFlat(const Pair *p, const Simplex *s, const Polytope *t, McdProximity *out) {
     double d[6][3];
     const int count = orthogonalDirections(t, d);
@@ -572,8 +576,8 @@ static void reportFlat(const Pair *p, const Simplex *s, const Polytope *t, McdPr
     weighted(corner, end.weight, end.count, out);
 }
 
-/* The first tetrahedron: corners of GJK's simplex, which contains the origin, as far as these are apart from each
- * other, completed by support points. */
+/* Makes the first tetrahedron: from those corners of GJK's last simplex that are well separated, completed by
+ * support points. False if M is flat. */
 static MeBool startPolytope(const Pair *p, const Simplex *s, Polytope *t) {
     t->cornerCount = t->facetCount = t->freeCount = 0;
     t->epsilon = .1 * p->tolerance;
@@ -586,8 +590,9 @@ static MeBool startPolytope(const Pair *p, const Simplex *s, Polytope *t) {
     return makeTetrahedron(t);
 }
 
-/* The weights of a facet's corners in the point where the line through the origin along d passes its plane outward;
- * the least of them, negative where it passes beside the facet. */
+/* The barycentric weights of a facet's corners where the line from the origin along d crosses its plane outward.
+ * Returns the smallest weight: negative if the line passes outside the facet, -INFINITY if it does not cross the
+ * plane outward. */
 static double weightsOnLine(const Polytope *t, const Facet *f, const double d[3], double weight[3]) {
     double sum = 0, min = INFINITY, x[3];
     for (int i = 0; i < 3; i++) {
@@ -604,9 +609,10 @@ static double weightsOnLine(const Polytope *t, const Facet *f, const double d[3]
     return min;
 }
 
-/* The facet that the line from the origin along the result passes, and the weights of its corners there. A face of M is
- * many facets in one plane, and the one that the result came from need not be under the origin. None that the line
- * passes is farther out than the result. The middle of the nearest one where rounding leaves none that it passes. */
+/* Finds the facet through which the line from the origin along the result's normal leaves the polytope, and the
+ * weights of its corners there. One face of M is many coplanar facets, and the one that gave the result need not be
+ * the one on this line. Facets farther out than the result are not on the line. If rounding leaves none: the centre
+ * of the nearest facet. */
 static int facetUnderOrigin(const Polytope *t, double weight[3]) {
     int best = MeMAX(nearestFacet(t), 0);
     double max = -INFINITY;
@@ -625,7 +631,8 @@ static int facetUnderOrigin(const Polytope *t, double weight[3]) {
     return best;
 }
 
-/* Witness points: points of the cores whose difference is the point of M's boundary nearest to the origin. */
+/* Reports the result of EPA. Witness points: the points of the cores whose difference is the point of M's boundary
+ * nearest to the origin. */
 static void reportPenetration(const Polytope *t, McdProximity *out) {
     double weight[3], sum = 0;
     const int facet = facetUnderOrigin(t, weight);

@@ -1,32 +1,33 @@
-/* Manifolds: clipping of the two supporting faces against each other, and reduction to four points.
+/* Contact manifolds: the two supporting faces are clipped against each other, and the result is reduced to four
+ * points.
  *
- * Projected along the normal, both faces are points, lines or convex polygons in the plane orthogonal to it. Contacts
- * are the corners of their intersection; each has a height on either surface, and the difference is its separation.
- * Where faces are flat that difference is linear, so that the deepest point is among these corners.
+ * Projected along the normal, both faces are points, lines or convex polygons in the plane orthogonal to it.
+ * Contacts are the corners of their intersection. Each has a height on either surface; the difference is its
+ * separation. On flat faces the separation is linear, so the deepest point is one of these corners.
  */
 #include "convex/mcd_kind_i.h"
 
 #include <stdbool.h>
 #include <string.h>
 
-/* Rounding of positions, relative to the smaller shape: corners outside by less count as inside, separations that
- * differ by less as equal. Depths are documented to 1e-6. */
+/* Rounding of positions, relative to the smaller shape: corners that are outside by less count as inside, and
+ * separations that differ by less count as equal. Depths are documented to 1e-6. */
 static const double slack = 2e-7;
-/* Contacts within this depth of the deepest are preferred as support: a share of the pair's size, or of the range of
- * depths. Without the first, a body that lies flat would change its four contacts with the rounding of each step;
- * without the second, a box on an edge would keep one end of it and rock between the two. Twice either fails
- * Mcd_BoxBox. */
+/* Contacts within this depth of the deepest one are preferred in the reduction: a fraction of the pair's size
+ * (carryingShare), or of the range of depths (tiltShare). Without the first, a body lying flat would change its four
+ * contacts with the rounding of each step; without the second, a box on an edge would keep contacts at one end only
+ * and rock. Mcd_BoxBox fails with twice either value. */
 static const double carryingShare = 1e-3, tiltShare = 0.25;
-/* Relative to the pair's size: by how much separations may change where a face's normal is preferred over a slightly
- * better one. */
+/* Relative to the pair's size: the error of separations where a face's normal was preferred to a slightly better
+ * normal. */
 static const double preference = 1e-5;
-/* Lines at a smaller angle (sine) touch along a segment, others in a point. */
+/* Lines at a smaller angle (sine) touch along a segment, lines at larger angles in a point. */
 static const double parallelSine = .05;
-/* Faces whose normal has a smaller cosine with the contact normal are seen edge-on and are not clipped. */
+/* A face whose normal has a smaller cosine with the contact normal is seen edge-on and not clipped. */
 static const double minSlope = 1e-2;
 
-/* A feature's number: on which face, what it is, which of the face's corners (McdFace). All faces of a hull that memory
- * can hold have one of their own. */
+/* The code of a feature: the face's id, the kind of feature, and the name of the face's corner (McdFace). 24 bits of
+ * face id suffice for any hull that fits into memory. */
 enum { CORNER = 0, EDGE = 1, INSIDE = 2, SUPPORT = 3 };
 static MeU32 code(MeU32 kind, MeU32 face, MeU32 name) {
     MEASSERT(face < 1u << 24 && name < MCD_FACE_POINTS);
@@ -37,7 +38,7 @@ static MeU32 kindOf(MeU32 feature) {
     return feature >> 6 & 3;
 }
 
-/* The feature id of a contact: a's feature in the upper half, b's in the lower one. */
+/* The feature id of a contact: a's feature in the upper 32 bits, b's in the lower ones. */
 static MeU64 featureOfPair(MeU32 a, MeU32 b) {
     return (MeU64)a << 32 | b;
 }
@@ -76,7 +77,7 @@ void mcd_faceToward(const McdShape *s, const double direction[3], McdFace *f) {
 
 /* ---- intersection of the faces ------------------------------------------------------------------------- */
 
-/* A point in the plane across the normal, with its heights on both surfaces. */
+/* A candidate contact: a point in the plane orthogonal to the normal, with its heights on both surfaces. */
 typedef struct Candidate {
     double x, y, a, b;
     MeU64 feature;
@@ -84,25 +85,25 @@ typedef struct Candidate {
 
 enum { MAX_CANDIDATES = 2 * MCD_FACE_POINTS };
 
-/* A face as seen along the normal: counter-clockwise, with heights. */
+/* A face projected along the normal: counter-clockwise corners, with heights. */
 typedef struct Outline {
     int count;
     double x[MCD_FACE_POINTS], y[MCD_FACE_POINTS], z[MCD_FACE_POINTS];
     MeU32 name[MCD_FACE_POINTS], id;
-    double slopeX, slopeY; /* of a polygon's plane */
+    double slopeX, slopeY; /* gradient of a polygon's plane */
 } Outline;
 
 typedef struct View {
     double u[3], w[3];
     const double *n;
-    double slack; /* length */
+    double slack; /* m */
 } View;
 
 static double planeHeight(const Outline *o, double x, double y) {
     return o->z[0] + o->slopeX * (x - o->x[0]) + o->slopeY * (y - o->y[0]);
 }
 
-/* False for a polygon that is seen from its edge. */
+/* Projects a face; false for a polygon that is seen edge-on. */
 static MeBool makeOutline(const View *v, const McdFace *f, MeBool isMirrored, Outline *o) {
     o->count = f->count;
     o->id = f->id;
@@ -124,20 +125,22 @@ static MeBool makeOutline(const View *v, const McdFace *f, MeBool isMirrored, Ou
     return METRUE;
 }
 
-/* What is left of a while b's edges cut it: corners of a or b, or where two edges cross. Members apart, as each is read
- * soon after it was written: a copy of several at once would wait until all are in the cache. */
+/* What remains of outline a while b's edges clip it: corners of a, corners of b, and crossings of edges. One array
+ * per member, since each value is read soon after it was written: a copy of a whole struct would stall until all its
+ * stores are visible to loads. */
 typedef struct Polygon {
     int count;
-    double x[MAX_CANDIDATES + 1], y[MAX_CANDIDATES + 1]; /* one more than there may be: see cutByEdge */
-    double a[MAX_CANDIDATES + 1];                        /* height on a, where that is a line */
+    double x[MAX_CANDIDATES + 1], y[MAX_CANDIDATES + 1]; /* one more than the maximum: see cutByEdge */
+    double a[MAX_CANDIDATES + 1];                        /* height on a; used only where a is a line */
     MeU32 origin[MAX_CANDIDATES + 1];
 } Polygon;
 
-/* A corner's origin: indices of the corner or edge of a and of b that it is of, none: inside of it; of the edge that
- * begins at it, and whether that is one of b; whether it is where two edges cross. */
-enum { OF_A = 0, OF_B = 8, EDGE_OF = 16, IS_EDGE_B = 24, IS_CROSS = 25 }; /* bits */
+/* The origin of a corner, packed: index of the corner or edge of a (OF_A) and of b (OF_B) that it lies on, `none` if
+ * it lies inside that outline; index of the edge that begins at it (EDGE_OF), whether that edge is b's (IS_EDGE_B),
+ * and whether the corner is a crossing of two edges (IS_CROSS). */
+enum { OF_A = 0, OF_B = 8, EDGE_OF = 16, IS_EDGE_B = 24, IS_CROSS = 25 }; /* bit positions */
 
-static const MeU32 none = 255; /* an index of no corner */
+static const MeU32 none = 255; /* no corner's index */
 _Static_assert(MCD_FACE_POINTS <= 255, "an index of a corner is a byte");
 
 static MeU32 indexAt(MeU32 origin, int bit) {
@@ -148,13 +151,13 @@ static MeU32 isSet(MeU32 origin, int bit) {
     return origin >> bit & 1;
 }
 
-/* One of two, without a branch: what a corner is of cannot be predicted. */
+/* Selects one of two values without a branch: the condition is unpredictable. */
 static MeU32 selectBits(MeU32 condition, MeU32 yes, MeU32 no) {
     return no ^ ((yes ^ no) & (0 - condition));
 }
 
-/* Of the corner where an edge of the polygon, which begins at a corner of that origin, crosses b's edge j: of two edges
- * of b, their common corner. isIn: that corner is inside. */
+/* The origin of the corner where b's edge j crosses the polygon's edge that begins at a corner with the given
+ * origin. If both are edges of b: their common corner. isIn: the given corner is inside edge j. */
 static MeU32 originOfCross(MeU32 origin, MeU32 j, MeU32 edges, MeU32 isIn) {
     const MeU32 isB = isSet(origin, IS_EDGE_B), edge = indexAt(origin, EDGE_OF),
                 after = edge + 1 < edges ? edge + 1 : 0;
@@ -162,7 +165,7 @@ static MeU32 originOfCross(MeU32 origin, MeU32 j, MeU32 edges, MeU32 isIn) {
            selectBits(isIn, j, edge) << EDGE_OF | (isB | isIn) << IS_EDGE_B | (isB ^ 1) << IS_CROSS;
 }
 
-/* Of a corner or edge of the outline, or of its inside, if that is none. */
+/* The code of the outline's corner or edge `of`; if that is `none`, of its interior. */
 static MeU32 codeOf(const Outline *o, MeU32 of, MeU32 kind) {
     const MeU32 isSome = of != none, name = o->name[of & (0 - isSome)];
     return code(selectBits(isSome, kind, INSIDE), o->id, selectBits(isSome, name, 0));
@@ -177,7 +180,8 @@ typedef struct Circle {
     double x, y, radius;
 } Circle;
 
-/* The bounding circle of an outline, of infinite radius for up to 4 corners, where testing it would not pay. */
+/* The bounding circle of an outline; of infinite radius for up to 4 corners, where testing it would cost more than
+ * it saves. */
 static Circle circleAround(const Outline *o) {
     Circle c = {0, 0, INFINITY};
     double max = 0;
@@ -195,15 +199,16 @@ static Circle circleAround(const Outline *o) {
     return c;
 }
 
-/* Signed distances, times the edge's length, of the corners from b's edge that begins at corner j, positive inside.
- * False if none is outside, which the bounding circle mostly shows. */
+/* Computes for each corner its signed distance from b's edge that begins at b's corner j, times the edge's length,
+ * positive inside. Returns false if no corner is outside, which the bounding circle usually shows without the
+ * distances. */
 static MeBool isEdgeCutting(const Polygon *p, const Circle *around, const Outline *b, int j, double slack_,
                             double *inside) {
     const int next = j + 1 < b->count ? j + 1 : 0;
     const double x = b->x[j], y = b->y[j], ex = b->x[next] - x, ey = b->y[next] - y, length = sqrt(ex * ex + ey * ey);
     double min = INFINITY;
     if (ex * (around->y - y) - ey * (around->x - x) >= around->radius * length)
-        return MEFALSE; /* of no length, too */
+        return MEFALSE; /* also for an edge without length */
     for (int i = 0; i < p->count; i++) {
         inside[i] = ex * (p->y[i] - y) - ey * (p->x[i] - x) + slack_ * length;
         min = MeMIN(min, inside[i]);
@@ -218,9 +223,9 @@ static void copyCorner(Polygon *to, int k, const Polygon *from, int i) {
     to->origin[k] = from->origin[i];
 }
 
-/* Cuts off what is outside of that edge (Sutherland and Hodgman). Which corners are cannot be predicted: each is
- * written, and overwritten unless it is inside. The last is followed by one more, as `inside` has it; of the polygon
- * that is the first. */
+/* Cuts off the part of the polygon outside of b's edge j (Sutherland and Hodgman). Which corners are inside is
+ * unpredictable, so each corner is written, and overwritten by the next one if it is outside. An extra entry after
+ * the last corner closes the polygon: a copy of the first corner, and its distance in `inside`. */
 static void cutByEdge(Polygon *from, const double *inside, const Outline *b, int j, Polygon *to) {
     const int count = from->count;
     int made = 0;
@@ -233,7 +238,7 @@ static void cutByEdge(Polygon *from, const double *inside, const Outline *b, int
         if (isIn == (dq >= 0) || made == MAX_CANDIDATES - 1)
             continue;
         const double t = dp / (dp - dq);
-        MEASSERT(t >= 0 && t <= 1); /* one is inside, the other is not */
+        MEASSERT(t >= 0 && t <= 1); /* one end is inside, the other one outside */
         to->x[made] = from->x[i] + t * (from->x[i + 1] - from->x[i]);
         to->y[made] = from->y[i] + t * (from->y[i + 1] - from->y[i]);
         to->a[made] = from->a[i] + t * (from->a[i + 1] - from->a[i]);
@@ -243,7 +248,7 @@ static void cutByEdge(Polygon *from, const double *inside, const Outline *b, int
     to->count = made;
 }
 
-/* A polygon or line cut by a polygon. */
+/* Clips polygon or line a by polygon b. */
 static int clip(const Outline *a, const Outline *b, double slack_, Candidate *candidate) {
     Polygon memory[2], *from = &memory[0], *to = &memory[1];
     double inside[MAX_CANDIDATES + 1];
@@ -283,8 +288,8 @@ static void swapCandidates(Candidate *candidate, int count) {
     }
 }
 
-/* Two nearly parallel lines: the ends of the segment along which they overlap. Across the lines the surfaces fall away
- * by bend - sqrt(bend^2 - offset^2), bend the sum of their radii. */
+/* Two nearly parallel lines: candidates at the ends of the segment along which they overlap. At an offset across the
+ * lines the round surfaces recede by bend - sqrt(bend^2 - offset^2), where bend is the sum of their radii. */
 static int overlapLines(const Outline *a, const Outline *b, double bend, Candidate *candidate) {
     double ax = a->x[1] - a->x[0], ay = a->y[1] - a->y[0];
     double bx = b->x[1] - b->x[0], by = b->y[1] - b->y[0];
@@ -315,9 +320,10 @@ static int overlapLines(const Outline *a, const Outline *b, double bend, Candida
     return 2;
 }
 
-/* The point where two lines cross: the witness points of a guess are above each other there. */
+/* Two lines that cross: the candidate is their crossing, where the witness points of a guessed normal coincide in
+ * projection. */
 static int crossLines(const Outline *a, const Outline *b, MeU64 feature, Candidate *candidate) {
-    static const double half = .5 + 1e-9; /* of a line, with rounding */
+    static const double half = .5 + 1e-9; /* half of a line's length, plus rounding */
     const double ax = a->x[1] - a->x[0], ay = a->y[1] - a->y[0], bx = b->x[1] - b->x[0], by = b->y[1] - b->y[0];
     const double x = b->x[0] - a->x[0], y = b->y[0] - a->y[0], area = ax * by - ay * bx;
     const double la = sqrt(ax * ax + ay * ay), lb = sqrt(bx * bx + by * by);
@@ -343,7 +349,7 @@ static int clipFaces(const Outline *a, const Outline *b, double bend, double sla
         return overlapLines(a, b, bend, candidate);
     if (a->count == 2)
         return clip(a, b, slack_, candidate);
-    /* The face with fewer corners clips the other: fewer passes. */
+    /* The face with fewer corners clips the other one: fewer passes. */
     const int count = clip(b, a, slack_, candidate);
     swapCandidates(candidate, count);
     return count;
@@ -356,8 +362,8 @@ static double acrossSquared(const Candidate *p, const Candidate *q) {
     return x * x + y * y;
 }
 
-/* Drops points farther apart than the margin, and duplicates: of more than 8 points, which go round the polygon,
- * only the previous and the first are compared. */
+/* Removes candidates whose gap exceeds the margin, and duplicates. With more than 8 points, which are in the
+ * polygon's order, only the previous and the first point are compared. */
 static int dropFarAndDuplicates(Candidate *candidate, int count, double margin, double slack_) {
     const double min = 16 * slack_ * slack_;
     int kept = 0;
@@ -376,10 +382,11 @@ static double depthOf(const Candidate *s) {
     return s->b - s->a;
 }
 
-/* The candidate farthest from a point. Within the slack the first wins, so that a body at rest keeps its contacts. */
+/* The candidate farthest from a point. Of candidates equal to within the slack the first one is chosen, so that a
+ * body at rest keeps its contacts. */
 static int farthestOf(const Candidate *candidate, int count, const Candidate *from, double slack_) {
     int best = 0;
-    double enough = slack_ * slack_; /* (most + slack)^2 */
+    double enough = slack_ * slack_; /* (max + slack)^2 */
     for (int i = 0; i < count; i++) {
         const double squared = acrossSquared(&candidate[i], from);
         if (squared > enough) {
@@ -400,12 +407,12 @@ static Candidate middleOf(const Candidate *candidate, int count) {
     return middle;
 }
 
-/* Twice the area of a triangle; negative: clockwise. */
+/* Twice the signed area of a triangle, positive if counter-clockwise. */
 static double areaOf(const Candidate *a, const Candidate *b, const Candidate *c) {
     return (b->x - a->x) * (c->y - a->y) - (b->y - a->y) * (c->x - a->x);
 }
 
-/* The farthest on either side of the line of two; -1: there is none. */
+/* The candidate farthest from the line first-second on either side, left in best[0] and right in best[1]; -1: none. */
 static void farthestBeside(const Candidate *candidate, int count, const Candidate *first, const Candidate *second,
                            double slack_, int best[2]) {
     const double dx = second->x - first->x, dy = second->y - first->y, min = 4 * slack_ * sqrt(dx * dx + dy * dy);
@@ -429,7 +436,8 @@ static int deepestOf(const Candidate *candidate, int count) {
     return best;
 }
 
-/* The deepest candidate replaces the nearest kept one if all kept ones are shallower by more than the slack. */
+/* If all kept points are shallower than the deepest candidate by more than the slack, that candidate replaces the
+ * kept point nearest to it. */
 static void includeDeepest(const Candidate *candidate, int count, Candidate *kept, int made, double slack_) {
     const Candidate *deepest = &candidate[deepestOf(candidate, count)];
     int nearest = 0;
@@ -442,15 +450,15 @@ static void includeDeepest(const Candidate *candidate, int count, Candidate *kep
     kept[nearest] = *deepest;
 }
 
-/* Adds to a triangle of kept points the candidate that enlarges its area most, beyond one of the two sides at the third
- * point. Returns the number of points. */
+/* Adds a fourth point to a triangle of kept points: the candidate that enlarges its area most, beyond one of the two
+ * sides at the third point. Returns the number of points. */
 static int addBeyond(const Candidate *candidate, int count, Candidate *kept, double slack_) {
     double max = 0;
     int best = -1;
     for (int k = 0; k < 2; k++) {
         int beside[2];
         farthestBeside(candidate, count, &kept[k], &kept[2], slack_, beside);
-        /* the third of the triangle is on one side of this line; beyond is the other */
+        /* the triangle's remaining corner is on one side of this line; `beyond` is on the other */
         const double inside = areaOf(&kept[k], &kept[2], &kept[1 - k]);
         const int beyond = beside[inside >= 0];
         const double area = beyond >= 0 ? fabs(areaOf(&kept[k], &kept[2], &candidate[beyond])) : 0;
@@ -464,8 +472,8 @@ static int addBeyond(const Candidate *candidate, int count, Candidate *kept, dou
     return best >= 0 ? 4 : 3;
 }
 
-/* Moves the candidates that are within `band`, or tiltShare of the range of depths, of the deepest to the front.
- * Returns their number. */
+/* Moves to the front the candidates whose depth is within `band`, or within tiltShare of the range of depths, of the
+ * deepest. Returns their number. */
 static int moveDeepestToFront(Candidate *candidate, int count, double band) {
     double deepest = -INFINITY, shallowest = INFINITY;
     int nearDeepest = 0;
@@ -484,13 +492,14 @@ static int moveDeepestToFront(Candidate *candidate, int count, double band) {
     return nearDeepest;
 }
 
-/* Four points that support as well as all: two mutually far points among those near the deepest, and the
- * farthest from their line on either side, if possible among these too; if one side is empty, the one that adds most
- * area. A point that is deepest by rounding only is not preferred: it could be in the middle of an edge, and a corner
- * would remain without support. Of a disc, which may roll on its rim, points of any depth are candidates.
+/* Reduces to four points that support as well as all of them. Of the candidates near the deepest: the one farthest
+ * from their centre, then the one farthest from that; then on each side of their line the farthest candidate, one
+ * near the deepest if there is any. If one side is empty: the candidate that adds most area. A point that is deepest
+ * only by rounding is not preferred: it could be the middle of an edge, and a corner would remain without support.
+ * On a disc, which may roll on its rim, candidates of any depth are used.
  *
- * mcd_spread is not used: here all points are in one plane, ties within the slack keep the contacts of bodies at rest,
- * and mcd_spread would make a pair a fifth slower. */
+ * mcd_spread does not fit: here all points are in one plane, ties to within the slack must keep the contacts of
+ * bodies at rest, and mcd_spread would make a pair a fifth slower. */
 static int reduceToFour(Candidate *candidate, int count, MeBool isDisc, double size) {
     const double slack_ = slack * size;
     const int nearDeepest = isDisc ? count : moveDeepestToFront(candidate, count, carryingShare * size);
@@ -525,7 +534,7 @@ static void addContact(const McdShape *a, const McdShape *b, const View *v, cons
     p->radius[1] = mcd_surfaceRadius(b, v->n, p->position);
 }
 
-/* The midpoint of the proximity's witness points: the deepest contact, independent of the faces. */
+/* A candidate midway between the witness points: the deepest contact, independent of the faces. */
 static Candidate supportCandidate(const View *v, const McdProximity *p, MeU64 feature) {
     double middle[3];
     for (int i = 0; i < 3; i++)
@@ -560,8 +569,8 @@ int mcd_pointManifold(const McdShape *a, const McdShape *b, const McdProximity *
     return 1;
 }
 
-/* Whether a candidate's height on a face is as exact as its position: not where the face is steeper than 45 degrees
- * against the plane, but for the ends of a line. */
+/* Whether a candidate's height on a face is as exact as its position: if the face is at less than 45 degrees to the
+ * contact plane, and always at the ends of a line. */
 static MeBool isExact(const Outline *o, MeU32 feature) {
     if (o->count > 2)
         return o->slopeX * o->slopeX + o->slopeY * o->slopeY < 1;
@@ -569,8 +578,8 @@ static MeBool isExact(const Outline *o, MeU32 feature) {
     return kindOf(feature) == CORNER || z * z < x * x + y * y;
 }
 
-/* Limits the depth of all candidates to that of the cores, which the slack lets them exceed on steep faces. Returns the
- * deepest one; -1: there is none. */
+/* Limits the depth of all candidates to the depth of the cores, which rounding (slack) lets them exceed on steep
+ * faces. Returns the index of the deepest candidate; -1: there is none. */
 static int clampSeparations(Candidate *candidate, int count, double separation) {
     double min = INFINITY;
     int deepest = -1;
@@ -584,7 +593,7 @@ static int clampSeparations(Candidate *candidate, int count, double separation) 
     return deepest;
 }
 
-/* For checks: features are unique, and separations between that of the cores and the margin. */
+/* For checks: features are unique, and separations are between that of the cores and the margin. */
 static MeBool isManifoldGood(const McdShape *a, const McdShape *b, const McdProximity *p, double margin,
                              const McdManifold *m) {
     const double rounding = a->rounding + b->rounding;
@@ -616,7 +625,8 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
     MEASSERT(isfinite(mcd_dot(p->normal, p->normal)) && !isnan(p->separation));
     MEASSERT(faceA->count > 0 && faceA->count <= MCD_FACE_POINTS && faceB->count > 0 &&
              faceB->count <= MCD_FACE_POINTS);
-    /* b's face has its normal along the contact normal, so that its corners are counter-clockwise; a's is mirrored. */
+    /* The normal of b's face is along the contact normal, so its corners are counter-clockwise in projection; a's
+     * face is mirrored. */
     if (makeOutline(&v, faceA, 1, &outA) && makeOutline(&v, faceB, 0, &outB))
         count = clipFaces(&outA, &outB, faceA->bend + faceB->bend + a->rounding + b->rounding, v.slack, candidate);
     if (p->isGuess && outA.count == 2 && outB.count == 2 && count == 0)
@@ -627,7 +637,8 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
     if (p->isGuess && !(deficit <= v.slack && isExact(&outA, (MeU32)(candidate[min].feature >> 32)) &&
                         isExact(&outB, (MeU32)candidate[min].feature)))
         return 0;
-    /* Where a face's normal was preferred to a slightly better one, the deepest candidate is off by that preference. */
+    /* Where a face's normal was preferred to a slightly better normal, the deepest candidate's separation has that
+     * error: corrects it. */
     if (deficit <= preference * mcd_pairSize(a, b))
         candidate[min].a = candidate[min].b + p->separation;
     else if (p->separation <= coreMargin)

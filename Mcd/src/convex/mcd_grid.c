@@ -1,20 +1,20 @@
 /* Dispatch of the convex narrow phase: which algorithm serves which pair of shapes.
  *
- * A cell finds the normal, by closed form where there is a short one; the faces along it give the contacts, the same
- * way for all pairs (mcd_face.c). An empty cell is served by its mirror image across the diagonal, with the shapes
- * swapped. */
+ * A cell's function finds the contact normal, in closed form where a short one exists. The contacts come from
+ * clipping the faces along the normal, for all pairs alike (mcd_face.c). A pair whose cell is empty uses the
+ * mirrored cell, with the shapes swapped. */
 #include "convex/mcd_kind_i.h"
 
 typedef MeBool (*Proximity)(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
 
-/* Boxes that are apart may be nearest at their corners, along none of the separating axes. */
+/* Separated boxes may be nearest at corners, which no separating axis of the 15 gives: these use GJK. */
 static MeBool boxBox(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     if (!mcd_boxBoxProximity(a, b, limit, p))
         return MEFALSE;
     return p->separation <= 0 || mcd_coreProximity(a, b, limit, p);
 }
 
-enum { CLOSED = MCD_RANK_CYLINDER + 1 }; /* so many ranks have closed forms; all others take GJK and EPA */
+enum { CLOSED = MCD_RANK_CYLINDER + 1 }; /* number of ranks with closed forms; all others use GJK and EPA */
 
 #define POINTS   mcd_pointPoint
 #define SEGMENT  mcd_pointSegment
@@ -54,8 +54,9 @@ static void tryNormal(const McdShape *a, const McdShape *b, const double n[3], M
     p->separation = s;
 }
 
-/* Two lines on round sides: the normal is across both, or, where they are parallel, from axis to axis. The search for
- * it ends where the depth is exact enough; its own error is the square root of that. */
+/* Contact of two round sides along their generator lines. Tries as normal the cross product of the lines or, if they
+ * are parallel, the direction from axis to axis. The searched normal is less exact: the search stops when the depth
+ * is exact enough, and the normal's error is the square root of the depth's. */
 static void tryAcrossLines(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
                            McdProximity *p, double min) {
     double u[3], w[3], n[3];
@@ -74,12 +75,13 @@ static void tryAcrossLines(const McdShape *a, const McdShape *b, const McdFace *
     tryNormal(a, b, n, p, min);
 }
 
-/* A normal within rounding of a face's normal is replaced by it, so that it is constant from step to step. */
+/* Replaces the normal by a face's normal if these are equal to within rounding, so that it is constant from step to
+ * step. */
 static void preferFaces(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
                         McdProximity *p) {
     const double min = p->separation - mcd_faceBias * mcd_pairSize(a, b);
     const double turned[3] = {-faceA->normal[0], -faceA->normal[1], -faceA->normal[2]};
-    const int first = faceA->count >= faceB->count; /* the normal of a polygon is better defined than that of a line */
+    const int first = faceA->count >= faceB->count; /* a polygon's normal is more exact than a line's */
     double best[3];
     if (faceA->count == 2 && faceB->count == 2) {
         tryAcrossLines(a, b, faceA, faceB, p, min);
@@ -94,9 +96,10 @@ static void preferFaces(const McdShape *a, const McdShape *b, const McdFace *fac
 
 /* ---- what the others call ------------------------------------------------------------------------------------- */
 
-/* The normal has length 1, and the separation is that along it, to 2e-5 of the size: a wrong feature is off by more.
- * Hulls that touch within 1e-6 of their size have a normal that is no better than that, the direction between places
- * known to 1e-12: 1.01e-5 was met in a falling arch, of stones 5e-7 m apart. */
+/* For checks: the normal has length 1, and the separation is that along the normal, to 2e-5 of the size; a wrong
+ * feature has a larger error. Hulls that touch within 1e-6 of their size have a normal that is only as exact as a
+ * direction between places known to 1e-12: the largest error seen is 1.01e-5, in a falling arch of stones 5e-7 m
+ * apart. */
 static MeBool isProximityGood(const McdShape *a, const McdShape *b, const McdProximity *p) {
     const double max = 2e-5 * mcd_pairSize(a, b) + 1e-9 * (MeMAX(a->extent, b->extent) + fabs(p->separation));
     if (!mcd_areResolved(a, b))
@@ -104,14 +107,15 @@ static MeBool isProximityGood(const McdShape *a, const McdShape *b, const McdPro
     return mcd_isUnit(p->normal) && fabs(mcd_separationAlong(a, b, p->normal) - p->separation) <= max;
 }
 
-/* By the spheres about their places. */
+/* Compares the bounding spheres. If they are farther apart than the limit: false, with a lower bound of the
+ * separation. */
 static MeBool mayBeWithin(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     const double reach = a->extent + b->extent + MeMAX(limit, 0), squared = mcd_distanceSquared(a->place, b->place);
     p->separation = sqrt(squared) - a->extent - b->extent;
     return squared <= reach * reach;
 }
 
-/* The normal is the other shape's outward: from b to a. */
+/* Finds the proximity by the pair's cell of the grid. The normal points from b to a. */
 static MeBool findProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     const McdRank i = rankOf(a), j = rankOf(b);
     if (!mayBeWithin(a, b, limit, p))
@@ -153,13 +157,13 @@ static MeBool areBoxes(const McdShape *a, const McdShape *b) {
     return rankOf(a) == MCD_RANK_BOX && rankOf(b) == MCD_RANK_BOX;
 }
 
-/* Two boxes, or a box and a triangle, of which all axes are tried (mcd_box_box.c, mcd_box_triangle.c). */
+/* Two boxes, or a box and a triangle: for these all separating axes are tried (mcd_box_box.c, mcd_box_triangle.c). */
 static MeBool haveAxes(const McdShape *a, const McdShape *b) {
     return areBoxes(a, b) || (rankOf(a) == MCD_RANK_BOX && rankOf(b) == MCD_RANK_TRIANGLE);
 }
 
-/* A guess of the normal; the exact result where all axes are tried and they overlap. False if they are farther apart
- * than the limit. */
+/* Guesses the normal; where all separating axes are tried and the shapes overlap, the result is exact. False if they
+ * are farther apart than the limit. */
 static MeBool guess(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     if (!mayBeWithin(a, b, limit, p))
         return MEFALSE;
@@ -172,21 +176,22 @@ static MeBool guess(const McdShape *a, const McdShape *b, double limit, McdProxi
 static int alongFaces(const McdShape *a, const McdShape *b, double margin, McdProximity *p, McdManifold *m) {
     McdFace faceA, faceB;
     facesAlong(a, b, p->normal, &faceA, &faceB);
-    if (!p->isGuess && !(haveAxes(a, b) && p->separation <= 0)) { /* axes of faces were preferred */
+    if (!p->isGuess && !(haveAxes(a, b) && p->separation <= 0)) { /* else the axes' bias did it */
         preferFaces(a, b, &faceA, &faceB, p);
-        if (faceA.count == 2 || faceB.count == 2) /* lines go with the normal */
+        if (faceA.count == 2 || faceB.count == 2) /* lines depend on the normal */
             facesAlong(a, b, p->normal, &faceA, &faceB);
     }
     return mcd_facesManifold(a, b, &faceA, &faceB, p, margin, m);
 }
 
-/* No contacts: m->apart, of the surfaces, which are round about their cores. */
+/* No contacts: stores the gap of the surfaces, which include the rounding of the cores. Returns 0. */
 static int noneOf(const McdShape *a, const McdShape *b, const McdProximity *p, McdManifold *m) {
     m->minGap = fmax(p->separation - a->rounding - b->rounding, 0);
     return 0;
 }
 
-/* For resting shapes verifying a face's normal is mostly enough, and for round ones one between their sides. */
+/* Tries the cheap ways first: resting shapes mostly touch along a face's normal, and round ones along a normal
+ * between their sides, which need only verification. GJK and EPA serve the others. */
 static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdManifold *m) {
     const double limit = margin + a->rounding + b->rounding;
     McdProximity p;
@@ -227,15 +232,16 @@ int mcd_convexManifold(const McdShape *a, const McdShape *b, double margin, McdM
     return count;
 }
 
-/* Witness points of two overlapping boxes where a face is involved: at the deepest point of the faces' intersection.
- * The deepest corner itself may be outside of the other face if several are equally deep to within rounding. */
+/* Moves the witness points of two overlapping boxes to the deepest point of the faces' intersection, where the
+ * normal is a face's. The deepest corner itself may be beside the other face if several corners are equally deep to
+ * within rounding. */
 static void endsAtFaces(const McdShape *a, const McdShape *b, McdProximity *p) {
     McdFace faceA, faceB;
     McdManifold m;
     const McdManifoldPoint *deepest = m.point;
     facesAlong(a, b, p->normal, &faceA, &faceB);
     if (fmax(-mcd_dot(faceA.normal, p->normal), mcd_dot(faceB.normal, p->normal)) < 1 - 1e-9)
-        return; /* edges cross: in one point */
+        return; /* an edge-edge contact has a single point */
     const int count = mcd_facesManifold(a, b, &faceA, &faceB, p, INFINITY, &m);
     for (int i = 1; i < count; i++)
         if (m.point[i].separation < deepest->separation)
@@ -244,7 +250,7 @@ static void endsAtFaces(const McdShape *a, const McdShape *b, McdProximity *p) {
     mcd_mad(p->onB, deepest->position, -p->separation / 2, p->normal);
 }
 
-/* The points' difference is the distance along the normal. */
+/* For checks: the difference of the witness points is the separation along the normal. */
 static MeBool areEndsGood(const McdShape *a, const McdShape *b, const McdProximity *p) {
     double d[3];
     mcd_sub(d, p->onA, p->onB);

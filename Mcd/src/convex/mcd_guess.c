@@ -1,21 +1,23 @@
-/* Candidates for the contact normal in closed form, and their verification: pairs that these serve need no GJK and EPA.
+/* Candidates for the contact normal in closed form, and their verification: pairs for which these succeed need no
+ * GJK and EPA.
  *
  * Shapes at rest mostly touch along the normal of a flat face. A cylinder's side or rim touches another cylinder, a
- * sphyl or a box along a normal across two axes or edges, from an axis to a corner, from an axis or edge to the nearest
- * point of a rim, or between two rims. The guess is the best of these as separating axis. Where the shapes are apart,
- * it is right if their faces along it are as near as it says (mcd_facesManifold). Where they overlap, if no direction
- * is less deep: if M, their Minkowski difference, contains the ball around the origin with the guessed depth as radius.
+ * sphyl or a box along a normal that is orthogonal to two axes or edges, or that points from an axis to a corner,
+ * from an axis or edge to the nearest point of a rim, or from rim to rim. The guess is the best of these as
+ * separating axis. For separated shapes it is right if their faces along it are as near as its separation says
+ * (mcd_facesManifold). For overlapping shapes it is right if no direction has a smaller depth: if their Minkowski
+ * difference M contains the ball around the origin whose radius is the guessed depth.
  */
 #include "convex/mcd_kind_i.h"
 
 typedef struct Pair {
     const McdShape *a, *b;
-    double bias; /* m: of a face's normal against all others */
+    double bias; /* m: how much better another normal must be than a face's */
 } Pair;
 
 /* ---- separating axes --------------------------------------------------------------------------------------------- */
 
-/* n: from b to a, length 1. */
+/* Keeps the normal n (unit, from b to a) if its separation exceeds the best so far by more than the bias. */
 static void tryNormal(const Pair *p, const double n[3], double bias, McdProximity *g) {
     const double s = mcd_separationAlong(p->a, p->b, n);
     if (s <= g->separation + bias)
@@ -24,7 +26,7 @@ static void tryNormal(const Pair *p, const double n[3], double bias, McdProximit
     mcd_copy(g->normal, n);
 }
 
-/* From b's place to a's. */
+/* Tries an axis in the sense from b's place to a's. */
 static void tryAxis(const Pair *p, const double axis[3], double bias, McdProximity *g) {
     double n[3], between[3];
     mcd_sub(between, p->a->place, p->b->place);
@@ -48,15 +50,15 @@ static void tryAcross(const Pair *p, const double x[3], const double y[3], McdPr
     tryAxis(p, n, p->bias, g);
 }
 
-/* The point of an ellipse about the origin, with the half axes e[0] >= e[1] >= 0 along the coordinates, that is nearest
- * to y: e^2 y / (t + e^2) with the largest root t of
+/* The point nearest to y of an ellipse about the origin with the half axes e[0] >= e[1] >= 0 along the coordinates:
+ * e^2 y / (t + e^2) with the largest root t of
  *
  *     F(t) = sum (e_i y_i / (t + e_i^2))^2 - 1
  *
- * (Eberly: Distance from a point to an ellipse, 2013), which falls and is convex, so that Newton's method comes to it
+ * (Eberly: Distance from a point to an ellipse, 2013). F is decreasing and convex, so that Newton's method converges
  * from below. Returns t, negative if y is inside; NaN: the nearest point is not found. */
 static double nearestOfEllipse(const double e[2], const double y[2], double nearest[2]) {
-    enum { STEPS = 24 }; /* mostly five; near an axis the root is a double one */
+    enum { STEPS = 24 }; /* mostly five suffice; near an axis the root is a double one */
     double t = -INFINITY;
     for (int i = 0; i < 2; i++)
         t = MeMAX(t, e[i] * (fabs(y[i]) - e[i]));
@@ -69,13 +71,13 @@ static double nearestOfEllipse(const double e[2], const double y[2], double near
             nearest[i] = e[i] * term;
         }
         if (!(f > 1e-15))
-            return f > -1e-9 ? t : NAN; /* else y is near an axis: two points are as near */
+            return f > -1e-9 ? t : NAN; /* else y is near an axis: two points are equally near */
         t += f / rate;
     }
     return NAN;
 }
 
-/* Half axes of the ellipse u cos t + v sin t, and their directions, of length 1. */
+/* The half axes of the ellipse u cos t + v sin t, and their unit directions. */
 static void findHalfAxes(const double u[2], const double v[2], double e[2], double direction[2][2]) {
     const double difference = u[0] * u[0] + u[1] * u[1] - v[0] * v[0] - v[1] * v[1];
     const double twice = 2 * (u[0] * v[0] + u[1] * v[1]), length = sqrt(difference * difference + twice * twice);
@@ -90,8 +92,9 @@ static void findHalfAxes(const double u[2], const double v[2], double e[2], doub
     e[1] = fabs(direction[1][0] * (v[0] * cosine - u[0] * sine) + direction[1][1] * (v[1] * cosine - u[1] * sine));
 }
 
-/* From a line to the point of a disc's rim that is nearest to it; the line, given by a point of it and two directions
- * across it and each other, is an edge or the axis of a round side. Seen along it the rim is an ellipse. */
+/* Tries the normal from a line to the nearest point of a disc's rim. The line is an edge, or the axis of a round
+ * side: given by a point on it and two orthogonal directions across it. Projected along the line the rim is an
+ * ellipse. */
 static void tryRim(const Pair *p, const McdShape *disc, double height, const double on[3], const double across1[3],
                    const double across2[3], McdProximity *g) {
     const double *across[2] = {across1, across2};
@@ -118,13 +121,13 @@ static void tryRim(const Pair *p, const McdShape *disc, double height, const dou
     tryNormal(p, n, p->bias, g);
 }
 
-/* A point that goes round on a rim, its derivative by the angle, and from the centre to it. */
+/* A point on a rim, with its tangent (its derivative by the angle) and its offset from the centre. */
 typedef struct RimPoint {
     const McdShape *disc;
     double centre[3], place[3], along[3], out[3];
 } RimPoint;
 
-/* To a direction in the disc's own axes. */
+/* Moves the point to the direction (x, y) of the disc's own axes. */
 static void turnTo(RimPoint *r, double x, double y) {
     const double k = r->disc->size[0] / sqrt(x * x + y * y);
     mcd_shapeDirection(r->disc, x * k, y * k, 0, r->out);
@@ -132,7 +135,7 @@ static void turnTo(RimPoint *r, double x, double y) {
     mcd_mad(r->place, r->centre, 1, r->out);
 }
 
-/* To the point nearest to another one. False: all are. */
+/* Moves the point to the one nearest to another point; false if all are equally near. */
 static MeBool turnToward(RimPoint *r, const double point[3]) {
     double offset[3];
     mcd_sub(offset, point, r->centre);
@@ -143,19 +146,19 @@ static MeBool turnToward(RimPoint *r, const double point[3]) {
     return METRUE;
 }
 
-/* On by an angle whose tangent is given. */
+/* Advances the point by an angle, given by its tangent. */
 static void turnBy(RimPoint *r, double tangent) {
     double to[3];
     mcd_mad(to, r->out, tangent, r->along);
     turnTo(r, mcd_dot(to, r->disc->axis[0]), mcd_dot(to, r->disc->axis[1]));
 }
 
-/* Where two rims are nearest to each other, or deepest within, the line between the points is across both tangents,
- * which Newton's method finds from where each looks at the other. */
+/* Tries the normal between two rims at their nearest points, or deepest ones if they overlap: the line between them
+ * is orthogonal to both tangents. Newton's method finds the points, starting where each rim is nearest to the other. */
 static void tryRims(const Pair *p, double heightA, double heightB, McdProximity *g) {
-    enum { STEPS = 8 }; /* mostly four or five */
+    enum { STEPS = 8 }; /* mostly four or five suffice */
     RimPoint a = {.disc = p->a}, b = {.disc = p->b};
-    const double max = .5; /* of a turn's tangent: the first is of a good start, or leads away */
+    const double max = .5; /* tangent of the largest turn in a step; more means a bad start */
     const double size = a.disc->size[0] + b.disc->size[0];
     mcd_mad(a.centre, a.disc->place, heightA, a.disc->axis[2]);
     mcd_mad(b.centre, b.disc->place, heightB, b.disc->axis[2]);
@@ -194,8 +197,8 @@ static MeBool isAtRim(const McdShape *s, double height) {
     return isCylinder(s) && fabs(height) >= s->low;
 }
 
-/* Across both axes where they cross, from axis to axis where they are parallel; where the nearest point of an axis is
- * its end, from the rim there. */
+/* Tries the normals between two round sides: the cross product of the axes, the direction between the nearest points
+ * of the axes, and, where one of these is an end, the normals from the rim there. */
 static void tryRoundSides(const Pair *p, McdProximity *g) {
     const McdShape *a = p->a, *b = p->b;
     double s, t, n[3], between[3];
@@ -217,7 +220,7 @@ static void tryRoundSides(const Pair *p, McdProximity *g) {
         tryRims(p, s, t, g);
 }
 
-/* The box' corner that looks at the cylinder's axis where that is nearest to the box' centre. */
+/* The box's corner in the direction of the point at `height` on the cylinder's axis. */
 static void cornerAt(const McdShape *box, const McdShape *cylinder, double height, double corner[3]) {
     double at[3], own[3];
     mcd_mad(at, cylinder->place, height, cylinder->axis[2]);
@@ -227,7 +230,8 @@ static void cornerAt(const McdShape *box, const McdShape *cylinder, double heigh
                    corner);
 }
 
-/* Across an edge and the axis; from the axis to a corner; between an edge and a rim. */
+/* Tries the normals of a box and a cylinder: cross product of an edge and the axis; from the axis to a corner; from
+ * an edge to a rim. */
 static void tryBox(const Pair *p, const McdShape *box, const McdShape *cylinder, McdProximity *g) {
     const double *axis = cylinder->axis[2];
     double offset[3], corner[3], n[3];
@@ -271,7 +275,7 @@ MeBool mcd_guessSides(const McdShape *a, const McdShape *b, McdProximity *g) {
 
 /* ---- verification ------------------------------------------------------------------------------------------------ */
 
-/* M's support point. */
+/* The support point of M. */
 static void farthest(const McdShape *a, const McdShape *b, const double direction[3], double w[3]) {
     const double back[3] = {-direction[0], -direction[1], -direction[2]};
     double x[3], y[3];
@@ -282,8 +286,8 @@ static void farthest(const McdShape *a, const McdShape *b, const double directio
 
 enum { MAX_CORNERS = 8 };
 
-/* M's support points in four or eight directions beside d, counter-clockwise, `aside` from it, the first toward u,
- * which is across d. */
+/* Support points of M in four or eight directions around d, counter-clockwise, each tilted from d by the tangent
+ * `aside`, the first one towards u, which is orthogonal to d. */
 static void cornersAround(const McdShape *a, const McdShape *b, const double d[3], const double u[3], double aside,
                           int count, double corner[][3]) {
     static const double diagonal = .7071067811865476;
@@ -300,8 +304,8 @@ static void cornersAround(const McdShape *a, const McdShape *b, const double d[3
     }
 }
 
-/* The distance of the origin, positive inside, from the plane through an edge, counter-clockwise seen from outside, and
- * a point below it; INFINITY for an edge without length. */
+/* The distance of the origin, positive inside, from the plane through an edge, counter-clockwise seen from outside,
+ * and a point below the edge; INFINITY for an edge without length. */
 static double distanceInside(const double from[3], const double to[3], const double below[3]) {
     double along[3], up[3], n[3];
     mcd_sub(along, to, from);
@@ -311,12 +315,13 @@ static double distanceInside(const double from[3], const double to[3], const dou
     return squared > 0 ? mcd_dot(n, from) / sqrt(squared) : INFINITY;
 }
 
-/* What is to be contained: the depth, and by how much a direction may be less deep. */
+/* The ball that M must contain: its radius is the depth; tolerance: by how much another direction may have a smaller
+ * depth. */
 typedef struct Ball {
     double down[3], depth, tolerance;
 } Ball;
 
-/* False: too little depth, or none, to be verified. */
+/* False if the depth is too small to be verified, or not finite. */
 static MeBool makeBall(const McdShape *a, const McdShape *b, const McdProximity *p, Ball *ball) {
     mcd_scale(ball->down, p->normal, -1);
     ball->depth = -p->separation;
@@ -324,19 +329,20 @@ static MeBool makeBall(const McdShape *a, const McdShape *b, const McdProximity 
     return ball->depth > 2 * ball->tolerance && ball->depth < INFINITY;
 }
 
-/* Is the ball inside the pyramid whose base is M's face in the direction of the guess and whose tip is the support
- * point opposite? Both are parts of M. */
+/* Whether the ball is inside the pyramid whose base is M's face in the direction of the guess and whose tip is the
+ * opposite support point. Both are parts of M. */
 MeBool mcd_isMinDepth(const McdShape *a, const McdShape *b, const McdProximity *p) {
     enum { CORNERS = 4 };
-    /* Points that are not exactly across d are lower by at most this part of the size. */
+    /* The tilt of the four directions, which selects corners of the face; these are lower by at most this fraction
+     * of the size. */
     static const double flat = 1e-8;
-    double u[3], w[3], tip[3], base[CORNERS][3], min = INFINITY; /* and stays that if the base is a point */
+    double u[3], w[3], tip[3], base[CORNERS][3], min = INFINITY; /* stays INFINITY if the base is a point */
     Ball ball;
     if (!makeBall(a, b, p, &ball))
         return MEFALSE;
     const double radius = ball.depth - ball.tolerance;
     mcd_basis(ball.down, u, w);
-    mcd_scale(u, u, .91); /* between the axes, along which a box's corners are as far as each other */
+    mcd_scale(u, u, .91); /* between the axes, along which two corners of a box's face are equally far */
     mcd_mad(u, u, .41, w);
     cornersAround(a, b, ball.down, u, flat, CORNERS, base);
     farthest(a, b, p->normal, tip);
@@ -348,7 +354,7 @@ MeBool mcd_isMinDepth(const McdShape *a, const McdShape *b, const McdProximity *
     return min >= radius && min < INFINITY;
 }
 
-/* Twice the area of a triangle as seen against d. */
+/* Twice the signed area of a triangle, projected along d. */
 static double areaAcross(const double d[3], const double x[3], const double y[3], const double z[3]) {
     double xy[3], xz[3], n[3];
     mcd_sub(xy, y, x);
@@ -357,9 +363,10 @@ static double areaAcross(const double d[3], const double x[3], const double y[3]
     return mcd_dot(n, d);
 }
 
-/* Drops the corners that are within the others as seen against d; the rest is convex. Returns the count. */
+/* Removes the corners that lie within the others as projected along d; the remaining polygon is convex. Returns the
+ * count. */
 static int keepConvex(const double d[3], double ring[][3], int count) {
-    int straight = 0; /* so many corners in a row were none to drop */
+    int straight = 0; /* number of consecutive corners that were kept */
     for (int i = 0; straight < count && count > 2;) {
         const int before = (i + count - 1) % count, after = (i + 1) % count;
         if (areaAcross(d, ring[before], ring[i], ring[after]) > 0) {
@@ -376,7 +383,7 @@ static int keepConvex(const double d[3], double ring[][3], int count) {
     return count;
 }
 
-/* Is the ball inside the solid of a tip, a ring of corners, and the point on top of it? */
+/* Whether the ball is inside the solid made of a tip, a ring of corners, and a top. */
 static MeBool isInSolid(const double top[3], double ring[][3], int count, const double tip[3], double radius) {
     for (int i = 0; i < count; i++) {
         const double *from = ring[i], *to = ring[(i + 1) % count];
@@ -386,8 +393,9 @@ static MeBool isInSolid(const double top[3], double ring[][3], int count, const 
     return METRUE;
 }
 
-/* Half-way between the axes of two shapes, as seen along d: M's face across two lines is a parallelogram, and of its
- * obtuse corners one is the farthest in this direction, or across it, however narrow it is. */
+/* The direction midway between the axes of two shapes, projected along d. M's face across two lines is a
+ * parallelogram; one of its obtuse corners is farthest in this direction or across it, however narrow the
+ * parallelogram is. */
 static void betweenAxes(const McdShape *a, const McdShape *b, const double d[3], double u[3]) {
     double x[3], y[3], w[3];
     mcd_cross(x, a->axis[2], d);
@@ -400,10 +408,11 @@ static void betweenAxes(const McdShape *a, const McdShape *b, const double d[3],
         mcd_basis(d, u, w);
 }
 
-/* Where M is round, its face is a line or a point, the base of no pyramid, but the guess's own point and support points
- * around it are a roof over the ball. A plane of the roof is tilted by about half as much as these, and lower by as
- * much of a part of the depth as the cosine of that is less than 1: depth tilt^2 / 8 <= tolerance. The rim of a disc
- * that is seen almost flat turns by more than the direction. */
+/* For round contacts: M's face is a line or a point, which is no base of a pyramid. Instead the guess's own support
+ * point and support points around it form a roof over the ball. A plane of the roof is tilted by about half as much
+ * as the directions of these points, which lowers it by depth (1 - cos(tilt / 2)): depth tilt^2 / 8 <= tolerance.
+ * Since a disc seen almost edge-on turns its support point by more than the direction turns, smaller tilts are
+ * tried, too. */
 MeBool mcd_isMinDepthOfRound(const McdShape *a, const McdShape *b, const McdProximity *p) {
     enum { TRIES = 3 };
     double u[3], ring[MAX_CORNERS][3], top[3], tip[3];

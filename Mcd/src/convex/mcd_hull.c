@@ -1,9 +1,9 @@
-/* The convex hull of some points, by Qhull: polygons, edges, and which vertices are joined.
+/* The convex hull of points, by Qhull: faces, edges, and the neighbours of each vertex.
  *
- * Qhull works on points that are centred and scaled to unit size, so that a hull of 1 mm is made like one of 1 km. Its
- * result is simplified with a tolerance well below the resolution of collision: points that are the same become one,
- * facets that lie in one plane become one polygon, and vertices within a face or an edge vanish. Then everything is put
- * into an order that depends on the order of the points only. */
+ * Qhull gets points that are centred and scaled to unit size, so that a hull of 1 mm is made like one of 1 km. Its
+ * result is simplified with a tolerance well below the resolution of collision: equal points are merged, coplanar
+ * facets become one polygon, and vertices within a face or an edge are removed. Finally everything is sorted into an
+ * order that depends only on the order of the points. */
 #define _POSIX_C_SOURCE 200809L /* fmemopen */
 #include "convex/mcd_shape_i.h"
 
@@ -22,12 +22,12 @@
 #pragma GCC diagnostic pop
 #endif
 
-/* Lengths relative to half the largest side of the box around the points. Single precision leaves about 1e-7 of noise
- * in the coordinates of a face's corners. */
-static const double flatness = 3e-7;     /* points nearer than this to a plane or a line lie in it */
-static const double minThickness = 1e-6; /* thinner clouds are refused as flat */
+/* Lengths relative to half the longest side of the bounding box. Single precision leaves about 1e-7 of noise in the
+ * coordinates of a face's corners. */
+static const double flatness = 3e-7;     /* points nearer than this to a plane or a line count as lying in it */
+static const double minThickness = 1e-6; /* thinner point sets are refused as flat */
 
-/* ---- memory for the time of making a hull ---------------------------------------------------------------------- */
+/* ---- temporary memory ------------------------------------------------------------------------------------------ */
 
 typedef struct Block {
     struct Block *next;
@@ -70,7 +70,7 @@ static double distance(const double a[3], const double b[3]) {
     return sqrt(dot(d, d));
 }
 
-/* How far p is from the line from a to b, where a and b are not the same. */
+/* The distance of p from the line through a and b, which differ. */
 static double distanceToLine(const double p[3], const double a[3], const double b[3]) {
     const double along[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, r[3] = {p[0] - a[0], p[1] - a[1], p[2] - a[2]};
     const double t = dot(r, along) / dot(along, along);
@@ -78,12 +78,12 @@ static double distanceToLine(const double p[3], const double a[3], const double 
     return sqrt(dot(offset, offset));
 }
 
-/* ---- points: checked, scaled, each once ------------------------------------------------------------------------- */
+/* ---- the points: checked, scaled, duplicates removed ------------------------------------------------------------- */
 
 typedef struct Cloud {
     int count;
     double (*point)[3]; /* centred and scaled */
-    int *source;        /* which of the given points it is */
+    int *source;        /* its index among the given points */
     double centre[3], scale;
 } Cloud;
 
@@ -125,7 +125,7 @@ static int byX(const void *a, const void *b) {
     return (p->index > q->index) - (p->index < q->index);
 }
 
-/* Marks each point that is the same as an earlier one. */
+/* Marks each point that is the same as an earlier one to within `flatness`. */
 static void markCopies(const double (*p)[3], Sortable *order, int count, char *isCopy) {
     for (int i = 0; i < count; i++) {
         order[i] = (Sortable){p[i][0], i};
@@ -154,7 +154,7 @@ static MeBool makeCloud(Work *w, Cloud *c, const double (*point)[3], int count) 
             c->point[i][k] = (point[i][k] - c->centre[k]) / c->scale;
     markCopies((const double(*)[3])c->point, order, count, isCopy);
     c->count = 0;
-    MEASSERT(!isCopy[0]); /* of points in one place the first one stays */
+    MEASSERT(!isCopy[0]); /* of duplicates the first point is kept */
     for (int i = 0; i < count; i++)
         if (!isCopy[i]) {
             memcpy(c->point[c->count], c->point[i], sizeof c->point[i]);
@@ -165,14 +165,14 @@ static MeBool makeCloud(Work *w, Cloud *c, const double (*point)[3], int count) 
 
 /* ---- Qhull's facets --------------------------------------------------------------------------------------------- */
 
-/* Polygons that make up a closed surface, counter-clockwise from outside. */
+/* Polygons that form a closed surface, counter-clockwise seen from outside. */
 typedef struct Facets {
     int count, cornerCount;
     int faceMax, cornerMax;
     int *first;  /* count + 1 indices into the corners */
     int *vertex; /* of each corner: a point of the cloud */
     int *face;   /* of each corner */
-    int *twin;   /* of each corner: the corner at the other end of the edge that begins here, in the next face */
+    int *twin;   /* of each corner: the half-edge twin, in the next face, of the edge that begins here */
     double (*normal)[3];
     double *area;
 } Facets;
@@ -200,7 +200,7 @@ static void newell(const double (*point)[3], const int *vertex, int count, doubl
     out[0] = out[1] = out[2] = 0;
     for (int i = 0; i < count; i++) {
         double a[3], b[3];
-        for (int k = 0; k < 3; k++) { /* relative to a corner, which keeps the digits of small faces */
+        for (int k = 0; k < 3; k++) { /* relative to a corner, which keeps small faces accurate */
             a[k] = point[vertex[i]][k] - point[vertex[0]][k];
             b[k] = point[vertex[(i + 1) % count]][k] - point[vertex[0]][k];
         }
@@ -218,7 +218,7 @@ static void reverse(int *v, int count) {
     }
 }
 
-/* Takes one facet over; false if there is no place for it, which means that Qhull's result is broken. */
+/* Copies one facet of Qhull's; false if it does not fit: then Qhull's result is broken. */
 static MeBool addFacet(Facets *f, const Cloud *c, qhT *qh, facetT *facet) {
     setT *corners = qh_facet3vertex(qh, facet);
     const int size = qh_setsize(qh, corners);
@@ -242,7 +242,7 @@ static MeBool addFacet(Facets *f, const Cloud *c, qhT *qh, facetT *facet) {
     return fits;
 }
 
-/* Qhull leaves by longjmp where something goes wrong, and must find someone to jump to while its result is read. */
+/* Copies all facets. Qhull reports errors by longjmp, so a target is set while its result is read. */
 static MeBool readFacets(Facets *f, const Cloud *c, qhT *qh) {
     f->count = f->cornerCount = 0;
     f->first[0] = 0;
@@ -255,7 +255,7 @@ static MeBool readFacets(Facets *f, const Cloud *c, qhT *qh) {
 }
 
 static MeBool runQhull(Work *w, Facets *f, const Cloud *c, char *options) {
-    char text[1024]; /* Qhull's messages end here */
+    char text[1024]; /* receives Qhull's messages, which are dropped */
     FILE *sink = fmemopen(text, sizeof text, "w");
     qhT *qh = (qhT *)MeMemoryTake(1, sizeof *qh, w->function, "Qhull");
     MeBool works = 0;
@@ -276,7 +276,7 @@ static MeBool runQhull(Work *w, Facets *f, const Cloud *c, char *options) {
     return works;
 }
 
-/* ---- which facets meet at which edge ----------------------------------------------------------------------------- */
+/* ---- facets on either side of each edge -------------------------------------------------------------------------- */
 
 typedef struct EdgeKey {
     int low, high, corner;
@@ -291,7 +291,7 @@ static int byVertices(const void *a, const void *b) {
     return (p->corner > q->corner) - (p->corner < q->corner);
 }
 
-/* Finds the twins; false if the surface is not closed. */
+/* Finds the twin of each corner; false if the surface is not closed. */
 static MeBool joinFacets(Work *w, Facets *f) {
     EdgeKey *key = (EdgeKey *)allocate(w, (size_t)f->cornerCount, sizeof *key);
     if (!key || f->cornerCount % 2)
@@ -314,7 +314,7 @@ static MeBool joinFacets(Work *w, Facets *f) {
     return METRUE;
 }
 
-/* ---- facets in one plane become one face ------------------------------------------------------------------------- */
+/* ---- coplanar facets are merged into faces ----------------------------------------------------------------------- */
 
 typedef struct Regions {
     int *of; /* of each facet: the facet that its region grew from */
@@ -345,7 +345,7 @@ static void growRegion(const Facets *f, const Cloud *c, Regions *r, int seed) {
     }
 }
 
-/* The larger facets first: their planes are known best. */
+/* Grows regions of coplanar facets, from the largest facets first: their planes are the most exact. */
 static MeBool makeRegions(Work *w, const Facets *f, const Cloud *c, Regions *r) {
     Sortable *order = (Sortable *)allocate(w, (size_t)f->count, sizeof *order);
     r->of = (int *)allocate(w, (size_t)f->count, sizeof(int));
@@ -363,10 +363,10 @@ static MeBool makeRegions(Work *w, const Facets *f, const Cloud *c, Regions *r) 
     return METRUE;
 }
 
-/* The corners around each region, linked. */
+/* The border of each region as a linked list of corners. */
 typedef struct Loops {
-    int *next, *previous; /* of a facet's corner: the corner after it around the region; -1: not on a border */
-    int *start;           /* of a region: one of its corners; -1: no region */
+    int *next, *previous; /* of a facet's corner: the next corner of the region's border; -1: not on a border */
+    int *start;           /* of a region: one corner of its border; -1: no region */
     int *size;
     int *degree; /* of a vertex: how many loops it is in */
 } Loops;
@@ -382,7 +382,7 @@ static int nextBorder(const Facets *f, const Regions *r, int corner) {
     return next;
 }
 
-/* Links the border that goes through a corner; its length. */
+/* Links the border through a corner; returns its length. */
 static int linkLoop(const Facets *f, const Regions *r, Loops *l, int start) {
     int corner = start, size = 0;
     do {
@@ -391,12 +391,13 @@ static int linkLoop(const Facets *f, const Regions *r, Loops *l, int start) {
         l->previous[next] = corner;
         corner = next;
         size++;
-        MEASSERT(size <= f->cornerCount); /* it comes round */
+        MEASSERT(size <= f->cornerCount); /* the border is closed */
     } while (corner != start);
     return size;
 }
 
-/* Links the borders; where a region has not just one, which passes each vertex once, its facets part again. */
+/* Links the borders of all regions. A region whose border is not one simple loop, passing each vertex once, is
+ * marked to be split into its facets: returns false then. */
 static MeBool linkLoops(const Facets *f, Regions *r, Loops *l, int *seen, int pointCount) {
     MeBool isSound = 1;
     for (int i = 0; i < f->count; i++)
@@ -435,16 +436,16 @@ static MeBool makeLoops(Work *w, const Facets *f, const Cloud *c, Regions *r, Lo
     l->degree = (int *)allocate(w, (size_t)c->count, sizeof(int));
     if (w->isExhausted)
         return MEFALSE;
-    memset(r->stack, 0, (size_t)f->count * sizeof(int)); /* from here on: which facets part */
+    memset(r->stack, 0, (size_t)f->count * sizeof(int)); /* from here on: whether a facet's region is to be split */
     if (linkLoops(f, r, l, seen, c->count))
         return METRUE;
     for (int i = 0; i < f->count; i++)
         if (r->stack[i])
             r->of[i] = i;
-    return linkLoops(f, r, l, seen, c->count); /* a facet of Qhull's that is no loop itself means a broken hull */
+    return linkLoops(f, r, l, seen, c->count); /* a facet without a simple border: Qhull's hull is broken */
 }
 
-/* ---- vertices within edges vanish -------------------------------------------------------------------------------- */
+/* ---- vertices within edges are removed --------------------------------------------------------------------------- */
 
 static void countDegrees(const Facets *f, const Cloud *c, Loops *l) {
     memset(l->degree, 0, (size_t)c->count * sizeof(int));
@@ -467,7 +468,7 @@ static void unlinkCorner(const Facets *f, const Regions *r, Loops *l, int corner
     l->size[region]--;
 }
 
-/* A corner of each vertex's two loops, or -1. */
+/* For each vertex: its corners in (up to) two loops, or -1. */
 static void findCorners(const Facets *f, const Loops *l, int (*corner)[2], int pointCount) {
     for (int i = 0; i < pointCount; i++)
         corner[i][0] = corner[i][1] = -1;
@@ -497,9 +498,9 @@ static MeBool straightenEdges(Work *w, const Facets *f, const Cloud *c, const Re
     return METRUE;
 }
 
-/* ---- the hull, in an order of its own ---------------------------------------------------------------------------- */
+/* ---- the hull, in canonical order -------------------------------------------------------------------------------- */
 
-/* One block of memory: the hull, then its arrays, those of doubles first. */
+/* One block of memory: the hull, then its arrays, arrays of doubles first. */
 static McdHull *allocateHull(Work *w, int vertices, int faces, int corners) {
     const size_t v = (size_t)vertices, n = (size_t)faces, e = (size_t)corners / 2;
     const size_t bytes = sizeof(McdHull) + v * sizeof(double[3]) + n * sizeof(McdHullFace) +
@@ -522,14 +523,14 @@ static McdHull *allocateHull(Work *w, int vertices, int faces, int corners) {
     return h;
 }
 
-/* The result of the loops: which vertices are used, their new indices, and the faces in order. */
+/* Sizes and order of the hull: which vertices are used, their new indices, and the faces in order. */
 typedef struct Plan {
     int vertices, faces, corners;
-    int *number; /* of a point of the cloud: its vertex in the hull */
-    int *region; /* of a face */
+    int *number; /* of a point of the cloud: its vertex in the hull; -1: none */
+    int *region; /* of a face: its region */
 } Plan;
 
-/* Each loop begins at its first vertex. */
+/* Makes the loop begin at its vertex with the lowest index. */
 static void beginAtFirstVertex(const Facets *f, Loops *l, int region) {
     int best = l->start[region];
     for (int k = 0, corner = best; k < l->size[region]; k++, corner = l->next[corner])
@@ -538,7 +539,7 @@ static void beginAtFirstVertex(const Facets *f, Loops *l, int region) {
     l->start[region] = best;
 }
 
-/* Three vertices identify a face: two faces share an edge at most. */
+/* Three vertices identify a face: two faces share at most one edge. */
 typedef struct FaceKey {
     int v[3], region;
 } FaceKey;
@@ -592,11 +593,12 @@ static void fillVertices(McdHull *h, const Plan *p, const Cloud *c, const double
 static void fillNormal(McdHullFace *face, const McdHull *h, const Cloud *c, const double spare[3]) {
     newell((const double(*)[3])h->vertex, h->faceVertex + face->first, face->count, face->normal);
     const double size = sqrt(dot(face->normal, face->normal));
-    for (int k = 0; k < 3; k++) /* the area of a sliver is rounding: Qhull's normal is taken */
+    for (int k = 0; k < 3; k++) /* the area of a sliver is mostly rounding: Qhull's normal is used */
         face->normal[k] = size > 1e-12 * c->scale * c->scale ? face->normal[k] / size : spare[k];
 }
 
-/* The plane of each face passes through the farthest corner of its facets, removed ones included: all are behind it. */
+/* Each face's plane passes through the outermost vertex of its facets, including removed vertices, so that every
+ * point lies on or behind it. */
 static void fillOffsets(McdHull *h, const Facets *f, const Cloud *c, const Regions *r, const int *faceOf) {
     for (int i = 0; i < h->faceCount; i++)
         h->face[i].offset = -DBL_MAX;
@@ -613,7 +615,7 @@ static void fillOffsets(McdHull *h, const Facets *f, const Cloud *c, const Regio
 }
 
 static void fillFaces(McdHull *h, const Plan *p, const Facets *f, const Cloud *c, const Regions *r, const Loops *l) {
-    int corners = 0, *faceOf = r->stack; /* of a region, by now */
+    int corners = 0, *faceOf = r->stack; /* of a region: its face. The array is no longer needed for splitting */
     for (int i = 0; i < p->faces; i++) {
         const int region = p->region[i];
         McdHullFace *face = &h->face[i];
@@ -641,7 +643,7 @@ static int byEnds(const void *a, const void *b) {
     return (int)q->rises - (int)p->rises;
 }
 
-/* Edges in the order of their vertices; the face whose border runs along with an edge is on its left. */
+/* Fills the edges in the order of their vertices. The face whose border runs in the edge's direction is on its left. */
 static MeBool fillEdges(Work *w, McdHull *h) {
     HullEdge *half = (HullEdge *)allocate(w, 2 * (size_t)h->edgeCount, sizeof *half);
     if (!half)
@@ -674,7 +676,7 @@ static void fillNeighbours(McdHull *h) {
     }
     for (int i = 0; i < h->vertexCount; i++)
         first[i + 1] += first[i];
-    for (int i = h->edgeCount - 1; i >= 0; i--) { /* backwards from the ends, which leaves the beginnings */
+    for (int i = h->edgeCount - 1; i >= 0; i--) { /* backwards from the ends, which leaves the first indices */
         h->neighbour[--first[h->edge[i][0]]] = h->edge[i][1];
         h->neighbour[--first[h->edge[i][1]]] = h->edge[i][0];
     }
@@ -699,9 +701,10 @@ static McdHull *buildHull(Work *w, const Facets *f, const Cloud *c, const Region
     return h;
 }
 
-/* ---- all of it --------------------------------------------------------------------------------------------------- */
+/* ---- public functions -------------------------------------------------------------------------------------------- */
 
-/* The least width is across a face or between two edges; the faces' widths are exact enough here. */
+/* Whether the hull is thick enough. Its smallest width is across a face or between two edges; widths across faces
+ * are exact enough here. */
 static MeBool isThick(const McdHull *h, const Cloud *c) {
     for (int i = 0; i < h->faceCount; i++) {
         double width = 0;
@@ -713,7 +716,7 @@ static MeBool isThick(const McdHull *h, const Cloud *c) {
     return METRUE;
 }
 
-/* All corners are behind each face, whose normal has length 1; the middle is inside. */
+/* For checks: all vertices are behind each face's plane, normals have length 1, and the centre is inside. */
 static MeBool isConvex(const McdHull *h) {
     const double slack = 4 * flatness * h->extent;
     for (int i = 0; i < h->faceCount; i++) {
@@ -727,7 +730,7 @@ static MeBool isConvex(const McdHull *h) {
     return METRUE;
 }
 
-/* Neighbours are each other's, no vertex is its own, and each edge joins two faces. */
+/* For checks: neighbours are mutual, no vertex is its own neighbour, and each edge joins two faces. */
 static MeBool areNeighboursGood(const McdHull *h) {
     for (int v = 0; v < h->vertexCount; v++)
         for (int i = h->neighbourFirst[v]; i < h->neighbourFirst[v + 1]; i++) {
@@ -770,7 +773,7 @@ McdHull *mcd_hullCreate(const double (*point)[3], int count, const char *functio
     Cloud c;
     McdHull *h = NULL;
     if (makeCloud(&w, &c, point, count)) {
-        char plain[] = "qhull Pp", joggled[] = "qhull QJ Pp"; /* the second way always makes triangles */
+        char plain[] = "qhull Pp", joggled[] = "qhull QJ Pp"; /* joggling gives triangles only */
         if (c.count >= 4)
             h = hullOfCloud(&w, &c, point, plain);
         if (c.count >= 4 && !h && !w.isExhausted)

@@ -1,16 +1,16 @@
-/* Inside Mcd: the interface of a geometry type to the rest of the library: one constant table of functions per type, in
- * the type's own file.
+/* Inside Mcd: the interface of a geometry type to the rest of the library: one constant table of functions per type,
+ * in the type's own file.
  *
- * The nearfield, the queries and the framework ask the table, never the type's number: a new geometry brings its table,
- * and no existing code changes (docs/collision.md, "How to add a geometry"). Functions that a type does not support are
- * null. */
+ * The narrow phase, the queries and the framework use the table, never the type's number: a new geometry brings its
+ * table, and no existing code changes (docs/collision.md, "How to add a geometry"). Functions that a type does not
+ * support are null. */
 #ifndef MCD_KIND_H
 #define MCD_KIND_H
 
 #include "convex/mcd_nearfield_i.h"
 
-/* The order of two convex shapes in a pair: manifolds are found with the lower one first. The first ones have closed
- * forms with each other (mcd_grid.c); a new type is among the others. */
+/* The order of two convex shapes in a pair: the manifold is computed with the lower rank as first shape. The first
+ * ranks have closed forms with each other (mcd_grid.c); a new type has rank MCD_RANK_OTHER. */
 typedef enum McdRank {
     MCD_RANK_SPHERE,
     MCD_RANK_SPHYL,
@@ -26,16 +26,15 @@ typedef void (*McdEdgeVisit)(void *context, const double from[3], const double t
 
 typedef struct McdMeshQuery McdMeshQuery; /* mcd_mesh_i.h */
 
-/* Adds the triangles that may be near the box. */
+/* Adds the triangles that may be near the query's box. */
 typedef void (*McdMeshGather)(McdMeshQuery *q);
 
 struct McdKind {
     int type; /* kMcdGeometryType..., or MCD_SHAPE_TRIANGLE */
     char *(MEAPI *name)(const McdGeometryID);
-    size_t size; /* bytes of its record, which has all that its tests depend on but for a surface's triangles
-                    (mcd_tested.c); 0: maybe not all */
+    size_t size; /* bytes of its record: all inputs of its tests, except triangles (mcd_tested.c); 0: maybe not all */
 
-    /* Any type: what McdFrameworkRegisterGeometryType takes. */
+    /* Any type: the arguments of McdFrameworkRegisterGeometryType. */
     McdGeometryDestroyFnPtr destroy;
     McdGeometryGetAABBFnPtr box;
     McdGeometryGetBSphereFnPtr sphere;
@@ -43,40 +42,43 @@ struct McdKind {
     McdGeometryGetMassPropertiesFnPtr mass;
     McdGeometryDebugDrawFnPtr draw;
 
-    /* Convex types: the shape of a geometry, which has been placed (its size, rounding and extent); the core's farthest
-     * point in a direction of any length; the face that looks in a direction (mcd_nearfield_i.h), which comes empty. */
+    /* Convex types. setShape: sets size, rounding and extent of a shape whose place is set. support: the core's
+     * support point in a direction of any length. face: the core's supporting face in a direction
+     * (mcd_nearfield_i.h); f is empty before. */
     void (*setShape)(const McdGeometry *g, McdShape *s);
     void (*support)(const McdShape *s, const double direction[3], double point[3]);
     void (*face)(const McdShape *s, const double direction[3], McdFace *f);
     double (*radius)(const McdShape *s, const double outward[3], const double point[3]); /* null: the rounding */
-    /* The radius of the circle about its own z axis that it touches with at a point; 0: with none. May be null. */
+    /* The radius of the circle about the shape's z axis that the contact point lies on (McdContactGetRim); 0: none.
+     * May be null. */
     double (*rim)(const McdShape *s, const double outward[3], const double point[3]);
     McdRank rank;
     MeU32 flatAxes; /* bits 1, 2, 4: local axis x, y, z is the normal of a flat face, tried first as separating axis */
-    /* The edges of the solid in the geometry's frame, for cross-sections; of round sides, so many. */
+    /* Visits the edges of the solid in the geometry's frame, for cross-sections; `sides` edges stand for a round
+     * side. */
     void (*edges)(const McdGeometry *g, int sides, McdEdgeVisit visit, void *context);
 
-    /* Surfaces of triangles: adds those near a query's box. */
+    /* Surfaces of triangles: adds the triangles near a query's box. */
     McdMeshGather gather;
-    MeBool callsProgram;            /* which calls a function of the program */
-    void (*update)(McdGeometry *g); /* McdGeometryUpdate: writes to its record, so that it differs. May be null */
+    MeBool callsProgram;            /* `gather` calls a function of the program */
+    void (*update)(McdGeometry *g); /* for McdGeometryUpdate: changes the record, to be seen. May be null */
 
-    MeBool isHalfSpace; /* all below z = 0 of its frame */
-    MeBool isStatic;    /* usually fixed: no warning where two of them have no interaction */
-    MeBool isEmpty;     /* no warning where it has no interaction with any type */
+    MeBool isHalfSpace; /* the half-space below z = 0 of its frame */
+    MeBool isStatic;    /* usually fixed: no warning for two such types without an interaction */
+    MeBool isEmpty;     /* no warning where it has no interaction with another type */
 };
 
-/* The entries that all built-in types have, from the functions of their headers. */
+/* The entries that all built-in types have: the functions of their headers. */
 #define MCD_KIND_FUNCTIONS(Type, release)                                                                              \
     .type = kMcdGeometryType##Type, .name = Mcd##Type##GetTypeName, .destroy = (release),                              \
     .box = Mcd##Type##UpdateAABB, .sphere = Mcd##Type##GetBSphere, .farthest = Mcd##Type##MaximumPoint,                \
     .mass = Mcd##Type##GetMassProperties, .draw = Mcd##Type##DebugDraw
 
-/* Cores that are a point: spheres, and points of their own (mcd_shape.c). */
+/* Shapes whose core is a point: spheres, and points used alone (mcd_shape.c). */
 void mcd_pointSupport(const McdShape *s, const double direction[3], double point[3]);
 void mcd_pointFace(const McdShape *s, const double direction[3], McdFace *f);
 
-/* Solids between two discs about z, of radii that may differ: cylinders and cones (mcd_discs.c). */
+/* Solids of revolution between two discs about z, whose radii may differ: cylinders and cones (mcd_discs.c). */
 void mcd_discsShape(McdShape *s, double lowerRadius, double upperRadius, double length, double low);
 void mcd_discsSupport(const McdShape *s, const double direction[3], double point[3]);
 void mcd_discsFace(const McdShape *s, const double direction[3], McdFace *f);

@@ -1,7 +1,7 @@
 /* Manifold and distance of a convex shape and a half-space. */
 #include "convex/mcd_kind_i.h"
 
-/* The part of the plane that counts: its face is made here. */
+/* Kind of the square of the plane that is clipped. */
 static const McdKind flat = {.type = kMcdGeometryTypePlane};
 
 int mcd_planeManifold(const McdShape *a, const double normal[3], double offset, double margin, McdManifold *m) {
@@ -19,7 +19,7 @@ int mcd_planeManifold(const McdShape *a, const double normal[3], double offset, 
         return 0;
     }
     mcd_faceToward(a, back, &face);
-    /* A square of the plane, wider than the shape, below it. */
+    /* A square of the plane below the shape, wider than the shape. */
     mcd_basis(normal, u, w);
     mcd_copy(ground.normal, normal);
     const McdShape square = {.kind = &flat, .extent = a->extent};

@@ -1,13 +1,13 @@
-/* Cores that are points or segments, in closed form: those of spheres and sphyls, against each other, boxes and
- * cylinders. Where cores intersect or touch, the normal is not unique: a fixed direction orthogonal to them. */
+/* Proximity in closed form where a core is a point or segment (spheres and sphyls), against each other, boxes and
+ * cylinders. Where cores intersect or touch, the normal is not unique: a fixed direction orthogonal to them is used. */
 #include "convex/mcd_nearfield_i.h"
 
-/* Relative to the smaller shape: nearer cores touch. */
+/* Relative to the smaller shape: cores nearer than this touch. */
 static const double touching = 1e-12;
 
 static const double up[3] = {0, 0, 1};
 
-/* The normal from the nearest points; a fixed orthogonal direction where these coincide. */
+/* Completes the proximity from its witness points. If these coincide, the normal is `across`. */
 static MeBool fromPoints(const McdShape *a, const McdShape *b, const double across[3], double limit, McdProximity *p) {
     double d[3];
     mcd_sub(d, p->onA, p->onB);
@@ -36,8 +36,7 @@ MeBool mcd_pointSegment(const McdShape *a, const McdShape *b, double limit, McdP
     return fromPoints(a, b, b->axis[0], limit, p);
 }
 
-/* The nearest point of the other segment to the point s along the first, and the other way round, until both hold:
- * for the lines at once, then with their ends. */
+/* The closest points of two lines, alternately projected from one to the other; then clamped to the segments. */
 void mcd_nearestOfSegments(const McdShape *a, const McdShape *b, double *s, double *t) {
     double d[3];
     mcd_sub(d, a->place, b->place);
@@ -45,14 +44,14 @@ void mcd_nearestOfSegments(const McdShape *a, const McdShape *b, double *s, doub
     const double ha = a->low, hb = b->low, sine2 = 1 - c * c;
     if (sine2 > 1e-14) {
         *s = (c * db - da) / sine2;
-    } else { /* parallel: the middle of what is beside each other */
+    } else { /* parallel: the middle of the overlap */
         const double low = MeMAX(-ha, -da - hb), high = MeMIN(ha, -da + hb);
         *s = (low + high) / 2;
     }
     *s = MeCLAMP(*s, -ha, ha);
     *t = MeCLAMP(db + c * *s, -hb, hb);
     *s = MeCLAMP(c * *t - da, -ha, ha);
-    MEASSERT(fabs(*s) <= ha && fabs(*t) <= hb); /* false for NaN */
+    MEASSERT(fabs(*s) <= ha && fabs(*t) <= hb); /* also false for NaN */
 }
 
 MeBool mcd_segmentSegment(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
@@ -81,7 +80,7 @@ static void fromOwn(const McdShape *b, const double x[3], double out[3]) {
         out[i] = b->axis[0][i] * x[0] + b->axis[1][i] * x[1] + b->axis[2][i] * x[2];
 }
 
-/* In b's axes: the outward normal and the nearest point of its surface. */
+/* Stores the proximity of a's point; normal (outward) and nearest surface point are given in b's axes. */
 static MeBool report(const McdShape *a, const McdShape *b, const double normal[3], const double nearest[3],
                      double separation, double limit, McdProximity *p) {
     double d[3];
@@ -95,7 +94,7 @@ static MeBool report(const McdShape *a, const McdShape *b, const double normal[3
     return separation <= limit;
 }
 
-/* From a point outside to the nearest one of the shape; false if that is no direction. */
+/* The direction and distance from b's nearest point to the point x outside; false if these coincide. */
 static MeBool isOutside(const McdShape *a, const McdShape *b, const double x[3], const double nearest[3], double n[3],
                         double *distance) {
     mcd_sub(n, x, nearest);
@@ -131,11 +130,11 @@ MeBool mcd_pointCylinder(const McdShape *a, const McdShape *b, double limit, Mcd
     const double k = across > radius ? radius / across : 1;
     mcd_set(nearest, x[0] * k, x[1] * k, MeCLAMP(x[2], -half, half));
     if (!isOutside(a, b, x, nearest, n, &distance)) {
-        if (fabs(x[2]) - half >= across - radius) { /* through a disc */
+        if (fabs(x[2]) - half >= across - radius) { /* nearest surface: an end disc */
             mcd_set(n, 0, 0, x[2] < 0 ? -1 : 1);
             nearest[2] = n[2] * half;
             distance = fabs(x[2]) - half;
-        } else { /* through the side; from the axis, along x */
+        } else { /* nearest surface: the side; for a point on the axis, along x */
             mcd_set(n, across > 0 ? x[0] / across : 1, across > 0 ? x[1] / across : 0, 0);
             mcd_set(nearest, n[0] * radius, n[1] * radius, nearest[2]);
             distance = across - radius;

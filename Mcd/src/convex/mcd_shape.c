@@ -21,8 +21,9 @@ MeBool mcd_areResolved(const McdShape *a, const McdShape *b) {
     return mcd_shapeIsRigid(a) && mcd_shapeIsRigid(b) && MeMAX(surface, place) <= 1e4 * mcd_pairSize(a, b);
 }
 
-/* Makes a rotation that was rounded to single precision orthonormal in double, so that a box's faces are across its
- * axes: R + (I - R R^T) R / 2, one step towards the nearest rotation. Other matrices are left as they are. */
+/* Orthonormalizes in double precision a rotation that was rounded to single precision, so that a box's faces are
+ * exactly orthogonal to its axes: R + (I - R R^T) R / 2, one step towards the nearest rotation. Other matrices are
+ * left as they are. */
 static void squareAxes(double axis[3][3]) {
     static const double rounded = 1e-5, square = 1e-13;
     double error[3][3], old[3][3], max = 0;
@@ -37,7 +38,7 @@ static void squareAxes(double axis[3][3]) {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             mcd_mad(axis[i], axis[i], error[i][j] / 2, old[j]);
-    MEASSERT(fabs(mcd_dot(axis[0], axis[1])) < 1e-9 && mcd_isUnit(axis[2])); /* the error is squared */
+    MEASSERT(fabs(mcd_dot(axis[0], axis[1])) < 1e-9 && mcd_isUnit(axis[2])); /* a step squares the error */
 }
 
 void mcd_shapeAxes(const MeMatrix4 tm, double axis[3][3]) {
@@ -60,13 +61,13 @@ MeBool mcd_isPlace(const MeVector4 *tm) {
     return longest >= 1e-12 && longest <= 3e12 && fabs(mcd_dot(across, axis[2])) >= 1e-6 * longest * sqrt(longest);
 }
 
-/* ---- farthest points --------------------------------------------------------------------------------------- */
+/* ---- support points ---------------------------------------------------------------------------------------- */
 
 void mcd_coreSupport(const McdShape *s, const double d[3], double point[3]) {
     s->kind->support(s, d, point);
 }
 
-/* Is the point no farther from the shape's place than its extent says? */
+/* For checks: whether the point is within the shape's extent of its place. */
 static MeBool isWithinExtent(const McdShape *s, const double point[3]) {
     const double max = s->extent * (1 + 1e-6) + 4 * DBL_EPSILON * mcd_length(s->place);
     return !mcd_shapeIsRigid(s) || mcd_distanceSquared(point, s->place) <= max * max;

@@ -1,8 +1,8 @@
-/* One triangle: as a convex shape, its normal, and a segment that meets it. */
+/* A triangle: as a convex shape, its normal, and its intersection with a segment. */
 #include "convex/mcd_kind_i.h"
 #include <string.h>
 
-/* A triangle whose height is a smaller part of its longest side has no area. */
+/* A triangle whose height is a smaller fraction of its longest side counts as without area. */
 #define NO_HEIGHT 1e-7
 
 /* ---- the shape --------------------------------------------------------------------------------------------- */
@@ -32,7 +32,7 @@ static const McdKind kind = {.type = MCD_SHAPE_TRIANGLE,
                              .rank = MCD_RANK_TRIANGLE,
                              .flatAxes = 4};
 
-/* The third one is the normal, by the right-hand rule; any direction without area. */
+/* Sets the axes. The third one is the normal, by the right-hand rule; z for a triangle without area. */
 static void setAxes(McdShape *shape) {
     double x[3], y[3], n[3];
     mcd_sub(x, shape->corner[1], shape->corner[0]);
@@ -63,7 +63,7 @@ static MeBool areNear(const double corner[3][3]) {
     return mcd_isNear3(corner[0]) && mcd_isNear3(corner[1]) && mcd_isNear3(corner[2]);
 }
 
-/* The unit normal by the right-hand rule; false if there is no area. */
+/* The unit normal by the right-hand rule; false if the triangle has no area. */
 static MeBool normalOf(const double corner[3][3], double normal[3]) {
     double e[3][3], longest = 0;
     for (int i = 0; i < 3; i++) {
@@ -108,7 +108,7 @@ MeBool mcd_segmentTriangle(const double corner[3][3], const double normal[3], Me
         mcd_sub(across, corner[last], corner[i]);
         mcd_sub(here, at, corner[i]);
         const double width = mcd_dot(across, inward), inside = mcd_dot(here, inward) * (width < 0 ? -1 : 1);
-        if (inside < -1e-12 * fabs(width)) /* an edge belongs to both of its triangles */
+        if (inside < -1e-12 * fabs(width)) /* a point on an edge belongs to both of its triangles */
             return MEFALSE;
     }
     mcd_scale(hitNormal, normal, side);

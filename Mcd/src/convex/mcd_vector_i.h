@@ -1,4 +1,4 @@
-/* Inside Mcd: three-dimensional vectors in double, and the one way from double to int. */
+/* Inside Mcd: three-dimensional vectors in double, and the only conversion from double to int. */
 #ifndef MCD_VECTOR_H
 #define MCD_VECTOR_H
 
@@ -45,7 +45,7 @@ static inline double mcd_distanceSquared(const double a[3], const double b[3]) {
     return mcd_dot(d, d);
 }
 
-/* Two directions that make a right-handed frame (u, w, n) with the unit vector n. */
+/* Two directions u, w that form a right-handed frame (u, w, n) with the unit vector n. */
 static inline void mcd_basis(const double n[3], double u[3], double w[3]) {
     if (fabs(n[0]) < .6)
         mcd_set(u, 0, n[2], -n[1]);
@@ -55,12 +55,12 @@ static inline void mcd_basis(const double n[3], double u[3], double w[3]) {
     mcd_cross(w, n, u);
 }
 
-/* Has it length 1, to within what rounding does? */
+/* Whether the vector has length 1, to within rounding. */
 static inline int mcd_isUnit(const double a[3]) {
     return fabs(mcd_dot(a, a) - 1) < 1e-9;
 }
 
-/* The greatest int that is not above x, as far as it is between low and high; low for what is no number. */
+/* The largest int that is not above x, clamped to low .. high; low for NaN. */
 static inline int mcd_floorBetween(double x, int low, int high) {
     return !(x > low) ? low : x >= high ? high : (int)floor(x);
 }
