@@ -1,4 +1,4 @@
-/* Contacts: accessors, and contact reduction: a few points that support as well as many. */
+/* Contacts: accessors, and contact reduction: choosing a few points that support as well as many. */
 #include "McdContact.h"
 #include "McdInternal.h"
 #include "model/mcd_result_i.h"
@@ -8,7 +8,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Programs may have written another separation since; what was found then holds no more. */
+/* Whether the separation is the one that the test found: the exact values of a contact are valid only then, since
+ * programs may write another separation. */
 static MeBool isAsFound(const McdContact *c) {
     return (MeReal)c->exactSeparation == c->separation;
 }
@@ -66,7 +67,8 @@ static double rimOfShape(const McdContact *c, int side, McdGeometryInstanceID in
     return rim;
 }
 
-/* The part of a model that the contact is of. Null: there is none, or the model has gone since. */
+/* The instance, in the first or second model, that the contact belongs to. Null: there is none, or the model has
+ * been destroyed. */
 static McdGeometryInstanceID instanceOf(const McdContact *c, int side) {
     const McdGeometryInstanceID ins = side == 0 ? c->instance1 : c->instance2;
     const MeBool isKnown = ins && MCD_IS_KNOWN(ins, MCD_INSTANCE) && ins->geometry && ins->model;
@@ -117,7 +119,8 @@ static void cross(const double a[3], const double b[3], double out[3]) {
     memcpy(out, c, sizeof c);
 }
 
-/* ---- spots of one normal ----------------------------------------------------------------------------------------- */
+/* ---- spots with one normal
+ * ---------------------------------------------------------------------------------------- */
 
 static int farthestFrom(const McdSpot *spot, int count, const double place[3]) {
     int best = 0;
@@ -141,7 +144,7 @@ static int deepestOf(const McdSpot *spot, int count) {
     return best;
 }
 
-/* Twice the area of the triangle of two spots and a third, seen along the normal: positive on the left of a -> b. */
+/* Twice the area of the triangle a, b, c, seen along the normal: positive if c is on the left of a -> b. */
 static double areaBeside(const McdSpot *a, const McdSpot *b, const McdSpot *c, const double normal[3]) {
     double ab[3], ac[3], n[3];
     difference(b->position, a->position, ab);
@@ -150,7 +153,8 @@ static double areaBeside(const McdSpot *a, const McdSpot *b, const McdSpot *c, c
     return dot(n, normal);
 }
 
-/* The spot farthest to one side (sign) of the line from a to b, seen along the normal. */
+/* The spot farthest to one side (sign 1: left, -1: right) of the line from a to b, seen along the normal; `area`
+ * gets twice the area of its triangle. */
 static int farthestBeside(const McdSpot *spot, int count, int a, int b, const double normal[3], double sign,
                           double *area) {
     int best = a;
@@ -165,9 +169,10 @@ static int farthestBeside(const McdSpot *spot, int count, int a, int b, const do
     return best;
 }
 
-/* Up to four corners of what the spots cover: two ends, and the farthest on either side; if there is nothing on the
- * second side, the largest addition across the two other sides of the triangle. All areas are seen along one normal:
- * the spots' own differ by up to 1.1 degrees, and along two of them a corner may lie outside of its own triangle. */
+/* Chooses up to four extreme spots: two far ends, and the spot farthest from their line on either side; if the
+ * second side is empty, the spot that adds most area beyond the triangle's two other sides. All areas are seen along
+ * one normal, since the spots' own normals differ by up to 1.1 degrees: along two of them a corner might lie outside
+ * of its own triangle. */
 static int corners(const McdSpot *spot, int count, int maxCount, double same, int *kept) {
     double mean[3] = {0, 0, 0}, ab[3];
     for (int i = 0; i < count; i++)
@@ -177,7 +182,7 @@ static int corners(const McdSpot *spot, int count, int maxCount, double same, in
     difference(spot[b].position, spot[a].position, ab);
     const double length = sqrt(dot(ab, ab));
     kept[0] = a;
-    if (maxCount == 1 || !(length > same)) /* NaN: positions are no numbers */
+    if (maxCount == 1 || !(length > same)) /* or NaN: the positions are not finite */
         return 1;
     kept[1] = b;
     if (maxCount == 2)
@@ -197,7 +202,7 @@ static int corners(const McdSpot *spot, int count, int maxCount, double same, in
         kept[3] = second;
         return 4;
     }
-    const double outward = left >= right ? -1 : 1; /* a, b, first turn left if left: outside is right of each side */
+    const double outward = left >= right ? -1 : 1; /* a -> b -> first turns left if `left`: outside is right */
     double across[2];
     const int beyond[2] = {farthestBeside(spot, count, b, first, normal, outward, &across[0]),
                            farthestBeside(spot, count, first, a, normal, outward, &across[1])};
@@ -208,7 +213,7 @@ static int corners(const McdSpot *spot, int count, int maxCount, double same, in
     return 4;
 }
 
-/* A spot in the middle that is deeper than all that are kept takes the place of the nearest. */
+/* Replaces the nearest kept spot by the deepest spot, if that is deeper than all kept ones. */
 static void includeDeepest(const McdSpot *spot, int count, int *kept, int keptCount) {
     const int deepest = deepestOf(spot, count);
     double lowest = spot[kept[0]].separation, size = 0, nearest = INFINITY;
@@ -227,7 +232,8 @@ static void includeDeepest(const McdSpot *spot, int count, int *kept, int keptCo
         kept[place] = deepest;
 }
 
-/* ---- any spots --------------------------------------------------------------------------------------------------- */
+/* ---- spots with any normals
+ * --------------------------------------------------------------------------------------- */
 
 static double differenceSquared(const McdSpot *a, const McdSpot *b, double size) {
     double d[3], n[3];
@@ -242,7 +248,8 @@ static double extentOfSpots(const McdSpot *spot, int count) {
     return sqrt(dot(d, d));
 }
 
-/* Counts one that is chosen now. What is no number is at distance 0: it is not chosen. */
+/* Updates each spot's distance from the chosen ones, after one more was chosen. Spots that are not finite get
+ * distance 0, so they are never chosen. */
 static void updateDistances(McdSpot *spot, int count, const McdSpot *chosen, double size) {
     for (int i = 0; i < count; i++) {
         const double distance2 = differenceSquared(&spot[i], chosen, size);
@@ -328,13 +335,13 @@ static MeBool isOnFace(const McdContact *c, const MeReal *normal) {
     return MeVector3Dot(c->normal, normal) > (MeReal).99;
 }
 
-/* Contacts may be a program's. */
+/* Whether the contact's numbers are finite: programs may have made it. */
 static MeBool isNumber(const McdContact *c) {
     return mcd_areNear(c->position, 3) && mcd_areNear(c->normal, 3) && mcd_areNear(&c->separation, 1);
 }
 
-/* Spots of the contacts that are, or are not, on faces; `from` says which contacts they are. Contacts that are not
- * finite are left out. */
+/* Makes spots of the contacts on faces, or of the others; of all if normal is null. `from` gets their indices.
+ * Contacts that are not finite are left out. */
 static int gatherSpots(const McdContact *contacts, int count, const MeReal *normal, MeBool onFaces, McdSpot *spot,
                        int *from) {
     const McdContact *reference = NULL;
@@ -353,7 +360,7 @@ static int gatherSpots(const McdContact *contacts, int count, const MeReal *norm
 
 typedef struct Workplace {
     McdSpot *spot;
-    int *from, *kept, *chosen; /* `count` of each */
+    int *from, *kept, *chosen; /* each has room for all contacts */
 } Workplace;
 
 static int chooseContacts(const Workplace *w, const McdContact *contacts, int count, int maxCount, const MeReal *normal,
@@ -381,7 +388,7 @@ int mcd_simplify(const McdContact *from, int count, McdContact *to, int maxCount
     const int chosenCount = chooseContacts(&w, from, count, maxCount, faceNormal, same);
     MEASSERT(chosenCount <= MeMAX(maxCount, 0) && chosenCount <= count);
     for (int i = 0; i < chosenCount; i++)
-        to[i] = from[w.chosen[i]]; /* chosen ascends: nothing is overwritten before it is read */
+        to[i] = from[w.chosen[i]]; /* `chosen` is ascending: nothing is overwritten before it is read */
     return chosenCount;
 }
 

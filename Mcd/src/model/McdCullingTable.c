@@ -1,4 +1,4 @@
-/* Tables of which kinds of models do not collide: one bit for each unordered pair of indices. */
+/* Culling tables: one bit for each unordered pair of indices says that two kinds of models do not collide. */
 #include "McdCullingTable.h"
 #include "MeInternal.h"
 #include "MeMessage.h"
@@ -11,7 +11,7 @@ struct McdCullingTable {
     unsigned char bits[];
 };
 
-/* The place of a pair in the lower triangle, row by row. */
+/* The index of a pair's bit in the lower triangle, row by row. */
 static size_t bitOf(MeU32 a, MeU32 b) {
     const size_t row = a > b ? a : b, column = a > b ? b : a;
     return row * (row + 1) / 2 + column;

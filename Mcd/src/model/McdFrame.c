@@ -1,4 +1,4 @@
-/* The framework: its life, types, interactions, defaults. */
+/* The framework: creation, types, interactions, defaults. */
 #include "convex/mcd_kind_i.h"
 #include "model/mcd_result_i.h"
 #include "McdInternal.h"
@@ -47,7 +47,8 @@ MeBool mcd_frameCheck(McdFrameworkID frame, const char *function) {
     return MEFALSE;
 }
 
-/* ---- life ---------------------------------------------------------------------------------------------------- */
+/* ---- creation, pools
+ * ---------------------------------------------------------------------------------------------- */
 
 static void freeBlocks(McdPoolBlock *block) {
     for (McdPoolBlock *next; block; block = next) {
@@ -64,7 +65,7 @@ void mcd_frameFree(McdFramework *frame) {
     MeMemoryGive(frame);
 }
 
-/* The records of a new block; null if there is no memory. */
+/* Adds a block of records to a pool. Returns the first record; null if there is no memory. */
 static void *addBlock(McdPoolBlock **blocks, int count, size_t size, const char *function, const char *what) {
     McdPoolBlock *block = 0;
     if ((size_t)count <= (SIZE_MAX - sizeof *block) / size)
@@ -103,7 +104,7 @@ static MeBool addInstances(McdFramework *frame, int count, const char *function)
     return METRUE;
 }
 
-/* Each block is as large as all before it together. */
+/* The size of a pool's next block: as large as all earlier blocks together. */
 static int roomToAdd(int room) {
     enum { FIRST_BLOCK = 64 };
     return room ? room : FIRST_BLOCK;
@@ -199,7 +200,7 @@ MeBool MEAPI McdFrameworkTypeIsValid(McdFrameworkID frame, int typeId) {
     return mcd_frameCheck(frame, "McdFrameworkTypeIsValid") && typeId >= 0 && typeId < frame->typeCount;
 }
 
-/* The record of a type number; null, with a warning, if there can be no such type. */
+/* The record of a type number; null, with a warning, if the number is out of range. */
 static McdTypeRecord *typeRecord(McdFramework *frame, int typeId, const char *function) {
     if (!mcd_frameCheck(frame, function))
         return 0;
@@ -314,7 +315,7 @@ McdLineSegIntersectFnPtr MEAPI McdFrameworkGetLineSegInteraction(McdFramework *f
     return type ? type->lineSegment : 0;
 }
 
-/* One row of the table: the types with which the row's type interacts, in one order or the other. */
+/* Prints one row of the table: the types with which the row's type interacts, in either order. */
 static void printRow(McdFramework *frame, int row) {
     char line[512] = "";
     for (int i = 0; i < frame->typeCount; i++) {

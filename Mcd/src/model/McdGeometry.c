@@ -1,10 +1,11 @@
-/* Common to all geometries: a head, a type, a reference count; queries go to the type's functions. */
+/* Common to all geometries: head, type and reference count; queries are dispatched to the type's functions. */
 #include "model/mcd_result_i.h"
 #include <string.h>
 
-/* ---- life ---------------------------------------------------------------------------------------------------- */
+/* ---- creation, destruction
+ * -------------------------------------------------------------------------------------------- */
 
-/* Programs see the head of a geometry, and not what a handle is made of. */
+/* The public head of a geometry has opaque storage for its handle. */
 _Static_assert(sizeof(MeHandle) <= sizeof(((McdGeometry *)0)->handle), "McdGeometry has place for its handle");
 
 static MeHandle *handleOf(McdGeometry *g) {
@@ -135,7 +136,7 @@ void mcd_geometryDestroy(McdGeometry *g) {
     MeStageEnd(&frame->stage, MCD_GUARD_MODELS);
 }
 
-/* Whether something uses it is known only then: models may be destroyed before. */
+/* Reference counts are checked only now: models that use the geometry may have been destroyed in the same stage. */
 static void MEAPI destroyLater(const MeLater *later) {
     if (MeHandleIsLive(later->object, MCD_GEOMETRY))
         McdGeometryDestroy(later->object);
@@ -185,7 +186,7 @@ void MEAPI McdGeometryDecrementReferenceCount(McdGeometryID g) {
         g->referenceCount = MeMAX(g->referenceCount - 1, 0);
 }
 
-/* ---- questions ----------------------------------------------------------------------------------------------- */
+/* ---- accessors ------------------------------------------------------------------------------------------------ */
 
 int MEAPI McdGeometryGetType(const McdGeometryID g) {
     return checkLive(g, "McdGeometryGetType") ? g->type : -1;
@@ -208,7 +209,7 @@ McdLineSegIntersectFnPtr MEAPI McdGeometryGetLineSegIntersectFnPtr(McdGeometryID
     return type ? type->lineSegment : 0;
 }
 
-/* A childless instance of the geometry, for functions that want one. */
+/* A temporary instance of the geometry without children, for functions that take an instance. */
 static McdGeometryInstance standIn(McdGeometryID g, const MeMatrix4 tm) {
     McdGeometryInstance ins;
     memset(&ins, 0, sizeof ins);

@@ -1,4 +1,4 @@
-/* Instances: geometries at places, and the trees that aggregates make of them. */
+/* Instances: geometries at places, and the trees of instances of aggregates. */
 #include "model/mcd_geometries_i.h"
 #include "convex/mcd_shape_i.h"
 #include "model/mcd_result_i.h"
@@ -188,7 +188,8 @@ void MEAPI McdGeometryInstanceReset(McdGeometryInstanceID ins) {
         mcd_record(ins->model)->material = 0;
 }
 
-/* ---- extent ---------------------------------------------------------------------------------------------------- */
+/* ---- boxes, support points
+ * ------------------------------------------------------------------------------------------ */
 
 void MEAPI McdGeometryInstanceGetAABB(McdGeometryInstanceID ins, MeVector3 minCorner, MeVector3 maxCorner) {
     if (!mcd_areGiven(__func__, minCorner, maxCorner, maxCorner))

@@ -17,7 +17,8 @@ MeBool mcd_modelPrecedes(const McdModelRecord *a, const McdModelRecord *b) {
     return a->sortKey != b->sortKey ? a->sortKey < b->sortKey : a->serial < b->serial;
 }
 
-/* ---- life ---------------------------------------------------------------------------------------------------- */
+/* ---- creation, destruction
+ * -------------------------------------------------------------------------------------------- */
 
 static void setFilter(McdModelRecord *m, McdFilter filter) {
     m->filter = filter;
@@ -30,7 +31,7 @@ static void setUpdate(McdModelRecord *m, McdModelUpdateFnPtr f) {
     m->update = f;
 }
 
-/* Everything but its geometry, its space and its place in the framework. */
+/* Resets everything except the geometry, the space and the entry in the framework's list. */
 static void setDefaults(McdModelRecord *m) {
     m->model.mBody = 0;
     m->instance.tm = 0;
@@ -47,7 +48,7 @@ static void setDefaults(McdModelRecord *m) {
     m->userData = 0;
 }
 
-/* In the framework's list models follow in the order of creation, and each knows the one before it. */
+/* For checks: the framework's list of models is in the order of creation, doubly linked, and as long as its count. */
 static MeBool areModelsGood(const McdFramework *frame) {
     int count = 0;
     for (const McdModelRecord *m = frame->firstModel; m; m = m->next, count++)
@@ -92,7 +93,7 @@ static void recordToPool(McdModelRecord *m) {
     frame->lastFree = m;
 }
 
-/* Makes g the geometry of a model without one. False, with a message, if there are too few child instances. */
+/* Makes g the geometry of a model that has none. False, with a message, if the pool has too few child instances. */
 static MeBool acquireGeometry(McdModelRecord *m, McdGeometryID g, const char *function) {
     m->instance.geometry = g;
     m->instance.model = &m->model;
@@ -138,7 +139,7 @@ static void freeRelative(McdModelRecord *m) {
     m->ownsRelative = MEFALSE;
 }
 
-/* Calls mLeave, by which the model is removed from its body's list. */
+/* Calls mLeave, which removes the model from its body's list. */
 static void leaveBody(McdModelRecord *m) {
     if (m->model.mLeave)
         m->model.mLeave(&m->model);
@@ -154,7 +155,7 @@ static void destroyModel(McdModelRecord *m) {
     recordToPool(m);
 }
 
-/* What the space tells of the model's pairs may be a function of the program. */
+/* Within a stage, since the space may call functions of the program for the model's pairs. */
 void mcd_modelDestroy(McdModelRecord *m) {
     McdFramework *frame = m->frame;
     m->isCondemned = m->isGone = true;
@@ -262,7 +263,7 @@ McdModelID mcd_standInBegin(McdStandIn *s, McdGeometryInstance *child) {
     s->record.relTM = s->record.refTM = 0;
     s->record.ownsRelative = MEFALSE;
     s->record.update = 0;
-    s->record.intersect = 0; /* called once for the whole */
+    s->record.intersect = 0; /* it is called once, for the whole aggregate */
     s->record.linearVelocity = mcd_childVelocity(child, s->velocity);
 #if KARMA_CHECK
     MeHandleEnter(&s->record.handle, &s->record, MCD_MODEL);
@@ -464,7 +465,7 @@ void mcd_modelPlaceAt(const McdModelRecord *m, double time, MeMatrix4 tm) {
 
 /* ---- updating --------------------------------------------------------------------------------------------------- */
 
-/* Does the box hold the farthest points that the nearfield finds, along the world's axes? */
+/* For checks: whether the box contains the shape's support points along the world's axes. */
 static MeBool isShapeWithin(McdGeometryInstance *ins) {
     const double origin[3] = {0, 0, 0};
     McdShape s;
@@ -481,7 +482,7 @@ static MeBool isShapeWithin(McdGeometryInstance *ins) {
     return METRUE;
 }
 
-/* Boxes of children first: an aggregate's box is made from theirs. */
+/* Updates the boxes of children first: an aggregate's box is made from theirs. */
 static void updateBoxes(McdGeometryInstance *ins, const MeMatrix4Ptr finalTM) {
     for (McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)
         updateBoxes(child, 0);
@@ -494,7 +495,7 @@ void mcd_modelRefresh(McdModelRecord *m) {
     updateBoxes(&m->instance, 0);
 }
 
-/* Which may update the model itself: it is not called again then. */
+/* Calls the update callback; not again if the callback itself updates the model. */
 static void callUpdate(McdModelRecord *m) {
     if (!m->update || m->isBeingUpdated)
         return;
@@ -505,7 +506,7 @@ static void callUpdate(McdModelRecord *m) {
     m->isBeingUpdated = false;
 }
 
-/* Is it somewhere, with its parts? */
+/* Places the model and its children by the current transform. False if it has no valid transform. */
 static MeBool place(McdModelRecord *m) {
     callUpdate(m);
     if (!m->instance.tm)
@@ -537,8 +538,9 @@ void MEAPI McdModelUpdate(McdModelID cm) {
     MeStageEnd(&frame->stage, MCD_GUARD_MODELS);
 }
 
-/* How far a point of the model leaves the straight line between its two ends while the model turns by an angle:
- * r (1 - cos(angle / 2)), r the farthest distance of a point from the transform's origin; more than half a turn: r. */
+/* How far a point of the model deviates from the straight line between its start and end while the model rotates by
+ * an angle: r (1 - cos(angle / 2)), where r is the largest distance of a point from the transform's origin; for more
+ * than half a turn: r. */
 static MeReal deviationByTurning(const McdModelRecord *m, MeReal duration) {
     MeVector3 centre;
     MeReal radius;
@@ -725,7 +727,8 @@ McdModelIntersectFnPtr MEAPI McdModelGetIntersectCallback(McdModelID cm) {
     return m ? m->intersect : 0;
 }
 
-/* ---- the program's ---------------------------------------------------------------------------------------------- */
+/* ---- the program's data
+ * --------------------------------------------------------------------------------------------- */
 
 void MEAPI McdModelSetUserData(McdModelID cm, void *data) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetUserData");

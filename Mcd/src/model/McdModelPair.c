@@ -1,4 +1,4 @@
-/* Pairs of models that programs make by hand. */
+/* Pairs of models that programs create themselves. */
 #include "McdModelPair.h"
 #include "model/mcd_result_i.h"
 #include <string.h>

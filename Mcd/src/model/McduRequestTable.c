@@ -1,13 +1,14 @@
-/* The table of requests: the lower triangle of a matrix by request id, and one more for ids outside.
+/* The table of requests: the lower triangle of a matrix indexed by request ids, and one more entry for ids out of
+ * range.
  *
- * There is one for the process, as the functions name no framework. Whoever replaces or ends it takes it out in one
- * step, so that two threads that do so at once do not free it twice. */
+ * There is one table per process, since the functions take no framework. It is replaced by an atomic exchange, so
+ * that two threads that replace or free it at once do not free it twice. */
 #include "McduRequestTable.h"
 #include "model/mcd_result_i.h"
 
 typedef struct Table {
     int idCount;
-    McdRequest request[]; /* entryCount(), and the default */
+    McdRequest request[]; /* entryCount(idCount) entries, then the default */
 } Table;
 
 static _Atomic(Table *) table;

@@ -1,4 +1,4 @@
-/* Inside Mcd: the records of frameworks and types, geometries, and what waits for the end of a stage. */
+/* Inside Mcd: the records of frameworks and types, functions of geometries, and stages. */
 #ifndef MCD_FRAME_I_H
 #define MCD_FRAME_I_H
 
@@ -9,7 +9,7 @@
 
 typedef struct McdTypeRecord {
     MeBool isRegistered;
-    const McdKind *kind; /* null for a program's own */
+    const McdKind *kind; /* null for a program's own type */
     const char *name;
     McdGeometryDestroyFnPtr destroy;
     McdGeometryGetAABBFnPtr getAABB;
@@ -22,14 +22,14 @@ typedef struct McdTypeRecord {
 
 typedef struct McdGridCell {
     MeBool isSet;
-    atomic_int warned;            /* by queries too, which may be several at once */
-    McdInteractions interactions; /* a program may write them */
-    McdInteractions library;      /* the library's own for these types, if it has any */
+    atomic_int warned;            /* also by queries, several of which may run at once */
+    McdInteractions interactions; /* a program may write here, by McdFrameworkGetInteractions */
+    McdInteractions library;      /* the library's functions for these types, if there are any */
 } McdGridCell;
 
 typedef struct McdTermActionLink McdTermActionLink;
 
-/* Pools grow by further blocks of records, so that records never move. This is a block's head, the records follow. */
+/* Pools grow by adding blocks, so that records never move. A block starts with this header; its records follow. */
 typedef struct McdPoolBlock {
     _Alignas(ME_CACHE_LINE) struct McdPoolBlock *next;
 } McdPoolBlock;
@@ -37,14 +37,14 @@ typedef struct McdPoolBlock {
 struct _McdFramework {
     MeU32 magic;
     MeHandle handle;
-    int typeCount; /* of the tables: built-in and the program's */
+    int typeCount; /* size of the tables: built-in types and the program's */
     McdTypeRecord *types;
     McdGridCell *grid; /* typeCount x typeCount */
     MeLimit typeLimit, modelLimit, instanceLimit;
     int modelRoom, modelCount, instanceRoom, instanceCount, geometryCount; /* room: records in all blocks of the pool */
     McdPoolBlock *modelBlocks, *instanceBlocks;
     McdModelRecord *firstModel, *lastModel;
-    McdModelRecord *firstFree, *lastFree; /* freed ones are reused last, so that stale handles are noticed */
+    McdModelRecord *firstFree, *lastFree; /* freed records are reused last, so that stale handles are noticed */
     McdGeometryInstance *freeInstance;
     McdGeometry *firstGeometry, *lastGeometry;
     unsigned long serial;
@@ -52,16 +52,16 @@ struct _McdFramework {
     McdRequest builtInRequest;
     McdRequest *defaultRequest;
     McdTermActionLink *termActions;
-    MeStage stage;    /* at which level it is held (mcd_stage.c) */
-    MeBool isEmptied; /* nothing is created meanwhile */
+    MeStage stage;    /* which objects are guarded at present (mcd_stage.c) */
+    MeBool isEmptied; /* everything is being destroyed: nothing may be created */
     int spaceCount;
-    int updateCallbacks;            /* models that have one */
-    MeU64 round;                    /* of tests, in which models stay as they are */
-    MeU64 changes;                  /* counts calls that change a shape, or what a model's collisions depend on */
-    struct McdScratch *freeScratch; /* what queries work in (mcd_scratch_i.h): those that no query has */
+    int updateCallbacks;            /* number of models that have one */
+    MeU64 round;                    /* counts rounds of pair tests; models do not change within a round */
+    MeU64 changes;                  /* counts calls that change a shape or other inputs of collisions */
+    struct McdScratch *freeScratch; /* unused scratches of queries (mcd_scratch_i.h) */
     atomic_int scratchIsLocked;
-    /* Set when a space is created, so that a program without spaces does not link them: takes a model out of the space
-     * that it is in, at once; has the space look at the model's filter, which is another one now. */
+    /* Functions of spaces, set when the first space is created, so that programs without spaces do not link them.
+     * spaceForget: removes a model from its space immediately. spaceFilter: the model's filter has changed. */
     void (*spaceForget)(McdModelID cm);
     void (*spaceFilter)(McdModelID cm);
     void (*spaceForgetPairs)(McdModelID cm); /* McdModelForgetPairs */
@@ -69,34 +69,37 @@ struct _McdFramework {
 };
 
 MeBool mcd_frameCheck(McdFrameworkID frame, const char *function);
-/* How many frameworks live: one more, or one less. */
+/* Adds `change` to the number of live frameworks. */
 void mcd_countFrames(int change);
-/* Returns its memory, but for scratches. */
+/* Frees the framework's memory, except scratches. */
 void mcd_frameFree(McdFramework *frame);
-/* Makes a pool that is empty larger. False, with a message that names the function, if it must not be, or cannot. */
+/* Enlarge a pool that is exhausted. False, with a message that names the function, if the limit or memory is
+ * exhausted. */
 MeBool mcd_frameAddModels(McdFramework *frame, const char *function);
 MeBool mcd_frameAddInstances(McdFramework *frame, const char *function);
-/* False, with a message: all of it is being destroyed, or a quiet function of the program runs. */
+/* Whether objects may be created. False, with a message, while the framework destroys everything, or while a
+ * callback runs that may not make changes. */
 MeBool mcd_mayCreate(const McdFramework *frame, const char *function);
-/* Destroys one that nothing uses, in a stage of its framework, too. */
+/* Destroys a geometry without references, immediately, even during a stage of its framework. */
 void mcd_geometryDestroy(McdGeometry *g);
-/* The record of a live geometry's type, which is registered; null, with a warning, for anything else. */
+/* The type record of a live geometry; null, with a warning, for anything else. */
 const McdTypeRecord *mcd_geometryType(McdGeometryID g, const char *function);
-/* Memory for a geometry that begins with McdGeometry, its head made; null, with a warning, if the type is not
- * registered or there is no memory. */
+/* Allocates a geometry whose record begins with McdGeometry, and initializes that head; null, with a warning, if the
+ * type is not registered, and if there is no memory. */
 void *mcd_geometryCreate(McdFramework *frame, McdGeometryType type, size_t size, const char *function);
-/* Is g a live geometry of that type? Warns with the function's name if not. */
+/* Whether g is a live geometry of that type; if not, warns with the function's name. */
 MeBool mcd_geometryIs(McdGeometryID g, McdGeometryType type, const char *function);
-/* Does it belong to that framework? Warns if not. */
+/* Whether the geometry belongs to the framework; warns if not. */
 MeBool mcd_geometryBelongs(McdGeometryID g, const McdFramework *frame, const char *function);
-/* Mcd...Destroy of a type: McdGeometryDestroy of a live geometry of it, nothing for what has gone. */
+/* Implements Mcd...Destroy of a type: McdGeometryDestroy for a live geometry of that type; ignores a geometry that
+ * has been destroyed (mcd_mayDestroy). */
 void mcd_geometryDestroyAs(McdGeometryID g, McdGeometryType type, const char *function);
-/* The destructor that a type without memory of its own registers: the head has been released before. */
+/* Destructor of geometry types that own no other memory: frees the geometry, whose head has already been released. */
 void MEAPI mcd_geometryFree(McdGeometryID g);
 
 /* ---- types ---- */
 
-/* The table of a geometry's type; null for a program's own types. */
+/* The kind (function table) of a geometry's type; null for a program's own type. */
 static inline const McdKind *mcd_kindOf(const McdGeometry *g) {
     return g->frame->types[g->type].kind;
 }
@@ -106,29 +109,31 @@ static inline MeBool mcd_isHalfSpace(const McdGeometryInstance *ins) {
     return kind && kind->isHalfSpace;
 }
 
-/* Registers the type with a framework. */
+/* Registers a built-in type with a framework. */
 void mcd_kindRegister(McdFramework *frame, const McdKind *kind, const char *function);
-/* Sets the library's own functions for two types. False, with a warning, for a type that is none. */
+/* Registers the library's functions for two types. False, with a warning, if one is not a type. */
 MeBool mcd_interactionRegister(McdFramework *frame, int type1, int type2, const McdInteractions *library);
 
 /* ---- stages (mcd_stage.c) ------------------------------------------------------------------------------------- */
 
-/* What must stay as it is while a stage calls the program. Each level includes those before it. */
+/* Levels of a stage: objects that must not change while the program is called. Each level includes the ones before
+ * it. */
 enum {
     MCD_GUARD_FRAME,  /* the framework and its spaces */
     MCD_GUARD_MODELS, /* models and their pairs, geometries, change blocks */
-    MCD_GUARD_SHAPES  /* transforms' pointers, what models are made of, boxes in the tree */
+    MCD_GUARD_SHAPES  /* transform pointers, geometries of models, boxes in the tree */
 };
-/* MeStageWhen, for what has to wait as long as models are held; it is in the framework's list then. */
+/* When a call takes effect (MeStageWhen): if models are guarded, the call is added to the framework's deferred
+ * calls. */
 MeWhen mcd_when(McdFramework *frame, const MeLater *later, const char *function);
-/* The model that was meant; null: it has gone. */
+/* The model that a deferred call is for; null: it has been destroyed. */
 McdModelRecord *mcd_laterModel(const MeLater *later);
-/* False, with a message: shapes are held. */
+/* Whether shapes may change; false, with a message, while they are guarded. */
 MeBool mcd_mayPlace(const McdFramework *frame, const char *function);
 
-/* Around a call of a function of a geometry type, which may be the program's. */
+/* Bracket a call of a geometry type's function, which may be the program's. */
 typedef struct McdTypeCall {
-    McdFramework *frame; /* null: it is the library's */
+    McdFramework *frame; /* null: the function is the library's */
     MeProgramCall before;
 } McdTypeCall;
 McdTypeCall mcd_typeEnterOwn(McdFramework *frame);

@@ -1,4 +1,4 @@
-/* Inside Mcd: what the built-in geometries are made of. */
+/* Inside Mcd: the records of the built-in geometries. */
 #ifndef MCD_GEOMETRIES_H
 #define MCD_GEOMETRIES_H
 
@@ -15,24 +15,24 @@ struct McdSphere {
 
 struct McdBox {
     McdGeometry head;
-    MeVector3 radii; /* half of its size along each axis */
+    MeVector3 radii; /* half extents */
 };
 
-struct McdPlane { /* z = 0 of its frame; below it is inside */
+struct McdPlane { /* z = 0 of its frame; below is inside */
     McdGeometry head;
 };
 
-struct McdCylinder { /* about z, its middle at the origin */
+struct McdCylinder { /* about z, centred at the origin */
     McdGeometry head;
     MeReal radius, halfHeight;
 };
 
-struct McdSphyl { /* a cylinder about z between two half balls */
+struct McdSphyl { /* about z, centred at the origin */
     McdGeometry head;
-    MeReal radius, halfHeight; /* of the cylinder, without the balls */
+    MeReal radius, halfHeight; /* of the cylinder, without the half spheres */
 };
 
-struct McdCone { /* about z, maybe cut off at the top; its centre of mass at the origin */
+struct McdCone { /* about z, possibly truncated; the centre of mass is at the origin */
     McdGeometry head;
     MeReal length, lowerRadius, upperRadius;
     MeReal lowerHeight; /* from the base up to the centre of mass */
@@ -41,31 +41,31 @@ struct McdCone { /* about z, maybe cut off at the top; its centre of mass at the
 struct McdConvexMesh {
     McdGeometry head;
     McdHull *hull;
-    MeReal fatness;   /* all points within it of the hull belong to the shape */
-    MeVector3 *shown; /* the hull's vertices as programs see them */
+    MeReal fatness;   /* all points within this distance of the hull belong to the shape */
+    MeVector3 *shown; /* the hull's vertices in MeReal, for programs */
 };
 
 typedef struct McdTriangleListRecord {
-    McdTriangleList list; /* what programs see: first */
+    McdTriangleList list; /* the public part: first */
     MeVector3 min, max;
-    int room; /* of list.list */
+    int room; /* capacity of list.list */
     McdTriangleListFnPtr generate;
-    atomic_int hasWarned; /* that there is too little */
-    atomic_int isInUse;   /* list.list, by a query: others take an array of their own */
+    atomic_int hasWarned; /* about too small an array */
+    atomic_int isInUse;   /* list.list is used by a query: other queries allocate their own array */
 } McdTriangleListRecord;
 
-struct McdRGHeightField { /* a grid along x and y, two triangles a cell, outside is up */
+struct McdRGHeightField { /* a grid along x and y with two triangles per cell; up is outside */
     McdGeometry head;
-    const MeReal *height; /* the program's: row after row of x */
+    const MeReal *height; /* the program's array: row after row of x */
     int xCount, yCount;
     MeReal xStep, yStep, x0, y0;
-    MeReal low, high; /* of all heights, as of the last look */
-    MeU64 version;    /* counts the looks */
+    MeReal low, high; /* of all heights, at the last update */
+    MeU64 version;    /* counts updates */
 };
 
 typedef struct McdAggregateElement {
     McdGeometryID geometry;
-    MeMatrix4 relTM; /* in the aggregate's frame */
+    MeMatrix4 relTM; /* relative to the aggregate */
 } McdAggregateElement;
 
 struct McdAggregate {
@@ -74,7 +74,7 @@ struct McdAggregate {
     McdAggregateElement *element;
 };
 
-/* The aggregate that a geometry is, whose instances have children; null for all others. */
+/* A geometry as an aggregate, whose instances have children; null for other geometries. */
 static inline const McdAggregate *mcd_childrenOf(const McdGeometry *g) {
     return g->type == kMcdGeometryTypeAggregate ? (const McdAggregate *)g : 0;
 }

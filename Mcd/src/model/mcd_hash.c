@@ -1,9 +1,9 @@
-/* Hashes of what is compared from step to step. */
+/* Hashing of inputs that are compared from step to step. */
 #include "model/mcd_result_i.h"
 #include <string.h>
 
-/* Mixes a word into a hash of 128 bits. Each half is one to one in the word, so a change of one word always changes the
- * hash; changes of several could cancel out by chance only. */
+/* Mixes a word into a 128-bit hash. Each half is a bijection of the word, so a change of one word always changes the
+ * hash; changes of several words could only cancel by chance. */
 static void addWord(MeU64 hash[2], MeU64 word) {
     hash[0] = (hash[0] ^ word) * 0x9e3779b97f4a7c15ull;
     hash[0] ^= hash[0] >> 29;

@@ -23,20 +23,21 @@ enum {
     MCD_INSTANCE = 0x4d494e53
 };
 
-/* A program's pointer is looked up in the table of live objects before anything is read through it: in check builds by
- * every function, in all builds by those that destroy, so that programs may destroy their objects in any order.
- * Instances are in the table in check builds only: programs do not destroy them. */
+/* Pointers that programs pass are looked up in the table of live objects before they are dereferenced: by every
+ * function in check builds, and in all builds by the functions that destroy, so that programs may destroy objects in
+ * any order. Instances, which programs do not destroy, are in the table in check builds only. */
 #if KARMA_CHECK
 #define MCD_IS_KNOWN(p, kind) MeHandleIsLive((p), (kind))
 #else
 #define MCD_IS_KNOWN(p, kind) METRUE
 #endif
 
-/* "function: 0x123 is no model: ..." */
+/* Warns that p is not a live object: "function: 0x123 is no model: ..." */
 void mcd_warnGone(const void *p, const char *what, const char *function);
-/* Have all of these an address? Else a warning: one is null. Say a pointer twice where there are two. */
+/* Whether none of three pointers is null; warns otherwise. With two pointers, pass one of them twice. */
 MeBool mcd_areGiven(const char *function, const void *a, const void *b, const void *c);
-/* Whether it is a live object that may be destroyed; else a warning, if any framework lives. */
+/* Whether p is a live object that may be destroyed; otherwise warns, if any framework is alive. Null: false, without
+ * a warning. */
 MeBool mcd_mayDestroy(const void *p, unsigned int kind, const char *what, const char *function);
 
 /* ---- instances ----------------------------------------------------------------------------------------------- */
@@ -45,20 +46,20 @@ struct _McdGeometryInstance {
     McdGeometryID geometry;
     McdGeometryInstance *parent;     /* null for a model's own */
     McdGeometryInstance *firstChild; /* of an aggregate's instance, in the order of its elements */
-    MeMatrix4Ptr tm;                 /* set by the program: where a model is, or where a child's place is written */
-    int material;                    /* a child's; -1: the parent's. A model's is in its record */
-    int element;                     /* index among the parent's elements */
-    MeVector3 min, max;              /* world; as of the last update */
+    MeMatrix4Ptr tm;                 /* set by the program: a model's transform, or a copy of a child's */
+    int material;                    /* of a child; -1: the parent's. A model's material is in its record */
+    int element;                     /* of a child: its index among the parent's elements */
+    MeVector3 min, max;              /* box in the world, as of the last update */
 
     McdModelID model;
-    McdGeometryInstance *nextSibling; /* also links the pool's free ones */
-    MeMatrix4 placed;                 /* a child's transform in the world, as of the last update, */
-    double placedAxis[3][3];          /* mcd_shapeAxes of it, if isPlaced */
-    MeBool isPlaced;                  /* mcd_isPlace of it */
+    McdGeometryInstance *nextSibling; /* also links the free instances of the pool */
+    MeMatrix4 placed;                 /* a child's world transform, as of the last update */
+    double placedAxis[3][3];          /* mcd_shapeAxes of `placed`, if isPlaced */
+    MeBool isPlaced;                  /* mcd_isPlace of `placed` */
     MeHandle handle;
 };
 
-/* From enter to leave an instance is known to MeHandleIsLive; in check builds only. */
+/* Between mcd_instanceEnter and mcd_instanceLeave MeHandleIsLive knows the instance; in check builds only. */
 static inline void mcd_instanceEnter(McdGeometryInstance *ins) {
 #if KARMA_CHECK
     MeHandleEnter(&ins->handle, ins, MCD_INSTANCE);
@@ -71,24 +72,25 @@ static inline void mcd_instanceLeave(McdGeometryInstance *ins) {
     MeHandleLeave(&ins->handle);
 }
 
-/* Where the instance is; null if a model has no transform. */
+/* The instance's world transform; null if the model has none. */
 static inline MeMatrix4Ptr mcd_instanceTM(McdGeometryInstanceID ins) {
     return ins->parent ? ins->placed : ins->tm;
 }
 
-/* Has it a valid transform? */
+/* Whether the instance has a valid transform. */
 static inline MeBool mcd_instanceIsPlaced(McdGeometryInstanceID ins) {
     return mcd_isPlace(mcd_const(mcd_instanceTM(ins)));
 }
 
-/* False, with a message that names the function, when the pool is empty. */
+/* Create, free and place the children of an instance. mcd_instanceMakeChildren: false, with a message that names the
+ * function, if the pool is exhausted. */
 MeBool mcd_instanceMakeChildren(McdFramework *frame, McdGeometryInstance *ins, const char *function);
 void mcd_instanceFreeChildren(McdFramework *frame, McdGeometryInstance *ins);
-void mcd_instancePlaceChildren(McdGeometryInstance *ins); /* from its own transform, all the way down */
+void mcd_instancePlaceChildren(McdGeometryInstance *ins); /* recursively, from its own transform */
 
-/* The material that counts: its own or an ancestor's. */
+/* The instance's material: its own, or else that of the nearest ancestor that has one. */
 unsigned int mcd_instanceMaterial(const McdGeometryInstance *ins);
-/* Is it an instance of a live model? Warns if not. */
+/* Whether it is an instance of a live model; warns if not. */
 MeBool mcd_instanceCheck(const McdGeometryInstance *ins, const char *function);
 
 #endif

@@ -1,11 +1,11 @@
 /* Continuous collision: a lower bound of the time of impact of two models.
  *
- * Conservative advancement (Mirtich): for a fixed direction n the separation s = min a.n - max b.n of two rigid shapes
- * shrinks no faster than
+ * Conservative advancement (Mirtich): for a fixed direction n the separation s = min a.n - max b.n of two rigid
+ * shapes decreases no faster than
  *     mu = -(va - vb).n + |n x wa| Ra + |n x wb| Rb,
- * R the largest distance of a point from the shape's origin, because (w x r).n = r.(n x w) and |r| does not change. So
- * s / mu is a time without touch. Within one direction only support points are needed; when s gets small against the
- * true distance, the direction is found anew.
+ * where R is the largest distance of a point from the shape's origin, because (w x r).n = r.(n x w) and |r| is
+ * constant. So the shapes do not touch before the time s / mu. As long as the direction is kept, only support points
+ * are needed; when s becomes small compared with the true distance, a new direction is computed.
  */
 #include "model/mcd_geometries_i.h"
 #include "model/mcd_motion_i.h"
@@ -14,7 +14,7 @@
 
 enum { DIRECTIONS = 64, ADVANCES = 32 };
 
-/* A shape and how it moves. */
+/* A moving shape. */
 typedef struct Mover {
     McdShape start;
     double velocity[3], spin[3];
@@ -35,7 +35,7 @@ static double length(const double a[3]) {
     return sqrt(dot(a, a));
 }
 
-/* Rodrigues: v turned about the unit axis. */
+/* Rotates v about the unit axis, by Rodrigues' formula. */
 static void turnVector(double v[3], const double axis[3], double sine, double cosine) {
     double side[3];
     cross(side, axis, v);
@@ -73,14 +73,14 @@ static MeBool moverOf(McdModelID cm, const double origin[3], Mover *mover) {
     return METRUE;
 }
 
-/* m/s: an upper bound of the velocity of any point of the mover along n. */
+/* m/s: an upper bound of the velocity along n of any point of the mover. */
 static double speedAlong(const Mover *m, const double n[3]) {
     double lever[3];
     cross(lever, n, m->spin);
     return dot(m->velocity, n) + length(lever) * m->reach;
 }
 
-/* min a.n - max b.n at a time. */
+/* The separation min a.n - max b.n at a time. */
 static double separationAlong(const Mover *a, const Mover *b, const double n[3], double time) {
     const double back[3] = {-n[0], -n[1], -n[2]};
     double low[3], high[3];
@@ -92,8 +92,8 @@ static double separationAlong(const Mover *a, const Mover *b, const double n[3],
     return dot(low, n) - dot(high, n);
 }
 
-/* Advances time along one fixed direction, whose separation at `time` is s, as long as progress is good; returns the
- * new time. */
+/* Advances the time along one fixed direction while progress is good; s is the separation at `time`. Returns the new
+ * time. */
 static double advanceAlong(const Mover *a, const Mover *b, const double n[3], double s, double target, double time,
                            double maxTime) {
     const double back[3] = {-n[0], -n[1], -n[2]};
@@ -102,13 +102,14 @@ static double advanceAlong(const Mover *a, const Mover *b, const double n[3], do
         if (closing <= 0)
             return maxTime;
         time += s / closing;
-        MEASSERT(s > 0 && closing > 0); /* time only grows */
+        MEASSERT(s > 0 && closing > 0); /* time only increases */
         s = separationAlong(a, b, n, MeMIN(time, maxTime));
     }
     return MeMIN(time, maxTime);
 }
 
-/* The first time at which the movers are within target of each other, or maxTime; n is the normal then. */
+/* The first time at which the movers are within `target` of each other, or maxTime. n gets the normal then, `at` the
+ * point midway between them, `touches` whether they are within target. */
 static double firstTouch(const Mover *a, const Mover *b, double target, double maxTime, double n[3], double at[3],
                          MeBool *touches) {
     double time = 0;
@@ -127,7 +128,7 @@ static double firstTouch(const Mover *a, const Mover *b, double target, double m
             return time;
         time = advanceAlong(a, b, n, distance, target, time, maxTime);
     }
-    *touches = METRUE; /* still closing in: the time is safe, if early */
+    *touches = METRUE; /* did not converge: the time is safe, but may be early */
     return time;
 }
 
@@ -175,8 +176,8 @@ static double heightAbove(const Mover *a, const double n[3], double offset, doub
     return dot(at, n) - offset;
 }
 
-/* m/s: an upper bound of the approach velocity of a shape and a moving plane. With the plane's angular velocity w the
- * height n.(x - p) changes by up to w |x - p| more, as n changes. */
+/* m/s: an upper bound of the closing speed of a shape and a moving plane. If the plane rotates with angular velocity
+ * w, the height n.(x - p) changes by up to w |x - p| more, since n changes. */
 static double closingSpeed(const Mover *a, const McdModelRecord *plane, const double origin[3], const double n[3],
                            double maxTime) {
     const double back[3] = {-n[0], -n[1], -n[2]};

@@ -1,9 +1,9 @@
-/* Convex shapes of geometries, instances and models, where these are. */
+/* World-space convex shapes of geometries, instances and models. */
 #include "convex/mcd_vector_i.h"
 #include "model/mcd_result_i.h"
 #include <string.h>
 
-/* The middle of an interval; 0 where it is not finite: boxes of planes are infinite, and a program's box may be NaN. */
+/* The middle of an interval; 0 if that is not finite: boxes of planes are infinite, and a program's box may be NaN. */
 static double middleOf(double lower, double upper) {
     const double middle = (lower + upper) / 2;
     return isfinite(middle) ? middle : 0;
@@ -29,7 +29,7 @@ MeBool mcd_shapeSizes(McdGeometryID g, McdShape *s) {
     return METRUE;
 }
 
-/* All but its axes; corners are a triangle's alone. */
+/* Sets everything but the axes, and corners, which only triangles have. False: not a convex shape, or not finite. */
 static MeBool beginShape(McdGeometryID g, const MeReal place[3], const double origin[3], McdShape *s) {
     if (!mcd_shapeSizes(g, s))
         return MEFALSE;
@@ -57,7 +57,7 @@ MeBool mcd_shapeOf(McdGeometryInstanceID ins, const double origin[3], McdShape *
     return beginShape(ins->geometry, ins->tm[3], origin, shape);
 }
 
-/* For checks: is it what the model's geometry and transform make? */
+/* For checks: whether the shape is the one that the model's geometry and transform make now. */
 static MeBool isShapeAsNow(McdModelRecord *m, const double origin[3], const McdShape *shape) {
     McdShape now;
     return mcd_shapeAt(m->instance.geometry, mcd_const(m->instance.tm), origin, &now) &&

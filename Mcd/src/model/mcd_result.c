@@ -1,11 +1,11 @@
-/* From manifolds to McdIntersectResult: margins, contacts, unique features, the mean normal. */
+/* Converts manifolds to McdIntersectResult: margins, contacts, unique features, the mean normal. */
 #include "convex/mcd_shape_i.h"
 #include "model/mcd_spread_i.h"
 #include "convex/mcd_vector_i.h"
 #include "model/mcd_result_i.h"
 
-/* m: an upper bound of the approach of two models, with these velocities, before the next test. What rebounds may turn
- * round on the way: then each comes as far as it can. */
+/* m: an upper bound of the approach of two models, with these velocities, before the next test. mayTurnRound: either
+ * may rebound from others meanwhile, so relative velocity is no bound; then it is the sum of their travels. */
 static double greatestApproach(const McdModelRecord *a, const McdModelRecord *b, const MeReal *velocity1,
                                const MeReal *velocity2, MeBool mayTurnRound) {
     const double time = fmax((double)a->lookAhead, (double)b->lookAhead), max = (double)a->travel + (double)b->travel;
@@ -22,7 +22,7 @@ static double greatestApproach(const McdModelRecord *a, const McdModelRecord *b,
 
 static double marginOf(const McdModelPair *p, const MeReal *velocity1, const MeReal *velocity2) {
     const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
-    if (a->isFast || b->isFast) /* the current overlap: McdSafeTime predicts coming ones */
+    if (a->isFast || b->isFast) /* contacts of the current overlap only: McdSafeTime predicts future ones */
         return fmax((double)mcd_fastMargin(a), (double)mcd_fastMargin(b));
     const double approach = greatestApproach(a, b, velocity1, velocity2, p->mayTurnRound);
     MEASSERT(a->tolerance >= 0 && b->tolerance >= 0 && !(approach < 0));
@@ -65,7 +65,7 @@ void mcd_resultBegin(McdIntersectResult *result, McdModelPair *p) {
     MeVector3Set(result->normal, 0, 0, 0);
 }
 
-/* The finalizer of MurmurHash3, which is one to one. */
+/* The finalizer of MurmurHash3, a bijection. */
 static MeU64 mixBits(MeU64 x) {
     x ^= x >> 33;
     x *= 0xff51afd7ed558ccdull;
@@ -93,7 +93,8 @@ static void setMinGap(McdIntersectResult *result) {
             }
 }
 
-/* The manifold's points that there is room for, as ascending indices; returns how many. */
+/* Chooses the manifold's points to keep if there is not room for all; writes their ascending indices and returns
+ * their number. */
 static int choosePoints(const McdManifold *m, int room, int kept[MCD_MANIFOLD_POINTS]) {
     McdSpot spot[MCD_MANIFOLD_POINTS];
     for (int i = 0; i < m->count; i++)
@@ -144,14 +145,14 @@ static MeBool isRigid(McdGeometryInstanceID ins) {
     return METRUE;
 }
 
-/* Normals are as long as transforms are rigid. */
+/* Whether the normal has length 1; not checked for transforms that are not rigid. */
 static MeBool isNormalGood(const McdContact *c) {
     const double n[3] = {(double)c->normal[0], (double)c->normal[1], (double)c->normal[2]};
     return !isRigid(c->instance1) || !isRigid(c->instance2) || fabs(mcd_length(n) - 1) < 1e-3;
 }
 
-/* Preconditions of response: numbers, unit normals, each contact within reach, of parts of the pair, and its own
- * feature. */
+/* For checks: preconditions of contact response: finite numbers, unit normal, parts of the pair's models, and a
+ * unique feature. */
 static MeBool isContactGood(const McdIntersectResult *result, int i) {
     const McdContact *c = &result->contacts[i];
     for (int k = 0; k < i; k++)
@@ -162,8 +163,8 @@ static MeBool isContactGood(const McdIntersectResult *result, int i) {
            c->instance2->model == result->pair->model2;
 }
 
-/* The program's functions may have changed what was found of two parts; of what is so large, places have no digits that
- * tell contacts apart. */
+/* For checks. Not where the program's functions may have changed the contacts, nor where models are so far away that
+ * positions have too few digits to distinguish contacts. */
 static MeBool areContactsGood(const McdIntersectResult *result) {
     const McdModelRecord *m[2] = {mcd_record(result->pair->model1), mcd_record(result->pair->model2)};
     for (int k = 0; k < 2; k++)
@@ -186,7 +187,7 @@ int mcd_resultEnd(McdIntersectResult *result) {
     const MeReal length = MeVector3Magnitude(sum);
     if (length > ME_SMALL_EPSILON)
         MeVector3MultiplyScalar(result->normal, sum, 1 / length);
-    else /* they cancel: the first one's */
+    else /* the normals cancel: the first contact's */
         MeVector3Copy(result->normal, result->contacts[0].normal);
     setMinGap(result);
     MEVALIDATE(areContactsGood(result));

@@ -1,4 +1,4 @@
-/* Inside Mcd: shapes of models, results of pairs, margins. */
+/* Inside Mcd: world-space shapes of models, results of pairs, margins. */
 #ifndef MCD_RESULT_I_H
 #define MCD_RESULT_I_H
 
@@ -6,52 +6,55 @@
 
 /* ---- shapes (mcd_placed.c) ---- */
 
-/* The common origin of a pair's coordinates: the middle of the overlap of their boxes. */
+/* The common origin of a pair's coordinates: the middle of the intersection of their boxes. */
 void mcd_pairOrigin(McdGeometryInstanceID ins1, McdGeometryInstanceID ins2, double origin[3]);
-/* The convex shape of an instance; false for geometries that are none (plane, lists, aggregates, null). */
+/* Makes the convex shape of an instance, relative to origin; false if its geometry is not convex (plane, surfaces of
+ * triangles, aggregate, null) or its transform not valid. */
 MeBool mcd_shapeOf(McdGeometryInstanceID ins, const double origin[3], McdShape *shape);
-/* The same, at another transform than the instance's present one. */
+/* Makes the convex shape of a geometry at a given transform. */
 MeBool mcd_shapeAt(McdGeometryID g, const MeMatrix4 tm, const double origin[3], McdShape *shape);
-/* The same of a model that has been compared in this round (mcd_modelStamp), without reading its geometry anew. */
+/* Makes the convex shape of a model that has been compared in this round (mcd_modelStamp), without reading its
+ * geometry; false if it has not, or is not convex. */
 MeBool mcd_shapeInRound(McdModelRecord *m, const double origin[3], McdShape *shape);
-/* Its kind, sizes and extent, as its geometry has them now. False: it is none. */
+/* Sets kind, sizes, rounding and extent from the geometry. False: it is not convex. */
 MeBool mcd_shapeSizes(McdGeometryID g, McdShape *shape);
 
 /* ---- contacts ------------------------------------------------------------------------------------------------- */
 
-/* How interactions fill a result: begin, add, end. */
+/* An interaction fills a result by begin, add, end. */
 MeBool mcd_resultHasRoom(const McdIntersectResult *result, const char *function); /* warns if not */
 void mcd_resultBegin(McdIntersectResult *result, McdModelPair *p);
-/* Adds a manifold whose points are relative to origin, and returns its first contact, null for none. If there is place
- * for some of them only, those that mcd_spread chooses. */
+/* Adds a manifold whose points are relative to origin; returns its first contact, null if there is none. If there is
+ * not room for all points, mcd_spread chooses. */
 McdContact *mcd_resultAdd(McdIntersectResult *result, const McdManifold *m, const double origin[3],
                           McdGeometryInstanceID ins1, McdGeometryInstanceID ins2);
-/* The dimension of a region that so many points of one manifold span: 0 .. 2. */
+/* The dimension, 0 to 2, of the region spanned by that many points of a manifold. */
 static inline int mcd_regionDims(int pointCount) {
     return MeMIN(pointCount, 3) - 1;
 }
-/* A hash of a feature's number and of what it is a part of. */
+/* Combines a feature number with a component's number (an aggregate's part, a triangle) by hashing. */
 MeU32 mcd_featureMix(MeU32 feature, MeU32 component);
-/* McdContact.feature of two shapes' features: of shapes with at most 256 faces as it is, of others a hash. */
+/* McdContact.feature for the features of two shapes: both numbers if the shapes have at most 256 faces each, else a
+ * hash. */
 MeU32 mcd_featureNumber(MeU64 feature);
-int mcd_resultEnd(McdIntersectResult *result); /* the mean normal; 1 if there are contacts */
-/* May these be a pair: two models of one framework? Warns if not. */
+int mcd_resultEnd(McdIntersectResult *result); /* sets the mean normal; 1 if there are contacts */
+/* Whether two models may form a pair: different live models of one framework; warns if not. */
 MeBool mcd_modelsMakeAPair(McdModelID m1, McdModelID m2, const char *function);
-/* m: a model's share of the speculative margin: its tolerance, and how far it may move before the next test. */
+/* m: a model's share of the speculative margin: its tolerance, and its largest displacement before the next test. */
 static inline MeReal mcd_modelReach(const McdModelRecord *m) {
     return m->tolerance + m->travel;
 }
-/* Mixes bytes into a hash of 128 bits: eight of them, or fewer at the end, always change it; all together may leave it
- * as it was by chance only. */
+/* Mixes bytes into a 128-bit hash. A change within one group of eight bytes always changes the hash; changes of
+ * several groups could only cancel by chance. */
 void mcd_hashAdd(MeU64 hash[2], const void *data, size_t bytes);
-/* m: the gap up to which a pair gets contacts (speculative margin): its tolerances, and the distance by which the two
- * may approach before the next test. */
+/* m: the speculative margin, the gap up to which a pair gets contacts: the sum of the tolerances, and an upper bound
+ * of the models' approach before the next test. */
 double mcd_pairMargin(const McdModelPair *p);
-double mcd_pairMarginInRound(const McdModelPair *p); /* of models that have a stamp of this round */
-/* The same of two parts, whose origins move with the models that turn. */
+double mcd_pairMarginInRound(const McdModelPair *p); /* for models that have been compared in this round */
+/* mcd_pairMargin for two parts of aggregates: their origins also move because the models rotate. */
 double mcd_childMargin(const McdModelPair *p, const McdGeometryInstance *child1, const McdGeometryInstance *child2);
-/* m: by how much model1 moves against model2 until the next test, with the velocities that they have; 0 of fast models,
- * whose contacts are those of now. */
+/* m: the displacement of model1 relative to model2 until the next test, at their current velocities; 0 for fast
+ * models, which get contacts of the current overlap only. */
 void mcd_pairDisplacement(const McdModelPair *p, double displacement[3]);
 
 #endif

@@ -1,15 +1,19 @@
-/* Stages of a framework: what the program calls from its callbacks, and may not happen before they are done
- * (mcd_frame_i.h, MeInternal.h).
+/* Stages of a framework: calls that the program makes from its callbacks, and that are deferred or refused until the
+ * stage ends (mcd_frame_i.h, MeInternal.h).
  *
- *     stage                                                     level             what waits, or is refused
- *     pairs are handled; boxes are updated; a block ends; a     MCD_GUARD_MODELS  destroying models and geometries,
- *     model is updated; a query, a test                                           taking models out; blocks are opened
- *                                                                                 and closed when it is done
- *     in it, a function of a geometry type, an interaction, a   MCD_GUARD_SHAPES  refused: placing models, and changing
- *     list of triangles or a filter of a query                                    what they are made of
- *     a universe is stepped; a framework ends                   MCD_GUARD_FRAME   refused: ending the framework, spaces
+ *     stage                                                     level             deferred, or refused
+ *     pairs are processed; boxes are updated; a block ends; a   MCD_GUARD_MODELS  deferred: destroying models and
+ *     model is updated; a query, a test                                           geometries, removing models,
+ *     beginning
+ *                                                                                 and ending change blocks
+ *     within it: a function of a geometry type, an interaction, MCD_GUARD_SHAPES  refused: placing models, and
+ *     changing
+ *     a triangle list's callback, a query's filter                                their geometries
+ *     a universe is stepped; a framework is destroyed           MCD_GUARD_FRAME   refused: destroying framework or
+ *     spaces
  *
- * A model that is to go makes no more pairs and contacts (isGone); else it lives until then, but for McdModelIsValid.
+ * A model that will be destroyed gets no more pairs and contacts (isGone). Until the stage ends it stays usable,
+ * except that McdModelIsValid returns false.
  */
 #include "McdInternal.h"
 #include "model/mcd_result_i.h"
