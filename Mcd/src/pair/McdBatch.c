@@ -1,9 +1,9 @@
-/* Many pairs at once: McdIntersectEach and its iterator. */
+/* Batches of pair tests: McdIntersectEach, with its iterator kept in a context. */
 #include "McdBatch.h"
 #include "pair/mcd_pair_i.h"
 
 struct McdBatchContext {
-    const McdModelPairContainer *pairs; /* null: none is begun */
+    const McdModelPairContainer *pairs; /* the container being processed; null: none */
     McdModelPairContainerIterator at;
 };
 

@@ -71,7 +71,7 @@ int mcd_convexContacts(McdModelPair *p, McdIntersectResult *result, const char *
     return mcd_convexInstances(ins1, ins2, mcd_pairMargin(p), result) ? mcd_resultEnd(result) : notPlaced(function);
 }
 
-/* The plane's normal, and how high it is over the origin. */
+/* The plane's unit normal, and its offset normal . x relative to origin; false if the transform is invalid. */
 static MeBool planeAt(const MeMatrix4Ptr tm, const double origin[3], double normal[3], double *offset) {
     *offset = 0;
     if (!tm)
@@ -83,7 +83,7 @@ static MeBool planeAt(const MeMatrix4Ptr tm, const double origin[3], double norm
     const double square = mcd_dot(normal, normal);
     if (!(isfinite(*offset) && isfinite(square) && square > 0))
         return MEFALSE;
-    if (fabs(square - 1) > 1e-3) { /* a scale: the plane is where it is */
+    if (fabs(square - 1) > 1e-3) { /* a scaled transform: the plane is the same */
         mcd_scale(normal, normal, 1 / sqrt(square));
         *offset /= sqrt(square);
     }
@@ -140,7 +140,7 @@ int MEAPI McdPlaneIntersectTest(McdModelID modplane, McdModelID mod, McdIntersec
     memset(&p, 0, sizeof p);
     p.model1 = modplane;
     p.model2 = mod;
-    const char *const before = MeMessagesAs(__func__); /* the first thing wrong is said */
+    const char *const before = MeMessagesAs(__func__); /* so that only the first warning is given */
     if (typeOfModel(modplane, "McdPlaneIntersectTest") != kMcdGeometryTypePlane)
         MeWarning(1, "McdPlaneIntersectTest: the first model must be a plane");
     const int answer = planeWithAny(&p, result, "McdPlaneIntersectTest");
@@ -164,7 +164,7 @@ static MeBool registerPair(McdFramework *frame, int type1, int type2, McdInterse
     return mcd_interactionRegister(frame, type1, type2, &interactions);
 }
 
-/* The three functions of a pair. */
+/* Defines the three functions of a pair of types. */
 #define DEFINE_PAIR(X, Y, intersect, safeTime)                                                                         \
     int MEAPI Mcd##X##Y##Intersect(McdModelPair *p, McdIntersectResult *result) {                                      \
         return intersect(p, result, kMcdGeometryType##X, kMcdGeometryType##Y, "Mcd" #X #Y "Intersect");                \

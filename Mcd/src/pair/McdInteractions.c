@@ -1,4 +1,4 @@
-/* The narrow phase of a pair of models: dispatch by the framework's table of interactions. */
+/* Narrow phase of a pair of models: dispatch by the framework's table of interactions. */
 #include "McdContact.h"
 #include "McdInternal.h"
 #include "convex/mcd_kind_i.h"
@@ -26,7 +26,7 @@ static McdGridCell *cellOf(McdModelID m1, McdModelID m2) {
     return cellOfTypes(mcd_record(m1)->frame, typeOf(m1), typeOf(m2));
 }
 
-/* How the pair interacts; null if it does not. isTurned: as the pair of model2 and model1. */
+/* The pair's cell in the table of interactions; null if there is none. isTurned: the cell is for the swapped pair. */
 static const McdGridCell *interactionOf(const McdModelPair *p, MeBool *isTurned) {
     const McdGridCell *straight = cellOf(p->model1, p->model2), *turned = cellOf(p->model2, p->model1);
     *isTurned = !straight->isSet;
@@ -35,9 +35,9 @@ static const McdGridCell *interactionOf(const McdModelPair *p, MeBool *isTurned)
     return turned->isSet ? turned : 0;
 }
 
-/* Around a call of an interaction's function, which may be the program's. It calls it at MCD_GUARD_SHAPES. */
+/* Brackets a call of an interaction's function. If that is the program's, it runs at MCD_GUARD_SHAPES. */
 typedef struct Call {
-    McdFramework *frame; /* null: it is the library's */
+    McdFramework *frame; /* null: the function is the library's */
     MeProgramCall before;
 } Call;
 
@@ -72,7 +72,7 @@ MeBool mcd_interactionIsBuiltIn(const McdModelPair *p) {
     return mcd_typesAreBuiltIn(mcd_record(p->model1)->frame, typeOf(p->model1), typeOf(p->model2));
 }
 
-enum { TYPE_BITS = 63 }; /* and one more, by which nothing may be shifted */
+enum { TYPE_BITS = 63 }; /* one less than the word: shifts by 64 are undefined */
 
 MeBool mcd_instanceTypes(const McdGeometryInstance *ins, MeU64 *types) {
     const int type = ins->geometry->type;
@@ -107,7 +107,8 @@ static const McdKind *kindOf(McdModelID cm) {
     return mcd_kindOf(mcd_record(cm)->instance.geometry);
 }
 
-/* Static pairs have no interaction by design (the guide has none), nor has what is empty: no warning. */
+/* Whether no interaction is expected: static pairs have none by design (nor in the guide), nor have empty
+ * geometries. Then there is no warning. */
 static MeBool hasNoneByDesign(const McdModelPair *p) {
     const McdKind *a = kindOf(p->model1), *b = kindOf(p->model2);
     return (a && a->isEmpty) || (b && b->isEmpty) || (a && b && a->isStatic && b->isStatic);
@@ -159,7 +160,7 @@ void MEAPI McdGoodbye(McdModelPair *p) {
     leave(&call);
 }
 
-/* The framework of a container's models; null: there are none. */
+/* The framework of the models in a container's range; null: there are no models. */
 static McdFramework *frameOf(const McdModelPairContainer *pairs, int first, int end) {
     for (int i = first; i < end; i++) {
         const McdModelPair *p = pairs->array[i];
@@ -169,7 +170,7 @@ static McdFramework *frameOf(const McdModelPairContainer *pairs, int first, int 
     return 0;
 }
 
-/* For all pairs: the program's functions that are told of one may have others go. */
+/* Calls `notify` for each pair. Meanwhile, destruction and removal of models by the program's callbacks is deferred. */
 static void forEach(McdModelPairContainer *pairs, int first, int end, void(MEAPI *notify)(McdModelPair *p)) {
     McdFramework *frame = frameOf(pairs, first, end);
     if (!frame)
@@ -215,7 +216,8 @@ static void clearResult(McdIntersectResult *result, McdModelPair *p) {
     MeVector3Set(result->normal, 0, 0, 0);
 }
 
-/* Contacts of the turned pair, turned back. */
+/* Swaps back the result of a pair that was tested with its models swapped: negates normals, exchanges the data of
+ * both models. */
 static void turnContacts(McdIntersectResult *result) {
     MeVector3MultiplyScalar(result->normal, result->normal, -1);
     for (int i = 0; i < result->contactCount; i++) {
@@ -233,8 +235,8 @@ static void turnContacts(McdIntersectResult *result) {
     }
 }
 
-/* A program's own interaction may not write members that were added to McdContact later: it leaves those of an unused
- * contact as they are, or zero. Radii are never below 0, so a negative one marks an unused contact. */
+/* A program's own interaction may not set all members of McdContact, which has more than earlier versions had: these
+ * stay as they were, or zero. Marks a contact as unused by a negative radius, which no interaction sets. */
 static void markUnused(McdContact *c) {
     c->radius[0] = c->radius[1] = -1;
 }
@@ -266,10 +268,10 @@ static void callIntersect(McdIntersectFn intersect, McdModelPair *p, MeBool isTu
     result->pair = p;
 }
 
-/* For McdRequest.faceNormalsFirst: asks for more contacts than wanted, and keeps those on faces before the others. */
+/* For McdRequest.faceNormalsFirst: requests more contacts than needed, and keeps those on faces before others. */
 static void intersectFacesFirst(McdIntersectFn intersect, McdModelPair *p, MeBool isTurned,
                                 McdIntersectResult *result) {
-    enum { MORE = 4 }; /* so that a manifold of four points is in them where one contact is wanted */
+    enum { MORE = 4 }; /* so that a whole manifold of four points is found even if one contact is requested */
     McdFramework *frame = mcd_record(p->model1)->frame;
     const int maxCount = result->contactMaxCount;
     McdContact *kept = result->contacts;
@@ -299,7 +301,7 @@ static void callModels(McdModelPair *p, McdIntersectResult *result) {
     result->contactCount = MeCLAMP(result->contactCount, 0, result->contactMaxCount);
 }
 
-/* No more contacts than the pair's request asks for. Returns how many there was place for. */
+/* Limits the room for contacts to what the pair's request allows. Returns the previous room. */
 static int limitContacts(McdIntersectResult *result, const McdRequest *request) {
     const int max = result->contactMaxCount;
     result->contactMaxCount = MeMIN(max, MeMAX(request->contactMaxCount, 1));
@@ -350,7 +352,7 @@ MeBool MEAPI(McdIntersect)(McdModelPair *p, McdIntersectResult *result) {
     return isKnown;
 }
 
-/* Contacts of two convex models that have been compared in this round; false: of others. */
+/* Finds the contacts of two convex models that have been compared in this round. False for other models. */
 static MeBool addConvexContacts(McdModelPair *p, const McdRequest *request, McdIntersectResult *result) {
     const int max = limitContacts(result, request);
     mcd_resultBegin(result, p);
@@ -390,7 +392,7 @@ MeBool MEAPI McdIntersectAt(McdModelPair *p, McdIntersectResult *result, MeReal 
         return METRUE;
     McdModelRecord *models[2] = {mcd_record(p->model1), mcd_record(p->model2)};
     McdFramework *frame = models[0]->frame;
-    MeStageBegin(&frame->stage, MCD_GUARD_SHAPES); /* for a moment they are elsewhere */
+    MeStageBegin(&frame->stage, MCD_GUARD_SHAPES); /* the models are moved temporarily */
     MeMatrix4 then[2];
     MeMatrix4Ptr now[2];
     for (int i = 0; i < 2; i++) {
@@ -422,7 +424,7 @@ static MeBool isGone(const McdModelPair *p) {
     return p && p->model1 && p->model2 && (mcd_record(p->model1)->isGone || mcd_record(p->model2)->isGone);
 }
 
-/* True: there is no room for the next pair. */
+/* Tests pairs until the arrays are full; true if there is no room for the next pair. */
 static MeBool intersectEach(const Each *e) {
     for (; e->iterator->next < e->pairs->stayingEnd; e->iterator->next++) {
         McdModelPair *p = e->pairs->array[e->iterator->next];
@@ -455,7 +457,7 @@ MeBool MEAPI McdIntersectEach(McdModelPairContainer *pairs, McdModelPairContaine
         MeWarning(1, "McdIntersectEach: an argument is null");
         return MEFALSE;
     }
-    pairsIter->next = MeMAX(pairsIter->next, pairs->helloFirst); /* one that was not begun, or of other pairs */
+    pairsIter->next = MeMAX(pairsIter->next, pairs->helloFirst); /* not initialized, or for other pairs */
     Each e = {pairs,       pairsIter,    resultArray,      resultArraySize,
               resultCount, contactArray, contactArraySize, contactCount};
     McdFramework *frame = frameOf(pairs, pairsIter->next, pairs->stayingEnd);
@@ -467,7 +469,8 @@ MeBool MEAPI McdIntersectEach(McdModelPairContainer *pairs, McdModelPairContaine
     return isMore;
 }
 
-/* ---- time, lines ------------------------------------------------------------------------------------------------- */
+/* ---- time of impact, line segments
+ * ----------------------------------------------------------------------------------- */
 
 static MeBool areVelocitiesGood(const McdModelPair *p, const char *function) {
     const McdModelRecord *m[2] = {mcd_record(p->model1), mcd_record(p->model2)};
@@ -482,7 +485,8 @@ static MeBool areVelocitiesGood(const McdModelPair *p, const char *function) {
     return METRUE;
 }
 
-/* The library's function may call the program's for parts. Not for two convex models, which workers may have. */
+/* Calls a safe-time function within a stage, since the library's, too, may call the program's for parts. Not for two
+ * convex models: workers may test these, and stages belong to one thread. */
 static MeBool callSafeTime(const McdGridCell *cell, McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result) {
     const McdSafeTimeFn safeTime = cell->interactions.safeTimeFn;
     McdFramework *frame = mcd_record(p->model1)->frame;

@@ -1,14 +1,14 @@
-/* The end of a framework, and of everything in it. */
+/* Destroys a framework and everything in it. */
 #include "McdInternal.h"
 #include "pair/mcd_pair_i.h"
 #include "surface/mcd_scratch_i.h"
 
 struct McdTermActionLink {
     McdTermAction action;
-    McdTermActionLink *next; /* registered before */
+    McdTermActionLink *next; /* registered before this one */
 };
 
-/* Unreferenced geometries go first: an aggregate before its parts, whichever is older. */
+/* Destroys geometries without references repeatedly: an aggregate goes before its parts, whichever is older. */
 static void destroyGeometries(McdFramework *frame) {
     while (frame->lastGeometry) {
         const int before = frame->geometryCount;
@@ -17,12 +17,12 @@ static void destroyGeometries(McdFramework *frame) {
             if (g->referenceCount == 0)
                 mcd_geometryDestroy(g);
         }
-        if (frame->geometryCount == before) /* the program has set counts that nothing accounts for */
+        if (frame->geometryCount == before) /* the program has set reference counts without references */
             frame->lastGeometry->referenceCount = 0;
     }
 }
 
-/* Functions of the program are called with what goes; they create nothing meanwhile. */
+/* Destroys all models and geometries. Functions of the program called meanwhile cannot create new ones. */
 static void destroyAll(McdFramework *frame) {
     frame->isEmptied = METRUE;
     MeStageBegin(&frame->stage, MCD_GUARD_MODELS);

@@ -1,4 +1,4 @@
-/* Interactions of aggregates: the mid phase over pairs of parts, each by the interaction of the parts' types. */
+/* Interactions of aggregates: a mid phase over pairs of parts, each tested by the interaction of the parts' types. */
 #include "McdAggregate.h"
 #include "pair/mcd_compound_i.h"
 #include "model/mcd_geometries_i.h"
@@ -12,16 +12,16 @@
 typedef struct ChildPairs ChildPairs;
 struct ChildPairs {
     McdModelPair *pair;
-    MeReal margin; /* m: pairs of parts whose boxes are farther apart are skipped; negative: none are */
+    MeReal margin; /* m: pairs of parts whose boxes are farther apart are skipped; negative: none are skipped */
     void (*visit)(ChildPairs *, McdModelPair *childPair, McdGeometryInstance *child1, McdGeometryInstance *child2);
-    /* May be null. The same for convex parts that interact as the library has it, without stand-in models; false: not
-     * for this pair. */
+    /* The same for two convex parts with the library's interaction, without stand-in models. May be null. Returns
+     * false if it does not support the pair: then `visit` is called. */
     MeBool (*visitConvex)(ChildPairs *, McdGeometryInstance *child1, McdGeometryInstance *child2);
-    MeReal minGap; /* m: a lower bound of the gap between all pairs of parts so far; 0: unknown */
+    MeReal minGap; /* m: a lower bound of the gap over all pairs of parts so far; 0: unknown */
     void *data;
 };
 
-/* By their boxes, whose gap is a lower bound of that between the parts. */
+/* Whether two boxes are within the margin. The gap of boxes farther apart bounds the gap of the parts from below. */
 static MeBool areNear(ChildPairs *m, const McdGeometryInstance *a, const McdGeometryInstance *b) {
     MeReal gap = -MEINFINITY;
     for (int i = 0; i < 3 && m->margin >= 0; i++)
@@ -58,7 +58,7 @@ static void visitChildPair(ChildPairs *m, McdGeometryInstance *a, McdGeometryIns
     mcd_standInEnd(childPair.model2, b);
 }
 
-/* Every two parts, in the order of the elements. */
+/* Visits all pairs of parts, in the order of the elements. */
 static void forEachChildPair(ChildPairs *m, McdGeometryInstance *a, McdGeometryInstance *b) {
     if (!areNear(m, a, b))
         return;
@@ -79,9 +79,9 @@ static void forEachPairOfChildren(ChildPairs *m) {
 /* ---- contacts ---------------------------------------------------------------------------------------------------- */
 
 typedef struct Gathering {
-    McdScratch *scratch; /* where contacts go */
+    McdScratch *scratch; /* contains the contacts */
     int count;
-    int each; /* contacts that two parts may make */
+    int each; /* maximum number of contacts of two parts */
 } Gathering;
 
 MeU32 mcd_childPath(const McdGeometryInstance *child) {
@@ -92,7 +92,7 @@ MeU32 mcd_childPath(const McdGeometryInstance *child) {
     return path;
 }
 
-/* A result whose contacts go behind those gathered; false: there is no memory. */
+/* Prepares a result whose contacts are appended to the gathered ones; false: there is no memory. */
 static MeBool beginResult(Gathering *g, McdIntersectResult *result) {
     if (!mcd_scratchReserveContacts(g->scratch, g->count, g->count + g->each))
         return MEFALSE;
@@ -131,7 +131,7 @@ static MeBool gatherConvex(ChildPairs *m, McdGeometryInstance *child1, McdGeomet
         return METRUE;
     if (!mcd_convexInstances(child1, child2, mcd_childMargin(m->pair, child1, child2), &result))
         return MEFALSE;
-    m->minGap = MeMIN(m->minGap, result.apart); /* with contacts 0 */
+    m->minGap = MeMIN(m->minGap, result.apart); /* 0 if there are contacts */
     keepResult(m->data, &result, child1, child2);
     return METRUE;
 }

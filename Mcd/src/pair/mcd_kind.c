@@ -1,4 +1,4 @@
-/* The interactions of a convex type with the framework's other types, by the tables of both. */
+/* The interactions of a convex type with the framework's other types, from the types' function tables. */
 #include "convex/mcd_kind_i.h"
 #include "model/mcd_motion_i.h"
 #include "pair/mcd_pair_i.h"
@@ -17,7 +17,7 @@ static int MEAPI intersectSurface(McdModelPair *p, McdIntersectResult *result) {
     return mcd_meshIntersect(p, result, mcd_kindOf(mcd_record(p->model2)->instance.geometry)->gather);
 }
 
-/* The interaction of a convex type with another one; none for unsupported pairs. */
+/* The interaction of a convex type with another one; without functions if the pair is not supported. */
 static McdInteractions interactionsWith(const McdKind *other) {
     if (other->setShape)
         return (McdInteractions){.intersectFn = intersectConvex, .safeTimeFn = mcd_safeTimeConvex};

@@ -1,52 +1,55 @@
-/* Inside Mcd: interactions of pairs, and which of their tests still hold. */
+/* Inside Mcd: interactions of pairs, and whether their last tests are still valid. */
 #ifndef MCD_PAIR_I_H
 #define MCD_PAIR_I_H
 
 #include "surface/mcd_mesh_i.h"
 
-/* McdIntersect, McdLineSegIntersect by a function that holds the models, or of models that involve no function of the
- * program: several threads may call them then. */
+/* McdIntersect and McdLineSegIntersect without a stage of their own: for callers that guard the models, or for
+ * models that call no function of the program; these may be tested by several threads. */
 MeBool mcd_intersect(McdModelPair *p, McdIntersectResult *result);
 MeBool mcd_lineSegIntersect(McdModelID cm, MeReal *inOrig, MeReal *inDest, McdLineSegIntersectResult *outOverlap);
 
-/* Do two types, or the pair's models, interact as the library has it, not by a function of the program's? */
+/* Whether two types, or a pair's models, interact by the library's functions, not the program's. */
 MeBool mcd_typesAreBuiltIn(McdFramework *frame, int type1, int type2);
 MeBool mcd_interactionIsBuiltIn(const McdModelPair *p);
-/* The types of an instance and its parts, as bits. False: a part has a material of its own, or is a surface that a
- * function of the program makes; or a type is the program's, or has no bit. */
+/* The types of an instance and its parts, as bits. False if a part has its own material, or is a surface whose
+ * triangles a function of the program makes, or if a type is the program's or has no bit. */
 MeBool mcd_instanceTypes(const McdGeometryInstance *ins, MeU64 *types);
-/* Does each of these types interact with each of those as the library has it? */
+/* Whether each of the first types interacts with each of the second ones by the library's functions. */
 MeBool mcd_typesInteractAsBuiltIn(McdFramework *frame, MeU64 types1, MeU64 types2);
 
-/* Registers how a convex type interacts with each type that the framework knows by now, where nothing is registered:
- * convex ones, half-spaces, surfaces of triangles. (Aggregates: McdAggregateGenericRegisterInteractions, after it.) */
+/* Registers the interactions of a convex type with all types that the framework has now: convex types, half-spaces,
+ * surfaces of triangles. Existing registrations stay. (Aggregates: McdAggregateGenericRegisterInteractions, to be
+ * called after it.) */
 void mcd_kindRegisterInteractions(McdFramework *frame, const McdKind *kind, const char *function);
 
-/* Interactions of convex types, with pairs whose types have been checked: two of them; one and a half-space, in either
- * order. The function is named in messages. */
+/* Find the contacts of a pair whose types have been checked: two convex shapes (mcd_convexContacts), or a convex
+ * shape and a half-space in either order (mcd_planeContacts). Warnings name the function. Return 1 if there are
+ * contacts. */
 int mcd_convexContacts(McdModelPair *p, McdIntersectResult *result, const char *function);
 /* Adds the contacts of two convex instances, and sets result->apart; false: one has no valid transform. */
 MeBool mcd_convexInstances(McdGeometryInstance *ins1, McdGeometryInstance *ins2, double margin,
                            McdIntersectResult *result);
-/* The same of models, if both are convex shapes that have been compared in this round (mcd_shapeInRound). */
+/* The same for two models that are convex and have been compared in this round (mcd_shapeInRound); false for others. */
 MeBool mcd_convexModels(McdModelRecord *m1, McdModelRecord *m2, double margin, McdIntersectResult *result);
 int mcd_planeContacts(McdModelPair *p, McdIntersectResult *result, const char *function);
 
 /* ---- times of impact (McdInteractions.c) ---- */
 
-/* Sets the result of a pair that does not touch until maxTime, and checks the pair and the time; false, with a
- * warning that names the function. */
+/* Checks pair and time, and sets the result to that of a pair that does not touch before maxTime. False, with a
+ * warning that names the function, for bad arguments. */
 MeBool mcd_safeTimeBegin(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result, const char *function);
-/* Are both models somewhere, with velocities that are numbers? Warns if not. */
+/* Whether both models have valid transforms and finite velocities; warns if not. */
 MeBool mcd_safeTimeIsToBeHad(const McdModelPair *p, const char *function);
 
 /* ---- change detection (mcd_tested.c) ---- */
 
-/* A version that changes with every input of the model's box and tests; 0: its inputs cannot be compared. */
+/* Compares a model with its last inputs. Returns its stamp, a version that changes with any input of the model's box
+ * and tests; 0: the inputs cannot be compared. */
 MeU64 mcd_modelStamp(McdModelRecord *m);
-/* The same, unless it has a stamp of this round. */
+/* The model's stamp; compares it first, unless it has been compared in this round. */
 MeU64 mcd_modelStampInRound(McdModelRecord *m);
-/* A stamp that no model has had. */
+/* Makes a stamp that no model has had. */
 MeU64 mcd_modelNewStamp(McdModelRecord *m);
 
 #endif

@@ -1,15 +1,15 @@
 /* Change detection: whether a model's box, and the result of a pair's test, are still valid.
  *
- * For convex shapes, planes, and aggregates of these, they depend on transform, size and velocity only. A model gets a
- * new stamp (version) when any bit of these has changed since the last comparison; a pair keeps the stamps of its
+ * For convex shapes, planes, and aggregates of these, both depend only on transform, size, velocity and margin. A
+ * model gets a new stamp (version) when a comparison finds any bit of these changed. A pair keeps the stamps of its
  * models at its last test, and their relative pose.
  *
- * Surfaces of triangles are arrays and functions of the program, which may change them without a call. So a pair with
- * one is tested in each step in which a model that may move is awake: 12 us for a box on a height field. While all of
- * them sleep, only stamps count: McdGeometryUpdate changes that of a height field.
+ * Surfaces of triangles are arrays and callbacks of the program, which may change without a call. So a pair with a
+ * surface is tested in each step while one of its models that may move is awake: 12 us for a box on a height field.
+ * While all of them sleep, only the stamps count; McdGeometryUpdate changes the stamp of a height field.
  *
- * Parts with a material of their own and a program's own types may depend on more: they are always tested. So are
- * triangle lists, by the thread that steps, as their callbacks are called.
+ * Parts with their own material, and a program's own types, may depend on more: these are always tested. So are
+ * triangle lists, and only by the thread that steps, since their callbacks are called.
  */
 #include "McdInternal.h"
 #include "model/mcd_geometries_i.h"
@@ -18,14 +18,14 @@
 #include "convex/mcd_vector_i.h"
 #include <string.h>
 
-/* Bit by bit; leaves the vector as it is where there is none. */
+/* Copies a vector bit by bit; if there is none, leaves the destination. */
 static void copyIfThere(MeVector3 to, const MeReal *from) {
     if (from)
         memcpy(to, from, sizeof(MeVector3));
 }
 
-/* What a shape's tests depend on beside its place, but for a program's arrays: its own members, or a hash of them.
- * False: they may depend on more. */
+/* Reads the parameters of a shape, apart from a program's arrays: its members, or a hash of them. False: its tests
+ * may depend on more than that. */
 static MeBool readParameters(const McdGeometry *g, MeU64 parameters[MCD_SHAPE_PARAMETERS]) {
     const McdKind *kind = mcd_kindOf(g);
     if (!kind || kind->size == 0)
@@ -39,7 +39,8 @@ static MeBool readParameters(const McdGeometry *g, MeU64 parameters[MCD_SHAPE_PA
     return METRUE;
 }
 
-/* Hashes all parts of an aggregate: their places in it, shapes, and the program's pointers for their transforms. */
+/* Hashes all parts of an aggregate: their transforms in it, their shapes, and the program's pointers to their
+ * transforms. False as of readParameters, or if a part has its own material. */
 static MeBool addChildren(const McdGeometryInstance *ins, MeU64 hash[2]) {
     const McdAggregate *aggregate = mcd_childrenOf(ins->geometry);
     for (const McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling) {
@@ -62,7 +63,7 @@ static MeBool addChildren(const McdGeometryInstance *ins, MeU64 hash[2]) {
     return METRUE;
 }
 
-/* All inputs of a model's tests, except the space's look-ahead. */
+/* Reads all inputs of a model's tests, except the space's look-ahead. False: they cannot be compared. */
 static MeBool readInputs(const McdModelRecord *m, McdModelInputs *inputs) {
     const McdGeometry *g = m->instance.geometry;
     if (m->intersect || !m->instance.tm)
@@ -82,7 +83,7 @@ static MeBool readInputs(const McdModelRecord *m, McdModelInputs *inputs) {
     return METRUE;
 }
 
-/* A model has its own range of stamps: models can be looked at in any order, each by one thread. */
+/* Each model has its own range of stamps, so models can be compared in any order and by several threads. */
 MeU64 mcd_modelNewStamp(McdModelRecord *m) {
     return ++m->lastStamp;
 }
@@ -95,7 +96,7 @@ static MeBool hasSurface(const McdGeometryInstance *ins) {
     return kind && kind->gather;
 }
 
-/* Stores changed inputs: new stamps, and the members of the record that follow from the inputs. */
+/* Stores changed inputs: makes new stamps, and updates the members of the record that are derived from the inputs. */
 static void storeInputs(McdModelRecord *m, const McdModelInputs *now) {
     const MeBool isOtherShape = m->shapeStamp == 0 || memcmp(&now->shape, &m->inputs.shape, sizeof now->shape) != 0;
     MeVector3 centre;
@@ -118,7 +119,7 @@ static void storeInputs(McdModelRecord *m, const McdModelInputs *now) {
     m->shapeStamp = m->stamp | (hasSurface(&m->instance) ? MCD_HAS_SURFACE : 0);
     m->types = 0;
     const MeBool areTypesKnown = mcd_instanceTypes(&m->instance, &m->types);
-    MEASSERT(areTypesKnown); /* built-in types, parts without materials: what has inputs to compare */
+    MEASSERT(areTypesKnown); /* inputs that can be compared are those of built-in types without parts' materials */
     (void)areTypesKnown;
     McdGeometryGetBSphere(m->instance.geometry, centre, &m->radius);
     m->reach = m->radius + MeVector3Magnitude(centre);
@@ -139,7 +140,7 @@ MeBool MEAPI McdModelHasMoved(McdModelID cm) {
     return m->past.isSet && m->space && m->past.block + 1 == m->space->step && m->stamp != 0;
 }
 
-/* The point in the model's frame, and from there to where it was. */
+/* Transforms the point to the model's frame, and from there to the world by the previous pose. */
 MeBool MEAPI McdModelGetDisplacement(McdModelID cm, const MeVector3 point, MeVector3 displacement) {
     const McdModelRecord *m = mcd_record(cm);
     double offset[3], size = 0;
@@ -177,7 +178,7 @@ void MEAPI McdFrameworkBeginRound(McdFrameworkID frame) {
     frame->round++;
 }
 
-/* The pose of the first model relative to the second, of models that have a stamp of this round. */
+/* The pose of the first model relative to the second; both have been compared in this round. */
 static McdStand standOf(const McdModelPair *p) {
     const McdModelInputs *a = &mcd_record(p->model1)->inputs, *b = &mcd_record(p->model2)->inputs;
     McdStand s;
@@ -192,9 +193,9 @@ static McdStand standOf(const McdModelPair *p) {
     return s;
 }
 
-/* m: an upper bound of the displacement, relative to the second model, of any point of the first one that is within
- * `reach` of its origin: the sum of the changes of the relative position's coordinates, and ||R' - R|| times the reach.
- * The difference of two rotations has the norm ||.||_F / sqrt(2), at most 3 / sqrt(2) times its largest entry. */
+/* m: an upper bound of the displacement, relative to the second model, of all points of the first one within `reach`
+ * of its origin: the 1-norm of the relative position's change, plus ||R' - R|| times the reach. The difference of
+ * two rotations has the spectral norm ||.||_F / sqrt(2), at most 3 / sqrt(2) times its largest entry. */
 static MeReal motionSince(const McdStand *before, const McdStand *now, MeReal reach) {
     MeReal turn = 0, distance = 0;
     for (int i = 0; i < 3; i++) {
@@ -209,19 +210,19 @@ static MeReal sumOfCoordinates(const MeReal v[3]) {
     return MeFabs(v[0]) + MeFabs(v[1]) + MeFabs(v[2]);
 }
 
-/* Whether the gap at the last test exceeds the relative displacement since, and the margin within which contacts are
- * made ahead of time now. */
+/* Whether the gap at the last test exceeds the sum of the relative displacement since then and the current
+ * speculative margin. */
 static MeBool isStillSeparated(const McdModelPair *p, const McdStand *now) {
     const McdModelRecord *m1 = mcd_record(p->model1), *m2 = mcd_record(p->model2);
-    /* of places that are sums of three products, and of the axes times the reach: some four roundings each */
+    /* about four roundings each of positions, which are sums of three products, and of axes times the reach */
     const MeReal rounding =
         8 * ME_EPSILON * (sumOfCoordinates(p->stand.place) + sumOfCoordinates(now->place) + m1->reach);
     return p->stand.apart > 0 && !m1->isFast && !m2->isFast &&
            motionSince(&p->stand, now, m1->reach) + (MeReal)mcd_pairMarginInRound(p) + rounding < p->stand.apart;
 }
 
-/* Whether no point of the smaller model has moved by more than a part of its size: its contacts may be moved along. Of
- * the first model those points count that were there: about its own origin, or about that of the second. */
+/* Whether no point of the smaller model has moved by more than a fraction of its size, so that the contacts may be
+ * moved along. If the first model is the larger one, only its points near the second one count. */
 static MeBool hasHardlyMoved(const McdModelPair *p, const McdStand *now, MeReal share) {
     const McdModelRecord *m1 = mcd_record(p->model1), *m2 = mcd_record(p->model2);
     const MeReal margin = m1->tolerance + m2->tolerance, size = p->stand.size;
@@ -229,7 +230,7 @@ static MeBool hasHardlyMoved(const McdModelPair *p, const McdStand *now, MeReal 
     return motionSince(&p->stand, now, reach) < MeMIN(share * size, margin / 4);
 }
 
-/* Whether the last test can tell anything of a pose that is not its own. */
+/* Whether the last test can be used for another pose. */
 static MeBool mayReuseTest(const McdModelPair *p, MeReal share) {
     return p->stand.size > 0 && (p->stand.apart > 0 || share > 0);
 }
@@ -239,7 +240,7 @@ static void noteStand(McdModelPair *p, const McdStand *now) {
     p->stand.size = MeMIN(mcd_record(p->model1)->radius, mcd_record(p->model2)->radius);
 }
 
-/* Whether all inputs of its test are unchanged, but for poses and velocities of the models that may move. */
+/* Whether all inputs of the test are unchanged, apart from poses and velocities of models that may move. */
 static MeBool isAlike(const McdTest *now, const McdTest *before, const MeBool mayMove[2]) {
     return (now->stamp1 == before->stamp1 || mayMove[0]) && (now->stamp2 == before->stamp2 || mayMove[1]) &&
            now->shape1 == before->shape1 && now->shape2 == before->shape2 &&
@@ -250,7 +251,7 @@ static MeBool hasChildren(const McdModelRecord *m) {
     return mcd_childrenOf(m->instance.geometry) != 0;
 }
 
-/* Of models that have stamps: is each interaction of their shapes, or parts, the library's own? */
+/* Whether each interaction of the models' shapes, or of their parts, is the library's. Both models have stamps. */
 static MeBool isBuiltIn(const McdModelPair *p) {
     const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
     return hasChildren(a) || hasChildren(b) ? mcd_typesInteractAsBuiltIn(a->frame, a->types, b->types)
@@ -261,18 +262,18 @@ static MeBool isFrozen(const McdModelRecord *m) {
     return m->space && ((const McdProxy *)m->proxy)->isFrozen;
 }
 
-/* Has one of the models, or a part of it, triangles that the program may have changed? */
+/* Whether a model, or a part of it, is a surface whose triangles the program may have changed. */
 static MeBool hasSurfaces(const McdModelPair *p) {
     return ((p->test.shape1 | p->test.shape2) & MCD_HAS_SURFACE) != 0;
 }
 
-/* Are all models that may move frozen? */
+/* Whether all models that may move are frozen. */
 static MeBool areAsleep(const McdModelPair *p, const MeBool mayMove[2]) {
     return (!mayMove[0] || isFrozen(mcd_record(p->model1))) && (!mayMove[1] || isFrozen(mcd_record(p->model2)));
 }
 
-/* Sets the inputs of the pair's test to what they are now. Member by member, as they are read then: a copy of the whole
- * would wait for each. */
+/* Sets the inputs of the pair's test to the current ones. Member by member, since they are read soon: a copy of the
+ * whole struct would stall until all members are stored. */
 static void setTest(McdModelPair *p, McdModelRecord *m1, McdModelRecord *m2) {
     const McdRequest *request = p->request ? p->request : m1->frame->defaultRequest;
     McdTest *t = &p->test;
@@ -329,13 +330,13 @@ MeU32 MEAPI McdModelPairGetTraits(const McdModelPair *p, MeU32 material[2]) {
            (a->isGone || b->isGone ? McdPairIsGone : 0);
 }
 
-/* One convex shape, or a plane: what a kind with a size is that is no surface of triangles. */
+/* Whether the model is one convex shape or a plane: the kinds with a size that are not surfaces. */
 static MeBool isSimple(const McdModelRecord *m) {
     const McdKind *kind = mcd_kindOf(m->instance.geometry);
     return kind && kind->size > 0 && !kind->gather;
 }
 
-/* mcd_instanceTypes of a model. */
+/* The types of a model as by mcd_instanceTypes, from the record if it has been compared in this round. */
 static MeBool typesOf(const McdModelRecord *m, MeU64 *types) {
     if (m->stamp == 0 || !isSeen(m))
         return mcd_instanceTypes(&m->instance, types);
