@@ -1,11 +1,11 @@
-/* The signed distance of two models: the least over the pairs of their convex parts and triangles. */
+/* The signed distance of two models: the minimum over all pairs of their convex parts, planes and triangles. */
 #include "model/mcd_geometries_i.h"
 #include "convex/mcd_kind_i.h"
 #include "convex/mcd_vector_i.h"
 #include "pair/mcd_pair_i.h"
 #include <string.h>
 
-/* A nearest pair so far. */
+/* The nearest pair of parts so far. */
 typedef struct Nearest {
     double distance, onA[3], onB[3], normal[3];
     MeBool isFound;
@@ -22,7 +22,8 @@ static void keepNearest(Nearest *nearest, double distance, const double onA[3], 
     memcpy(nearest->normal, normal, sizeof nearest->normal);
 }
 
-/* The distance from a convex shape to the other one; turned: the shape is the second of the pair. */
+/* Keeps the distance of a convex shape from another part, if it is the nearest. isTurned: the shape is the second
+ * one of the pair. */
 static void setNearest(Nearest *nearest, MeBool isTurned, double distance, const double onShape[3],
                        const double onOther[3], const double n[3]) {
     const double back[3] = {-n[0], -n[1], -n[2]};
@@ -39,7 +40,8 @@ static void measurePlane(const McdShape *a, McdGeometryInstance *plane, const do
     setNearest(nearest, isTurned, distance, onA, onB, n);
 }
 
-/* A convex shape and a list or height field. */
+/* Measures the distance of a convex shape and a surface of triangles. asker: the shape's model, for a triangle
+ * list's callback. */
 static void measureMesh(const McdShape *a, McdModelID asker, McdGeometryInstance *mesh, const double origin[3],
                         MeBool isTurned, Nearest *nearest) {
     double distance, onA[3], onB[3], n[3];
@@ -48,7 +50,8 @@ static void measureMesh(const McdShape *a, McdModelID asker, McdGeometryInstance
     setNearest(nearest, isTurned, distance, onA, onB, n);
 }
 
-/* False if none of the parts is convex, or the other one is null. */
+/* Measures the distance of two parts. False if the pair is not supported (neither is convex, or one is a null
+ * geometry), or a transform is not valid. */
 static MeBool measureChildren(McdGeometryInstance *a, McdGeometryInstance *b, const double origin[3],
                               Nearest *nearest) {
     McdShape shapeA, shapeB;

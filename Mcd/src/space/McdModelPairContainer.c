@@ -1,4 +1,4 @@
-/* Containers, arrays that a space fills with its pairs. */
+/* Containers: arrays that a space fills with its pairs. */
 #include "McdModelPairContainer.h"
 #include "MeAssert.h"
 #include "MeInternal.h"
@@ -71,7 +71,7 @@ MeBool MEAPI McdModelPairContainerInsertGoodbyePair(McdModelPairContainer *c, Mc
     return METRUE;
 }
 
-/* Moves array[first .. last - 1] by one place. */
+/* Moves array[first .. last - 1] by `by` places. */
 static void movePairs(McdModelPairContainer *c, int first, int last, int by) {
     MEASSERT(first + by >= 0 && first <= last && last + by <= c->size);
     memmove(c->array + first + by, c->array + first, (size_t)(last - first) * sizeof *c->array);

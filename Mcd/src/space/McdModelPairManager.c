@@ -1,4 +1,4 @@
-/* Pairs of models by their phases: records in a list in the order in which they were activated, found by a hash of the
+/* Pairs of models with their phases: records in a list, in the order of activation, and in a hash table by their
  * models. */
 #include "McdModelPairManager.h"
 
@@ -8,22 +8,22 @@
 #include <string.h>
 
 typedef struct Record {
-    McdModelPair pair;             /* first: the record is found by it */
-    struct Record *before, *after; /* of the list; `after` also of the free ones */
+    McdModelPair pair;             /* first: a pair's pointer is its record's */
+    struct Record *before, *after; /* in the list; `after` also links free records */
     struct Record *next;           /* with the same hash */
 } Record;
 
 struct McdModelPairManager {
     int size, used;
-    MeU32 step; /* counts what makes iterators stale */
+    MeU32 step; /* counts changes that invalidate iterators */
     MeBool hasWarned;
     McdSpacePoolErrorFnPtr poolFull;
     Record *record, *firstFree, *first, *last;
-    Record **bucket; /* `size` of them */
-    MeStage stage;   /* held while it tells a function of the program of a pair */
+    Record **bucket; /* the hash table: `size` heads */
+    MeStage stage;   /* active during calls of the program's functions */
 };
 
-/* May pairs come or go? Not from a function that is told of one. */
+/* Whether pairs may be added and removed: not from a callback of the manager; then a message names the function. */
 static MeBool mayChange(McdModelPairManagerID manager, const char *function) {
     return MeStageIsFree(&manager->stage, function);
 }
@@ -46,7 +46,7 @@ static MeBool isManager(McdModelPairManagerID manager, const char *function) {
     return METRUE;
 }
 
-/* ---- life -------------------------------------------------------------------------------------------------------- */
+/* ---- creation, destruction --------------------------------------------------------------------------------------- */
 
 McdModelPairManagerID MEAPI McdModelPairManagerCreate(int size) {
     if (size < 1) {
@@ -75,9 +75,10 @@ void MEAPI McdModelPairManagerDestroy(McdModelPairManager *manager) {
     MeMemoryGive(manager);
 }
 
-/* ---- finding ----------------------------------------------------------------------------------------------------- */
+/* ---- hash table -------------------------------------------------------------------------------------------------- */
 
-/* The place of the pointer to the pair's record, or where it would be; the order of the models does not matter. */
+/* Finds the pointer to the pair's record in its bucket, or the null pointer where it would be inserted; the order of
+ * the models does not matter. */
 static Record **placeOf(McdModelPairManager *manager, McdModelID m1, McdModelID m2) {
     const uintptr_t key = ((uintptr_t)m1 ^ (uintptr_t)m2) / sizeof(McdModelRecord);
     Record **place = &manager->bucket[key % (uintptr_t)manager->size];
@@ -102,7 +103,8 @@ int MEAPI McdModelPairManagerGetSize(McdModelPairManagerID manager) {
     return isManager(manager, "McdModelPairManagerGetSize") ? manager->size : 0;
 }
 
-/* ---- coming and going -------------------------------------------------------------------------------------------- */
+/* ---- adding and removing
+ * --------------------------------------------------------------------------------------------- */
 
 static void warnFull(McdModelPairManager *manager, McdModelID m1, McdModelID m2) {
     if (!manager->poolFull && !manager->hasWarned)
@@ -118,7 +120,7 @@ static void warnFull(McdModelPairManager *manager, McdModelID m1, McdModelID m2)
     MeStageEnd(&manager->stage, 0);
 }
 
-/* The list has all records that are used, and the table finds each of them. */
+/* For checks: the list has all used records, and the hash table finds each of them. */
 static MeBool isListGood(McdModelPairManager *manager) {
     int count = 0;
     for (Record *r = manager->first; r; r = r->after, count++)
@@ -204,7 +206,7 @@ void MEAPI McdModelPairManagerFlush(McdModelPairManagerID manager) {
     }
 }
 
-/* ---- handing over ------------------------------------------------------------------------------------------------ */
+/* ---- copying to containers --------------------------------------------------------------------------------------- */
 
 void MEAPI McdModelPairManagerResetIterator(McdModelPairManagerID manager, McdSpacePairIterator *iterator) {
     if (!isManager(manager, "McdModelPairManagerResetIterator"))
@@ -217,7 +219,8 @@ void MEAPI McdModelPairManagerResetIterator(McdModelPairManagerID manager, McdSp
     iterator->step = manager->step;
 }
 
-/* Puts the pairs of a phase after the first *done ones to array[at ..], at most `room`; returns how many. */
+/* Copies the pairs of a phase, except the first *done ones, to array, at most `room`; advances *done. Returns their
+ * number. */
 static int copyPairsOfPhase(const McdModelPairManager *manager, McdModelPairPhase phase, int *done,
                             McdModelPair **array, int room) {
     int seen = 0, count = 0;
@@ -235,7 +238,8 @@ static int countOf(const McdModelPairManager *manager, McdModelPairPhase phase) 
     return count;
 }
 
-/* Goodbye pairs, then hello pairs, then staying ones: all of one kind before the next. */
+/* Fills the container with goodbye pairs, then hello pairs, then staying ones; pairs of a phase come only after all
+ * of the phase before. True if there are more. */
 static MeBool fill(const McdModelPairManager *manager, McdSpacePairIterator *it, McdModelPairContainer *c,
                    MeBool withStaying) {
     c->goodbyeFirst = 0;

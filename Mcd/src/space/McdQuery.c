@@ -1,4 +1,4 @@
-/* Queries of a space beyond line segments: overlaps, nearest models, shape casts. */
+/* Queries of a space besides line segments: overlaps, closest model, shape casts. */
 #include "McdQuery.h"
 #include "McdGeometry.h"
 #include "convex/mcd_kind_i.h"
@@ -7,7 +7,7 @@
 #include <string.h>
 
 enum { MAX_ADVANCES = 100, MAX_PIECES = 64 };
-static const double touching = 1e-7; /* relative to the sizes: gap at which shapes count as touching; 1e-6 in single */
+static const double touching = 1e-7; /* relative to the size: touching gap; single precision: 10 times */
 
 /* ---- common to all queries --------------------------------------------------------------------------------------- */
 
@@ -15,17 +15,17 @@ typedef struct Query {
     const McdSpace *space;
     McdLineSegIntersectEnableCallback filter;
     void *filterData;
-    McdModelID self; /* excluded from the results */
+    McdModelID self; /* excluded from the results; null: none */
     const char *function;
     double origin[3];
     McdShape shape; /* the querying shape, relative to the origin */
     double min[3], max[3];
     double reach;     /* m: triangles farther away are ignored */
-    McdModelID *list; /* overlaps */
+    McdModelID *list; /* results of overlap queries */
     int count, listSize;
 } Query;
 
-/* One part of a model next to the querying shape. */
+/* The distance of one part of a model from the querying shape. */
 typedef struct Gap {
     McdGeometryInstance *child;
     double distance, onShape[3], onOther[3], normal[3];
@@ -39,7 +39,8 @@ static MeBool passesFilter(const Query *q, McdModelID cm) {
     return cm != q->self && mcd_passesFilter(q->space, cm, q->filter, q->filterData, q->function);
 }
 
-/* Makes the shape of a geometry at a place. */
+/* Sets the querying shape to a geometry at a transform; false, with a warning, if it is not convex or the transform
+ * not valid. */
 static MeBool setShape(Query *q, McdGeometryID g, const MeMatrix4 tm, const char *function) {
     MeVector3 low, high;
     if (!mcd_geometryType(g, function))
@@ -66,7 +67,8 @@ static MeBool isPlane(const McdGeometryInstance *child) {
     return mcd_isHalfSpace(child);
 }
 
-/* other: the part's shape, or one triangle of it; null for planes. */
+/* Measures the distance of a shape from `other`: the part's shape, or one of its triangles; null: the part is a
+ * plane. */
 static void measureGap(const Query *q, const McdShape *shape, const McdShape *other, Gap *gap) {
     if (other)
         gap->distance = mcd_convexDistance(shape, other, gap->onShape, gap->onOther, gap->normal);
@@ -75,7 +77,7 @@ static void measureGap(const Query *q, const McdShape *shape, const McdShape *ot
                                           gap->onOther, gap->normal);
 }
 
-/* False for a part that is too far away or does not support the query. */
+/* Measures the distance of a part; false if the part is too far away or does not support the query. */
 static MeBool measureChild(const Query *q, Gap *gap) {
     McdShape other;
     if (!mcd_instanceIsPlaced(gap->child))
@@ -92,7 +94,7 @@ static MeBool measureChild(const Query *q, Gap *gap) {
     return METRUE;
 }
 
-/* The next part of a model: a leaf of its tree of instances. */
+/* Iterate over the parts of a model: the leaves of its tree of instances. */
 static McdGeometryInstance *firstLeaf(McdGeometryInstance *ins) {
     while (ins->firstChild)
         ins = ins->firstChild;
@@ -105,7 +107,7 @@ static McdGeometryInstance *nextLeaf(McdGeometryInstance *ins) {
     return ins && ins->parent ? firstLeaf(ins->nextSibling) : 0;
 }
 
-/* The nearest part of a model; false if none supports the query. */
+/* Finds the nearest part of a model; false if none supports the query. */
 static MeBool nearestChild(const Query *q, McdModelID cm, Gap *nearest) {
     Gap gap;
     MeBool isFound = MEFALSE;
@@ -119,7 +121,8 @@ static MeBool nearestChild(const Query *q, McdModelID cm, Gap *nearest) {
     return isFound;
 }
 
-/* ---- searches, during which the program's functions keep models as they are -------------------------------------- */
+/* ---- searches: models are guarded while filters and callbacks run
+ * --------------------------------------------------- */
 
 static void visitOverlapping(const Query *q, const double min[3], const double max[3], McdTreeVisit visit,
                              void *context) {
@@ -135,7 +138,7 @@ static void toWorld(const Query *q, const double point[3], MeVector3 out) {
 
 /* ---- overlaps ---------------------------------------------------------------------------------------------------- */
 
-/* Into its place in the order; once. */
+/* Inserts a model into the sorted list, unless it is there already; drops the last one if the list is full. */
 static void addToList(Query *q, McdModelID cm) {
     int at = 0;
     while (at < q->count && mcd_modelPrecedes(mcd_record(q->list[at]), mcd_record(cm)))
@@ -240,7 +243,8 @@ int MEAPI McdSpaceOverlapModel(McdSpaceID space, McdModelID cm, McdLineSegInters
     return q.count;
 }
 
-/* ---- the nearest ------------------------------------------------------------------------------------------------- */
+/* ---- closest model
+ * --------------------------------------------------------------------------------------------------- */
 
 typedef struct Closest {
     Query q;
@@ -263,7 +267,7 @@ static MeBool visitClosest(void *context, int proxy) {
     return METRUE;
 }
 
-/* Enlarges the searched box until no nearer point can be outside of it. */
+/* Enlarges the searched box until no closer point can be outside of it. */
 static void searchClosest(Closest *c, double maxReach) {
     double reach = fmin(c->q.shape.extent, maxReach);
     for (;;) {
@@ -324,8 +328,8 @@ static double touchingGap(const Cast *c) {
     return (sizeof(MeReal) == sizeof(double) ? 1 : 10) * touching * c->q.shape.extent;
 }
 
-/* Conservative advancement: while a gap is open, there is a plane across it, and both stay apart at least until the
- * motion has closed that gap along the plane's normal. False if they do not meet up to fraction. */
+/* Conservative advancement: an open gap has a separating plane, so the shapes cannot touch before the motion has
+ * closed the gap along that plane's normal. Returns false if they do not touch up to the fraction `last`. */
 static MeBool advanceToTouch(const Cast *c, const McdShape *other, double last, Gap *gap, double *fraction) {
     const double enough = touchingGap(c);
     McdShape moved = c->q.shape;
@@ -386,7 +390,8 @@ static MeBool visitTriangle(void *context, const McdMeshTriangle *t, const McdSh
     return METRUE;
 }
 
-/* The part of the motion, from *enter to *leave, in which the shape's box meets that of the mesh; false: none. */
+/* Computes the interval of the motion, *enter to *leave, in which the shape's box overlaps the mesh's box; false if
+ * there is none. */
 static MeBool clip(const Cast *c, McdGeometryInstance *child, double *enter, double *leave) {
     double low[3], high[3];
     mcd_meshBounds(child, c->q.origin, low, high);
@@ -405,7 +410,8 @@ static MeBool clip(const Cast *c, McdGeometryInstance *child, double *enter, dou
     return *enter <= *leave;
 }
 
-/* In pieces of the motion, so that the box around each has few triangles that are not near the swept shape. */
+/* Casts onto the triangles near the motion. The motion is divided into pieces, so that the box around each contains
+ * few triangles that are far from the swept shape. */
 static void castMesh(Cast *c, McdModelID cm, McdGeometryInstance *child) {
     MeshCast m = {c, cm, child};
     double enter, leave;

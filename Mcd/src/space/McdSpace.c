@@ -1,4 +1,4 @@
-/* Spaces: change blocks, models and their boxes, handing over pairs. Which pairs there are is found in mcd_pairs.c. */
+/* Spaces: change blocks, models and their boxes, lists of pairs for programs. Pairs are found in mcd_pairs.c. */
 #include "space/mcd_space_i.h"
 #include "McdInternal.h"
 #include "convex/mcd_kind_i.h"
@@ -16,7 +16,7 @@ MeBool mcd_spaceCheck(McdSpaceID s, const char *function) {
     return MEFALSE;
 }
 
-/* A space inside a change block. */
+/* Whether s is a space inside a change block; warns if not. */
 static MeBool checkInside(McdSpaceID s, const char *function) {
     if (!mcd_spaceCheck(s, function))
         return MEFALSE;
@@ -30,7 +30,7 @@ static MeBool areModelsGuarded(const McdSpace *s) {
 }
 
 static void endBlock(McdSpace *s) {
-    MeStageBegin(&s->frame->stage, MCD_GUARD_MODELS); /* the program is told of pairs for which there is no room */
+    MeStageBegin(&s->frame->stage, MCD_GUARD_MODELS); /* guarded during callbacks about pairs without room */
     mcd_pairsEnd(s);
     s->isChanging = s->isFirstBlock = s->isUpdated = MEFALSE;
     s->step++;
@@ -53,7 +53,7 @@ MeBool mcd_spaceIsReady(McdSpaceID s, const char *function) {
     return !s->isChanging && !s->isInner;
 }
 
-/* The proxy of a model that is in a space. */
+/* The proxy of a model; null, with a warning, if the model is not in a space. */
 static McdProxy *proxyOf(McdModelID cm, const char *function) {
     McdModelRecord *m = mcd_modelCheck(cm, function);
     if (m && !m->space)
@@ -65,7 +65,7 @@ static int indexOf(const McdSpace *s, const McdProxy *p) {
     return (int)(p - s->proxy);
 }
 
-/* ---- life -------------------------------------------------------------------------------------------------------- */
+/* ---- creation, destruction --------------------------------------------------------------------------------------- */
 
 static void freeSpace(McdSpace *s) {
     mcd_pairsDestroy(s);
@@ -83,7 +83,7 @@ static void freeSpace(McdSpace *s) {
     MeMemoryGive(s);
 }
 
-/* Room for `count` proxies; the new ones are free. */
+/* Enlarges the proxies to `count`; the new ones are added to the free list. */
 static MeBool reserveProxies(McdSpace *s, int count, const char *function) {
     const size_t room = (size_t)s->proxyRoom, more = (size_t)count;
     if (!MeMemoryGrow(&s->dirty, room, more, sizeof *s->dirty, function, "models that moved") ||
@@ -108,7 +108,7 @@ static MeBool reserveProxies(McdSpace *s, int count, const char *function) {
     return METRUE;
 }
 
-/* Makes sure that there is a free proxy. */
+/* Ensures that there is a free proxy. False, with a message, if the limit is reached or there is no memory. */
 static MeBool reserveOneProxy(McdSpace *s, const char *function) {
     enum { FIRST_ROOM = 64 };
     if (s->freeProxy != MCD_NONE)
@@ -160,7 +160,7 @@ static void releaseModel(McdSpace *s, McdProxy *p);
 static void dropLeaf(McdSpace *s, McdProxy *p);
 static void dropUnbounded(McdSpace *s, McdProxy *p);
 
-/* Called by the framework for a model that is destroyed with it. */
+/* Removes a model that is being destroyed, with its pairs, which say no goodbye. Called by the framework. */
 static void forget(McdModelID cm) {
     McdModelRecord *m = mcd_record(cm);
     McdProxy *p = m->proxy;
@@ -170,13 +170,13 @@ static void forget(McdModelID cm) {
     releaseModel(m->space, p);
 }
 
-/* In a stage of the models, contacts of theirs are forgotten; pairs stay. */
+/* Forgets the contacts of a model's pairs, while models are guarded; the pairs stay. */
 static void forgetPairs(McdModelID cm) {
     McdModelRecord *m = mcd_record(cm);
     mcd_pairsForgetContacts(m->space, indexOf(m->space, m->proxy));
 }
 
-/* It has no pairs until it is updated again. */
+/* Drops a model's box, and unfreezes the model; it has no pairs until it is updated again. */
 static void dropBox(McdModelID cm) {
     McdSpace *s = mcd_record(cm)->space;
     McdProxy *p = mcd_record(cm)->proxy;
@@ -206,7 +206,7 @@ McdSpaceID MEAPI(McdSpaceAxisSortCreate)(McdFrameworkID framework, int axes, int
     s->modelLimit = (MeLimit){.max = objectCount, .name = "McdSpaceAxisSortCreate's objectCount"};
     s->pairLimit = (MeLimit){.max = pairCount, .name = "McdSpaceAxisSortCreate's pairCount"};
     s->isChanging = s->isFirstBlock = METRUE;
-    s->step = MCD_SPACE; /* a number that an iterator which was never set will hardly have */
+    s->step = MCD_SPACE; /* a number that an uninitialized iterator is unlikely to contain */
     framework->spaceForget = forget;
     framework->spaceFilter = applyFilter;
     framework->spaceForgetPairs = forgetPairs;
@@ -227,8 +227,8 @@ void MEAPI McdSpaceDestroy(McdSpaceID s) {
     if (!mcd_mayDestroy(s, MCD_SPACE, "space", "McdSpaceDestroy") ||
         !MeStageIsFree(&s->frame->stage, "McdSpaceDestroy"))
         return;
-    MeStageBegin(&s->frame->stage, MCD_GUARD_MODELS); /* goodbyes may be told to functions of the program */
-    s->isUpdating = METRUE;                           /* which put nothing into it any more */
+    MeStageBegin(&s->frame->stage, MCD_GUARD_MODELS); /* callbacks may be called for goodbyes */
+    s->isUpdating = METRUE;                           /* so that these cannot insert models */
     while (s->firstProxy != MCD_NONE)
         forget(&s->proxy[s->firstProxy].model->model);
     s->frame->spaceCount--;
@@ -288,8 +288,9 @@ void MEAPI McdSpaceClose(McdSpaceID s) {
         endBlock(s);
 }
 
-/* Inner blocks: those that the program opens in a callback. Models that are put in are there at once, without a box;
- * all else that happens in them is done when the stage ends, in a block that is opened then, unless there is one. */
+/* Inner blocks: change blocks that the program begins in a callback. Models inserted in one are in the space
+ * immediately, but without a box. All other changes are deferred until the stage ends, when a block is opened for
+ * them unless one is open. */
 
 static McdSpace *laterSpace(const MeLater *later) {
     return MeHandleIsLive(later->object, MCD_SPACE) ? later->object : 0;
@@ -359,17 +360,18 @@ static MeBool isWithoutBounds(double side) {
     return !(side < 1e-6 * MCD_TREE_REACH);
 }
 
-/* The size that the fat box's margin is a part of: the model's, or, if it is unbounded, that of a medium-sized one. */
+/* The size to which the fat box's margin is relative: the model's or, if the box is unbounded, that of a
+ * medium-sized object. */
 static double sizeOfProxy(const McdProxy *p, double side) {
     return isWithoutBounds(side) ? (double)p->model->frame->lengthScale : side;
 }
 
-/* How far the fat box is from the exact one, beside what is for the motion and for rounding. */
+/* m: the distance of the fat box from the exact one, apart from motion and rounding. */
 static double fatMargin(const McdProxy *p, double size) {
     return .1 * size + 1.0001 * (double)p->tolerance;
 }
 
-/* Does the fat box hold the exact one, as far as the tree reaches? */
+/* Whether the fat box contains the exact one, clamped to the tree's range. */
 static MeBool isWithinFatBox(const McdProxy *p) {
     for (int i = 0; i < 3; i++)
         if (fmax((double)p->min[i], -MCD_TREE_REACH) < (double)p->fat.min[i] ||
@@ -378,8 +380,8 @@ static MeBool isWithinFatBox(const McdProxy *p) {
     return METRUE;
 }
 
-/* Predictive enlargement: the fat box covers four more steps of the last step's motion, but at most twice the model's
- * size. */
+/* Makes the fat box. Predictive enlargement: it covers four more steps of the last step's motion, at most twice the
+ * model's size. */
 static void fatten(McdProxy *p, const double moved[3]) {
     const double size = sizeOfProxy(p, largestSide(p)), margin = fatMargin(p, size), rounding = 4 * (double)ME_EPSILON;
     double min[3], max[3];
@@ -393,7 +395,7 @@ static void fatten(McdProxy *p, const double moved[3]) {
     MEASSERT(isWithinFatBox(p));
 }
 
-/* Is the exact box, grown by the tolerance, still in the fat one, and the fat one not far too large for it? */
+/* Whether the fat box still contains the exact one grown by the tolerance, and is not far too large for it. */
 static MeBool isFatBoxGood(const McdProxy *p) {
     const double side = largestSide(p), size = sizeOfProxy(p, side), tolerance = 1.00001 * (double)p->tolerance;
     const double maxSide = isWithoutBounds(side) ? INFINITY : 4 * (size + 2 * fatMargin(p, size));
@@ -423,7 +425,8 @@ static void dropLeaf(McdSpace *s, McdProxy *p) {
     p->leaf = 0;
 }
 
-/* Unbounded boxes (planes) are not in the tree, as they overlap all of it: they are few, and tested one by one. */
+/* Unbounded boxes (planes) would overlap the whole tree. They are few, so they are kept in a list and tested one by
+ * one. */
 static void putUnbounded(McdSpace *s, McdProxy *p) {
     dropLeaf(s, p);
     MEASSERT(s->unboundedCount - p->isUnbounded < s->proxyRoom);
@@ -440,22 +443,22 @@ static void putInTree(McdSpace *s, McdProxy *p) {
         p->leaf = mcd_treeInsert(s->tree, &p->fat, indexOf(s, p));
     if (!p->leaf) {
         MeFatalError(0, "%s: no memory for the tree of boxes", MeCallerName("McdSpaceUpdateModel"));
-        putUnbounded(s, p); /* no memory: slower, but correct */
+        putUnbounded(s, p); /* without memory for the tree: slower, but correct */
     }
 }
 
 /* The result of a proxy's update. */
 typedef enum McdBoxUpdate {
     MCD_BOX_KEPT,
-    MCD_BOX_MOVED,   /* within its fat box */
-    MCD_BOX_TOUCHED, /* the same, and the proxy has become dirty: add it to the list */
-    MCD_BOX_LEFT,    /* left its fat box, which is a new one now */
-    MCD_BOX_UNSET,   /* there is no transform */
-    MCD_BOX_UNBOUND, /* not a number, or infinite */
-    MCD_BOX_LATER,   /* left to the calling thread */
+    MCD_BOX_MOVED,   /* moved within its fat box */
+    MCD_BOX_TOUCHED, /* as MCD_BOX_MOVED, and the proxy became dirty: it must be added to the list */
+    MCD_BOX_LEFT,    /* left its fat box and has a new one */
+    MCD_BOX_UNSET,   /* the model has no transform */
+    MCD_BOX_UNBOUND, /* the box is not finite */
+    MCD_BOX_LATER,   /* to be updated by the calling thread */
 } McdBoxUpdate;
 
-/* Takes the model's box over. Writes to the proxy alone. */
+/* Copies the model's box to the proxy and renews the fat box if necessary. Writes only to the proxy. */
 static McdBoxUpdate refreshBox(McdProxy *p) {
     const McdModelRecord *m = p->model;
     double moved[3] = {0, 0, 0};
@@ -479,7 +482,7 @@ static McdBoxUpdate refreshBox(McdProxy *p) {
     return MCD_BOX_LEFT;
 }
 
-/* Changes to shared data of the space that follow an update of a box. */
+/* Applies a box update to the space's shared data: dirty list, tree, list of unbounded proxies. */
 static void placeBox(McdSpace *s, McdProxy *p, McdBoxUpdate update) {
     if (update == MCD_BOX_KEPT)
         return;
@@ -509,7 +512,7 @@ static void warnOfTransform(McdProxy *p, const char *what) {
     p->isWarned = METRUE;
 }
 
-/* Which may have the space update the model: it is not called again then. */
+/* Calls the space's box callback; not again if the callback itself has the model updated. */
 static void callUpdate(const McdSpace *s, McdModelRecord *m, MeReal duration) {
     m->isBeingUpdated = true;
     const MeProgramCall before = MeProgramEnter("McdSpaceSetAABBFn");
@@ -518,7 +521,7 @@ static void callUpdate(const McdSpace *s, McdModelRecord *m, MeReal duration) {
     m->isBeingUpdated = false;
 }
 
-/* False: it is nowhere. */
+/* Updates the model's box; false if the model has no valid transform. */
 static MeBool updateBox(const McdSpace *s, McdModelRecord *m, MeReal duration) {
     if (s->update && !m->isBeingUpdated) {
         callUpdate(s, m, duration);
@@ -536,7 +539,7 @@ static MeReal rateOf(const MeReal *velocity) {
     return velocity ? MeVector3Magnitude(velocity) : 0;
 }
 
-/* m: half of the model's least extent along its own axes, at most `max`. */
+/* m: half of the model's smallest extent along its own axes, at most `max`. */
 static MeReal thicknessOf(McdModelRecord *m, MeReal max) {
     MeReal min = max;
     for (int i = 0; i < 3; i++) {
@@ -551,9 +554,9 @@ static MeReal thicknessOf(McdModelRecord *m, MeReal max) {
     return MeMAX(min, 0);
 }
 
-/* The margin of a swept model: one that moves by more than its thickness is tested for its time of impact
- * (McdSafeTime), and gets nearly no speculative contacts, which would be at its present position instead of that of the
- * impact. */
+/* Sets the margin of a swept model. If it moves by more than its thickness it is fast: its time of impact is
+ * computed (McdSafeTime), and it gets nearly no speculative contacts, which would be at its current position instead
+ * of that of the impact. */
 static void setSweptMargin(McdModelRecord *m, MeReal reach, MeReal displacement, MeReal turn) {
     const MeReal thickness = thicknessOf(m, reach);
     m->isFast = displacement + turn > thickness;
@@ -561,9 +564,9 @@ static void setSweptMargin(McdModelRecord *m, MeReal reach, MeReal displacement,
     m->turnTravel = MeMIN(turn, m->travel);
 }
 
-/* isSeen: it has a stamp, so that its radius and reach are known.
- * m: the distance that the model may move in the space's look-ahead time, at most its own radius: with more, it would
- * get speculative contacts with obstacles that it passes by. */
+/* Sets the model's travel, m: an upper bound of its displacement in the space's look-ahead time, at most its own
+ * radius; with more it would get speculative contacts with obstacles that it passes by. isSeen: it has been
+ * compared, so its radius and reach are known. */
 static void lookAhead(const McdSpace *s, McdModelRecord *m, MeBool isSeen) {
     MeVector3 centre;
     MeReal radius = m->radius, reach = m->reach;
@@ -586,30 +589,30 @@ static void lookAhead(const McdSpace *s, McdModelRecord *m, MeBool isSeen) {
     MEASSERT(m->travel >= 0 && m->turnTravel >= 0 && m->turnTravel <= m->travel);
 }
 
-/* Looks at the model, for a stamp before it is updated. None with an update callback of the model or the space, or a
- * relative transform, which is applied in the update. */
+/* Compares the model before its update; false if that does not tell whether its box is up to date: with an update
+ * callback of the model or the space, or a relative transform, which the update applies. */
 static MeBool isSeenBeforeUpdate(const McdSpace *s, McdModelRecord *m) {
     return !m->update && !s->update && !m->relTM && mcd_modelStamp(m) != 0;
 }
 
-/* Whether the box and margin of a model that has been seen are still valid. */
+/* Whether the box and margin of a model that has been compared are still valid. */
 static MeBool isUpToDate(const McdSpace *s, const McdModelRecord *m, MeReal duration) {
     return m->stamp == m->boxStamp && m->boxDuration == duration && m->boxLookAhead == s->lookAhead;
 }
 
-/* Marks the box as valid; another margin gives another stamp, as tests depend on it. */
+/* Marks the box as valid. A changed margin makes a new stamp, since pair tests depend on it. */
 static void markBoxValid(const McdSpace *s, McdModelRecord *m, MeReal duration) {
     if (m->boxDuration != duration || m->boxLookAhead != s->lookAhead)
         m->stamp = m->stamp ? mcd_modelNewStamp(m) : 0;
-    m->boxStamp = m->stamp; /* 0 until it was looked at once */
+    m->boxStamp = m->stamp; /* 0 until it has been compared once */
     m->boxDuration = duration;
     m->boxLookAhead = s->lookAhead;
 }
 
-/* Writes to the proxy and its model alone. */
+/* Updates the box of a model. Writes only to the proxy and its model, so workers may call it. */
 static McdBoxUpdate updateProxy(const McdSpace *s, McdProxy *p, MeReal duration) {
     McdModelRecord *m = p->model;
-    m->isStirred = MEFALSE; /* its pairs are looked at */
+    m->isStirred = MEFALSE; /* its pairs will be tested */
     const MeBool isSeen = p->hasBox && isSeenBeforeUpdate(s, m);
     if (isSeen && isUpToDate(s, m, duration))
         return MCD_BOX_KEPT;
@@ -627,7 +630,7 @@ static McdBoxUpdate updateProxy(const McdSpace *s, McdProxy *p, MeReal duration)
     return update;
 }
 
-/* With the warning that belongs to it, where a transform is bad. */
+/* Applies an update to the space; warns if the transform is not valid. */
 static void applyUpdate(McdSpace *s, McdProxy *p, McdBoxUpdate update) {
     MEASSERT(update != MCD_BOX_LATER && update != MCD_BOX_TOUCHED);
     if (update == MCD_BOX_UNSET)
@@ -641,7 +644,7 @@ static void applyUpdate(McdSpace *s, McdProxy *p, McdBoxUpdate update) {
 
 /* ---- updating ---------------------------------------------------------------------------------------------------- */
 
-/* To the end of those that are updated. */
+/* Appends a proxy to the list of proxies that are updated. */
 static void wake(McdSpace *s, McdProxy *p) {
     if (p->isAwake)
         return;
@@ -664,7 +667,7 @@ static void unlinkAwake(McdSpace *s, McdProxy *p) {
     MEASSERT((s->firstAwake == MCD_NONE) == (s->lastAwake == MCD_NONE));
 }
 
-/* Frozen models are not updated, except once if they have no box yet. */
+/* Whether a proxy is not updated: it is frozen and has its box, or cannot get one. */
 static MeBool isToBeSkipped(const McdProxy *p) {
     return p->isFrozen && (p->hasBox || !p->model->instance.tm);
 }
@@ -673,7 +676,7 @@ static void updateInOrder(McdSpace *s, MeReal duration) {
     for (int i = s->firstAwake; i != MCD_NONE; i = s->proxy[i].nextAwake)
         if (isToBeSkipped(&s->proxy[i]))
             unlinkAwake(s, &s->proxy[i]);
-        else /* whose callback may freeze and unfreeze models */
+        else /* callbacks may freeze and unfreeze models */
             applyUpdate(s, &s->proxy[i], updateProxy(s, &s->proxy[i], duration));
 }
 
@@ -684,8 +687,8 @@ typedef struct Updating {
     MeReal duration;
 } Updating;
 
-/* What has moved within its fat box is dirty now: then the calling thread has only to list it, and need not have the
- * proxy in its cache. */
+/* Marks a proxy that moved within its fat box as dirty. Then the calling thread only adds its index to the list, and
+ * need not load the proxy. */
 static McdBoxUpdate touch(McdProxy *p, McdBoxUpdate update) {
     if (update != MCD_BOX_MOVED)
         return update;
@@ -695,7 +698,7 @@ static McdBoxUpdate touch(McdProxy *p, McdBoxUpdate update) {
     return MCD_BOX_TOUCHED;
 }
 
-/* Does a function of the program make its box, or that of one of its parts? */
+/* Whether a function of the program computes the box of the instance or of one of its parts. */
 static MeBool isBoxOfProgram(const McdGeometryInstance *ins) {
     const McdTypeRecord *type = &ins->geometry->frame->types[ins->geometry->type];
     if (!type->kind || type->getAABB != type->kind->box)
@@ -717,7 +720,8 @@ static void MEAPI updateRange(void *context, int first, int end, int worker) {
     }
 }
 
-/* Returns how many are updated, in their order. The list holds until one is added or removed, or may be at rest. */
+/* Lists the proxies to be updated, in order; returns their number. The list is kept until a proxy is added or
+ * removed; not while some are frozen. */
 static int listAwake(McdSpace *s) {
     int count = 0, frozen = 0;
     if (s->awakeCount != MCD_NONE)
@@ -733,8 +737,8 @@ static int listAwake(McdSpace *s) {
     return count;
 }
 
-/* The rule for order: a range writes to its proxies and their models alone. The tree, and the list of proxies whose
- * links are to be classified, follow on the calling thread, in the order that there is without workers. */
+/* Updates boxes by workers. Deterministic: each range writes only to its own proxies and their models; then the
+ * calling thread updates the tree and the dirty list, in the same order as without workers. */
 static void updateByWorkers(McdSpace *s, MeReal duration) {
     Updating u = {s, duration};
     const int count = listAwake(s);
@@ -752,7 +756,7 @@ static void updateByWorkers(McdSpace *s, MeReal duration) {
     MEASSERT(s->dirtyCount <= s->proxyRoom);
 }
 
-/* The rule for order: each model is in one range, and only its stamp is written. */
+/* Compares a range of models. Deterministic: each model is in one range, and only its own data are written. */
 static void MEAPI lookAtRange(void *space, int first, int end, int worker) {
     const McdSpace *s = space;
     (void)worker;
@@ -782,7 +786,7 @@ static void updateAll(McdSpace *s, MeReal duration) {
     else
         updateInOrder(s, duration);
     s->isUpdating = MEFALSE;
-    MEASSERT(before == s->proxyCount); /* no callback changes which models there are */
+    MEASSERT(before == s->proxyCount); /* callbacks do not insert or remove models */
     (void)before;
     s->isUpdated = METRUE;
     MeStageEnd(&s->frame->stage, MCD_GUARD_MODELS);
@@ -790,7 +794,8 @@ static void updateAll(McdSpace *s, MeReal duration) {
         endBlock(s);
 }
 
-/* In a callback of the models' stage it is not: boxes, and pairs, are in use. */
+/* Whether the space may be updated: not in callbacks while models are guarded, since boxes and pairs are in use
+ * then. */
 static MeBool mayUpdate(McdSpaceID s, const char *function) {
     if (!mcd_spaceCheck(s, function) || !MeProgramMayChange(function))
         return MEFALSE;
@@ -842,7 +847,7 @@ void MEAPI McdSpaceUpdateModel(McdModelID cm) {
     if (!p || !checkInside(p->model->space, "McdSpaceUpdateModel"))
         return;
     if (MeStageIsActive(&p->model->frame->stage, MCD_GUARD_SHAPES))
-        return; /* the next update finds it */
+        return; /* the next update finds the change */
     if (p->isFrozen)
         MeWarning(1, "McdSpaceUpdateModel: the model is frozen: see McdSpaceUnfreezeModel");
     else
@@ -862,14 +867,14 @@ static MeBool setFrozen(McdModelID cm, MeBool isFrozen, const char *function) {
         return METRUE;
     p->isFrozen = isFrozen;
     p->model->space->awakeCount = MCD_NONE;
-    if (isFrozen) { /* it does not move */
+    if (isFrozen) { /* a frozen model does not move */
         clearLookAhead(p->model);
         p->tolerance = mcd_modelReach(p->model);
         if (p->hasBox)
-            p->model->boxStamp = mcd_modelStamp(p->model); /* what it is compared with (mcd_frozen.c) */
+            p->model->boxStamp = mcd_modelStamp(p->model); /* the stamp to compare with (mcd_frozen.c) */
     } else {
         wake(p->model->space, p);
-        p->isMoved = METRUE; /* links between frozen models were kept only where they have a pair */
+        p->isMoved = METRUE; /* links between frozen models exist only for pairs: look for links */
     }
     mcd_proxyTouch(p->model->space, indexOf(p->model->space, p));
     return METRUE;
@@ -925,7 +930,7 @@ static McdProxy *allocateProxy(McdSpace *s) {
     return p;
 }
 
-/* Of a model without links. */
+/* Removes a proxy whose links have been dropped from the space, and frees it. */
 static void releaseModel(McdSpace *s, McdProxy *p) {
     MEASSERT(p->firstLink == MCD_NONE && !p->isDirty && p->model->proxy == p);
     dropLeaf(s, p);
@@ -943,7 +948,7 @@ static void releaseModel(McdSpace *s, McdProxy *p) {
     s->proxyCount--;
 }
 
-/* A model that was never updated has a box of zeros. */
+/* Whether the model has ever been updated; if not, its box is all zeros. */
 static MeBool wasUpdated(const McdModelRecord *m) {
     static const MeVector3 zero = {0, 0, 0};
     return isBox(m) && (memcmp(m->instance.min, zero, sizeof zero) || memcmp(m->instance.max, zero, sizeof zero));
@@ -1005,7 +1010,7 @@ MeBool MEAPI McdSpaceRemoveModel(McdModelID cm) {
     McdProxy *p = proxyOf(cm, "McdSpaceRemoveModel");
     if (!p || !checkInside(p->model->space, "McdSpaceRemoveModel"))
         return MEFALSE;
-    McdModelRecord *m = p->model; /* of which cm may be a part */
+    McdModelRecord *m = p->model; /* cm may be a stand-in for a part of it */
     const MeLater later = {.carryOut = removeLater, .object = m, .serial = m->serial};
     const MeWhen when = mcd_when(m->frame, &later, "McdSpaceRemoveModel");
     if (when == MeWhenNow)
@@ -1043,7 +1048,7 @@ MeBool MEAPI McdSpaceGetModel(McdSpaceID s, McdSpaceModelIterator *it, McdModelI
 
 /* ---- pairs that never collide ------------------------------------------------------------------------------------ */
 
-/* The proxies of two different models in the same space. */
+/* Finds the proxies of two different models in one space; false, with a warning, if they are not. */
 static MeBool proxiesOf(McdModelID cm1, McdModelID cm2, McdProxy **p1, McdProxy **p2, const char *function) {
     *p1 = proxyOf(cm1, function);
     *p2 = *p1 ? proxyOf(cm2, function) : 0;
@@ -1057,7 +1062,7 @@ static MeBool proxiesOf(McdModelID cm1, McdModelID cm2, McdProxy **p1, McdProxy 
 
 MeBool MEAPI McdSpaceDisablePair(McdModelID cm1, McdModelID cm2) {
     McdProxy *a, *b;
-    if (cm1 == cm2 && cm1 && mcd_modelCheck(cm1, "McdSpaceDisablePair")) /* they never meet */
+    if (cm1 == cm2 && cm1 && mcd_modelCheck(cm1, "McdSpaceDisablePair")) /* a model never collides with itself */
         return METRUE;
     if (!proxiesOf(cm1, cm2, &a, &b, "McdSpaceDisablePair") || !checkInside(a->model->space, "McdSpaceDisablePair"))
         return MEFALSE;
@@ -1089,7 +1094,8 @@ void MEAPI McdSpaceSetModelCullingParameters(McdSpaceID s, McdModelID cm, McdCul
         setCulling(s, p, table, cullingIndex, cullingID, "McdSpaceSetModelCullingParameters");
 }
 
-/* ---- handing over pairs ------------------------------------------------------------------------------------------ */
+/* ---- lists of pairs for programs
+ * ------------------------------------------------------------------------------------- */
 
 void MEAPI McdSpacePairIteratorBegin(McdSpaceID s, McdSpacePairIterator *iter) {
     if (!iter) {
@@ -1109,14 +1115,15 @@ static int max(int a, int b) {
     return a > b ? a : b;
 }
 
-/* Copies count pairs of a list from *from on to array[at]. */
+/* Copies `count` pairs of a list, from *from on, to array[at]; advances *from. */
 static void copyPairs(McdModelPairContainer *c, int at, const McdPairList *list, int *from, int count) {
     for (int i = 0; i < count; i++)
         c->array[at + i] = &list->entry[*from + i].record->pair;
     *from += count;
 }
 
-/* Goodbye and hello pairs share the front, staying pairs have the back; the middle is where all fit, or half-way. */
+/* Fills the container: goodbye and hello pairs share the front, staying pairs have the back. The border between them
+ * is where all pairs fit; if they do not, in the middle at least. */
 static int fillContainer(const McdSpace *s, McdSpacePairIterator *it, McdModelPairContainer *c, MeBool withStaying) {
     const int goodbye = s->goodbye.count - it->goodbye, hello = s->hello.count - it->hello;
     const int staying = withStaying ? s->staying.count - it->staying : 0;
@@ -1161,7 +1168,7 @@ int MEAPI(McdSpaceGetTransitions)(McdSpaceID s, McdSpacePairIterator *iter, McdM
     return getPairs(s, iter, c, MEFALSE, "McdSpaceGetTransitions");
 }
 
-/* With the space's own iterator, which begins again when all was handed over. */
+/* Gets pairs with the space's own iterator, which restarts after the last pair. */
 static int getNext(McdSpaceID s, McdModelPairContainer *c, MeBool withStaying, const char *function) {
     if (!mcd_spaceIsReady(s, function))
         return 0;
@@ -1181,7 +1188,7 @@ int MEAPI McdSpaceGetNextTransitions(McdSpaceID s, McdModelPairContainer *c) {
 
 /* ---- queries ----------------------------------------------------------------------------------------------------- */
 
-/* A model is to go, or is a sensor and queries do not meet these. */
+/* Whether queries skip a model: it is being removed or destroyed, or is a sensor and queries ignore sensors. */
 static MeBool isPassed(const McdSpace *s, const McdModelRecord *m) {
     return m->isGone || (m->isSensor && !s->queriesHitSensors);
 }
@@ -1235,7 +1242,7 @@ typedef struct Segment {
     const char *function;
 } Segment;
 
-/* Is a before b? */
+/* Whether hit a comes before hit b: by distance, then by the models' order. */
 static MeBool isNearer(const McdLineSegIntersectResult *a, const McdLineSegIntersectResult *b) {
     return a->distance != b->distance ? a->distance < b->distance
                                       : mcd_modelPrecedes(mcd_record(a->model), mcd_record(b->model));
@@ -1251,7 +1258,8 @@ static void addHit(Segment *q, const McdLineSegIntersectResult *hit) {
     MEASSERT(q->count <= q->max && (at + 1 >= q->count || !isNearer(&q->list[at + 1], hit)));
 }
 
-/* The fraction of the segment to search: with a full list, up to its last hit. A little more, for rounding. */
+/* The fraction of the segment that must still be searched: if the list is full, up to its last hit, plus a margin
+ * for rounding. */
 static double searchFraction(const Segment *q) {
     if (q->count < q->max || q->length == 0)
         return 1;

@@ -1,4 +1,4 @@
-/* Drawing of all models of a space: a file of its own, so that drawing a model does not link spaces. */
+/* Draws all models of a space. In a file of its own, so that programs which only draw models do not link spaces. */
 #include "McduDebugDraw.h"
 #include "McdSpace.h"
 #include "pair/mcd_pair_i.h"

@@ -1,16 +1,19 @@
-/* Frozen models that have changed all the same: their box, and the pairs of two of them, are those of before.
+/* Detects frozen models that have changed: their boxes, and pairs of two frozen models, are not updated.
  *
- * A setter of a shape or a model counts in its framework, and then all are looked at. A program may also write to a
- * frozen model's matrix without a word; so some are looked at in each step, in turn.
+ * Setters of shapes and models increment a counter of the framework; after that all frozen models are compared. A
+ * program may also write to a frozen model's matrix without a call, so a fraction of the models is compared in each
+ * step, in turn.
  */
 #include "McdInternal.h"
 #include "space/mcd_space_i.h"
 #include <string.h>
 
-/* Of them, in a step: each is looked at within as many steps. A look takes some 60 ns. */
+/* In each step one TURNS-th of the models is compared, so each one within TURNS steps. A comparison takes some 60
+ * ns. */
 enum { TURNS = 16 };
 
-/* Compares it with what its box was made of. A box that was made before the first look has none to compare with. */
+/* Compares a model with the inputs for which its box was made. If the box was made before the first comparison,
+ * these inputs are not known: the current ones are stored. */
 static MeBool hasChanged(McdModelRecord *m, MeBool *hasMoved) {
     MeReal before[4][3];
     memcpy(before, m->inputs.axis, sizeof before[0] * 3);

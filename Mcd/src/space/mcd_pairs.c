@@ -10,7 +10,8 @@
 
 static const char caller[] = "McdSpaceEndChanges";
 
-/* Room for at least `needed` elements. False, after MeFatalError, if there is no memory; all is as it was then. */
+/* Ensures room for at least `needed` elements. False, after MeFatalError, if there is no memory; then nothing is
+ * changed. */
 static MeBool reserve(void *array, int *room, int needed, size_t size, const char *what) {
     int more = *room ? *room : 64;
     while (more < needed)
@@ -56,7 +57,7 @@ static MeBool isSorted(const McdPairList *list) {
     return METRUE;
 }
 
-/* Heapsort: in place, without memory of its own. */
+/* Sorts by heapsort: in place, without allocation. */
 static void listSort(McdPairList *list) {
     McdPairEntry *entry = list->entry;
     for (int i = list->count / 2 - 1; i >= 0; i--)
@@ -70,20 +71,20 @@ static void listSort(McdPairList *list) {
     MEVALIDATE(isSorted(list));
 }
 
-/* A pair may be in each of these lists once. */
+/* Reserves all lists of pairs; a pair may be in each of them once. */
 static MeBool reserveLists(McdSpace *s, int pairs) {
     return reserveList(&s->hello, pairs) && reserveList(&s->staying, pairs) && reserveList(&s->goodbye, pairs) &&
            reserveList(&s->silenced, pairs) && reserveList(&s->woken, pairs);
 }
 
-/* Each block is as large as all before it together, and a first one's size: as with arrays that double, a space whose
- * number of pairs no longer doubles allocates nothing. */
+/* The size of a block of pair records: that of all earlier blocks together, plus that of the first. As with arrays
+ * that double, a space whose number of pairs stays within a factor of two allocates nothing. */
 static int sizeOfBlock(int block) {
     return MCD_PAIR_BLOCK << block;
 }
 
 static MeBool makePairBlock(McdSpace *s) {
-    const int size = sizeOfBlock(s->blockCount), before = size - MCD_PAIR_BLOCK; /* in all blocks so far */
+    const int size = sizeOfBlock(s->blockCount), before = size - MCD_PAIR_BLOCK; /* records in all earlier blocks */
     if (s->blockCount == MCD_PAIR_BLOCKS || !reserveLists(s, before + size))
         return MEFALSE;
     McdPairRecord *record = MeMemoryTakeAligned((size_t)size, sizeof *record, ME_CACHE_LINE, caller, "pairs");
@@ -122,7 +123,7 @@ static void givePair(McdSpace *s, McdPairRecord *record) {
 /* ---- links ------------------------------------------------------------------------------------------------------- */
 
 static MeU32 hashOf(int a, int b) {
-    const int low = b ^ ((a ^ b) & -(a < b)), high = a ^ b ^ low; /* no branch: the order cannot be predicted */
+    const int low = b ^ ((a ^ b) & -(a < b)), high = a ^ b ^ low; /* branchless: the order is unpredictable */
     const MeU64 key = (MeU64)(MeU32)low << 32 | (MeU32)high;
     return (MeU32)(key * 0x9e3779b97f4a7c15ull >> 32);
 }
@@ -173,7 +174,7 @@ static MeBool growHash(McdSpace *s) {
 
 static MeBool growLinks(McdSpace *s) {
     const int first = s->linkMax;
-    if (!reserveList(&s->pending, first + 1) || /* as large as the links: both double from 64 on */
+    if (!reserveList(&s->pending, first + 1) || /* `pending` is as large as `link`: both double from 64 on */
         !reserve(&s->link, &s->linkMax, first + 1, sizeof *s->link, "near models"))
         return MEFALSE;
     MEASSERT(s->pending.max >= s->linkMax);
@@ -185,7 +186,7 @@ static MeBool growLinks(McdSpace *s) {
     return METRUE;
 }
 
-/* Inserts a link into the list of its proxy at end 0 or 1. */
+/* Inserts a link into the list of its proxy number `end` (0 or 1). */
 static void linkIntoList(McdSpace *s, int i, int end) {
     McdProxy *p = &s->proxy[s->link[i].proxy[end]];
     const int next = p->firstLink;
@@ -250,19 +251,19 @@ static MeBool isCulled(const McdProxy *a, const McdProxy *b) {
            McdCullingTableGet(a->table, (MeU32)a->cullingIndex, (MeU32)b->cullingIndex);
 }
 
-/* As McdModelSetFilter says. */
+/* Whether two models are filtered out, by the rule of McdModelSetFilter. */
 static MeBool areFiltered(const McdFilter *a, const McdFilter *b) {
     if (a->group != 0 && a->group == b->group)
         return a->group < 0;
     return !(a->category & b->mask) || !(b->category & a->mask);
 }
 
-/* As McdNearby says, on the axes of the space. */
+/* Whether two boxes, grown by the tolerances, overlap on the space's axes (as McdNearby on all axes). */
 static MeBool isNear(const McdSpace *s, const McdProxy *a, const McdProxy *b) {
     const MeReal margin = a->tolerance + b->tolerance;
     if (!a->hasBox || !b->hasBox)
         return MEFALSE;
-    int separatedAxes = 0; /* no branches: along which axis they are cannot be predicted */
+    int separatedAxes = 0; /* branchless: the separating axis is unpredictable */
     for (int i = 0; i < 3; i++)
         separatedAxes |= ((a->min[i] - margin > b->max[i]) | (b->min[i] - margin > a->max[i])) << i;
     return !(separatedAxes & s->axes);
@@ -293,7 +294,7 @@ static void sayGoodbye(McdSpace *s, int i) {
     listAdd(&s->goodbye, &entry);
 }
 
-/* Moves a pair between the staying pairs and the silent ones (of two frozen models). */
+/* Moves a pair between the staying pairs and the silent ones (pairs of two frozen models). */
 static void setSilent(McdSpace *s, int i, MeBool isSilent) {
     McdLink *link = &s->link[i];
     McdPairEntry entry = entryOf(s, i);
@@ -323,7 +324,7 @@ static MeBool isPairOf(const McdSpace *s, const McdLink *link) {
     return !link->isDisabled && isNear(s, a, b) && !isCulled(a, b) && !areFiltered(&a->filter, &b->filter);
 }
 
-/* Would classifyPair leave it as it is? */
+/* Whether classifyPair would change nothing. */
 static MeBool isClassified(const McdSpace *s, const McdLink *link) {
     const McdProxy *a = &s->proxy[link->proxy[0]], *b = &s->proxy[link->proxy[1]];
     const MeBool areFrozen = a->isFrozen && b->isFrozen;
@@ -352,24 +353,24 @@ static void classifyPair(McdSpace *s, int i) {
         dropLink(s, i);
 }
 
-/* ---- finding ----------------------------------------------------------------------------------------------------- */
+/* ---- broad phase search ------------------------------------------------------------------------------------------ */
 
 static MeBool isNews(const McdSpace *s, int proxy, int other) {
     const McdProxy *a = &s->proxy[proxy], *b = &s->proxy[other];
     return other != proxy && !(a->isFrozen && b->isFrozen) && findLink(s, proxy, other) == MCD_NONE;
 }
 
-/* What a proxy's fat box overlaps, looked up some at a time: what the table and the links have of one comes from memory
- * while those of the others do. */
-enum { LOOKED_UP = 16 }; /* in a heap of 10 000 boxes, 64 cost the same */
+/* A search for the proxies that overlap a proxy's fat box. They are looked up in the hash table in groups, so that
+ * the cache misses of a group overlap. */
+enum { LOOKED_UP = 16 }; /* 64 takes the same time in a heap of 10 000 boxes */
 
 typedef struct Search {
     const McdSpace *space;
     int proxy, count;
     int other[LOOKED_UP];
-    MeBool (*visit)(void *context, int proxy, int other); /* each that is news; false: no more of them */
+    MeBool (*visit)(void *context, int proxy, int other); /* for each proxy without a link; false: stop */
     void *context;
-    MeBool isDone; /* false: take has returned false */
+    MeBool isDone; /* false: visit has returned false */
 } Search;
 
 static void lookUp(Search *r) {
@@ -399,7 +400,7 @@ static MeBool addLink(void *space, int proxy, int other) {
     return makeLink(space, proxy, other) != MCD_NONE;
 }
 
-/* Visits proxies that overlap the fat box. A visit that returns false may still be called a few times. */
+/* Visits the proxies that overlap a proxy's fat box. After a visit has returned false, a few more calls may follow. */
 static void visitOverlaps(const McdSpace *s, int proxy, McdTreeVisit visit, void *context) {
     McdTreeBox box = s->proxy[proxy].fat;
     for (int i = 0; i < 3; i++)
@@ -417,7 +418,7 @@ static MeBool isToSearch(const McdProxy *p) {
     return p->isMoved && p->hasBox;
 }
 
-/* False: there was no memory for all of them. */
+/* Makes the missing links of a proxy; false if there was not enough memory for all. */
 static MeBool findLinks(McdSpace *s, int proxy) {
     Search search = {.space = s, .proxy = proxy, .visit = addLink, .context = s, .isDone = METRUE};
     visitOverlaps(s, proxy, noteOverlap, &search);
@@ -425,13 +426,13 @@ static MeBool findLinks(McdSpace *s, int proxy) {
     return search.isDone;
 }
 
-/* The rule for order (MeTeam.h): workers search, and each range writes to its own part of `found`; links are made by
- * the calling thread, in the order that there is without workers. */
+/* Deterministic with workers (MeTeam.h): these only search, each range writing to its own part of `found`; the
+ * calling thread makes the links, in the same order as without workers. */
 
-enum { FOUND_ROOM = 8 * MCD_RANGE }; /* of a range of dirty proxies: what they overlap and are not linked with */
+enum { FOUND_ROOM = 8 * MCD_RANGE }; /* room of each range of dirty proxies for overlapping proxies without a link */
 
 typedef struct Range {
-    int *found, count; /* of the range */
+    int *found, count; /* the range's part of `found` */
 } Range;
 
 static MeBool noteFound(void *range, int proxy, int other) {
@@ -442,7 +443,8 @@ static MeBool noteFound(void *range, int proxy, int other) {
     return r->count++ < FOUND_ROOM;
 }
 
-/* Writes foundEnd of the range's proxies: where in its part of `found` theirs end; -1: they are to be found again. */
+/* Searches for a range of dirty proxies. foundEnd of each proxy is where its results end in the range's part of
+ * `found`; -1: no room, it must be searched again. */
 static void MEAPI searchRange(void *space, int first, int end, int worker) {
     const McdSpace *s = space;
     Range r = {.found = s->found + first / MCD_RANGE * FOUND_ROOM};
@@ -458,7 +460,7 @@ static void MEAPI searchRange(void *space, int first, int end, int worker) {
     }
 }
 
-/* Of two proxies that were found from both sides, the link is made once. */
+/* Makes the links that were found for a proxy. A link found from both of its proxies is made once. */
 static MeBool addFound(McdSpace *s, int i) {
     const int *found = s->found + i / MCD_RANGE * FOUND_ROOM, proxy = s->dirty[i];
     MeBool isDone = METRUE;
@@ -473,7 +475,7 @@ static MeBool reserveFound(McdSpace *s) {
            reserve(&s->foundEnd, &s->foundEndRoom, s->dirtyCount, sizeof *s->foundEnd, "near models");
 }
 
-/* Links of the dirty proxies that have moved; they stay moved where there was no memory. */
+/* Makes the missing links of all dirty proxies that have a new fat box; they stay marked where there was no memory. */
 static void findAllLinks(McdSpace *s) {
     const MeBool isShared = s->team && s->dirtyCount >= MCD_MIN_RANGES * MCD_RANGE && reserveFound(s);
     if (isShared) {
@@ -494,19 +496,19 @@ static void classifyPairsOf(McdSpace *s, int proxy) {
     for (int i = s->proxy[proxy].firstLink, next; i != MCD_NONE; i = next) {
         const int first = s->link[i].proxy[0];
         next = nextLink(s, i, proxy);
-        if (first == proxy || !s->proxy[first].isDirty) /* else it is classified from there */
+        if (first == proxy || !s->proxy[first].isDirty) /* else the first proxy's turn classifies it */
             classifyPair(s, i);
     }
 }
 
-/* Whether a link has a dirty proxy and will change its state. */
+/* Whether one of the link's proxies is dirty and classification will change the link. */
 static MeBool isToClassify(const McdSpace *s, int i) {
     const int *p = s->link[i].proxy;
     return p[0] != MCD_NONE && (s->proxy[p[0]].isDirty || s->proxy[p[1]].isDirty) && !isClassified(s, &s->link[i]);
 }
 
-/* The rule for order (MeTeam.h): a range writes down which of its links are to be classified, and nothing else; that
- * depends on the link and its proxies alone. */
+/* Marks the links of a range that must be classified. Deterministic (MeTeam.h): that depends only on the link and
+ * its proxies, and nothing else is written. */
 static void MEAPI lookThroughRange(void *space, int first, int end, int worker) {
     McdSpace *s = space;
     (void)worker;
@@ -514,8 +516,8 @@ static void MEAPI lookThroughRange(void *space, int first, int end, int worker) 
         s->changes[i] = (MeU8)isToClassify(s, i);
 }
 
-/* Links as they lie in memory: workers look them through, and those that change are classified by the calling thread,
- * in the order that there is without workers. */
+/* Classifies links in memory order: workers mark those that will change; the calling thread classifies these in the
+ * same order as without workers. */
 static void classifyAll(McdSpace *s) {
     const MeBool isShared = s->team && s->linkMax >= MCD_MIN_RANGES * MCD_LINK_RANGE &&
                             reserve(&s->changes, &s->changesRoom, s->linkMax, sizeof *s->changes, "near models");
@@ -529,7 +531,7 @@ static void classifyAll(McdSpace *s) {
             classifyPair(s, i);
 }
 
-/* Each link of the dirty proxies once. Where many are dirty, links are taken as they lie in memory, which is faster. */
+/* Classifies each link of the dirty proxies once; if many proxies are dirty, in memory order, which is faster. */
 static void classifyPairs(McdSpace *s) {
     if (s->dirtyCount > s->proxyCount / 4) {
         classifyAll(s);
@@ -541,7 +543,7 @@ static void classifyPairs(McdSpace *s) {
 
 /* ---- lists ------------------------------------------------------------------------------------------------------- */
 
-/* Binary search in entry[first .. end - 1], which is sorted: the index of the first that does not precede `other`. */
+/* Binary search in the sorted entry[first .. end - 1]: the index of the first entry that does not precede `other`. */
 static int placeOf(const McdPairEntry *entry, int first, int end, const McdPairEntry *other) {
     while (first < end) {
         const int middle = first + (end - first) / 2;
@@ -557,7 +559,7 @@ static void moveEntries(McdPairEntry *entry, int to, int from, int count) {
     memmove(entry + to, entry + from, (size_t)count * sizeof *entry);
 }
 
-/* Merges another list, in order too, into the staying pairs: from the back, whole stretches at a time. */
+/* Merges a sorted list into the staying pairs, from the back, moving whole ranges; empties that list. */
 static void addToStaying(McdSpace *s, McdPairList *list) {
     int end = s->staying.count, add = list->count;
     for (int i = 0; i < add; i++)
@@ -576,13 +578,13 @@ static void addToStaying(McdSpace *s, McdPairList *list) {
 static void helloBecomesStaying(McdSpace *s) {
     for (int i = 0; i < s->hello.count; i++) {
         McdModelPair *pair = &s->hello.entry[i].record->pair;
-        if (pair->phase == kMcdFFStateHello) /* else it says goodbye already */
+        if (pair->phase == kMcdFFStateHello) /* else it has said goodbye already */
             pair->phase = kMcdFFStateStaying;
     }
     addToStaying(s, &s->hello);
 }
 
-/* Both lists are in order. */
+/* Removes the pairs of a sorted list from the staying pairs. */
 static void dropFromStaying(McdSpace *s, const McdPairList *dropped) {
     McdPairEntry *entry = s->staying.entry;
     const int end = s->staying.count;
@@ -611,7 +613,7 @@ static void renewStaying(McdSpace *s) {
     addToStaying(s, &s->woken);
 }
 
-/* False: no memory; the link stays in the waiting list. */
+/* Makes the pair of a link. False if there is no memory; then the link keeps waiting. */
 static MeBool sayHello(McdSpace *s, McdPairEntry entry) {
     McdLink *link = &s->link[entry.link];
     McdPairRecord *record = allocatePair(s);
@@ -641,7 +643,7 @@ static void reportFull(McdSpace *s, int first) {
     MeProgramLeave(&before);
 }
 
-/* Links that found no room before are tried again, with the new ones, in order. */
+/* Queues links that found no room earlier again, together with the new ones, in order. */
 static void requeueWaiting(McdSpace *s) {
     s->pending.count = 0;
     for (int i = 0; i < s->linkMax; i++)
@@ -683,7 +685,7 @@ void mcd_pairsBegin(McdSpace *s) {
     s->goodbye.count = 0;
 }
 
-/* Proxies for whose links there was no memory are looked at again in the next block. */
+/* Keeps proxies dirty whose links could not be made for lack of memory: they are searched again in the next block. */
 static void keepUnfinished(McdSpace *s) {
     int kept = 0;
     for (int i = 0; i < s->dirtyCount; i++) {
@@ -696,7 +698,7 @@ static void keepUnfinished(McdSpace *s) {
     s->dirtyCount = kept;
 }
 
-/* For checks: a link is in the hash table, joins two models in their order, and its pair is live and theirs. */
+/* For checks: a link is in the hash table, joins two models in their order, and its pair is a live pair of these. */
 static MeBool isLinkGood(const McdSpace *s, int i) {
     const McdLink *link = &s->link[i];
     const McdProxy *a = &s->proxy[link->proxy[0]], *b = &s->proxy[link->proxy[1]];
@@ -725,7 +727,7 @@ static MeBool areLinksGood(const McdSpace *s) {
            pairs - silent == s->hello.count + s->staying.count;
 }
 
-/* In order, none twice, and all in that phase. */
+/* For checks: the list is sorted, without duplicates, and all its pairs are in that phase. */
 static MeBool isListGood(const McdPairList *list, McdModelPairPhase phase) {
     for (int i = 0; i < list->count; i++)
         if (list->entry[i].record->pair.phase != phase || (i && !precedes(&list->entry[i - 1], &list->entry[i])))
@@ -733,7 +735,8 @@ static MeBool isListGood(const McdPairList *list, McdModelPairPhase phase) {
     return METRUE;
 }
 
-/* Of proxies: those with a box are in the tree or without bounds, and their fat box holds the exact one. */
+/* For checks: each proxy with a box is either in the tree or in the list of unbounded ones, and its fat box contains
+ * the exact one. */
 static MeBool areBoxesGood(const McdSpace *s) {
     int count = 0;
     for (int i = s->firstProxy; i != MCD_NONE; i = s->proxy[i].next, count++) {
@@ -796,7 +799,7 @@ void mcd_pairsForgetContacts(McdSpace *s, int proxy) {
     }
 }
 
-/* Ends what a program may have begun with a pair. The lists are tidied later, once for many pairs. */
+/* Erases a pair: ends what the program's hello function began. The lists are cleaned up later, once for many pairs. */
 static void erasePair(McdSpace *s, McdPairRecord *record, MeBool isInLists) {
     forgetPair(record);
     if (record->pair.m_cachedData)
@@ -829,8 +832,8 @@ void mcd_pairsTidy(McdSpace *s) {
     s->isStale = MEFALSE;
 }
 
-/* Of pairs that said goodbye there is nothing but the list. Inside a block they are in the other lists too, unless they
- * were silent. */
+/* Erases the goodbye pairs of a model, which have no link any more. Inside a block they are also in another list,
+ * unless they were silent. */
 static void eraseGoodbyesOf(McdSpace *s, McdModelID cm) {
     int kept = 0;
     for (int i = 0; i < s->goodbye.count; i++) {
@@ -862,7 +865,7 @@ void mcd_pairsDestroy(McdSpace *s) {
         for (int i = 0; i < sizeOfBlock(b); i++) {
             if (s->block[b][i].pair.m_cachedData && s->block[b][i].pair.phase != kMcdFFStateGoodbye)
                 McdGoodbye(&s->block[b][i].pair);
-            s->block[b][i].pair.responseData = 0; /* goes with its world, which may have gone before */
+            s->block[b][i].pair.responseData = 0; /* owned by its world, which may have been destroyed before */
             forgetPair(&s->block[b][i]);
         }
         MeMemoryGiveAligned(s->block[b]);

@@ -1,16 +1,16 @@
 /* Inside Mcd: the records of spaces: proxies, links and pairs of the broad phase.
  *
- * A model in a space is a proxy: its box of the last update, and a fat box around that which is in the tree. A link
- * joins two proxies whose fat boxes overlap, or that are disabled; links are found by a hash table and hang in a list
- * at each of their proxies. A link whose exact boxes overlap has a pair, which is what programs see. Pairs of two
- * frozen models are silent: they hang at their links and are in no list, so that they cost no time. Links between
- * frozen models that have no pair are dropped, and found again when one of them is unfrozen.
+ * A model in a space has a proxy: its exact box, as of the last update, and an enlarged (fat) box, which is in the
+ * tree. A link joins two proxies whose fat boxes overlap, or that are disabled as a pair. Links are in a hash table,
+ * and in a list of each of their proxies. A link whose exact boxes overlap has a pair, which programs see. A pair of
+ * two frozen models is silent: it stays with its link but is in no list, so it costs no time. Links between frozen
+ * models without a pair are dropped; they are found again when one of the models is unfrozen.
  *
- * At the end of a block only what changed is looked at: proxies that left their fat box are looked up in the tree for
- * new links, and the links of proxies that changed at all are classified anew.
+ * At the end of a block only changes are processed: proxies that left their fat box are searched in the tree for new
+ * links, and the links of all changed proxies are classified again.
  *
- * Proxies and links are known by their index, and move when there is no room for more; a model's pointer to its proxy
- * is set anew then. Pairs never move.
+ * Proxies and links are referred to by index, since their arrays are reallocated when they grow; models' pointers to
+ * proxies are updated then. Pairs never move.
  */
 #ifndef MCD_SPACE_I_H
 #define MCD_SPACE_I_H
@@ -22,37 +22,38 @@
 #include <stdbool.h>
 
 enum { MCD_NONE = -1 };
-/* Models that a worker updates at a time: .5 us each, against 1 to begin and end a loop. With half as many and twice as
- * many, a heap of 1000 boxes takes the same time, within 5 % (bench/threads). Fewer than so many ranges are not worth
- * waking a thread for. */
+/* Models that a worker updates at a time: .5 us each, against 1 us for starting and ending a loop. With half or
+ * twice as many, a heap of 1000 boxes takes the same time to within 5 % (bench/threads). For fewer than
+ * MCD_MIN_RANGES ranges no thread is woken. */
 enum { MCD_RANGE = 64, MCD_MIN_RANGES = 4 };
-/* Links that a worker looks through at a time: some 10 us, against 1 to begin and end a loop. */
+/* Links that a worker examines at a time: some 10 us, against 1 us for starting and ending a loop. */
 enum { MCD_LINK_RANGE = 1024 };
-/* Pairs in the first block, and so many blocks at most, each twice as large as the last: as many as an int counts. */
+/* Pair records in the first block; each block is twice as large as the last. The maximum number of blocks is what an
+ * int can count. */
 enum { MCD_PAIR_BLOCK = 128, MCD_PAIR_BLOCKS = 23 };
 
-/* Two cache lines of 64 bytes, in single precision: an update of models that are where they were, and the
- * classification of near pairs, read the first one only. */
+/* Two cache lines of 64 bytes, in single precision: updates of unmoved models, and the classification of pairs, read
+ * only the first. */
 typedef struct McdProxy {
     _Alignas(ME_CACHE_LINE) MeReal min[3];
-    MeReal max[3], tolerance; /* m: margin of contacts, mcd_modelReach */
+    MeReal max[3], tolerance; /* m: its share of the contact margin, mcd_modelReach */
     bool hasBox : 1, isFrozen : 1;
-    bool isDirty : 1;     /* its links are to be classified */
-    bool isAwake : 1;     /* linked by previousAwake, nextAwake; a frozen one until the next update unlinks it */
+    bool isDirty : 1;     /* its links must be classified */
+    bool isAwake : 1;     /* in the list of nextAwake; a frozen one leaves it at the next update */
     bool isUnbounded : 1; /* in McdSpace.unbounded, not in the tree */
-    bool isMoved : 1;     /* its fat box is new: look for links */
-    bool isWarned : 1;    /* of its transform */
-    McdFilter filter;     /* the model's */
-    int nextAwake;        /* the next one that is updated */
+    bool isMoved : 1;     /* it has a new fat box: look for links */
+    bool isWarned : 1;    /* its transform was warned about */
+    McdFilter filter;     /* a copy of the model's */
+    int nextAwake;        /* the next proxy that is updated */
     McdCullingTable *table;
-    McdModelRecord *model; /* null: free */
+    McdModelRecord *model; /* null: the proxy is free */
 
     McdTreeBox fat;
     int cullingIndex, cullingID;
     int firstLink, previousAwake;
-    int previous, next; /* in the order of insertion; next also links the free ones */
-    McdTreeLeaf *leaf;  /* null: no box yet, or without bounds */
-    MeU64 order;        /* the model's place in the order of pairs: sort key, then creation */
+    int previous, next; /* list in the order of insertion; next also links free proxies */
+    McdTreeLeaf *leaf;  /* null: no box yet, or unbounded */
+    MeU64 order;        /* order of pairs: the model's sort key, then its creation */
 } McdProxy;
 
 _Static_assert((offsetof(McdProxy, fat) == ME_CACHE_LINE && sizeof(McdProxy) == 2 * ME_CACHE_LINE) ||
@@ -61,9 +62,9 @@ _Static_assert((offsetof(McdProxy, fat) == ME_CACHE_LINE && sizeof(McdProxy) == 
 
 typedef struct McdPairRecord McdPairRecord;
 struct McdPairRecord {
-    _Alignas(ME_CACHE_LINE) McdModelPair pair; /* what programs see: first */
+    _Alignas(ME_CACHE_LINE) McdModelPair pair; /* the public part: first */
     McdPairRecord *nextFree;
-    MeBool wasSilent; /* when it said goodbye: it is among the goodbyes only */
+    MeBool wasSilent; /* when it said goodbye: then it is in the list of goodbyes only */
 };
 
 _Static_assert(offsetof(McdModelPair, responseData) == ME_CACHE_LINE, "McdModelPairLook reads one line");
@@ -81,13 +82,14 @@ typedef struct McdPairList {
     int count, max;
 } McdPairList;
 
-/* Of each pair of near boxes, together 256 bytes in single precision (docs/lab/speed.md, "At rest"). */
+/* Exists for each pair of near boxes; with the pair's record and list entry 256 bytes in single precision
+ * (docs/lab/speed.md, "At rest"). */
 typedef struct McdLink {
-    int proxy[2]; /* proxy[0] comes later in the order: it is model1; MCD_NONE: the link is free */
+    int proxy[2]; /* proxy[0] is later in the order: it is model1; MCD_NONE: the link is free */
     int previous[2], next[2];
-    int nextInHash;             /* also links the free ones */
-    bool isDisabled, isWaiting; /* waiting for room among the pairs */
-    bool isSilent;              /* its pair stays, but both models are frozen: it is in no list */
+    int nextInHash;             /* also links free links */
+    bool isDisabled, isWaiting; /* isWaiting: for room for its pair */
+    bool isSilent;              /* its pair stays but is in no list, since both models are frozen */
     McdPairRecord *record;
 } McdLink;
 
@@ -101,10 +103,10 @@ struct _McdSpace {
     int axes;
     MeLimit modelLimit, pairLimit;
     MeBool isChanging;
-    MeBool isInner;                 /* a callback of a stage has opened a block, which is done when the stage ends */
-    MeBool isOpenedLater;           /* for it, a block was opened then */
+    MeBool isInner;                 /* a callback began an inner block, to be applied when the stage ends */
+    MeBool isOpenedLater;           /* a block was opened for it at the end of the stage */
     MeBool isUpdating;              /* callbacks of the program are running */
-    MeBool isFirstBlock, isUpdated; /* the block that creation opened; McdSpaceUpdateAll was called in it */
+    MeBool isFirstBlock, isUpdated; /* the block that creation began; McdSpaceUpdateAll was called in it */
     MeU32 step;
     MeReal lookAhead; /* s */
     McdSpaceUpdateAABBFnPtr update;
@@ -113,73 +115,74 @@ struct _McdSpace {
     void *userData;
     void *collider; /* see McdSpaceSetCollider */
 
-    McdProxy *proxy; /* proxyRoom; moves when there is no room for another one */
+    McdProxy *proxy; /* proxyRoom elements; reallocated to grow */
     int proxyRoom;
     int proxyCount, firstProxy, lastProxy, freeProxy;
-    MeU64 changesSeen;         /* of the framework's, by mcd_frozen.c, */
-    int nextLook;              /* whose turn begins behind this proxy */
-    int firstAwake, lastAwake; /* what is updated: frozen models cost no time */
-    int *awake, awakeCount;    /* the same, as they were listed for workers; MCD_NONE: not since; proxyRoom */
-    MeU8 *updates;             /* beside awake: an McdBoxUpdate */
+    MeU64 changesSeen;         /* value of the framework's counter at the last look (mcd_frozen.c) */
+    int nextLook;              /* the proxy compared last, in turn */
+    int firstAwake, lastAwake; /* list of proxies that are updated; frozen models cost no time */
+    int *awake, awakeCount;    /* the same as an array of proxyRoom for workers; awakeCount MCD_NONE: not up to date */
+    MeU8 *updates;             /* parallel to awake: an McdBoxUpdate each */
     MeTeam *team;              /* workers; null: none */
-    int *dirty, dirtyCount;    /* proxies; proxyRoom */
-    int *found, *foundEnd;     /* beside dirty: what workers have found (mcd_pairs.c) */
+    int *dirty, dirtyCount;    /* proxies that changed in this block; proxyRoom elements */
+    int *found, *foundEnd;     /* parallel to dirty: results of workers (mcd_pairs.c) */
     int foundRoom, foundEndRoom;
-    int *unbounded, unboundedCount; /* proxies that are in no tree; proxyRoom */
+    int *unbounded, unboundedCount; /* proxies that are not in the tree; proxyRoom elements */
     McdTree *tree;
 
     McdLink *link;
     int linkMax, freeLink, linkCount;
-    MeU8 *changes; /* beside link: which are to be classified, as workers have found (mcd_pairs.c) */
+    MeU8 *changes; /* parallel to link: whether to classify it, as found by workers (mcd_pairs.c) */
     int changesRoom;
     int *hash, hashSize; /* a power of 2, or 0 */
 
-    /* All lists of pairs have room for all records in the blocks, and wanted for all links: only making these larger
-     * can fail for want of memory, and then nothing has begun yet. */
+    /* All lists of pairs have room for all records in the blocks, and `pending` for all links. So only the growth of
+     * these can fail for lack of memory, and then nothing has been changed yet. */
     McdPairRecord *block[MCD_PAIR_BLOCKS];
     int blockCount, liveCount, waitingCount;
     McdPairRecord *freePair;
-    MeBool isStale; /* there are erased pairs in the lists: their phase is kMcdFFStateInactive */
+    MeBool isStale; /* the lists contain erased pairs: phase kMcdFFStateInactive */
     McdPairList hello, staying, goodbye, pending;
-    McdPairList silenced, woken; /* of the block that ends: out of, and back to, the staying ones */
-    McdSpacePairIterator own;    /* of the calls without an iterator */
+    McdPairList silenced, woken; /* in the current block: removed from, and returned to, the staying pairs */
+    McdSpacePairIterator own;    /* for calls without an iterator */
 };
 
 /* ---- proxies (McdSpace.c) ---------------------------------------------------------------------------------------- */
 
 MeBool mcd_spaceCheck(McdSpaceID s, const char *function);
-/* Is it a space outside a change block? Ends the first block, if McdSpaceUpdateAll was called in it. */
+/* Whether s is a space outside of change blocks; warns if not. Ends the first block, if McdSpaceUpdateAll was called
+ * in it. */
 MeBool mcd_spaceIsReady(McdSpaceID s, const char *function);
 
 /* ---- links and pairs (mcd_pairs.c) ------------------------------------------------------------------------------- */
 
-void mcd_proxyTouch(McdSpace *s, int proxy);          /* its links are classified at the end of the block */
+void mcd_proxyTouch(McdSpace *s, int proxy);          /* marks it dirty: its links are classified when the block ends */
 void mcd_pairsForgetProxy(McdSpace *s, int proxy);    /* drops its links; its pairs say goodbye */
-void mcd_pairsEraseProxy(McdSpace *s, int proxy);     /* drops its links and its pairs, which say nothing */
-void mcd_pairsForgetContacts(McdSpace *s, int proxy); /* what Mst has of its pairs, which stay */
-void mcd_pairsTidy(McdSpace *s);                      /* takes erased pairs out of the lists */
+void mcd_pairsEraseProxy(McdSpace *s, int proxy);     /* drops its links and pairs, without goodbyes */
+void mcd_pairsForgetContacts(McdSpace *s, int proxy); /* forgets Mst's data of its pairs, which stay */
+void mcd_pairsTidy(McdSpace *s);                      /* removes erased pairs from the lists */
 MeBool mcd_pairsDisable(McdSpace *s, int a, int b);   /* false: no memory */
 void mcd_pairsEnable(McdSpace *s, int a, int b);
 MeBool mcd_pairsAreEnabled(const McdSpace *s, int a, int b); /* neither disabled, culled nor filtered */
-void mcd_pairsBegin(McdSpace *s);                            /* a block begins: goodbyes become invalid */
-void mcd_pairsEnd(McdSpace *s);                              /* a block ends: finds the pairs */
+void mcd_pairsBegin(McdSpace *s);                            /* as a block begins: goodbye pairs become invalid */
+void mcd_pairsEnd(McdSpace *s);                              /* as a block ends: finds the pairs */
 void mcd_pairsDestroy(McdSpace *s);
 
 /* ---- queries ----------------------------------------------------------------------------------------------------- */
 
-/* Calls visit for each model that may overlap a box (world); of those in the tree and those without bounds. */
+/* Calls visit for each model whose box may overlap a box (world), in the tree or unbounded. */
 void mcd_spaceOverlap(const McdSpace *s, const double min[3], const double max[3], McdTreeVisit visit, void *context);
-/* The same for a moving box, see mcd_treeCast. */
+/* Calls visit for each model that a moving box may hit, see mcd_treeCast. */
 void mcd_spaceCast(const McdSpace *s, const double from[3], const double by[3], const double half[3], double fraction,
                    McdTreeCastVisit visit, void *context);
-/* Does a query meet a model: none that is to go, nor one that the filter keeps out, nor sensors, unless the space's
- * queries meet these. The function is the query. */
+/* Whether a query may hit a model: not if it is being destroyed or removed, if the filter rejects it, or if it is a
+ * sensor and the space's queries ignore sensors. function: the query's name. */
 MeBool mcd_passesFilter(const McdSpace *s, McdModelID cm, McdLineSegIntersectEnableCallback filter, void *filterData,
                         const char *function);
-/* McdSpaceGetLineSegFirstEnabledIntersection, by the name of the function. */
+/* McdSpaceGetLineSegFirstEnabledIntersection; warnings name `function`. */
 int mcd_firstIntersection(McdSpaceID s, MeReal *from, MeReal *to, McdLineSegIntersectEnableCallback filter,
                           void *filterData, McdLineSegIntersectResult *result, const char *function);
-/* Outward to float. */
+/* Rounds a box outward to float. */
 void mcd_treeBox(const double min[3], const double max[3], McdTreeBox *box);
 
 #endif

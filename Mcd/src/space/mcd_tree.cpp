@@ -1,7 +1,7 @@
-/* A tree of boxes over FCL's dynamic tree: fcl::detail::HierarchyTree keeps the nodes, the walks are ours.
+/* A dynamic box tree on top of FCL's: fcl::detail::HierarchyTree stores the nodes; the traversals are our own.
  *
- * FCL puts a new box next to the box whose centre is nearest, without balancing; so the tree is made anew where a leaf
- * gets much deeper than it would be in a balanced tree. Nothing here depends on addresses.
+ * FCL inserts a new box next to the box with the nearest centre, without balancing. So the tree is rebuilt when a
+ * leaf gets much deeper than it would be in a balanced tree. Nothing here depends on addresses.
  */
 #include "space/mcd_tree_i.h"
 #include "MeAssert.h"
@@ -18,13 +18,13 @@ using Node = Nodes::NodeType;
 
 struct McdTree {
     Nodes nodes;
-    bool isDeep = false; /* some leaf is */
+    bool isDeep = false; /* some leaf is too deep: to be rebuilt */
 };
 
 namespace {
 
-/* Levels beyond twice those of a balanced tree at which the tree is rebuilt: before the next query, or at once, as
- * boxes inserted in order would make it a list. */
+/* Levels beyond twice the depth of a balanced tree at which the tree is rebuilt: before the next query (spareDepth),
+ * or immediately (maxSpareDepth), since boxes inserted in sorted order would make it a list. */
 const int spareDepth = 40, maxSpareDepth = 1000;
 
 Node *nodeOf(McdTreeLeaf *leaf) {
@@ -39,13 +39,13 @@ Box boxOf(const McdTreeBox &b) {
     return Box(fcl::Vector3<float>(b.min[0], b.min[1], b.min[2]), fcl::Vector3<float>(b.max[0], b.max[1], b.max[2]));
 }
 
-/* Puts a tree's nodes in good order from the top down, halving the leaves across the longest side. FCL's own
- * balanceTopdown frees the nodes and makes new ones: without memory there would be no tree left. */
+/* Rebuilds a tree from the top down, splitting the leaves in halves along the longest side, in its own nodes. FCL's
+ * balanceTopdown frees all nodes and allocates new ones: without memory no tree would be left. */
 class Balancing {
     std::vector<Node *> leaf, inner;
-    std::size_t used = 0; /* of the inner ones */
+    std::size_t used = 0; /* number of inner nodes used */
 
-    /* Leaves first .. last - 1. */
+    /* Builds the subtree of leaves first .. last - 1. */
     Node *make(std::size_t first, std::size_t last) {
         if (last - first == 1)
             return leaf[first];
@@ -67,7 +67,7 @@ class Balancing {
     }
 
   public:
-    /* All the memory there will be; throws if there is none, and nothing was changed. */
+    /* Allocates all memory that is needed; throws before anything is changed. */
     explicit Balancing(std::size_t leaves) {
         leaf.reserve(leaves);
         inner.reserve(leaves);
@@ -77,11 +77,11 @@ class Balancing {
         for (std::size_t i = 0; i < inner.size(); i++)
             for (Node *child : inner[i]->children)
                 (child->isLeaf() ? leaf : inner).push_back(child);
-        make(0, leaf.size()); /* takes inner nodes in their order: the root is the root again */
+        make(0, leaf.size()); /* uses inner nodes in their order, so the root stays the root */
     }
 };
 
-/* Does each inner node's box hold its children's, and do they know it? */
+/* For checks: whether each inner node's box contains its children's boxes, and their parent pointers are right. */
 bool isSound(const Node *n) {
     for (int k = 0; !n->isLeaf() && k < 2; k++) {
         const Node *child = n->children[k];
@@ -97,7 +97,7 @@ void balance(McdTree &tree) noexcept {
         return;
     try {
         Balancing(tree.nodes.size()).run(tree.nodes.getRoot());
-    } catch (...) { /* no memory: slower, and right */
+    } catch (...) { /* no memory: slower, but correct */
     }
     MEVALIDATE(isSound(tree.nodes.getRoot()));
 }
@@ -116,7 +116,7 @@ void checkDepth(McdTree &tree, const Node *leaf) noexcept {
         tree.isDeep = tree.isDeep || depth > 2 * balanced + spareDepth;
 }
 
-/* All axes are compared, without branches: along which of them boxes are apart cannot be predicted. */
+/* Compares all axes without branches: the separating axis is unpredictable. */
 bool overlaps(const Box &a, const McdTreeBox &b) {
     int is = 1;
     for (int i = 0; i < 3; i++) {
@@ -131,7 +131,7 @@ struct Query {
     McdTreeVisit visit;
     void *context;
 
-    /* n overlaps. */
+    /* Visits the leaves below n, whose box overlaps. */
     bool walk(const Node *n) const {
         while (!n->isLeaf()) {
             const Node *first = n->children[0], *second = n->children[1];
@@ -149,7 +149,7 @@ struct Query {
     }
 };
 
-/* Is there a fraction in [0, last] at which the moving box overlaps the one from min to max? */
+/* Whether the moving box overlaps the box from min to max at some fraction of the motion in [0, last]. */
 bool overlaps(const float *min, const float *max, const double *from, const double *by, const double *half,
               double last) {
     double first = 0;
@@ -223,7 +223,7 @@ void mcd_treeMove(McdTree *tree, McdTreeLeaf *leaf, const McdTreeBox *box) {
     Node *node = nodeOf(leaf);
     node->bv = boxOf(*box);
     try {
-        tree->nodes.update(node); /* out and in again; reuses the node above, so there is nothing to allocate */
+        tree->nodes.update(node); /* removes and reinserts the leaf, reusing its parent: no allocation */
     } catch (...) {
     }
     checkDepth(*tree, node);

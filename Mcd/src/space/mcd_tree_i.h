@@ -1,7 +1,8 @@
-/* Inside Mcd: a tree of boxes, over FCL's. The one door between C and C++: nothing of FCL shows, nothing is thrown.
+/* Inside Mcd: a dynamic box tree, on top of FCL's. The only interface between C and C++: nothing of FCL is visible,
+ * and nothing is thrown.
  *
- * Boxes are float, rounded outward (mcd_treeBox). An item is any number that the caller knows. Which items a query
- * meets does not depend on the tree's form; in which order does, so callers sort what they show. */
+ * Boxes are float, rounded outward (mcd_treeBox). An item is the caller's number. Which items a query visits does
+ * not depend on the tree's shape, but their order does: callers sort their results. */
 #ifndef MCD_TREE_H
 #define MCD_TREE_H
 
@@ -17,7 +18,7 @@ typedef struct McdTreeBox {
     float min[3], max[3];
 } McdTreeBox;
 
-/* Coordinates are cut off here, so that no sum or product of them overflows. */
+/* Coordinates are clamped to this, so that sums and products do not overflow. */
 #define MCD_TREE_REACH 1e15
 
 McdTree *mcd_treeCreate(void); /* null if there is no memory */
@@ -25,21 +26,22 @@ void mcd_treeDestroy(McdTree *tree);
 McdTreeLeaf *mcd_treeInsert(McdTree *tree, const McdTreeBox *box, int item); /* null if there is no memory */
 void mcd_treeMove(McdTree *tree, McdTreeLeaf *leaf, const McdTreeBox *box);
 void mcd_treeRemove(McdTree *tree, McdTreeLeaf *leaf);
-/* Makes the tree anew from the top down: after many insertions. */
+/* Rebuilds the tree from the top down: for use after many insertions. */
 void mcd_treeBalance(McdTree *tree);
-/* The same if it got too deep; before queries. */
+/* Rebuilds the tree if it has become too deep; to be called before queries. */
 void mcd_treeSettle(McdTree *tree);
-size_t mcd_treeBytesPerItem(void); /* what an item takes: its leaf and the node above */
+size_t mcd_treeBytesPerItem(void); /* memory per item: its leaf and an inner node */
 
-/* Calls visit for each item whose box overlaps, until it returns false. */
+/* Calls visit for each item whose box overlaps the box, until it returns false. */
 typedef MeBool (*McdTreeVisit)(void *context, int item);
 void mcd_treeQuery(const McdTree *tree, const McdTreeBox *box, McdTreeVisit visit, void *context);
-/* Calls visit for each item that a box with these half sizes (0: a point), moving from `from` by `by`, may meet before
- * the fraction that visit last returned, at first `fraction`; roughly from near to far. */
+/* Casts a box with half extents `half` (0: a point) from `from` by `by`: calls visit for each item that it may hit
+ * before the current fraction of the motion, initially `fraction`, then what visit returns. The order is roughly
+ * from near to far. */
 typedef double (*McdTreeCastVisit)(void *context, int item, double fraction);
 void mcd_treeCast(const McdTree *tree, const double from[3], const double by[3], const double half[3], double fraction,
                   McdTreeCastVisit visit, void *context);
-/* The part of that motion that is in the box: false if there is none in [0, fraction]. */
+/* Whether that motion hits the box within [0, fraction]. */
 MeBool mcd_treeCastBox(const McdTreeBox *box, const double from[3], const double by[3], const double half[3],
                        double fraction);
 
