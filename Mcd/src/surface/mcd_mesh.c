@@ -1,5 +1,5 @@
-/* A query of a surface of triangles: contacts of a convex shape with it, without ghost contacts at internal edges. The
- * triangles near the shape are gathered in the query's memory, then go through the stages of mcd_mesh_stages_i.h. */
+/* Contacts of a convex shape with a surface of triangles, without ghost contacts at internal edges. The triangles
+ * near the shape are gathered into the query's memory, and then pass through the stages of mcd_mesh_stages_i.h. */
 #include "surface/mcd_mesh_stages_i.h"
 #include "convex/mcd_nearfield_i.h"
 #include "surface/mcd_scratch_i.h"
@@ -41,7 +41,7 @@ MeU32 mcd_meshHash(MeU32 a, MeU32 b) {
 static MeU32 hashOfPoint(const double place[3]) {
     MeU32 key = 1;
     for (int i = 0; i < 3; i++) {
-        const double value = place[i] + 0.0; /* -0 is 0 */
+        const double value = place[i] + 0.0; /* -0 becomes 0 */
         MeU32 half[2];
         memcpy(half, &value, sizeof value);
         key = mcd_meshHash(mcd_meshHash(key, half[0]), half[1]);
@@ -49,8 +49,9 @@ static MeU32 hashOfPoint(const double place[3]) {
     return key;
 }
 
-/* Does the box around the triangle overlap the query's box, and its ball? All others touch nothing, and are no
- * neighbours that count: only edges and corners within both are looked at (isWithinQuery, mcd_mesh_topology.c). */
+/* Whether the triangle's bounding box overlaps the query's box and ball. Other triangles touch nothing, and do not
+ * matter as neighbours: only edges and corners within box and ball are examined (isWithinQuery,
+ * mcd_mesh_topology.c). */
 static MeBool overlapsQuery(const McdMeshQuery *q, const double corner[3][3]) {
     double square = 0;
     for (int i = 0; i < 3; i++) {
@@ -97,7 +98,7 @@ void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *norma
 
 /* ---- the shape's bounds ------------------------------------------------------------------------------------------ */
 
-/* The shape's support points along both senses of an axis, as heights over a point. */
+/* The shape's extent along an axis, as heights over a point. */
 static void extentAlong(const McdShape *s, const double axis[3], const double point[3], double *low, double *high) {
     double back[3], far[3], near[3];
     mcd_scale(back, axis, -1);
@@ -109,7 +110,7 @@ static void extentAlong(const McdShape *s, const double axis[3], const double po
     *high = mcd_dot(far, axis);
 }
 
-/* The box along the shape's own axes: its middle and half sizes. */
+/* Computes the bounding box along the shape's own axes: centre and half extents. */
 static void boundAlongShape(McdMeshQuery *q) {
     mcd_copy(q->box, q->shape.place);
     for (int i = 0; i < 3; i++) {
@@ -121,7 +122,8 @@ static void boundAlongShape(McdMeshQuery *q) {
     }
 }
 
-/* The box along the mesh's axes, with the margin: its corners, its middle, and its radius without the margin. */
+/* Computes the bounding box along the mesh's axes, with the margin: its corners, its centre, and its radius without
+ * the margin. */
 static void boundAlongMesh(McdMeshQuery *q) {
     const double grow = q->margin + 1e-9 * q->shape.extent;
     double sum = 0;
@@ -137,7 +139,8 @@ static void boundAlongMesh(McdMeshQuery *q) {
     q->radius = sqrt(sum);
 }
 
-/* A ball around the shape and the margin: the smaller of those around the shape's origin and around the box. */
+/* Computes a bounding ball of shape and margin: about the shape's origin or about the box's centre, whichever is
+ * smaller. */
 static void boundByBall(McdMeshQuery *q) {
     const MeBool isOriginBetter = q->shape.extent < q->radius;
     double offset[3];
@@ -147,7 +150,8 @@ static void boundByBall(McdMeshQuery *q) {
     q->ballRadius = (isOriginBetter ? q->shape.extent : q->radius) + q->margin;
 }
 
-/* For checks: does the ball, in the mesh's frame, hold the shape's support points along both frames' axes? */
+/* For checks: whether the ball, in the mesh's frame, contains the shape's support points along the axes of both
+ * frames. */
 static MeBool isShapeInBall(const McdMeshQuery *q) {
     for (int i = 0; i < 12; i++) {
         double d[3], point[3], own[3];
@@ -156,7 +160,7 @@ static MeBool isShapeInBall(const McdMeshQuery *q) {
         mcd_sub(point, point, q->place);
         for (int k = 0; k < 3; k++)
             own[k] = mcd_dot(point, q->axis[k]) - q->ball[k];
-        if (mcd_length(own) > q->ballRadius * (1 + 1e-6) + 1e-6 * mcd_length(point)) /* axes of single precision */
+        if (mcd_length(own) > q->ballRadius * (1 + 1e-6) + 1e-6 * mcd_length(point)) /* the axes are single precision */
             return MEFALSE;
     }
     return METRUE;
@@ -171,7 +175,8 @@ static MeBool areAxesUnit(const McdMeshQuery *q) {
     return fabs(fabs(mcd_dot(x, q->axis[2])) - 1) < 1e-6;
 }
 
-/* No farther than the triangles are gathered: a model that is fast looks no farther than its radius. */
+/* Sets the shape's displacement until the next test, limited to the margin within which triangles are gathered (of a
+ * fast model at most its radius). */
 static void findDisplacement(McdMeshQuery *q) {
     mcd_pairDisplacement(q->pair, q->displacement);
     const double length = mcd_length(q->displacement);
@@ -181,7 +186,7 @@ static void findDisplacement(McdMeshQuery *q) {
 
 /* ---- the query --------------------------------------------------------------------------------------------------- */
 
-/* The query's box, by its margin. False for a shape that is not convex, or has no transform. */
+/* Sets the frames and the box of the query, by its margin. False for a shape that is not convex or has no transform. */
 static MeBool placeQuery(McdMeshQuery *q, McdGeometryInstance *ins1, McdGeometryInstance *ins2) {
     const MeMatrix4Ptr tm = mcd_instanceTM(ins2);
     mcd_pairOrigin(ins1, ins2, q->origin);

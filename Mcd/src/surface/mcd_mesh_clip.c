@@ -1,4 +1,4 @@
-/* Contacts of a convex shape with a triangle along a given normal: the shape's face clipped to the triangle. */
+/* Contacts of a convex shape with a triangle along a given normal: clips the shape's face to the triangle. */
 #include "surface/mcd_mesh_stages_i.h"
 #include "convex/mcd_nearfield_i.h"
 
@@ -29,7 +29,7 @@ void mcd_polygonSupport(const McdShape *shape, const double direction[3], McdPol
     appendPoint(p, point, 0, MEFALSE);
 }
 
-/* Sutherland-Hodgman: keeps the part with inward . x >= offset; a point stays a point, a line a line. */
+/* Sutherland-Hodgman clipping: keeps the part with inward . x >= offset. A point stays a point, a line a line. */
 static void clipByPlane(const McdPolygon *in, const double inward[3], double offset, double tolerance, MeU32 edgeName,
                         McdPolygon *out) {
     out->count = 0;
@@ -45,10 +45,10 @@ static void clipByPlane(const McdPolygon *in, const double inward[3], double off
         mcd_mad(at, in->point[i], MeCLAMP(a / (a - b), 0, 1), d);
         appendPoint(out, at, mcd_meshHash(in->name[i] + in->name[next], edgeName), METRUE);
     }
-    MEASSERT(out->count <= in->count + 2); /* a line cuts two sides of a convex polygon at most, but for rounding */
+    MEASSERT(out->count <= in->count + 2); /* a plane cuts at most two sides of a convex polygon, plus rounding */
 }
 
-/* The part of a polygon inside the triangle's prism: over or below the triangle, seen along its normal. */
+/* Clips a polygon to the triangle's prism: the part over or below the triangle, along its normal. */
 static void clipToPrism(const McdMeshTriangle *t, double tolerance, const McdPolygon *p, McdPolygon *clipped) {
     McdPolygon a, b;
     const McdPolygon *from[3] = {p, &a, &b};
@@ -84,8 +84,8 @@ MeBool mcd_meshClipSegment(const McdMeshTriangle *t, const double from[3], const
 
 /* ---- contacts ---------------------------------------------------------------------------------------------------- */
 
-/* The normal in steps of an eighth: a part of the feature id, so that contacts of one corner with two faces have two
- * ids. */
+/* The normal quantized to eighths: part of the feature id, so that contacts of one corner with two faces have
+ * different ids. */
 static MeU32 quantizedNormal(const double normal[3]) {
     MeU32 cell = 0;
     for (int i = 0; i < 3; i++)
@@ -98,7 +98,7 @@ void mcd_meshAddContact(McdMeshQuery *q, const McdMeshTriangle *t, const double 
     McdMesh *mesh = q->mesh;
     const double outward[3] = {-normal[0], -normal[1], -normal[2]}, size = mcd_dot(normal, normal);
     if (!(size > 0) || !isfinite(size + separation + position[0] + position[1] + position[2]))
-        return; /* where surfaces are as large as numbers can be, what is found may be none */
+        return; /* coordinates near the largest number may overflow */
     if (!mcd_meshReserveContacts(mesh, mesh->contactCount + 1))
         return;
     McdMeshContact *c = &mesh->contact[mesh->contactCount++];

@@ -1,13 +1,14 @@
-/* Contacts of a convex shape with each triangle of a surface. A triangle with flat surroundings has one admissible
- * normal, its own: the shape's face is clipped to it. Others are searched by the narrow phase, and the normal found is
- * taken only where it belongs to the Voronoi region of an edge or a corner. */
+/* Contacts of a convex shape with each triangle of a surface. A triangle in flat surroundings has only one
+ * admissible normal, its own: the shape's face is clipped to it. For other triangles the narrow phase finds the
+ * normal, which is accepted only if it belongs to the Voronoi region of an edge or corner. */
 #include "surface/mcd_mesh_stages_i.h"
 #include "convex/mcd_nearfield_i.h"
 
-/* The distance beyond a border, relative to the shape's extent, at which continuesBeyond looks for the surface. */
+/* Relative to the shape's extent: the distance beyond a border at which continuesBeyond looks for the surface. */
 #define BEYOND 1e-5
 
-/* ---- distances of the shape and a triangle ----------------------------------------------------------------------- */
+/* ---- distances between the shape and a triangle
+ * ----------------------------------------------------------------------- */
 
 static double heightOfCentre(const McdMeshQuery *q, const McdMeshTriangle *t) {
     double offset[3];
@@ -15,8 +16,8 @@ static double heightOfCentre(const McdMeshQuery *q, const McdMeshTriangle *t) {
     return mcd_dot(offset, t->normal);
 }
 
-/* The unit vectors across the edges, in the triangle's plane, towards its inside. False for a triangle that is so far
- * away, or so large, that rounding has left an edge of it no length, or its third corner on an edge. */
+/* Computes the unit vectors orthogonal to the edges, in the triangle's plane, pointing inward. False if the triangle
+ * is so far away or so large that after rounding an edge has no length, or the third corner lies on an edge. */
 static MeBool findInward(McdMeshTriangle *t) {
     for (int i = 0; i < 3; i++) {
         double *inward = t->inward[i], edge[3], across[3];
@@ -33,7 +34,7 @@ static MeBool findInward(McdMeshTriangle *t) {
     return METRUE;
 }
 
-/* Does the shape's oriented box, grown by the margin, overlap the triangle's prism? */
+/* Whether the shape's oriented box, grown by the margin, overlaps the triangle's prism. */
 static MeBool overlapsPrism(const McdMeshQuery *q, const McdMeshTriangle *t) {
     for (int i = 0; i < 3; i++) {
         double offset[3], reach = 0;
@@ -46,7 +47,7 @@ static MeBool overlapsPrism(const McdMeshQuery *q, const McdMeshTriangle *t) {
     return METRUE;
 }
 
-/* Does the shape's oriented box, grown by the margin, overlap the triangle's along its own axes? */
+/* Whether the shape's oriented box, grown by the margin, overlaps the triangle along the box's axes. */
 static MeBool overlapsBox(const McdMeshQuery *q, const McdMeshTriangle *t) {
     for (int i = 0; i < 3; i++) {
         double low = INFINITY, high = -INFINITY;
@@ -63,7 +64,7 @@ static MeBool overlapsBox(const McdMeshQuery *q, const McdMeshTriangle *t) {
     return METRUE;
 }
 
-/* The narrow phase with the triangle as a convex shape. */
+/* Finds the manifold of the shape and the triangle as a convex shape, by the narrow phase; false if there is none. */
 static MeBool intersectTriangle(const McdMeshQuery *q, const McdMeshTriangle *t, McdManifold *m) {
     McdShape triangle;
     if (t->isFlat || !overlapsBox(q, t))
@@ -74,7 +75,8 @@ static MeBool intersectTriangle(const McdMeshQuery *q, const McdMeshTriangle *t,
 
 /* ---- classification ---------------------------------------------------------------------------------------------- */
 
-/* For checks: are low and high, the shape's least and greatest heights over the plane, within its bounding sphere? */
+/* For checks: whether low and high, the shape's lowest and highest heights over the plane, are within its bounding
+ * sphere. */
 static MeBool areHeightsGood(const McdMeshQuery *q, const McdMeshTriangle *t, double low, double high) {
     double offset[3];
     mcd_sub(offset, q->shape.place, t->corner[0]);
@@ -83,15 +85,16 @@ static MeBool areHeightsGood(const McdMeshQuery *q, const McdMeshTriangle *t, do
            (low <= high + slack && high <= place + q->shape.extent + slack && low >= place - q->shape.extent - slack);
 }
 
-/* Whether the core is above the triangle's plane, and its lowest point projects into the triangle: then these are the
- * closest points, and the contact normal is the face's. */
+/* Whether the core is above the triangle's plane and its lowest point projects into the triangle. Then these two are
+ * the closest points, and the contact normal is the face's. */
 static MeBool isBelowShape(const McdMeshQuery *q, const McdMeshTriangle *t, const double lowest[3], double low) {
     double in, out;
     return low + q->shape.rounding > 0 &&
            mcd_meshClipSegment(t, lowest, lowest, MCD_MESH_OVERLAP * q->shape.extent, &in, &out);
 }
 
-/* Sets inward; isPending, for triangles within reach; facing, for those with one admissible normal; isBelow. */
+/* Classifies a triangle. Sets inward and isFlat; isPending for triangles within reach; facing for those with only
+ * one admissible normal; isBelow. */
 static void classifyTriangle(McdMeshQuery *q, McdMeshTriangle *t) {
     double back[3], lowest[3], highest[3], offset[3];
     t->facing = 0;
@@ -116,9 +119,10 @@ static void classifyTriangle(McdMeshQuery *q, McdMeshTriangle *t) {
         t->facing = heightOfCentre(q, t) >= 0 && mcd_meshHasOnlyFaceNormal(q, t);
 }
 
-/* ---- one plane for all ------------------------------------------------------------------------------------------- */
+/* ---- all triangles in one plane
+ * -------------------------------------------------------------------------------------- */
 
-/* The first pending triangle, if all pending ones are coplanar and face the same way; else null. */
+/* The first pending triangle if all pending ones are coplanar and face the same way; else null. */
 static const McdMeshTriangle *commonPlane(const McdMeshQuery *q) {
     const McdMeshTriangle *first = 0;
     for (int i = 0; i < q->mesh->count; i++) {
@@ -136,11 +140,12 @@ static const McdMeshTriangle *commonPlane(const McdMeshQuery *q) {
     return first;
 }
 
-/* Adds each of the polygon's points as a contact of the first pending triangle below it; false if one has none. */
+/* Adds each point of the polygon as a contact of the first pending triangle below that point. Returns false if there
+ * is no such triangle for some point. */
 static MeBool addPointsOverTriangles(McdMeshQuery *q, const double normal[3], const McdPolygon *p, MeBool onlyDeeper,
                                      double *min) {
     for (int i = 0; i < p->count; i++) {
-        McdPolygon one; /* only its first point is written */
+        McdPolygon one; /* only its first point is set */
         double in, out;
         int k = 0;
         one.count = 1;
@@ -158,8 +163,8 @@ static MeBool addPointsOverTriangles(McdMeshQuery *q, const double normal[3], co
     return METRUE;
 }
 
-/* Where all pending triangles lie in one plane and cover the shape's face, contacts are those with the plane. False,
- * without contacts, elsewhere. */
+/* If all pending triangles lie in one plane and cover the shape's face, adds the contacts with that plane. Otherwise
+ * returns false and adds none. */
 static MeBool addPlaneContacts(McdMeshQuery *q) {
     const McdMeshTriangle *t = commonPlane(q);
     McdPolygon p;
@@ -178,15 +183,16 @@ static MeBool addPlaneContacts(McdMeshQuery *q) {
     return MEFALSE;
 }
 
-/* ---- triangles with one admissible normal ------------------------------------------------------------------------ */
+/* ---- triangles with only one admissible normal
+ * ----------------------------------------------------------------------- */
 
 /* The contact's point on the surface. */
 static void footOf(const McdMeshContact *c, double foot[3]) {
     mcd_mad(foot, c->position, -c->separation / 2, c->normal);
 }
 
-/* The point where the shape is taken to have entered the surface: where the line from the contact's point below the
- * plane to the shape's highest point crosses the plane. False if all of the shape is below. */
+/* Estimates where the shape entered the surface: where the line from the contact's point on the shape, below the
+ * plane, to the shape's highest point crosses the plane. False if the whole shape is below. */
 static MeBool findEntry(const McdMeshQuery *q, const McdMeshContact *c, double entry[3]) {
     double foot[3], point[3], highest[3], offset[3];
     footOf(c, foot);
@@ -198,12 +204,13 @@ static MeBool findEntry(const McdMeshQuery *q, const McdMeshContact *c, double e
         return MEFALSE;
     mcd_sub(offset, highest, point);
     mcd_mad(entry, point, c->separation / (c->separation - height), offset);
-    MEASSERT(c->separation <= 0); /* between both: no division by 0 */
+    MEASSERT(c->separation <= 0); /* one end below, the other above: no division by 0 */
     return METRUE;
 }
 
-/* Contacts along the face's normal. They count if one is not below the surface, or entered through this triangle, or
- * if the narrow phase says that the shape touches the triangle; else false, and none is added. */
+/* Adds the contacts along the face's normal. They are accepted if one of them is not below the surface or entered
+ * through this triangle, or if the narrow phase finds that the shape touches the triangle. Otherwise returns false
+ * and adds none. */
 static MeBool addFaceContacts(McdMeshQuery *q, const McdMeshTriangle *t) {
     const int first = q->mesh->contactCount;
     const double overlap = MCD_MESH_OVERLAP * q->shape.extent;
@@ -222,10 +229,11 @@ static MeBool addFaceContacts(McdMeshQuery *q, const McdMeshTriangle *t) {
     return MEFALSE;
 }
 
-/* ---- triangles whose normal is searched -------------------------------------------------------------------------- */
+/* ---- triangles whose normal must be searched
+ * ------------------------------------------------------------------------- */
 
-/* The point a small step beyond the triangle's border, beside the deepest contact. `out` is the direction across the
- * border, in the triangle's plane. */
+/* Computes a point at a small step beyond the triangle's border, beside the deepest contact. `out` gets the
+ * direction across the border, in the triangle's plane. */
 static void pointBeyondBorder(const McdMeshTriangle *t, const McdManifold *m, double step, double out[3],
                               double at[3]) {
     const McdManifoldPoint *deepest = &m->point[0];
@@ -242,8 +250,8 @@ static void pointBeyondBorder(const McdMeshTriangle *t, const McdManifold *m, do
     mcd_mad(at, at, border - mcd_dot(at, out) + step, out);
 }
 
-/* T-junctions: does a triangle that shares no corner with the border continue the surface beyond it, above the plane
- * across the normal? */
+/* For T-junctions: whether a triangle that shares no corner with the border continues the surface beyond it, above
+ * the plane orthogonal to the normal. */
 static MeBool continuesBeyond(const McdMeshQuery *q, const McdMeshTriangle *t, const McdManifold *m) {
     const double step = BEYOND * q->shape.extent, overlap = MCD_MESH_OVERLAP * q->shape.extent;
     const int mask = mcd_meshFarthestCorners(t, m->normal);
@@ -269,7 +277,7 @@ static MeBool continuesBeyond(const McdMeshQuery *q, const McdMeshTriangle *t, c
     return MEFALSE;
 }
 
-/* Adds the narrow phase's contacts. Their feature is the edge's or the corner's, equal for all triangles there. */
+/* Adds the narrow phase's contacts. Their feature is that of the edge or corner, equal for all triangles there. */
 static void addManifold(McdMeshQuery *q, const McdMeshTriangle *t, const McdManifold *m) {
     const int mask = mcd_meshFarthestCorners(t, m->normal);
     MeU32 feature = 0;
@@ -281,16 +289,16 @@ static void addManifold(McdMeshQuery *q, const McdMeshTriangle *t, const McdMani
                            mcd_meshHash(feature, mcd_featureNumber(m->point[i].feature)), METRUE);
 }
 
-/* The side of a triangle on which contacts are: 1 the normal's, -1 the other. A two-sided one's is the contact
- * normal's, or the shape's centre's where that is nearly in the plane. */
+/* The side of a triangle on which contacts are: 1 the normal's, -1 the opposite. For a two-sided triangle that of
+ * the contact normal or, if that is nearly parallel to the plane, that of the shape's centre. */
 static double sideOf(const McdMeshTriangle *t, double cosine, double centreHeight) {
     if (!(t->flags & kMcdTriangleTwoSided))
         return 1;
     return (fabs(cosine) > .5 ? cosine : centreHeight) < 0 ? -1 : 1;
 }
 
-/* Contacts along the narrow phase's normal, where that is the surface's, else along the face's normal; below the shape
- * these are the same. False if the shape does not touch the triangle. */
+/* Adds the contacts along the narrow phase's normal, where that is a normal of the surface, else along the face's
+ * normal. For a triangle below the shape both are the same. False if the shape does not touch the triangle. */
 static MeBool addSearchedContacts(McdMeshQuery *q, McdMeshTriangle *t) {
     McdManifold m;
     double face[3];
@@ -306,7 +314,7 @@ static MeBool addSearchedContacts(McdMeshQuery *q, McdMeshTriangle *t) {
     McdMeshRegion region = mcd_meshRegion(q, t, m.normal);
     if ((region == MCD_BORDER_REGION || region == MCD_FLAT_BORDER) && continuesBeyond(q, t, &m))
         region = MCD_INTERNAL_REGION;
-    if (region == MCD_FLAT_BORDER && cosine < .5) /* pushed from the side of an edge that is not sharp: no contact */
+    if (region == MCD_FLAT_BORDER && cosine < .5) /* pushed sideways by an edge that is not sharp: no contact */
         return METRUE;
 
     const MeBool isFace = mcd_distanceSquared(m.normal, face) < MCD_MESH_SAME_DIRECTION * MCD_MESH_SAME_DIRECTION ||
@@ -321,7 +329,7 @@ static MeBool addSearchedContacts(McdMeshQuery *q, McdMeshTriangle *t) {
         t->facing = (int)side;
     if (t->facing && mcd_meshAddClipped(q, t, face, MCD_MESH_OVERLAP))
         return METRUE;
-    /* where the normal is the face's only within the tolerance, its point is beside the face by as much */
+    /* if the normal equals the face's only within the tolerance, its point may be beside the face by as much */
     if (!isFace || mcd_meshAddClipped(q, t, face, MCD_MESH_SAME_DIRECTION))
         return METRUE;
     mcd_copy(m.normal, face);
@@ -329,7 +337,8 @@ static MeBool addSearchedContacts(McdMeshQuery *q, McdMeshTriangle *t) {
     return METRUE;
 }
 
-/* ---- coplanar triangles that the shape does not touch ------------------------------------------------------------ */
+/* ---- coplanar triangles that were not hit directly
+ * ------------------------------------------------------------------- */
 
 static MeBool areCoplanar(const McdMeshQuery *q, const McdMeshTriangle *a, const McdMeshTriangle *b) {
     double offset[3];
@@ -339,8 +348,8 @@ static MeBool areCoplanar(const McdMeshQuery *q, const McdMeshTriangle *a, const
     return fabs(mcd_dot(offset, a->normal)) <= MCD_MESH_RISES * q->shape.extent;
 }
 
-/* Is the segment covered by triangles in t's plane, and does the last of them face along the normal? Extends the
- * covered part from 0 until no triangle adds to it. */
+/* Whether triangles in t's plane cover the segment, the last of them facing along the normal. Extends the covered
+ * part from its start until no triangle extends it further. */
 static MeBool isSegmentCovered(const McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3],
                                const double from[3], const double to[3]) {
     double covered = 0, in, out;
@@ -360,7 +369,7 @@ static MeBool isSegmentCovered(const McdMeshQuery *q, const McdMeshTriangle *t, 
     return MEFALSE;
 }
 
-/* The least separation among the first `count` contacts that are on the triangle's plane. */
+/* The smallest separation among the first `count` contacts that lie in the triangle's plane. */
 static double minSeparationOnPlane(const McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], int count) {
     double min = INFINITY;
     for (int i = 0; i < count; i++) {
@@ -396,10 +405,11 @@ static void addCoplanarContacts(McdMeshQuery *q, const McdMeshTriangle *t) {
     mesh->contactCount = count;
 }
 
-/* ---- tunnelling -------------------------------------------------------------------------------------------------- */
+/* ---- recovery from tunnelling
+ * ---------------------------------------------------------------------------------------- */
 
-/* No contact was found, and the shape's centre is behind a one-sided triangle by less than half of its radius: contacts
- * with the nearest such triangle, and with those of the same normal, push it back. */
+/* For shapes without contacts whose centre is behind a one-sided triangle by less than half of their radius: adds
+ * contacts with the nearest such triangle, and with triangles of the same normal, which push the shape back. */
 static void recoverFromBehind(McdMeshQuery *q) {
     const McdMeshTriangle *nearest = 0;
     McdManifold m;

@@ -1,14 +1,15 @@
-/* Inside Mcd: contacts of a convex shape with triangles that join up to a surface.
+/* Inside Mcd: contacts of a convex shape with triangles that form a surface.
  *
- * A geometry (a list's callback, a height field's grid) gathers the triangles near the shape; mcd_meshIntersect
- * finds the contacts. Ghost contacts at internal edges are avoided by Voronoi regions: a normal at an edge or a corner
- * is the surface's only if no triangle there rises above the plane across it; else the face's normal is taken.
- * Neighbours have corners at equal coordinates; at T-junctions, a point beyond the border is looked up.
+ * A geometry (a triangle list's callback, a height field's grid) gathers the triangles near the shape;
+ * mcd_meshIntersect finds the contacts. Ghost contacts at internal edges are avoided by Voronoi regions: a normal at
+ * an edge or corner belongs to the surface only if no triangle there rises above the plane orthogonal to the normal;
+ * otherwise the face's normal is used. Neighbours are recognized by equal coordinates of their corners; at
+ * T-junctions, by a point beyond the border.
  *
- * A triangle in flat surroundings has one admissible normal, its own. Points of the shape below the plane are contacts
- * if the shape entered the surface there: if coplanar triangles cover the segment from the point's foot to the entry,
- * where the line from the point to the shape's highest point crosses the plane. Else the point is a part of the shape
- * that hangs over the border, below triangles that the shape does not touch.
+ * A triangle in flat surroundings has only one admissible normal, its own. Points of the shape below its plane are
+ * contacts if the shape entered the surface there: if coplanar triangles cover the segment from the point's
+ * projection to the entry, where the line from the point to the shape's highest point crosses the plane. Otherwise
+ * the point belongs to a part of the shape that overhangs the border, below triangles that the shape does not touch.
  */
 #ifndef MCD_MESH_H
 #define MCD_MESH_H
@@ -19,46 +20,46 @@
 typedef struct McdMeshTriangle {
     double corner[3][3]; /* in the query's coordinates */
     double normal[3];
-    double inward[3][3]; /* unit vectors across the edges, in the triangle's plane; set by mcd_meshFindContacts */
-    int vertex[3];       /* numbers of the corners: equal coordinates, equal numbers */
+    double inward[3][3]; /* unit vectors in the plane, orthogonal to the edges; set by mcd_meshFindContacts */
+    int vertex[3];       /* numbers of the corners' vertices: equal for equal coordinates */
     MeU32 key[3];        /* hashes of the corners' coordinates in the mesh's frame */
     int flags;           /* McdTriangleFlags */
     McdElementData element;
     int facing;       /* the only admissible contact normal: 1 its own, -1 the opposite; 0: to be searched */
-    MeBool isFlat;    /* rounding has left an edge of it no length: it touches nothing */
-    MeBool isPending; /* within reach of the shape, without contacts so far */
-    MeBool isBelow;   /* the core's point nearest to its plane is above it, over the triangle */
+    MeBool isFlat;    /* degenerate after rounding (an edge without length): touches nothing */
+    MeBool isPending; /* within reach of the shape, no contacts so far */
+    MeBool isBelow;   /* the core's nearest point to its plane is above it and projects into the triangle */
 } McdMeshTriangle;
 
 typedef struct McdMeshContact {
     double position[3], normal[3], separation;
-    double radius; /* of the shape's surface there: mcd_surfaceRadius */
+    double radius; /* mcd_surfaceRadius of the shape there */
     MeU32 feature;
     McdElementData element;
     int dims;  /* of its manifold: McdContact.dims */
-    int isCut; /* made by clipping, not a corner of the shape; of two points at one position the corner is kept */
+    int isCut; /* made by clipping, not a corner of the shape; of coincident points the corner is kept */
 } McdMeshContact;
 
 struct McdScratch;
 
-/* The triangles near a shape and its contacts with them, as one query finds them; zeroed at first (McdScratch). */
+/* The triangles near a shape and its contacts with them, for one query; initially zeroed (McdScratch). */
 typedef struct McdMesh {
     int count, max; /* triangles */
     McdMeshTriangle *triangle;
     double (*place)[3];     /* their corners in the mesh's frame, three each */
-    int *firstOf, *usersOf; /* the triangles of vertex v: usersOf[firstOf[v] .. firstOf[v + 1] - 1]; 3 max + 1, 3 max */
-    int *cornerOf, *slot;   /* the vertices' hash table: a corner of each vertex, 3 max; vertices by hash, 12 max */
-    int *fan;               /* 3 max: is a vertex surrounded by triangles in one plane? */
+    int *firstOf, *usersOf; /* triangles of vertex v: usersOf[firstOf[v] .. firstOf[v + 1] - 1]; 3 max + 1, 3 max */
+    int *cornerOf, *slot;   /* hash table of vertices: a corner of each vertex, 3 max; vertices by hash, 12 max */
+    int *fan;               /* of each vertex: whether coplanar triangles surround it; 3 max */
     int contactCount, contactMax;
     McdMeshContact *contact, *cluster, *merged;
     int *contactOrder;
-    void *spots; /* McdSpot */
+    void *spots; /* array of McdSpot */
     int *kept;
-    int skipped;     /* triangles without area */
-    int vertexCount; /* of corners that the geometry has numbered; 0: they are numbered by equal coordinates */
+    int skipped;     /* number of triangles without area */
+    int vertexCount; /* vertices that the geometry has numbered; 0: numbered by coordinates */
 } McdMesh;
 
-/* Grows one of its arrays. */
+/* Grows one of the mesh's arrays. */
 #define MCD_MESH_GROW(pointer, used, count)                                                                            \
     MeMemoryGrow(&(pointer), (size_t)(used), (size_t)(count), sizeof *(pointer), "McdIntersect",                       \
                  "triangles and contacts")
@@ -69,44 +70,45 @@ struct McdMeshQuery {
     McdMesh *mesh;              /* the scratch's */
     McdShape shape;
     double margin, origin[3];
-    double displacement[3];      /* m, of the shape relative to the mesh until the next query; 0: it is not known */
-    double axis[3][3], place[3]; /* the mesh's frame, place relative to the origin */
+    double displacement[3];      /* m, of the shape relative to the mesh until the next query; 0: not known */
+    double axis[3][3], place[3]; /* the mesh's frame; place is relative to the origin */
     double low[3], high[3];      /* the shape's box in the mesh's frame, with the margin */
-    double centre[3];            /* the middle of that box, in the query's coordinates */
-    double radius;               /* from there to the box' corners */
-    double ball[3], ballRadius;  /* around the shape and the margin, in the mesh's frame */
-    double box[3], half[3];      /* the middle of the shape's box along its own axes, and half of its sizes */
+    double centre[3];            /* centre of that box, in the query's coordinates */
+    double radius;               /* of that box, without the margin */
+    double ball[3], ballRadius;  /* bounding ball of shape and margin, in the mesh's frame */
+    double box[3], half[3];      /* the shape's box along its own axes: centre and half extents */
 };
 
-/* The interaction of a convex model with a mesh: 1 if there are contacts. */
+/* Finds the contacts of a convex model (model1) with a surface (model2); 1 if there are any. */
 int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather gather);
-/* Room for so many triangles; false, after a fatal error, if there is no memory. */
+/* Ensures room for a number of triangles; false, after a fatal error, if there is no memory. */
 MeBool mcd_meshReserve(McdMesh *mesh, int triangles);
 void mcd_meshFree(McdMesh *mesh);
-/* For gather functions: adds a triangle, corners in the mesh's frame, unless it is not near, has no area, or has NaN.
- * The normal, which may be null, is on the outside. vertex: numbers of the corners, below vertexCount; null: they are
- * numbered by equal coordinates. */
+/* For gather functions: adds a triangle, with its corners in the mesh's frame, unless it is too far away, has no
+ * area, or is not finite. normal: on the outside; null: by the right-hand rule. vertex: numbers of the corners,
+ * below vertexCount; null: they are numbered by coordinates. */
 void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags, const int *vertex,
                  McdElementData element);
 
 /* ---- queries (mcd_mesh_query.c) ---------------------------------------------------------------------------------- */
 
-/* Is it the instance of a list or a height field? */
+/* Whether the instance is a triangle list or a height field. */
 MeBool mcd_isMesh(const McdGeometryInstance *ins);
 /* The box around the whole mesh, relative to origin. */
 void mcd_meshBounds(McdGeometryInstance *ins, const double origin[3], double low[3], double high[3]);
-/* Calls visit for each triangle near a box, until it returns false; the shape and the box are in the world's axes,
- * relative to origin. asker: model1 of the pair that a list's callback gets; null: the list's own model. */
+/* Calls visit for each triangle near a box, until it returns false. Triangles and box are along the world's axes,
+ * relative to origin. asker: model1 of the pair that a triangle list's callback gets; null: the list's own model. */
 typedef MeBool (*McdMeshVisit)(void *context, const McdMeshTriangle *t, const McdShape *triangle);
 void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const double origin[3], const double low[3],
                          const double high[3], McdMeshVisit visit, void *context);
-/* As mcd_convexDistance, to the nearest triangle; false if there is none up to most, which may be INFINITY. */
+/* The distance to the nearest triangle, as mcd_convexDistance; false if there is none within max, which may be
+ * INFINITY. */
 MeBool mcd_meshNearest(const McdShape *shape, McdGeometryInstance *ins, McdModelID asker, const double origin[3],
                        double max, double *distance, double onShape[3], double onMesh[3], double normal[3]);
 
-/* Are there a pair of live models, and room for contacts? Warns if not. */
+/* Whether there are a pair of live models with valid transforms, and room for contacts; warns if not. */
 MeBool mcd_meshMayIntersect(const McdModelPair *p, const McdIntersectResult *result, const char *function);
-/* Puts an interaction of a convex type with a mesh's into the framework's table. */
+/* Registers an interaction of a convex type with a surface's type. */
 MeBool mcd_meshRegister(McdFramework *frame, McdGeometryType type, McdGeometryType meshType, McdIntersectFn function);
 /* Defines Mcd<shape><mesh>Intersect and ...RegisterInteraction for all convex shapes. */
 #define MCD_MESH_INTERACTION(shape, mesh, intersect)                                                                   \

@@ -1,5 +1,5 @@
-/* The triangles of lists and height fields near a box, and the one nearest to a convex shape: for queries, which take
- * each triangle as a convex shape of its own. */
+/* The triangles of a surface near a box, and the one nearest to a convex shape: for queries, which treat each
+ * triangle as a convex shape of its own. */
 #include "convex/mcd_kind_i.h"
 #include "surface/mcd_scratch_i.h"
 #include "convex/mcd_vector_i.h"
@@ -32,7 +32,7 @@ static MeBool doBoxesOverlap(const double low1[3], const double high1[3], const 
     return METRUE;
 }
 
-/* Sets the mesh's frame, and the box in it that contains the given one. */
+/* Sets the mesh's frame, and the box in that frame that contains the given box. */
 static void place(McdMeshQuery *q, const McdGeometryInstance *ins, const double low[3], const double high[3]) {
     const MeMatrix4Ptr tm = mcd_instanceTM((McdGeometryInstance *)ins);
     double middle[3], sum = 0;
@@ -47,7 +47,7 @@ static void place(McdMeshQuery *q, const McdGeometryInstance *ins, const double 
             half += fabs(q->axis[i][k]) * (high[k] - low[k]) / 2;
         }
         q->ball[i] = mcd_dot(q->axis[i], middle);
-        half += 4 * (double)ME_EPSILON * (half + mcd_length(middle)); /* the axes' own rounding */
+        half += 4 * (double)ME_EPSILON * (half + mcd_length(middle)); /* rounding of the axes */
         q->low[i] = q->ball[i] - half;
         q->high[i] = q->ball[i] + half;
         sum += half * half;
@@ -70,7 +70,7 @@ void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const doubl
     q.scratch = mcd_scratchAcquire(frame, "McdDistance");
     if (!q.scratch)
         return;
-    pair.model2 = mcd_standInBegin(&standIn, ins); /* what the callback of a list gets */
+    pair.model2 = mcd_standInBegin(&standIn, ins); /* the pair for a triangle list's callback */
     pair.model1 = asker ? asker : pair.model2;
     q.pair = &pair;
     q.mesh = &q.scratch->mesh;
@@ -88,11 +88,12 @@ void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const doubl
     mcd_scratchGive(frame, q.scratch);
 }
 
-/* ---- the nearest ------------------------------------------------------------------------------------------------- */
+/* ---- nearest triangle
+ * ------------------------------------------------------------------------------------------------ */
 
 typedef struct Nearest {
     const McdShape *shape;
-    double low[3], high[3]; /* its box */
+    double low[3], high[3]; /* the shape's box */
     double distance, onShape[3], onMesh[3], normal[3];
 } Nearest;
 
@@ -108,7 +109,7 @@ static void boundShape(const McdShape *shape, double low[3], double high[3]) {
     }
 }
 
-/* Between the triangle's box and that of the shape; 0 where they overlap. */
+/* The distance between the triangle's box and the shape's box; 0 if they overlap. */
 static double gapOfBoxes(const Nearest *n, const McdMeshTriangle *t) {
     double sum = 0;
     for (int i = 0; i < 3; i++) {

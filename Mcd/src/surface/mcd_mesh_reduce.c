@@ -1,4 +1,5 @@
-/* From the contacts of all triangles to manifolds: clusters of one normal, at most four spread contacts of each. */
+/* Reduces the contacts of all triangles to manifolds: clusters with one normal, each of at most four well-spread
+ * contacts. */
 #include "surface/mcd_mesh_stages_i.h"
 #include "model/mcd_spread_i.h"
 #include <string.h>
@@ -21,7 +22,8 @@ MeBool mcd_meshReserveContacts(McdMesh *mesh, int contacts) {
 
 /* ---- order ------------------------------------------------------------------------------------------------------- */
 
-/* Corners of the shape before cut points, then by feature and position: independent of the triangles' order. */
+/* Orders corners of the shape before cut points, then by feature and position: independent of the order of
+ * triangles. */
 static int compareContacts(const McdMesh *mesh, int a, int b) {
     const McdMeshContact *x = &mesh->contact[a], *y = &mesh->contact[b];
     if (x->isCut != y->isCut)
@@ -46,7 +48,7 @@ static void siftDown(const McdMesh *mesh, int *index, int root, int end) {
     }
 }
 
-/* Heapsort of contactOrder: in place, as qsort may allocate. */
+/* Sorts contactOrder by heapsort: in place, since qsort may allocate. */
 static void sortContacts(McdMesh *mesh, int count) {
     int *index = mesh->contactOrder;
     for (int i = 0; i < count; i++)
@@ -70,8 +72,8 @@ static MeBool isInCluster(const McdMesh *mesh, int count, const double position[
     return MEFALSE;
 }
 
-/* Moves the first contact in contactOrder, and all with nearly its normal, to the cluster, without duplicates (nearer
- * than `same`). Returns the cluster's size. */
+/* Moves the first contact in contactOrder, and all with nearly the same normal, to the cluster, without duplicates
+ * (nearer than `same`, m). Returns the size of the cluster. */
 static int removeCluster(McdMesh *mesh, int *left, double same) {
     const McdMeshContact *first = &mesh->contact[mesh->contactOrder[0]];
     int count = 0, remaining = 0;
@@ -82,12 +84,12 @@ static int removeCluster(McdMesh *mesh, int *left, double same) {
         else if (!isInCluster(mesh, count, c->position, same))
             mesh->cluster[count++] = *c;
     }
-    MEASSERT(remaining < *left && count >= 1); /* at least the first one */
+    MEASSERT(remaining < *left && count >= 1); /* the first one is always in the cluster */
     *left = remaining;
     return count;
 }
 
-/* Keeps at most `maxCount` of the contacts (mcd_spread); returns their number. */
+/* Keeps at most `maxCount` of the contacts, chosen by mcd_spread; returns their number. */
 static int keepSpread(McdMesh *mesh, McdMeshContact *contact, int count, int maxCount, double same) {
     McdSpot *spot = mesh->spots;
     for (int i = 0; i < count; i++) {
@@ -97,7 +99,7 @@ static int keepSpread(McdMesh *mesh, McdMeshContact *contact, int count, int max
     }
     const int keptCount = mcd_spread(spot, count, maxCount, same, mesh->kept);
     for (int i = 0; i < keptCount; i++) {
-        MEASSERT(mesh->kept[i] >= i); /* ascending: none is overwritten before it is moved */
+        MEASSERT(mesh->kept[i] >= i); /* ascending: nothing is overwritten before it is copied */
         contact[i] = contact[mesh->kept[i]];
     }
     return keptCount;

@@ -1,19 +1,23 @@
-/* Contacts of a ball along its displacement. They act throughout a step, in which a ball that rolls over triangles goes
- * from one to the next. Those of its start alone would hold it up on the first one's plane, beyond an edge behind which
- * the surface falls, and let it into the next one, where the surface rises: both by the displacement times the edge's
- * angle, of first order in the step. So
+/* Contacts of a ball that moves over triangles. Contacts act throughout a step, in which a rolling ball passes from
+ * one triangle to the next. The contacts at its start alone would keep it on the first triangle's plane beyond an
+ * edge where the surface falls, and let it penetrate the next triangle where the surface rises: both by the
+ * displacement times the edge's angle, of first order in the step. So:
  *
- *     where the surface falls away below a contact, its normal is that of the chord: from where the ball is to where it
- *     touches the surface after its displacement. Along that it comes to be on the surface, and no work is done;
- *     the first triangle whose plane it comes down to, over the triangle, is a contact ahead, with the gap of now. The
- *     narrow phase does not find it, as what is nearest there is still the edge between both, which has no normal.
+ *     Where the surface falls away below a contact, its normal becomes that of the chord, from the ball's place to
+ *     where it
+ *     touches the surface after its displacement. Motion along the chord ends on the surface, and no work is done.
+ *     The first triangle whose plane the ball reaches, over that triangle, gets a contact ahead of time, with the
+ *     current
+ *     gap. The narrow phase does not find it, since the nearest feature is still the edge between both triangles,
+ *     which
+ *     has no admissible normal.
  *
- * The displacement is that of the velocities now, as for all contacts ahead (mcd_pairMargin). Other shapes than balls
- * touch with points whose displacements differ; their contacts are those of now. */
+ * The displacement is that of the current velocities, as for all speculative contacts (mcd_pairMargin). Other shapes
+ * touch at points with different displacements; they keep the contacts of their current place. */
 #include "convex/mcd_kind_i.h"
 #include "surface/mcd_mesh_stages_i.h"
 
-/* Of the extent: a fall that is no more than the rounding of two distances. */
+/* Relative to the extent: a drop below this is rounding of two distances. */
 #define NO_FALL 1e-9
 
 static double heightOver(const McdMeshTriangle *t, const double point[3]) {
@@ -39,7 +43,7 @@ static MeBool isOver(const McdMeshTriangle *t, const double point[3]) {
     return METRUE;
 }
 
-/* The point of the triangle nearest to another one. */
+/* The point of the triangle nearest to a point. */
 static void nearestOnTriangle(const McdMeshTriangle *t, const double point[3], double nearest[3]) {
     double min = INFINITY;
     mcd_copy(nearest, t->corner[0]);
@@ -58,7 +62,8 @@ static void nearestOnTriangle(const McdMeshTriangle *t, const double point[3], d
     }
 }
 
-/* m: the distance of the surface, but for triangles that are seen from behind and have a front only; where it is. */
+/* m: the distance of a point from the surface; `nearest` gets the nearest surface point. One-sided triangles seen
+ * from behind do not count. */
 static double distanceToSurface(const McdMeshQuery *q, const double point[3], double nearest[3]) {
     double min = INFINITY;
     mcd_copy(nearest, point);
@@ -77,8 +82,8 @@ static double distanceToSurface(const McdMeshQuery *q, const double point[3], do
     return sqrt(min);
 }
 
-/* Where the surface falls away below the contact, the path bends with it: the normal is that of the chord to
- * where the ball touches then. */
+/* If the surface falls away below the contact: tilts the contact's normal to that of the chord, from the ball's
+ * place to where it touches the surface after its displacement. */
 static void followSurface(const McdMeshQuery *q, McdMeshContact *c) {
     double displacement[3], end[3], nearest[3], chord[3];
     mcd_mad(displacement, q->displacement, -mcd_dot(q->displacement, c->normal), c->normal);
@@ -101,8 +106,8 @@ static MeBool hasContactAlong(const McdMesh *mesh, const double normal[3]) {
     return MEFALSE;
 }
 
-/* The share of the displacement after which the ball, which is over the triangle's plane, comes down to it where the
- * triangle is; infinite: it does not. */
+/* The fraction of the displacement after which the ball, which is above the triangle's plane, touches the triangle;
+ * infinite if it does not. *gap gets the current gap. */
 static double touchOnSweep(const McdMeshQuery *q, const McdMeshTriangle *t, double *gap) {
     const double fall = -mcd_dot(q->displacement, t->normal);
     double end[3], in, out;
@@ -116,7 +121,7 @@ static double touchOnSweep(const McdMeshQuery *q, const McdMeshTriangle *t, doub
                : INFINITY;
 }
 
-/* The first triangle that the ball comes to, unless there is a contact along its normal. */
+/* Adds a contact with the first triangle that the ball reaches, unless there is a contact along its normal. */
 static void addContactAhead(McdMeshQuery *q) {
     const McdMeshTriangle *first = NULL;
     double soonest = INFINITY, gap = 0, at[3];
@@ -136,7 +141,7 @@ static void addContactAhead(McdMeshQuery *q) {
 }
 
 void mcd_meshSweep(McdMeshQuery *q) {
-    const int found = q->mesh->contactCount; /* without the one ahead */
+    const int found = q->mesh->contactCount; /* without the contact ahead */
     if (q->shape.kind->rank != MCD_RANK_SPHERE || mcd_dot(q->displacement, q->displacement) == 0 || found == 0)
         return;
     addContactAhead(q);

@@ -1,4 +1,4 @@
-/* The scratches of a framework: a list behind a lock that is held for a few instructions. */
+/* The pool of a framework's scratches: a free list, protected by a spin lock that is held for a few instructions. */
 #include "surface/mcd_scratch_i.h"
 #include "model/mcd_spread_i.h"
 #include <string.h>
@@ -71,7 +71,7 @@ MeBool mcd_scratchReserveContacts(McdScratch *s, int used, int count) {
     return METRUE;
 }
 
-/* Takes the memory of so many zeroed elements anew. */
+/* Replaces memory by `count` new, zeroed elements. */
 static MeBool reallocate(void **memory, int *room, int count, size_t size, const char *what) {
     void *made = MeMemoryTakeZeroed((size_t)count, size, "McdIntersect", what);
     if (!made)
