@@ -1,4 +1,4 @@
-/* Aggregates: their elements; AABB, bounding sphere and mass properties of the whole from those of the elements. */
+/* Aggregates: their elements; box, bounding sphere and mass properties, computed from those of the elements. */
 #include "McdAggregate.h"
 #include "model/mcd_geometries_i.h"
 #include "convex/mcd_kind_i.h"
@@ -12,7 +12,7 @@ static McdAggregate *aggregateOf(McdGeometryID g, const char *function) {
 
 static const MeMatrix4 identity = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
 
-/* ---- life -------------------------------------------------------------------------------------------------------- */
+/* ---- creation, destruction --------------------------------------------------------------------------------------- */
 
 McdAggregateID MEAPI McdAggregateCreate(McdFramework *frame, int maxChildren) {
     if (maxChildren < 1) {
@@ -76,7 +76,7 @@ int MEAPI McdAggregateAddElement(McdAggregateID id, McdGeometryID geom, MeMatrix
     return a->count++;
 }
 
-/* The element; null, with a warning, if there is none of that number. */
+/* The element number i; null, with a warning, if there is none. */
 static McdAggregateElement *elementOf(McdAggregateID id, int i, const char *function) {
     McdAggregate *a = aggregateOf(id, function);
     if (!a)
@@ -120,7 +120,7 @@ McdGeometryID MEAPI McdAggregateGetElementGeometry(McdAggregateID id, int i) {
 
 MeMatrix4Ptr MEAPI McdAggregateGetElementTransformPtr(McdAggregateID id, int i) {
     McdAggregateElement *element = elementOf(id, i, "McdAggregateGetElementTransformPtr");
-    if (element) /* programs write to it */
+    if (element) /* the program may write to it */
         mcd_geometryChanged(id);
     return element ? element->relTM : 0;
 }
@@ -130,8 +130,8 @@ MeMatrix4Ptr MEAPI McdAggregateGetElementTransformPtr(McdAggregateID id, int i) 
 /* Visits a part; finalTM is null if none was given. */
 typedef void (*ChildFn)(McdGeometryInstance *child, const MeMatrix4Ptr finalTM, void *data);
 
-/* Visits all parts that are somewhere: children of a model's instance; of an instance without a model (McdGeometry.h)
- * temporary ones. */
+/* Visits all parts with a valid transform: the children of a model's instance or, for an instance without a model
+ * (McdGeometry.h), temporary instances. */
 static void forEachChild(McdGeometryInstance *ins, const MeMatrix4Ptr finalTM, ChildFn f, void *data) {
     const McdAggregate *a = (const McdAggregate *)ins->geometry;
     McdGeometryInstance *child = ins->firstChild;
@@ -149,7 +149,7 @@ static void forEachChild(McdGeometryInstance *ins, const MeMatrix4Ptr finalTM, C
             MeMatrix4TMCompound(end, mcd_const(a->element[number].relTM), mcd_const(finalTM));
         if (!ins->model)
             mcd_instanceEnter(&made);
-        if (mcd_instanceIsPlaced(ins->model ? child : &made)) /* a part may be nowhere */
+        if (mcd_instanceIsPlaced(ins->model ? child : &made)) /* an element's transform may be invalid */
             f(ins->model ? child : &made, finalTM ? end : 0, data);
         if (!ins->model)
             mcd_instanceLeave(&made);
@@ -179,7 +179,7 @@ static void addBox(McdGeometryInstance *child, const MeMatrix4Ptr finalTM, void 
     e->isSet = METRUE;
 }
 
-/* Are the boxes of a model's parts in that of the whole? */
+/* For checks: whether the boxes of a model's parts are within the box of the whole. */
 static MeBool areChildrenWithin(const McdGeometryInstance *ins, const Extent *e) {
     for (McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)
         for (int i = 0; mcd_instanceIsPlaced(child) && i < 3; i++)
@@ -242,7 +242,7 @@ typedef struct Ball {
     double centre[3], radius;
 } Ball;
 
-/* The ball of element i in the aggregate's frame; false: the element is nowhere. */
+/* Computes the bounding sphere of element i in the aggregate's frame; false if the element has no valid transform. */
 static MeBool ballOf(const McdAggregate *a, int i, Ball *ball) {
     const MeVector4 *tm = mcd_const(a->element[i].relTM);
     MeVector3 local;
@@ -262,7 +262,7 @@ static double distance(const double a[3], const double b[3]) {
     return sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
 }
 
-/* Its middle is that of the balls' box. */
+/* The smallest sphere around all elements' spheres with its centre at the centre of their bounding box. */
 static Ball ballAroundBalls(const McdAggregate *a) {
     double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
     Ball one, all = {{0, 0, 0}, 0};
@@ -318,7 +318,7 @@ static void addParallelAxes(double inertia[3][3], double volume, const double d[
             inertia[i][k] += volume * ((i == k ? square : 0) - d[i] * d[k]);
 }
 
-/* sum += R^T I R, with the axes of I as rows of R */
+/* sum += R^T I R; the rows of R are the axes of I */
 static void addTurned(double sum[3][3], const MeMatrix3 inertia, const MeMatrix4 tm) {
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
@@ -327,7 +327,8 @@ static void addTurned(double sum[3][3], const MeMatrix3 inertia, const MeMatrix4
                     sum[i][k] += (double)tm[a][i] * (double)inertia[a][b] * (double)tm[b][k];
 }
 
-/* An element's mass properties along its own axes, tm, in the aggregate's frame. */
+/* The mass properties of an element along its own axes; tm gets these axes in the aggregate's frame. False if it has
+ * none. */
 static MeBool massOf(const McdAggregateElement *element, MeMatrix4 tm, MeMatrix3 inertia, double *volume) {
     MeMatrix4 own;
     MeReal v;

@@ -1,4 +1,4 @@
-/* Every geometry type and interaction at once. */
+/* Registers all geometry types and interactions. */
 #include "McdAll.h"
 #include "Mcd.h"
 #include "pair/mcd_pair_i.h"
@@ -41,6 +41,6 @@ MeBool MEAPI McdAllRegisterInteractions(McdFramework *frame) {
     McdConeLineSegmentRegisterInteraction(frame);
     McdConvexMeshLineSegmentRegisterInteraction(frame);
     registerTerrain(frame);
-    McdAggregateRegisterInteractions(frame); /* last: with every type there is */
+    McdAggregateRegisterInteractions(frame); /* last: with all types registered before */
     return METRUE;
 }

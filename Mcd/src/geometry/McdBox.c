@@ -9,7 +9,7 @@ static const McdBox *get(const McdGeometry *g) {
 
 static void support(const McdGeometry *g, const double d[3], double point[3]) {
     for (int k = 0; k < 3; k++)
-        point[k] = copysign((double)get(g)->radii[k], d[k]); /* no branch: signs of axes cannot be predicted */
+        point[k] = copysign((double)get(g)->radii[k], d[k]); /* branchless: the signs are unpredictable */
 }
 
 static void clip(const McdGeometry *g, McdClip *c) {
@@ -24,7 +24,7 @@ static void clip(const McdGeometry *g, McdClip *c) {
 
 MCD_DEFINE_LINE_SEGMENT(Box)
 
-/* ---- in the nearfield ---------------------------------------------------------------------------------------- */
+/* ---- narrow phase ---------------------------------------------------------------------------------------------- */
 
 static void setShape(const McdGeometry *g, McdShape *s) {
     const double x = (double)get(g)->radii[0], y = (double)get(g)->radii[1], z = (double)get(g)->radii[2];
@@ -50,7 +50,7 @@ static void face(const McdShape *s, const double direction[3], McdFace *f) {
     double middle[3], u[3], w[3];
     mcd_scale(f->normal, s->axis[k], side);
     mcd_mad(middle, s->place, s->size[k], f->normal);
-    mcd_scale(u, s->axis[i], side * s->size[i]); /* mirrored, so that the order turns with the side */
+    mcd_scale(u, s->axis[i], side * s->size[i]); /* mirrored: counter-clockwise on either side */
     mcd_scale(w, s->axis[j], s->size[j]);
     f->id = (MeU32)(2 * k + (side > 0));
     f->count = 4;
@@ -150,7 +150,7 @@ void MEAPI McdBoxGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *rad
     *radius = mcd_roundUp(sqrt(x * x + y * y + z * z));
 }
 
-/* I_xx = m (y^2 + z^2)/3 with half the edges' lengths. */
+/* I_xx = m (y^2 + z^2) / 3 with half extents x, y, z. */
 MeI16 MEAPI McdBoxGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume) {
     if (!mcd_areGiven(__func__, relTM, inertia, volume))
         return 0;
@@ -162,7 +162,7 @@ MeI16 MEAPI McdBoxGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 
                             mass * (x * x + y * y) / 3);
 }
 
-/* Each edge joins two corners whose numbers differ in one bit. */
+/* The corners of an edge have numbers that differ in one bit. */
 void MEAPI McdBoxDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
     if (!mcd_areGiven(__func__, tm, colour, colour))
         return;

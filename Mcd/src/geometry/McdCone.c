@@ -1,4 +1,4 @@
-/* Cones about z, maybe cut off, with their centre of mass at the origin. */
+/* Cones and truncated cones about z, with their centre of mass at the origin. */
 #include "McdCone.h"
 #include "convex/mcd_kind_i.h"
 #include "geometry/mcd_geometry_i.h"
@@ -7,7 +7,7 @@ static const McdCone *get(const McdGeometry *g) {
     return (const McdCone *)g;
 }
 
-/* Its ends, in double. */
+/* Height and radius of both ends, in double. */
 typedef struct Ends {
     double low, lowRadius, high, highRadius;
 } Ends;
@@ -27,7 +27,8 @@ static void support(const McdGeometry *g, const double d[3], double point[3]) {
     point[2] = isHigh ? e.high : e.low;
 }
 
-/* ---- a line and the cone's side: |p + t v|^2 <= (R + k t)^2, p and v across the axis, R + k t >= 0 --------------- */
+/* ---- a line against the side: |p + t v|^2 <= (R + k t)^2, p and v orthogonal to the axis, R + k t >= 0
+ * ------------- */
 
 static void sideNormal(const McdClip *c, double t, double slope, double normal[3]) {
     double p[3];
@@ -38,8 +39,9 @@ static void sideNormal(const McdClip *c, double t, double slope, double normal[3
     normal[2] = across > 0 ? -slope / length : slope < 0 ? 1 : -1; /* at the tip */
 }
 
-/* The line is clipped between the ends already, so that R + k t >= 0 there. Where a t^2 + 2 b t + q <= 0 has two
- * ranges, one belongs to the cone's mirror image beyond its tip. Times are relative to `at`, which is near the cone. */
+/* Clips the line by the infinite cone of the side. It has been clipped between the ends, so R + k t >= 0. If a t^2 +
+ * 2 b t + q <= 0 has two intervals, one of them belongs to the cone's mirror image beyond the tip. Parameters are
+ * relative to `at`, which is near the cone. */
 static void clipSide(McdClip *c, const Ends *e, double at) {
     const double slope = (e->highRadius - e->lowRadius) / (e->high - e->low);
     MEASSERT(e->high > e->low);
@@ -49,7 +51,7 @@ static void clipSide(McdClip *c, const Ends *e, double at) {
     const double radius = e->lowRadius + slope * (p[2] - e->low), k = slope * v[2];
     const double a = v[0] * v[0] + v[1] * v[1] - k * k, b = p[0] * v[0] + p[1] * v[1] - radius * k;
     const double q = p[0] * p[0] + p[1] * p[1] - radius * radius;
-    /* b^2 - a q, without the terms that cancel: (p x v)^2 is the line's distance from the axis */
+    /* b^2 - a q without cancellation: (p x v)^2 is the squared distance of the line from the axis */
     const double turn = p[0] * v[1] - p[1] * v[0], u[2] = {radius * v[0] - k * p[0], radius * v[1] - k * p[1]};
     const double root2 = u[0] * u[0] + u[1] * u[1] - turn * turn;
     if (root2 < 0 || (a == 0 && b == 0)) {
@@ -86,7 +88,7 @@ static void clip(const McdGeometry *g, McdClip *c) {
 
 MCD_DEFINE_LINE_SEGMENT(Cone)
 
-/* ---- in the nearfield ---------------------------------------------------------------------------------------- */
+/* ---- narrow phase ---------------------------------------------------------------------------------------------- */
 
 static void setShape(const McdGeometry *g, McdShape *s) {
     mcd_discsShape(s, (double)get(g)->lowerRadius, (double)get(g)->upperRadius, (double)get(g)->length,
@@ -110,7 +112,7 @@ static MeBool isCone(McdGeometryID g, const char *function) {
     return mcd_geometryIs(g, kMcdGeometryTypeCone, function);
 }
 
-/* The centre of mass is l/4 (r^2 + 2 r s + 3 s^2)/(r^2 + r s + s^2) above the base, with the upper radius s. */
+/* The centre of mass is l / 4 (r^2 + 2 r s + 3 s^2) / (r^2 + r s + s^2) above the base; s is the upper radius. */
 static void setSizes(McdCone *c, MeReal length, MeReal lowerRadius, MeReal upperRadius) {
     const double s = (double)upperRadius / (double)MeMAX(lowerRadius, upperRadius);
     const double r = (double)lowerRadius / (double)MeMAX(lowerRadius, upperRadius);
@@ -168,9 +170,11 @@ MeReal MEAPI McdConeGetZOffset(McdConeID g) {
     return isCone(g, "McdConeGetZOffset") ? get(g)->length / 2 - get(g)->lowerHeight : 0;
 }
 
-/* ---- what it is like --------------------------------------------------------------------------------------------- */
+/* ---- bounding sphere, mass, drawing
+ * ------------------------------------------------------------------------------- */
 
-/* The sphere through both ends' rims; where its centre were beyond an end, that end's rim is the widest part of it. */
+/* The sphere through the rims of both ends. If its centre would be beyond an end, the centre of that end's disc is
+ * used. */
 void MEAPI McdConeGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
     if (!mcd_areGiven(__func__, center, radius, radius))
         return;

@@ -1,7 +1,7 @@
 /* Convex meshes: a hull, and all points within the fatness of it.
  *
- * A fat mesh is the hull, a prism on each face, a sector of a cylinder along each edge and a sector of a ball at each
- * vertex. Line segments and mass properties go by these parts.
+ * A fat mesh consists of the hull, a prism on each face, a sector of a cylinder along each edge, and a sector of a
+ * ball at each vertex. Line segments and mass properties are computed from these parts.
  */
 #include "McdConvexMesh.h"
 #include "McdConvexInteractions.h"
@@ -42,7 +42,8 @@ static void clipByFaces(McdClip *c, const McdHull *h, double fatness) {
         mcd_clipHalfSpace(c, h->face[i].normal, h->face[i].offset + fatness);
 }
 
-/* The prism of height fatness on a face: between the face and its outer copy, within the borders. */
+/* Clips the line by the prism of height fatness on a face: between the face and its outer copy, within the face's
+ * edges. */
 static void clipByPrism(McdClip *c, const McdHull *h, const McdHullFace *face, double fatness) {
     const int *v = h->faceVertex + face->first;
     const double inward[3] = {-face->normal[0], -face->normal[1], -face->normal[2]};
@@ -60,10 +61,11 @@ static void clipByPrism(McdClip *c, const McdHull *h, const McdHullFace *face, d
     }
 }
 
-/* The parts' union is convex, so that a line is in it from where it enters the first to where it leaves the last. */
+/* Clips the line by the fat mesh. The union of its parts is convex, so the line is inside from where it enters the
+ * first part to where it leaves the last. */
 static void clipFat(McdClip *c, const McdHull *h, double fatness) {
     const McdClip line = *c;
-    clipByFaces(c, h, fatness); /* all of it is within */
+    clipByFaces(c, h, fatness); /* quick rejection: these half-spaces contain the mesh */
     if (mcd_clipIsEmpty(c) || c->in > 1 || c->out < 0)
         return;
     *c = line;
@@ -95,9 +97,10 @@ static void MEAPI release(McdGeometryID g) {
 
 MCD_DEFINE_LINE_SEGMENT(ConvexMesh)
 
-/* ---- in the nearfield -------------------------------------------------------------------------------------------- */
+/* ---- narrow phase
+ * -------------------------------------------------------------------------------------------------- */
 
-/* Below this many corners, looking at all of them is faster than walking along the edges. */
+/* With at most so many vertices a linear search is faster than hill climbing. */
 enum { SCANNED_CORNERS = 24 };
 
 static void setShape(const McdGeometry *g, McdShape *s) {
@@ -119,7 +122,8 @@ static int farthestOfAll(const McdHull *h, const double d[3]) {
     return best;
 }
 
-/* On a convex polyhedron a corner that no neighbour beats is the farthest of all. */
+/* The support vertex by hill climbing: on a convex polyhedron a vertex that is not lower than its neighbours is a
+ * global maximum. */
 static int farthestByClimbing(const McdHull *h, const double d[3]) {
     int here = 0, next = 0;
     double max = mcd_dot(h->vertex[0], d);
@@ -133,8 +137,8 @@ static int farthestByClimbing(const McdHull *h, const double d[3]) {
             }
         }
     } while (next != here);
-    /* Corners that were removed within mcd_hull.c's flatness are not walked over: a local maximum may be lower by as
-     * much. */
+    /* Vertices that mcd_hull.c removed within its flatness are not in the graph, so a local maximum may be lower by
+     * that much. */
     MEVALIDATE(max >= mcd_dot(h->vertex[farthestOfAll(h, d)], d) - 1e-6 * h->extent * mcd_length(d));
     return here;
 }
@@ -160,7 +164,7 @@ static void hullFace(const McdShape *s, const double direction[3], McdFace *f) {
         }
     }
     const McdHullFace *face = &h->face[best];
-    /* A face with more corners than fit is sampled evenly. */
+    /* A face with more corners than there is room for is sampled evenly. */
     const int count = MeMIN(face->count, MCD_FACE_POINTS - 1);
     MEASSERT(face->count >= 3 && face->first >= 0);
     mcd_shapeDirection(s, face->normal[0], face->normal[1], face->normal[2], f->normal);
@@ -193,13 +197,14 @@ static const McdKind kind = {MCD_KIND_FUNCTIONS(ConvexMesh, release),
                              .edges = visitEdges};
 MCD_DEFINE_GEOMETRY_TYPE(ConvexMesh)
 
-/* ---- life -------------------------------------------------------------------------------------------------------- */
+/* ---- creation
+ * ------------------------------------------------------------------------------------------------------- */
 
 static MeBool isMesh(McdGeometryID g, const char *function) {
     return mcd_geometryIs(g, kMcdGeometryTypeConvexMesh, function);
 }
 
-/* The vertices as programs see them. */
+/* Copies the vertices in MeReal, for programs. */
 static MeVector3 *copyVertices(const McdHull *h, const char *function) {
     MeVector3 *v = (MeVector3 *)MeMemoryTake((size_t)h->vertexCount, sizeof *v, function, "vertices");
     for (int i = 0; v && i < h->vertexCount; i++)
@@ -246,7 +251,7 @@ McdConvexMeshID MEAPI McdConvexMeshCreateHull(McdFramework *frame, const MeVecto
     return g;
 }
 
-/* Rings of corners at latitudes of both half balls, and the poles. */
+/* The points are rings at several latitudes of both half spheres, and the poles. */
 McdConvexMeshID MEAPI McdConvexMeshCreateSphyl(McdFramework *frame, MeReal radius, MeReal height) {
     enum { AROUND = 16, RINGS = 4 };
     double point[2 * (AROUND * RINGS + 1)][3];
@@ -330,7 +335,8 @@ void MEAPI McdConvexMeshGetXYAABB(McdConvexMeshID g, MeMatrix4 tm, MeReal bounds
         mcd_localXYAABB(g, tm, bounds, support, __func__);
 }
 
-/* ---- what it is like --------------------------------------------------------------------------------------------- */
+/* ---- bounding sphere, drawing
+ * --------------------------------------------------------------------------------------- */
 
 void MEAPI McdConvexMeshGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
     if (!mcd_areGiven(__func__, center, radius, radius))
@@ -362,13 +368,14 @@ void MEAPI McdConvexMeshDebugDraw(const McdGeometryID g, const MeMatrix4 tm, con
         mcd_drawLine(tm, colour, h->vertex[h->edge[i][0]], h->vertex[h->edge[i][1]]);
 }
 
-/* ---- mass: integrals of 1, x and x x^T over each part ------------------------------------------------------------ */
+/* ---- mass: integrals of 1, x and x x^T over each part
+ * --------------------------------------------------------------- */
 
 typedef struct Moments {
     double m, first[3], second[3][3];
 } Moments;
 
-/* Adds w a b^T, or rather its symmetric part. */
+/* Adds the symmetric part of w a b^T. */
 static void addOuter(Moments *s, double w, const double a[3], const double b[3]) {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -380,7 +387,8 @@ static void addFirst(Moments *s, double w, const double a[3]) {
         s->first[k] += w * a[k];
 }
 
-/* A simplex of n corners and content m: first m/n sum v, second m/(n (n + 1)) (sum v v^T + (sum v)(sum v)^T). */
+/* Adds a simplex with n corners v and content m: first moment m/n sum v, second m/(n (n + 1)) (sum v v^T + (sum
+ * v)(sum v)^T). */
 static void addSimplex(Moments *s, double m, const double (*corner)[3], int n) {
     double sum[3] = {0, 0, 0};
     for (int i = 0; i < n; i++) {
@@ -393,13 +401,13 @@ static void addSimplex(Moments *s, double m, const double (*corner)[3], int n) {
     addOuter(s, m / (n * (n + 1)), sum, sum);
 }
 
-/* A vertex, from the hull's centre. */
+/* A vertex relative to the hull's centre. */
 static void vertexAt(const McdHull *h, int vertex, double out[3]) {
     for (int k = 0; k < 3; k++)
         out[k] = h->vertex[vertex][k] - h->centre[k];
 }
 
-/* The triangles of a face, or with the centre, the tetrahedra on it. */
+/* Adds the triangles of a face or, if isSolid, the tetrahedra that these form with the centre. */
 static void addFace(Moments *s, const McdHull *h, const McdHullFace *f, MeBool isSolid) {
     const int *v = h->faceVertex + f->first;
     for (int i = 1; i + 1 < f->count; i++) {
@@ -419,7 +427,7 @@ static void addFace(Moments *s, const McdHull *h, const McdHullFace *f, MeBool i
     }
 }
 
-/* x = y + z n, y on the face and 0 <= z <= r. */
+/* Adds the prism on a face: x = y + z n, y on the face, 0 <= z <= r. */
 static void addPrism(Moments *s, const McdHull *h, const McdHullFace *f, double r) {
     Moments face = {0};
     addFace(&face, h, f, 0);
@@ -433,8 +441,8 @@ static void addPrism(Moments *s, const McdHull *h, const McdHullFace *f, double 
     addOuter(s, face.m * r * r * r / 3, f->normal, f->normal);
 }
 
-/* x = y + z n, y on the edge, 0 <= z <= r, and n between the normals of both faces: n = a cos t + b sin t, 0 <= t <=
- * angle. Returns the angle. */
+/* Adds the sector at an edge: x = y + z n, y on the edge, 0 <= z <= r, n between the normals of both faces: n = a
+ * cos t + b sin t, 0 <= t <= angle. Returns the angle. */
 static double addSector(Moments *s, const McdHull *h, int edge, double r) {
     double p[3], q[3], middle[3], along[3], side[3], b[3], normals[3];
     const double *a = h->face[h->edgeFace[edge][0]].normal, *other = h->face[h->edgeFace[edge][1]].normal;
@@ -448,7 +456,7 @@ static double addSector(Moments *s, const McdHull *h, int edge, double r) {
         along[k] = q[k] - p[k];
         length2 += along[k] * along[k];
         b[k] = sine > 0 ? (other[k] - dot(a, other) * a[k]) / sine : 0;
-        normals[k] = sin(angle) * a[k] + (1 - cos(angle)) * b[k]; /* the integral of n */
+        normals[k] = sin(angle) * a[k] + (1 - cos(angle)) * b[k]; /* the integral of n over t */
     }
     MEASSERT(angle >= 0 && length2 > 0);
     const double length = sqrt(length2), disc = angle * r * r / 2, ring = r * r * r / 3, quarter = r * r * r * r / 4;
@@ -464,13 +472,14 @@ static double addSector(Moments *s, const McdHull *h, int edge, double r) {
     return angle;
 }
 
-/* A vertex v has the sector x = v + z n of a ball, where n is in the spherical polygon between the faces' normals,
- * whose sides cross the edges at right angles. With e the edge's direction away from v, which is the outward normal of
- * the polygon's side,
+/* Adds a part of the ball sector at a vertex v: x = v + z n, 0 <= z <= r, n in the spherical polygon between the
+ * faces' normals, whose sides cross the edges at right angles. With the edge's direction e away from v, which is the
+ * outward normal of the polygon's side,
  *     int 1 = 2 pi - the sum of the faces' angles at v,
  *     int n = -1/2 sum angle e,                          from div(a - (a.n) n) = -2 a.n
- * and n n^T summed over all vertices is that of a whole sphere, (int 1)/3 I. What depends on int 1 is added corner by
- * corner. What depends on int n cancels at both ends of an edge, but for int (v n^T + n v^T), added edge by edge. */
+ * and n n^T summed over all vertices is that of a whole sphere, (int 1)/3 I. Terms with int 1 are added here, corner
+ * by corner. Terms with int n cancel between both ends of an edge, except int (v n^T + n v^T), which addSides adds
+ * edge by edge. */
 static void addSolidAngle(Moments *s, const double v[3], double angle, double r) {
     const double ball = r * r * r / 3, fifth = r * r * r * r * r / 5;
     s->m += angle * ball;
@@ -527,7 +536,7 @@ static Moments momentsOf(const McdHull *h, double r) {
             addSides(&s, h, i, addSector(&s, h, i, r), r);
         addCorners(&s, h, r);
     }
-    MEASSERT(s.m > 0); /* faces look outward */
+    MEASSERT(s.m > 0); /* fails if faces look inward */
     return s;
 }
 
@@ -553,7 +562,7 @@ MeI16 MEAPI McdConvexMeshGetMassProperties(McdConvexMeshID mesh, MeMatrix4 relTM
 
 /* ---- interactions ------------------------------------------------------------------------------------------------ */
 
-/* Here, so that programs without meshes do not link the triangle list. */
+/* In this file, so that programs without convex meshes do not link the triangle list. */
 MeBool MEAPI McdConvexMeshPrimitivesRegisterInteractions(McdFramework *frame) {
     ME_RETURN_UNDER_OWN_NAME(
         MeBool, McdSphereConvexMeshRegisterInteraction(frame) && McdBoxConvexMeshRegisterInteraction(frame) &&

@@ -23,14 +23,14 @@ static void clip(const McdGeometry *g, McdClip *c) {
 
 MCD_DEFINE_LINE_SEGMENT(Cylinder)
 
-/* ---- in the nearfield ---------------------------------------------------------------------------------------- */
+/* ---- narrow phase ---------------------------------------------------------------------------------------------- */
 
 static void setShape(const McdGeometry *g, McdShape *s) {
     const double r = (double)get(g)->radius, h = (double)get(g)->halfHeight;
     mcd_discsShape(s, r, r, 2 * h, h);
 }
 
-/* Of a prism with so many sides. */
+/* Visits the edges of a prism with that many sides. */
 static void visitEdges(const McdGeometry *g, int sides, McdEdgeVisit visit, void *context) {
     const double r = (double)get(g)->radius, h = (double)get(g)->halfHeight;
     for (int i = 0; i < sides; i++) {
@@ -142,7 +142,7 @@ void MEAPI McdCylinderGetBSphere(const McdGeometryID g, MeVector3 center, MeReal
     *radius = mcd_roundUp(sqrt(r * r + h * h));
 }
 
-/* I_zz = m r^2/2, I_xx = m (r^2/4 + h^2/3) with half the height. */
+/* I_zz = m r^2 / 2, I_xx = m (r^2 / 4 + h^2 / 3) with half height h. */
 MeI16 MEAPI McdCylinderGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume) {
     if (!mcd_areGiven(__func__, relTM, inertia, volume))
         return 0;

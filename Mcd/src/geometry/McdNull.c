@@ -1,4 +1,4 @@
-/* The geometry without extent. */
+/* The null geometry, without extent. */
 #include "McdNull.h"
 #include "convex/mcd_kind_i.h"
 #include "geometry/mcd_geometry_i.h"

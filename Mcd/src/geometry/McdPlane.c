@@ -1,12 +1,12 @@
-/* Planes: z = 0, and all below is inside. */
+/* Planes: z = 0; everything below is inside. */
 #include "McdPlane.h"
 #include "convex/mcd_kind_i.h"
 #include "geometry/mcd_geometry_i.h"
 
-/* The extent given for unbounded planes: sums and differences of such numbers are finite. */
+/* The extent of an unbounded plane: sums and differences of such numbers are finite. */
 static const double reach = (double)(MEINFINITY / 4);
 
-/* A half-space has no farthest point; the result is a far point in that direction. */
+/* A half-space has no support point; a distant point in that direction stands for it. */
 static void support(const McdGeometry *g, const double d[3], double point[3]) {
     (void)g;
     point[0] = d[0] > 0 ? reach : d[0] < 0 ? -reach : 0;
@@ -103,7 +103,8 @@ void MEAPI McdPlaneMaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir, 
         outPoint[k] = MeCLAMP(outPoint[k], -(MeReal)reach, (MeReal)reach);
 }
 
-/* A plane along two of the world's axes ends at the third one's coordinate, on one side; others reach everywhere. */
+/* Sets the box. A plane orthogonal to a world axis ends at its coordinate on that axis, on one side; other planes
+ * are unbounded on all axes. */
 static void boxAt(const MeVector4 *tm, double low[3], double high[3]) {
     for (int i = 0; i < 3; i++) {
         const double n = (double)tm[2][i];
@@ -129,7 +130,7 @@ void MEAPI McdPlaneUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr fina
     McdGeometryInstanceSetAABB(ins, min, max);
 }
 
-/* A square of 2 by 2 and its normal. */
+/* Draws a square of 2 by 2 and the normal. */
 void MEAPI McdPlaneDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
     if (!mcd_areGiven(__func__, tm, colour, colour))
         return;

@@ -1,4 +1,4 @@
-/* Cross-sections: where a plane cuts the edges of a convex body, in order around the middle of these points. */
+/* Cross-sections: the points where a plane cuts the edges of a convex solid, sorted by angle around their centre. */
 #include "McdPlaneIntersect.h"
 
 #include "convex/mcd_kind_i.h"
@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIDES = 32 };                   /* of a cylinder */
-static const double sameCorner = 1e-6; /* relative to the largest distance: corners nearer than that are one */
+enum { SIDES = 32 };                   /* maximum for a cylinder */
+static const double sameCorner = 1e-6; /* relative to the largest distance: nearer corners are merged */
 
 typedef struct Corner {
     double position[3], angle;
@@ -17,11 +17,12 @@ typedef struct Slice {
     double normal[3], dist; /* the plane, in the instance's frame */
     Corner *corner;
     int count, room;
-    MeBool isOut;         /* of memory */
-    const char *function; /* that the program called */
+    MeBool isOut;         /* memory is exhausted */
+    const char *function; /* called by the program; for messages */
 } Slice;
 
-/* ---- collecting -------------------------------------------------------------------------------------------------- */
+/* ---- collecting corners
+ * --------------------------------------------------------------------------------------------- */
 
 static void addCorner(Slice *s, const double position[3]) {
     if (s->isOut)
@@ -37,13 +38,13 @@ static void addCorner(Slice *s, const double position[3]) {
     mcd_copy(s->corner[s->count++].position, position);
 }
 
-/* Where an edge passes through the plane; an end in the plane counts. */
+/* Adds the point where an edge crosses the plane; an end in the plane counts. */
 static void cutEdge(void *context, const double from[3], const double to[3]) {
     Slice *s = context;
     const double a = mcd_dot(s->normal, from) - s->dist, b = mcd_dot(s->normal, to) - s->dist;
     if ((a > 0 && b > 0) || (a < 0 && b < 0))
         return;
-    if (a == b) { /* both in the plane */
+    if (a == b) { /* both ends are in the plane */
         addCorner(s, from);
         addCorner(s, to);
         return;
@@ -55,14 +56,15 @@ static void cutEdge(void *context, const double from[3], const double to[3]) {
     addCorner(s, cut);
 }
 
-/* ---- in order ---------------------------------------------------------------------------------------------------- */
+/* ---- sorting corners
+ * ------------------------------------------------------------------------------------------------ */
 
 static int compareAngles(const void *p, const void *q) {
     const Corner *a = p, *b = q;
     return (a->angle > b->angle) - (a->angle < b->angle);
 }
 
-/* Leaves out corners that are where another one is. */
+/* Removes duplicate corners. */
 static void mergeCorners(Slice *s) {
     double largest = 0;
     int kept = 0;
@@ -98,7 +100,8 @@ static void sortCorners(Slice *s) {
     qsort(s->corner, (size_t)s->count, sizeof *s->corner, compareAngles);
 }
 
-/* ---- the functions ----------------------------------------------------------------------------------------------- */
+/* ---- public functions
+ * ----------------------------------------------------------------------------------------------- */
 
 static MeBool isValidQuery(McdGeometryInstanceID ins, const MeReal *normal, MeReal dist, int maxVert,
                            const int *numVert, MeVector3 *outVert, const char *function) {
@@ -127,7 +130,7 @@ static void placePlane(Slice *s, const MeMatrix4Ptr tm, const MeReal *normal, Me
 }
 
 static void handOver(const Slice *s, const MeMatrix4Ptr tm, int maxVert, int *numVert, MeVector3 *outVert) {
-    const int count = s->count < 3 ? 0 : MeMIN(s->count, maxVert); /* two corners are an edge */
+    const int count = s->count < 3 ? 0 : MeMIN(s->count, maxVert); /* two corners: the plane only touches an edge */
     for (int i = 0; i < count; i++) {
         const double *p = s->corner[(int)((long long)i * s->count / count)].position;
         for (int k = 0; k < 3; k++)

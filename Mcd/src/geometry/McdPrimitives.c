@@ -1,4 +1,4 @@
-/* Sphere, box, plane, cylinder, sphyl and triangle list at once. */
+/* Registers sphere, box, plane, cylinder, sphyl and triangle list. */
 #include "McdPrimitives.h"
 #include "McdConvexInteractions.h"
 #include "McdTriangleList.h"

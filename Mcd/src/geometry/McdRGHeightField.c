@@ -1,4 +1,4 @@
-/* The height field: triangles over a regular grid. */
+/* Height fields: triangles over a regular grid. */
 #include "McdRGHeightField.h"
 #include "MeDebugDraw.h"
 #include "model/mcd_geometries_i.h"
@@ -12,7 +12,8 @@ static McdRGHeightField *fieldOf(McdGeometryID g, const char *function) {
     return mcd_geometryIs(g, kMcdGeometryTypeRGHeightField, function) ? (McdRGHeightField *)g : 0;
 }
 
-/* ---- life -------------------------------------------------------------------------------------------------------- */
+/* ---- creation
+ * ------------------------------------------------------------------------------------------------------- */
 
 static void findExtremes(McdRGHeightField *f) {
     MeBool any = MEFALSE;
@@ -55,7 +56,8 @@ McdRGHeightFieldID MEAPI McdRGHeightFieldCreate(McdFramework *frame, const MeRea
     return &f->head;
 }
 
-/* ---- what it is made of ------------------------------------------------------------------------------------------ */
+/* ---- accessors
+ * ------------------------------------------------------------------------------------------------------ */
 
 const MeReal *MEAPI McdRGHeightFieldGetHeights(McdRGHeightFieldID g) {
     const McdRGHeightField *f = fieldOf(g, "McdRGHeightFieldGetHeights");
@@ -111,7 +113,8 @@ static void pointOf(const McdRGHeightField *f, int i, int j, double point[3]) {
     point[2] = (double)f->height[(size_t)j * (size_t)f->xCount + (size_t)i];
 }
 
-/* half 0 is on the side of (i + 1, j), half 1 on that of (i, j + 1); counter-clockwise from above. */
+/* The corners of a cell's triangle, counter-clockwise from above. half 0 is on the side of (i + 1, j), half 1 on
+ * that of (i, j + 1). */
 static void triangleOf(const McdRGHeightField *f, int i, int j, int half, double corner[3][3]) {
     MEASSERT(i >= 0 && j >= 0 && i < f->xCount - 1 && j < f->yCount - 1);
     pointOf(f, i, j, corner[0]);
@@ -125,7 +128,7 @@ static McdElementData elementOf(const McdRGHeightField *f, int i, int j, int hal
     return element;
 }
 
-/* The cell in which a coordinate is, clamped to the grid. */
+/* The index of the cell that contains a coordinate, clamped to the grid. */
 static int cellAt(double x, double x0, double step, int points) {
     return mcd_floorBetween((x - x0) / step, 0, points - 2);
 }
@@ -219,8 +222,8 @@ void MEAPI McdRGHeightFieldDebugDraw(const McdGeometryID g, const MeMatrix4 tm, 
 
 /* ---- interactions ------------------------------------------------------------------------------------------------ */
 
-/* Adds the triangles of a cell; a corner's number is its place in the part of the grid that begins at (i0, j0) and
- * is so many points wide. */
+/* Adds both triangles of a cell. Corners are numbered within the part of the grid that begins at (i0, j0) and is
+ * `width` points wide. */
 static void addCell(McdMeshQuery *q, const McdRGHeightField *f, int i, int j, int i0, int j0, int width) {
     for (int half = 0; half < 2; half++) {
         const int at = (j - j0) * width + i - i0, vertex[3] = {at, at + 1 + half * width, at + 1 - half + width};
@@ -232,12 +235,13 @@ static void addCell(McdMeshQuery *q, const McdRGHeightField *f, int i, int j, in
     }
 }
 
-/* Cells (i, j) from the first to the last, both included. */
+/* A range of cells, both ends included. */
 typedef struct Cells {
     int i0, i1, j0, j1;
 } Cells;
 
-/* Cells whose corners touch the box count too: their triangles are neighbours. */
+/* The cells that the query's box overlaps or touches at corners: the triangles of the latter are needed as
+ * neighbours. */
 static Cells cellsNear(const McdMeshQuery *q, const McdRGHeightField *f) {
     const double x0 = (double)f->x0, y0 = (double)f->y0, dx = (double)f->xStep, dy = (double)f->yStep;
     return (Cells){.i0 = cellAt(q->low[0] - 1e-6 * dx, x0, dx, f->xCount),
@@ -250,7 +254,7 @@ static void gather(McdMeshQuery *q) {
     const McdRGHeightField *f = (const McdRGHeightField *)mcd_record(q->pair->model2)->instance.geometry;
     const Cells near = cellsNear(q, f);
     const int width = near.i1 - near.i0 + 2, vertexCount = width * (near.j1 - near.j0 + 2);
-    if (!mcd_meshReserve(q->mesh, (vertexCount + 2) / 3)) /* as many corners as three times that */
+    if (!mcd_meshReserve(q->mesh, (vertexCount + 2) / 3)) /* room for 3 corners per triangle */
         return;
     q->mesh->vertexCount = vertexCount;
     for (int j = near.j0; j <= near.j1; j++)
@@ -275,7 +279,7 @@ MCD_MESH_INTERACTIONS(RGHeightField, intersect)
 
 /* ---- line segments ----------------------------------------------------------------------------------------------- */
 
-/* Tests both triangles of a cell. */
+/* Intersects the segment with both triangles of a cell; true if it is hit. */
 static MeBool intersectCell(const McdRGHeightField *f, int i, int j, const double from[3], const double to[3],
                             double *fraction, double normal[3]) {
     MeBool isHit = MEFALSE;
@@ -293,7 +297,7 @@ static MeBool intersectCell(const McdRGHeightField *f, int i, int j, const doubl
     return isHit;
 }
 
-/* The part of the segment within the grid's rectangle, as [*enter, *leave] of 0 .. 1; false if there is none. */
+/* Clips the segment to the grid's rectangle: the interval [*enter, *leave] within 0 .. 1; false if there is none. */
 static MeBool clipToGrid(const McdRGHeightField *f, const double from[3], const double to[3], double *enter,
                          double *leave) {
     const double low[2] = {(double)f->x0, (double)f->y0};
@@ -314,13 +318,13 @@ static MeBool clipToGrid(const McdRGHeightField *f, const double from[3], const 
     return *enter <= *leave;
 }
 
-/* Where the segment leaves cell c of an axis. */
+/* The fraction of the segment at which it leaves cell c along one axis. */
 static double exitOf(double x, double along, double x0, double step, int c) {
     return along == 0 ? INFINITY : (x0 + (c + (along > 0)) * step - x) / along;
 }
 
-/* Cell by cell along the segment. Where it runs along a line of the grid, rounding must not let it slip through: the
- * cells beside are tested as well. */
+/* Traverses the cells along the segment, testing the neighbouring cells as well: rounding must not let a segment
+ * along a grid line slip between two cells. */
 static MeBool traverseCells(const McdRGHeightField *f, const double from[3], const double to[3], double *fraction,
                             double normal[3]) {
     const double origin[2] = {(double)f->x0, (double)f->y0}, step[2] = {(double)f->xStep, (double)f->yStep};

@@ -1,4 +1,4 @@
-/* Balls. */
+/* Spheres. */
 #include "McdSphere.h"
 #include "convex/mcd_kind_i.h"
 #include "geometry/mcd_geometry_i.h"
@@ -20,7 +20,7 @@ static void clip(const McdGeometry *g, McdClip *c) {
 
 MCD_DEFINE_LINE_SEGMENT(Sphere)
 
-/* The core is a point. */
+/* The core is a point, the rounding the radius. */
 static void setShape(const McdGeometry *g, McdShape *s) {
     s->rounding = s->extent = (double)get(g)->radius;
 }

@@ -1,4 +1,4 @@
-/* Sphere, box and plane at once: a file of its own, so that a program that uses no more links no more. */
+/* Registers sphere, box and plane. In a file of its own, so that programs which use only these link no other types. */
 #include "McdPrimitives.h"
 #include "McdConvexInteractions.h"
 #include "pair/mcd_pair_i.h"

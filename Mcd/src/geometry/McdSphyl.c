@@ -1,4 +1,4 @@
-/* Sphyls: a cylinder about z between two half balls. */
+/* Sphyls (capsules): a cylinder about z between two half spheres. */
 #include "McdSphyl.h"
 #include "convex/mcd_kind_i.h"
 #include "geometry/mcd_geometry_i.h"
@@ -14,7 +14,7 @@ static void support(const McdGeometry *g, const double d[3], double point[3]) {
     point[2] += d[2] < 0 ? -(double)get(g)->halfHeight : (double)get(g)->halfHeight;
 }
 
-/* A line's overlap with the sphyl is the union of those with its three parts. */
+/* The line's overlap with the sphyl is the union of those with its three parts. */
 static void clip(const McdGeometry *g, McdClip *c) {
     const double h = (double)get(g)->halfHeight, low[3] = {0, 0, -h}, high[3] = {0, 0, h};
     mcd_clipCapsule(c, low, high, (double)get(g)->radius);
@@ -22,7 +22,7 @@ static void clip(const McdGeometry *g, McdClip *c) {
 
 MCD_DEFINE_LINE_SEGMENT(Sphyl)
 
-/* ---- in the nearfield: the core is a segment ------------------------------------------------------------------ */
+/* ---- narrow phase: the core is a segment ---------------------------------------------------------------------- */
 
 static void setShape(const McdGeometry *g, McdShape *s) {
     s->low = (double)get(g)->halfHeight;
@@ -96,8 +96,9 @@ void MEAPI McdSphylGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *r
     *radius = isSphyl(g, "McdSphylGetBSphere") ? mcd_roundUp((double)get(g)->radius + (double)get(g)->halfHeight) : 0;
 }
 
-/* The half balls have their centres of mass 3/8 r beyond the cylinder, and m 2/5 r^2 about their flat sides' middles:
- * I_xx of both about the origin is m (2/5 r^2 + h^2 + 3/4 h r). */
+/* The centre of mass of each half ball is 3/8 r beyond the cylinder's end; its inertia about the centre of its flat
+ * side is m 2/5 r^2. So I_xx of both about the origin is m (2/5 r^2 + h^2 + 3/4 h r), with their total mass m and
+ * half height h. */
 MeI16 MEAPI McdSphylGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume) {
     if (!mcd_areGiven(__func__, relTM, inertia, volume))
         return 0;

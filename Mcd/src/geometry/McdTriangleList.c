@@ -1,4 +1,4 @@
-/* The triangle list: a box, and a program's callback that returns the triangles in it near a point. */
+/* Triangle lists: a box, and a callback of the program that returns the triangles near a point. */
 #include "McdTriangleList.h"
 #include "model/mcd_geometries_i.h"
 #include "convex/mcd_kind_i.h"
@@ -11,7 +11,8 @@ static McdTriangleListRecord *listOf(McdGeometryID g, const char *function) {
     return mcd_geometryIs(g, kMcdGeometryTypeTriangleList, function) ? (McdTriangleListRecord *)g : 0;
 }
 
-/* ---- life -------------------------------------------------------------------------------------------------------- */
+/* ---- creation
+ * ------------------------------------------------------------------------------------------------------- */
 
 static MeBool isBox(const MeReal *min, const MeReal *max) {
     for (int i = 0; min && max && i < 3; i++)
@@ -20,9 +21,9 @@ static MeBool isBox(const MeReal *min, const MeReal *max) {
     return min && max && mcd_areNear(min, 3) && mcd_areNear(max, 3);
 }
 
-/* Place for what the callback hands over; false if there is no memory. */
+/* Allocates the array that the callback fills; false if there is no memory. */
 static MeBool reserveTriangles(McdTriangleListRecord *list, int count) {
-    /* zeroed: the triangleData of programs that do not set it */
+    /* zeroed, for callbacks that do not set triangleData */
     McdUserTriangle *generated =
         MeMemoryTakeZeroed((size_t)count, sizeof *generated, "McdTriangleListCreate", "triangles");
     if (!generated)
@@ -60,7 +61,8 @@ static void MEAPI release(McdGeometryID g) {
     MeMemoryGive(list);
 }
 
-/* ---- what it is made of ------------------------------------------------------------------------------------------ */
+/* ---- accessors
+ * ------------------------------------------------------------------------------------------------------ */
 
 void MEAPI McdTriangleListGetBoundingBox(McdTriangleListID g, MeVector3 min, MeVector3 max) {
     if (!mcd_areGiven(__func__, min, max, max))
@@ -163,7 +165,7 @@ void MEAPI McdTriangleListDebugDraw(const McdGeometryID g, const MeMatrix4 tm, c
 
 /* ---- triangles --------------------------------------------------------------------------------------------------- */
 
-/* Programs may have written another number. */
+/* Applies triangleMaxCount, to which the program may have written. */
 static void readMaxCount(McdTriangleListRecord *list) {
     const int count = list->list.triangleMaxCount;
     if (count == list->room)
@@ -174,15 +176,15 @@ static void readMaxCount(McdTriangleListRecord *list) {
         list->list.triangleMaxCount = list->room;
 }
 
-/* What the callback handed over, and where. */
+/* The triangles that the callback returned. */
 typedef struct Generated {
-    McdUserTriangle *triangle; /* room */
+    McdUserTriangle *triangle; /* room for `room` triangles */
     int count, room;
-    MeBool isOwn; /* it is the list's array, which programs see; else the scratch's */
+    MeBool isOwn; /* the list's array, which programs see; else the scratch's */
 } Generated;
 
-/* The array that the callback is to fill: the list's own, or, while another query has that (in another thread, or one
- * around this one), the scratch's. False if there is no memory. */
+/* Acquires the array for the callback to fill: the list's own or, while another query uses that (in another thread,
+ * or an enclosing one), the scratch's. False if there is no memory. */
 static MeBool claimArray(McdTriangleListRecord *list, McdScratch *scratch, Generated *generated) {
     *generated = (Generated){.isOwn = !atomic_exchange_explicit(&list->isInUse, 1, memory_order_acquire)};
     if (generated->isOwn) {
@@ -200,16 +202,16 @@ static MeBool claimArray(McdTriangleListRecord *list, McdScratch *scratch, Gener
 static void releaseArray(McdTriangleListRecord *list, const Generated *generated) {
     if (generated->isOwn)
         atomic_store_explicit(&list->isInUse, 0, memory_order_release);
-    else if (generated->triangle) /* zeros for the next query's callback, which need not set all members */
+    else if (generated->triangle) /* zeros for the next callback, which need not set all members */
         memset(generated->triangle, 0, (size_t)generated->room * sizeof *generated->triangle);
 }
 
-/* Gets the triangles near a point of the list's frame from the callback; never more than there is room for.
- * releaseArray ends their use. */
+/* Calls the callback for the triangles near a point of the list's frame; at most as many as there is room for.
+ * releaseArray must follow. */
 static void callGenerator(McdTriangleListRecord *list, McdModelPair *p, McdScratch *scratch, const double centre[3],
                           double radius, Generated *generated) {
     MeVector3 pos = {(MeReal)centre[0], (MeReal)centre[1], (MeReal)centre[2]};
-    double reach = radius; /* with what rounding takes from it */
+    double reach = radius; /* plus the rounding of the centre */
     for (int i = 0; i < 3; i++)
         reach += fabs((double)pos[i] - centre[i]);
     if (!claimArray(list, scratch, generated) || !list->generate)
@@ -271,8 +273,8 @@ MCD_MESH_INTERACTIONS(TriangleList, intersect)
 
 /* ---- line segments ----------------------------------------------------------------------------------------------- */
 
-/* The first of the triangles that a segment meets: where, as a part of it, and the normal there; a part above 1:
- * none. */
+/* Intersects a segment with the triangles. Returns the fraction of the segment at its first hit, and the normal
+ * there; above 1: no hit. */
 static double firstHit(const Generated *generated, const double from[3], const double to[3], double normal[3]) {
     double min = 2;
     for (int i = 0; i < generated->count; i++) {

@@ -1,4 +1,4 @@
-/* Drawing of boxes, geometries and models, line by line. */
+/* Draws boxes, geometries and models, line by line. */
 #include "McduDebugDraw.h"
 #include "geometry/mcd_local_i.h"
 
@@ -20,7 +20,7 @@ void MEAPI McduDebugDrawGeometry(const McdGeometryID geometry, const MeMatrix4Pt
     ME_UNDER_OWN_NAME(McdGeometryDebugDraw(geometry, tm, colour));
 }
 
-/* By the type's registered function, so that no type is linked that the program does not use. */
+/* Draws by the type's registered function, so that types which the program does not use are not linked. */
 static void drawTyped(McdGeometryID g, McdGeometryType type, const MeVector4 *tm, const MeReal colour[3],
                       const char *function) {
     if (mcd_areGiven(function, tm, colour, colour) && mcd_geometryIs(g, type, function))

@@ -1,4 +1,4 @@
-/* Inside Mcd: what the files of the geometry types define alike. */
+/* Inside Mcd: definitions that the files of the geometry types share. */
 #ifndef MCD_GEOMETRY_I_H
 #define MCD_GEOMETRY_I_H
 
@@ -9,8 +9,8 @@
         mcd_geometryDestroyAs(g, kMcdGeometryType##Type, "Mcd" #Type "Destroy");                                       \
     }
 
-/* The functions of McdGeometryDeclare.h that go by the file's static `kind` (mcd_kind_i.h) and `support`; the type's
- * own file has the rest. */
+/* Defines the functions of McdGeometryDeclare.h that follow from the file's static `kind` (mcd_kind_i.h) and
+ * `support`; the type's own file has the others. */
 #define MCD_DEFINE_GEOMETRY_TYPE(Type)                                                                                 \
     MCD_DEFINE_DESTROY(Type)                                                                                           \
     void MEAPI Mcd##Type##RegisterType(McdFramework *frame) {                                                          \
@@ -37,7 +37,7 @@
             mcd_localUpdateAABB(ins, finalTM, support);                                                                \
     }
 
-/* Goes by the file's static `clip`. */
+/* Defines the line segment's functions from the file's static `clip`. */
 #define MCD_DEFINE_LINE_SEGMENT(Type)                                                                                  \
     static int MEAPI lineSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,                      \
                                  McdLineSegIntersectResult *outOverlap) {                                              \

@@ -1,4 +1,4 @@
-/* Shared by the geometry types: conversions from the geometry's own frame, in double, to the world and MeReal. */
+/* Shared by the geometry types: conversions from a geometry's own frame, in double, to the world and MeReal. */
 #include "geometry/mcd_local_i.h"
 #include "MeDebugDraw.h"
 #include <string.h>
@@ -24,7 +24,8 @@ MeBool mcd_instanceIs(McdGeometryInstanceID ins, McdGeometryType type, const cha
     return MEFALSE;
 }
 
-/* ---- boxes and farthest points ----------------------------------------------------------------------------------- */
+/* ---- boxes, support points
+ * ------------------------------------------------------------------------------------------- */
 
 void mcd_localXYAABB(const McdGeometry *g, const MeMatrix4Ptr tm, MeReal bounds[4], McdLocalSupportFn support,
                      const char *caller) {
@@ -123,8 +124,8 @@ void mcd_clipHalfSpace(McdClip *c, const double normal[3], double offset) {
         clipAway(c);
 }
 
-/* r and v are the line relative to a centre: |r + t v| <= radius. Measured from the point nearest to the centre, which
- * keeps the digits of a line that begins far away. */
+/* Clips the line r + t v, relative to a centre, by |r + t v| <= radius. Computes from the line's point nearest to
+ * the centre, which is accurate for a line that begins far away. */
 static void clipRound(McdClip *c, const double r[3], const double v[3], double radius) {
     const double vv = dot(v, v), nearest = vv > 0 ? -dot(r, v) / vv : 0;
     double p[3], normal[3];
@@ -238,14 +239,15 @@ int mcd_localLineSegment(McdModelID cm, const MeReal *from, const MeReal *to, Mc
     clip(ins->geometry, &c);
     if (mcd_clipIsEmpty(&c) || c.in > 1 || c.out < 0)
         return 0;
-    MEASSERT(!(c.in > 0) || isfinite(dot(c.normal, c.normal))); /* what is left of length 1 from far away */
+    MEASSERT(!(c.in > 0) || isfinite(dot(c.normal, c.normal))); /* its length may have lost digits far away */
     result->model = cm;
     return mcd_segmentHit(tm, from, to, MeMAX(c.in, 0), c.in > 0 ? c.normal : inside, result);
 }
 
 /* ---- mass -------------------------------------------------------------------------------------------------------- */
 
-/* Of each axis no more than of the two others together: the moments of some mass. */
+/* For checks: whether these can be the moments of inertia of a mass: each at most the sum of the others, and
+ * symmetric. */
 static MeBool isMomentGood(double moment[3][3]) {
     for (int i = 0; i < 3; i++) {
         const double others = moment[(i + 1) % 3][(i + 1) % 3] + moment[(i + 2) % 3][(i + 2) % 3];

@@ -1,5 +1,5 @@
 /* Inside Mcd: helpers of the geometry types. Each type has, in its own frame and in double, a support function and a
- * function that clips a line; from these follow AABBs, farthest points and line segment tests in the world. */
+ * function that clips a line. Boxes, support points and line segment tests in the world are derived from these. */
 #ifndef MCD_LOCAL_H
 #define MCD_LOCAL_H
 
@@ -13,25 +13,25 @@
 
 /* ---- sizes ----------------------------------------------------------------------------------------------------- */
 
-/* Is it a number > 0 and not infinite? Warns with the function's name if not. */
+/* Whether a size is > 0 and not too small or large for single precision; if not, warns with the function's name. */
 MeBool mcd_sizeIsGood(MeReal size, const char *what, const char *function);
-/* Is the instance one of a live geometry of that type, and placed? Warns if not. */
+/* Whether the instance is of a live geometry of that type and has a valid transform; warns if not. */
 MeBool mcd_instanceIs(McdGeometryInstanceID ins, McdGeometryType type, const char *function);
 
 #ifndef _ME_API_DOUBLE
-/* r, or if isNext nextafterf(r, FLT_MAX), without a branch: which it is cannot be predicted. The bits of positive
- * floats are in their order, of negative ones in the opposite one; -0 counts as 0. */
+/* nextafterf(r, FLT_MAX) if isNext, else r; branchless, since that is unpredictable. The bits of positive floats are
+ * in their order, those of negative floats in the opposite order; -0 counts as 0. */
 static inline float mcd_nextAboveIf(float r, int isNext) {
     MeI32 bits;
     r += 0.0f;
     memcpy(&bits, &r, sizeof bits);
-    bits += (1 - 2 * (r < 0)) & -(isNext & (r < FLT_MAX)); /* not of NaN */
+    bits += (1 - 2 * (r < 0)) & -(isNext & (r < FLT_MAX)); /* not for NaN */
     memcpy(&r, &bits, sizeof r);
     return r;
 }
 #endif
 
-/* The least number that is not below x, and the greatest that is not above. */
+/* The smallest MeReal that is not below x, and the largest that is not above x. */
 static inline MeReal mcd_roundUp(double x) {
     MeReal r = (MeReal)x;
 #ifndef _ME_API_DOUBLE
@@ -44,13 +44,14 @@ static inline MeReal mcd_roundDown(double x) {
     return -mcd_roundUp(-x);
 }
 
-/* ---- boxes and farthest points ----------------------------------------------------------------------------------- */
+/* ---- boxes, support points
+ * ------------------------------------------------------------------------------------------- */
 
-/* The geometry's point farthest in a direction of any length; any point for none. */
+/* The geometry's support point in a direction of any length; any point for a zero direction. */
 typedef void (*McdLocalSupportFn)(const McdGeometry *g, const double direction[3], double point[3]);
 
-/* The extent along world axis i of the geometry at tm: sum of tm[j][i] x_j, which a direction in its frame measures. A
- * bound of the rounding errors is added. */
+/* The extent along world axis i of the geometry at tm: of sum tm[j][i] x_j, so the direction in its own frame is
+ * tm[.][i]. Enlarged by a bound of the rounding errors. */
 static inline void mcd_localExtent(const McdGeometry *g, const MeVector4 *tm, int i, McdLocalSupportFn support,
                                    double *low, double *high) {
     const double d[3] = {(double)tm[0][i], (double)tm[1][i], (double)tm[2][i]}, back[3] = {-d[0], -d[1], -d[2]};
@@ -65,8 +66,8 @@ static inline void mcd_localExtent(const McdGeometry *g, const MeVector4 *tm, in
     *high = place + d[0] * highest[0] + d[1] * highest[1] + d[2] * highest[2] + slack;
 }
 
-/* Inline, as the extents are, so that each type's support function is part of its loops: boxes are updated in every
- * step. */
+/* Sets the instance's box. Inline, as the extents, so that each type's support function is compiled into the loops:
+ * boxes are updated in every step. */
 static inline void mcd_localUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM,
                                        McdLocalSupportFn support) {
     MeVector3 min, max;
@@ -87,18 +88,18 @@ static inline void mcd_localUpdateAABB(McdGeometryInstanceID ins, const MeMatrix
 
 void mcd_localMaximumPoint(McdGeometryInstanceID ins, const MeReal *direction, MeReal *point,
                            McdLocalSupportFn support);
-/* A tm that is no transform: a warning, and bounds are left as they are. */
+/* If tm is not a valid transform: a warning, and bounds are left as they are. */
 void mcd_localXYAABB(const McdGeometry *g, const MeMatrix4Ptr tm, MeReal bounds[4], McdLocalSupportFn support,
                      const char *caller);
 
-/* For geometries that have no better bound than a box in their own frame. */
+/* For geometries that are bounded by a box in their own frame only. */
 void mcd_boxSupport(const MeReal *min, const MeReal *max, const double direction[3], double point[3]);
 void mcd_boxBSphere(const MeReal *min, const MeReal *max, MeVector3 center, MeReal *radius);
 
 /* ---- line segments ----------------------------------------------------------------------------------------------- */
 
-/* A line from + t along, and the part of it, in <= t <= out, that is in all the solids that it was clipped by. The
- * normal is that of the surface at t = in. An empty part has in > out. */
+/* A line from + t along, and its interval in <= t <= out inside all solids that it was clipped by. The normal is
+ * that of the surface at t = in. An empty interval has in > out. */
 typedef struct McdClip {
     double from[3], along[3];
     double in, out;
@@ -107,56 +108,58 @@ typedef struct McdClip {
 
 void mcd_clipBegin(McdClip *c, const double from[3], const double along[3]);
 MeBool mcd_clipIsEmpty(const McdClip *c);
-void mcd_clipInterval(McdClip *c, double in, double out, const double normal[3]); /* the normal belongs to in */
-void mcd_clipHalfSpace(McdClip *c, const double normal[3], double offset);        /* normal . x <= offset; length 1 */
+void mcd_clipInterval(McdClip *c, double in, double out, const double normal[3]); /* normal: of the surface at `in` */
+void mcd_clipHalfSpace(McdClip *c, const double normal[3], double offset);        /* unit normal: normal . x <=
+                                                                                   * offset */
 void mcd_clipBall(McdClip *c, const double centre[3], double radius);
-void mcd_clipCylinder(McdClip *c, const double point[3], const double axis[3], double radius); /* endless; length 1 */
-/* All points within radius of the segment from a to b, which has a length. */
+void mcd_clipCylinder(McdClip *c, const double point[3], const double axis[3], double radius); /* infinite; unit axis */
+/* Clips by all points within radius of the segment from a to b, whose length is not 0. */
 void mcd_clipCapsule(McdClip *c, const double a[3], const double b[3], double radius);
-/* The part of the line in either of two solids, whose union is convex. */
+/* Extends the interval to that of another solid; the union of both solids must be convex. */
 void mcd_clipUnion(McdClip *c, const McdClip *other);
 void mcd_clipAt(const McdClip *c, double t, double point[3]);
 
-/* A world point in the frame at tm; false if that is not finite. */
+/* Transforms a world point to the frame at tm; false if the result is not finite. */
 MeBool mcd_toLocal(const MeVector4 *tm, const MeReal *world, double local[3]);
-/* Fills the result, but for the model, for a hit at a part of the segment, with a normal in the frame at tm. Returns
- * 1. */
+/* Fills the result, except the model, for a hit at a fraction of the segment, with a normal in the frame at tm.
+ * Returns 1. */
 int mcd_segmentHit(const MeVector4 *tm, const MeReal *from, const MeReal *to, double fraction, const double normal[3],
                    McdLineSegIntersectResult *hit);
 
-/* Clips the line, which comes unclipped, by the geometry. */
+/* Clips a line, initially unclipped, by the geometry. */
 typedef void (*McdLocalClipFn)(const McdGeometry *g, McdClip *c);
 
-/* The results of an McdLineSegIntersectFnPtr. */
+/* Implements an McdLineSegIntersectFnPtr by a type's clip function. */
 int mcd_localLineSegment(McdModelID cm, const MeReal *from, const MeReal *to, McdLineSegIntersectResult *result,
                          McdLocalClipFn clip);
 
 /* ---- mass -------------------------------------------------------------------------------------------------------- */
 
-/* Fills the results of an McdGeometryGetMassPropertiesFnPtr, from a volume, the centre of mass and the inertia about
- * it, and returns 1; where these are beyond MeReal, 0, and there are none. */
+/* Fills the results of an McdGeometryGetMassPropertiesFnPtr, from the volume, the centre of mass and the inertia
+ * about it. Returns 1; if these exceed MeReal: 0, and zero results. */
 MeI16 mcd_massProperties(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, const double centre[3],
                          double moment[3][3]);
-/* The same, of what need not be the moments of any mass: parts may have been scaled. */
+/* The same without a check of the moments, which need not belong to any mass: parts may have been scaled. */
 MeI16 mcd_massStore(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, const double centre[3],
                     double moment[3][3]);
-/* The same, for a shape whose centre is its origin and that has no products of inertia. */
+/* The same for a shape whose centre of mass is the origin, with principal moments x, y, z. */
 MeI16 mcd_massDiagonal(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, double x, double y, double z);
 
 /* ---- drawing ----------------------------------------------------------------------------------------------------- */
 
-enum { MCD_DRAW_SIDES = 16 }; /* of a circle */
+enum { MCD_DRAW_SIDES = 16 }; /* segments of a circle */
 
-/* A line in the world. */
+/* Draws a line given in the world. */
 void mcd_drawWorldLine(MeVector3 start, MeVector3 end, const MeReal colour[3]);
 void mcd_drawLine(const MeVector4 *tm, const MeReal colour[3], const double a[3], const double b[3]);
 void mcd_drawBox(const MeVector4 *tm, const MeReal colour[3], const MeReal *min, const MeReal *max);
-/* A part of an ellipse from angle 0: centre + u cos + v sin, in some of MCD_DRAW_SIDES pieces. */
+/* Draws an arc of an ellipse from angle 0: centre + u cos + v sin, in `pieces` of the MCD_DRAW_SIDES segments of a
+ * full turn. */
 void mcd_drawArc(const MeVector4 *tm, const MeReal colour[3], const double centre[3], const double u[3],
                  const double v[3], int pieces);
-/* A circle about the z axis. */
+/* Draws a circle about the z axis. */
 void mcd_drawCircle(const MeVector4 *tm, const MeReal colour[3], double z, double radius);
-/* Four lines between two such circles. */
+/* Draws four lines between two circles about the z axis. */
 void mcd_drawSides(const MeVector4 *tm, const MeReal colour[3], double z1, double radius1, double z2, double radius2);
 
 #endif
