@@ -5,9 +5,9 @@
 /* Both boxes in the frame of box a. */
 typedef struct Boxes {
     const double *sizeA, *sizeB;
-    double offset[3];   /* from b's centre to a's */
-    double turn[3][3];  /* relative rotation: turn[i][j] = a's axis i . b's axis j */
-    double steep[3][3]; /* |turn| */
+    double offset[3];         /* from b's centre to a's */
+    double rotation[3][3];    /* relative rotation: rotation[i][j] = a's axis i . b's axis j */
+    double absRotation[3][3]; /* |rotation| */
 } Boxes;
 
 /* The axis with the smallest overlap so far. */
@@ -18,7 +18,7 @@ typedef struct Best {
     double axis[3];   /* cross product of the edges: in a's axes, from b to a, unit */
 } Best;
 
-static void compare(const McdShape *a, const McdShape *b, Boxes *x) {
+static void setRelativeTransform(const McdShape *a, const McdShape *b, Boxes *x) {
     double d[3];
     mcd_sub(d, a->place, b->place);
     x->sizeA = a->size;
@@ -26,23 +26,23 @@ static void compare(const McdShape *a, const McdShape *b, Boxes *x) {
     for (int i = 0; i < 3; i++) {
         x->offset[i] = mcd_dot(a->axis[i], d);
         for (int j = 0; j < 3; j++) {
-            x->turn[i][j] = mcd_dot(a->axis[i], b->axis[j]);
-            x->steep[i][j] = fabs(x->turn[i][j]);
+            x->rotation[i][j] = mcd_dot(a->axis[i], b->axis[j]);
+            x->absRotation[i][j] = fabs(x->rotation[i][j]);
         }
     }
 }
 
 /* Stores a separation above the limit, which ends the search: returns false. */
-static MeBool isSeparated(Best *best, double separation) {
+static MeBool stopAtSeparation(Best *best, double separation) {
     best->separation = separation;
     return MEFALSE;
 }
 
 /* Compares the normals of three faces, numbered from `first`. Without branches, since the best one is unpredictable. */
-static MeBool compareFaces(const double separation[3], int first, double limit, double bias, Best *best) {
+static MeBool keepBestFace(const double separation[3], int first, double limit, double bias, Best *best) {
     for (int i = 0; i < 3; i++)
         if (separation[i] > limit)
-            return isSeparated(best, separation[i]);
+            return stopAtSeparation(best, separation[i]);
     for (int i = 0; i < 3; i++) {
         const int isBetter = separation[i] > best->separation + bias;
         best->separation = isBetter ? separation[i] : best->separation;
@@ -51,48 +51,48 @@ static MeBool compareFaces(const double separation[3], int first, double limit, 
     return METRUE;
 }
 
-static MeBool facesOfA(const Boxes *x, double limit, Best *best) {
+static MeBool tryFacesOfA(const Boxes *x, double limit, Best *best) {
     double separation[3];
     for (int i = 0; i < 3; i++)
-        separation[i] = fabs(x->offset[i]) - x->sizeA[i] - mcd_dot(x->steep[i], x->sizeB);
-    return compareFaces(separation, 0, limit, 0, best);
+        separation[i] = fabs(x->offset[i]) - x->sizeA[i] - mcd_dot(x->absRotation[i], x->sizeB);
+    return keepBestFace(separation, 0, limit, 0, best);
 }
 
 /* The component along b's axis j of the offset between the centres. */
-static double alongB(const Boxes *x, int j) {
-    const double axis[3] = {x->turn[0][j], x->turn[1][j], x->turn[2][j]};
+static double offsetAlongB(const Boxes *x, int j) {
+    const double axis[3] = {x->rotation[0][j], x->rotation[1][j], x->rotation[2][j]};
     return mcd_dot(x->offset, axis);
 }
 
-static MeBool facesOfB(const Boxes *x, double limit, double bias, Best *best) {
+static MeBool tryFacesOfB(const Boxes *x, double limit, double bias, Best *best) {
     double separation[3];
     for (int j = 0; j < 3; j++) {
-        const double steep[3] = {x->steep[0][j], x->steep[1][j], x->steep[2][j]};
-        separation[j] = fabs(alongB(x, j)) - x->sizeB[j] - mcd_dot(steep, x->sizeA);
+        const double steep[3] = {x->absRotation[0][j], x->absRotation[1][j], x->absRotation[2][j]};
+        separation[j] = fabs(offsetAlongB(x, j)) - x->sizeB[j] - mcd_dot(steep, x->sizeA);
     }
-    return compareFaces(separation, 3, limit, bias, best);
+    return keepBestFace(separation, 3, limit, bias, best);
 }
 
 /* Compares the 9 cross products of edges, a's axis i x b's axis j; the length of each is the sine of the angle
  * between them. */
-static MeBool edges(const Boxes *x, double limit, double bias, Best *best) {
+static MeBool tryEdgePairs(const Boxes *x, double limit, double bias, Best *best) {
     double min = best->separation + bias; /* the separation to exceed */
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-            const double y = -x->turn[i2][j], z = x->turn[i1][j], squared = y * y + z * z;
+            const double y = -x->rotation[i2][j], z = x->rotation[i1][j], squared = y * y + z * z;
             if (squared < mcd_parallelSine * mcd_parallelSine)
                 continue;
             const double along = x->offset[i1] * y + x->offset[i2] * z;
-            const double reach = x->sizeA[i1] * x->steep[i2][j] + x->sizeA[i2] * x->steep[i1][j] +
-                                 x->sizeB[j1] * x->steep[i][j2] + x->sizeB[j2] * x->steep[i][j1];
+            const double reach = x->sizeA[i1] * x->absRotation[i2][j] + x->sizeA[i2] * x->absRotation[i1][j] +
+                                 x->sizeB[j1] * x->absRotation[i][j2] + x->sizeB[j2] * x->absRotation[i][j1];
             const double gap = fabs(along) - reach;
             /* gap <= min * sine, without the square root */
             if (gap < 0 && (min >= 0 || gap * gap >= min * min * squared))
                 continue;
             const double sine = sqrt(squared), s = gap / sine;
             if (s > limit)
-                return isSeparated(best, s);
+                return stopAtSeparation(best, s);
             if (s > min) {
                 const double k = (along < 0 ? -1 : 1) / sine;
                 min = s;
@@ -113,15 +113,15 @@ static void setNormal(const McdShape *a, const Boxes *x, const Best *best, doubl
         axis[best->face] = x->offset[best->face] < 0 ? -1 : 1;
     } else {
         const int j = best->face - 3;
-        const double sign = alongB(x, j) < 0 ? -1 : 1;
-        mcd_set(axis, sign * x->turn[0][j], sign * x->turn[1][j], sign * x->turn[2][j]);
+        const double sign = offsetAlongB(x, j) < 0 ? -1 : 1;
+        mcd_set(axis, sign * x->rotation[0][j], sign * x->rotation[1][j], sign * x->rotation[2][j]);
     }
     for (int i = 0; i < 3; i++)
         normal[i] = a->axis[0][i] * axis[0] + a->axis[1][i] * axis[1] + a->axis[2][i] * axis[2];
 }
 
 /* The midpoint of the box's edge along axis k that is farthest in a direction. */
-static void edgeMiddle(const McdShape *s, const double direction[3], int k, double out[3]) {
+static void supportEdgeMiddle(const McdShape *s, const double direction[3], int k, double out[3]) {
     mcd_copy(out, s->place);
     for (int i = 0; i < 3; i++)
         if (i != k)
@@ -129,12 +129,12 @@ static void edgeMiddle(const McdShape *s, const double direction[3], int k, doub
 }
 
 /* Witness points of an edge-edge contact: the closest points of the two edges. */
-static void crossEdges(const McdShape *a, const McdShape *b, const Best *best, McdProximity *p) {
+static void setEdgeWitnesses(const McdShape *a, const McdShape *b, const Best *best, McdProximity *p) {
     const double *u = a->axis[best->edgeA], *w = b->axis[best->edgeB];
     const double back[3] = {-p->normal[0], -p->normal[1], -p->normal[2]};
     double from[3], to[3], d[3];
-    edgeMiddle(a, back, best->edgeA, from);
-    edgeMiddle(b, p->normal, best->edgeB, to);
+    supportEdgeMiddle(a, back, best->edgeA, from);
+    supportEdgeMiddle(b, p->normal, best->edgeB, to);
     mcd_sub(d, to, from);
     const double c = mcd_dot(u, w), du = mcd_dot(d, u), dw = mcd_dot(d, w), sine2 = 1 - c * c;
     const double la = a->size[best->edgeA], lb = b->size[best->edgeB];
@@ -144,7 +144,7 @@ static void crossEdges(const McdShape *a, const McdShape *b, const Best *best, M
 }
 
 /* Witness points of a face contact: the deepest corner of one box and its projection on the other's face. */
-static void cornerOverFace(const McdShape *a, const McdShape *b, McdProximity *p) {
+static void setFaceWitnesses(const McdShape *a, const McdShape *b, McdProximity *p) {
     const double back[3] = {-p->normal[0], -p->normal[1], -p->normal[2]};
     double steepA = 0, steepB = 0;
     for (int i = 0; i < 3; i++) {
@@ -170,9 +170,9 @@ MeBool mcd_boxBoxProximity(const McdShape *a, const McdShape *b, double limit, M
     Boxes x;
     Best best = {.separation = -INFINITY, .face = -1, .edgeA = -1, .edgeB = -1};
     const double bias = mcd_faceBias * mcd_pairSize(a, b);
-    compare(a, b, &x);
+    setRelativeTransform(a, b, &x);
     const MeBool isNear =
-        facesOfA(&x, limit, &best) && facesOfB(&x, limit, bias, &best) && edges(&x, limit, bias, &best);
+        tryFacesOfA(&x, limit, &best) && tryFacesOfB(&x, limit, bias, &best) && tryEdgePairs(&x, limit, bias, &best);
     p->separation = best.separation;
     if (!isNear || !isfinite(best.separation))
         return MEFALSE;
@@ -180,9 +180,9 @@ MeBool mcd_boxBoxProximity(const McdShape *a, const McdShape *b, double limit, M
     setNormal(a, &x, &best, p->normal);
     p->isGuess = best.separation > 0;
     if (best.edgeA >= 0)
-        crossEdges(a, b, &best, p);
+        setEdgeWitnesses(a, b, &best, p);
     else
-        cornerOverFace(a, b, p);
+        setFaceWitnesses(a, b, p);
     MEVALIDATE(mcd_isAlongNormal(a, b, p));
     return METRUE;
 }

@@ -13,7 +13,7 @@ typedef struct BoxTriangle {
     int boxEdge, triangleEdge; /* of a cross product: box's axis, triangle's edge; -1: a face's normal */
 } BoxTriangle;
 
-static void toBox(const McdShape *box, const McdShape *triangle, BoxTriangle *x) {
+static void transformToBox(const McdShape *box, const McdShape *triangle, BoxTriangle *x) {
     x->size = box->size;
     for (int k = 0; k < 3; k++) {
         double opposite[3];
@@ -92,7 +92,7 @@ static MeBool tryEdgeAxes(BoxTriangle *x) {
 
 /* Witness points of an edge-edge contact: the closest points of the triangle's edge and the box's edge that is
  * farthest towards the triangle. */
-static void crossEdges(const McdShape *box, const McdShape *triangle, const BoxTriangle *x, McdProximity *p) {
+static void setEdgeWitnesses(const McdShape *box, const McdShape *triangle, const BoxTriangle *x, McdProximity *p) {
     const double *u = box->axis[x->boxEdge], *to = triangle->corner[x->triangleEdge];
     const double length = box->size[x->boxEdge];
     double w[3], from[3], d[3];
@@ -110,7 +110,7 @@ static void crossEdges(const McdShape *box, const McdShape *triangle, const BoxT
 
 /* Witness points of a face contact: the box's deepest corner and its projection on the triangle, or the triangle's
  * deepest corner and its projection on the box's face. */
-static void cornerOverFace(const McdShape *box, const McdShape *triangle, MeBool isTriangleFace, McdProximity *p) {
+static void setFaceWitnesses(const McdShape *box, const McdShape *triangle, MeBool isTriangleFace, McdProximity *p) {
     const double back[3] = {-p->normal[0], -p->normal[1], -p->normal[2]};
     if (isTriangleFace) {
         mcd_coreSupport(box, back, p->onA);
@@ -123,7 +123,7 @@ static void cornerOverFace(const McdShape *box, const McdShape *triangle, MeBool
 
 MeBool mcd_boxTriangleProximity(const McdShape *box, const McdShape *triangle, double limit, McdProximity *p) {
     BoxTriangle x = {.limit = limit, .bias = mcd_faceBias * mcd_pairSize(box, triangle), .separation = -INFINITY};
-    toBox(box, triangle, &x);
+    transformToBox(box, triangle, &x);
     const MeBool isNear = tryBoxFaces(&x) && tryTriangleFace(&x) && tryEdgeAxes(&x);
     p->separation = x.separation;
     if (!isNear)
@@ -131,9 +131,9 @@ MeBool mcd_boxTriangleProximity(const McdShape *box, const McdShape *triangle, d
     mcd_shapeDirection(box, x.axis[0], x.axis[1], x.axis[2], p->normal);
     p->isGuess = x.separation > 0;
     if (x.triangleEdge >= 0)
-        crossEdges(box, triangle, &x, p);
+        setEdgeWitnesses(box, triangle, &x, p);
     else
-        cornerOverFace(box, triangle, x.isTriangleFace, p);
+        setFaceWitnesses(box, triangle, x.isTriangleFace, p);
     MEVALIDATE(mcd_isAlongNormal(box, triangle, p));
     return isfinite(x.separation) != 0;
 }

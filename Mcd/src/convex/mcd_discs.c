@@ -51,7 +51,7 @@ static int sectorOf(double x, double y) {
 
 /* Makes the rim of a disc a polygon of 16 fixed corners, counter-clockwise seen from the side of z = side, and adds
  * the support point along d (own axes) where no fixed corner is as far. */
-static void discFace(const McdShape *s, const double d[3], double radius, double height, double side, McdFace *f) {
+static void makeDiscFace(const McdShape *s, const double d[3], double radius, double height, double side, McdFace *f) {
     enum { RIM = 16, FARTHEST = 63 };
     static const double cosine[RIM] = {1,  .9238795325112867,  .7071067811865476,  .3826834323650898,
                                        0,  -.3826834323650898, -.7071067811865476, -.9238795325112867,
@@ -82,14 +82,14 @@ static void discFace(const McdShape *s, const double d[3], double radius, double
 }
 
 /* The generator line of the side that faces the direction d (own axes). */
-static void sideLine(const McdShape *s, const double d[3], const Discs *discs, McdFace *f) {
+static void makeSideLine(const McdShape *s, const double d[3], const Discs *discs, McdFace *f) {
     const double across = sqrt(d[0] * d[0] + d[1] * d[1]), x = across > 0 ? d[0] / across : 1,
                  y = across > 0 ? d[1] / across : 0;
     const double *radius = discs->radius, *height = discs->height, slant = slantOf(discs);
     const double out = (height[1] - height[0]) / slant, up = (radius[0] - radius[1]) / slant;
     mcd_shapeDirection(s, out * x, out * y, up, f->normal);
     f->id = 2;
-    f->bend = (radius[0] + radius[1]) / 2;
+    f->curvatureRadius = (radius[0] + radius[1]) / 2;
     for (int i = 0; i < 2; i++)
         mcd_faceAdd(s, f, radius[i] * x, radius[i] * y, height[i], (MeU32)i);
 }
@@ -103,11 +103,11 @@ void mcd_discsFace(const McdShape *s, const double direction[3], McdFace *f) {
     const double across = sqrt(d[0] * d[0] + d[1] * d[1]);
     const double side = (across * (height[1] - height[0]) + d[2] * (radius[0] - radius[1])) / slantOf(&discs);
     if (d[2] > side && radius[1] > 0)
-        discFace(s, d, radius[1], height[1], 1, f);
+        makeDiscFace(s, d, radius[1], height[1], 1, f);
     else if (-d[2] > side && radius[0] > 0)
-        discFace(s, d, radius[0], height[0], -1, f);
+        makeDiscFace(s, d, radius[0], height[0], -1, f);
     else
-        sideLine(s, d, &discs, f);
+        makeSideLine(s, d, &discs, f);
 }
 
 /* ---- the side's curvature ---------------------------------------------------------------------------------- */

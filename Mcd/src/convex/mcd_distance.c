@@ -38,7 +38,7 @@ static Pair makePair(const McdShape *a, const McdShape *b) {
 }
 
 /* The support point of M in a direction. */
-static void farthest(const Pair *p, const double direction[3], Corner *c) {
+static void minkowskiSupport(const Pair *p, const double direction[3], Corner *c) {
     const double back[3] = {-direction[0], -direction[1], -direction[2]};
     mcd_coreSupport(p->a, direction, c->a);
     mcd_coreSupport(p->b, back, c->b);
@@ -76,14 +76,14 @@ static void keepIfNearer(Candidate *best, const Candidate *c) {
         *best = *c;
 }
 
-static void offerCorner(const Simplex *s, int i, Candidate *best) {
+static void tryCorner(const Simplex *s, int i, Candidate *best) {
     Candidate c = {.count = 1, .corner = {i}, .weight = {1}};
     mcd_copy(c.point, s->corner[i].w);
     c.squared = mcd_dot(c.point, c.point);
     keepIfNearer(best, &c);
 }
 
-static void offerEdge(const Simplex *s, int i, int j, Candidate *best) {
+static void tryEdge(const Simplex *s, int i, int j, Candidate *best) {
     const double *p = s->corner[i].w, *q = s->corner[j].w;
     double along[3];
     mcd_sub(along, q, p);
@@ -98,7 +98,7 @@ static void offerEdge(const Simplex *s, int i, int j, Candidate *best) {
 
 /* The projection of the origin on the triangle's plane is inside the triangle if the areas of the three
  * sub-triangles have the same sign. */
-static void offerFacet(const Simplex *s, int i, int j, int k, Candidate *best) {
+static void tryFacet(const Simplex *s, int i, int j, int k, Candidate *best) {
     const double *p = s->corner[i].w, *q = s->corner[j].w, *r = s->corner[k].w;
     double pq[3], pr[3], n[3], x[3], coordinate[3];
     mcd_sub(pq, q, p);
@@ -141,11 +141,11 @@ static MeBool containsOrigin(const Simplex *s) {
 static Candidate nearestSubSimplex(const Simplex *s) {
     const int last = s->count - 1;
     Candidate best = {.squared = INFINITY};
-    offerCorner(s, last, &best);
+    tryCorner(s, last, &best);
     for (int i = 0; i < last; i++) {
-        offerEdge(s, last, i, &best);
+        tryEdge(s, last, i, &best);
         for (int j = i + 1; j < last; j++)
-            offerFacet(s, last, i, j, &best);
+            tryFacet(s, last, i, j, &best);
     }
     MEASSERT(best.count >= 1 && best.count <= 3 && best.squared < INFINITY);
     return best;
@@ -175,7 +175,7 @@ static void beginGjk(const Pair *p, Simplex *s) {
     mcd_sub(v, p->b->place, p->a->place);
     if (!(mcd_dot(v, v) > 0))
         mcd_set(v, 1, 0, 0);
-    farthest(p, v, &s->corner[0]);
+    minkowskiSupport(p, v, &s->corner[0]);
     s->count = 1;
     s->inside = MEFALSE;
     const Candidate subSimplex = nearestSubSimplex(s);
@@ -194,7 +194,7 @@ static GjkResult runGjk(const Pair *p, double limit, Simplex *s, double *bound) 
             return OVERLAPPING;
         Corner *c = &s->corner[s->count];
         const double d[3] = {-s->nearest[0], -s->nearest[1], -s->nearest[2]};
-        farthest(p, d, c);
+        minkowskiSupport(p, d, c);
         *bound = -mcd_dot(d, c->w) / distance; /* lower bound of the distance of M */
         if (*bound > limit)
             return BEYOND_LIMIT;
@@ -221,7 +221,7 @@ static MeBool areWeights(const double *weight, int count) {
     return fabs(sum - 1) < 1e-9;
 }
 
-static void weighted(const Corner *const corner[], const double *weight, int count, McdProximity *p) {
+static void setWitnesses(const Corner *const corner[], const double *weight, int count, McdProximity *p) {
     MEASSERT(areWeights(weight, count));
     mcd_set(p->onA, 0, 0, 0);
     mcd_set(p->onB, 0, 0, 0);
@@ -233,7 +233,7 @@ static void weighted(const Corner *const corner[], const double *weight, int cou
 
 /* Weighted sums lose digits in a thin simplex, and facets of EPA lie within M. So the difference of the witness
  * points is not exactly the separation along the normal: moves each of the two by half of the error. */
-static void matchEnds(McdProximity *p) {
+static void correctWitnesses(McdProximity *p) {
     double deficit[3];
     mcd_sub(deficit, p->onB, p->onA);
     mcd_mad(deficit, deficit, p->separation, p->normal);
@@ -244,10 +244,10 @@ static void matchEnds(McdProximity *p) {
 static void reportSeparated(const Simplex *s, McdProximity *p) {
     MEASSERT(s->count >= 1 && s->count <= 3 && s->squared > 0);
     const Corner *corner[3] = {&s->corner[0], &s->corner[1], &s->corner[2]};
-    weighted(corner, s->weight, s->count, p);
+    setWitnesses(corner, s->weight, s->count, p);
     p->separation = sqrt(s->squared);
     mcd_scale(p->normal, s->nearest, 1 / p->separation);
-    matchEnds(p);
+    correctWitnesses(p);
 }
 
 /* ---- overlapping: EPA's polytope within M ------------------------------------------------------------------------ */
@@ -305,7 +305,7 @@ static int newFacet(Polytope *t, int i, int j, int k) {
     return index;
 }
 
-static void link(Polytope *t, int f, int edge, int g) {
+static void linkFacets(Polytope *t, int f, int edge, int g) {
     const int from = t->facet[f].corner[edge], to = t->facet[f].corner[(edge + 1) % 3];
     for (int i = 0; i < 3; i++)
         if (t->facet[g].corner[i] == to && t->facet[g].corner[(i + 1) % 3] == from) {
@@ -355,7 +355,7 @@ static MeBool makeTetrahedron(Polytope *t) {
         for (int edge = 0; edge < 3; edge++)
             for (int j = 0; j < 4; j++)
                 if (j != i)
-                    link(t, i, edge, j);
+                    linkFacets(t, i, edge, j);
     MEVALIDATE(isClosed(t));
     return METRUE;
 }
@@ -392,7 +392,7 @@ static MeBool closeHorizon(Polytope *t, const int *seen, int count, int round, i
             const int g = newFacet(t, from, to, corner);
             if (g < 0 || t->startsAt[from] >= 0 || !makePlane(t, g))
                 return MEFALSE;
-            link(t, g, 0, outside);
+            linkFacets(t, g, 0, outside);
             t->startsAt[from] = g;
             first = g;
             made++;
@@ -453,7 +453,7 @@ static void runEpa(const Pair *p, const McdProximity *guess, Polytope *t) {
             return;
         }
         const int corner = t->cornerCount;
-        farthest(p, f.normal, &t->corner[corner]);
+        minkowskiSupport(p, f.normal, &t->corner[corner]);
         const double *w = t->corner[corner].w, support = mcd_dot(f.normal, w);
         MEASSERT(support >= f.offset - p->tolerance ||
                  !mcd_areResolved(p->a, p->b)); /* M contains the facet's corners */
@@ -520,12 +520,12 @@ static int orthogonalDirections(const Polytope *t, double d[6][3]) {
 
 /* Adds the support point farthest from the affine hull of the corners so far; false if M has no extent in the
  * orthogonal directions. */
-static MeBool addFarthest(const Pair *p, Polytope *t) {
+static MeBool addFarthestSupport(const Pair *p, Polytope *t) {
     double d[6][3], max = 0;
     const int count = orthogonalDirections(t, d);
     for (int i = 0; i < count; i++) {
         Corner c;
-        farthest(p, d[i], &c);
+        minkowskiSupport(p, d[i], &c);
         const double away = distanceFromHull(t, c.w);
         if (away > max) {
             max = away;
@@ -573,7 +573,7 @@ static void reportFlat(const Pair *p, const Simplex *s, const Polytope *t, McdPr
     }
     const Simplex end = s->inside ? nearestOfFacets(s) : *s;
     const Corner *corner[3] = {&end.corner[0], &end.corner[1], &end.corner[2]};
-    weighted(corner, end.weight, end.count, out);
+    setWitnesses(corner, end.weight, end.count, out);
 }
 
 /* Makes the first tetrahedron: from those corners of GJK's last simplex that are well separated, completed by
@@ -585,7 +585,7 @@ static MeBool startPolytope(const Pair *p, const Simplex *s, Polytope *t) {
         if (!t->cornerCount || distanceFromHull(t, s->corner[i].w) > .02 * mcd_pairSize(p->a, p->b))
             t->corner[t->cornerCount++] = s->corner[i];
     while (t->cornerCount < 4)
-        if (!addFarthest(p, t))
+        if (!addFarthestSupport(p, t))
             return MEFALSE;
     return makeTetrahedron(t);
 }
@@ -644,10 +644,10 @@ static void reportPenetration(const Polytope *t, McdProximity *out) {
     mcd_scale(weight, weight, 1 / sum);
     const int *from = t->facet[facet].corner;
     const Corner *corner[3] = {&t->corner[from[0]], &t->corner[from[1]], &t->corner[from[2]]};
-    weighted(corner, weight, 3, out);
+    setWitnesses(corner, weight, 3, out);
     mcd_scale(out->normal, t->normal, -1);
     out->separation = -t->support;
-    matchEnds(out);
+    correctWitnesses(out);
 }
 
 static void findPenetration(const Pair *p, const Simplex *s, const McdProximity *guess, McdProximity *out) {

@@ -29,12 +29,12 @@ static const double minSlope = 1e-2;
 /* The code of a feature: the face's id, the kind of feature, and the name of the face's corner (McdFace). 24 bits of
  * face id suffice for any hull that fits into memory. */
 enum { CORNER = 0, EDGE = 1, INSIDE = 2, SUPPORT = 3 };
-static MeU32 code(MeU32 kind, MeU32 face, MeU32 name) {
+static MeU32 featureCode(MeU32 kind, MeU32 face, MeU32 name) {
     MEASSERT(face < 1u << 24 && name < MCD_FACE_POINTS);
     return face << 8 | kind << 6 | name;
 }
 
-static MeU32 kindOf(MeU32 feature) {
+static MeU32 kindOfFeature(MeU32 feature) {
     return feature >> 6 & 3;
 }
 
@@ -67,7 +67,7 @@ static MeBool isFaceGood(const McdShape *s, const McdFace *f) {
 void mcd_faceToward(const McdShape *s, const double direction[3], McdFace *f) {
     f->count = 0;
     f->id = 0;
-    f->bend = 0;
+    f->curvatureRadius = 0;
     f->isDisc = MEFALSE;
     mcd_set(f->normal, 0, 0, 0);
     s->kind->face(s, direction, f);
@@ -166,14 +166,14 @@ static MeU32 originOfCross(MeU32 origin, MeU32 j, MeU32 edges, MeU32 isIn) {
 }
 
 /* The code of the outline's corner or edge `of`; if that is `none`, of its interior. */
-static MeU32 codeOf(const Outline *o, MeU32 of, MeU32 kind) {
+static MeU32 codeOnOutline(const Outline *o, MeU32 of, MeU32 kind) {
     const MeU32 isSome = of != none, name = o->name[of & (0 - isSome)];
-    return code(selectBits(isSome, kind, INSIDE), o->id, selectBits(isSome, name, 0));
+    return featureCode(selectBits(isSome, kind, INSIDE), o->id, selectBits(isSome, name, 0));
 }
 
 static MeU64 featureOf(MeU32 origin, const Outline *a, const Outline *b) {
     const MeU32 kind = isSet(origin, IS_CROSS) ? EDGE : CORNER;
-    return featureOfPair(codeOf(a, indexAt(origin, OF_A), kind), codeOf(b, indexAt(origin, OF_B), kind));
+    return featureOfPair(codeOnOutline(a, indexAt(origin, OF_A), kind), codeOnOutline(b, indexAt(origin, OF_B), kind));
 }
 
 typedef struct Circle {
@@ -249,7 +249,7 @@ static void cutByEdge(Polygon *from, const double *inside, const Outline *b, int
 }
 
 /* Clips polygon or line a by polygon b. */
-static int clip(const Outline *a, const Outline *b, double slack_, Candidate *candidate) {
+static int clipPolygon(const Outline *a, const Outline *b, double slack_, Candidate *candidate) {
     Polygon memory[2], *from = &memory[0], *to = &memory[1];
     double inside[MAX_CANDIDATES + 1];
     const Circle around = circleAround(a);
@@ -289,8 +289,8 @@ static void swapCandidates(Candidate *candidate, int count) {
 }
 
 /* Two nearly parallel lines: candidates at the ends of the segment along which they overlap. At an offset across the
- * lines the round surfaces recede by bend - sqrt(bend^2 - offset^2), where bend is the sum of their radii. */
-static int overlapLines(const Outline *a, const Outline *b, double bend, Candidate *candidate) {
+ * lines the round surfaces recede by radius - sqrt(radius^2 - offset^2), where `radius` is the sum of their radii. */
+static int overlapLines(const Outline *a, const Outline *b, double radius, Candidate *candidate) {
     double ax = a->x[1] - a->x[0], ay = a->y[1] - a->y[0];
     double bx = b->x[1] - b->x[0], by = b->y[1] - b->y[0];
     const double la = hypot(ax, ay), lb = hypot(bx, by);
@@ -307,10 +307,11 @@ static int overlapLines(const Outline *a, const Outline *b, double bend, Candida
         const double t = i ? end : begin, tb = (t - t0) / (t1 - t0), ta = t / la;
         const double x = a->x[0] + t * ax, y = a->y[0] + t * ay;
         const double offset = hypot(b->x[0] + tb * bx - x, b->y[0] + tb * by - y);
-        const double away = offset < bend ? bend - sqrt(bend * bend - offset * offset) : bend;
+        const double away = offset < radius ? radius - sqrt(radius * radius - offset * offset) : radius;
         const MeBool isA = i ? end == la : begin == 0;
-        const MeU32 nameA = isA ? code(CORNER, a->id, a->name[i]) : code(INSIDE, a->id, 0);
-        const MeU32 nameB = isA ? code(INSIDE, b->id, 0) : code(CORNER, b->id, b->name[i ? t1 < t0 ? 0 : 1 : t1 < t0]);
+        const MeU32 nameA = isA ? featureCode(CORNER, a->id, a->name[i]) : featureCode(INSIDE, a->id, 0);
+        const MeU32 nameB =
+            isA ? featureCode(INSIDE, b->id, 0) : featureCode(CORNER, b->id, b->name[i ? t1 < t0 ? 0 : 1 : t1 < t0]);
         candidate[i] = (Candidate){.x = x + (b->x[0] + tb * bx - x) / 2,
                                    .y = y + (b->y[0] + tb * by - y) / 2,
                                    .a = a->z[0] + ta * (a->z[1] - a->z[0]) + away,
@@ -340,24 +341,24 @@ static int crossLines(const Outline *a, const Outline *b, MeU64 feature, Candida
     return 1;
 }
 
-static int clipFaces(const Outline *a, const Outline *b, double bend, double slack_, Candidate *candidate) {
+static int clipFaces(const Outline *a, const Outline *b, double radius, double slack_, Candidate *candidate) {
     if (a->count < 2 || b->count < 2)
         return 0;
     if (b->count > 2 && b->count <= MeMAX(a->count, 4))
-        return clip(a, b, slack_, candidate);
+        return clipPolygon(a, b, slack_, candidate);
     if (a->count == 2 && b->count == 2)
-        return overlapLines(a, b, bend, candidate);
+        return overlapLines(a, b, radius, candidate);
     if (a->count == 2)
-        return clip(a, b, slack_, candidate);
+        return clipPolygon(a, b, slack_, candidate);
     /* The face with fewer corners clips the other one: fewer passes. */
-    const int count = clip(b, a, slack_, candidate);
+    const int count = clipPolygon(b, a, slack_, candidate);
     swapCandidates(candidate, count);
     return count;
 }
 
 /* ---- reduction to four points ------------------------------------------------------------------------------------ */
 
-static double acrossSquared(const Candidate *p, const Candidate *q) {
+static double planarDistanceSquared(const Candidate *p, const Candidate *q) {
     const double x = p->x - q->x, y = p->y - q->y;
     return x * x + y * y;
 }
@@ -370,7 +371,7 @@ static int dropFarAndDuplicates(Candidate *candidate, int count, double margin, 
     for (int i = 0; i < count; i++) {
         int isNew = candidate[i].a - candidate[i].b <= margin;
         for (int j = 0; j < kept; j = j == 0 && count > 8 && kept > 1 ? kept - 1 : j + 1)
-            isNew &= acrossSquared(&candidate[i], &candidate[j]) > min;
+            isNew &= planarDistanceSquared(&candidate[i], &candidate[j]) > min;
         if (kept != i)
             candidate[kept] = candidate[i];
         kept += isNew;
@@ -388,7 +389,7 @@ static int farthestOf(const Candidate *candidate, int count, const Candidate *fr
     int best = 0;
     double enough = slack_ * slack_; /* (max + slack)^2 */
     for (int i = 0; i < count; i++) {
-        const double squared = acrossSquared(&candidate[i], from);
+        const double squared = planarDistanceSquared(&candidate[i], from);
         if (squared > enough) {
             const double max = sqrt(squared) + slack_;
             enough = max * max;
@@ -444,7 +445,7 @@ static void includeDeepest(const Candidate *candidate, int count, Candidate *kep
     for (int i = 0; i < made; i++) {
         if (depthOf(&kept[i]) >= depthOf(deepest) - slack_)
             return;
-        if (acrossSquared(&kept[i], deepest) < acrossSquared(&kept[nearest], deepest))
+        if (planarDistanceSquared(&kept[i], deepest) < planarDistanceSquared(&kept[nearest], deepest))
             nearest = i;
     }
     kept[nearest] = *deepest;
@@ -452,7 +453,7 @@ static void includeDeepest(const Candidate *candidate, int count, Candidate *kep
 
 /* Adds a fourth point to a triangle of kept points: the candidate that enlarges its area most, beyond one of the two
  * sides at the third point. Returns the number of points. */
-static int addBeyond(const Candidate *candidate, int count, Candidate *kept, double slack_) {
+static int addFourthPoint(const Candidate *candidate, int count, Candidate *kept, double slack_) {
     double max = 0;
     int best = -1;
     for (int k = 0; k < 2; k++) {
@@ -514,7 +515,7 @@ static int reduceToFour(Candidate *candidate, int count, MeBool isDisc, double s
         if (all[i] >= 0)
             kept[made++] = candidate[of[i] >= 0 ? of[i] : all[i]];
     if (made == 3 && !isDisc)
-        made = addBeyond(candidate, count, kept, slack_);
+        made = addFourthPoint(candidate, count, kept, slack_);
     includeDeepest(candidate, count, kept, made, slack_);
     memcpy(candidate, kept, (size_t)made * sizeof *candidate);
     return made;
@@ -571,11 +572,11 @@ int mcd_pointManifold(const McdShape *a, const McdShape *b, const McdProximity *
 
 /* Whether a candidate's height on a face is as exact as its position: if the face is at less than 45 degrees to the
  * contact plane, and always at the ends of a line. */
-static MeBool isExact(const Outline *o, MeU32 feature) {
+static MeBool isHeightExact(const Outline *o, MeU32 feature) {
     if (o->count > 2)
         return o->slopeX * o->slopeX + o->slopeY * o->slopeY < 1;
     const double x = o->x[1] - o->x[0], y = o->y[1] - o->y[0], z = o->z[1] - o->z[0];
-    return kindOf(feature) == CORNER || z * z < x * x + y * y;
+    return kindOfFeature(feature) == CORNER || z * z < x * x + y * y;
 }
 
 /* Limits the depth of all candidates to the depth of the cores, which rounding (slack) lets them exceed on steep
@@ -618,7 +619,7 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
     Outline outA, outB;
     const View v = makeView(a, b, p);
     const double coreMargin = margin + a->rounding + b->rounding;
-    const MeU64 support = featureOfPair(code(SUPPORT, faceA->id, 0), code(SUPPORT, faceB->id, 0));
+    const MeU64 support = featureOfPair(featureCode(SUPPORT, faceA->id, 0), featureCode(SUPPORT, faceB->id, 0));
     int count = 0;
     outA.count = outB.count = 0;
     startManifold(m, p->normal);
@@ -628,14 +629,15 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
     /* The normal of b's face is along the contact normal, so its corners are counter-clockwise in projection; a's
      * face is mirrored. */
     if (makeOutline(&v, faceA, 1, &outA) && makeOutline(&v, faceB, 0, &outB))
-        count = clipFaces(&outA, &outB, faceA->bend + faceB->bend + a->rounding + b->rounding, v.slack, candidate);
+        count = clipFaces(&outA, &outB, faceA->curvatureRadius + faceB->curvatureRadius + a->rounding + b->rounding,
+                          v.slack, candidate);
     if (p->isGuess && outA.count == 2 && outB.count == 2 && count == 0)
         count = crossLines(&outA, &outB, support, candidate);
     count = dropFarAndDuplicates(candidate, count, coreMargin, v.slack);
     const int min = clampSeparations(candidate, count, p->separation);
     const double deficit = min < 0 ? INFINITY : candidate[min].a - candidate[min].b - p->separation;
-    if (p->isGuess && !(deficit <= v.slack && isExact(&outA, (MeU32)(candidate[min].feature >> 32)) &&
-                        isExact(&outB, (MeU32)candidate[min].feature)))
+    if (p->isGuess && !(deficit <= v.slack && isHeightExact(&outA, (MeU32)(candidate[min].feature >> 32)) &&
+                        isHeightExact(&outB, (MeU32)candidate[min].feature)))
         return 0;
     /* Where a face's normal was preferred to a slightly better normal, the deepest candidate's separation has that
      * error: corrects it. */
@@ -652,7 +654,7 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
     return m->count;
 }
 
-void mcd_manifoldTurn(McdManifold *m) {
+void mcd_manifoldSwap(McdManifold *m) {
     MEASSERT(m->count >= 0 && m->count <= MCD_MANIFOLD_POINTS);
     mcd_scale(m->normal, m->normal, -1);
     for (int i = 0; i < m->count; i++) {

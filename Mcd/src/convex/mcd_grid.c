@@ -8,7 +8,7 @@
 typedef MeBool (*Proximity)(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
 
 /* Separated boxes may be nearest at corners, which no separating axis of the 15 gives: these use GJK. */
-static MeBool boxBox(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+static MeBool exactBoxBox(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     if (!mcd_boxBoxProximity(a, b, limit, p))
         return MEFALSE;
     return p->separation <= 0 || mcd_coreProximity(a, b, limit, p);
@@ -16,12 +16,12 @@ static MeBool boxBox(const McdShape *a, const McdShape *b, double limit, McdProx
 
 enum { CLOSED = MCD_RANK_CYLINDER + 1 }; /* number of ranks with closed forms; all others use GJK and EPA */
 
-#define POINTS   mcd_pointPoint
-#define SEGMENT  mcd_pointSegment
-#define SEGMENTS mcd_segmentSegment
-#define CLAMPED  mcd_pointBox
-#define INTUBE   mcd_pointCylinder
-#define AXES     boxBox
+#define POINTS   mcd_pointPointProximity
+#define SEGMENT  mcd_pointSegmentProximity
+#define SEGMENTS mcd_segmentSegmentProximity
+#define CLAMPED  mcd_pointBoxProximity
+#define INTUBE   mcd_pointCylinderProximity
+#define AXES     exactBoxBox
 #define GENERAL  mcd_coreProximity
 /* clang-format off */
 static const Proximity grid[CLOSED][CLOSED] = {
@@ -57,8 +57,8 @@ static void tryNormal(const McdShape *a, const McdShape *b, const double n[3], M
 /* Contact of two round sides along their generator lines. Tries as normal the cross product of the lines or, if they
  * are parallel, the direction from axis to axis. The searched normal is less exact: the search stops when the depth
  * is exact enough, and the normal's error is the square root of the depth's. */
-static void tryAcrossLines(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
-                           McdProximity *p, double min) {
+static void tryNormalAcrossLines(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
+                                 McdProximity *p, double min) {
     double u[3], w[3], n[3];
     mcd_sub(u, faceA->point[1], faceA->point[0]);
     mcd_sub(w, faceB->point[1], faceB->point[0]);
@@ -77,20 +77,20 @@ static void tryAcrossLines(const McdShape *a, const McdShape *b, const McdFace *
 
 /* Replaces the normal by a face's normal if these are equal to within rounding, so that it is constant from step to
  * step. */
-static void preferFaces(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
-                        McdProximity *p) {
+static void preferFaceNormals(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
+                              McdProximity *p) {
     const double min = p->separation - mcd_faceBias * mcd_pairSize(a, b);
-    const double turned[3] = {-faceA->normal[0], -faceA->normal[1], -faceA->normal[2]};
+    const double negated[3] = {-faceA->normal[0], -faceA->normal[1], -faceA->normal[2]};
     const int first = faceA->count >= faceB->count; /* a polygon's normal is more exact than a line's */
     double best[3];
     if (faceA->count == 2 && faceB->count == 2) {
-        tryAcrossLines(a, b, faceA, faceB, p, min);
+        tryNormalAcrossLines(a, b, faceA, faceB, p, min);
         return;
     }
     mcd_copy(best, p->normal);
-    tryNormal(a, b, first ? turned : faceB->normal, p, min);
+    tryNormal(a, b, first ? negated : faceB->normal, p, min);
     if (mcd_distanceSquared(best, p->normal) == 0)
-        tryNormal(a, b, first ? faceB->normal : turned, p, min);
+        tryNormal(a, b, first ? faceB->normal : negated, p, min);
     MEASSERT(p->separation >= min);
 }
 
@@ -109,45 +109,45 @@ static MeBool isProximityGood(const McdShape *a, const McdShape *b, const McdPro
 
 /* Compares the bounding spheres. If they are farther apart than the limit: false, with a lower bound of the
  * separation. */
-static MeBool mayBeWithin(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+static MeBool areSpheresWithin(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     const double reach = a->extent + b->extent + MeMAX(limit, 0), squared = mcd_distanceSquared(a->place, b->place);
     p->separation = sqrt(squared) - a->extent - b->extent;
     return squared <= reach * reach;
 }
 
 /* Finds the proximity by the pair's cell of the grid. The normal points from b to a. */
-static MeBool findProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+static MeBool dispatchProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     const McdRank i = rankOf(a), j = rankOf(b);
-    if (!mayBeWithin(a, b, limit, p))
+    if (!areSpheresWithin(a, b, limit, p))
         return MEFALSE;
     if (i <= j)
         return proximityOf(i, j)(a, b, limit, p);
-    McdProximity turned;
-    if (!proximityOf(j, i)(b, a, limit, &turned)) {
-        p->separation = turned.separation;
+    McdProximity swapped;
+    if (!proximityOf(j, i)(b, a, limit, &swapped)) {
+        p->separation = swapped.separation;
         return MEFALSE;
     }
-    mcd_scale(p->normal, turned.normal, -1);
-    p->separation = turned.separation;
+    mcd_scale(p->normal, swapped.normal, -1);
+    p->separation = swapped.separation;
     p->isGuess = 0;
-    mcd_copy(p->onA, turned.onB);
-    mcd_copy(p->onB, turned.onA);
+    mcd_copy(p->onA, swapped.onB);
+    mcd_copy(p->onB, swapped.onA);
     return METRUE;
 }
 
-static MeBool proximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
-    if (!findProximity(a, b, limit, p))
+static MeBool findProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+    if (!dispatchProximity(a, b, limit, p))
         return MEFALSE;
     MEASSERT(p->separation <= limit);
     MEVALIDATE(isProximityGood(a, b, p));
     return METRUE;
 }
 
-static MeBool isPoint(const McdShape *s) {
+static MeBool isPointCore(const McdShape *s) {
     return rankOf(s) == MCD_RANK_SPHERE;
 }
 
-static void facesAlong(const McdShape *a, const McdShape *b, const double n[3], McdFace *faceA, McdFace *faceB) {
+static void findFacesAlong(const McdShape *a, const McdShape *b, const double n[3], McdFace *faceA, McdFace *faceB) {
     const double back[3] = {-n[0], -n[1], -n[2]};
     mcd_faceToward(a, back, faceA);
     mcd_faceToward(b, n, faceB);
@@ -158,34 +158,34 @@ static MeBool areBoxes(const McdShape *a, const McdShape *b) {
 }
 
 /* Two boxes, or a box and a triangle: for these all separating axes are tried (mcd_box_box.c, mcd_box_triangle.c). */
-static MeBool haveAxes(const McdShape *a, const McdShape *b) {
+static MeBool areAllAxesTried(const McdShape *a, const McdShape *b) {
     return areBoxes(a, b) || (rankOf(a) == MCD_RANK_BOX && rankOf(b) == MCD_RANK_TRIANGLE);
 }
 
 /* Guesses the normal; where all separating axes are tried and the shapes overlap, the result is exact. False if they
  * are farther apart than the limit. */
-static MeBool guess(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
-    if (!mayBeWithin(a, b, limit, p))
+static MeBool guessNormal(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+    if (!areSpheresWithin(a, b, limit, p))
         return MEFALSE;
-    if (haveAxes(a, b))
+    if (areAllAxesTried(a, b))
         return (areBoxes(a, b) ? mcd_boxBoxProximity : mcd_boxTriangleProximity)(a, b, limit, p);
     mcd_guessFaces(a, b, p);
     return p->separation <= limit;
 }
 
-static int alongFaces(const McdShape *a, const McdShape *b, double margin, McdProximity *p, McdManifold *m) {
+static int clipFacesAlongNormal(const McdShape *a, const McdShape *b, double margin, McdProximity *p, McdManifold *m) {
     McdFace faceA, faceB;
-    facesAlong(a, b, p->normal, &faceA, &faceB);
-    if (!p->isGuess && !(haveAxes(a, b) && p->separation <= 0)) { /* else the axes' bias did it */
-        preferFaces(a, b, &faceA, &faceB, p);
+    findFacesAlong(a, b, p->normal, &faceA, &faceB);
+    if (!p->isGuess && !(areAllAxesTried(a, b) && p->separation <= 0)) { /* else the axes' bias did it */
+        preferFaceNormals(a, b, &faceA, &faceB, p);
         if (faceA.count == 2 || faceB.count == 2) /* lines depend on the normal */
-            facesAlong(a, b, p->normal, &faceA, &faceB);
+            findFacesAlong(a, b, p->normal, &faceA, &faceB);
     }
     return mcd_facesManifold(a, b, &faceA, &faceB, p, margin, m);
 }
 
 /* No contacts: stores the gap of the surfaces, which include the rounding of the cores. Returns 0. */
-static int noneOf(const McdShape *a, const McdShape *b, const McdProximity *p, McdManifold *m) {
+static int storeGap(const McdShape *a, const McdShape *b, const McdProximity *p, McdManifold *m) {
     m->minGap = fmax(p->separation - a->rounding - b->rounding, 0);
     return 0;
 }
@@ -198,21 +198,21 @@ static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdMa
     m->count = 0;
     m->minGap = 0;
     mcd_set(m->normal, 0, 0, 1);
-    if (isPoint(a) || isPoint(b))
-        return proximity(a, b, limit, &p) ? mcd_pointManifold(a, b, &p, 0, margin, m) : noneOf(a, b, &p, m);
-    if (!guess(a, b, limit, &p))
-        return noneOf(a, b, &p, m);
-    if ((p.separation > 0 || (p.isGuess && mcd_isMinDepth(a, b, &p))) && alongFaces(a, b, margin, &p, m))
+    if (isPointCore(a) || isPointCore(b))
+        return findProximity(a, b, limit, &p) ? mcd_pointManifold(a, b, &p, 0, margin, m) : storeGap(a, b, &p, m);
+    if (!guessNormal(a, b, limit, &p))
+        return storeGap(a, b, &p, m);
+    if ((p.separation > 0 || (p.isGuess && mcd_isMinDepth(a, b, &p))) && clipFacesAlongNormal(a, b, margin, &p, m))
         return m->count;
     if (p.isGuess && mcd_guessSides(a, b, &p)) {
         if (!(p.separation <= limit))
-            return noneOf(a, b, &p, m);
-        if ((p.separation > 0 || mcd_isMinDepthOfRound(a, b, &p)) && alongFaces(a, b, margin, &p, m))
+            return storeGap(a, b, &p, m);
+        if ((p.separation > 0 || mcd_isMinDepthOfRound(a, b, &p)) && clipFacesAlongNormal(a, b, margin, &p, m))
             return m->count;
     }
-    if (p.isGuess && !proximity(a, b, limit, &p))
-        return noneOf(a, b, &p, m);
-    return alongFaces(a, b, margin, &p, m);
+    if (p.isGuess && !findProximity(a, b, limit, &p))
+        return storeGap(a, b, &p, m);
+    return clipFacesAlongNormal(a, b, margin, &p, m);
 }
 
 static MeBool isManifoldWithin(const McdManifold *m, double margin) {
@@ -227,7 +227,7 @@ int mcd_convexManifold(const McdShape *a, const McdShape *b, double margin, McdM
     if (rankOf(a) <= rankOf(b))
         return manifoldOf(a, b, margin, m);
     const int count = manifoldOf(b, a, margin, m);
-    mcd_manifoldTurn(m);
+    mcd_manifoldSwap(m);
     MEASSERT(count == m->count && (isManifoldWithin(m, margin) || !mcd_areResolved(a, b)));
     return count;
 }
@@ -235,11 +235,11 @@ int mcd_convexManifold(const McdShape *a, const McdShape *b, double margin, McdM
 /* Moves the witness points of two overlapping boxes to the deepest point of the faces' intersection, where the
  * normal is a face's. The deepest corner itself may be beside the other face if several corners are equally deep to
  * within rounding. */
-static void endsAtFaces(const McdShape *a, const McdShape *b, McdProximity *p) {
+static void moveWitnessesToFaces(const McdShape *a, const McdShape *b, McdProximity *p) {
     McdFace faceA, faceB;
     McdManifold m;
     const McdManifoldPoint *deepest = m.point;
-    facesAlong(a, b, p->normal, &faceA, &faceB);
+    findFacesAlong(a, b, p->normal, &faceA, &faceB);
     if (fmax(-mcd_dot(faceA.normal, p->normal), mcd_dot(faceB.normal, p->normal)) < 1 - 1e-9)
         return; /* an edge-edge contact has a single point */
     const int count = mcd_facesManifold(a, b, &faceA, &faceB, p, INFINITY, &m);
@@ -251,7 +251,7 @@ static void endsAtFaces(const McdShape *a, const McdShape *b, McdProximity *p) {
 }
 
 /* For checks: the difference of the witness points is the separation along the normal. */
-static MeBool areEndsGood(const McdShape *a, const McdShape *b, const McdProximity *p) {
+static MeBool areWitnessesGood(const McdShape *a, const McdShape *b, const McdProximity *p) {
     double d[3];
     mcd_sub(d, p->onA, p->onB);
     mcd_mad(d, d, -p->separation, p->normal);
@@ -261,15 +261,15 @@ static MeBool areEndsGood(const McdShape *a, const McdShape *b, const McdProximi
 
 double mcd_convexDistance(const McdShape *a, const McdShape *b, double onA[3], double onB[3], double normal[3]) {
     McdProximity p;
-    if (!proximity(a, b, INFINITY, &p)) {
+    if (!findProximity(a, b, INFINITY, &p)) {
         mcd_copy(onA, a->place);
         mcd_copy(onB, b->place);
         mcd_set(normal, 0, 0, 1);
         return INFINITY;
     }
     if (areBoxes(a, b) && p.separation <= 0)
-        endsAtFaces(a, b, &p);
-    MEVALIDATE(areEndsGood(a, b, &p));
+        moveWitnessesToFaces(a, b, &p);
+    MEVALIDATE(areWitnessesGood(a, b, &p));
     mcd_mad(onA, p.onA, -a->rounding, p.normal);
     mcd_mad(onB, p.onB, b->rounding, p.normal);
     mcd_copy(normal, p.normal);

@@ -34,13 +34,13 @@ static void tryAxis(const Pair *p, const double axis[3], double bias, McdProximi
     tryNormal(p, n, bias, g);
 }
 
-static void tryFaces(const Pair *p, const McdShape *s, McdProximity *g) {
+static void tryFlatFaces(const Pair *p, const McdShape *s, McdProximity *g) {
     for (int i = 0; i < 3; i++)
         if (s->kind->flatAxes & 1u << i)
             tryAxis(p, s->axis[i], 0, g);
 }
 
-static void tryAcross(const Pair *p, const double x[3], const double y[3], McdProximity *g) {
+static void tryCrossProduct(const Pair *p, const double x[3], const double y[3], McdProximity *g) {
     double n[3];
     mcd_cross(n, x, y);
     const double sine = mcd_length(n);
@@ -95,8 +95,8 @@ static void findHalfAxes(const double u[2], const double v[2], double e[2], doub
 /* Tries the normal from a line to the nearest point of a disc's rim. The line is an edge, or the axis of a round
  * side: given by a point on it and two orthogonal directions across it. Projected along the line the rim is an
  * ellipse. */
-static void tryRim(const Pair *p, const McdShape *disc, double height, const double on[3], const double across1[3],
-                   const double across2[3], McdProximity *g) {
+static void tryNormalToRim(const Pair *p, const McdShape *disc, double height, const double on[3],
+                           const double across1[3], const double across2[3], McdProximity *g) {
     const double *across[2] = {across1, across2};
     double centre[3], n[3], u[2], v[2], e[2], direction[2][2], c[2], y[2], nearest[2];
     mcd_mad(centre, disc->place, height, disc->axis[2]);
@@ -128,7 +128,7 @@ typedef struct RimPoint {
 } RimPoint;
 
 /* Moves the point to the direction (x, y) of the disc's own axes. */
-static void turnTo(RimPoint *r, double x, double y) {
+static void moveToDirection(RimPoint *r, double x, double y) {
     const double k = r->disc->size[0] / sqrt(x * x + y * y);
     mcd_shapeDirection(r->disc, x * k, y * k, 0, r->out);
     mcd_shapeDirection(r->disc, -y * k, x * k, 0, r->along);
@@ -136,48 +136,48 @@ static void turnTo(RimPoint *r, double x, double y) {
 }
 
 /* Moves the point to the one nearest to another point; false if all are equally near. */
-static MeBool turnToward(RimPoint *r, const double point[3]) {
+static MeBool moveNearestTo(RimPoint *r, const double point[3]) {
     double offset[3];
     mcd_sub(offset, point, r->centre);
     const double x = mcd_dot(offset, r->disc->axis[0]), y = mcd_dot(offset, r->disc->axis[1]);
     if (!(x * x + y * y > 0))
         return MEFALSE;
-    turnTo(r, x, y);
+    moveToDirection(r, x, y);
     return METRUE;
 }
 
 /* Advances the point by an angle, given by its tangent. */
-static void turnBy(RimPoint *r, double tangent) {
+static void advanceByAngle(RimPoint *r, double tangent) {
     double to[3];
     mcd_mad(to, r->out, tangent, r->along);
-    turnTo(r, mcd_dot(to, r->disc->axis[0]), mcd_dot(to, r->disc->axis[1]));
+    moveToDirection(r, mcd_dot(to, r->disc->axis[0]), mcd_dot(to, r->disc->axis[1]));
 }
 
 /* Tries the normal between two rims at their nearest points, or deepest ones if they overlap: the line between them
  * is orthogonal to both tangents. Newton's method finds the points, starting where each rim is nearest to the other. */
-static void tryRims(const Pair *p, double heightA, double heightB, McdProximity *g) {
+static void tryNormalOfRims(const Pair *p, double heightA, double heightB, McdProximity *g) {
     enum { STEPS = 8 }; /* mostly four or five suffice */
     RimPoint a = {.disc = p->a}, b = {.disc = p->b};
     const double max = .5; /* tangent of the largest turn in a step; more means a bad start */
     const double size = a.disc->size[0] + b.disc->size[0];
     mcd_mad(a.centre, a.disc->place, heightA, a.disc->axis[2]);
     mcd_mad(b.centre, b.disc->place, heightB, b.disc->axis[2]);
-    if (!turnToward(&a, b.centre) || !turnToward(&b, a.place))
+    if (!moveNearestTo(&a, b.centre) || !moveNearestTo(&b, a.place))
         return;
     for (int step = 0; step < STEPS; step++) {
         double d[3];
         mcd_sub(d, a.place, b.place);
         const double f = mcd_dot(d, a.along), h = -mcd_dot(d, b.along), mixed = -mcd_dot(a.along, b.along);
         if (fabs(f) + fabs(h) <= 1e-14 * size * size) {
-            tryAcross(p, a.along, b.along, g);
+            tryCrossProduct(p, a.along, b.along, g);
             return;
         }
         const double ofA = mcd_dot(a.along, a.along) - mcd_dot(d, a.out);
         const double ofB = mcd_dot(b.along, b.along) + mcd_dot(d, b.out), all = ofA * ofB - mixed * mixed;
         if (!(fabs(all) > 1e-12 * size * size * size * size))
             return;
-        turnBy(&a, MeCLAMP((mixed * h - ofB * f) / all, -max, max));
-        turnBy(&b, MeCLAMP((mixed * f - ofA * h) / all, -max, max));
+        advanceByAngle(&a, MeCLAMP((mixed * h - ofB * f) / all, -max, max));
+        advanceByAngle(&b, MeCLAMP((mixed * f - ofA * h) / all, -max, max));
     }
 }
 
@@ -203,7 +203,7 @@ static void tryRoundSides(const Pair *p, McdProximity *g) {
     const McdShape *a = p->a, *b = p->b;
     double s, t, n[3], between[3];
     mcd_nearestOfSegments(a, b, &s, &t);
-    tryAcross(p, a->axis[2], b->axis[2], g);
+    tryCrossProduct(p, a->axis[2], b->axis[2], g);
     mcd_sub(between, a->place, b->place);
     mcd_mad(n, between, s, a->axis[2]);
     mcd_mad(n, n, -t, b->axis[2]);
@@ -213,15 +213,15 @@ static void tryRoundSides(const Pair *p, McdProximity *g) {
         tryNormal(p, n, p->bias, g);
     }
     if (isAtRim(a, s))
-        tryRim(p, a, s, b->place, b->axis[0], b->axis[1], g);
+        tryNormalToRim(p, a, s, b->place, b->axis[0], b->axis[1], g);
     if (isAtRim(b, t))
-        tryRim(p, b, t, a->place, a->axis[0], a->axis[1], g);
+        tryNormalToRim(p, b, t, a->place, a->axis[0], a->axis[1], g);
     if (isAtRim(a, s) && isAtRim(b, t))
-        tryRims(p, s, t, g);
+        tryNormalOfRims(p, s, t, g);
 }
 
 /* The box's corner in the direction of the point at `height` on the cylinder's axis. */
-static void cornerAt(const McdShape *box, const McdShape *cylinder, double height, double corner[3]) {
+static void boxCornerToward(const McdShape *box, const McdShape *cylinder, double height, double corner[3]) {
     double at[3], own[3];
     mcd_mad(at, cylinder->place, height, cylinder->axis[2]);
     mcd_sub(at, at, box->place);
@@ -232,15 +232,15 @@ static void cornerAt(const McdShape *box, const McdShape *cylinder, double heigh
 
 /* Tries the normals of a box and a cylinder: cross product of an edge and the axis; from the axis to a corner; from
  * an edge to a rim. */
-static void tryBox(const Pair *p, const McdShape *box, const McdShape *cylinder, McdProximity *g) {
+static void tryBoxAndCylinder(const Pair *p, const McdShape *box, const McdShape *cylinder, McdProximity *g) {
     const double *axis = cylinder->axis[2];
     double offset[3], corner[3], n[3];
     for (int i = 0; i < 3; i++)
-        tryAcross(p, box->axis[i], axis, g);
+        tryCrossProduct(p, box->axis[i], axis, g);
     mcd_sub(offset, box->place, cylinder->place);
     const double height = MeCLAMP(mcd_dot(offset, axis), -cylinder->low, cylinder->low);
     const double end = copysign(cylinder->low, height);
-    cornerAt(box, cylinder, height, corner);
+    boxCornerToward(box, cylinder, height, corner);
     mcd_sub(offset, corner, cylinder->place);
     mcd_mad(n, offset, -mcd_dot(offset, axis), axis);
     const double distance = mcd_length(n);
@@ -249,15 +249,15 @@ static void tryBox(const Pair *p, const McdShape *box, const McdShape *cylinder,
         tryNormal(p, n, p->bias, g);
     }
     for (int i = 0; i < 3; i++)
-        tryRim(p, cylinder, end, corner, box->axis[(i + 1) % 3], box->axis[(i + 2) % 3], g);
+        tryNormalToRim(p, cylinder, end, corner, box->axis[(i + 1) % 3], box->axis[(i + 2) % 3], g);
 }
 
 void mcd_guessFaces(const McdShape *a, const McdShape *b, McdProximity *g) {
     const Pair p = {a, b, 0};
     g->isGuess = 1;
     g->separation = -INFINITY;
-    tryFaces(&p, a, g);
-    tryFaces(&p, b, g);
+    tryFlatFaces(&p, a, g);
+    tryFlatFaces(&p, b, g);
 }
 
 MeBool mcd_guessSides(const McdShape *a, const McdShape *b, McdProximity *g) {
@@ -265,9 +265,9 @@ MeBool mcd_guessSides(const McdShape *a, const McdShape *b, McdProximity *g) {
     if ((isCylinder(a) && isRound(b)) || (isRound(a) && isCylinder(b)))
         tryRoundSides(&p, g);
     else if (isBox(a) && isCylinder(b))
-        tryBox(&p, a, b, g);
+        tryBoxAndCylinder(&p, a, b, g);
     else if (isCylinder(a) && isBox(b))
-        tryBox(&p, b, a, g);
+        tryBoxAndCylinder(&p, b, a, g);
     else
         return MEFALSE;
     return METRUE;
@@ -276,7 +276,7 @@ MeBool mcd_guessSides(const McdShape *a, const McdShape *b, McdProximity *g) {
 /* ---- verification ------------------------------------------------------------------------------------------------ */
 
 /* The support point of M. */
-static void farthest(const McdShape *a, const McdShape *b, const double direction[3], double w[3]) {
+static void minkowskiSupport(const McdShape *a, const McdShape *b, const double direction[3], double w[3]) {
     const double back[3] = {-direction[0], -direction[1], -direction[2]};
     double x[3], y[3];
     mcd_coreSupport(a, direction, x);
@@ -288,8 +288,8 @@ enum { MAX_CORNERS = 8 };
 
 /* Support points of M in four or eight directions around d, counter-clockwise, each tilted from d by the tangent
  * `aside`, the first one towards u, which is orthogonal to d. */
-static void cornersAround(const McdShape *a, const McdShape *b, const double d[3], const double u[3], double aside,
-                          int count, double corner[][3]) {
+static void supportsAround(const McdShape *a, const McdShape *b, const double d[3], const double u[3], double aside,
+                           int count, double corner[][3]) {
     static const double diagonal = .7071067811865476;
     static const double turn[MAX_CORNERS][2] = {{1, 0},  {diagonal, diagonal},   {0, 1},  {-diagonal, diagonal},
                                                 {-1, 0}, {-diagonal, -diagonal}, {0, -1}, {diagonal, -diagonal}};
@@ -300,7 +300,7 @@ static void cornersAround(const McdShape *a, const McdShape *b, const double d[3
         double e[3];
         mcd_mad(e, d, aside * to[0], u);
         mcd_mad(e, e, aside * to[1], w);
-        farthest(a, b, e, corner[i]);
+        minkowskiSupport(a, b, e, corner[i]);
     }
 }
 
@@ -344,8 +344,8 @@ MeBool mcd_isMinDepth(const McdShape *a, const McdShape *b, const McdProximity *
     mcd_basis(ball.down, u, w);
     mcd_scale(u, u, .91); /* between the axes, along which two corners of a box's face are equally far */
     mcd_mad(u, u, .41, w);
-    cornersAround(a, b, ball.down, u, flat, CORNERS, base);
-    farthest(a, b, p->normal, tip);
+    supportsAround(a, b, ball.down, u, flat, CORNERS, base);
+    minkowskiSupport(a, b, p->normal, tip);
     for (int i = 0; i < CORNERS; i++) {
         if (!(mcd_dot(base[i], ball.down) >= radius))
             return MEFALSE;
@@ -355,7 +355,7 @@ MeBool mcd_isMinDepth(const McdShape *a, const McdShape *b, const McdProximity *
 }
 
 /* Twice the signed area of a triangle, projected along d. */
-static double areaAcross(const double d[3], const double x[3], const double y[3], const double z[3]) {
+static double areaAlong(const double d[3], const double x[3], const double y[3], const double z[3]) {
     double xy[3], xz[3], n[3];
     mcd_sub(xy, y, x);
     mcd_sub(xz, z, x);
@@ -365,11 +365,11 @@ static double areaAcross(const double d[3], const double x[3], const double y[3]
 
 /* Removes the corners that lie within the others as projected along d; the remaining polygon is convex. Returns the
  * count. */
-static int keepConvex(const double d[3], double ring[][3], int count) {
+static int makeConvex(const double d[3], double ring[][3], int count) {
     int straight = 0; /* number of consecutive corners that were kept */
     for (int i = 0; straight < count && count > 2;) {
         const int before = (i + count - 1) % count, after = (i + 1) % count;
-        if (areaAcross(d, ring[before], ring[i], ring[after]) > 0) {
+        if (areaAlong(d, ring[before], ring[i], ring[after]) > 0) {
             straight++;
             i = after;
             continue;
@@ -384,7 +384,7 @@ static int keepConvex(const double d[3], double ring[][3], int count) {
 }
 
 /* Whether the ball is inside the solid made of a tip, a ring of corners, and a top. */
-static MeBool isInSolid(const double top[3], double ring[][3], int count, const double tip[3], double radius) {
+static MeBool isBallInSolid(const double top[3], double ring[][3], int count, const double tip[3], double radius) {
     for (int i = 0; i < count; i++) {
         const double *from = ring[i], *to = ring[(i + 1) % count];
         if (!(distanceInside(to, from, top) >= radius && distanceInside(from, to, tip) >= radius))
@@ -396,7 +396,7 @@ static MeBool isInSolid(const double top[3], double ring[][3], int count, const 
 /* The direction midway between the axes of two shapes, projected along d. M's face across two lines is a
  * parallelogram; one of its obtuse corners is farthest in this direction or across it, however narrow the
  * parallelogram is. */
-static void betweenAxes(const McdShape *a, const McdShape *b, const double d[3], double u[3]) {
+static void bisectAxes(const McdShape *a, const McdShape *b, const double d[3], double u[3]) {
     double x[3], y[3], w[3];
     mcd_cross(x, a->axis[2], d);
     mcd_cross(y, b->axis[2], d);
@@ -419,14 +419,14 @@ MeBool mcd_isMinDepthOfRound(const McdShape *a, const McdShape *b, const McdProx
     Ball ball;
     if (!makeBall(a, b, p, &ball))
         return MEFALSE;
-    betweenAxes(a, b, ball.down, u);
+    bisectAxes(a, b, ball.down, u);
     mcd_scale(top, ball.down, ball.depth);
-    farthest(a, b, p->normal, tip);
+    minkowskiSupport(a, b, p->normal, tip);
     double tilt = MeMIN(sqrt(8 * ball.tolerance / ball.depth), 1);
     for (int i = 0; i < TRIES; i++, tilt /= 4) {
-        cornersAround(a, b, ball.down, u, tilt, MAX_CORNERS, ring);
-        const int count = keepConvex(ball.down, ring, MAX_CORNERS);
-        if (count > 2 && isInSolid(top, ring, count, tip, ball.depth - ball.tolerance))
+        supportsAround(a, b, ball.down, u, tilt, MAX_CORNERS, ring);
+        const int count = makeConvex(ball.down, ring, MAX_CORNERS);
+        if (count > 2 && isBallInSolid(top, ring, count, tip, ball.depth - ball.tolerance))
             return METRUE;
     }
     return MEFALSE;

@@ -51,7 +51,7 @@ static void *allocate(Work *w, size_t count, size_t size) {
     return b->contents;
 }
 
-static void giveBack(Work *w) {
+static void freeBlocks(Work *w) {
     while (w->blocks) {
         Block *b = w->blocks;
         w->blocks = b->next;
@@ -87,9 +87,9 @@ typedef struct Cloud {
     double centre[3], scale;
 } Cloud;
 
-static MeBool pointsAreNear(const double (*point)[3], int count, const char *function) {
+static MeBool arePointsInRange(const double (*point)[3], int count, const char *function) {
     for (int i = 0; i < count; i++)
-        if (!mcd_isNear3(point[i])) {
+        if (!mcd_isInRange3(point[i])) {
             MeWarning(0, "%s: vertex %d is not finite, or beyond %g", function, i, (double)FLT_MAX);
             return MEFALSE;
         }
@@ -196,7 +196,7 @@ static MeBool allocateFacets(Work *w, Facets *f, int points) {
 }
 
 /* Twice the area of a polygon, as a vector along its normal (Newell). */
-static void newell(const double (*point)[3], const int *vertex, int count, double out[3]) {
+static void areaVector(const double (*point)[3], const int *vertex, int count, double out[3]) {
     out[0] = out[1] = out[2] = 0;
     for (int i = 0; i < count; i++) {
         double a[3], b[3];
@@ -228,7 +228,7 @@ static MeBool addFacet(Facets *f, const Cloud *c, qhT *qh, facetT *facet) {
         for (int i = 0; i < size; i++)
             v[i] = qh_pointid(qh, ((vertexT *)corners->e[i].p)->point);
         double area[3];
-        newell((const double(*)[3])c->point, v, size, area);
+        areaVector((const double(*)[3])c->point, v, size, area);
         if (dot(area, facet->normal) < 0)
             reverse(v, size);
         for (int i = 0; i < size; i++)
@@ -552,7 +552,7 @@ static int byCorners(const void *a, const void *b) {
     return (p->region > q->region) - (p->region < q->region);
 }
 
-static MeBool makePlan(Work *w, const Facets *f, const Cloud *c, Loops *l, Plan *p) {
+static MeBool planHull(Work *w, const Facets *f, const Cloud *c, Loops *l, Plan *p) {
     FaceKey *key = (FaceKey *)allocate(w, (size_t)f->count, sizeof *key);
     p->number = (int *)allocate(w, (size_t)c->count, sizeof(int));
     p->region = (int *)allocate(w, (size_t)f->count, sizeof(int));
@@ -591,7 +591,7 @@ static void fillVertices(McdHull *h, const Plan *p, const Cloud *c, const double
 }
 
 static void fillNormal(McdHullFace *face, const McdHull *h, const Cloud *c, const double spare[3]) {
-    newell((const double(*)[3])h->vertex, h->faceVertex + face->first, face->count, face->normal);
+    areaVector((const double(*)[3])h->vertex, h->faceVertex + face->first, face->count, face->normal);
     const double size = sqrt(dot(face->normal, face->normal));
     for (int k = 0; k < 3; k++) /* the area of a sliver is mostly rounding: Qhull's normal is used */
         face->normal[k] = size > 1e-12 * c->scale * c->scale ? face->normal[k] / size : spare[k];
@@ -686,7 +686,7 @@ static void fillNeighbours(McdHull *h) {
 static McdHull *buildHull(Work *w, const Facets *f, const Cloud *c, const Regions *r, Loops *l,
                           const double (*point)[3]) {
     Plan p;
-    if (!makePlan(w, f, c, l, &p) || p.faces < 4)
+    if (!planHull(w, f, c, l, &p) || p.faces < 4)
         return NULL;
     McdHull *h = allocateHull(w, p.vertices, p.faces, p.corners);
     if (!h)
@@ -767,7 +767,7 @@ McdHull *mcd_hullCreate(const double (*point)[3], int count, const char *functio
         MeWarning(0, "%s: a hull has at least 4 vertices, not %d", function, point ? count : 0);
         return NULL;
     }
-    if (!pointsAreNear(point, count, function))
+    if (!arePointsInRange(point, count, function))
         return NULL;
     Work w = {function, NULL, 0};
     Cloud c;
@@ -783,7 +783,7 @@ McdHull *mcd_hullCreate(const double (*point)[3], int count, const char *functio
     }
     MEASSERT(!h || (h->faceCount >= 4 && h->vertexCount >= 4 && h->extent > 0));
     MEVALIDATE(!h || (isConvex(h) && areNeighboursGood(h)));
-    giveBack(&w);
+    freeBlocks(&w);
     return h;
 }
 

@@ -57,11 +57,11 @@ MeBool mcd_isAlongNormal(const McdShape *a, const McdShape *b, const McdProximit
  * a and of b. */
 void mcd_nearestOfSegments(const McdShape *a, const McdShape *b, double *s, double *t);
 /* Closed forms for cores that are points or segments, and for a point against a box or cylinder. */
-MeBool mcd_pointPoint(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
-MeBool mcd_pointSegment(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
-MeBool mcd_segmentSegment(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
-MeBool mcd_pointBox(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
-MeBool mcd_pointCylinder(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
+MeBool mcd_pointPointProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
+MeBool mcd_pointSegmentProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
+MeBool mcd_segmentSegmentProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
+MeBool mcd_pointBoxProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
+MeBool mcd_pointCylinderProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
 
 /* The supporting face of a core in a direction: a point, a line, or a convex polygon, counter-clockwise seen from
  * outside. A disc is a polygon of 16 fixed corners on its rim, plus the rim's support point if it is not one of
@@ -69,10 +69,10 @@ MeBool mcd_pointCylinder(const McdShape *a, const McdShape *b, double limit, Mcd
 enum { MCD_FACE_POINTS = 64 };
 typedef struct McdFace {
     int count;
-    double normal[3]; /* outward, unit; of a line: the surface's normal there; of a point: 0 */
-    double bend;      /* m, of a line: the surface's radius of curvature across it */
-    MeBool isDisc;    /* its corners are samples of a circular rim */
-    MeU32 id;         /* which face of the shape */
+    double normal[3];       /* outward, unit; of a line: the surface's normal there; of a point: 0 */
+    double curvatureRadius; /* m, of a line: the surface's radius of curvature across it */
+    MeBool isDisc;          /* its corners are samples of a circular rim */
+    MeU32 id;               /* which face of the shape */
     double point[MCD_FACE_POINTS][3];
     MeU32 name[MCD_FACE_POINTS]; /* of each corner; an edge is named by the corner where it begins */
 } McdFace;

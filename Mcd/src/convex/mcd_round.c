@@ -8,7 +8,8 @@ static const double touching = 1e-12;
 static const double up[3] = {0, 0, 1};
 
 /* Completes the proximity from its witness points. If these coincide, the normal is `across`. */
-static MeBool fromPoints(const McdShape *a, const McdShape *b, const double across[3], double limit, McdProximity *p) {
+static MeBool setProximityOfPoints(const McdShape *a, const McdShape *b, const double across[3], double limit,
+                                   McdProximity *p) {
     double d[3];
     mcd_sub(d, p->onA, p->onB);
     const double distance = mcd_length(d);
@@ -21,19 +22,19 @@ static MeBool fromPoints(const McdShape *a, const McdShape *b, const double acro
     return distance <= limit;
 }
 
-MeBool mcd_pointPoint(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+MeBool mcd_pointPointProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     mcd_copy(p->onA, a->place);
     mcd_copy(p->onB, b->place);
-    return fromPoints(a, b, up, limit, p);
+    return setProximityOfPoints(a, b, up, limit, p);
 }
 
-MeBool mcd_pointSegment(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+MeBool mcd_pointSegmentProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     double d[3];
     mcd_sub(d, a->place, b->place);
     const double t = mcd_dot(d, b->axis[2]), half = b->low;
     mcd_copy(p->onA, a->place);
     mcd_mad(p->onB, b->place, MeCLAMP(t, -half, half), b->axis[2]);
-    return fromPoints(a, b, b->axis[0], limit, p);
+    return setProximityOfPoints(a, b, b->axis[0], limit, p);
 }
 
 /* The closest points of two lines, alternately projected from one to the other; then clamped to the segments. */
@@ -54,7 +55,7 @@ void mcd_nearestOfSegments(const McdShape *a, const McdShape *b, double *s, doub
     MEASSERT(fabs(*s) <= ha && fabs(*t) <= hb); /* also false for NaN */
 }
 
-MeBool mcd_segmentSegment(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+MeBool mcd_segmentSegmentProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     double s, t, across[3];
     mcd_nearestOfSegments(a, b, &s, &t);
     mcd_mad(p->onA, a->place, s, a->axis[2]);
@@ -65,28 +66,28 @@ MeBool mcd_segmentSegment(const McdShape *a, const McdShape *b, double limit, Mc
         mcd_scale(across, across, 1 / length);
     else
         mcd_copy(across, b->axis[0]);
-    return fromPoints(a, b, across, limit, p);
+    return setProximityOfPoints(a, b, across, limit, p);
 }
 
-static void ownPlace(const McdShape *a, const McdShape *b, double x[3]) {
+static void placeInFrame(const McdShape *a, const McdShape *b, double x[3]) {
     double d[3];
     mcd_sub(d, a->place, b->place);
     for (int i = 0; i < 3; i++)
         x[i] = mcd_dot(b->axis[i], d);
 }
 
-static void fromOwn(const McdShape *b, const double x[3], double out[3]) {
+static void directionFromFrame(const McdShape *b, const double x[3], double out[3]) {
     for (int i = 0; i < 3; i++)
         out[i] = b->axis[0][i] * x[0] + b->axis[1][i] * x[1] + b->axis[2][i] * x[2];
 }
 
 /* Stores the proximity of a's point; normal (outward) and nearest surface point are given in b's axes. */
-static MeBool report(const McdShape *a, const McdShape *b, const double normal[3], const double nearest[3],
-                     double separation, double limit, McdProximity *p) {
+static MeBool setProximityInFrame(const McdShape *a, const McdShape *b, const double normal[3], const double nearest[3],
+                                  double separation, double limit, McdProximity *p) {
     double d[3];
     MEASSERT(mcd_isUnit(normal));
-    fromOwn(b, normal, p->normal);
-    fromOwn(b, nearest, d);
+    directionFromFrame(b, normal, p->normal);
+    directionFromFrame(b, nearest, d);
     mcd_mad(p->onB, b->place, 1, d);
     mcd_copy(p->onA, a->place);
     p->separation = separation;
@@ -95,8 +96,8 @@ static MeBool report(const McdShape *a, const McdShape *b, const double normal[3
 }
 
 /* The direction and distance from b's nearest point to the point x outside; false if these coincide. */
-static MeBool isOutside(const McdShape *a, const McdShape *b, const double x[3], const double nearest[3], double n[3],
-                        double *distance) {
+static MeBool findOutwardNormal(const McdShape *a, const McdShape *b, const double x[3], const double nearest[3],
+                                double n[3], double *distance) {
     mcd_sub(n, x, nearest);
     *distance = mcd_length(n);
     if (!(*distance > touching * mcd_pairSize(a, b)))
@@ -105,31 +106,31 @@ static MeBool isOutside(const McdShape *a, const McdShape *b, const double x[3],
     return METRUE;
 }
 
-MeBool mcd_pointBox(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+MeBool mcd_pointBoxProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     double x[3], nearest[3], n[3], distance;
     int k = 0;
-    ownPlace(a, b, x);
+    placeInFrame(a, b, x);
     for (int i = 0; i < 3; i++) {
         nearest[i] = MeCLAMP(x[i], -b->size[i], b->size[i]);
         if (fabs(x[i]) - b->size[i] > fabs(x[k]) - b->size[k])
             k = i;
     }
-    if (!isOutside(a, b, x, nearest, n, &distance)) {
+    if (!findOutwardNormal(a, b, x, nearest, n, &distance)) {
         mcd_set(n, 0, 0, 0);
         n[k] = x[k] < 0 ? -1 : 1;
         nearest[k] = n[k] * b->size[k];
         distance = fabs(x[k]) - b->size[k];
     }
-    return report(a, b, n, nearest, distance, limit, p);
+    return setProximityInFrame(a, b, n, nearest, distance, limit, p);
 }
 
-MeBool mcd_pointCylinder(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+MeBool mcd_pointCylinderProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     double x[3], nearest[3], n[3], distance;
-    ownPlace(a, b, x);
+    placeInFrame(a, b, x);
     const double radius = b->size[0], half = b->low, across = hypot(x[0], x[1]);
     const double k = across > radius ? radius / across : 1;
     mcd_set(nearest, x[0] * k, x[1] * k, MeCLAMP(x[2], -half, half));
-    if (!isOutside(a, b, x, nearest, n, &distance)) {
+    if (!findOutwardNormal(a, b, x, nearest, n, &distance)) {
         if (fabs(x[2]) - half >= across - radius) { /* nearest surface: an end disc */
             mcd_set(n, 0, 0, x[2] < 0 ? -1 : 1);
             nearest[2] = n[2] * half;
@@ -140,5 +141,5 @@ MeBool mcd_pointCylinder(const McdShape *a, const McdShape *b, double limit, Mcd
             distance = across - radius;
         }
     }
-    return report(a, b, n, nearest, distance, limit, p);
+    return setProximityInFrame(a, b, n, nearest, distance, limit, p);
 }

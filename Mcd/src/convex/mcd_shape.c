@@ -24,7 +24,7 @@ MeBool mcd_areResolved(const McdShape *a, const McdShape *b) {
 /* Orthonormalizes in double precision a rotation that was rounded to single precision, so that a box's faces are
  * exactly orthogonal to its axes: R + (I - R R^T) R / 2, one step towards the nearest rotation. Other matrices are
  * left as they are. */
-static void squareAxes(double axis[3][3]) {
+static void orthonormalizeAxes(double axis[3][3]) {
     static const double rounded = 1e-5, square = 1e-13;
     double error[3][3], old[3][3], max = 0;
     for (int i = 0; i < 3; i++)
@@ -45,12 +45,12 @@ void mcd_shapeAxes(const MeMatrix4 tm, double axis[3][3]) {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             axis[i][j] = (double)tm[i][j];
-    squareAxes(axis);
+    orthonormalizeAxes(axis);
 }
 
-MeBool mcd_isPlace(const MeVector4 *tm) {
+MeBool mcd_isValidTransform(const MeVector4 *tm) {
     double axis[3][3], across[3], longest = 0; /* squared */
-    if (!tm || !mcd_areNear(tm[3], 3))
+    if (!tm || !mcd_areInRange(tm[3], 3))
         return MEFALSE;
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 3; k++)

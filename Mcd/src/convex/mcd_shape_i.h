@@ -27,25 +27,25 @@ static inline const MeVector4 *mcd_const(MeMatrix4Ptr tm) {
 /* Whether all numbers are finite and within the range of single precision, also in double-precision builds.
  * Collision requires this of numbers that programs give and of products of their transforms: then no product of
  * eight of them exceeds the range of double. */
-static inline MeBool mcd_areNear(const MeReal *x, int count) {
+static inline MeBool mcd_areInRange(const MeReal *x, int count) {
     MeBool areNear = METRUE;
     for (int i = 0; i < count; i++)
         areNear &= MeFabs(x[i]) <= (MeReal)FLT_MAX; /* false for NaN */
     return areNear;
 }
 
-static inline MeBool mcd_isNear3(const double x[3]) {
+static inline MeBool mcd_isInRange3(const double x[3]) {
     return fabs(x[0]) <= (double)FLT_MAX && fabs(x[1]) <= (double)FLT_MAX && fabs(x[2]) <= (double)FLT_MAX;
 }
 
 /* Converts a result for programs: values beyond the range of MeReal are clamped to it. */
-static inline MeReal mcd_real(double x) {
+static inline MeReal mcd_clampReal(double x) {
     return (MeReal)MeCLAMP(x, -(double)MEINFINITY, (double)MEINFINITY);
 }
 
 /* Whether a transform can be used: not null, finite, products do not overflow, and its axes are not nearly coplanar,
  * which would make shapes flat. Axes that are not unit or not orthogonal are accepted, though not rigid. */
-MeBool mcd_isPlace(const MeVector4 *tm);
+MeBool mcd_isValidTransform(const MeVector4 *tm);
 
 /* ---- shapes ---- */
 
@@ -87,7 +87,7 @@ struct McdHull {
 
 enum { MCD_SHAPE_TRIANGLE = -2 }; /* McdKind.type of a triangle, which is not a geometry type */
 
-/* The axes of a shape at a transform that has passed mcd_isPlace. */
+/* The axes of a shape at a transform that has passed mcd_isValidTransform. */
 void mcd_shapeAxes(const MeMatrix4 tm, double axis[3][3]);
 void mcd_triangleShape(const double corners[3][3], McdShape *shape);
 /* The unit normal of a triangle: by the right-hand rule, or on the side of `given` unless that is null. False if the
@@ -159,7 +159,7 @@ int mcd_convexManifold(const McdShape *a, const McdShape *b, double margin, McdM
 /* Finds the contacts of shape a with the half-space below the plane normal . x = offset, which is shape b. */
 int mcd_planeManifold(const McdShape *a, const double normal[3], double offset, double margin, McdManifold *m);
 /* Swaps the roles of the two shapes in a manifold: negates the normal, swaps radii and features. */
-void mcd_manifoldTurn(McdManifold *m);
+void mcd_manifoldSwap(McdManifold *m);
 /* The signed distance of a convex shape from the half-space below z = 0 of tm; outputs as of mcd_convexDistance. */
 double mcd_planeDistance(const McdShape *a, const MeVector4 *tm, const double origin[3], double onA[3], double onB[3],
                          double normal[3]);

@@ -59,12 +59,12 @@ void mcd_triangleShape(const double corners[3][3], McdShape *shape) {
 
 /* ---- its normal -------------------------------------------------------------------------------------------- */
 
-static MeBool areNear(const double corner[3][3]) {
-    return mcd_isNear3(corner[0]) && mcd_isNear3(corner[1]) && mcd_isNear3(corner[2]);
+static MeBool areCornersInRange(const double corner[3][3]) {
+    return mcd_isInRange3(corner[0]) && mcd_isInRange3(corner[1]) && mcd_isInRange3(corner[2]);
 }
 
 /* The unit normal by the right-hand rule; false if the triangle has no area. */
-static MeBool normalOf(const double corner[3][3], double normal[3]) {
+static MeBool unitNormalOf(const double corner[3][3], double normal[3]) {
     double e[3][3], longest = 0;
     for (int i = 0; i < 3; i++) {
         mcd_sub(e[i], corner[(i + 1) % 3], corner[i]);
@@ -79,7 +79,7 @@ static MeBool normalOf(const double corner[3][3], double normal[3]) {
 }
 
 MeBool mcd_triangleNormal(const double corner[3][3], const double *given, double normal[3]) {
-    if (!areNear(corner) || !normalOf(corner, normal))
+    if (!areCornersInRange(corner) || !unitNormalOf(corner, normal))
         return MEFALSE;
     if (given && mcd_dot(given, normal) < 0)
         mcd_scale(normal, normal, -1);

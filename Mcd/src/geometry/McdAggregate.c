@@ -46,7 +46,7 @@ MCD_DEFINE_DESTROY(Aggregate)
 static MeBool isChildOf(const McdAggregate *child, const McdGeometry *g) {
     if (g == &child->head)
         return METRUE;
-    const McdAggregate *a = mcd_childrenOf(g);
+    const McdAggregate *a = mcd_asAggregate(g);
     for (int i = 0; a && i < a->count; i++)
         if (isChildOf(child, a->element[i].geometry))
             return METRUE;
@@ -247,7 +247,7 @@ static MeBool ballOf(const McdAggregate *a, int i, Ball *ball) {
     const MeVector4 *tm = mcd_const(a->element[i].relTM);
     MeVector3 local;
     MeReal radius;
-    if (!mcd_isPlace(tm))
+    if (!mcd_isValidTransform(tm))
         return MEFALSE;
     McdGeometryGetBSphere(a->element[i].geometry, local, &radius);
     for (int k = 0; k < 3; k++)
@@ -272,7 +272,7 @@ static Ball ballAroundBalls(const McdAggregate *a) {
             high[k] = MeMAX(high[k], one.centre[k] + one.radius);
         }
     for (int k = 0; k < 3; k++)
-        all.centre[k] = low[k] <= high[k] ? (double)mcd_real(low[k] / 2 + high[k] / 2) : 0;
+        all.centre[k] = low[k] <= high[k] ? (double)mcd_clampReal(low[k] / 2 + high[k] / 2) : 0;
     for (int i = 0; i < a->count; i++)
         if (ballOf(a, i, &one))
             all.radius = MeMAX(all.radius, distance(one.centre, all.centre) + one.radius);
@@ -301,7 +301,7 @@ void MEAPI McdAggregateGetBSphere(const McdGeometryID g, MeVector3 center, MeRea
         ball = other;
     for (int k = 0; k < 3; k++)
         center[k] = (MeReal)ball.centre[k];
-    *radius = mcd_real(ball.radius);
+    *radius = mcd_clampReal(ball.radius);
 }
 
 /* ---- mass -------------------------------------------------------------------------------------------------------- */
@@ -319,7 +319,7 @@ static void addParallelAxes(double inertia[3][3], double volume, const double d[
 }
 
 /* sum += R^T I R; the rows of R are the axes of I */
-static void addTurned(double sum[3][3], const MeMatrix3 inertia, const MeMatrix4 tm) {
+static void addRotated(double sum[3][3], const MeMatrix3 inertia, const MeMatrix4 tm) {
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
             for (int a = 0; a < 3; a++)
@@ -332,7 +332,7 @@ static void addTurned(double sum[3][3], const MeMatrix3 inertia, const MeMatrix4
 static MeBool massOf(const McdAggregateElement *element, MeMatrix4 tm, MeMatrix3 inertia, double *volume) {
     MeMatrix4 own;
     MeReal v;
-    if (!McdGeometryGetMassProperties(element->geometry, own, inertia, &v) || !mcd_isPlace(element->relTM))
+    if (!McdGeometryGetMassProperties(element->geometry, own, inertia, &v) || !mcd_isValidTransform(element->relTM))
         return MEFALSE;
     MeMatrix4TMCompound(tm, mcd_const(own), element->relTM);
     *volume = (double)v;
@@ -358,7 +358,7 @@ static void addInertia(Mass *sum, const McdAggregateElement *element) {
         return;
     for (int i = 0; i < 3; i++)
         arm[i] = (double)tm[3][i] - sum->centre[i];
-    addTurned(sum->inertia, (const MeVector3 *)inertia, mcd_const(tm));
+    addRotated(sum->inertia, (const MeVector3 *)inertia, mcd_const(tm));
     addParallelAxes(sum->inertia, volume, arm);
 }
 

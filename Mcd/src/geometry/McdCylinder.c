@@ -124,7 +124,7 @@ void MEAPI McdCylinderMaximumPointLocal(McdGeometry *g, MeReal *const inDir, MeR
     for (int k = 0; k < 3; k++)
         d[k] = (double)inDir[k];
     const MeBool isGood = isCylinder(g, "McdCylinderMaximumPointLocal");
-    if (isGood && mcd_areNear(inDir, 3))
+    if (isGood && mcd_areInRange(inDir, 3))
         support(g, d, p);
     else if (isGood)
         MeWarning(1, "McdCylinderMaximumPointLocal: the direction is not finite");

@@ -45,7 +45,7 @@ McdPlaneID MEAPI McdPlaneCreate(McdFramework *frame) {
 }
 
 static MeBool isPlane(const MeMatrix4 tm, const char *function) {
-    if (mcd_isPlace(tm))
+    if (mcd_isValidTransform(tm))
         return METRUE;
     MeWarning(1, "%s: the transform is not finite, or flat", function);
     return MEFALSE;
@@ -67,13 +67,13 @@ MeReal MEAPI McdPlaneGetDistanceToPoint(const McdGeometry *g, const MeMatrix4 tm
     (void)g;
     if (!isPlane(tm, __func__))
         return 0;
-    if (!mcd_areNear(point, 3)) {
+    if (!mcd_areInRange(point, 3)) {
         MeWarning(1, "%s: the point is (%g, %g, %g)", __func__, (double)point[0], (double)point[1], (double)point[2]);
         return 0;
     }
     for (int k = 0; k < 3; k++)
         distance += (double)tm[2][k] * ((double)point[k] - (double)tm[3][k]);
-    return mcd_real(distance);
+    return mcd_clampReal(distance);
 }
 
 void MEAPI McdPlaneGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {

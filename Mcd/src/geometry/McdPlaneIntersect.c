@@ -129,7 +129,7 @@ static void placePlane(Slice *s, const MeMatrix4Ptr tm, const MeReal *normal, Me
     }
 }
 
-static void handOver(const Slice *s, const MeMatrix4Ptr tm, int maxVert, int *numVert, MeVector3 *outVert) {
+static void writeCorners(const Slice *s, const MeMatrix4Ptr tm, int maxVert, int *numVert, MeVector3 *outVert) {
     const int count = s->count < 3 ? 0 : MeMIN(s->count, maxVert); /* two corners: the plane only touches an edge */
     for (int i = 0; i < count; i++) {
         const double *p = s->corner[(int)((long long)i * s->count / count)].position;
@@ -140,8 +140,8 @@ static void handOver(const Slice *s, const MeMatrix4Ptr tm, int maxVert, int *nu
     *numVert = count;
 }
 
-static void slice(McdGeometryInstanceID ins, const MeReal *normal, MeReal dist, int maxVert, int *numVert,
-                  MeVector3 *outVert, const char *function) {
+static void computeSlice(McdGeometryInstanceID ins, const MeReal *normal, MeReal dist, int maxVert, int *numVert,
+                         MeVector3 *outVert, const char *function) {
     Slice s = {.function = function};
     const McdGeometryID g = McdGeometryInstanceGetGeometry(ins);
     placePlane(&s, mcd_instanceTM(ins), normal, dist);
@@ -153,7 +153,7 @@ static void slice(McdGeometryInstanceID ins, const MeReal *normal, MeReal dist, 
     if (s.count) {
         mergeCorners(&s);
         sortCorners(&s);
-        handOver(&s, mcd_instanceTM(ins), maxVert, numVert, outVert);
+        writeCorners(&s, mcd_instanceTM(ins), maxVert, numVert, outVert);
     }
     MeMemoryGive(s.corner);
 }
@@ -164,7 +164,7 @@ static void sliceOfType(McdGeometryInstanceID ins, int type, const MeReal *norma
         *numVert = 0;
     if (isValidQuery(ins, normal, dist, maxVert, numVert, outVert, function) &&
         (type < 0 || mcd_geometryIs(McdGeometryInstanceGetGeometry(ins), (McdGeometryType)type, function)))
-        slice(ins, normal, dist, maxVert, numVert, outVert, function);
+        computeSlice(ins, normal, dist, maxVert, numVert, outVert, function);
 }
 
 void MEAPI McdBoxGetSlice(McdGeometryInstanceID ins, const MeVector3 normal, MeReal dist, int maxVert, int *numVert,

@@ -32,7 +32,7 @@ static void findExtremes(McdRGHeightField *f) {
 static MeBool isGrid(int xCount, int yCount, MeReal xStep, MeReal yStep, MeReal x0, MeReal y0) {
     const MeReal reach[4] = {xStep * (MeReal)xCount, yStep * (MeReal)yCount, x0, y0};
     return xCount >= 2 && yCount >= 2 && xCount <= 1000000000 / yCount && xStep > 0 && yStep > 0 &&
-           mcd_areNear(reach, 4);
+           mcd_areInRange(reach, 4);
 }
 
 McdRGHeightFieldID MEAPI McdRGHeightFieldCreate(McdFramework *frame, const MeReal *heights, int xCount, int yCount,
@@ -319,7 +319,7 @@ static MeBool clipToGrid(const McdRGHeightField *f, const double from[3], const 
 }
 
 /* The fraction of the segment at which it leaves cell c along one axis. */
-static double exitOf(double x, double along, double x0, double step, int c) {
+static double exitFraction(double x, double along, double x0, double step, int c) {
     return along == 0 ? INFINITY : (x0 + (c + (along > 0)) * step - x) / along;
 }
 
@@ -352,7 +352,7 @@ static MeBool traverseCells(const McdRGHeightField *f, const double from[3], con
             return METRUE;
         double next[2];
         for (int k = 0; k < 2; k++)
-            next[k] = exitOf(from[k], to[k] - from[k], origin[k], step[k], cell[k]);
+            next[k] = exitFraction(from[k], to[k] - from[k], origin[k], step[k], cell[k]);
         const int k = next[1] < next[0];
         cell[k] += to[k] > from[k] ? 1 : -1;
         if (next[k] > leave || cell[k] < 0 || cell[k] > points[k] - 2)

@@ -18,7 +18,7 @@ static MeBool isBox(const MeReal *min, const MeReal *max) {
     for (int i = 0; min && max && i < 3; i++)
         if (!(min[i] <= max[i]))
             return MEFALSE;
-    return min && max && mcd_areNear(min, 3) && mcd_areNear(max, 3);
+    return min && max && mcd_areInRange(min, 3) && mcd_areInRange(max, 3);
 }
 
 /* Allocates the array that the callback fills; false if there is no memory. */
@@ -166,7 +166,7 @@ void MEAPI McdTriangleListDebugDraw(const McdGeometryID g, const MeMatrix4 tm, c
 /* ---- triangles --------------------------------------------------------------------------------------------------- */
 
 /* Applies triangleMaxCount, to which the program may have written. */
-static void readMaxCount(McdTriangleListRecord *list) {
+static void applyMaxCount(McdTriangleListRecord *list) {
     const int count = list->list.triangleMaxCount;
     if (count == list->room)
         return;
@@ -185,10 +185,10 @@ typedef struct Generated {
 
 /* Acquires the array for the callback to fill: the list's own or, while another query uses that (in another thread,
  * or an enclosing one), the scratch's. False if there is no memory. */
-static MeBool claimArray(McdTriangleListRecord *list, McdScratch *scratch, Generated *generated) {
+static MeBool acquireArray(McdTriangleListRecord *list, McdScratch *scratch, Generated *generated) {
     *generated = (Generated){.isOwn = !atomic_exchange_explicit(&list->isInUse, 1, memory_order_acquire)};
     if (generated->isOwn) {
-        readMaxCount(list);
+        applyMaxCount(list);
         generated->room = list->room;
         generated->triangle = list->list.list;
         return METRUE;
@@ -214,7 +214,7 @@ static void callGenerator(McdTriangleListRecord *list, McdModelPair *p, McdScrat
     double reach = radius; /* plus the rounding of the centre */
     for (int i = 0; i < 3; i++)
         reach += fabs((double)pos[i] - centre[i]);
-    if (!claimArray(list, scratch, generated) || !list->generate)
+    if (!acquireArray(list, scratch, generated) || !list->generate)
         return;
     McdFramework *frame = list->list.head.frame;
     MeStageBegin(&frame->stage, MCD_GUARD_SHAPES);
@@ -314,7 +314,7 @@ static int MEAPI intersectSegment(const McdModelID cm, MeReal *const inOrig, MeR
     callGenerator(list, &pair, scratch, middle, sqrt(length) / 2, &generated);
     const double min = firstHit(&generated, from, to, normal);
     releaseArray(list, &generated);
-    mcd_scratchGive(frame, scratch);
+    mcd_scratchRelease(frame, scratch);
     return min <= 1 && mcd_segmentHit(mcd_const(ins->tm), inOrig, inDest, min, normal, outOverlap);
 }
 

@@ -29,7 +29,7 @@ MeBool mcd_instanceIs(McdGeometryInstanceID ins, McdGeometryType type, const cha
 
 void mcd_localXYAABB(const McdGeometry *g, const MeMatrix4Ptr tm, MeReal bounds[4], McdLocalSupportFn support,
                      const char *caller) {
-    if (!mcd_isPlace(mcd_const(tm))) {
+    if (!mcd_isValidTransform(mcd_const(tm))) {
         MeWarning(1, "%s: tm is no transform, or not finite; the bounds are 0", caller);
         return;
     }
@@ -45,7 +45,7 @@ void mcd_localMaximumPoint(McdGeometryInstanceID ins, const MeReal *direction, M
                            McdLocalSupportFn support) {
     const MeMatrix4Ptr tm = mcd_instanceTM(ins);
     double d[3], p[3];
-    if (!mcd_areNear(direction, 3)) {
+    if (!mcd_areInRange(direction, 3)) {
         MeWarning(1, "Mcd...MaximumPoint: the direction is not finite");
         MeVector3Copy(point, tm[3]);
         return;
@@ -57,8 +57,8 @@ void mcd_localMaximumPoint(McdGeometryInstanceID ins, const MeReal *direction, M
     }
     support(ins->geometry, d, p);
     for (int i = 0; i < 3; i++)
-        point[i] =
-            mcd_real((double)tm[0][i] * p[0] + (double)tm[1][i] * p[1] + (double)tm[2][i] * p[2] + (double)tm[3][i]);
+        point[i] = mcd_clampReal((double)tm[0][i] * p[0] + (double)tm[1][i] * p[1] + (double)tm[2][i] * p[2] +
+                                 (double)tm[3][i]);
 }
 
 void mcd_boxSupport(const MeReal *min, const MeReal *max, const double direction[3], double point[3]) {
@@ -69,10 +69,10 @@ void mcd_boxSupport(const MeReal *min, const MeReal *max, const double direction
 void mcd_boxBSphere(const MeReal *min, const MeReal *max, MeVector3 center, MeReal *radius) {
     MeReal sum = 0;
     for (int i = 0; i < 3; i++) {
-        center[i] = mcd_real((double)(min[i] / 2 + max[i] / 2));
+        center[i] = mcd_clampReal((double)(min[i] / 2 + max[i] / 2));
         sum += (max[i] - min[i]) * (max[i] - min[i]);
     }
-    *radius = mcd_real((double)(MeSqrt(sum) / 2));
+    *radius = mcd_clampReal((double)(MeSqrt(sum) / 2));
 }
 
 /* ---- line segments ----------------------------------------------------------------------------------------------- */
@@ -100,7 +100,7 @@ void mcd_clipAt(const McdClip *c, double t, double point[3]) {
         point[k] = c->from[k] + t * c->along[k];
 }
 
-static void clipAway(McdClip *c) {
+static void clipAll(McdClip *c) {
     c->in = HUGE_VAL;
     c->out = -HUGE_VAL;
 }
@@ -121,7 +121,7 @@ void mcd_clipHalfSpace(McdClip *c, const double normal[3], double offset) {
     else if (speed > 0)
         mcd_clipInterval(c, -HUGE_VAL, gap / speed, normal);
     else if (gap < 0)
-        clipAway(c);
+        clipAll(c);
 }
 
 /* Clips the line r + t v, relative to a centre, by |r + t v| <= radius. Computes from the line's point nearest to
@@ -133,7 +133,7 @@ static void clipRound(McdClip *c, const double r[3], const double v[3], double r
         p[k] = r[k] + nearest * v[k];
     const double inside = radius * radius - dot(p, p);
     if (inside < 0) {
-        clipAway(c);
+        clipAll(c);
     } else if (vv > 0) {
         const double half = sqrt(inside / vv);
         MEASSERT(half >= 0 && radius > 0);
@@ -213,11 +213,11 @@ int mcd_segmentHit(const MeVector4 *tm, const MeReal *from, const MeReal *to, do
     for (int i = 0; i < 3; i++) {
         const double along = (double)to[i] - (double)from[i];
         length += along * along;
-        hit->position[i] = mcd_real((double)from[i] + fraction * along);
+        hit->position[i] = mcd_clampReal((double)from[i] + fraction * along);
         hit->normal[i] =
             (MeReal)((double)tm[0][i] * normal[0] + (double)tm[1][i] * normal[1] + (double)tm[2][i] * normal[2]);
     }
-    hit->distance = mcd_real(fraction * sqrt(length));
+    hit->distance = mcd_clampReal(fraction * sqrt(length));
     return 1;
 }
 

@@ -10,12 +10,12 @@
 
 /* Whether the separation is the one that the test found: the exact values of a contact are valid only then, since
  * programs may write another separation. */
-static MeBool isAsFound(const McdContact *c) {
+static MeBool isSeparationAsFound(const McdContact *c) {
     return (MeReal)c->exactSeparation == c->separation;
 }
 
 static double separationOf(const McdContact *c) {
-    return isAsFound(c) ? c->exactSeparation : (double)c->separation;
+    return isSeparationAsFound(c) ? c->exactSeparation : (double)c->separation;
 }
 
 double MEAPI McdContactGetSeparation(const McdContact *c) {
@@ -40,7 +40,7 @@ void MEAPI McdContactGetPosition(const McdContact *c, double position[3]) {
 }
 
 static double radiusOf(const McdContact *c, int side) {
-    return isAsFound(c) ? c->radius[side] : 0;
+    return isSeparationAsFound(c) ? c->radius[side] : 0;
 }
 
 double MEAPI McdContactGetRadius(const McdContact *c, int side) {
@@ -78,7 +78,7 @@ static McdGeometryInstanceID instanceOf(const McdContact *c, int side) {
 static double rimOf(const McdContact *c, int side, double axis[3]) {
     const McdGeometryInstanceID ins = instanceOf(c, side);
     const McdKind *kind = ins ? mcd_kindOf(ins->geometry) : 0;
-    const MeBool hasRim = kind && kind->rim && isAsFound(c) && mcd_instanceIsPlaced(ins);
+    const MeBool hasRim = kind && kind->rim && isSeparationAsFound(c) && mcd_instanceIsPlaced(ins);
     return hasRim ? rimOfShape(c, side, ins, axis) : 0;
 }
 
@@ -173,7 +173,7 @@ static int farthestBeside(const McdSpot *spot, int count, int a, int b, const do
  * second side is empty, the spot that adds most area beyond the triangle's two other sides. All areas are seen along
  * one normal, since the spots' own normals differ by up to 1.1 degrees: along two of them a corner might lie outside
  * of its own triangle. */
-static int corners(const McdSpot *spot, int count, int maxCount, double same, int *kept) {
+static int keepExtremes(const McdSpot *spot, int count, int maxCount, double same, int *kept) {
     double mean[3] = {0, 0, 0}, ab[3];
     for (int i = 0; i < count; i++)
         for (int k = 0; k < 3; k++)
@@ -283,7 +283,7 @@ static MeBool haveOneNormal(const McdSpot *spot, int count) {
     return METRUE;
 }
 
-static void ascending(int *kept, int count) {
+static void sortAscending(int *kept, int count) {
     for (int i = 1; i < count; i++)
         for (int k = i; k > 0 && kept[k] < kept[k - 1]; k--) {
             const int swap = kept[k];
@@ -304,7 +304,7 @@ int mcd_spread(McdSpot *spot, int count, int maxCount, double same, int *kept) {
     if (count <= 0 || maxCount <= 0)
         return 0;
     if (haveOneNormal(spot, count)) {
-        keptCount = corners(spot, count, MeMIN(maxCount, 4), same, kept);
+        keptCount = keepExtremes(spot, count, MeMIN(maxCount, 4), same, kept);
         includeDeepest(spot, count, kept, keptCount);
         if (maxCount > 4)
             keptCount = addFarthest(spot, count, maxCount, same, kept, keptCount);
@@ -312,7 +312,7 @@ int mcd_spread(McdSpot *spot, int count, int maxCount, double same, int *kept) {
         kept[0] = deepestOf(spot, count);
         keptCount = addFarthest(spot, count, maxCount, same, kept, 1);
     }
-    ascending(kept, keptCount);
+    sortAscending(kept, keptCount);
     MEASSERT(keptCount >= 1 && keptCount <= maxCount && kept[0] >= 0 && kept[keptCount - 1] < count);
     MEVALIDATE(areAscending(kept, keptCount));
     return keptCount;
@@ -336,8 +336,8 @@ static MeBool isOnFace(const McdContact *c, const MeReal *normal) {
 }
 
 /* Whether the contact's numbers are finite: programs may have made it. */
-static MeBool isNumber(const McdContact *c) {
-    return mcd_areNear(c->position, 3) && mcd_areNear(c->normal, 3) && mcd_areNear(&c->separation, 1);
+static MeBool isContactFinite(const McdContact *c) {
+    return mcd_areInRange(c->position, 3) && mcd_areInRange(c->normal, 3) && mcd_areInRange(&c->separation, 1);
 }
 
 /* Makes spots of the contacts on faces, or of the others; of all if normal is null. `from` gets their indices.
@@ -347,7 +347,7 @@ static int gatherSpots(const McdContact *contacts, int count, const MeReal *norm
     const McdContact *reference = NULL;
     int n = 0;
     for (int i = 0; i < count; i++) {
-        if (!isNumber(&contacts[i]))
+        if (!isContactFinite(&contacts[i]))
             continue;
         reference = reference ? reference : &contacts[i];
         if (!normal || isOnFace(&contacts[i], normal) == onFaces) {
@@ -372,7 +372,7 @@ static int chooseContacts(const Workplace *w, const McdContact *contacts, int co
         for (int i = 0; i < keptCount; i++)
             w->chosen[chosenCount++] = w->from[w->kept[i]];
     }
-    ascending(w->chosen, chosenCount);
+    sortAscending(w->chosen, chosenCount);
     return chosenCount;
 }
 

@@ -105,7 +105,7 @@ static MeBool addInstances(McdFramework *frame, int count, const char *function)
 }
 
 /* The size of a pool's next block: as large as all earlier blocks together. */
-static int roomToAdd(int room) {
+static int nextBlockSize(int room) {
     enum { FIRST_BLOCK = 64 };
     return room ? room : FIRST_BLOCK;
 }
@@ -113,7 +113,7 @@ static int roomToAdd(int room) {
 MeBool mcd_frameAddModels(McdFramework *frame, const char *function) {
     MEASSERT(!frame->firstFree && frame->modelCount == frame->modelRoom);
     if (frame->modelLimit.max == MeNoLimit)
-        return addModels(frame, roomToAdd(frame->modelRoom), function);
+        return addModels(frame, nextBlockSize(frame->modelRoom), function);
     MeLimitWarn(&frame->modelLimit, function, "more models");
     return MEFALSE;
 }
@@ -121,7 +121,7 @@ MeBool mcd_frameAddModels(McdFramework *frame, const char *function) {
 MeBool mcd_frameAddInstances(McdFramework *frame, const char *function) {
     MEASSERT(!frame->freeInstance && frame->instanceCount == frame->instanceRoom);
     if (frame->instanceLimit.max == MeNoLimit)
-        return addInstances(frame, roomToAdd(frame->instanceRoom), function);
+        return addInstances(frame, nextBlockSize(frame->instanceRoom), function);
     MeLimitWarn(&frame->instanceLimit, function, "the parts of an aggregate");
     return MEFALSE;
 }

@@ -52,9 +52,9 @@ void mcd_geometryChanged(McdGeometryID g) {
     g->frame->changes++;
 }
 
-static MeBool uses(const McdGeometryInstance *ins, const McdGeometry *g) {
+static MeBool usesGeometry(const McdGeometryInstance *ins, const McdGeometry *g) {
     for (const McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)
-        if (uses(child, g))
+        if (usesGeometry(child, g))
             return METRUE;
     return ins->geometry == g;
 }
@@ -66,12 +66,12 @@ void MEAPI McdGeometryUpdate(McdGeometryID g) {
     if (kind && kind->update)
         kind->update(g);
     for (McdModelRecord *m = g->frame->firstModel; m; m = m->next)
-        if (uses(&m->instance, g))
-            mcd_modelStir(m);
+        if (usesGeometry(&m->instance, g))
+            mcd_modelMarkChanged(m);
 }
 
-void mcd_modelStir(McdModelRecord *m) {
-    m->isStirred = METRUE;
+void mcd_modelMarkChanged(McdModelRecord *m) {
+    m->isMarkedChanged = METRUE;
     m->frame->changes++;
 }
 
@@ -137,7 +137,7 @@ void mcd_geometryDestroy(McdGeometry *g) {
 }
 
 /* Reference counts are checked only now: models that use the geometry may have been destroyed in the same stage. */
-static void MEAPI destroyLater(const MeLater *later) {
+static void MEAPI destroyDeferred(const MeLater *later) {
     if (MeHandleIsLive(later->object, MCD_GEOMETRY))
         McdGeometryDestroy(later->object);
 }
@@ -145,8 +145,8 @@ static void MEAPI destroyLater(const MeLater *later) {
 void MEAPI McdGeometryDestroy(McdGeometryID g) {
     if (!mcd_mayDestroy(g, MCD_GEOMETRY, "geometry", "McdGeometryDestroy"))
         return;
-    const MeLater later = {.carryOut = destroyLater, .object = g};
-    if (mcd_when(g->frame, &later, "McdGeometryDestroy") != MeWhenNow)
+    const MeLater later = {.carryOut = destroyDeferred, .object = g};
+    if (mcd_deferWhileGuarded(g->frame, &later, "McdGeometryDestroy") != MeWhenNow)
         return;
     if (g->referenceCount > 0) {
         MeWarning(1, "McdGeometryDestroy: %d models or aggregates still use the %s", g->referenceCount,
@@ -210,7 +210,7 @@ McdLineSegIntersectFnPtr MEAPI McdGeometryGetLineSegIntersectFnPtr(McdGeometryID
 }
 
 /* A temporary instance of the geometry without children, for functions that take an instance. */
-static McdGeometryInstance standIn(McdGeometryID g, const MeMatrix4 tm) {
+static McdGeometryInstance temporaryInstance(McdGeometryID g, const MeMatrix4 tm) {
     McdGeometryInstance ins;
     memset(&ins, 0, sizeof ins);
     ins.geometry = g;
@@ -226,7 +226,7 @@ void MEAPI McdGeometryGetAABB(McdGeometryID g, const MeMatrix4 tm, MeVector3 min
     MeVector3Set(maxCorner, 0, 0, 0);
     if (!type || !type->getAABB || !tm)
         return;
-    McdGeometryInstance ins = standIn(g, tm);
+    McdGeometryInstance ins = temporaryInstance(g, tm);
     mcd_instanceEnter(&ins);
     const McdTypeCall call = mcd_typeEnter(g->frame, type);
     type->getAABB(&ins, 0, METRUE);
@@ -256,7 +256,7 @@ void MEAPI McdGeometryMaximumPoint(McdGeometryID g, const MeMatrix4 tm, MeReal *
     MeVector3Set(outPoint, 0, 0, 0);
     if (!type || !type->maximumPoint || !tm)
         return;
-    McdGeometryInstance ins = standIn(g, tm);
+    McdGeometryInstance ins = temporaryInstance(g, tm);
     mcd_instanceEnter(&ins);
     const McdTypeCall call = mcd_typeEnter(g->frame, type);
     type->maximumPoint(&ins, inDir, outPoint);

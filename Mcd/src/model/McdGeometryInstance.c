@@ -49,7 +49,7 @@ void mcd_instanceFreeChildren(McdFramework *frame, McdGeometryInstance *ins) {
 }
 
 MeBool mcd_instanceMakeChildren(McdFramework *frame, McdGeometryInstance *ins, const char *function) {
-    const McdAggregate *aggregate = mcd_childrenOf(ins->geometry);
+    const McdAggregate *aggregate = mcd_asAggregate(ins->geometry);
     if (!aggregate)
         return METRUE;
     McdGeometryInstance **end = &ins->firstChild;
@@ -80,7 +80,7 @@ void mcd_instancePlaceChildren(McdGeometryInstance *ins) {
         MEASSERT(child->element < aggregate->count && aggregate->element[child->element].geometry == child->geometry);
         const MeMatrix4Ptr relative = aggregate->element[child->element].relTM;
         MeMatrix4TMCompound(child->placed, mcd_const(relative), mcd_const(tm));
-        child->isPlaced = mcd_isPlace(mcd_const(child->placed));
+        child->isPlaced = mcd_isValidTransform(mcd_const(child->placed));
         if (child->isPlaced && !child->firstChild)
             mcd_shapeAxes(mcd_const(child->placed), child->placedAxis);
         if (child->tm)
@@ -126,7 +126,7 @@ void MEAPI McdGeometryInstanceSetGeometry(McdGeometryInstanceID ins, McdGeometry
         !mcd_geometryBelongs(g, mcd_record(ins->model)->frame, "McdGeometryInstanceSetGeometry") ||
         !mcd_mayPlace(g->frame, "McdGeometryInstanceSetGeometry"))
         return;
-    if (mcd_childrenOf(g) || mcd_childrenOf(ins->geometry)) {
+    if (mcd_asAggregate(g) || mcd_asAggregate(ins->geometry)) {
         MeWarning(1, "McdGeometryInstanceSetGeometry: aggregates are set by McdModelSetGeometry");
         return;
     }
@@ -176,7 +176,7 @@ void MEAPI McdGeometryInstanceSetMaterial(McdGeometryInstanceID ins, int materia
         ins->material = material;
     else
         mcd_record(ins->model)->material = (unsigned int)material;
-    mcd_modelStir(mcd_record(ins->model));
+    mcd_modelMarkChanged(mcd_record(ins->model));
 }
 
 void MEAPI McdGeometryInstanceReset(McdGeometryInstanceID ins) {
@@ -238,8 +238,8 @@ MeBool MEAPI McdGeometryInstanceOverlap(McdGeometryInstanceID a, McdGeometryInst
 
 static void placePoint(MeVector3 placed, const MeMatrix4Ptr tm, const MeVector3 local) {
     for (int i = 0; i < 3; i++)
-        placed[i] = mcd_real((double)tm[0][i] * (double)local[0] + (double)tm[1][i] * (double)local[1] +
-                             (double)tm[2][i] * (double)local[2] + (double)tm[3][i]);
+        placed[i] = mcd_clampReal((double)tm[0][i] * (double)local[0] + (double)tm[1][i] * (double)local[1] +
+                                  (double)tm[2][i] * (double)local[2] + (double)tm[3][i]);
 }
 
 void MEAPI McdGeometryInstanceGetBSphere(const McdGeometryInstanceID ins, MeVector3 center, MeReal *radius) {

@@ -164,7 +164,7 @@ void mcd_modelDestroy(McdModelRecord *m) {
     MeStageEnd(&frame->stage, MCD_GUARD_MODELS);
 }
 
-static void MEAPI destroyLater(const MeLater *later) {
+static void MEAPI destroyDeferred(const MeLater *later) {
     McdModelRecord *m = mcd_laterModel(later);
     if (m && m->isCondemned)
         mcd_modelDestroy(m);
@@ -184,8 +184,8 @@ void MEAPI McdModelDestroy(McdModelID cm) {
     McdModelRecord *m = mcd_record(cm);
     if (!mayDestroy(m, "McdModelDestroy"))
         return;
-    const MeLater later = {.carryOut = destroyLater, .object = m, .serial = m->serial};
-    const MeWhen when = mcd_when(m->frame, &later, "McdModelDestroy");
+    const MeLater later = {.carryOut = destroyDeferred, .object = m, .serial = m->serial};
+    const MeWhen when = mcd_deferWhileGuarded(m->frame, &later, "McdModelDestroy");
     if (when == MeWhenNow)
         mcd_modelDestroy(m);
     else if (when == MeWhenStageEnds)
@@ -213,7 +213,7 @@ void MEAPI McdModelDropBox(McdModelID cm) {
 }
 
 void MEAPI McdModelStir(McdModelID cm) {
-    mcd_modelStir(mcd_record(cm));
+    mcd_modelMarkChanged(mcd_record(cm));
 }
 
 void MEAPI McdModelReset(McdModelID cm) {
@@ -291,7 +291,7 @@ void MEAPI McdModelSetGeometry(McdModelID cm, McdGeometryID g) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetGeometry");
     if (!m || !mcd_geometryType(g, "McdModelSetGeometry") || !mcd_geometryBelongs(g, m->frame, "McdModelSetGeometry"))
         return;
-    if (m->space && !mcd_childrenOf(g) && !mcd_childrenOf(m->instance.geometry)) {
+    if (m->space && !mcd_asAggregate(g) && !mcd_asAggregate(m->instance.geometry)) {
         ME_UNDER_OWN_NAME(McdGeometryInstanceSetGeometry(&m->instance, g));
         return;
     }
@@ -363,7 +363,7 @@ void MEAPI McdModelSetTransformPtr(const McdModelID cm, const MeMatrix4Ptr geome
     freeRelative(m);
     m->relTM = m->refTM = 0;
     m->instance.tm = geometryTM;
-    mcd_modelStir(m);
+    mcd_modelMarkChanged(m);
 }
 
 static void composeTransforms(McdModelRecord *m) {
@@ -454,7 +454,7 @@ MeReal *MEAPI McdModelGetAngularVelocityPtr(McdModelID cm) {
 }
 
 MeBool mcd_modelIsPlaced(const McdModelRecord *m) {
-    return mcd_isPlacedAsSeen(m) || mcd_isPlace(mcd_const(m->instance.tm));
+    return mcd_isPlacedAsSeen(m) || mcd_isValidTransform(mcd_const(m->instance.tm));
 }
 
 void mcd_modelPlaceAt(const McdModelRecord *m, double time, MeMatrix4 tm) {
@@ -466,7 +466,7 @@ void mcd_modelPlaceAt(const McdModelRecord *m, double time, MeMatrix4 tm) {
 /* ---- updating --------------------------------------------------------------------------------------------------- */
 
 /* For checks: whether the box contains the shape's support points along the world's axes. */
-static MeBool isShapeWithin(McdGeometryInstance *ins) {
+static MeBool isShapeInBox(McdGeometryInstance *ins) {
     const double origin[3] = {0, 0, 0};
     McdShape s;
     if (!mcd_instanceTM(ins) || !mcd_shapeOf(ins, origin, &s) || !mcd_shapeIsRigid(&s))
@@ -487,7 +487,7 @@ static void updateBoxes(McdGeometryInstance *ins, const MeMatrix4Ptr finalTM) {
     for (McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)
         updateBoxes(child, 0);
     mcd_instanceUpdateAABB(ins, finalTM, METRUE);
-    MEVALIDATE(isShapeWithin(ins));
+    MEVALIDATE(isShapeInBox(ins));
 }
 
 void mcd_modelRefresh(McdModelRecord *m) {
@@ -496,7 +496,7 @@ void mcd_modelRefresh(McdModelRecord *m) {
 }
 
 /* Calls the update callback; not again if the callback itself updates the model. */
-static void callUpdate(McdModelRecord *m) {
+static void callUpdateCallback(McdModelRecord *m) {
     if (!m->update || m->isBeingUpdated)
         return;
     m->isBeingUpdated = true;
@@ -507,8 +507,8 @@ static void callUpdate(McdModelRecord *m) {
 }
 
 /* Places the model and its children by the current transform. False if it has no valid transform. */
-static MeBool place(McdModelRecord *m) {
-    callUpdate(m);
+static MeBool placeModel(McdModelRecord *m) {
+    callUpdateCallback(m);
     if (!m->instance.tm)
         return MEFALSE;
     composeTransforms(m);
@@ -517,7 +517,7 @@ static MeBool place(McdModelRecord *m) {
 }
 
 MeBool mcd_modelUpdate(McdModelRecord *m) {
-    if (!place(m))
+    if (!placeModel(m))
         return MEFALSE;
     updateBoxes(&m->instance, 0);
     return METRUE;
@@ -555,7 +555,7 @@ static MeReal deviationByTurning(const McdModelRecord *m, MeReal duration) {
 
 MeBool mcd_modelUpdatePath(McdModelRecord *m, MeReal motionDuration) {
     MeMatrix4 finalTM;
-    if (!place(m))
+    if (!placeModel(m))
         return MEFALSE;
     mcd_modelPlaceAt(m, motionDuration, finalTM);
     updateBoxes(&m->instance, finalTM);
@@ -622,7 +622,7 @@ void MEAPI McdModelSetContactTolerance(McdModelID cm, MeReal tolerance) {
         MeWarning(1, "McdModelSetContactTolerance: tolerance is %g: it must be >= 0", (double)tolerance);
     else
         m->tolerance = tolerance;
-    mcd_modelStir(m);
+    mcd_modelMarkChanged(m);
 }
 
 MeReal MEAPI McdModelGetContactTolerance(McdModelID cm) {
@@ -635,7 +635,7 @@ void MEAPI McdModelSetSwept(McdModelID cm, MeBool swept) {
     if (!m)
         return;
     m->isSwept = swept != 0;
-    mcd_modelStir(m);
+    mcd_modelMarkChanged(m);
 }
 
 MeBool MEAPI McdModelIsSwept(McdModelID cm) {
@@ -653,7 +653,7 @@ void MEAPI McdModelSetSensor(McdModelID cm, MeBool sensor) {
     if (!m || !m->isSensor == !sensor)
         return;
     m->isSensor = sensor != 0;
-    mcd_modelStir(m);
+    mcd_modelMarkChanged(m);
 }
 
 MeBool MEAPI McdModelIsSensor(McdModelID cm) {

@@ -125,7 +125,7 @@ enum {
 };
 /* When a call takes effect (MeStageWhen): if models are guarded, the call is added to the framework's deferred
  * calls. */
-MeWhen mcd_when(McdFramework *frame, const MeLater *later, const char *function);
+MeWhen mcd_deferWhileGuarded(McdFramework *frame, const MeLater *later, const char *function);
 /* The model that a deferred call is for; null: it has been destroyed. */
 McdModelRecord *mcd_laterModel(const MeLater *later);
 /* Whether shapes may change; false, with a message, while they are guarded. */

@@ -75,7 +75,7 @@ struct McdAggregate {
 };
 
 /* A geometry as an aggregate, whose instances have children; null for other geometries. */
-static inline const McdAggregate *mcd_childrenOf(const McdGeometry *g) {
+static inline const McdAggregate *mcd_asAggregate(const McdGeometry *g) {
     return g->type == kMcdGeometryTypeAggregate ? (const McdAggregate *)g : 0;
 }
 

@@ -55,7 +55,7 @@ struct _McdGeometryInstance {
     McdGeometryInstance *nextSibling; /* also links the free instances of the pool */
     MeMatrix4 placed;                 /* a child's world transform, as of the last update */
     double placedAxis[3][3];          /* mcd_shapeAxes of `placed`, if isPlaced */
-    MeBool isPlaced;                  /* mcd_isPlace of `placed` */
+    MeBool isPlaced;                  /* mcd_isValidTransform of `placed` */
     MeHandle handle;
 };
 
@@ -79,7 +79,7 @@ static inline MeMatrix4Ptr mcd_instanceTM(McdGeometryInstanceID ins) {
 
 /* Whether the instance has a valid transform. */
 static inline MeBool mcd_instanceIsPlaced(McdGeometryInstanceID ins) {
-    return mcd_isPlace(mcd_const(mcd_instanceTM(ins)));
+    return mcd_isValidTransform(mcd_const(mcd_instanceTM(ins)));
 }
 
 /* Create, free and place the children of an instance. mcd_instanceMakeChildren: false, with a message that names the

@@ -53,7 +53,7 @@ typedef struct McdModelRecord {
     MeU64 stamp, shapeStamp; /* versions of `inputs`, and of inputs.shape with the flag MCD_HAS_SURFACE; 0: none */
     MeU64 comparedIn;        /* the round (McdFramework.round) of the last comparison with `inputs` */
     /* hot, pairs: line 2; isPlaced, radius, reach are derived from `inputs` */
-    bool isPlaced; /* mcd_isPlace of its transform */
+    bool isPlaced; /* mcd_isValidTransform of its transform */
     bool isFast;   /* swept, and fast with respect to lookAhead */
     bool isSensor;
     bool isGone;               /* it or its body will be destroyed, or removed from the space, when a stage ends */
@@ -81,7 +81,7 @@ typedef struct McdModelRecord {
     MeReal boxDuration, boxLookAhead; /* s, motion duration and look-ahead for which the box was made */
     MeU64 lastStamp;                  /* the model's last stamp; initially one less than its first */
     MeBool isSwept;
-    MeBool isStirred; /* a setter has changed something that is not in `inputs` (mcd_frozen.c) */
+    MeBool isMarkedChanged; /* a setter has changed something that is not in `inputs` (mcd_frozen.c) */
     McdPast past;
     /* cold */
     MeU64 types; /* mcd_instanceTypes, for `inputs` */
@@ -105,7 +105,7 @@ _Static_assert(sizeof(McdModelInputs) == 40 + 20 * sizeof(MeReal) || sizeof(MeRe
 /* Notes that a shape has changed: frozen models are compared again. */
 void mcd_geometryChanged(McdGeometryID g);
 /* Notes that something outside of a model's inputs has changed. */
-void mcd_modelStir(McdModelRecord *m);
+void mcd_modelMarkChanged(McdModelRecord *m);
 
 static inline McdModelRecord *mcd_record(McdModelID cm) {
     return (McdModelRecord *)cm;
@@ -146,7 +146,7 @@ static inline MeBool mcd_isPlacedAsSeen(const McdModelRecord *m) {
            memcmp(tm[3], m->inputs.place, sizeof(MeVector3)) == 0;
 }
 
-/* Whether the model has a valid transform (mcd_isPlace). */
+/* Whether the model has a valid transform (mcd_isValidTransform). */
 MeBool mcd_modelIsPlaced(const McdModelRecord *m);
 /* Computes the model's transform after `time`, s, at constant linear and angular velocity. */
 void mcd_modelPlaceAt(const McdModelRecord *m, double time, MeMatrix4 tm);

@@ -36,7 +36,7 @@ static double length(const double a[3]) {
 }
 
 /* Rotates v about the unit axis, by Rodrigues' formula. */
-static void turnVector(double v[3], const double axis[3], double sine, double cosine) {
+static void rotateVector(double v[3], const double axis[3], double sine, double cosine) {
     double side[3];
     cross(side, axis, v);
     const double along = dot(axis, v) * (1 - cosine);
@@ -53,7 +53,7 @@ void mcd_shapeMove(const McdShape *s, const double velocity[3], const double spi
         return;
     const double axis[3] = {spin[0] / rate, spin[1] / rate, spin[2] / rate};
     for (int i = 0; i < 3; i++)
-        turnVector(moved->axis[i], axis, sin(rate * time), cos(rate * time));
+        rotateVector(moved->axis[i], axis, sin(rate * time), cos(rate * time));
     MEVALIDATE(!mcd_shapeIsRigid(s) || fabs(dot(moved->axis[0], moved->axis[1])) < 1e-8);
 }
 
@@ -64,7 +64,7 @@ static void getVelocities(const McdModelRecord *m, double velocity[3], double sp
     }
 }
 
-static MeBool moverOf(McdModelID cm, const double origin[3], Mover *mover) {
+static MeBool makeMover(McdModelID cm, const double origin[3], Mover *mover) {
     McdModelRecord *m = mcd_record(cm);
     getVelocities(m, mover->velocity, mover->spin);
     if (!mcd_shapeOf(&m->instance, origin, &mover->start))
@@ -147,7 +147,7 @@ int MEAPI mcd_safeTimeConvex(McdModelPair *p, MeReal maxTime, McdSafeTimeResult 
     Mover a, b;
     MeBool touches;
     mcd_pairOrigin(&mcd_record(p->model1)->instance, &mcd_record(p->model2)->instance, origin);
-    if (!moverOf(p->model1, origin, &a) || !moverOf(p->model2, origin, &b))
+    if (!makeMover(p->model1, origin, &a) || !makeMover(p->model2, origin, &b))
         return 0;
     const double target = MCD_TOUCH * MeMIN(a.reach, b.reach);
     const double time = firstTouch(&a, &b, target, (double)maxTime, n, at, &touches);
@@ -196,7 +196,7 @@ int MEAPI mcd_safeTimePlane(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *
     double origin[3], n[3], at[3], offset, time = 0;
     Mover a;
     mcd_pairOrigin(&shape->instance, &shape->instance, origin);
-    if (!moverOf(p->model1, origin, &a))
+    if (!makeMover(p->model1, origin, &a))
         return 0;
     const double target = MCD_TOUCH * a.reach;
     for (int i = 0; i < DIRECTIONS * ADVANCES; i++) {

@@ -30,7 +30,7 @@ MeBool mcd_shapeSizes(McdGeometryID g, McdShape *s) {
 }
 
 /* Sets everything but the axes, and corners, which only triangles have. False: not a convex shape, or not finite. */
-static MeBool beginShape(McdGeometryID g, const MeReal place[3], const double origin[3], McdShape *s) {
+static MeBool setShapeExceptAxes(McdGeometryID g, const MeReal place[3], const double origin[3], McdShape *s) {
     if (!mcd_shapeSizes(g, s))
         return MEFALSE;
     for (int i = 0; i < 3; i++)
@@ -39,7 +39,7 @@ static MeBool beginShape(McdGeometryID g, const MeReal place[3], const double or
 }
 
 MeBool mcd_shapeAt(McdGeometryID g, const MeMatrix4 tm, const double origin[3], McdShape *shape) {
-    if (!mcd_isPlace(tm) || !beginShape(g, tm[3], origin, shape))
+    if (!mcd_isValidTransform(tm) || !setShapeExceptAxes(g, tm[3], origin, shape))
         return MEFALSE;
     mcd_shapeAxes(tm, shape->axis);
     return METRUE;
@@ -49,16 +49,16 @@ MeBool mcd_shapeOf(McdGeometryInstanceID ins, const double origin[3], McdShape *
     const McdModelRecord *m = mcd_record(ins->model);
     if (ins->parent && !ins->firstChild && ins->isPlaced) {
         memcpy(shape->axis, ins->placedAxis, sizeof shape->axis);
-        return beginShape(ins->geometry, ins->placed[3], origin, shape);
+        return setShapeExceptAxes(ins->geometry, ins->placed[3], origin, shape);
     }
     if (!m || ins != &m->instance || !mcd_isPlacedAsSeen(m))
         return mcd_shapeAt(ins->geometry, (const MeReal(*)[4])mcd_instanceTM(ins), origin, shape);
     memcpy(shape->axis, m->shape.axis, sizeof shape->axis);
-    return beginShape(ins->geometry, ins->tm[3], origin, shape);
+    return setShapeExceptAxes(ins->geometry, ins->tm[3], origin, shape);
 }
 
 /* For checks: whether the shape is the one that the model's geometry and transform make now. */
-static MeBool isShapeAsNow(McdModelRecord *m, const double origin[3], const McdShape *shape) {
+static MeBool isShapeCurrent(McdModelRecord *m, const double origin[3], const McdShape *shape) {
     McdShape now;
     return mcd_shapeAt(m->instance.geometry, mcd_const(m->instance.tm), origin, &now) &&
            memcmp(&now, shape, offsetof(McdShape, corner)) == 0;
@@ -69,6 +69,6 @@ MeBool mcd_shapeInRound(McdModelRecord *m, const double origin[3], McdShape *sha
         return MEFALSE;
     memcpy(shape, &m->shape, offsetof(McdShape, corner));
     mcd_sub(shape->place, shape->place, origin);
-    MEVALIDATE(isShapeAsNow(m, origin, shape));
+    MEVALIDATE(isShapeCurrent(m, origin, shape));
     return METRUE;
 }

@@ -6,8 +6,8 @@
 
 /* m: an upper bound of the approach of two models, with these velocities, before the next test. mayTurnRound: either
  * may rebound from others meanwhile, so relative velocity is no bound; then it is the sum of their travels. */
-static double greatestApproach(const McdModelRecord *a, const McdModelRecord *b, const MeReal *velocity1,
-                               const MeReal *velocity2, MeBool mayTurnRound) {
+static double maxApproach(const McdModelRecord *a, const McdModelRecord *b, const MeReal *velocity1,
+                          const MeReal *velocity2, MeBool mayTurnRound) {
     const double time = fmax((double)a->lookAhead, (double)b->lookAhead), max = (double)a->travel + (double)b->travel;
     double square = 0;
     if (!(max > 0) || mayTurnRound)
@@ -24,7 +24,7 @@ static double marginOf(const McdModelPair *p, const MeReal *velocity1, const MeR
     const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
     if (a->isFast || b->isFast) /* contacts of the current overlap only: McdSafeTime predicts future ones */
         return fmax((double)mcd_fastMargin(a), (double)mcd_fastMargin(b));
-    const double approach = greatestApproach(a, b, velocity1, velocity2, p->mayTurnRound);
+    const double approach = maxApproach(a, b, velocity1, velocity2, p->mayTurnRound);
     MEASSERT(a->tolerance >= 0 && b->tolerance >= 0 && !(approach < 0));
     return (double)a->tolerance + (double)b->tolerance + approach;
 }
@@ -84,7 +84,7 @@ MeU32 mcd_featureNumber(MeU64 feature) {
 }
 
 /* Makes the feature ids of a result unique: of two equal hashes the later one is changed. */
-static void setMinGap(McdIntersectResult *result) {
+static void makeFeaturesUnique(McdIntersectResult *result) {
     for (int i = 1; i < result->contactCount; i++)
         for (int k = 0; k < i; k++)
             if (result->contacts[k].feature == result->contacts[i].feature) {
@@ -121,10 +121,10 @@ McdContact *mcd_resultAdd(McdIntersectResult *result, const McdManifold *m, cons
         McdContact *c = &result->contacts[result->contactCount++];
         for (int k = 0; k < 3; k++) {
             c->exactPosition[k] = origin[k] + point->position[k];
-            c->position[k] = mcd_real(c->exactPosition[k]);
+            c->position[k] = mcd_clampReal(c->exactPosition[k]);
             c->normal[k] = (MeReal)m->normal[k];
         }
-        c->separation = mcd_real(point->separation);
+        c->separation = mcd_clampReal(point->separation);
         c->exactSeparation = point->separation;
         c->radius[0] = point->radius[0];
         c->radius[1] = point->radius[1];
@@ -158,7 +158,7 @@ static MeBool isContactGood(const McdIntersectResult *result, int i) {
     for (int k = 0; k < i; k++)
         if (result->contacts[k].feature == c->feature)
             return MEFALSE;
-    return mcd_areNear(c->position, 3) && isNormalGood(c) && isfinite(c->exactSeparation) && c->radius[0] >= 0 &&
+    return mcd_areInRange(c->position, 3) && isNormalGood(c) && isfinite(c->exactSeparation) && c->radius[0] >= 0 &&
            c->radius[1] >= 0 && c->instance1->model == result->pair->model1 &&
            c->instance2->model == result->pair->model2;
 }
@@ -189,7 +189,7 @@ int mcd_resultEnd(McdIntersectResult *result) {
         MeVector3MultiplyScalar(result->normal, sum, 1 / length);
     else /* the normals cancel: the first contact's */
         MeVector3Copy(result->normal, result->contacts[0].normal);
-    setMinGap(result);
+    makeFeaturesUnique(result);
     MEVALIDATE(areContactsGood(result));
     return result->touch = 1;
 }

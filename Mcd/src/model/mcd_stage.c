@@ -36,7 +36,7 @@ MeStage *MEAPI McdModelGetGuardStage(McdModelID cm) {
     return MeStageIsActive(stage, MCD_GUARD_MODELS) ? stage : 0;
 }
 
-MeWhen mcd_when(McdFramework *frame, const MeLater *later, const char *function) {
+MeWhen mcd_deferWhileGuarded(McdFramework *frame, const MeLater *later, const char *function) {
     const MeWhen when = MeStageWhen(&frame->stage, MCD_GUARD_MODELS, function);
     return when == MeWhenStageEnds && !MeStageDefer(&frame->stage, MCD_GUARD_MODELS, later, function) ? MeWhenNever
                                                                                                       : when;

@@ -7,7 +7,7 @@
 #include "pair/mcd_pair_i.h"
 #include <string.h>
 
-static MeBool areOfTypes(const McdModelPair *p, int type1, int type2, const char *function) {
+static MeBool checkTypes(const McdModelPair *p, int type1, int type2, const char *function) {
     if (mcd_record(p->model1)->instance.geometry->type == type1 &&
         mcd_record(p->model2)->instance.geometry->type == type2)
         return METRUE;
@@ -15,7 +15,7 @@ static MeBool areOfTypes(const McdModelPair *p, int type1, int type2, const char
     return MEFALSE;
 }
 
-static MeBool hasTypes(McdModelPair *p, McdIntersectResult *result, int type1, int type2, const char *function) {
+static MeBool checkArguments(McdModelPair *p, McdIntersectResult *result, int type1, int type2, const char *function) {
     if (!p || !result) {
         MeWarning(1, "%s: no %s", function, p ? "result" : "pair");
         return MEFALSE;
@@ -24,17 +24,17 @@ static MeBool hasTypes(McdModelPair *p, McdIntersectResult *result, int type1, i
     if (!mcd_resultHasRoom(result, function))
         return MEFALSE;
     const McdModelRecord *m1 = mcd_modelCheck(p->model1, function), *m2 = mcd_modelCheck(p->model2, function);
-    return m1 && m2 && areOfTypes(p, type1, type2, function);
+    return m1 && m2 && checkTypes(p, type1, type2, function);
 }
 
-static int notPlaced(const char *function) {
+static int warnNotPlaced(const char *function) {
     MeWarning(1, "%s: a model has no transform, or one that is not finite, or flat: they do not touch",
               MeCallerName(function));
     return 0;
 }
 
 static int convexIntersect(McdModelPair *p, McdIntersectResult *result, int type1, int type2, const char *function) {
-    return hasTypes(p, result, type1, type2, function) ? mcd_convexContacts(p, result, function) : 0;
+    return checkArguments(p, result, type1, type2, function) ? mcd_convexContacts(p, result, function) : 0;
 }
 
 static void addManifold(const McdShape *a, const McdShape *b, const double origin[3], McdGeometryInstance *ins1,
@@ -68,11 +68,11 @@ MeBool mcd_convexModels(McdModelRecord *m1, McdModelRecord *m2, double margin, M
 
 int mcd_convexContacts(McdModelPair *p, McdIntersectResult *result, const char *function) {
     McdGeometryInstance *ins1 = &mcd_record(p->model1)->instance, *ins2 = &mcd_record(p->model2)->instance;
-    return mcd_convexInstances(ins1, ins2, mcd_pairMargin(p), result) ? mcd_resultEnd(result) : notPlaced(function);
+    return mcd_convexInstances(ins1, ins2, mcd_pairMargin(p), result) ? mcd_resultEnd(result) : warnNotPlaced(function);
 }
 
 /* The plane's unit normal, and its offset normal . x relative to origin; false if the transform is invalid. */
-static MeBool planeAt(const MeMatrix4Ptr tm, const double origin[3], double normal[3], double *offset) {
+static MeBool halfSpaceAt(const MeMatrix4Ptr tm, const double origin[3], double normal[3], double *offset) {
     *offset = 0;
     if (!tm)
         return MEFALSE;
@@ -91,22 +91,22 @@ static MeBool planeAt(const MeMatrix4Ptr tm, const double origin[3], double norm
 }
 
 static int planeIntersect(McdModelPair *p, McdIntersectResult *result, int type1, int type2, const char *function) {
-    return hasTypes(p, result, type1, type2, function) ? mcd_planeContacts(p, result, function) : 0;
+    return checkArguments(p, result, type1, type2, function) ? mcd_planeContacts(p, result, function) : 0;
 }
 
 int mcd_planeContacts(McdModelPair *p, McdIntersectResult *result, const char *function) {
     McdGeometryInstance *ins1 = &mcd_record(p->model1)->instance, *ins2 = &mcd_record(p->model2)->instance;
-    const MeBool isTurned = mcd_isHalfSpace(ins1);
+    const MeBool isSwapped = mcd_isHalfSpace(ins1);
     double origin[3], normal[3], offset;
     McdShape a;
     McdManifold m;
     mcd_pairOrigin(ins1, ins2, origin);
-    if (!mcd_shapeOf(isTurned ? ins2 : ins1, origin, &a) ||
-        !planeAt(mcd_instanceTM(isTurned ? ins1 : ins2), origin, normal, &offset))
-        return notPlaced(function);
+    if (!mcd_shapeOf(isSwapped ? ins2 : ins1, origin, &a) ||
+        !halfSpaceAt(mcd_instanceTM(isSwapped ? ins1 : ins2), origin, normal, &offset))
+        return warnNotPlaced(function);
     if (mcd_planeManifold(&a, normal, offset, mcd_pairMargin(p), &m)) {
-        if (isTurned)
-            mcd_manifoldTurn(&m);
+        if (isSwapped)
+            mcd_manifoldSwap(&m);
         mcd_resultAdd(result, &m, origin, ins1, ins2);
     }
     return mcd_resultEnd(result);
@@ -119,9 +119,9 @@ static int typeOfModel(McdModelID m, const char *function) {
     return record ? record->instance.geometry->type : -1;
 }
 
-static int planeWithAny(McdModelPair *p, McdIntersectResult *result, const char *function) {
+static int intersectPlaneWithAny(McdModelPair *p, McdIntersectResult *result, const char *function) {
     if (!p || !result)
-        return hasTypes(p, result, 0, 0, function);
+        return checkArguments(p, result, 0, 0, function);
     const int type1 = typeOfModel(p->model1, function), type2 = typeOfModel(p->model2, function);
     if ((type1 == kMcdGeometryTypePlane) != (type2 == kMcdGeometryTypePlane))
         return planeIntersect(p, result, type1, type2, function);
@@ -132,7 +132,7 @@ static int planeWithAny(McdModelPair *p, McdIntersectResult *result, const char 
 }
 
 int MEAPI McdPlaneIntersect(McdModelPair *p, McdIntersectResult *result) {
-    return planeWithAny(p, result, "McdPlaneIntersect");
+    return intersectPlaneWithAny(p, result, "McdPlaneIntersect");
 }
 
 int MEAPI McdPlaneIntersectTest(McdModelID modplane, McdModelID mod, McdIntersectResult *result) {
@@ -143,7 +143,7 @@ int MEAPI McdPlaneIntersectTest(McdModelID modplane, McdModelID mod, McdIntersec
     const char *const before = MeMessagesAs(__func__); /* so that only the first warning is given */
     if (typeOfModel(modplane, "McdPlaneIntersectTest") != kMcdGeometryTypePlane)
         MeWarning(1, "McdPlaneIntersectTest: the first model must be a plane");
-    const int answer = planeWithAny(&p, result, "McdPlaneIntersectTest");
+    const int answer = intersectPlaneWithAny(&p, result, "McdPlaneIntersectTest");
     MeMessagesAs(before);
     if (result)
         result->pair = NULL;
@@ -152,8 +152,8 @@ int MEAPI McdPlaneIntersectTest(McdModelID modplane, McdModelID mod, McdIntersec
 
 static int safeTimeOfTypes(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result, int type1, int type2,
                            McdSafeTimeFn safeTime, const char *function) {
-    return mcd_safeTimeBegin(p, maxTime, result, function) && areOfTypes(p, type1, type2, function) &&
-           mcd_safeTimeIsToBeHad(p, function) && safeTime(p, maxTime, result);
+    return mcd_safeTimeBegin(p, maxTime, result, function) && checkTypes(p, type1, type2, function) &&
+           mcd_safeTimeInputsAreValid(p, function) && safeTime(p, maxTime, result);
 }
 
 static MeBool registerPair(McdFramework *frame, int type1, int type2, McdIntersectFn intersect, McdSafeTimeFn safeTime,

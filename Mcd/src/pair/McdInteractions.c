@@ -22,17 +22,17 @@ static McdGridCell *cellOfTypes(McdFramework *frame, int type1, int type2) {
     return &frame->grid[type1 * frame->typeCount + type2];
 }
 
-static McdGridCell *cellOf(McdModelID m1, McdModelID m2) {
+static McdGridCell *cellOfModels(McdModelID m1, McdModelID m2) {
     return cellOfTypes(mcd_record(m1)->frame, typeOf(m1), typeOf(m2));
 }
 
-/* The pair's cell in the table of interactions; null if there is none. isTurned: the cell is for the swapped pair. */
-static const McdGridCell *interactionOf(const McdModelPair *p, MeBool *isTurned) {
-    const McdGridCell *straight = cellOf(p->model1, p->model2), *turned = cellOf(p->model2, p->model1);
-    *isTurned = !straight->isSet;
-    if (straight->isSet)
-        return straight;
-    return turned->isSet ? turned : 0;
+/* The pair's cell in the table of interactions; null if there is none. isSwapped: the cell is for the swapped pair. */
+static const McdGridCell *interactionOf(const McdModelPair *p, MeBool *isSwapped) {
+    const McdGridCell *direct = cellOfModels(p->model1, p->model2), *swapped = cellOfModels(p->model2, p->model1);
+    *isSwapped = !direct->isSet;
+    if (direct->isSet)
+        return direct;
+    return swapped->isSet ? swapped : 0;
 }
 
 /* Brackets a call of an interaction's function. If that is the program's, it runs at MCD_GUARD_SHAPES. */
@@ -41,7 +41,7 @@ typedef struct Call {
     MeProgramCall before;
 } Call;
 
-static Call enter(const McdModelPair *p, MeBool isOfProgram) {
+static Call beginCall(const McdModelPair *p, MeBool isOfProgram) {
     Call call = {.frame = isOfProgram ? mcd_record(p->model1)->frame : 0};
     if (!isOfProgram)
         return call;
@@ -50,22 +50,22 @@ static Call enter(const McdModelPair *p, MeBool isOfProgram) {
     return call;
 }
 
-static void leave(const Call *call) {
+static void endCall(const Call *call) {
     if (!call->frame)
         return;
     MeProgramLeave(&call->before);
     MeStageEnd(&call->frame->stage, MCD_GUARD_SHAPES);
 }
 
-static MeBool areSame(const McdInteractions *a, const McdInteractions *b) {
+static MeBool areEqual(const McdInteractions *a, const McdInteractions *b) {
     return a->intersectFn == b->intersectFn && a->safeTimeFn == b->safeTimeFn && a->helloFn == b->helloFn &&
            a->goodbyeFn == b->goodbyeFn;
 }
 
 MeBool mcd_typesAreBuiltIn(McdFramework *frame, int type1, int type2) {
-    const McdGridCell *straight = cellOfTypes(frame, type1, type2), *turned = cellOfTypes(frame, type2, type1);
-    const McdGridCell *cell = straight->isSet ? straight : turned;
-    return cell->isSet && cell->library.intersectFn && areSame(&cell->interactions, &cell->library);
+    const McdGridCell *direct = cellOfTypes(frame, type1, type2), *swapped = cellOfTypes(frame, type2, type1);
+    const McdGridCell *cell = direct->isSet ? direct : swapped;
+    return cell->isSet && cell->library.intersectFn && areEqual(&cell->interactions, &cell->library);
 }
 
 MeBool mcd_interactionIsBuiltIn(const McdModelPair *p) {
@@ -94,11 +94,11 @@ MeBool mcd_typesInteractAsBuiltIn(McdFramework *frame, MeU64 types1, MeU64 types
     return METRUE;
 }
 
-static McdModelPair turn(const McdModelPair *p) {
-    McdModelPair turned = *p;
-    turned.model1 = p->model2;
-    turned.model2 = p->model1;
-    return turned;
+static McdModelPair swapModels(const McdModelPair *p) {
+    McdModelPair swapped = *p;
+    swapped.model1 = p->model2;
+    swapped.model2 = p->model1;
+    return swapped;
 }
 
 /* ---- hello, goodbye ---------------------------------------------------------------------------------------------- */
@@ -115,7 +115,7 @@ static MeBool hasNoneByDesign(const McdModelPair *p) {
 }
 
 static void warnOfNoInteraction(McdModelPair *p) {
-    McdGridCell *cell = cellOf(p->model1, p->model2);
+    McdGridCell *cell = cellOfModels(p->model1, p->model2);
     if (hasNoneByDesign(p))
         return;
     if (atomic_fetch_add(&cell->warned, 1) == 0)
@@ -125,10 +125,10 @@ static void warnOfNoInteraction(McdModelPair *p) {
 }
 
 void MEAPI McdHello(McdModelPair *p) {
-    MeBool isTurned;
+    MeBool isSwapped;
     if (!checkPair(p, "McdHello"))
         return;
-    const McdGridCell *cell = interactionOf(p, &isTurned);
+    const McdGridCell *cell = interactionOf(p, &isSwapped);
     if (!cell) {
         warnOfNoInteraction(p);
         return;
@@ -136,28 +136,28 @@ void MEAPI McdHello(McdModelPair *p) {
     const McdHelloFn hello = cell->interactions.helloFn;
     if (!hello)
         return;
-    McdModelPair ordered = isTurned ? turn(p) : *p;
-    const Call call = enter(p, hello != cell->library.helloFn);
+    McdModelPair ordered = isSwapped ? swapModels(p) : *p;
+    const Call call = beginCall(p, hello != cell->library.helloFn);
     hello(&ordered);
     p->m_cachedData = ordered.m_cachedData;
-    leave(&call);
+    endCall(&call);
 }
 
 void MEAPI McdGoodbye(McdModelPair *p) {
-    MeBool isTurned;
+    MeBool isSwapped;
     if (!checkPair(p, "McdGoodbye"))
         return;
-    const McdGridCell *cell = interactionOf(p, &isTurned);
+    const McdGridCell *cell = interactionOf(p, &isSwapped);
     const McdGoodbyeFn goodbye = cell ? cell->interactions.goodbyeFn : 0;
     if (!goodbye) {
         p->m_cachedData = 0;
         return;
     }
-    McdModelPair ordered = isTurned ? turn(p) : *p;
-    const Call call = enter(p, goodbye != cell->library.goodbyeFn);
+    McdModelPair ordered = isSwapped ? swapModels(p) : *p;
+    const Call call = beginCall(p, goodbye != cell->library.goodbyeFn);
     goodbye(&ordered);
     p->m_cachedData = 0;
-    leave(&call);
+    endCall(&call);
 }
 
 /* The framework of the models in a container's range; null: there are no models. */
@@ -171,7 +171,7 @@ static McdFramework *frameOf(const McdModelPairContainer *pairs, int first, int 
 }
 
 /* Calls `notify` for each pair. Meanwhile, destruction and removal of models by the program's callbacks is deferred. */
-static void forEach(McdModelPairContainer *pairs, int first, int end, void(MEAPI *notify)(McdModelPair *p)) {
+static void notifyPairs(McdModelPairContainer *pairs, int first, int end, void(MEAPI *notify)(McdModelPair *p)) {
     McdFramework *frame = frameOf(pairs, first, end);
     if (!frame)
         return;
@@ -186,7 +186,7 @@ void MEAPI McdHelloEach(McdModelPairContainer *pairs) {
         MeWarning(1, "McdHelloEach: no container");
         return;
     }
-    forEach(pairs, pairs->helloFirst, pairs->helloEnd, McdHello);
+    notifyPairs(pairs, pairs->helloFirst, pairs->helloEnd, McdHello);
 }
 
 void MEAPI McdGoodbyeEach(McdModelPairContainer *pairs) {
@@ -194,7 +194,7 @@ void MEAPI McdGoodbyeEach(McdModelPairContainer *pairs) {
         MeWarning(1, "McdGoodbyeEach: no container");
         return;
     }
-    forEach(pairs, pairs->goodbyeFirst, pairs->goodbyeEnd, McdGoodbye);
+    notifyPairs(pairs, pairs->goodbyeFirst, pairs->goodbyeEnd, McdGoodbye);
 }
 
 /* ---- contacts ---------------------------------------------------------------------------------------------------- */
@@ -218,7 +218,7 @@ static void clearResult(McdIntersectResult *result, McdModelPair *p) {
 
 /* Swaps back the result of a pair that was tested with its models swapped: negates normals, exchanges the data of
  * both models. */
-static void turnContacts(McdIntersectResult *result) {
+static void swapContacts(McdIntersectResult *result) {
     MeVector3MultiplyScalar(result->normal, result->normal, -1);
     for (int i = 0; i < result->contactCount; i++) {
         McdContact *c = &result->contacts[i];
@@ -253,23 +253,23 @@ static void completeContacts(McdIntersectResult *result) {
     }
 }
 
-static void callIntersect(McdIntersectFn intersect, McdModelPair *p, MeBool isTurned, McdIntersectResult *result) {
+static void callIntersect(McdIntersectFn intersect, McdModelPair *p, MeBool isSwapped, McdIntersectResult *result) {
     markUnused(&result->contacts[0]);
-    if (isTurned) {
-        McdModelPair turned = turn(p);
-        intersect(&turned, result);
+    if (isSwapped) {
+        McdModelPair swapped = swapModels(p);
+        intersect(&swapped, result);
     } else {
         intersect(p, result);
     }
     result->contactCount = MeCLAMP(result->contactCount, 0, result->contactMaxCount);
     completeContacts(result);
-    if (isTurned)
-        turnContacts(result);
+    if (isSwapped)
+        swapContacts(result);
     result->pair = p;
 }
 
 /* For McdRequest.faceNormalsFirst: requests more contacts than needed, and keeps those on faces before others. */
-static void intersectFacesFirst(McdIntersectFn intersect, McdModelPair *p, MeBool isTurned,
+static void intersectFacesFirst(McdIntersectFn intersect, McdModelPair *p, MeBool isSwapped,
                                 McdIntersectResult *result) {
     enum { MORE = 4 }; /* so that a whole manifold of four points is found even if one contact is requested */
     McdFramework *frame = mcd_record(p->model1)->frame;
@@ -281,15 +281,15 @@ static void intersectFacesFirst(McdIntersectFn intersect, McdModelPair *p, MeBoo
     if (mcd_scratchReserveContacts(scratch, 0, MORE * maxCount)) {
         result->contacts = scratch->contact;
         result->contactMaxCount = MORE * maxCount;
-        callIntersect(intersect, p, isTurned, result);
+        callIntersect(intersect, p, isSwapped, result);
         result->contactCount = mcd_simplify(scratch->contact, result->contactCount, kept, maxCount, result->normal,
                                             1e-6 * (double)frame->lengthScale, scratch->choice);
         result->contacts = kept;
     }
-    mcd_scratchGive(frame, scratch);
+    mcd_scratchRelease(frame, scratch);
 }
 
-static void callModels(McdModelPair *p, McdIntersectResult *result) {
+static void callModelCallbacks(McdModelPair *p, McdIntersectResult *result) {
     McdModelRecord *m[2] = {mcd_record(p->model1), mcd_record(p->model2)};
     if (!m[0]->intersect && !m[1]->intersect)
         return;
@@ -308,13 +308,13 @@ static int limitContacts(McdIntersectResult *result, const McdRequest *request) 
     return max;
 }
 
-static void runIntersect(McdIntersectFn intersect, McdModelPair *p, MeBool isTurned, McdIntersectResult *result) {
+static void runIntersect(McdIntersectFn intersect, McdModelPair *p, MeBool isSwapped, McdIntersectResult *result) {
     const McdRequest *request = McdModelPairGetRequestPtr(p);
     const int max = limitContacts(result, request);
     if (request->faceNormalsFirst)
-        intersectFacesFirst(intersect, p, isTurned, result);
+        intersectFacesFirst(intersect, p, isSwapped, result);
     else
-        callIntersect(intersect, p, isTurned, result);
+        callIntersect(intersect, p, isSwapped, result);
     result->contactMaxCount = max;
 }
 
@@ -327,18 +327,18 @@ static MeBool arePlaced(const McdModelPair *p, const char *function) {
 }
 
 MeBool mcd_intersect(McdModelPair *p, McdIntersectResult *result) {
-    MeBool isTurned;
+    MeBool isSwapped;
     clearResult(result, p);
-    const McdGridCell *cell = interactionOf(p, &isTurned);
+    const McdGridCell *cell = interactionOf(p, &isSwapped);
     const McdIntersectFn intersect = cell ? cell->interactions.intersectFn : 0;
     if (!intersect)
         return MEFALSE;
     if (!arePlaced(p, "McdIntersect"))
         return METRUE;
-    const Call call = enter(p, intersect != cell->library.intersectFn);
-    runIntersect(intersect, p, isTurned, result);
-    leave(&call);
-    callModels(p, result);
+    const Call call = beginCall(p, intersect != cell->library.intersectFn);
+    runIntersect(intersect, p, isSwapped, result);
+    endCall(&call);
+    callModelCallbacks(p, result);
     return METRUE;
 }
 
@@ -368,14 +368,14 @@ MeBool MEAPI McdModelPairIntersectPlain(McdModelPair *p, McdIntersectResult *res
     MEASSERT(p && result && McdModelPairIsPlain(p));
     const McdRequest *request = McdModelPairGetRequestPtr(p);
     MeBool areConvex = MEFALSE;
-    if (!request->faceNormalsFirst && cellOf(p->model1, p->model2)->isSet) {
+    if (!request->faceNormalsFirst && cellOfModels(p->model1, p->model2)->isSet) {
         areConvex = addConvexContacts(p, request, result);
     } else if (!request->faceNormalsFirst) {
-        McdModelPair ordered = turn(p);
+        McdModelPair ordered = swapModels(p);
         areConvex = addConvexContacts(&ordered, request, result);
         result->pair = p;
         if (areConvex)
-            turnContacts(result);
+            swapContacts(result);
     }
     return areConvex || mcd_intersect(p, result);
 }
@@ -477,7 +477,7 @@ static MeBool areVelocitiesGood(const McdModelPair *p, const char *function) {
     for (int i = 0; i < 2; i++) {
         const MeReal *velocity[2] = {m[i]->linearVelocity, m[i]->angularVelocity};
         for (int k = 0; k < 2; k++)
-            if (velocity[k] && !mcd_areNear(velocity[k], 3)) {
+            if (velocity[k] && !mcd_areInRange(velocity[k], 3)) {
                 MeWarning(1, "%s: a model's velocity is not finite, or beyond %g", function, (double)FLT_MAX);
                 return MEFALSE;
             }
@@ -491,9 +491,9 @@ static MeBool callSafeTime(const McdGridCell *cell, McdModelPair *p, MeReal maxT
     const McdSafeTimeFn safeTime = cell->interactions.safeTimeFn;
     McdFramework *frame = mcd_record(p->model1)->frame;
     MeStageBegin(&frame->stage, MCD_GUARD_MODELS);
-    const Call call = enter(p, safeTime != cell->library.safeTimeFn);
+    const Call call = beginCall(p, safeTime != cell->library.safeTimeFn);
     const MeBool answer = safeTime(p, maxTime, result) != 0;
-    leave(&call);
+    endCall(&call);
     MeStageEnd(&frame->stage, MCD_GUARD_MODELS);
     return answer;
 }
@@ -510,7 +510,7 @@ MeBool mcd_safeTimeBegin(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *res
     result->time = maxTime;
     MeVector3Set(result->normal, 0, 0, 0);
     MeVector3Set(result->position, 0, 0, 0);
-    if (!(maxTime >= 0) || !mcd_areNear(&maxTime, 1)) {
+    if (!(maxTime >= 0) || !mcd_areInRange(&maxTime, 1)) {
         MeWarning(1, "%s: maxTime is %g: it must be >= 0", function, (double)maxTime);
         result->time = 0;
         return MEFALSE;
@@ -518,30 +518,30 @@ MeBool mcd_safeTimeBegin(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *res
     return checkPair(p, function);
 }
 
-MeBool mcd_safeTimeIsToBeHad(const McdModelPair *p, const char *function) {
+MeBool mcd_safeTimeInputsAreValid(const McdModelPair *p, const char *function) {
     return arePlaced(p, function) && areVelocitiesGood(p, function);
 }
 
 MeBool MEAPI McdSafeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result) {
-    MeBool isTurned;
+    MeBool isSwapped;
     if (!mcd_safeTimeBegin(p, maxTime, result, "McdSafeTime"))
         return MEFALSE;
-    const McdGridCell *cell = interactionOf(p, &isTurned);
+    const McdGridCell *cell = interactionOf(p, &isSwapped);
     const McdSafeTimeFn safeTime = cell ? cell->interactions.safeTimeFn : 0;
-    if (!safeTime || !mcd_safeTimeIsToBeHad(p, "McdSafeTime"))
+    if (!safeTime || !mcd_safeTimeInputsAreValid(p, "McdSafeTime"))
         return MEFALSE;
-    McdModelPair ordered = isTurned ? turn(p) : *p;
+    McdModelPair ordered = isSwapped ? swapModels(p) : *p;
     const MeBool mayCall = !areBothConvex(p) || safeTime != cell->library.safeTimeFn;
     const MeBool answer =
         mayCall ? callSafeTime(cell, &ordered, maxTime, result) : safeTime(&ordered, maxTime, result) != 0;
-    if (isTurned)
+    if (isSwapped)
         MeVector3MultiplyScalar(result->normal, result->normal, -1);
     result->pair = p;
     return answer;
 }
 
 static MeBool isPoint(const MeReal *p) {
-    return p && mcd_areNear(p, 3);
+    return p && mcd_areInRange(p, 3);
 }
 
 MeBool mcd_lineSegIntersect(McdModelID cm, MeReal *inOrig, MeReal *inDest, McdLineSegIntersectResult *outOverlap) {

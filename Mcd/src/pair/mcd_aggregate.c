@@ -33,7 +33,7 @@ static MeBool areNear(ChildPairs *m, const McdGeometryInstance *a, const McdGeom
 }
 
 static MeBool isAggregate(const McdGeometryInstance *ins) {
-    return mcd_childrenOf(ins->geometry) != 0;
+    return mcd_asAggregate(ins->geometry) != 0;
 }
 
 static MeBool areConvex(const McdGeometryInstance *a, const McdGeometryInstance *b) {
@@ -59,21 +59,21 @@ static void visitChildPair(ChildPairs *m, McdGeometryInstance *a, McdGeometryIns
 }
 
 /* Visits all pairs of parts, in the order of the elements. */
-static void forEachChildPair(ChildPairs *m, McdGeometryInstance *a, McdGeometryInstance *b) {
+static void visitChildPairsOf(ChildPairs *m, McdGeometryInstance *a, McdGeometryInstance *b) {
     if (!areNear(m, a, b))
         return;
     if (isAggregate(a))
         for (McdGeometryInstance *child = a->firstChild; child; child = child->nextSibling)
-            forEachChildPair(m, child, b);
+            visitChildPairsOf(m, child, b);
     else if (isAggregate(b))
         for (McdGeometryInstance *child = b->firstChild; child; child = child->nextSibling)
-            forEachChildPair(m, a, child);
+            visitChildPairsOf(m, a, child);
     else
         visitChildPair(m, a, b);
 }
 
-static void forEachPairOfChildren(ChildPairs *m) {
-    forEachChildPair(m, &mcd_record(m->pair->model1)->instance, &mcd_record(m->pair->model2)->instance);
+static void visitAllChildPairs(ChildPairs *m) {
+    visitChildPairsOf(m, &mcd_record(m->pair->model1)->instance, &mcd_record(m->pair->model2)->instance);
 }
 
 /* ---- contacts ---------------------------------------------------------------------------------------------------- */
@@ -102,8 +102,8 @@ static MeBool beginResult(Gathering *g, McdIntersectResult *result) {
     return METRUE;
 }
 
-static void keepResult(Gathering *g, const McdIntersectResult *result, McdGeometryInstance *child1,
-                       McdGeometryInstance *child2) {
+static void appendResult(Gathering *g, const McdIntersectResult *result, McdGeometryInstance *child1,
+                         McdGeometryInstance *child2) {
     const MeU32 path = result->contactCount ? mcd_featureMix(mcd_childPath(child1), mcd_childPath(child2)) : 0;
     for (int i = 0; i < result->contactCount; i++) {
         McdContact *c = &result->contacts[i];
@@ -120,10 +120,10 @@ static void gatherContacts(ChildPairs *m, McdModelPair *childPair, McdGeometryIn
     McdIntersectResult result;
     m->minGap = 0;
     if (beginResult(m->data, &result) && mcd_intersect(childPair, &result))
-        keepResult(m->data, &result, child1, child2);
+        appendResult(m->data, &result, child1, child2);
 }
 
-static MeBool gatherConvex(ChildPairs *m, McdGeometryInstance *child1, McdGeometryInstance *child2) {
+static MeBool gatherConvexContacts(ChildPairs *m, McdGeometryInstance *child1, McdGeometryInstance *child2) {
     McdIntersectResult result;
     if (McdModelPairGetRequestPtr(m->pair)->faceNormalsFirst)
         return MEFALSE;
@@ -132,18 +132,18 @@ static MeBool gatherConvex(ChildPairs *m, McdGeometryInstance *child1, McdGeomet
     if (!mcd_convexInstances(child1, child2, mcd_childMargin(m->pair, child1, child2), &result))
         return MEFALSE;
     m->minGap = MeMIN(m->minGap, result.apart); /* 0 if there are contacts */
-    keepResult(m->data, &result, child1, child2);
+    appendResult(m->data, &result, child1, child2);
     return METRUE;
 }
 
 static int MEAPI intersect(McdModelPair *p, McdIntersectResult *result) {
     McdFramework *frame = mcd_record(p->model1)->frame;
     Gathering g = {mcd_scratchAcquire(frame, "McdIntersect"), 0, MeMAX(result->contactMaxCount, 1)};
-    ChildPairs m = {p, (MeReal)mcd_pairMargin(p), gatherContacts, gatherConvex, MEINFINITY, &g};
+    ChildPairs m = {p, (MeReal)mcd_pairMargin(p), gatherContacts, gatherConvexContacts, MEINFINITY, &g};
     mcd_resultBegin(result, p);
     if (!g.scratch)
         return 0;
-    forEachPairOfChildren(&m);
+    visitAllChildPairs(&m);
     g.count = mcd_dropInternalContacts(p, g.scratch, g.count);
     McdContact *found = g.scratch->contact;
     if (g.count > result->contactMaxCount)
@@ -154,7 +154,7 @@ static int MEAPI intersect(McdModelPair *p, McdIntersectResult *result) {
         memcpy(result->contacts, found, (size_t)g.count * sizeof *result->contacts);
     result->contactCount = g.count;
     result->apart = m.minGap < MEINFINITY ? m.minGap : 0;
-    mcd_scratchGive(frame, g.scratch);
+    mcd_scratchRelease(frame, g.scratch);
     return mcd_resultEnd(result);
 }
 
@@ -172,7 +172,7 @@ static void keepEarliest(ChildPairs *m, McdModelPair *childPair, McdGeometryInst
 static int MEAPI safeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result) {
     ChildPairs m = {p, -1, keepEarliest, 0, 0, result};
     result->time = maxTime;
-    forEachPairOfChildren(&m);
+    visitAllChildPairs(&m);
     MEASSERT(result->time >= 0 && result->time <= maxTime);
     result->pair = p;
     return 1;
@@ -180,10 +180,11 @@ static int MEAPI safeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *re
 
 /* ---- line segments ----------------------------------------------------------------------------------------------- */
 
-static int firstHit(McdGeometryInstance *ins, MeReal *from, MeReal *to, McdLineSegIntersectResult *best, int hits) {
+static int firstHitOfInstance(McdGeometryInstance *ins, MeReal *from, MeReal *to, McdLineSegIntersectResult *best,
+                              int hits) {
     if (isAggregate(ins)) {
         for (McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)
-            hits = firstHit(child, from, to, best, hits);
+            hits = firstHitOfInstance(child, from, to, best, hits);
         return hits;
     }
     McdStandIn s;
@@ -199,7 +200,7 @@ static int firstHit(McdGeometryInstance *ins, MeReal *from, MeReal *to, McdLineS
 
 static int MEAPI intersectSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
                                   McdLineSegIntersectResult *outOverlap) {
-    const int hits = firstHit(&mcd_record(cm)->instance, inOrig, inDest, outOverlap, 0);
+    const int hits = firstHitOfInstance(&mcd_record(cm)->instance, inOrig, inDest, outOverlap, 0);
     outOverlap->model = cm;
     return hits;
 }

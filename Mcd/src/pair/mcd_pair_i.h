@@ -40,7 +40,7 @@ int mcd_planeContacts(McdModelPair *p, McdIntersectResult *result, const char *f
  * warning that names the function, for bad arguments. */
 MeBool mcd_safeTimeBegin(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result, const char *function);
 /* Whether both models have valid transforms and finite velocities; warns if not. */
-MeBool mcd_safeTimeIsToBeHad(const McdModelPair *p, const char *function);
+MeBool mcd_safeTimeInputsAreValid(const McdModelPair *p, const char *function);
 
 /* ---- change detection (mcd_tested.c) ---- */
 

@@ -19,7 +19,7 @@
 #include <string.h>
 
 /* Copies a vector bit by bit; if there is none, leaves the destination. */
-static void copyIfThere(MeVector3 to, const MeReal *from) {
+static void copyUnlessNull(MeVector3 to, const MeReal *from) {
     if (from)
         memcpy(to, from, sizeof(MeVector3));
 }
@@ -41,8 +41,8 @@ static MeBool readParameters(const McdGeometry *g, MeU64 parameters[MCD_SHAPE_PA
 
 /* Hashes all parts of an aggregate: their transforms in it, their shapes, and the program's pointers to their
  * transforms. False as of readParameters, or if a part has its own material. */
-static MeBool addChildren(const McdGeometryInstance *ins, MeU64 hash[2]) {
-    const McdAggregate *aggregate = mcd_childrenOf(ins->geometry);
+static MeBool hashChildren(const McdGeometryInstance *ins, MeU64 hash[2]) {
+    const McdAggregate *aggregate = mcd_asAggregate(ins->geometry);
     for (const McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling) {
         struct {
             const McdGeometry *geometry;
@@ -54,8 +54,8 @@ static MeBool addChildren(const McdGeometryInstance *ins, MeU64 hash[2]) {
         all.geometry = child->geometry;
         all.tm = mcd_const(child->tm);
         memcpy(all.relTM, aggregate->element[child->element].relTM, sizeof all.relTM);
-        const MeBool isKnown = mcd_childrenOf(child->geometry) ? addChildren(child, hash)
-                                                               : readParameters(child->geometry, all.parameters);
+        const MeBool isKnown = mcd_asAggregate(child->geometry) ? hashChildren(child, hash)
+                                                                : readParameters(child->geometry, all.parameters);
         if (!isKnown || child->material >= 0)
             return MEFALSE;
         mcd_hashAdd(hash, &all, sizeof all);
@@ -70,14 +70,14 @@ static MeBool readInputs(const McdModelRecord *m, McdModelInputs *inputs) {
         return MEFALSE;
     memset(inputs, 0, sizeof *inputs);
     inputs->shape.geometry = g;
-    if (!(mcd_childrenOf(g) ? addChildren(&m->instance, inputs->shape.parameters)
-                            : readParameters(g, inputs->shape.parameters)))
+    if (!(mcd_asAggregate(g) ? hashChildren(&m->instance, inputs->shape.parameters)
+                             : readParameters(g, inputs->shape.parameters)))
         return MEFALSE;
     for (int i = 0; i < 3; i++)
         memcpy(inputs->axis[i], m->instance.tm[i], sizeof inputs->axis[i]);
     memcpy(inputs->place, m->instance.tm[3], sizeof inputs->place);
-    copyIfThere(inputs->velocity, m->linearVelocity);
-    copyIfThere(inputs->spin, m->angularVelocity);
+    copyUnlessNull(inputs->velocity, m->linearVelocity);
+    copyUnlessNull(inputs->spin, m->angularVelocity);
     inputs->shape.tolerance = m->tolerance;
     inputs->shape.isSwept = m->isSwept;
     return METRUE;
@@ -109,7 +109,7 @@ static void storeInputs(McdModelRecord *m, const McdModelInputs *now) {
     }
     m->inputs = *now;
     m->stamp = mcd_modelNewStamp(m);
-    m->isPlaced = mcd_isPlace(mcd_const(m->instance.tm));
+    m->isPlaced = mcd_isValidTransform(mcd_const(m->instance.tm));
     if (m->isPlaced)
         mcd_shapeAxes(mcd_const(m->instance.tm), m->shape.axis);
     mcd_set(m->shape.place, (double)now->place[0], (double)now->place[1], (double)now->place[2]);
@@ -165,12 +165,12 @@ MeBool MEAPI McdModelGetDisplacement(McdModelID cm, const MeVector3 point, MeVec
     return MEFALSE;
 }
 
-static MeBool isSeen(const McdModelRecord *m) {
+static MeBool isComparedInRound(const McdModelRecord *m) {
     return m->comparedIn == m->frame->round;
 }
 
 MeU64 mcd_modelStampInRound(McdModelRecord *m) {
-    return isSeen(m) ? m->stamp : mcd_modelStamp(m);
+    return isComparedInRound(m) ? m->stamp : mcd_modelStamp(m);
 }
 
 void MEAPI McdFrameworkBeginRound(McdFrameworkID frame) {
@@ -179,7 +179,7 @@ void MEAPI McdFrameworkBeginRound(McdFrameworkID frame) {
 }
 
 /* The pose of the first model relative to the second; both have been compared in this round. */
-static McdStand standOf(const McdModelPair *p) {
+static McdStand relativePose(const McdModelPair *p) {
     const McdModelInputs *a = &mcd_record(p->model1)->inputs, *b = &mcd_record(p->model2)->inputs;
     McdStand s;
     for (int i = 0; i < 3; i++)
@@ -196,7 +196,7 @@ static McdStand standOf(const McdModelPair *p) {
 /* m: an upper bound of the displacement, relative to the second model, of all points of the first one within `reach`
  * of its origin: the 1-norm of the relative position's change, plus ||R' - R|| times the reach. The difference of
  * two rotations has the spectral norm ||.||_F / sqrt(2), at most 3 / sqrt(2) times its largest entry. */
-static MeReal motionSince(const McdStand *before, const McdStand *now, MeReal reach) {
+static MeReal relativeDisplacement(const McdStand *before, const McdStand *now, MeReal reach) {
     MeReal turn = 0, distance = 0;
     for (int i = 0; i < 3; i++) {
         distance += MeFabs(now->place[i] - before->place[i]);
@@ -218,16 +218,17 @@ static MeBool isStillSeparated(const McdModelPair *p, const McdStand *now) {
     const MeReal rounding =
         8 * ME_EPSILON * (sumOfCoordinates(p->stand.place) + sumOfCoordinates(now->place) + m1->reach);
     return p->stand.apart > 0 && !m1->isFast && !m2->isFast &&
-           motionSince(&p->stand, now, m1->reach) + (MeReal)mcd_pairMarginInRound(p) + rounding < p->stand.apart;
+           relativeDisplacement(&p->stand, now, m1->reach) + (MeReal)mcd_pairMarginInRound(p) + rounding <
+               p->stand.apart;
 }
 
 /* Whether no point of the smaller model has moved by more than a fraction of its size, so that the contacts may be
  * moved along. If the first model is the larger one, only its points near the second one count. */
-static MeBool hasHardlyMoved(const McdModelPair *p, const McdStand *now, MeReal share) {
+static MeBool hasMovedLittle(const McdModelPair *p, const McdStand *now, MeReal share) {
     const McdModelRecord *m1 = mcd_record(p->model1), *m2 = mcd_record(p->model2);
     const MeReal margin = m1->tolerance + m2->tolerance, size = p->stand.size;
     const MeReal reach = m1->radius > m2->radius ? size + sumOfCoordinates(p->stand.place) : size;
-    return motionSince(&p->stand, now, reach) < MeMIN(share * size, margin / 4);
+    return relativeDisplacement(&p->stand, now, reach) < MeMIN(share * size, margin / 4);
 }
 
 /* Whether the last test can be used for another pose. */
@@ -235,20 +236,20 @@ static MeBool mayReuseTest(const McdModelPair *p, MeReal share) {
     return p->stand.size > 0 && (p->stand.apart > 0 || share > 0);
 }
 
-static void noteStand(McdModelPair *p, const McdStand *now) {
+static void storePose(McdModelPair *p, const McdStand *now) {
     p->stand = *now;
     p->stand.size = MeMIN(mcd_record(p->model1)->radius, mcd_record(p->model2)->radius);
 }
 
 /* Whether all inputs of the test are unchanged, apart from poses and velocities of models that may move. */
-static MeBool isAlike(const McdTest *now, const McdTest *before, const MeBool mayMove[2]) {
+static MeBool areInputsUnchanged(const McdTest *now, const McdTest *before, const MeBool mayMove[2]) {
     return (now->stamp1 == before->stamp1 || mayMove[0]) && (now->stamp2 == before->stamp2 || mayMove[1]) &&
            now->shape1 == before->shape1 && now->shape2 == before->shape2 &&
            now->contactMaxCount == before->contactMaxCount && now->faceNormalsFirst == before->faceNormalsFirst;
 }
 
 static MeBool hasChildren(const McdModelRecord *m) {
-    return mcd_childrenOf(m->instance.geometry) != 0;
+    return mcd_asAggregate(m->instance.geometry) != 0;
 }
 
 /* Whether each interaction of the models' shapes, or of their parts, is the library's. Both models have stamps. */
@@ -268,7 +269,7 @@ static MeBool hasSurfaces(const McdModelPair *p) {
 }
 
 /* Whether all models that may move are frozen. */
-static MeBool areAsleep(const McdModelPair *p, const MeBool mayMove[2]) {
+static MeBool areMoversFrozen(const McdModelPair *p, const MeBool mayMove[2]) {
     return (!mayMove[0] || isFrozen(mcd_record(p->model1))) && (!mayMove[1] || isFrozen(mcd_record(p->model2)));
 }
 
@@ -293,7 +294,7 @@ void MEAPI McdModelPairLookAtModels(const McdModelPair *p) {
 }
 
 MeBool MEAPI McdModelPairHasSeenModels(const McdModelPair *p) {
-    return isSeen(mcd_record(p->model1)) && isSeen(mcd_record(p->model2));
+    return isComparedInRound(mcd_record(p->model1)) && isComparedInRound(mcd_record(p->model2));
 }
 
 McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal share, const MeBool mayMove[2]) {
@@ -303,16 +304,16 @@ McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal share, const MeBool
     const McdTest before = p->test, *now = &p->test;
     setTest(p, m1, m2);
     const MeBool isComparable = now->stamp1 != 0 && now->stamp2 != 0 && before.stamp1 != 0 && before.stamp2 != 0 &&
-                                (!hasSurfaces(p) || areAsleep(p, mayMove)) && isBuiltIn(p);
-    if (isComparable && isAlike(now, &before, neither))
+                                (!hasSurfaces(p) || areMoversFrozen(p, mayMove)) && isBuiltIn(p);
+    if (isComparable && areInputsUnchanged(now, &before, neither))
         return McdPairIsUnchanged;
-    if (isComparable && isAlike(now, &before, mayMove) && mayReuseTest(p, share)) {
-        const McdStand stand = standOf(p);
+    if (isComparable && areInputsUnchanged(now, &before, mayMove) && mayReuseTest(p, share)) {
+        const McdStand stand = relativePose(p);
         if (isStillSeparated(p, &stand))
             return McdPairIsSeparated;
-        if (share > 0 && hasHardlyMoved(p, &stand, share))
+        if (share > 0 && hasMovedLittle(p, &stand, share))
             return McdPairHasMoved;
-        noteStand(p, &stand);
+        storePose(p, &stand);
     } else {
         McdModelPairNoteTest(p);
     }
@@ -331,14 +332,14 @@ MeU32 MEAPI McdModelPairGetTraits(const McdModelPair *p, MeU32 material[2]) {
 }
 
 /* Whether the model is one convex shape or a plane: the kinds with a size that are not surfaces. */
-static MeBool isSimple(const McdModelRecord *m) {
+static MeBool isConvexOrPlane(const McdModelRecord *m) {
     const McdKind *kind = mcd_kindOf(m->instance.geometry);
     return kind && kind->size > 0 && !kind->gather;
 }
 
 /* The types of a model as by mcd_instanceTypes, from the record if it has been compared in this round. */
-static MeBool typesOf(const McdModelRecord *m, MeU64 *types) {
-    if (m->stamp == 0 || !isSeen(m))
+static MeBool typesOfModel(const McdModelRecord *m, MeU64 *types) {
+    if (m->stamp == 0 || !isComparedInRound(m))
         return mcd_instanceTypes(&m->instance, types);
     *types = m->types;
     return METRUE;
@@ -348,11 +349,11 @@ MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p) {
     const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
     if (a->intersect || b->intersect)
         return MEFALSE;
-    if (isSimple(a) && isSimple(b))
+    if (isConvexOrPlane(a) && isConvexOrPlane(b))
         return mcd_interactionIsBuiltIn(p);
     MeU64 types[2] = {0, 0};
-    return !(mcd_fastMargin(a) > 0) && !(mcd_fastMargin(b) > 0) && typesOf(a, &types[0]) && typesOf(b, &types[1]) &&
-           mcd_typesInteractAsBuiltIn(a->frame, types[0], types[1]);
+    return !(mcd_fastMargin(a) > 0) && !(mcd_fastMargin(b) > 0) && typesOfModel(a, &types[0]) &&
+           typesOfModel(b, &types[1]) && mcd_typesInteractAsBuiltIn(a->frame, types[0], types[1]);
 }
 
 void MEAPI McdModelPairNoteTest(McdModelPair *p) {
@@ -360,8 +361,8 @@ void MEAPI McdModelPairNoteTest(McdModelPair *p) {
         p->stand.size = p->stand.apart = 0;
         return;
     }
-    const McdStand now = standOf(p);
-    noteStand(p, &now);
+    const McdStand now = relativePose(p);
+    storePose(p, &now);
 }
 
 void MEAPI McdModelPairNoteSeparated(McdModelPair *p, MeReal apart) {

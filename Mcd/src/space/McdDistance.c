@@ -22,32 +22,32 @@ static void keepNearest(Nearest *nearest, double distance, const double onA[3], 
     memcpy(nearest->normal, normal, sizeof nearest->normal);
 }
 
-/* Keeps the distance of a convex shape from another part, if it is the nearest. isTurned: the shape is the second
+/* Keeps the distance of a convex shape from another part, if it is the nearest. isSwapped: the shape is the second
  * one of the pair. */
-static void setNearest(Nearest *nearest, MeBool isTurned, double distance, const double onShape[3],
+static void setNearest(Nearest *nearest, MeBool isSwapped, double distance, const double onShape[3],
                        const double onOther[3], const double n[3]) {
     const double back[3] = {-n[0], -n[1], -n[2]};
-    if (isTurned)
+    if (isSwapped)
         keepNearest(nearest, distance, onOther, onShape, back);
     else
         keepNearest(nearest, distance, onShape, onOther, n);
 }
 
-static void measurePlane(const McdShape *a, McdGeometryInstance *plane, const double origin[3], MeBool isTurned,
+static void measurePlane(const McdShape *a, McdGeometryInstance *plane, const double origin[3], MeBool isSwapped,
                          Nearest *nearest) {
     double onA[3], onB[3], n[3];
     const double distance = mcd_planeDistance(a, mcd_const(mcd_instanceTM(plane)), origin, onA, onB, n);
-    setNearest(nearest, isTurned, distance, onA, onB, n);
+    setNearest(nearest, isSwapped, distance, onA, onB, n);
 }
 
 /* Measures the distance of a convex shape and a surface of triangles. asker: the shape's model, for a triangle
  * list's callback. */
 static void measureMesh(const McdShape *a, McdModelID asker, McdGeometryInstance *mesh, const double origin[3],
-                        MeBool isTurned, Nearest *nearest) {
+                        MeBool isSwapped, Nearest *nearest) {
     double distance, onA[3], onB[3], n[3];
     if (!mcd_meshNearest(a, mesh, asker, origin, INFINITY, &distance, onA, onB, n))
         return;
-    setNearest(nearest, isTurned, distance, onA, onB, n);
+    setNearest(nearest, isSwapped, distance, onA, onB, n);
 }
 
 /* Measures the distance of two parts. False if the pair is not supported (neither is convex, or one is a null
@@ -80,12 +80,12 @@ static MeBool measureChildren(McdGeometryInstance *a, McdGeometryInstance *b, co
 static MeBool measureInstances(McdGeometryInstance *a, McdGeometryInstance *b, const double origin[3],
                                Nearest *nearest) {
     MeBool isGood = METRUE;
-    if (mcd_childrenOf(a->geometry)) {
+    if (mcd_asAggregate(a->geometry)) {
         for (McdGeometryInstance *child = a->firstChild; child; child = child->nextSibling)
             isGood = measureInstances(child, b, origin, nearest) && isGood;
         return isGood;
     }
-    if (mcd_childrenOf(b->geometry)) {
+    if (mcd_asAggregate(b->geometry)) {
         for (McdGeometryInstance *child = b->firstChild; child; child = child->nextSibling)
             isGood = measureInstances(a, child, origin, nearest) && isGood;
         return isGood;
@@ -111,10 +111,10 @@ MeBool MEAPI McdDistance(McdModelPair *p, McdDistanceResult *result) {
     if (!isGood || !nearest.isFound)
         return MEFALSE;
     MEASSERT(!isnan(nearest.distance) && isfinite(mcd_dot(nearest.normal, nearest.normal)));
-    result->distance = mcd_real(nearest.distance);
+    result->distance = mcd_clampReal(nearest.distance);
     for (int i = 0; i < 3; i++) {
-        result->position1[i] = mcd_real(nearest.onA[i] + origin[i]);
-        result->position2[i] = mcd_real(nearest.onB[i] + origin[i]);
+        result->position1[i] = mcd_clampReal(nearest.onA[i] + origin[i]);
+        result->position2[i] = mcd_clampReal(nearest.onB[i] + origin[i]);
         result->normal[i] = (MeReal)nearest.normal[i];
     }
     return METRUE;

@@ -28,7 +28,7 @@ static MeBool mayChange(McdModelPairManagerID manager, const char *function) {
     return MeStageIsFree(&manager->stage, function);
 }
 
-static void sayGoodbye(McdModelPairManager *manager, McdModelPair *p) {
+static void callGoodbye(McdModelPairManager *manager, McdModelPair *p) {
     if (!p->m_cachedData)
         return;
     MeStageBegin(&manager->stage, 0);
@@ -71,7 +71,7 @@ void MEAPI McdModelPairManagerDestroy(McdModelPairManager *manager) {
     if (!manager || !mayChange(manager, "McdModelPairManagerDestroy"))
         return;
     for (Record *r = manager->first; r; r = r->after)
-        sayGoodbye(manager, &r->pair);
+        callGoodbye(manager, &r->pair);
     MeMemoryGive(manager);
 }
 
@@ -79,7 +79,7 @@ void MEAPI McdModelPairManagerDestroy(McdModelPairManager *manager) {
 
 /* Finds the pointer to the pair's record in its bucket, or the null pointer where it would be inserted; the order of
  * the models does not matter. */
-static Record **placeOf(McdModelPairManager *manager, McdModelID m1, McdModelID m2) {
+static Record **findSlot(McdModelPairManager *manager, McdModelID m1, McdModelID m2) {
     const uintptr_t key = ((uintptr_t)m1 ^ (uintptr_t)m2) / sizeof(McdModelRecord);
     Record **place = &manager->bucket[key % (uintptr_t)manager->size];
     for (; *place; place = &(*place)->next) {
@@ -95,7 +95,7 @@ static MeBool isActive(const Record *r) {
 }
 
 McdModelPairID MEAPI McdModelPairManagerGetPair(McdModelPairManagerID manager, McdModelID m1, McdModelID m2) {
-    Record *r = isManager(manager, "McdModelPairManagerGetPair") ? *placeOf(manager, m1, m2) : NULL;
+    Record *r = isManager(manager, "McdModelPairManagerGetPair") ? *findSlot(manager, m1, m2) : NULL;
     return isActive(r) ? &r->pair : 0;
 }
 
@@ -124,13 +124,13 @@ static void warnFull(McdModelPairManager *manager, McdModelID m1, McdModelID m2)
 static MeBool isListGood(McdModelPairManager *manager) {
     int count = 0;
     for (Record *r = manager->first; r; r = r->after, count++)
-        if (*placeOf(manager, r->pair.model1, r->pair.model2) != r || r->pair.phase == kMcdFFStateInactive ||
+        if (*findSlot(manager, r->pair.model1, r->pair.model2) != r || r->pair.phase == kMcdFFStateInactive ||
             (r->after ? r->after->before : manager->last) != r)
             return MEFALSE;
     return count == manager->used;
 }
 
-static void append(McdModelPairManager *manager, Record *r) {
+static void appendRecord(McdModelPairManager *manager, Record *r) {
     r->before = manager->last;
     r->after = NULL;
     *(manager->last ? &manager->last->after : &manager->first) = r;
@@ -144,7 +144,7 @@ MeBool MEAPI McdModelPairManagerActivate(McdModelPairManagerID manager, McdModel
         !mcd_modelsMakeAPair(model1, model2, "McdModelPairManagerActivate") ||
         !mayChange(manager, "McdModelPairManagerActivate"))
         return MEFALSE;
-    Record **place = placeOf(manager, model1, model2), *r = *place;
+    Record **place = findSlot(manager, model1, model2), *r = *place;
     if (isActive(r))
         return METRUE;
     if (!r && !manager->firstFree) {
@@ -163,14 +163,14 @@ MeBool MEAPI McdModelPairManagerActivate(McdModelPairManagerID manager, McdModel
     r->pair.model2 = model2;
     r->pair.phase = kMcdFFStateHello;
     *place = r;
-    append(manager, r);
+    appendRecord(manager, r);
     return METRUE;
 }
 
 static void removePair(McdModelPairManager *manager, Record *r) {
-    Record **place = placeOf(manager, r->pair.model1, r->pair.model2);
+    Record **place = findSlot(manager, r->pair.model1, r->pair.model2);
     MEASSERT(*place == r);
-    sayGoodbye(manager, &r->pair);
+    callGoodbye(manager, &r->pair);
     *place = r->next;
     *(r->before ? &r->before->after : &manager->first) = r->after;
     *(r->after ? &r->after->before : &manager->last) = r->before;
@@ -182,7 +182,7 @@ static void removePair(McdModelPairManager *manager, Record *r) {
 }
 
 MeBool MEAPI McdModelPairManagerDeactivate(McdModelPairManagerID manager, McdModelID model1, McdModelID model2) {
-    Record *r = isManager(manager, "McdModelPairManagerDeactivate") ? *placeOf(manager, model1, model2) : NULL;
+    Record *r = isManager(manager, "McdModelPairManagerDeactivate") ? *findSlot(manager, model1, model2) : NULL;
     if (!isActive(r) || !mayChange(manager, "McdModelPairManagerDeactivate"))
         return MEFALSE;
     manager->step++;
@@ -231,7 +231,7 @@ static int copyPairsOfPhase(const McdModelPairManager *manager, McdModelPairPhas
     return count;
 }
 
-static int countOf(const McdModelPairManager *manager, McdModelPairPhase phase) {
+static int countPairsOfPhase(const McdModelPairManager *manager, McdModelPairPhase phase) {
     int count = 0;
     for (const Record *r = manager->first; r; r = r->after)
         count += r->pair.phase == phase;
@@ -240,8 +240,8 @@ static int countOf(const McdModelPairManager *manager, McdModelPairPhase phase) 
 
 /* Fills the container with goodbye pairs, then hello pairs, then staying ones; pairs of a phase come only after all
  * of the phase before. True if there are more. */
-static MeBool fill(const McdModelPairManager *manager, McdSpacePairIterator *it, McdModelPairContainer *c,
-                   MeBool withStaying) {
+static MeBool fillContainer(const McdModelPairManager *manager, McdSpacePairIterator *it, McdModelPairContainer *c,
+                            MeBool withStaying) {
     c->goodbyeFirst = 0;
     c->goodbyeEnd = copyPairsOfPhase(manager, kMcdFFStateGoodbye, &it->goodbye, c->array, c->size);
     c->helloFirst = c->goodbyeEnd;
@@ -252,8 +252,9 @@ static MeBool fill(const McdModelPairManager *manager, McdSpacePairIterator *it,
         c->stayingEnd += copyPairsOfPhase(manager, kMcdFFStateStaying, &it->staying, c->array + c->stayingFirst,
                                           c->size - c->stayingFirst);
     MEASSERT(c->stayingEnd <= c->size);
-    return it->goodbye < countOf(manager, kMcdFFStateGoodbye) || it->hello < countOf(manager, kMcdFFStateHello) ||
-           (withStaying && it->staying < countOf(manager, kMcdFFStateStaying));
+    return it->goodbye < countPairsOfPhase(manager, kMcdFFStateGoodbye) ||
+           it->hello < countPairsOfPhase(manager, kMcdFFStateHello) ||
+           (withStaying && it->staying < countPairsOfPhase(manager, kMcdFFStateStaying));
 }
 
 static MeBool getPairs(McdModelPairManager *manager, McdSpacePairIterator *it, McdModelPairContainer *c,
@@ -266,7 +267,7 @@ static MeBool getPairs(McdModelPairManager *manager, McdSpacePairIterator *it, M
     }
     McdModelPairContainerReset(c);
     if (it->step == manager->step)
-        return fill(manager, it, c, withStaying);
+        return fillContainer(manager, it, c, withStaying);
     MeWarning(1, "%s: pairs came or went since McdModelPairManagerResetIterator", function);
     return MEFALSE;
 }

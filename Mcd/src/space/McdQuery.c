@@ -41,11 +41,11 @@ static MeBool passesFilter(const Query *q, McdModelID cm) {
 
 /* Sets the querying shape to a geometry at a transform; false, with a warning, if it is not convex or the transform
  * not valid. */
-static MeBool setShape(Query *q, McdGeometryID g, const MeMatrix4 tm, const char *function) {
+static MeBool setQueryShape(Query *q, McdGeometryID g, const MeMatrix4 tm, const char *function) {
     MeVector3 low, high;
     if (!mcd_geometryType(g, function))
         return MEFALSE;
-    if (!mcd_isPlace(tm)) {
+    if (!mcd_isValidTransform(tm)) {
         MeWarning(1, "%s: the transform is null, not finite, flat, or beyond %g", function, (double)FLT_MAX);
         return MEFALSE;
     }
@@ -133,7 +133,7 @@ static void visitOverlapping(const Query *q, const double min[3], const double m
 
 static void toWorld(const Query *q, const double point[3], MeVector3 out) {
     for (int i = 0; i < 3; i++)
-        out[i] = mcd_real(point[i] + q->origin[i]);
+        out[i] = mcd_clampReal(point[i] + q->origin[i]);
 }
 
 /* ---- overlaps ---------------------------------------------------------------------------------------------------- */
@@ -184,7 +184,7 @@ int MEAPI McdSpaceOverlapBox(McdSpaceID space, const MeVector3 minCorner, const 
                .listSize = listSize};
     if (!checkList(space, list, listSize, "McdSpaceOverlapBox"))
         return 0;
-    if (!minCorner || !maxCorner || !mcd_areNear(minCorner, 3) || !mcd_areNear(maxCorner, 3)) {
+    if (!minCorner || !maxCorner || !mcd_areInRange(minCorner, 3) || !mcd_areInRange(maxCorner, 3)) {
         MeWarning(1, "McdSpaceOverlapBox: a corner is null, not finite, or beyond %g", (double)FLT_MAX);
         return 0;
     }
@@ -214,7 +214,8 @@ int MEAPI McdSpaceOverlapGeometry(McdSpaceID space, McdGeometryID g, const MeMat
                .function = __func__,
                .list = list,
                .listSize = listSize};
-    if (!checkList(space, list, listSize, "McdSpaceOverlapGeometry") || !setShape(&q, g, tm, "McdSpaceOverlapGeometry"))
+    if (!checkList(space, list, listSize, "McdSpaceOverlapGeometry") ||
+        !setQueryShape(&q, g, tm, "McdSpaceOverlapGeometry"))
         return 0;
     visitOverlapping(&q, q.min, q.max, visitOverlap, &q);
     return q.count;
@@ -235,7 +236,7 @@ int MEAPI McdSpaceOverlapModel(McdSpaceID space, McdModelID cm, McdLineSegInters
     McdFramework *frame = m->frame;
     MeStageBegin(&frame->stage, MCD_GUARD_MODELS);
     for (McdGeometryInstance *child = firstLeaf(&m->instance); child; child = nextLeaf(child)) {
-        if (!setShape(&q, child->geometry, mcd_const(mcd_instanceTM(child)), "McdSpaceOverlapModel"))
+        if (!setQueryShape(&q, child->geometry, mcd_const(mcd_instanceTM(child)), "McdSpaceOverlapModel"))
             break;
         visitOverlapping(&q, q.min, q.max, visitOverlap, &q);
     }
@@ -289,7 +290,7 @@ static void writeClosest(const Closest *c, McdClosestResult *result) {
     MEASSERT(c->gap.child->model == c->model);
     result->model = c->model;
     result->instance = c->gap.child;
-    result->distance = mcd_real(c->gap.distance);
+    result->distance = mcd_clampReal(c->gap.distance);
     toWorld(&c->q, c->gap.onShape, result->position1);
     toWorld(&c->q, c->gap.onOther, result->position2);
     for (int i = 0; i < 3; i++)
@@ -299,7 +300,7 @@ static void writeClosest(const Closest *c, McdClosestResult *result) {
 int MEAPI McdSpaceGetClosest(McdSpaceID space, McdGeometryID g, const MeMatrix4 tm, MeReal maxDistance,
                              McdLineSegIntersectEnableCallback filter, void *filterData, McdClosestResult *result) {
     Closest c = {.q = {.space = space, .filter = filter, .filterData = filterData, .function = __func__}};
-    if (!mcd_spaceIsReady(space, "McdSpaceGetClosest") || !setShape(&c.q, g, tm, "McdSpaceGetClosest"))
+    if (!mcd_spaceIsReady(space, "McdSpaceGetClosest") || !setQueryShape(&c.q, g, tm, "McdSpaceGetClosest"))
         return 0;
     if (!(maxDistance >= 0) || !result) {
         MeWarning(1, "McdSpaceGetClosest: maxDistance is %g: it must be >= 0; or there is no result",
@@ -360,7 +361,7 @@ static void keepFirstHit(Cast *c, McdModelID cm, const Gap *gap, double t) {
     c->fraction = t;
 }
 
-static void castAt(Cast *c, McdModelID cm, McdGeometryInstance *child, const McdShape *other) {
+static void castOntoShape(Cast *c, McdModelID cm, McdGeometryInstance *child, const McdShape *other) {
     Gap gap;
     double t;
     gap.child = child;
@@ -392,7 +393,7 @@ static MeBool visitTriangle(void *context, const McdMeshTriangle *t, const McdSh
 
 /* Computes the interval of the motion, *enter to *leave, in which the shape's box overlaps the mesh's box; false if
  * there is none. */
-static MeBool clip(const Cast *c, McdGeometryInstance *child, double *enter, double *leave) {
+static MeBool clipToMeshBox(const Cast *c, McdGeometryInstance *child, double *enter, double *leave) {
     double low[3], high[3];
     mcd_meshBounds(child, c->q.origin, low, high);
     *enter = 0;
@@ -415,7 +416,7 @@ static MeBool clip(const Cast *c, McdGeometryInstance *child, double *enter, dou
 static void castMesh(Cast *c, McdModelID cm, McdGeometryInstance *child) {
     MeshCast m = {c, cm, child};
     double enter, leave;
-    if (!clip(c, child, &enter, &leave))
+    if (!clipToMeshBox(c, child, &enter, &leave))
         return;
     const double length = mcd_length(c->by) * (leave - enter);
     const int pieces = mcd_floorBetween(length / (2 * c->q.shape.extent), 1, MAX_PIECES);
@@ -446,9 +447,9 @@ static double visitCast(void *context, int proxy, double last) {
         if (mcd_isMesh(child))
             castMesh(c, cm, child);
         else if (isPlane(child))
-            castAt(c, cm, child, 0);
+            castOntoShape(c, cm, child, 0);
         else if (mcd_shapeOf(child, c->q.origin, &other))
-            castAt(c, cm, child, &other);
+            castOntoShape(c, cm, child, &other);
     }
     return c->fraction;
 }
@@ -456,7 +457,7 @@ static double visitCast(void *context, int proxy, double last) {
 static MeBool checkCast(McdSpaceID s, const MeReal *by, const McdCastResult *result, const char *function) {
     if (!mcd_spaceIsReady(s, function))
         return MEFALSE;
-    if (by && mcd_areNear(by, 3) && result)
+    if (by && mcd_areInRange(by, 3) && result)
         return METRUE;
     MeWarning(1, "%s: the displacement is null, not finite, or beyond %g, or there is no result", function,
               (double)FLT_MAX);
@@ -478,7 +479,7 @@ int MEAPI McdSpaceCastGeometry(McdSpaceID space, McdGeometryID g, const MeMatrix
     Cast c = {.q = {.space = space, .filter = filter, .filterData = filterData, .function = __func__}, .fraction = 1};
     double middle[3], half[3];
     if (!checkCast(space, displacement, result, "McdSpaceCastGeometry") ||
-        !setShape(&c.q, g, tm, "McdSpaceCastGeometry"))
+        !setQueryShape(&c.q, g, tm, "McdSpaceCastGeometry"))
         return 0;
     for (int i = 0; i < 3; i++) {
         c.by[i] = (double)displacement[i];
@@ -507,14 +508,14 @@ int MEAPI McdSpaceCastRay(McdSpaceID space, const MeVector3 from, const MeVector
     MeVector3 start, end;
     if (!checkCast(space, displacement, result, "McdSpaceCastRay"))
         return 0;
-    if (!from || !mcd_areNear(from, 3)) {
+    if (!from || !mcd_areInRange(from, 3)) {
         MeWarning(1, "McdSpaceCastRay: the start is null, not finite, or beyond %g", (double)FLT_MAX);
         return 0;
     }
     MeVector3Copy(start, from);
     MeVector3Add(end, start, displacement);
     MeStageBegin(&space->frame->stage, MCD_GUARD_MODELS);
-    const MeBool isHit = mcd_firstIntersection(space, start, end, filter, filterData, &hit, "McdSpaceCastRay") != 0;
+    const MeBool isHit = mcd_segmentFirstHit(space, start, end, filter, filterData, &hit, "McdSpaceCastRay") != 0;
     if (isHit)
         writeRay(&hit, MeVector3Magnitude(displacement), result);
     MeStageEnd(&space->frame->stage, MCD_GUARD_MODELS);

@@ -161,7 +161,7 @@ static void dropLeaf(McdSpace *s, McdProxy *p);
 static void dropUnbounded(McdSpace *s, McdProxy *p);
 
 /* Removes a model that is being destroyed, with its pairs, which say no goodbye. Called by the framework. */
-static void forget(McdModelID cm) {
+static void removeDestroyedModel(McdModelID cm) {
     McdModelRecord *m = mcd_record(cm);
     McdProxy *p = m->proxy;
     if (!m->space)
@@ -171,19 +171,19 @@ static void forget(McdModelID cm) {
 }
 
 /* Forgets the contacts of a model's pairs, while models are guarded; the pairs stay. */
-static void forgetPairs(McdModelID cm) {
+static void forgetContactsOf(McdModelID cm) {
     McdModelRecord *m = mcd_record(cm);
     mcd_pairsForgetContacts(m->space, indexOf(m->space, m->proxy));
 }
 
 /* Drops a model's box, and unfreezes the model; it has no pairs until it is updated again. */
-static void dropBox(McdModelID cm) {
+static void dropBoxOf(McdModelID cm) {
     McdSpace *s = mcd_record(cm)->space;
     McdProxy *p = mcd_record(cm)->proxy;
     dropLeaf(s, p);
     dropUnbounded(s, p);
     p->hasBox = MEFALSE;
-    mcd_proxyTouch(s, indexOf(s, p));
+    mcd_proxyMarkDirty(s, indexOf(s, p));
     McdSpaceUnfreezeModel(cm);
 }
 
@@ -191,7 +191,7 @@ static void applyFilter(McdModelID cm) {
     McdModelRecord *m = mcd_record(cm);
     McdProxy *p = m->proxy;
     p->filter = m->filter;
-    mcd_proxyTouch(m->space, indexOf(m->space, p));
+    mcd_proxyMarkDirty(m->space, indexOf(m->space, p));
 }
 
 McdSpaceID MEAPI(McdSpaceAxisSortCreate)(McdFrameworkID framework, int axes, int objectCount, int pairCount) {
@@ -207,10 +207,10 @@ McdSpaceID MEAPI(McdSpaceAxisSortCreate)(McdFrameworkID framework, int axes, int
     s->pairLimit = (MeLimit){.max = pairCount, .name = "McdSpaceAxisSortCreate's pairCount"};
     s->isChanging = s->isFirstBlock = METRUE;
     s->step = MCD_SPACE; /* a number that an uninitialized iterator is unlikely to contain */
-    framework->spaceForget = forget;
+    framework->spaceForget = removeDestroyedModel;
     framework->spaceFilter = applyFilter;
-    framework->spaceForgetPairs = forgetPairs;
-    framework->spaceDropBox = dropBox;
+    framework->spaceForgetPairs = forgetContactsOf;
+    framework->spaceDropBox = dropBoxOf;
     framework->spaceCount++;
     MeHandleEnter(&s->handle, s, MCD_SPACE);
     return s;
@@ -230,7 +230,7 @@ void MEAPI McdSpaceDestroy(McdSpaceID s) {
     MeStageBegin(&s->frame->stage, MCD_GUARD_MODELS); /* callbacks may be called for goodbyes */
     s->isUpdating = METRUE;                           /* so that these cannot insert models */
     while (s->firstProxy != MCD_NONE)
-        forget(&s->proxy[s->firstProxy].model->model);
+        removeDestroyedModel(&s->proxy[s->firstProxy].model->model);
     s->frame->spaceCount--;
     MEASSERT(s->proxyCount == 0 && s->frame->spaceCount >= 0);
     MeHandleLeave(&s->handle);
@@ -292,20 +292,20 @@ void MEAPI McdSpaceClose(McdSpaceID s) {
  * immediately, but without a box. All other changes are deferred until the stage ends, when a block is opened for
  * them unless one is open. */
 
-static McdSpace *laterSpace(const MeLater *later) {
+static McdSpace *spaceOfDeferred(const MeLater *later) {
     return MeHandleIsLive(later->object, MCD_SPACE) ? later->object : 0;
 }
 
-static void MEAPI openLater(const MeLater *later) {
-    McdSpace *s = laterSpace(later);
+static void MEAPI openDeferred(const MeLater *later) {
+    McdSpace *s = spaceOfDeferred(later);
     if (!s)
         return;
     s->isOpenedLater = !s->isChanging;
     McdSpaceOpen(s);
 }
 
-static void MEAPI closeLater(const MeLater *later) {
-    McdSpace *s = laterSpace(later);
+static void MEAPI closeDeferred(const MeLater *later) {
+    McdSpace *s = spaceOfDeferred(later);
     if (s && s->isOpenedLater)
         McdSpaceClose(s);
 }
@@ -313,8 +313,8 @@ static void MEAPI closeLater(const MeLater *later) {
 void MEAPI McdSpaceBeginChanges(McdSpaceID space) {
     if (!mcd_spaceIsReady(space, "McdSpaceBeginChanges"))
         return;
-    const MeLater later = {.carryOut = openLater, .object = space};
-    const MeWhen when = mcd_when(space->frame, &later, "McdSpaceBeginChanges");
+    const MeLater later = {.carryOut = openDeferred, .object = space};
+    const MeWhen when = mcd_deferWhileGuarded(space->frame, &later, "McdSpaceBeginChanges");
     if (when == MeWhenNow)
         beginBlock(space);
     space->isInner = when == MeWhenStageEnds;
@@ -323,9 +323,9 @@ void MEAPI McdSpaceBeginChanges(McdSpaceID space) {
 void MEAPI McdSpaceEndChanges(McdSpaceID space) {
     if (!checkInside(space, "McdSpaceEndChanges"))
         return;
-    const MeLater later = {.carryOut = closeLater, .object = space};
+    const MeLater later = {.carryOut = closeDeferred, .object = space};
     if (space->isInner)
-        space->isInner = mcd_when(space->frame, &later, "McdSpaceEndChanges") == MeWhenNever;
+        space->isInner = mcd_deferWhileGuarded(space->frame, &later, "McdSpaceEndChanges") == MeWhenNever;
     else if (areModelsGuarded(space))
         MeProgramRefuse("McdSpaceEndChanges", "the space is in use");
     else if (MeProgramMayChange("McdSpaceEndChanges"))
@@ -338,7 +338,7 @@ int MEAPI McdSpaceIsChanging(McdSpaceID space) {
 
 /* ---- boxes ------------------------------------------------------------------------------------------------------- */
 
-static float outward(double x, double side) {
+static float roundOutward(double x, double side) {
     const double cut = x > MCD_TREE_REACH ? MCD_TREE_REACH : x < -MCD_TREE_REACH ? -MCD_TREE_REACH : x;
     const float f = (float)cut;
     return side * ((double)f - cut) >= 0 ? f : nextafterf(f, side > 0 ? INFINITY : -INFINITY);
@@ -346,8 +346,8 @@ static float outward(double x, double side) {
 
 void mcd_treeBox(const double min[3], const double max[3], McdTreeBox *box) {
     for (int i = 0; i < 3; i++) {
-        box->min[i] = outward(min[i], -1);
-        box->max[i] = outward(max[i], 1);
+        box->min[i] = roundOutward(min[i], -1);
+        box->max[i] = roundOutward(max[i], 1);
     }
 }
 
@@ -382,7 +382,7 @@ static MeBool isWithinFatBox(const McdProxy *p) {
 
 /* Makes the fat box. Predictive enlargement: it covers four more steps of the last step's motion, at most twice the
  * model's size. */
-static void fatten(McdProxy *p, const double moved[3]) {
+static void makeFatBox(McdProxy *p, const double moved[3]) {
     const double size = sizeOfProxy(p, largestSide(p)), margin = fatMargin(p, size), rounding = 4 * (double)ME_EPSILON;
     double min[3], max[3];
     for (int i = 0; i < 3; i++) {
@@ -459,7 +459,7 @@ typedef enum McdBoxUpdate {
 } McdBoxUpdate;
 
 /* Copies the model's box to the proxy and renews the fat box if necessary. Writes only to the proxy. */
-static McdBoxUpdate refreshBox(McdProxy *p) {
+static McdBoxUpdate copyBox(McdProxy *p) {
     const McdModelRecord *m = p->model;
     double moved[3] = {0, 0, 0};
     MeBool isSame = p->hasBox && p->tolerance == mcd_modelReach(m);
@@ -477,7 +477,7 @@ static McdBoxUpdate refreshBox(McdProxy *p) {
     p->hasBox = METRUE;
     if (hadBox && isFatBoxGood(p))
         return MCD_BOX_MOVED;
-    fatten(p, moved);
+    makeFatBox(p, moved);
     p->isMoved = METRUE;
     return MCD_BOX_LEFT;
 }
@@ -486,7 +486,7 @@ static McdBoxUpdate refreshBox(McdProxy *p) {
 static void placeBox(McdSpace *s, McdProxy *p, McdBoxUpdate update) {
     if (update == MCD_BOX_KEPT)
         return;
-    mcd_proxyTouch(s, indexOf(s, p));
+    mcd_proxyMarkDirty(s, indexOf(s, p));
     if (update != MCD_BOX_LEFT)
         return;
     if (isWithoutBounds(largestSide(p)))
@@ -513,7 +513,7 @@ static void warnOfTransform(McdProxy *p, const char *what) {
 }
 
 /* Calls the space's box callback; not again if the callback itself has the model updated. */
-static void callUpdate(const McdSpace *s, McdModelRecord *m, MeReal duration) {
+static void callBoxCallback(const McdSpace *s, McdModelRecord *m, MeReal duration) {
     m->isBeingUpdated = true;
     const MeProgramCall before = MeProgramEnter("McdSpaceSetAABBFn");
     s->update(&m->model, duration);
@@ -524,7 +524,7 @@ static void callUpdate(const McdSpace *s, McdModelRecord *m, MeReal duration) {
 /* Updates the model's box; false if the model has no valid transform. */
 static MeBool updateBox(const McdSpace *s, McdModelRecord *m, MeReal duration) {
     if (s->update && !m->isBeingUpdated) {
-        callUpdate(s, m, duration);
+        callBoxCallback(s, m, duration);
         return mcd_modelIsPlaced(m);
     }
     return m->isSwept && duration != 0 ? mcd_modelUpdatePath(m, duration) : mcd_modelUpdate(m);
@@ -567,7 +567,7 @@ static void setSweptMargin(McdModelRecord *m, MeReal reach, MeReal displacement,
 /* Sets the model's travel, m: an upper bound of its displacement in the space's look-ahead time, at most its own
  * radius; with more it would get speculative contacts with obstacles that it passes by. isSeen: it has been
  * compared, so its radius and reach are known. */
-static void lookAhead(const McdSpace *s, McdModelRecord *m, MeBool isSeen) {
+static void setTravel(const McdSpace *s, McdModelRecord *m, MeBool isSeen) {
     MeVector3 centre;
     MeReal radius = m->radius, reach = m->reach;
     clearLookAhead(m);
@@ -612,7 +612,7 @@ static void markBoxValid(const McdSpace *s, McdModelRecord *m, MeReal duration) 
 /* Updates the box of a model. Writes only to the proxy and its model, so workers may call it. */
 static McdBoxUpdate updateProxy(const McdSpace *s, McdProxy *p, MeReal duration) {
     McdModelRecord *m = p->model;
-    m->isStirred = MEFALSE; /* its pairs will be tested */
+    m->isMarkedChanged = MEFALSE; /* its pairs will be tested */
     const MeBool isSeen = p->hasBox && isSeenBeforeUpdate(s, m);
     if (isSeen && isUpToDate(s, m, duration))
         return MCD_BOX_KEPT;
@@ -624,8 +624,8 @@ static McdBoxUpdate updateProxy(const McdSpace *s, McdProxy *p, MeReal duration)
         return m->instance.tm ? MCD_BOX_UNBOUND : MCD_BOX_UNSET;
     }
     p->isWarned = MEFALSE;
-    lookAhead(s, m, isSeen);
-    const McdBoxUpdate update = refreshBox(p);
+    setTravel(s, m, isSeen);
+    const McdBoxUpdate update = copyBox(p);
     markBoxValid(s, m, duration);
     return update;
 }
@@ -645,7 +645,7 @@ static void applyUpdate(McdSpace *s, McdProxy *p, McdBoxUpdate update) {
 /* ---- updating ---------------------------------------------------------------------------------------------------- */
 
 /* Appends a proxy to the list of proxies that are updated. */
-static void wake(McdSpace *s, McdProxy *p) {
+static void appendAwake(McdSpace *s, McdProxy *p) {
     if (p->isAwake)
         return;
     s->awakeCount = MCD_NONE;
@@ -689,7 +689,7 @@ typedef struct Updating {
 
 /* Marks a proxy that moved within its fat box as dirty. Then the calling thread only adds its index to the list, and
  * need not load the proxy. */
-static McdBoxUpdate touch(McdProxy *p, McdBoxUpdate update) {
+static McdBoxUpdate markIfMoved(McdProxy *p, McdBoxUpdate update) {
     if (update != MCD_BOX_MOVED)
         return update;
     if (p->isDirty)
@@ -715,8 +715,8 @@ static void MEAPI updateRange(void *context, int first, int end, int worker) {
     (void)worker;
     for (int i = first; i < end; i++) {
         McdProxy *p = &s->proxy[s->awake[i]];
-        s->updates[i] =
-            (MeU8)(isBoxOfProgram(&p->model->instance) ? MCD_BOX_LATER : touch(p, updateProxy(s, p, u->duration)));
+        s->updates[i] = (MeU8)(isBoxOfProgram(&p->model->instance) ? MCD_BOX_LATER
+                                                                   : markIfMoved(p, updateProxy(s, p, u->duration)));
     }
 }
 
@@ -873,10 +873,10 @@ static MeBool setFrozen(McdModelID cm, MeBool isFrozen, const char *function) {
         if (p->hasBox)
             p->model->boxStamp = mcd_modelStamp(p->model); /* the stamp to compare with (mcd_frozen.c) */
     } else {
-        wake(p->model->space, p);
+        appendAwake(p->model->space, p);
         p->isMoved = METRUE; /* links between frozen models exist only for pairs: look for links */
     }
-    mcd_proxyTouch(p->model->space, indexOf(p->model->space, p));
+    mcd_proxyMarkDirty(p->model->space, indexOf(p->model->space, p));
     return METRUE;
 }
 
@@ -926,7 +926,7 @@ static McdProxy *allocateProxy(McdSpace *s) {
     p->previous = s->lastProxy;
     *(p->previous == MCD_NONE ? &s->firstProxy : &s->proxy[p->previous].next) = i;
     s->lastProxy = i;
-    wake(s, p);
+    appendAwake(s, p);
     return p;
 }
 
@@ -954,7 +954,7 @@ static MeBool wasUpdated(const McdModelRecord *m) {
     return isBox(m) && (memcmp(m->instance.min, zero, sizeof zero) || memcmp(m->instance.max, zero, sizeof zero));
 }
 
-static void insert(McdSpace *s, McdModelRecord *m) {
+static void insertModel(McdSpace *s, McdModelRecord *m) {
     McdProxy *p = allocateProxy(s);
     MEASSERT(m->frame == s->frame && !m->space && !m->proxy);
     p->model = m;
@@ -963,13 +963,13 @@ static void insert(McdSpace *s, McdModelRecord *m) {
     m->space = s;
     m->proxy = p;
     if (wasUpdated(m) && !areModelsGuarded(s))
-        placeBox(s, p, refreshBox(p));
+        placeBox(s, p, copyBox(p));
 }
 
 MeBool MEAPI McdSpaceInsertModel(McdSpaceID s, McdModelID cm) {
     const MeBool isGood = canInsert(s, cm, "McdSpaceInsertModel");
     if (isGood)
-        insert(s, mcd_record(cm));
+        insertModel(s, mcd_record(cm));
     return isGood;
 }
 
@@ -982,14 +982,14 @@ static void setCulling(McdSpace *s, McdProxy *p, McdCullingTable *table, int ind
     p->table = table;
     p->cullingIndex = index;
     p->cullingID = id;
-    mcd_proxyTouch(s, indexOf(s, p));
+    mcd_proxyMarkDirty(s, indexOf(s, p));
 }
 
 MeBool MEAPI McdSpaceInsertModelWithCulling(McdSpaceID s, McdModelID cm, McdCullingTable *table, int cullingIndex,
                                             int cullingID) {
     if (!canInsert(s, cm, "McdSpaceInsertModelWithCulling"))
         return MEFALSE;
-    insert(s, mcd_record(cm));
+    insertModel(s, mcd_record(cm));
     setCulling(s, mcd_record(cm)->proxy, table, cullingIndex, cullingID, "McdSpaceInsertModelWithCulling");
     return METRUE;
 }
@@ -1000,7 +1000,7 @@ static void removeProxy(McdProxy *p) {
     releaseModel(s, p);
 }
 
-static void MEAPI removeLater(const MeLater *later) {
+static void MEAPI removeDeferred(const MeLater *later) {
     const McdModelRecord *m = mcd_laterModel(later);
     if (m && m->space)
         removeProxy(m->proxy);
@@ -1011,8 +1011,8 @@ MeBool MEAPI McdSpaceRemoveModel(McdModelID cm) {
     if (!p || !checkInside(p->model->space, "McdSpaceRemoveModel"))
         return MEFALSE;
     McdModelRecord *m = p->model; /* cm may be a stand-in for a part of it */
-    const MeLater later = {.carryOut = removeLater, .object = m, .serial = m->serial};
-    const MeWhen when = mcd_when(m->frame, &later, "McdSpaceRemoveModel");
+    const MeLater later = {.carryOut = removeDeferred, .object = m, .serial = m->serial};
+    const MeWhen when = mcd_deferWhileGuarded(m->frame, &later, "McdSpaceRemoveModel");
     if (when == MeWhenNow)
         removeProxy(p);
     else if (when == MeWhenStageEnds)
@@ -1156,7 +1156,7 @@ static int getPairs(McdSpaceID s, McdSpacePairIterator *it, McdModelPairContaine
         MeWarning(1, "%s: the iterator is of another step: see McdSpacePairIteratorBegin", function);
         return 0;
     }
-    mcd_pairsTidy(s);
+    mcd_pairsRemoveErased(s);
     return fillContainer(s, it, c, withStaying);
 }
 
@@ -1169,7 +1169,7 @@ int MEAPI(McdSpaceGetTransitions)(McdSpaceID s, McdSpacePairIterator *iter, McdM
 }
 
 /* Gets pairs with the space's own iterator, which restarts after the last pair. */
-static int getNext(McdSpaceID s, McdModelPairContainer *c, MeBool withStaying, const char *function) {
+static int getNextPairs(McdSpaceID s, McdModelPairContainer *c, MeBool withStaying, const char *function) {
     if (!mcd_spaceIsReady(s, function))
         return 0;
     const int isMore = getPairs(s, &s->own, c, withStaying, function);
@@ -1179,24 +1179,24 @@ static int getNext(McdSpaceID s, McdModelPairContainer *c, MeBool withStaying, c
 }
 
 int MEAPI McdSpaceGetNextPairs(McdSpaceID s, McdModelPairContainer *c) {
-    return getNext(s, c, METRUE, "McdSpaceGetPairs");
+    return getNextPairs(s, c, METRUE, "McdSpaceGetPairs");
 }
 
 int MEAPI McdSpaceGetNextTransitions(McdSpaceID s, McdModelPairContainer *c) {
-    return getNext(s, c, MEFALSE, "McdSpaceGetTransitions");
+    return getNextPairs(s, c, MEFALSE, "McdSpaceGetTransitions");
 }
 
 /* ---- queries ----------------------------------------------------------------------------------------------------- */
 
 /* Whether queries skip a model: it is being removed or destroyed, or is a sensor and queries ignore sensors. */
-static MeBool isPassed(const McdSpace *s, const McdModelRecord *m) {
+static MeBool isSkipped(const McdSpace *s, const McdModelRecord *m) {
     return m->isGone || (m->isSensor && !s->queriesHitSensors);
 }
 
 MeBool mcd_passesFilter(const McdSpace *s, McdModelID cm, McdLineSegIntersectEnableCallback filter, void *filterData,
                         const char *function) {
-    if (!filter || isPassed(s, mcd_record(cm)))
-        return !isPassed(s, mcd_record(cm));
+    if (!filter || isSkipped(s, mcd_record(cm)))
+        return !isSkipped(s, mcd_record(cm));
     const MeProgramCall before = MeProgramEnter(function);
     const MeBool passes = filter(cm, filterData) != 0;
     MeProgramLeave(&before);
@@ -1282,13 +1282,13 @@ static double intersectModel(void *context, int proxy, double fraction) {
 static MeBool checkSegment(McdSpaceID s, const MeReal *from, const MeReal *to, const char *function) {
     if (!mcd_spaceIsReady(s, function))
         return MEFALSE;
-    if (from && to && mcd_areNear(from, 3) && mcd_areNear(to, 3))
+    if (from && to && mcd_areInRange(from, 3) && mcd_areInRange(to, 3))
         return METRUE;
     MeWarning(1, "%s: an end of the segment is null, not finite, or beyond %g", function, (double)FLT_MAX);
     return MEFALSE;
 }
 
-static int intersect(Segment *q) {
+static int castSegment(Segment *q) {
     const double still[3] = {0, 0, 0};
     double from[3], by[3];
     for (int i = 0; i < 3; i++) {
@@ -1302,8 +1302,8 @@ static int intersect(Segment *q) {
     return q->count;
 }
 
-int mcd_firstIntersection(McdSpaceID s, MeReal *from, MeReal *to, McdLineSegIntersectEnableCallback filter,
-                          void *filterData, McdLineSegIntersectResult *result, const char *function) {
+int mcd_segmentFirstHit(McdSpaceID s, MeReal *from, MeReal *to, McdLineSegIntersectEnableCallback filter,
+                        void *filterData, McdLineSegIntersectResult *result, const char *function) {
     Segment q = {s, from, to, 0, filter, filterData, result, 0, 1, function};
     if (!checkSegment(s, from, to, function))
         return 0;
@@ -1311,19 +1311,19 @@ int mcd_firstIntersection(McdSpaceID s, MeReal *from, MeReal *to, McdLineSegInte
         MeWarning(1, "%s: no place for the result", function);
         return 0;
     }
-    return intersect(&q);
+    return castSegment(&q);
 }
 
 int MEAPI McdSpaceGetLineSegFirstIntersection(McdSpaceID space, MeReal *inOrig, MeReal *inDest,
                                               McdLineSegIntersectResult *outResult) {
-    return mcd_firstIntersection(space, inOrig, inDest, 0, 0, outResult, "McdSpaceGetLineSegFirstIntersection");
+    return mcd_segmentFirstHit(space, inOrig, inDest, 0, 0, outResult, "McdSpaceGetLineSegFirstIntersection");
 }
 
 int MEAPI McdSpaceGetLineSegFirstEnabledIntersection(McdSpaceID space, MeReal *inOrig, MeReal *inDest,
                                                      McdLineSegIntersectEnableCallback filterCB, void *filterData,
                                                      McdLineSegIntersectResult *outResult) {
-    return mcd_firstIntersection(space, inOrig, inDest, filterCB, filterData, outResult,
-                                 "McdSpaceGetLineSegFirstEnabledIntersection");
+    return mcd_segmentFirstHit(space, inOrig, inDest, filterCB, filterData, outResult,
+                               "McdSpaceGetLineSegFirstEnabledIntersection");
 }
 
 int MEAPI McdSpaceGetLineSegIntersections(McdSpaceID space, MeReal *inOrig, MeReal *inDest,
@@ -1335,5 +1335,5 @@ int MEAPI McdSpaceGetLineSegIntersections(McdSpaceID space, MeReal *inOrig, MeRe
         MeWarning(1, "McdSpaceGetLineSegIntersections: no place for results");
         return 0;
     }
-    return intersect(&q);
+    return castSegment(&q);
 }

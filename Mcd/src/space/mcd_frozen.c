@@ -21,16 +21,16 @@ static MeBool hasChanged(McdModelRecord *m, MeBool *hasMoved) {
     const MeU64 stamp = mcd_modelStamp(m);
     *hasMoved = memcmp(before, m->inputs.axis, sizeof before[0] * 3) != 0 ||
                 memcmp(before[3], m->inputs.place, sizeof before[3]) != 0;
-    const MeBool isStirred = m->isStirred;
-    m->isStirred = MEFALSE;
+    const MeBool isMarkedChanged = m->isMarkedChanged;
+    m->isMarkedChanged = MEFALSE;
     if (m->boxStamp == 0) {
         m->boxStamp = stamp;
-        return isStirred;
+        return isMarkedChanged;
     }
-    return isStirred || (stamp != 0 && stamp != m->boxStamp);
+    return isMarkedChanged || (stamp != 0 && stamp != m->boxStamp);
 }
 
-static void look(McdSpace *s, int i, McdFrozenVisit visit, void *context) {
+static void visitIfChanged(McdSpace *s, int i, McdFrozenVisit visit, void *context) {
     const McdProxy *p = &s->proxy[i];
     MeBool hasMoved;
     if (p->model && p->isFrozen && p->hasBox && hasChanged(p->model, &hasMoved))
@@ -44,6 +44,6 @@ void MEAPI McdSpaceVisitChangedFrozen(McdSpaceID s, McdFrozenVisit visit, void *
     s->changesSeen = s->frame->changes;
     for (int i = 0; i < count; i++) {
         s->nextLook = s->nextLook + 1 < s->proxyRoom ? s->nextLook + 1 : 0;
-        look(s, s->nextLook, visit, context);
+        visitIfChanged(s, s->nextLook, visit, context);
     }
 }

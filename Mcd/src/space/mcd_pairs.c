@@ -113,7 +113,7 @@ static void forgetPair(McdPairRecord *record) {
         record->pair.forget(&record->pair);
 }
 
-static void givePair(McdSpace *s, McdPairRecord *record) {
+static void releasePair(McdSpace *s, McdPairRecord *record) {
     forgetPair(record);
     memset(record, 0, sizeof *record);
     record->nextFree = s->freePair;
@@ -128,14 +128,14 @@ static MeU32 hashOf(int a, int b) {
     return (MeU32)(key * 0x9e3779b97f4a7c15ull >> 32);
 }
 
-static int *bucket(const McdSpace *s, int a, int b) {
+static int *bucketOf(const McdSpace *s, int a, int b) {
     return &s->hash[hashOf(a, b) & (MeU32)(s->hashSize - 1)];
 }
 
 static int findLink(const McdSpace *s, int a, int b) {
     if (!s->hashSize)
         return MCD_NONE;
-    for (int i = *bucket(s, a, b); i != MCD_NONE; i = s->link[i].nextInHash) {
+    for (int i = *bucketOf(s, a, b); i != MCD_NONE; i = s->link[i].nextInHash) {
         const int *p = s->link[i].proxy;
         if ((p[0] == a && p[1] == b) || (p[0] == b && p[1] == a))
             return i;
@@ -144,14 +144,14 @@ static int findLink(const McdSpace *s, int a, int b) {
 }
 
 static void hashIn(McdSpace *s, int i) {
-    int *head = bucket(s, s->link[i].proxy[0], s->link[i].proxy[1]);
+    int *head = bucketOf(s, s->link[i].proxy[0], s->link[i].proxy[1]);
     MEASSERT(*head < s->linkMax && *head != i);
     s->link[i].nextInHash = *head;
     *head = i;
 }
 
 static void hashOut(McdSpace *s, int i) {
-    int *at = bucket(s, s->link[i].proxy[0], s->link[i].proxy[1]);
+    int *at = bucketOf(s, s->link[i].proxy[0], s->link[i].proxy[1]);
     while (*at != i) {
         at = &s->link[*at].nextInHash;
         MEASSERT(*at != MCD_NONE);
@@ -219,9 +219,9 @@ static int makeLink(McdSpace *s, int a, int b) {
     s->freeLink = link->nextInHash;
     s->linkCount++;
     memset(link, 0, sizeof *link);
-    const int isTurned = s->proxy[a].order < s->proxy[b].order;
-    link->proxy[0] = isTurned ? b : a;
-    link->proxy[1] = isTurned ? a : b;
+    const int isSwapped = s->proxy[a].order < s->proxy[b].order;
+    link->proxy[0] = isSwapped ? b : a;
+    link->proxy[1] = isSwapped ? a : b;
     hashIn(s, i);
     linkIntoList(s, i, 0);
     linkIntoList(s, i, 1);
@@ -355,7 +355,7 @@ static void classifyPair(McdSpace *s, int i) {
 
 /* ---- broad phase search ------------------------------------------------------------------------------------------ */
 
-static MeBool isNews(const McdSpace *s, int proxy, int other) {
+static MeBool isUnlinked(const McdSpace *s, int proxy, int other) {
     const McdProxy *a = &s->proxy[proxy], *b = &s->proxy[other];
     return other != proxy && !(a->isFrozen && b->isFrozen) && findLink(s, proxy, other) == MCD_NONE;
 }
@@ -373,25 +373,25 @@ typedef struct Search {
     MeBool isDone; /* false: visit has returned false */
 } Search;
 
-static void lookUp(Search *r) {
+static void visitUnlinked(Search *r) {
     const McdSpace *s = r->space;
     for (int i = 0; i < r->count && s->hashSize; i++) {
-        const int first = *bucket(s, r->proxy, r->other[i]);
+        const int first = *bucketOf(s, r->proxy, r->other[i]);
         if (first != MCD_NONE)
             ME_PREFETCH(&s->link[first]);
     }
     for (int i = 0; i < r->count && r->isDone; i++)
-        if (isNews(s, r->proxy, r->other[i]))
+        if (isUnlinked(s, r->proxy, r->other[i]))
             r->isDone = r->visit(r->context, r->proxy, r->other[i]);
     r->count = 0;
 }
 
-static MeBool noteOverlap(void *context, int other) {
+static MeBool collectOverlap(void *context, int other) {
     Search *r = context;
     if (r->count == LOOKED_UP)
-        lookUp(r);
+        visitUnlinked(r);
     if (r->space->hashSize)
-        ME_PREFETCH(bucket(r->space, r->proxy, other));
+        ME_PREFETCH(bucketOf(r->space, r->proxy, other));
     r->other[r->count++] = other;
     return r->isDone;
 }
@@ -414,15 +414,15 @@ static void visitOverlaps(const McdSpace *s, int proxy, McdTreeVisit visit, void
             return;
 }
 
-static MeBool isToSearch(const McdProxy *p) {
+static MeBool needsSearch(const McdProxy *p) {
     return p->isMoved && p->hasBox;
 }
 
 /* Makes the missing links of a proxy; false if there was not enough memory for all. */
 static MeBool findLinks(McdSpace *s, int proxy) {
     Search search = {.space = s, .proxy = proxy, .visit = addLink, .context = s, .isDone = METRUE};
-    visitOverlaps(s, proxy, noteOverlap, &search);
-    lookUp(&search);
+    visitOverlaps(s, proxy, collectOverlap, &search);
+    visitUnlinked(&search);
     return search.isDone;
 }
 
@@ -435,7 +435,7 @@ typedef struct Range {
     int *found, count; /* the range's part of `found` */
 } Range;
 
-static MeBool noteFound(void *range, int proxy, int other) {
+static MeBool storeFound(void *range, int proxy, int other) {
     Range *r = range;
     (void)proxy;
     if (r->count < FOUND_ROOM)
@@ -448,24 +448,24 @@ static MeBool noteFound(void *range, int proxy, int other) {
 static void MEAPI searchRange(void *space, int first, int end, int worker) {
     const McdSpace *s = space;
     Range r = {.found = s->found + first / MCD_RANGE * FOUND_ROOM};
-    Search search = {.space = s, .visit = noteFound, .context = &r, .isDone = METRUE};
+    Search search = {.space = s, .visit = storeFound, .context = &r, .isDone = METRUE};
     (void)worker;
     for (int i = first; i < end; i++) {
         search.proxy = s->dirty[i];
-        if (search.isDone && isToSearch(&s->proxy[search.proxy])) {
-            visitOverlaps(s, search.proxy, noteOverlap, &search);
-            lookUp(&search);
+        if (search.isDone && needsSearch(&s->proxy[search.proxy])) {
+            visitOverlaps(s, search.proxy, collectOverlap, &search);
+            visitUnlinked(&search);
         }
         s->foundEnd[i] = search.isDone ? r.count : -1;
     }
 }
 
 /* Makes the links that were found for a proxy. A link found from both of its proxies is made once. */
-static MeBool addFound(McdSpace *s, int i) {
+static MeBool linkFound(McdSpace *s, int i) {
     const int *found = s->found + i / MCD_RANGE * FOUND_ROOM, proxy = s->dirty[i];
     MeBool isDone = METRUE;
     for (int k = i % MCD_RANGE ? s->foundEnd[i - 1] : 0; k < s->foundEnd[i] && isDone; k++)
-        isDone = !isNews(s, proxy, found[k]) || addLink(s, proxy, found[k]);
+        isDone = !isUnlinked(s, proxy, found[k]) || addLink(s, proxy, found[k]);
     return isDone;
 }
 
@@ -485,8 +485,8 @@ static void findAllLinks(McdSpace *s) {
     }
     for (int i = 0; i < s->dirtyCount; i++) {
         McdProxy *p = &s->proxy[s->dirty[i]];
-        if (isToSearch(p))
-            p->isMoved = !(isShared && s->foundEnd[i] >= 0 ? addFound(s, i) : findLinks(s, s->dirty[i]));
+        if (needsSearch(p))
+            p->isMoved = !(isShared && s->foundEnd[i] >= 0 ? linkFound(s, i) : findLinks(s, s->dirty[i]));
         else
             p->isMoved = MEFALSE;
     }
@@ -502,18 +502,18 @@ static void classifyPairsOf(McdSpace *s, int proxy) {
 }
 
 /* Whether one of the link's proxies is dirty and classification will change the link. */
-static MeBool isToClassify(const McdSpace *s, int i) {
+static MeBool needsClassification(const McdSpace *s, int i) {
     const int *p = s->link[i].proxy;
     return p[0] != MCD_NONE && (s->proxy[p[0]].isDirty || s->proxy[p[1]].isDirty) && !isClassified(s, &s->link[i]);
 }
 
 /* Marks the links of a range that must be classified. Deterministic (MeTeam.h): that depends only on the link and
  * its proxies, and nothing else is written. */
-static void MEAPI lookThroughRange(void *space, int first, int end, int worker) {
+static void MEAPI markRange(void *space, int first, int end, int worker) {
     McdSpace *s = space;
     (void)worker;
     for (int i = first; i < end; i++)
-        s->changes[i] = (MeU8)isToClassify(s, i);
+        s->changes[i] = (MeU8)needsClassification(s, i);
 }
 
 /* Classifies links in memory order: workers mark those that will change; the calling thread classifies these in the
@@ -523,11 +523,11 @@ static void classifyAll(McdSpace *s) {
                             reserve(&s->changes, &s->changesRoom, s->linkMax, sizeof *s->changes, "near models");
     if (isShared) {
         MeTeamOpen(s->team);
-        MeTeamRunRanges(s->team, s->linkMax, MCD_LINK_RANGE, lookThroughRange, s);
+        MeTeamRunRanges(s->team, s->linkMax, MCD_LINK_RANGE, markRange, s);
         MeTeamClose(s->team);
     }
     for (int i = 0; i < s->linkMax; i++)
-        if (isShared ? s->changes[i] : isToClassify(s, i))
+        if (isShared ? s->changes[i] : needsClassification(s, i))
             classifyPair(s, i);
 }
 
@@ -603,7 +603,7 @@ static void dropFromStaying(McdSpace *s, const McdPairList *dropped) {
     MEASSERT(s->staying.count >= 0 && from - kept <= dropped->count);
 }
 
-static void renewStaying(McdSpace *s) {
+static void updateStaying(McdSpace *s) {
     listSort(&s->goodbye);
     listSort(&s->silenced);
     listSort(&s->woken);
@@ -670,7 +670,7 @@ static void admitQueued(McdSpace *s) {
 
 /* ---- the block --------------------------------------------------------------------------------------------------- */
 
-void mcd_proxyTouch(McdSpace *s, int proxy) {
+void mcd_proxyMarkDirty(McdSpace *s, int proxy) {
     if (s->proxy[proxy].isDirty)
         return;
     s->proxy[proxy].isDirty = METRUE;
@@ -679,9 +679,9 @@ void mcd_proxyTouch(McdSpace *s, int proxy) {
 }
 
 void mcd_pairsBegin(McdSpace *s) {
-    mcd_pairsTidy(s);
+    mcd_pairsRemoveErased(s);
     for (int i = 0; i < s->goodbye.count; i++)
-        givePair(s, s->goodbye.entry[i].record);
+        releasePair(s, s->goodbye.entry[i].record);
     s->goodbye.count = 0;
 }
 
@@ -753,13 +753,13 @@ static MeBool areBoxesGood(const McdSpace *s) {
 }
 
 void mcd_pairsEnd(McdSpace *s) {
-    mcd_pairsTidy(s);
-    mcd_treeSettle(s->tree);
+    mcd_pairsRemoveErased(s);
+    mcd_treeRebalanceIfDeep(s->tree);
     findAllLinks(s);
     helloBecomesStaying(s);
     classifyPairs(s);
     keepUnfinished(s);
-    renewStaying(s);
+    updateStaying(s);
     admitQueued(s);
     MEASSERT(s->liveCount >= 0 && s->liveCount <= s->pairLimit.max && s->waitingCount >= 0);
     MEVALIDATE(areBoxesGood(s) && areLinksGood(s));
@@ -808,27 +808,27 @@ static void erasePair(McdSpace *s, McdPairRecord *record, MeBool isInLists) {
     if (isInLists)
         s->isStale = METRUE;
     else
-        givePair(s, record);
+        releasePair(s, record);
 }
 
-static void tidyList(McdSpace *s, McdPairList *list) {
+static void removeErased(McdSpace *s, McdPairList *list) {
     int kept = 0;
     for (int i = 0; i < list->count; i++) {
         McdPairRecord *record = list->entry[i].record;
         if (record->pair.phase == kMcdFFStateInactive)
-            givePair(s, record);
+            releasePair(s, record);
         else
             list->entry[kept++] = list->entry[i];
     }
     list->count = kept;
 }
 
-void mcd_pairsTidy(McdSpace *s) {
+void mcd_pairsRemoveErased(McdSpace *s) {
     if (!s->isStale)
         return;
-    tidyList(s, &s->hello);
-    tidyList(s, &s->staying);
-    tidyList(s, &s->goodbye);
+    removeErased(s, &s->hello);
+    removeErased(s, &s->staying);
+    removeErased(s, &s->goodbye);
     s->isStale = MEFALSE;
 }
 
@@ -886,7 +886,7 @@ MeBool mcd_pairsDisable(McdSpace *s, int a, int b) {
     if (i == MCD_NONE)
         return MEFALSE;
     s->link[i].isDisabled = METRUE;
-    mcd_proxyTouch(s, a);
+    mcd_proxyMarkDirty(s, a);
     return METRUE;
 }
 
@@ -895,7 +895,7 @@ void mcd_pairsEnable(McdSpace *s, int a, int b) {
     if (i == MCD_NONE)
         return;
     s->link[i].isDisabled = MEFALSE;
-    mcd_proxyTouch(s, a);
+    mcd_proxyMarkDirty(s, a);
 }
 
 MeBool mcd_pairsAreEnabled(const McdSpace *s, int a, int b) {

@@ -156,11 +156,11 @@ MeBool mcd_spaceIsReady(McdSpaceID s, const char *function);
 
 /* ---- links and pairs (mcd_pairs.c) ------------------------------------------------------------------------------- */
 
-void mcd_proxyTouch(McdSpace *s, int proxy);          /* marks it dirty: its links are classified when the block ends */
+void mcd_proxyMarkDirty(McdSpace *s, int proxy);      /* marks it dirty: its links are classified when the block ends */
 void mcd_pairsForgetProxy(McdSpace *s, int proxy);    /* drops its links; its pairs say goodbye */
 void mcd_pairsEraseProxy(McdSpace *s, int proxy);     /* drops its links and pairs, without goodbyes */
 void mcd_pairsForgetContacts(McdSpace *s, int proxy); /* forgets Mst's data of its pairs, which stay */
-void mcd_pairsTidy(McdSpace *s);                      /* removes erased pairs from the lists */
+void mcd_pairsRemoveErased(McdSpace *s);              /* removes erased pairs from the lists */
 MeBool mcd_pairsDisable(McdSpace *s, int a, int b);   /* false: no memory */
 void mcd_pairsEnable(McdSpace *s, int a, int b);
 MeBool mcd_pairsAreEnabled(const McdSpace *s, int a, int b); /* neither disabled, culled nor filtered */
@@ -180,8 +180,8 @@ void mcd_spaceCast(const McdSpace *s, const double from[3], const double by[3], 
 MeBool mcd_passesFilter(const McdSpace *s, McdModelID cm, McdLineSegIntersectEnableCallback filter, void *filterData,
                         const char *function);
 /* McdSpaceGetLineSegFirstEnabledIntersection; warnings name `function`. */
-int mcd_firstIntersection(McdSpaceID s, MeReal *from, MeReal *to, McdLineSegIntersectEnableCallback filter,
-                          void *filterData, McdLineSegIntersectResult *result, const char *function);
+int mcd_segmentFirstHit(McdSpaceID s, MeReal *from, MeReal *to, McdLineSegIntersectEnableCallback filter,
+                        void *filterData, McdLineSegIntersectResult *result, const char *function);
 /* Rounds a box outward to float. */
 void mcd_treeBox(const double min[3], const double max[3], McdTreeBox *box);
 

@@ -237,7 +237,7 @@ void mcd_treeBalance(McdTree *tree) {
     balance(*tree);
 }
 
-void mcd_treeSettle(McdTree *tree) {
+void mcd_treeRebalanceIfDeep(McdTree *tree) {
     if (tree->isDeep)
         balance(*tree);
 }

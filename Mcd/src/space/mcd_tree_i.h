@@ -29,7 +29,7 @@ void mcd_treeRemove(McdTree *tree, McdTreeLeaf *leaf);
 /* Rebuilds the tree from the top down: for use after many insertions. */
 void mcd_treeBalance(McdTree *tree);
 /* Rebuilds the tree if it has become too deep; to be called before queries. */
-void mcd_treeSettle(McdTree *tree);
+void mcd_treeRebalanceIfDeep(McdTree *tree);
 size_t mcd_treeBytesPerItem(void); /* memory per item: its leaf and an inner node */
 
 /* Calls visit for each item whose box overlaps the box, until it returns false. */

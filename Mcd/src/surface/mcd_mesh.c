@@ -272,7 +272,7 @@ int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather
         addToResult(&q, result);
         touches = mcd_resultEnd(result);
     }
-    mcd_scratchGive(frame, q.scratch);
+    mcd_scratchRelease(frame, q.scratch);
     return touches;
 }
 

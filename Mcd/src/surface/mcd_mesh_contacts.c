@@ -187,7 +187,7 @@ static MeBool addPlaneContacts(McdMeshQuery *q) {
  * ----------------------------------------------------------------------- */
 
 /* The contact's point on the surface. */
-static void footOf(const McdMeshContact *c, double foot[3]) {
+static void surfacePointOf(const McdMeshContact *c, double foot[3]) {
     mcd_mad(foot, c->position, -c->separation / 2, c->normal);
 }
 
@@ -195,7 +195,7 @@ static void footOf(const McdMeshContact *c, double foot[3]) {
  * plane, to the shape's highest point crosses the plane. False if the whole shape is below. */
 static MeBool findEntry(const McdMeshQuery *q, const McdMeshContact *c, double entry[3]) {
     double foot[3], point[3], highest[3], offset[3];
-    footOf(c, foot);
+    surfacePointOf(c, foot);
     mcd_mad(point, c->position, c->separation / 2, c->normal);
     mcd_support(&q->shape, c->normal, highest);
     mcd_sub(offset, highest, foot);
@@ -291,7 +291,7 @@ static void addManifold(McdMeshQuery *q, const McdMeshTriangle *t, const McdMani
 
 /* The side of a triangle on which contacts are: 1 the normal's, -1 the opposite. For a two-sided triangle that of
  * the contact normal or, if that is nearly parallel to the plane, that of the shape's centre. */
-static double sideOf(const McdMeshTriangle *t, double cosine, double centreHeight) {
+static double contactSideOf(const McdMeshTriangle *t, double cosine, double centreHeight) {
     if (!(t->flags & kMcdTriangleTwoSided))
         return 1;
     return (fabs(cosine) > .5 ? cosine : centreHeight) < 0 ? -1 : 1;
@@ -308,7 +308,7 @@ static MeBool addSearchedContacts(McdMeshQuery *q, McdMeshTriangle *t) {
     }
     if (!intersectTriangle(q, t, &m))
         return MEFALSE;
-    const double height = heightOfCentre(q, t), side = sideOf(t, mcd_dot(m.normal, t->normal), height);
+    const double height = heightOfCentre(q, t), side = contactSideOf(t, mcd_dot(m.normal, t->normal), height);
     mcd_scale(face, t->normal, side);
     const double cosine = mcd_dot(m.normal, face);
     McdMeshRegion region = mcd_meshRegion(q, t, m.normal);
@@ -375,7 +375,7 @@ static double minSeparationOnPlane(const McdMeshQuery *q, const McdMeshTriangle 
     for (int i = 0; i < count; i++) {
         const McdMeshContact *c = &q->mesh->contact[i];
         double offset[3];
-        footOf(c, offset);
+        surfacePointOf(c, offset);
         mcd_sub(offset, offset, t->corner[0]);
         if (c->separation < min && mcd_meshAreParallel(c->normal, normal) &&
             fabs(mcd_dot(offset, normal)) <= MCD_MESH_RISES * q->shape.extent)
@@ -397,7 +397,7 @@ static void addCoplanarContacts(McdMeshQuery *q, const McdMeshTriangle *t) {
     const double deep = minSeparationOnPlane(q, t, face, first) + MCD_MESH_OVERLAP * q->shape.extent;
     for (int i = first; i < mesh->contactCount; i++) {
         const McdMeshContact *c = &mesh->contact[i];
-        footOf(c, foot);
+        surfacePointOf(c, foot);
         if (c->separation < 0 && c->separation <= deep && findEntry(q, c, entry) &&
             isSegmentCovered(q, t, face, foot, entry))
             mesh->contact[count++] = *c;

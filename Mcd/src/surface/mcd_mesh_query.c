@@ -33,7 +33,7 @@ static MeBool doBoxesOverlap(const double low1[3], const double high1[3], const 
 }
 
 /* Sets the mesh's frame, and the box in that frame that contains the given box. */
-static void place(McdMeshQuery *q, const McdGeometryInstance *ins, const double low[3], const double high[3]) {
+static void setMeshFrame(McdMeshQuery *q, const McdGeometryInstance *ins, const double low[3], const double high[3]) {
     const MeMatrix4Ptr tm = mcd_instanceTM((McdGeometryInstance *)ins);
     double middle[3], sum = 0;
     for (int i = 0; i < 3; i++)
@@ -75,7 +75,7 @@ void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const doubl
     q.pair = &pair;
     q.mesh = &q.scratch->mesh;
     mcd_copy(q.origin, origin);
-    place(&q, ins, low, high);
+    setMeshFrame(&q, ins, low, high);
     q.mesh->count = q.mesh->skipped = q.mesh->vertexCount = 0;
     gatherOf(ins)(&q);
     mcd_standInEnd(pair.model2, ins);
@@ -85,7 +85,7 @@ void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const doubl
         mcd_triangleShape((const double(*)[3])q.mesh->triangle[i].corner, &shape);
         goesOn = visit(context, &q.mesh->triangle[i], &shape);
     }
-    mcd_scratchGive(frame, q.scratch);
+    mcd_scratchRelease(frame, q.scratch);
 }
 
 /* ---- nearest triangle

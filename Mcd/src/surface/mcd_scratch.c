@@ -33,7 +33,7 @@ static MeBool isZero(const McdScratch *s) {
     return METRUE;
 }
 
-void mcd_scratchGive(McdFramework *frame, McdScratch *scratch) {
+void mcd_scratchRelease(McdFramework *frame, McdScratch *scratch) {
     MEVALIDATE(isZero(scratch));
     lock(frame);
     MEASSERT(frame->freeScratch != scratch && !scratch->next);

@@ -35,7 +35,7 @@ typedef struct McdScratch {
 
 /* Acquires a scratch; null, after a fatal error that names the function, if there is no memory. Thread-safe. */
 McdScratch *mcd_scratchAcquire(McdFramework *frame, const char *function);
-void mcd_scratchGive(McdFramework *frame, McdScratch *scratch);
+void mcd_scratchRelease(McdFramework *frame, McdScratch *scratch);
 /* Frees all scratches of a framework; no query may be running. */
 void mcd_scratchFreeAll(McdFramework *frame);
 
