@@ -1,5 +1,5 @@
 /** @file McdAll.h
- *  Every geometry type and interaction of the library at once: for programs that would rather not choose. Beyond Karma.
+ *  Registers all geometry types and interactions of the library: for programs that need not choose. Beyond Karma.
  */
 #ifndef MCDALL_H
 #define MCDALL_H
@@ -8,13 +8,13 @@
 
 ME_BEGIN_C
 
-/** Registers all built-in geometry types: null, sphere, box, plane, cylinder, sphyl, cone, convex mesh, triangle list,
- *  height field, aggregate. Warns and does nothing if the framework is none. */
+/** Registers all built-in geometry types: null, sphere, box, plane, cylinder, sphyl, cone, convex mesh, triangle
+ *  list, height field, aggregate. If @a frame is not a framework: a warning, and no effect. */
 MEPUBLIC void MEAPI McdAllRegisterTypes(McdFramework *frame);
 /**
- * Has all of them interact, and line segments with all but triangle lists (which the guide leaves to the program; see
- * McdTriangleListLineSegmentRegisterInteraction). Types of a program's own that aggregates are to meet are registered
- * before. Returns 1; 0 if the framework is none.
+ * Registers the interactions of all these types, and of line segments with all of them except triangle lists (which the
+ * guide leaves to the program; see McdTriangleListLineSegmentRegisterInteraction). Register a program's own types first
+ * if aggregates are to collide with them. Returns 1; 0, with a warning, if @a frame is not a framework.
  */
 MEPUBLIC MeBool MEAPI McdAllRegisterInteractions(McdFramework *frame);
 

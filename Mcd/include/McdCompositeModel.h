@@ -1,6 +1,6 @@
 /** @file McdCompositeModel.h
- *  Models of several parts are models of an aggregate, see McdAggregate.h and McdModel.h. Programs of
- *  earlier versions name this header; the type McdCompositeModelID is a model's.
+ *  For programs written for earlier versions: a composite model is a model of an aggregate, see McdAggregate.h and
+ *  McdModel.h. The type McdCompositeModelID is that of a model.
  */
 #ifndef MCDCOMPOSITEMODEL_H
 #define MCDCOMPOSITEMODEL_H

@@ -1,18 +1,19 @@
 /** @file McdConvexInteractions.h
- *  Contacts between convex geometries, and between them and planes (User Guide ch. 4, "Geometrical Types and Their
+ *  Contacts between convex geometries, and between these and planes (User Guide ch. 4, "Geometrical Types and Their
  *  Interactions").
  *
  *  Each pair of types has three functions:
- *  - McdXYRegisterInteraction has pairs of an X and a Y (and of a Y and an X) of a framework interact. Returns 1; 0,
- *    with a warning, if the framework is none. Both types should be registered.
- *  - McdXYIntersect finds the contacts of one pair, whose first model is an X and whose second is a Y: at most 4, well
- *    spread over what the two surfaces have in common, with the normal that pushes the first model out by the shortest
- *    way. Returns 1 if there are any. Other types, or a transform that is not finite, get a warning and 0.
- *  - McdXYSafeTime finds how long the pair may move, see McdSafeTime.
- *  McdIntersect and McdSafeTime call what is registered; the functions can also be called alone, with models that are
- *  up to date (McdInteractions.h).
+ *  - McdXYRegisterInteraction registers the interaction of X and Y (and of Y and X) with a framework. Returns 1; 0,
+ *    with a warning, if the argument is not a framework. Both types should be registered.
+ *  - McdXYIntersect finds the contacts of one pair, whose first model is an X and whose second is a Y: at most 4,
+ *    well spread over the common part of both surfaces, with the normal along which the first model leaves the
+ *    second by the shortest displacement. Returns 1 if there are any. For other types, or a transform that is not
+ *    finite: a warning, and 0.
+ *  - McdXYSafeTime finds how long the models of the pair may move, see McdSafeTime.
+ *  McdIntersect and McdSafeTime call the registered functions; these can also be called directly, for models that
+ *  are up to date (McdInteractions.h).
  *
- *  Where two shapes touch in one point only, or are concentric, and no way out is shorter than another, the normal is a
+ *  Where shapes touch in a single point, or are concentric, so that no direction is the shortest, the normal is a
  *  fixed direction of the shapes: never zero.
  */
 #ifndef MCDCONVEXINTERACTIONS_H
@@ -58,7 +59,7 @@ MCD_DECLARE_INTERACTION(CylinderConvexMesh);
 MCD_DECLARE_INTERACTION(SphylConvexMesh);
 MCD_DECLARE_INTERACTION(ConvexMeshConvexMesh);
 /** @} */
-/** @name With a plane, below which all is inside
+/** @name With a plane, whose inside is below it
  *  @{ */
 MCD_DECLARE_INTERACTION(SpherePlane);
 MCD_DECLARE_INTERACTION(BoxPlane);
@@ -69,13 +70,15 @@ MCD_DECLARE_INTERACTION(ConvexMeshPlane);
 MCD_DECLARE_INTERACTION(PlaneConvexMesh);
 /** @} */
 
-/** @name Many at once
+/** @name Several pairs of types
  *  @{ */
-/** A convex mesh with sphere, box, cylinder, sphyl, plane and another. Returns 1, or 0 if the framework is none. */
+/** Registers a convex mesh with sphere, box, cylinder, sphyl, plane, triangle list and convex mesh. Returns 1; 0,
+ *  with a warning, if @a frame is not a framework. */
 MEPUBLIC MeBool MEAPI McdConvexMeshPrimitivesRegisterInteractions(McdFramework *frame);
-/** A convex mesh with sphere and box only. */
+/** Registers a convex mesh with sphere and box only. Returns as McdConvexMeshPrimitivesRegisterInteractions. */
 MEPUBLIC MeBool MEAPI McdConvexMeshRegisterBoxAndSphereFns(McdFramework *frame);
-/** A cone with sphere, box, cylinder, sphyl, plane and another. */
+/** Registers a cone with sphere, box, cylinder, sphyl, plane and cone. Returns as
+ *  McdConvexMeshPrimitivesRegisterInteractions. */
 MEPUBLIC MeBool MEAPI McdConePrimitivesRegisterInteractions(McdFramework *frame);
 /** @} */
 

@@ -1,10 +1,10 @@
 /** @file McdConvexMesh.h
- *  Convex meshes: the hull of some points (User Guide ch. 4, "Making a Model with a Convex Mesh Geometry").
+ *  Convex meshes: convex hulls of points (User Guide ch. 4, "Making a Model with a Convex Mesh Geometry").
  *
- *  A fat mesh is made of all points within its fatness of the hull: its edges and corners are round. What is no convex
- *  mesh, and polygons and vertices that it has not got, get a warning and 0. Mass properties are those of uniform
- *  density and exact, with fatness too. The origin is wherever the points have it, the centre of mass need not be
- *  there.
+ *  A fat mesh consists of all points within its fatness of the hull: its edges and corners are rounded. For a
+ *  geometry that is not a convex mesh, and for polygons and vertices that do not exist: a warning, and 0. Mass
+ *  properties are those of uniform density, exact also with fatness. The origin is that of the given points; the
+ *  centre of mass may be elsewhere.
  */
 #ifndef MCDCONVEXMESH_H
 #define MCDCONVEXMESH_H
@@ -14,28 +14,28 @@
 ME_BEGIN_C
 
 /**
- * Creates the hull of vertexCount points (m, copied); inner, double and nearly coplanar ones do no harm: what is less
- * than 3e-7 of half the hull's length off a point, a line or a plane counts as in it.
+ * Creates the convex hull of vertexCount points (m, copied). Inner, duplicate and nearly coplanar points are allowed: a
+ * point counts as lying in another point, a line or a plane if it is nearer than 3e-7 of half the hull's length.
  * @param fatnessRadius 0 or more (m).
- * @return null, with a warning, if the points span no volume (a 1e-6th of their extent across is the least), or are
- *         infinite or NaN, and if the type is not registered. McdGeometryDestroy destroys it.
+ * @return null, with a warning, if the hull has no volume (its thickness must be at least 1e-6 of half its length), if
+ *         points are infinite or NaN, and if the type is not registered. McdGeometryDestroy destroys it.
  */
 MEPUBLIC McdConvexMeshID MEAPI McdConvexMeshCreateHull(McdFramework *frame, const MeVector3 *vertices, int vertexCount,
                                                        MeReal fatnessRadius);
-/** Creates a polyhedron with the outline of McdSphylCreate(frame, radius, height): its corners are on the sphyl. */
+/** Creates a polyhedron that approximates McdSphylCreate(frame, radius, height), with its vertices on the sphyl. */
 MEPUBLIC McdConvexMeshID MEAPI McdConvexMeshCreateSphyl(McdFramework *frame, MeReal radius, MeReal height);
 MEPUBLIC MeReal MEAPI McdConvexMeshGetFatness(McdConvexMeshID mesh); /**< m */
-/** How many faces the hull has. Numbers of polygons and of their vertices count from 0. */
+/** The number of faces of the hull. Indices of polygons and of their vertices start at 0. */
 MEPUBLIC int MEAPI McdConvexMeshGetPolygonCount(McdConvexMeshID g);
-/** How many vertices a face has, 3 or more. */
+/** The number of vertices of a face, 3 or more. */
 MEPUBLIC int MEAPI McdConvexMeshGetPolygonVertexCount(McdConvexMeshID g, int polyID);
-/** A face's outward normal, length 1. */
+/** The outward normal of a face, length 1. */
 MEPUBLIC void MEAPI McdConvexMeshGetPolygonNormal(McdConvexMeshID g, int polyID, MeVector3 normal);
-/** A face's vertex (m); they run counter-clockwise as seen from outside. */
+/** A vertex of a face (m), counter-clockwise seen from outside. */
 MEPUBLIC void MEAPI McdConvexMeshGetPolygonVertex(McdConvexMeshID g, int polyID, int vertexID, MeVector3 vertex);
-/** The same, by pointer; valid as long as the mesh is, to be read only. Null where there is none. */
+/** A vertex of a face, as a pointer: read-only, valid while the mesh lives. Null if there is no such vertex. */
 MEPUBLIC const MeReal *MEAPI McdConvexMeshGetPolygonVertexPtr(McdConvexMeshID g, int polyID, int vertexID);
-/** What the mesh at @a tm covers of the world's x and y: bounds = least x, greatest x, least y, greatest y. */
+/** The bounds of the mesh at @a tm in the world's x and y: bounds = min x, max x, min y, max y. */
 MEPUBLIC void MEAPI McdConvexMeshGetXYAABB(McdConvexMeshID g, MeMatrix4 tm, MeReal bounds[4]);
 
 /** @name What every geometry type has, see McdGeometryDeclare.h

@@ -1,8 +1,8 @@
 /** @file McdCullingTable.h
- *  Tables of which kinds of models do not collide (User Guide ch. 4, "Disabling and Enabling Pairs of Models").
+ *  Collision filters by kinds of models (User Guide ch. 4, "Disabling and Enabling Pairs of Models").
  *
- *  A symmetric table of flags, all 0 at first. See McdSpaceSetModelCullingParameters; once models use a table, leave it
- *  as it is.
+ *  A culling table is a symmetric table of flags, initially 0. See McdSpaceSetModelCullingParameters; a table must
+ *  not be changed while models use it.
  */
 #ifndef MCDCULLINGTABLE_H
 #define MCDCULLINGTABLE_H
@@ -15,12 +15,12 @@ typedef struct McdCullingTable McdCullingTable;
 
 /** Creates a table for indices 0 .. size - 1; null, with a warning, for a size below 1 or above 32768. */
 MEPUBLIC McdCullingTable *MEAPI McdCullingTableCreate(int size);
-/** Destroys a table that no model uses any more. Null does nothing. */
+/** Destroys a table, which no model may use any more. Null is ignored. */
 MEPUBLIC void MEAPI McdCullingTableDestroy(McdCullingTable *const table);
-/** Sets the flag of a and b, and of b and a; 1: models with these indices do not collide. An index out of range gets a
- *  warning. */
+/** Sets the flag of a and b, and of b and a; 1: models with these indices do not collide. An index out of range gets
+ *  a warning. */
 MEPUBLIC void MEAPI McdCullingTableSet(McdCullingTable *const table, MeU32 a, MeU32 b, MeBool flag);
-/** That flag; 0, with a warning, for an index out of range. */
+/** The flag of a and b; 0, with a warning, for an index out of range. */
 MEPUBLIC MeBool MEAPI McdCullingTableGet(const McdCullingTable *const table, MeU32 a, MeU32 b);
 /** The number of indices. */
 MEPUBLIC int MEAPI McdCullingTableGetSize(const McdCullingTable *const table);

@@ -1,12 +1,12 @@
 /** @file McdFrame.h
- *  The collision framework: which geometry types there are and how pairs of them interact (User Guide ch. 4, "Register
+ *  The collision framework: registry of geometry types and of interactions between them (User Guide ch. 4, "Register
  *  Types of Geometries to be Used").
  *
- *  Only what is registered is linked and run: the Mcd*RegisterType and Mcd*RegisterInteraction functions bring in one
- *  type or pair each, those of McdPrimitives.h many. A pair without an interaction never touches; asking for it gets
- *  one warning per pair of types.
+ *  Only what is registered is linked: each Mcd*RegisterType and Mcd*RegisterInteraction function adds one type or
+ *  pair, those of McdPrimitives.h several. A pair of types without an interaction never touches; McdHello warns once
+ *  per pair of types.
  *
- *  Programs include this header for all of collision: at its end it brings Mcd.h.
+ *  Programs need to include only this header for collision: at its end it includes Mcd.h.
  */
 #ifndef MCDFRAME_H
 #define MCDFRAME_H
@@ -18,16 +18,16 @@ ME_BEGIN_C
 
 /**
  * Creates a framework.
- * @param geoTypeMaxCount how many types of its own the program will register, 0 or more.
- * @param modelCount      how many models there may be, 1 or more, or MeNoLimit.
- * @param instanceCount   how many children all aggregate models may have together, 0 or more, or MeNoLimit.
+ * @param geoTypeMaxCount the maximum number of the program's own geometry types, 0 or more.
+ * @param modelCount      the maximum number of models, 1 or more, or MeNoLimit.
+ * @param instanceCount   the maximum number of children of all aggregates' models together, 0 or more, or MeNoLimit.
  * @param lengthScale     the length of a medium-sized object; the default contact tolerance is .01 of it.
  * @return null, with a warning, if an argument is out of range. McdTerm destroys it.
  *
- * Karma 1.1 had three arguments; McdInit(types, models, instances) means a length scale of 1.
+ * Karma 1.1 had three arguments; McdInit(types, models, instances) uses a length scale of 1.
  */
 MEPUBLIC McdFrameworkID MEAPI McdInit(int geoTypeMaxCount, int modelCount, int instanceCount, MeReal lengthScale);
-/** What the form with three arguments stands for. */
+/** The form with three arguments. */
 MEPUBLIC McdFrameworkID MEAPI McdInitUnscaled(int geoTypeMaxCount, int modelCount, int instanceCount);
 #ifdef __cplusplus
 ME_END_C
@@ -45,25 +45,27 @@ ME_BEGIN_C
     (__VA_ARGS__)
 #endif
 /**
- * Destroys a framework: runs the term actions, then destroys the models and geometries that are left, with a warning
- * that says how many. Spaces of the framework are destroyed before.
+ * Destroys a framework: runs the term actions, then destroys the remaining models and geometries, with a warning that
+ * gives their numbers. Its spaces must be destroyed before.
  */
 MEPUBLIC void MEAPI McdTerm(McdFrameworkID frame);
-/** Destroys all models and geometries; the models leave their spaces first, whether in a change block or not. */
+/** Destroys all models and geometries; models are first removed from their spaces, inside or outside of a change
+ *  block. */
 MEPUBLIC void MEAPI McdFrameworkDestroyAllModelsAndGeometries(McdFrameworkID frame);
-/** Has McdTerm call @a action, the one registered last first (docs/simulation.md, "Callbacks"). */
+/** Registers an action for McdTerm; actions are called in reverse order of registration (docs/simulation.md,
+ *  "Callbacks"). */
 MEPUBLIC void MEAPI McdFrameworkRegisterTermAction(McdFrameworkID frame, McdTermAction action);
-/** How many models there are. */
+/** The number of models. */
 MEPUBLIC int MEAPI McdFrameworkGetModelCount(McdFrameworkID frame);
-/** How many geometries there are. */
+/** The number of geometries. */
 MEPUBLIC int MEAPI McdFrameworkGetGeometryCount(McdFrameworkID frame);
 
 /** @name Geometry types
  *  @{ */
 /**
- * Registers a geometry type. typeId is a built-in number, or a program's: kMcdGeometryFirstUserType and up, fewer than
- * McdInit was told. Registering a type again changes nothing. Functions may be null: the type then has no such thing.
- * What they may do: docs/simulation.md, "Callbacks".
+ * Registers a geometry type. typeId is a built-in number, or a program's: kMcdGeometryFirstUserType and up, at most
+ * McdInit's geoTypeMaxCount of them. Registering a type again changes nothing. Functions may be null: the type does not
+ * support them. What they may do: docs/simulation.md, "Callbacks".
  */
 MEPUBLIC void MEAPI McdFrameworkRegisterGeometryType(McdFrameworkID frame, McdGeometryType typeId, char *typeName,
                                                      McdGeometryDestroyFnPtr destroy, McdGeometryGetAABBFnPtr getAABB,
@@ -71,51 +73,52 @@ MEPUBLIC void MEAPI McdFrameworkRegisterGeometryType(McdFrameworkID frame, McdGe
                                                      McdGeometryMaximumPointFnPtr maximumPoint,
                                                      McdGeometryGetMassPropertiesFnPtr getMassProperties,
                                                      McdGeometryDebugDrawFnPtr debugDraw);
-/** How many types are registered. */
+/** The number of registered types. */
 MEPUBLIC MeI16 MEAPI McdFrameworkGetRegisteredTypeCount(McdFrameworkID frame);
-/** Is there such a type, and is it registered? */
+/** Whether the type is registered; 0 for numbers out of range. */
 MEPUBLIC MeBool MEAPI McdFrameworkTypeIsRegistered(McdFrameworkID frame, int typeId);
-/** May there be such a type? */
+/** Whether the number is in the range of types of this framework. */
 MEPUBLIC MeBool MEAPI McdFrameworkTypeIsValid(McdFrameworkID frame, int typeId);
-/** The name of a type, "(not registered)" if it is not. */
+/** The name of a type; "(not registered)" if it is not. */
 MEPUBLIC const char *MEAPI McdFrameworkGetTypeName(McdFrameworkID frame, int typeId);
-/** Writes the registered types by MeInfo. */
+/** Prints the registered types by MeInfo. */
 MEPUBLIC void MEAPI McdFrameworkShowTypes(McdFrameworkID frame);
 /** @} */
 
 /** @name Interactions
  *  @{ */
 /**
- * Says how pairs whose first model has geoType1 and whose second has geoType2 interact; copied. A pair in the other
- * order is turned round, tested, and its contacts turned back, unless that order has an interaction of its own. What
- * its functions may do: docs/simulation.md, "Callbacks".
+ * Sets the interaction of pairs whose first model has geoType1 and whose second has geoType2; copied; null: none. A
+ * pair in the other order is tested with its models swapped, and its contacts are swapped back, unless that order has
+ * an interaction of its own. What the functions may do: docs/simulation.md, "Callbacks".
  */
 MEPUBLIC void MEAPI McdFrameworkSetInteractions(McdFramework *frame, int geoType1, int geoType2,
                                                 McdInteractions *interactions);
-/** The interaction of that very order, or null. */
+/** The interaction for exactly this order, or null. */
 MEPUBLIC McdInteractions *MEAPI McdFrameworkGetInteractions(McdFramework *frame, int geoType1, int geoType2);
-/** How many times McdHello has met two models of these types without an interaction. */
+/** The number of times that McdHello found no interaction for these types. */
 MEPUBLIC int MEAPI McdFrameworkGetInteractionsWarned(McdFramework *framework, int geoType1, int geoType2);
-/** Sets that count; the next warning comes when it is 0. */
+/** Sets that count. McdHello warns only when it is 0: setting it to 0 re-arms the warning, another value silences
+ *  it. */
 MEPUBLIC void MEAPI McdFrameworkSetInteractionsWarned(McdFramework *framework, int geoType1, int geoType2, int count);
-/** Says how a line segment meets models of a type. */
+/** Sets the function that intersects line segments with models of a type; null: none. */
 MEPUBLIC void MEAPI McdFrameworkSetLineSegInteraction(McdFramework *frame, int geoType,
                                                       McdLineSegIntersectFnPtr intersect);
-/** That function, or null. */
+/** The function that intersects line segments with models of a type, or null. */
 MEPUBLIC McdLineSegIntersectFnPtr MEAPI McdFrameworkGetLineSegInteraction(McdFramework *frame, int geoType);
-/** Writes by MeInfo which pairs of types interact. */
+/** Prints by MeInfo which pairs of types interact. */
 MEPUBLIC void MEAPI McdFrameworkPrintInteractionTable(McdFramework *frame);
 /** @} */
 
 /** @name Defaults
  *  @{ */
-/** The request of pairs that have none of their own; kept by pointer. Null sets the built-in one again. */
+/** Sets the request of pairs without their own; kept by pointer. Null restores the built-in one. */
 MEPUBLIC void MEAPI McdFrameworkSetDefaultRequestPtr(McdFrameworkID frame, McdRequest *request);
-/** That request. */
+/** The request of pairs without their own. */
 MEPUBLIC McdRequest *MEAPI McdFrameworkGetDefaultRequestPtr(McdFrameworkID frame);
-/** The contact tolerance of models made from now on: >= 0, m. See McdModelSetContactTolerance. */
+/** Sets the contact tolerance of models that are created later: >= 0, m. See McdModelSetContactTolerance. */
 MEPUBLIC void MEAPI McdFrameworkSetDefaultContactTolerance(McdFrameworkID frame, MeReal tolerance);
-/** That tolerance; at first .01 of McdInit's length scale. */
+/** The contact tolerance of models that are created later; initially .01 of McdInit's length scale. */
 MEPUBLIC MeReal MEAPI McdFrameworkGetDefaultContactTolerance(McdFrameworkID frame);
 /** The length scale given to McdInit. */
 MEPUBLIC MeReal MEAPI McdFrameworkGetLengthScale(McdFrameworkID frame);
@@ -123,7 +126,7 @@ MEPUBLIC MeReal MEAPI McdFrameworkGetLengthScale(McdFrameworkID frame);
 
 ME_END_C
 
-/* After the declarations, since its headers need them. */
+/* After the declarations, since Mcd.h's headers need them. */
 #include "Mcd.h"
 
 #endif

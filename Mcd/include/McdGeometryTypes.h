@@ -1,5 +1,5 @@
 /** @file McdGeometryTypes.h
- *  The built-in geometry types, and the triangles that programs hand over (User Guide ch. 4, "Geometrical Types and
+ *  The built-in geometry types, and the triangles that programs supply (User Guide ch. 4, "Geometrical Types and
  *  Their Interactions").
  */
 #ifndef MCDGEOMETRYTYPES_H
@@ -9,7 +9,7 @@
 
 ME_BEGIN_C
 
-/** The built-in types. The first numbers are Karma's; the types of a program follow kMcdGeometryBuiltInTypes. */
+/** The built-in types. The first numbers are Karma's. */
 enum {
     kMcdGeometryTypeNull = 0,
     kMcdGeometryTypeSphere = 1,
@@ -20,7 +20,7 @@ enum {
     kMcdGeometryTypeTriangleList = 6,
     kMcdGeometryTypeConvexMesh = 7,
     kMcdGeometryTypeAggregate = 8,
-    kMcdGeometryBuiltInTypes = 9 /**< The types of Karma 1.2; those after it are additions. */
+    kMcdGeometryBuiltInTypes = 9 /**< Number of types of Karma 1.2; later ones are additions. */
 };
 enum {
     kMcdGeometryTypeCone = 9,
@@ -54,42 +54,43 @@ typedef struct McdAggregate McdAggregate;
 
 /** How contacts with a triangle are made (User Guide ch. 4, "Triangle List"). */
 typedef enum McdTriangleFlags {
-    kMcdTriangleUseSmallestPenetration = 1, /**< The normal is the shortest way out; else the triangle's. */
-    kMcdTriangleTwoSided = 2,               /**< Both sides are outside; else the normal is turned to the given one. */
-    kMcdTriangleUseEdge0 = 4,               /**< The edge from vertex 0 to 1 is sharp: contacts may be made there. */
+    kMcdTriangleUseSmallestPenetration = 1, /**< The normal is that of the smallest penetration; else the triangle's. */
+    kMcdTriangleTwoSided = 2,               /**< Both sides are outside; else only the side of the given normal. */
+    kMcdTriangleUseEdge0 = 4,               /**< The edge from vertex 0 to 1 is sharp: it may have contacts. */
     kMcdTriangleUseEdge1 = 8,               /**< The edge from vertex 1 to 2. */
     kMcdTriangleUseEdge2 = 16,              /**< The edge from vertex 2 to 0. */
     kMcdTriangleUseEdges = 28,              /**< All edges. */
     kMcdTriangleStandard = 31               /**< All of these. */
 } McdTriangleFlags;
 
-/** A triangle as a triangle list's callback gives it. All in the list's own frame. */
+/** A triangle as returned by a triangle list's callback. All in the list's own frame. */
 typedef struct _McdUserTriangle McdUserTriangle;
 struct _McdUserTriangle {
-    MeVector3 *vertices[3]; /**< Corners; must stay until the intersection is done. */
-    MeVector3 *normal;      /**< Outward, length 1. Null: from the corners, by the right-hand rule. */
+    MeVector3 *vertices[3]; /**< Corners; must remain valid during the query. */
+    MeVector3 *normal;      /**< Outward, length 1. Null: computed from the corners by the right-hand rule. */
     McdTriangleFlags flags; /**< A sum of McdTriangleFlags. */
-    /** The program's; contacts with the triangle have it (McdContact.element1 or element2). A null ptr unless it is
-     *  set. */
+    /** The program's data; contacts with the triangle refer to it (McdContact.element1 or element2). A null ptr
+     *  unless it is set. */
     McdElementData triangleData;
 };
 
-/** A triangle list: what programs may use of it (User Guide ch. 8). The rest of it is hidden. */
+/** A triangle list: the part that programs may access (User Guide ch. 8). */
 struct McdTriangleList {
     McdGeometry head;     /**< Not for programs. */
-    int triangleMaxCount; /**< As McdTriangleListSetMaxTriangles sets it; heeded when triangles are next asked for. */
-    /** The list's: where the callback writes; what it wrote last stays there. A query that runs within another one's
-     *  callback, or at the same time in another thread, has its callback write into another array. */
+    int triangleMaxCount; /**< As McdTriangleListSetMaxTriangles sets it; applied at the next call of the callback. */
+    /** The list's array, which the callback fills; its last triangles stay there. In a query from within another
+     *  query's callback, or at the same time in another thread, the callback fills another array. */
     McdUserTriangle *list;
-    void *userData; /**< The program's: see McdTriangleListSetUserData. */
+    void *userData; /**< The program's data: see McdTriangleListSetUserData. */
 };
 
 /**
- * Writes at most maxTriangles triangles that are within radius of pos (in the list's frame) and returns how many. The
- * pair's second model has the triangle list; where it is a part of an aggregate, that model stands for the part. The
- * first one is the model near it; for line segments, and for geometries that ask without a model (McdQuery.h), it is
- * the same as the second. In contacts the pair's phase and data are those of the models' pair; else they are zero. It
- * may not move models, nor change what they are made of; what it destroys waits (docs/simulation.md, "Callbacks").
+ * Callback of a triangle list: writes at most maxTriangles triangles that are within radius of pos (in the list's
+ * frame) and returns their number. The pair's second model has the triangle list; if the list is a part of an
+ * aggregate, that model stands for the part. The first model is the one near it; for line segments, and for queries by
+ * geometries without a model (McdQuery.h), it is the same as the second. When contacts are computed, the pair's phase
+ * and data are those of the models' pair; else they are zero. The callback must not move models or change their
+ * geometries; objects that it destroys are destroyed later (docs/simulation.md, "Callbacks").
  */
 typedef int(MEAPI *McdTriangleListFnPtr)(McdModelPair *modelTriListPair, McdUserTriangle *triangle, MeVector3 pos,
                                          MeReal radius, int maxTriangles);

@@ -1,6 +1,5 @@
 /** @file McdInteractionTable.h
- *  The table of interactions belongs to the framework, see McdFrame.h. Programs of earlier versions name this
- *  header.
+ *  For programs written for earlier versions: the table of interactions belongs to the framework, see McdFrame.h.
  */
 #ifndef MCDINTERACTIONTABLE_H
 #define MCDINTERACTIONTABLE_H

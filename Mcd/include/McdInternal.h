@@ -1,5 +1,5 @@
 /** @file McdInternal.h
- *  For Mst, which makes frameworks and spaces of its universes' sizes, and knows no geometry types. Not installed.
+ *  For Mst, which creates frameworks and spaces for its universes and does not know geometry types. Not installed.
  */
 #ifndef MCDINTERNAL_H
 #define MCDINTERNAL_H
@@ -11,8 +11,8 @@
 ME_BEGIN_C
 
 /** @name Names of limits
- *  What a message tells the program to raise where there is no room for more, instead of the arguments of McdInit and
- *  McdSpaceAxisSortCreate. Strings that stay. Each limit is spoken of once then.
+ *  Sets the names of the settings to raise that warnings give when a limit is reached, instead of the arguments of
+ *  McdInit and McdSpaceAxisSortCreate. The strings must remain valid. After renaming, each limit warns once.
  *  @{ */
 MEPUBLIC void MEAPI McdFrameworkRenameLimits(McdFrameworkID frame, const char *types, const char *models,
                                              const char *instances);
@@ -24,128 +24,132 @@ MEPUBLIC int MEAPI McdSpaceGetPairCount(McdSpaceID s);
 
 /** @name Frozen models that change
  *  @{ */
-/** A frozen model that is not as it was when its box was made; @a hasMoved: its matrix is another. */
+/** Visits a frozen model that differs from when its box was made; @a hasMoved: its matrix differs. */
 typedef void(MEAPI *McdFrozenVisit)(McdModelID m, MeBool hasMoved, void *context);
-/** Visits such models; some are looked at in each call, in turn, and all of them after a call that has changed a shape
- *  or a model of the framework. The visit may freeze and unfreeze models. */
+/** Visits frozen models that have changed. Each call compares some of the frozen models, in turn; after a call that
+ *  changed a shape or a model of the framework, all of them. The visit may freeze and unfreeze models. */
 MEPUBLIC void MEAPI McdSpaceVisitChangedFrozen(McdSpaceID s, McdFrozenVisit visit, void *context);
-/** Whether its matrix was another when its box was made the last time but one. */
+/** Whether a change of the model's transform was seen between the last two ends of change blocks. */
 MEPUBLIC MeBool MEAPI McdModelHasMoved(McdModelID cm);
-/** It has changed: McdSpaceVisitChangedFrozen visits it in its next call, if it is frozen then. */
+/** Marks the model as changed: if it is frozen then, the next McdSpaceVisitChangedFrozen visits it. */
 MEPUBLIC void MEAPI McdModelStir(McdModelID cm);
-/** How far the point of a model, world, was moved with it when its box was made last, m; zero and MEFALSE where it was
- *  not, or farther than its own size, as by a program that puts it elsewhere. */
+/** The displacement (m) of a world point that moves with the model, by that change of its transform. Zero and
+ *  MEFALSE if there was none, or if it exceeds the model's radius, as when a program puts the model elsewhere. */
 MEPUBLIC MeBool MEAPI McdModelGetDisplacement(McdModelID cm, const MeVector3 point, MeVector3 displacement);
 /** @} */
 
 /** @name Stages (MeInternal.h, mcd_stage.c)
  *  @{ */
 enum {
-    MCD_MODELS_GUARD = 1 /**< the level at which models and their pairs stay */
+    MCD_MODELS_GUARD = 1 /**< the level at which models and their pairs are guarded */
 };
 MEPUBLIC MeStage *MEAPI McdFrameworkGetStage(McdFrameworkID frame);
-/** That of the model's framework, if it is held at that level; else null. */
+/** The stage of the model's framework if it guards models; else null. */
 MEPUBLIC MeStage *MEAPI McdModelGetGuardStage(McdModelID cm);
-/** May its transform's pointer be set? Else a message: it is being tested. */
+/** Whether the model's transform pointer may be set; if not, a message: the model is being tested. */
 MEPUBLIC MeBool MEAPI McdModelMayBePlaced(McdModelID cm, const char *function);
-/** Whether its body is to go when the stage ends: it makes no more contacts. */
+/** Sets whether the model's body will be destroyed at the end of the stage: then the model makes no more contacts. */
 MEPUBLIC void MEAPI McdModelSetGone(McdModelID cm, MeBool isGone);
-/** Is one of the pair's models to go when the stage ends? */
+/** Whether one of the pair's models, or its body, will be destroyed or removed at the end of the stage. */
 MEPUBLIC MeBool MEAPI McdModelPairIsLeaving(const McdModelPair *p);
-/** Live ones? */
+/** Whether it is a live framework; a live space. */
 MEPUBLIC MeBool MEAPI McdFrameworkIsValid(McdFrameworkID frame);
 MEPUBLIC MeBool MEAPI McdSpaceIsValid(McdSpaceID s);
-/** The framework that a live space was made in. */
+/** The framework of a live space. */
 MEPUBLIC McdFrameworkID MEAPI McdSpaceGetFramework(McdSpaceID s);
-/** What collides its pairs, and keeps records of them: null at first. */
+/** The object that collides the space's pairs and keeps records of them; initially null. */
 MEPUBLIC void *MEAPI McdSpaceGetCollider(McdSpaceID s);
 MEPUBLIC void MEAPI McdSpaceSetCollider(McdSpaceID s, void *collider);
-/** Has it got another body than it was tested with, so that its pairs' contacts are not its own any more? Forgets all
- *  of them (McdModelPair.forget). */
+/** Forgets the contacts of all pairs of the model (McdModelPair.forget): for a model that has got another body than
+ *  its pairs were tested with. */
 MEPUBLIC void MEAPI McdModelForgetPairs(McdModelID cm);
-/** Its transform is gone: it has no box and no pairs until it is placed again; it is not frozen any more. */
+/** For a model whose transform was removed: drops its box, and unfreezes it; it has no pairs until it is placed
+ *  again. */
 MEPUBLIC void MEAPI McdModelDropBox(McdModelID cm);
-/** McdSpaceBeginChanges and McdSpaceEndChanges by whoever holds the models. */
+/** McdSpaceBeginChanges and McdSpaceEndChanges by the owner of the models: without checks and deferral, and only if
+ *  the space is not in that state already. */
 MEPUBLIC void MEAPI McdSpaceOpen(McdSpaceID s);
 MEPUBLIC void MEAPI McdSpaceClose(McdSpaceID s);
 /** @} */
 
 /** @name Workers
  *  @{ */
-/** Sets the workers that update the boxes of models; null: the calling thread alone. */
+/** Sets the worker threads that update the boxes of models; null: the calling thread only. */
 MEPUBLIC void MEAPI McdSpaceSetTeam(McdSpaceID s, MeTeam *team);
-/** McdModelPairLookAtModels for all models that are not frozen, by the space's workers. */
+/** Compares all models that are not frozen with their last inputs (McdModelPairLookAtModels), by the space's
+ *  workers. */
 MEPUBLIC void MEAPI McdSpaceLookAtModels(McdSpaceID s);
 /** @} */
 
 /** @name Change detection: tests that need not be repeated
  *  @{ */
-/** Begins a round: until the next one, models do not change, and each is compared with its last inputs once. */
+/** Begins a round: models do not change until the next one, and each is compared with its last inputs at most once. */
 MEPUBLIC void MEAPI McdFrameworkBeginRound(McdFrameworkID frame);
 /** Whether the result of a pair's last test is still valid. */
 typedef enum McdPairChange {
-    McdPairHasChanged,  /**< unknown: test it; that test is noted */
-    McdPairHasMoved,    /**< little relative motion since the last test: its contacts may be moved with the models */
-    McdPairIsSeparated, /**< less relative motion than the gap at the last test: another would find nothing, either */
-    McdPairIsUnchanged, /**< all inputs are equal, to the last bit, to those of the last McdModelPairLook */
+    McdPairHasChanged,  /**< unknown: test it; the test's inputs have been stored */
+    McdPairHasMoved,    /**< small relative motion since the last test: its contacts may be moved along */
+    McdPairIsSeparated, /**< less relative motion than the gap at the last test: it would find no contacts */
+    McdPairIsUnchanged, /**< all inputs equal those of the last McdModelPairLook, to the last bit */
 } McdPairChange;
-/** Compares both models with their last inputs, unless that was done in this round. After it McdModelPairLook writes to
- *  the pair only, so that several threads may call it for different pairs. */
+/** Compares both models with their last inputs, unless that was done in this round. After that McdModelPairLook
+ *  writes only to the pair, so several threads may call it for different pairs. */
 MEPUBLIC void MEAPI McdModelPairLookAtModels(const McdModelPair *p);
 /** Whether both models have been compared in this round. */
 MEPUBLIC MeBool MEAPI McdModelPairHasSeenModels(const McdModelPair *p);
-/** Compares a pair with its last test. Other results than McdPairHasChanged are given only for convex models, planes,
- *  height fields, and aggregates of these whose parts have no materials of their own, with the library's own
- *  interactions, without callbacks, and with unchanged sizes, places of parts and margins; with height fields only
- *  while each model that @a mayMove is frozen; and only models that @a mayMove have moved since the last call.
- *  McdPairIsSeparated: since the last test (McdModelPairNoteTest) no point has moved relative to the other model by as
- *  much as the models were separated then (McdModelPairNoteSeparated). McdPairHasMoved: else no point of the smaller
- *  model by more than @a part of its size, or a quarter of the margin of the pair; who tests such a pair all the same
- *  calls McdModelPairNoteTest before. */
+/** Compares a pair with its last test. Results other than McdPairHasChanged require: convex models, planes, height
+ *  fields, or aggregates of these whose parts have no materials of their own; the library's interactions; no
+ *  callbacks; unchanged sizes, places of parts and margins; with height fields, that each model that @a mayMove is
+ *  frozen; and that only models that @a mayMove have moved since the last call.
+ *  McdPairIsSeparated: since the last test (McdModelPairNoteTest) no point has moved relative to the other model by
+ *  as much as their gap then (McdModelPairNoteSeparated). McdPairHasMoved: otherwise, if no point of the smaller
+ *  model has moved by more than @a part of its size, or a quarter of the pair's margin; if such a pair is tested all
+ *  the same, call McdModelPairNoteTest before. */
 MEPUBLIC McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool mayMove[2]);
-/** What of a pair's models decides how it is handled; flags. */
+/** Properties of a pair's models that decide how the pair is handled; flags. */
 typedef enum McdPairTrait {
     McdPairIsAsleep = 1,  /**< both are frozen in their space (McdSpaceModelIsFrozen) */
-    McdPairHasSensor = 2, /**< one is a sensor at least */
-    McdPairIsFast = 4,    /**< one has a fast margin at least (McdModelGetFastMargin) */
-    McdPairIsGone = 8,    /**< one is to be destroyed, or to leave its space, when the stage ends */
+    McdPairHasSensor = 2, /**< at least one is a sensor */
+    McdPairIsFast = 4,    /**< at least one has a fast margin (McdModelGetFastMargin) */
+    McdPairIsGone = 8,    /**< one will be destroyed, or removed from its space, at the end of the stage */
 } McdPairTrait;
-/** The traits of a pair, and the materials of its models. Of a model that is gone, with a warning: none, and 0. */
+/** The traits of a pair, and the materials of its models. If a model has been destroyed: 0 and material 0, with a
+ *  warning. */
 MEPUBLIC MeU32 MEAPI McdModelPairGetTraits(const McdModelPair *p, MeU32 material[2]);
-/** Does no function of the program run in the pair's test, of all parts of its models, and do all its contacts have
- *  the models' materials? Never where something else than two convex models or planes is fast, as the search for its
- *  time of touch asks the space. */
+/** Whether the pair's test, including all parts of its models, calls no function of the program, and all its
+ *  contacts have the models' materials. Never if a model is fast, unless both are convex models or planes, since the
+ *  search for the time of impact queries the space. */
 MEPUBLIC MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p);
-/** McdIntersect of such a pair, without its checks, once its models have been compared in this round. Returns what that
- *  would. */
+/** McdIntersect of such a pair, without checks; its models must have been compared in this round. Returns as
+ *  McdIntersect. */
 MEPUBLIC MeBool MEAPI McdModelPairIntersectPlain(McdModelPair *p, McdIntersectResult *result);
-/** Stores the inputs of the test that follows, though the last one may hold. */
+/** Stores the current inputs as those of the test that follows, even if the last test may still be valid. */
 MEPUBLIC void MEAPI McdModelPairNoteTest(McdModelPair *p);
-/** Stores the gap that the test has found, m, a lower bound (McdIntersectResult.apart); 0: unknown, or none. */
+/** Stores the gap found by the test, m, a lower bound (McdIntersectResult.apart); 0: unknown, or none. */
 MEPUBLIC void MEAPI McdModelPairNoteSeparated(McdModelPair *p, MeReal apart);
-/** Whether one of the models is a box that may not move, and the other one is flush with a face of it, over which it
- *  will slide, notwithstanding all the contacts that a test of the pair has found. */
+/** Whether one of the models is a box that may not move, and the other one is flush with a face of it and will slide
+ *  over that face, so that the contacts that a test has found are to be ignored. */
 MEPUBLIC MeBool MEAPI McdModelPairPassesSeam(const McdModelPair *p, const MeBool mayMove[2],
                                              const McdContact contacts[], int count);
 /** Invalidates the last test: the next McdModelPairLook returns McdPairHasChanged. */
 MEPUBLIC void MEAPI McdModelPairForgetTest(McdModelPair *p);
 /** @} */
 
-/** A contact in double precision, world frame; of each surface how round it is there, model1's first. */
+/** A contact in double precision, world frame, with the curvature of both surfaces there; index 0: model1. */
 typedef struct McdExactContact {
     double position[3], separation, radius[2]; /**< m */
-    double rim[2], axis[2][3];                 /**< m, unit; an axis is set only where there is a rim */
+    double rim[2], axis[2][3];                 /**< m, unit; the axis is set only if there is a rim */
 } McdExactContact;
-/** What McdContactGetPosition, McdContactGetSeparation, McdContactGetRadius and McdContactGetRim tell, in one call and
- *  without their checks: @a c is a contact. */
+/** The results of McdContactGetPosition, McdContactGetSeparation, McdContactGetRadius and McdContactGetRim in one
+ *  call, without their checks: @a c must be a contact. */
 MEPUBLIC void MEAPI McdContactGetExact(const McdContact *c, McdExactContact *exact);
 
 /** @name Kinds of geometries
- *  MEFALSE, with a warning, for what is no model.
+ *  MEFALSE, with a warning, if it is not a model.
  *  @{ */
-/** Is it one convex shape, which can be cast (McdSpaceCastGeometry)? */
+/** Whether it is a single convex shape, which can be cast (McdSpaceCastGeometry). */
 MEPUBLIC MeBool MEAPI McdModelIsConvex(McdModelID cm);
-/** Is it a surface of triangles, which McdSafeTime does not support? */
+/** Whether it is a surface of triangles, which McdSafeTime does not support. */
 MEPUBLIC MeBool MEAPI McdModelIsSurface(McdModelID cm);
 /** @} */
 

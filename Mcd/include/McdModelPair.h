@@ -8,15 +8,16 @@
 
 ME_BEGIN_C
 
-/** Creates a pair of two models; null, with a warning, unless both are models. McdModelPairDestroy gives it back. */
+/** Creates a pair of two models; null, with a warning, unless both are models of one framework, and different.
+ *  McdModelPairDestroy frees it. */
 MEPUBLIC McdModelPairID MEAPI McdModelPairCreate(McdModelID m1, McdModelID m2);
-/** Destroys a pair that McdModelPairCreate made, after McdGoodbye. Null does nothing. */
+/** Destroys a pair made by McdModelPairCreate; call McdGoodbye before. Null is ignored. */
 MEPUBLIC void MEAPI McdModelPairDestroy(McdModelPairID p);
-/** Makes it a new pair of these models. Not between McdHello and McdGoodbye. */
+/** Makes the record a new pair of these models. Not between McdHello and McdGoodbye. */
 MEPUBLIC void MEAPI McdModelPairReset(McdModelPairID p, McdModelID m1, McdModelID m2);
-/** What is asked for, by pointer; null: the framework's default. Not between McdHello and McdGoodbye. */
+/** Sets the pair's request, by pointer; null: the framework's default. Not between McdHello and McdGoodbye. */
 MEPUBLIC void MEAPI McdModelPairSetRequestPtr(McdModelPairID p, McdRequest *request);
-/** That request: its own or the framework's. */
+/** The pair's request or, if it has none, the framework's default. */
 MEPUBLIC McdRequest *MEAPI McdModelPairGetRequestPtr(const McdModelPairID p);
 /** Both models. */
 MEPUBLIC void MEAPI McdModelPairGetModels(McdModelPairID p, McdModelID *m1, McdModelID *m2);

@@ -1,8 +1,9 @@
 /** @file McdModelPairContainer.h
- *  Places for the pairs that a space hands over (User Guide ch. 4, "Testing for Collisions").
+ *  Containers for the pairs that a space returns (User Guide ch. 4, "Testing for Collisions").
  *
- *  One array: goodbye pairs from its start up, hello pairs from its middle down, staying pairs from its middle up.
- *  McdSpaceGetPairs puts the middle where everything fits, if it can; filled by hand, it is half-way.
+ *  A container is one array: goodbye pairs from its start up, hello pairs from its middle down, staying pairs from
+ *  its middle up. McdSpaceGetPairs puts the middle where everything fits, if possible; in containers filled by hand
+ *  it is half the size.
  */
 #ifndef MCDMODELPAIRCONTAINER_H
 #define MCDMODELPAIRCONTAINER_H
@@ -11,25 +12,26 @@
 
 ME_BEGIN_C
 
-/** Creates an empty container for size pairs, 1 or more; else null, with a warning. */
+/** Creates an empty container with room for size pairs, 1 or more; else null, with a warning. */
 MEPUBLIC McdModelPairContainer *MEAPI McdModelPairContainerCreate(int size);
-/** Destroys what McdModelPairContainerCreate made. The pairs are the space's. Null does nothing. */
+/** Destroys a container made by McdModelPairContainerCreate; the pairs belong to the space. Null is ignored. */
 MEPUBLIC void MEAPI McdModelPairContainerDestroy(McdModelPairContainer *a);
-/** Makes an empty container of a program's own memory: array has place for size pairs, 1 or more, and is kept. */
+/** Initializes an empty container in the program's own memory: array has room for size pairs, 1 or more, and is
+ *  kept. */
 MEPUBLIC void MEAPI McdModelPairContainerInit(McdModelPairContainer *c, McdModelPair **array, int size);
 /** Empties it. */
 MEPUBLIC void MEAPI McdModelPairContainerReset(McdModelPairContainer *c);
 
-/** @name Adding and removing. 1 if there was place.
+/** @name Adding and removing. Returns 1 if there was room.
  *  @{ */
 MEPUBLIC MeBool MEAPI McdModelPairContainerInsertHelloPair(McdModelPairContainer *c, McdModelPairID p);
 MEPUBLIC MeBool MEAPI McdModelPairContainerInsertStayingPair(McdModelPairContainer *c, McdModelPairID p);
 MEPUBLIC MeBool MEAPI McdModelPairContainerInsertGoodbyePair(McdModelPairContainer *c, McdModelPairID p);
-/** Removes the pair at a place inside the array, &array[i]; those of its list close up in their order. */
+/** Removes the pair at a position in the array, p = &array[i]; the other pairs of its list keep their order. */
 MEPUBLIC void MEAPI McdModelPairContainerRemovePair(McdModelPairContainer *c, McdModelPairID *p);
 /** @} */
 
-/** @name What is in it. The arrays are valid until the container changes.
+/** @name Contents. The arrays are valid until the container changes.
  *  @{ */
 MEPUBLIC int MEAPI McdModelPairContainerGetHelloCount(McdModelPairContainer *c);
 MEPUBLIC int MEAPI McdModelPairContainerGetStayingCount(McdModelPairContainer *c);
@@ -37,11 +39,11 @@ MEPUBLIC int MEAPI McdModelPairContainerGetGoodbyeCount(McdModelPairContainer *c
 MEPUBLIC McdModelPair **MEAPI McdModelPairContainerGetHelloArray(McdModelPairContainer *c, int *count);
 MEPUBLIC McdModelPair **MEAPI McdModelPairContainerGetStayingArray(McdModelPairContainer *c, int *count);
 MEPUBLIC McdModelPair **MEAPI McdModelPairContainerGetGoodbyeArray(McdModelPairContainer *c, int *count);
-/** Puts an iterator for McdIntersectEach at the first hello pair. */
+/** Sets an iterator for McdIntersectEach to the first hello pair. */
 MEPUBLIC void MEAPI McdModelPairContainerIteratorInit(McdModelPairContainerIterator *it, McdModelPairContainer *c);
-/** Writes the three counts by MeInfo. */
+/** Prints the three counts by MeInfo. */
 MEPUBLIC void MEAPI McdModelPairContainerPrintStats(McdModelPairContainer *c);
-/** The same. */
+/** As McdModelPairContainerPrintStats. */
 MEPUBLIC void MEAPI McdPairContainerPrintStats(McdModelPairContainer *c);
 /** @} */
 

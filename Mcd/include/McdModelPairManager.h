@@ -1,9 +1,8 @@
 /** @file McdModelPairManager.h
- *  Which pairs of models are near each other, for programs that find that out by themselves: what a space keeps beside
- *  its farfield.
+ *  Phases of pairs, for programs with a broad phase of their own: what a space keeps besides its own broad phase.
  *
- *  In each step the program tells which pairs have come near (Activate) and which are no longer (Deactivate), takes the
- *  hello, staying and goodbye pairs in containers as those of a space, and ends the step (Flush).
+ *  In each step the program activates pairs that have come near and deactivates pairs that are no longer near, gets
+ *  the hello, staying and goodbye pairs in containers as from a space, and ends the step (Flush).
  *
  *  @code
  *      McdSpacePairIterator iterator;
@@ -17,8 +16,8 @@
  *      McdModelPairManagerFlush(manager);
  *  @endcode
  *
- *  Pairs are handed over in the order in which they were activated. Models must live as long as a pair of theirs, a
- *  goodbye pair included. Every function warns of a null manager, and then does nothing or gives 0.
+ *  Pairs are returned in the order in which they were activated. Models must live as long as their pairs, goodbye
+ *  pairs included. Every function warns of a null manager, and then does nothing or returns 0.
  */
 #ifndef MCDMODELPAIRMANAGER_H
 #define MCDMODELPAIRMANAGER_H
@@ -27,42 +26,42 @@
 
 ME_BEGIN_C
 
-/** Hidden. */
+/** Opaque. */
 typedef struct McdModelPairManager McdModelPairManager;
 typedef McdModelPairManager *McdModelPairManagerID;
 
-/** Creates a manager for at most size pairs at a time, goodbye pairs included; null, with a warning, for less than 1,
- *  and, after MeFatalError, without memory. */
+/** Creates a manager for at most size pairs at a time, goodbye pairs included. Null, with a warning, for a size
+ *  below 1; null, after MeFatalError, if there is no memory. */
 MEPUBLIC McdModelPairManagerID MEAPI McdModelPairManagerCreate(int size);
-/** Destroys it; McdGoodbye is called for pairs that were prepared. Null does nothing. */
+/** Destroys a manager; McdGoodbye is called for pairs that were prepared by McdHello. Null is ignored. */
 MEPUBLIC void MEAPI McdModelPairManagerDestroy(McdModelPairManager *manager);
 
-/** The pair is near: a hello pair, or, if it said goodbye in this step, a staying one again. METRUE if it is active
- *  now; MEFALSE if there is no place, which the pool-full handler is told, and, with a warning, unless these are two
- *  models of one framework. */
+/** Announces that a pair is near: it becomes a hello pair or, if it said goodbye in this step, a staying pair again.
+ *  METRUE if it is active now. MEFALSE if there is no room, after the pool-full handler was called; and, with a
+ *  warning, unless these are two models of one framework. */
 MEPUBLIC MeBool MEAPI McdModelPairManagerActivate(McdModelPairManagerID manager, McdModelID model1, McdModelID model2);
-/** The pair is no longer near: a goodbye pair until the end of the step; one that came in this step is gone at once.
- *  METRUE if it was active. */
+/** Announces that a pair is no longer near: it is a goodbye pair until the end of the step; a pair activated in this
+ *  step is removed immediately. METRUE if it was active. */
 MEPUBLIC MeBool MEAPI McdModelPairManagerDeactivate(McdModelPairManagerID manager, McdModelID model1,
                                                     McdModelID model2);
-/** The active pair of two models, in either order; null: none. */
+/** The active pair of two models, in either order; null if there is none. */
 MEPUBLIC McdModelPairID MEAPI McdModelPairManagerGetPair(McdModelPairManagerID manager, McdModelID m1, McdModelID m2);
-/** Ends a step: hello pairs stay, goodbye pairs are gone. */
+/** Ends a step: hello pairs become staying pairs, goodbye pairs are removed. */
 MEPUBLIC void MEAPI McdModelPairManagerFlush(McdModelPairManagerID manager);
-/** How many pairs there may be. */
+/** The maximum number of pairs. */
 MEPUBLIC int MEAPI McdModelPairManagerGetSize(McdModelPairManagerID manager);
 
-/** Puts an iterator before the first pair. What activates or deactivates a pair, and Flush, make that necessary
- *  anew. */
+/** Sets an iterator before the first pair. Must be called again after a pair was activated or deactivated, and after
+ *  Flush. */
 MEPUBLIC void MEAPI McdModelPairManagerResetIterator(McdModelPairManagerID manager, McdSpacePairIterator *iterator);
-/** Fills a container with the pairs that come after the iterator, as McdSpaceGetPairs; METRUE if there are more. */
+/** Fills a container with the pairs that follow the iterator, as McdSpaceGetPairs; METRUE if there are more. */
 MEPUBLIC MeBool MEAPI McdModelPairManagerGetPairs(McdModelPairManagerID manager, McdSpacePairIterator *iterator,
                                                   McdModelPairContainer *container);
-/** The same without staying pairs. */
+/** McdModelPairManagerGetPairs without staying pairs. */
 MEPUBLIC MeBool MEAPI McdModelPairManagerGetTransitions(McdModelPairManagerID manager, McdSpacePairIterator *iterator,
                                                         McdModelPairContainer *container);
 
-/** @name What is called when there is no place for a pair; null, which is the default: a warning, once
+/** @name Callback for pairs without room; null, the default: one warning
  *  It may do anything but change the manager (docs/simulation.md, "Callbacks").
  *  @{ */
 MEPUBLIC void MEAPI McdModelPairManagerSetPoolFullHandler(McdModelPairManagerID manager,

@@ -1,5 +1,5 @@
 /** @file McdNull.h
- *  A geometry without extent, which touches nothing: for models that only carry something.
+ *  The null geometry, without extent, which touches nothing: for models that only carry data.
  */
 #ifndef MCDNULL_H
 #define MCDNULL_H

@@ -1,7 +1,7 @@
 /** @file McdPlane.h
- *  Planes (User Guide ch. 4, "Geometrical Types and Their Interactions"): z = 0 of the geometry's frame. Whatever is
- *  below is inside. A plane's box is as large as numbers allow in each direction but the ones that the normal excludes;
- *  it has no mass properties and nothing to draw but a square about its origin.
+ *  Planes (User Guide ch. 4, "Geometrical Types and Their Interactions"): z = 0 of the geometry's frame; the inside
+ *  is below. A plane's box is unbounded (as large as numbers allow), except on the side to which an axis-aligned
+ *  normal points. A plane has no mass properties and is drawn as a square about its origin.
  */
 #ifndef MCDPLANE_H
 #define MCDPLANE_H
@@ -14,7 +14,7 @@ ME_BEGIN_C
 MEPUBLIC McdPlaneID MEAPI McdPlaneCreate(McdFramework *frame);
 /** The normal of the plane at @a tm (world, length 1): the z axis of tm. */
 MEPUBLIC void MEAPI McdPlaneGetNormal(const McdGeometry *g, const MeMatrix4 tm, MeVector3 normal);
-/** How far a point (world) is above the plane at @a tm (m); negative: below. */
+/** The height of a world point above the plane at @a tm (m); negative: below. */
 MEPUBLIC MeReal MEAPI McdPlaneGetDistanceToPoint(const McdGeometry *g, const MeMatrix4 tm, const MeVector3 point);
 
 /** @name What every geometry type has, see McdGeometryDeclare.h

@@ -1,6 +1,7 @@
 /** @file McdPrimitives.h
- *  The simple geometries at once: sphere, box, plane, cylinder, sphyl, and the triangle list to put them on (User Guide
- *  ch. 4, "Register Types of Geometries to be Used"). All functions warn and do nothing if the framework is none.
+ *  Registers the simple geometries: sphere, box, plane, cylinder, sphyl, and the triangle list for terrain (User
+ *  Guide ch. 4, "Register Types of Geometries to be Used"). If the argument is not a framework: a warning, and no
+ *  effect.
  */
 #ifndef MCDPRIMITIVES_H
 #define MCDPRIMITIVES_H
@@ -13,13 +14,14 @@
 
 ME_BEGIN_C
 
-/** How many types McdPrimitivesRegisterTypes registers. They are built in: McdInit's geoTypeMaxCount need not count
- *  them, but may. */
+/** The number of types that McdPrimitivesRegisterTypes registers. They are built in: McdInit's geoTypeMaxCount need
+ *  not include them, but may. */
 MEPUBLIC unsigned int MEAPI McdPrimitivesGetTypeCount(void);
-/** Registers sphere, box, plane, cylinder, sphyl and triangle list. Before their geometries are created. */
+/** Registers sphere, box, plane, cylinder, sphyl and triangle list; required before their geometries are created. */
 MEPUBLIC void MEAPI McdPrimitivesRegisterTypes(McdFramework *frame);
-/** Has each two of them interact, but for planes and triangle lists with each other, and line segments with each but
- *  the triangle list (see McdTriangleListLineSegmentRegisterInteraction). Returns 1; 0 if the framework is none. */
+/** Registers the interactions of each two of these types, except of planes and triangle lists with each other, and
+ *  of line segments with all of them except the triangle list (see McdTriangleListLineSegmentRegisterInteraction).
+ *  Returns 1; 0 if @a frame is not a framework. */
 MEPUBLIC MeBool MEAPI McdPrimitivesRegisterInteractions(McdFramework *frame);
 /** The same for sphere, box and plane only, so that less is linked. */
 MEPUBLIC void MEAPI McdSphereBoxPlaneRegisterTypes(McdFramework *frame);

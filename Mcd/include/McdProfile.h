@@ -1,6 +1,5 @@
 /** @file McdProfile.h
- *  Collision measures itself by MeProfile.h, as everything else does. Programs of earlier versions name this
- *  header.
+ *  For programs written for earlier versions: collision is measured by MeProfile.h.
  */
 #ifndef MCDPROFILE_H
 #define MCDPROFILE_H

@@ -1,15 +1,15 @@
 /** @file McdQuery.h
- *  Questions to a space beyond line segments: what is here, what is nearest, what is in the way. Not in Karma 1.2.
+ *  Queries of a space besides line segments: overlaps, closest model, shape casts. Not in Karma 1.2.
  *
- *  All are legal outside change blocks only (elsewhere: a warning and 0), ask models where their transforms are, and
- *  find them by their boxes of the last update. A geometry that asks is convex (sphere, box, cylinder, sphyl, cone,
- *  convex mesh); it needs no model. It meets models of convex geometries, planes, triangle lists and height fields, and
- *  aggregates of these. Lists and fields are surfaces here, with nothing inside: each of their triangles counts by
- *  itself, from both sides; but casts and rays meet triangles that are not two-sided from their front only. Where a
- *  filter is given, only models for which it returns non-zero are looked at. Lists are in the order of sort keys, then
- *  creation; what does not fit is left out from the end. Lengths in the program's unit, everything in the world frame.
- *  Frozen and disabled models are met like others; sensors (McdModelSetSensor) are not, unless McdSpaceSetQuerySensors
- *  says so.
+ *  All are legal only outside of change blocks (elsewhere: a warning and 0). They use the current transforms of
+ *  models, but find models by their boxes as of the last update. The querying geometry must be convex (sphere, box,
+ *  cylinder, sphyl, cone, convex mesh); it needs no model. Queries find models of convex geometries, planes,
+ *  triangle lists and height fields, and aggregates of these. Triangle lists and height fields are surfaces here,
+ *  without an inside: each triangle counts by itself, from both sides; but casts and rays hit triangles that are not
+ *  two-sided only from their front. If a filter is given, only models for which it returns non-zero are considered.
+ *  Lists are in the order of sort keys, then creation; if there is not room for all, the last ones are left out.
+ *  Lengths are in the program's unit, everything in the world frame. Frozen and disabled models are found like
+ *  others; sensors (McdModelSetSensor) are not, unless McdSpaceSetQuerySensors enables it.
  */
 #ifndef MCDQUERY_H
 #define MCDQUERY_H
@@ -18,43 +18,46 @@
 
 ME_BEGIN_C
 
-/** The nearest model, see McdSpaceGetClosest. */
+/** The result of McdSpaceGetClosest. */
 typedef struct McdClosestResult {
-    McdModelID model;               /**< The nearest one. */
-    McdGeometryInstanceID instance; /**< The part of it. */
-    MeReal distance;                /**< Between the surfaces; negative where they penetrate, and then the depth. */
-    MeVector3 position1;            /**< The nearest point of the geometry that asks. */
-    MeVector3 position2;            /**< The nearest point of the model. */
-    MeVector3 normal;               /**< Length 1, from the model to the geometry. */
+    McdModelID model;               /**< The closest model. */
+    McdGeometryInstanceID instance; /**< The closest part of it. */
+    MeReal distance;                /**< Between the surfaces; if they penetrate, the negative depth. */
+    MeVector3 position1;            /**< The closest point of the querying geometry. */
+    MeVector3 position2;            /**< The closest point of the model. */
+    MeVector3 normal;               /**< Length 1, from the model to the querying geometry. */
 } McdClosestResult;
 
-/** What is met first, see McdSpaceCastGeometry. */
+/** The result of McdSpaceCastGeometry and McdSpaceCastRay: the first hit. */
 typedef struct McdCastResult {
     McdModelID model;
-    McdGeometryInstanceID instance; /**< The part of it; for rays the model's own. */
-    MeReal fraction;                /**< Of the displacement, 0 .. 1, up to the touch. */
-    MeVector3 position;             /**< Where they touch then. */
-    MeVector3 normal; /**< Length 1, from the model to what was cast; undefined where a ray starts inside. */
+    McdGeometryInstanceID instance; /**< The part that is hit; for rays the model's own instance. */
+    MeReal fraction;                /**< Fraction of the displacement up to the hit, 0 .. 1. */
+    MeVector3 position;             /**< The contact point then. */
+    MeVector3 normal; /**< Length 1, from the model to the cast shape; undefined for a ray that starts inside. */
 } McdCastResult;
 
-/** The models whose boxes overlap a box; touching counts. Returns how many were written. */
+/** Finds the models whose boxes overlap a box; touching counts. Returns the number of models written. */
 MEPUBLIC int MEAPI McdSpaceOverlapBox(McdSpaceID space, const MeVector3 minCorner, const MeVector3 maxCorner,
                                       McdLineSegIntersectEnableCallback filter, void *filterData, McdModelID *list,
                                       int listSize);
-/** The models that overlap a geometry at a place, exactly; touching counts. Returns how many were written. */
+/** Finds the models that overlap a geometry at a transform, exactly; touching counts. Returns the number of models
+ *  written. */
 MEPUBLIC int MEAPI McdSpaceOverlapGeometry(McdSpaceID space, McdGeometryID g, const MeMatrix4 tm,
                                            McdLineSegIntersectEnableCallback filter, void *filterData, McdModelID *list,
                                            int listSize);
-/** The same for the geometry of a model where it is, which need not be in the space; it does not meet itself. */
+/** McdSpaceOverlapGeometry for the geometry of a model at its transform; the model need not be in the space, and is
+ *  not found itself. */
 MEPUBLIC int MEAPI McdSpaceOverlapModel(McdSpaceID space, McdModelID cm, McdLineSegIntersectEnableCallback filter,
                                         void *filterData, McdModelID *list, int listSize);
-/** The model nearest to a geometry at a place, no farther than maxDistance (>= 0); of several, the first in order. 1 if
- *  there is one. */
+/** Finds the model closest to a geometry at a transform, within maxDistance (>= 0); of several equally close ones,
+ *  the first in order. 1 if there is one. */
 MEPUBLIC int MEAPI McdSpaceGetClosest(McdSpaceID space, McdGeometryID g, const MeMatrix4 tm, MeReal maxDistance,
                                       McdLineSegIntersectEnableCallback filter, void *filterData,
                                       McdClosestResult *result);
-/** What a geometry meets first when it moves from tm by displacement without turning; what it penetrates at the start
- *  it meets at fraction 0; what it touches and leaves it does not meet. 1 if there is something. */
+/** Finds the first hit of a geometry that moves from tm by displacement without rotation. A model that it penetrates
+ *  at the start is hit at fraction 0; a model that it touches at the start and leaves is not hit. 1 if there is a
+ *  hit. */
 MEPUBLIC int MEAPI McdSpaceCastGeometry(McdSpaceID space, McdGeometryID g, const MeMatrix4 tm,
                                         const MeVector3 displacement, McdLineSegIntersectEnableCallback filter,
                                         void *filterData, McdCastResult *result);
@@ -62,7 +65,7 @@ MEPUBLIC int MEAPI McdSpaceCastGeometry(McdSpaceID space, McdGeometryID g, const
 MEPUBLIC int MEAPI McdSpaceCastRay(McdSpaceID space, const MeVector3 from, const MeVector3 displacement,
                                    McdLineSegIntersectEnableCallback filter, void *filterData, McdCastResult *result);
 
-/** Whether queries of the space, segments of McdSpace.h among them, meet sensors. Off by default. */
+/** Whether queries of the space, including the line segments of McdSpace.h, find sensors. Default: no. */
 MEPUBLIC void MEAPI McdSpaceSetQuerySensors(McdSpaceID space, MeBool on);
 MEPUBLIC MeBool MEAPI McdSpaceGetQuerySensors(McdSpaceID space);
 

@@ -1,15 +1,15 @@
 /** @file McdRGHeightField.h
- *  Terrain as heights over a regular grid: a triangle list's use without its callback (User Guide ch. 4, "Constructing
+ *  Height fields: terrain over a regular grid, without a triangle list's callback (User Guide ch. 4, "Constructing
  *  an Immovable Model, such as a Terrain"). Karma had the type; its creation is designed here.
  *
  *  The grid lies along x and y of the field's frame, z is up: point (i, j), 0 <= i < xCount, 0 <= j < yCount, is at
- *  (x0 + i xStep, y0 + j yStep, heights[j xCount + i]). The cell of (i, j) and (i+1, j+1) has two triangles on either
- *  side of the line between these points: element 2 (j (xCount - 1) + i) on the side of (i+1, j), and the next number
- *  on that of (i, j+1). A triangle with a corner that is NaN is a hole.
+ *  (x0 + i xStep, y0 + j yStep, heights[j xCount + i]). The cell between (i, j) and (i+1, j+1) is divided into two
+ *  triangles by the line between these points: element 2 (j (xCount - 1) + i) on the side of (i+1, j), and the next
+ *  number on the side of (i, j+1). A triangle with a NaN corner is a hole.
  *
- *  Up is outside. Contacts are as those of a triangle list with kMcdTriangleUseSmallestPenetration and all edges sharp:
- *  nothing is felt of flat and concave edges. A model whose middle has got below the surface, while nothing else
- *  touches it, is brought back up if the middle is no deeper than half of the model's radius.
+ *  Up is outside. Contacts are as those of a triangle list with kMcdTriangleUseSmallestPenetration and all edges
+ *  sharp: flat and concave edges have no effect. A model without other contacts whose centre is below the surface is
+ *  pushed back up if the centre is no deeper than half of the model's radius.
  */
 #ifndef MCDRGHEIGHTFIELD_H
 #define MCDRGHEIGHTFIELD_H
@@ -18,34 +18,34 @@
 
 ME_BEGIN_C
 
-/** Registers the geometry type, on which McdRGHeightFieldCreate depends. */
+/** Registers the geometry type; required before McdRGHeightFieldCreate. */
 MEPUBLIC void MEAPI McdRGHeightFieldRegisterType(McdFramework *frame);
 /**
  * Creates a height field.
- * @param heights       xCount yCount heights (m), row after row of x. Kept by pointer, and read in every query. Where
- *                      they are changed, McdGeometryUpdate says so.
- * @param xCount,yCount points along x and y: 2 or more.
- * @param xStep,yStep   the distance of points (m): > 0.
- * @param x0,y0         where the first point is (m).
+ * @param heights       xCount yCount heights (m), row after row of x. Kept by pointer, and read in every query. Call
+ *                      McdGeometryUpdate after changing them.
+ * @param xCount,yCount number of points along x and y: 2 or more.
+ * @param xStep,yStep   distance between points (m): > 0.
+ * @param x0,y0         position of the first point (m).
  * @return null, with a warning, if an argument is out of range or the type is not registered.
  */
 MEPUBLIC McdRGHeightFieldID MEAPI McdRGHeightFieldCreate(McdFramework *frame, const MeReal *heights, int xCount,
                                                          int yCount, MeReal xStep, MeReal yStep, MeReal x0, MeReal y0);
 
-/** @name What it is made of
- *  A geometry that is no height field gets a warning, and a result of 0 or null.
+/** @name Accessors
+ *  For a geometry that is not a height field: a warning, and a result of 0 or null.
  *  @{ */
 MEPUBLIC const MeReal *MEAPI McdRGHeightFieldGetHeights(McdRGHeightFieldID g);
-/** Other heights, by pointer. */
+/** Sets other heights, by pointer. */
 MEPUBLIC void MEAPI McdRGHeightFieldSetHeights(McdRGHeightFieldID g, const MeReal *heights);
-/** McdGeometryUpdate for a height field: to be called after heights have changed. Looks for the lowest and the highest
- *  one, for the box. Outside of a universe the models are to be updated after it. */
+/** McdGeometryUpdate for a height field, to be called after heights have changed. Finds the lowest and the highest
+ *  one, for the box. Without a universe, the models must be updated after it. */
 MEPUBLIC void MEAPI McdRGHeightFieldUpdateHeights(McdRGHeightFieldID g);
 MEPUBLIC void MEAPI McdRGHeightFieldGetCounts(McdRGHeightFieldID g, int *xCount, int *yCount);
 MEPUBLIC void MEAPI McdRGHeightFieldGetSteps(McdRGHeightFieldID g, MeReal *xStep, MeReal *yStep);
 MEPUBLIC void MEAPI McdRGHeightFieldGetOrigin(McdRGHeightFieldID g, MeReal *x0, MeReal *y0);
-/** The height of the surface at (x, y) of its own frame, and its normal unless that is null. 0, and no change, where
- *  there is no surface. */
+/** The height of the surface at (x, y) of its own frame, and its normal unless that is null. Where there is no
+ *  surface: 0, and nothing is written. */
 MEPUBLIC MeBool MEAPI McdRGHeightFieldGetHeightAt(McdRGHeightFieldID g, MeReal x, MeReal y, MeReal *height,
                                                   MeVector3 normal);
 /** @} */
@@ -60,15 +60,15 @@ MEPUBLIC void MEAPI McdRGHeightFieldGetBSphere(const McdGeometryID g, MeVector3 
 /** The farthest corner of its box. */
 MEPUBLIC void MEAPI McdRGHeightFieldMaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir,
                                                  MeReal *const outPoint);
-/** Returns 0: a surface has none. */
+/** Returns 0: a surface has no mass. */
 MEPUBLIC MeI16 MEAPI McdRGHeightFieldGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 m, MeReal *volume);
 /** Draws the lines of the grid. */
 MEPUBLIC void MEAPI McdRGHeightFieldDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]);
 /** @} */
 
 /** @name Interactions
- *  Each finds contacts of a pair whose first model is convex and whose second is a height field; the
- *  RegisterInteraction functions put it in the framework's table and return 1.
+ *  Each Intersect function finds the contacts of a pair whose first model is convex and whose second is a height
+ *  field; the RegisterInteraction functions register it with the framework and return 1.
  *  @{ */
 MEPUBLIC int MEAPI McdSphereRGHeightFieldIntersect(McdModelPair *p, McdIntersectResult *result);
 MEPUBLIC int MEAPI McdBoxRGHeightFieldIntersect(McdModelPair *p, McdIntersectResult *result);
@@ -82,7 +82,7 @@ MEPUBLIC MeBool MEAPI McdCylinderRGHeightFieldRegisterInteraction(McdFramework *
 MEPUBLIC MeBool MEAPI McdSphylRGHeightFieldRegisterInteraction(McdFramework *frame);
 MEPUBLIC MeBool MEAPI McdConvexMeshRGHeightFieldRegisterInteraction(McdFramework *frame);
 MEPUBLIC MeBool MEAPI McdConeRGHeightFieldRegisterInteraction(McdFramework *frame);
-/** Has line segments meet height fields, from above. */
+/** Registers the intersection of line segments with height fields, from above. */
 MEPUBLIC void MEAPI McdRGHeightFieldLineSegmentRegisterInteraction(McdFramework *frame);
 /** @} */
 

@@ -1,26 +1,26 @@
 /** @file McdSpace.h
- *  Spaces: which models are near each other (User Guide ch. 4, "Collision Spaces").
+ *  Spaces: the broad phase, which finds models that are near each other (User Guide ch. 4, "Collision Spaces").
  *
- *  Change blocks. A space is changed between McdSpaceBeginChanges and McdSpaceEndChanges and asked outside; each such
- *  block is one step in the life of pairs. Each function says where it is legal; elsewhere it warns, changes nothing
- *  and returns 0. A space starts inside a block. Both of the guide's ways to step it work:
+ *  Change blocks. A space is changed between McdSpaceBeginChanges and McdSpaceEndChanges, and queried outside; each
+ *  block is one step in the phases of pairs. Each function says where it is legal; elsewhere it warns, changes
+ *  nothing and returns 0. A space starts inside a block. Both of the guide's ways to step it work:
  *
  *      McdSpaceUpdateAll(s); McdSpaceEndChanges(s); ...pairs...; McdSpaceBeginChanges(s);     blocks by hand
- *      McdSpaceUpdateAll(s); ...pairs...;                       outside a block, McdSpaceUpdateAll opens and closes one
+ *      McdSpaceUpdateAll(s); ...pairs...;                       outside a block, McdSpaceUpdateAll is a block
  *
- *  and in the second the first block, which the program never closes, ends with the first call that is legal only
- *  outside blocks, once McdSpaceUpdateAll was called in it.
+ *  In the second way the program never ends the first block: it ends with the first call that is legal only outside
+ *  of blocks, once McdSpaceUpdateAll was called in it.
  *
- *  Pairs. Two models are near each other when their boxes, grown by their contact tolerances, overlap on the axes that
- *  the space tests. A pair says hello in the block that finds it near, stays, and says goodbye in the block that does
- *  not find it near any more; it is the same McdModelPair throughout, and invalid from the next McdSpaceBeginChanges
- *  (or McdSpaceUpdateAll) after its goodbye. model1 is the one with the greater sort key, or created later. Each list
- *  comes in the order of model2, then model1, by sort keys, then creation.
+ *  Pairs. Two models are near each other when their boxes, grown by their contact tolerances, overlap on the axes
+ *  that the space tests. A pair says hello in the block that finds it near, stays, and says goodbye in the first
+ *  block that does not find it near. It is the same McdModelPair throughout, and becomes invalid with the next
+ *  McdSpaceBeginChanges (or McdSpaceUpdateAll) after its goodbye. model1 is the one with the greater sort key or, if
+ *  these are equal, created later. Each list is in the order of model2, then model1, by sort keys, then creation.
  *
- *  A pair whose models are both frozen stays in silence: it is not reported, takes no time, and is kept as it is (its
- *  userData, responseData, cache) until one of the models is unfrozen; then it is reported as staying again, or says
- *  goodbye if they are not near any more. Removal of a model and disabling have it say goodbye as ever. Two models that
- *  are frozen before they are found near say hello when one of them is unfrozen.
+ *  A pair of two frozen models is silent: it is not reported, costs no time, and is kept (with its userData,
+ *  responseData, cache) until one of the models is unfrozen; then it is reported as staying again, or says goodbye
+ *  if the models are no longer near. If a model is removed, or the pair disabled, it says goodbye as usual. Two
+ *  models that were frozen before they were found near say hello when one of them is unfrozen.
  */
 #ifndef MCDSPACE_H
 #define MCDSPACE_H
@@ -30,33 +30,34 @@
 
 ME_BEGIN_C
 
-/** Axes, to be added up: 1, 2, 4, and all of them. */
+/** Axes, to be summed: 1, 2, 4; McdAllAxes is the sum of all. */
 extern MEPUBLIC const int McdXAxis, McdYAxis, McdZAxis, McdAllAxes;
 
-/** Where McdSpaceGetPairs is; set by McdSpacePairIteratorBegin. */
+/** Position of McdSpaceGetPairs; set by McdSpacePairIteratorBegin. */
 typedef struct McdSpacePairIterator {
-    MeU32 step;                  /**< Which step of the space it belongs to. */
-    int goodbye, hello, staying; /**< How many were handed over. */
+    MeU32 step;                  /**< The step of the space for which it is valid. */
+    int goodbye, hello, staying; /**< Numbers of pairs returned so far. */
 } McdSpacePairIterator;
-/** Where McdSpaceGetModel is; set by McdSpaceModelIteratorBegin. */
+/** Position of McdSpaceGetModel; set by McdSpaceModelIteratorBegin. */
 typedef struct McdSpaceModelIterator {
     McdModelID next; /**< Null at the end. */
 } McdSpaceModelIterator;
-/** Renews a model's box by McdModelUpdate, McdModelUpdatePath or by its own means. What it may do else:
+/** Updates a model's box, by McdModelUpdate, McdModelUpdatePath or its own means. What else it may do:
  *  docs/simulation.md, "Callbacks". */
 typedef void(MEAPI *McdSpaceUpdateAABBFnPtr)(McdModelID m, MeReal duration);
-/** Is the model to be looked at? It may not move models; what it destroys waits until the query is done, and is not met
- *  any more (docs/simulation.md, "Callbacks"). */
+/** Filter of queries: non-zero if the model is to be considered. It must not move models; models that it destroys
+ *  are no longer found, and are destroyed when the query ends (docs/simulation.md, "Callbacks"). */
 typedef int(MEAPI *McdLineSegIntersectEnableCallback)(McdModelID, void *filterData);
 
-/** @name Life
+/** @name Creation and destruction
  *  @{ */
 /**
  * Creates an empty space, inside a change block.
- * @param axes        the sum of the axes on which boxes are compared; on the others all models count as overlapping.
- * @param objectCount how many models it can hold, 1 or more, or MeNoLimit.
- * @param pairCount   how many pairs there can be at one time, those in silence included, 1 or more, or MeNoLimit; what
- *                    does not fit gets a warning, is told to the pool-full handler, and says hello when there is room.
+ * @param axes        the sum of the axes on which boxes are compared; on other axes all models count as overlapping.
+ * @param objectCount the maximum number of models, 1 or more, or MeNoLimit.
+ * @param pairCount   the maximum number of pairs at one time, silent ones included, 1 or more, or MeNoLimit. For pairs
+ *                    without room there is a warning, the pool-full handler is called, and they say hello when there
+ *                    is room.
  * @return null, with a warning, if an argument is out of range. McdSpaceDestroy destroys it, before McdTerm.
  *
  * Karma 1.1 had a fifth argument, which is ignored. Karma 1.0's form, without a framework and with a 1 at the end, has
@@ -79,114 +80,115 @@ ME_BEGIN_C
               McdSpaceAxisSortCreate_takes_4_or_5_arguments, 0)                                                        \
     (__VA_ARGS__)
 #endif
-/** Destroys a space. Models in it leave it, and its pairs are gone. Null does nothing. Legal anywhere. */
+/** Destroys a space. Its models are removed from it, and its pairs are destroyed. Null is ignored. Legal anywhere. */
 MEPUBLIC void MEAPI McdSpaceDestroy(McdSpaceID s);
-/** Says that most models are in: puts the tree of boxes in good order. Legal anywhere, needed nowhere. */
+/** Rebuilds the tree of boxes: useful after most models were inserted. Legal anywhere, never required. */
 MEPUBLIC void MEAPI McdSpaceBuild(McdSpaceID s);
 MEPUBLIC void MEAPI McdSpaceSetUserData(McdSpaceID s, void *data);
 MEPUBLIC void *MEAPI McdSpaceGetUserData(McdSpaceID s);
-/** Called for each pair that finds no room when it should say hello (docs/simulation.md, "Callbacks"); null: nothing.
- *  Legal anywhere. */
+/** Sets the callback for pairs without room (docs/simulation.md, "Callbacks"); null: none. Legal anywhere. */
 MEPUBLIC void MEAPI McdSpaceSetPoolFullHandler(McdSpaceID space, McdSpacePoolErrorFnPtr handler);
 MEPUBLIC McdSpacePoolErrorFnPtr MEAPI McdSpaceGetPoolFullHandler(McdSpaceID space);
 /** @} */
 
 /** @name Change blocks
  *  @{ */
-/** Opens a block: pairs of the last step's goodbyes become invalid. Outside only. */
+/** Begins a block: goodbye pairs of the last step become invalid. Outside only. */
 MEPUBLIC void MEAPI McdSpaceBeginChanges(McdSpaceID space);
-/** Closes the block and finds the pairs. Inside only. */
+/** Ends the block and finds the pairs. Inside only. */
 MEPUBLIC void MEAPI McdSpaceEndChanges(McdSpaceID space);
-/** 1 inside, 0 outside. */
+/** 1 inside a block, 0 outside. */
 MEPUBLIC int MEAPI McdSpaceIsChanging(McdSpaceID space);
 /** @} */
 
 /** @name Models
  *  @{ */
 /**
- * Puts a model in, unfrozen, with the box of its last update; one that never was updated has none and no pairs until it
- * is. 1 if it is in now, 0 if not: it is in a space already, or the space is full. Inside only.
+ * Inserts a model, unfrozen, with the box of its last update; a model that was never updated has no box and no pairs
+ * until it is. Returns 1 if it was inserted; 0 if it is in a space already, or the space is full. Inside only.
  */
 MEPUBLIC MeBool MEAPI McdSpaceInsertModel(McdSpaceID s, McdModelID cm);
-/** The same, then McdSpaceSetModelCullingParameters. Inside only. */
+/** McdSpaceInsertModel, then McdSpaceSetModelCullingParameters. Inside only. */
 MEPUBLIC MeBool MEAPI McdSpaceInsertModelWithCulling(McdSpaceID s, McdModelID cm, McdCullingTable *table,
                                                      int cullingIndex, int cullingID);
-/** Takes a model out; its pairs say goodbye, and it lives until they have. 1 if it was in a space. Inside only. */
+/** Removes a model; its pairs say goodbye, and it must live until they have. 1 if it was in a space. Inside only. */
 MEPUBLIC MeBool MEAPI McdSpaceRemoveModel(McdModelID cm);
-/** How many models are in it. Legal anywhere. */
+/** The number of models in the space. Legal anywhere. */
 MEPUBLIC int MEAPI McdSpaceGetModelCount(McdSpaceID space);
-/** Before McdSpaceGetModel. Legal anywhere. */
+/** Sets an iterator for McdSpaceGetModel. Legal anywhere. */
 MEPUBLIC void MEAPI McdSpaceModelIteratorBegin(McdSpaceID s, McdSpaceModelIterator *it);
-/** Gets the next model, in the order of insertion; 0 at the end. The one just got may be removed. Legal anywhere. */
+/** Gets the next model, in the order of insertion; 0 at the end. The model just returned may be removed. Legal
+ *  anywhere. */
 MEPUBLIC MeBool MEAPI McdSpaceGetModel(McdSpaceID s, McdSpaceModelIterator *it, McdModelID *cm);
 /** @} */
 
 /** @name Updating
- *  A model without a transform, or with one that is not finite, gets one warning and keeps its old box until it has a
- *  good one.
+ *  A model without a transform, or with one that is not finite, gets one warning and keeps its old box until its
+ *  transform is valid.
  *  @{ */
-/** Renews the boxes of all models that are not frozen. Legal anywhere, see above. */
+/** Updates the boxes of all models that are not frozen. Legal anywhere; outside a block it is a block of its own. */
 MEPUBLIC void MEAPI McdSpaceUpdateAll(McdSpaceID s);
-/** The same, with boxes around the motion of the next duration (s) for models that are swept. Legal anywhere. */
+/** McdSpaceUpdateAll, with boxes around the motion of the next duration (s) for swept models. Legal anywhere. */
 MEPUBLIC void MEAPI McdSpacePathUpdateAll(McdSpaceID s, MeReal duration);
 /** McdSpaceUpdateAll, inside only. */
 MEPUBLIC void MEAPI McdSpaceUpdateModels(McdSpaceID s);
-/** Renews one model's box; an error for a frozen one. Inside only. */
+/** Updates the box of one model; a warning if it is frozen. Inside only. */
 MEPUBLIC void MEAPI McdSpaceUpdateModel(McdModelID cm);
 /**
- * How far ahead pairs and contacts are made, s, >= 0; default 0, as in Karma. A dynamics step long, it brings contacts
- * of models that would meet within the step: with a gap, before they penetrate. A model looks no farther than the
- * radius of the sphere around it; faster ones want McdSafeTime. Counts from the models' next update on. Legal anywhere.
- * Beyond Karma.
+ * The look-ahead time for speculative pairs and contacts, s, >= 0; default 0, as in Karma. With the length of a
+ * dynamics step, models that would touch within the step get contacts with a gap, before they penetrate. A model looks
+ * ahead no farther than its bounding sphere's radius; faster models need McdSafeTime. Takes effect at the models' next
+ * update. Legal anywhere. Beyond Karma.
  */
 MEPUBLIC void MEAPI McdSpaceSetLookAhead(McdSpaceID s, MeReal duration);
 MEPUBLIC MeReal MEAPI McdSpaceGetLookAhead(McdSpaceID s);
-/** What renews boxes; null: McdModelUpdate (McdModelUpdatePath for swept models). Outside only. */
+/** Sets the function that updates boxes; null: McdModelUpdate (McdModelUpdatePath for swept models). Outside only. */
 MEPUBLIC void MEAPI McdSpaceSetAABBFn(McdSpaceID s, McdSpaceUpdateAABBFnPtr updateAABBFn);
 /**
- * Says that a model does not move: it is not updated any more and keeps its box; pairs of two frozen models are not
- * reported, see above. Counts from the end of the next block on. Does not update it. 1 if the model is in a space.
- * Legal anywhere.
+ * Freezes a model, which must not move then: it is not updated any more and keeps its box; pairs of two frozen models
+ * are not reported, see above. Takes effect at the end of the next block. Does not update the model. 1 if the model is
+ * in a space. Legal anywhere.
  */
 MEPUBLIC MeBool MEAPI McdSpaceFreezeModel(McdModelID cm);
-/** The opposite. */
+/** Unfreezes a model. 1 if the model is in a space. Legal anywhere. */
 MEPUBLIC MeBool MEAPI McdSpaceUnfreezeModel(McdModelID cm);
-/** Is it frozen? Legal anywhere. */
+/** Whether the model is frozen. Legal anywhere. */
 MEPUBLIC MeBool MEAPI McdSpaceModelIsFrozen(McdModelID cm);
-/** The same. */
+/** As McdSpaceModelIsFrozen. */
 MEPUBLIC MeBool MEAPI McdSpaceIsFrozen(McdModelID cm);
 /** @} */
 
 /** @name Pairs that never collide
  *  @{ */
-/** The pair says goodbye and is not reported until it is enabled, or one of the models has left the space. 1 if both
- *  are in the same space, and for a model and itself, which never meet. Inside only. */
+/** Disables a pair: it says goodbye and is not reported until it is enabled, or one of the models has left the
+ *  space. 1 if both are in the same space, and also for a model and itself, which never collide. Inside only. */
 MEPUBLIC MeBool MEAPI McdSpaceDisablePair(McdModelID cm1, McdModelID cm2);
-/** The opposite. */
+/** Enables a pair again. 1 if both models are in the same space. Inside only. */
 MEPUBLIC MeBool MEAPI McdSpaceEnablePair(McdModelID cm1, McdModelID cm2);
-/** 0 for pairs that are disabled, culled or filtered (McdModelSetFilter), and for models that are not in the same
- *  space. Legal anywhere. */
+/** Whether a pair may collide: 0 if it is disabled, culled or filtered (McdModelSetFilter), or the models are not in
+ *  the same space. Legal anywhere. */
 MEPUBLIC MeBool MEAPI McdSpacePairIsEnabled(McdModelID cm1, McdModelID cm2);
-/** Two models act as disabled if they have the same table and ID and the table's flag for their indices is set. Null
- *  as table: none. An index that the table does not have gets a warning. Inside only. */
+/** Sets a model's culling parameters. Two models act as a disabled pair if they have the same table and ID, and the
+ *  table's flag for their indices is set. Null as table: none. An index out of the table's range gets a warning.
+ *  Inside only. */
 MEPUBLIC void MEAPI McdSpaceSetModelCullingParameters(McdSpaceID s, McdModelID cm, McdCullingTable *table,
                                                       int cullingIndex, int cullingID);
 /** @} */
 
 /** @name Pairs
  *  @{ */
-/** Before McdSpaceGetPairs or McdSpaceGetTransitions, after the end of the block. Outside only. */
+/** Sets an iterator for McdSpaceGetPairs or McdSpaceGetTransitions, after the end of the block. Outside only. */
 MEPUBLIC void MEAPI McdSpacePairIteratorBegin(McdSpaceID s, McdSpacePairIterator *iter);
 /**
- * Fills a container (what was in it is dropped) with the pairs that come after the iterator: goodbye pairs first, then
- * hello and staying ones. Non-zero if there are more: use these, and call again. Outside only.
+ * Fills a container, replacing its contents, with the pairs that follow the iterator: goodbye pairs first, then hello
+ * and staying ones. Non-zero if there are more: process these, and call again. Outside only.
  *
- * The guide's samples leave out the iterator; then each step begins at the first pair and goes on while there are more.
+ * The guide's samples omit the iterator; then each step begins at the first pair and continues while there are more.
  */
 MEPUBLIC int MEAPI McdSpaceGetPairs(McdSpaceID s, McdSpacePairIterator *iter, McdModelPairContainer *c);
-/** The same without staying pairs. */
+/** McdSpaceGetPairs without staying pairs. */
 MEPUBLIC int MEAPI McdSpaceGetTransitions(McdSpaceID s, McdSpacePairIterator *iter, McdModelPairContainer *c);
-/** What the forms with two arguments stand for. */
+/** The forms with two arguments. */
 MEPUBLIC int MEAPI McdSpaceGetNextPairs(McdSpaceID s, McdModelPairContainer *c);
 MEPUBLIC int MEAPI McdSpaceGetNextTransitions(McdSpaceID s, McdModelPairContainer *c);
 #ifdef __cplusplus
@@ -216,18 +218,18 @@ ME_BEGIN_C
 /** @} */
 
 /** @name Line segments
- *  From inOrig to inDest, world frame (User Guide ch. 4, "Querying Line Segment Intersections"). A model is met at most
- *  once, where the segment enters it, as McdLineSegIntersect says; triangle lists only after
+ *  From inOrig to inDest, world frame (User Guide ch. 4, "Querying Line Segment Intersections"). A model is hit at
+ *  most once, where the segment enters it, see McdLineSegIntersect; triangle lists only after
  *  McdTriangleListLineSegmentRegisterInteraction. Outside only.
  *  @{ */
-/** The nearest model that is met; of several at the same distance, the one first in order. 1 if there is one. */
+/** Finds the nearest model that is hit; of several at the same distance, the first in order. 1 if there is one. */
 MEPUBLIC int MEAPI McdSpaceGetLineSegFirstIntersection(McdSpaceID space, MeReal *inOrig, MeReal *inDest,
                                                        McdLineSegIntersectResult *outResult);
-/** The same among the models for which the callback returns non-zero. */
+/** The same, among the models for which the callback returns non-zero. */
 MEPUBLIC int MEAPI McdSpaceGetLineSegFirstEnabledIntersection(McdSpaceID space, MeReal *inOrig, MeReal *inDest,
                                                               McdLineSegIntersectEnableCallback filterCB,
                                                               void *filterData, McdLineSegIntersectResult *outResult);
-/** The nearest inMaxListSize models that are met, by distance, then order; returns how many were written. */
+/** Finds the nearest inMaxListSize models that are hit, by distance, then order; returns the number written. */
 MEPUBLIC int MEAPI McdSpaceGetLineSegIntersections(McdSpaceID space, MeReal *inOrig, MeReal *inDest,
                                                    McdLineSegIntersectResult *outList, int inMaxListSize);
 /** @} */

@@ -1,5 +1,5 @@
 /** @file McdSphere.h
- *  Balls (User Guide ch. 4, "Geometrical Types and Their Interactions"). The centre is the origin.
+ *  Spheres (User Guide ch. 4, "Geometrical Types and Their Interactions"), centred at the origin.
  */
 #ifndef MCDSPHERE_H
 #define MCDSPHERE_H
@@ -8,12 +8,12 @@
 
 ME_BEGIN_C
 
-/** Creates a ball of radius @a r > 0 (m). Null, with a warning, for another radius and if the type is not registered.
- *  McdGeometryDestroy destroys it. */
+/** Creates a sphere of radius @a r > 0 (m). Null, with a warning, for another radius, and if the type is not
+ *  registered. McdGeometryDestroy destroys it. */
 MEPUBLIC McdSphereID MEAPI McdSphereCreate(McdFramework *frame, MeReal r);
-/** The radius (m); 0, with a warning, for what is no sphere. */
+/** The radius (m); 0, with a warning, if @a g is not a sphere. */
 MEPUBLIC MeReal MEAPI McdSphereGetRadius(McdSphereID g);
-/** Sets it. A radius that is not a number > 0 gets a warning and changes nothing. */
+/** Sets the radius (m). A radius that is not a number > 0 gets a warning and changes nothing. */
 MEPUBLIC void MEAPI McdSphereSetRadius(McdSphereID g, MeReal r);
 
 /** @name What every geometry type has, see McdGeometryDeclare.h

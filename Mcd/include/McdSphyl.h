@@ -1,7 +1,7 @@
 /** @file McdSphyl.h
- *  Sphyls, or capsules (User Guide ch. 4, "Geometrical Types and Their Interactions"): a cylinder about the z axis with
- *  half a ball at each end, the middle at the origin. What is no sphyl gets a warning and 0; sizes that are not > 0 get
- *  a warning and change nothing.
+ *  Sphyls, or capsules (User Guide ch. 4, "Geometrical Types and Their Interactions"): a cylinder about the z axis
+ *  with a half sphere at each end, centred at the origin. For a geometry that is not a sphyl: a warning, and 0;
+ *  sizes that are not > 0 get a warning and change nothing.
  */
 #ifndef MCDSPHYL_H
 #define MCDSPHYL_H
@@ -10,8 +10,8 @@
 
 ME_BEGIN_C
 
-/** Creates a sphyl of radius @a r whose cylinder has the height @a h (m), both > 0; it is h + 2 r long. Null, with a
- *  warning, for others and if the type is not registered. McdGeometryDestroy destroys it. */
+/** Creates a sphyl of radius @a r whose cylinder has the height @a h (m), both > 0; its total length is h + 2 r.
+ *  Null, with a warning, for other sizes, and if the type is not registered. McdGeometryDestroy destroys it. */
 MEPUBLIC McdSphylID MEAPI McdSphylCreate(McdFramework *frame, MeReal r, MeReal h);
 MEPUBLIC MeReal MEAPI McdSphylGetRadius(McdSphylID s);         /**< m */
 MEPUBLIC MeReal MEAPI McdSphylGetHeight(McdSphylID s);         /**< m, of the cylinder, without the ends */

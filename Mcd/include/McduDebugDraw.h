@@ -1,7 +1,6 @@
 /** @file McduDebugDraw.h
- *  Draws what collision is made of, by MeDebugDrawAPI (MeDebugDraw.h), which draws nothing until a program or the
- *  viewer sets its function. Colours are red, green, blue, each 0 to 1. What is none of what a function draws gets a
- *  warning.
+ *  Draws collision objects by MeDebugDrawAPI (MeDebugDraw.h), which draws nothing until a program or the viewer sets
+ *  its function. Colours are red, green, blue, each 0 to 1. An argument of the wrong kind gets a warning.
  */
 #ifndef MCDUDEBUGDRAW_H
 #define MCDUDEBUGDRAW_H
@@ -10,16 +9,16 @@
 
 ME_BEGIN_C
 
-/** What of models to draw; a sum. */
+/** What to draw of models; a sum. */
 typedef enum McduDebugDrawFlags {
     kMcduDebugDrawAABB = 1,       /**< The box along the world's axes, as of the last update. */
     kMcduDebugDrawDetail = 2,     /**< The geometry. */
-    kMcduDebugDrawEnabledOnly = 4 /**< Not those that are frozen in their space. */
+    kMcduDebugDrawEnabledOnly = 4 /**< Only models that are not frozen. */
 } McduDebugDrawFlags;
 
-/** A box along the world's axes. */
+/** Draws a box along the world's axes. */
 MEPUBLIC void MEAPI McduDebugDrawAABB(const MeVector3 min, const MeVector3 max, const MeReal colour[3]);
-/** Any geometry, at a transform: as McdGeometryDebugDraw. */
+/** Draws any geometry at a transform: as McdGeometryDebugDraw. */
 MEPUBLIC void MEAPI McduDebugDrawGeometry(const McdGeometryID geometry, const MeMatrix4Ptr tm, const MeReal colour[3]);
 /** @name Geometries of one type; the same as McduDebugDrawGeometry for those
  *  @{ */
@@ -29,12 +28,13 @@ MEPUBLIC void MEAPI McduDebugDrawCylinder(const McdCylinderID cyl, const MeMatri
 MEPUBLIC void MEAPI McduDebugDrawConvex(const McdConvexMeshID convex, const MeMatrix4 tm, const MeReal colour[3]);
 MEPUBLIC void MEAPI McduDebugDrawAggregate(const McdAggregateID agg, const MeMatrix4 tm, const MeReal colour[3]);
 /** @} */
-/** A model where it is. One without a transform is not drawn; whether it is frozen, only its space says. */
+/** Draws a model at its transform. A model without a transform is not drawn. kMcduDebugDrawEnabledOnly is ignored
+ *  here. */
 MEPUBLIC void MEAPI McduDebugDrawModel(const McdModelID model, McduDebugDrawFlags flags, const MeReal colour[3]);
-/** A model's box along the world's axes, as of the last update, in white: McduDebugDrawModel with
+/** Draws a model's box along the world's axes, as of the last update, in white: McduDebugDrawModel with
  *  kMcduDebugDrawAABB. */
 MEPUBLIC void MEAPI McdDebugDrawModelAABB(McdModelID cm);
-/** All models of a space, see McduDebugDrawModel; with kMcduDebugDrawEnabledOnly, those that are not frozen. */
+/** Draws all models of a space, see McduDebugDrawModel; with kMcduDebugDrawEnabledOnly, those that are not frozen. */
 MEPUBLIC void MEAPI McduDebugDrawSpace(const McdSpaceID space, McduDebugDrawFlags flags, const MeReal colour[3]);
 
 ME_END_C

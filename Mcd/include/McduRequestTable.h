@@ -1,13 +1,12 @@
 /** @file McduRequestTable.h
- *  Requests by the request ids of both models (McdModelSetRequestID): one table for the program (User Guide ch. 4,
- *  "Testing for Collisions").
+ *  A table of requests, by the request ids of both models (McdModelSetRequestID): one for the whole program (User
+ *  Guide ch. 4, "Testing for Collisions").
  *
- *  It belongs to the process, not to a framework, of which these functions know nothing: the frameworks of several
- *  threads share it. Make and fill it before they run and end it after them; meanwhile any thread may read it. A
- *  framework that wants requests of its own sets them itself, by McdModelPairSetRequestPtr or
- *  McdFrameworkSetDefaultRequestPtr.
+ *  The table belongs to the process, not to a framework: frameworks in several threads share it. Create and fill it
+ *  before they run and free it after them; meanwhile any thread may read it. A framework that needs its own requests
+ *  sets them by McdModelPairSetRequestPtr or McdFrameworkSetDefaultRequestPtr.
  *
- *  The order of two ids does not matter. An id outside of the table gets a warning and the default request.
+ *  The order of two ids does not matter. An id out of the table's range gets a warning and the default request.
  */
 #ifndef MCDUREQUESTTABLE_H
 #define MCDUREQUESTTABLE_H
@@ -17,20 +16,21 @@
 ME_BEGIN_C
 
 /**
- * Makes the table for ids 0 .. idMaxCount - 1, replacing any earlier one. All entries, and what ids outside get, are a
- * copy of @a defaultRequest; null: at most 20 contacts. 0, with a warning, if idMaxCount is not 1 .. 10000.
+ * Creates the table for ids 0 .. idMaxCount - 1, replacing any earlier one. All entries, and the default for ids out of
+ * range, are copies of @a defaultRequest; null: at most 20 contacts. 0, with a warning, if idMaxCount is not 1 ..
+ * 10000.
  */
 MEPUBLIC MeBool MEAPI McduRequestTableInit(int idMaxCount, McdRequest *defaultRequest);
-/** Frees it. Pairs must not use its requests any more. */
+/** Frees the table. Pairs must no longer use its requests. */
 MEPUBLIC void MEAPI McduRequestTableTerm(void);
-/** Sets the request of two ids; copied. Null: the default one. */
+/** Sets the request of two ids; copied. Null: the default. */
 MEPUBLIC void MEAPI McduRequestTableSetRequest(int requestId1, int requestId2, McdRequest *request);
-/** The request of two ids: a pointer into the table, good until McduRequestTableTerm. Null, with a warning, without a
- *  table. */
+/** The request of two ids: a pointer into the table, valid until McduRequestTableTerm. Null, with a warning, if
+ *  there is no table. */
 MEPUBLIC McdRequest *MEAPI McduRequestTableGetRequestPtr(int id1, int id2);
-/** Copies the request of the pair's models. */
+/** Copies the request for the pair's models. */
 MEPUBLIC void MEAPI McduRequestTableGetRequest(McdModelPair *pair, McdRequest *request);
-/** Sets the request of a pair from the table: for hello pairs, before McdHello. */
+/** Sets the pair's request from the table: for hello pairs, before McdHello. */
 MEPUBLIC void MEAPI McduHelloRequestTableCB(McdModelPair *p);
 
 ME_END_C
