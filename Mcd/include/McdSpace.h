@@ -6,7 +6,7 @@
  *  nothing and returns 0. A space starts inside a block. Both of the guide's ways to step it work:
  *
  *      McdSpaceUpdateAll(s); McdSpaceEndChanges(s); ...pairs...; McdSpaceBeginChanges(s);     blocks by hand
- *      McdSpaceUpdateAll(s); ...pairs...;                       outside a block, McdSpaceUpdateAll is a block
+ *      McdSpaceUpdateAll(s); ...pairs...;                       McdSpaceUpdateAll begins and ends a block
  *
  *  In the second way the program never ends the first block: it ends with the first call that is legal only outside
  *  of blocks, once McdSpaceUpdateAll was called in it.

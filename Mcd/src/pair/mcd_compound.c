@@ -1,16 +1,17 @@
-/* Contacts at internal faces of compounds: where two parts of an aggregate abut or overlap, the faces between them are
- * no surface of the whole, and a contact there pushes into the neighbouring part (a ghost contact).
+/* Contacts at internal faces of compounds: where two parts of an aggregate abut or overlap, the faces between them
+ * are not part of the compound's surface, and a contact there pushes into the neighbouring part (a ghost contact).
  *
- * A contact is on the surface of a part, whose outward normal there is the contact's. It is internal if the point a
- * little outside is in another part of the same model. A face's point at the border of that other part is not, if a
- * point beside it is on the surface of the whole: so the foot of a wall belongs to the floor. At an edge or a corner
- * another part may also be flush: no normal there is one of the whole, but those of the flush faces. (The same for
- * triangles: mcd_mesh_topology.c.)
+ * A contact lies on the surface of a part, whose outward normal there is the contact's. It is internal if the point
+ * a little outside is in another part of the same model. Exception: a point of a face at the border of that other
+ * part is not internal if a point beside it is on the compound's surface; so the foot of a wall belongs to the
+ * floor. At an edge or corner another part may also be flush: then no normal there is one of the compound, except
+ * those of the flush faces. (The same for triangles: mcd_mesh_topology.c.)
  *
- * An internal manifold is dropped if one that is not, of the same part of the other model, separates the two as well:
- * as far as that one pushes, along its normal, they no longer overlap. So nothing is lost. What remains is in a corner
- * of the whole, and right, or deep between parts, each of which pushes into the other: there the manifold is replaced
- * by that of the least depth along a normal of the whole. */
+ * An internal manifold is dropped if a manifold that is not internal, of the same part of the other model, separates
+ * the two parts as well: pushed apart as far as that manifold says, along its normal, they no longer overlap. So
+ * nothing is lost. The remaining internal manifolds are in a corner of the compound, and right, or deep between
+ * parts each of which pushes into the other: these are replaced by the manifold of the smallest depth along a normal
+ * of the compound. */
 #include "pair/mcd_compound_i.h"
 #include "model/mcd_geometries_i.h"
 #include "convex/mcd_kind_i.h"
@@ -18,23 +19,23 @@
 
 #include <string.h>
 
-/* Of a part's extent: what is nearer than this abuts, what is lower is flush. Places in single precision are off by up
- * to 5e-6 of the size a hundred sizes from the origin (docs/collision.md), twice as much against each other. Twice or
- * half of it fails Mcd_Compounds. */
+/* Relative to a part's extent: parts nearer than this abut, and steps lower than this are flush. Places in single
+ * precision have errors up to 5e-6 of the size at a hundred sizes from the origin (docs/collision.md), twice that
+ * relative to each other. Mcd_Compounds fails with twice or half this value. */
 static const double skinShare = 1e-4;
-/* Of 8 degrees. A normal that leans by less over a face is that face's. What is a skin outside along one that leans by
- * more is above a flush neighbour by less than this share of the skin, and covered: with one limit for both, every
- * normal is the one or the other. With .98 for covers alone Mcd_Compounds fails. */
+/* cos(8 degrees). A normal that leans by less over a face is that face's. A point one skin outside along a normal
+ * that leans by more is above a flush neighbour by less than this fraction of the skin, and covered: with one limit
+ * for both, every normal is either the one or the other. With .98 for covers alone Mcd_Compounds fails. */
 static const double flushCosine = .99;
-/* The sine of the angle between the normal of a contact and of a face that are the same: contacts have theirs in single
- * precision, off by 6e-8 in each coordinate. */
+/* The sine of the largest angle between a contact's normal and a face's that count as the same: contacts have
+ * normals in single precision, with errors of 6e-8 in each coordinate. */
 static const double minSine = 1e-6;
-/* Directions of least depth that are tried for what is deep between parts: as many as two boxes have. */
+/* Number of directions of smallest depth that are tried for manifolds deep between parts: as many as two boxes have. */
 enum { MAX_DIRECTIONS = 12 };
 
 /* ---- points and parts -------------------------------------------------------------------------------------------- */
 
-/* A sphere without a radius. */
+/* Kind of a point: a sphere without a radius. */
 static const McdKind pointKind = {
     .type = kMcdGeometryTypeSphere, .support = mcd_pointSupport, .face = mcd_pointFace, .rank = MCD_RANK_SPHERE};
 
@@ -55,20 +56,20 @@ static MeBool isInBox(const McdGeometryInstance *child, const double point[3], d
     return METRUE;
 }
 
-/* The surface of a part where contacts of one normal are. Points are relative to the origin. */
+/* The surface of a part at the contacts of one normal. Points are relative to the origin. */
 typedef struct Surface {
     McdGeometryInstance *child, *whole;
     double origin[3], normal[3]; /* outward */
     McdShape shape;
-    double skin;         /* m */
-    MeBool isClassified; /* the others are set: */
-    MeBool isOfFace;     /* the normal is that of a face, */
-    double sine;         /* of the angle by which it leans off that, */
-    double lean[3];      /* in this direction; 0: it does not, */
-    MeBool isOfEdge;     /* or that of an edge or a corner between flat faces */
+    double skin;         /* m, see skinShare */
+    MeBool isClassified; /* the members below are set */
+    MeBool isOfFace;     /* the normal is that of a face */
+    double sine;         /* of the angle between the normal and that face's */
+    double lean[3];      /* unit direction in which the normal leans; 0: it does not */
+    MeBool isOfEdge;     /* the normal is that of an edge or a corner between flat faces */
 } Surface;
 
-/* False: the part is no convex shape. */
+/* Sets the surface of a contact's part on one side; false if the part is not convex. */
 static MeBool beginSurface(Surface *s, const McdContact *contact, McdGeometryInstance *child, int side) {
     s->child = child;
     s->isClassified = MEFALSE;
@@ -79,7 +80,7 @@ static MeBool beginSurface(Surface *s, const McdContact *contact, McdGeometryIns
     if (!mcd_shapeOf(child, s->origin, &s->shape))
         return MEFALSE;
     s->skin = skinShare * s->shape.extent;
-    for (int i = 0; i < 3; i++) /* roundings of the places of two parts */
+    for (int i = 0; i < 3; i++) /* rounding of the places of two parts */
         s->skin += 4 * (double)ME_EPSILON * fabs(s->origin[i]);
     return METRUE;
 }
@@ -106,7 +107,7 @@ static McdGeometryInstance *childNear(const Surface *s, const double point[3], d
     return childAt(s, s->whole, point, world, reach);
 }
 
-/* The part that covers what is a skin outside of a point of the surface. */
+/* The part that covers the point one skin outside of a surface point; null: none. */
 static McdGeometryInstance *coverAbove(const Surface *s, const double point[3]) {
     double outside[3];
     mcd_mad(outside, point, s->skin, s->normal);
@@ -125,7 +126,7 @@ static void classifyNormal(Surface *s) {
     s->isOfEdge = face.count > 2 && (!s->isOfFace || s->sine > minSine);
 }
 
-/* At an edge of the face, over which the normal leans: the part that continues the face there. */
+/* The part that continues the face beyond an edge over which the normal leans; null: none. */
 static McdGeometryInstance *coverBeyond(const Surface *s, const double point[3]) {
     double beyond[3];
     if (mcd_dot(s->lean, s->lean) == 0)
@@ -134,7 +135,7 @@ static McdGeometryInstance *coverBeyond(const Surface *s, const double point[3])
     return distanceFrom(&s->shape, beyond) > s->skin / 2 ? childNear(s, beyond, s->skin / 2) : 0;
 }
 
-/* Is one of eight points of the face, on a square about the point, on the surface of the whole? */
+/* Whether one of eight points of the face, on a square around the point, is on the compound's surface. */
 static MeBool hasExposedNeighbour(const Surface *s, const double point[3]) {
     static const double around[8][2] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
     double u[3], w[3], beside[3];
@@ -148,8 +149,8 @@ static MeBool hasExposedNeighbour(const Surface *s, const double point[3]) {
     return MEFALSE;
 }
 
-/* The part that covers a point of the surface; null: it is on the surface of the whole. Lean: the sine of the angle by
- * which the normal leans over a flush face, or mcd_coveredLean. */
+/* The part that covers a surface point; null: the point is on the compound's surface. *lean gets the sine of the
+ * angle by which the normal leans over a flush face, or mcd_coveredLean. */
 static McdGeometryInstance *coverOf(Surface *s, const double point[3], double *lean) {
     if (!childNear(s, point, 2 * s->skin))
         return 0;
@@ -164,15 +165,15 @@ static McdGeometryInstance *coverOf(Surface *s, const double point[3], double *l
 
 /* ---- manifolds --------------------------------------------------------------------------------------------------- */
 
-/* A manifold, and the surfaces that it is on. */
+/* A manifold and the surfaces that it lies on. */
 typedef struct Classified {
-    const McdContact *contact; /* the manifold's first */
+    const McdContact *contact; /* the manifold's first contact */
     McdChildManifold *m;
     Surface surface[2];
-    MeBool isCompound[2]; /* and the part is convex; the others have no surface yet */
+    MeBool isCompound[2]; /* the part belongs to a compound and is convex; otherwise its surface is not set */
 } Classified;
 
-/* Is a point covered on either surface? Separation: from both surfaces; the point is half-way between them. */
+/* Whether a point is covered on either surface. The point is midway between both surfaces; separation: between them. */
 static MeBool isCovered(Classified *l, const double position[3], double separation, MeBool isDeepest) {
     McdChildManifold *m = l->m;
     MeBool isIt = MEFALSE;
@@ -195,7 +196,7 @@ static MeBool isCovered(Classified *l, const double position[3], double separati
     return isIt;
 }
 
-/* The surface on a side, classified; null: it is none. */
+/* The classified surface on a side; null: the part has none. */
 static Surface *surfaceOf(Classified *l, int side) {
     Surface *s = &l->surface[side];
     McdGeometryInstance *child = l->m->child[side];
@@ -206,14 +207,14 @@ static Surface *surfaceOf(Classified *l, int side) {
     return s;
 }
 
-/* Is the normal just that of a face of neither part, nor of a round side? Then edges make it, and not what is between
- * the contacts. */
+/* Whether the normal is exactly that of a face of neither part, nor of a round side: then it comes from edges, and
+ * the region between the contacts does not matter. */
 static MeBool isOfEdges(Classified *l) {
     const Surface *a = surfaceOf(l, 0), *b = surfaceOf(l, 1);
     return a && b && a->isOfEdge && b->isOfEdge;
 }
 
-/* Are all contacts covered and, unless edges make the normal, the middle of these? */
+/* Whether all contacts are covered and also, unless the normal comes from edges, their centroid. */
 static MeBool isInternal(Classified *l, int deepest) {
     const McdChildManifold *m = l->m;
     double mean[3] = {0, 0, 0}, separation = 0;
@@ -232,8 +233,8 @@ static MeBool isConvex(const McdGeometryInstance *child) {
     return kind && kind->setShape;
 }
 
-/* Sets the members that follow from the contacts. What meets a plane or triangles is on the surface: convex parts alone
- * can be separated along a normal. */
+/* Sets the members of a manifold that follow from its contacts. Contacts with planes and triangles count as on the
+ * surface: only convex parts can be separated along a normal. */
 static void classify(const McdContact *contact, McdChildManifold *m) {
     Classified l;
     int deepest = 0;
@@ -260,7 +261,7 @@ static MeBool isOfOneManifold(const McdContact *a, const McdContact *b) {
            memcmp(a->normal, b->normal, sizeof a->normal) == 0;
 }
 
-/* Divides contacts into manifolds; returns how many there are. */
+/* Divides contacts into manifolds; returns their number. */
 static int makeManifolds(const McdContact *contact, int count, McdChildManifold *manifold) {
     int made = 0;
     for (int i = 0; i < count; i++) {
@@ -278,8 +279,8 @@ static int makeManifolds(const McdContact *contact, int count, McdChildManifold 
     return made;
 }
 
-/* Normals by which a manifold separates: its own, and those of both parts' faces that are its own but for a tilt, of
- * which it has one where the other part's is as good. Returns how many. */
+/* The normals along which a manifold separates: its own, and those of both parts' faces that differ from it only by
+ * a tilt, which it has where the other part's face is equally good. Returns their number. */
 static int normalsOf(const McdContact *contact, const McdChildManifold *m, double normal[3][3]) {
     int count = 1;
     for (int i = 0; i < 3; i++)
@@ -300,7 +301,7 @@ static int normalsOf(const McdContact *contact, const McdChildManifold *m, doubl
     return count;
 }
 
-/* The largest separation of a manifold's parts along another one's normals. */
+/* The largest separation of a manifold's parts along the normals of another manifold. */
 static double separationAlong(const McdContact *contact, const McdChildManifold *m, const McdChildManifold *along) {
     double normal[3][3], origin[3], max = -INFINITY;
     McdShape a, b;
@@ -313,7 +314,7 @@ static double separationAlong(const McdContact *contact, const McdChildManifold 
     return max;
 }
 
-/* Does another manifold separate the parts as well? One of the same part of the other model. */
+/* Whether another manifold, of the same part of the other model, separates the parts as well. */
 static MeBool isSeparatedBy(const McdContact *contact, const McdChildManifold *m, const McdChildManifold *other) {
     for (int side = 0; side < 2; side++)
         if (m->cover[side] && other->child[!side] == m->child[!side])
@@ -321,7 +322,7 @@ static MeBool isSeparatedBy(const McdContact *contact, const McdChildManifold *m
     return MEFALSE;
 }
 
-/* The next larger lean of any manifold; INFINITY: there is none. */
+/* The next larger lean among all manifolds; INFINITY: there is none. */
 static double nextLean(const McdChildManifold *all, int count, double lean) {
     double next = INFINITY;
     for (int i = 0; i < count; i++)
@@ -330,8 +331,8 @@ static double nextLean(const McdChildManifold *all, int count, double lean) {
     return next;
 }
 
-/* Drops manifolds that lean by more than `above` and whose parts are separated by one that leans less. Those that lean
- * less come first, so that none is dropped for one that is dropped itself. */
+/* Drops manifolds that lean by more than `above` and whose parts are separated by a manifold that leans less.
+ * Manifolds that lean less come first, so that none is dropped because of one that is dropped itself. */
 static void dropSeparated(const McdContact *contact, McdChildManifold *all, int count, double above) {
     for (double lean = nextLean(all, count, above); lean < INFINITY; lean = nextLean(all, count, lean))
         for (int i = 0; i < count; i++)
@@ -339,18 +340,17 @@ static void dropSeparated(const McdContact *contact, McdChildManifold *all, int 
                 all[i].isDropped = all[k].lean < lean && !all[k].isDropped && isSeparatedBy(contact, &all[i], &all[k]);
 }
 
-/* ---- what is deep between parts ---------------------------------------------------------------------------------- */
+/* ---- manifolds deep between parts -------------------------------------------------------------------------------- */
 
-/* m: the shortest translation by d1 or more along the unit vector n1, and by d2 or more along n2, which point away from
- * each other. */
+/* m: the shortest translation by at least d1 along the unit vector n1 and at least d2 along n2; n1 . n2 < 0. */
 static double translationAlong(const double n1[3], double d1, const double n2[3], double d2) {
     const double c = mcd_dot(n1, n2), sine2 = 1 - c * c;
     MEASSERT(c < 0 && d1 > 0 && d2 > 0);
     return sine2 > 0 ? sqrt((d1 * d1 + d2 * d2 - 2 * c * d1 * d2) / sine2) : INFINITY;
 }
 
-/* m: how far the two parts must move for this manifold and those of the covering parts that push the other way; 0: none
- * does. */
+/* m: the largest translation of the two parts that resolves this manifold together with one of a covering part that
+ * pushes the opposite way; 0: there is none. */
 static double translationWithCovers(const McdContact *contact, const McdChildManifold *m, const McdChildManifold *all,
                                     int count) {
     double n[2][3], max = 0;
@@ -369,18 +369,18 @@ static double translationWithCovers(const McdContact *contact, const McdChildMan
     return max;
 }
 
-/* Two parts that overlap, and the normals that are tried. */
+/* Two overlapping parts, and the normals to try. */
 typedef struct Overlap {
     McdShape shape[2];
     double origin[3], margin;
-    double across[2][3]; /* from the other side's part, away from the line from each part to the one that covers it */
+    double across[2][3]; /* unit: from the other part, orthogonal to the line from each part to its cover */
 } Overlap;
 
 static int countFaceNormals(const McdShape *s) {
     return s->hull ? s->hull->faceCount : 6;
 }
 
-/* The outward normal of a flat face; false: there is none of that number. */
+/* The outward normal number i of a flat face; false: there is no such face. */
 static MeBool faceNormal(const McdShape *s, int i, double normal[3]) {
     if (s->hull) {
         const double *own = s->hull->face[i].normal;
@@ -391,7 +391,7 @@ static MeBool faceNormal(const McdShape *s, int i, double normal[3]) {
     return (s->kind->flatAxes >> i / 2 & 1) != 0;
 }
 
-/* The direction from b's part to a's of the normal of that number; false: there is none. */
+/* The normal number i to try, from b's part to a's; false: there is none. */
 static MeBool normalOf(const Overlap *e, int i, double normal[3]) {
     if (i < 2) {
         mcd_scale(normal, e->across[i], i ? 1 : -1);
@@ -409,7 +409,7 @@ typedef struct Direction {
     double normal[3], separation;
 } Direction;
 
-/* The normals of least depth, in ascending order of it, of equal ones by number; returns how many. */
+/* Chooses the normals of smallest depth, in ascending order of depth, then of number; returns their number. */
 static int chooseDirections(const Overlap *e, Direction direction[MAX_DIRECTIONS]) {
     const int normals = 2 + countFaceNormals(&e->shape[0]) + countFaceNormals(&e->shape[1]);
     int count = 0;
@@ -428,7 +428,7 @@ static int chooseDirections(const Overlap *e, Direction direction[MAX_DIRECTIONS
     return count;
 }
 
-/* The part's place from the other's, without what is along the line to the cover. */
+/* Sets the direction of the part from the other part, without its component along the line to the cover. */
 static void setAcross(const McdChildManifold *m, int side, Overlap *e) {
     McdShape cover;
     double line[3];
@@ -455,7 +455,8 @@ static MeBool beginOverlap(const McdModelPair *p, const McdChildManifold *m, Ove
     return METRUE;
 }
 
-/* Contacts along a normal, where the parts touch along it: faces above each other, or a ball's lowest point on one. */
+/* Finds the contacts along a normal, if the parts touch along it: their faces are above each other, or a sphere's
+ * lowest point is above a face. */
 static int manifoldAlong(const Overlap *e, const double normal[3], double separation, McdManifold *m) {
     const McdShape *a = &e->shape[0], *b = &e->shape[1];
     const double back[3] = {-normal[0], -normal[1], -normal[2]};
@@ -468,14 +469,14 @@ static int manifoldAlong(const Overlap *e, const double normal[3], double separa
         return mcd_facesManifold(a, b, &faceA, &faceB, &p, e->margin, m);
     mcd_coreSupport(a, back, p.onA);
     mcd_coreSupport(b, normal, p.onB);
-    const MeBool isOnA = faceA.count == 1; /* the point that is one; the other is where it is above the other shape */
+    const MeBool isOnA = faceA.count == 1; /* the shape that is a point; the other witness point is its projection */
     mcd_mad(isOnA ? p.onB : p.onA, isOnA ? p.onA : p.onB, isOnA ? -separation : separation, normal);
     if (distanceFrom(isOnA ? b : a, isOnA ? p.onB : p.onA) > mcd_faceBias * mcd_pairSize(a, b))
         return 0;
     return mcd_pointManifold(a, b, &p, 0, e->margin, m);
 }
 
-/* Puts contacts behind the others; returns how many. */
+/* Appends contacts to the scratch; returns their number. */
 static int addContacts(const Overlap *e, const McdManifold *from, McdScratch *scratch, McdChildManifold *to) {
     const MeU32 path = mcd_featureMix(mcd_childPath(to->child[0]), mcd_childPath(to->child[1]));
     McdIntersectResult result;
@@ -488,7 +489,7 @@ static int addContacts(const Overlap *e, const McdManifold *from, McdScratch *sc
     return to->count = result.contactCount;
 }
 
-/* Makes the manifold of least depth on the surfaces of both models, less than a limit, behind the others. False: there
+/* Appends the manifold of smallest depth, below a limit, that lies on the surfaces of both compounds. False: there
  * is none. */
 static MeBool expose(const McdModelPair *p, McdScratch *scratch, int count, double limit, const McdChildManifold *m,
                      McdChildManifold *made) {
@@ -515,7 +516,7 @@ static MeBool expose(const McdModelPair *p, McdScratch *scratch, int count, doub
     return MEFALSE;
 }
 
-/* Replaces manifolds that are deep between parts; returns how many manifolds there are then. */
+/* Replaces manifolds that are deep between parts; returns the number of manifolds then. */
 static int replaceDeep(const McdModelPair *p, McdScratch *scratch, int *count, int manifolds) {
     int all = manifolds;
     for (int i = 0; i < manifolds; i++) {
@@ -531,7 +532,7 @@ static int replaceDeep(const McdModelPair *p, McdScratch *scratch, int *count, i
     return all;
 }
 
-/* The next smaller separation of any manifold from number `first` on; -INFINITY: there is none. */
+/* The next smaller separation among the manifolds from number `first` on; -INFINITY: there is none. */
 static double nextSeparation(const McdChildManifold *all, int first, int count, double separation) {
     double next = -INFINITY;
     for (int i = first; i < count; i++)
@@ -540,9 +541,9 @@ static double nextSeparation(const McdChildManifold *all, int first, int count, 
     return next;
 }
 
-/* Drops what has replaced another, from number `first` on, where a manifold of less depth separates the parts: not each
- * of the parts between which something is deep is below the face through which that leaves. The least deep ones come
- * first, so that none is dropped for one that is dropped itself. */
+/* Drops replacements (manifolds from number `first` on) whose parts are separated by a manifold of smaller depth: if
+ * a body is deep between several parts, not every part is below the face through which the body leaves. The
+ * shallowest come first, so that none is dropped because of one that is dropped itself. */
 static void dropDeeper(const McdContact *contact, McdChildManifold *all, int first, int count) {
     for (double min = nextSeparation(all, first, count, INFINITY); min > -INFINITY;
          min = nextSeparation(all, first, count, min))
@@ -554,7 +555,7 @@ static void dropDeeper(const McdContact *contact, McdChildManifold *all, int fir
 
 /* ---- the filter -------------------------------------------------------------------------------------------------- */
 
-/* Moves what remains to the front. Returns the number of contacts. */
+/* Moves the contacts of the remaining manifolds to the front; returns their number. */
 static int compact(McdContact *contact, const McdChildManifold *manifold, int manifolds) {
     int kept = 0;
     for (int i = 0; i < manifolds; i++) {
@@ -583,7 +584,7 @@ int mcd_dropInternalContacts(const McdModelPair *p, McdScratch *scratch, int cou
     dropSeparated(scratch->contact, scratch->manifold, found, 0);
     const int manifolds = replaceDeep(p, scratch, &count, found);
     dropDeeper(scratch->contact, scratch->manifold, found, manifolds);
-    dropSeparated(scratch->contact, scratch->manifold, manifolds, 1); /* covered ones: no sine is above 1 */
+    dropSeparated(scratch->contact, scratch->manifold, manifolds, 1); /* the covered ones: a sine is at most 1 */
     const int kept = compact(scratch->contact, scratch->manifold, manifolds);
     MEASSERT(kept > 0);
     return kept;

@@ -1,17 +1,18 @@
-/* Seams: a body slides from one fixed box to the next one as if they were one.
+/* Seams: a body slides from one fixed box onto the next as if they were one.
  *
- * Contacts are made ahead of time, by the shortest way between two shapes. From a box that slides on a floor of tiles
- * this is the way along the floor to the next tile's side, though it will pass over the tile: it stopped at the seam.
- * What lies beyond the plane of a box's face cannot meet the box but through this plane; and if it is apart from the
- * box, but flush with the plane, it has not got to the face yet. When it does, the contact is with the face. */
+ * Speculative contacts are made along the shortest displacement between two shapes. For a box that slides on a floor
+ * of tiles this is along the floor to the side of the next tile, although the box will pass over that tile: it
+ * stopped at the seam. A body beyond the plane of a box's face can hit the box only through this plane; and if the
+ * body is separated from the box but flush with the plane, it has not reached the face yet. When it does, the
+ * contact is with the face. */
 #include "McdContact.h"
 #include "McdInternal.h"
 #include "model/mcd_frame_i.h"
 #include <math.h>
 
-/* Of a model's radius: flush. More than contacts that rest are deep, and single precision rounds at a hundred times the
- * model's size from the origin; a step of this height is climbed. x2 and /2 fail Mst_Seams:
- * what_is_flush_to_a_ten_thousandth_of_its_radius_passes. */
+/* Relative to a model's radius: how near to the plane is flush. Larger than the depth of resting contacts, and than
+ * rounding of single precision at a hundred times the model's size from the origin; a step of this height is
+ * climbed. With twice or half of it Mst_Seams fails: what_is_flush_to_a_ten_thousandth_of_its_radius_passes. */
 static const double flushShare = 1e-4;
 
 static double radiusOf(McdModelID m) {
@@ -21,7 +22,7 @@ static double radiusOf(McdModelID m) {
     return (double)radius;
 }
 
-/* How far m is beyond the plane of the box's face, m. */
+/* m: the distance of m beyond the plane of the box's face; negative: below it. */
 static double beyondFace(McdModelID box, McdModelID m, MeVector3 outward) {
     MeVector3 inward, face, nearest;
     MeVector3MultiplyScalar(inward, outward, -1);
@@ -32,7 +33,8 @@ static double beyondFace(McdModelID box, McdModelID m, MeVector3 outward) {
     return (double)MeVector3Dot(nearest, outward);
 }
 
-/* Apart, or side by side: a contact that is not with the face, within 60 degrees. */
+/* Whether the contact is not with the face: the models are separated, or the normal differs from the face's by more
+ * than 60 degrees. */
 static MeBool isBesideFace(const McdContact *contact, const MeVector3 outward, double max) {
     return McdContactGetSeparation(contact) > max || 2 * MeFabs(MeVector3Dot(contact->normal, outward)) < 1;
 }

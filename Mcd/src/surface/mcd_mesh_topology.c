@@ -1,11 +1,12 @@
-/* Which normals a surface of triangles has: adjacency by vertices, and the Voronoi regions of edges and corners. */
+/* The admissible normals of a surface of triangles: adjacency by vertices, and the Voronoi regions of edges and
+ * corners. */
 #include "surface/mcd_mesh_stages_i.h"
 #include <string.h>
 
-/* Corners whose heights over a plane differ by a smaller part of their distance are equally high. */
+/* Corners whose heights over a plane differ by less than this fraction of their distance count as equally high. */
 #define SAME_HEIGHT 1e-5
 
-enum { NOT_KNOWN, CLOSED, OPEN }; /* McdMesh.fan */
+enum { NOT_KNOWN, CLOSED, OPEN }; /* values of McdMesh.fan */
 
 /* ---- adjacency --------------------------------------------------------------------------------------------------- */
 
@@ -13,8 +14,8 @@ static MeBool arePointsEqual(const double a[3], const double b[3]) {
     return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-/* Gives corners of equal coordinates one vertex number, in the order in which they come, by a hash table with open
- * addressing, at most half full. Returns the number of vertices. */
+/* Gives corners with equal coordinates the same vertex number, in the order of their occurrence, by a hash table
+ * with open addressing, at most half full. Returns the number of vertices. */
 static int numberCorners(McdMesh *mesh) {
     int slots = 1, vertexCount = 0;
     while (slots < 6 * mesh->count)
@@ -35,7 +36,7 @@ static int numberCorners(McdMesh *mesh) {
     return vertexCount;
 }
 
-/* For checks: each vertex lists just the triangles that have it, ascending, all with the same coordinates there. */
+/* For checks: each vertex lists exactly the triangles that have it, ascending, all with the same coordinates there. */
 static MeBool isAdjacencyGood(const McdMesh *mesh, int vertexCount) {
     for (int v = 0; v < vertexCount; v++) {
         const double *place = 0;
@@ -57,7 +58,7 @@ void mcd_meshBuildAdjacency(McdMesh *mesh) {
         mesh->firstOf[v] = 0;
     for (int i = 0; i < 3 * mesh->count; i++)
         mesh->firstOf[mesh->triangle[i / 3].vertex[i % 3]]++;
-    for (int v = 1; v <= vertexCount; v++) /* now the end of each list; filling moves that to its beginning */
+    for (int v = 1; v <= vertexCount; v++) /* the end of each list; filling moves it to the beginning */
         mesh->firstOf[v] += mesh->firstOf[v - 1];
     for (int i = 3 * mesh->count - 1; i >= 0; i--)
         mesh->usersOf[--mesh->firstOf[mesh->triangle[i / 3].vertex[i % 3]]] = i / 3;
@@ -90,19 +91,20 @@ MeBool mcd_meshHasVertex(const McdMeshTriangle *t, int v) {
     return t->vertex[0] == v || t->vertex[1] == v || t->vertex[2] == v;
 }
 
-/* Does the triangle rise above the plane through its vertex v, or, unless end is -1, through its edge from v to end? */
+/* Whether the triangle rises above the plane through its vertex v or, unless end is -1, through its edge from v to
+ * end. */
 static MeBool risesAbovePlane(const McdMeshTriangle *t, int v, int end, const double normal[3]) {
     int at = 0;
     while (t->vertex[at] != v)
         at++;
-    MEASSERT(at < 3); /* it is a triangle of that vertex */
+    MEASSERT(at < 3); /* the vertex is one of the triangle's */
     for (int k = 1; k < 3; k++) {
         const int far = (at + k) % 3, third = (at + 3 - k) % 3;
         double d[3];
         if (t->vertex[far] == end)
             continue;
         mcd_sub(d, t->corner[far], t->corner[at]);
-        if (end >= 0) { /* the part perpendicular to the edge */
+        if (end >= 0) { /* the component orthogonal to the edge */
             double e[3];
             mcd_sub(e, t->corner[third], t->corner[at]);
             mcd_mad(d, d, -mcd_dot(d, e) / mcd_dot(e, e), e);
@@ -113,7 +115,7 @@ static MeBool risesAbovePlane(const McdMeshTriangle *t, int v, int end, const do
     return MEFALSE;
 }
 
-/* The region of a normal at the triangle's corner v, or, unless end is -1, at its edge from v to end. */
+/* The region of a normal at the triangle's corner v or, unless end is -1, at its edge from v to end. */
 static McdMeshRegion regionAtBorder(const McdMesh *mesh, const McdMeshTriangle *t, int v, int end, MeBool isSharp,
                                     const double normal[3]) {
     MeBool hasNeighbour = MEFALSE;
@@ -128,7 +130,8 @@ static McdMeshRegion regionAtBorder(const McdMesh *mesh, const McdMeshTriangle *
     return isSharp ? MCD_BORDER_REGION : hasNeighbour ? MCD_INTERNAL_REGION : MCD_FLAT_BORDER;
 }
 
-/* Is the edge, or the corner if from == to, within the query's box and ball? Beyond them neighbours may be missing. */
+/* Whether the edge, or the corner if from == to, is within the query's box and ball. Outside of these, neighbours
+ * may be missing. */
 static MeBool isWithinQuery(const McdMeshQuery *q, const McdMeshTriangle *t, int from, int to) {
     const double(*place)[3] = (const double(*)[3]) & q->mesh->place[3 * (t - q->mesh->triangle)];
     double along[3], offset[3];
@@ -143,8 +146,7 @@ static MeBool isWithinQuery(const McdMeshQuery *q, const McdMeshTriangle *t, int
     return mcd_dot(offset, offset) <= q->ballRadius * q->ballRadius;
 }
 
-/* The feature of a triangle is given by its farthest corners along the normal: one: a corner, two: an edge, three: the
- * face. */
+/* The triangle's farthest corners along the normal determine its feature: one a corner, two an edge, three the face. */
 McdMeshRegion mcd_meshRegion(const McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3]) {
     const int mask = mcd_meshFarthestCorners(t, normal);
     for (int i = 0; i < 3; i++) {
@@ -164,7 +166,8 @@ McdMeshRegion mcd_meshRegion(const McdMeshQuery *q, const McdMeshTriangle *t, co
 
 /* ---- flat surroundings ------------------------------------------------------------------------------------------- */
 
-/* Has the triangle a coplanar neighbour across its edge from one vertex to the other, with the opposite half-edge? */
+/* Whether the triangle has a coplanar neighbour across its edge from one vertex to the other, with the opposite
+ * half-edge. */
 static MeBool hasCoplanarNeighbour(const McdMesh *mesh, const McdMeshTriangle *t, int from, int to) {
     for (int i = mesh->firstOf[from]; i < mesh->firstOf[from + 1]; i++) {
         const McdMeshTriangle *n = &mesh->triangle[mesh->usersOf[i]];
@@ -177,7 +180,7 @@ static MeBool hasCoplanarNeighbour(const McdMesh *mesh, const McdMeshTriangle *t
     return MEFALSE;
 }
 
-/* Do coplanar triangles make a closed fan around the vertex? */
+/* Whether coplanar triangles form a closed fan around the vertex. */
 static MeBool isFanClosed(const McdMesh *mesh, int v) {
     const McdMeshTriangle *first = &mesh->triangle[mesh->usersOf[mesh->firstOf[v]]];
     for (int i = mesh->firstOf[v]; i < mesh->firstOf[v + 1]; i++) {

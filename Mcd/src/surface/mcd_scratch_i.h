@@ -8,16 +8,16 @@
 
 #include "surface/mcd_mesh_i.h"
 
-/* The contacts of two parts that have one normal, as a range of the scratch's contacts. Only mcd_dropInternalContacts
- * writes it: first the range and the parts, then what follows from the contacts, last what is dropped. */
+/* The contacts of two parts that have one normal, as a range of the scratch's contacts. Only
+ * mcd_dropInternalContacts writes it: first the range and the parts, then the members derived from the contacts,
+ * last isDropped. */
 typedef struct McdChildManifold {
     int first, count;
     McdGeometryInstance *child[2]; /* of the first model, of the second */
-    McdGeometryInstance *cover[2]; /* the part of the same model that covers part[i] there; null: none does */
-    double lean; /* 0: it is on the surface of both models; else the sine of the angle by which the normal leans over a
-                    flush face, or mcd_coveredLean: it is no normal of the whole */
-    double skin; /* m, of the covered parts: what is lower is flush */
-    double separation; /* m, the least */
+    McdGeometryInstance *cover[2]; /* the part of the same model that covers child[i] there; null: none */
+    double lean;       /* sine of the normal's angle to a flush face's; or mcd_coveredLean; 0: on both surfaces */
+    double skin;       /* m, of the covered parts: lower steps are flush */
+    double separation; /* m, the smallest of the contacts */
     MeBool isDropped;
 } McdChildManifold;
 
