@@ -135,7 +135,7 @@ struct _McdModelPairContainer {
     int goodbyeEnd;
     int helloFirst;
     int helloEnd;
-    int stayingFirst; /**< The same as helloEnd. */
+    int stayingFirst; /**< Equal to helloEnd. */
     int stayingEnd;
 };
 

@@ -23,7 +23,7 @@ MEPUBLIC void MEAPI McdPrimitivesRegisterTypes(McdFramework *frame);
  *  of line segments with all of them except the triangle list (see McdTriangleListLineSegmentRegisterInteraction).
  *  Returns 1; 0 if @a frame is not a framework. */
 MEPUBLIC MeBool MEAPI McdPrimitivesRegisterInteractions(McdFramework *frame);
-/** The same for sphere, box and plane only, so that less is linked. */
+/** Registers the types, and the interactions, of sphere, box and plane only, so that less is linked. */
 MEPUBLIC void MEAPI McdSphereBoxPlaneRegisterTypes(McdFramework *frame);
 MEPUBLIC void MEAPI McdSphereBoxPlaneRegisterInteractions(McdFramework *frame);
 

@@ -225,7 +225,7 @@ ME_BEGIN_C
 /** Finds the nearest model that is hit; of several at the same distance, the first in order. 1 if there is one. */
 MEPUBLIC int MEAPI McdSpaceGetLineSegFirstIntersection(McdSpaceID space, MeReal *inOrig, MeReal *inDest,
                                                        McdLineSegIntersectResult *outResult);
-/** The same, among the models for which the callback returns non-zero. */
+/** McdSpaceGetLineSegFirstIntersection among the models for which the callback returns non-zero. */
 MEPUBLIC int MEAPI McdSpaceGetLineSegFirstEnabledIntersection(McdSpaceID space, MeReal *inOrig, MeReal *inDest,
                                                               McdLineSegIntersectEnableCallback filterCB,
                                                               void *filterData, McdLineSegIntersectResult *outResult);

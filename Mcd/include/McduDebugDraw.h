@@ -9,7 +9,7 @@
 
 ME_BEGIN_C
 
-/** What to draw of models; a sum. */
+/** Flags of what to draw; a sum. */
 typedef enum McduDebugDrawFlags {
     kMcduDebugDrawAABB = 1,       /**< The box along the world's axes, as of the last update. */
     kMcduDebugDrawDetail = 2,     /**< The geometry. */

@@ -125,7 +125,7 @@ static MeBool makeOutline(const View *v, const McdFace *f, MeBool isMirrored, Ou
     return METRUE;
 }
 
-/* What remains of outline a while b's edges clip it: corners of a, corners of b, and crossings of edges. One array
+/* The remainder of outline a while b's edges clip it: corners of a, corners of b, and crossings of edges. One array
  * per member, since each value is read soon after it was written: a copy of a whole struct would stall until all its
  * stores are visible to loads. */
 typedef struct Polygon {

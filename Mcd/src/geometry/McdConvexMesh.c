@@ -100,7 +100,7 @@ MCD_DEFINE_LINE_SEGMENT(ConvexMesh)
 /* ---- narrow phase
  * -------------------------------------------------------------------------------------------------- */
 
-/* With at most so many vertices a linear search is faster than hill climbing. */
+/* Up to this number of vertices a linear search is faster than hill climbing. */
 enum { SCANNED_CORNERS = 24 };
 
 static void setShape(const McdGeometry *g, McdShape *s) {
@@ -376,13 +376,13 @@ typedef struct Moments {
 } Moments;
 
 /* Adds the symmetric part of w a b^T. */
-static void addOuter(Moments *s, double w, const double a[3], const double b[3]) {
+static void addSecondMoment(Moments *s, double w, const double a[3], const double b[3]) {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             s->second[i][j] += w * (a[i] * b[j] + a[j] * b[i]) / 2;
 }
 
-static void addFirst(Moments *s, double w, const double a[3]) {
+static void addFirstMoment(Moments *s, double w, const double a[3]) {
     for (int k = 0; k < 3; k++)
         s->first[k] += w * a[k];
 }
@@ -394,11 +394,11 @@ static void addSimplex(Moments *s, double m, const double (*corner)[3], int n) {
     for (int i = 0; i < n; i++) {
         for (int k = 0; k < 3; k++)
             sum[k] += corner[i][k];
-        addOuter(s, m / (n * (n + 1)), corner[i], corner[i]);
+        addSecondMoment(s, m / (n * (n + 1)), corner[i], corner[i]);
     }
     s->m += m;
-    addFirst(s, m / n, sum);
-    addOuter(s, m / (n * (n + 1)), sum, sum);
+    addFirstMoment(s, m / n, sum);
+    addSecondMoment(s, m / (n * (n + 1)), sum, sum);
 }
 
 /* A vertex relative to the hull's centre. */
@@ -432,13 +432,13 @@ static void addPrism(Moments *s, const McdHull *h, const McdHullFace *f, double 
     Moments face = {0};
     addFace(&face, h, f, 0);
     s->m += r * face.m;
-    addFirst(s, r, face.first);
-    addFirst(s, face.m * r * r / 2, f->normal);
+    addFirstMoment(s, r, face.first);
+    addFirstMoment(s, face.m * r * r / 2, f->normal);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             s->second[i][j] += r * face.second[i][j];
-    addOuter(s, r * r, face.first, f->normal);
-    addOuter(s, face.m * r * r * r / 3, f->normal, f->normal);
+    addSecondMoment(s, r * r, face.first, f->normal);
+    addSecondMoment(s, face.m * r * r * r / 3, f->normal, f->normal);
 }
 
 /* Adds the sector at an edge: x = y + z n, y on the edge, 0 <= z <= r, n between the normals of both faces: n = a
@@ -461,14 +461,14 @@ static double addSector(Moments *s, const McdHull *h, int edge, double r) {
     MEASSERT(angle >= 0 && length2 > 0);
     const double length = sqrt(length2), disc = angle * r * r / 2, ring = r * r * r / 3, quarter = r * r * r * r / 4;
     s->m += length * disc;
-    addFirst(s, length * disc, middle);
-    addFirst(s, length * ring, normals);
-    addOuter(s, length * disc, middle, middle);
-    addOuter(s, length * disc / 12, along, along);
-    addOuter(s, 2 * length * ring, middle, normals);
-    addOuter(s, length * quarter * (angle / 2 + sin(2 * angle) / 4), a, a);
-    addOuter(s, length * quarter * (angle / 2 - sin(2 * angle) / 4), b, b);
-    addOuter(s, length * quarter * sin(angle) * sin(angle), a, b);
+    addFirstMoment(s, length * disc, middle);
+    addFirstMoment(s, length * ring, normals);
+    addSecondMoment(s, length * disc, middle, middle);
+    addSecondMoment(s, length * disc / 12, along, along);
+    addSecondMoment(s, 2 * length * ring, middle, normals);
+    addSecondMoment(s, length * quarter * (angle / 2 + sin(2 * angle) / 4), a, a);
+    addSecondMoment(s, length * quarter * (angle / 2 - sin(2 * angle) / 4), b, b);
+    addSecondMoment(s, length * quarter * sin(angle) * sin(angle), a, b);
     return angle;
 }
 
@@ -483,8 +483,8 @@ static double addSector(Moments *s, const McdHull *h, int edge, double r) {
 static void addSolidAngle(Moments *s, const double v[3], double angle, double r) {
     const double ball = r * r * r / 3, fifth = r * r * r * r * r / 5;
     s->m += angle * ball;
-    addFirst(s, angle * ball, v);
-    addOuter(s, angle * ball, v, v);
+    addFirstMoment(s, angle * ball, v);
+    addSecondMoment(s, angle * ball, v, v);
     for (int k = 0; k < 3; k++)
         s->second[k][k] += fifth * angle / 3;
 }
@@ -522,7 +522,7 @@ static void addSides(Moments *s, const McdHull *h, int edge, double angle, doubl
     vertexAt(h, h->edge[edge][1], b);
     for (int k = 0; k < 3; k++)
         along[k] = b[k] - a[k];
-    addOuter(s, angle * r * r * r * r / 4 / sqrt(dot(along, along)), along, along);
+    addSecondMoment(s, angle * r * r * r * r / 4 / sqrt(dot(along, along)), along, along);
 }
 
 static Moments momentsOf(const McdHull *h, double r) {
@@ -552,7 +552,7 @@ MeI16 MEAPI McdConvexMeshGetMassProperties(McdConvexMeshID mesh, MeMatrix4 relTM
         offset[k] = s.first[k] / s.m;
         centre[k] = h->centre[k] + offset[k];
     }
-    addOuter(&s, -s.m, offset, offset);
+    addSecondMoment(&s, -s.m, offset, offset);
     const double trace = s.second[0][0] + s.second[1][1] + s.second[2][2];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)

@@ -29,7 +29,7 @@ static void findExtremes(McdRGHeightField *f) {
     MEASSERT(f->low <= f->high);
 }
 
-static MeBool isGrid(int xCount, int yCount, MeReal xStep, MeReal yStep, MeReal x0, MeReal y0) {
+static MeBool isGridValid(int xCount, int yCount, MeReal xStep, MeReal yStep, MeReal x0, MeReal y0) {
     const MeReal reach[4] = {xStep * (MeReal)xCount, yStep * (MeReal)yCount, x0, y0};
     return xCount >= 2 && yCount >= 2 && xCount <= 1000000000 / yCount && xStep > 0 && yStep > 0 &&
            mcd_areInRange(reach, 4);
@@ -37,7 +37,7 @@ static MeBool isGrid(int xCount, int yCount, MeReal xStep, MeReal yStep, MeReal 
 
 McdRGHeightFieldID MEAPI McdRGHeightFieldCreate(McdFramework *frame, const MeReal *heights, int xCount, int yCount,
                                                 MeReal xStep, MeReal yStep, MeReal x0, MeReal y0) {
-    if (!heights || !isGrid(xCount, yCount, xStep, yStep, x0, y0)) {
+    if (!heights || !isGridValid(xCount, yCount, xStep, yStep, x0, y0)) {
         MeWarning(1, "McdRGHeightFieldCreate: heights at %p, %d x %d points (> 1), steps %g, %g (> 0), from (%g, %g)",
                   (const void *)heights, xCount, yCount, (double)xStep, (double)yStep, (double)x0, (double)y0);
         return 0;

@@ -139,10 +139,10 @@ int mcd_localLineSegment(McdModelID cm, const MeReal *from, const MeReal *to, Mc
  * about it. Returns 1; if these exceed MeReal: 0, and zero results. */
 MeI16 mcd_massProperties(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, const double centre[3],
                          double moment[3][3]);
-/* The same without a check of the moments, which need not belong to any mass: parts may have been scaled. */
+/* mcd_massProperties without its check that the moments can be those of a mass: parts may have been scaled. */
 MeI16 mcd_massStore(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, const double centre[3],
                     double moment[3][3]);
-/* The same for a shape whose centre of mass is the origin, with principal moments x, y, z. */
+/* mcd_massProperties for a shape whose centre of mass is the origin, with principal moments x, y, z. */
 MeI16 mcd_massDiagonal(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, double x, double y, double z);
 
 /* ---- drawing ----------------------------------------------------------------------------------------------------- */

@@ -5,7 +5,7 @@
 #include "McdCTypes.h"
 #include <stddef.h>
 
-/* What the choice depends on. */
+/* A contact's properties that the choice depends on. */
 typedef struct McdSpot {
     double position[3], normal[3], separation;
     double distance2; /* used by mcd_spread: squared difference from the chosen spots */

@@ -14,7 +14,7 @@ struct ChildPairs {
     McdModelPair *pair;
     MeReal margin; /* m: pairs of parts whose boxes are farther apart are skipped; negative: none are skipped */
     void (*visit)(ChildPairs *, McdModelPair *childPair, McdGeometryInstance *child1, McdGeometryInstance *child2);
-    /* The same for two convex parts with the library's interaction, without stand-in models. May be null. Returns
+    /* As `visit`, for two convex parts with the library's interaction: without stand-in models. May be null. Returns
      * false if it does not support the pair: then `visit` is called. */
     MeBool (*visitConvex)(ChildPairs *, McdGeometryInstance *child1, McdGeometryInstance *child2);
     MeReal minGap; /* m: a lower bound of the gap over all pairs of parts so far; 0: unknown */

@@ -30,7 +30,8 @@ int mcd_convexContacts(McdModelPair *p, McdIntersectResult *result, const char *
 /* Adds the contacts of two convex instances, and sets result->apart; false: one has no valid transform. */
 MeBool mcd_convexInstances(McdGeometryInstance *ins1, McdGeometryInstance *ins2, double margin,
                            McdIntersectResult *result);
-/* The same for two models that are convex and have been compared in this round (mcd_shapeInRound); false for others. */
+/* mcd_convexInstances for two models that are convex and have been compared in this round (mcd_shapeInRound); false
+ * for others. */
 MeBool mcd_convexModels(McdModelRecord *m1, McdModelRecord *m2, double margin, McdIntersectResult *result);
 int mcd_planeContacts(McdModelPair *p, McdIntersectResult *result, const char *function);
 

@@ -589,7 +589,7 @@ static void setTravel(const McdSpace *s, McdModelRecord *m, MeBool isSeen) {
     MEASSERT(m->travel >= 0 && m->turnTravel >= 0 && m->turnTravel <= m->travel);
 }
 
-/* Compares the model before its update; false if that does not tell whether its box is up to date: with an update
+/* Compares the model before its update; false if that cannot show that its box is up to date: with an update
  * callback of the model or the space, or a relative transform, which the update applies. */
 static MeBool isSeenBeforeUpdate(const McdSpace *s, McdModelRecord *m) {
     return !m->update && !s->update && !m->relTM && mcd_modelStamp(m) != 0;

@@ -25,7 +25,7 @@ McdScratch *mcd_scratchAcquire(McdFramework *frame, const char *function) {
     return scratch;
 }
 
-static MeBool isZero(const McdScratch *s) {
+static MeBool areTrianglesZero(const McdScratch *s) {
     const unsigned char *byte = (const unsigned char *)s->triangle;
     for (size_t i = 0; i < (size_t)s->triangleRoom * sizeof *s->triangle; i++)
         if (byte[i])
@@ -34,7 +34,7 @@ static MeBool isZero(const McdScratch *s) {
 }
 
 void mcd_scratchRelease(McdFramework *frame, McdScratch *scratch) {
-    MEVALIDATE(isZero(scratch));
+    MEVALIDATE(areTrianglesZero(scratch));
     lock(frame);
     MEASSERT(frame->freeScratch != scratch && !scratch->next);
     scratch->next = frame->freeScratch;
