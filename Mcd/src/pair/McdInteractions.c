@@ -486,7 +486,7 @@ static MeBool areVelocitiesGood(const McdModelPair *p, const char *function) {
 }
 
 /* Calls a safe-time function within a stage, since the library's, too, may call the program's for parts. Not for two
- * convex models: workers may test these, and stages belong to one thread. */
+ * convex models: workers may test these, and a stage is not thread-safe. */
 static MeBool callSafeTime(const McdGridCell *cell, McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result) {
     const McdSafeTimeFn safeTime = cell->interactions.safeTimeFn;
     McdFramework *frame = mcd_record(p->model1)->frame;
