@@ -1,10 +1,10 @@
 /** @file MdtBcl.h
  *  The basic constraint library: joints, limits and contacts as rows for Kea (User Guide ch. 2, "BCL").
  *
- *  Each kind of constraint is one file with its equation, and one entry of a table: how many rows it has now, what
- *  they are, and what to note after the step. Bcl knows poses and velocities, not bodies or worlds, and allocates
- *  nothing. Mdt calls, for every constraint of a partition, `prepare` (which counts), then `fill`, then, with the
- *  poses of the step's end, `readBack`; and `errors` for poses in between, while Kea looks for the forces.
+ *  Each constraint type has a file, with its equation, and an entry in a table of functions (MdtBclType). Bcl reads
+ *  poses and velocities, does not know of bodies or worlds, and allocates no memory. In each step Mdt calls for every
+ *  constraint of a partition `prepare` (counts its rows), `fill` (writes them) and, with the poses at the end of the
+ *  step, `readBack` (stores what programs may query). In between, Kea's iterations call `errors` with trial poses.
  */
 #ifndef MDTBCL_H
 #define MDTBCL_H
@@ -13,62 +13,62 @@
 
 ME_BEGIN_C
 
-/** @name The most rows that a constraint of each kind has
+/** @name Maximal number of rows of each constraint type
  *  @{ */
 #define MdtBclGETMAXROWSBSJOINT   3
-#define MdtBclGETMAXROWSHINGE     8 /**< 5, one for the motor or the lock, one for each stop. */
-#define MdtBclGETMAXROWSPRISMATIC 8 /**< The same. */
-#define MdtBclGETMAXROWSCARWHEEL  8 /**< 3, steering, spring, two stops, the hinge motor. */
+#define MdtBclGETMAXROWSHINGE     8 /**< 5 of the joint, 1 for motor or lock, 1 for each stop. */
+#define MdtBclGETMAXROWSPRISMATIC 8 /**< As of a hinge. */
+#define MdtBclGETMAXROWSCARWHEEL  8 /**< 3 of the joint; 1 each for steering, suspension spring, hinge motor; 2 stops. */
 #define MdtBclGETMAXROWSCONTACT   3
 #define MdtBclGETMAXROWSFIXEDPATH 3
 #define MdtBclGETMAXROWSRPROJOINT 6
 #define MdtBclGETMAXROWSUNIVERSAL 4
-#define MdtBclGETMAXROWSSKELETAL  7 /**< 3, two for the swing, two for the twist. */
+#define MdtBclGETMAXROWSSKELETAL  7 /**< 3 of the joint, 2 for swing, 2 for twist. */
 #define MdtBclGETMAXROWSLINEAR1   1
 #define MdtBclGETMAXROWSLINEAR2   2
 #define MdtBclGETMAXROWSANGULAR3  3
 #define MdtBclGETMAXROWSSPRING6   6
-#define MdtBclGETMAXROWSSPRING    3 /**< 1; a motor and two stops where it is neither a rod nor a spring. */
+#define MdtBclGETMAXROWSSPRING    3 /**< 1 of a rod or a spring; else a motor and two stops. */
 #define MdtBclGETMAXROWSCONELIMIT 1
 #define MdtBclGETMAXROWSFPFOJOINT 6
 #define MdtBclGETMAXROWSUSER      12
 #define MdtBclGETMAXROWS          12 /**< of any constraint */
 /** @} */
 
-/** Where a constraint is attached to a body: in the frame of its centre of mass, or in the world's. */
+/** Attachment frame of a constraint, in the frame of a body (origin at its centre of mass), or of the world. */
 typedef struct MdtBclFrame {
     double position[3]; /**< m */
     double primary[3];  /**< unit */
     double ortho[3];    /**< unit, at right angles to primary */
 } MdtBclFrame;
 
-/** Angular3: MEINFINITY in either holds the orientation rigidly. */
+/** Angular3. MEINFINITY in stiffness or damping: the orientation is rigid. */
 typedef struct MdtBclAngular {
     MeReal stiffness; /**< N m/rad */
     MeReal damping;   /**< N m s/rad */
-    MeBool rotates;   /**< about the primary axis: Angular2 */
+    MeBool rotates;   /**< the bodies may rotate about the primary axis (Angular2) */
 } MdtBclAngular;
 
 /** FixedPath. */
 typedef struct MdtBclPath {
-    double velocity[2][3]; /**< m/s, of the attachments in their bodies' frames */
-    /* Kept by the library. */
-    double place[2][3]; /**< m, the attachments at the start of the step */
-    double start[3];    /**< m/s, how fast the two move apart as the part of the step begins */
-    double stepsize;    /**< s */
+    double velocity[2][3]; /**< m/s, of the attachment points relative to their bodies, in body frames */
+    /* Set by the library. */
+    double place[2][3]; /**< m, body frames, the attachment points at the start of the step */
+    double start[3];    /**< m/s, world: difference of both velocities at the start of the sub-step */
+    double stepsize;    /**< s, of the sub-step */
 } MdtBclPath;
 
 /** RPRO. */
 typedef struct MdtBclRelative {
-    double quaternion[4];         /**< w x y z, of frame 0 in frame 1 */
-    double velocity[3];           /**< rad/s, of that, in the axes of frame 1 */
-    MeReal linear[3], angular[3]; /**< N, N m, strengths, in the axes of frame 1 and of the wanted frame */
-    /* Kept by the library: the target quaternion at the start and the end of the part of the step, and the rotation
-     * between. */
+    double quaternion[4];         /**< w x y z, target orientation of frame 0 relative to frame 1 */
+    double velocity[3];           /**< rad/s, angular velocity of this target, in the axes of frame 1 */
+    MeReal linear[3], angular[3]; /**< N, N m, strengths along the axes of frame 1, about those of the target */
+    /* Set by the library: the target quaternion at the start and at the end of the sub-step, and the change of the
+     * angular rows' errors by the rotation of the target in between. */
     double now[4], then[4], rotation[3];
 } MdtBclRelative;
 
-/** What a distance is: see bcl_spring.c. */
+/** How a Spring constrains the distance (bcl_spring.c). */
 typedef enum MdtBclDistanceKind {
     MdtBclDistanceLimits = 0,
     MdtBclDistanceRod = 1,
@@ -81,8 +81,8 @@ typedef enum MdtBclDistanceKind {
 /** Spring. */
 typedef struct MdtBclDistance {
     MdtBclLimit limit;
-    MeBool lengthIsSet; /**< by the program; else both stops are where the bodies were attached */
-    /* Kept by the library. */
+    MeBool lengthIsSet; /**< the program has set the rest length; else it is the distance at attachment */
+    /* Set by the library. */
     double direction[3]; /**< unit, from the second attachment to the first */
     double length;       /**< m */
     MdtBclDistanceKind kind;
@@ -90,38 +90,38 @@ typedef struct MdtBclDistance {
 
 /** Spring6: three linear springs, then three angular ones. */
 typedef struct MdtBclSprings {
-    MeReal stiffness[6]; /**< N/m, N m/rad; MEINFINITY holds */
+    MeReal stiffness[6]; /**< N/m, N m/rad; MEINFINITY: rigid */
     MeReal damping[6];   /**< N s/m, N m s/rad */
 } MdtBclSprings;
 
 /** ConeLimit: the upper stop of the limit is the half angle. */
 typedef struct MdtBclCone {
     MdtBclLimit limit;
-    MeReal stiffness, damping; /**< N m/rad, N m s/rad; MEINFINITY in either is hard */
-    double normal[3];          /**< kept by the library: unit, about which the angle grows */
+    MeReal stiffness, damping; /**< N m/rad, N m s/rad; MEINFINITY in either: a hard stop */
+    double normal[3];          /**< set by the library: unit, world, axis of the rotation that increases the angle */
 } MdtBclCone;
 
 /** A velocity motor. */
 typedef struct MdtBclMotor {
     MeReal velocity; /**< rad/s */
-    MeReal force;    /**< N m, its bound, either way */
+    MeReal force;    /**< N m, its largest torque in either direction */
 } MdtBclMotor;
 
 /** CarWheel. */
 typedef struct MdtBclCarWheel {
     MdtBclMotor steering, rolling;
-    MeBool isLocked;             /**< the steering */
+    MeBool isLocked;             /**< the steering is locked */
     MeReal kp, kd;               /**< N/m, N s/m, of the suspension */
-    MeReal softness;             /**< 1/kg, of its stops */
-    MeReal low, high, reference; /**< m, heights of the wheel along the steering axis */
-    /* Read back. */
+    MeReal softness;             /**< 1/kg, compliance of the suspension's stops */
+    MeReal low, high, reference; /**< m, heights of the wheel along the steering axis: stops, unloaded spring */
+    /* Written by readBack. */
     double height, heightRate;          /**< m, m/s */
     double steeringAngle, steeringRate; /**< rad, rad/s */
     double hingeAngle, hingeRate;       /**< rad, rad/s */
-    /* Kept by the library. */
-    int rows;
-    double startAngle;   /**< rad, of the wheel about the steering axis, as the step begins */
-    double stopForce[2]; /**< N */
+    /* Set by the library. */
+    int rows;            /**< set of this step's rows (flags in bcl_carwheel.c) */
+    double startAngle;   /**< rad, of the wheel about the steering axis at the start of the step */
+    double stopForce[2]; /**< N, >= 0, of the lower and the upper stop in the last step */
 } MdtBclCarWheel;
 
 /** How the swing of a Skeletal is limited. */
@@ -132,7 +132,7 @@ typedef enum MdtSkeletalConeOption {
     MdtSkeletalConeOptionFixed = 3,
 } MdtSkeletalConeOption;
 
-/** How its twist is limited. */
+/** How the twist of a Skeletal is limited. */
 typedef enum MdtSkeletalTwistOption {
     MdtSkeletalTwistOptionFree = 0,
     MdtSkeletalTwistOptionLimited = 1,
@@ -145,14 +145,14 @@ typedef struct MdtBclSkeletal {
     MeReal coneStiffness, coneDamping, twistStiffness, twistDamping;
     MdtSkeletalConeOption coneOption;
     MdtSkeletalTwistOption twistOption;
-    /* Kept by the library. */
-    MdtBclLimit cone, turn;
-    double scale; /**< 1/rad, of the cone's coordinate as the step begins */
+    /* Set by the library. */
+    MdtBclLimit cone, turn; /**< of swing and twist */
+    double scale;           /**< 1/rad, |∇f| of the cone at the start of the step (bcl_skeletal.c) */
 } MdtBclSkeletal;
 
 struct MdtBclContext;
 
-/** The rows of a constraint that a program writes: see MdtBclAddRow. */
+/** The list of rows that a program's function adds to a user constraint (MdtBclAddRow). */
 struct MdtKeaConstraints {
     MdtKeaRow *rows;
     int numRows, maxRows;
@@ -162,16 +162,16 @@ struct MdtKeaConstraints {
 /** UserConstraint. */
 typedef struct MdtBclUser {
     MdtBclAddConstraintFn function; /**< null: no rows */
-    void *owner;                    /**< what the function is given as the constraint */
-    MdtKeaRow *rows;                /**< room for MdtBclGETMAXROWSUSER */
+    void *owner;                    /**< passed to the function as `constraint` */
+    MdtKeaRow *rows;                /**< capacity MdtBclGETMAXROWSUSER */
     int numRows;
 } MdtBclUser;
 
-/** What Bcl keeps of a constraint. */
+/** Bcl's data of a constraint. */
 typedef struct MdtBclConstraint {
     MdtBclJointType type;
     MdtBclFrame frame[2]; /**< by body */
-    MeBool isDegenerate;  /**< it stands where its rows lose their meaning (MdtBclType) */
+    MeBool isDegenerate;  /**< its rows are singular at the present poses (MdtBclType.degenerate) */
     union {
         MdtBclLimit limit; /**< hinge, prismatic */
         MdtBclAngular angular;
@@ -186,59 +186,58 @@ typedef struct MdtBclConstraint {
     } of;
 } MdtBclConstraint;
 
-/** A constraint's surroundings in one step. The world is a body at the origin that has no inverse mass; where the
- *  constraint was given a velocity of the world, that is its velocity. */
+/** The bodies and parameters of a constraint in one step. The world stands for a missing body: it is at the origin, has
+ *  inverse mass 0, and the velocity of the world if the constraint was given one. */
 typedef struct MdtBclContext {
     MdtBclSolverParameters parameters;
-    double elapsed;                            /**< s, of the step before this part of it; 0 if it is not divided */
+    double elapsed;                            /**< s, from the start of the step to that of this sub-step */
     MdtKeaBodyIndexPair body;                  /**< indices in Kea's system, or MdtBclNO_BODY */
     int firstRow;                              /**< index of the constraint's first row */
     MdtKeaBody *kea[2];                        /**< null: the world */
-    const MdtKeaTransformation *pose[2];       /**< now */
-    const MdtKeaVelocity *velocity[2];         /**< now */
-    const MdtKeaVelocity *predicted[2];        /**< at the end of the step, were there no constraints */
-    const MdtKeaInverseMassMatrix *invMass[2]; /**< now */
+    const MdtKeaTransformation *pose[2];       /**< present */
+    const MdtKeaVelocity *velocity[2];         /**< present */
+    const MdtKeaVelocity *predicted[2];        /**< at the end of the step without constraints */
+    const MdtKeaInverseMassMatrix *invMass[2]; /**< present */
 } MdtBclContext;
 
-/** What a kind of constraint can do. */
+/** The functions of a constraint type. */
 typedef struct MdtBclType {
     const char *name;
     int maxRows;
     /** Sets every property to its default. */
     void (*reset)(MdtBclConstraint *c);
-    /** Measures the joint, decides which rows are needed in this step, and returns how many. */
+    /** Measures the joint's coordinates and chooses the rows of this step. Returns their number. */
     int (*prepare)(MdtBclConstraint *c, const MdtBclContext *x);
     /** Writes exactly as many rows as prepare counted. */
     void (*fill)(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]);
-    /** The errors of the position rows were the bodies at these poses. Null where there are none. */
+    /** Writes the errors of the position rows with the bodies at these poses. Null for types without position rows. */
     void (*errors)(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double errors[]);
-    /** Notes what programs may ask for after the step; x holds the poses and velocities of its end. May be null. */
+    /** Stores what programs may query after the step; x has the poses and velocities at its end. May be null. */
     void (*readBack)(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]);
-    /** Told when bodies were attached, when an attachment was moved, when the axes of both sides were set, with the
-     *  poses that the bodies have then. Any may be null. */
+    /** Called after bodies were attached, after an attachment point was moved, and after the axes of both sides were
+     *  set, with the bodies' poses at that time. Any may be null. */
     void (*attached)(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]);
     void (*positioned)(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]);
     void (*axesSet)(MdtBclConstraint *c, const MdtBclFrame before[2], const MdtKeaTransformation *const pose[2]);
-    /** What is wrong where `prepare` finds the constraint degenerate, for the warning. */
+    /** Text of the warning that is given when `prepare` finds the constraint degenerate. */
     const char *degenerate;
 } MdtBclType;
 
-/** What the parameters of contacts say to Kea, which takes contacts as manifolds. */
+/** Converts contact parameters to the surface of a manifold, Kea's record of contacts. */
 MEPUBLIC void MEAPI MdtBclContactSurface(const MdtBclContactParams *params, MdtKeaSurface *surface);
 
-/** The table's entry, or null for a type that this library does not have. Contacts and contact groups have a name, and
- *  no functions. */
+/** The table entry of a constraint type; null for an unknown type. Those of contacts and contact groups have no
+ *  functions. */
 MEPUBLIC const MdtBclType *MEAPI MdtBclTypeOf(MdtBclJointType type);
 
 /**
- * The next row of a constraint that a program writes, to be called by its MdtBclAddConstraintFn. The row joins the
- * constraint's two bodies, has the world's epsilon, no bounds, and zeros: the program fills in J (body 0 and body 1,
- * rows of the world frame), target, and where it likes bounds, softness, or spring. Null, with a warning, when there is
- * no room.
+ * Appends a row to a user constraint; to be called by its MdtBclAddConstraintFn. The row joins the constraint's two
+ * bodies and has the world's epsilon, no bounds, and zeros elsewhere: the program sets J (of body 0 and body 1, in the
+ * world frame), target, and optionally bounds, softness, or spring. Null, with a warning, if the list is full or null.
  */
 MEPUBLIC MdtKeaRow *MEAPI MdtBclAddRow(MdtKeaConstraints *list);
 
-/** The pose, velocity and inverse mass of the world. */
+/** Pose (identity), velocity (0) and inverse mass (0) of the world. */
 extern MEPUBLIC const MdtKeaTransformation MdtBclWorldPose;
 extern MEPUBLIC const MdtKeaVelocity MdtBclWorldVelocity;
 extern MEPUBLIC const MdtKeaInverseMassMatrix MdtBclWorldInvMass;
@@ -250,7 +249,7 @@ MEPUBLIC void MEAPI MdtBclLimitReset(MdtBclLimit *limit);
 /** Sets contact parameters to their defaults (Dynamics guide ch. 3, the table after MdtContactParamsReset). */
 MEPUBLIC void MEAPI MdtBclContactParamsReset(MdtBclContactParams *params);
 
-/** Makes the twist that a Skeletal has at these poses its zero. */
+/** Sets the zero of a Skeletal's twist to its twist at these poses. */
 MEPUBLIC void MEAPI MdtBclSkeletalZeroTwist(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]);
 
 ME_END_C

@@ -1,11 +1,11 @@
 /* Angular3: the bodies keep their relative orientation and may translate freely (Dynamics guide ch. 3, "MdtAngular3").
  *
- * Three rows of the relative orientation of the frames (bcl_turnRows). With rotation enabled (Angular2) the two rows of
- * a hinge that keep the primary axes parallel.
+ * The joint has three rows, of the relative orientation of the frames (bcl_turnRows); with rotation enabled (Angular2)
+ * the two rows of a hinge that keep the primary axes parallel.
  *
- * With finite stiffness and damping it is a damped spring instead, whose torque on body 0 is -k θ n - c ω however large
- * the angle is: θ n is the rotation vector between the frames, or, with the rotation enabled, between the primary axes.
- * It has a row for each axis of a frame, and the rotation vector's components there as errors.
+ * With finite stiffness and damping the joint is a damped spring, whose torque on body 0 is -k θ n - c ω at any angle:
+ * θ n is the rotation vector between the frames, or, with rotation enabled, between the primary axes. The spring has a
+ * row about each axis of frame 0, or about those across its primary axis; their errors are the vector's components.
  */
 #include "bcl_i.h"
 
@@ -16,7 +16,7 @@ static void reset(MdtBclConstraint *c) {
 
 /* The relative orientation to be kept is the one at the time of attachment. */
 static void attached(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
-    bcl_matchAxes(c, pose);
+    bcl_matchFrame1Axes(c, pose);
 }
 
 /* Setting axes later changes the axis of rotation, not the relative orientation to be kept: frame 1 is turned within
@@ -34,7 +34,7 @@ static void axesSet(MdtBclConstraint *c, const MdtBclFrame before[2], const MdtK
     }
 }
 
-static int countOf(const MdtBclConstraint *c) {
+static int countRows(const MdtBclConstraint *c) {
     return c->of.angular.rotates ? 2 : 3;
 }
 
@@ -42,7 +42,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     double turn[4];
     bcl_turnBetween(turn, c, x->pose, NULL);
     c->isDegenerate = !c->of.angular.rotates && bcl_isHalfATurn(turn);
-    return countOf(c);
+    return countRows(c);
 }
 
 static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
@@ -52,9 +52,9 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
         bcl_turnErrors(c, pose, NULL, e);
 }
 
-/* The rotation vector from the primary axis of frame 1 to that of frame 0, in the axes of frame 0: its first component
- * is 0. For opposite axes, where its direction is undefined, it is 0. */
-static void leaning(double axes[3][3], const double to[3], double rotation[3]) {
+/* The rotation vector from the primary axis `to` of frame 1 to that of frame 0, in the axes of frame 0: its first
+ * component is 0. For opposite axes, where its direction is undefined, it is 0. */
+static void primaryAxisRotation(double axes[3][3], const double to[3], double rotation[3]) {
     const double y = keaDot(axes[1], to), z = keaDot(axes[2], to), sine = keaHypotenuse(y, z);
     const double scale = sine > 0 ? atan2(sine, keaDot(axes[0], to)) / sine : 0;
     rotation[0] = 0;
@@ -68,12 +68,12 @@ static void fillSprings(const MdtBclConstraint *c, const MdtBclContext *x, MdtKe
     bcl_axes(axes, c, 0, x->pose[0]);
     if (joint->rotates) {
         keaApply(to, x->pose[1]->R, c->frame[1].primary);
-        leaning(axes, to, rotation);
+        primaryAxisRotation(axes, to, rotation);
     } else {
         bcl_turnBetween(turn, c, x->pose, NULL);
         bcl_rotationVector(turn, rotation);
     }
-    const int count = countOf(c), first = 3 - count;
+    const int count = countRows(c), first = 3 - count;
     for (int i = 0; i < count; i++) {
         bcl_spinRow(x, axes[first + i], &rows[i]);
         bcl_makeSpring(&rows[i], rotation[first + i], joint->stiffness, joint->damping);

@@ -1,4 +1,4 @@
-/* Parts of joints that constrain directions: parallel axes, orthogonal axes, relative orientations. */
+/* Building blocks of joints: rows of parallel axes, orthogonal axes and relative orientations. */
 #include "bcl_i.h"
 
 void bcl_axes(double axes[3][3], const MdtBclConstraint *c, int k, const MdtKeaTransformation *pose) {
@@ -66,7 +66,7 @@ MeBool bcl_isHalfATurn(const double turn[4]) {
 
 void bcl_rotationVector(const double turn[4], double rotation[3]) {
     const double sine = keaLength(turn + 1);
-    MEASSERT(turn[0] >= 0); /* the shorter way round */
+    MEASSERT(turn[0] >= 0); /* the shorter of both rotations */
     keaScale(rotation, sine > 0 ? 2 * atan2(sine, turn[0]) / sine : 2, turn + 1);
 }
 
@@ -77,7 +77,7 @@ void bcl_turnErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const
     keaScale(errors, 2, turn + 1);
 }
 
-/* The axes of the target frame, which is fixed in body 1. */
+/* The axes of the target frame in the world: frame 1 turned by q. */
 static void targetAxes(double axes[3][3], const MdtBclConstraint *c, const MdtKeaTransformation *pose,
                        const double q[4]) {
     double frame[3][3], R[3][3];
@@ -116,7 +116,7 @@ void bcl_turnRows(const MdtBclConstraint *c, const MdtBclContext *x, const doubl
     MEVALIDATE(bcl_areRows(rows, 3));
 }
 
-void bcl_matchAxes(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
+void bcl_matchFrame1Axes(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
     double axis[3];
     keaApply(axis, pose[0]->R, c->frame[0].primary);
     keaApplyTransposed(c->frame[1].primary, pose[1]->R, axis);

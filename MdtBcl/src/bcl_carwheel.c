@@ -6,12 +6,13 @@
  *     φ_1,2 = o·d, t·d     the wheel's centre stays on the line through the attachment along s
  *     φ_3 = s·h            the two axes stay at right angles
  *     locked: φ_4 = t·h    the wheel does not steer; else the steering motor's row
- *     steering: the wheel's angle ψ about s, dψ/dt = (s - (s·h) h)·(ω_1 - ω_0) / (1 - (s·h)²). The motor's row is met
- *                          where the wheel arrives: a rolling wheel turns so far in a step that its rate does not tell
+ *     steering: the wheel's angle ψ about s, dψ/dt = (s - (s·h) h)·(ω_1 - ω_0) / (1 - (s·h)²). The motor's row is a
+ *                          position row of ψ at the end of the step: a wheel rolls so far in a step that a rate at one
+ *                          pose does not determine the change of ψ
  *     suspension: a damped spring of the height s·d, and one-sided rows at its stops
  *     the hinge motor's row
- * The steering angle is that of the chassis against the wheel, -angle(o, h) about s, as hinges count theirs (body 0
- * against body 1); motors drive the wheel against the chassis.
+ * The steering angle that is read back is -angle(o, h) about s: that of the chassis relative to the wheel, as of hinges
+ * (body 0 relative to body 1). Motors drive the wheel relative to the chassis.
  */
 #include "bcl_i.h"
 #include <string.h>
@@ -47,24 +48,25 @@ static double wheelAngle(const Axes *a) {
     return atan2(keaDot(a->t, a->h), keaDot(a->o, a->h));
 }
 
-/* The row of d·direction, fixed in the chassis: its rate is that of the wheel relative to the chassis. */
+/* The row of d·direction, with the direction fixed in the chassis: the wheel's displacement relative to the chassis. */
 static void wheelRow(const MdtBclConstraint *c, const MdtBclContext *x, const double direction[3], MdtKeaRow *row) {
     bcl_alongRow(c, x, direction, 0, row);
     bcl_negate(row);
 }
 
 /* The row of the wheel's rotation relative to the chassis about a world axis. */
-static void spinRow(const MdtBclContext *x, const double axis[3], MdtKeaRow *row) {
+static void wheelSpinRow(const MdtBclContext *x, const double axis[3], MdtKeaRow *row) {
     bcl_startRow(row, x);
     keaCopy(row->J[1].ang, axis);
     keaScale(row->J[0].ang, -1, axis);
 }
 
+/* Whether a stop gets a row in this step: z is the distance to it, m, and rate the smallest predicted rate of z. */
 static MeBool isNearStop(const MdtBclCarWheel *w, int side, double z, double rate, double h) {
     return z <= 0 || w->stopForce[side] > 0 || z + 2 * h * rate < 0;
 }
 
-/* The set of rows of this step (STEER .. ROLL). */
+/* The set of this step's rows (flags STEER to ROLL). */
 static int chooseRows(const MdtBclConstraint *c, const MdtBclContext *x, const Axes *a) {
     const MdtBclCarWheel *w = &c->of.wheel;
     MdtKeaRow along;
@@ -127,15 +129,15 @@ static void steeringRow(const MdtBclConstraint *c, const MdtBclContext *x, const
         double axis[3];
         keaScale(axis, 1 / size, a->s);
         keaAddScaled(axis, -slant / size, a->h);
-        spinRow(x, axis, row);
+        wheelSpinRow(x, axis, row);
         bcl_makeMotor(row, c->of.wheel.steering.velocity, c->of.wheel.steering.force);
         row->drift = row->target;
         row->position = !c->isDegenerate;
     }
 }
 
-/* A stop of the suspension, a one-sided position row of the distance to it; the guide's limit_softness is a compliance
- * as a contact's. */
+/* A stop of the suspension: a one-sided position row of the distance to the stop. The guide's limit_softness is added
+ * to epsilon, as the softness of a contact is. */
 static void stopRow(const MdtBclConstraint *c, const MdtBclContext *x, const Axes *a, int side, MdtKeaRow *row) {
     const MdtBclCarWheel *w = &c->of.wheel;
     const double height = keaDot(a->s, a->d), h = x->parameters.stepsize;
@@ -170,14 +172,14 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
         if (w->rows & (side == 0 ? LOW : HIGH))
             stopRow(c, x, &a, side, rows++);
     if (w->rows & ROLL) {
-        spinRow(x, a.h, rows);
+        wheelSpinRow(x, a.h, rows);
         bcl_makeMotor(rows++, w->rolling.velocity, w->rolling.force);
     }
     MEASSERT(rows - first == countRows(w));
     MEVALIDATE(bcl_areRows(first, countRows(w)));
 }
 
-static void readStops(MdtBclCarWheel *w, const MdtKeaRow rows[]) {
+static void readStopForces(MdtBclCarWheel *w, const MdtKeaRow rows[]) {
     rows += 3 + ((w->rows & (STEER | LOCK)) != 0) + ((w->rows & SUSPEND) != 0);
     w->stopForce[0] = w->rows & LOW ? (rows++)->force : 0;
     w->stopForce[1] = w->rows & HIGH ? rows->force : 0;
@@ -190,14 +192,14 @@ static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRo
     MdtKeaRow row;
     double spoke[3];
     axesOf(c, x->pose, &a);
-    readStops(w, rows);
+    readStopForces(w, rows);
     wheelRow(c, x, a.s, &row);
     w->height = keaDot(a.s, a.d);
     w->heightRate = bcl_rate(&row, x->velocity);
-    spinRow(x, a.s, &row);
+    wheelSpinRow(x, a.s, &row);
     w->steeringAngle = -wheelAngle(&a);
     w->steeringRate = -bcl_rate(&row, x->velocity);
-    spinRow(x, a.h, &row);
+    wheelSpinRow(x, a.h, &row);
     keaApply(spoke, x->pose[1]->R, c->frame[1].primary);
     w->hingeAngle = acos(fmax(-1, fmin(1, keaDot(spoke, a.s))));
     w->hingeRate = bcl_rate(&row, x->velocity);

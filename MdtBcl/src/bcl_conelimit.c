@@ -2,9 +2,9 @@
  *
  *     θ = angle(a_0, a_1),   dθ/dt = m·(ω_1 - ω_0),   m = a_0 x a_1 / |a_0 x a_1|.
  *
- * θ is the coordinate of a limit with an upper stop only, without restitution. m changes with the axes, so that a hard
- * stop is a position row, met at the end of the step. Where the axes are parallel m is undefined, and the last one is
- * kept.
+ * θ is the coordinate of a limit with an upper stop only, without restitution. Since m changes with the axes, a hard
+ * stop is a position row, which constrains θ at the end of the step. Where the axes are parallel m is undefined, and
+ * its last value is used.
  */
 #include "bcl_i.h"
 #include <string.h>
@@ -22,7 +22,7 @@ static void reset(MdtBclConstraint *c) {
     cone->normal[1] = 1;
 }
 
-static double measure(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double across[3]) {
+static double measureAngle(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double across[3]) {
     double a0[3], a1[3];
     keaApply(a0, pose[0]->R, c->frame[0].primary);
     keaApply(a1, pose[1]->R, c->frame[1].primary);
@@ -33,7 +33,7 @@ static double measure(const MdtBclConstraint *c, const MdtKeaTransformation *con
 static void angleRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow *row) {
     double across[3];
     bcl_startRow(row, x);
-    measure(c, x->pose, across);
+    measureAngle(c, x->pose, across);
     const double sine = keaLength(across);
     if (sine > BCL_PARALLEL)
         keaScale(row->J[1].ang, 1 / sine, across);
@@ -57,11 +57,11 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
         cone->limit.rows = 0;
         return 0;
     }
-    const double angle = measure(c, x->pose, across), sine = keaLength(across);
+    const double angle = measureAngle(c, x->pose, across), sine = keaLength(across);
     const MeBool hasPlane = sine > BCL_PARALLEL;
     if (hasPlane)
         keaScale(cone->normal, 1 / sine, across);
-    if (!hasPlane && angle < (double)cone->limit.limit[1].stop) { /* in the middle of the cone: no row */
+    if (!hasPlane && angle < (double)cone->limit.limit[1].stop) { /* a_1 is in the middle of the cone: no row */
         c->isDegenerate = MEFALSE;
         cone->limit.rows = 0;
         return 0;
@@ -76,7 +76,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
 static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
     double across[3];
     if (c->of.cone.limit.rows)
-        bcl_limitErrors(&c->of.cone.limit, measure(c, pose, across), e);
+        bcl_limitErrors(&c->of.cone.limit, measureAngle(c, pose, across), e);
 }
 
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
@@ -91,7 +91,7 @@ static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRo
     if (c->of.cone.limit.limit[1].stop >= ME_PI)
         return;
     angleRow(c, x, &row);
-    bcl_limitReadBack(&c->of.cone.limit, measure(c, x->pose, across), bcl_rate(&row, x->velocity), rows);
+    bcl_limitReadBack(&c->of.cone.limit, measureAngle(c, x->pose, across), bcl_rate(&row, x->velocity), rows);
 }
 
 const MdtBclType bcl_coneLimit = {.name = "ConeLimit",

@@ -1,5 +1,5 @@
-/* Contact: its parameters (Dynamics guide ch. 3, "MdtContactParams") as Kea's MdtKeaSurface. Its rows are made by Kea
- * (kea_contact.c). */
+/* Contact: converts contact parameters (Dynamics guide ch. 3, "MdtContactParams") to Kea's MdtKeaSurface. Kea makes the
+ * rows of contacts (kea_contact.c). */
 #include "bcl_i.h"
 #include <string.h>
 

@@ -21,7 +21,7 @@ static void pathVelocity(const MdtBclConstraint *c, const MdtKeaTransformation *
     keaSubtract(u, u, other);
 }
 
-/* The program sets the attachments for the start of the step; in a later part of the step they are moved on by u. */
+/* The program sets the attachment points at the start of the step; for later sub-steps they are advanced by u. */
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     MdtBclPath *path = &c->of.path;
     for (int k = 0; k < 2; k++) {
@@ -36,7 +36,8 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     return 3;
 }
 
-/* φ at the end of the step, less what the targets have of the attachments' displacement: the change of R u remains. */
+/* φ at these poses with the attachment points advanced by h u, less h (R_0 u_0 - R_1 u_1) of the start, which is in the
+ * targets already: of the displacement, h times the change of R_0 u_0 - R_1 u_1 remains. */
 static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
     double u[3];
     pathVelocity(c, pose, u);

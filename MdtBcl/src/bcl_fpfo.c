@@ -10,8 +10,8 @@ static void reset(MdtBclConstraint *c) {
 
 /* Keeps the relative pose that the bodies had when they were attached. */
 static void attached(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
-    bcl_matchAxes(c, pose);
-    bcl_matchPositions(c, pose);
+    bcl_matchFrame1Axes(c, pose);
+    bcl_matchFrame1Position(c, pose);
 }
 
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {

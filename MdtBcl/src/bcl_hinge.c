@@ -5,7 +5,7 @@
  *
  * with u_0, v_0 and a_0 = u_0 x v_0 fixed in body 0.
  *
- * The angle is that of body 0 against body 1, positive about the axis by the right-hand rule:
+ * The angle is that of body 0 relative to body 1, positive about the axis by the right-hand rule:
  *     θ = atan2(u_0 · (a_1 x u_1), u_0 · u_1),   dθ/dt = a·(ω_0 - ω_1),   full turns counted by the limit.
  */
 #include "bcl_i.h"
@@ -23,8 +23,8 @@ static void angleRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRo
     keaScale(row->J[1].ang, -1, row->J[0].ang);
 }
 
-/* rad: the angle, with full turns counted from the last measured one; `turned`: the expected change since then. */
-static double measure(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double turned) {
+/* rad: the angle with full turns, which are counted from the last measured angle. turned: the expected change since. */
+static double measureAngle(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double turned) {
     double u0[3], u1[3], a1[3], across[3];
     keaApply(u0, pose[0]->R, c->frame[0].ortho);
     keaApply(u1, pose[1]->R, c->frame[1].ortho);
@@ -40,7 +40,7 @@ static double measure(const MdtBclConstraint *c, const MdtKeaTransformation *con
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     MdtKeaRow row;
     angleRow(c, x, &row);
-    const double angle = bcl_limitIsMeasured(&c->of.limit) ? measure(c, x->pose, 0) : 0;
+    const double angle = bcl_limitIsMeasured(&c->of.limit) ? measureAngle(c, x->pose, 0) : 0;
     return 5 + bcl_limitPrepare(&c->of.limit, x, &row, angle);
 }
 
@@ -48,7 +48,7 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
     bcl_pointErrors(c, pose, e);
     bcl_alignErrors(c, pose, e + 3);
     if (c->of.limit.rows)
-        bcl_limitErrors(&c->of.limit, measure(c, pose, 0), e + 5);
+        bcl_limitErrors(&c->of.limit, measureAngle(c, pose, 0), e + 5);
 }
 
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
@@ -67,7 +67,8 @@ static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRo
     }
     angleRow(c, x, &row);
     const double rate = bcl_rate(&row, x->velocity);
-    bcl_limitReadBack(&c->of.limit, measure(c, x->pose, 2 * atan(0.5 * rate * x->parameters.stepsize)), rate, rows + 5);
+    bcl_limitReadBack(&c->of.limit, measureAngle(c, x->pose, 2 * atan(0.5 * rate * x->parameters.stepsize)), rate,
+                      rows + 5);
 }
 
 const MdtBclType bcl_hinge = {.name = "Hinge",

@@ -1,4 +1,4 @@
-/* Inside Bcl: rows, errors and limits that several joints are made of. */
+/* Inside Bcl: the building blocks of joints, which are rows, errors and limits. */
 #ifndef BCL_I_H
 #define BCL_I_H
 
@@ -11,101 +11,104 @@ extern const MdtBclType bcl_bsJoint, bcl_hinge, bcl_prismatic, bcl_carWheel, bcl
     bcl_fixedPath, bcl_rproJoint, bcl_universal, bcl_skeletal, bcl_linear1, bcl_linear2, bcl_angular3, bcl_spring6,
     bcl_spring, bcl_coneLimit, bcl_user, bcl_fpfoJoint;
 
-/* Axes whose angle has a smaller sine count as parallel: their cross product has no direction. */
+/* Sine of the angle below which two axes count as parallel: their cross product has no direction. */
 #define BCL_PARALLEL 1e-6
 
-/* Attachment frames at the bodies' centres, primary axis x, second axis y. */
+/* Sets both attachment frames to the bodies' centres of mass, with primary axis x and second axis y. */
 void bcl_resetFrames(MdtBclConstraint *c);
 
-/* A row between the constraint's bodies without Jacobian or target: two-sided, softness ε. */
+/* Initializes a row between the constraint's bodies: two-sided, with softness ε, Jacobian and target 0. */
 void bcl_startRow(MdtKeaRow *row, const MdtBclContext *x);
 
-/* Makes a row a position row: its target s = -γ φ / h corrects the part γ of the error φ (Baumgarte), met at the step's
- * end. */
+/* Makes a row a position row, which constrains φ at the end of the step: its target s = -γ φ / h removes the fraction γ
+ * of the error φ (Baumgarte). */
 void bcl_aimAtZero(MdtKeaRow *row, const MdtBclContext *x, double error);
 
-/* Invariants of rows, for any values that a program writes into public parameters (which may make errors and targets
- * infinite): Jacobians are finite, bounds leave room for a force, no compliance, spring or friction feeds energy. */
+/* Checks invariants of rows: Jacobians are finite, lower <= upper, and no compliance, stiffness, damping or friction
+ * coefficient is negative. Errors and targets are not checked: public parameters of a program may make them
+ * infinite. */
 MeBool bcl_areRows(const MdtKeaRow rows[], int count);
 
-/* Invariants of the setters: a vector has length 1; a frame's two axes have, and are orthogonal. */
+/* Check what setters guarantee: d has length 1; the axes of a frame have length 1 and are orthogonal. */
 MeBool bcl_isUnit(const double d[3]);
 MeBool bcl_isFrame(const MdtBclFrame *frame);
 
-/* The rate J v of a row with the given velocities. */
+/* The rate J v of a row at the given velocities. */
 double bcl_rate(const MdtKeaRow *row, const MdtKeaVelocity *const velocity[2]);
 
 /* Makes a row a damped spring with this error. */
 void bcl_makeSpring(MdtKeaRow *row, double error, double stiffness, double damping);
 
-/* Makes a row a motor, or a brake: J v = velocity with |λ| <= force. Without ε: on a velocity row it would act as
- * viscosity, and a brake would creep under load. */
+/* Makes a row a motor, or a brake: J v = velocity with |λ| <= force. Its softness is 0, since ε on a velocity row acts
+ * as viscosity: a brake would creep under load. */
 void bcl_makeMotor(MdtKeaRow *row, MeReal velocity, MeReal force);
 
-/* Whether stiffness and damping describe a spring: infinite ones mean a rigid joint or a hard stop. */
+/* Whether both are finite: a spring. Otherwise the joint is rigid, or the stop hard. */
 MeBool bcl_isSpring(MeReal stiffness, MeReal damping);
 
 /* Negates the Jacobian of a row. */
 void bcl_negate(MdtKeaRow *row);
 
-/* N: a bound as a program may have written it: HUGE_VAL for MEINFINITY, 0 for negative numbers and NaN. */
+/* N: converts a bound that a program has set: HUGE_VAL for MEINFINITY, 0 for negative numbers and NaN. */
 double bcl_boundOf(MeReal value);
 
-/* The vector from a body's centre to its attachment, and the attachment itself, in the world frame. */
+/* The vector from the centre of mass of body k to its attachment point, and this point, in the world frame. */
 void bcl_arm(double arm[3], const MdtBclConstraint *c, int k, const MdtKeaTransformation *pose);
 void bcl_attachment(double point[3], const MdtBclConstraint *c, int k, const MdtKeaTransformation *pose);
 
-/* Three rows that hold the two attachments together, and their errors. */
+/* Three rows that keep the two attachment points coincident, and their errors. */
 void bcl_pointRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[3]);
 void bcl_pointErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double errors[3]);
 
-/* The row of d·(P_0 - P_1), P the attachments, d a world direction fixed in the body of side `carrier`; NO_CARRIER: the
- * row of the distance, where d is its direction. */
+/* The row of d·(P_0 - P_1), P the attachment points, d a world direction fixed in body `carrier` (0 or 1). NO_CARRIER:
+ * the row of the distance |P_0 - P_1|, whose direction is d. */
 enum { NO_CARRIER = -1 };
 void bcl_alongRow(const MdtBclConstraint *c, const MdtBclContext *x, const double d[3], int carrier, MdtKeaRow *row);
 
-/* d = P_0 - P_1, P the attachments, m, world. */
+/* d = P_0 - P_1, P the attachment points, m, world. */
 void bcl_separation(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double d[3]);
 
 /* A frame's axes in the world frame: primary, ortho, and their cross product. */
 void bcl_axes(double axes[3][3], const MdtBclConstraint *c, int k, const MdtKeaTransformation *pose);
 
-/* The row of a·b, a fixed in the body of side 0 and b in that of side 1 (world frame). */
+/* The row of a·b, with a fixed in body 0 and b in body 1 (world frame). */
 void bcl_dotRow(const MdtBclContext *x, const double a[3], const double b[3], MdtKeaRow *row);
 
-/* The row of body 0 turning against body 1 about a world axis. */
+/* The row of the angular velocity of body 0 relative to body 1 about a world axis. */
 void bcl_spinRow(const MdtBclContext *x, const double axis[3], MdtKeaRow *row);
 
-/* The rotation vector, rad, of a unit quaternion with w >= 0; it has the same coordinates in both frames. */
+/* The rotation vector, rad, of a unit quaternion with w >= 0. Its coordinates in both frames are equal. */
 void bcl_rotationVector(const double turn[4], double rotation[3]);
 
-/* Two rows that hold the primary axis of side 1 along that of side 0, and their errors. */
+/* Two rows that keep the primary axis of frame 1 parallel to that of frame 0, and their errors. */
 void bcl_alignRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[2]);
 void bcl_alignErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double errors[2]);
 
 /* The orientation of frame 0 relative to a target frame, which is frame 1 turned by q (null: frame 1), as a quaternion
- * with w >= 0. bcl_turnRows: three rows that hold twice its vector part at 0, in the axes of the target frame;
+ * with w >= 0. bcl_turnRows: three rows that constrain twice its vector part to 0, in the axes of the target frame;
  * bcl_turnErrors: their errors. */
 void bcl_turnBetween(double turn[4], const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2],
                      const double q[4]);
-/* Whether the turn is within 0.1 degrees of half a turn, where the rows are singular. */
+/* Whether this rotation is within 0.1 degrees of half a turn, where those rows are singular. */
 MeBool bcl_isHalfATurn(const double turn[4]);
 void bcl_turnRows(const MdtBclConstraint *c, const MdtBclContext *x, const double q[4], MdtKeaRow rows[3]);
 void bcl_turnErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], const double q[4],
                     double errors[3]);
 
 /* Sets the axes, or the position, of frame 1 so that it coincides with frame 0 at these poses. */
-void bcl_matchAxes(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]);
-void bcl_matchPositions(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]);
+void bcl_matchFrame1Axes(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]);
+void bcl_matchFrame1Position(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]);
 
-/* Limit and motor of a coordinate with the rate J v, J that of the row `coordinate`. bcl_limitPrepare takes the present
- * value of the coordinate (without offset) and returns the number of rows; bcl_limitFill writes them. */
+/* Limit and motor of a coordinate: `coordinate` is a row with the coordinate's J, so that its rate is J v; `measured`
+ * is its present value without offset. bcl_limitPrepare chooses the rows and returns their number; bcl_limitFill writes
+ * them; bcl_limitReadBack stores position, rate and stop forces after the step. bcl_limitIsMeasured: whether the limit
+ * needs the value. */
 int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow *coordinate, double measured);
 void bcl_limitFill(const MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow *coordinate, MdtKeaRow rows[]);
 void bcl_limitReadBack(MdtBclLimit *limit, double measured, double rate, const MdtKeaRow rows[]);
 MeBool bcl_limitIsMeasured(const MdtBclLimit *limit);
 
-/* Writes the errors of the limit's rows for a value of the coordinate (without offset). Returns the number of rows. */
+/* Writes the errors of the limit's rows at a value of the coordinate (without offset). Returns the number of rows. */
 int bcl_limitErrors(const MdtBclLimit *limit, double measured, double errors[]);
 
 #endif

@@ -2,15 +2,15 @@
  *
  * For a stop let z be the distance to it (negative: beyond it), J v its rate, and λ >= 0 the force that increases z.
  *   hard:  J v⁺ >= -z/h while z > 0 (speculative: the stop may be reached, not passed), >= -γ z/h beyond, and >= -e J v
- *          when e > 0 and the stop is hit faster than the acceleration of one step explains (a load at rest on the stop
- *          would rattle otherwise). The rebound is in the step that would pass the stop: at its end the stop is
- *          reached, and the velocity is e times that of the approach.
+ *          when e > 0 and the stop is hit faster than the acceleration of one step explains (else a load at rest on the
+ *          stop would rattle). The rebound occurs in the step that would pass the stop: at its end the stop is reached,
+ *          and the velocity is e times that of the approach.
  *   soft:  beyond the stop a damped spring that only pushes, λ = -kp z - kd J v >= 0. The row is added, without
  *          damping, in the step in which the stop is reached, so that the spring acts from first contact.
  * The motor is a velocity row J v⁺ = desired velocity with |λ| <= fmax, without ε, so that a brake holds. If it tracks,
- * it is a position row of the coordinate q, q⁺ - q = h x desired velocity: an error due to the bound of the force is
- * not made up for later. The lock, which replaces the motor, is the row of a joint, J v⁺ = -γ (position - lock) / h
- * with |λ| <= lockForce.
+ * it is a position row of the coordinate q, q⁺ - q = h x desired velocity: displacement that is lost while the force is
+ * at its bound is not made up for later. The lock, which replaces the motor, is the row of a joint,
+ * J v⁺ = -γ (position - lock) / h with |λ| <= lockForce.
  */
 #include "bcl_i.h"
 #include <string.h>
@@ -49,24 +49,24 @@ static MeBool isHard(const MdtBclLimit *limit, int side) {
     return stiffness >= MEINFINITY || stiffness > limit->stiffnessThreshold;
 }
 
-static double distanceFrom(const MdtBclLimit *limit, int side, double measured) {
+static double distanceToStopAt(const MdtBclLimit *limit, int side, double measured) {
     const double position = measured + (double)limit->offset, stop = limit->limit[side].stop;
     return side == 0 ? position - stop : stop - position;
 }
 
 static double distanceToStop(const MdtBclLimit *limit, int side) {
-    return distanceFrom(limit, side, limit->measured);
+    return distanceToStopAt(limit, side, limit->measured);
 }
 
-/* The least rate of z in this step: of the present rate, the one predicted without constraints, and the motor's
- * velocity. */
+/* The smallest rate of z in this step: of its present rate, its rate predicted without constraints and, if the motor
+ * runs, the motor's velocity. */
 static double minRate(const MdtBclLimit *limit, int side, double rate, double predicted) {
     const double sign = side == 0 ? 1 : -1, slowest = fmin(sign * rate, sign * predicted);
     return limit->rows & MOTOR ? fmin(slowest, sign * (double)limit->desired_vel) : slowest;
 }
 
 /* rad/s: an upper estimate of the angular velocity that an impact in this step can give a body: its speed over its
- * least radius of gyration, sqrt(moment / mass). */
+ * smallest radius of gyration, sqrt(moment / mass). */
 static double spinAfterImpact(const MdtBclContext *x) {
     double max = 0;
     for (int k = 0; k < 2; k++) {
@@ -83,9 +83,9 @@ static MeBool isAngle(const MdtKeaRow *coordinate) {
     return keaDot(J[0].lin, J[0].lin) + keaDot(J[1].lin, J[1].lin) == 0;
 }
 
-/* Whether the stop gets a row in this step: if twice the predicted displacement would pass it, which allows for other
- * constraints; of an angle, if an impact could turn it that far; or if it carried a force in the last step, so that a
- * load at rest on it does not rattle. */
+/* Whether a stop gets a row in this step: if twice the predicted displacement would pass it, which allows for other
+ * constraints; if it limits an angle, which an impact could turn that far (impactSpin); or if it carried a force in the
+ * last step, so that a load at rest on it does not rattle. */
 static MeBool isWithinReach(const MdtBclLimit *limit, int side, double rate, double predicted, double impactSpin,
                             double h) {
     const MdtBclSingleLimit *stop = &limit->limit[side];
@@ -104,7 +104,7 @@ int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow
     limit->isMeasured = METRUE;
     const double rate = bcl_rate(coordinate, x->velocity), predicted = bcl_rate(coordinate, x->predicted);
     const double impactSpin = x->parameters.hasContacts && isAngle(coordinate) ? spinAfterImpact(x) : 0;
-    if (!isfinite(measured + rate + predicted)) /* beyond the numbers: the step is not taken */
+    if (!isfinite(measured + rate + predicted)) /* overflow: the step will not be committed */
         return 0;
     int count = 0;
     if (limit->bLocked || (limit->bPowered && limit->fmax > 0)) {
@@ -137,7 +137,7 @@ static void motorRow(const MdtBclLimit *limit, MdtKeaRow *row) {
     row->position = METRUE;
 }
 
-static void hardStop(const MdtBclSingleLimit *stop, const MdtBclContext *x, MdtKeaRow *row) {
+static void makeHardStop(const MdtBclSingleLimit *stop, const MdtBclContext *x, MdtKeaRow *row) {
     const double h = x->parameters.stepsize, z = row->error;
     row->target = z > 0 ? -z / h : -x->parameters.gamma * z / h;
     row->position = METRUE;
@@ -150,13 +150,13 @@ static void stopRow(const MdtBclLimit *limit, int side, const MdtBclContext *x, 
     if (side == 1)
         bcl_negate(row);
     if (isHard(limit, side))
-        hardStop(&limit->limit[side], x, row);
+        makeHardStop(&limit->limit[side], x, row);
     else
         bcl_makeSpring(row, row->error, limit->limit[side].stiffness,
                        row->error > 0 ? 0 : (double)limit->limit[side].damping);
 }
 
-/* The number of rows that bcl_limitPrepare chose. */
+/* The number of rows that bcl_limitPrepare has chosen. */
 static int countRows(const MdtBclLimit *limit) {
     return ((limit->rows & (MOTOR | LOCK)) != 0) + ((limit->rows & LOWER) != 0) + ((limit->rows & UPPER) != 0);
 }
@@ -190,7 +190,7 @@ int bcl_limitErrors(const MdtBclLimit *limit, double measured, double errors[]) 
         n++;
     for (int side = 0; side < 2; side++)
         if (limit->rows & (side == 0 ? LOWER : UPPER))
-            errors[n++] = distanceFrom(limit, side, measured);
+            errors[n++] = distanceToStopAt(limit, side, measured);
     MEASSERT(n == countRows(limit));
     return n;
 }
@@ -204,5 +204,5 @@ void bcl_limitReadBack(MdtBclLimit *limit, double measured, double rate, const M
         rows++;
     limit->stopForce[0] = limit->rows & LOWER ? (rows++)->force : 0;
     limit->stopForce[1] = limit->rows & UPPER ? rows->force : 0;
-    MEASSERT(limit->stopForce[0] >= 0 && limit->stopForce[1] >= 0); /* stops push */
+    MEASSERT(limit->stopForce[0] >= 0 && limit->stopForce[1] >= 0); /* stops only push */
 }

@@ -3,8 +3,8 @@
  *     φ_1,2 = u·d, v·d with d = P_0 - P_1 and u, v at right angles to the axis of frame 1
  *     φ_3..5: the frames have one orientation (bcl_turnRows)
  *
- * The coordinate is the displacement a·d of body 0 against body 1 along the axis a, zero at the poses at which the axis
- * was set.
+ * The coordinate is the displacement a·d of body 0 relative to body 1 along the axis a, zero at the poses at which the
+ * axis was set.
  */
 #include "bcl_i.h"
 
@@ -15,13 +15,13 @@ static void reset(MdtBclConstraint *c) {
 
 /* The present poses define displacement 0 and the relative orientation to be kept. */
 static void attached(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
-    bcl_matchAxes(c, pose);
-    bcl_matchPositions(c, pose);
+    bcl_matchFrame1Axes(c, pose);
+    bcl_matchFrame1Position(c, pose);
 }
 
 static void axesSet(MdtBclConstraint *c, const MdtBclFrame before[2], const MdtKeaTransformation *const pose[2]) {
     (void)before;
-    bcl_matchPositions(c, pose);
+    bcl_matchFrame1Position(c, pose);
 }
 
 static double displacement(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {

@@ -1,4 +1,4 @@
-/* Parts of joints: frames, rows, coinciding points. */
+/* Building blocks of joints: attachment frames, rows, coincident points. */
 #include "bcl_i.h"
 #include <string.h>
 
@@ -132,8 +132,8 @@ void bcl_separation(const MdtBclConstraint *c, const MdtKeaTransformation *const
     bcl_pointErrors(c, pose, d);
 }
 
-/* For d fixed in the body of side k, d/dt d·(P_0 - P_1) has the further term ω_k·(d x (P_0 - P_1)), hence the lever arm
- * of that body ends at the other body's attachment. */
+/* With d fixed in body k, the derivative of d·(P_0 - P_1) has the additional term ω_k·(d x (P_0 - P_1)). With it the
+ * lever arm of body k ends at the attachment point of the other body. */
 void bcl_alongRow(const MdtBclConstraint *c, const MdtBclContext *x, const double d[3], int carrier, MdtKeaRow *row) {
     bcl_startRow(row, x);
     for (int k = 0; k < 2; k++) {
@@ -148,10 +148,10 @@ void bcl_alongRow(const MdtBclConstraint *c, const MdtBclContext *x, const doubl
         keaCross(row->J[k].ang, arm, row->J[k].lin);
         keaCopy(row->arm[k], arm);
     }
-    MEVALIDATE(!isFinite3(d) || bcl_areRows(row, 1)); /* of a pose beyond the numbers it is NaN */
+    MEVALIDATE(!isFinite3(d) || bcl_areRows(row, 1)); /* NaN: a pose has overflowed */
 }
 
-void bcl_matchPositions(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
+void bcl_matchFrame1Position(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
     double point[3];
     bcl_attachment(point, c, 0, pose[0]);
     keaSubtract(point, point, pose[1]->pos);

@@ -3,10 +3,10 @@
  *
  *     φ_1..3 = e_i·(P_0 - P_1), e_i the axes of frame 1,   φ_4..6: frame 0 is frame 1 turned by q (bcl_turnRows).
  *
- * w is the angular velocity of q in the axes of frame 1: the angular rows have the target -γ φ / h + T_i·w, T the
- * target frame, and are position rows for q turned on by w h. The force or torque of each row is bounded by its
- * strength: while a bound is reached, the joint yields. With an error of the angle θ the Jacobian of an angular row is
- * shorter by cos θ/2, and the bound of its multiplier is larger by as much.
+ * With w the angular velocity of q in the axes of frame 1 and T the target frame, the angular rows have the target
+ * -γ φ / h + T_i·w and, as position rows, are relative to the q of the end of the step, turned by w h. The force or
+ * torque of each row is bounded by its strength: at the bound the joint yields. At an angular error θ the Jacobian of
+ * an angular row is shorter by the factor cos θ/2, so the bound of its multiplier is divided by that.
  */
 #include "bcl_i.h"
 #include <string.h>
@@ -20,7 +20,7 @@ static void reset(MdtBclConstraint *c) {
         r->linear[i] = r->angular[i] = MEINFINITY;
 }
 
-/* q after the time t, s, with the angular velocity w. */
+/* The target quaternion after t seconds of rotation with its angular velocity. */
 static void targetAfter(const MdtBclRelative *r, double t, double q[4]) {
     double turn[3], step[4];
     keaScale(turn, t, r->velocity);
@@ -28,7 +28,7 @@ static void targetAfter(const MdtBclRelative *r, double t, double q[4]) {
     keaQuaternionProduct(q, step, r->quaternion);
 }
 
-/* The rate of the rows that follows from the target's angular velocity: G Tᵀ F_1 ω, with G = w I - [v]x of
+/* The rate of the angular rows due to the target's angular velocity ω: G Tᵀ F_1 ω, with G = w I - [v]x of
  * bcl_turnRows. */
 static void targetRate(const double turn[4], const double now[4], const double velocity[3], double rate[3]) {
     double R[3][3], w[3];

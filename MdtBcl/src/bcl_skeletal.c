@@ -2,11 +2,11 @@
  * app. D, "MdtSkeletal").
  *
  * Frame 1 is the reference. D = frame 0 in frame 1 = (swing) (twist): the twist turns about the primary axis x, the
- * swing takes x to a = D x along a great circle. With a = (cos θ, sin θ t), t a unit vector in the (y, z) plane, the
- * swing has the coordinates σ = θ t: towards y the primary limit α holds, towards z the secondary one, β.
+ * swing rotates x to a = D x along a great circle. With a = (cos θ, sin θ t), t a unit vector in the (y, z) plane, the
+ * swing has the coordinates σ = θ t: the primary limit α is that along y, the secondary limit β that along z.
  *   cone:  f = |(σ_y/α, σ_z/β)| <= 1, one row, scaled to radians by the gradient of f.
  *          From da/dt = ω x a (axes of frame 1):  dθ/dt = cos θ t·a' - sin θ a'_x,   θ dt/dt = (θ/sin θ) (a' across t).
- *          A hard limit is a position row, met at the end of the step.
+ *          A hard limit is a position row, which constrains f at the end of the step.
  *   twist: τ = 2 atan2(D_x, D_w), with D as a quaternion (w, v):
  *          dτ/dt = (w (w ω_x + ω_y v_z - ω_z v_y) + v_x v·ω) / (w² + v_x²).
  */
@@ -34,11 +34,11 @@ static void reset(MdtBclConstraint *c) {
 
 /* The coordinates of the joint, and their derivatives in the axes of frame 1: rate = row·ω, ω = ω_0 - ω_1. */
 typedef struct {
-    double sigma[2], f, tau;       /* swing, share of the cone, twist */
-    double cone[3], swing[2][3];   /* of the cone's coordinate and of σ */
-    double twist[3], scale;        /* of τ; |∇f| */
-    MeBool isParallel, isOpposite; /* a along x, against x */
-} Pose;
+    double sigma[2], f, tau;       /* swing, rad; f of the cone; twist, rad */
+    double cone[3], swing[2][3];   /* derivatives of the cone's coordinate and of σ */
+    double twist[3], scale;        /* derivative of τ; |∇f| */
+    MeBool isParallel, isOpposite; /* a points along x, or against it */
+} Coordinates;
 
 static void swingRow(const double a[3], const double t[2], double theta, const double along[2], double row[3]) {
     const double sine = sin(theta), stretch = sine > BCL_PARALLEL ? theta / sine : 1;
@@ -55,7 +55,7 @@ static void twistRow(const double D[4], double row[3]) {
     row[2] = (-w * v[1] + v[0] * v[2]) / size;
 }
 
-static void measure(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], Pose *p) {
+static void measureCoordinates(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], Coordinates *p) {
     static const double toY[2] = {1, 0}, toZ[2] = {0, 1};
     const MdtBclSkeletal *s = &c->of.skeletal;
     double D[4], R[3][3];
@@ -77,12 +77,12 @@ static void measure(const MdtBclConstraint *c, const MdtKeaTransformation *const
     p->f = sqrt(u[0] * u[0] + u[1] * u[1]);
     const double gradient[2] = {p->f > 0 ? u[0] / alpha / p->f : 1 / alpha, p->f > 0 ? u[1] / beta / p->f : 0};
     p->scale = sqrt(gradient[0] * gradient[0] + gradient[1] * gradient[1]);
-    MEASSERT(isnan(theta) || (p->scale > 0 && isfinite(p->scale) && p->f >= 0)); /* a pose beyond the numbers: NaN */
+    MEASSERT(isnan(theta) || (p->scale > 0 && isfinite(p->scale) && p->f >= 0)); /* NaN: a pose has overflowed */
     const double along[2] = {gradient[0] / p->scale, gradient[1] / p->scale};
     swingRow(a, t, theta, along, p->cone);
 }
 
-/* A row of ω_0 - ω_1 given in the axes of frame 1. */
+/* A row of the relative angular velocity ω_0 - ω_1, with the coefficients `local` in the axes of frame 1. */
 static void turnRow(const MdtBclConstraint *c, const MdtBclContext *x, const double local[3], MdtKeaRow *row) {
     double axes[3][3];
     bcl_axes(axes, c, 1, x->pose[1]);
@@ -99,8 +99,8 @@ static void setStop(MdtBclSingleLimit *stop, double at, MeReal stiffness, MeReal
     stop->damping = isSpring ? damping : 0;
 }
 
-/* How many of the swing's two coordinates are constrained to 0: none, the secondary one, or both. */
-static int lockedSwings(const MdtBclSkeletal *s) {
+/* The number of swing coordinates that are constrained to 0: none, the secondary one, or both. */
+static int countLockedSwings(const MdtBclSkeletal *s) {
     return s->coneOption == MdtSkeletalConeOptionFixed ? 2 : s->coneOption == MdtSkeletalConeOptionSlot ? 1 : 0;
 }
 
@@ -110,13 +110,13 @@ static MeBool hasCone(const MdtBclSkeletal *s) {
                                                       : s->coneOption == MdtSkeletalConeOptionCone && min < ME_PI;
 }
 
-/* rad: the coordinate that the cone limits, positive outside: (f - 1) / |∇f|, with |∇f| of the start of the step; in a
+/* rad: the coordinate that the cone limits, positive outside: (f - 1) / |∇f|, with |∇f| at the start of the step; of a
  * slot |σ_y| - α. */
-static double coneCoordinate(const MdtBclSkeletal *s, const Pose *p) {
+static double coneCoordinate(const MdtBclSkeletal *s, const Coordinates *p) {
     return s->coneOption == MdtSkeletalConeOptionSlot ? fabs(p->sigma[0]) - (double)s->primary : (p->f - 1) / s->scale;
 }
 
-static void coneRow(const MdtBclConstraint *c, const MdtBclContext *x, const Pose *p, MdtKeaRow *row) {
+static void coneRow(const MdtBclConstraint *c, const MdtBclContext *x, const Coordinates *p, MdtKeaRow *row) {
     if (c->of.skeletal.coneOption != MdtSkeletalConeOptionSlot) {
         turnRow(c, x, p->cone, row);
         return;
@@ -129,10 +129,10 @@ static void coneRow(const MdtBclConstraint *c, const MdtBclContext *x, const Pos
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     MdtBclSkeletal *s = &c->of.skeletal;
     MdtKeaRow row;
-    Pose p;
-    measure(c, x->pose, &p);
+    Coordinates p;
+    measureCoordinates(c, x->pose, &p);
     s->scale = p.scale;
-    int count = 3 + lockedSwings(s) + (s->twistOption == MdtSkeletalTwistOptionFixed);
+    int count = 3 + countLockedSwings(s) + (s->twistOption == MdtSkeletalTwistOptionFixed);
     s->cone.rows = s->turn.rows = 0;
     if (hasCone(s)) {
         setStop(&s->cone.limit[1], 0, s->coneStiffness, s->coneDamping);
@@ -151,13 +151,13 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
 
 static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
     const MdtBclSkeletal *s = &c->of.skeletal;
-    Pose p;
+    Coordinates p;
     bcl_pointErrors(c, pose, e);
-    measure(c, pose, &p);
+    measureCoordinates(c, pose, &p);
     int n = 3;
-    if (lockedSwings(s) > 0)
+    if (countLockedSwings(s) > 0)
         e[n++] = p.sigma[1];
-    if (lockedSwings(s) > 1)
+    if (countLockedSwings(s) > 1)
         e[n++] = p.sigma[0];
     if (s->twistOption == MdtSkeletalTwistOptionFixed)
         e[n++] = p.tau;
@@ -168,11 +168,11 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
     const MdtBclSkeletal *s = &c->of.skeletal;
     MdtKeaRow row;
-    Pose p;
-    measure(c, x->pose, &p);
+    Coordinates p;
+    measureCoordinates(c, x->pose, &p);
     bcl_pointRows(c, x, rows);
     rows += 3;
-    for (int i = 0; i < lockedSwings(s); i++, rows++) {
+    for (int i = 0; i < countLockedSwings(s); i++, rows++) {
         turnRow(c, x, p.swing[1 - i], rows);
         bcl_aimAtZero(rows, x, p.sigma[1 - i]);
     }
@@ -190,9 +190,9 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
 static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {
     MdtBclSkeletal *s = &c->of.skeletal;
     MdtKeaRow row;
-    Pose p;
-    measure(c, x->pose, &p);
-    rows += 3 + lockedSwings(s) + (s->twistOption == MdtSkeletalTwistOptionFixed);
+    Coordinates p;
+    measureCoordinates(c, x->pose, &p);
+    rows += 3 + countLockedSwings(s) + (s->twistOption == MdtSkeletalTwistOptionFixed);
     coneRow(c, x, &p, &row);
     bcl_limitReadBack(&s->cone, coneCoordinate(s, &p), bcl_rate(&row, x->velocity), rows);
     rows += s->cone.rows != 0;
@@ -204,8 +204,8 @@ static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRo
 void MEAPI MdtBclSkeletalZeroTwist(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
     MdtBclFrame *frame = &c->frame[0];
     double third[3], turned[3];
-    Pose p;
-    measure(c, pose, &p);
+    Coordinates p;
+    measureCoordinates(c, pose, &p);
     keaCross(third, frame->primary, frame->ortho);
     keaScale(turned, cos(p.tau), frame->ortho);
     keaAddScaled(turned, -sin(p.tau), third);

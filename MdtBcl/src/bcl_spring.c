@@ -1,16 +1,17 @@
-/* Spring: the distance of the attachments is constrained as by a rod, a string or a spring (Dynamics guide ch. 3,
+/* Spring: constrains the distance of the attachment points as a rod, a string or a spring does (Dynamics guide ch. 3,
  * "MdtSpring").
  *
  *     φ = |P_0 - P_1| - l,   J_0 = [n, r_0 x n],   J_1 = -[n, r_1 x n],   n the direction from P_1 to P_0.
  *
- * The distance is the coordinate of a limit. Both stops hard and at one length: a rod, φ = 0. Both soft and at one
- * length: a damped spring with the stiffness and damping of the side on which the distance is. Anything else, such as a
- * string or an elastic, is the limit itself, with hard stops as position rows, as n changes with the bodies.
+ * The distance is the coordinate of a limit. Both stops hard and at the same length: a rod, φ = 0. Both soft and at the
+ * same length: a damped spring, with the stiffness and damping of the upper stop above this length, and of the lower
+ * one below it. Anything else, such as a string or an elastic: the limit itself, with hard stops as position rows, as n
+ * changes with the bodies.
  */
 #include "bcl_i.h"
 #include <string.h>
 
-/* m: attachments that are nearer have no direction n; the last one is kept. */
+/* m: at a smaller distance n is undefined, and its last value is used. */
 static const double noLength = 1e-9;
 
 static void reset(MdtBclConstraint *c) {
@@ -32,7 +33,7 @@ static double distanceOf(const MdtBclConstraint *c, const MdtKeaTransformation *
     return keaLength(d);
 }
 
-/* The natural length, unless the program has set one, is the distance at the time of attachment. */
+/* The rest length is the distance at the time of attachment, unless the program has set one. */
 static void positioned(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
     MdtBclDistance *s = &c->of.distance;
     if (s->lengthIsSet)
@@ -62,7 +63,7 @@ static void distanceRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKe
         keaCopy(d, c->of.distance.direction);
     else
         keaScale(d, 1 / length, d);
-    MEASSERT(!isfinite(length) || bcl_isUnit(d)); /* a pose beyond the numbers: NaN */
+    MEASSERT(!isfinite(length) || bcl_isUnit(d)); /* not finite: a pose has overflowed */
     bcl_alongRow(c, x, d, NO_CARRIER, row);
 }
 

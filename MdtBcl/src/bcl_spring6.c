@@ -2,7 +2,7 @@
  *
  *     φ_1..3 = e_i·(P_0 - P_1), e_i the axes of frame 1,   φ_4..6: the rotation vector between the frames, along e_i.
  *
- * Each has its stiffness and damping. One without either has no row; one of infinite stiffness is held (bcl_turnRows).
+ * Each spring has a stiffness and a damping. With both 0 it has no row; with either infinite its direction is rigid.
  */
 #include "bcl_i.h"
 #include <string.h>
@@ -12,7 +12,7 @@ static void reset(MdtBclConstraint *c) {
     memset(&c->of.springs, 0, sizeof c->of.springs);
 }
 
-static MeBool acts(const MdtBclSprings *s, int i) {
+static MeBool hasRow(const MdtBclSprings *s, int i) {
     return s->stiffness[i] > 0 || s->damping[i] > 0;
 }
 
@@ -20,7 +20,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     double turn[4];
     int count[2] = {0, 0}; /* linear, angular */
     for (int i = 0; i < 6; i++)
-        count[i / 3] += acts(&c->of.springs, i);
+        count[i / 3] += hasRow(&c->of.springs, i);
     bcl_turnBetween(turn, c, x->pose, NULL);
     c->isDegenerate = count[1] > 0 && bcl_isHalfATurn(turn);
     return count[0] + count[1];
@@ -39,11 +39,11 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
     double all[6];
     allErrors(c, pose, all);
     for (int i = 0, n = 0; i < 6; i++)
-        if (acts(&c->of.springs, i))
+        if (hasRow(&c->of.springs, i))
             e[n++] = all[i];
 }
 
-/* As springs: rows along and about the axes of frame 1, with what the springs are strained by. */
+/* The six rows along and about the axes of frame 1, and the strains of their springs, m or rad. */
 static void springRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[6], double strain[6]) {
     double axes[3][3], d[3], turn[4];
     bcl_axes(axes, c, 1, x->pose[1]);
@@ -64,7 +64,7 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
     springRows(c, x, spring, strain);
     bcl_turnRows(c, x, NULL, locked);
     for (int i = 0, n = 0; i < 6; i++) {
-        if (!acts(s, i))
+        if (!hasRow(s, i))
             continue;
         MdtKeaRow *row = &rows[n++];
         *row = spring[i];

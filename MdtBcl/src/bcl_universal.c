@@ -3,8 +3,8 @@
  *
  *     φ_1..3 = P_0 - P_1,   φ_4 = a·b,   a the primary axis of frame 0, b the second axis of frame 1.
  *
- * The shafts are the third axes of the frames: in line when the joint was set up. Bent by 90 degrees, the joint carries
- * no torque from one to the other.
+ * The shafts are the third axes of the frames, in line when the joint is set up. Bent by 90 degrees, the joint
+ * transmits no torque between them.
  */
 #include "bcl_i.h"
 

@@ -1,9 +1,9 @@
-/* A constraint whose rows a function of the program writes (Dynamics guide ch. 4 lists MdtUserConstraint). */
+/* UserConstraint: a function of the program writes its rows (Dynamics guide ch. 4 lists MdtUserConstraint). */
 #include "bcl_i.h"
 #include "MeMessage.h"
 #include <string.h>
 
-/* The function stays: it is what the constraint is. */
+/* Keeps the program's function, which defines the constraint. */
 static void reset(MdtBclConstraint *c) {
     bcl_resetFrames(c);
 }
