@@ -1,9 +1,9 @@
 /** @file MdtKeaMath.h
- *  Small vectors, matrices and quaternions in double precision, for Kea and for those who write constraints.
+ *  Small vectors, matrices and quaternions in double precision, for Kea and for programs that write constraints.
  *
- *  Kea computes in double whatever MeReal is, so MeMath.h does not serve here. A matrix is three rows and acts on
- *  columns: y = M x. A quaternion is (w, x, y, z) and turns body coordinates into world coordinates. Results may be
- *  the same array as an operand only where it is said.
+ *  Kea computes in double whatever MeReal is; MeMath.h is for MeReal. A matrix is three rows and acts on columns:
+ *  y = M x. A quaternion is (w, x, y, z) and rotates body coordinates into world coordinates. A result may be the same
+ *  array as an operand only where its comment says so.
  */
 #ifndef MDTKEAMATH_H
 #define MDTKEAMATH_H
@@ -14,7 +14,7 @@ static inline double keaDot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/** The larger, and the smaller, of two numbers; unlike fmax and fmin they are no calls. */
+/** The larger, and the smaller, of two numbers; inlined, unlike fmax and fmin. */
 static inline double keaMax(double a, double b) {
     return a > b ? a : b;
 }
@@ -101,7 +101,8 @@ static inline void keaQuaternionToMatrix(double R[3][3], const double q[4]) {
 
 /** The unit quaternion of a rotation matrix. */
 static inline void keaQuaternionFromMatrix(double q[4], const double R[3][3]) {
-    /* Each diagonal entry below is 4 times the square of a component; the row of the largest one is divided by. */
+    /* Row k of m is 4 times component k of the quaternion times the quaternion. The row with the largest diagonal entry
+     * is normalized: it has the smallest rounding error. */
     const double wx = R[2][1] - R[1][2], wy = R[0][2] - R[2][0], wz = R[1][0] - R[0][1];
     const double xy = R[0][1] + R[1][0], xz = R[0][2] + R[2][0], yz = R[1][2] + R[2][1];
     const double m[4][4] = {{1 + R[0][0] + R[1][1] + R[2][2], wx, wy, wz},
