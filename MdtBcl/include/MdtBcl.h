@@ -18,7 +18,7 @@ ME_BEGIN_C
 #define MdtBclGETMAXROWSBSJOINT   3
 #define MdtBclGETMAXROWSHINGE     8 /**< 5 of the joint, 1 for motor or lock, 1 for each stop. */
 #define MdtBclGETMAXROWSPRISMATIC 8 /**< As of a hinge. */
-#define MdtBclGETMAXROWSCARWHEEL  8 /**< 3 of the joint; 1 each for steering, suspension spring, hinge motor; 2 stops. */
+#define MdtBclGETMAXROWSCARWHEEL  8 /**< 3 of the joint; 1 each for steering, spring, hinge motor; 2 stops. */
 #define MdtBclGETMAXROWSCONTACT   3
 #define MdtBclGETMAXROWSFIXEDPATH 3
 #define MdtBclGETMAXROWSRPROJOINT 6
