@@ -1,44 +1,42 @@
 /* Inside Kea: the working data of a step and the functions that its files share.
  *
- *     kea_system.c            memory, integration: the front door, with MdtKeaSolve and MdtKeaImpact
+ *     kea_system.c            public entry points: memory, MdtKeaSolve, MdtKeaImpact, MdtKeaIntegrate
  *
  *   exact/, a step by Newton's method to the tolerance:
  *     kea_step.c              one step: passes of linearization, then the velocity stage
- *     kea_scheme.c            time integration: end poses from the unknowns u, the residual of momentum, its derivative
- *     kea_contact.c           rows of contacts, from manifolds
- *     kea_rows.c              linearization of rows; the choice of θ per body
- *     kea_dual.c              the inner problem solved for the joints' impulses (dual)
- *     kea_redundancy.c        redundant joints: the impulses of least norm
- *     kea_velocity.c          the velocity stage: projects the end velocities onto the rows at the end poses
- *     kea_events.c            times of impact and of stick within a timed step
- *     kea_flight.c            what flies from impact to impact
+ *     kea_scheme.c            time integration: end states from the unknowns u, the residual of momentum, its
+ *     derivative kea_contact.c           rows of contacts, from manifolds kea_rows.c              linearization of
+ *     rows; the choice of θ per body kea_dual.c              the inner problem solved for the joints' impulses (dual)
+ *     kea_redundancy.c        redundant joints: the impulses of least norm kea_velocity.c          the velocity stage:
+ *     projects the end velocities onto the rows at the end poses kea_events.c            times of impact and of the end
+ *     of sliding within a timed step kea_flight.c            ballistic bodies, advanced from impact to impact
  *
  *   fast/, a step by passes over manifolds (fast/kea_fast_i.h)
  *
  *   common/, laws and measures that do not depend on the solver:
- *     kea_policy_i.h          every constant that is a choice
- *     kea_anchor.c            places of contacts, and how their lever arms move
- *     kea_body.c              a body as a step begins and ends
- *     kea_budget.c            the work that a solve may take
+ *     kea_policy_i.h          all tuned constants
+ *     kea_anchor.c            positions of contacts, and how their lever arms change
+ *     kea_body.c              a body at the start and at the end of a step
+ *     kea_budget.c            the work budget of a solve
  *     kea_rates.c             rates of rows, J v; which rows may reach a bound
  *     kea_residual.c          residuals and the test of convergence
  *     kea_energy.c            kinetic energy and its limit
  *     kea_restitution.c       the law of restitution
  *     kea_impact.c            simultaneous impacts
  *     kea_project.c           position projection: removes overlaps
- *     kea_kick.c              momenta given as a step begins, shared by joints
+ *     kea_kick.c              impulses at the start of a step, transmitted by joints
  *     kea_rotation.c          inertia, free rotation
  *     kea_free.c              end poses; motion of bodies without rows
  *
- *   inner/, the inner problem, which knows bodies with a quadratic metric and rows with bounds and cones, but no step:
- *     kea_problem_i.h, .c     its data, its measure of error
+ *   inner/, the inner problem: bodies with a quadratic metric, rows with bounds and cones, independent of any step:
+ *     kea_problem_i.h, .c     its data, its residual
  *     kea_newton.c            its solution: semismooth Newton on the bodies' side
  *     kea_friction.c          friction bounds between two of its solves
  *     kea_sweep.c             its solution by sweeps, when work runs out
- *     kea_factor.c            sparse factorization: numbers
- *     kea_structure.c, kea_order.c                its structure, the order of elimination
- *     kea_graph.c             the graph that rows make of bodies
- *     kea_cache.c             kept structures, and the memory of all factors
+ *     kea_factor.c            sparse factorization: the numeric phase
+ *     kea_structure.c, kea_order.c                the symbolic phase: structure, order of elimination
+ *     kea_graph.c             the graph of bodies, with an edge for each pair that rows join
+ *     kea_cache.c             cached structures, and the memory of all factors
  *
  * inner/ calls no other room, common/ only inner/; exact/ and fast/ call both, but not each other
  * (tests/structure/rooms.py).
@@ -51,33 +49,33 @@
 #include "inner/kea_problem_i.h"
 #include <float.h>
 
-/* The state of a body at the end of the step, while the step is being found. */
+/* The state of a body at the end of the step, not yet committed. */
 typedef struct KeaEnd {
     double position[3], quaternion[4], velocity[3], angularMomentum[3];
-    double theta; /* the body moved by (1 - θ) v + θ v⁺ */
+    double theta; /* the body has been moved by (1 - θ) v + θ v⁺ */
 } KeaEnd;
 
 /* The working data of a body in a step. */
 typedef struct KeaBody {
-    double theta;           /* of u; 1/2: midpoint rule; 1: backward Euler (only these: dividing by it is exact) */
-    double moveTheta;       /* of an untied body's displacement: 1/2; 1 where that would press a contact */
-    double size;            /* m, radius of gyration */
-    MeBool isSpatial;       /* its angular velocity changes in the world's axes: no gyroscopic term */
+    double theta;           /* of u: 1/2, midpoint rule; 1, backward Euler (dividing by either is exact) */
+    double moveTheta;       /* of an untied body's displacement: 1/2, or 1 if that would press a contact */
+    double size;            /* m, largest radius of gyration */
+    MeBool isSpatial;       /* its angular velocity is integrated in world axes, without gyroscopic term */
     double axes[3][3];      /* principal axes at the start, as columns */
-    double spin[3];         /* rad/s at the start, in principal axes; of a spatial body in the world's */
-    double inertia[3][3];   /* kg m², world, at the start; of a spatial body */
-    double freeVelocity[3]; /* at the end, without rows */
-    double freeMomentum[3]; /* angular, at the end, without rows */
-    double scale;           /* N s: the impulses of the step, to which tolerances are relative */
+    double spin[3];         /* rad/s at the start, in principal axes; in world axes if isSpatial */
+    double inertia[3][3];   /* kg m², world, at the start; set if isSpatial */
+    double freeVelocity[3]; /* m/s, at the end without rows */
+    double freeMomentum[3]; /* kg m²/s, angular, at the end without rows */
+    double scale;           /* N s: scale of the impulses in the step, to which tolerances are relative */
     double u[6];            /* the unknown: mean velocity of the step, m/s and rad/s (world) */
     double endAxes[3][3];
     double endVelocity[6]; /* m/s, rad/s (world) */
-    /* s, of tangent problems: a change dw of w changes cay(h w) by the rotation vector (turnDerivative dw), world */
+    /* s, for tangent problems: a change dw of w changes cay(h w) by the rotation vector (turnDerivative dw), world */
     double turnDerivative[3][3];
-    double distance; /* m, of its end from the origin */
-    /* m, rad: the body's part in the scales of position errors (kea_residual.c) */
+    double distance; /* m, of its end position from the origin */
+    /* m, rad: the body's contribution to the scales of position errors (kea_residual.c) */
     double linearScale, angularScale;
-    MeBool isUntied; /* no row of its displacement: it moves by v + moveTheta (v⁺ - v), not by u */
+    MeBool isUntied; /* no row constrains its displacement: it is moved by v + moveTheta (v⁺ - v), not by u */
     MeBool isFree;   /* no row acts on it: it moves as a free body */
 } KeaBody;
 
@@ -85,36 +83,36 @@ typedef struct KeaBody {
 typedef struct KeaDual {
     KeaFactor *factor; /* null: the primal problem is solved instead */
     int numNodes, numEdges;
-    int *start, *size;           /* by node: its rows */
-    int (*edges)[2], (*side)[2]; /* of an edge: its nodes, and on which side each has the shared body */
-    int *lastJoined;             /* by node: the last node that it got an edge to */
+    int *start, *size;           /* by node: its first row and their number */
+    int (*edges)[2], (*side)[2]; /* by edge: its two nodes, and which body of each (0 or 1) is the shared one */
+    int *lastJoined;             /* by node: the last node that an edge joined it with */
     int *first, (*next)[2];   /* list heads by body, links by node and side: the joints of a body, as 2 node + side */
-    double *x;                /* by row */
+    double *x;                /* by row: right side, then solution */
     double (*response)[2][6]; /* by row: B⁻¹ Jᵀ of each body */
 } KeaDual;
 
-/* What speeds and impulses of timed parts are compared with. */
+/* Scales of speeds and impulses in timed steps. */
 typedef struct KeaEventScale {
     double speed;   /* m/s: kea_eventSpeed */
-    double fastest; /* m/s: of a body */
-    double mass;    /* kg: of all bodies */
+    double fastest; /* m/s: speed of the fastest body */
+    double mass;    /* kg: mass of all bodies */
 } KeaEventScale;
 
 /* Bodies in flight (exact/kea_flight.c). */
 typedef struct KeaFlight {
-    KeaEventScale scale;        /* as flight began */
-    double end, min;            /* s: of the step; the shortest time on to an impact that was foreseen too early */
-    double *time;               /* s, by body: up to when it has been moved */
-    double *impactTime;         /* s, by contact: when its bodies meet next; -HUGE_VAL: they do, in this impact */
+    KeaEventScale scale;        /* at the start of the flight */
+    double end, min;            /* s: end of the step; shortest advance after an impact that was predicted too early */
+    double *time;               /* s, by body: the time that it has been advanced to */
+    double *impactTime;         /* s, by contact: its next predicted impact; -HUGE_VAL: it is part of the present one */
     int *start, *list;          /* the contacts of body b: list[start[b] .. start[b + 1]) */
-    int *body, numBodies;       /* those that take part in this impact, */
-    char *isIn;                 /* by body: it is among them; */
-    int *touching, numTouching; /* and their contacts that touch */
-    int impacts, misses;        /* meetings so far, and those that were foreseen too early */
+    int *body, numBodies;       /* the bodies of the present impact */
+    char *isIn;                 /* by body: it is one of them */
+    int *touching, numTouching; /* their contacts that touch */
+    int impacts, misses;        /* impacts so far; impacts that were predicted too early */
 } KeaFlight;
 
 typedef struct MdtKeaWork {
-    struct KeaContact *contact; /* exact/kea_contact_i.h; kept through the parts of a step */
+    struct KeaContact *contact; /* common/kea_anchor_i.h; kept through the sub-steps of a step */
     int numContacts;
     KeaBody *body;
     KeaEnd *end;
@@ -122,51 +120,52 @@ typedef struct MdtKeaWork {
     double *endErrors;                        /* by row: φ at the end poses */
     double *movingRate;                       /* m/s, by row (kea_setMovingRates) */
     MdtKeaJBlockPair *savedJ;                 /* by row */
-    double (*bestU)[6], *bestP;               /* by body, by row: of the best pass so far */
+    double (*bestU)[6], *bestP;               /* by body, by row: u and p of the best pass so far */
     double (*tangentU)[6], *tangentP; /* of the best tangent pass with joint errors below the rounding of attachments */
-    double (*added)[6];               /* by body: change of velocity found by the velocity stage, m/s, rad/s */
+    double (*added)[6];               /* by body: change of velocity, m/s, rad/s; of the projection m, rad */
     double (*plastic)[6];             /* by body: change of velocity without restitution, m/s, rad/s */
-    double speed;                     /* m/s: of the fastest body, in an impact */
-    double *target;                   /* by row, twice: targets of normal rows, of impacts in m/s, of projection in m */
-    double (*velocity)[6];            /* by body: input of the energy limit, m/s, rad/s */
-    double *savedP;                   /* by row: impulses, while the inner problem is used for something else */
-    char *isIncluded;                 /* by row: whether an impact or a projection has it */
-    int *activeRow, *problemRowOf;    /* of impacts: system row of a problem row; problem row of a system row */
-    int *activeBody, *problemBodyOf;  /* the same of bodies; -1: it has no part in the impact */
-    int *parent;                      /* union-find, by body, the world last */
+    double speed;                     /* m/s: speed of the fastest body in an impact */
+    double *target;                   /* two arrays by row: targets of impacts, m/s, or of the projection, m */
+    double (*velocity)[6];            /* by body: input of the energy limiter, m/s, rad/s */
+    double *savedP;                   /* by row: impulses, saved while the inner problem solves something else */
+    char *isIncluded;                 /* by row: it takes part in an impact or a projection */
+    int *activeRow, *problemRowOf;    /* impacts: system row of a problem row; problem row of a system row */
+    int *activeBody, *problemBodyOf;  /* the same for bodies; -1: not part of the impact */
+    int *parent;                      /* union-find by body, the world last */
     KeaProblem problem;
     KeaDual dual;
     KeaFlight flight;
     MeBool hasLoops;          /* of joints */
-    MeBool isInconsistent;    /* joints contradict each other: some keep a residual above tolerance */
-    MeBool hasJoints;         /* there are rows that are not contacts' (kea_beginRows) */
-    MeBool usesTangentAnswer; /* the answer is tangentU, tangentP: symmetric passes did not improve on it */
+    MeBool isInconsistent;    /* joints contradict each other: some keep a residual above the tolerance */
+    MeBool hasJoints;         /* there are rows other than those of contacts (kea_beginRows) */
+    MeBool usesTangentAnswer; /* the answer is tangentU, tangentP: symmetric passes did not improve it */
 } MdtKeaWork;
 
 /* ---- kea_body.c ---- */
 
-/* What MdtKeaInit sets of one body, from its state and loads. */
+/* MdtKeaInit for body i: computes pose, velocity, inverse mass and prediction from its state and loads. */
 void kea_beginBody(MdtKeaSystem *s, int i);
-/* What MdtKeaIntegrate does with one body: its end state becomes its state. */
+/* MdtKeaIntegrate for body i: sets its state and acceleration from its end state. */
 void kea_commitBody(MdtKeaSystem *s, int i);
 
 /* ---- kea_guess.c ---- */
 
-/* Writes the guess at the forces of contacts, as a step begins, if none are known. */
-void kea_guessLoads(MdtKeaSystem *s);
+/* Guesses the forces of contacts at the start of a step, and writes them as warm start, if no force is known. */
+void kea_guessContactForces(MdtKeaSystem *s);
 
 /* ---- kea_rotation.c ---- */
 
-/* The orientation q1 after h seconds of free rotation from q0 with the angular momentum L (world, constant). */
+/* The orientation q1 after h seconds of free rotation from q0 with the constant angular momentum L (world). */
 void kea_rotateFree(const MdtKeaBody *body, const double q0[4], const double L[3], double h, double q1[4]);
-/* The rotation from q0 to q1, of the angle a, becomes that of 2 atan(a/2), Cayley's map of its rotation vector, which
- * takes points along chords as displacements by mean velocities do. A larger one than kea_maxChord stays. */
+/* Replaces the rotation from q0 to q1, of angle a, by one of angle 2 atan(a/2) about the same axis, the Cayley map of
+ * its rotation vector, which moves points along chords as displacements by mean velocities do. A rotation by more than
+ * kea_maxChord is left unchanged. */
 void kea_rotateByChord(const double q0[4], double q1[4]);
-/* The angular velocity (world) of a body at orientation q with angular momentum L, and the other way round. */
+/* The angular velocity w (world) of a body at orientation q from its angular momentum L (world), and the inverse. */
 void kea_angularVelocity(const MdtKeaBody *body, const double q[4], const double L[3], double w[3]);
 void kea_angularMomentum(const MdtKeaBody *body, const double q[4], const double w[3], double L[3]);
-/* The principal axes in the world, the columns of R; and of these and the moments, the angular velocity and the inverse
- * of the inertia tensor: for who needs more than one of them. */
+/* The principal axes in the world, as columns of R; and, from given axes and moments, the angular velocity and the
+ * inverse inertia tensor, so that callers that need both compute the axes once. */
 void kea_principalAxes(const MdtKeaBody *body, const double q[4], double R[3][3]);
 void kea_angularVelocityBy(const double moments[3], const double R[3][3], const double L[3], double w[3]);
 void kea_inverseInertiaBy(const double moments[3], const double R[3][3], double inverse[3][3]);
@@ -176,7 +175,7 @@ void kea_inertia(const MdtKeaBody *body, const double q[4], double inertia[3][3]
 double kea_bodyExtent(const MdtKeaBody *body);
 /* The inverse of any regular matrix. */
 void kea_invert(double inverse[3][3], const double M[3][3]);
-/* The largest absolute value of an entry. */
+/* The largest absolute value of the entries. */
 double kea_largestEntry(const double M[3][3]);
 /* Diagonalizes a symmetric matrix S in place: eigenvalues on its diagonal, eigenvectors as columns of V. */
 void kea_eigen(double S[3][3], double V[3][3]);
@@ -185,73 +184,78 @@ void kea_clampPositive(double K[3][3], double harmless);
 
 /* ---- kea_step.c ---- */
 
-/* Finds the forces of the system's rows, and where the bodies will be. */
+/* Finds the forces of the system's rows and the end states of the bodies. */
 void kea_exactSolve(MdtKeaSystem *s);
 
 /* ---- kea_scheme.c ---- */
 
-/* Sets the quantities of KeaBody that are constant in the step. */
+/* Sets the fields of KeaBody that are constant in the step. */
 void kea_beginBodies(MdtKeaSystem *s);
-/* Initial guess of u by the accelerations of the last step; after kea_beginRows, which chooses θ. */
+/* Guesses u by the accelerations of the last step; after kea_beginRows, which chooses θ. */
 void kea_guessMotion(MdtKeaSystem *s);
-/* End states and poses of all bodies from u. */
+/* Computes end states and poses of all bodies from u. */
 void kea_moveBodies(MdtKeaSystem *s);
-/* m/s, rad/s: what moves a body in the step; or, of one that is untied, what would if it were moved by v⁺. */
-void kea_moveOf(const MdtKeaSystem *s, int body, MeBool isOfEnd, double move[6]);
-/* Load and metric of the inner problem: the residual of momentum without rows, and its derivative with u, symmetric and
- * positive definite. */
+/* m/s, rad/s: the velocity that a body is moved by in the step; with byEnd, for untied bodies, their v⁺. */
+void kea_moveVelocity(const MdtKeaSystem *s, int body, MeBool byEnd, double move[6]);
+/* Sets load and metric of the inner problem: the residual of momentum without rows, and its derivative with respect to
+ * u, made symmetric and positive definite. */
 void kea_linearizeBodies(MdtKeaSystem *s);
-/* The exact, unsymmetric derivative of the momentum, for the tangent problem; after kea_linearizeBodies. */
+/* Sets the exact, unsymmetric derivative of the momentum, for the tangent problem; after kea_linearizeBodies. */
 void kea_differentiateBodies(MdtKeaSystem *s);
-/* Velocities at the end from the impulses: momentum is conserved exactly, also by an answer that has not converged. */
+/* Computes end velocities from the impulses, so that momentum is conserved exactly even if passes have not
+ * converged. */
 void kea_balanceMomentum(MdtKeaSystem *s);
-/* The inertia tensor (world) where the body has arrived. */
+/* The inertia tensor (world) of a body at its end pose; at its start pose if isSpatial. */
 void kea_endInertia(const MdtKeaSystem *s, int i, double inertia[3][3]);
 
 /* ---- kea_rows.c ---- */
 
-/* Which rows can act in this step, θ, and those members of the problem's rows that are constant in it. */
+/* Chooses the rows that can act in this step and θ of the bodies; sets the fields of the problem's rows that are
+ * constant in the step. */
 void kea_beginRows(MdtKeaSystem *s);
-/* Jacobians, and on request bounds, of the joints' rows at these poses. */
+/* Evaluates the Jacobians of the joints' rows at these poses; withBounds: their bounds, too. */
 void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool withBounds);
-/* T of the tangent problem: of position and spring rows the derivative of the error at the end, of velocity rows J;
- * after kea_differentiateBodies. */
+/* Sets T of the tangent problem: the derivative of the error at the end for position and spring rows, J for velocity
+ * rows; after kea_differentiateBodies. */
 void kea_differentiateRows(MdtKeaSystem *s);
-/* Of contacts whose lever arms change in the step: how much the rate at the pose where it is constrained exceeds J v
- * with the J that the impulse acts along; after kea_moveBodies. */
+/* Sets movingRate of contacts whose lever arms change in the step: the difference between the rate that the row
+ * constrains and J v, with the J along which its impulse acts; after kea_moveBodies. */
 void kea_setMovingRates(MdtKeaSystem *s);
-/* r, E and N of each row of the inner problem; after kea_linearizeBodies. */
+/* Sets r, E and N of each row of the inner problem; after kea_linearizeBodies. */
 void kea_linearizeRows(MdtKeaSystem *s);
-/* Activates contacts that were inactive (out of reach) and would be passed through. */
+/* Activates contacts that were inactive (out of reach) and would be penetrated at the end of the step; sets θ = 1 for
+ * bodies of stops that act. */
 void kea_admitContacts(MdtKeaSystem *s);
-/* Untied bodies are moved by the mean of their velocities at the start and the end, of second order, unless that
- * presses a contact deeper than the end's velocities do, which contacts bound: then by these. */
-void kea_chooseMoves(MdtKeaSystem *s);
+/* Chooses moveTheta of untied bodies and moves the bodies again: by the mean of their start and end velocities, which
+ * is of second order, or, if this presses a contact deeper than the end velocities do (these are what contacts
+ * constrain), by their end velocities. */
+void kea_chooseMoveThetas(MdtKeaSystem *s);
 /* Whether a spring is too stiff for the midpoint rule and is integrated by backward Euler (θ = 1). */
 MeBool kea_isTooStiff(const MdtKeaSystem *s, const MdtKeaRow *row);
 
 /* ---- kea_contact.c ---- */
 
-/* Writes the forces of the rows that were made of contacts to the manifolds' points. */
-void kea_returnContacts(MdtKeaSystem *s);
+/* Copies the forces of contact rows to the manifolds' points. */
+void kea_returnContactForces(MdtKeaSystem *s);
 
 /* ---- kea_restitution.c ---- */
 
 /* The relative motion of two bodies along a direction. */
 typedef struct KeaApproach {
-    double rate, predicted; /* m/s, positive apart: now; at the end of the step without rows */
-    double fastest;      /* m/s: lower bound of the rate in the step, from the lesser of present and predicted rate of
-                               each body: of two stacked bodies, the lower one does not fall as predicted */
+    double rate, predicted; /* m/s, positive: separating; now, and at the end of the step without rows */
+    double fastest;      /* m/s: lower bound of the rate in the step: the sum over both bodies of the smaller of present
+                               and predicted rate. A supported body does not fall as predicted */
     double acceleration; /* m/s², in the last step */
 } KeaApproach;
 
 KeaApproach kea_approachOfRow(const MdtKeaSystem *s, const MdtKeaRow *row);
-/* Along the manifold's normal; arms are from the bodies' centres, or the world's origin, to the point. */
+/* Of a point along the manifold's normal; arms point from the bodies' centres, or the world's origin, to the point. */
 KeaApproach kea_approachOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const double arm[2][3]);
-/* Whether the bodies touch, or may within the step; gap in m. */
+/* Whether the bodies touch, or may touch within the step; gap in m. */
 MeBool kea_mayTouch(const MdtKeaSystem *s, const MdtKeaBodyIndexPair body, const KeaApproach *a, double gap);
-/* m/s, >= 0: the separating velocity by the law of restitution, after an impact that is resolved when it happens,
- * faster than minSpeed; or at the end of a step that contains the impact, 0 where there is none. */
+/* m/s, >= 0: the separating velocity by the law of restitution, or 0. kea_reboundOfImpact: after an impact that is
+ * resolved at its time, with the approach speed `speed`, if this exceeds minSpeed. kea_reboundInStep: at the end of a
+ * step that contains the impact. */
 double kea_reboundOfImpact(double restitution, double threshold, double speed, double minSpeed);
 double kea_reboundInStep(const MdtKeaSystem *s, const KeaApproach *a, double gap, double restitution, double threshold);
 /* Sets `bounces` and `rebound` of all rows. */
@@ -259,156 +263,160 @@ void kea_setRebounds(MdtKeaSystem *s);
 
 /* ---- kea_rates.c ---- */
 
-/* Whether a row may be at a bound: one-sided rows always, two-sided ones only where the last force is near a bound. */
+/* Whether a row may reach a bound in this step: one-sided rows always, rows with two bounds if the last force was near
+ * one of them. */
 MeBool kea_mayReachBound(const MdtKeaRow *row);
-/* m/s: J v of a row with the velocities at the end. */
+/* m/s: rate of row i at the end velocities, with its moving rate. */
 double kea_endRate(const MdtKeaSystem *s, int i);
-/* m/s: J u of a row, with the mean velocities of the step. */
+/* m/s: J u of row i, with the mean velocities of the step. */
 double kea_meanRate(const MdtKeaSystem *s, int i);
-/* m per unit of a row's coordinate: 1 of a linear row, the larger radius of gyration of an angular one. */
+/* m per unit of a row's coordinate: 1 for a linear row, the larger radius of gyration of its bodies for an angular
+ * one. */
 double kea_lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row);
-/* m: the smaller radius of gyration of a row's or a manifold's bodies, which gaps and depths are compared with. */
+/* m: the smaller radius of gyration of two bodies, the scale of gaps and depths between them. */
 double kea_smallerExtent(const MdtKeaSystem *s, const int body[2]);
-/* Save and restore the rows' Jacobians. */
+/* Save and restore the rows' Jacobians (work->savedJ). */
 void kea_keepRows(MdtKeaSystem *s);
 void kea_recallRows(MdtKeaSystem *s);
-/* m/s: the part of a target speed that a row's bounds let it push for: 0 of a stop or a contact with a gap. */
+/* m/s: a target speed of a row as far as its bounds let it drive to it: 0 for a stop or a contact with a gap. */
 double kea_pushSpeed(const MdtKeaSystem *s, const MdtKeaRow *row, double speed);
 
 /* ---- kea_events.c ---- */
 
-/* Sets isOpen of all contacts. */
-void kea_timedBegin(MdtKeaSystem *s);
-/* Holds the contacts that meet slowly within the step, by the end of the last solve (holdsSlow); returns how many. */
+/* Sets isOpen of all contacts at the start of a timed step. */
+void kea_markOpenContacts(MdtKeaSystem *s);
+/* Closes open contacts that have a slow impact within the step by the last solve (holdsSlow); returns their number. */
 int kea_closeSlowContacts(MdtKeaSystem *s);
-/* s: the first impact or end of sliding within the step; HUGE_VAL: none. `mustRepeat`: contacts stop sliding, and their
- * friction is now fixed against the sliding of the start (isForced): solve and call again for the time.
- * kea_releaseSlides undoes that. */
+/* s: the time of the first impact or end of sliding within the step; HUGE_VAL: none. *mustRepeat is set if contacts
+ * stop sliding: their friction is then fixed against the sliding of the start (isForced), and the caller has to solve
+ * and to call again for the time. kea_releaseSlides undoes the fixing. */
 double kea_firstEvent(MdtKeaSystem *s, MeBool *mustRepeat);
 void kea_releaseSlides(MdtKeaSystem *s);
-/* s: the first impact of ballistic motion; at most the step. */
+/* s: the time of the first impact of ballistic motion, at most the length of the step. */
 double kea_firstEventOfFlight(const MdtKeaSystem *s);
-/* s: when the bodies of an open contact meet, by its normal row and without forces of rows; HUGE_VAL: they do not. */
-double kea_timeOfMeeting(const MdtKeaSystem *s, int i);
-/* Whether a normal row's contact has a gap, or opens. */
+/* s: the time of impact of the contact with normal row i if no row exerts a force; HUGE_VAL: none. */
+double kea_freeTimeOfImpact(const MdtKeaSystem *s, int i);
+/* Whether the contact with normal row i has a gap, or separates; speed: kea_eventSpeed. */
 MeBool kea_isContactOpen(const MdtKeaSystem *s, int i, double speed);
 
 /* ---- kea_impact.c ---- */
 
-/* Of all bodies, as they are now; after MdtKeaInit. */
+/* The scales of all bodies in their present state; after MdtKeaInit. */
 KeaEventScale kea_eventScale(const MdtKeaSystem *s);
-/* Velocities after all impacts at the start of the step, and the impulses. False: no memory. */
+/* Resolves all impacts at the start of the step: sets velocities of bodies, and impulses in rows[i].force. False: no
+ * memory. */
 MeBool kea_impact(MdtKeaSystem *s, const KeaEventScale *scale);
-/* MdtKeaTrembles. */
-MeBool kea_trembles(const MdtKeaSystem *s, const KeaEventScale *scale);
-/* m/s: the scale of speeds in timed steps: the change of velocity by the loads in one step, or a small share of the
+/* Whether impacts would chatter (MdtKeaTrembles). */
+MeBool kea_impactsChatter(const MdtKeaSystem *s, const KeaEventScale *scale);
+/* m/s: the scale of speeds in timed steps: the change of velocity by the loads in one step, or a small fraction of the
  * bodies' speeds if that is more. */
 double kea_eventSpeed(const MdtKeaSystem *s);
-/* Whether a contact is closed: its gap is below a tolerance. */
+/* Whether the contact of a normal row touches: its gap is below a tolerance. */
 MeBool kea_isTouching(const MdtKeaSystem *s, const MdtKeaRow *row);
-/* m/s: J v - s of a row at the start; of a normal row J v - drift. */
+/* m/s: J v - s of row i at the start; J v - drift if it is a normal row. */
 double kea_startRate(const MdtKeaSystem *s, int i);
-/* A body and a row of the inner problem for an instant: masses at the start pose, no loads, no springs. */
+/* Set a body and a row of the inner problem of an instant: masses at the start pose, no loads, no springs. */
 void kea_setInstantBody(KeaProblem *q, int b, const MdtKeaBody *body);
 void kea_setInstantRow(const MdtKeaSystem *s, int i, KeaProblemRow *p);
 
 /* ---- kea_project.c ---- */
 
-/* Reduces overlaps by a displacement, without changing velocities. */
+/* Reduces overlaps by displacing bodies, without changing velocities. */
 void kea_project(MdtKeaSystem *s);
-/* Is it two-sided, without bounds? */
+/* Whether the row is a position row without bounds. */
 MeBool kea_isRigidJoint(const MdtKeaRow *row);
-/* Least changes of the bodies in the metric of the instant (kea_setInstantBody), work->added, by which the rows that
- * take part change by `target`. */
+/* Finds the smallest change of the bodies, work->added, in the metric of the instant (kea_setInstantBody), that changes
+ * the rows with isIncluded by `target`. */
 void kea_solveInstant(MdtKeaSystem *s, const double target[]);
 
 /* ---- kea_budget.c ---- */
 
-/* Sets the budget of work up to the next call, a share of the whole solve's, and reserves part of it for so many passes
- * by sweeps. */
+/* Sets the cap on the work of the inner problem to a share of the whole solve's, and reserves a part of it for this
+ * number of passes by sweeps. It holds until the next call. */
 void kea_setBudget(MdtKeaSystem *s, double share, int sweptPasses);
-/* Copies the counts of work into the report. */
+/* Copies the counts of work to the report. */
 void kea_reportWork(MdtKeaSystem *s);
 
 /* ---- kea_free.c ---- */
 
-/* The poses of body i at the end, from its KeaEnd, and in the middle. */
+/* Sets the end pose of body i from its KeaEnd, and its mean pose. */
 void kea_setPoses(MdtKeaSystem *s, int i);
-/* End states of the bodies that no row acts on: free motion; of one body. */
+/* Set the end states of all bodies with isFree, or of body i, by free motion. */
 void kea_moveFreely(MdtKeaSystem *s);
-void kea_moveFree(MdtKeaSystem *s, int i);
+void kea_moveFreeBody(MdtKeaSystem *s, int i);
 
 /* ---- kea_energy.c ---- */
 
-/* J: kinetic energy of velocity + change, of the bodies of the inner problem; change may be null. */
+/* J: kinetic energy at velocity + change, of the bodies of the inner problem; change may be null. */
 double kea_kineticEnergy(const MdtKeaSystem *s, double (*velocity)[6], double (*change)[6]);
-/* J: an upper bound of the kinetic energy at the end: that of the start and the work of loads, springs, motors and
+/* J: an upper bound of the kinetic energy at the end: that at the start plus the work of loads, springs, motors and
  * moving attachments or surfaces. */
 double kea_energyAllowed(const MdtKeaSystem *s);
 /* J: kinetic energy of the whole partition at the speed with which the largest joint error is corrected. */
 double kea_energyOfCorrection(const MdtKeaSystem *s);
-/* Scales u of the bodies that rows act on, where the loads would take more energy from them than there is, down to
- * where they have taken all. Energy for the correction of errors is allowed for. False: nothing to scale. */
-MeBool kea_limitTravel(const MdtKeaSystem *s);
-/* The largest share a in [0, 1] for which velocity + plastic + a (elastic - plastic) has no more energy than
- * allowed. */
+/* If bodies that rows act on move against the loads so far that the loads would take more than their kinetic energy,
+ * scales u of these bodies down until the loads take exactly all of it. Energy that the correction of errors needs is
+ * added to it. False: nothing was scaled. */
+MeBool kea_limitDisplacements(const MdtKeaSystem *s);
+/* The largest a in [0, 1] for which velocity + plastic + a (elastic - plastic) has at most the energy `allowed`. */
 double kea_elasticShare(const MdtKeaSystem *s, double (*velocity)[6], double (*elastic)[6], double (*plastic)[6],
                         double allowed);
-/* Fallback for a step that has not converged: `change` scales the velocities of all bodies that rows act on down to the
- * energy allowed. False: they have no more than that. */
+/* Fallback for a step that has not converged: `change` is what scales the velocities of all bodies that rows act on
+ * down to the energy `allowed`. False: they have no more than that, or only free bodies move. */
 MeBool kea_scaleVelocities(const MdtKeaSystem *s, double (*velocity)[6], double allowed, double (*change)[6]);
 
 /* ---- kea_residual.c ---- */
 
-/* Residuals of a pass, in units of their tolerances (kea_policy_i.h): below 1 is converged. */
+/* Residuals of a pass, in units of their tolerances (kea_policy_i.h): converged if below 1. */
 typedef struct KeaResiduals {
     double position, velocity, momentum, worst;
-    double attachment; /* the position error over the rounding of the joints' attachments */
-    double impulse;    /* N s, of the largest violation of a velocity row */
-    double resolution; /* m/s, of the velocity: its tolerance */
+    double attachment; /* the largest position error, in units of the rounding of the joints' attachments */
+    double impulse;    /* N s: the largest change of an impulse that would remove a violation of a velocity row */
+    double resolution; /* m/s: the tolerance of `velocity` */
 } KeaResiduals;
 
-/* m/s: slower, a body moves in the step by less than a double's rounding of its size, and is not told from one that
- * rests. Without this floor, what a motor has stopped in a world without loads is solved for again and again. */
+/* m/s: the speed at which a body moves in the step by a double's rounding of its size: a slower one counts as resting.
+ * Without this floor, a body that a motor has stopped in a world without loads would be solved in every step. */
 static inline double kea_minSpeed(double size, double stepsize) {
     return DBL_EPSILON * size / stepsize;
 }
-/* The same, the greatest of all bodies. */
+/* m/s: the largest kea_minSpeed of all bodies. */
 double kea_minSpeedOfAll(const MdtKeaSystem *s);
 /* m/s: the largest change of a body's velocity by loads in the step. */
 double kea_loadSpeed(const MdtKeaSystem *s);
-/* m/s: the scale of velocities, to which tolerances are relative: of bodies and their changes by loads, at least
- * kea_minSpeedOfAll; and of their changes by springs and motors, with the present impulses. */
+/* m/s: scales of velocities, to which tolerances are relative. kea_bodySpeedScale: of the bodies' velocities and their
+ * changes by loads, at least kea_minSpeedOfAll. kea_rowSpeedScale: of changes by springs and motors with the present
+ * impulses. */
 double kea_bodySpeedScale(const MdtKeaSystem *s);
 double kea_rowSpeedScale(const MdtKeaSystem *s);
-/* After a linearization. Writes report.error. */
+/* Residuals of the present iterate, relative to the speed scale `speed`; after a linearization. Writes report.error. */
 KeaResiduals kea_residuals(MdtKeaSystem *s, double speed);
-/* Of the smaller body's size: the most that a joint was to close and has not. */
-double kea_openingLeft(const MdtKeaSystem *s);
+/* The largest joint error that was to be corrected and was not, relative to the smaller body's size. */
+double kea_uncorrectedOpening(const MdtKeaSystem *s);
 MeBool kea_isConverged(const KeaResiduals *e);
-/* Whether residuals are below margin times the loose tolerances, within which an answer is reported as exact; and those
- * of positions and momenta alone, whatever contacts' velocities are. */
+/* Whether the residuals are within `margin` times the loose tolerances, within which an answer is reported as exact;
+ * kea_isMotionExactEnough: those of positions and momenta only, whatever the velocity residual is. */
 MeBool kea_isExactEnough(const KeaResiduals *e, double margin);
 MeBool kea_isMotionExactEnough(const KeaResiduals *e, double margin);
-/* Sets the scales of its rows' errors that a body's motion gives, at its end position. */
+/* Sets distance, linearScale and angularScale of a body, after it has been moved. */
 void kea_setErrorScales(MdtKeaSystem *s, int body);
-/* After every pass: marks inconsistent joints, which contradict each other. Whether the residual of one exceeds the
- * rounding of attachments; whether it exceeds the position tolerance. */
-void kea_noteInconsistent(MdtKeaSystem *s);
+/* Marks inconsistent joints, which contradict each other; after every pass. kea_isConflicting: whether the residual of
+ * such a joint exceeds the rounding of attachments; kea_isInconsistent: whether it exceeds the position tolerance. */
+void kea_markInconsistentJoints(MdtKeaSystem *s);
 MeBool kea_isConflicting(const MdtKeaSystem *s);
 MeBool kea_isInconsistent(const MdtKeaSystem *s);
 
 /* ---- kea_dual.c ---- */
 
-/* Chooses the primal or dual factorization by flop count. */
-void kea_dualBegin(MdtKeaSystem *s);
-/* Solves the inner problem for the joints' impulses. False: kea_dualBegin has chosen the primal factorization, or the
- * factorization failed. */
+/* Chooses the primal or the dual factorization by flop count. */
+void kea_dualChoose(MdtKeaSystem *s);
+/* Solves the inner problem for the joints' impulses. False: kea_dualChoose has chosen the primal factorization, the
+ * budget is used up, or the factorization failed. */
 MeBool kea_dualSolve(MdtKeaSystem *s);
 
 /* ---- kea_redundancy.c ---- */
 
-/* Whether joints, and the world, make a loop. */
+/* Whether joints form a loop, the world counted as a body. */
 MeBool kea_hasLoops(const MdtKeaSystem *s);
 
 /* Replaces the impulses of redundant joints by those of least norm with the same resultant on each body; overwrites the
@@ -417,7 +425,7 @@ void kea_minimizeRedundantForces(MdtKeaSystem *s);
 
 /* ---- kea_velocity.c ---- */
 
-/* Corrects the velocities at the end of the step. */
+/* Corrects the end velocities after discontinuities, and limits their energy. */
 void kea_velocityStage(MdtKeaSystem *s);
 
 #endif

@@ -104,7 +104,7 @@ void MEAPI MdtKeaInit(MdtKeaSystem *s, void *scratch) {
     s->work->numContacts = 0;
     MeTeamRunRanges(s->team, s->numBodies, KEA_BODY_CHUNK, beginBodies, s);
     if (s->parameters.elapsed == 0)
-        kea_guessLoads(s);
+        kea_guessContactForces(s);
 }
 
 void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
@@ -118,13 +118,13 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
         return;
     }
     kea_exactSolve(s);
-    kea_returnContacts(s);
+    kea_returnContactForces(s);
 }
 
 void MEAPI MdtKeaImpact(MdtKeaSystem *s) {
     const KeaEventScale scale = kea_eventScale(s);
     if (kea_impact(s, &scale))
-        kea_returnContacts(s);
+        kea_returnContactForces(s);
 }
 
 /* Within the range of MeReal, which programs read the state in; false for NaN. */

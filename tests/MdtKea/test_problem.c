@@ -934,7 +934,7 @@ START_TEST(sweeps_gain_no_energy) {
         }
         measure();
         q.sweptPasses = 1;
-        q.maxWork = kea_problemSweptPass(&q, KEA_FEWEST_SWEEPS + (int)seed % 12);
+        q.maxWork = kea_problemWorkOfSweptPass(&q, KEA_FEWEST_SWEEPS + (int)seed % 12);
         kea_problemSweep(&q);
         for (int b = 0; b < q.numBodies; b++) {
             before += kea_energyOf(&q.metric[b], v[b], v[b]);

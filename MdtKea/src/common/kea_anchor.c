@@ -1,9 +1,9 @@
-/* The place, depth and lever arms of a contact throughout the parts of a step.
+/* Position, depth and lever arms of a contact in each sub-step of a step.
  *
  * At the start of the step a contact is where collision detection found it, and the surface points p_k of the two
- * bodies lie half the depth on either side of it. In later parts of the step each point moves with its body, and
- * depth = n·(p_1 - p_0). The anchor, which is fixed in the body, is that point, or the centre of the sphere or circle
- * if the surface is round there.
+ * bodies lie half the depth on either side of it. In later sub-steps each point moves with its body, and
+ * depth = n·(p_1 - p_0). The anchor is fixed in the body: it is the surface point, or, if the surface is round there,
+ * the centre of the sphere or circle.
  */
 #include "common/kea_anchor_i.h"
 #include "MeAssert.h"
@@ -36,17 +36,17 @@ static MeBool isRound(const KeaContact *c, int k) {
 
 /* ---- the depth ---- */
 
-/* m: the depth at which the last step's force holds the contact still, h² E λ / γ. */
+/* m: the sag of the contact under the last step's force, h² E λ / γ. */
 static double depthUnderLoad(const MdtKeaSystem *s, const KeaContact *c) {
     const MdtKeaParameters *p = &s->parameters;
     const double E = p->epsilon + p->softening * c->manifold->surface.softness;
     return p->gamma > 0 ? p->stepsize * p->stepsize * E * fmax(c->at->guess[0], 0) / p->gamma : 0;
 }
 
-/* m: the depth within the rounding error of the given one that is nearest to rest. The given depth has the rounding of
- * the transforms that it was computed from, projected on the normal; this noise would move bodies at rest, and the last
- * step's answer would not be one of this step. At rest the depth is 0, or the sag under the load if that is below the
- * rounding: with 0 a soft contact would sink by h E λ a second until its depth exceeds the rounding. */
+/* m: the depth nearest to the depth at rest, within the rounding error of the depth that collision gave. That has the
+ * rounding of the transforms that it was computed from, projected on the normal, which would move resting bodies, so
+ * that the last step's answer would not fit this step. At rest the depth is 0, or the sag under load if that is less
+ * than the rounding: with 0 a soft contact would sink by h E λ a second until its depth exceeds the rounding. */
 static double depthWithinRounding(const MdtKeaSystem *s, const KeaContact *c) {
     const double *n = c->manifold->normal, depth = c->at->depth;
     double extent = 0;
@@ -67,8 +67,9 @@ static double depthWithinRounding(const MdtKeaSystem *s, const KeaContact *c) {
 
 /* ---- anchors, at the start of the step ---- */
 
-/* The vector from the anchor to the surface point, with the outward normal o: of a sphere r o; of a circle with the
- * axis a to its point farthest along o, r (o - a (a·o)) / |..|, 0 where it lies flat; of corners, edges and faces 0. */
+/* The vector `out` from the anchor to the surface point, with o the outward normal: r o for a sphere; for a circle with
+ * the axis a, to its farthest point along o, r (o - a (a·o)) / |..|, or 0 if it lies flat; 0 for corners, edges and
+ * faces. */
 static void offsetToSurface(const KeaContact *c, int k, const double axis[3], double out[3]) {
     keaScale(out, k == 0 ? -1 : 1, c->normal);
     if (c->circle[k] > 0) {
@@ -79,21 +80,21 @@ static void offsetToSurface(const KeaContact *c, int k, const double axis[3], do
     }
 }
 
-/* Is it round about the body's own centre? */
+/* Whether the surface is spherical about the body's centre of mass. */
 static MeBool isAboutCentre(const KeaContact *c, int k) {
     return c->manifold->radius[k] > 0 && !(c->circle[k] > 0) &&
            keaLength(c->anchor[k]) <= kea_centredBall * c->manifold->radius[k];
 }
 
-/* Is it a ball about its body's centre? A sphyl is round, too, but moments tell them apart. */
+/* Whether the body is a ball about its centre of mass: a sphyl (capsule) has round ends, too, but different moments. */
 static MeBool isBall(const MdtKeaSystem *s, const KeaContact *c, int k) {
     const double *I = isWorld(c, k) ? NULL : s->bodies[c->manifold->body[k]]->moments;
     const double max = I ? kea_equalMoments * I[0] : 0;
     return I && c->isAboutCentre[k] && fabs(I[1] - I[0]) <= max && fabs(I[2] - I[0]) <= max;
 }
 
-/* m: the radius of the circle that touches; 0 if its axis may reach the normal within this part of the step. A circle
- * that lies flat has no farthest point, and near that the farthest point moves far along the circle. */
+/* m: the radius of the circle that touches; 0 if its axis may become parallel to the normal within the sub-step. A
+ * circle that lies flat has no farthest point, and close to that the farthest point moves far along the circle. */
 static double circleOf(const MdtKeaSystem *s, const KeaContact *c, int k) {
     const double *axis = c->manifold->axis[k];
     double aside[3], turn[3];
@@ -125,27 +126,27 @@ static void setAnchors(const MdtKeaSystem *s, KeaContact *c) {
     c->areBalls = isBall(s, c, 0) && isBall(s, c, 1);
 }
 
-/* ---- later parts of the step ---- */
+/* ---- later sub-steps ---- */
 
-/* The side whose surface point the contact follows where the bodies slide past each other: a round surface before a
- * flat one, a body before the world; else the mean of both. */
+/* The side whose surface point the contact follows while the bodies slide: a round surface before a flat one, a body
+ * before the world; else the mean of both. */
 enum { BOTH = 2 };
-static int ownerOf(const KeaContact *c) {
+static int sideToFollow(const KeaContact *c) {
     if (isRound(c, 0) != isRound(c, 1))
         return isRound(c, 0) ? 0 : 1;
     return isWorld(c, 1) ? 0 : isWorld(c, 0) ? 1 : BOTH;
 }
 
-/* The axis of the circle (world); 0 where there is none. */
-static void axisOf(const MdtKeaSystem *s, const KeaContact *c, int k, double axis[3]) {
+/* The axis of the circle (world); 0 without a circle. */
+static void circleAxisOf(const MdtKeaSystem *s, const KeaContact *c, int k, double axis[3]) {
     if (c->circle[k] > 0)
         keaApply(axis, poseOf(s, c, k)->R, c->circleAxis[k]);
     else
         keaZero(axis);
 }
 
-/* Two balls touch along the line of their centres, wherever these have come to. */
-static void renewNormal(const MdtKeaSystem *s, KeaContact *c) {
+/* Two balls touch along the line of their present centres. */
+static void updateBallNormal(const MdtKeaSystem *s, KeaContact *c) {
     double n[3], d[3];
     keaSubtract(n, poseOf(s, c, 0)->pos, poseOf(s, c, 1)->pos);
     keaCopy(d, c->direction);
@@ -155,21 +156,21 @@ static void renewNormal(const MdtKeaSystem *s, KeaContact *c) {
     keaScale(n, 1 / distance, n);
     keaAddScaled(d, -keaDot(d, n), n);
     const double across = keaLength(d);
-    if (!(across > kea_minAcross)) /* turned to where the direction was: what is left of it is rounding */
+    if (!(across > kea_minAcross)) /* the normal is parallel to the old direction: d is rounding */
         return;
     keaCopy(c->normal, n);
     keaScale(c->direction, 1 / across, d);
 }
 
-static void followBodies(const MdtKeaSystem *s, KeaContact *c) {
-    const int owner = ownerOf(c);
+static void moveWithBodies(const MdtKeaSystem *s, KeaContact *c) {
+    const int owner = sideToFollow(c);
     double p[2][3], between[3];
     if (c->areBalls)
-        renewNormal(s, c);
+        updateBallNormal(s, c);
     for (int k = 0; k < 2; k++) {
         const MdtKeaTransformation *pose = poseOf(s, c, k);
         double axis[3], out[3];
-        axisOf(s, c, k, axis);
+        circleAxisOf(s, c, k, axis);
         offsetToSurface(c, k, axis, out);
         keaApply(p[k], pose->R, c->anchor[k]);
         keaAddScaled(p[k], 1, pose->pos);
@@ -184,12 +185,13 @@ static void followBodies(const MdtKeaSystem *s, KeaContact *c) {
     }
 }
 
-/* ---- how the place moves within a part of the step ----
+/* ---- motion of the contact point within a sub-step ----
  *
- * As with the velocities that the bodies have at its start: by (h v, h w), known before the rows are solved, so that
- * they are the same in all passes. What loads and impulses of this step change is of the next order. */
+ * It is predicted from the velocities at the start of the sub-step: bodies move by (h v, h w). These are known before
+ * the rows are solved and are the same in all passes. Changes by loads and impulses of this step are of the next
+ * order. */
 
-/* cay(φ) r - r = (φ x r + φ x (φ x r) / 2) / (1 + φ²/4), as bodies turn. */
+/* r += share (cay(φ) r - r), with cay(φ) r - r = (φ x r + φ x (φ x r) / 2) / (1 + φ²/4), the rotation of bodies. */
 static void turnBy(const double turn[3], double share, double r[3]) {
     const double halfAngleFactor = share / (1 + keaDot(turn, turn) / 4);
     double once[3], twice[3];
@@ -199,20 +201,20 @@ static void turnBy(const double turn[3], double share, double r[3]) {
     keaAddScaled(r, 0.5 * halfAngleFactor, twice);
 }
 
-/* The displacement, m, and the rotation vector of a side in this part of the step; 0 of the world, even where its
- * surface moves (conveyor belt). */
+/* Displacement, m, and rotation vector, rad, of a side in this sub-step; 0 for the world, even if its surface moves
+ * (conveyor belt). */
 static void motionOf(const MdtKeaSystem *s, const KeaContact *c, int k, double displacement[3], double turn[3]) {
     const double h = isWorld(c, k) ? 0 : s->parameters.stepsize;
     keaScale(displacement, h, sideVelocityOf(s, c, k)->lin);
     keaScale(turn, h, sideVelocityOf(s, c, k)->ang);
 }
 
-/* The contact point of a round surface after a share of this part of the step. */
+/* The contact point p of a round surface after a share of the sub-step. */
 static void pointOfRound(const MdtKeaSystem *s, const KeaContact *c, int k, double share, double p[3]) {
     const MdtKeaTransformation *pose = poseOf(s, c, k);
     double displacement[3], turn[3], axis[3], out[3];
     motionOf(s, c, k, displacement, turn);
-    axisOf(s, c, k, axis);
+    circleAxisOf(s, c, k, axis);
     turnBy(turn, share, axis);
     offsetToSurface(c, k, axis, out);
     keaApply(p, pose->R, c->anchor[k]);
@@ -223,7 +225,8 @@ static void pointOfRound(const MdtKeaSystem *s, const KeaContact *c, int k, doub
     keaAddScaled(p, share, displacement);
 }
 
-/* Lever arms of a rolling contact: two round surfaces have a point each; a flat one has that of the round one. */
+/* Lever arms of a rolling contact: each of two round surfaces has its own point; a flat one uses that of the round
+ * one. */
 static void rollArms(const MdtKeaSystem *s, const KeaContact *c, double share, double arm[2][3]) {
     for (int k = 0; k < 2; k++) {
         double p[3], displacement[3], turn[3];
@@ -234,8 +237,8 @@ static void rollArms(const MdtKeaSystem *s, const KeaContact *c, double share, d
     }
 }
 
-/* Whether the lever arm of this side is constant: of a world that does not turn, of a ball that turns about its own
- * centre. */
+/* Whether the lever arm of this side is constant: the side is a world that does not rotate, or a sphere about the
+ * body's centre of mass. */
 static MeBool isArmConstant(const MdtKeaSystem *s, const KeaContact *c, int k) {
     const double *spin = sideVelocityOf(s, c, k)->ang;
     if (isWorld(c, k) && keaDot(spin, spin) == 0)
@@ -243,8 +246,8 @@ static MeBool isArmConstant(const MdtKeaSystem *s, const KeaContact *c, int k) {
     return c->isAboutCentre[k];
 }
 
-/* The arm from the axis of rotation: through the body's centre, or, of a world that moves with v at the origin and
- * turns with w, through w x v / w². */
+/* The arm from the axis of rotation, which goes through the body's centre or, for a world that moves with v at the
+ * origin and rotates with w, through w x v / w². */
 static void armFromAxis(const MdtKeaSystem *s, const KeaContact *c, int k, double r[3]) {
     const MdtKeaVelocity *v = sideVelocityOf(s, c, k);
     const double w2 = keaDot(v->ang, v->ang);
@@ -256,10 +259,10 @@ static void armFromAxis(const MdtKeaSystem *s, const KeaContact *c, int k, doubl
     }
 }
 
-/* Chooses the rotation of a contact of flat surfaces. It is not known which features touch: a corner turns with its
- * body, an edge that another one slides along does not. In any case a contact turns with a rotation that both sides
- * share, which is taken to be that of the side that displaces it less. False: so small that half its square is lost in
- * rounding. */
+/* Chooses the rotation c->turn of a contact of flat surfaces. It is not known which features touch: a corner turns with
+ * its body, an edge that another one slides along does not. The contact certainly turns with a rotation that both sides
+ * have in common; the rotation of the side that displaces the contact less stands for it. False: the rotation is so
+ * small that half of its square is lost in rounding. */
 static MeBool findSharedTurn(const MdtKeaSystem *s, KeaContact *c) {
     const double h = s->parameters.stepsize, min = kea_minTurn;
     const double *spin[2] = {sideVelocityOf(s, c, 0)->ang, sideVelocityOf(s, c, 1)->ang};
@@ -292,7 +295,7 @@ static void turnArms(const MdtKeaSystem *s, const KeaContact *c, double share, d
     }
 }
 
-static MeBool rolls(const KeaContact *c) {
+static MeBool hasRoundSide(const KeaContact *c) {
     return isRound(c, 0) || isRound(c, 1);
 }
 
@@ -300,17 +303,17 @@ static void setArms(const MdtKeaSystem *s, KeaContact *c) {
     keaZero(c->turn);
     for (int k = 0; k < 2; k++)
         keaSubtract(c->arm[k], c->point, poseOf(s, c, k)->pos);
-    c->moves = rolls(c) ? !isArmConstant(s, c, 0) || !isArmConstant(s, c, 1) : findSharedTurn(s, c);
+    c->moves = hasRoundSide(c) ? !isArmConstant(s, c, 0) || !isArmConstant(s, c, 1) : findSharedTurn(s, c);
 }
 
-void kea_contactPlaceAnew(const MdtKeaSystem *s, KeaContact *c) {
+void kea_contactPlaceAtStart(const MdtKeaSystem *s, KeaContact *c) {
     setAnchors(s, c);
     setArms(s, c);
 }
 
 void kea_contactPlace(const MdtKeaSystem *s, KeaContact *c) {
     if (s->parameters.elapsed > 0)
-        followBodies(s, c);
+        moveWithBodies(s, c);
     else
         setAnchors(s, c);
     setArms(s, c);
@@ -318,7 +321,7 @@ void kea_contactPlace(const MdtKeaSystem *s, KeaContact *c) {
 
 void kea_contactArms(const MdtKeaSystem *s, const KeaContact *c, double share, double arm[2][3]) {
     MEASSERT(c->moves);
-    if (rolls(c))
+    if (hasRoundSide(c))
         rollArms(s, c, share, arm);
     else
         turnArms(s, c, share, arm);

@@ -1,11 +1,11 @@
-/* Carving arrays out of one block of memory, and blocks that grow. */
+/* Arena allocation: arrays within one block of memory; and blocks that grow. */
 #ifndef KEA_ARENA_I_H
 #define KEA_ARENA_I_H
 
 #include "MeInternal.h"
 #include <stddef.h>
 
-/* With no block it only measures how much the arrays need. */
+/* Without a block, kea_carve only sums up the bytes that the arrays need. */
 typedef struct KeaArena {
     char *base; /* null: measure */
     size_t used;
@@ -17,14 +17,14 @@ static inline void *kea_carve(KeaArena *a, size_t count, size_t size) {
     return at;
 }
 
-/* Memory that is reused. It grows to twice what is needed, so that later requests up to that allocate nothing. */
+/* Reused memory. It grows to twice the requested size, so that later requests up to that allocate nothing. */
 typedef struct KeaBlock {
     char *memory;
     size_t size;
 } KeaBlock;
 
-/* Makes room for so many bytes, of which the first `kept` keep what they hold; the block may move. False: no memory,
- * and the block is as it was. */
+/* Grows the block to at least `bytes`; the first `kept` bytes keep their contents; the block may move. False: no
+ * memory, and the block is unchanged. `what` names the block in the message. */
 static inline MeBool kea_blockReserve(KeaBlock *b, size_t kept, size_t bytes, const char *what) {
     if (b->memory && bytes <= b->size)
         return METRUE;

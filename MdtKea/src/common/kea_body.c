@@ -1,4 +1,4 @@
-/* A body as a step begins and ends: the prediction without rows, and the commit of its end state. */
+/* A body at the start and at the end of a step: its prediction without rows, and the commit of its end state. */
 #include "kea_i.h"
 #include "MeAssert.h"
 #include "common/kea_policy_i.h"
@@ -9,8 +9,8 @@ static void setPose(MdtKeaTransformation *pose, const double position[3], const 
     keaQuaternionToMatrix(pose->R, quaternion);
 }
 
-/* The solution of dv/dt = a - d v after h seconds; without damping exactly v + h a. */
-static void advance(double r[3], const double v[3], const double a[3], double scale, double damping, double h) {
+/* The solution r of dv/dt = scale a - damping v after h seconds; without damping exactly v + h scale a. */
+static void integrateDamped(double r[3], const double v[3], const double a[3], double scale, double damping, double h) {
     const double x = damping * h;
     MEASSERT(x >= 0);
     const double keep = exp(-x), gain = x > 0 ? -expm1(-x) / x : 1;
@@ -23,15 +23,15 @@ double kea_bodyExtent(const MdtKeaBody *body) {
     return sqrt(keaMax(I[0], keaMax(I[1], I[2])) * body->invMass);
 }
 
-/* Velocity and momentum at the end of the step without rows, and the angular velocity of that momentum at the start
- * pose. */
-static void predict(MdtKeaSystem *s, int i, const double R[3][3]) {
+/* Sets velocity and angular momentum at the end of the step without rows, and the angular velocity that belongs to this
+ * momentum at the start pose. R: principal axes. */
+static void predictBody(MdtKeaSystem *s, int i, const double R[3][3]) {
     const MdtKeaBody *body = s->bodies[i];
     KeaBody *b = &s->work->body[i];
     const double h = s->parameters.stepsize;
     b->size = kea_bodyExtent(body);
-    advance(b->freeVelocity, body->velocity, body->force, body->invMass, body->linearDamping, h);
-    advance(b->freeMomentum, body->angularMomentum, body->torque, 1, body->angularDamping, h);
+    integrateDamped(b->freeVelocity, body->velocity, body->force, body->invMass, body->linearDamping, h);
+    integrateDamped(b->freeMomentum, body->angularMomentum, body->torque, 1, body->angularDamping, h);
     keaCopy(s->predicted[i].lin, b->freeVelocity);
     kea_angularVelocityBy(body->moments, R, b->freeMomentum, s->predicted[i].ang);
 }
@@ -39,18 +39,19 @@ static void predict(MdtKeaSystem *s, int i, const double R[3][3]) {
 void kea_beginBody(MdtKeaSystem *s, int i) {
     const MdtKeaBody *body = s->bodies[i];
     double R[3][3];
-    const double(*axes)[3] = (const double(*)[3])R; /* principal ones */
+    const double(*axes)[3] = (const double(*)[3])R; /* principal axes */
     setPose(&s->pose[i], body->position, body->quaternion);
     keaCopy(s->velocity[i].lin, body->velocity);
     kea_principalAxes(body, body->quaternion, R);
     kea_angularVelocityBy(body->moments, axes, body->angularMomentum, s->velocity[i].ang);
     s->invMass[i].mass = body->invMass;
     kea_inverseInertiaBy(body->moments, axes, s->invMass[i].inertia);
-    predict(s, i, axes);
+    predictBody(s, i, axes);
 }
 
-/* `start` becomes the velocity at the end. */
-static void noteAcceleration(MdtKeaBody *body, MdtKeaVelocity *start, double h) {
+/* Stores the acceleration of the step in the body, and replaces `start`, the velocity at the start, by that at the
+ * end. */
+static void storeAcceleration(MdtKeaBody *body, MdtKeaVelocity *start, double h) {
     double w[3];
     MdtKeaBodyGetAngularVelocity(body, w);
     for (int i = 0; i < 3; i++) {
@@ -80,6 +81,6 @@ void kea_commitBody(MdtKeaSystem *s, int i) {
     commitState(s->bodies[i], &s->work->end[i]);
     const double signedStep = s->parameters.isBack ? -s->parameters.stepsize : s->parameters.stepsize;
     s->bodies[i]->fall += signedStep * (s->parameters.elapsed + s->work->end[i].theta * signedStep);
-    noteAcceleration(s->bodies[i], &s->velocity[i], s->parameters.stepsize);
+    storeAcceleration(s->bodies[i], &s->velocity[i], s->parameters.stepsize);
     s->pose[i] = s->work->endPose[i];
 }

@@ -1,9 +1,9 @@
-/* How much work a solve may take, and what it has taken. */
+/* The work budget of a solve, and the report of the work done. */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
 
-/* Under an iteration cap, the number of passes by sweeps is capped in proportion, as the cap is to make a step cheaper.
- * Sweeps get at most half of the work that is left. */
+/* An iteration cap is meant to make the step cheaper, so it also limits the number of passes by sweeps. Sweeps get at
+ * most half of the remaining work. */
 void kea_setBudget(MdtKeaSystem *s, double share, int sweptPasses) {
     KeaProblem *q = &s->work->problem;
     q->maxIterations = s->parameters.maxIterations;
@@ -12,7 +12,7 @@ void kea_setBudget(MdtKeaSystem *s, double share, int sweptPasses) {
     q->maxWork = share * s->parameters.maxWork;
     q->sweptPasses = sweptPasses;
     q->reserve = s->parameters.mayDecline ? 0
-                                          : keaMin(sweptPasses * kea_problemSweptPass(q, KEA_SWEEPS),
+                                          : keaMin(sweptPasses * kea_problemWorkOfSweptPass(q, KEA_SWEEPS),
                                                    0.5 * keaMax(q->maxWork - q->counts.work, 0));
     q->counts.isLimited = MEFALSE;
 }

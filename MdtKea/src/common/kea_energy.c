@@ -1,8 +1,8 @@
-/* Kinetic energy and its limit: neither rebounds nor answers that have not converged may add energy.
+/* Kinetic energy and its limiter: neither rebounds nor answers that have not converged may add energy.
  *
- * Changes of velocity with restitution (elastic), which may have too much energy, and without (plastic), which have
- * not, are interpolated: E(v + plastic + a (elastic - plastic)) is quadratic in a, and the largest a in [0, 1] with E
- * <= allowed is a root. Where there is no plastic answer, all velocities are scaled.
+ * The change of velocity with restitution (elastic) may add too much energy, the one without (plastic) does not. The
+ * limiter interpolates between them: E(v + plastic + a (elastic - plastic)) is quadratic in a, and the largest a in
+ * [0, 1] with E <= allowed is a root. Without a plastic answer, all velocities are scaled.
  */
 #include "kea_i.h"
 #include "MeAssert.h"
@@ -73,8 +73,8 @@ double kea_energyOfCorrection(const MdtKeaSystem *s) {
     return 0.5 * mass * speed * speed;
 }
 
-/* J: a bound of the work against loads done by the correction of errors: the momentum given by the loads times its
- * speed. */
+/* J: an upper bound of the work that the correction of errors does against loads: the momentum given by the loads times
+ * the speed of the correction. */
 static double workOfCorrection(const MdtKeaSystem *s) {
     double momentum = 0;
     for (int b = 0; b < s->numBodies; b++) {
@@ -85,7 +85,7 @@ static double workOfCorrection(const MdtKeaSystem *s) {
     return momentum * speedOfCorrection(s, METRUE);
 }
 
-MeBool kea_limitTravel(const MdtKeaSystem *s) {
+MeBool kea_limitDisplacements(const MdtKeaSystem *s) {
     double start = workOfCorrection(s), work = workOfRows(s);
     for (int b = 0; b < s->numBodies; b++)
         if (!s->work->body[b].isFree) {
@@ -132,7 +132,7 @@ double kea_elasticShare(const MdtKeaSystem *s, double (*velocity)[6], double (*e
 
 /* ---- scaling ---- */
 
-/* J: of the bodies that no row acts on, which are not scaled. */
+/* J: energy of the bodies that no row acts on, which are not scaled. */
 static double freeEnergy(const MdtKeaSystem *s, double (*velocity)[6]) {
     double sum = 0;
     for (int b = 0; b < s->numBodies; b++)
@@ -141,7 +141,7 @@ static double freeEnergy(const MdtKeaSystem *s, double (*velocity)[6]) {
     return sum;
 }
 
-/* J: to what rounding of energies is relative: of a needle that spins about itself the terms cancel. */
+/* J: the scale of the rounding of kea_kineticEnergy, whose terms cancel for a needle that spins about its own axis. */
 static double largestTerms(const MdtKeaSystem *s, double (*velocity)[6]) {
     double sum = 0;
     for (int b = 0; b < s->work->problem.numBodies; b++) {

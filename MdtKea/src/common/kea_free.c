@@ -13,9 +13,9 @@ void kea_setPoses(MdtKeaSystem *s, int i) {
     }
 }
 
-/* Half of the loads, free flight and rotation, the other half (Strang splitting): second order; the positions are exact
- * for constant forces. */
-void kea_moveFree(MdtKeaSystem *s, int i) {
+/* Strang splitting: half of the loads, free flight and rotation, the other half of the loads. It is of second order,
+ * and exact for the position under constant forces. */
+void kea_moveFreeBody(MdtKeaSystem *s, int i) {
     const double h = s->parameters.stepsize;
     const MdtKeaBody *body = s->bodies[i];
     const KeaBody *b = &s->work->body[i];
@@ -35,5 +35,5 @@ void kea_moveFree(MdtKeaSystem *s, int i) {
 void kea_moveFreely(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
         if (s->work->body[i].isFree)
-            kea_moveFree(s, i);
+            kea_moveFreeBody(s, i);
 }

@@ -1,21 +1,22 @@
-/* The forces that contacts are likely to carry where none are known, as in the first step of a tower. Both solvers
- * start from the last step's forces; from none Newton's method finds which contacts hold from the ground up, one layer
- * in each iteration, and the fast solver's passes pass forces down as slowly.
+/* Cold start: a guess at the forces of contacts if none are known, as in the first step of a tower. Both solvers start
+ * from the last step's forces; without them Newton's method finds the active contacts from the ground up, one layer per
+ * iteration, and the fast solver's passes transmit forces as slowly.
  *
- * A body's load L is its force, and what bodies above it press it with. It is shared by the contacts below it as if
+ * The load L of a body is its own force plus what the bodies above it press it with. The contacts below share it as if
  * there were no friction and no lever arms:
  *
  *     F_i = α c_i,    c = -n·l,    α = -L l·N / N²,    N = Σ c n,
  *
- * with the load's direction l: α minimizes |α N + L l|, what is not borne, so that a slope bears L c, and either side
- * of a groove L / (2 c). What is steeper than 60 degrees is borne by friction: no contact has more than L.
- * Sweeps over the contacts, against their order and in it in turn, pass loads on. Where contacts come from the ground
- * up or from the top down, two sweeps do. */
+ * with l the direction of the body's force. α minimizes the unsupported remainder |α N + L l|: a slope gets L c, each
+ * side of a groove L / (2 c). No contact gets more than L: friction carries the rest on sides steeper than 60 degrees.
+ * Loads are passed down by sweeps over the contacts, alternately in reverse order and in order. If contacts are sorted
+ * from the ground up or from the top down, two sweeps are enough. */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
 #include "inner/kea_factor_i.h"
 
-/* The load L of a body, in N, and N of the contacts that support it; each of them bears α c = L share c. */
+/* The load L of a body, N, the sum N of the contacts that support it, and share = α / L: a contact carries L share
+ * c. */
 typedef struct Load {
     double force, normal[3], share;
 } Load;
@@ -24,8 +25,8 @@ typedef struct Load {
 typedef struct Bearing {
     MdtKeaManifold *manifold;
     double size;  /* m, of the smaller body */
-    double c[2];  /* by body: the part of the normal force that supports it; negative where it presses it down */
-    double force; /* N, the normal force of all points */
+    double c[2];  /* by body: the fraction of the normal force that supports it; negative: that presses it down */
+    double force; /* N, the normal force of all points together */
     int numTouching;
 } Bearing;
 
@@ -50,20 +51,20 @@ static MeBool isAnyForceKnown(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* c of a body: -n·l. */
-static double bearingOf(const MdtKeaSystem *s, const MdtKeaManifold *m, int k) {
+/* c of side k: -n·l; 0 for the world and bodies without force. */
+static double supportOf(const MdtKeaSystem *s, const MdtKeaManifold *m, int k) {
     if (m->body[k] < 0)
         return 0;
     const double *force = s->bodies[m->body[k]]->force, size = keaLength(force);
     return size > 0 ? (k == 0 ? -1 : 1) * keaDot(m->normal, force) / size : 0;
 }
 
-/* Neither open, nor so deep that it has to be pushed apart. */
+/* Whether the point is neither open nor in a deep overlap. */
 static MeBool isTouching(const MdtKeaPoint *point, double size) {
     return point->depth >= -kea_touchingGap * size && point->depth <= kea_smallOverlap * size;
 }
 
-static void addContact(const MdtKeaSystem *s, MdtKeaManifold *m, Guess *g) {
+static void addBearing(const MdtKeaSystem *s, MdtKeaManifold *m, Guess *g) {
     Bearing *n = &g->contact[g->numContacts];
     *n = (Bearing){.manifold = m, .size = kea_smallerExtent(s, m->body)};
     for (int k = 0; k < m->numPoints; k++)
@@ -72,13 +73,13 @@ static void addContact(const MdtKeaSystem *s, MdtKeaManifold *m, Guess *g) {
         return;
     g->numContacts++;
     for (int k = 0; k < 2; k++) {
-        n->c[k] = bearingOf(s, m, k);
+        n->c[k] = supportOf(s, m, k);
         if (n->c[k] > 0)
             keaAddScaled(g->load[m->body[k]].normal, k == 0 ? n->c[k] : -n->c[k], m->normal);
     }
 }
 
-static void setShare(const double force[3], Load *load) {
+static void setLoadShare(const double force[3], Load *load) {
     const double *N = load->normal, squares = keaDot(N, N);
     load->share = squares > 0 ? -keaDot(N, force) / (load->force * squares) : 0;
 }
@@ -88,13 +89,13 @@ static void beginGuess(const MdtKeaSystem *s, Guess *g) {
     for (int i = 0; i < s->numBodies; i++)
         g->load[i] = (Load){.force = keaLength(s->bodies[i]->force)};
     for (int i = 0; i < s->numManifolds; i++)
-        addContact(s, &s->manifolds[i], g);
+        addBearing(s, &s->manifolds[i], g);
     for (int i = 0; i < s->numBodies; i++)
-        setShare(s->bodies[i]->force, &g->load[i]);
+        setLoadShare(s->bodies[i]->force, &g->load[i]);
 }
 
-/* The contact takes its share of the upper body's load and adds it to the lower body's. Returns the change of its
- * force. */
+/* Sets the contact's force to its share of the upper body's load, and adds the change to the lower body's load. Returns
+ * the absolute change of the force. */
 static double passLoad(Bearing *n, Load load[]) {
     const double before = n->force;
     n->force = 0;
@@ -109,8 +110,9 @@ static double passLoad(Bearing *n, Load load[]) {
     return fabs(n->force - before);
 }
 
-/* Sweeps until the forces have converged. False: they have not, as bodies support each other in a cycle. */
-static MeBool sweep(Guess *g, int max) {
+/* Sweeps until the forces have converged. False: they have not after `max` sweeps, as bodies that support each other in
+ * a cycle. */
+static MeBool passLoadsDown(Guess *g, int max) {
     for (int i = 0; i < max; i++) {
         double change = 0, all = 0;
         for (int k = 0; k < g->numContacts; k++) {
@@ -133,7 +135,7 @@ static void writeForces(const Guess *g) {
     }
 }
 
-void kea_guessLoads(MdtKeaSystem *s) {
+void kea_guessContactForces(MdtKeaSystem *s) {
     Guess g;
     if (s->numManifolds == 0 || isAnyForceKnown(s))
         return;
@@ -142,6 +144,6 @@ void kea_guessLoads(MdtKeaSystem *s) {
         return;
     layOutGuess(s, &g, memory);
     beginGuess(s, &g);
-    if (sweep(&g, s->numBodies + 1))
+    if (passLoadsDown(&g, s->numBodies + 1))
         writeForces(&g);
 }

@@ -1,12 +1,12 @@
-/* Simultaneous impacts: velocities change in an instant, by the law of restitution (kea_restitution.c).
+/* Simultaneous impacts: instantaneous changes of velocity by the law of restitution (kea_restitution.c).
  *
  * They are resolved in rounds (generalized reflections: Smith et al., Reflections on Simultaneous Impact, 2012): each
- * reflects all contacts that approach at once, until nothing rebounds by more than a fiftieth of the first rebound. So
- * only the last ball of a Newton's cradle leaves, and a box that lands flat does not turn. A round that would gain
- * energy is interpolated with the one without restitution (kea_energy.c).
+ * round reflects all approaching contacts at once, until no rebound is faster than a fiftieth of the first. So only the
+ * last ball of a Newton's cradle leaves, and a box that lands flat does not rotate. A round that would add energy is
+ * interpolated with the one without restitution (kea_energy.c).
  *
- * Only those bodies take part that acting rows connect with a contact that approaches: all else in the partition keeps
- * its velocity, to the last bit.
+ * Only bodies that acting rows connect with an approaching contact take part: all others of the partition keep their
+ * velocities, to the last bit.
  */
 #include "kea_i.h"
 #include "MeAssert.h"
@@ -44,7 +44,7 @@ MeBool kea_isTouching(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return row->error < kea_touchingGap * kea_smallerExtent(s, row->body);
 }
 
-/* ---- the problem of an instant ---- */
+/* ---- the inner problem of an instant ---- */
 
 void kea_setInstantBody(KeaProblem *q, int b, const MdtKeaBody *body) {
     KeaMetric *B = &q->metric[b];
@@ -65,7 +65,7 @@ void kea_setInstantRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     p->normal = row->normal;
     p->partner = row->partner;
     p->friction = row->friction;
-    /* a bounded force has no impulse in an instant */
+    /* a force with a finite bound has no impulse in an instant */
     p->lower = row->normal >= 0 || row->lower == -HUGE_VAL ? -HUGE_VAL : 0;
     p->upper = row->normal >= 0 || row->upper == HUGE_VAL ? HUGE_VAL : 0;
     p->E = row->contact == i ? 0 : row->softness;
@@ -74,7 +74,7 @@ void kea_setInstantRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     p->state = KEA_ACTIVE;
 }
 
-/* Whether a row has an impulse in an instant: touching contacts, joints without bounds, and stops that are reached. */
+/* Whether a row can have an impulse in an instant: touching contacts, joints without bounds, stops that are reached. */
 static MeBool actsInInstant(const MdtKeaSystem *s, int i) {
     const MdtKeaRow *row = &s->rows[i];
     if (row->contact >= 0)
@@ -85,8 +85,8 @@ static MeBool actsInInstant(const MdtKeaSystem *s, int i) {
     return isStop ? row->error <= 0 : row->lower == -HUGE_VAL && row->upper == HUGE_VAL;
 }
 
-/* Whether a contact's bodies approach each other faster than `slowest`, m/s. */
-static MeBool isHit(const MdtKeaSystem *s, int i, double slowest) {
+/* Whether row i is the normal row of a touching contact whose bodies approach each other faster than `slowest`, m/s. */
+static MeBool isApproaching(const MdtKeaSystem *s, int i, double slowest) {
     return s->rows[i].contact == i && kea_isTouching(s, &s->rows[i]) && -kea_startRate(s, i) > slowest;
 }
 
@@ -98,8 +98,8 @@ static void addImpactBody(MdtKeaSystem *s, int b) {
     s->work->problemBodyOf[b] = q->numBodies++;
 }
 
-/* Each body of the rows by itself, and none in the problem. */
-static void separateBodies(MdtKeaSystem *s) {
+/* Begins union-find with each body of the rows in a set of its own, and none of them in the problem. */
+static void beginBodySets(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         for (int k = 0; k < 2; k++)
             if (s->rows[i].body[k] >= 0) {
@@ -108,18 +108,18 @@ static void separateBodies(MdtKeaSystem *s) {
             }
 }
 
-/* The bodies that acting rows (work->isIncluded) connect with a contact that is hit, in the rows' order. A root whose
- * bodies take part has itself in the problem from the start. */
-static void chooseBodies(MdtKeaSystem *s, double slowest) {
+/* Adds the bodies that acting rows (work->isIncluded) connect with an approaching contact to the problem, in the rows'
+ * order. First the roots of their sets are added, which marks these sets. */
+static void collectImpactBodies(MdtKeaSystem *s, double slowest) {
     KeaProblem *q = &s->work->problem;
     int *parent = s->work->parent, *place = s->work->problemBodyOf;
-    separateBodies(s);
+    beginBodySets(s);
     for (int i = 0; i < s->numRows; i++)
         if (s->work->isIncluded[i] && s->rows[i].body[0] >= 0 && s->rows[i].body[1] >= 0)
             kea_unite(parent, s->rows[i].body[0], s->rows[i].body[1]);
     q->numBodies = 0;
     for (int i = 0; i < s->numRows; i++) {
-        const MeBool isReached = isHit(s, i, slowest);
+        const MeBool isReached = isApproaching(s, i, slowest);
         for (int k = 0; isReached && k < 2; k++)
             if (s->rows[i].body[k] >= 0)
                 addImpactBody(s, kea_rootOf(parent, s->rows[i].body[k]));
@@ -130,8 +130,8 @@ static void chooseBodies(MdtKeaSystem *s, double slowest) {
                 addImpactBody(s, s->rows[i].body[k]);
 }
 
-/* N s: what a body's impulses are compared with. One that is all but at rest beside moving ones is solved for to what
- * an impact's passes leave of their speed, not to ten digits of its own. */
+/* N s: the scale of a body's impulses. The tolerance of a body that is almost at rest beside moving ones is what an
+ * impact's passes leave of their speed, not ten digits of its own speed. */
 static double momentumScaleOf(const MdtKeaSystem *s, int b, const MdtKeaVelocity *v) {
     const KeaProblem *q = &s->work->problem;
     const double own = keaLength(v->lin) + q->length[b] * keaLength(v->ang);
@@ -149,13 +149,13 @@ static void setImpactRow(MdtKeaSystem *s, int k, int i) {
         p->body[side] = p->body[side] >= 0 ? s->work->problemBodyOf[p->body[side]] : p->body[side];
 }
 
-/* The inner problem of the rows that act in an instant, on bodies that an impact faster than `slowest` may move.
- * work->activeRow and activeBody map its rows and bodies to those of the system. */
+/* Sets up the inner problem of the rows that act in an instant, on bodies that an impact faster than `slowest` may
+ * move. work->activeRow and activeBody map its rows and bodies to those of the system. */
 static void setImpactProblem(MdtKeaSystem *s, double slowest) {
     KeaProblem *q = &s->work->problem;
     for (int i = 0; i < s->numRows; i++)
         s->work->isIncluded[i] = (char)actsInInstant(s, i);
-    chooseBodies(s, slowest);
+    collectImpactBodies(s, slowest);
     for (int b = 0; b < q->numBodies; b++) {
         kea_setInstantBody(q, b, s->bodies[s->work->activeBody[b]]);
         q->scale[b] = momentumScaleOf(s, b, &s->velocity[s->work->activeBody[b]]);
@@ -175,16 +175,16 @@ static void setImpactProblem(MdtKeaSystem *s, double slowest) {
 
 /* ---- one round ---- */
 
-/* m/s: the change of a row's rate that is aimed at: 0 of joints; stops are not passed. */
-static double changeOfRate(const MdtKeaSystem *s, int i, const double target[]) {
+/* m/s: the target for the change of a row's rate: 0 for joints; stops are not passed. */
+static double targetChangeOfRate(const MdtKeaSystem *s, int i, const double target[]) {
     const MdtKeaRow *row = &s->rows[i];
     if (row->contact >= 0)
         return (row->contact == i ? target[i] : 0) - kea_startRate(s, i);
     return row->lower == -HUGE_VAL && row->upper == HUGE_VAL ? 0 : row->drift - row->target - kea_startRate(s, i);
 }
 
-/* One round: the contacts in `isIncluded` (by normal row) get their target velocities, joints hold,
- * the rest does nothing. The change of velocities is left in `change`. */
+/* One round: contacts with isIncluded (by normal row) get their target velocities, joints keep their rates, all other
+ * rows are inactive. Writes the change of velocities to `change`. */
 static void solveRound(MdtKeaSystem *s, const double target[], const char isIncluded[], double (*change)[6]) {
     KeaProblem *q = &s->work->problem;
     double start = -1;
@@ -195,7 +195,7 @@ static void solveRound(MdtKeaSystem *s, const double target[], const char isIncl
         p->p = p->p0 = 0;
         p->frictionBound = HUGE_VAL;
         p->Jd = 0;
-        p->r = changeOfRate(s, i, target);
+        p->r = targetChangeOfRate(s, i, target);
     }
     for (int b = 0; b < q->numBodies; b++) {
         memset(change[b], 0, sizeof change[b]);
@@ -211,7 +211,7 @@ static void solveRound(MdtKeaSystem *s, const double target[], const char isIncl
                 q->row[i].N = q->row[q->row[i].partner].N = keaMax(q->row[i].N, q->row[q->row[i].partner].N);
         if (pass > 0)
             kea_frictionApproachBounds(q, pass);
-        q->isWarm = pass > 0; /* the convex problem has shared the impulses evenly by then */
+        q->isWarm = pass > 0; /* the first pass, a convex problem, shares impulses evenly */
         kea_problemSolve(q, METRUE);
         kea_problemAccumulate(q, change);
         const double residual = kea_problemResidual(q, NULL);
@@ -221,19 +221,19 @@ static void solveRound(MdtKeaSystem *s, const double target[], const char isIncl
     }
 }
 
-/* Of a body of the problem. */
+/* The velocity of body b of the problem. */
 static MdtKeaVelocity *impactVelocityOf(const MdtKeaSystem *s, int b) {
     return &s->velocity[s->work->activeBody[b]];
 }
 
-static void addChange(MdtKeaSystem *s, double (*change)[6]) {
+static void addVelocityChange(MdtKeaSystem *s, double (*change)[6]) {
     for (int b = 0; b < s->work->problem.numBodies; b++) {
         keaAddScaled(impactVelocityOf(s, b)->lin, 1, change[b]);
         keaAddScaled(impactVelocityOf(s, b)->ang, 1, change[b] + 3);
     }
 }
 
-/* The velocities at the start, as the limiter of energy takes them. */
+/* The present velocities, in the layout of the energy limiter. */
 static double (*startVelocities(const MdtKeaSystem *s))[6] {
     for (int b = 0; b < s->work->problem.numBodies; b++) {
         keaCopy(s->work->velocity[b], impactVelocityOf(s, b)->lin);
@@ -246,18 +246,18 @@ static double energyWith(const MdtKeaSystem *s, double (*change)[6]) {
     return kea_kineticEnergy(s, startVelocities(s), change);
 }
 
-/* Whether the change does not add energy; false if it is not finite, as where friction bounds do not converge. */
-static MeBool isAffordable(const MdtKeaSystem *s, double (*change)[6]) {
+/* Whether the change adds no energy; false if it is not finite, as when friction bounds do not converge. */
+static MeBool addsNoEnergy(const MdtKeaSystem *s, double (*change)[6]) {
     return energyWith(s, change) <= energyWith(s, NULL) * (1 + kea_energyRounding);
 }
 
-/* Adds the plastic change, and the largest part of the difference to the elastic one that adds no energy. */
-static void blend(MdtKeaSystem *s, double (*elastic)[6], double (*plastic)[6]) {
+/* Adds the plastic change plus the largest fraction of (elastic - plastic) with which no energy is added. */
+static void addBlendedChange(MdtKeaSystem *s, double (*elastic)[6], double (*plastic)[6]) {
     const double before = energyWith(s, NULL);
-    MEASSERT(isAffordable(s, plastic));
+    MEASSERT(addsNoEnergy(s, plastic));
     const double share =
         isfinite(energyWith(s, elastic)) ? kea_elasticShare(s, startVelocities(s), elastic, plastic, before) : 0;
-    addChange(s, plastic);
+    addVelocityChange(s, plastic);
     for (int b = 0; share > 0 && b < s->work->problem.numBodies; b++) {
         for (int k = 0; k < 3; k++) {
             impactVelocityOf(s, b)->lin[k] += share * (elastic[b][k] - plastic[b][k]);
@@ -276,7 +276,7 @@ static void storeImpulses(MdtKeaSystem *s) {
 
 /* ---- approaching contacts ---- */
 
-/* Of the event speed: approaches slower than this are no impact. A soft contact yields to its load with J v⁺ = -h E λ,
+/* Fraction of the event speed: a slower approach is no impact. A soft contact yields to its load with J v⁺ = -h E λ,
  * where λ is at most the weight of all bodies. */
 static double minImpactSpeedOf(const MdtKeaRow *row, double mass) {
     return keaMin(kea_minImpactSpeed + row->softness * mass, kea_softContactSpeed);
@@ -291,7 +291,7 @@ MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-MeBool kea_trembles(const MdtKeaSystem *s, const KeaEventScale *scale) {
+MeBool kea_impactsChatter(const MdtKeaSystem *s, const KeaEventScale *scale) {
     const double speed = scale->speed;
     MeBool approaches = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
@@ -310,17 +310,17 @@ MeBool kea_trembles(const MdtKeaSystem *s, const KeaEventScale *scale) {
 
 MeBool MEAPI MdtKeaTrembles(const MdtKeaSystem *s) {
     const KeaEventScale scale = kea_eventScale(s);
-    return kea_trembles(s, &scale);
+    return kea_impactsChatter(s, &scale);
 }
 
-/* The touching contacts that approach faster than `slowest` (isIncluded). Returns the speed with which the fastest of
- * them rebounds; 0: none does. */
-static double findImpacts(MdtKeaSystem *s, double slowest, double minReboundSpeed, char isIncluded[]) {
+/* Marks the touching contacts that approach faster than `slowest` (isIncluded). Returns the speed of the fastest
+ * rebound among them; 0: none rebounds. */
+static double markApproachingContacts(MdtKeaSystem *s, double slowest, double minReboundSpeed, char isIncluded[]) {
     double fastest = 0;
     for (int k = 0; k < s->work->problem.numRows; k++) {
         const int i = s->work->activeRow[k];
         const MdtKeaRow *row = &s->rows[i];
-        isIncluded[i] = (char)isHit(s, i, slowest);
+        isIncluded[i] = (char)isApproaching(s, i, slowest);
         if (isIncluded[i])
             fastest = keaMax(
                 fastest, kea_reboundOfImpact(row->restitution, row->threshold, -kea_startRate(s, i), minReboundSpeed));
@@ -328,9 +328,9 @@ static double findImpacts(MdtKeaSystem *s, double slowest, double minReboundSpee
     return fastest;
 }
 
-/* The velocities with which they separate. Beside a contact that rebounds the slow ones do so too: stopped, one would
- * dissipate p v / 2, with an impulse p that comes from the others and may be large. */
-static void setTargets(const MdtKeaSystem *s, const char isIncluded[], double target[]) {
+/* Sets the separating velocities of the contacts. If one contact rebounds, slow ones do so too: a contact that is
+ * stopped would dissipate p v / 2, with an impulse p that is due to the others and may be large. */
+static void setReboundTargets(const MdtKeaSystem *s, const char isIncluded[], double target[]) {
     for (int k = 0; k < s->work->problem.numRows; k++) {
         const int i = s->work->activeRow[k];
         const MdtKeaRow *row = &s->rows[i];
@@ -340,24 +340,25 @@ static void setTargets(const MdtKeaSystem *s, const char isIncluded[], double ta
 
 /* ---- rounds ---- */
 
-/* False: every change of velocity would add energy; the contacts are left to the solve of the step. */
+/* Solves a round and adds its change of velocities. False: even without restitution it would add energy; the contacts
+ * are left to the solve of the step. */
 static MeBool applyRound(MdtKeaSystem *s, const double target[], const char isIncluded[]) {
     solveRound(s, target, isIncluded, s->work->added);
-    if (isAffordable(s, s->work->added)) {
+    if (addsNoEnergy(s, s->work->added)) {
         storeImpulses(s);
-        addChange(s, s->work->added);
+        addVelocityChange(s, s->work->added);
         return METRUE;
     }
     memset(s->work->target + s->numRows, 0, (size_t)s->numRows * sizeof(double));
     solveRound(s, s->work->target + s->numRows, isIncluded, s->work->plastic);
-    if (!isAffordable(s, s->work->plastic))
+    if (!addsNoEnergy(s, s->work->plastic))
         return MEFALSE;
     storeImpulses(s);
-    blend(s, s->work->added, s->work->plastic);
+    addBlendedChange(s, s->work->added, s->work->plastic);
     return METRUE;
 }
 
-static void selectTouching(MdtKeaSystem *s, double target[], char isIncluded[]) {
+static void includeAllContacts(MdtKeaSystem *s, double target[], char isIncluded[]) {
     for (int k = 0; k < s->work->problem.numRows; k++) {
         const int i = s->work->activeRow[k];
         target[i] = 0;
@@ -390,15 +391,15 @@ MeBool kea_impact(MdtKeaSystem *s, const KeaEventScale *scale) {
     kea_problemSetEffectiveMasses(&s->work->problem);
     double first = 0; /* m/s: the fastest rebound of the first round */
     for (int round = 0; round < KEA_MAX_ROUNDS; round++) {
-        const double fastest = findImpacts(s, slowest, minReboundSpeed, isIncluded);
+        const double fastest = markApproachingContacts(s, slowest, minReboundSpeed, isIncluded);
         first = keaMax(first, fastest);
         if (!(fastest > kea_lastRound * first))
             break;
-        setTargets(s, isIncluded, target);
+        setReboundTargets(s, isIncluded, target);
         if (!applyRound(s, target, isIncluded) || s->work->problem.counts.isLimited)
             break;
     }
-    selectTouching(s, target, isIncluded);
+    includeAllContacts(s, target, isIncluded);
     applyRound(s, target, isIncluded);
     MEASSERT(!(energyWith(s, NULL) > before * (1 + kea_assertedRounding)));
     commitVelocities(s);

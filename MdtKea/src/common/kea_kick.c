@@ -1,4 +1,4 @@
-/* Momenta given as a step begins: joints share them at once. */
+/* Kicks: impulses at the start of a step, which joints transmit in the same instant. */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
 #include <string.h>
@@ -14,7 +14,7 @@ MeBool MEAPI MdtKeaIsKicked(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* m/s, rad/s: what the momentum alone would do. */
+/* m/s, rad/s: the change of a body's velocity by its kick without joints. */
 static void kickVelocityOf(const KeaMetric *B, const MdtKeaBody *b, double change[6]) {
     keaScale(change, 1 / B->linear, b->kick[0]);
     keaApply(change + 3, B->inverse, b->kick[1]);
@@ -28,7 +28,8 @@ static double kickRateOf(const MdtKeaRow *row, double (*velocity)[6]) {
     return rate;
 }
 
-/* Joints keep their rates; contacts, stops and motors have bounded forces, which do nothing in an instant. */
+/* Sets up the inner problem in which joints keep their rates. Contacts, stops and motors are left out. `kicked`: the
+ * bodies' changes of velocity without joints. */
 static void setKickProblem(MdtKeaSystem *s, double (*kicked)[6], double target[]) {
     KeaProblem *q = &s->work->problem;
     double max = 0;

@@ -1,4 +1,4 @@
-/* Inside Kea: which of its kernels the machine can run. */
+/* Inside Kea: which kernels the machine can run. */
 #ifndef KEA_MACHINE_I_H
 #define KEA_MACHINE_I_H
 

@@ -1,4 +1,4 @@
-/* Position projection: reduces overlaps by a displacement of the bodies, without changing velocities. */
+/* Position projection (split impulse): reduces overlaps by displacing bodies, without changing velocities. */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
 #include <string.h>
@@ -9,7 +9,7 @@ static MeBool isOverlapping(const MdtKeaSystem *s, int i, double *error) {
     return row->contact == i && !row->isOpen && *error < -kea_touchingGap * kea_smallerExtent(s, row->body);
 }
 
-/* m: γ times the sag of a soft contact under its load, which remains. */
+/* m: γ times the sag of a soft contact under its load, which is not corrected. */
 static double correctedSlop(const MdtKeaSystem *s, int i) {
     return s->parameters.stepsize * s->rows[i].softness * s->work->problem.row[i].p;
 }
@@ -18,7 +18,7 @@ MeBool kea_isRigidJoint(const MdtKeaRow *row) {
     return row->position && row->lower == -HUGE_VAL && row->upper == HUGE_VAL;
 }
 
-static void displace(MdtKeaSystem *s) {
+static void displaceBodies(MdtKeaSystem *s) {
     for (int b = 0; b < s->numBodies; b++) {
         KeaEnd *end = &s->work->end[b];
         double turn[4];
@@ -46,7 +46,8 @@ void kea_solveInstant(MdtKeaSystem *s, const double target[]) {
     }
 }
 
-/* The least displacement, in the metric of masses, that removes the part γ of every overlap and makes none deeper. */
+/* Finds the smallest displacement, in the metric of masses, that removes the fraction γ of every overlap and makes none
+ * deeper. */
 void kea_project(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     double *target = s->work->target, error, max = 0;
@@ -73,5 +74,5 @@ void kea_project(MdtKeaSystem *s) {
     kea_solveInstant(s, target);
     for (int i = 0; i < s->numRows; i++)
         q->row[i].p = s->work->savedP[i];
-    displace(s);
+    displaceBodies(s);
 }

@@ -1,4 +1,4 @@
-/* Quantities of rows: rates J v, lengths, whether they may be at a bound; their Jacobians saved and restored. */
+/* Quantities of rows: rates J v, length scales, whether bounds may be reached; saving and restoring their Jacobians. */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
 #include <string.h>

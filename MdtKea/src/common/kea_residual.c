@@ -1,10 +1,11 @@
-/* Residuals of an answer, in tolerances, and the test of convergence.
+/* Residuals of an answer, in units of their tolerances, and the test of convergence.
  *
- *   velocity  of every row of the inner problem, the change of its impulse if it were solved alone (projected residual:
- *             0 exactly where complementarity holds), times its A_ii, m/s; of an angular row rad/s times the size of
- *             the larger body
- *   position  of every position row, the part of the error to be corrected that is left, m; of an angular row rad
- *   momentum  of every body, B d + g - Jᵀ p, N s
+ *   velocity  for every row of the inner problem: the change of its impulse if it were solved alone (projected
+ *             residual: 0 exactly if complementarity holds) times its A_ii, m/s; for an angular row rad/s times the
+ *             size of the larger body
+ *   position  for every position row: the part of its error that was to be corrected and is left, m; for an angular
+ *             row rad
+ *   momentum  for every body: B d + g - Jᵀ p, N s
  */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
@@ -19,8 +20,9 @@ void kea_setErrorScales(MdtKeaSystem *s, int body) {
     b->angularScale = h * keaLength(b->u + 3);
 }
 
-/* Scale of a position row's error: its initial error, lever arms, the displacement of its bodies, a share of their size
- * and, for rounding far from the origin, of their distance from it. Of an angular row all of these are angles. */
+/* Scale of a position row's error: the sum of its initial error, lever arms, the displacements of its bodies and
+ * fractions of their size and, for rounding far from the origin, of their distance from it. For an angular row all of
+ * these are angles. */
 static double lengthScaleOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
     double size = fabs(row->error);
     for (int k = 0; k < 2; k++) {
@@ -46,29 +48,31 @@ static double roundingOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return kea_attachmentRounding * size + kea_tiny;
 }
 
-/* m or rad: the part of a row's error that it was to correct and has not; none where its bound keeps it from that. */
-static double leftOf(const MdtKeaSystem *s, int i) {
+/* m or rad: the part of a position row's error that was to be corrected and is left; 0 if a bound of the row is the
+ * reason. */
+static double uncorrectedError(const MdtKeaSystem *s, int i) {
     const KeaProblemRow *p = &s->work->problem.row[i];
     const double residual = s->parameters.stepsize * (p->r - p->E * p->p);
     const MeBool isKept = (p->p >= p->upper && residual > 0) || (p->p <= p->lower && residual < 0);
     return s->rows[i].position && !p->isInactive && !isKept ? fabs(residual) : 0;
 }
 
-double kea_openingLeft(const MdtKeaSystem *s) {
+double kea_uncorrectedOpening(const MdtKeaSystem *s) {
     double max = 0;
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact < 0)
-            max = keaMax(max, leftOf(s, i) * kea_lengthOf(s, &s->rows[i]) / kea_smallerExtent(s, s->rows[i].body));
+            max = keaMax(max,
+                         uncorrectedError(s, i) * kea_lengthOf(s, &s->rows[i]) / kea_smallerExtent(s, s->rows[i].body));
     return max;
 }
 
-static double positionError(MdtKeaSystem *s, double *attachment) {
+static double largestPositionError(MdtKeaSystem *s, double *attachment) {
     double worst = 0;
     *attachment = 0;
     s->report.error = 0;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        const double left = leftOf(s, i);
+        const double left = uncorrectedError(s, i);
         if (left == 0)
             continue;
         s->report.error = keaMax(s->report.error, left);
@@ -82,9 +86,9 @@ static double positionError(MdtKeaSystem *s, double *attachment) {
 
 /* ---- joints that contradict each other ---- */
 
-/* Whether a row can be inconsistent: joints, and a stop whose bodies friction holds. The impulse of the latter would
- * grow from pass to pass until a contact slides; while its error is below the rounding of attachments, it counts as
- * contradicting the contacts instead. */
+/* Whether a row can be inconsistent: a joint, or a stop whose bodies are kept in place by friction. The impulse of such
+ * a stop would grow from pass to pass until a contact slides; while its error is below the rounding of attachments, the
+ * stop counts as inconsistent with the contacts instead. */
 static MeBool mayContradict(const MdtKeaSystem *s, int i) {
     const MdtKeaRow *row = &s->rows[i];
     const KeaProblemRow *p = &s->work->problem.row[i];
@@ -94,8 +98,8 @@ static MeBool mayContradict(const MdtKeaSystem *s, int i) {
            s->parameters.stepsize * fabs(p->r - p->E * p->p) < roundingOfRow(s, row);
 }
 
-/* Whether a pass has left most of a joint's residual, and that is not negligible. */
-static MeBool isUnmetByPass(const MdtKeaSystem *s, int i) {
+/* Whether a pass has left most of a joint's residual, and this is above the tolerance. */
+static MeBool isUnfulfilledByPass(const MdtKeaSystem *s, int i) {
     const KeaProblemRow *p = &s->work->problem.row[i];
     const double required = p->r - p->E * p->p0, left = required - p->Jd - p->E * (p->p - p->p0);
     return fabs(left) > kea_inconsistentShare * fabs(required) && mayContradict(s, i) &&
@@ -103,10 +107,10 @@ static MeBool isUnmetByPass(const MdtKeaSystem *s, int i) {
 }
 
 /* A joint is inconsistent if two passes in succession have left most of its residual, for any impulse. */
-void kea_noteInconsistent(MdtKeaSystem *s) {
+void kea_markInconsistentJoints(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++) {
         KeaProblemRow *p = &s->work->problem.row[i];
-        const MeBool isUnmet = isUnmetByPass(s, i);
+        const MeBool isUnmet = isUnfulfilledByPass(s, i);
         p->isInconsistent = isUnmet && p->isUnmet;
         p->isUnmet = isUnmet;
     }
@@ -133,7 +137,7 @@ MeBool kea_isConflicting(const MdtKeaSystem *s) {
 
 /* ---- a whole step ---- */
 
-/* m/s: what loads do to a body in the step. */
+/* m/s: the change of a body's velocity by its loads in the step. */
 static double changeByLoads(const MdtKeaSystem *s, int i) {
     double change[3];
     keaSubtract(change, s->work->body[i].freeVelocity, s->bodies[i]->velocity);
@@ -176,7 +180,7 @@ double kea_rowSpeedScale(const MdtKeaSystem *s) {
 KeaResiduals kea_residuals(MdtKeaSystem *s, double speed) {
     KeaResiduals e;
     e.resolution = kea_velocityTolerance * speed;
-    e.position = positionError(s, &e.attachment) / kea_positionTolerance;
+    e.position = largestPositionError(s, &e.attachment) / kea_positionTolerance;
     e.velocity = kea_problemResidual(&s->work->problem, &e.impulse) / e.resolution;
     e.momentum = kea_problemError(&s->work->problem) / kea_momentumSlack;
     e.worst = keaMax(e.position, keaMax(e.momentum, e.velocity));

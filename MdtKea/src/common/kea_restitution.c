@@ -3,10 +3,10 @@
  * A contact or stop with the approach speed u separates with e u if u is above its threshold, else with 0 (Newton's
  * law). There are two cases:
  *
- *   an impact that is resolved at its time: u is the speed at that time, and has to be above a minimum as well;
- *   an impact within a step: if the bodies meet in it, faster than the acceleration of one step explains (bodies at
- *   rest would rattle otherwise), e u is the velocity at the end of the step, with u² = rate² + 2 gap a: the speed when
- *   the gap is closed, with the acceleration a of the last step.
+ *   an impact that is resolved at its time: u is the speed at that time, and has to be above a minimum, too;
+ *   an impact within a step: if the bodies collide in the step, faster than the acceleration of one step explains (else
+ *   resting bodies would rattle), the velocity at the end of the step is e u with u² = rate² + 2 gap a: the speed at
+ *   which the gap closes under the acceleration a of the last step.
  */
 #include "kea_i.h"
 #include "MeAssert.h"
@@ -14,16 +14,16 @@
 
 /* ---- approach ---- */
 
-static double along(const MdtKeaJBlock *J, const MdtKeaVelocity *v) {
+static double rateAlong(const MdtKeaJBlock *J, const MdtKeaVelocity *v) {
     return keaDot(J->lin, v->lin) + keaDot(J->ang, v->ang);
 }
 
 static void addApproachOfBody(const MdtKeaSystem *s, int body, const MdtKeaJBlock *J, KeaApproach *a) {
-    const double now = along(J, &s->velocity[body]), then = along(J, &s->predicted[body]);
+    const double now = rateAlong(J, &s->velocity[body]), then = rateAlong(J, &s->predicted[body]);
     a->rate += now;
     a->predicted += then;
     a->fastest += keaMin(now, then);
-    a->acceleration += along(J, &s->bodies[body]->lastStep);
+    a->acceleration += rateAlong(J, &s->bodies[body]->lastStep);
 }
 
 static void addWorldRate(double rate, KeaApproach *a) {
@@ -50,7 +50,7 @@ KeaApproach kea_approachOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, 
         if (m->body[k] >= 0)
             addApproachOfBody(s, m->body[k], &J, &a);
         else if (m->worldVelocity)
-            addWorldRate(along(&J, m->worldVelocity), &a);
+            addWorldRate(rateAlong(&J, m->worldVelocity), &a);
     }
     return a;
 }
@@ -66,8 +66,8 @@ double kea_reboundOfImpact(double restitution, double threshold, double speed, d
     return speed > keaMax(threshold, minSpeed) ? restitution * speed : 0;
 }
 
-/* m/s: the change of the rate in one step without an impact: by loads, or as in the last step, which includes
- * constraint forces. */
+/* m/s: the largest change of the rate in one step that needs no impact: by loads, or by the acceleration of the last
+ * step, which includes constraint forces. */
 static double changeWithoutImpact(const MdtKeaSystem *s, const KeaApproach *a) {
     const double loads = fabs(a->predicted - a->rate), before = s->parameters.stepsize * fabs(a->acceleration);
     return kea_ownChangeMargin * keaMax(loads, before);
@@ -76,7 +76,7 @@ static double changeWithoutImpact(const MdtKeaSystem *s, const KeaApproach *a) {
 double kea_reboundInStep(const MdtKeaSystem *s, const KeaApproach *a, double gap, double restitution,
                          double threshold) {
     const MeBool isHit = gap + s->parameters.stepsize * a->predicted < 0;
-    if (!isfinite(a->rate) || !isfinite(a->acceleration)) /* beyond the numbers: the step is not taken */
+    if (!isfinite(a->rate) || !isfinite(a->acceleration)) /* overflow: the step will not be committed */
         return 0;
     if (!(restitution > 0) || !isHit || !(a->rate < -keaMax(threshold, changeWithoutImpact(s, a))))
         return 0;

@@ -4,18 +4,18 @@
  *
  *     H = |L|² / (2 I_r)  +  sum over i != r of  L_i²/2 (1/I_i - 1/I_r),        L in principal axes.
  *
- * The first part turns the body about L itself and commutes with everything; each of the two others turns it about
- * one principal axis. All three are solved exactly, so any order of them keeps |L|, and a symmetric one also keeps
- * the energy closely. Fast rotation uses Blanes and Moan's S6 of order 4 (Practical symplectic partitioned
- * Runge-Kutta methods, 2002), slow rotation the leapfrog of order 2. The reference is the middle axis: of a
- * symmetric top it is one of the equal ones, and the splitting is exact.
+ * The first part rotates the body about L and commutes with the others; each of the two others rotates it about one
+ * principal axis. All three are solved exactly, so that |L| is conserved in any order, and the energy closely in a
+ * symmetric one. Fast rotation uses Blanes and Moan's S6 of order 4 (Practical symplectic partitioned Runge-Kutta
+ * methods, 2002), slow rotation the leapfrog of order 2. The reference axis is that of the middle moment: for a
+ * symmetric top it is one of the two equal ones, and the splitting is exact.
  */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
 #include <string.h>
 
-/* The exact flow for time t of the part of H that belongs to `axis`: turns q from the right, and L (principal axes)
- * inversely. */
+/* The exact flow, for time t, of the part of H of one principal axis: multiplies q by its rotation from the right, and
+ * rotates L (principal axes) by the inverse. */
 static void flowAboutAxis(double q[4], double L[3], int axis, double rate, double t) {
     const double half = 0.5 * t * rate * L[axis];
     const double sh = sin(half), ch = cos(half);
@@ -52,8 +52,8 @@ static void blanesMoan4(double q[4], double L[3], const Split *s, double h) {
     }
 }
 
-/* In parts that the splitting follows; of a symmetric top, which it follows exactly, in one: a rod that turns across
- * its axis has rates of thousands of radians a step about it. */
+/* Divides the step into substeps that are short enough for the splitting. A symmetric top, for which it is exact, needs
+ * one: a rod that rotates across its axis has rates of thousands of radians a step about it. */
 static void rotateFast(double q[4], double L[3], const Split *s, double h, double angle) {
     const MeBool isExact = s->rateA == 0 || s->rateB == 0;
     const int numSubsteps = isExact ? 1 : (int)keaMin(ceil(angle / kea_fastRotation), KEA_MAX_ROTATIONS);
@@ -61,7 +61,7 @@ static void rotateFast(double q[4], double L[3], const Split *s, double h, doubl
         blanesMoan4(q, L, s, h / numSubsteps);
 }
 
-static int middleOf(const double I[3]) {
+static int middleAxis(const double I[3]) {
     for (int i = 0; i < 3; i++) {
         const double x = I[(i + 1) % 3], y = I[(i + 2) % 3];
         if ((x <= I[i] && I[i] <= y) || (y <= I[i] && I[i] <= x))
@@ -70,12 +70,12 @@ static int middleOf(const double I[3]) {
     return 0;
 }
 
-static void toPrincipal(const MdtKeaBody *body, const double q[4], double qp[4], double R[3][3]) {
+static void orientPrincipalAxes(const MdtKeaBody *body, const double q[4], double qp[4], double R[3][3]) {
     keaQuaternionProduct(qp, q, body->principal);
     keaQuaternionToMatrix(R, qp);
 }
 
-/* With the Coriolis term off, the angular velocity of the start is kept through the step. */
+/* Without the Coriolis term the angular velocity is constant through the step. */
 static void rotateSteadily(const MdtKeaBody *body, const double q0[4], const double L[3], double h, double q1[4]) {
     double w[3], turn[4];
     kea_angularVelocity(body, q0, L, w);
@@ -91,11 +91,11 @@ void kea_rotateFree(const MdtKeaBody *body, const double q0[4], const double L[3
         return;
     }
     double q[4], R[3][3], l[3], u[3], turn[4], back[4];
-    toPrincipal(body, q0, q, R);
+    orientPrincipalAxes(body, q0, q, R);
     keaApplyTransposed(l, (const double(*)[3])R, L);
 
     const double *I = body->moments;
-    const int r = middleOf(I), a = (r + 1) % 3, b = (r + 2) % 3;
+    const int r = middleAxis(I), a = (r + 1) % 3, b = (r + 2) % 3;
     keaScale(u, h / I[r], l);
     keaQuaternionExp(turn, u);
     keaQuaternionProduct(q, q, turn);
@@ -127,7 +127,7 @@ void kea_rotateByChord(const double q0[4], double q1[4]) {
 
 void kea_principalAxes(const MdtKeaBody *body, const double q[4], double R[3][3]) {
     double qp[4];
-    toPrincipal(body, q, qp, R);
+    orientPrincipalAxes(body, q, qp, R);
 }
 
 void kea_angularVelocityBy(const double moments[3], const double R[3][3], const double L[3], double w[3]) {
@@ -146,7 +146,7 @@ void kea_angularVelocity(const MdtKeaBody *body, const double q[4], const double
 
 void kea_angularMomentum(const MdtKeaBody *body, const double q[4], const double w[3], double L[3]) {
     double qp[4], R[3][3], l[3];
-    toPrincipal(body, q, qp, R);
+    orientPrincipalAxes(body, q, qp, R);
     keaApplyTransposed(l, (const double(*)[3])R, w);
     for (int i = 0; i < 3; i++)
         l[i] *= body->moments[i];
@@ -166,7 +166,7 @@ void kea_inverseInertiaBy(const double moments[3], const double R[3][3], double 
 
 void kea_inertia(const MdtKeaBody *body, const double q[4], double inertia[3][3]) {
     double qp[4], R[3][3];
-    toPrincipal(body, q, qp, R);
+    orientPrincipalAxes(body, q, qp, R);
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j <= i; j++) {
             double sum = 0;
@@ -224,7 +224,7 @@ static void jacobiRotate(double S[3][3], double V[3][3], int p, int q) {
     }
 }
 
-/* True if off-diagonal entries are below the rounding of the diagonal; also for NaN, so that the iteration ends. */
+/* Whether off-diagonal entries are below the rounding of the diagonal; true for NaN, so that the iteration ends. */
 static MeBool isDiagonal(const double S[3][3]) {
     const double offDiagonal = S[0][1] * S[0][1] + S[0][2] * S[0][2] + S[1][2] * S[1][2];
     return !(offDiagonal > kea_jacobiTolerance * (S[0][0] * S[0][0] + S[1][1] * S[1][1] + S[2][2] * S[2][2]));
@@ -270,7 +270,8 @@ MeBool MEAPI MdtKeaBodySetInertia(MdtKeaBody *body, const double inertia[3][3]) 
     return METRUE;
 }
 
-/* Ascending: the trigonometric solution of the characteristic equation (Smith 1961). */
+/* Ascending eigenvalues of a symmetric matrix: the trigonometric solution of the characteristic equation (Smith
+ * 1961). */
 static void eigenvalues(const double S[3][3], double e[3]) {
     const double mean = (S[0][0] + S[1][1] + S[2][2]) / 3;
     const double a = S[0][0] - mean, b = S[1][1] - mean, c = S[2][2] - mean;
@@ -287,8 +288,8 @@ static void eigenvalues(const double S[3][3], double e[3]) {
     e[1] = 3 * mean - e[0] - e[2];
 }
 
-/* K := k K + w v vᵀ, v the unit eigenvector of an eigenvalue e of K: v vᵀ = adj(K - e 1) / tr(adj(K - e 1)). Where e is
- * not apart from the others, the trace is rounding, and so is what would be added. */
+/* K := k K + w v vᵀ, v the unit eigenvector of an eigenvalue e of K: v vᵀ = adj(K - e 1) / tr(adj(K - e 1)). If e is
+ * not separated from the other eigenvalues, the trace is rounding, and so is what would be added. */
 static void addAlongEigenvector(double K[3][3], double k, double w, double e) {
     const double a = K[0][0] - e, b = K[1][1] - e, c = K[2][2] - e, x = K[1][2], y = K[0][2], z = K[0][1];
     const double adjugate[3][3] = {{b * c - x * x, x * y - z * c, z * x - b * y},
@@ -307,8 +308,8 @@ static MeBool isHarmless(const double K[3][3], double harmless) {
     return a > 0 && minor > 0 && c * minor + 2 * x * y * z - a * x * x - b * y * y > 0;
 }
 
-/* Of one negative eigenvalue its part is taken away; of two, what is left is the part of the third. These are apart
- * from the others by as much as they are from 0. */
+/* One negative eigenvalue: its part is subtracted. Two or three: K becomes the part of the largest, if positive, else
+ * 0. The eigenvalue that is used is separated from the others by at least its distance from 0. */
 void kea_clampPositive(double K[3][3], double harmless) {
     double e[3];
     if (isHarmless((const double(*)[3])K, harmless))

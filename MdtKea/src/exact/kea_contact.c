@@ -29,7 +29,7 @@ static int countDirections(int frictionRows) {
     return !!(frictionRows & PRIMARY) + !!(frictionRows & SECONDARY);
 }
 
-void kea_contactCount(const MdtKeaSystem *s, KeaContact *c) {
+void kea_contactChooseRows(const MdtKeaSystem *s, KeaContact *c) {
     const MdtKeaSurface *surface = &c->manifold->surface;
     kea_contactPlace(s, c);
     const KeaApproach approach = kea_approachOfPoint(s, c->manifold, (const double(*)[3])c->arm);
@@ -60,7 +60,7 @@ int MEAPI MdtKeaCountContactRows(MdtKeaSystem *s) {
             KeaContact *c = &s->work->contact[n++];
             c->manifold = &s->manifolds[i];
             c->at = &s->manifolds[i].point[k];
-            kea_contactCount(s, c);
+            kea_contactChooseRows(s, c);
             rows += c->at->numRows;
         }
     MEASSERT(n <= s->maxContacts);
@@ -212,7 +212,7 @@ void kea_contactAddForces(const MdtKeaSystem *s, const KeaContact *c) {
             c->at->force[1 + direction] += s->rows[row++].force;
 }
 
-void kea_returnContacts(MdtKeaSystem *s) {
+void kea_returnContactForces(MdtKeaSystem *s) {
     for (int i = 0; i < s->work->numContacts; i++) {
         keaZero(s->work->contact[i].at->force);
         kea_contactAddForces(s, &s->work->contact[i]);

@@ -9,7 +9,7 @@
 #include "common/kea_anchor_i.h"
 
 /* Sets place, depth, and which rows it gets; makes these behind the others. */
-void kea_contactCount(const MdtKeaSystem *s, KeaContact *c);
+void kea_contactChooseRows(const MdtKeaSystem *s, KeaContact *c);
 void kea_contactMakeRows(MdtKeaSystem *s, KeaContact *c, int owner);
 /* Adds the forces of its rows to its point's. */
 void kea_contactAddForces(const MdtKeaSystem *s, const KeaContact *c);

@@ -69,7 +69,7 @@ static MeBool findEdges(MdtKeaSystem *s, KeaDual *d) {
     return METRUE;
 }
 
-void kea_dualBegin(MdtKeaSystem *s) {
+void kea_dualChoose(MdtKeaSystem *s) {
     KeaDual *d = &s->work->dual;
     d->factor = NULL;
     if (s->work->hasLoops || !findNodes(s, d) || !findEdges(s, d))
@@ -123,8 +123,8 @@ static MeBool factorizeDual(KeaProblem *q, KeaDual *d) {
     for (int e = 0; e < d->numEdges; e++)
         fillEdge(q, d, e);
     q->counts.factorizations++;
-    kea_problemSpend(q, kea_factorFlops(d->factor) + 2.0 * (double)kea_factorEntries(d->factor) +
-                            (double)q->numRows * (KEA_ASSEMBLY + 2 * KEA_VISIT));
+    kea_problemAddWork(q, kea_factorFlops(d->factor) + 2.0 * (double)kea_factorEntries(d->factor) +
+                              (double)q->numRows * (KEA_ASSEMBLY + 2 * KEA_VISIT));
     return kea_factorCholesky(d->factor, kea_minPivot);
 }
 

@@ -137,7 +137,7 @@ static MeBool closesEarly(const MdtKeaSystem *s, int i, double endRate) {
            m.speed <= kea_minReboundSpeed * kea_eventSpeed(s);
 }
 
-void kea_timedBegin(MdtKeaSystem *s) {
+void kea_markOpenContacts(MdtKeaSystem *s) {
     const double speed = kea_eventSpeed(s);
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact == i)
@@ -170,7 +170,7 @@ static Impact firstImpact(const MdtKeaSystem *s) {
     return first;
 }
 
-double kea_timeOfMeeting(const MdtKeaSystem *s, int i) {
+double kea_freeTimeOfImpact(const MdtKeaSystem *s, int i) {
     return impactOf(s, i, freeRate(s, &s->rows[i])).time;
 }
 
@@ -178,7 +178,7 @@ double kea_firstEventOfFlight(const MdtKeaSystem *s) {
     double first = s->parameters.stepsize;
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact == i)
-            first = keaMin(first, kea_timeOfMeeting(s, i));
+            first = keaMin(first, kea_freeTimeOfImpact(s, i));
     return first;
 }
 

@@ -25,7 +25,7 @@ static void beginAt(MdtKeaSystem *s, int b, double t) {
 static void flyTo(MdtKeaSystem *s, int b, double t) {
     s->parameters.stepsize = t - s->work->flight.time[b];
     kea_beginBody(s, b);
-    kea_moveFree(s, b);
+    kea_moveFreeBody(s, b);
 }
 
 static void moveTo(MdtKeaSystem *s, int b, double t) {
@@ -102,7 +102,7 @@ static int earliest(const MdtKeaSystem *s) {
 /* Makes the normal row of a contact whose bodies are at time t, as the system's only one. */
 static void makeNormalRow(MdtKeaSystem *s, int c) {
     KeaContact *contact = &s->work->contact[c];
-    kea_contactCount(s, contact);
+    kea_contactChooseRows(s, contact);
     contact->at->numRows = 1;
     s->numRows = 0;
     kea_contactMakeRows(s, contact, 0);
@@ -114,7 +114,7 @@ static void findMeeting(MdtKeaSystem *s, int c, double t) {
         return;
     makeNormalRow(s, c);
     s->rows[0].isOpen = METRUE;
-    s->work->flight.impactTime[c] = t + kea_timeOfMeeting(s, 0);
+    s->work->flight.impactTime[c] = t + kea_freeTimeOfImpact(s, 0);
 }
 
 /* ---- impacts ---- */
@@ -140,7 +140,7 @@ static void gather(MdtKeaSystem *s, double t) {
                 continue;
             for (int k = 0; k < 2; k++)
                 moveTo(s, bodyOf(s, c, k), t);
-            kea_contactCount(s, contact);
+            kea_contactChooseRows(s, contact);
             kea_contactMakeRows(s, contact, -1 - c);
             if (!kea_isTouching(s, &s->rows[first])) {
                 s->numRows = first;
@@ -191,7 +191,7 @@ static MeBool collide(MdtKeaSystem *s, int c, double t) {
     for (int k = 0; k < 2; k++)
         addFlightBody(s, bodyOf(s, c, k));
     gather(s, t);
-    if (kea_trembles(s, &f->scale)) /* too slow to rebound */
+    if (kea_impactsChatter(s, &f->scale)) /* too slow to rebound */
         return MEFALSE;
     const MeBool isDone = kea_impact(s, &f->scale), isSeparated = isDone && areSeparated(s);
     addImpulses(s);
@@ -216,7 +216,7 @@ static void beginFlight(MdtKeaSystem *s, double min) {
         f->isIn[b] = 0;
     }
     for (int c = 0; c < s->work->numContacts; c++) {
-        f->impactTime[c] = isLeftOut(s, c) ? HUGE_VAL : kea_timeOfMeeting(s, s->work->contact[c].firstRow);
+        f->impactTime[c] = isLeftOut(s, c) ? HUGE_VAL : kea_freeTimeOfImpact(s, s->work->contact[c].firstRow);
         keaZero(s->work->contact[c].at->force);
     }
 }

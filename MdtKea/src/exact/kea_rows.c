@@ -126,14 +126,14 @@ static void chooseTheta(MdtKeaSystem *s) {
 }
 
 /* m/s: the rate of a contact's gap, of the displacement as it is or as it would be by v⁺. */
-static double moveRate(const MdtKeaSystem *s, int i, MeBool isOfEnd) {
+static double moveRate(const MdtKeaSystem *s, int i, MeBool byEnd) {
     const KeaProblemRow *p = &s->work->problem.row[i];
     double rate = s->rows[i].moves ? s->moves[i][0].rate : 0;
     for (int k = 0; k < 2; k++) {
         double move[6];
         if (p->body[k] < 0)
             continue;
-        kea_moveOf(s, p->body[k], isOfEnd, move);
+        kea_moveVelocity(s, p->body[k], byEnd, move);
         rate += keaDot(p->J[k], move) + keaDot(p->J[k] + 3, move + 3);
     }
     return rate;
@@ -159,7 +159,7 @@ static void keepResting(MdtKeaSystem *s) {
     }
 }
 
-void kea_chooseMoves(MdtKeaSystem *s) {
+void kea_chooseMoveThetas(MdtKeaSystem *s) {
     keepResting(s);
     MeBool isAny = !s->parameters.timed;
     for (int sweep = 0; sweep < KEA_PRESSED_SWEEPS && isAny; sweep++) {

@@ -94,10 +94,10 @@ void kea_guessMotion(MdtKeaSystem *s) {
 
 /* ---- motion ---- */
 
-void kea_moveOf(const MdtKeaSystem *s, int i, MeBool isOfEnd, double move[6]) {
+void kea_moveVelocity(const MdtKeaSystem *s, int i, MeBool byEnd, double move[6]) {
     const MdtKeaBody *body = s->bodies[i];
     const KeaBody *b = &s->work->body[i];
-    const double theta = !b->isUntied ? b->theta : isOfEnd ? 1 : b->moveTheta, share = theta / b->theta;
+    const double theta = !b->isUntied ? b->theta : byEnd ? 1 : b->moveTheta, share = theta / b->theta;
     double w[3];
     keaCopy(w, b->spin);
     if (!b->isSpatial)
@@ -144,7 +144,7 @@ void kea_moveBodies(MdtKeaSystem *s) {
         KeaEnd *end = &s->work->end[i];
         const double perTheta = 1 / b->theta;
         double move[6];
-        kea_moveOf(s, i, MEFALSE, move);
+        kea_moveVelocity(s, i, MEFALSE, move);
         end->theta = b->isUntied ? b->moveTheta : b->theta;
         keaCopy(end->position, body->position);
         keaAddScaled(end->position, h, move);

@@ -44,14 +44,14 @@ static void linearize(MdtKeaSystem *s) {
         s->errors(s->context, s->work->endPose, s->work->endErrors);
     kea_linearizeBodies(s);
     kea_linearizeRows(s);
-    kea_problemSpend(&s->work->problem, workOfLinearization(s));
+    kea_problemAddWork(&s->work->problem, workOfLinearization(s));
 }
 
 /* The derivatives that only the tangent problem needs: of the bodies' momentum and of the rows' errors. */
 static void differentiate(MdtKeaSystem *s) {
     kea_differentiateBodies(s);
     kea_differentiateRows(s);
-    kea_problemSpend(&s->work->problem, workOfLinearization(s));
+    kea_problemAddWork(&s->work->problem, workOfLinearization(s));
 }
 
 /* One solve of the inner problem. Friction bounds are a fixed point, R = μ p_n(R), of which each pass takes one step,
@@ -178,7 +178,7 @@ static MeBool hasLeftBranch(const MdtKeaSystem *s) {
 /* Writes how the passes have ended: missed positions, capped or limited solves, residuals. */
 static void reportMotion(MdtKeaSystem *s, const KeaResiduals *e, MeBool isLimited) {
     const MeBool isMissed = (!s->work->usesTangentAnswer && !kea_isMotionExactEnough(e, 1)) || countTurns(s) > 0;
-    s->report.opening = isMissed ? kea_openingLeft(s) : 0;
+    s->report.opening = isMissed ? kea_uncorrectedOpening(s) : 0;
     s->report.opens = s->report.opening > kea_violentOpening;
     s->report.violent = isMissed && !isLimited;
     s->report.capped = isMissed || !(e->velocity <= kea_looseVelocity);
@@ -286,7 +286,7 @@ static MeBool runPass(MdtKeaSystem *s, Passes *p) {
             isFinite = isFinite && fabs(q->d[i][k]) <= kea_largestChange;
     if (!isFinite)
         return MEFALSE;
-    kea_noteInconsistent(s);
+    kea_markInconsistentJoints(s);
     for (int i = 0; i < s->numBodies; i++)
         for (int k = 0; k < 6; k++)
             s->work->body[i].u[k] += q->d[i][k];
@@ -362,7 +362,7 @@ static void solveMotion(MdtKeaSystem *s) {
     kea_beginRows(s);
     kea_guessMotion(s);
     runPasses(s);
-    kea_chooseMoves(s);
+    kea_chooseMoveThetas(s);
     kea_balanceMomentum(s);
 }
 
@@ -421,7 +421,7 @@ static MeBool isBallistic(const MdtKeaSystem *s) {
 }
 
 MeBool MEAPI MdtKeaFlies(MdtKeaSystem *s) {
-    kea_timedBegin(s);
+    kea_markOpenContacts(s);
     return isBallistic(s);
 }
 
@@ -431,7 +431,7 @@ static void moveBallistically(MdtKeaSystem *s) {
     kea_moveFreely(s);
     s->report.ballistic = METRUE;
     s->report.event = kea_firstEventOfFlight(s);
-    kea_problemSpend(&s->work->problem, KEA_VISIT * ((double)s->numRows + s->numBodies));
+    kea_problemAddWork(&s->work->problem, KEA_VISIT * ((double)s->numRows + s->numBodies));
     kea_reportWork(s);
 }
 
@@ -464,7 +464,7 @@ void kea_exactSolve(MdtKeaSystem *s) {
     s->report.least = KEA_SWEPT_PASSES * workOfLinearization(s);
     kea_beginBodies(s);
     if (s->parameters.timed)
-        kea_timedBegin(s);
+        kea_markOpenContacts(s);
     if (isBallistic(s)) {
         moveBallistically(s);
         return;
@@ -483,10 +483,10 @@ void kea_exactSolve(MdtKeaSystem *s) {
             return;
         }
         if (s->parameters.timed) /* its rows were made for this part of the step alone */
-            kea_problemSpend(q, workOfLinearization(s));
+            kea_problemAddWork(q, workOfLinearization(s));
         kea_setBudget(s, kea_workForMotion, KEA_SWEPT_PASSES);
         s->work->hasLoops = kea_hasLoops(s);
-        kea_dualBegin(s);
+        kea_dualChoose(s);
         solveMotion(s);
         if (s->parameters.timed)
             solveToFirstEvent(s);

@@ -257,7 +257,7 @@ void kea_velocityStage(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     if (!mayBeNeeded(s) && !needsEnergyLimit(s) && !isJammed(s))
         return;
-    if (needsEnergyLimit(s) && kea_limitTravel(s))
+    if (needsEnergyLimit(s) && kea_limitDisplacements(s))
         kea_moveBodies(s);
     const MeBool isMandatory = isRequired(s);
     const double allowed = kea_energyAllowed(s);

@@ -209,7 +209,7 @@ static void setArms(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaPatch *p,
     }
     if (!goesRound(s, m, p))
         return;
-    kea_contactPlaceAnew(s, &c);
+    kea_contactPlaceAtStart(s, &c);
     if (!c.moves)
         return;
     kea_contactArms(s, &c, 0.5, p->arm);

@@ -282,7 +282,7 @@ MeBool kea_newtonFactorize(KeaProblem *q, MeBool coupled) {
     for (int i = 0; i < q->numRows; i++)
         q->row[i].factored = q->row[i].state;
     q->counts.factorizations++;
-    kea_problemSpend(q, kea_problemIterationWork(q, unsymmetric));
+    kea_problemAddWork(q, kea_problemIterationWork(q, unsymmetric));
     return unsymmetric ? kea_factorLU(q->factor, kea_minPivot) : kea_factorCholesky(q->factor, kea_minPivot);
 }
 

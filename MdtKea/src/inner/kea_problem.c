@@ -56,7 +56,7 @@ MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache) {
 
 /* ---- work ---- */
 
-void kea_problemSpend(KeaProblem *q, double work) {
+void kea_problemAddWork(KeaProblem *q, double work) {
     MEASSERT(work >= 0);
     q->counts.work += work;
 }

@@ -140,7 +140,7 @@ MeBool kea_problemHasBudget(const KeaProblem *q, MeBool unsymmetric);
 MeBool kea_problemMaySpend(KeaProblem *q, MeBool unsymmetric);
 /* Multiplications of one Newton iteration. */
 double kea_problemIterationWork(const KeaProblem *q, MeBool unsymmetric);
-void kea_problemSpend(KeaProblem *q, double work);
+void kea_problemAddWork(KeaProblem *q, double work);
 /* The largest projected residual of all rows, m/s: A_ii times the change of p by which the row alone would fulfil its
  * law within its bounds. `impulse`, unless null: that change, N s. */
 double kea_problemResidual(const KeaProblem *q, double *impulse);
@@ -167,7 +167,7 @@ double kea_problemWorkOfJoints(const KeaProblem *q);
  * and Aii. */
 void kea_problemSweep(KeaProblem *q);
 /* Multiplications of a solve by so many sweeps and of its linearization. */
-double kea_problemSweptPass(const KeaProblem *q, int sweeps);
+double kea_problemWorkOfSweptPass(const KeaProblem *q, int sweeps);
 /* Whether one more pass of KEA_FEWEST_SWEEPS is within the budget. */
 MeBool kea_problemMaySweep(const KeaProblem *q);
 /* ---- kea_friction.c ---- */

@@ -257,14 +257,14 @@ static void sweepOnce(KeaProblem *q, double beta) {
         relaxRow(q, i);
 }
 
-double kea_problemSweptPass(const KeaProblem *q, int sweeps) {
+double kea_problemWorkOfSweptPass(const KeaProblem *q, int sweeps) {
     return KEA_LINEARIZATION * ((double)q->numRows + q->numBodies) +
            (double)q->numRows * KEA_SWEEP * (sweeps + KEA_START_SWEEPS);
 }
 
 MeBool kea_problemMaySweep(const KeaProblem *q) {
     return q->sweptPasses > 0 &&
-           (!(q->maxWork > 0) || q->counts.work + kea_problemSweptPass(q, KEA_FEWEST_SWEEPS) <= q->maxWork);
+           (!(q->maxWork > 0) || q->counts.work + kea_problemWorkOfSweptPass(q, KEA_FEWEST_SWEEPS) <= q->maxWork);
 }
 
 /* The sweeps within this pass's share of the work that is left; one linearization is kept back, for restoring an
@@ -273,8 +273,8 @@ static int numberOfSweeps(const KeaProblem *q) {
     if (!(q->maxWork > 0))
         return KEA_SWEEPS;
     const double left = q->maxWork - q->counts.work - KEA_LINEARIZATION * ((double)q->numRows + q->numBodies);
-    const double max = left / kea_problemSweptPass(q, KEA_SOME_SWEEPS);
-    const double share = left / keaMax(keaMin(floor(max), q->sweptPasses), 1) - kea_problemSweptPass(q, 0);
+    const double max = left / kea_problemWorkOfSweptPass(q, KEA_SOME_SWEEPS);
+    const double share = left / keaMax(keaMin(floor(max), q->sweptPasses), 1) - kea_problemWorkOfSweptPass(q, 0);
     return (int)keaMin(keaMax(share / (KEA_SWEEP * (q->numRows + 1.0)), KEA_FEWEST_SWEEPS), KEA_SWEEPS);
 }
 
@@ -299,6 +299,6 @@ void kea_problemSweep(KeaProblem *q) {
         q->row[i].state = KEA_ACTIVE;
     }
     memset(q->direction, 0, (size_t)q->numBodies * sizeof *q->direction);
-    kea_problemSpend(q, (double)q->numRows * KEA_SWEEP * (sweeps + KEA_START_SWEEPS));
+    kea_problemAddWork(q, (double)q->numRows * KEA_SWEEP * (sweeps + KEA_START_SWEEPS));
     kea_problemSolveJoints(q);
 }
