@@ -84,7 +84,7 @@ int MEAPI MdtKeaMemoryRequired(const int num_rows_exc_padding[], int num_partiti
     return max > (size_t)INT32_MAX ? INT32_MAX : (int)max;
 }
 
-/* The rule for order (MeTeam.h), here and as bodies are committed: a range writes to its own bodies alone. */
+/* By the rule for order (MeTeam.h), a range writes to its own bodies only; so does commitBodies. */
 static void MEAPI beginBodies(void *system, int first, int end, int worker) {
     MdtKeaSystem *s = system;
     (void)worker;
@@ -127,7 +127,7 @@ void MEAPI MdtKeaImpact(MdtKeaSystem *s) {
         kea_returnContactForces(s);
 }
 
-/* Within the range of MeReal, which programs read the state in; false for NaN. */
+/* Whether all values are within the range of MeReal, in which programs read the state; false for NaN. */
 static MeBool isInRange(const double *v, int n) {
     for (int i = 0; i < n; i++)
         if (!(fabs(v[i]) <= (double)MEINFINITY))
@@ -139,7 +139,7 @@ static MeBool mayCommit(const MdtKeaBody *body, const KeaEnd *end) {
     if (!isInRange(end->position, 3) || !isInRange(end->quaternion, 4) || !isInRange(end->velocity, 3) ||
         !isInRange(end->angularMomentum, 3))
         return MEFALSE;
-    const double *I = body->moments; /* |w| <= |L| / the least moment */
+    const double *I = body->moments; /* |w| <= |L| / smallest moment */
     return keaLength(end->angularMomentum) / keaMin(I[0], keaMin(I[1], I[2])) <= (double)MEINFINITY;
 }
 
@@ -153,7 +153,7 @@ static void MEAPI commitBodies(void *system, int first, int end, int worker) {
     }
 }
 
-/* Those of a step that is very long can be beyond the numbers where its end states are not. */
+/* Whether the forces of all points are finite: in a very long step they can overflow while end states do not. */
 static MeBool areForcesFinite(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numManifolds; i++)
         for (int k = 0; k < s->manifolds[i].numPoints; k++) {

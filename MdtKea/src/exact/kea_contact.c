@@ -1,16 +1,15 @@
 /* Rows of contacts (Dynamics guide ch. 3, "MdtContact").
  *
  * n is the normal, the direction in which the first body is pushed; t1 the primary direction, t2 = n x t1 the
- * secondary. With r_k
- * from body k's centre to the contact, the row along d has J_0 = [d, r_0 x d], J_1 = -[d, r_1 x d]: its rate is the
- * velocity of body 0 against body 1 along d.
+ * secondary one. With r_k the vector from body k's centre to the contact, the row along d has J_0 = [d, r_0 x d],
+ * J_1 = -[d, r_1 x d]: its rate is the velocity of body 0 relative to body 1 along d.
  *
- *   normal:   φ = -depth.   J v⁺ >= γ depth / h where the bodies overlap, >= -gap / h where they do not, and what the
- *             law of restitution asks (kea_restitution.c).   λ >= -adhesion.   E = ε + softness.
- *   friction: J v⁺ = slide - slip λ, |λ| <= bound or μ λ_n.   E = slip / h, without ε: on a row without a position that
- *             would be viscosity, and what friction holds would creep by h ε λ a second.
- *             Cone, in both directions: λ_1² + λ_2² <= (μ λ_n)², with the primary coefficient.
- *             Only where the bodies touch, or will within the step.
+ *   normal:   φ = -depth.   J v⁺ >= γ depth / h if the bodies overlap, >= -gap / h if they do not (speculative), and
+ *             >= the rebound of the law of restitution (kea_restitution.c).   λ >= -adhesion.   E = ε + softness.
+ *   friction: J v⁺ = slide - slip λ, |λ| <= bound or μ λ_n.   E = slip / h, without ε, which on a velocity row would be
+ *             viscosity: bodies that friction holds would creep by h ε λ a second.
+ *             Cone, for both directions: λ_1² + λ_2² <= (μ λ_n)², with the primary coefficient.
+ *             Friction rows exist only if the bodies touch, or may touch within the step.
  */
 #include "exact/kea_contact_i.h"
 #include "MeAssert.h"
@@ -39,7 +38,7 @@ void kea_contactChooseRows(const MdtKeaSystem *s, KeaContact *c) {
     c->at->numRows = 1 + countDirections(c->frictionRows);
 }
 
-static int countRowsForFast(MdtKeaSystem *s) {
+static int countRowsOfManifolds(MdtKeaSystem *s) {
     int rows = 0;
     for (int i = 0; i < s->numManifolds; i++) {
         const MdtKeaSurface *surface = &s->manifolds[i].surface;
@@ -54,7 +53,7 @@ static int countRowsForFast(MdtKeaSystem *s) {
 int MEAPI MdtKeaCountContactRows(MdtKeaSystem *s) {
     int rows = 0, n = 0;
     if (s->parameters.solver == MdtKeaSolverFast)
-        return countRowsForFast(s);
+        return countRowsOfManifolds(s);
     for (int i = 0; i < s->numManifolds; i++)
         for (int k = 0; k < s->manifolds[i].numPoints; k++) {
             KeaContact *c = &s->work->contact[n++];
@@ -87,7 +86,7 @@ static double worldRate(const KeaContact *c, const MdtKeaJBlock J[2]) {
     return rate;
 }
 
-/* A row along d. The motion of the world is known: it goes to the target, with the sign turned round. */
+/* Initializes a row along d. The rate of a moving world is known: with reversed sign it is part of the target. */
 static void startRow(const KeaContact *c, const double d[3], int owner, double target, MdtKeaRow *row) {
     memset(row, 0, sizeof *row);
     for (int k = 0; k < 2; k++)
@@ -106,7 +105,7 @@ static void startRow(const KeaContact *c, const double d[3], int owner, double t
 static void normalRow(const MdtKeaSystem *s, const KeaContact *c, int owner, MdtKeaRow *row) {
     const MdtKeaParameters *p = &s->parameters;
     const MdtKeaSurface *surface = &c->manifold->surface;
-    const double aim = c->depth > 0 ? p->gamma * c->depth : c->depth; /* m, by the end of the part */
+    const double aim = c->depth > 0 ? p->gamma * c->depth : c->depth; /* m: smallest separation within the sub-step */
     startRow(c, c->normal, owner, aim / p->stepsize, row);
     row->error = -c->depth;
     for (int k = 0; k < 2; k++)
@@ -142,8 +141,8 @@ static void frictionRow(const MdtKeaSystem *s, const KeaContact *c, int directio
     }
 }
 
-/* Warm start of friction: the force of the last step, turned with the contact about the normal. */
-static void guessFriction(const KeaContact *c, MdtKeaRow rows[]) {
+/* Warm start of friction: the force of the last step, rotated with the contact about the normal. */
+static void warmStartFriction(const KeaContact *c, MdtKeaRow rows[]) {
     const double *guess = c->at->guess, angle = c->moves ? keaDot(c->turn, c->normal) : 0;
     const double cosine = cos(angle), sine = sin(angle);
     if (c->frictionRows == (PRIMARY | SECONDARY)) {
@@ -154,8 +153,8 @@ static void guessFriction(const KeaContact *c, MdtKeaRow rows[]) {
     }
 }
 
-/* Jacobians of a contact's rows for the middle and the end of the part. */
-static void moveRows(MdtKeaSystem *s, const KeaContact *c, int count) {
+/* Sets the Jacobians of a contact's rows in the middle and at the end of the sub-step (s->moves). */
+static void setMovedJacobians(MdtKeaSystem *s, const KeaContact *c, int count) {
     static const double share[2] = {0.5, 1};
     for (int k = 0; k < 2; k++) {
         double arm[2][3];
@@ -186,11 +185,11 @@ void kea_contactMakeRows(MdtKeaSystem *s, KeaContact *c, int owner) {
         rows[2].partner = s->numRows + 1;
     }
     if (count > 1)
-        guessFriction(c, rows + 1);
+        warmStartFriction(c, rows + 1);
     s->numRows += count;
     MEASSERT(count == c->at->numRows && s->numRows <= s->maxRows);
     if (c->moves)
-        moveRows(s, c, count);
+        setMovedJacobians(s, c, count);
 }
 
 void MEAPI MdtKeaMakeContactRows(MdtKeaSystem *s) {

@@ -1,17 +1,17 @@
-/* Inside Kea: contacts of the exact solver, from manifolds to rows.
+/* Inside Kea: contacts of the exact solver, converted from manifolds to rows.
  *
- *     kea_contact.c       its rows
- *     kea_flight.c        contacts of bodies that fly
+ *     kea_contact.c       rows of a contact
+ *     kea_flight.c        uses them for one contact at a time
  */
 #ifndef KEA_CONTACT_I_H
 #define KEA_CONTACT_I_H
 
 #include "common/kea_anchor_i.h"
 
-/* Sets place, depth, and which rows it gets; makes these behind the others. */
+/* Sets position, depth, arms and the set of rows of a contact; appends these rows to the system's, for `owner`. */
 void kea_contactChooseRows(const MdtKeaSystem *s, KeaContact *c);
 void kea_contactMakeRows(MdtKeaSystem *s, KeaContact *c, int owner);
-/* Adds the forces of its rows to its point's. */
+/* Adds the forces of the contact's rows to those of its point. */
 void kea_contactAddForces(const MdtKeaSystem *s, const KeaContact *c);
 
 #endif

@@ -1,4 +1,4 @@
-/* The dual of the inner problem, whose unknowns are impulses: for joints without bounds and loops, where it has fewer
+/* The dual of the inner problem, with impulses as unknowns, for joints without bounds and loops: there it has fewer
  * unknowns. With p = p_0 + Δp,
  *
  *     (J B⁻¹ Jᵀ + E) Δp = r - E p_0 - J B⁻¹ (Jᵀ p_0 - g),      d = B⁻¹ (Jᵀ p - g).
@@ -15,7 +15,8 @@ static MeBool areOfOneJoint(const MdtKeaRow *a, const MdtKeaRow *b) {
     return a->owner == b->owner && a->body[0] == b->body[0] && a->body[1] == b->body[1];
 }
 
-/* Nodes are runs of rows of one joint. False: a row is bounded, belongs to a contact or is inactive. */
+/* Makes a node of each run of rows of one joint. False: the dual is not possible, as a row is bounded, inactive or of a
+ * contact, or a joint has too many rows. */
 static MeBool findNodes(MdtKeaSystem *s, KeaDual *d) {
     d->numNodes = 0;
     for (int i = 0; i < s->numRows; i++) {
@@ -35,8 +36,8 @@ static MeBool findNodes(MdtKeaSystem *s, KeaDual *d) {
     return METRUE;
 }
 
-/* Edges are pairs of joints that share a body, found by a list of the joints of each body. False: more edges than there
- * is memory for, or two joints share both bodies. */
+/* Makes an edge of each pair of joints that share a body, by lists of the joints of each body. False: there are more
+ * edges than memory, or two joints share both bodies. */
 static MeBool findEdges(MdtKeaSystem *s, KeaDual *d) {
     d->numEdges = 0;
     for (int b = 0; b < s->numBodies; b++)
@@ -90,7 +91,7 @@ static double dotOfBody(const double a[6], const double b[6]) {
     return keaDot(a, b) + keaDot(a + 3, b + 3);
 }
 
-/* The upper triangle, and the responses of the node's rows. */
+/* Fills the upper triangle of the node's diagonal block, and the responses of its rows. */
 static void fillDiagonal(KeaProblem *q, KeaDual *d, int n) {
     double *block = kea_factorDiagonal(d->factor, n);
     const int size = d->size[n], start = d->start[n];
@@ -128,8 +129,8 @@ static MeBool factorizeDual(KeaProblem *q, KeaDual *d) {
     return kea_factorCholesky(d->factor, kea_minPivot);
 }
 
-/* d := B⁻¹ (Jᵀ p - g) with the present p, and Jd of all rows. */
-static void setMotion(KeaProblem *q) {
+/* Sets d := B⁻¹ (Jᵀ p - g) for the present p, and Jd of all rows. */
+static void solveBodies(KeaProblem *q) {
     for (int b = 0; b < q->numBodies; b++)
         for (int i = 0; i < 6; i++)
             q->gradient[b][i] = -q->load[b][i];
@@ -156,7 +157,7 @@ MeBool kea_dualSolve(MdtKeaSystem *s) {
     if (!d->factor || !kea_problemMaySpend(q, MEFALSE) || !factorizeDual(q, d))
         return MEFALSE;
     q->counts.iterations++;
-    setMotion(q);
+    solveBodies(q);
     for (int i = 0; i < q->numRows; i++)
         d->x[i] = q->row[i].r - q->row[i].E * q->row[i].p - q->row[i].Jd;
     kea_factorSolve(d->factor, d->x);
@@ -164,6 +165,6 @@ MeBool kea_dualSolve(MdtKeaSystem *s) {
         q->row[i].p += d->x[i];
         q->row[i].state = KEA_ACTIVE;
     }
-    setMotion(q);
+    solveBodies(q);
     return METRUE;
 }

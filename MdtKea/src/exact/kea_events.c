@@ -1,16 +1,17 @@
-/* Events that divide a timed step: times of impact, and times at which sliding stops.
+/* Events at which a timed step is divided: times of impact, and times at which sliding stops.
  *
  * In a timed step bodies move with their mean velocities, x⁺ = x + h (v + v⁺)/2, and closed contacts constrain the
- * velocity at the end. That is exact for constant forces, where a step that moves with v⁺ has the error a h²/2. The
+ * velocity at the end. This is exact for constant forces; a step that moves bodies with v⁺ has the error a h²/2. The
  * step is divided where forces change discontinuously:
  *
  *   an impact: an open contact's gap, φ + J v t + J (v⁺ - v) t²/2h, vanishes at some t, its time of impact;
  *   a stop:    a sliding contact would stick or slide back at the end. With friction still against the slip velocity u
- *   of the start, the slip vanishes at t = h |u| / (|u| - u⁺·u/|u|).
+ *              of the start, the slip vanishes at t = h |u| / (|u| - u⁺·u/|u|).
  *
- * Impacts that are all too slow to rebound may follow each other without end (chattering, report.trembles); the owner
- * then does not divide the step, or has such contacts held from its start (holdsSlow): one with the gap φ and the rate
- * a comes to touch at the end if J v⁺ = -2 φ/h - a, since the mean rate moves it. One that is faster is stopped.
+ * Impacts that are all too slow to rebound may follow each other without end (chattering, report.trembles). The owner
+ * then does not divide the step, or has such contacts act from its start (holdsSlow): a contact with the gap φ and the
+ * rate a touches at the end if J v⁺ = -2 φ/h - a, since bodies move with the mean rate. One that closes earlier is
+ * stopped.
  */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
@@ -22,7 +23,7 @@ MeBool kea_isContactOpen(const MdtKeaSystem *s, int i, double speed) {
 
 /* ---- which systems are timed ---- */
 
-/* m/s: J v of a row at the end without constraint forces. */
+/* m/s: J v of a row at the end of the step without constraint forces. */
 static double freeRate(const MdtKeaSystem *s, const MdtKeaRow *row) {
     double rate = 0;
     for (int k = 0; k < 2; k++)
@@ -32,9 +33,9 @@ static double freeRate(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return rate;
 }
 
-/* Not with springs: their forces change within a step, and stiff ones need the damping of θ = 1. Not with deep
- * overlaps, whose projection against joints changes the energy; unless the bodies still approach fast, as where a body
- * that was hit in the last step had no contact with the next one yet: that is a late impact. */
+/* False with springs, whose forces change within a step, and which need the damping of θ = 1 if they are stiff. False
+ * with overlaps, whose projection against joints changes the energy, unless the bodies still approach fast: that is a
+ * late impact, of a body that was hit in the last step and had no contact with the next body yet. */
 MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
     const double minSpeed = kea_minReboundSpeed * kea_eventSpeed(s), reach = kea_reach * s->parameters.stepsize;
     MeBool bounces = MEFALSE;
@@ -70,7 +71,7 @@ MeBool MEAPI MdtKeaRolls(const MdtKeaSystem *s) {
     return hasContact;
 }
 
-/* Whether a contact that touches neither parts nor rebounds. One already deep on arrival rebounds immediately. */
+/* Whether a touching contact neither separates nor rebounds. A contact already deep on arrival rebounds immediately. */
 static MeBool isPersistent(double rate, double restitution, double speed) {
     return rate <= kea_separatingSpeed * speed && -rate * restitution <= kea_minReboundSpeed * speed;
 }
@@ -105,7 +106,7 @@ int MEAPI MdtKeaHeldBodies(const MdtKeaSystem *s) {
 
 /* ---- impacts ---- */
 
-/* s: the first t >= 0 with gap + a t + b t²/2 = 0 and falling; HUGE_VAL: none. */
+/* s: the first t >= 0 at which gap + a t + b t²/2 becomes negative; HUGE_VAL: none. */
 static double timeOfImpact(double gap, double a, double b) {
     gap = keaMax(gap, 0);
     const double root = a * a - 2 * b * gap;
@@ -120,7 +121,7 @@ typedef struct Impact {
     double time, speed; /* s into the step, HUGE_VAL: none; approach velocity, m/s */
 } Impact;
 
-/* The impact of a contact whose rate changes linearly to endRate. */
+/* The impact of the contact with normal row i, whose rate changes linearly to endRate within the step. */
 static Impact impactOf(const MdtKeaSystem *s, int i, double endRate) {
     const MdtKeaRow *row = &s->rows[i];
     const double a = kea_startRate(s, i), b = (endRate - row->drift - a) / s->parameters.stepsize;
@@ -128,10 +129,11 @@ static Impact impactOf(const MdtKeaSystem *s, int i, double endRate) {
     return (Impact){time, time < HUGE_VAL ? -(a + b * time) : 0};
 }
 
-/* ---- contacts that are held instead ---- */
+/* ---- slow contacts, closed from the start instead ---- */
 
-/* Whether a contact whose rate changes linearly to endRate meets within the step, and is to be held from its start. */
-static MeBool closesEarly(const MdtKeaSystem *s, int i, double endRate) {
+/* Whether a contact whose rate changes linearly to endRate has an impact within the step that is too slow to rebound,
+ * and acts from the start of the step instead (holdsSlow). */
+static MeBool closesSlowly(const MdtKeaSystem *s, int i, double endRate) {
     const Impact m = impactOf(s, i, endRate);
     return s->parameters.holdsSlow && m.time < s->parameters.stepsize &&
            m.speed <= kea_minReboundSpeed * kea_eventSpeed(s);
@@ -141,13 +143,13 @@ void kea_markOpenContacts(MdtKeaSystem *s) {
     const double speed = kea_eventSpeed(s);
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact == i)
-            s->rows[i].isOpen = kea_isContactOpen(s, i, speed) && !closesEarly(s, i, freeRate(s, &s->rows[i]));
+            s->rows[i].isOpen = kea_isContactOpen(s, i, speed) && !closesSlowly(s, i, freeRate(s, &s->rows[i]));
 }
 
 int kea_closeSlowContacts(MdtKeaSystem *s) {
     int count = 0;
     for (int i = 0; i < s->numRows; i++)
-        if (s->rows[i].contact == i && s->rows[i].isOpen && closesEarly(s, i, kea_endRate(s, i))) {
+        if (s->rows[i].contact == i && s->rows[i].isOpen && closesSlowly(s, i, kea_endRate(s, i))) {
             s->rows[i].isOpen = MEFALSE;
             count++;
         }
@@ -156,7 +158,7 @@ int kea_closeSlowContacts(MdtKeaSystem *s) {
 
 /* ---- events ---- */
 
-/* The time of the first impact; the speed is the greatest of all impacts within the step. */
+/* The time of the first impact of open contacts, and the largest speed of all impacts within the step. */
 static Impact firstImpact(const MdtKeaSystem *s) {
     Impact first = {HUGE_VAL, 0};
     for (int i = 0; i < s->numRows; i++) {
@@ -182,10 +184,11 @@ double kea_firstEventOfFlight(const MdtKeaSystem *s) {
     return first;
 }
 
+/* The slip velocity of a friction row or cone. */
 typedef struct Slip {
-    double start[2], size; /* m/s, at the start */
-    double end[2];
-    int row[2]; /* the second may be -1 */
+    double start[2], size; /* m/s, at the start, and its norm */
+    double end[2];         /* m/s, at the end */
+    int row[2];            /* the second is -1 if there is no cone */
 } Slip;
 
 static Slip slipOf(const MdtKeaSystem *s, int i) {
@@ -198,18 +201,18 @@ static Slip slipOf(const MdtKeaSystem *s, int i) {
     return slip;
 }
 
-/* Whether friction holds, or would slide back, at the end. */
-static MeBool hasStopped(const MdtKeaSystem *s, const Slip *slip) {
+/* Whether the contact sticks at the end, or slides back. */
+static MeBool stopsSliding(const MdtKeaSystem *s, const Slip *slip) {
     const KeaProblemRow *p = &s->work->problem.row[slip->row[0]];
     const double force = keaHypotenuse(p->p, slip->row[1] >= 0 ? s->work->problem.row[slip->row[1]].p : 0);
     const MeBool sticks = force < (1 - kea_stickMargin) * p->friction * s->work->problem.row[p->normal].p;
     return sticks || slip->start[0] * slip->end[0] + slip->start[1] * slip->end[1] < 0;
 }
 
-/* Fixes the friction of contacts that slide faster than minSpeed and stop with a jerk within the step against the slip
- * of the start (isForced); a cone is represented by its first row. Friction with slip stops smoothly: below its bound
- * the force is proportional to the speed. Returns how many there are. */
-static int forceSlides(MdtKeaSystem *s, double minSpeed) {
+/* Finds contacts that slide faster than minSpeed and stop within the step, and fixes their friction against the slip of
+ * the start (isForced). Friction with slip is left out: below its bound the force is proportional to the speed, and the
+ * contact stops without a discontinuity. Returns the number of contacts; a cone counts once. */
+static int fixStoppingFriction(MdtKeaSystem *s, double minSpeed) {
     int count = 0;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i], *partner = row->partner >= 0 ? &s->rows[row->partner] : NULL;
@@ -219,7 +222,7 @@ static int forceSlides(MdtKeaSystem *s, double minSpeed) {
         if (isViscous || row->isForced)
             continue;
         const Slip slip = slipOf(s, i);
-        if (slip.size <= minSpeed || !hasStopped(s, &slip))
+        if (slip.size <= minSpeed || !stopsSliding(s, &slip))
             continue;
         for (int k = 0; k < 2 && slip.row[k] >= 0; k++) {
             s->rows[slip.row[k]].isForced = METRUE;
@@ -230,7 +233,7 @@ static int forceSlides(MdtKeaSystem *s, double minSpeed) {
     return count;
 }
 
-static double firstStop(const MdtKeaSystem *s) {
+static double firstEndOfSliding(const MdtKeaSystem *s) {
     const double h = s->parameters.stepsize;
     double first = HUGE_VAL;
     for (int i = 0; i < s->numRows; i++) {
@@ -246,9 +249,9 @@ static double firstStop(const MdtKeaSystem *s) {
 
 double kea_firstEvent(MdtKeaSystem *s, MeBool *mustRepeat) {
     const double speed = kea_eventSpeed(s);
-    *mustRepeat = !s->parameters.holdsSlow && forceSlides(s, kea_separatingSpeed * speed) > 0;
+    *mustRepeat = !s->parameters.holdsSlow && fixStoppingFriction(s, kea_separatingSpeed * speed) > 0;
     const Impact impact = firstImpact(s);
-    const double stop = firstStop(s);
+    const double stop = firstEndOfSliding(s);
     s->report.trembles = impact.time < s->parameters.stepsize && impact.speed <= kea_minReboundSpeed * speed;
     return keaMin(impact.time, stop);
 }

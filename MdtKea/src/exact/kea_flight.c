@@ -1,12 +1,12 @@
-/* Flight: bodies that bounce, and that nothing holds, follow their own paths from impact to impact.
+/* Flight: bouncing bodies without joints and closed contacts are advanced on ballistic paths from impact to impact.
  *
- * Without rows a body's path is known until it is hit. So each body has a time of its own, up to which it has been
- * moved, and each contact the time at which its bodies meet next. The contact that meets first comes next: its bodies
- * are moved to that time, and those that touch them take part in the impact (kea_impact.c); then the contacts of all of
- * these find anew when they meet. What the others do does not matter: an impact costs as much among many bodies as
- * among few bodies.
+ * Without rows a body's path is known until its next impact. Each body has its own time, up to which it has been
+ * advanced, and each contact the predicted time of its next impact. The contact with the earliest time is resolved: its
+ * bodies are advanced to that time, bodies that touch them take part in the impact (kea_impact.c), and the next impacts
+ * of all their contacts are predicted anew. Other bodies are not visited: the cost of an impact does not depend on
+ * their number.
  *
- * Flight ends with the step, or with an impact after which a contact is closed: from there on rows act.
+ * Flight ends with the step, or after an impact that leaves a contact closed: from then on rows act.
  */
 #include "MeAssert.h"
 #include "common/kea_policy_i.h"
@@ -15,42 +15,43 @@
 
 /* ---- bodies ---- */
 
-/* What is known of a body by its state at time t, with the rest of the step before it. */
-static void beginAt(MdtKeaSystem *s, int b, double t) {
+/* Sets pose, velocity and prediction of body b from its state at time t, for the remaining step. */
+static void predictBodyFrom(MdtKeaSystem *s, int b, double t) {
     s->parameters.stepsize = s->work->flight.end - t;
     kea_beginBody(s, b);
 }
 
-/* Moves a body on to time t; its state there is an end state, not yet committed. */
-static void flyTo(MdtKeaSystem *s, int b, double t) {
+/* Computes the end state of body b at time t, without committing it. */
+static void findStateAt(MdtKeaSystem *s, int b, double t) {
     s->parameters.stepsize = t - s->work->flight.time[b];
     kea_beginBody(s, b);
     kea_moveFreeBody(s, b);
 }
 
-static void moveTo(MdtKeaSystem *s, int b, double t) {
+static void advanceBodyTo(MdtKeaSystem *s, int b, double t) {
     if (b < 0)
         return;
     MEASSERT(t >= s->work->flight.time[b] && t < s->work->flight.end);
     if (t > s->work->flight.time[b]) {
-        flyTo(s, b, t);
+        findStateAt(s, b, t);
         kea_commitBody(s, b);
         s->work->flight.time[b] = t;
     }
-    beginAt(s, b, t);
+    predictBodyFrom(s, b, t);
 }
 
-/* Moves all bodies on to time t, for MdtKeaIntegrate. Accelerations are those of the last leg. */
+/* Computes the end states of all bodies at time t, for MdtKeaIntegrate, and sets start velocities such that the
+ * accelerations are those since each body's last impact. */
 static void endFlight(MdtKeaSystem *s, double t) {
     for (int b = 0; b < s->numBodies; b++) {
         const double leg = t - s->work->flight.time[b];
         double w[3];
         s->work->body[b].isFree = METRUE;
-        flyTo(s, b, t);
+        findStateAt(s, b, t);
         if (leg <= 0)
             continue;
         kea_angularVelocity(s->bodies[b], s->work->end[b].quaternion, s->work->end[b].angularMomentum, w);
-        for (int k = 0; k < 3; k++) { /* as if it had flown like that all the time */
+        for (int k = 0; k < 3; k++) { /* as if this acceleration had acted during the whole step */
             const double v = s->work->end[b].velocity[k];
             s->velocity[b].lin[k] = v - (v - s->velocity[b].lin[k]) * t / leg;
             s->velocity[b].ang[k] = w[k] - (w[k] - s->velocity[b].ang[k]) * t / leg;
@@ -65,8 +66,8 @@ static int bodyOf(const MdtKeaSystem *s, int c, int k) {
     return s->work->contact[c].manifold->body[k];
 }
 
-/* Sorts contacts by their bodies: a counting sort. */
-static void listContacts(MdtKeaSystem *s) {
+/* Lists the contacts of each body, by a counting sort. */
+static void listContactsOfBodies(MdtKeaSystem *s) {
     KeaFlight *f = &s->work->flight;
     memset(f->start, 0, ((size_t)s->numBodies + 1) * sizeof *f->start);
     for (int c = 0; c < s->work->numContacts; c++)
@@ -81,13 +82,13 @@ static void listContacts(MdtKeaSystem *s) {
                 f->list[--f->start[bodyOf(s, c, k)]] = c;
 }
 
-/* The owner may have left out all of its rows. */
+/* Whether the owner has removed all rows of contact c. */
 static MeBool isLeftOut(const MdtKeaSystem *s, int c) {
     return s->work->contact[c].at->numRows == 0;
 }
 
-/* -1: nothing meets before the end. */
-static int earliest(const MdtKeaSystem *s) {
+/* The contact with the earliest predicted impact; -1: none before the end of the step. */
+static int earliestImpact(const MdtKeaSystem *s) {
     const double *impactTime = s->work->flight.impactTime;
     double time = s->work->flight.end;
     int first = -1;
@@ -99,7 +100,7 @@ static int earliest(const MdtKeaSystem *s) {
     return first;
 }
 
-/* Makes the normal row of a contact whose bodies are at time t, as the system's only one. */
+/* Makes the normal row of a contact, whose bodies have been advanced, as the only row of the system. */
 static void makeNormalRow(MdtKeaSystem *s, int c) {
     KeaContact *contact = &s->work->contact[c];
     kea_contactChooseRows(s, contact);
@@ -108,8 +109,8 @@ static void makeNormalRow(MdtKeaSystem *s, int c) {
     kea_contactMakeRows(s, contact, 0);
 }
 
-/* When they meet next. */
-static void findMeeting(MdtKeaSystem *s, int c, double t) {
+/* Predicts the next impact of contact c, whose bodies are at time t. */
+static void predictImpact(MdtKeaSystem *s, int c, double t) {
     if (isLeftOut(s, c))
         return;
     makeNormalRow(s, c);
@@ -127,19 +128,19 @@ static void addFlightBody(MdtKeaSystem *s, int b) {
     f->body[f->numBodies++] = b;
 }
 
-/* The bodies that take part in an impact at time t, and rows of all contacts at which they touch. All bodies that have
- * a contact with one of them are moved to that time. */
-static void gather(MdtKeaSystem *s, double t) {
+/* Collects the bodies that take part in an impact at time t, starting from those of the list, and makes rows of all
+ * their touching contacts. All bodies that have a contact with one of them are advanced to that time. */
+static void collectTouching(MdtKeaSystem *s, double t) {
     KeaFlight *f = &s->work->flight;
     s->numRows = f->numTouching = 0;
     for (int n = 0; n < f->numBodies; n++)
         for (int i = f->start[f->body[n]]; i < f->start[f->body[n] + 1]; i++) {
             const int c = f->list[i], first = s->numRows;
             KeaContact *contact = &s->work->contact[c];
-            if (isLeftOut(s, c) || f->impactTime[c] == -HUGE_VAL) /* it is among them */
+            if (isLeftOut(s, c) || f->impactTime[c] == -HUGE_VAL) /* its rows are made already */
                 continue;
             for (int k = 0; k < 2; k++)
-                moveTo(s, bodyOf(s, c, k), t);
+                advanceBodyTo(s, bodyOf(s, c, k), t);
             kea_contactChooseRows(s, contact);
             kea_contactMakeRows(s, contact, -1 - c);
             if (!kea_isTouching(s, &s->rows[first])) {
@@ -153,7 +154,8 @@ static void gather(MdtKeaSystem *s, double t) {
         }
 }
 
-/* Whether all part, and no body turns so far that its contacts do not tell when it meets the next one. */
+/* Whether all contacts of the impact separate, and no body rotates so far in the remaining step that rates of its
+ * contacts do not predict the next impact. */
 static MeBool areSeparated(const MdtKeaSystem *s) {
     const KeaFlight *f = &s->work->flight;
     for (int i = 0; i < f->numTouching; i++)
@@ -175,14 +177,14 @@ static void addImpulses(MdtKeaSystem *s) {
         kea_contactAddForces(s, &s->work->contact[f->touching[i]]);
 }
 
-/* False: rows act from time t on. */
-static MeBool collide(MdtKeaSystem *s, int c, double t) {
+/* Resolves the predicted impact of contact c at time t. False: rows act from time t on. */
+static MeBool resolveImpact(MdtKeaSystem *s, int c, double t) {
     KeaFlight *f = &s->work->flight;
     for (int k = 0; k < 2; k++)
-        moveTo(s, bodyOf(s, c, k), t);
+        advanceBodyTo(s, bodyOf(s, c, k), t);
     makeNormalRow(s, c);
-    if (!kea_isTouching(s, &s->rows[0])) { /* a turn has changed the path that was foreseen */
-        findMeeting(s, c, t);
+    if (!kea_isTouching(s, &s->rows[0])) { /* predicted too early: the body's rotation has moved the contact */
+        predictImpact(s, c, t);
         f->impactTime[c] = keaMax(f->impactTime[c], t + f->min);
         f->misses++;
         return METRUE;
@@ -190,7 +192,7 @@ static MeBool collide(MdtKeaSystem *s, int c, double t) {
     f->numBodies = 0;
     for (int k = 0; k < 2; k++)
         addFlightBody(s, bodyOf(s, c, k));
-    gather(s, t);
+    collectTouching(s, t);
     if (kea_impactsChatter(s, &f->scale)) /* too slow to rebound */
         return MEFALSE;
     const MeBool isDone = kea_impact(s, &f->scale), isSeparated = isDone && areSeparated(s);
@@ -199,7 +201,7 @@ static MeBool collide(MdtKeaSystem *s, int c, double t) {
         f->isIn[f->body[n]] = 0;
     for (int n = 0; n < f->numBodies && isSeparated; n++)
         for (int i = f->start[f->body[n]]; i < f->start[f->body[n] + 1]; i++)
-            findMeeting(s, f->list[i], t);
+            predictImpact(s, f->list[i], t);
     f->impacts++;
     return isSeparated;
 }
@@ -210,7 +212,7 @@ static void beginFlight(MdtKeaSystem *s, double min) {
     f->end = s->parameters.stepsize;
     f->min = min;
     f->impacts = f->misses = 0;
-    listContacts(s);
+    listContactsOfBodies(s);
     for (int b = 0; b < s->numBodies; b++) {
         f->time[b] = 0;
         f->isIn[b] = 0;
@@ -228,15 +230,15 @@ double MEAPI MdtKeaFly(MdtKeaSystem *s, double min, int maxImpacts) {
     MEASSERT(min > 0 && min < s->parameters.stepsize);
     beginFlight(s, min);
     for (MeBool flies = METRUE; flies;) {
-        const int c = earliest(s);
+        const int c = earliestImpact(s);
         t = c < 0 ? f->end : f->impactTime[c];
-        /* misses are few, as a time that is foreseen anew is right to the next order; each would cost f->least */
+        /* misses are few, since a new prediction is right to the next order; each one advances by at least f->min */
         if (c < 0 || f->impacts == maxImpacts || f->misses > maxImpacts ||
             (s->parameters.maxWork > 0 && work > s->parameters.maxWork))
             break;
         s->parameters.elapsed = elapsed + t;
         s->report.work = 0;
-        flies = collide(s, c, t);
+        flies = resolveImpact(s, c, t);
         work += s->report.work;
     }
     t = keaMax(t, min);

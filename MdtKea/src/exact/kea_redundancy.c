@@ -1,10 +1,10 @@
 /* Impulses of redundant joints: the solution of least norm.
  *
- * Where joints make a loop, Jᵀ has a null space. The component of p in it is arbitrary, and grows from step to step if
- * the joints contradict each other, be it by rounding: a door of 1 kg that turns on two hinges 1e-6 m apart, with
- * epsilon 0, is held by 1.7e4 N, by 7e6 N after 300 steps without this, and by 5e11 N after 20 000 (Mdt_Hinge:
- * hinges_that_contradict_each_other_do_not_build_up_forces). The p of least weighted norm is reported and kept as the
- * next warm start:
+ * If joints form a loop, Jᵀ has a null space. The component of p in it is arbitrary, and grows from step to step if the
+ * joints contradict each other, even if only by rounding: the forces on a door of 1 kg that turns on two hinges 1e-6 m
+ * apart, with epsilon 0, are 1.7e4 N with this correction; without it 7e6 N after 300 steps and 5e11 N after 20 000
+ * (Mdt_Hinge: hinges_that_contradict_each_other_do_not_build_up_forces). The p of least weighted norm is reported and
+ * kept as the next warm start:
  *
  *     min 1/2 Σ p_i² / w_i,  Jᵀ p = f:    p = W J y,   (Jᵀ W J + δ B) y = f,
  *
@@ -15,7 +15,7 @@
 #include "common/kea_policy_i.h"
 #include <string.h>
 
-/* By union-find over the bodies and the world, whose index is numBodies. One-sided rows (stops) make no loop. */
+/* Uses union-find over the bodies and the world, whose index is numBodies. One-sided rows (stops) make no loop. */
 MeBool kea_hasLoops(const MdtKeaSystem *s) {
     int *parent = s->work->parent, owner = 0;
     MeBool isFirst = METRUE;
@@ -34,7 +34,7 @@ MeBool kea_hasLoops(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* Only rigid joints are redundant: the impulse of a bounded or soft row is unique. */
+/* Whether row i can be redundant: only rigid joints are, since the impulse of a bounded or soft row is unique. */
 static MeBool isRigidJoint(const MdtKeaSystem *s, int i) {
     const MdtKeaRow *row = &s->rows[i];
     return row->position && row->softness == 0 && row->lower == -HUGE_VAL && row->upper == HUGE_VAL &&
@@ -74,12 +74,12 @@ static void setRedundancyProblem(MdtKeaSystem *s) {
     }
 }
 
-/* Solved as an inner problem, B d + g = Jᵀ p with p = -J d / N, g = -f and d = -y. */
+/* Solves it as an inner problem, B d + g = Jᵀ p with p = -J d / N, g = -f and d = -y. */
 void kea_minimizeRedundantForces(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     const MeBool hadBounds = q->hasBounds;
     if (!s->work->hasLoops || !kea_problemHasBudget(q, MEFALSE))
-        return; /* any solution has the same effect on the bodies */
+        return; /* all solutions have the same effect on the bodies */
     for (int i = 0; i < s->numRows; i++)
         s->work->savedP[i] = q->row[i].p;
     setRedundancyProblem(s);

@@ -1,14 +1,14 @@
 /* Time reversal, for composition schemes, in which some steps go back in time.
  *
- * The scheme of kea_scheme.c with θ = 1/2 is symmetric: a step, and one from its end with reversed velocities, return
- * to the start. Not symmetric are terms that depend on one end of the step only (velocity rows, bounds, damping, θ = 1,
- * gamma, compliance), and driven joints, whose velocities are not reversed. A step back in time is a step forward of
- * the reversed system, so that the step length is always positive.
+ * The scheme of kea_scheme.c with θ = 1/2 is symmetric: a step, followed by one with reversed velocities, returns to
+ * the start. Not symmetric are terms that depend on one end of the step only (velocity rows, bounds, damping, θ = 1,
+ * gamma, compliance), and driven joints, whose velocities are not reversed. A step back in time is computed as a step
+ * forward of the system with reversed velocities, so that the step length is always positive.
  */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
 
-/* Not a damped body, nor one with different moments whose Coriolis term is off. */
+/* False for damped bodies, and for bodies with different moments whose Coriolis term is off. */
 static MeBool isBodyReversible(const MdtKeaBody *body) {
     const double *I = body->moments;
     const double max = keaMax(I[0], keaMax(I[1], I[2])), min = keaMin(I[0], keaMin(I[1], I[2]));

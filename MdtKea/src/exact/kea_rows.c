@@ -1,30 +1,33 @@
 /* Linearization of the rows of a system: J, E, r and N of the inner problem in each pass, and θ of each body.
  *
- * With d the change of u in a pass, p the impulses, φ_k and v_k⁺ the errors and end velocities of the last pass, every
- * row is J d + E p = r:
+ * With d the change of u in a pass, p the impulses, φ_k and v_k⁺ the errors and end velocities after the last pass,
+ * every row is J d + E p = r:
  *
  *   position:  φ⁺ = φ_0 + h (s - E p)             r = s - (φ_k - φ_0)/h
  *   spring:    p = -h [kp φ_0 + (θ h kp + kd)(J u - s)],  1/E = θ h² kp + h kd,   r = s - J u_k - E h kp φ_0;
- *              one that only pushes and has a gap, φ_0 > 0, carries no force at the start: (1 - θ) φ_0 less
+ *              for a spring that only pushes and has a gap, φ_0 > 0, which carries no force at the start, r has θ φ_0
+ *              in place of φ_0
  *   velocity:  J v⁺ = s - E p, v⁺ = v + (u - v)/θ     r = θ (s - J v_k⁺), E := θ E
  *
- * θ of the unknown u is chosen per body. It is 1 where a contact may act or a stop does, so that these constrain v⁺ and
- * not only the mean velocity, and where a spring is too stiff for the midpoint rule. The two bodies of a velocity row
- * have the same θ, since J of the row would differ from that of its impulse otherwise.
+ * θ of the unknown u is chosen per body. It is 1 for bodies on which a contact may act, or a stop acts, so that these
+ * rows constrain v⁺ and not only the mean velocity; and for bodies with a spring that is too stiff for the midpoint
+ * rule. Both bodies of a velocity row have the same θ, since otherwise the J of its rate would differ from that of its
+ * impulse.
  *
- * A body without position rows and springs has no row of its displacement: whatever its θ, it is moved by the mean
- * velocity, which is symmetric in time, or by v⁺ where the mean would press a contact deeper (KeaBody.moveTheta).
+ * A body without position rows and springs is untied: no row constrains its displacement. Whatever its θ, it is moved
+ * by the mean velocity, which is symmetric in time, or by v⁺ if the mean would press a contact deeper
+ * (KeaBody.moveTheta).
  *
- * The rate J v⁺ of a contact is evaluated with its lever arms at the end, where v⁺ is. Where joints keep θ of all its
- * bodies at 1, these are moved by v⁺, and the arms are those of the middle of the step: friction that holds causes no
- * drift on turning ground. Impulses act with the mean of the lever arms, as those of joints do.
+ * The rate J v⁺ of a contact is evaluated with its lever arms at the end of the step. But if joints keep θ of all its
+ * bodies at 1, so that they are moved by v⁺, the arms are those of the middle of the step: sticking friction then
+ * causes no drift on rotating ground. Impulses act with the mean of the lever arms, as those of joints do.
  */
 #include "kea_i.h"
 #include "MeAssert.h"
 #include "common/kea_policy_i.h"
 #include <string.h>
 
-static double rateWith(const MdtKeaRow *row, const MdtKeaVelocity *velocity) {
+static double rateAt(const MdtKeaRow *row, const MdtKeaVelocity *velocity) {
     double rate = 0;
     for (int k = 0; k < 2; k++) {
         if (row->body[k] < 0)
@@ -37,7 +40,7 @@ static double rateWith(const MdtKeaRow *row, const MdtKeaVelocity *velocity) {
 
 /* ---- theta ---- */
 
-static void setTheta(MdtKeaSystem *s, const MdtKeaRow *row) {
+static void useBackwardEuler(MdtKeaSystem *s, const MdtKeaRow *row) {
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
             s->work->body[row->body[k]].theta = 1;
@@ -77,13 +80,14 @@ static void spreadTheta(MdtKeaSystem *s) {
             const KeaBody *b = row->body[1] < 0 ? NULL : &s->work->body[row->body[1]];
             if (row->position || row->spring || s->work->problem.row[i].isInactive || !a || !b || a->theta == b->theta)
                 continue;
-            setTheta(s, row);
+            useBackwardEuler(s, row);
             changed = METRUE;
         }
     }
 }
 
-/* Which bodies no row holds the displacement of; in timed steps impacts are found along that by u. */
+/* Sets isUntied of all bodies: no row constrains their displacement. In timed steps it is false, as impacts are located
+ * along the displacement by u. */
 static void markUntied(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
         s->work->body[i].isUntied = !s->parameters.timed;
@@ -97,8 +101,9 @@ static MeBool isTied(const MdtKeaSystem *s, int body) {
     return body >= 0 && !s->work->body[body].isUntied;
 }
 
-/* What touches a tied body that is moved by v⁺ is so, too: their force would do more work on one than on the other. */
-static void moveWithTied(MdtKeaSystem *s) {
+/* Bodies that touch a tied body with θ = 1 are moved by v⁺, too: otherwise the contact force would do more work on one
+ * body than on the other. */
+static void moveTouchingByEnd(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
         if (row->contact != i || s->work->problem.row[i].isInactive)
@@ -117,16 +122,17 @@ static void chooseTheta(MdtKeaSystem *s) {
         const MdtKeaRow *row = &s->rows[i];
         const MeBool isActing = row->contact == i ? !s->work->problem.row[i].isInactive
                                                   : row->position && kea_mayReachBound(row) && row->force != 0 &&
-                                                        rateWith(row, s->velocity) <= 0;
+                                                        rateAt(row, s->velocity) <= 0;
         if (isActing || kea_isTooStiff(s, row))
-            setTheta(s, row);
+            useBackwardEuler(s, row);
     }
     spreadTheta(s);
-    moveWithTied(s);
+    moveTouchingByEnd(s);
 }
 
-/* m/s: the rate of a contact's gap, of the displacement as it is or as it would be by v⁺. */
-static double moveRate(const MdtKeaSystem *s, int i, MeBool byEnd) {
+/* m/s: the mean rate of a contact's gap in the step, by the displacements of its bodies or, with byEnd, by those that
+ * untied bodies would have if v⁺ moved them. */
+static double gapRate(const MdtKeaSystem *s, int i, MeBool byEnd) {
     const KeaProblemRow *p = &s->work->problem.row[i];
     double rate = s->rows[i].moves ? s->moves[i][0].rate : 0;
     for (int k = 0; k < 2; k++) {
@@ -139,16 +145,17 @@ static double moveRate(const MdtKeaSystem *s, int i, MeBool byEnd) {
     return rate;
 }
 
-/* Whether the displacement closes a contact's gap, or deepens its overlap, by more than that by v⁺. */
+/* Whether a contact overlaps deeper after the displacement than after that by v⁺, by more than kea_pressedDepth. */
 static MeBool isPressed(const MdtKeaSystem *s, int i) {
     const MdtKeaRow *row = &s->rows[i];
-    const double h = s->parameters.stepsize, atEnd = row->error + h * moveRate(s, i, METRUE);
-    return row->error + h * moveRate(s, i, MEFALSE) <
+    const double h = s->parameters.stepsize, atEnd = row->error + h * gapRate(s, i, METRUE);
+    return row->error + h * gapRate(s, i, MEFALSE) <
            keaMin(atEnd, 0) - kea_pressedDepth * kea_smallerExtent(s, row->body);
 }
 
-/* Bodies whose velocities change by no more than the solver resolves are at rest, and stay where contacts hold them. */
-static void keepResting(MdtKeaSystem *s) {
+/* Moves bodies whose velocities change by no more than the solver resolves by v⁺: they are at rest, and stay where
+ * contacts hold them. */
+static void moveRestingByEnd(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++) {
         KeaBody *b = &s->work->body[i];
         double linear[3], angular[3];
@@ -160,7 +167,7 @@ static void keepResting(MdtKeaSystem *s) {
 }
 
 void kea_chooseMoveThetas(MdtKeaSystem *s) {
-    keepResting(s);
+    moveRestingByEnd(s);
     MeBool isAny = !s->parameters.timed;
     for (int sweep = 0; sweep < KEA_PRESSED_SWEEPS && isAny; sweep++) {
         isAny = MEFALSE;
@@ -195,8 +202,8 @@ static void copyJacobian(KeaProblemRow *p, const MdtKeaJBlockPair J) {
     }
 }
 
-/* Whether the row carries nothing in this step: a spring without stiffness and damping, or a contact that is open or
- * out of reach. */
+/* Whether the row has no force in this step: a spring without stiffness and damping, or a row of a contact that is open
+ * or out of reach. */
 static MeBool isInactive(const MdtKeaSystem *s, const MdtKeaRow *row) {
     if (row->contact < 0)
         return row->spring && !(row->stiffness > 0) && !(row->damping > 0);
@@ -207,23 +214,23 @@ static MeBool isInactive(const MdtKeaSystem *s, const MdtKeaRow *row) {
     for (int k = 0; k < 2; k++)
         if (normal->body[k] >= 0)
             size = keaMax(size, s->work->body[normal->body[k]].size);
-    const double speed = keaMin(rateWith(normal, s->velocity), rateWith(normal, s->predicted));
+    const double speed = keaMin(rateAt(normal, s->velocity), rateAt(normal, s->predicted));
     const double h = s->parameters.stepsize,
-                 gap = normal->error + h * keaMax(speed, 0); /* at the end, if the bodies part */
+                 gap = normal->error + h * keaMax(speed, 0); /* at the end, if the bodies separate */
     const MeBool mayPull = normal->lower < 0, isNear = gap < kea_nearbyGap * size;
     return !mayPull && !isNear && !(normal->error + kea_reach * h * speed < 0);
 }
 
-/* Friction bound of the first pass. Warm start: μ p_n. Cold start: no bound, so that the first answer sticks or has the
- * direction of sliding; or 0 where the predicted slip is more than friction can stop. */
+/* N s: friction bound of the first pass. Warm start: μ p_n. Cold start: infinite, so that the first answer sticks or
+ * gives the direction of sliding; or 0 if the predicted slip is more than friction can stop. */
 static double startingBound(const MdtKeaSystem *s, const MdtKeaRow *row) {
     const KeaProblemRow *normal = &s->work->problem.row[row->normal];
     if (normal->p > 0 || row->isForced) /* forced: the direction of sliding is known */
         return row->friction * keaMax(normal->p, 0);
-    const double along = rateWith(row, s->predicted) - row->target;
+    const double along = rateAt(row, s->predicted) - row->target;
     const double across =
-        row->partner >= 0 ? rateWith(&s->rows[row->partner], s->predicted) - s->rows[row->partner].target : 0;
-    const double approach = -rateWith(&s->rows[row->normal], s->predicted);
+        row->partner >= 0 ? rateAt(&s->rows[row->partner], s->predicted) - s->rows[row->partner].target : 0;
+    const double approach = -rateAt(&s->rows[row->normal], s->predicted);
     return keaHypotenuse(along, across) > row->friction * keaMax(approach, 0) ? 0 : HUGE_VAL;
 }
 
@@ -247,7 +254,7 @@ void kea_beginRows(MdtKeaSystem *s) {
         copyJacobian(p, row->moves ? s->moves[i][0].J : row->J);
         s->work->movingRate[i] = 0;
         p->isInactive = isInactive(s, row);
-        /* with holdsSlow an open contact may be closed by kea_closeSlowContacts, and needs its place in the matrix */
+        /* with holdsSlow kea_closeSlowContacts may close an open contact, which then needs its block of the matrix */
         p->isOut = row->contact >= 0 && s->rows[row->contact].isOpen && !s->parameters.holdsSlow;
         p->p = p->p0 = p->isInactive || !isfinite(row->force) ? 0 : keaMin(keaMax(h * row->force, p->lower), p->upper);
         p->state = KEA_ACTIVE;
@@ -267,7 +274,7 @@ void kea_admitContacts(MdtKeaSystem *s) {
         const MdtKeaRow *row = &s->rows[i];
         if (row->position && kea_mayReachBound(row) && !row->bounces && s->work->problem.row[i].p != 0 &&
             thetaOf(s, row) < 1) {
-            setTheta(s, row);
+            useBackwardEuler(s, row);
             admitted++;
         }
         if (row->contact != i || !s->work->problem.row[i].isInactive || row->isOpen)
@@ -276,7 +283,7 @@ void kea_admitContacts(MdtKeaSystem *s) {
             continue;
         for (int k = i; k < s->numRows && s->rows[k].contact == i; k++)
             s->work->problem.row[k].isInactive = MEFALSE;
-        setTheta(s, row);
+        useBackwardEuler(s, row);
         admitted++;
     }
     if (admitted > 0)
@@ -295,7 +302,7 @@ void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool
         copyBounds(&s->work->problem.row[i], &s->rows[i], s->parameters.stepsize);
 }
 
-/* Whether the row has a tied body, and all are moved by v⁺. */
+/* Whether at least one body of the row is tied, and all are moved by v⁺. */
 static MeBool isMovedByEnd(const MdtKeaSystem *s, const MdtKeaRow *row) {
     for (int k = 0; k < 2; k++) {
         const KeaBody *b = row->body[k] < 0 ? NULL : &s->work->body[row->body[k]];
@@ -305,7 +312,7 @@ static MeBool isMovedByEnd(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return isTied(s, row->body[0]) || isTied(s, row->body[1]);
 }
 
-/* What is to be added to J v⁺ with J of the mean lever arms. */
+/* m/s: what the rate that the contact constrains has in addition to J v⁺ with the J of the mean lever arms. */
 static double movingRate(const MdtKeaSystem *s, int i) {
     const MdtKeaMove *mean = &s->moves[i][0], *end = &s->moves[i][1];
     if (!s->parameters.timed && isMovedByEnd(s, &s->rows[i]))
@@ -328,8 +335,9 @@ void kea_setMovingRates(MdtKeaSystem *s) {
             s->work->movingRate[i] = movingRate(s, i);
 }
 
-/* The derivative with d: J at the end pose, its angular part times D / h (KeaBody.turnDerivative). */
-static void tangentOf(double tangent[6], const MdtKeaJBlock *J, const KeaBody *body, double h) {
+/* The derivative of a row's error with respect to d, over h: J at the end pose, with its angular part times D / h
+ * (KeaBody.turnDerivative). */
+static void setTangent(double tangent[6], const MdtKeaJBlock *J, const KeaBody *body, double h) {
     keaCopy(tangent, J->lin);
     keaApplyTransposed(tangent + 3, body->turnDerivative, J->ang);
     keaScale(tangent + 3, 1 / h, tangent + 3);
@@ -346,7 +354,7 @@ void kea_differentiateRows(MdtKeaSystem *s) {
             memcpy(q->tangent[i], q->row[i].J, sizeof q->row[i].J);
         for (int k = 0; k < 2 && (row->position || row->spring); k++)
             if (row->body[k] >= 0)
-                tangentOf(q->tangent[i][k], &row->J[k], &s->work->body[row->body[k]], s->parameters.stepsize);
+                setTangent(q->tangent[i][k], &row->J[k], &s->work->body[row->body[k]], s->parameters.stepsize);
     }
     kea_recallRows(s);
 }
@@ -366,19 +374,19 @@ static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     p->E = row->softness;
     p->r = row->target - (s->work->endErrors[i] - row->error) / h;
     const MeBool mayContradict = s->work->hasLoops && !s->work->problem.hasTangent;
-    /* without lever arms, with which joints that share a load would not share it evenly */
+    /* without lever arms: else joints that share a load would not share it evenly */
     const double invEffectiveMass = p->AiiLinear > 0 ? p->AiiLinear : p->Aii;
     p->N = (kea_mayReachBound(row) || mayContradict ? kea_proximalLimit : kea_proximalJoint) * invEffectiveMass;
 }
 
-/* A contact in a timed step, where overlaps are removed by kea_project instead of by a velocity. Only a soft one gets
- * part of the separating velocity G, so that it sags no further than to where γ times its depth balances the load:
+/* Target of a contact in a timed step, in which kea_project removes overlaps, not a velocity. A soft contact uses the
+ * separating velocity G to end its sag where γ times its depth balances the load:
  *
  *     J v = drift - max(E p - G, 0),
  *
- * rigid up to the load G/E; which of both branches holds follows from p of the last pass, and is the one without G in a
- * first pass, in which contacts share their load by E. One that is held with a gap comes to touch at the end
- * (kea_events.c). */
+ * which is rigid up to the load G/E. The branch is chosen by p of the last pass; in the first pass, in which contacts
+ * share their load by E, it is the soft one without G. A contact with a gap that acts from the start of the step
+ * touches at its end (kea_events.c). */
 static double timedTarget(const MdtKeaSystem *s, const MdtKeaRow *row, KeaProblemRow *p) {
     if (row->lower < 0) /* it may pull */
         return row->target;
@@ -404,8 +412,8 @@ static void velocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
            p->Aii;
 }
 
-/* The two rows of a cone get the same N: otherwise friction would not be antiparallel to the slip. */
-static void shareSoftness(KeaProblemRow *a, KeaProblemRow *b) {
+/* Gives both rows of a cone the same N: otherwise friction would not be antiparallel to the slip. */
+static void equalizeN(KeaProblemRow *a, KeaProblemRow *b) {
     a->N = b->N = 0.5 * (a->N + b->N);
 }
 
@@ -428,5 +436,5 @@ void kea_linearizeRows(MdtKeaSystem *s) {
     }
     for (int i = 0; i < s->numRows; i++)
         if (q->row[i].partner > i)
-            shareSoftness(&q->row[i], &q->row[q->row[i].partner]);
+            equalizeN(&q->row[i], &q->row[q->row[i].partner]);
 }

@@ -1,26 +1,26 @@
 /* Time integration: end states from the unknown velocities u, the residual of momentum, and its derivatives.
  *
- * Per body, u = (v_m, w_m) moves it through the step, and θ is 1/2 (midpoint rule) or 1 (backward Euler):
+ * A body moves through the step with u = (v_m, w_m), and its θ is 1/2 (midpoint rule) or 1 (backward Euler):
  *
  *     x⁺ = x + h v_m               v⁺ = v + (v_m - v)/θ
- *     q⁺ = cay(h w_m) q            W⁺ = W + (Rᵀ w_m - W)/θ           W: in the body, cay(a) = (1, a/2) normalized
+ *     q⁺ = cay(h w_m) q            W⁺ = W + (Rᵀ w_m - W)/θ           W: in body axes; cay(a) = (1, a/2) normalized
  *     momentum:  m v⁺ - m v_free = Σ p,    R⁺ I W⁺ - L_free = Σ r_m x p,
  *
- * with v_free, L_free the values at the end without rows. Rows act on the mean of the poses, R_m = (R + R⁺)/2, for
- * which
+ * with v_free, L_free the values at the end without rows. J is that of the mean pose, R_m = (R + R⁺)/2, for which
  *
  *     R⁺ - R = h [w_m]x R_m        exactly, so that φ⁺ - φ = h J_m u for every φ that is quadratic in the poses:
  *
- * rigid joints do no work at all, and the energy changes only by
+ * rigid joints do no work, and the energy changes only by
  *
  *     E⁺ - E = -Σ (θ - 1/2) |v⁺ - v|²_M  +  the work of loads, springs, motors and contacts
  *
- * (Simo & Wong 1991; Gonzalez 2000). With θ = 1/2 it is conserved; with θ = 1, of bodies in contact, it decreases.
+ * (Simo & Wong 1991; Gonzalez 2000). With θ = 1/2 it is conserved; with θ = 1 (bodies in contact) it decreases.
  *
- * The derivative of the momentum is M/θ and the geometric stiffness: an impulse P at the arm r, which turns with the
- * body, contributes (h/2) [P]x[r]x. Its symmetric part, without negative eigenvalues, keeps the inner problem convex.
+ * The derivative of the momentum is M/θ plus the geometric stiffness: an impulse P at the arm r, which rotates with the
+ * body, contributes (h/2) [P]x[r]x. Only its symmetric part without negative eigenvalues is used, so that the inner
+ * problem stays convex.
  *
- * A body whose moments are equal, or that has no Coriolis term, changes its angular velocity in the world's axes,
+ * A body with equal moments, or without Coriolis term, is integrated in world axes (KeaBody.isSpatial),
  * w⁺ = w + (w_m - w)/θ, which is the same identity with less work.
  */
 #include "kea_i.h"
@@ -39,7 +39,7 @@ static MeBool hasEqualMoments(const double I[3]) {
     return max - min < kea_equalMoments * max;
 }
 
-static void fromAngular(const MdtKeaBody *body, KeaBody *b) {
+static void setSpin(const MdtKeaBody *body, KeaBody *b) {
     double L[3];
     toPrincipal(body, body->quaternion, b->axes);
     b->isSpatial = hasEqualMoments(body->moments) || !(body->flags & MdtKeaBodyFlagAddCoriolisForce);
@@ -53,7 +53,7 @@ static void fromAngular(const MdtKeaBody *body, KeaBody *b) {
         b->spin[i] = L[i] / body->moments[i];
 }
 
-/* N s: the scale of impulses: that of the loads, and a small share of the momentum. */
+/* N s: the scale of a body's impulses: those of its loads plus a small fraction of its momentum. */
 static double impulseScaleOf(const MdtKeaBody *body, const KeaBody *b, double size, double h) {
     double dv[3], dL[3];
     keaSubtract(dv, b->freeVelocity, body->velocity);
@@ -63,7 +63,7 @@ static double impulseScaleOf(const MdtKeaBody *body, const KeaBody *b, double si
                   kea_minSpeed(size, h) / body->invMass);
 }
 
-/* Initial guess: the acceleration of the last step, unless it was an impact's or the like. */
+/* Guesses u by the acceleration of the last step, unless that was a jerk, such as an impact. */
 static void guessVelocity(const MdtKeaBody *body, const MdtKeaVelocity *v, KeaBody *b, double h) {
     const double *a = body->acceleration;
     const double change = h * (keaLength(a) + b->size * keaLength(a + 3)) / body->invMass;
@@ -81,7 +81,7 @@ void kea_beginBodies(MdtKeaSystem *s) {
         KeaBody *b = &s->work->body[i];
         MEASSERT(body->invMass > 0 && body->moments[0] > 0 && body->moments[1] > 0 && body->moments[2] > 0);
         b->isFree = METRUE;
-        fromAngular(body, b);
+        setSpin(body, b);
         q->scale[i] = b->scale = impulseScaleOf(body, b, b->size, s->parameters.stepsize);
         q->length[i] = b->size;
     }
@@ -161,7 +161,7 @@ void kea_moveBodies(MdtKeaSystem *s) {
 static void setLoad(const MdtKeaBody *body, const KeaBody *b, const KeaEnd *end, double load[6]) {
     for (int i = 0; i < 3; i++)
         load[i] = (end->velocity[i] - b->freeVelocity[i]) / body->invMass;
-    if (b->isSpatial) { /* I (w⁺ - w) with the inertia of the start */
+    if (b->isSpatial) { /* I (w⁺ - w) with the inertia at the start */
         double dw[3];
         keaSubtract(dw, b->endVelocity + 3, b->spin);
         keaApply(load + 3, (const double(*)[3])b->inertia, dw);
@@ -172,7 +172,7 @@ static void setLoad(const MdtKeaBody *body, const KeaBody *b, const KeaEnd *end,
     }
 }
 
-/* A I Aᵀ with the mean of the principal axes. */
+/* A I Aᵀ with A the mean of the principal axes at start and end. */
 static void meanInertia(const MdtKeaBody *body, const KeaBody *b, double inertia[3][3]) {
     if (b->isSpatial) {
         memcpy(inertia, b->inertia, sizeof b->inertia);
@@ -193,14 +193,14 @@ static void meanInertia(const MdtKeaBody *body, const KeaBody *b, double inertia
 }
 
 /* K += (h/2) of the symmetric part of -[P]x[r]x = (P·r) 1 - r Pᵀ. */
-static void addStiffness(double K[3][3], const double P[3], const double r[3], double h) {
+static void addGeometricStiffness(double K[3][3], const double P[3], const double r[3], double h) {
     const double Pr = keaDot(P, r);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             K[i][j] += 0.5 * h * ((i == j ? Pr : 0) - 0.5 * (r[i] * P[j] + r[j] * P[i]));
 }
 
-/* The geometric stiffness of all rows on each body, summed up in metric[].angular. */
+/* Sums up the geometric stiffness of all rows on each body in metric[].angular. */
 static void gatherStiffness(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     const double h = s->parameters.stepsize;
@@ -215,13 +215,13 @@ static void gatherStiffness(MdtKeaSystem *s) {
             if (row->body[k] < 0)
                 continue;
             keaScale(P, q->row[i].p, row->J[k].lin);
-            addStiffness(q->metric[row->body[k]].angular, P, row->arm[k], h);
+            addGeometricStiffness(q->metric[row->body[k]].angular, P, row->arm[k], h);
         }
     }
 }
 
-/* Metric B = inertia / θ + geometric stiffness. Stiffness far below the inertia is left out: Newton's method converges
- * as well without it. */
+/* Sets the metric B = inertia / θ + geometric stiffness. Stiffness far below the inertia is left out: Newton's method
+ * converges as well without it. */
 static void setBodyMetric(const MdtKeaBody *body, const KeaBody *b, KeaMetric *B) {
     const double *I = body->moments, perTheta = 1 / b->theta, min = keaMin(I[0], keaMin(I[1], I[2])) * perTheta;
     double inertia[3][3];

@@ -1,16 +1,16 @@
-/* One step of one partition.
+/* One step of one partition by the exact solver.
  *
- *     begin: which rows can act, how implicit each body is, warm start from the last step's answer
- *     passes: move by u; rows at the mean of the poses; the inner problem for the change of u;
+ *     begin: the rows that can act, θ of each body, warm start from the last step's answer
+ *     passes: move bodies by u; evaluate rows at the mean of the poses; solve the inner problem for the change of u;
  *             until the residuals are below tolerance
- *     velocity stage: the nearest velocities that joints and contacts allow where the bodies have arrived
+ *     velocity stage: the velocities nearest to v⁺ that joints and contacts allow at the end poses
  *
- * Passes solve the tangent problem (kea_problem_i.h), which is Newton's method for the geometry, if joints and friction
- * meet but make no loop, and no body turns far. Where joints make loops without friction, only the first passes do;
- * where they make loops with friction, none.
+ * Passes solve the tangent problem (kea_problem_i.h), which is Newton's method for the geometry, if a partition without
+ * loops has joints and friction, and no body rotates far. If joints form loops without friction, only the first passes
+ * do; if they form loops with friction, none.
  *
- * A pass is at once a Newton iteration for the geometry, a proximal step for rigid rows, and a renewal of the friction
- * bounds. Where the last answer still holds, no pass is needed and nothing is factored.
+ * A pass is at once a Newton iteration for the geometry, a proximal step for rigid rows, and an update of the friction
+ * bounds. If the last step's answer is within the tolerances, there is no pass and no factorization.
  */
 #include "kea_i.h"
 #include "MeAssert.h"
@@ -18,16 +18,16 @@
 #include "inner/kea_factor_i.h"
 #include <string.h>
 
-/* The passes of a solve. */
+/* The state of the passes of a solve. */
 typedef struct Passes {
-    KeaResiduals e, best;  /* of this pass, and of the kept iterate */
+    KeaResiduals e, best;  /* of the present iterate, and of the best one, which is saved */
     double speed;          /* m/s: the largest scale of velocities so far */
-    double tangent;        /* the worst residual of the kept tangent iterate; HUGE_VAL: there is none */
-    double before, motion; /* of the pass before: the worst residual; the one of positions and momenta */
-    int pass, last;        /* this pass, and the one after which they end */
-    int worse;             /* passes in which `motion` has grown */
-    MeBool isLimited;      /* work has run out */
-    MeBool mayBeTangent;   /* the kept tangent iterate may be the answer: symmetric passes have followed */
+    double tangent;        /* the worst residual of the saved tangent iterate; HUGE_VAL: there is none */
+    double before, motion; /* of the previous pass: its worst residual; the larger one of positions and momenta */
+    int pass, last;        /* index of this pass; index after which they end */
+    int worse;             /* number of passes in which `motion` has grown */
+    MeBool isLimited;      /* the work budget is used up */
+    MeBool mayBeTangent; /* symmetric passes have followed the tangent ones: the saved tangent iterate may be better */
 } Passes;
 
 static double workOfLinearization(const MdtKeaSystem *s) {
@@ -36,7 +36,7 @@ static double workOfLinearization(const MdtKeaSystem *s) {
 
 /* ---- passes ---- */
 
-static void linearize(MdtKeaSystem *s) {
+static void linearizeIterate(MdtKeaSystem *s) {
     kea_moveBodies(s);
     kea_refreshRows(s, s->work->meanPose, METRUE);
     kea_setMovingRates(s);
@@ -47,16 +47,16 @@ static void linearize(MdtKeaSystem *s) {
     kea_problemAddWork(&s->work->problem, workOfLinearization(s));
 }
 
-/* The derivatives that only the tangent problem needs: of the bodies' momentum and of the rows' errors. */
-static void differentiate(MdtKeaSystem *s) {
+/* Sets the derivatives that only the tangent problem needs: of the bodies' momentum and of the rows' errors. */
+static void differentiateIterate(MdtKeaSystem *s) {
     kea_differentiateBodies(s);
     kea_differentiateRows(s);
     kea_problemAddWork(&s->work->problem, workOfLinearization(s));
 }
 
-/* One solve of the inner problem. Friction bounds are a fixed point, R = μ p_n(R), of which each pass takes one step,
- * damped from some pass on. Where the iteration does not converge, they are frozen: early if the velocity residual is
- * below its loose tolerance, else after KEA_MAX_COUPLED_PASSES. */
+/* Solves the inner problem once. Friction bounds are a fixed point, R = μ p_n(R), and each pass makes one step of its
+ * iteration, damped from some pass on. If the iteration does not converge, bounds are frozen: early if the velocity
+ * residual is below its loose tolerance, else after KEA_MAX_COUPLED_PASSES. */
 static void solveInnerProblem(MdtKeaSystem *s, int pass, MeBool isGoodEnough, MeBool isExactEnough) {
     KeaProblem *q = &s->work->problem;
     if (kea_dualSolve(s))
@@ -79,18 +79,18 @@ static void saveIterate(MdtKeaSystem *s, double (*u)[6], double p[]) {
         p[i] = s->work->problem.row[i].p;
 }
 
-/* Returns its residuals. */
+/* Restores u and p of a saved iterate. Returns its residuals. */
 static KeaResiduals restoreIterate(MdtKeaSystem *s, double (*const u)[6], const double p[], double speed) {
     for (int i = 0; i < s->numBodies; i++)
         memcpy(s->work->body[i].u, u[i], sizeof u[i]);
     for (int i = 0; i < s->numRows; i++)
         s->work->problem.row[i].p = p[i];
-    linearize(s);
+    linearizeIterate(s);
     return kea_residuals(s, speed);
 }
 
-/* Whether a body with the angular velocity w turns by half a turn or so, and it matters how it is turned: not for a
- * ball whose contacts all push towards its centre. */
+/* Whether a body with the angular velocity w rotates by about half a turn in the step, and its orientation matters to
+ * its rows: it does not for a ball whose contacts all push towards its centre. */
 static MeBool turnsOver(const MdtKeaSystem *s, int body, const double w[3]) {
     if (s->parameters.stepsize * keaLength(w) <= kea_maxTurn)
         return MEFALSE;
@@ -107,18 +107,18 @@ static MeBool turnsOver(const MdtKeaSystem *s, int body, const double w[3]) {
     return MEFALSE;
 }
 
-/* Bodies that turn over by the end of the pass. The Cayley map turns a body by less than half a turn for any angular
- * velocity: near half a turn, the velocity does not determine the motion. */
-static int countTurns(const MdtKeaSystem *s) {
+/* The number of bodies that turn over with the present iterate. The Cayley map rotates a body by less than half a turn
+ * for any angular velocity: near half a turn, the velocity does not determine the motion. */
+static int countTurnedOver(const MdtKeaSystem *s) {
     int count = 0;
     for (int i = 0; i < s->numBodies; i++)
         count += turnsOver(s, i, s->work->body[i].u + 3);
     return count;
 }
 
-/* Whether an iterate that has not converged has more kinetic energy than any motion of the step: than the whole
- * partition at the greatest speed that a body has or that a row aims at. Mean velocities lie between those of the start
- * and of the end, so that no real motion exceeds it. */
+/* Whether an iterate that has not converged has more kinetic energy than is possible in the step: more than the whole
+ * partition would have at the largest speed that a body has or that is the target of a row, with some room. Mean
+ * velocities lie between those of the start and of the end, so that no real motion exceeds it. */
 static MeBool isRunaway(const MdtKeaSystem *s) {
     double energy = 0, mass = 0, speed = 0;
     for (int b = 0; b < s->numBodies; b++) {
@@ -134,16 +134,16 @@ static MeBool isRunaway(const MdtKeaSystem *s) {
     return !(energy <= kea_runawayRoom * mass * speed * speed);
 }
 
-/* Residuals of the pass. At half a turn the mean of the poses, and with it a row's Jacobian, vanishes, so that a
- * runaway iterate fulfils all rows: its residual is set to infinity. */
+/* Residuals of the present iterate. At half a turn the mean of the poses, and with it a row's Jacobian, vanishes, so
+ * that a runaway iterate fulfils all rows: its residual is set to infinity. */
 static KeaResiduals residualsOfPass(MdtKeaSystem *s, double speed) {
     KeaResiduals e = kea_residuals(s, speed);
-    if (countTurns(s) > 0 && isRunaway(s))
+    if (countTurnedOver(s) > 0 && isRunaway(s))
         e.position = e.worst = HUGE_VAL;
     return e;
 }
 
-/* Fallback for a runaway: the bodies move as if there were no rows. Joints open by no more than the bodies move in one
+/* Fallback for a runaway: moves the bodies as if there were no rows. Joints open by no more than the bodies move in one
  * step. */
 static void moveWithoutRows(MdtKeaSystem *s) {
     for (int b = 0; b < s->numBodies; b++) {
@@ -156,7 +156,7 @@ static void moveWithoutRows(MdtKeaSystem *s) {
     }
     for (int i = 0; i < s->numRows; i++)
         s->work->problem.row[i].p = 0;
-    linearize(s);
+    linearizeIterate(s);
 }
 
 /* Whether the symmetric passes have left the branch of motion that the tangent passes found. They removed joint errors
@@ -175,9 +175,9 @@ static MeBool hasLeftBranch(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* Writes how the passes have ended: missed positions, capped or limited solves, residuals. */
+/* Reports how the passes have ended: unfulfilled position rows, capped or limited solves, residuals. */
 static void reportMotion(MdtKeaSystem *s, const KeaResiduals *e, MeBool isLimited) {
-    const MeBool isMissed = (!s->work->usesTangentAnswer && !kea_isMotionExactEnough(e, 1)) || countTurns(s) > 0;
+    const MeBool isMissed = (!s->work->usesTangentAnswer && !kea_isMotionExactEnough(e, 1)) || countTurnedOver(s) > 0;
     s->report.opening = isMissed ? kea_uncorrectedOpening(s) : 0;
     s->report.opens = s->report.opening > kea_violentOpening;
     s->report.violent = isMissed && !isLimited;
@@ -188,11 +188,11 @@ static void reportMotion(MdtKeaSystem *s, const KeaResiduals *e, MeBool isLimite
     s->report.force = e->impulse / s->parameters.stepsize;
 }
 
-/* Whether passes begin with the tangent problem. Its matrix is not positive definite: where bodies turn far in a step,
- * it may converge to another solution of the equations, one that gains energy. */
+/* Whether passes begin with the tangent problem. Its matrix is not positive definite: if bodies rotate far in a step,
+ * it may converge to another solution of the equations, one with more energy. */
 static MeBool mayBeTangent(const MdtKeaSystem *s) {
     if (s->work->hasLoops)
-        return !s->work->problem.hasFriction; /* where friction holds bodies of a loop, passes do not converge */
+        return !s->work->problem.hasFriction; /* with sticking friction on bodies of a loop passes do not converge */
     for (int i = 0; i < s->numBodies; i++)
         if (s->parameters.stepsize * keaLength(s->velocity[i].ang) > kea_tangentTurn)
             return MEFALSE;
@@ -205,7 +205,7 @@ static Passes beginPasses(MdtKeaSystem *s) {
     q->hasTangent = mayBeTangent(s);
     q->isFactored = MEFALSE;
     q->sweptPasses =
-        q->sweptPasses > 1 ? q->sweptPasses : 1; /* motions of timed contacts are solved up to three times */
+        q->sweptPasses > 1 ? q->sweptPasses : 1; /* at least one: timed steps are solved up to three times */
     return (Passes){.e = unknown,
                     .best = unknown,
                     .speed = kea_bodySpeedScale(s),
@@ -215,10 +215,10 @@ static Passes beginPasses(MdtKeaSystem *s) {
                     .last = KEA_MAX_COUPLED_PASSES + KEA_FROZEN_PASSES};
 }
 
-/* Residuals of the iterate; keeps the best one, and the best tangent one with joint errors below the rounding of
- * attachments. */
+/* Computes the residuals of the present iterate; saves it if it is the best one, or the best tangent one with joint
+ * errors below the rounding of attachments. */
 static void measurePass(MdtKeaSystem *s, Passes *p) {
-    linearize(s);
+    linearizeIterate(s);
     p->speed = keaMax(p->speed, kea_rowSpeedScale(s));
     p->e = residualsOfPass(s, p->speed);
     if (p->e.worst < p->best.worst || p->pass == 0) {
@@ -231,11 +231,11 @@ static void measurePass(MdtKeaSystem *s, Passes *p) {
     }
 }
 
-/* Whether to go on with the tangent problem or with the symmetric one. Where joints make loops, passes begin with the
- * tangent problem, which follows a linkage through its change point. Its matrix is singular at the change point itself
- * and where joints are redundant; the symmetric problem is regular in both cases. Where they make none, the tangent
- * problem is given up once the residual of position or momentum has grown twice: it can diverge, since the derivative
- * of an angular row's direction is left out of it. */
+/* Chooses between the tangent and the symmetric problem. If joints form loops, passes begin with the tangent problem,
+ * which follows a linkage through its change point. Its matrix is singular at the change point itself and for redundant
+ * joints; the symmetric problem is regular in both cases, and takes over after KEA_TANGENT_PASSES. Without loops, the
+ * tangent problem is given up once the residual of position or momentum has grown twice: it can diverge, since it does
+ * not contain the derivative of an angular row's direction. */
 static void chooseProblem(MdtKeaSystem *s, Passes *p) {
     KeaProblem *q = &s->work->problem;
     if (!q->hasTangent)
@@ -253,7 +253,8 @@ static void chooseProblem(MdtKeaSystem *s, Passes *p) {
     }
 }
 
-/* Whether passes end here. A runaway returns only where its friction is frozen. Writes whether work has run out. */
+/* Whether passes end with this iterate. Passes recover from a runaway only if its friction can still be frozen. Sets
+ * isLimited. */
 static MeBool isLastPass(MdtKeaSystem *s, Passes *p) {
     KeaProblem *q = &s->work->problem;
     const double share = s->parameters.mayDecline ? kea_workForMotion : kea_workForFriction;
@@ -268,17 +269,17 @@ static MeBool isLastPass(MdtKeaSystem *s, Passes *p) {
     return kea_isConverged(&p->e) || isCut || hasRunAway || p->pass == p->last;
 }
 
-/* Solves the inner problem and applies its answer. Where passes converge fast, the factors of the last one are tried
- * first. False: the change is not applied, since it is not finite, or the squares of distances would not be: the matrix
- * of the coupled problem is singular where rows contradict each other. */
+/* Solves the inner problem and applies its answer. If passes converge fast, the factors of the last one are tried
+ * first. The matrix of the coupled problem is singular if rows contradict each other; the change d may then be NaN,
+ * infinite, or so large that squares of distances overflow: it is not applied then. False in that case. */
 static MeBool runPass(MdtKeaSystem *s, Passes *p) {
     KeaProblem *q = &s->work->problem;
     const MeBool isConvergingFast = kea_isExactEnough(&p->e, 1) && p->e.worst < kea_refinedShare * p->before;
     MeBool isFinite = METRUE;
     p->before = p->e.worst;
-    q->isWarm = s->work->hasJoints || p->pass > 0; /* at first contacts alone share loads evenly: a convex problem */
+    q->isWarm = s->work->hasJoints || p->pass > 0; /* without joints the first pass is convex, to share loads evenly */
     if (q->hasTangent)
-        differentiate(s);
+        differentiateIterate(s);
     if (!isConvergingFast || !kea_problemRefine(q))
         solveInnerProblem(s, p->pass, p->e.velocity < kea_looseVelocity, isConvergingFast && q->hasTangent);
     for (int i = 0; i < q->numBodies; i++)
@@ -295,9 +296,9 @@ static MeBool runPass(MdtKeaSystem *s, Passes *p) {
     return METRUE;
 }
 
-/* The answer is the best iterate, but the last sweep's if only that is exact in positions; of linkages the tangent one,
- * if symmetric passes leave its branch or do not converge; the motion without rows, if passes run away. Returns its
- * residuals. */
+/* Chooses the answer: the best iterate; the last one by sweeps, if only that is exact in positions; for linkages the
+ * tangent one, if symmetric passes leave its branch or do not converge; the motion without rows, if the iterate is a
+ * runaway. Returns its residuals. */
 static KeaResiduals chooseAnswer(MdtKeaSystem *s, const Passes *p) {
     KeaResiduals e = p->e;
     const MeBool isSweepExact =
@@ -314,8 +315,8 @@ static KeaResiduals chooseAnswer(MdtKeaSystem *s, const Passes *p) {
     return e;
 }
 
-/* Newton's method for the step: passes until the residuals are below tolerance, or the budget or the passes are used
- * up. */
+/* Newton's method for the step: makes passes until the residuals are below tolerance, or the budget or the number of
+ * passes is used up. */
 static void runPasses(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     Passes p = beginPasses(s);
@@ -347,8 +348,8 @@ static void markFreeBodies(MdtKeaSystem *s) {
     }
 }
 
-/* Forces, N, clamped: bounds may move with the bodies (MdtKeaJacobianFn), and p was solved with those of the pass
- * before. */
+/* Stores the forces of rows, N, clamped: bounds may change with the poses (MdtKeaJacobianFn), and p was solved with
+ * those of the previous pass. */
 static void storeForces(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++) {
         const KeaProblemRow *p = &s->work->problem.row[i];
@@ -357,7 +358,7 @@ static void storeForces(MdtKeaSystem *s) {
     }
 }
 
-/* Passes, started from the last step's forces and accelerations. */
+/* Runs the passes, starting from the last step's forces and accelerations, and computes end velocities. */
 static void solveMotion(MdtKeaSystem *s) {
     kea_beginRows(s);
     kea_guessMotion(s);
@@ -366,9 +367,10 @@ static void solveMotion(MdtKeaSystem *s) {
     kea_balanceMomentum(s);
 }
 
-/* Finds the motion up to the first event. A contact that stops sliding needs a second solve, in which its friction
- * still acts against the sliding of the start, to find the time of the stop; if that is after the end of the step, the
- * first solution was right. Where contacts that meet slowly are held, there is a solve more, without their impacts. */
+/* Finds the first event, and the motion up to it. A contact that stops sliding needs a second solve, in which its
+ * friction still acts against the sliding of the start, to find the time of the stop; if that is after the end of the
+ * step, the first solution was right. After slow contacts have been closed from the start (holdsSlow), the step is
+ * solved again. */
 static void solveToFirstEvent(MdtKeaSystem *s) {
     const double h = s->parameters.stepsize;
     MeBool mustRepeat, isNew;
@@ -389,9 +391,9 @@ static void solveToFirstEvent(MdtKeaSystem *s) {
     MEASSERT(s->report.event >= 0);
 }
 
-/* Whether a body turns too far for the midpoint rule, which turns a body with different moments too little by (h w)²/12
- * and lets a fast top precess wrongly. Bodies with contacts (θ = 1) are not checked; if any contact acts, the others
- * may turn five times as far: the error, 2 % of the angle, is less than what an impact loses. */
+/* Whether a body rotates too far for the midpoint rule, which rotates bodies with different moments too little by a
+ * fraction (h w)²/12 and lets a fast top precess wrongly. Bodies with contacts (θ = 1) are not checked; if any contact
+ * acts, the others may rotate five times as far: the error, 2 % of the angle, is less than what an impact loses. */
 static MeBool turnsTooFar(const MdtKeaSystem *s) {
     double far = kea_farTurn; /* rad, times the moments' relative difference */
     for (int i = 0; i < s->numRows; i++)
@@ -408,8 +410,8 @@ static MeBool turnsTooFar(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* Whether all rows are those of open contacts: the bodies then move ballistically up to the first time of impact. Not
- * where a body turns by half a turn or so: rates of its contacts do not predict the time of impact. */
+/* Whether all rows of a timed step are those of open contacts: the bodies then move ballistically up to the first time
+ * of impact. False if a body rotates by about half a turn: rates of its contacts do not predict the time of impact. */
 static MeBool isBallistic(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact < 0 || !s->rows[s->rows[i].contact].isOpen)
@@ -435,9 +437,9 @@ static void moveBallistically(MdtKeaSystem *s) {
     kea_reportWork(s);
 }
 
-/* m/s: what a row may leave; its load and masses do not count, as Newton's method does not leave more where they
- * differ. */
-static double tolerance(const MdtKeaSystem *s) {
+/* m/s: the residual that a row may have. Its load and mass ratio are not considered, unlike in the fast solver, since
+ * the residual of Newton's method does not depend on them. */
+static double residualTolerance(const MdtKeaSystem *s) {
     double max = 0;
     for (int i = 0; i < s->numBodies; i++) {
         double change[3];
@@ -447,8 +449,8 @@ static double tolerance(const MdtKeaSystem *s) {
     return s->parameters.accuracy + kea_changeShare * max;
 }
 
-/* The work that even simple steps take. The answer is left as it is. */
-static void decline(MdtKeaSystem *s, double work) {
+/* Declines the solve, which would take at least `work`: the bodies get the end states of free motion. */
+static void declineSolve(MdtKeaSystem *s, double work) {
     s->report.declined = s->report.limited = METRUE;
     s->report.least = work;
     s->report.residual = s->report.excess = HUGE_VAL;
@@ -472,17 +474,17 @@ void kea_exactSolve(MdtKeaSystem *s) {
     kea_beginRows(s);
     if (s->parameters.mayRefuse && s->numRows > 0 && turnsTooFar(s)) {
         s->report.violent = s->report.refused = METRUE;
-        kea_moveFreely(s); /* a defined end of the step, should the caller integrate it all the same */
+        kea_moveFreely(s); /* defined end states, in case that the caller integrates all the same */
         return;
     }
-    s->report.capped = s->numRows > 0; /* stays if kea_problemBegin has no memory */
+    s->report.capped = s->numRows > 0; /* remains true if kea_problemBegin has no memory */
     if (s->numRows > 0 && kea_problemBegin(q, s->cache)) {
-        const double min = kea_factorFlops(q->factor); /* of a step that takes one factorization */
+        const double min = kea_factorFlops(q->factor); /* work of a step with one factorization */
         if (s->parameters.mayDecline && s->parameters.maxWork > 0 && min > s->parameters.maxWork) {
-            decline(s, min);
+            declineSolve(s, min);
             return;
         }
-        if (s->parameters.timed) /* its rows were made for this part of the step alone */
+        if (s->parameters.timed) /* its rows were made for this sub-step only */
             kea_problemAddWork(q, workOfLinearization(s));
         kea_setBudget(s, kea_workForMotion, KEA_SWEPT_PASSES);
         s->work->hasLoops = kea_hasLoops(s);
@@ -502,5 +504,5 @@ void kea_exactSolve(MdtKeaSystem *s) {
         kea_project(s);
     kea_reportWork(s);
     s->report.declined = s->report.limited && s->parameters.mayDecline;
-    s->report.excess = s->report.capped ? s->report.residual / tolerance(s) : 0;
+    s->report.excess = s->report.capped ? s->report.residual / residualTolerance(s) : 0;
 }

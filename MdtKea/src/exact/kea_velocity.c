@@ -1,19 +1,19 @@
 /* The velocity stage: projects the velocities at the end onto the rows at the end poses.
  *
- * The position stage leaves v⁺, which fulfils the rows as means of the step only. This stage finds the velocities
- * nearest to v⁺ in the metric of the masses that joints, limits, motors and contacts allow at the end poses.
+ * The v⁺ of the passes fulfils the rows only in the mean of the step. This stage finds the velocities nearest to v⁺, in
+ * the metric of the masses, that joints, limits, motors and contacts allow at the end poses:
  *
- *     min 1/2 |v - v⁺|²_M   over what the rows allow:   M (v - v⁺) = Jᵀ (p - p_1),  J at the end,
+ *     min 1/2 |v - v⁺|²_M   subject to the rows:   M (v - v⁺) = Jᵀ (p - p_1),  J at the end,
  *
- * where p_1 are the impulses of the position stage, and bounds and cones hold for the whole impulse p: the stage may
- * take part of p_1 back, so that the correction of an overlap does not remain as a velocity. The projection cannot add
- * energy, but for rebounds, which limitEnergy bounds.
+ * where p_1 are the impulses of the passes, and bounds and cones hold for the whole impulse p: the stage may take back
+ * a part of p_1, so that the correction of an overlap does not remain as a velocity. The projection cannot add energy
+ * except by rebounds, which limitEnergy bounds.
  *
  *   rigid joint  J v = 0        soft joint  J v + ε'/(1 - γ') p = -γ' φ⁺ / ((1 - γ') h)       motor  J v = s
  *   contact, limit: J v >= 0, or >= the rebound; only those with p_1 > 0. Springs keep their impulse.
  *
- * It makes impacts through joints plastic, and damps the midpoint rule's +-1 mode after a discontinuity. In smooth
- * motion it is left out, since the projection dissipates energy.
+ * The stage makes impacts through joints plastic, and damps the midpoint rule's +-1 mode after a discontinuity. In
+ * smooth motion it is left out, since the projection dissipates energy.
  */
 #include "kea_i.h"
 #include "MeAssert.h"
@@ -24,9 +24,9 @@ static MeBool isUnilateral(const MdtKeaRow *row) {
     return (row->lower > -HUGE_VAL) != (row->upper < HUGE_VAL);
 }
 
-/* E and r of a joint. The error φ⁺ = (1 - γ) φ that the position stage leaves goes on to be corrected at the rate γ φ /
- * h. */
-static void jointLaw(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
+/* Sets E and r of a joint. The error φ⁺ = (1 - γ) φ that is left after the passes continues to be corrected at the rate
+ * γ φ / h. */
+static void setJointLaw(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const MdtKeaRow *row = &s->rows[i];
     const double gamma = s->parameters.gamma, h = s->parameters.stepsize;
     p->r = row->drift;
@@ -36,7 +36,7 @@ static void jointLaw(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     p->r -= gamma * (s->work->endErrors[i] - h * row->drift) / ((1 - gamma) * h);
 }
 
-/* The row of the inner problem for d = v - v⁺. */
+/* Sets row i of the inner problem for d = v - v⁺. */
 static void setVelocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const MdtKeaRow *row = &s->rows[i];
     const MeBool isStop = row->contact == i || (row->position && isUnilateral(row));
@@ -49,7 +49,7 @@ static void setVelocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     else if (isStop)
         p->r = row->drift + row->rebound;
     else if (row->position)
-        jointLaw(s, i, p);
+        setJointLaw(s, i, p);
     else
         p->r = row->target, p->E = row->softness;
     if (row->contact >= 0 ? s->work->problem.row[row->contact].p == 0 : isStop && p->p == 0)
@@ -64,7 +64,7 @@ static void setVelocityMetric(MdtKeaSystem *s, int i) {
     kea_invert(B->inverse, (const double(*)[3])B->angular);
 }
 
-/* The load Jᵀ p_1. */
+/* Sets the loads to Jᵀ p_1. */
 static void setVelocityLoads(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     for (int i = 0; i < s->numBodies; i++)
@@ -79,7 +79,7 @@ static void setVelocityLoads(MdtKeaSystem *s) {
 
 static void setVelocityProblem(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
-    kea_refreshRows(s, s->work->endPose, MEFALSE); /* bounds stay: p is the impulse of the whole step */
+    kea_refreshRows(s, s->work->endPose, MEFALSE); /* bounds do not change: p is the impulse of the whole step */
     for (int i = 0; i < s->numBodies; i++)
         setVelocityMetric(s, i);
     kea_problemSetEffectiveMasses(q);
@@ -102,7 +102,7 @@ static void addVelocities(MdtKeaSystem *s, double (*added)[6]) {
     }
 }
 
-/* Whether the projection can change anything: bodies with θ < 1, rebounds, contacts that correct an overlap. */
+/* Whether the projection can change velocities: with bodies with θ < 1, rebounds, contacts that correct an overlap. */
 static MeBool mayBeNeeded(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
         if (s->work->body[i].theta < 1)
@@ -113,7 +113,7 @@ static MeBool mayBeNeeded(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* Whether the stage is needed whatever the residual is: rebounds, and joints whose attachments are moved. */
+/* Whether the stage is needed whatever the residual is: for rebounds, and for joints with moving attachments. */
 static MeBool isRequired(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         if ((s->work->problem.row[i].p > 0 && s->rows[i].bounces) ||
@@ -139,22 +139,22 @@ static void solveRows(MdtKeaSystem *s, double start, double (*added)[6]) {
     q->isWarm = q->isLinear = MEFALSE;
 }
 
-static MeBool rebounds(const MdtKeaSystem *s) {
+static MeBool hasRebounds(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].bounces && !s->work->problem.row[i].isInactive)
             return METRUE;
     return MEFALSE;
 }
 
-/* The velocities at the end, as the limiter of energy takes them. */
+/* The end velocities, in the layout of the energy limiter. */
 static double (*endVelocities(const MdtKeaSystem *s))[6] {
     for (int b = 0; b < s->numBodies; b++)
         memcpy(s->work->velocity[b], s->work->body[b].endVelocity, sizeof s->work->velocity[b]);
     return s->work->velocity;
 }
 
-/* Newton's law of restitution, with friction or at several points at once, may add energy. Then the answer is blended
- * with the plastic one, which has no rebounds, down to the energy allowed. */
+/* Newton's law of restitution, with friction or at several points at once, may add energy. This interpolates between
+ * the answer and the plastic one, which has no rebounds, down to the energy allowed. */
 static void limitEnergy(MdtKeaSystem *s, double start, double allowed) {
     KeaProblem *q = &s->work->problem;
     for (int i = 0; i < s->numRows; i++)
@@ -176,19 +176,19 @@ static void solveStage(MdtKeaSystem *s, double start, double allowed) {
         s->work->savedP[i] = s->work->problem.row[i].p;
     s->report.stages++;
     solveRows(s, start, s->work->added);
-    if (rebounds(s) && kea_kineticEnergy(s, endVelocities(s), s->work->added) > allowed)
+    if (hasRebounds(s) && kea_kineticEnergy(s, endVelocities(s), s->work->added) > allowed)
         limitEnergy(s, start, allowed);
     addVelocities(s, s->work->added);
 }
 
-/* m/s: E p - r of a row, what is left to its velocity. */
+/* m/s: the velocity residual of a row, E p - r. */
 static double velocityResidual(const MdtKeaSystem *s, int i) {
     const KeaProblemRow *p = &s->work->problem.row[i];
     return (p->E * p->p - p->r) * kea_lengthOf(s, &s->rows[i]);
 }
 
-/* Whether the residual is of the midpoint rule's undamped mode, which changes its sign at every step. */
-static MeBool alternates(const MdtKeaSystem *s, double residual) {
+/* Whether a residual is that of the midpoint rule's undamped mode, which changes its sign in every step. */
+static MeBool isAlternating(const MdtKeaSystem *s, double residual) {
     if (s->parameters.pair != MdtKeaPairNone || residual < kea_velocityTolerance * kea_loadSpeed(s))
         return MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
@@ -213,7 +213,7 @@ static MeBool hasActingContact(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* Whether a joint of two bodies is open. One to the world is left out: the program may move its attachment. */
+/* Whether a joint of two bodies is open. Joints to the world do not count: the program may move their attachments. */
 static MeBool isBrokenJoint(const MdtKeaSystem *s, const MdtKeaRow *row) {
     if (!row->position || isUnilateral(row) || row->body[0] < 0 || row->body[1] < 0)
         return MEFALSE;
@@ -221,28 +221,29 @@ static MeBool isBrokenJoint(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return fabs(row->error) * kea_lengthOf(s, row) > kea_brokenJoint * size;
 }
 
-/* Whether contacts act while a joint is open: the correction of its error, against the contacts, may then add a
+/* Whether contacts act while a joint is open: the correction of the joint's error against the contacts may then add a
  * multiple of the energy. */
-static MeBool isJammed(const MdtKeaSystem *s) {
+static MeBool areContactsJammed(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         if (isBrokenJoint(s, &s->rows[i]))
             return hasActingContact(s);
     return MEFALSE;
 }
 
-/* Whether the answer may have energy from nowhere: it has not converged; joints contradict each other, so that each
- * corrects its error at the cost of others; it took many passes, after which contradicting rows may have converged to a
- * motion of a hundred times the energy; or it is a part of a step by safe times. */
+/* Whether the energy has to be limited, as the answer may have gained some: passes have not converged; joints
+ * contradict each other, so that each corrects its error at the cost of others; there were many passes, in which
+ * contradicting rows may have converged to a motion of a hundred times the energy; or the sub-step ends at a safe
+ * time. */
 static MeBool needsEnergyLimit(const MdtKeaSystem *s) {
     return s->report.capped || s->work->isInconsistent || s->work->usesTangentAnswer ||
            s->report.passes > KEA_UNUSUAL_PASSES || s->work->problem.counts.isLimited || s->parameters.isPart;
 }
 
-/* Limits the kinetic energy to `allowed`; if the answer has converged but is jammed, to at least the energy of the
- * correction of errors. */
+/* Limits the kinetic energy to `allowed` if needsEnergyLimit; if only areContactsJammed, to `allowed` or the energy
+ * that the correction of errors needs, whichever is more. */
 static void limitMotion(MdtKeaSystem *s, double allowed) {
     const MeBool isSuspect = needsEnergyLimit(s);
-    if (!isSuspect && !isJammed(s))
+    if (!isSuspect && !areContactsJammed(s))
         return;
     const double max = isSuspect ? allowed : keaMax(allowed, kea_energyOfCorrection(s));
     if (kea_scaleVelocities(s, endVelocities(s), max, s->work->added))
@@ -255,7 +256,7 @@ static MeBool isDiscontinuity(const MdtKeaSystem *s, double residual) {
 
 void kea_velocityStage(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
-    if (!mayBeNeeded(s) && !needsEnergyLimit(s) && !isJammed(s))
+    if (!mayBeNeeded(s) && !needsEnergyLimit(s) && !areContactsJammed(s))
         return;
     if (needsEnergyLimit(s) && kea_limitDisplacements(s))
         kea_moveBodies(s);
@@ -265,7 +266,7 @@ void kea_velocityStage(MdtKeaSystem *s) {
     setVelocityProblem(s);
     const double start = kea_problemResidual(q, NULL);
     const MeBool isNeeded = !s->work->usesTangentAnswer && start > kea_velocityTolerance * kea_minSpeedOfAll(s) &&
-                            (isMandatory || isDiscontinuity(s, start) || alternates(s, start)) &&
+                            (isMandatory || isDiscontinuity(s, start) || isAlternating(s, start)) &&
                             kea_problemMaySweep(q);
     storeRipples(s, isNeeded);
     if (isNeeded)
