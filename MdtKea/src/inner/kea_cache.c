@@ -1,10 +1,10 @@
-/* A cache of symbolic factorizations, by graph: a partition whose graph has not changed finds its factor again, and
+/* A cache of symbolic factorizations by graph: a partition whose graph has not changed reuses its factor, and
  * partitions with equal graphs share one. The least recently used one is replaced.
  *
- * A cache owns all memory of factors, in blocks that grow by doubling and are kept: where the graphs are no larger than
- * those before, nothing is allocated. Structures lie one behind the other in one block. At its end those still in use
- * are compacted, and the block grows so that at most half of it is in use: on average no more bytes are moved than
- * written.
+ * A cache owns the memory of all factors, in blocks that double when they grow and are never released before it is
+ * destroyed: if graphs are no larger than earlier ones, nothing is allocated. Structures are stored one behind the
+ * other in one block. When the block is full, the structures still in use are compacted, and the block grows so that at
+ * most half of it is used: on average no more bytes are moved than written.
  */
 #include "MdtKea.h"
 #include "MeAssert.h"
@@ -14,9 +14,9 @@
 #include <string.h>
 
 typedef struct Entry {
-    KeaFactor factor; /* its address is given out: it never moves */
-    size_t at, bytes; /* of its structure; 0: the entry is empty */
-    unsigned long used;
+    KeaFactor factor;   /* callers keep its address: it never moves */
+    size_t at, bytes;   /* offset and size of its structure; 0 bytes: the entry is empty */
+    unsigned long used; /* clock when it was last used */
 } Entry;
 
 struct MdtKeaCache {
@@ -24,10 +24,10 @@ struct MdtKeaCache {
     unsigned long clock;
     KeaOrder order; /* scratch */
     KeaBlock structures;
-    size_t end; /* of the last structure */
+    size_t end; /* end of the last structure in this block */
     KeaNumbers numbers;
-    KeaBlock sizes;                   /* block sizes of a graph of bodies: 6 each */
-    int numSizes;                     /* entries written so far */
+    KeaBlock sizes;                   /* sizes of a graph of bodies: 6 for each node */
+    int numSizes;                     /* number of sizes written so far */
     KeaBlock passes[KEA_PASS_BLOCKS]; /* scratch of the fast solver */
 };
 
@@ -49,8 +49,8 @@ void MEAPI MdtKeaCacheDestroy(MdtKeaCache *c) {
 
 /* ---- the memory of structures ---- */
 
-/* The entry with the next structure in the block, or null. */
-static Entry *nextFrom(MdtKeaCache *c, size_t at) {
+/* The entry with the first structure at or after the offset `at`, or null. */
+static Entry *nextStructure(MdtKeaCache *c, size_t at) {
     Entry *next = NULL;
     for (int i = 0; i < KEA_MAX_FACTORS; i++) {
         Entry *e = &c->entry[i];
@@ -60,9 +60,9 @@ static Entry *nextFrom(MdtKeaCache *c, size_t at) {
     return next;
 }
 
-static void compact(MdtKeaCache *c) {
+static void compactStructures(MdtKeaCache *c) {
     size_t end = 0;
-    for (Entry *e = nextFrom(c, 0); e; e = nextFrom(c, end)) {
+    for (Entry *e = nextStructure(c, 0); e; e = nextStructure(c, end)) {
         MEASSERT(e->at >= end);
         memmove(c->structures.memory + end, c->structures.memory + e->at, e->bytes);
         e->at = end;
@@ -77,11 +77,11 @@ static void updatePointers(MdtKeaCache *c) {
             kea_structureMove(&c->entry[i].factor, c->structures.memory + c->entry[i].at);
 }
 
-/* Makes room for so many bytes at the end, with twice as much in all as is then used. False: no memory. */
-static MeBool makeRoom(MdtKeaCache *c, size_t bytes) {
+/* Reserves bytes at the end of the block of structures; if it grows, to twice what is used then. False: no memory. */
+static MeBool reserveStructure(MdtKeaCache *c, size_t bytes) {
     if (c->structures.memory && c->end + bytes <= c->structures.size)
         return METRUE;
-    compact(c);
+    compactStructures(c);
     const MeBool hasMemory =
         kea_blockReserve(&c->structures, c->end, 2 * (c->end + bytes), "the structures of factors");
     updatePointers(c);
@@ -90,13 +90,14 @@ static MeBool makeRoom(MdtKeaCache *c, size_t bytes) {
 
 /* ---- factors ---- */
 
-static MeBool createIn(MdtKeaCache *c, Entry *e, int numNodes, const int size[], int numEdges, const int (*edges)[2]) {
+static MeBool createFactor(MdtKeaCache *c, Entry *e, int numNodes, const int size[], int numEdges,
+                           const int (*edges)[2]) {
     KeaFactor plan;
     e->bytes = 0;
     if (!kea_orderFind(&c->order, numNodes, size, numEdges, edges))
         return MEFALSE;
     const size_t bytes = kea_structurePlan(&plan, &c->order, size, numEdges, edges);
-    if (!makeRoom(c, bytes))
+    if (!reserveStructure(c, bytes))
         return MEFALSE;
     e->factor = plan;
     e->factor.numbers = &c->numbers;
@@ -107,12 +108,12 @@ static MeBool createIn(MdtKeaCache *c, Entry *e, int numNodes, const int size[],
     return METRUE;
 }
 
-static MeBool makeRoomForNumbers(MdtKeaCache *c, KeaFactor *f) {
+static MeBool reserveNumbers(MdtKeaCache *c, KeaFactor *f) {
     c->numbers.owner = NULL;
     return kea_blockReserve(&c->numbers.block, 0, kea_structureLayOutNumbers(f, NULL), "the numbers of a factor");
 }
 
-/* Null: no memory. */
+/* The sizes of a graph of n bodies. Null: no memory. */
 static const int *bodySizes(MdtKeaCache *c, int n) {
     if (!kea_blockReserve(&c->sizes, (size_t)c->numSizes * sizeof(int), (size_t)n * sizeof(int), "sizes of a graph"))
         return NULL;
@@ -122,7 +123,7 @@ static const int *bodySizes(MdtKeaCache *c, int n) {
     return size;
 }
 
-static Entry *find(MdtKeaCache *c, int numNodes, const int size[], int numEdges, const int (*edges)[2]) {
+static Entry *findEntry(MdtKeaCache *c, int numNodes, const int size[], int numEdges, const int (*edges)[2]) {
     for (int i = 0; i < KEA_MAX_FACTORS; i++) {
         Entry *e = &c->entry[i];
         if (e->bytes > 0 && kea_factorMatches(&e->factor, numNodes, size, numEdges, edges))
@@ -143,14 +144,14 @@ KeaFactor *kea_cacheFind(MdtKeaCache *c, int numNodes, const int size[], int num
     size = size ? size : bodySizes(c, numNodes);
     if (!size)
         return NULL;
-    Entry *e = find(c, numNodes, size, numEdges, edges);
+    Entry *e = findEntry(c, numNodes, size, numEdges, edges);
     if (!e) {
         e = oldestEntry(c);
-        if (!createIn(c, e, numNodes, size, numEdges, edges))
+        if (!createFactor(c, e, numNodes, size, numEdges, edges))
             return NULL;
     }
     e->used = ++c->clock;
-    return makeRoomForNumbers(c, &e->factor) ? &e->factor : NULL;
+    return reserveNumbers(c, &e->factor) ? &e->factor : NULL;
 }
 
 void *kea_cacheScratch(MdtKeaCache *c, int block, size_t bytes) {

@@ -1,4 +1,4 @@
-/* Inside Kea: two doubles at a time, with the compiler's vectors (GCC and Clang): a register of SSE2, or one by one. */
+/* Inside Kea: two doubles at a time, by vector extensions of GCC and Clang: a register of SSE2, or two scalars. */
 #ifndef KEA_DOUBLES_I_H
 #define KEA_DOUBLES_I_H
 

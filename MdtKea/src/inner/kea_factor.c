@@ -1,4 +1,4 @@
-/* A sparse factor's matrix, and its factorization by the machine's kernel (kea_factor_kernel_i.h). */
+/* The matrix of a sparse factor, and calls of the kernel for this machine (kea_factor_kernel_i.h). */
 #include "MeAssert.h"
 #include "common/kea_machine_i.h"
 #include "inner/kea_structure_i.h"

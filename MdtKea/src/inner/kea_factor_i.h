@@ -1,12 +1,13 @@
 /* Inside Kea: sparse factorization of matrices of small dense blocks, whose structure is a graph.
  *
- * Node i of the graph has size[i] unknowns (1..KEA_FACTOR_MAX_BLOCK); an edge (i, j) says that the blocks A_ij and A_ji
- * are not zero. Kea uses it for bodies (6 each, edges are rows that join two bodies) and for constraints (their rows,
- * edges are shared bodies). The order of elimination and the structure of the factor depend on the graph alone and are
- * found once, and kept, by a cache (kea_cacheFind); numbers are filled in and factored as often as they change.
+ * Node i of the graph has size[i] unknowns (1..KEA_FACTOR_MAX_BLOCK); an edge (i, j) means that the blocks A_ij and
+ * A_ji are not zero. Kea uses it for bodies (6 unknowns each; edges are pairs of bodies that rows join) and for joints
+ * (an unknown for each row; edges are shared bodies). The order of elimination and the structure of the factor depend
+ * only on the graph; a cache computes them once and keeps them (kea_cacheFind). Numbers are filled in and factored
+ * whenever they change.
  *
- * All factors of a cache share the memory of their numbers: kea_factorClear takes it for one factor, which has it until
- * the next call of kea_factorClear or kea_cacheFind.
+ * All factors of a cache share the memory of their numbers: kea_factorClear acquires it for one factor, until the next
+ * call of kea_factorClear or kea_cacheFind.
  */
 #ifndef KEA_FACTOR_I_H
 #define KEA_FACTOR_I_H
@@ -19,35 +20,35 @@ enum { KEA_FACTOR_MAX_BLOCK = 12 };
 struct MdtKeaCache;
 typedef struct KeaFactor KeaFactor;
 
-/* The factor of a graph, made if there is none: ordered and analysed; its memory is the cache's. Edges are unique, i !=
- * j, in any order; the result depends on nothing else (same graph, same bits). Sizes null: 6 of every node. The factor
- * is there until as many other graphs have come up as a cache keeps. Null when there is no memory. */
+/* Finds the factor of a graph in the cache, or orders and analyses the graph. The cache owns the factor. Edges are
+ * unique, with i != j, in any order; the result depends only on the graph (same graph, same bits). size null: 6 for
+ * each node. The factor is valid until KEA_MAX_FACTORS other graphs have been requested. Null if there is no memory. */
 KeaFactor *kea_cacheFind(struct MdtKeaCache *cache, int numNodes, const int size[], int numEdges,
                          const int (*edges)[2]);
-/* Scratch memory, aligned to KEA_SCRATCH_LINE, of one of KEA_PASS_BLOCKS; what it holds is lost when it is taken again.
- * Null: no memory. */
+/* Scratch memory of `bytes`, aligned to KEA_SCRATCH_LINE, in one of KEA_PASS_BLOCKS blocks. The next call for the same
+ * block invalidates it. Null: no memory. */
 enum { KEA_STEP_BLOCK, KEA_GROUP_BLOCK, KEA_JOINT_BLOCK, KEA_JOINT_FACTOR_BLOCK, KEA_PASS_BLOCKS };
 enum { KEA_SCRATCH_LINE = 64 };
 void *kea_cacheScratch(struct MdtKeaCache *cache, int block, size_t bytes);
 /* Whether f is the factor of this graph. */
 MeBool kea_factorMatches(const KeaFactor *f, int numNodes, const int size[], int numEdges, const int (*edges)[2]);
 
-/* Begins a matrix: sets all its blocks to zero, in the memory that the factors of the cache share. */
+/* Begins a matrix: sets all blocks to zero, in the memory that the factors of the cache share. */
 void kea_factorClear(KeaFactor *f);
-/* For several matrices at once: the memory of each is the caller's, kea_factorNumbersSize bytes. kea_factorClearIn
- * begins a matrix there; kea_factorAllocateNumbers returns to one after others were used. */
+/* The same for several matrices at once, each in the caller's memory of kea_factorNumbersSize bytes. kea_factorClearIn
+ * begins a matrix there; kea_factorAllocateNumbers switches back to a matrix after others were used. */
 size_t kea_factorNumbersSize(const KeaFactor *f);
 void kea_factorClearIn(KeaFactor *f, char *memory);
 void kea_factorAllocateNumbers(KeaFactor *f, char *memory);
-/* The blocks of the matrix, row-major, to be added to. Of an edge e = (i, j): `upper` is A_ij, size[i] rows by size[j]
- * columns; `lower` is A_ji, and is read by kea_factorLU only. */
+/* The blocks of the matrix, row-major, which callers add to. For an edge e = (i, j), `upper` is A_ij, size[i] rows by
+ * size[j] columns; `lower` is A_ji, which only kea_factorLU reads. */
 double *kea_factorDiagonal(KeaFactor *f, int node);
 double *kea_factorUpper(KeaFactor *f, int edge);
 double *kea_factorLower(KeaFactor *f, int edge);
 
-/* Rows that join the same two nodes of six unknowns, or belong to one: row i has the weight w_i, and a_i and b_i along
- * either node's unknowns. Added together, a block is loaded and stored once for all of them; the sums are the same. A
- * joint with its limits has up to eight; longer runs are added in parts. */
+/* Rows that join the same two nodes of six unknowns, or belong to one node: row i has the weight w_i and, for each
+ * node, the vectors a_i and b_i. They are added together so that each block is loaded and stored once; the sums are the
+ * same as one by one. A joint with its limits has up to eight rows; longer runs are added in pieces. */
 enum { KEA_FACTOR_ROWS = 8 };
 typedef struct KeaFactorRows {
     int node[2], edge; /* -1: none */
@@ -64,30 +65,31 @@ static inline void kea_factorPutRow(KeaFactorRows *rows, double weight, double (
         rows->b[k][i] = b[k];
     }
 }
-/* Adds Σ w_i a_iᵀ b_i to the blocks of the nodes and of their edge, in the order of i; to `lower` unless the matrix is
- * symmetric. */
+/* Adds Σ w_i a_iᵀ b_i to the blocks of the nodes and of their edge, in the order of i; to `lower` only if not
+ * isSymmetric. */
 void kea_factorAddRows(KeaFactor *f, const KeaFactorRows *rows, MeBool isSymmetric);
 
-/* Where the unknowns of a node start in vectors; of numNodes: how many there are in all. */
+/* The index of a node's first unknown in vectors; for numNodes, the number of all unknowns. */
 int kea_factorOffset(const KeaFactor *f, int node);
 
-/* A = L Lᵀ of a symmetric matrix, of which the diagonal blocks (upper triangles) and `upper` are read. False where A is
- * not positive definite in the arithmetic: a pivot below `min`, e.g. 1e-14, relative to its diagonal entry as it was
- * when the turn of its block came. The matrix itself is kept, and may be changed and factored again. */
+/* Factors a symmetric matrix, A = L Lᵀ, from its diagonal blocks (upper triangles) and `upper`. False: A is not
+ * positive definite in the arithmetic, as a pivot is below `min`, e.g. 1e-14, relative to its diagonal entry when the
+ * elimination of its block began. The matrix itself is not overwritten, and may be changed and factored again. */
 MeBool kea_factorCholesky(KeaFactor *f, double min);
-/* A = L U of a matrix whose structure is symmetric but whose numbers are not, without pivoting between blocks (within a
- * diagonal block rows are exchanged, which are compared by their own diagonal entries). False where a pivot is below
- * `min`, relative to these. */
+/* Factors a matrix with symmetric structure but unsymmetric numbers, A = L U, with row exchanges within diagonal blocks
+ * only, for which rows are scaled by their own diagonal entries. False: a pivot is below `min`, relative to these. */
 MeBool kea_factorLU(KeaFactor *f, double min);
 /* x := A⁻¹ x, by the last factorization. */
 void kea_factorSolve(const KeaFactor *f, double x[]);
 
-/* Where many x are to be solved for: after kea_factorCholesky, inverts the blocks of the factor; x := A⁻¹ x by these,
- * in half of the time, and kea_factorSolve no longer. Of a matrix near to singular it is less accurate. */
+/* For many right sides: kea_factorInvert, after kea_factorCholesky, inverts the blocks of the factor; then
+ * kea_factorSolveInverted gives x := A⁻¹ x in half of the time, and kea_factorSolve may no longer be called. It is less
+ * accurate for nearly singular matrices. */
 void kea_factorInvert(KeaFactor *f);
 void kea_factorSolveInverted(const KeaFactor *f, double x[]);
 
-/* What one Cholesky factorization costs, and how many doubles the factor has: for choosing between two graphs. */
+/* Multiplications of one Cholesky factorization, and number of doubles of the factor: for choosing between two
+ * graphs. */
 double kea_factorFlops(const KeaFactor *f);
 size_t kea_factorEntries(const KeaFactor *f);
 

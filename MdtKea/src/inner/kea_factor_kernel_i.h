@@ -1,16 +1,17 @@
-/* The kernel of sparse factors: their numbers are factored and solved with, by dense blocks. Compiled for each width of
- * registers by a file that defines KEA_FACTOR_KERNEL; all operations are in the same order in each, so bits are too.
+/* The kernel of sparse factors: numeric factorization and solution by dense blocks. It is compiled for each width of
+ * registers by a file that defines KEA_FACTOR_KERNEL; operations have the same order in each, and results the same
+ * bits.
  *
- * A = L U, by blocks, left-looking: when the turn of node j comes, it gathers from every earlier node k that has j in
- * its structure,
+ * A = L U by blocks, left-looking: when node j is eliminated, it gathers updates from every earlier node k that has j
+ * in its structure,
  *
  *     A_jj -= L_jk U_kj,    A_ji -= L_jk U_ki,    A_ij -= L_ik U_kj     for i after j in the structure of k,
  *
- * factors A_jj, and divides by it: U_ji = L_jj⁻¹ A_ji, L_ij = A_ij U_jj⁻¹. A column of L is kept as its transpose, so
- * that all products are sums of Xᵀ Y, row by row. Of a symmetric matrix L = Uᵀ: only U is kept.
+ * factors A_jj, and divides by it: U_ji = L_jj⁻¹ A_ji, L_ij = A_ij U_jj⁻¹. Columns of L are stored transposed, so that
+ * all products are sums of Xᵀ Y, row by row. For a symmetric matrix L = Uᵀ, and only U is stored.
  *
- * A solve with U_jj takes one unknown after the other, each waiting for the last. Where a symmetric matrix is solved
- * with many times, blocks are inverted once, E_j = (U_jjᵀ U_jj)⁻¹ and M_ji = U_jj⁻¹ U_ji, and a solve only multiplies:
+ * In a solve with U_jj each unknown depends on the previous one. For many solves with a symmetric matrix, blocks are
+ * inverted once, E_j = (U_jjᵀ U_jj)⁻¹ and M_ji = U_jj⁻¹ U_ji, and a solve only multiplies:
  *
  *     forward   x_i -= M_jiᵀ x_j,     backward   x_j := E_j x_j - Σ M_ji x_i.
  */
@@ -22,7 +23,7 @@
 
 /* ---- blocks ---- */
 
-/* Blocks of six by six, row-major, are nine vectors of four: three to two rows. */
+/* A block of six by six, row-major, is stored in nine vectors of four: three vectors for two rows. */
 typedef double KeaFour __attribute__((vector_size(4 * 8)));
 
 KEA_INLINE KeaFour fourAt(const double *p) {
@@ -34,7 +35,7 @@ KEA_INLINE void putFour(double *p, KeaFour v) {
     memcpy(p, &v, sizeof v);
 }
 
-/* A row. */
+/* A row of six. */
 typedef struct KeaSix {
     KeaFour four;
     KeaTwo two;
@@ -52,7 +53,7 @@ KEA_INLINE KeaSix lessScaled(KeaSix a, double s, KeaSix b) {
     return (KeaSix){a.four - s * b.four, a.two - s * b.two};
 }
 
-/* Two rows of xᵀ y: the first row's six products, then the second's. */
+/* Two rows of six, one behind the other. */
 typedef struct KeaRows {
     KeaFour v[3];
 } KeaRows;
@@ -65,10 +66,11 @@ KEA_INLINE void putRows(double *p, KeaRows r) {
     putFour(p + 4, r.v[1]);
     putFour(p + 8, r.v[2]);
 }
-/* y twice. */
+/* Two rows, both y. */
 KEA_INLINE KeaRows twice(const double y[6]) {
     return (KeaRows){{fourAt(y), {y[4], y[5], y[0], y[1]}, fourAt(y + 2)}};
 }
+/* The rows x0 y and x1 y. */
 KEA_INLINE KeaRows products(double x0, double x1, KeaRows y) {
     return (KeaRows){
         {(KeaFour){x0, x0, x0, x0} * y.v[0], (KeaFour){x0, x0, x1, x1} * y.v[1], (KeaFour){x1, x1, x1, x1} * y.v[2]}};
@@ -131,7 +133,7 @@ KEA_INLINE void subtractProductOf(double *restrict C, const double *restrict X, 
     }
 }
 
-/* C -= Xᵀ Y; X has `inner` rows. */
+/* C -= Xᵀ Y; C has rows x columns entries, X and Y have `inner` rows. */
 static void subtractProduct(double *C, const double *X, const double *Y, int inner, int rows, int columns) {
     if (inner == 6 && rows == 6 && columns == 6)
         subtractProduct6(C, X, Y);
@@ -147,7 +149,7 @@ static void transpose(double *r, const double *a, int rows, int columns) {
             r[j * rows + i] = a[i * columns + j];
 }
 
-/* D = Uᵀ U in place, the upper triangle; its diagonal is kept inverted. */
+/* Factors D = Uᵀ U in place, in the upper triangle; the diagonal of U is stored inverted. */
 KEA_INLINE MeBool choleskyOf(double *D, int n, double min) {
     for (int k = 0; k < n; k++) {
         const double start = D[k * n + k];
@@ -173,9 +175,9 @@ static MeBool cholesky(double *D, int n, double min) {
     return n == 6 ? choleskyOf(D, 6, min) : n == 3 ? choleskyOf(D, 3, min) : choleskyOf(D, n, min);
 }
 
-/* What an entry a_ij is compared with is sqrt(size_i size_j), which has its unit: a block may have rows of kg and of
- * kg m². Of the block as it was given. */
-static void measureRows(const double *A, int n, double size[]) {
+/* Sets the scales of the rows of a given block: an entry a_ij is compared with sqrt(size_i size_j), which has the same
+ * unit, since a block may have rows of kg and of kg m². */
+static void setRowScales(const double *A, int n, double size[]) {
     for (int i = 0; i < n; i++) {
         size[i] = fabs(A[i * n + i]);
         for (int j = 0; j < n && A[i * n + i] == 0; j++)
@@ -194,7 +196,7 @@ static void exchangeRows(double *D, int n, double size[], int i, int k) {
     size[i] = t;
 }
 
-/* The row in which column k has its pivot: where a_ik² / size_i is largest, which becomes `max`. */
+/* The pivot row of column k: the row with the largest a_ik² / size_i, which is written to `max`. */
 KEA_INLINE int pivotOf(const double *D, int n, const double size[], int k, double *max) {
     int best = k;
     *max = 0;
@@ -208,11 +210,12 @@ KEA_INLINE int pivotOf(const double *D, int n, const double size[], int k, doubl
     return best;
 }
 
-/* P D = L U in place, L with a unit diagonal; the diagonal of U is kept inverted. */
+/* Factors P D = L U in place, L with unit diagonal; the diagonal of U is stored inverted. given: the block before
+ * updates by earlier nodes, for scaling. */
 KEA_INLINE MeBool luOf(double *D, const double *given, int n, int exchange[], double min) {
     double size[KEA_FACTOR_MAX_BLOCK], own[KEA_FACTOR_MAX_BLOCK], max;
     MEASSERT(n <= KEA_FACTOR_MAX_BLOCK);
-    measureRows(given, n, size);
+    setRowScales(given, n, size);
     memcpy(own, size, sizeof own);
     for (int k = 0; k < n; k++) {
         exchange[k] = pivotOf(D, n, size, k, &max);
@@ -230,14 +233,14 @@ KEA_INLINE MeBool luOf(double *D, const double *given, int n, int exchange[], do
     return METRUE;
 }
 
-/* 1 from column k on: what makes a row of U of one that begins with factors of L. */
+/* Row k is 1 from column k on: a mask that extracts a row of U from one that begins with entries of L. */
 static const double fromColumn[6][6] = {{1, 1, 1, 1, 1, 1}, {0, 1, 1, 1, 1, 1}, {0, 0, 1, 1, 1, 1},
                                         {0, 0, 0, 1, 1, 1}, {0, 0, 0, 0, 1, 1}, {0, 0, 0, 0, 0, 1}};
 
-/* luOf by whole rows: the same operations in the same order. */
+/* luOf for n = 6, by whole rows: the same operations in the same order. */
 static MeBool lu6(double *D, const double *given, int exchange[], double min) {
     double size[6], own[6], max;
-    measureRows(given, 6, size);
+    setRowScales(given, 6, size);
     memcpy(own, size, sizeof own);
     for (int k = 0; k < 6; k++) {
         exchange[k] = pivotOf(D, 6, size, k, &max);
@@ -285,7 +288,7 @@ KEA_INLINE void divideUpper6(double *B, const double *D) {
     }
 }
 
-/* B := U⁻ᵀ B, U the upper triangle of D with its diagonal inverted. */
+/* B := U⁻ᵀ B, with U the upper triangle of D, whose diagonal is stored inverted. */
 static void divideUpper(double *B, const double *D, int n, int columns) {
     if (n == 6 && columns == 6)
         divideUpper6(B, D);
@@ -354,7 +357,7 @@ static void loadColumn(KeaFactor *f, int t) {
             continue;
         }
         const double *upper = f->upperInput + f->edgeAt[e->edge], *lower = f->lowerInput + f->edgeAt[e->edge];
-        /* the block of rows j, columns i; of the symmetric matrix it is the transpose of the given one if flipped */
+        /* the block with rows j and columns i: if flipped, the transpose of the given block of a symmetric matrix */
         if (!e->flip)
             memcpy(f->upper + e->at, upper, bytes);
         else if (f->isSymmetric)
@@ -473,7 +476,7 @@ static void solveUpper(const double *D, double *x, int n) {
         solveUpperOf(D, x, n);
 }
 
-/* x := U⁻ᵀ x, of one column. */
+/* x := U⁻ᵀ x. */
 static void solveLower(const double *D, double *x, int n) {
     if (n == 6)
         divideUpperOf(x, D, 6, 1);
@@ -520,7 +523,7 @@ static void solve(const KeaFactor *f, double x[]) {
 
 /* ---- solution by inverted blocks ---- */
 
-/* The pivot becomes -E_j, an entry M_ji, with its transpose in `lower`. */
+/* Replaces the pivot by -E_j and each entry U_ji by M_ji, with its transpose in `lower`. */
 KEA_INLINE void invertColumnOf(KeaFactor *f, int t, int n) {
     enum { MAX = KEA_FACTOR_MAX_BLOCK * KEA_FACTOR_MAX_BLOCK };
     double inverse[MAX], minus[MAX];

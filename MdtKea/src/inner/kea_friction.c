@@ -1,10 +1,9 @@
-/* Friction bounds between the solves of the inner problem: a fixed point R = μ p_n(R), approached with acceleration. */
+/* Updates of friction bounds between solves of the inner problem: an accelerated fixed point iteration R = μ p_n(R). */
 #include "common/kea_policy_i.h"
 #include "inner/kea_problem_i.h"
 #include <float.h>
 #include <math.h>
 
-/* How far the friction bounds are from μ times the normal forces. */
 double kea_frictionBoundsError(const KeaProblem *q) {
     double worst = 0;
     for (int i = 0; i < q->numRows; i++) {
@@ -39,7 +38,7 @@ static double secant(const KeaProblem *q) {
     return below > 0 ? keaMin(keaMax(above / below, kea_minSecant), kea_maxSecant) : 0;
 }
 
-/* R' = R + β f - t (ΔR + β Δf): Anderson's acceleration (1965) with a memory of one step. β is 1 in the first passes,
+/* R' = R + β f - t (ΔR + β Δf): Anderson's acceleration (1965) with a history of one step. β is 1 in the first passes,
  * then 1/2, which damps bounds that alternate between two values. */
 void kea_frictionApproachBounds(KeaProblem *q, int pass) {
     const double share = pass < KEA_FULL_BOUND_PASSES ? 1 : 0.5, t = pass > KEA_FULL_BOUND_PASSES ? secant(q) : 0;

@@ -1,4 +1,4 @@
-/* The graph that rows make of bodies (kea_graph_i.h). */
+/* The graph of bodies (kea_graph_i.h). */
 #include "inner/kea_graph_i.h"
 #include <string.h>
 

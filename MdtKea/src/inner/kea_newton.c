@@ -1,15 +1,15 @@
 /* Newton's method for the inner problem (kea_problem_i.h).
  *
- * Per row, y = (r - J d + N p0) / (E + N), and p is y within its bounds: p = clamp(y), or for two rows that share a
- * cone of the radius R, p = y min(1, R/|y|). The gradient is B d + g - Jᵀ p, its derivative
+ * For each row y = (r - J d + N p0) / (E + N), and p is y projected onto the bounds: p = clamp(y), or, for two rows
+ * that share a cone of radius R, p = y min(1, R/|y|). The gradient is B d + g - Jᵀ p, its derivative
  *
  *     H = B + Jᵀ D J,    D = 1/(E + N) within the bounds, 0 at them,
  *                        D = R/|y| (1 - ŷ ŷᵀ) / (E + N) on the cone.
  *
  * This is a semismooth Newton method. With fixed R the problem is convex: H is positive definite for any rows, and a
- * line search minimizes along -H⁻¹ (gradient). In the coupled problem R = μ p of the normal row, D has the further
- * block μ ŷ / (E + N) from the normal row to the friction rows, and H is not symmetric; the step is then halved until
- * the gradient decreases. The same holds for the tangent problem, H = B + Jᵀ D T.
+ * line search minimizes along -H⁻¹ (gradient). In the coupled problem R = μ p of the normal row, D has the additional
+ * block μ ŷ / (E + N) from the normal row to the friction rows, and H is not symmetric; instead of a line search, the
+ * step is halved until the gradient decreases. The same holds for the tangent problem, H = B + Jᵀ D T.
  */
 #include "MeAssert.h"
 #include "common/kea_policy_i.h"
@@ -18,8 +18,8 @@
 #include <float.h>
 #include <string.h>
 
-/* The derivative of a row with d: T in a tangent problem, else J. */
-static double (*ratesOf(const KeaProblem *q, int i))[6] {
+/* The derivative of a row with respect to d: T in a tangent problem, else J. */
+static double (*derivativeOf(const KeaProblem *q, int i))[6] {
     return q->isTangent ? q->tangent[i] : q->row[i].J;
 }
 
@@ -31,7 +31,7 @@ static void applyBody(const KeaProblem *q, int b, double r[6], const double d[6]
 }
 
 static double rateAlong(const KeaProblem *q, int i, double (*const v)[6]) {
-    double(*const J)[6] = ratesOf(q, i), sum = 0;
+    double(*const J)[6] = derivativeOf(q, i), sum = 0;
     for (int k = 0; k < 2; k++)
         if (q->row[i].body[k] >= 0)
             sum += kea_dot6(J[k], v[q->row[i].body[k]]);
@@ -40,13 +40,13 @@ static double rateAlong(const KeaProblem *q, int i, double (*const v)[6]) {
 
 /* ---- forces ---- */
 
-static double within(double y, double lower, double upper) {
+static double clamp(double y, double lower, double upper) {
     return y < lower ? lower : y > upper ? upper : y;
 }
 
 static double clampTo(double y, double lower, double upper, KeaRowState *state) {
     *state = y > lower && y < upper ? KEA_ACTIVE : KEA_IDLE;
-    return within(y, lower, upper);
+    return clamp(y, lower, upper);
 }
 
 static void setCone(KeaProblemRow *a, KeaProblemRow *b) {
@@ -96,21 +96,21 @@ void kea_newtonClamp(KeaProblem *q, MeBool coupled) {
     }
 }
 
-/* y, p and states of all rows at d + step * direction. */
+/* Sets y, p and states of all rows at d + step * direction. */
 static void setForcesAt(KeaProblem *q, double step, MeBool coupled) {
     kea_newtonSetUnclamped(q, step);
     kea_newtonClamp(q, coupled);
 }
 
-/* N s: the rounding of p of a row within its bounds, by that of r and J d. */
-static double roundingOf(const KeaProblemRow *row) {
+/* N s: the rounding error of p of a row within its bounds, due to that of r and J d; 0 for other rows. */
+static double impulseRoundingOf(const KeaProblemRow *row) {
     if (row->isInactive || row->state != KEA_ACTIVE)
         return 0;
     return kea_roundingSteps * DBL_EPSILON * (fabs(row->r) + fabs(row->Jd)) / softness(row);
 }
 
-/* B d + g at d + step * direction. */
-static void setInnerLoads(KeaProblem *q, double step) {
+/* Sets the gradient to B d + g at d + step * direction. */
+static void setBodyGradient(KeaProblem *q, double step) {
     for (int b = 0; b < q->numBodies; b++) {
         double *g = q->gradient[b], d[6];
         for (int i = 0; i < 6; i++)
@@ -120,31 +120,31 @@ static void setInnerLoads(KeaProblem *q, double step) {
     }
 }
 
-/* - Jᵀ p of one row. */
-static void subtractForce(KeaProblem *q, const KeaProblemRow *row) {
+/* Subtracts Jᵀ p of one row from the gradient. */
+static void subtractRowForce(KeaProblem *q, const KeaProblemRow *row) {
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
             kea_addScaled6(q->gradient[row->body[k]], -row->p, row->J[k]);
 }
 
 void kea_newtonGradient(KeaProblem *q) {
-    setInnerLoads(q, 0);
+    setBodyGradient(q, 0);
     for (int i = 0; i < q->numRows; i++)
-        subtractForce(q, &q->row[i]);
+        subtractRowForce(q, &q->row[i]);
 }
 
 /* The tolerances allow for the rounding of r and J d in p. */
 double kea_newtonError(KeaProblem *q, double step) {
     double worst = 0;
-    setInnerLoads(q, step);
+    setBodyGradient(q, step);
     for (int b = 0; b < q->numBodies; b++)
         q->tolerance[b] = kea_newtonTolerance * q->scale[b];
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
-        const double known = kea_newtonTolerance * fabs(row->p) + roundingOf(row);
+        const double known = kea_newtonTolerance * fabs(row->p) + impulseRoundingOf(row);
         if (known == 0)
-            continue; /* without a force */
-        subtractForce(q, row);
+            continue; /* no force */
+        subtractRowForce(q, row);
         for (int k = 0; k < 2; k++)
             if (row->body[k] >= 0)
                 q->tolerance[row->body[k]] += row->weight[k] * known;
@@ -169,8 +169,8 @@ static KeaFactorRows rowsLike(const KeaProblemRow *row) {
 }
 
 /* Adds w aᵀ b to the matrix, a and b the Jacobians of two rows between the same bodies. */
-static void addRow(KeaProblem *q, const KeaProblemRow *row, double w, double (*const a)[6], double (*const b)[6],
-                   MeBool isSymmetric) {
+static void addRowProduct(KeaProblem *q, const KeaProblemRow *row, double w, double (*const a)[6], double (*const b)[6],
+                          MeBool isSymmetric) {
     KeaFactorRows rows = rowsLike(row);
     kea_factorPutRow(&rows, w, a, b);
     kea_factorAddRows(q->factor, &rows, isSymmetric);
@@ -180,32 +180,34 @@ static MeBool isActive(const KeaProblemRow *row) {
     return !row->isInactive && row->state == KEA_ACTIVE;
 }
 
-/* Adds the held rows from `first` on that join the same bodies. Returns how many. */
+/* Adds the run of active rows from `first` on that join the same bodies to the matrix. Returns their number. */
 static int addActiveRows(KeaProblem *q, int first, MeBool isSymmetric) {
     const KeaProblemRow *row = &q->row[first];
     KeaFactorRows rows = rowsLike(row);
     for (int i = first; i < q->numRows && rows.count < KEA_FACTOR_ROWS && isActive(&q->row[i]); i++) {
         if (q->row[i].body[0] != row->body[0] || q->row[i].body[1] != row->body[1])
             break;
-        kea_factorPutRow(&rows, 1 / softness(&q->row[i]), q->row[i].J, ratesOf(q, i));
+        kea_factorPutRow(&rows, 1 / softness(&q->row[i]), q->row[i].J, derivativeOf(q, i));
     }
     kea_factorAddRows(q->factor, &rows, isSymmetric);
     return rows.count;
 }
 
-static void combine(double r[2][6], double s, double (*const a)[6], double t, double (*const b)[6]) {
+static void combineJacobians(double r[2][6], double s, double (*const a)[6], double t, double (*const b)[6]) {
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < 6; i++)
             r[k][i] = s * a[k][i] + t * b[k][i];
 }
 
+/* Adds the derivative of a forced row's bound with respect to the normal force; with fixed bounds it has none. */
 static void addForced(KeaProblem *q, KeaProblemRow *row, MeBool unsymmetric) {
     KeaProblemRow *normal = &q->row[row->normal];
     if (unsymmetric && !normal->isInactive && normal->state == KEA_ACTIVE)
-        addRow(q, row, row->forced * row->friction / softness(normal), row->J, normal->J, MEFALSE);
+        addRowProduct(q, row, row->forced * row->friction / softness(normal), row->J, normal->J, MEFALSE);
 }
 
-/* A sliding row or cone; `unsymmetric`: with the derivative of its bound with the normal force. */
+/* Adds a sliding row or cone to the matrix; `unsymmetric`: with the derivative of its bound with respect to the normal
+ * force. */
 static void addSliding(KeaProblem *q, KeaProblemRow *row, MeBool unsymmetric) {
     if (row->isForced) {
         addForced(q, row, unsymmetric);
@@ -214,14 +216,14 @@ static void addSliding(KeaProblem *q, KeaProblemRow *row, MeBool unsymmetric) {
     KeaProblemRow *normal = &q->row[row->normal], *other = row->partner >= 0 ? &q->row[row->partner] : row;
     double slip[2][6];
     if (other != row) {
-        combine(slip, -other->along, row->J, row->along, other->J);
-        addRow(q, row, row->across, slip, slip, !unsymmetric);
-        combine(slip, row->along, row->J, other->along, other->J);
+        combineJacobians(slip, -other->along, row->J, row->along, other->J);
+        addRowProduct(q, row, row->across, slip, slip, !unsymmetric);
+        combineJacobians(slip, row->along, row->J, other->along, other->J);
     } else {
-        combine(slip, row->along, row->J, 0, row->J);
+        combineJacobians(slip, row->along, row->J, 0, row->J);
     }
     if (unsymmetric && !normal->isInactive && normal->state == KEA_ACTIVE)
-        addRow(q, row, row->friction / softness(normal), slip, normal->J, MEFALSE);
+        addRowProduct(q, row, row->friction / softness(normal), slip, normal->J, MEFALSE);
 }
 
 static MeBool slidesUnderLoad(const KeaProblem *q) {
@@ -255,12 +257,12 @@ static void fillMatrix(KeaProblem *q, MeBool unsymmetric) {
     }
 }
 
-/* For assertions: p of all rows are within their bounds or cones. */
+/* Whether p of all rows are within their bounds or cones; for assertions. */
 static inline MeBool areWithinBounds(const KeaProblem *q) {
     double sum = 0;
     for (int i = 0; i < q->numRows; i++)
         sum += fabs(q->row[i].p);
-    if (!(sum < kea_maxAsserted)) /* differences have no digits left */
+    if (!(sum < kea_maxAsserted)) /* too large to be compared */
         return METRUE;
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
@@ -311,21 +313,22 @@ void kea_newtonApply(KeaProblem *q, double step) {
 
 /* ---- line search ---- */
 
-/* p Je of a row, or of both rows of a cone, at y + step * (the rate of y). */
+/* p Je of a row, or the sum of both rows of a cone, at y + step * yRate. */
 static double powerAt(const KeaProblem *q, const KeaProblemRow *row, double step) {
     const double y = row->y + step * row->yRate, bound = row->frictionBound;
     if (row->normal < 0)
-        return row->Je * within(y, row->lower, row->upper);
+        return row->Je * clamp(y, row->lower, row->upper);
     if (row->isForced)
         return row->Je * row->forced * bound;
     if (row->partner < 0)
-        return row->Je * within(y, keaMax(row->lower, -bound), keaMin(row->upper, bound));
+        return row->Je * clamp(y, keaMax(row->lower, -bound), keaMin(row->upper, bound));
     const KeaProblemRow *other = &q->row[row->partner];
     const double otherY = other->y + step * other->yRate, size = keaHypotenuse(y, otherY);
     return (row->Je * y + other->Je * otherY) * (size < bound ? 1 : size > 0 ? bound / size : 0);
 }
 
-/* The derivative of the convex function along the search direction. */
+/* The derivative of the convex function along the search direction at `step`; constant + step * linear is the bodies'
+ * part. */
 static double slopeAt(const KeaProblem *q, double constant, double linear, double step) {
     double slope = constant + step * linear;
     for (int i = 0; i < q->numRows; i++) {
@@ -338,9 +341,9 @@ static double slopeAt(const KeaProblem *q, double constant, double linear, doubl
     return slope;
 }
 
-/* Line search: the step at which the derivative along the direction vanishes, to kea_lineSearchTolerance; mostly 1. By
- * regula falsi, with a bisection whenever that did not halve the interval: the derivative is steep where a rigid row
- * with two bounds passes from one to the other. */
+/* Line search: the step at which the derivative along the direction vanishes, to kea_lineSearchTolerance; mostly 1. It
+ * is found by regula falsi, with a bisection after each iteration that did not halve the interval, since the derivative
+ * is steep where a rigid row with two bounds passes from one to the other. */
 static double bestStep(KeaProblem *q) {
     double constant = 0, linear = 0, Bd[6];
     if (!q->hasBounds)
@@ -381,14 +384,14 @@ static double bestStep(KeaProblem *q) {
 
 /* ---- the iteration ---- */
 
-/* The convex problem, with fixed friction bounds. False: not converged, or the budget is used up. */
+/* Solves the convex problem, with fixed friction bounds. False: not converged, or the budget is used up. */
 static MeBool solveConvex(KeaProblem *q) {
     double before = HUGE_VAL;
     setForcesAt(q, 0, MEFALSE);
     for (int i = 0; i < KEA_MAX_CONVEX; i++) {
         const double error = kea_newtonError(q, 0);
         if (error < 1 || (error < kea_convexRounding && error > kea_convexProgress * before))
-            return METRUE; /* converged, or stagnates at rounding */
+            return METRUE; /* converged, or stagnating at rounding */
         if (!kea_problemMaySpend(q, MEFALSE))
             return MEFALSE;
         before = error;
@@ -405,7 +408,7 @@ static MeBool solveConvex(KeaProblem *q) {
     return kea_newtonError(q, 0) < kea_convexRounding;
 }
 
-/* The coupled problem, from the present d and p. False: not converged. */
+/* Solves the coupled problem, starting from the present d and p. False: not converged. */
 static MeBool solveCoupled(KeaProblem *q) {
     setForcesAt(q, 0, METRUE);
     double error = kea_newtonError(q, 0);
@@ -425,7 +428,7 @@ static MeBool solveCoupled(KeaProblem *q) {
         }
         if (!(next < kea_coupledProgress * error)) {
             setForcesAt(q, 0, METRUE);
-            return error < kea_coupledRounding; /* no shorter step decreases it */
+            return error < kea_coupledRounding; /* no step length decreases the error */
         }
         kea_newtonApply(q, step);
         error = next;
@@ -433,13 +436,13 @@ static MeBool solveCoupled(KeaProblem *q) {
     return error < kea_coupledRounding;
 }
 
-static void keepConvex(KeaProblem *q) {
+static void saveAnswer(KeaProblem *q) {
     memcpy(q->savedD, q->d, (size_t)q->numBodies * sizeof *q->d);
     for (int i = 0; i < q->numRows; i++)
         q->row[i].keptJd = q->row[i].Jd, q->row[i].keptBound = q->row[i].frictionBound;
 }
 
-static void restoreConvex(KeaProblem *q) {
+static void restoreConvexAnswer(KeaProblem *q) {
     memcpy(q->d, q->savedD, (size_t)q->numBodies * sizeof *q->d);
     for (int i = 0; i < q->numRows; i++)
         q->row[i].Jd = q->row[i].keptJd, q->row[i].frictionBound = q->row[i].keptBound, q->row[i].Je = 0;
@@ -453,7 +456,7 @@ static void startAtZero(KeaProblem *q) {
     memset(q->direction, 0, (size_t)q->numBodies * sizeof *q->direction);
 }
 
-static MeBool isFinite(const KeaProblem *q) {
+static MeBool isAnswerFinite(const KeaProblem *q) {
     for (int b = 0; b < q->numBodies; b++)
         for (int i = 0; i < 6; i++)
             if (!isfinite(q->d[b][i]))
@@ -464,12 +467,12 @@ static MeBool isFinite(const KeaProblem *q) {
     return METRUE;
 }
 
-/* The coupled problem, from the states that follow from p (kea_states.c). False: not converged; d = 0, and friction
- * bounds are restored. */
+/* Solves the coupled problem, starting from the states that follow from p (kea_states.c). False: not converged; d is 0,
+ * and friction bounds are restored. */
 static MeBool solveFromStates(KeaProblem *q) {
-    keepConvex(q);
+    saveAnswer(q);
     q->isTangent = q->hasTangent;
-    const MeBool isFound = (kea_statesSolve(q) || solveCoupled(q)) && isFinite(q);
+    const MeBool isFound = (kea_statesSolve(q) || solveCoupled(q)) && isAnswerFinite(q);
     q->isSingular = q->isTangent && !isFound;
     q->isTangent = MEFALSE;
     if (isFound)
@@ -480,16 +483,17 @@ static MeBool solveFromStates(KeaProblem *q) {
     return MEFALSE;
 }
 
-/* The coupled problem, from the answer of the convex one, which is restored if it does not converge. */
+/* Solves the coupled problem, starting from the answer of the convex one. False: not converged, and that answer is
+ * restored. */
 static MeBool solveFromConvex(KeaProblem *q) {
-    keepConvex(q);
+    saveAnswer(q);
     q->isTangent = q->hasTangent;
     for (int i = 0; i < q->numRows && q->isTangent; i++)
         q->row[i].Jd = rateAlong(q, i, q->d);
-    const MeBool isFound = solveCoupled(q) && isFinite(q);
+    const MeBool isFound = solveCoupled(q) && isAnswerFinite(q);
     q->isTangent = MEFALSE;
     if (!isFound)
-        restoreConvex(q);
+        restoreConvexAnswer(q);
     return isFound;
 }
 
@@ -498,8 +502,8 @@ MeBool kea_problemRefine(KeaProblem *q) {
     if (!(q->hasTangent || q->isLinear) || !q->isFactored || q->factoredLevel != q->counts.level || q->counts.isLimited)
         return MEFALSE;
     q->isTangent = q->hasTangent;
-    keepConvex(q);
-    const MeBool isFound = kea_statesRefine(q) && isFinite(q);
+    saveAnswer(q);
+    const MeBool isFound = kea_statesRefine(q) && isAnswerFinite(q);
     q->isTangent = MEFALSE;
     if (isFound)
         return METRUE;
@@ -532,14 +536,14 @@ double kea_problemError(KeaProblem *q) {
     return kea_newtonError(q, 0);
 }
 
-/* ---- unbounded rows with all others fixed ---- */
+/* ---- solve for unbounded rows with all others fixed ---- */
 
 static MeBool isUnbounded(const KeaProblemRow *row) {
     return row->normal < 0 && row->lower == -HUGE_VAL && row->upper == HUGE_VAL;
 }
 
-/* Makes all bounded rows inactive for the time being (isAside). False: no row is left. */
-static MeBool setAside(KeaProblem *q) {
+/* Makes all bounded rows inactive temporarily (isAside). False: no active row is left. */
+static MeBool setBoundedAside(KeaProblem *q) {
     MeBool isLeft = MEFALSE;
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
@@ -559,7 +563,7 @@ double kea_problemWorkOfJoints(const KeaProblem *q) {
 }
 
 void kea_problemSolveJoints(KeaProblem *q) {
-    if (setAside(q)) {
+    if (setBoundedAside(q)) {
         setForcesAt(q, 0, MEFALSE);
         kea_newtonGradient(q);
         if (kea_newtonFactorize(q, MEFALSE)) {

@@ -1,15 +1,15 @@
 /* The order in which the nodes of a graph are eliminated: minimum degree.
  *
- * Eliminating a node joins all its neighbours with one another; the fewer it has, the fewer blocks come into being.
- * Chains and trees are eliminated from their leaves, without any. The neighbours that a node has when its turn comes
- * are the structure of its column in the factor.
+ * Eliminating a node connects all its neighbours with one another; the fewer it has, the less fill-in arises. Chains
+ * and trees are eliminated from their leaves, without fill-in. The neighbours that a node has when it is eliminated are
+ * the structure of its column in the factor. The `turn' of a node is its index in the order of elimination.
  *
- * The graph that is left is kept as a quotient graph (George and Liu 1981, ch. 5): an eliminated node is an element,
- * which stands for all the edges between the nodes of its column. The neighbours of a node are those that edges of the
- * graph itself lead to, and those of its elements; an element whose nodes are all in a later one is dropped. So a node
- * never needs more room than its edges took, and what is written for every turn is the column alone. Degrees are exact:
- * what an element adds to the new one is counted once for all its nodes (Amestoy, Davis and Duff 1996), and only where
- * two or more add something are their nodes looked at one by one.
+ * The remaining graph is stored as a quotient graph (George and Liu 1981, ch. 5): an eliminated node becomes an
+ * element, which represents all edges between the nodes of its column. The neighbours of a node are the ends of its
+ * remaining edges and the nodes of its elements; an element whose nodes are all in a later one is dropped. So the lists
+ * of a node never exceed the memory of its original edges, and each turn writes only a column. Degrees are exact: the
+ * nodes that an element has in addition to the new one are counted once for all nodes of the column (Amestoy, Davis and
+ * Duff 1996); only if two or more elements add nodes are these visited one by one.
  */
 #include "inner/kea_order_i.h"
 #include "MeAssert.h"
@@ -20,22 +20,22 @@ typedef struct Degree {
 } Degree;
 
 typedef struct Node {
-    int first, last;    /* its room in `slots`: edges from the front, elements from the back */
-    int edges;          /* slots[first .. first + edges), ascending */
-    int elements;       /* slots[last - elements .. last) */
-    Degree degree;      /* of its neighbours */
-    int weight;         /* what it is queued by */
-    int next, previous; /* among the nodes of one weight */
-    int column;         /* the last turn in whose column it is */
+    int first, last;    /* its range of `slots`: edges from the front, elements from the back */
+    int edges;          /* number of edges: slots[first .. first + edges), ascending */
+    int elements;       /* number of elements: slots[last - elements .. last) */
+    Degree degree;      /* numbers of its neighbours and of their unknowns */
+    int weight;         /* its key in the queue */
+    int next, previous; /* links of the list of nodes with this weight */
+    int column;         /* the last turn whose column contains it */
     int lastVisit;      /* the last visit that has counted it */
 } Node;
 
 /* An eliminated node in the quotient graph. */
 typedef struct Element {
-    int start, end; /* of its nodes, in rows; none: it was dropped */
-    Degree whole;   /* its nodes */
-    Degree outside; /* those of them that the column of turn `seen` does not have */
-    int seen;
+    int start, end; /* its nodes: row[start .. end); none: it was dropped */
+    Degree whole;   /* of all its nodes */
+    Degree outside; /* of its nodes that are not in the column of turn `seen` */
+    int seen;       /* the last turn that `outside` was computed for */
 } Element;
 
 typedef struct Elimination {
@@ -44,13 +44,13 @@ typedef struct Elimination {
     int *slots;
     Node *node;
     Element *element; /* by node */
-    int *first;       /* by weight: the queue */
-    int min;          /* no weight below has a node */
+    int *first;       /* by weight: the first node of its list in the queue */
+    int min;          /* lower bound of the weights in the queue */
     int *merged[2];   /* scratch, numNodes each */
     int visits;
 } Elimination;
 
-/* ---- the queue: last in, first out among those of one weight ---- */
+/* ---- the queue: last in, first out among nodes of equal weight ---- */
 
 static void enqueue(Elimination *g, int i) {
     Node *node = g->node;
@@ -73,7 +73,7 @@ static void dequeue(Elimination *g, int i) {
         g->first[node[i].weight] = node[i].next;
 }
 
-/* Nodes are queued by the unknowns of their neighbours; a leaf, which causes no fill-in, before all others. */
+/* The key of a node in the queue: the number of unknowns of its neighbours; 1 for a leaf, which causes no fill-in. */
 static int weightOf(Degree d) {
     return d.nodes == 1 ? 1 : d.unknowns;
 }
@@ -88,7 +88,7 @@ static int popMin(Elimination *g) {
 
 /* ---- the graph ---- */
 
-/* Each node's room, from the numbers of its edges. */
+/* Sets each node's range of `slots`, which is as large as its number of edges. */
 static void divideSlots(Elimination *g, int numNodes, int numEdges, const int (*edges)[2]) {
     int at = 0;
     for (int e = 0; e < numEdges; e++) {
@@ -104,7 +104,8 @@ static void divideSlots(Elimination *g, int numNodes, int numEdges, const int (*
     MEASSERT(at == 2 * numEdges);
 }
 
-/* The neighbours of each node, ascending: they are entered by ascending neighbour, from lists in any order. */
+/* Lists the neighbours of each node in ascending order: first in any order in `unsorted`, then sorted, by visiting
+ * neighbours in ascending order. */
 static void readEdges(Elimination *g, int *unsorted, int numNodes, int numEdges, const int (*edges)[2]) {
     for (int e = 0; e < numEdges; e++)
         for (int k = 0; k < 2; k++) {
@@ -123,8 +124,8 @@ static void readEdges(Elimination *g, int *unsorted, int numNodes, int numEdges,
 
 /* ---- one turn ---- */
 
-/* The union of two ascending lists, without v; returns how many. */
-static int merge(int *r, const int *a, int numA, const int *b, int numB, int v) {
+/* Writes the union of two ascending lists, without v, to r. Returns its length. */
+static int mergeSorted(int *r, const int *a, int numA, const int *b, int numB, int v) {
     int n = 0, s = 0, t = 0;
     while (s < numA && t < numB) {
         const int min = a[s] < b[t] ? a[s] : b[t];
@@ -142,7 +143,7 @@ static int merge(int *r, const int *a, int numA, const int *b, int numB, int v) 
     return n;
 }
 
-/* The column of turn t: the neighbours of v. Its elements are dropped. */
+/* Writes the column of turn t, the neighbours of v, which becomes an element. The elements of v are dropped. */
 static void writeColumn(Elimination *g, int t, int v) {
     KeaOrder *o = g->order;
     const Node *n = &g->node[v];
@@ -151,7 +152,7 @@ static void writeColumn(Elimination *g, int t, int v) {
     for (int k = n->last - n->elements; k < n->last; k++) {
         Element *e = &g->element[g->slots[k]];
         int *merged = g->merged[column == g->merged[0]];
-        count = merge(merged, column, count, o->row + e->start, e->end - e->start, v);
+        count = mergeSorted(merged, column, count, o->row + e->start, e->end - e->start, v);
         column = merged;
         e->end = e->start;
     }
@@ -161,7 +162,7 @@ static void writeColumn(Elimination *g, int t, int v) {
     g->element[v] = (Element){o->start[t], o->start[t + 1], n->degree, {0, 0}, -1};
 }
 
-/* Which nodes are in it, and of other elements the part that is not. */
+/* Marks the nodes of the column, and computes `outside` of all other elements that contain one of them. */
 static void compareElements(Elimination *g, int t, int v) {
     const KeaOrder *o = g->order;
     g->node[v].column = t;
@@ -182,7 +183,8 @@ static void compareElements(Elimination *g, int t, int v) {
     }
 }
 
-/* Edges to nodes of the column are its element's now; elements within it are dropped. */
+/* Updates the lists of node i of the column: adds the new element v; removes edges to nodes of the column, which v
+ * represents, and elements that lie within it. */
 static void updateNode(Elimination *g, int i, int t, int v) {
     Node *n = &g->node[i];
     int edges = n->first, elements = n->last;
@@ -200,12 +202,12 @@ static void updateNode(Elimination *g, int i, int t, int v) {
     n->elements = n->last - elements;
 }
 
-static void add(Degree *d, int unknowns) {
+static void addNeighbour(Degree *d, int unknowns) {
     d->nodes++;
     d->unknowns += unknowns;
 }
 
-/* What two or more elements have beside the column, whose nodes they may share. */
+/* Adds the nodes that two or more elements of n have in addition to the column, each once. */
 static void addElements(Elimination *g, Degree *d, const Node *n, int t) {
     g->visits++;
     for (int k = n->last - n->elements + 1; k < n->last; k++) {
@@ -213,18 +215,19 @@ static void addElements(Elimination *g, Degree *d, const Node *n, int t) {
         for (int r = e->start; r < e->end; r++) {
             Node *other = &g->node[g->order->row[r]];
             if (other->column != t && other->lastVisit != g->visits)
-                add(d, g->size[g->order->row[r]]);
+                addNeighbour(d, g->size[g->order->row[r]]);
             other->lastVisit = g->visits;
         }
     }
 }
 
-/* Edges lead to nodes of no element of i, so only elements overlap. The first of them is the new one, v. */
+/* The degree of node i. Its edges lead to nodes of none of its elements, so that only elements overlap. The first of
+ * these is the new one, v. */
 static Degree degreeOf(Elimination *g, int i, int t, int v) {
     const Node *n = &g->node[i];
     Degree d = {g->element[v].whole.nodes - 1, g->element[v].whole.unknowns - g->size[i]};
     for (int k = n->first; k < n->first + n->edges; k++)
-        add(&d, g->size[g->slots[k]]);
+        addNeighbour(&d, g->size[g->slots[k]]);
     if (n->elements == 2) {
         const Degree *outside = &g->element[g->slots[n->last - 1]].outside;
         d.nodes += outside->nodes;
@@ -235,7 +238,7 @@ static Degree degreeOf(Elimination *g, int i, int t, int v) {
     return d;
 }
 
-static void eliminate(Elimination *g, int t, int v) {
+static void eliminateNode(Elimination *g, int t, int v) {
     const KeaOrder *o = g->order;
     writeColumn(g, t, v);
     compareElements(g, t, v);
@@ -272,8 +275,8 @@ static MeBool makeRoomForRows(KeaOrder *o, int used, int more) {
     return METRUE;
 }
 
-/* Empty nodes in an empty queue. */
-static void clear(Elimination *g, int numNodes, int numWeights) {
+/* Initializes all nodes, and an empty queue. */
+static void initializeNodes(Elimination *g, int numNodes, int numWeights) {
     for (int i = 0; i < numNodes; i++)
         g->node[i] = (Node){.column = -1};
     for (int w = 0; w < numWeights; w++)
@@ -294,12 +297,12 @@ static MeBool eliminateAll(Elimination *g) {
             return MEFALSE;
         o->node[t] = v;
         o->turn[v] = t;
-        eliminate(g, t, v);
+        eliminateNode(g, t, v);
     }
     return METRUE;
 }
 
-/* Every node has its turn once. */
+/* Whether every node has exactly one turn. */
 static inline MeBool isPermutation(const KeaOrder *o) {
     for (int t = 0; t < o->numNodes; t++)
         if (o->node[t] < 0 || o->node[t] >= o->numNodes || o->turn[o->node[t]] != t)
@@ -319,7 +322,7 @@ MeBool kea_orderFind(KeaOrder *o, int numNodes, const int size[], int numEdges, 
     arena = (KeaArena){o->work.memory, 0};
     layOutElimination(&g, (size_t)numNodes, (size_t)numEdges, (size_t)numWeights, &arena);
     o->numNodes = numNodes;
-    clear(&g, numNodes, numWeights);
+    initializeNodes(&g, numNodes, numWeights);
     divideSlots(&g, numNodes, numEdges, edges);
     readEdges(&g, o->row, numNodes, numEdges, edges);
     if (!eliminateAll(&g))

@@ -1,5 +1,5 @@
-/* The inner problem's data (kea_problem_i.h): memory, the graph of its rows, work, and what every method of solution
- * needs. */
+/* The inner problem (kea_problem_i.h): memory, the graph of its rows, work, effective masses and residuals, which all
+ * methods of solution share. */
 #include "inner/kea_problem_i.h"
 #include "MdtKeaMath.h"
 #include "MeAssert.h"
@@ -61,8 +61,8 @@ void kea_problemAddWork(KeaProblem *q, double work) {
     q->counts.work += work;
 }
 
-/* One iteration: the matrix and its factors, a solution with them, and some visits of each row: gradient, forces, and
- * the line search, which takes about five. */
+/* An iteration: assembly and factorization, one solution with the factors, and visits of each row for gradient, forces
+ * and line search. */
 double kea_problemIterationWork(const KeaProblem *q, MeBool unsymmetric) {
     return (unsymmetric ? 2 : 1) * kea_factorFlops(q->factor) + 2.0 * (double)kea_factorEntries(q->factor) +
            (double)q->numRows * (KEA_ASSEMBLY + KEA_ITERATION_VISITS * KEA_VISIT);
@@ -78,7 +78,7 @@ MeBool kea_problemMaySpend(KeaProblem *q, MeBool unsymmetric) {
     return !q->counts.isLimited;
 }
 
-/* ---- effective masses; from pass to pass ---- */
+/* ---- effective masses, accumulation over solves ---- */
 
 void kea_problemSetEffectiveMasses(KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++) {
@@ -123,7 +123,7 @@ double kea_energyOf(const KeaMetric *B, const double a[6], const double b[6]) {
 
 /* ---- residuals ---- */
 
-/* m per unit of a row's coordinate, as kea_lengthOf. */
+/* m per unit of a row's coordinate: 1 for a linear row, the larger body size for an angular one. */
 static double lengthOf(const KeaProblem *q, const KeaProblemRow *row) {
     double size = 0;
     for (int k = 0; k < 2; k++) {
@@ -140,7 +140,7 @@ static double lengthOf(const KeaProblem *q, const KeaProblemRow *row) {
 static double coneResidual(const KeaProblem *q, const KeaProblemRow *row, const double slip[2]) {
     const KeaProblemRow *other = &q->row[row->partner];
     const double bound = kea_frictionBound(q, row);
-    const double unit = row->Aii + row->E; /* the impulse of a soft row changes little */
+    const double unit = row->Aii + row->E; /* m/s per N s, compliance included */
     const double a = row->p - slip[0] / unit, b = other->p - slip[1] / unit, size = keaHypotenuse(a, b);
     const double share = size > bound ? bound / size : 1;
     return row->Aii * keaHypotenuse(row->p - share * a, other->p - share * b);

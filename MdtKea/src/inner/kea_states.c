@@ -1,36 +1,37 @@
-/* The coupled problem by an active set method: which rows hold, which are at a bound, and in which direction contacts
- * slide (Alart and Curnier, A mixed formulation for frictional contact problems prone to Newton like solution methods,
- * 1991).
+/* The coupled problem by an active set method. The state of a row: within its bounds (active), at a bound, or sliding
+ * in a known direction (Alart and Curnier, A mixed formulation for frictional contact problems prone to Newton like
+ * solution methods, 1991).
  *
  * With p the impulse of a row and m = r - J d - E p - N (p - p0) its residual, its state follows from
  *
- *     z = p + m / A_ii:    held while z is within its bounds or its cone, else at the bound, or sliding along z.
+ *     z = p + m / A_ii:    active if z is within its bounds or its cone, else at the bound, or sliding along z.
  *
  * z is the impulse by which the row alone would fulfil its law. (y of kea_newton.c is z with N in place of A_ii: equal
- * at the solution, but far from it, as N << A_ii, it is no more than the sign of m.) For given states p is an affine
- * function of d, with R = μ p of the normal row, k = R/|z| and w = z/|z|:
+ * at the solution, but far from it, as N << A_ii, it has no more information than the sign of m.) For given states p is
+ * an affine function of d, with R = μ p of the normal row, k = R/|z| and w = z/|z|:
  *
- *     held:  p = (r - J d + N p0) / (E + N)
- *     slid:  along w  p = R,  across it  p = (r - J d + N p0) / (A (1 - k)/k + E + N)
+ *     active:   p = (r - J d + N p0) / (E + N)
+ *     sliding:  along w  p = R,  across it  p = (r - J d + N p0) / (A (1 - k)/k + E + N)
  *
  * and one linear system gives d; z of the new d and p gives the next states. From good states, such as those of the
- * last step or pass, this takes one to five solves. There is no line search: where states alternate, it is given up.
+ * last step or pass, this takes one to five solves. There is no line search: if states alternate, the method fails.
  */
 #include "common/kea_policy_i.h"
 #include "inner/kea_newton_i.h"
 #include <math.h>
 
-/* 1/kg: A_ii + E; of a cone the mean A_ii of its two rows, so that z has the direction of the slip. */
+/* 1/kg: A_ii + E, for a cone with the mean A_ii of its two rows, so that z has the direction of the slip. */
 static double diagonalOf(const KeaProblem *q, const KeaProblemRow *row) {
     return (row->partner < 0 ? row->Aii : 0.5 * (row->Aii + q->row[row->partner].Aii)) + row->E;
 }
 
+/* N s: z of a row. */
 static double isolatedImpulse(const KeaProblemRow *row, double diagonal) {
     return row->affine + (row->r - row->Jd - row->E * row->affine - row->N * (row->affine - row->p0)) / diagonal;
 }
 
-/* J: the squared distance of p from its bounds, the same unit for forces and torques. */
-static double violation(double p, double allowed, double diagonal) {
+/* J: the squared distance of p from its bounds, in a unit that is the same for forces and torques. */
+static double squaredViolation(double p, double allowed, double diagonal) {
     return diagonal * (p - allowed) * (p - allowed);
 }
 
@@ -38,12 +39,12 @@ static double chooseBounded(KeaProblemRow *row, double lower, double upper, doub
     const double z = isolatedImpulse(row, diagonal);
     row->state = z > lower && z < upper ? KEA_ACTIVE : KEA_IDLE;
     row->p = keaMin(keaMax(z, lower), upper);
-    return violation(row->affine, row->p, diagonal);
+    return squaredViolation(row->affine, row->p, diagonal);
 }
 
 static double chooseForced(KeaProblemRow *row, double bound) {
     row->state = KEA_SLIPS;
-    return violation(row->affine, row->forced * bound, row->Aii);
+    return squaredViolation(row->affine, row->forced * bound, row->Aii);
 }
 
 static double chooseInterval(KeaProblemRow *row, double bound, double diagonal) {
@@ -63,10 +64,10 @@ static double chooseCone(KeaProblemRow *row, KeaProblemRow *other, double bound,
     row->along = sticks ? 0 : a / length;
     other->along = sticks ? 0 : b / length;
     row->across = other->across = share > 0 ? 1 / (diagonal * (1 - share) / share + softness(row)) : 0;
-    return violation(row->affine, share * a, diagonal) + violation(other->affine, share * b, diagonal);
+    return squaredViolation(row->affine, share * a, diagonal) + squaredViolation(other->affine, share * b, diagonal);
 }
 
-/* The states of all rows from `affine` and d. Returns the sum of their violations, J. */
+/* Chooses the states of all rows from `affine` and d. Returns the sum of their violations, J. */
 static double chooseStates(KeaProblem *q) {
     double violated = 0;
     for (int i = 0; i < q->numRows; i++) {
@@ -87,7 +88,7 @@ static double chooseStates(KeaProblem *q) {
     return violated;
 }
 
-/* p of a sliding row; that of its normal row is set before. */
+/* p of a sliding row; p of its normal row is set already. */
 static double slidingForce(const KeaProblem *q, const KeaProblemRow *row) {
     const double bound = row->friction * q->row[row->normal].p;
     if (row->isForced)
@@ -99,7 +100,7 @@ static double slidingForce(const KeaProblem *q, const KeaProblemRow *row) {
     return row->along * bound + row->across * softness(row) * (row->y - row->along * along);
 }
 
-/* p from y for the present states, not clamped. */
+/* Sets p from y for the present states, not clamped. */
 static void setForces(KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
@@ -109,18 +110,19 @@ static void setForces(KeaProblem *q) {
     }
 }
 
-static void keepAffine(KeaProblem *q) {
+static void saveAffine(KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++)
         q->row[i].affine = q->row[i].p;
 }
 
-/* Solves for the present states, then clamps p to its bounds. Returns the error of the gradient, in tolerances. */
+/* Solves the linear system of the present states, then clamps p to its bounds. Returns the error of the gradient, in
+ * tolerances. */
 static double applyNewtonStep(KeaProblem *q) {
     kea_newtonDirection(q);
     kea_newtonApply(q, 1);
     kea_newtonSetUnclamped(q, 0);
     setForces(q);
-    keepAffine(q);
+    saveAffine(q);
     kea_newtonClamp(q, METRUE);
     return kea_newtonError(q, 0);
 }
@@ -134,7 +136,7 @@ static MeBool areStatesFactored(const KeaProblem *q) {
 
 MeBool kea_statesRefine(KeaProblem *q) {
     double error = HUGE_VAL;
-    keepAffine(q);
+    saveAffine(q);
     chooseStates(q);
     kea_newtonSetUnclamped(q, 0);
     for (int i = 0; i < KEA_MAX_REFINEMENTS && areStatesFactored(q); i++) {
@@ -152,7 +154,7 @@ MeBool kea_statesRefine(KeaProblem *q) {
 }
 
 MeBool kea_statesSolve(KeaProblem *q) {
-    keepAffine(q);
+    saveAffine(q);
     double violated = chooseStates(q);
     kea_newtonSetUnclamped(q, 0);
     for (int i = 0; i < KEA_MAX_COUPLED; i++) {

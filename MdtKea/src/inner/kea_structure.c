@@ -1,5 +1,6 @@
-/* The structure of a sparse factor (kea_structure_i.h): columns in the order of turns, rows by turn, and where each
- * block comes from. It follows from the graph and its order of elimination, in time proportional to its size. */
+/* The structure of a sparse factor (kea_structure_i.h): columns in the order of elimination, their rows, and the
+ * columns that update each of them. It is computed from the graph and its order of elimination, in time proportional to
+ * its size. */
 #include "inner/kea_structure_i.h"
 #include "MeAssert.h"
 #include <string.h>
@@ -41,7 +42,8 @@ size_t kea_structureLayOutNumbers(KeaFactor *f, char *memory) {
 
 /* ---- the plan ---- */
 
-/* A column's blocks; its part of the work of a Cholesky factorization: the squares of its columns' lengths. */
+/* Adds the size of node i's blocks, and its part of the work of a Cholesky factorization: the sum of the squared
+ * lengths of its scalar columns. */
 static void measureColumn(KeaFactor *f, const KeaOrder *o, const int size[], int i) {
     const int t = o->turn[i];
     double length = 0;
@@ -82,31 +84,31 @@ static void copyGraph(KeaFactor *f, const int size[], const int (*edges)[2]) {
     }
 }
 
-/* Makes of counts[t + 1] the starts: those of t begin at counts[t]. */
-static void sumUp(int counts[], int n) {
+/* Prefix sum: turns the numbers of elements in counts[t + 1] into starts, so that list t begins at counts[t]. */
+static void prefixSum(int counts[], int n) {
     for (int t = 0; t < n; t++)
         counts[t + 1] += counts[t];
 }
 
-/* After a list for each t has been filled, with its start moved on for each member. */
-static void moveBack(int starts[], int n) {
+/* Restores the starts after all lists have been filled, which has advanced each start to the end of its list. */
+static void restoreStarts(int starts[], int n) {
     memmove(starts + 1, starts, (size_t)n * sizeof *starts);
     starts[0] = 0;
 }
 
-/* Enters each column in the source lists of its rows, by ascending turn, so that these lists ascend. */
+/* Adds each column to the source lists of its rows. Columns are visited by ascending turn, so that the lists ascend. */
 static void listSources(KeaFactor *f, const KeaOrder *o) {
     memset(f->sourceStart, 0, (size_t)(f->numNodes + 1) * sizeof *f->sourceStart);
     for (int k = 0; k < f->numEntries; k++)
         f->sourceStart[o->turn[o->row[k]] + 1]++;
-    sumUp(f->sourceStart, f->numNodes);
+    prefixSum(f->sourceStart, f->numNodes);
     for (int t = 0; t < f->numNodes; t++)
         for (int k = o->start[t]; k < o->start[t + 1]; k++)
             f->source[f->sourceStart[o->turn[o->row[k]]]++].turn = t;
-    moveBack(f->sourceStart, f->numNodes);
+    restoreStarts(f->sourceStart, f->numNodes);
 }
 
-/* Enters each row in the columns of its sources, by ascending turn, so that columns ascend. */
+/* Adds each row to the columns of its sources. Rows are visited by ascending turn, so that the columns ascend. */
 static void writeColumns(KeaFactor *f, const KeaOrder *o) {
     memcpy(f->node, o->node, (size_t)f->numNodes * sizeof *f->node);
     memcpy(f->start, o->start, (size_t)(f->numNodes + 1) * sizeof *f->start);
@@ -115,7 +117,7 @@ static void writeColumns(KeaFactor *f, const KeaOrder *o) {
             f->source[s].entry = f->start[f->source[s].turn]++;
             f->entry[f->source[s].entry] = (KeaFactorEntry){.row = row, .edge = -1};
         }
-    moveBack(f->start, f->numNodes);
+    restoreStarts(f->start, f->numNodes);
     size_t at = 0;
     for (int t = 0; t < f->numNodes; t++)
         for (int k = f->start[t]; k < f->start[t + 1]; k++) {
@@ -142,7 +144,7 @@ static void placeEdges(KeaFactor *f, const KeaOrder *o) {
     }
 }
 
-/* Rows of a column come after it, in the order of their turns; blocks do not overlap. */
+/* Checks that the rows of each column come after it, in the order of their turns, and that blocks do not overlap. */
 static inline MeBool hasSortedColumns(const KeaFactor *f) {
     size_t at = 0;
     for (int t = 0; t < f->numNodes; t++)

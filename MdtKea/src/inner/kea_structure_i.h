@@ -1,6 +1,6 @@
-/* Inside Kea: a sparse factor as its files see it (kea_factor_i.h). The structure (symbolic phase) belongs to a graph
- * and is kept in the cache. The numbers belong to one matrix, from kea_factorClear to kea_factorSolve: factors share
- * their memory. */
+/* Inside Kea: the record of a sparse factor (kea_factor_i.h). Its structure (symbolic phase) belongs to a graph and is
+ * kept in the cache. Its numbers belong to one matrix, from kea_factorClear to kea_factorSolve: factors share their
+ * memory. The `turn' of a node is its index in the order of elimination. */
 #ifndef KEA_STRUCTURE_I_H
 #define KEA_STRUCTURE_I_H
 
@@ -8,19 +8,20 @@
 #include "inner/kea_factor_i.h"
 #include "inner/kea_order_i.h"
 
+/* A block of a column below its diagonal. */
 typedef struct KeaFactorEntry {
-    size_t at;   /* where the block is, in upper and lower */
+    size_t at;   /* offset of the block in upper and lower */
     int row;     /* turn of the row's node */
-    int edge;    /* of the graph; -1: fill-in */
+    int edge;    /* edge of the graph; -1: fill-in */
     MeBool flip; /* A_ij of the edge is the lower block */
 } KeaFactorEntry;
 
-/* A column `turn` that updates another one, by the block at this entry of its own. */
+/* An earlier column, with the index `turn`, that updates another column by its block `entry`. */
 typedef struct KeaFactorSource {
     int turn, entry;
 } KeaFactorSource;
 
-/* The memory of all factors' numbers, and the one that has it now. */
+/* The shared memory of the numbers of all factors, and the factor that uses it at present. */
 typedef struct KeaNumbers {
     KeaBlock block;
     const KeaFactor *owner;
@@ -29,9 +30,9 @@ typedef struct KeaNumbers {
 struct KeaFactor {
     int numNodes, numEdges, numEntries;
     double flops;
-    size_t diagonalSize, inputSize, factorSize; /* of the numbers */
+    size_t diagonalSize, inputSize, factorSize; /* numbers of doubles: of diagonal, of upperInput, of upper */
     /* structure, in one block of memory */
-    int *size, *offset; /* by node; the offset of one more */
+    int *size, *offset; /* by node: unknowns; index of the first one in vectors, and at the end their number */
     int (*edges)[2];
     int *node;             /* by turn */
     int *start;            /* by turn, and one more: */
@@ -40,17 +41,17 @@ struct KeaFactor {
     KeaFactorSource *source; /* of turn t: source[sourceStart[t] .. sourceStart[t + 1]), ascending turns */
     size_t *diagonalAt;      /* by node */
     size_t *edgeAt;          /* by edge */
-    /* numbers, laid out when the factor takes their memory */
+    /* numbers, laid out when the factor acquires their memory */
     KeaNumbers *numbers;
-    double *diagonal, *upperInput, *lowerInput;
-    double *pivot; /* by node: the factors of the diagonal block */
-    double *upper, *lower;
-    int *exchange; /* by unknown: the row exchanges within a block */
-    int *place;    /* by turn: the entry of the column that is being made */
+    double *diagonal, *upperInput, *lowerInput; /* the blocks of the matrix */
+    double *pivot;                              /* by node: the factors of the diagonal block */
+    double *upper, *lower;                      /* the blocks of the factors; `lower` is transposed */
+    int *exchange;                              /* by unknown: the row exchanges within a block */
+    int *place;                                 /* by turn: the entry of this row in the column that is computed */
     MeBool isSymmetric;
 };
 
-/* Loops over the numbers, once for each width of registers that the machine may have (kea_factor_kernel_i.h). */
+/* The numeric operations, compiled once for each width of registers that a machine may have (kea_factor_kernel_i.h). */
 typedef struct KeaFactorKernel {
     MeBool (*factorize)(KeaFactor *f, double min);
     void (*solve)(const KeaFactor *f, double x[]);
@@ -64,13 +65,13 @@ extern const KeaFactorKernel kea_factorKernel;
 extern const KeaFactorKernel kea_factorKernelAvx2;
 #endif
 
-/* What the factor of a graph will need. Returns the bytes of its structure. */
+/* Computes the sizes and the work of the factor of a graph. Returns the bytes of its structure. */
 size_t kea_structurePlan(KeaFactor *f, const KeaOrder *o, const int size[], int numEdges, const int (*edges)[2]);
-/* Writes the structure that was planned. */
+/* Writes the planned structure to `memory`. */
 void kea_structureWrite(KeaFactor *f, char *memory, const KeaOrder *o, const int size[], const int (*edges)[2]);
-/* Sets the pointers of a structure that was moved to `memory`. */
+/* Updates the pointers after the structure was moved to `memory`. */
 void kea_structureMove(KeaFactor *f, char *memory);
-/* Lays the numbers out; with no memory it only measures. Returns their bytes. */
+/* Lays out the numbers in `memory`; null: only measures. Returns their bytes. */
 size_t kea_structureLayOutNumbers(KeaFactor *f, char *memory);
 
 #endif

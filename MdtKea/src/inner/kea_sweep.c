@@ -1,27 +1,27 @@
 /* The inner problem by accelerated projected Gauss-Seidel: the fallback when the budget of work is used up
  * (kea_problem_i.h).
  *
- * The unknowns are impulses. With d = B⁻¹ (Jᵀ p - g) at all times, so that momentum is conserved even if the rest has
- * not converged, row by row
+ * The unknowns are impulses. d = B⁻¹ (Jᵀ p - g) at all times, so that momentum is conserved even by sweeps that have
+ * not converged. A sweep updates row by row
  *
  *     Δp = (r - J d - E p) / (A_ii + E),  p within its bounds,  d += B⁻¹ Jᵀ Δp.
  *
  * Sweeps are accelerated (Nesterov 1983): each starts from y = p + β (p - p_before), d likewise, with β = (θ - 1)/θ',
- * θ' = (1 + √(1 + 4 θ²))/2, and without momentum again (restart) where the last sweep went against it, Σ A_ii (y - p)(p
- * - p_before) > 0 (O'Donoghue & Candès 2015). 32 of them do what 500 plain ones do in a pyramid. All visit the rows in
- * the same order: with alternating order the momentum does not help.
+ * θ' = (1 + √(1 + 4 θ²))/2. The momentum is restarted from β = 0 if the last sweep went against it, Σ A_ii (y - p)(p -
+ * p_before) > 0 (O'Donoghue & Candès 2015). In a pyramid 32 such sweeps do what 500 plain ones do. All visit the rows
+ * in the same order: with alternating order the momentum does not help.
  *
  * Without friction a sweep lowers
  *
  *     D(p) = 1/2 (Jᵀ p - g)ᵀ B⁻¹ (Jᵀ p - g) + 1/2 pᵀ E p - pᵀ r,
  *
- * which for contacts with the target velocity 0, r = -J v, is the kinetic energy after the impulses but for a constant.
- * An answer with D(p) <= D(0) has gained no energy: the last sweep's is taken if that holds, else that of least D of
- * all sweeps and starts. The least D is not taken in the first place since, with friction, D decreases as normal forces
- * grow beyond what is needed, for the friction that they allow. The start is the one of least D among the impulses that
- * the problem came with, those of Newton's last iterate, and p = 0.
+ * which for contacts with the target velocity 0, r = -J v, is the kinetic energy after the impulses, up to a constant.
+ * An answer with D(p) <= D(0) has gained no energy. The answer is that of the last sweep, if this holds for it, else
+ * that of smallest D among all sweeps and starts. The smallest D is not the first choice: with friction, D decreases
+ * when normal forces exceed what is needed, because of the friction that they allow. The start is the one of smallest D
+ * among the impulses of Newton's last iterate, those that the problem came with (p0), and p = 0.
  *
- * The cost is some multiplications per row, without a matrix.
+ * The cost is some multiplications per row; no matrix is needed.
  */
 #include "inner/kea_problem_i.h"
 #include "MeAssert.h"
@@ -53,7 +53,7 @@ static double rateOfChange(const KeaProblem *q, const KeaProblemRow *row) {
 }
 
 /* d := B⁻¹ (Jᵀ p - g). */
-static void setMotion(KeaProblem *q) {
+static void solveBodies(KeaProblem *q) {
     for (int b = 0; b < q->numBodies; b++) {
         double minus[6];
         for (int i = 0; i < 6; i++)
@@ -65,7 +65,7 @@ static void setMotion(KeaProblem *q) {
         addImpulse(q, &q->row[i], q->row[i].p);
 }
 
-/* D, twice. */
+/* 2 D. */
 static double objective(const KeaProblem *q) {
     double sum = 0;
     for (int b = 0; b < q->numBodies; b++)
@@ -97,7 +97,7 @@ static void restoreBest(KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++)
         if (q->row[i].normal >= 0)
             setFrictionBound(q, &q->row[i]);
-    setMotion(q);
+    solveBodies(q);
 }
 
 static double clampToBounds(const KeaProblemRow *row, double p) {
@@ -130,15 +130,15 @@ static void projectImpulses(KeaProblem *q) {
 
 static void tryStart(KeaProblem *q, double *min) {
     projectImpulses(q);
-    setMotion(q);
+    solveBodies(q);
     keepIfBetter(q, min);
 }
 
-/* Chooses the start of least D. Returns its 2 D, and 2 D(0) in `none`. */
+/* Chooses the start of smallest D. Returns its 2 D; writes 2 D(0) to `none`. */
 static double chooseStart(KeaProblem *q, double *none) {
     double min = HUGE_VAL;
     for (int i = 0; i < q->numRows; i++)
-        q->row[i].bestP = q->row[i].p; /* in case that all D are NaN */
+        q->row[i].bestP = q->row[i].p; /* for the case that all D are NaN */
     tryStart(q, &min);
     for (int i = 0; i < q->numRows; i++)
         q->row[i].p = q->row[i].isInactive ? q->row[i].p : q->row[i].p0;
@@ -155,8 +155,8 @@ static double chooseStart(KeaProblem *q, double *none) {
     return min;
 }
 
-/* The Gauss-Seidel update of p without bounds; `unit` is A_ii + E, of a cone the larger one of its two rows. 0 where
- * stiffness of a very fast spin has left the row no mass that is positive. */
+/* The Gauss-Seidel update of p without bounds; `unit` is A_ii + E, for a cone the larger one of its two rows. 0 if the
+ * geometric stiffness of a very fast spin has made `unit` not positive. */
 static double freeImpulse(const KeaProblem *q, const KeaProblemRow *row, double unit) {
     return !(unit > 0) ? 0 : row->p + (row->r - rateOfChange(q, row) - row->E * row->p) / unit;
 }
@@ -174,7 +174,7 @@ static void relaxFriction(KeaProblem *q, int i) {
         sweepImpulse(q, row, row->forced * bound);
     } else if (other && !other->isForced) {
         if (row->partner < i)
-            return; /* with its partner */
+            return; /* solved with its partner */
         const double unit = keaMax(row->Aii + row->E, other->Aii + other->E);
         const double a = freeImpulse(q, row, unit), b = freeImpulse(q, other, unit), size = keaHypotenuse(a, b);
         const double share = size > bound ? bound / size : 1;
@@ -208,7 +208,7 @@ static Momentum noMomentum(void) {
     return m;
 }
 
-/* p := p + β (p - previousP), d likewise; previousP, savedD and y hold the values before and after. */
+/* p := p + β (p - previousP), d likewise. Stores the old values in previousP and savedD, the new p in y. */
 static void extrapolate(KeaProblem *q, double beta) {
     for (int b = 0; b < q->numBodies; b++)
         for (int k = 0; k < 6; k++) {
@@ -224,13 +224,13 @@ static void extrapolate(KeaProblem *q, double beta) {
     }
 }
 
-/* The change of p by a sweep, in squares weighted by A_ii, 2 J. */
+/* The change of p by a sweep, in products weighted by A_ii. */
 typedef struct Change {
-    double against;      /* scalar product with the momentum, negated; positive: restart */
+    double against;      /* minus the scalar product of change and momentum; positive: restart */
     double moved, total; /* squared norms of the change and of p */
 } Change;
 
-static Change changeOf(const KeaProblem *q) {
+static Change measureChange(const KeaProblem *q) {
     Change c = {0, 0, 0};
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
@@ -267,8 +267,8 @@ MeBool kea_problemMaySweep(const KeaProblem *q) {
            (!(q->maxWork > 0) || q->counts.work + kea_problemWorkOfSweptPass(q, KEA_FEWEST_SWEEPS) <= q->maxWork);
 }
 
-/* The sweeps within this pass's share of the work that is left; one linearization is kept back, for restoring an
- * earlier answer. Passes with less than KEA_SOME_SWEEPS are merged into fewer. */
+/* The number of sweeps within this pass's share of the remaining work. One linearization is reserved, for restoring an
+ * earlier answer. If passes would have fewer than KEA_SOME_SWEEPS, there are fewer passes. */
 static int numberOfSweeps(const KeaProblem *q) {
     if (!(q->maxWork > 0))
         return KEA_SWEEPS;
@@ -287,7 +287,7 @@ void kea_problemSweep(KeaProblem *q) {
     for (; sweeps < max && !hasSettled(c); sweeps++) {
         sweepOnce(q, m.beta);
         keepIfBetter(q, &min);
-        c = changeOf(q);
+        c = measureChange(q);
         m = c.against > 0 ? noMomentum() : nextMomentum(m);
     }
     if (!(objective(q) <= none))
