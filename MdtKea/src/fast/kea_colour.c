@@ -1,9 +1,9 @@
-/* Manifolds of a node that share no body get the same colour: eight of them are solved at once, and the order within a
- * colour does not matter, so that the width of registers does not. Greedy, in the manifolds' order: the lowest colour
- * that neither body has. The world is nobody's neighbour.
+/* Graph colouring of the manifolds of a node: manifolds of one colour share no body. Eight of them are solved at once,
+ * and their order does not matter, so that results do not depend on the width of registers. The colouring is greedy, in
+ * the manifolds' order: each gets the lowest colour that neither of its bodies has yet. The world is not considered.
  *
- * A body with more neighbours than there are colours: the rest of its manifolds are alone in their groups, one after
- * the other, in the last colour. */
+ * If a body has more manifolds than there are colours, the remaining ones get the last colour, in which each manifold
+ * has a group of its own, and groups are solved one after the other. */
 #include "fast/kea_regions_i.h"
 #include "MeAssert.h"
 #include <string.h>
@@ -15,14 +15,14 @@ typedef struct Colouring {
     KeaRegions *regions;
 } Colouring;
 
-static int lowestFree(MeU64 usedColours) {
+static int lowestFreeColour(MeU64 usedColours) {
     int colour = 0;
     while (colour < ALONE && (usedColours >> colour & 1))
         colour++;
     return colour;
 }
 
-/* The colours that one of its bodies has (KeaRegions.taken); null: the world. */
+/* The colours that body k of a manifold has already (KeaRegions.usedColours); null: the world. */
 static MeU64 *usedColoursOf(const Colouring *c, const MdtKeaManifold *m, int k) {
     return m->body[k] >= 0 ? &c->regions->usedColours[c->regions->place[m->body[k]]] : NULL;
 }
@@ -45,7 +45,7 @@ static void chooseColours(const Colouring *c, const KeaNode *node, int count[COL
             usedColours[k] = usedColoursOf(c, m, k);
             both |= usedColours[k] ? *usedColours[k] : 0;
         }
-        const int colour = lowestFree(both);
+        const int colour = lowestFreeColour(both);
         for (int k = 0; k < 2; k++)
             if (usedColours[k] && colour < ALONE)
                 *usedColours[k] |= (MeU64)1 << colour;
@@ -54,7 +54,8 @@ static void chooseColours(const Colouring *c, const KeaNode *node, int count[COL
     }
 }
 
-/* By colour, and in it the most points first: faces share their lanes with faces. A counting sort. */
+/* Sorts the manifolds of a node by colour, then by descending number of points, so that groups have equal numbers: a
+ * counting sort. */
 static void sortByColour(const Colouring *c, const KeaNode *node, int count[COLOURS][KEA_POINTS + 1]) {
     const KeaRegions *r = c->regions;
     int at = node->firstManifold;
@@ -70,7 +71,7 @@ static void sortByColour(const Colouring *c, const KeaNode *node, int count[COLO
     }
 }
 
-static int groupsOf(int count[COLOURS][KEA_POINTS + 1]) {
+static int countGroups(int count[COLOURS][KEA_POINTS + 1]) {
     int groups = 0;
     for (int colour = 0; colour < COLOURS; colour++) {
         int here = 0;
@@ -86,7 +87,7 @@ static void colourNode(void *context, KeaNode *node) {
     int count[COLOURS][KEA_POINTS + 1] = {{0}};
     clearColours(c, node);
     chooseColours(c, node, count);
-    node->numGroups = groupsOf(count);
+    node->numGroups = countGroups(count);
     sortByColour(c, node, count);
 }
 
@@ -116,7 +117,7 @@ void kea_groupManifolds(const MdtKeaSystem *s, const KeaRegions *r, const KeaNod
             clearGroup(&groups[++group]);
             lane = 0;
         }
-        if (lane == 0) /* of a colour the most come first */
+        if (lane == 0) /* the first manifold of a group has the most points */
             groups[group].points = s->manifolds[sorted[i]].numPoints;
         groups[group].manifold[lane++] = sorted[i];
     }

@@ -1,4 +1,4 @@
-/* Copies manifolds, in double precision, into the groups of eight that passes work on, and their impulses back. */
+/* Copies manifolds (double precision) into the groups of eight that passes work on, and their impulses back. */
 #include "common/kea_anchor_i.h"
 #include "common/kea_policy_i.h"
 #include <string.h>
@@ -7,8 +7,8 @@
 #include "MeInternal.h"
 #include <stddef.h>
 
-/* Divides by the sum; false where it is 0. */
-static MeBool normalize(double share[], int count) {
+/* Divides the shares by their sum. False: it is 0. */
+static MeBool normalizeShares(double share[], int count) {
     double sum = 0;
     for (int k = 0; k < count; k++)
         sum += share[k];
@@ -17,21 +17,23 @@ static MeBool normalize(double share[], int count) {
     return sum > 0;
 }
 
-/* The share of each point in the load: as in the last step; of a new manifold, the same for all that touch. */
+/* Sets the share of each point in the load: as in the last step; without load then, equal for all touching points, or
+ * for all points if none touches. */
 static void setShares(const MdtKeaManifold *m, double share[KEA_POINTS]) {
     for (int k = 0; k < m->numPoints; k++)
         share[k] = keaMax(m->point[k].guess[0], 0);
-    if (normalize(share, m->numPoints))
+    if (normalizeShares(share, m->numPoints))
         return;
     for (int k = 0; k < m->numPoints; k++)
         share[k] = m->point[k].depth >= 0;
-    if (normalize(share, m->numPoints))
+    if (normalizeShares(share, m->numPoints))
         return;
     for (int k = 0; k < m->numPoints; k++)
         share[k] = 1 / (double)m->numPoints;
 }
 
-/* The centre, at which friction acts, is the centre of the load, so that a point without load gives it no lever. */
+/* Sets centre and coordinates of a manifold. The centre, at which friction acts, is that of the load, so that points
+ * without load do not add to the lever of friction. */
 static void setPatch(const MdtKeaManifold *m, KeaPatch *p) {
     double share[KEA_POINTS];
     setShares(m, share);
@@ -47,9 +49,9 @@ static void setPatch(const MdtKeaManifold *m, KeaPatch *p) {
     }
 }
 
-/* ---- memory that will be read ---- */
+/* ---- prefetching ---- */
 
-/* The manifold and the patch in the same lane of the next group: bytes of the manifold, from its head. */
+/* Prefetches the manifold (its first `bytes`) and the patch in this lane of the next group. */
 static void prefetchNext(const KeaGathering *from, const KeaGroup groups[], int i, int count, int lane, size_t bytes) {
     const int next = i + 1 < count ? groups[i + 1].manifold[lane] : -1;
     if (next < 0)
@@ -86,8 +88,8 @@ static double softnessOf(const MdtKeaSystem *s, const MdtKeaManifold *m) {
     return s->parameters.epsilon + s->parameters.softening * m->surface.softness;
 }
 
-/* The effect of a compliance that is small against the masses is allowed as overlap, the slop E F h² / gamma; a larger
- * one is a part of the matrix, and gamma then corrects by velocities. */
+/* Whether the compliance is large relative to the masses: it is then part of the matrix, and gamma corrects overlaps by
+ * velocities. The sag E F h² / gamma of a smaller one is allowed as slop. */
 static MeBool isSoft(const MdtKeaSystem *s, const MdtKeaManifold *m) {
     double mobility = 0;
     for (int k = 0; k < 2; k++)
@@ -103,9 +105,9 @@ static KeaApproach approachOf(const MdtKeaSystem *s, const MdtKeaManifold *m, co
     return kea_approachOfPoint(s, m, (const double(*)[3])arm);
 }
 
-/* m, along the normal: the least displacement of the point within the step. A gap may close; but one below the resting
- * depth, at a point that has carried a load, counts as closed: it is a tilt of the face, whose points would else have
- * targets that contradict each other. */
+/* m: the lower bound of the point's displacement along the normal in the step. A gap may close. A gap below the resting
+ * depth at a point that has carried a load counts as closed: it is due to a tilt of the face, and targets of its points
+ * would contradict each other otherwise. */
 static double minDisplacement(const MdtKeaSystem *s, const MdtKeaPoint *point, double size, MeBool isSoft) {
     const double resting = point->guess[0] > 0 ? kea_restingDepth * size : 0;
     if (point->depth >= 0)
@@ -138,8 +140,8 @@ static void fillRebounds(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaGrou
     }
 }
 
-/* Friction that does not depend on the normal force acts at points that may touch in this step: N s, in both
- * directions, and N m s, about the normal. */
+/* Sets the constant bounds of friction, N s in both directions and N m s about the normal. Such friction acts at all
+ * points that may touch in this step. */
 static void fillBounds(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaGroup *g, int lane) {
     const double h = s->parameters.stepsize, *bound = m->surface.bound;
     double count = 0, lever = 0;
@@ -155,8 +157,8 @@ static void fillBounds(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaGroup 
     g->torsionBound[lane] = lever > 0 ? clampBound(h * lever * bound[0]) : 0;
 }
 
-/* Coefficients, and the warm start: the last step's friction of all points, as an impulse at the centre and a
- * moment. */
+/* Sets the parameters of friction and its warm start: the friction of all points in the last step, as an impulse at the
+ * centre and a moment. */
 static void fillFriction(const MdtKeaSystem *s, const MdtKeaManifold *m, const KeaPatch *p, KeaGroup *g, int lane) {
     const double h = s->parameters.stepsize;
     double torsionImpulse = 0, frictionImpulse[2] = {0, 0};
@@ -176,10 +178,10 @@ static void fillFriction(const MdtKeaSystem *s, const MdtKeaManifold *m, const K
     g->isCone[lane] = m->surface.isCone ? -1 : 0;
 }
 
-/* Whether its lever arms move: a body turns, and at the centre they do not move against each other, within what the
- * mean motion may press. Where they meet or slide, impulses act at one place of both, the start's, or angular momentum
- * would not be kept. */
-static MeBool goesRound(const MdtKeaSystem *s, const MdtKeaManifold *m, const KeaPatch *p) {
+/* Whether lever arms change in the step: a body rotates, and the relative displacement of both bodies at the centre is
+ * below what the mean motion may press. If the bodies collide or slide, impulses act at one common point, that of the
+ * start; otherwise angular momentum would not be conserved. */
+static MeBool doArmsRotate(const MdtKeaSystem *s, const MdtKeaManifold *m, const KeaPatch *p) {
     double rate[3] = {0, 0, 0}, spin2 = 0;
     for (int k = 0; k < 2; k++) {
         const MdtKeaVelocity *v = kea_sideVelocity(s, m, k);
@@ -193,9 +195,10 @@ static MeBool goesRound(const MdtKeaSystem *s, const MdtKeaManifold *m, const Ke
            0.5 * s->parameters.stepsize * keaLength(rate) < kea_pressedDepth * kea_smallerExtent(s, m->body);
 }
 
-/* Impulses act with the mean of the lever arms at the start and the end of the step, or bodies that go round with each
- * other would gain angular momentum. The rates that are to vanish are those at the end; what these add to the rates
- * with the mean, `added`, is known before passes, by the velocities of the start: Σ ± w_k x (arm_k⁺ - arm_k). */
+/* Sets the lever arms of a manifold. Impulses act with the mean of the arms at the start and at the end of the step;
+ * otherwise bodies that rotate together would gain angular momentum. The contact laws hold for the rates at the end.
+ * Their difference from the rates with the mean arms is predicted by the velocities at the start: `added` :=
+ * Σ ± w_k x (arm_k⁺ - arm_k). */
 static void setArms(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaPatch *p, double added[3]) {
     MdtKeaPoint centre = m->point[0];
     KeaContact c = {.manifold = m, .at = &centre};
@@ -207,7 +210,7 @@ static void setArms(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaPatch *p,
         if (m->body[k] >= 0)
             keaAddScaled(p->arm[k], -1, s->pose[m->body[k]].pos);
     }
-    if (!goesRound(s, m, p))
+    if (!doArmsRotate(s, m, p))
         return;
     kea_contactPlaceAtStart(s, &c);
     if (!c.moves)
@@ -222,8 +225,8 @@ static void setArms(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaPatch *p,
     }
 }
 
-/* Targets are those of the rates with the mean arms. */
-static void addRates(const MdtKeaManifold *m, const KeaPatch *p, const double added[3], KeaGroup *g, int lane) {
+/* Subtracts `added` from the targets, which are those of the rates with the mean arms. */
+static void subtractArmRates(const MdtKeaManifold *m, const KeaPatch *p, const double added[3], KeaGroup *g, int lane) {
     g->slide[0][lane] -= (float)keaDot(added, m->direction);
     g->slide[1][lane] -= (float)keaDot(added, p->across);
     for (int k = 0; k < m->numPoints; k++)
@@ -253,7 +256,7 @@ static void fillLane(const KeaGathering *from, int manifold, float correction, K
     fillRebounds(s, m, g, lane);
     fillBounds(s, m, g, lane);
     fillFriction(s, m, p, g, lane);
-    addRates(m, p, added, g, lane);
+    subtractArmRates(m, p, added, g, lane);
 }
 
 static void setWorldMotion(const MdtKeaVelocity *velocity, KeaMotion *world) {
@@ -290,8 +293,9 @@ void kea_fillGroups(const KeaGathering *from, KeaGroup groups[], int count) {
 
 /* ---- back to manifolds ---- */
 
-/* N s, N m s, what a manifold gives its first body, about its centre of mass, and takes from the second, about that of
- * this: in double precision the same to the last bit; of worlds, about the origin. */
+/* The changes of momentum by a manifold's impulses, N s and N m s, of its first and its second body, each about its own
+ * centre of mass, or the origin for the world. In double precision both linear parts are equal and opposite to the last
+ * bit. */
 static void impulsesOf(const KeaGathering *from, const KeaGroup *g, int lane, double of[2][6]) {
     const MdtKeaManifold *m = &from->s->manifolds[g->manifold[lane]];
     const KeaPatch *p = &from->patch[g->manifold[lane]];
@@ -323,8 +327,8 @@ static void addImpulse(const KeaGathering *from, const KeaGroup *g, int lane, do
             kea_addScaled6(change[g->body[k][lane] - 1], 1, of[k]);
 }
 
-/* What a world gives that moves, a surface that slides, and an overlap that is pushed apart. */
-static double workOf(const KeaGathering *from, const KeaGroup *g, int lane) {
+/* J: work of one manifold (kea_workOfSurfaces). */
+static double workOfManifold(const KeaGathering *from, const KeaGroup *g, int lane) {
     const MdtKeaManifold *m = &from->s->manifolds[g->manifold[lane]];
     double work = 0, of[2][6];
     for (int k = 0; k < 2; k++)
@@ -345,7 +349,7 @@ double kea_workOfSurfaces(const KeaGathering *from, const KeaGroup groups[], int
     for (int i = 0; i < count; i++)
         for (int lane = 0; lane < KEA_LANES; lane++)
             if (groups[i].manifold[lane] >= 0)
-                work += workOf(from, &groups[i], lane);
+                work += workOfManifold(from, &groups[i], lane);
     return work;
 }
 
@@ -374,10 +378,10 @@ static double square(double x) {
     return x * x;
 }
 
-/* Distributes friction to the points by their normal forces w, and its moment by w times the distance from the centre
- * q_m of these:
+/* Writes the forces of points. Friction is distributed to the points by their shares w of the normal force, its moment
+ * by w times the distance from the weighted centre q_m of the points:
  *     f_k = w_k f + w_k (tau - tau_0) n x (q_k - q_m) / Σ w q²,     tau_0: the moment of the first part. */
-static void returnPoints(const KeaGathering *from, const KeaGroup *g, int lane) {
+static void returnForcesOfPoints(const KeaGathering *from, const KeaGroup *g, int lane) {
     MdtKeaManifold *m = &from->s->manifolds[g->manifold[lane]];
     const KeaPatch *p = &from->patch[g->manifold[lane]];
     const double h = from->s->parameters.stepsize,
@@ -408,6 +412,6 @@ void kea_returnManifolds(const KeaGathering *from, const KeaGroup groups[], int 
         for (int lane = 0; lane < KEA_LANES; lane++) {
             prefetchNext(from, groups, i, count, lane, sizeof *from->s->manifolds);
             if (groups[i].manifold[lane] >= 0)
-                returnPoints(from, &groups[i], lane);
+                returnForcesOfPoints(from, &groups[i], lane);
         }
 }

@@ -1,3 +1,3 @@
-/* The fast solver's kernel for AVX2; the bits are those of kea_kernel.c. */
+/* The fast solver's kernel for AVX2; its results have the same bits as those of kea_kernel.c. */
 #define KEA_KERNEL kea_kernelAvx2
 #include "fast/kea_kernel_i.h"

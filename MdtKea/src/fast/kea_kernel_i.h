@@ -1,14 +1,14 @@
-/* Inside Kea: the fast solver's operations on groups of eight manifolds (kea_fast_i.h). Included by one source for each
- * width of registers, which gives KEA_KERNEL, the name of its table. */
+/* Inside Kea: the fast solver's operations on groups of eight manifolds (kea_fast_i.h). It is included by one source
+ * for each width of registers, which defines KEA_KERNEL, the name of its table. */
 #include "fast/kea_lanes_i.h"
 #include "common/kea_policy_i.h"
 
-/* Velocities, or displacements, of the bodies of a group. */
+/* Velocities, or displacements, of both bodies of each manifold of a group. */
 typedef struct Pair {
     KeaLanes3 lin[2], ang[2];
 } Pair;
 
-KEA_INLINE Pair gather(const KeaGroup *g, const KeaMotion motion[]) {
+KEA_INLINE Pair gatherPair(const KeaGroup *g, const KeaMotion motion[]) {
     Pair p;
     for (int k = 0; k < 2; k++) {
         const float *lin[KEA_LANES], *ang[KEA_LANES];
@@ -22,8 +22,8 @@ KEA_INLINE Pair gather(const KeaGroup *g, const KeaMotion motion[]) {
     return p;
 }
 
-/* The world does not move, and groups share it: nothing is written to it. */
-KEA_INLINE void scatter(const KeaGroup *g, const Pair *p, KeaMotion motion[]) {
+/* Writes the pair back to `motion`, but not the world, which does not move and is shared by groups. */
+KEA_INLINE void scatterPair(const KeaGroup *g, const Pair *p, KeaMotion motion[]) {
     KeaMotion world;
     for (int k = 0; k < 2; k++) {
         float *lin[KEA_LANES], *ang[KEA_LANES];
@@ -37,13 +37,13 @@ KEA_INLINE void scatter(const KeaGroup *g, const Pair *p, KeaMotion motion[]) {
     }
 }
 
-/* Of the first body against the second, at the centre. */
+/* Velocity of the first body relative to the second, at the centre. */
 KEA_INLINE KeaLanes3 rateAtCentre(const KeaGroup *g, const Pair *p) {
     return lanesDifference(lanesSum(p->lin[0], lanesCross(p->ang[0], g->arm[0])),
                            lanesSum(p->lin[1], lanesCross(p->ang[1], g->arm[1])));
 }
 
-/* An impulse at the centre and a couple. */
+/* Applies an impulse at the centre and a couple to both bodies. */
 KEA_INLINE void applyImpulse(const KeaGroup *g, Pair *p, KeaLanes3 impulse, KeaLanes3 couple) {
     p->lin[0] = lanesSum(p->lin[0], lanesScale(g->invMass[0], impulse));
     p->lin[1] = lanesDifference(p->lin[1], lanesScale(g->invMass[1], impulse));
@@ -52,10 +52,10 @@ KEA_INLINE void applyImpulse(const KeaGroup *g, Pair *p, KeaLanes3 impulse, KeaL
         lanesDifference(p->ang[1], lanesApply(g->invInertia[1], lanesSum(lanesCross(g->arm[1], impulse), couple)));
 }
 
-/* `points`: how many a group's manifolds have at most, a constant of each caller, for which the loops are unrolled.
- * Points beyond have impulse 0 and would add 0: the bits are the same. */
+/* In the functions below, `points` is the maximal number of points of the group's manifolds. It is a constant of each
+ * caller, for which the loops are unrolled. Other points have impulse 0 and would add 0: the bits are the same. */
 
-/* The sum of normal impulses, and their moments: Σ x p, Σ y p. */
+/* The sum of normal impulses, and their moments Σ x p, Σ y p. */
 KEA_INLINE void resultantOf(const KeaGroup *g, int points, const KeaLanes impulse[], KeaLanes r[3]) {
     r[0] = r[1] = r[2] = lanesOf(0);
     for (int k = 0; k < points; k++) {
@@ -75,7 +75,7 @@ KEA_INLINE void applyNormals(const KeaGroup *g, int points, Pair *p, KeaLanes3 a
     applyImpulse(g, p, lanesScale(r[0], g->normal), coupleOf(g, across, r));
 }
 
-/* Normal impulses of that resultant, with friction along t1 and t2, and about n. */
+/* Applies normal impulses with the resultant r, friction along t1 and t2, and friction about n. */
 KEA_INLINE void applyAll(const KeaGroup *g, Pair *p, KeaLanes3 across, const KeaLanes r[3],
                          const KeaLanes frictionImpulse[2], KeaLanes torsionImpulse) {
     const KeaLanes3 friction =
@@ -84,7 +84,7 @@ KEA_INLINE void applyAll(const KeaGroup *g, Pair *p, KeaLanes3 across, const Kea
                  lanesSum(coupleOf(g, across, r), lanesScale(torsionImpulse, g->normal)));
 }
 
-/* Of the first body against the second, at the centre: u of kea_fast_i.h; along t1 and t2, m/s; about n, rad/s. */
+/* Relative rates of the first body at the centre: u of kea_fast_i.h; along t1 and t2, m/s; about n, rad/s. */
 typedef struct Rates {
     KeaLanes u[3], slide[2], spin;
 } Rates;
@@ -96,17 +96,17 @@ KEA_INLINE Rates ratesOf(const KeaGroup *g, const Pair *p, KeaLanes3 across) {
                    .spin = lanesDot(g->normal, w)};
 }
 
-/* At a point, along n. */
+/* The rate along n at point k. */
 KEA_INLINE KeaLanes pointRate(const KeaGroup *g, int k, const KeaLanes u[3]) {
     return u[0] + g->x[k] * u[1] + g->y[k] * u[2];
 }
 
-/* The place of an entry of a symmetric matrix, 4 by 4, of which the rows of the upper triangle are kept. */
+/* The index of an entry of a symmetric 4 by 4 matrix that is stored by rows of its upper triangle. */
 KEA_INLINE int entryOf(int i, int j) {
     return i <= j ? 4 * i - i * (i - 1) / 2 + j - i : 4 * j - j * (j - 1) / 2 + i - j;
 }
 
-/* Projected Gauss-Seidel at one point; `left` are the rates of all. */
+/* One projected Gauss-Seidel update of point k; `left` are the residual rates of all points. */
 KEA_INLINE void visitPoint(const KeaGroup *g, int points, int k, KeaLanes min, KeaLanes swept[], KeaLanes left[]) {
     const KeaLanes next = lanesMax(swept[k] - g->response[k] * left[k], min), change = next - swept[k];
     swept[k] = next;
@@ -114,10 +114,10 @@ KEA_INLINE void visitPoint(const KeaGroup *g, int points, int k, KeaLanes min, K
         left[j] += change * g->coupling[entryOf(k, j)];
 }
 
-/* Complementarity of the normal impulses: rate + compliance impulse >= 0, impulse >= least, and one of them equal.
- * First by the inverse, as if all points acted; where that pulls at one, by three projected Gauss-Seidel sweeps over
- * the points, forwards and backwards: one lets a tower of 20 fall, eight gain nothing. `impulse` is the guess, `rate`
- * the rates with it, less their targets. */
+/* Solves the complementarity problem of the normal impulses: rate + compliance impulse >= 0, impulse >= min, and one of
+ * them with equality. First by the inverse, as if all points acted; if a point would pull, by three projected
+ * Gauss-Seidel sweeps over the points, forwards and backwards: with one sweep a tower of 20 falls, eight gain nothing.
+ * `impulse` is the guess, and then the answer; `rate` are the rates with the guess, minus their targets. */
 KEA_INLINE void solvePoints(const KeaGroup *g, int points, const KeaLanes rate[], KeaLanes min, KeaLanes impulse[]) {
     KeaLanes all[KEA_POINTS], swept[KEA_POINTS], left[KEA_POINTS];
     KeaMask isAnswer = g->isDirect;
@@ -148,7 +148,7 @@ KEA_INLINE void solvePoints(const KeaGroup *g, int points, const KeaLanes rate[]
 
 /* ---- friction ---- */
 
-/* N s of friction along t1 and t2, at most, and N m s about n. */
+/* Bounds of friction: N s along t1 and t2, N m s about n. */
 typedef struct Limits {
     KeaLanes frictionImpulse[2], torsionImpulse;
 } Limits;
@@ -176,7 +176,8 @@ KEA_INLINE void clampFriction(const KeaGroup *g, const Limits *limits, KeaLanes 
                                          lanesClamp(frictionImpulse[i], limits->frictionImpulse[i]));
 }
 
-/* Friction from the guess `frictionImpulse`: the rates along t1 and t2 vanish, or it is at its limits. */
+/* Solves for friction, starting from the guess `frictionImpulse`: the rates along t1 and t2 vanish, or friction is at
+ * its limits. */
 KEA_INLINE void solveFriction(const KeaGroup *g, const KeaLanes rate[2], const Limits *limits,
                               KeaLanes frictionImpulse[2]) {
     frictionImpulse[0] -= g->frictionMass[0] * rate[0] + g->frictionMass[1] * rate[1];
@@ -184,7 +185,7 @@ KEA_INLINE void solveFriction(const KeaGroup *g, const KeaLanes rate[2], const L
     clampFriction(g, limits, frictionImpulse);
 }
 
-/* Less those that the surface is to have, with the compliance of such friction. */
+/* The sliding rates minus their targets, plus the term of the friction's compliance. */
 KEA_INLINE void slidingRates(const KeaGroup *g, const KeaLanes slide[2], const KeaLanes frictionImpulse[2],
                              KeaLanes rate[2]) {
     for (int i = 0; i < 2; i++)
@@ -193,8 +194,9 @@ KEA_INLINE void slidingRates(const KeaGroup *g, const KeaLanes slide[2], const K
 
 /* ---- a visit ---- */
 
-/* Each of these solves for its impulses, from guesses that are extrapolated by beta, and returns their change. The
- * rates of those after it follow by the coupling, so that bodies are read and written once. */
+/* Each of the next three functions solves for its impulses, from guesses extrapolated by beta, and returns their
+ * change. It updates the rates that the following ones use by the coupling, so that bodies are read and written only
+ * once. */
 
 KEA_INLINE void visitNormals(KeaGroup *g, int points, Rates *rates, KeaLanes beta, KeaLanes *uphill,
                              KeaLanes resultant[3]) {
@@ -246,10 +248,11 @@ KEA_INLINE void visitFriction(KeaGroup *g, const Rates *rates, const Limits *lim
     }
 }
 
-/* A point by itself is its manifold's centre, and has no friction about the normal. */
-KEA_INLINE void visit(KeaGroup *g, int points, KeaMotion motion[], KeaLanes beta, KeaLanes *uphill) {
+/* Solves the manifolds of a group once. A manifold of one point has no friction about the normal, since the point is
+ * its centre. */
+KEA_INLINE void visitGroup(KeaGroup *g, int points, KeaMotion motion[], KeaLanes beta, KeaLanes *uphill) {
     const KeaLanes3 across = lanesCross(g->normal, g->along);
-    Pair p = gather(g, motion);
+    Pair p = gatherPair(g, motion);
     Rates rates = ratesOf(g, &p, across);
     KeaLanes normal[3], frictionImpulse[2], torsionImpulse = lanesOf(0);
     visitNormals(g, points, &rates, beta, uphill, normal);
@@ -258,7 +261,7 @@ KEA_INLINE void visit(KeaGroup *g, int points, KeaMotion motion[], KeaLanes beta
         torsionImpulse = visitTorsion(g, &rates, &limits, beta);
     visitFriction(g, &rates, &limits, beta, uphill, frictionImpulse);
     applyAll(g, &p, across, normal, frictionImpulse, torsionImpulse);
-    scatter(g, &p, motion);
+    scatterPair(g, &p, motion);
 }
 
 static void pass(KeaGroup groups[], int count, KeaMotion motion[], float beta, float uphill[KEA_LANES]) {
@@ -267,20 +270,20 @@ static void pass(KeaGroup groups[], int count, KeaMotion motion[], float beta, f
     for (int i = 0; i < count; i++)
         switch (groups[i].points) {
         case 1:
-            visit(&groups[i], 1, motion, lanesOf(beta), &sum);
+            visitGroup(&groups[i], 1, motion, lanesOf(beta), &sum);
             break;
         case 2:
-            visit(&groups[i], 2, motion, lanesOf(beta), &sum);
+            visitGroup(&groups[i], 2, motion, lanesOf(beta), &sum);
             break;
         default:
-            visit(&groups[i], KEA_POINTS, motion, lanesOf(beta), &sum);
+            visitGroup(&groups[i], KEA_POINTS, motion, lanesOf(beta), &sum);
         }
     memcpy(uphill, &sum, sizeof sum);
 }
 
 /* ---- before passes ---- */
 
-/* The matrix by which impulses along u change u, 1/kg: 00 01 02 11 12 22. */
+/* The matrix K by which impulses along u change u, 1/kg: 00 01 02 11 12 22. */
 KEA_INLINE void findMobility(const KeaGroup *g, KeaLanes3 across, KeaLanes K[6]) {
     for (int i = 0; i < 6; i++)
         K[i] = lanesOf(0);
@@ -297,7 +300,7 @@ KEA_INLINE void findMobility(const KeaGroup *g, KeaLanes3 across, KeaLanes K[6])
     }
 }
 
-/* A + E of the points, and the inverse of its diagonal. */
+/* Sets A + E of the points, with A = J M⁻¹ Jᵀ, and the inverses of its diagonal entries. */
 KEA_INLINE void setCoupling(KeaGroup *g, KeaLanes3 across) {
     KeaLanes K[6];
     findMobility(g, across, K);
@@ -314,12 +317,12 @@ KEA_INLINE void setCoupling(KeaGroup *g, KeaLanes3 across) {
     }
 }
 
-/* Twice the area. */
+/* Twice the signed area of the triangle of three points. */
 KEA_INLINE KeaLanes areaOf(const KeaGroup *g, int a, int b, int c) {
     return (g->x[b] - g->x[a]) * (g->y[c] - g->y[a]) - (g->x[c] - g->x[a]) * (g->y[b] - g->y[a]);
 }
-/* The null vector of A of four points, of unit length: the areas of the triangles that leave one out, with alternating
- * signs. 0 of fewer points, which are taken to be independent, and with a compliance. */
+/* The null vector of A for four points, of unit length: the areas of the triangles that omit one point, with
+ * alternating signs. 0 for fewer points, which are treated as independent, and for contacts with compliance. */
 KEA_INLINE void findNullVector(const KeaGroup *g, KeaLanes null[KEA_POINTS]) {
     const KeaMask isFull = g->isPoint[3] & ~(g->compliance > lanesOf(0));
     null[0] = areaOf(g, 1, 2, 3);
@@ -332,8 +335,8 @@ KEA_INLINE void findNullVector(const KeaGroup *g, KeaLanes null[KEA_POINTS]) {
         null[k] = lanesSelect(isThere, null[k] / size, lanesOf(0));
 }
 
-/* The inverse of a symmetric matrix by blocks of two; isSound becomes false where it is too near to singular for single
- * precision. */
+/* A symmetric 2 by 2 block, for inversion of a symmetric matrix by such blocks; isSound becomes false in lanes in which
+ * the matrix is too close to singular for single precision. */
 typedef struct Block {
     KeaLanes a, b, d; /* a b, b d */
 } Block;
@@ -363,9 +366,9 @@ KEA_INLINE void invertBlocks(KeaLanes M[10], KeaMask *isSound) {
     M[7] = S.a, M[8] = S.b, M[9] = S.d;
 }
 
-/* The inverse of A + E, in which missing points have a diagonal of the others' size. Of four rigid points A has rank 3:
- * its pseudo-inverse is (A + s q qᵀ)⁻¹ - q qᵀ / s, with the null vector q and any s. Four targets may then contradict
- * each other, which the pseudo-inverse would ignore: where they do by more than the slop it is not used. */
+/* Sets `direct`, the inverse of A + E; missing points get a diagonal entry of the others' size. For four rigid points A
+ * has rank 3, and its pseudo-inverse is (A + s q qᵀ)⁻¹ - q qᵀ / s, with the null vector q and any s. The pseudo-inverse
+ * would ignore that four targets may contradict each other: if they do by more than the slop, it is not used. */
 KEA_INLINE void setInverse(KeaGroup *g, float stepsize) {
     const KeaLanes scale = g->coupling[0];
     KeaLanes null[KEA_POINTS], misfit = lanesOf(0), slop = lanesOf(0);
@@ -387,7 +390,7 @@ KEA_INLINE void setInverse(KeaGroup *g, float stepsize) {
     g->isDirect &= lanesAbs(misfit) * lanesOf(stepsize) <= slop;
 }
 
-/* Effective masses of friction: along t1 and t2 together, and about n. */
+/* Sets the effective masses of friction: along t1 and t2 together, and about n. */
 KEA_INLINE void setFrictionMass(KeaGroup *g, KeaLanes3 across) {
     KeaLanes T[3] = {g->slip[0], lanesOf(0), g->slip[1]}, invTorsionMass = lanesOf(0);
     for (int b = 0; b < 2; b++) {
@@ -406,7 +409,8 @@ KEA_INLINE void setFrictionMass(KeaGroup *g, KeaLanes3 across) {
     g->torsionMass = lanesSelect(invTorsionMass > lanesOf(0), lanesOf(1) / invTorsionMass, lanesOf(0));
 }
 
-/* Rates of friction by normal impulses, as resultantOf has them, and by friction about n. */
+/* Sets the changes of the rates of friction by the resultant of normal impulses (resultantOf), and by friction about
+ * n. */
 KEA_INLINE void setFrictionCoupling(KeaGroup *g, KeaLanes3 across) {
     for (int j = 0; j < 3; j++)
         g->toSlide[0][j] = g->toSlide[1][j] = g->toSpin[j] = lanesOf(0);
@@ -447,11 +451,11 @@ static void apply(const KeaGroup groups[], int count, KeaMotion motion[]) {
     for (int i = 0; i < count; i++) {
         const KeaGroup *g = &groups[i];
         const KeaLanes3 across = lanesCross(g->normal, g->along);
-        Pair p = gather(g, motion);
+        Pair p = gatherPair(g, motion);
         KeaLanes normal[3];
         resultantOf(g, KEA_POINTS, g->impulse, normal);
         applyAll(g, &p, across, normal, g->frictionImpulse, g->torsionImpulse);
-        scatter(g, &p, motion);
+        scatterPair(g, &p, motion);
     }
 }
 
@@ -471,7 +475,7 @@ static void extrapolate(KeaMotion motion[], KeaMotion before[], int count, float
 static void advance(KeaGroup groups[], int count, const KeaMotion motion[], float stepsize) {
     for (int i = 0; i < count; i++) {
         KeaGroup *g = &groups[i];
-        const Pair p = gather(g, motion);
+        const Pair p = gatherPair(g, motion);
         const Rates rates = ratesOf(g, &p, lanesCross(g->normal, g->along));
         const KeaLanes *u = rates.u;
         for (int k = 0; k < KEA_POINTS; k++)
@@ -479,7 +483,8 @@ static void advance(KeaGroup groups[], int count, const KeaMotion motion[], floa
     }
 }
 
-/* The end's velocities become those that both bodies are moved by. Whether they were not yet. */
+/* Sets the velocities that both bodies are moved by to the end velocities, `motion`. Returns whether any was
+ * changed. */
 KEA_INLINE MeBool moveByEnd(const KeaGroup *g, int lane, const KeaMotion motion[], KeaMotion move[], float theta[]) {
     MeBool isNew = MEFALSE;
     for (int k = 0; k < 2; k++) {
@@ -500,7 +505,7 @@ static MeBool choosePressed(const KeaGroup groups[], int count, const KeaMotion 
     for (int i = 0; i < count; i++) {
         const KeaGroup *g = &groups[i];
         const KeaLanes3 across = lanesCross(g->normal, g->along);
-        const Pair p = gather(g, motion), q = gather(g, move);
+        const Pair p = gatherPair(g, motion), q = gatherPair(g, move);
         const Rates end = ratesOf(g, &p, across), moved = ratesOf(g, &q, across);
         KeaMask isPressed = {0};
         for (int k = 0; k < KEA_POINTS; k++) {
@@ -516,11 +521,11 @@ static MeBool choosePressed(const KeaGroup groups[], int count, const KeaMotion 
     return isAny;
 }
 
-/* Overlap beyond the slop shrinks by the share; a gap may close, but no further. Returns the lanes that move by
- * so much that joints may open. */
+/* Removes the fraction `correction` of overlaps beyond the slop; gaps may close, but not become overlaps. Returns the
+ * lanes whose bodies are moved so far that joints may open. */
 KEA_INLINE KeaMask pushGroup(const KeaGroup *g, int points, KeaMotion motion[]) {
     const KeaLanes3 across = lanesCross(g->normal, g->along);
-    Pair p = gather(g, motion);
+    Pair p = gatherPair(g, motion);
     const Rates rates = ratesOf(g, &p, across);
     const KeaLanes *u = rates.u;
     KeaLanes rate[KEA_POINTS], pseudoImpulse[KEA_POINTS];
@@ -537,7 +542,7 @@ KEA_INLINE KeaMask pushGroup(const KeaGroup *g, int points, KeaMotion motion[]) 
         pseudoImpulse[k] = lanesSelect(g->isPoint[k] & (g->correction > lanesOf(0)), pseudoImpulse[k], lanesOf(0));
     }
     applyNormals(g, points, &p, across, pseudoImpulse);
-    scatter(g, &p, motion);
+    scatterPair(g, &p, motion);
     return isAny;
 }
 
@@ -559,19 +564,19 @@ static MeBool pushManifolds(const KeaGroup groups[], int count, KeaMotion motion
 
 /* ---- the residual ---- */
 
-/* m/s, at which an overlap grows that is deep at the end of the step; else 0. */
+/* m/s: the speed at which the overlap of point k grows if it is deep at the end of the step; else 0. */
 KEA_INLINE KeaLanes closingOf(const KeaGroup *g, int k, KeaLanes rate, KeaLanes h) {
     const KeaMask isDeep = h * rate + g->gap[k] < -lanesOf((float)kea_smallOverlap) * g->size;
     return lanesSelect(g->isPoint[k] & isDeep & (rate < lanesOf(0)), -rate, lanesOf(0));
 }
 
-KEA_INLINE void addMiss(KeaMask isRow, KeaLanes miss, KeaLanes *worst, KeaLanes *squares) {
+KEA_INLINE void addResidual(KeaMask isRow, KeaLanes miss, KeaLanes *worst, KeaLanes *squares) {
     const KeaLanes counted = lanesSelect(isRow, miss, lanesOf(0));
     *worst = lanesMax(counted, *worst);
     *squares += counted * counted;
 }
 
-/* m/s, see KeaTolerance. */
+/* m/s: the tolerances of the contacts of a group (KeaTolerance). */
 KEA_INLINE KeaLanes toleranceOf(const KeaGroup *g, const KeaTolerance *t) {
     KeaLanes change, load = lanesOf(0);
     for (int i = 0; i < KEA_LANES; i++)
@@ -586,7 +591,7 @@ KEA_INLINE KeaLanes toleranceOf(const KeaGroup *g, const KeaTolerance *t) {
                     lanesOf((float)kea_stepShare / t->stepsize) * g->size);
 }
 
-/* Of a row it is the change of its projected impulse in one visit, as a velocity. */
+/* The residual of a row is the change of its projected impulse in one visit, as a velocity. */
 static void measure(const KeaGroup groups[], int count, const KeaMotion motion[], const KeaTolerance *tolerance,
                     KeaMeasure *measure) {
     const KeaLanes h = lanesOf(tolerance->stepsize);
@@ -599,7 +604,7 @@ static void measure(const KeaGroup groups[], int count, const KeaMotion motion[]
     for (int i = 0; i < count; i++) {
         const KeaGroup *g = &groups[i];
         const KeaLanes3 across = lanesCross(g->normal, g->along);
-        const Pair p = gather(g, motion);
+        const Pair p = gatherPair(g, motion);
         const Limits limits = frictionLimits(g, KEA_POINTS, g->impulse);
         const Rates rates = ratesOf(g, &p, across);
         const KeaLanes *u = rates.u;
@@ -610,7 +615,7 @@ static void measure(const KeaGroup groups[], int count, const KeaMotion motion[]
             const KeaLanes residual = speed - g->bias[k] + g->compliance * g->impulse[k];
             const KeaLanes next = lanesMax(g->impulse[k] - g->response[k] * residual, g->min);
             const KeaLanes miss = lanesAbs(next - g->impulse[k]) / g->response[k];
-            addMiss(g->isPoint[k], miss, &left, &squares);
+            addResidual(g->isPoint[k], miss, &left, &squares);
             lever = lanesMax(lanesSelect(g->isPoint[k], g->lever[k], lanesOf(0)), lever);
             fastest = lanesMax(closingOf(g, k, speed, h), fastest);
         }
@@ -618,12 +623,12 @@ static void measure(const KeaGroup groups[], int count, const KeaMotion motion[]
         solveFriction(g, rate, &limits, frictionImpulse);
         for (int k = 0; k < 2; k++) {
             const KeaLanes miss = lanesAbs(frictionImpulse[k] - g->frictionImpulse[k]) / g->frictionMass[2 * k];
-            addMiss(g->isPoint[0] & (g->frictionMass[2 * k] > lanesOf(0)), miss, &left, &squares);
+            addResidual(g->isPoint[0] & (g->frictionMass[2 * k] > lanesOf(0)), miss, &left, &squares);
         }
         const KeaLanes torsionImpulse =
             lanesClamp(g->torsionImpulse - g->torsionMass * rates.spin, limits.torsionImpulse);
-        addMiss(g->isPoint[1] & (g->torsionMass > lanesOf(0)),
-                lever * lanesAbs(torsionImpulse - g->torsionImpulse) / g->torsionMass, &left, &squares);
+        addResidual(g->isPoint[1] & (g->torsionMass > lanesOf(0)),
+                    lever * lanesAbs(torsionImpulse - g->torsionImpulse) / g->torsionMass, &left, &squares);
         worst = lanesMax(left, worst);
         const KeaLanes over = left / toleranceOf(g, tolerance);
         excess = lanesMax(over, excess);

@@ -1,8 +1,8 @@
-/* Inside Kea: eight floats at a time, one of each of eight manifolds.
+/* Inside Kea: eight floats at a time, one for each of eight manifolds.
  *
- * The vectors are the compiler's (GCC and Clang), so that one source serves every width of the machine: as one register
- * with AVX, as two with SSE2, as eight floats elsewhere. Every operation here is correctly rounded and is written in
- * its order, and products are not contracted with sums: the bits do not depend on the width.
+ * They are vector extensions of GCC and Clang, so that one source serves registers of any width: a vector is one
+ * register with AVX, two with SSE2, eight floats elsewhere. All operations are correctly rounded, their order is fixed,
+ * and products are not contracted with sums: the bits do not depend on the width.
  */
 #ifndef KEA_LANES_I_H
 #define KEA_LANES_I_H
@@ -24,7 +24,7 @@ KEA_INLINE KeaLanes lanesOf(float a) {
 KEA_INLINE KeaLanes lanesSelect(KeaMask m, KeaLanes a, KeaLanes b) {
     return (KeaLanes)(((KeaMask)a & m) | ((KeaMask)b & ~m));
 }
-/* a > b ? a : b, which is what the machine's instruction gives, also of zeros and of what is no number. */
+/* a > b ? a : b, as the machine's instruction defines it, also for zeros and NaN. */
 KEA_INLINE KeaLanes lanesMax(KeaLanes a, KeaLanes b) {
 #if defined(__AVX__)
     return (KeaLanes)_mm256_max_ps((__m256)a, (__m256)b);
@@ -77,15 +77,15 @@ KEA_INLINE KeaLanes3 lanesSum(KeaLanes3 a, KeaLanes3 b) {
 KEA_INLINE KeaLanes3 lanesDifference(KeaLanes3 a, KeaLanes3 b) {
     return (KeaLanes3){a.x - b.x, a.y - b.y, a.z - b.z};
 }
-/* A symmetric matrix: xx xy xz yy yz zz. */
+/* M a, with a symmetric matrix M: xx xy xz yy yz zz. */
 KEA_INLINE KeaLanes3 lanesApply(const KeaLanes M[6], KeaLanes3 a) {
     return (KeaLanes3){M[0] * a.x + M[1] * a.y + M[2] * a.z, M[1] * a.x + M[3] * a.y + M[4] * a.z,
                        M[2] * a.x + M[4] * a.y + M[5] * a.z};
 }
 
-/* ---- of eight places in memory ---- */
+/* ---- gather and scatter ---- */
 
-/* Transposes the two 4x4 blocks, of the lower and of the upper lanes. */
+/* Transposes the two 4x4 blocks of the lower and of the upper lanes. */
 KEA_INLINE void lanesTranspose(KeaLanes r[4]) {
     const KeaLanes a = __builtin_shufflevector(r[0], r[1], 0, 8, 1, 9, 4, 12, 5, 13);
     const KeaLanes b = __builtin_shufflevector(r[0], r[1], 2, 10, 3, 11, 6, 14, 7, 15);
@@ -97,7 +97,7 @@ KEA_INLINE void lanesTranspose(KeaLanes r[4]) {
     r[3] = __builtin_shufflevector(b, d, 2, 3, 10, 11, 6, 7, 14, 15);
 }
 
-/* Four floats from each of eight addresses, 16-byte aligned: the first three of each. */
+/* Loads four floats from each of eight addresses, 16-byte aligned, and returns the first three of each. */
 KEA_INLINE KeaLanes3 lanesGather(const float *const at[KEA_LANES]) {
     KeaLanes r[4];
     for (int i = 0; i < 4; i++)
@@ -107,7 +107,7 @@ KEA_INLINE KeaLanes3 lanesGather(const float *const at[KEA_LANES]) {
     return (KeaLanes3){r[0], r[1], r[2]};
 }
 
-/* The fourth becomes 0. */
+/* Stores three floats and a 0 to each of eight addresses, 16-byte aligned. */
 KEA_INLINE void lanesScatter(float *const at[KEA_LANES], KeaLanes3 a) {
     KeaLanes r[4] = {a.x, a.y, a.z, {0}};
     lanesTranspose(r);

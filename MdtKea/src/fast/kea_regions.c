@@ -4,7 +4,7 @@
 #include "common/kea_policy_i.h"
 #include <string.h>
 
-/* A body, with its coordinate along the longest side. */
+/* A body with its coordinate along the longest side. */
 typedef struct KeaBisected {
     double at; /* m */
     int body;
@@ -38,7 +38,7 @@ static void MEAPI visitNode(void *context, int item, int worker) {
     v->work(v->context, &v->regions->node[v->first + item]);
 }
 
-/* A region and one of the other nodes: each worker has the same regions in all loops. */
+/* Visits region `item`, and one of the other nodes, so that each worker visits the same regions in all loops. */
 static void MEAPI visitRegionAndNode(void *context, int item, int worker) {
     const Visit *v = context;
     (void)worker;
@@ -79,8 +79,8 @@ static int numRegionsOf(const MdtKeaSystem *s) {
     return count;
 }
 
-/* The places of the bodies of a node: from the top down, the first or the second half. */
-static void placesOf(int node, int numBodies, int *first, int *end) {
+/* The range of places of a node's bodies, found from the root down: the first or the second half of each node. */
+static void placesOfNode(int node, int numBodies, int *first, int *end) {
     int depth = 0;
     while (node >> (depth + 1) > 0)
         depth++;
@@ -92,7 +92,7 @@ static void placesOf(int node, int numBodies, int *first, int *end) {
     }
 }
 
-/* The axis along which the bodies are spread most. */
+/* The axis along which the bodies' positions have the largest extent. */
 static int longestSide(const MdtKeaSystem *s, const int body[], int count) {
     double low[3], high[3];
     int longest = 0;
@@ -127,9 +127,9 @@ static KeaBisected pivotOf(const KeaBisected b[], int first, int last) {
     return isBefore(x, z) ? x : isBefore(y, z) ? z : y;
 }
 
-/* Quickselect: orders them so that none of the first `middle` comes after any other (Hoare 1961, "Algorithm 65:
- * find"). */
-static void select(KeaBisected b[], int count, int middle) {
+/* Quickselect: reorders the bodies so that none of the first `middle` comes after any of the others (Hoare 1961,
+ * "Algorithm 65: find"). */
+static void selectLowest(KeaBisected b[], int count, int middle) {
     int first = 0, last = count - 1;
     while (first < last) {
         const KeaBisected pivot = pivotOf(b, first, last);
@@ -155,7 +155,7 @@ static void halveNode(void *context, KeaNode *node) {
     const Division *d = context;
     KeaRegions *r = d->regions;
     int first, end;
-    placesOf((int)(node - r->node), d->s->numBodies, &first, &end);
+    placesOfNode((int)(node - r->node), d->s->numBodies, &first, &end);
     const int count = end - first;
     if (count < 2)
         return;
@@ -163,7 +163,7 @@ static void halveNode(void *context, KeaNode *node) {
     const int side = longestSide(d->s, r->body + first, count);
     for (int i = 0; i < count; i++)
         b[i] = (KeaBisected){d->s->pose[r->body[first + i]].pos[side], r->body[first + i]};
-    select(b, count, count / 2);
+    selectLowest(b, count, count / 2);
     for (int i = 0; i < count; i++)
         r->body[first + i] = b[i].body;
 }
@@ -172,7 +172,7 @@ static void setPlaces(void *context, KeaNode *node) {
     const Division *d = context;
     KeaRegions *r = d->regions;
     int end;
-    placesOf((int)(node - r->node), d->s->numBodies, &node->firstPlace, &end);
+    placesOfNode((int)(node - r->node), d->s->numBodies, &node->firstPlace, &end);
     node->numPlaces = end - node->firstPlace;
     for (int i = node->firstPlace; i < end; i++) {
         r->place[r->body[i]] = i;
@@ -194,7 +194,7 @@ static void divideBodies(Division *d) {
 
 /* ---- manifolds ---- */
 
-/* The lowest node that both leaves are below. */
+/* The lowest common ancestor of two leaves. */
 static int commonNode(int a, int b) {
     while (a != b) {
         a /= 2;
@@ -215,7 +215,7 @@ static void MEAPI findHomes(void *context, int first, int end, int worker) {
     }
 }
 
-/* By node, in their order: a counting sort. */
+/* Sorts manifolds by node, keeping their order: a counting sort. */
 static void sortByNode(const MdtKeaSystem *s, KeaRegions *r) {
     int at = 0;
     for (int i = 0; i < s->numManifolds; i++)
@@ -237,7 +237,8 @@ static MeBool isBelow(int node, int above) {
     return node == above;
 }
 
-/* Bodies have one place each, in the region that they say, and manifolds a node that is above both their bodies'. */
+/* Checks that each body has one place, in the region given by `leaf`, and that the node of each manifold is an ancestor
+ * of both its bodies' regions. */
 static MeBool areRegionsGood(const MdtKeaSystem *s, const KeaRegions *r) {
     int places = 0, manifolds = 0;
     for (int n = r->count; n < 2 * r->count; n++) {
