@@ -1,16 +1,17 @@
-/* The fast solver: one step of many bodies that touch, in time proportional to their manifolds.
+/* The fast solver: one step of many touching bodies, in time proportional to the number of manifolds.
  *
  *     velocities   block Gauss-Seidel over the manifolds, eight at a time, region by region (kea_regions_i.h), with
  *                  Nesterov's extrapolation of the impulses within the step and its restart (O'Donoghue and Candès
- *                  2015, "Adaptive restart for accelerated gradient schemes"): gaps may close, but no further
- *     displacement by the mean of the velocities at the start and the end; by the latter where that presses
- *     positions    passes without friction, on displacements, which reduce overlaps and give no velocity (split
+ *                  2015, "Adaptive restart for accelerated gradient schemes"): gaps may close, but not become overlaps
+ *     displacement by the mean of the velocities at the start and the end; by the latter if the mean would press a
+ *                  contact deeper
+ *     positions    passes without friction over displacements, which reduce overlaps without changing velocities (split
  *                  impulses)
- *     rebounds     velocities again, with restitution at the points that push; bodies have been moved by then
+ *     rebounds     passes over velocities once more, with restitution at pushing points, after bodies were moved
  *
- * Velocities are linear in the impulses: those of the extrapolated impulses are the extrapolated velocities. Passes
- * work in single precision; the momenta of the end are summed from their impulses in double, action and reaction
- * alike.
+ * Velocities are linear in the impulses: the velocities of extrapolated impulses are the extrapolated velocities.
+ * Passes work in single precision; the momenta at the end are summed in double from the impulses, which are equal and
+ * opposite for both bodies.
  */
 #include "fast/kea_joints_i.h"
 #include "fast/kea_regions_i.h"
@@ -21,37 +22,37 @@
 #include "MeInternal.h"
 #include <string.h>
 
-/* A step's arrays, in the cache's scratch memory. */
+/* The state of a step; its arrays are in the cache's scratch memory. */
 typedef struct Step {
     MdtKeaSystem *s;
     const KeaKernel *kernel;
     KeaRegions regions;
     KeaMotion *motion, *before,
-        *displacement;   /* the world, the bodies by place, and where worlds move, one for each manifold */
+        *displacement;   /* index 0: the world; 1 + place: bodies; then one for each manifold, for moving worlds */
     KeaPatch *patch;     /* by manifold */
-    KeaMotion *move;     /* the velocities that bodies are moved by, (1 - θ) v + θ v⁺; and by motion, θ: */
-    float *thetas;       /* 1/2 or, where that presses something, 1 */
-    float *speedChange;  /* by motion: m/s, in the step, see findSpeedChanges */
-    double (*change)[6]; /* by place: N s, N m s */
-    double (*turned)[4]; /* by place: the orientation at the end, but for `displacement` */
+    KeaMotion *move;     /* the velocities that bodies are moved by, (1 - θ) v + θ v⁺ */
+    float *thetas;       /* by motion: θ, 1/2 or, if that would press a contact, 1 */
+    float *speedChange;  /* by motion: m/s, change of velocity in the step (findSpeedChangesOf) */
+    double (*change)[6]; /* by place: N s, N m s, change of momentum by impulses */
+    double (*turned)[4]; /* by place: the orientation at the end, without `displacement` */
     KeaGroup *groups;
     int numGroups;
     KeaJoints joints;
-    double fall[3];     /* m, see fallOfCentre */
-    double mean[3];     /* m/s, the bodies' mean velocity, */
-    double speed;       /* and their speed against it: root of the mean square, see findSpeed */
-    MeBool isMoving;    /* see findSpeed */
-    double loadSpeed;   /* m/s, what loads add to a body's velocity in the step, at most */
-    double theta, beta; /* of the extrapolation, */
-    double maxTheta;    /* at most */
+    double fall[3];     /* m, correction of all positions (fallOfCentre) */
+    double mean[3];     /* m/s, the bodies' mean velocity */
+    double speed;       /* m/s, their speed relative to it, root mean square (findSpeed) */
+    MeBool isMoving;    /* most bodies are fast (findSpeed) */
+    double loadSpeed;   /* m/s, largest change of a body's velocity by loads in the step */
+    double theta, beta; /* of Nesterov's extrapolation */
+    double maxTheta;    /* upper limit of theta */
 } Step;
 
 typedef struct Passes {
     int min, max;
 } Passes;
 
-/* What passes leave, of all lanes (KeaMeasure); excess in tolerances, the largest of all, the root of the contacts'
- * mean square, the largest of joints. */
+/* Residuals after passes, over all lanes (KeaMeasure). In tolerances: excess, the largest of all; meanExcess, the root
+ * mean square of contacts; ofJoints, the largest of joints. */
 typedef struct Residual {
     double max, excess, meanExcess, ofJoints, squares, closing;
 } Residual;
@@ -148,7 +149,7 @@ static void keepMotions(void *context, KeaNode *node) {
            (size_t)node->numPlaces * sizeof *p->motion);
 }
 
-/* Adds what impulses do to the motions. */
+/* Adds the changes of velocity by all impulses to the motions. */
 static void applyImpulses(Step *p) {
     kea_inOrder(&p->regions, applyGroups, p);
     kea_jointsApply(p->s, &p->joints, p->motion);
@@ -156,7 +157,7 @@ static void applyImpulses(Step *p) {
 
 /* ---- sums ---- */
 
-/* Over the regions, of node->sum[k], which the last loop over bodies has left. */
+/* The sum over the regions of node->sum[k], a result of the last loop over bodies. */
 static double sumOverRegions(const KeaRegions *r, int k) {
     double sum = 0;
     for (int n = r->count; n < 2 * r->count; n++)
@@ -173,7 +174,7 @@ static double maxOverRegions(const KeaRegions *r, int k) {
 
 /* ---- passes ---- */
 
-/* Over all nodes, of what the last loop over groups has left. */
+/* The sum over all nodes of node->lanes, a result of the last loop over groups. */
 static double sumOverNodes(const KeaRegions *r) {
     double sum = 0;
     for (int n = 1; n < 2 * r->count; n++)
@@ -182,7 +183,7 @@ static double sumOverNodes(const KeaRegions *r) {
     return sum;
 }
 
-/* Whether node->sum[0] is set in any node. */
+/* Whether node->sum[0] is not 0 in any node. */
 static MeBool isAnyOverNodes(const KeaRegions *r) {
     for (int n = 1; n < 2 * r->count; n++)
         if (r->node[n].sum[0] != 0)
@@ -209,14 +210,16 @@ static void restartExtrapolation(Step *p) {
     p->beta = 0;
 }
 
-/* Friction that goes with normal forces has no energy that passes lower, and extrapolation may feed what it leaves from
- * pass to pass, in few contacts of many, which the criterion of restarts does not feel. */
+/* Restarts the extrapolation with a limit on theta. Coulomb friction has no potential that passes lower, and
+ * extrapolation may amplify its residual from pass to pass in few contacts of many, which does not show in the
+ * criterion of restarts. */
 static void limitExtrapolation(Step *p) {
     restartExtrapolation(p);
     p->maxTheta = kea_limitedTheta;
 }
 
-/* Regions come before the cuts between them, so that both bodies of a manifold have been extrapolated. */
+/* One pass over a node: extrapolates its bodies, then visits its manifolds. Regions come before the cuts between them,
+ * so that both bodies of a manifold have been extrapolated. */
 static void passNode(void *context, KeaNode *node) {
     const Step *p = context;
     const float beta = (float)p->beta;
@@ -225,7 +228,7 @@ static void passNode(void *context, KeaNode *node) {
     p->kernel->pass(p->groups + node->firstGroup, node->numGroups, p->motion, beta, node->lanes);
 }
 
-/* m/s, by which a body's velocities change in the step, those of turning at its radius of gyration. */
+/* m/s: sets how much the velocities of a body change in the step; its rotation counts at the radius of gyration. */
 static void findSpeedChangesOf(void *context, KeaNode *node) {
     const Step *p = context;
     for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++) {
@@ -254,7 +257,7 @@ static void measureGroups(void *context, KeaNode *node) {
     p->kernel->measure(p->groups + node->firstGroup, node->numGroups, p->motion, &allowed, &node->measure);
 }
 
-/* With Nesterov's extrapolation, which is restarted after a pass that goes against it. */
+/* Makes passes with Nesterov's extrapolation, which is restarted after a pass that goes against it. */
 static void iteratePasses(Step *p, int passes) {
     for (int i = 0; i < passes; i++) {
         kea_inOrder(&p->regions, passNode, p);
@@ -268,7 +271,7 @@ static void iteratePasses(Step *p, int passes) {
     p->s->report.iterations += passes;
 }
 
-/* Of joints too; the report's residual is the largest. */
+/* Measures the residuals of contacts and joints. Writes the largest to the report. */
 static Residual measureAll(Step *p) {
     const KeaTolerance allowed = tolerance(p);
     kea_overRegions(&p->regions, findSpeedChangesOf, p);
@@ -282,14 +285,14 @@ static Residual measureAll(Step *p) {
     return r;
 }
 
-/* m/s, what loads add to a body's velocity in the step. */
+/* m/s: the change of a body's velocity by its loads in the step. */
 static double loadOf(const MdtKeaSystem *s, int body) {
     double load[3];
     keaSubtract(load, s->predicted[body].lin, s->velocity[body].lin);
     return keaLength(load);
 }
 
-/* Σ v², Σ v. */
+/* Sums Σ v², Σ v over the bodies of a region. */
 static void sumSpeeds(void *context, KeaNode *node) {
     const Step *p = context;
     memset(node->sum, 0, sizeof node->sum);
@@ -300,8 +303,9 @@ static void sumSpeeds(void *context, KeaNode *node) {
     }
 }
 
-/* How many bodies are faster than their loads make them in a step: both as they are, so that few that fly do not make a
- * pile move that they have hit, and against the mean velocity, so that a pile on a train does not. */
+/* Counts bodies that are faster than their loads make them in a step. Both their speed and their speed relative to the
+ * mean velocity must be: otherwise a pile would count as moving when few flying bodies have hit it (which changes the
+ * mean), or when it is on a train. */
 static void countFast(void *context, KeaNode *node) {
     const Step *p = context;
     node->sum[0] = 0;
@@ -314,7 +318,7 @@ static void countFast(void *context, KeaNode *node) {
     }
 }
 
-/* Bodies move where most are fast. */
+/* Sets the mean velocity, the speed relative to it, and isMoving: most bodies are fast. */
 static void findSpeed(Step *p) {
     const double n = p->s->numBodies;
     kea_overRegions(&p->regions, sumSpeeds, p);
@@ -328,14 +332,14 @@ static void findSpeed(Step *p) {
     p->isMoving = sumOverRegions(&p->regions, 0) > 0.5 * n;
 }
 
-/* Whether the residual is small enough, in the mean: few contacts of many that are far off are not worth passes over
- * all. While bodies move, the next step takes up what is left, except of deep overlaps that grow. */
+/* Whether the residual is small enough in the mean: large residuals of few contacts do not justify passes over all of
+ * them. While bodies move, the next step reduces the residual further, except that of deep overlaps that grow. */
 static MeBool isResidualSmall(const Step *p, const Residual *r) {
     return (r->meanExcess <= kea_passedExcess && r->ofJoints <= 1) ||
            (p->isMoving && r->closing <= kea_impactAccuracy * p->speed);
 }
 
-/* Multiplications of a pass over velocities; of passes over displacements and of preparation. */
+/* Multiplications of one pass over velocities; of all passes over displacements and preparation together. */
 static double workOfPass(const Step *p) {
     return (double)p->numGroups * KEA_LANES * KEA_MANIFOLD_VISIT + kea_jointsWorkOfPass(&p->joints);
 }
@@ -344,7 +348,7 @@ static double workBeside(const Step *p) {
            kea_jointsWorkBeside(&p->joints);
 }
 
-/* At least and at most, and as many as the budget still allows. */
+/* Chooses the minimal and maximal number of passes, within the rest of the budget. */
 static Passes choosePasses(Step *p) {
     const double max = p->s->parameters.maxWork;
     const int cap = p->s->parameters.maxIterations > 0 ? p->s->parameters.maxIterations : KEA_MAX_PASSES;
@@ -356,9 +360,9 @@ static Passes choosePasses(Step *p) {
     return (Passes){(int)keaMin(KEA_MIN_PASSES, affordable), (int)keaMin(KEA_MAX_PASSES, affordable)};
 }
 
-/* The least passes, then more, up to the most, while the residual is too large. Once more passes have left more, and
- * not because a deep overlap grows, which only many can stop, there is a last round of the least, with less
- * extrapolation. */
+/* Makes the minimal number of passes, then more, up to the maximum, while the residual is too large. If additional
+ * passes have increased the residual, and not because a deep overlap grows, which only many passes can stop, a last
+ * round of KEA_MIN_PASSES with limited extrapolation follows. */
 static void findVelocities(Step *p) {
     const Passes passes = choosePasses(p);
     restartExtrapolation(p);
@@ -394,7 +398,7 @@ static void setReboundsOf(void *context, KeaNode *node) {
             }
 }
 
-/* The target of points that push becomes their rebound; whether there are any. */
+/* Sets the target of pushing points to their rebound. Returns whether there are any. */
 static MeBool setRebounds(Step *p) {
     kea_overNodes(&p->regions, setReboundsOf, p);
     return isAnyOverNodes(&p->regions);
@@ -429,7 +433,7 @@ static void setEndMomentum(Step *p) {
     kea_overRegions(&p->regions, setEndMomenta, p);
 }
 
-/* ---- the guard ---- */
+/* ---- energy guard ---- */
 
 static void sumEnergy(void *context, KeaNode *node) {
     const Step *p = context;
@@ -449,8 +453,8 @@ static void sumEnergy(void *context, KeaNode *node) {
     }
 }
 
-/* J, what the impulses have added to the kinetic energy, in the start's pose; `all`: what it is with the loads
- * alone. */
+/* J: the change of the kinetic energy by the impulses, with the inertia of the start's poses; `all`: the energy with
+ * the loads only. */
 static double energyGained(Step *p, double *all) {
     kea_overRegions(&p->regions, sumEnergy, p);
     *all = sumOverRegions(&p->regions, 1);
@@ -463,8 +467,8 @@ static void sumWork(void *context, KeaNode *node) {
     node->sum[0] = kea_workOfSurfaces(&from, p->groups + node->firstGroup, node->numGroups);
 }
 
-/* J, what motors, springs, belts and worlds that move may have added. By the laws of rows J v⁺ = t - E p within bounds,
- * and of contacts, the impulses p add p·J v⁺ - |Jᵀp|²/2 <= p·(t - E p). */
+/* J: an upper bound of the energy that motors, springs, conveyor belts and moving worlds have added. By the laws of
+ * contacts, and of rows J v⁺ = t - E p within bounds, the impulses p add p·J v⁺ - |Jᵀp|²/2 <= p·(t - E p). */
 static double workOfDrives(Step *p) {
     double work = kea_jointsWork(&p->joints);
     kea_overNodes(&p->regions, sumWork, p);
@@ -473,14 +477,15 @@ static double workOfDrives(Step *p) {
     return work;
 }
 
-/* Whether the answer has more energy than what drives the bodies explains. */
+/* Whether the answer has more energy than the drives explain. */
 static MeBool isEnergyGained(Step *p) {
     double all;
     const double gained = energyGained(p, &all);
     return gained > kea_energyRoom * all && gained - workOfDrives(p) > kea_energyRoom * all;
 }
 
-/* Solves again from no impulses, point by point and without extrapolation, so that each visit is a descent. */
+/* Solves again from zero impulses, point by point and without extrapolation, so that each visit lowers the
+ * objective. */
 static void solveByDescent(Step *p) {
     kea_scaleImpulses(p->groups, p->numGroups, 0);
     kea_jointsScale(&p->joints, 0);
@@ -495,9 +500,9 @@ static void solveByDescent(Step *p) {
     setEndMomentum(p);
 }
 
-/* With a share of the impulses P the energy changes by share P·v + share² |P|²/2 (norm by M⁻¹): takes the largest share
- * that gains no more than its part of what drives the bodies. A pass over the joints follows, since a share leaves them
- * a velocity; it only takes energy. */
+/* Scales all impulses P by a share, with which the energy changes by share P·v + share² |P|²/2 (norm by M⁻¹): the
+ * largest share that adds no more than the same share of the drives' work. A pass over the joints follows, since
+ * scaling violates their rows; it only removes energy. */
 static void limitImpulses(Step *p) {
     const MdtKeaSystem *s = p->s;
     double linear = -workOfDrives(p), square = 0;
@@ -528,8 +533,8 @@ static void compareMotions(void *context, KeaNode *node) {
         }
 }
 
-/* Passes accumulate velocities in single precision. Computes them anew from the impulses, for the rest of the step.
- * False: they differ by more than is allowed, since impulses were so large in between that their rounding counts. */
+/* Recomputes the velocities, which passes accumulate in single precision, from the impulses, for the rest of the step.
+ * False: they differ by more than is allowed, since rounding of large intermediate impulses matters. */
 static MeBool doMotionsMatchImpulses(Step *p) {
     kea_overRegions(&p->regions, keepMotions, p);
     setMotions(p);
@@ -539,8 +544,8 @@ static MeBool doMotionsMatchImpulses(Step *p) {
     return lost <= kea_lostMotion * p->s->parameters.restSpeed + kea_impactAccuracy * speed;
 }
 
-/* Where the answer adds energy, or is inaccurate, since masses or levers differ too much for single precision, it is
- * found again by descent; should that still gain energy, by rounding, all impulses are multiplied by a share. */
+/* Solves again by descent if the answer has gained energy or is inaccurate, since masses or levers differ too much for
+ * single precision; if it then still gains energy, by rounding, scales all impulses. */
 static void guardEnergy(Step *p) {
     if (!isEnergyGained(p) && doMotionsMatchImpulses(p))
         return;
@@ -551,14 +556,14 @@ static void guardEnergy(Step *p) {
     p->s->report.capped = METRUE;
 }
 
-/* Newton's law of restitution at several points together may add energy: then all impulses are multiplied by the share
- * with which none is gained. */
+/* Scales all impulses so that no energy is gained: Newton's law of restitution at several points together may add
+ * some. */
 static void limitRebounds(Step *p) {
     if (isEnergyGained(p))
         limitImpulses(p);
 }
 
-/* ---- where bodies are then ---- */
+/* ---- end poses ---- */
 
 static void setMeansOf(void *context, KeaNode *node) {
     const Step *p = context;
@@ -575,7 +580,7 @@ static void setMeansOf(void *context, KeaNode *node) {
     }
 }
 
-/* Worlds move as they are said to. */
+/* Sets the velocities that bodies are moved by to the means, with θ = 1/2; those of moving worlds to their own. */
 static void setMeans(Step *p) {
     const int n = p->s->numBodies, m = p->s->numManifolds;
     p->move[0] = p->motion[0];
@@ -597,8 +602,9 @@ static MeBool choosePressed(Step *p) {
     return isAnyOverNodes(&p->regions);
 }
 
-/* The scheme. Bodies move by the mean of their velocities at the start and the end, which is of second order, unless
- * that presses a contact deeper than the end's velocities do, which contacts bound: then by these. */
+/* Chooses θ of the displacement. Bodies are moved by the mean of their velocities at the start and the end, which is of
+ * second order; or, if that presses a contact deeper than the end velocities do (these are what contacts constrain), by
+ * the end velocities. */
 static void chooseThetas(Step *p) {
     setMeans(p);
     kea_jointsMoveByEnd(&p->joints, p->motion, p->move, p->thetas);
@@ -610,8 +616,8 @@ static double thetaOf(const Step *p, int body) {
     return (double)p->thetas[1 + p->regions.place[body]];
 }
 
-/* A partition that nothing joins to the world flies: its centre of mass moves by the mean of its velocities at the
- * start and the end. `fall` gives back what bodies miss of it that are moved with those of the end. */
+/* Sets `fall`, a displacement of all bodies of a partition without contact or joint to the world, so that its centre of
+ * mass moves by the mean of its velocities at the start and the end, though some bodies are moved by θ = 1. */
 static void fallOfCentre(Step *p) {
     const MdtKeaSystem *s = p->s;
     double mass = 0;
@@ -631,7 +637,8 @@ static void fallOfCentre(Step *p) {
     keaScale(p->fall, s->parameters.stepsize / mass, p->fall);
 }
 
-/* What the system keeps of the body some places ahead: bodies of a region lie anywhere in it. */
+/* Prefetches the data of the body KEA_AHEAD places ahead: bodies with adjacent places are not adjacent in the
+ * system. */
 static void prefetchBody(const Step *p, const KeaNode *node, int place) {
     if (place + KEA_AHEAD >= node->firstPlace + node->numPlaces)
         return;
@@ -640,8 +647,8 @@ static void prefetchBody(const Step *p, const KeaNode *node, int place) {
     me_prefetch(&p->s->work->end[i], sizeof *p->s->work->end);
 }
 
-/* Orientations at the end, as a free body turns with the angular momentum (1 - θ) L + θ L⁺; by the chord, as points on
- * it are moved. */
+/* Sets the orientations at the end: free rotation with the angular momentum (1 - θ) L + θ L⁺, by the chord
+ * (kea_rotateByChord), as points of contact are moved. */
 static void turnFreely(void *context, KeaNode *node) {
     const Step *p = context;
     for (int place = node->firstPlace; place < node->firstPlace + node->numPlaces; place++) {
@@ -657,7 +664,7 @@ static void turnFreely(void *context, KeaNode *node) {
     }
 }
 
-/* By the velocities, and the displacements. */
+/* Sets the end pose of a body by its velocities and its displacement. */
 static void setEndPose(const Step *p, int place) {
     MdtKeaSystem *s = p->s;
     const int i = p->regions.body[place];
@@ -691,7 +698,7 @@ static void setEndPoses(Step *p) {
     kea_overRegions(&p->regions, setEndPosesOf, p);
 }
 
-/* Gaps are those at the end of the step from here on; there are no displacements yet. */
+/* Advances the gaps of a node to the end of the step, and clears displacements. */
 static void advanceNode(void *context, KeaNode *node) {
     const Step *p = context;
     memset(p->displacement + 1 + node->firstPlace, 0, (size_t)node->numPlaces * sizeof *p->displacement);
@@ -703,14 +710,15 @@ static void pushNode(void *context, KeaNode *node) {
     node->sum[0] = p->kernel->push(p->groups + node->firstGroup, node->numGroups, p->displacement);
 }
 
-/* Whether some contact has moved its bodies by so much that joints open. */
+/* One pass over displacements of contacts. Returns whether some contact has moved its bodies so far that joints
+ * open. */
 static MeBool pushContacts(Step *p) {
     kea_inOrder(&p->regions, pushNode, p);
     return isAnyOverNodes(&p->regions);
 }
 
-/* The passes of some rounds, over contacts, and over joints as long as these are open. Returns whether contacts have
- * opened them. */
+/* Makes the passes over displacements of some rounds: over contacts, and over joints while these are open. Returns
+ * whether contacts have opened joints. */
 static MeBool correctPositions(Step *p, int roundCount, double jointError) {
     MeBool isPushed = MEFALSE;
     for (int i = 0; i < roundCount * (KEA_POSITION_PASSES / KEA_JOINT_ROUNDS); i++) {
@@ -722,9 +730,10 @@ static MeBool correctPositions(Step *p, int roundCount, double jointError) {
     return isPushed;
 }
 
-/* Newton's method in rounds: errors of joints are evaluated anew in each, and their Jacobians where the last round has
- * not reduced the errors enough. Contacts take part in the first rounds only, which are one where joints are closed
- * already. Where joints open further all the same, the step is too long for the motion. */
+/* Corrects positions with joints by Newton's method in rounds. Each evaluates the errors of joints, and their Jacobians
+ * if the last round has not reduced the errors enough. Contacts take part in the first KEA_JOINT_ROUNDS only, which are
+ * joined to one if joints are closed already. Reports the step as violent if joints have opened further all the
+ * same. */
 static void pushJoined(Step *p) {
     const double start = kea_jointsOpening(&p->joints);
     double before = HUGE_VAL;
@@ -745,9 +754,9 @@ static void pushJoined(Step *p) {
         } else if (!areClosed) {
             correctPositions(p, 1, jointError);
         } else if (correctPositions(p, KEA_JOINT_ROUNDS - round, jointError)) {
-            round = KEA_JOINT_ROUNDS - 1; /* all of contacts have been taken */
+            round = KEA_JOINT_ROUNDS - 1; /* all passes of contacts are done */
         } else {
-            kea_jointsPush(p->s, &p->joints, p->displacement); /* or what is small would add up from step to step */
+            kea_jointsPush(p->s, &p->joints, p->displacement); /* otherwise small errors would add up over steps */
             setEndPoses(p);
             break;
         }
@@ -783,7 +792,7 @@ static void findFree(void *context, KeaNode *node) {
             isZero(&p->displacement[1 + i]) && keaLength(p->change[i]) + keaLength(p->change[i] + 3) == 0;
 }
 
-/* Bodies without impulse and displacement move as free ones. */
+/* Moves bodies without impulse and displacement as free bodies. */
 static void moveFreely(Step *p) {
     kea_overRegions(&p->regions, findFree, p);
     kea_moveFreely(p->s);
@@ -812,7 +821,7 @@ static void clearForces(MdtKeaSystem *s) {
 }
 
 void kea_fastSolve(MdtKeaSystem *s) {
-    KeaNode nodes[KEA_MAX_NODES]; /* no initializer: 24 kB, of which most partitions use two nodes */
+    KeaNode nodes[KEA_MAX_NODES]; /* not initialized: 24 kB, of which most partitions use two nodes */
     Step p = {.s = s, .kernel = kernelOfMachine(), .regions.node = nodes};
     if (!beginStep(&p)) {
         s->report.capped = METRUE;

@@ -1,17 +1,19 @@
-/* Joints in the fast solver. The bodies that they tie together are a block, which each pass solves at once, whatever
- * trees and loops they make, by a sparse Cholesky factor on the bodies' side (S = M + Jᵀ W J):
+/* Joints in the fast solver. The bodies that joints connect, in trees or loops, are a block. Each pass solves a block
+ * as a whole, by a sparse Cholesky factor of the primal matrix S = M + Jᵀ W J:
  *
  *     S Δv = Jᵀ W r,    Δp = W (r - J Δv),    r = t - J v - E p,    W = 1 / (E + N)
  *
- * N, the proximal parameter, leaves that part of a pass's change to the next one. Rows with bounds follow one by one
- * (projected Gauss-Seidel), with the response S⁻¹ Jᵀ of the whole block, so that its joints stay closed.
+ * with N the proximal parameter, because of which a pass leaves a small part of the residual to the next one. Rows with
+ * bounds follow one by one (projected Gauss-Seidel), with the response S⁻¹ Jᵀ of the whole block, so that its joints
+ * stay closed.
  *
  * Velocities: J v⁺ = t - E p. The target t of a position row corrects no error; that of a stop lets it close. A spring
- * is implicit, E = 1 / (h (h k + d)), t = E h (d s - k φ). Positions: the error that the velocities leave of
+ * is implicit, E = 1 / (h (h k + d)), t = E h (d s - k φ). Positions: displacements remove the error that the
+ * velocities leave of
  *
  *     φ(x⁺) = φ(x) + h (s - E p)
  *
- * is removed by displacements, with the same factors: simplified Newton, with the Jacobian of the start.
+ * with the same factors: a simplified Newton method, with the Jacobian at the start.
  */
 #include "inner/kea_doubles_i.h"
 #include "fast/kea_joints_i.h"
@@ -39,7 +41,7 @@ static double invEffectiveMassOf(const MdtKeaSystem *s, const KeaJointRow *r) {
     return invMass;
 }
 
-/* The row's Jacobian, as it is now. */
+/* Copies the present Jacobian of the system's row. */
 static void copyJointJacobian(KeaJointRow *r) {
     for (int k = 0; k < 2; k++) {
         keaCopy(r->J[k], r->row->J[k].lin);
@@ -47,7 +49,7 @@ static void copyJointJacobian(KeaJointRow *r) {
     }
 }
 
-/* A spring without stiffness and damping is inactive. */
+/* Sets target and compliance of a spring; without stiffness and damping it is inactive. */
 static void setSpring(double h, KeaJointRow *r) {
     const MdtKeaRow *row = r->row;
     const double h2Stiffness = h * (h * row->stiffness + row->damping);
@@ -94,7 +96,7 @@ static void setJointRow(const MdtKeaSystem *s, KeaJointRow *r) {
 
 /* ---- the block's bodies ---- */
 
-/* r += a Jᵀ, and J r, by node. */
+/* x += a Jᵀ, and J x; x by node. */
 static void addAlong(const KeaJointRow *r, double a, double (*x)[6]) {
     for (int k = 0; k < 2; k++)
         if (r->node[k] >= 0)
@@ -108,7 +110,7 @@ static double jointRateOf(const KeaJointRow *r, double (*const x)[6]) {
     return rate[0] + rate[1];
 }
 
-/* The bodies' motions, by node. */
+/* Copies the motions of the block's bodies to j->v, by node, and returns them. */
 static double (*motionsOf(const KeaJoints *j, const KeaJointBlock *b, const KeaMotion motion[]))[6] {
     for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++) {
         const KeaMotion *m = &motion[j->body[n].motion];
@@ -136,7 +138,7 @@ static double (*unknownsOf(const KeaJoints *j, const KeaJointBlock *b))[6] {
 
 /* ---- the matrix ---- */
 
-/* Adds the tied rows from `first` on that join the same bodies. Returns how many. */
+/* Adds the run of rows without bounds from `first` on that join the same bodies to the matrix. Returns their number. */
 static int addTied(const KeaJoints *j, const KeaJointBlock *b, int first) {
     const KeaJointRow *start = &j->row[first];
     KeaFactorRows rows = {.node = {start->node[0], start->node[1]}, .edge = start->edge};
@@ -150,7 +152,8 @@ static int addTied(const KeaJoints *j, const KeaJointBlock *b, int first) {
     return rows.count;
 }
 
-/* `soft`: N, of the rows' sizes. False: the matrix is not positive in double precision. */
+/* Assembles and factors S; `soft`: N relative to A_ii. False: the matrix is not positive definite in double
+ * precision. */
 static MeBool factorizeWith(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, double soft) {
     kea_factorClearIn(b->factor, b->numbers);
     for (int n = 0; n < b->numNodes; n++) {
@@ -169,9 +172,9 @@ static MeBool factorizeWith(const MdtKeaSystem *s, const KeaJoints *j, const Kea
     return kea_factorCholesky(b->factor, kea_minPivot);
 }
 
-/* Where masses differ so much that S is not positive definite in double precision, a larger N is tried. Where even that
- * of A_ii fails, the block's joints have no force in this step. Only where no larger one was needed, blocks are
- * inverted: products with inverses lose digits that the factors keep. */
+/* Factors a block. If masses differ so much that S is not positive definite in double precision, larger N are tried; if
+ * even N = A_ii fails, the block's joints have no force in this step. Blocks of the factor are inverted only if no
+ * larger N was needed: products with inverses lose digits that the factors keep. */
 static void factorizeBlock(const MdtKeaSystem *s, const KeaJoints *j, KeaJointBlock *b) {
     b->isInverted = b->isSound = factorizeWith(s, j, b, kea_proximalLimit);
     for (double soft = kea_softerJoint * kea_proximalLimit; soft <= 1 && !b->isSound; soft *= kea_softerJoint)
@@ -201,7 +204,7 @@ static void join(const MdtKeaSystem *s, int parent[]) {
     }
 }
 
-/* Sorts rows by the first body of their block, stably: a counting sort. */
+/* Sorts rows by the root of their block's set of bodies, and creates the blocks: a stable counting sort. */
 static void sortRows(const MdtKeaSystem *s, KeaJoints *j) {
     int at = 0;
     memset(j->sum, 0, (size_t)s->numBodies * sizeof *j->sum);
@@ -219,7 +222,7 @@ static void sortRows(const MdtKeaSystem *s, KeaJoints *j) {
         j->sorted[j->sum[kea_rootOf(j->parent, anyBodyOf(&s->rows[i]))]++] = &s->rows[i];
 }
 
-/* Gives a body its number in the block, if it has none yet. */
+/* Adds a body to the block, if it is not in it yet. */
 static void addJointBody(const MdtKeaSystem *s, const int place[], KeaJoints *j, KeaJointBlock *b, int body) {
     if (body >= 0 && j->node[body] < 0) {
         KeaJointBody *own = &j->body[b->firstNode + b->numNodes];
@@ -231,7 +234,7 @@ static void addJointBody(const MdtKeaSystem *s, const int place[], KeaJoints *j,
 
 /* ---- geometric stiffness ---- */
 
-/* The stiffness of an impulse P of the last step whose arm r turns with the body: h times the symmetric part of
+/* Adds the stiffness of an impulse P of the last step, whose arm r rotates with the body: h times the symmetric part of
  * (P·r) 1 - r Pᵀ. */
 static void addJointStiffness(double K[3][3], double h, const double P[3], const double r[3]) {
     const double Pr = keaDot(P, r);
@@ -254,7 +257,7 @@ static void sumStiffness(const MdtKeaSystem *s, KeaJoints *j, const KeaJointBloc
     }
 }
 
-/* I w⁺ = L + Jᵀ p - K w⁺: impulses act on the inertia I + K. */
+/* Adds the geometric stiffness K to a body's inertia: I w⁺ = L + Jᵀ p - K w⁺, so that impulses act on I + K. */
 static void addToInertia(MdtKeaSystem *s, KeaJointBody *body) {
     KeaJointBody b = *body;
     const double *I = s->bodies[b.body]->moments, min = keaMin(I[0], keaMin(I[1], I[2]));
@@ -314,7 +317,8 @@ static void setRows(const MdtKeaSystem *s, KeaJoints *j, KeaJointBlock *b) {
     }
 }
 
-/* Blocks with the same graph share one factor's structure; false: they have more graphs than a cache keeps. */
+/* Whether the factors of all blocks are still in the cache: blocks with equal graphs share one, and there are no more
+ * graphs than a cache keeps. */
 static MeBool areFactorsKept(const KeaJoints *j) {
     const KeaFactor *kept[KEA_MAX_FACTORS];
     int count = 0;
@@ -330,7 +334,7 @@ static MeBool areFactorsKept(const KeaJoints *j) {
     return METRUE;
 }
 
-/* False: no memory for a factor. */
+/* Sets up all blocks: bodies, rows and the structures of their factors. False: no memory for a factor. */
 static MeBool setBlocks(MdtKeaSystem *s, const int place[], KeaJoints *j) {
     int node = 0;
     sortRows(s, j);
@@ -349,7 +353,7 @@ static MeBool setBlocks(MdtKeaSystem *s, const int place[], KeaJoints *j) {
     return METRUE;
 }
 
-/* The memory of factors, and of the responses of rows with bounds. */
+/* Allocates the numbers of all factors, and the responses of rows with bounds. False: no memory. */
 static MeBool allocateArrays(const MdtKeaSystem *s, KeaJoints *j) {
     for (char *memory = NULL;;) {
         KeaArena arena = {memory, 0};
@@ -396,7 +400,7 @@ MeBool kea_jointsBegin(MdtKeaSystem *s, const int place[], KeaJoints *j) {
     if (!setBlocks(s, place, j))
         return MEFALSE;
     if (!areFactorsKept(j)) {
-        memset(j->parent, 0, (size_t)s->numBodies * sizeof *j->parent); /* as one block */
+        memset(j->parent, 0, (size_t)s->numBodies * sizeof *j->parent); /* all bodies in one block */
         if (!setBlocks(s, place, j))
             return MEFALSE;
     }
@@ -414,7 +418,7 @@ MeBool kea_jointsAreSound(const KeaJoints *j) {
     return METRUE;
 }
 
-/* Jᵀ p of all impulses, by node, N s and N m s. */
+/* Sets j->x to Jᵀ p of all impulses, by node, N s and N m s. */
 static void sumImpulses(const KeaJoints *j) {
     for (int i = 0; i < j->numBlocks; i++) {
         const KeaJointBlock *b = &j->block[i];
@@ -459,9 +463,9 @@ void kea_jointsScale(KeaJoints *j, double share) {
             j->row[k].impulse = j->row[k].before = share * j->row[k].impulse;
 }
 
-/* ---- all at once ---- */
+/* ---- solves by the factor ---- */
 
-/* S x = Jᵀ W r of the rows without bounds. */
+/* Solves S x = Jᵀ W r for the rows without bounds. */
 static void solveTied(const KeaJoints *j, const KeaJointBlock *b) {
     double(*x)[6] = unknownsOf(j, b);
     memset(x, 0, (size_t)b->numNodes * sizeof *x);
@@ -470,8 +474,8 @@ static void solveTied(const KeaJoints *j, const KeaJointBlock *b) {
     solveWithFactor(b, x[0]);
 }
 
-/* The velocities that a unit of a row's impulse gives the block, or in a wide one the row's own bodies, and the rate of
- * the row with these. */
+/* Computes the response of a row with bounds: the velocities of the block (in a wide one, of the row's own bodies) per
+ * unit of its impulse, and the row's rate with these velocities. */
 static void findResponse(const MdtKeaSystem *s, const KeaJointBlock *b, KeaJointRow *r) {
     double(*response)[6] = (double(*)[6])(void *)r->response;
     if (b->isWide) {
@@ -509,8 +513,8 @@ static double guessOf(const KeaJointRow *r, double beta) {
     return r->impulse + beta * (r->impulse - r->before);
 }
 
-/* Returns its part of the criterion of restarts (KeaKernel.pass), in which impulses of angular rows are divided by the
- * bodies' size. */
+/* Sets the impulse of a row. Returns its part of the criterion of restarts (KeaKernel.pass), in which impulses of
+ * angular rows are divided by the bodies' size. */
 static double setJointImpulse(KeaJointRow *r, double guess, double next) {
     const double uphill = -(next - guess) * (next - r->impulse) * r->perSquare;
     r->before = r->impulse;
@@ -526,7 +530,7 @@ static void setResiduals(const KeaJoints *j, const KeaJointBlock *b, const KeaMo
     }
 }
 
-/* A row that stays at its bound needs no response. */
+/* Solves one row with bounds. A row that stays at its bound needs no response. */
 static double visitBounded(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, KeaJointRow *r,
                            double beta) {
     if (r->isInactive)
@@ -548,7 +552,7 @@ static double visitAllBounded(const MdtKeaSystem *s, const KeaJoints *j, const K
     return uphill;
 }
 
-/* In a wide block rows with bounds, which open its joints, come first. */
+/* One pass over a block. In a wide block rows with bounds are solved first, since they open its joints. */
 static double visitBlock(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, KeaMotion motion[],
                          double beta) {
     double uphill = 0;
@@ -587,7 +591,8 @@ static double residualOf(const KeaJointRow *r, double rate) {
     return fabs(next - r->impulse) * invEffectiveMass * r->length;
 }
 
-/* m/s, that a row may leave: of a contact, but for its load (KeaTolerance). */
+/* m/s: the residual that a row may have: the tolerance of a contact (KeaTolerance) without the terms of load and mass
+ * ratio. */
 static double toleranceOf(const KeaJoints *j, const KeaJointBlock *b, const KeaJointRow *r, const KeaTolerance *t) {
     double change = 0;
     for (int k = 0; k < 2; k++)
@@ -614,12 +619,12 @@ double kea_jointsResidual(const KeaJoints *j, const KeaMotion motion[], const Ke
 
 /* ---- positions ---- */
 
-/* Of the smaller body's size. */
+/* An error relative to the smaller body's size. */
 static double opening(const KeaJointRow *r, double error) {
     return fabs(error) * r->perSize;
 }
 
-/* A stop is violated on one side only. */
+/* The part of an error that violates the row: a stop is violated on one side only. */
 static double violationOf(const KeaJointRow *r, double error) {
     return isTwoSided(r->row) ? error : r->lower == 0 ? keaMin(error, 0) : keaMax(error, 0);
 }
@@ -691,7 +696,7 @@ void kea_jointsRefill(const MdtKeaSystem *s, KeaJoints *j) {
     }
 }
 
-/* Removes the violation of a stop; it does not pull back to the stop. */
+/* Removes the violation of a stop by displacements; the stop does not pull. */
 static void pushStop(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, KeaJointRow *r) {
     const double residual = r->residual - jointRateOf(r, unknownsOf(j, b));
     const double need = r->lower == 0 ? keaMax(residual, 0) : keaMin(residual, 0);
@@ -702,7 +707,8 @@ static void pushStop(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBl
     addJointResponse(j, b, r, need / r->invMassInBlock);
 }
 
-/* Scales a pass's displacements down to the largest turn for which errors are linear in them (kea_maxPush). */
+/* Scales all displacements of a pass down so that no body rotates by more than kea_maxPush: beyond that angle errors
+ * are no longer linear in the displacements. */
 static void limitTurn(const KeaJoints *j, const KeaJointBlock *b) {
     double max = 0;
     for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++)
@@ -714,7 +720,7 @@ static void limitTurn(const KeaJoints *j, const KeaJointBlock *b) {
             j->x[n][i] *= kea_maxPush / max;
 }
 
-/* Returns the largest, of a size. */
+/* Sets the position residuals of a block's rows. Returns the largest error, relative to the smaller body's size. */
 static double setPositionResiduals(const KeaJoints *j, const KeaJointBlock *b, const KeaMotion displacement[]) {
     double(*const v)[6] = motionsOf(j, b, displacement);
     double max = 0;
@@ -753,7 +759,7 @@ double kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion displacemen
     return max;
 }
 
-/* ---- rebounds, and the end ---- */
+/* ---- rebounds and results ---- */
 
 MeBool kea_jointsRebound(KeaJoints *j) {
     MeBool isAny = MEFALSE;
