@@ -139,7 +139,7 @@ typedef enum MdtSkeletalTwistOption {
     MdtSkeletalTwistOptionFixed = 2,
 } MdtSkeletalTwistOption;
 
-/** Skeletal. Stiffness and damping: MEINFINITY in either is hard. */
+/** Skeletal. MEINFINITY in a stiffness or damping: a hard limit. */
 typedef struct MdtBclSkeletal {
     MeReal primary, secondary, twist; /**< rad */
     MeReal coneStiffness, coneDamping, twistStiffness, twistDamping;

@@ -278,7 +278,8 @@ double kea_smallerExtent(const MdtKeaSystem *s, const int body[2]);
 /* Save and restore the rows' Jacobians (work->savedJ). */
 void kea_keepRows(MdtKeaSystem *s);
 void kea_recallRows(MdtKeaSystem *s);
-/* m/s: a target speed of a row as far as its bounds let it drive to it: 0 for a stop or a contact with a gap. */
+/* m/s: the part of a target speed that a row can enforce within its bounds. One-sided rows only push: it is 0 for a
+ * stop or a contact with a gap. */
 double kea_pushSpeed(const MdtKeaSystem *s, const MdtKeaRow *row, double speed);
 
 /* ---- kea_events.c ---- */
@@ -361,8 +362,8 @@ MeBool kea_limitDisplacements(const MdtKeaSystem *s);
 /* The largest a in [0, 1] for which velocity + plastic + a (elastic - plastic) has at most the energy `allowed`. */
 double kea_elasticShare(const MdtKeaSystem *s, double (*velocity)[6], double (*elastic)[6], double (*plastic)[6],
                         double allowed);
-/* Fallback for a step that has not converged: `change` is what scales the velocities of all bodies that rows act on
- * down to the energy `allowed`. False: they have no more than that, or only free bodies move. */
+/* Fallback for a step that has not converged: writes the `change` that scales the velocities of all bodies that rows
+ * act on down to the energy `allowed`. False: the energy is not higher, or only free bodies move. */
 MeBool kea_scaleVelocities(const MdtKeaSystem *s, double (*velocity)[6], double allowed, double (*change)[6]);
 
 /* ---- kea_residual.c ---- */

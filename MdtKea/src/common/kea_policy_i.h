@@ -60,8 +60,8 @@ static const double kea_bodySizeShare = 1e-2, kea_distanceShare = 1e-4;
  * without loads would be 0. With kea_newtonTolerance it is 1e-14 of the momentum, 50 times the rounding of a double. x2
  * and /2 fail MdtKea_system: a_guess_within_the_tolerances_is_kept. */
 static const double kea_momentumShare = 1e-4;
-/* A joint is inconsistent if two passes in succession leave more than this fraction of its residual: half way between
- * 0, fulfilled, and 1. x2 fails Mdt_Report: joints_that_contradict_each_other_are_told. */
+/* A joint is inconsistent if two passes in succession leave more than this fraction of its residual: half way between 0
+ * (its row is fulfilled) and 1 (nothing is gained). x2 fails Mdt_Report: joints_that_contradict_each_other_are_told. */
 static const double kea_inconsistentShare = 0.5;
 /* Possible error of attachments that a program gives in single precision, relative to lever arms and distances from the
  * origin, or in rad: eight roundings. A linkage may be too long by this to pass its change point, and joints that
@@ -298,8 +298,8 @@ static const double kea_assertedCancelling = 1e-12;
 /* m/s, rad/s: a pass with a larger change has diverged. The squares of the change, and of the distances that it leads
  * to, fit a double; no motion comes near. */
 static const double kea_largestChange = 1e100;
-/* The length that is left of a unit direction without its part along the normal: a shorter remainder is rounding, and
- * not across the normal to kea_unitRounding any more. */
+/* Smallest length of a unit direction after its part along the normal is subtracted: a shorter remainder is rounding,
+ * and orthogonal to the normal only to less than kea_unitRounding requires. */
 static const double kea_minAcross = 1e-6;
 
 /* ---- contacts in time ---- */
@@ -317,7 +317,7 @@ enum {
  * and /2 fail MdtKea_policy: rounds_end_at_a_fiftieth_of_the_first_rebound. */
 static const double kea_lastRound = 0.02;
 /* Fraction of the load speed. A contact that separates faster is open; one that slides faster may have an event when it
- * stops; one that approaches faster at the start of a step, without rebound, chatters (rolling bodies meet the ground
+ * stops; one that approaches faster at the start of a step, without rebound, chatters (rolling bodies reach the ground
  * more slowly: with 0 Mst_Rims and Mst_Cases_Friction fail). It is far above rounding (with 1e-7 a rolling ball stopped
  * 794 times) and far below 1, the change of velocity in a step. x2 fails Mst_Cases_Friction:
  * one_block_stops_and_one_topples. */
@@ -444,10 +444,10 @@ static const float kea_soundDeterminant = 1e-4f;
  * passes, even while bodies move. x2 fails Mst_Crowd: chains_hold_in_a_crowd; x2 and /2 MdtKea_fast_policy:
  * an_overlap_of_a_tenth_is_deep. */
 static const double kea_smallOverlap = 0.1;
-/* Fraction of the bodies' speed (root mean square): the speed at which deep overlaps may still grow after passes while
- * bodies move; and of the largest speed, what velocities may lose by rounding. Less takes more passes while a heap
- * settles, and overlaps are the same. x4 fails Mst_Crowd: a_pyramid_of_forty_rows_comes_to_rest, which sinks by more
- * than a millimetre. */
+/* Fraction of the bodies' speed (root mean square): while bodies move, passes end although deep overlaps still grow
+ * with this speed. Fraction of the largest speed: rounding error that velocities may have. Less takes more passes while
+ * a heap settles, and overlaps are the same. x4 fails Mst_Crowd: a_pyramid_of_forty_rows_comes_to_rest, which sinks by
+ * more than a millimetre. */
 static const double kea_impactAccuracy = 0.05;
 /* Displacement in a step, relative to the smaller body's size: no contact may leave a residual that moves bodies
  * further, or a cube of 2 cm would sink by what is invisible on one of a metre. As kea_restingDepth. */

@@ -312,7 +312,7 @@ static MeBool isMovedByEnd(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return isTied(s, row->body[0]) || isTied(s, row->body[1]);
 }
 
-/* m/s: what the rate that the contact constrains has in addition to J v⁺ with the J of the mean lever arms. */
+/* m/s: the rate that the contact constrains minus J v⁺ with the J of the mean lever arms (kea_setMovingRates). */
 static double movingRate(const MdtKeaSystem *s, int i) {
     const MdtKeaMove *mean = &s->moves[i][0], *end = &s->moves[i][1];
     if (!s->parameters.timed && isMovedByEnd(s, &s->rows[i]))

@@ -178,8 +178,8 @@ static void fillFriction(const MdtKeaSystem *s, const MdtKeaManifold *m, const K
     g->isCone[lane] = m->surface.isCone ? -1 : 0;
 }
 
-/* Whether lever arms change in the step: a body rotates, and the relative displacement of both bodies at the centre is
- * below what the mean motion may press. If the bodies collide or slide, impulses act at one common point, that of the
+/* Whether lever arms are to change in the step: a body rotates, and the relative displacement of both bodies at the
+ * centre is below kea_pressedDepth. If the bodies collide or slide, impulses act at one common point, that of the
  * start; otherwise angular momentum would not be conserved. */
 static MeBool doArmsRotate(const MdtKeaSystem *s, const MdtKeaManifold *m, const KeaPatch *p) {
     double rate[3] = {0, 0, 0}, spin2 = 0;

@@ -194,6 +194,7 @@ static int anyBodyOf(const MdtKeaRow *row) {
     return row->body[0] >= 0 ? row->body[0] : row->body[1];
 }
 
+/* Unites the bodies that rows join (union-find). */
 static void join(const MdtKeaSystem *s, int parent[]) {
     for (int i = 0; i < s->numBodies; i++)
         parent[i] = i;
