@@ -37,7 +37,7 @@ MEPUBLIC void MEAPI MdtBodySetUser(const MdtBodyID b, void *model, const MdtBody
 /** The stage of a world, for what goes through its bodies. */
 MEPUBLIC MeStage *MEAPI MdtWorldGetStage(const MdtWorldID w);
 /** MdtWorldStep, or MdtWorldStepSafeTime, and MdtWorldStepRest, of a world that the caller holds at level 0. */
-MEPUBLIC void MEAPI MdtWorldAdvance(const MdtWorldID w, const MeReal h, const MeBool safely);
+MEPUBLIC void MEAPI MdtWorldAdvance(const MdtWorldID w, const MeReal h, const MeBool stopAtSafeTime);
 MEPUBLIC int MEAPI MdtWorldAdvanceLag(const MdtWorldID w);
 
 /** A version of the body's pose in double, which changes with its last bit: collision results are valid while it is the

@@ -1,4 +1,4 @@
-/* The angular joint's part of the API. */
+/* API of the angular joint. */
 #include "api/mdt_api_i.h"
 
 MDT_JOINT_BASICS(Angular3, MdtBclANGULAR3)

@@ -1,4 +1,4 @@
-/* The ball-and-socket joint's part of the API. */
+/* API of the ball-and-socket joint. */
 #include "api/mdt_api_i.h"
 
 MDT_JOINT_BASICS(BSJoint, MdtBclBSJOINT)

@@ -1,4 +1,4 @@
-/* The car wheel's part of the API: its axes are the primary one of frame 0 and the second one of frame 1. */
+/* API of the car wheel. The steering axis is the primary axis of frame 0, the hinge axis the second axis of frame 1. */
 #include "api/mdt_api_i.h"
 
 MDT_JOINT_BASICS(CarWheel, MdtBclCARWHEEL)

@@ -1,4 +1,4 @@
-/* The cone limit's part of the API. */
+/* API of the cone limit. */
 #include "api/mdt_api_i.h"
 
 MDT_JOINT_BASICS(ConeLimit, MdtBclCONELIMIT)

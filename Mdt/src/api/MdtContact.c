@@ -1,4 +1,4 @@
-/* Contacts: geometry, parameters, the list that their maker keeps. */
+/* API of contacts: geometry, parameters, the list for the contacts' maker. */
 #include "api/mdt_api_i.h"
 #include "MeAssert.h"
 #include <string.h>
@@ -30,8 +30,8 @@ MdtContactID MEAPI MdtConstraintDCastContact(const MdtConstraintID c) {
     return mdt_isConstraint(c, __func__) && mdt_isPoint(c) ? (MdtContactID)c : NULL;
 }
 
-/* The solver's inputs have changed. */
-static void disturb(const MdtPoint *p) {
+/* Ends the rest certificates of the contact's bodies: an input of the solver has changed. */
+static void disturbManifold(const MdtPoint *p) {
     mdt_constraintDisturb(&mdt_manifoldOf(p)->base);
 }
 
@@ -44,10 +44,10 @@ void MEAPI MdtContactSetPosition(const MdtContactID c, const MeReal x, const MeR
         !mdt_isPlace(__func__, "the position", mdt_manifoldOf(p)->base.world, x, y, z))
         return;
     keaCopy(p->position, position);
-    disturb(p);
+    disturbManifold(p);
 }
 
-static void readBack(MeVector3 v, const char *caller, const double from[3]) {
+static void writeResult(MeVector3 v, const char *caller, const double from[3]) {
     if (mdt_isPointer(caller, "the result", v))
         mdt_toReal(v, from);
 }
@@ -55,10 +55,10 @@ static void readBack(MeVector3 v, const char *caller, const double from[3]) {
 void MEAPI MdtContactGetPosition(const MdtContactID c, MeVector3 v) {
     static const double none[3] = {0, 0, 0};
     const MdtPoint *p = mdt_pointOf(c, __func__);
-    readBack(v, __func__, p ? p->position : none);
+    writeResult(v, __func__, p ? p->position : none);
 }
 
-/* A direction, or false with a warning. */
+/* True for a vector of positive, finite length; otherwise warns. */
 static MeBool isDirection(const char *caller, const char *what, MeReal x, MeReal y, MeReal z) {
     const double v[3] = {x, y, z}, size = keaLength(v);
     if (size > 0 && isfinite(size))
@@ -76,7 +76,7 @@ void MEAPI MdtContactSetNormal(const MdtContactID c, const MeReal x, const MeRea
         return;
     mdt_pointNormal(p, before);
     keaScale(now, 1 / keaLength(now), now);
-    if (memcmp(before, now, sizeof now) != 0) /* whatever its length */
+    if (memcmp(before, now, sizeof now) != 0) /* another length of the same direction is no change */
         mdt_pointSetNormal(p, normal);
 }
 
@@ -85,7 +85,7 @@ void MEAPI MdtContactGetNormal(const MdtContactID c, MeVector3 v) {
     double normal[3] = {0, 0, 0};
     if (p)
         mdt_pointNormal(p, normal);
-    readBack(v, __func__, normal);
+    writeResult(v, __func__, normal);
 }
 
 static MeBool isDepth(const char *caller, double depth) {
@@ -102,7 +102,7 @@ void MEAPI MdtContactSetPenetration(const MdtContactID c, const MeReal penetrati
     if (!p || !isDepth(__func__, penetration) || p->depth == (double)penetration)
         return;
     p->depth = penetration;
-    disturb(p);
+    disturbManifold(p);
 }
 
 MeReal MEAPI MdtContactGetPenetration(const MdtContactID c) {
@@ -118,7 +118,7 @@ void MEAPI MdtContactSetExact(const MdtContactID c, const double position[3], co
         !isDepth(__func__, penetration))
         return;
     mdt_pointNormal(p, normal);
-    mdt_pointShares(p, share);
+    mdt_pointMotionWeights(p, share);
     mdt_pointSetFound(p, normal, share, position, penetration);
 }
 
@@ -156,8 +156,8 @@ MeReal MEAPI MdtContactGetRim(const MdtContactID c, const unsigned int bodyindex
     return (MeReal)rim;
 }
 
-/* The primary and the normal direction now. */
-static void axesOf(const MdtPoint *p, double direction[3], double normal[3]) {
+/* The contact's present primary direction and normal. */
+static void getAxes(const MdtPoint *p, double direction[3], double normal[3]) {
     mdt_pointNormal(p, normal);
     mdt_pointDirection(p, normal, direction);
 }
@@ -167,7 +167,7 @@ void MEAPI MdtContactSetDirection(const MdtContactID c, const MeReal x, const Me
     double direction[3] = {x, y, z}, before[3], normal[3], across[3];
     if (!p || !isDirection(__func__, "the direction", x, y, z))
         return;
-    axesOf(p, before, normal);
+    getAxes(p, before, normal);
     keaCross(across, normal, direction);
     if (!(keaLength(across) > 1e-6 * keaLength(direction))) {
         MeWarning(1, "MdtContactSetDirection: the direction is along the normal; nothing is changed");
@@ -179,22 +179,23 @@ void MEAPI MdtContactSetDirection(const MdtContactID c, const MeReal x, const Me
     keaCopy(extra->direction, direction);
     extra->record.flags |= MDT_OWN_DIRECTION;
     extra->params.options |= MdtBclContactOptionUseDirection;
-    axesOf(p, direction, normal);
+    getAxes(p, direction, normal);
     if (memcmp(before, direction, sizeof before) != 0)
-        disturb(p);
+        disturbManifold(p);
 }
 
 void MEAPI MdtContactGetDirection(const MdtContactID c, MeVector3 v) {
     const MdtPoint *p = mdt_pointOf(c, __func__);
     double normal[3], direction[3] = {0, 0, 0};
     if (p)
-        axesOf(p, direction, normal);
-    readBack(v, __func__, direction);
+        getAxes(p, direction, normal);
+    writeResult(v, __func__, direction);
 }
 
 /* ---- parameters ---- */
 
-/* Parameters of the contact's own, which a program may write from now on: they are compared in every step. */
+/* The contact's own parameters, created if necessary. The program may write them from now on: a hash of them is
+ * compared in every step. */
 static MdtBclContactParams *watchedParams(MdtPoint *p, const char *caller) {
     MdtManifold *m = mdt_manifoldOf(p);
     const MdtBclContactParams shown = *mdt_pointParams(p);

@@ -1,4 +1,4 @@
-/* Contact groups: the contacts of a manifold, as programs see them. */
+/* API of contact groups: a group is a manifold, with the manifolds that continue it. */
 #include "MdtInternal.h"
 #include "api/mdt_api_i.h"
 #include "MeAssert.h"
@@ -24,7 +24,7 @@ MdtContactGroupID MEAPI MdtConstraintDCastContactGroup(const MdtConstraintID c) 
     return mdt_isConstraint(c, __func__) && mdt_isManifold(c) ? (MdtContactGroupID)c : NULL;
 }
 
-/* A contact that is in the group, or null with a warning. */
+/* The contact if it belongs to the group; otherwise null, with a warning. */
 static MdtPoint *memberOf(MdtManifold *group, const MdtContactID c, const char *caller) {
     MdtPoint *p = group ? mdt_pointOf(c, caller) : NULL;
     if (!p || mdt_manifoldOf(p) == group)
@@ -55,20 +55,21 @@ MdtContactID MEAPI MdtContactGroupCreateContact(MdtContactGroupID g) {
     return group ? (MdtContactID)mdt_pointCreateIn(group, __func__) : NULL;
 }
 
-/* A contact that was to join or leave a group: still in a record of its own? Null: it, or the group, has gone. */
-static MdtPoint *laterMember(const MeLater *later) {
+/* The contact of a deferred call that moves it into or out of a group. Null if it, or the group, has been destroyed,
+ * or if it has no record of its own any more. */
+static MdtPoint *deferredMember(const MeLater *later) {
     MdtPoint *p = later->other[0];
-    return mdt_laterConstraint(later) && mdt_isPoint(later->other[0]) && mdt_pointIsAlone(p) ? p : NULL;
+    return mdt_deferredConstraint(later) && mdt_isPoint(later->other[0]) && mdt_pointIsAlone(p) ? p : NULL;
 }
 
-static MeBool isToMoveNow(MdtManifold *group, MdtPoint *p, void(MEAPI *carryOut)(const MeLater *later),
-                          const char *caller) {
+static MeBool mayMoveNow(MdtManifold *group, MdtPoint *p, void(MEAPI *carryOut)(const MeLater *later),
+                         const char *caller) {
     const MeLater later = {.carryOut = carryOut, .object = group, .other = {p}, .serial = group->base.link.serial};
-    return mdt_when(group->base.world, MDT_GUARD_CONSTRAINTS, caller, &later) == MeWhenNow;
+    return mdt_deferIfGuarded(group->base.world, MDT_GUARD_CONSTRAINTS, caller, &later) == MeWhenNow;
 }
 
-static void MEAPI joinLater(const MeLater *later) {
-    MdtPoint *p = laterMember(later);
+static void MEAPI applyDeferredJoin(const MeLater *later) {
+    MdtPoint *p = deferredMember(later);
     if (p && !mdt_isInGroup(p))
         mdt_pointJoin(p, later->object);
 }
@@ -86,12 +87,12 @@ static MeBool mayJoin(const MdtPoint *p, const MdtManifold *group) {
 void MEAPI MdtContactGroupAppendContact(MdtContactGroupID g, MdtContactID c) {
     MdtManifold *group = mdt_groupOf(g, __func__);
     MdtPoint *p = group ? mdt_pointOf(c, __func__) : NULL;
-    if (p && mayJoin(p, group) && isToMoveNow(group, p, joinLater, __func__))
+    if (p && mayJoin(p, group) && mayMoveNow(group, p, applyDeferredJoin, __func__))
         mdt_pointJoin(p, group);
 }
 
-static void MEAPI leaveLater(const MeLater *later) {
-    MdtPoint *p = laterMember(later);
+static void MEAPI applyDeferredLeave(const MeLater *later) {
+    MdtPoint *p = deferredMember(later);
     if (p && mdt_manifoldOf(p) == later->object)
         mdt_pointLeave(p);
 }
@@ -101,7 +102,7 @@ void MEAPI MdtContactGroupRemoveContact(MdtContactGroupID g, MdtContactID c) {
     if (p && !mdt_pointIsAlone(p))
         MeWarning(1, "MdtContactGroupRemoveContact: the contact was made by a bridge, and lives in its group only; "
                      "nothing is changed");
-    else if (p && isToMoveNow(mdt_manifoldOf(p), p, leaveLater, __func__))
+    else if (p && mayMoveNow(mdt_manifoldOf(p), p, applyDeferredLeave, __func__))
         mdt_pointLeave(p);
 }
 
@@ -111,7 +112,7 @@ void MEAPI MdtContactGroupDestroyContact(MdtContactGroupID g, MdtContactID c) {
         mdt_constraintDestroy((MdtConstraintID)(void *)p, __func__);
 }
 
-/* ---- the rest ---- */
+/* ---- properties ---- */
 
 MeReal MEAPI MdtContactGroupGetNormalForce(MdtContactGroupID g) {
     const MdtManifold *group = mdt_groupOf(g, __func__);
@@ -130,7 +131,7 @@ MeBool MEAPI MdtContactGroupIsSwapped(MdtContactGroupID g) {
     return group && (group->base.record.flags & MDT_SWAPPED);
 }
 
-/* A group that is the program's own; null, with a warning, for others. */
+/* The group if the program made it; null, with a warning, for a group of the bridge. */
 static MdtManifold *ownGroup(MdtContactGroupID g, const char *caller) {
     MdtManifold *group = mdt_groupOf(g, caller);
     if (!group || !(group->base.record.flags & MDT_BRIDGED))

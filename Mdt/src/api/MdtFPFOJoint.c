@@ -1,4 +1,4 @@
-/* The FPFO joint's part of the API. */
+/* API of the FPFO joint. */
 #include "api/mdt_api_i.h"
 
 MDT_JOINT_BASICS(FPFOJoint, MdtBclFPFOJOINT)

@@ -1,16 +1,16 @@
-/* The fixed-path joint's part of the API. Its numbers are in the bodies' own frames; Bcl's are in those of the centres
- * of mass. */
+/* API of the fixed-path joint. Its numbers are in the bodies' frames; those of Bcl are in the frames of the centres of
+ * mass. */
 #include "api/mdt_api_i.h"
 
 MDT_JOINT_BASICS(FixedPath, MdtBclFIXEDPATH)
 
-/* The joint, if it has a side of that index; else null with a warning. */
+/* The joint, if the handle and the body index are valid; otherwise null, with a warning. */
 static MdtJoint *jointOf(MdtFixedPathID path, unsigned int bodyindex, const char *caller) {
     MdtJoint *j = mdt_jointOfType(path, MdtBclFIXEDPATH, caller);
     return j && mdt_isSide(caller, bodyindex) ? j : NULL;
 }
 
-static void turnToCentre(const MdtBodyID b, const double in[3], double out[3]) {
+static void rotateToCentre(const MdtBodyID b, const double in[3], double out[3]) {
     double R[3][3];
     if (!b) {
         keaCopy(out, in);
@@ -20,7 +20,7 @@ static void turnToCentre(const MdtBodyID b, const double in[3], double out[3]) {
     keaApplyTransposed(out, (const double(*)[3])R, in);
 }
 
-static void turnFromCentre(const MdtBodyID b, const double in[3], double out[3]) {
+static void rotateFromCentre(const MdtBodyID b, const double in[3], double out[3]) {
     double R[3][3];
     if (!b) {
         keaCopy(out, in);
@@ -39,7 +39,7 @@ void MEAPI MdtFixedPathSetPosition(const MdtFixedPathID path, const unsigned int
     double p[3] = {x, y, z};
     if (body)
         keaSubtract(p, p, body->centre);
-    turnToCentre(body, p, j->bcl.frame[bodyindex].position);
+    rotateToCentre(body, p, j->bcl.frame[bodyindex].position);
 }
 
 void MEAPI MdtFixedPathGetPosition(const MdtFixedPathID path, const unsigned int bodyindex, MeVector3 position) {
@@ -48,7 +48,7 @@ void MEAPI MdtFixedPathGetPosition(const MdtFixedPathID path, const unsigned int
     if (!j)
         return;
     const MdtBodyID body = j->base.side[bodyindex].body;
-    turnFromCentre(body, j->bcl.frame[bodyindex].position, p);
+    rotateFromCentre(body, j->bcl.frame[bodyindex].position, p);
     if (body)
         keaAddScaled(p, 1, body->centre);
     mdt_toReal(position, p);
@@ -61,7 +61,7 @@ void MEAPI MdtFixedPathSetVelocity(const MdtFixedPathID path, const unsigned int
         return;
     const MdtBodyID body = j->base.side[bodyindex].body;
     const double v[3] = {dx, dy, dz};
-    turnToCentre(body, v, j->bcl.of.path.velocity[bodyindex]);
+    rotateToCentre(body, v, j->bcl.of.path.velocity[bodyindex]);
 }
 
 void MEAPI MdtFixedPathGetVelocity(const MdtFixedPathID path, const unsigned int bodyindex, MeVector3 velocity) {
@@ -70,6 +70,6 @@ void MEAPI MdtFixedPathGetVelocity(const MdtFixedPathID path, const unsigned int
     if (!j)
         return;
     const MdtBodyID body = j->base.side[bodyindex].body;
-    turnFromCentre(body, j->bcl.of.path.velocity[bodyindex], v);
+    rotateFromCentre(body, j->bcl.of.path.velocity[bodyindex], v);
     mdt_toReal(velocity, v);
 }

@@ -1,4 +1,4 @@
-/* The hinge's part of the API. */
+/* API of the hinge. */
 #include "api/mdt_api_i.h"
 
 MDT_JOINT_BASICS(Hinge, MdtBclHINGE)

@@ -1,4 +1,4 @@
-/* The Linear2 joint's part of the API. */
+/* API of the Linear2 joint. */
 #include "api/mdt_api_i.h"
 
 MDT_JOINT_BASICS(Linear2, MdtBclLINEAR2)

@@ -1,4 +1,4 @@
-/* The prismatic joint's part of the API. */
+/* API of the prismatic joint. */
 #include "api/mdt_api_i.h"
 
 MDT_JOINT_BASICS(Prismatic, MdtBclPRISMATIC)

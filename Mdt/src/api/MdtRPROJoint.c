@@ -1,4 +1,4 @@
-/* The RPRO joint's part of the API. */
+/* API of the RPRO joint. */
 #include "api/mdt_api_i.h"
 #include <string.h>
 
@@ -9,8 +9,8 @@ static MdtBclRelative *relativeOf(MdtRPROJointID j, const char *caller) {
     return c ? &c->bcl.of.relative : NULL;
 }
 
-/* The unit quaternion; false, with a warning, for one without length. */
-static MeBool toUnit(const char *caller, const MeReal q[4], double unit[4]) {
+/* Normalizes a quaternion; false, with a warning, for one without length. */
+static MeBool normalizeQuaternion(const char *caller, const MeReal q[4], double unit[4]) {
     double square = 0;
     for (int i = 0; i < 4; i++) {
         unit[i] = q[i];
@@ -30,12 +30,12 @@ static void copyQuaternion(MeVector4 q, const double from[4]) {
         q[i] = (MeReal)from[i];
 }
 
-/* ---- the wanted orientation ---- */
+/* ---- the target orientation ---- */
 
 void MEAPI MdtRPROJointSetRelativeQuaternion(const MdtRPROJointID j, const MeVector4 q) {
     MdtBclRelative *r = relativeOf(j, __func__);
     double unit[4];
-    if (r && mdt_isPointer(__func__, "the quaternion", q) && toUnit(__func__, q, unit))
+    if (r && mdt_isPointer(__func__, "the quaternion", q) && normalizeQuaternion(__func__, q, unit))
         memcpy(r->quaternion, unit, sizeof unit);
 }
 
@@ -77,7 +77,7 @@ void MEAPI MdtRPROJointSetAttachmentQuaternion(const MdtRPROJointID j, const MeR
     MdtJoint *c = mdt_jointOfType(j, MdtBclRPROJOINT, __func__);
     const MeReal q[4] = {q0, q1, q2, q3};
     double unit[4], R[3][3];
-    if (!c || !mdt_isSide(__func__, bodyindex) || !toUnit(__func__, q, unit))
+    if (!c || !mdt_isSide(__func__, bodyindex) || !normalizeQuaternion(__func__, q, unit))
         return;
     keaQuaternionToMatrix(R, unit);
     for (int i = 0; i < 3; i++) {
@@ -103,7 +103,7 @@ void MEAPI MdtRPROJointGetAttachmentQuaternion(const MdtRPROJointID j, const uns
     copyQuaternion(quaternion, q);
 }
 
-/* ---- their other names ---- */
+/* ---- other names of these functions ---- */
 
 void MEAPI MdtRPROJointGetAttachmentOrientation(const MdtRPROJointID j, const unsigned int bodyindex,
                                                 MeVector4 quaternion) {

@@ -1,4 +1,4 @@
-/* The skeletal joint's part of the API. */
+/* API of the skeletal joint. */
 #include "api/mdt_api_i.h"
 
 MDT_JOINT_BASICS(Skeletal, MdtBclSKELETAL)

@@ -1,4 +1,4 @@
-/* The spring's part of the API. */
+/* API of the spring. */
 #include "api/mdt_api_i.h"
 
 MDT_JOINT_BASICS(Spring, MdtBclSPRING)

@@ -1,4 +1,4 @@
-/* The six springs' part of the API. */
+/* API of the six springs. */
 #include "api/mdt_api_i.h"
 
 MDT_JOINT_BASICS(Spring6, MdtBclSPRING6)
@@ -6,8 +6,8 @@ MDT_JOINT_BASICS(Spring6, MdtBclSPRING6)
 typedef enum { stiffness, damping } Property;
 enum { LINEAR = 0, ANGULAR = 3 };
 
-/* Where a property of a spring is; null, with a warning, for no joint or no axis. */
-static MeReal *placeOf(MdtSpring6ID j, const char *caller, int kind, int axis, Property property) {
+/* Address of a spring's property; null, with a warning, for a bad handle or axis index. */
+static MeReal *findProperty(MdtSpring6ID j, const char *caller, int kind, int axis, Property property) {
     MdtJoint *c = mdt_jointOfType(j, MdtBclSPRING6, caller);
     if (!c)
         return NULL;
@@ -19,38 +19,38 @@ static MeReal *placeOf(MdtSpring6ID j, const char *caller, int kind, int axis, P
 }
 
 void MEAPI MdtSpring6SetLinearStiffness(const MdtSpring6ID j, int axisindex, MeReal s) {
-    mdt_setNonNegative(__func__, "the stiffness", placeOf(j, __func__, LINEAR, axisindex, stiffness), s);
+    mdt_setNonNegative(__func__, "the stiffness", findProperty(j, __func__, LINEAR, axisindex, stiffness), s);
 }
 
 MeReal MEAPI MdtSpring6GetLinearStiffness(const MdtSpring6ID j, int axisindex) {
-    const MeReal *place = placeOf(j, __func__, LINEAR, axisindex, stiffness);
+    const MeReal *place = findProperty(j, __func__, LINEAR, axisindex, stiffness);
     return place ? *place : 0;
 }
 
 void MEAPI MdtSpring6SetLinearDamping(const MdtSpring6ID j, int axisindex, MeReal d) {
-    mdt_setNonNegative(__func__, "the damping", placeOf(j, __func__, LINEAR, axisindex, damping), d);
+    mdt_setNonNegative(__func__, "the damping", findProperty(j, __func__, LINEAR, axisindex, damping), d);
 }
 
 MeReal MEAPI MdtSpring6GetLinearDamping(const MdtSpring6ID j, int axisindex) {
-    const MeReal *place = placeOf(j, __func__, LINEAR, axisindex, damping);
+    const MeReal *place = findProperty(j, __func__, LINEAR, axisindex, damping);
     return place ? *place : 0;
 }
 
 void MEAPI MdtSpring6SetAngularStiffness(const MdtSpring6ID j, int axisindex, MeReal s) {
-    mdt_setNonNegative(__func__, "the stiffness", placeOf(j, __func__, ANGULAR, axisindex, stiffness), s);
+    mdt_setNonNegative(__func__, "the stiffness", findProperty(j, __func__, ANGULAR, axisindex, stiffness), s);
 }
 
 MeReal MEAPI MdtSpring6GetAngularStiffness(const MdtSpring6ID j, int axisindex) {
-    const MeReal *place = placeOf(j, __func__, ANGULAR, axisindex, stiffness);
+    const MeReal *place = findProperty(j, __func__, ANGULAR, axisindex, stiffness);
     return place ? *place : 0;
 }
 
 void MEAPI MdtSpring6SetAngularDamping(const MdtSpring6ID j, int axisindex, MeReal d) {
-    mdt_setNonNegative(__func__, "the damping", placeOf(j, __func__, ANGULAR, axisindex, damping), d);
+    mdt_setNonNegative(__func__, "the damping", findProperty(j, __func__, ANGULAR, axisindex, damping), d);
 }
 
 MeReal MEAPI MdtSpring6GetAngularDamping(const MdtSpring6ID j, int axisindex) {
-    const MeReal *place = placeOf(j, __func__, ANGULAR, axisindex, damping);
+    const MeReal *place = findProperty(j, __func__, ANGULAR, axisindex, damping);
     return place ? *place : 0;
 }
 

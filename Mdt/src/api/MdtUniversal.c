@@ -1,4 +1,4 @@
-/* The universal joint's part of the API: its axes are the primary one of frame 0 and the second one of frame 1. */
+/* API of the universal joint: axis 0 is the primary axis of frame 0, axis 1 the second axis of frame 1. */
 #include "api/mdt_api_i.h"
 
 MDT_JOINT_BASICS(Universal, MdtBclUNIVERSAL)

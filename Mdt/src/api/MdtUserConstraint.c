@@ -1,7 +1,7 @@
-/* The user constraint's part of the API. Its rows are in memory of its own, which it has from creation on. */
+/* API of the user constraint. Memory for its rows is allocated at its creation. */
 #include "api/mdt_api_i.h"
 
-/* MDT_JOINT_BASICS, but for the creation. */
+/* MDT_JOINT_BASICS with another creation function. */
 MdtUserConstraintID MEAPI MdtUserConstraintCreate(const MdtWorldID w) {
     MdtJoint *c = mdt_jointCreate(w, MdtBclUSER, __func__);
     if (!c)

@@ -28,8 +28,8 @@ void MEAPI MdtMakeInertiaTensorBox(const MeReal mass, const MeReal lx, const MeR
     setDiagonal(i, k * (ly * ly + lz * lz), k * (lx * lx + lz * lz), k * (lx * lx + ly * ly));
 }
 
-/* Between the frames of two bodies by way of the world; `w` is 1 for a point and 0 for a direction. */
-static void convert(MdtBodyID from, const MeVector3 f, MdtBodyID to, MeVector3 t, double w) {
+/* Converts a vector from one body's frame to another's, by way of the world. w: 1 for a point, 0 for a direction. */
+static void convertVector(MdtBodyID from, const MeVector3 f, MdtBodyID to, MeVector3 t, double w) {
     double given[3], world[3], result[3];
     mdt_fromReal(given, f);
     keaCopy(world, given);
@@ -59,12 +59,12 @@ static MeBool mayConvert(const char *caller, MdtBodyID from, const MeReal *f, Md
 void MEAPI MdtConvertPositionVector(const MdtBodyID from_body, const MeVector3 f, const MdtBodyID to_body,
                                     MeVector3 t) {
     if (mayConvert(__func__, from_body, f, to_body, t))
-        convert(from_body, f, to_body, t, 1);
+        convertVector(from_body, f, to_body, t, 1);
 }
 
 void MEAPI MdtConvertVector(const MdtBodyID from_body, const MeVector3 f, const MdtBodyID to_body, MeVector3 t) {
     if (mayConvert(__func__, from_body, f, to_body, t))
-        convert(from_body, f, to_body, t, 0);
+        convertVector(from_body, f, to_body, t, 0);
 }
 
 void MEAPI MdtLimitController(const MdtLimitID limit, const MeReal desiredPosition, const MeReal gap,

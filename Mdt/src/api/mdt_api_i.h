@@ -1,11 +1,12 @@
-/* Inside Mdt: what the files of the API share. */
+/* Inside Mdt: declarations that the files of the API share. */
 #ifndef MDT_API_I_H
 #define MDT_API_I_H
 
 #include "record/mdt_point_i.h"
 #include "record/mdt_named_i.h"
 
-/* The four functions that every joint has: a joint is a constraint and nothing else, so handles convert by a cast. */
+/* The four functions that every joint has. A joint's handle is a constraint's handle, so that they convert by a cast.
+ * */
 #define MDT_JOINT_BASICS(Joint, TYPE)                                                                                  \
     Mdt##Joint##ID MEAPI Mdt##Joint##Create(const MdtWorldID w) {                                                      \
         return (Mdt##Joint##ID)mdt_jointCreate(w, TYPE, __func__);                                                     \
@@ -24,7 +25,7 @@
         return mdt_jointCast(c, TYPE, __func__);                                                                       \
     }
 
-/* Where its bodies have carried it to since the step began. */
-void mdt_pointCarried(const MdtPoint *p, double position[3], double *depth);
+/* Position and depth of a contact now: moved along with its bodies since the step began. */
+void mdt_pointGetCurrent(const MdtPoint *p, double position[3], double *depth);
 
 #endif

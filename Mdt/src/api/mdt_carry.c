@@ -1,5 +1,5 @@
-/* Moves contacts along with their bodies, instead of finding them anew, where these have hardly moved relative to each
- * other (MdtInternal.h). */
+/* Moves contacts along with bodies that have hardly moved relative to each other, in place of a new collision test
+ * (MdtInternal.h). */
 #include "MdtInternal.h"
 #include "MeAssert.h"
 #include "api/mdt_api_i.h"
@@ -10,13 +10,13 @@ typedef struct Motion {
     double R[3][3], from[3], to[3];
 } Motion;
 
-static void setNoMotion(Motion *m) {
+static void setIdentityMotion(Motion *m) {
     keaQuaternionToMatrix(m->R, (const double[4]){1, 0, 0, 0});
     keaZero(m->from);
     keaZero(m->to);
 }
 
-static void motionOfStep(const MdtBody *b, Motion *m) {
+static void getStepMotion(const MdtBody *b, Motion *m) {
     double back[4], turn[4];
     keaQuaternionConjugate(back, b->start.quaternion);
     keaQuaternionProduct(turn, b->kea.quaternion, back);
@@ -32,24 +32,25 @@ static void movePoint(const Motion *m, double x[3]) {
     keaAddScaled(x, 1, m->to);
 }
 
-static void turnNormal(const Motion *m, MeReal normal[3]) {
+static void rotateNormal(const Motion *m, MeReal normal[3]) {
     double before[3], after[3];
     mdt_fromReal(before, normal);
     keaApply(after, (const double(*)[3])m->R, before);
     mdt_toReal(normal, after);
 }
 
-static void turnNormals(MdtManifold *block, const Motion *second) {
-    turnNormal(second, block->normal);
+static void rotateNormals(MdtManifold *block, const Motion *second) {
+    rotateNormal(second, block->normal);
     for (MdtExtra *extra = block->extras; extra; extra = extra->next)
         if (extra->record.flags & MDT_OWN_NORMAL)
-            turnNormal(second, extra->normal);
+            rotateNormal(second, extra->normal);
 }
 
-/* The surface points p_k lie half the depth on either side of the contact: depth = n·(p_1 - p_0). Between two bodies
- * the contact stays half-way between them, and on the world it is the body's. */
-static void moveSurfaces(MdtPoint *p, const Motion motion[2], const double before[3], const double after[3],
-                         MeBool isOnWorld) {
+/* Moves the two surface points of a contact with their bodies. They lie half the depth on either side of the contact:
+ * depth = n·(p_1 - p_0). The contact is put halfway between them; on the world, along the normal from the body's
+ * point. */
+static void moveSurfacePoints(MdtPoint *p, const Motion motion[2], const double before[3], const double after[3],
+                              MeBool isOnWorld) {
     double surface[2][3], between[3];
     for (int k = 0; k < 2; k++) {
         keaCopy(surface[k], p->position);
@@ -65,7 +66,7 @@ static void moveSurfaces(MdtPoint *p, const Motion motion[2], const double befor
         keaAddScaled(p->position, 0.5, between);
 }
 
-void mdt_pointCarried(const MdtPoint *p, double position[3], double *depth) {
+void mdt_pointGetCurrent(const MdtPoint *p, double position[3], double *depth) {
     const MdtManifold *m = mdt_manifoldOf(p);
     double normal[3];
     Motion motion[2];
@@ -73,15 +74,15 @@ void mdt_pointCarried(const MdtPoint *p, double position[3], double *depth) {
     mdt_pointNormal(p, normal);
     for (int k = 0; k < 2; k++)
         if (m->base.side[k].body)
-            motionOfStep(m->base.side[k].body, &motion[k]);
+            getStepMotion(m->base.side[k].body, &motion[k]);
         else
-            setNoMotion(&motion[k]);
-    moveSurfaces(&carried, motion, normal, normal, !m->base.side[1].body);
+            setIdentityMotion(&motion[k]);
+    moveSurfacePoints(&carried, motion, normal, normal, !m->base.side[1].body);
     keaCopy(position, carried.position);
     *depth = carried.depth;
 }
 
-/* The normals of a record's points, by slot: one, unless some have their own. */
+/* The unit normals of a record's points, by slot. Without extras they are all the same. */
 static void findNormals(const MdtManifold *block, double normal[MDT_POINTS][3]) {
     const MdtPoint *last = NULL;
     for (const MdtPoint *p = mdt_pointIn(block, 0); p; p = mdt_pointIn(block, p->slot + 1)) {
@@ -102,17 +103,17 @@ MeReal MEAPI MdtContactGroupCarry(MdtContactGroupID g, const MeBool hasMoved[2])
     for (int k = 0; k < 2; k++) {
         MEASSERT(!hasMoved[k] || m->base.side[k].body);
         if (hasMoved[k])
-            motionOfStep(m->base.side[k].body, &motion[k]);
+            getStepMotion(m->base.side[k].body, &motion[k]);
         else
-            setNoMotion(&motion[k]);
+            setIdentityMotion(&motion[k]);
     }
     for (MdtManifold *block = m; block; block = block->next) {
         findNormals(block, before);
         if (hasMoved[1])
-            turnNormals(block, &motion[1]);
+            rotateNormals(block, &motion[1]);
         findNormals(block, after);
         for (MdtPoint *p = mdt_pointIn(block, 0); p; p = mdt_pointIn(block, p->slot + 1)) {
-            moveSurfaces(p, motion, before[p->slot], after[p->slot], !m->base.side[1].body);
+            moveSurfacePoints(p, motion, before[p->slot], after[p->slot], !m->base.side[1].body);
             min = keaMin(min, -p->depth);
         }
     }

@@ -1,5 +1,5 @@
-/* The functions of all constraints under the name MdtConstraint and under those of the joints, listed in
- * tests/structure/check_joints.py. Each hands on the name that it was called by, for messages. */
+/* Functions of all constraints, under the name MdtConstraint and under that of each joint as listed in
+ * tests/structure/check_joints.py. Each passes its own name on, for messages. */
 #include "Mdt.h"
 #include "api/mdt_api_i.h"
 
@@ -139,7 +139,7 @@ AXES(Universal)
 
 COMMON(UserConstraint)
 
-/* ---- and single ones ---- */
+/* ---- single functions ---- */
 
 void MEAPI MdtConstraintBodySetPosition(const MdtConstraintID c, const unsigned int bodyindex, const MeReal x,
                                         const MeReal y, const MeReal z) {

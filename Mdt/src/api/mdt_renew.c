@@ -5,7 +5,7 @@
 #include "api/mdt_api_i.h"
 #include <string.h>
 
-/* Of slots that are not in use, too. */
+/* Clears the marks of all slots, used or not. */
 static void clearFound(MdtManifold *m) {
     for (MdtManifold *block = m; block; block = block->next)
         for (int slot = 0; slot < MDT_POINTS; slot++)
@@ -18,8 +18,8 @@ static MdtContactID markFound(MdtPoint *p) {
     return (MdtContactID)p;
 }
 
-/* The slots of the record whose contacts have this feature and are unmatched: all compared, without branches, as which
- * of them has it cannot be predicted. */
+/* The slots of the record whose contacts have this feature and are unmatched. All are compared without branches, which
+ * would be mispredicted. */
 static unsigned int slotsOfFeature(const MdtManifold *block, MeU32 feature) {
     unsigned int slots = 0;
     for (int slot = 0; slot < MDT_POINTS; slot++)
@@ -36,8 +36,8 @@ static MdtPoint *pointOfFeature(MdtManifold *m, MeU32 feature) {
     return NULL;
 }
 
-/* Where a contact has been carried to since it was found, by the body that it pushes. */
-static void carriedPlace(const MdtPoint *p, double time, double place[3]) {
+/* Predicted position of a contact: moved with its first body for `time` seconds since it was found. */
+static void predictPosition(const MdtPoint *p, double time, double place[3]) {
     const MdtBodyID body = mdt_manifoldOf(p)->base.side[0].body;
     MeVector3 now, velocity = {0, 0, 0};
     mdt_toReal(now, p->position);
@@ -47,14 +47,14 @@ static void carriedPlace(const MdtPoint *p, double time, double place[3]) {
         place[i] = p->position[i] + time * (double)velocity[i];
 }
 
-static double squareDistance(const double a[3], const double b[3]) {
+static double distanceSquared(const double a[3], const double b[3]) {
     double difference[3];
     keaSubtract(difference, a, b);
     return keaDot(difference, difference);
 }
 
-/* Matches the nearest two of the contacts found and those of the group that are unmatched. Returns the latter; null:
- * there are none. */
+/* Matches the closest pair of an unmatched found contact and an unmatched one of the group. Returns the latter; null if
+ * there is none. */
 static MdtPoint *matchNearest(const MdtManifold *m, const MdtFoundContact found[], int count, double time,
                               MdtContactID contacts[]) {
     MdtPoint *nearest = NULL;
@@ -64,9 +64,9 @@ static MdtPoint *matchNearest(const MdtManifold *m, const MdtFoundContact found[
         double place[3];
         if (p->isFound)
             continue;
-        carriedPlace(p, time, place);
+        predictPosition(p, time, place);
         for (int i = 0; i < count; i++) {
-            const double distance = contacts[i] ? HUGE_VAL : squareDistance(place, found[i].position);
+            const double distance = contacts[i] ? HUGE_VAL : distanceSquared(place, found[i].position);
             if (distance < min) {
                 min = distance;
                 nearest = p;
@@ -79,8 +79,8 @@ static MdtPoint *matchNearest(const MdtManifold *m, const MdtFoundContact found[
     return nearest;
 }
 
-/* Contacts that are unmatched by feature id are matched by distance. Feature ids of boxes that lie flat change with
- * rounding, from a corner to an edge, while the points and their forces remain. */
+/* Matches contacts by feature id, then the others by distance: feature ids of boxes that lie flat may change with
+ * rounding, from a corner to an edge, while the points and their forces stay. */
 static void matchContacts(MdtManifold *m, const MdtFoundContact found[], int count, double time,
                           MdtContactID contacts[]) {
     int unmatched = 0;
@@ -93,7 +93,7 @@ static void matchContacts(MdtManifold *m, const MdtFoundContact found[], int cou
         unmatched--;
 }
 
-static void destroyOthers(MdtManifold *m) {
+static void destroyUnmatched(MdtManifold *m) {
     unsigned int others = 0;
     for (const MdtManifold *block = m; block; block = block->next)
         for (int slot = 0; slot < MDT_POINTS; slot++)
@@ -105,8 +105,8 @@ static void destroyOthers(MdtManifold *m) {
     }
 }
 
-/* A record's shared values are those of its first point; points that differ get their own later. */
-static void shareFrom(MdtManifold *block, const MdtFoundContact *found) {
+/* Sets a record's shared values to those of its first point; points that differ store their own values later. */
+static void setSharedValues(MdtManifold *block, const MdtFoundContact *found) {
     if (memcmp(&block->surface->params, found->params, sizeof *found->params) != 0)
         mdt_blockSetSurface(block, found->params);
     if (memcmp(block->normal, found->normal, sizeof block->normal) == 0 &&
@@ -117,16 +117,17 @@ static void shareFrom(MdtManifold *block, const MdtFoundContact *found) {
     mdt_constraintDisturb(block->group ? &block->group->base : &block->base);
 }
 
-static void shareAll(MdtManifold *m, const MdtFoundContact found[], int count, const MdtContactID contacts[]) {
+static void setAllSharedValues(MdtManifold *m, const MdtFoundContact found[], int count,
+                               const MdtContactID contacts[]) {
     for (MdtManifold *block = m; block; block = block->next) {
         int first = 0;
         while (first < count && !(contacts[first] && mdt_blockOf((MdtPoint *)contacts[first]) == block))
             first++;
-        shareFrom(block, &found[first < count ? first : 0]);
+        setSharedValues(block, &found[first < count ? first : 0]);
     }
 }
 
-/* In the first free slot of the group. */
+/* Adds a point in the first free slot of the group. Null, with a warning, if the world is full. */
 static MdtPoint *addPoint(MdtManifold *m, const MdtFoundContact *found) {
     for (MdtManifold *block = m; block; block = block->next)
         for (int slot = 0; slot < MDT_POINTS; slot++)
@@ -139,7 +140,7 @@ static MdtPoint *addPoint(MdtManifold *m, const MdtFoundContact *found) {
             }
     MdtPoint *p = mdt_pointCreateIn(m, "MdtContactGroupCreateContact");
     if (p)
-        shareFrom(mdt_blockOf(p), found);
+        setSharedValues(mdt_blockOf(p), found);
     return p;
 }
 
@@ -148,9 +149,9 @@ static void setRound(MdtPoint *p, int side, const MdtFoundContact *found) {
     mdt_pointSetRim(p, side, found->rim[side], found->axis[side]);
 }
 
-/* Whether the point has what was found of the contact, of its own (extra; null: it has nothing) or with its record. Its
- * position is always its own. */
-static MeBool isAsFound(const MdtManifold *block, const MdtExtra *extra, const MdtFoundContact *found) {
+/* True if the point already has the found values, in its extra (null: none) or shared with its record. Positions are
+ * not compared. */
+static MeBool hasFoundValues(const MdtManifold *block, const MdtExtra *extra, const MdtFoundContact *found) {
     const int own = extra ? extra->record.flags : 0;
     const MeReal *normal = own & MDT_OWN_NORMAL ? extra->normal : block->normal;
     const MeReal *radius = own & MDT_OWN_RADIUS ? extra->radius : block->radius;
@@ -167,26 +168,26 @@ static MeBool isAsFound(const MdtManifold *block, const MdtExtra *extra, const M
     return memcmp(&block->surface->params, found->params, sizeof *found->params) == 0;
 }
 
-/* Has the contact nothing of its own, as the group's first one? */
-static MeBool isLikeFirst(const MdtFoundContact *found, const MdtFoundContact *first) {
+/* True if the contact needs no values of its own beside the group's first contact. */
+static MeBool sharesValues(const MdtFoundContact *found, const MdtFoundContact *first) {
     return memcmp(found->normal, first->normal, sizeof found->normal) == 0 &&
            memcmp(found->radius, first->radius, sizeof found->radius) == 0 && found->params == first->params &&
            !(found->rim[0] > 0) && !(found->rim[1] > 0);
 }
 
-/* What the last point was set from, where its record's shared values are those found; else without a record. */
+/* The found contact from which the last point was set; with its record if the record's shared values equal it. */
 typedef struct Shared {
     const MdtManifold *block;
     const MdtFoundContact *found;
     double normal[3]; /* unit */
-    double share[2];  /* mdt_pointShares */
+    double share[2];  /* of mdt_pointMotionWeights */
 } Shared;
 
 static void setPoint(MdtPoint *p, const MdtFoundContact *found, Shared *last) {
     const MdtManifold *block = mdt_blockOf(p);
-    if (block != last->block || !isLikeFirst(found, last->found)) {
+    if (block != last->block || !sharesValues(found, last->found)) {
         const MdtExtra *extra = mdt_extraOf(block, p->slot);
-        const MeBool isShared = !block->extras, isSame = (isShared || extra) && isAsFound(block, extra, found);
+        const MeBool isShared = !block->extras, isSame = (isShared || extra) && hasFoundValues(block, extra, found);
         if (!isSame) {
             mdt_pointSetParams(p, found->params);
             mdt_pointSetNormal(p, found->normal);
@@ -196,26 +197,26 @@ static void setPoint(MdtPoint *p, const MdtFoundContact *found, Shared *last) {
         last->block = isShared && isSame ? block : NULL;
         last->found = found;
         mdt_pointNormal(p, last->normal);
-        mdt_pointShares(p, last->share);
+        mdt_pointMotionWeights(p, last->share);
     }
     mdt_pointSetFound(p, last->normal, last->share, found->position, found->depth);
     p->feature = found->feature;
 }
 
-static MeBool areShared(const MdtFoundContact found[], int count) {
+static MeBool areAllAlike(const MdtFoundContact found[], int count) {
     for (int i = 0; i < count; i++)
-        if (!isLikeFirst(&found[i], &found[0]))
+        if (!sharesValues(&found[i], &found[0]))
             return MEFALSE;
     return METRUE;
 }
 
-/* The points of the group's records take contacts without one from a pool if all have the surface, and what of them is
- * not shared has its place (places are made for all points of a group, or for none). */
+/* Nothing is taken from a pool if all records have the surface already, and all points that need an extra have one
+ * (MdtContactGroupRenew makes extras for all points of a group, or for none). */
 MeBool MEAPI MdtContactGroupGoesOn(MdtContactGroupID g, const MdtFoundContact found[], int count) {
     const MdtManifold *m = mdt_groupOf(g, __func__);
     if (!m || m->numPoints != count || count == 0 || (found->params->options & MdtBclContactOptionUseDirection))
         return MEFALSE;
-    const MeBool areAlike = areShared(found, count);
+    const MeBool areAlike = areAllAlike(found, count);
     for (int i = 0; i < count; i++)
         if (found[i].params != found[0].params)
             return MEFALSE;
@@ -235,16 +236,16 @@ int MEAPI MdtContactGroupRenew(MdtContactGroupID g, const MdtFoundContact found[
     Shared last = {NULL, NULL, {0, 0, 0}, {0, 0}};
     if (!m)
         return 0;
-    const MeBool areAlike = areShared(found, count);
+    const MeBool areAlike = areAllAlike(found, count);
     matchContacts(m, found, count, (double)time, contacts);
-    destroyOthers(m);
+    destroyUnmatched(m);
     if (count > 0)
-        shareAll(m, found, count, contacts);
+        setAllSharedValues(m, found, count, contacts);
     for (int i = 0; i < count; i++) {
         MdtPoint *p = contacts[i] ? mdt_asPoint((MdtConstraintID)contacts[i]) : addPoint(m, &found[i]);
         if (!p)
-            return i;  /* the world is full, and has said so */
-        if (!areAlike) /* what of it is not shared has its place from now on, whichever contact it is next time */
+            return i;  /* the world is full, and a warning was given */
+        if (!areAlike) /* every point gets an extra, so that later renewals allocate nothing */
             mdt_extraMake(mdt_blockOf(p), p->slot, "MdtContactGroupCreateContact");
         setPoint(p, &found[i], &last);
         contacts[i] = (MdtContactID)p;

@@ -1,9 +1,9 @@
-/* Inside Mdt: pools of records, lists of them, checks of what programs give.
+/* Inside Mdt: pools of records, sorted lists of records, checks of the arguments of API functions.
  *
  * Ownership: a world owns pools of records, which never move: bodies, joints, and the manifolds of contacts
  * (mdt_manifold_i.h). Live records are linked into the world's lists in the order of simulation: sort key, then
  * creation. A joint, or a manifold, is also linked into the lists of its bodies. A body's authoritative state is the
- * double one in `kea`; what programs point at is refreshed from it.
+ * double one in `kea`; the transforms and velocities that programs read through pointers are copies of it.
  */
 #ifndef MDT_BASE_I_H
 #define MDT_BASE_I_H
@@ -21,10 +21,10 @@
 
 /* The head of every record. */
 typedef struct MdtRecord {
-    unsigned int magic; /* says what it is; 0: not in use */
+    unsigned int magic; /* the record's type, MDT_...; 0: the record is free */
     int flags;
     union {
-        MeHandle handle;        /* while it lives */
+        MeHandle handle;        /* its entry in the table of live objects (MeInternal.h) */
         struct MdtRecord *free; /* next in the pool's free list */
     };
 } MdtRecord;
@@ -34,28 +34,29 @@ enum {
     MDT_BODY = 0x4b424459,
     MDT_JOINT = 0x4b4a4e54,
     MDT_MANIFOLD = 0x4b4d4e46,
-    MDT_POINT = 0x4b504e54, /* within a manifold */
+    MDT_POINT = 0x4b504e54, /* a contact, within a manifold's record */
     MDT_EXTRA = 0x4b585452,
 };
 
-/* Records of one size, in one block, or, where there is no limit to them, in blocks of which each is as large as all
- * before it together. Freed ones are reused last, so that a stale handle is noticed for as long as possible. */
+/* Records of one size: in one block or, if their number is not limited, in blocks that each double the total. A freed
+ * record is reused after all others that are free, so that stale handles are recognized for as long as possible. */
 typedef struct MdtPool {
-    void *blocks; /* each begins with a pointer to the one before it */
+    void *blocks; /* the newest; each begins with a pointer to the block allocated before it */
     size_t recordSize;
     MeLimit limit;
-    const char *what; /* "bodies" */
-    int room, used;   /* records in all blocks */
-    char *fresh;      /* the first of the newest block that has never been in use; its memory has not been touched */
+    const char *what; /* in messages, for instance "bodies" */
+    int room, used;   /* numbers of records in all blocks */
+    char *fresh;      /* the newest block's first record that was never in use; nothing was written there yet */
     int numFresh;
     MdtRecord *firstFree, *lastFree;
 } MdtPool;
 
-/* Before the first record; recordSize, what and limit are set. Takes all memory that there will be, if there is a
- * limit. */
+/* Call it before the first mdt_poolGet, with recordSize, what and limit set. A pool with a limit allocates all of its
+ * memory here. False, after a fatal error, if there is no memory. */
 MeBool mdt_poolInit(MdtPool *pool, const char *caller);
 void mdt_poolTerm(MdtPool *pool);
-/* Zeroed but for its head; null, with a message that names the caller, when there is no room. */
+/* A record whose fields are 0 except those of its head; null, with a message that names the caller, if the pool is full
+ * or there is no memory. */
 void *mdt_poolGet(MdtPool *pool, unsigned int magic, const char *caller);
 void mdt_poolPut(MdtPool *pool, void *record);
 
@@ -63,7 +64,7 @@ void mdt_poolPut(MdtPool *pool, void *record);
 
 typedef struct MdtLink {
     struct MdtLink *next, *previous;
-    unsigned long serial; /* counts creations in the world */
+    unsigned long serial; /* number of the creation in the world: the order of equal sort keys */
     MeI32 sortKey;
 } MdtLink;
 
@@ -85,40 +86,41 @@ void mdt_listSort(MdtList *list); /* by key, then serial; a merge sort that allo
 
 /* ---- checks -------------------------------------------------------------------------------------------------- */
 
-/* True for a live handle; else a warning that names the caller. */
+/* True for a live handle; otherwise warns in the caller's name. */
 MeBool mdt_isWorld(const MdtWorld *w, const char *caller);
 MeBool mdt_isBody(const MdtBody *b, const char *caller);
 MeBool mdt_isConstraint(const MdtBaseConstraint *c, const char *caller);
-/* True for finite numbers; else a warning. */
+/* True for a finite number; otherwise warns. */
 MeBool mdt_isFinite(const char *caller, const char *what, MeReal x);
-/* The same of vectors; no number is larger than those of single precision, so that products of some are finite. */
+/* The same for vectors. In double builds, too, numbers beyond the range of single precision are refused, so that
+ * products of a few of them are finite. */
 MeBool mdt_isFinite3(const char *caller, const char *what, MeReal x, MeReal y, MeReal z);
-MeBool mdt_areFinite(const MeReal v[3]); /* without one */
-/* Within the bound of positions, too. */
+MeBool mdt_areFinite(const MeReal v[3]); /* the same without a warning */
+/* The same, and within the bound of positions (MdtBodyGetPositionBound). */
 MeBool mdt_isPlace(const char *caller, const char *what, const MdtWorld *w, MeReal x, MeReal y, MeReal z);
-/* True for lower <= x; else a warning. */
+/* True for a finite x >= lower; otherwise warns. */
 MeBool mdt_isNotBelow(const char *caller, const char *what, MeReal x, MeReal lower);
-MeBool mdt_isUsable(MeReal x); /* positive, and within what single precision can have */
+MeBool mdt_isPositiveInRange(MeReal x); /* positive and within the range of single precision */
 MeBool mdt_isPositive(const char *caller, const char *what, MeReal x);
 MeBool mdt_isSortKey(const char *caller, MeI32 key);
 MeBool mdt_isPointer(const char *caller, const char *what, const void *p);
-/* True for a place to write n numbers to, which are zeroed: the neutral result. */
+/* True if result is not null; its n numbers are then zeroed, as the neutral result. Otherwise warns. */
 MeBool mdt_isResult(const char *caller, MeReal *result, int n);
-/* Stores x >= 0; else a warning. A null place, of a joint that was none, is left alone. */
+/* Stores x if it is >= 0; otherwise warns. Does nothing if place is null: the joint was not valid. */
 void mdt_setNonNegative(const char *caller, const char *what, MeReal *place, MeReal x);
-/* Stores an angle, clamped to 0..pi; a warning for one that is not finite. */
+/* Stores an angle, clamped to 0..pi. An angle that is not finite is not stored, with a warning. */
 void mdt_setAngle(const char *caller, const char *what, MeReal *place, MeReal x);
-/* Warns of one that has gone while any world lives, and of null. */
+/* True for a live body; otherwise warns, but for a destroyed body only while some world lives. */
 MeBool mdt_mayDestroyBody(const MdtBody *b, const char *caller);
-/* "caller: the constraint has been destroyed, or never was one" */
+/* Warns: "caller: the <what> has been destroyed, or never was one". */
 void mdt_warnGone(const char *caller, const char *what);
-/* How many worlds live: one more, or one less. */
+/* Adds to the number of live worlds: 1 or -1. */
 void mdt_countWorlds(int change);
-double mdt_worldBound(const MdtWorld *w); /* m: of positions */
+double mdt_worldBound(const MdtWorld *w); /* m: the bound of positions (MdtBodyGetPositionBound) */
 MeBool mdt_isSolver(MdtSolver solver);
-/* Is the list of a body's constraints linked both ways? */
+/* True if each attachment in the body's list links back to the one before it and belongs to the body and its world. */
 MeBool mdt_attachmentsAreLinked(const MdtBody *b);
-/* Will it be destroyed when a stage ends? */
+/* True if the constraint is being destroyed, or will be when a stage ends. */
 MeBool mdt_constraintIsCondemned(const MdtBaseConstraint *c);
 
 #define MDT_NEED_WORLD(w, otherwise)                                                                                   \
@@ -139,13 +141,14 @@ MeBool mdt_constraintIsCondemned(const MdtBaseConstraint *c);
 
 /* ---- MeReal and double --------------------------------------------------------------------------------------- */
 
-/* What MeReal has no number for is MEINFINITY. */
+/* Converts to MeReal; clamps numbers beyond its range to +-MEINFINITY. */
 static inline MeReal mdt_real(double x) {
     const double max = (double)MEINFINITY;
     return (MeReal)(x > max ? max : x < -max ? -max : x);
 }
 
-/* Zero times infinity is no number: three are looked at at once, as this is done for all that moves. */
+/* mdt_real for a vector. One test finds out whether any component became infinite: 0 times infinity is not a number.
+ * This is called for every moving body. */
 static inline void mdt_toReal(MeVector3 r, const double v[3]) {
     r[0] = (MeReal)v[0], r[1] = (MeReal)v[1], r[2] = (MeReal)v[2];
     if (!(0 * r[0] + 0 * r[1] + 0 * r[2] <= 0))

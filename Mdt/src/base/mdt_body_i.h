@@ -6,129 +6,129 @@
 
 typedef struct MdtAttachment MdtAttachment;
 
-/* A body as its last step, or the last part of it that was taken by safe time, began. */
+/* The state of a body at the start of its last step, or of the last part of a step by safe times. */
 typedef struct MdtStart {
     MdtKeaVelocity velocity;
     double position[3], quaternion[4]; /* of the centre of mass */
-    unsigned long moves;               /* MdtBody.moves then, and when the step was done */
-    unsigned long movesAfter;
+    unsigned long moves;               /* MdtBody.moves at the start */
+    unsigned long movesAfter;          /* MdtBody.moves at the end */
 } MdtStart;
 
-/* For how long a body has hardly moved, and near which pose it swings (mdt_sleep.c). */
+/* Whether a body has stayed near one pose, and how it oscillates about it (mdt_stay.c). */
 typedef struct MdtStay {
-    double displacement[6];            /* m, in the last second: that it moved, and turned at its radius */
-    double maxDisplacement;            /* m, of that, in the last second */
+    double displacement[6];            /* m, over the last second: translation, and rotation times the body's radius */
+    double maxDisplacement;            /* m, the largest magnitude of `displacement` in the last second */
     double position[3], quaternion[4]; /* of the centre of mass */
-    double time;                       /* s, for which it has been near there */
-    double farthest;                   /* m, that it was away from there, */
-    double known;                      /* and when it came back last */
-    double reach;                      /* m: it swung by little before, and would still be within this; 0: it did not */
-    int returns;                       /* how often it has come back to half of the farthest */
+    double time;                       /* s, for which the body has been near that pose */
+    double farthest;                   /* m, the largest distance from that pose so far */
+    double known;                      /* m, `farthest` at the last return */
+    double reach; /* m: within it the body still counts as oscillating little, since it did so before; 0: it did not */
+    int returns;  /* how often it has come back to within half of `farthest` */
     MeBool isBack;
 } MdtStay;
 
-/* How the force on a body answers to its motion: sums over frames (mdt_force.c). */
+/* Response of a program's force on a body to the body's motion: sums over frames (mdt_force.c). */
 typedef struct MdtFeedback {
-    double along[3];     /* the direction of the force's last change, */
-    double change;       /* N s, N m s: and the change along it */
-    double before[2][3]; /* kg m/s or kg m²/s: the mean momentum of the frame before, and its change */
-    double sum[3][5];    /* addToFit: of products of 1, p, q of the frame before with 1, p, q, f, p² + q² */
+    double along[3];     /* unit vector along the last change of the force */
+    double change;       /* N s, N m s: that change, signed */
+    double before[2][3]; /* kg m/s or kg m²/s: of the frame before, the mean momentum and the momentum's change */
+    double sum[3][5];    /* addToFit: products of (1, p, q) of the frame before with (1, p, q, f, p² + q²) */
     int frames;
-    int steady; /* frames since its change turned round */
-    int growth; /* frames, near such ones, in which the force was larger than before, less others */
+    int steady; /* frames since the change of the force last reversed */
+    int growth; /* score of frames in which the force grew while it alternated: those add, others subtract */
 } MdtFeedback;
 
-/* What a program applied to a body for the last frame. */
+/* The forces that the program applied to a body in its last frame. */
 typedef struct MdtApplied {
     double force[3], torque[3]; /* N, N m */
-    double momentum[2][3];      /* kg m/s, kg m²/s, as the last step, or part of it, began */
-    double time;                /* s, of that frame; 0: it applied nothing, or has moved the body since */
+    double momentum[2][3]; /* kg m/s, kg m²/s, linear and angular, at the start of the last step or of its last part */
+    double time;           /* s, length of that frame; 0: the program applied nothing, or has moved the body since */
     MdtFeedback pushing, turning;
 } MdtApplied;
 
 enum {
-    MDT_ENABLED = 1,     /* takes part in the simulation */
-    MDT_ASLEEP = 2,      /* was disabled by the world, not by the program */
-    MDT_FAR = 4,         /* was stopped at the bound of positions, with a warning */
-    MDT_WATCHED = 8,     /* programs write its parameters through a pointer; of a body: those of a constraint of it */
-    MDT_LONE = 16,       /* a manifold of one contact that is in no group */
-    MDT_SWAPPED = 32,    /* a group that was attached as (null, body) */
-    MDT_NO_COLLIDE = 64, /* a joint whose bodies do not collide with each other; a body that has or had such a joint */
-    MDT_FORCED = 128,    /* a body whose program has given a force, be it 0, for the step that comes */
-    MDT_KEPT = 256,      /* a body whose force goes on for the rest of the step in which it was given */
-    MDT_TOUCHED = 1024,  /* a joint that a program may have changed by a call; of a body: one of its joints is */
-    MDT_WARNED = 512,    /* a body, or a joint, of which the program was warned (mdt_force.c, mdt_forgotten.c) */
+    MDT_ENABLED = 1,        /* the body or constraint takes part in the simulation */
+    MDT_ASLEEP = 2,         /* a body that was disabled by the world, not by the program */
+    MDT_FAR = 4,            /* a body that was stopped at the bound of positions; the warning was given */
+    MDT_WATCHED = 8,        /* the program may write its parameters through a pointer; of a body: those of a contact */
+    MDT_LONE = 16,          /* a manifold of one contact that is in no group */
+    MDT_SWAPPED = 32,       /* a group that was attached as (null, body) */
+    MDT_NO_COLLIDE = 64,    /* a joint whose bodies do not collide with each other; a body that has or had one */
+    MDT_FORCED = 128,       /* a body to which the program has added a force, perhaps 0, since the last step */
+    MDT_KEPT = 256,         /* a body whose force also acts in the rest of a step that safe times divide */
+    MDT_TOUCHED = 1024,     /* a joint that an API call may have changed; of a body: one of its joints is */
+    MDT_WARNED = 512,       /* a body or joint whose warning was given (mdt_force.c, mdt_forgotten.c) */
     MDT_WAS_ENABLED = 2048, /* a joint that has been enabled */
-    MDT_OFF_CENTRE = 4096,  /* a body whose program has yet to say where its centre of mass is */
-    MDT_CONDEMNED = 8192,   /* is being destroyed, or will be when a stage ends (mdt_stage.c) */
-    MDT_BRIDGED = 16384,    /* a group that a bridge made and keeps */
+    MDT_OFF_CENTRE = 4096,  /* a body whose centre of mass the program still has to set: a warning otherwise */
+    MDT_CONDEMNED = 8192,   /* an object that is being destroyed, or will be when a stage ends (mdt_stage.c) */
+    MDT_BRIDGED = 16384,    /* a contact group that the bridge (Mst) made and owns */
 };
 
-/* Fields that are read together share cache lines of 64 bytes, in single precision (records begin with one). */
-/* A body's frame in double: its transform, but for rounding. */
+/* A body's frame in double: `MdtBody.transform` before rounding. */
 typedef struct MdtFrame {
     double position[3], axes[3][3]; /* m; its axes are columns */
 } MdtFrame;
 
+/* Fields that are read together share cache lines of 64 bytes in single precision; the record starts at such a line. */
 struct MdtBody {
     MdtRecord record;
     MdtLink link;
-    /* what collision reads and events read */
-    MeMatrix4 transform;                 /* what programs see of the pose */
-    MeVector3 velocity, angularVelocity; /* what programs see of the velocities, and may write */
-    unsigned long moves;                 /* counts how often `frame` became another */
+    /* read by collision detection and by events */
+    MeMatrix4 transform;                 /* the pose that programs read */
+    MeVector3 velocity, angularVelocity; /* the velocities that programs read and may write */
+    unsigned long moves;                 /* version number of `frame` */
     /* the graph */
-    int partition; /* in this step; -1: none */
-    int index;     /* in Kea's arrays, in this step */
-    int place;     /* in the order of simulation, when partitions were found last */
-    int calmSteps; /* in a row, in which all velocities of its partition were below Kea's threshold of rest */
+    int partition; /* index of its partition in this step; -1: none */
+    int index;     /* in Kea's arrays in this step */
+    int place;     /* index in the order of simulation when partitions were last found */
+    int calmSteps; /* steps in a row with all velocities of its partition below Kea's resting speed */
     MdtWorldID world;
-    MdtAttachment *attachments; /* its joints and manifolds, */
-    int manifolds;              /* and how many of these are manifolds */
-    /* read for partitions at rest */
-    unsigned long certificate;                     /* of rest, the world's when it was given, or MDT_SLEEPS; 0: none */
-    MeVector3 shownVelocity, shownAngularVelocity; /* as last written by the library: a difference was written by a
-                                                      program */
-    double force[3], torque[3];                    /* N, N m, added since the last step */
+    MdtAttachment *attachments; /* list of its joints and manifolds */
+    int manifolds;              /* how many of them are manifolds */
+    /* read for partitions at rest (mdt_certificate.c) */
+    unsigned long certificate; /* of rest: the world's number when the body got it, or MDT_SLEEPS; 0: none */
+    MeVector3 shownVelocity, shownAngularVelocity; /* as the library last wrote them: `velocity` differs if
+                                                      the program has written it */
+    double force[3], torque[3];                    /* N, N m, added by the program since the last step */
     double impulse[3], angularImpulse[3];          /* N s, N m s, the same */
-    double lag, lastAdvance;                       /* s: time by which it is behind its world; its last step */
-    double enabledTime;                            /* s */
+    double lag, lastAdvance; /* s: time by which the body is behind its world; length of its last step or part */
+    double enabledTime;      /* s */
     int enabledSteps;
-    double aliveTime; /* s, since MdtBodyEnable was called last, though it may have been enabled already */
+    double aliveTime; /* s, since the last call of MdtBodyEnable, also if the body was enabled already */
     int aliveSteps;
     MeReal safeTime;
     MdtSolver solver; /* the answer of MdtSolverCB for its partition, if there is one (mdt_choice.c) */
 
-    MdtKeaBody kea; /* the centre of mass: the authoritative state */
+    MdtKeaBody kea; /* mass and motion of the centre of mass: the authoritative state */
     MdtStart start;
-    double push[3]; /* m/s: displacement of the last step over h, less the velocity: position
-                                           correction */
+    double push[3]; /* m/s: position correction of the last step, that is
+                                           displacement / h - velocity */
     MdtStay stay;
-    double theta; /* 1/2 to 1: it moved by (1 - θ) v + θ v⁺ in the last step */
+    double theta; /* 1/2 to 1: in the last step the body moved by h ((1 - θ) v + θ v⁺) */
     MdtApplied applied;
-    double centre[3];     /* m, of mass, in the body's frame */
-    double centreTurn[4]; /* w x y z, axes of the centre of mass to the body's frame */
-    /* as last shown, by setters, and at a step's end; of `kea` */
+    double centre[3];     /* m, the centre of mass in the body's frame */
+    double centreTurn[4]; /* quaternion w x y z, from the centre of mass's axes to the body's frame */
+    /* of `kea`, as last shown: by setters and at the end of a step */
     MdtFrame frame;
-    double spin[3];            /* rad/s; in a step, with the twist that it began with */
-    MeMatrix4 centreTransform; /* what programs see of the centre's pose */
+    double spin[3];            /* rad/s; within a step with the attitude at the step's start */
+    MeMatrix4 centreTransform; /* the centre of mass's pose that programs read */
 
     double mass;          /* kg */
     double inertia[3][3]; /* kg m², as set */
     MeReal linearDamping, angularDamping;
     MeVector3 fastSpinAxis;
     void *userData, *model;
-    const MdtBodyUser *user; /* of what `model` is; null: nobody needs to know */
+    const MdtBodyUser *user; /* callbacks of the owner of `model`; null: none */
 };
 #ifndef _ME_API_DOUBLE
 _Static_assert(offsetof(MdtBody, transform) == 64, "a pose is one line");
 #endif
 
-/* The certificate of bodies that are asleep. */
+/* The certificate number of bodies that are asleep. */
 #define MDT_SLEEPS ((unsigned long)-1)
 
-/* An input of the body's next step has changed: its rest certificate ends, or its sleep as the next step begins. Any
- * number of threads may call this at once, as contacts are updated. */
+/* Call it when an input of the body's next step has changed. Ends the body's rest certificate, or, as the next step
+ * begins, its sleep. Several threads may call it at once, as they update contacts. */
 static inline void mdt_bodyDisturb(MdtBodyID b) {
     if (__atomic_load_n(&b->certificate, __ATOMIC_RELAXED) == 0)
         return;

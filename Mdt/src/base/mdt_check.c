@@ -1,9 +1,9 @@
-/* Checks of handles and numbers. All warnings about misuse are here.
+/* Checks of handles and numbers, with all warnings about misuse.
  *
- * A handle points to a record whose magic says what it is and that it lives. Records of destroyed bodies and
- * constraints stay in their world's pool, so the magic can be read. All live objects are also in a table
- * (MeInternal.h): the check build looks every handle up there, so that nothing is read through one of a destroyed
- * world. In all builds that is done with a body that is to be destroyed: programs may end their objects in any order.
+ * A handle points to a record whose magic tells its type and whether it is live. Records of destroyed bodies and
+ * constraints stay in their world's pool, so that the magic can still be read. All live objects are also in a table
+ * (MeInternal.h). Check builds look up every handle there before they read through it, as the world may be destroyed.
+ * All builds do so for MdtBodyDestroy, because programs may destroy their objects in any order.
  */
 #include "MdtInternal.h"
 #include "base/mdt_world_i.h"
@@ -44,8 +44,9 @@ MeBool MEAPI MdtBodyIsValid(const MdtBodyID b) {
     return b && MeHandleIsLive(b, MDT_BODY) && b->record.magic == MDT_BODY && !(b->record.flags & MDT_CONDEMNED);
 }
 
-/* A contact is a slot of a manifold's record, and only records are in the table of live objects: the record's address
- * follows from the contact's, and nothing is read before it is known to live. */
+/* True if the handle is a contact of a live manifold. A contact is a slot of a manifold's record, and only records are
+ * in the table of live objects: the record's address is computed from the contact's, and is looked up before it is
+ * read. */
 static MeBool isLivePoint(const void *handle) {
     for (int slot = 0; slot < MDT_POINTS; slot++) {
         const size_t offset = offsetof(MdtManifold, point) + (size_t)slot * sizeof(MdtPoint);
@@ -55,8 +56,8 @@ static MeBool isLivePoint(const void *handle) {
     return MEFALSE;
 }
 
-/* Is the manifold a group? Its record may also be that of a contact, or continue a group's, and then its address is
- * nobody's handle, but that of a group which has gone. */
+/* True if the manifold is a contact group. Its record may also be that of a single contact, or continue a group: then
+ * its address is not a valid handle, or one of a group that was destroyed. */
 static MeBool isGroup(const MdtBaseConstraint *c) {
     return !((const MdtManifold *)(const void *)c)->group && !(c->record.flags & MDT_LONE);
 }
@@ -137,7 +138,7 @@ MeBool mdt_isFinite3(const char *caller, const char *what, MeReal x, MeReal y, M
     return MEFALSE;
 }
 
-/* Where the rounding of MeReal is half the length scale, and squares of distances are finite. */
+/* The rounding error of MeReal at this position is half the length scale; squares of distances are still finite. */
 double mdt_worldBound(const MdtWorld *w) {
     return fmin(2 / (double)ME_EPSILON * (double)w->params.lengthScale, sqrt((double)MEINFINITY) / 4);
 }
@@ -160,13 +161,13 @@ MeBool mdt_isNotBelow(const char *caller, const char *what, MeReal x, MeReal low
     return MEFALSE;
 }
 
-/* What is smaller than this overflows where something is divided by it, or by its square. */
-MeBool mdt_isUsable(MeReal x) {
+/* Dividing by a smaller number, or by its square, would overflow. */
+MeBool mdt_isPositiveInRange(MeReal x) {
     return x >= (MeReal)FLT_MIN && x <= (MeReal)FLT_MAX;
 }
 
 MeBool mdt_isPositive(const char *caller, const char *what, MeReal x) {
-    if (mdt_isUsable(x))
+    if (mdt_isPositiveInRange(x))
         return METRUE;
     MeWarning(1, "%s: %s is %g, it must be positive%s; nothing is changed", caller, what, (double)x,
               x > 0 && isfinite(x) ? ", and a number that single precision can have" : "");

@@ -4,14 +4,14 @@
 
 #include "base/mdt_body_i.h"
 
-/* One side of a constraint, linked into its body's list. */
+/* One side of a constraint, linked into the list of its body. */
 struct MdtAttachment {
-    MdtBodyID body; /* null: the world, or nothing yet */
+    MdtBodyID body; /* null: the world, or not attached yet */
     MdtAttachment *next, *previous;
 };
 
-/* The head of joints and manifolds. A contact has none: an MdtConstraintID may also be a point of a manifold, and every
- * function of the API that takes one says what it does then. */
+/* The common head of joints and manifolds. A contact has none: an MdtConstraintID may also point to an MdtPoint of a
+ * manifold, and API functions that take an MdtConstraintID treat that case separately. */
 struct MdtBaseConstraint {
     MdtRecord record;
     MdtLink link;
@@ -19,7 +19,7 @@ struct MdtBaseConstraint {
     MdtAttachment side[2];
 };
 
-/* A record lies at a multiple of 16, so the address of an attachment tells which side it is. */
+/* Records are aligned to 16 bytes, so the address of an attachment tells which side it is. */
 _Static_assert(offsetof(MdtBaseConstraint, side) % 16 == 8 && sizeof(MdtAttachment) % 16 == 8, "sides alternate");
 static inline int mdt_attachmentSide(const MdtAttachment *at) {
     return (uintptr_t)at % 16 == 8 ? 0 : 1;
@@ -35,29 +35,29 @@ typedef struct MdtJoint {
     const MdtBclType *type;
     MdtBclConstraint bcl;
     MdtKeaVelocity worldVelocity;
-    MdtKeaForcePair force;          /* in the last step */
-    MeU64 certified;                /* a hash of `bcl` as the certified step left it, then */
+    MdtKeaForcePair force;          /* on its bodies in the last step */
+    MeU64 certified;                /* hash of `bcl` after the step that was certified */
     MeReal breakForce, breakTorque; /* N, N m; MEINFINITY: it does not break */
 
-    int firstRow, numRows;                                   /* in this step */
-    double warm[MdtBclGETMAXROWS], ripple[MdtBclGETMAXROWS]; /* N, m/s, of the rows in the last step, */
-    int numWarm;                                             /* if there are as many */
-    MeBool isDegenerate, wasDegenerate;                      /* in this step, in the last one */
-    MeBool isDriven; /* in the last step: its motor ran, or what it is attached to moved */
+    int firstRow, numRows;                                   /* in this step's system */
+    double warm[MdtBclGETMAXROWS], ripple[MdtBclGETMAXROWS]; /* N, m/s, of the rows in the last step: warm start */
+    int numWarm;                        /* number of rows in the last step; used if it is the same now */
+    MeBool isDegenerate, wasDegenerate; /* in this step, in the last step */
+    MeBool isDriven;                    /* in the last step its motor ran, or its attachment to the world moved */
 } MdtJoint;
 
 static inline MeBool mdt_isJoint(const MdtBaseConstraint *c) {
     return c->record.magic == MDT_JOINT;
 }
 
-/* An input of the constraint's rows has changed. */
+/* Call it when an input of the constraint's rows has changed: ends the rest certificates of its bodies. */
 static inline void mdt_constraintDisturb(MdtConstraintID c) {
     for (int k = 0; k < 2; k++)
         if (c->side[k].body && (c->record.flags & MDT_ENABLED))
             mdt_bodyDisturb(c->side[k].body);
 }
 
-/* A call of the program has had to do with a joint: it may have changed it. */
+/* Marks a joint that the program passes to an API function, and its bodies: the call may change the joint. */
 static inline void mdt_constraintTouch(MdtConstraintID c) {
     if (c->record.magic != MDT_JOINT || (c->record.flags & MDT_TOUCHED))
         return;

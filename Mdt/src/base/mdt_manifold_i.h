@@ -1,11 +1,11 @@
 /* Inside Mdt: manifolds, the contacts of two bodies, or of a body and the world.
  *
- * A manifold is one record: its bodies, the normal and the surface that its points share, and up to four points. What
- * programs know as a contact group is a manifold; further contacts of it are in manifolds that continue it. A contact
- * that is in no group has a manifold of its own (MDT_LONE). A contact's handle is the address of its point.
+ * A manifold is one record: two bodies, the normal and the surface that its points share, and up to four points. A
+ * contact group of the API is a manifold; its fifth and further contacts are in manifolds that continue it. A contact
+ * that is in no group has a manifold of its own (MDT_LONE). A contact's handle is the address of its MdtPoint.
  *
- * A point that differs from the others in what they share, or has what few have (user data, a primary direction, the
- * velocity of a moving world, parameters that a program writes through a pointer), has an MdtExtra with it.
+ * A point has an MdtExtra if one of its values differs from the shared ones, or if it has rare data: user data, a
+ * primary direction, the velocity of a moving world, or parameters that a program writes through a pointer.
  */
 #ifndef MDT_MANIFOLD_I_H
 #define MDT_MANIFOLD_I_H
@@ -18,48 +18,48 @@ enum { MDT_POINTS = 4, MDT_GROUP_SLOT = MDT_POINTS };
 
 /* A contact. 80 bytes in single precision. */
 typedef struct MdtPoint {
-    unsigned int magic;   /* MDT_POINT; 0: not in use */
+    unsigned int magic;   /* MDT_POINT; 0: the slot is free */
     MeU8 slot;            /* its index in the manifold */
     MeU8 numRows;         /* in this step */
-    MeU8 numWarm;         /* if there are as many rows, `force` is a guess at theirs */
-    bool isFound : 1;     /* matched with a new contact (mdt_renew.c) */
+    MeU8 numWarm;         /* rows that `force` belongs to: the warm start if numRows is the same */
+    bool isFound : 1;     /* continues as one of the newly found contacts (mdt_renew.c) */
     bool isCondemned : 1; /* will be destroyed when a stage ends (mdt_stage.c) */
-    MeU32 feature;        /* its maker's */
-    MeVector3 mean;       /* N, in the last step, on the first body */
+    MeU32 feature;        /* feature id, set by the maker of the contact */
+    MeVector3 mean;       /* N, mean force on the first body in the last step */
     double position[3];   /* m */
-    double depth;         /* m, as it was set */
-    double force[3];      /* N, of the rows of the last part of a step: normal, primary, secondary */
+    double depth;         /* m, as it was found or set */
+    double force[3];      /* N, of the rows in the last part of the last step: normal, primary, secondary */
 } MdtPoint;
 
-/* Which shared values of the manifold's points an MdtExtra replaces: flags beside MDT_WATCHED. */
+/* Flags of an MdtExtra: which values of the manifold it replaces for its point. */
 enum { MDT_OWN_NORMAL = 256, MDT_OWN_RADIUS = 512, MDT_OWN_PARAMS = 1024, MDT_OWN_DIRECTION = 2048 };
 
 typedef struct MdtExtra {
-    MdtRecord record;      /* its flags: MDT_OWN_... and MDT_WATCHED */
-    struct MdtExtra *next; /* of the same manifold */
-    int slot;              /* whose; MDT_GROUP_SLOT: the group's */
-    MeI32 sortKey;         /* of a contact in a group, where it means nothing */
+    MdtRecord record;      /* flags: MDT_OWN_... and MDT_WATCHED */
+    struct MdtExtra *next; /* next extra of the same manifold */
+    int slot;              /* index of its point; MDT_GROUP_SLOT: of the group itself */
+    MeI32 sortKey;         /* of a contact in a group: stored, without effect */
     void *userData;
-    MdtContactID nextContact;     /* its maker's list */
-    MdtBclContactParams params;   /* OWN_PARAMS */
-    MeReal normal[3], radius[2];  /* OWN_NORMAL, OWN_RADIUS */
-    double direction[3];          /* OWN_DIRECTION */
+    MdtContactID nextContact;     /* in the list of the contacts' maker (MdtContactSetNext) */
+    MdtBclContactParams params;   /* valid with MDT_OWN_PARAMS */
+    MeReal normal[3], radius[2];  /* valid with MDT_OWN_NORMAL, MDT_OWN_RADIUS */
+    double direction[3];          /* valid with MDT_OWN_DIRECTION */
     MdtKeaVelocity worldVelocity; /* m/s, rad/s */
-    double rim[2], axis[2][3];    /* m; unit, where there is a rim: MdtContactSetRim */
-    MeU64 certified;              /* of watched parameters: their hash as the certified step left them */
+    double rim[2], axis[2][3];    /* m; unit vectors if the rim is not 0: MdtContactSetRim */
+    MeU64 certified;              /* of watched parameters: their hash after the step that was certified */
 } MdtExtra;
 
 typedef struct MdtManifold {
-    MdtBaseConstraint base;    /* of one that continues a group's: not linked, not attached */
-    struct MdtManifold *group; /* which this one continues; null: it is a group itself, or lone */
-    struct MdtManifold *next;  /* continues the same group */
+    MdtBaseConstraint base;    /* not linked or attached if this one continues a group */
+    struct MdtManifold *group; /* the group that this one continues; null: none */
+    struct MdtManifold *next;  /* next manifold that continues the same group */
     MdtExtra *extras;
     const MdtSurface *surface;
     void *generator, **holder;   /* MdtContactGroup.h */
-    MeReal normal[3];            /* direction in which the first body is pushed; of any length */
+    MeReal normal[3];            /* direction in which the first body is pushed; not normalized */
     MeReal radius[2];            /* m, MdtContactSetRadius */
-    unsigned int numPoints : 24; /* of the whole group; so many would take 2 GB */
-    unsigned int used : 8;       /* bits: which of its slots are */
+    unsigned int numPoints : 24; /* of the whole group; 2^24 points would take 2 GB */
+    unsigned int used : 8;       /* bit set of the slots in use */
     MdtPoint point[MDT_POINTS];
 } MdtManifold;
 
@@ -67,12 +67,12 @@ typedef struct MdtManifold {
 _Static_assert(sizeof(MdtManifold) == 512, "half a kilobyte for two boxes at rest: eight cache lines");
 #endif
 
-/* ---- which belongs to which -------------------------------------------------------------------------------------- */
+/* ---- from points to manifolds, and back -------------------------------------------------------------------------- */
 
 static inline MdtManifold *mdt_blockOf(const MdtPoint *p) {
     return (MdtManifold *)(void *)((char *)(uintptr_t)(p - p->slot) - offsetof(MdtManifold, point));
 }
-/* The group that the point is in, or the manifold in which it is alone. */
+/* The manifold of the group that the point is in or, without a group, its own. */
 static inline MdtManifold *mdt_manifoldOf(const MdtPoint *p) {
     MdtManifold *block = mdt_blockOf(p);
     return block->group ? block->group : block;
@@ -80,12 +80,12 @@ static inline MdtManifold *mdt_manifoldOf(const MdtPoint *p) {
 static inline MeBool mdt_isInGroup(const MdtPoint *p) {
     return !(mdt_manifoldOf(p)->base.record.flags & MDT_LONE);
 }
-/* The lowest slot of a set; MDT_POINTS of none. A table, as which slots are in use cannot be predicted. */
+/* The lowest slot of a bit set; MDT_POINTS if it is empty. A table, since branches on it would be mispredicted. */
 static inline int mdt_lowestSlot(unsigned int slots) {
     static const MeU8 lowest[1 << MDT_POINTS] = {MDT_POINTS, 0, 1, 0, 2, 0, 1, 0, 3, 0, 1, 0, 2, 0, 1, 0};
     return lowest[slots];
 }
-/* The first point in use from a slot of the record on; null: there is none. */
+/* The first point of the record in use at this slot or after it; null if there is none. */
 static inline MdtPoint *mdt_pointIn(const MdtManifold *block, int slot) {
     const unsigned int rest = (unsigned int)block->used >> slot;
     return rest ? (MdtPoint *)(uintptr_t)&block->point[slot + mdt_lowestSlot(rest)] : NULL;
@@ -96,7 +96,7 @@ static inline MdtPoint *mdt_pointFrom(const MdtManifold *block) {
         p = mdt_pointIn(block, 0);
     return p;
 }
-/* Those in use, in the order of simulation; null after the last. */
+/* Iterate over the points of a group in the order of simulation; null after the last. */
 static inline MdtPoint *mdt_pointFirst(const MdtManifold *m) {
     return m->numPoints > 0 ? mdt_pointFrom(m) : NULL;
 }

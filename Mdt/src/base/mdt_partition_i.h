@@ -1,4 +1,4 @@
-/* Inside Mdt: what a world keeps of its partitions, and of the workers that step them. */
+/* Inside Mdt: the data that a world keeps of its partitions, and of the workers that step them. */
 #ifndef MDT_PARTITION_I_H
 #define MDT_PARTITION_I_H
 
@@ -7,37 +7,38 @@
 #include "MeTeam.h"
 
 enum { MDT_TIMED_BODIES = 8, MDT_NO_REPORTS = -1 };
-/* Bodies, at least, that make batches (mdt_batch.c), partitions that all workers take together (mdt_parallel.c), and
- * islands of which impacts that take energy are followed only while all fly (mdt_maxConstrained). */
+/* Minimum number of bodies of batches (mdt_batch.c), of partitions that all workers step together (mdt_parallel.c), and
+ * of islands whose inelastic impacts are timed only while all bodies are in flight (mdt_maxConstrained). */
 enum { MDT_LARGE_ISLAND = 64 };
-/* One of so many bodies that bounce may be held, for their impacts to be met in time. Measured, and no test tells 4
- * from 8: 216 balls a hundredth apart that land with 4 m/s lose 4, 4, 2 and 14 % of the energy in 5 s with 2, 4, 8, 16,
- * those a fiftieth apart .2 % with each. */
+/* Islands with restitution are timed if at most one of so many bodies is held by touching contacts. Measured; no test
+ * distinguishes 4 from 8: 216 balls a hundredth apart that land with 4 m/s lose 4, 4, 2 and 14 % of the energy in 5 s
+ * balls a fiftieth apart .2 % with each. */
 enum { MDT_CONSTRAINED_SHARE = 4 };
-/* Of a body's size: how far joints may be open at rest. As much as overlaps may be there. */
+/* Largest error of joints at rest, relative to the size of a body. The same as for overlaps. */
 #define MDT_MAX_JOINT_ERROR 1e-4
 
-/* A world's accounts of exact work (mdt_choice.c). */
+/* A world's accounts of exact work (mdt_choice.c): one for optional exact steps, one for needed ones. */
 typedef enum MdtAccount { MDT_OPTIONAL, MDT_NEEDED, MDT_ACCOUNTS } MdtAccount;
 
-/* What is known of a partition from step to step (mdt_choice.c). */
+/* The state that a partition keeps from step to step (mdt_choice.c). */
 typedef struct MdtIslandRecord {
-    int steps;       /* that it has taken by the engine's choice, up to 2 */
-    float exactWork; /* multiplications that an exact step takes, a body; 0: none was taken */
-    float fastWork;  /* those of the exact solver in the time of a fast step, a body */
+    int steps;       /* steps with the automatic choice of solver, counted up to 2 */
+    float exactWork; /* multiplications of an exact step per body; 0: not measured yet */
+    float fastWork;  /* per body: multiplications of the exact solver that take the time of a fast step */
     MeBool hasNoContacts;
-    MeBool isUnfit;  /* the fast solver is not for it: nothing touches, or bodies bounce */
-    MeBool isUnmet;  /* the fast solver's last answer did not meet the accuracy; */
-    int wait, since; /* steps until it is tried again then, and since it was */
-    MeBool wasExact; /* the exact solver has taken the last step */
-    /* this step */
-    MeBool isExactFirst; /* the exact solver begins */
-    MdtAccount account;  /* that pays it, */
-    double share;        /* multiplications that it may take, */
-    double drawn, loan;  /* of these from that account, and lent by MDT_NEEDED; after the step what is left */
+    MeBool isUnfit;  /* the fast solver does not suit it: there are no contacts, or bodies bounce */
+    MeBool isUnmet;  /* the fast solver's last answer missed the accuracy */
+    int wait, since; /* then: steps until the fast solver is tried again, and since it was tried last */
+    MeBool wasExact; /* the exact solver solved the last step */
+    /* in this step */
+    MeBool isExactFirst; /* the exact solver is tried first */
+    MdtAccount account;  /* the account that pays the exact work */
+    double share;        /* multiplications that the exact solver may use */
+    double drawn, loan;  /* of `share`: drawn from `account`, lent by MDT_NEEDED; after the step the unused rest */
 } MdtIslandRecord;
 
-/* A partition that is stepped together with others, and where its own begin among theirs. */
+/* A member of a batch: a partition that is solved together with others, and where its bodies and acting constraints
+ * begin in the batch's arrays. */
 typedef struct MdtMember {
     int partition, firstBody, firstActing;
 } MdtMember;
@@ -46,41 +47,41 @@ typedef struct MdtMember {
 typedef struct MdtBatches {
     int bodyRoom, actingRoom;
     int count, numMembers;
-    int *firstMember;        /* by batch, and the end */
-    MdtMember *member;       /* and the end */
-    MeBool *isIn;            /* by partition, if there are batches */
-    MdtBodyID *body;         /* of members, */
-    MdtKeaBody **kea;        /* parallel to it, */
-    MdtConstraintID *acting; /* and what acts on them */
+    int *firstMember;        /* by batch, with an end entry */
+    MdtMember *member;       /* of all batches in turn, with an end entry */
+    MeBool *isIn;            /* by partition: it is in a batch; only if there are batches */
+    MdtBodyID *body;         /* of the members */
+    MdtKeaBody **kea;        /* parallel to `body` */
+    MdtConstraintID *acting; /* constraints that act on them */
 } MdtBatches;
 
-/* Bodies and the constraints that tie them, when partitions were found last (mdt_island.c). */
+/* Bodies and the constraints between them, as of when the partitions were last found (mdt_island.c). */
 typedef struct MdtGraph {
-    unsigned long changes; /* of the graph or its order, counted by each change (mdt_graphChanged), */
-    unsigned long seen;    /* up to when the partitions are right */
+    unsigned long changes; /* number of changes of the graph or its order (mdt_graphChanged) */
+    unsigned long seen;    /* `changes` when the partitions were last found */
     int numBodies, numActing;
-    MdtBodyID *body;         /* by place, bodyRoom */
-    int *parent;             /* by place: of union-find */
-    MeBool *isEnabled;       /* by place, */
-    MeBool *isAwake;         /* and of a set's first body: some body of it is */
-    int *partition;          /* by place: as in the bodies, which are not in the cache */
-    MdtConstraintID *acting; /* joints and manifolds that act on bodies, constraintRoom */
-    int *actsOn;             /* by acting constraint: the place of one of its bodies */
+    MdtBodyID *body;         /* by place (MdtBody.place); capacity bodyRoom */
+    int *parent;             /* by place: union-find */
+    MeBool *isEnabled;       /* by place */
+    MeBool *isAwake;         /* by place; of the first body of a set: some body of the set is awake */
+    int *partition;          /* by place: copy of MdtBody.partition that stays in the cache */
+    MdtConstraintID *acting; /* enabled joints and manifolds; capacity constraintRoom */
+    int *actsOn;             /* parallel to `acting`: the place of one of the constraint's bodies */
 } MdtGraph;
 
-/* The world's inputs of a step of any partition. They are compared as bytes, so there is no padding. */
+/* The world's parameters that enter the step of any partition. They are compared as bytes, so there is no padding. */
 typedef struct MdtCertificateInputs {
     double h, gravity[3], epsilon, gamma, workBudget, accuracy;
     MdtContactImportanceCBPtr importance;
     int maxLcpIterations, subSteps, timedBodies, maxMatrixSize, solver, order;
 } MdtCertificateInputs;
 
-/* A worker's own memory while it steps partitions, and its results that concern all of them. */
+/* The memory of one worker while it steps partitions, and its contributions to the world's results. */
 typedef struct MdtWorker {
-    MeChunk scratch, ranking; /* of Kea and contacts; of contacts, to rank them */
+    MeChunk scratch, ranking; /* for Kea and contacts; for ranking contacts (mdt_cap.c) */
     MdtKeaCache *keaCache;
-    MeMessageBuffer messages; /* by partition */
-    int surfaceProblems;      /* of contacts that it packed (MdtContactParams.c) */
+    MeMessageBuffer messages; /* in the order of partitions */
+    int surfaceProblems;      /* incomplete friction settings of the contacts that it packed (MdtContactParams.c) */
 } MdtWorker;
 
 #endif

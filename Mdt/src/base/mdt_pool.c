@@ -1,4 +1,4 @@
-/* Pools of records, and the sorted lists of what is in use. */
+/* Pools of records, and the sorted lists of live records. */
 #include "MeAssert.h"
 #include "base/mdt_world_i.h"
 #include <stdint.h>
@@ -11,7 +11,7 @@ static size_t roundUp(size_t size) {
     return (size + ALIGNMENT - 1) & ~(size_t)(ALIGNMENT - 1);
 }
 
-static void append(MdtPool *pool, MdtRecord *record) {
+static void appendFree(MdtPool *pool, MdtRecord *record) {
     if (pool->lastFree)
         pool->lastFree->free = record;
     else
@@ -47,7 +47,7 @@ void mdt_poolTerm(MdtPool *pool) {
     memset(pool, 0, sizeof *pool);
 }
 
-static MeBool makeRoom(MdtPool *pool, const char *caller) {
+static MeBool grow(MdtPool *pool, const char *caller) {
     char what[40];
     MEASSERT(pool->used == pool->room);
     if (pool->limit.max == MeNoLimit)
@@ -74,7 +74,7 @@ static MdtRecord *popFreed(MdtPool *pool) {
 }
 
 void *mdt_poolGet(MdtPool *pool, unsigned int magic, const char *caller) {
-    if (!MeProgramMayChange(caller) || (!pool->numFresh && !pool->firstFree && !makeRoom(pool, caller)))
+    if (!MeProgramMayChange(caller) || (!pool->numFresh && !pool->firstFree && !grow(pool, caller)))
         return NULL;
     MdtRecord *record = pool->numFresh ? popFresh(pool) : popFreed(pool);
     MEASSERT(pool->used < pool->room);
@@ -91,7 +91,7 @@ void mdt_poolPut(MdtPool *pool, void *freed) {
     MeHandleLeave(&record->handle);
     record->magic = 0;
     record->free = NULL;
-    append(pool, record);
+    appendFree(pool, record);
     pool->used--;
 }
 
@@ -99,7 +99,7 @@ static MeBool isBefore(const MdtLink *a, const MdtLink *b) {
     return a->sortKey != b->sortKey ? a->sortKey < b->sortKey : a->serial < b->serial;
 }
 
-/* Every link's neighbours know it; the count is right; so is the order, if it is said to be. */
+/* True if the links of the list agree in both directions, its count is right, and it is sorted if isSorted. */
 static MeBool isConsistent(const MdtList *list) {
     int count = 0;
     const MdtLink *previous = NULL;
@@ -146,7 +146,7 @@ void mdt_listSetKey(MdtList *list, MdtLink *link, MeI32 key) {
     list->isSorted = MEFALSE;
 }
 
-/* Takes the smaller head of two runs and appends it to the list that is being built. */
+/* Moves the smaller one of the heads of two runs to the end of the merged list. Returns the new end. */
 static MdtLink **mergeSmaller(MdtLink **end, MdtLink **a, MdtLink **b) {
     MdtLink **from = *b == NULL || (*a && isBefore(*a, *b)) ? a : b;
     *end = *from;
@@ -154,6 +154,7 @@ static MdtLink **mergeSmaller(MdtLink **end, MdtLink **a, MdtLink **b) {
     return &(*end)->next;
 }
 
+/* Cuts a run off behind `length` links and returns the links behind the cut. */
 static MdtLink *cutAfter(MdtLink *run, int length) {
     for (int i = 1; run && i < length; i++)
         run = run->next;
@@ -164,8 +165,8 @@ static MdtLink *cutAfter(MdtLink *run, int length) {
     return rest;
 }
 
-/* One pass of the bottom-up merge sort: runs of `length` become runs of twice that. Returns how many runs there were.
- * */
+/* One pass of the bottom-up merge sort: pairs of runs of `length` links become one. Returns the number of merged
+ * runs. */
 static int mergeRuns(MdtLink **first, int length) {
     MdtLink *rest = *first, **end = first;
     int runs = 0;

@@ -1,4 +1,4 @@
-/* Surfaces: the parameters of contacts, kept once for all contacts that have the same (mdt_surface_i.h). */
+/* Surfaces: the contact parameters, stored once for all contacts with the same values (mdt_surface_i.h). */
 #include "base/mdt_surface_i.h"
 #include "MeAssert.h"
 #include <string.h>
@@ -10,7 +10,7 @@ typedef struct MdtSurfaceBlock {
     MdtSurface surface[BLOCK];
 } MdtSurfaceBlock;
 
-/* FNV-1a, 64 bits (Fowler, Noll, Vo). */
+/* Hash: FNV-1a, 64 bits (Fowler, Noll, Vo). */
 static MdtSurface **bucketOf(const MdtSurfaces *s, const MdtBclContactParams *params) {
     const unsigned char *bytes = (const unsigned char *)params;
     MeU64 hash = 0xcbf29ce484222325u;
@@ -38,12 +38,12 @@ static MeBool addBlock(MdtSurfaces *s, const char *caller) {
     return METRUE;
 }
 
-/* At most one surface a bucket on average. */
+/* Doubles the buckets: there is at most one surface per bucket on average. */
 static void addBuckets(MdtSurfaces *s, const char *caller) {
     const MdtSurfaces old = *s;
     MdtSurface **bucket = MeMemoryTakeZeroed(2 * (size_t)s->numBuckets, sizeof(MdtSurface *), caller, "surfaces");
     if (!bucket)
-        return; /* chains are longer */
+        return; /* the table still works, with longer chains */
     s->bucket = bucket;
     s->numBuckets *= 2;
     for (int i = 0; i < old.numBuckets; i++)
@@ -57,7 +57,7 @@ static void addBuckets(MdtSurfaces *s, const char *caller) {
 MeBool mdt_surfacesInit(MdtSurfaces *s, MeReal lengthScale, const char *caller) {
     MdtBclContactParamsReset(&s->standard.params);
     s->standard.params.velThreshold *= lengthScale;
-    s->standard.users = 1; /* of the world */
+    s->standard.users = 1; /* the world itself */
     s->bucket = MeMemoryTakeZeroed(FIRST_BUCKETS, sizeof(MdtSurface *), caller, "surfaces");
     s->numBuckets = FIRST_BUCKETS;
     if (!s->bucket || !addBlock(s, caller))
@@ -89,14 +89,14 @@ const MdtSurface *mdt_surfaceAcquire(MdtSurfaces *s, const MdtBclContactParams *
         addBuckets(s, caller);
     MdtSurface *surface = s->firstFree;
     s->firstFree = surface->next;
-    memcpy(&surface->params, params, sizeof *params); /* padding and all: they are compared */
+    memcpy(&surface->params, params, sizeof *params); /* with the padding, since surfaces are compared as bytes */
     surface->users = 1;
     s->count++;
     linkSurface(s, surface);
     return surface;
 }
 
-void mdt_surfaceGive(MdtSurfaces *s, const MdtSurface *given) {
+void mdt_surfaceRelease(MdtSurfaces *s, const MdtSurface *given) {
     MdtSurface **at = bucketOf(s, &given->params);
     while (*at != given)
         at = &(*at)->next;

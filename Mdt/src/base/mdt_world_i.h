@@ -9,92 +9,92 @@ struct MdtWorld {
     unsigned int magic;
     MdtWorldParams params;
     MdtPartitionParams sleepParams;
-    MeBool hasVelThresh, hasAccThresh; /* of `sleepParams`, the program has set them, */
-    MeBool hasThresholds;              /* or any */
+    MeBool hasVelThresh, hasAccThresh; /* the program has set these fields of `sleepParams` */
+    MeBool hasThresholds;              /* the program has set any threshold */
     MeReal epsilon, gamma, minSafeTime;
     int maxLcpIterations;
-    MeReal workBudget; /* millions of multiplications of a partition's step; 0: no bound */
+    MeReal workBudget; /* millions of multiplications per step of a partition; 0: unlimited */
     MdtSolver solver;
-    MdtSolverCB solverCb; /* null: `solver` for all partitions */
+    MdtSolverCB solverCb; /* null: `solver` holds for all partitions */
     void *solverCbData;
-    MeBool isSolverWarned; /* of an answer that is no solver */
-    MeReal accuracy;       /* m/s; negative: derived */
+    MeBool isSolverWarned; /* the warning about an invalid result of solverCb was given */
+    MeReal accuracy;       /* m/s; negative: derived from gravity and the step */
     int subSteps;
-    int order;                                /* of the scheme, 2 or 4, where nothing touches (mdt_compose.c) */
-    int timedBodies;                          /* most bodies of a partition whose contacts are met in time */
-    int maxMatrixSize;                        /* rows of a partition */
-    MdtContactImportanceCBPtr importance;     /* null: depth */
-    int *sizeLog, sizeLogLength;              /* the program's, null: none */
+    int order;         /* of the integration scheme: 2, or 4 for partitions without contacts (mdt_compose.c) */
+    int timedBodies;   /* largest number of bodies of partitions with timed contacts */
+    int maxMatrixSize; /* cap on the rows of a partition */
+    MdtContactImportanceCBPtr importance;     /* null: the deepest contacts matter most */
+    int *sizeLog, sizeLogLength;              /* owned by the program; null: none */
     MdtBodyHandler bodyEnabled, bodyDisabled; /* null: none */
-    MdtPartitionEndCB partitionCb;            /* null: the world puts partitions to rest by itself */
+    MdtPartitionEndCB partitionCb;            /* null: the world decides which partitions fall asleep */
     void *partitionCbData;
     MdtPartitionOutput output;
     MdtPool bodyPool, jointPool, manifoldPool, extraPool;
-    MdtList bodies, constraints; /* joints, and manifolds but for those that continue a group's */
-    MeLimit constraintLimit;     /* for all of numConstraints: joints, groups, contacts */
+    MdtList bodies, constraints; /* constraints: joints, and manifolds except those that continue a group */
+    MeLimit constraintLimit;     /* for numConstraints: joints, groups and contacts together */
     int numConstraints;
     MdtSurfaces surfaces;
     unsigned long nextSerial;
     int enabledBodies, asleepBodies, enabledConstraints;
-    int enabledJoints;       /* of the enabled constraints */
-    int watchedSteps;        /* of mdt_forgotten.c, */
-    MeBool expectsCentre;    /* which is to warn of a body's centre of mass, */
-    MeBool isCentreWarned;   /* and has, */
-    MeBool isScaleWarned;    /* and has of the mass scale */
-    double sinkingMass;      /* kg, of which it warns */
-    int breakable;           /* constraints with a limit */
-    int numNoCollide;        /* joints whose bodies do not collide with each other */
-    int userConstraints;     /* whose rows a function of the program makes */
-    MdtConstraintID *broken; /* in the last step; constraintRoom */
+    int enabledJoints;       /* how many of the enabled constraints are joints */
+    int watchedSteps;        /* steps that mdt_forgotten.c has watched */
+    MeBool expectsCentre;    /* mdt_forgotten.c is to check a body for an unset centre of mass */
+    MeBool isCentreWarned;   /* its warning was given */
+    MeBool isScaleWarned;    /* the warning about the mass scale was given */
+    double sinkingMass;      /* kg, the mass that this warning reports */
+    int breakable;           /* number of constraints with a break limit */
+    int numNoCollide;        /* number of joints whose bodies do not collide with each other */
+    int userConstraints;     /* number of constraints whose rows a callback of the program makes */
+    MdtConstraintID *broken; /* in the last step; capacity constraintRoom */
     int numBroken;
     MdtBreakCBPtr breakCb; /* null: none */
-    double lastStep;       /* s, 0 before the first */
+    double lastStep;       /* s, length of the last step; 0 before the first */
     struct {
-        MeBool isOver;                      /* gravity was set, something has acted, or the warning was given */
-        double time;                        /* s, in which nothing has acted on the bodies, */
-        unsigned long sum;                  /* which were as many, and where they are now */
-    } idle;                                 /* mdt_idle.c */
-    unsigned long certificate;              /* of rest, valid now (mdt_certificate.c) */
-    double calmStepsToCertify;              /* after which it is given */
-    MdtCertificateInputs certificateInputs; /* with which it was */
-    int surfaceWarnings;                    /* MdtContactParams.c: which were given */
-    MdtWorker *workers;                     /* numWorkers of them; the first is the thread that steps the world */
+        MeBool isOver;         /* no more checks: gravity was set, something has acted, or the warning was given */
+        double time;           /* s, for which nothing has acted on the bodies */
+        unsigned long sum;     /* checksum of the number of bodies and their poses */
+    } idle;                    /* mdt_idle.c */
+    unsigned long certificate; /* number of the certificate of rest that is valid now (mdt_certificate.c) */
+    double calmStepsToCertify; /* calm steps after which bodies are certified */
+    MdtCertificateInputs certificateInputs; /* the inputs that the valid certificate holds for */
+    int surfaceWarnings;                    /* bit set of the warnings that were given (MdtContactParams.c) */
+    MdtWorker *workers; /* array of numWorkers; the first one is of the thread that steps the world */
     int numWorkers;
-    MeTeam *team;  /* null: there is one worker */
-    int *taskOf;   /* partitions by task, and where tasks begin among them (mdt_parallel.c) */
-    MeStage stage; /* at which of the levels MDT_GUARD_... it is */
+    MeTeam *team;  /* null: there is only one worker */
+    int *taskOf;   /* partitions sorted by task, then where each task begins among them (mdt_parallel.c) */
+    MeStage stage; /* current level: MDT_GUARD_... */
 
-    /* Arrays of a step have room for so many; they are made larger before a step only (mdt_worldReserve). */
+    /* Capacities of the arrays of a step, which grow only before a step (mdt_worldReserve). */
     int bodyRoom, constraintRoom;
     MdtGraph graph;
-    /* this step's partitions: partition p has the bodies bodyOf[bodyStart[p] .. bodyStart[p+1]) and so on */
+    /* this step's partitions: partition p has the bodies bodyOf[bodyStart[p] .. bodyStart[p+1]), and so on */
     int numPartitions;
     MdtBodyID *bodyOf;
     MdtConstraintID *actingOf;
     MdtKeaBody **keaOf; /* parallel to bodyOf */
     int *bodyStart, *actingStart;
-    MdtIslandRecord *record, *lastRecord; /* by partition; those of the partitions before, while these are found */
-    double credit[MDT_ACCOUNTS];          /* multiplications (mdt_choice.c) */
+    MdtIslandRecord *record, *lastRecord; /* by partition; of the last step's partitions, while new ones are found */
+    double credit[MDT_ACCOUNTS];          /* balance of each account, multiplications (mdt_choice.c) */
     MdtBatches batches;
-    /* the same as programs see it, contacts among them; made when they ask (mdt_islandsList) */
+    /* bodies' constraints by partition as programs see them, with contacts; made on request (mdt_islandsList) */
     MdtConstraintID *constraintOf;
     int *constraintStart;
 
     MdtDebugDrawOptions debugDraw; /* 0: nothing */
 
     MeBool isReported;
-    MdtReport *reports; /* by partition of the last step; null until the report is enabled for the first time */
+    MdtReport *reports; /* by partition of the last step; null until the report is first enabled */
     int reportRoom;
-    int numReports;                     /* MDT_NO_REPORTS: the report is off, or no step was taken yet */
-    MeU64 lap;                          /* ticks, when the stage began that is being timed; of one worker alone */
-    int firstUntimed;                   /* partitions from this one on have no time yet */
-    double stageShare[MdtReportStages]; /* how a small partition's time divides, as last seen; 0: none was */
+    int numReports;                     /* MDT_NO_REPORTS: the report is off, or there was no step yet */
+    MeU64 lap;                          /* ticks at the start of the stage that is being timed; with one worker only */
+    int firstUntimed;                   /* first of the latest partitions that have no time yet */
+    double stageShare[MdtReportStages]; /* fractions of a small partition's time; 0: not measured */
 
     MeHandle handle;
 };
 
-/* The set of enabled constraints, their bodies, or the order has changed. Creating and destroying do not count: a new
- * constraint is not enabled yet, and one is disabled before it is destroyed. */
+/* Call it when the set of enabled constraints, their bodies, or the order has changed. Creating and destroying does not
+ * count: a new constraint is not enabled yet, and one is disabled before it is destroyed. */
 static inline void mdt_graphChanged(MdtWorldID w) {
     w->graph.changes++;
 }

@@ -1,7 +1,7 @@
-/* How accurate a step of a world is, and below which speed its bodies rest. */
+/* The accuracy of a world's steps, and the speed below which bodies count as resting. */
 #include "island/mdt_choice_i.h"
 
-/* m/s: what gravity gives in a step; without gravity a tenth of the length scale in a second. */
+/* m/s: the velocity that gravity gives in a step; without gravity, a tenth of the length scale per second. */
 static double speedScale(const MdtWorld *w, double h) {
     double g[3];
     mdt_fromReal(g, w->params.gravity);

@@ -1,19 +1,21 @@
-/* Rest certificate: a partition at rest, in which nothing has changed since the last step, is not solved again.
+/* Rest certificate: a partition at rest is not solved again as long as nothing has changed since the last step.
  *
  * A step settles a partition if it was taken whole, if Kea's answer is within its tolerances, and if all bodies are at
- * rest: their velocities below Kea's threshold of rest, or, in large islands (mayStand), in balance and slower than the
- * accuracy. Below the exact solver's threshold gamma has no position errors left to relax; by the fast one bodies have
- * to be calm until gamma has removed them (calmStepsToCertify). The bodies then stay where they are, bit for bit,
- * so that contacts are found again as they were. In the next step the inputs may be the same to the last bit: then so
- * are the forces, and the step costs a look at each body. Bodies age meanwhile, so that they are put to sleep as ever.
+ * rest: either their velocities are below Kea's resting speed, or, in large islands (ignoresSway), their forces
+ * balance and they are slower than the accuracy. Below the exact solver's resting speed gamma has no position errors
+ * left to relax; with the fast solver, bodies have to be calm until gamma has removed the errors (calmStepsToCertify).
+ * The bodies then keep their poses bit for bit, so that the same contacts are found again. If the inputs of the next
+ * step are the same to the last bit, so are the forces, and the step only has to compare the inputs of each body. The
+ * bodies' times go on, so that they fall asleep as usual.
  *
- * Inputs, and how a change of them is noticed:
+ * Inputs, and how their changes are detected:
  *     of the world           a copy of them (MdtCertificateInputs)
- *     bodies, contacts,      whatever changes one takes the certificate from the bodies concerned (mdt_bodyDisturb); a
- *     the graph              contact that is renewed as it was is no change
+ *     bodies, contacts,      each setter ends the certificates of the bodies concerned (mdt_bodyDisturb); renewing
+ *     the graph              a contact with equal values is no change
  *     forces, velocities     compared with those that the last step began with, or has shown
- *     parameters of joints   a 64-bit hash of all that MdtBcl keeps of a joint, if a call has had to do with it since,
- *                            or programs have a pointer to them; two that differ are equal by a chance of 2^-64
+ *     parameters of joints   a 64-bit hash of all of a joint's data in MdtBcl, if an API call has had the joint as
+ *                            argument since, or if the program has a pointer to them; different data have the same
+ *                            hash with a probability of 2^-64
  */
 #include "MeAssert.h"
 #include "island/mdt_choice_i.h"
@@ -22,7 +24,7 @@
 
 /* ---- inputs ---- */
 
-/* Steps until the errors that gamma takes away are a thousandth: (1 - γ)^n = 1e-3. */
+/* Steps in which gamma reduces errors to a thousandth: (1 - γ)^n = 1e-3. */
 static double relaxationSteps(const MdtWorld *w) {
     const double gamma = w->gamma;
     return gamma > 0 && gamma < 1 ? ceil(log(1e-3) / log1p(-gamma)) : 1;
@@ -50,7 +52,8 @@ void mdt_certificatesBegin(MdtWorldID w) {
     w->calmStepsToCertify = relaxationSteps(w);
 }
 
-/* Word by word; the multiplier is 2^64 over the golden ratio, and the shift brings high bits down again. */
+/* Hashes word by word; the multiplier is 2^64 over the golden ratio, and the shift mixes high bits into the low ones.
+ * */
 static MeU64 hashOf(const void *record, size_t size) {
     const char *bytes = record;
     MeU64 hash = 0;
@@ -63,8 +66,8 @@ static MeU64 hashOf(const void *record, size_t size) {
     return hash;
 }
 
-/* Whether the constraint's parameters are those that were certified. */
-static MeBool isAsCertified(MdtConstraintID c) {
+/* True if the constraint's parameters have the hash of the certified step. */
+static MeBool hasCertifiedParameters(MdtConstraintID c) {
     const MdtJoint *j = mdt_asJoint(c);
     if (j)
         return j->certified == hashOf(&j->bcl, sizeof j->bcl);
@@ -85,7 +88,7 @@ static void certifyConstraint(MdtConstraintID c) {
                 extra->certified = hashOf(&extra->params, sizeof extra->params);
 }
 
-/* Each constraint is visited from one of its bodies: the first, unless that is not simulated. */
+/* Each constraint is checked by one of its bodies: the first one or, if that is not simulated, the second. */
 MeBool mdt_areConstraintsCertified(MdtBodyID b) {
     if (!(b->record.flags & (MDT_WATCHED | MDT_TOUCHED)))
         return METRUE;
@@ -97,7 +100,7 @@ MeBool mdt_areConstraintsCertified(MdtBodyID b) {
         const MeBool mayDiffer = (c->record.flags & MDT_ENABLED) && (c->record.flags & (MDT_WATCHED | MDT_TOUCHED));
         if (!isVisited)
             continue;
-        if (mayDiffer && !isAsCertified(c))
+        if (mayDiffer && !hasCertifiedParameters(c))
             return MEFALSE;
         c->record.flags &= ~MDT_TOUCHED;
     }
@@ -105,7 +108,7 @@ MeBool mdt_areConstraintsCertified(MdtBodyID b) {
     return METRUE;
 }
 
-/* Programs write velocities through pointers, too. */
+/* Velocities are compared because programs write them through pointers. */
 MeBool mdt_certificateIsValid(const MdtIsland *p) {
     for (int i = 0; i < p->numBodies; i++) {
         const MdtBody *b = p->bodies[i];
@@ -127,7 +130,7 @@ MeBool mdt_certificateIsValid(const MdtIsland *p) {
 
 /* ---- the step of a partition whose certificate holds ---- */
 
-/* The size log gets as many rows as the last solve had. */
+/* Writes the number of rows of the last solve to the size log. */
 static void logRows(const MdtIsland *p) {
     int rows = 0;
     for (int i = 0; i < p->numActing; i++)
@@ -140,7 +143,7 @@ void mdt_certificateApply(MdtIsland *p) {
         MdtBodyID b = p->bodies[i];
         MEASSERT(b->lag == 0 && b->lastAdvance == p->h && b->enabledSteps > 0);
         if (!(b->record.flags & MDT_FORCED))
-            mdt_forceForget(b);
+            mdt_forceRestart(b);
         MdtBodyResetForces(b);
         mdt_bodyAge(b, p->h);
     }
@@ -150,26 +153,26 @@ void mdt_certificateApply(MdtIsland *p) {
         mdt_reportCertified(p->report);
 }
 
-/* ---- giving it ---- */
+/* ---- certifying ---- */
 
-/* m/s: the threshold of rest, for mean velocities of a step. Each row's velocity error is within its tolerance;
- * independent errors along a chain of n bodies add up to sqrt(n) times that (3 times in a tower of 20 boxes). */
-static double resolvedSpeed(const MdtIsland *p) {
+/* m/s: the speed of rest, for mean velocities of a step. Each row's velocity error is within its tolerance; independent
+ * errors along a chain of n bodies add up to sqrt(n) times that (3 times in a tower of 20 boxes). */
+static double restingSpeed(const MdtIsland *p) {
     if (p->isFast)
         return p->kea.report.resolution;
     for (int i = 0; i < p->kea.numRows; i++)
         if (p->kea.rows[i].spring || p->kea.rows[i].position)
-            return 0; /* they approach equilibrium asymptotically, at any speed: it would stop them too early */
+            return 0; /* these approach equilibrium asymptotically: any threshold would stop them too early */
     return sqrt(p->numBodies) * p->kea.report.resolution;
 }
 
-/* m/s: of the centre of mass, or of what turns about it at the radius of gyration. */
-static double speedOf(const MdtBody *b, const MdtKeaVelocity *v) {
+/* m/s: the larger of the speed of the centre of mass and that of rotation at the radius of gyration. */
+static double bodySpeed(const MdtBody *b, const MdtKeaVelocity *v) {
     const double *I = b->kea.moments;
     return fmax(keaLength(v->lin), keaLength(v->ang) * sqrt(fmax(I[0], fmax(I[1], I[2])) * b->kea.invMass));
 }
 
-/* m/s, rad/s: displacement of the step over h; it includes position corrections, which velocities do not. */
+/* m/s, rad/s: the displacement of the step over h. It includes position corrections, which velocities do not. */
 static MdtKeaVelocity meanVelocity(const MdtIsland *p, int i) {
     const MdtKeaBody *b = &p->bodies[i]->kea;
     MdtKeaVelocity mean;
@@ -182,13 +185,13 @@ static MdtKeaVelocity meanVelocity(const MdtIsland *p, int i) {
     return mean;
 }
 
-/* m/s: of the fast solver, ten times its threshold of rest is the accuracy (kea_restingShare). */
+/* Ratio of the accuracy to the fast solver's resting speed (kea_restingShare). */
 enum { MDT_SWAY = 10 };
 
-/* Whether bodies stand where their forces balance their loads and they are slower than the accuracy: a heap sways
- * within its resting depths for long after. The same forces hold it standing. Joints close for longer; what rolls goes
- * on at any speed, and so does what slides without friction. */
-static MeBool mayStand(const MdtIsland *p) {
+/* True if bodies may be stopped although they sway: forces balance loads, and speeds are below the accuracy. A heap
+ * sways within its resting depths for a long time, and the same forces hold it at rest. Not with joints, whose errors
+ * decay more slowly, nor with contacts that roll or have no friction, where slow motion goes on. */
+static MeBool ignoresSway(const MdtIsland *p) {
     if (!p->isFast || p->numJoints > 0)
         return MEFALSE;
     for (int i = 0; i < p->kea.numManifolds; i++) {
@@ -203,10 +206,11 @@ static MeBool mayStand(const MdtIsland *p) {
     return METRUE;
 }
 
-/* The factor 2: with the midpoint rule an error of the mean velocity is twice as large at either end of the step. */
+/* Whether some of the island's bodies are at rest in this step. The factor 2: with the midpoint rule an error of the
+ * mean velocity is twice as large at either end of the step. */
 static MeBool areCalm(const MdtIsland *p, int first, int end) {
-    const double speed = resolvedSpeed(p);
-    const MeBool isStanding = mayStand(p);
+    const double speed = restingSpeed(p);
+    const MeBool isStanding = ignoresSway(p);
     const double maxAtEnds = (isStanding ? MDT_SWAY : 2) * speed, maxMean = (isStanding ? MDT_SWAY : 1) * speed;
     for (int i = first; i < end; i++) {
         const MdtBody *b = p->bodies[i];
@@ -216,23 +220,25 @@ static MeBool areCalm(const MdtIsland *p, int first, int end) {
         MdtKeaBodyGetAngularVelocity(&b->kea, last.ang);
         keaSubtract(gain.lin, last.lin, start->lin);
         keaSubtract(gain.ang, last.ang, start->ang);
-        if (speedOf(b, start) > maxAtEnds || speedOf(b, &mean) > maxMean)
+        if (bodySpeed(b, start) > maxAtEnds || bodySpeed(b, &mean) > maxMean)
             return MEFALSE;
-        if (isStanding ? speedOf(b, &gain) > speed : speedOf(b, &last) > maxAtEnds)
+        if (isStanding ? bodySpeed(b, &gain) > speed : bodySpeed(b, &last) > maxAtEnds)
             return MEFALSE;
     }
     return METRUE;
 }
 
-/* The rule for order (MeTeam.h), here and as bodies are certified: a range writes to its own bodies alone. */
-static void MEAPI forgetCalmSteps(void *island, int first, int end, int worker) {
+/* As the rule of MeTeam.h for a fixed order demands, each range writes to its own bodies only; so does certifyBodies.
+ * */
+static void MEAPI clearCalmSteps(void *island, int first, int end, int worker) {
     const MdtIsland *p = island;
     (void)worker;
     for (int i = first; i < end; i++)
         p->bodies[i]->calmSteps = 0;
 }
 
-/* Returns how many they have, the fewest. The count begins anew when a body loses its certificate. */
+/* Counts this step as calm for some bodies; the count restarts when a body loses its certificate. Returns their
+ * smallest count. */
 static int countCalmStep(const MdtIsland *p, int first, int end) {
     int fewest = INT_MAX;
     MEASSERT(end > first);
@@ -244,7 +250,8 @@ static int countCalmStep(const MdtIsland *p, int first, int end) {
     return fewest;
 }
 
-/* Contacts with slip or moving surfaces keep bodies in motion, be it below the fast solver's threshold of rest. */
+/* Contacts with slip or moving surfaces keep bodies moving, perhaps more slowly than the fast solver's resting speed.
+ * */
 static MeBool mayCreep(const MdtIsland *p) {
     for (int i = 0; i < p->kea.numManifolds && p->isFast; i++) {
         const MdtKeaSurface *s = &p->kea.manifolds[i].surface;
@@ -254,13 +261,12 @@ static MeBool mayCreep(const MdtIsland *p) {
     return MEFALSE;
 }
 
-/* Not where rows depend on a function of the program, which may give another result in the next step. Where passes
- * alternate between joints and contacts, the joints' error decays more slowly than the fast solver's threshold of
- * rest. */
+/* Never with rows that come from a callback, whose next result may differ. Passes that alternate between joints and
+ * contacts reduce joint errors more slowly than the fast solver's resting speed shows, so these are checked, too. */
 MeBool mdt_islandIsSettled(MdtIsland *p) {
     const MdtKeaReport *r = &p->kea.report;
     if (!areCalm(p, 0, p->numBodies)) {
-        MeTeamRunRanges(p->team, p->numBodies, MDT_RANGE, forgetCalmSteps, p);
+        MeTeamRunRanges(p->team, p->numBodies, MDT_RANGE, clearCalmSteps, p);
         return MEFALSE;
     }
     MEASSERT(p->world->calmStepsToCertify >= 1);
@@ -275,7 +281,7 @@ MeBool mdt_islandIsSettled(MdtIsland *p) {
 
 void mdt_islandResetPoses(MdtIsland *p) {
     static const double none[3] = {0, 0, 0};
-    const MeBool isStanding = mayStand(p);
+    const MeBool isStanding = ignoresSway(p);
     for (int i = 0; i < p->numBodies; i++) {
         MdtKeaBody *b = &p->bodies[i]->kea;
         keaCopy(b->position, p->bodies[i]->start.position);
@@ -315,7 +321,7 @@ void mdt_islandCertify(MdtIsland *p, MeBool isSettled) {
         mdt_constraintsCertify(p);
 }
 
-/* ---- of batches ---- */
+/* ---- batches ---- */
 
 MeBool mdt_certificateIsNear(const MdtWorld *w, int partition) {
     const double enough = w->calmStepsToCertify - 1;
@@ -331,7 +337,7 @@ void mdt_membersCountCalm(MdtIsland *p) {
         if (areCalm(p, first, end))
             countCalmStep(p, first, end);
         else
-            forgetCalmSteps(p, first, end, 0);
+            clearCalmSteps(p, first, end, 0);
     }
     mdt_islandCertify(p, MEFALSE);
 }

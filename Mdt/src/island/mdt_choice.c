@@ -1,64 +1,67 @@
-/* The choice between Kea's solvers for a partition's step. The first row that holds:
+/* The choice between Kea's solvers for a partition's step: the first row whose condition holds.
  *
  *     condition                                                                   solver   MdtReportWhy
- *     1  the program asks for a solver, or for an accuracy of 0                   that     Asked
+ *     1  the program requests a solver, or an accuracy of 0                       that     Asked
  *     2  the program makes rows, there are more than the cap, or all impacts      exact    Unfit
  *        are elastic, few contacts persist and there are no joints
  *     3  impacts are not met in time, and no contact is with the world             fast     Flight
- *     4  exact costs no more than fast; a hundred times as much if nothing        exact    Cheap
- *        touches
+ *     4  exact costs no more than fast, or without contacts up to a hundred       exact    Cheap
+ *        times as much
  *     5  the world's accounts of exact work pay it                                exact    Afforded
- *     6  else                                                                     fast     Dear
- *     7  the exact solver declines the step, which is dearer than was likely,     fast     TakenOver
- *        or leaves joints open: the rest of it
+ *     6  otherwise                                                                fast     Dear
+ *     7  the exact solver declines the step, as it costs more than expected, or   fast     TakenOver
+ *        leaves joints open: for the rest of the step
  *
- * What a step costs is known from the last one (MdtIslandRecord). There are two accounts, into which each step pays:
+ * The cost is predicted from the last steps (MdtIslandRecord). There are two accounts; each step pays into both:
  *
- *     MDT_OPTIONAL   for any partition of which the exact solver has taken the last step, as long as it lasts
- *     MDT_NEEDED   where the fast answer does not meet the accuracy; where nothing touches, as the fast solver damps
- *                  what swings; where bodies bounce, as it loses rebounds that follow each other; and for first steps,
- *                  which have no forces to begin with
+ *     MDT_OPTIONAL   if the exact solver solved the last step, as long as the account lasts
+ *     MDT_NEEDED     for partitions whose fast answer missed the accuracy; without contacts, as the fast solver damps
+ *                    oscillations; whose bodies bounce, as the fast solver loses successive rebounds; and in their
+ *                    first steps, which have no warm start
  *
- * Where the fast solver has taken the last step and met the accuracy, it goes on: what comes to rest is disturbed by
- * each change between them, as they stop it at different speeds.
- * They pay no step that is far dearer than the fast solver's (mdt_maxOfFast) and than what a step pays.
+ * A partition whose last step the fast solver solved to the accuracy stays with it: as the solvers stop bodies at
+ * different speeds, each change between them disturbs bodies that come to rest.
+ * The accounts pay no step that costs both far more than the fast solver's (mdt_maxOfFast) and more than one step
+ * pays in.
  *
- * Shares are given out before any partition is stepped, in their order, by multiplications and never by time, so that
- * threads change nothing; what is not used goes back. Where the fast solver has not met the accuracy, it is tried again
- * after 1, 2, 4 and so on steps; its answer is taken only if it is within it then, or if there is no share. Where
- * nothing touches, the exact solver takes the step then, whatever it costs: what is left of joints may drive them.
+ * Shares are assigned before any partition is stepped, in the order of partitions, by multiplications and never by
+ * time, so that results do not depend on threads. Unused work is returned. After the fast solver has missed the
+ * accuracy, it is tried again after 1, 2, 4 and so on steps; then its answer is accepted only if it meets the
+ * accuracy, or if there is no share. Without contacts the exact solver redoes such a step at any cost, as remaining
+ * joint errors may drive the joints.
  */
 #include "island/mdt_choice_i.h"
 
-/* Of the work budget (MdtWorldSetWorkBudget), by account: what a step pays, and what it holds. Of the default of 400
- * millions, of which one takes .3 ms: optional steps, .3 ms a step; a tower of 100 layers of planks has come to rest
- * for 130. Needed ones: a bridge of 30 planks with ten thousand times a plank's weight takes 2 to 15 a step; the first
- * step of that tower 38. All steps after their first together take mdt_stepShare. */
+/* By account, relative to the work budget (MdtWorldSetWorkBudget): the payment per step, and the largest balance. With
+ * the default of 400 millions, of which one takes .3 ms: the optional account pays .3 ms per step; a tower of 100
+ * layers of planks has come to rest for 130. For the needed account: a bridge of 30 planks with ten thousand times a
+ * plank's weight takes 2 to 15 per step; the first step of that tower 38. All steps after first ones together get
+ * mdt_stepShare. */
 static const double mdt_payment[MDT_ACCOUNTS] = {1 / 400., 4 / 400.}, mdt_creditLimit[MDT_ACCOUNTS] = {150 / 400., 1};
 static const double mdt_stepShare = 30 / 400.;
-/* The same, that the fast solver has at least where the exact one has used up what it may. */
+/* Relative to the work budget: the fast solver's reserve, which the exact solver may not use. */
 static const double mdt_fastReserve = 1. / 8;
-/* Multiplications, the budget of worlds without bound. */
+/* Multiplications: replaces the work budget in worlds without one. */
 static const double mdt_unboundedBudget = 400e6;
-/* Multiplications of an exact step as long as none is known, over the square of the number of bodies: the work of
- * factors of what fills space, and of chains of up to 60 bodies more than enough. */
+/* Multiplications of an exact step over the square of the number of bodies, as long as the cost is unknown: the work of
+ * factoring space-filling structures, and more than enough for chains of up to 60 bodies. */
 static const double mdt_guessedWork = 600;
-/* The same in the time of the fast solver, a body, with the least passes. */
+/* Multiplications of the exact solver, per body, in the time of a fast step with its minimum of passes: until known. */
 static const double mdt_guessedFastWork = 1e4;
-/* Multiplications of the fast solver, which does eight at a time, in the time of one of the exact one. */
+/* Multiplications of the fast solver, which computes eight at a time, in the time of one of the exact solver. */
 static const double mdt_exactTime = 4;
-/* Of the time of the fast solver: what the accounts pay, at most. A bridge of 30 planks that carries ten thousand times
- * its weight takes 8 to 64; contacts that are wedged any number: ten boxes took 300 factorizations, and gained nothing.
- * With 32 a tower of 20 cubes that is shaken sinks by .4 mm (Mst_Cases_Stacks). */
+/* Largest cost of an exact step that the accounts pay, relative to a fast step. A bridge of 30 planks that carries ten
+ * thousand times its weight costs 8 to 64; wedged contacts cost any number: ten boxes took 300 factorizations without
+ * gain. With a limit of 32 a shaken tower of 20 cubes sinks by .4 mm (Mst_Cases_Stacks). */
 static const double mdt_maxOfFast = 100;
-/* What is left of a cost that was too much after a step without trying: half of it after 138. */
+/* Decay per step of the predicted exact cost while the exact solver is not used: to one half after 138 steps. */
 static const double mdt_forgetting = 0.995;
-/* Of the cost that is expected: what a step's has in it, so that one that costs more does not end exact steps. */
+/* Weight of a step's cost in the predicted one, so that a single expensive step does not end exact steps. */
 static const double mdt_newShare = 0.125;
-/* Steps after which the fast solver is tried again, at most. */
+/* Largest number of steps until the fast solver is tried again. */
 enum { MDT_WAIT_LIMIT = 64 };
 
-/* ---- what the program wants ---- */
+/* ---- the program's request ---- */
 
 static MdtSolver solverOfProgram(MdtWorldID w, MdtBodyID *bodies, int numBodies) {
     const MeProgramCall before = MeProgramEnter("MdtWorldSetSolverCB");
@@ -91,9 +94,9 @@ MdtSolver mdt_choiceRequested(const MdtWorld *w, int partition) {
     return solver == MdtSolverAuto && w->accuracy == 0 ? MdtSolverExact : solver;
 }
 
-/* ---- the account ---- */
+/* ---- the accounts ---- */
 
-void mdt_recordJoin(MdtIslandRecord *to, const MdtIslandRecord *from) {
+void mdt_recordMerge(MdtIslandRecord *to, const MdtIslandRecord *from) {
     to->exactWork = fmaxf(to->exactWork, from->exactWork);
     to->fastWork = fmaxf(to->fastWork, from->fastWork);
     to->isUnmet = to->isUnmet || from->isUnmet;
@@ -109,95 +112,95 @@ static double budgetOf(const MdtWorld *w) {
     return w->workBudget > 0 ? 1e6 * (double)w->workBudget : mdt_unboundedBudget;
 }
 
-static int bodiesOf(const MdtWorld *w, int partition) {
+static int countBodies(const MdtWorld *w, int partition) {
     return w->bodyStart[partition + 1] - w->bodyStart[partition];
 }
 
-/* Who is given shares. */
-typedef enum Standing {
-    NO_NEED,   /* nothing acts on it, or the program has chosen */
-    CERTIFIED, /* it will be stepped only if something has changed without a word */
-    FIRST,     /* what a step with forces to begin with costs is not known yet */
-    UNMET,     /* the fast solver has not met its accuracy, or is not for it */
-    GOES_ON,   /* it has, or was not tried: the exact solver has taken the last step, */
-    SATISFIED  /* or the fast one */
-} Standing;
+/* Classes of partitions, by which shares are assigned. */
+typedef enum ShareClass {
+    NO_NEED,     /* no constraints act on it, or the program has chosen */
+    CERTIFIED,   /* will be solved only if an input has changed */
+    FIRST,       /* in its first steps: the cost of a step with warm start is unknown */
+    UNMET,       /* the fast solver missed the accuracy, or does not suit it */
+    STAYS_EXACT, /* no need, and the exact solver solved the last step */
+    STAYS_FAST   /* no need, and the fast solver solved the last step */
+} ShareClass;
 
-static Standing standingOf(const MdtWorld *w, int partition) {
+static ShareClass shareClassOf(const MdtWorld *w, int partition) {
     const MdtIslandRecord *r = &w->record[partition];
     if (mdt_choiceRequested(w, partition) != MdtSolverAuto ||
         w->actingStart[partition + 1] == w->actingStart[partition])
         return NO_NEED;
     if (w->bodyOf[w->bodyStart[partition]]->certificate != 0)
         return CERTIFIED;
-    return r->steps < 2 ? FIRST : r->isUnmet || r->isUnfit ? UNMET : r->wasExact ? GOES_ON : SATISFIED;
+    return r->steps < 2 ? FIRST : r->isUnmet || r->isUnfit ? UNMET : r->wasExact ? STAYS_EXACT : STAYS_FAST;
 }
 
-/* Multiplications that an exact step is likely to take. */
-static double needOf(const MdtWorld *w, int partition) {
+/* Multiplications: the predicted cost of an exact step. */
+static double predictedWork(const MdtWorld *w, int partition) {
     const MdtIslandRecord *r = &w->record[partition];
-    const double n = bodiesOf(w, partition);
+    const double n = countBodies(w, partition);
     return n * (r->exactWork == 0 ? mdt_guessedWork * n : (double)r->exactWork);
 }
 
-/* Multiplications in the time of a fast step. */
-static double fastOf(const MdtWorld *w, int partition) {
+/* Multiplications of the exact solver in the time of a fast step. */
+static double fastStepWork(const MdtWorld *w, int partition) {
     const double fast = (double)w->record[partition].fastWork;
-    return bodiesOf(w, partition) * (fast > 0 ? fast : mdt_guessedFastWork);
+    return countBodies(w, partition) * (fast > 0 ? fast : mdt_guessedFastWork);
 }
 
-/* Multiplications of an exact step that costs no more than a fast one, and where nothing touches a hundred times as
- * much, since the fast solver damps what swings. */
+/* Multiplications of an exact step that needs no account: as much as a fast step costs; without contacts up to a
+ * hundred times as much, since the fast solver damps oscillations. */
 static double freeWorkOf(const MdtWorld *w, int partition) {
     const MdtIslandRecord *r = &w->record[partition];
     if (r->hasNoContacts)
-        return fmin(mdt_maxOfFast * fastOf(w, partition), mdt_stepShare * budgetOf(w));
-    return r->fastWork > 0 ? fastOf(w, partition) : 0;
+        return fmin(mdt_maxOfFast * fastStepWork(w, partition), mdt_stepShare * budgetOf(w));
+    return r->fastWork > 0 ? fastStepWork(w, partition) : 0;
 }
 
-/* Gives shares to those of this standing that have none and that the funds pay, which are part of an account; returns
- * what is left of these. */
-static double giveShares(MdtWorldID w, Standing standing, MeBool isExactFirst, MdtAccount account, double funds) {
+/* Assigns shares from an account to partitions of a class that have none yet, as far as `funds` last. Returns the
+ * remaining funds. */
+static double assignShares(MdtWorldID w, ShareClass shareClass, MeBool isExactFirst, MdtAccount account, double funds) {
     for (int i = 0; i < w->numPartitions; i++) {
         MdtIslandRecord *r = &w->record[i];
-        const double need = needOf(w, i);
-        const MeBool isOutOfProportion = /* far more than a fast step, and than what a step is paid for anything */
-            need > mdt_payment[MDT_OPTIONAL] * budgetOf(w) && need > mdt_maxOfFast * fastOf(w, i);
-        if (r->share > 0 || need > funds || standingOf(w, i) != standing)
+        const double need = predictedWork(w, i);
+        const MeBool isOutOfProportion = /* costs far more than a fast step, and more than one step pays in */
+            need > mdt_payment[MDT_OPTIONAL] * budgetOf(w) && need > mdt_maxOfFast * fastStepWork(w, i);
+        if (r->share > 0 || need > funds || shareClassOf(w, i) != shareClass)
             continue;
-        if (isOutOfProportion && standing != FIRST && !r->isUnfit)
+        if (isOutOfProportion && shareClass != FIRST && !r->isUnfit)
             continue;
         r->share = r->drawn = need;
         r->account = account;
-        r->isExactFirst = isExactFirst || r->isUnfit || (standing == UNMET && r->since <= r->wait);
+        r->isExactFirst = isExactFirst || r->isUnfit || (shareClass == UNMET && r->since <= r->wait);
         w->credit[account] -= need;
         funds -= need;
     }
     return funds;
 }
 
-/* Those of which an exact step takes no longer than a fast one. */
-static void beginShares(MdtWorldID w) {
+/* Assigns shares to partitions whose exact step costs no more than the account-free work. */
+static void assignFreeShares(MdtWorldID w) {
     for (int i = 0; i < w->numPartitions; i++) {
         MdtIslandRecord *r = &w->record[i];
         const double freeWork = freeWorkOf(w, i);
-        const Standing standing = standingOf(w, i);
+        const ShareClass shareClass = shareClassOf(w, i);
         r->drawn = r->loan = 0;
-        r->isExactFirst = standing >= UNMET && needOf(w, i) <= freeWork;
+        r->isExactFirst = shareClass >= UNMET && predictedWork(w, i) <= freeWork;
         r->share = r->isExactFirst ? freeWork : 0;
     }
 }
 
-/* Lends to those of this standing, or to the others, that have a share, by their bodies, for steps that take more than
- * was likely. */
-static void lend(MdtWorldID w, MeBool isFirst, double funds) {
+/* Lends funds to partitions that have a share, in proportion to their bodies, for steps that cost more than predicted:
+ * either to those of class FIRST, or to all others. */
+static void lendFunds(MdtWorldID w, MeBool isFirst, double funds) {
     double bodies = 0;
     for (int i = 0; i < w->numPartitions; i++)
-        if (w->record[i].share > 0 && isFirst == (standingOf(w, i) == FIRST))
-            bodies += bodiesOf(w, i);
+        if (w->record[i].share > 0 && isFirst == (shareClassOf(w, i) == FIRST))
+            bodies += countBodies(w, i);
     for (int i = 0; i < w->numPartitions && bodies > 0; i++)
-        if (w->record[i].share > 0 && isFirst == (standingOf(w, i) == FIRST)) {
-            const double loan = funds * bodiesOf(w, i) / bodies;
+        if (w->record[i].share > 0 && isFirst == (shareClassOf(w, i) == FIRST)) {
+            const double loan = funds * countBodies(w, i) / bodies;
             w->record[i].loan = loan;
             w->record[i].share += loan;
             w->credit[MDT_NEEDED] -= loan;
@@ -206,30 +209,30 @@ static void lend(MdtWorldID w, MeBool isFirst, double funds) {
 
 static void divideAccounts(MdtWorldID w) {
     const double limit = mdt_stepShare * budgetOf(w);
-    beginShares(w);
-    giveShares(w, FIRST, METRUE, MDT_NEEDED, w->credit[MDT_NEEDED]);
-    giveShares(w, GOES_ON, METRUE, MDT_OPTIONAL, fmin(limit, w->credit[MDT_OPTIONAL]));
-    double left = giveShares(w, UNMET, MEFALSE, MDT_NEEDED, fmin(limit, w->credit[MDT_NEEDED]));
-    left = giveShares(w, GOES_ON, MEFALSE, MDT_NEEDED, left);
-    giveShares(w, CERTIFIED, METRUE, MDT_OPTIONAL, w->credit[MDT_OPTIONAL]);
-    lend(w, MEFALSE, left);
-    lend(w, METRUE, w->credit[MDT_NEEDED]);
+    assignFreeShares(w);
+    assignShares(w, FIRST, METRUE, MDT_NEEDED, w->credit[MDT_NEEDED]);
+    assignShares(w, STAYS_EXACT, METRUE, MDT_OPTIONAL, fmin(limit, w->credit[MDT_OPTIONAL]));
+    double left = assignShares(w, UNMET, MEFALSE, MDT_NEEDED, fmin(limit, w->credit[MDT_NEEDED]));
+    left = assignShares(w, STAYS_EXACT, MEFALSE, MDT_NEEDED, left);
+    assignShares(w, CERTIFIED, METRUE, MDT_OPTIONAL, w->credit[MDT_OPTIONAL]);
+    lendFunds(w, MEFALSE, left);
+    lendFunds(w, METRUE, w->credit[MDT_NEEDED]);
 }
 
-static void pay(MdtWorldID w) {
+static void payAccounts(MdtWorldID w) {
     for (int i = 0; i < MDT_ACCOUNTS; i++)
         w->credit[i] = fmin(w->credit[i] + mdt_payment[i] * budgetOf(w), mdt_creditLimit[i] * budgetOf(w));
 }
 
 void mdt_choicesReset(MdtWorldID w) {
     for (int i = 0; i < MDT_ACCOUNTS; i++)
-        w->credit[i] = DBL_MAX; /* as much as they can hold, when the next step pays */
+        w->credit[i] = DBL_MAX; /* the next payment clamps it to the limit */
 }
 
 void mdt_choicesBegin(MdtWorldID w, MeBool isStep) {
     readSolversOfProgram(w);
     if (isStep)
-        pay(w);
+        payAccounts(w);
     divideAccounts(w);
 }
 
@@ -242,7 +245,8 @@ void mdt_choicesEnd(MdtWorldID w) {
 
 /* ---- the choice ---- */
 
-/* Nothing in it touches the world: it carries no weight, and its forces come of meetings and of overlaps alone. */
+/* True if no contact is with the world: then the partition carries no weight, and forces come from collisions and
+ * overlaps only. */
 MeBool mdt_choiceIsInFlight(const MdtIsland *p) {
     for (int i = 0; i < p->numActing; i++)
         if (!p->acting[i]->side[0].body || !p->acting[i]->side[1].body)
@@ -250,7 +254,7 @@ MeBool mdt_choiceIsInFlight(const MdtIsland *p) {
     return METRUE;
 }
 
-/* m/s, at which its bodies come nearer to each other there. */
+/* m/s: closing speed of the two bodies at the contact. */
 static double approachAt(const MdtPoint *point) {
     const MdtBaseConstraint *base = &mdt_manifoldOf(point)->base;
     double normal[3], sum = 0;
@@ -269,7 +273,7 @@ static double approachAt(const MdtPoint *point) {
     return sum;
 }
 
-/* Groups of contacts that hold their bodies; not more than one above `max` are counted. */
+/* Number of manifolds with a persistent contact, which constrains its bodies; stops counting at max + 1. */
 static int countPersistent(const MdtIsland *p, int max) {
     double g[3];
     int count = 0;
@@ -294,11 +298,11 @@ static MdtReportWhy reasonForExact(const MdtIsland *p) {
     return p->record->share == 0 ? MdtReportWhyUnfit : p->record->drawn > 0 ? MdtReportWhyAfforded : MdtReportWhyCheap;
 }
 
-/* Rows 1 to 6 of the table. Bodies that keep their energy, of which only few are held, are met one after the other
- * (mdt_subdivide.c): the fast solver loses rebounds that follow each other. Of a swarm in flight the centre of mass
- * moves as a free body by the fast solver, which the exact one takes for what it does not meet in time to the end's
- * velocity. What the fast solver leaves of joints alone may drive them: its answer has to meet the accuracy. */
-static MdtReportWhy reasonOf(const MdtIsland *p) {
+/* Rows 1 to 6 of the table. Unfit: the impacts of elastic bodies, of which only few are constrained, are solved one
+ * after the other (mdt_subdivide.c); the fast solver loses successive rebounds. Flight: with the fast solver the centre
+ * of mass of a swarm moves as a free body; the exact one uses end velocities where it does not time contacts. Unfit
+ * without contacts: errors that the fast solver leaves may drive the joints, so its answer has to meet the accuracy. */
+static MdtReportWhy findReason(const MdtIsland *p) {
     const MdtIslandRecord *r = p->record;
     const MeBool isLarge = p->numBodies > p->world->timedBodies && p->numContacts > 0 && !p->bounces;
     const MeBool keepsEnergy = p->bounces && !p->losesEnergy && p->numJoints == 0;
@@ -319,7 +323,7 @@ static MdtReportWhy reasonOf(const MdtIsland *p) {
 }
 
 MeBool mdt_choiceIsFast(MdtIsland *p) {
-    p->why = reasonOf(p);
+    p->why = findReason(p);
     return p->why == MdtReportWhyAsked ? p->solver == MdtSolverFast : p->why >= MdtReportWhyFlight;
 }
 
@@ -331,7 +335,7 @@ MeBool mdt_choiceHasShare(const MdtIsland *p) {
            (isSatisfied || p->numContacts > 0);
 }
 
-/* Parts of a step that has not been declined may take more than its share. */
+/* Further parts of a step that has not been declined may use more than its share. */
 double mdt_choiceBudget(const MdtIsland *p) {
     const double all = 1e6 * (double)p->world->workBudget;
     const double max = !p->isFast && p->numContacts > 0 && p->mayBeFast ? (1 - mdt_fastReserve) * all : all;
@@ -348,7 +352,7 @@ void mdt_choiceSwitchToFast(MdtIsland *p) {
 }
 
 MeBool mdt_choiceNeedsExact(const MdtIsland *p) {
-    const MeBool mustBeAccurate = p->numContacts == 0; /* joints alone */
+    const MeBool mustBeAccurate = p->numContacts == 0; /* without contacts: see findReason */
     const MeBool isAllowed = p->why == MdtReportWhyDear
                                  ? p->record->share > 0 || mustBeAccurate
                                  : p->why == MdtReportWhyTakenOver && mustBeAccurate && p->hasDeclined;
@@ -362,45 +366,45 @@ void mdt_choiceSwitchToExact(MdtIsland *p) {
     p->work = budget > 0 ? fmax(budget - p->exactWork, 1) : MDT_NO_BOUND;
 }
 
-/* The fast solver's last answer decides when it is tried again. */
-static void noteFast(const MdtIsland *p, MdtIslandRecord *r) {
+/* Records a fast step, whose accuracy decides when the fast solver is tried next. */
+static void recordFastStep(const MdtIsland *p, MdtIslandRecord *r) {
     r->isUnmet = p->excess > 1;
     r->wait = !r->isUnmet ? 0 : r->wait == 0 ? 1 : MeMIN(2 * r->wait, MDT_WAIT_LIMIT);
     r->since = 0;
     r->fastWork = (float)(p->fastWork / p->numBodies / (p->numContacts > 0 ? mdt_exactTime : 1));
 }
 
-/* What an exact step has taken: one that was declined would have taken more; a first one has no forces to begin with,
- * and takes more factorizations than those that follow. */
+/* The cost of an exact step for predictions. A declined step would have cost more than it did. A first step without
+ * warm start needs more factorizations than those that follow: one of them is counted. */
 static double exactWorkOf(const MdtIsland *p, const MdtIslandRecord *r) {
     if (p->hasDeclined)
         return fmax(2 * p->exactWork, p->min);
     return r->steps == 0 ? p->exactWork / MeMAX(1, p->kea.report.factorizations) : p->exactWork;
 }
 
-static void noteExact(const MdtIsland *p, MdtIslandRecord *r) {
+static void recordExactStep(const MdtIsland *p, MdtIslandRecord *r) {
     const double share = p->hasDeclined || r->steps < 2 ? 1 : mdt_newShare;
     r->exactWork += (float)(share * (exactWorkOf(p, r) / p->numBodies - (double)r->exactWork));
 }
 
-/* What it has used comes first of its own account, then of the loan, and of what is left for loans. */
-static void giveBack(const MdtIsland *p, MdtIslandRecord *r) {
+/* Returns the unused share to the account. Work is charged first to the account's share, then to the loan. */
+static void returnUnusedShare(const MdtIsland *p, MdtIslandRecord *r) {
     const double used = r->share > 0 ? fmax(p->exactWork - (r->share - r->drawn - r->loan), 0) : 0;
     r->loan -= fmax(used - r->drawn, 0);
     r->drawn = fmax(r->drawn - used, 0);
 }
 
-void mdt_choiceNote(const MdtIsland *p, MdtIslandRecord *r) {
+void mdt_choiceRecordStep(const MdtIsland *p, MdtIslandRecord *r) {
     r->since++;
     if (p->fastWork > 0)
-        noteFast(p, r);
+        recordFastStep(p, r);
     if (p->exactWork > 0 || p->hasDeclined)
-        noteExact(p, r);
+        recordExactStep(p, r);
     else
         r->exactWork *= (float)mdt_forgetting;
-    r->steps = p->solver == MdtSolverAuto ? MeMIN(r->steps + 1, 2) : 0; /* what the program chose begins anew */
+    r->steps = p->solver == MdtSolverAuto ? MeMIN(r->steps + 1, 2) : 0; /* a choice of the program restarts the count */
     r->hasNoContacts = p->numContacts == 0;
     r->isUnfit = r->hasNoContacts || p->bounces;
     r->wasExact = p->exactWork > 0 && !p->hasDeclined;
-    giveBack(p, r);
+    returnUnusedShare(p, r);
 }

@@ -1,4 +1,4 @@
-/* Inside Mdt: the choice between Kea's solvers, the path of a partition's step, and room for it. */
+/* Inside Mdt: the choice between Kea's solvers, the path of a partition's step, and the capacity of its arrays. */
 #ifndef MDT_CHOICE_I_H
 #define MDT_CHOICE_I_H
 
@@ -6,67 +6,69 @@
 
 /* ---- the choice of solver (mdt_choice.c) ---- */
 
-/* A step, or another part of one, begins: asks the program for the solver of each partition (MdtWorldSetSolverCB),
- * gives out shares of exact work; and ends. What the program wants for one. */
+/* At the start of a step or of a further part of it: queries the program's choice for each partition
+ * (MdtWorldSetSolverCB), and assigns shares of exact work. At its end: returns unused shares. mdt_choiceRequested: the
+ * program's choice for a partition. */
 void mdt_choicesBegin(MdtWorldID w, MeBool isStep);
 void mdt_choicesEnd(MdtWorldID w);
 MdtSolver mdt_choiceRequested(const MdtWorld *w, int partition);
-/* A partition's record gets what is known of one that it had bodies in. */
-void mdt_recordJoin(MdtIslandRecord *to, const MdtIslandRecord *from);
-/* Whether Kea's fast solver begins the step; writes why. */
+/* Merges the record of a partition of the last step into that of one that has bodies of it. */
+void mdt_recordMerge(MdtIslandRecord *to, const MdtIslandRecord *from);
+/* True if the fast solver starts the step; sets p->why. */
 MeBool mdt_choiceIsFast(MdtIsland *p);
-/* Whether nothing in it touches the world. */
+/* True if no contact of the partition is with the world. */
 MeBool mdt_choiceIsInFlight(const MdtIsland *p);
-/* Multiplications that a step of it may cost; 0: any number. Whether the exact solver has begun the step with a share
- * of exact work, and may decline it. */
+/* Multiplications that its step may cost; 0: unlimited. mdt_choiceHasShare: true if the exact solver started the step
+ * with a share of exact work, and may decline it. */
 double mdt_choiceBudget(const MdtIsland *p);
 MeBool mdt_choiceHasShare(const MdtIsland *p);
-/* The fast solver takes the rest of the step from the exact one. */
+/* Lets the fast solver solve the rest of a step that the exact solver has started. */
 void mdt_choiceSwitchToFast(MdtIsland *p);
-/* Whether the exact solver takes a part that the fast one has solved, since its answer does not meet the accuracy; it
- * does. */
+/* True if the exact solver has to redo a part whose fast answer misses the accuracy; mdt_choiceSwitchToExact lets it.
+ * */
 MeBool mdt_choiceNeedsExact(const MdtIsland *p);
 void mdt_choiceSwitchToExact(MdtIsland *p);
-/* The step has ended: writes what is known of it to the record, its own or that of a member. */
-void mdt_choiceNote(const MdtIsland *p, MdtIslandRecord *r);
-/* The world's accounts are full. */
+/* At the end of a step: updates a record, the partition's own or that of a member of the batch. */
+void mdt_choiceRecordStep(const MdtIsland *p, MdtIslandRecord *r);
+/* Fills the world's accounts. */
 void mdt_choicesReset(MdtWorldID w);
 
 /* ---- the path of a step (mdt_path.c) ---- */
 
-/* Which of Kea's solvers takes the parts from now on. The scratch memory that was taken for the exact one is enough for
- * the fast one. */
+/* Sets which of Kea's solvers solves the parts from now on. Scratch memory for the exact solver is enough for the fast
+ * one. */
 void mdt_islandSetFast(MdtIsland *p, MeBool isFast);
-/* How many bodies may be held, at most, in a partition whose impacts are met in time, one after the other; 0: none. */
+/* How many bodies may be constrained by contacts in a partition whose impacts are timed; 0: none. */
 int mdt_maxConstrained(const MdtIsland *p);
 
-/* A report notes the path of a sub-step. */
+/* Records the path of a sub-step. */
 void mdt_reportPath(MdtReport *r, MdtReportWay path);
-/* An impact at the start of a part; a part that ends early, at an event; a step that is halved. */
+/* Record: an impact at the start of a part; the early end of a part at an event; a flight; a halved step. */
 void mdt_reportImpact(MdtReport *r);
 void mdt_reportEvent(MdtReport *r);
 void mdt_reportFlight(MdtReport *r, int impacts, MeBool isEnded);
 void mdt_reportDivision(MdtReport *r);
-/* A sub-step was of order 4. */
+/* Records a sub-step of order 4. */
 void mdt_reportComposed(MdtReport *r);
-/* The last step's answer was taken without a solve. */
+/* Records that the last step's answer was used without a solve. */
 void mdt_reportCertified(MdtReport *r);
 
 /* ---- accuracy (mdt_accuracy.c) ---- */
 
-/* m/s: the residual that a step of h seconds may leave (MdtWorldSetAccuracy); below which bodies rest. */
+/* m/s: the residual that a step of h seconds may leave (MdtWorldSetAccuracy); the speed below which bodies rest. */
 double mdt_worldAccuracy(const MdtWorld *w, double h, MeBool hasJoints);
 double mdt_worldCalmSpeed(const MdtWorld *w, double h);
 
-/* ---- room (mdt_reserve.c) ---- */
+/* ---- capacities (mdt_reserve.c) ---- */
 
-size_t mdt_tasksSize(size_t bodies); /* ints that the tasks of so many bodies need */
+size_t mdt_tasksSize(size_t bodies); /* number of ints that the tasks of `bodies` bodies need */
 
-/* Room for the batches of so many bodies, and constraints that act on them. False: no memory. */
+/* Reserves capacity in batches for so many bodies and acting constraints. False, after a fatal error: no memory. */
 MeBool mdt_batchesReserve(MdtBatches *b, int bodies, int acting, const char *caller);
 void mdt_batchesTerm(MdtBatches *b);
 
-/* Room for so many bodies and constraints in the arrays of a step. False: no memory. */
+/* Reserves capacity for so many bodies and constraints in the arrays of a step. False, after a fatal error: no memory.
+ * */
 MeBool mdt_worldReserve(MdtWorldID w, int bodies, int constraints, const char *caller);
 
 #endif

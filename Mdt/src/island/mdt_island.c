@@ -1,11 +1,11 @@
-/* Partition: sets of bodies that constraints tie together (Dynamics guide ch. 1, "Partitioning the World").
+/* Partitions: sets of bodies that constraints connect (Dynamics guide ch. 1, "Partitioning the World").
  *
- * Contacts with the world do not join bodies: two boxes on the ground are two partitions. A set with one enabled body
- * is enabled whole. Partitions are numbered by their first body, and their bodies and constraints keep the world's
- * order, so that the same scene is solved in the same order every time.
+ * Contacts with the world do not connect bodies: two boxes on the ground are two partitions. A set with one enabled
+ * body becomes enabled as a whole. Partitions are numbered by their first body, and their bodies and constraints keep
+ * the world's order, so that the same scene is always solved in the same order.
  *
- * Union-find with path halving on the bodies' places in that order, one walk over the constraints, and a counting sort.
- * Where the graph has not changed since (MdtGraph.changes), the partitions stay as they are.
+ * Method: union-find with path halving on the bodies' indices in that order, one walk over the constraints, and a
+ * counting sort. The partitions are kept while the graph has not changed (MdtGraph.changes).
  */
 #include "MeAssert.h"
 #include "MeDict.h"
@@ -25,15 +25,15 @@ static int rootOf(int parent[], int place) {
     return place;
 }
 
-/* The root of a set is its first body. */
-static void join(MdtGraph *g, int a, int b) {
+/* Unites two sets. The root of a set is its first body. */
+static void uniteSets(MdtGraph *g, int a, int b) {
     const int ra = rootOf(g->parent, a), rb = rootOf(g->parent, b);
     const int first = ra < rb ? ra : rb, second = ra < rb ? rb : ra;
     g->parent[second] = first;
     g->isAwake[first] = g->isAwake[first] || g->isAwake[second];
 }
 
-static void placeBodies(MdtWorldID w) {
+static void numberBodies(MdtWorldID w) {
     MdtGraph *g = &w->graph;
     int n = 0;
     for (MdtLink *link = w->bodies.first; link; link = link->next, n++) {
@@ -47,9 +47,9 @@ static void placeBodies(MdtWorldID w) {
     g->numBodies = n;
 }
 
-/* Those that act on bodies join them, and are listed. Their links lie anywhere in memory, and only the last step's list
- * knows where the ones ahead are likely to be. */
-static void joinBodies(MdtWorldID w) {
+/* Unites the bodies of each acting constraint, and lists the acting constraints. Their records are scattered in memory;
+ * the last step's list predicts which ones come next, for prefetching. */
+static void uniteBodies(MdtWorldID w) {
     MdtGraph *g = &w->graph;
     const int before = g->numActing;
     int n = 0;
@@ -61,7 +61,7 @@ static void joinBodies(MdtWorldID w) {
         if (!(c->record.flags & MDT_ENABLED) || (!b0 && !b1))
             continue;
         if (b0 && b1)
-            join(g, b0->place, b1->place);
+            uniteSets(g, b0->place, b1->place);
         g->acting[n] = c;
         g->actsOn[n++] = b0 ? b0->place : b1->place;
     }
@@ -71,8 +71,8 @@ static void joinBodies(MdtWorldID w) {
 
 /* ---- partitions ---- */
 
-/* Numbers the awake sets and counts their bodies into bodyStart[partition + 1]. A root comes before all others of its
- * set. */
+/* Numbers the awake sets and counts their bodies into bodyStart[partition + 1]. The root is the first body of its set.
+ * */
 static void numberIslands(MdtWorldID w) {
     MdtGraph *g = &w->graph;
     w->numPartitions = 0;
@@ -82,7 +82,7 @@ static void numberIslands(MdtWorldID w) {
         g->partition[i] = NONE;
         if (!g->isAwake[root])
             continue;
-        if (!g->isEnabled[i] && !(g->body[i]->record.flags & MDT_ENABLED)) /* a callback may have enabled it */
+        if (!g->isEnabled[i] && !(g->body[i]->record.flags & MDT_ENABLED)) /* unless a callback has enabled it */
             mdt_bodyEnable(g->body[i]);
         if (root == i) {
             g->partition[i] = w->numPartitions++;
@@ -94,7 +94,7 @@ static void numberIslands(MdtWorldID w) {
     }
 }
 
-/* Counts are in start[partition + 1]; each becomes the place of the partition's first. */
+/* Turns the counts in start[partition + 1] into the index of each partition's first entry. */
 static void sumCounts(MdtWorldID w) {
     for (int p = 0; p < w->numPartitions; p++) {
         w->bodyStart[p + 1] += w->bodyStart[p];
@@ -133,8 +133,8 @@ static void sortActing(MdtWorldID w) {
     }
 }
 
-/* What is known of partitions goes to those that have their bodies now. */
-static void passRecordsOn(MdtWorldID w, int numBefore) {
+/* Merges the records of the last step's partitions into those of the partitions that have their bodies now. */
+static void mergeRecords(MdtWorldID w, int numBefore) {
     MdtIslandRecord *const before = w->record;
     w->record = w->lastRecord;
     w->lastRecord = before;
@@ -142,11 +142,11 @@ static void passRecordsOn(MdtWorldID w, int numBefore) {
     for (int i = 0; i < w->graph.numBodies; i++) {
         const int from = w->graph.body[i]->partition, to = w->graph.partition[i];
         if (to != NONE && from != NONE && from < numBefore)
-            mdt_recordJoin(&w->record[to], &before[from]);
+            mdt_recordMerge(&w->record[to], &before[from]);
     }
 }
 
-/* Sorting has moved every start to its end, which is the next partition's start. */
+/* Undoes the counting sort's shift: it has moved each start to its partition's end, which is the next one's start. */
 static void restoreStarts(MdtWorldID w) {
     for (int p = w->numPartitions; p > 0; p--) {
         w->bodyStart[p] = w->bodyStart[p - 1];
@@ -157,14 +157,14 @@ static void restoreStarts(MdtWorldID w) {
     MEASSERT(w->actingStart[w->numPartitions] <= w->constraints.count);
 }
 
-/* There are none, and nothing moves. */
-static void dropIslands(MdtWorldID w) {
+/* Leaves no partition: nothing moves. */
+static void clearIslands(MdtWorldID w) {
     w->numPartitions = 0;
     for (MdtLink *link = w->bodies.first; link; link = link->next)
         ((MdtBodyID)mdt_linkOwner(link))->partition = NONE;
 }
 
-/* Has every partition its own bodies, and only constraints that act on one of them? */
+/* True if every partition has its own bodies, and only constraints that act on its bodies. */
 static MeBool areSeparate(const MdtWorld *w) {
     for (int p = 0; p < w->numPartitions; p++) {
         for (int i = w->bodyStart[p]; i < w->bodyStart[p + 1]; i++)
@@ -181,11 +181,11 @@ static MeBool areSeparate(const MdtWorld *w) {
 static void findIslands(MdtWorldID w) {
     mdt_listSort(&w->bodies);
     mdt_listSort(&w->constraints);
-    placeBodies(w);
-    joinBodies(w);
+    numberBodies(w);
+    uniteBodies(w);
     const int numBefore = w->numPartitions;
     numberIslands(w);
-    passRecordsOn(w, numBefore);
+    mergeRecords(w, numBefore);
     countActing(w);
     sumCounts(w);
     sortBodies(w);
@@ -196,17 +196,17 @@ static void findIslands(MdtWorldID w) {
 static void updateIslands(MdtWorldID w) {
     const int room = w->bodyRoom + w->constraintRoom;
     const MeBool isRoom = mdt_worldReserve(w, w->bodies.count, w->numConstraints, "MdtWorldStep");
-    if (room != w->bodyRoom + w->constraintRoom) { /* the arrays are new */
+    if (room != w->bodyRoom + w->constraintRoom) { /* the arrays have been reallocated */
         w->graph.numActing = 0;
         mdt_graphChanged(w);
     }
     if (!isRoom) {
-        dropIslands(w);
+        clearIslands(w);
         return;
     }
     if (w->graph.seen != w->graph.changes) {
         findIslands(w);
-        w->graph.seen = w->graph.changes; /* bodies that were enabled with their set are in it */
+        w->graph.seen = w->graph.changes; /* the bodies enabled meanwhile are in their partitions */
     }
     MEASSERT(w->bodyStart[w->numPartitions] <= w->bodies.count);
     MEVALIDATE(areSeparate(w));
@@ -221,9 +221,9 @@ void mdt_islandsEnd(MdtWorldID w) {
     MeStageEnd(&w->stage, MDT_GUARD_GRAPH);
 }
 
-/* A group is followed by its contacts. */
+/* Lists a constraint under its public handle, a group before its contacts. Returns the next index. */
 static int listConstraint(MdtWorldID w, MdtConstraintID base, int at) {
-    w->constraintOf[at++] = mdt_constraintShown(base);
+    w->constraintOf[at++] = mdt_constraintPublicHandle(base);
     if (!mdt_isManifold(base) || (base->record.flags & MDT_LONE))
         return at;
     for (MdtPoint *p = mdt_pointFirst((MdtManifold *)(void *)base); p; p = mdt_pointAfter(p))
@@ -233,7 +233,7 @@ static int listConstraint(MdtWorldID w, MdtConstraintID base, int at) {
 
 void mdt_islandsList(MdtWorldID w) {
     int at = 0;
-    const MeBool isRoom = /* also for those that functions of the program have made since the islands were found */
+    const MeBool isRoom = /* callbacks may have created constraints since */
         w->numConstraints <= w->constraintRoom ||
         MeMemoryGrow(&w->constraintOf, 0, (size_t)w->numConstraints, sizeof *w->constraintOf, "MdtWorldStep",
                      "the constraints of a step");
@@ -274,16 +274,16 @@ void mdt_islandShow(const MdtIsland *p) {
     MdtPartitionOutput *po = &p->world->output;
     po->info[p->number] = mdt_islandInfo(p->world, p->number);
     po->numPartitions = p->number + 1;
-    if (!p->world->partitionCb) /* it has removed itself */
+    if (!p->world->partitionCb) /* the callback has unset itself */
         return;
     const MeProgramCall before = MeProgramEnter("MdtWorldSetPartitionCB");
     p->world->partitionCb(po, p->world->partitionCbData);
     MeProgramLeave(&before);
 }
 
-/* ---- for programs (MdtPartition.h) ---- */
+/* ---- functions for programs (MdtPartition.h) ---- */
 
-/* The world of the first body in the list; null: there is none. */
+/* The world of the first live body in the list; null if there is none. */
 static MdtWorldID worldOf(MeDict *list) {
     for (MeDictNode *node = list ? MeDictFirst(list) : NULL; node; node = MeDictNext(list, node))
         if (mdt_isBody(MeDictNodeGet(node), "MdtUpdatePartitions"))
@@ -291,8 +291,8 @@ static MdtWorldID worldOf(MeDict *list) {
     return NULL;
 }
 
-/* Until MdtUpdatePartitions returns, isDisabled marks the partitions without a listed body. */
-static void chooseListed(MdtWorldID w, MeDict *list) {
+/* Marks partitions without a listed body by isDisabled, which is used until MdtUpdatePartitions returns. */
+static void markListed(MdtWorldID w, MeDict *list) {
     for (int p = 0; p < w->numPartitions; p++)
         w->output.info[p].isDisabled = METRUE;
     for (MeDictNode *node = MeDictFirst(list); node; node = MeDictNext(list, node)) {
@@ -317,7 +317,7 @@ void MEAPI MdtUpdatePartitions(MeDict *enabledBodyList, MdtPartitionOutput *po, 
         return;
     mdt_islandsBegin(w);
     mdt_islandsList(w);
-    chooseListed(w, enabledBodyList);
+    markListed(w, enabledBodyList);
     *po = w->output;
     po->numPartitions = 0;
     const MeProgramCall before = MeProgramEnter(__func__);

@@ -1,85 +1,84 @@
-/* Inside Mdt: the working data of a partition in a step, and how partitions are found, put to rest and to sleep. The
- * stages of the step are in mdt_step_i.h.
- */
+/* Inside Mdt: the working data of a partition in a step; finding partitions, rest certificates, sleep. The stages of
+ * the step are in mdt_step_i.h. */
 #ifndef MDT_ISLAND_I_H
 #define MDT_ISLAND_I_H
 
 #include "record/mdt_point_i.h"
 #include <float.h>
 
-/* Beside each manifold of Kea's: whose points it has. */
+/* Parallel to each of Kea's manifolds: its source points. */
 typedef struct MdtIslandManifold {
     /* pack */
     MdtPoint *point[MdtKeaMANIFOLDPOINTS];
     /* unpack */
-    double mean[MdtKeaMANIFOLDPOINTS][3]; /* N, of the parts of the step that are done, on the first body */
+    double mean[MdtKeaMANIFOLDPOINTS][3]; /* N, mean force on the first body over the finished parts of the step */
 } MdtIslandManifold;
 
-/* Whether a part is a stage of order 4 (mdt_compose.c), and in which direction of time. */
+/* Whether a part of a step is a stage of the scheme of order 4 (mdt_compose.c), and its direction in time. */
 typedef enum MdtStage { MDT_STAGE_NONE, MDT_STAGE_FORWARD, MDT_STAGE_BACK } MdtStage;
 
-/* One partition in one step. Each group of fields names its only writer. */
+/* One partition in one step. Each group of fields is written by the file or stage that is named before it. */
 typedef struct MdtIsland {
     /* mdt_islandOf; mdt_parallel.c */
     MdtWorldID world;
-    MdtWorker *worker; /* the worker that steps it, */
-    MeTeam *team;      /* and the team that helps; null: none */
+    MdtWorker *worker; /* the worker that steps it */
+    MeTeam *team;      /* the team that helps; null: none */
     int number, numBodies, numActing;
-    MdtSolver solver;        /* that the program wants */
-    MdtIslandRecord *record; /* what is kept of it from step to step */
+    MdtSolver solver;        /* requested by the program */
+    MdtIslandRecord *record; /* its state from step to step */
     MdtBodyID *bodies;
     MdtConstraintID *acting; /* joints and manifolds */
     /* mdt_batch.c */
-    const MdtMember *member; /* partitions that it is made of; */
-    int numMembers;          /* 0: it is one */
+    const MdtMember *member; /* of a batch: its partitions */
+    int numMembers;          /* 0: it is a single partition */
     double whole;            /* s, the argument of MdtWorldStep */
     /* mdt_step.c, mdt_lag.c */
-    double h; /* s, by which the partition is moved on: `whole`, or what its safe time allows of it */
+    double h; /* s, time of the partition's step: `whole`, or less if limited by safe times */
     /* mdt_report.c */
-    MdtReport *report;     /* null: it is off */
-    MeBool isTimedByStage; /* else together with others */
-    MeU64 lap, *clock;     /* ticks, when the stage began that is being timed: the world's, or of many workers `lap` */
+    MdtReport *report;     /* null: the report is off */
+    MeBool isTimedByStage; /* false: partitions are timed together */
+    MeU64 lap, *clock;     /* ticks at the start of the timed stage; clock: the world's, or with workers `lap` */
     /* pack */
-    void *scratch;                         /* Kea's arrays, and behind them */
-    MeBool isFast;                         /* Kea's fast solver is chosen, or has taken over (mdt_subdivide.c); */
-    MdtReportWhy why;                      /* also mdt_batch.c, mdt_choice.c */
-    int numContacts, numJoints, jointRows; /* of all joints, at most */
-    MeBool hasUserRows;                    /* a joint's rows are the program's */
-    MeBool mayBeFast;                      /* the fast solver is able to take it */
-    MeBool bounces, losesEnergy;           /* a contact has restitution; one has less than 1 */
-    MdtIslandManifold *manifolds;          /* beside kea.manifolds */
-    MdtKeaSystem kea; /* its parameters: mdt_subdivide.c; its arrays and answers: rows, MdtKea; its bodies:
+    void *scratch;                         /* scratch memory: Kea's arrays, then further ones */
+    MeBool isFast;                         /* Kea's fast solver solves it; also written by mdt_path.c */
+    MdtReportWhy why;                      /* also written by mdt_batch.c, mdt_choice.c */
+    int numContacts, numJoints, jointRows; /* jointRows: upper bound, of all joints */
+    MeBool hasUserRows;                    /* a callback of the program makes some joint's rows */
+    MeBool mayBeFast;                      /* the fast solver can solve it */
+    MeBool bounces, losesEnergy;           /* a contact has restitution; a restitution is below 1 */
+    MdtIslandManifold *manifolds;          /* parallel to kea.manifolds */
+    MdtKeaSystem kea; /* parameters written by mdt_subdivide.c; arrays and answers by rows and MdtKea; bodies by
                                      mdt_islandOf, mdt_batch.c */
     /* subdivide */
-    MdtBclSolverParameters parameters; /* of the part that is being taken */
-    double elapsed;                    /* s, of the step before that part */
-    double work;                       /* multiplications that the step may still cost; MDT_NO_BOUND: any number */
-    int iterations;                    /* of Newton's method, the same; 0: any number */
-    double exactWork, fastWork, min;   /* multiplications that it has cost so far, and that the exact solver needs */
-    double excess;                     /* of the fast solver's last answer */
-    MeBool hasDeclined;                /* the exact solver has */
+    MdtBclSolverParameters parameters; /* of the present part */
+    double elapsed;                    /* s, of the step before the present part */
+    double work;                       /* multiplications left for the step; MDT_NO_BOUND: unlimited */
+    int iterations;                    /* iterations of Newton's method left for the step; 0: unlimited */
+    double exactWork, fastWork, min;   /* multiplications: cost so far of either solver; lower bound of the exact one */
+    double excess;                     /* MdtReport.excess of the fast solver's last answer */
+    MeBool hasDeclined;                /* the exact solver has declined the step */
     MeBool hadImpact;                  /* there was an impact at the start of a part */
-    MeBool isStopped;                  /* mdt_step.c: the part's answer was not finite, and its bodies stay */
+    MeBool isStopped; /* the part's answer was not finite, and its bodies stay; written by mdt_step.c */
     /* mdt_compose.c */
     MdtStage stage;
-    double forward; /* the sum of the stages that go forward, over the part that they make up */
+    double forward; /* total length of the forward stages, relative to the part that they compose */
     /* rows */
-    MeBool isDegenerate; /* some joint was in this step */
-    int numRows;         /* of the part: of joints, and that the contacts have, or would have for the exact solver */
-    MeBool isCapped;     /* contacts, or their friction, were left out */
+    MeBool isDegenerate; /* some joint was degenerate in this step */
+    int numRows;         /* of the part: rows of joints and contacts, as for the exact solver */
+    MeBool isCapped;     /* the cap left out contacts or their friction */
 } MdtIsland;
 
 #define MDT_NO_BOUND DBL_MAX
 
-/* Bodies, or manifolds, that a worker takes at a time: .5 us each in pack, against 1 to begin and end a loop. With half
- * as many and twice as many, a heap of 1000 boxes takes the same time, within 5 % (bench/threads). */
+/* Bodies, or manifolds, per range of a parallel loop: .5 us each in pack, against 1 us to start and end a loop. With
+ * half or twice the number a heap of 1000 boxes takes the same time within 5 % (bench/threads). */
 enum { MDT_RANGE = 64 };
 
-/* Bodies, or constraints, ahead of the one that a loop works on, whose memory is asked for: as KEA_AHEAD, with which it
- * was measured. */
+/* Prefetch distance: bodies, or constraints, ahead of the one that a loop processes. The same as KEA_AHEAD, which was
+ * measured. */
 enum { MDT_AHEAD = 4 };
 
-/* s, by which the part takes the step on. */
+/* s: signed time of the present part; negative for a backward stage. */
 static inline double mdt_substepTime(const MdtIsland *p) {
     return p->stage == MDT_STAGE_BACK ? -p->parameters.stepsize : p->parameters.stepsize;
 }
@@ -92,48 +91,50 @@ static inline MeBool mdt_isInBatch(const MdtWorld *w, int partition) {
 
 /* ---- partitions (mdt_island.c) ---- */
 
-/* Finds the partitions of this step; bodies tied to awake ones wake. The graph stays as it is until the
- * end: what the program calls for in its callbacks is done then. */
+/* Finds the partitions of this step, and wakes bodies that are connected to awake ones. The graph does not change until
+ * mdt_islandsEnd: changes that callbacks make are deferred. */
 void mdt_islandsBegin(MdtWorldID w);
 void mdt_islandsEnd(MdtWorldID w);
-/* Makes the lists of their constraints for programs; what programs see of one partition then: it is not disabled. */
+/* Lists the constraints of all partitions for programs; the public description of one partition, with isDisabled 0. */
 void mdt_islandsList(MdtWorldID w);
 MdtPartitionInfo mdt_islandInfo(MdtWorldID w, int p);
-/* A partition of this step, to be moved on by h seconds; shows it, and those before it, to the program's callback. */
+/* The working data of a partition, for a step of h seconds; passes the partition to the program's callback, together
+ * with those before it. */
 MdtIsland mdt_islandOf(MdtWorldID w, int number, double h);
 void mdt_islandShow(const MdtIsland *p);
 
 /* ---- sleep (mdt_sleep.c) ---- */
 
 void mdt_bodySleep(MdtBodyID b);
-/* Wakes the sleepers of which an input has changed since they fell asleep, before a step of h seconds. */
+/* Wakes sleeping bodies whose inputs have changed since they fell asleep. At the start of a step of h seconds. */
 void mdt_sleepersWake(MdtWorldID w, double h);
-/* The forces of those that sleep on are over with the step. */
+/* Ends the forces that were added for this step to bodies that sleep on. */
 void mdt_sleepersEndForces(MdtWorldID w);
-/* All sleepers, as something has changed that concerns each of them. */
+/* Ends the certificates of all sleeping bodies, so that they wake when the next step begins. */
 void mdt_sleepersWakeAll(MdtWorldID w);
 
-/* Whether the world puts the partition to rest; that it rests. */
+/* True if the world puts the partition to sleep; puts it to sleep. */
 MeBool mdt_islandIsToSleep(const MdtIsland *p);
 void mdt_islandSleep(const MdtIsland *p);
 
 /* ---- the rest certificate (mdt_certificate.c) ---- */
 
-/* A step begins; whether a partition's last answer holds again; taking it, instead
- * of all other stages. */
+/* mdt_certificatesBegin, at the start of a step, compares the world's inputs. mdt_certificateIsValid: true if the last
+ * answer of a partition holds again. mdt_certificateApply uses it, in place of all other stages. */
 void mdt_certificatesBegin(MdtWorldID w);
 MeBool mdt_certificateIsValid(const MdtIsland *p);
 void mdt_certificateApply(MdtIsland *p);
-/* Whether this step's answer may hold in the next one; then its bodies stay where they were, and get a certificate. */
+/* True if this step's answer may hold in the next one; then the bodies are reset to their poses at the step's start,
+ * and get a certificate. */
 MeBool mdt_islandIsSettled(MdtIsland *p);
 void mdt_islandResetPoses(MdtIsland *p);
 void mdt_islandCertify(MdtIsland *p, MeBool isSettled);
-/* Whether a partition has a certificate, or gets one by itself if it is calm in one step more; counts the calm steps of
- * a batch's members. */
+/* True if all bodies of a partition have a certificate, or would get one after another calm step. mdt_membersCountCalm
+ * counts calm steps of a batch's members. */
 MeBool mdt_certificateIsNear(const MdtWorld *w, int partition);
 void mdt_membersCountCalm(MdtIsland *p);
-/* The parameters of its constraints are what it rests with; whether those of a body still are, of which programs may
- * have changed some without a word. */
+/* Stores the hashes of the parameters of a partition's constraints; compares those of a body's constraints that
+ * programs may have changed. */
 void mdt_constraintsCertify(const MdtIsland *p);
 MeBool mdt_areConstraintsCertified(MdtBodyID b);
 

@@ -1,5 +1,4 @@
-/* The path of a partition's step: by which of Kea's solvers, through how many impacts, and what its
- * report says of that. */
+/* The path of a partition's step: which of Kea's solvers, how many impacts, and its record in the report. */
 #include "island/mdt_choice_i.h"
 
 void mdt_islandSetFast(MdtIsland *p, MeBool isFast) {
@@ -9,15 +8,15 @@ void mdt_islandSetFast(MdtIsland *p, MeBool isFast) {
     p->kea.maxContacts = isFast ? 0 : p->numContacts;
 }
 
-/* Impacts of a large island that keeps its energy are followed also where some bodies are held, with a solve at each
- * event; of other large islands only as long as all bodies fly. */
+/* Impacts of large islands with elastic contacts are timed although some bodies are constrained, with a solve at each
+ * event; impacts of other large islands only while all bodies are in flight. */
 int mdt_maxConstrained(const MdtIsland *p) {
     if (p->world->timedBodies == 0 || (p->numBodies >= MDT_LARGE_ISLAND && p->losesEnergy))
         return 0;
     return MeMAX(p->world->timedBodies, p->numBodies / MDT_CONSTRAINED_SHARE);
 }
 
-/* ---- in the report ---- */
+/* ---- records in the report ---- */
 
 void mdt_reportPath(MdtReport *r, MdtReportWay path) {
     if (path > r->way)
@@ -33,7 +32,7 @@ void mdt_reportEvent(MdtReport *r) {
     mdt_reportPath(r, MdtReportWayTimed);
 }
 
-/* Each impact begins a part, but for that which ended the flight: its part is still to come. */
+/* Each impact begins a part, except the one that ends the flight: its part is counted later. */
 void mdt_reportFlight(MdtReport *r, int impacts, MeBool isEnded) {
     r->events += impacts;
     r->parts += impacts > 0 && isEnded ? impacts - 1 : impacts;

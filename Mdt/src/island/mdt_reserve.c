@@ -1,11 +1,11 @@
-/* Room for so many bodies and constraints in the arrays of a world's steps: partitions, batches and tasks. */
+/* Capacity of the arrays of a world's steps: partitions, batches and tasks. */
 #include "MeAssert.h"
 #include "MeInternal.h"
 #include "island/mdt_choice_i.h"
 
 /* ---- tasks ---- */
 
-/* Each partition once, and of tasks one more than there are. */
+/* The partitions sorted by task, and the start of each task with an end entry. */
 size_t mdt_tasksSize(size_t bodies) {
     return 2 * bodies + 1;
 }
@@ -38,7 +38,7 @@ void mdt_batchesTerm(MdtBatches *b) {
 
 /* ---- the world ---- */
 
-/* Nothing in them is kept but the records of partitions. */
+/* Only the records of partitions keep their contents. */
 static MeBool reserveBodies(MdtWorldID w, int bodies, const char *caller) {
     const size_t n = (size_t)MeMAX(bodies, 2 * w->bodyRoom), records = (size_t)w->numPartitions;
     if (bodies <= w->bodyRoom)
@@ -63,7 +63,7 @@ static MeBool reserveBodies(MdtWorldID w, int bodies, const char *caller) {
     return METRUE;
 }
 
-/* Joints that broke are kept: there may be more in the rest of the step. */
+/* The list of broken joints keeps its contents: further parts of the step may add to it. */
 static MeBool reserveConstraints(MdtWorldID w, int constraints, const char *caller) {
     const size_t n = (size_t)MeMAX(constraints, 2 * w->constraintRoom), broken = (size_t)w->numBroken;
     if (constraints <= w->constraintRoom)

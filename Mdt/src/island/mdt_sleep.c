@@ -1,18 +1,18 @@
-/* Sleep: which partitions are at rest, and what wakes their bodies.
+/* Sleep: finds partitions at rest, and wakes bodies.
  *
- * A partition sleeps if none of its bodies would move perceptibly in the next second (five alive times). A body
+ * A partition falls asleep if none of its bodies would move perceptibly in the next second (five alive times). A body
  * qualifies
  *
  *     at once           if its velocity and acceleration are almost 0
- *     after a second    if it has hardly moved in the last one, or has come back twice to where it was, so that it
- *                       trembles, or swings by little; what drifts, creeps or begins to move goes away
+ *     after a second    if it has hardly moved in the last one, or has twice returned to its place, so that it jitters
+ *                       or oscillates little, instead of drifting, creeping or starting to move
  *
- * unless a motor, a path, or a surface that moves drives it, or its load is another than in the step before. The
- * thresholds of the guides have to hold, too. Where the program has set them, what is slower is at rest.
+ * unless a motor, a path, or a moving surface drives it, or its load differs from that of the last step. Its speeds
+ * must be below the guides' thresholds, too. If the program has set these, they alone decide.
  *
- * Asleep, a body's inputs are those with which it fell asleep. What changes one ends its certificate (mdt_bodyDisturb),
- * and it wakes as the next step begins: docs/simulation.md, "Sleep", has the table. A joint is compared with its hash
- * if a call has had to do with it since, or its limit was handed out.
+ * While a body sleeps, its inputs have to stay as they were. A change ends its certificate (mdt_bodyDisturb), and it
+ * wakes when the next step begins: docs/simulation.md, "Sleep", has the table. Joints are compared by their hash if an
+ * API call has had the joint as argument since, or if the program has a pointer to its limit.
  */
 #include "MdtInternal.h"
 #include "MeAssert.h"
@@ -22,30 +22,29 @@
 
 /* ---- one body ---- */
 
-/* N s, N m s over h seconds: how its load differs from that with which it rested. */
-static void changeOfLoad(const MdtBody *b, double h, double change[2][3]) {
+/* N s, N m s: the change of the body's load against the one under which it came to rest, over h seconds. */
+static void getLoadChange(const MdtBody *b, double h, double change[2][3]) {
     for (int i = 0; i < 3; i++) {
         change[0][i] = h * (b->force[i] - b->applied.force[i]) + b->impulse[i];
         change[1][i] = h * (b->torque[i] - b->applied.torque[i]) + b->angularImpulse[i];
     }
 }
 
-static MeBool isBelowThresholds(MdtBodyID b, double h) {
+static MeBool maySleep(MdtBodyID b, double h) {
     const MdtPartitionParams *sleepParams = &b->world->sleepParams;
     double change[2][3];
     const MeBool isYoung = sleepParams->alive_window < 0 ? b->aliveTime < (double)sleepParams->alive_time
                                                          : b->aliveSteps < sleepParams->alive_window;
     if (isYoung || b->enabledSteps == 0 || MdtBodyIsMovingTest(b, sleepParams))
         return MEFALSE;
-    changeOfLoad(b, h, change);
+    getLoadChange(b, h, change);
     return (mdt_isQuiet(b) || mdt_staysInPlace(b)) && !mdt_wouldMove(b, change[0], change[1], h);
 }
 
 /* ---- what keeps a partition awake ---- */
 
-/* Whether a joint drives its bodies, or they are in contact with a surface that moves, though what it belongs to need
- * not (MdtContactParamsSetPrimarySlide, MdtConstraintSetWorldLinearVelocity): they move with it, however slowly, or are
- * held against its friction. */
+/* True if a joint drives its bodies, or a contact's surface moves (MdtContactParamsSetPrimarySlide,
+ * MdtConstraintSetWorldLinearVelocity): bodies then move with it, however slowly, or are held against its friction. */
 static MeBool isDriving(MdtConstraintID c) {
     const MdtJoint *j = mdt_asJoint(c);
     if (j)
@@ -66,7 +65,7 @@ MeBool mdt_islandIsToSleep(const MdtIsland *p) {
     if (!p->world->sleepParams.autoDisable)
         return MEFALSE;
     for (int i = 0; i < p->numBodies; i++)
-        if (!isBelowThresholds(p->bodies[i], p->h))
+        if (!maySleep(p->bodies[i], p->h))
             return MEFALSE;
     for (int i = 0; i < p->numActing; i++)
         if (isDriving(p->acting[i]))
@@ -76,19 +75,19 @@ MeBool mdt_islandIsToSleep(const MdtIsland *p) {
 
 /* ---- falling asleep, and waking ---- */
 
-/* What is given in the next step continues what was given in this one, if that was the load under which it rests. */
-static void noteForced(MdtBodyID b) {
+/* Lets forces of the next step continue those of this step, if these are the load under which the body rests. */
+static void continueForce(MdtBodyID b) {
     const MeBool isSame = memcmp(b->force, b->applied.force, sizeof b->force) == 0 &&
                           memcmp(b->torque, b->applied.torque, sizeof b->torque) == 0;
     b->applied.time = (b->record.flags & MDT_FORCED) && isSame ? b->world->lastStep : 0;
 }
 
-/* The forces that were given for this step are the ones under which it rests; they are over with it. */
-static void keepLoad(MdtBodyID b) {
-    mdt_forceForget(b);
+/* Stores the forces of this step as the load under which the body rests, and clears the accumulators. */
+static void storeSleepLoad(MdtBodyID b) {
+    mdt_forceRestart(b);
     keaCopy(b->applied.force, b->force);
     keaCopy(b->applied.torque, b->torque);
-    noteForced(b);
+    continueForce(b);
     memset(b->applied.momentum, 0, sizeof b->applied.momentum);
     MdtBodyResetForces(b);
     MdtBodyResetImpulses(b);
@@ -102,8 +101,8 @@ void mdt_bodySleep(MdtBodyID b) {
     keaZero(b->kea.lastStep.ang);
     keaZero(b->push);
     mdt_bodyShow(b);
-    keepLoad(b);
-    mdt_bodyDisable(b); /* its models are frozen as they are now */
+    storeSleepLoad(b);
+    mdt_bodyDisable(b); /* freezes its collision models in the present pose */
     b->record.flags |= MDT_ASLEEP;
     b->world->asleepBodies++;
     b->certificate = MDT_SLEEPS;
@@ -123,14 +122,14 @@ MeBool MEAPI MdtBodyWakeIfAsleep(const MdtBodyID b) {
     return isAsleep;
 }
 
-/* Pushes in a row add up, so that a slight one that goes on wakes it in the end; after a step without one they are
- * forgotten. */
+/* Impulses of successive steps add up, so that a small lasting push wakes the body in the end; a step without a push
+ * clears the sum. */
 static MeBool isToWake(MdtBodyID b, double h) {
     double change[2][3], (*pushed)[3] = b->applied.momentum;
     mdt_bodyAcceptVelocities(b);
     if (b->certificate == 0)
         return METRUE;
-    changeOfLoad(b, h, change);
+    getLoadChange(b, h, change);
     const MeBool isPushed = keaDot(change[0], change[0]) + keaDot(change[1], change[1]) > 0;
     for (int k = 0; k < 2; k++) {
         if (!isPushed || b->world->hasThresholds)
@@ -140,7 +139,7 @@ static MeBool isToWake(MdtBodyID b, double h) {
     return (isPushed && mdt_wouldMove(b, pushed[0], pushed[1], h)) || !mdt_areConstraintsCertified(b);
 }
 
-static void wake(MdtBodyID b) {
+static void wakeBody(MdtBodyID b) {
     const double time = b->applied.time;
     mdt_bodyEnable(b);
     b->applied.time = time;
@@ -152,13 +151,13 @@ void mdt_sleepersEndForces(MdtWorldID w) {
         MdtBodyID b = mdt_linkOwner(link);
         if (!(b->record.flags & MDT_ASLEEP))
             continue;
-        noteForced(b);
+        continueForce(b);
         MdtBodyResetForces(b);
         MdtBodyResetImpulses(b);
     }
 }
 
-/* Handlers of the program are called. */
+/* The stage defers calls that the program's handlers make. */
 void mdt_sleepersWake(MdtWorldID w, double h) {
     if (w->asleepBodies == 0)
         return;
@@ -166,7 +165,7 @@ void mdt_sleepersWake(MdtWorldID w, double h) {
     for (MdtLink *link = w->bodies.first; link; link = link->next) {
         MdtBodyID b = mdt_linkOwner(link);
         if ((b->record.flags & (MDT_ASLEEP | MDT_CONDEMNED)) == MDT_ASLEEP && isToWake(b, h))
-            wake(b);
+            wakeBody(b);
     }
     MeStageEnd(&w->stage, MDT_GUARD_CONSTRAINTS);
 }

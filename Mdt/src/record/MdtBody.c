@@ -5,7 +5,7 @@
 #include "MeAssert.h"
 #include <string.h>
 
-/* ---- poses: the body's frame (p, q) and the centre of mass (x, qc) with the offset (c, t) between them:
+/* ---- poses: the body's frame (p, q) and the centre of mass (x, qc); (c, t) is its pose in the body's frame:
  *          x = p + R(q) c,   qc = q t ---- */
 
 static void frameQuaternion(const MdtBody *b, double q[4]) {
@@ -14,8 +14,9 @@ static void frameQuaternion(const MdtBody *b, double q[4]) {
     keaQuaternionProduct(q, b->kea.quaternion, back);
 }
 
-/* Of a frame turned by q, in the world: its axes, the columns of R, and the offset of the centre of mass. */
-static void placeCentre(const MdtBody *b, const double q[4], double R[3][3], double offset[3]) {
+/* For a body's frame with the attitude q, in the world: its axes, the columns of R, and the offset R(q) c of the centre
+ * of mass. */
+static void getCentreOffset(const MdtBody *b, const double q[4], double R[3][3], double offset[3]) {
     keaQuaternionToMatrix(R, q);
     keaApply(offset, (const double(*)[3])R, b->centre);
 }
@@ -23,7 +24,7 @@ static void placeCentre(const MdtBody *b, const double q[4], double R[3][3], dou
 static void getAxes(const MdtBody *b, double p[3], double q[4], double R[3][3]) {
     double offset[3];
     frameQuaternion(b, q);
-    placeCentre(b, q, R, offset);
+    getCentreOffset(b, q, R, offset);
     keaSubtract(p, b->kea.position, offset);
 }
 
@@ -32,52 +33,53 @@ static void getFrame(const MdtBody *b, double p[3], double q[4]) {
     getAxes(b, p, q, R);
 }
 
-/* Clears the guess of the acceleration, for a body whose motion was changed by the program, */
-static void forgetMotion(MdtBodyID b) {
+/* Clears the initial guess of the acceleration: the program has changed the body's motion. */
+static void clearAccelerationGuess(MdtBodyID b) {
     mdt_bodyDisturb(b);
     memset(b->kea.acceleration, 0, sizeof b->kea.acceleration);
 }
 
-static double distance2(const double a[3], const double b[3]) {
+static double distanceSquared(const double a[3], const double b[3]) {
     double d[3];
     keaSubtract(d, a, b);
     return keaDot(d, d);
 }
 
-/* The program's forces begin anew where it has changed the motion by more than what counts as rest. They go on where it
- * sets what was so already, or puts the body back into a plane. */
-static void forgetForceIfFast(MdtBodyID b, const double v[3], const double w[3]) {
+/* Restarts the program's forces (mdt_force.c) if the program changes a velocity by more than the thresholds of sleep.
+ * Smaller changes, such as setting the same velocity again or projecting it on a plane, let them go on. */
+static void restartForceIfFast(MdtBodyID b, const double v[3], const double w[3]) {
     const MdtPartitionParams *sleepParams = &b->world->sleepParams;
     double spin[3];
     MdtKeaBodyGetAngularVelocity(&b->kea, spin);
-    if (distance2(b->kea.velocity, v) > (double)sleepParams->vel_thresh ||
-        distance2(spin, w) > (double)sleepParams->velrot_thresh)
-        mdt_forceForget(b);
+    if (distanceSquared(b->kea.velocity, v) > (double)sleepParams->vel_thresh ||
+        distanceSquared(spin, w) > (double)sleepParams->velrot_thresh)
+        mdt_forceRestart(b);
 }
 
-/* and the warm start of its constraints, if its pose has changed; setting the same state again keeps both. */
-static void forgetForces(MdtBodyID b) {
-    forgetMotion(b);
+/* Clears the initial guess of the acceleration and the warm start of the body's constraints: its pose has changed. */
+static void clearWarmStarts(MdtBodyID b) {
+    clearAccelerationGuess(b);
     for (MdtAttachment *a = b->attachments; a; a = a->next) {
-        mdt_constraintForget(mdt_attachmentOwner(a));
-        mdt_constraintDisturb(mdt_attachmentOwner(a)); /* it pulls at the other body from elsewhere */
+        mdt_constraintClearWarmStart(mdt_attachmentOwner(a));
+        mdt_constraintDisturb(mdt_attachmentOwner(a)); /* its other body is affected, too */
     }
 }
 
-/* Restarts the time for which it has been slow. */
+/* Restarts the times from which the body may fall asleep. */
 static void restartSleepTime(MdtBodyID b) {
     b->enabledTime = b->aliveTime = 0;
-    mdt_stayForget(b);
+    mdt_stayRestart(b);
     b->enabledSteps = b->aliveSteps = 0;
 }
 
-/* What sleeps wakes, and is seen then. */
+/* Notifies the body's user that the program has moved a disabled body. A sleeping body is left out, since it wakes and
+ * is then updated anyway. */
 static void notifyMoved(MdtBodyID b) {
     if (b->user && !(b->record.flags & (MDT_ENABLED | MDT_ASLEEP)))
         b->user->moved(b);
 }
 
-/* Places the frame; the velocities stay, so the angular momentum turns along. */
+/* Places the frame. The velocities stay, so the angular momentum changes with the attitude. */
 static void setFrame(MdtBodyID b, const double p[3], const double q[4]) {
     const MdtPartitionParams *sleepParams = &b->world->sleepParams;
     const double h2 = b->world->lastStep * b->world->lastStep;
@@ -86,18 +88,18 @@ static void setFrame(MdtBodyID b, const double p[3], const double q[4]) {
     keaCopy(w, b->spin);
     keaCopy(before, b->kea.position);
     keaQuaternionConjugate(turned, b->kea.quaternion);
-    placeCentre(b, q, R, offset);
+    getCentreOffset(b, q, R, offset);
     keaCopy(b->kea.position, p);
     keaAddScaled(b->kea.position, 1, offset);
     keaQuaternionProduct(b->kea.quaternion, q, b->centreTurn);
     keaQuaternionNormalize(b->kea.quaternion);
     MdtKeaBodySetAngularVelocity(&b->kea, w);
     keaQuaternionProduct(turned, b->kea.quaternion, turned);
-    if (distance2(b->kea.position, before) > h2 * (double)sleepParams->vel_thresh ||
+    if (distanceSquared(b->kea.position, before) > h2 * (double)sleepParams->vel_thresh ||
         4 * keaDot(turned + 1, turned + 1) > h2 * (double)sleepParams->velrot_thresh)
-        mdt_forceForget(b);
-    forgetForces(b);
-    restartSleepTime(b); /* it was slow elsewhere */
+        mdt_forceRestart(b);
+    clearWarmStarts(b);
+    restartSleepTime(b); /* its history belongs to another place */
     mdt_bodyShow(b);
     notifyMoved(b);
 }
@@ -150,7 +152,7 @@ MeBool MEAPI MdtBodyMovedByStep(const MdtBodyID b, unsigned long moves) {
     return b->start.moves == moves && b->start.movesAfter == b->moves && b->moves == moves + 1;
 }
 
-void mdt_bodyLostByRounding(const MdtBody *b, const double point[3], double lost[3]) {
+void mdt_bodyRoundingOffset(const MdtBody *b, const double point[3], double lost[3]) {
     double offset[3], local[3];
     for (int i = 0; i < 3; i++)
         offset[i] = point[i] - (double)b->transform[3][i];
@@ -167,7 +169,7 @@ MeReal MEAPI MdtBodyGetPositionBound(const MdtBodyID b) {
     return (MeReal)mdt_worldBound(b->world);
 }
 
-void mdt_bodyKeepWithinReach(MdtBodyID b) {
+void mdt_bodyClampPosition(MdtBodyID b) {
     static const double none[3] = {0, 0, 0};
     const double max = mdt_worldBound(b->world);
     double *at = b->kea.position;
@@ -177,8 +179,8 @@ void mdt_bodyKeepWithinReach(MdtBodyID b) {
         at[i] = fmin(fmax(at[i], -max), max);
     keaZero(b->kea.velocity);
     MdtKeaBodySetAngularVelocity(&b->kea, none);
-    forgetMotion(b);
-    mdt_forceForget(b);
+    clearAccelerationGuess(b);
+    mdt_forceRestart(b);
     if (!(b->record.flags & MDT_FAR))
         MeWarning(2,
                   "%s: a body (sort key %d) has come to %g m, where positions have no digits left, and is "
@@ -194,7 +196,7 @@ static MeBool isPlace(const char *caller, MdtBodyID b, MeReal x, MeReal y, MeRea
     return METRUE;
 }
 
-/* To the last bit; number by number, which takes no call. */
+/* Compares bit by bit; three memcmp of fixed size compile without a call. */
 static MeBool areSame3(const MeReal *a, const MeReal *b) {
     return memcmp(a, b, sizeof *a) == 0 && memcmp(a + 1, b + 1, sizeof *a) == 0 && memcmp(a + 2, b + 2, sizeof *a) == 0;
 }
@@ -210,12 +212,12 @@ void mdt_bodyAcceptVelocities(MdtBodyID b) {
         double v[3], w[3];
         mdt_fromReal(v, b->velocity);
         mdt_fromReal(w, b->angularVelocity);
-        forgetForceIfFast(b, linear ? v : b->kea.velocity, angular ? w : b->spin);
+        restartForceIfFast(b, linear ? v : b->kea.velocity, angular ? w : b->spin);
         if (linear)
             keaCopy(b->kea.velocity, v);
         if (angular)
             MdtKeaBodySetAngularVelocity(&b->kea, w);
-        forgetMotion(b);
+        clearAccelerationGuess(b);
     }
     mdt_bodyShow(b);
 }
@@ -286,7 +288,7 @@ static void setDefaults(MdtBodyID b) {
     b->theta = 0.5;
     b->safeTime = MEINFINITY;
     mdt_bodyDisturb(b);
-    mdt_forceForget(b);
+    mdt_forceRestart(b);
     setNoFastSpinAxis(b);
     mdt_bodyShow(b);
 }
@@ -305,7 +307,7 @@ MdtBodyID MEAPI MdtBodyCreate(const MdtWorldID w) {
     return b;
 }
 
-/* What a bridge has made of two models' touch goes with one of the bodies. */
+/* Detaches a constraint of a body that is destroyed. Contact groups of the bridge are destroyed. */
 static void releaseConstraint(MdtAttachment *at) {
     MdtConstraintID c = mdt_attachmentOwner(at);
     mdt_constraintDeactivate(c);
@@ -318,7 +320,7 @@ static void releaseConstraint(MdtAttachment *at) {
 void mdt_bodyTerm(MdtBodyID b) {
     MdtWorldID w = b->world;
     b->record.flags |= MDT_CONDEMNED;
-    MeStageBegin(&w->stage, MDT_GUARD_GRAPH); /* handlers of the program are called */
+    MeStageBegin(&w->stage, MDT_GUARD_GRAPH); /* defers calls of the program's handlers */
     mdt_bodyDisable(b);
     if (b->user)
         b->user->leave(b);
@@ -375,7 +377,8 @@ static void endSleep(MdtBodyID b) {
     MEASSERT(b->world->asleepBodies >= 0);
 }
 
-/* A handler may destroy the body, or enable and disable what it likes: when it has returned. */
+/* Calls the program's handler. Objects that the handler destroys, enables or disables are processed after its return.
+ * */
 static void callHandler(MdtBodyID b, MdtBodyHandler handler) {
     MdtWorldID w = b->world;
     if (!handler)
@@ -395,8 +398,8 @@ void mdt_bodyEnable(MdtBodyID b) {
         return;
     b->record.flags |= MDT_ENABLED;
     mdt_graphChanged(b->world);
-    mdt_forceForget(b);
-    forgetMotion(b);
+    mdt_forceRestart(b);
+    clearAccelerationGuess(b);
     restartSleepTime(b);
     b->world->enabledBodies++;
     MEASSERT(b->world->enabledBodies <= b->world->bodies.count);
@@ -417,22 +420,23 @@ void mdt_bodyDisable(MdtBodyID b) {
     callHandler(b, b->world->bodyDisabled);
 }
 
-static void MEAPI enableLater(const MeLater *later) {
-    MdtBodyID b = mdt_laterBody(later);
+static void MEAPI applyDeferredEnabling(const MeLater *later) {
+    MdtBodyID b = mdt_deferredBody(later);
     if (b && later->number)
         MdtBodyEnable(b);
     else if (b)
         MdtBodyDisable(b);
 }
 
-static MeBool isToEnableNow(MdtBodyID b, MeBool isEnabled, const char *caller) {
-    const MeLater later = {.carryOut = enableLater, .object = b, .serial = b->link.serial, .number = (long)isEnabled};
-    return mdt_when(b->world, MDT_GUARD_GRAPH, caller, &later) == MeWhenNow;
+static MeBool mayEnableNow(MdtBodyID b, MeBool isEnabled, const char *caller) {
+    const MeLater later = {
+        .carryOut = applyDeferredEnabling, .object = b, .serial = b->link.serial, .number = (long)isEnabled};
+    return mdt_deferIfGuarded(b->world, MDT_GUARD_GRAPH, caller, &later) == MeWhenNow;
 }
 
 void MEAPI MdtBodyEnable(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    if (isToEnableNow(b, METRUE, __func__))
+    if (mayEnableNow(b, METRUE, __func__))
         mdt_bodyEnable(b);
 }
 
@@ -443,7 +447,7 @@ void mdt_bodyWakeIfAsleep(MdtBodyID b) {
 
 void MEAPI MdtBodyDisable(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    if (isToEnableNow(b, MEFALSE, __func__))
+    if (mayEnableNow(b, MEFALSE, __func__))
         mdt_bodyDisable(b);
 }
 
@@ -477,10 +481,10 @@ void mdt_bodyAge(MdtBodyID b, double h) {
     b->enabledSteps++;
     b->aliveTime += h;
     b->aliveSteps++;
-    mdt_stayCount(b, h);
+    mdt_stayUpdate(b, h);
 }
 
-/* What is accelerated and stays where it is trembles: solver jitter. */
+/* Acceleration without displacement is solver jitter. */
 MeBool MEAPI MdtBodyIsMovingTest(const MdtBodyID b, const MdtPartitionParams *params) {
     MDT_NEED_BODY(b, 0);
     if (!mdt_isPointer(__func__, "the thresholds", params))
@@ -489,7 +493,8 @@ MeBool MEAPI MdtBodyIsMovingTest(const MdtBodyID b, const MdtPartitionParams *pa
     return isFast(b, params) || (isAccelerated(b, params) && !mdt_staysInPlace(b));
 }
 
-/* Without joints, which would pass it on. */
+/* Adds the impulses that wait for the step to the momenta. Only for bodies without joints: joints would have to
+ * distribute the impulses. */
 static void addKick(MdtBodyID b) {
     keaAddScaled(b->kea.velocity, b->kea.invMass, b->kea.kick[0]);
     if (keaDot(b->kea.kick[1], b->kea.kick[1]) > 0) {
@@ -499,7 +504,7 @@ static void addKick(MdtBodyID b) {
     memset(b->kea.kick, 0, sizeof b->kea.kick);
 }
 
-void mdt_bodyNoteStart(MdtBodyID b) {
+void mdt_bodySaveStart(MdtBodyID b) {
     mdt_bodyVelocity(b, &b->start.velocity);
     keaCopy(b->start.position, b->kea.position);
     memcpy(b->start.quaternion, b->kea.quaternion, sizeof b->start.quaternion);
@@ -547,7 +552,7 @@ void MEAPI MdtBodyGetPosition(const MdtBodyID b, MeVector3 p) {
     memcpy(p, b->transform[3], sizeof(MeVector3));
 }
 
-/* A quaternion of length zero has no direction to normalize. */
+/* Fails, with a warning, for a quaternion of length zero. */
 static MeBool normalizeQuaternion(const char *caller, double q[4]) {
     const double size = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     if (isfinite(size) && size > 0) {
@@ -558,7 +563,7 @@ static MeBool normalizeQuaternion(const char *caller, double q[4]) {
     return MEFALSE;
 }
 
-static void turnFrame(MdtBodyID b, const double q[4]) {
+static void rotateFrame(MdtBodyID b, const double q[4]) {
     double p[3], old[4];
     getFrame(b, p, old);
     setFrame(b, p, q);
@@ -569,7 +574,7 @@ void MEAPI MdtBodySetQuaternion(const MdtBodyID b, const MeReal qw, const MeReal
     MDT_CHANGE_BODY(b);
     double q[4] = {qw, qx, qy, qz};
     if (normalizeQuaternion(__func__, q))
-        turnFrame(b, q);
+        rotateFrame(b, q);
 }
 
 void MEAPI MdtBodyGetQuaternion(const MdtBodyID b, MeVector4 q) {
@@ -581,7 +586,7 @@ void MEAPI MdtBodyGetQuaternion(const MdtBodyID b, MeVector4 q) {
         q[i] = (MeReal)turn[i];
 }
 
-/* The nearest rotation to a matrix that is one to 1 %. */
+/* The quaternion of the rotation nearest to a matrix that is orthonormal to 1 %; otherwise warns. */
 static MeBool toRotation(const char *caller, const double R[3][3], double q[4]) {
     double across[3];
     keaCross(across, R[0], R[1]);
@@ -606,7 +611,7 @@ void MEAPI MdtBodySetOrientation(const MdtBodyID b, const MeMatrix3 R) {
     for (int i = 0; i < 3; i++)
         mdt_fromReal(r[i], R[i]);
     if (toRotation(__func__, (const double(*)[3])r, q))
-        turnFrame(b, q);
+        rotateFrame(b, q);
 }
 
 void MEAPI MdtBodyGetOrientation(const MdtBodyID b, MeMatrix3 R) {
@@ -617,7 +622,7 @@ void MEAPI MdtBodyGetOrientation(const MdtBodyID b, MeMatrix3 R) {
             R[i][j] = b->transform[j][i];
 }
 
-/* Rotation and translation of an OpenGL transform. */
+/* Splits an OpenGL transform into translation and rotation. False, with a warning, if it is not a valid one. */
 static MeBool splitTransform(const char *caller, const MeMatrix4 tm, double p[3], double q[4]) {
     double R[3][3];
     for (int i = 0; i < 3; i++)
@@ -651,8 +656,8 @@ MeMatrix4Ptr MEAPI MdtBodyGetTransformPtr(const MdtBodyID b) {
 
 /* ---- the centre of mass ---- */
 
-/* Are the centre of mass, in the body's frame, and where that is in the world, within the bound? */
-static MeBool isCentre(const char *caller, const MdtBody *b, const double centre[3]) {
+/* True if the centre of mass is within the bound of positions, both in the body's frame and in the world. */
+static MeBool isCentreInBound(const char *caller, const MdtBody *b, const double centre[3]) {
     double p[3], q[4], R[3][3], at[3];
     getFrame(b, p, q);
     keaQuaternionToMatrix(R, q);
@@ -663,11 +668,11 @@ static MeBool isCentre(const char *caller, const MdtBody *b, const double centre
            mdt_isPlace(caller, "the centre of mass, in the world,", b->world, (MeReal)p[0], (MeReal)p[1], (MeReal)p[2]);
 }
 
-/* Changes the offset of the centre of mass and leaves the frame, and what is attached to it, where it is. */
+/* Changes the centre of mass's pose in the body. The body's frame and its attachments stay where they are. */
 static void setCentre(const char *caller, MdtBodyID b, const double centre[3], const double turn[4]) {
     double p[3], q[4];
     const MdtKeaBody before = b->kea;
-    if (!isCentre(caller, b, centre))
+    if (!isCentreInBound(caller, b, centre))
         return;
     b->record.flags &= ~MDT_OFF_CENTRE;
     getFrame(b, p, q);
@@ -714,8 +719,8 @@ void MEAPI MdtBodySetCenterOfMassPosition(const MdtBodyID b, const MeVector3 pos
     if (!mdt_isPointer(__func__, "the position", pos) || !isPlace(__func__, b, pos[0], pos[1], pos[2]))
         return;
     mdt_fromReal(b->kea.position, pos);
-    mdt_forceForget(b);
-    forgetForces(b);
+    mdt_forceRestart(b);
+    clearWarmStarts(b);
     restartSleepTime(b);
     mdt_bodyAcceptVelocities(b);
     mdt_bodyShow(b);
@@ -742,9 +747,9 @@ void MEAPI MdtBodySetLinearVelocity(const MdtBodyID b, const MeReal dx, const Me
         return;
     const double v[3] = {dx, dy, dz};
     mdt_bodyAcceptVelocities(b);
-    forgetForceIfFast(b, v, b->spin);
+    restartForceIfFast(b, v, b->spin);
     keaCopy(b->kea.velocity, v);
-    forgetMotion(b);
+    clearAccelerationGuess(b);
     mdt_bodyShow(b);
     mdt_bodyWakeIfAsleep(b);
 }
@@ -767,9 +772,9 @@ void MEAPI MdtBodySetAngularVelocity(const MdtBodyID b, const MeReal wx, const M
         return;
     const double w[3] = {wx, wy, wz};
     mdt_bodyAcceptVelocities(b);
-    forgetForceIfFast(b, b->kea.velocity, w);
+    restartForceIfFast(b, b->kea.velocity, w);
     MdtKeaBodySetAngularVelocity(&b->kea, w);
-    forgetMotion(b);
+    clearAccelerationGuess(b);
     mdt_bodyShow(b);
     mdt_bodyWakeIfAsleep(b);
 }
@@ -838,8 +843,9 @@ MeReal MEAPI MdtBodyGetMass(const MdtBodyID b) {
     return (MeReal)b->mass;
 }
 
-static MeBool areUsable(const double moments[3]) {
-    return mdt_isUsable((MeReal)moments[0]) && mdt_isUsable((MeReal)moments[1]) && mdt_isUsable((MeReal)moments[2]);
+static MeBool areMomentsInRange(const double moments[3]) {
+    return mdt_isPositiveInRange((MeReal)moments[0]) && mdt_isPositiveInRange((MeReal)moments[1]) &&
+           mdt_isPositiveInRange((MeReal)moments[2]);
 }
 
 void MEAPI MdtBodySetInertiaTensor(const MdtBodyID b, const MeMatrix3 i) {
@@ -851,7 +857,7 @@ void MEAPI MdtBodySetInertiaTensor(const MdtBodyID b, const MeMatrix3 i) {
     for (int k = 0; k < 3; k++)
         mdt_fromReal(tensor[k], i[k]);
     if (!mdt_areFinite(i[0]) || !mdt_areFinite(i[1]) || !mdt_areFinite(i[2]) ||
-        !MdtKeaBodySetInertia(&trial, (const double(*)[3])tensor) || !areUsable(trial.moments)) {
+        !MdtKeaBodySetInertia(&trial, (const double(*)[3])tensor) || !areMomentsInRange(trial.moments)) {
         MeWarning(1,
                   "%s: the tensor must be symmetric and positive definite, of moments that single precision can have; "
                   "nothing is changed",
@@ -914,8 +920,8 @@ MeBool MEAPI MdtBodyCoriolisForceIsEnabled(const MdtBodyID b) {
 
 /* ---- forces ---- */
 
-/* Adds v to a sum at the centre of mass, and (point - centre) x v to another, when there is a point. */
-static void addAt(const MdtBody *b, const double v[3], const double *point, double sum[3], double moment[3]) {
+/* Adds v to `sum`, and to `moment` the moment of v at `point` about the centre of mass; null: v acts at the centre. */
+static void addWithMoment(const MdtBody *b, const double v[3], const double *point, double sum[3], double moment[3]) {
     keaAddScaled(sum, 1, v);
     if (!point)
         return;
@@ -927,7 +933,7 @@ static void addAt(const MdtBody *b, const double v[3], const double *point, doub
 
 static void addForce(MdtBodyID b, const double f[3], const double *point) {
     b->record.flags |= MDT_FORCED;
-    addAt(b, f, point, b->force, b->torque);
+    addWithMoment(b, f, point, b->force, b->torque);
 }
 
 void MEAPI MdtBodyAddForce(const MdtBodyID b, const MeReal fx, const MeReal fy, const MeReal fz) {
@@ -958,7 +964,7 @@ void MEAPI MdtBodyAddImpulse(const MdtBodyID b, const MeReal ix, const MeReal iy
     MDT_NEED_BODY(b, );
     const double i[3] = {ix, iy, iz};
     if (mdt_isFinite3(__func__, "the impulse", ix, iy, iz))
-        addAt(b, i, NULL, b->impulse, b->angularImpulse);
+        addWithMoment(b, i, NULL, b->impulse, b->angularImpulse);
 }
 
 void MEAPI MdtBodyAddImpulseAtPosition(const MdtBodyID b, const MeReal ix, const MeReal iy, const MeReal iz,
@@ -966,7 +972,7 @@ void MEAPI MdtBodyAddImpulseAtPosition(const MdtBodyID b, const MeReal ix, const
     MDT_NEED_BODY(b, );
     const double i[3] = {ix, iy, iz}, p[3] = {px, py, pz};
     if (mdt_isFinite3(__func__, "the impulse", ix, iy, iz) && mdt_isFinite3(__func__, "the position", px, py, pz))
-        addAt(b, i, p, b->impulse, b->angularImpulse);
+        addWithMoment(b, i, p, b->impulse, b->angularImpulse);
 }
 
 void MEAPI MdtBodyGetForce(const MdtBodyID b, MeVector3 v) {
@@ -1081,8 +1087,8 @@ void *MEAPI MdtBodyGetUserData(const MdtBodyID b) {
     return b->userData;
 }
 
-static void MEAPI sortLater(const MeLater *later) {
-    if (mdt_laterBody(later))
+static void MEAPI applyDeferredSortKey(const MeLater *later) {
+    if (mdt_deferredBody(later))
         MdtBodySetSortKey(later->object, (MeI32)later->number);
 }
 
@@ -1090,8 +1096,8 @@ void MEAPI MdtBodySetSortKey(const MdtBodyID b, const MeI32 key) {
     MDT_NEED_BODY(b, );
     if (!mdt_isSortKey(__func__, key))
         return;
-    const MeLater later = {.carryOut = sortLater, .object = b, .serial = b->link.serial, .number = key};
-    if (mdt_when(b->world, MDT_GUARD_GRAPH, __func__, &later) != MeWhenNow)
+    const MeLater later = {.carryOut = applyDeferredSortKey, .object = b, .serial = b->link.serial, .number = key};
+    if (mdt_deferIfGuarded(b->world, MDT_GUARD_GRAPH, __func__, &later) != MeWhenNow)
         return;
     mdt_listSetKey(&b->world->bodies, &b->link, key);
     mdt_graphChanged(b->world);
@@ -1164,7 +1170,7 @@ MdtBodyID MEAPI MdtBodyGetNext(const MdtBodyID b) {
 /* ---- the body's constraints ---- */
 
 static MdtConstraintID firstConstraint(MdtBodyID b) {
-    return b->attachments ? mdt_constraintShown(mdt_attachmentOwner(b->attachments)) : NULL;
+    return b->attachments ? mdt_constraintPublicHandle(mdt_attachmentOwner(b->attachments)) : NULL;
 }
 
 MdtConstraintID MEAPI MdtBodyGetFirstConstraint(MdtBodyID b) {
@@ -1175,12 +1181,12 @@ MdtConstraintID MEAPI MdtBodyGetFirstConstraint(MdtBodyID b) {
 MdtConstraintID MEAPI MdtBodyGetNextConstraint(MdtBodyID b, MdtConstraintID c) {
     MDT_NEED_BODY(b, NULL);
     MDT_NEED_CONSTRAINT(c, NULL);
-    return mdt_constraintAfterOf(b, c);
+    return mdt_constraintNextOfBody(b, c);
 }
 
 static MdtContactID contactFrom(MdtBodyID b, MdtConstraintID c) {
     while (c && mdt_constraintType(c) != MdtBclCONTACT)
-        c = mdt_constraintAfterOf(b, c);
+        c = mdt_constraintNextOfBody(b, c);
     return (MdtContactID)c;
 }
 
@@ -1192,10 +1198,10 @@ MdtContactID MEAPI MdtBodyGetFirstContact(MdtBodyID b) {
 MdtContactID MEAPI MdtBodyGetNextContact(MdtBodyID b, MdtContactID c) {
     MDT_NEED_BODY(b, NULL);
     MDT_NEED_CONSTRAINT((MdtConstraintID)c, NULL);
-    return contactFrom(b, mdt_constraintAfterOf(b, (MdtConstraintID)c));
+    return contactFrom(b, mdt_constraintNextOfBody(b, (MdtConstraintID)c));
 }
 
-/* What is attached meanwhile comes before those that are still to be visited. */
+/* A constraint that the callback attaches is put at the head of the list, which has been visited already. */
 void MEAPI MdtBodyForAllConstraints(const MdtBodyID b, MdtConstraintIteratorCBPtr cb, void *ccbdata) {
     MDT_NEED_BODY(b, );
     if (!mdt_isPointer(__func__, "the callback", (const void *)(size_t)cb))
@@ -1209,14 +1215,14 @@ void MEAPI MdtBodyForAllConstraints(const MdtBodyID b, MdtConstraintIteratorCBPt
     MeStageEnd(&w->stage, MDT_GUARD_CONSTRAINTS);
 }
 
-/* ---- all of them, or the contacts ---- */
+/* ---- for all constraints of a body, or its contacts ---- */
 
-/* Of a joint or a manifold. */
+/* Called with a joint or a manifold. */
 typedef void (*ConstraintFn)(MdtConstraintID c, const char *caller);
 
 static void removeOne(MdtConstraintID c, const char *caller) {
     (void)caller;
-    mdt_constraintRemove(mdt_constraintShown(c));
+    mdt_constraintRemove(mdt_constraintPublicHandle(c));
 }
 
 static void deactivateOne(MdtConstraintID c, const char *caller) {
@@ -1225,17 +1231,17 @@ static void deactivateOne(MdtConstraintID c, const char *caller) {
 }
 
 static void destroyOne(MdtConstraintID c, const char *caller) {
-    mdt_constraintDestroy(mdt_constraintShown(c), caller);
+    mdt_constraintDestroy(mdt_constraintPublicHandle(c), caller);
 }
 
 static void disableOne(MdtConstraintID c, const char *caller) {
-    mdt_constraintDisable(mdt_constraintShown(c), caller);
+    mdt_constraintDisable(mdt_constraintPublicHandle(c), caller);
 }
 
-/* Calls `now` for each, or, in a stage that keeps them as they are, `later`. What handlers of the program call has to
- * wait. */
-static void forAll(MdtBodyID b, MeBool contactsOnly, int level, ConstraintFn now, ConstraintFn later,
-                   const char *caller) {
+/* Calls `now` for each constraint; or `later`, which defers the change, if a stage of the world guards that level.
+ * Calls that the program's handlers make meanwhile are deferred. */
+static void forEachConstraint(MdtBodyID b, MeBool contactsOnly, int level, ConstraintFn now, ConstraintFn later,
+                              const char *caller) {
     MdtWorldID w = b->world;
     const MeWhen when = MeStageWhen(&w->stage, level, caller);
     if (when == MeWhenNever)
@@ -1244,7 +1250,7 @@ static void forAll(MdtBodyID b, MeBool contactsOnly, int level, ConstraintFn now
     for (MdtAttachment *at = b->attachments, *next; at; at = next) {
         const MdtConstraintID c = mdt_attachmentOwner(at);
         next = at->next;
-        if ((!contactsOnly || !mdt_isJoint(c)) && !mdt_constraintIsCondemned(mdt_constraintShown(c)))
+        if ((!contactsOnly || !mdt_isJoint(c)) && !mdt_constraintIsCondemned(mdt_constraintPublicHandle(c)))
             (when == MeWhenNow ? now : later)(c, caller);
     }
     MeStageEnd(&w->stage, MDT_GUARD_GRAPH);
@@ -1252,20 +1258,20 @@ static void forAll(MdtBodyID b, MeBool contactsOnly, int level, ConstraintFn now
 
 void MEAPI MdtBodyDestroyConstraints(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    forAll(b, MEFALSE, MDT_GUARD_CONSTRAINTS, removeOne, destroyOne, __func__);
+    forEachConstraint(b, MEFALSE, MDT_GUARD_CONSTRAINTS, removeOne, destroyOne, __func__);
 }
 
 void MEAPI MdtBodyDestroyContacts(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    forAll(b, METRUE, MDT_GUARD_CONSTRAINTS, removeOne, destroyOne, __func__);
+    forEachConstraint(b, METRUE, MDT_GUARD_CONSTRAINTS, removeOne, destroyOne, __func__);
 }
 
 void MEAPI MdtBodyDisableConstraints(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    forAll(b, MEFALSE, MDT_GUARD_GRAPH, deactivateOne, disableOne, __func__);
+    forEachConstraint(b, MEFALSE, MDT_GUARD_GRAPH, deactivateOne, disableOne, __func__);
 }
 
 void MEAPI MdtBodyDisableContacts(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    forAll(b, METRUE, MDT_GUARD_GRAPH, deactivateOne, disableOne, __func__);
+    forEachConstraint(b, METRUE, MDT_GUARD_GRAPH, deactivateOne, disableOne, __func__);
 }

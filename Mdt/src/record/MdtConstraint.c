@@ -1,4 +1,4 @@
-/* Common to all constraints: bodies, frames, forces read back. */
+/* Functions of all constraints: bodies, frames, forces of the last step. */
 #include "MeAssert.h"
 #include "record/mdt_point_i.h"
 #include "record/mdt_named_i.h"
@@ -71,7 +71,7 @@ static MdtManifold *manifoldOf(MdtConstraintID c) {
     return mdt_isPoint(c) ? mdt_manifoldOf(mdt_asPoint(c)) : mdt_isManifold(c) ? (MdtManifold *)(void *)c : NULL;
 }
 
-/* The record that is attached to bodies: of a contact its manifold. */
+/* The record that is attached to the bodies; of a contact, its manifold. */
 static MdtConstraintID baseOf(MdtConstraintID c) {
     return mdt_isPoint(c) ? &mdt_manifoldOf(mdt_asPoint(c))->base : c;
 }
@@ -120,16 +120,17 @@ void mdt_constraintRemove(MdtConstraintID c) {
         termJoint(jointOf(c));
 }
 
-/* A contact is marked itself: its record may hold others. */
-static void MEAPI destroyLater(const MeLater *later) {
+/* A contact that is to be destroyed is recognized by its own mark: its record may hold other contacts. */
+static void MEAPI applyDeferredDestruction(const MeLater *later) {
     MdtConstraintID c = later->object;
-    const MeBool isLive = mdt_isPoint(c) || mdt_laterConstraint(later);
+    const MeBool isLive = mdt_isPoint(c) || mdt_deferredConstraint(later);
     if (isLive && mdt_constraintIsCondemned(c))
         mdt_constraintDestroy(c, NULL);
 }
 
-/* A bridge's group leaves its pair at once: pairs may go before the stage ends. */
-static void condemn(MdtConstraintID c) {
+/* Marks a constraint to be destroyed when the stage ends. The holder of a group is cleared at once, as it may not live
+ * until then. */
+static void condemnConstraint(MdtConstraintID c) {
     if (mdt_isPoint(c)) {
         mdt_asPoint(c)->isCondemned = true;
         return;
@@ -141,7 +142,7 @@ static void condemn(MdtConstraintID c) {
         manifoldOf(c)->holder = NULL;
 }
 
-/* caller: null as what was put off is done. */
+/* caller: null for a deferred destruction. */
 void mdt_constraintDestroy(MdtConstraintID c, const char *caller) {
     if (caller && !mdt_isConstraint(c, caller))
         return;
@@ -149,28 +150,28 @@ void mdt_constraintDestroy(MdtConstraintID c, const char *caller) {
         mdt_warnGone(caller, "constraint");
         return;
     }
-    const MeLater later = {.carryOut = destroyLater, .object = c, .serial = baseOf(c)->link.serial};
+    const MeLater later = {.carryOut = applyDeferredDestruction, .object = c, .serial = baseOf(c)->link.serial};
     const MeWhen when =
-        mdt_when(baseOf(c)->world, MDT_GUARD_CONSTRAINTS, caller ? caller : "MdtConstraintDestroy", &later);
+        mdt_deferIfGuarded(baseOf(c)->world, MDT_GUARD_CONSTRAINTS, caller ? caller : "MdtConstraintDestroy", &later);
     if (when == MeWhenNow)
         mdt_constraintRemove(c);
     else if (when == MeWhenStageEnds)
-        condemn(c);
+        condemnConstraint(c);
 }
 
-void mdt_constraintForget(MdtConstraintID c) {
+void mdt_constraintClearWarmStart(MdtConstraintID c) {
     if (mdt_isJoint(c))
         jointOf(c)->numWarm = 0;
     else
-        mdt_manifoldForget(manifoldOf(c));
+        mdt_manifoldClearWarmStart(manifoldOf(c));
 }
 
-static void constraintOn(MdtConstraintID c) {
+static void activateConstraint(MdtConstraintID c) {
     if (c->record.flags & MDT_ENABLED)
         return;
     c->record.flags |= MDT_ENABLED;
     mdt_graphChanged(c->world);
-    mdt_constraintForget(c);
+    mdt_constraintClearWarmStart(c);
     mdt_constraintDisturb(c);
     c->world->enabledConstraints++;
     if (mdt_isJoint(c)) {
@@ -188,7 +189,7 @@ void mdt_constraintDeactivate(MdtConstraintID c) {
     c->world->enabledConstraints--;
     c->world->enabledJoints -= mdt_isJoint(c) != 0;
     MEASSERT(c->world->enabledConstraints >= c->world->enabledJoints && c->world->enabledJoints >= 0);
-    for (int k = 0; k < 2; k++) /* the body may have slept because of it */
+    for (int k = 0; k < 2; k++) /* the body may be resting on it */
         if (c->side[k].body && (c->side[k].body->record.flags & MDT_ASLEEP))
             mdt_bodyEnable(c->side[k].body);
 }
@@ -197,17 +198,18 @@ static MeBool isAttached(const MdtBaseConstraint *c) {
     return c->side[0].body || c->side[1].body;
 }
 
-static void MEAPI enableLater(const MeLater *later) {
-    const MdtConstraintID c = mdt_laterConstraint(later);
+static void MEAPI applyDeferredEnabling(const MeLater *later) {
+    const MdtConstraintID c = mdt_deferredConstraint(later);
     if (c && later->number && isAttached(c))
-        constraintOn(c);
+        activateConstraint(c);
     else if (c && !later->number)
         mdt_constraintDeactivate(c);
 }
 
-static MeBool isToEnableNow(MdtConstraintID c, MeBool isEnabled, const char *caller) {
-    const MeLater later = {.carryOut = enableLater, .object = c, .serial = c->link.serial, .number = (long)isEnabled};
-    return mdt_when(c->world, MDT_GUARD_GRAPH, caller, &later) == MeWhenNow;
+static MeBool mayEnableNow(MdtConstraintID c, MeBool isEnabled, const char *caller) {
+    const MeLater later = {
+        .carryOut = applyDeferredEnabling, .object = c, .serial = c->link.serial, .number = (long)isEnabled};
+    return mdt_deferIfGuarded(c->world, MDT_GUARD_GRAPH, caller, &later) == MeWhenNow;
 }
 
 void mdt_constraintEnable(MdtConstraintID handle, const char *caller) {
@@ -218,14 +220,14 @@ void mdt_constraintEnable(MdtConstraintID handle, const char *caller) {
         MeWarning(1, "%s: the %s is attached to no body; it stays disabled", caller, mdt_constraintName(c));
         return;
     }
-    if (isToEnableNow(c, METRUE, caller))
-        constraintOn(c);
+    if (mayEnableNow(c, METRUE, caller))
+        activateConstraint(c);
 }
 
 void mdt_constraintDisable(MdtConstraintID handle, const char *caller) {
     if (!mdt_isConstraint(handle, caller) || isGroupMember(handle))
         return;
-    if (isToEnableNow(baseOf(handle), MEFALSE, caller))
+    if (mayEnableNow(baseOf(handle), MEFALSE, caller))
         mdt_constraintDeactivate(baseOf(handle));
 }
 
@@ -256,7 +258,7 @@ void mdt_constraintDetach(MdtConstraintID c, int side) {
     at->next = at->previous = NULL;
 }
 
-static void attach(MdtConstraintID c, int side, MdtBodyID b) {
+static void attachSide(MdtConstraintID c, int side, MdtBodyID b) {
     MdtAttachment *at = &c->side[side];
     mdt_constraintDetach(c, side);
     at->body = b;
@@ -292,7 +294,7 @@ static MeBool mayAttach(MdtConstraintID c, MdtBodyID b, const char *caller) {
     return MEFALSE;
 }
 
-/* Poses as Bcl's functions take them. */
+/* Poses in the form that the functions of Bcl's joint types take. */
 typedef struct {
     MdtKeaTransformation of[2];
     const MdtKeaTransformation *at[2];
@@ -328,27 +330,28 @@ static void notifyAxesSet(MdtJoint *j, const MdtBclFrame before[2]) {
 }
 
 void mdt_constraintAttach(MdtConstraintID c, MdtBodyID b0, MdtBodyID b1) {
-    attach(c, 0, b0);
-    attach(c, 1, b1);
-    mdt_constraintForget(c);
+    attachSide(c, 0, b0);
+    attachSide(c, 1, b1);
+    mdt_constraintClearWarmStart(c);
     if (mdt_isJoint(c))
         notifyAttached(jointOf(c));
 }
 
-/* In a group with the world the first body is the one that moves. */
+/* In a group with the world the first side is the body. */
 static void attachGroup(MdtConstraintID c, MdtBodyID b1, MdtBodyID b2) {
     c->record.flags = b1 ? c->record.flags & ~MDT_SWAPPED : c->record.flags | MDT_SWAPPED;
     mdt_constraintAttach(c, b1 ? b1 : b2, b1 ? b2 : NULL);
 }
 
-/* The bodies may have gone meanwhile. */
-static void MEAPI attachLater(const MeLater *later) {
-    const MdtConstraintID c = mdt_laterConstraint(later);
+/* Does nothing if one of the bodies has been destroyed meanwhile. */
+static void MEAPI applyDeferredAttachment(const MeLater *later) {
+    const MdtConstraintID c = mdt_deferredConstraint(later);
     for (int k = 0; k < 2; k++)
         if (later->other[k] && !MeHandleIsLive(later->other[k], MDT_BODY))
             return;
     if (c)
-        mdt_constraintSetBodies(mdt_constraintShown(c), later->other[0], later->other[1], "MdtConstraintSetBodies");
+        mdt_constraintSetBodies(mdt_constraintPublicHandle(c), later->other[0], later->other[1],
+                                "MdtConstraintSetBodies");
 }
 
 void mdt_constraintSetBodies(MdtConstraintID c, MdtBodyID b1, MdtBodyID b2, const char *caller) {
@@ -369,8 +372,9 @@ void mdt_constraintSetBodies(MdtConstraintID c, MdtBodyID b1, MdtBodyID b2, cons
         MeWarning(1, "%s: the group was made by a bridge, for two models that touch; nothing is changed", caller);
         return;
     }
-    const MeLater later = {.carryOut = attachLater, .object = base, .other = {b1, b2}, .serial = base->link.serial};
-    if (isAttached(base) && mdt_when(base->world, MDT_GUARD_CONSTRAINTS, caller, &later) != MeWhenNow)
+    const MeLater later = {
+        .carryOut = applyDeferredAttachment, .object = base, .other = {b1, b2}, .serial = base->link.serial};
+    if (isAttached(base) && mdt_deferIfGuarded(base->world, MDT_GUARD_CONSTRAINTS, caller, &later) != MeWhenNow)
         return;
     if (base->record.flags & MDT_ENABLED)
         MeWarning(1, "%s: the %s is enabled; disable it before changing its bodies", caller, mdt_constraintName(c));
@@ -393,7 +397,7 @@ MdtBodyID mdt_constraintGetBody(MdtConstraintID c, unsigned int bodyindex, const
     return mdt_isSide(caller, bodyindex) ? baseOf(c)->side[bodyindex].body : NULL;
 }
 
-/* ---- frames: stored in the frame of the body's centre of mass, or the world's ---- */
+/* ---- frames: in the coordinates of the body's centre of mass, or the world's ---- */
 
 static void poseOfKea(const MdtKeaBody *b, MdtKeaTransformation *pose) {
     keaCopy(pose->pos, b->position);
@@ -414,7 +418,7 @@ void mdt_constraintPoses(MdtConstraintID c, MdtKeaTransformation pose[2]) {
 
 void mdt_constraintReframe(MdtConstraintID c, int side, const MdtKeaBody *before, const MdtKeaBody *after) {
     if (!mdt_isJoint(c))
-        return; /* contacts are where they were found */
+        return; /* contacts are stored in world coordinates */
     MdtBclFrame *frame = &jointOf(c)->bcl.frame[side];
     MdtKeaTransformation from, to;
     double world[3];
@@ -446,24 +450,24 @@ static void pointToWorld(MdtConstraintID c, int side, const double local[3], dou
     keaAddScaled(world, 1, pose.pos);
 }
 
-static void turnToBody(MdtConstraintID c, int side, const double world[3], double local[3]) {
+static void rotateToBody(MdtConstraintID c, int side, const double world[3], double local[3]) {
     MdtKeaTransformation pose;
     poseOf(c, side, &pose);
     keaApplyTransposed(local, (const double(*)[3])pose.R, world);
 }
 
-static void turnToWorld(MdtConstraintID c, int side, const double local[3], double world[3]) {
+static void rotateToWorld(MdtConstraintID c, int side, const double local[3], double world[3]) {
     MdtKeaTransformation pose;
     poseOf(c, side, &pose);
     keaApply(world, (const double(*)[3])pose.R, local);
 }
 
-/* The side by which a whole constraint is described: the first that is a body. */
+/* The side whose frame stands for the whole constraint: the first one with a body. */
 static int mainSide(MdtConstraintID c) {
     return c->side[0].body ? 0 : 1;
 }
 
-/* Checks a joint whose frames a program reads; null, with a warning. */
+/* The constraint as a joint, for access to its frames; null, with a warning, for a contact or a bad handle. */
 static MdtJoint *checkJoint(MdtConstraintID c, const char *caller) {
     if (!mdt_isConstraint(c, caller))
         return NULL;
@@ -546,7 +550,7 @@ MeBool mdt_makeAxes(const char *caller, double p[3], double o[3]) {
     return MEFALSE;
 }
 
-/* By leaving out p's smallest component. */
+/* Crosses p with the unit vector of its smallest component. */
 void mdt_chooseOrthogonal(const double p[3], double o[3]) {
     const double a[3] = {fabs(p[0]), fabs(p[1]), fabs(p[2])};
     const int min = a[0] <= a[1] && a[0] <= a[2] ? 0 : a[1] <= a[2] ? 1 : 2;
@@ -556,8 +560,8 @@ void mdt_chooseOrthogonal(const double p[3], double o[3]) {
 }
 
 static void setAxesOf(MdtJoint *j, int side, const double p[3], const double o[3]) {
-    turnToBody(&j->base, side, p, j->bcl.frame[side].primary);
-    turnToBody(&j->base, side, o, j->bcl.frame[side].ortho);
+    rotateToBody(&j->base, side, p, j->bcl.frame[side].primary);
+    rotateToBody(&j->base, side, o, j->bcl.frame[side].ortho);
 }
 
 static void setBothAxes(MdtJoint *j, const double p[3], const double o[3]) {
@@ -607,12 +611,12 @@ static void setCrossFrame(MdtJoint *j, int side, const double own[3], const doub
     setAxesOf(j, side, side == 0 ? own : second, side == 0 ? second : own);
 }
 
-/* As the bodies stand now, each side has the other's axis, made orthogonal to its own, as its second one: that is what
- * angles are counted from. Where the two are parallel, since the other has yet to be set, it is chosen. */
+/* Makes the second axis of each side from the other side's axis, orthogonalized, in the bodies' present poses: angles
+ * are measured from it. If both axes are parallel, as before the other one is set, the second axis is arbitrary. */
 void mdt_constraintSetCrossAxis(MdtConstraintID c, const char *caller, int side, MeReal x, MeReal y, MeReal z) {
     MdtJoint *j = jointOf(c);
     double axis[3] = {x, y, z}, other[3], second[3], back[3];
-    turnToWorld(c, 1 - side, side == 0 ? j->bcl.frame[1].ortho : j->bcl.frame[0].primary, other);
+    rotateToWorld(c, 1 - side, side == 0 ? j->bcl.frame[1].ortho : j->bcl.frame[0].primary, other);
     const MeBool isParallel = fabs(keaDot(axis, other)) > 0.999 * keaLength(axis);
     keaCopy(second, other);
     if (isParallel)
@@ -638,11 +642,11 @@ static void zeroAxes(MeVector3 p, MeVector3 o) {
 static void getAxes(MdtJoint *j, int side, MeVector3 p, MeVector3 o) {
     double axis[3];
     if (p) {
-        turnToWorld(&j->base, side, j->bcl.frame[side].primary, axis);
+        rotateToWorld(&j->base, side, j->bcl.frame[side].primary, axis);
         mdt_toReal(p, axis);
     }
     if (o) {
-        turnToWorld(&j->base, side, j->bcl.frame[side].ortho, axis);
+        rotateToWorld(&j->base, side, j->bcl.frame[side].ortho, axis);
         mdt_toReal(o, axis);
     }
 }
@@ -674,9 +678,9 @@ void MEAPI MdtConstraintBodyGetAxesRel(const MdtConstraintID c, const unsigned i
         mdt_toReal(o, j->bcl.frame[bodyindex].ortho);
 }
 
-/* ---- what it did ---- */
+/* ---- forces of the last step ---- */
 
-/* On the first body of the contact; it acts at the contact's place. */
+/* Adds a contact's force, at the contact's position, and its moments about the bodies' centres of mass. */
 static void addContactForce(const MdtPoint *p, MdtKeaForcePair *sum) {
     const MdtBaseConstraint *base = &mdt_manifoldOf(p)->base;
     double force[3];
@@ -708,7 +712,7 @@ void mdt_constraintSetForce(MdtConstraintID c, const MdtKeaForcePair *force) {
         jointOf(c)->force = *force;
     else if (mdt_isPoint(c))
         mdt_toReal(mdt_asPoint(c)->mean, force->body[0].lin);
-    mdt_constraintDisturb(baseOf(c)); /* its forces are not those of a step any more */
+    mdt_constraintDisturb(baseOf(c)); /* its force no longer is the answer of a step */
 }
 
 void mdt_constraintGetForce(MdtConstraintID c, unsigned int bodyindex, MeVector3 f, const char *caller) {
@@ -725,7 +729,7 @@ void mdt_constraintGetTorque(MdtConstraintID c, unsigned int bodyindex, MeVector
     mdt_toReal(t, force.body[bodyindex].ang);
 }
 
-/* The library asks for manifolds of one contact, too. */
+/* Works for manifolds of single contacts, too, which the library passes. */
 int MEAPI MdtConstraintGetRowCount(const MdtConstraintID c) {
     int rows = 0;
     MDT_NEED_CONSTRAINT(c, 0);
@@ -740,7 +744,7 @@ int MEAPI MdtConstraintGetRowCount(const MdtConstraintID c) {
 
 /* ---- a moving world, and bookkeeping ---- */
 
-/* Where a contact or a group keeps what few of them have. Null, with a warning: no memory. */
+/* The extra of a contact or a group, created if there is none. Null, with a warning, if there is no memory. */
 static MdtExtra *extraMake(MdtConstraintID c, const char *caller) {
     return mdt_isPoint(c) ? mdt_extraMake(mdt_blockOf(mdt_asPoint(c)), mdt_asPoint(c)->slot, caller)
                           : mdt_extraMake(manifoldOf(c), MDT_GROUP_SLOT, caller);
@@ -751,7 +755,7 @@ static const MdtExtra *extraOf(MdtConstraintID c) {
                           : mdt_extraOf(manifoldOf(c), MDT_GROUP_SLOT);
 }
 
-/* To write to; null, with a warning: no memory. */
+/* The world velocity for writing; null, with a warning, if there is no memory. */
 static MdtKeaVelocity *worldVelocity(MdtConstraintID c, const char *caller) {
     MdtExtra *extra = mdt_isJoint(c) ? NULL : extraMake(c, caller);
     return mdt_isJoint(c) ? &jointOf(c)->worldVelocity : extra ? &extra->worldVelocity : NULL;
@@ -823,10 +827,10 @@ void *mdt_constraintGetUserData(MdtConstraintID c, const char *caller) {
     return mdt_isJoint(c) ? jointOf(c)->userData : extra ? extra->userData : NULL;
 }
 
-static void MEAPI sortLater(const MeLater *later) {
-    const MdtConstraintID c = mdt_laterConstraint(later);
+static void MEAPI applyDeferredSortKey(const MeLater *later) {
+    const MdtConstraintID c = mdt_deferredConstraint(later);
     if (c)
-        mdt_constraintSetSortKey(mdt_constraintShown(c), (MeI32)later->number, "MdtConstraintSetSortKey");
+        mdt_constraintSetSortKey(mdt_constraintPublicHandle(c), (MeI32)later->number, "MdtConstraintSetSortKey");
 }
 
 void mdt_constraintSetSortKey(MdtConstraintID c, MeI32 key, const char *caller) {
@@ -841,8 +845,9 @@ void mdt_constraintSetSortKey(MdtConstraintID c, MeI32 key, const char *caller) 
         return;
     }
     const MdtConstraintID base = baseOf(c);
-    const MeLater later = {.carryOut = sortLater, .object = base, .serial = base->link.serial, .number = key};
-    if (mdt_when(base->world, MDT_GUARD_CONSTRAINTS, caller, &later) != MeWhenNow)
+    const MeLater later = {
+        .carryOut = applyDeferredSortKey, .object = base, .serial = base->link.serial, .number = key};
+    if (mdt_deferIfGuarded(base->world, MDT_GUARD_CONSTRAINTS, caller, &later) != MeWhenNow)
         return;
     mdt_listSetKey(&base->world->constraints, &base->link, key);
     mdt_graphChanged(base->world);
@@ -857,41 +862,41 @@ MeI32 mdt_constraintGetSortKey(MdtConstraintID c, const char *caller) {
     return extra ? extra->sortKey : 0;
 }
 
-/* ---- in order ---- */
+/* ---- iteration ---- */
 
-MdtConstraintID mdt_constraintShown(MdtConstraintID c) {
+MdtConstraintID mdt_constraintPublicHandle(MdtConstraintID c) {
     return c->record.flags & MDT_LONE ? (MdtConstraintID)(void *)mdt_pointFirst(manifoldOf(c)) : c;
 }
 
-/* The contact after this one in its group; of a group, its first. */
-static MdtConstraintID contactAfter(MdtConstraintID c) {
+/* The next contact of the same group; of a group, its first contact. */
+static MdtConstraintID nextContact(MdtConstraintID c) {
     const MdtPoint *p = mdt_isPoint(c)      ? mdt_pointAfter(mdt_asPoint(c))
                         : mdt_isManifold(c) ? mdt_pointFirst(manifoldOf(c))
                                             : NULL;
     return (MdtConstraintID)(uintptr_t)p;
 }
 
-MdtConstraintID mdt_constraintAfter(MdtConstraintID c) {
-    const MdtConstraintID contact = contactAfter(c);
+MdtConstraintID mdt_constraintNext(MdtConstraintID c) {
+    const MdtConstraintID contact = nextContact(c);
     const MdtLink *next = baseOf(c)->link.next;
-    return contact ? contact : next ? mdt_constraintShown(mdt_linkOwner(next)) : NULL;
+    return contact ? contact : next ? mdt_constraintPublicHandle(mdt_linkOwner(next)) : NULL;
 }
 
-MdtConstraintID mdt_constraintAfterOf(MdtBodyID b, MdtConstraintID c) {
-    const MdtConstraintID contact = contactAfter(c), base = baseOf(c);
+MdtConstraintID mdt_constraintNextOfBody(MdtBodyID b, MdtConstraintID c) {
+    const MdtConstraintID contact = nextContact(c), base = baseOf(c);
     if (contact)
         return contact;
     for (int k = 0; k < 2; k++)
         if (base->side[k].body == b)
-            return base->side[k].next ? mdt_constraintShown(mdt_attachmentOwner(base->side[k].next)) : NULL;
+            return base->side[k].next ? mdt_constraintPublicHandle(mdt_attachmentOwner(base->side[k].next)) : NULL;
     MeWarning(1, "MdtBodyGetNextConstraint: the constraint is not attached to the body");
     return NULL;
 }
 
-/* Of a group those contacts that it had when the callback was called for it. */
+/* Of a group, visits the contacts that it had when the callback was called for the group. */
 void mdt_constraintVisit(MdtConstraintID base, MdtConstraintIteratorCBPtr cb, void *data) {
     const MeBool isGroup = mdt_isManifold(base) && !(base->record.flags & MDT_LONE);
-    const MdtConstraintID shown = mdt_constraintShown(base);
+    const MdtConstraintID shown = mdt_constraintPublicHandle(base);
     unsigned int contacts = isGroup ? manifoldOf(base)->numPoints : 0;
     if (!mdt_constraintIsCondemned(shown))
         cb(shown, data);
@@ -905,10 +910,10 @@ void mdt_constraintVisit(MdtConstraintID base, MdtConstraintIteratorCBPtr cb, vo
 MdtConstraintID MEAPI MdtConstraintGetFirst(const MdtWorldID w) {
     MDT_NEED_WORLD(w, NULL);
     mdt_listSort(&w->constraints);
-    return w->constraints.first ? mdt_constraintShown(mdt_linkOwner(w->constraints.first)) : NULL;
+    return w->constraints.first ? mdt_constraintPublicHandle(mdt_linkOwner(w->constraints.first)) : NULL;
 }
 
 MdtConstraintID MEAPI MdtConstraintGetNext(const MdtConstraintID c) {
     MDT_NEED_CONSTRAINT(c, NULL);
-    return mdt_constraintAfter(c);
+    return mdt_constraintNext(c);
 }

@@ -1,4 +1,4 @@
-/* Contact parameters: setters with checks, getters. A parameter's option bit says whether it is in use. */
+/* Contact parameters: setters with checks, getters. An option bit of a parameter says whether it is set. */
 #include "record/mdt_record_i.h"
 
 static MeBool isParams(const MdtContactParamsID p, const char *caller) {
@@ -9,7 +9,7 @@ static void setOption(MdtContactParamsID p, int option, MeBool on) {
     p->options = on ? p->options | option : p->options & ~option;
 }
 
-/* Sets a number >= 0; else warns. */
+/* Sets a number >= 0; otherwise warns. */
 static MeBool setNonNegative(MdtContactParamsID p, MeReal *value, MeReal x, const char *caller, const char *what) {
     if (!isParams(p, caller) || !mdt_isNotBelow(caller, what, x, 0))
         return MEFALSE;
@@ -64,7 +64,7 @@ static int problemOf(const MdtBclContactParams *p, MdtFrictionModel model, MeRea
     if (model != MdtFrictionModelBox)
         return coefficient > 0 ? 0 : WITHOUT_COEFFICIENT;
     if (p->options & (MdtBclContactOptionBoundSet | MdtBclContactOptionSlip1 | MdtBclContactOptionSlip2))
-        return 0; /* what slips does slide */
+        return 0; /* a surface with slip does slide */
     return coefficient > 0 ? WITHOUT_MODEL : bound < MEINFINITY ? 0 : WITHOUT_BOUND;
 }
 
@@ -75,7 +75,8 @@ int mdt_surfaceProblem(const MdtBclContactParams *p) {
     return problemOf(p, p->model2, p->FrictionCoefficient2, p->friction2);
 }
 
-/* Friction without bound is what a type alone is in the guides (User Guide ch. 8): no mistake, but seldom meant. */
+/* Friction without bound only gets an information: in the guides it is what setting a type alone means (User Guide ch.
+ * 8). */
 void mdt_surfaceWarn(MdtWorldID w, int problems) {
     const int more = problems & ~w->surfaceWarnings;
     w->surfaceWarnings |= problems;

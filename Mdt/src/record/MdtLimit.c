@@ -9,8 +9,8 @@ static MeBool isInUse(const MdtBclLimit *l) {
     return l->bActive || l->bPowered || l->bLocked;
 }
 
-/* A limit whose coordinate is read: null is none. One that is not measured gets a warning. */
-static MeBool isRead(const MdtBclLimit *l, const char *caller) {
+/* Check for reading a limit's coordinate: false for null. Warns if the coordinate is not measured. */
+static MeBool isReadable(const MdtBclLimit *l, const char *caller) {
     if (!isLimit(l, caller))
         return MEFALSE;
     if (!isInUse(l) && !l->bCalculatePosition)
@@ -56,11 +56,11 @@ void mdt_limitAssign(MdtLimitID to, const MdtBclLimit *from) {
 }
 
 MeReal MEAPI MdtLimitGetPosition(const MdtLimitID l) {
-    return isRead(l, __func__) ? l->position : 0;
+    return isReadable(l, __func__) ? l->position : 0;
 }
 
 MeReal MEAPI MdtLimitGetVelocity(const MdtLimitID l) {
-    return isRead(l, __func__) ? l->velocity : 0;
+    return isReadable(l, __func__) ? l->velocity : 0;
 }
 
 void MEAPI MdtLimitSetPosition(MdtLimitID l, const MeReal NewPosition) {
@@ -71,7 +71,7 @@ void MEAPI MdtLimitSetPosition(MdtLimitID l, const MeReal NewPosition) {
 }
 
 MeReal MEAPI MdtLimitGetOvershoot(const MdtLimitID l) {
-    if (!isRead(l, __func__))
+    if (!isReadable(l, __func__))
         return 0;
     const MeReal below = l->limit[0].stop - l->position, above = l->position - l->limit[1].stop;
     return below > 0 ? below : above > 0 ? above : 0;

@@ -1,4 +1,4 @@
-/* Breaking joints: those whose force, or torque about their position, exceeded its limit in a step. */
+/* Breaking joints: joints are disabled when their force, or torque about their position, exceeds a limit in a step. */
 #include "MeAssert.h"
 #include "record/mdt_record_i.h"
 
@@ -40,9 +40,9 @@ MeReal MEAPI MdtConstraintGetBreakTorque(const MdtConstraintID c) {
     return mdt_isJoint(c) ? asJoint(c)->breakTorque : MEINFINITY;
 }
 
-/* ---- what it carries ---- */
+/* ---- loads ---- */
 
-/* T - (p - c) x F: of the torque about the body's centre of mass c, what remains about the position p. */
+/* The torque about the joint's position p: T - (p - c) x F, with T the torque about the body's centre of mass c. */
 static void torqueAtJoint(MdtJoint *j, int side, double torque[3]) {
     const MdtKeaForce *load = &j->force.body[side];
     MdtKeaTransformation pose[2];
@@ -73,7 +73,7 @@ static MeBool isOverloaded(MdtJoint *j) {
     return keaLength(j->force.body[side].lin) > (double)j->breakForce || keaLength(torque) > (double)j->breakTorque;
 }
 
-/* Whether the joint was in the system of this step. */
+/* True if the joint was part of this step's system. */
 static MeBool wasStepped(const MdtBaseConstraint *c) {
     for (int k = 0; k < 2; k++)
         if (c->side[k].body && c->side[k].body->partition >= 0 && (c->side[k].body->record.flags & MDT_ENABLED))
@@ -85,7 +85,8 @@ void mdt_breakBegin(MdtWorldID w) {
     w->numBroken = 0;
 }
 
-/* Bodies wake, whose handlers may destroy joints: later. */
+/* Disables overloaded joints. That wakes bodies; joints that the handlers of bodies destroy are destroyed afterwards.
+ * */
 static void breakJoints(MdtWorldID w) {
     MeStageBegin(&w->stage, MDT_GUARD_GRAPH);
     for (MdtLink *link = w->constraints.first; link && w->breakable; link = link->next) {
@@ -100,7 +101,7 @@ static void breakJoints(MdtWorldID w) {
 }
 
 void mdt_breakEnd(MdtWorldID w) {
-    const int before = w->numBroken; /* in earlier parts of the step */
+    const int before = w->numBroken; /* those of earlier parts of the step were reported */
     breakJoints(w);
     const MeProgramCall call = MeProgramEnter("MdtWorldSetBreakCB");
     for (int i = before; i < w->numBroken && w->breakCb; i++)

@@ -1,69 +1,70 @@
-/* Forces of programs: one that is given in step after step is taken for samples of a force that varies in time.
+/* Forces of programs: forces that are given in successive steps are interpreted as samples of a continuous force.
  *
- * A program computes a force F_n from where its body is as step n begins, and F_n acts for the whole step. Of a body
- * that moves by x' = x + h ((1 - θ) v + θ v'), a spring -k x given like this multiplies the amplitude by
+ * A program computes a force F_n from the body's state at the start of step n, and F_n acts for the whole step. For a
+ * body that moves by x' = x + h ((1 - θ) v + θ v'), a spring -k x computed like this multiplies the amplitude by
  * sqrt(1 + (1 - θ) (h w)²) in each step. With
  *
  *     (1 - θ) h (F_n - F_n-1)
  *
- * added to the momentum at the start of step n, h being the time between the two, the positions are those of Störmer
- * and Verlet, x_n+1 - 2 x_n + x_n-1 = h² F_n / m, which keep it (Hairer, Lubich and Wanner, Geometric Numerical
- * Integration, I.1.4). Nothing is added where a force begins or ends: one that is constant, or switched, acts for
- * exactly its steps.
+ * added to the momentum at the start of step n, h being the time between the two samples, the positions are those of
+ * Störmer and Verlet, x_n+1 - 2 x_n + x_n-1 = h² F_n / m, which conserve the amplitude (Hairer, Lubich and Wanner,
+ * Geometric Numerical Integration, I.1.4). Nothing is added when a force begins or ends: a constant force acts for
+ * exactly the steps in which it is given.
  *
- * Of a damper the correction is the method of Adams and Bashforth, which is stable up to h c / m = 1; without it the
- * limit is 2. So stiffness and damping are estimated from the last changes of the force (lawOf), and the correction
- * fades out where damping is large.
+ * For a damper the correction amounts to the method of Adams and Bashforth, which is stable up to h c / m = 1; without
+ * the correction the limit is 2. Therefore stiffness and damping are estimated from the last changes of the force
+ * (estimateLaw), and the correction fades out where damping is large.
  */
 #include "MeAssert.h"
 #include "record/mdt_record_i.h"
 #include <string.h>
 
-/* ---- what the force answers to ---- */
+/* ---- estimating the feedback from motion to force ---- */
 
-/* Of sums over frames: each counts so much of the next. */
-static const double memory = 0.9;
-/* First frames: their motion is its own instrument, as there is none of before. */
+/* With each new frame the weight of all older ones in the sums is multiplied by this. */
+static const double forgettingFactor = 0.9;
+/* In the first frames the instrument is the same frame's motion, as no earlier one is known. */
 enum { NEW_FRAMES = 4 };
 
-/* One more frame, of mean momentum p, its change q, and the change f of the force, times the frame. */
+/* Adds a frame: mean momentum p, its change q, and f, the change of the force times the frame's time. */
 static void addToFit(MdtFeedback *fit, double p, double q, double f) {
     const MeBool isNew = fit->frames < NEW_FRAMES;
     const double P = isNew ? p : keaDot(fit->before[0], fit->along), Q = isNew ? q : keaDot(fit->before[1], fit->along);
     const double row[3] = {1, P, Q}, column[5] = {1, p, q, f, p * p + q * q};
     if (fit->frames++ == 0)
-        fit->sum[0][0] = 1; /* before the first there is one of no force, no momentum and no change */
+        fit->sum[0][0] = 1; /* a frame before the first, without force and momentum */
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 5; k++)
-            fit->sum[i][k] = memory * fit->sum[i][k] + row[i] * column[k];
+            fit->sum[i][k] = forgettingFactor * fit->sum[i][k] + row[i] * column[k];
 }
 
-/* f = a - κ p - δ q */
+/* Feedback law: f = a - κ p - δ q; stiffness κ, damping δ. */
 typedef struct Law {
     double stiffness, damping;
 } Law;
 
-/* Without what a body that moves uniformly has besides. */
-static double sumOf(const MdtFeedback *fit, int i, int k) {
+/* The sum of products less the product of means: removes the effect of the constant a. */
+static double centredSum(const MdtFeedback *fit, int i, int k) {
     return fit->sum[i][k] - fit->sum[i][0] * fit->sum[0][k] / fmax(fit->sum[0][0], 1);
 }
 
-/* κ = h² k / m, δ = h c / m, by the method of instrumental variables: a force that has nothing to do with the motion
- * has changed the momentum of the frame before, but not that of the frame before that, which is the instrument. Where
- * the two say little of each other, or are proportional, both are taken to be smaller. */
-static Law lawOf(const MdtFeedback *fit) {
-    const double a = sumOf(fit, 1, 1), b = sumOf(fit, 1, 2), c = sumOf(fit, 2, 1), d = sumOf(fit, 2, 2),
-                 pf = sumOf(fit, 1, 3), qf = sumOf(fit, 2, 3), ridge = 0.03 * fit->sum[0][4];
+/* κ = h² k / m and δ = h c / m, by the method of instrumental variables. A force that is independent of the motion has
+ * changed the momentum of the last frame, but not that of the frame before it, which is the instrument. If the
+ * correlation is weak, or p and q are proportional, the ridge makes both estimates smaller. */
+static Law estimateLaw(const MdtFeedback *fit) {
+    const double a = centredSum(fit, 1, 1), b = centredSum(fit, 1, 2), c = centredSum(fit, 2, 1),
+                 d = centredSum(fit, 2, 2), pf = centredSum(fit, 1, 3), qf = centredSum(fit, 2, 3),
+                 ridge = 0.03 * fit->sum[0][4];
     /* (AᵀA + ridge² 1)⁻¹ Aᵀ y, of A = (a b; c d) */
     const double A = a * a + c * c + ridge * ridge, B = a * b + c * d, D = b * b + d * d + ridge * ridge;
     const double y = a * pf + c * qf, z = b * pf + d * qf, det = A * D - B * B;
     return det > 0 ? (Law){-(D * y - B * z) / det, -(A * z - B * y) / det} : (Law){0, 0};
 }
 
-/* The share of the correction that is stable: all of it up to δ = .6, none from 1 on, nor where a damped force
- * alternates and grows. Where δ is below .6 κ the body has far more inertia than its own mass (it is tied to others),
- * so that both are overestimated. Oscillators with all ratios of damping up to 1 and h w up to .9 stay within 5 % of
- * the analytic envelope (tests/Mst/test_Forces.c). */
+/* The fraction of the correction that is stable: 1 up to δ = .6, falling to 0 at δ = 1; also 0 if a damped force
+ * alternates and grows. If δ is below .6 κ, the body's effective mass is much larger than its own mass, since it is
+ * attached to other bodies, and both are overestimated: 1. Oscillators with all damping ratios up to 1 and h w up to .9
+ * stay within 5 % of the analytic envelope (tests/Mst/test_Forces.c). */
 static double stableShare(const Law *law, MeBool alternates) {
     const double all = 0.6, none = 1;
     if (law->damping < 0.6 * law->stiffness)
@@ -73,24 +74,24 @@ static double stableShare(const Law *law, MeBool alternates) {
     return fmin(fmax((none - law->damping) / (none - all), 0), 1);
 }
 
-/* The share of a change of force, times the frame, that the motion may have caused by springs and dampers that are
- * stable, κ <= 4 and δ <= 2. What is tied to something, or rests on it, may be held: the rest of the change is a push
- * on it, and taken as it is given. */
+/* The fraction of a change of force, times the frame, that stable springs and dampers, κ <= 4 and δ <= 2, may have
+ * caused by the motion. A body that is attached to something, or rests on it, may be prevented from moving: the
+ * remaining change of the force is an independent push, and is not corrected. */
 static double explainedShare(double change, const double p[3], const double q[3]) {
     const double share = fmin((4 * keaLength(p) + 2 * keaLength(q)) / change, 1);
-    return share < 0.1 ? 0 : share; /* the motion of what is held is rounding */
+    return share < 0.1 ? 0 : share; /* a body that is held moves by rounding only */
 }
 
-/* Does it turn round and grow in frame after frame, as a force does that is too stiff for the step, κ > 4 or δ > 2?
- * These are estimated to a quarter; what grows by chance, or by the program's will, has others. What grows by more than
- * 4 in a frame is sooner beyond all numbers. */
-static MeBool runsAway(const MdtFeedback *fit) {
+/* True if the force alternates and grows over many frames, as one does that is too stiff for the step: κ > 4 or δ > 2.
+ * The estimates are right to a quarter; forces that grow by chance, or because the program wants it, have others. A
+ * force that grows by more than a factor of 4 in a frame overflows sooner. */
+static MeBool isUnstable(const MdtFeedback *fit) {
     enum { MANY = 8 };
-    const Law law = lawOf(fit);
+    const Law law = estimateLaw(fit);
     return fit->growth >= MANY && (law.stiffness > 3 || law.damping > 1.5);
 }
 
-/* By more than the thresholds of rest: what is less may be rounding. */
+/* True if the load accelerates the body beyond the thresholds of sleep in a step; smaller loads may be rounding. */
 static MeBool isVisible(const double load[3], double inverse, double h, MeReal threshold) {
     return h * h * inverse * inverse * keaDot(load, load) > (double)threshold;
 }
@@ -106,10 +107,10 @@ static void warnOfStiffness(MdtBodyID b, const char *function) {
               function, b->link.sortKey, b->applied.time);
 }
 
-/* N s, N m s: what the body's last step lacks if the force is `now` and was `last`; the momentum was `before`, and is
- * `after`. */
-static void correct(const MdtBody *b, MdtFeedback *fit, const double now[3], const double last[3],
-                    const double before[3], const double after[3], double correction[3]) {
+/* The correction, N s or N m s, for a force that was `last` in the last step and is `now`. `before` and `after` are the
+ * momenta at the last step's start and now. Also updates the estimate `fit`. */
+static void computeCorrection(const MdtBody *b, MdtFeedback *fit, const double now[3], const double last[3],
+                              const double before[3], const double after[3], double correction[3]) {
     const double h = b->applied.time, growth = keaDot(now, now) / keaDot(last, last);
     double mean[3], change[3];
     keaSubtract(correction, now, last);
@@ -119,18 +120,18 @@ static void correct(const MdtBody *b, MdtFeedback *fit, const double now[3], con
     double size = keaLength(correction);
     const double explained = size > 0 && b->attachments ? explainedShare(h * size, mean, change) : 1;
     if (size > 0) {
-        size = keaDot(correction, fit->along) < 0 ? -size : size; /* an axis turns, and does not change its sign */
+        size = keaDot(correction, fit->along) < 0 ? -size : size; /* keeps the direction continuous */
         keaScale(fit->along, 1 / size, correction);
     }
     addToFit(fit, keaDot(mean, fit->along), keaDot(change, fit->along), h * size);
     keaCopy(fit->before[0], mean);
     keaCopy(fit->before[1], change);
-    enum { LONGEST_RISE = 3 }; /* frames: at κ = 4.4 a change keeps its sign for two */
+    enum { LONGEST_RISE = 3 }; /* frames: at κ = 4.4 a change keeps its sign for two frames */
     fit->steady = size * fit->change < 0 ? 0 : fit->steady + 1;
     fit->change = size;
     const MeBool isAnswer = fit->steady < LONGEST_RISE && growth > 1 && explained > 0.5;
     fit->growth = isAnswer ? fit->growth + (growth > 16 ? 2 : 1) : fit->growth > 2 ? fit->growth - 2 : 0;
-    const Law law = lawOf(fit);
+    const Law law = estimateLaw(fit);
     keaScale(correction, (1 - b->theta) * h * explained * stableShare(&law, fit->growth > 2 && keaDot(now, last) < 0),
              correction);
 }
@@ -142,17 +143,17 @@ static void getMomenta(const MdtBody *b, double momentum[2][3]) {
     keaCopy(momentum[1], b->kea.angularMomentum);
 }
 
-/* The force goes on: changes the body's momenta as the frame begins. */
-static void continueLoad(MdtBodyID b) {
+/* Adds the correction to the body's momenta at the start of the frame, and warns of instability. */
+static void addCorrections(MdtBodyID b) {
     MdtApplied *last = &b->applied;
     double after[2][3], correction[2][3];
     getMomenta(b, after);
-    correct(b, &last->pushing, b->force, last->force, last->momentum[0], after[0], correction[0]);
-    correct(b, &last->turning, b->torque, last->torque, last->momentum[1], after[1], correction[1]);
+    computeCorrection(b, &last->pushing, b->force, last->force, last->momentum[0], after[0], correction[0]);
+    computeCorrection(b, &last->turning, b->torque, last->torque, last->momentum[1], after[1], correction[1]);
     const double h = last->time, *I = b->kea.moments, inverse = 1 / fmax(I[0], fmax(I[1], I[2]));
-    if (runsAway(&last->pushing) && isVisible(b->force, b->kea.invMass, h, b->world->sleepParams.vel_thresh))
+    if (isUnstable(&last->pushing) && isVisible(b->force, b->kea.invMass, h, b->world->sleepParams.vel_thresh))
         warnOfStiffness(b, "MdtBodyAddForce");
-    if (runsAway(&last->turning) && isVisible(b->torque, inverse, h, b->world->sleepParams.velrot_thresh))
+    if (isUnstable(&last->turning) && isVisible(b->torque, inverse, h, b->world->sleepParams.velrot_thresh))
         warnOfStiffness(b, "MdtBodyAddTorque");
     for (int k = 0; k < 2; k++)
         keaAddScaled(b->kea.kick[k], 1, correction[k]);
@@ -160,7 +161,7 @@ static void continueLoad(MdtBodyID b) {
 
 /* ---- one frame ---- */
 
-void mdt_forceForget(MdtBodyID b) {
+void mdt_forceRestart(MdtBodyID b) {
     b->applied.time = 0;
     memset(&b->applied.pushing, 0, sizeof b->applied.pushing);
     memset(&b->applied.turning, 0, sizeof b->applied.turning);
@@ -176,9 +177,9 @@ void mdt_forceBegin(MdtBodyID b) {
     if (b->record.flags & MDT_KEPT)
         return;
     if (!(b->record.flags & MDT_FORCED))
-        mdt_forceForget(b);
+        mdt_forceRestart(b);
     else if (b->applied.time > 0)
-        continueLoad(b);
+        addCorrections(b);
 }
 
 void MEAPI MdtBodyResetForces(const MdtBodyID b) {

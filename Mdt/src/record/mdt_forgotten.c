@@ -1,5 +1,5 @@
-/* What programs forget, told once: to enable a joint whose motor they have switched on, to say where the centre of mass
- * of a compound is, to scale masses with lengths. */
+/* Common omissions of programs, each warned of once: enabling a joint whose motor is on, setting the centre of mass of
+ * a compound, scaling masses with lengths. */
 #include "MdtInternal.h"
 #include "record/mdt_record_i.h"
 
@@ -23,8 +23,8 @@ static MeBool isMotorForgotten(const MdtJoint *j) {
            !(j->base.record.flags & (MDT_ENABLED | MDT_WAS_ENABLED | MDT_WARNED));
 }
 
-/* Joints are looked through in one step of so many, and only while one of them is disabled. */
-static void watchMotors(MdtWorldID w) {
+/* Checks all joints in every 64th step, and only while some joint is disabled. */
+static void checkMotors(MdtWorldID w) {
     enum { STEPS = 64 };
     if (w->jointPool.used == w->enabledJoints || ++w->watchedSteps % STEPS != 0)
         return;
@@ -46,8 +46,8 @@ void MEAPI MdtBodyExpectCentreOfMass(const MdtBodyID b) {
     b->world->expectsCentre = !b->world->isCentreWarned;
 }
 
-/* Of the first that is simulated; once a world. */
-static void watchCentres(MdtWorldID w) {
+/* Warns of the first such body that is simulated, once per world. */
+static void checkCentres(MdtWorldID w) {
     for (MdtLink *link = w->expectsCentre ? w->bodies.first : NULL; link; link = link->next) {
         const MdtBody *b = mdt_linkOwner(link);
         if ((b->record.flags & (MDT_OFF_CENTRE | MDT_ENABLED)) != (MDT_OFF_CENTRE | MDT_ENABLED))
@@ -65,14 +65,14 @@ static void watchCentres(MdtWorldID w) {
 
 /* ---- scales ---- */
 
-/* The mass, kg, whose weight epsilon lets sink by a fiftieth of the length scale into what holds it: a contact's sag is
+/* The mass, kg, whose weight makes contacts sink by a fiftieth of the length scale: a contact gives way by
  * epsilon F h^2 / gamma. */
 static double sinkingMass(const MdtWorld *w, double h) {
     const double share = 0.02;
     double g[3];
     mdt_fromReal(g, w->params.gravity);
     const double max = share * (double)w->params.lengthScale * (double)w->gamma;
-    return max > 0 ? max / ((double)w->epsilon * keaLength(g) * h * h) : HUGE_VAL; /* infinite: there is no sag */
+    return max > 0 ? max / ((double)w->epsilon * keaLength(g) * h * h) : HUGE_VAL; /* no sinking */
 }
 
 void mdt_forgottenScale(MdtBodyID b) {
@@ -89,7 +89,7 @@ void mdt_forgottenScale(MdtBodyID b) {
 /* ---- each step ---- */
 
 void mdt_forgottenWatch(MdtWorldID w, double h) {
-    watchMotors(w);
-    watchCentres(w);
+    checkMotors(w);
+    checkCentres(w);
     w->sinkingMass = w->isScaleWarned ? HUGE_VAL : sinkingMass(w, h);
 }

@@ -15,7 +15,7 @@ MeBool mdt_pointIsAlone(const MdtPoint *p) {
     return mdt_countSlots(block) == 1 && (block->group || (block->base.record.flags & MDT_LONE));
 }
 
-static MeBool areSlotsAsUsed(const MdtManifold *block) {
+static MeBool areSlotsConsistent(const MdtManifold *block) {
     for (int slot = 0; slot < MDT_POINTS; slot++)
         if ((block->point[slot].magic == MDT_POINT) != ((block->used >> slot & 1) != 0))
             return MEFALSE;
@@ -28,7 +28,7 @@ MeBool mdt_manifoldIsConsistent(const MdtManifold *m) {
         return MEFALSE;
     for (const MdtManifold *block = m; block; block = block->next) {
         if ((block != m && (block->group != m || mdt_countSlots(block) == 0)) || !block->surface ||
-            !areSlotsAsUsed(block))
+            !areSlotsConsistent(block))
             return MEFALSE;
         for (const MdtPoint *p = mdt_pointIn(block, 0); p; p = mdt_pointIn(block, p->slot + 1), count++)
             if (p != &block->point[p->slot] || mdt_manifoldOf(p) != m)
@@ -50,7 +50,7 @@ static MdtManifold *allocateBlock(MdtWorldID w, const char *caller) {
     return block;
 }
 
-static void giveBlock(MdtManifold *block) {
+static void freeBlock(MdtManifold *block) {
     MdtWorldID w = block->base.world;
     MEASSERT(mdt_countSlots(block) == 0);
     while (block->extras) {
@@ -58,7 +58,7 @@ static void giveBlock(MdtManifold *block) {
         block->extras = extra->next;
         mdt_poolPut(&w->extraPool, extra);
     }
-    mdt_surfaceGive(&w->surfaces, block->surface);
+    mdt_surfaceRelease(&w->surfaces, block->surface);
     mdt_poolPut(&w->manifoldPool, block);
 }
 
@@ -72,7 +72,7 @@ MdtPoint *mdt_slotActivate(MdtManifold *block, int slot) {
     return p;
 }
 
-static void continueWith(MdtManifold *group, MdtManifold *block) {
+static void appendContinuation(MdtManifold *group, MdtManifold *block) {
     MdtManifold *last = group;
     while (last->next)
         last = last->next;
@@ -111,7 +111,7 @@ MdtExtra *mdt_extraMake(MdtManifold *block, int slot, const char *caller) {
     return extra;
 }
 
-static void giveExtra(MdtManifold *block, int slot) {
+static void freeExtra(MdtManifold *block, int slot) {
     for (MdtExtra **at = &block->extras; *at; at = &(*at)->next)
         if ((*at)->slot == slot) {
             MdtExtra *extra = *at;
@@ -157,7 +157,7 @@ MdtPoint *mdt_pointCreateIn(MdtManifold *group, const char *caller) {
         mdt_constraintUncount(w);
         return NULL;
     }
-    continueWith(group, block);
+    appendContinuation(group, block);
     group->numPoints++;
     mdt_constraintDisturb(&group->base);
     return mdt_slotActivate(block, 0);
@@ -165,7 +165,7 @@ MdtPoint *mdt_pointCreateIn(MdtManifold *group, const char *caller) {
 
 static void freeSlot(MdtPoint *p) {
     MdtManifold *m = mdt_manifoldOf(p);
-    giveExtra(mdt_blockOf(p), p->slot);
+    freeExtra(mdt_blockOf(p), p->slot);
     MEASSERT(m->numPoints > 0 && (mdt_blockOf(p)->used & 1u << p->slot));
     mdt_blockOf(p)->used ^= 1u << p->slot;
     p->magic = 0;
@@ -180,9 +180,9 @@ void mdt_pointTerm(MdtPoint *p) {
         mdt_constraintTerm(&m->base);
     freeSlot(p);
     if (block->group && mdt_countSlots(block) == 0)
-        unlinkContinuation(block), giveBlock(block);
+        unlinkContinuation(block), freeBlock(block);
     else if (m->base.record.flags & MDT_LONE)
-        giveBlock(m);
+        freeBlock(m);
     else
         MEVALIDATE(mdt_manifoldIsConsistent(m));
 }
@@ -199,7 +199,7 @@ void mdt_manifoldTerm(MdtManifold *m) {
         *m->holder = NULL;
     mdt_constraintTerm(&m->base);
     mdt_constraintUncount(m->base.world);
-    giveBlock(m);
+    freeBlock(m);
 }
 
 void mdt_pointJoin(MdtPoint *p, MdtManifold *group) {
@@ -207,11 +207,11 @@ void mdt_pointJoin(MdtPoint *p, MdtManifold *group) {
     MEASSERT(mdt_pointIsAlone(p) && !block->group && block->base.world == group->base.world);
     mdt_constraintTerm(&block->base);
     block->base.record.flags = 0;
-    continueWith(group, block);
+    appendContinuation(group, block);
     block->numPoints = 0;
     group->numPoints++;
     mdt_constraintDisturb(&group->base);
-    mdt_constraintForget(&group->base);
+    mdt_constraintClearWarmStart(&group->base);
     MEVALIDATE(mdt_manifoldIsConsistent(group));
 }
 

@@ -1,5 +1,5 @@
-/* The functions of all constraints, which programs call by the name MdtConstraint... and by those of each joint: what
- * they say names the one that was called (mdt_named.c). */
+/* Functions of all constraints, which programs call as MdtConstraint... or under the name of each joint. `caller` is
+ * that name, for messages (mdt_named.c). */
 #ifndef MDT_NAMED_I_H
 #define MDT_NAMED_I_H
 

@@ -1,7 +1,7 @@
-/* Joints whose bodies do not collide with each other: the switch of each joint, and the query of Mst for two bodies.
+/* Joints whose bodies do not collide with each other: the switch of each joint, and Mst's query for two bodies.
  *
- * Mst queries every pair of models in every step. A world without such a joint answers at once; else a bit of each body
- * says whether it has ever had one, and only where both have, their joints are looked through. */
+ * Mst queries every pair of models in every step. A world without such joints answers at once. Otherwise a flag of each
+ * body says whether it has ever had such a joint; only if both bodies have the flag, their joints are searched. */
 #include "MdtInternal.h"
 #include "MeAssert.h"
 #include "record/mdt_record_i.h"
@@ -33,7 +33,7 @@ void MEAPI MdtConstraintSetBodiesCollide(const MdtConstraintID c, const MeBool c
         mdt_noCollideForget((MdtJoint *)(void *)c);
     else
         setNoCollide(c);
-    for (int k = 0; k < 2; k++) /* it may be asleep because of these contacts, or because there were none */
+    for (int k = 0; k < 2; k++) /* it may rest on such contacts, or begin to collide */
         if (c->side[k].body && (c->record.flags & MDT_ENABLED))
             mdt_bodyWakeIfAsleep(c->side[k].body);
 }
@@ -54,7 +54,8 @@ static MeBool isNoCollideJoint(const MdtAttachment *at, const MdtBody *other) {
     return (c->record.flags & both) == both && c->side[1 - mdt_attachmentSide(at)].body == other;
 }
 
-/* Both lists are walked at once: a joint of both is in both, so the end of the shorter list decides. */
+/* Walks both bodies' lists in parallel: a joint between them is in both lists, so the shorter list limits the search.
+ * */
 MeBool MEAPI MdtBodiesAreNoCollide(const MdtBodyID b1, const MdtBodyID b2) {
     const MdtAttachment *of1 = b1->attachments, *of2 = b2->attachments;
     if (!(b1->record.flags & b2->record.flags & MDT_NO_COLLIDE))

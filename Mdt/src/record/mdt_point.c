@@ -3,14 +3,14 @@
 #include "MeAssert.h"
 #include <string.h>
 
-/* The extra of a point if it replaces this shared value; else null. */
-static MdtExtra *ownOf(const MdtPoint *p, int own) {
+/* The point's extra if it replaces the shared values of these flags; else null. */
+static MdtExtra *findOwnExtra(const MdtPoint *p, int own) {
     const MdtManifold *block = mdt_blockOf(p);
     MdtExtra *extra = block->extras ? mdt_extraOf(block, p->slot) : NULL;
     return extra && (extra->record.flags & own) ? extra : NULL;
 }
 
-/* Writes a value that points of a record share or replace. Writing an equal value does not end rest certificates. */
+/* Writes a value of the manifold or of an extra. Writing an equal value does not end rest certificates. */
 static void setProperty(MdtPoint *p, void *property, const void *value, size_t size) {
     if (memcmp(property, value, size) == 0)
         return;
@@ -18,9 +18,9 @@ static void setProperty(MdtPoint *p, void *property, const void *value, size_t s
     mdt_constraintDisturb(&mdt_manifoldOf(p)->base);
 }
 
-/* The extra in which a point keeps a value that differs from the shared one. Null: it may write the shared one, since
- * it is the same, or no other point has it; or there is no memory. */
-static MdtExtra *ownExtra(MdtPoint *p, int own, MeBool isShared, const char *caller) {
+/* The extra in which the point is to store its own value, created if necessary. Null if the value equals the shared one
+ * (isShared) or no other point uses the shared one, which may then be written; also null if there is no memory. */
+static MdtExtra *makeOwnExtra(MdtPoint *p, int own, MeBool isShared, const char *caller) {
     MdtManifold *block = mdt_blockOf(p);
     MdtExtra *extra = block->extras ? mdt_extraOf(block, p->slot) : NULL;
     if (isShared || mdt_countSlots(block) == 1) {
@@ -37,7 +37,7 @@ static MdtExtra *ownExtra(MdtPoint *p, int own, MeBool isShared, const char *cal
 }
 
 const MdtBclContactParams *mdt_pointParams(const MdtPoint *p) {
-    const MdtExtra *own = ownOf(p, MDT_OWN_PARAMS);
+    const MdtExtra *own = findOwnExtra(p, MDT_OWN_PARAMS);
     return own ? &own->params : &mdt_blockOf(p)->surface->params;
 }
 
@@ -45,15 +45,15 @@ void mdt_blockSetSurface(MdtManifold *block, const MdtBclContactParams *params) 
     MdtSurfaces *surfaces = &block->base.world->surfaces;
     const MdtSurface *before = block->surface;
     block->surface = mdt_surfaceAcquire(surfaces, params);
-    mdt_surfaceGive(surfaces, before);
+    mdt_surfaceRelease(surfaces, before);
     mdt_constraintDisturb(block->group ? &block->group->base : &block->base);
 }
 
 void mdt_pointSetParams(MdtPoint *p, const MdtBclContactParams *params) {
     MdtManifold *block = mdt_blockOf(p);
-    MdtExtra *extra = ownOf(p, MDT_WATCHED);
+    MdtExtra *extra = findOwnExtra(p, MDT_WATCHED);
     MdtBclContactParams own;
-    memcpy(&own, params, sizeof own); /* padding and all: they are compared */
+    memcpy(&own, params, sizeof own); /* with the padding, since parameters are compared as bytes */
     own.options &= ~MdtBclContactOptionUseDirection;
     if (extra) {
         own.options |= extra->params.options & MdtBclContactOptionUseDirection;
@@ -61,7 +61,7 @@ void mdt_pointSetParams(MdtPoint *p, const MdtBclContactParams *params) {
         return;
     }
     const MeBool isShared = memcmp(&block->surface->params, &own, sizeof own) == 0;
-    extra = ownExtra(p, MDT_OWN_PARAMS, isShared, "MdtContactSetParams");
+    extra = makeOwnExtra(p, MDT_OWN_PARAMS, isShared, "MdtContactSetParams");
     if (extra)
         setProperty(p, &extra->params, &own, sizeof own);
     else if (!isShared && mdt_countSlots(block) == 1)
@@ -69,7 +69,7 @@ void mdt_pointSetParams(MdtPoint *p, const MdtBclContactParams *params) {
 }
 
 static const MeReal *rawNormal(const MdtPoint *p) {
-    const MdtExtra *own = ownOf(p, MDT_OWN_NORMAL);
+    const MdtExtra *own = findOwnExtra(p, MDT_OWN_NORMAL);
     return own ? own->normal : mdt_blockOf(p)->normal;
 }
 
@@ -80,14 +80,14 @@ void mdt_pointNormal(const MdtPoint *p, double normal[3]) {
         keaScale(normal, 1 / size, normal);
         return;
     }
-    keaZero(normal); /* what was found of shapes as large as numbers can be may have no direction */
+    keaZero(normal); /* normals of extremely large shapes may be zero or not finite */
     normal[2] = 1;
 }
 
 void mdt_pointSetNormal(MdtPoint *p, const MeReal normal[3]) {
     MdtManifold *block = mdt_blockOf(p);
     const MeBool isShared = memcmp(block->normal, normal, sizeof block->normal) == 0;
-    MdtExtra *extra = ownExtra(p, MDT_OWN_NORMAL, isShared, "MdtContactSetNormal");
+    MdtExtra *extra = makeOwnExtra(p, MDT_OWN_NORMAL, isShared, "MdtContactSetNormal");
     if (extra)
         setProperty(p, extra->normal, normal, sizeof extra->normal);
     else if (!isShared && mdt_countSlots(block) == 1)
@@ -95,7 +95,7 @@ void mdt_pointSetNormal(MdtPoint *p, const MeReal normal[3]) {
 }
 
 MeReal mdt_pointRadius(const MdtPoint *p, int side) {
-    const MdtExtra *own = ownOf(p, MDT_OWN_RADIUS);
+    const MdtExtra *own = findOwnExtra(p, MDT_OWN_RADIUS);
     return own ? own->radius[side] : mdt_blockOf(p)->radius[side];
 }
 
@@ -104,7 +104,7 @@ void mdt_pointSetRadius(MdtPoint *p, int side, MeReal radius) {
     MeReal both[2] = {mdt_pointRadius(p, 0), mdt_pointRadius(p, 1)};
     both[side] = radius;
     const MeBool isShared = memcmp(block->radius, both, sizeof both) == 0;
-    MdtExtra *extra = ownExtra(p, MDT_OWN_RADIUS, isShared, "MdtContactSetRadius");
+    MdtExtra *extra = makeOwnExtra(p, MDT_OWN_RADIUS, isShared, "MdtContactSetRadius");
     if (extra)
         setProperty(p, extra->radius, both, sizeof both);
     else if (!isShared && mdt_countSlots(block) == 1)
@@ -138,9 +138,9 @@ void mdt_pointSetRim(MdtPoint *p, int side, double rim, const double axis[3]) {
     setProperty(p, extra->axis[side], rim > 0 ? axis : none, sizeof extra->axis[side]);
 }
 
-/* Makes `direction` a unit vector in the contact plane, as near as may be to what it is; false when it is along the
+/* Replaces `direction` by the unit vector along its projection on the contact plane; false if it is parallel to the
  * normal. */
-static MeBool layIntoPlane(const double normal[3], double direction[3]) {
+static MeBool projectOnPlane(const double normal[3], double direction[3]) {
     const double before = keaLength(direction);
     keaAddScaled(direction, -keaDot(direction, normal), normal);
     const double size = keaLength(direction);
@@ -150,9 +150,9 @@ static MeBool layIntoPlane(const double normal[3], double direction[3]) {
     return METRUE;
 }
 
-/* The default primary direction: the projection of x, z or y on the contact plane, a later one only if it is clearly
- * more orthogonal to the normal. Hysteresis between equivalent axes, as on level ground: rounding must not change the
- * choice from step to step, as the warm start of friction has coordinates along it. */
+/* The default primary direction: the projection of x, z or y on the contact plane; a later one of these only if it is
+ * more orthogonal to the normal by a margin. The margin keeps the choice between equivalent axes, as on level ground,
+ * from changing with rounding: the warm start of friction is stored in coordinates along this direction. */
 static void chooseDirection(const double n[3], double direction[3]) {
     static const int order[] = {0, 2, 1};
     const double clearly = 0.1;
@@ -162,14 +162,14 @@ static void chooseDirection(const double n[3], double direction[3]) {
             min = order[i];
     keaZero(direction);
     direction[min] = 1;
-    layIntoPlane(n, direction);
+    projectOnPlane(n, direction);
 }
 
 void mdt_pointDirection(const MdtPoint *p, const double normal[3], double direction[3]) {
-    const MdtExtra *own = ownOf(p, MDT_OWN_DIRECTION);
+    const MdtExtra *own = findOwnExtra(p, MDT_OWN_DIRECTION);
     if (own) {
         keaCopy(direction, own->direction);
-        if (layIntoPlane(normal, direction))
+        if (projectOnPlane(normal, direction))
             return;
     }
     chooseDirection(normal, direction);
@@ -182,7 +182,7 @@ const MdtKeaVelocity *mdt_pointWorldVelocity(const MdtPoint *p) {
     return extra ? &extra->worldVelocity : &MdtBclWorldVelocity;
 }
 
-void mdt_pointShares(const MdtPoint *p, double share[2]) {
+void mdt_pointMotionWeights(const MdtPoint *p, double share[2]) {
     const MdtBaseConstraint *base = &mdt_manifoldOf(p)->base;
     const MeBool hasBoth = base->side[0].body && base->side[1].body;
     const MeBool isRound[2] = {hasBoth && mdt_pointIsRound(p, 0), hasBoth && mdt_pointIsRound(p, 1)};
@@ -190,7 +190,7 @@ void mdt_pointShares(const MdtPoint *p, double share[2]) {
         share[k] = isRound[0] != isRound[1] ? isRound[k] : hasBoth ? 0.5 : 1;
 }
 
-/* Writes place and depth, where they are others. */
+/* Writes position and depth if they differ. */
 static void setPlace(MdtPoint *p, const double place[3], double depth) {
     if (p->position[0] == place[0] && p->position[1] == place[1] && p->position[2] == place[2] && p->depth == depth)
         return;
@@ -208,7 +208,7 @@ void mdt_pointSetFound(MdtPoint *p, const double normal[3], const double share[2
         double lost[3];
         if (!base->side[k].body)
             continue;
-        mdt_bodyLostByRounding(base->side[k].body, position, lost);
+        mdt_bodyRoundingOffset(base->side[k].body, position, lost);
         keaAddScaled(place, share[k], lost);
         depth -= (k == 0 ? 1 : -1) * keaDot(normal, lost);
     }
@@ -234,7 +234,7 @@ void mdt_pointReset(MdtPoint *p) {
     mdt_constraintDisturb(&mdt_manifoldOf(p)->base);
 }
 
-void mdt_manifoldForget(MdtManifold *m) {
+void mdt_manifoldClearWarmStart(MdtManifold *m) {
     for (MdtPoint *p = mdt_pointFirst(m); p; p = mdt_pointAfter(p)) {
         p->numWarm = 0;
         p->force[0] = 0;

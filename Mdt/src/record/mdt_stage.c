@@ -1,15 +1,15 @@
-/* Stages of a world: what the program calls from its callbacks, and may not happen before they are done
+/* Stages of a world: calls that the program makes from its callbacks, and that are deferred until the stage is done
  * (mdt_record_i.h, MeInternal.h).
  *
- *     stage                                         level               what waits
+ *     stage                                         level               deferred
  *     pairs of models are handled (Mst)             MDT_GUARD_BODIES    destroying bodies
- *     MdtWorldForAllConstraints and its like        .. _CONSTRAINTS     and constraints; attaching, sorting them anew
+ *     MdtWorldForAllConstraints and similar         .. _CONSTRAINTS     and destroying, attaching, sorting constraints
  *     partitions are found and stepped; handlers    .. _GRAPH           and enabling, disabling
- *     a partition is solved                         .. _STATES          what is refused: placing bodies, and the like
- *     joints that broke are told                    MDT_GUARD_WORLD     nothing
+ *     a partition is solved                         .. _STATES          refused: moving bodies, and similar changes
+ *     callbacks for broken joints                   MDT_GUARD_WORLD     nothing
  *
- * What is condemned lives until then: it can be asked and changed, but not destroyed again, and its Mdt...IsValid says
- * no. */
+ * A condemned object lives until the stage ends: it can be read and changed, but not destroyed again, and its
+ * Mdt...IsValid returns false. */
 #include "MdtInternal.h"
 #include "MeAssert.h"
 #include "record/mdt_point_i.h"
@@ -19,7 +19,7 @@ MeStage *MEAPI MdtWorldGetStage(const MdtWorldID w) {
     return &w->stage;
 }
 
-MeWhen mdt_when(MdtWorldID w, int level, const char *caller, const MeLater *later) {
+MeWhen mdt_deferIfGuarded(MdtWorldID w, int level, const char *caller, const MeLater *later) {
     const MeWhen when = MeStageWhen(&w->stage, level, caller);
     return when == MeWhenStageEnds && !MeStageDefer(&w->stage, level, later, caller) ? MeWhenNever : when;
 }
@@ -31,14 +31,14 @@ MeBool mdt_mayChangeState(const MdtBody *b, const char *caller) {
     return MEFALSE;
 }
 
-/* ---- what was meant ---- */
+/* ---- objects of deferred calls ---- */
 
-MdtBodyID mdt_laterBody(const MeLater *later) {
+MdtBodyID mdt_deferredBody(const MeLater *later) {
     MdtBodyID b = later->object;
     return MeHandleIsLive(b, MDT_BODY) && b->link.serial == later->serial ? b : NULL;
 }
 
-MdtConstraintID mdt_laterConstraint(const MeLater *later) {
+MdtConstraintID mdt_deferredConstraint(const MeLater *later) {
     MdtConstraintID c = later->object;
     const MeBool isLive = MeHandleIsLive(c, MDT_JOINT) || MeHandleIsLive(c, MDT_MANIFOLD);
     return isLive && c->link.serial == later->serial ? c : NULL;
@@ -48,8 +48,8 @@ MdtConstraintID mdt_laterConstraint(const MeLater *later) {
 
 static void MEAPI destroyBody(const MeLater *later);
 
-/* The stage that keeps the body from going: its world's, or that of its models. */
-static MeStage *holderOf(MdtBodyID b) {
+/* The stage that guards the body from being destroyed: its world's, or that of its models; null if there is none. */
+static MeStage *guardingStage(MdtBodyID b) {
     MeStage *own = &b->world->stage, *user = b->user ? b->user->guardOf(b) : NULL;
     return MeStageIsActive(own, MDT_GUARD_BODIES) ? own : user;
 }
@@ -60,14 +60,14 @@ static MeBool deferDestroy(MeStage *stage, MdtBodyID b, const char *caller) {
 }
 
 static void MEAPI destroyBody(const MeLater *later) {
-    MdtBodyID b = mdt_laterBody(later);
-    MeStage *stage = b ? holderOf(b) : NULL;
+    MdtBodyID b = mdt_deferredBody(later);
+    MeStage *stage = b ? guardingStage(b) : NULL;
     if (b && !(stage && deferDestroy(stage, b, "MdtBodyDestroy")))
         mdt_bodyTerm(b);
 }
 
 void mdt_bodyDestroy(MdtBodyID b, const char *caller) {
-    MeStage *stage = holderOf(b);
+    MeStage *stage = guardingStage(b);
     if (!MeProgramMayChange(caller))
         return;
     if (!stage) {

@@ -1,39 +1,39 @@
-/* Whether a body stays where it is: what trembles, or swings by little, does (mdt_sleep.c). */
+/* Whether a body stays near its place, although it jitters or oscillates a little (mdt_sleep.c). */
 #include "record/mdt_record_i.h"
 #include <math.h>
 #include <string.h>
 
-/* Alive times that the rule looks ahead, and back: 1 s by default, and without. */
+/* Alive times over which the rule looks ahead and back: 1 s by default, and if the alive time is 0. */
 enum { AHEAD = 5 };
-/* How far a body moves in that time, of its radius of gyration, or of a fifth of the length scale if that is larger. A
- * box of 1 m that turns at 2.5e-3 rad/s, drifts at 1 mm/s, or swings by 1 cm to either side stays awake, and a push
- * that gives it 1 cm/s wakes it. */
-static const double stayingReach = 2.5e-3; /* less is at rest: nobody sees a millimetre a second */
-static const double swingingReach = 5e-2;  /* the same in 20 s: so far it may swing about its place */
-static const double quietReach = 2.5e-4;   /* a tenth: less is at rest at once */
-static const double wakingReach = 2.5e-2;  /* ten times: a push that moves a sleeper as far wakes it */
+/* Displacements in that time, relative to the larger of the body's radius of gyration and a fifth of the length scale.
+ * A box of 1 m that rotates at 2.5e-3 rad/s, drifts at 1 mm/s, or oscillates by +-1 cm stays awake, and a push that
+ * gives it 1 cm/s wakes it. */
+static const double stayingReach = 2.5e-3;   /* a body that moves less is at rest: 1 mm/s is not visible */
+static const double oscillationReach = 5e-2; /* 20 times that: largest oscillation about its place */
+static const double quietReach = 2.5e-4;     /* a tenth: a body that moves less is at rest at once */
+static const double wakingReach = 2.5e-2;    /* ten times: a push that moves a sleeping body as far wakes it */
 
 /* ---- one body ---- */
 
-/* s: "a second". */
-static double timeAhead(const MdtBody *b) {
+/* s: the time that is called "a second" here. */
+static double lookAheadTime(const MdtBody *b) {
     const double alive = (double)b->world->sleepParams.alive_time;
     return AHEAD * (alive > 0 ? alive : MDTWORLD_DEFAULT_ALIVE_TIME_THRESH);
 }
 
-/* m: of gyration, or a fifth of the length scale, for what is smaller. */
+/* m: the radius of gyration, at least a fifth of the length scale. */
 static double radiusOf(const MdtBody *b) {
     const double *I = b->kea.moments, min = 0.2 * (double)b->world->params.lengthScale;
     return fmax(sqrt(fmax(I[0], fmax(I[1], I[2])) * b->kea.invMass), min);
 }
 
-/* m: it is still if its displacement is no longer than this. */
+/* m: largest displacement of a body that is still. */
 static double stillDistance(double radius) {
     return stayingReach * radius;
 }
 
-/* It is near where it is now, and within `reach` of that. */
-static void settle(MdtBodyID b, double reach) {
+/* Restarts the observation at the present pose. reach: MdtStay.reach. */
+static void restartAt(MdtBodyID b, double reach) {
     MdtStay *s = &b->stay;
     keaCopy(s->position, b->kea.position);
     memcpy(s->quaternion, b->kea.quaternion, sizeof s->quaternion);
@@ -43,14 +43,14 @@ static void settle(MdtBodyID b, double reach) {
     s->reach = reach;
 }
 
-void mdt_stayForget(MdtBodyID b) {
+void mdt_stayRestart(MdtBodyID b) {
     memset(b->stay.displacement, 0, sizeof b->stay.displacement);
     b->stay.maxDisplacement = HUGE_VAL;
-    settle(b, 0);
+    restartAt(b, 0);
 }
 
-/* m, that it is away from there. */
-static double distanceOf(const MdtBody *b, double radius) {
+/* m: distance from the reference pose, with the rotation at the radius. */
+static double distanceFromPlace(const MdtBody *b, double radius) {
     double moved[3], back[4], turned[4];
     keaSubtract(moved, b->kea.position, b->stay.position);
     keaQuaternionConjugate(back, b->stay.quaternion);
@@ -58,16 +58,16 @@ static double distanceOf(const MdtBody *b, double radius) {
     return keaLength(moved) + 2 * keaLength(turned + 1) * radius;
 }
 
-/* m/s, of its points; overlaps that are corrected included. */
-static double speedOf(const MdtBody *b, double radius) {
+/* m/s: bound of the speed of the body's points, with the position correction of overlaps. */
+static double pointSpeed(const MdtBody *b, double radius) {
     double v[3];
     keaCopy(v, b->kea.velocity);
     keaAddScaled(v, 1, b->push);
     return keaLength(v) + radius * keaLength(b->spin);
 }
 
-/* Of the last step: of the centre of mass, and of what turns about it at the radius. */
-static void findDisplacement(const MdtBody *b, double radius, double displacement[6]) {
+/* The displacement of the last step: of the centre of mass, and of the rotation times the radius. */
+static void getStepDisplacement(const MdtBody *b, double radius, double displacement[6]) {
     double back[4], turned[4];
     keaSubtract(displacement, b->kea.position, b->start.position);
     keaQuaternionConjugate(back, b->start.quaternion);
@@ -79,24 +79,26 @@ static double lengthOfDisplacement(const double displacement[6]) {
     return keaLength(displacement) + keaLength(displacement + 3);
 }
 
-static void clamp(double displacement[6], double maxDisplacement) {
+static void clampDisplacement(double displacement[6], double maxDisplacement) {
     const double length = lengthOfDisplacement(displacement);
     for (int i = 0; i < 6 && length > maxDisplacement; i++)
         displacement[i] *= maxDisplacement / length;
 }
 
-/* In the last second, each part of it forgotten exponentially: of what trembles nothing is left. What swings comes
- * through its place: the most that there was is forgotten in a second, too, at e times what is still. */
+/* Adds a step's displacement to the exponentially weighted sum over the last second, in which jitter cancels. The sum
+ * of an oscillating body passes through zero, so its maximum over the last second is kept as well. Both are limited to
+ * e times the still distance, so that large ones decay within a second, too. */
 static void addDisplacement(MdtStay *s, const double displacement[6], double still, double share) {
-    clamp(s->displacement, exp(1) * still);
+    clampDisplacement(s->displacement, exp(1) * still);
     for (int i = 0; i < 6; i++)
         s->displacement[i] = exp(-share) * s->displacement[i] + displacement[i];
     s->maxDisplacement =
         fmax(exp(-share) * fmin(s->maxDisplacement, exp(1) * still), lengthOfDisplacement(s->displacement));
 }
 
-/* What comes back twice swings or trembles, unless it goes a tenth farther in between. Once is not enough: so does what
- * turns slowly near an end of its path. */
+/* Counts how often the body returns to half of its farthest distance. Two returns mean oscillation or jitter, unless
+ * the body goes a tenth farther in between. One is not enough: a body near a turning point of its path has one, too.
+ * */
 static void countReturns(MdtStay *s, double distance, double h) {
     const MeBool isBack = distance < 0.5 * s->farthest;
     s->farthest = fmax(s->farthest, distance);
@@ -112,21 +114,21 @@ static void countReturns(MdtStay *s, double distance, double h) {
     s->time += h;
 }
 
-/* What swings is given the more time to come to rest the farther it swings. */
-static MeBool swingsLittle(const MdtStay *s, double radius, double second) {
+/* True for two returns with a small amplitude; the amplitude may grow with the time observed. */
+static MeBool oscillatesLittle(const MdtStay *s, double radius, double second) {
     return s->time >= second && s->returns > 1 && s->farthest <= stayingReach * radius * s->time / second;
 }
 
-void mdt_stayCount(MdtBodyID b, double h) {
-    const double radius = radiusOf(b), distance = distanceOf(b, radius), second = timeAhead(b);
+void mdt_stayUpdate(MdtBodyID b, double h) {
+    const double radius = radiusOf(b), distance = distanceFromPlace(b, radius), second = lookAheadTime(b);
     MdtStay *s = &b->stay;
     double displacement[6];
-    findDisplacement(b, radius, displacement);
+    getStepDisplacement(b, radius, displacement);
     addDisplacement(s, displacement, stillDistance(radius), h / second);
-    if (distance > swingingReach * radius)
-        settle(b, 0);
-    else if (s->time > swingingReach / stayingReach * second)
-        settle(b, swingsLittle(s, radius, second) ? 2 * s->farthest : 0);
+    if (distance > oscillationReach * radius)
+        restartAt(b, 0);
+    else if (s->time > oscillationReach / stayingReach * second)
+        restartAt(b, oscillatesLittle(s, radius, second) ? 2 * s->farthest : 0);
     else
         countReturns(s, distance, h);
 }
@@ -134,14 +136,14 @@ void mdt_stayCount(MdtBodyID b, double h) {
 MeBool mdt_staysInPlace(const MdtBody *b) {
     const double radius = radiusOf(b);
     return b->stay.maxDisplacement <= stillDistance(radius) || b->stay.reach > 0 ||
-           swingsLittle(&b->stay, radius, timeAhead(b));
+           oscillatesLittle(&b->stay, radius, lookAheadTime(b));
 }
 
-/* m, in the next second, if it goes on as in the last step. */
+/* m: displacement in the next second if the motion of the last step goes on. */
 static double distanceAhead(const MdtBody *b, double radius) {
     const MdtKeaVelocity *a = &b->kea.lastStep;
-    const double t = timeAhead(b);
-    return t * speedOf(b, radius) + 0.5 * t * t * (keaLength(a->lin) + radius * keaLength(a->ang));
+    const double t = lookAheadTime(b);
+    return t * pointSpeed(b, radius) + 0.5 * t * t * (keaLength(a->lin) + radius * keaLength(a->ang));
 }
 
 MeBool mdt_isQuiet(const MdtBody *b) {
@@ -149,7 +151,7 @@ MeBool mdt_isQuiet(const MdtBody *b) {
     return b->world->hasThresholds || distanceAhead(b, radius) <= quietReach * radius;
 }
 
-/* By a change of momentum in h seconds. */
+/* push, angularImpulse: change of momentum in h seconds. */
 MeBool mdt_wouldMove(const MdtBody *b, const double push[3], const double angularImpulse[3], double h) {
     const MdtPartitionParams *sleepParams = &b->world->sleepParams;
     const double *I = b->kea.moments, radius = radiusOf(b);
@@ -158,5 +160,5 @@ MeBool mdt_wouldMove(const MdtBody *b, const double push[3], const double angula
     if (b->world->hasThresholds)
         return speed * speed > h * h * (double)sleepParams->acc_thresh ||
                spin * spin > h * h * (double)sleepParams->accrot_thresh;
-    return (speed + radius * spin) * timeAhead(b) > wakingReach * radius;
+    return (speed + radius * spin) * lookAheadTime(b) > wakingReach * radius;
 }

@@ -1,44 +1,44 @@
-/* Batches: many small partitions (islands), solved by the fast solver as one system, so that its SIMD lanes are filled
- * by different partitions: debris, balls on terrain, what is left of a wall. By itself each would cost the exact solver
- * 3 to 50 us a step (bench/debris), and would fill one lane of eight of the fast one.
+/* Batches: many small partitions (islands), solved by the fast solver as one system, so that different partitions fill
+ * its SIMD lanes: debris, balls on terrain, a collapsed wall. Solved alone, each would take the exact solver 3 to 50 us
+ * per step (bench/debris), or fill one of eight lanes of the fast one.
  *
- *     candidates   partitions of few bodies with constraints, not at rest; if these have enough bodies in all,
+ *     candidates   partitions of few bodies, with constraints and not near rest; if they have enough bodies together:
  *     members      those without joints and restitution, not in flight, for which the fast solver is chosen
  *                  (mdt_choice.c)
- *     batches      members in their order, until there are enough bodies
+ *     batches      consecutive members, each batch with a minimum number of bodies
  *
- * No constraint couples two members. The solver writes no body before its solution is whole: if that is not finite, or
- * gains energy, the members are stepped one by one instead. The residual is known for the batch only, so a partition
- * that has been calm for long leaves it, to get its certificate of rest by itself (mdt_certificate.c).
+ * No constraint couples two members. The solver writes no body before its whole solution is known: if that is not
+ * finite, or gains energy, the members are stepped one by one instead. The residual is known for the batch only, so a
+ * partition that has been calm for long leaves the batch and gets its rest certificate alone (mdt_certificate.c).
  */
 #include "MeAssert.h"
 #include "MeInternal.h"
 #include "step/mdt_step_i.h"
 #include <string.h>
 
-/* Bodies of a batch, at least: the cost of setting up a solve is shared, and there are enough batches for some workers.
- * 600 bodies that tumble or roll take 2 % more instructions with half as many, 1 % fewer with twice as many; no test
- * tells these apart. */
-enum { BATCH = 64 };
+/* Minimum number of bodies of a batch, to share the cost of setting up a solve, with enough batches left for some
+ * workers. 600 tumbling or rolling bodies take 2 % more instructions with half the number, 1 % fewer with twice the
+ * number; no test distinguishes these. */
+enum { MIN_BATCH_BODIES = 64 };
 
 /* ---- candidates ---- */
 
-/* How many bodies a partition has, if these are few and constraints act on them; else 0. */
-static int fewBodies(const MdtWorld *w, int partition) {
+/* The number of bodies of a partition if it is small and has constraints; else 0. */
+static int countIfSmall(const MdtWorld *w, int partition) {
     const int bodies = w->bodyStart[partition + 1] - w->bodyStart[partition];
     return bodies < MDT_LARGE_ISLAND && w->actingStart[partition + 1] > w->actingStart[partition] ? bodies : 0;
 }
 
-/* Writes the candidates as the first members; returns how many, and how many bodies they have. Those that their safe
- * time lets take a part of the step only are none. */
-static int findCandidates(MdtWorldID w, double h, MeBool safely, int *bodies) {
+/* Writes the candidates to the array of members. Returns their number, and in `bodies` that of their bodies. Partitions
+ * that safe times limit to a part of the step are no candidates. */
+static int findCandidates(MdtWorldID w, double h, MeBool stopAtSafeTime, int *bodies) {
     int count = 0;
     *bodies = 0;
     for (int i = 0; i < w->numPartitions; i++) {
-        if (fewBodies(w, i) == 0 || w->output.info[i].isDisabled || mdt_certificateIsNear(w, i))
+        if (countIfSmall(w, i) == 0 || w->output.info[i].isDisabled || mdt_certificateIsNear(w, i))
             continue;
         const MdtIsland p = mdt_islandOf(w, i, h);
-        if (safely && mdt_lagSafeStep(&p) != h)
+        if (stopAtSafeTime && mdt_lagSafeStep(&p) != h)
             continue;
         w->batches.member[count++].partition = i;
         *bodies += p.numBodies;
@@ -53,8 +53,9 @@ typedef struct Choosing {
     double h;
 } Choosing;
 
-/* Those in flight are none: a system that touches no world is advanced by its mean velocity (kea_fast.c), a batch is
- * not. The rule for order (MeTeam.h): a partition's choice reads and writes its own bodies alone. */
+/* Partitions in flight are excluded: a system without contacts with the world is advanced by its mean velocity
+ * (kea_fast.c), a batch is not. As the rule of MeTeam.h for a fixed order demands, the choice for a partition reads and
+ * writes its own bodies only. */
 static void MEAPI chooseMembers(void *context, int first, int end, int worker) {
     const Choosing *c = context;
     MdtBatches *b = &c->world->batches;
@@ -63,7 +64,7 @@ static void MEAPI chooseMembers(void *context, int first, int end, int worker) {
         MdtIsland p = mdt_islandOf(c->world, b->member[i].partition, c->h);
         mdt_islandCount(&p);
         const MeBool isPlain = p.numJoints == 0 && !p.bounces;
-        const MeBool isUnmet = p.record->isUnmet && p.record->share > 0; /* the exact solver may have to take it */
+        const MeBool isUnmet = p.record->isUnmet && p.record->share > 0; /* the exact solver may have to redo it */
         b->isIn[p.number] = isPlain && !isUnmet && !mdt_choiceIsInFlight(&p) && mdt_choiceIsFast(&p);
     }
 }
@@ -81,7 +82,7 @@ static void addMember(MdtWorldID w, int partition) {
     m[1].firstActing = m->firstActing + acting;
 }
 
-/* Candidates are read ahead of where members are written. */
+/* Candidates are read from the same array to which members are written, ahead of these. */
 static void findMembers(MdtWorldID w, double h, MeTeam *team, int candidates) {
     MdtBatches *b = &w->batches;
     Choosing choosing = {w, h};
@@ -103,26 +104,26 @@ static void makeBatches(MdtBatches *b) {
     b->firstMember[0] = 0;
     for (int i = 1; i <= b->numMembers; i++) {
         const int first = b->firstMember[b->count];
-        if (b->member[i].firstBody - b->member[first].firstBody >= BATCH || i == b->numMembers)
+        if (b->member[i].firstBody - b->member[first].firstBody >= MIN_BATCH_BODIES || i == b->numMembers)
             b->firstMember[++b->count] = i;
     }
 }
 
-void mdt_batchesFind(MdtWorldID w, double h, MeBool safely, MeTeam *team) {
+void mdt_batchesFind(MdtWorldID w, double h, MeBool stopAtSafeTime, MeTeam *team) {
     int bodies = 0;
     w->batches.count = 0;
     for (int i = 0; i < w->numPartitions; i++)
-        bodies += fewBodies(w, i);
+        bodies += countIfSmall(w, i);
     if ((!w->solverCb && w->solver == MdtSolverExact) || bodies < MDT_LARGE_ISLAND)
         return;
-    const int candidates = findCandidates(w, h, safely, &bodies);
+    const int candidates = findCandidates(w, h, stopAtSafeTime, &bodies);
     if (bodies < MDT_LARGE_ISLAND)
         return;
     findMembers(w, h, team, candidates);
     makeBatches(&w->batches);
 }
 
-/* ---- the step of one ---- */
+/* ---- the step of a batch ---- */
 
 MdtIsland mdt_batchOf(MdtWorldID w, int batch, double h) {
     const MdtBatches *b = &w->batches;
@@ -139,8 +140,8 @@ MdtIsland mdt_batchOf(MdtWorldID w, int batch, double h) {
     return p;
 }
 
-/* Rows and deepest overlap of the member's manifolds, from `at` on; returns the first one behind them. Manifolds have
- * the order of the members' constraints. */
+/* Finds the rows and the deepest overlap of a member, whose manifolds begin at `at`; returns the index behind them.
+ * Manifolds are in the order of the members' constraints. */
 static int measureMember(const MdtIsland *p, const MdtMember *m, int at, int *rows, double *penetration) {
     const int end = m[1].firstBody - p->member->firstBody;
     *rows = 0;
@@ -175,15 +176,15 @@ static void unpackBatch(MdtIsland *p) {
     mdt_membersCountCalm(p);
     mdt_unpackBodies(p);
     for (const MdtMember *m = p->member; m < p->member + p->numMembers; m++)
-        mdt_choiceNote(p, &p->world->record[m->partition]);
+        mdt_choiceRecordStep(p, &p->world->record[m->partition]);
     if (p->report)
         mdt_reportLap(p, MdtReportStageIntegrate);
     if (p->report || p->world->sizeLogLength > 0)
         reportMembers(p);
 }
 
-/* Each by itself, for the rest of the step. */
-static void stepMembersAlone(const MdtIsland *p) {
+/* Steps each member alone for the rest of the step. */
+static void stepMembersOneByOne(const MdtIsland *p) {
     for (const MdtMember *m = p->member; m < p->member + p->numMembers; m++) {
         MdtIsland own = mdt_islandOf(p->world, m->partition, p->h - p->elapsed);
         own.worker = p->worker;
@@ -193,7 +194,7 @@ static void stepMembersAlone(const MdtIsland *p) {
     }
 }
 
-/* If the solution is discarded, the bodies are as the part began, with their loads. */
+/* If the solution is discarded, the bodies are as at the start of the part, with their loads. */
 void mdt_batchAdvance(MdtIsland *p) {
     MdtReport report;
     mdt_reportBatch(p, &report);
@@ -208,5 +209,5 @@ void mdt_batchAdvance(MdtIsland *p) {
         mdt_islandRelease(p);
     }
     if (!isPacked || p->isStopped)
-        stepMembersAlone(p);
+        stepMembersOneByOne(p);
 }

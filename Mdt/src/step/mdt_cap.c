@@ -1,21 +1,21 @@
-/* The cap on the rows of a partition (Dynamics guide ch. 4, "Limiting the Matrix Size"): which rows are left out.
+/* The cap on the rows of a partition (Dynamics guide ch. 4, "Limiting the Matrix Size"): selects rows to leave out.
  *
  * First friction rows, then contacts between bodies, then contacts with the world, each from the shallowest to the
- * deepest; with a callback of the program, by its importance instead of depth and kind. Joints are never touched, and a
- * contact group keeps one contact.
+ * deepest. If the program has set a callback, its importance replaces depth and the distinction of bodies and world.
+ * Joints keep their rows, and a contact group keeps one contact.
  */
 #include "MeAssert.h"
 #include "step/mdt_step_i.h"
 #include <limits.h>
 
-/* A contact of the partition. Those of a group come one after the other. */
+/* A contact of the partition. Contacts of a group are consecutive. */
 typedef struct MdtRanked {
     const MdtPoint *point;
     MdtKeaPoint *at;
     double importance;
-    int first;   /* of its group, or itself */
-    int numKept; /* of the first: how many of the group are not left out */
-    int place;   /* not of this contact: index of the contact with this rank, least important first */
+    int first;   /* index of its group's first contact, or its own */
+    int numKept; /* of a first contact: how many contacts of the group still have rows */
+    int place;   /* entry i of a separate ranking: index of the i-th least important contact */
 } MdtRanked;
 
 /* Contacts of equal importance are ordered as in simulation. */
@@ -24,7 +24,7 @@ static MeBool isBefore(const MdtRanked ranking[], int a, int b) {
     return x != y ? x < y : a < b;
 }
 
-/* Shell's sort, which needs no memory. */
+/* Shell's sort, which needs no further memory. */
 static void sortByImportance(MdtRanked ranking[], int n) {
     for (int i = 0; i < n; i++)
         ranking[i].place = i;
@@ -64,7 +64,7 @@ static void rankContacts(MdtIsland *p, MdtRanked ranking[]) {
     sortByImportance(ranking, n);
 }
 
-/* Returns how many rows are left. */
+/* Removes the friction rows of the least important contacts. Returns the number of rows left. */
 static int dropFriction(const MdtIsland *p, MdtRanked ranking[], int rows, int max) {
     for (int i = 0; i < p->numContacts && rows > max; i++) {
         MdtKeaPoint *at = ranking[ranking[i].place].at;
@@ -117,7 +117,7 @@ int mdt_capRows(MdtIsland *p, int rows, int max) {
     if (!ranking)
         return rows;
     rankContacts(p, ranking);
-    if (p->world->importance) /* which may have changed joints, though it must not */
+    if (p->world->importance) /* the callback may have changed joints, though it must not */
         rows = mdt_rowsCount(p);
     rows = dropRows(p, ranking, rows, max);
     MeChunkPutMem(&p->worker->ranking, ranking);

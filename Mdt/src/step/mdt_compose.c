@@ -1,33 +1,34 @@
-/* A part of a step by stages that together are of order 4 (MdtWorldSetIntegratorOrder).
+/* Stages of the integration scheme of order 4 (MdtWorldSetIntegratorOrder), for a part of a step.
  *
- * The step of joints alone is symmetric, but it is no map near the identity: the velocities' components along the
- * directions that joints hold change their sign at every step (kea_velocity.c). Two of them, each of h/2, are: their
- * expansion is that of a symmetric method of order 2, which has odd powers of h only, h³ first. Five such pairs,
+ * The step of joints alone is symmetric, but no map near the identity: the components of velocities along the
+ * directions that joints constrain change their sign in every step (kea_velocity.c). Two steps of h/2 each are such a
+ * map: their expansion is that of a symmetric method of order 2, with odd powers of h only, beginning with h³. Five
+ * such pairs,
  *
  *     (a, a, b, a, a) h,   a = 1/(4 - 4^(1/3)) = .4145,   b = 1 - 4 a = -.6579,   4 a³ + b³ = 0,
  *
  * have no term of h³ and, being symmetric too, none of h⁴ (Suzuki 1990; Hairer, Lubich and Wanner, Geometric Numerical
- * Integration, II.4). The triple jump has three pairs, and fifty times the error at a pendulum at 60 Hz; and it leaves
- * the step, by a third of its length, where this one stays within: it can be ended after any stage.
+ * Integration, II.4). The triple jump has three pairs, and fifty times the error with a pendulum at 60 Hz; it also goes
+ * beyond the step by a third of its length, while this scheme stays within it and may be ended after any stage.
  *
- * Stages take joints for rigid, whatever epsilon: compliance looks at the end of a stage. The part of the errors that
- * gamma takes away is divided over the stages that go forward. The one that goes back is taken forward by the system
- * with its velocities turned round (MdtKeaReverse).
+ * In stages joints are rigid, whatever epsilon is, since compliance acts on the end of a stage. The relaxation by gamma
+ * is divided among the forward stages. The backward stage is a forward one with all velocities reversed
+ * (MdtKeaReverse).
  *
- * Where a stage is not reversible (MdtKeaIsReversible), or is not solved to its end, the rest of the part is taken
- * without composition.
+ * If a stage is not reversible (MdtKeaIsReversible), or its solve is inexact, the rest of the part is integrated with
+ * order 2.
  */
 #include "MeAssert.h"
 #include "step/mdt_step_i.h"
 
-/* Only for partitions without contacts; whether the joints are reversible is known when their rows are made. */
+/* Only for partitions without contacts. Whether the joints are reversible is known when their rows have been made. */
 MeBool mdt_mayCompose(const MdtIsland *p) {
     return p->world->order == 4 && p->numJoints > 0 && p->numContacts == 0 && !p->isFast;
 }
 
 enum { STAGES = 5 };
 
-/* One of two halves of a stage. False: it can not be reversed, or was not solved to its end. */
+/* Advances by half of a stage. False if it is not reversible, or its solve is inexact. */
 static MeBool advanceHalf(MdtIsland *p, double half) {
     mdt_substepMakeRows(p, half);
     if (!MdtKeaIsReversible(&p->kea))
@@ -36,7 +37,7 @@ static MeBool advanceHalf(MdtIsland *p, double half) {
     return !p->isStopped && !p->kea.report.capped;
 }
 
-/* Returns whether the whole stage was taken, and solved to its end. */
+/* True if the whole stage was integrated, and its solves were exact. */
 static MeBool advanceStage(MdtIsland *p, double stage) {
     const double half = 0.5 * fabs(stage);
     p->stage = stage < 0 ? MDT_STAGE_BACK : MDT_STAGE_FORWARD;
@@ -51,7 +52,7 @@ static MeBool advanceStage(MdtIsland *p, double stage) {
     return isDone;
 }
 
-/* One composition, and what is left of the part where that comes to an end. */
+/* One composition; if it ends early, order 2 for the rest of the part. */
 static void advanceStages(MdtIsland *p, const double share[], double substep) {
     const double end = p->elapsed + substep, min = 1e-9 * substep;
     MeBool isDone = METRUE;
@@ -63,8 +64,8 @@ static void advanceStages(MdtIsland *p, const double share[], double substep) {
         mdt_substepAdvance(p, end - p->elapsed, 0);
 }
 
-/* Where the motion is violent the whole composition is halved, not its stages: errors of order 3 cancel only among
- * stages of one composition. */
+/* If bodies would turn too far, the whole composition is halved, not its stages: errors of order 3 cancel only among
+ * the stages of one composition. */
 static void divideComposition(MdtIsland *p, const double share[], double substep, int halvings) {
     enum { MAX_HALVINGS_COMPOSED = 6 };
     if (halvings == MAX_HALVINGS_COMPOSED || !MdtKeaTurnsTooFar(&p->kea, 0.5 * fabs(share[STAGES / 2]) * substep)) {

@@ -1,24 +1,24 @@
-/* Contacts of a partition as Kea takes them, and their forces back. Points of a group that share a normal, a surface
- * and radii are a manifold of Kea's, up to four of them; a point that has something else of its own (MdtExtra) is one
- * by itself. They come in the order of simulation. */
+/* Conversion of a partition's contacts to Kea's manifolds, and of the forces back. Up to four points of a group that
+ * share normal, surface and radii form one manifold of Kea's; a point with other values of its own (MdtExtra) forms one
+ * alone. The manifolds are in the order of simulation. */
 #include "MeAssert.h"
 #include "api/mdt_api_i.h"
 #include "step/mdt_step_i.h"
 #include <string.h>
 
-/* ---- which points are one manifold ---- */
+/* ---- grouping points to manifolds ---- */
 
 static MeBool isMoving(const MdtKeaVelocity *v) {
     return keaDot(v->lin, v->lin) + keaDot(v->ang, v->ang) > 0;
 }
 
-/* Has the point something of its own, beside normal and radii, that the points of a manifold of Kea's share? */
+/* True if the point has values of its own, besides normal and radii, that a manifold of Kea's has only once. */
 static MeBool needsOwnManifold(const MdtExtra *extra) {
     const int own = MDT_OWN_PARAMS | MDT_OWN_DIRECTION | MDT_WATCHED;
     return (extra->record.flags & own) || isMoving(&extra->worldVelocity) || extra->rim[0] > 0 || extra->rim[1] > 0;
 }
 
-/* Whether a point of the record does not share all of its values. */
+/* True if some point of the record has values that differ from the shared ones. */
 static MeBool hasOwnValues(const MdtManifold *block) {
     for (const MdtExtra *extra = block->extras; extra; extra = extra->next)
         if (extra->slot != MDT_GROUP_SLOT &&
@@ -27,34 +27,34 @@ static MeBool hasOwnValues(const MdtManifold *block) {
     return MEFALSE;
 }
 
-/* Most groups: their points need not come from memory to be counted. */
+/* True for most groups; their points need not be read to count the manifolds. */
 static MeBool isOneManifold(const MdtManifold *first) {
     return !first->next && !hasOwnValues(first);
 }
 
-/* Other groups, as on the triangles of a surface, or of the parts of compounds: points of equal normal, radii and
- * surface are one manifold, whatever records they are in. So many combinations are compared; a point of a further one
- * is a manifold by itself, which is right too, and slower: no test tells 8 from 32. */
-enum { MAX_KINDS = 16 };
+/* For other groups, as on triangles of a surface or on parts of compounds: points of equal normal, radii and surface
+ * form one manifold, whichever records they are in. At most so many combinations are remembered; a point of a further
+ * one forms a manifold alone, which is correct, but slower. No test distinguishes 8 from 32. */
+enum { MAX_COMBINATIONS = 16 };
 
-typedef struct Kind {
+typedef struct SharedValues {
     const MeReal *normal, *radius;
     const MdtSurface *surface;
     int manifold, numPoints;
-} Kind;
+} SharedValues;
 
-typedef struct Sorting {
-    int numKinds, numManifolds; /* of the group */
-    Kind kind[MAX_KINDS];
-} Sorting;
+typedef struct Grouping {
+    int numCombinations, numManifolds; /* of the group so far */
+    SharedValues kind[MAX_COMBINATIONS];
+} Grouping;
 
-static MeBool isOfKind(const Kind *kind, const Kind *other) {
+static MeBool haveSameValues(const SharedValues *kind, const SharedValues *other) {
     return kind->surface == other->surface && memcmp(kind->normal, other->normal, 3 * sizeof *kind->normal) == 0 &&
            memcmp(kind->radius, other->radius, 2 * sizeof *kind->radius) == 0;
 }
 
-static Kind kindOf(const MdtManifold *block, const MdtExtra *extra) {
-    Kind kind = {.normal = block->normal, .radius = block->radius, .surface = block->surface};
+static SharedValues sharedValuesOf(const MdtManifold *block, const MdtExtra *extra) {
+    SharedValues kind = {.normal = block->normal, .radius = block->radius, .surface = block->surface};
     if (extra && (extra->record.flags & MDT_OWN_NORMAL))
         kind.normal = extra->normal;
     if (extra && (extra->record.flags & MDT_OWN_RADIUS))
@@ -62,39 +62,39 @@ static Kind kindOf(const MdtManifold *block, const MdtExtra *extra) {
     return kind;
 }
 
-/* The index, in the group, of the manifold that the next point goes to; it is a new one if that was numManifolds. */
-static int assignManifold(Sorting *s, const MdtManifold *block, const MdtPoint *point) {
+/* The index, in the group, of the manifold to which the point is added; a new manifold if it was numManifolds. */
+static int assignManifold(Grouping *s, const MdtManifold *block, const MdtPoint *point) {
     const MdtExtra *extra = mdt_extraOf(block, point->slot);
     if (extra && needsOwnManifold(extra))
         return s->numManifolds++;
-    Kind kind = kindOf(block, extra);
+    SharedValues kind = sharedValuesOf(block, extra);
     int at = 0;
-    while (at < s->numKinds && !isOfKind(&s->kind[at], &kind))
+    while (at < s->numCombinations && !haveSameValues(&s->kind[at], &kind))
         at++;
-    if (at < s->numKinds && s->kind[at].numPoints < MdtKeaMANIFOLDPOINTS) {
+    if (at < s->numCombinations && s->kind[at].numPoints < MdtKeaMANIFOLDPOINTS) {
         s->kind[at].numPoints++;
         return s->kind[at].manifold;
     }
     kind.manifold = s->numManifolds;
     kind.numPoints = 1;
-    if (at < MAX_KINDS)
+    if (at < MAX_COMBINATIONS)
         s->kind[at] = kind;
-    s->numKinds = MeMAX(s->numKinds, MeMIN(at + 1, MAX_KINDS));
+    s->numCombinations = MeMAX(s->numCombinations, MeMIN(at + 1, MAX_COMBINATIONS));
     return s->numManifolds++;
 }
 
-/* ---- room ---- */
+/* ---- sizes ---- */
 
-static int countSorted(const MdtManifold *first) {
-    Sorting sorting;
-    sorting.numKinds = sorting.numManifolds = 0;
+static int countGrouped(const MdtManifold *first) {
+    Grouping grouping;
+    grouping.numCombinations = grouping.numManifolds = 0;
     for (const MdtPoint *p = mdt_pointFirst(first); p; p = mdt_pointAfter(p))
-        assignManifold(&sorting, mdt_blockOf(p), p);
-    return sorting.numManifolds;
+        assignManifold(&grouping, mdt_blockOf(p), p);
+    return grouping.numManifolds;
 }
 
 int mdt_contactsCount(const MdtManifold *first) {
-    return isOneManifold(first) ? first->numPoints > 0 : countSorted(first);
+    return isOneManifold(first) ? first->numPoints > 0 : countGrouped(first);
 }
 
 static size_t keaBytes(int count) {
@@ -127,7 +127,7 @@ static void packPoint(MdtKeaManifold *m, MdtIslandManifold *own, MdtPoint *point
         to->guess[i] = isWarm ? point->force[i] : 0;
 }
 
-/* A manifold of no points, with what the point shares with those that may follow. */
+/* Begins a manifold without points, with the values that `first` shares with the points that follow. */
 static void beginManifold(MdtKeaManifold *m, const MdtPoint *first, int *problems) {
     const MdtBaseConstraint *base = &mdt_manifoldOf(first)->base;
     const MdtBclContactParams *params = mdt_pointParams(first);
@@ -145,7 +145,7 @@ static void beginManifold(MdtKeaManifold *m, const MdtPoint *first, int *problem
     *problems |= mdt_surfaceProblem(params);
 }
 
-/* The points of a record. Returns the first manifold behind those that it has written. */
+/* Packs the points of a record as one manifold. Returns the index behind it. */
 static int packBlock(const MdtIsland *p, const MdtManifold *block, int at, int *problems) {
     MdtPoint *point = mdt_pointIn(block, 0);
     if (!point)
@@ -156,31 +156,31 @@ static int packBlock(const MdtIsland *p, const MdtManifold *block, int at, int *
     return at + 1;
 }
 
-static int packSorted(const MdtIsland *p, const MdtManifold *first, int at, int *problems) {
-    Sorting sorting;
-    sorting.numKinds = sorting.numManifolds = 0;
+static int packGrouped(const MdtIsland *p, const MdtManifold *first, int at, int *problems) {
+    Grouping grouping;
+    grouping.numCombinations = grouping.numManifolds = 0;
     for (MdtPoint *point = mdt_pointFirst(first); point; point = mdt_pointAfter(point)) {
-        const int before = sorting.numManifolds, place = assignManifold(&sorting, mdt_blockOf(point), point);
+        const int before = grouping.numManifolds, place = assignManifold(&grouping, mdt_blockOf(point), point);
         if (place == before)
             beginManifold(&p->kea.manifolds[at + place], point, problems);
         packPoint(&p->kea.manifolds[at + place], &p->manifolds[at + place], point);
     }
-    return at + sorting.numManifolds;
+    return at + grouping.numManifolds;
 }
 
 int mdt_contactsPack(const MdtIsland *p, const MdtManifold *first, int at, int *problems) {
-    return isOneManifold(first) ? packBlock(p, first, at, problems) : packSorted(p, first, at, problems);
+    return isOneManifold(first) ? packBlock(p, first, at, problems) : packGrouped(p, first, at, problems);
 }
 
 void mdt_contactsCarry(MdtIsland *p) {
     for (int i = 0; i < p->kea.numManifolds; i++)
         for (int k = 0; k < p->kea.manifolds[i].numPoints; k++) {
             MdtKeaPoint *at = &p->kea.manifolds[i].point[k];
-            mdt_pointCarried(p->manifolds[i].point[k], at->position, &at->depth);
+            mdt_pointGetCurrent(p->manifolds[i].point[k], at->position, &at->depth);
         }
 }
 
-/* ---- and back ---- */
+/* ---- forces back to the contacts ---- */
 
 static void addForce(const MdtKeaManifold *m, const double force[3], double share, double mean[3]) {
     double across[3];
@@ -191,7 +191,7 @@ static void addForce(const MdtKeaManifold *m, const double force[3], double shar
     MEASSERT(isfinite(keaDot(mean, mean)));
 }
 
-/* The rule for order (MeTeam.h): a range of manifolds writes to these, and to their contacts, alone. */
+/* As the rule of MeTeam.h for a fixed order demands, a range writes only to its own manifolds and their contacts. */
 typedef struct Unpacking {
     MdtIsland *p;
     double share;

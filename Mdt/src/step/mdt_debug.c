@@ -1,4 +1,4 @@
-/* Draws what a step did, by MeDebugDrawAPI: contacts and their forces. */
+/* Debug drawing of a step by MeDebugDrawAPI: contacts and their forces. */
 #include "MdtConstraint.h"
 #include "MdtContact.h"
 #include "MdtContactGroup.h"
@@ -8,13 +8,13 @@
 #include "MeMath.h"
 #include "step/mdt_step_i.h"
 
-/* A force is drawn as the acceleration that it gives its contact's first body: .1 m for 1 m/s², so that what carries a
- * body's weight is about a metre long, whatever the mass. */
+/* Forces are drawn as the acceleration of the contact's first body, .1 m for 1 m/s²: a force that carries a body's
+ * weight is about a metre long, whatever the mass. */
 #define METRES_PER_ACCELERATION ((MeReal)0.1)
-/* A contact without force is drawn this long along its normal, m. */
+/* m: length of the line along the normal of each contact. */
 #define NORMAL_LENGTH ((MeReal)0.3)
 
-static void drawFrom(const MeVector3 start, const MeVector3 direction, MeReal length, const MeReal colour[3]) {
+static void drawLine(const MeVector3 start, const MeVector3 direction, MeReal length, const MeReal colour[3]) {
     MeVector3 from, to;
     MeVector3Copy(from, start);
     MeVector3ScaleAndAdd(to, direction, length, start);
@@ -31,15 +31,15 @@ static void drawContact(MdtContactID c, int options) {
     MdtContactGetPosition(c, position);
     if (options & MdtDebugDrawContacts) {
         MdtContactGetNormal(c, v);
-        drawFrom(position, v, NORMAL_LENGTH, yellow);
+        drawLine(position, v, NORMAL_LENGTH, yellow);
     }
     if ((options & MdtDebugDrawContactForce) && body) {
         MdtConstraintGetForce(constraint, 0, v);
-        drawFrom(position, v, METRES_PER_ACCELERATION / MdtBodyGetMass(body), red);
+        drawLine(position, v, METRES_PER_ACCELERATION / MdtBodyGetMass(body), red);
     }
 }
 
-/* The contacts of a group, or a contact that is in none. */
+/* Draws the contacts of a group, or a contact that is in no group. */
 static void drawConstraint(MdtConstraintID constraint, int options) {
     const MdtContactGroupID group = MdtConstraintDCastContactGroup(constraint);
     const MdtContactID single = group ? 0 : MdtConstraintDCastContact(constraint);

@@ -1,8 +1,8 @@
-/* Check builds: warns of a world without gravity, which a new world has not, in which nothing moves.
+/* Check builds: warns that nothing moves in a world without gravity, which is the default of a new world.
  *
- * The warning is given once, after a second in which there are bodies that have been enabled, and nothing ever acts on
- * them: the program has not called MdtWorldSetGravity, no body has a velocity or a load, no constraint is enabled. The
- * second begins anew where the program moves a body itself, as one does that uses bodies to carry models. */
+ * The warning is given once, after a second with enabled bodies on which nothing acts: the program has not called
+ * MdtWorldSetGravity, no body has a velocity or a load, and no constraint is enabled. The second restarts when the
+ * program moves a body itself, as programs do that use bodies to place models. */
 #include "MdtBody.h"
 #include "MdtInternal.h"
 #include "step/mdt_step_i.h"
@@ -12,21 +12,21 @@ static MeBool isZero(const double v[3]) {
     return v[0] == 0 && v[1] == 0 && v[2] == 0;
 }
 
-static MeBool isAlone(const MdtBody *b) {
+static MeBool isUnaffected(const MdtBody *b) {
     return isZero(b->force) && isZero(b->torque) && isZero(b->impulse) && isZero(b->angularImpulse) &&
            MeVector3MagnitudeSqr(b->velocity) == 0 && MeVector3MagnitudeSqr(b->angularVelocity) == 0;
 }
 
-/* Whether nothing acts on any body as a step begins. The sum of bodies and of their moves detects bodies that the
+/* True if nothing acts on any body at the start of a step. `sum`, over bodies and their moves, detects bodies that the
  * program moves itself. */
-static MeBool areAllAlone(const MdtWorld *w, unsigned long *sum) {
+static MeBool areAllUnaffected(const MdtWorld *w, unsigned long *sum) {
     *sum = 0;
     if (w->enabledBodies + w->asleepBodies == 0 || w->enabledConstraints > 0)
         return MEFALSE;
     for (const MdtLink *link = w->bodies.first; link; link = link->next) {
         const MdtBody *b = mdt_linkOwner(link);
         *sum += 1 + b->moves;
-        if (!isAlone(b))
+        if (!isUnaffected(b))
             return MEFALSE;
     }
     return METRUE;
@@ -36,7 +36,7 @@ void mdt_idleWatch(MdtWorldID w, double h) {
     unsigned long sum;
     if (w->idle.isOver)
         return;
-    if (!areAllAlone(w, &sum)) {
+    if (!areAllUnaffected(w, &sum)) {
         w->idle.isOver = w->enabledBodies + w->asleepBodies > 0;
         return;
     }

@@ -1,5 +1,5 @@
-/* Steps by safe time: a partition advances by its bodies' least safe time, and the rest of the step, its lag, follows
- * in parts (MdtWorldStepRest). */
+/* Steps by safe time: a partition advances by the shortest safe time of its bodies; the rest of the step, its lag,
+ * follows in parts (MdtWorldStepRest). */
 #include "MeAssert.h"
 #include "step/mdt_step_i.h"
 #include <math.h>
@@ -16,7 +16,7 @@ typedef struct Lagging {
     double remainingTime;
 } Lagging;
 
-/* The rule for order (MeTeam.h): a range writes to its own bodies alone. */
+/* As the rule of MeTeam.h for a fixed order demands, a range writes to its own bodies only. */
 static void MEAPI setLags(void *context, int first, int end, int worker) {
     const Lagging *l = context;
     (void)worker;
@@ -32,8 +32,8 @@ void mdt_lagSet(const MdtIsland *p, double remainingTime) {
     MeTeamRunRanges(p->team, p->numBodies, MDT_RANGE, setLags, &lagging);
 }
 
-/* s: the common lag of the partition's bodies, without those that have just been woken; 0: one of them has no lag. */
-static double lagOf(const MdtIsland *p) {
+/* s: the common lag of the partition's bodies, except those that have just been woken; 0 if one of them has no lag. */
+static double commonLag(const MdtIsland *p) {
     double min = INFINITY;
     for (int i = 0; i < p->numBodies; i++)
         if (p->bodies[i]->enabledSteps > 0)
@@ -41,9 +41,9 @@ static double lagOf(const MdtIsland *p) {
     return min < INFINITY ? min : 0;
 }
 
-/* Is the part too short to be taken? A velocity that is found from positions has their rounding over the part: 2^-53 of
- * 1 km in 2^-14 of 1/60 s is 1e-7 m/s. A body that passes its own size in a hundredth of the step moves by less than 1
- * % of it. */
+/* True if the part is too short to be integrated. A velocity that is computed from positions has their rounding error
+ * over the part: 2^-53 of 1 km in 2^-14 of 1/60 s is 1e-7 m/s. A body that moves by its own size in a hundredth of the
+ * step moves by less than 1 % of it in such a part. */
 static MeBool isTooShort(const MdtIsland *p) {
     enum { MAX_SUBSTEPS = 1 << 14 };
     return !(p->h * MAX_SUBSTEPS > p->whole);
@@ -51,7 +51,7 @@ static MeBool isTooShort(const MdtIsland *p) {
 
 static MeBool advanceLag(MdtWorldID w, int number) {
     MdtIsland p = mdt_islandOf(w, number, 0);
-    const double lag = lagOf(&p);
+    const double lag = commonLag(&p);
     p.h = lag;
     for (int i = 0; i < p.numBodies; i++)
         p.h = fmin(p.h, (double)p.bodies[i]->safeTime);

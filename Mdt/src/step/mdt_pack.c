@@ -1,4 +1,4 @@
-/* Pack: scratch memory for a partition's step, and what acts on its bodies. */
+/* Pack: scratch memory for a partition's step, loads of its bodies, manifolds of its contacts. */
 #include "MeAssert.h"
 #include "MeInternal.h"
 #include "MeMath.h"
@@ -6,17 +6,17 @@
 #include <limits.h>
 #include <string.h>
 
-/* ---- what acts, in chunks ---- */
+/* ---- acting constraints, in chunks ---- */
 
-/* Of the constraints of a chunk: how many, and what was found as they were packed. */
+/* Counts of the constraints of a chunk, and properties found while they are packed. */
 typedef struct Chunk {
-    int rows, joints, points, manifolds; /* rows: of joints, at most */
+    int rows, joints, points, manifolds; /* rows: upper bound, of joints */
     int firstManifold, surfaceProblems;
     MeBool hasUserRows, bounces, losesEnergy;
 } Chunk;
 
-/* The rule for order (MeTeam.h): chunks depend on the number of constraints alone, and so do the manifolds' places,
- * which each chunk writes; what chunks count is summed in their order. */
+/* As the rule of MeTeam.h for a fixed order demands, chunks depend on the number of constraints only, and so do the
+ * indices of the manifolds that each chunk writes; counts are summed in the order of chunks. */
 enum { MAX_CHUNKS = 128 };
 
 typedef struct Acting {
@@ -25,22 +25,22 @@ typedef struct Acting {
     Chunk chunk[MAX_CHUNKS];
 } Acting;
 
-static void noteRestitution(const MdtBclContactParams *params, Chunk *c) {
+static void recordRestitution(const MdtBclContactParams *params, Chunk *c) {
     if (!mdt_bounces(params))
         return;
     c->bounces = METRUE;
     c->losesEnergy = c->losesEnergy || (double)params->restitution < 1;
 }
 
-/* Points mostly have their record's surface. */
+/* Without extras all points of a record have the record's surface. */
 static void countManifold(const MdtManifold *m, Chunk *c) {
     c->points += m->numPoints;
     c->manifolds += mdt_contactsCount(m);
     for (const MdtManifold *block = m->numPoints > 0 ? m : NULL; block; block = block->next) {
         if (!block->extras)
-            noteRestitution(&block->surface->params, c);
+            recordRestitution(&block->surface->params, c);
         for (const MdtPoint *at = mdt_pointIn(block, 0); at && block->extras; at = mdt_pointIn(block, at->slot + 1))
-            noteRestitution(mdt_pointParams(at), c);
+            recordRestitution(mdt_pointParams(at), c);
     }
 }
 
@@ -77,7 +77,7 @@ static void MEAPI packChunk(void *context, int item, int worker) {
     MEASSERT(at == c->firstManifold + c->manifolds);
 }
 
-/* Returns the sums over all chunks. */
+/* Counts the constraints of all chunks; returns the sums. */
 static Chunk countActing(Acting *a) {
     MdtIsland *p = a->p;
     Chunk all = {0};
@@ -105,7 +105,7 @@ static void packContacts(Acting *a) {
 
 /* ---- the system ---- */
 
-/* Room for Kea's arrays and, behind them, the manifolds. */
+/* Allocates scratch memory for Kea's arrays, followed by the manifolds. False, with a warning, if it is too large. */
 static MeBool allocateScratch(MdtIsland *p, int manifolds) {
     const size_t bytes = MdtKeaScratchSize(p->numBodies, p->kea.maxRows, p->kea.maxContacts);
     const size_t total = bytes + mdt_contactsSize(manifolds);
@@ -120,7 +120,7 @@ static MeBool allocateScratch(MdtIsland *p, int manifolds) {
     return METRUE;
 }
 
-/* Enough for the exact solver, if it may take the step after the fast one. */
+/* Allocates scratch memory for the exact solver, too, if it may redo a step of the fast one. */
 static MeBool allocateScratchForBoth(MdtIsland *p, int manifolds) {
     const MeBool isFast = p->isFast;
     if (p->numMembers == 0 && p->record->share > 0)
@@ -130,13 +130,13 @@ static MeBool allocateScratchForBoth(MdtIsland *p, int manifolds) {
     return isDone;
 }
 
-static void noteActing(MdtIsland *p, const Chunk *all) {
+static void storeCounts(MdtIsland *p, const Chunk *all) {
     p->numJoints = all->joints;
     p->jointRows = all->rows;
     p->numContacts = all->points;
     p->hasUserRows = all->hasUserRows;
     p->mayBeFast = p->jointRows + p->numContacts * MdtBclGETMAXROWSCONTACT <= p->world->maxMatrixSize &&
-                   !p->hasUserRows; /* it leaves no rows out, and has to know how rows move with bodies */
+                   !p->hasUserRows; /* the fast solver has no cap, and cannot update rows of callbacks */
     p->bounces = all->bounces;
     p->losesEnergy = all->losesEnergy;
 }
@@ -145,7 +145,7 @@ static void setSystem(MdtIsland *p) {
     mdt_islandSetFast(p, p->numMembers > 0 || mdt_choiceIsFast(p));
     p->kea.numBodies = p->numBodies;
     p->kea.errors = p->numJoints > 0 ? mdt_rowsErrors : NULL;
-    p->kea.jacobians = p->numJoints > 0 ? mdt_rowsMove : NULL;
+    p->kea.jacobians = p->numJoints > 0 ? mdt_rowsUpdateJacobians : NULL;
     p->kea.cache = p->worker->keaCache;
     p->kea.team = p->team;
     p->kea.context = p;
@@ -160,7 +160,7 @@ static void addGravity(MdtWorldID w, MdtBodyID b) {
         b->kea.force[i] += b->mass * (double)w->params.gravity[i];
 }
 
-/* The rule for order: a range writes to its own bodies alone. */
+/* As the rule of MeTeam.h for a fixed order demands, a range writes to its own bodies only. */
 static void MEAPI packBodies(void *island, int first, int end, int worker) {
     const MdtIsland *p = island;
     (void)worker;
@@ -169,7 +169,7 @@ static void MEAPI packBodies(void *island, int first, int end, int worker) {
         p->bodies[i]->index = i;
         mdt_bodyPack(p->bodies[i], p->whole, p->numJoints > 0 && !p->isFast);
         addGravity(p->world, p->bodies[i]);
-        mdt_bodyNoteStart(p->bodies[i]);
+        mdt_bodySaveStart(p->bodies[i]);
     }
 }
 
@@ -177,14 +177,14 @@ void mdt_islandCount(MdtIsland *p) {
     Acting acting;
     acting.p = p;
     const Chunk all = countActing(&acting);
-    noteActing(p, &all);
+    storeCounts(p, &all);
 }
 
 MeBool mdt_islandPack(MdtIsland *p) {
-    Acting acting; /* no initializer: most partitions have one chunk */
+    Acting acting; /* not initialized, as most partitions use one chunk only */
     acting.p = p;
     const Chunk all = countActing(&acting);
-    noteActing(p, &all);
+    storeCounts(p, &all);
     setSystem(p);
     if (!allocateScratchForBoth(p, all.manifolds))
         return MEFALSE;

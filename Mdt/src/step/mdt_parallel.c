@@ -1,52 +1,52 @@
-/* A world's partitions, by its workers.
+/* Distribution of a world's partitions to its workers.
  *
- *     put to rest      one after the other, on the calling thread: programs are told
- *     in batches       many that have few bodies each, by the fast solver as one system (mdt_batch.c): a task each
+ *     sleep            one after the other, on the calling thread, since programs are notified
+ *     in batches       small partitions, which the fast solver solves together (mdt_batch.c): one task per batch
  *     together         a partition that is a large share of all work: one after the other, each by all workers (Kea's
  *                      fast solver divides it among them)
- *     at once          all others: tasks of about the same size, the largest partitions first
+ *     in parallel      all others: tasks of about equal size, beginning with the largest partitions
  *
- * The rule for order: partitions share no body and no constraint, so that a step of one neither reads nor writes what
- * is another's. A worker has scratch memory, and a cache that finds what it would make anew; neither shows in an
- * answer. Messages wait, and are sent in the partitions' order. Where a program's function is called in the middle of a
- * partition's step, partitions are stepped one after the other, in their order.
+ * Order: results do not depend on the distribution. Partitions share no body and no constraint, so that the step of one
+ * neither reads nor writes data of another. A worker's scratch memory and its cache of reusable results do not affect
+ * answers. Messages are buffered and sent in the order of partitions. If a callback of the program is called in the
+ * middle of a partition's step, partitions are stepped one after the other, in their order.
  */
 #include "MeAssert.h"
 #include "step/mdt_step_i.h"
 
-/* The least size of a task, in bodies and constraints: 150 us where these are chains of balls; taking it costs less
- * than 1. */
+/* Minimum size of a task, in bodies and constraints: 150 us for chains of balls; starting a task costs less than 1 us.
+ * */
 enum { TASK_SIZE = 32 };
-/* The least size of a step for which workers are called: .6 ms of such chains. A sleeping thread needs up to .35 ms to
- * wake, on a virtual machine. */
+/* Minimum size of a step that is distributed: .6 ms for such chains. A sleeping thread needs up to .35 ms to wake, on a
+ * virtual machine. */
 enum { STEP_SIZE = 4 * TASK_SIZE };
-enum { SIZES = 32 }; /* powers of two */
+enum { SIZE_CLASSES = 32 }; /* size classes of partitions: powers of two */
 
-/* ---- rest, and one after the other ---- */
+/* ---- sleep, and stepping in order ---- */
 
-static void sleepIfDue(MdtIsland *p, MeBool safely) {
+static void sleepIfDue(MdtIsland *p, MeBool stopAtSafeTime) {
     const double remainingTime = p->h;
     MeBool *isDisabled = &p->world->output.info[p->number].isDisabled;
-    if (!p->world->partitionCb) /* else it has said so */
+    if (!p->world->partitionCb) /* else the callback has decided */
         *isDisabled = mdt_islandIsToSleep(p);
     if (!*isDisabled)
         return;
-    if (safely)
+    if (stopAtSafeTime)
         p->h = mdt_lagSafeStep(p);
     mdt_lagSet(p, remainingTime);
     mdt_islandSleep(p);
     p->h = remainingTime;
 }
 
-static void sleepAllDue(MdtWorldID w, double h, MeBool safely) {
+static void sleepAllDue(MdtWorldID w, double h, MeBool stopAtSafeTime) {
     for (int i = 0; i < w->numPartitions; i++) {
         MdtIsland p = mdt_islandOf(w, i, h);
-        sleepIfDue(&p, safely);
+        sleepIfDue(&p, stopAtSafeTime);
     }
 }
 
-static void advanceInOrder(MdtWorldID w, double h, MeBool safely) {
-    mdt_batchesFind(w, h, safely, NULL);
+static void advanceInOrder(MdtWorldID w, double h, MeBool stopAtSafeTime) {
+    mdt_batchesFind(w, h, stopAtSafeTime, NULL);
     for (int i = 0; i < w->batches.count; i++) {
         MdtIsland p = mdt_batchOf(w, i, h);
         mdt_batchAdvance(&p);
@@ -56,31 +56,31 @@ static void advanceInOrder(MdtWorldID w, double h, MeBool safely) {
         if (mdt_isInBatch(w, i))
             continue;
         MdtIsland p = mdt_islandOf(w, i, h);
-        mdt_islandAdvance(&p, safely);
+        mdt_islandAdvance(&p, stopAtSafeTime);
     }
 }
 
-/* The callback sees a partition when those before it have been stepped, and says whether it is put to rest. */
-static void showInOrder(MdtWorldID w, double h, MeBool safely) {
+/* The program's callback gets each partition after those before it have been stepped, and decides whether it sleeps. */
+static void stepWithCallback(MdtWorldID w, double h, MeBool stopAtSafeTime) {
     mdt_islandsList(w);
     for (int i = 0; i < w->numPartitions; i++) {
         MdtIsland p = mdt_islandOf(w, i, h);
         mdt_islandShow(&p);
-        sleepIfDue(&p, safely);
+        sleepIfDue(&p, stopAtSafeTime);
         MeStageBegin(&w->stage, MDT_GUARD_STATES);
-        mdt_islandAdvance(&p, safely);
+        mdt_islandAdvance(&p, stopAtSafeTime);
         MeStageEnd(&w->stage, MDT_GUARD_STATES);
     }
 }
 
-/* ---- by workers ---- */
+/* ---- stepping by workers ---- */
 
 typedef struct Stepping {
     MdtWorldID world;
     double h;
-    MeBool safely;
+    MeBool stopAtSafeTime;
     int numTasks;
-    int *partition, *firstOf; /* by task: firstOf[t] .. firstOf[t + 1] */
+    int *partition, *firstOf; /* task t has the entries firstOf[t] .. firstOf[t + 1] - 1 of `partition` */
 } Stepping;
 
 static int sizeOfPartition(const MdtWorld *w, int i) {
@@ -91,15 +91,15 @@ static int sizeOfAllPartitions(const MdtWorld *w) {
     return w->bodyStart[w->numPartitions] + w->actingStart[w->numPartitions];
 }
 
-/* More than one worker's share of all work, and enough of it for the fast solver. */
+/* True if the partition is more than one worker's share of all work, and large enough for the fast solver. */
 static MeBool isForTeam(const MdtWorld *w, int i) {
     const int bodies = w->bodyStart[i + 1] - w->bodyStart[i];
     return bodies >= MDT_LARGE_ISLAND && !w->record[i].isExactFirst && mdt_choiceRequested(w, i) != MdtSolverExact &&
            (double)sizeOfPartition(w, i) * w->numWorkers > (double)sizeOfAllPartitions(w);
 }
 
-/* Steps a partition, or a batch, on a worker's memory; what it has to say is held. */
-static void stepOn(const Stepping *s, MdtIsland *p, int worker, MeTeam *team) {
+/* Steps a partition or a batch with a worker's memory, and buffers its messages. */
+static void stepOnWorker(const Stepping *s, MdtIsland *p, int worker, MeTeam *team) {
     p->worker = &s->world->workers[worker];
     p->team = team;
     p->clock = &p->lap;
@@ -108,18 +108,18 @@ static void stepOn(const Stepping *s, MdtIsland *p, int worker, MeTeam *team) {
     if (p->numMembers > 0)
         mdt_batchAdvance(p);
     else
-        mdt_islandAdvance(p, s->safely);
+        mdt_islandAdvance(p, s->stopAtSafeTime);
     MeMessagesBuffer(before);
 }
 
 static void stepPartition(const Stepping *s, int partition, int worker, MeTeam *team) {
     MdtIsland p = mdt_islandOf(s->world, partition, s->h);
-    stepOn(s, &p, worker, team);
+    stepOnWorker(s, &p, worker, team);
 }
 
 static void stepBatch(const Stepping *s, int batch, int worker) {
     MdtIsland p = mdt_batchOf(s->world, batch, s->h);
-    stepOn(s, &p, worker, NULL);
+    stepOnWorker(s, &p, worker, NULL);
 }
 
 static void advanceByTeam(const Stepping *s) {
@@ -135,24 +135,24 @@ static int log2Of(int size) {
     return log;
 }
 
-/* Is it none of those that are taken by all workers, and in no batch? */
+/* True if neither all workers step the partition together, nor a batch has it. */
 static MeBool isForOneWorker(const MdtWorld *w, int i) {
     return !mdt_isInBatch(w, i) && !isForTeam(w, i);
 }
 
-/* Sorts the other partitions by size, in powers of two, the largest first: a counting sort. Returns how many. */
+/* Sorts these partitions by size class, the largest first, with a counting sort. Returns their number. */
 static int sortPartitions(Stepping *s) {
-    int first[SIZES + 1] = {0};
+    int first[SIZE_CLASSES + 1] = {0};
     const MdtWorld *w = s->world;
     for (int i = 0; i < w->numPartitions; i++)
         if (isForOneWorker(w, i))
-            first[SIZES - log2Of(sizeOfPartition(w, i))]++;
-    for (int k = 0; k < SIZES; k++)
+            first[SIZE_CLASSES - log2Of(sizeOfPartition(w, i))]++;
+    for (int k = 0; k < SIZE_CLASSES; k++)
         first[k + 1] += first[k];
     for (int i = 0; i < w->numPartitions; i++)
         if (isForOneWorker(w, i))
-            s->partition[first[SIZES - 1 - log2Of(sizeOfPartition(w, i))]++] = i;
-    return first[SIZES - 1];
+            s->partition[first[SIZE_CLASSES - 1 - log2Of(sizeOfPartition(w, i))]++] = i;
+    return first[SIZE_CLASSES - 1];
 }
 
 static void makeTasks(Stepping *s) {
@@ -169,8 +169,8 @@ static void makeTasks(Stepping *s) {
     }
 }
 
-/* Batches are the first tasks. */
-static void MEAPI doTask(void *context, int task, int worker) {
+/* Runs a task: the first ones are batches. */
+static void MEAPI runTask(void *context, int task, int worker) {
     const Stepping *s = context;
     const int batches = s->world->batches.count, own = task - batches;
     if (task < batches)
@@ -186,20 +186,24 @@ static void sendMessages(MdtWorldID w) {
     MeMessagesSend(buffered, w->numWorkers);
 }
 
-static void advanceByWorkers(MdtWorldID w, double h, MeBool safely) {
-    Stepping s = {.world = w, .h = h, .safely = safely, .partition = w->taskOf, .firstOf = w->taskOf + w->bodyRoom};
+static void advanceByWorkers(MdtWorldID w, double h, MeBool stopAtSafeTime) {
+    Stepping s = {.world = w,
+                  .h = h,
+                  .stopAtSafeTime = stopAtSafeTime,
+                  .partition = w->taskOf,
+                  .firstOf = w->taskOf + w->bodyRoom};
     MeTeamOpen(w->team);
-    mdt_batchesFind(w, h, safely, w->team);
+    mdt_batchesFind(w, h, stopAtSafeTime, w->team);
     advanceByTeam(&s);
     makeTasks(&s);
-    MeTeamRun(w->team, w->batches.count + s.numTasks, doTask, &s);
+    MeTeamRun(w->team, w->batches.count + s.numTasks, runTask, &s);
     MeTeamClose(w->team);
     sendMessages(w);
 }
 
 /* ---- all partitions ---- */
 
-/* Rows that the program writes, or ranks. */
+/* True if callbacks of the program make rows or rank contacts during the step. */
 static MeBool callsProgram(const MdtWorld *w) {
     return w->userConstraints > 0 || w->importance;
 }
@@ -211,18 +215,18 @@ static void warnOfSurfaces(MdtWorldID w) {
     }
 }
 
-void mdt_islandsStep(MdtWorldID w, double h, MeBool safely) {
+void mdt_islandsStep(MdtWorldID w, double h, MeBool stopAtSafeTime) {
     w->batches.count = 0;
     mdt_choicesBegin(w, METRUE);
     if (w->partitionCb)
-        showInOrder(w, h, safely);
+        stepWithCallback(w, h, stopAtSafeTime);
     else {
-        sleepAllDue(w, h, safely);
+        sleepAllDue(w, h, stopAtSafeTime);
         MeStageBegin(&w->stage, MDT_GUARD_STATES);
         if (w->team && !callsProgram(w) && sizeOfAllPartitions(w) >= STEP_SIZE)
-            advanceByWorkers(w, h, safely);
+            advanceByWorkers(w, h, stopAtSafeTime);
         else
-            advanceInOrder(w, h, safely);
+            advanceInOrder(w, h, stopAtSafeTime);
         MeStageEnd(&w->stage, MDT_GUARD_STATES);
     }
     mdt_choicesEnd(w);

@@ -1,8 +1,8 @@
-/* The report of a step (MdtReport.h): written by mdt_step.c while it steps, read by programs.
+/* The report of a step (MdtReport.h), which the stages write and programs read.
  *
  * Time is measured in laps: each reading of the clock ends one stage and begins the next. Small partitions are stepped
- * in less than a microsecond, so that reading it for each stage would show: one of them in sixteen is timed by stage,
- * and the others together.
+ * in less than a microsecond, so that readings for each stage would distort the result: one in sixteen of them is timed
+ * by stage, and the others together.
  */
 #include "step/mdt_step_i.h"
 #include "MeAssert.h"
@@ -10,11 +10,11 @@
 #include "MeProfile.h"
 #include <string.h>
 
-enum { SMALL = 16, GROUP = 16 }; /* bodies and constraints; partitions */
+enum { SMALL = 16, GROUP = 16 }; /* largest number of bodies and constraints; partitions */
 
 /* ---- on and off ---- */
 
-/* One for each partition. */
+/* Reserves a report for each partition. */
 static MeBool reserveReports(MdtWorldID w, int count, const char *caller) {
     if (count <= w->reportRoom)
         return METRUE;
@@ -34,7 +34,7 @@ void MEAPI MdtWorldEnableReport(const MdtWorldID w) {
     w->numReports = MDT_NO_REPORTS;
 }
 
-/* The memory stays: a program's callback may be in the middle of a step. */
+/* The memory is kept, since a callback may call this in the middle of a step. */
 void MEAPI MdtWorldDisableReport(const MdtWorldID w) {
     MDT_NEED_WORLD(w, );
     w->isReported = MEFALSE;
@@ -46,7 +46,7 @@ MeBool MEAPI MdtWorldReportIsEnabled(const MdtWorldID w) {
     return w->isReported;
 }
 
-/* ---- written by a step ---- */
+/* ---- writing during a step ---- */
 
 static MeU64 ticksNow(void) {
     MeProfileTimerResult t;
@@ -65,7 +65,7 @@ void mdt_reportStep(MdtWorldID w) {
     w->lap = ticksNow();
 }
 
-/* s, since the last lap. */
+/* s: time since the last lap; begins a new one. */
 static double lapTime(MeU64 *clock) {
     const MeU64 start = *clock;
     *clock = ticksNow();
@@ -77,8 +77,8 @@ void mdt_reportLap(MdtIsland *p, MdtReportStage stage) {
         p->report->time[stage] += (MeReal)lapTime(p->clock);
 }
 
-/* Whether a partition is timed by stage, and not together with others: one in GROUP, those above SMALL, and all if a
- * callback of the program runs between them, whose time must not be shared out. */
+/* True if a partition is timed by stage, instead of together with others: one in GROUP, those larger than SMALL, and
+ * all of them if a partition callback runs in between, whose time must not be distributed. */
 static MeBool isTimedByStage(const MdtWorld *w, int partition) {
     const int bodies = w->bodyStart[partition + 1] - w->bodyStart[partition];
     const int constraints = w->actingStart[partition + 1] - w->actingStart[partition];
@@ -90,25 +90,25 @@ static double workOf(const MdtReport *r) {
     return r->bodies + r->rows;
 }
 
-static void addShares(MdtReport *r, double time, const double share[]) {
+static void distributeToStages(MdtReport *r, double time, const double share[]) {
     static const double free[MdtReportStages] = {[MdtReportStageIntegrate] = 1};
     for (int i = 0; i < MdtReportStages; i++)
         r->time[i] = (MeReal)(time * (r->rows > 0 ? share[i] : free[i]));
 }
 
-/* Divides the time since the last lap among the partitions before this one that were not timed by stage. */
-static void shareTime(MdtWorldID w, int end) {
+/* Distributes the time since the last lap among the preceding partitions that were not timed by stage. */
+static void distributeTime(MdtWorldID w, int end) {
     const double time = lapTime(&w->lap);
     double work = 0;
     for (int i = w->firstUntimed; i < end; i++)
         work += mdt_isInBatch(w, i) ? 0 : workOf(&w->reports[i]);
     for (int i = w->firstUntimed; i < end; i++)
         if (!mdt_isInBatch(w, i))
-            addShares(&w->reports[i], time * workOf(&w->reports[i]) / work, w->stageShare);
+            distributeToStages(&w->reports[i], time * workOf(&w->reports[i]) / work, w->stageShare);
     w->firstUntimed = end;
 }
 
-/* With several workers each has its own clock, and times its own partitions only. */
+/* With several workers each one has its own clock, which times its own partitions only. */
 static MeBool hasOwnClock(const MdtIsland *p) {
     return p->clock == &p->lap;
 }
@@ -123,11 +123,11 @@ void mdt_reportBegin(MdtIsland *p) {
     if (hasOwnClock(p))
         p->lap = ticksNow();
     else if (p->isTimedByStage)
-        shareTime(w, p->number);
+        distributeTime(w, p->number);
 }
 
-/* Keeps the shares of the stages in the time of a small partition, for those that are not timed by stage. */
-static void keepShares(MdtWorldID w, const MdtReport *r) {
+/* Stores each stage's fraction of a small partition's time, for partitions that are not timed by stage. */
+static void storeStageShares(MdtWorldID w, const MdtReport *r) {
     double sum = 0;
     for (int i = 0; i < MdtReportStages; i++)
         sum += (double)r->time[i];
@@ -138,10 +138,10 @@ static void keepShares(MdtWorldID w, const MdtReport *r) {
 
 void mdt_reportStepEnd(MdtWorldID w) {
     if (w->firstUntimed < w->numReports)
-        shareTime(w, w->numReports);
+        distributeTime(w, w->numReports);
 }
 
-static void keepMax(MeReal *worst, double x) {
+static void raiseMax(MeReal *worst, double x) {
     if ((MeReal)x > *worst)
         *worst = mdt_real(x);
 }
@@ -169,8 +169,8 @@ static void addSquare(double *sum, double x) {
     *sum += x * x;
 }
 
-/* The rows of a joint are at right angles to each other, so their errors add up like a vector. Attachments that move
- * take their drift along. */
+/* Measures a joint's gap and angle at the end of a part. Its rows are orthogonal to each other, so that their errors
+ * add up like components of a vector. The drift of moving attachments is subtracted. */
 static void measureJoint(MdtReport *r, const MdtJoint *j, const MdtKeaSystem *kea) {
     const MdtKeaRow *rows = kea->rows + j->firstRow;
     const MdtKeaTransformation *pose[2];
@@ -184,8 +184,8 @@ static void measureJoint(MdtReport *r, const MdtJoint *j, const MdtKeaSystem *ke
         if (rows[i].position)
             addSquare(isLinear ? &linearError : &angularError, errors[i] - kea->parameters.stepsize * rows[i].drift);
     }
-    keepMax(&r->jointGap, sqrt(linearError));
-    keepMax(&r->jointTurn, sqrt(angularError));
+    raiseMax(&r->jointGap, sqrt(linearError));
+    raiseMax(&r->jointTurn, sqrt(angularError));
 }
 
 void mdt_reportSubstep(MdtReport *r, const MdtIsland *p, MeBool isFinite) {
@@ -197,12 +197,12 @@ void mdt_reportSubstep(MdtReport *r, const MdtIsland *p, MeBool isFinite) {
     r->limited += kea->report.limited;
     if (kea->report.limited)
         mdt_reportPath(r, MdtReportWayLimited);
-    keepMax(&r->residualVelocity, kea->report.residual);
-    keepMax(&r->excess, kea->report.excess);
-    keepMax(&r->residualForce, kea->report.force);
-    keepMax(&r->jointError, kea->report.error);
+    raiseMax(&r->residualVelocity, kea->report.residual);
+    raiseMax(&r->excess, kea->report.excess);
+    raiseMax(&r->residualForce, kea->report.force);
+    raiseMax(&r->jointError, kea->report.error);
     r->jointGap = r->jointTurn = 0;
-    keepMax(&r->penetration, mdt_contactsPenetration(p));
+    raiseMax(&r->penetration, mdt_contactsPenetration(p));
     for (int i = 0; i < p->numActing; i++) {
         const MdtJoint *j = mdt_asJoint(p->acting[i]);
         if (j && j->numRows > 0 && j->type->errors)
@@ -210,7 +210,7 @@ void mdt_reportSubstep(MdtReport *r, const MdtIsland *p, MeBool isFinite) {
     }
 }
 
-/* With the angular velocity that programs see: in single precision it has as many digits as the report. */
+/* Uses the public angular velocity: in single precision it has as many digits as the report. */
 static double kineticEnergyOf(const MdtBody *b) {
     double w[3];
     mdt_fromReal(w, b->angularVelocity);
@@ -228,7 +228,7 @@ static void reportEnergy(MdtReport *r, MdtBodyID const bodies[], int count, cons
     r->potentialEnergy = mdt_real(potential);
 }
 
-/* Contacts are constraints, and so are their groups. */
+/* Contacts and their groups both count as constraints. */
 static int countConstraints(MdtWorldID w, int partition) {
     int count = 0;
     for (int i = w->actingStart[partition]; i < w->actingStart[partition + 1]; i++) {
@@ -250,12 +250,12 @@ void mdt_reportEnd(MdtIsland *p) {
         return;
     w->firstUntimed = p->number + 1;
     if (r->rows > 0 && r->bodies + r->constraints <= SMALL)
-        keepShares(w, r);
+        storeStageShares(w, r);
 }
 
-/* ---- of batches ---- */
+/* ---- batches ---- */
 
-/* Batches come before other partitions, and each has a clock of its own. */
+/* Batches precede other partitions, and each has its own clock. */
 void mdt_reportBatch(MdtIsland *p, MdtReport *r) {
     if (!p->world->isReported || p->world->numReports != p->world->numPartitions)
         return;
@@ -266,7 +266,7 @@ void mdt_reportBatch(MdtIsland *p, MdtReport *r) {
     p->lap = ticksNow();
 }
 
-/* Work and time of the batch are divided as those of partitions that are timed together. */
+/* Distributes work and time of the batch to a member, as for partitions that are timed together. */
 void mdt_reportMember(const MdtIsland *p, const MdtMember *m, int rows, double penetration) {
     MdtReport *r = &p->world->reports[m->partition];
     *r = *p->report;
@@ -286,7 +286,7 @@ void mdt_reportBatchesEnd(MdtWorldID w) {
         w->lap = ticksNow();
 }
 
-/* ---- what programs ask for ---- */
+/* ---- reading by programs ---- */
 
 static void addCounts(MdtReport *sum, const MdtReport *r) {
     sum->bodies += r->bodies;
@@ -307,23 +307,23 @@ static void addCounts(MdtReport *sum, const MdtReport *r) {
     sum->work += r->work;
 }
 
-static void keepErrors(MdtReport *worst, const MdtReport *r) {
+static void raiseErrors(MdtReport *worst, const MdtReport *r) {
     worst->why = r->way > worst->way ? r->why : worst->why;
     mdt_reportPath(worst, r->way);
-    keepMax(&worst->residualVelocity, (double)r->residualVelocity);
-    keepMax(&worst->excess, (double)r->excess);
-    keepMax(&worst->residualForce, (double)r->residualForce);
-    keepMax(&worst->jointError, (double)r->jointError);
-    keepMax(&worst->jointGap, (double)r->jointGap);
-    keepMax(&worst->jointTurn, (double)r->jointTurn);
-    keepMax(&worst->penetration, (double)r->penetration);
+    raiseMax(&worst->residualVelocity, (double)r->residualVelocity);
+    raiseMax(&worst->excess, (double)r->excess);
+    raiseMax(&worst->residualForce, (double)r->residualForce);
+    raiseMax(&worst->jointError, (double)r->jointError);
+    raiseMax(&worst->jointGap, (double)r->jointGap);
+    raiseMax(&worst->jointTurn, (double)r->jointTurn);
+    raiseMax(&worst->penetration, (double)r->penetration);
 }
 
 static void sumReports(MdtReport *sum, const MdtReport reports[], int count) {
     double kinetic = 0, potential = 0, time[MdtReportStages] = {0};
     for (int i = 0; i < count; i++) {
         addCounts(sum, &reports[i]);
-        keepErrors(sum, &reports[i]);
+        raiseErrors(sum, &reports[i]);
         kinetic += (double)reports[i].kineticEnergy;
         potential += (double)reports[i].potentialEnergy;
         for (int k = 0; k < MdtReportStages; k++)
@@ -335,7 +335,7 @@ static void sumReports(MdtReport *sum, const MdtReport reports[], int count) {
         sum->time[k] = (MeReal)time[k];
 }
 
-/* A place to write to, which is zeroed: the neutral result. */
+/* True for a valid pointer to a report, which is zeroed as the neutral result. */
 static MeBool isReport(const char *caller, MdtReport *r) {
     if (!mdt_isPointer(caller, "the report", r))
         return MEFALSE;

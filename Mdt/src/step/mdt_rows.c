@@ -1,6 +1,6 @@
-/* Rows: those of a partition's constraints in one part of its step. Each kind of joint is a file of MdtBcl; here joints
- * are counted, filled in their order of simulation, and refilled for Kea where the bodies have moved. Contacts follow,
- * whose rows Kea makes of their manifolds, within the cap on all of them (mdt_cap.c). */
+/* Rows of a partition's constraints in one part of its step. Each type of joint has a file of MdtBcl; here its rows are
+ * counted, filled in the order of simulation, and updated for Kea after the bodies have moved. They are followed by the
+ * rows of contacts, which Kea makes from manifolds. A cap limits the sum (mdt_cap.c). */
 #include "MeAssert.h"
 #include "step/mdt_step_i.h"
 #include <string.h>
@@ -26,10 +26,10 @@ static void jointContext(const MdtIsland *p, MdtJoint *j, MdtBclContext *x) {
     x->firstRow = j->firstRow;
 }
 
-/* ---- how many ---- */
+/* ---- counting ---- */
 
-/* Warns when a joint becomes degenerate, not in each step or part while it stays so. */
-static void noteDegenerate(MdtIsland *p, MdtJoint *j) {
+/* Warns when a joint becomes degenerate, once until it has not been so for a step. */
+static void warnIfDegenerate(MdtIsland *p, MdtJoint *j) {
     p->isDegenerate = p->isDegenerate || j->bcl.isDegenerate;
     if (!j->bcl.isDegenerate || j->isDegenerate)
         return;
@@ -40,44 +40,44 @@ static void noteDegenerate(MdtIsland *p, MdtJoint *j) {
               j->base.link.sortKey, j->type->degenerate);
 }
 
-static int countJoint(MdtIsland *p, MdtJoint *j) {
+static int prepareJoint(MdtIsland *p, MdtJoint *j) {
     MdtBclContext x;
     jointContext(p, j, &x);
     j->numRows = j->type->prepare(&j->bcl, &x);
     MEASSERT(j->numRows >= 0 && j->numRows <= j->type->maxRows);
-    noteDegenerate(p, j);
+    warnIfDegenerate(p, j);
     return j->numRows;
 }
 
-static MeBool isOfProgram(const MdtJoint *j) {
+static MeBool isUserConstraint(const MdtJoint *j) {
     return j->bcl.type == MdtBclUSER;
 }
 
-/* The rows that functions of the program make: before others are counted, as these may be changed by them. */
-static void makeRowsOfProgram(MdtIsland *p) {
+/* Calls the callbacks that make rows. First, because they may change other joints. */
+static void makeUserRows(MdtIsland *p) {
     const MeProgramCall before = MeProgramEnter("MdtUserConstraintSetFunction");
     for (int i = 0; i < p->numActing; i++) {
         MdtJoint *j = mdt_asJoint(p->acting[i]);
-        if (j && isOfProgram(j))
-            countJoint(p, j);
+        if (j && isUserConstraint(j))
+            prepareJoint(p, j);
     }
     MeProgramLeave(&before);
 }
 
-static int countJoints(MdtIsland *p) {
+static int countJointRows(MdtIsland *p) {
     int rows = 0;
     for (int i = 0; i < p->numActing && p->numJoints > 0; i++) {
         MdtJoint *j = mdt_asJoint(p->acting[i]);
-        rows += !j ? 0 : isOfProgram(j) ? j->numRows : countJoint(p, j);
+        rows += !j ? 0 : isUserConstraint(j) ? j->numRows : prepareJoint(p, j);
     }
     return rows;
 }
 
 int mdt_rowsCount(MdtIsland *p) {
-    return countJoints(p) + MdtKeaCountContactRows(&p->kea);
+    return countJointRows(p) + MdtKeaCountContactRows(&p->kea);
 }
 
-/* ---- what they are ---- */
+/* ---- filling ---- */
 
 /* m/s: the part of a row's rate that comes from the motion of the world's side. */
 static double worldRate(const MdtKeaVelocity *v, const MdtKeaRow *row) {
@@ -88,22 +88,22 @@ static double worldRate(const MdtKeaVelocity *v, const MdtKeaRow *row) {
     return rate;
 }
 
-/* The motion of the world is known: its rate goes to the target, with the sign turned round. */
+/* Moves the known motion of the world to the right-hand side: subtracts its rate from the row's target. */
 static void subtractWorldVelocity(const MdtKeaVelocity *v, MdtKeaRow *row) {
     const double rate = worldRate(v, row);
     row->target -= rate;
     row->drift -= rate;
 }
 
-/* 1/(kg m²): the epsilon of an angular row, as of a linear row at a lever arm of the length scale. */
-static void softenTurns(const MdtWorld *w, MdtKeaRow rows[], int count) {
+/* Sets the softness of angular rows, 1/(kg m²), to that of a linear row at a lever arm of the length scale. */
+static void scaleAngularSoftness(const MdtWorld *w, MdtKeaRow rows[], int count) {
     const double length = (double)w->params.lengthScale;
     for (int r = 0; r < count; r++)
         if (keaDot(rows[r].J[0].lin, rows[r].J[0].lin) + keaDot(rows[r].J[1].lin, rows[r].J[1].lin) == 0)
             rows[r].softness /= length * length;
 }
 
-/* `owner` is what Kea knows the rows of one constraint by. */
+/* owner: number by which Kea identifies the rows of one constraint. */
 static void fillJoint(MdtIsland *p, MdtJoint *j, int owner) {
     MdtKeaRow *rows = p->kea.rows + p->kea.numRows;
     MdtBclContext x;
@@ -112,7 +112,7 @@ static void fillJoint(MdtIsland *p, MdtJoint *j, int owner) {
     if (j->numRows > 0)
         j->type->fill(&j->bcl, &x, rows);
     if (mdt_constraintType(&j->base) != MdtBclUSER)
-        softenTurns(p->world, rows, j->numRows);
+        scaleAngularSoftness(p->world, rows, j->numRows);
     const MeBool isWarm = j->numWarm == j->numRows;
     for (int r = 0; r < j->numRows; r++) {
         subtractWorldVelocity(&j->worldVelocity, &rows[r]);
@@ -123,13 +123,13 @@ static void fillJoint(MdtIsland *p, MdtJoint *j, int owner) {
     p->kea.numRows += j->numRows;
 }
 
-/* Count, leave out rows beyond the cap, fill. */
+/* Counts the rows, leaves out those beyond the cap, fills them. */
 void mdt_rowsMake(MdtIsland *p) {
     MdtWorldID w = p->world;
     if (w->userConstraints > 0)
-        makeRowsOfProgram(p);
+        makeUserRows(p);
     p->numRows = mdt_rowsCount(p);
-    if (p->numRows > w->maxMatrixSize && p->numMembers == 0) /* what is the fast solver's is below the cap */
+    if (p->numRows > w->maxMatrixSize && p->numMembers == 0) /* batches are below the cap */
         p->numRows = mdt_capRows(p, p->numRows, w->maxMatrixSize);
     for (int i = 0; i < p->numActing && p->numJoints > 0; i++) {
         MdtJoint *j = mdt_asJoint(p->acting[i]);
@@ -142,10 +142,10 @@ void mdt_rowsMake(MdtIsland *p) {
         w->sizeLog[p->number] = p->numRows;
 }
 
-/* ---- elsewhere ---- */
+/* ---- rows at other poses ---- */
 
-/* Rows of joints move with the bodies from pass to pass. */
-void MEAPI mdt_rowsMove(void *island, const MdtKeaTransformation poses[]) {
+/* Updates the joints' Jacobians and bounds as bodies move from pass to pass. */
+void MEAPI mdt_rowsUpdateJacobians(void *island, const MdtKeaTransformation poses[]) {
     const MdtIsland *p = island;
     MdtKeaRow rows[MdtBclGETMAXROWS];
     MdtBclContext x;

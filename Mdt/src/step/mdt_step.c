@@ -30,8 +30,8 @@ void mdt_substepSolve(MdtIsland *p, double substep) {
     mdt_substepSolveRows(p);
 }
 
-/* A batch whose impulses were scaled down by the energy guard is discarded: they were so for all of its members. */
-static MeBool isUsable(const MdtIsland *p) {
+/* False for a batch whose impulses the energy guard has scaled down: that concerns all members. */
+static MeBool isAcceptable(const MdtIsland *p) {
     return p->numMembers == 0 || !p->kea.report.capped || p->kea.report.limited;
 }
 
@@ -47,7 +47,7 @@ static void endSubstep(MdtIsland *p, MeBool isFinite) {
 
 void mdt_substepIntegrate(MdtIsland *p) {
     MeProfileStartSection("Integrate", 0);
-    p->isStopped = !isUsable(p) || !MdtKeaIntegrate(&p->kea);
+    p->isStopped = !isAcceptable(p) || !MdtKeaIntegrate(&p->kea);
     if (!p->isStopped || p->numMembers == 0)
         endSubstep(p, !p->isStopped);
     MeProfileEndSection("Integrate");
@@ -65,14 +65,14 @@ void mdt_islandStep(MdtIsland *p) {
         mdt_unpackBodies(p);
         mdt_islandCertify(p, isSettled);
     }
-    mdt_choiceNote(p, p->record);
+    mdt_choiceRecordStep(p, p->record);
     mdt_islandRelease(p);
 }
 
-/* A partition that was put to rest is reported, too. */
-void mdt_islandAdvance(MdtIsland *p, MeBool safely) {
+/* A partition that has been put to sleep is reported, too. */
+void mdt_islandAdvance(MdtIsland *p, MeBool stopAtSafeTime) {
     const double remainingTime = p->h;
-    if (safely)
+    if (stopAtSafeTime)
         p->h = mdt_lagSafeStep(p);
     mdt_reportBegin(p);
     if (!p->world->output.info[p->number].isDisabled) {
@@ -86,17 +86,17 @@ void mdt_islandAdvance(MdtIsland *p, MeBool safely) {
         mdt_reportEnd(p);
 }
 
-void mdt_worldStep(MdtWorldID w, double h, MeBool safely) {
+void mdt_worldStep(MdtWorldID w, double h, MeBool stopAtSafeTime) {
     MeProfileStartSection("Dynamics", 0);
     MeProfileStartSection("Partition", 0);
     mdt_sleepersWake(w, h);
-    mdt_islandsBegin(w); /* wakes what they touch */
+    mdt_islandsBegin(w); /* wakes bodies that are connected to awake ones */
     mdt_sleepersEndForces(w);
     mdt_certificatesBegin(w);
     if (w->isReported)
         mdt_reportStep(w);
     MeProfileEndSection("Partition");
-    mdt_islandsStep(w, h, safely);
+    mdt_islandsStep(w, h, stopAtSafeTime);
     if (w->isReported)
         mdt_reportStepEnd(w);
     MeProfileEndSection("Dynamics");

@@ -1,21 +1,20 @@
 /* Inside Mdt: the stages of a step (its working data: mdt_island_i.h).
  *
  *     stage       file              reads -> writes
- *     partition   mdt_island.c      bodies, constraints -> the world's partitions; wakes what is tied to awake bodies
- *     rest        mdt_sleep.c       motion of the last step -> bodies that are put to sleep
- *                 mdt_certificate.c what has changed since the last step -> partitions whose last answer holds again
+ *     partition   mdt_island.c      bodies, constraints -> the world's partitions; wakes bodies connected to awake ones
+ *     rest        mdt_sleep.c       motion of the last step -> bodies that fall asleep
+ *                 mdt_certificate.c changes since the last step -> partitions whose last answer holds again
  *     pack        mdt_pack.c        forces, impulses, gravity -> loads of Kea's bodies; scratch, start
- *                 mdt_choice.c      records of partitions -> which of Kea's solvers
+ *                 mdt_choice.c      records of partitions -> choice of Kea's solver
  *                 mdt_contacts.c    the manifolds of contacts -> kea.manifolds
- *     rows        mdt_rows.c        poses, velocities, parameters of the part -> kea.rows of joints; contacts', by Kea
+ *     rows        mdt_rows.c        poses, velocities, parameters of the part -> kea.rows of joints; of contacts: Kea
  *     solve       MdtKeaSolve       kea.rows, kea.manifolds -> their forces; kea.report
- *     integrate   MdtKeaIntegrate   those -> the states of Kea's bodies
- *     unpack      mdt_unpack.c      forces of rows -> constraints; states -> what programs see of bodies
+ *     integrate   MdtKeaIntegrate   those -> states of Kea's bodies
+ *     unpack      mdt_unpack.c      forces of rows -> constraints; states -> public transforms and velocities
  *
- * mdt_parallel.c takes partitions through these stages: one after the other, or by the world's workers; many of few
- * bodies together, as batches (mdt_batch.c).
- * Rows, solve, integrate and the constraints' part of unpack are repeated for every part that a step is taken in
- * (mdt_subdivide.c). A part is the whole step where nothing divides it.
+ * mdt_parallel.c takes partitions through these stages: one after the other, or by the world's workers, and small ones
+ * together as batches (mdt_batch.c). Rows, solve, integrate and the constraints' share of unpack are repeated for each
+ * part of a step (mdt_subdivide.c). If nothing divides the step, it is one part.
  */
 #ifndef MDT_STEP_I_H
 #define MDT_STEP_I_H
@@ -24,122 +23,124 @@
 
 /* ---- the stages -------------------------------------------------------------------------------------------------- */
 
-/* Pack, the parts, and unpack: moves a partition on by its h (mdt_step.c). */
+/* Advances a partition by its h: pack, the parts, and unpack (mdt_step.c). */
 void mdt_islandStep(MdtIsland *p);
-/* All partitions of a step, by its workers (mdt_parallel.c); one of them. */
-void mdt_islandsStep(MdtWorldID w, double h, MeBool safely);
-void mdt_islandAdvance(MdtIsland *p, MeBool safely);
-/* Moves the world on by h seconds; safely: each partition by what its safe time allows of them. */
-void mdt_worldStep(MdtWorldID w, double h, MeBool safely);
-/* Rows and solve, of a part of the step of these seconds. Nothing has moved yet: it may be thrown away. */
+/* Steps all partitions, by the world's workers (mdt_parallel.c). mdt_islandAdvance steps one of them. */
+void mdt_islandsStep(MdtWorldID w, double h, MeBool stopAtSafeTime);
+void mdt_islandAdvance(MdtIsland *p, MeBool stopAtSafeTime);
+/* Advances the world by h seconds; stopAtSafeTime: each partition only as far as its safe time allows. */
+void mdt_worldStep(MdtWorldID w, double h, MeBool stopAtSafeTime);
+/* Makes and solves the rows of a part of so many seconds. No body has moved afterwards: the result may be discarded. */
 void mdt_substepSolve(MdtIsland *p, double substep);
-/* The same by itself: rows; impacts of a timed part, and solve. */
+/* The two halves of it: making rows; impacts of a timed part, and the solve. */
 void mdt_substepMakeRows(MdtIsland *p, double substep);
 void mdt_substepSolveRows(MdtIsland *p);
-/* Integrate, and unpack of the constraints; writes isStopped. */
+/* Integrates the part and unpacks the constraints; sets isStopped. */
 void mdt_substepIntegrate(MdtIsland *p);
 
-/* Finds the batches of a step, with a team's help unless it is null; such a one; takes it, instead of its members'
- * steps (mdt_batch.c). */
-void mdt_batchesFind(MdtWorldID w, double h, MeBool safely, MeTeam *team);
+/* mdt_batchesFind finds the batches of a step; `team` helps, null: none. mdt_batchOf is the working data of a batch;
+ * mdt_batchAdvance steps it, in place of its members (mdt_batch.c). */
+void mdt_batchesFind(MdtWorldID w, double h, MeBool stopAtSafeTime, MeTeam *team);
 MdtIsland mdt_batchOf(MdtWorldID w, int batch, double h);
 void mdt_batchAdvance(MdtIsland *p);
 
-/* The rows that the partition's joints and contacts have as they are now. */
+/* Counts the present rows of the partition's joints and contacts. */
 int mdt_rowsCount(MdtIsland *p);
-/* Counts joints and contacts, before the choice of a solver. */
+/* Counts joints and contacts, for the choice of the solver. */
 void mdt_islandCount(MdtIsland *p);
-/* Takes scratch memory, and loads into Kea's bodies. False, with a message: the partition is too large. */
+/* Allocates scratch memory, and writes loads to Kea's bodies. False, with a warning, if the partition is too large. */
 MeBool mdt_islandPack(MdtIsland *p);
 void mdt_islandRelease(MdtIsland *p);
 
-/* ---- contacts, as Kea takes them (mdt_contacts.c) ---- */
+/* ---- contacts in Kea's form (mdt_contacts.c) ---- */
 
-/* How many manifolds of Kea's a group's are; the bytes that so many of a partition need; where these are. */
+/* The number of Kea's manifolds for a group; the bytes for so many; sets where a partition's manifolds are. */
 int mdt_contactsCount(const MdtManifold *first);
 size_t mdt_contactsSize(int count);
 void mdt_contactsLayOut(MdtIsland *p, void *memory, int count);
-/* For the step: a group's manifolds, from that one on; returns the next one, and adds what is wrong with their
- * surfaces. For a part of it that is not the first, of the fast solver: where points are. */
+/* mdt_contactsPack writes a group's manifolds from index `at` on for the step, adds problem flags of their surfaces,
+ * and returns the next index. mdt_contactsCarry updates positions and depths for further parts, for the fast solver.
+ * */
 int mdt_contactsPack(const MdtIsland *p, const MdtManifold *first, int at, int *problems);
 void mdt_contactsCarry(MdtIsland *p);
-/* This share of their forces is added to what the step has done; these are the points' forces, and whether they are a
- * guess at those of the next part. */
+/* Adds this share of the points' forces to the means over the step; clears the forces of the points; copies them to the
+ * contacts. isGuess: they are a warm start for the next part. */
 void mdt_contactsAddForces(MdtIsland *p, double share);
 void mdt_contactsClearForces(MdtIsland *p);
 void mdt_contactsUnpack(MdtIsland *p, MeBool isGuess);
 double mdt_contactsPenetration(const MdtIsland *p);
 
-/* Takes the step in parts, within its budget of work, until its bodies are stopped (mdt_subdivide.c). */
+/* Advances the step in parts, within its work budget, or until the bodies are stopped (mdt_subdivide.c). */
 void mdt_islandSubdivide(MdtIsland *p);
-/* A part of the step begins: its parameters, Kea's arrays; bodies meet in it; it has been integrated. */
+/* At the start of a part: sets its parameters and Kea's arrays. Solves an impact in it. At its end, after integration.
+ * */
 void mdt_substepBegin(MdtIsland *p, double substep);
 void mdt_substepImpact(MdtIsland *p);
 void mdt_substepEnd(MdtIsland *p);
-/* Takes a part, which so many halvings have made, in halves where its motion is violent; the same when its rows are
- * made. */
+/* Advances by a part, made by so many halvings, and halves it further if its motion is violent. The second one expects
+ * its rows to be made. */
 void mdt_substepAdvance(MdtIsland *p, double substep, int halvings);
 void mdt_substepAdvanceRows(MdtIsland *p, double substep, int halvings);
-/* Whether parts may be taken in stages of order 4; takes one so, as far as that goes (mdt_compose.c). */
+/* True if parts may be integrated with order 4; integrates a part so, as far as possible (mdt_compose.c). */
 MeBool mdt_mayCompose(const MdtIsland *p);
 void mdt_substepCompose(MdtIsland *p, double substep);
-/* The budget of a solve; the cost of the last one. */
+/* Sets the budget of the next solve; draws the cost of the last one from the step's budget. */
 void mdt_budgetGrant(MdtIsland *p);
 void mdt_budgetDraw(MdtIsland *p);
 
 /* Makes the rows of a part, after MdtKeaInit (mdt_rows.c). */
 void mdt_rowsMake(MdtIsland *p);
-/* For Kea: the rows of joints, and their errors, were the bodies elsewhere. The context is the island. */
-void MEAPI mdt_rowsMove(void *island, const MdtKeaTransformation poses[]);
+/* Callbacks of Kea for other poses of the bodies: the joints' rows, and their errors. The context is the island. */
+void MEAPI mdt_rowsUpdateJacobians(void *island, const MdtKeaTransformation poses[]);
 void MEAPI mdt_rowsErrors(void *island, const MdtKeaTransformation poses[], double errors[]);
-/* The system as a constraint sees it in this part, but for its first row. */
+/* The data of the system for a constraint in this part, except firstRow. */
 void mdt_rowsContext(const MdtIsland *p, MdtConstraintID c, const MdtKeaVelocity *worldVelocity, MdtBclContext *x);
-/* Leaves out rows of contacts until the partition, which has that many, has at most `max`, in the documented order
- * (mdt_cap.c). Returns how many it has then. */
+/* Leaves out rows of contacts, in the documented order (mdt_cap.c), until at most `max` of the partition's `rows` rows
+ * are left. Returns the number of rows left. */
 int mdt_capRows(MdtIsland *p, int rows, int max);
 
-/* Constraints of any kind: their forces are empty; the impulses of an impact, those of a part count among them; read
- * back. */
+/* Forces of constraints of any type: clears them at the start of a step; adds the impulses of an impact to those of the
+ * part; reads them back after a part. */
 void mdt_unpackBegin(MdtIsland *p);
 void mdt_unpackImpact(MdtIsland *p);
 void mdt_unpackConstraints(MdtIsland *p);
-/* Bodies, at the end of the step. */
+/* Reads back the states of bodies at the end of the step. */
 void mdt_unpackBodies(MdtIsland *p);
 /* Fallback: bodies whose next state is not finite keep their pose, with velocity 0. */
 void mdt_unpackStopped(MdtIsland *p);
 
 /* ---- steps by safe time (mdt_lag.c) ------------------------------------------------------------------------------ */
 
-/* How far a partition may move: the shortest safe time of its bodies, within bounds. */
+/* s: the time by which a partition may advance: the shortest safe time of its bodies, within bounds. */
 double mdt_lagSafeStep(const MdtIsland *p);
-/* The partition has advanced by h: subtracts it from the lag of its bodies. */
+/* Subtracts the advance h of a partition from the remaining time of the step, as the lag of its bodies. */
 void mdt_lagSet(const MdtIsland *p, double remainingTime);
 
-/* Draws what MdtWorldSetDebugDrawing has chosen (mdt_debug.c). */
+/* Draws what MdtWorldSetDebugDrawing has selected (mdt_debug.c). */
 void mdt_debugDraw(MdtWorldID w);
-/* Check builds, before a step of h seconds: warns of a world without gravity in which nothing moves. */
+/* Check builds, at the start of a step of h seconds: warns if nothing moves in a world without gravity. */
 void mdt_idleWatch(MdtWorldID w, double h);
 
-/* ---- the report (mdt_report.c); r is never null, a step that is not reported asks for nothing ------------------ */
+/* ---- the report (mdt_report.c); called only if the step is reported -------------------------------------------- */
 
-/* A step begins, its partitions are known. */
+/* At the start of a step, when its partitions are known. */
 void mdt_reportStep(MdtWorldID w);
-/* A partition begins: its report, null if there is none, and how it is timed. */
+/* At the start of a partition: sets its report, null if there is none, and how it is timed. */
 void mdt_reportBegin(MdtIsland *p);
-/* The stage ends. */
+/* Ends a stage: adds the time since the last call to it. */
 void mdt_reportLap(MdtIsland *p, MdtReportStage stage);
-/* Reports the cost of a solve; its stage ends. */
+/* Reports the cost of a solve, and ends its stage. */
 void mdt_reportSolve(MdtIsland *p);
-/* A part was integrated: its errors, before anything is read back. */
+/* Reports the errors of a part that has been integrated, before anything is read back. */
 void mdt_reportSubstep(MdtReport *r, const MdtIsland *p, MeBool isFinite);
-/* The partition is done, or was put to rest. */
+/* At the end of a partition, also of one that was put to sleep. */
 void mdt_reportEnd(MdtIsland *p);
-/* A batch begins, with a report of its own, if there is one; that of a member, when the batch is done; all batches
- * are. */
+/* At the start of a batch: sets its own report, if steps are reported. mdt_reportMember writes a member's report after
+ * the batch; mdt_reportBatchesEnd is called after all batches. */
 void mdt_reportBatch(MdtIsland *p, MdtReport *r);
 void mdt_reportMember(const MdtIsland *p, const MdtMember *m, int rows, double penetration);
 void mdt_reportBatchesEnd(MdtWorldID w);
-/* All partitions are done. */
+/* At the end of the step. */
 void mdt_reportStepEnd(MdtWorldID w);
 
 #endif

@@ -1,12 +1,12 @@
-/* The parts that a partition's step is taken in: sub-steps, up to events, and halves where motion is violent.
+/* The parts of a partition's step: sub-steps, division at events, and halves where motion is violent.
  *
- *     whole step -> sub-steps (MdtWorldSetSubSteps) -> up to the next event, where few bodies touch each other
- *                                                   -> halves, where joints turn too violently for the whole of it
+ *     whole step -> sub-steps (MdtWorldSetSubSteps) -> up to the next event, in partitions of few bodies in contact
+ *                                                   -> halves, if joints turn too violently for the whole sub-step
  *                                                   -> stages of order 4, each as above (mdt_compose.c)
  *
  * A partition's step has one budget of work (MdtWorldSetWorkBudget) and of iterations (MdtWorldSetMaxLCPIterations).
- * Every solve draws from it: of whole steps, sub-steps, halves, events and impacts, those that are thrown away
- * included. When it is used up, Kea answers by sweeps, and the step is divided no further.
+ * Every solve draws from it: of whole steps, sub-steps, halves, events and impacts, also if the solve is discarded.
+ * When it is used up, Kea's answers come from sweeps, and the step is not divided further.
  */
 #include "MeAssert.h"
 #include "step/mdt_step_i.h"
@@ -15,22 +15,23 @@ enum { MAX_HALVINGS = 6 };
 
 /* ---- the budget ---- */
 
-/* A part by safe time gets its share of the budget; the bridge may take 16 of them (mst_continuous.c). */
+/* A step by safe time gets its share of the budget, at least a sixteenth: the bridge makes at most 16 parts
+ * (mst_continuous.c). */
 static void beginBudget(MdtIsland *p) {
     const double budget = mdt_choiceBudget(p) * MeMAX(p->numMembers, 1), min = 1. / 16;
     p->work = budget > 0 ? budget * fmax(p->h / p->whole, min) : MDT_NO_BOUND;
     p->iterations = p->world->maxLcpIterations;
 }
 
-/* Reserves all but this share of the work that is left for later parts. Returns the reserve, which the caller adds
- * back. */
-static double keepWork(MdtIsland *p, double share) {
-    const double kept = p->work < MDT_NO_BOUND ? (1 - share) * p->work : 0;
-    p->work -= kept;
-    return kept;
+/* Reserves all but `share` of the remaining work for later parts. Returns the reserve, which the caller adds back. */
+static double reserveWork(MdtIsland *p, double share) {
+    const double reserve = p->work < MDT_NO_BOUND ? (1 - share) * p->work : 0;
+    p->work -= reserve;
+    return reserve;
 }
 
-/* Kea's budgets are at least 1, as 0 means unlimited. What may decline the step is bound by its share. */
+/* Kea's budgets are at least 1, since 0 means unlimited. A solve that may decline the step is also limited to what is
+ * left of the partition's share of exact work. */
 void mdt_budgetGrant(MdtIsland *p) {
     const double share = p->kea.parameters.mayDecline ? p->record->share - p->exactWork : MDT_NO_BOUND;
     const double work = fmin(p->work, share);
@@ -57,10 +58,10 @@ void mdt_budgetDraw(MdtIsland *p) {
 
 /* ---- one part ---- */
 
-/* A part of H / n takes the n-th part of a step's relaxation, and a load sags as it would in a whole one:
- *     1 - γ = (1 - γ')^n,   ε' F (H/n)² / γ' = ε F H² / γ.
- * H is the step that the program asked for: a partition that its safe time moves on by less takes that share of an
- * error away, however short it is, at the same speed γ φ / H. */
+/* A part of H / n relaxes by the n-th part of a step's relaxation, and contacts give way under a load as in a whole
+ * step: 1 - γ = (1 - γ')^n,   ε' F (H/n)² / γ' = ε F H² / γ. H is the step that the program requested: a partition
+ * that safe times advance by less removes that share of an error, however short the part is, at the same speed γ φ /
+ * H. */
 static void setSubstep(MdtIsland *p, double substep) {
     MEASSERT(substep > 0 && substep <= p->h * (1 + 1e-9) && p->h <= p->whole * (1 + 1e-9));
     const double n = p->whole / substep * (p->stage == MDT_STAGE_NONE ? 1 : p->forward), gamma = p->world->gamma;
@@ -105,8 +106,8 @@ void mdt_substepImpact(MdtIsland *p) {
     mdt_rowsMake(p);
 }
 
-/* Joints pass on at once what was given to their bodies as the step begins. */
-static void kick(MdtIsland *p) {
+/* Applies the impulses that bodies got before the step; joints transmit them immediately. */
+static void applyKick(MdtIsland *p) {
     if (p->numJoints == 0 || p->isFast || !MdtKeaIsKicked(&p->kea))
         return;
     mdt_substepMakeRows(p, p->h);
@@ -115,15 +116,15 @@ static void kick(MdtIsland *p) {
     mdt_budgetDraw(p);
     for (int i = 0; i < p->numBodies; i++) {
         MdtKeaBodyGetAngularVelocity(&p->bodies[i]->kea, p->bodies[i]->spin);
-        mdt_bodyNoteStart(p->bodies[i]);
+        mdt_bodySaveStart(p->bodies[i]);
     }
 }
 
-/* An inexact solve is reported (MdtReport's fallbacks). A warning is given only where the program can do something:
- * take shorter steps, or raise a cap that it has set. */
+/* Warns of an inexact solve only if the program can do something about it: take shorter steps, or raise a cap that it
+ * has set. All inexact solves are in the report (fallbacks). */
 static void warnOfSolver(const MdtIsland *p) {
     const MeBool isMendable = p->kea.report.violent || p->kea.parameters.maxIterations > 0;
-    if (p->kea.report.capped && !p->isDegenerate && isMendable) /* of degenerate joints there was a warning already */
+    if (p->kea.report.capped && !p->isDegenerate && isMendable) /* degenerate joints have their own warning */
         MeWarning(2,
                   "%s: partition %d (%d rows) could not be solved in the iterations that it has, the forces are "
                   "inexact; raise MdtWorldSetMaxLCPIterations or epsilon, or take shorter steps",
@@ -149,32 +150,32 @@ void mdt_substepEnd(MdtIsland *p) {
 
 /* ---- halves ---- */
 
-/* m/s: what a body gains by falling in the time. */
-static double fallIn(const MdtIsland *p, double time) {
+/* m/s: the velocity that gravity gives a body in the time. */
+static double fallSpeed(const MdtIsland *p, double time) {
     const MeReal *g = p->world->params.gravity;
     return sqrt((double)(g[0] * g[0] + g[1] * g[1] + g[2] * g[2])) * time;
 }
 
-/* What is done with the solve of a part. */
+/* What to do after the solve of a part. */
 typedef enum AfterSolve {
-    INTEGRATE,       /* its answer is taken */
-    SWITCH_TO_FAST,  /* the fast solver takes the rest of the step */
-    SWITCH_TO_EXACT, /* the exact solver takes the part instead of the fast one */
-    HALVE,           /* both halves are taken instead */
-    SOLVE_REFUSED    /* it was refused, and can not be halved: it is solved as it is */
+    INTEGRATE,       /* accept the answer */
+    SWITCH_TO_FAST,  /* let the fast solver solve the rest of the step */
+    SWITCH_TO_EXACT, /* let the exact solver redo the part */
+    HALVE,           /* advance by two halves instead */
+    SOLVE_REFUSED    /* Kea refused to solve it, and it cannot be halved: solve it as it is */
 } AfterSolve;
 
-/* Joints that open would let bodies come apart, and contacts that do not act would let them pass through what they hit:
- * the work of the step has run out before these hold. Dolls that fall opened by 3 mm in a step where a share of exact
- * work was used up; 100 boxes in one place passed through the floor. */
+/* When the work of the step has run out, joints may be open, so that bodies come apart, and contacts may lack support,
+ * so that bodies pass through obstacles: then the fast solver takes over. Falling dolls opened by 3 mm in a step that
+ * used up its share of exact work; 100 boxes in one place passed through the floor. */
 static AfterSolve chooseAfterSolve(const MdtIsland *p, int halvings) {
     const double maxOpening = 1e-3,
-                 unsupported = 0.5; /* of a body's size; of what a body gains by falling in the step */
+                 unsupported = 0.5; /* of a body's size; of the velocity that gravity gives in the step */
     const MdtKeaReport *r = &p->kea.report;
     const MeBool haveJointsOpened = r->opens || (r->limited && r->opening > maxOpening && mdt_choiceHasShare(p));
     const MeBool isUnsupported = r->limited && p->numJoints == 0 && p->h == p->whole &&
-                                 p->world->maxLcpIterations == 0 && r->residual > unsupported * fallIn(p, p->whole);
-    const MeBool mayDivide = halvings < MAX_HALVINGS && p->work > 2 * r->least; /* there is work for two solves */
+                                 p->world->maxLcpIterations == 0 && r->residual > unsupported * fallSpeed(p, p->whole);
+    const MeBool mayDivide = halvings < MAX_HALVINGS && p->work > 2 * r->least; /* with work for two solves */
     const MeBool maySwitch = !p->isFast && p->mayBeFast && (p->numContacts > 0 || r->opens);
     if (r->declined)
         return SWITCH_TO_FAST;
@@ -190,9 +191,9 @@ static AfterSolve chooseAfterSolve(const MdtIsland *p, int halvings) {
 static void advanceHalves(MdtIsland *p, double substep, int halvings) {
     if (p->report)
         mdt_reportDivision(p->report);
-    const double kept = keepWork(p, 0.5);
+    const double reserve = reserveWork(p, 0.5);
     mdt_substepAdvance(p, 0.5 * substep, halvings + 1);
-    p->work += kept;
+    p->work += reserve;
     if (!p->isStopped)
         mdt_substepAdvance(p, 0.5 * substep, halvings + 1);
 }
@@ -227,22 +228,24 @@ void mdt_substepAdvance(MdtIsland *p, double substep, int halvings) {
 
 /* ---- events ---- */
 
-/* Whether the solve of the part has converged, or its residual moves nothing by more than 1e-7 of the fall in a step, g
- * h²: in very short parts rounding leaves a residual above tolerance. */
-static MeBool isFollowed(const MdtIsland *p) {
-    const double fall = fallIn(p, p->h) * p->h;
+/* True if the solve of the part has converged, or its residual displaces bodies by less than 1e-7 of g h², their fall
+ * in a step: in very short parts rounding leaves a residual above the tolerance. */
+static MeBool isAccurate(const MdtIsland *p) {
+    const double fall = fallSpeed(p, p->h) * p->h;
     const double displacement = p->kea.report.residual * p->parameters.stepsize;
     const MeBool isNear =
-        !p->kea.report.violent && displacement < 1e-7 * fall; /* violent: positions have not converged */
+        !p->kea.report.violent && displacement < 1e-7 * fall; /* violent means that positions have not converged */
     return !p->kea.report.capped || (isNear && !p->kea.report.limited);
 }
 
-/* Factorizations of a timed part: where it takes more, contacts do not settle, and each further event would cost as
- * much. /2 fails Mst_Cases_Defaults: stacks_stand_by_default in double, x2 Mst_Spikes: a_row_of_dominoes. */
-enum { MDT_FOLLOWING = 96 };
+/* Largest number of factorizations of a timed part: if it takes more, contacts do not settle, and each further event
+ * would cost as much. /2 fails Mst_Cases_Defaults: stacks_stand_by_default in double, x2 Mst_Spikes:
+ * a_row_of_dominoes. */
+enum { MDT_MAX_FACTORIZATIONS = 96 };
 
-/* Takes what flies on, through at most so many impacts, until it is held or the part of `remaining` s ends. */
-static void fly(MdtIsland *p, double remaining, double min, int maxImpacts) {
+/* Advances bodies in flight through at most maxImpacts impacts, until one is constrained or the part, of `remaining` s,
+ * ends. */
+static void followFlight(MdtIsland *p, double remaining, double min, int maxImpacts) {
     mdt_budgetGrant(p);
     const double flown = MdtKeaFly(&p->kea, min, maxImpacts);
     mdt_budgetDraw(p);
@@ -254,55 +257,55 @@ static void fly(MdtIsland *p, double remaining, double min, int maxImpacts) {
         mdt_reportFlight(p->report, p->kea.report.impacts, flown < remaining);
 }
 
-/* Whether joints or closed contacts hold too many of its bodies for a solve at each event. */
+/* True if joints or closed contacts constrain too many of the bodies for a solve at each event. */
 static MeBool hasTooManyConstrained(const MdtIsland *p) {
     return p->numBodies > p->world->timedBodies && MdtKeaHeldBodies(&p->kea) > mdt_maxConstrained(p);
 }
 
-typedef enum Following {
-    FOLLOWED,   /* solved up to the next event, or through at most so many impacts */
-    UNFOLLOWED, /* not solved accurately, or too expensive to follow, or impacts chatter */
-    VIOLENT     /* the same, since the motion is too violent for a part of this length */
-} Following;
+typedef enum TimedResult {
+    TIMED,     /* solved up to the next event, or through a flight's impacts */
+    NOT_TIMED, /* not to be timed: inexact, too expensive, or impacts chatter */
+    VIOLENT    /* not solved: the motion is too violent for a part of this length */
+} TimedResult;
 
-/* Solves a timed part up to the next event, at most `remaining` s. */
-static Following solveToEvent(MdtIsland *p, double remaining, double min, int maxImpacts) {
+/* Solves a timed part up to the next event, at most for `remaining` s. */
+static TimedResult solveToEvent(MdtIsland *p, double remaining, double min, int maxImpacts) {
     const MdtKeaReport *r = &p->kea.report;
     p->kea.parameters.timed = METRUE;
     mdt_substepMakeRows(p, remaining);
     if (hasTooManyConstrained(p) || (!p->kea.parameters.holdsSlow && MdtKeaTrembles(&p->kea)))
-        return UNFOLLOWED;
+        return NOT_TIMED;
     mdt_substepSolveRows(p);
     const MeBool hasEvent = r->event < remaining - min;
-    const MeBool chatters = hasEvent && r->trembles; /* slow impacts would follow each other without end */
-    if (!isFollowed(p) || r->factorizations > MDT_FOLLOWING || chatters)
-        return r->violent ? VIOLENT : UNFOLLOWED;
+    const MeBool chatters = hasEvent && r->trembles; /* slow impacts would follow each other endlessly */
+    if (!isAccurate(p) || r->factorizations > MDT_MAX_FACTORIZATIONS || chatters)
+        return r->violent ? VIOLENT : NOT_TIMED;
     if (!hasEvent)
-        return FOLLOWED;
+        return TIMED;
     if (r->ballistic) {
-        fly(p, remaining, min, maxImpacts);
+        followFlight(p, remaining, min, maxImpacts);
     } else {
         if (p->report)
             mdt_reportEvent(p->report);
         mdt_substepSolve(p, fmax(r->event, min));
     }
-    return isFollowed(p) ? FOLLOWED : r->violent ? VIOLENT : UNFOLLOWED;
+    return isAccurate(p) ? TIMED : r->violent ? VIOLENT : NOT_TIMED;
 }
 
-/* The same, with the part halved while the motion is violent. */
-static Following solveToEventOrHalf(MdtIsland *p, double remaining, double min, int maxImpacts) {
-    Following following = solveToEvent(p, remaining, min, maxImpacts);
-    for (double ahead = remaining; following == VIOLENT && ahead >= 0.2 * remaining;) {
+/* The same; halves the part as long as the motion is violent. */
+static TimedResult solveToEventOrHalf(MdtIsland *p, double remaining, double min, int maxImpacts) {
+    TimedResult result = solveToEvent(p, remaining, min, maxImpacts);
+    for (double ahead = remaining; result == VIOLENT && ahead >= 0.2 * remaining;) {
         ahead *= 0.5;
-        following = solveToEvent(p, ahead, min, maxImpacts);
+        result = solveToEvent(p, ahead, min, maxImpacts);
     }
-    return following;
+    return result;
 }
 
-/* The most events at which a part is divided. A column of n balls that lands has n (n + 1)/2 impacts, as the lowest one
- * hits the ground once for each of them; so has each column of a heap that is as high as it is wide, (n + 1)/2 for
- * each ball. Where nothing rebounds, one event, and another that follows from it, as where a box comes down on one edge
- * and then on the other: what meets after that is held at the end of the step, no more than a step too late. */
+/* Largest number of events that divide a part. A landing column of n balls has n (n + 1)/2 impacts, as the lowest ball
+ * hits the ground once for each of them; so has each column of a heap as high as it is wide, (n + 1)/2 per ball.
+ * Without rebounds: one event, and another that follows from it, as when a box lands on one edge and then on the
+ * other; later contacts are solved at the end of the step, at most one step late. */
 static int maxEvents(const MdtIsland *p) {
     enum { EVENTS = 8, PLASTIC_EVENTS = 2 };
     int high = 1;
@@ -313,17 +316,17 @@ static int maxEvents(const MdtIsland *p) {
     return EVENTS + p->numBodies * (high + 1) / 2;
 }
 
-/* A part of the step with timed contacts: divided at each event. After too many events, or where a solve is not
- * accurate, the rest is one part that is not timed. What rolls on a surface of triangles meets some of them slowly in
- * nearly every step: these do not divide it. */
+/* Advances by a part with timed contacts, divided at each event. After too many events, or an inexact solve, the rest
+ * is one part without timing. A body that rolls on a surface of triangles meets some of them slowly in nearly every
+ * step: with holdsSlow such contacts do not divide the part. */
 static void advanceTimed(MdtIsland *p, double substep) {
     const double min = 1e-9 * substep;
     const int max = maxEvents(p);
-    const double kept = 0.5 * p->work; /* for what is left after the events */
+    const double reserve = 0.5 * p->work; /* reserve for the rest after the events */
     double remaining = substep;
     p->kea.parameters.holdsSlow = p->numJoints > 0 && !p->bounces;
     for (int events = 0; remaining > min && !p->isStopped; events += MeMAX(p->kea.report.impacts, 1)) {
-        if (events >= max || p->work < kept || solveToEventOrHalf(p, remaining, min, max - events) != FOLLOWED) {
+        if (events >= max || p->work < reserve || solveToEventOrHalf(p, remaining, min, max - events) != TIMED) {
             p->kea.parameters.timed = MEFALSE;
             mdt_substepAdvance(p, remaining, 0);
             return;
@@ -333,10 +336,10 @@ static void advanceTimed(MdtIsland *p, double substep) {
     }
 }
 
-/* Whether contacts are timed: in partitions of few bodies without joints, or of which all rolls that touches; with
- * restitution also in those in which only few bodies are held by joints or closed contacts, such as a swarm of flying
- * balls. With joints and restitution only if an impact is predicted; with joints not in a step by safe time, which ends
- * at impacts anyway. */
+/* True if contacts are timed: in partitions of few bodies without joints, or whose contacts all roll. With restitution
+ * also in larger ones with few bodies constrained by joints or closed contacts, such as a swarm of flying balls. With
+ * joints and restitution only if an impact is predicted, and not in a step by safe time, which ends at impacts anyway.
+ * */
 static MeBool isTimed(MdtIsland *p, double substep) {
     const int max = p->world->timedBodies;
     if (max == 0 || p->numActing == 0 || p->isFast)
@@ -360,16 +363,16 @@ void mdt_islandSubdivide(MdtIsland *p) {
     const double substep = p->h / n;
     beginBudget(p);
     p->parameters.hasContacts = p->numContacts > 0;
-    kick(p);
+    applyKick(p);
     for (int i = 0; i < n && !p->isStopped; i++) {
-        const double kept = keepWork(p, 1. / (n - i));
-        p->kea.parameters.timed = MEFALSE; /* as the sub-step before this one may have been */
+        const double reserve = reserveWork(p, 1. / (n - i));
+        p->kea.parameters.timed = MEFALSE; /* the last sub-step may have set it */
         if (isTimed(p, substep))
             advanceTimed(p, substep);
         else if (mdt_mayCompose(p))
             mdt_substepCompose(p, substep);
         else
             mdt_substepAdvance(p, substep, 0);
-        p->work += kept;
+        p->work += reserve;
     }
 }

@@ -1,4 +1,4 @@
-/* Unpack: forces back to the constraints after each part, states and accelerations to the bodies at the end of the
+/* Unpack: reads back forces to constraints after each part, and states and accelerations to bodies at the end of the
  * step. */
 #include "MeAssert.h"
 #include "MeInternal.h"
@@ -18,14 +18,14 @@ void mdt_unpackBegin(MdtIsland *p) {
     }
 }
 
-/* The force of a divided step is the mean over its parts, weighted by their lengths. */
+/* The force of a divided step is the mean over its parts, weighted by their duration. */
 static void addJointForces(MdtJoint *j, const MdtKeaRow rows[], double share) {
     for (int r = 0; r < j->numRows; r++)
         for (int k = 0; k < 2; k++) {
             keaAddScaled(j->force.body[k].lin, share * rows[r].force, rows[r].J[k].lin);
             keaAddScaled(j->force.body[k].ang, share * rows[r].force, rows[r].J[k].ang);
         }
-    if (!isfinite(keaDot(j->force.body[0].lin, j->force.body[0].lin))) /* rows of the program's may be anything */
+    if (!isfinite(keaDot(j->force.body[0].lin, j->force.body[0].lin))) /* rows of callbacks may be anything */
         memset(&j->force, 0, sizeof j->force);
 }
 
@@ -42,9 +42,9 @@ void mdt_unpackImpact(MdtIsland *p) {
     addForces(p, 1 / p->h);
 }
 
-/* Does the row move the bodies, by a motor or an attachment that moves? What is held gives all its force, which is an
- * impulse over the step and rounded, and moves nothing. */
-static MeBool drives(const MdtKeaRow *row) {
+/* True if the row moves the bodies, by a motor or a moving attachment. A row at its bound does not count: its body is
+ * held by something else, and does not move. */
+static MeBool movesBodies(const MdtKeaRow *row) {
     const MeBool isMotor = !row->position && !row->spring && row->target != 0;
     const double nearly = 1 - 1e-9;
     return (isMotor || row->drift != 0) && row->force > nearly * row->lower && row->force < nearly * row->upper;
@@ -58,7 +58,7 @@ static void unpackJoint(const MdtIsland *p, MdtJoint *j, MeBool isGuess) {
     j->isDriven = MEFALSE;
     for (int r = 0; r < j->numRows; r++) {
         j->warm[r] = rows[r].force, j->ripple[r] = rows[r].ripple;
-        j->isDriven = j->isDriven || drives(&rows[r]);
+        j->isDriven = j->isDriven || movesBodies(&rows[r]);
     }
     mdt_rowsContext(p, &j->base, &j->worldVelocity, &x);
     x.firstRow = j->firstRow;
@@ -67,7 +67,7 @@ static void unpackJoint(const MdtIsland *p, MdtJoint *j, MeBool isGuess) {
 }
 
 void mdt_unpackConstraints(MdtIsland *p) {
-    const MeBool isGuess = p->parameters.stepsize > 0.1 * p->h; /* those of a very short part are no warm start */
+    const MeBool isGuess = p->parameters.stepsize > 0.1 * p->h; /* forces of very short parts are no warm start */
     addForces(p, mdt_substepTime(p) / p->h);
     for (int i = 0; i < p->numActing && p->numJoints > 0; i++) {
         MdtJoint *j = mdt_asJoint(p->acting[i]);
@@ -79,8 +79,8 @@ void mdt_unpackConstraints(MdtIsland *p) {
 
 /* ---- bodies ---- */
 
-/* What the body moved by beyond (1 - θ) v + θ v⁺. */
-static void notePush(MdtBodyID b, const MdtStart *start, const MdtKeaVelocity *end, double h) {
+/* Computes the position correction: the displacement beyond h ((1 - θ) v + θ v⁺). */
+static void recordPush(MdtBodyID b, const MdtStart *start, const MdtKeaVelocity *end, double h) {
     b->theta = b->kea.fall / (h * h);
     for (int k = 0; k < 3; k++)
         b->push[k] = (b->kea.position[k] - start->position[k]) / h - (1 - b->theta) * start->velocity.lin[k] -
@@ -89,20 +89,20 @@ static void notePush(MdtBodyID b, const MdtStart *start, const MdtKeaVelocity *e
 
 static void unpackBody(MdtBodyID b, double h) {
     MdtKeaVelocity end;
-    mdt_bodyKeepWithinReach(b);
+    mdt_bodyClampPosition(b);
     mdt_bodyShow(b);
     mdt_bodyVelocity(b, &end);
     for (int k = 0; k < 3; k++) {
         b->kea.lastStep.lin[k] = (end.lin[k] - b->start.velocity.lin[k]) / h;
         b->kea.lastStep.ang[k] = (end.ang[k] - b->start.velocity.ang[k]) / h;
     }
-    notePush(b, &b->start, &end, h);
+    recordPush(b, &b->start, &end, h);
     MEASSERT(isfinite(keaLength(b->kea.lastStep.lin) + keaLength(b->kea.lastStep.ang) + keaLength(b->push)));
     mdt_bodyAge(b, h);
     b->start.movesAfter = b->moves;
 }
 
-/* The rule for order (MeTeam.h): a range writes to its own bodies alone. */
+/* As the rule of MeTeam.h for a fixed order demands, a range writes to its own bodies only. */
 static void MEAPI unpackBodies(void *island, int first, int end, int worker) {
     const MdtIsland *p = island;
     (void)worker;
@@ -124,7 +124,7 @@ void mdt_unpackStopped(MdtIsland *p) {
     for (int i = 0; i < p->numBodies; i++) {
         keaZero(p->bodies[i]->kea.velocity);
         MdtKeaBodySetAngularVelocity(&p->bodies[i]->kea, none);
-        mdt_bodyKeepWithinReach(p->bodies[i]); /* an earlier part of the step may have taken it far */
+        mdt_bodyClampPosition(p->bodies[i]); /* an earlier part of the step may have moved it beyond */
         mdt_bodyShow(p->bodies[i]);
     }
 }

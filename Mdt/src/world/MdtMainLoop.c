@@ -1,4 +1,4 @@
-/* The functions that a program's callback may call with the partitions of a step (MdtMainLoop.h). */
+/* Functions for a program's partition callback (MdtMainLoop.h). */
 #include "world/mdt_workers_i.h"
 
 static MeBool hasPartition(const MdtPartitionOutput *po, int i, const char *caller) {

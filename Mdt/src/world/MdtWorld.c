@@ -9,15 +9,15 @@
 static const double usualStep = 1.0 / 60; /* s, for converting alive windows before the first step */
 
 static MeReal scaleOr1(const char *what, MeReal scale) {
-    if (mdt_isUsable(scale) && scale <= (MeReal)FLT_MAX)
+    if (mdt_isPositiveInRange(scale) && scale <= (MeReal)FLT_MAX)
         return scale;
     MeWarning(1, "MdtWorldCreate: the %s scale is %g, it must be positive; 1 is taken", what, (double)scale);
     return 1;
 }
 
-/* The default thresholds of rest, unless the program has set them. They scale with the length scale, but the one of
- * accelerations is at most a tenth of gravity, or a falling body would count as resting. Both have one factor, so that
- * their ratio, a time, is constant. */
+/* Sets the default thresholds of sleep that the program has not set. They scale with the length scale, but that of
+ * acceleration is limited to a tenth of gravity, since a falling body would count as resting otherwise. Both get the
+ * same factor, so that their ratio, a time, is constant. */
 static void setSleepThresholds(MdtWorldID w) {
     const double length = (double)w->params.lengthScale, full = MDTWORLD_DEFAULT_ACC_THRESH * length * length;
     double g[3];
@@ -50,8 +50,8 @@ static void setDefaults(MdtWorldID w, MeReal lengthScale, MeReal massScale) {
     w->sleepParams.alive_window = -1;
 }
 
-/* Its record goes with the pool. */
-static void releaseConstraint(MdtConstraintID c) {
+/* Unregisters a constraint; its record is freed with the pool. */
+static void unregisterConstraint(MdtConstraintID c) {
     if (mdt_isJoint(c)) {
         mdt_jointFree((MdtJoint *)(void *)c);
         MeHandleLeave(&c->record.handle);
@@ -68,7 +68,7 @@ static void freeWorld(MdtWorldID w) {
     for (MdtLink *link = w->bodies.first; link; link = link->next)
         MeHandleLeave(&((MdtBodyID)mdt_linkOwner(link))->record.handle);
     for (MdtLink *link = w->constraints.first; link; link = link->next)
-        releaseConstraint(mdt_linkOwner(link));
+        unregisterConstraint(mdt_linkOwner(link));
     void *arrays[] = {w->bodyOf,       w->actingOf,        w->constraintOf,    w->keaOf,         w->bodyStart,
                       w->actingStart,  w->constraintStart, w->taskOf,          w->output.info,   w->reports,
                       w->broken,       w->graph.body,      w->graph.parent,    w->graph.isAwake, w->graph.acting,
@@ -137,8 +137,8 @@ void MEAPI MdtWorldRenameLimits(const MdtWorldID w, const char *bodies, const ch
     MeLimitRename(&w->constraintLimit, constraints);
 }
 
-/* Does nothing hold the world, nor the models of its bodies? Else a message. */
-static MeBool mayEmpty(MdtWorldID w, const char *caller) {
+/* True if neither the world nor the models of its bodies are in use; otherwise a message. */
+static MeBool mayDestroyContents(MdtWorldID w, const char *caller) {
     if (!MeStageIsFree(&w->stage, caller))
         return MEFALSE;
     for (MdtLink *link = w->bodies.first; link; link = link->next) {
@@ -153,7 +153,7 @@ static MeBool mayEmpty(MdtWorldID w, const char *caller) {
 
 void MEAPI MdtWorldDestroy(const MdtWorldID w) {
     MDT_NEED_WORLD(w, );
-    if (!mayEmpty(w, __func__))
+    if (!mayDestroyContents(w, __func__))
         return;
     for (MdtLink *link = w->bodies.first; link; link = link->next) {
         const MdtBodyID b = mdt_linkOwner(link);
@@ -166,10 +166,10 @@ void MEAPI MdtWorldDestroy(const MdtWorldID w) {
     freeWorld(w);
 }
 
-/* Handlers of the program may create others meanwhile: those stay. */
-static MeBool empty(MdtWorldID w, const char *caller) {
+/* Destroys all constraints and bodies, except those that the program's handlers create meanwhile. */
+static MeBool destroyContents(MdtWorldID w, const char *caller) {
     const unsigned long end = w->nextSerial;
-    if (!mayEmpty(w, caller))
+    if (!mayDestroyContents(w, caller))
         return MEFALSE;
     mdt_listSort(&w->constraints);
     mdt_listSort(&w->bodies);
@@ -177,7 +177,7 @@ static MeBool empty(MdtWorldID w, const char *caller) {
     for (MdtLink *link = w->constraints.first, *next; link; link = next) {
         next = link->next;
         if (link->serial < end)
-            mdt_constraintRemove(mdt_constraintShown(mdt_linkOwner(link)));
+            mdt_constraintRemove(mdt_constraintPublicHandle(mdt_linkOwner(link)));
     }
     for (MdtLink *link = w->bodies.first, *next; link; link = next) {
         next = link->next;
@@ -191,12 +191,12 @@ static MeBool empty(MdtWorldID w, const char *caller) {
 
 void MEAPI MdtWorldReset(const MdtWorldID w) {
     MDT_NEED_WORLD(w, );
-    empty(w, __func__);
+    destroyContents(w, __func__);
 }
 
 void MEAPI MdtWorldReCreate(const MdtWorldID w) {
     MDT_NEED_WORLD(w, );
-    if (empty(w, __func__))
+    if (destroyContents(w, __func__))
         setDefaults(w, w->params.lengthScale, w->params.massScale);
 }
 
@@ -401,7 +401,7 @@ void MEAPI MdtWorldForAllConstraints(const MdtWorldID w, MdtConstraintIteratorCB
     if (!mdt_isPointer(__func__, "the callback", (const void *)(size_t)cb))
         return;
     mdt_listSort(&w->constraints);
-    const unsigned long end = w->nextSerial; /* those that are created meanwhile are not visited */
+    const unsigned long end = w->nextSerial; /* constraints that are created meanwhile are not visited */
     MeStageBegin(&w->stage, MDT_GUARD_CONSTRAINTS);
     const MeProgramCall before = MeProgramEnter(__func__);
     for (MdtLink *link = w->constraints.first; link; link = link->next)
@@ -509,7 +509,7 @@ void MEAPI MdtWorldSetSolverCB(const MdtWorldID w, MdtSolverCB cb, void *data) {
     w->solverCb = cb;
     w->solverCbData = data;
     w->isSolverWarned = MEFALSE;
-    w->certificate++; /* what rests may have another solver now */
+    w->certificate++; /* certified partitions may get another solver */
 }
 
 void MEAPI MdtWorldSetAccuracy(const MdtWorldID w, const MeReal velocity) {
@@ -551,7 +551,7 @@ void MEAPI MdtWorldSetMatrixSizeLog(const MdtWorldID w, int *const sizeLog, cons
 
 /* ---- the step ---- */
 
-void MEAPI MdtWorldAdvance(const MdtWorldID w, const MeReal h, const MeBool safely) {
+void MEAPI MdtWorldAdvance(const MdtWorldID w, const MeReal h, const MeBool stopAtSafeTime) {
     MeStageBegin(&w->stage, MDT_GUARD_WORLD);
     w->lastStep = (double)h;
     for (int i = 0; i < w->sizeLogLength; i++)
@@ -559,7 +559,7 @@ void MEAPI MdtWorldAdvance(const MdtWorldID w, const MeReal h, const MeBool safe
     mdt_idleWatch(w, (double)h);
     mdt_forgottenWatch(w, (double)h);
     mdt_breakBegin(w);
-    mdt_worldStep(w, (double)h, safely);
+    mdt_worldStep(w, (double)h, stopAtSafeTime);
     mdt_breakEnd(w);
     MeStageEnd(&w->stage, MDT_GUARD_WORLD);
 }

@@ -4,7 +4,7 @@
 #include "world/mdt_workers_i.h"
 #include <string.h>
 
-/* ---- their memory ---- */
+/* ---- memory of workers ---- */
 
 static void termWorker(MdtWorker *worker) {
     MEASSERT(!worker->messages.first);
@@ -47,7 +47,7 @@ void mdt_workersTerm(MdtWorldID w) {
     MeMemoryGive(w->workers);
 }
 
-/* ---- who they are ---- */
+/* ---- setting the workers ---- */
 
 static void setWorkers(MdtWorldID w, int count, MeEnqueueTaskCB enqueue, MeFinishTaskCB finish, void *userContext,
                        const char *caller) {

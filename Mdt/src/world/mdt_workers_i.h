@@ -4,8 +4,8 @@
 
 #include "step/mdt_step_i.h"
 
-/* Sets the number of workers, with their own memory except for scratch of steps. False: no memory, and nothing has
- * changed. Ends all of them (MdtWorldTasks.c). */
+/* Sets the number of workers and allocates their memory, except for scratch memory of steps. False, after a fatal
+ * error, if there is no memory: nothing is changed. mdt_workersTerm frees all workers (MdtWorldTasks.c). */
 MeBool mdt_workersInit(MdtWorldID w, int count, const char *caller);
 void mdt_workersTerm(MdtWorldID w);
 
