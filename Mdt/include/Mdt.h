@@ -1,6 +1,6 @@
 /** @file Mdt.h
- *  Karma Dynamics: everything a program needs to simulate rigid bodies (Dynamics guide), with
- *  the constraint library and what programs use of MeGlobals. */
+ *  Karma Dynamics: everything that a program needs to simulate rigid bodies (Dynamics guide), with the constraint
+ *  library and the parts of MeGlobals for programs. */
 #ifndef MDT_H
 #define MDT_H
 

@@ -1,10 +1,10 @@
-/** @file MdtAngular3.h The angular joint: two bodies keep their orientation to each other and are free to move
- *  (Dynamics guide ch. 3, "MdtAngular3"). It removes three degrees of freedom; with the rotation about its axis enabled
- *  it is the guides' Angular2 and removes two.
+/** @file MdtAngular3.h The angular joint: two bodies keep their relative orientation and translate freely (Dynamics
+ *  guide ch. 3, "MdtAngular3"). It removes three degrees of freedom; with rotation about its axis enabled it is the
+ *  guides' Angular2 and removes two.
  *
- *  The orientation to keep is the one that the bodies have when they are attached (SetBodies); setting the axis later
- *  leaves it. With a finite stiffness and a finite damping it is an angular spring instead: it keeps things upright
- *  softly.
+ *  It keeps the relative orientation in which the bodies are attached (SetBodies); setting the axis later does not
+ *  change that. With a finite stiffness and a finite damping it is an angular spring instead, for instance to keep a
+ *  body upright softly.
  */
 #ifndef MDTANGULAR3_H
 #define MDTANGULAR3_H
@@ -13,11 +13,10 @@
 
 ME_BEGIN_C
 
-/** Creates an angular joint, disabled, unattached, with the orientations of the bodies' frames to keep, rotation not
- *  enabled, rigid. The world owns it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the
- *  world is full. */
+/** Creates an angular joint, disabled, unattached, which aligns the bodies' frames; rigid, rotation not enabled. The
+ *  world owns it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtAngular3ID MEAPI MdtAngular3Create(const MdtWorldID w);
-/** Makes the two bodies' frames the orientation to keep, and sets the rest to default. Bodies and state stay. */
+/** Aligns the bodies' frames, and resets all else. Bodies and whether it is enabled stay. */
 MEPUBLIC void MEAPI MdtAngular3Reset(const MdtAngular3ID j);
 /** The angular joint as a constraint. Null for null. */
 MEPUBLIC MdtConstraintID MEAPI MdtAngular3QuaConstraint(const MdtAngular3ID j);
@@ -28,8 +27,8 @@ MEPUBLIC MdtAngular3ID MEAPI MdtConstraintDCastAngular3(const MdtConstraintID c)
 MEPUBLIC void MEAPI MdtAngular3EnableRotation(const MdtAngular3ID j, const MeBool NewRotationState);
 MEPUBLIC MeBool MEAPI MdtAngular3RotationIsEnabled(const MdtAngular3ID j);
 /** @} */
-/** @name Stiffness [N m/rad] and damping [N m s/rad] of the rotations that are held, at least 0
- *  Both are MEINFINITY by default, and as long as one of them is, the joint is rigid.
+/** @name Stiffness [N m/rad] and damping [N m s/rad] of the constrained rotations, at least 0
+ *  Both are MEINFINITY by default. The joint is rigid as long as one of them is.
  *  @{ */
 MEPUBLIC void MEAPI MdtAngular3SetStiffness(const MdtAngular3ID j, const MeReal s);
 MEPUBLIC MeReal MEAPI MdtAngular3GetStiffness(const MdtAngular3ID j);
@@ -37,7 +36,7 @@ MEPUBLIC void MEAPI MdtAngular3SetDamping(const MdtAngular3ID j, const MeReal d)
 MEPUBLIC MeReal MEAPI MdtAngular3GetDamping(const MdtAngular3ID j);
 /** @} */
 
-/** @name What every constraint has, under this joint's name
+/** @name Functions that every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
 MEPUBLIC void MEAPI MdtAngular3Destroy(const MdtAngular3ID j);

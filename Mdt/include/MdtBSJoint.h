@@ -1,6 +1,6 @@
 /** @file MdtBSJoint.h
- *  The ball-and-socket joint: a point of one body stays on a point of the other, and all rotations are free
- *  (Dynamics guide ch. 3, "MdtBSJoint"). It removes three degrees of freedom: three rows.
+ *  The ball-and-socket joint: a point of one body coincides with a point of the other, and all rotations are free
+ *  (Dynamics guide ch. 3, "MdtBSJoint"). It removes three degrees of freedom, with three rows.
  */
 #ifndef MDTBSJOINT_H
 #define MDTBSJOINT_H
@@ -12,14 +12,14 @@ ME_BEGIN_C
 /** Creates a joint, disabled, unattached, with its point at the bodies' centres of mass. The world owns it. Returns
  *  null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtBSJointID MEAPI MdtBSJointCreate(const MdtWorldID w);
-/** Puts the point back to the bodies' centres of mass and the axes to x and y. Bodies and state stay. */
+/** Resets the point to the bodies' centres of mass and the axes to x and y. Bodies and whether it is enabled stay. */
 MEPUBLIC void MEAPI MdtBSJointReset(const MdtBSJointID j);
 /** The joint as a constraint. Null for null. */
 MEPUBLIC MdtConstraintID MEAPI MdtBSJointQuaConstraint(const MdtBSJointID j);
 /** The constraint as a ball-and-socket joint; null when it is none. */
 MEPUBLIC MdtBSJointID MEAPI MdtConstraintDCastBSJoint(const MdtConstraintID c);
 
-/** @name What every constraint has, under this joint's name
+/** @name Functions that every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
 MEPUBLIC void MEAPI MdtBSJointDestroy(const MdtBSJointID j);

@@ -1,14 +1,14 @@
 /** @file MdtCarWheel.h
- *  The car wheel: a wheel that rolls, steers and springs under a chassis (Dynamics guide ch. 3, "MdtCarWheel";
+ *  The car wheel: a wheel with rolling, steering and suspension under a chassis (Dynamics guide ch. 3, "MdtCarWheel";
  *  User Guide ch. 3, "The Car Wheel Constraint"). The chassis is the first body, the wheel the second.
  *
  *  The steering axis, fixed in the chassis, is also the axis of the suspension; the hinge axis, fixed in the wheel,
- *  stays at right angles to it. The wheel's centre slides along the steering axis through the joint's position. Four
- *  degrees of freedom are left with free steering, three with it locked. Set the bodies, then the position (the wheel's
- *  centre), then the axes, while wheel and chassis stand as for driving straight on.
+ *  stays orthogonal to it. The wheel's centre slides along the steering axis through the joint's position. Four
+ *  degrees of freedom are left with free steering, three if it is locked. Set the bodies, then the position (the
+ *  wheel's centre), then the axes, in the pose for driving straight ahead.
  *
- *  Heights are those of the wheel along the steering axis, from the joint's position in the chassis. Motors drive the
- *  wheel against the chassis. The steering angle is counted as a hinge's is, the first body against the second.
+ *  Heights are those of the wheel along the steering axis, from the joint's position in the chassis. Motors act between
+ *  wheel and chassis. The steering angle is defined as a hinge's: the first body relative to the second.
  */
 #ifndef MDTCARWHEEL_H
 #define MDTCARWHEEL_H
@@ -40,8 +40,8 @@ MEPUBLIC void MEAPI MdtCarWheelGetSteeringAndHingeAxes(const MdtCarWheelID j, co
                                                        MeVector3 primary, MeVector3 ortho);
 /** @} */
 /** @name Steering: locked, or moved by a motor of limited force
- *  A new wheel's motor holds the steering at rest with up
- *  to 1e9 N m. A negative force counts as 0, which lets it turn freely.
+ *  A new wheel's motor holds the steering at rest with up to 1e9 N m. A negative force counts as 0, which leaves it
+ *  free.
  *  @{ */
 MEPUBLIC void MEAPI MdtCarWheelSetSteeringLock(const MdtCarWheelID j, const MeBool lock);
 MEPUBLIC MeBool MEAPI MdtCarWheelIsSteeringLocked(const MdtCarWheelID j);
@@ -53,21 +53,20 @@ MEPUBLIC MeReal MEAPI MdtCarWheelGetSteeringMotorMaxForce(const MdtCarWheelID j)
 MEPUBLIC MeReal MEAPI MdtCarWheelGetSteeringAngle(const MdtCarWheelID j);
 MEPUBLIC MeReal MEAPI MdtCarWheelGetSteeringAngleRate(const MdtCarWheelID j);
 /** @} */
-/** @name Rolling: a motor of limited force, off at first; with the velocity 0 it is a brake
+/** @name Rolling: a motor of limited force, off by default; with the velocity 0 it is a brake
  *  @{ */
 MEPUBLIC void MEAPI MdtCarWheelSetHingeLimitedForceMotor(const MdtCarWheelID j, const MeReal desiredVelocity,
                                                          const MeReal forceLimit);
 MEPUBLIC MeReal MEAPI MdtCarWheelGetHingeMotorDesiredVelocity(const MdtCarWheelID j);
 MEPUBLIC MeReal MEAPI MdtCarWheelGetHingeMotorMaxForce(const MdtCarWheelID j);
-/** Between 0 and pi, after the last step: how far the wheel has turned from where it stood when the axes were set. */
+/** Between 0 and pi, after the last step: the angle of the wheel from its pose when the axes were set. */
 MEPUBLIC MeReal MEAPI MdtCarWheelGetHingeAngle(const MdtCarWheelID j);
-/** rad/s, of the wheel against the chassis. */
+/** rad/s, of the wheel relative to the chassis. */
 MEPUBLIC MeReal MEAPI MdtCarWheelGetHingeAngleRate(const MdtCarWheelID j);
 /** @} */
 /** @name Suspension: a damped spring, F = -Kp (height - reference) - Kd rate on the wheel, between two stops
- *  Kp N/m and
- *  Kd N s/m, at least 0. The stops are hard where @a limit_softness [1/kg] is 0; else it is added to the world's
- *  epsilon at the stops. A low limit above the high one gets a warning, and nothing is changed.
+ *  Kp in N/m and Kd in N s/m, at least 0. The stops are hard if @a limit_softness [1/kg] is 0; otherwise it is added to
+ *  the world's epsilon at the stops. A low limit above the high one gets a warning, and nothing is changed.
  *  @{ */
 MEPUBLIC void MEAPI MdtCarWheelSetSuspension(const MdtCarWheelID j, const MeReal Kp, const MeReal Kd,
                                              const MeReal limit_softness, const MeReal lolimit, const MeReal hilimit,
@@ -83,7 +82,7 @@ MEPUBLIC MeReal MEAPI MdtCarWheelGetSuspensionHeight(const MdtCarWheelID j);
 MEPUBLIC MeReal MEAPI MdtCarWheelGetSuspensionRate(const MdtCarWheelID j);
 /** @} */
 
-/** @name What every constraint has, under this joint's name
+/** @name Functions that every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
 MEPUBLIC void MEAPI MdtCarWheelDestroy(const MdtCarWheelID j);

@@ -1,9 +1,9 @@
-/** @file MdtConeLimit.h The cone limit: the angle between an axis of each body stays below a half angle (Dynamics guide
- *  ch. 3, "MdtConeLimit"). It has no row inside the cone and one at its side; the twist about the axes stays free. Use
- *  it beside a ball-and-socket or a universal joint. It needs no position.
+/** @file MdtConeLimit.h The cone limit: keeps the angle between an axis of each body below a half angle (Dynamics
+ *  guide ch. 3, "MdtConeLimit"). It has no row inside the cone and one row at its surface; twist about the axes is
+ *  free. Combine it with a ball-and-socket or a universal joint. It needs no position.
  *
- *  Half angles below about 5 degrees are not well defined: where the axes are parallel, the limit has no plane to push
- *  in.
+ *  Half angles below about 5 degrees are not well defined: if the axes are parallel, the plane of the limit's torque is
+ *  undefined.
  */
 #ifndef MDTCONELIMIT_H
 #define MDTCONELIMIT_H
@@ -21,11 +21,11 @@ MEPUBLIC void MEAPI MdtConeLimitReset(const MdtConeLimitID j);
 MEPUBLIC MdtConstraintID MEAPI MdtConeLimitQuaConstraint(const MdtConeLimitID j);
 /** The constraint as a cone limit; null when it is none. */
 MEPUBLIC MdtConeLimitID MEAPI MdtConstraintDCastConeLimit(const MdtConstraintID c);
-/** The angle between the cone's axis and its side, rad, 0 to pi. Beyond, it is clamped. */
+/** The angle between the cone's axis and its surface, rad, clamped to 0 .. pi. */
 MEPUBLIC void MEAPI MdtConeLimitSetConeHalfAngle(const MdtConeLimitID j, const MeReal theta);
 MEPUBLIC MeReal MEAPI MdtConeLimitGetConeHalfAngle(const MdtConeLimitID j);
 /** @name Stiffness [N m/rad] and damping [N m s/rad] beyond the cone, at least 0
- *  Both are MEINFINITY by default, and as long as one of them is, the limit is hard and without rebound.
+ *  Both are MEINFINITY by default. The limit is hard, without rebound, as long as one of them is.
  *  @{ */
 MEPUBLIC void MEAPI MdtConeLimitSetStiffness(const MdtConeLimitID j, const MeReal kp);
 MEPUBLIC MeReal MEAPI MdtConeLimitGetStiffness(const MdtConeLimitID j);
@@ -38,7 +38,7 @@ MEPUBLIC void MEAPI MdtConeLimitBodySetAxesRel(const MdtConeLimitID j, const uns
                                                const MeReal oz);
 MEPUBLIC void MEAPI MdtConeLimitGetAxes(const MdtConeLimitID j, MeVector3 primary, MeVector3 ortho);
 
-/** @name What every constraint has, under this joint's name
+/** @name Functions that every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
 MEPUBLIC void MEAPI MdtConeLimitDestroy(const MdtConeLimitID j);

@@ -2,7 +2,7 @@
  *  Contacts: points where two bodies, or a body and the world, touch (Dynamics guide ch. 3, "MdtContact").
  *
  *  A contact is created when bodies touch, enabled for a step, and destroyed or moved before the next. Its normal is
- *  the way in which the first body is pushed. What happens along the surface is said by its parameters
+ *  the direction in which the first body is pushed. Its parameters determine friction and rebound
  *  (MdtContactParams.h). All vectors are in the world frame; a contact does not move with the bodies.
  *
  *  Bad input gets a warning and changes nothing, as in MdtConstraint.h.
@@ -23,7 +23,7 @@ extern MEPUBLIC const MdtContactID MdtContactInvalidID;
  * guide's sample passes the two bodies as well: MdtContactCreate(world, body0, body1) attaches the contact to them.
  */
 MEPUBLIC MdtContactID MEAPI MdtContactCreate(const MdtWorldID w);
-/** What the form with three arguments stands for. */
+/** Implements MdtContactCreate with three arguments. */
 MEPUBLIC MdtContactID MEAPI MdtContactCreateBetween(const MdtWorldID w, const MdtBodyID b1, const MdtBodyID b2);
 #ifdef __cplusplus
 ME_END_C
@@ -50,68 +50,68 @@ MEPUBLIC MdtContactID MEAPI MdtConstraintDCastContact(const MdtConstraintID c);
  *  @{ */
 MEPUBLIC void MEAPI MdtContactSetPosition(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z);
 MEPUBLIC void MEAPI MdtContactGetPosition(const MdtContactID c, MeVector3 v);
-/** Normalized; a zero normal gets a warning. A primary direction that was set is kept as far as it is tangential. */
+/** Normalized here; a zero normal gets a warning. A primary direction that was set is projected on the new plane. */
 MEPUBLIC void MEAPI MdtContactSetNormal(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z);
 MEPUBLIC void MEAPI MdtContactGetNormal(const MdtContactID c, MeVector3 v);
-/** m; positive where the bodies overlap, negative for a gap, which the contact lets the bodies close and no more. */
+/** m; positive for an overlap. Negative for a gap: the contact lets the bodies close the gap, but not overlap. */
 MEPUBLIC void MEAPI MdtContactSetPenetration(const MdtContactID c, const MeReal p);
 MEPUBLIC MeReal MEAPI MdtContactGetPenetration(const MdtContactID c);
 /**
- * Position, m, and penetration, m, as they were found in double between bodies whose transforms were read from
- * MdtBodyGetTransformPtr. What those lost by rounding to MeReal is put back, so that single precision adds no noise to
- * a body that rests, or rolls far away. Bodies, normal and radii must be set before. Beyond Karma.
+ * Position, m, and penetration, m, computed in double between bodies whose transforms were read from
+ * MdtBodyGetTransformPtr. The rounding of these transforms to MeReal is compensated, so that single precision adds no
+ * noise to bodies at rest, or rolling far away. Set bodies, normal and radii before. Beyond Karma.
  */
 MEPUBLIC void MEAPI MdtContactSetExact(const MdtContactID c, const double position[3], const double penetration);
 /**
- * m, >= 0: the surface of the body of this side is a sphere of that radius there, or a cylinder that the normal goes
- * across, and rolls on; 0, the default: it is a corner, an edge or a face, which turns with the body. Within a step
- * contacts move with the bodies.
+ * m, >= 0: radius of the body's surface at the contact, if it is a sphere, or a cylinder with the normal across its
+ * axis: it rolls. 0, the default: a corner, an edge or a face, which rotates with the body. Within a step contacts move
+ * with the bodies.
  */
 MEPUBLIC void MEAPI MdtContactSetRadius(const MdtContactID c, const unsigned int bodyindex, const MeReal radius);
 MEPUBLIC MeReal MEAPI MdtContactGetRadius(const MdtContactID c, const unsigned int bodyindex);
 /**
- * The surface of the body of this side touches with the point of a circle that lies farthest along the normal, as rims
- * of coins do: radius, m, >= 0, and axis, in the world's axes, of any length but 0. 0, the default: there is none. It
- * comes before the radius that MdtContactSetRadius sets. MdtContactGetRim returns the radius and writes the axis, zero
- * where there is no circle. Beyond Karma.
+ * The body touches with the point of a circle that lies farthest along the normal, as the rims of coins do: radius, m,
+ * >= 0, and axis, in the world frame, of any length but 0. Radius 0, the default: no circle. The circle takes
+ * precedence over the radius of MdtContactSetRadius. MdtContactGetRim returns the radius and writes the axis, zero if
+ * there is no circle. Beyond Karma.
  */
 MEPUBLIC void MEAPI MdtContactSetRim(const MdtContactID c, const unsigned int bodyindex, const MeReal radius,
                                      const MeVector3 axis);
 MEPUBLIC MeReal MEAPI MdtContactGetRim(const MdtContactID c, const unsigned int bodyindex, MeVector3 axis);
-/** A number by which the maker of contacts knows this one again in the next step. Nothing else uses it. Default 0. */
+/** Feature id: a number by which the contact's maker recognizes it in the next step. Not used otherwise. Default 0. */
 MEPUBLIC void MEAPI MdtContactSetFeature(const MdtContactID c, const MeU32 feature);
 MEPUBLIC MeU32 MEAPI MdtContactGetFeature(const MdtContactID c);
-/** The primary direction, at right angles to the normal (the part along the normal is taken off). Needed only where
- *  friction differs with direction; else one is chosen. The secondary direction is normal x primary. */
+/** The primary direction; its component along the normal is removed. Needed only for anisotropic friction, else one is
+ *  chosen. The secondary direction is normal x primary. */
 MEPUBLIC void MEAPI MdtContactSetDirection(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z);
 MEPUBLIC void MEAPI MdtContactGetDirection(const MdtContactID c, MeVector3 v);
 /** @} */
 
 /** @name Parameters
  *  @{ */
-/** The contact's own parameters, to read and to write; they live as long as the contact. */
+/** Pointer to the contact's own parameters, for reading and writing; valid as long as the contact. */
 MEPUBLIC MdtContactParamsID MEAPI MdtContactGetParams(const MdtContactID c);
 /** Copies all of @a p. */
 MEPUBLIC void MEAPI MdtContactSetParams(const MdtContactID c, const MdtContactParamsID p);
-/** m/s of the world's surface at the contact: MdtConstraintSetWorldLinearVelocity. */
+/** m/s, velocity of the world's surface at the contact (MdtConstraintSetWorldLinearVelocity). */
 MEPUBLIC void MEAPI MdtContactSetWorldVelocity(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z);
 MEPUBLIC void MEAPI MdtContactGetWorldVelocity(const MdtContactID c, MeVector3 v);
 /** @} */
 
-/** m/s, of the first body against the second at the contact, now. */
+/** m/s, the present velocity of the first body relative to the second at the contact. */
 MEPUBLIC void MEAPI MdtContactGetRelativeVelocity(const MdtContactID c, MeVector3 v);
 
-/** @name A list of contacts, kept by whoever makes them (collision uses it)
+/** @name A linked list of contacts for their maker (collision uses it)
  *  @{ */
 MEPUBLIC void MEAPI MdtContactSetNext(const MdtContactID c, const MdtContactID nc);
 /** MdtContactInvalidID at the end. */
 MEPUBLIC MdtContactID MEAPI MdtContactGetNext(const MdtContactID c);
 /** @} */
 
-/** The group that the contact belongs to (MdtContactGroup.h); null: none. */
+/** The group that the contact belongs to (MdtContactGroup.h); null if there is none. */
 MEPUBLIC MdtContactGroupID MEAPI MdtContactGetContactGroup(const MdtContactID c);
 
-/** @name What every constraint has, under its own name
+/** @name Functions that every constraint has, under its own name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
 MEPUBLIC void MEAPI MdtContactDestroy(const MdtContactID j);

@@ -2,10 +2,10 @@
  *  A contact group: all contacts between two bodies, or a body and the world, as one constraint (Dynamics guide ch. 3,
  *  "MdtContactGroups").
  *
- *  The group is attached, enabled and given a sort key; its contacts have its bodies and act when it does, in the order
- *  in which they came into it. A contact's own MdtContactEnable and MdtContactDisable have no effect while it is in a
- *  group. In a group with the world the body that moves is the first one: attached as (null, body), a group swaps the
- *  two, and MdtContactGroupIsSwapped tells; contacts push their first body along the normal as always.
+ *  The group is attached, enabled and given a sort key; its contacts have its bodies, act when the group does, and are
+ *  simulated in the order in which they were added. MdtContactEnable and MdtContactDisable have no effect on a contact
+ *  in a group. In a group with the world the body is the first side: attached as (null, body), a group swaps the two,
+ *  and MdtContactGroupIsSwapped returns true. As always, contacts push their first body along the normal.
  *
  *  Bad input gets a warning and changes nothing, as in MdtConstraint.h.
  */
@@ -16,51 +16,51 @@
 
 ME_BEGIN_C
 
-/** Creates a group, empty, disabled, unattached. It counts as one of the world's constraints. Returns null, with a
+/** Creates an empty group, disabled, unattached. It counts as one of the world's constraints. Returns null, with a
  *  warning that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtContactGroupID MEAPI MdtContactGroupCreate(const MdtWorldID w);
-/** Destroys the group's contacts. Bodies and state stay. */
+/** Destroys the group's contacts. Bodies, and whether it is enabled, do not change. */
 MEPUBLIC void MEAPI MdtContactGroupReset(const MdtContactGroupID c);
 /** The group as a constraint. Null for null. */
 MEPUBLIC MdtConstraintID MEAPI MdtContactGroupQuaConstraint(const MdtContactGroupID c);
 /** The constraint as a group; null when it is none. */
 MEPUBLIC MdtContactGroupID MEAPI MdtConstraintDCastContactGroup(const MdtConstraintID c);
 
-/** @name Its contacts
+/** @name The group's contacts
  *  @{ */
 /** Null for an empty group. */
 MEPUBLIC MdtContactID MEAPI MdtContactGroupGetFirstContact(MdtContactGroupID c);
 /** The contact after @a c; null after the last, and, with a warning, for a contact of another group. */
 MEPUBLIC MdtContactID MEAPI MdtContactGroupGetNextContact(MdtContactGroupID g, MdtContactID c);
 MEPUBLIC int MEAPI MdtContactGroupGetCount(MdtContactGroupID g);
-/** A new contact, at the end of the group. Null, with a warning, when the world is full. */
+/** Creates a contact at the end of the group. Null, with a warning, when the world is full. */
 MEPUBLIC MdtContactID MEAPI MdtContactGroupCreateContact(MdtContactGroupID g);
-/** Puts a contact, which is in no group, at the end of this one; it gets the group's bodies. */
+/** Moves a contact that is in no group to the end of this one; the contact gets the group's bodies. */
 MEPUBLIC void MEAPI MdtContactGroupAppendContact(MdtContactGroupID g, MdtContactID c);
-/** Takes a contact out of the group; it lives on, disabled, with its bodies. A contact that a bridge made (MstBridge.h)
- *  is a part of its group's record and stays, with a warning. */
+/** Removes a contact from the group; the contact is disabled and keeps its bodies. A contact that a bridge made
+ *  (MstBridge.h) is part of its group's record and is not removed, with a warning. */
 MEPUBLIC void MEAPI MdtContactGroupRemoveContact(MdtContactGroupID g, MdtContactID c);
-/** Takes a contact out of the group and destroys it. */
+/** Removes a contact from the group and destroys it. */
 MEPUBLIC void MEAPI MdtContactGroupDestroyContact(MdtContactGroupID g, MdtContactID c);
 /** @} */
 
-/** The size of the sum of the contacts' normal forces in the last step, N. */
+/** N: magnitude of the sum of the contacts' normal forces in the last step. */
 MEPUBLIC MeReal MEAPI MdtContactGroupGetNormalForce(MdtContactGroupID g);
-/** True when the group was attached as (null, body) and has the two the other way round. */
+/** True if the group was attached as (null, body), and has swapped the two. */
 MEPUBLIC MeBool MEAPI MdtContactGroupIsSwapped(MdtContactGroupID g);
-/** @name A pointer for whoever makes the group (collision uses it)
+/** @name A pointer for the group's maker (collision uses it)
  *  @{ */
 MEPUBLIC void MEAPI MdtContactGroupSetGenerator(MdtContactGroupID g, void *generator);
 MEPUBLIC void *MEAPI MdtContactGroupGetGenerator(MdtContactGroupID group);
-/** Where its maker keeps the group: *@a holder is set to null when the group is destroyed, by whomever, so that nothing
- *  new in the same place is taken for it. It must live as long as the group, or until another holder, or null, is set.
- *  Beyond Karma. */
+/** Sets the address of the maker's pointer to the group: *@a holder is set to null when the group is destroyed, by
+ *  whomever, so that the maker does not take a new object in the same memory for it. The pointer must live as long as
+ *  the group, or until another holder, or null, is set. Beyond Karma. */
 MEPUBLIC void MEAPI MdtContactGroupSetHolder(MdtContactGroupID g, void **holder);
 /** @} */
 
-/** @name What every constraint has, under its own name
- *  Each does what the MdtConstraint function of that name does (MdtConstraint.h). Force and torque are the sums over
- *  the contacts. Destroying the group destroys them.
+/** @name Functions that every constraint has, under its own name Each does what the MdtConstraint function of that
+ *  name does (MdtConstraint.h). Force and torque are the sums over the contacts. Destroying the group destroys its
+ *  contacts.
  *  @{ */
 MEPUBLIC void MEAPI MdtContactGroupDestroy(const MdtContactGroupID j);
 MEPUBLIC void MEAPI MdtContactGroupEnable(const MdtContactGroupID j);
@@ -75,7 +75,7 @@ MEPUBLIC void MEAPI MdtContactGroupSetUserData(const MdtContactGroupID j, void *
 MEPUBLIC void *MEAPI MdtContactGroupGetUserData(const MdtContactGroupID j);
 MEPUBLIC void MEAPI MdtContactGroupSetSortKey(const MdtContactGroupID j, const MeI32 key);
 MEPUBLIC MeI32 MEAPI MdtContactGroupGetSortKey(const MdtContactGroupID j);
-/** Another name of old programs. */
+/** Another name of MdtContactGroupGetTorque, in old programs. */
 MEPUBLIC void MEAPI MdtContactGroupTorque(const MdtContactGroupID j, const unsigned int bodyindex, MeVector3 torque);
 /** @} */
 

@@ -1,14 +1,15 @@
 /** @file MdtContactParams.h
  *  The properties of contacts (Dynamics guide ch. 3, "The MdtBclContactParams Structure").
  *
- *  A set of parameters belongs to a contact (MdtContactGetParams), or is a program's own MdtBclContactParams that it
- *  copies into contacts. "Friction" sets both directions where no direction is named. A null set, a number that is not
- *  finite or out of its range gets a warning and changes nothing; accessors then return 0.
+ *  A set of parameters belongs to a contact (MdtContactGetParams), or is the program's own MdtBclContactParams, which
+ *  it copies into contacts. Functions without "Primary" or "Secondary" in their name set both directions. A null set,
+ *  and a number that is not finite or out of its range, gets a warning and changes nothing; accessors then return 0.
  *
- *  Friction needs three things: a type, a model, and the model's force or coefficient. A coefficient alone does
- *  nothing; a type alone is friction without bound. MdtContactParamsSetSurface sets all of them. If some are missing,
- *  the step gives a warning, once for each world and kind of omission, of a type alone, which the guides use, a MeInfo;
- *  not if the type FrictionZero, or a friction of MEINFINITY, was set by its function, which shows that it is meant.
+ *  Friction needs three settings: a type, a model, and the model's force or coefficient. A coefficient alone has no
+ *  effect; a type alone is friction without bound. MdtContactParamsSetSurface sets all of them. If some are missing, a
+ *  step gives a warning, once per world and kind of omission; for a type alone, which the guides use, a MeInfo. No
+ *  message is given if the type FrictionZero, or a friction of MEINFINITY, was set by its function, since that is
+ *  intended.
  */
 #ifndef MDTCONTACTPARAMS_H
 #define MDTCONTACTPARAMS_H
@@ -19,13 +20,13 @@ ME_BEGIN_C
 
 /**
  * The usual surface: Coulomb friction with the coefficient @a friction (>= 0) in every direction, and @a restitution,
- * 0..1. Stands for type MdtContactTypeFriction2D (FrictionZero for 0), both models MdtFrictionModelCone, which has the
- * normal force of the very step as its bound, both coefficients, and MdtContactParamsSetRestitution. All else stays.
+ * 0..1. Sets the type MdtContactTypeFriction2D (FrictionZero for 0), both models to MdtFrictionModelCone, which is
+ * bound by the normal force of the same step, both coefficients, and the restitution. Other parameters do not change.
  * Beyond Karma.
  */
 MEPUBLIC void MEAPI MdtContactParamsSetSurface(const MdtContactParamsID p, MeReal friction, MeReal restitution);
-/** Defaults: no friction, box model without bound, no restitution, velocity threshold 0.001 m/s, all else 0. The
- *  parameters of new contacts, and of new materials of a bridge, have the threshold times the length scale. */
+/** Defaults: no friction, box model without bound, no restitution, velocity threshold 0.001 m/s, all else 0. In the
+ *  parameters of new contacts, and of a bridge's new materials, the threshold is multiplied by the length scale. */
 MEPUBLIC void MEAPI MdtContactParamsReset(const MdtContactParamsID p);
 
 /** @name Kind of friction
@@ -39,7 +40,7 @@ MEPUBLIC MdtFrictionModel MEAPI MdtContactParamsGetPrimaryFrictionModel(const Md
 MEPUBLIC MdtFrictionModel MEAPI MdtContactParamsGetSecondaryFrictionModel(const MdtContactParamsID p);
 /** @} */
 
-/** @name Friction: N for the box model, >= 0, MEINFINITY for no sliding at all
+/** @name Friction force of the box model, N, >= 0; MEINFINITY: no sliding
  *  @{ */
 MEPUBLIC void MEAPI MdtContactParamsSetFriction(const MdtContactParamsID p, MeReal f);
 MEPUBLIC void MEAPI MdtContactParamsSetPrimaryFriction(const MdtContactParamsID p, MeReal f);
@@ -48,7 +49,7 @@ MEPUBLIC MeReal MEAPI MdtContactParamsGetPrimaryFriction(const MdtContactParamsI
 MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondaryFriction(const MdtContactParamsID p);
 /** @} */
 
-/** @name Friction coefficient of the normal-force model, >= 0 (the spelling is the interface's)
+/** @name Friction coefficient of the normal-force model, >= 0 (the misspelling is Karma's)
  *  @{ */
 MEPUBLIC void MEAPI MdtContactParamsSetFrictionCoeffecient(const MdtContactParamsID p, MeReal f);
 MEPUBLIC void MEAPI MdtContactParamsSetPrimaryFrictionCoeffecient(const MdtContactParamsID p, MeReal f);
@@ -57,9 +58,9 @@ MEPUBLIC MeReal MEAPI MdtContactParamsGetPrimaryFrictionCoeffecient(const MdtCon
 MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondaryFrictionCoeffecient(const MdtContactParamsID p);
 /** @} */
 
-/** @name Slip: tangential velocity per tangential force, m/s per N, >= 0; 0 turns it off
- *  The surface gives way at a velocity of slip times the tangential force of the contact. A body that is pushed with a
- *  force reaches the velocity slip times force with a time constant of slip times mass.
+/** @name Slip: tangential velocity per tangential force, m/s per N, >= 0; 0: no slip
+ *  The surfaces slide at a velocity of slip times the tangential force of the contact. A body under a constant force
+ *  approaches the velocity slip times force with the time constant slip times mass.
  *  @{ */
 MEPUBLIC void MEAPI MdtContactParamsSetSlip(const MdtContactParamsID p, MeReal f);
 MEPUBLIC void MEAPI MdtContactParamsSetPrimarySlip(const MdtContactParamsID p, MeReal s);
@@ -68,7 +69,7 @@ MEPUBLIC MeReal MEAPI MdtContactParamsGetPrimarySlip(const MdtContactParamsID p)
 MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondarySlip(const MdtContactParamsID p);
 /** @} */
 
-/** @name Slide: velocity of the second body's surface that carries the first body along, m/s; needs friction
+/** @name Slide: velocity of the second body's surface, which carries the first body along, m/s; needs friction
  *  @{ */
 MEPUBLIC void MEAPI MdtContactParamsSetPrimarySlide(const MdtContactParamsID p, MeReal s);
 MEPUBLIC void MEAPI MdtContactParamsSetSecondarySlide(const MdtContactParamsID p, MeReal s);
@@ -77,7 +78,7 @@ MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondarySlide(const MdtContactParamsID
 /** @} */
 
 /** @name Restitution: rebound speed over impact speed, 0..1, for impacts above the threshold [m/s, >= 0]
- *  Bodies that close no faster than by the acceleration of one step are at rest against each other and do not bounce.
+ *  Bodies whose closing speed is below the acceleration of one step count as resting on each other and do not bounce.
  *  @{ */
 MEPUBLIC void MEAPI MdtContactParamsSetRestitution(const MdtContactParamsID p, MeReal r);
 MEPUBLIC MeReal MEAPI MdtContactParamsGetRestitution(const MdtContactParamsID p);
@@ -85,14 +86,14 @@ MEPUBLIC void MEAPI MdtContactParamsSetRestitutionThreshold(const MdtContactPara
 MEPUBLIC MeReal MEAPI MdtContactParamsGetRestitutionThreshold(const MdtContactParamsID p);
 /** @} */
 
-/** @name Softness: compliance along this contact's normal besides the world's epsilon, 1/kg, >= 0
- *  A load F rests softness F h² / gamma deep. Prevents jitter (Dynamics guide ch. 5); 0.0001 is a typical value.
+/** @name Softness: compliance along this contact's normal, added to the world's epsilon, 1/kg, >= 0
+ *  A load F sinks by softness F h² / gamma. Prevents jitter (Dynamics guide ch. 5); 0.0001 is a typical value.
  *  @{ */
 MEPUBLIC void MEAPI MdtContactParamsSetSoftness(const MdtContactParamsID p, MeReal s);
 MEPUBLIC MeReal MEAPI MdtContactParamsGetSoftness(const MdtContactParamsID p);
 /** @} */
 
-/** @name Adhesion: the force with which the contact may pull, N, >= 0; MEINFINITY: it never lets go
+/** @name Adhesion: the largest pulling force of the contact, N, >= 0; MEINFINITY: the bodies never separate
  *  @{ */
 MEPUBLIC void MEAPI MdtContactParamsSetMaxAdhesiveForce(const MdtContactParamsID p, MeReal s);
 MEPUBLIC MeReal MEAPI MdtContactParamsGetMaxAdhesiveForce(const MdtContactParamsID p);

@@ -1,6 +1,7 @@
-/** @file MdtFPFOJoint.h The FPFO joint, fixed position and fixed orientation: two bodies become one (Dynamics guide ch.
- *  3, "MdtFPFOJoint"). It removes six degrees of freedom. The guide deprecates it: one body with both shapes is
- *  cheaper, and MdtRPROJoint does more. The bodies stay as they stand to each other when they are attached (SetBodies).
+/** @file MdtFPFOJoint.h The FPFO joint, fixed position and fixed orientation, rigidly connects two bodies (Dynamics
+ *  guide ch. 3, "MdtFPFOJoint"). It removes six degrees of freedom. The guide deprecates it: one body with both shapes
+ *  is cheaper, and MdtRPROJoint is more general. The bodies keep the relative pose in which they are attached
+ *  (SetBodies).
  */
 #ifndef MDTFPFOJOINT_H
 #define MDTFPFOJOINT_H
@@ -9,21 +10,21 @@
 
 ME_BEGIN_C
 
-/** Creates a FPFO joint, disabled, unattached, to hold the bodies' frames together. The world owns it. Returns null,
- *  with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
+/** Creates an FPFO joint, disabled, unattached, which makes the bodies' frames coincide. The world owns it. Returns
+ *  null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtFPFOJointID MEAPI MdtFPFOJointCreate(const MdtWorldID w);
-/** Makes the two bodies' frames coincide, as before SetBodies. Bodies and state stay. */
+/** Makes the bodies' frames coincide, as before SetBodies. Bodies and whether it is enabled stay. */
 MEPUBLIC void MEAPI MdtFPFOJointReset(const MdtFPFOJointID j);
 /** The FPFO joint as a constraint. Null for null. */
 MEPUBLIC MdtConstraintID MEAPI MdtFPFOJointQuaConstraint(const MdtFPFOJointID j);
-/** The constraint as a FPFO joint; null when it is none. */
+/** The constraint as an FPFO joint; null when it is none. */
 MEPUBLIC MdtFPFOJointID MEAPI MdtConstraintDCastFPFOJoint(const MdtConstraintID c);
-/** Where the joint is attached, world frame: forces are passed there. */
+/** The point, world frame, at which the joint transmits forces. */
 MEPUBLIC void MEAPI MdtFPFOJointSetPosition(const MdtFPFOJointID j, const MeReal x, const MeReal y, const MeReal z);
-/** Where it is on the body of index 0 or 1, world frame. */
+/** The present point on the body of index 0 or 1, world frame. */
 MEPUBLIC void MEAPI MdtFPFOJointGetPosition(const MdtFPFOJointID j, const unsigned int bodyindex, MeVector3 pos);
 
-/** @name What every constraint has, under this joint's name
+/** @name Functions that every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
 MEPUBLIC void MEAPI MdtFPFOJointDestroy(const MdtFPFOJointID j);

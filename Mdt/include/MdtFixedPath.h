@@ -2,9 +2,9 @@
  *  The fixed-path joint: a ball-and-socket joint whose attachment the program moves
  *  (Dynamics guide ch. 3, "MdtFixedPath"). It removes three degrees of freedom.
  *
- *  Before every step, set the position where the path is now, and its velocity there. With the velocity the bodies
- *  follow the path without lagging behind, and the joint's force is that of the motion; without it, gamma pulls them
- *  after it. Positions and velocities are given in the frame of the body of that index: the world's, where it is null.
+ *  Before every step, set the present position of the path, and its velocity. With the velocity the bodies follow the
+ *  path without lag, and the joint's force includes the inertia of the motion; without it, only gamma corrects the
+ *  error. Positions and velocities are in the frame of the body of that index, or of the world if that body is null.
  */
 #ifndef MDTFIXEDPATH_H
 #define MDTFIXEDPATH_H
@@ -26,12 +26,12 @@ MEPUBLIC MdtFixedPathID MEAPI MdtConstraintDCastFixedPath(const MdtConstraintID 
 MEPUBLIC void MEAPI MdtFixedPathSetPosition(const MdtFixedPathID j, const unsigned int bodyindex, const MeReal x,
                                             const MeReal y, const MeReal z);
 MEPUBLIC void MEAPI MdtFixedPathGetPosition(const MdtFixedPathID j, const unsigned int bodyindex, MeVector3 position);
-/** How fast that attachment moves, m/s, in that body's frame. */
+/** The velocity of that attachment, m/s, in that body's frame. */
 MEPUBLIC void MEAPI MdtFixedPathSetVelocity(const MdtFixedPathID j, const unsigned int bodyindex, const MeReal dx,
                                             const MeReal dy, const MeReal dz);
 MEPUBLIC void MEAPI MdtFixedPathGetVelocity(const MdtFixedPathID j, const unsigned int bodyindex, MeVector3 velocity);
 
-/** @name What every constraint has, under this joint's name
+/** @name Functions that every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
 MEPUBLIC void MEAPI MdtFixedPathDestroy(const MdtFixedPathID j);

@@ -1,10 +1,11 @@
 /** @file MdtHinge.h
- *  The hinge: two bodies turn about a common axis, with stops and a motor (Dynamics guide ch. 3, "MdtHinge").
+ *  The hinge: two bodies rotate about a common axis, with stops and a motor (Dynamics guide ch. 3, "MdtHinge").
  *
- *  It removes five degrees of freedom. A running motor, and each stop that is touched, adds a row. The angle is that of
- *  the first body against the second, positive about the axis by the right-hand rule, zero as the bodies stood when the
- *  axis was set, and counts full turns, so that stops may lie beyond a half turn. Stops, motor and the angle itself are
- *  in the joint's limit (MdtLimit.h); the angle is measured while the limit is active, powered, or asked to.
+ *  It removes five degrees of freedom. A running motor, and each stop in contact, adds a row. The angle is that of the
+ *  first body relative to the second, positive about the axis by the right-hand rule, zero in the pose in which the
+ *  axis was set. It includes full turns, so that stops may lie beyond half a turn. Stops, motor and angle are in the
+ *  joint's limit (MdtLimit.h); the angle is measured while the limit is active or powered, or if
+ *  MdtLimitCalculatePosition asks for it.
  */
 #ifndef MDTHINGE_H
 #define MDTHINGE_H
@@ -23,12 +24,12 @@ MEPUBLIC void MEAPI MdtHingeReset(const MdtHingeID j);
 MEPUBLIC MdtConstraintID MEAPI MdtHingeQuaConstraint(const MdtHingeID j);
 /** The constraint as a hinge; null when it is none. */
 MEPUBLIC MdtHingeID MEAPI MdtConstraintDCastHinge(const MdtConstraintID c);
-/** The hinge's limit, to read and to write; it lives as long as the hinge. */
+/** Pointer to the hinge's limit, for reading and writing; valid as long as the hinge. */
 MEPUBLIC MdtLimitID MEAPI MdtHingeGetLimit(const MdtHingeID j);
 /** Resets the hinge's limit, then copies stops, threshold, offset, motor and switches of @a NewLimit. */
 MEPUBLIC void MEAPI MdtHingeSetLimit(const MdtHingeID j, const MdtLimitID NewLimit);
 
-/** @name What every constraint has, under this joint's name
+/** @name Functions that every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
 MEPUBLIC void MEAPI MdtHingeDestroy(const MdtHingeID j);

@@ -1,5 +1,5 @@
 /** @file MdtInternal.h
- *  For Mst, which makes worlds of its universes' sizes, and contacts of what collision finds. Not installed.
+ *  For Mst, which creates worlds and converts the results of collision detection to contacts. Not installed.
  */
 #ifndef MDTINTERNAL_H
 #define MDTINTERNAL_H
@@ -10,101 +10,105 @@
 
 ME_BEGIN_C
 
-/** What a message tells the program to raise where there is no room for more, instead of the arguments of
- *  MdtWorldCreate. Strings that stay. Each limit is spoken of once then. */
+/** Sets the names of the settings that messages tell the program to raise when the world is full, in place of
+ *  MdtWorldCreate's arguments. The strings must stay valid. Each limit is then reported once. */
 MEPUBLIC void MEAPI MdtWorldRenameLimits(const MdtWorldID w, const char *bodies, const char *constraints);
 
-/** Whether it is a live world. */
+/** True for a live world. */
 MEPUBLIC MeBool MEAPI MdtWorldIsValid(const MdtWorldID w);
 
-/** @name Bodies that something else uses: Mst, those of models
+/** @name Users of bodies: Mst, for models
  *  @{ */
 enum {
-    MDT_BODY_GUARD = 1 /**< the level at which a stage (MeInternal.h) keeps bodies, or what uses them, from going */
+    MDT_BODY_GUARD = 1 /**< level of a stage (MeInternal.h) that guards bodies and their users from destruction */
 };
+/** Callbacks to the user of a body. */
 typedef struct MdtBodyUser {
-    MeStage *(MEAPI *guardOf)(const MdtBodyID b); /**< The stage that keeps its user as it is; null: there is none. */
-    void(MEAPI *condemn)(const MdtBodyID b);      /**< It will be destroyed when a stage ends. */
-    void(MEAPI *leave)(const MdtBodyID b);        /**< It is being destroyed. */
-    void(MEAPI *moved)(const MdtBodyID b);        /**< The program has placed it while it was disabled. */
+    MeStage *(MEAPI *guardOf)(const MdtBodyID b); /**< The stage that guards the body's user; null: none. */
+    void(MEAPI *condemn)(const MdtBodyID b);      /**< The body will be destroyed when a stage ends. */
+    void(MEAPI *leave)(const MdtBodyID b);        /**< The body is being destroyed. */
+    void(MEAPI *moved)(const MdtBodyID b);        /**< The program has moved the body while it was disabled. */
 } MdtBodyUser;
-/** Is somebody told? */
+/** True if the body has a user. */
 MEPUBLIC MeBool MEAPI MdtBodyHasUser(const MdtBodyID b);
-/** Sets what MdtBodyGetModel returns, and who is told. Null: nothing, nobody. */
+/** Sets the result of MdtBodyGetModel, and the body's user; null: none. */
 MEPUBLIC void MEAPI MdtBodySetUser(const MdtBodyID b, void *model, const MdtBodyUser *user);
 /** @} */
 
-/** The stage of a world, for what goes through its bodies. */
+/** The stage of a world, for functions that iterate over its bodies. */
 MEPUBLIC MeStage *MEAPI MdtWorldGetStage(const MdtWorldID w);
-/** MdtWorldStep, or MdtWorldStepSafeTime, and MdtWorldStepRest, of a world that the caller holds at level 0. */
+/** MdtWorldStep or, with stopAtSafeTime, MdtWorldStepSafeTime; MdtWorldStepRest. For a world that the caller guards at
+ *  level 0. */
 MEPUBLIC void MEAPI MdtWorldAdvance(const MdtWorldID w, const MeReal h, const MeBool stopAtSafeTime);
 MEPUBLIC int MEAPI MdtWorldAdvanceLag(const MdtWorldID w);
 
-/** A version of the body's pose in double, which changes with its last bit: collision results are valid while it is the
- *  same. */
+/** Version number of the body's pose in double, which changes with the pose's last bit: collision results stay valid as
+ *  long as it is the same. */
 MEPUBLIC unsigned long MEAPI MdtBodyGetMoves(const MdtBodyID b);
 
-/** Its model's geometry has its centre of mass elsewhere than at the origin: a warning before the body is simulated
- *  first, if the program has not said where by then (MdtBodySetCenterOfMassRelativePosition). */
+/** The centre of mass of the body's model is not at the origin: warns when the body is first simulated, unless the
+ *  program has called MdtBodySetCenterOfMassRelativePosition by then. */
 MEPUBLIC void MEAPI MdtBodyExpectCentreOfMass(const MdtBodyID b);
 
-/** How many contact groups, and contacts that are in none, it has. */
+/** The number of the body's contact groups and single contacts. */
 MEPUBLIC int MEAPI MdtBodyGetManifoldCount(const MdtBodyID b);
 
-/** Wakes a body that the world has put to sleep, not one that the program has disabled. Returns whether it has. */
+/** Wakes a body that the world has put to sleep, not one that the program has disabled. Returns whether it was asleep.
+ *  */
 MEPUBLIC MeBool MEAPI MdtBodyWakeIfAsleep(const MdtBodyID b);
 
-/** Whether the body's only motion since MdtBodyGetMoves was @a moves is that of its last step. */
+/** True if the body's last step is its only motion since MdtBodyGetMoves returned @a moves. */
 MEPUBLIC MeBool MEAPI MdtBodyMovedByStep(const MdtBodyID b, unsigned long moves);
 
-/** A contact as collision found it, between bodies whose transforms were read from MdtBodyGetTransformPtr. World frame.
- */
+/** A contact as collision detection found it, between bodies whose transforms were read from MdtBodyGetTransformPtr. In
+ *  the world frame. */
 typedef struct MdtFoundContact {
-    double position[3];                /**< m */
-    double depth;                      /**< m; negative: a gap */
-    MeReal normal[3];                  /**< direction in which the group's first body is pushed; not zero */
-    MeReal radius[2];                  /**< m, MdtContactSetRadius, by the group's bodies */
-    double rim[2], axis[2][3];         /**< m, unit: MdtContactSetRim, the same */
-    MeU32 feature;                     /**< MdtContactSetFeature */
+    double position[3];        /**< m */
+    double depth;              /**< m; negative: a gap */
+    MeReal normal[3];          /**< direction in which the group's first body is pushed; not zero, of any length */
+    MeReal radius[2];          /**< m, for each of the group's bodies: MdtContactSetRadius */
+    double rim[2], axis[2][3]; /**< m, unit vectors, likewise: MdtContactSetRim */
+    MeU32 feature;             /**< MdtContactSetFeature */
     const MdtBclContactParams *params; /**< copied */
 } MdtFoundContact;
 
 /**
- * Replaces the group's contacts by those found; contacts[i] is that of found[i]. A contact of the last step persists,
- * with its force as warm start, where its feature id is found again, or else for the contact nearest to where its body
- * has moved it in @a time seconds; the others are destroyed. Returns their number: fewer than @a count, after a
- * warning, where the world is full.
+ * Replaces the group's contacts by those found; contacts[i] is the contact of found[i]. A contact of the last step
+ * persists, with its force as warm start, if its feature id is found again; the others are matched to the nearest
+ * remaining found contacts, from their positions moved with the body for @a time seconds. Unmatched contacts are
+ * destroyed. Returns the number of contacts: fewer than @a count, after a warning, if the world is full.
  */
 MEPUBLIC int MEAPI MdtContactGroupRenew(MdtContactGroupID g, const MdtFoundContact found[], int count, MeReal time,
                                         MdtContactID contacts[]);
 
-/** An empty group of these bodies, of which the second may be null, for a bridge: *@a holder is set to null when it is
- *  destroyed, and the program may not attach it to others. Null, after a message, where the world is full. */
+/** Creates an empty group of two bodies, the second of which may be null, for a bridge: *@a holder is set to null when
+ *  the group is destroyed, and the program may not attach it to other bodies. Null, after a message, if the world is
+ *  full. */
 MEPUBLIC MdtContactGroupID MEAPI MdtContactGroupCreateBridged(const MdtWorldID w, const MdtBodyID b1,
                                                               const MdtBodyID b2, void *generator, void **holder);
 
-/** Is it still one of the group's contacts? Both may have been destroyed, in a world that lives. */
+/** True if the contact still belongs to the group. Both may have been destroyed, but the world must live. */
 MEPUBLIC MeBool MEAPI MdtContactGroupHas(MdtContactGroupID g, MdtContactID c);
 
-/** Whether MdtContactGroupRenew would neither create nor destroy a contact, and would write to the group only, and end
- *  the rest certificates of its bodies: then several threads may renew different groups at once. */
+/** True if MdtContactGroupRenew would neither create nor destroy a contact, and would write to the group only, except
+ *  for ending the rest certificates of its bodies: then several threads may renew different groups at once. */
 MEPUBLIC MeBool MEAPI MdtContactGroupGoesOn(MdtContactGroupID g, const MdtFoundContact found[], int count);
 
 /**
- * Moves the group's contacts along with those of its bodies that have moved, by the motion of their last step: the two
- * surface points are fixed in their bodies, and the normal in the second one. Returns the least separation, m;
- * MEINFINITY where there is no contact.
+ * Moves the group's contacts with the last step's motion of those of its bodies that have moved: the two surface points
+ * are fixed in their bodies, and the normal in the second one. Returns the smallest separation, m; MEINFINITY without
+ * contacts.
  */
 MEPUBLIC MeReal MEAPI MdtContactGroupCarry(MdtContactGroupID g, const MeBool hasMoved[2]);
-/** Are all surfaces corners, edges or faces (MdtContactSetRadius)? */
+/** True if all surfaces at the contacts are corners, edges or faces (MdtContactSetRadius). */
 MEPUBLIC MeBool MEAPI MdtContactGroupIsFlat(MdtContactGroupID g);
 
-/** Has the world a joint whose bodies do not collide with each other (MdtConstraintSetBodiesCollide)? */
+/** True if the world has a joint whose bodies do not collide with each other (MdtConstraintSetBodiesCollide). */
 MEPUBLIC MeBool MEAPI MdtWorldHasNoCollide(const MdtWorldID w);
-/** Does an enabled joint between the two say so? Neither is null. */
+/** True if such a joint is enabled between the two bodies, which are not null. */
 MEPUBLIC MeBool MEAPI MdtBodiesAreNoCollide(const MdtBodyID b1, const MdtBodyID b2);
 
-/** The world's workers, for all that belongs to its step; null: there is one. */
+/** The world's workers, for everything that belongs to its step; null if there is one worker. */
 MEPUBLIC MeTeam *MEAPI MdtWorldGetTeam(const MdtWorldID w);
 
 ME_END_C

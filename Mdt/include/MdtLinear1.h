@@ -1,6 +1,6 @@
 /** @file MdtLinear1.h The Linear1 joint: a point of the first body stays in a plane of the second (Dynamics guide ch.
- *  3, "MdtLinear1"). It removes one degree of freedom. The plane goes through the joint's position, and the joint's
- *  axis is its normal. To hold a point of a body in a plane of the world, make the body the first.
+ *  3, "MdtLinear1"). It removes one degree of freedom. The plane contains the joint's position, and the joint's axis is
+ *  its normal. For a plane of the world, make the body the first.
  */
 #ifndef MDTLINEAR1_H
 #define MDTLINEAR1_H
@@ -20,7 +20,7 @@ MEPUBLIC MdtConstraintID MEAPI MdtLinear1QuaConstraint(const MdtLinear1ID j);
 /** The constraint as a Linear1 joint; null when it is none. */
 MEPUBLIC MdtLinear1ID MEAPI MdtConstraintDCastLinear1(const MdtConstraintID c);
 
-/** @name What every constraint has, under this joint's name
+/** @name Functions that every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
 MEPUBLIC void MEAPI MdtLinear1Destroy(const MdtLinear1ID j);

@@ -1,6 +1,6 @@
 /** @file MdtLinear2.h The Linear2 joint: a point of the first body stays on a line of the second (Dynamics guide ch. 3,
- *  "MdtLinear2"). It removes two degrees of freedom. The line goes through the joint's position. To hold a point of a
- *  body on a line of the world, make the body the first.
+ *  "MdtLinear2"). It removes two degrees of freedom. The line goes through the joint's position. For a line of the
+ *  world, make the body the first.
  */
 #ifndef MDTLINEAR2_H
 #define MDTLINEAR2_H
@@ -23,7 +23,7 @@ MEPUBLIC MdtLinear2ID MEAPI MdtConstraintDCastLinear2(const MdtConstraintID c);
 MEPUBLIC void MEAPI MdtLinear2SetDirection(const MdtLinear2ID j, const MeReal x, const MeReal y, const MeReal z);
 MEPUBLIC void MEAPI MdtLinear2GetDirection(const MdtLinear2ID j, MeVector3 direction);
 
-/** @name What every constraint has, under this joint's name
+/** @name Functions that every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
 MEPUBLIC void MEAPI MdtLinear2Destroy(const MdtLinear2ID j);

@@ -1,8 +1,8 @@
 /** @file MdtMainLoop.h
- *  What happens inside MdtWorldStep, for programs that want a say in it (User Guide ch. 2, "MdtWorldStep").
+ *  Functions for programs that take part in MdtWorldStep (User Guide ch. 2, "MdtWorldStep").
  *
- *  With MdtWorldSetPartitionCB a program is shown every partition before it is simulated and decides whether it is put
- *  to rest, in place of the world; MdtAutoDisableLastPartition is what the world would do.
+ *  With MdtWorldSetPartitionCB a program gets every partition before it is simulated, and decides, in place of the
+ *  world, whether it is put to sleep; MdtAutoDisableLastPartition is the world's own decision.
  */
 #ifndef MDTMAINLOOP_H
 #define MDTMAINLOOP_H
@@ -11,14 +11,14 @@
 
 ME_BEGIN_C
 
-/** Marks the last partition of @a po to be put to rest if the world's thresholds say so (MdtWorldSetAutoDisable); an
- *  MdtPartitionEndCB. @a cbdata is not used. */
+/** An MdtPartitionEndCB: marks the last partition of @a po to be put to sleep if the world's thresholds say so
+ *  (MdtWorldSetAutoDisable). @a cbdata is not used. */
 MEPUBLIC void MEAPI MdtAutoDisableLastPartition(MdtPartitionOutput *po, void *cbdata);
-/** The shortest safe time of the bodies of partition @a i, s; MEINFINITY where none was set. A partition that is not
- *  there gets a warning, and 0. */
+/** s: the shortest safe time of the bodies of partition @a i; MEINFINITY if none was set. An invalid partition gets a
+ *  warning, and 0. */
 MEPUBLIC MeReal MEAPI MdtPartitionGetSafeTime(MdtPartitionOutput *po, int i);
-/** Writes forces that a program has found by itself to the constraints of a partition, one pair for each in its order,
- *  as what MdtConstraintGetForce and GetTorque return. Returns how many; 0, with a warning, for bad input. */
+/** Sets the forces that MdtConstraintGetForce and GetTorque return to forces that the program has computed, one pair
+ *  for each constraint of a partition in its order. Returns their number; 0, with a warning, for bad input. */
 MEPUBLIC unsigned int MEAPI MdtUnpackForces(const MdtKeaForcePair *force, const unsigned int partitionindex,
                                             MdtPartitionOutput *po);
 

@@ -1,11 +1,10 @@
 /** @file MdtPrismatic.h
- *  The prismatic joint, or slider: two bodies slide along a common axis and do not turn against each other
- *  (Dynamics guide ch. 3, "MdtPrismatic"). It removes five degrees of freedom; a running motor, and each stop that is
- *  touched, adds a row.
+ *  The prismatic joint, or slider: two bodies slide along a common axis without relative rotation (Dynamics guide ch.
+ *  3, "MdtPrismatic"). It removes five degrees of freedom; a running motor, and each stop in contact, adds a row.
  *
- *  Place the bodies, attach them, set the axis: as they stand then, the displacement is zero, and their orientation to
- *  each other is the one to keep. The displacement is that of the first body against the second along the axis, m.
- *  Stops, motor and the displacement itself are in the joint's limit (MdtLimit.h). There is no position to set.
+ *  Place the bodies, attach them, set the axis: that pose has displacement zero, and its relative orientation is kept.
+ *  The displacement, m, is that of the first body relative to the second along the axis. Stops, motor and the
+ *  displacement are in the joint's limit (MdtLimit.h). There is no position to set.
  */
 #ifndef MDTPRISMATIC_H
 #define MDTPRISMATIC_H
@@ -23,12 +22,12 @@ MEPUBLIC void MEAPI MdtPrismaticReset(const MdtPrismaticID j);
 MEPUBLIC MdtConstraintID MEAPI MdtPrismaticQuaConstraint(const MdtPrismaticID j);
 /** The constraint as a prismatic joint; null when it is none. */
 MEPUBLIC MdtPrismaticID MEAPI MdtConstraintDCastPrismatic(const MdtConstraintID c);
-/** The joint's limit, to read and to write; it lives as long as the joint. */
+/** Pointer to the joint's limit, for reading and writing; valid as long as the joint. */
 MEPUBLIC MdtLimitID MEAPI MdtPrismaticGetLimit(const MdtPrismaticID j);
 /** Resets the joint's limit, then copies stops, threshold, offset, motor and switches of @a NewLimit. */
 MEPUBLIC void MEAPI MdtPrismaticSetLimit(const MdtPrismaticID j, const MdtLimitID NewLimit);
 
-/** @name What every constraint has, under this joint's name
+/** @name Functions that every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
 MEPUBLIC void MEAPI MdtPrismaticDestroy(const MdtPrismaticID j);

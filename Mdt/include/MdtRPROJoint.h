@@ -1,12 +1,12 @@
 /** @file MdtRPROJoint.h The RPRO joint, relative position and relative orientation: a program or an animation drives
- *  how one body is turned against the other, up to a strength (Dynamics guide ch. 3, "MdtRPROJoint"). It removes six
- *  degrees of freedom.
+ *  the relative orientation of two bodies, with limited strength (Dynamics guide ch. 3, "MdtRPROJoint"). It removes
+ *  six degrees of freedom.
  *
- *  Each body has an attachment frame, by default that of its centre of mass. The joint holds the frames at one place,
- *  and the first frame turned against the second by the relative quaternion. A moving orientation is given before every
- *  step as the quaternion now and the angular velocity with which it moves on. Strengths bound the forces: where more
- *  would be needed, the joint gives way, and comes back when it can. Half a turn away from its quaternion the joint has
- *  no direction to turn back in; coming there gets a warning.
+ *  Each body has an attachment frame, by default that of its centre of mass. The joint makes the origins of the frames
+ *  coincide, and rotates the first frame relative to the second by the relative quaternion. For a moving orientation,
+ *  set the present quaternion and its angular velocity before every step. Strengths limit the forces: under larger
+ *  loads the joint gives way, and returns when it can. Half a turn away from its quaternion the direction of return is
+ *  undefined; reaching that gets a warning.
  */
 #ifndef MDTRPROJOINT_H
 #define MDTRPROJOINT_H
@@ -25,9 +25,9 @@ MEPUBLIC void MEAPI MdtRPROJointReset(const MdtRPROJointID j);
 MEPUBLIC MdtConstraintID MEAPI MdtRPROJointQuaConstraint(const MdtRPROJointID j);
 /** The constraint as an RPRO joint; null when it is none. */
 MEPUBLIC MdtRPROJointID MEAPI MdtConstraintDCastRPROJoint(const MdtConstraintID c);
-/** @name The wanted orientation of the first frame in the second
- *  A unit quaternion (w, x, y, z) is wanted; others are normalized, and one of length zero gets a warning. The angular
- *  velocity [rad/s] is in the axes of the second frame: the world's, where the second body is null.
+/** @name Target orientation of the first frame in the second
+ *  A unit quaternion (w, x, y, z); others are normalized, and one of length zero gets a warning. The angular velocity
+ *  [rad/s] is in the axes of the second frame: the world's, if the second body is null.
  *  @{ */
 MEPUBLIC void MEAPI MdtRPROJointSetRelativeQuaternion(const MdtRPROJointID j, const MeVector4 q);
 MEPUBLIC void MEAPI MdtRPROJointGetRelativeQuaternion(const MdtRPROJointID j, MeVector4 q);
@@ -45,8 +45,8 @@ MEPUBLIC void MEAPI MdtRPROJointSetAttachmentQuaternion(const MdtRPROJointID j, 
 MEPUBLIC void MEAPI MdtRPROJointGetAttachmentQuaternion(const MdtRPROJointID j, const unsigned int bodyindex,
                                                         MeVector4 quaternion);
 /** @} */
-/** @name Strengths: the most force [N] along, and torque [N m] about, each axis of the second frame
- *  At least 0; MEINFINITY, the default, never gives way.
+/** @name Strengths: the largest force [N] along, and torque [N m] about, each axis of the second frame
+ *  At least 0; MEINFINITY, the default: unlimited.
  *  @{ */
 MEPUBLIC void MEAPI MdtRPROJointSetLinearStrength(const MdtRPROJointID j, const MeReal sX, const MeReal sY,
                                                   const MeReal sZ);
@@ -55,7 +55,7 @@ MEPUBLIC void MEAPI MdtRPROJointSetAngularStrength(const MdtRPROJointID j, const
                                                    const MeReal sZ);
 MEPUBLIC void MEAPI MdtRPROJointGetAngularStrength(const MdtRPROJointID j, MeVector3 v);
 /** @} */
-/** @name What every constraint has, under this joint's name
+/** @name Functions that every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
 MEPUBLIC void MEAPI MdtRPROJointDestroy(const MdtRPROJointID j);

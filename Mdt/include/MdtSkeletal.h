@@ -1,10 +1,10 @@
 /** @file MdtSkeletal.h
  *  The skeletal joint: a ball-and-socket joint whose swing and twist are limited (User Guide app. D, "MdtSkeletal").
  *
- *  The first body's primary axis swings inside an elliptical cone round the second body's: by the primary angle towards
- *  the second axis, by the secondary angle towards the third. The twist is the rest of the turn, zero where the swing
- *  alone, along a great circle, brought the axis to where it is. It removes three degrees of freedom; each limit that
- *  is touched adds a row.
+ *  The first body's primary axis swings inside an elliptical cone around the second body's primary axis: up to the
+ *  primary angle towards the second axis, up to the secondary angle towards the third. The twist is the remaining
+ *  rotation: zero if swinging alone, along a great circle, has moved the axis to its place. The joint removes three
+ *  degrees of freedom; each limit in contact adds a row.
  */
 #ifndef MDTSKELETAL_H
 #define MDTSKELETAL_H
@@ -33,7 +33,7 @@ MEPUBLIC void MEAPI MdtSkeletalSetTwistLimitAngle(const MdtSkeletalID j, const M
 MEPUBLIC MeReal MEAPI MdtSkeletalGetTwistLimitAngle(const MdtSkeletalID j);
 /** @} */
 /** @name Stiffness [N m/rad] and damping [N m s/rad] beyond the limits, at least 0
- *  All are MEINFINITY by default, and as long as one of a pair is, that limit is hard and without rebound.
+ *  All are MEINFINITY by default. A limit is hard, without rebound, as long as one of its two is.
  *  @{ */
 MEPUBLIC void MEAPI MdtSkeletalSetConeStiffness(const MdtSkeletalID j, const MeReal kp);
 MEPUBLIC MeReal MEAPI MdtSkeletalGetConeStiffness(const MdtSkeletalID j);
@@ -44,18 +44,18 @@ MEPUBLIC MeReal MEAPI MdtSkeletalGetTwistStiffness(const MdtSkeletalID j);
 MEPUBLIC void MEAPI MdtSkeletalSetTwistDamping(const MdtSkeletalID j, const MeReal kd);
 MEPUBLIC MeReal MEAPI MdtSkeletalGetTwistDamping(const MdtSkeletalID j);
 /** @} */
-/** @name What is free, limited, or held (MdtBcl.h); a value that is none gets a warning
+/** @name Options: free, limited or fixed (MdtBcl.h); an invalid value gets a warning
  *  @{ */
 MEPUBLIC void MEAPI MdtSkeletalSetConeOption(const MdtSkeletalID j, MdtSkeletalConeOption co);
 MEPUBLIC MdtSkeletalConeOption MEAPI MdtSkeletalGetConeOption(const MdtSkeletalID j);
 MEPUBLIC void MEAPI MdtSkeletalSetTwistOption(const MdtSkeletalID j, MdtSkeletalTwistOption to);
 MEPUBLIC MdtSkeletalTwistOption MEAPI MdtSkeletalGetTwistOption(const MdtSkeletalID j);
 /** @} */
-/** Makes the twist that the bodies have now the zero of the twist. */
+/** Makes the present twist of the bodies the zero of the twist. */
 MEPUBLIC void MEAPI MdtSkeletalZeroTwist(const MdtSkeletalID j);
 MEPUBLIC void MEAPI MdtSkeletalBodyGetAxis(const MdtSkeletalID j, const unsigned int bodyindex, MeVector3 axis);
 
-/** @name What every constraint has, under this joint's name
+/** @name Functions that every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
 MEPUBLIC void MEAPI MdtSkeletalDestroy(const MdtSkeletalID j);

@@ -1,17 +1,17 @@
 /** @file MdtSpring.h
- *  The spring: a distance between two points that is a spring's, a rod's, a string's or an elastic's
+ *  The spring: controls the distance between two points, as a spring, rod, string or elastic does
  *  (Dynamics guide ch. 3, "MdtSpring"). It adds one row and leaves all rotations free.
  *
- *  The distance, m, is the coordinate of the joint's limit. Stiffness and damping are those of its two stops, which
- *  both lie at the natural length: at first the distance at which the bodies are attached.
+ *  The distance, m, is the coordinate of the joint's limit. Stiffness and damping are those of the limit's two stops,
+ *  which both lie at the rest length: initially the distance at which the bodies are attached.
  *
  *      spring    both stops soft (default)                        F = -k (d - l) - c dd/dt
  *      rod       both hard: stiffness MEINFINITY
  *      string    upper hard, lower with stiffness 0 and damping 0
  *      elastic   lower hard, upper soft
  *
- *  Where the two points coincide there is no direction to push in; the last one is kept, and coming there gets a
- *  warning. A motor in the limit works as a winch on a string or an elastic, not on a spring or a rod.
+ *  If the two points coincide, the force has no direction; the last one is kept, and reaching that state gets a
+ *  warning. A motor in the limit acts as a winch for a string or an elastic, but not for a spring or a rod.
  */
 #ifndef MDTSPRING_H
 #define MDTSPRING_H
@@ -20,7 +20,7 @@
 
 ME_BEGIN_C
 
-/** Creates a spring, disabled, unattached, between the centres of mass, a spring of 10 N/m and 1 N s/m. The world owns
+/** Creates a spring, disabled, unattached, between the centres of mass, with 10 N/m and 1 N s/m. The world owns
  *  it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtSpringID MEAPI MdtSpringCreate(const MdtWorldID w);
 /** Sets positions and limit to the defaults of a new spring. Bodies and state stay. */
@@ -29,22 +29,22 @@ MEPUBLIC void MEAPI MdtSpringReset(const MdtSpringID j);
 MEPUBLIC MdtConstraintID MEAPI MdtSpringQuaConstraint(const MdtSpringID j);
 /** The constraint as a spring; null when it is none. */
 MEPUBLIC MdtSpringID MEAPI MdtConstraintDCastSpring(const MdtConstraintID c);
-/** The spring's limit, to read and to write; it lives as long as the spring. */
+/** Pointer to the spring's limit, for reading and writing; valid as long as the spring. */
 MEPUBLIC MdtLimitID MEAPI MdtSpringGetLimit(const MdtSpringID j);
 /** Resets the limit, then copies stops, threshold, offset, motor and switches of @a NewLimit. */
 MEPUBLIC void MEAPI MdtSpringSetLimit(const MdtSpringID j, const MdtLimitID NewLimit);
-/** Where the spring is attached to the body of index 0 or 1, world frame. */
+/** The spring's attachment to the body of index 0 or 1, world frame. */
 MEPUBLIC void MEAPI MdtSpringSetPosition(const MdtSpringID j, const unsigned int bodyindex, const MeReal x,
                                          const MeReal y, const MeReal z);
 MEPUBLIC void MEAPI MdtSpringGetPosition(const MdtSpringID j, MeVector3 v, const unsigned int bodyindex);
-/** The length without load, m, at least 0: both stops. */
+/** Rest length, m, >= 0: sets both stops of the spring's limit to it. */
 MEPUBLIC void MEAPI MdtSpringSetNaturalLength(const MdtSpringID j, const MeReal NewNaturalLength);
-/** N/m, at least 0, of both stops; MEINFINITY makes a rod. */
+/** N/m, at least 0: sets the stiffness of both stops; MEINFINITY makes a rod. */
 MEPUBLIC void MEAPI MdtSpringSetStiffness(const MdtSpringID j, const MeReal NewStiffness);
-/** N s/m, at least 0, of both stops. */
+/** N s/m, at least 0: sets the damping of both stops. */
 MEPUBLIC void MEAPI MdtSpringSetDamping(const MdtSpringID j, const MeReal NewDamping);
 
-/** @name What every constraint has, under this joint's name
+/** @name Functions that every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
 MEPUBLIC void MEAPI MdtSpringDestroy(const MdtSpringID j);

@@ -1,10 +1,10 @@
 /** @file MdtSpring6.h
  *  Six springs between two frames: a joint of configurable compliance (User Guide ch. 3).
  *
- *  Each body has an attachment frame. Linear springs act along the axes of the second frame on the offset of the first,
- *  angular ones on the turn between the frames. Each has a stiffness and a damping, both 0 at first: such a spring
- *  costs nothing. A stiffness of MEINFINITY holds that direction. Axis 0 is the primary axis, 1 the second, 2 their
- *  cross product.
+ *  Each body has an attachment frame. Linear springs act on the offset of the first frame along the axes of the
+ *  second, angular ones on the rotation between the frames. Each has a stiffness and a damping, both 0 by default:
+ *  such a spring has no row. A stiffness of MEINFINITY constrains that direction. Axis 0 is the primary axis, 1 the
+ *  second, 2 their cross product.
  */
 #ifndef MDTSPRING6_H
 #define MDTSPRING6_H
@@ -41,7 +41,7 @@ MEPUBLIC void MEAPI MdtSpring6SetWorldAngularVelocity(const MdtSpring6ID j, MeRe
 MEPUBLIC void MEAPI MdtSpring6GetWorldAngularVelocity(const MdtSpring6ID j, MeVector3 v);
 /** @} */
 
-/** @name What every constraint has, under this joint's name
+/** @name Functions that every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
 MEPUBLIC void MEAPI MdtSpring6Destroy(const MdtSpring6ID j);

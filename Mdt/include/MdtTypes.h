@@ -1,10 +1,10 @@
 /** @file MdtTypes.h
  *  The types of Karma Dynamics: handles, parameters, callbacks.
  *
- *  A handle is a pointer to something that a world owns. It stays valid until the thing is destroyed, alone or with
- *  its world. Functions that are given a null handle, or one that has been destroyed, warn and return a neutral
- *  result (0, null or zeros); the check build (KARMA_CHECK) also notices handles of destroyed worlds and pointers that
- *  never were handles.
+ *  A handle is a pointer to an object that a world owns. It is valid until the object is destroyed, alone or with its
+ *  world. Functions that get a null handle, or one of a destroyed object, warn and return a neutral result (0, null or
+ *  zeros). The check build (KARMA_CHECK) also detects handles of destroyed worlds, and pointers that never were
+ *  handles.
  */
 #ifndef MDTTYPES_H
 #define MDTTYPES_H
@@ -61,49 +61,51 @@ typedef MdtBclLimit *MdtLimitID;
 typedef MdtBclSingleLimit *MdtSingleLimitID;
 typedef MdtBclContactParams *MdtContactParamsID;
 
-/** What holds for the whole world. */
+/** Parameters of the whole world. */
 typedef struct MdtWorldParams {
-    MeVector4 gravity;  /**< m/s², the fourth is 0 */
+    MeVector4 gravity;  /**< m/s²; the fourth component is 0 */
     MeReal lengthScale; /**< m, the size of a typical object */
     MeReal massScale;   /**< kg, the mass of a typical object */
 } MdtWorldParams;
 
-/** When a partition is put to rest. All values that are compared are squares of magnitudes (Dynamics guide ch. 4). */
+/** The conditions for putting a partition to sleep. Values are compared with squares of magnitudes (Dynamics guide ch.
+ *  4). */
 typedef struct MdtPartitionParams {
-    MeBool autoDisable;   /**< whether it happens at all */
+    MeBool autoDisable;   /**< whether partitions are put to sleep at all */
     MeReal vel_thresh;    /**< m²/s² */
     MeReal velrot_thresh; /**< rad²/s² */
     MeReal acc_thresh;    /**< m²/s⁴ */
     MeReal accrot_thresh; /**< rad²/s⁴ */
-    MeReal alive_time;    /**< s that a body stays enabled after it was enabled; not used when alive_window is set */
-    int alive_window;     /**< the same in steps; -1: alive_time counts */
+    MeReal alive_time;    /**< s for which a body stays enabled after it was enabled, unless alive_window is set */
+    int alive_window;     /**< the same in steps; -1: alive_time is used */
 } MdtPartitionParams;
 
-/** What of a step is drawn (MdtWorldSetDebugDrawing); a sum. */
+/** What is drawn of a step (MdtWorldSetDebugDrawing): a sum of these. */
 typedef enum MdtDebugDrawOptions {
     MdtDebugDrawContacts = 1,    /**< A yellow line of .3 m along the normal of each contact. */
-    MdtDebugDrawContactForce = 2 /**< A red line along each contact's force: .1 m for 1 m/s² of its first body's. */
+    MdtDebugDrawContactForce = 2 /**< A red line along each contact's force: .1 m for 1 m/s² of the first body. */
 } MdtDebugDrawOptions;
 
-/** The partitions of a step (MdtPartition.h). */
+/** The partitions of a step, for callbacks (MdtPartition.h). */
 typedef struct MdtPartitionOutput MdtPartitionOutput;
 
-/** @name Functions of the program: what each may do has docs/simulation.md, "Callbacks"
+/** @name Callbacks of the program; docs/simulation.md, "Callbacks", lists what each may do
  *  @{ */
-/** Shown the last partition of @a po. */
+/** Called for each partition, which is the last one of @a po (MdtWorldSetPartitionCB). */
 typedef void(MEAPI *MdtPartitionEndCB)(MdtPartitionOutput *po, void *pcbdata);
 
-/** How much a contact matters, for the cap on the matrix size: the least important ones lose their rows first. It must
- *  depend on nothing but the contact, and change nothing. */
+/** Returns how important a contact is. When the cap on the matrix size is exceeded, the least important contacts lose
+ *  their rows first. The result must depend on the contact only, and the callback must not change anything. */
 typedef MeReal(MEAPI *MdtContactImportanceCBPtr)(const MdtContactID c);
 
-/** Called when a body has been enabled, or disabled: by the program, or by the world. What it destroys, enables or
- *  disables waits until all handlers have been called. */
+/** Called when a body has been enabled, or disabled, by the program or by the world. Objects that it destroys, enables
+ *  or disables are processed after all handlers have been called. */
 typedef void(MEAPI *MdtBodyHandler)(const MdtBodyID b);
-/** Called for each constraint; @a ccbdata is what the caller passed. What it destroys goes after the last call. */
+/** Called for each constraint with the @a ccbdata that the program passed. Objects that it destroys are destroyed after
+ *  the last call. */
 typedef void(MEAPI *MdtConstraintIteratorCBPtr)(const MdtConstraintID c, void *ccbdata);
 
-/** Called for a joint that broke in the step just done; it may be destroyed, as may anything else. */
+/** Called for a joint that broke in the last step; it may destroy that joint and other objects. */
 typedef void(MEAPI *MdtBreakCBPtr)(const MdtConstraintID c);
 /** @} */
 

@@ -1,10 +1,9 @@
-/** @file MdtUniversal.h The universal joint: two bodies share a point, and an axis of one stays at right angles to an
- *  axis of the other (Dynamics guide ch. 3, "MdtUniversal"). It removes four degrees of freedom: the bodies bend both
- *  ways, but do not twist.
+/** @file MdtUniversal.h The universal joint: two bodies share a point, and an axis of one stays orthogonal to an axis
+ *  of the other (Dynamics guide ch. 3, "MdtUniversal"). It removes four degrees of freedom: the bodies can bend about
+ *  both axes, but not twist.
  *
- *  Bent by 90 degrees it carries no torque from one body to the other; coming there gets a warning, and a cone limit
- *  keeps it away. The bend is counted from how the bodies stand when the axes are set. By default the axes are x in
- *  body 0 and y in body 1.
+ *  Bent by 90 degrees it transmits no torque; reaching that angle gets a warning, and a cone limit can prevent it. The
+ *  bend is measured from the pose in which the axes are set. By default the axes are x in body 0 and y in body 1.
  */
 #ifndef MDTUNIVERSAL_H
 #define MDTUNIVERSAL_H
@@ -26,10 +25,10 @@ MEPUBLIC MdtUniversalID MEAPI MdtConstraintDCastUniversal(const MdtConstraintID 
 /** The joint's axis in the body of index 0 or 1, world frame. Bad input as in MdtConstraint.h. */
 MEPUBLIC void MEAPI MdtUniversalSetAxis(const MdtUniversalID j, const unsigned int bodyindex, const MeReal Ax,
                                         const MeReal Ay, const MeReal Az);
-/** Where that axis is now, world frame. */
+/** The present direction of that axis, world frame. */
 MEPUBLIC void MEAPI MdtUniversalGetAxis(const MdtUniversalID j, const unsigned int bodyindex, MeVector3 axis);
 
-/** @name What every constraint has, under this joint's name
+/** @name Functions that every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
 MEPUBLIC void MEAPI MdtUniversalDestroy(const MdtUniversalID j);
@@ -47,7 +46,7 @@ MEPUBLIC void MEAPI MdtUniversalSetSortKey(const MdtUniversalID j, const MeI32 k
 MEPUBLIC MeI32 MEAPI MdtUniversalGetSortKey(const MdtUniversalID j);
 MEPUBLIC void MEAPI MdtUniversalSetPosition(const MdtUniversalID j, const MeReal x, const MeReal y, const MeReal z);
 MEPUBLIC void MEAPI MdtUniversalGetPosition(const MdtUniversalID j, MeVector3 position);
-/** Both axes at once: the primary one is that of body 0, the second one that of body 1 (User Guide app. D). */
+/** Sets both axes: the primary one is that of body 0, the second one that of body 1 (User Guide app. D). */
 MEPUBLIC void MEAPI MdtUniversalSetAxes(const MdtUniversalID j, const MeReal px, const MeReal py, const MeReal pz,
                                         const MeReal ox, const MeReal oy, const MeReal oz);
 MEPUBLIC void MEAPI MdtUniversalGetAxes(const MdtUniversalID j, const unsigned int bodyindex, MeVector3 primary,

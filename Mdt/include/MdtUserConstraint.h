@@ -1,9 +1,10 @@
 /** @file MdtUserConstraint.h
- *  A constraint whose rows a function of the program writes (Dynamics guide ch. 4 lists it among the joints).
+ *  A constraint whose rows a callback of the program writes (Dynamics guide ch. 4 lists it among the joints).
  *
- *  Once a step, while it is enabled, the function is called to write up to MdtBclGETMAXROWSUSER rows with MdtBclAddRow
- *  (MdtBcl.h), from the poses of the two bodies. It must depend on nothing that differs from run to run. When joints
- *  turn violently the step is divided, and the function is called for each part. Without a function it has no rows.
+ *  Once per step, while the constraint is enabled, the callback writes up to MdtBclGETMAXROWSUSER rows with
+ *  MdtBclAddRow (MdtBcl.h), from the poses of the two bodies. It must not depend on anything that differs from run to
+ *  run. If a step is divided because of violent motion, the callback is called for each part. Without a callback there
+ *  are no rows.
  */
 #ifndef MDTUSERCONSTRAINT_H
 #define MDTUSERCONSTRAINT_H
@@ -13,24 +14,24 @@
 
 ME_BEGIN_C
 
-/** Creates an user constraint, disabled, unattached, without a function. The world owns it. Returns null,
- *  with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
+/** Creates a user constraint, disabled, unattached, without a callback. The world owns it. Returns null, with a warning
+ *  that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtUserConstraintID MEAPI MdtUserConstraintCreate(const MdtWorldID w);
-/** Sets the frames to default; the function stays. Bodies and state stay. */
+/** Resets the frames; the callback, bodies, and whether it is enabled stay. */
 MEPUBLIC void MEAPI MdtUserConstraintReset(const MdtUserConstraintID j);
 /** The user constraint as a constraint. Null for null. */
 MEPUBLIC MdtConstraintID MEAPI MdtUserConstraintQuaConstraint(const MdtUserConstraintID j);
-/** The constraint as an user constraint; null when it is none. */
+/** The constraint as a user constraint; null when it is none. */
 MEPUBLIC MdtUserConstraintID MEAPI MdtConstraintDCastUserConstraint(const MdtConstraintID c);
-/** The function that writes the rows; null: no rows. It may not move bodies; what it creates or destroys waits
- *  (docs/simulation.md, "Callbacks"). */
+/** The callback that writes the rows; null: no rows. It must not move bodies; objects that it creates or destroys are
+ *  processed later (docs/simulation.md, "Callbacks"). */
 MEPUBLIC void MEAPI MdtUserConstraintSetFunction(const MdtUserConstraintID j, MdtBclAddConstraintFn f);
 MEPUBLIC MdtBclAddConstraintFn MEAPI MdtUserConstraintGetFunction(const MdtUserConstraintID j);
-/** What the function is given as its constraint; at first the user constraint itself. */
+/** The callback's argument for its constraint; by default the user constraint itself. */
 MEPUBLIC void MEAPI MdtUserConstraintSetConstraintData(const MdtUserConstraintID j, void *d);
 MEPUBLIC void *MEAPI MdtUserConstraintGetConstraintData(const MdtUserConstraintID j);
 
-/** @name What every constraint has, under this joint's name
+/** @name Functions that every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
 MEPUBLIC void MEAPI MdtUserConstraintDestroy(const MdtUserConstraintID j);

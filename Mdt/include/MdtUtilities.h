@@ -1,5 +1,5 @@
 /** @file MdtUtilities.h
- *  Inertia tensors, changing frames, and a position controller for limits (User Guide ch. 3 and 8).
+ *  Inertia tensors, conversion between frames, and a position controller for limits (User Guide ch. 3 and 8).
  */
 #ifndef MDTUTILITIES_H
 #define MDTUTILITIES_H
@@ -8,7 +8,7 @@
 
 ME_BEGIN_C
 
-/** @name Inertia tensors of solid bodies, kg m², about the centre, along their own axes
+/** @name Inertia tensors of solid bodies, kg m², about the centre, in the axes of the shape
  *  A mass or a size that is not positive and finite gets a warning and the unit matrix.
  *  @{ */
 MEPUBLIC void MEAPI MdtMakeInertiaTensorSphere(const MeReal mass, const MeReal radius, MeMatrix3 i);
@@ -17,20 +17,21 @@ MEPUBLIC void MEAPI MdtMakeInertiaTensorBox(const MeReal mass, const MeReal lx, 
                                             MeMatrix3 i);
 /** @} */
 
-/** @name Changing frames
- *  A null body is the world. t may be f.
+/** @name Conversion between frames
+ *  A null body is the world. The result t may be the argument f.
  *  @{ */
-/** A point, from the frame of one body to that of another. */
+/** Converts a point from the frame of one body to that of another. */
 MEPUBLIC void MEAPI MdtConvertPositionVector(const MdtBodyID from_body, const MeVector3 f, const MdtBodyID to_body,
                                              MeVector3 t);
-/** A direction. */
+/** Converts a direction. */
 MEPUBLIC void MEAPI MdtConvertVector(const MdtBodyID from_body, const MeVector3 f, const MdtBodyID to_body,
                                      MeVector3 t);
 /** @} */
 
 /**
- * Drives a limit's motor towards a position, when called before every step: the velocity asked for is proportional to
- * the distance within @a gap [m, > 0] of the goal and @a maxSpeed [m/s, >= 0] beyond, with at most @a maxForce [N].
+ * Position controller: called before every step, it drives a limit's motor towards a position. The desired velocity is
+ * proportional to the distance within @a gap [m, > 0] of the goal, and @a maxSpeed [m/s, >= 0] beyond; the force is at
+ * most @a maxForce [N].
  */
 MEPUBLIC void MEAPI MdtLimitController(const MdtLimitID limit, const MeReal desiredPosition, const MeReal gap,
                                        const MeReal maxSpeed, const MeReal maxForce);

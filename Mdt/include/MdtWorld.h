@@ -1,12 +1,11 @@
 /** @file MdtWorld.h
  *  Worlds: creating them, their parameters, stepping (Dynamics guide ch. 2, 4 and 5).
  *
- *  A new world has no gravity: MdtWorldSetGravity. Its bodies take part in a step once they are enabled, each by
- *  MdtBodyEnable.
+ *  A new world has no gravity: call MdtWorldSetGravity. Bodies take part in steps after MdtBodyEnable.
  *
- *  Worlds are independent of each other. A world and what is in it belong to one thread at a time; different worlds
- *  may be stepped by different threads. A null or destroyed world gets a warning and a neutral result everywhere. A
- *  number that is not finite, or out of its range, gets a warning and leaves the old value.
+ *  Worlds are independent of each other. One thread at a time may use a world and its objects; different threads may
+ *  step different worlds. A null or destroyed world gets a warning and a neutral result everywhere. A number that is
+ *  not finite, or out of its range, gets a warning and changes nothing.
  */
 #ifndef MDTWORLD_H
 #define MDTWORLD_H
@@ -19,15 +18,16 @@ ME_BEGIN_C
 /**
  * Creates a world with room for @a maxBodies bodies and @a maxConstraints joints and contacts.
  *
- * @a lengthScale [m] and @a massScale [kg] say how large and heavy a typical object is: the defaults of bodies and the
- * thresholds of resting are scaled by them, and epsilon by 1/massScale: 0.0001 for 1 kg, as the Dynamics guide has it.
- * (A universe's world is stiffer: MstUniverseCreate.) Both forms of the guides compile: MdtWorldCreate(maxBodies,
- * maxConstraints), with scales of 1, and the form with all four. Scales that are not positive and finite get a warning
- * and count as 1.
+ * @a lengthScale [m] and @a massScale [kg] are size and mass of a typical object: the defaults of bodies and the
+ * thresholds of sleep scale with them, and epsilon with 1/massScale: 0.0001 for 1 kg, as in the Dynamics guide. (A
+ * universe's world is stiffer: MstUniverseCreate.) Both forms of the guides compile: MdtWorldCreate(maxBodies,
+ * maxConstraints), with scales of 1, and the form with all four arguments. Scales that are not positive and finite get
+ * a warning and count as 1.
  *
  * Returns the world, or null when there is no memory. Destroy it with MdtWorldDestroy. All memory for bodies and
- * constraints is allocated here, through MeMemoryAPI. With MeNoLimit the world begins without and grows when it is
- * full; handles and pointers stay, and the results are the same. Dynamics guide ch. 2, "Initializing the World".
+ * constraints is allocated here, through MeMemoryAPI. With MeNoLimit nothing is allocated at first, and the world grows
+ * when it is full; handles and pointers stay valid, and results are the same. Dynamics guide ch. 2, "Initializing the
+ * World".
  */
 #ifdef __cplusplus
 MEPUBLIC MdtWorldID MEAPI MdtWorldCreate(const unsigned int maxBodies, const unsigned int maxConstraints,
@@ -44,87 +44,86 @@ MEPUBLIC MdtWorldID MEAPI MdtWorldCreate(const unsigned int maxBodies, const uns
     (__VA_ARGS__)
 #endif
 
-/** Destroys a world with all its bodies and constraints; their handles end with it. Dynamics guide ch. 2. */
+/** Destroys a world with all its bodies and constraints, whose handles become invalid. Dynamics guide ch. 2. */
 MEPUBLIC void MEAPI MdtWorldDestroy(const MdtWorldID w);
-/** Destroys all bodies and constraints of a world. Its parameters and callbacks stay. Not from within a step's
- *  callback. */
+/** Destroys all bodies and constraints of a world, but keeps its parameters and callbacks. Not allowed in callbacks of
+ *  a step. */
 MEPUBLIC void MEAPI MdtWorldReset(const MdtWorldID w);
-/** The same; gravity, epsilon, gamma, the largest matrix, the least safe time and auto-disabling are then those of a
- *  new world of the same length and mass scales. Not from within a step's callback. */
+/** MdtWorldReset, which also resets gravity, epsilon, gamma, the cap on rows, the minimum safe time and auto-disabling
+ *  to those of a new world with the same length and mass scales. Not allowed in callbacks of a step. */
 MEPUBLIC void MEAPI MdtWorldReCreate(const MdtWorldID w);
-/** How many bytes of scratch memory the world's steps have taken at most. */
+/** The largest size of scratch memory, in bytes, that a step of the world has used. */
 MEPUBLIC int MEAPI MdtWorldGetMaxMemoryPoolUsed(const MdtWorldID w);
 
 /**
- * Moves the world on by @a stepSize seconds: partitions it, puts resting partitions to sleep, finds the forces of the
- * constraints (Kea) and the new velocities and positions. On return bodies, transforms, forces read back and limit
- * positions are those of the new time, and the force and torque accumulators of the bodies that were simulated are
- * zero. The step size may differ from call to call. One that is not positive and finite gets a warning, and nothing
- * moves. Dynamics guide ch. 2, "Stepping Through Time".
+ * Advances the world by @a stepSize seconds: finds its partitions, puts partitions at rest to sleep, computes the
+ * forces of constraints (Kea) and the new velocities and positions. On return bodies, transforms, forces and limit
+ * positions are those of the new time, and the force and torque accumulators of simulated bodies are zero. The step
+ * size may differ from call to call. A step size that is not positive and finite gets a warning, and nothing moves.
+ * Dynamics guide ch. 2, "Stepping Through Time".
  */
 MEPUBLIC void MEAPI MdtWorldStep(const MdtWorldID w, const MeReal stepSize);
 
 /**
- * Like MdtWorldStep, but a partition moves on only by the shortest safe time of its bodies (MdtBodySetSafeTime), at
+ * Like MdtWorldStep, but advances each partition only by the shortest safe time of its bodies (MdtBodySetSafeTime), at
  * least by MdtWorldGetMinSafeTime and at most by @a stepSize.
  */
 MEPUBLIC void MEAPI MdtWorldStepSafeTime(const MdtWorldID w, const MeReal stepSize);
 /**
- * Moves the partitions that MdtWorldStepSafeTime has left behind on, by what their bodies lack (MdtBodyGetLag), at most
- * by the shortest of their safe times, which may be 0. Forces that were added for the step act in the rest of it as
- * well. A partition in which an awake body is not behind stays where it is; bodies that it wakes are behind as it is.
- * It puts nothing to rest, calls no partition callback, and leaves the report as it was. What is lacking when the next
- * step begins is lost. Returns how many partitions it moved. Beyond Karma.
+ * Advances the partitions that MdtWorldStepSafeTime has left behind by the lag of their bodies (MdtBodyGetLag), but at
+ * most by the shortest of their safe times, which may be 0. Forces that were added for the step act in its rest as
+ * well. A partition with an awake body that has no lag is not advanced; bodies that a partition wakes get its lag.
+ * This function puts nothing to sleep, calls no partition callback, and does not change the report. Lag that is left
+ * when the next step begins is lost. Returns the number of partitions that it advanced. Beyond Karma.
  */
 MEPUBLIC int MEAPI MdtWorldStepRest(const MdtWorldID w);
-/** How many bodies are behind. Beyond Karma. */
+/** The number of bodies with a lag. Beyond Karma. */
 MEPUBLIC int MEAPI MdtWorldGetLaggingBodies(const MdtWorldID w);
 
 /**
- * Gravity, m/s², world frame. Default 0. Another value wakes the bodies at rest. Check builds warn
- * once of a world for which this was never called, and on whose bodies nothing acts in a second of steps: no velocity,
- * force, impulse or constraint.
+ * Gravity, m/s², world frame. Default 0. A change wakes sleeping bodies. Check builds warn once if this was never
+ * called, and nothing acts on the world's bodies in a second of steps: no velocity, force, impulse or constraint.
  */
 MEPUBLIC void MEAPI MdtWorldSetGravity(const MdtWorldID w, const MeReal gx, const MeReal gy, const MeReal gz);
 MEPUBLIC void MEAPI MdtWorldGetGravity(const MdtWorldID w, MeVector3 g);
 
 /** @name Epsilon and gamma (Dynamics guide ch. 5, "The Meaning of Epsilon and Gamma")
- *  Epsilon [1/kg], >= 0: the compliance (CFM) of joints and of contacts along their normals; 0 is rigid. Under a load F
- *  they give way by epsilon F h² / gamma, h the step: by 1.4 mm for each tonne at 60 Hz and the defaults. What touches
- *  and so sinks by a fiftieth of the length scale is told of, once. Constraints
- *  of rotation have the compliance epsilon / lengthScale², as if the load acted at a lever arm of the length scale.
- *  Default 0.0001 / massScale; a universe sets its own (MstUniverseCreate). A value that a program sets is absolute,
- *  whatever massScale is.
+ *  Epsilon [1/kg], >= 0: the compliance (CFM) of joints, and of contacts along their normals; 0 is rigid. Under a load
+ *  F they give way by epsilon F h² / gamma, h the step: by 1.4 mm per tonne at 60 Hz and the defaults. A warning is
+ *  given once if bodies sink into contacts by a fiftieth of the length scale. Angular constraints have the compliance
+ *  epsilon / lengthScale², as if the load acted at a lever arm of the length scale. Default 0.0001 / massScale; a
+ *  universe sets its own (MstUniverseCreate). A value that a program sets is absolute, whatever massScale is.
  *
- *  Friction, motors and brakes have no epsilon. They act on velocities, so a compliance would be viscosity: a body that
- *  friction can hold would creep. Slip (MdtContactParamsSetPrimarySlip) makes a surface that gives way.
+ *  Friction, motors and brakes have no epsilon. They act on velocities, so compliance would be viscosity: bodies that
+ *  friction can hold would creep. For surfaces that yield, set slip (MdtContactParamsSetPrimarySlip).
  *
- *  Gamma, 0..1: the fraction of a constraint's error that one step removes (ERP). Default 0.2. Where many bodies touch
- *  (docs/solver.md, "Crowds") overlaps of few contacts vanish sooner, by up to 1 - (1 - gamma)^4.4 a step.
+ *  Gamma, 0..1: the fraction of a constraint's error that one step removes (ERP). Default 0.2. In large contact islands
+ *  (docs/solver.md, "Crowds") overlaps of few contacts are removed faster, by up to 1 - (1 - gamma)^4.4 per step.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetEpsilon(const MdtWorldID w, const MeReal e);
 MEPUBLIC MeReal MEAPI MdtWorldGetEpsilon(const MdtWorldID w);
 MEPUBLIC void MEAPI MdtWorldSetGamma(const MdtWorldID w, const MeReal g);
 MEPUBLIC MeReal MEAPI MdtWorldGetGamma(const MdtWorldID w);
-/** Sets gamma for steps of @a aTimeStep so that errors die in the same time as with @a aGamma at @a aRefStep:
+/** Sets gamma for steps of @a aTimeStep so that errors decay in the same time as with @a aGamma at @a aRefStep:
  *  1 - (1 - aGamma)^(aTimeStep / aRefStep), since T / h steps leave (1 - gamma)^(T / h) of an error after the time T.
- *  Times in seconds, positive. Call it again when the step changes. */
+ *  Times are in seconds, positive. Call it again when the step size changes. */
 MEPUBLIC void MEAPI MdtWorldSetGammaWithRefTimeStep(const MdtWorldID w, const MeReal aGamma, const MeReal aRefStep,
                                                     const MeReal aTimeStep);
 /** @} */
 
-/** @name Putting bodies to rest (Dynamics guide ch. 4, "Enabling/Disabling Bodies")
+/** @name Putting bodies to sleep (Dynamics guide ch. 4, "Enabling/Disabling Bodies")
  *  A partition is disabled ("falls asleep") when all its bodies have been enabled for the alive window, the squares of
- *  their velocity, angular velocity, acceleration and angular acceleration are below the thresholds, and the next
- *  second (five alive times) would not move one of them to speak of: docs/simulation.md, "Sleep", has the rule, and
- *  what wakes them. It stays enabled while a motor turns a joint of it, at whatever speed, while what it is attached to
- *  moves, and while a contact with a moving surface pushes one of them (MdtContactParamsSetPrimarySlide,
- *  MdtConstraintSetWorldLinearVelocity). On by default. What trembles in its place may sleep at any acceleration.
+ *  their velocity, angular velocity, acceleration and angular acceleration are below the thresholds, and none of them
+ *  would move noticeably within the next second (five alive times): docs/simulation.md, "Sleep", has the rule, and what
+ *  wakes them. It stays enabled while a motor drives one of its joints, at any speed, while its attachment to the world
+ *  moves, and while a contact with a moving surface pushes one of its bodies (MdtContactParamsSetPrimarySlide,
+ *  MdtConstraintSetWorldLinearVelocity). On by default. Bodies that only jitter in place may fall asleep whatever their
+ *  acceleration.
  *
- *  The thresholds are squares, >= 0. They start at the values of MdtDefaults.h, those of velocity and acceleration
- *  times the square of the length scale; the acceleration's is limited to a tenth of gravity, and both follow
- *  MdtWorldSetGravity until the program sets them. Once it has set one, what is below them is at rest, and nothing else
- *  is asked. They are for seconds; a program with another unit of time sets all of them, and the alive time.
+ *  The thresholds are squares, >= 0. Initially they are the values of MdtDefaults.h, those of velocity and acceleration
+ *  times the square of the length scale; that of acceleration is limited to a tenth of gravity, and both are adapted by
+ *  MdtWorldSetGravity until the program sets them. After the program has set one, the thresholds alone decide. They are
+ *  for seconds; a program with another unit of time sets all of them, and the alive time.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetAutoDisable(const MdtWorldID w, const MeBool d);
 MEPUBLIC MeBool MEAPI MdtWorldGetAutoDisable(const MdtWorldID w);
@@ -136,14 +135,14 @@ MEPUBLIC void MEAPI MdtWorldSetAutoDisableAccelerationThreshold(const MdtWorldID
 MEPUBLIC MeReal MEAPI MdtWorldGetAutoDisableAccelerationThreshold(const MdtWorldID w);
 MEPUBLIC void MEAPI MdtWorldSetAutoDisableAngularAccelerationThreshold(const MdtWorldID w, const MeReal aat);
 MEPUBLIC MeReal MEAPI MdtWorldGetAutoDisableAngularAccelerationThreshold(const MdtWorldID w);
-/** How long a body stays enabled after it was enabled, in seconds. Default 0.2 s. Replaces a window in steps. */
+/** Alive time, s: how long a body stays enabled after it was enabled. Default 0.2 s. Replaces a window in steps. */
 MEPUBLIC void MEAPI MdtWorldSetAutoDisableAliveTime(const MdtWorldID w, const MeReal aw);
-/** In seconds; a window in steps is converted with the length of the last step (1/60 s before the first). */
+/** The alive time, s; a window in steps is converted with the length of the last step (1/60 s before the first). */
 MEPUBLIC MeReal MEAPI MdtWorldGetAutoDisableAliveTime(const MdtWorldID w);
-/** In steps, rounded up; a window in seconds is converted with the length of the last step. */
+/** The alive window in steps, rounded up; an alive time is converted with the length of the last step. */
 MEPUBLIC int MEAPI MdtWorldGetAutoDisableAliveWindow(const MdtWorldID w);
-/** The same in steps, as the Dynamics guide has it. Replaces a window in seconds. The User Guide passes seconds under
- *  this name: a float is taken as seconds, a whole number as steps. */
+/** Sets the alive window in steps, as in the Dynamics guide. Replaces an alive time. The User Guide passes seconds
+ *  under this name: a floating-point argument is taken as seconds, an integer as steps. */
 MEPUBLIC void MEAPI MdtWorldSetAutoDisableAliveWindow(const MdtWorldID w, const int aliveWindow);
 #ifdef __cplusplus
 ME_END_C
@@ -165,7 +164,7 @@ ME_BEGIN_C
 #endif
 /** @} */
 
-/** @name Safe time: the shortest part of a step that MdtWorldStepSafeTime takes, s, > 0. Default 0.001 s.
+/** @name Minimum safe time: the shortest advance by MdtWorldStepSafeTime, s, > 0. Default 0.001 s.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetMinSafeTime(const MdtWorldID w, const MeReal t);
 MEPUBLIC MeReal MEAPI MdtWorldGetMinSafeTime(const MdtWorldID w);
@@ -173,92 +172,96 @@ MEPUBLIC MeReal MEAPI MdtWorldGetMinSafeTime(const MdtWorldID w);
 
 /** @name Counting
  *  @{ */
-MEPUBLIC int MEAPI MdtWorldGetMaxBodies(const MdtWorldID w);      /**< Or MeNoLimit. */
-MEPUBLIC int MEAPI MdtWorldGetMaxConstraints(const MdtWorldID w); /**< The same. */
+MEPUBLIC int MEAPI MdtWorldGetMaxBodies(const MdtWorldID w);      /**< MeNoLimit: no limit. */
+MEPUBLIC int MEAPI MdtWorldGetMaxConstraints(const MdtWorldID w); /**< MeNoLimit: no limit. */
 MEPUBLIC int MEAPI MdtWorldGetTotalBodies(const MdtWorldID w);
 MEPUBLIC int MEAPI MdtWorldGetTotalConstraints(const MdtWorldID w);
 MEPUBLIC int MEAPI MdtWorldGetEnabledBodies(const MdtWorldID w);
 MEPUBLIC int MEAPI MdtWorldGetEnabledConstraints(const MdtWorldID w);
 /** @} */
 
-/** Calls @a cb for every constraint of the world, in the order of sort keys and creation; it may destroy them
+/** Calls @a cb for every constraint of the world, in the order of sort keys and creation; it may destroy constraints
  *  (docs/simulation.md, "Callbacks"). */
 MEPUBLIC void MEAPI MdtWorldForAllConstraints(const MdtWorldID w, MdtConstraintIteratorCBPtr cb, void *ccbdata);
 
-/** Zeroes the forces, torques and impulses that wait for all the world's bodies. */
+/** Clears the forces, torques and impulses that have been added to all bodies of the world. */
 MEPUBLIC void MEAPI MdtWorldResetForces(const MdtWorldID w);
 
-/** The world's density of 1 massScale per lengthScale cubed, kg/m³. */
+/** kg/m³: the density of 1 massScale per lengthScale cubed. */
 MEPUBLIC MeReal MEAPI MdtWorldGetDefaultDensity(const MdtWorldID w);
 
 /**
- * Into how many equal parts a step divides itself, 1..1000, by default 1. Collision is not asked in between, loads and
- * contacts stay; epsilon and gamma keep their meaning for the whole step. Errors fall with the square of the number.
+ * The number of equal sub-steps into which a step is divided, 1..1000, by default 1. Collision is not tested in
+ * between; loads and contacts stay the same. Epsilon and gamma keep their meaning for the whole step. Errors decrease
+ * with the square of the number.
  */
 MEPUBLIC void MEAPI MdtWorldSetSubSteps(const MdtWorldID w, const int n);
 MEPUBLIC int MEAPI MdtWorldGetSubSteps(const MdtWorldID w);
 
 /**
- * The order of the integration scheme, 2 (default) or 4: by which power of the step's length errors fall. Order 4 is
- * for partitions of joints only, and costs two to eight times as much: each sub-step is composed of ten of order 2, two
- * of them back in time. A pendulum at 60 Hz is a hundred thousand times as exact (docs/solver.md, "Order 4").
+ * The order of the integration scheme, 2 (default) or 4: the power of the step size with which errors decrease. Order 4
+ * is for partitions of joints only, and costs two to eight times as much: each sub-step is composed of ten of order 2,
+ * two of them backward in time. The error of a pendulum at 60 Hz is a hundred thousandth of that of order 2
+ * (docs/solver.md, "Order 4").
  *
- * Such partitions have no contacts; their joints no motors, no strengths, no stops within reach, no springs that are
- * damped or too stiff to be followed, no attachments that move by a velocity of their own; their bodies no damping and
- * their Coriolis term. All others are of order 2, in whole or from the stage on where a stop comes within reach;
- * MdtReport tells (`composed`). Forces of the program are constant within a step, so they should not depend on the
- * state. In these partitions epsilon is taken for 0. Another order: a warning, and nothing is changed. Beyond Karma.
+ * Such partitions have no contacts; their joints have no motors, no strengths, no stops within reach, no springs that
+ * are damped or too stiff for the step, no attachments with a velocity of their own; their bodies have no damping, and
+ * their Coriolis term is enabled. All other partitions are of order 2: for the whole step, or from the stage on in
+ * which a stop comes within reach; MdtReport.composed counts compositions. Forces of the program are constant within a
+ * step, so they should not depend on the state. Epsilon counts as 0 in these partitions. Another order gets a warning,
+ * and nothing is changed. Beyond Karma.
  */
 MEPUBLIC void MEAPI MdtWorldSetIntegratorOrder(const MdtWorldID w, const int order);
 MEPUBLIC int MEAPI MdtWorldGetIntegratorOrder(const MdtWorldID w);
 
 /**
- * Partitions of up to this many bodies that only touch, without joints, meet their contacts in time: bodies move with
- * their mean velocities, and a step is divided where bodies collide or come to stick. By default 8; 0: none. So do
- * those with joints where all that touches is round, as a car's wheels, without springs and stops; larger ones with
- * restitution of which no more bodies are held by touching contacts, or a quarter (of 64 bodies or more: none, unless
- * the restitution is 1); and joints between so many, when something bounces. Other partitions take each step at once,
- * right to first order, and never gain energy.
+ * Timed contacts: the largest number of bodies, by default 8, of partitions whose impacts are resolved at their time;
+ * 0: none. In such partitions bodies move with their mean velocities, and a step is divided when bodies collide or
+ * begin to stick. They are partitions with contacts only, or with joints, without springs and stops, if all contacts
+ * are round, such as a car's wheels; larger ones with restitution if touching contacts hold at most this number of
+ * bodies, or a quarter of them (with 64 bodies or more: none, unless the restitution is 1); and those with joints on
+ * at most this number, if something bounces. All other partitions take each step as a whole, correct to first order,
+ * and never gain energy.
  */
 MEPUBLIC void MEAPI MdtWorldSetTimedContacts(const MdtWorldID w, const int bodies);
 MEPUBLIC int MEAPI MdtWorldGetTimedContacts(const MdtWorldID w);
 
-/** Calls these when a body gets enabled and disabled, by the program, by rest or by being woken; null: nothing. The
- *  Simulation Toolkit freezes and unfreezes collision models so (User Guide ch. 5). What they may do:
- *  docs/simulation.md, "Callbacks". */
+/** Sets the callbacks for bodies that are enabled or disabled: by the program, by falling asleep or by waking; null:
+ *  none. The Simulation Toolkit uses them to freeze and unfreeze collision models (User Guide ch. 5).
+ *  docs/simulation.md, "Callbacks", lists what they may do. */
 MEPUBLIC void MEAPI MdtWorldSetBodyHandlers(const MdtWorldID w, MdtBodyHandler enabled, MdtBodyHandler disabled);
 
 /** @name The cap on the Newton iterations of a partition's step (Karma: pivoting iterations)
- *  0, the default: no cap; the work budget alone bounds the step. With a cap a step costs less and its forces are
- *  inexact: they keep their bounds, energy is not gained, contacts give way a little, and a warning says so. Each part
- *  that a step is divided into (MdtReport) takes at least one iteration.
+ *  0, the default: no cap; only the work budget bounds the step. With a cap a step costs less and its forces are
+ *  inexact: they keep their bounds, energy does not grow, contacts give way a little, and a warning is given. Each
+ *  part into which a step is divided (MdtReport) gets at least one iteration.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetMaxLCPIterations(const MdtWorldID w, const int mi);
 MEPUBLIC int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w);
 /** @} */
 
-/** @name The budget of work: the largest cost of a partition in one step
+/** @name The work budget: the largest cost of a partition in one step
  *
- *  In millions of multiplications, counted in factorizations and in visits of rows, so that it is the same on every
- *  machine, and the results with it. A million takes about a millisecond on one core of 2020. Sub-steps, halves of
- *  violent motion, events and impacts of a partition's step draw from one budget. If a step is taken in parts (safe
- *  times), each part has its share, at least a sixteenth.
+ *  In millions of multiplications, counted in factorizations and in visits of rows, so that the cost, and with it the
+ *  result, is the same on every machine. A million takes about a millisecond on one core of 2020. Sub-steps, halves of
+ *  violent motion, events and impacts of a partition's step draw from one budget. If safe times divide a step, each
+ *  part has its share, at least a sixteenth.
  *
  *  Newton's method may use half of it, or three eighths if friction bounds do not settle. After that, the best answer
- *  so far is finished iteratively: up to eight passes of accelerated sweeps over the rows (projected Gauss-Seidel),
- *  each with a direct solve of the joint rows that have no bounds. Such an answer keeps momentum and bounds, and
- *  energy does not grow beyond what loads, springs and motors give. Contacts and stops give way by the rest of the
- *  error, mostly 1e-4 m/s, which later steps remove (gamma). Joints stay closed and contacts hold: where an answer
- *  would open joints by a twentieth of a body, or leave contacts half of what a body gains by falling in the step, the
- *  fast solver takes the rest of the step (MdtWorldSetSolver). Partitions of 3000 rows or more get only a few sweeps in
- *  each pass; they want a larger budget. MdtReport tells (`way`, `limited`, `fallbacks`, `residualVelocity`).
+ *  so far is improved iteratively: up to eight passes of accelerated sweeps over the rows (projected Gauss-Seidel),
+ *  each with a direct solve of the joint rows without bounds. Such an answer conserves momentum and keeps bounds, and
+ *  energy does not grow beyond the work of loads, springs and motors. Contacts and stops give way by the remaining
+ *  error, mostly 1e-4 m/s, which later steps remove (gamma). If the answer would open joints by a twentieth of a body,
+ *  or leave contacts half of the velocity that gravity gives in the step, the fast solver solves the rest of the step
+ *  (MdtWorldSetSolver). Partitions of 3000 rows or more get only a few sweeps in each pass; they need a larger budget.
+ *  MdtReport has the results (`way`, `limited`, `fallbacks`, `residualVelocity`).
  *
- *  The making of the rows, a few visits of each, and one such answer for each part are done in any case.
+ *  Not limited are: making the rows, a few visits of each row, and one such answer for each part.
  *
- *  Default 400; the exact steps that MdtSolverAuto takes draw from accounts that are shares of it. The first
- *  step of a tower of 100 layers of three planks, solved exactly (MdtWorldSetSolver), takes 38. The hard
- *  cases in docs/lab/accuracy.md take 17 at most (100 links with 1e5 kg), one Newton iteration of 30 boxes in a heap
- *  0.1. 0: no bound, and accounts as by default. Beyond Karma.
+ *  Default 400; the exact steps of MdtSolverAuto draw from accounts that are shares of it. The first step of a tower
+ *  of 100 layers of three planks, solved exactly (MdtWorldSetSolver), takes 38. The hard cases in docs/lab/accuracy.md
+ *  take 17 at most (100 links with 1e5 kg), one Newton iteration of 30 boxes in a heap 0.1. 0: unlimited, with
+ *  accounts as by default. Beyond Karma.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetWorkBudget(const MdtWorldID w, const MeReal work);
 MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
@@ -266,20 +269,19 @@ MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
 
 /** @name The choice of solver: exact or fast
  *
- *  Exact: Newton's method, to the tolerances that docs/lab/accuracy.md states. Fast: an iterative method in single
- *  precision that visits contacts in passes, more of them the higher a pile is and the more masses differ. It leaves
- *  small velocities at contacts (MdtReport, `residualVelocity`, `excess`), by which bodies sink and creep a little
- *  until they rest.
+ *  Exact: Newton's method, to the tolerances in docs/lab/accuracy.md. Fast: an iterative method in single precision
+ *  that visits contacts in passes, more of them for higher piles and larger mass ratios. It leaves small velocities at
+ *  contacts (MdtReport, `residualVelocity`, `excess`), by which bodies sink and creep a little until they rest.
  *
- *  MdtSolverAuto, the default, takes the exact one where that costs no more than the fast one, or where the world's
- *  accounts of exact work pay it: for partitions of which the exact one has taken the last step as long as that is
- *  little, and for those of which the fast answer does not meet the accuracy (MdtWorldSetAccuracy), in which nothing
- *  touches or bodies bounce, and that have just been made, for more. docs/solver.md, "Crowds", has the table;
- *  MdtReport.why tells which row held.
+ *  MdtSolverAuto, the default, uses the exact solver if that costs no more than the fast one, or if the world's
+ *  accounts of exact work pay for it: smaller amounts for partitions whose last step the exact solver solved; larger
+ *  amounts for partitions whose fast answer misses the accuracy (MdtWorldSetAccuracy), which have no contacts or whose
+ *  bodies bounce, or which are new. docs/solver.md, "Crowds", has the table; MdtReport.why tells which of its rows
+ *  applied.
  *
- *  Whatever is chosen, partitions with constraints whose rows the program makes, with more rows than the cap, and, with
- *  MdtSolverFast, without contacts, are solved exactly. With MdtSolverAuto partitions of more bodies than
- *  MdtWorldSetTimedContacts that touch nothing fixed are the fast solver's.
+ *  Whatever is chosen, partitions with rows from callbacks, with more rows than the cap, and, with MdtSolverFast,
+ *  without contacts, are solved exactly. With MdtSolverAuto the fast solver solves partitions of more bodies than
+ *  MdtWorldSetTimedContacts without a contact with the world.
  *  Beyond Karma.
  *  @{ */
 typedef enum MdtSolver {
@@ -287,95 +289,98 @@ typedef enum MdtSolver {
     MdtSolverExact,
     MdtSolverFast,
 } MdtSolver;
-/** Anything else: a warning, and nothing is changed. */
+/** Another value gets a warning, and nothing is changed. */
 MEPUBLIC void MEAPI MdtWorldSetSolver(const MdtWorldID w, const MdtSolver solver);
 MEPUBLIC MdtSolver MEAPI MdtWorldGetSolver(const MdtWorldID w);
-/** The solver for a partition of these bodies, which are in the order of simulation. */
+/** Returns the solver for a partition, whose bodies are in the order of simulation. */
 typedef MdtSolver(MEAPI *MdtSolverCB)(MdtBodyID const bodies[], int numBodies, void *data);
-/** Asks @a cb, with @a data, for the solver of each partition that is awake, in place of MdtWorldSetSolver: in every
- *  step, each sub-step, and MdtWorldStepRest, on the calling thread, before any of them is simulated, in the order of
- *  MdtBodyGetPartition. What it creates, enables or destroys waits until the step is done (docs/simulation.md,
- *  "Callbacks"); its answer may depend on nothing but what it reads of the bodies. What rests, and is to have
- *  another solver than in the last step, is solved again. An answer that is none of the three is MdtSolverAuto, with a
- *  warning for the first one. Null, the default: one choice for all. */
+/** Calls @a cb, with @a data, for the solver of each awake partition, in place of the choice of MdtWorldSetSolver: in
+ *  every step, and in MdtWorldStepRest, on the calling thread, before any of the partitions is simulated, in the order
+ *  of MdtBodyGetPartition. Objects that it creates, enables or destroys are processed after the step
+ *  (docs/simulation.md, "Callbacks"); its result must depend on data of the bodies only. A partition at rest is solved
+ *  again if its solver differs from that of the last step. An invalid result counts as MdtSolverAuto, with a warning
+ *  for the first one. Null, the default: one choice for all partitions. */
 MEPUBLIC void MEAPI MdtWorldSetSolverCB(const MdtWorldID w, MdtSolverCB cb, void *data);
 /** @} */
 
 /** @name Threads
- *  A world is stepped by the calling thread and, if there is more than one worker, by others beside it; in a universe
- *  they also test pairs (docs/threads.md). One worker, the calling thread, is the default. The results have the same
- *  bits with any number of workers.
+ *  A world is stepped by the calling thread and, with more than one worker, by further threads; in a universe these
+ *  also test pairs (docs/threads.md). By default there is one worker, the calling thread. Results are the same bit for
+ *  bit with any number of workers.
  *
- *  Functions of the program are called by the calling thread only, one after the other, with two exceptions: memory
- *  functions (MeMemory.h) may be called by several workers at once, and a fatal error is handled by the thread in which
- *  it happens. Messages of workers are given when the partitions are done, in the partitions' order.
+ *  Callbacks of the program are called on the calling thread only, one at a time, with two exceptions: several workers
+ *  may call memory functions (MeMemory.h) at once, and a fatal error is handled on the thread on which it occurs.
+ *  Messages of workers are sent when all partitions are done, in the order of partitions.
  *
- *  A world with constraints whose rows the program makes (MdtUserConstraint.h), with an importance callback or a
- *  partition callback is stepped by the calling thread. docs/threads.md has an example of callbacks. Beyond Karma.
+ *  A world with constraints whose rows a callback makes (MdtUserConstraint.h), with an importance callback or a
+ *  partition callback, is stepped by the calling thread alone. docs/threads.md has an example of callbacks. Beyond
+ *  Karma.
  *  @{ */
 /**
- * Tasks go to the program's job system.
- * @param workerCount 1 .. MeTaskMaxWorkers: how many threads work at once, the calling one included; with 1 there are
- *        no tasks any more
- * @param enqueue, finish as MeTask.h says; null only for one worker. They are called on the calling thread. What they
- *        may do: docs/simulation.md, "Callbacks"
- * @param userContext handed to both
- * Bad numbers and null functions warn, and nothing is changed; so does a call in the middle of a step.
+ * Uses the program's job system for tasks.
+ * @param workerCount 1 .. MeTaskMaxWorkers: the number of threads that work at once, with the calling one; with 1 there
+ *        are no tasks
+ * @param enqueue, finish callbacks as in MeTask.h, called on the calling thread; null only for one worker.
+ *        docs/simulation.md, "Callbacks", lists what they may do
+ * @param userContext passed to both
+ * Invalid numbers and null functions get a warning, and nothing is changed; so does a call in the middle of a step.
  */
 MEPUBLIC void MEAPI MdtWorldSetTaskCallbacks(const MdtWorldID w, const int workerCount, const MeEnqueueTaskCB enqueue,
                                              const MeFinishTaskCB finish, void *const userContext);
-/** Tasks go to a pool, which lives longer than the world or until another call; worlds may share it. Null: one worker
- *  again. In the middle of a step: a warning, and nothing is changed. */
+/** Uses a pool for tasks; the pool must live as long as the world, or until another call; several worlds may share it.
+ *  Null: one worker. In the middle of a step: a warning, and nothing is changed. */
 MEPUBLIC void MEAPI MdtWorldSetTaskPool(const MdtWorldID w, const MeTaskPoolID pool);
 MEPUBLIC int MEAPI MdtWorldGetWorkerCount(const MdtWorldID w);
-/** s, that a worker, 0 .. MdtWorldGetWorkerCount - 1, has spent on tasks since the workers were set; 0 of a world with
- *  one. Another number warns, and is 0. */
+/** s: the time that a worker, 0 .. MdtWorldGetWorkerCount - 1, has spent on tasks since the workers were set; 0 if
+ *  there is one worker. Another index gets a warning, and 0. */
 MEPUBLIC MeReal MEAPI MdtWorldGetWorkerTime(const MdtWorldID w, const int worker);
 /** @} */
 
 /** @name The accuracy of the fast solver
- *  The error of the velocity at a contact that is borne where bodies of equal mass rest on each other, m/s; less under
- *  the load of others, and under heavier bodies, and more while velocities change (docs/solver.md, "Crowds"). While
- *  contacts have more in the mean, the solver takes more passes, up to six times as many; where one has more, the exact
- *  solver takes the step, if it may. 0: the automatic choice takes the exact solver. Negative, the default: 1e-4 of the
- *  velocity that gravity gives in a step, and of partitions with joints 1e-2 of it; without gravity of a tenth of the
- *  length scale in a second. Bodies that are slower than 1e-3 of that velocity, and than a tenth of an accuracy that is
- *  set, count as resting. Beyond Karma.
+ *  The largest velocity error of a contact between bodies of equal mass at rest, m/s; less for contacts that carry the
+ *  load of others, and under heavier bodies; more while velocities change (docs/solver.md, "Crowds"). While the mean
+ *  error is larger, the solver makes more passes, up to six times as many; if the error of a contact is larger, the
+ *  exact solver redoes the step, as far as the accounts allow. 0: the automatic choice uses the exact solver.
+ *  Negative, the default: 1e-4 of the velocity that gravity gives in a step, in partitions with joints 1e-2 of it;
+ *  without gravity, of a tenth of the length scale per second. Bodies slower than 1e-3 of that velocity, or slower
+ *  than a tenth of an accuracy that was set, count as resting. Beyond Karma.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetAccuracy(const MdtWorldID w, const MeReal velocity);
-/** As it was set, or what the last step's length makes of the default where there are no joints. */
+/** The value that was set, or else the default for the last step's length and partitions without joints. */
 MEPUBLIC MeReal MEAPI MdtWorldGetAccuracy(const MdtWorldID w);
 /** @} */
 
 /** @name The cap on a partition's rows (Dynamics guide ch. 4, "Limiting the Matrix Size")
  *  If a partition has more rows than @a size (positive; default INT_MAX), rows of contacts are left out of the step:
  *  first friction rows, then contacts between bodies, then contacts with the world, each from the shallowest to the
- *  deepest. Joints keep their rows, and every contact group keeps one contact, so there may still be more than @a size.
+ *  deepest. Joints keep their rows, and every contact group keeps one contact, so more than @a size rows may be left.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetMaxMatrixSize(const MdtWorldID w, const int size);
 MEPUBLIC int MEAPI MdtWorldGetMaxMatrixSize(const MdtWorldID w);
-/** The importance that @a cb returns takes the place of depth, and of the distinction between bodies and world. Null
- *  brings the default back. It may not move bodies; what it creates or destroys waits (docs/simulation.md,
+/** The importance that @a cb returns replaces depth, and the distinction between bodies and world. Null restores the
+ *  default. It must not move bodies; objects that it creates or destroys are processed later (docs/simulation.md,
  *  "Callbacks"). */
 MEPUBLIC void MEAPI MdtWorldSetContactImportanceCB(const MdtWorldID w, MdtContactImportanceCBPtr cb);
-/** Every step writes the rows of partition i to @a sizeLog[i], for the first @a logSize partitions, and 0 behind the
- *  last. The array is the program's and must live until the log is set anew; null, or a size of 0, ends it. */
+/** Every step writes the number of rows of partition i to @a sizeLog[i], for the first @a logSize partitions, and 0 to
+ *  the remaining entries. The program owns the array, which must live until the log is set again; null, or a size of
+ *  0, ends it. */
 MEPUBLIC void MEAPI MdtWorldSetMatrixSizeLog(const MdtWorldID w, int *const sizeLog, const int logSize);
 /** @} */
 
 /** @name Joints that break (MdtConstraintSetBreakLimits)
  *  @{ */
-/** Those that broke in the last step, by sort keys, then creation; null in the place of one that was destroyed since.
- *  The array is the world's, and valid until the next step. @a count gets how many there are. */
+/** The joints that broke in the last step, by sort keys, then creation; null for one that has been destroyed since. The
+ *  world owns the array, which is valid until the next step. @a count receives their number. */
 MEPUBLIC const MdtConstraintID *MEAPI MdtWorldGetBrokenJoints(const MdtWorldID w, int *count);
-/** Called for each of them at the end of the step, in that order, and may do anything but step or end the world
- *  (docs/simulation.md, "Callbacks"); null, the default: nothing. */
+/** Sets the callback for joints that break: called for each of them at the end of the step, in the order of
+ *  MdtWorldGetBrokenJoints. It may do anything but step or destroy the world (docs/simulation.md, "Callbacks"). Null,
+ *  the default: none. */
 MEPUBLIC void MEAPI MdtWorldSetBreakCB(const MdtWorldID w, MdtBreakCBPtr cb);
 /** @} */
 
 /**
- * What each step draws when it ends, by MeDebugDrawAPI (MeDebugDraw.h); a viewer's context shows it until the next
- * tick. A sum of options; 0, the default: nothing. Other values get a warning and change nothing.
+ * What each step draws at its end by MeDebugDrawAPI (MeDebugDraw.h); a viewer's context shows it until the next tick. A
+ * sum of options; 0, the default: nothing. Other values get a warning and change nothing.
  */
 MEPUBLIC void MEAPI MdtWorldSetDebugDrawing(const MdtWorldID w, const MdtDebugDrawOptions drawOptions);
 
