@@ -16,7 +16,7 @@ ME_BEGIN_C
 /** Creates an angular joint, disabled, unattached, which aligns the bodies' frames; rigid, rotation not enabled. The
  *  world owns it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtAngular3ID MEAPI MdtAngular3Create(const MdtWorldID w);
-/** Aligns the bodies' frames, and resets all else. Bodies and whether it is enabled stay. */
+/** Aligns the bodies' frames, and resets all else. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtAngular3Reset(const MdtAngular3ID j);
 /** The angular joint as a constraint. Null for null. */
 MEPUBLIC MdtConstraintID MEAPI MdtAngular3QuaConstraint(const MdtAngular3ID j);

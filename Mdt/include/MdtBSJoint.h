@@ -12,7 +12,7 @@ ME_BEGIN_C
 /** Creates a joint, disabled, unattached, with its point at the bodies' centres of mass. The world owns it. Returns
  *  null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtBSJointID MEAPI MdtBSJointCreate(const MdtWorldID w);
-/** Resets the point to the bodies' centres of mass and the axes to x and y. Bodies and whether it is enabled stay. */
+/** Resets the point to the bodies' centres of mass and the axes to x and y. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtBSJointReset(const MdtBSJointID j);
 /** The joint as a constraint. Null for null. */
 MEPUBLIC MdtConstraintID MEAPI MdtBSJointQuaConstraint(const MdtBSJointID j);

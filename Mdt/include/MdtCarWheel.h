@@ -20,7 +20,8 @@ ME_BEGIN_C
 /** Creates a car wheel, disabled, unattached, its steering axis the chassis' z, its hinge axis the wheel's y. The world
  *  owns it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtCarWheelID MEAPI MdtCarWheelCreate(const MdtWorldID w);
-/** Sets position, axes, motors and suspension to the defaults of a new joint. Bodies and state stay. */
+/** Sets position, axes, motors and suspension to the defaults of a new joint. Bodies and enabled state do not change.
+ *  */
 MEPUBLIC void MEAPI MdtCarWheelReset(const MdtCarWheelID j);
 /** The car wheel as a constraint. Null for null. */
 MEPUBLIC MdtConstraintID MEAPI MdtCarWheelQuaConstraint(const MdtCarWheelID j);

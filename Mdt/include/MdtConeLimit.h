@@ -15,7 +15,7 @@ ME_BEGIN_C
 /** Creates a cone limit, disabled, unattached, its axes the bodies' x-axes, its half angle pi: no limit. The world owns
  *  it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtConeLimitID MEAPI MdtConeLimitCreate(const MdtWorldID w);
-/** Sets axes, half angle and stiffness to the defaults of a new limit. Bodies and state stay. */
+/** Sets axes, half angle and stiffness to the defaults of a new limit. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtConeLimitReset(const MdtConeLimitID j);
 /** The cone limit as a constraint. Null for null. */
 MEPUBLIC MdtConstraintID MEAPI MdtConeLimitQuaConstraint(const MdtConeLimitID j);

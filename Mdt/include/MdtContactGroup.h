@@ -19,7 +19,7 @@ ME_BEGIN_C
 /** Creates an empty group, disabled, unattached. It counts as one of the world's constraints. Returns null, with a
  *  warning that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtContactGroupID MEAPI MdtContactGroupCreate(const MdtWorldID w);
-/** Destroys the group's contacts. Bodies, and whether it is enabled, do not change. */
+/** Destroys the group's contacts. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtContactGroupReset(const MdtContactGroupID c);
 /** The group as a constraint. Null for null. */
 MEPUBLIC MdtConstraintID MEAPI MdtContactGroupQuaConstraint(const MdtContactGroupID c);

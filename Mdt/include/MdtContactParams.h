@@ -78,7 +78,7 @@ MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondarySlide(const MdtContactParamsID
 /** @} */
 
 /** @name Restitution: rebound speed over impact speed, 0..1, for impacts above the threshold [m/s, >= 0]
- *  Bodies whose closing speed is below the acceleration of one step count as resting on each other and do not bounce.
+ *  Bodies whose closing speed is at most what their acceleration gives in one step count as resting, and do not bounce.
  *  @{ */
 MEPUBLIC void MEAPI MdtContactParamsSetRestitution(const MdtContactParamsID p, MeReal r);
 MEPUBLIC MeReal MEAPI MdtContactParamsGetRestitution(const MdtContactParamsID p);

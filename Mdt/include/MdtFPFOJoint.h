@@ -13,7 +13,7 @@ ME_BEGIN_C
 /** Creates an FPFO joint, disabled, unattached, which makes the bodies' frames coincide. The world owns it. Returns
  *  null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtFPFOJointID MEAPI MdtFPFOJointCreate(const MdtWorldID w);
-/** Makes the bodies' frames coincide, as before SetBodies. Bodies and whether it is enabled stay. */
+/** Makes the bodies' frames coincide, as before SetBodies. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtFPFOJointReset(const MdtFPFOJointID j);
 /** The FPFO joint as a constraint. Null for null. */
 MEPUBLIC MdtConstraintID MEAPI MdtFPFOJointQuaConstraint(const MdtFPFOJointID j);

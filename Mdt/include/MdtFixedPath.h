@@ -16,7 +16,7 @@ ME_BEGIN_C
 /** Creates a fixed-path joint, disabled, unattached, at the bodies' origins, at rest. The world owns it. Returns null,
  *  with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtFixedPathID MEAPI MdtFixedPathCreate(const MdtWorldID w);
-/** Sets positions and velocities to 0. Bodies and state stay. */
+/** Sets positions and velocities to 0. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtFixedPathReset(const MdtFixedPathID j);
 /** The fixed-path joint as a constraint. Null for null. */
 MEPUBLIC MdtConstraintID MEAPI MdtFixedPathQuaConstraint(const MdtFixedPathID j);

@@ -18,7 +18,7 @@ ME_BEGIN_C
  *  default. The world owns it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world
  *  is full. */
 MEPUBLIC MdtHingeID MEAPI MdtHingeCreate(const MdtWorldID w);
-/** Sets position, axes and limit to the defaults of a new hinge. Bodies and state stay. */
+/** Sets position, axes and limit to the defaults of a new hinge. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtHingeReset(const MdtHingeID j);
 /** The hinge as a constraint. Null for null. */
 MEPUBLIC MdtConstraintID MEAPI MdtHingeQuaConstraint(const MdtHingeID j);

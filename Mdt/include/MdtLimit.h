@@ -42,7 +42,7 @@ MEPUBLIC MeReal MEAPI MdtLimitGetStiffnessThreshold(const MdtLimitID l);
 /** Pointers to the stops, for reading and writing; valid as long as the limit. */
 MEPUBLIC MdtSingleLimitID MEAPI MdtLimitGetLowerLimit(const MdtLimitID l);
 MEPUBLIC MdtSingleLimitID MEAPI MdtLimitGetUpperLimit(const MdtLimitID l);
-/** Copies @a sl. If the stops would cross, the other one is set to the new stop. */
+/** Sets a stop to a copy of @a sl. If the stops would cross, the other one is set to the same value. */
 MEPUBLIC void MEAPI MdtLimitSetLowerLimit(const MdtLimitID l, const MdtSingleLimitID sl);
 MEPUBLIC void MEAPI MdtLimitSetUpperLimit(const MdtLimitID l, const MdtSingleLimitID sl);
 /** @} */

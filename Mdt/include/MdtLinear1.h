@@ -13,7 +13,7 @@ ME_BEGIN_C
  *  x-axis. The world owns it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world
  *  is full. */
 MEPUBLIC MdtLinear1ID MEAPI MdtLinear1Create(const MdtWorldID w);
-/** Sets position and axis to the defaults of a new joint. Bodies and state stay. */
+/** Sets position and axis to the defaults of a new joint. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtLinear1Reset(const MdtLinear1ID j);
 /** The Linear1 joint as a constraint. Null for null. */
 MEPUBLIC MdtConstraintID MEAPI MdtLinear1QuaConstraint(const MdtLinear1ID j);

@@ -13,7 +13,7 @@ ME_BEGIN_C
  *  x-axis. The world owns it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world
  *  is full. */
 MEPUBLIC MdtLinear2ID MEAPI MdtLinear2Create(const MdtWorldID w);
-/** Sets position and direction to the defaults of a new joint. Bodies and state stay. */
+/** Sets position and direction to the defaults of a new joint. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtLinear2Reset(const MdtLinear2ID j);
 /** The Linear2 joint as a constraint. Null for null. */
 MEPUBLIC MdtConstraintID MEAPI MdtLinear2QuaConstraint(const MdtLinear2ID j);

@@ -16,7 +16,7 @@ ME_BEGIN_C
 /** Creates a prismatic joint, disabled, unattached, its axis the x-axis of the bodies, its limit at default. The world
  *  owns it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtPrismaticID MEAPI MdtPrismaticCreate(const MdtWorldID w);
-/** Sets axes and limit to the defaults of a new joint. Bodies and state stay. */
+/** Sets axes and limit to the defaults of a new joint. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtPrismaticReset(const MdtPrismaticID j);
 /** The prismatic joint as a constraint. Null for null. */
 MEPUBLIC MdtConstraintID MEAPI MdtPrismaticQuaConstraint(const MdtPrismaticID j);

@@ -19,7 +19,8 @@ ME_BEGIN_C
  *  strength. The world owns it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world
  *  is full. */
 MEPUBLIC MdtRPROJointID MEAPI MdtRPROJointCreate(const MdtWorldID w);
-/** Sets frames, quaternion, velocity and strengths to the defaults of a new joint. Bodies and state stay. */
+/** Sets frames, quaternion, velocity and strengths to the defaults of a new joint. Bodies and enabled state do not
+ *  change. */
 MEPUBLIC void MEAPI MdtRPROJointReset(const MdtRPROJointID j);
 /** The RPRO joint as a constraint. Null for null. */
 MEPUBLIC MdtConstraintID MEAPI MdtRPROJointQuaConstraint(const MdtRPROJointID j);

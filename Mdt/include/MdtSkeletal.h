@@ -17,7 +17,7 @@ ME_BEGIN_C
  *  pi/4. The world owns it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world is
  *  full. */
 MEPUBLIC MdtSkeletalID MEAPI MdtSkeletalCreate(const MdtWorldID w);
-/** Sets frame, limits and options to the defaults of a new joint. Bodies and state stay. */
+/** Sets frame, limits and options to the defaults of a new joint. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtSkeletalReset(const MdtSkeletalID j);
 /** The skeletal joint as a constraint. Null for null. */
 MEPUBLIC MdtConstraintID MEAPI MdtSkeletalQuaConstraint(const MdtSkeletalID j);

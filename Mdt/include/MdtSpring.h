@@ -23,7 +23,7 @@ ME_BEGIN_C
 /** Creates a spring, disabled, unattached, between the centres of mass, with 10 N/m and 1 N s/m. The world owns
  *  it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtSpringID MEAPI MdtSpringCreate(const MdtWorldID w);
-/** Sets positions and limit to the defaults of a new spring. Bodies and state stay. */
+/** Sets positions and limit to the defaults of a new spring. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtSpringReset(const MdtSpringID j);
 /** The spring as a constraint. Null for null. */
 MEPUBLIC MdtConstraintID MEAPI MdtSpringQuaConstraint(const MdtSpringID j);

@@ -16,7 +16,7 @@ ME_BEGIN_C
 /** Creates a Spring6, disabled, unattached, at the bodies' centres of mass, without any stiffness. The world owns it.
  *  Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtSpring6ID MEAPI MdtSpring6Create(const MdtWorldID w);
-/** Sets frames, stiffness and damping to the defaults of a new joint. Bodies and state stay. */
+/** Sets frames, stiffness and damping to the defaults of a new joint. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtSpring6Reset(const MdtSpring6ID j);
 /** The Spring6 as a constraint. Null for null. */
 MEPUBLIC MdtConstraintID MEAPI MdtSpring6QuaConstraint(const MdtSpring6ID j);

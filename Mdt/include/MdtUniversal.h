@@ -16,7 +16,7 @@ ME_BEGIN_C
  *  the second. The world owns it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the
  *  world is full. */
 MEPUBLIC MdtUniversalID MEAPI MdtUniversalCreate(const MdtWorldID w);
-/** Sets position and axes to the defaults of a new joint. Bodies and state stay. */
+/** Sets position and axes to the defaults of a new joint. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtUniversalReset(const MdtUniversalID j);
 /** The universal joint as a constraint. Null for null. */
 MEPUBLIC MdtConstraintID MEAPI MdtUniversalQuaConstraint(const MdtUniversalID j);

@@ -17,7 +17,7 @@ ME_BEGIN_C
 /** Creates a user constraint, disabled, unattached, without a callback. The world owns it. Returns null, with a warning
  *  that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtUserConstraintID MEAPI MdtUserConstraintCreate(const MdtWorldID w);
-/** Resets the frames; the callback, bodies, and whether it is enabled stay. */
+/** Resets the frames; the callback, bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtUserConstraintReset(const MdtUserConstraintID j);
 /** The user constraint as a constraint. Null for null. */
 MEPUBLIC MdtConstraintID MEAPI MdtUserConstraintQuaConstraint(const MdtUserConstraintID j);

@@ -28,7 +28,7 @@ FAULTS = {
     'bodies-of-a-bridges-group':
         ('calls', 'Mdt/src/record/MdtConstraint.c', 'if (base->record.flags & MDT_BRIDGED) {', 'if (0) {'),
     'centre-of-mass-anywhere':
-        ('calls', 'Mdt/src/record/MdtBody.c', '    if (!isCentre(caller, b, centre))\n        return;\n', ''),
+        ('calls', 'Mdt/src/record/MdtBody.c', '    if (!isCentreInBound(caller, b, centre))\n        return;\n', ''),
     'rim-of-a-model-that-is-gone':
         ('calls', 'Mcd/src/model/McdContact.c', 'return isKnown && mcd_record(ins->model)->magic == MCD_MODEL ? ins : 0;',
          'return ins;'),

@@ -41,7 +41,7 @@ void MEAPI MdtContactSetPosition(const MdtContactID c, const MeReal x, const MeR
     MdtPoint *p = mdt_pointOf(c, __func__);
     const double position[3] = {x, y, z};
     if (!p || memcmp(p->position, position, sizeof position) == 0 ||
-        !mdt_isPlace(__func__, "the position", mdt_manifoldOf(p)->base.world, x, y, z))
+        !mdt_isPositionValid(__func__, "the position", mdt_manifoldOf(p)->base.world, x, y, z))
         return;
     keaCopy(p->position, position);
     disturbManifold(p);
@@ -206,7 +206,7 @@ static MdtBclContactParams *watchedParams(MdtPoint *p, const char *caller) {
     memcpy(&extra->params, &shown, sizeof shown);
     extra->params.options |= isDirected;
     extra->record.flags |= MDT_OWN_PARAMS | MDT_WATCHED;
-    mdt_constraintWatch(&m->base);
+    mdt_constraintMarkWatched(&m->base);
     mdt_constraintDisturb(&m->base);
     return &extra->params;
 }

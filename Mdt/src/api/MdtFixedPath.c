@@ -33,7 +33,7 @@ static void rotateFromCentre(const MdtBodyID b, const double in[3], double out[3
 void MEAPI MdtFixedPathSetPosition(const MdtFixedPathID path, const unsigned int bodyindex, const MeReal x,
                                    const MeReal y, const MeReal z) {
     MdtJoint *j = jointOf(path, bodyindex, __func__);
-    if (!j || !mdt_isPlace(__func__, "the position", j->base.world, x, y, z))
+    if (!j || !mdt_isPositionValid(__func__, "the position", j->base.world, x, y, z))
         return;
     const MdtBodyID body = j->base.side[bodyindex].body;
     double p[3] = {x, y, z};

@@ -6,7 +6,7 @@ MDT_JOINT_BASICS(Hinge, MdtBclHINGE)
 MdtLimitID MEAPI MdtHingeGetLimit(const MdtHingeID j) {
     MdtJoint *c = mdt_jointOfType(j, MdtBclHINGE, __func__);
     if (c)
-        mdt_constraintWatch(&c->base);
+        mdt_constraintMarkWatched(&c->base);
     return c ? &c->bcl.of.limit : NULL;
 }
 

@@ -6,7 +6,7 @@ MDT_JOINT_BASICS(Prismatic, MdtBclPRISMATIC)
 MdtLimitID MEAPI MdtPrismaticGetLimit(const MdtPrismaticID j) {
     MdtJoint *c = mdt_jointOfType(j, MdtBclPRISMATIC, __func__);
     if (c)
-        mdt_constraintWatch(&c->base);
+        mdt_constraintMarkWatched(&c->base);
     return c ? &c->bcl.of.limit : NULL;
 }
 

@@ -6,7 +6,7 @@ MDT_JOINT_BASICS(Spring, MdtBclSPRING)
 MdtLimitID MEAPI MdtSpringGetLimit(const MdtSpringID j) {
     MdtJoint *c = mdt_jointOfType(j, MdtBclSPRING, __func__);
     if (c)
-        mdt_constraintWatch(&c->base);
+        mdt_constraintMarkWatched(&c->base);
     return c ? &c->bcl.of.distance.limit : NULL;
 }
 

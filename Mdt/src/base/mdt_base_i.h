@@ -97,7 +97,7 @@ MeBool mdt_isFinite(const char *caller, const char *what, MeReal x);
 MeBool mdt_isFinite3(const char *caller, const char *what, MeReal x, MeReal y, MeReal z);
 MeBool mdt_areFinite(const MeReal v[3]); /* the same without a warning */
 /* The same, and within the bound of positions (MdtBodyGetPositionBound). */
-MeBool mdt_isPlace(const char *caller, const char *what, const MdtWorld *w, MeReal x, MeReal y, MeReal z);
+MeBool mdt_isPositionValid(const char *caller, const char *what, const MdtWorld *w, MeReal x, MeReal y, MeReal z);
 /* True for a finite x >= lower; otherwise warns. */
 MeBool mdt_isNotBelow(const char *caller, const char *what, MeReal x, MeReal lower);
 MeBool mdt_isPositiveInRange(MeReal x); /* positive and within the range of single precision */

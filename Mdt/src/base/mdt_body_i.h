@@ -84,9 +84,9 @@ struct MdtBody {
     int calmSteps; /* steps in a row with all velocities of its partition below Kea's resting speed */
     MdtWorldID world;
     MdtAttachment *attachments; /* list of its joints and manifolds */
-    int manifolds;              /* how many of them are manifolds */
+    int manifolds;              /* number of manifolds among the attachments */
     /* read for partitions at rest (mdt_certificate.c) */
-    unsigned long certificate; /* of rest: the world's number when the body got it, or MDT_SLEEPS; 0: none */
+    unsigned long certificate; /* of rest: MdtWorld.certificate when it was given, or MDT_SLEEPS; 0: none */
     MeVector3 shownVelocity, shownAngularVelocity; /* as the library last wrote them: `velocity` differs if
                                                       the program has written it */
     double force[3], torque[3];                    /* N, N m, added by the program since the last step */

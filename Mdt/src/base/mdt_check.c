@@ -103,7 +103,7 @@ MeBool mdt_isConstraint(const MdtBaseConstraint *c, const char *caller) {
     const MeBool isLive = c && (mdt_isPoint(c) || mdt_isJoint(c) || (mdt_isManifold(c) && isGroup(c)));
 #endif
     if (isLive) {
-        mdt_constraintTouch((MdtConstraintID)(uintptr_t)c);
+        mdt_constraintMarkTouched((MdtConstraintID)(uintptr_t)c);
         return METRUE;
     }
     warnAbout(caller, "constraint", c == NULL);
@@ -143,7 +143,7 @@ double mdt_worldBound(const MdtWorld *w) {
     return fmin(2 / (double)ME_EPSILON * (double)w->params.lengthScale, sqrt((double)MEINFINITY) / 4);
 }
 
-MeBool mdt_isPlace(const char *caller, const char *what, const MdtWorld *w, MeReal x, MeReal y, MeReal z) {
+MeBool mdt_isPositionValid(const char *caller, const char *what, const MdtWorld *w, MeReal x, MeReal y, MeReal z) {
     const double max = mdt_worldBound(w);
     if (!mdt_isFinite3(caller, what, x, y, z))
         return MEFALSE;

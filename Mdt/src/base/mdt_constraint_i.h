@@ -1,4 +1,4 @@
-/* Inside Mdt: the records of constraints, but for manifolds. */
+/* Inside Mdt: the common head of all constraints, and the record of a joint. */
 #ifndef MDT_CONSTRAINT_I_H
 #define MDT_CONSTRAINT_I_H
 
@@ -58,7 +58,7 @@ static inline void mdt_constraintDisturb(MdtConstraintID c) {
 }
 
 /* Marks a joint that the program passes to an API function, and its bodies: the call may change the joint. */
-static inline void mdt_constraintTouch(MdtConstraintID c) {
+static inline void mdt_constraintMarkTouched(MdtConstraintID c) {
     if (c->record.magic != MDT_JOINT || (c->record.flags & MDT_TOUCHED))
         return;
     c->record.flags |= MDT_TOUCHED;

@@ -46,7 +46,7 @@ typedef struct MdtExtra {
     double direction[3];          /* valid with MDT_OWN_DIRECTION */
     MdtKeaVelocity worldVelocity; /* m/s, rad/s */
     double rim[2], axis[2][3];    /* m; unit vectors if the rim is not 0: MdtContactSetRim */
-    MeU64 certified;              /* of watched parameters: their hash after the step that was certified */
+    MeU64 certified;              /* MDT_WATCHED: hash of `params` after the step that was certified */
 } MdtExtra;
 
 typedef struct MdtManifold {
@@ -90,6 +90,7 @@ static inline MdtPoint *mdt_pointIn(const MdtManifold *block, int slot) {
     const unsigned int rest = (unsigned int)block->used >> slot;
     return rest ? (MdtPoint *)(uintptr_t)&block->point[slot + mdt_lowestSlot(rest)] : NULL;
 }
+/* The first point in use of this record or of those after it; null if there is none. */
 static inline MdtPoint *mdt_pointFrom(const MdtManifold *block) {
     MdtPoint *p = NULL;
     for (; block && !p; block = block->next)

@@ -47,7 +47,7 @@ void mdt_poolTerm(MdtPool *pool) {
     memset(pool, 0, sizeof *pool);
 }
 
-static MeBool grow(MdtPool *pool, const char *caller) {
+static MeBool growPool(MdtPool *pool, const char *caller) {
     char what[40];
     MEASSERT(pool->used == pool->room);
     if (pool->limit.max == MeNoLimit)
@@ -74,7 +74,7 @@ static MdtRecord *popFreed(MdtPool *pool) {
 }
 
 void *mdt_poolGet(MdtPool *pool, unsigned int magic, const char *caller) {
-    if (!MeProgramMayChange(caller) || (!pool->numFresh && !pool->firstFree && !grow(pool, caller)))
+    if (!MeProgramMayChange(caller) || (!pool->numFresh && !pool->firstFree && !growPool(pool, caller)))
         return NULL;
     MdtRecord *record = pool->numFresh ? popFresh(pool) : popFreed(pool);
     MEASSERT(pool->used < pool->room);

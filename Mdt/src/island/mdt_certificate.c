@@ -228,8 +228,8 @@ static MeBool areCalm(const MdtIsland *p, int first, int end) {
     return METRUE;
 }
 
-/* As the rule of MeTeam.h for a fixed order demands, each range writes to its own bodies only; so does certifyBodies.
- * */
+/* For results independent of threads (rule in MeTeam.h), a range writes to its own bodies only, here and in
+ * certifyBodies. */
 static void MEAPI clearCalmSteps(void *island, int first, int end, int worker) {
     const MdtIsland *p = island;
     (void)worker;

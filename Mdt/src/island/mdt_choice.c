@@ -255,7 +255,7 @@ MeBool mdt_choiceIsInFlight(const MdtIsland *p) {
 }
 
 /* m/s: closing speed of the two bodies at the contact. */
-static double approachAt(const MdtPoint *point) {
+static double closingSpeedAt(const MdtPoint *point) {
     const MdtBaseConstraint *base = &mdt_manifoldOf(point)->base;
     double normal[3], sum = 0;
     mdt_pointNormal(point, normal);
@@ -286,7 +286,7 @@ static int countPersistent(const MdtIsland *p, int max) {
             const MdtKeaBody *bodies[2];
             for (int k = 0; k < 2; k++)
                 bodies[k] = base->side[k].body ? &base->side[k].body->kea : NULL;
-            isPersistent = MdtKeaContactHolds(bodies, -at->depth, -approachAt(at), mdt_pointParams(at)->restitution,
+            isPersistent = MdtKeaContactHolds(bodies, -at->depth, -closingSpeedAt(at), mdt_pointParams(at)->restitution,
                                               keaLength(g) * p->h);
         }
         count += isPersistent;

@@ -55,7 +55,8 @@ void mdt_reportCertified(MdtReport *r);
 
 /* ---- accuracy (mdt_accuracy.c) ---- */
 
-/* m/s: the residual that a step of h seconds may leave (MdtWorldSetAccuracy); the speed below which bodies rest. */
+/* m/s, for a step of h seconds: the residual that it may leave (MdtWorldSetAccuracy); mdt_worldCalmSpeed: the speed
+ * below which bodies rest. */
 double mdt_worldAccuracy(const MdtWorld *w, double h, MeBool hasJoints);
 double mdt_worldCalmSpeed(const MdtWorld *w, double h);
 

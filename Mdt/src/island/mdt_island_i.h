@@ -19,7 +19,7 @@ typedef enum MdtStage { MDT_STAGE_NONE, MDT_STAGE_FORWARD, MDT_STAGE_BACK } MdtS
 
 /* One partition in one step. Each group of fields is written by the file or stage that is named before it. */
 typedef struct MdtIsland {
-    /* mdt_islandOf; mdt_parallel.c */
+    /* written by mdt_islandOf, mdt_parallel.c */
     MdtWorldID world;
     MdtWorker *worker; /* the worker that steps it */
     MeTeam *team;      /* the team that helps; null: none */
@@ -82,7 +82,7 @@ enum { MDT_AHEAD = 4 };
 static inline double mdt_substepTime(const MdtIsland *p) {
     return p->stage == MDT_STAGE_BACK ? -p->parameters.stepsize : p->parameters.stepsize;
 }
-static inline MeBool mdt_bounces(const MdtBclContactParams *params) {
+static inline MeBool mdt_hasRestitution(const MdtBclContactParams *params) {
     return (params->options & MdtBclContactOptionBounce) && params->restitution > 0;
 }
 static inline MeBool mdt_isInBatch(const MdtWorld *w, int partition) {
@@ -107,7 +107,7 @@ void mdt_islandShow(const MdtIsland *p);
 
 void mdt_bodySleep(MdtBodyID b);
 /* Wakes sleeping bodies whose inputs have changed since they fell asleep. At the start of a step of h seconds. */
-void mdt_sleepersWake(MdtWorldID w, double h);
+void mdt_sleepersWakeChanged(MdtWorldID w, double h);
 /* Ends the forces that were added for this step to bodies that sleep on. */
 void mdt_sleepersEndForces(MdtWorldID w);
 /* Ends the certificates of all sleeping bodies, so that they wake when the next step begins. */

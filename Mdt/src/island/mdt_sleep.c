@@ -38,14 +38,14 @@ static MeBool maySleep(MdtBodyID b, double h) {
     if (isYoung || b->enabledSteps == 0 || MdtBodyIsMovingTest(b, sleepParams))
         return MEFALSE;
     getLoadChange(b, h, change);
-    return (mdt_isQuiet(b) || mdt_staysInPlace(b)) && !mdt_wouldMove(b, change[0], change[1], h);
+    return (mdt_bodyIsQuiet(b) || mdt_bodyStaysInPlace(b)) && !mdt_bodyWouldMove(b, change[0], change[1], h);
 }
 
 /* ---- what keeps a partition awake ---- */
 
 /* True if a joint drives its bodies, or a contact's surface moves (MdtContactParamsSetPrimarySlide,
  * MdtConstraintSetWorldLinearVelocity): bodies then move with it, however slowly, or are held against its friction. */
-static MeBool isDriving(MdtConstraintID c) {
+static MeBool drivesBodies(MdtConstraintID c) {
     const MdtJoint *j = mdt_asJoint(c);
     if (j)
         return j->isDriven;
@@ -68,7 +68,7 @@ MeBool mdt_islandIsToSleep(const MdtIsland *p) {
         if (!maySleep(p->bodies[i], p->h))
             return MEFALSE;
     for (int i = 0; i < p->numActing; i++)
-        if (isDriving(p->acting[i]))
+        if (drivesBodies(p->acting[i]))
             return MEFALSE;
     return METRUE;
 }
@@ -136,7 +136,7 @@ static MeBool isToWake(MdtBodyID b, double h) {
             keaZero(pushed[k]);
         keaAddScaled(pushed[k], 1, change[k]);
     }
-    return (isPushed && mdt_wouldMove(b, pushed[0], pushed[1], h)) || !mdt_areConstraintsCertified(b);
+    return (isPushed && mdt_bodyWouldMove(b, pushed[0], pushed[1], h)) || !mdt_areConstraintsCertified(b);
 }
 
 static void wakeBody(MdtBodyID b) {
@@ -158,7 +158,7 @@ void mdt_sleepersEndForces(MdtWorldID w) {
 }
 
 /* The stage defers calls that the program's handlers make. */
-void mdt_sleepersWake(MdtWorldID w, double h) {
+void mdt_sleepersWakeChanged(MdtWorldID w, double h) {
     if (w->asleepBodies == 0)
         return;
     MeStageBegin(&w->stage, MDT_GUARD_CONSTRAINTS);

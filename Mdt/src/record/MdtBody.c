@@ -8,7 +8,7 @@
 /* ---- poses: the body's frame (p, q) and the centre of mass (x, qc); (c, t) is its pose in the body's frame:
  *          x = p + R(q) c,   qc = q t ---- */
 
-static void frameQuaternion(const MdtBody *b, double q[4]) {
+static void getFrameQuaternion(const MdtBody *b, double q[4]) {
     double back[4];
     keaQuaternionConjugate(back, b->centreTurn);
     keaQuaternionProduct(q, b->kea.quaternion, back);
@@ -23,7 +23,7 @@ static void getCentreOffset(const MdtBody *b, const double q[4], double R[3][3],
 
 static void getAxes(const MdtBody *b, double p[3], double q[4], double R[3][3]) {
     double offset[3];
-    frameQuaternion(b, q);
+    getFrameQuaternion(b, q);
     getCentreOffset(b, q, R, offset);
     keaSubtract(p, b->kea.position, offset);
 }
@@ -189,21 +189,21 @@ void mdt_bodyClampPosition(MdtBodyID b) {
     b->record.flags |= MDT_FAR;
 }
 
-static MeBool isPlace(const char *caller, MdtBodyID b, MeReal x, MeReal y, MeReal z) {
-    if (!mdt_isPlace(caller, "the position", b->world, x, y, z))
+static MeBool isPositionValid(const char *caller, MdtBodyID b, MeReal x, MeReal y, MeReal z) {
+    if (!mdt_isPositionValid(caller, "the position", b->world, x, y, z))
         return MEFALSE;
     b->record.flags &= ~MDT_FAR;
     return METRUE;
 }
 
 /* Compares bit by bit; three memcmp of fixed size compile without a call. */
-static MeBool areSame3(const MeReal *a, const MeReal *b) {
+static MeBool areSameBits3(const MeReal *a, const MeReal *b) {
     return memcmp(a, b, sizeof *a) == 0 && memcmp(a + 1, b + 1, sizeof *a) == 0 && memcmp(a + 2, b + 2, sizeof *a) == 0;
 }
 
 void mdt_bodyAcceptVelocities(MdtBodyID b) {
-    const MeBool linear = !areSame3(b->velocity, b->shownVelocity);
-    const MeBool angular = !areSame3(b->angularVelocity, b->shownAngularVelocity);
+    const MeBool linear = !areSameBits3(b->velocity, b->shownVelocity);
+    const MeBool angular = !areSameBits3(b->angularVelocity, b->shownAngularVelocity);
     if (!linear && !angular)
         return;
     if (!mdt_areFinite(b->velocity) || !mdt_areFinite(b->angularVelocity)) {
@@ -490,7 +490,7 @@ MeBool MEAPI MdtBodyIsMovingTest(const MdtBodyID b, const MdtPartitionParams *pa
     if (!mdt_isPointer(__func__, "the thresholds", params))
         return MEFALSE;
     mdt_bodyAcceptVelocities(b);
-    return isFast(b, params) || (isAccelerated(b, params) && !mdt_staysInPlace(b));
+    return isFast(b, params) || (isAccelerated(b, params) && !mdt_bodyStaysInPlace(b));
 }
 
 /* Adds the impulses that wait for the step to the momenta. Only for bodies without joints: joints would have to
@@ -537,7 +537,7 @@ void mdt_bodyPack(MdtBodyID b, double frame, MeBool hasJoints) {
 
 void MEAPI MdtBodySetPosition(const MdtBodyID b, const MeReal x, const MeReal y, const MeReal z) {
     MDT_CHANGE_BODY(b);
-    if (!isPlace(__func__, b, x, y, z))
+    if (!isPositionValid(__func__, b, x, y, z))
         return;
     const double to[3] = {x, y, z};
     double p[3], q[4];
@@ -581,7 +581,7 @@ void MEAPI MdtBodyGetQuaternion(const MdtBodyID b, MeVector4 q) {
     if (!mdt_isResult(__func__, q, 4) || !mdt_isBody(b, __func__))
         return;
     double turn[4];
-    frameQuaternion(b, turn);
+    getFrameQuaternion(b, turn);
     for (int i = 0; i < 4; i++)
         q[i] = (MeReal)turn[i];
 }
@@ -637,7 +637,7 @@ void MEAPI MdtBodySetTransform(const MdtBodyID b, const MeMatrix4 tm) {
     MDT_CHANGE_BODY(b);
     double p[3], q[4];
     if (!mdt_isPointer(__func__, "the transform", tm) || !splitTransform(__func__, tm, p, q) ||
-        !isPlace(__func__, b, tm[3][0], tm[3][1], tm[3][2]))
+        !isPositionValid(__func__, b, tm[3][0], tm[3][1], tm[3][2]))
         return;
     setFrame(b, p, q);
     mdt_bodyWakeIfAsleep(b);
@@ -663,9 +663,10 @@ static MeBool isCentreInBound(const char *caller, const MdtBody *b, const double
     keaQuaternionToMatrix(R, q);
     keaApply(at, (const double(*)[3])R, centre);
     keaAddScaled(p, 1, at);
-    return mdt_isPlace(caller, "the centre of mass", b->world, (MeReal)centre[0], (MeReal)centre[1],
-                       (MeReal)centre[2]) &&
-           mdt_isPlace(caller, "the centre of mass, in the world,", b->world, (MeReal)p[0], (MeReal)p[1], (MeReal)p[2]);
+    return mdt_isPositionValid(caller, "the centre of mass", b->world, (MeReal)centre[0], (MeReal)centre[1],
+                               (MeReal)centre[2]) &&
+           mdt_isPositionValid(caller, "the centre of mass, in the world,", b->world, (MeReal)p[0], (MeReal)p[1],
+                               (MeReal)p[2]);
 }
 
 /* Changes the centre of mass's pose in the body. The body's frame and its attachments stay where they are. */
@@ -716,7 +717,7 @@ void MEAPI MdtBodyGetCenterOfMassRelativeTransform(const MdtBodyID b, MeMatrix4 
 
 void MEAPI MdtBodySetCenterOfMassPosition(const MdtBodyID b, const MeVector3 pos) {
     MDT_CHANGE_BODY(b);
-    if (!mdt_isPointer(__func__, "the position", pos) || !isPlace(__func__, b, pos[0], pos[1], pos[2]))
+    if (!mdt_isPointer(__func__, "the position", pos) || !isPositionValid(__func__, b, pos[0], pos[1], pos[2]))
         return;
     mdt_fromReal(b->kea.position, pos);
     mdt_forceRestart(b);
@@ -1184,7 +1185,7 @@ MdtConstraintID MEAPI MdtBodyGetNextConstraint(MdtBodyID b, MdtConstraintID c) {
     return mdt_constraintNextOfBody(b, c);
 }
 
-static MdtContactID contactFrom(MdtBodyID b, MdtConstraintID c) {
+static MdtContactID findContactFrom(MdtBodyID b, MdtConstraintID c) {
     while (c && mdt_constraintType(c) != MdtBclCONTACT)
         c = mdt_constraintNextOfBody(b, c);
     return (MdtContactID)c;
@@ -1192,13 +1193,13 @@ static MdtContactID contactFrom(MdtBodyID b, MdtConstraintID c) {
 
 MdtContactID MEAPI MdtBodyGetFirstContact(MdtBodyID b) {
     MDT_NEED_BODY(b, NULL);
-    return contactFrom(b, firstConstraint(b));
+    return findContactFrom(b, firstConstraint(b));
 }
 
 MdtContactID MEAPI MdtBodyGetNextContact(MdtBodyID b, MdtContactID c) {
     MDT_NEED_BODY(b, NULL);
     MDT_NEED_CONSTRAINT((MdtConstraintID)c, NULL);
-    return contactFrom(b, mdt_constraintNextOfBody(b, (MdtConstraintID)c));
+    return findContactFrom(b, mdt_constraintNextOfBody(b, (MdtConstraintID)c));
 }
 
 /* A constraint that the callback attaches is put at the head of the list, which has been visited already. */

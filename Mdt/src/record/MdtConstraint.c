@@ -276,7 +276,7 @@ static void attachSide(MdtConstraintID c, int side, MdtBodyID b) {
     MEVALIDATE(mdt_attachmentsAreLinked(b));
 }
 
-void mdt_constraintWatch(MdtConstraintID c) {
+void mdt_constraintMarkWatched(MdtConstraintID c) {
     c->record.flags |= MDT_WATCHED;
     for (int k = 0; k < 2; k++)
         if (c->side[k].body)
@@ -483,7 +483,7 @@ static void setPosition(MdtJoint *j, unsigned int side, const double world[3]) {
 
 void mdt_constraintSetPosition(MdtConstraintID c, MeReal x, MeReal y, MeReal z, const char *caller) {
     MdtJoint *j = checkJoint(c, caller);
-    if (!j || !mdt_isPlace(caller, "the position", c->world, x, y, z))
+    if (!j || !mdt_isPositionValid(caller, "the position", c->world, x, y, z))
         return;
     const double world[3] = {x, y, z};
     setPosition(j, 0, world);
@@ -499,7 +499,7 @@ void mdt_constraintGetPosition(MdtConstraintID c, MeVector3 p, const char *calle
 void mdt_constraintBodySetPosition(MdtConstraintID c, unsigned int bodyindex, MeReal x, MeReal y, MeReal z,
                                    const char *caller) {
     MdtJoint *j = checkJoint(c, caller);
-    if (!j || !mdt_isSide(caller, bodyindex) || !mdt_isPlace(caller, "the position", c->world, x, y, z))
+    if (!j || !mdt_isSide(caller, bodyindex) || !mdt_isPositionValid(caller, "the position", c->world, x, y, z))
         return;
     const double world[3] = {x, y, z};
     setPosition(j, bodyindex, world);
@@ -519,7 +519,7 @@ void mdt_constraintBodyGetPosition(MdtConstraintID c, unsigned int bodyindex, Me
 void MEAPI MdtConstraintBodySetPositionRel(const MdtConstraintID c, const unsigned int bodyindex, const MeReal x,
                                            const MeReal y, const MeReal z) {
     MdtJoint *j = checkJoint(c, __func__);
-    if (!j || !mdt_isSide(__func__, bodyindex) || !mdt_isPlace(__func__, "the position", c->world, x, y, z))
+    if (!j || !mdt_isSide(__func__, bodyindex) || !mdt_isPositionValid(__func__, "the position", c->world, x, y, z))
         return;
     const double local[3] = {x, y, z};
     keaCopy(j->bcl.frame[bodyindex].position, local);
@@ -638,7 +638,7 @@ static void zeroAxes(MeVector3 p, MeVector3 o) {
     }
 }
 
-/* Either result may be null. */
+/* Reads a frame's axes in world coordinates; either result may be null. */
 static void getAxes(MdtJoint *j, int side, MeVector3 p, MeVector3 o) {
     double axis[3];
     if (p) {
@@ -745,7 +745,7 @@ int MEAPI MdtConstraintGetRowCount(const MdtConstraintID c) {
 /* ---- a moving world, and bookkeeping ---- */
 
 /* The extra of a contact or a group, created if there is none. Null, with a warning, if there is no memory. */
-static MdtExtra *extraMake(MdtConstraintID c, const char *caller) {
+static MdtExtra *makeExtra(MdtConstraintID c, const char *caller) {
     return mdt_isPoint(c) ? mdt_extraMake(mdt_blockOf(mdt_asPoint(c)), mdt_asPoint(c)->slot, caller)
                           : mdt_extraMake(manifoldOf(c), MDT_GROUP_SLOT, caller);
 }
@@ -756,8 +756,8 @@ static const MdtExtra *extraOf(MdtConstraintID c) {
 }
 
 /* The world velocity for writing; null, with a warning, if there is no memory. */
-static MdtKeaVelocity *worldVelocity(MdtConstraintID c, const char *caller) {
-    MdtExtra *extra = mdt_isJoint(c) ? NULL : extraMake(c, caller);
+static MdtKeaVelocity *makeWorldVelocity(MdtConstraintID c, const char *caller) {
+    MdtExtra *extra = mdt_isJoint(c) ? NULL : makeExtra(c, caller);
     return mdt_isJoint(c) ? &jointOf(c)->worldVelocity : extra ? &extra->worldVelocity : NULL;
 }
 
@@ -777,7 +777,7 @@ void MEAPI MdtConstraintSetWorldLinearVelocity(const MdtConstraintID c, const Me
     const double v[3] = {vx, vy, vz};
     if (!mdt_isConstraint(c, __func__) || !mdt_isFinite3(__func__, "the velocity", vx, vy, vz))
         return;
-    MdtKeaVelocity *velocity = worldVelocity(c, __func__);
+    MdtKeaVelocity *velocity = makeWorldVelocity(c, __func__);
     if (velocity)
         setComponent(c, velocity->lin, v);
 }
@@ -787,7 +787,7 @@ void MEAPI MdtConstraintSetWorldAngularVelocity(const MdtConstraintID c, const M
     const double v[3] = {ax, ay, az};
     if (!mdt_isConstraint(c, __func__) || !mdt_isFinite3(__func__, "the velocity", ax, ay, az))
         return;
-    MdtKeaVelocity *velocity = worldVelocity(c, __func__);
+    MdtKeaVelocity *velocity = makeWorldVelocity(c, __func__);
     if (velocity)
         setComponent(c, velocity->ang, v);
 }
@@ -813,7 +813,7 @@ MdtWorldID mdt_constraintGetWorld(MdtConstraintID c, const char *caller) {
 void mdt_constraintSetUserData(MdtConstraintID c, void *d, const char *caller) {
     if (!mdt_isConstraint(c, caller))
         return;
-    MdtExtra *extra = mdt_isJoint(c) ? NULL : extraMake(c, caller);
+    MdtExtra *extra = mdt_isJoint(c) ? NULL : makeExtra(c, caller);
     if (mdt_isJoint(c))
         jointOf(c)->userData = d;
     else if (extra)
@@ -839,7 +839,7 @@ void mdt_constraintSetSortKey(MdtConstraintID c, MeI32 key, const char *caller) 
     if (!mdt_isSortKey(caller, key))
         return;
     if (isGroupMember(c)) {
-        MdtExtra *extra = extraMake(c, caller);
+        MdtExtra *extra = makeExtra(c, caller);
         if (extra)
             extra->sortKey = key;
         return;

@@ -32,7 +32,7 @@ static void addToFit(MdtFeedback *fit, double p, double q, double f) {
     const double P = isNew ? p : keaDot(fit->before[0], fit->along), Q = isNew ? q : keaDot(fit->before[1], fit->along);
     const double row[3] = {1, P, Q}, column[5] = {1, p, q, f, p * p + q * q};
     if (fit->frames++ == 0)
-        fit->sum[0][0] = 1; /* a frame before the first, without force and momentum */
+        fit->sum[0][0] = 1; /* an imaginary first frame without force and momentum */
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 5; k++)
             fit->sum[i][k] = forgettingFactor * fit->sum[i][k] + row[i] * column[k];
@@ -92,7 +92,7 @@ static MeBool isUnstable(const MdtFeedback *fit) {
 }
 
 /* True if the load accelerates the body beyond the thresholds of sleep in a step; smaller loads may be rounding. */
-static MeBool isVisible(const double load[3], double inverse, double h, MeReal threshold) {
+static MeBool isLoadVisible(const double load[3], double inverse, double h, MeReal threshold) {
     return h * h * inverse * inverse * keaDot(load, load) > (double)threshold;
 }
 
@@ -151,9 +151,9 @@ static void addCorrections(MdtBodyID b) {
     computeCorrection(b, &last->pushing, b->force, last->force, last->momentum[0], after[0], correction[0]);
     computeCorrection(b, &last->turning, b->torque, last->torque, last->momentum[1], after[1], correction[1]);
     const double h = last->time, *I = b->kea.moments, inverse = 1 / fmax(I[0], fmax(I[1], I[2]));
-    if (isUnstable(&last->pushing) && isVisible(b->force, b->kea.invMass, h, b->world->sleepParams.vel_thresh))
+    if (isUnstable(&last->pushing) && isLoadVisible(b->force, b->kea.invMass, h, b->world->sleepParams.vel_thresh))
         warnOfStiffness(b, "MdtBodyAddForce");
-    if (isUnstable(&last->turning) && isVisible(b->torque, inverse, h, b->world->sleepParams.velrot_thresh))
+    if (isUnstable(&last->turning) && isLoadVisible(b->torque, inverse, h, b->world->sleepParams.velrot_thresh))
         warnOfStiffness(b, "MdtBodyAddTorque");
     for (int k = 0; k < 2; k++)
         keaAddScaled(b->kea.kick[k], 1, correction[k]);
@@ -167,7 +167,7 @@ void mdt_forceRestart(MdtBodyID b) {
     memset(&b->applied.turning, 0, sizeof b->applied.turning);
 }
 
-void mdt_forceKeep(MdtBodyID b) {
+void mdt_forceContinue(MdtBodyID b) {
     keaAddScaled(b->force, 1, b->applied.force);
     keaAddScaled(b->torque, 1, b->applied.torque);
     b->record.flags |= MDT_KEPT;

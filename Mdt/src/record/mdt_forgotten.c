@@ -88,7 +88,7 @@ void mdt_forgottenScale(MdtBodyID b) {
 
 /* ---- each step ---- */
 
-void mdt_forgottenWatch(MdtWorldID w, double h) {
+void mdt_forgottenCheck(MdtWorldID w, double h) {
     checkMotors(w);
     checkCentres(w);
     w->sinkingMass = w->isScaleWarned ? HUGE_VAL : sinkingMass(w, h);

@@ -32,11 +32,11 @@ void mdt_stayRestart(MdtBodyID b);
 /* Updates the observation after a step of h seconds. */
 void mdt_stayUpdate(MdtBodyID b, double h);
 /* True if the body has stayed near its place for a second, including small oscillations. */
-MeBool mdt_staysInPlace(const MdtBody *b);
+MeBool mdt_bodyStaysInPlace(const MdtBody *b);
 /* True if the body, with its present motion, would hardly move in the next second. */
-MeBool mdt_isQuiet(const MdtBody *b);
+MeBool mdt_bodyIsQuiet(const MdtBody *b);
 /* True if a change of momentum, N s and N m s, that acts in h seconds would move the body visibly. */
-MeBool mdt_wouldMove(const MdtBody *b, const double push[3], const double angularImpulse[3], double h);
+MeBool mdt_bodyWouldMove(const MdtBody *b, const double push[3], const double angularImpulse[3], double h);
 
 /* ---- forces in successive steps (mdt_force.c) ---- */
 
@@ -45,14 +45,14 @@ void mdt_forceBegin(MdtBodyID b);
 /* Passes the forces of a frame, of `frame` seconds, to kea and clears the accumulators. */
 void mdt_forceApply(MdtBodyID b, double frame);
 /* Applies the forces of the step's start in a further part of the step, too. */
-void mdt_forceKeep(MdtBodyID b);
+void mdt_forceContinue(MdtBodyID b);
 /* Restarts the history of forces: the program has moved or changed the body. */
 void mdt_forceRestart(MdtBodyID b);
 
 /* ---- constraints ---- */
 
 /* Marks that the program has a pointer to the constraint's parameters, and may write them without a setter. */
-void mdt_constraintWatch(MdtConstraintID c);
+void mdt_constraintMarkWatched(MdtConstraintID c);
 
 /* Add to, and subtract from, the world's number of constraints (joints, groups, contacts). False, with a warning that
  * names the caller, if the world is full. */
@@ -120,7 +120,7 @@ void mdt_limitAssign(MdtLimitID to, const MdtBclLimit *from);
 
 /* At the start of a step of h seconds: warns of running motors on joints that were never enabled, and of centres of
  * mass that were not set. */
-void mdt_forgottenWatch(MdtWorldID w, double h);
+void mdt_forgottenCheck(MdtWorldID w, double h);
 /* Warns that a body which has contacts is too heavy for the world's epsilon. */
 void mdt_forgottenScale(MdtBodyID b);
 

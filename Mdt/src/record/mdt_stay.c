@@ -133,7 +133,7 @@ void mdt_stayUpdate(MdtBodyID b, double h) {
         countReturns(s, distance, h);
 }
 
-MeBool mdt_staysInPlace(const MdtBody *b) {
+MeBool mdt_bodyStaysInPlace(const MdtBody *b) {
     const double radius = radiusOf(b);
     return b->stay.maxDisplacement <= stillDistance(radius) || b->stay.reach > 0 ||
            oscillatesLittle(&b->stay, radius, lookAheadTime(b));
@@ -146,13 +146,13 @@ static double distanceAhead(const MdtBody *b, double radius) {
     return t * pointSpeed(b, radius) + 0.5 * t * t * (keaLength(a->lin) + radius * keaLength(a->ang));
 }
 
-MeBool mdt_isQuiet(const MdtBody *b) {
+MeBool mdt_bodyIsQuiet(const MdtBody *b) {
     const double radius = radiusOf(b);
     return b->world->hasThresholds || distanceAhead(b, radius) <= quietReach * radius;
 }
 
 /* push, angularImpulse: change of momentum in h seconds. */
-MeBool mdt_wouldMove(const MdtBody *b, const double push[3], const double angularImpulse[3], double h) {
+MeBool mdt_bodyWouldMove(const MdtBody *b, const double push[3], const double angularImpulse[3], double h) {
     const MdtPartitionParams *sleepParams = &b->world->sleepParams;
     const double *I = b->kea.moments, radius = radiusOf(b);
     const double speed = keaLength(push) * b->kea.invMass,

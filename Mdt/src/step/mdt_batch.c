@@ -54,8 +54,8 @@ typedef struct Choosing {
 } Choosing;
 
 /* Partitions in flight are excluded: a system without contacts with the world is advanced by its mean velocity
- * (kea_fast.c), a batch is not. As the rule of MeTeam.h for a fixed order demands, the choice for a partition reads and
- * writes its own bodies only. */
+ * (kea_fast.c), a batch is not. For results independent of threads (rule in MeTeam.h), the choice for a partition reads
+ * and writes its own bodies only. */
 static void MEAPI chooseMembers(void *context, int first, int end, int worker) {
     const Choosing *c = context;
     MdtBatches *b = &c->world->batches;
@@ -205,7 +205,7 @@ void mdt_batchAdvance(MdtIsland *p) {
         if (!p->isStopped)
             unpackBatch(p);
         for (int i = 0; i < p->numBodies && p->isStopped; i++)
-            mdt_forceKeep(p->bodies[i]);
+            mdt_forceContinue(p->bodies[i]);
         mdt_islandRelease(p);
     }
     if (!isPacked || p->isStopped)

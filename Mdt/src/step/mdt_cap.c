@@ -83,7 +83,7 @@ static MeBool isBetweenBodies(const MdtPoint *point) {
     return !isWithWorld(point);
 }
 
-static MeBool isAny(const MdtPoint *point) {
+static MeBool isAnyContact(const MdtPoint *point) {
     (void)point;
     return METRUE;
 }
@@ -105,7 +105,7 @@ static int dropContacts(const MdtIsland *p, MdtRanked ranking[], int rows, int m
 static int dropRows(const MdtIsland *p, MdtRanked ranking[], int rows, int max) {
     rows = dropFriction(p, ranking, rows, max);
     if (p->world->importance)
-        return dropContacts(p, ranking, rows, max, isAny);
+        return dropContacts(p, ranking, rows, max, isAnyContact);
     rows = dropContacts(p, ranking, rows, max, isBetweenBodies);
     return dropContacts(p, ranking, rows, max, isWithWorld);
 }

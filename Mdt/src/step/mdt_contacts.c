@@ -191,7 +191,8 @@ static void addForce(const MdtKeaManifold *m, const double force[3], double shar
     MEASSERT(isfinite(keaDot(mean, mean)));
 }
 
-/* As the rule of MeTeam.h for a fixed order demands, a range writes only to its own manifolds and their contacts. */
+/* For results independent of threads (rule in MeTeam.h), a range writes to its own manifolds and their
+ * contacts only. */
 typedef struct Unpacking {
     MdtIsland *p;
     double share;

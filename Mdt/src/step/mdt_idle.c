@@ -32,7 +32,7 @@ static MeBool areAllUnaffected(const MdtWorld *w, unsigned long *sum) {
     return METRUE;
 }
 
-void mdt_idleWatch(MdtWorldID w, double h) {
+void mdt_idleCheck(MdtWorldID w, double h) {
     unsigned long sum;
     if (w->idle.isOver)
         return;
@@ -51,7 +51,7 @@ void mdt_idleWatch(MdtWorldID w, double h) {
               MeCallerName("MdtWorldStep"));
 }
 #else
-void mdt_idleWatch(MdtWorldID w, double h) {
+void mdt_idleCheck(MdtWorldID w, double h) {
     (void)w, (void)h;
 }
 #endif

@@ -16,7 +16,7 @@ typedef struct Lagging {
     double remainingTime;
 } Lagging;
 
-/* As the rule of MeTeam.h for a fixed order demands, a range writes to its own bodies only. */
+/* For results independent of threads (rule in MeTeam.h), a range writes to its own bodies only. */
 static void MEAPI setLags(void *context, int first, int end, int worker) {
     const Lagging *l = context;
     (void)worker;
@@ -58,7 +58,7 @@ static MeBool advanceLag(MdtWorldID w, int number) {
     if (isTooShort(&p))
         return MEFALSE;
     for (int i = 0; i < p.numBodies; i++)
-        mdt_forceKeep(p.bodies[i]);
+        mdt_forceContinue(p.bodies[i]);
     mdt_islandStep(&p);
     mdt_lagSet(&p, lag);
     return METRUE;

@@ -15,7 +15,7 @@ typedef struct Chunk {
     MeBool hasUserRows, bounces, losesEnergy;
 } Chunk;
 
-/* As the rule of MeTeam.h for a fixed order demands, chunks depend on the number of constraints only, and so do the
+/* For results independent of threads (rule in MeTeam.h), chunks depend on the number of constraints only, and so do the
  * indices of the manifolds that each chunk writes; counts are summed in the order of chunks. */
 enum { MAX_CHUNKS = 128 };
 
@@ -26,7 +26,7 @@ typedef struct Acting {
 } Acting;
 
 static void recordRestitution(const MdtBclContactParams *params, Chunk *c) {
-    if (!mdt_bounces(params))
+    if (!mdt_hasRestitution(params))
         return;
     c->bounces = METRUE;
     c->losesEnergy = c->losesEnergy || (double)params->restitution < 1;
@@ -160,7 +160,7 @@ static void addGravity(MdtWorldID w, MdtBodyID b) {
         b->kea.force[i] += b->mass * (double)w->params.gravity[i];
 }
 
-/* As the rule of MeTeam.h for a fixed order demands, a range writes to its own bodies only. */
+/* For results independent of threads (rule in MeTeam.h), a range writes to its own bodies only. */
 static void MEAPI packBodies(void *island, int first, int end, int worker) {
     const MdtIsland *p = island;
     (void)worker;

@@ -204,7 +204,7 @@ static void advanceByWorkers(MdtWorldID w, double h, MeBool stopAtSafeTime) {
 /* ---- all partitions ---- */
 
 /* True if callbacks of the program make rows or rank contacts during the step. */
-static MeBool callsProgram(const MdtWorld *w) {
+static MeBool needsCallbacks(const MdtWorld *w) {
     return w->userConstraints > 0 || w->importance;
 }
 
@@ -223,7 +223,7 @@ void mdt_islandsStep(MdtWorldID w, double h, MeBool stopAtSafeTime) {
     else {
         sleepAllDue(w, h, stopAtSafeTime);
         MeStageBegin(&w->stage, MDT_GUARD_STATES);
-        if (w->team && !callsProgram(w) && sizeOfAllPartitions(w) >= STEP_SIZE)
+        if (w->team && !needsCallbacks(w) && sizeOfAllPartitions(w) >= STEP_SIZE)
             advanceByWorkers(w, h, stopAtSafeTime);
         else
             advanceInOrder(w, h, stopAtSafeTime);

@@ -89,7 +89,7 @@ void mdt_islandAdvance(MdtIsland *p, MeBool stopAtSafeTime) {
 void mdt_worldStep(MdtWorldID w, double h, MeBool stopAtSafeTime) {
     MeProfileStartSection("Dynamics", 0);
     MeProfileStartSection("Partition", 0);
-    mdt_sleepersWake(w, h);
+    mdt_sleepersWakeChanged(w, h);
     mdt_islandsBegin(w); /* wakes bodies that are connected to awake ones */
     mdt_sleepersEndForces(w);
     mdt_certificatesBegin(w);

@@ -119,7 +119,7 @@ void mdt_lagSet(const MdtIsland *p, double remainingTime);
 /* Draws what MdtWorldSetDebugDrawing has selected (mdt_debug.c). */
 void mdt_debugDraw(MdtWorldID w);
 /* Check builds, at the start of a step of h seconds: warns if nothing moves in a world without gravity. */
-void mdt_idleWatch(MdtWorldID w, double h);
+void mdt_idleCheck(MdtWorldID w, double h);
 
 /* ---- the report (mdt_report.c); called only if the step is reported -------------------------------------------- */
 

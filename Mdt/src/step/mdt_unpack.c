@@ -102,7 +102,7 @@ static void unpackBody(MdtBodyID b, double h) {
     b->start.movesAfter = b->moves;
 }
 
-/* As the rule of MeTeam.h for a fixed order demands, a range writes to its own bodies only. */
+/* For results independent of threads (rule in MeTeam.h), a range writes to its own bodies only. */
 static void MEAPI unpackBodies(void *island, int first, int end, int worker) {
     const MdtIsland *p = island;
     (void)worker;

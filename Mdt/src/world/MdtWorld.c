@@ -118,7 +118,7 @@ MdtWorldID MEAPI(MdtWorldCreate)(const unsigned int maxBodies, const unsigned in
     w->subSteps = 1;
     w->order = 2;
     w->certificate = 1;   /* 0 is none */
-    w->graph.changes = 1; /* seen is 0: partitions are to be found */
+    w->graph.changes = 1; /* `seen` is 0: the partitions are to be found */
     w->numReports = MDT_NO_REPORTS;
     setDefaults(w, scaleOr1("length", lengthScale), scaleOr1("mass", massScale));
     if (!allocateArrays(w, (int)maxBodies, (int)maxConstraints, "MdtWorldCreate")) {
@@ -425,7 +425,7 @@ MeReal MEAPI MdtWorldGetDefaultDensity(const MdtWorldID w) {
     return w->params.massScale / (l * l * l);
 }
 
-static MeBool isCount(const char *caller, int n, int min, int max) {
+static MeBool isIntInRange(const char *caller, int n, int min, int max) {
     if (n >= min && n <= max)
         return METRUE;
     MeWarning(1, "%s: %d is not between %d and %d; nothing is changed", caller, n, min, max);
@@ -434,7 +434,7 @@ static MeBool isCount(const char *caller, int n, int min, int max) {
 
 void MEAPI MdtWorldSetSubSteps(const MdtWorldID w, const int n) {
     MDT_NEED_WORLD(w, );
-    if (isCount(__func__, n, 1, 1000))
+    if (isIntInRange(__func__, n, 1, 1000))
         w->subSteps = n;
 }
 
@@ -458,7 +458,7 @@ int MEAPI MdtWorldGetIntegratorOrder(const MdtWorldID w) {
 
 void MEAPI MdtWorldSetTimedContacts(const MdtWorldID w, const int bodies) {
     MDT_NEED_WORLD(w, );
-    if (isCount(__func__, bodies, 0, INT_MAX))
+    if (isIntInRange(__func__, bodies, 0, INT_MAX))
         w->timedBodies = bodies;
 }
 
@@ -556,8 +556,8 @@ void MEAPI MdtWorldAdvance(const MdtWorldID w, const MeReal h, const MeBool stop
     w->lastStep = (double)h;
     for (int i = 0; i < w->sizeLogLength; i++)
         w->sizeLog[i] = 0;
-    mdt_idleWatch(w, (double)h);
-    mdt_forgottenWatch(w, (double)h);
+    mdt_idleCheck(w, (double)h);
+    mdt_forgottenCheck(w, (double)h);
     mdt_breakBegin(w);
     mdt_worldStep(w, (double)h, stopAtSafeTime);
     mdt_breakEnd(w);
