@@ -20,10 +20,10 @@ typedef struct MdtStay {
     double maxDisplacement;            /* m, the largest magnitude of `displacement` in the last second */
     double position[3], quaternion[4]; /* of the centre of mass */
     double time;                       /* s, for which the body has been near that pose */
-    double farthest;                   /* m, the largest distance from that pose so far */
-    double known;                      /* m, `farthest` at the last return */
+    double maxDistance;                /* m, the largest distance from that pose so far */
+    double maxAtReturn;                /* m, `maxDistance` at the last return */
     double reach; /* m: within it the body still counts as oscillating little, since it did so before; 0: it did not */
-    int returns;  /* how often it has come back to within half of `farthest` */
+    int returns;  /* how often it has come back to within half of `maxDistance` */
     MeBool isBack;
 } MdtStay;
 

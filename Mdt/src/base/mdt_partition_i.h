@@ -26,10 +26,10 @@ typedef struct MdtIslandRecord {
     float exactWork; /* multiplications of an exact step per body; 0: not measured yet */
     float fastWork;  /* per body: multiplications of the exact solver that take the time of a fast step */
     MeBool hasNoContacts;
-    MeBool isUnfit;  /* the fast solver does not suit it: there are no contacts, or bodies bounce */
-    MeBool isUnmet;  /* the fast solver's last answer missed the accuracy */
-    int wait, since; /* then: steps until the fast solver is tried again, and since it was tried last */
-    MeBool wasExact; /* the exact solver solved the last step */
+    MeBool isUnfit;                     /* the fast solver does not suit it: there are no contacts, or bodies bounce */
+    MeBool isUnmet;                     /* the fast solver's last answer missed the accuracy */
+    int stepsUntilRetry, stepsSinceTry; /* of the fast solver, then: length of the wait, and steps since its last try */
+    MeBool wasExact;                    /* the exact solver solved the last step */
     /* in this step */
     MeBool isExactFirst; /* the exact solver is tried first */
     MdtAccount account;  /* the account that pays the exact work */

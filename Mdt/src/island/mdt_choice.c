@@ -104,8 +104,8 @@ void mdt_recordMerge(MdtIslandRecord *to, const MdtIslandRecord *from) {
     to->hasNoContacts = to->hasNoContacts && from->hasNoContacts;
     to->wasExact = to->wasExact || from->wasExact;
     to->steps = MeMAX(to->steps, from->steps);
-    to->wait = MeMAX(to->wait, from->wait);
-    to->since = MeMAX(to->since, from->since);
+    to->stepsUntilRetry = MeMAX(to->stepsUntilRetry, from->stepsUntilRetry);
+    to->stepsSinceTry = MeMAX(to->stepsSinceTry, from->stepsSinceTry);
 }
 
 static double budgetOf(const MdtWorld *w) {
@@ -172,7 +172,7 @@ static double assignShares(MdtWorldID w, ShareClass shareClass, MeBool isExactFi
             continue;
         r->share = r->drawn = need;
         r->account = account;
-        r->isExactFirst = isExactFirst || r->isUnfit || (shareClass == UNMET && r->since <= r->wait);
+        r->isExactFirst = isExactFirst || r->isUnfit || (shareClass == UNMET && r->stepsSinceTry <= r->stepsUntilRetry);
         w->credit[account] -= need;
         funds -= need;
     }
@@ -306,7 +306,7 @@ static MdtReportWhy findReason(const MdtIsland *p) {
     const MdtIslandRecord *r = p->record;
     const MeBool isLarge = p->numBodies > p->world->timedBodies && p->numContacts > 0 && !p->bounces;
     const MeBool keepsEnergy = p->bounces && !p->losesEnergy && p->numJoints == 0;
-    const MeBool isUnmet = p->numContacts == 0 && r->isUnmet && r->since <= r->wait;
+    const MeBool isUnmet = p->numContacts == 0 && r->isUnmet && r->stepsSinceTry <= r->stepsUntilRetry;
     if (p->solver == MdtSolverExact)
         return MdtReportWhyAsked;
     if (p->solver == MdtSolverAuto && isLarge && p->mayBeFast && mdt_choiceIsInFlight(p))
@@ -369,8 +369,8 @@ void mdt_choiceSwitchToExact(MdtIsland *p) {
 /* Records a fast step, whose accuracy decides when the fast solver is tried next. */
 static void recordFastStep(const MdtIsland *p, MdtIslandRecord *r) {
     r->isUnmet = p->excess > 1;
-    r->wait = !r->isUnmet ? 0 : r->wait == 0 ? 1 : MeMIN(2 * r->wait, MDT_WAIT_LIMIT);
-    r->since = 0;
+    r->stepsUntilRetry = !r->isUnmet ? 0 : r->stepsUntilRetry == 0 ? 1 : MeMIN(2 * r->stepsUntilRetry, MDT_WAIT_LIMIT);
+    r->stepsSinceTry = 0;
     r->fastWork = (float)(p->fastWork / p->numBodies / (p->numContacts > 0 ? mdt_exactTime : 1));
 }
 
@@ -378,7 +378,7 @@ static void recordFastStep(const MdtIsland *p, MdtIslandRecord *r) {
  * warm start needs more factorizations than those that follow: one of them is counted. */
 static double exactWorkOf(const MdtIsland *p, const MdtIslandRecord *r) {
     if (p->hasDeclined)
-        return fmax(2 * p->exactWork, p->min);
+        return fmax(2 * p->exactWork, p->minExactWork);
     return r->steps == 0 ? p->exactWork / MeMAX(1, p->kea.report.factorizations) : p->exactWork;
 }
 
@@ -395,7 +395,7 @@ static void returnUnusedShare(const MdtIsland *p, MdtIslandRecord *r) {
 }
 
 void mdt_choiceRecordStep(const MdtIsland *p, MdtIslandRecord *r) {
-    r->since++;
+    r->stepsSinceTry++;
     if (p->fastWork > 0)
         recordFastStep(p, r);
     if (p->exactWork > 0 || p->hasDeclined)

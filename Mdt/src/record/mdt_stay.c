@@ -37,7 +37,7 @@ static void restartAt(MdtBodyID b, double reach) {
     MdtStay *s = &b->stay;
     keaCopy(s->position, b->kea.position);
     memcpy(s->quaternion, b->kea.quaternion, sizeof s->quaternion);
-    s->time = s->farthest = s->known = 0;
+    s->time = s->maxDistance = s->maxAtReturn = 0;
     s->returns = 0;
     s->isBack = METRUE;
     s->reach = reach;
@@ -100,13 +100,13 @@ static void addDisplacement(MdtStay *s, const double displacement[6], double sti
  * the body goes a tenth farther in between. One is not enough: a body near a turning point of its path has one, too.
  * */
 static void countReturns(MdtStay *s, double distance, double h) {
-    const MeBool isBack = distance < 0.5 * s->farthest;
-    s->farthest = fmax(s->farthest, distance);
+    const MeBool isBack = distance < 0.5 * s->maxDistance;
+    s->maxDistance = fmax(s->maxDistance, distance);
     if (isBack && !s->isBack) {
         s->returns++;
-        s->known = s->farthest;
+        s->maxAtReturn = s->maxDistance;
     }
-    if (distance > 1.1 * s->known)
+    if (distance > 1.1 * s->maxAtReturn)
         s->returns = 0;
     if (distance > s->reach)
         s->reach = 0;
@@ -116,7 +116,7 @@ static void countReturns(MdtStay *s, double distance, double h) {
 
 /* True for two returns with a small amplitude; the amplitude may grow with the time observed. */
 static MeBool oscillatesLittle(const MdtStay *s, double radius, double second) {
-    return s->time >= second && s->returns > 1 && s->farthest <= stayingReach * radius * s->time / second;
+    return s->time >= second && s->returns > 1 && s->maxDistance <= stayingReach * radius * s->time / second;
 }
 
 void mdt_stayUpdate(MdtBodyID b, double h) {
@@ -128,7 +128,7 @@ void mdt_stayUpdate(MdtBodyID b, double h) {
     if (distance > oscillationReach * radius)
         restartAt(b, 0);
     else if (s->time > oscillationReach / stayingReach * second)
-        restartAt(b, oscillatesLittle(s, radius, second) ? 2 * s->farthest : 0);
+        restartAt(b, oscillatesLittle(s, radius, second) ? 2 * s->maxDistance : 0);
     else
         countReturns(s, distance, h);
 }

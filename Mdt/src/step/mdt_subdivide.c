@@ -48,7 +48,7 @@ void mdt_budgetDraw(MdtIsland *p) {
     *(p->isFast ? &p->fastWork : &p->exactWork) += cost->work;
     if (cost->declined) {
         p->hasDeclined = METRUE;
-        p->min = cost->least;
+        p->minExactWork = cost->least;
     }
     if (p->isFast)
         p->excess = cost->excess;
