@@ -127,6 +127,7 @@ START_TEST(a_ball_bounces_through_a_step) {
     ck_assert_int_eq(s.report.impacts, 3);
     assert_near(body[0].position[0], -.1, 6 * rounding);
     assert_near(body[0].position[1], -.5 * 1.1 * 1.1, 1e-12);
+    assert_near(body[0].fall, .5 * 1.1 * 1.1, 1e-12);
     assert_near(body[0].velocity[0], 1, 1e-12);
     assert_near(body[0].acceleration[1], -1, 1e-9);
     assert_near(body[0].quaternion[3], sin(1.1), 1e-12);

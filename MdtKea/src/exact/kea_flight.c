@@ -23,6 +23,7 @@ static void predictBodyFrom(MdtKeaSystem *s, int b, double t) {
 
 /* Computes the end state of body b at time t, without committing it. */
 static void findStateAt(MdtKeaSystem *s, int b, double t) {
+    MEASSERT(t >= s->work->flight.time[b]);
     s->parameters.stepsize = t - s->work->flight.time[b];
     kea_beginBody(s, b);
     kea_moveFreeBody(s, b);
@@ -33,8 +34,10 @@ static void advanceBodyTo(MdtKeaSystem *s, int b, double t) {
         return;
     MEASSERT(t >= s->work->flight.time[b] && t < s->work->flight.end);
     if (t > s->work->flight.time[b]) {
+        const double fall = s->bodies[b]->fall;
         findStateAt(s, b, t);
         kea_commitBody(s, b);
+        s->bodies[b]->fall = fall; /* MdtKeaIntegrate adds that of the whole flight */
         s->work->flight.time[b] = t;
     }
     predictBodyFrom(s, b, t);
@@ -80,6 +83,7 @@ static void listContactsOfBodies(MdtKeaSystem *s) {
         for (int k = 0; k < 2; k++)
             if (bodyOf(s, c, k) >= 0)
                 f->list[--f->start[bodyOf(s, c, k)]] = c;
+    MEASSERT(f->start[0] == 0);
 }
 
 /* Whether the owner has removed all rows of contact c. */
@@ -125,6 +129,7 @@ static void addFlightBody(MdtKeaSystem *s, int b) {
     if (b < 0 || f->isIn[b])
         return;
     f->isIn[b] = 1;
+    MEASSERT(f->numBodies < s->numBodies);
     f->body[f->numBodies++] = b;
 }
 
@@ -148,6 +153,7 @@ static void collectTouching(MdtKeaSystem *s, double t) {
                 continue;
             }
             f->impactTime[c] = -HUGE_VAL;
+            MEASSERT(f->numTouching < s->work->numContacts);
             f->touching[f->numTouching++] = c;
             for (int k = 0; k < 2; k++)
                 addFlightBody(s, bodyOf(s, c, k));
@@ -247,5 +253,6 @@ double MEAPI MdtKeaFly(MdtKeaSystem *s, double min, int maxImpacts) {
     s->parameters.elapsed = elapsed;
     s->report.work = work;
     s->report.impacts = f->impacts;
+    MEASSERT(t >= min && t <= f->end);
     return t;
 }
