@@ -98,6 +98,7 @@ static void MEAPI beginBodies(void *system, int first, int end, int worker) {
 void MEAPI MdtKeaInit(MdtKeaSystem *s, void *scratch) {
     KeaArena arena = {scratch, 0};
     MEASSERTALIGNED(scratch, 16);
+    MEASSERT(s->numBodies >= 0 && s->maxRows >= 0 && s->maxContacts >= 0);
     s->numRows = 0;
     memset(&s->report, 0, sizeof s->report);
     layOutSystem(s, &arena);

@@ -40,6 +40,7 @@ static MeBool isRound(const KeaContact *c, int k) {
 static double depthUnderLoad(const MdtKeaSystem *s, const KeaContact *c) {
     const MdtKeaParameters *p = &s->parameters;
     const double E = p->epsilon + p->softening * c->manifold->surface.softness;
+    MEASSERT(E >= 0);
     return p->gamma > 0 ? p->stepsize * p->stepsize * E * fmax(c->at->guess[0], 0) / p->gamma : 0;
 }
 
@@ -160,6 +161,7 @@ static void updateBallNormal(const MdtKeaSystem *s, KeaContact *c) {
         return;
     keaCopy(c->normal, n);
     keaScale(c->direction, 1 / across, d);
+    MEASSERT(fabs(keaDot(c->direction, c->direction) - 1) < kea_unitRounding);
 }
 
 static void moveWithBodies(const MdtKeaSystem *s, KeaContact *c) {
@@ -321,6 +323,7 @@ void kea_contactPlace(const MdtKeaSystem *s, KeaContact *c) {
 
 void kea_contactArms(const MdtKeaSystem *s, const KeaContact *c, double share, double arm[2][3]) {
     MEASSERT(c->moves);
+    MEASSERT(share >= 0 && share <= 1);
     if (hasRoundSide(c))
         rollArms(s, c, share, arm);
     else

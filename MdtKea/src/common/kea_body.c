@@ -20,6 +20,7 @@ static void integrateDamped(double r[3], const double v[3], const double a[3], d
 
 double kea_bodyExtent(const MdtKeaBody *body) {
     const double *I = body->moments;
+    MEASSERT(body->invMass > 0);
     return sqrt(keaMax(I[0], keaMax(I[1], I[2])) * body->invMass);
 }
 
@@ -53,6 +54,7 @@ void kea_beginBody(MdtKeaSystem *s, int i) {
  * end. */
 static void storeAcceleration(MdtKeaBody *body, MdtKeaVelocity *start, double h) {
     double w[3];
+    MEASSERT(h > 0);
     MdtKeaBodyGetAngularVelocity(body, w);
     for (int i = 0; i < 3; i++) {
         body->acceleration[i] = (body->velocity[i] - start->lin[i]) / h;
@@ -78,6 +80,7 @@ static void commitState(MdtKeaBody *body, const KeaEnd *end) {
 void kea_commitBody(MdtKeaSystem *s, int i) {
     MEASSERT(fabs(keaDot(s->work->end[i].quaternion, s->work->end[i].quaternion) +
                   s->work->end[i].quaternion[3] * s->work->end[i].quaternion[3] - 1) < kea_assertedRounding);
+    MEASSERT(s->work->end[i].theta >= 0.5 && s->work->end[i].theta <= 1);
     commitState(s->bodies[i], &s->work->end[i]);
     const double signedStep = s->parameters.isBack ? -s->parameters.stepsize : s->parameters.stepsize;
     s->bodies[i]->fall += signedStep * (s->parameters.elapsed + s->work->end[i].theta * signedStep);

@@ -1,10 +1,12 @@
 /* The work budget of a solve, and the report of the work done. */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
+#include "MeAssert.h"
 
 /* An iteration cap is meant to make the step cheaper, so it also limits the number of passes by sweeps. Sweeps get at
  * most half of the remaining work. */
 void kea_setBudget(MdtKeaSystem *s, double share, int sweptPasses) {
+    MEASSERT(share > 0 && share <= 1 && sweptPasses >= 0);
     KeaProblem *q = &s->work->problem;
     q->maxIterations = s->parameters.maxIterations;
     if (q->maxIterations > 0 && q->maxIterations < sweptPasses)
@@ -14,6 +16,7 @@ void kea_setBudget(MdtKeaSystem *s, double share, int sweptPasses) {
     q->reserve = s->parameters.mayDecline ? 0
                                           : keaMin(sweptPasses * kea_problemWorkOfSweptPass(q, KEA_SWEEPS),
                                                    0.5 * keaMax(q->maxWork - q->counts.work, 0));
+    MEASSERT(q->maxWork >= 0 && q->reserve >= 0);
     q->counts.isLimited = MEFALSE;
 }
 

@@ -160,6 +160,7 @@ MeBool kea_scaleVelocities(const MdtKeaSystem *s, double (*velocity)[6], double 
     if (!(energy > kept)) /* nothing but free bodies moves */
         return MEFALSE;
     const double less = sqrt(keaMax(allowed - kept, 0) / (energy - kept)) - 1;
+    MEASSERT(!(less < -1) && !(less > 0));
     for (int b = 0; b < s->numBodies; b++)
         for (int k = 0; k < 6; k++)
             change[b][k] = s->work->body[b].isFree ? 0 : less * velocity[b][k];

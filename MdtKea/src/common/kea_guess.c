@@ -14,6 +14,7 @@
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
 #include "inner/kea_factor_i.h"
+#include "MeAssert.h"
 
 /* The load L of a body, N, the sum N of the contacts that support it, and share = α / L: a contact carries L share
  * c. */
@@ -80,6 +81,7 @@ static void addBearing(const MdtKeaSystem *s, MdtKeaManifold *m, Guess *g) {
 }
 
 static void setLoadShare(const double force[3], Load *load) {
+    MEASSERT(load->force >= 0);
     const double *N = load->normal, squares = keaDot(N, N);
     load->share = squares > 0 ? -keaDot(N, force) / (load->force * squares) : 0;
 }
@@ -129,6 +131,7 @@ static MeBool passLoadsDown(Guess *g, int max) {
 static void writeForces(const Guess *g) {
     for (int i = 0; i < g->numContacts; i++) {
         const Bearing *n = &g->contact[i];
+        MEASSERT(n->numTouching > 0);
         for (int k = 0; k < n->manifold->numPoints; k++)
             if (isTouching(&n->manifold->point[k], n->size))
                 n->manifold->point[k].guess[0] = n->force / n->numTouching;

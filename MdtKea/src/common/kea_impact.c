@@ -94,6 +94,7 @@ static void addImpactBody(MdtKeaSystem *s, int b) {
     KeaProblem *q = &s->work->problem;
     if (s->work->problemBodyOf[b] >= 0)
         return;
+    MEASSERT(q->numBodies < s->numBodies);
     s->work->activeBody[q->numBodies] = b;
     s->work->problemBodyOf[b] = q->numBodies++;
 }
@@ -142,6 +143,7 @@ static double momentumScaleOf(const MdtKeaSystem *s, int b, const MdtKeaVelocity
 /* Sets row k of the problem, which is row i of the system. */
 static void setImpactRow(MdtKeaSystem *s, int k, int i) {
     KeaProblemRow *p = &s->work->problem.row[k];
+    MEASSERT(k <= i && i < s->numRows);
     s->work->activeRow[k] = i;
     s->work->problemRowOf[i] = k;
     kea_setInstantRow(s, i, p);
@@ -380,6 +382,7 @@ MeBool kea_impact(MdtKeaSystem *s, const KeaEventScale *scale) {
     char *isIncluded = s->work->isIncluded;
     const double minReboundSpeed = kea_minReboundSpeed * scale->speed;
     const double slowest = kea_velocityTolerance * keaMax(scale->speed, scale->fastest);
+    MEASSERT(scale->speed >= 0 && scale->mass > 0);
     s->work->speed = scale->fastest;
     for (int i = 0; i < s->numRows; i++)
         s->rows[i].force = 0;

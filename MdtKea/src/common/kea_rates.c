@@ -1,6 +1,7 @@
 /* Quantities of rows: rates J v, length scales, whether bounds may be reached; saving and restoring their Jacobians. */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
+#include "MeAssert.h"
 #include <string.h>
 
 MeBool kea_mayReachBound(const MdtKeaRow *row) {
@@ -40,6 +41,7 @@ double kea_lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
             return 1;
         size = row->body[k] >= 0 ? keaMax(size, s->work->body[row->body[k]].size) : size;
     }
+    MEASSERT(size > 0);
     return size;
 }
 
@@ -48,6 +50,7 @@ double kea_smallerExtent(const MdtKeaSystem *s, const int body[2]) {
     for (int k = 0; k < 2; k++)
         if (body[k] >= 0)
             size = keaMin(size, s->work->body[body[k]].size);
+    MEASSERT(size < HUGE_VAL);
     return size;
 }
 

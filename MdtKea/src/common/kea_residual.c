@@ -9,6 +9,7 @@
  */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
+#include "MeAssert.h"
 
 /* ---- position rows ---- */
 
@@ -179,6 +180,7 @@ double kea_rowSpeedScale(const MdtKeaSystem *s) {
 
 KeaResiduals kea_residuals(MdtKeaSystem *s, double speed) {
     KeaResiduals e;
+    MEASSERT(!(speed <= 0));
     e.resolution = kea_velocityTolerance * speed;
     e.position = largestPositionError(s, &e.attachment) / kea_positionTolerance;
     e.velocity = kea_problemResidual(&s->work->problem, &e.impulse) / e.resolution;

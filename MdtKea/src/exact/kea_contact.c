@@ -143,6 +143,7 @@ static void frictionRow(const MdtKeaSystem *s, const KeaContact *c, int directio
 
 /* Warm start of friction: the force of the last step, rotated with the contact about the normal. */
 static void warmStartFriction(const KeaContact *c, MdtKeaRow rows[]) {
+    MEASSERT(c->frictionRows >= PRIMARY && c->frictionRows <= (PRIMARY | SECONDARY));
     const double *guess = c->at->guess, angle = c->moves ? keaDot(c->turn, c->normal) : 0;
     const double cosine = cos(angle), sine = sin(angle);
     if (c->frictionRows == (PRIMARY | SECONDARY)) {
@@ -156,6 +157,7 @@ static void warmStartFriction(const KeaContact *c, MdtKeaRow rows[]) {
 /* Sets the Jacobians of a contact's rows in the middle and at the end of the sub-step (s->moves). */
 static void setMovedJacobians(MdtKeaSystem *s, const KeaContact *c, int count) {
     static const double share[2] = {0.5, 1};
+    MEASSERT(c->firstRow + count <= s->numRows);
     for (int k = 0; k < 2; k++) {
         double arm[2][3];
         kea_contactArms(s, c, share[k], arm);
@@ -209,6 +211,7 @@ void kea_contactAddForces(const MdtKeaSystem *s, const KeaContact *c) {
     for (int direction = 0; direction < 2; direction++)
         if (c->frictionRows & (direction == 0 ? PRIMARY : SECONDARY))
             c->at->force[1 + direction] += s->rows[row++].force;
+    MEASSERT(row == c->firstRow + c->at->numRows);
 }
 
 void kea_returnContactForces(MdtKeaSystem *s) {

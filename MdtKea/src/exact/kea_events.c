@@ -15,6 +15,7 @@
  */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
+#include "MeAssert.h"
 #include <string.h>
 
 MeBool kea_isContactOpen(const MdtKeaSystem *s, int i, double speed) {
@@ -240,6 +241,7 @@ static double firstEndOfSliding(const MdtKeaSystem *s) {
         if (!s->rows[i].isForced || (s->rows[i].partner >= 0 && s->rows[i].partner < i))
             continue;
         const Slip slip = slipOf(s, i);
+        MEASSERT(slip.size > 0);
         const double end = (slip.start[0] * slip.end[0] + slip.start[1] * slip.end[1]) / slip.size;
         if (end < slip.size)
             first = keaMin(first, h * slip.size / (slip.size - end));
@@ -252,6 +254,7 @@ double kea_firstEvent(MdtKeaSystem *s, MeBool *mustRepeat) {
     *mustRepeat = !s->parameters.holdsSlow && fixStoppingFriction(s, kea_separatingSpeed * speed) > 0;
     const Impact impact = firstImpact(s);
     const double stop = firstEndOfSliding(s);
+    MEASSERT(!(impact.time < 0) && !(stop < 0));
     s->report.trembles = impact.time < s->parameters.stepsize && impact.speed <= kea_minReboundSpeed * speed;
     return keaMin(impact.time, stop);
 }

@@ -13,6 +13,7 @@
  */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
+#include "MeAssert.h"
 #include <string.h>
 
 /* Uses union-find over the bodies and the world, whose index is numBodies. One-sided rows (stops) make no loop. */
@@ -47,6 +48,7 @@ static double weightOf(const MdtKeaSystem *s, int i) {
     for (int k = 0; k < 2; k++)
         if (p->body[k] >= 0)
             sum += s->bodies[p->body[k]]->invMass * keaDot(p->J[k], p->J[k]);
+    MEASSERT(sum > 0 || p->Aii > 0);
     return 1 / (sum > 0 ? sum : p->Aii);
 }
 

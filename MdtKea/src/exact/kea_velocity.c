@@ -175,6 +175,7 @@ static void solveStage(MdtKeaSystem *s, double start, double allowed) {
     for (int i = 0; i < s->numRows; i++)
         s->work->savedP[i] = s->work->problem.row[i].p;
     s->report.stages++;
+    MEASSERT(s->report.stages == 1);
     solveRows(s, start, s->work->added);
     if (hasRebounds(s) && kea_kineticEnergy(s, endVelocities(s), s->work->added) > allowed)
         limitEnergy(s, start, allowed);

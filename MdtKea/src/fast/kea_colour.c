@@ -46,6 +46,7 @@ static void chooseColours(const Colouring *c, const KeaNode *node, int count[COL
             both |= usedColours[k] ? *usedColours[k] : 0;
         }
         const int colour = lowestFreeColour(both);
+        MEASSERT(colour < COLOURS && m->numPoints >= 0 && m->numPoints <= KEA_POINTS);
         for (int k = 0; k < 2; k++)
             if (usedColours[k] && colour < ALONE)
                 *usedColours[k] |= (MeU64)1 << colour;
@@ -65,6 +66,7 @@ static void sortByColour(const Colouring *c, const KeaNode *node, int count[COLO
             count[colour][n] = at;
             at += here;
         }
+    MEASSERT(at == node->firstManifold + node->numManifolds);
     for (int i = node->firstManifold; i < node->firstManifold + node->numManifolds; i++) {
         const int index = r->manifold[i];
         r->sorted[count[r->colour[index]][c->s->manifolds[index].numPoints]++] = index;
@@ -108,6 +110,27 @@ static void clearGroup(KeaGroup *g) {
         g->manifold[lane] = -1;
 }
 
+static MeBool shareBody(const MdtKeaManifold *a, const MdtKeaManifold *b) {
+    return (a->body[0] >= 0 && (a->body[0] == b->body[0] || a->body[0] == b->body[1])) ||
+           (a->body[1] >= 0 && (a->body[1] == b->body[0] || a->body[1] == b->body[1]));
+}
+
+/* Lanes of a group are solved at once: no two have a body in common. */
+static MeBool areLanesIndependent(const MdtKeaSystem *s, const KeaGroup *g) {
+    for (int a = 0; a < KEA_LANES; a++)
+        for (int b = 0; b < a && g->manifold[a] >= 0; b++)
+            if (shareBody(&s->manifolds[g->manifold[a]], &s->manifolds[g->manifold[b]]))
+                return MEFALSE;
+    return METRUE;
+}
+
+static MeBool areGroupsIndependent(const MdtKeaSystem *s, const KeaGroup groups[], int count) {
+    for (int i = 0; i < count; i++)
+        if (!areLanesIndependent(s, &groups[i]))
+            return MEFALSE;
+    return METRUE;
+}
+
 void kea_groupManifolds(const MdtKeaSystem *s, const KeaRegions *r, const KeaNode *node, KeaGroup groups[]) {
     const int *sorted = r->sorted + node->firstManifold;
     int group = node->firstGroup - 1, lane = KEA_LANES;
@@ -119,7 +142,9 @@ void kea_groupManifolds(const MdtKeaSystem *s, const KeaRegions *r, const KeaNod
         }
         if (lane == 0) /* the first manifold of a group has the most points */
             groups[group].points = s->manifolds[sorted[i]].numPoints;
+        MEASSERT(lane < KEA_LANES);
         groups[group].manifold[lane++] = sorted[i];
     }
     MEASSERT(group == node->firstGroup + node->numGroups - 1);
+    MEVALIDATE(areGroupsIndependent(s, groups + node->firstGroup, node->numGroups));
 }

@@ -117,6 +117,7 @@ static void fillGroups(void *context, KeaNode *node) {
 
 static MeBool allocateGroups(Step *p) {
     p->numGroups = kea_colour(p->s, &p->regions);
+    MEASSERT(p->numGroups <= p->s->numManifolds);
     p->groups = kea_cacheScratch(p->s->cache, KEA_GROUP_BLOCK, (size_t)p->numGroups * sizeof *p->groups);
     if (!p->groups)
         return MEFALSE;
@@ -263,6 +264,7 @@ static void iteratePasses(Step *p, int passes) {
         kea_inOrder(&p->regions, passNode, p);
         const double ofJoints = kea_jointsPass(p->s, &p->joints, p->motion, (double)(float)p->beta);
         const double next = 0.5 * (1 + sqrt(1 + 4 * p->theta * p->theta));
+        MEASSERT(p->theta >= 1 && p->maxTheta >= 1);
         p->beta = (p->theta - 1) / next;
         p->theta = keaMin(next, p->maxTheta);
         if (sumOverNodes(&p->regions) + ofJoints > 0)
@@ -357,6 +359,7 @@ static Passes choosePasses(Step *p) {
     p->s->report.limited |= affordable < KEA_MIN_PASSES;
     p->s->report.capped |= p->s->report.limited;
     p->s->report.least = workBeside(p) + KEA_MIN_PASSES * workOfPass(p);
+    MEASSERT(affordable >= 1);
     return (Passes){(int)keaMin(KEA_MIN_PASSES, affordable), (int)keaMin(KEA_MAX_PASSES, affordable)};
 }
 
@@ -634,6 +637,7 @@ static void fallOfCentre(Step *p) {
         keaAddScaled(p->fall, -missed, s->work->end[i].velocity);
         mass += m;
     }
+    MEASSERT(mass > 0);
     keaScale(p->fall, s->parameters.stepsize / mass, p->fall);
 }
 
@@ -674,6 +678,7 @@ static void setEndPose(const Step *p, int place) {
     const double out[3] = {(double)displacement->ang[0], (double)displacement->ang[1], (double)displacement->ang[2]};
     double turn[4];
     end->theta = (double)p->thetas[1 + place];
+    MEASSERT(end->theta == 0.5 || end->theta == 1);
     keaCopy(end->position, s->bodies[i]->position);
     keaAddScaled(end->position, (1 - end->theta) * h, s->bodies[i]->velocity);
     keaAddScaled(end->position, end->theta * h, end->velocity);

@@ -20,6 +20,7 @@ static MeBool normalizeShares(double share[], int count) {
 /* Sets the share of each point in the load: as in the last step; without load then, equal for all touching points, or
  * for all points if none touches. */
 static void setShares(const MdtKeaManifold *m, double share[KEA_POINTS]) {
+    MEASSERT(m->numPoints > 0 && m->numPoints <= KEA_POINTS);
     for (int k = 0; k < m->numPoints; k++)
         share[k] = keaMax(m->point[k].guess[0], 0);
     if (normalizeShares(share, m->numPoints))
@@ -69,12 +70,14 @@ static void setLane3(KeaLanes3 *to, int lane, const double from[3]) {
 }
 
 static float clampBound(double bound) {
+    MEASSERT(bound >= 0);
     return (float)keaMin(bound, kea_maxBound);
 }
 
 static void fillBody(const MdtKeaSystem *s, const int place[], const MdtKeaManifold *m, const KeaPatch *p, int k,
                      KeaGroup *g, int lane) {
     const int body = m->body[k];
+    MEASSERT(body < s->numBodies);
     const MdtKeaInverseMassMatrix *mass = body >= 0 ? &s->invMass[body] : NULL;
     setLane3(&g->arm[k], lane, p->arm[k]);
     g->body[k][lane] = body >= 0 ? 1 + place[body] : 0;
@@ -363,6 +366,7 @@ void kea_addImpulses(const KeaGathering *from, const KeaGroup groups[], int coun
 }
 
 void kea_scaleImpulses(KeaGroup groups[], int count, float share) {
+    MEASSERT(share >= 0 && share <= 1);
     for (int i = 0; i < count; i++)
         for (int lane = 0; lane < KEA_LANES; lane++) {
             KeaGroup *g = &groups[i];

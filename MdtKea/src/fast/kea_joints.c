@@ -52,6 +52,7 @@ static void copyJointJacobian(KeaJointRow *r) {
 /* Sets target and compliance of a spring; without stiffness and damping it is inactive. */
 static void setSpring(double h, KeaJointRow *r) {
     const MdtKeaRow *row = r->row;
+    MEASSERT(row->stiffness >= 0 && row->damping >= 0);
     const double h2Stiffness = h * (h * row->stiffness + row->damping);
     r->isInactive = !(h2Stiffness > 0);
     r->compliance = r->isInactive ? 0 : 1 / h2Stiffness;
@@ -92,6 +93,7 @@ static void setJointRow(const MdtKeaSystem *s, KeaJointRow *r) {
     r->lower = h * row->lower;
     r->upper = h * row->upper;
     r->impulse = r->before = r->isInactive ? 0 : keaMin(keaMax(h * row->force, r->lower), r->upper);
+    MEASSERT(!(r->lower > r->upper));
 }
 
 /* ---- the block's bodies ---- */
@@ -149,6 +151,7 @@ static int addTied(const KeaJoints *j, const KeaJointBlock *b, int first) {
         kea_factorPutRow(&rows, r->weight, r->J, r->J);
     }
     kea_factorAddRows(b->factor, &rows, METRUE);
+    MEASSERT(rows.count > 0);
     return rows.count;
 }
 
@@ -219,6 +222,7 @@ static void sortRows(const MdtKeaSystem *s, KeaJoints *j) {
             j->block[j->numBlocks++] = (KeaJointBlock){.firstRow = at, .numRows = here};
         at += here;
     }
+    MEASSERT(at == s->numRows);
     for (int i = 0; i < s->numRows; i++)
         j->sorted[j->sum[kea_rootOf(j->parent, anyBodyOf(&s->rows[i]))]++] = &s->rows[i];
 }
@@ -316,6 +320,7 @@ static void setRows(const MdtKeaSystem *s, KeaJoints *j, KeaJointBlock *b) {
         }
         b->numTied = bounded ? b->numTied : at - b->firstRow;
     }
+    MEASSERT(at == b->firstRow + b->numRows);
 }
 
 /* Whether the factors of all blocks are still in the cache: blocks with equal graphs share one, and there are no more
@@ -351,6 +356,7 @@ static MeBool setBlocks(MdtKeaSystem *s, const int place[], KeaJoints *j) {
             return MEFALSE;
         node += j->block[i].numNodes;
     }
+    MEASSERT(node <= s->numBodies);
     return METRUE;
 }
 

@@ -200,6 +200,7 @@ static int commonNode(int a, int b) {
         a /= 2;
         b /= 2;
     }
+    MEASSERT(a >= 1);
     return a;
 }
 
@@ -225,6 +226,7 @@ static void sortByNode(const MdtKeaSystem *s, KeaRegions *r) {
         at += r->node[n].numManifolds;
         r->node[n].numManifolds = 0;
     }
+    MEASSERT(at == s->numManifolds);
     for (int i = 0; i < s->numManifolds; i++) {
         KeaNode *node = &r->node[r->home[i]];
         r->manifold[node->firstManifold + node->numManifolds++] = i;

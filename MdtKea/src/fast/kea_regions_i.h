@@ -21,6 +21,8 @@
 
 enum { KEA_MAX_REGIONS = MeTaskMaxWorkers, KEA_MAX_NODES = 2 * KEA_MAX_REGIONS };
 
+_Static_assert((KEA_MAX_REGIONS & (KEA_MAX_REGIONS - 1)) == 0, "regions are halved");
+
 typedef struct KeaNode {
     /* kea_regions.c */
     _Alignas(64) int firstPlace, numPlaces; /* its bodies' places; only regions have any */

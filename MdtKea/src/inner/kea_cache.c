@@ -68,6 +68,7 @@ static void compactStructures(MdtKeaCache *c) {
         e->at = end;
         end += e->bytes;
     }
+    MEASSERT(end <= c->end);
     c->end = end;
 }
 
@@ -104,6 +105,7 @@ static MeBool createFactor(MdtKeaCache *c, Entry *e, int numNodes, const int siz
     e->at = c->end;
     e->bytes = bytes;
     c->end += bytes;
+    MEASSERT(c->end <= c->structures.size);
     kea_structureWrite(&e->factor, c->structures.memory + e->at, &c->order, size, edges);
     return METRUE;
 }
@@ -156,6 +158,7 @@ KeaFactor *kea_cacheFind(MdtKeaCache *c, int numNodes, const int size[], int num
 
 void *kea_cacheScratch(MdtKeaCache *c, int block, size_t bytes) {
     const size_t line = KEA_SCRATCH_LINE;
+    MEASSERT(block >= 0 && block < KEA_PASS_BLOCKS);
     if (!kea_blockReserve(&c->passes[block], 0, bytes + line, "the fast solver"))
         return NULL;
     const uintptr_t at = (uintptr_t)c->passes[block].memory;

@@ -21,6 +21,7 @@ MeBool kea_factorMatches(const KeaFactor *f, int numNodes, const int size[], int
 }
 
 int kea_factorOffset(const KeaFactor *f, int node) {
+    MEASSERT(node >= 0 && node <= f->numNodes);
     return f->offset[node];
 }
 
@@ -66,6 +67,7 @@ double *kea_factorUpper(KeaFactor *f, int edge) {
 }
 
 double *kea_factorLower(KeaFactor *f, int edge) {
+    MEASSERT(edge >= 0 && edge < f->numEdges);
     return f->lowerInput + f->edgeAt[edge];
 }
 

@@ -52,6 +52,7 @@ static double clampTo(double y, double lower, double upper, KeaRowState *state) 
 static void setCone(KeaProblemRow *a, KeaProblemRow *b) {
     const double size = keaHypotenuse(a->y, b->y);
     const MeBool sticks = size < a->frictionBound;
+    MEASSERT(!(a->frictionBound < 0));
     const double share = sticks ? 1 : a->frictionBound / size;
     a->p = a->y * (size > 0 ? share : 0);
     b->p = b->y * (size > 0 ? share : 0);
@@ -379,6 +380,7 @@ static double bestStep(KeaProblem *q) {
             high = step, atHigh = at;
         isSlow = high - low > 0.5 * width;
     }
+    MEASSERT(!(step < 0));
     return step;
 }
 

@@ -235,6 +235,7 @@ static Degree degreeOf(Elimination *g, int i, int t, int v) {
     } else if (n->elements > 2) {
         addElements(g, &d, n, t);
     }
+    MEASSERT(d.nodes >= 0 && d.unknowns >= 0);
     return d;
 }
 

@@ -45,6 +45,7 @@ size_t kea_structureLayOutNumbers(KeaFactor *f, char *memory) {
 /* Adds the size of node i's blocks, and its part of the work of a Cholesky factorization: the sum of the squared
  * lengths of its scalar columns. */
 static void measureColumn(KeaFactor *f, const KeaOrder *o, const int size[], int i) {
+    MEASSERT(size[i] >= 1 && size[i] <= KEA_FACTOR_MAX_BLOCK);
     const int t = o->turn[i];
     double length = 0;
     for (int k = o->start[t]; k < o->start[t + 1]; k++) {
@@ -82,6 +83,7 @@ static void copyGraph(KeaFactor *f, const int size[], const int (*edges)[2]) {
         f->edgeAt[e] = input;
         input += (size_t)(size[edges[e][0]] * size[edges[e][1]]);
     }
+    MEASSERT(input == f->inputSize && diagonal == f->diagonalSize);
 }
 
 /* Prefix sum: turns the numbers of elements in counts[t + 1] into starts, so that list t begins at counts[t]. */
@@ -102,6 +104,7 @@ static void listSources(KeaFactor *f, const KeaOrder *o) {
     for (int k = 0; k < f->numEntries; k++)
         f->sourceStart[o->turn[o->row[k]] + 1]++;
     prefixSum(f->sourceStart, f->numNodes);
+    MEASSERT(f->sourceStart[f->numNodes] == f->numEntries);
     for (int t = 0; t < f->numNodes; t++)
         for (int k = o->start[t]; k < o->start[t + 1]; k++)
             f->source[f->sourceStart[o->turn[o->row[k]]]++].turn = t;
@@ -124,6 +127,7 @@ static void writeColumns(KeaFactor *f, const KeaOrder *o) {
             f->entry[k].at = at;
             at += (size_t)(f->size[f->node[t]] * f->size[f->node[f->entry[k].row]]);
         }
+    MEASSERT(at == f->factorSize);
 }
 
 static void placeEdges(KeaFactor *f, const KeaOrder *o) {

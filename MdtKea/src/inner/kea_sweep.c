@@ -247,6 +247,7 @@ static MeBool hasSettled(Change c) {
 }
 
 static Momentum nextMomentum(Momentum m) {
+    MEASSERT(m.theta >= 1);
     const double theta = 0.5 * (1 + sqrt(1 + 4 * m.theta * m.theta));
     return (Momentum){theta, (m.theta - 1) / theta};
 }
