@@ -250,6 +250,7 @@ int MEAPI MdtContactGroupRenew(MdtContactGroupID g, const MdtFoundContact found[
         setPoint(p, &found[i], &last);
         contacts[i] = (MdtContactID)p;
     }
+    MEASSERT((int)m->numPoints == count);
     MEVALIDATE(mdt_manifoldIsConsistent(m));
     return count;
 }

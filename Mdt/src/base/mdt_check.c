@@ -28,6 +28,7 @@ static atomic_int liveWorlds;
 
 void mdt_countWorlds(int change) {
     atomic_fetch_add(&liveWorlds, change);
+    MEASSERT(atomic_load(&liveWorlds) >= 0);
 }
 
 #if KARMA_CHECK
@@ -140,6 +141,7 @@ MeBool mdt_isFinite3(const char *caller, const char *what, MeReal x, MeReal y, M
 
 /* The rounding error of MeReal at this position is half the length scale; squares of distances are still finite. */
 double mdt_worldBound(const MdtWorld *w) {
+    MEASSERT(w->params.lengthScale > 0);
     return fmin(2 / (double)ME_EPSILON * (double)w->params.lengthScale, sqrt((double)MEINFINITY) / 4);
 }
 

@@ -83,6 +83,7 @@ static inline MeBool mdt_isInGroup(const MdtPoint *p) {
 /* The lowest slot of a bit set; MDT_POINTS if it is empty. A table, since branches on it would be mispredicted. */
 static inline int mdt_lowestSlot(unsigned int slots) {
     static const MeU8 lowest[1 << MDT_POINTS] = {MDT_POINTS, 0, 1, 0, 2, 0, 1, 0, 3, 0, 1, 0, 2, 0, 1, 0};
+    MEASSERT(slots < 1u << MDT_POINTS);
     return lowest[slots];
 }
 /* The first point of the record in use at this slot or after it; null if there is none. */

@@ -76,6 +76,9 @@ typedef struct MdtCertificateInputs {
     int maxLcpIterations, subSteps, timedBodies, maxMatrixSize, solver, order;
 } MdtCertificateInputs;
 
+_Static_assert(sizeof(MdtCertificateInputs) == 8 * sizeof(double) + sizeof(MdtContactImportanceCBPtr) + 6 * sizeof(int),
+               "compared as bytes: no padding");
+
 /* The memory of one worker while it steps partitions, and its contributions to the world's results. */
 typedef struct MdtWorker {
     MeChunk scratch, ranking; /* for Kea and contacts; for ranking contacts (mdt_cap.c) */

@@ -12,6 +12,7 @@ static size_t roundUp(size_t size) {
 }
 
 static void appendFree(MdtPool *pool, MdtRecord *record) {
+    MEASSERT((pool->firstFree == NULL) == (pool->lastFree == NULL) && !record->free);
     if (pool->lastFree)
         pool->lastFree->free = record;
     else
@@ -20,6 +21,7 @@ static void appendFree(MdtPool *pool, MdtRecord *record) {
 }
 
 static MeBool addBlock(MdtPool *pool, int count, const char *caller) {
+    MEASSERT(count > 0 && pool->numFresh == 0);
     const size_t head = roundUp(sizeof(void *)), records = (size_t)count;
     const size_t bytes = records <= (SIZE_MAX - head) / pool->recordSize ? head + records * pool->recordSize : SIZE_MAX;
     char *block = MeMemoryTakeAligned(bytes, 1, ALIGNMENT, caller, pool->what);
@@ -35,6 +37,7 @@ static MeBool addBlock(MdtPool *pool, int count, const char *caller) {
 
 MeBool mdt_poolInit(MdtPool *pool, const char *caller) {
     pool->recordSize = roundUp(pool->recordSize);
+    MEASSERT(pool->recordSize >= sizeof(MdtRecord) && !pool->blocks);
     return pool->limit.max == 0 || pool->limit.max == MeNoLimit || addBlock(pool, pool->limit.max, caller);
 }
 
@@ -59,6 +62,7 @@ static MeBool growPool(MdtPool *pool, const char *caller) {
 
 static MdtRecord *popFresh(MdtPool *pool) {
     MdtRecord *record = (MdtRecord *)(void *)pool->fresh;
+    MEASSERT(pool->numFresh > 0 && (uintptr_t)pool->fresh % ALIGNMENT == 0);
     pool->fresh += pool->recordSize;
     pool->numFresh--;
     return record;
@@ -110,6 +114,7 @@ static MeBool isConsistent(const MdtList *list) {
 }
 
 void mdt_listAppend(MdtList *list, MdtLink *link, unsigned long serial) {
+    MEASSERT((list->count == 0) == (list->last == NULL));
     link->serial = serial;
     link->next = NULL;
     link->previous = list->last;
@@ -137,6 +142,7 @@ void mdt_listRemove(MdtList *list, MdtLink *link) {
     else
         list->last = link->previous;
     list->count--;
+    MEASSERT((list->count == 0) == (list->first == NULL));
 }
 
 void mdt_listSetKey(MdtList *list, MdtLink *link, MeI32 key) {

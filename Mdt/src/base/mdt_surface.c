@@ -13,6 +13,7 @@ typedef struct MdtSurfaceBlock {
 /* Hash: FNV-1a, 64 bits (Fowler, Noll, Vo). */
 static MdtSurface **bucketOf(const MdtSurfaces *s, const MdtBclContactParams *params) {
     const unsigned char *bytes = (const unsigned char *)params;
+    MEASSERT(s->numBuckets > 0 && (s->numBuckets & (s->numBuckets - 1)) == 0);
     MeU64 hash = 0xcbf29ce484222325u;
     for (size_t i = 0; i < sizeof *params; i++)
         hash = (hash ^ bytes[i]) * 0x100000001b3u;
@@ -88,6 +89,7 @@ const MdtSurface *mdt_surfaceAcquire(MdtSurfaces *s, const MdtBclContactParams *
     if (s->count >= s->numBuckets)
         addBuckets(s, caller);
     MdtSurface *surface = s->firstFree;
+    MEASSERT(surface && surface->users == 0);
     s->firstFree = surface->next;
     memcpy(&surface->params, params, sizeof *params); /* with the padding, since surfaces are compared as bytes */
     surface->users = 1;
@@ -98,14 +100,18 @@ const MdtSurface *mdt_surfaceAcquire(MdtSurfaces *s, const MdtBclContactParams *
 
 void mdt_surfaceRelease(MdtSurfaces *s, const MdtSurface *given) {
     MdtSurface **at = bucketOf(s, &given->params);
-    while (*at != given)
+    while (*at != given) {
+        MEASSERT(*at); /* it is in its bucket */
         at = &(*at)->next;
+    }
     MdtSurface *surface = *at;
     MEASSERT(surface->users > 0);
     if (--surface->users > 0)
         return;
+    MEASSERT(surface != &s->standard);
     *at = surface->next;
     surface->next = s->firstFree;
     s->firstFree = surface;
+    MEASSERT(s->count > 0);
     s->count--;
 }

@@ -6,6 +6,7 @@ static double speedScale(const MdtWorld *w, double h) {
     double g[3];
     mdt_fromReal(g, w->params.gravity);
     const double fall = keaLength(g) * h;
+    MEASSERT(h >= 0 && isfinite(fall));
     return fall > 0 ? fall : 0.1 * (double)w->params.lengthScale;
 }
 

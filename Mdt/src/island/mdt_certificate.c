@@ -27,11 +27,13 @@
 /* Steps in which gamma reduces errors to a thousandth: (1 - γ)^n = 1e-3. */
 static double relaxationSteps(const MdtWorld *w) {
     const double gamma = w->gamma;
+    MEASSERT(gamma >= 0 && gamma <= 1);
     return gamma > 0 && gamma < 1 ? ceil(log(1e-3) / log1p(-gamma)) : 1;
 }
 
 void mdt_certificatesBegin(MdtWorldID w) {
     MdtCertificateInputs now;
+    MEASSERT(w->lastStep > 0);
     memset(&now, 0, sizeof now);
     now.h = w->lastStep;
     mdt_fromReal(now.gravity, w->params.gravity);
@@ -177,6 +179,7 @@ static MdtKeaVelocity meanVelocity(const MdtIsland *p, int i) {
     const MdtKeaBody *b = &p->bodies[i]->kea;
     MdtKeaVelocity mean;
     double back[4], turn[4];
+    MEASSERT(p->h > 0);
     keaSubtract(mean.lin, b->position, p->bodies[i]->start.position);
     keaScale(mean.lin, 1 / p->h, mean.lin);
     keaQuaternionConjugate(back, p->bodies[i]->start.quaternion);
@@ -324,6 +327,7 @@ void mdt_islandCertify(MdtIsland *p, MeBool isSettled) {
 /* ---- batches ---- */
 
 MeBool mdt_certificateIsNear(const MdtWorld *w, int partition) {
+    MEASSERT(partition >= 0 && partition < w->numPartitions);
     const double enough = w->calmStepsToCertify - 1;
     for (int i = w->bodyStart[partition]; i < w->bodyStart[partition + 1]; i++)
         if (w->bodyOf[i]->certificate == 0 && w->bodyOf[i]->calmSteps < enough)
@@ -334,6 +338,7 @@ MeBool mdt_certificateIsNear(const MdtWorld *w, int partition) {
 void mdt_membersCountCalm(MdtIsland *p) {
     for (const MdtMember *m = p->member; m < p->member + p->numMembers; m++) {
         const int first = m->firstBody - p->member->firstBody, end = m[1].firstBody - p->member->firstBody;
+        MEASSERT(first >= 0 && first < end && end <= p->numBodies);
         if (areCalm(p, first, end))
             countCalmStep(p, first, end);
         else

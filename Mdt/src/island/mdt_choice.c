@@ -90,6 +90,7 @@ static void readSolversOfProgram(MdtWorldID w) {
 }
 
 MdtSolver mdt_choiceRequested(const MdtWorld *w, int partition) {
+    MEASSERT(partition >= 0 && partition < w->numPartitions);
     const MdtSolver solver = w->solverCb ? w->bodyOf[w->bodyStart[partition]]->solver : w->solver;
     return solver == MdtSolverAuto && w->accuracy == 0 ? MdtSolverExact : solver;
 }
@@ -97,6 +98,8 @@ MdtSolver mdt_choiceRequested(const MdtWorld *w, int partition) {
 /* ---- the accounts ---- */
 
 void mdt_recordMerge(MdtIslandRecord *to, const MdtIslandRecord *from) {
+    MEASSERT(from->steps >= 0 && from->steps <= 2 && from->stepsUntilRetry >= 0 &&
+             from->stepsUntilRetry <= MDT_WAIT_LIMIT);
     to->exactWork = fmaxf(to->exactWork, from->exactWork);
     to->fastWork = fmaxf(to->fastWork, from->fastWork);
     to->isUnmet = to->isUnmet || from->isUnmet;
@@ -113,6 +116,7 @@ static double budgetOf(const MdtWorld *w) {
 }
 
 static int countBodies(const MdtWorld *w, int partition) {
+    MEASSERT(w->bodyStart[partition + 1] > w->bodyStart[partition]);
     return w->bodyStart[partition + 1] - w->bodyStart[partition];
 }
 
@@ -140,12 +144,14 @@ static ShareClass shareClassOf(const MdtWorld *w, int partition) {
 static double predictedWork(const MdtWorld *w, int partition) {
     const MdtIslandRecord *r = &w->record[partition];
     const double n = countBodies(w, partition);
+    MEASSERT(r->exactWork >= 0);
     return n * (r->exactWork == 0 ? mdt_guessedWork * n : (double)r->exactWork);
 }
 
 /* Multiplications of the exact solver in the time of a fast step. */
 static double fastStepWork(const MdtWorld *w, int partition) {
     const double fast = (double)w->record[partition].fastWork;
+    MEASSERT(fast >= 0);
     return countBodies(w, partition) * (fast > 0 ? fast : mdt_guessedFastWork);
 }
 
@@ -175,6 +181,7 @@ static double assignShares(MdtWorldID w, ShareClass shareClass, MeBool isExactFi
         r->isExactFirst = isExactFirst || r->isUnfit || (shareClass == UNMET && r->stepsSinceTry <= r->stepsUntilRetry);
         w->credit[account] -= need;
         funds -= need;
+        MEASSERT(funds >= 0 && w->credit[account] >= 0);
     }
     return funds;
 }
@@ -238,6 +245,7 @@ void mdt_choicesBegin(MdtWorldID w, MeBool isStep) {
 
 void mdt_choicesEnd(MdtWorldID w) {
     for (int i = 0; i < w->numPartitions; i++) {
+        MEASSERT(w->record[i].drawn >= 0 && w->record[i].account < MDT_ACCOUNTS);
         w->credit[w->record[i].account] += w->record[i].drawn;
         w->credit[MDT_NEEDED] = fmax(w->credit[MDT_NEEDED] + w->record[i].loan, 0);
     }
@@ -324,7 +332,9 @@ static MdtReportWhy findReason(const MdtIsland *p) {
 
 MeBool mdt_choiceIsFast(MdtIsland *p) {
     p->why = findReason(p);
-    return p->why == MdtReportWhyAsked ? p->solver == MdtSolverFast : p->why >= MdtReportWhyFlight;
+    const MeBool isFast = p->why == MdtReportWhyAsked ? p->solver == MdtSolverFast : p->why >= MdtReportWhyFlight;
+    MEASSERT(!isFast || p->mayBeFast);
+    return isFast;
 }
 
 /* ---- the step ---- */
@@ -345,6 +355,7 @@ double mdt_choiceBudget(const MdtIsland *p) {
 }
 
 void mdt_choiceSwitchToFast(MdtIsland *p) {
+    MEASSERT(!p->isFast && p->mayBeFast);
     p->why = MdtReportWhyTakenOver;
     p->work = p->world->workBudget > 0 ? fmax(budgetOf(p->world) - p->exactWork, mdt_fastReserve * budgetOf(p->world))
                                        : MDT_NO_BOUND;
@@ -360,6 +371,7 @@ MeBool mdt_choiceNeedsExact(const MdtIsland *p) {
 }
 
 void mdt_choiceSwitchToExact(MdtIsland *p) {
+    MEASSERT(p->isFast && p->numMembers == 0);
     p->why = p->numContacts == 0 ? MdtReportWhyUnfit : reasonForExact(p);
     mdt_islandSetFast(p, MEFALSE);
     const double budget = mdt_choiceBudget(p);
@@ -368,6 +380,7 @@ void mdt_choiceSwitchToExact(MdtIsland *p) {
 
 /* Records a fast step, whose accuracy decides when the fast solver is tried next. */
 static void recordFastStep(const MdtIsland *p, MdtIslandRecord *r) {
+    MEASSERT(p->numBodies > 0 && !(p->excess < 0));
     r->isUnmet = p->excess > 1;
     r->stepsUntilRetry = !r->isUnmet ? 0 : r->stepsUntilRetry == 0 ? 1 : MeMIN(2 * r->stepsUntilRetry, MDT_WAIT_LIMIT);
     r->stepsSinceTry = 0;
@@ -385,6 +398,7 @@ static double exactWorkOf(const MdtIsland *p, const MdtIslandRecord *r) {
 static void recordExactStep(const MdtIsland *p, MdtIslandRecord *r) {
     const double share = p->hasDeclined || r->steps < 2 ? 1 : mdt_newShare;
     r->exactWork += (float)(share * (exactWorkOf(p, r) / p->numBodies - (double)r->exactWork));
+    MEASSERT(r->exactWork >= 0);
 }
 
 /* Returns the unused share to the account. Work is charged first to the account's share, then to the loan. */
@@ -392,6 +406,7 @@ static void returnUnusedShare(const MdtIsland *p, MdtIslandRecord *r) {
     const double used = r->share > 0 ? fmax(p->exactWork - (r->share - r->drawn - r->loan), 0) : 0;
     r->loan -= fmax(used - r->drawn, 0);
     r->drawn = fmax(r->drawn - used, 0);
+    MEASSERT(r->drawn >= 0 && r->drawn <= r->share);
 }
 
 void mdt_choiceRecordStep(const MdtIsland *p, MdtIslandRecord *r) {

@@ -19,6 +19,7 @@ enum { NONE = -1 };
 
 static int rootOf(int parent[], int place) {
     while (parent[place] != place) {
+        MEASSERT(parent[place] < place);
         parent[place] = parent[parent[place]]; /* path halving */
         place = parent[place];
     }
@@ -29,6 +30,7 @@ static int rootOf(int parent[], int place) {
 static void uniteSets(MdtGraph *g, int a, int b) {
     const int ra = rootOf(g->parent, a), rb = rootOf(g->parent, b);
     const int first = ra < rb ? ra : rb, second = ra < rb ? rb : ra;
+    MEASSERT(second < g->numBodies);
     g->parent[second] = first;
     g->isAwake[first] = g->isAwake[first] || g->isAwake[second];
 }
@@ -39,6 +41,7 @@ static void numberBodies(MdtWorldID w) {
     for (MdtLink *link = w->bodies.first; link; link = link->next, n++) {
         MdtBodyID b = mdt_linkOwner(link);
         b->place = n;
+        MEASSERT(n < w->bodyRoom);
         g->body[n] = b;
         g->parent[n] = n;
         g->isEnabled[n] = g->isAwake[n] = (b->record.flags & MDT_ENABLED) != 0;
@@ -60,8 +63,10 @@ static void uniteBodies(MdtWorldID w) {
         const MdtBodyID b0 = c->side[0].body, b1 = c->side[1].body;
         if (!(c->record.flags & MDT_ENABLED) || (!b0 && !b1))
             continue;
+        MEVALIDATE((!b0 || g->body[b0->place] == b0) && (!b1 || g->body[b1->place] == b1));
         if (b0 && b1)
             uniteSets(g, b0->place, b1->place);
+        MEASSERT(n < w->constraintRoom);
         g->acting[n] = c;
         g->actsOn[n++] = b0 ? b0->place : b1->place;
     }
@@ -128,6 +133,7 @@ static void sortActing(MdtWorldID w) {
     const MdtGraph *g = &w->graph;
     for (int i = 0; i < g->numActing; i++) {
         const int p = g->partition[g->actsOn[i]];
+        MEASSERT(p == NONE || w->actingStart[p] < w->constraintRoom);
         if (p != NONE)
             w->actingOf[w->actingStart[p]++] = g->acting[i];
     }
@@ -138,6 +144,7 @@ static void mergeRecords(MdtWorldID w, int numBefore) {
     MdtIslandRecord *const before = w->record;
     w->record = w->lastRecord;
     w->lastRecord = before;
+    MEASSERT(w->numPartitions <= w->bodyRoom);
     memset(w->record, 0, (size_t)w->numPartitions * sizeof *w->record);
     for (int i = 0; i < w->graph.numBodies; i++) {
         const int from = w->graph.body[i]->partition, to = w->graph.partition[i];
@@ -223,6 +230,7 @@ void mdt_islandsEnd(MdtWorldID w) {
 
 /* Lists a constraint under its public handle, a group before its contacts. Returns the next index. */
 static int listConstraint(MdtWorldID w, MdtConstraintID base, int at) {
+    MEASSERT(at < w->numConstraints);
     w->constraintOf[at++] = mdt_constraintPublicHandle(base);
     if (!mdt_isManifold(base) || (base->record.flags & MDT_LONE))
         return at;
@@ -248,6 +256,7 @@ void mdt_islandsList(MdtWorldID w) {
 }
 
 MdtPartitionInfo mdt_islandInfo(MdtWorldID w, int p) {
+    MEASSERT(p >= 0 && p < w->numPartitions && w->bodyStart[p] < w->bodyStart[p + 1]);
     return (MdtPartitionInfo){.firstBody = w->bodyStart[p],
                               .numBodies = w->bodyStart[p + 1] - w->bodyStart[p],
                               .firstConstraint = w->constraintStart[p],
@@ -255,6 +264,7 @@ MdtPartitionInfo mdt_islandInfo(MdtWorldID w, int p) {
 }
 
 MdtIsland mdt_islandOf(MdtWorldID w, int number, double h) {
+    MEASSERT(number >= 0 && number < w->numPartitions && h >= 0);
     return (MdtIsland){.world = w,
                        .worker = &w->workers[0],
                        .clock = &w->lap,

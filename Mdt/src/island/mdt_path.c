@@ -2,6 +2,7 @@
 #include "island/mdt_choice_i.h"
 
 void mdt_islandSetFast(MdtIsland *p, MeBool isFast) {
+    MEASSERT(!isFast || p->mayBeFast || p->numMembers > 0);
     p->isFast = isFast;
     p->kea.parameters.solver = isFast ? MdtKeaSolverFast : MdtKeaSolverExact;
     p->kea.maxRows = p->jointRows + (isFast ? 0 : p->numContacts * MdtBclGETMAXROWSCONTACT);
@@ -34,6 +35,7 @@ void mdt_reportEvent(MdtReport *r) {
 
 /* Each impact begins a part, except the one that ends the flight: its part is counted later. */
 void mdt_reportFlight(MdtReport *r, int impacts, MeBool isEnded) {
+    MEASSERT(impacts >= 0);
     r->events += impacts;
     r->parts += impacts > 0 && isEnded ? impacts - 1 : impacts;
     mdt_reportPath(r, MdtReportWayTimed);

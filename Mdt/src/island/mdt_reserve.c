@@ -41,6 +41,7 @@ void mdt_batchesTerm(MdtBatches *b) {
 /* Only the records of partitions keep their contents. */
 static MeBool reserveBodies(MdtWorldID w, int bodies, const char *caller) {
     const size_t n = (size_t)MeMAX(bodies, 2 * w->bodyRoom), records = (size_t)w->numPartitions;
+    MEASSERT(w->numPartitions <= w->bodyRoom);
     if (bodies <= w->bodyRoom)
         return METRUE;
     if (!MeMemoryGrow(&w->bodyOf, 0, n, sizeof *w->bodyOf, caller, "the bodies of a step") ||
@@ -66,6 +67,7 @@ static MeBool reserveBodies(MdtWorldID w, int bodies, const char *caller) {
 /* The list of broken joints keeps its contents: further parts of the step may add to it. */
 static MeBool reserveConstraints(MdtWorldID w, int constraints, const char *caller) {
     const size_t n = (size_t)MeMAX(constraints, 2 * w->constraintRoom), broken = (size_t)w->numBroken;
+    MEASSERT(w->numBroken <= w->constraintRoom);
     if (constraints <= w->constraintRoom)
         return METRUE;
     if (!MeMemoryGrow(&w->constraintOf, 0, n, sizeof *w->constraintOf, caller, "the constraints of a step") ||

@@ -95,6 +95,7 @@ static void storeSleepLoad(MdtBodyID b) {
 
 void mdt_bodySleep(MdtBodyID b) {
     static const double none[3] = {0, 0, 0};
+    MEASSERT((b->record.flags & (MDT_ENABLED | MDT_ASLEEP)) == MDT_ENABLED);
     keaZero(b->kea.velocity);
     MdtKeaBodySetAngularVelocity(&b->kea, none);
     keaZero(b->kea.lastStep.lin);
@@ -141,6 +142,7 @@ static MeBool isToWake(MdtBodyID b, double h) {
 
 static void wakeBody(MdtBodyID b) {
     const double time = b->applied.time;
+    MEASSERT(b->record.flags & MDT_ASLEEP);
     mdt_bodyEnable(b);
     b->applied.time = time;
     memset(b->applied.momentum, 0, sizeof b->applied.momentum);
@@ -157,8 +159,16 @@ void mdt_sleepersEndForces(MdtWorldID w) {
     }
 }
 
+static int countAsleep(const MdtWorld *w) {
+    int count = 0;
+    for (const MdtLink *link = w->bodies.first; link; link = link->next)
+        count += (((const MdtBody *)mdt_linkOwner(link))->record.flags & MDT_ASLEEP) != 0;
+    return count;
+}
+
 /* The stage defers calls that the program's handlers make. */
 void mdt_sleepersWakeChanged(MdtWorldID w, double h) {
+    MEVALIDATE(countAsleep(w) == w->asleepBodies);
     if (w->asleepBodies == 0)
         return;
     MeStageBegin(&w->stage, MDT_GUARD_CONSTRAINTS);

@@ -21,6 +21,10 @@ static void getCentreOffset(const MdtBody *b, const double q[4], double R[3][3],
     keaApply(offset, (const double(*)[3])R, b->centre);
 }
 
+static MeBool isUnit4(const double q[4]) {
+    return fabs(q[0] * q[0] + keaDot(q + 1, q + 1) - 1) < 1e-6;
+}
+
 static void getAxes(const MdtBody *b, double p[3], double q[4], double R[3][3]) {
     double offset[3];
     getFrameQuaternion(b, q);
@@ -84,6 +88,7 @@ static void setFrame(MdtBodyID b, const double p[3], const double q[4]) {
     const MdtPartitionParams *sleepParams = &b->world->sleepParams;
     const double h2 = b->world->lastStep * b->world->lastStep;
     double w[3], R[3][3], offset[3], before[3], turned[4];
+    MEASSERT(isUnit4(q) && isUnit4(b->centreTurn));
     mdt_bodyAcceptVelocities(b);
     keaCopy(w, b->spin);
     keaCopy(before, b->kea.position);
@@ -327,6 +332,7 @@ void mdt_bodyTerm(MdtBodyID b) {
     while (b->attachments)
         releaseConstraint(b->attachments);
     MEASSERT(!b->attachments && !(b->record.flags & (MDT_ENABLED | MDT_ASLEEP)));
+    MEASSERT(b->manifolds == 0);
     mdt_listRemove(&w->bodies, &b->link);
     mdt_poolPut(&w->bodyPool, b);
     MeStageEnd(&w->stage, MDT_GUARD_GRAPH);
@@ -372,6 +378,7 @@ void MEAPI MdtBodyReset(const MdtBodyID b) {
 static void endSleep(MdtBodyID b) {
     if (!(b->record.flags & MDT_ASLEEP))
         return;
+    MEASSERT(!(b->record.flags & MDT_ENABLED));
     b->record.flags &= ~MDT_ASLEEP;
     b->world->asleepBodies--;
     MEASSERT(b->world->asleepBodies >= 0);
@@ -528,6 +535,7 @@ void mdt_bodyPack(MdtBodyID b, double frame, MeBool hasJoints) {
     if (!hasJoints)
         addKick(b);
     mdt_forceApply(b, frame);
+    MEASSERT(isfinite(b->kea.force[0] + b->kea.force[1] + b->kea.force[2]));
     b->kea.linearDamping = b->linearDamping;
     b->kea.angularDamping = b->angularDamping;
     MdtBodyResetImpulses(b);

@@ -35,6 +35,7 @@ MdtJoint *mdt_jointCreate(MdtWorldID w, MdtBclJointType type, const char *caller
     j->base.record.flags = 0;
     w->userConstraints += type == MdtBclUSER;
     j->type->reset(&j->bcl);
+    MEASSERT(j->bcl.type == type && j->type->maxRows <= MdtBclGETMAXROWS);
     mdt_listAppend(&w->constraints, &j->base.link, w->nextSerial++);
     return j;
 }
@@ -59,6 +60,7 @@ static void termJoint(MdtJoint *j) {
     mdt_breakForget(j);
     mdt_noCollideForget(j);
     j->base.world->userConstraints -= j->bcl.type == MdtBclUSER;
+    MEASSERT(j->base.world->userConstraints >= 0);
     mdt_constraintUncount(j->base.world);
     mdt_poolPut(&j->base.world->jointPool, j);
 }
@@ -169,11 +171,13 @@ void mdt_constraintClearWarmStart(MdtConstraintID c) {
 static void activateConstraint(MdtConstraintID c) {
     if (c->record.flags & MDT_ENABLED)
         return;
+    MEASSERT(c->side[0].body || c->side[1].body);
     c->record.flags |= MDT_ENABLED;
     mdt_graphChanged(c->world);
     mdt_constraintClearWarmStart(c);
     mdt_constraintDisturb(c);
     c->world->enabledConstraints++;
+    MEASSERT(c->world->enabledConstraints <= c->world->constraints.count);
     if (mdt_isJoint(c)) {
         c->world->enabledJoints++;
         c->record.flags |= MDT_WAS_ENABLED;
@@ -330,6 +334,7 @@ static void notifyAxesSet(MdtJoint *j, const MdtBclFrame before[2]) {
 }
 
 void mdt_constraintAttach(MdtConstraintID c, MdtBodyID b0, MdtBodyID b1) {
+    MEASSERT(!b0 || b0 != b1);
     attachSide(c, 0, b0);
     attachSide(c, 1, b1);
     mdt_constraintClearWarmStart(c);

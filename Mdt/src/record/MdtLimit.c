@@ -39,6 +39,7 @@ void MEAPI MdtLimitResetState(const MdtLimitID limit) {
 
 void mdt_limitAssign(MdtLimitID to, const MdtBclLimit *from) {
     const MdtBclLimit copy = *from; /* `from` may be `to` */
+    MEASSERT(copy.fmax >= 0 && copy.lockForce >= 0);
     MdtBclLimitReset(to);
     to->limit[0] = copy.limit[0];
     to->limit[1] = copy.limit[1];

@@ -28,6 +28,7 @@ void MEAPI MdtConstraintSetBreakLimits(const MdtConstraintID c, const MeReal for
     j->breakForce = force;
     j->breakTorque = torque;
     c->world->breakable += isBreakable(j);
+    MEASSERT(c->world->breakable >= 0 && c->world->breakable <= c->world->jointPool.used);
 }
 
 MeReal MEAPI MdtConstraintGetBreakForce(const MdtConstraintID c) {
@@ -95,6 +96,7 @@ static void breakJoints(MdtWorldID w) {
         if (!j || !isBreakable(j) || !wasStepped(c) || !isOverloaded(j))
             continue;
         mdt_constraintDeactivate(c);
+        MEASSERT(w->numBroken < w->constraintRoom);
         w->broken[w->numBroken++] = c;
     }
     MeStageEnd(&w->stage, MDT_GUARD_GRAPH);

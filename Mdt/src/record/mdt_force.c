@@ -78,6 +78,7 @@ static double stableShare(const Law *law, MeBool alternates) {
  * caused by the motion. A body that is attached to something, or rests on it, may be prevented from moving: the
  * remaining change of the force is an independent push, and is not corrected. */
 static double explainedShare(double change, const double p[3], const double q[3]) {
+    MEASSERT(change > 0);
     const double share = fmin((4 * keaLength(p) + 2 * keaLength(q)) / change, 1);
     return share < 0.1 ? 0 : share; /* a body that is held moves by rounding only */
 }
@@ -112,6 +113,7 @@ static void warnOfStiffness(MdtBodyID b, const char *function) {
 static void computeCorrection(const MdtBody *b, MdtFeedback *fit, const double now[3], const double last[3],
                               const double before[3], const double after[3], double correction[3]) {
     const double h = b->applied.time, growth = keaDot(now, now) / keaDot(last, last);
+    MEASSERT(h > 0);
     double mean[3], change[3];
     keaSubtract(correction, now, last);
     keaSubtract(change, after, before);
@@ -190,6 +192,7 @@ void MEAPI MdtBodyResetForces(const MdtBodyID b) {
 }
 
 void mdt_forceApply(MdtBodyID b, double frame) {
+    MEASSERT(frame > 0);
     MdtApplied *a = &b->applied;
     keaCopy(a->force, b->force);
     keaCopy(a->torque, b->torque);

@@ -26,6 +26,7 @@ static MeBool isMotorForgotten(const MdtJoint *j) {
 /* Checks all joints in every 64th step, and only while some joint is disabled. */
 static void checkMotors(MdtWorldID w) {
     enum { STEPS = 64 };
+    MEASSERT(w->jointPool.used >= w->enabledJoints && w->enabledJoints >= 0);
     if (w->jointPool.used == w->enabledJoints || ++w->watchedSteps % STEPS != 0)
         return;
     for (MdtLink *link = w->constraints.first; link; link = link->next) {
@@ -68,6 +69,7 @@ static void checkCentres(MdtWorldID w) {
 /* The mass, kg, whose weight makes contacts sink by a fiftieth of the length scale: a contact gives way by
  * epsilon F h^2 / gamma. */
 static double sinkingMass(const MdtWorld *w, double h) {
+    MEASSERT(h > 0);
     const double share = 0.02;
     double g[3];
     mdt_fromReal(g, w->params.gravity);

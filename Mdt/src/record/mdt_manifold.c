@@ -53,6 +53,7 @@ static MdtManifold *allocateBlock(MdtWorldID w, const char *caller) {
 static void freeBlock(MdtManifold *block) {
     MdtWorldID w = block->base.world;
     MEASSERT(mdt_countSlots(block) == 0);
+    MEASSERT(!block->group && !block->next);
     while (block->extras) {
         MdtExtra *extra = block->extras;
         block->extras = extra->next;
@@ -64,6 +65,7 @@ static void freeBlock(MdtManifold *block) {
 
 MdtPoint *mdt_slotActivate(MdtManifold *block, int slot) {
     MdtPoint *p = &block->point[slot];
+    MEASSERT(slot >= 0 && slot < MDT_POINTS);
     MEASSERT(!(block->used & 1u << slot));
     block->used |= 1u << slot;
     memset(p, 0, sizeof *p);
@@ -74,6 +76,7 @@ MdtPoint *mdt_slotActivate(MdtManifold *block, int slot) {
 
 static void appendContinuation(MdtManifold *group, MdtManifold *block) {
     MdtManifold *last = group;
+    MEASSERT(!group->group && !(group->base.record.flags & MDT_LONE) && !block->group);
     while (last->next)
         last = last->next;
     last->next = block;
@@ -100,6 +103,7 @@ MdtExtra *mdt_extraOf(const MdtManifold *block, int slot) {
 
 MdtExtra *mdt_extraMake(MdtManifold *block, int slot, const char *caller) {
     MdtExtra *extra = mdt_extraOf(block, slot);
+    MEASSERT(slot >= 0 && (slot == MDT_GROUP_SLOT || (block->used >> slot & 1)));
     if (extra)
         return extra;
     extra = mdt_poolGet(&block->base.world->extraPool, MDT_EXTRA, caller);
@@ -194,6 +198,7 @@ void mdt_manifoldClear(MdtManifold *m) {
 }
 
 void mdt_manifoldTerm(MdtManifold *m) {
+    MEASSERT(!m->group);
     mdt_manifoldClear(m);
     if (m->holder)
         *m->holder = NULL;

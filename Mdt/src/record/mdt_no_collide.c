@@ -15,6 +15,7 @@ void mdt_noCollideForget(MdtJoint *j) {
 
 static void setNoCollide(MdtConstraintID c) {
     c->world->numNoCollide++;
+    MEASSERT(c->world->numNoCollide <= c->world->jointPool.used);
     c->record.flags |= MDT_NO_COLLIDE;
     for (int k = 0; k < 2; k++)
         if (c->side[k].body)

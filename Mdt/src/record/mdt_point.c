@@ -46,6 +46,7 @@ void mdt_blockSetSurface(MdtManifold *block, const MdtBclContactParams *params) 
     const MdtSurface *before = block->surface;
     block->surface = mdt_surfaceAcquire(surfaces, params);
     mdt_surfaceRelease(surfaces, before);
+    MEASSERT(block->surface->users > 0);
     mdt_constraintDisturb(block->group ? &block->group->base : &block->base);
 }
 
@@ -188,6 +189,7 @@ void mdt_pointMotionWeights(const MdtPoint *p, double share[2]) {
     const MeBool isRound[2] = {hasBoth && mdt_pointIsRound(p, 0), hasBoth && mdt_pointIsRound(p, 1)};
     for (int k = 0; k < 2; k++)
         share[k] = isRound[0] != isRound[1] ? isRound[k] : hasBoth ? 0.5 : 1;
+    MEASSERT(!hasBoth || share[0] + share[1] == 1);
 }
 
 /* Writes position and depth if they differ. */

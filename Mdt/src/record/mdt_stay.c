@@ -89,6 +89,7 @@ static void clampDisplacement(double displacement[6], double maxDisplacement) {
  * of an oscillating body passes through zero, so its maximum over the last second is kept as well. Both are limited to
  * e times the still distance, so that large ones decay within a second, too. */
 static void addDisplacement(MdtStay *s, const double displacement[6], double still, double share) {
+    MEASSERT(still > 0 && share > 0);
     clampDisplacement(s->displacement, exp(1) * still);
     for (int i = 0; i < 6; i++)
         s->displacement[i] = exp(-share) * s->displacement[i] + displacement[i];
@@ -112,6 +113,7 @@ static void countReturns(MdtStay *s, double distance, double h) {
         s->reach = 0;
     s->isBack = isBack;
     s->time += h;
+    MEASSERT(s->maxAtReturn <= s->maxDistance && s->returns >= 0);
 }
 
 /* True for two returns with a small amplitude; the amplitude may grow with the time observed. */
@@ -131,6 +133,7 @@ void mdt_stayUpdate(MdtBodyID b, double h) {
         restartAt(b, oscillatesLittle(s, radius, second) ? 2 * s->maxDistance : 0);
     else
         countReturns(s, distance, h);
+    MEASSERT(s->maxDisplacement >= 0);
 }
 
 MeBool mdt_bodyStaysInPlace(const MdtBody *b) {

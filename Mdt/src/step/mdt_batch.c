@@ -40,6 +40,7 @@ static int findCandidates(MdtWorldID w, double h, MeBool stopAtSafeTime, int *bo
         const MdtIsland p = mdt_islandOf(w, i, h);
         if (stopAtSafeTime && mdt_lagSafeStep(&p) != h)
             continue;
+        MEASSERT(count < w->bodyRoom);
         w->batches.member[count++].partition = i;
         *bodies += p.numBodies;
     }
@@ -75,6 +76,8 @@ static void addMember(MdtWorldID w, int partition) {
     const int bodies = w->bodyStart[partition + 1] - w->bodyStart[partition];
     const int acting = w->actingStart[partition + 1] - w->actingStart[partition];
     m->partition = partition;
+    MEASSERT(m == b->member || m[-1].partition < partition);
+    MEASSERT(m->firstBody + bodies <= b->bodyRoom && m->firstActing + acting <= b->actingRoom);
     memcpy(b->body + m->firstBody, w->bodyOf + w->bodyStart[partition], (size_t)bodies * sizeof *b->body);
     memcpy(b->kea + m->firstBody, w->keaOf + w->bodyStart[partition], (size_t)bodies * sizeof *b->kea);
     memcpy(b->acting + m->firstActing, w->actingOf + w->actingStart[partition], (size_t)acting * sizeof *b->acting);
@@ -92,6 +95,7 @@ static void findMembers(MdtWorldID w, double h, MeTeam *team, int candidates) {
     b->member[0].firstBody = b->member[0].firstActing = 0;
     for (int i = 0; i < candidates; i++) {
         const int partition = b->member[i].partition;
+        MEASSERT(b->numMembers <= i);
         if (b->isIn[partition])
             addMember(w, partition);
     }
@@ -107,6 +111,7 @@ static void makeBatches(MdtBatches *b) {
         if (b->member[i].firstBody - b->member[first].firstBody >= MIN_BATCH_BODIES || i == b->numMembers)
             b->firstMember[++b->count] = i;
     }
+    MEASSERT(b->numMembers == 0 || b->firstMember[b->count] == b->numMembers);
 }
 
 void mdt_batchesFind(MdtWorldID w, double h, MeBool stopAtSafeTime, MeTeam *team) {
@@ -137,6 +142,7 @@ MdtIsland mdt_batchOf(MdtWorldID w, int batch, double h) {
     p.bodies = b->body + first->firstBody;
     p.kea.bodies = b->kea + first->firstBody;
     p.acting = b->acting + first->firstActing;
+    MEASSERT(batch < b->count && p.numMembers > 0 && p.numBodies > 0);
     return p;
 }
 
@@ -186,6 +192,7 @@ static void unpackBatch(MdtIsland *p) {
 /* Steps each member alone for the rest of the step. */
 static void stepMembersOneByOne(const MdtIsland *p) {
     for (const MdtMember *m = p->member; m < p->member + p->numMembers; m++) {
+        MEASSERT(p->h > p->elapsed);
         MdtIsland own = mdt_islandOf(p->world, m->partition, p->h - p->elapsed);
         own.worker = p->worker;
         own.clock = &own.lap;

@@ -39,6 +39,13 @@ static void sortByImportance(MdtRanked ranking[], int n) {
     }
 }
 
+static MeBool areRanked(const MdtRanked ranking[], int n) {
+    for (int i = 1; i < n; i++)
+        if (!isBefore(ranking, ranking[i - 1].place, ranking[i].place))
+            return MEFALSE;
+    return METRUE;
+}
+
 static double importanceOf(MdtWorldID w, const MdtPoint *point, double depth) {
     double value = depth;
     if (w->importance) {
@@ -62,12 +69,14 @@ static void rankContacts(MdtIsland *p, MdtRanked ranking[]) {
         }
     MEASSERT(n == p->numContacts);
     sortByImportance(ranking, n);
+    MEVALIDATE(areRanked(ranking, n));
 }
 
 /* Removes the friction rows of the least important contacts. Returns the number of rows left. */
 static int dropFriction(const MdtIsland *p, MdtRanked ranking[], int rows, int max) {
     for (int i = 0; i < p->numContacts && rows > max; i++) {
         MdtKeaPoint *at = ranking[ranking[i].place].at;
+        MEASSERT(at->numRows >= 1);
         rows -= at->numRows - 1;
         at->numRows = 1;
     }
@@ -114,6 +123,7 @@ int mdt_capRows(MdtIsland *p, int rows, int max) {
     const size_t bytes = (size_t)p->numContacts * sizeof(MdtRanked);
     MdtRanked *ranking = bytes <= INT_MAX ? MeChunkGetMem(&p->worker->ranking, (int)bytes) : NULL;
     p->isCapped = METRUE;
+    MEASSERT(rows > max);
     if (!ranking)
         return rows;
     rankContacts(p, ranking);

@@ -40,6 +40,8 @@ static MeBool advanceHalf(MdtIsland *p, double half) {
 /* True if the whole stage was integrated, and its solves were exact. */
 static MeBool advanceStage(MdtIsland *p, double stage) {
     const double half = 0.5 * fabs(stage);
+    MEASSERT(half > 0);
+    MEASSERT(p->stage == MDT_STAGE_NONE && p->kea.parameters.pair == MdtKeaPairNone);
     p->stage = stage < 0 ? MDT_STAGE_BACK : MDT_STAGE_FORWARD;
     p->kea.parameters.pair = MdtKeaPairFirst;
     if (stage < 0)

@@ -67,6 +67,7 @@ static int assignManifold(Grouping *s, const MdtManifold *block, const MdtPoint 
     const MdtExtra *extra = mdt_extraOf(block, point->slot);
     if (extra && needsOwnManifold(extra))
         return s->numManifolds++;
+    MEASSERT(s->numCombinations <= MAX_COMBINATIONS);
     SharedValues kind = sharedValuesOf(block, extra);
     int at = 0;
     while (at < s->numCombinations && !haveSameValues(&s->kind[at], &kind))
@@ -106,6 +107,7 @@ size_t mdt_contactsSize(int count) {
 }
 
 void mdt_contactsLayOut(MdtIsland *p, void *memory, int count) {
+    MEASSERT((uintptr_t)memory % sizeof(double) == 0);
     p->kea.manifolds = memory;
     p->manifolds = (MdtIslandManifold *)(void *)((char *)memory + keaBytes(count));
     p->kea.numManifolds = count;
@@ -116,6 +118,7 @@ void mdt_contactsLayOut(MdtIsland *p, void *memory, int count) {
 static void packPoint(MdtKeaManifold *m, MdtIslandManifold *own, MdtPoint *point) {
     const MeBool isWarm = point->numWarm > 0;
     const int at = m->numPoints++;
+    MEASSERT(at < MdtKeaMANIFOLDPOINTS);
     MdtKeaPoint *to = &m->point[at];
     own->point[at] = point;
     keaZero(own->mean[at]);
@@ -141,6 +144,7 @@ static void beginManifold(MdtKeaManifold *m, const MdtPoint *first, int *problem
         m->radius[k] = mdt_pointRadius(first, k);
         m->rim[k] = mdt_pointRim(first, k, m->axis[k]);
     }
+    MEASSERT(m->body[0] != m->body[1]);
     MdtBclContactSurface(params, &m->surface);
     *problems |= mdt_surfaceProblem(params);
 }
@@ -150,6 +154,7 @@ static int packBlock(const MdtIsland *p, const MdtManifold *block, int at, int *
     MdtPoint *point = mdt_pointIn(block, 0);
     if (!point)
         return at;
+    MEASSERT(at < p->kea.numManifolds);
     beginManifold(&p->kea.manifolds[at], point, problems);
     for (; point; point = mdt_pointIn(block, point->slot + 1))
         packPoint(&p->kea.manifolds[at], &p->manifolds[at], point);
@@ -161,6 +166,7 @@ static int packGrouped(const MdtIsland *p, const MdtManifold *first, int at, int
     grouping.numCombinations = grouping.numManifolds = 0;
     for (MdtPoint *point = mdt_pointFirst(first); point; point = mdt_pointAfter(point)) {
         const int before = grouping.numManifolds, place = assignManifold(&grouping, mdt_blockOf(point), point);
+        MEASSERT(place <= before && at + place < p->kea.numManifolds);
         if (place == before)
             beginManifold(&p->kea.manifolds[at + place], point, problems);
         packPoint(&p->kea.manifolds[at + place], &p->manifolds[at + place], point);
@@ -221,6 +227,7 @@ void mdt_contactsClearForces(MdtIsland *p) {
 }
 
 static void unpackPoint(MdtKeaPoint *from, MdtPoint *point, const double mean[3], MeBool isGuess) {
+    MEASSERT(from->numRows >= 0 && from->numRows <= MdtBclGETMAXROWSCONTACT);
     point->numRows = (MeU8)from->numRows;
     point->numWarm = isGuess ? (MeU8)from->numRows : 0;
     keaCopy(point->force, from->force);

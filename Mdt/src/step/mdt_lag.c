@@ -5,6 +5,7 @@
 #include <math.h>
 
 double mdt_lagSafeStep(const MdtIsland *p) {
+    MEASSERT(p->h > 0);
     double safe = p->h;
     for (int i = 0; i < p->numBodies; i++)
         safe = fmin(safe, (double)p->bodies[i]->safeTime);

@@ -83,6 +83,7 @@ static Chunk countActing(Acting *a) {
     Chunk all = {0};
     a->chunkSize = MeMAX(MDT_RANGE, (p->numActing + MAX_CHUNKS - 1) / MAX_CHUNKS);
     a->numChunks = (p->numActing + a->chunkSize - 1) / a->chunkSize;
+    MEASSERT(a->numChunks <= MAX_CHUNKS);
     MeTeamRun(p->team, a->numChunks, countChunk, a);
     for (int i = 0; i < a->numChunks; i++) {
         a->chunk[i].firstManifold = all.manifolds;
@@ -151,6 +152,7 @@ static void setSystem(MdtIsland *p) {
     p->kea.context = p;
     p->kea.parameters.accuracy = mdt_worldAccuracy(p->world, p->h, p->numJoints > 0);
     p->kea.parameters.restSpeed = mdt_worldCalmSpeed(p->world, p->h);
+    MEASSERT(p->kea.parameters.accuracy >= 0 && p->kea.parameters.restSpeed > 0);
 }
 
 /* ---- bodies ---- */
@@ -183,6 +185,7 @@ void mdt_islandCount(MdtIsland *p) {
 MeBool mdt_islandPack(MdtIsland *p) {
     Acting acting; /* not initialized, as most partitions use one chunk only */
     acting.p = p;
+    MEASSERT(!p->scratch);
     const Chunk all = countActing(&acting);
     storeCounts(p, &all);
     setSystem(p);

@@ -100,6 +100,7 @@ static MeBool isForTeam(const MdtWorld *w, int i) {
 
 /* Steps a partition or a batch with a worker's memory, and buffers its messages. */
 static void stepOnWorker(const Stepping *s, MdtIsland *p, int worker, MeTeam *team) {
+    MEASSERT(worker >= 0 && worker < s->world->numWorkers);
     p->worker = &s->world->workers[worker];
     p->team = team;
     p->clock = &p->lap;
@@ -129,6 +130,7 @@ static void advanceByTeam(const Stepping *s) {
 }
 
 static int log2Of(int size) {
+    MEASSERT(size > 0);
     int log = 0;
     while (size >>= 1)
         log++;
@@ -159,6 +161,7 @@ static void makeTasks(Stepping *s) {
     const int count = sortPartitions(s);
     int size = 0;
     s->numTasks = 0;
+    MEASSERT(count <= s->world->numPartitions);
     s->firstOf[0] = 0;
     for (int i = 0; i < count; i++) {
         size += sizeOfPartition(s->world, s->partition[i]);
@@ -167,12 +170,14 @@ static void makeTasks(Stepping *s) {
         s->firstOf[++s->numTasks] = i + 1;
         size = 0;
     }
+    MEASSERT(s->firstOf[s->numTasks] == count);
 }
 
 /* Runs a task: the first ones are batches. */
 static void MEAPI runTask(void *context, int task, int worker) {
     const Stepping *s = context;
     const int batches = s->world->batches.count, own = task - batches;
+    MEASSERT(own < s->numTasks);
     if (task < batches)
         stepBatch(s, task, worker);
     for (int i = own < 0 ? 0 : s->firstOf[own]; own >= 0 && i < s->firstOf[own + 1]; i++)

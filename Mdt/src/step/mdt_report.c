@@ -99,6 +99,7 @@ static void distributeToStages(MdtReport *r, double time, const double share[]) 
 /* Distributes the time since the last lap among the preceding partitions that were not timed by stage. */
 static void distributeTime(MdtWorldID w, int end) {
     const double time = lapTime(&w->lap);
+    MEASSERT(end >= w->firstUntimed);
     double work = 0;
     for (int i = w->firstUntimed; i < end; i++)
         work += mdt_isInBatch(w, i) ? 0 : workOf(&w->reports[i]);
@@ -275,6 +276,7 @@ void mdt_reportMember(const MdtIsland *p, const MdtMember *m, int rows, double p
     r->rows = rows;
     r->penetration = (MeReal)penetration;
     const double share = workOf(r) / (p->numBodies + p->numRows);
+    MEASSERT(share >= 0 && share <= 1);
     r->work = (MeReal)(share * (double)p->report->work);
     for (int i = 0; i < MdtReportStages; i++)
         r->time[i] = (MeReal)(share * (double)p->report->time[i]);

@@ -109,6 +109,7 @@ static void fillJoint(MdtIsland *p, MdtJoint *j, int owner) {
     MdtBclContext x;
     j->firstRow = p->kea.numRows;
     jointContext(p, j, &x);
+    MEASSERT(p->kea.numRows + j->numRows <= p->kea.maxRows);
     if (j->numRows > 0)
         j->type->fill(&j->bcl, &x, rows);
     if (mdt_constraintType(&j->base) != MdtBclUSER)
@@ -126,6 +127,7 @@ static void fillJoint(MdtIsland *p, MdtJoint *j, int owner) {
 /* Counts the rows, leaves out those beyond the cap, fills them. */
 void mdt_rowsMake(MdtIsland *p) {
     MdtWorldID w = p->world;
+    MEASSERT(p->kea.numRows == 0);
     if (w->userConstraints > 0)
         makeUserRows(p);
     p->numRows = mdt_rowsCount(p);
@@ -157,6 +159,7 @@ void MEAPI mdt_rowsUpdateJacobians(void *island, const MdtKeaTransformation pose
         for (int k = 0; k < 2; k++)
             if (j->base.side[k].body)
                 x.pose[k] = &poses[j->base.side[k].body->index];
+        MEASSERT(j->firstRow + j->numRows <= p->kea.numRows);
         j->type->fill(&j->bcl, &x, rows);
         for (int r = 0; r < j->numRows; r++) {
             MdtKeaRow *row = &p->kea.rows[j->firstRow + r];

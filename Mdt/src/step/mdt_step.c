@@ -58,6 +58,7 @@ void mdt_islandStep(MdtIsland *p) {
         return;
     mdt_unpackBegin(p);
     mdt_islandSubdivide(p);
+    MEASSERT(p->isStopped || fabs(p->elapsed - p->h) <= 1e-6 * p->h);
     if (!p->isStopped) {
         const MeBool isSettled = mdt_islandIsSettled(p);
         if (isSettled)

@@ -25,6 +25,7 @@ static void beginBudget(MdtIsland *p) {
 
 /* Reserves all but `share` of the remaining work for later parts. Returns the reserve, which the caller adds back. */
 static double reserveWork(MdtIsland *p, double share) {
+    MEASSERT(share > 0 && share <= 1);
     const double reserve = p->work < MDT_NO_BOUND ? (1 - share) * p->work : 0;
     p->work -= reserve;
     return reserve;
@@ -73,6 +74,7 @@ static void setSubstep(MdtIsland *p, double substep) {
         p->parameters.softening = 0;
     }
     p->parameters.epsilon = p->parameters.softening * (double)p->world->epsilon;
+    MEASSERT(p->parameters.softening >= 0 && p->parameters.gamma >= 0 && p->parameters.gamma <= 1);
     p->kea.parameters.stepsize = substep;
     p->kea.parameters.elapsed = p->elapsed;
     p->kea.parameters.isBack = p->stage == MDT_STAGE_BACK;
@@ -199,6 +201,7 @@ static void advanceHalves(MdtIsland *p, double substep, int halvings) {
 }
 
 void mdt_substepAdvanceRows(MdtIsland *p, double substep, int halvings) {
+    MEASSERT(halvings >= 0 && halvings <= MAX_HALVINGS);
     p->kea.parameters.mayRefuse = halvings < MAX_HALVINGS;
     mdt_substepSolveRows(p);
     switch (chooseAfterSolve(p, halvings)) {
@@ -248,6 +251,7 @@ enum { MDT_MAX_FACTORIZATIONS = 96 };
 static void followFlight(MdtIsland *p, double remaining, double min, int maxImpacts) {
     mdt_budgetGrant(p);
     const double flown = MdtKeaFly(&p->kea, min, maxImpacts);
+    MEASSERT(flown > 0 && flown <= remaining * (1 + 1e-9));
     mdt_budgetDraw(p);
     setSubstep(p, flown);
     p->hadImpact = p->hadImpact || p->kea.report.impacts > 0;
@@ -331,6 +335,7 @@ static void advanceTimed(MdtIsland *p, double substep) {
             mdt_substepAdvance(p, remaining, 0);
             return;
         }
+        MEASSERT(p->parameters.stepsize > 0 && p->parameters.stepsize <= remaining * (1 + 1e-9));
         remaining -= p->parameters.stepsize;
         mdt_substepIntegrate(p);
     }
@@ -360,6 +365,7 @@ static MeBool isTimed(MdtIsland *p, double substep) {
 
 void mdt_islandSubdivide(MdtIsland *p) {
     const int n = p->world->subSteps;
+    MEASSERT(p->elapsed == 0 && !p->isStopped);
     const double substep = p->h / n;
     beginBudget(p);
     p->parameters.hasContacts = p->numContacts > 0;

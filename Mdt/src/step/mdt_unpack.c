@@ -97,6 +97,7 @@ static void unpackBody(MdtBodyID b, double h) {
         b->kea.lastStep.ang[k] = (end.ang[k] - b->start.velocity.ang[k]) / h;
     }
     recordPush(b, &b->start, &end, h);
+    MEASSERT(b->theta >= 0.5 - 1e-9 && b->theta <= 1 + 1e-9);
     MEASSERT(isfinite(keaLength(b->kea.lastStep.lin) + keaLength(b->kea.lastStep.ang) + keaLength(b->push)));
     mdt_bodyAge(b, h);
     b->start.movesAfter = b->moves;

@@ -551,16 +551,37 @@ void MEAPI MdtWorldSetMatrixSizeLog(const MdtWorldID w, int *const sizeLog, cons
 
 /* ---- the step ---- */
 
+/* Do the counts of what is enabled, or of a kind, agree with the lists? */
+static MeBool areCountsRight(const MdtWorld *w) {
+    int bodies = 0, constraints = 0, joints = 0, noCollide = 0, ofProgram = 0, all = 0;
+    for (const MdtLink *link = w->bodies.first; link; link = link->next)
+        bodies += ((const MdtBody *)mdt_linkOwner(link))->record.flags & MDT_ENABLED;
+    for (const MdtLink *link = w->constraints.first; link; link = link->next) {
+        const MdtBaseConstraint *c = mdt_linkOwner(link);
+        const MeBool isEnabled = (c->record.flags & MDT_ENABLED) != 0, isJoint = mdt_isJoint(c);
+        constraints += isEnabled;
+        joints += isEnabled && isJoint;
+        noCollide += isJoint && (c->record.flags & MDT_NO_COLLIDE);
+        ofProgram += isJoint && ((const MdtJoint *)(const void *)c)->bcl.type == MdtBclUSER;
+        all += isJoint ? 1 : (int)((const MdtManifold *)(const void *)c)->numPoints;
+        all += !isJoint && !(c->record.flags & MDT_LONE);
+    }
+    return bodies == w->enabledBodies && constraints == w->enabledConstraints && joints == w->enabledJoints &&
+           noCollide == w->numNoCollide && ofProgram == w->userConstraints && all == w->numConstraints;
+}
+
 void MEAPI MdtWorldAdvance(const MdtWorldID w, const MeReal h, const MeBool stopAtSafeTime) {
     MeStageBegin(&w->stage, MDT_GUARD_WORLD);
     w->lastStep = (double)h;
     for (int i = 0; i < w->sizeLogLength; i++)
         w->sizeLog[i] = 0;
     mdt_idleCheck(w, (double)h);
+    MEVALIDATE(areCountsRight(w));
     mdt_forgottenCheck(w, (double)h);
     mdt_breakBegin(w);
     mdt_worldStep(w, (double)h, stopAtSafeTime);
     mdt_breakEnd(w);
+    MEVALIDATE(areCountsRight(w));
     MeStageEnd(&w->stage, MDT_GUARD_WORLD);
 }
 
