@@ -43,6 +43,7 @@ MeBool mst_materialAdd(MstBridgeRecord *b, const char *function) {
         row[i].pair.params.velThreshold *= McdFrameworkGetLengthScale(b->frame);
         row[i].known = row[i].pair.params;
     }
+    MEASSERT(b->materialCount < b->materialRoom);
     b->materials[b->materialCount++] = row;
     return METRUE;
 }
@@ -93,6 +94,7 @@ unsigned long mst_materialVersion(MstBridgeRecord *b, MstMaterialPair *pair) {
         record->seen = record->pair;
         record->version = ++b->lastVersion;
     }
+    MEASSERT(record->version <= b->lastVersion);
     return record->version;
 }
 
@@ -158,6 +160,7 @@ void MEAPI MstBridgeSetTouchCB(const MstBridgeID b, const MstMaterialID m1, cons
     if (!pair)
         return;
     ((MstBridgeRecord *)b)->events.callbacks += (cb != 0) - (pair->touchCb != 0);
+    MEASSERT(((MstBridgeRecord *)b)->events.callbacks >= 0);
     pair->touchCb = cb;
 }
 

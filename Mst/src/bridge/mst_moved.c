@@ -104,6 +104,7 @@ static void checkSomeMaterials(MstBridgeRecord *b) {
             b->nextMaterial[1] = 0;
             b->nextMaterial[0] = b->nextMaterial[0] + 1 < b->materialCount ? b->nextMaterial[0] + 1 : 0;
         }
+        MEASSERT(b->nextMaterial[0] < b->materialCount && b->nextMaterial[1] <= b->nextMaterial[0]);
         MstMaterialRecord *m = &b->materials[b->nextMaterial[0]][b->nextMaterial[1]];
         if (memcmp(&m->pair.params, &m->known, sizeof m->known) == 0)
             continue;

@@ -25,6 +25,7 @@ MeBool mst_runInit(MstRun *run, int max, const char *function) {
     enum { AVERAGE = 8 };
     if (max > INT_MAX - AVERAGE * MST_RUN)
         max = INT_MAX - AVERAGE * MST_RUN;
+    MEASSERT(max > 0);
     MstRun made = {.contactMax = max, .foundMax = max + AVERAGE * MST_RUN};
     made.contacts = MeMemoryTake((size_t)made.contactMax, sizeof *made.contacts, function, "contacts");
     if (made.contacts)
@@ -239,6 +240,7 @@ void mst_updateContacts(MstBridgeRecord *record, McdSpaceID s, MdtWorldID w) {
     const char *before = MeCallerSet("MstBridgeUpdateContacts");
     MeProfileStartSection("Collision", 0);
     if (record->substep == 0) {
+        MEASSERT(record->thawedCount == 0);
         mst_eventsBegin(record, w ? MdtWorldGetTeam(w) : 0);
         mst_guardPairs(record, record->frame, world);
         mst_applyProgramChanges(record, s);

@@ -251,6 +251,7 @@ static MstOutcome outcomeOfModels(const MstBridgeRecord *b, const McdModelPair *
 }
 
 static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p, McdSpaceID s) {
+    MEASSERT(run->pairCount < MST_RUN);
     MstFinding *f = &run->finding[run->pairCount++];
     MeU32 material[2];
     const MeU32 traits = McdModelPairGetTraits(p, material);

@@ -127,6 +127,7 @@ static void callPerContact(const MstBridgeRecord *b, MstRun *run, const McdModel
 
 /* Replaces the group's contacts by those found; returns the number for which there was room. */
 static int replaceContacts(MstBridgeRecord *b, const MstRun *run, const MstFinding *f, MdtContactGroupID group) {
+    MEASSERT(f->first >= 0 && f->first + f->count <= run->foundCount);
     return MdtContactGroupRenew(group, &run->found[f->first], f->count, b->ahead, run->made);
 }
 

@@ -91,6 +91,7 @@ static MeReal timeToSurface(McdModelID shape, McdModelID surface, McdSpaceID s, 
                               displacement, isSameModel, surface, &hit))
         return max;
     McdModelGetBSphere(shape, centre, &radius);
+    MEASSERT(hit.fraction >= 0 && hit.fraction <= 1);
     return MeMAX(hit.fraction - radius / (STOP * length), 0) * max;
 }
 
@@ -172,6 +173,7 @@ void mst_clampFastPair(MstBridgeRecord *b, const MstFinding *f, MeBool hasContac
     const MeReal time = hasContacts                     ? timeOfImpact(p, max)
                         : f->timeToTouch != MST_UNKNOWN ? f->timeToTouch
                                                         : mst_timeToTouch(b, p, s);
+    MEASSERT(time >= 0 && time <= max);
     if (isWorthClamping(b, time, max))
         clampPair(b, p, w, MeMAX(time, minSubstep(b)));
 }
@@ -230,6 +232,7 @@ static int advanceLag(MstUniverse *u, MstBridgeRecord *b, MeReal step) {
 
 void mst_stepWorld(MstUniverse *u, MeReal step) {
     MstBridgeRecord *b = (MstBridgeRecord *)u->bridge;
+    MEASSERT(b->substep == 0);
     if (b->clampedCount == 0) {
         MdtWorldAdvance(u->world, step, MEFALSE);
         return;

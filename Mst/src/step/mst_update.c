@@ -53,6 +53,7 @@ static MeBool mayUpdatePair(const MstBridgeRecord *b, const MstRun *run, const M
 void mst_carryContacts(const MstFinding *f) {
     MstTouch *t = f->pair->touch;
     t->separation = MdtContactGroupCarry(f->pair->responseData, f->hasMoved);
+    MEASSERT(t->carried < MST_CARRIES);
     t->carried++;
     recordMoveCounts(f->pair);
 }
@@ -61,6 +62,7 @@ static void renewPair(const MstBridgeRecord *b, const MstRun *run, const MstFind
     int numContacts = 0;
     if (f->count > 0)
         numContacts = MdtContactGroupRenew(f->pair->responseData, &run->found[f->first], f->count, b->ahead, run->made);
+    MEASSERT(numContacts == f->count);
     mst_touchUpdateTested(b, f->pair, numContacts, f->count, f->separation);
     mst_recordTest(f, numContacts, mst_versionSeen(f->materials));
 }

@@ -82,6 +82,7 @@ static void MEAPI findPlainPairs(void *context, int run, int worker) {
  * pair that has them. */
 static int countPlainPairs(MeTeam *team, MstBridgeRecord *b, McdModelPair *const pairs[], int count) {
     PlainSearch p = {.b = b, .pairs = pairs, .count = MeMIN(count, firstPairOf(b->runsLooked))};
+    MEASSERT(b->runsLooked > 0 && b->runsLooked <= MAX_RUNS);
     const int runs = runCountOf(p.count);
     int plain = 0;
     MeTeamRun(team, runs, findPlainPairs, &p);
@@ -91,6 +92,7 @@ static int countPlainPairs(MeTeam *team, MstBridgeRecord *b, McdModelPair *const
             McdModelPairLookAtModels(pairs[i]);
     }
     b->runsLooked = plain < p.count ? MST_MIN_RUNS : MeMIN(2 * b->runsLooked, MAX_RUNS);
+    MEASSERT(plain >= 0 && plain <= p.count);
     return plain;
 }
 

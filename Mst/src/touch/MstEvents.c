@@ -100,6 +100,7 @@ static MeReal addImpulse(MstTouch *t) {
     if (!group || MdtContactGroupGetCount(group) == 0 || !(t->lag < before))
         return 0;
     const MeReal time = MdtBodyGetPart(MdtContactGroupGetBody(group, 0));
+    MEASSERT(time >= 0);
     t->impulse += time * MdtContactGroupGetNormalForce(group);
     return time;
 }
@@ -173,6 +174,7 @@ static McdModelID liveModelOrNull(McdModelID m, MeU64 serial) {
 static void refreshEvent(MstEvents *e, int i) {
     MstEvent *event = &e->done.event[i];
     if (event->kind == MstEventBreak) {
+        MEASSERT(i >= e->firstBreak);
         event->joint = MdtWorldGetBrokenJoints(e->world, 0)[i - e->firstBreak];
         return;
     }
@@ -182,6 +184,7 @@ static void refreshEvent(MstEvents *e, int i) {
 
 static void callTouchCallbacks(MstBridgeRecord *b) {
     const MeProgramCall before = MeProgramEnter("MstBridgeSetTouchCB");
+    MEASSERT(b->events.firstBreak <= b->events.done.count);
     for (int i = 0; i < b->events.firstBreak; i++) {
         refreshEvent(&b->events, i);
         const MstEvent *event = &b->events.done.event[i];
@@ -243,6 +246,7 @@ static void MEAPI settleTouches(void *context, int first, int end, int worker) {
         prefetchTouches(e->undecided, i, end);
         if (!t)
             continue;
+        MEASSERT(t->isUndecided);
         noteContactsAfterStep(t);
         addImpulse(t);
         t->isTouching = mst_touchEvaluate(t);

@@ -123,6 +123,7 @@ static void nullEntry(MstTouch **list, int count, const MstTouch *t) {
 
 void mst_touchUnlist(MstTouch *t) {
     MstEvents *e = &t->bridge->events;
+    MEASSERT(mst_touchIsListed(e, t));
     nullEntry(e->listed, e->listedCount, t);
     nullEntry(e->undecided, e->undecidedCount, t);
     markUnlisted(t);
@@ -181,6 +182,7 @@ static void evaluateListedTouch(MstTouch *t) {
 /* Begins a touch's data of this step, with empty sums over its contacts. */
 static void beginTouch(const MstBridgeRecord *b, const McdModelPair *p, MeBool hasContacts, MeBool isSensor) {
     MstTouch *t = p->touch;
+    MEASSERT(!mst_touchIsListed(&b->events, t));
     t->wasTouching = mst_touchIsTouching(&b->events, t);
     t->listedIn = b->events.list;
     t->isUndecided = false;

@@ -200,6 +200,7 @@ static void advance(MstUniverse *u, MeReal step) {
     updateBoxes(u->space, step);
     mst_updateContacts(bridge, u->space, u->world);
     mst_stepWorld(u, step);
+    MEASSERT(bridge->substep == 0);
     MeTeamRelease(team);
     McdSpaceSetTeam(u->space, 0); /* the program may set another one until the next step */
     mst_updateEvents(bridge, u->world);
