@@ -121,6 +121,7 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
 }
 
 static void steeringRow(const MdtBclConstraint *c, const MdtBclContext *x, const Axes *a, MdtKeaRow *row) {
+    MEASSERT(c->of.wheel.rows & (STEER | LOCK));
     if (c->of.wheel.rows & LOCK) {
         bcl_dotRow(x, a->t, a->h, row);
         bcl_aimAtZero(row, x, keaDot(a->t, a->h));

@@ -39,6 +39,7 @@ static void angleRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRo
         keaScale(row->J[1].ang, 1 / sine, across);
     else
         keaCopy(row->J[1].ang, c->of.cone.normal);
+    MEASSERT(!isfinite(sine) || bcl_isUnit(row->J[1].ang)); /* a pose beyond the numbers: NaN */
     keaScale(row->J[0].ang, -1, row->J[1].ang);
 }
 
@@ -69,6 +70,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     setStop(cone);
     angleRow(c, x, &row);
     const int rows = bcl_limitPrepare(&cone->limit, x, &row, angle);
+    MEASSERT(rows >= 0 && rows <= MdtBclGETMAXROWSCONELIMIT);
     c->isDegenerate = rows > 0 && !hasPlane;
     return rows;
 }

@@ -45,6 +45,7 @@ static void setFriction(const MdtBclContactParams *params, int directions, MdtKe
     s->isCone = directions == 2 && isCone(params);
     if (s->isCone)
         s->coefficient[1] = s->coefficient[0], s->bound[1] = s->bound[0];
+    MEASSERT(s->coefficient[0] >= 0 && s->coefficient[1] >= 0 && s->bound[0] >= 0 && s->bound[1] >= 0);
     s->isOneWay = directions < 2 || (s->coefficient[1] == 0 && s->bound[1] == 0);
 }
 
@@ -61,6 +62,7 @@ void MEAPI MdtBclContactSurface(const MdtBclContactParams *params, MdtKeaSurface
         s->restitution = fmin((double)params->restitution, 1);
         s->threshold = params->velThreshold;
     }
+    MEASSERT(s->softness >= 0 && s->adhesion >= 0 && s->restitution >= 0 && s->restitution <= 1);
 }
 
 const MdtBclType bcl_contact = {.name = "Contact", .maxRows = MdtBclGETMAXROWSCONTACT};

@@ -96,6 +96,11 @@ static MeBool isWithinReach(const MdtBclLimit *limit, int side, double rate, dou
            z + 2 * h * minRate(limit, side, rate, predicted) < 0;
 }
 
+/* The number of rows that bcl_limitPrepare chose. */
+static int countRows(const MdtBclLimit *limit) {
+    return ((limit->rows & (MOTOR | LOCK)) != 0) + ((limit->rows & LOWER) != 0) + ((limit->rows & UPPER) != 0);
+}
+
 int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow *coordinate, double measured) {
     limit->rows = 0;
     if (!bcl_limitIsMeasured(limit))
@@ -117,6 +122,7 @@ int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow
             count++;
         }
     }
+    MEASSERT(count == countRows(limit));
     return count;
 }
 
@@ -154,11 +160,6 @@ static void stopRow(const MdtBclLimit *limit, int side, const MdtBclContext *x, 
     else
         bcl_makeSpring(row, row->error, limit->limit[side].stiffness,
                        row->error > 0 ? 0 : (double)limit->limit[side].damping);
-}
-
-/* The number of rows that bcl_limitPrepare has chosen. */
-static int countRows(const MdtBclLimit *limit) {
-    return ((limit->rows & (MOTOR | LOCK)) != 0) + ((limit->rows & LOWER) != 0) + ((limit->rows & UPPER) != 0);
 }
 
 void bcl_limitFill(const MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow *coordinate, MdtKeaRow rows[]) {

@@ -40,6 +40,7 @@ MeBool bcl_isFrame(const MdtBclFrame *frame) {
 void bcl_startRow(MdtKeaRow *row, const MdtBclContext *x) {
     MEASSERT(x->parameters.stepsize > 0 && x->parameters.epsilon >= 0);
     MEASSERT(x->body[0] != MdtBclNO_BODY || x->body[1] != MdtBclNO_BODY);
+    MEASSERT(x->body[0] != x->body[1]);
     memset(row, 0, sizeof *row);
     row->body[0] = x->body[0];
     row->body[1] = x->body[1];
@@ -64,6 +65,7 @@ double bcl_rate(const MdtKeaRow *row, const MdtKeaVelocity *const velocity[2]) {
 }
 
 void bcl_makeSpring(MdtKeaRow *row, double error, double stiffness, double damping) {
+    MEASSERT(!row->position && !row->spring);
     row->spring = METRUE;
     row->error = error;
     row->stiffness = fmax(stiffness, 0);
@@ -83,6 +85,7 @@ MeBool bcl_isSpring(MeReal stiffness, MeReal damping) {
 }
 
 void bcl_negate(MdtKeaRow *row) {
+    MEASSERT(!row->position);
     for (int k = 0; k < 2; k++) {
         keaScale(row->J[k].lin, -1, row->J[k].lin);
         keaScale(row->J[k].ang, -1, row->J[k].ang);
@@ -135,6 +138,7 @@ void bcl_separation(const MdtBclConstraint *c, const MdtKeaTransformation *const
 /* With d fixed in body k, the derivative of d·(P_0 - P_1) has the additional term ω_k·(d x (P_0 - P_1)). With it the
  * lever arm of body k ends at the attachment point of the other body. */
 void bcl_alongRow(const MdtBclConstraint *c, const MdtBclContext *x, const double d[3], int carrier, MdtKeaRow *row) {
+    MEASSERT(carrier >= NO_CARRIER && carrier <= 1);
     bcl_startRow(row, x);
     for (int k = 0; k < 2; k++) {
         double arm[3];

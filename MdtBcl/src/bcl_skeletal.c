@@ -146,6 +146,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
         count += bcl_limitPrepare(&s->turn, x, &row, p.tau);
     }
     c->isDegenerate = p.isOpposite || (p.isParallel && s->cone.rows && s->coneOption == MdtSkeletalConeOptionCone);
+    MEASSERT(count <= MdtBclGETMAXROWSSKELETAL);
     return count;
 }
 

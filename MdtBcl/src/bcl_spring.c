@@ -79,6 +79,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     distanceRow(c, x, &row);
     s->kind = kindOf(&s->limit);
     const int count = bcl_limitPrepare(&s->limit, x, &row, s->length);
+    MEASSERT(count >= 0 && count <= 2);
     return s->kind == MdtBclDistanceLimits ? count : 1;
 }
 
