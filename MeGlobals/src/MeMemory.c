@@ -1,6 +1,7 @@
 /* The default memory functions, and calls of those that are set. */
 #include "MeMemory_i.h"
 
+#include "MeAssert.h"
 #include "MeInternal.h"
 #include "MeMessage.h"
 #include <stdint.h>
@@ -100,6 +101,7 @@ MeBool MEAPI MeMemoryGrow(void *block, size_t used, size_t count, size_t size, c
     void *old, *const larger = MeMemoryTake(count, size, function, what);
     if (larger == NULL)
         return MEFALSE;
+    MEASSERT(used <= count);
     memcpy(&old, block, sizeof old); /* copied as bytes, as the pointer may be of any type */
     if (old != NULL && used > 0)
         memcpy(larger, old, used * size);
@@ -115,6 +117,7 @@ void MEAPI MeMemoryGive(void *block) {
 
 void *MEAPI MeMemoryTakeAligned(size_t count, size_t size, unsigned int alignment, const char *function,
                                 const char *what) {
+    MEASSERT(alignment > 0 && (alignment & (alignment - 1)) == 0);
     const size_t bytes = bytesOf(count, size);
     void *const block = bytes > 0 ? callCreateAligned(bytes, alignment) : NULL;
     return reportIfNoMemory(block, count, size, function, what);

@@ -1,6 +1,7 @@
 /* Printing of the profile's results. */
 #include "MeProfile_i.h"
 
+#include "MeAssert.h"
 #include "MeMath.h"
 #include "MeMessage.h"
 
@@ -27,6 +28,7 @@ double me_milliseconds(uint64_t nanoseconds) {
 }
 
 static void printName(FILE *file, const MeSection *s) {
+    MEASSERT(s->depth >= 1);
     const int indent = 2 * (s->depth - 1);
     fprintf(file, "%*s%-*s", indent, "", MeMAX(NAME_WIDTH - indent, 0), s->name);
 }
@@ -55,6 +57,7 @@ static void printTotals(FILE *file) {
 
 static void printEvents(FILE *file) {
     fprintf(file, "%8s %12s %12s  %s\n", "frame", "begin ms", "ms", "section");
+    MEASSERT(me_profile.numEvents <= me_profile.maxEvents);
     for (int i = 0; i < me_profile.numEvents; i++) {
         const MeEvent *const e = &me_profile.events[i];
         fprintf(file, "%8d %12.4f %12.4f  %*s%s\n", e->frame, me_milliseconds(e->start), me_milliseconds(e->duration),

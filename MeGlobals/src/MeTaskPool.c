@@ -44,6 +44,7 @@ struct MeTaskPool {
 /* ---- the queue, with the lock held ---- */
 
 static void appendTask(MeTaskPoolID p, Task *task) {
+    MEASSERT((p->first == NULL) == (atomic_load_explicit(&p->queued, memory_order_relaxed) == 0));
     task->state = TASK_QUEUED;
     task->next = NULL;
     if (p->first)
@@ -58,6 +59,7 @@ static Task *popFirst(MeTaskPoolID p) {
     Task *task = p->first;
     if (!task)
         return NULL;
+    MEASSERT(task->state == TASK_QUEUED);
     p->first = task->next;
     task->state = TASK_RUNNING;
     atomic_fetch_sub_explicit(&p->queued, 1, memory_order_relaxed);
@@ -65,6 +67,7 @@ static Task *popFirst(MeTaskPoolID p) {
 }
 
 static void runTask(MeTaskPoolID p, Task *task) {
+    MEASSERT(task->state == TASK_RUNNING);
     pthread_mutex_unlock(&p->lock);
     task->call(task->context);
     pthread_mutex_lock(&p->lock);
@@ -107,6 +110,7 @@ static void endThreads(MeTaskPoolID p) {
 
 static void freePool(MeTaskPoolID p) {
     MEASSERT(!p->first);
+    MEASSERT(p->numUnfinished == 0);
     while (p->free) {
         Task *task = p->free;
         p->free = task->next;
@@ -225,6 +229,7 @@ void MEAPI MeTaskPoolFinish(void *userTask, void *pool) {
             pthread_cond_wait(&p->taskDone, &p->lock);
     }
     task->state = TASK_FREE;
+    MEASSERT(p->numUnfinished > 0);
     p->numUnfinished--;
     task->next = p->free;
     p->free = task;

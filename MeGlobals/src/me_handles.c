@@ -1,6 +1,7 @@
 /* The table of live objects: buckets by address, each with its own spin lock. */
 #include "MeInternal.h"
 
+#include "MeAssert.h"
 #include <stdatomic.h>
 #include <stdint.h>
 
@@ -22,11 +23,13 @@ static Bucket *lockedBucket(const void *object) {
 }
 
 static void unlock(Bucket *b) {
+    MEASSERT(atomic_load_explicit(&b->isLocked, memory_order_relaxed));
     atomic_store_explicit(&b->isLocked, 0, memory_order_release);
 }
 
 void MEAPI MeHandleEnter(MeHandle *handle, const void *object, unsigned int kind) {
     Bucket *const b = lockedBucket(object);
+    MEASSERT(object != NULL);
     handle->object = object;
     handle->kind = kind;
     handle->next = b->first;

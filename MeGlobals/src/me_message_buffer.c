@@ -1,5 +1,6 @@
 /* Buffered messages (MeInternal.h). */
 #include "MeInternal.h"
+#include "MeAssert.h"
 #include "MeMessage_i.h"
 #include <stdio.h>
 #include <string.h>
@@ -32,6 +33,7 @@ MeBool me_messageBuffer(MeSender sender, int level, const char *format, va_list 
         return MEFALSE;
     *m = (MeBufferedMessage){.sender = sender, .level = level, .key = buffered->key};
     vsnprintf(m->text, sizeof m->text, format, ap);
+    MEASSERT((buffered->first == NULL) == (buffered->last == NULL));
     if (buffered->last)
         buffered->last->next = m;
     else
@@ -62,6 +64,7 @@ static void sortByKey(MeMessageBuffer *buffered) {
         if (!m->next)
             last = m;
     }
+    MEASSERT((sorted == NULL) == (last == NULL));
     buffered->first = sorted;
     buffered->last = last;
 }

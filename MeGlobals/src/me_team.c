@@ -67,6 +67,7 @@ struct MeTeam {
 };
 
 static MeU64 packClaim(MeU64 number, int items, int next) {
+    MEASSERT(items >= 0 && items < 1 << ITEM_BITS && next >= 0 && next < 1 << ITEM_BITS);
     return number << 2 * ITEM_BITS | (MeU64)items << ITEM_BITS | (MeU64)next;
 }
 
@@ -175,6 +176,7 @@ static void stopClock(MeTeam *t, int worker, MeU64 start) {
 
 /* The first item of a worker's share; for share = size, the number of items. */
 static int firstItemOf(const MeTeam *t, int share) {
+    MEASSERT(share >= 0 && share <= t->size);
     return (int)((long)t->loop.items * share / t->size);
 }
 
@@ -234,6 +236,7 @@ static MeBool makePipeItem(MeTeam *t, int worker) {
     if (item < 0)
         return MEFALSE;
     const int ahead = itemCountOf(atomic_load_explicit(&t->used.claim, memory_order_relaxed));
+    MEASSERT(ahead >= 1 && ahead <= MAX_AHEAD);
     MeMessageBuffer *const before = MeMessagesBuffer(&t->messages[item % ahead]);
     t->loop.work(t->loop.context, item, worker);
     notifyObserver(t, MeTeamItemDone, item, 0);
@@ -283,6 +286,7 @@ static void MEAPI runWorkerTask(void *context) {
     if (t->opener == &threadMark)
         return;
     fegetenv(&before);
+    MEASSERT(w->index >= 1 && w->index < t->size);
     fesetenv(&t->arithmetic);
     const char *callerBefore = MeCallerSet(NULL);
     MeCallerSet(t->caller);
@@ -314,6 +318,7 @@ static void finishTask(MeTeam *t, int worker) {
 }
 
 static void enqueueWorkers(MeTeam *t) {
+    MEASSERT(!t->hasTasks);
     t->opener = &threadMark;
     t->caller = MeCallerName(NULL);
     fegetenv(&t->arithmetic);
@@ -324,6 +329,7 @@ static void enqueueWorkers(MeTeam *t) {
 }
 
 static void finishWorkers(MeTeam *t) {
+    MEASSERT(t->hasTasks);
     advanceLoopNumber(t, 1);
     for (int i = 1; i < t->size; i++) {
         if (t->worker[i].task)
@@ -414,6 +420,7 @@ void MEAPI MeTeamRun(MeTeam *t, int items, MeTeamWork work, void *context) {
     runLoop(t, 0);
     for (int spins = 0; atomic_load_explicit(&t->done, memory_order_acquire) < items;)
         spinOrYield(&spins);
+    MEASSERT(atomic_load_explicit(&t->done, memory_order_relaxed) == items);
     t->isRunning = MEFALSE;
     sendMessages(t);
     notifyObserver(t, MeTeamLoopEnds, items, 0);
@@ -433,6 +440,7 @@ static void MEAPI runRange(void *context, int item, int worker) {
 
 void MEAPI MeTeamRunRanges(MeTeam *t, int count, int size, MeTeamRangeWork work, void *context) {
     MEASSERT(size >= 1);
+    MEASSERT(count >= 0);
     Ranges ranges = {work, context, count, size};
     MeTeamRun(t, count / size + (count % size > 0), runRange, &ranges);
 }

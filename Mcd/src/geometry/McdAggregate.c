@@ -100,6 +100,7 @@ void MEAPI McdAggregateRemoveElement(McdAggregateID id, int i) {
         return;
     McdGeometryDecrementReferenceCount(element->geometry);
     a->count--;
+    MEASSERT(i <= a->count && a->count < a->max);
     memmove(&a->element[i], &a->element[i + 1], (size_t)(a->count - i) * sizeof *a->element);
 }
 
@@ -139,6 +140,7 @@ static void forEachChild(McdGeometryInstance *ins, const MeMatrix4Ptr finalTM, C
         McdGeometryInstance made;
         const int number = ins->model ? child->element : i;
         MeMatrix4 tm, end;
+        MEASSERT(number >= 0 && number < a->count);
         if (!ins->model) {
             memset(&made, 0, sizeof made);
             made.geometry = a->element[i].geometry;

@@ -23,6 +23,7 @@ static MeBool isBox(const MeReal *min, const MeReal *max) {
 
 /* Allocates the array that the callback fills; false if there is no memory. */
 static MeBool reserveTriangles(McdTriangleListRecord *list, int count) {
+    MEASSERT(count >= 1);
     /* zeroed, for callbacks that do not set triangleData */
     McdUserTriangle *generated =
         MeMemoryTakeZeroed((size_t)count, sizeof *generated, "McdTriangleListCreate", "triangles");
@@ -200,6 +201,7 @@ static MeBool acquireArray(McdTriangleListRecord *list, McdScratch *scratch, Gen
 }
 
 static void releaseArray(McdTriangleListRecord *list, const Generated *generated) {
+    MEASSERT(!generated->isOwn || atomic_load_explicit(&list->isInUse, memory_order_relaxed));
     if (generated->isOwn)
         atomic_store_explicit(&list->isInUse, 0, memory_order_release);
     else if (generated->triangle) /* zeros for the next callback, which need not set all members */
@@ -277,6 +279,7 @@ MCD_MESH_INTERACTIONS(TriangleList, intersect)
  * there; above 1: no hit. */
 static double firstHit(const Generated *generated, const double from[3], const double to[3], double normal[3]) {
     double min = 2;
+    MEASSERT(generated->count >= 0 && generated->count <= generated->room);
     for (int i = 0; i < generated->count; i++) {
         double corner[3][3], own[3], given[3], fraction, hit[3];
         const McdUserTriangle *t = &generated->triangle[i];

@@ -29,6 +29,7 @@ static void setFilter(McdModelRecord *m, McdFilter filter) {
 static void setUpdate(McdModelRecord *m, McdModelUpdateFnPtr f) {
     m->frame->updateCallbacks += (f != 0) - (m->update != 0);
     m->update = f;
+    MEASSERT(m->frame->updateCallbacks >= 0);
 }
 
 /* Resets everything except the geometry, the space and the entry in the framework's list. */
@@ -95,6 +96,7 @@ static void recordToPool(McdModelRecord *m) {
 
 /* Makes g the geometry of a model that has none. False, with a message, if the pool has too few child instances. */
 static MeBool acquireGeometry(McdModelRecord *m, McdGeometryID g, const char *function) {
+    MEASSERT(!m->instance.geometry && !m->instance.firstChild);
     m->instance.geometry = g;
     m->instance.model = &m->model;
     if (!mcd_instanceMakeChildren(m->frame, &m->instance, function)) {
@@ -133,6 +135,7 @@ McdModelID MEAPI McdModelCreate(McdGeometryID g) {
 static void freeRelative(McdModelRecord *m) {
     if (!m->ownsRelative)
         return;
+    MEASSERT(m->relTM && m->instance.tm);
     MeMemoryGive(m->relTM);
     MeMemoryGive(m->instance.tm);
     m->instance.tm = 0;
@@ -158,6 +161,7 @@ static void destroyModel(McdModelRecord *m) {
 /* Within a stage, since the space may call functions of the program for the model's pairs. */
 void mcd_modelDestroy(McdModelRecord *m) {
     McdFramework *frame = m->frame;
+    MEASSERT(!m->standsFor);
     m->isCondemned = m->isGone = true;
     MeStageBegin(&frame->stage, MCD_GUARD_MODELS);
     destroyModel(m);
@@ -276,6 +280,7 @@ void mcd_standInEnd(McdModelID cm, McdGeometryInstance *child) {
     McdModelRecord *m = mcd_record(cm);
     if (cm == child->model)
         return;
+    MEASSERT(m->standsFor == child->model);
     MeHandleLeave(&m->handle);
     mcd_instanceLeave(&m->instance);
 }

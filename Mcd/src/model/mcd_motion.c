@@ -208,6 +208,7 @@ int MEAPI mcd_safeTimePlane(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *
         }
         const double closing = closingSpeed(&a, plane, origin, n, (double)maxTime);
         time = closing > 0 ? MeMIN(time + height / closing, (double)maxTime) : (double)maxTime;
+        MEASSERT(!(time > (double)maxTime));
     }
     reportTouch(result, time, METRUE, n, at, origin);
     return 1;

@@ -131,6 +131,7 @@ static MeBool isListGood(McdModelPairManager *manager) {
 }
 
 static void appendRecord(McdModelPairManager *manager, Record *r) {
+    MEASSERT(manager->used < manager->size);
     r->before = manager->last;
     r->after = NULL;
     *(manager->last ? &manager->last->after : &manager->first) = r;
@@ -162,6 +163,7 @@ MeBool MEAPI McdModelPairManagerActivate(McdModelPairManagerID manager, McdModel
     r->pair.model1 = model1;
     r->pair.model2 = model2;
     r->pair.phase = kMcdFFStateHello;
+    MEASSERT(*place == NULL);
     *place = r;
     appendRecord(manager, r);
     return METRUE;

@@ -49,6 +49,7 @@ class Balancing {
     Node *make(std::size_t first, std::size_t last) {
         if (last - first == 1)
             return leaf[first];
+        MEASSERT(used < inner.size());
         Node *n = inner[used++];
         n->bv = leaf[first]->bv;
         for (std::size_t i = first + 1; i < last; i++)
@@ -77,7 +78,9 @@ class Balancing {
         for (std::size_t i = 0; i < inner.size(); i++)
             for (Node *child : inner[i]->children)
                 (child->isLeaf() ? leaf : inner).push_back(child);
+        MEASSERT(leaf.size() == inner.size() + 1);
         make(0, leaf.size()); /* uses inner nodes in their order, so the root stays the root */
+        MEASSERT(used == inner.size());
     }
 };
 
@@ -185,7 +188,9 @@ struct Cast {
     void walk(const Node *n) {
         while (overlaps(n->bv.min_.data(), n->bv.max_.data(), from, by, half, fraction)) {
             if (n->isLeaf()) {
-                fraction = visit(context, itemOf(n), fraction);
+                const double last = fraction;
+                fraction = visit(context, itemOf(n), last);
+                MEASSERT(!(fraction > last)); /* nothing is cast farther than it may go */
                 return;
             }
             const int near = along(n->children[1]) < along(n->children[0]);
@@ -210,6 +215,7 @@ void mcd_treeDestroy(McdTree *tree) {
 }
 
 McdTreeLeaf *mcd_treeInsert(McdTree *tree, const McdTreeBox *box, int item) {
+    MEASSERT(item >= 0);
     try {
         Node *leaf = tree->nodes.insert(boxOf(*box), reinterpret_cast<void *>(static_cast<std::intptr_t>(item)));
         checkDepth(*tree, leaf);
@@ -221,6 +227,7 @@ McdTreeLeaf *mcd_treeInsert(McdTree *tree, const McdTreeBox *box, int item) {
 
 void mcd_treeMove(McdTree *tree, McdTreeLeaf *leaf, const McdTreeBox *box) {
     Node *node = nodeOf(leaf);
+    MEASSERT(node->isLeaf());
     node->bv = boxOf(*box);
     try {
         tree->nodes.update(node); /* removes and reinserts the leaf, reusing its parent: no allocation */
@@ -230,6 +237,7 @@ void mcd_treeMove(McdTree *tree, McdTreeLeaf *leaf, const McdTreeBox *box) {
 }
 
 void mcd_treeRemove(McdTree *tree, McdTreeLeaf *leaf) {
+    MEASSERT(nodeOf(leaf)->isLeaf());
     tree->nodes.remove(nodeOf(leaf));
 }
 

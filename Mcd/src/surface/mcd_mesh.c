@@ -148,6 +148,7 @@ static void boundByBall(McdMeshQuery *q) {
     for (int i = 0; i < 3; i++)
         q->ball[i] = mcd_dot(offset, q->axis[i]);
     q->ballRadius = (isOriginBetter ? q->shape.extent : q->radius) + q->margin;
+    MEASSERT(!(q->ballRadius < q->margin));
 }
 
 /* For checks: whether the ball, in the mesh's frame, contains the shape's support points along the axes of both
@@ -182,6 +183,7 @@ static void findDisplacement(McdMeshQuery *q) {
     const double length = mcd_length(q->displacement);
     if (length > q->margin)
         mcd_scale(q->displacement, q->displacement, q->margin / length);
+    MEASSERT(!(mcd_length(q->displacement) > q->margin * (1 + 1e-9)));
 }
 
 /* ---- the query --------------------------------------------------------------------------------------------------- */
@@ -205,6 +207,7 @@ static MeBool beginQuery(McdMeshQuery *q, McdModelPair *p) {
     q->pair = p;
     q->margin = mcd_pairMargin(p);
     findDisplacement(q);
+    MEASSERT(!(q->margin < 0));
     if (!placeQuery(q, &mcd_record(p->model1)->instance, &mcd_record(p->model2)->instance))
         return MEFALSE;
     boundAlongShape(q);
@@ -217,6 +220,7 @@ static void gatherTriangles(McdMeshQuery *q, McdMeshGather gather) {
     McdMesh *mesh = q->mesh;
     mesh->count = mesh->contactCount = mesh->skipped = mesh->vertexCount = 0;
     gather(q);
+    MEASSERT(q->mesh->count <= q->mesh->max && q->mesh->contactCount == 0);
     if (mesh->skipped)
         MeDebug(3, "McdIntersect: %d triangles without area were skipped", mesh->skipped);
 }

@@ -17,6 +17,7 @@ static void appendPoint(McdPolygon *p, const double point[3], MeU32 name, MeBool
 void mcd_polygonFace(const McdShape *shape, const double direction[3], McdPolygon *p) {
     McdFace face;
     mcd_faceToward(shape, direction, &face);
+    MEASSERT(face.count >= 0 && face.count <= MCD_FACE_POINTS);
     p->count = 0;
     for (int i = 0; i < face.count; i++)
         appendPoint(p, face.point[i], mcd_meshHash(face.id, face.name[i]), MEFALSE);
@@ -101,6 +102,7 @@ void mcd_meshAddContact(McdMeshQuery *q, const McdMeshTriangle *t, const double 
         return; /* coordinates near the largest number may overflow */
     if (!mcd_meshReserveContacts(mesh, mesh->contactCount + 1))
         return;
+    MEASSERT(t >= mesh->triangle && t < mesh->triangle + mesh->count);
     McdMeshContact *c = &mesh->contact[mesh->contactCount++];
     MEASSERT(mesh->contactCount <= mesh->contactMax);
     MEASSERT(separation <= q->margin + MCD_MESH_OVERLAP * q->shape.extent);

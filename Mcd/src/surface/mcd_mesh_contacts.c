@@ -117,6 +117,7 @@ static void classifyTriangle(McdMeshQuery *q, McdMeshTriangle *t) {
         t->facing = !mcd_meshHasOnlyFaceNormal(q, t) ? 0 : low + high < 0 ? -1 : 1;
     else
         t->facing = heightOfCentre(q, t) >= 0 && mcd_meshHasOnlyFaceNormal(q, t);
+    MEASSERT(t->facing >= 0 || t->flags & kMcdTriangleTwoSided);
 }
 
 /* ---- all triangles in one plane
@@ -171,6 +172,7 @@ static MeBool addPlaneContacts(McdMeshQuery *q) {
     double face[3], back[3], min = INFINITY;
     if (!t)
         return MEFALSE;
+    MEASSERT(t->isPending && t->facing != 0);
     mcd_scale(face, t->normal, t->facing);
     mcd_scale(back, face, -1);
     mcd_polygonFace(&q->shape, back, &p);
@@ -216,6 +218,7 @@ static MeBool addFaceContacts(McdMeshQuery *q, const McdMeshTriangle *t) {
     const double overlap = MCD_MESH_OVERLAP * q->shape.extent;
     double face[3], entry[3], in, out;
     McdManifold m;
+    MEASSERT(t->facing == 1 || t->facing == -1);
     mcd_scale(face, t->normal, t->facing);
     mcd_meshAddClipped(q, t, face, MCD_MESH_OVERLAP);
     for (int i = first; i < q->mesh->contactCount; i++) {
@@ -238,6 +241,7 @@ static void pointBeyondBorder(const McdMeshTriangle *t, const McdManifold *m, do
                               double at[3]) {
     const McdManifoldPoint *deepest = &m->point[0];
     double border = -INFINITY;
+    MEASSERT(m->count >= 1);
     for (int i = 1; i < m->count; i++)
         if (m->point[i].separation < deepest->separation)
             deepest = &m->point[i];
@@ -281,6 +285,7 @@ static MeBool continuesBeyond(const McdMeshQuery *q, const McdMeshTriangle *t, c
 static void addManifold(McdMeshQuery *q, const McdMeshTriangle *t, const McdManifold *m) {
     const int mask = mcd_meshFarthestCorners(t, m->normal);
     MeU32 feature = 0;
+    MEASSERT(m->count >= 1 && m->count <= MCD_MANIFOLD_POINTS);
     for (int i = 0; i < 3; i++)
         if (mask & 1 << i)
             feature += t->key[i];
@@ -302,6 +307,7 @@ static double contactSideOf(const McdMeshTriangle *t, double cosine, double cent
 static MeBool addSearchedContacts(McdMeshQuery *q, McdMeshTriangle *t) {
     McdManifold m;
     double face[3];
+    MEASSERT(!t->facing);
     if (t->isBelow) {
         t->facing = 1;
         return mcd_meshAddClipped(q, t, t->normal, MCD_MESH_OVERLAP);
@@ -366,6 +372,7 @@ static MeBool isSegmentCovered(const McdMeshQuery *q, const McdMeshTriangle *t, 
             covered = fmax(covered, out);
         }
     }
+    MEASSERT(covered >= 0 && covered <= 1);
     return MEFALSE;
 }
 
@@ -402,6 +409,7 @@ static void addCoplanarContacts(McdMeshQuery *q, const McdMeshTriangle *t) {
             isSegmentCovered(q, t, face, foot, entry))
             mesh->contact[count++] = *c;
     }
+    MEASSERT(count >= first && count <= mesh->contactCount);
     mesh->contactCount = count;
 }
 
@@ -433,6 +441,7 @@ static void recoverFromBehind(McdMeshQuery *q) {
 
 void mcd_meshFindContacts(McdMeshQuery *q) {
     McdMesh *mesh = q->mesh;
+    MEASSERT(mesh->contactCount == 0);
     for (int i = 0; i < mesh->count; i++)
         classifyTriangle(q, &mesh->triangle[i]);
     if (!addPlaneContacts(q)) {

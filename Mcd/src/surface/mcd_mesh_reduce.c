@@ -48,6 +48,14 @@ static void siftDown(const McdMesh *mesh, int *index, int root, int end) {
     }
 }
 
+/* For checks. */
+static MeBool areContactsSorted(const McdMesh *mesh, int count) {
+    for (int i = 1; i < count; i++)
+        if (compareContacts(mesh, mesh->contactOrder[i - 1], mesh->contactOrder[i]) >= 0)
+            return MEFALSE;
+    return METRUE;
+}
+
 /* Sorts contactOrder by heapsort: in place, since qsort may allocate. */
 static void sortContacts(McdMesh *mesh, int count) {
     int *index = mesh->contactOrder;
@@ -61,6 +69,7 @@ static void sortContacts(McdMesh *mesh, int count) {
         index[end] = swap;
         siftDown(mesh, index, 0, end);
     }
+    MEVALIDATE(areContactsSorted(mesh, count));
 }
 
 /* ---- manifolds --------------------------------------------------------------------------------------------------- */
@@ -98,6 +107,7 @@ static int keepSpread(McdMesh *mesh, McdMeshContact *contact, int count, int max
         spot[i].separation = contact[i].separation;
     }
     const int keptCount = mcd_spread(spot, count, maxCount, same, mesh->kept);
+    MEASSERT(keptCount >= 0 && keptCount <= MeMIN(count, maxCount));
     for (int i = 0; i < keptCount; i++) {
         MEASSERT(mesh->kept[i] >= i); /* ascending: nothing is overwritten before it is copied */
         contact[i] = contact[mesh->kept[i]];

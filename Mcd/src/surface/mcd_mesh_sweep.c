@@ -136,6 +136,7 @@ static void addContactAhead(McdMeshQuery *q) {
     }
     if (!first)
         return;
+    MEASSERT(soonest >= 0 && soonest <= 1 && gap >= 0);
     mcd_mad(at, q->shape.place, -(q->shape.rounding + gap / 2), first->normal);
     mcd_meshAddContact(q, first, at, first->normal, gap, 0, MEFALSE);
 }

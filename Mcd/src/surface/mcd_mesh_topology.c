@@ -20,6 +20,7 @@ static int numberCorners(McdMesh *mesh) {
     int slots = 1, vertexCount = 0;
     while (slots < 6 * mesh->count)
         slots *= 2;
+    MEASSERT(slots <= 12 * mesh->max);
     for (int i = 0; i < slots; i++)
         mesh->slot[i] = -1;
     for (int corner = 0; corner < 3 * mesh->count; corner++) {
