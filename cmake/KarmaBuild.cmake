@@ -27,6 +27,9 @@ endif()
 #       Debug          1                              1
 #       RelWithDebInfo 0                              1
 #       any other      0                              0
+#
+# Of the assertions there are two levels. Those that cost more than what they check (MEVALIDATE) are on where KARMA_VALIDATE
+# says so too: ON, OFF, or AUTO, the default, in Debug.
 string(TOUPPER "${KARMA_CHECK}" check)
 if(check STREQUAL AUTO)
   set(checks $<CONFIG:Debug>)
@@ -39,6 +42,17 @@ elseif(check MATCHES "^(OFF|FALSE|NO|0)$")
   set(assertions 0)
 else()
   message(FATAL_ERROR "KARMA_CHECK is '${KARMA_CHECK}': it must be AUTO, ON or OFF")
+endif()
+
+string(TOUPPER "${KARMA_VALIDATE}" validate)
+if(validate STREQUAL AUTO)
+  set(validations $<CONFIG:Debug>)
+elseif(validate MATCHES "^(ON|TRUE|YES|1)$")
+  set(validations 1)
+elseif(validate MATCHES "^(OFF|FALSE|NO|0)$")
+  set(validations 0)
+else()
+  message(FATAL_ERROR "KARMA_VALIDATE is '${KARMA_VALIDATE}': it must be AUTO, ON or OFF")
 endif()
 
 set(CMAKE_C_STANDARD 11)
@@ -74,10 +88,8 @@ endif()
 if(KARMA_WERROR)
   target_compile_options(karma_settings INTERFACE -Werror)
 endif()
-target_compile_definitions(karma_settings INTERFACE KARMA_CHECK=${checks} KARMA_ASSERT=${assertions})
-if(KARMA_VALIDATE)
-  target_compile_definitions(karma_settings INTERFACE KARMA_VALIDATE=1)
-endif()
+target_compile_definitions(karma_settings INTERFACE KARMA_CHECK=${checks} KARMA_ASSERT=${assertions}
+  KARMA_VALIDATE=${validations})
 if(KARMA_SANITIZE)
   target_compile_options(karma_settings INTERFACE
     -fsanitize=${KARMA_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)

@@ -6,7 +6,8 @@
  *  not define KARMA_ASSERT, they are on unless NDEBUG is defined, as for assert(). When off, nothing is evaluated. The
  *  check of an assertion costs no more than the operation that it checks.
  *
- *  MEVALIDATE is for checks that cost more, such as walking a list: they are on only if KARMA_VALIDATE is defined, too.
+ *  MEVALIDATE is for checks that cost more, such as walking a list: they are on in Debug builds alone, or where CMake's
+ *  KARMA_VALIDATE is ON; in programs, where KARMA_VALIDATE is defined as 1.
  */
 #ifndef MEASSERT_H
 #define MEASSERT_H
@@ -29,13 +30,17 @@
 #define MEASSERT(P) ((void)(0 && (P))) /* names P: avoids warnings of unused variables */
 #endif
 
-#if ME_ASSERT_ENABLED && defined(KARMA_VALIDATE)
-#define ME_VALIDATE_ENABLED 1
+#if defined(KARMA_VALIDATE)
+#define ME_VALIDATE_ENABLED (ME_ASSERT_ENABLED && KARMA_VALIDATE)
+#else
+#define ME_VALIDATE_ENABLED 0
+#endif
+
+#if ME_VALIDATE_ENABLED
 /** MEASSERT of a condition that is expensive to evaluate. */
 #define MEVALIDATE(P) MEASSERT(P)
 #else
-#define ME_VALIDATE_ENABLED 0
-#define MEVALIDATE(P)       ((void)(0 && (P)))
+#define MEVALIDATE(P) ((void)(0 && (P)))
 #endif
 
 /** MEASSERT that the pointer @a P is a multiple of @a A bytes. */

@@ -6,7 +6,8 @@ usage: check_build_types.py SOURCE
 Configures Karma for each build type, by itself, with several configurations in one tree, and as part of another
 project, and preprocesses one line with the flags of one of its files: cheap assertions (MEASSERT) are on in Debug and
 RelWithDebInfo, checks of handles (KARMA_CHECK) in Debug, neither in Release, MinSizeRel and where no type is given;
-KARMA_CHECK=ON and OFF decide both. The presets of CI say ON, those of what is shipped or timed OFF. Nothing of it
+KARMA_CHECK=ON and OFF decide both. Costly assertions (MEVALIDATE) are on in Debug, and where KARMA_VALIDATE=ON, but never
+without the cheap ones. The presets of CI say ON, those of what is shipped or timed OFF. Nothing of it
 reaches who uses Karma.
 """
 import json
@@ -21,12 +22,13 @@ import tempfile
 QUICK = ['-DKARMA_VIEWER=OFF', '-DKARMA_TESTS=OFF', '-DKARMA_MPI=OFF']
 MACROS = re.compile(r'KARMA_CHECK|KARMA_ASSERT|KARMA_VALIDATE|ME_ASSERT_ENABLED|ME_VALIDATE_ENABLED|NDEBUG')
 NOTE = 'no build type is given'
-NEITHER, ASSERTIONS, BOTH = (False, False), (False, True), (True, True)  # handles, assertions
+# handles are looked up, assertions, costly ones
+NEITHER, ASSERTIONS, BOTH, ALL = (False, False, False), (False, True, False), (True, True, False), (True, True, True)
 
 # Options of a configuration, and what is on.
 ALONE = [
-    (['-DCMAKE_BUILD_TYPE=Debug'], BOTH),
-    (['-DCMAKE_BUILD_TYPE=debug'], BOTH),
+    (['-DCMAKE_BUILD_TYPE=Debug'], ALL),
+    (['-DCMAKE_BUILD_TYPE=debug'], ALL),
     (['-DCMAKE_BUILD_TYPE=RelWithDebInfo'], ASSERTIONS),
     (['-DCMAKE_BUILD_TYPE=Release'], NEITHER),
     (['-DCMAKE_BUILD_TYPE=MinSizeRel'], NEITHER),
@@ -35,9 +37,12 @@ ALONE = [
     (['-DCMAKE_BUILD_TYPE='], NEITHER),
     (['-DCMAKE_BUILD_TYPE=Release', '-DKARMA_CHECK=ON'], BOTH),
     (['-DCMAKE_BUILD_TYPE=Debug', '-DKARMA_CHECK=OFF'], NEITHER),
-    (['-DCMAKE_BUILD_TYPE=Debug', '-DKARMA_CHECK=auto'], BOTH)]
+    (['-DCMAKE_BUILD_TYPE=Debug', '-DKARMA_CHECK=auto'], ALL),
+    (['-DCMAKE_BUILD_TYPE=Debug', '-DKARMA_CHECK=ON', '-DKARMA_VALIDATE=OFF'], BOTH),
+    (['-DCMAKE_BUILD_TYPE=Release', '-DKARMA_CHECK=ON', '-DKARMA_VALIDATE=ON'], ALL),
+    (['-DCMAKE_BUILD_TYPE=Release', '-DKARMA_VALIDATE=ON'], NEITHER)]
 PRESETS = {'ON': ['asan', 'ci', 'ci-double', 'dev', 'tsan'], 'OFF': ['asan-release', 'bench', 'double', 'release']}
-CONFIGURATIONS = {'Debug': BOTH, 'RelWithDebInfo': ASSERTIONS, 'Release': NEITHER, 'MinSizeRel': NEITHER}
+CONFIGURATIONS = {'Debug': ALL, 'RelWithDebInfo': ASSERTIONS, 'Release': NEITHER, 'MinSizeRel': NEITHER}
 
 PROGRAM = '''cmake_minimum_required(VERSION 3.22)
 project(game C CXX)
@@ -61,19 +66,19 @@ def command_of(build, file, configuration=''):
 
 
 def what_is_on(command, scratch):
-    """(handles are looked up, assertions are on) with these options."""
+    """(handles are looked up, assertions are on, costly ones are) with these options."""
     line = scratch / 'line.c'
-    line.write_text('#include "MeAssert.h"\nhandles: KARMA_CHECK assertions: MEASSERT(x)\n')
+    line.write_text('#include "MeAssert.h"\nhandles: KARMA_CHECK assertions: MEASSERT(x) costly: MEVALIDATE(x)\n')
     options = [word for word in command[1:command.index('-o')] if word.startswith(('-D', '-I'))]
     done = subprocess.run([command[0], *options, '-E', '-P', line], capture_output=True, text=True, check=True)
-    handles, assertions = re.search(r'handles: (\S+) assertions: (.*)', done.stdout, re.DOTALL).groups()
-    return handles == '1', 'MeFatalError' in assertions
+    handles, *asserted = re.search(r'handles: (\S+) assertions: (.*) costly: (.*)', done.stdout, re.DOTALL).groups()
+    return handles == '1', *('MeFatalError' in text for text in asserted)
 
 
 def alone(source, scratch):
     build = scratch / 'alone'
     for options, expected in ALONE:
-        done = configure(source, build, *QUICK, '-DKARMA_CHECK=AUTO', *options)
+        done = configure(source, build, *QUICK, '-DKARMA_CHECK=AUTO', '-DKARMA_VALIDATE=AUTO', *options)
         if done.returncode:
             yield f'{options}: {done.stderr}'
             continue
@@ -112,7 +117,7 @@ def as_part(source, scratch):
     game.mkdir()
     (game / 'CMakeLists.txt').write_text(PROGRAM.format(source=source))
     (game / 'game.c').write_text('int main(void) { return 0; }\n')
-    for kind, expected in ('', NEITHER), ('Debug', BOTH), ('RelWithDebInfo', ASSERTIONS), ('Release', NEITHER):
+    for kind, expected in ('', NEITHER), ('Debug', ALL), ('RelWithDebInfo', ASSERTIONS), ('Release', NEITHER):
         done = configure(game, build, *QUICK, f'-DCMAKE_BUILD_TYPE={kind}')
         if done.returncode:
             yield f'as part of another project: {done.stderr}'
