@@ -7,6 +7,7 @@ static const double mass = 2, arm = .5, halfAngle = .5, pi = 3.14159265358979323
 typedef struct {
     MdtWorldID world;
     MdtBodyID bar;
+    MdtBSJointID ball;
     MdtConeLimitID cone;
 } Hung;
 
@@ -16,10 +17,10 @@ static Hung hang(double inertia) {
     MdtWorldSetEpsilon(s.world, 0);
     s.bar = scene_body(s.world, mass, 0, -arm, 0);
     MdtBodySetSphericalInertiaTensor(s.bar, (MeReal)inertia);
-    MdtBSJointID ball = MdtBSJointCreate(s.world);
-    MdtBSJointSetBodies(ball, s.bar, 0);
-    MdtBSJointSetPosition(ball, 0, 0, 0);
-    MdtBSJointEnable(ball);
+    s.ball = MdtBSJointCreate(s.world);
+    MdtBSJointSetBodies(s.ball, s.bar, 0);
+    MdtBSJointSetPosition(s.ball, 0, 0, 0);
+    MdtBSJointEnable(s.ball);
     s.cone = MdtConeLimitCreate(s.world);
     MdtConeLimitSetBodies(s.cone, s.bar, 0);
     MdtConeLimitSetAxis(s.cone, 0, -1, 0);
@@ -195,6 +196,31 @@ START_TEST(the_twist_is_free) {
 }
 END_TEST
 
+/* It rested on its side, and is put along the axis: all is as if the cone was disabled, which writes and reads none of
+ * the rows of the joint after it. */
+START_TEST(what_has_left_the_side_leaves_no_row_behind) {
+    double angle[2];
+    for (int isDisabled = 0; isDisabled < 2; isDisabled++) {
+        Hung s = hang(.1);
+        MdtConstraintSetSortKey(MdtBSJointQuaConstraint(s.ball), 1);
+        pull(s, 10, 0);
+        steps(s.world, 120, FRAME);
+        ck_assert_int_eq(rowsOf(s), 1);
+        pull(s, 0, 0);
+        MdtBodySetPosition(s.bar, 0, (MeReal)-arm, 0);
+        MdtBodySetQuaternion(s.bar, 1, 0, 0, 0);
+        swingAboutZ(s, .1);
+        if (isDisabled)
+            MdtConeLimitDisable(s.cone);
+        MdtWorldStep(s.world, FRAME);
+        ck_assert(isDisabled || rowsOf(s) == 0);
+        angle[isDisabled] = angleOf(s);
+        MdtWorldDestroy(s.world);
+    }
+    ck_assert(angle[0] == angle[1]);
+}
+END_TEST
+
 START_TEST(pi_is_no_limit) {
     Hung s = hang(.1);
     double w[3];
@@ -300,6 +326,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_soft_cone_gives_way_by_torque_over_stiffness);
     tcase_add_test(t, a_soft_cone_is_a_damped_spring);
     tcase_add_test(t, the_twist_is_free);
+    tcase_add_test(t, what_has_left_the_side_leaves_no_row_behind);
     tcase_add_test(t, pi_is_no_limit);
     tcase_add_test(t, half_angles_from_5_to_170_degrees);
     tcase_add_test(t, from_outside_it_is_drawn_in);

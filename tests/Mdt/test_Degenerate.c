@@ -122,13 +122,17 @@ START_TEST(a_universal_joint_bent_by_a_right_angle) {
 }
 END_TEST
 
+/* In the middle of the cone, where it has no row, it is forgotten too. */
 START_TEST(a_cone_limit_with_its_axes_opposite) {
-    Two s = makeTwo(1);
-    MdtConeLimitID j = MdtConeLimitCreate(s.world);
-    MdtConeLimitSetBodies(j, s.body[0], s.body[1]);
-    MdtConeLimitSetConeHalfAngle(j, 1);
-    MdtConeLimitEnable(j);
-    check(s, opposite, slightlyBent, "parallel");
+    void (*const elsewhere[])(Two) = {slightlyBent, asMade};
+    for (int k = 0; k < 2; k++) {
+        Two s = makeTwo(1);
+        MdtConeLimitID j = MdtConeLimitCreate(s.world);
+        MdtConeLimitSetBodies(j, s.body[0], s.body[1]);
+        MdtConeLimitSetConeHalfAngle(j, 1);
+        MdtConeLimitEnable(j);
+        check(s, opposite, elsewhere[k], "parallel");
+    }
 }
 END_TEST
 
@@ -139,6 +143,31 @@ START_TEST(a_cone_limit_without_a_cone) {
     MdtConeLimitSetConeHalfAngle(j, 0);
     MdtConeLimitEnable(j);
     check(s, asMade, slightlyBent, "parallel");
+}
+END_TEST
+
+/* It pushes about y then, whatever plane it had before it was reset. */
+START_TEST(a_cone_limit_that_had_no_plane_yet) {
+    Two s = makeTwo(1);
+    MdtConeLimitID j = MdtConeLimitCreate(s.world);
+    MdtWorldSetEpsilon(s.world, 0);
+    for (int isReset = 0; isReset < 2; isReset++) {
+        double w[2][3];
+        MdtConeLimitReset(j);
+        MdtConeLimitSetBodies(j, s.body[0], s.body[1]);
+        MdtConeLimitSetConeHalfAngle(j, 0);
+        MdtConeLimitEnable(j);
+        asMade(s);
+        MdtBodySetAngularVelocity(s.body[1], 0, 1, 0);
+        MdtWorldStep(s.world, FRAME);
+        for (int k = 0; k < 2; k++)
+            measure_rate(s.body[k], w[k]);
+        assert_near(w[1][1] - w[0][1], 0, TOL(1e-6, 1e-9));
+        slightlyBent(s);
+        MdtWorldStep(s.world, FRAME);
+    }
+    MdtWorldDestroy(s.world);
+    messages_release();
 }
 END_TEST
 
@@ -272,6 +301,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_universal_joint_bent_by_a_right_angle);
     tcase_add_test(t, a_cone_limit_with_its_axes_opposite);
     tcase_add_test(t, a_cone_limit_without_a_cone);
+    tcase_add_test(t, a_cone_limit_that_had_no_plane_yet);
     tcase_add_test(t, a_spring_without_length);
     tcase_add_test(t, a_rod_without_length);
     tcase_add_test(t, an_rpro_joint_half_a_turn_off);
