@@ -48,8 +48,7 @@ static struct {
 
 static int addedCount;
 
-void test_add(TCase *tcase, const TTest *test, int start, int end) {
-    (void)tcase;
+void test_add(const TTest *test, int start, int end) {
     if (addedCount == TESTS) {
         fprintf(stderr, "karma_test.c: raise TESTS\n");
         abort();
@@ -57,6 +56,13 @@ void test_add(TCase *tcase, const TTest *test, int start, int end) {
     added[addedCount].test = test;
     added[addedCount].start = start;
     added[addedCount++].end = end;
+}
+
+static void (*beforeEach)(void), (*afterEach)(void);
+
+void test_fixture(void (*before)(void), void (*after)(void)) {
+    beforeEach = before;
+    afterEach = after;
 }
 
 static void addInOrder(TCase *tcase) {
@@ -68,12 +74,12 @@ static void addInOrder(TCase *tcase) {
     }
 }
 
-int test_main(const char *name, void (*add)(TCase *)) {
+int test_main(const char *name) {
     Suite *suite = suite_create(name);
     TCase *tcase = tcase_create(name);
     tcase_set_timeout(tcase, 0); /* CTest has one */
-    tcase_add_checked_fixture(tcase, NULL, messages_release);
-    add(tcase);
+    (tcase_add_checked_fixture)(tcase, NULL, messages_release);
+    (tcase_add_checked_fixture)(tcase, beforeEach, afterEach);
     addInOrder(tcase);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);

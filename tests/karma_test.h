@@ -103,19 +103,38 @@ int messages_are_caught(void);
         ck_assert_msg(caught.fatal == 0, "unexpected fatal error: %s", caught.last);                                   \
     } while (0)
 
-/* A file's tests: `static void tests(TCase *t) { tcase_add_test(t, a); ... }  TEST_MAIN("MdtBody", tests)`
- * Each stands alone: the three builds of CI run them in the written order, in reverse (KARMA_TEST_ORDER=reverse), and
- * each in a process of its own (CK_FORK=yes). */
+/* A test: `TEST(a_ball_falls) { ... }`, which adds itself to the file's; a LOOP_TEST runs for each _i from start to end
+ * - 1. Each stands alone: the three builds of CI run them in the written order, in reverse (KARMA_TEST_ORDER=reverse),
+ * and each in a process of its own (CK_FORK=yes). */
+#define LOOP_TEST(name, start, end)                                                                                    \
+    static const TTest *name;                                                                                          \
+    __attribute__((constructor)) static void name##_add(void) {                                                        \
+        test_add(name, start, end);                                                                                    \
+    }                                                                                                                  \
+    START_TEST(name)
+#define TEST(name) LOOP_TEST(name, 0, 1)
+void test_add(const TTest *test, int start, int end);
+
+/* Called before and after each test of the file; may be null. One a file. */
+#define TEST_FIXTURE(before, after)                                                                                    \
+    __attribute__((constructor)) static void addFixture(void) {                                                        \
+        test_fixture(before, after);                                                                                   \
+    }
+void test_fixture(void (*before)(void), void (*after)(void));
+
+/* Runs them; main() of a file that has none of its own (test_main.c). */
+int test_main(const char *name);
+
+/* A file may still list its tests: `static void tests(TCase *t) { tcase_add_test(t, a); ... }  TEST_MAIN("A", tests)`. */
 #undef tcase_add_test
 #undef tcase_add_loop_test
-#define tcase_add_test(tcase, test)                  test_add(tcase, test, 0, 1)
-#define tcase_add_loop_test(tcase, test, start, end) test_add(tcase, test, start, end)
-void test_add(TCase *tcase, const TTest *test, int start, int end);
-
-int test_main(const char *name, void (*add)(TCase *));
+#define tcase_add_test(tcase, test)                     tcase_add_loop_test(tcase, test, 0, 1)
+#define tcase_add_loop_test(tcase, test, start, end)    ((void)(tcase), test_add(test, start, end))
+#define tcase_add_checked_fixture(tcase, before, after) ((void)(tcase), test_fixture(before, after))
 #define TEST_MAIN(name, add)                                                                                           \
     int main(void) {                                                                                                   \
-        return test_main(name, add);                                                                                   \
+        add(NULL);                                                                                                     \
+        return test_main(name);                                                                                        \
     }
 
 #endif

@@ -44,7 +44,7 @@ static McdAggregateID makeStool(void) {
     return a;
 }
 
-START_TEST(the_stool_of_the_guide) {
+TEST(the_stool_of_the_guide) {
     const double pi = 3.14159265358979, seat = 2.2 * 2.2 * .1, leg = pi * .01 * 2, all = seat + 4 * leg;
     const double middle = seat / all, up = 1 - middle;
     MeMatrix4 tm;
@@ -97,9 +97,8 @@ START_TEST(the_stool_of_the_guide) {
     assert_near(high[2], 2.049, TOL(3e-6, 2e-14));
     end();
 }
-END_TEST
 
-START_TEST(few_contacts_of_many_are_spread_out) {
+TEST(few_contacts_of_many_are_spread_out) {
     begin(5);
     probe_init(&probe, makeStool(), McdPlaneCreate(frame));
     McdRequest four = {4, MEFALSE};
@@ -113,9 +112,8 @@ START_TEST(few_contacts_of_many_are_spread_out) {
         }
     end();
 }
-END_TEST
 
-START_TEST(it_stands_on_triangles_and_is_hit_by_lines) {
+TEST(it_stands_on_triangles_and_is_hit_by_lines) {
     MeReal from[3] = {(MeReal).2, (MeReal).1, 5}, to[3] = {(MeReal).2, (MeReal).1, -5};
     McdLineSegIntersectResult hit;
     begin(5);
@@ -138,7 +136,6 @@ START_TEST(it_stands_on_triangles_and_is_hit_by_lines) {
     ck_assert_uint_eq(McdLineSegIntersect(probe.model, from, to, &hit), 0);
     end();
 }
-END_TEST
 
 /* ---- nested and flat --------------------------------------------------------------------------------------------- */
 
@@ -168,7 +165,7 @@ static void makeNestedAndFlat(McdAggregateID *nested, McdAggregateID *flat) {
     *flat = all;
 }
 
-START_TEST(nested_is_flat) {
+TEST(nested_is_flat) {
     McdAggregateID nested, flat;
     MeMatrix4 tm[2];
     MeMatrix3 inertia[2];
@@ -218,9 +215,8 @@ START_TEST(nested_is_flat) {
     ck_assert_int_gt(touching, 20);
     end();
 }
-END_TEST
 
-START_TEST(two_aggregates_either_way_round) {
+TEST(two_aggregates_either_way_round) {
     McdAggregateID nested, flat;
     begin(100);
     makeNestedAndFlat(&nested, &flat);
@@ -244,9 +240,8 @@ START_TEST(two_aggregates_either_way_round) {
     McdModelPairDestroy(turned);
     end();
 }
-END_TEST
 
-START_TEST(a_moving_one_is_safe_until_a_part_touches) {
+TEST(a_moving_one_is_safe_until_a_part_touches) {
     McdSafeTimeResult result;
     MeVector3 velocity = {0, 0, -2};
     begin(5);
@@ -260,11 +255,10 @@ START_TEST(a_moving_one_is_safe_until_a_part_touches) {
     assert_near(result.normal[2], 1, TOL(5e-7, 9e-16));
     end();
 }
-END_TEST
 
 /* ---- life -------------------------------------------------------------------------------------------------------- */
 
-START_TEST(references_cycles_and_limits) {
+TEST(references_cycles_and_limits) {
     MeMatrix4 tm;
     MeMatrix4TMMakeIdentity(tm);
     begin(7);
@@ -327,9 +321,8 @@ START_TEST(references_cycles_and_limits) {
     messages_release();
     end();
 }
-END_TEST
 
-START_TEST(an_empty_one_is_nowhere) {
+TEST(an_empty_one_is_nowhere) {
     MeMatrix4 tm;
     MeMatrix3 inertia;
     MeReal volume;
@@ -349,10 +342,9 @@ START_TEST(an_empty_one_is_nowhere) {
     ck_assert_int_gt(probe_at(&other, 0, 0, (MeReal).9), 0);
     end();
 }
-END_TEST
 
 /* -1 stands for the material of the whole, which has one of its own always. */
-START_TEST(parts_inherit_materials) {
+TEST(parts_inherit_materials) {
     begin(5);
     const McdModelID model = McdModelCreate(makeStool());
     const McdGeometryInstanceID whole = McdModelGetGeometryInstance(model);
@@ -375,17 +367,3 @@ START_TEST(parts_inherit_materials) {
     ck_assert_uint_eq(McdGeometryInstanceGetMaterial(whole), 0);
     end();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, the_stool_of_the_guide);
-    tcase_add_test(t, few_contacts_of_many_are_spread_out);
-    tcase_add_test(t, it_stands_on_triangles_and_is_hit_by_lines);
-    tcase_add_test(t, nested_is_flat);
-    tcase_add_test(t, two_aggregates_either_way_round);
-    tcase_add_test(t, a_moving_one_is_safe_until_a_part_touches);
-    tcase_add_test(t, references_cycles_and_limits);
-    tcase_add_test(t, an_empty_one_is_nowhere);
-    tcase_add_test(t, parts_inherit_materials);
-}
-TEST_MAIN("McdAggregate", tests)

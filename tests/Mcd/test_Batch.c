@@ -43,7 +43,7 @@ static void end(void) {
     McdTerm(frame);
 }
 
-START_TEST(all_pairs_come_once) {
+TEST(all_pairs_come_once) {
     McdIntersectResult result[PAIRS];
     McdContact contact[100];
     int results, contacts, calls = 0, met = 0;
@@ -84,9 +84,8 @@ START_TEST(all_pairs_come_once) {
     messages_release();
     end();
 }
-END_TEST
 
-START_TEST(requests_by_table) {
+TEST(requests_by_table) {
     McdRequest few = {2, MEFALSE}, many = {50, MEFALSE}, got = {0, MEFALSE};
     begin();
     messages_catch();
@@ -122,7 +121,6 @@ START_TEST(requests_by_table) {
     messages_release();
     end();
 }
-END_TEST
 
 /* ---- the choice of contacts -------------------------------------------------------------------------------------- */
 
@@ -140,7 +138,7 @@ static int has(const McdContact *c, int count, double x, double y) {
     return 0;
 }
 
-START_TEST(corners_of_a_slab_stay) {
+TEST(corners_of_a_slab_stay) {
     McdContact all[101 * 3], few[101 * 3];
     for (int i = 0; i <= 100; i++)
         for (int j = 0; j < 3; j++)
@@ -155,9 +153,8 @@ START_TEST(corners_of_a_slab_stay) {
     ck_assert_int_eq(McdContactSimplify(0, all, 303, all, 4, 0, 1), 4); /* in place */
     ck_assert(has(all, 4, 25, .5));
 }
-END_TEST
 
-START_TEST(points_lines_and_normals) {
+TEST(points_lines_and_normals) {
     McdContact all[20], few[20];
     const MeReal up[3] = {0, 0, 1};
     for (int i = 0; i < 10; i++)
@@ -183,11 +180,10 @@ START_TEST(points_lines_and_normals) {
     assert_warned("McdContactSimplify");
     messages_release();
 }
-END_TEST
 
 /* Four contacts with rough ground whose normals differ by a degree: along one of them the second is outside of the
  * triangle of the others, along another one within it. */
-START_TEST(no_contact_is_chosen_twice) {
+TEST(no_contact_is_chosen_twice) {
     static const double place[4][3] = {{-.580181386, .245767697, -.553434778},
                                        {.0124767198, .444516393, -.558699237},
                                        {.0528001579, .459326035, -.562798965},
@@ -206,13 +202,3 @@ START_TEST(no_contact_is_chosen_twice) {
     for (int i = 1; i < count; i++) /* in the order in which they came */
         ck_assert(few[i].separation < few[i - 1].separation);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, all_pairs_come_once);
-    tcase_add_test(t, requests_by_table);
-    tcase_add_test(t, corners_of_a_slab_stay);
-    tcase_add_test(t, points_lines_and_normals);
-    tcase_add_test(t, no_contact_is_chosen_twice);
-}
-TEST_MAIN("McdBatch", tests)

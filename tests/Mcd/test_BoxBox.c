@@ -126,15 +126,13 @@ static void comparePoses(int kind, MeBool slab) {
     ck_assert_int_gt(full, kind == ANY ? -1 : POSES / 2);
 }
 
-START_TEST(poses_of_boxes) {
+LOOP_TEST(poses_of_boxes, 0, 3) {
     comparePoses(_i, 0);
 }
-END_TEST
 
-START_TEST(poses_of_slabs) {
+LOOP_TEST(poses_of_slabs, 0, 3) {
     comparePoses(_i, 1);
 }
-END_TEST
 
 /* ---- single cases ---------------------------------------------------------------------------------------- */
 
@@ -143,7 +141,7 @@ static void cubes(McdShape *a, McdShape *b) {
     shape_box(b, .5, .5, .5);
 }
 
-START_TEST(a_cube_on_another_touches_with_its_four_corners) {
+TEST(a_cube_on_another_touches_with_its_four_corners) {
     McdShape a, b;
     McdManifold m;
     cubes(&a, &b);
@@ -156,9 +154,8 @@ START_TEST(a_cube_on_another_touches_with_its_four_corners) {
                          m.point[i].position[1] < 0 ? -.5 : .5, .5, 5e-16);
     }
 }
-END_TEST
 
-START_TEST(contacts_end_where_the_margin_does) {
+TEST(contacts_end_where_the_margin_does) {
     McdShape a, b;
     McdManifold m;
     cubes(&a, &b);
@@ -168,9 +165,8 @@ START_TEST(contacts_end_where_the_margin_does) {
     assert_near(m.point[0].separation, .01, 9e-17);
     assert_near(m.point[0].position[2], .505, 5e-16);
 }
-END_TEST
 
-START_TEST(with_no_margin_only_what_is_inside_counts) {
+TEST(with_no_margin_only_what_is_inside_counts) {
     const double y[3] = {0, 1, 0};
     McdShape a, b;
     McdManifold m;
@@ -184,9 +180,8 @@ START_TEST(with_no_margin_only_what_is_inside_counts) {
     }
     ck_assert_int_eq(mcd_convexManifold(&a, &b, .0011, &m), 4);
 }
-END_TEST
 
-START_TEST(one_within_the_other) {
+TEST(one_within_the_other) {
     McdShape a, b;
     McdManifold m;
     shape_box(&a, .1, .1, .1);
@@ -200,7 +195,6 @@ START_TEST(one_within_the_other) {
     assert_near(mcd_length(m.normal), 1, 1e-15);
     assert_near(m.point[0].separation, -1.1, 1e-15);
 }
-END_TEST
 
 static MeBool touchesAt(const McdManifold *m, double x, double y, double tolerance) {
     for (int i = 0; i < m->count; i++)
@@ -210,7 +204,7 @@ static MeBool touchesAt(const McdManifold *m, double x, double y, double toleran
 }
 
 /* Two cubes meet in an octagon, the upper one tilted about one of its edges: it stands on both ends of that edge. */
-START_TEST(a_leaning_cube_stands_on_both_ends_of_an_edge) {
+LOOP_TEST(a_leaning_cube_stands_on_both_ends_of_an_edge, 0, 2 * 8) {
     const double pi = 3.14159265358979323846, z[3] = {0, 0, 1}, radius = .5 / cos(pi / 8);
     const double tilt = _i < 8 ? 1e-2 : 5e-3, towards = _i % 8 * pi / 4;
     const double axis[3] = {-sin(towards), cos(towards), 0};
@@ -224,9 +218,8 @@ START_TEST(a_leaning_cube_stands_on_both_ends_of_an_edge) {
     for (int side = -1; side <= 1; side += 2)
         ck_assert(touchesAt(&m, radius * cos(towards + side * pi / 8), radius * sin(towards + side * pi / 8), tilt));
 }
-END_TEST
 
-START_TEST(crossed_edges_touch_in_one_point) {
+TEST(crossed_edges_touch_in_one_point) {
     const double x[3] = {1, 0, 0}, y[3] = {0, 1, 0};
     McdShape a, b;
     McdManifold m;
@@ -238,10 +231,9 @@ START_TEST(crossed_edges_touch_in_one_point) {
     assert_vec3_near(m.normal, 0, 0, 1, 9e-16);
     assert_near(deepest(&m), -.01, 9e-17);
 }
-END_TEST
 
 /* Nearest with a corner to a corner: no axis of the fifteen shows it. */
-START_TEST(corners_apart) {
+TEST(corners_apart) {
     McdShape a, b;
     McdManifold m;
     cubes(&a, &b);
@@ -251,9 +243,8 @@ START_TEST(corners_apart) {
     assert_near(m.point[0].separation, .013, 2e-16);
     assert_vec3_near(m.normal, 3. / 13, 4. / 13, 12. / 13, 9e-14);
 }
-END_TEST
 
-START_TEST(features_stay_while_a_box_slides) {
+TEST(features_stay_while_a_box_slides) {
     McdShape a, b;
     McdManifold m, before = {.count = 0};
     for (int i = 0; i < 100; i++) {
@@ -268,11 +259,10 @@ START_TEST(features_stay_while_a_box_slides) {
         before = m;
     }
 }
-END_TEST
 
 /* Of two bars that lie across each other, the direction across two edges is then a face's to 1e-8, and mostly better by
  * as much: the face's it is all the same, so that normal and features stay. */
-START_TEST(a_face_goes_before_edges_of_boxes_turned_by_1e_8) {
+TEST(a_face_goes_before_edges_of_boxes_turned_by_1e_8) {
     int better = 0;
     Random r = {.state = 7};
     McdShape a, b;
@@ -297,21 +287,3 @@ START_TEST(a_face_goes_before_edges_of_boxes_turned_by_1e_8) {
     }
     ck_assert_int_gt(better, 50); /* edges have been better indeed */
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_set_timeout(t, 0);
-    tcase_add_loop_test(t, poses_of_boxes, 0, 3);
-    tcase_add_loop_test(t, poses_of_slabs, 0, 3);
-    tcase_add_test(t, a_cube_on_another_touches_with_its_four_corners);
-    tcase_add_loop_test(t, a_leaning_cube_stands_on_both_ends_of_an_edge, 0, 2 * 8);
-    tcase_add_test(t, contacts_end_where_the_margin_does);
-    tcase_add_test(t, with_no_margin_only_what_is_inside_counts);
-    tcase_add_test(t, one_within_the_other);
-    tcase_add_test(t, crossed_edges_touch_in_one_point);
-    tcase_add_test(t, corners_apart);
-    tcase_add_test(t, features_stay_while_a_box_slides);
-    tcase_add_test(t, a_face_goes_before_edges_of_boxes_turned_by_1e_8);
-}
-
-TEST_MAIN("BoxBox", tests)

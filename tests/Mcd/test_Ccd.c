@@ -82,7 +82,7 @@ static void askBoth(int kindA, int kindB, Random *r, Answers *answers) {
     answers->longer += !(depth <= -1.01 * ours);
 }
 
-START_TEST(libccd_agrees_and_knows_no_shorter_way_out) {
+TEST(libccd_agrees_and_knows_no_shorter_way_out) {
     int overlapping = 0, longer = 0;
     for (int i = 0; i < KINDS; i++)
         for (int j = i; j < KINDS; j++) {
@@ -97,7 +97,6 @@ START_TEST(libccd_agrees_and_knows_no_shorter_way_out) {
         }
     printf("any way: libccd's depth is more than 1 %% too large: MPR %.1f %%\n", 100. * longer / overlapping);
 }
-END_TEST
 
 /* ---- resting ----------------------------------------------------------------------------------------------------- */
 
@@ -147,16 +146,7 @@ static void countWrong(int kindA, int kindB) {
            shape_name[kindA], shape_name[kindB], 100. * byEpa / RESTING, 100. * byMpr / RESTING);
 }
 
-START_TEST(resting_depths_are_exact_where_those_of_libccd_are_not) {
+TEST(resting_depths_are_exact_where_those_of_libccd_are_not) {
     countWrong(SHAPE_BOX, SHAPE_BOX);
     countWrong(SHAPE_CYLINDER, SHAPE_BOX);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_set_timeout(t, 0);
-    tcase_add_test(t, libccd_agrees_and_knows_no_shorter_way_out);
-    tcase_add_test(t, resting_depths_are_exact_where_those_of_libccd_are_not);
-}
-
-TEST_MAIN("Ccd", tests)

@@ -86,7 +86,7 @@ enum { TILTS = sizeof tilts / sizeof *tilts };
 static const double offs[] = {0, 1e-7, -1e-7, 1e-5, -1e-5, 1e-3, -1e-3, 8e-3, -8e-3};
 enum { OFFS = sizeof offs / sizeof *offs };
 
-START_TEST(halves_on_halves_touch_at_outer_faces) {
+TEST(halves_on_halves_touch_at_outer_faces) {
     static const double depths[] = {1e-3, 1e-5, 0, -1e-6, -1e-3};
     begin();
     const McdAggregateID cube = boxInParts(2, 1, 1, 1);
@@ -98,10 +98,9 @@ START_TEST(halves_on_halves_touch_at_outer_faces) {
                 compareWithSolid(tilts[t], offs[o], 0, 1 - depths[d]);
     end();
 }
-END_TEST
 
 /* Shapes of all kinds, over each place of a floor's joint. */
-START_TEST(what_slides_over_parts_touches_their_top) {
+TEST(what_slides_over_parts_touches_their_top) {
     begin();
     MeVector3 corner[8];
     for (int i = 0; i < 8; i++)
@@ -127,10 +126,9 @@ START_TEST(what_slides_over_parts_touches_their_top) {
     }
     end();
 }
-END_TEST
 
 /* The same halves, on a plane and on triangles, and as parts of parts. */
-START_TEST(halves_stand_on_anything) {
+TEST(halves_stand_on_anything) {
     begin();
     memset(&ground, 0, sizeof ground);
     terrain_grid(&ground, 30, .31, 0, kMcdTriangleStandard);
@@ -149,7 +147,6 @@ START_TEST(halves_stand_on_anything) {
     }
     end();
 }
-END_TEST
 
 /* ---- how exactly parts abut -------------------------------------------------------------------------------------- */
 
@@ -167,7 +164,7 @@ static double leanAtEdge(double step, double gap) {
 }
 
 /* A step and a gap of less than 1e-4 of the size are none; a step of more is one. */
-START_TEST(parts_abut_to_within_a_part_of_their_size) {
+TEST(parts_abut_to_within_a_part_of_their_size) {
     begin();
     assert_near(leanAtEdge(0, 0), 0, TOL(1e-6, 1e-15));
     assert_near(leanAtEdge(1.5 * .8e-4, 0), 0, TOL(1e-6, 1e-15));
@@ -176,17 +173,15 @@ START_TEST(parts_abut_to_within_a_part_of_their_size) {
     assert_near(leanAtEdge(0, 1.5 * 2.2e-4), 1, TOL(1e-6, 1e-15));
     end();
 }
-END_TEST
 
 /* Above the floor and before an edge, at the same distance at 10 degrees: no contact at the edge. */
-START_TEST(no_normal_leans_over_an_edge_between_flush_faces) {
+TEST(no_normal_leans_over_an_edge_between_flush_faces) {
     begin();
     probe_init(&probe, boxOf(.5, .5, .5), boxInParts(2, 4, 2, 1));
     ck_assert_int_gt(probe_at(&probe, -.25 - 1e-3 * tan(.1745), 0, .75 + 1e-3), 0);
     assert_near(leanOf(&probe), 0, TOL(1e-6, 1e-15));
     end();
 }
-END_TEST
 
 /* ---- corners of the whole ---------------------------------------------------------------------------------------- */
 
@@ -219,7 +214,7 @@ static McdGeometryID wedgeOf(double low, double high) {
 
 /* A floor, and a wall that stands in it or beside it; a box upright in the corner, and a wedge that touches both with
  * its edge, which is inside of either. */
-START_TEST(the_foot_of_a_wall_is_floor) {
+TEST(the_foot_of_a_wall_is_floor) {
     static const double upright[3] = {0, 0, 0};
     static const double inside[] = {0, 1e-6, 1e-3, 1e-2};
     double depth;
@@ -255,7 +250,6 @@ START_TEST(the_foot_of_a_wall_is_floor) {
     }
     end();
 }
-END_TEST
 
 static void turnAboutY(MeMatrix4 tm, double angle, double x, double y, double z) {
     const double angles[3] = {0, angle, 0};
@@ -264,7 +258,7 @@ static void turnAboutY(MeMatrix4 tm, double angle, double x, double y, double z)
 
 /* A wall that leans over the floor by 30 degrees, and a wedge of 20 degrees whose edge is 1 cm deep in both: it is out
  * of both by 2 cm, and by far more along any other normal. */
-START_TEST(both_sides_of_a_sharp_corner_push) {
+TEST(both_sides_of_a_sharp_corner_push) {
     double depth;
     const MeReal *n = 0;
     begin();
@@ -284,7 +278,6 @@ START_TEST(both_sides_of_a_sharp_corner_push) {
     assert_vec3_near(n, c, 0, -s, TOL(1e-6, 1e-12));
     end();
 }
-END_TEST
 
 /* Along y, of the contacts with a part: from where to where. */
 static void extentWith(int element, double extent[2]) {
@@ -301,7 +294,7 @@ static void extentWith(int element, double extent[2]) {
 
 /* The floor's second half would hold up what stands on both, but not where the first half does: at the foot of a wall
  * on that half alone. */
-START_TEST(the_foot_of_a_wall_supports) {
+TEST(the_foot_of_a_wall_supports) {
     double extent[2];
     begin();
     const McdAggregateID whole = McdAggregateCreate(frame, 3);
@@ -317,10 +310,9 @@ START_TEST(the_foot_of_a_wall_supports) {
     assert_near(extent[1], .5, 2e-6);
     end();
 }
-END_TEST
 
 /* A plate on two rails, which it touches all along; the first rail has a post at either end of the plate. */
-START_TEST(a_rail_between_posts_supports) {
+TEST(a_rail_between_posts_supports) {
     double extent[2];
     MeMatrix4 tm;
     begin();
@@ -340,12 +332,11 @@ START_TEST(a_rail_between_posts_supports) {
     assert_near(extent[0], .4, TOL(1e-6, 1e-12));
     end();
 }
-END_TEST
 
 /* ---- deep in between --------------------------------------------------------------------------------------------- */
 
 /* A small shape below the joint of two boxes is nearer to the one's inner face, and to the other's, than to the top. */
-START_TEST(what_is_deep_between_parts_is_pushed_out) {
+TEST(what_is_deep_between_parts_is_pushed_out) {
     static const double turns[][3] = {{0, 0, 0}, {.1, 0, 0}, {0, .1, 0}, {0, 0, .3}, {.1, .2, .3}};
     begin();
     const McdGeometryID shape[] = {boxOf(.2, .2, .2), McdSphereCreate(frame, (MeReal).1),
@@ -370,10 +361,9 @@ START_TEST(what_is_deep_between_parts_is_pushed_out) {
     }
     end();
 }
-END_TEST
 
 /* Two cylinders with one axis: a ball near their joint comes out through the side. */
-START_TEST(what_is_deep_between_round_parts_is_pushed_out) {
+TEST(what_is_deep_between_round_parts_is_pushed_out) {
     begin();
     const McdAggregateID whole = McdAggregateCreate(frame, 2);
     const McdGeometryID half = McdCylinderCreate(frame, (MeReal).5, 2);
@@ -385,7 +375,6 @@ START_TEST(what_is_deep_between_round_parts_is_pushed_out) {
     assert_near(probe.contact[0].separation, -.2, TOL(1e-6, 1e-12));
     end();
 }
-END_TEST
 
 /* ---- nothing is lost --------------------------------------------------------------------------------------------- */
 
@@ -522,7 +511,7 @@ static const McdContact *deepestOf(const Probe *p) {
 
 /* Each pair of parts by itself: its deepest contact, if it is on both surfaces, is found, and, whatever was dropped,
  * what is found separates the two. */
-START_TEST(nothing_on_the_surface_is_lost) {
+TEST(nothing_on_the_surface_is_lost) {
     static McdRequest all = {TERRAIN_CONTACTS, MEFALSE};
     int outer = 0, inner = 0;
     begin();
@@ -568,20 +557,3 @@ START_TEST(nothing_on_the_surface_is_lost) {
     ck_assert_int_gt(inner, 200);
     end();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, halves_on_halves_touch_at_outer_faces);
-    tcase_add_test(t, what_slides_over_parts_touches_their_top);
-    tcase_add_test(t, halves_stand_on_anything);
-    tcase_add_test(t, parts_abut_to_within_a_part_of_their_size);
-    tcase_add_test(t, no_normal_leans_over_an_edge_between_flush_faces);
-    tcase_add_test(t, the_foot_of_a_wall_is_floor);
-    tcase_add_test(t, both_sides_of_a_sharp_corner_push);
-    tcase_add_test(t, the_foot_of_a_wall_supports);
-    tcase_add_test(t, a_rail_between_posts_supports);
-    tcase_add_test(t, what_is_deep_between_parts_is_pushed_out);
-    tcase_add_test(t, what_is_deep_between_round_parts_is_pushed_out);
-    tcase_add_test(t, nothing_on_the_surface_is_lost);
-}
-TEST_MAIN("Mcd Compounds", tests)

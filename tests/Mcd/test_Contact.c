@@ -105,7 +105,7 @@ static void expectRadii(Probe *p, double first, double second) {
 
 static const MeReal thin = (MeReal).01;
 
-START_TEST(round_surfaces_have_their_radius) {
+TEST(round_surfaces_have_their_radius) {
     Probe p;
     setUp(&p);
     place(&p, 0, McdSphereCreate(p.frame, (MeReal).5), 0, 0, (MeReal).5);
@@ -126,9 +126,8 @@ START_TEST(round_surfaces_have_their_radius) {
     expectRadii(&p, .25, 0);
     McdTerm(p.frame);
 }
-END_TEST
 
-START_TEST(cylinders_are_round_on_their_side_only) {
+TEST(cylinders_are_round_on_their_side_only) {
     Probe p;
     setUp(&p);
     for (int lying = 0; lying < 2; lying++) {
@@ -145,10 +144,9 @@ START_TEST(cylinders_are_round_on_their_side_only) {
     expectRadii(&p, 0, 0);
     McdTerm(p.frame);
 }
-END_TEST
 
 /* r / cos(half angle) where it touches: between both ends of the line. */
-START_TEST(cones_are_as_round_as_they_are_wide_there) {
+TEST(cones_are_as_round_as_they_are_wide_there) {
     Probe p;
     const double length = 1, low = .4, high = .2, slant = hypot(length, low - high), cosine = length / slant;
     setUp(&p);
@@ -167,7 +165,6 @@ START_TEST(cones_are_as_round_as_they_are_wide_there) {
     clear(&p);
     McdTerm(p.frame);
 }
-END_TEST
 
 static void turnAboutX(double v[3], double angle) {
     const double y = v[1];
@@ -193,7 +190,7 @@ static McdGeometryID roller(McdFrameworkID f, int kind) {
 }
 
 /* What the radius is for: a turn about the middle of the circle changes neither the place nor the separation. */
-START_TEST(a_turn_about_the_middle_of_the_circle_leaves_the_contact) {
+TEST(a_turn_about_the_middle_of_the_circle_leaves_the_contact) {
     Probe p;
     setUp(&p);
     for (int kind = 0; kind < 3; kind++) {
@@ -213,9 +210,8 @@ START_TEST(a_turn_about_the_middle_of_the_circle_leaves_the_contact) {
     }
     McdTerm(p.frame);
 }
-END_TEST
 
-START_TEST(triangles_and_parts_of_aggregates_pass_radii_on) {
+TEST(triangles_and_parts_of_aggregates_pass_radii_on) {
     static const MeReal flat[9] = {0};
     Probe p;
     setUp(&p);
@@ -233,7 +229,6 @@ START_TEST(triangles_and_parts_of_aggregates_pass_radii_on) {
     McdGeometryDestroy(ball);
     McdTerm(p.frame);
 }
-END_TEST
 
 /* From what single precision knows of both balls' places; the separation itself is rounded after that. */
 /* Its axis leans by `lean` from the normal of the plane; lower rim on it. Returns what it touches with. */
@@ -255,16 +250,15 @@ static double rimOf(double lean, double axis[3]) {
     return rim;
 }
 
-START_TEST(a_leaning_disc_touches_with_its_rim) {
+TEST(a_leaning_disc_touches_with_its_rim) {
     double axis[3] = {7, 7, 7};
     ck_assert(rimOf(0, axis) == 0);
     assert_vec3_near(axis, 7, 7, 7, 0);
     assert_near(rimOf(.5, axis), 2, TOL(1e-6, 1e-12));
     assert_vec3_near(axis, sin(.5), 0, cos(.5), TOL(1e-7, 1e-12));
 }
-END_TEST
 
-START_TEST(the_separation_is_told_in_double) {
+TEST(the_separation_is_told_in_double) {
     Probe p;
     const MeReal x = (MeReal).1, y = (MeReal).2, z = (MeReal).4, radius = (MeReal).23;
     setUp(&p);
@@ -279,10 +273,9 @@ START_TEST(the_separation_is_told_in_double) {
     clear(&p);
     McdTerm(p.frame);
 }
-END_TEST
 
 /* Of balls that are alike it is half way between them; a coordinate that a program writes counts. */
-START_TEST(the_position_is_told_in_double) {
+TEST(the_position_is_told_in_double) {
     Probe p;
     const MeReal place0[3] = {(MeReal).1, (MeReal).2, (MeReal).4};
     double position[3];
@@ -300,7 +293,6 @@ START_TEST(the_position_is_told_in_double) {
     clear(&p);
     McdTerm(p.frame);
 }
-END_TEST
 
 /* ---- what programs make themselves ------------------------------------------------------------------------------- */
 
@@ -314,7 +306,7 @@ static int MEAPI touchOnce(McdModelPair *pair, McdIntersectResult *result) {
     return 1;
 }
 
-START_TEST(contacts_of_a_programs_own_interaction_are_not_round) {
+TEST(contacts_of_a_programs_own_interaction_are_not_round) {
     Probe p;
     McdInteractions own = {.intersectFn = touchOnce};
     setUp(&p);
@@ -327,14 +319,13 @@ START_TEST(contacts_of_a_programs_own_interaction_are_not_round) {
     clear(&p);
     McdTerm(p.frame);
 }
-END_TEST
 
 static void MEAPI writeSeparation(McdModelID model, McdIntersectResult *result) {
     (void)model;
     result->contacts[0].separation = (MeReal).25;
 }
 
-START_TEST(a_separation_that_a_program_writes_counts) {
+TEST(a_separation_that_a_program_writes_counts) {
     Probe p;
     setUp(&p);
     place(&p, 0, McdSphereCreate(p.frame, 1), 0, 0, 1);
@@ -346,9 +337,8 @@ START_TEST(a_separation_that_a_program_writes_counts) {
     clear(&p);
     McdTerm(p.frame);
 }
-END_TEST
 
-START_TEST(what_is_no_contact_or_no_side_gets_a_warning) {
+TEST(what_is_no_contact_or_no_side_gets_a_warning) {
     McdContact c;
     memset(&c, 0, sizeof c);
     messages_catch();
@@ -373,19 +363,3 @@ START_TEST(what_is_no_contact_or_no_side_gets_a_warning) {
     assert_warned("McdContactGetPosition: no place");
     messages_release();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, round_surfaces_have_their_radius);
-    tcase_add_test(t, cylinders_are_round_on_their_side_only);
-    tcase_add_test(t, cones_are_as_round_as_they_are_wide_there);
-    tcase_add_test(t, a_turn_about_the_middle_of_the_circle_leaves_the_contact);
-    tcase_add_test(t, triangles_and_parts_of_aggregates_pass_radii_on);
-    tcase_add_test(t, a_leaning_disc_touches_with_its_rim);
-    tcase_add_test(t, the_separation_is_told_in_double);
-    tcase_add_test(t, the_position_is_told_in_double);
-    tcase_add_test(t, contacts_of_a_programs_own_interaction_are_not_round);
-    tcase_add_test(t, a_separation_that_a_program_writes_counts);
-    tcase_add_test(t, what_is_no_contact_or_no_side_gets_a_warning);
-}
-TEST_MAIN("McdContact", tests)

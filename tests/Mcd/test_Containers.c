@@ -2,7 +2,9 @@
 #include "McdModelPair.h"
 #include "crates.h"
 
-START_TEST(by_hand) {
+TEST_FIXTURE(messages_catch, messages_release)
+
+TEST(by_hand) {
     McdModelPairContainer *c = McdModelPairContainerCreate(6);
     McdModelPair pair[8];
     McdModelPairContainerIterator it;
@@ -38,10 +40,9 @@ START_TEST(by_hand) {
     McdModelPairContainerDestroy(c);
     assert_silent();
 }
-END_TEST
 
 /* Every size hands over the same pairs in the same order, and ends. */
-START_TEST(overflow_hands_over_everything) {
+TEST(overflow_hands_over_everything) {
     static Yard y;
     static McdModelPair *all[3][2000];
     int count[3] = {0, 0, 0};
@@ -89,9 +90,8 @@ START_TEST(overflow_hands_over_everything) {
     yardDestroy(&y);
     assert_silent();
 }
-END_TEST
 
-START_TEST(the_form_without_an_iterator) {
+TEST(the_form_without_an_iterator) {
     static Yard y;
     yardMake(&y);
     for (int i = 0; i < 5; i++)
@@ -111,11 +111,10 @@ START_TEST(the_form_without_an_iterator) {
     yardDestroy(&y);
     assert_silent();
 }
-END_TEST
 
 /* As in the guide's sample: a pair of a program's own, in a container that a space filled and that was reset, at the
  * place below the first hello pair. */
-START_TEST(pairs_of_a_programs_own) {
+TEST(pairs_of_a_programs_own) {
     static const int size[] = {1, 2, 3, 10};
     for (int n = 0; n < 4; n++) {
         static Yard y;
@@ -151,9 +150,8 @@ START_TEST(pairs_of_a_programs_own) {
     }
     assert_silent();
 }
-END_TEST
 
-START_TEST(bad_input) {
+TEST(bad_input) {
     static Yard y;
     McdModelPairContainer c;
     McdModelPair *array[2];
@@ -183,9 +181,8 @@ START_TEST(bad_input) {
     assert_warned("no container");
     yardDestroy(&y);
 }
-END_TEST
 
-START_TEST(culling_tables_are_symmetric) {
+TEST(culling_tables_are_symmetric) {
     McdCullingTable *t = McdCullingTableCreate(20);
     MeBool expected[20][20] = {{0}};
     unsigned seed = 1;
@@ -209,15 +206,3 @@ START_TEST(culling_tables_are_symmetric) {
     assert_warned("no table");
     McdCullingTableDestroy(t);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, messages_catch, messages_release);
-    tcase_add_test(t, by_hand);
-    tcase_add_test(t, overflow_hands_over_everything);
-    tcase_add_test(t, the_form_without_an_iterator);
-    tcase_add_test(t, pairs_of_a_programs_own);
-    tcase_add_test(t, bad_input);
-    tcase_add_test(t, culling_tables_are_symmetric);
-}
-TEST_MAIN("McdModelPairContainer", tests)

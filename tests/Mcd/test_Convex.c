@@ -125,7 +125,7 @@ static int posesOf(int i, int j) {
     return only && strcmp(only, pair) ? 0 : poses ? atoi(poses) : POSES_OF_A_PAIR;
 }
 
-START_TEST(depths_are_those_of_the_reference) {
+TEST(depths_are_those_of_the_reference) {
     for (int i = 0; i < SHAPE_KINDS; i++)
         for (int j = i; j < SHAPE_KINDS; j++) {
             Random r = {.state = (unsigned long long)(1000 + 100 * i + j)};
@@ -141,7 +141,6 @@ START_TEST(depths_are_those_of_the_reference) {
                 printf("%-9s %-9s worst %.2g\n", shape_name[i], shape_name[j], worst);
         }
 }
-END_TEST
 
 /* ---- properties ------------------------------------------------------------------------------------------ */
 
@@ -156,7 +155,7 @@ static double anyPair(McdShape *a, McdShape *b, Random *r) {
     return sizeOf(a, b);
 }
 
-START_TEST(pushed_out_by_the_depth_they_only_touch) {
+TEST(pushed_out_by_the_depth_they_only_touch) {
     Random r = {.state = 7};
     for (int i = 0; i < 4000; i++) {
         McdShape a, b;
@@ -171,9 +170,8 @@ START_TEST(pushed_out_by_the_depth_they_only_touch) {
                       m.count ? deepest(&m) : INFINITY);
     }
 }
-END_TEST
 
-START_TEST(swapping_the_shapes_turns_the_contacts_round) {
+TEST(swapping_the_shapes_turns_the_contacts_round) {
     Random r = {.state = 8};
     for (int i = 0; i < 4000; i++) {
         McdShape a, b;
@@ -194,9 +192,8 @@ START_TEST(swapping_the_shapes_turns_the_contacts_round) {
             assert_near(mcd_distanceSquared(m.point[k].position, n.point[k].position), 0, 0);
     }
 }
-END_TEST
 
-START_TEST(turning_both_turns_the_contacts) {
+TEST(turning_both_turns_the_contacts) {
     Random r = {.state = 9};
     for (int i = 0; i < 4000; i++) {
         McdShape a, b;
@@ -214,9 +211,8 @@ START_TEST(turning_both_turns_the_contacts) {
             ck_assert_msg(n.count && fabs(deepest(&m) - deepest(&n)) < depthError * size, "%s", what);
     }
 }
-END_TEST
 
-START_TEST(supports_are_the_farthest_points) {
+TEST(supports_are_the_farthest_points) {
     Random r = {.state = 10};
     for (int i = 0; i < 20000; i++) {
         McdShape s;
@@ -229,9 +225,8 @@ START_TEST(supports_are_the_farthest_points) {
         assert_near(mcd_dot(point, n), mcd_dot(expected, n), 5e-15);
     }
 }
-END_TEST
 
-START_TEST(the_distance_is_that_of_its_points) {
+TEST(the_distance_is_that_of_its_points) {
     Random r = {.state = 11};
     for (int i = 0; i < 4000; i++) {
         McdShape a, b;
@@ -260,7 +255,6 @@ START_TEST(the_distance_is_that_of_its_points) {
         }
     }
 }
-END_TEST
 
 /* How far outside of a shape a point is; of a cylinder and of polyhedra exactly, of others as far as directions
  * show it. */
@@ -298,7 +292,7 @@ static void measureEnds(int kindA, int kindB, int pose, double scale, Random *r,
     *outside = fmax(*outside, fmax(outsideOf(&a, onA, r), outsideOf(&b, onB, r)) / size);
 }
 
-START_TEST(the_points_of_overlapping_shapes_are_the_ends_of_the_shortest_way_out) {
+TEST(the_points_of_overlapping_shapes_are_the_ends_of_the_shortest_way_out) {
     for (int i = 0; i < SHAPE_KINDS; i++)
         for (int j = i; j < SHAPE_KINDS; j++) {
             Random r = {.state = (unsigned long long)(7000 + 100 * i + j)};
@@ -313,7 +307,6 @@ START_TEST(the_points_of_overlapping_shapes_are_the_ends_of_the_shortest_way_out
             ck_assert_msg(outside < 1e-6, "%s, %s: %g of the size outside", shape_name[i], shape_name[j], outside);
         }
 }
-END_TEST
 
 /* ---- what lies on a face, or a plane --------------------------------------------------------------------- */
 
@@ -344,7 +337,7 @@ static void assertStands(const McdShape *a, double margin, int points, double de
     }
 }
 
-START_TEST(standing_and_lying) {
+TEST(standing_and_lying) {
     for (int tilt = 0; tilt < 3; tilt++) {
         McdShape s;
         const double angle = tilt == 0 ? 0 : tilt == 1 ? 1e-7 : 1e-3, margin = .01;
@@ -378,9 +371,8 @@ START_TEST(standing_and_lying) {
         assertStands(&s, margin, 4, .001 + .5 * (cos(angle) - 1) + .5 * sin(angle), .9);
     }
 }
-END_TEST
 
-START_TEST(a_cone_lies_on_its_side) {
+TEST(a_cone_lies_on_its_side) {
     McdShape s;
     shape_cone(&s, .5, 0, 1.5);
     /* The normal of the side that looks to -y, (0, -cos, sin), down. */
@@ -391,9 +383,8 @@ START_TEST(a_cone_lies_on_its_side) {
     shape_move(&s, 0, 0, -low[2] - .001);
     assertStands(&s, .01, 2, .001, 1.5);
 }
-END_TEST
 
-START_TEST(one_cylinder_on_another) {
+TEST(one_cylinder_on_another) {
     McdShape a, b;
     McdManifold m;
     shape_cylinder(&a, .3, 1);
@@ -414,7 +405,6 @@ START_TEST(one_cylinder_on_another) {
     assert_vec3_near(m.normal, 0, 1, 0, TOL(5e-7, 9e-16));
     assert_near(m.point[0].separation, -.001, TOL(5e-10, 2e-15));
 }
-END_TEST
 
 /* ---- where there is no direction, or no number ----------------------------------------------------------- */
 
@@ -426,7 +416,7 @@ static void assertAnswer(const McdShape *a, const McdShape *b, double separation
                   b->kind->type, deepest(&m), separation);
 }
 
-START_TEST(concentric_shapes_have_a_normal) {
+TEST(concentric_shapes_have_a_normal) {
     McdShape s[SHAPE_KINDS];
     const double corners[3][3] = {{-1, -1, 0}, {1, -1, 0}, {0, 2, 0}};
     shape_sphere(&s[SHAPE_SPHERE], .5);
@@ -443,9 +433,8 @@ START_TEST(concentric_shapes_have_a_normal) {
             assertAnswer(&s[i], &s[j], reference_distance(&s[i], &s[j], 2000, n));
         }
 }
-END_TEST
 
-START_TEST(flat_differences_have_a_normal_across) {
+TEST(flat_differences_have_a_normal_across) {
     const double corners[3][3] = {{-1, -1, 0}, {1, -1, 0}, {0, 2, 0}};
     McdShape triangle, other;
     McdManifold m;
@@ -467,9 +456,8 @@ START_TEST(flat_differences_have_a_normal_across) {
     assert_near(fabs(m.normal[2]), 1, 9e-16);
     assertAnswer(&other, &other, -1); /* parallel, the same */
 }
-END_TEST
 
-START_TEST(what_is_no_number_touches_nothing) {
+TEST(what_is_no_number_touches_nothing) {
     for (int i = 0; i < SHAPE_KINDS; i++)
         for (int j = 0; j < SHAPE_KINDS; j++)
             for (int bad = 0; bad < 4; bad++) {
@@ -482,10 +470,9 @@ START_TEST(what_is_no_number_touches_nothing) {
                 ck_assert_int_eq(mcd_convexManifold(&a, &b, .01, &m), 0);
             }
 }
-END_TEST
 
 /* It is nowhere near: the distance has no bound, its points are the shapes' own places. */
-START_TEST(what_is_no_number_is_infinitely_far_from_everything) {
+TEST(what_is_no_number_is_infinitely_far_from_everything) {
     for (int i = 0; i < SHAPE_KINDS; i++)
         for (int j = 0; j < SHAPE_KINDS; j++)
             for (int bad = 0; bad < 2; bad++) {
@@ -505,10 +492,9 @@ START_TEST(what_is_no_number_is_infinitely_far_from_everything) {
                 }
             }
 }
-END_TEST
 
 /* Balls and capsules end round, boxes do not: the points are on the surfaces, whichever is asked first. */
-START_TEST(the_points_of_a_distance_are_on_the_surfaces) {
+TEST(the_points_of_a_distance_are_on_the_surfaces) {
     for (int isTurned = 0; isTurned < 2; isTurned++)
         for (int apart = 0; apart < 2; apart++) {
             const double gap = apart ? .25 : -.125;
@@ -532,11 +518,10 @@ START_TEST(the_points_of_a_distance_are_on_the_surfaces) {
             }
         }
 }
-END_TEST
 
 /* Capsules of radius .25 and 2 m between their ends' centres, side by side, the second higher: the points are in the
  * middle of what is beside each other, or at the ends that are nearest. */
-START_TEST(parallel_capsules_are_nearest_in_the_middle) {
+TEST(parallel_capsules_are_nearest_in_the_middle) {
     for (double up = -5; up <= 5; up += .25)
         for (int turn = 0; turn < 4; turn++) {
             McdShape a, b;
@@ -556,10 +541,9 @@ START_TEST(parallel_capsules_are_nearest_in_the_middle) {
                         9e-15);
         }
 }
-END_TEST
 
 /* A plane, a thin cone, a needle, a sheet: sizes that differ by millions. */
-START_TEST(sizes_that_differ_much) {
+TEST(sizes_that_differ_much) {
     for (int i = 0; i < SHAPE_KINDS; i++)
         for (int j = 0; j < SHAPE_KINDS; j++) {
             Random r = {.state = 5};
@@ -576,27 +560,3 @@ START_TEST(sizes_that_differ_much) {
                 assert_near(reference_along(&a, &b, m.normal), deepest(&m), TOL(1e-7, 2e-9) * a.extent);
         }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_set_timeout(t, 0);
-    tcase_add_test(t, depths_are_those_of_the_reference);
-    tcase_add_test(t, pushed_out_by_the_depth_they_only_touch);
-    tcase_add_test(t, swapping_the_shapes_turns_the_contacts_round);
-    tcase_add_test(t, turning_both_turns_the_contacts);
-    tcase_add_test(t, supports_are_the_farthest_points);
-    tcase_add_test(t, the_distance_is_that_of_its_points);
-    tcase_add_test(t, the_points_of_overlapping_shapes_are_the_ends_of_the_shortest_way_out);
-    tcase_add_test(t, standing_and_lying);
-    tcase_add_test(t, a_cone_lies_on_its_side);
-    tcase_add_test(t, one_cylinder_on_another);
-    tcase_add_test(t, concentric_shapes_have_a_normal);
-    tcase_add_test(t, flat_differences_have_a_normal_across);
-    tcase_add_test(t, what_is_no_number_touches_nothing);
-    tcase_add_test(t, what_is_no_number_is_infinitely_far_from_everything);
-    tcase_add_test(t, the_points_of_a_distance_are_on_the_surfaces);
-    tcase_add_test(t, parallel_capsules_are_nearest_in_the_middle);
-    tcase_add_test(t, sizes_that_differ_much);
-}
-
-TEST_MAIN("Convex", tests)

@@ -137,7 +137,7 @@ static void assertStanding(McdModelPair *p, const Entry *e, double direction) {
     }
 }
 
-START_TEST(all_pairs_stand) {
+TEST(all_pairs_stand) {
     for (int i = 0; i < ENTRIES; i++) {
         setUp();
         const Entry *e = &entry[i];
@@ -153,9 +153,8 @@ START_TEST(all_pairs_stand) {
         tearDown();
     }
 }
-END_TEST
 
-START_TEST(where_there_is_little_place_the_ends_are_kept) {
+TEST(where_there_is_little_place_the_ends_are_kept) {
     setUp();
     McdModelPair p = standing(&entry[2]);
     MeMatrix3 tilt;
@@ -182,9 +181,8 @@ START_TEST(where_there_is_little_place_the_ends_are_kept) {
     }
     tearDown();
 }
-END_TEST
 
-START_TEST(registered_pairs_are_served_either_way_round) {
+TEST(registered_pairs_are_served_either_way_round) {
     for (int i = 0; i < ENTRIES; i++) {
         setUp();
         const Entry *e = &entry[i];
@@ -203,9 +201,8 @@ START_TEST(registered_pairs_are_served_either_way_round) {
         tearDown();
     }
 }
-END_TEST
 
-START_TEST(groups_register_their_pairs) {
+TEST(groups_register_their_pairs) {
     static const int primitive[] = {kMcdGeometryTypeSphere, kMcdGeometryTypeBox, kMcdGeometryTypeCylinder,
                                     kMcdGeometryTypeSphyl, kMcdGeometryTypePlane};
     static const int mesh = kMcdGeometryTypeConvexMesh, cone = kMcdGeometryTypeCone;
@@ -224,9 +221,8 @@ START_TEST(groups_register_their_pairs) {
     ck_assert_ptr_nonnull(McdFrameworkGetInteractions(frame, cone, cone));
     tearDown();
 }
-END_TEST
 
-START_TEST(far_from_the_origin_contacts_are_as_good) {
+TEST(far_from_the_origin_contacts_are_as_good) {
     setUp();
     McdModelPair p = standing(&entry[2]);
     for (int i = 0; i < 2; i++)
@@ -239,9 +235,8 @@ START_TEST(far_from_the_origin_contacts_are_as_good) {
         assert_near(contacts[i].separation, .005, TOL(1e-6, 2e-15));
     tearDown();
 }
-END_TEST
 
-START_TEST(misuse_is_named) {
+TEST(misuse_is_named) {
     setUp();
     McdModelPair p = standing(&entry[1]);
     McdModelPair turned = {.model1 = p.model2, .model2 = p.model1};
@@ -264,15 +259,3 @@ START_TEST(misuse_is_named) {
     messages_release();
     tearDown();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, all_pairs_stand);
-    tcase_add_test(t, where_there_is_little_place_the_ends_are_kept);
-    tcase_add_test(t, registered_pairs_are_served_either_way_round);
-    tcase_add_test(t, groups_register_their_pairs);
-    tcase_add_test(t, far_from_the_origin_contacts_are_as_good);
-    tcase_add_test(t, misuse_is_named);
-}
-
-TEST_MAIN("ConvexInteractions", tests)

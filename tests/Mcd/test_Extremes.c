@@ -274,16 +274,15 @@ static void askEverything(Place *p) {
     messages_release();
 }
 
-START_TEST(any_numbers_against_any_geometry) {
+TEST(any_numbers_against_any_geometry) {
     Place p;
     setUp(&p, 0);
     askEverything(&p);
     tearDown(&p);
 }
-END_TEST
 
 /* Where the sum of the transforms is no number. */
-START_TEST(any_numbers_against_parts_out_of_reach) {
+TEST(any_numbers_against_parts_out_of_reach) {
     Place p;
     setUp(&p, MEINFINITY);
     for (int kind = 0; kind < KINDS; kind++)
@@ -296,10 +295,9 @@ START_TEST(any_numbers_against_parts_out_of_reach) {
     askEverything(&p);
     tearDown(&p);
 }
-END_TEST
 
 /* Flat transforms, of which shapes have no sides, touch nothing; a scale that is left in one is no reason to fail. */
-START_TEST(flat_transforms_touch_nothing_and_are_told) {
+TEST(flat_transforms_touch_nothing_and_are_told) {
     McdContact contact[CONTACTS];
     MeMatrix4 flat = {{1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0}, {0, 0, 0, 1}}, tm;
     McdFrameworkID f = McdInit(0, 10, 10, 1);
@@ -335,10 +333,9 @@ START_TEST(flat_transforms_touch_nothing_and_are_told) {
     messages_release();
     McdTerm(f);
 }
-END_TEST
 
 /* The functions of one pair of types, by a program's own result. */
-START_TEST(a_result_without_room_is_refused) {
+TEST(a_result_without_room_is_refused) {
     MeMatrix4 tm;
     McdFrameworkID f = McdInit(0, 10, 10, 1);
     McdPrimitivesRegisterTypes(f);
@@ -366,11 +363,10 @@ START_TEST(a_result_without_room_is_refused) {
     }
     McdTerm(f);
 }
-END_TEST
 
 /* The field is a part, and the model's place plus the part's is more than there is: its cells had the index
  * (int)NaN. */
-START_TEST(a_segment_against_a_height_field_in_an_aggregate) {
+TEST(a_segment_against_a_height_field_in_an_aggregate) {
     McdLineSegIntersectResult hit;
     MeVector3 from = {0, 0, 5}, to = {0, 0, -5};
     MeMatrix4 near, tm;
@@ -400,13 +396,3 @@ START_TEST(a_segment_against_a_height_field_in_an_aggregate) {
     McdGeometryDestroy(field);
     McdTerm(f);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, any_numbers_against_any_geometry);
-    tcase_add_test(t, any_numbers_against_parts_out_of_reach);
-    tcase_add_test(t, flat_transforms_touch_nothing_and_are_told);
-    tcase_add_test(t, a_result_without_room_is_refused);
-    tcase_add_test(t, a_segment_against_a_height_field_in_an_aggregate);
-}
-TEST_MAIN("McdExtremes", tests)

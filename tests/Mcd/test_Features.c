@@ -108,13 +108,12 @@ static void tryAllFaces(MeBool onBox, double height) {
     tearDown();
 }
 
-START_TEST(each_of_a_thousand_faces_has_its_own) {
+TEST(each_of_a_thousand_faces_has_its_own) {
     tryAllFaces(MEFALSE, 0);
     tryAllFaces(METRUE, 1);
 }
-END_TEST
 
-START_TEST(each_of_a_thousand_parts_has_its_own) {
+TEST(each_of_a_thousand_parts_has_its_own) {
     setUp();
     const McdGeometryID ball = McdSphereCreate(frame, (MeReal).5), row = McdAggregateCreate(frame, PARTS);
     MeMatrix4 at;
@@ -130,10 +129,9 @@ START_TEST(each_of_a_thousand_parts_has_its_own) {
     expectAllDifferent();
     tearDown();
 }
-END_TEST
 
 /* Parts of parts: 40 of 25, whose paths were sums that came out the same. */
-START_TEST(parts_of_parts_have_their_own) {
+TEST(parts_of_parts_have_their_own) {
     setUp();
     const McdGeometryID ball = McdSphereCreate(frame, (MeReal).5), row = McdAggregateCreate(frame, 40),
                         rows = McdAggregateCreate(frame, 24);
@@ -155,9 +153,8 @@ START_TEST(parts_of_parts_have_their_own) {
     expectAllDifferent();
     tearDown();
 }
-END_TEST
 
-START_TEST(contacts_with_many_triangles_have_their_own) {
+TEST(contacts_with_many_triangles_have_their_own) {
     enum { SIDE = 41 };
     static MeReal height[SIDE * SIDE];
     setUp();
@@ -170,12 +167,3 @@ START_TEST(contacts_with_many_triangles_have_their_own) {
     expectAllDifferent();
     tearDown();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, each_of_a_thousand_faces_has_its_own);
-    tcase_add_test(t, each_of_a_thousand_parts_has_its_own);
-    tcase_add_test(t, parts_of_parts_have_their_own);
-    tcase_add_test(t, contacts_with_many_triangles_have_their_own);
-}
-TEST_MAIN("McdFeatures", tests)

@@ -17,6 +17,7 @@ static void tearDown(void) {
     McdFrameworkDestroyAllModelsAndGeometries(frame);
     McdTerm(frame);
 }
+TEST_FIXTURE(setUp, tearDown)
 
 static McdModelID modelAt(McdGeometryID g, int i, MeReal x) {
     McdModelID m = McdModelCreate(g);
@@ -33,7 +34,7 @@ static void setInteraction(int type1, int type2) {
 
 /* ---- life ------------------------------------------------------------------------------------------------------ */
 
-START_TEST(sizes_out_of_range_get_a_warning) {
+TEST(sizes_out_of_range_get_a_warning) {
     messages_catch();
     ck_assert_ptr_null(McdInit(-1, 1, 0, 1));
     assert_warned("geoTypeMaxCount");
@@ -49,15 +50,13 @@ START_TEST(sizes_out_of_range_get_a_warning) {
     assert_warned("McdTerm");
     messages_release();
 }
-END_TEST
 
-START_TEST(three_arguments_mean_a_length_scale_of_one) {
+TEST(three_arguments_mean_a_length_scale_of_one) {
     McdFrameworkID old = McdInit(0, 1, 0);
     ck_assert(McdFrameworkGetLengthScale(old) == 1);
     ck_assert(McdFrameworkGetLengthScale(frame) == 2);
     McdTerm(old);
 }
-END_TEST
 
 static int actions[3], actionCount;
 
@@ -71,7 +70,7 @@ static void MEAPI secondAction(McdFrameworkID f) {
     actions[actionCount++] = 2;
 }
 
-START_TEST(the_end_runs_term_actions_and_says_what_was_left) {
+TEST(the_end_runs_term_actions_and_says_what_was_left) {
     int destroyed = 0;
     McdFrameworkID f = McdInit(1, 2, 0, 1);
     blobRegister(f, BLOB);
@@ -86,9 +85,8 @@ START_TEST(the_end_runs_term_actions_and_says_what_was_left) {
     ck_assert(actionCount == 2 && actions[0] == 2 && actions[1] == 1);
     ck_assert_int_eq(destroyed, 1);
 }
-END_TEST
 
-START_TEST(all_models_and_geometries_are_destroyed_at_once) {
+TEST(all_models_and_geometries_are_destroyed_at_once) {
     int destroyed = 0;
     McdGeometryID g = blobCreate(frame, BLOB, 1, &destroyed);
     McdModelCreate(g);
@@ -99,11 +97,10 @@ START_TEST(all_models_and_geometries_are_destroyed_at_once) {
     ck_assert(McdFrameworkGetModelCount(frame) == 0 && McdFrameworkGetGeometryCount(frame) == 0);
     ck_assert_int_eq(destroyed, 2);
 }
-END_TEST
 
 /* ---- types ----------------------------------------------------------------------------------------------------- */
 
-START_TEST(types_are_registered_once) {
+TEST(types_are_registered_once) {
     static char other[] = "other";
     ck_assert_int_eq(McdFrameworkGetRegisteredTypeCount(frame), 2);
     ck_assert(McdFrameworkTypeIsRegistered(frame, BLOB) && !McdFrameworkTypeIsRegistered(frame, kMcdGeometryTypeBox));
@@ -116,9 +113,8 @@ START_TEST(types_are_registered_once) {
     assert_warned("geoTypeMaxCount");
     messages_release();
 }
-END_TEST
 
-START_TEST(a_geometry_of_a_type_that_is_not_registered_is_none) {
+TEST(a_geometry_of_a_type_that_is_not_registered_is_none) {
     Blob blob;
     memset(&blob, 0, sizeof blob);
     messages_catch();
@@ -129,11 +125,10 @@ START_TEST(a_geometry_of_a_type_that_is_not_registered_is_none) {
     assert_warned("no geometry");
     messages_release();
 }
-END_TEST
 
 /* ---- references ------------------------------------------------------------------------------------------------ */
 
-START_TEST(a_geometry_in_use_stays) {
+TEST(a_geometry_in_use_stays) {
     int destroyed = 0;
     McdGeometryID g = blobCreate(frame, BLOB, 1, &destroyed);
     McdModelID a = McdModelCreate(g), b = McdModelCreate(g);
@@ -150,9 +145,8 @@ START_TEST(a_geometry_in_use_stays) {
     ck_assert_int_eq(destroyed, 1);
     messages_release();
 }
-END_TEST
 
-START_TEST(the_pool_of_models_has_an_end_and_is_reused) {
+TEST(the_pool_of_models_has_an_end_and_is_reused) {
     McdGeometryID g = blobCreate(frame, BLOB, 1, 0);
     McdModelID m[3];
     for (int i = 0; i < 3; i++)
@@ -167,7 +161,6 @@ START_TEST(the_pool_of_models_has_an_end_and_is_reused) {
     assert_silent();
     messages_release();
 }
-END_TEST
 
 /* ---- interactions ----------------------------------------------------------------------------------------------- */
 
@@ -181,7 +174,7 @@ static McdIntersectResult emptyResult(void) {
     return result;
 }
 
-START_TEST(a_pair_is_tested_by_the_interaction_of_its_types) {
+TEST(a_pair_is_tested_by_the_interaction_of_its_types) {
     McdModelID a = modelAt(blobCreate(frame, BLOB, 1, 0), 0, 0),
                b = modelAt(blobCreate(frame, BLOB, 2, 0), 1, (MeReal)2.5);
     McdModelPairID p = McdModelPairCreate(a, b);
@@ -199,10 +192,9 @@ START_TEST(a_pair_is_tested_by_the_interaction_of_its_types) {
     McdGoodbye(p);
     McdModelPairDestroy(p);
 }
-END_TEST
 
 /* Registered for (BLOB, OTHER_BLOB) and asked for (OTHER_BLOB, BLOB). */
-START_TEST(a_pair_in_the_other_order_is_turned_and_turned_back) {
+TEST(a_pair_in_the_other_order_is_turned_and_turned_back) {
     McdModelID a = modelAt(blobCreate(frame, OTHER_BLOB, 1, 0), 0, 0), b = modelAt(blobCreate(frame, BLOB, 1, 0), 1, 1);
     McdModelPairID p = McdModelPairCreate(a, b);
     McdIntersectResult result = emptyResult();
@@ -215,9 +207,8 @@ START_TEST(a_pair_in_the_other_order_is_turned_and_turned_back) {
     ck_assert(result.pair == p && p->model1 == a);
     McdModelPairDestroy(p);
 }
-END_TEST
 
-START_TEST(a_pair_without_an_interaction_never_touches_and_is_told_once) {
+TEST(a_pair_without_an_interaction_never_touches_and_is_told_once) {
     McdModelID a = modelAt(blobCreate(frame, BLOB, 1, 0), 0, 0), b = modelAt(blobCreate(frame, BLOB, 1, 0), 1, 1);
     McdModelPairID p = McdModelPairCreate(a, b);
     McdIntersectResult result = emptyResult();
@@ -231,9 +222,8 @@ START_TEST(a_pair_without_an_interaction_never_touches_and_is_told_once) {
     messages_release();
     McdModelPairDestroy(p);
 }
-END_TEST
 
-START_TEST(the_request_limits_contacts) {
+TEST(the_request_limits_contacts) {
     McdRequest none = {0, MEFALSE}, one = {1, MEFALSE};
     McdModelID a = modelAt(blobCreate(frame, BLOB, 1, 0), 0, 0), b = modelAt(blobCreate(frame, BLOB, 1, 0), 1, 1);
     McdModelPairID p = McdModelPairCreate(a, b);
@@ -247,7 +237,6 @@ START_TEST(the_request_limits_contacts) {
     ck_assert_int_eq(McdModelPairGetRequestPtr(p)->contactMaxCount, 20);
     McdModelPairDestroy(p);
 }
-END_TEST
 
 static int called;
 
@@ -257,7 +246,7 @@ static void MEAPI noteContacts(McdModel *m, McdIntersectResult *result) {
     result->contactCount = 0; /* it may change them */
 }
 
-START_TEST(a_models_callback_sees_its_contacts) {
+TEST(a_models_callback_sees_its_contacts) {
     McdModelID a = modelAt(blobCreate(frame, BLOB, 1, 0), 0, 0), b = modelAt(blobCreate(frame, BLOB, 1, 0), 1, 1);
     McdModelPairID p = McdModelPairCreate(a, b);
     McdIntersectResult result = emptyResult();
@@ -268,9 +257,8 @@ START_TEST(a_models_callback_sees_its_contacts) {
     ck_assert(called == 1 && result.contactCount == 0);
     McdModelPairDestroy(p);
 }
-END_TEST
 
-START_TEST(models_are_intersected_where_they_will_be) {
+TEST(models_are_intersected_where_they_will_be) {
     MeVector3 velocity = {2, 0, 0};
     McdModelID a = modelAt(blobCreate(frame, BLOB, 1, 0), 0, 0), b = modelAt(blobCreate(frame, BLOB, 1, 0), 1, 4);
     McdModelPairID p = McdModelPairCreate(a, b);
@@ -283,9 +271,8 @@ START_TEST(models_are_intersected_where_they_will_be) {
     ck_assert(place[0][3][0] == 0 && McdModelGetTransformPtr(a) == place[0]);
     McdModelPairDestroy(p);
 }
-END_TEST
 
-START_TEST(bad_pairs_and_results_are_refused) {
+TEST(bad_pairs_and_results_are_refused) {
     McdModelID a = modelAt(blobCreate(frame, BLOB, 1, 0), 0, 0), b = modelAt(blobCreate(frame, BLOB, 1, 0), 1, 1);
     McdModelPair p = {.model1 = a, .model2 = b, .phase = kMcdFFStateInactive};
     McdIntersectResult result = emptyResult(), placeless = {0};
@@ -307,11 +294,10 @@ START_TEST(bad_pairs_and_results_are_refused) {
     assert_warned("no transform");
     messages_release();
 }
-END_TEST
 
 /* ---- defaults --------------------------------------------------------------------------------------------------- */
 
-START_TEST(the_contact_tolerance_grows_the_boxes) {
+TEST(the_contact_tolerance_grows_the_boxes) {
     McdModelID a = modelAt(blobCreate(frame, BLOB, 1, 0), 0, 0), b;
     assert_near(McdFrameworkGetDefaultContactTolerance(frame), .02, TOL(1e-9, 2e-17));
     assert_near(McdModelGetContactTolerance(a), .02, TOL(1e-9, 2e-17));
@@ -330,26 +316,3 @@ START_TEST(the_contact_tolerance_grows_the_boxes) {
     messages_release();
     McdModelPairDestroy(p);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, tearDown);
-    tcase_add_test(t, sizes_out_of_range_get_a_warning);
-    tcase_add_test(t, three_arguments_mean_a_length_scale_of_one);
-    tcase_add_test(t, the_end_runs_term_actions_and_says_what_was_left);
-    tcase_add_test(t, all_models_and_geometries_are_destroyed_at_once);
-    tcase_add_test(t, types_are_registered_once);
-    tcase_add_test(t, a_geometry_of_a_type_that_is_not_registered_is_none);
-    tcase_add_test(t, a_geometry_in_use_stays);
-    tcase_add_test(t, the_pool_of_models_has_an_end_and_is_reused);
-    tcase_add_test(t, a_pair_is_tested_by_the_interaction_of_its_types);
-    tcase_add_test(t, a_pair_in_the_other_order_is_turned_and_turned_back);
-    tcase_add_test(t, a_pair_without_an_interaction_never_touches_and_is_told_once);
-    tcase_add_test(t, the_request_limits_contacts);
-    tcase_add_test(t, a_models_callback_sees_its_contacts);
-    tcase_add_test(t, models_are_intersected_where_they_will_be);
-    tcase_add_test(t, bad_pairs_and_results_are_refused);
-    tcase_add_test(t, the_contact_tolerance_grows_the_boxes);
-}
-
-TEST_MAIN("Framework", tests)

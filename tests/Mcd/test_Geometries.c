@@ -6,7 +6,7 @@
 
 static const double tolerance = TOL(2e-6, 1e-13);
 
-START_TEST(sizes_come_back) {
+TEST(sizes_come_back) {
     McdFrameworkID f = framework();
     MeReal x, y, z;
     McdGeometryID g = McdSphereCreate(f, 2);
@@ -47,9 +47,8 @@ START_TEST(sizes_come_back) {
     McdGeometryDestroy(g);
     McdTerm(f);
 }
-END_TEST
 
-START_TEST(polygons_of_a_mesh) {
+TEST(polygons_of_a_mesh) {
     McdFrameworkID f = framework();
     McdGeometryID g = boxMesh(f, boxSize, 1, .1);
     assert_near(McdConvexMeshGetFatness(g), .1, TOL(1e-8, 0));
@@ -80,7 +79,6 @@ START_TEST(polygons_of_a_mesh) {
     McdGeometryDestroy(g);
     McdTerm(f);
 }
-END_TEST
 
 /* Points of the surface: from the middle outwards in any direction. */
 static void surfacePoint(int kind, double p[3]) {
@@ -106,7 +104,7 @@ static void assertSphere(McdGeometryID g, double z, double radius) {
 
 /* Of cones: through the tip and the rim, or with the rim as its equator where that is wider; the origin is a quarter
  * up. */
-START_TEST(spheres_around_are_the_smallest) {
+TEST(spheres_around_are_the_smallest) {
     McdFrameworkID f = framework();
     assertSphere(McdSphereCreate(f, 3), 0, 3);
     assertSphere(McdBoxCreate(f, 2, 4, 4), 0, 3);
@@ -120,9 +118,8 @@ START_TEST(spheres_around_are_the_smallest) {
         }
     McdTerm(f);
 }
-END_TEST
 
-START_TEST(boxes_spheres_and_farthest_points) {
+TEST(boxes_spheres_and_farthest_points) {
     McdFrameworkID f = framework();
     for (int kind = 0; kind < SOLIDS; kind++)
         for (double size = 1e-3; size < 2e3; size *= 1e3) {
@@ -179,9 +176,8 @@ START_TEST(boxes_spheres_and_farthest_points) {
         }
     McdTerm(f);
 }
-END_TEST
 
-START_TEST(a_box_around_two_places) {
+TEST(a_box_around_two_places) {
     McdFrameworkID f = framework();
     McdGeometryID g[SOLIDS + 1];
     for (int kind = 0; kind <= SOLIDS; kind++) {
@@ -205,9 +201,8 @@ START_TEST(a_box_around_two_places) {
     }
     McdTerm(f);
 }
-END_TEST
 
-START_TEST(a_level_plane_ends_at_its_height) {
+TEST(a_level_plane_ends_at_its_height) {
     McdFrameworkID f = framework();
     McdGeometryID g = McdPlaneCreate(f);
     MeMatrix4 tm;
@@ -223,10 +218,9 @@ START_TEST(a_level_plane_ends_at_its_height) {
     McdGeometryDestroy(g);
     McdTerm(f);
 }
-END_TEST
 
 /* It has no farthest point; the one that is named lies beyond all others in each direction but up. */
-START_TEST(a_plane_reaches_in_every_direction_but_up) {
+TEST(a_plane_reaches_in_every_direction_but_up) {
     McdFrameworkID f = framework();
     McdGeometryID g = McdPlaneCreate(f);
     MeMatrix4 tm;
@@ -243,10 +237,9 @@ START_TEST(a_plane_reaches_in_every_direction_but_up) {
     McdGeometryDestroy(g);
     McdTerm(f);
 }
-END_TEST
 
 /* The sphere around a solid touches it. */
-START_TEST(spheres_are_tight) {
+TEST(spheres_are_tight) {
     McdFrameworkID f = framework();
     for (int kind = 0; kind < SOLIDS; kind++) {
         McdGeometryID g = solid(f, kind, 1);
@@ -270,7 +263,6 @@ START_TEST(spheres_are_tight) {
     }
     McdTerm(f);
 }
-END_TEST
 
 static int lines;
 static double lineReach;
@@ -281,7 +273,7 @@ static void MEAPI countLine(MeVector3 start, MeVector3 end, MeReal r, MeReal g, 
     ck_assert(r == 1 && g == 0 && b == 0);
 }
 
-START_TEST(all_can_be_drawn) {
+TEST(all_can_be_drawn) {
     McdFrameworkID f = framework();
     const MeReal red[3] = {1, 0, 0};
     const MeDebugLineFuncPtr before = MeDebugDrawAPI.line;
@@ -312,9 +304,8 @@ START_TEST(all_can_be_drawn) {
     MeDebugDrawAPI.line = before;
     McdTerm(f);
 }
-END_TEST
 
-START_TEST(a_space_is_drawn_model_by_model) {
+TEST(a_space_is_drawn_model_by_model) {
     McdFrameworkID f = framework();
     const MeReal red[3] = {1, 0, 0};
     const MeDebugLineFuncPtr before = MeDebugDrawAPI.line;
@@ -346,9 +337,8 @@ START_TEST(a_space_is_drawn_model_by_model) {
     MeDebugDrawAPI.line = before;
     McdTerm(f);
 }
-END_TEST
 
-START_TEST(bad_sizes_are_refused) {
+TEST(bad_sizes_are_refused) {
     messages_catch();
     McdFrameworkID f = framework();
     const MeReal bad[] = {0, -1, (MeReal)NAN, (MeReal)INFINITY, MEINFINITY};
@@ -386,9 +376,8 @@ START_TEST(bad_sizes_are_refused) {
     assert_silent();
     McdTerm(f);
 }
-END_TEST
 
-START_TEST(bad_meshes_are_refused) {
+TEST(bad_meshes_are_refused) {
     messages_catch();
     McdFrameworkID f = framework();
     MeVector3 v[5] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}};
@@ -415,9 +404,8 @@ START_TEST(bad_meshes_are_refused) {
     assert_warned("not finite");
     McdTerm(f);
 }
-END_TEST
 
-START_TEST(wrong_types_are_refused) {
+TEST(wrong_types_are_refused) {
     messages_catch();
     McdFrameworkID f = framework(), bare = McdInit(0, 1, 0, 1);
     McdGeometryID ball = McdSphereCreate(f, 1), box = McdBoxCreate(f, 1, 1, 1);
@@ -441,9 +429,8 @@ START_TEST(wrong_types_are_refused) {
     McdTerm(bare);
     McdTerm(f);
 }
-END_TEST
 
-START_TEST(primitives_at_once) {
+TEST(primitives_at_once) {
     McdFrameworkID f = McdInit(0, 1, 0, 1);
     McdPrimitivesRegisterTypes(f);
     ck_assert_int_eq(McdFrameworkGetRegisteredTypeCount(f), (int)McdPrimitivesGetTypeCount());
@@ -463,23 +450,3 @@ START_TEST(primitives_at_once) {
     ck_assert_int_eq(McdFrameworkGetRegisteredTypeCount(f), 3);
     McdTerm(f);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, sizes_come_back);
-    tcase_add_test(t, polygons_of_a_mesh);
-    tcase_add_test(t, spheres_around_are_the_smallest);
-    tcase_add_test(t, boxes_spheres_and_farthest_points);
-    tcase_add_test(t, a_box_around_two_places);
-    tcase_add_test(t, a_level_plane_ends_at_its_height);
-    tcase_add_test(t, a_plane_reaches_in_every_direction_but_up);
-    tcase_add_test(t, spheres_are_tight);
-    tcase_add_test(t, all_can_be_drawn);
-    tcase_add_test(t, a_space_is_drawn_model_by_model);
-    tcase_add_test(t, bad_sizes_are_refused);
-    tcase_add_test(t, bad_meshes_are_refused);
-    tcase_add_test(t, wrong_types_are_refused);
-    tcase_add_test(t, primitives_at_once);
-}
-
-TEST_MAIN("Mcd geometries", tests)

@@ -72,7 +72,7 @@ static Tally tallyOf(int kindA, int kindB, double overlap, Random *r) {
     return t;
 }
 
-START_TEST(round_sides_are_not_searched) {
+TEST(round_sides_are_not_searched) {
     static const struct {
         int kind[2];
         double apart, deep, verified; /* shares, at least: guessed apart, guessed and verified overlapping */
@@ -88,21 +88,11 @@ START_TEST(round_sides_are_not_searched) {
         ck_assert_double_ge(deep.verified, pairs[i].verified * deep.pairs);
     }
 }
-END_TEST
 
 /* Deep ones as well, where several directions may be as good. */
-START_TEST(nothing_wrong_is_verified) {
+TEST(nothing_wrong_is_verified) {
     Random r = {6364136223846793005ull};
     for (double overlap = 1e-6; overlap < 1; overlap *= 4)
         for (int a = SHAPE_SPHYL; a <= SHAPE_CYLINDER; a++)
             tallyOf(a, SHAPE_CYLINDER, overlap, &r);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_set_timeout(t, 0);
-    tcase_add_test(t, round_sides_are_not_searched);
-    tcase_add_test(t, nothing_wrong_is_verified);
-}
-
-TEST_MAIN("Guess", tests)

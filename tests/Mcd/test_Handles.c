@@ -52,7 +52,7 @@ static void(MEAPI *const destroyOf[ALL])(McdGeometryID) = {
     McdNullDestroy,   McdTriangleListDestroy, McdRGHeightFieldDestroy, McdAggregateDestroy};
 
 /* Destroyed twice, it would be freed twice. */
-START_TEST(geometries_may_go_after_their_framework) {
+TEST(geometries_may_go_after_their_framework) {
     McdGeometryID g[ALL];
     setUp();
     for (int kind = 0; kind < ALL; kind++)
@@ -71,10 +71,9 @@ START_TEST(geometries_may_go_after_their_framework) {
     assert_silent();
     messages_release();
 }
-END_TEST
 
 /* A type's own Destroy is McdGeometryDestroy: the framework knows of it. */
-START_TEST(a_types_destroy_takes_a_geometry_out_of_its_framework) {
+TEST(a_types_destroy_takes_a_geometry_out_of_its_framework) {
     setUp();
     for (int kind = 0; kind < ALL; kind++) {
         const McdGeometryID g = oneOf(kind);
@@ -93,11 +92,10 @@ START_TEST(a_types_destroy_takes_a_geometry_out_of_its_framework) {
     McdSphereDestroy(ball);
     tearDown();
 }
-END_TEST
 
 static MeMatrix4 identity = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
 
-START_TEST(a_model_is_taken_out_of_its_space_when_it_is_destroyed) {
+TEST(a_model_is_taken_out_of_its_space_when_it_is_destroyed) {
     McdModelPairContainer *pairs = McdModelPairContainerCreate(10);
     setUp();
     const McdSpaceID s = McdSpaceAxisSortCreate(frame, McdAllAxes, 10, 10);
@@ -129,9 +127,8 @@ START_TEST(a_model_is_taken_out_of_its_space_when_it_is_destroyed) {
     tearDown();
     McdModelPairContainerDestroy(pairs);
 }
-END_TEST
 
-START_TEST(a_pair_of_a_model_with_itself_is_disabled_in_silence) {
+TEST(a_pair_of_a_model_with_itself_is_disabled_in_silence) {
     setUp();
     const McdSpaceID s = McdSpaceAxisSortCreate(frame, McdAllAxes, 10, 10);
     const McdGeometryID ball = oneOf(BALL);
@@ -144,11 +141,10 @@ START_TEST(a_pair_of_a_model_with_itself_is_disabled_in_silence) {
     McdGeometryDestroy(ball);
     tearDown();
 }
-END_TEST
 
 /* ---- of another framework ---------------------------------------------------------------------------------------- */
 
-START_TEST(geometries_and_models_of_another_framework_are_refused) {
+TEST(geometries_and_models_of_another_framework_are_refused) {
     setUp();
     const McdFrameworkID other = McdInit(0, 5, 5, 1);
     McdAllRegisterTypes(other);
@@ -176,7 +172,6 @@ START_TEST(geometries_and_models_of_another_framework_are_refused) {
     McdGeometryDestroy(mine);
     tearDown();
 }
-END_TEST
 
 /* ---- relative transforms ----------------------------------------------------------------------------------------- */
 
@@ -194,7 +189,7 @@ static void MEAPI countedDestroy(void *const block) {
 }
 
 /* It left the product behind, and its end destroyed a null. */
-START_TEST(resetting_the_instance_of_a_model_with_its_own_relative_transform) {
+TEST(resetting_the_instance_of_a_model_with_its_own_relative_transform) {
     const MeMemoryAPIStruct before = MeMemoryAPI;
     MeMatrix4 relative;
     memcpy(relative, identity, sizeof relative);
@@ -221,7 +216,6 @@ START_TEST(resetting_the_instance_of_a_model_with_its_own_relative_transform) {
     McdGeometryDestroy(ball);
     tearDown();
 }
-END_TEST
 
 /* ---- what has gone ----------------------------------------------------------------------------------------------- */
 
@@ -234,7 +228,7 @@ END_TEST
         assert_warned(name ": 0x");                                                                                    \
     } while (0)
 
-START_TEST(what_has_been_destroyed_gets_a_warning_and_is_not_read) {
+TEST(what_has_been_destroyed_gets_a_warning_and_is_not_read) {
     MeVector3 v;
     McdModelID list[2];
     setUp();
@@ -268,12 +262,11 @@ START_TEST(what_has_been_destroyed_gets_a_warning_and_is_not_read) {
     GONE(ck_assert_ptr_null(McdGeometryInstanceGetModel(child)), "McdGeometryInstanceGetModel");
     messages_release();
 }
-END_TEST
 #endif
 
 /* ---- what registering brings ------------------------------------------------------------------------------------- */
 
-START_TEST(primitives_and_meshes_register_the_triangle_list) {
+TEST(primitives_and_meshes_register_the_triangle_list) {
     static const int solids[] = {kMcdGeometryTypeSphere, kMcdGeometryTypeBox, kMcdGeometryTypeCylinder,
                                  kMcdGeometryTypeSphyl, kMcdGeometryTypeConvexMesh};
     messages_catch();
@@ -289,10 +282,9 @@ START_TEST(primitives_and_meshes_register_the_triangle_list) {
     McdGeometryDestroy(list);
     tearDown();
 }
-END_TEST
 
 /* The guide's stool: four legs of one matrix. */
-START_TEST(an_aggregate_copies_the_transforms_of_its_parts) {
+TEST(an_aggregate_copies_the_transforms_of_its_parts) {
     MeMatrix4 place;
     MeVector3 low, high;
     setUp();
@@ -314,7 +306,6 @@ START_TEST(an_aggregate_copies_the_transforms_of_its_parts) {
     McdGeometryDestroy(leg);
     tearDown();
 }
-END_TEST
 
 /* A getter that was given nothing says so, with its name, and returns what stands for none. */
 #define assert_none(getter, none)                                                                                      \
@@ -323,7 +314,7 @@ END_TEST
         assert_warned(#getter);                                                                                        \
     } while (0)
 
-START_TEST(getters_of_nothing_return_nothing) {
+TEST(getters_of_nothing_return_nothing) {
     messages_catch();
     assert_none(McdAggregateGetElementCount, 0);
     assert_none(McdAggregateGetElementCountMax, 0);
@@ -364,20 +355,3 @@ START_TEST(getters_of_nothing_return_nothing) {
     assert_none(McdTriangleListGetMaxTriangles, 0);
     ck_assert_int_eq(caught.fatal, 0);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, getters_of_nothing_return_nothing);
-    tcase_add_test(t, geometries_may_go_after_their_framework);
-    tcase_add_test(t, a_types_destroy_takes_a_geometry_out_of_its_framework);
-    tcase_add_test(t, a_model_is_taken_out_of_its_space_when_it_is_destroyed);
-    tcase_add_test(t, a_pair_of_a_model_with_itself_is_disabled_in_silence);
-    tcase_add_test(t, geometries_and_models_of_another_framework_are_refused);
-    tcase_add_test(t, resetting_the_instance_of_a_model_with_its_own_relative_transform);
-#if KARMA_CHECK
-    tcase_add_test(t, what_has_been_destroyed_gets_a_warning_and_is_not_read);
-#endif
-    tcase_add_test(t, primitives_and_meshes_register_the_triangle_list);
-    tcase_add_test(t, an_aggregate_copies_the_transforms_of_its_parts);
-}
-TEST_MAIN("McdHandles", tests)

@@ -72,7 +72,7 @@ static void compareShapes(McdGeometryID shape, double above) {
     probe_term(&same);
 }
 
-START_TEST(it_is_the_list_of_its_triangles) {
+TEST(it_is_the_list_of_its_triangles) {
     MeVector3 p[7] = {{0, 0, (MeReal).4},
                       {(MeReal).4, 0, 0},
                       {(MeReal)-.4, 0, 0},
@@ -89,9 +89,8 @@ START_TEST(it_is_the_list_of_its_triangles) {
     compareShapes(McdConvexMeshCreateHull(frame, (const MeVector3 *)p, 7, 0), .3);
     end();
 }
-END_TEST
 
-START_TEST(nothing_is_in_a_hole) {
+TEST(nothing_is_in_a_hole) {
     begin(0);
     const int i = 10, j = 12;
     heights[j * N + i] = NAN;
@@ -103,9 +102,8 @@ START_TEST(nothing_is_in_a_hole) {
     ck_assert_int_gt(probe_at(&probe, x + step * 1.01, y, .05), 0);
     end();
 }
-END_TEST
 
-START_TEST(heights_and_normals) {
+TEST(heights_and_normals) {
     MeReal z, x0, y0;
     MeVector3 n;
     int nx, ny;
@@ -134,10 +132,9 @@ START_TEST(heights_and_normals) {
     assert_vec3_near(high, 3, 3, 3, TOL(3e-6, 6e-14));
     end();
 }
-END_TEST
 
 /* Against all triangles, one by one, by the list. */
-START_TEST(line_segments_meet_the_first_triangle) {
+TEST(line_segments_meet_the_first_triangle) {
     int hits = 0;
     begin(.4);
     McdRGHeightFieldLineSegmentRegisterInteraction(frame);
@@ -172,9 +169,8 @@ START_TEST(line_segments_meet_the_first_triangle) {
     ck_assert_int_gt(hits, 800);
     end();
 }
-END_TEST
 
-START_TEST(bad_input) {
+TEST(bad_input) {
     begin(0);
     messages_catch();
     ck_assert_ptr_null(McdRGHeightFieldCreate(frame, 0, N, N, 1, 1, 0, 0));
@@ -197,13 +193,3 @@ START_TEST(bad_input) {
     messages_release();
     end();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, it_is_the_list_of_its_triangles);
-    tcase_add_test(t, nothing_is_in_a_hole);
-    tcase_add_test(t, heights_and_normals);
-    tcase_add_test(t, line_segments_meet_the_first_triangle);
-    tcase_add_test(t, bad_input);
-}
-TEST_MAIN("McdHeightField", tests)

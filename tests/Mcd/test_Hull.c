@@ -106,7 +106,7 @@ static void checkCube(double (*p)[3], int n, double slack) {
     mcd_hullDestroy(h);
 }
 
-START_TEST(a_cube_has_six_faces) {
+TEST(a_cube_has_six_faces) {
     for (double size = 1e-3; size < 2e3; size *= 1e3)
         for (int turn = 0; turn < 50; turn++) {
             double p[8][3];
@@ -114,9 +114,8 @@ START_TEST(a_cube_has_six_faces) {
             checkCube(p, 8, 1e-6);
         }
 }
-END_TEST
 
-START_TEST(inner_and_double_points_do_not_count) {
+TEST(inner_and_double_points_do_not_count) {
     for (int turn = 0; turn < 50; turn++) {
         double p[8 + 125 + 300 + 40][3];
         int n = 0;
@@ -135,9 +134,8 @@ START_TEST(inner_and_double_points_do_not_count) {
         checkCube(p, n, 1e-6);
     }
 }
-END_TEST
 
-START_TEST(away_from_the_origin_a_cube_is_a_cube) {
+TEST(away_from_the_origin_a_cube_is_a_cube) {
     for (double size = 1e-3; size < 2e3; size *= 1e3)
         for (double away = 0; away < 2e6; away = away * 10 + 1) {
             double p[8][3];
@@ -148,9 +146,8 @@ START_TEST(away_from_the_origin_a_cube_is_a_cube) {
             checkCube(p, 8, 1e-6 + 1e-15 * away);
         }
 }
-END_TEST
 
-START_TEST(points_on_a_ball) {
+TEST(points_on_a_ball) {
     for (int n = 4; n < 3000; n *= 3) {
         static double p[3000][3];
         for (int i = 0; i < n; i++) {
@@ -166,9 +163,8 @@ START_TEST(points_on_a_ball) {
         mcd_hullDestroy(h);
     }
 }
-END_TEST
 
-START_TEST(prisms_of_many_sides) {
+TEST(prisms_of_many_sides) {
     for (int sides = 3; sides <= 400; sides = sides * 3 / 2 + 1)
         for (double height = 1e-4; height < 2e4; height *= 1e4) {
             static double p[800][3];
@@ -187,10 +183,9 @@ START_TEST(prisms_of_many_sides) {
             mcd_hullDestroy(h);
         }
 }
-END_TEST
 
 /* To a sixth of the tolerance: the corners of a facet across the face carry their bumps on, three times as far. */
-START_TEST(nearly_coplanar_points_are_coplanar) {
+TEST(nearly_coplanar_points_are_coplanar) {
     for (double bump = 5e-16; bump < 1e-7; bump *= 10)
         for (int turn = 0; turn < 20; turn++) {
             double p[8 + 60][3];
@@ -205,10 +200,9 @@ START_TEST(nearly_coplanar_points_are_coplanar) {
             checkCube(p, n, 2e-6);
         }
 }
-END_TEST
 
 /* Bumps about the tolerance may or may not make faces, but always a sound hull. */
-START_TEST(bumps_of_any_height_make_a_hull) {
+TEST(bumps_of_any_height_make_a_hull) {
     for (double bump = 1e-9; bump < .1; bump *= 2)
         for (int turn = 0; turn < 20; turn++) {
             double p[500][3];
@@ -224,9 +218,8 @@ START_TEST(bumps_of_any_height_make_a_hull) {
             mcd_hullDestroy(h);
         }
 }
-END_TEST
 
-START_TEST(the_order_is_the_points) {
+TEST(the_order_is_the_points) {
     double p[200][3];
     for (int i = 0; i < 200; i++)
         for (int k = 0; k < 3; k++)
@@ -249,7 +242,6 @@ START_TEST(the_order_is_the_points) {
     mcd_hullDestroy(h);
     mcd_hullDestroy(again);
 }
-END_TEST
 
 static void checkNone(double (*p)[3], int n, const char *word) {
     ck_assert_ptr_null(make(p, n));
@@ -257,7 +249,7 @@ static void checkNone(double (*p)[3], int n, const char *word) {
     assert_warned("test");
 }
 
-START_TEST(what_has_no_volume_is_refused) {
+TEST(what_has_no_volume_is_refused) {
     messages_catch();
     double p[20][3];
     checkNone(NULL, 8, "4");
@@ -290,18 +282,3 @@ START_TEST(what_has_no_volume_is_refused) {
     mcd_hullDestroy(NULL);
     assert_silent();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_cube_has_six_faces);
-    tcase_add_test(t, inner_and_double_points_do_not_count);
-    tcase_add_test(t, away_from_the_origin_a_cube_is_a_cube);
-    tcase_add_test(t, points_on_a_ball);
-    tcase_add_test(t, prisms_of_many_sides);
-    tcase_add_test(t, nearly_coplanar_points_are_coplanar);
-    tcase_add_test(t, bumps_of_any_height_make_a_hull);
-    tcase_add_test(t, the_order_is_the_points);
-    tcase_add_test(t, what_has_no_volume_is_refused);
-}
-
-TEST_MAIN("Mcd hulls", tests)

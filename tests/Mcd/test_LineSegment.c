@@ -81,7 +81,7 @@ static void checkSegment(int kind, McdModelID m, const MeVector4 *tm, double siz
     assert_below(beyondPlane(m, &r), tolerance * size * 4);
 }
 
-START_TEST(segments_enter_where_a_march_does) {
+TEST(segments_enter_where_a_march_does) {
     McdFrameworkID f = framework();
     for (int kind = 0; kind < SOLIDS; kind++)
         for (double size = 1e-3; size < 2e3; size *= 1e3) {
@@ -108,10 +108,9 @@ START_TEST(segments_enter_where_a_march_does) {
         }
     McdTerm(f);
 }
-END_TEST
 
 /* Along the axes and through the middle, where slopes are 0 and roots are double. */
-START_TEST(segments_along_axes) {
+TEST(segments_along_axes) {
     McdFrameworkID f = framework();
     for (int kind = 0; kind < SOLIDS; kind++) {
         McdGeometryID g = solid(f, kind, 1);
@@ -139,9 +138,8 @@ START_TEST(segments_along_axes) {
     }
     McdTerm(f);
 }
-END_TEST
 
-START_TEST(a_segment_that_is_a_point_hits_from_inside_only) {
+TEST(a_segment_that_is_a_point_hits_from_inside_only) {
     McdFrameworkID f = framework();
     for (int kind = 0; kind < SOLIDS; kind++) {
         McdGeometryID g = solid(f, kind, 1);
@@ -161,9 +159,8 @@ START_TEST(a_segment_that_is_a_point_hits_from_inside_only) {
     }
     McdTerm(f);
 }
-END_TEST
 
-START_TEST(a_plane_is_met_from_above) {
+TEST(a_plane_is_met_from_above) {
     McdFrameworkID f = framework();
     McdGeometryID g = McdPlaneCreate(f);
     McdModelID m = McdModelCreate(g);
@@ -193,13 +190,3 @@ START_TEST(a_plane_is_met_from_above) {
     McdGeometryDestroy(g);
     McdTerm(f);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, segments_enter_where_a_march_does);
-    tcase_add_test(t, segments_along_axes);
-    tcase_add_test(t, a_segment_that_is_a_point_hits_from_inside_only);
-    tcase_add_test(t, a_plane_is_met_from_above);
-}
-
-TEST_MAIN("Mcd line segments", tests)

@@ -30,6 +30,7 @@ static void tearDown(void) {
     McdFrameworkDestroyAllModelsAndGeometries(frame);
     McdTerm(frame);
 }
+TEST_FIXTURE(setUp, tearDown)
 
 /* How many contacts the balls have with a gap between them; -1: they are no pair. */
 static int contactsAt(double gap) {
@@ -56,22 +57,20 @@ static int contactsAt(double gap) {
     return result.contactCount;
 }
 
-START_TEST(without_it_balls_that_are_apart_have_no_contact) {
+TEST(without_it_balls_that_are_apart_have_no_contact) {
     ck_assert(McdSpaceGetLookAhead(space) == 0);
     MeVector3Set(velocity[0], 6, 0, 0);
     ck_assert_int_eq(contactsAt(.05), -1);
 }
-END_TEST
 
-START_TEST(what_may_meet_within_the_time_has_a_contact) {
+TEST(what_may_meet_within_the_time_has_a_contact) {
     McdSpaceSetLookAhead(space, (MeReal).1);
     MeVector3Set(velocity[0], 6, 0, 0); /* .6 m in that time */
     ck_assert_int_eq(contactsAt(.59), 1);
     ck_assert_int_eq(contactsAt(.61), -1);
 }
-END_TEST
 
-START_TEST(it_is_the_relative_velocity_that_counts) {
+TEST(it_is_the_relative_velocity_that_counts) {
     McdSpaceSetLookAhead(space, (MeReal).1);
     MeVector3Set(velocity[0], 6, 0, 0);
     MeVector3Set(velocity[1], 6, 0, 0);
@@ -80,10 +79,9 @@ START_TEST(it_is_the_relative_velocity_that_counts) {
     ck_assert_int_eq(contactsAt(.89), 1);
     ck_assert_int_eq(contactsAt(.91), -1);
 }
-END_TEST
 
 /* 6 m/s each, across each other: sqrt(2) times as much, though each by itself looks .6 m ahead. */
-START_TEST(velocities_across_each_other_count_by_their_difference) {
+TEST(velocities_across_each_other_count_by_their_difference) {
     McdSpaceSetLookAhead(space, (MeReal).1);
     MeVector3Set(velocity[0], 6, 0, 0);
     MeVector3Set(velocity[1], 0, 6, 0);
@@ -93,26 +91,23 @@ START_TEST(velocities_across_each_other_count_by_their_difference) {
     ck_assert_int_eq(contactsAt(.632), 1);
     ck_assert_int_eq(contactsAt(.633), 0);
 }
-END_TEST
 
-START_TEST(none_looks_farther_than_its_radius) {
+TEST(none_looks_farther_than_its_radius) {
     McdSpaceSetLookAhead(space, 1);
     MeVector3Set(velocity[0], 500, 0, 0);
     ck_assert_int_eq(contactsAt(.99), 1);
     ck_assert_int_eq(contactsAt(1.01), -1);
 }
-END_TEST
 
-START_TEST(a_frozen_model_looks_nowhere) {
+TEST(a_frozen_model_looks_nowhere) {
     McdSpaceSetLookAhead(space, (MeReal).1);
     MeVector3Set(velocity[0], 6, 0, 0);
     ck_assert_int_eq(contactsAt(.5), 1);
     McdSpaceFreezeModel(model[0]);
     ck_assert_int_eq(contactsAt(.5), -1);
 }
-END_TEST
 
-START_TEST(bad_times_are_refused) {
+TEST(bad_times_are_refused) {
     McdSpaceSetLookAhead(space, 2);
     messages_catch();
     McdSpaceSetLookAhead(space, -1);
@@ -124,7 +119,6 @@ START_TEST(bad_times_are_refused) {
     assert_warned("no space");
     messages_release();
 }
-END_TEST
 
 /* ---- a ball that rolls over triangles ---------------------------------------------------------------------------- */
 
@@ -168,7 +162,7 @@ static int contactsBeforeEdge(double rise, double speed, McdContact contact[8]) 
     return result.contactCount;
 }
 
-START_TEST(a_ball_has_a_contact_with_the_rise_that_it_comes_to) {
+TEST(a_ball_has_a_contact_with_the_rise_that_it_comes_to) {
     const double rise = .1, up = 1 / hypot(1, rise);
     McdContact contact[8];
     ck_assert_int_eq(contactsBeforeEdge(rise, 2, contact), 2);
@@ -179,24 +173,21 @@ START_TEST(a_ball_has_a_contact_with_the_rise_that_it_comes_to) {
     assert_near(ahead->separation, (.05 * rise + .4) * up - .4, TOL(1e-6, 1e-14));
     assert_near(ahead->normal[0], -rise * up, TOL(1e-6, 1e-14));
 }
-END_TEST
 
-START_TEST(a_ball_that_does_not_come_to_the_rise_has_none) {
+TEST(a_ball_that_does_not_come_to_the_rise_has_none) {
     McdContact contact[8];
     ck_assert_int_eq(contactsBeforeEdge(.1, -2, contact), 1);
     assert_near(contact[0].normal[2], 1, TOL(1e-6, 1e-14));
 }
-END_TEST
 
-START_TEST(a_ball_before_a_rise_that_is_farther_than_its_way_has_none) {
+TEST(a_ball_before_a_rise_that_is_farther_than_its_way_has_none) {
     McdContact contact[8];
     ck_assert_int_eq(contactsBeforeEdge(.1, .2, contact), 1);
     assert_near(contact[0].normal[2], 1, TOL(1e-6, 1e-14));
 }
-END_TEST
 
 /* Moved across the normal, by the way's length along the level, it touches the slope. */
-START_TEST(a_balls_normal_is_that_of_the_chord_where_the_surface_falls) {
+TEST(a_balls_normal_is_that_of_the_chord_where_the_surface_falls) {
     const double fall = .1, up = 1 / hypot(1, fall), speed = 2, way = .1 * speed;
     McdContact contact[8];
     ck_assert_int_eq(contactsBeforeEdge(-fall, speed, contact), 1);
@@ -206,21 +197,3 @@ START_TEST(a_balls_normal_is_that_of_the_chord_where_the_surface_falls) {
     assert_near(contact[0].normal[0], -chord[1] / length, TOL(1e-6, 1e-14));
     assert_near(contact[0].normal[2], chord[0] / length, TOL(1e-6, 1e-14));
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, tearDown);
-    tcase_add_test(t, without_it_balls_that_are_apart_have_no_contact);
-    tcase_add_test(t, what_may_meet_within_the_time_has_a_contact);
-    tcase_add_test(t, it_is_the_relative_velocity_that_counts);
-    tcase_add_test(t, velocities_across_each_other_count_by_their_difference);
-    tcase_add_test(t, none_looks_farther_than_its_radius);
-    tcase_add_test(t, a_frozen_model_looks_nowhere);
-    tcase_add_test(t, bad_times_are_refused);
-    tcase_add_test(t, a_ball_has_a_contact_with_the_rise_that_it_comes_to);
-    tcase_add_test(t, a_ball_that_does_not_come_to_the_rise_has_none);
-    tcase_add_test(t, a_ball_before_a_rise_that_is_farther_than_its_way_has_none);
-    tcase_add_test(t, a_balls_normal_is_that_of_the_chord_where_the_surface_falls);
-}
-
-TEST_MAIN("LookAhead", tests)

@@ -57,7 +57,7 @@ static void integrate(int kind, double *m, double *mz, double square[3]) {
         }
 }
 
-START_TEST(columns_add_up_to_the_same) {
+TEST(columns_add_up_to_the_same) {
     McdFrameworkID f = framework();
     for (int kind = 0; kind < SOLIDS; kind++) {
         double m, mz, square[3];
@@ -76,9 +76,8 @@ START_TEST(columns_add_up_to_the_same) {
     }
     McdTerm(f);
 }
-END_TEST
 
-START_TEST(closed_forms) {
+TEST(closed_forms) {
     McdFrameworkID f = framework();
     McdGeometryID g = McdBoxCreate(f, 2, 3, 4);
     Mass m = massOf(g);
@@ -104,7 +103,6 @@ START_TEST(closed_forms) {
     McdGeometryDestroy(c);
     McdTerm(f);
 }
-END_TEST
 
 /* The integral of x^2 over a box with half sizes a, b, c and all within r of it: box, faces, edges, corners. */
 static double fatSquare(double a, double b, double c, double r) {
@@ -117,7 +115,7 @@ static double fatSquare(double a, double b, double c, double r) {
 }
 
 /* V = abc + 2 r (ab + bc + ca) + pi r^2 (a + b + c) + 4/3 pi r^3; and for a hull that is next to nothing, a ball's. */
-START_TEST(a_fat_box_by_steiners_formula) {
+TEST(a_fat_box_by_steiners_formula) {
     McdFrameworkID f = framework();
     const double pi = 3.14159265358979323846, half[3] = {.5, 1, 1.5}, a = 1, b = 2, c = 3;
     for (double r = 0; r < 3; r = 2 * r + .1) {
@@ -142,7 +140,6 @@ START_TEST(a_fat_box_by_steiners_formula) {
     McdGeometryDestroy(ball);
     McdTerm(f);
 }
-END_TEST
 
 static const double tetrahedron[4][3] = {{0, 0, 0}, {1, .2, .1}, {.3, .9, -.1}, {.2, .3, .8}};
 
@@ -166,7 +163,7 @@ static McdGeometryID roughTetrahedron(McdFrameworkID f, double fatness) {
     return McdConvexMeshCreateHull(f, (const MeVector3 *)v, 4 * N, 0);
 }
 
-START_TEST(a_fat_hull_is_the_limit_of_hulls) {
+TEST(a_fat_hull_is_the_limit_of_hulls) {
     McdFrameworkID f = framework();
     for (double r = .1; r < 2; r *= 3) {
         McdGeometryID a = fatTetrahedron(f, r), b = roughTetrahedron(f, r);
@@ -184,11 +181,10 @@ START_TEST(a_fat_hull_is_the_limit_of_hulls) {
     }
     McdTerm(f);
 }
-END_TEST
 
 /* A tetrahedron's: V = det/6, the centre the mean; with covariance V/20 (sum v v^T + s s^T) from its centre, where s =
  * 0. */
-START_TEST(a_tetrahedron_off_the_origin) {
+TEST(a_tetrahedron_off_the_origin) {
     McdFrameworkID f = framework();
     for (double away = 0; away < 200; away = away * 3 + 1) {
         MeVector3 v[4];
@@ -219,9 +215,8 @@ START_TEST(a_tetrahedron_off_the_origin) {
     }
     McdTerm(f);
 }
-END_TEST
 
-START_TEST(size_goes_with_its_powers) {
+TEST(size_goes_with_its_powers) {
     McdFrameworkID f = framework();
     for (int kind = 0; kind < SOLIDS; kind++) {
         McdGeometryID one = solid(f, kind, 1);
@@ -238,9 +233,8 @@ START_TEST(size_goes_with_its_powers) {
     }
     McdTerm(f);
 }
-END_TEST
 
-START_TEST(some_have_none) {
+TEST(some_have_none) {
     McdFrameworkID f = framework();
     McdGeometryID g[2] = {McdPlaneCreate(f), McdNullCreate(f)};
     for (int i = 0; i < 2; i++) {
@@ -251,16 +245,3 @@ START_TEST(some_have_none) {
     }
     McdTerm(f);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, columns_add_up_to_the_same);
-    tcase_add_test(t, closed_forms);
-    tcase_add_test(t, a_fat_box_by_steiners_formula);
-    tcase_add_test(t, a_fat_hull_is_the_limit_of_hulls);
-    tcase_add_test(t, a_tetrahedron_off_the_origin);
-    tcase_add_test(t, size_goes_with_its_powers);
-    tcase_add_test(t, some_have_none);
-}
-
-TEST_MAIN("Mcd mass properties", tests)

@@ -5,6 +5,8 @@
 #include "McdSpace.h"
 #include "terrain.h"
 
+TEST_FIXTURE(messages_catch, messages_release)
+
 enum { CELLS = 14, TRIANGLES = 2 * CELLS * CELLS, QUERIES = 150 };
 
 typedef double Triangle[3][3];
@@ -305,7 +307,7 @@ static double gapToSurface(McdGeometryID g, int i) {
 
 /* ---- tests ------------------------------------------------------------------------------------------------------- */
 
-START_TEST(overlaps) {
+TEST(overlaps) {
     const double unsure = TOL(1e-4, 1e-9);
     int met = 0, free = 0;
     setUp();
@@ -340,7 +342,6 @@ START_TEST(overlaps) {
     tearDown();
     assert_silent();
 }
-END_TEST
 
 /* The gap of balls, penetrating or not, and of boxes that are free; else -1. */
 static double exactGap(McdGeometryID g, int i) {
@@ -371,7 +372,7 @@ static void assertPoints(McdGeometryID g, int i, const MeReal *onShape, const Me
         assert_near(x[k] - y[k], gap * (double)normal[k], tol);
 }
 
-START_TEST(the_nearest) {
+TEST(the_nearest) {
     int found = 0;
     setUp();
     for (int n = 0; n < QUERIES; n++) {
@@ -402,9 +403,8 @@ START_TEST(the_nearest) {
     tearDown();
     assert_silent();
 }
-END_TEST
 
-START_TEST(distances_of_pairs) {
+TEST(distances_of_pairs) {
     setUp();
     for (int n = 0; n < QUERIES; n++) {
         const McdGeometryID g = n % 2 ? ball : box;
@@ -440,7 +440,6 @@ START_TEST(distances_of_pairs) {
     tearDown();
     assert_silent();
 }
-END_TEST
 
 /* May the cast meet it, coming from that side? */
 static int isFaced(const Surface *s, int n, const double by[3]) {
@@ -475,7 +474,7 @@ static double firstMet(McdGeometryID g, const double by[3]) {
     return first;
 }
 
-START_TEST(casts) {
+TEST(casts) {
     const double tol = TOL(2e-6, 2e-8);
     int hits = 0, misses = 0, starts = 0;
     setUp();
@@ -507,10 +506,9 @@ START_TEST(casts) {
     tearDown();
     assert_silent();
 }
-END_TEST
 
 /* A grain of sand flies a thousand kilometres beside a hill: the work does not grow with the way. */
-START_TEST(long_casts_of_small_shapes_end) {
+TEST(long_casts_of_small_shapes_end) {
     static MeReal corner[4] = {0, 0, 0, 10};
     const MeReal wide = (MeReal)1e6;
     const MeVector3 by = {(MeReal)9e5, 0, 0};
@@ -533,7 +531,6 @@ START_TEST(long_casts_of_small_shapes_end) {
     McdTerm(f);
     assert_silent();
 }
-END_TEST
 
 /* Where the segment meets the triangle; above 1 if it does not. */
 static double rayOnto(const Triangle t, const double from[3], const double by[3]) {
@@ -561,7 +558,7 @@ static double firstOfRay(const double from[3], const double by[3], int surfaces)
 }
 
 /* Lists and fields are met once that was asked for. */
-START_TEST(rays) {
+TEST(rays) {
     int hits = 0;
     setUp();
     McdRGHeightFieldLineSegmentRegisterInteraction(frame);
@@ -589,15 +586,3 @@ START_TEST(rays) {
     tearDown();
     assert_silent();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, messages_catch, messages_release);
-    tcase_add_test(t, overlaps);
-    tcase_add_test(t, the_nearest);
-    tcase_add_test(t, distances_of_pairs);
-    tcase_add_test(t, casts);
-    tcase_add_test(t, long_casts_of_small_shapes_end);
-    tcase_add_test(t, rays);
-}
-TEST_MAIN("McdQuery of meshes", tests)

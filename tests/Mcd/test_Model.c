@@ -19,6 +19,7 @@ static void tearDown(void) {
     McdFrameworkDestroyAllModelsAndGeometries(frame);
     McdTerm(frame);
 }
+TEST_FIXTURE(setUp, tearDown)
 
 static void assertBox(double x0, double x1, double y0, double y1) {
     MeVector3 low, high;
@@ -29,7 +30,7 @@ static void assertBox(double x0, double x1, double y0, double y1) {
     assert_near(high[1], y1, TOL(2e-6, 3e-15));
 }
 
-START_TEST(a_new_model_has_nothing_but_its_geometry) {
+TEST(a_new_model_has_nothing_but_its_geometry) {
     ck_assert_ptr_eq(McdModelGetGeometry(model), blob);
     ck_assert_int_eq(McdModelGetGeometryType(model), BLOB);
     ck_assert_ptr_null(McdModelGetTransformPtr(model));
@@ -42,9 +43,8 @@ START_TEST(a_new_model_has_nothing_but_its_geometry) {
     ck_assert_int_eq(McdModelGetSortKey(model), 0);
     ck_assert(!McdModelIsSwept(model));
 }
-END_TEST
 
-START_TEST(the_box_follows_the_transform_at_updates) {
+TEST(the_box_follows_the_transform_at_updates) {
     MeMatrix4TMSetPosition(place, 3, 0, 0);
     McdModelSetTransformPtr(model, place);
     McdModelUpdate(model);
@@ -54,31 +54,28 @@ START_TEST(the_box_follows_the_transform_at_updates) {
     McdModelUpdate(model);
     assertBox(4, 6, -1, 1);
 }
-END_TEST
 
-START_TEST(a_model_without_a_transform_cannot_be_updated) {
+TEST(a_model_without_a_transform_cannot_be_updated) {
     messages_catch();
     McdModelUpdate(model);
     assert_warned("no transform");
     messages_release();
 }
-END_TEST
 
 static void MEAPI moveOn(McdModel *m) {
     McdModelGetTransformPtr(m)[3][0] += 1;
 }
 
-START_TEST(the_update_callback_comes_first) {
+TEST(the_update_callback_comes_first) {
     McdModelSetTransformPtr(model, place);
     McdModelSetUpdateCallback(model, moveOn);
     McdModelUpdate(model);
     assertBox(0, 2, -1, 1);
     ck_assert(McdModelGetUpdateCallback(model) == moveOn);
 }
-END_TEST
 
 /* relTM: 2 along x; refTM: a quarter turn about z, at (10, 0, 0). So the model is at (10, 2, 0). */
-START_TEST(relative_transforms_are_multiplied) {
+TEST(relative_transforms_are_multiplied) {
     MeMatrix4 relative, reference, product;
     MeMatrix4Ptr got[2];
     MeMatrix3 R;
@@ -96,9 +93,8 @@ START_TEST(relative_transforms_are_multiplied) {
     McdModelUpdate(model);
     assertBox(19, 21, 1, 3);
 }
-END_TEST
 
-START_TEST(a_relative_transform_is_copied) {
+TEST(a_relative_transform_is_copied) {
     MeMatrix4 relative;
     messages_catch();
     MeMatrix4TMMakeIdentity(relative);
@@ -118,9 +114,8 @@ START_TEST(a_relative_transform_is_copied) {
     assert_silent();
     messages_release();
 }
-END_TEST
 
-START_TEST(a_path_covers_the_whole_motion) {
+TEST(a_path_covers_the_whole_motion) {
     MeVector3 velocity = {4, -2, 0};
     McdModelSetTransformPtr(model, place);
     McdModelSetLinearVelocityPtr(model, velocity);
@@ -128,9 +123,8 @@ START_TEST(a_path_covers_the_whole_motion) {
     assertBox(-1, 3, -2, 1);
     ck_assert(place[3][0] == 0);
 }
-END_TEST
 
-START_TEST(a_reset_model_keeps_its_geometry) {
+TEST(a_reset_model_keeps_its_geometry) {
     int data;
     McdModelSetTransformPtr(model, place);
     McdModelSetMaterial(model, 3);
@@ -145,9 +139,8 @@ START_TEST(a_reset_model_keeps_its_geometry) {
     ck_assert(!McdModelGetTransformPtr(model) && !McdModelGetBodyData(model) && !McdModelGetUserData(model));
     ck_assert(McdModelGetMaterial(model) == 0 && McdModelGetSortKey(model) == 0 && !McdModelIsSwept(model));
 }
-END_TEST
 
-START_TEST(a_model_can_have_another_geometry) {
+TEST(a_model_can_have_another_geometry) {
     McdGeometryID larger = blobCreate(frame, BLOB, 2, 0);
     McdModelSetTransformPtr(model, place);
     McdModelSetGeometry(model, larger);
@@ -157,9 +150,8 @@ START_TEST(a_model_can_have_another_geometry) {
     McdGeometryInstanceSetGeometry(McdModelGetGeometryInstance(model), blob);
     ck_assert(McdGeometryGetReferenceCount(blob) == 1 && McdGeometryGetReferenceCount(larger) == 0);
 }
-END_TEST
 
-START_TEST(misuse_gets_a_warning_and_changes_nothing) {
+TEST(misuse_gets_a_warning_and_changes_nothing) {
     messages_catch();
     McdModelSetMaterial(model, -1);
     assert_warned("material");
@@ -178,20 +170,3 @@ START_TEST(misuse_gets_a_warning_and_changes_nothing) {
     assert_silent();
     messages_release();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, tearDown);
-    tcase_add_test(t, a_new_model_has_nothing_but_its_geometry);
-    tcase_add_test(t, the_box_follows_the_transform_at_updates);
-    tcase_add_test(t, a_model_without_a_transform_cannot_be_updated);
-    tcase_add_test(t, the_update_callback_comes_first);
-    tcase_add_test(t, relative_transforms_are_multiplied);
-    tcase_add_test(t, a_relative_transform_is_copied);
-    tcase_add_test(t, a_path_covers_the_whole_motion);
-    tcase_add_test(t, a_reset_model_keeps_its_geometry);
-    tcase_add_test(t, a_model_can_have_another_geometry);
-    tcase_add_test(t, misuse_gets_a_warning_and_changes_nothing);
-}
-
-TEST_MAIN("Model", tests)

@@ -34,6 +34,7 @@ static void tearDown(void) {
     drop();
     McdTerm(frame);
 }
+TEST_FIXTURE(setUp, tearDown)
 
 static void makePair(McdGeometryID a, McdGeometryID b) {
     McdGeometryID g[2];
@@ -60,7 +61,7 @@ static McdSafeTimeResult safeTime(double maxTime) {
 
 /* ---- closed forms ------------------------------------------------------------------------------------------------ */
 
-START_TEST(two_balls_meet_when_they_should) {
+TEST(two_balls_meet_when_they_should) {
     makePair(McdSphereCreate(frame, 1), McdSphereCreate(frame, (MeReal)0.5));
     MeMatrix4TMSetPosition(place[1], 6, 0, 0);
     MeVector3Set(velocity[0], 3, 0, 0);
@@ -75,9 +76,8 @@ START_TEST(two_balls_meet_when_they_should) {
     r = safeTime(2);
     ck_assert(r.time == 2 && r.normal[0] == 0 && r.normal[1] == 0 && r.normal[2] == 0);
 }
-END_TEST
 
-START_TEST(a_ball_falls_onto_a_plane) {
+TEST(a_ball_falls_onto_a_plane) {
     makePair(McdSphereCreate(frame, (MeReal)0.5), McdPlaneCreate(frame));
     MeMatrix4TMSetPosition(place[0], 0, 0, 10);
     MeVector3Set(velocity[0], 7, 0, -19);
@@ -86,7 +86,6 @@ START_TEST(a_ball_falls_onto_a_plane) {
     assert_vec3_near(r.normal, 0, 0, 1, TOL(5e-7, 9e-16));
     assert_near(r.position[0], 3.5, TOL(2e-6, 4e-15));
 }
-END_TEST
 
 static double uniform(double low, double high) {
     return low + (high - low) * rand() / RAND_MAX;
@@ -104,7 +103,7 @@ static double along(const MeReal *v, const MeReal *n) {
 
 /* Both lie and move any way, without turning: the box's lowest corner, half its sides' share of the normal below its
  * middle, meets the plane when their speeds along the normal have used up its height. */
-START_TEST(a_box_falls_onto_a_plane_that_lies_any_way) {
+TEST(a_box_falls_onto_a_plane_that_lies_any_way) {
     const double side[3] = {1, 2, 3};
     makePair(McdBoxCreate(frame, 1, 2, 3), McdPlaneCreate(frame));
     const MeReal *const n = place[1][2];
@@ -134,11 +133,10 @@ START_TEST(a_box_falls_onto_a_plane_that_lies_any_way) {
     }
     ck_assert_int_gt(met, 20);
 }
-END_TEST
 
 /* A rod of 2 m turns about its middle until its end meets a block: the corner (1, -.05) at distance r, angle -a, gets
  * to y = .7. */
-START_TEST(a_turning_rod_meets_a_block) {
+TEST(a_turning_rod_meets_a_block) {
     makePair(McdBoxCreate(frame, 2, (MeReal)0.1, (MeReal)0.1), McdBoxCreate(frame, 4, (MeReal)0.2, 1));
     MeMatrix4TMSetPosition(place[1], 0, (MeReal)0.8, 0);
     MeVector3Set(spin[0], 0, 0, 60);
@@ -147,18 +145,16 @@ START_TEST(a_turning_rod_meets_a_block) {
     assert_near(r.time, expected, 1e-5);
     assert_vec3_near(r.normal, 0, -1, 0, TOL(5e-7, 2e-15));
 }
-END_TEST
 
-START_TEST(models_that_touch_have_no_time) {
+TEST(models_that_touch_have_no_time) {
     makePair(McdSphereCreate(frame, 1), McdBoxCreate(frame, 1, 1, 1));
     MeVector3Set(velocity[0], 1, 0, 0);
     ck_assert(safeTime(1).time == 0);
 }
-END_TEST
 
 /* Case: a ball of 5 cm at 50 to 1500 m/s against a wall of 2 cm, a frame of 1/60 s: aimed anywhere, it never is found
  * behind the wall, and the time is that of the closed form: when its lowest point is at the wall's face. */
-START_TEST(no_ball_gets_through_a_wall) {
+TEST(no_ball_gets_through_a_wall) {
     makePair(McdSphereCreate(frame, (MeReal)0.05), McdBoxCreate(frame, 20, 20, (MeReal)0.02));
     srand(1);
     for (int i = 0; i < 1000; i++) {
@@ -172,9 +168,8 @@ START_TEST(no_ball_gets_through_a_wall) {
         assert_near((double)r.time * speed, expected * speed, TOL(9e-6, 3e-14)); /* m */
     }
 }
-END_TEST
 
-START_TEST(bad_times_are_refused) {
+TEST(bad_times_are_refused) {
     McdSafeTimeResult r;
     makePair(McdSphereCreate(frame, 1), McdSphereCreate(frame, 1));
     MeMatrix4TMSetPosition(place[0], 5, 0, 0);
@@ -188,7 +183,6 @@ START_TEST(bad_times_are_refused) {
     assert_warned("not finite");
     messages_release();
 }
-END_TEST
 
 /* ---- random motions ---------------------------------------------------------------------------------------------- */
 
@@ -246,7 +240,7 @@ static double distanceAt(double time) {
 }
 
 /* Before the safe time they are apart, at it they touch or the time is up. */
-START_TEST(the_safe_time_is_safe_and_not_too_early) {
+TEST(the_safe_time_is_safe_and_not_too_early) {
     srand(2);
     int touches = 0;
     for (int n = 0; n < 300; n++) {
@@ -266,10 +260,9 @@ START_TEST(the_safe_time_is_safe_and_not_too_early) {
     ck_assert_int_gt(touches, 100);
     ck_assert_int_lt(touches, 290);
 }
-END_TEST
 
 /* A path's box holds the model all the way. */
-START_TEST(a_path_covers_turning) {
+TEST(a_path_covers_turning) {
     srand(3);
     for (int n = 0; n < 100; n++) {
         MeVector3 low, high, l, h;
@@ -289,11 +282,10 @@ START_TEST(a_path_covers_turning) {
         drop();
     }
 }
-END_TEST
 
 /* ---- distances --------------------------------------------------------------------------------------------------- */
 
-START_TEST(distances_of_simple_pairs) {
+TEST(distances_of_simple_pairs) {
     McdDistanceResult d;
     makePair(McdSphereCreate(frame, 1), McdBoxCreate(frame, 2, 2, 2));
     MeMatrix4TMSetPosition(place[0], 4, 0, 0);
@@ -313,20 +305,3 @@ START_TEST(distances_of_simple_pairs) {
     assert_vec3_near(d.position2, 1, 2, -.5, TOL(1e-6, 2e-15));
     assert_vec3_near(d.normal, 0, 0, -1, TOL(5e-7, 9e-16));
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, tearDown);
-    tcase_add_test(t, two_balls_meet_when_they_should);
-    tcase_add_test(t, a_ball_falls_onto_a_plane);
-    tcase_add_test(t, a_box_falls_onto_a_plane_that_lies_any_way);
-    tcase_add_test(t, a_turning_rod_meets_a_block);
-    tcase_add_test(t, models_that_touch_have_no_time);
-    tcase_add_test(t, no_ball_gets_through_a_wall);
-    tcase_add_test(t, bad_times_are_refused);
-    tcase_add_test(t, the_safe_time_is_safe_and_not_too_early);
-    tcase_add_test(t, a_path_covers_turning);
-    tcase_add_test(t, distances_of_simple_pairs);
-}
-
-TEST_MAIN("Motion", tests)

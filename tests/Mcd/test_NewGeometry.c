@@ -110,6 +110,7 @@ static void tearDown(void) {
     assert_silent();
     messages_release();
 }
+TEST_FIXTURE(setUp, tearDown)
 
 static McdGeometryID makeEllipsoid(double x, double y, double z) {
     Ellipsoid *e = mcd_geometryCreate(frame, ELLIPSOID, sizeof *e, "test");
@@ -194,7 +195,7 @@ static int MEAPI twoTriangles(McdModelPair *p, McdUserTriangle *t, MeVector3 pos
     return 2;
 }
 
-START_TEST(it_stands_on_whatever_is_flat) {
+TEST(it_stands_on_whatever_is_flat) {
     static MeVector3 cube[8];
     static MeReal heights[16];
     MeVector3 low = {-4, -4, -1}, high = {5, 5, 1};
@@ -213,10 +214,9 @@ START_TEST(it_stands_on_whatever_is_flat) {
     standOn(McdRGHeightFieldCreate(frame, heights, 4, 4, 3, 3, -4, -4), 0);
     standOn(a, 0);
 }
-END_TEST
 
 /* One of equal radii is a sphere. */
-START_TEST(a_round_one_is_a_sphere) {
+TEST(a_round_one_is_a_sphere) {
     const McdGeometryID other[] = {McdSphereCreate(frame, 1),
                                    McdSphylCreate(frame, (MeReal).4, 1),
                                    McdBoxCreate(frame, 1, (MeReal)1.2, (MeReal).8),
@@ -246,9 +246,8 @@ START_TEST(a_round_one_is_a_sphere) {
         ck_assert_int_gt(touching, 50);
     }
 }
-END_TEST
 
-START_TEST(queries_and_safe_times_know_it) {
+TEST(queries_and_safe_times_know_it) {
     MeMatrix4 tm, wall;
     MeVector3 velocity = {2, 0, 0}, way = {10, 0, 0}, still = {0, 0, 0};
     McdModelID e = McdModelCreate(makeEllipsoid(.5, .3, .2)), box = McdModelCreate(McdBoxCreate(frame, 1, 4, 4));
@@ -280,12 +279,3 @@ START_TEST(queries_and_safe_times_know_it) {
     assert_near(hit.fraction, .2, TOL(1e-7, 4e-13));
     McdSpaceDestroy(space);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, tearDown);
-    tcase_add_test(t, it_stands_on_whatever_is_flat);
-    tcase_add_test(t, a_round_one_is_a_sphere);
-    tcase_add_test(t, queries_and_safe_times_know_it);
-}
-TEST_MAIN("McdNewGeometry", tests)

@@ -28,6 +28,7 @@ static void tearDown(void) {
     McdFrameworkDestroyAllModelsAndGeometries(frame);
     McdTerm(frame);
 }
+TEST_FIXTURE(setUp, tearDown)
 
 static int indexOf(McdModelID m) {
     int i = 0;
@@ -60,7 +61,7 @@ static void countPairs(int room, int *phase, MeBool withStaying) {
     McdModelPairContainerDestroy(c);
 }
 
-START_TEST(phases_follow_what_comes_near_and_goes) {
+TEST(phases_follow_what_comes_near_and_goes) {
     int before[MODELS][MODELS] = {{0}}, now[MODELS][MODELS] = {{0}}, phase[MODELS * MODELS];
     MeU32 seed = 3;
     for (int step = 0; step < 300; step++) {
@@ -91,14 +92,13 @@ START_TEST(phases_follow_what_comes_near_and_goes) {
         McdModelPairManagerFlush(manager);
     }
 }
-END_TEST
 
 static void MEAPI tell(McdModelID a, McdModelID b) {
     ck_assert(a == model[2] && b == model[3]);
     told++;
 }
 
-START_TEST(what_has_no_place_is_told) {
+TEST(what_has_no_place_is_told) {
     McdModelPairManagerID small = McdModelPairManagerCreate(1);
     messages_catch();
     ck_assert(McdModelPairManagerGetSize(small) == 1 && McdModelPairManagerActivate(small, model[0], model[1]));
@@ -114,9 +114,8 @@ START_TEST(what_has_no_place_is_told) {
     messages_release();
     McdModelPairManagerDestroy(small);
 }
-END_TEST
 
-START_TEST(its_pairs_can_be_asked_for_contacts) {
+TEST(its_pairs_can_be_asked_for_contacts) {
     McdContact contact[4];
     McdIntersectResult result = {.contacts = contact, .contactMaxCount = 4};
     McdModelUpdate(model[0]);
@@ -127,9 +126,8 @@ START_TEST(its_pairs_can_be_asked_for_contacts) {
     ck_assert(McdIntersect(p, &result) && result.contactCount == 1);
     assert_near(contact[0].separation, -2, 1e-6);
 }
-END_TEST
 
-START_TEST(bad_input_warns) {
+TEST(bad_input_warns) {
     McdSpacePairIterator it;
     McdModelPairContainer *c = McdModelPairContainerCreate(4);
     messages_catch();
@@ -154,14 +152,3 @@ START_TEST(bad_input_warns) {
     messages_release();
     McdModelPairContainerDestroy(c);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, tearDown);
-    tcase_add_test(t, phases_follow_what_comes_near_and_goes);
-    tcase_add_test(t, what_has_no_place_is_told);
-    tcase_add_test(t, its_pairs_can_be_asked_for_contacts);
-    tcase_add_test(t, bad_input_warns);
-}
-
-TEST_MAIN("PairManager", tests)

@@ -2,6 +2,8 @@
  * by one: the same sets in the same order. */
 #include "crates.h"
 
+TEST_FIXTURE(messages_catch, messages_release)
+
 enum { MODELS = 60, STEPS = 300, TABLE = 4 };
 
 typedef struct Twin { /* what the slow test knows of a model */
@@ -203,7 +205,7 @@ static void destroyRun(Run *r) {
     McdCullingTableDestroy(r->table);
 }
 
-START_TEST(the_same_as_all_pairs_one_by_one) {
+LOOP_TEST(the_same_as_all_pairs_one_by_one, 0, 6) {
     static Run r;
     int seen = 0;
     makeRun(&r, (unsigned long long)_i + 1);
@@ -219,7 +221,6 @@ START_TEST(the_same_as_all_pairs_one_by_one) {
     destroyRun(&r);
     assert_silent();
 }
-END_TEST
 
 /* Sums up what a run hands over, by the models' numbers and in order. */
 static unsigned long long digest(unsigned long long seed) {
@@ -245,7 +246,7 @@ static unsigned long long digest(unsigned long long seed) {
     return sum;
 }
 
-START_TEST(twice_the_same) {
+TEST(twice_the_same) {
     const unsigned long long first = digest(7);
     void *elsewhere[50]; /* other addresses */
     for (int i = 0; i < 50; i++)
@@ -255,10 +256,9 @@ START_TEST(twice_the_same) {
     for (int i = 0; i < 50; i++)
         free(elsewhere[i]);
 }
-END_TEST
 
 /* Models with sort keys of their own, created and inserted in another order: the same list. */
-START_TEST(sort_keys_make_the_order) {
+TEST(sort_keys_make_the_order) {
     enum { COUNT = 30 };
     static Yard y;
     static int first[COUNT * COUNT][2];
@@ -294,7 +294,6 @@ START_TEST(sort_keys_make_the_order) {
         yardDestroy(&y);
     }
 }
-END_TEST
 
 static int allocations;
 static void *(MEAPI *realCreate)(size_t);
@@ -308,7 +307,7 @@ static void *MEAPI countResize(void *const p, size_t n) {
     return realResize(p, n);
 }
 
-START_TEST(warm_steps_allocate_nothing) {
+TEST(warm_steps_allocate_nothing) {
     static Yard y;
     yardMake(&y);
     for (int i = 0; i < 200; i++)
@@ -331,10 +330,9 @@ START_TEST(warm_steps_allocate_nothing) {
     ck_assert_int_eq(allocations, 0);
     yardDestroy(&y);
 }
-END_TEST
 
 /* Boxes that come in order would make the tree a list. */
-START_TEST(models_in_a_row) {
+TEST(models_in_a_row) {
     static Yard y;
     yardMake(&y);
     for (int i = 0; i < CRATES; i++)
@@ -349,14 +347,3 @@ START_TEST(models_in_a_row) {
     yardDestroy(&y);
     assert_silent();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, messages_catch, messages_release);
-    tcase_add_loop_test(t, the_same_as_all_pairs_one_by_one, 0, 6);
-    tcase_add_test(t, twice_the_same);
-    tcase_add_test(t, sort_keys_make_the_order);
-    tcase_add_test(t, models_in_a_row);
-    tcase_add_test(t, warm_steps_allocate_nothing);
-}
-TEST_MAIN("McdSpace pairs", tests)

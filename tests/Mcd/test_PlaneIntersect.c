@@ -17,6 +17,7 @@ static void tearDown(void) {
     McdFrameworkDestroyAllModelsAndGeometries(frame);
     McdTerm(frame);
 }
+TEST_FIXTURE(setUp, tearDown)
 
 static McdModelID modelAt(int i, McdGeometryID g) {
     McdModelID m = McdModelCreate(g);
@@ -51,7 +52,7 @@ static int sliceOf(McdModelID m, SliceFn f, const MeReal *normal, double dist, i
     return n;
 }
 
-START_TEST(a_box_is_cut_into_polygons) {
+TEST(a_box_is_cut_into_polygons) {
     const MeReal third = 1 / MeSqrt((MeReal)3), half = 1 / MeSqrt((MeReal)2);
     const MeVector3 up = {0, 0, 1}, diagonal = {third, third, third}, slant = {half, 0, half};
     McdModelID m = modelAt(0, McdBoxCreate(frame, 2, 2, 2));
@@ -70,9 +71,8 @@ START_TEST(a_box_is_cut_into_polygons) {
     ck_assert_int_eq(sliceOf(m, McdGeometryInstanceGetSlice, (MeVector3){1, 0, 0}, 5, 64, &area), 4);
     assert_near(area, 4 * sqrt(2), TOL(1e-4, 1e-12));
 }
-END_TEST
 
-START_TEST(a_cylinder_and_a_mesh_are_cut_into_polygons) {
+TEST(a_cylinder_and_a_mesh_are_cut_into_polygons) {
     const MeVector3 up = {0, 0, 1}, side = {0, 1, 0};
     static const MeVector3 corner[] = {{0, 2, 0}, {-3, -1, -3}, {3, -1, -3}, {-3, -1, 3}, {3, -1, 3}};
     McdModelID rod = modelAt(0, McdCylinderCreate(frame, 1, 4));
@@ -88,10 +88,9 @@ START_TEST(a_cylinder_and_a_mesh_are_cut_into_polygons) {
     ck_assert_int_eq(sliceOf(pyramid, McdConvexMeshGetSlice, side, 2, 64, &area), 0); /* the tip */
     ck_assert_int_eq(sliceOf(pyramid, McdConvexMeshGetSlice, side, .5, 3, &area), 3);
 }
-END_TEST
 
 /* The ridge of a roof, exactly: two corners are no polygon. */
-START_TEST(a_plane_through_an_edge_cuts_nothing_off) {
+TEST(a_plane_through_an_edge_cuts_nothing_off) {
     const MeVector3 up = {0, 0, 1}, down = {0, 0, -1};
     static const MeVector3 corner[] = {{-1, 0, 1}, {1, 0, 1}, {-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}, {1, 1, 0}};
     McdModelID roof = modelAt(0, McdConvexMeshCreateHull(frame, corner, 6, 0));
@@ -103,9 +102,8 @@ START_TEST(a_plane_through_an_edge_cuts_nothing_off) {
     ck_assert_int_eq(sliceOf(roof, McdConvexMeshGetSlice, up, 0, 64, &area), 4);
     assert_near(area, 4, TOL(1e-6, 1e-14));
 }
-END_TEST
 
-START_TEST(slices_of_bad_input_are_none) {
+TEST(slices_of_bad_input_are_none) {
     const MeVector3 up = {0, 0, 1}, longer = {0, 0, 2};
     MeVector3 v[8];
     McdModelID ball = modelAt(0, McdSphereCreate(frame, 1)), box = modelAt(1, McdBoxCreate(frame, 1, 1, 1));
@@ -129,11 +127,10 @@ START_TEST(slices_of_bad_input_are_none) {
     assert_warned("McdBoxGetSlice");
     messages_release();
 }
-END_TEST
 
 /* ---- planes ---- */
 
-START_TEST(a_plane_meets_any_convex_type_in_either_order) {
+TEST(a_plane_meets_any_convex_type_in_either_order) {
     McdContact contact[8];
     McdIntersectResult result = {.contacts = contact, .contactMaxCount = 8};
     McdModelID plane = modelAt(0, McdPlaneCreate(frame));
@@ -166,7 +163,6 @@ START_TEST(a_plane_meets_any_convex_type_in_either_order) {
     assert_warned("McdPlaneIntersect");
     messages_release();
 }
-END_TEST
 
 /* ---- requests ---- */
 
@@ -193,7 +189,7 @@ static int MEAPI floorAndRamp(McdModelPair *p, McdUserTriangle *t, MeVector3 pos
 /* A box stands on the floor, 4 contacts, and with an edge in the ramp, 2 deeper ones. With room for two those of the
  * ramp are among them, unless faces come first: the mean normal is 6.6 degrees off the floor's and 13.4 off the
  * ramp's. */
-START_TEST(faces_first_keeps_contacts_along_the_mean_normal) {
+TEST(faces_first_keeps_contacts_along_the_mean_normal) {
     MeVector3 low = {-9, -9, -9}, high = {9, 9, 9};
     McdModelID surface = modelAt(0, McdTriangleListCreate(frame, low, high, 4, floorAndRamp));
     McdModelID box = modelAt(1, McdBoxCreate(frame, 2, 2, 2));
@@ -216,16 +212,3 @@ START_TEST(faces_first_keeps_contacts_along_the_mean_normal) {
     }
     McdModelPairDestroy(p);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, tearDown);
-    tcase_add_test(t, a_box_is_cut_into_polygons);
-    tcase_add_test(t, a_cylinder_and_a_mesh_are_cut_into_polygons);
-    tcase_add_test(t, a_plane_through_an_edge_cuts_nothing_off);
-    tcase_add_test(t, slices_of_bad_input_are_none);
-    tcase_add_test(t, a_plane_meets_any_convex_type_in_either_order);
-    tcase_add_test(t, faces_first_keeps_contacts_along_the_mean_normal);
-}
-
-TEST_MAIN("PlaneIntersect", tests)

@@ -8,6 +8,8 @@
 #include "McdSphere.h"
 #include "karma_test.h"
 
+TEST_FIXTURE(messages_catch, messages_release)
+
 enum { BALLS = 150, QUERIES = 1000 };
 
 static McdFrameworkID frame;
@@ -74,7 +76,7 @@ static int MEAPI noGround(McdModelID m, void *data) {
     return m != ground;
 }
 
-START_TEST(overlaps) {
+TEST(overlaps) {
     static const double still[3] = {0, 0, 0};
     McdModelID list[BALLS + 1], model[BALLS + 1];
     int total = 0, short_;
@@ -108,9 +110,8 @@ START_TEST(overlaps) {
     tearDown();
     assert_silent();
 }
-END_TEST
 
-START_TEST(boxes) {
+TEST(boxes) {
     McdModelID list[BALLS + 1];
     int total = 0;
     setUp();
@@ -140,9 +141,8 @@ START_TEST(boxes) {
     tearDown();
     assert_silent();
 }
-END_TEST
 
-START_TEST(the_nearest) {
+TEST(the_nearest) {
     static const double still[3] = {0, 0, 0};
     int found = 0;
     setUp();
@@ -170,7 +170,6 @@ START_TEST(the_nearest) {
     tearDown();
     assert_silent();
 }
-END_TEST
 
 /* The fraction at which the probe meets ball i, or the ground: the roots of a quadratic; above 1 if it does not. */
 static double meets(int i, const MeVector3 by) {
@@ -190,7 +189,7 @@ static double meets(int i, const MeVector3 by) {
     return b < 0 && b * b >= a * c ? (-b - sqrt(b * b - a * c)) / a : 2;
 }
 
-START_TEST(casts) {
+TEST(casts) {
     int hits = 0;
     setUp();
     for (int n = 0; n < QUERIES; n++) {
@@ -222,9 +221,8 @@ START_TEST(casts) {
     tearDown();
     assert_silent();
 }
-END_TEST
 
-START_TEST(boxes_are_cast_onto_faces) {
+TEST(boxes_are_cast_onto_faces) {
     McdCastResult result;
     MeMatrix4 start;
     const MeVector3 down = {0, 0, -10}, along = {5, 0, 0};
@@ -243,9 +241,8 @@ START_TEST(boxes_are_cast_onto_faces) {
     tearDown();
     assert_silent();
 }
-END_TEST
 
-START_TEST(rays) {
+TEST(rays) {
     McdCastResult result;
     const MeVector3 from = {50, 50, 8}, down = {0, 0, -16};
     setUp();
@@ -258,9 +255,8 @@ START_TEST(rays) {
     tearDown();
     assert_silent();
 }
-END_TEST
 
-START_TEST(bad_input) {
+TEST(bad_input) {
     McdModelID list[4];
     McdCastResult cast;
     McdClosestResult closest;
@@ -293,16 +289,3 @@ START_TEST(bad_input) {
     assert_warned("outside");
     tearDown();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, messages_catch, messages_release);
-    tcase_add_test(t, overlaps);
-    tcase_add_test(t, boxes);
-    tcase_add_test(t, the_nearest);
-    tcase_add_test(t, casts);
-    tcase_add_test(t, boxes_are_cast_onto_faces);
-    tcase_add_test(t, rays);
-    tcase_add_test(t, bad_input);
-}
-TEST_MAIN("McdQuery", tests)

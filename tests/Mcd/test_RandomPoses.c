@@ -123,7 +123,7 @@ static void comparePair(int kindA, int kindB, double scale, Random *r) {
     McdTerm(frame);
 }
 
-START_TEST(depths_of_rounded_poses) {
+TEST(depths_of_rounded_poses) {
     for (int i = 0; i < KINDS; i++)
         for (int j = i; j < KINDS; j++) {
             Random r = {.state = (unsigned long long)(900 + 10 * i + j)};
@@ -132,11 +132,3 @@ START_TEST(depths_of_rounded_poses) {
         }
     printf("depths of rounded poses are off by at most %.2g of the size\n", worst);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_set_timeout(t, 0);
-    tcase_add_test(t, depths_of_rounded_poses);
-}
-
-TEST_MAIN("RandomPoses", tests)

@@ -117,18 +117,10 @@ static void onGround(int isField) {
     McdTerm(f);
 }
 
-START_TEST(over_a_triangle_list) {
+TEST(over_a_triangle_list) {
     onGround(0);
 }
-END_TEST
 
-START_TEST(over_a_height_field) {
+TEST(over_a_height_field) {
     onGround(1);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, over_a_triangle_list);
-    tcase_add_test(t, over_a_height_field);
-}
-TEST_MAIN("McdSliding", tests)

@@ -1,9 +1,11 @@
 /* The rules of spaces, one by one (User Guide ch. 4). */
 #include "crates.h"
 
+TEST_FIXTURE(messages_catch, messages_release)
+
 static Yard yard, *const y = &yard;
 
-START_TEST(starts_inside_a_block) {
+TEST(starts_inside_a_block) {
     yardMake(y);
     ck_assert_int_ne(McdSpaceIsChanging(y->space), 0);
     McdSpaceEndChanges(y->space);
@@ -13,9 +15,8 @@ START_TEST(starts_inside_a_block) {
     yardDestroy(y);
     assert_silent();
 }
-END_TEST
 
-START_TEST(pairs_say_hello_stay_and_say_goodbye) {
+TEST(pairs_say_hello_stay_and_say_goodbye) {
     yardMake(y);
     const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardPut(y, 1, (MeReal).9, 0, 0);
     yardStep(y);
@@ -50,9 +51,8 @@ START_TEST(pairs_say_hello_stay_and_say_goodbye) {
     yardDestroy(y);
     assert_silent();
 }
-END_TEST
 
-START_TEST(boxes_are_exact_and_grown_by_tolerances) {
+TEST(boxes_are_exact_and_grown_by_tolerances) {
     yardMake(y);
     const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardPut(y, 1, (MeReal)1.0625, 0, 0);
     assert_step(y, 0, 0, 0); /* their fat boxes overlap */
@@ -68,9 +68,8 @@ START_TEST(boxes_are_exact_and_grown_by_tolerances) {
     yardDestroy(y);
     assert_silent();
 }
-END_TEST
 
-START_TEST(only_the_axes_that_were_asked_for_are_tested) {
+TEST(only_the_axes_that_were_asked_for_are_tested) {
     const int axes[3] = {McdXAxis, McdYAxis | McdZAxis, McdZAxis};
     static const int expected[3] = {0, 1, 1};
     for (int i = 0; i < 3; i++) {
@@ -86,9 +85,8 @@ START_TEST(only_the_axes_that_were_asked_for_are_tested) {
     }
     assert_silent();
 }
-END_TEST
 
-START_TEST(insertion_does_not_update) {
+TEST(insertion_does_not_update) {
     yardMake(y);
     const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardCrate(y, 1, 0, 0, 0), c = yardCrate(y, 1, 0, 0, 0);
     McdModelUpdate(c);
@@ -103,9 +101,8 @@ START_TEST(insertion_does_not_update) {
     assert_warned("already");
     yardDestroy(y);
 }
-END_TEST
 
-START_TEST(what_is_not_updated_keeps_its_box) {
+TEST(what_is_not_updated_keeps_its_box) {
     yardMake(y);
     yardPut(y, 1, 0, 0, 0);
     yardPut(y, 1, 0, 0, 0);
@@ -117,9 +114,8 @@ START_TEST(what_is_not_updated_keeps_its_box) {
     yardDestroy(y);
     assert_silent();
 }
-END_TEST
 
-START_TEST(removal_says_goodbye) {
+TEST(removal_says_goodbye) {
     yardMake(y);
     const McdModelID a = yardPut(y, 1, 0, 0, 0);
     yardPut(y, 1, 0, 0, 0);
@@ -140,9 +136,8 @@ START_TEST(removal_says_goodbye) {
     assert_warned("McdSpaceRemoveModel");
     yardDestroy(y);
 }
-END_TEST
 
-START_TEST(pairs_of_frozen_models_are_not_reported) {
+TEST(pairs_of_frozen_models_are_not_reported) {
     yardMake(y);
     const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardPut(y, 1, 0, 0, 0);
     yardPut(y, 1, 0, 0, 0);
@@ -159,7 +154,6 @@ START_TEST(pairs_of_frozen_models_are_not_reported) {
     yardDestroy(y);
     assert_silent();
 }
-END_TEST
 
 /* Two crates that overlap, their pair with a program's data, both frozen for a step. Inside a block. */
 static McdModelPair *asleep(void *data) {
@@ -189,7 +183,7 @@ static void assertOnly(const McdModelPair *pair, McdModelPairPhase phase) {
     McdSpaceBeginChanges(y->space);
 }
 
-START_TEST(pairs_of_frozen_models_stay) {
+TEST(pairs_of_frozen_models_stay) {
     int data;
     McdModelPair *pair = asleep(&data);
     for (int i = 0; i < 4; i++) { /* either one, and again */
@@ -205,9 +199,8 @@ START_TEST(pairs_of_frozen_models_stay) {
     yardDestroy(y);
     assert_silent();
 }
-END_TEST
 
-START_TEST(pairs_of_frozen_models_say_goodbye_when_they_moved) {
+TEST(pairs_of_frozen_models_say_goodbye_when_they_moved) {
     McdModelPair *pair = asleep(0);
     MeMatrix4TMSetPosition(y->tm[1], 5, 0, 0);
     McdSpaceUpdateAll(y->space);
@@ -224,9 +217,8 @@ START_TEST(pairs_of_frozen_models_say_goodbye_when_they_moved) {
     yardDestroy(y);
     assert_silent();
 }
-END_TEST
 
-START_TEST(pairs_of_frozen_models_say_goodbye_when_they_are_cut) {
+TEST(pairs_of_frozen_models_say_goodbye_when_they_are_cut) {
     McdModelPair *pair = asleep(0);
     ck_assert(McdSpaceRemoveModel(y->model[0]));
     assertOnly(pair, kMcdFFStateGoodbye);
@@ -260,9 +252,8 @@ START_TEST(pairs_of_frozen_models_say_goodbye_when_they_are_cut) {
     McdCullingTableDestroy(table);
     assert_silent();
 }
-END_TEST
 
-START_TEST(models_that_were_frozen_when_they_met_say_hello_when_one_is_unfrozen) {
+TEST(models_that_were_frozen_when_they_met_say_hello_when_one_is_unfrozen) {
     yardMake(y);
     const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardPut(y, 1, 0, 0, 0);
     McdSpaceFreezeModel(a);
@@ -273,10 +264,9 @@ START_TEST(models_that_were_frozen_when_they_met_say_hello_when_one_is_unfrozen)
     yardDestroy(y);
     assert_silent();
 }
-END_TEST
 
 /* The framework erases the pairs of its models, silent ones as well; their memory serves the next ones. */
-START_TEST(pairs_of_frozen_models_go_with_their_models) {
+TEST(pairs_of_frozen_models_go_with_their_models) {
     for (int isRemoved = 0; isRemoved < 2; isRemoved++) {
         McdModelPair *pair = asleep(0);
         if (isRemoved) /* it said goodbye in this block already */
@@ -292,10 +282,9 @@ START_TEST(pairs_of_frozen_models_go_with_their_models) {
     }
     assert_silent();
 }
-END_TEST
 
 /* Silent pairs need their place: with room for one, another pair waits until it says goodbye. */
-START_TEST(pairs_of_frozen_models_keep_their_place) {
+TEST(pairs_of_frozen_models_keep_their_place) {
     yardMakeWith(y, McdAllAxes, 10, 1);
     const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardPut(y, 1, 0, 0, 0);
     assert_step(y, 1, 0, 0);
@@ -311,9 +300,8 @@ START_TEST(pairs_of_frozen_models_keep_their_place) {
     assert_silent();
     yardDestroy(y);
 }
-END_TEST
 
-START_TEST(frozen_models_keep_their_boxes) {
+TEST(frozen_models_keep_their_boxes) {
     yardMake(y);
     const McdModelID a = yardPut(y, 1, 0, 0, 0);
     yardPut(y, 1, 0, 0, 0);
@@ -332,7 +320,6 @@ START_TEST(frozen_models_keep_their_boxes) {
     assert_silent();
     yardDestroy(y);
 }
-END_TEST
 
 static int updated[CRATES];
 
@@ -349,7 +336,7 @@ static void MEAPI countUpdate(McdModelID m, MeReal duration) {
 }
 
 /* Models are updated as often as they are not frozen, whatever is frozen, removed and put in before. */
-START_TEST(frozen_models_are_not_updated) {
+TEST(frozen_models_are_not_updated) {
     enum { COUNT = 7 };
     static const int freeze[] = {3, 0, 6, 5, 4, 2, 1};
     yardMake(y);
@@ -387,9 +374,8 @@ START_TEST(frozen_models_are_not_updated) {
     yardDestroy(y);
     assert_silent();
 }
-END_TEST
 
-START_TEST(disabled_pairs_say_goodbye_and_come_back) {
+TEST(disabled_pairs_say_goodbye_and_come_back) {
     yardMake(y);
     const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardPut(y, 1, 0, 0, 0), c = yardPut(y, 1, 50, 0, 0);
     assert_step(y, 1, 0, 0);
@@ -412,9 +398,8 @@ START_TEST(disabled_pairs_say_goodbye_and_come_back) {
     yardDestroy(y);
     assert_silent();
 }
-END_TEST
 
-START_TEST(culling_tables_disable) {
+TEST(culling_tables_disable) {
     yardMake(y);
     McdCullingTable *table = McdCullingTableCreate(3), *other = McdCullingTableCreate(3);
     McdCullingTableSet(table, 2, 1, 1);
@@ -444,7 +429,6 @@ START_TEST(culling_tables_disable) {
     McdCullingTableDestroy(table);
     McdCullingTableDestroy(other);
 }
-END_TEST
 
 static int refused;
 static void MEAPI countRefused(McdModelID a, McdModelID b) {
@@ -452,7 +436,7 @@ static void MEAPI countRefused(McdModelID a, McdModelID b) {
     refused++;
 }
 
-START_TEST(pairs_without_room_come_when_there_is_some) {
+TEST(pairs_without_room_come_when_there_is_some) {
     yardMakeWith(y, McdAllAxes, 10, 4);
     refused = 0;
     McdSpaceSetPoolFullHandler(y->space, countRefused);
@@ -470,9 +454,8 @@ START_TEST(pairs_without_room_come_when_there_is_some) {
     assert_silent();
     yardDestroy(y);
 }
-END_TEST
 
-START_TEST(full_spaces_say_so) {
+TEST(full_spaces_say_so) {
     yardMakeWith(y, McdAllAxes, 2, 4);
     yardPut(y, 1, 0, 0, 0);
     yardPut(y, 1, 0, 0, 0);
@@ -484,9 +467,8 @@ START_TEST(full_spaces_say_so) {
     assert_silent();
     yardDestroy(y);
 }
-END_TEST
 
-START_TEST(functions_are_legal_inside_or_outside) {
+TEST(functions_are_legal_inside_or_outside) {
     yardMake(y);
     const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardPut(y, 1, 0, 0, 0), c = yardCrate(y, 1, 0, 0, 0);
     MeVector3 from = {0, 0, 0}, to = {1, 0, 0};
@@ -531,9 +513,8 @@ START_TEST(functions_are_legal_inside_or_outside) {
     assert_step(y, 0, 1, 0); /* none of it did anything */
     yardDestroy(y);
 }
-END_TEST
 
-START_TEST(updating_all_outside_is_a_block_of_its_own) {
+TEST(updating_all_outside_is_a_block_of_its_own) {
     McdSpacePairIterator it;
     yardMake(y);
     yardPut(y, 1, 0, 0, 0);
@@ -554,7 +535,6 @@ START_TEST(updating_all_outside_is_a_block_of_its_own) {
     yardDestroy(y);
     assert_silent();
 }
-END_TEST
 
 static int updates;
 static void MEAPI farAway(McdModelID m, MeReal duration) {
@@ -564,7 +544,7 @@ static void MEAPI farAway(McdModelID m, MeReal duration) {
     McdGeometryInstanceSetAABB(McdModelGetGeometryInstance(m), low, high);
 }
 
-START_TEST(programs_may_make_the_boxes) {
+TEST(programs_may_make_the_boxes) {
     yardMake(y);
     yardPut(y, 1, 0, 0, 0);
     yardPut(y, 1, 50, 0, 0);
@@ -585,9 +565,8 @@ START_TEST(programs_may_make_the_boxes) {
     assert_silent();
     yardDestroy(y);
 }
-END_TEST
 
-START_TEST(swept_models_have_boxes_around_their_motion) {
+TEST(swept_models_have_boxes_around_their_motion) {
     MeVector3 fast = {100, 0, 0};
     yardMake(y);
     const McdModelID a = yardPut(y, 1, 0, 0, 0);
@@ -605,9 +584,8 @@ START_TEST(swept_models_have_boxes_around_their_motion) {
     assert_warned("duration");
     yardDestroy(y);
 }
-END_TEST
 
-START_TEST(bad_transforms_warn_once_and_keep_the_box) {
+TEST(bad_transforms_warn_once_and_keep_the_box) {
     yardMake(y);
     const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardPut(y, 1, 0, 0, 0);
     assert_step(y, 1, 0, 0);
@@ -633,9 +611,8 @@ START_TEST(bad_transforms_warn_once_and_keep_the_box) {
     assert_warned("finite");
     yardDestroy(y);
 }
-END_TEST
 
-START_TEST(boxes_without_bounds_meet_everything) {
+TEST(boxes_without_bounds_meet_everything) {
     yardMake(y);
     yardPut(y, (MeReal)1e12, 0, 0, (MeReal)-5e11);
     for (int i = 0; i < 10; i++)
@@ -646,9 +623,8 @@ START_TEST(boxes_without_bounds_meet_everything) {
     yardDestroy(y);
     assert_silent();
 }
-END_TEST
 
-START_TEST(models_are_listed_in_the_order_of_insertion) {
+TEST(models_are_listed_in_the_order_of_insertion) {
     McdSpaceModelIterator it;
     McdModelID m;
     int n = 0;
@@ -669,9 +645,8 @@ START_TEST(models_are_listed_in_the_order_of_insertion) {
     yardDestroy(y);
     assert_silent();
 }
-END_TEST
 
-START_TEST(the_framework_takes_models_out) {
+TEST(the_framework_takes_models_out) {
     yardMake(y);
     for (int i = 0; i < 20; i++)
         yardPut(y, 1, 0, 0, 0);
@@ -690,9 +665,8 @@ START_TEST(the_framework_takes_models_out) {
     yardDestroy(y);
     assert_silent();
 }
-END_TEST
 
-START_TEST(destroying_a_space_frees_its_models) {
+TEST(destroying_a_space_frees_its_models) {
     yardMake(y);
     const McdModelID a = yardPut(y, 1, 0, 0, 0);
     yardPut(y, 1, 0, 0, 0);
@@ -704,9 +678,8 @@ START_TEST(destroying_a_space_frees_its_models) {
     yardDestroy(y);
     assert_silent();
 }
-END_TEST
 
-START_TEST(bad_arguments_warn) {
+TEST(bad_arguments_warn) {
     yardMake(y);
     const McdModelID a = yardPut(y, 1, 0, 0, 0), loose = yardCrate(y, 1, 0, 0, 0);
     McdModelID m;
@@ -741,9 +714,8 @@ START_TEST(bad_arguments_warn) {
     ck_assert_ptr_eq(McdSpaceGetUserData(y->space), &mine);
     yardDestroy(y);
 }
-END_TEST
 
-START_TEST(the_form_of_karma_1_1_has_an_argument_more) {
+TEST(the_form_of_karma_1_1_has_an_argument_more) {
     yardMake(y);
     int evaluated = 0;
     const McdSpaceID s = McdSpaceAxisSortCreate(y->frame, McdAllAxes, 5, 7, ++evaluated);
@@ -755,40 +727,3 @@ START_TEST(the_form_of_karma_1_1_has_an_argument_more) {
     yardDestroy(y);
     assert_silent();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, messages_catch, messages_release);
-    tcase_add_test(t, starts_inside_a_block);
-    tcase_add_test(t, pairs_say_hello_stay_and_say_goodbye);
-    tcase_add_test(t, boxes_are_exact_and_grown_by_tolerances);
-    tcase_add_test(t, only_the_axes_that_were_asked_for_are_tested);
-    tcase_add_test(t, insertion_does_not_update);
-    tcase_add_test(t, what_is_not_updated_keeps_its_box);
-    tcase_add_test(t, removal_says_goodbye);
-    tcase_add_test(t, pairs_of_frozen_models_are_not_reported);
-    tcase_add_test(t, pairs_of_frozen_models_stay);
-    tcase_add_test(t, pairs_of_frozen_models_say_goodbye_when_they_moved);
-    tcase_add_test(t, pairs_of_frozen_models_say_goodbye_when_they_are_cut);
-    tcase_add_test(t, models_that_were_frozen_when_they_met_say_hello_when_one_is_unfrozen);
-    tcase_add_test(t, pairs_of_frozen_models_go_with_their_models);
-    tcase_add_test(t, pairs_of_frozen_models_keep_their_place);
-    tcase_add_test(t, frozen_models_keep_their_boxes);
-    tcase_add_test(t, frozen_models_are_not_updated);
-    tcase_add_test(t, disabled_pairs_say_goodbye_and_come_back);
-    tcase_add_test(t, culling_tables_disable);
-    tcase_add_test(t, pairs_without_room_come_when_there_is_some);
-    tcase_add_test(t, full_spaces_say_so);
-    tcase_add_test(t, functions_are_legal_inside_or_outside);
-    tcase_add_test(t, updating_all_outside_is_a_block_of_its_own);
-    tcase_add_test(t, programs_may_make_the_boxes);
-    tcase_add_test(t, swept_models_have_boxes_around_their_motion);
-    tcase_add_test(t, bad_transforms_warn_once_and_keep_the_box);
-    tcase_add_test(t, boxes_without_bounds_meet_everything);
-    tcase_add_test(t, models_are_listed_in_the_order_of_insertion);
-    tcase_add_test(t, the_framework_takes_models_out);
-    tcase_add_test(t, destroying_a_space_frees_its_models);
-    tcase_add_test(t, the_form_of_karma_1_1_has_an_argument_more);
-    tcase_add_test(t, bad_arguments_warn);
-}
-TEST_MAIN("McdSpace", tests)

@@ -1,6 +1,8 @@
 /* Line segments through a space, against every model one by one. */
 #include "crates.h"
 
+TEST_FIXTURE(messages_catch, messages_release)
+
 enum { COUNT = 300 };
 static Yard yard, *const y = &yard;
 static unsigned long long seed = 3;
@@ -42,7 +44,7 @@ static int oneByOne(MeReal *from, MeReal *to, int isFiltered, McdLineSegIntersec
     return n;
 }
 
-START_TEST(as_every_model_one_by_one) {
+TEST(as_every_model_one_by_one) {
     static McdLineSegIntersectResult expected[COUNT + 1], got[COUNT + 1], first;
     int all = 0;
     makeYard();
@@ -75,9 +77,8 @@ START_TEST(as_every_model_one_by_one) {
     yardDestroy(y);
     assert_silent();
 }
-END_TEST
 
-START_TEST(starts_inside_a_model) {
+TEST(starts_inside_a_model) {
     MeVector3 from = {0, 0, 0}, to = {5, 0, 0};
     McdLineSegIntersectResult hit[2];
     yardMake(y);
@@ -94,9 +95,8 @@ START_TEST(starts_inside_a_model) {
     yardDestroy(y);
     assert_silent();
 }
-END_TEST
 
-START_TEST(bad_input) {
+TEST(bad_input) {
     MeVector3 from = {0, 0, 0}, to = {5, 0, 0}, wrong = {0, (MeReal)NAN, 0};
     McdLineSegIntersectResult hit;
     yardMake(y);
@@ -117,12 +117,3 @@ START_TEST(bad_input) {
     assert_silent();
     yardDestroy(y);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, messages_catch, messages_release);
-    tcase_add_test(t, as_every_model_one_by_one);
-    tcase_add_test(t, starts_inside_a_model);
-    tcase_add_test(t, bad_input);
-}
-TEST_MAIN("McdSpace queries", tests)

@@ -44,6 +44,7 @@ static void tearDown(void) {
     McdFrameworkDestroyAllModelsAndGeometries(p.frame);
     McdTerm(p.frame);
 }
+TEST_FIXTURE(setUp, tearDown)
 
 static MeBool isAsTestedInRound(void) {
     static const MeBool mayMove[2] = {MEFALSE, MEFALSE};
@@ -68,7 +69,7 @@ static void meetBoxes(void) {
 
 /* ---- what is the same -------------------------------------------------------------------------------------------- */
 
-START_TEST(convex_shapes_and_planes_that_stay_are_as_tested) {
+TEST(convex_shapes_and_planes_that_stay_are_as_tested) {
     static const MeReal tip[4][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
     const McdGeometryID shape[] = {McdSphereCreate(p.frame, 1),
                                    McdBoxCreate(p.frame, 1, 1, 1),
@@ -86,11 +87,10 @@ START_TEST(convex_shapes_and_planes_that_stay_are_as_tested) {
                 assertChanged("a new pair");
         }
 }
-END_TEST
 
 /* ---- what is not ------------------------------------------------------------------------------------------------- */
 
-START_TEST(the_last_bit_of_a_place_counts) {
+TEST(the_last_bit_of_a_place_counts) {
     meetBoxes();
     for (int which = 0; which < 2; which++)
         for (int row = 0; row < 4; row++)
@@ -102,9 +102,8 @@ START_TEST(the_last_bit_of_a_place_counts) {
                 assertChanged("and back");
             }
 }
-END_TEST
 
-START_TEST(every_size_counts) {
+TEST(every_size_counts) {
     meet(McdSphereCreate(p.frame, 1), McdBoxCreate(p.frame, 1, 1, 1));
     isAsTested();
     McdSphereSetRadius(p.shape[0], (MeReal)1.1);
@@ -128,16 +127,14 @@ START_TEST(every_size_counts) {
     McdConeSetGeometricalParameters(p.shape[0], 1, 1, (MeReal).5);
     assertChanged("a cone's top");
 }
-END_TEST
 
-START_TEST(another_shape_counts) {
+TEST(another_shape_counts) {
     meetBoxes();
     McdModelSetGeometry(p.model[0], McdBoxCreate(p.frame, 1, 1, 1));
     assertChanged("a shape of the same size");
 }
-END_TEST
 
-START_TEST(margins_and_requests_count) {
+TEST(margins_and_requests_count) {
     McdRequest request;
     meetBoxes();
     McdModelSetContactTolerance(p.model[1], (MeReal).3);
@@ -152,7 +149,6 @@ START_TEST(margins_and_requests_count) {
     McdModelPairForgetTest(&p.pair);
     assertChanged("what was given away");
 }
-END_TEST
 
 /* Contacts with the second model turned about an axis; isSeen: the pair has been looked at since. */
 static void intersectTurned(int axis, MeBool isSeen, McdContact contact[4]) {
@@ -172,7 +168,7 @@ static void intersectTurned(int axis, MeBool isSeen, McdContact contact[4]) {
         contact[i].instance1 = contact[i].instance2 = 0;
 }
 
-START_TEST(tests_read_transforms_as_they_are_not_as_they_were_seen) {
+TEST(tests_read_transforms_as_they_are_not_as_they_were_seen) {
     for (int axis = 0; axis < 3; axis++) {
         McdContact seen[4], notSeen[4];
         intersectTurned(axis, METRUE, seen);
@@ -180,17 +176,15 @@ START_TEST(tests_read_transforms_as_they_are_not_as_they_were_seen) {
         ck_assert_int_eq(memcmp(seen, notSeen, sizeof seen), 0);
     }
 }
-END_TEST
 
-START_TEST(models_stay_as_they_are_within_a_round) {
+TEST(models_stay_as_they_are_within_a_round) {
     meetBoxes();
     p.tm[0][3][0] = 1;
     ck_assert(isAsTestedInRound());
     assertChanged("a move");
 }
-END_TEST
 
-START_TEST(a_box_of_the_last_update_is_kept_where_nothing_has_changed) {
+TEST(a_box_of_the_last_update_is_kept_where_nothing_has_changed) {
     const McdSpaceID s = McdSpaceAxisSortCreate(p.frame, McdAllAxes, 10, 10);
     MeVector3 spin = {0, 0, 1}, low, high;
     meet(McdSphereCreate(p.frame, 1), McdBoxCreate(p.frame, 1, 1, 1));
@@ -213,9 +207,8 @@ START_TEST(a_box_of_the_last_update_is_kept_where_nothing_has_changed) {
     }
     McdSpaceDestroy(s);
 }
-END_TEST
 
-START_TEST(a_relative_model_follows_what_it_is_relative_to) {
+TEST(a_relative_model_follows_what_it_is_relative_to) {
     const McdSpaceID s = McdSpaceAxisSortCreate(p.frame, McdAllAxes, 10, 10);
     MeMatrix4 beside;
     MeVector3 low, high;
@@ -232,7 +225,6 @@ START_TEST(a_relative_model_follows_what_it_is_relative_to) {
     }
     McdSpaceDestroy(s);
 }
-END_TEST
 
 static void MEAPI onIntersect(McdModelID m, McdIntersectResult *result) {
     (void)m, (void)result;
@@ -243,7 +235,7 @@ static int MEAPI ownIntersect(McdModelPair *pair, McdIntersectResult *result) {
     return 0;
 }
 
-START_TEST(what_a_program_answers_is_always_asked) {
+TEST(what_a_program_answers_is_always_asked) {
     meetBoxes();
     McdModelSetIntersectCallback(p.model[0], onIntersect);
     ck_assert(!isAsTested() && !isAsTested());
@@ -253,7 +245,6 @@ START_TEST(what_a_program_answers_is_always_asked) {
     McdFrameworkGetInteractions(p.frame, kMcdGeometryTypeBox, kMcdGeometryTypeBox)->intersectFn = ownIntersect;
     ck_assert(!isAsTested() && !isAsTested());
 }
-END_TEST
 
 /* A part of a part, beside others. */
 static McdGeometryID nested(McdGeometryID g) {
@@ -267,7 +258,7 @@ static McdGeometryID nested(McdGeometryID g) {
     return outer;
 }
 
-START_TEST(parts_their_places_and_sizes_count) {
+TEST(parts_their_places_and_sizes_count) {
     const McdGeometryID part = McdCylinderCreate(p.frame, 1, 1), whole = nested(part);
     const McdGeometryID inner = McdAggregateGetElementGeometry(whole, 0);
     meet(whole, McdBoxCreate(p.frame, 1, 1, 1));
@@ -296,9 +287,8 @@ START_TEST(parts_their_places_and_sizes_count) {
     McdFrameworkGetInteractions(p.frame, kMcdGeometryTypeBox, kMcdGeometryTypeCylinder)->intersectFn = ownIntersect;
     ck_assert(!isAsTested() && !isAsTested());
 }
-END_TEST
 
-START_TEST(two_parts_that_change_places_count) {
+TEST(two_parts_that_change_places_count) {
     MeMatrix4 tm[2];
     const McdAggregateID whole = McdAggregateCreate(p.frame, 2);
     for (int k = 0; k < 2; k++) {
@@ -312,7 +302,6 @@ START_TEST(two_parts_that_change_places_count) {
         McdAggregateGetElementTransformPtr(whole, k)[3][0] = (MeReal)(1 - k);
     assertChanged("two parts");
 }
-END_TEST
 
 /* ---- surfaces of triangles --------------------------------------------------------------------------------------- */
 
@@ -348,7 +337,7 @@ static McdGeometryID turnedBoxes(void) {
 }
 
 /* A field among the parts as one alone, of either model. */
-START_TEST(what_may_move_on_a_field_is_tested_always) {
+TEST(what_may_move_on_a_field_is_tested_always) {
     MeMatrix4 tm;
     const McdAggregateID whole = McdAggregateCreate(p.frame, 2);
     MeMatrix4TMMakeIdentity(tm);
@@ -364,10 +353,9 @@ START_TEST(what_may_move_on_a_field_is_tested_always) {
             ck_assert(isAsTested()); /* where neither may move */
         }
 }
-END_TEST
 
 /* Of models that do not move: as asleep. */
-START_TEST(a_change_of_heights_counts_once_it_is_told) {
+TEST(a_change_of_heights_counts_once_it_is_told) {
     static MeReal others[SIDE * SIDE];
     for (int which = 0; which < 2; which++) {
         const McdGeometryID box = McdBoxCreate(p.frame, 1, 1, 1), field = flatField();
@@ -389,9 +377,8 @@ START_TEST(a_change_of_heights_counts_once_it_is_told) {
         assertChanged("a move");
     }
 }
-END_TEST
 
-START_TEST(a_change_of_a_part_counts_once_it_is_told) {
+TEST(a_change_of_a_part_counts_once_it_is_told) {
     MeMatrix4 tm;
     const McdAggregateID whole = McdAggregateCreate(p.frame, 1);
     const McdGeometryID field = flatField();
@@ -404,9 +391,8 @@ START_TEST(a_change_of_a_part_counts_once_it_is_told) {
     McdGeometryUpdate(field);
     assertChanged("a height");
 }
-END_TEST
 
-START_TEST(an_update_of_a_field_renews_its_box) {
+TEST(an_update_of_a_field_renews_its_box) {
     MeVector3 low, high;
     meet(McdBoxCreate(p.frame, 1, 1, 1), flatField());
     *heightAt(1, 1) = 3;
@@ -418,17 +404,15 @@ START_TEST(an_update_of_a_field_renews_its_box) {
     McdModelGetAABB(p.model[1], low, high);
     assert_near((double)(high[2] - p.tm[1][3][2]), 3, 1e-3);
 }
-END_TEST
 
-START_TEST(what_is_no_geometry_is_told_of) {
+TEST(what_is_no_geometry_is_told_of) {
     messages_catch();
     McdGeometryUpdate(0);
     assert_warned("McdGeometryUpdate");
     messages_release();
 }
-END_TEST
 
-START_TEST(a_list_among_the_parts_is_always_tested) {
+TEST(a_list_among_the_parts_is_always_tested) {
     MeMatrix4 tm;
     MeVector3 low = {-1, -1, -1}, high = {1, 1, 1};
     const McdAggregateID whole = McdAggregateCreate(p.frame, 1);
@@ -439,7 +423,6 @@ START_TEST(a_list_among_the_parts_is_always_tested) {
     meet(McdTriangleListCreate(p.frame, low, high, 4, 0), McdBoxCreate(p.frame, 1, 1, 1));
     ck_assert(!isAsTested() && !isAsTested());
 }
-END_TEST
 
 /* ---- what is still apart ----------------------------------------------------------------------------------------- */
 
@@ -496,7 +479,7 @@ static int contactsOf(McdModelPair *pair, MeReal *apart) {
 }
 
 /* Pairs of any shapes that fly past each other, turning: where it is said that a test still holds, it finds nothing. */
-START_TEST(models_that_are_still_apart_have_no_contacts) {
+TEST(models_that_are_still_apart_have_no_contacts) {
     enum { FLIGHTS = 300, STEPS = 60 };
     static const MeBool mayMove[2] = {METRUE, METRUE};
     int kept[2] = {0, 0}, steps[2] = {0, 0}, found = 0; /* of convex pairs, of pairs with parts */
@@ -542,7 +525,6 @@ START_TEST(models_that_are_still_apart_have_no_contacts) {
     ck_assert_int_gt(kept[1], steps[1] / 20);
     ck_assert_int_gt(found, FLIGHTS);
 }
-END_TEST
 
 /* ---- what has hardly moved --------------------------------------------------------------------------------------- */
 
@@ -553,7 +535,7 @@ static McdPairChange changeOf(MeReal part) {
 }
 
 /* A box goes round the middle of a large ground, which it always sees in the same place. */
-START_TEST(a_circle_about_the_larger_ones_origin_is_a_motion) {
+TEST(a_circle_about_the_larger_ones_origin_is_a_motion) {
     for (int which = 0; which < 2; which++) {
         const McdGeometryID box = McdBoxCreate(p.frame, 1, 1, 1), ground = McdBoxCreate(p.frame, 99, 99, 1);
         meet(which ? ground : box, which ? box : ground);
@@ -565,7 +547,6 @@ START_TEST(a_circle_about_the_larger_ones_origin_is_a_motion) {
         }
     }
 }
-END_TEST
 
 /* ---- what calls no function of the program ----------------------------------------------------------------------- */
 
@@ -584,23 +565,21 @@ static MeBool isPlain(McdGeometryID first, McdGeometryID second) {
     return McdModelPairIsPlain(&p.pair);
 }
 
-START_TEST(whatever_the_library_tests_alone_is_plain) {
+TEST(whatever_the_library_tests_alone_is_plain) {
     const McdGeometryID box = McdBoxCreate(p.frame, 1, 1, 1), plane = McdPlaneCreate(p.frame);
     ck_assert(isPlain(box, box) && isPlain(plane, box) && isPlain(box, field()) && isPlain(field(), box));
     ck_assert(isPlain(nested(box), box) && isPlain(box, nested(box)) && isPlain(nested(box), nested(box)));
     ck_assert(isPlain(nested(box), plane) && isPlain(field(), nested(box)));
 }
-END_TEST
 
-START_TEST(a_list_of_triangles_is_a_function_of_the_program) {
+TEST(a_list_of_triangles_is_a_function_of_the_program) {
     const McdGeometryID box = McdBoxCreate(p.frame, 1, 1, 1);
     ck_assert(!isPlain(box, list()) && !isPlain(list(), box));
     ck_assert(!isPlain(nested(list()), box) && !isPlain(box, nested(list())));
     ck_assert(!isPlain(nested(box), list()));
 }
-END_TEST
 
-START_TEST(callbacks_and_interactions_of_the_program_are_not_plain) {
+TEST(callbacks_and_interactions_of_the_program_are_not_plain) {
     const McdGeometryID box = McdBoxCreate(p.frame, 1, 1, 1), whole = nested(box);
     ck_assert(isPlain(whole, field()));
     McdModelSetIntersectCallback(p.model[1], onIntersect);
@@ -609,9 +588,8 @@ START_TEST(callbacks_and_interactions_of_the_program_are_not_plain) {
         ownIntersect;
     ck_assert(!isPlain(whole, field()) && !isPlain(box, field()) && isPlain(whole, box));
 }
-END_TEST
 
-START_TEST(what_is_fast_and_not_one_convex_shape_is_not_plain) {
+TEST(what_is_fast_and_not_one_convex_shape_is_not_plain) {
     const McdSpaceID s = McdSpaceAxisSortCreate(p.frame, McdAllAxes, 10, 10);
     MeVector3 velocity = {100, 0, 0};
     for (int kind = 0; kind < 3; kind++) { /* a box and a plane, a box and a field, parts and a field */
@@ -627,9 +605,8 @@ START_TEST(what_is_fast_and_not_one_convex_shape_is_not_plain) {
     }
     McdSpaceDestroy(s);
 }
-END_TEST
 
-START_TEST(parts_with_materials_of_their_own_are_not_plain) {
+TEST(parts_with_materials_of_their_own_are_not_plain) {
     ck_assert(isPlain(nested(McdBoxCreate(p.frame, 1, 1, 1)), field()));
     const McdGeometryInstanceID inner = McdGeometryInstanceGetChild(McdModelGetGeometryInstance(p.model[0]), 0);
     McdModelSetMaterial(p.model[0], 3);
@@ -637,35 +614,3 @@ START_TEST(parts_with_materials_of_their_own_are_not_plain) {
     McdGeometryInstanceSetMaterial(McdGeometryInstanceGetChild(inner, 1), 0);
     ck_assert(!McdModelPairIsPlain(&p.pair));
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, tearDown);
-    tcase_add_test(t, convex_shapes_and_planes_that_stay_are_as_tested);
-    tcase_add_test(t, the_last_bit_of_a_place_counts);
-    tcase_add_test(t, every_size_counts);
-    tcase_add_test(t, another_shape_counts);
-    tcase_add_test(t, margins_and_requests_count);
-    tcase_add_test(t, tests_read_transforms_as_they_are_not_as_they_were_seen);
-    tcase_add_test(t, models_stay_as_they_are_within_a_round);
-    tcase_add_test(t, a_box_of_the_last_update_is_kept_where_nothing_has_changed);
-    tcase_add_test(t, a_relative_model_follows_what_it_is_relative_to);
-    tcase_add_test(t, what_a_program_answers_is_always_asked);
-    tcase_add_test(t, parts_their_places_and_sizes_count);
-    tcase_add_test(t, two_parts_that_change_places_count);
-    tcase_add_test(t, what_may_move_on_a_field_is_tested_always);
-    tcase_add_test(t, a_change_of_heights_counts_once_it_is_told);
-    tcase_add_test(t, a_change_of_a_part_counts_once_it_is_told);
-    tcase_add_test(t, an_update_of_a_field_renews_its_box);
-    tcase_add_test(t, what_is_no_geometry_is_told_of);
-    tcase_add_test(t, a_list_among_the_parts_is_always_tested);
-    tcase_add_test(t, a_circle_about_the_larger_ones_origin_is_a_motion);
-    tcase_add_test(t, models_that_are_still_apart_have_no_contacts);
-    tcase_add_test(t, whatever_the_library_tests_alone_is_plain);
-    tcase_add_test(t, a_list_of_triangles_is_a_function_of_the_program);
-    tcase_add_test(t, callbacks_and_interactions_of_the_program_are_not_plain);
-    tcase_add_test(t, what_is_fast_and_not_one_convex_shape_is_not_plain);
-    tcase_add_test(t, parts_with_materials_of_their_own_are_not_plain);
-}
-
-TEST_MAIN("Tested", tests)

@@ -3,6 +3,8 @@
 #include "terrain.h"
 #include <pthread.h>
 
+TEST_FIXTURE(messages_catch, messages_release)
+
 enum { N = 15, SHAPES = 5, ONE_SIDED = kMcdTriangleStandard & ~kMcdTriangleTwoSided };
 
 #ifdef TEST_IS_SLOW
@@ -181,26 +183,23 @@ static void compareThreads(McdGeometryID g) {
     free(a);
 }
 
-START_TEST(two_threads_ask_one_triangle_list) {
+TEST(two_threads_ask_one_triangle_list) {
     begin();
     compareThreads(makeList(find));
     end();
 }
-END_TEST
 
-START_TEST(two_threads_ask_one_height_field) {
+TEST(two_threads_ask_one_height_field) {
     begin();
     compareThreads(makeField());
     end();
 }
-END_TEST
 
-START_TEST(two_threads_ask_one_aggregate) {
+TEST(two_threads_ask_one_aggregate) {
     begin();
     compareThreads(makeAggregate());
     end();
 }
-END_TEST
 
 /* ---- a query within a query -------------------------------------------------------------------------------------- */
 
@@ -239,29 +238,16 @@ static void compareNested(McdGeometryID g, McdTriangleListID list) {
     free(a);
 }
 
-START_TEST(a_callback_asks_its_own_list) {
+TEST(a_callback_asks_its_own_list) {
     begin();
     McdTriangleListID list = makeList(find);
     compareNested(list, list);
     end();
 }
-END_TEST
 
-START_TEST(a_callback_asks_the_aggregate_that_its_list_is_in) {
+TEST(a_callback_asks_the_aggregate_that_its_list_is_in) {
     begin();
     McdAggregateID a = makeAggregate();
     compareNested(a, McdAggregateGetElementGeometry(a, 0));
     end();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, messages_catch, messages_release);
-    tcase_add_test(t, two_threads_ask_one_triangle_list);
-    tcase_add_test(t, two_threads_ask_one_height_field);
-    tcase_add_test(t, two_threads_ask_one_aggregate);
-    tcase_add_test(t, a_callback_asks_its_own_list);
-    tcase_add_test(t, a_callback_asks_the_aggregate_that_its_list_is_in);
-}
-
-TEST_MAIN("McdThreads", tests)

@@ -69,7 +69,7 @@ static McdTree *makeGrid(int count, McdTreeLeaf **leaf) {
 static McdTreeLeaf *leaves[MANY];
 
 /* The nodes above the leaves end where these do, so that they are only touched too. */
-START_TEST(boxes_that_touch_overlap_and_those_beside_them_do_not) {
+TEST(boxes_that_touch_overlap_and_those_beside_them_do_not) {
     for (int count = 1; count <= SIDE * SIDE * SIDE; count *= SIDE) {
         McdTree *tree = makeGrid(count, leaves);
         for (int i = 0; i < count; i++)
@@ -83,9 +83,8 @@ START_TEST(boxes_that_touch_overlap_and_those_beside_them_do_not) {
         mcd_treeDestroy(tree);
     }
 }
-END_TEST
 
-START_TEST(boxes_are_found_wherever_they_went) {
+TEST(boxes_are_found_wherever_they_went) {
     McdTree *tree = makeGrid(MANY, leaves);
     const McdTreeBox everywhere = {{-1e6f, -1e6f, -1e6f}, {1e6f, 1e6f, 1e6f}};
     for (int i = 0; i < MANY; i += 3)
@@ -107,9 +106,8 @@ START_TEST(boxes_are_found_wherever_they_went) {
     }
     mcd_treeDestroy(tree);
 }
-END_TEST
 
-START_TEST(a_query_ends_where_its_visitor_has_enough) {
+TEST(a_query_ends_where_its_visitor_has_enough) {
     McdTree *tree = makeGrid(100, leaves);
     const McdTreeBox everywhere = {{-1e6f, -1e6f, -1e6f}, {1e6f, 1e6f, 1e6f}};
     for (int max = 1; max <= 100; max += 33) {
@@ -119,7 +117,6 @@ START_TEST(a_query_ends_where_its_visitor_has_enough) {
     }
     mcd_treeDestroy(tree);
 }
-END_TEST
 
 /* ---- casts ---- */
 
@@ -142,7 +139,7 @@ static MeBool meets(const double from[3], const double by[3], const double half[
 }
 
 /* From 3 m before each face of a unit box to the face, by a way that ends in it: at a fraction of one exactly. */
-START_TEST(a_cast_that_ends_on_a_face_meets_the_box) {
+TEST(a_cast_that_ends_on_a_face_meets_the_box) {
     const double half[3] = {.5, .25, .125};
     for (int side = 0; side < 6; side++)
         for (int isPoint = 0; isPoint < 2; isPoint++) {
@@ -160,10 +157,9 @@ START_TEST(a_cast_that_ends_on_a_face_meets_the_box) {
             ck_assert(!meets(from, by, size, 1));
         }
 }
-END_TEST
 
 /* Along a face, and beyond it by the last place of a double; also where it does not move at all. */
-START_TEST(a_cast_along_a_face_meets_the_box) {
+TEST(a_cast_along_a_face_meets_the_box) {
     const double half[3] = {.5, .25, .125};
     for (int side = 0; side < 6; side++)
         for (int way = 0; way < 3; way++) {
@@ -177,9 +173,8 @@ START_TEST(a_cast_along_a_face_meets_the_box) {
             ck_assert(!meets(from, by, half, 1));
         }
 }
-END_TEST
 
-START_TEST(a_cast_that_passes_a_corner_misses_it) {
+TEST(a_cast_that_passes_a_corner_misses_it) {
     const double by[3] = {4, -4, 0};
     const double inside[3] = {.5, .5, .5}, through[3] = {-1, 2, .5}, past[3] = {-1, 3.001, .5};
     const double at[3] = {-1, 3, .5}; /* the edge is at (1, 1), half of the way */
@@ -191,10 +186,9 @@ START_TEST(a_cast_that_passes_a_corner_misses_it) {
     ck_assert(!meets(at, by, point, .499));
     ck_assert(!meets(past, by, point, 1));
 }
-END_TEST
 
 /* A row of boxes: forwards the first is met first, backwards the last; the one that is met ends it. */
-START_TEST(casts_meet_what_is_near_before_what_is_far) {
+TEST(casts_meet_what_is_near_before_what_is_far) {
     for (int axis = 0; axis < 3; axis++) {
         McdTree *tree = mcd_treeCreate();
         for (int i = 0; i < 64; i++) {
@@ -218,12 +212,11 @@ START_TEST(casts_meet_what_is_near_before_what_is_far) {
         mcd_treeDestroy(tree);
     }
 }
-END_TEST
 
 /* ---- boxes ---- */
 
 /* Rounded outward, by no more than a place; cut off where products could overflow. */
-START_TEST(a_box_is_rounded_outward) {
+TEST(a_box_is_rounded_outward) {
     unsigned long long state = 9;
     for (int n = 0; n < 10000; n++) {
         double min[3], max[3];
@@ -248,17 +241,3 @@ START_TEST(a_box_is_rounded_outward) {
         assert_near_rel(box.max[k], MCD_TREE_REACH, 2 * (double)FLT_EPSILON);
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, boxes_that_touch_overlap_and_those_beside_them_do_not);
-    tcase_add_test(t, boxes_are_found_wherever_they_went);
-    tcase_add_test(t, a_query_ends_where_its_visitor_has_enough);
-    tcase_add_test(t, a_cast_that_ends_on_a_face_meets_the_box);
-    tcase_add_test(t, a_cast_along_a_face_meets_the_box);
-    tcase_add_test(t, a_cast_that_passes_a_corner_misses_it);
-    tcase_add_test(t, casts_meet_what_is_near_before_what_is_far);
-    tcase_add_test(t, a_box_is_rounded_outward);
-}
-
-TEST_MAIN("Tree", tests)

@@ -127,7 +127,7 @@ static void onPlane(int kind, double size, int isAlone) {
     end();
 }
 
-START_TEST(a_flat_grid_is_a_plane) {
+TEST(a_flat_grid_is_a_plane) {
     for (int kind = 0; kind < 40; kind++) {
         onPlane(kind, 1, 1);
         onPlane(kind, 1e-3, 1);
@@ -135,10 +135,9 @@ START_TEST(a_flat_grid_is_a_plane) {
         onPlane(kind, 1, 0);
     }
 }
-END_TEST
 
 /* A pole leans in a hole of the ground: it touches the border, and its lower end is under the ground beyond. */
-START_TEST(what_is_under_the_ground_through_a_hole_is_not_pushed_up) {
+TEST(what_is_under_the_ground_through_a_hole_is_not_pushed_up) {
     MeReal down[3] = {0, 0, -1};
     MeVector3 lowest;
     MeMatrix3 r;
@@ -176,9 +175,8 @@ START_TEST(what_is_under_the_ground_through_a_hole_is_not_pushed_up) {
     probe_term(&probe);
     end();
 }
-END_TEST
 
-START_TEST(a_box_on_its_face_has_its_four_corners) {
+TEST(a_box_on_its_face_has_its_four_corners) {
     begin();
     terrain_grid(&ground, 20, .23, 0, ONE_SIDED);
     probe_init(&probe, McdBoxCreate(frame, 1, 1, 1), terrain_list(frame, &ground));
@@ -200,9 +198,8 @@ START_TEST(a_box_on_its_face_has_its_four_corners) {
     probe_term(&probe);
     end();
 }
-END_TEST
 
-START_TEST(features_stay_while_sliding_and_in_any_order) {
+TEST(features_stay_while_sliding_and_in_any_order) {
     MeU32 feature[4];
     begin();
     terrain_grid(&ground, 20, .23, 0, ONE_SIDED);
@@ -221,7 +218,6 @@ START_TEST(features_stay_while_sliding_and_in_any_order) {
     probe_term(&probe);
     end();
 }
-END_TEST
 
 /* ---- folds ------------------------------------------------------------------------------------------------------- */
 
@@ -237,7 +233,7 @@ static double ridge(double x, double y) {
 
 static const double slope = 0.70710678118654752;
 
-START_TEST(in_a_valley_only_the_faces_push) {
+TEST(in_a_valley_only_the_faces_push) {
     begin();
     terrain_grid(&ground, 20, .25, valley, kMcdTriangleStandard & ~kMcdTriangleTwoSided);
     probe_init(&probe, McdSphereCreate(frame, (MeReal).5), terrain_list(frame, &ground));
@@ -253,9 +249,8 @@ START_TEST(in_a_valley_only_the_faces_push) {
     probe_term(&probe);
     end();
 }
-END_TEST
 
-START_TEST(over_a_ridge_the_normal_turns_smoothly) {
+TEST(over_a_ridge_the_normal_turns_smoothly) {
     double last = -1;
     begin();
     terrain_grid(&ground, 20, .25, ridge, ONE_SIDED);
@@ -274,9 +269,8 @@ START_TEST(over_a_ridge_the_normal_turns_smoothly) {
     probe_term(&probe);
     end();
 }
-END_TEST
 
-START_TEST(a_box_balances_on_a_ridge) {
+TEST(a_box_balances_on_a_ridge) {
     begin();
     terrain_grid(&ground, 20, .25, ridge, ONE_SIDED);
     probe_init(&probe, McdBoxCreate(frame, 2, 1, (MeReal).2), terrain_list(frame, &ground));
@@ -291,7 +285,6 @@ START_TEST(a_box_balances_on_a_ridge) {
     probe_term(&probe);
     end();
 }
-END_TEST
 
 /* A floor at height 0 for x < 0, a wall down to a lower floor at -1. */
 static void makeStep(void) {
@@ -318,7 +311,7 @@ static void makeStep(void) {
         }
 }
 
-START_TEST(at_a_step_nothing_hooks) {
+TEST(at_a_step_nothing_hooks) {
     begin();
     makeStep();
     probe_init(&probe, McdBoxCreate(frame, 1, 1, 1), terrain_list(frame, &ground));
@@ -342,7 +335,6 @@ START_TEST(at_a_step_nothing_hooks) {
     probe_term(&probe);
     end();
 }
-END_TEST
 
 /* ---- bumpy ground ------------------------------------------------------------------------------------------------ */
 
@@ -393,7 +385,7 @@ static double distanceToGround(const double p[3]) {
     return min;
 }
 
-START_TEST(a_ball_on_bumpy_ground_touches_its_nearest_point) {
+TEST(a_ball_on_bumpy_ground_touches_its_nearest_point) {
     begin();
     terrain_grid(&ground, 16, .25, bumps, ONE_SIDED);
     probe_init(&probe, McdSphereCreate(frame, (MeReal).4), terrain_list(frame, &ground));
@@ -418,7 +410,6 @@ START_TEST(a_ball_on_bumpy_ground_touches_its_nearest_point) {
     probe_term(&probe);
     end();
 }
-END_TEST
 
 /* ---- one triangle, its flags ------------------------------------------------------------------------------------- */
 
@@ -434,7 +425,7 @@ static int ballOver(int flags, double x, double y, double z) {
     return probe_at(&probe, x, y, z);
 }
 
-START_TEST(flags) {
+TEST(flags) {
     const int smallest = kMcdTriangleUseSmallestPenetration, both = kMcdTriangleTwoSided;
     ck_assert_int_eq(ballOver(kMcdTriangleStandard, -.5, -.5, .4), 1);
     assert_vec3_near(probe.contact[0].normal, 0, 0, 1, 0);
@@ -466,7 +457,6 @@ START_TEST(flags) {
     assert_vec3_near(probe.contact[0].normal, 0, 0, 1, 0);
     end();
 }
-END_TEST
 
 static MeVector3 downward = {0, 0, -1};
 static MeVector3 nowhere = {0, 0, 0};
@@ -479,7 +469,7 @@ static int MEAPI findWithNormal(McdModelPair *pair, McdUserTriangle *triangle, M
     return count;
 }
 
-START_TEST(the_given_normal_says_which_side_is_outside) {
+TEST(the_given_normal_says_which_side_is_outside) {
     ballOver(ONE_SIDED, 0, 0, 0);
     McdTriangleListSetGenerator(McdModelGetGeometry(probe.ground), findWithNormal);
     given = &downward;
@@ -490,11 +480,10 @@ START_TEST(the_given_normal_says_which_side_is_outside) {
     ck_assert_int_eq(probe_at(&probe, -.5, -.5, .4), 1);
     end();
 }
-END_TEST
 
 /* ---- the list ---------------------------------------------------------------------------------------------------- */
 
-START_TEST(the_list_may_stand_anywhere) {
+TEST(the_list_may_stand_anywhere) {
     begin();
     terrain_grid(&ground, 10, .5, 0, ONE_SIDED);
     probe_init(&probe, McdBoxCreate(frame, 1, 1, 1), terrain_list(frame, &ground));
@@ -519,7 +508,6 @@ START_TEST(the_list_may_stand_anywhere) {
     probe_term(&probe);
     end();
 }
-END_TEST
 
 /* Cells of .4 at x < 0, of .2 at x > 0: on the line between them every other corner is on an edge. */
 static void makeSeam(int use) {
@@ -560,7 +548,7 @@ static void pushOut(Probe *p) {
         p->tm[3][k] += (MeReal)way[k];
 }
 
-START_TEST(nothing_falls_through_where_corners_meet_edges) {
+TEST(nothing_falls_through_where_corners_meet_edges) {
     for (int kind = 0; kind < 24; kind++) {
         begin();
         seed = (unsigned int)kind;
@@ -583,9 +571,8 @@ START_TEST(nothing_falls_through_where_corners_meet_edges) {
         end();
     }
 }
-END_TEST
 
-START_TEST(triangles_without_area_do_nothing) {
+TEST(triangles_without_area_do_nothing) {
     begin();
     messages_catch();
     oneTriangle(ONE_SIDED);
@@ -605,9 +592,8 @@ START_TEST(triangles_without_area_do_nothing) {
     probe_term(&probe);
     end();
 }
-END_TEST
 
-START_TEST(too_many_triangles_are_told_once) {
+TEST(too_many_triangles_are_told_once) {
     begin();
     messages_catch();
     terrain_grid(&ground, 10, .1, 0, ONE_SIDED);
@@ -623,10 +609,9 @@ START_TEST(too_many_triangles_are_told_once) {
     probe_term(&probe);
     end();
 }
-END_TEST
 
 /* As the User Guide's chapter 8 does it. */
-START_TEST(the_number_of_triangles_may_be_written) {
+TEST(the_number_of_triangles_may_be_written) {
     begin();
     messages_catch();
     terrain_grid(&ground, 10, .1, 0, ONE_SIDED);
@@ -647,9 +632,8 @@ START_TEST(the_number_of_triangles_may_be_written) {
     probe_term(&probe);
     end();
 }
-END_TEST
 
-START_TEST(the_result_has_no_more_than_fit) {
+TEST(the_result_has_no_more_than_fit) {
     begin();
     terrain_grid(&ground, 20, .1, bumps, ONE_SIDED);
     probe_init(&probe, McdBoxCreate(frame, 1, 1, 1), terrain_list(frame, &ground));
@@ -665,9 +649,8 @@ START_TEST(the_result_has_no_more_than_fit) {
     probe_term(&probe);
     end();
 }
-END_TEST
 
-START_TEST(line_segments_pass_unless_asked_for) {
+TEST(line_segments_pass_unless_asked_for) {
     MeReal from[3] = {(MeReal)-.5, (MeReal)-.5, 1}, to[3] = {(MeReal)-.5, (MeReal)-.5, -3};
     McdLineSegIntersectResult hit;
     ballOver(ONE_SIDED, 5, 5, 5);
@@ -687,9 +670,8 @@ START_TEST(line_segments_pass_unless_asked_for) {
     ck_assert_uint_eq(McdLineSegIntersect(probe.ground, from, to, &hit), 0);
     end();
 }
-END_TEST
 
-START_TEST(bad_input) {
+TEST(bad_input) {
     MeVector3 min = {0, 0, 0}, max = {1, 1, 1}, bad = {1, NAN, 1};
     begin();
     messages_catch();
@@ -724,7 +706,6 @@ START_TEST(bad_input) {
     messages_release();
     end();
 }
-END_TEST
 
 /* A triangle on its own, its corners at thirds of a turn, in a list of its own flags. */
 static void lonelyTriangle(int edges) {
@@ -750,7 +731,7 @@ static void expectBeyond(double x, double y, MeBool isSharp) {
 }
 
 /* The corner between edges i - 1 and i is sharp if both are. */
-START_TEST(a_ball_beyond_each_corner_and_edge_for_all_sets_of_flags) {
+TEST(a_ball_beyond_each_corner_and_edge_for_all_sets_of_flags) {
     for (int edges = 0; edges <= kMcdTriangleUseEdges; edges += kMcdTriangleUseEdge0) {
         lonelyTriangle(edges);
         for (int i = 0; i < 3; i++) {
@@ -763,7 +744,6 @@ START_TEST(a_ball_beyond_each_corner_and_edge_for_all_sets_of_flags) {
         end();
     }
 }
-END_TEST
 
 static int edges;
 static double drawn; /* m */
@@ -782,7 +762,7 @@ static void MEAPI onEdge(MeVector3 from, MeVector3 to, MeReal r, MeReal g, MeRea
     edges++;
 }
 
-START_TEST(the_box_around_a_list_is_drawn_edge_by_edge) {
+TEST(the_box_around_a_list_is_drawn_edge_by_edge) {
     const MeReal red[3] = {1, 0, 0};
     const MeDebugLineFuncPtr before = MeDebugDrawAPI.line;
     MeMatrix4 tm;
@@ -800,29 +780,3 @@ START_TEST(the_box_around_a_list_is_drawn_edge_by_edge) {
     McdGeometryDestroy(list);
     McdTerm(f);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_flat_grid_is_a_plane);
-    tcase_add_test(t, what_is_under_the_ground_through_a_hole_is_not_pushed_up);
-    tcase_add_test(t, a_box_on_its_face_has_its_four_corners);
-    tcase_add_test(t, features_stay_while_sliding_and_in_any_order);
-    tcase_add_test(t, in_a_valley_only_the_faces_push);
-    tcase_add_test(t, over_a_ridge_the_normal_turns_smoothly);
-    tcase_add_test(t, a_box_balances_on_a_ridge);
-    tcase_add_test(t, at_a_step_nothing_hooks);
-    tcase_add_test(t, a_ball_on_bumpy_ground_touches_its_nearest_point);
-    tcase_add_test(t, flags);
-    tcase_add_test(t, a_ball_beyond_each_corner_and_edge_for_all_sets_of_flags);
-    tcase_add_test(t, the_given_normal_says_which_side_is_outside);
-    tcase_add_test(t, the_list_may_stand_anywhere);
-    tcase_add_test(t, nothing_falls_through_where_corners_meet_edges);
-    tcase_add_test(t, triangles_without_area_do_nothing);
-    tcase_add_test(t, too_many_triangles_are_told_once);
-    tcase_add_test(t, the_number_of_triangles_may_be_written);
-    tcase_add_test(t, the_result_has_no_more_than_fit);
-    tcase_add_test(t, line_segments_pass_unless_asked_for);
-    tcase_add_test(t, bad_input);
-    tcase_add_test(t, the_box_around_a_list_is_drawn_edge_by_edge);
-}
-TEST_MAIN("McdTriangleList", tests)

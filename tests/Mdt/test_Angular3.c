@@ -30,7 +30,7 @@ static void shove(MdtBodyID b, Random *r) {
 }
 
 /* As the bodies stand when they are attached, whatever happened before and whatever axis is set later. */
-START_TEST(the_orientation_at_attaching_is_kept) {
+TEST(the_orientation_at_attaching_is_kept) {
     for (int variant = 0; variant < 4; variant++) {
         MdtWorldID w = scene_world(2, 1, 0);
         MdtWorldSetEpsilon(w, 0);
@@ -57,10 +57,9 @@ START_TEST(the_orientation_at_attaching_is_kept) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
 /* Attached, turned out of that, then given an axis: they turn back to how they were attached. */
-START_TEST(an_axis_that_is_set_elsewhere_leaves_the_orientation) {
+TEST(an_axis_that_is_set_elsewhere_leaves_the_orientation) {
     MdtWorldID w = scene_world(2, 1, 0);
     MdtBodyID a = scene_box(w, 2, edge, 0, 0, 0), b = scene_box(w, 1, edge, 1, 1, 0);
     MdtAngular3ID j = MdtAngular3Create(w);
@@ -79,10 +78,9 @@ START_TEST(an_axis_that_is_set_elsewhere_leaves_the_orientation) {
     assert_below(difference((const double(*)[3])now, (const double(*)[3])start), TOL(2e-6, 1e-8));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Two bodies that are held turn as one about the pair's moments; their places do not know of one another. */
-START_TEST(it_gives_no_force) {
+TEST(it_gives_no_force) {
     MdtWorldID w = scene_world(2, 1, 10);
     MdtBodyID a = scene_box(w, 2, edge, 0, 0, 0), b = scene_box(w, 1, edge, 1, 1, 0);
     MdtAngular3ID j = MdtAngular3Create(w);
@@ -106,9 +104,8 @@ START_TEST(it_gives_no_force) {
     assert_vec3_near(other, 0, 0, 1 / .5, TOL(2e-6, 3e-10));
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(enabled_rotation_is_about_the_axis_only) {
+TEST(enabled_rotation_is_about_the_axis_only) {
     const double axis[3] = {.6, .48, .64};
     MdtWorldID w = scene_world(1, 1, 0);
     MdtWorldSetEpsilon(w, 0);
@@ -135,10 +132,9 @@ START_TEST(enabled_rotation_is_about_the_axis_only) {
     ck_assert_int_eq(MdtConstraintGetRowCount(MdtAngular3QuaConstraint(j)), 2);
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Switched off again, it is drawn back to the orientation that is kept. */
-START_TEST(rotation_disabled_again) {
+TEST(rotation_disabled_again) {
     MdtWorldID w = scene_world(1, 1, 0);
     MdtWorldSetEpsilon(w, 0);
     MdtBodyID b = scene_box(w, 2, edge, 0, 0, 0);
@@ -159,10 +155,9 @@ START_TEST(rotation_disabled_again) {
     assert_below(difference((const double(*)[3])R, (const double(*)[3])start), TOL(1e-6, 1e-7));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* I θ'' = -k θ - c θ'. About an axis across the free one, and without a free one about any. */
-START_TEST(the_angular_spring_swings) {
+TEST(the_angular_spring_swings) {
     const double ks[] = {5, 20}, cs[] = {0, .1}, inertia = .4, h = FRAME, amplitude = .02;
     for (int rotates = 0; rotates < 2; rotates++)
         for (int i = 0; i < 4; i++) {
@@ -191,10 +186,9 @@ START_TEST(the_angular_spring_swings) {
             MdtWorldDestroy(w);
         }
 }
-END_TEST
 
 /* A load on it: θ = T / k. */
-START_TEST(the_angular_spring_gives_way_by_torque_over_stiffness) {
+TEST(the_angular_spring_gives_way_by_torque_over_stiffness) {
     MdtWorldID w = scene_world(1, 1, 0);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     MdtAngular3ID j = MdtAngular3Create(w);
@@ -211,11 +205,10 @@ START_TEST(the_angular_spring_gives_way_by_torque_over_stiffness) {
     assert_near(atan2(R[2][1], R[1][1]), .02, TOL(2e-8, 2e-11));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* T = -k θ however far it is turned, θ in the middle of the step: θ + h w/4 with w = h T/I at its end. About
  * an axis across the free one, and without a free one about any. */
-START_TEST(the_angular_spring_is_linear_in_the_angle) {
+TEST(the_angular_spring_is_linear_in_the_angle) {
     for (int rotates = 0; rotates < 2; rotates++)
         for (int degrees = 30; degrees <= 150; degrees += 30) {
             const double angle = degrees * 3.14159265358979323846 / 180, inertia = .4, h = 1e-3;
@@ -237,10 +230,9 @@ START_TEST(the_angular_spring_is_linear_in_the_angle) {
             MdtWorldDestroy(w);
         }
 }
-END_TEST
 
 /* The guide's use: an upright thing that may turn about the vertical and comes back upright, softly. */
-START_TEST(keeping_things_upright) {
+TEST(keeping_things_upright) {
     MdtWorldID w = scene_world(1, 1, 0);
     MdtBodyID b = scene_box(w, 2, edge, 0, 0, 0);
     MdtAngular3ID j = MdtAngular3Create(w);
@@ -264,10 +256,9 @@ START_TEST(keeping_things_upright) {
     ck_assert(fabs(rate[1]) > .1); /* still turning about the vertical */
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* One infinite value is enough: rigid. */
-START_TEST(as_long_as_one_value_is_infinite_it_is_rigid) {
+TEST(as_long_as_one_value_is_infinite_it_is_rigid) {
     for (int which = 0; which < 2; which++) {
         MdtWorldID w = scene_world(1, 1, 0);
         MdtWorldSetEpsilon(w, 0);
@@ -289,19 +280,3 @@ START_TEST(as_long_as_one_value_is_infinite_it_is_rigid) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, the_orientation_at_attaching_is_kept);
-    tcase_add_test(t, an_axis_that_is_set_elsewhere_leaves_the_orientation);
-    tcase_add_test(t, it_gives_no_force);
-    tcase_add_test(t, enabled_rotation_is_about_the_axis_only);
-    tcase_add_test(t, rotation_disabled_again);
-    tcase_add_test(t, the_angular_spring_swings);
-    tcase_add_test(t, the_angular_spring_gives_way_by_torque_over_stiffness);
-    tcase_add_test(t, the_angular_spring_is_linear_in_the_angle);
-    tcase_add_test(t, keeping_things_upright);
-    tcase_add_test(t, as_long_as_one_value_is_infinite_it_is_rigid);
-}
-
-TEST_MAIN("Angular3", tests)

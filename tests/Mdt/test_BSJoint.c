@@ -20,7 +20,7 @@ static double sagOf(double epsilon, double gamma, double h, double F, double *fo
     return -(double)p[1];
 }
 
-START_TEST(sag_is_epsilon_force_step_squared_over_gamma) {
+TEST(sag_is_epsilon_force_step_squared_over_gamma) {
     const double epsilons[] = {.1, .01, 1e-4}, gammas[] = {.1, .2, .8, 1}, hs[] = {1.0 / 30, 1.0 / 60, .005};
     const double forces[] = {10, 100};
     for (int e = 0; e < 3; e++)
@@ -38,9 +38,8 @@ START_TEST(sag_is_epsilon_force_step_squared_over_gamma) {
                     assert_near_rel(force, forces[f], TOL(1e-6, 5e-8));
                 }
 }
-END_TEST
 
-START_TEST(sag_of_the_customer_s_example) {
+TEST(sag_of_the_customer_s_example) {
     double force;
     assert_near(sagOf(.1, .2, 1.0 / 60, 10, &force), 1.38889e-3, 1e-8);
     assert_near(sagOf(.1, .2, 1.0 / 60, 100, &force), 1.38889e-2, 1e-7);
@@ -48,10 +47,9 @@ START_TEST(sag_of_the_customer_s_example) {
     assert_near(sagOf(0, .2, 1.0 / 60, 100, &force), 0, 9e-14);
     assert_near(force, 100, TOL(1e-5, 5e-8));
 }
-END_TEST
 
 /* A joint that is apart closes by the fraction γ a step. */
-START_TEST(gamma_is_the_fraction_that_a_step_removes) {
+TEST(gamma_is_the_fraction_that_a_step_removes) {
     MdtWorldID w = scene_world(1, 1, 0);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     MdtWorldSetEpsilon(w, 0);
@@ -69,15 +67,13 @@ START_TEST(gamma_is_the_fraction_that_a_step_removes) {
     }
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(gamma_with_reference_step) {
+TEST(gamma_with_reference_step) {
     MdtWorldID w = scene_world(1, 1, 0);
     MdtWorldSetGammaWithRefTimeStep(w, (MeReal).36, (MeReal).02, (MeReal).01);
     assert_near(MdtWorldGetGamma(w), .2, TOL(2e-7, 2e-14)); /* (1 - .2)² = 1 - .36 */
     MdtWorldDestroy(w);
 }
-END_TEST
 
 static double apart(MdtConstraintID c) {
     MeVector3 a, b;
@@ -87,7 +83,7 @@ static double apart(MdtConstraintID c) {
 }
 
 /* A ball that spins and swings: the point stays on the point, the rotation is free. */
-START_TEST(the_points_stay_together) {
+TEST(the_points_stay_together) {
     const double edge[3] = {.3, 1, .2};
     MdtWorldID w = scene_world(2, 2, 9.81);
     MdtWorldSetEpsilon(w, 0);
@@ -108,7 +104,6 @@ START_TEST(the_points_stay_together) {
     assert_below(worst, TOL(2e-6, 1e-7));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Complete elliptic integral by the arithmetic-geometric mean: T = 2π sqrt(I/(m g l)) / agm(1, cos(θ/2)). */
 static double pendulumPeriod(double inertia, double mgl, double amplitude) {
@@ -122,7 +117,7 @@ static double pendulumPeriod(double inertia, double mgl, double amplitude) {
 }
 
 /* A bar released from the horizontal: period, gap and energy over 10 s at 60 Hz. */
-START_TEST(a_pendulum_from_90_degrees_keeps_time) {
+TEST(a_pendulum_from_90_degrees_keeps_time) {
     const double g = 9.81;
     HingedBar s = scene_hingedBar(g);
     double period = 0, first = 0, last = 0, worst = 0, before = 0;
@@ -145,11 +140,10 @@ START_TEST(a_pendulum_from_90_degrees_keeps_time) {
     assert_below(worst, TOL(1e-6, 1e-8));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* Second order in h, as it should be without a first-order loss of energy. The bar turns by up to 5.4 rad/s; steps in
  * which that is more than 0.1 rad would be divided. */
-START_TEST(the_period_converges_at_second_order) {
+TEST(the_period_converges_at_second_order) {
     double error[2];
     const double exact = pendulumPeriod(1.0 / 3, 9.81 * .5, 1.57079632679);
     for (int k = 0; k < 2; k++) {
@@ -173,10 +167,9 @@ START_TEST(the_period_converges_at_second_order) {
     }
     ck_assert_msg(error[0] / error[1] > 3 && error[0] / error[1] < 5, "errors %g %g", error[0], error[1]);
 }
-END_TEST
 
 /* The force that holds a swinging mass at the lowest point is m g + m v²/l = 3 m g. */
-START_TEST(the_force_read_back_is_the_pendulum_s_tension) {
+TEST(the_force_read_back_is_the_pendulum_s_tension) {
     MdtWorldID w = scene_world(1, 1, 10);
     MdtWorldSetEpsilon(w, 0);
     MdtBodyID b = scene_body(w, 1, 1, 0, 0);
@@ -195,10 +188,9 @@ START_TEST(the_force_read_back_is_the_pendulum_s_tension) {
     assert_near(max, 30, .02);
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Two joints where one would do: the load is shared, nothing explodes, at ε = 0. */
-START_TEST(redundant_joints_share_the_load) {
+TEST(redundant_joints_share_the_load) {
     MdtWorldID w = scene_world(1, 3, 10);
     MdtWorldSetEpsilon(w, 0);
     MdtBodyID b = scene_body(w, 3, 0, 0, 0);
@@ -223,10 +215,9 @@ START_TEST(redundant_joints_share_the_load) {
     assert_vec3_near(p, 0, 0, 0, 9e-14);
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Joints that contradict each other end in a compromise, finite and bounded. */
-START_TEST(contradictory_joints_end_in_a_compromise) {
+TEST(contradictory_joints_end_in_a_compromise) {
     MdtWorldID w = scene_world(1, 2, 10);
     MdtWorldSetEpsilon(w, 0);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
@@ -245,19 +236,3 @@ START_TEST(contradictory_joints_end_in_a_compromise) {
     }
     MdtWorldDestroy(w);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, sag_is_epsilon_force_step_squared_over_gamma);
-    tcase_add_test(t, sag_of_the_customer_s_example);
-    tcase_add_test(t, gamma_is_the_fraction_that_a_step_removes);
-    tcase_add_test(t, gamma_with_reference_step);
-    tcase_add_test(t, the_points_stay_together);
-    tcase_add_test(t, a_pendulum_from_90_degrees_keeps_time);
-    tcase_add_test(t, the_period_converges_at_second_order);
-    tcase_add_test(t, the_force_read_back_is_the_pendulum_s_tension);
-    tcase_add_test(t, redundant_joints_share_the_load);
-    tcase_add_test(t, contradictory_joints_end_in_a_compromise);
-}
-
-TEST_MAIN("BSJoint", tests)

@@ -34,7 +34,7 @@ static void tearDown(void) {
     MdtWorldDestroy(w);
 }
 
-START_TEST(numbers_that_are_not_finite_change_nothing) {
+TEST(numbers_that_are_not_finite_change_nothing) {
     setUp();
     for (int i = 0; i < 3; i++) {
         const MeReal x = bad[i];
@@ -117,9 +117,8 @@ START_TEST(numbers_that_are_not_finite_change_nothing) {
     ck_assert(MdtBodyGetMass(b) == 1);
     tearDown();
 }
-END_TEST
 
-START_TEST(masses_and_tensors_that_no_body_has) {
+TEST(masses_and_tensors_that_no_body_has) {
     setUp();
     const MeReal masses[] = {0, -1};
     for (int i = 0; i < 2; i++) {
@@ -146,9 +145,8 @@ START_TEST(masses_and_tensors_that_no_body_has) {
     assert_warned("edge");
     tearDown();
 }
-END_TEST
 
-START_TEST(axes_and_orientations_without_direction) {
+TEST(axes_and_orientations_without_direction) {
     setUp();
     const MeMatrix3 skew = {{1, 0, 0}, {0, 1, 0}, {0, 1, 1}}, mirror = {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
     MdtHingeSetAxis(hinge, 0, 0, 0);
@@ -169,9 +167,8 @@ START_TEST(axes_and_orientations_without_direction) {
     assert_warned("no rotation");
     tearDown();
 }
-END_TEST
 
-START_TEST(steps_that_are_none) {
+TEST(steps_that_are_none) {
     setUp();
     const MeReal hs[] = {0, (MeReal)-.1, (MeReal)NAN, (MeReal)INFINITY};
     for (int i = 0; i < 4; i++) {
@@ -185,9 +182,8 @@ START_TEST(steps_that_are_none) {
     assert_vec3_near(p, 1, 0, 0, 0);
     tearDown();
 }
-END_TEST
 
-START_TEST(parameters_out_of_range) {
+TEST(parameters_out_of_range) {
     setUp();
     MdtWorldSetEpsilon(w, -1);
     assert_warned("epsilon");
@@ -222,9 +218,8 @@ START_TEST(parameters_out_of_range) {
     ck_assert(MdtBodyGetSortKey(b) == 0 && MdtWorldGetEpsilon(w) == (MeReal)1e-4);
     tearDown();
 }
-END_TEST
 
-START_TEST(null_handles_get_neutral_results) {
+TEST(null_handles_get_neutral_results) {
     setUp();
     MeVector3 v = {7, 7, 7};
     MeMatrix4 tm;
@@ -274,9 +269,8 @@ START_TEST(null_handles_get_neutral_results) {
     assert_warned("callback is null");
     tearDown();
 }
-END_TEST
 
-START_TEST(more_than_the_world_was_created_for) {
+TEST(more_than_the_world_was_created_for) {
     setUp();
     MdtBodyID made[4];
     for (int i = 0; i < 2; i++)
@@ -293,9 +287,8 @@ START_TEST(more_than_the_world_was_created_for) {
     assert_warned("maxConstraints");
     tearDown();
 }
-END_TEST
 
-START_TEST(destroyed_handles_are_noticed) {
+TEST(destroyed_handles_are_noticed) {
     setUp();
     MdtBodyID gone = MdtBodyCreate(w);
     MdtBSJointID joint = MdtBSJointCreate(w);
@@ -314,11 +307,10 @@ START_TEST(destroyed_handles_are_noticed) {
     ck_assert(MdtHingeGetBody(hinge, 0) == b);
     tearDown();
 }
-END_TEST
 
 #if KARMA_CHECK
 /* Nothing is read through handles of a destroyed world, or through a pointer that never was a handle. */
-START_TEST(the_check_build_notices_handles_of_destroyed_worlds) {
+TEST(the_check_build_notices_handles_of_destroyed_worlds) {
     messages_catch();
     MdtWorldID gone = MdtWorldCreate(2, 2);
     MdtBodyID body = MdtBodyCreate(gone);
@@ -340,10 +332,9 @@ START_TEST(the_check_build_notices_handles_of_destroyed_worlds) {
     assert_warned("never was one");
     messages_release();
 }
-END_TEST
 #endif
 
-START_TEST(attachments_that_make_no_sense) {
+TEST(attachments_that_make_no_sense) {
     setUp();
     MdtWorldID other = MdtWorldCreate(1, 0);
     MdtBodyID stranger = MdtBodyCreate(other);
@@ -364,9 +355,8 @@ START_TEST(attachments_that_make_no_sense) {
     MdtWorldDestroy(other);
     tearDown();
 }
-END_TEST
 
-START_TEST(scales_that_are_none_count_as_1) {
+TEST(scales_that_are_none_count_as_1) {
     messages_catch();
     MdtWorldID x = MdtWorldCreate(1, 0, 0, 1);
     assert_warned("length scale");
@@ -379,7 +369,6 @@ START_TEST(scales_that_are_none_count_as_1) {
     MdtWorldDestroy(x);
     MdtWorldDestroy(y);
 }
-END_TEST
 
 /* A getter that was given nothing says so, with its name, and returns 0. */
 #define assert_nothing(getter)                                                                                         \
@@ -388,7 +377,7 @@ END_TEST
         assert_warned(#getter);                                                                                        \
     } while (0)
 
-START_TEST(getters_of_nothing_return_nothing) {
+TEST(getters_of_nothing_return_nothing) {
     messages_catch();
     assert_nothing(MdtAngular3GetDamping);
     assert_nothing(MdtAngular3GetStiffness);
@@ -464,10 +453,9 @@ START_TEST(getters_of_nothing_return_nothing) {
     assert_nothing(MdtWorldGetWorkBudget);
     ck_assert_int_eq(caught.fatal, 0);
 }
-END_TEST
 
 /* What a program writes into the public structures goes unchecked; the world must bear it. */
-START_TEST(rubbish_in_public_structures_does_not_reach_the_bodies) {
+TEST(rubbish_in_public_structures_does_not_reach_the_bodies) {
     setUp();
     MdtBclContactParams *p = MdtContactGetParams(contact);
     MdtBclLimit *limit = MdtHingeGetLimit(hinge);
@@ -499,11 +487,10 @@ START_TEST(rubbish_in_public_structures_does_not_reach_the_bodies) {
     MdtHingeReset(hinge);
     tearDown();
 }
-END_TEST
 
 /* Forces beyond all measure stop the body where it is; the others move on. */
 /* What is asked by a vector that is no vector, or so large that its product is not. */
-START_TEST(questions_by_no_numbers_are_refused) {
+TEST(questions_by_no_numbers_are_refused) {
     setUp();
     for (int i = 0; i < 3; i++) {
         MeVector3 asked = {0, bad[i], 0}, answer = {1, 2, 3};
@@ -522,10 +509,9 @@ START_TEST(questions_by_no_numbers_are_refused) {
         ck_assert(!isnan(far[i]));
     tearDown();
 }
-END_TEST
 
 /* Smaller than numbers of single precision can be: what is divided by it is infinite. */
-START_TEST(numbers_that_are_all_but_0_are_not_positive) {
+TEST(numbers_that_are_all_but_0_are_not_positive) {
     setUp();
     const MeReal tiny = (MeReal)1e-39;
     MdtBodySetMass(b, tiny);
@@ -537,10 +523,9 @@ START_TEST(numbers_that_are_all_but_0_are_not_positive) {
     MdtWorldDestroy(small);
     tearDown();
 }
-END_TEST
 
 #ifndef _ME_API_DOUBLE /* which has room for what input can be */
-START_TEST(overflow_stops_only_its_partition) {
+TEST(overflow_stops_only_its_partition) {
     setUp();
     MdtBodyID other = scene_body(w, 1, 5, 5, 5);
     MdtHingeDisable(hinge);
@@ -556,30 +541,4 @@ START_TEST(overflow_stops_only_its_partition) {
     MdtBodySetLinearVelocity(b, 0, 0, 0);
     tearDown();
 }
-END_TEST
 #endif
-
-static void tests(TCase *t) {
-    tcase_add_test(t, numbers_that_are_not_finite_change_nothing);
-    tcase_add_test(t, masses_and_tensors_that_no_body_has);
-    tcase_add_test(t, axes_and_orientations_without_direction);
-    tcase_add_test(t, steps_that_are_none);
-    tcase_add_test(t, parameters_out_of_range);
-    tcase_add_test(t, null_handles_get_neutral_results);
-    tcase_add_test(t, more_than_the_world_was_created_for);
-    tcase_add_test(t, destroyed_handles_are_noticed);
-#if KARMA_CHECK
-    tcase_add_test(t, the_check_build_notices_handles_of_destroyed_worlds);
-#endif
-    tcase_add_test(t, attachments_that_make_no_sense);
-    tcase_add_test(t, scales_that_are_none_count_as_1);
-    tcase_add_test(t, getters_of_nothing_return_nothing);
-    tcase_add_test(t, rubbish_in_public_structures_does_not_reach_the_bodies);
-    tcase_add_test(t, questions_by_no_numbers_are_refused);
-    tcase_add_test(t, numbers_that_are_all_but_0_are_not_positive);
-#ifndef _ME_API_DOUBLE
-    tcase_add_test(t, overflow_stops_only_its_partition);
-#endif
-}
-
-TEST_MAIN("BadInput", tests)

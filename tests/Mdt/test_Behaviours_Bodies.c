@@ -23,7 +23,7 @@
 #include "behaviour.h"
 
 /* Dynamics guide ch. 2, "Defining a Body": a new body is disabled; MdtBodyEnable lets it take part. */
-START_TEST(a_new_body_takes_part_once_it_is_enabled) {
+TEST(a_new_body_takes_part_once_it_is_enabled) {
     MdtWorldID w = scene_world(1, 0, 10);
     MdtBodyID b = MdtBodyCreate(w);
     MdtWorldStep(w, FRAME);
@@ -35,10 +35,9 @@ START_TEST(a_new_body_takes_part_once_it_is_enabled) {
     assert_velocity(b, 0, -10 * (double)FRAME, 0, TOL(1e-7, 9e-14));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Dynamics guide ch. 4, "Adding Forces": a constant force has to be added before every step; then v = n h F / m. */
-START_TEST(a_constant_force_has_to_be_added_every_step) {
+TEST(a_constant_force_has_to_be_added_every_step) {
     MdtWorldID w = scene_world(2, 0, 0);
     MdtBodyID always = scene_body(w, 2, 0, 0, 0), once = scene_body(w, 2, 0, 5, 0);
     MdtBodyAddForce(once, 6, 0, 0);
@@ -50,11 +49,10 @@ START_TEST(a_constant_force_has_to_be_added_every_step) {
     }
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Dynamics guide ch. 4, "Adding Forces": the force acts at the centre of mass, in the world's axes, and turns nothing:
  * however the body is turned, and wherever its centre of mass is. */
-START_TEST(a_force_acts_at_the_centre_of_mass_in_the_world_s_axes) {
+TEST(a_force_acts_at_the_centre_of_mass_in_the_world_s_axes) {
     MdtWorldID w = scene_world(1, 0, 0);
     MdtBodyID b = scene_body(w, 1, 3, 4, 5);
     const MeVector3 offset = {1, -2, (MeReal).5};
@@ -72,10 +70,9 @@ START_TEST(a_force_acts_at_the_centre_of_mass_in_the_world_s_axes) {
     assert_spin(b, 0, 0, 0, 0);
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Dynamics guide ch. 4, "Adding Forces": P may lie outside the body; only the line of the force counts. */
-START_TEST(a_force_may_act_far_outside_the_body) {
+TEST(a_force_may_act_far_outside_the_body) {
     MdtWorldID w = scene_world(2, 0, 0);
     MdtBodyID near = scene_body(w, 1, 0, 0, 0), far = scene_body(w, 1, 0, 0, 0);
     MdtBodyAddForceAtPosition(near, 0, 2, 0, 1, 0, 0);
@@ -88,12 +85,11 @@ START_TEST(a_force_may_act_far_outside_the_body) {
     assert_near(spin(near, 2), 2 / .4 * (double)FRAME, TOL(8e-8, 8e-15));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Dynamics guide ch. 5, "Inertia Problems": Karma 1.x puts a multiple of the unit matrix in place of the tensor. Later
  * versions, as the User Guide ch. 6 says, let programs choose, and here the full tensor is the default, since it is
  * what a program that sets one means; with MdtBodyDisableNonSphericalInertia a body is as in 1.x. */
-START_TEST(the_tensor_can_be_made_a_multiple_of_the_unit_matrix) {
+TEST(the_tensor_can_be_made_a_multiple_of_the_unit_matrix) {
     const MeMatrix3 tensor = {{1, 0, 0}, {0, 2, 0}, {0, 0, 6}};
     for (int spherical = 0; spherical < 2; spherical++) {
         MdtWorldID w = scene_world(1, 0, 0);
@@ -108,10 +104,9 @@ START_TEST(the_tensor_can_be_made_a_multiple_of_the_unit_matrix) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
 /* User Guide ch. 3: damping slows a free body; without damping and friction it slides for ever. */
-START_TEST(without_damping_and_friction_a_body_slides_for_ever) {
+TEST(without_damping_and_friction_a_body_slides_for_ever) {
     MdtWorldID w = scene_world(2, 2, 10);
     MdtBodyID ice = scene_body(w, 1, 0, 0, 0), damped = scene_body(w, 1, 0, 0, 5);
     MdtContactID under[2] = {scene_contact(w, ice, 0, 0, 0, 0), scene_contact(w, damped, 0, 0, 0, 5)};
@@ -127,7 +122,6 @@ START_TEST(without_damping_and_friction_a_body_slides_for_ever) {
     assert_near_rel(velocity(damped, 0), 3 * exp(-.5 * 3600 * (double)FRAME), TOL(1e-6, 3e-13));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* A minute of rolling with 2 m/s; the contact may know that the ball is round. Where rounding has left a gap, the step
  * is divided when the ball has fallen onto the floor, after t = sqrt(2 gap / g); what is no ball has turned by w t
@@ -161,27 +155,12 @@ static void rollForAMinute(MeBool isRound) {
 }
 
 /* User Guide ch. 3: with friction and without damping a ball rolls for ever. */
-START_TEST(with_friction_and_without_damping_a_round_ball_rolls_for_ever) {
+TEST(with_friction_and_without_damping_a_round_ball_rolls_for_ever) {
     rollForAMinute(METRUE);
 }
-END_TEST
 
 /* A contact that was not told that the ball is round takes its place of contact for a corner, in steps that are
  * divided: MdtContactSetRadius. */
-START_TEST(with_friction_and_without_damping_a_ball_rolls_for_ever) {
+TEST(with_friction_and_without_damping_a_ball_rolls_for_ever) {
     rollForAMinute(MEFALSE);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_new_body_takes_part_once_it_is_enabled);
-    tcase_add_test(t, a_constant_force_has_to_be_added_every_step);
-    tcase_add_test(t, a_force_acts_at_the_centre_of_mass_in_the_world_s_axes);
-    tcase_add_test(t, a_force_may_act_far_outside_the_body);
-    tcase_add_test(t, the_tensor_can_be_made_a_multiple_of_the_unit_matrix);
-    tcase_add_test(t, without_damping_and_friction_a_body_slides_for_ever);
-    tcase_add_test(t, with_friction_and_without_damping_a_round_ball_rolls_for_ever);
-    tcase_add_test(t, with_friction_and_without_damping_a_ball_rolls_for_ever);
-}
-
-TEST_MAIN("Behaviours_Bodies", tests)

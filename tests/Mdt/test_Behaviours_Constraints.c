@@ -52,7 +52,7 @@ static Zoo makeZoo(void) {
 
 /* Ch. 3: created unattached and disabled; SetBodies attaches, index 0 is the first and 1 the second body; Enable lets
  * it act, IsEnabled says 1 or 0; a second body of null is the world. */
-START_TEST(every_type_is_created_attached_enabled_and_disabled) {
+TEST(every_type_is_created_attached_enabled_and_disabled) {
     Zoo z = makeZoo();
     ck_assert_int_eq(z.count, TYPES);
 #define LIFE(Type)                                                                                                     \
@@ -72,10 +72,9 @@ START_TEST(every_type_is_created_attached_enabled_and_disabled) {
     EVERY_JOINT(LIFE)
     MdtWorldDestroy(z.world);
 }
-END_TEST
 
 /* Ch. 3, MdtConstraintDestroy: the constraint is disabled first if necessary. */
-START_TEST(destroying_disables_first) {
+TEST(destroying_disables_first) {
     Zoo z = makeZoo();
     for (int i = 0; i < z.count; i++) {
         MdtConstraintSetBodies(z.constraint[i], z.a, z.b);
@@ -90,10 +89,9 @@ START_TEST(destroying_disables_first) {
     ck_assert(MdtBodyGetFirstConstraint(z.a) == NULL && MdtBodyGetFirstConstraint(z.b) == NULL);
     MdtWorldDestroy(z.world);
 }
-END_TEST
 
 /* Ch. 3: the two casts are each other's inverse, and a cast to another type gives 0. */
-START_TEST(casts_are_inverse_and_know_the_type) {
+TEST(casts_are_inverse_and_know_the_type) {
     Zoo z = makeZoo();
     int index = 0;
 #define CAST(Type)                                                                                                     \
@@ -107,10 +105,9 @@ START_TEST(casts_are_inverse_and_know_the_type) {
     EVERY_JOINT(CAST)
     MdtWorldDestroy(z.world);
 }
-END_TEST
 
 /* Ch. 3: user data are returned as set, the world is the one that created it. */
-START_TEST(user_data_and_world_are_returned) {
+TEST(user_data_and_world_are_returned) {
     Zoo z = makeZoo();
     int data[TYPES], index = 0;
 #define BOOK(Type)                                                                                                     \
@@ -125,11 +122,10 @@ START_TEST(user_data_and_world_are_returned) {
     EVERY_JOINT(BOOK)
     MdtWorldDestroy(z.world);
 }
-END_TEST
 
 /* Ch. 3: bodies are placed, then attached, then the position is set: it is then one point of both, and moves with
  * each. */
-START_TEST(bodies_are_placed_attached_and_then_the_position_is_set) {
+TEST(bodies_are_placed_attached_and_then_the_position_is_set) {
     MdtWorldID w = scene_world(2, 1, 0);
     MdtBodyID a = scene_body(w, 1, 0, 0, 0), b = scene_body(w, 1, 4, 0, 0);
     MdtBSJointID j = MdtBSJointCreate(w);
@@ -149,7 +145,6 @@ START_TEST(bodies_are_placed_attached_and_then_the_position_is_set) {
     assert_near(gapOf(c), 0, TOL(1e-6, 3e-11));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Places the two bodies apart, one above the other's side, and lets them move towards each other and turn. */
 static void setMoving(Zoo *z) {
@@ -200,7 +195,7 @@ static double sizeOf(double (*part)(MdtBodyID, int), MdtBodyID b) {
  * (a contact: where it was found); and they are what changed the momenta, F h = m Δv and T h = I Δω (these bodies are
  * spheres). The latter is so but for the part of a jerk that acts where the bodies have arrived: its direction has
  * turned on by up to ω h/2 from the mean one, with which it is reported, and its arm has moved by up to v h/2 too. */
-START_TEST(forces_are_the_last_step_s_and_opposite_on_the_two_bodies) {
+TEST(forces_are_the_last_step_s_and_opposite_on_the_two_bodies) {
     Zoo z = makeZoo();
     const double start[2][3] = {{0, 0, 0}, {1, .5, 0}}, mass[2] = {1, 2}, h = (double)FRAME, reach = sqrt(1.25);
     for (int i = 0; i < z.count; i++) {
@@ -248,10 +243,9 @@ START_TEST(forces_are_the_last_step_s_and_opposite_on_the_two_bodies) {
     }
     MdtWorldDestroy(z.world);
 }
-END_TEST
 
 /* Ch. 3, MdtConstraintSetAxes: the third axis is the cross product of the two, so the pair is a full orientation. */
-START_TEST(two_axes_make_a_right_handed_frame) {
+TEST(two_axes_make_a_right_handed_frame) {
     MdtWorldID w = scene_world(1, 1, 0);
     MdtBodyID a = scene_body(w, 1, 0, 0, 0);
     MdtRPROJointID j = MdtRPROJointCreate(w);
@@ -265,7 +259,6 @@ START_TEST(two_axes_make_a_right_handed_frame) {
         assert_near(sign * (double)q[i], .5, TOL(5e-7, 5e-14));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 static int rowsOf(MdtConstraintID c) {
     MdtWorldID w = MdtConstraintGetWorld(c);
@@ -277,7 +270,7 @@ static int rowsOf(MdtConstraintID c) {
 }
 
 /* Ch. 3: the degrees of freedom that each type removes are its rows. */
-START_TEST(each_type_removes_its_degrees_of_freedom) {
+TEST(each_type_removes_its_degrees_of_freedom) {
     static const struct {
         const char *name;
         int rows;
@@ -311,11 +304,10 @@ START_TEST(each_type_removes_its_degrees_of_freedom) {
     }
     MdtWorldDestroy(z.world);
 }
-END_TEST
 
 /* The car wheel removes 3 to 6: what is free, the steering (a motor without force, no lock), the rolling and the
  * springing; a lock, a motor and the spring take one each. */
-START_TEST(a_car_wheel_removes_3_to_6) {
+TEST(a_car_wheel_removes_3_to_6) {
     MdtWorldID w = scene_world(2, 1, 0);
     MdtBodyID chassis = scene_body(w, 10, 0, 0, 0), wheel = scene_body(w, 1, 1, 0, 0);
     MdtCarWheelID j = MdtCarWheelCreate(w);
@@ -333,18 +325,3 @@ START_TEST(a_car_wheel_removes_3_to_6) {
     ck_assert_int_eq(rowsOf(c), 6);
     MdtWorldDestroy(w);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, every_type_is_created_attached_enabled_and_disabled);
-    tcase_add_test(t, destroying_disables_first);
-    tcase_add_test(t, casts_are_inverse_and_know_the_type);
-    tcase_add_test(t, user_data_and_world_are_returned);
-    tcase_add_test(t, bodies_are_placed_attached_and_then_the_position_is_set);
-    tcase_add_test(t, forces_are_the_last_step_s_and_opposite_on_the_two_bodies);
-    tcase_add_test(t, two_axes_make_a_right_handed_frame);
-    tcase_add_test(t, each_type_removes_its_degrees_of_freedom);
-    tcase_add_test(t, a_car_wheel_removes_3_to_6);
-}
-
-TEST_MAIN("Behaviours_Constraints", tests)

@@ -68,7 +68,7 @@ enum { NORMALS = sizeof normals / sizeof *normals };
 
 /* "There is no relative motion in the direction opposite to the contact normal", and only that is blocked: the normal
  * is the way in which the first body is pushed. */
-START_TEST(a_contact_blocks_motion_against_its_normal_only) {
+TEST(a_contact_blocks_motion_against_its_normal_only) {
     for (int i = 0; i < NORMALS; i++)
         for (int way = -1; way <= 1; way += 2) {
             Pair s = makePair(normals[i][0], normals[i][1], normals[i][2]);
@@ -82,11 +82,10 @@ START_TEST(a_contact_blocks_motion_against_its_normal_only) {
             MdtWorldDestroy(s.world);
         }
 }
-END_TEST
 
 /* "The secondary direction is perpendicular to the primary direction, ... according to the right-hand rule", normal ×
  * primary: friction of 10 along the one and of 2 along the other, pushed with 6 along both. */
-START_TEST(the_secondary_direction_follows_the_right_hand_rule) {
+TEST(the_secondary_direction_follows_the_right_hand_rule) {
     for (int i = 0; i < NORMALS; i++) {
         const double *n = normals[i];
         MdtWorldID w = scene_world(1, 1, 0);
@@ -121,10 +120,9 @@ START_TEST(the_secondary_direction_follows_the_right_hand_rule) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
 /* "The direction of a 2D contact will be set automatically": when none is given, one at right angles to the normal. */
-START_TEST(a_primary_direction_is_chosen_when_none_is_set) {
+TEST(a_primary_direction_is_chosen_when_none_is_set) {
     for (int i = 0; i < NORMALS; i++) {
         Pair s = makePair(normals[i][0], normals[i][1], normals[i][2]);
         MdtContactParamsSetType(MdtContactGetParams(s.contact), MdtContactTypeFriction2D);
@@ -137,10 +135,9 @@ START_TEST(a_primary_direction_is_chosen_when_none_is_set) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
 /* "Restitution: the ratio of rebound velocity to impact velocity", between two bodies, above the threshold. */
-START_TEST(separation_is_restitution_times_approach) {
+TEST(separation_is_restitution_times_approach) {
     const double es[] = {0, .3, .7, 1}, speeds[] = {.5, 3, 40};
     for (int i = 0; i < 4; i++)
         for (int k = 0; k < 3; k++) {
@@ -154,10 +151,9 @@ START_TEST(separation_is_restitution_times_approach) {
             MdtWorldDestroy(s.world);
         }
 }
-END_TEST
 
 /* "Sticky contacts": with MEINFINITY the contact holds whatever pulls. */
-START_TEST(a_contact_of_infinite_adhesion_never_lets_go) {
+TEST(a_contact_of_infinite_adhesion_never_lets_go) {
     Pair s = makePair(0, 1, 0);
     MdtContactParamsSetMaxAdhesiveForce(MdtContactGetParams(s.contact), MEINFINITY);
     for (int i = 0; i < 60; i++) {
@@ -169,11 +165,10 @@ START_TEST(a_contact_of_infinite_adhesion_never_lets_go) {
     }
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* "MdtContactSetParams: set all values in the structure at once": they are copied, so later changes of the original do
  * not count. */
-START_TEST(set_params_copies_all_values) {
+TEST(set_params_copies_all_values) {
     MdtWorldID w = scene_world(1, 1, 0);
     MdtContactID c = MdtContactCreate(w);
     MdtBclContactParams own;
@@ -203,11 +198,10 @@ START_TEST(set_params_copies_all_values) {
     assert_near(MdtContactParamsGetPrimaryFriction(MdtContactGetParams(c)), 4, 0);
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* "MdtContactGroupGetNormalForce: the magnitude of the last timestep's normal force between the two bodies": what
  * carries the load, friction aside. */
-START_TEST(a_group_s_normal_force_is_the_load) {
+TEST(a_group_s_normal_force_is_the_load) {
     MdtWorldID w = scene_world(1, 8, 10);
     MdtBodyID b = scene_body(w, 3, 0, 0, 0);
     MdtContactGroupID g = MdtContactGroupCreate(w);
@@ -225,16 +219,3 @@ START_TEST(a_group_s_normal_force_is_the_load) {
     assert_near(forceOn(MdtContactGroupQuaConstraint(g), 0, 0), -7, TOL(1e-2, 1e-2));
     MdtWorldDestroy(w);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_contact_blocks_motion_against_its_normal_only);
-    tcase_add_test(t, the_secondary_direction_follows_the_right_hand_rule);
-    tcase_add_test(t, a_primary_direction_is_chosen_when_none_is_set);
-    tcase_add_test(t, separation_is_restitution_times_approach);
-    tcase_add_test(t, a_contact_of_infinite_adhesion_never_lets_go);
-    tcase_add_test(t, set_params_copies_all_values);
-    tcase_add_test(t, a_group_s_normal_force_is_the_load);
-}
-
-TEST_MAIN("Behaviours_Contacts", tests)

@@ -9,7 +9,7 @@
 
 /* "By making epsilon greater than zero a solution can be guaranteed": a hinge and four more joints hold what one
  * would, at every epsilon, down to 0, and the load is carried. */
-START_TEST(redundant_constraints_have_a_solution_at_every_epsilon) {
+TEST(redundant_constraints_have_a_solution_at_every_epsilon) {
     const double epsilons[] = {.1, 1e-4, 1e-8, 0}, edge[3] = {2, .2, .2};
     for (int k = 0; k < 4; k++) {
         MdtWorldID w = scene_world(1, 5, 10);
@@ -37,10 +37,9 @@ START_TEST(redundant_constraints_have_a_solution_at_every_epsilon) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
 /* "1/epsilon is like a spring constant": on a contact a load twice as heavy sinks twice as deep. */
-START_TEST(a_heavier_load_sinks_deeper_into_a_contact) {
+TEST(a_heavier_load_sinks_deeper_into_a_contact) {
     const double epsilon = .01, loads[] = {10, 20, 200};
     for (int k = 0; k < 3; k++) {
         MdtWorldID w = scene_world(1, 1, loads[k]);
@@ -55,11 +54,10 @@ START_TEST(a_heavier_load_sinks_deeper_into_a_contact) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
 /* "If gamma = 0, no relaxation is done. Joints will separate": an error stays what it is, and the load of a springy
  * joint lets it grow by epsilon F h² a step. */
-START_TEST(without_gamma_errors_stay_and_add_up) {
+TEST(without_gamma_errors_stay_and_add_up) {
     MdtWorldID w = scene_world(2, 2, 10);
     const double epsilon = .01, h = (double)FRAME;
     MdtWorldSetGamma(w, 0);
@@ -80,10 +78,9 @@ START_TEST(without_gamma_errors_stay_and_add_up) {
     assert_near(coordinate(loaded, 1) - before, -80 * epsilon * 10 * h * h, TOL(2e-7, 80 * 1e-10 * .5));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Gamma applies to contacts as well: they are pushed apart by that fraction of their overlap a step, and not beyond. */
-START_TEST(gamma_pushes_contacts_apart) {
+TEST(gamma_pushes_contacts_apart) {
     const double gammas[] = {.1, .4, .8};
     for (int k = 0; k < 3; k++) {
         MdtWorldID w = scene_world(1, 1, 0);
@@ -97,7 +94,6 @@ START_TEST(gamma_pushes_contacts_apart) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
 /* The fraction is per step; over the same time steps of any length are to leave the same part of an error:
  * (1 - gamma')^(T/h) = (1 - gamma)^(T/ref) for all T. */
@@ -108,7 +104,7 @@ static const struct {
     {.9, 1. / 60, 1. / 120}, {.05, .01, .02},        {.8, .02, .005},         {.01, 1. / 60, 1. / 1000},
 };
 
-START_TEST(gamma_with_a_reference_step_is_what_leaves_the_same_error) {
+TEST(gamma_with_a_reference_step_is_what_leaves_the_same_error) {
     for (size_t k = 0; k < sizeof relaxations / sizeof *relaxations; k++) {
         const double gamma = relaxations[k].gamma, ref = relaxations[k].ref, step = relaxations[k].step;
         MdtWorldID w = scene_world(1, 1, 0);
@@ -118,10 +114,9 @@ START_TEST(gamma_with_a_reference_step_is_what_leaves_the_same_error) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
 /* A joint that was pulled open by 1 m has come back by the same part after the same time. */
-START_TEST(errors_die_in_the_same_time_at_any_step) {
+TEST(errors_die_in_the_same_time_at_any_step) {
     for (size_t k = 0; k < sizeof relaxations / sizeof *relaxations; k++) {
         const double gamma = relaxations[k].gamma, ref = relaxations[k].ref, step = relaxations[k].step;
         const int steps = (int)fmax(1, round(2 * ref / step)); /* 2 reference steps, or one that is longer */
@@ -139,10 +134,9 @@ START_TEST(errors_die_in_the_same_time_at_any_step) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
 /* At its ends gamma needs no reference. */
-START_TEST(no_gamma_and_all_of_it_are_the_same_at_any_step) {
+TEST(no_gamma_and_all_of_it_are_the_same_at_any_step) {
     MdtWorldID w = scene_world(1, 1, 0);
     MdtWorldSetGammaWithRefTimeStep(w, 0, (MeReal).01, (MeReal).02);
     ck_assert(MdtWorldGetGamma(w) == 0);
@@ -150,11 +144,10 @@ START_TEST(no_gamma_and_all_of_it_are_the_same_at_any_step) {
     ck_assert(MdtWorldGetGamma(w) == 1);
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Epsilon is for joints and for the normals of contacts. On a row without a position it would be viscosity: friction
  * and brakes hold what they can hold, at 1e-4 for 1 kg to 10 t, and motors get to their speed. */
-START_TEST(friction_and_brakes_do_not_creep) {
+TEST(friction_and_brakes_do_not_creep) {
     for (double mass = 1; mass <= 1e4; mass *= 10) {
         MdtWorldID w = scene_world(2, 2, 10);
         const MdtBodyID cube = scene_body(w, mass, 0, 0, 0), arm = scene_body(w, mass, 5, 0, 0);
@@ -183,17 +176,3 @@ START_TEST(friction_and_brakes_do_not_creep) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, redundant_constraints_have_a_solution_at_every_epsilon);
-    tcase_add_test(t, a_heavier_load_sinks_deeper_into_a_contact);
-    tcase_add_test(t, without_gamma_errors_stay_and_add_up);
-    tcase_add_test(t, gamma_pushes_contacts_apart);
-    tcase_add_test(t, gamma_with_a_reference_step_is_what_leaves_the_same_error);
-    tcase_add_test(t, errors_die_in_the_same_time_at_any_step);
-    tcase_add_test(t, no_gamma_and_all_of_it_are_the_same_at_any_step);
-    tcase_add_test(t, friction_and_brakes_do_not_creep);
-}
-
-TEST_MAIN("Behaviours_EpsilonGamma", tests)

@@ -65,15 +65,14 @@ static double turnOfHeld(int subSteps) {
 
 /* "BSJoint": all rotations are free: a body held at its centre of mass turns as a free one does, but for the Cayley
  * map of bodies in joints, a relative error of (ω h)²/12 in the angle, which falls with the square of the step. */
-START_TEST(a_ball_and_socket_leaves_all_rotations_free) {
+TEST(a_ball_and_socket_leaves_all_rotations_free) {
     const double coarse = turnOfHeld(1), fine = turnOfHeld(4);
     assert_below(coarse, .01);
     assert_near(coarse / fine, 16, TOL(.02, .04));
 }
-END_TEST
 
 /* "Hinge Actuators": powered, or at a limit, a hinge costs six rows; so does a slider. */
-START_TEST(at_a_limit_or_powered_hinge_and_slider_cost_six_rows) {
+TEST(at_a_limit_or_powered_hinge_and_slider_cost_six_rows) {
     for (int slider = 0; slider < 2; slider++)
         for (int way = 0; way < 3; way++) {
             MdtWorldID w = scene_world(1, 1, 0);
@@ -101,7 +100,6 @@ START_TEST(at_a_limit_or_powered_hinge_and_slider_cost_six_rows) {
             MdtWorldDestroy(w);
         }
 }
-END_TEST
 
 /* A chassis that is held in place, and a wheel beside it; steering and suspension upwards, the hinge along z. */
 typedef struct {
@@ -132,7 +130,7 @@ static Wheel makeWheel(double gravity, double hold) {
 
 /* "CarWheel": body 1 is the chassis, body 2 the wheel, attached at its centre; the steering axis is fixed in the
  * chassis, the hinge axis in the wheel, and they stay perpendicular. */
-START_TEST(a_car_wheel_s_axes_are_fixed_in_chassis_and_wheel_and_perpendicular) {
+TEST(a_car_wheel_s_axes_are_fixed_in_chassis_and_wheel_and_perpendicular) {
     Wheel s = makeWheel(0, 0);
     MdtCarWheelSetSteeringLimitedForceMotor(s.joint, 0, 0);
     for (int i = 0; i < 300; i++) {
@@ -153,7 +151,6 @@ START_TEST(a_car_wheel_s_axes_are_fixed_in_chassis_and_wheel_and_perpendicular) 
     ck_assert(fabs((double)MdtCarWheelGetSteeringAngle(s.joint)) > .1);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* A mass on a spring to the world's origin. */
 static MdtSpringID springTo(MdtWorldID w, MdtBodyID b) {
@@ -166,7 +163,7 @@ static MdtSpringID springTo(MdtWorldID w, MdtBodyID b) {
 }
 
 /* User Guide ch. 3, "Spring": solved as a constraint; a hard one, a rod, answers in a step whatever the masses. */
-START_TEST(a_rod_answers_at_once_whatever_the_masses) {
+TEST(a_rod_answers_at_once_whatever_the_masses) {
     const double masses[] = {.01, 1, 1000};
     for (int i = 0; i < 3; i++) {
         MdtWorldID w = scene_world(1, 1, 0);
@@ -184,13 +181,3 @@ START_TEST(a_rod_answers_at_once_whatever_the_masses) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_ball_and_socket_leaves_all_rotations_free);
-    tcase_add_test(t, at_a_limit_or_powered_hinge_and_slider_cost_six_rows);
-    tcase_add_test(t, a_car_wheel_s_axes_are_fixed_in_chassis_and_wheel_and_perpendicular);
-    tcase_add_test(t, a_rod_answers_at_once_whatever_the_masses);
-}
-
-TEST_MAIN("Behaviours_Joints", tests)

@@ -46,7 +46,7 @@ static Rail makeRail(void) {
 
 /* "MdtLimitSetLimitedForceMotor": a negative force limit counts as 0; 0 switches the motor off, others on; and bodies
  * that are disabled stay so. */
-START_TEST(setting_the_motor_switches_it_and_wakes_nothing) {
+TEST(setting_the_motor_switches_it_and_wakes_nothing) {
     Rail s = makeRail();
     MdtBodyDisable(s.body);
     ck_assert(!MdtLimitIsMotorized(s.limit));
@@ -65,10 +65,9 @@ START_TEST(setting_the_motor_switches_it_and_wakes_nothing) {
     assert_near(MdtLimitGetMotorMaxForce(s.limit), 0, 0);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* "MdtLimitActivateMotor", "MdtLimitActivateLimits": on and off, without changing any other property. */
-START_TEST(the_switches_change_nothing_else) {
+TEST(the_switches_change_nothing_else) {
     Rail s = makeRail();
     MdtLimitSetLimitedForceMotor(s.limit, 3, 5);
     MdtSingleLimitSetStop(s.upper, 2);
@@ -87,10 +86,9 @@ START_TEST(the_switches_change_nothing_else) {
     }
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* "If the limit is currently activated or powered, the flag cannot be cleared." */
-START_TEST(the_position_flag_cannot_be_cleared_while_the_limit_is_in_use) {
+TEST(the_position_flag_cannot_be_cleared_while_the_limit_is_in_use) {
     Rail s = makeRail();
     MdtLimitCalculatePosition(s.limit, 0);
     ck_assert(!MdtLimitPositionIsCalculated(s.limit)); /* by default, and when neither is on */
@@ -107,10 +105,9 @@ START_TEST(the_position_flag_cannot_be_cleared_while_the_limit_is_in_use) {
     }
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* "Joint limits are inactive by default, and will not affect the attached bodies until activated." */
-START_TEST(limits_are_inactive_until_activated) {
+TEST(limits_are_inactive_until_activated) {
     Rail s = makeRail();
     MdtSingleLimitSetStop(s.lower, -1);
     MdtSingleLimitSetStop(s.upper, (MeReal).5);
@@ -124,11 +121,10 @@ START_TEST(limits_are_inactive_until_activated) {
     assert_near(MdtLimitGetVelocity(s.limit), -1, TOL(1e-6, 9e-14)); /* thrown back */
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* "A hard bounce reverses the velocity in a single timestep, while a soft bounce may take many timesteps." The soft one
  * returns after half a period, pi sqrt(m / k), with the same speed. */
-START_TEST(a_soft_stop_takes_many_steps_to_reverse_the_speed) {
+TEST(a_soft_stop_takes_many_steps_to_reverse_the_speed) {
     for (int soft = 0; soft < 2; soft++) {
         Rail s = makeRail();
         MdtSingleLimitSetStop(s.lower, -10);
@@ -150,11 +146,10 @@ START_TEST(a_soft_stop_takes_many_steps_to_reverse_the_speed) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
 /* "Restitution ... is used only if the limit hardness exceeds the threshold": a damped soft stop with restitution 1
  * and one with 0 do the same. */
-START_TEST(a_soft_stop_ignores_restitution_and_a_hard_one_damping) {
+TEST(a_soft_stop_ignores_restitution_and_a_hard_one_damping) {
     for (int hard = 0; hard < 2; hard++) {
         double after[2];
         for (int k = 0; k < 2; k++) {
@@ -178,11 +173,10 @@ START_TEST(a_soft_stop_ignores_restitution_and_a_hard_one_damping) {
             ck_assert_msg(after[0] < -.1 && after[0] > -.9, "%g", after[0]);
     }
 }
-END_TEST
 
 /* "Set the limited-force motor parameters": on a slider m v = F t until the velocity is reached, which then stays; a
  * greater load than fmax keeps it from ever arriving. */
-START_TEST(a_motor_takes_its_time_or_never_arrives) {
+TEST(a_motor_takes_its_time_or_never_arrives) {
     Rail s = makeRail();
     MdtLimitSetLimitedForceMotor(s.limit, 2, 3);
     for (int i = 1; i <= 90; i++) {
@@ -196,11 +190,10 @@ START_TEST(a_motor_takes_its_time_or_never_arrives) {
     }
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* "No limit is missed" (ch. 3, "Hinge Limits"), by a motor that could pass it within a step either: from rest, just
  * before the stop, with all the force that it likes. */
-START_TEST(a_strong_motor_does_not_pass_a_hard_stop) {
+TEST(a_strong_motor_does_not_pass_a_hard_stop) {
     const double gaps[] = {1e-4, .01, .2}, forces[] = {1, 100, 1e6};
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
@@ -220,11 +213,10 @@ START_TEST(a_strong_motor_does_not_pass_a_hard_stop) {
                 MdtWorldDestroy(s.world);
             }
 }
-END_TEST
 
 /* Ch. 5: "to model dry friction in a joint set a target velocity of zero, where the braking force is controlled by
  * fmax": it slows down evenly, then holds against less than fmax, and slips under more. */
-START_TEST(a_motor_of_velocity_zero_is_a_dry_brake) {
+TEST(a_motor_of_velocity_zero_is_a_dry_brake) {
     Rail s = makeRail();
     MdtLimitSetLimitedForceMotor(s.limit, 0, 2);
     MdtBodySetLinearVelocity(s.body, 1, 0, 0);
@@ -239,10 +231,9 @@ START_TEST(a_motor_of_velocity_zero_is_a_dry_brake) {
     }
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* "MdtHingeSetLimit", "...Prismatic...", "...Spring...": the joint's limit is reset, then given the public values. */
-START_TEST(set_limit_resets_and_copies_the_public_values) {
+TEST(set_limit_resets_and_copies_the_public_values) {
     MdtWorldID w = scene_world(1, 3, 0);
     MdtHingeID hinge = MdtHingeCreate(w);
     MdtPrismaticID slider = MdtPrismaticCreate(w);
@@ -274,19 +265,3 @@ START_TEST(set_limit_resets_and_copies_the_public_values) {
     }
     MdtWorldDestroy(w);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, setting_the_motor_switches_it_and_wakes_nothing);
-    tcase_add_test(t, the_switches_change_nothing_else);
-    tcase_add_test(t, the_position_flag_cannot_be_cleared_while_the_limit_is_in_use);
-    tcase_add_test(t, limits_are_inactive_until_activated);
-    tcase_add_test(t, a_soft_stop_takes_many_steps_to_reverse_the_speed);
-    tcase_add_test(t, a_soft_stop_ignores_restitution_and_a_hard_one_damping);
-    tcase_add_test(t, a_motor_takes_its_time_or_never_arrives);
-    tcase_add_test(t, a_strong_motor_does_not_pass_a_hard_stop);
-    tcase_add_test(t, a_motor_of_velocity_zero_is_a_dry_brake);
-    tcase_add_test(t, set_limit_resets_and_copies_the_public_values);
-}
-
-TEST_MAIN("Behaviours_Limits", tests)

@@ -18,7 +18,7 @@
 
 /* Dynamics guide ch. 1, "Partitioning the World"; User Guide ch. 6: two boxes on the ground are two partitions, a
  * stack is one. */
-START_TEST(two_boxes_on_the_ground_are_two_partitions_and_a_stack_is_one) {
+TEST(two_boxes_on_the_ground_are_two_partitions_and_a_stack_is_one) {
     MdtWorldID w = scene_world(3, 3, 10);
     MdtBodyID left = scene_body(w, 1, 0, 1, 0), right = scene_body(w, 1, 5, 1, 0), top = scene_body(w, 1, 5, 3, 0);
     scene_contact(w, left, 0, 0, 0, 0);
@@ -29,9 +29,8 @@ START_TEST(two_boxes_on_the_ground_are_two_partitions_and_a_stack_is_one) {
     ck_assert_int_eq(MdtBodyGetPartition(top), MdtBodyGetPartition(right));
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(a_body_knows_the_size_of_its_partition) {
+TEST(a_body_knows_the_size_of_its_partition) {
     MdtWorldID w = scene_world(4, 1, 10);
     MdtBodyID left = scene_body(w, 1, 5, 1, 0), right = scene_body(w, 1, 5, 3, 0), alone = scene_body(w, 1, 0, 1, 0),
               asleep = MdtBodyCreate(w);
@@ -45,11 +44,10 @@ START_TEST(a_body_knows_the_size_of_its_partition) {
     ck_assert_int_eq(MdtBodyGetPartitionSize(asleep), 0);
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Dynamics guide ch. 1, "Partitioning the World": forces from outside are ignored; bodies that pull at each other by
  * them stay apart. */
-START_TEST(forces_do_not_join_bodies) {
+TEST(forces_do_not_join_bodies) {
     MdtWorldID w = scene_world(2, 0, 10);
     MdtBodyID a = scene_body(w, 1, 0, 0, 0), b = scene_body(w, 1, 2, 0, 0);
     for (int i = 0; i < 10; i++) {
@@ -60,7 +58,6 @@ START_TEST(forces_do_not_join_bodies) {
     }
     MdtWorldDestroy(w);
 }
-END_TEST
 
 static int MEAPI compareNumbers(const void *a, const void *b) {
     return *(const int *)a - *(const int *)b;
@@ -73,7 +70,7 @@ static void MEAPI countPartitions(MdtPartitionOutput *po, void *count) {
 /* User Guide ch. 2, "MdtUpdatePartitions": partitions are found from the enabled bodies; a disabled body that is tied
  * to one is enabled. Here: a chain of two of which one is disabled, one alone, one that is not asked for, one disabled
  * alone. */
-START_TEST(partitions_are_found_from_a_list_of_bodies) {
+TEST(partitions_are_found_from_a_list_of_bodies) {
     static const int key[5] = {3, 1, 4, 2, 5};
     MdtWorldID w = scene_world(5, 1, 10);
     MdtBodyID b[5];
@@ -114,7 +111,6 @@ START_TEST(partitions_are_found_from_a_list_of_bodies) {
     messages_release();
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* How many steps until the body is disabled; `max` when it is not. */
 static int stepsAwake(MdtWorldID w, MdtBodyID b, int max) {
@@ -129,7 +125,7 @@ static int stepsAwake(MdtWorldID w, MdtBodyID b, int max) {
 /* Dynamics guide ch. 4, "Enabling/Disabling Bodies": a body that was awakened is kept alive for a number of steps at
  * least, however still it is. The User Guide gives the window in seconds; both are offered, and each awakening begins
  * it anew. */
-START_TEST(an_awakened_body_is_kept_alive_for_the_window) {
+TEST(an_awakened_body_is_kept_alive_for_the_window) {
     for (int window = 3; window <= 30; window += 9) {
         MdtWorldID w = MdtWorldCreate(1, 0);
         MdtBodyID b = scene_body(w, 1, 0, 0, 0);
@@ -142,10 +138,9 @@ START_TEST(an_awakened_body_is_kept_alive_for_the_window) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
 /* User Guide ch. 2, "AutoDisable": the bodies of a partition are disabled together, in one step. */
-START_TEST(a_partition_is_disabled_in_one_step) {
+TEST(a_partition_is_disabled_in_one_step) {
     MdtWorldID w = MdtWorldCreate(3, 2);
     MdtBodyID b[3];
     for (int i = 0; i < 3; i++) {
@@ -172,11 +167,10 @@ START_TEST(a_partition_is_disabled_in_one_step) {
     ck_assert_int_eq(MdtWorldGetEnabledBodies(w), 0);
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* User Guide ch. 3: higher thresholds disable sooner. A velocity v0 exp(-d t) is below the threshold's root from
  * ln(v0² / threshold) / (2 d) on. */
-START_TEST(higher_thresholds_disable_sooner) {
+TEST(higher_thresholds_disable_sooner) {
     const double thresholds[] = {.25, .04, .01};
     for (int k = 0; k < 3; k++) {
         MdtWorldID w = MdtWorldCreate(1, 0);
@@ -190,16 +184,3 @@ START_TEST(higher_thresholds_disable_sooner) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, two_boxes_on_the_ground_are_two_partitions_and_a_stack_is_one);
-    tcase_add_test(t, a_body_knows_the_size_of_its_partition);
-    tcase_add_test(t, forces_do_not_join_bodies);
-    tcase_add_test(t, partitions_are_found_from_a_list_of_bodies);
-    tcase_add_test(t, an_awakened_body_is_kept_alive_for_the_window);
-    tcase_add_test(t, a_partition_is_disabled_in_one_step);
-    tcase_add_test(t, higher_thresholds_disable_sooner);
-}
-
-TEST_MAIN("Behaviours_Partitions", tests)

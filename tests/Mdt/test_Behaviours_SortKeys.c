@@ -33,7 +33,7 @@ static const MeI32 keys[] = {0, 1, 12345, 2147483647};
 enum { KEYS = sizeof keys / sizeof *keys };
 
 /* A key that is set is got, for a body, a contact, a contact group, a constraint and every joint type. */
-START_TEST(set_and_get_sort_key_round_trip_for_every_type) {
+TEST(set_and_get_sort_key_round_trip_for_every_type) {
     MdtWorldID w = scene_world(1, 18, 0);
     MdtBodyID b = MdtBodyCreate(w);
     for (int i = 0; i < KEYS; i++) {
@@ -60,10 +60,9 @@ START_TEST(set_and_get_sort_key_round_trip_for_every_type) {
     ck_assert_int_eq(MdtRPROGetSortKey(rpro), 77);
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Keys are not negative: such a key gets a warning and changes nothing. */
-START_TEST(keys_lie_between_0_and_two_to_the_31_minus_1) {
+TEST(keys_lie_between_0_and_two_to_the_31_minus_1) {
     MdtWorldID w = scene_world(1, 18, 0);
     MdtBodyID b = MdtBodyCreate(w);
     messages_catch();
@@ -85,7 +84,6 @@ START_TEST(keys_lie_between_0_and_two_to_the_31_minus_1) {
     messages_release();
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Five contacts under one body, made anew before every step in one order or in another. */
 static void runPile(MeBool reversed, MeBool keyed, MeReal out[2][4]) {
@@ -114,7 +112,7 @@ static void runPile(MeBool reversed, MeBool keyed, MeReal out[2][4]) {
 }
 
 /* Removing contacts and adding them in another order changes the last digits; with sort keys not a bit. */
-START_TEST(sort_keys_restore_the_order_of_contacts_added_again) {
+TEST(sort_keys_restore_the_order_of_contacts_added_again) {
     MeReal first[2][4] = {{0}}, again[2][4] = {{0}}, other[2][4] = {{0}};
     runPile(0, 1, first);
     runPile(0, 1, again);
@@ -126,12 +124,3 @@ START_TEST(sort_keys_restore_the_order_of_contacts_added_again) {
     for (int i = 0; i < 3; i++)
         assert_near(other[1][i], first[1][i], TOL(1e-7, 1e-14));
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, set_and_get_sort_key_round_trip_for_every_type);
-    tcase_add_test(t, keys_lie_between_0_and_two_to_the_31_minus_1);
-    tcase_add_test(t, sort_keys_restore_the_order_of_contacts_added_again);
-}
-
-TEST_MAIN("Behaviours_SortKeys", tests)

@@ -16,7 +16,7 @@
 
 /* Dynamics guide ch. 2, "Stepping Through Time": the step partitions the world, solves, integrates; on return positions
  * and velocities are the new ones, x⁺ = x + h (v + v⁺)/2. */
-START_TEST(a_step_partitions_solves_and_integrates) {
+TEST(a_step_partitions_solves_and_integrates) {
     const double h = .02;
     MdtWorldID w = scene_world(3, 1, 10);
     MdtBodyID a = scene_body(w, 1, 0, 0, 0), b = scene_body(w, 3, 1, 0, 0), apart = scene_body(w, 1, 9, 0, 0);
@@ -44,12 +44,11 @@ START_TEST(a_step_partitions_solves_and_integrates) {
     assert_position(apart, 9, -10 * h * h / 2, 0, TOL(1e-6, 8e-13));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Dynamics guide ch. 5, "Background": the integrator's inaccuracy lets energy fall rather than rise, for the forces of
  * constraints. Here it does not rise: over 60 s at 30 Hz a swinging pair of bars has at most the energy that it began
  * with, but for what the joints' tolerance of 1e-10 of a row's size is worth. */
-START_TEST(constraint_forces_do_not_add_energy) {
+TEST(constraint_forces_do_not_add_energy) {
     const double edge[3] = {1, .1, .1}, h = 1.0 / 30;
     MdtWorldID w = scene_world(2, 2, 10);
     MdtWorldSetEpsilon(w, 0);
@@ -71,7 +70,6 @@ START_TEST(constraint_forces_do_not_add_energy) {
     assert_below(highest, TOL(4e-6, 1e-8)); /* it began with 0, and fell through 20 J */
     MdtWorldDestroy(w);
 }
-END_TEST
 
 static int blocks;
 static MeMemoryAPIStruct real;
@@ -103,7 +101,7 @@ static void *MEAPI countResize(void *const block, size_t bytes) {
 
 /* Dynamics guide ch. 2, "Cleaning Up": destroying a world destroys it with all its bodies and constraints, and frees
  * the memory. */
-START_TEST(destroying_a_world_frees_it_with_its_bodies_and_constraints) {
+TEST(destroying_a_world_frees_it_with_its_bodies_and_constraints) {
     real = MeMemoryAPI;
     MeMemoryAPI.create = countCreate;
     MeMemoryAPI.createAligned = countCreateAligned;
@@ -126,7 +124,6 @@ START_TEST(destroying_a_world_frees_it_with_its_bodies_and_constraints) {
     MeMemoryAPI = real;
     ck_assert_int_eq(blocks, 0);
 }
-END_TEST
 
 /* The stages of a step as they can be watched: the partition callback, the rows of a user constraint, and afterwards
  * the world. */
@@ -153,7 +150,7 @@ static void MEAPI onRows(MdtKeaConstraints *const rows, void *const constraint, 
 }
 
 /* User Guide ch. 2, "High Level API": partitions, rest, packing, solving, integrating, unpacking, in this order. */
-START_TEST(the_stages_of_a_step_come_in_order) {
+TEST(the_stages_of_a_step_come_in_order) {
     for (int rest = 0; rest < 2; rest++) {
         MdtWorldID w = scene_world(1, 1, 10);
         fallingBody = scene_body(w, 2, 0, 7, 0);
@@ -177,13 +174,3 @@ START_TEST(the_stages_of_a_step_come_in_order) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_step_partitions_solves_and_integrates);
-    tcase_add_test(t, constraint_forces_do_not_add_energy);
-    tcase_add_test(t, destroying_a_world_frees_it_with_its_bodies_and_constraints);
-    tcase_add_test(t, the_stages_of_a_step_come_in_order);
-}
-
-TEST_MAIN("Behaviours_World", tests)

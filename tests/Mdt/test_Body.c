@@ -1,7 +1,7 @@
 /* Bodies: defaults, every accessor against its mutator, frames and the centre of mass. */
 #include "scene.h"
 
-START_TEST(a_new_body_has_the_guide_s_defaults) {
+TEST(a_new_body_has_the_guide_s_defaults) {
     MdtWorldID w = MdtWorldCreate(1, 0);
     MdtBodyID b = MdtBodyCreate(w);
     MeVector3 v;
@@ -39,9 +39,8 @@ START_TEST(a_new_body_has_the_guide_s_defaults) {
     ck_assert(MdtBodyNonSphericalInertiaIsEnabled(b) && MdtBodyCoriolisForceIsEnabled(b));
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(scales_set_the_default_mass_and_inertia) {
+TEST(scales_set_the_default_mass_and_inertia) {
     MdtWorldID w = MdtWorldCreate(1, 0, 2, 3);
     MdtBodyID b = MdtBodyCreate(w);
     MeMatrix3 I;
@@ -50,9 +49,8 @@ START_TEST(scales_set_the_default_mass_and_inertia) {
     assert_near(I[1][1], .4 * 3 * 4, TOL(1e-6, 5e-13));
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(what_is_set_is_got) {
+TEST(what_is_set_is_got) {
     MdtWorldID w = MdtWorldCreate(1, 0);
     MdtBodyID b = MdtBodyCreate(w);
     MeVector3 v;
@@ -82,10 +80,9 @@ START_TEST(what_is_set_is_got) {
     assert_near(MdtBodyGetKineticEnergy(b), .5 * 7 * 14 + .5 * 3 * 77, TOL(1e-4, 1e-12));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Position, quaternion, orientation matrix and transform are one thing in four forms. */
-START_TEST(the_four_forms_of_a_pose_agree) {
+TEST(the_four_forms_of_a_pose_agree) {
     MdtWorldID w = MdtWorldCreate(2, 0);
     MdtBodyID a = MdtBodyCreate(w), b = MdtBodyCreate(w);
     MeMatrix3 R;
@@ -115,10 +112,9 @@ START_TEST(the_four_forms_of_a_pose_agree) {
     assert_near(q[1], -1 / length, TOL(3e-7, 3e-14));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* y = X + R x: a quarter turn about z takes the body's x to the world's y. */
-START_TEST(rotations_turn_by_the_right_hand_rule) {
+TEST(rotations_turn_by_the_right_hand_rule) {
     MdtWorldID w = MdtWorldCreate(1, 0);
     MdtBodyID b = MdtBodyCreate(w);
     MeMatrix3 R;
@@ -129,9 +125,8 @@ START_TEST(rotations_turn_by_the_right_hand_rule) {
     assert_near(MdtBodyGetTransformPtr(b)[0][1], 1, TOL(1e-6, 9e-14));
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(the_transform_pointer_follows_every_step) {
+TEST(the_transform_pointer_follows_every_step) {
     MdtWorldID w = scene_world(1, 0, 0);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     MeMatrix4Ptr tm = MdtBodyGetTransformPtr(b);
@@ -142,10 +137,9 @@ START_TEST(the_transform_pointer_follows_every_step) {
     }
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* A body whose centre of mass is beside its frame spins about the centre of mass. */
-START_TEST(the_centre_of_mass_may_lie_beside_the_frame) {
+TEST(the_centre_of_mass_may_lie_beside_the_frame) {
     MdtWorldID w = scene_world(1, 0, 0);
     MdtBodyID b = scene_body(w, 1, 5, 0, 0);
     const MeVector3 offset = {1, 0, 0};
@@ -172,9 +166,8 @@ START_TEST(the_centre_of_mass_may_lie_beside_the_frame) {
     assert_near(MdtBodyGetCenterOfMassTransformPtr(b)[3][0], 0, 0);
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(the_centre_of_mass_may_be_turned) {
+TEST(the_centre_of_mass_may_be_turned) {
     MdtWorldID w = scene_world(2, 0, 0);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     MeMatrix4 t = {{0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {0, 0, 2, 1}}, back; /* x to y */
@@ -192,10 +185,9 @@ START_TEST(the_centre_of_mass_may_be_turned) {
     assert_vec3_near(v, 0, 1, 0, TOL(1e-6, 9e-14));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* What is attached to the body's frame stays there when the centre of mass moves. */
-START_TEST(moving_the_centre_of_mass_keeps_attachments) {
+TEST(moving_the_centre_of_mass_keeps_attachments) {
     MdtWorldID w = scene_world(1, 1, 0);
     MdtBodyID b = scene_body(w, 1, 3, 0, 0);
     const MeVector3 offset = {(MeReal).5, 1, 0};
@@ -211,9 +203,8 @@ START_TEST(moving_the_centre_of_mass_keeps_attachments) {
     assert_vec3_near(p, 0, sqrt(.5), sqrt(.5), TOL(1e-6, 9e-14));
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(velocity_at_a_point_turns_with_the_body) {
+TEST(velocity_at_a_point_turns_with_the_body) {
     MdtWorldID w = scene_world(1, 0, 0);
     MdtBodyID b = scene_body(w, 1, 1, 0, 0);
     MeVector3 p = {3, 0, 0}, v;
@@ -223,10 +214,9 @@ START_TEST(velocity_at_a_point_turns_with_the_body) {
     assert_vec3_near(v, 0, 10, 4, TOL(1e-5, 9e-13));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Changing mass, inertia or pose leaves the velocities alone. */
-START_TEST(velocities_survive_what_is_set_about_them) {
+TEST(velocities_survive_what_is_set_about_them) {
     MdtWorldID w = scene_world(1, 0, 0);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     const MeMatrix3 I = {{1, 0, 0}, {0, 2, 0}, {0, 0, 3}};
@@ -240,9 +230,8 @@ START_TEST(velocities_survive_what_is_set_about_them) {
     assert_vec3_near(v, 1, 2, 3, TOL(1e-6, 3e-13));
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(velocities_may_be_written_through_their_pointers) {
+TEST(velocities_may_be_written_through_their_pointers) {
     MdtWorldID w = scene_world(1, 0, 0);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     MeReal *v = MdtBodyGetLinearVelocityPtr(b), *omega = MdtBodyGetAngularVelocityPtr(b);
@@ -260,9 +249,8 @@ START_TEST(velocities_may_be_written_through_their_pointers) {
     assert_near(MdtBodyGetTransformPtr(b)[3][0], 6, TOL(1e-5, 6e-13));
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(accelerations_are_those_of_the_last_step) {
+TEST(accelerations_are_those_of_the_last_step) {
     MdtWorldID w = scene_world(1, 0, 9);
     MdtBodyID b = scene_body(w, 2, 0, 0, 0);
     MeVector3 a;
@@ -275,10 +263,9 @@ START_TEST(accelerations_are_those_of_the_last_step) {
     assert_vec3_near(a, 0, 2, 0, TOL(2e-6, 2e-13));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Forces on a body that is not simulated add up, and act for one step when it is. */
-START_TEST(forces_wait_for_a_disabled_body) {
+TEST(forces_wait_for_a_disabled_body) {
     MdtWorldID w = scene_world(1, 0, 0);
     MdtBodyID b = MdtBodyCreate(w);
     MeVector3 v;
@@ -301,9 +288,8 @@ START_TEST(forces_wait_for_a_disabled_body) {
     assert_vec3_near(v, 1, 0, 0, TOL(1e-6, 9e-14));
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(a_copy_has_everything_but_constraints) {
+TEST(a_copy_has_everything_but_constraints) {
     MdtWorldID w = scene_world(3, 2, 0), other = scene_world(1, 0, 0);
     MdtBodyID b = scene_body(w, 3, 1, 2, 3);
     MdtBSJointID j = MdtBSJointCreate(w);
@@ -325,9 +311,8 @@ START_TEST(a_copy_has_everything_but_constraints) {
     MdtWorldDestroy(w);
     MdtWorldDestroy(other);
 }
-END_TEST
 
-START_TEST(reset_brings_the_defaults_back) {
+TEST(reset_brings_the_defaults_back) {
     MdtWorldID w = scene_world(1, 0, 0);
     MdtBodyID b = scene_body(w, 3, 1, 2, 3);
     MeVector3 v;
@@ -346,14 +331,13 @@ START_TEST(reset_brings_the_defaults_back) {
     ck_assert(MdtBodyIsEnabled(b) && MdtBodyGetSortKey(b) == 5);
     MdtWorldDestroy(w);
 }
-END_TEST
 
 static void countCall(const MdtConstraintID c, void *count) {
     (void)c;
     ++*(int *)count;
 }
 
-START_TEST(a_body_knows_its_constraints) {
+TEST(a_body_knows_its_constraints) {
     MdtWorldID w = scene_world(2, 4, 0);
     MdtBodyID a = scene_body(w, 1, 0, 0, 0), b = scene_body(w, 1, 0, 0, 0);
     MdtBSJointID joint = MdtBSJointCreate(w);
@@ -386,9 +370,8 @@ START_TEST(a_body_knows_its_constraints) {
     ck_assert_int_eq(MdtWorldGetTotalConstraints(w), 0);
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(inertia_tensors_of_solids) {
+TEST(inertia_tensors_of_solids) {
     MeMatrix3 I;
     MdtMakeInertiaTensorSphere(5, 2, I);
     assert_near(I[0][0], .4 * 5 * 4, TOL(1e-6, 8e-13));
@@ -398,9 +381,8 @@ START_TEST(inertia_tensors_of_solids) {
     assert_near(I[1][1], 10, TOL(1e-5, 9e-13));
     assert_near(I[2][2], 5, TOL(5e-6, 5e-13));
 }
-END_TEST
 
-START_TEST(vectors_change_frames) {
+TEST(vectors_change_frames) {
     MdtWorldID w = MdtWorldCreate(2, 0);
     MdtBodyID a = MdtBodyCreate(w), b = MdtBodyCreate(w);
     MdtBodySetPosition(a, 1, 0, 0);
@@ -417,10 +399,9 @@ START_TEST(vectors_change_frames) {
     assert_vec3_near(t, 0, -2, 0, TOL(1e-6, 2e-13));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* In single precision a body was at -inf while its double state was finite. */
-START_TEST(a_body_stops_at_the_bound_of_positions) {
+TEST(a_body_stops_at_the_bound_of_positions) {
     const double bound = TOL(16777216, 9007199254740992);
     MdtWorldID w = scene_world(1, 0, 10);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
@@ -448,29 +429,3 @@ START_TEST(a_body_stops_at_the_bound_of_positions) {
     messages_release();
     MdtWorldDestroy(w);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_body_stops_at_the_bound_of_positions);
-    tcase_add_test(t, a_new_body_has_the_guide_s_defaults);
-    tcase_add_test(t, scales_set_the_default_mass_and_inertia);
-    tcase_add_test(t, what_is_set_is_got);
-    tcase_add_test(t, the_four_forms_of_a_pose_agree);
-    tcase_add_test(t, rotations_turn_by_the_right_hand_rule);
-    tcase_add_test(t, the_transform_pointer_follows_every_step);
-    tcase_add_test(t, the_centre_of_mass_may_lie_beside_the_frame);
-    tcase_add_test(t, the_centre_of_mass_may_be_turned);
-    tcase_add_test(t, moving_the_centre_of_mass_keeps_attachments);
-    tcase_add_test(t, velocity_at_a_point_turns_with_the_body);
-    tcase_add_test(t, velocities_survive_what_is_set_about_them);
-    tcase_add_test(t, velocities_may_be_written_through_their_pointers);
-    tcase_add_test(t, accelerations_are_those_of_the_last_step);
-    tcase_add_test(t, forces_wait_for_a_disabled_body);
-    tcase_add_test(t, a_copy_has_everything_but_constraints);
-    tcase_add_test(t, reset_brings_the_defaults_back);
-    tcase_add_test(t, a_body_knows_its_constraints);
-    tcase_add_test(t, inertia_tensors_of_solids);
-    tcase_add_test(t, vectors_change_frames);
-}
-
-TEST_MAIN("Body", tests)

@@ -14,6 +14,7 @@ static void setUp(void) {
 static void tearDown(void) {
     MdtWorldDestroy(w);
 }
+TEST_FIXTURE(setUp, tearDown)
 
 static int brokenCount(void) {
     int count;
@@ -48,7 +49,7 @@ static void run(int steps) {
         MdtWorldStep(w, FRAME);
 }
 
-START_TEST(a_joint_breaks_where_its_load_exceeds_the_limit) {
+TEST(a_joint_breaks_where_its_load_exceeds_the_limit) {
     for (int side = -1; side <= 1; side += 2) {
         MdtConstraintID c = hangWeight(0);
         MdtConstraintSetBreakLimits(c, (MeReal)(30 * (1 + side * 1e-4)), MEINFINITY);
@@ -62,9 +63,8 @@ START_TEST(a_joint_breaks_where_its_load_exceeds_the_limit) {
         ck_assert_int_eq(brokenCount(), 0);
     }
 }
-END_TEST
 
-START_TEST(torque_counts_about_the_joints_position) {
+TEST(torque_counts_about_the_joints_position) {
     for (int side = -1; side <= 1; side += 2)
         for (int isFirst = 0; isFirst < 2; isFirst++) {
             MeVector3 torque;
@@ -80,9 +80,8 @@ START_TEST(torque_counts_about_the_joints_position) {
             setUp();
         }
 }
-END_TEST
 
-START_TEST(what_is_broken_falls_and_can_be_mended) {
+TEST(what_is_broken_falls_and_can_be_mended) {
     MdtConstraintID c = hangWeight(0);
     MdtBodyID b = MdtConstraintGetBody(c, 0);
     MeVector3 p;
@@ -100,14 +99,13 @@ START_TEST(what_is_broken_falls_and_can_be_mended) {
     run(60);
     ck_assert(brokenCount() == 0 && MdtConstraintIsEnabled(c));
 }
-END_TEST
 
 static void MEAPI note(const MdtConstraintID c) {
     seen[seenCount++] = c;
     MdtConstraintDestroy(c);
 }
 
-START_TEST(they_are_told_by_sort_key_then_creation) {
+TEST(they_are_told_by_sort_key_then_creation) {
     MdtConstraintID c[4];
     const int key[4] = {7, 3, 7, 1};
     for (int i = 0; i < 4; i++) {
@@ -123,10 +121,9 @@ START_TEST(they_are_told_by_sort_key_then_creation) {
         ck_assert_ptr_null(MdtWorldGetBrokenJoints(w, 0)[i]); /* the callback has destroyed them */
     ck_assert_int_eq(MdtWorldGetTotalConstraints(w), 0);
 }
-END_TEST
 
 /* One that fell asleep with its load broke long ago, if it should; a limit that is lowered counts when it wakes. */
-START_TEST(a_sleeping_joint_breaks_when_it_wakes) {
+TEST(a_sleeping_joint_breaks_when_it_wakes) {
     MdtConstraintID c = hangWeight(0);
     MdtBodyID b = MdtConstraintGetBody(c, 0);
     MdtWorldSetAutoDisable(w, 1);
@@ -140,9 +137,8 @@ START_TEST(a_sleeping_joint_breaks_when_it_wakes) {
     run(1);
     ck_assert_int_eq(brokenCount(), 1);
 }
-END_TEST
 
-START_TEST(a_sleeping_body_wakes_when_its_joint_goes) {
+TEST(a_sleeping_body_wakes_when_its_joint_goes) {
     for (int way = 0; way < 2; way++) {
         MdtConstraintID c = hangWeight(0);
         MdtBodyID b = MdtConstraintGetBody(c, 0);
@@ -157,9 +153,8 @@ START_TEST(a_sleeping_body_wakes_when_its_joint_goes) {
         ck_assert(MdtBodyIsEnabled(b));
     }
 }
-END_TEST
 
-START_TEST(bad_limits_warn) {
+TEST(bad_limits_warn) {
     MdtConstraintID c = hangWeight(0);
     MdtContactID contact = MdtContactCreate(w);
     MeVector3 torque = {7, 7, 7};
@@ -181,17 +176,3 @@ START_TEST(bad_limits_warn) {
     assert_warned("world");
     messages_release();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, tearDown);
-    tcase_add_test(t, a_joint_breaks_where_its_load_exceeds_the_limit);
-    tcase_add_test(t, torque_counts_about_the_joints_position);
-    tcase_add_test(t, what_is_broken_falls_and_can_be_mended);
-    tcase_add_test(t, they_are_told_by_sort_key_then_creation);
-    tcase_add_test(t, a_sleeping_joint_breaks_when_it_wakes);
-    tcase_add_test(t, a_sleeping_body_wakes_when_its_joint_goes);
-    tcase_add_test(t, bad_limits_warn);
-}
-
-TEST_MAIN("MdtBreak", tests)

@@ -75,7 +75,7 @@ static double chassisHeight(Car c) {
 
 /* ---- suspension ---- */
 
-START_TEST(the_suspension_rests_where_its_spring_carries_the_load) {
+TEST(the_suspension_rests_where_its_spring_carries_the_load) {
     const double kps[] = {500, 2000, 8000}, references[] = {0, .1, -.2};
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++) {
@@ -92,9 +92,8 @@ START_TEST(the_suspension_rests_where_its_spring_carries_the_load) {
             MdtWorldDestroy(c.world);
         }
 }
-END_TEST
 
-START_TEST(the_suspension_is_a_damped_spring) {
+TEST(the_suspension_is_a_damped_spring) {
     const double kps[] = {400, 1600, 6400}, kds[] = {0, 20, 60};
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++) {
@@ -112,10 +111,9 @@ START_TEST(the_suspension_is_a_damped_spring) {
             MdtWorldDestroy(c.world);
         }
 }
-END_TEST
 
 /* The measured rate is that of the measured height, which goes on by the mean of the rates at a step's ends. */
-START_TEST(the_suspension_rate_is_the_height_s) {
+TEST(the_suspension_rate_is_the_height_s) {
     Car c = quarterCar(g);
     MdtCarWheelSetSuspension(c.joint, 1000, 50, 0, -1, 1, 0);
     double before = 0, rateBefore = 0;
@@ -128,10 +126,9 @@ START_TEST(the_suspension_rate_is_the_height_s) {
     }
     MdtWorldDestroy(c.world);
 }
-END_TEST
 
 /* The load is more than the spring carries before the high stop, or it is turned round before the low one. */
-START_TEST(hard_stops_are_not_passed) {
+TEST(hard_stops_are_not_passed) {
     for (int side = -1; side <= 1; side += 2) {
         Car c = quarterCar(g * side);
         const double stop = side > 0 ? .07 : -.05;
@@ -148,10 +145,9 @@ START_TEST(hard_stops_are_not_passed) {
         MdtWorldDestroy(c.world);
     }
 }
-END_TEST
 
 /* As a joint gives way by ε F h²/γ, so does a stop of this softness. */
-START_TEST(a_soft_stop_gives_way_by_its_softness) {
+TEST(a_soft_stop_gives_way_by_its_softness) {
     const double softness[] = {.01, .1}, h = FRAME, gamma = .2;
     for (int i = 0; i < 2; i++) {
         Car c = quarterCar(g);
@@ -164,9 +160,8 @@ START_TEST(a_soft_stop_gives_way_by_its_softness) {
         MdtWorldDestroy(c.world);
     }
 }
-END_TEST
 
-START_TEST(without_a_suspension_the_wheel_slides_freely) {
+TEST(without_a_suspension_the_wheel_slides_freely) {
     Car c = quarterCar(g);
     MdtWorldStep(c.world, FRAME);
     ck_assert_int_eq(MdtConstraintGetRowCount(MdtCarWheelQuaConstraint(c.joint)), 4);
@@ -178,7 +173,6 @@ START_TEST(without_a_suspension_the_wheel_slides_freely) {
     assert_near(start - chassisHeight(c), -v[1] * t + g * t * t / 2, TOL(2e-6, 2e-13));
     MdtWorldDestroy(c.world);
 }
-END_TEST
 
 /* ---- steering ---- */
 
@@ -193,7 +187,7 @@ static double steeringOf(Car c) {
     return atan2(z[0], z[2]); /* of the wheel about y */
 }
 
-START_TEST(a_locked_wheel_keeps_the_angle_0) {
+TEST(a_locked_wheel_keeps_the_angle_0) {
     Car c = lonelyWheel();
     MdtCarWheelSetSteeringLimitedForceMotor(c.joint, 3, 10); /* rests while locked */
     MdtCarWheelSetSteeringLock(c.joint, 1);
@@ -210,9 +204,8 @@ START_TEST(a_locked_wheel_keeps_the_angle_0) {
     assert_near(MdtCarWheelGetHingeAngleRate(c.joint), 10, TOL(1e-5, 9e-13)); /* it rolls on */
     MdtWorldDestroy(c.world);
 }
-END_TEST
 
-START_TEST(a_new_wheel_s_steering_holds_its_angle) {
+TEST(a_new_wheel_s_steering_holds_its_angle) {
     Car c = lonelyWheel();
     for (int n = 0; n < 100; n++) {
         twistWheel(c, 100);
@@ -221,10 +214,9 @@ START_TEST(a_new_wheel_s_steering_holds_its_angle) {
     assert_near(steeringOf(c), 0, TOL(1e-6, 9e-14)); /* a hundred steps, each to 1e-10 */
     MdtWorldDestroy(c.world);
 }
-END_TEST
 
 /* The motor turns the wheel against the chassis; the angle is that of the chassis against the wheel. */
-START_TEST(the_steering_motor_moves_and_stops) {
+TEST(the_steering_motor_moves_and_stops) {
     Car c = lonelyWheel();
     const double speed = .5, force = .02, h = FRAME;
     MdtCarWheelSetSteeringLimitedForceMotor(c.joint, (MeReal)speed, (MeReal)force);
@@ -260,9 +252,8 @@ START_TEST(the_steering_motor_moves_and_stops) {
     assert_near(w[1], 2 * force / wheelInertia * h, TOL(7e-9, 3e-9));
     MdtWorldDestroy(c.world);
 }
-END_TEST
 
-START_TEST(a_motor_without_force_lets_the_steering_go) {
+TEST(a_motor_without_force_lets_the_steering_go) {
     const MeReal forces[] = {0, -1};
     for (int i = 0; i < 2; i++) {
         Car c = lonelyWheel();
@@ -276,10 +267,9 @@ START_TEST(a_motor_without_force_lets_the_steering_go) {
         MdtWorldDestroy(c.world);
     }
 }
-END_TEST
 
 /* The User Guide's controller: velocity = input + angle. */
-START_TEST(the_guide_s_steering_controller_settles) {
+TEST(the_guide_s_steering_controller_settles) {
     Car c = lonelyWheel();
     const double input = .4;
     for (int n = 0; n < 600; n++) {
@@ -291,9 +281,8 @@ START_TEST(the_guide_s_steering_controller_settles) {
     assert_near(steeringOf(c), input, TOL(4e-7, 4e-14));
     MdtWorldDestroy(c.world);
 }
-END_TEST
 
-START_TEST(the_steering_angle_goes_from_minus_pi_to_pi) {
+TEST(the_steering_angle_goes_from_minus_pi_to_pi) {
     Car c = lonelyWheel();
     MdtCarWheelSetSteeringLimitedForceMotor(c.joint, -2, 1000);
     double angle = 0;
@@ -305,10 +294,9 @@ START_TEST(the_steering_angle_goes_from_minus_pi_to_pi) {
     }
     MdtWorldDestroy(c.world);
 }
-END_TEST
 
 /* One axis after the other, in any order, on a wheel that stands turned: straight on is as it stands then. */
-START_TEST(axes_set_one_by_one_count_from_where_the_bodies_stand) {
+TEST(axes_set_one_by_one_count_from_where_the_bodies_stand) {
     for (int order = 0; order < 2; order++) {
         Car c = lonelyWheel();
         double R[3][3], before[3][3];
@@ -338,11 +326,10 @@ START_TEST(axes_set_one_by_one_count_from_where_the_bodies_stand) {
         MdtWorldDestroy(c.world);
     }
 }
-END_TEST
 
 /* ---- rolling ---- */
 
-START_TEST(the_hinge_motor_drives_and_brakes) {
+TEST(the_hinge_motor_drives_and_brakes) {
     Car c = lonelyWheel();
     const double force = .3, speed = 12, h = FRAME;
     double w[3], t[3];
@@ -368,10 +355,9 @@ START_TEST(the_hinge_motor_drives_and_brakes) {
     assert_near(MdtCarWheelGetHingeAngleRate(c.joint), 0, TOL(1e-6, 9e-14));
     MdtWorldDestroy(c.world);
 }
-END_TEST
 
 /* The wheel turns round and round; the angle goes up and down between 0 and pi. */
-START_TEST(the_hinge_angle_is_between_0_and_pi) {
+TEST(the_hinge_angle_is_between_0_and_pi) {
     Car c = lonelyWheel();
     double angle = 0;
     MdtBodySetAngularVelocity(c.wheel, 0, 0, 7);
@@ -383,7 +369,6 @@ START_TEST(the_hinge_angle_is_between_0_and_pi) {
     }
     MdtWorldDestroy(c.world);
 }
-END_TEST
 
 static void giveWheelShape(MdtBodyID wheel) {
     MeMatrix3 I;
@@ -393,7 +378,7 @@ static void giveWheelShape(MdtBodyID wheel) {
 }
 
 /* The wheel rolls half a radian a step; it is steered all the same by what the motor says. */
-START_TEST(a_rolling_wheel_is_steered) {
+TEST(a_rolling_wheel_is_steered) {
     Car c = lonelyWheel();
     giveWheelShape(c.wheel);
     MdtBodySetAngularVelocity(c.wheel, 0, 0, 30);
@@ -409,10 +394,9 @@ START_TEST(a_rolling_wheel_is_steered) {
     }
     MdtWorldDestroy(c.world);
 }
-END_TEST
 
 /* A car that goes round in circles: the motor that holds the steering does. */
-START_TEST(a_rolling_wheel_in_a_bend_does_not_steer_itself) {
+TEST(a_rolling_wheel_in_a_bend_does_not_steer_itself) {
     Car c;
     c.world = scene_world(2, 1, 0);
     MdtWorldSetEpsilon(c.world, 0);
@@ -429,7 +413,6 @@ START_TEST(a_rolling_wheel_in_a_bend_does_not_steer_itself) {
     }
     MdtWorldDestroy(c.world);
 }
-END_TEST
 
 /* ---- a chassis on four wheels ---- */
 
@@ -460,7 +443,7 @@ static FourWheels makeFourWheels(double d) {
 }
 
 /* Levers: the front carries (halfBase + d) / (2 halfBase) of the weight. */
-START_TEST(four_wheels_share_the_weight_by_their_levers) {
+TEST(four_wheels_share_the_weight_by_their_levers) {
     const double ds[] = {0, .3, -.5};
     for (int k = 0; k < 3; k++) {
         FourWheels c = makeFourWheels(ds[k]);
@@ -478,11 +461,10 @@ START_TEST(four_wheels_share_the_weight_by_their_levers) {
         MdtWorldDestroy(c.world);
     }
 }
-END_TEST
 
 /* Each motor's torque T turns its wheel with T / I and the chassis the other way, until the springs balance four of
  * them: 4 T = 4 kp δ halfBase. */
-START_TEST(driving_wheels_pitch_the_chassis) {
+TEST(driving_wheels_pitch_the_chassis) {
     FourWheels c = makeFourWheels(0);
     const double T = 20;
     steps(c.world, 600, FRAME);
@@ -498,28 +480,3 @@ START_TEST(driving_wheels_pitch_the_chassis) {
     }
     MdtWorldDestroy(c.world);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, the_suspension_rests_where_its_spring_carries_the_load);
-    tcase_add_test(t, the_suspension_is_a_damped_spring);
-    tcase_add_test(t, the_suspension_rate_is_the_height_s);
-    tcase_add_test(t, hard_stops_are_not_passed);
-    tcase_add_test(t, a_soft_stop_gives_way_by_its_softness);
-    tcase_add_test(t, without_a_suspension_the_wheel_slides_freely);
-    tcase_add_test(t, a_locked_wheel_keeps_the_angle_0);
-    tcase_add_test(t, a_new_wheel_s_steering_holds_its_angle);
-    tcase_add_test(t, the_steering_motor_moves_and_stops);
-    tcase_add_test(t, a_motor_without_force_lets_the_steering_go);
-    tcase_add_test(t, the_guide_s_steering_controller_settles);
-    tcase_add_test(t, the_steering_angle_goes_from_minus_pi_to_pi);
-    tcase_add_test(t, axes_set_one_by_one_count_from_where_the_bodies_stand);
-    tcase_add_test(t, the_hinge_motor_drives_and_brakes);
-    tcase_add_test(t, the_hinge_angle_is_between_0_and_pi);
-    tcase_add_test(t, a_rolling_wheel_is_steered);
-    tcase_add_test(t, a_rolling_wheel_in_a_bend_does_not_steer_itself);
-    tcase_add_test(t, four_wheels_share_the_weight_by_their_levers);
-    tcase_add_test(t, driving_wheels_pitch_the_chassis);
-}
-
-TEST_MAIN("CarWheel", tests)

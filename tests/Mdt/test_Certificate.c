@@ -111,7 +111,12 @@ static const struct {
                {SMALL, 36000 /* 600 s */, MdtSolverExact, 1e-6},
                {LARGE, 1000, MdtSolverFast, 1e-4}};
 
-START_TEST(a_pyramid_at_rest_is_looked_at_and_not_solved) {
+#ifdef TEST_IS_SLOW
+enum { PYRAMIDS = 1 };
+#else
+enum { PYRAMIDS = 3 };
+#endif
+LOOP_TEST(a_pyramid_at_rest_is_looked_at_and_not_solved, 0, PYRAMIDS) {
     Pyramid s;
     State before[MAX];
     build(&s, resting[_i].rows);
@@ -131,7 +136,6 @@ START_TEST(a_pyramid_at_rest_is_looked_at_and_not_solved) {
     checkStates(&s, before, resting[_i].steps);
     MstUniverseDestroy(s.universe);
 }
-END_TEST
 
 /* ---- what ends it ---- */
 
@@ -230,7 +234,7 @@ enum { DISTURBANCES = sizeof disturbances / sizeof *disturbances };
 /* In the very next step, with the result of a world that solves every step; by the exact solver: some of them make
  * bodies meet, which the fast one solves in single precision. Boxes on four points share their loads in many ways; that
  * of the world that solves every step changes by rounding, and so the friction of a box that is turned: 1.7e-7 m. */
-START_TEST(a_disturbance_ends_it_at_once) {
+LOOP_TEST(a_disturbance_ends_it_at_once, 0, DISTURBANCES) {
     Pyramid s, other;
     build(&s, SMALL);
     build(&other, SMALL);
@@ -260,10 +264,9 @@ START_TEST(a_disturbance_ends_it_at_once) {
     MstUniverseDestroy(s.universe);
     MstUniverseDestroy(other.universe);
 }
-END_TEST
 
 /* A force that is given anew in every step is the same load, and that it stops is a change. */
-START_TEST(equal_loads_are_no_change) {
+TEST(equal_loads_are_no_change) {
     Pyramid s;
     build(&s, SMALL);
     for (int i = 0; i < 2 * SETTLING; i++) {
@@ -277,9 +280,8 @@ START_TEST(equal_loads_are_no_change) {
     assert_near(stateOf(top(&s)).force[1], MASS * G, 1e-6 * MASS * G);
     MstUniverseDestroy(s.universe);
 }
-END_TEST
 
-START_TEST(bodies_age_and_fall_asleep_as_ever) {
+TEST(bodies_age_and_fall_asleep_as_ever) {
     Pyramid s, other;
     int asleep[2] = {0, 0};
     build(&s, SMALL);
@@ -301,7 +303,6 @@ START_TEST(bodies_age_and_fall_asleep_as_ever) {
     MstUniverseDestroy(s.universe);
     MstUniverseDestroy(other.universe);
 }
-END_TEST
 
 /* ---- a bar that is held by a lock, and its parameters, which programs write through pointers ---- */
 
@@ -360,7 +361,7 @@ static void (*const parameters[])(HingedBar *) = {setLock, setLockForce, setMoto
                                                   setAxis, setPosition,  setWorldVelocity, disable};
 enum { PARAMETERS = sizeof parameters / sizeof *parameters };
 
-START_TEST(a_joint_whose_parameters_change_is_solved_again) {
+LOOP_TEST(a_joint_whose_parameters_change_is_solved_again, 0, PARAMETERS) {
     HingedBar s = heldBar(0);
     ck_assert_int_eq(restedIn(s.world), 1);
     assert_near(s.limit->position, 0, 1e-6);
@@ -369,7 +370,6 @@ START_TEST(a_joint_whose_parameters_change_is_solved_again) {
     ck_assert_int_eq(restedIn(s.world), 0);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* ---- a box on four contacts that stay as they are; whatever changes it or them ---- */
 
@@ -592,7 +592,7 @@ static void (*const setters[])(Resting *, int) = {contactPosition,
                                                   contactEnabled};
 enum { SETTERS = sizeof setters / sizeof *setters };
 
-START_TEST(a_setter_is_a_change_if_the_value_is_another) {
+LOOP_TEST(a_setter_is_a_change_if_the_value_is_another, 0, SETTERS) {
     Resting s = settledBox();
     setters[_i](&s, 0);
     ck_assert_msg(restedIn(s.world) == 1, "setter %d: the same value was taken for a change", _i);
@@ -600,14 +600,13 @@ START_TEST(a_setter_is_a_change_if_the_value_is_another) {
     ck_assert_msg(restedIn(s.world) == 0, "setter %d: the change was not seen", _i);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 static void MEAPI noRows(MdtKeaConstraints *const rows, void *const c, const MdtKeaTransformation *const poses,
                          MdtKeaBody *const bodies[], const void *const params) {
     (void)rows, (void)c, (void)poses, (void)bodies, (void)params;
 }
 
-START_TEST(rows_by_a_function_of_the_program_are_never_certified) {
+TEST(rows_by_a_function_of_the_program_are_never_certified) {
     Resting s = settledBox();
     MdtUserConstraintID c = MdtUserConstraintCreate(s.world);
     MdtUserConstraintSetFunction(c, noRows);
@@ -617,9 +616,8 @@ START_TEST(rows_by_a_function_of_the_program_are_never_certified) {
         ck_assert_int_eq(restedIn(s.world), 0);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(another_step_size_is_a_change) {
+TEST(another_step_size_is_a_change) {
     MdtReport r;
     Resting s = settledBox();
     MdtWorldStep(s.world, FRAME / 2);
@@ -627,7 +625,6 @@ START_TEST(another_step_size_is_a_change) {
     ck_assert_int_eq(r.rested, 0);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* ---- what creeps ---- */
 
@@ -645,7 +642,7 @@ static double placeAfter(Resting s, int count, int axis, double force) {
 }
 
 /* A conveyor: the contacts want this velocity along x. */
-START_TEST(a_slow_slide_goes_on) {
+TEST(a_slow_slide_goes_on) {
     Resting s = settledBox();
     MdtContactGroupDisable(s.group);
     for (int i = 0; i < 4; i++) {
@@ -655,10 +652,9 @@ START_TEST(a_slow_slide_goes_on) {
     assert_near(fabs(placeAfter(s, 600, 0, 0)), 10 * CREEP, 1e-2 * 10 * CREEP);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* Each contact slips at slip times its force, a quarter of 1 N. */
-START_TEST(a_slow_slip_goes_on) {
+TEST(a_slow_slip_goes_on) {
     Resting s = settledBox();
     MdtContactGroupDisable(s.group);
     for (int i = 0; i < 4; i++)
@@ -666,9 +662,8 @@ START_TEST(a_slow_slip_goes_on) {
     assert_near(placeAfter(s, 600, 2, 1), 10 * CREEP, 1e-2 * 10 * CREEP);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(a_slow_motor_goes_on) {
+TEST(a_slow_motor_goes_on) {
     HingedBar s = heldBar(10);
     MdtLimitActivateLock(s.limit, 0);
     MdtLimitSetLimitedForceMotor(s.limit, (MeReal)CREEP, 100);
@@ -677,10 +672,9 @@ START_TEST(a_slow_motor_goes_on) {
     assert_near(MdtLimitGetPosition(s.limit) - before, 10 * CREEP, 1e-2 * 10 * CREEP);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* It never stops coming nearer to where it balances the load. */
-START_TEST(a_damped_spring_comes_to_where_it_rests) {
+TEST(a_damped_spring_comes_to_where_it_rests) {
     Resting s = restingBox();
     MdtSpringID spring = MdtSpringCreate(s.world);
     MeVector3 p;
@@ -700,35 +694,12 @@ START_TEST(a_damped_spring_comes_to_where_it_rests) {
     assert_near(p[1], .5 - 10 / 100., TOL(1e-7, 1e-10));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* At its turning points a pendulum has no velocity, but it is accelerated. It starts at one. */
-START_TEST(a_pendulum_does_not_stop_where_it_turns) {
+TEST(a_pendulum_does_not_stop_where_it_turns) {
     HingedBar s = scene_hingedBar(10);
     MdtWorldEnableReport(s.world);
     for (int i = 0; i < 600; i++)
         ck_assert_int_eq(restedIn(s.world), 0);
     MdtWorldDestroy(s.world);
 }
-END_TEST
-
-static void tests(TCase *t) {
-#ifndef TEST_IS_SLOW
-    tcase_add_loop_test(t, a_pyramid_at_rest_is_looked_at_and_not_solved, 1, 3);
-#endif
-    tcase_add_loop_test(t, a_pyramid_at_rest_is_looked_at_and_not_solved, 0, 1);
-    tcase_add_loop_test(t, a_disturbance_ends_it_at_once, 0, DISTURBANCES);
-    tcase_add_test(t, equal_loads_are_no_change);
-    tcase_add_test(t, bodies_age_and_fall_asleep_as_ever);
-    tcase_add_loop_test(t, a_joint_whose_parameters_change_is_solved_again, 0, PARAMETERS);
-    tcase_add_loop_test(t, a_setter_is_a_change_if_the_value_is_another, 0, SETTERS);
-    tcase_add_test(t, rows_by_a_function_of_the_program_are_never_certified);
-    tcase_add_test(t, another_step_size_is_a_change);
-    tcase_add_test(t, a_slow_slide_goes_on);
-    tcase_add_test(t, a_slow_slip_goes_on);
-    tcase_add_test(t, a_slow_motor_goes_on);
-    tcase_add_test(t, a_damped_spring_comes_to_where_it_rests);
-    tcase_add_test(t, a_pendulum_does_not_stop_where_it_turns);
-}
-
-TEST_MAIN("MdtCertificate", tests)

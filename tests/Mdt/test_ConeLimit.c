@@ -49,7 +49,7 @@ static void swingAboutZ(Hung s, double rate) {
     MdtBodySetLinearVelocity(s.bar, (MeReal)(rate * arm), 0, 0);
 }
 
-START_TEST(inside_the_cone_it_has_no_row) {
+TEST(inside_the_cone_it_has_no_row) {
     Hung s = hang(.1);
     double t[3];
     swingAboutZ(s, .5);
@@ -62,10 +62,9 @@ START_TEST(inside_the_cone_it_has_no_row) {
     assert_near(angleOf(s), 40 * .5 * (double)FRAME, TOL(1e-5, 1e-5));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* A bar pulled to the side, from all directions, comes to rest on it: m g l cos θ on the limit. */
-START_TEST(it_rests_on_its_side) {
+TEST(it_rests_on_its_side) {
     for (int k = 0; k < 8; k++) {
         Hung s = hang(.1);
         const double way = k * pi / 4;
@@ -84,9 +83,8 @@ START_TEST(it_rests_on_its_side) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
-START_TEST(a_hit_takes_the_speed_and_gives_none_back) {
+TEST(a_hit_takes_the_speed_and_gives_none_back) {
     Hung s = hang(.1);
     double max = 0, w[3];
     swingAboutZ(s, 3);
@@ -100,10 +98,9 @@ START_TEST(a_hit_takes_the_speed_and_gives_none_back) {
     assert_vec3_near(w, 0, 0, 0, TOL(1e-6, 6e-9));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* Round along the side, pressed to it. */
-START_TEST(a_bar_that_circles_stays_in_the_cone) {
+TEST(a_bar_that_circles_stays_in_the_cone) {
     Hung s = hang(.01);
     double max = 0, min = 9;
     pull(s, 0, 0);
@@ -120,7 +117,6 @@ START_TEST(a_bar_that_circles_stays_in_the_cone) {
     assert_below(halfAngle - 5e-3, min);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* k (θ - θ_0) = m g l cos θ, by Newton's method. */
 static double softAngle(double stiffness) {
@@ -131,7 +127,7 @@ static double softAngle(double stiffness) {
     return x;
 }
 
-START_TEST(a_soft_cone_gives_way_by_torque_over_stiffness) {
+TEST(a_soft_cone_gives_way_by_torque_over_stiffness) {
     const double ks[] = {20, 100, 1000};
     for (int k = 0; k < 3; k++) {
         Hung s = hang(.1);
@@ -143,10 +139,9 @@ START_TEST(a_soft_cone_gives_way_by_torque_over_stiffness) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
 /* A body without a joint is turned onto the soft side by a torque and swings about the balance. */
-START_TEST(a_soft_cone_is_a_damped_spring) {
+TEST(a_soft_cone_is_a_damped_spring) {
     const double ks[] = {20, 80}, ds[] = {.02, .1}, inertia = .4, torque = .6, h = FRAME;
     for (int i = 0; i < 2; i++)
         for (int j = 0; j < 2; j++) {
@@ -175,10 +170,9 @@ START_TEST(a_soft_cone_is_a_damped_spring) {
             MdtWorldDestroy(w);
         }
 }
-END_TEST
 
 /* Spinning about the bar's own axis, at rest on the side or not. */
-START_TEST(the_twist_is_free) {
+TEST(the_twist_is_free) {
     Hung s = hang(.1);
     double w[3], axis[3], down[3] = {0, -1, 0};
     pull(s, 10, 0);
@@ -194,11 +188,10 @@ START_TEST(the_twist_is_free) {
     }
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* It rested on its side, and is put along the axis: all is as if the cone was disabled, which writes and reads none of
  * the rows of the joint after it. */
-START_TEST(what_has_left_the_side_leaves_no_row_behind) {
+TEST(what_has_left_the_side_leaves_no_row_behind) {
     double angle[2];
     for (int isDisabled = 0; isDisabled < 2; isDisabled++) {
         Hung s = hang(.1);
@@ -219,9 +212,8 @@ START_TEST(what_has_left_the_side_leaves_no_row_behind) {
     }
     ck_assert(angle[0] == angle[1]);
 }
-END_TEST
 
-START_TEST(pi_is_no_limit) {
+TEST(pi_is_no_limit) {
     Hung s = hang(.1);
     double w[3];
     MdtConeLimitSetConeHalfAngle(s.cone, (MeReal)pi);
@@ -234,10 +226,9 @@ START_TEST(pi_is_no_limit) {
     assert_near(w[2], 4, TOL(4e-6, 4e-13));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* Down to the 5 degrees that the guide allows, and beyond a right angle. */
-START_TEST(half_angles_from_5_to_170_degrees) {
+TEST(half_angles_from_5_to_170_degrees) {
     const double angles[] = {5, 30, 90, 120, 170};
     for (int k = 0; k < 5; k++) {
         MdtWorldID w = scene_world(1, 1, 0);
@@ -260,10 +251,9 @@ START_TEST(half_angles_from_5_to_170_degrees) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
 /* A start outside: γ of the excess is taken away each step. */
-START_TEST(from_outside_it_is_drawn_in) {
+TEST(from_outside_it_is_drawn_in) {
     MdtWorldID w = scene_world(1, 1, 0);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     MdtConeLimitID cone = MdtConeLimitCreate(w);
@@ -283,10 +273,9 @@ START_TEST(from_outside_it_is_drawn_in) {
     }
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* The guide's advice: beside a universal joint the cone keeps it away from 90 degrees. */
-START_TEST(beside_a_universal_joint_it_limits_the_bend) {
+TEST(beside_a_universal_joint_it_limits_the_bend) {
     MdtWorldID w = scene_world(1, 2, 10);
     MdtWorldSetEpsilon(w, 0);
     MdtBodyID b = scene_body(w, 1, 0, 0, 1);
@@ -316,21 +305,3 @@ START_TEST(beside_a_universal_joint_it_limits_the_bend) {
     messages_release();
     MdtWorldDestroy(w);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, inside_the_cone_it_has_no_row);
-    tcase_add_test(t, it_rests_on_its_side);
-    tcase_add_test(t, a_hit_takes_the_speed_and_gives_none_back);
-    tcase_add_test(t, a_bar_that_circles_stays_in_the_cone);
-    tcase_add_test(t, a_soft_cone_gives_way_by_torque_over_stiffness);
-    tcase_add_test(t, a_soft_cone_is_a_damped_spring);
-    tcase_add_test(t, the_twist_is_free);
-    tcase_add_test(t, what_has_left_the_side_leaves_no_row_behind);
-    tcase_add_test(t, pi_is_no_limit);
-    tcase_add_test(t, half_angles_from_5_to_170_degrees);
-    tcase_add_test(t, from_outside_it_is_drawn_in);
-    tcase_add_test(t, beside_a_universal_joint_it_limits_the_bend);
-}
-
-TEST_MAIN("ConeLimit", tests)

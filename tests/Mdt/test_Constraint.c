@@ -1,7 +1,7 @@
 /* What all constraints share: life, attachment, frames, casts, bookkeeping. */
 #include "scene.h"
 
-START_TEST(frames_are_given_in_the_world_and_move_with_the_bodies) {
+TEST(frames_are_given_in_the_world_and_move_with_the_bodies) {
     MdtWorldID w = scene_world(2, 1, 0);
     MdtBodyID a = scene_body(w, 1, 1, 0, 0), b = scene_body(w, 1, 0, 3, 0);
     MdtHingeID j = MdtHingeCreate(w);
@@ -39,9 +39,8 @@ START_TEST(frames_are_given_in_the_world_and_move_with_the_bodies) {
     assert_vec3_near(p, 1, 0, 0, TOL(1e-6, 9e-14));
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(a_constraint_acts_only_when_enabled) {
+TEST(a_constraint_acts_only_when_enabled) {
     MdtWorldID w = scene_world(1, 1, 10);
     MdtBodyID a = scene_body(w, 1, 0, 0, 0);
     MdtBSJointID j = MdtBSJointCreate(w);
@@ -52,9 +51,8 @@ START_TEST(a_constraint_acts_only_when_enabled) {
     assert_near(v[1], -1, TOL(1e-6, 9e-14));
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(a_moving_world_drags_a_joint_along) {
+TEST(a_moving_world_drags_a_joint_along) {
     MdtWorldID w = scene_world(1, 1, 0);
     MdtWorldSetEpsilon(w, 0);
     MdtBodyID a = scene_body(w, 1, 0, 0, 0);
@@ -73,9 +71,8 @@ START_TEST(a_moving_world_drags_a_joint_along) {
     assert_vec3_near(v, 1, 0, 0, 0);
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(changing_the_bodies_of_an_enabled_constraint_warns_and_does_it) {
+TEST(changing_the_bodies_of_an_enabled_constraint_warns_and_does_it) {
     MdtWorldID w = scene_world(2, 1, 0);
     MdtBodyID a = scene_body(w, 1, 0, 0, 0), b = scene_body(w, 1, 0, 0, 0);
     MdtBSJointID j = MdtBSJointCreate(w);
@@ -88,9 +85,8 @@ START_TEST(changing_the_bodies_of_an_enabled_constraint_warns_and_does_it) {
     ck_assert(MdtBSJointGetBody(j, 0) == b && MdtBSJointGetBody(j, 1) == a && MdtBSJointIsEnabled(j));
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(contacts_form_lists_of_their_makers) {
+TEST(contacts_form_lists_of_their_makers) {
     MdtWorldID w = scene_world(1, 2, 0);
     MdtContactID a = MdtContactCreate(w), b = MdtContactCreate(w);
     MdtContactSetNext(a, b);
@@ -99,14 +95,3 @@ START_TEST(contacts_form_lists_of_their_makers) {
     ck_assert(MdtContactGetNext(a) == MdtContactInvalidID);
     MdtWorldDestroy(w);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, frames_are_given_in_the_world_and_move_with_the_bodies);
-    tcase_add_test(t, a_constraint_acts_only_when_enabled);
-    tcase_add_test(t, a_moving_world_drags_a_joint_along);
-    tcase_add_test(t, changing_the_bodies_of_an_enabled_constraint_warns_and_does_it);
-    tcase_add_test(t, contacts_form_lists_of_their_makers);
-}
-
-TEST_MAIN("Constraint", tests)

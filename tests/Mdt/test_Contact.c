@@ -61,7 +61,7 @@ static double nextTop(Ball *s, MeReal h) {
     return top;
 }
 
-START_TEST(bounces_rise_to_the_square_of_the_restitution) {
+TEST(bounces_rise_to_the_square_of_the_restitution) {
     const double es[] = {.9, .7, .5, .2};
     for (int k = 0; k < 4; k++)
         for (int early = 0; early < 2; early++) {
@@ -82,9 +82,8 @@ START_TEST(bounces_rise_to_the_square_of_the_restitution) {
             MdtWorldDestroy(s.world);
         }
 }
-END_TEST
 
-START_TEST(bounce_heights_converge_at_first_order) {
+TEST(bounce_heights_converge_at_first_order) {
     double worst[2] = {0, 0};
     for (int k = 0; k < 2; k++) {
         const double h = 4e-3 / (k ? 8 : 1);
@@ -97,13 +96,12 @@ START_TEST(bounce_heights_converge_at_first_order) {
     }
     ck_assert_msg(worst[0] / worst[1] > 5, "worst errors %g and %g", worst[0], worst[1]);
 }
-END_TEST
 
 static double energyOf(const Ball *s) {
     return 9.81 * heightOf(s) + speedOf(s) * speedOf(s) / 2;
 }
 
-START_TEST(a_lossless_bounce_neither_gains_nor_loses) {
+TEST(a_lossless_bounce_neither_gains_nor_loses) {
     for (int early = 0; early < 2; early++) {
         Ball s = makeBall(5.5, 9.81);
         s.early = early;
@@ -119,9 +117,8 @@ START_TEST(a_lossless_bounce_neither_gains_nor_loses) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
-START_TEST(impacts_below_the_threshold_do_not_bounce) {
+TEST(impacts_below_the_threshold_do_not_bounce) {
     for (int k = 0; k < 2; k++) {
         Ball s = makeBall(.5, 0);
         s.early = METRUE;
@@ -133,9 +130,8 @@ START_TEST(impacts_below_the_threshold_do_not_bounce) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
-START_TEST(a_bouncing_ball_comes_to_rest_and_stays) {
+TEST(a_bouncing_ball_comes_to_rest_and_stays) {
     /* an overlap that counts as touching is left as it is: a part of the ball's size, sqrt(I/m) */
     const double touching = TOL(1e-5, 1e-7) * sqrt(.4);
     Ball s = makeBall(3, 9.81);
@@ -150,7 +146,6 @@ START_TEST(a_bouncing_ball_comes_to_rest_and_stays) {
     }
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 static void pushFor(Ball *s, int n, double fx, double fz) {
     for (int i = 0; i < n; i++) {
@@ -174,7 +169,7 @@ static void velocityOf(const Ball *s, MeVector3 v) {
     MdtBodyGetLinearVelocity(s->body, v);
 }
 
-START_TEST(box_friction_of_10_holds_9_and_lets_11_slide_with_1) {
+TEST(box_friction_of_10_holds_9_and_lets_11_slide_with_1) {
     Ball s = makeBlock(9.81);
     MeVector3 v;
     MdtContactParamsSetType(&s.params, MdtContactTypeFriction2D);
@@ -187,12 +182,11 @@ START_TEST(box_friction_of_10_holds_9_and_lets_11_slide_with_1) {
     assert_near(v[0], 1 * 60 * (double)FRAME, TOL(1e-5, 1e-8));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* The box model bounds each direction by itself: 9 along both is 12.7 together and still holds. */
 /* A body that has risen by less than half a digit of single precision shows the same place as before. What is measured
  * from there says nothing of the rise, which MdtContactSetExact puts back: noise of rounding moves no resting body. */
-START_TEST(what_places_lose_by_rounding_is_put_back) {
+TEST(what_places_lose_by_rounding_is_put_back) {
     const double rise = 1.5e-6, position[3] = {0, 49.5, 0};
     for (unsigned int side = 0; side < 2; side++) {
         MeVector3 at;
@@ -209,10 +203,9 @@ START_TEST(what_places_lose_by_rounding_is_put_back) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
 /* Else the forces of the last step, which are numbers along the direction, would be no guess for the next. */
-START_TEST(the_primary_direction_does_not_hang_on_rounding) {
+TEST(the_primary_direction_does_not_hang_on_rounding) {
     static const MeReal axes[3][3] = {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}};
     const MeReal noise = TOL((MeReal)1e-6, (MeReal)1e-12);
     MdtWorldID w = MdtWorldCreate(1, 1);
@@ -230,9 +223,8 @@ START_TEST(the_primary_direction_does_not_hang_on_rounding) {
     }
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(box_friction_is_a_box) {
+TEST(box_friction_is_a_box) {
     Ball s = makeBlock(9.81);
     MeVector3 v;
     MdtContactParamsSetType(&s.params, MdtContactTypeFriction2D);
@@ -248,9 +240,8 @@ START_TEST(box_friction_is_a_box) {
     assert_near(fabs((double)v[0]) + fabs((double)v[2]), 7 * 60 * (double)FRAME, TOL(1e-4, 7e-8));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(frictionless_and_infinite_friction) {
+TEST(frictionless_and_infinite_friction) {
     MeVector3 v;
     Ball ice = makeBlock(9.81);
     pushFor(&ice, 60, 5, -2);
@@ -264,9 +255,8 @@ START_TEST(frictionless_and_infinite_friction) {
     assert_vec3_near(v, 0, 0, 0, 1e-6);
     MdtWorldDestroy(glue.world);
 }
-END_TEST
 
-START_TEST(friction_1d_acts_along_the_primary_direction) {
+TEST(friction_1d_acts_along_the_primary_direction) {
     Ball s = makeBlock(9.81);
     MdtContactID c = MdtContactCreate(s.world, s.body, 0); /* the form of the guide's sample */
     MdtContactSetNormal(c, 0, 1, 0);
@@ -282,10 +272,9 @@ START_TEST(friction_1d_acts_along_the_primary_direction) {
     assert_vec3_near(v, 2 * (double)FRAME, 0, -2 * (double)FRAME, TOL(1e-6, 2e-8));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* The bound of the normal-force model is that of this very step: it holds from the first. */
-START_TEST(normal_force_friction_is_coulomb_s) {
+TEST(normal_force_friction_is_coulomb_s) {
     const double mu = .4, g = 10;
     MeVector3 v;
     Ball s = makeBlock(g);
@@ -314,9 +303,8 @@ START_TEST(normal_force_friction_is_coulomb_s) {
         MdtWorldDestroy(slope.world);
     }
 }
-END_TEST
 
-START_TEST(slip_velocity_is_slip_times_force_at_once) {
+TEST(slip_velocity_is_slip_times_force_at_once) {
     const double slips[] = {.001, .1, 2};
     for (int k = 0; k < 3; k++) {
         Ball s = makeBlock(9.81);
@@ -338,9 +326,8 @@ START_TEST(slip_velocity_is_slip_times_force_at_once) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
-START_TEST(slide_carries_at_belt_speed) {
+TEST(slide_carries_at_belt_speed) {
     Ball s = makeBlock(9.81);
     MeVector3 v, direction;
     MdtContactParamsSetType(&s.params, MdtContactTypeFriction2D);
@@ -357,9 +344,8 @@ START_TEST(slide_carries_at_belt_speed) {
         assert_near(v[i], 2 * (double)direction[i], TOL(1e-6, 1e-9));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(a_contact_does_not_pull_unless_it_is_adhesive) {
+TEST(a_contact_does_not_pull_unless_it_is_adhesive) {
     MeVector3 f;
     Ball s = makeBlock(0);
     MdtContactParamsSetMaxAdhesiveForce(&s.params, 5);
@@ -378,9 +364,8 @@ START_TEST(a_contact_does_not_pull_unless_it_is_adhesive) {
     assert_near(speedOf(&free), 4 * (double)FRAME, TOL(1e-6, 6e-10));
     MdtWorldDestroy(free.world);
 }
-END_TEST
 
-START_TEST(softness_rests_softness_force_step_squared_over_gamma_deep) {
+TEST(softness_rests_softness_force_step_squared_over_gamma_deep) {
     Ball s = makeBall(.5, 10);
     s.early = METRUE;
     MdtWorldSetEpsilon(s.world, (MeReal).002);
@@ -390,10 +375,9 @@ START_TEST(softness_rests_softness_force_step_squared_over_gamma_deep) {
     assert_near_rel(-heightOf(&s), .012 * 10 * (double)FRAME * (double)FRAME / .2, TOL(1e-3, 1e-6));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* A contact with a gap lets the body come to the floor and no further, in the very step. */
-START_TEST(a_gap_closes_exactly) {
+TEST(a_gap_closes_exactly) {
     Ball s = makeBall(.6, 0);
     s.early = METRUE;
     MdtBodySetLinearVelocity(s.body, 0, -20, 0);
@@ -404,18 +388,16 @@ START_TEST(a_gap_closes_exactly) {
     assert_near(speedOf(&s), 0, TOL(1e-5, 9e-9));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(overlap_is_pushed_out_by_gamma_a_step) {
+TEST(overlap_is_pushed_out_by_gamma_a_step) {
     Ball s = makeBall(.4, 0);
     stepBall(&s, FRAME);
     assert_near(heightOf(&s), -.08, TOL(1e-6, 1e-9));
     stepBall(&s, FRAME);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(a_disabled_contact_is_ignored_and_the_world_may_come_first) {
+TEST(a_disabled_contact_is_ignored_and_the_world_may_come_first) {
     Ball s = makeBlock(9.81);
     MdtContactID c = MdtContactCreate(s.world);
     MdtContactSetBodies(c, 0, s.body);
@@ -431,9 +413,8 @@ START_TEST(a_disabled_contact_is_ignored_and_the_world_may_come_first) {
     assert_vec3_near(f, 0, 9.81, 0, TOL(1e-4, 1e-6));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(a_moving_world_carries) {
+TEST(a_moving_world_carries) {
     Ball s = makeBlock(9.81);
     MdtContactID c = MdtContactCreate(s.world);
     MeVector3 v;
@@ -448,7 +429,6 @@ START_TEST(a_moving_world_carries) {
     assert_vec3_near(v, 0, 0, 0, TOL(1e-5, 1e-9));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* Boxes on four corner contacts each, one on the other, or on the floor; made anew each step. */
 static void cornerContacts(MdtWorldID w, MdtBodyID upper, MdtBodyID lower, double edge, MdtContactID made[4]) {
@@ -472,7 +452,7 @@ static void cornerContacts(MdtWorldID w, MdtBodyID upper, MdtBodyID lower, doubl
     }
 }
 
-START_TEST(a_heavy_box_rests_on_a_light_one) {
+TEST(a_heavy_box_rests_on_a_light_one) {
     const double unit[3] = {1, 1, 1}, ratio[] = {1, 1e3, 1e6};
     for (int k = 0; k < 3; k++) {
         MdtWorldID w = scene_world(2, 8, 9.81);
@@ -496,9 +476,8 @@ START_TEST(a_heavy_box_rests_on_a_light_one) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
-START_TEST(parameters_have_the_guide_s_defaults) {
+TEST(parameters_have_the_guide_s_defaults) {
     MdtWorldID w = scene_world(1, 1, 0);
     MdtContactID c = MdtContactCreate(w);
     MdtContactParamsID p = MdtContactGetParams(c);
@@ -519,10 +498,9 @@ START_TEST(parameters_have_the_guide_s_defaults) {
     ck_assert(MdtContactGetPenetration(c) == 0 && MdtContactGetNext(c) == MdtContactInvalidID);
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Every value goes in and comes out, and switches its option. */
-START_TEST(parameters_round_trip) {
+TEST(parameters_round_trip) {
     MdtBclContactParams p;
     MdtContactParamsReset(&p);
     MdtContactParamsSetPrimarySlip(&p, 1);
@@ -544,7 +522,6 @@ START_TEST(parameters_round_trip) {
     MdtContactParamsSetRestitution(&p, 0);
     ck_assert_int_eq(p.options & (MdtBclContactOptionSlip1 | MdtBclContactOptionSlip2 | MdtBclContactOptionBounce), 0);
 }
-END_TEST
 
 /* ---- surfaces ---- */
 
@@ -580,7 +557,7 @@ static const char *saidOf(const MdtBclContactParams *params) {
     return text;
 }
 
-START_TEST(friction_that_cannot_act_or_has_no_bound_is_told_once) {
+TEST(friction_that_cannot_act_or_has_no_bound_is_told_once) {
     MdtBclContactParams p;
     MdtContactParamsReset(&p);
     ck_assert_str_eq(saidOf(&p), "");
@@ -606,9 +583,8 @@ START_TEST(friction_that_cannot_act_or_has_no_bound_is_told_once) {
     MdtContactParamsSetFrictionModel(&p, MdtFrictionModelNormalForce);
     ck_assert(strstr(saidOf(&p), "wants a coefficient"));
 }
-END_TEST
 
-START_TEST(a_surface_is_set_by_one_call) {
+TEST(a_surface_is_set_by_one_call) {
     MdtBclContactParams p;
     MdtContactParamsReset(&p);
     MdtContactParamsSetSurface(&p, (MeReal).6, (MeReal).3);
@@ -632,43 +608,10 @@ START_TEST(a_surface_is_set_by_one_call) {
     ck_assert_int_eq(MdtContactParamsGetType(&p), MdtContactTypeFrictionZero);
     ck_assert_str_eq(saidOf(&p), "");
 }
-END_TEST
 
-START_TEST(the_threshold_of_restitution_is_of_the_world_s_length_scale) {
+TEST(the_threshold_of_restitution_is_of_the_world_s_length_scale) {
     const MdtWorldID world = MdtWorldCreate(2, 8, (MeReal).25, 1);
     MdtBclContactParams *const p = MdtContactGetParams(MdtContactCreate(world));
     assert_near_rel(MdtContactParamsGetRestitutionThreshold(p), .001 / 4, 1e-6);
     MdtWorldDestroy(world);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, friction_that_cannot_act_or_has_no_bound_is_told_once);
-    tcase_add_test(t, a_surface_is_set_by_one_call);
-    tcase_add_test(t, bounces_rise_to_the_square_of_the_restitution);
-    tcase_add_test(t, bounce_heights_converge_at_first_order);
-    tcase_add_test(t, a_lossless_bounce_neither_gains_nor_loses);
-    tcase_add_test(t, impacts_below_the_threshold_do_not_bounce);
-    tcase_add_test(t, a_bouncing_ball_comes_to_rest_and_stays);
-    tcase_add_test(t, box_friction_of_10_holds_9_and_lets_11_slide_with_1);
-    tcase_add_test(t, what_places_lose_by_rounding_is_put_back);
-    tcase_add_test(t, the_primary_direction_does_not_hang_on_rounding);
-    tcase_add_test(t, box_friction_is_a_box);
-    tcase_add_test(t, frictionless_and_infinite_friction);
-    tcase_add_test(t, friction_1d_acts_along_the_primary_direction);
-    tcase_add_test(t, normal_force_friction_is_coulomb_s);
-    tcase_add_test(t, slip_velocity_is_slip_times_force_at_once);
-    tcase_add_test(t, slide_carries_at_belt_speed);
-    tcase_add_test(t, a_contact_does_not_pull_unless_it_is_adhesive);
-    tcase_add_test(t, softness_rests_softness_force_step_squared_over_gamma_deep);
-    tcase_add_test(t, a_gap_closes_exactly);
-    tcase_add_test(t, overlap_is_pushed_out_by_gamma_a_step);
-    tcase_add_test(t, a_disabled_contact_is_ignored_and_the_world_may_come_first);
-    tcase_add_test(t, a_moving_world_carries);
-    tcase_add_test(t, a_heavy_box_rests_on_a_light_one);
-    tcase_add_test(t, parameters_have_the_guide_s_defaults);
-    tcase_add_test(t, parameters_round_trip);
-    tcase_add_test(t, the_threshold_of_restitution_is_of_the_world_s_length_scale);
-}
-
-TEST_MAIN("Contact", tests)

@@ -41,7 +41,7 @@ static Cube makeCube(MeBool grouped) {
     return s;
 }
 
-START_TEST(the_list_is_walked_from_first_to_null) {
+TEST(the_list_is_walked_from_first_to_null) {
     Cube s = makeCube(METRUE);
     ck_assert_int_eq(MdtContactGroupGetCount(s.group), 4);
     int i = 0;
@@ -56,9 +56,8 @@ START_TEST(the_list_is_walked_from_first_to_null) {
     ck_assert_int_eq(MdtContactGroupGetCount(empty), 0);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(contacts_come_and_go) {
+TEST(contacts_come_and_go) {
     Cube s = makeCube(METRUE);
     MdtContactGroupDestroyContact(s.group, s.contact[1]);
     ck_assert_int_eq(MdtContactGroupGetCount(s.group), 3);
@@ -80,9 +79,8 @@ START_TEST(contacts_come_and_go) {
     ck_assert_int_eq(MdtWorldGetTotalConstraints(s.world), 1);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(a_group_takes_its_contacts_with_it) {
+TEST(a_group_takes_its_contacts_with_it) {
     Cube s = makeCube(METRUE);
     MdtContactGroupDestroy(s.group);
     ck_assert_int_eq(MdtWorldGetTotalConstraints(s.world), 0);
@@ -90,9 +88,8 @@ START_TEST(a_group_takes_its_contacts_with_it) {
     steps(s.world, 10, FRAME);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(a_group_acts_as_its_contacts_do_by_themselves) {
+TEST(a_group_acts_as_its_contacts_do_by_themselves) {
     Cube grouped = makeCube(METRUE), single = makeCube(MEFALSE);
     for (int i = 0; i < 60; i++) {
         MdtBodyAddForce(grouped.body, 13, 0, 3);
@@ -104,9 +101,8 @@ START_TEST(a_group_acts_as_its_contacts_do_by_themselves) {
     MdtWorldDestroy(grouped.world);
     MdtWorldDestroy(single.world);
 }
-END_TEST
 
-START_TEST(forces_are_the_sums_over_the_contacts) {
+TEST(forces_are_the_sums_over_the_contacts) {
     Cube s = makeCube(METRUE);
     MeVector3 sum = {0, 0, 0}, f;
     MdtBodyAddForce(s.body, 3, 0, 0);
@@ -127,9 +123,8 @@ START_TEST(forces_are_the_sums_over_the_contacts) {
     assert_vec3_near(f, -sum[0], -sum[1], -sum[2], TOL(1e-5, 1e-12));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(only_the_group_s_switch_counts) {
+TEST(only_the_group_s_switch_counts) {
     Cube s = makeCube(METRUE);
     ck_assert(MdtContactIsEnabled(s.contact[0]));
     MdtContactDisable(s.contact[0]);
@@ -142,9 +137,8 @@ START_TEST(only_the_group_s_switch_counts) {
     assert_near(MdtBodyGetTransformPtr(s.body)[3][1], .5 - gravity * .2 * .2 / 2, TOL(1e-6, 1e-12));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(with_the_world_the_body_comes_first) {
+TEST(with_the_world_the_body_comes_first) {
     Cube s = makeCube(METRUE);
     ck_assert(!MdtContactGroupIsSwapped(s.group));
     MdtContactGroupDisable(s.group);
@@ -158,9 +152,8 @@ START_TEST(with_the_world_the_body_comes_first) {
     ck_assert_ptr_eq(MdtContactGroupGetGenerator(s.group), &generator);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(a_group_joins_its_bodies_and_a_sort_key_orders_groups) {
+TEST(a_group_joins_its_bodies_and_a_sort_key_orders_groups) {
     MdtWorldID w = scene_world(3, 9, 0);
     MdtBodyID b[3];
     for (int i = 0; i < 3; i++)
@@ -178,9 +171,8 @@ START_TEST(a_group_joins_its_bodies_and_a_sort_key_orders_groups) {
     ck_assert_ptr_eq(MdtConstraintGetFirst(w), MdtContactGroupQuaConstraint(g[1]));
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(bad_input_changes_nothing) {
+TEST(bad_input_changes_nothing) {
     Cube s = makeCube(METRUE);
     MdtContactGroupID other = MdtContactGroupCreate(s.world);
     messages_catch();
@@ -207,18 +199,3 @@ START_TEST(bad_input_changes_nothing) {
     messages_release();
     MdtWorldDestroy(s.world);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, the_list_is_walked_from_first_to_null);
-    tcase_add_test(t, contacts_come_and_go);
-    tcase_add_test(t, a_group_takes_its_contacts_with_it);
-    tcase_add_test(t, a_group_acts_as_its_contacts_do_by_themselves);
-    tcase_add_test(t, forces_are_the_sums_over_the_contacts);
-    tcase_add_test(t, only_the_group_s_switch_counts);
-    tcase_add_test(t, with_the_world_the_body_comes_first);
-    tcase_add_test(t, a_group_joins_its_bodies_and_a_sort_key_orders_groups);
-    tcase_add_test(t, bad_input_changes_nothing);
-}
-
-TEST_MAIN("ContactGroup", tests)

@@ -3,7 +3,7 @@
 
 /* A long bar hits the floor beside its centre while it slides: its point of contact is not as easily moved in every
  * direction. The friction of the impact is on the cone, and against the way that the point slides. */
-START_TEST(friction_in_impacts_is_against_the_slide_of_a_bar) {
+TEST(friction_in_impacts_is_against_the_slide_of_a_bar) {
     const double edge[3] = {2, .2, .4}, mu = .1, e = .5, arm[3] = {.7, -.1, .15};
     for (int turn = 0; turn < 8; turn++) {
         const double angle = .7 * turn, start[3] = {3 * cos(angle), -4, 3 * sin(angle)};
@@ -37,10 +37,9 @@ START_TEST(friction_in_impacts_is_against_the_slide_of_a_bar) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
 /* A step of which a part was left, and then that rest in two goes, is the step: the force acts throughout. */
-START_TEST(a_step_and_its_rest_are_a_step) {
+TEST(a_step_and_its_rest_are_a_step) {
     const MeReal h = (MeReal).015625;
     MdtWorldID w = scene_world(2, 0, 10);
     MdtBodyID body[2] = {scene_body(w, 2, 0, 0, 0), scene_body(w, 2, 0, 0, 9)};
@@ -71,7 +70,6 @@ START_TEST(a_step_and_its_rest_are_a_step) {
     assert_vec3_near(p[0], p[1][0], p[1][1], 0, TOL(1e-8, 2e-17));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 static int wakes, sleeps;
 
@@ -86,7 +84,7 @@ static void MEAPI onDisabled(MdtBodyID b) {
 }
 
 /* The toolkit hears of every body that the program or a neighbour wakes, once each. */
-START_TEST(handlers_hear_of_bodies_that_are_enabled_and_disabled) {
+TEST(handlers_hear_of_bodies_that_are_enabled_and_disabled) {
     MdtWorldID w = scene_world(2, 1, 0);
     wakes = sleeps = 0;
     MdtWorldSetBodyHandlers(w, onEnabled, onDisabled);
@@ -109,9 +107,8 @@ START_TEST(handlers_hear_of_bodies_that_are_enabled_and_disabled) {
     ck_assert(wakes == 2 && sleeps == 1);
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(what_is_set_is_got) {
+TEST(what_is_set_is_got) {
     MdtWorldID w = scene_world(1, 1, 0);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     MdtContactID c = MdtContactCreate(w);
@@ -130,13 +127,3 @@ START_TEST(what_is_set_is_got) {
     assert_vec3_near(v, -1, 2, -3, 0);
     MdtWorldDestroy(w);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, friction_in_impacts_is_against_the_slide_of_a_bar);
-    tcase_add_test(t, a_step_and_its_rest_are_a_step);
-    tcase_add_test(t, handlers_hear_of_bodies_that_are_enabled_and_disabled);
-    tcase_add_test(t, what_is_set_is_got);
-}
-
-TEST_MAIN("couplings", tests)

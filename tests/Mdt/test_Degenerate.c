@@ -110,7 +110,7 @@ static void opposite(Two s) {
     turned(s, 2 * half);
 }
 
-START_TEST(a_universal_joint_bent_by_a_right_angle) {
+TEST(a_universal_joint_bent_by_a_right_angle) {
     Two s = makeTwo(1);
     MdtUniversalID j = MdtUniversalCreate(s.world);
     MdtUniversalSetBodies(j, s.body[0], s.body[1]);
@@ -120,10 +120,9 @@ START_TEST(a_universal_joint_bent_by_a_right_angle) {
     MdtUniversalEnable(j);
     check(s, bent, slightlyBent, "90 degrees");
 }
-END_TEST
 
 /* In the middle of the cone, where it has no row, it is forgotten too. */
-START_TEST(a_cone_limit_with_its_axes_opposite) {
+TEST(a_cone_limit_with_its_axes_opposite) {
     void (*const elsewhere[])(Two) = {slightlyBent, asMade};
     for (int k = 0; k < 2; k++) {
         Two s = makeTwo(1);
@@ -134,9 +133,8 @@ START_TEST(a_cone_limit_with_its_axes_opposite) {
         check(s, opposite, elsewhere[k], "parallel");
     }
 }
-END_TEST
 
-START_TEST(a_cone_limit_without_a_cone) {
+TEST(a_cone_limit_without_a_cone) {
     Two s = makeTwo(1);
     MdtConeLimitID j = MdtConeLimitCreate(s.world);
     MdtConeLimitSetBodies(j, s.body[0], s.body[1]);
@@ -144,10 +142,9 @@ START_TEST(a_cone_limit_without_a_cone) {
     MdtConeLimitEnable(j);
     check(s, asMade, slightlyBent, "parallel");
 }
-END_TEST
 
 /* It pushes about y then, whatever plane it had before it was reset. */
-START_TEST(a_cone_limit_that_had_no_plane_yet) {
+TEST(a_cone_limit_that_had_no_plane_yet) {
     Two s = makeTwo(1);
     MdtConeLimitID j = MdtConeLimitCreate(s.world);
     MdtWorldSetEpsilon(s.world, 0);
@@ -169,7 +166,6 @@ START_TEST(a_cone_limit_that_had_no_plane_yet) {
     MdtWorldDestroy(s.world);
     messages_release();
 }
-END_TEST
 
 static void spring(double stiffness, const char *word) {
     Two s = makeTwo(1);
@@ -180,17 +176,15 @@ static void spring(double stiffness, const char *word) {
     check(s, coinciding, asMade, word);
 }
 
-START_TEST(a_spring_without_length) {
+TEST(a_spring_without_length) {
     spring(30, "coincide");
 }
-END_TEST
 
-START_TEST(a_rod_without_length) {
+TEST(a_rod_without_length) {
     spring(MEINFINITY, "coincide");
 }
-END_TEST
 
-START_TEST(an_rpro_joint_half_a_turn_off) {
+TEST(an_rpro_joint_half_a_turn_off) {
     Two s = makeTwo(1);
     MdtRPROJointID j = MdtRPROJointCreate(s.world);
     MdtRPROJointSetBodies(j, s.body[0], s.body[1]);
@@ -199,9 +193,8 @@ START_TEST(an_rpro_joint_half_a_turn_off) {
     MdtRPROJointEnable(j);
     check(s, opposite, slightlyBent, "half a turn");
 }
-END_TEST
 
-START_TEST(a_skeletal_joint_swung_to_the_opposite) {
+TEST(a_skeletal_joint_swung_to_the_opposite) {
     Two s = makeTwo(1);
     MdtSkeletalID j = MdtSkeletalCreate(s.world);
     MdtSkeletalSetBodies(j, s.body[0], s.body[1]);
@@ -209,9 +202,8 @@ START_TEST(a_skeletal_joint_swung_to_the_opposite) {
     MdtSkeletalEnable(j);
     check(s, opposite, slightlyBent, "swing");
 }
-END_TEST
 
-START_TEST(six_springs_half_a_turn_off) {
+TEST(six_springs_half_a_turn_off) {
     Two s = makeTwo(1);
     MdtSpring6ID j = MdtSpring6Create(s.world);
     MdtSpring6SetBodies(j, s.body[0], s.body[1]);
@@ -221,10 +213,9 @@ START_TEST(six_springs_half_a_turn_off) {
     MdtSpring6Enable(j);
     check(s, opposite, slightlyBent, "half a turn");
 }
-END_TEST
 
 /* Joints that hold an orientation: the bodies were put where none of them leads. */
-START_TEST(held_orientations_half_a_turn_off) {
+TEST(held_orientations_half_a_turn_off) {
     for (int kind = 0; kind < 3; kind++) {
         Two s = makeTwo(1);
         MdtConstraintID c = kind == 0   ? MdtAngular3QuaConstraint(MdtAngular3Create(s.world))
@@ -235,10 +226,9 @@ START_TEST(held_orientations_half_a_turn_off) {
         check(s, opposite, slightlyBent, "half a turn");
     }
 }
-END_TEST
 
 /* Without angular springs nothing is lost by turning. */
-START_TEST(linear_springs_may_turn) {
+TEST(linear_springs_may_turn) {
     Two s = makeTwo(1);
     MdtSpring6ID j = MdtSpring6Create(s.world);
     MdtSpring6SetBodies(j, s.body[0], s.body[1]);
@@ -250,9 +240,8 @@ START_TEST(linear_springs_may_turn) {
     MdtWorldDestroy(s.world);
     messages_release();
 }
-END_TEST
 
-START_TEST(a_car_wheel_whose_axes_are_parallel) {
+TEST(a_car_wheel_whose_axes_are_parallel) {
     Two s = makeTwo(1);
     MdtCarWheelID j = MdtCarWheelCreate(s.world);
     MdtCarWheelSetBodies(j, s.body[0], s.body[1]);
@@ -262,10 +251,9 @@ START_TEST(a_car_wheel_whose_axes_are_parallel) {
     MdtCarWheelEnable(j);
     check(s, bent, slightlyBent, "parallel");
 }
-END_TEST
 
 /* Axes without length, or parallel ones, are refused; the joint works on with those that it has. */
-START_TEST(axes_that_span_no_plane_are_refused) {
+TEST(axes_that_span_no_plane_are_refused) {
     Two s = makeTwo(1);
     MdtConstraintID all[] = {
         MdtHingeQuaConstraint(MdtHingeCreate(s.world)), MdtSkeletalQuaConstraint(MdtSkeletalCreate(s.world)),
@@ -295,22 +283,3 @@ START_TEST(axes_that_span_no_plane_are_refused) {
     MdtWorldDestroy(s.world);
     messages_release();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_universal_joint_bent_by_a_right_angle);
-    tcase_add_test(t, a_cone_limit_with_its_axes_opposite);
-    tcase_add_test(t, a_cone_limit_without_a_cone);
-    tcase_add_test(t, a_cone_limit_that_had_no_plane_yet);
-    tcase_add_test(t, a_spring_without_length);
-    tcase_add_test(t, a_rod_without_length);
-    tcase_add_test(t, an_rpro_joint_half_a_turn_off);
-    tcase_add_test(t, a_skeletal_joint_swung_to_the_opposite);
-    tcase_add_test(t, six_springs_half_a_turn_off);
-    tcase_add_test(t, held_orientations_half_a_turn_off);
-    tcase_add_test(t, linear_springs_may_turn);
-    tcase_add_test(t, a_car_wheel_whose_axes_are_parallel);
-    tcase_add_test(t, axes_that_span_no_plane_are_refused);
-}
-
-TEST_MAIN("Degenerate", tests)

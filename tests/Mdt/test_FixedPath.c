@@ -88,7 +88,7 @@ static double simulatedAngle(double start, double end, double h, double *apart) 
     return atan2(-up[0], up[1]);
 }
 
-START_TEST(a_pendulum_on_a_moving_pivot) {
+TEST(a_pendulum_on_a_moving_pivot) {
     const double start = .6, end = 4, exact = referenceAngle(start, end);
     double error[3], apart;
     for (int k = 0; k < 3; k++) {
@@ -100,11 +100,10 @@ START_TEST(a_pendulum_on_a_moving_pivot) {
     assert_near(error[0] / error[1], 4, .1); /* of second order */
     assert_near(error[1] / error[2], 4, TOL(.04, .05));
 }
-END_TEST
 
 /* ---- velocity ---- */
 
-START_TEST(with_the_velocity_the_body_does_not_lag) {
+TEST(with_the_velocity_the_body_does_not_lag) {
     Hung s = hang(0, centre);
     const double u = 3, h = FRAME;
     double p[3], f[3];
@@ -118,10 +117,9 @@ START_TEST(with_the_velocity_the_body_does_not_lag) {
     }
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* Each step removes γ of the gap, and the path adds u h to it: u h / γ. */
-START_TEST(without_the_velocity_it_lags_by_the_relaxation) {
+TEST(without_the_velocity_it_lags_by_the_relaxation) {
     const double gammas[] = {.1, .2, .5, 1}, u = 3, h = FRAME;
     for (int k = 0; k < 4; k++) {
         Hung s = hang(0, centre);
@@ -136,10 +134,9 @@ START_TEST(without_the_velocity_it_lags_by_the_relaxation) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
 /* x = A sin w t with its velocity: F = m x'', to first order in the step, and the weight besides. */
-START_TEST(the_force_is_that_of_the_motion) {
+TEST(the_force_is_that_of_the_motion) {
     Hung s = hang(g, centre);
     const double h = .002;
     MdtBodySetLinearVelocity(s.body, (MeReal)(amplitude * frequency), 0, 0);
@@ -156,10 +153,9 @@ START_TEST(the_force_is_that_of_the_motion) {
     }
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* The velocity of the path's start, not its mean, leaves h² x'' / (2 γ). */
-START_TEST(an_accelerated_path_is_followed_to_second_order) {
+TEST(an_accelerated_path_is_followed_to_second_order) {
     Hung s = hang(0, centre);
     const double a = 4, h = FRAME, gamma = .2;
     double p[3];
@@ -172,12 +168,11 @@ START_TEST(an_accelerated_path_is_followed_to_second_order) {
     assert_near(.5 * a * 120 * h * 120 * h - p[0], .5 * a * h * h / gamma, TOL(2e-6, 7e-14));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* ---- a path in a body ---- */
 
 /* A ball on a rail of a freely turning body: the place that the program gives on the body's x-axis, in either order. */
-START_TEST(a_path_in_a_turning_body) {
+TEST(a_path_in_a_turning_body) {
     for (unsigned int rail = 0; rail < 2; rail++) {
         const double edge[3] = {2, .3, .4}, h = FRAME;
         MdtWorldID w = scene_world(2, 1, 0);
@@ -211,10 +206,9 @@ START_TEST(a_path_in_a_turning_body) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
 /* Positions are in the body's frame, which is not that of its centre of mass. */
-START_TEST(the_frame_is_the_body_s_not_its_centre_of_mass_s) {
+TEST(the_frame_is_the_body_s_not_its_centre_of_mass_s) {
     Hung s = hang(g, centre);
     const MeVector3 offset = {(MeReal).1, (MeReal)-.3, (MeReal).2};
     MeVector3 back;
@@ -234,10 +228,9 @@ START_TEST(the_frame_is_the_body_s_not_its_centre_of_mass_s) {
     }
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* The body turns freely about the point. */
-START_TEST(rotation_is_free) {
+TEST(rotation_is_free) {
     Hung s = hang(0, centre);
     double w[3];
     MdtBodySetSphericalInertiaTensor(s.body, (MeReal).1);
@@ -250,17 +243,3 @@ START_TEST(rotation_is_free) {
     assert_vec3_near(w, 1, 2, 3, TOL(1e-6, 3e-13));
     MdtWorldDestroy(s.world);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_pendulum_on_a_moving_pivot);
-    tcase_add_test(t, with_the_velocity_the_body_does_not_lag);
-    tcase_add_test(t, without_the_velocity_it_lags_by_the_relaxation);
-    tcase_add_test(t, the_force_is_that_of_the_motion);
-    tcase_add_test(t, an_accelerated_path_is_followed_to_second_order);
-    tcase_add_test(t, a_path_in_a_turning_body);
-    tcase_add_test(t, the_frame_is_the_body_s_not_its_centre_of_mass_s);
-    tcase_add_test(t, rotation_is_free);
-}
-
-TEST_MAIN("FixedPath", tests)

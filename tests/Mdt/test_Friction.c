@@ -59,7 +59,7 @@ static void push(Cube *s, MdtFrictionModel model, double force, double angle, do
     }
 }
 
-START_TEST(it_holds_below_and_slides_above_in_every_direction) {
+TEST(it_holds_below_and_slides_above_in_every_direction) {
     for (int k = 0; k < 16; k++) {
         const double angle = k * pi / 8 + .05;
         MeVector3 v;
@@ -77,9 +77,8 @@ START_TEST(it_holds_below_and_slides_above_in_every_direction) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
-START_TEST(a_sliding_cube_keeps_its_direction_and_stops) {
+TEST(a_sliding_cube_keeps_its_direction_and_stops) {
     for (int k = 0; k < 8; k++) {
         const double angle = k * pi / 4 + .4, speed = 2;
         Cube s = makeCube();
@@ -96,9 +95,8 @@ START_TEST(a_sliding_cube_keeps_its_direction_and_stops) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
-START_TEST(the_normal_force_model_is_a_pyramid) {
+TEST(the_normal_force_model_is_a_pyramid) {
     MeVector3 v;
     Cube s = makeCube();
     push(&s, MdtFrictionModelNormalForce, 1.3 * mu * gravity, pi / 4, 0, 30); /* the pyramid's corner holds 1.41 */
@@ -106,10 +104,9 @@ START_TEST(the_normal_force_model_is_a_pyramid) {
     assert_vec3_near(v, 0, 0, 0, TOL(1e-5, 1e-9));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* A ball on an incline with the cone: a = g sin / (1 + 2/5) while it rolls; it slips above tan = 7/2 mu. */
-START_TEST(a_rolling_ball_needs_two_sevenths_of_the_slope) {
+TEST(a_rolling_ball_needs_two_sevenths_of_the_slope) {
     const double slopes[] = {.9 * 3.5 * .3, 1.3 * 3.5 * .3}, coefficient = .3;
     for (int k = 0; k < 2; k++) {
         const double angle = atan(slopes[k]);
@@ -140,10 +137,9 @@ START_TEST(a_rolling_ball_needs_two_sevenths_of_the_slope) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
 /* Loads make both of two cubes fall alike; what holds the lower one closes the gap that a rounding has left. */
-START_TEST(it_acts_between_bodies_that_stand_on_each_other) {
+TEST(it_acts_between_bodies_that_stand_on_each_other) {
     const double edge[3] = {1, 1, 1}, gaps[] = {0, TOL(1e-6, 1e-12), 1e-4};
     for (int k = 0; k < 3; k++) {
         MeVector3 v;
@@ -161,11 +157,10 @@ START_TEST(it_acts_between_bodies_that_stand_on_each_other) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
 /* In the first step a ball with that spin turns by 3.3 rad, which no rotation of a step shows: nobody needs it. One
  * whose mass is beside its middle does, and says so. */
-START_TEST(a_ball_may_spin_as_fast_as_it_likes) {
+TEST(a_ball_may_spin_as_fast_as_it_likes) {
     const double radius = .1, spin = 200;
     for (int aside = 0; aside < 2; aside++) {
         MdtReport report;
@@ -201,15 +196,3 @@ START_TEST(a_ball_may_spin_as_fast_as_it_likes) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_ball_may_spin_as_fast_as_it_likes);
-    tcase_add_test(t, it_acts_between_bodies_that_stand_on_each_other);
-    tcase_add_test(t, it_holds_below_and_slides_above_in_every_direction);
-    tcase_add_test(t, a_sliding_cube_keeps_its_direction_and_stops);
-    tcase_add_test(t, the_normal_force_model_is_a_pyramid);
-    tcase_add_test(t, a_rolling_ball_needs_two_sevenths_of_the_slope);
-}
-
-TEST_MAIN("Friction", tests)

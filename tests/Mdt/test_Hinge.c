@@ -35,7 +35,7 @@ static void setSpring(HingedBar s, double stiffness, double damping) {
     }
 }
 
-START_TEST(only_the_angle_is_free) {
+TEST(only_the_angle_is_free) {
     HingedBar s = scene_hingedBar(0);
     MdtBodyAddImpulseAtPosition(s.bar, (MeReal).3, 1, (MeReal).7, 1, 0, (MeReal).2);
     for (int i = 0; i < 300; i++) {
@@ -51,9 +51,8 @@ START_TEST(only_the_angle_is_free) {
     }
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(the_angle_counts_full_turns) {
+TEST(the_angle_counts_full_turns) {
     const double rates[] = {3, -3, 40, -170}; /* the last one is 0.45 of a turn a step */
     for (int k = 0; k < 4; k++) {
         HingedBar s = scene_hingedBar(0);
@@ -65,9 +64,8 @@ START_TEST(the_angle_counts_full_turns) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
-START_TEST(position_is_only_an_offset) {
+TEST(position_is_only_an_offset) {
     HingedBar s = scene_hingedBar(0);
     scene_spinBar(s, 1);
     steps(s.world, 30, FRAME);
@@ -81,9 +79,8 @@ START_TEST(position_is_only_an_offset) {
     assert_near(after[0], .5 * cos(60 * midpoint_turn(1, FRAME)), steady);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(a_hard_stop_returns_its_restitution_in_one_step) {
+TEST(a_hard_stop_returns_its_restitution_in_one_step) {
     const double es[] = {0, .5, 1};
     for (int k = 0; k < 3; k++)
         for (int side = -1; side <= 1; side += 2) {
@@ -114,9 +111,8 @@ START_TEST(a_hard_stop_returns_its_restitution_in_one_step) {
             MdtWorldDestroy(s.world);
         }
 }
-END_TEST
 
-START_TEST(a_lossless_stop_keeps_the_energy_of_a_falling_bar) {
+TEST(a_lossless_stop_keeps_the_energy_of_a_falling_bar) {
     HingedBar s = scene_hingedBar(9.81);
     setStops(s, -.4, 3, 1);
     double min = 1e9, max = -1e9;
@@ -132,9 +128,8 @@ START_TEST(a_lossless_stop_keeps_the_energy_of_a_falling_bar) {
     assert_below(-min, .25);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(stops_lie_beyond_full_turns) {
+TEST(stops_lie_beyond_full_turns) {
     HingedBar s = scene_hingedBar(0);
     setStops(s, -3 * pi, 5 * pi, 1);
     scene_spinBar(s, 9);
@@ -149,11 +144,10 @@ START_TEST(stops_lie_beyond_full_turns) {
     assert_near(fabs(rateOf(s)), 9, steady);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* A torque presses the bar onto the stop and it swings about the balance, beyond the stop all the time:
  * I θ'' = -k θ - d θ' - load. */
-START_TEST(a_soft_stop_is_a_damped_spring) {
+TEST(a_soft_stop_is_a_damped_spring) {
     const double ks[] = {10, 40, 160}, ds[] = {0, .1, .5}, load = .3;
     for (int a = 0; a < 3; a++)
         for (int b = 0; b < 3; b++) {
@@ -173,10 +167,9 @@ START_TEST(a_soft_stop_is_a_damped_spring) {
             MdtWorldDestroy(s.world);
         }
 }
-END_TEST
 
 /* A stiffness that no explicit rule could bear: still no energy from nowhere. */
-START_TEST(a_very_stiff_soft_stop_gains_no_energy) {
+TEST(a_very_stiff_soft_stop_gains_no_energy) {
     HingedBar s = scene_hingedBar(9.81);
     setStops(s, -.5, 10, 0);
     setSpring(s, 1e8, 0);
@@ -189,9 +182,8 @@ START_TEST(a_very_stiff_soft_stop_gains_no_energy) {
     assert_near(angleOf(s), -.5, TOL(6e-7, 5e-7));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(above_the_threshold_a_stop_is_hard) {
+TEST(above_the_threshold_a_stop_is_hard) {
     HingedBar s = scene_hingedBar(0);
     setStops(s, -1, .5, .5);
     setSpring(s, 100, 3);
@@ -204,9 +196,8 @@ START_TEST(above_the_threshold_a_stop_is_hard) {
     assert_near(MdtLimitGetStiffnessThreshold(s.limit), 0, 0);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(a_stop_without_stiffness_and_damping_does_nothing) {
+TEST(a_stop_without_stiffness_and_damping_does_nothing) {
     HingedBar s = scene_hingedBar(0);
     setStops(s, -1, .5, 1);
     setSpring(s, 0, 0);
@@ -218,9 +209,8 @@ START_TEST(a_stop_without_stiffness_and_damping_does_nothing) {
     assert_near(MdtLimitGetOvershoot(s.limit), turned - .5, steady);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(the_motor_reaches_its_speed_with_its_force) {
+TEST(the_motor_reaches_its_speed_with_its_force) {
     HingedBar s = scene_hingedBar(0);
     MdtLimitSetLimitedForceMotor(s.limit, 10, (MeReal).5);
     ck_assert(MdtLimitIsMotorized(s.limit));
@@ -232,9 +222,8 @@ START_TEST(the_motor_reaches_its_speed_with_its_force) {
     }
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(the_motor_stalls_at_its_force_limit) {
+TEST(the_motor_stalls_at_its_force_limit) {
     /* gravity turns the horizontal bar with m g / 2 = 4.905 N m */
     HingedBar weak = scene_hingedBar(9.81);
     MdtLimitSetLimitedForceMotor(weak.limit, 5, 3);
@@ -247,11 +236,10 @@ START_TEST(the_motor_stalls_at_its_force_limit) {
     assert_near(angleOf(brake), 0, TOL(1e-6, 3e-8));
     MdtWorldDestroy(brake.world);
 }
-END_TEST
 
 /* Without loads there is no speed to compare with but the bar's own, of which a brake leaves less and less: what moves
  * nothing in a step is no speed. From the fourth step on, 66 factorizations were taken in a dozen steps, then 3. */
-START_TEST(what_a_motor_has_stopped_costs_nothing) {
+TEST(what_a_motor_has_stopped_costs_nothing) {
     HingedBar s = scene_hingedBar(0);
     MdtWorldEnableReport(s.world);
     MdtBodySetAngularVelocity(s.bar, 0, 0, 1);
@@ -267,10 +255,9 @@ START_TEST(what_a_motor_has_stopped_costs_nothing) {
     assert_near(rateOf(s), 0, 1e-20);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* The bar lies on the stop, motor and stop in balance: fmax = stiffness × overshoot. */
-START_TEST(the_lock_holds_up_to_its_force) {
+TEST(the_lock_holds_up_to_its_force) {
     HingedBar s = scene_hingedBar(10); /* its weight turns with 5 N m where the bar is level */
     MdtLimitSetLock(s.limit, (MeReal)-.2, 6);
     MdtLimitSetLimitedForceMotor(s.limit, 3, 100); /* rests while the lock holds */
@@ -285,9 +272,8 @@ START_TEST(the_lock_holds_up_to_its_force) {
     assert_near(rateOf(s), 3, TOL(3e-6, 2e-11));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(a_motor_rests_on_a_soft_stop_at_fmax_over_stiffness) {
+TEST(a_motor_rests_on_a_soft_stop_at_fmax_over_stiffness) {
     HingedBar s = scene_hingedBar(0);
     setStops(s, -1, .5, 0);
     setSpring(s, 40, 2);
@@ -297,11 +283,10 @@ START_TEST(a_motor_rests_on_a_soft_stop_at_fmax_over_stiffness) {
     assert_near(rateOf(s), 0, TOL(1e-6, 1e-8));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* An arm driven up against a stop at 45 degrees: it comes to rest there, without rattling; the stop carries what the
  * motor has to spare, 10 - m g/2 cos 45°. */
-START_TEST(a_motor_rests_on_a_hard_stop) {
+TEST(a_motor_rests_on_a_hard_stop) {
     const double es[] = {0, .5};
     for (int k = 0; k < 2; k++) {
         HingedBar s = scene_hingedBar(9.81);
@@ -320,10 +305,9 @@ START_TEST(a_motor_rests_on_a_hard_stop) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
 /* What the joint gives back about the hinge's axis is motor minus stop: gravity's torque. */
-START_TEST(the_torque_read_back_balances_the_load) {
+TEST(the_torque_read_back_balances_the_load) {
     HingedBar s = scene_hingedBar(9.81);
     MdtLimitSetLimitedForceMotor(s.limit, 0, 20);
     steps(s.world, 300, FRAME);
@@ -339,19 +323,17 @@ START_TEST(the_torque_read_back_balances_the_load) {
     ck_assert_int_eq(MdtConstraintGetRowCount(MdtHingeQuaConstraint(s.hinge)), 6);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(a_free_hinge_has_five_rows) {
+TEST(a_free_hinge_has_five_rows) {
     HingedBar s = scene_hingedBar(9.81);
     setStops(s, -10, 10, 1);
     MdtWorldStep(s.world, FRAME);
     ck_assert_int_eq(MdtConstraintGetRowCount(MdtHingeQuaConstraint(s.hinge)), 5);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* The world as the first body: the same motion, the angle of the other sign. */
-START_TEST(the_bodies_order_mirrors_the_angle) {
+TEST(the_bodies_order_mirrors_the_angle) {
     HingedBar a = scene_hingedBar(9.81), b = scene_hingedBar(9.81);
     MdtHingeDisable(b.hinge);
     MdtHingeSetBodies(b.hinge, 0, b.bar);
@@ -368,9 +350,8 @@ START_TEST(the_bodies_order_mirrors_the_angle) {
     MdtWorldDestroy(a.world);
     MdtWorldDestroy(b.world);
 }
-END_TEST
 
-START_TEST(limits_follow_the_guide_s_rules) {
+TEST(limits_follow_the_guide_s_rules) {
     MdtBclLimit own;
     MdtBclSingleLimit stop;
     MdtLimitReset(&own);
@@ -404,9 +385,8 @@ START_TEST(limits_follow_the_guide_s_rules) {
     MdtLimitActivateMotor(&own, 1);
     ck_assert(MdtLimitIsMotorized(&own) && MdtLimitGetMotorDesiredVelocity(&own) == 4);
 }
-END_TEST
 
-START_TEST(set_limit_copies_the_public_values) {
+TEST(set_limit_copies_the_public_values) {
     HingedBar s = scene_hingedBar(0);
     MdtBclLimit own;
     MdtLimitReset(&own);
@@ -421,10 +401,9 @@ START_TEST(set_limit_copies_the_public_values) {
     assert_near(angleOf(s), .25, TOL(3e-7, 1e-8));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* The step may be divided where the motion is violent; the guide's meaning of a load on a joint does not change. */
-START_TEST(a_violently_turning_pair_stays_together) {
+TEST(a_violently_turning_pair_stays_together) {
     const double edge[3] = {.2, 1, .2};
     MdtWorldID w = scene_world(2, 2, 9.81);
     MdtWorldSetEpsilon(w, 0);
@@ -457,7 +436,6 @@ START_TEST(a_violently_turning_pair_stays_together) {
     assert_below(energy, 100); /* it started with 58 + the impulse of the hinges */
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* The largest force on a door of 1 kg that turns with 1 rad/s on two hinges whose axes are so far apart, in m. */
 static double forceOnDoor(double apart) {
@@ -488,36 +466,7 @@ static double forceOnDoor(double apart) {
 }
 
 /* Hinges whose axes are parallel allow no turn: forces are those that stop it, and do not grow from step to step. */
-START_TEST(hinges_that_contradict_each_other_do_not_build_up_forces) {
+TEST(hinges_that_contradict_each_other_do_not_build_up_forces) {
     assert_below(forceOnDoor(0), 12);
     assert_below(forceOnDoor(1e-6), 1e5);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, only_the_angle_is_free);
-    tcase_add_test(t, the_angle_counts_full_turns);
-    tcase_add_test(t, position_is_only_an_offset);
-    tcase_add_test(t, a_hard_stop_returns_its_restitution_in_one_step);
-    tcase_add_test(t, a_lossless_stop_keeps_the_energy_of_a_falling_bar);
-    tcase_add_test(t, stops_lie_beyond_full_turns);
-    tcase_add_test(t, a_soft_stop_is_a_damped_spring);
-    tcase_add_test(t, a_very_stiff_soft_stop_gains_no_energy);
-    tcase_add_test(t, above_the_threshold_a_stop_is_hard);
-    tcase_add_test(t, a_stop_without_stiffness_and_damping_does_nothing);
-    tcase_add_test(t, the_motor_reaches_its_speed_with_its_force);
-    tcase_add_test(t, the_motor_stalls_at_its_force_limit);
-    tcase_add_test(t, what_a_motor_has_stopped_costs_nothing);
-    tcase_add_test(t, the_lock_holds_up_to_its_force);
-    tcase_add_test(t, a_motor_rests_on_a_soft_stop_at_fmax_over_stiffness);
-    tcase_add_test(t, a_motor_rests_on_a_hard_stop);
-    tcase_add_test(t, the_torque_read_back_balances_the_load);
-    tcase_add_test(t, a_free_hinge_has_five_rows);
-    tcase_add_test(t, the_bodies_order_mirrors_the_angle);
-    tcase_add_test(t, limits_follow_the_guide_s_rules);
-    tcase_add_test(t, set_limit_copies_the_public_values);
-    tcase_add_test(t, a_violently_turning_pair_stays_together);
-    tcase_add_test(t, hinges_that_contradict_each_other_do_not_build_up_forces);
-}
-
-TEST_MAIN("Hinge", tests)

@@ -15,6 +15,7 @@ static void tearDown(void) {
     messages_release();
     MdtWorldDestroy(w);
 }
+TEST_FIXTURE(setUp, tearDown)
 
 static void run(int steps) {
     for (int i = 0; i < steps; i++)
@@ -23,7 +24,7 @@ static void run(int steps) {
 
 #if KARMA_CHECK
 /* The first step tells where bodies are, and a second of 60 steps is over after 60 more at the latest. */
-START_TEST(it_is_told_once_after_a_second) {
+TEST(it_is_told_once_after_a_second) {
     run(59);
     assert_silent();
     run(3);
@@ -32,9 +33,8 @@ START_TEST(it_is_told_once_after_a_second) {
     run(200);
     assert_silent();
 }
-END_TEST
 
-START_TEST(each_world_is_told_of) {
+TEST(each_world_is_told_of) {
     run(70);
     assert_warned("no gravity");
     MdtWorldID other = MdtWorldCreate(1, 0);
@@ -44,10 +44,9 @@ START_TEST(each_world_is_told_of) {
     assert_warned("no gravity");
     MdtWorldDestroy(other);
 }
-END_TEST
 
 /* A body that comes later, or is put elsewhere, begins the second anew. */
-START_TEST(the_second_is_one_in_which_the_program_does_nothing) {
+TEST(the_second_is_one_in_which_the_program_does_nothing) {
     run(40);
     MdtBodySetPosition(body, 1, 2, 3);
     run(40);
@@ -57,7 +56,6 @@ START_TEST(the_second_is_one_in_which_the_program_does_nothing) {
     run(3);
     assert_warned("no gravity");
 }
-END_TEST
 #endif
 
 static void noGravityIsMeant(void) {
@@ -94,32 +92,18 @@ static void isDestroyed(void) {
     MdtBodyDestroy(body);
 }
 
-START_TEST(where_something_acts_it_is_silent) {
+LOOP_TEST(where_something_acts_it_is_silent, 0, 8) {
     void (*const ways[])(void) = {noGravityIsMeant, moves, turns, isPushed, isHit, isHeld, isDisabled, isDestroyed};
     ways[_i]();
     run(200);
     assert_silent();
 }
-END_TEST
 
 /* As a program does that has collision alone, or plays an animation. */
-START_TEST(a_body_that_the_program_moves_is_no_mistake) {
+TEST(a_body_that_the_program_moves_is_no_mistake) {
     for (int i = 0; i < 200; i++) {
         MdtBodySetPosition(body, (MeReal)(i * 0.01), 0, 0);
         run(1);
     }
     assert_silent();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, tearDown);
-#if KARMA_CHECK
-    tcase_add_test(t, it_is_told_once_after_a_second);
-    tcase_add_test(t, each_world_is_told_of);
-    tcase_add_test(t, the_second_is_one_in_which_the_program_does_nothing);
-#endif
-    tcase_add_loop_test(t, where_something_acts_it_is_silent, 0, 8);
-    tcase_add_test(t, a_body_that_the_program_moves_is_no_mistake);
-}
-TEST_MAIN("Idle", tests)

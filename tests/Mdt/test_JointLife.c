@@ -104,15 +104,14 @@ static Stage makeStage(unsigned int constraints) {
     }
 FOR_ALL_JOINTS(LIFE)
 
-START_TEST(life) {
+TEST(life) {
     messages_catch();
 #define RUN_LIFE(Joint) lifeOf##Joint();
     FOR_ALL_JOINTS(RUN_LIFE)
     messages_release();
 }
-END_TEST
 
-START_TEST(a_full_world_names_its_limit) {
+TEST(a_full_world_names_its_limit) {
     messages_catch();
     Stage s = makeStage(1);
     MdtHingeCreate(s.world);
@@ -125,9 +124,8 @@ START_TEST(a_full_world_names_its_limit) {
     MdtWorldDestroy(s.world);
     messages_release();
 }
-END_TEST
 
-START_TEST(casts_are_each_other_s_inverse_and_know_the_type) {
+TEST(casts_are_each_other_s_inverse_and_know_the_type) {
     Stage s = makeStage(16);
     MdtConstraintID all[16];
     int n = 0, hits;
@@ -152,7 +150,6 @@ START_TEST(casts_are_each_other_s_inverse_and_know_the_type) {
     messages_release();
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* ---- handles that are null, dead, or of another type ---- */
 
@@ -400,7 +397,7 @@ static void misuseOfUserConstraint(MdtUserConstraintID j) {
     WARNS_0(MdtBclAddRow(NULL));
 }
 
-START_TEST(null_and_dead_handles_get_a_warning_and_a_neutral_result) {
+TEST(null_and_dead_handles_get_a_warning_and_a_neutral_result) {
     messages_catch();
     Stage s = makeStage(4);
     WARNS_0(MdtHingeCreate(NULL));
@@ -418,10 +415,9 @@ START_TEST(null_and_dead_handles_get_a_warning_and_a_neutral_result) {
     MdtWorldDestroy(s.world);
     messages_release();
 }
-END_TEST
 
 /* The joint's own functions, not those that every constraint has, know the type. */
-START_TEST(a_handle_of_another_joint_is_noticed) {
+TEST(a_handle_of_another_joint_is_noticed) {
     messages_catch();
     Stage s = makeStage(4);
     void *hinge = MdtHingeCreate(s.world), *ball = MdtBSJointCreate(s.world);
@@ -444,7 +440,6 @@ START_TEST(a_handle_of_another_joint_is_noticed) {
     MdtWorldDestroy(s.world);
     messages_release();
 }
-END_TEST
 
 /* ---- defaults (defaults.tsv of the guides) ---- */
 
@@ -750,7 +745,7 @@ static void changeFrames(MdtConstraintID c) {
     MdtConstraintSetAxes(c, 0, 1, 0, 0, 0, 1);
 }
 
-START_TEST(reset_restores_the_defaults_and_leaves_the_bodies) {
+TEST(reset_restores_the_defaults_and_leaves_the_bodies) {
     Stage s = makeStage(16);
     messages_catch();
 #define DEFAULTS(Joint)                                                                                                \
@@ -775,11 +770,10 @@ START_TEST(reset_restores_the_defaults_and_leaves_the_bodies) {
     messages_release();
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* ---- numbers that a joint cannot have: a warning, and nothing is changed ---- */
 
-START_TEST(numbers_that_a_joint_cannot_have) {
+TEST(numbers_that_a_joint_cannot_have) {
     const MeReal bad[] = {(MeReal)NAN, (MeReal)INFINITY, -1};
     messages_catch();
     Stage s = makeStage(16);
@@ -868,16 +862,3 @@ START_TEST(numbers_that_a_joint_cannot_have) {
     MdtWorldDestroy(s.world);
     messages_release();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, life);
-    tcase_add_test(t, a_full_world_names_its_limit);
-    tcase_add_test(t, casts_are_each_other_s_inverse_and_know_the_type);
-    tcase_add_test(t, null_and_dead_handles_get_a_warning_and_a_neutral_result);
-    tcase_add_test(t, a_handle_of_another_joint_is_noticed);
-    tcase_add_test(t, reset_restores_the_defaults_and_leaves_the_bodies);
-    tcase_add_test(t, numbers_that_a_joint_cannot_have);
-}
-
-TEST_MAIN("JointLife", tests)

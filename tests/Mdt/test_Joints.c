@@ -461,15 +461,14 @@ static void shake(const Joint *j, int first, int second) {
     MdtWorldDestroy(s.world);
 }
 
-START_TEST(removed_freedoms_stay_removed_and_the_others_free) {
+TEST(removed_freedoms_stay_removed_and_the_others_free) {
     messages_catch(); /* a universal joint may come to a right angle on its way */
     for (int i = 0; i < NUM_JOINTS; i++)
         shake(&joints[i], 0, 1);
     messages_release();
 }
-END_TEST
 
-START_TEST(the_world_stands_on_either_side) {
+TEST(the_world_stands_on_either_side) {
     messages_catch();
     for (int i = 0; i < NUM_JOINTS; i++) {
         shake(&joints[i], 0, -1);
@@ -477,7 +476,6 @@ START_TEST(the_world_stands_on_either_side) {
     }
     messages_release();
 }
-END_TEST
 
 /* About t: the cone limit's axes apart. */
 static void turnOutwards(Pair *s) {
@@ -486,7 +484,7 @@ static void turnOutwards(Pair *s) {
     MdtBodySetAngularVelocity(s->body[0], XYZ(w));
 }
 
-START_TEST(each_joint_has_the_guide_s_number_of_rows) {
+TEST(each_joint_has_the_guide_s_number_of_rows) {
     for (int i = 0; i < NUM_JOINTS; i++) {
         Pair s;
         makePair(&joints[i], &s, 0, 1);
@@ -497,13 +495,12 @@ START_TEST(each_joint_has_the_guide_s_number_of_rows) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
 /* ---- forces ---- */
 
 /* Force opposite to force, and no torque in sum about the origin: the forces act at the mean of the places where the
  * bodies stood when the step began and where it has brought them. A program's own rows stay those of the start. */
-START_TEST(forces_are_opposite) {
+TEST(forces_are_opposite) {
     messages_catch();
     for (int i = 0; i < NUM_JOINTS; i++) {
         Pair s;
@@ -538,7 +535,6 @@ START_TEST(forces_are_opposite) {
     }
     messages_release();
 }
-END_TEST
 
 /* A load along what the joint holds, at its point: the body rests, and the joint gives back the load. Rows are met to
  * 1e-10 of their arms, up to 1 m, back and forth: in forces up to twice 2 m δ/h². */
@@ -575,13 +571,12 @@ static void balance(const Joint *j, int first, int second) {
     MdtWorldDestroy(s.world);
 }
 
-START_TEST(the_force_read_back_balances_a_load) {
+TEST(the_force_read_back_balances_a_load) {
     for (int i = 0; i < NUM_JOINTS; i++) {
         balance(&joints[i], 0, -1);
         balance(&joints[i], -1, 1);
     }
 }
-END_TEST
 
 /* The angular momentum that a step of backward Euler adds: bodies go by h v⁺ and not by the mean, so that
  * Σ x × m v changes by (h/2) Σ m v⁺ × v. */
@@ -628,7 +623,7 @@ static void stepsWithOldRows(const Pair *s, int n, double expected[3]) {
 }
 
 /* A pair that is thrown, without any load: nothing from outside, so its momenta stay. */
-START_TEST(a_free_pair_keeps_its_momenta) {
+TEST(a_free_pair_keeps_its_momenta) {
     messages_catch();
     for (int i = 0; i < NUM_JOINTS; i++) {
         Pair s;
@@ -654,11 +649,10 @@ START_TEST(a_free_pair_keeps_its_momenta) {
     }
     messages_release();
 }
-END_TEST
 
 /* ---- life ---- */
 
-START_TEST(a_joint_acts_only_while_it_is_enabled) {
+TEST(a_joint_acts_only_while_it_is_enabled) {
     for (int i = 0; i < NUM_JOINTS; i++) {
         Pair s;
         double v[3], w[3], f[3];
@@ -683,7 +677,6 @@ START_TEST(a_joint_acts_only_while_it_is_enabled) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
 /* ---- the order of the bodies ---- */
 
@@ -705,7 +698,7 @@ static double meanTurn(const Pair *s, int step, double *fastest) {
 
 /* Linear1, Linear2 and CarWheel have two different sides, and so has the universal joint, whose axes must change
  * places: they are in the tests of their own. */
-START_TEST(the_order_of_the_bodies_does_not_matter) {
+TEST(the_order_of_the_bodies_does_not_matter) {
     for (int i = 0; i < NUM_JOINTS; i++) {
         Pair s[2];
         if (!joints[i].isSymmetric)
@@ -740,17 +733,3 @@ START_TEST(the_order_of_the_bodies_does_not_matter) {
         MdtWorldDestroy(s[1].world);
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, removed_freedoms_stay_removed_and_the_others_free);
-    tcase_add_test(t, the_world_stands_on_either_side);
-    tcase_add_test(t, each_joint_has_the_guide_s_number_of_rows);
-    tcase_add_test(t, forces_are_opposite);
-    tcase_add_test(t, the_force_read_back_balances_a_load);
-    tcase_add_test(t, a_free_pair_keeps_its_momenta);
-    tcase_add_test(t, a_joint_acts_only_while_it_is_enabled);
-    tcase_add_test(t, the_order_of_the_bodies_does_not_matter);
-}
-
-TEST_MAIN("Joints", tests)

@@ -36,7 +36,7 @@ static double fallen(double a, int n) {
 static const double centre[3] = {0, 0, 0};
 
 /* On a plane of 36.9 degrees a body slides with g sin: along the fall line (.8, -.6), 0.6 g. */
-START_TEST(a_body_slides_on_a_slanting_plane) {
+TEST(a_body_slides_on_a_slanting_plane) {
     MdtWorldID w = makeWorld(g);
     MdtBodyID b = scene_body(w, 2, 0, 0, 0);
     MdtLinear1ID j = plane(w, b, 0, centre, normal);
@@ -56,10 +56,9 @@ START_TEST(a_body_slides_on_a_slanting_plane) {
     ck_assert_int_eq(MdtConstraintGetRowCount(MdtLinear1QuaConstraint(j)), 1);
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* A pole whose foot stays on the ground: it falls over, the foot slips, the centre comes straight down. */
-START_TEST(the_point_is_in_the_plane_the_body_turns_about_it) {
+TEST(the_point_is_in_the_plane_the_body_turns_about_it) {
     const double edge[3] = {.1, 2, .1}, foot[3] = {0, -1, 0}, up[3] = {0, 1, 0}, lean = .3;
     MdtWorldID w = makeWorld(g);
     MdtBodyID b = scene_box(w, 3, edge, 0, cos(lean), 0);
@@ -77,10 +76,9 @@ START_TEST(the_point_is_in_the_plane_the_body_turns_about_it) {
     ck_assert(p[1] < .9 * cos(lean));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* The second body carries the plane: it turns, and the point goes with it. */
-START_TEST(the_plane_is_the_second_body_s) {
+TEST(the_plane_is_the_second_body_s) {
     const double edge[3] = {2, .1, 2};
     MdtWorldID w = makeWorld(0);
     MdtBodyID table = scene_box(w, 5, edge, 0, 0, 0), ball = scene_body(w, 1, .5, .3, 0);
@@ -97,10 +95,9 @@ START_TEST(the_plane_is_the_second_body_s) {
     ck_assert(fabs(p[1] - .3) > .1);
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* With the world first it is the body that has the plane, and the world the point. */
-START_TEST(a_plane_of_a_body_on_a_point_of_the_world) {
+TEST(a_plane_of_a_body_on_a_point_of_the_world) {
     const double edge[3] = {2, .1, 2}, up[3] = {0, 1, 0};
     MdtWorldID w = makeWorld(g);
     MdtBodyID table = scene_box(w, 5, edge, 0, 0, 0);
@@ -116,10 +113,9 @@ START_TEST(a_plane_of_a_body_on_a_point_of_the_world) {
     ck_assert(fabs(local[0]) > .3); /* it slides off */
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* A bead on a wire that slants by 30 degrees: g / 2. */
-START_TEST(a_bead_slides_on_a_wire) {
+TEST(a_bead_slides_on_a_wire) {
     const double wire[3] = {cos(.5235987755982988), -.5, 0};
     MdtWorldID w = makeWorld(g);
     MdtBodyID b = scene_body(w, 2, 0, 0, 0);
@@ -138,11 +134,10 @@ START_TEST(a_bead_slides_on_a_wire) {
     ck_assert_int_eq(MdtConstraintGetRowCount(MdtLinear2QuaConstraint(j)), 2);
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* A pendulum on a cart without mass: a body on a rail by a point above it swings about its centre of mass, which comes
  * straight down and up: θ'' (I + m l² sin²θ) = -m l sin θ (g + l θ'² cos θ). For small swings w² = m g l / I. */
-START_TEST(a_body_on_a_rail_swings) {
+TEST(a_body_on_a_rail_swings) {
     const double l = .5, inertia = .4, h = FRAME, angle = .02, rail[3] = {1, 0, 0}, top[3] = {0, .5, 0};
     MdtWorldID w = makeWorld(g);
     MdtBodyID b = scene_body(w, 1, 0, -l, 0);
@@ -166,10 +161,9 @@ START_TEST(a_body_on_a_rail_swings) {
     assert_near_rel(swing_frequency(&swing, h), midpoint_frequency(w0, 0, h), 5e-4);
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* The second body carries the line; with the world first, the body has the line and the world the point. */
-START_TEST(the_line_is_the_second_body_s) {
+TEST(the_line_is_the_second_body_s) {
     for (int withBall = 0; withBall < 2; withBall++) {
         const double edge[3] = {2, .1, .1}, at[3] = {.5, 0, 0}, rail[3] = {1, 0, 0};
         MdtWorldID w = makeWorld(0);
@@ -192,10 +186,9 @@ START_TEST(the_line_is_the_second_body_s) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
 /* Three planes through one point hold it, and share a load as their normals say. */
-START_TEST(three_planes_hold_a_point) {
+TEST(three_planes_hold_a_point) {
     MdtWorldID w = makeWorld(g);
     MdtBodyID b = scene_body(w, 3, 0, 0, 0);
     const double n[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, .6, .8}};
@@ -212,17 +205,3 @@ START_TEST(three_planes_hold_a_point) {
     assert_vec3_near(f, 0, 0, 0, TOL(1e-6, 8e-8));
     MdtWorldDestroy(w);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_body_slides_on_a_slanting_plane);
-    tcase_add_test(t, the_point_is_in_the_plane_the_body_turns_about_it);
-    tcase_add_test(t, the_plane_is_the_second_body_s);
-    tcase_add_test(t, a_plane_of_a_body_on_a_point_of_the_world);
-    tcase_add_test(t, a_bead_slides_on_a_wire);
-    tcase_add_test(t, a_body_on_a_rail_swings);
-    tcase_add_test(t, the_line_is_the_second_body_s);
-    tcase_add_test(t, three_planes_hold_a_point);
-}
-
-TEST_MAIN("Linear", tests)

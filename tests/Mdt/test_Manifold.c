@@ -28,6 +28,7 @@ static void setUp(void) {
 static void tearDown(void) {
     MdtWorldDestroy(world);
 }
+TEST_FIXTURE(setUp, tearDown)
 
 /* A corner of the face between the two; i beyond 3: further in. */
 static MdtFoundContact corner(int i) {
@@ -49,7 +50,7 @@ static double heightOf(MdtContactID c) {
     return (double)n[1];
 }
 
-START_TEST(any_number_of_contacts_is_found) {
+TEST(any_number_of_contacts_is_found) {
     MdtFoundContact found[MANY];
     MdtContactID contact[MANY], c;
     corners(found, MANY);
@@ -69,9 +70,8 @@ START_TEST(any_number_of_contacts_is_found) {
         ck_assert_int_eq(MdtConstraintIsValid(MdtContactQuaConstraint(contact[i])), i == 4);
     MdtWorldStep(world, FRAME);
 }
-END_TEST
 
-START_TEST(a_full_world_has_fewer) {
+TEST(a_full_world_has_fewer) {
     MdtFoundContact found[60];
     MdtContactID contact[60];
     corners(found, 60);
@@ -83,10 +83,9 @@ START_TEST(a_full_world_has_fewer) {
     ck_assert_int_eq(MdtContactGroupRenew(group, found + 39, 21, 0, contact), 21);
     ck_assert_int_eq(MdtWorldGetTotalConstraints(world), 22);
 }
-END_TEST
 
 /* What one contact is given, the others of its manifold do not get. */
-START_TEST(each_has_its_own) {
+TEST(each_has_its_own) {
     MdtFoundContact found[4];
     MdtContactID contact[4];
     int mark;
@@ -125,10 +124,9 @@ START_TEST(each_has_its_own) {
     MdtContactGroupRenew(group, found, 4, 0, contact);
     ck_assert_ptr_null(MdtContactGetUserData(contact[1]));
 }
-END_TEST
 
 /* By feature; what is left goes on where it is nearest, and keeps its force. */
-START_TEST(the_nearest_goes_on) {
+TEST(the_nearest_goes_on) {
     MdtFoundContact found[4];
     MdtContactID before[4], after[4];
     MeVector3 f;
@@ -147,14 +145,13 @@ START_TEST(the_nearest_goes_on) {
     MdtContactGetForce(after[1], 0, f);
     ck_assert_msg((double)f[1] > 1, "the force of the last step was lost");
 }
-END_TEST
 
 static void tilt(MdtFoundContact *found) {
     found->normal[0] = 1;
 }
 
 /* Then threads may renew different groups at once. */
-START_TEST(a_group_goes_on_where_nothing_is_made_or_lost) {
+TEST(a_group_goes_on_where_nothing_is_made_or_lost) {
     MdtFoundContact found[MANY];
     MdtContactID contact[MANY];
     corners(found, MANY);
@@ -181,7 +178,6 @@ START_TEST(a_group_goes_on_where_nothing_is_made_or_lost) {
     ck_assert(MdtContactGroupGoesOn(group, found, MANY));
     assert_near(heightOf(contact[9]), sqrt(.5), TOL(1e-6, 1e-15));
 }
-END_TEST
 
 /* Millions of multiplications of a step by the fast solver, which visits each of Kea's manifolds as often: with eight
  * contacts, of which those of one kind follow each other at this distance. */
@@ -204,15 +200,14 @@ static double workOfKinds(int kinds) {
 }
 
 /* In whichever records they are: two kinds in turn fill two records, and each of these has both. */
-START_TEST(contacts_of_one_normal_are_one_manifold_to_the_solver) {
+TEST(contacts_of_one_normal_are_one_manifold_to_the_solver) {
     const double one = workOfKinds(1), two = workOfKinds(2), four = workOfKinds(4), eight = workOfKinds(8);
     assert_near(two, one, 0);
     assert_near(four - one, 2. / 6 * (eight - one), 1e-3 * one); /* 2, 4 and 8 manifolds, in groups of eight */
     ck_assert_double_gt(eight, 1.01 * one);
 }
-END_TEST
 
-START_TEST(what_a_bridge_made_stays_in_its_group) {
+TEST(what_a_bridge_made_stays_in_its_group) {
     MdtFoundContact found[2];
     MdtContactID contact[2];
     corners(found, 2);
@@ -223,10 +218,9 @@ START_TEST(what_a_bridge_made_stays_in_its_group) {
     messages_release();
     ck_assert_int_eq(MdtContactGroupGetCount(group), 2);
 }
-END_TEST
 
 /* Two hundred surfaces, each used by one contact and then by none: nothing of them is left. */
-START_TEST(surfaces_are_kept_once_and_go) {
+TEST(surfaces_are_kept_once_and_go) {
     MdtContactID contact = MdtContactCreateBetween(world, upper, lower),
                  other = MdtContactCreateBetween(world, upper, 0);
     for (int i = 0; i < 200; i++) {
@@ -238,10 +232,9 @@ START_TEST(surfaces_are_kept_once_and_go) {
     }
     assert_near((double)MdtContactGetParams(contact)->FrictionCoefficient, (double)(MeReal)1.99, 0);
 }
-END_TEST
 
 /* Falls and turns for a step as one body: so do its contacts, exactly. */
-START_TEST(contacts_are_carried_along) {
+TEST(contacts_are_carried_along) {
     static const MeBool both[2] = {METRUE, METRUE}, one[2] = {METRUE, MEFALSE};
     MdtFoundContact found = corner(3);
     MdtContactID contact;
@@ -273,9 +266,8 @@ START_TEST(contacts_are_carried_along) {
     MdtContactGetPosition(contact, place);
     assert_vec3_near(place, .5 - 5e-4, 1 + .5 * 5e-4, .5, 1e-6);
 }
-END_TEST
 
-START_TEST(a_body_that_was_placed_has_not_moved_by_a_step) {
+TEST(a_body_that_was_placed_has_not_moved_by_a_step) {
     const unsigned long moves = MdtBodyGetMoves(upper);
     MdtWorldStep(world, FRAME);
     MdtBodySetPosition(upper, 0, 9, 0);
@@ -283,19 +275,3 @@ START_TEST(a_body_that_was_placed_has_not_moved_by_a_step) {
     MdtWorldStep(world, FRAME);
     ck_assert(!MdtBodyMovedByStep(upper, moves));
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, tearDown);
-    tcase_add_test(t, any_number_of_contacts_is_found);
-    tcase_add_test(t, a_full_world_has_fewer);
-    tcase_add_test(t, each_has_its_own);
-    tcase_add_test(t, the_nearest_goes_on);
-    tcase_add_test(t, a_group_goes_on_where_nothing_is_made_or_lost);
-    tcase_add_test(t, contacts_of_one_normal_are_one_manifold_to_the_solver);
-    tcase_add_test(t, what_a_bridge_made_stays_in_its_group);
-    tcase_add_test(t, surfaces_are_kept_once_and_go);
-    tcase_add_test(t, contacts_are_carried_along);
-    tcase_add_test(t, a_body_that_was_placed_has_not_moved_by_a_step);
-}
-TEST_MAIN("Manifold", tests)

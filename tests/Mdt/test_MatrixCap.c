@@ -56,7 +56,7 @@ static void assertRows(Stack *s, int cap, const int rows[CONTACTS]) {
     MdtWorldSetMatrixSizeLog(s->world, NULL, 0);
 }
 
-START_TEST(rows_go_in_the_documented_order) {
+TEST(rows_go_in_the_documented_order) {
     static const struct {
         int cap, rows[CONTACTS];
     } cases[] = {
@@ -70,9 +70,8 @@ START_TEST(rows_go_in_the_documented_order) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
-START_TEST(a_group_keeps_its_deepest_contact) {
+TEST(a_group_keeps_its_deepest_contact) {
     Stack s = makeStack();
     MdtContactGroupID g = MdtContactGroupCreate(s.world);
     MdtContactGroupSetBodies(g, s.upper, s.lower);
@@ -86,7 +85,6 @@ START_TEST(a_group_keeps_its_deepest_contact) {
     ck_assert_int_eq(rowsOf(s.contact[2]) + rowsOf(s.contact[3]), 0);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 static MeReal MEAPI importanceOfX(const MdtContactID c) {
     MeVector3 p;
@@ -94,7 +92,7 @@ static MeReal MEAPI importanceOfX(const MdtContactID c) {
     return p[0] + (MdtContactGetBody(c, 1) ? 0 : (MeReal).1);
 }
 
-START_TEST(a_callback_replaces_the_order) {
+TEST(a_callback_replaces_the_order) {
     Stack s = makeStack(); /* by importance: 0, 2, 1, 3 */
     MdtWorldSetContactImportanceCB(s.world, importanceOfX);
     assertRows(&s, 11, (int[CONTACTS]){1, 3, 1, 3});
@@ -109,9 +107,8 @@ START_TEST(a_callback_replaces_the_order) {
     assertRows(&s, 5, (int[CONTACTS]){0, 0, 1, 1});
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(without_a_call_there_is_no_cap) {
+TEST(without_a_call_there_is_no_cap) {
     MdtWorldID w = scene_world(1, 200, 10);
     ck_assert_int_eq(MdtWorldGetMaxMatrixSize(w), MDTMAXMATRIXSIZE_MAX);
     MdtBodyID b = scene_body(w, 1, 0, 1, 0);
@@ -132,7 +129,6 @@ START_TEST(without_a_call_there_is_no_cap) {
     messages_release();
     MdtWorldDestroy(w);
 }
-END_TEST
 
 static int shown, maxShown;
 
@@ -145,7 +141,7 @@ static void MEAPI restIfEven(MdtPartitionOutput *po, void *data) {
     po->info[po->numPartitions - 1].isDisabled = shown++ % 2 == 0;
 }
 
-START_TEST(a_program_may_decide_about_rest) {
+TEST(a_program_may_decide_about_rest) {
     MdtWorldID w = scene_world(4, 0, 10);
     MdtBodyID b[4];
     for (int i = 0; i < 4; i++)
@@ -161,9 +157,8 @@ START_TEST(a_program_may_decide_about_rest) {
     ck_assert_int_eq(shown, 4);
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(auto_disable_as_a_callback_is_the_world_s) {
+TEST(auto_disable_as_a_callback_is_the_world_s) {
     MdtWorldID w = MdtWorldCreate(2, 0);
     MdtBodyID still = scene_body(w, 1, 0, 0, 0), moving = scene_body(w, 1, 5, 0, 0);
     MdtBodySetLinearVelocity(moving, 1, 0, 0);
@@ -173,15 +168,3 @@ START_TEST(auto_disable_as_a_callback_is_the_world_s) {
     ck_assert(MdtBodyIsEnabled(moving));
     MdtWorldDestroy(w);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, rows_go_in_the_documented_order);
-    tcase_add_test(t, a_group_keeps_its_deepest_contact);
-    tcase_add_test(t, a_callback_replaces_the_order);
-    tcase_add_test(t, without_a_call_there_is_no_cap);
-    tcase_add_test(t, a_program_may_decide_about_rest);
-    tcase_add_test(t, auto_disable_as_a_callback_is_the_world_s);
-}
-
-TEST_MAIN("MatrixCap", tests)

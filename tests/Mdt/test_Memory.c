@@ -66,7 +66,7 @@ static void changeGraph(Row *s, int step) {
     MdtBodyEnable(s->body[(step + BODIES / 2) % BODIES]);
 }
 
-START_TEST(a_warm_step_allocates_nothing_while_the_graph_changes) {
+TEST(a_warm_step_allocates_nothing_while_the_graph_changes) {
     const MeMemoryAPIStruct before = MeMemoryAPI;
     MeMemoryAPI = (MeMemoryAPIStruct){create, createAligned, resize, destroy, destroy};
     Row s = build();
@@ -84,10 +84,3 @@ START_TEST(a_warm_step_allocates_nothing_while_the_graph_changes) {
     MdtWorldDestroy(s.world);
     MeMemoryAPI = before;
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_warm_step_allocates_nothing_while_the_graph_changes);
-}
-
-TEST_MAIN("MdtMemory", tests)

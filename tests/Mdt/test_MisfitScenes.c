@@ -133,7 +133,7 @@ static MeBool isFiniteScene(MdtBodyID body[BODIES]) {
     return isfinite(energyOf(body));
 }
 
-START_TEST(scenes_that_do_not_fit_stay_finite) {
+TEST(scenes_that_do_not_fit_stay_finite) {
     MdtBodyID body[BODIES];
     messages_catch(); /* degenerate joints warn */
     for (unsigned long long n = 0; n < 20; n++) {
@@ -146,10 +146,3 @@ START_TEST(scenes_that_do_not_fit_stay_finite) {
     }
     messages_release();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, scenes_that_do_not_fit_stay_finite);
-}
-
-TEST_MAIN("MisfitScenes", tests)

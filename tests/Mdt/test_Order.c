@@ -208,14 +208,13 @@ static void pendulumReference(double duration, double *angle) {
     *angle = y[0];
 }
 
-START_TEST(a_pendulum_from_level_is_of_order_2) {
+TEST(a_pendulum_from_level_is_of_order_2) {
     double angle;
     pendulumReference(1.5, &angle);
     assertOrder("pendulum", pendulum, 1.5, 1. / 64, 2, .02, &angle);
     assertPartsAreSteps("pendulum", pendulum, 1.5, 1. / 32, &angle);
     assert_below(errorOf(pendulum, 1.5, 1. / 64, 1, &angle), 5e-3);
 }
-END_TEST
 
 static void doublePendulumReference(double duration, double place[6]) {
     double y[MAX] = {0};
@@ -224,29 +223,26 @@ static void doublePendulumReference(double duration, double place[6]) {
     memcpy(place, p, sizeof p);
 }
 
-START_TEST(a_double_pendulum_is_of_order_2) {
+TEST(a_double_pendulum_is_of_order_2) {
     double place[6];
     doublePendulumReference(1, place);
     assertOrder("double pendulum", doublePendulum, 1, 1. / 128, 2, .02, place);
     assertPartsAreSteps("double pendulum", doublePendulum, 1, 1. / 64, place);
 }
-END_TEST
 
-START_TEST(a_chain_of_springs_is_of_order_2) {
+TEST(a_chain_of_springs_is_of_order_2) {
     double y[MAX] = {1, 0, 2, 0, 3, 0, 0, 1, 0, 2, 0, 3};
     integrate(4 * LINKS, springChainRates, 1, 20000, y);
     assertOrder("springs", springChain, 1, 1. / 128, 2, .02, y);
     assertPartsAreSteps("springs", springChain, 1, 1. / 64, y);
 }
-END_TEST
 
-START_TEST(free_rotation_is_of_order_4) {
+TEST(free_rotation_is_of_order_4) {
     double y[MAX] = {1, 0, 0, 0, 1, 0, 0, 0, 1, spin[0], spin[1], spin[2]};
     integrate(12, freeRotationRates, 128, 100000, y);
     assertOrder("rotation", freeRotation, 128, 1. / 4, 4, .1, y);
     assertPartsAreSteps("rotation", freeRotation, 128, 1, y);
 }
-END_TEST
 
 /* The slope of the error from 1 to .4 of h, from 1/`rate` s on: longer steps have the velocity stage's jerks, and of
  * shorter ones the error is what Kea is content with, 1e-10 of a step's way. */
@@ -257,7 +253,7 @@ static double slopeOf(Run scene, double duration, double rate, const double *ref
 }
 
 /* In double precision: single has no digits for that. */
-START_TEST(pendulums_of_order_4_are_of_order_4) {
+LOOP_TEST(pendulums_of_order_4_are_of_order_4, 0, sizeof(MeReal) == sizeof(double)) {
     double y[2] = {0, 0}, place[6];
     integrate(2, pendulumRates, 1, 20000, y);
     doublePendulumReference(1, place);
@@ -266,10 +262,9 @@ START_TEST(pendulums_of_order_4_are_of_order_4) {
     ck_assert_msg(fabs(single - 4) <= .2, "pendulum: order %g", single);
     ck_assert_msg(fabs(two - 4) <= .2, "double pendulum: order %g", two);
 }
-END_TEST
 
 /* A hundredth of the error at 60 Hz, in either precision but for what a float's digits hide. */
-START_TEST(order_4_has_a_hundredth_of_the_error_at_60_hz) {
+TEST(order_4_has_a_hundredth_of_the_error_at_60_hz) {
     double y[2] = {0, 0}, place[6];
     integrate(2, pendulumRates, 1, 20000, y);
     doublePendulumReference(1, place);
@@ -281,7 +276,6 @@ START_TEST(order_4_has_a_hundredth_of_the_error_at_60_hz) {
     ck_assert_msg(pendulum4 < TOL(2e-4, 2e-5) * pendulum2, "pendulum: %g, %g", pendulum2, pendulum4);
     ck_assert_msg(double4 < TOL(1e-3, 1e-3) * double2, "double pendulum: %g, %g", double2, double4);
 }
-END_TEST
 
 /* A fast heavy top, whose steps are divided: where its centre is after a second. */
 static int top(double duration, double h, int parts, double result[]) {
@@ -301,7 +295,7 @@ static int top(double duration, double h, int parts, double result[]) {
     return 3;
 }
 
-START_TEST(a_fast_top_of_order_4_is_divided_evenly) {
+TEST(a_fast_top_of_order_4_is_divided_evenly) {
     double place[3];
     integratorOrder = 4;
     top(1, 1. / 960, 1, place);
@@ -311,10 +305,9 @@ START_TEST(a_fast_top_of_order_4_is_divided_evenly) {
     ck_assert_msg(error4 < TOL(.05, .01) * error2, "%g, %g", error4, error2);
     ck_assert_msg(error2 > 1e-5, "%g", error2);
 }
-END_TEST
 
 /* Turned round, the motion is taken back. */
-START_TEST(order_4_goes_back_where_it_came_from) {
+TEST(order_4_goes_back_where_it_came_from) {
     HingedBar s = scene_hingedBar(g);
     double before[3], after[3];
     MeVector3 v, w;
@@ -330,7 +323,6 @@ START_TEST(order_4_goes_back_where_it_came_from) {
     ck_assert_msg(distance(3, before, after) < TOL(1e-4, 1e-7), "%g", distance(3, before, after));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* How many sub-steps of a step were composed. */
 static int composedOf(MdtWorldID w) {
@@ -377,7 +369,7 @@ static void touch(HingedBar s) {
     MdtContactEnable(c);
 }
 
-START_TEST(order_4_is_for_what_can_be_reversed) {
+TEST(order_4_is_for_what_can_be_reversed) {
     ck_assert_int_eq(composedBar(NULL), 1);
     ck_assert_int_eq(composedBar(soften), 1);
     ck_assert_int_eq(composedBar(divide), 3);
@@ -386,10 +378,9 @@ START_TEST(order_4_is_for_what_can_be_reversed) {
     ck_assert_int_eq(composedBar(stop), 0);
     ck_assert_int_eq(composedBar(touch), 0);
 }
-END_TEST
 
 /* What cannot be composed is, to the last bit, what it is with order 2. */
-START_TEST(others_are_as_with_order_2) {
+TEST(others_are_as_with_order_2) {
     double place[2][3];
     for (int i = 0; i < 2; i++) {
         HingedBar s = scene_hingedBar(g);
@@ -402,10 +393,9 @@ START_TEST(others_are_as_with_order_2) {
     }
     ck_assert(memcmp(place[0], place[1], sizeof place[0]) == 0);
 }
-END_TEST
 
 /* A stop that comes within reach in the middle of a step: it holds. */
-START_TEST(a_stop_in_the_way_of_order_4_holds) {
+TEST(a_stop_in_the_way_of_order_4_holds) {
     HingedBar s = scene_hingedBar(g);
     double p[3], lowest = 0;
     MdtLimitActivateLimits(s.limit, 1);
@@ -423,9 +413,8 @@ START_TEST(a_stop_in_the_way_of_order_4_holds) {
     ck_assert_msg(fabs(fabs(atan2(p[1], p[0])) - 1) < 1e-3, "%g rad", atan2(p[1], p[0]));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(the_order_is_2_or_4) {
+TEST(the_order_is_2_or_4) {
     MdtWorldID w = scene_world(1, 1, 0);
     ck_assert_int_eq(MdtWorldGetIntegratorOrder(w), 2);
     MdtWorldSetIntegratorOrder(w, 4);
@@ -436,12 +425,11 @@ START_TEST(the_order_is_2_or_4) {
     ck_assert_int_eq(MdtWorldGetIntegratorOrder(w), 4);
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* A load F on a joint comes to rest ε F h²/γ away, h the whole step, in however many parts it is done. Kea is content
  * with an error of 1e-12 of a body's size (the radius of gyration), of which a part of the step takes only `share`
  * away. */
-START_TEST(the_sag_of_a_load_is_epsilon_force_over_gamma) {
+TEST(the_sag_of_a_load_is_epsilon_force_over_gamma) {
     const double loads[] = {10, 100}, lengths[] = {1. / 30, 1. / 60}, gammas[] = {.2, 1}, epsilons[] = {.1, 1e-4};
     for (int k = 0; k < 64; k++) {
         const int parts = 1 << (k & 3);
@@ -471,28 +459,8 @@ START_TEST(the_sag_of_a_load_is_epsilon_force_over_gamma) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
 static void beginWithOrder2(void) {
     integratorOrder = 2;
 }
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, beginWithOrder2, NULL);
-    tcase_add_test(t, a_pendulum_from_level_is_of_order_2);
-    tcase_add_test(t, a_double_pendulum_is_of_order_2);
-    tcase_add_test(t, a_chain_of_springs_is_of_order_2);
-    tcase_add_test(t, free_rotation_is_of_order_4);
-    if (sizeof(MeReal) == sizeof(double))
-        tcase_add_test(t, pendulums_of_order_4_are_of_order_4);
-    tcase_add_test(t, order_4_has_a_hundredth_of_the_error_at_60_hz);
-    tcase_add_test(t, a_fast_top_of_order_4_is_divided_evenly);
-    tcase_add_test(t, order_4_goes_back_where_it_came_from);
-    tcase_add_test(t, order_4_is_for_what_can_be_reversed);
-    tcase_add_test(t, others_are_as_with_order_2);
-    tcase_add_test(t, a_stop_in_the_way_of_order_4_holds);
-    tcase_add_test(t, the_order_is_2_or_4);
-    tcase_add_test(t, the_sag_of_a_load_is_epsilon_force_over_gamma);
-}
-
-TEST_MAIN("Order", tests)
+TEST_FIXTURE(beginWithOrder2, NULL)

@@ -334,7 +334,7 @@ static Scene create(void) {
     return s;
 }
 
-START_TEST(partitions_are_those_of_a_search_after_whatever_changes_the_graph) {
+TEST(partitions_are_those_of_a_search_after_whatever_changes_the_graph) {
     enum { ACTIONS = sizeof actions / sizeof *actions };
     Scene s = create();
     int done[ACTIONS] = {0}, max = 0;
@@ -362,10 +362,3 @@ START_TEST(partitions_are_those_of_a_search_after_whatever_changes_the_graph) {
     messages_release();
     MdtWorldDestroy(s.world);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, partitions_are_those_of_a_search_after_whatever_changes_the_graph);
-}
-
-TEST_MAIN("MdtPartitions", tests)

@@ -48,7 +48,7 @@ static void addFarContact(Chain *c) {
     MdtContactEnable(contact);
 }
 
-START_TEST(both_sides_of_the_problem_give_one_motion) {
+TEST(both_sides_of_the_problem_give_one_motion) {
     const double masses[] = {1, 1000};
     for (int k = 0; k < 2; k++) {
         Chain joints = makeChain(masses[k], 0), bodies = makeChain(masses[k], 1);
@@ -62,9 +62,8 @@ START_TEST(both_sides_of_the_problem_give_one_motion) {
         MdtWorldDestroy(bodies.world);
     }
 }
-END_TEST
 
-START_TEST(sub_steps_are_steps) {
+TEST(sub_steps_are_steps) {
     Chain once = makeChain(10, 0), divided = makeChain(10, 0);
     MdtWorldSetSubSteps(divided.world, 4);
     ck_assert_int_eq(MdtWorldGetSubSteps(divided.world), 4);
@@ -78,10 +77,9 @@ START_TEST(sub_steps_are_steps) {
     MdtWorldDestroy(once.world);
     MdtWorldDestroy(divided.world);
 }
-END_TEST
 
 /* ε F h² / γ, h the whole step, however it is divided. */
-START_TEST(epsilon_and_gamma_hold_for_the_whole_step) {
+TEST(epsilon_and_gamma_hold_for_the_whole_step) {
     const double forces[] = {10, 100}, hs[] = {1.0 / 30, 1.0 / 60}, epsilon = .1, gamma = .2;
     for (int n = 1; n <= 8; n *= 2)
         for (int k = 0; k < 4; k++) {
@@ -103,9 +101,8 @@ START_TEST(epsilon_and_gamma_hold_for_the_whole_step) {
             MdtWorldDestroy(w);
         }
 }
-END_TEST
 
-START_TEST(the_same_bits_again) {
+TEST(the_same_bits_again) {
     Chain a = makeChain(1e5, 0), b = makeChain(1e5, 0);
     for (int i = 0; i < 120; i++) {
         MdtWorldStep(a.world, FRAME);
@@ -116,9 +113,8 @@ START_TEST(the_same_bits_again) {
     MdtWorldDestroy(a.world);
     MdtWorldDestroy(b.world);
 }
-END_TEST
 
-START_TEST(settings_are_checked) {
+TEST(settings_are_checked) {
     MdtWorldID w = scene_world(1, 1, 10);
     messages_catch();
     ck_assert_int_eq(MdtWorldGetSubSteps(w), 1);
@@ -144,9 +140,8 @@ START_TEST(settings_are_checked) {
     messages_release();
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(a_rim_is_a_radius_and_an_axis) {
+TEST(a_rim_is_a_radius_and_an_axis) {
     static const MeVector3 along = {0, 0, 2}, none = {0, 0, 0};
     MeVector3 axis = {1, 1, 1};
     const MdtWorldID w = MdtWorldCreate(1, 1, 1, 1);
@@ -174,14 +169,3 @@ START_TEST(a_rim_is_a_radius_and_an_axis) {
     ck_assert(MdtContactGetRim(c, 1, axis) == 0);
     MdtWorldDestroy(w);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, both_sides_of_the_problem_give_one_motion);
-    tcase_add_test(t, sub_steps_are_steps);
-    tcase_add_test(t, epsilon_and_gamma_hold_for_the_whole_step);
-    tcase_add_test(t, the_same_bits_again);
-    tcase_add_test(t, settings_are_checked);
-    tcase_add_test(t, a_rim_is_a_radius_and_an_axis);
-}
-TEST_MAIN("Paths", tests)

@@ -68,7 +68,7 @@ static void setStop(Cart s, int side, double stop, double stiffness, double damp
 
 /* ---- sliding ---- */
 
-START_TEST(it_slides_along_the_axis_and_does_not_turn) {
+TEST(it_slides_along_the_axis_and_does_not_turn) {
     Cart s = makeCart();
     double before[3][3], R[3][3], aside, t[3] = {1, -2, .5}, f[3] = {1, 2, 3};
     measure_rotation(s.cart, before);
@@ -88,10 +88,9 @@ START_TEST(it_slides_along_the_axis_and_does_not_turn) {
     ck_assert_int_eq(MdtConstraintGetRowCount(MdtPrismaticQuaConstraint(s.joint)), 5);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* Zero is where the bodies stand when the axis is set, not when they were attached. */
-START_TEST(zero_is_where_the_bodies_were_when_the_axis_was_set) {
+TEST(zero_is_where_the_bodies_were_when_the_axis_was_set) {
     Cart s = makeCart();
     MdtBodySetPosition(s.cart, -4, 5, 6);
     MdtPrismaticSetAxis(s.joint, 0, 0, 2);
@@ -111,10 +110,9 @@ START_TEST(zero_is_where_the_bodies_were_when_the_axis_was_set) {
     assert_near(MdtLimitGetPosition(s.limit), 10.5, TOL(2e-6, 1e-12));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* The displacement is that of the first body against the second. */
-START_TEST(the_bodies_order_mirrors_the_displacement) {
+TEST(the_bodies_order_mirrors_the_displacement) {
     MdtWorldID w = scene_world(2, 1, 0);
     MdtBodyID a = scene_body(w, 1, 0, 0, 0), b = scene_body(w, 1, 2, 0, 0);
     MdtPrismaticID j = MdtPrismaticCreate(w);
@@ -134,10 +132,9 @@ START_TEST(the_bodies_order_mirrors_the_displacement) {
     assert_near(MdtLimitGetPosition(MdtPrismaticGetLimit(j)), -1, TOL(1e-6, 9e-14));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* A rail that turns carries its cart round with it: the axis is one of both bodies. */
-START_TEST(a_turning_rail) {
+TEST(a_turning_rail) {
     const double edge[3] = {4, .2, .2}, small[3] = {.3, .3, .3}, offset[3] = {0, .3, 0};
     MdtWorldID w = scene_world(2, 1, 0);
     MdtWorldSetEpsilon(w, 0);
@@ -165,11 +162,10 @@ START_TEST(a_turning_rail) {
     ck_assert(MdtLimitGetPosition(MdtPrismaticGetLimit(j)) > (MeReal).1); /* thrown outwards */
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* ---- stops ---- */
 
-START_TEST(a_hard_stop_returns_its_restitution) {
+TEST(a_hard_stop_returns_its_restitution) {
     const double es[] = {0, .5, 1};
     for (int k = 0; k < 3; k++)
         for (int side = 0; side < 2; side++) {
@@ -190,9 +186,8 @@ START_TEST(a_hard_stop_returns_its_restitution) {
             MdtWorldDestroy(s.world);
         }
 }
-END_TEST
 
-START_TEST(a_soft_stop_is_a_damped_spring) {
+TEST(a_soft_stop_is_a_damped_spring) {
     const double ks[] = {40, 160}, ds[] = {0, 1}, load = 8, h = FRAME;
     for (int i = 0; i < 2; i++)
         for (int j = 0; j < 2; j++) {
@@ -212,9 +207,8 @@ START_TEST(a_soft_stop_is_a_damped_spring) {
             MdtWorldDestroy(s.world);
         }
 }
-END_TEST
 
-START_TEST(a_load_rests_on_a_soft_stop_at_force_over_stiffness) {
+TEST(a_load_rests_on_a_soft_stop_at_force_over_stiffness) {
     Cart s = makeCart();
     setStop(s, 1, .2, 50, 20, 0);
     setStop(s, 0, -1, MEINFINITY, 0, 0);
@@ -227,11 +221,10 @@ START_TEST(a_load_rests_on_a_soft_stop_at_force_over_stiffness) {
     ck_assert_int_eq(MdtConstraintGetRowCount(MdtPrismaticQuaConstraint(s.joint)), 6);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* ---- motor and lock ---- */
 
-START_TEST(the_motor_reaches_its_speed_with_its_force) {
+TEST(the_motor_reaches_its_speed_with_its_force) {
     Cart s = makeCart();
     double f[3];
     MdtLimitSetLimitedForceMotor(s.limit, 2, 3);
@@ -257,9 +250,8 @@ START_TEST(the_motor_reaches_its_speed_with_its_force) {
     assert_near(speedOf(s), -2 / mass / 60, TOL(2e-8, 8e-12));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(a_motor_rests_beyond_a_soft_stop_and_at_a_hard_one) {
+TEST(a_motor_rests_beyond_a_soft_stop_and_at_a_hard_one) {
     for (int k = 0; k < 2; k++) {
         Cart s = makeCart();
         setStop(s, 1, .5, k == 0 ? 40 : MEINFINITY, 10, 0);
@@ -270,11 +262,10 @@ START_TEST(a_motor_rests_beyond_a_soft_stop_and_at_a_hard_one) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
 /* γ of the way to the lock a step, up to its force; the motor rests meanwhile. The first step starts at rest and must
  * be twice as fast at its end as in its mean: 2 m γ z / h² = 1440 N. */
-START_TEST(the_lock_draws_to_its_place_and_holds) {
+TEST(the_lock_draws_to_its_place_and_holds) {
     Cart s = makeCart();
     MdtWorldSetGamma(s.world, (MeReal).25);
     MdtLimitSetLimitedForceMotor(s.limit, -3, 100);
@@ -297,9 +288,8 @@ START_TEST(the_lock_draws_to_its_place_and_holds) {
     assert_near(speedOf(s), -3, TOL(3e-6, 3e-13)); /* the motor again */
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(set_limit_copies_the_public_values) {
+TEST(set_limit_copies_the_public_values) {
     Cart s = makeCart();
     MdtBclLimit own;
     MdtLimitReset(&own);
@@ -313,20 +303,3 @@ START_TEST(set_limit_copies_the_public_values) {
     assert_near(wayOf(s, NULL), .25, TOL(3e-7, 8e-12));
     MdtWorldDestroy(s.world);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, it_slides_along_the_axis_and_does_not_turn);
-    tcase_add_test(t, zero_is_where_the_bodies_were_when_the_axis_was_set);
-    tcase_add_test(t, the_bodies_order_mirrors_the_displacement);
-    tcase_add_test(t, a_turning_rail);
-    tcase_add_test(t, a_hard_stop_returns_its_restitution);
-    tcase_add_test(t, a_soft_stop_is_a_damped_spring);
-    tcase_add_test(t, a_load_rests_on_a_soft_stop_at_force_over_stiffness);
-    tcase_add_test(t, the_motor_reaches_its_speed_with_its_force);
-    tcase_add_test(t, a_motor_rests_beyond_a_soft_stop_and_at_a_hard_one);
-    tcase_add_test(t, the_lock_draws_to_its_place_and_holds);
-    tcase_add_test(t, set_limit_copies_the_public_values);
-}
-
-TEST_MAIN("Prismatic", tests)

@@ -57,7 +57,7 @@ static const double straight[4] = {1, 0, 0, 0}, none[3] = {0, 0, 0};
 
 /* ---- driving ---- */
 
-START_TEST(a_constant_angular_velocity_is_followed_exactly) {
+TEST(a_constant_angular_velocity_is_followed_exactly) {
     const double rates[][3] = {{1, 0, 0}, {2, -3, 1}, {-4, 5, 6}}, from[4] = {.5, -.5, .5, .5}, h = FRAME;
     for (int k = 0; k < 3; k++) {
         Driven s = drive(9.81);
@@ -77,10 +77,9 @@ START_TEST(a_constant_angular_velocity_is_followed_exactly) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
 /* Between two bodies that tumble. */
-START_TEST(one_body_is_driven_in_another) {
+TEST(one_body_is_driven_in_another) {
     const double rate[3] = {1, 2, -1.5}, h = FRAME, other[3] = {.9, .2, .5};
     MdtWorldID w = scene_world(2, 1, 0);
     MdtWorldSetEpsilon(w, 0);
@@ -116,10 +115,9 @@ START_TEST(one_body_is_driven_in_another) {
     }
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Without the angular velocity the joint is drawn after its quaternion: it lags by w h / γ. */
-START_TEST(without_the_angular_velocity_it_lags) {
+TEST(without_the_angular_velocity_it_lags) {
     const double rate[3] = {0, 0, 1}, h = FRAME, gamma = .2;
     Driven s = drive(0);
     double q[4], x[3], axis[3] = {1, 0, 0};
@@ -133,11 +131,10 @@ START_TEST(without_the_angular_velocity_it_lags) {
     assert_near_rel(lag, h / gamma, 2e-3); /* the rows see 2 sin(θ/2) */
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* Frames in the bodies: the first one, turned and shifted in its body, lies on the second one, turned by the
  * quaternion. */
-START_TEST(the_attachment_frames_are_held_together) {
+TEST(the_attachment_frames_are_held_together) {
     const double f[2][4] = {{.8, .6, 0, 0}, {.5, .5, -.5, .5}}, q[4] = {.6, 0, .8, 0};
     const double at[2][3] = {{.3, -.2, .1}, {-.4, .5, .2}};
     MdtWorldID w = scene_world(2, 1, 0);
@@ -176,11 +173,10 @@ START_TEST(the_attachment_frames_are_held_together) {
     }
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* ---- strength ---- */
 
-START_TEST(the_joint_holds_up_to_its_linear_strength) {
+TEST(the_joint_holds_up_to_its_linear_strength) {
     Driven s = drive(0);
     double p[3], v[3], f[3];
     MdtRPROJointSetLinearStrength(s.joint, 100, 5, 100);
@@ -205,9 +201,8 @@ START_TEST(the_joint_holds_up_to_its_linear_strength) {
     assert_vec3_near(p, 0, 0, 0, TOL(1e-6, 9e-14));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(the_joint_holds_up_to_its_angular_strength) {
+TEST(the_joint_holds_up_to_its_angular_strength) {
     Driven s = drive(0);
     double w[3], t[3];
     MdtBodySetSphericalInertiaTensor(s.body, (MeReal).5);
@@ -232,10 +227,9 @@ START_TEST(the_joint_holds_up_to_its_angular_strength) {
     assert_below(angleOff(s.body, NULL, straight), TOL(1e-6, 1e-8));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* Strength 0 in one direction: free there, held in the others. */
-START_TEST(no_strength_no_hold) {
+TEST(no_strength_no_hold) {
     Driven s = drive(9.81);
     double p[3];
     MdtRPROJointSetLinearStrength(s.joint, MEINFINITY, 0, MEINFINITY);
@@ -245,12 +239,11 @@ START_TEST(no_strength_no_hold) {
     assert_near(p[1], -9.81 / 2, TOL(1e-5, 5e-13));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* ---- FPFO ---- */
 
 /* Two halves of a box, held together, are the box. */
-START_TEST(two_halves_held_together_move_as_the_whole) {
+TEST(two_halves_held_together_move_as_the_whole) {
     const double halfBox[3] = {.5, 1, .3}, whole[3] = {1, 1, .3}, rate[3] = {2, 3, 1};
     double error[2];
     for (int k = 0; k < 2; k++) {
@@ -290,10 +283,9 @@ START_TEST(two_halves_held_together_move_as_the_whole) {
     assert_below(error[0], 1e-2);
     assert_below(error[1], .6 * error[0]);
 }
-END_TEST
 
 /* A beam clamped at its end: force and torque of the weight at the wall. */
-START_TEST(a_clamped_beam) {
+TEST(a_clamped_beam) {
     const double beam[3] = {2, .1, .1};
     MdtWorldID w = scene_world(1, 1, 10);
     MdtWorldSetEpsilon(w, 0);
@@ -318,10 +310,9 @@ START_TEST(a_clamped_beam) {
     assert_vec3_near(t, 0, 0, 0, TOL(1e-6, 1e-7)); /* about the beam's centre */
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* The strength is a torque, however far the joint is from its quaternion. */
-START_TEST(overpowered_it_pulls_with_its_strength_at_any_angle) {
+TEST(overpowered_it_pulls_with_its_strength_at_any_angle) {
     for (int degrees = 30; degrees <= 150; degrees += 30) {
         const double angle = degrees * 3.14159265358979323846 / 180;
         MdtWorldID w = scene_world(1, 1, 0);
@@ -338,19 +329,3 @@ START_TEST(overpowered_it_pulls_with_its_strength_at_any_angle) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_constant_angular_velocity_is_followed_exactly);
-    tcase_add_test(t, one_body_is_driven_in_another);
-    tcase_add_test(t, without_the_angular_velocity_it_lags);
-    tcase_add_test(t, the_attachment_frames_are_held_together);
-    tcase_add_test(t, the_joint_holds_up_to_its_linear_strength);
-    tcase_add_test(t, the_joint_holds_up_to_its_angular_strength);
-    tcase_add_test(t, overpowered_it_pulls_with_its_strength_at_any_angle);
-    tcase_add_test(t, no_strength_no_hold);
-    tcase_add_test(t, two_halves_held_together_move_as_the_whole);
-    tcase_add_test(t, a_clamped_beam);
-}
-
-TEST_MAIN("RPROJoint", tests)

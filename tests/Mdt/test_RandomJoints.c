@@ -165,7 +165,7 @@ static void runSystem(int number, Worst *worst) {
     MdtWorldDestroy(world);
 }
 
-START_TEST(random_joints_end_their_steps_and_give_no_energy) {
+TEST(random_joints_end_their_steps_and_give_no_energy) {
     const char *wanted = getenv("KARMA_RANDOM_SYSTEMS");
     const int systems = wanted ? atoi(wanted) : SYSTEMS;
     Worst worst = {0};
@@ -180,10 +180,3 @@ START_TEST(random_joints_end_their_steps_and_give_no_energy) {
     assert_below(worst.growth.value, 1 + TOL(4e-6, 5e-9));
     ck_assert(worst.limited > 0 || systems < 20); /* some of twenty ask for more than there is */
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, random_joints_end_their_steps_and_give_no_energy);
-}
-
-TEST_MAIN("RandomJoints", tests)

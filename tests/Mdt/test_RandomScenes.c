@@ -126,7 +126,7 @@ static int survey(unsigned long long count, unsigned long long first) {
 
 /* ---- the tests ---- */
 
-START_TEST(no_random_scene_goes_wrong) {
+TEST(no_random_scene_goes_wrong) {
     int bad = 0, inexact = 0;
     for (unsigned long long seed = FIRST; seed < SCENES; seed += STRIDE) {
         const MeBool isGood = random_judge(&judge, seed, NULL);
@@ -139,10 +139,9 @@ START_TEST(no_random_scene_goes_wrong) {
     ck_assert_msg(bad == 0, "%d scenes went wrong", bad);
     ck_assert_msg(inexact * STRIDE <= SCENES / 50, "%d scenes had inexact steps", inexact);
 }
-END_TEST
 
 /* A joint that lets go, unknown to the judge. */
-START_TEST(the_judge_sees_an_open_joint) {
+TEST(the_judge_sees_an_open_joint) {
     random_judgeBegin(&judge, GOOD_SEED, NULL);
     do {
         if (judge.step == judge.scene.duration - RANDOM_CALM)
@@ -152,10 +151,9 @@ START_TEST(the_judge_sees_an_open_joint) {
     ck_assert(judge.verdict.fault[FAULT_GAP].is);
     ck_assert_int_eq(judge.verdict.fault[FAULT_GAP].joint, 0);
 }
-END_TEST
 
 /* Velocities that grow by a thousandth a step, unknown to the judge. */
-START_TEST(the_judge_sees_energy_from_nowhere) {
+TEST(the_judge_sees_energy_from_nowhere) {
     random_judgeBegin(&judge, GOOD_SEED, NULL);
     do {
         for (int i = 0; i < judge.scene.bodies; i++) {
@@ -172,14 +170,12 @@ START_TEST(the_judge_sees_energy_from_nowhere) {
     ck_assert(judge.verdict.fault[FAULT_ENERGY].is);
     ck_assert(!judge.verdict.fault[FAULT_GAP].is);
 }
-END_TEST
 
-START_TEST(the_judge_has_nothing_to_say_of_a_good_scene) {
+TEST(the_judge_has_nothing_to_say_of_a_good_scene) {
     ck_assert(random_judge(&judge, GOOD_SEED, NULL));
 }
-END_TEST
 
-START_TEST(the_same_scene_gives_the_same_bits) {
+TEST(the_same_scene_gives_the_same_bits) {
     static RandomScene s[2];
     messages_catch();
     for (unsigned long long seed = 500; seed < 510; seed++) {
@@ -196,20 +192,11 @@ START_TEST(the_same_scene_gives_the_same_bits) {
     }
     messages_release();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, the_judge_has_nothing_to_say_of_a_good_scene);
-    tcase_add_test(t, the_judge_sees_an_open_joint);
-    tcase_add_test(t, the_judge_sees_energy_from_nowhere);
-    tcase_add_test(t, no_random_scene_goes_wrong);
-    tcase_add_test(t, the_same_scene_gives_the_same_bits);
-}
 
 int main(int argc, char **argv) {
     if (argc >= 3 && strcmp(argv[1], "--survey") == 0)
         return survey(strtoull(argv[2], NULL, 10), argc > 3 ? strtoull(argv[3], NULL, 10) : 0);
     if (argc == 3 && strcmp(argv[1], "--seed") == 0)
         return show(strtoull(argv[2], NULL, 10));
-    return test_main("RandomScenes", tests);
+    return test_main("RandomScenes");
 }

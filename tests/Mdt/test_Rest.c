@@ -1,7 +1,7 @@
 /* Partitions, and putting them to rest (Dynamics guide ch. 1 and 4). */
 #include "scene.h"
 
-START_TEST(constraints_join_bodies_and_the_world_joins_nothing) {
+TEST(constraints_join_bodies_and_the_world_joins_nothing) {
     MdtWorldID w = scene_world(5, 4, 0);
     MdtBodyID b[5];
     for (int i = 0; i < 5; i++)
@@ -20,9 +20,8 @@ START_TEST(constraints_join_bodies_and_the_world_joins_nothing) {
     ck_assert_int_eq(MdtBodyGetPartition(b[4]), 0);
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(an_enabled_body_wakes_what_is_tied_to_it) {
+TEST(an_enabled_body_wakes_what_is_tied_to_it) {
     MdtWorldID w = scene_world(3, 2, 10);
     MdtBodyID a = scene_body(w, 1, 0, 0, 0), b = MdtBodyCreate(w), loose = MdtBodyCreate(w);
     MdtBSJointID j = MdtBSJointCreate(w);
@@ -35,7 +34,6 @@ START_TEST(an_enabled_body_wakes_what_is_tied_to_it) {
     ck_assert_int_eq(MdtWorldGetEnabledBodies(w), 2);
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* A body on a floor, by a contact that stays as it is. */
 static MdtBodyID restingBody(MdtWorldID w) {
@@ -64,7 +62,7 @@ static int stepsUntilDisabled(MdtBodyID b) {
     return steps;
 }
 
-START_TEST(a_resting_body_is_disabled_after_the_alive_window) {
+TEST(a_resting_body_is_disabled_after_the_alive_window) {
     for (int way = 0; way < 2; way++) {
         const MdtBodyID b = restingForFiveSteps(way);
         const int steps = stepsUntilDisabled(b);
@@ -74,10 +72,9 @@ START_TEST(a_resting_body_is_disabled_after_the_alive_window) {
         MdtWorldDestroy(MdtBodyGetWorld(b));
     }
 }
-END_TEST
 
 /* As by a program that pulls at it, with forces that it can still bear; and then no more. */
-START_TEST(a_body_that_is_enabled_before_each_step_stays_awake) {
+TEST(a_body_that_is_enabled_before_each_step_stays_awake) {
     for (int way = 0; way < 2; way++) {
         const MdtBodyID b = restingForFiveSteps(way);
         for (int i = 0; i < 100; i++) {
@@ -90,12 +87,11 @@ START_TEST(a_body_that_is_enabled_before_each_step_stays_awake) {
         MdtWorldDestroy(MdtBodyGetWorld(b));
     }
 }
-END_TEST
 
 /* It has rested for almost as long as it takes; then the program takes it elsewhere, where nothing holds it. */
 /* What creeps below the thresholds when it is put to rest stands: for the solver, and for who reads by a getter or a
  * pointer. */
-START_TEST(a_body_that_rests_shows_no_velocity) {
+TEST(a_body_that_rests_shows_no_velocity) {
     MdtWorldID w = scene_world(1, 0, 0);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     const MeReal *const shown[2] = {MdtBodyGetLinearVelocityPtr(b), MdtBodyGetAngularVelocityPtr(b)};
@@ -117,9 +113,8 @@ START_TEST(a_body_that_rests_shows_no_velocity) {
     }
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(a_body_that_is_put_elsewhere_is_not_at_rest) {
+TEST(a_body_that_is_put_elsewhere_is_not_at_rest) {
     MdtWorldID w = scene_world(1, 1, 10);
     MdtWorldSetAutoDisable(w, 1);
     MdtWorldSetAutoDisableAliveWindow(w, 10);
@@ -136,9 +131,8 @@ START_TEST(a_body_that_is_put_elsewhere_is_not_at_rest) {
     assert_near(p[1], 0, 2e-3);
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(auto_disable_can_be_switched_off) {
+TEST(auto_disable_can_be_switched_off) {
     MdtWorldID w = scene_world(1, 1, 10);
     MdtBodyID b = restingBody(w);
     steps(w, 100, FRAME);
@@ -146,10 +140,9 @@ START_TEST(auto_disable_can_be_switched_off) {
     assert_near(MdtBodyGetEnabledTime(b), 100 * (double)FRAME, TOL(1e-5, 2e-8));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* All four values must be below their thresholds, which are squares: accelerations, and their changes. */
-START_TEST(each_threshold_keeps_a_body_awake) {
+TEST(each_threshold_keeps_a_body_awake) {
     for (int what = 0; what < 4; what++)
         for (int above = 0; above < 2; above++) {
             MdtWorldID w = scene_world(1, 0, 0);
@@ -178,9 +171,8 @@ START_TEST(each_threshold_keeps_a_body_awake) {
             MdtWorldDestroy(w);
         }
 }
-END_TEST
 
-START_TEST(a_partition_rests_as_a_whole) {
+TEST(a_partition_rests_as_a_whole) {
     MdtWorldID w = scene_world(2, 3, 10);
     MdtBodyID a = restingBody(w), b = scene_body(w, 1, 1, 0, 0);
     MdtBSJointID j = MdtBSJointCreate(w); /* b swings from a */
@@ -192,7 +184,6 @@ START_TEST(a_partition_rests_as_a_whole) {
     ck_assert(MdtBodyIsEnabled(a) && MdtBodyIsEnabled(b));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 static MdtBodyID sleeper(MdtWorldID w) {
     MdtBodyID b = restingBody(w);
@@ -202,7 +193,7 @@ static MdtBodyID sleeper(MdtWorldID w) {
     return b;
 }
 
-START_TEST(setters_forces_and_enabling_wake_a_sleeper) {
+TEST(setters_forces_and_enabling_wake_a_sleeper) {
     for (int way = 0; way < 8; way++) {
         MdtWorldID w = scene_world(2, 3, 10);
         MdtBodyID b = sleeper(w);
@@ -240,11 +231,10 @@ START_TEST(setters_forces_and_enabling_wake_a_sleeper) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
 /* A box of 1 kg whose radius of gyration is .63 m is woken by what gives it 1.6 cm/s, at once or in steps that follow
  * each other. What does not is over with its step, as what a body at rest bears. */
-START_TEST(a_slight_push_is_over_with_its_step_and_one_that_goes_on_wakes) {
+TEST(a_slight_push_is_over_with_its_step_and_one_that_goes_on_wakes) {
     for (int way = 0; way < 3; way++) {
         MdtWorldID w = scene_world(1, 1, 10);
         MdtBodyID b = sleeper(w);
@@ -263,10 +253,9 @@ START_TEST(a_slight_push_is_over_with_its_step_and_one_that_goes_on_wakes) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
 /* The force under which it fell asleep is what it rests under: it wakes when that ends, or grows. */
-START_TEST(a_force_under_which_it_rests_does_not_wake_it_and_its_end_does) {
+TEST(a_force_under_which_it_rests_does_not_wake_it_and_its_end_does) {
     for (int way = 0; way < 2; way++) {
         MdtWorldID w = scene_world(1, 0, 10);
         MdtBodyID b = scene_body(w, 1, 0, 0, 0);
@@ -291,10 +280,9 @@ START_TEST(a_force_under_which_it_rests_does_not_wake_it_and_its_end_does) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
 /* Both hover by forces of the program; one is pushed, and wakes the other, whose force acts in that step, too. */
-START_TEST(a_force_acts_on_what_its_neighbour_wakes) {
+TEST(a_force_acts_on_what_its_neighbour_wakes) {
     MdtWorldID w = scene_world(2, 1, 10);
     MdtBodyID b[2] = {scene_body(w, 1, 0, 0, 0), scene_body(w, 1, 1, 0, 0)};
     MdtBSJointID j = MdtBSJointCreate(w);
@@ -319,10 +307,9 @@ START_TEST(a_force_acts_on_what_its_neighbour_wakes) {
     }
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Whichever step it begins in: also that in which the body would fall asleep. */
-START_TEST(a_force_that_begins_while_it_falls_asleep_moves_it) {
+TEST(a_force_that_begins_while_it_falls_asleep_moves_it) {
     for (int way = 0; way < 2; way++)
         for (int first = 0; first < 30; first++) {
             MdtWorldID w = scene_world(1, 0, 0);
@@ -341,10 +328,9 @@ START_TEST(a_force_that_begins_while_it_falls_asleep_moves_it) {
             MdtWorldDestroy(w);
         }
 }
-END_TEST
 
 /* What falls asleep at once is woken as ever. */
-START_TEST(a_push_wakes_without_an_alive_time) {
+TEST(a_push_wakes_without_an_alive_time) {
     MdtWorldID w = scene_world(1, 0, 0);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     MeVector3 v;
@@ -358,10 +344,9 @@ START_TEST(a_push_wakes_without_an_alive_time) {
     assert_near(v[1], 1, TOL(1e-6, 1e-12));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* On a body that the program has disabled, first or second. */
-START_TEST(a_motor_wakes_what_hangs_on_a_disabled_body) {
+TEST(a_motor_wakes_what_hangs_on_a_disabled_body) {
     for (int side = 0; side < 2; side++) {
         MdtWorldID w = scene_world(2, 1, 0);
         MdtBodyID fixed = scene_body(w, 1, 0, 0, 0), b = scene_body(w, 1, 1, 0, 0);
@@ -382,9 +367,8 @@ START_TEST(a_motor_wakes_what_hangs_on_a_disabled_body) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
-START_TEST(a_body_that_the_program_disabled_stays_so) {
+TEST(a_body_that_the_program_disabled_stays_so) {
     MdtWorldID w = scene_world(1, 1, 10);
     MdtBodyID b = restingBody(w);
     MdtBodyDisable(b);
@@ -394,10 +378,9 @@ START_TEST(a_body_that_the_program_disabled_stays_so) {
     ck_assert(!MdtBodyIsEnabled(b));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Whichever axis is the slim one: the torque that is too much is that about it. */
-START_TEST(a_slight_torque_wakes_a_slim_sleeper) {
+TEST(a_slight_torque_wakes_a_slim_sleeper) {
     const double slim = .125, rate = 2.5e-2; /* rad/s: what wakes it turns it so fast in a step */
     for (int axis = 0; axis < 3; axis++)
         for (int tooMuch = 0; tooMuch < 2; tooMuch++) {
@@ -417,9 +400,8 @@ START_TEST(a_slight_torque_wakes_a_slim_sleeper) {
             MdtWorldDestroy(w);
         }
 }
-END_TEST
 
-START_TEST(a_contact_with_a_moving_body_wakes_a_sleeper) {
+TEST(a_contact_with_a_moving_body_wakes_a_sleeper) {
     MdtWorldID w = scene_world(2, 3, 10);
     MdtBodyID b = sleeper(w), mover = scene_body(w, 1, 0, 1, 0);
     MdtWorldStep(w, FRAME);
@@ -430,7 +412,6 @@ START_TEST(a_contact_with_a_moving_body_wakes_a_sleeper) {
     ck_assert(MdtBodyIsEnabled(b));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* On a spring without damping. */
 static MdtWorldID swing(double amplitude, double stiffness, double damping, MdtBodyID *b) {
@@ -451,7 +432,7 @@ static MdtWorldID swing(double amplitude, double stiffness, double damping, MdtB
 /* What trembles or swings by less than 2.5 % of its radius of gyration to either side, as its solver may make it, is at
  * rest after one second to twenty, at whatever acceleration. What swings by more stays awake, though it is slower than
  * the thresholds, and also where it turns. */
-START_TEST(what_trembles_is_put_to_rest_and_what_swings_is_not) {
+TEST(what_trembles_is_put_to_rest_and_what_swings_is_not) {
     const struct {
         double amplitude, stiffness;
         MeBool isAwake;
@@ -468,10 +449,9 @@ START_TEST(what_trembles_is_put_to_rest_and_what_swings_is_not) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
 /* A spring that is damped a hundred times beyond critically, such as a door closer's, has moved for 20 s. */
-START_TEST(what_creeps_to_its_balance_gets_there) {
+TEST(what_creeps_to_its_balance_gets_there) {
     MdtBodyID b;
     MdtWorldID w = swing(.5, 10, 200, &b);
     MeVector3 p;
@@ -484,10 +464,9 @@ START_TEST(what_creeps_to_its_balance_gets_there) {
     ck_assert(!MdtBodyIsEnabled(b));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Below all thresholds, a body that is pushed gently gains speed all the same. */
-START_TEST(what_begins_to_move_slowly_stays_awake) {
+TEST(what_begins_to_move_slowly_stays_awake) {
     const double pushes[] = {.01, .02, .1, .6};
     for (int i = 0; i < 4; i++) {
         MdtWorldID w = scene_world(1, 1, 0);
@@ -503,10 +482,9 @@ START_TEST(what_begins_to_move_slowly_stays_awake) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
 /* So does what drifts, or turns, with nothing that would ever stop it. */
-START_TEST(what_moves_uniformly_goes_on) {
+TEST(what_moves_uniformly_goes_on) {
     for (int turns = 0; turns < 2; turns++)
         for (double speed = .1; speed > 2e-3; speed /= 2) {
             MdtWorldID w = scene_world(1, 1, 0);
@@ -524,10 +502,9 @@ START_TEST(what_moves_uniformly_goes_on) {
             MdtWorldDestroy(w);
         }
 }
-END_TEST
 
 /* Motors, paths and worlds that move drive a body however slowly; a motor that is held by something does not. */
-START_TEST(what_is_driven_stays_awake_at_any_speed) {
+TEST(what_is_driven_stays_awake_at_any_speed) {
     double limit = 10; /* and others, which are rounded in various ways */
     for (int way = 0; way < 4; way++)
         for (double speed = .1; speed > 1e-6; speed /= 10, limit *= 1.7) {
@@ -556,10 +533,9 @@ START_TEST(what_is_driven_stays_awake_at_any_speed) {
             MdtWorldDestroy(s.world);
         }
 }
-END_TEST
 
 /* A belt that is slower than the threshold (.1 m/s) carries on what is young; once asleep, it stood still. */
-START_TEST(a_surface_that_moves_keeps_awake_what_it_carries) {
+TEST(a_surface_that_moves_keeps_awake_what_it_carries) {
     for (int way = 0; way < 3; way++) {
         const double speed = way ? .05 : 0;
         MeVector3 at;
@@ -586,34 +562,3 @@ START_TEST(a_surface_that_moves_keeps_awake_what_it_carries) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_surface_that_moves_keeps_awake_what_it_carries);
-    tcase_add_test(t, what_begins_to_move_slowly_stays_awake);
-    tcase_add_test(t, what_moves_uniformly_goes_on);
-    tcase_add_test(t, what_is_driven_stays_awake_at_any_speed);
-    tcase_add_test(t, a_force_under_which_it_rests_does_not_wake_it_and_its_end_does);
-    tcase_add_test(t, what_creeps_to_its_balance_gets_there);
-    tcase_add_test(t, what_trembles_is_put_to_rest_and_what_swings_is_not);
-    tcase_add_test(t, constraints_join_bodies_and_the_world_joins_nothing);
-    tcase_add_test(t, an_enabled_body_wakes_what_is_tied_to_it);
-    tcase_add_test(t, a_resting_body_is_disabled_after_the_alive_window);
-    tcase_add_test(t, a_body_that_is_enabled_before_each_step_stays_awake);
-    tcase_add_test(t, a_body_that_rests_shows_no_velocity);
-    tcase_add_test(t, a_body_that_is_put_elsewhere_is_not_at_rest);
-    tcase_add_test(t, auto_disable_can_be_switched_off);
-    tcase_add_test(t, each_threshold_keeps_a_body_awake);
-    tcase_add_test(t, a_partition_rests_as_a_whole);
-    tcase_add_test(t, setters_forces_and_enabling_wake_a_sleeper);
-    tcase_add_test(t, a_slight_push_is_over_with_its_step_and_one_that_goes_on_wakes);
-    tcase_add_test(t, a_force_acts_on_what_its_neighbour_wakes);
-    tcase_add_test(t, a_force_that_begins_while_it_falls_asleep_moves_it);
-    tcase_add_test(t, a_push_wakes_without_an_alive_time);
-    tcase_add_test(t, a_motor_wakes_what_hangs_on_a_disabled_body);
-    tcase_add_test(t, a_slight_torque_wakes_a_slim_sleeper);
-    tcase_add_test(t, a_body_that_the_program_disabled_stays_so);
-    tcase_add_test(t, a_contact_with_a_moving_body_wakes_a_sleeper);
-}
-
-TEST_MAIN("Rest", tests)

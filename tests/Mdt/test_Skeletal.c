@@ -59,7 +59,7 @@ static void assertAttached(Bar s) {
 
 /* ---- swing ---- */
 
-START_TEST(the_primary_angle_holds_towards_the_second_axis) {
+TEST(the_primary_angle_holds_towards_the_second_axis) {
     for (int side = -1; side <= 1; side += 2) {
         Bar s = makeBar();
         double swing[2], twist, max = 0;
@@ -77,9 +77,8 @@ START_TEST(the_primary_angle_holds_towards_the_second_axis) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
-START_TEST(the_secondary_angle_holds_towards_the_third_axis) {
+TEST(the_secondary_angle_holds_towards_the_third_axis) {
     for (int side = -1; side <= 1; side += 2) {
         Bar s = makeBar();
         double swing[2], twist, max = 0;
@@ -95,10 +94,9 @@ START_TEST(the_secondary_angle_holds_towards_the_third_axis) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
 /* Between them the ellipse: pulled there and damped, the bar rests where its potential energy on it is least. */
-START_TEST(between_them_it_is_an_ellipse) {
+TEST(between_them_it_is_an_ellipse) {
     for (int k = 1; k < 8; k++) {
         Bar s = makeBar();
         const double way = k * pi / 4 + .2, y = 10 * cos(way), z = 10 * sin(way);
@@ -124,9 +122,8 @@ START_TEST(between_them_it_is_an_ellipse) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
-START_TEST(inside_it_is_a_ball_and_socket) {
+TEST(inside_it_is_a_ball_and_socket) {
     Bar s = makeBar();
     double w[3];
     MdtBodySetAngularVelocity(s.bar, (MeReal).2, (MeReal)-.3, (MeReal).1);
@@ -138,10 +135,9 @@ START_TEST(inside_it_is_a_ball_and_socket) {
     assertAttached(s);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* m g l cos θ = k (θ - limit). */
-START_TEST(a_soft_cone_gives_way_by_torque_over_stiffness) {
+TEST(a_soft_cone_gives_way_by_torque_over_stiffness) {
     const double ks[] = {20, 100, 500};
     for (int k = 0; k < 3; k++) {
         Bar s = makeBar();
@@ -155,7 +151,6 @@ START_TEST(a_soft_cone_gives_way_by_torque_over_stiffness) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
 /* ---- twist ---- */
 
@@ -166,7 +161,7 @@ static void twistBar(Bar s, double torque) {
     add_torque(s.bar, axis);
 }
 
-START_TEST(the_twist_stops_at_its_limit) {
+TEST(the_twist_stops_at_its_limit) {
     for (int side = -1; side <= 1; side += 2) {
         Bar s = makeBar();
         double swing[2], twist, max = 0, t[3];
@@ -185,10 +180,9 @@ START_TEST(the_twist_stops_at_its_limit) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
 /* The twist is what is left besides the swing, wherever the bar is swung to. */
-START_TEST(the_twist_limit_holds_while_swung) {
+TEST(the_twist_limit_holds_while_swung) {
     Bar s = makeBar();
     double swing[2], twist;
     pull(s, 5, 10);
@@ -207,9 +201,8 @@ START_TEST(the_twist_limit_holds_while_swung) {
     assert_near(coneShare(swing), 1, TOL(1e-6, 2e-10));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(a_soft_twist_gives_way_by_torque_over_stiffness) {
+TEST(a_soft_twist_gives_way_by_torque_over_stiffness) {
     Bar s = makeBar();
     double swing[2], twist;
     MdtSkeletalSetTwistLimitAngle(s.joint, (MeReal).2);
@@ -223,9 +216,8 @@ START_TEST(a_soft_twist_gives_way_by_torque_over_stiffness) {
     assert_near(twist, .2 + 5. / 25, TOL(4e-7, 6e-10));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(the_present_twist_becomes_its_zero) {
+TEST(the_present_twist_becomes_its_zero) {
     Bar s = makeBar();
     double swing[2], twist;
     MdtSkeletalDisable(s.joint);
@@ -250,11 +242,10 @@ START_TEST(the_present_twist_becomes_its_zero) {
     assert_near(twist, .8, TOL(1e-6, 4e-10));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* ---- options ---- */
 
-START_TEST(free_options_leave_a_ball_and_socket) {
+TEST(free_options_leave_a_ball_and_socket) {
     Bar s = makeBar();
     double swing[2], twist, max = 0, maxTwist = 0;
     MdtSkeletalSetConeOption(s.joint, MdtSkeletalConeOptionFree);
@@ -272,9 +263,8 @@ START_TEST(free_options_leave_a_ball_and_socket) {
     assert_below(1.5, maxTwist);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(angles_of_pi_are_no_limits) {
+TEST(angles_of_pi_are_no_limits) {
     Bar s = makeBar();
     MdtSkeletalSetConePrimaryLimitAngle(s.joint, 4); /* clamped */
     MdtSkeletalSetConeSecondaryLimitAngle(s.joint, 4);
@@ -286,9 +276,8 @@ START_TEST(angles_of_pi_are_no_limits) {
     }
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(in_a_slot_it_swings_in_the_primary_plane) {
+TEST(in_a_slot_it_swings_in_the_primary_plane) {
     Bar s = makeBar();
     double swing[2], twist, max = 0;
     MdtSkeletalSetConeOption(s.joint, MdtSkeletalConeOptionSlot);
@@ -304,9 +293,8 @@ START_TEST(in_a_slot_it_swings_in_the_primary_plane) {
     ck_assert_int_eq(rowsOf(s), 5); /* 3, the slot, its end */
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(what_is_fixed_is_held) {
+TEST(what_is_fixed_is_held) {
     Bar s = makeBar();
     double swing[2], twist;
     MdtSkeletalSetConeOption(s.joint, MdtSkeletalConeOptionFixed);
@@ -344,22 +332,3 @@ START_TEST(what_is_fixed_is_held) {
     assert_near(coneShare(swing), 1, TOL(1e-6, 4e-10));
     MdtWorldDestroy(s.world);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, the_primary_angle_holds_towards_the_second_axis);
-    tcase_add_test(t, the_secondary_angle_holds_towards_the_third_axis);
-    tcase_add_test(t, between_them_it_is_an_ellipse);
-    tcase_add_test(t, inside_it_is_a_ball_and_socket);
-    tcase_add_test(t, a_soft_cone_gives_way_by_torque_over_stiffness);
-    tcase_add_test(t, the_twist_stops_at_its_limit);
-    tcase_add_test(t, the_twist_limit_holds_while_swung);
-    tcase_add_test(t, a_soft_twist_gives_way_by_torque_over_stiffness);
-    tcase_add_test(t, the_present_twist_becomes_its_zero);
-    tcase_add_test(t, free_options_leave_a_ball_and_socket);
-    tcase_add_test(t, angles_of_pi_are_no_limits);
-    tcase_add_test(t, in_a_slot_it_swings_in_the_primary_plane);
-    tcase_add_test(t, what_is_fixed_is_held);
-}
-
-TEST_MAIN("Skeletal", tests)

@@ -39,7 +39,7 @@ static void setStop(Hung s, int side, double stiffness, double damping, double r
 
 /* ---- spring ---- */
 
-START_TEST(the_default_is_a_spring_at_the_distance_of_attaching) {
+TEST(the_default_is_a_spring_at_the_distance_of_attaching) {
     Hung s = hang(0, .7);
     assert_near(MdtSingleLimitGetStop(MdtLimitGetLowerLimit(s.limit)), .7, TOL(1e-7, 7e-14));
     assert_near(MdtSingleLimitGetStop(MdtLimitGetUpperLimit(s.limit)), .7, TOL(1e-7, 7e-14));
@@ -50,9 +50,8 @@ START_TEST(the_default_is_a_spring_at_the_distance_of_attaching) {
     assert_near(lengthOf(s), .7, TOL(1e-6, 3e-8)); /* and comes back, damped */
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(hooke_s_law) {
+TEST(hooke_s_law) {
     const double ks[] = {50, 200, 1000}, lengths[] = {0, .5, 1};
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
@@ -69,10 +68,9 @@ START_TEST(hooke_s_law) {
             MdtWorldDestroy(s.world);
         }
 }
-END_TEST
 
 /* A body pushed together pushes back: -k (d - l) with d < l. */
-START_TEST(it_resists_compression_too) {
+TEST(it_resists_compression_too) {
     Hung s = hang(0, .7);
     double f[3];
     MdtSpringSetStiffness(s.spring, 100);
@@ -86,9 +84,8 @@ START_TEST(it_resists_compression_too) {
     assert_vec3_near(f, 0, -30, 0, TOL(3e-5, 5e-7));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(it_swings_as_a_damped_spring) {
+TEST(it_swings_as_a_damped_spring) {
     const double ks[] = {20, 80, 320}, ds[] = {0, .5, 2};
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
@@ -109,10 +106,9 @@ START_TEST(it_swings_as_a_damped_spring) {
             MdtWorldDestroy(s.world);
         }
 }
-END_TEST
 
 /* Two bodies swing against each other with the reduced mass. */
-START_TEST(between_two_bodies_the_reduced_mass_counts) {
+TEST(between_two_bodies_the_reduced_mass_counts) {
     MdtWorldID w = scene_world(2, 1, 0);
     MdtBodyID a = scene_body(w, 1, 0, 0, 0), b = scene_body(w, 3, 1, 0, 0);
     MdtSpringID spring = MdtSpringCreate(w);
@@ -133,10 +129,9 @@ START_TEST(between_two_bodies_the_reduced_mass_counts) {
     swing_check(&swing, sqrt(30 / .75), 0, FRAME, TOL(1e-5, 1e-8));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Attached beside its centre, the body is turned by the spring, and nothing else holds its orientation. */
-START_TEST(there_is_no_angular_constraint) {
+TEST(there_is_no_angular_constraint) {
     const double edge[3] = {1, .2, .2};
     Hung s = hang(g, 1);
     MeMatrix3 I;
@@ -154,11 +149,10 @@ START_TEST(there_is_no_angular_constraint) {
     assert_vec3_near(axis, 0, 1, 0, TOL(1e-6, 4e-12));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* ---- rod, string, elastic ---- */
 
-START_TEST(a_rod_keeps_its_length) {
+TEST(a_rod_keeps_its_length) {
     Hung s = hang(g, 1);
     double f[3];
     MdtSpringSetStiffness(s.spring, MEINFINITY);
@@ -177,10 +171,9 @@ START_TEST(a_rod_keeps_its_length) {
     assert_vec3_near(f, 0, -mass * g, 0, TOL(2e-5, 2e-11));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* Natural length moves a rod's bodies. */
-START_TEST(a_rod_of_another_length) {
+TEST(a_rod_of_another_length) {
     Hung s = hang(0, 1);
     MdtSpringSetStiffness(s.spring, MEINFINITY);
     MdtSpringSetNaturalLength(s.spring, (MeReal)1.5);
@@ -191,9 +184,8 @@ START_TEST(a_rod_of_another_length) {
     }
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(a_string_pulls_and_does_not_push) {
+TEST(a_string_pulls_and_does_not_push) {
     Hung s = hang(g, 1);
     double f[3];
     setStop(s, 0, 0, 0, 0);
@@ -216,10 +208,9 @@ START_TEST(a_string_pulls_and_does_not_push) {
     assert_near(f[1], mass * g, TOL(2e-5, 2e-12));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* A ball on a string swings round and never gets farther than its length. */
-START_TEST(a_taut_string_swings_like_a_rod) {
+TEST(a_taut_string_swings_like_a_rod) {
     Hung s = hang(g, 1);
     double max = 0;
     setStop(s, 0, 0, 0, 0);
@@ -232,10 +223,9 @@ START_TEST(a_taut_string_swings_like_a_rod) {
     assert_below(max, 1 + TOL(5e-6, 5e-6));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* An elastic stretches, and gets no shorter than its length: the other hard side. */
-START_TEST(an_elastic_stretches_and_cannot_be_compressed) {
+TEST(an_elastic_stretches_and_cannot_be_compressed) {
     Hung s = hang(g, 1);
     setStop(s, 0, MEINFINITY, 0, 0);
     setStop(s, 1, 100, 10, 0);
@@ -249,10 +239,9 @@ START_TEST(an_elastic_stretches_and_cannot_be_compressed) {
     assert_near(lengthOf(s), 1, TOL(1e-6, 1e-13));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* Above the threshold a stiffness is hard. */
-START_TEST(the_threshold_makes_a_spring_a_rod) {
+TEST(the_threshold_makes_a_spring_a_rod) {
     Hung s = hang(g, 1);
     MdtSpringSetStiffness(s.spring, 50);
     MdtLimitSetStiffnessThreshold(s.limit, 49);
@@ -260,10 +249,9 @@ START_TEST(the_threshold_makes_a_spring_a_rod) {
     assert_near(lengthOf(s), 1, TOL(1e-6, 2e-11));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* A limit of the program's own, copied into the spring: a string of 2 m, with a winch. */
-START_TEST(a_winch) {
+TEST(a_winch) {
     Hung s = hang(g, 1);
     MdtBclLimit own;
     MdtLimitReset(&own);
@@ -281,10 +269,9 @@ START_TEST(a_winch) {
     assert_near(lengthOf(s), 2, TOL(1e-6, 2e-12));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* The ends that were set, in the world; and where they are now. */
-START_TEST(the_ends_move_with_the_bodies) {
+TEST(the_ends_move_with_the_bodies) {
     Hung s = hang(0, 1);
     MeVector3 p;
     MdtSpringSetPosition(s.spring, 0, (MeReal).5, (MeReal)-1, 0);
@@ -295,23 +282,3 @@ START_TEST(the_ends_move_with_the_bodies) {
     assert_vec3_near(p, 0, 0, 0, 0);
     MdtWorldDestroy(s.world);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, the_default_is_a_spring_at_the_distance_of_attaching);
-    tcase_add_test(t, hooke_s_law);
-    tcase_add_test(t, it_resists_compression_too);
-    tcase_add_test(t, it_swings_as_a_damped_spring);
-    tcase_add_test(t, between_two_bodies_the_reduced_mass_counts);
-    tcase_add_test(t, there_is_no_angular_constraint);
-    tcase_add_test(t, a_rod_keeps_its_length);
-    tcase_add_test(t, a_rod_of_another_length);
-    tcase_add_test(t, a_string_pulls_and_does_not_push);
-    tcase_add_test(t, a_taut_string_swings_like_a_rod);
-    tcase_add_test(t, an_elastic_stretches_and_cannot_be_compressed);
-    tcase_add_test(t, the_threshold_makes_a_spring_a_rod);
-    tcase_add_test(t, a_winch);
-    tcase_add_test(t, the_ends_move_with_the_bodies);
-}
-
-TEST_MAIN("Spring", tests)

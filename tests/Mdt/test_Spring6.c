@@ -50,7 +50,7 @@ static double turnAbout(Held s, int axis) {
     return atan2(R[c][b], R[b][b]);
 }
 
-START_TEST(without_stiffness_it_does_nothing) {
+TEST(without_stiffness_it_does_nothing) {
     Held s = hold();
     double v[3], w[3];
     MdtBodySetLinearVelocity(s.body, 1, 2, 3);
@@ -63,9 +63,8 @@ START_TEST(without_stiffness_it_does_nothing) {
     assert_vec3_near(w, 3, 2, 1, TOL(1e-6, 3e-13));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
-START_TEST(each_axis_gives_way_by_force_over_stiffness) {
+TEST(each_axis_gives_way_by_force_over_stiffness) {
     const double k[3] = {50, 200, 1000}, kt[3] = {20, 60, 300}, force = 4, torque = .5;
     Held s = hold();
     for (int i = 0; i < 3; i++) {
@@ -87,7 +86,6 @@ START_TEST(each_axis_gives_way_by_force_over_stiffness) {
     assert_vec3_near(f, -force, -force, -force, TOL(4e-6, 9e-8));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 static void swingAt(int axis, double k, double c, MeBool isAngular) {
     Held s = hold();
@@ -117,7 +115,7 @@ static void swingAt(int axis, double k, double c, MeBool isAngular) {
     MdtWorldDestroy(s.world);
 }
 
-START_TEST(each_axis_swings_for_itself) {
+TEST(each_axis_swings_for_itself) {
     for (int axis = 0; axis < 3; axis++) {
         swingAt(axis, 40, 0, 0);
         swingAt(axis, 160, 1, 0);
@@ -125,9 +123,8 @@ START_TEST(each_axis_swings_for_itself) {
         swingAt(axis, 24, .1, 1);
     }
 }
-END_TEST
 
-START_TEST(infinite_stiffness_holds) {
+TEST(infinite_stiffness_holds) {
     Held s = hold();
     for (int i = 0; i < 3; i++) {
         setLinear(s, i, MEINFINITY, 0);
@@ -144,10 +141,9 @@ START_TEST(infinite_stiffness_holds) {
     }
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* Damping alone: a dashpot, v = v_0 exp(-c t / m). */
-START_TEST(damping_alone_is_a_dashpot) {
+TEST(damping_alone_is_a_dashpot) {
     Held s = hold();
     double v[3];
     setLinear(s, 0, 0, 3);
@@ -160,10 +156,9 @@ START_TEST(damping_alone_is_a_dashpot) {
     ck_assert_int_eq(MdtConstraintGetRowCount(MdtSpring6QuaConstraint(s.joint)), 1);
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* A world that moves where the dashpot is attached carries the body along. */
-START_TEST(a_moving_world) {
+TEST(a_moving_world) {
     Held s = hold();
     MeVector3 v, w;
     for (int i = 0; i < 3; i++) {
@@ -187,15 +182,3 @@ START_TEST(a_moving_world) {
     assert_vec3_near(w, 0, .1, 0, TOL(1e-6, 3e-9));
     MdtWorldDestroy(s.world);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, without_stiffness_it_does_nothing);
-    tcase_add_test(t, each_axis_gives_way_by_force_over_stiffness);
-    tcase_add_test(t, each_axis_swings_for_itself);
-    tcase_add_test(t, infinite_stiffness_holds);
-    tcase_add_test(t, damping_alone_is_a_dashpot);
-    tcase_add_test(t, a_moving_world);
-}
-
-TEST_MAIN("Spring6", tests)

@@ -53,7 +53,7 @@ static double turnOf(Drive s, int k) {
 }
 
 /* tan(out) = tan(in) cos(bend), the first yoke across the bend at the start. */
-START_TEST(rotation_goes_round_a_bend_by_cardan_s_formula) {
+TEST(rotation_goes_round_a_bend_by_cardan_s_formula) {
     const double bends[] = {0, .3, .7, 1.2};
     for (int k = 0; k < 4; k++) {
         Drive s = makeDrive(bends[k]);
@@ -66,10 +66,9 @@ START_TEST(rotation_goes_round_a_bend_by_cardan_s_formula) {
         MdtWorldDestroy(s.world);
     }
 }
-END_TEST
 
 /* Torque through the joint: what turns the one shaft brakes the other, by the ratio of their rates. */
-START_TEST(torque_is_carried_round_a_bend) {
+TEST(torque_is_carried_round_a_bend) {
     const double bend = .8;
     Drive s = makeDrive(bend);
     for (int i = 0; i < 60; i++) { /* at the start the second turns cos(bend) times as fast as the first */
@@ -85,10 +84,9 @@ START_TEST(torque_is_carried_round_a_bend) {
     assert_vec3_near(w, 0, 0, 0, TOL(2e-6, 3e-13));
     MdtWorldDestroy(s.world);
 }
-END_TEST
 
 /* A joystick: the stick goes both ways and does not twist. */
-START_TEST(it_bends_both_ways_and_does_not_twist) {
+TEST(it_bends_both_ways_and_does_not_twist) {
     for (int way = 0; way < 3; way++) {
         MdtWorldID w = scene_world(1, 1, 0);
         MdtWorldSetEpsilon(w, 0);
@@ -112,10 +110,9 @@ START_TEST(it_bends_both_ways_and_does_not_twist) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
 
 /* With the axes changing places with the bodies, the motion is the same. */
-START_TEST(the_order_of_the_bodies_does_not_matter) {
+TEST(the_order_of_the_bodies_does_not_matter) {
     double place[2][3], axis[2][3];
     for (unsigned int order = 0; order < 2; order++) {
         const double edge[3] = {.2, 1, .3}, f[3] = {1, .2, .5};
@@ -142,10 +139,9 @@ START_TEST(the_order_of_the_bodies_does_not_matter) {
         assert_near(axis[0][n], axis[1][n], TOL(1e-6, 9e-14));
     }
 }
-END_TEST
 
 /* Axes that are not at right angles when they are set are drawn there; each is what was set. */
-START_TEST(axes_are_drawn_to_right_angles) {
+TEST(axes_are_drawn_to_right_angles) {
     MdtWorldID w = scene_world(1, 1, 0);
     MdtWorldSetEpsilon(w, 0);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
@@ -166,10 +162,9 @@ START_TEST(axes_are_drawn_to_right_angles) {
     assert_vec3_near(a, .8, -.6, 0, TOL(1e-6, 2e-11));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* Both axes at once, as the User Guide has it: the primary one for the first body, the second one for the other. */
-START_TEST(both_axes_at_once) {
+TEST(both_axes_at_once) {
     MdtWorldID w = scene_world(2, 1, 0);
     MdtUniversalID j = MdtUniversalCreate(w);
     MeVector3 a, o;
@@ -183,15 +178,3 @@ START_TEST(both_axes_at_once) {
     assert_vec3_near(o, 1, 0, 0, TOL(1e-6, 9e-14));
     MdtWorldDestroy(w);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, rotation_goes_round_a_bend_by_cardan_s_formula);
-    tcase_add_test(t, torque_is_carried_round_a_bend);
-    tcase_add_test(t, it_bends_both_ways_and_does_not_twist);
-    tcase_add_test(t, the_order_of_the_bodies_does_not_matter);
-    tcase_add_test(t, axes_are_drawn_to_right_angles);
-    tcase_add_test(t, both_axes_at_once);
-}
-
-TEST_MAIN("Universal", tests)

@@ -41,7 +41,7 @@ static void MEAPI look(MdtKeaConstraints *const list, void *const constraint, co
     }
 }
 
-START_TEST(the_function_is_given_poses_bodies_and_parameters) {
+TEST(the_function_is_given_poses_bodies_and_parameters) {
     MdtWorldID w = makeWorld(0);
     MdtBodyID b = scene_body(w, 4, 1, 2, 3);
     MdtUserConstraintID j = make(w, 0, b, look, NULL);
@@ -71,9 +71,8 @@ START_TEST(the_function_is_given_poses_bodies_and_parameters) {
     ck_assert_int_eq(seen.calls, 2);
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(without_a_function_it_has_no_rows) {
+TEST(without_a_function_it_has_no_rows) {
     MdtWorldID w = makeWorld(10);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     MdtUserConstraintID j = make(w, b, 0, NULL, NULL);
@@ -84,7 +83,6 @@ START_TEST(without_a_function_it_has_no_rows) {
     assert_vec3_near(v, 0, -10. / 60, 0, TOL(1e-7, 9e-14));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* ---- rows ---- */
 
@@ -117,7 +115,7 @@ static void MEAPI oneRow(MdtKeaConstraints *const list, void *const constraint, 
 
 static const Recipe free_ = {.lower = -HUGE_VAL, .upper = HUGE_VAL};
 
-START_TEST(a_row_aims_at_its_target) {
+TEST(a_row_aims_at_its_target) {
     MdtWorldID w = makeWorld(10);
     MdtBodyID b = scene_body(w, 3, 0, 0, 0);
     Recipe r = free_;
@@ -135,10 +133,9 @@ START_TEST(a_row_aims_at_its_target) {
     ck_assert_int_eq(MdtConstraintGetRowCount(MdtUserConstraintQuaConstraint(j)), 1);
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* One-sided, as a contact; and with a bound, as a motor. */
-START_TEST(bounds_are_kept) {
+TEST(bounds_are_kept) {
     MdtWorldID w = makeWorld(10);
     MdtBodyID b = scene_body(w, 3, 0, 0, 0);
     Recipe r = {.lower = 0, .upper = HUGE_VAL};
@@ -160,10 +157,9 @@ START_TEST(bounds_are_kept) {
     assert_near(v[1], -(10 - 4) / 60., TOL(1e-7, 9e-15));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* J v = s - h E λ: with the target 0 and its weight on it, a body sinks at h E m g. */
-START_TEST(softness_is_a_compliance_in_velocity) {
+TEST(softness_is_a_compliance_in_velocity) {
     MdtWorldID w = makeWorld(10);
     MdtBodyID b = scene_body(w, 3, 0, 0, 0);
     Recipe r = free_;
@@ -175,9 +171,8 @@ START_TEST(softness_is_a_compliance_in_velocity) {
     assert_near(v[1], -.2 * 30 / 60, TOL(1e-7, 3e-9));
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(a_spring_row_is_a_damped_spring) {
+TEST(a_spring_row_is_a_damped_spring) {
     const double k = 80, c = 1, mass = 2, h = FRAME;
     MdtWorldID w = makeWorld(10);
     MdtBodyID b = scene_body(w, mass, 0, 1, 0);
@@ -196,7 +191,6 @@ START_TEST(a_spring_row_is_a_damped_spring) {
     swing_check(&swing, w0, decay, h, TOL(1e-5, 1e-8));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* ---- a gear, which no joint of the library is: two wheels about z, ω_0 = -2 ω_1 ---- */
 
@@ -208,7 +202,7 @@ static void MEAPI gear(MdtKeaConstraints *const list, void *const constraint, co
     row->J[1].ang[2] = 2;
 }
 
-START_TEST(a_gear) {
+TEST(a_gear) {
     MdtWorldID w = makeWorld(0);
     MdtBodyID a = scene_body(w, 1, 0, 0, 0), b = scene_body(w, 1, 1, 0, 0);
     double rate[2][3];
@@ -225,7 +219,6 @@ START_TEST(a_gear) {
     }
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* ---- too many rows ---- */
 
@@ -244,7 +237,7 @@ static void MEAPI tooMany(MdtKeaConstraints *const list, void *const constraint,
     }
 }
 
-START_TEST(too_many_rows_get_a_warning) {
+TEST(too_many_rows_get_a_warning) {
     MdtWorldID w = makeWorld(10);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     MdtUserConstraintID j = make(w, b, 0, tooMany, NULL);
@@ -260,9 +253,8 @@ START_TEST(too_many_rows_get_a_warning) {
     messages_release();
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(reset_keeps_the_function) {
+TEST(reset_keeps_the_function) {
     MdtWorldID w = makeWorld(10);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     Recipe r = free_;
@@ -275,18 +267,3 @@ START_TEST(reset_keeps_the_function) {
     assert_near(p[1], 0, TOL(1e-6, 5e-12));
     MdtWorldDestroy(w);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, the_function_is_given_poses_bodies_and_parameters);
-    tcase_add_test(t, without_a_function_it_has_no_rows);
-    tcase_add_test(t, a_row_aims_at_its_target);
-    tcase_add_test(t, bounds_are_kept);
-    tcase_add_test(t, softness_is_a_compliance_in_velocity);
-    tcase_add_test(t, a_spring_row_is_a_damped_spring);
-    tcase_add_test(t, a_gear);
-    tcase_add_test(t, too_many_rows_get_a_warning);
-    tcase_add_test(t, reset_keeps_the_function);
-}
-
-TEST_MAIN("UserConstraint", tests)

@@ -2,7 +2,7 @@
 #include "scene.h"
 #include "MeMemory.h"
 
-START_TEST(a_new_world_has_the_guide_s_defaults) {
+TEST(a_new_world_has_the_guide_s_defaults) {
     MdtWorldID w = MdtWorldCreate(3, 5);
     MeVector3 g;
     MdtWorldGetGravity(w, g);
@@ -21,9 +21,8 @@ START_TEST(a_new_world_has_the_guide_s_defaults) {
     ck_assert_int_eq(MdtWorldGetTotalBodies(w) + MdtWorldGetTotalConstraints(w) + MdtWorldGetEnabledBodies(w), 0);
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(both_forms_of_creation) {
+TEST(both_forms_of_creation) {
     MdtWorldID a = MdtWorldCreate(1, 0), b = MdtWorldCreate(1, 0, 10, 100);
     MdtWorldID (*const pointer)(const unsigned int, const unsigned int, const MeReal, const MeReal) = MdtWorldCreate;
     MdtWorldID c = pointer(1, 0, 1, 1);
@@ -35,10 +34,9 @@ START_TEST(both_forms_of_creation) {
     MdtWorldDestroy(b);
     MdtWorldDestroy(c);
 }
-END_TEST
 
 /* Steps (a whole number) in the Dynamics guide, seconds (a float) in the User Guide. */
-START_TEST(the_alive_window_is_in_steps_or_in_seconds) {
+TEST(the_alive_window_is_in_steps_or_in_seconds) {
     MdtWorldID w = scene_world(1, 0, 0);
     MdtWorldSetAutoDisableAliveWindow(w, 12);
     ck_assert_int_eq(MdtWorldGetAutoDisableAliveWindow(w), 12);
@@ -52,9 +50,8 @@ START_TEST(the_alive_window_is_in_steps_or_in_seconds) {
     assert_near(MdtWorldGetAutoDisableAliveTime(w), .25, 0);
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(worlds_are_independent) {
+TEST(worlds_are_independent) {
     MdtWorldID a = scene_world(1, 0, 10), b = scene_world(1, 0, 0);
     MdtBodyID inA = scene_body(a, 1, 0, 0, 0), inB = scene_body(b, 1, 0, 0, 0);
     MeVector3 v;
@@ -68,9 +65,8 @@ START_TEST(worlds_are_independent) {
     MdtBodyGetLinearVelocity(inB, v);
     MdtWorldDestroy(b);
 }
-END_TEST
 
-START_TEST(a_world_without_enabled_bodies_leaves_everything) {
+TEST(a_world_without_enabled_bodies_leaves_everything) {
     MdtWorldID w = MdtWorldCreate(1, 0);
     MdtBodyID b = MdtBodyCreate(w);
     MeVector3 p;
@@ -80,9 +76,8 @@ START_TEST(a_world_without_enabled_bodies_leaves_everything) {
     assert_vec3_near(p, 0, 0, 0, 0);
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(the_step_may_differ_from_call_to_call) {
+TEST(the_step_may_differ_from_call_to_call) {
     MdtWorldID w = scene_world(1, 0, 10);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     MeVector3 v;
@@ -92,9 +87,8 @@ START_TEST(the_step_may_differ_from_call_to_call) {
     assert_near(v[1], -4, TOL(1e-6, 4e-13));
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(bodies_and_constraints_are_walked_in_the_order_of_their_keys) {
+TEST(bodies_and_constraints_are_walked_in_the_order_of_their_keys) {
     MdtWorldID w = scene_world(5, 3, 0);
     MdtBodyID b[5];
     const MeI32 keys[5] = {4, 0, 3, 0, 1};
@@ -117,7 +111,6 @@ START_TEST(bodies_and_constraints_are_walked_in_the_order_of_their_keys) {
         ck_assert(c == MdtBSJointQuaConstraint(j[i]));
     MdtWorldDestroy(w);
 }
-END_TEST
 
 /* A double pendulum and a free body; `shuffled` creates them in another order, with the same sort keys. */
 static void runScene(MeBool shuffled, MeReal out[3][3]) {
@@ -149,7 +142,7 @@ static void runScene(MeBool shuffled, MeReal out[3][3]) {
     MdtWorldDestroy(w);
 }
 
-START_TEST(the_same_scene_gives_the_same_bits) {
+TEST(the_same_scene_gives_the_same_bits) {
     MeReal a[3][3], b[3][3], c[3][3];
     runScene(0, a);
     runScene(0, b);
@@ -157,7 +150,6 @@ START_TEST(the_same_scene_gives_the_same_bits) {
     ck_assert_msg(memcmp(a, b, sizeof a) == 0, "two runs differ");
     ck_assert_msg(memcmp(a, c, sizeof a) == 0, "another order of creation with the same sort keys differs");
 }
-END_TEST
 
 static int allocations;
 static MeMemoryFuncPtrCreate realCreate;
@@ -179,7 +171,7 @@ static void *MEAPI countResize(void *const block, size_t bytes) {
     return realResize(block, bytes);
 }
 
-START_TEST(a_warm_step_allocates_nothing) {
+TEST(a_warm_step_allocates_nothing) {
     realCreate = MeMemoryAPI.create;
     realCreateAligned = MeMemoryAPI.createAligned;
     realResize = MeMemoryAPI.resize;
@@ -212,14 +204,13 @@ START_TEST(a_warm_step_allocates_nothing) {
     MeMemoryAPI.createAligned = realCreateAligned;
     MeMemoryAPI.resize = realResize;
 }
-END_TEST
 
 static void destroyIt(const MdtConstraintID c, void *count) {
     ++*(int *)count;
     MdtConstraintDestroy(c);
 }
 
-START_TEST(all_constraints_may_be_destroyed_while_walking) {
+TEST(all_constraints_may_be_destroyed_while_walking) {
     MdtWorldID w = scene_world(1, 6, 0);
     int count = 0;
     for (int i = 0; i < 6; i++)
@@ -229,9 +220,8 @@ START_TEST(all_constraints_may_be_destroyed_while_walking) {
     ck_assert_int_eq(MdtWorldGetTotalConstraints(w), 0);
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(forces_of_all_bodies_may_be_reset) {
+TEST(forces_of_all_bodies_may_be_reset) {
     MdtWorldID w = scene_world(2, 0, 0);
     MdtBodyID a = scene_body(w, 1, 0, 0, 0), b = MdtBodyCreate(w);
     MeVector3 v;
@@ -246,9 +236,8 @@ START_TEST(forces_of_all_bodies_may_be_reset) {
     assert_vec3_near(v, 0, 0, 0, 0);
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(safe_time_shortens_the_step_of_a_partition) {
+TEST(safe_time_shortens_the_step_of_a_partition) {
     MdtWorldID w = scene_world(2, 0, 0);
     MdtBodyID a = scene_body(w, 1, 0, 0, 0), b = scene_body(w, 1, 0, 1, 0);
     MdtBodySetLinearVelocity(a, 1, 0, 0);
@@ -262,9 +251,8 @@ START_TEST(safe_time_shortens_the_step_of_a_partition) {
     assert_near(MdtBodyGetTransformPtr(a)[3][0], .126, TOL(2e-7, 2e-14)); /* the least safe time */
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(the_least_safe_time_is_a_setting_of_its_own) {
+TEST(the_least_safe_time_is_a_setting_of_its_own) {
     MdtWorldID w = MdtWorldCreate(1, 0);
     MdtWorldSetMaxMatrixSize(w, 12);
     MdtWorldSetMinSafeTime(w, (MeReal).25);
@@ -277,22 +265,3 @@ START_TEST(the_least_safe_time_is_a_setting_of_its_own) {
     messages_release();
     MdtWorldDestroy(w);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_new_world_has_the_guide_s_defaults);
-    tcase_add_test(t, both_forms_of_creation);
-    tcase_add_test(t, the_alive_window_is_in_steps_or_in_seconds);
-    tcase_add_test(t, worlds_are_independent);
-    tcase_add_test(t, a_world_without_enabled_bodies_leaves_everything);
-    tcase_add_test(t, the_step_may_differ_from_call_to_call);
-    tcase_add_test(t, bodies_and_constraints_are_walked_in_the_order_of_their_keys);
-    tcase_add_test(t, the_same_scene_gives_the_same_bits);
-    tcase_add_test(t, a_warm_step_allocates_nothing);
-    tcase_add_test(t, all_constraints_may_be_destroyed_while_walking);
-    tcase_add_test(t, forces_of_all_bodies_may_be_reset);
-    tcase_add_test(t, safe_time_shortens_the_step_of_a_partition);
-    tcase_add_test(t, the_least_safe_time_is_a_setting_of_its_own);
-}
-
-TEST_MAIN("World", tests)

@@ -19,7 +19,7 @@ static void fill(MdtWorldID w) {
     MdtBodyEnable(b);
 }
 
-START_TEST(reset_empties_a_world) {
+TEST(reset_empties_a_world) {
     MdtWorldID w = MdtWorldCreate(2, 5);
     MdtWorldSetGravity(w, 0, 0, -3);
     messages_catch();
@@ -39,9 +39,8 @@ START_TEST(reset_empties_a_world) {
     ck_assert(gravity[2] == -3);
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(recreate_makes_it_new) {
+TEST(recreate_makes_it_new) {
     MdtWorldID w = MdtWorldCreate(2, 5, 2, 3), fresh = MdtWorldCreate(2, 5, 2, 3);
     MeVector3 gravity, expected;
     fill(w);
@@ -57,9 +56,8 @@ START_TEST(recreate_makes_it_new) {
     MdtWorldDestroy(w);
     MdtWorldDestroy(fresh);
 }
-END_TEST
 
-START_TEST(no_world_warns) {
+TEST(no_world_warns) {
     messages_catch();
     MdtWorldReset(NULL);
     assert_warned("MdtWorldReset");
@@ -69,12 +67,3 @@ START_TEST(no_world_warns) {
     assert_warned("MdtWorldGetMaxMemoryPoolUsed");
     messages_release();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, reset_empties_a_world);
-    tcase_add_test(t, recreate_makes_it_new);
-    tcase_add_test(t, no_world_warns);
-}
-
-TEST_MAIN("WorldReset", tests)

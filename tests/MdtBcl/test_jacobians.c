@@ -218,7 +218,7 @@ static void turned(MdtBclConstraint *c) {
     keaQuaternionNormalize(c->of.relative.quaternion);
 }
 
-START_TEST(position_rows) {
+TEST(position_rows) {
     check(MdtBclBSJOINT, NULL, 3);
     check(MdtBclHINGE, NULL, 5);
     check(MdtBclPRISMATIC, NULL, 5);
@@ -243,11 +243,10 @@ START_TEST(position_rows) {
     check(MdtBclSKELETAL, ellipse, SOME);
     check(MdtBclCONELIMIT, narrow, SOME);
 }
-END_TEST
 
 #define LIMIT(member) offsetof(MdtBclConstraint, of.member)
 
-START_TEST(coordinates_of_limits) {
+TEST(coordinates_of_limits) {
     checkCoordinate(MdtBclPRISMATIC, NULL, LIMIT(limit));
     checkCoordinate(MdtBclSPRING, string, LIMIT(distance.limit));
     checkCoordinate(MdtBclCONELIMIT, narrow, LIMIT(cone.limit));
@@ -255,7 +254,6 @@ START_TEST(coordinates_of_limits) {
     checkCoordinate(MdtBclSKELETAL, NULL, LIMIT(skeletal.turn));
     checkCoordinate(MdtBclSKELETAL, slotSkeletal, LIMIT(skeletal.cone));
 }
-END_TEST
 
 /* ---- motors, stops, springs: coordinates measured here ---- */
 
@@ -376,7 +374,7 @@ static void prismaticRows(const Side f[2], double out[]) {
     motorAndStops(separation(f, f[1].axis[0]), out);
 }
 
-START_TEST(motors_locks_and_stops) {
+TEST(motors_locks_and_stops) {
     checkRates(MdtBclHINGE, hardStops, ALIGNED, 5, 3, hingeRows);
     checkRates(MdtBclHINGE, softStops, ALIGNED, 5, 3, hingeRows);
     checkRates(MdtBclHINGE, locked, ALIGNED, 5, 3, hingeRows);
@@ -384,7 +382,6 @@ START_TEST(motors_locks_and_stops) {
     checkRates(MdtBclPRISMATIC, softStops, ANY, 5, 3, prismaticRows);
     checkRates(MdtBclPRISMATIC, locked, ANY, 5, 3, prismaticRows);
 }
-END_TEST
 
 static double distanceOf(const Side f[2]) {
     double d[3];
@@ -444,14 +441,13 @@ static void softAxis(MdtBclConstraint *c) {
     c->of.angular.rotates = METRUE;
 }
 
-START_TEST(springs) {
+TEST(springs) {
     checkRates(MdtBclSPRING, farStops, ANY, 0, 2, distanceRows);
     checkRates(MdtBclSPRING, springOfHalf, ANY, 0, 1, distanceStrain);
     checkRates(MdtBclSPRING6, sixSprings, SAME, 0, 6, spring6Rows);
     checkRates(MdtBclANGULAR3, softOrientation, SAME, 0, 3, smallTurn);
     checkRates(MdtBclANGULAR3, softAxis, SAME, 0, 2, leaningRows);
 }
-END_TEST
 
 static const double halfAngle = .0625;
 
@@ -494,13 +490,12 @@ static void softSkeletal(MdtBclConstraint *c) {
     s->coneStiffness = s->coneDamping = s->twistStiffness = s->twistDamping = 1;
 }
 
-START_TEST(cones_and_twists) {
+TEST(cones_and_twists) {
     checkRates(MdtBclCONELIMIT, hardCone, ANY, 0, 1, coneRows);
     checkRates(MdtBclCONELIMIT, softCone, ANY, 0, 1, coneRows);
     checkRates(MdtBclSKELETAL, hardSkeletal, ANY, 3, 3, coneAndTwistRows);
     checkRates(MdtBclSKELETAL, softSkeletal, ANY, 3, 3, coneAndTwistRows);
 }
-END_TEST
 
 /* s, the steering axis, is the primary axis of frame 0, h, the hinge axis, the second of frame 1. */
 static void wheelRows(const Side f[2], double out[]) {
@@ -531,7 +526,7 @@ static void steeredWheel(MdtBclConstraint *c) {
     c->of.wheel.steering.force = 1;
 }
 
-START_TEST(wheels) {
+TEST(wheels) {
     checkRates(MdtBclCARWHEEL, drivenWheel, ALIGNED, 3, 4, wheelRows);
     for (int trial = 0; trial < TRIALS; trial++) { /* the steering row's error is the way of this step */
         Scene s;
@@ -548,7 +543,6 @@ START_TEST(wheels) {
         ck_assert(s.rows[3].error == 0);
     }
 }
-END_TEST
 
 /* ---- contacts: how the points of the two bodies that are there move against each other ---- */
 
@@ -625,7 +619,7 @@ static void contactRows(const Scene *scene, MdtKeaManifold *m, MdtKeaRow rows[3]
     free(scratch);
 }
 
-START_TEST(contacts_and_friction) {
+TEST(contacts_and_friction) {
     for (int trial = 0; trial < TRIALS; trial++) {
         Scene s;
         MdtKeaManifold m;
@@ -641,16 +635,3 @@ START_TEST(contacts_and_friction) {
         assert_near(s.rows[0].error, -m.point[0].depth, TOL(2e-6, 2e-14)); /* but for the rounding of places */
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, position_rows);
-    tcase_add_test(t, coordinates_of_limits);
-    tcase_add_test(t, motors_locks_and_stops);
-    tcase_add_test(t, springs);
-    tcase_add_test(t, cones_and_twists);
-    tcase_add_test(t, wheels);
-    tcase_add_test(t, contacts_and_friction);
-}
-
-TEST_MAIN("jacobians", tests)

@@ -195,7 +195,7 @@ static void assertSolvesInverted(KeaFactor *f, const Graph *g, unsigned seed) {
 
 /* ---- solutions ---- */
 
-START_TEST(cholesky_solves_as_elimination_does) {
+TEST(cholesky_solves_as_elimination_does) {
     for (unsigned seed = 1; seed <= 150; seed++) {
         Graph g;
         state = seed;
@@ -208,9 +208,8 @@ START_TEST(cholesky_solves_as_elimination_does) {
         destroy();
     }
 }
-END_TEST
 
-START_TEST(lu_solves_as_elimination_does) {
+TEST(lu_solves_as_elimination_does) {
     for (unsigned seed = 1; seed <= 150; seed++) {
         Graph g;
         state = seed * 7919;
@@ -222,10 +221,9 @@ START_TEST(lu_solves_as_elimination_does) {
         destroy();
     }
 }
-END_TEST
 
 /* The blocks of 6 that Kea's bodies have, and of 3, take paths of their own. */
-START_TEST(equal_blocks_solve_as_elimination_does) {
+TEST(equal_blocks_solve_as_elimination_does) {
     for (unsigned seed = 1; seed <= 60; seed++) {
         Graph g;
         state = seed * 104729;
@@ -241,10 +239,9 @@ START_TEST(equal_blocks_solve_as_elimination_does) {
         destroy();
     }
 }
-END_TEST
 
 /* What Cholesky's factorization does not read may hold anything. */
-START_TEST(cholesky_reads_upper_parts_only) {
+TEST(cholesky_reads_upper_parts_only) {
     Graph g;
     double x[MAX], y[MAX];
     state = 5;
@@ -268,7 +265,6 @@ START_TEST(cholesky_reads_upper_parts_only) {
     ck_assert_int_eq(memcmp(x, y, (size_t)n * sizeof *x), 0);
     destroy();
 }
-END_TEST
 
 /* ---- rows ---- */
 
@@ -317,7 +313,7 @@ static void checkRows(const KeaFactorKernel *kernel, int count, int turned, MeBo
     destroy();
 }
 
-START_TEST(rows_together_add_what_they_add_one_by_one) {
+TEST(rows_together_add_what_they_add_one_by_one) {
     state = 3;
     for (int count = 1; count <= KEA_FACTOR_ROWS; count++)
         for (int turned = 0; turned < 2; turned++)
@@ -329,12 +325,11 @@ START_TEST(rows_together_add_what_they_add_one_by_one) {
 #endif
             }
 }
-END_TEST
 
 /* ---- what cannot be factored ---- */
 
 /* One diagonal entry is made too small; afterwards the matrix, put right again, is factored as before. */
-START_TEST(not_positive_definite_is_told_and_the_matrix_kept) {
+TEST(not_positive_definite_is_told_and_the_matrix_kept) {
     for (unsigned seed = 1; seed <= 100; seed++) {
         Graph g;
         double x[MAX], y[MAX];
@@ -359,10 +354,9 @@ START_TEST(not_positive_definite_is_told_and_the_matrix_kept) {
         destroy();
     }
 }
-END_TEST
 
 /* Indefinite, though every diagonal block is positive: 1 and 1 joined by 2. */
-START_TEST(indefinite_between_blocks_is_told) {
+TEST(indefinite_between_blocks_is_told) {
     const int size[] = {1, 1}, edges[][2] = {{1, 0}};
     KeaFactor *f = createFor(2, size, 1, edges);
     kea_factorDiagonal(f, 0)[0] = kea_factorDiagonal(f, 1)[0] = 1;
@@ -375,9 +369,8 @@ START_TEST(indefinite_between_blocks_is_told) {
     assert_near(x[1], 2, 1e-15);
     destroy();
 }
-END_TEST
 
-START_TEST(singular_blocks_are_told) {
+TEST(singular_blocks_are_told) {
     const int size[] = {2};
     KeaFactor *f = createFor(1, size, 0, NULL);
     double *D = kea_factorDiagonal(f, 0), x[] = {3, 7};
@@ -392,12 +385,11 @@ START_TEST(singular_blocks_are_told) {
     ck_assert(x[0] == 7 && x[1] == 3);
     destroy();
 }
-END_TEST
 
 /* ---- structure ---- */
 
 /* In trees nothing comes into being: the factor has the blocks of the matrix. */
-START_TEST(trees_are_factored_without_fill) {
+TEST(trees_are_factored_without_fill) {
     for (unsigned seed = 1; seed <= 300; seed++) {
         Graph g;
         state = seed * 1299709;
@@ -412,10 +404,9 @@ START_TEST(trees_are_factored_without_fill) {
         destroy();
     }
 }
-END_TEST
 
 /* A ring of n nodes is a triangle at last: n - 3 blocks come into being. */
-START_TEST(rings_fill_one_block_a_node) {
+TEST(rings_fill_one_block_a_node) {
     for (int n = 3; n <= MAX_NODES; n++) {
         Graph g;
         state = (unsigned)n;
@@ -427,7 +418,6 @@ START_TEST(rings_fill_one_block_a_node) {
         destroy();
     }
 }
-END_TEST
 
 /* The chain 0 - 1 - 2 ..., all blocks of 6. */
 static KeaFactor *longChain(int n) {
@@ -450,15 +440,14 @@ static double chainFlops(int n) {
     return flops;
 }
 
-START_TEST(chains_cost_the_same_for_every_node) {
+TEST(chains_cost_the_same_for_every_node) {
     const double step = chainFlops(101) - chainFlops(100);
     ck_assert(step == 7 * 7 + 8 * 8 + 9 * 9 + 10 * 10 + 11 * 11 + 12 * 12);
     ck_assert(chainFlops(1000) - chainFlops(100) == 900 * step);
 }
-END_TEST
 
 /* The second difference 2 x_i - x_{i-1} - x_{i+1} and a hundredth of x_i, by blocks: A x = b for a known x. */
-START_TEST(ten_thousand_nodes_in_a_chain) {
+TEST(ten_thousand_nodes_in_a_chain) {
     enum { N = 10000 };
     static double x[6 * N], b[6 * N];
     KeaFactor *f = longChain(N);
@@ -479,9 +468,8 @@ START_TEST(ten_thousand_nodes_in_a_chain) {
         assert_near(b[i], x[i], 2e-13);
     destroy();
 }
-END_TEST
 
-START_TEST(a_factor_matches_its_own_graph_only) {
+TEST(a_factor_matches_its_own_graph_only) {
     const int size[] = {6, 3, 6}, otherSize[] = {6, 6, 3};
     const int edges[][2] = {{0, 1}, {2, 1}}, flipped[][2] = {{0, 1}, {1, 2}}, elsewhere[][2] = {{0, 1}, {0, 2}};
     KeaFactor *f = createFor(3, size, 2, edges), *lone = kea_cacheFind(cache, 2, size, 0, NULL);
@@ -495,7 +483,6 @@ START_TEST(a_factor_matches_its_own_graph_only) {
     ck_assert(!kea_factorMatches(lone, 3, size, 0, NULL));
     destroy();
 }
-END_TEST
 
 static void solveInto(double *x, const Graph *g, unsigned seed, const int *original, MeBool flip) {
     KeaFactor *f = create(g);
@@ -517,7 +504,7 @@ static void solveInto(double *x, const Graph *g, unsigned seed, const int *origi
 }
 
 /* The order of elimination depends on the graph, not on how its edges are listed. */
-START_TEST(one_graph_gives_the_same_bits) {
+TEST(one_graph_gives_the_same_bits) {
     for (unsigned seed = 1; seed <= 50; seed++) {
         Graph g, mixed;
         double x[MAX] = {0}, y[MAX] = {0};
@@ -543,7 +530,6 @@ START_TEST(one_graph_gives_the_same_bits) {
         ck_assert_msg(memcmp(x, y, sizeof x) == 0, "mixed, seed %u", seed);
     }
 }
-END_TEST
 
 /* ---- memory ---- */
 
@@ -596,7 +582,7 @@ static int failuresOf(const Graph *g) {
     return k - 1;
 }
 
-START_TEST(the_cache_survives_lack_of_memory) {
+TEST(the_cache_survives_lack_of_memory) {
     Graph g;
     messages_catch();
     makeScarce();
@@ -610,10 +596,9 @@ START_TEST(the_cache_survives_lack_of_memory) {
     MeMemoryAPI = real;
     messages_release();
 }
-END_TEST
 
 /* A factor in use, then a larger graph for which there is no memory: the first is as good as before. */
-START_TEST(a_factor_survives_lack_of_memory_for_another) {
+TEST(a_factor_survives_lack_of_memory_for_another) {
     Graph g, large;
     state = 11;
     makeGraph(&g, RANDOM, 6);
@@ -643,11 +628,10 @@ START_TEST(a_factor_survives_lack_of_memory_for_another) {
     MeMemoryAPI = real;
     messages_release();
 }
-END_TEST
 
 /* More graphs than the cache has room for: the last ones are found again, and the first is made anew in the place of
  * the one that was not used for longest. */
-START_TEST(the_cache_keeps_what_was_used_last) {
+TEST(the_cache_keeps_what_was_used_last) {
     enum { FIRST = 2, END = FIRST + 100, KEPT = END - 64 };
     const int edges[][2] = {{0, 1}};
     KeaFactor *made[END] = {NULL};
@@ -664,11 +648,10 @@ START_TEST(the_cache_keeps_what_was_used_last) {
     ck_assert_int_eq(kea_factorOffset(made[KEPT], FIRST), 6 * FIRST);
     destroy();
 }
-END_TEST
 
 /* Structures come, go and are moved; each factor that is kept solves as it should, also where the last user of the
  * memory of the numbers was another one. */
-START_TEST(factors_of_one_cache_do_not_disturb_one_another) {
+TEST(factors_of_one_cache_do_not_disturb_one_another) {
     enum { GRAPHS = 100, TURNS = 2000 };
     static Graph g[GRAPHS];
     state = 21;
@@ -686,10 +669,9 @@ START_TEST(factors_of_one_cache_do_not_disturb_one_another) {
     }
     destroy();
 }
-END_TEST
 
 /* However the graphs change: once the blocks are as large as the largest of them need, nothing is allocated. */
-START_TEST(a_warm_cache_allocates_nothing) {
+TEST(a_warm_cache_allocates_nothing) {
     enum { WARM = 300, GRAPHS = 3000 };
     Graph g;
     state = 31;
@@ -706,7 +688,6 @@ START_TEST(a_warm_cache_allocates_nothing) {
     ck_assert_int_eq(blocks, 0);
     MeMemoryAPI = real;
 }
-END_TEST
 
 /* ---- kernels ---- */
 
@@ -744,7 +725,7 @@ static void solveBy(const KeaFactorKernel *kernel, const Graph *g, int seed, For
 #endif
 
 /* With blocks of any size, and of six all, and of three. */
-START_TEST(every_width_gives_the_same_bits) {
+LOOP_TEST(every_width_gives_the_same_bits, 0, 6) {
 #ifdef KEA_HAS_AVX2
     static double narrow[MAX], wide[MAX];
     static Graph g;
@@ -764,29 +745,3 @@ START_TEST(every_width_gives_the_same_bits) {
         }
 #endif
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_loop_test(t, every_width_gives_the_same_bits, 0, 6);
-    tcase_add_test(t, cholesky_solves_as_elimination_does);
-    tcase_add_test(t, lu_solves_as_elimination_does);
-    tcase_add_test(t, equal_blocks_solve_as_elimination_does);
-    tcase_add_test(t, cholesky_reads_upper_parts_only);
-    tcase_add_test(t, rows_together_add_what_they_add_one_by_one);
-    tcase_add_test(t, not_positive_definite_is_told_and_the_matrix_kept);
-    tcase_add_test(t, indefinite_between_blocks_is_told);
-    tcase_add_test(t, singular_blocks_are_told);
-    tcase_add_test(t, trees_are_factored_without_fill);
-    tcase_add_test(t, rings_fill_one_block_a_node);
-    tcase_add_test(t, chains_cost_the_same_for_every_node);
-    tcase_add_test(t, ten_thousand_nodes_in_a_chain);
-    tcase_add_test(t, a_factor_matches_its_own_graph_only);
-    tcase_add_test(t, one_graph_gives_the_same_bits);
-    tcase_add_test(t, the_cache_survives_lack_of_memory);
-    tcase_add_test(t, a_factor_survives_lack_of_memory_for_another);
-    tcase_add_test(t, factors_of_one_cache_do_not_disturb_one_another);
-    tcase_add_test(t, a_warm_cache_allocates_nothing);
-    tcase_add_test(t, the_cache_keeps_what_was_used_last);
-}
-
-TEST_MAIN("factor", tests)

@@ -89,7 +89,7 @@ static void solveColumn(int count, double mass, double last, double accuracy) {
 }
 
 /* Passes, by eight, until the residuals are small against their tolerances. */
-START_TEST(passes_end_where_the_accuracy_is_met) {
+TEST(passes_end_where_the_accuracy_is_met) {
     int before = KEA_MIN_PASSES;
     for (double accuracy = 1e-2; accuracy > 1e-6; accuracy *= 0.1) {
         solveColumn(4, 1, 1, accuracy);
@@ -100,11 +100,10 @@ START_TEST(passes_end_where_the_accuracy_is_met) {
     }
     ck_assert_int_gt(before, KEA_MIN_PASSES);
 }
-END_TEST
 
 /* A residual that is harmless between equal bodies is not under a load, nor where a light body carries a heavy one:
  * what passes cannot settle is told. */
-START_TEST(loads_and_mass_ratios_ask_for_smaller_residuals) {
+TEST(loads_and_mass_ratios_ask_for_smaller_residuals) {
     solveColumn(2, 1, 1, 1e-3);
     assert_below(s.report.excess, 1);
     solveColumn(2, 1, 1e4, 1e-3);
@@ -113,21 +112,19 @@ START_TEST(loads_and_mass_ratios_ask_for_smaller_residuals) {
     solveColumn(COLUMN, 1, 1e3, 1e-3);
     ck_assert_double_gt(s.report.excess, 10);
 }
-END_TEST
 
 /* Nesterov's sequence, theta' = (1 + sqrt(1 + 4 theta^2)) / 2. */
-START_TEST(held_extrapolation_is_that_of_eight_passes) {
+TEST(held_extrapolation_is_that_of_eight_passes) {
     double theta = 1;
     for (int i = 0; i < KEA_MORE_PASSES; i++)
         theta = .5 * (1 + sqrt(1 + 4 * theta * theta));
     assert_near(theta, kea_limitedTheta, 1e-3);
 }
-END_TEST
 
 /* ---- work ---- */
 
 /* Bodies on the ground, each with a manifold of its own: those share groups of eight. */
-START_TEST(work_is_counted_by_visits_of_manifolds) {
+TEST(work_is_counted_by_visits_of_manifolds) {
     begin(20, 20, 0);
     for (int i = 0; i < 20; i++)
         manifold[i].body[0] = i;
@@ -137,7 +134,6 @@ START_TEST(work_is_counted_by_visits_of_manifolds) {
     /* passes over velocities and displacements; three groups */
     ck_assert(s.report.work == (16 + 6) * (3 * 8 * 300.) + 20 * 1200.);
 }
-END_TEST
 
 /* m by which a body is lifted that lies on another, with overlaps of 1 mm between them and below. */
 static double liftOfUpper(void) {
@@ -159,7 +155,7 @@ static double liftOfUpper(void) {
 static const double sharePerPass = 0.189422168068;
 
 /* Six passes of Gauss-Seidel, each of which removes a share of what is more than a ten thousandth. */
-START_TEST(six_passes_push_bodies_apart) {
+TEST(six_passes_push_bodies_apart) {
     const double share = sharePerPass, max = 0.9e-3;
     double low = 0, high = 0;
     for (int pass = 0; pass < 6; pass++) {
@@ -170,7 +166,6 @@ START_TEST(six_passes_push_bodies_apart) {
     }
     assert_near_rel(liftOfUpper(), high, 1e-5);
 }
-END_TEST
 
 /* ---- joints ---- */
 
@@ -216,18 +211,16 @@ static int roundsAt(double error, double ratio, double overlap) {
 }
 
 /* One round, and a look at what contacts have done; or eight. */
-START_TEST(joints_are_closed_at_three_millionths) {
+TEST(joints_are_closed_at_three_millionths) {
     ck_assert_int_eq(roundsAt(2e-6, 1, 0), 1);
     ck_assert_int_eq(roundsAt(2e-6, 1, .1), 1 + 1);
     ck_assert_int_eq(roundsAt(4e-6, 1, 0), 8);
 }
-END_TEST
 
 /* Closed after four: contacts have nothing left to do, which would want one more. */
-START_TEST(contacts_take_part_in_three_rounds_of_joints) {
+TEST(contacts_take_part_in_three_rounds_of_joints) {
     ck_assert_int_eq(roundsAt(1e-2, .1, .1), 4 + 1);
 }
-END_TEST
 
 /* The error of a joint at the end, whose bodies have the size 1, and at the start. */
 static MeBool isViolent(double after, double before) {
@@ -238,12 +231,11 @@ static MeBool isViolent(double after, double before) {
     return s.report.violent;
 }
 
-START_TEST(a_step_that_opens_joints_by_a_twentieth_is_violent) {
+TEST(a_step_that_opens_joints_by_a_twentieth_is_violent) {
     ck_assert(!isViolent(.04, 0));
     ck_assert(isViolent(.06, 0));
     ck_assert(!isViolent(.56, .52));
 }
-END_TEST
 
 static int turnsAt(double ratio) {
     beginJoint(1, ratio);
@@ -253,11 +245,10 @@ static int turnsAt(double ratio) {
 }
 
 /* A round is to leave a tenth. */
-START_TEST(rounds_that_gain_no_digit_have_new_derivatives) {
+TEST(rounds_that_gain_no_digit_have_new_derivatives) {
     ck_assert_int_eq(turnsAt(0.08), 0);
     ck_assert_int_gt(turnsAt(0.13), 0);
 }
-END_TEST
 
 /* Rad that the rounds turn a body by, of which each is asked for so much. */
 static double turnedBy(double error) {
@@ -269,11 +260,10 @@ static double turnedBy(double error) {
 }
 
 /* Three rounds of two passes each, then five of one, which turn by a tenth at most. */
-START_TEST(a_pass_turns_by_a_tenth_of_a_radian) {
+TEST(a_pass_turns_by_a_tenth_of_a_radian) {
     assert_near(turnedBy(0.08), 8 * 0.08, 1e-5);
     assert_near(turnedBy(0.15), 3 * 0.15 + 5 * 0.1, 1e-5);
 }
-END_TEST
 
 /* The part of its speed that a row lacks after one pass, about an axis of a body that is thinner than double precision
  * can tell beside the stiffness of a rigid joint. */
@@ -292,10 +282,9 @@ static double lackOfThinBody(void) {
     return s.report.residual;
 }
 
-START_TEST(joints_of_thin_bodies_are_softer_by_half_of_the_decades) {
+TEST(joints_of_thin_bodies_are_softer_by_half_of_the_decades) {
     assert_near_rel(lackOfThinBody(), 1e-3, 1e-2);
 }
-END_TEST
 
 /* m/s of the first body of a chain of n, which a motor of 1 m/s drives, after one pass. */
 static double speedOfDriven(int n) {
@@ -314,11 +303,10 @@ static double speedOfDriven(int n) {
 }
 
 /* It is driven with the response of the whole block, or with that of the first body alone. */
-START_TEST(motors_feel_a_block_of_up_to_128_bodies) {
+TEST(motors_feel_a_block_of_up_to_128_bodies) {
     assert_near(speedOfDriven(127), 1, 1e-3);
     assert_near(speedOfDriven(129), 1. / 129, 1e-3);
 }
-END_TEST
 
 /* ---- contacts ---- */
 
@@ -338,11 +326,10 @@ static MeBool areSolvedAtOnce(double apart) {
     return g.isDirect[0] != 0;
 }
 
-START_TEST(a_determinant_of_a_ten_thousandth_is_inverted) {
+TEST(a_determinant_of_a_ten_thousandth_is_inverted) {
     ck_assert(!areSolvedAtOnce(sqrt(0.7e-4)));
     ck_assert(areSolvedAtOnce(sqrt(1.4e-4)));
 }
-END_TEST
 
 /* m/s by which overlaps are said to grow, of a body that falls with 1 m/s and is so deep at the end of the step. */
 static double growthAt(double depth) {
@@ -364,11 +351,10 @@ static double growthAt(double depth) {
     return (double)measure.closing[0];
 }
 
-START_TEST(an_overlap_of_a_tenth_is_deep) {
+TEST(an_overlap_of_a_tenth_is_deep) {
     ck_assert(growthAt(0.08) == 0);
     ck_assert(growthAt(0.15) == 1);
 }
-END_TEST
 
 /* m by which a body that rests with that overlap is lifted in a step. */
 static double liftAt(double depth) {
@@ -381,11 +367,10 @@ static double liftAt(double depth) {
 }
 
 /* Six passes lift it by what they remove of what is more than a ten thousandth of its size. */
-START_TEST(overlaps_of_a_ten_thousandth_rest) {
+TEST(overlaps_of_a_ten_thousandth_rest) {
     ck_assert(liftAt(0.8e-4) == 0);
     assert_near(liftAt(1.6e-4), (1 - pow(1 - sharePerPass, 6)) * 0.6e-4, 1e-10);
 }
-END_TEST
 
 /* m/s with which a contact, or a joint, of that compliance gives way to a load. */
 static double yieldOfContact(double epsilon) {
@@ -410,14 +395,13 @@ static double yieldOfJoint(double epsilon) {
 }
 
 /* E p of the impulse p that leaves it that velocity; below a thousandth of the mobility it counts as a sag. */
-START_TEST(a_thousandth_of_the_mobility_is_soft) {
+TEST(a_thousandth_of_the_mobility_is_soft) {
     const double soft = 1.6e-3, yield = gravity * h * soft / (1 + soft);
     assert_near(yieldOfContact(0.8e-3), 0, 1e-7);
     assert_near(yieldOfContact(soft), yield, 1e-7);
     assert_near(yieldOfJoint(0.8e-3), 0, 1e-7);
     assert_near(yieldOfJoint(soft), yield, 1e-7);
 }
-END_TEST
 
 /* m/s with which a ball leaves the ground that meets it with 1 m/s, where restitution gives it that part more: twice
  * that part is the energy gained. */
@@ -431,11 +415,10 @@ static double reboundWith(double more) {
     return body[0].velocity[1];
 }
 
-START_TEST(a_hundred_thousandth_of_the_energy_may_be_gained) {
+TEST(a_hundred_thousandth_of_the_energy_may_be_gained) {
     assert_near(reboundWith(0.4e-5) - 1, 0.4e-5, 2e-7);
     assert_near(reboundWith(0.7e-5) - 1, 0, 2e-7);
 }
-END_TEST
 
 /* m/s along the ground, with friction without bound, of a body that these forces, N, pull along it and press on it. */
 static double speedOfHeld(double along, double down) {
@@ -450,13 +433,12 @@ static double speedOfHeld(double along, double down) {
 }
 
 /* It holds with any load, and not without one. The bound is the largest power of two whose products are finite. */
-START_TEST(friction_without_bound_is_bounded_by_single_precision) {
+TEST(friction_without_bound_is_bounded_by_single_precision) {
     const volatile float bound = (float)kea_maxBound;
     assert_near(speedOfHeld(gravity, 1e-6 * gravity), 0, 1e-7);
     assert_near(speedOfHeld(gravity, -gravity), gravity * h, 1e-7);
     ck_assert(isfinite(bound * bound + bound) && !isfinite(2 * bound * 2 * bound));
 }
-END_TEST
 
 /* ---- workers ---- */
 
@@ -480,13 +462,12 @@ static int regionsOf(int manifolds) {
     return regions.count;
 }
 
-START_TEST(regions_have_four_hundred_manifolds) {
+TEST(regions_have_four_hundred_manifolds) {
     ck_assert_int_eq(regionsOf(799), 1);
     ck_assert_int_eq(regionsOf(800), 2);
     ck_assert_int_eq(regionsOf(1599), 2);
     ck_assert_int_eq(regionsOf(1600), 4);
 }
-END_TEST
 
 /* A worker that never comes: the calling thread does all items. */
 static void *MEAPI enqueueNothing(MeTaskCB task, void *taskContext, void *userContext) {
@@ -518,33 +499,7 @@ static int itemsOf(int bodies) {
     return items;
 }
 
-START_TEST(a_worker_takes_sixty_four_bodies_at_a_time) {
+TEST(a_worker_takes_sixty_four_bodies_at_a_time) {
     ck_assert_int_eq(itemsOf(64), 1);
     ck_assert_int_eq(itemsOf(65), 2);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, passes_end_where_the_accuracy_is_met);
-    tcase_add_test(t, loads_and_mass_ratios_ask_for_smaller_residuals);
-    tcase_add_test(t, held_extrapolation_is_that_of_eight_passes);
-    tcase_add_test(t, work_is_counted_by_visits_of_manifolds);
-    tcase_add_test(t, six_passes_push_bodies_apart);
-    tcase_add_test(t, joints_are_closed_at_three_millionths);
-    tcase_add_test(t, contacts_take_part_in_three_rounds_of_joints);
-    tcase_add_test(t, a_step_that_opens_joints_by_a_twentieth_is_violent);
-    tcase_add_test(t, rounds_that_gain_no_digit_have_new_derivatives);
-    tcase_add_test(t, a_pass_turns_by_a_tenth_of_a_radian);
-    tcase_add_test(t, joints_of_thin_bodies_are_softer_by_half_of_the_decades);
-    tcase_add_test(t, motors_feel_a_block_of_up_to_128_bodies);
-    tcase_add_test(t, a_determinant_of_a_ten_thousandth_is_inverted);
-    tcase_add_test(t, an_overlap_of_a_tenth_is_deep);
-    tcase_add_test(t, overlaps_of_a_ten_thousandth_rest);
-    tcase_add_test(t, a_thousandth_of_the_mobility_is_soft);
-    tcase_add_test(t, a_hundred_thousandth_of_the_energy_may_be_gained);
-    tcase_add_test(t, friction_without_bound_is_bounded_by_single_precision);
-    tcase_add_test(t, regions_have_four_hundred_manifolds);
-    tcase_add_test(t, a_worker_takes_sixty_four_bodies_at_a_time);
-}
-
-TEST_MAIN("fast_policy", tests)

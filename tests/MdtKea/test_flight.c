@@ -103,16 +103,15 @@ static double passOn(int others) {
     return work;
 }
 
-START_TEST(a_blow_is_passed_on_and_costs_the_same_in_a_crowd) {
+TEST(a_blow_is_passed_on_and_costs_the_same_in_a_crowd) {
     const double work = passOn(0);
     ck_assert(work > 0);
     ck_assert(passOn(50) == work);
 }
-END_TEST
 
 /* To and fro between two walls, .2 m on either side, with 1 m/s, falling and spinning all the while: it meets them
  * after .2, .6 and 1 s. */
-START_TEST(a_ball_bounces_through_a_step) {
+TEST(a_ball_bounces_through_a_step) {
     const double w[3] = {0, 0, 2};
     begin(1);
     setBall(0, 0, 0, -1);
@@ -135,9 +134,8 @@ START_TEST(a_ball_bounces_through_a_step) {
     assert_near(manifold[1].point[0].force[0], 2, 1e-12);
     end();
 }
-END_TEST
 
-START_TEST(flight_ends_where_something_is_held) {
+TEST(flight_ends_where_something_is_held) {
     for (int k = 0; k < 2; k++) {
         begin(2);
         setBall(0, radius + .1, 0, -1);
@@ -159,9 +157,8 @@ START_TEST(flight_ends_where_something_is_held) {
     assert_near(body[0].velocity[0], -1, 1e-12);
     end();
 }
-END_TEST
 
-START_TEST(what_meets_nothing_flies_to_the_end) {
+TEST(what_meets_nothing_flies_to_the_end) {
     begin(1);
     setBall(0, 0, 0, 3);
     assert_near(fly(10), 1, 0);
@@ -178,13 +175,3 @@ START_TEST(what_meets_nothing_flies_to_the_end) {
     assert_near(body[1].position[0], 1, 2 * rounding);
     end();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_blow_is_passed_on_and_costs_the_same_in_a_crowd);
-    tcase_add_test(t, a_ball_bounces_through_a_step);
-    tcase_add_test(t, flight_ends_where_something_is_held);
-    tcase_add_test(t, what_meets_nothing_flies_to_the_end);
-}
-
-TEST_MAIN("flight", tests)

@@ -60,7 +60,7 @@ static void makeColumn(const int place[]) {
 }
 
 /* Each contact of a column bears all that is above it, in whatever order contacts and bodies come. */
-START_TEST(a_columns_contacts_bear_what_is_above) {
+TEST(a_columns_contacts_bear_what_is_above) {
     for (int stride = 1; stride < MAX; stride += 6) { /* coprime with 60: 1, 7, 13, 19, 31, 37, 43, 49 */
         int place[MAX];
         if (stride % 5 == 0)
@@ -73,11 +73,10 @@ START_TEST(a_columns_contacts_bear_what_is_above) {
             assert_near_rel(forceOf(i), load * (MAX - place[i]), kea_guessTolerance);
     }
 }
-END_TEST
 
 /* A row of boxes on twice as many legs, of which each bears half. Only points that touch do: a gap, and what has come
  * deep into the ground, bear nothing. */
-START_TEST(contacts_that_touch_share_the_load) {
+TEST(contacts_that_touch_share_the_load) {
     begin(1, 2);
     manifold[0].numPoints = 4;
     for (int k = 0; k < 4; k++)
@@ -93,10 +92,9 @@ START_TEST(contacts_that_touch_share_the_load) {
     assert_near(forceOf(0), load, 1e-12);
     ck_assert(forceOf(1) == 0 && forceOf(2) == 0);
 }
-END_TEST
 
 /* In a groove of 60 degrees to each side, F = G / (2 cos 60). */
-START_TEST(a_groove_presses_from_both_sides) {
+TEST(a_groove_presses_from_both_sides) {
     begin(1, 2);
     for (int k = 0; k < 2; k++) {
         manifold[k].normal[0] = (k ? 1 : -1) * sqrt(.75);
@@ -108,10 +106,9 @@ START_TEST(a_groove_presses_from_both_sides) {
     assert_near(forceOf(0), load, 1e-9);
     assert_near(forceOf(1), load, 1e-9);
 }
-END_TEST
 
 /* What is known is not touched, nor guessed beside; bodies that bear each other in a circle are left alone. */
-START_TEST(known_forces_are_left_alone) {
+TEST(known_forces_are_left_alone) {
     begin(1, 2);
     manifold[1].point[0].isNew = MEFALSE;
     manifold[1].point[0].guess[0] = 3;
@@ -125,13 +122,3 @@ START_TEST(known_forces_are_left_alone) {
     guess();
     ck_assert(forceOf(0) == 0 && forceOf(1) == 0);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_columns_contacts_bear_what_is_above);
-    tcase_add_test(t, contacts_that_touch_share_the_load);
-    tcase_add_test(t, a_groove_presses_from_both_sides);
-    tcase_add_test(t, known_forces_are_left_alone);
-}
-
-TEST_MAIN("guess", tests)

@@ -115,7 +115,7 @@ static void run(const KeaKernel *kernel, KeaMeasure *measured) {
         kernel->push(groups, GROUPS, displacement);
 }
 
-START_TEST(every_width_gives_the_same_bits) {
+LOOP_TEST(every_width_gives_the_same_bits, 1, 9) {
 #ifdef KEA_HAS_AVX2
     static KeaGroup narrow[GROUPS];
     static KeaMotion narrowMotion[BODIES], narrowWay[BODIES];
@@ -141,10 +141,9 @@ START_TEST(every_width_gives_the_same_bits) {
     }
 #endif
 }
-END_TEST
 
 /* As if they had four points. */
-START_TEST(visits_of_few_points_give_the_same_bits) {
+LOOP_TEST(visits_of_few_points_give_the_same_bits, 0, 8) {
     static KeaGroup all[GROUPS];
     static KeaMotion allMotion[BODIES], allWay[BODIES];
     const int max = 1 + _i % 2;
@@ -169,7 +168,6 @@ START_TEST(visits_of_few_points_give_the_same_bits) {
             assert_near(groups[i].torsionImpulse[lane], all[i].torsionImpulse[lane], 0);
     }
 }
-END_TEST
 
 /* ---- the laws, in double ---- */
 
@@ -247,7 +245,7 @@ static void coupledRatesOf(const KeaGroup *g, int lane, double rate[3]) {
     }
 }
 
-START_TEST(rates_of_friction_follow_from_the_coupling) {
+LOOP_TEST(rates_of_friction_follow_from_the_coupling, 1, 9) {
     makeGroups((unsigned int)_i);
     memset(motion, 0, sizeof motion);
     for (int i = 0; i < GROUPS; i++)
@@ -266,11 +264,10 @@ START_TEST(rates_of_friction_follow_from_the_coupling) {
                 assert_near(found[k], expected[k], 1e-5);
         }
 }
-END_TEST
 
 /* Friction is off here: manifolds that share no body are solved by one visit, four points whose velocities contradict
  * each other by several. */
-START_TEST(a_visit_solves_what_shares_no_body) {
+LOOP_TEST(a_visit_solves_what_shares_no_body, 1, 9) {
     enum { VISITS = 60 };
     float uphill[KEA_LANES] = {0};
     int acting = 0;
@@ -294,7 +291,6 @@ START_TEST(a_visit_solves_what_shares_no_body) {
             }
     ck_assert_int_gt(acting, GROUPS);
 }
-END_TEST
 
 /* A ball of 1 kg and radius .5 m with one manifold on the ground, y up, and friction of 1. */
 typedef struct Ball {
@@ -343,7 +339,7 @@ static void destroyBall(Ball *b) {
 
 /* It spins on one point; another of the manifold is 1 m aside and 2 cm above the ground. What carries nothing gives
  * friction no lever: the spin about the normal stays as it is. */
-START_TEST(a_point_without_load_gives_friction_no_lever) {
+TEST(a_point_without_load_gives_friction_no_lever) {
     const double spin = 5;
     Ball b;
     makeBall(&b);
@@ -355,10 +351,9 @@ START_TEST(a_point_without_load_gives_friction_no_lever) {
     assert_near(b.body.angularMomentum[1], .1 * spin, 1e-6);
     destroyBall(&b);
 }
-END_TEST
 
 /* Points in one place, in pairs, and all of them, under it or at its edge, which it overlaps. */
-START_TEST(points_may_coincide) {
+LOOP_TEST(points_may_coincide, 0, 4) {
     static const double place[][4][2] = {{{-.3, 0}, {-.3, 0}, {.3, 0}, {.3, 0}},
                                          {{0, 0}, {0, 0}, {0, 0}, {0, 0}},
                                          {{-.3, -.3}, {-.3, -.3}, {.3, .3}, {.3, -.3}},
@@ -373,11 +368,10 @@ START_TEST(points_may_coincide) {
     assert_near(keaLength(b.body.position), 30 * .6e-3, 1e-3); /* six passes of .15 each */
     destroyBall(&b);
 }
-END_TEST
 
 /* The same anywhere: what is pushed out of an overlap by 2e-4 m a step moves by no more than some of that, and its
  * speed is that of a step's fall. */
-START_TEST(points_may_coincide_anywhere) {
+LOOP_TEST(points_may_coincide_anywhere, 1, 4) {
     seed = (unsigned int)_i;
     for (int trial = 0; trial < 300; trial++) {
         Ball b;
@@ -402,16 +396,3 @@ START_TEST(points_may_coincide_anywhere) {
         destroyBall(&b);
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_point_without_load_gives_friction_no_lever);
-    tcase_add_loop_test(t, points_may_coincide, 0, 4);
-    tcase_add_loop_test(t, points_may_coincide_anywhere, 1, 4);
-    tcase_add_loop_test(t, every_width_gives_the_same_bits, 1, 9);
-    tcase_add_loop_test(t, visits_of_few_points_give_the_same_bits, 0, 8);
-    tcase_add_loop_test(t, rates_of_friction_follow_from_the_coupling, 1, 9);
-    tcase_add_loop_test(t, a_visit_solves_what_shares_no_body, 1, 9);
-}
-
-TEST_MAIN("kernel", tests)

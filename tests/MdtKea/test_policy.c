@@ -72,7 +72,7 @@ static void assertSecant(double wanted, double taken) {
     assert_near(boundAfter(9, f, f - change), 10 + 0.5 * f - taken * (1 + 0.5 * change), 1e-12);
 }
 
-START_TEST(friction_bounds_follow_in_full_then_by_a_secant) {
+TEST(friction_bounds_follow_in_full_then_by_a_secant) {
     assert_near(boundAfter(5, 1, 0.5), 11, 1e-12);
     assert_near(boundAfter(6, 1, 0.5), 10.5, 1e-12);
     assertSecant(0.8, 0.8);
@@ -80,7 +80,6 @@ START_TEST(friction_bounds_follow_in_full_then_by_a_secant) {
     assertSecant(-3, -3);
     assertSecant(-6, -4);
 }
-END_TEST
 
 /* Solves with the factors of a metric that is smaller by `change`: each leaves that part of the error, which begins
  * with so many tolerances. */
@@ -97,11 +96,10 @@ static MeBool isRefined(double change, double error) {
 }
 
 /* Each solve has to leave less than a tenth, and there are four. */
-START_TEST(factors_that_are_kept_are_good_enough) {
+TEST(factors_that_are_kept_are_good_enough) {
     ck_assert(isRefined(0.08, 1e3) && !isRefined(0.12, 1e3));
     ck_assert(isRefined(0.08, 1e4) && !isRefined(0.08, 1e5));
 }
-END_TEST
 
 /* With an inertia that is singular but for so many roundings of its diagonal. */
 static MeBool isFactored(int roundings) {
@@ -114,10 +112,9 @@ static MeBool isFactored(int roundings) {
     return isRegular;
 }
 
-START_TEST(a_pivot_of_four_roundings_is_none) {
+TEST(a_pivot_of_four_roundings_is_none) {
     ck_assert(isFactored(5) && !isFactored(4));
 }
-END_TEST
 
 /* What is missing of a momentum, in tolerances, beside a row whose impulse is the difference of two rates of 1 m/s. */
 static double errorBeside(double missing) {
@@ -132,11 +129,10 @@ static double errorBeside(double missing) {
     return error;
 }
 
-START_TEST(eight_roundings_of_rates_are_no_error) {
+TEST(eight_roundings_of_rates_are_no_error) {
     assert_below(errorBeside(7 * DBL_EPSILON), 1);
     assert_below(1, errorBeside(9 * DBL_EPSILON));
 }
-END_TEST
 
 /* The friction of a slide, in μ p_n, after a solve that begins with a bound that is too large by that part. */
 static double frictionAfter(double excess) {
@@ -157,11 +153,10 @@ static double frictionAfter(double excess) {
     return q.row[1].p / (0.5 * q.row[0].p) - 1;
 }
 
-START_TEST(bounds_that_agree_to_twelve_digits_stay) {
+TEST(bounds_that_agree_to_twelve_digits_stay) {
     assert_near(frictionAfter(0.7e-12), 0.7e-12, 1e-14);
     assert_near(frictionAfter(1.4e-12), 0, 1e-14);
 }
-END_TEST
 
 /* A column of n bodies, each on the one below, which a load presses down. */
 static void makeColumn(int n) {
@@ -189,18 +184,17 @@ static double sweepsOf(int bodies, double maxWork, int passes) {
 }
 
 /* 32 at most, 2 at least; as few passes as have room for 8 each, with their linearization of 256 a row and body. */
-START_TEST(sweeps_share_what_work_is_left) {
+TEST(sweeps_share_what_work_is_left) {
     const double linearization = 256 * 2 * 50, sweep = 96 * 50, pass = linearization + sweep * (8 + 2);
     ck_assert(sweepsOf(50, 0, 1) == 32);
     ck_assert(sweepsOf(50, 1, 1) == 2);
     const double left = 3.5 * pass; /* of which three passes are made, that have 1.17 of it */
     ck_assert(sweepsOf(50, left + linearization, 8) == floor((left / 3 - linearization - 2 * sweep) / (96 * 51)));
 }
-END_TEST
 
 /* Sweeps of two bodies, the upper of which is heavier and heavier, end when they move the impulses by less than 1e-7.
  * */
-START_TEST(sweeps_end_when_they_have_settled) {
+TEST(sweeps_end_when_they_have_settled) {
     double sweeps = 0;
     for (int k = 1; k <= 8; k++) {
         makeColumn(2);
@@ -213,15 +207,13 @@ START_TEST(sweeps_end_when_they_have_settled) {
     }
     ck_assert_msg(sweeps == 214, "%g", sweeps);
 }
-END_TEST
 
 /* Contacts become harder by ten with each pass, until one pass leaves no more than is tolerated. */
-START_TEST(contacts_harden_to_the_tolerance) {
+TEST(contacts_harden_to_the_tolerance) {
     for (int i = 1; i < KEA_PROXIMAL_LEVELS; i++)
         assert_near_rel(kea_proximalContact[i], 0.1 * kea_proximalContact[i - 1], 1e-12);
     ck_assert(kea_proximalContact[KEA_PROXIMAL_LEVELS - 1] == kea_velocityTolerance);
 }
-END_TEST
 
 /* ---- a step ---- */
 
@@ -294,11 +286,10 @@ static int passesAtAcceleration(double times) {
     return passes;
 }
 
-START_TEST(an_acceleration_goes_on_up_to_thirty_loads) {
+TEST(an_acceleration_goes_on_up_to_thirty_loads) {
     ck_assert_int_eq(passesAtAcceleration(25), 0);
     ck_assert_int_gt(passesAtAcceleration(40), 0);
 }
-END_TEST
 
 /* What turns a body of the midpoint rule costs beside its moment of 2 kg m², where a joint pulls at an arm: of that
  * stiffness, in moments. */
@@ -321,13 +312,12 @@ static double stiffnessOf(double share) {
 }
 
 /* Below a hundredth it is left out, and below minus a half it is taken away. */
-START_TEST(stiffness_counts_where_it_is_felt_and_harmless) {
+TEST(stiffness_counts_where_it_is_felt_and_harmless) {
     ck_assert(stiffnessOf(0.007) == 0);
     assert_near(stiffnessOf(0.014), 0.014, 1e-12);
     assert_near(stiffnessOf(-0.4), -0.4, 1e-12);
     ck_assert(stiffnessOf(-0.7) == 0);
 }
-END_TEST
 
 /* The part of a load of 1 N s that a joint, or two that share it, do not bear; of the two, of what they bore together.
  * */
@@ -346,11 +336,10 @@ static double unborne(int joints) {
     return joints == 1 ? 1 + sum : 1 + sum - body[0].velocity[0];
 }
 
-START_TEST(rigid_joints_are_soft_by_rounding) {
+TEST(rigid_joints_are_soft_by_rounding) {
     assert_near(unborne(1), 1e-13, 0.3e-13);
     assert_near(unborne(2), 0.5e-12, 0.15e-12);
 }
-END_TEST
 
 /* Passes of a step in which a body meets a contact with that speed, where a load across it gives 1 m/s. */
 static int passesAfterMeeting(double speed) {
@@ -366,11 +355,10 @@ static int passesAfterMeeting(double speed) {
 }
 
 /* 1.1e-9 m/s are tolerated, with a tenth of the body's own speed. */
-START_TEST(the_first_pass_leaves_a_ten_thousandth_of_a_contact) {
+TEST(the_first_pass_leaves_a_ten_thousandth_of_a_contact) {
     ck_assert_int_eq(passesAfterMeeting(0.8e-5), 1);
     ck_assert_int_eq(passesAfterMeeting(1.5e-5), 2);
 }
-END_TEST
 
 /* Displacements along x, of all rows. */
 static void MEAPI displacements(void *context, const MdtKeaTransformation poses[], double errors[]) {
@@ -396,10 +384,9 @@ static MeBool doConflict(double difference) {
 
 /* By half of that each, they miss their aims: 5e-7 of the distance is what places in single precision may be wrong by.
  * */
-START_TEST(joints_may_disagree_by_the_rounding_of_places) {
+TEST(joints_may_disagree_by_the_rounding_of_places) {
     ck_assert(!doConflict(0.8e-6) && doConflict(1.4e-6));
 }
-END_TEST
 
 /* Passes of a step in which a joint is to move a body that far, in m, a thousand kilometres from the origin. */
 static int passesFarAway(double way) {
@@ -416,11 +403,10 @@ static int passesFarAway(double way) {
     return passes;
 }
 
-START_TEST(far_places_are_known_to_fourteen_digits) {
+TEST(far_places_are_known_to_fourteen_digits) {
     ck_assert_int_eq(passesFarAway(0.7e-8), 0);
     ck_assert_int_gt(passesFarAway(1.4e-8), 0);
 }
-END_TEST
 
 /* A joint that each pass brings nearer, but by 1e-6 of the way only, once the first one has brought it up to `short`
  * of that: passes add up, and none converges. */
@@ -449,11 +435,10 @@ static double wayOfReluctant(double part) {
 
 /* An answer that was not found is let go of if it has ten times the energy of what the rows ask for: 3.2 times the
  * speed. */
-START_TEST(a_runaway_has_ten_times_the_energy) {
+TEST(a_runaway_has_ten_times_the_energy) {
     assert_near(wayOfReluctant(0.026), 1 + 63 * 0.026, 1e-3);
     ck_assert(wayOfReluctant(0.04) == 0);
 }
-END_TEST
 
 /* A joint that does not feel how its body turns: each pass turns it further. */
 static void MEAPI unmoved(void *context, const MdtKeaTransformation poses[], double errors[]) {
@@ -462,7 +447,7 @@ static void MEAPI unmoved(void *context, const MdtKeaTransformation poses[], dou
 }
 
 /* At half a turn, with many times the energy that the row asks for, there is no way back. */
-START_TEST(a_runaway_ends_the_passes) {
+TEST(a_runaway_ends_the_passes) {
     beginStep(1, 1);
     s.errors = unmoved;
     MdtKeaInit(&s, scratch);
@@ -476,11 +461,10 @@ START_TEST(a_runaway_ends_the_passes) {
     ck_assert_int_le(s.report.passes, 8);
     endStep();
 }
-END_TEST
 
 /* ---- work ---- */
 
-START_TEST(work_is_counted_in_multiplications) {
+TEST(work_is_counted_in_multiplications) {
     beginStep(2, 1);
     MdtKeaInit(&s, scratch);
     addContact(0, MdtKeaWORLD)->error = 1;
@@ -495,7 +479,6 @@ START_TEST(work_is_counted_in_multiplications) {
     ck_assert(kea_problemIterationWork(&q, MEFALSE) == factor + 3 * (108 + 8 * 32));
     end();
 }
-END_TEST
 
 /* ---- contacts in time ---- */
 
@@ -513,13 +496,12 @@ static double reboundOf(double speed, double load, double flight) {
     return body[0].velocity[0];
 }
 
-START_TEST(half_of_a_steps_loads_do_not_rebound) {
+TEST(half_of_a_steps_loads_do_not_rebound) {
     assert_near(reboundOf(0.45, 1, 0), 0, 1e-11);
     assert_near(reboundOf(0.55, 1, 0), 0.55, 1e-11);
     assert_near(reboundOf(0.45e-6, 0, 1), 0, 1e-11); /* without loads, of a millionth of the speed */
     assert_near(reboundOf(0.55e-6, 0, 1), 0.55e-6, 1e-11);
 }
-END_TEST
 
 static int iterationsOf(double speed, double flight) {
     reboundOf(speed, 0, flight);
@@ -527,11 +509,10 @@ static int iterationsOf(double speed, double flight) {
 }
 
 /* Its passes leave 1e-4, 1e-9 and 1e-15 of twice the speed, until that is 1e-12 of the greatest there is. */
-START_TEST(impacts_are_solved_to_twelve_digits) {
+TEST(impacts_are_solved_to_twelve_digits) {
     ck_assert_int_eq(iterationsOf(0.35e-3, 1), 2);
     ck_assert_int_eq(iterationsOf(0.7e-3, 1), 3);
 }
-END_TEST
 
 /* The velocity of the last of so many balls in a row that touch, after the first has hit with 1 m/s. */
 static double lastOfCradle(int n) {
@@ -547,11 +528,10 @@ static double lastOfCradle(int n) {
 }
 
 /* A round takes it one ball on. */
-START_TEST(an_impact_has_sixty_rounds) {
+TEST(an_impact_has_sixty_rounds) {
     assert_near(lastOfCradle(60), 1, 1e-9);
     assert_below(lastOfCradle(64), 0.9);
 }
-END_TEST
 
 /* A wall that comes with u gives 4 u of the energy: of more than 1e-12 that would be gained, none is. */
 static double gainAt(double u) {
@@ -567,13 +547,12 @@ static double gainAt(double u) {
     return 2 * (body[0].velocity[0] - 1);
 }
 
-START_TEST(energy_is_known_to_twelve_digits) {
+TEST(energy_is_known_to_twelve_digits) {
     assert_near(gainAt(0.7e-12 / 4), 0.7e-12, 0.1e-12);
     assert_near(gainAt(1.4e-12 / 4), 0, 0.1e-12);
 }
-END_TEST
 
-START_TEST(a_gap_that_counts_as_none) {
+TEST(a_gap_that_counts_as_none) {
     const double gap = TOL(1e-5, 1e-7); /* of the radius of gyration, which is 1 */
     beginStep(1, 1);
     MdtKeaInit(&s, scratch);
@@ -584,7 +563,6 @@ START_TEST(a_gap_that_counts_as_none) {
     ck_assert(!kea_isTouching(&s, row));
     endStep();
 }
-END_TEST
 
 /* Does something that slides stop, where the friction at the end is that part less than its bound? */
 static MeBool doesStop(double less) {
@@ -611,10 +589,9 @@ static MeBool doesStop(double less) {
     return mustRepeat;
 }
 
-START_TEST(friction_below_its_bound_by_rounding_slides) {
+TEST(friction_below_its_bound_by_rounding_slides) {
     ck_assert(!doesStop(0.7e-7) && doesStop(1.4e-7));
 }
-END_TEST
 
 /* Does the place of a spinning ball's contact move, if the centre of its sphere is that far from the body's? */
 static MeBool doesContactMove(double off) {
@@ -637,10 +614,9 @@ static MeBool doesContactMove(double off) {
     return moves;
 }
 
-START_TEST(a_ball_whose_centre_is_off_by_a_millionth_moves) {
+TEST(a_ball_whose_centre_is_off_by_a_millionth_moves) {
     ck_assert(!doesContactMove(0.7e-6) && doesContactMove(1.4e-6));
 }
-END_TEST
 
 /* The rebound of a body that meets something with that speed, where its load changes that by 1 m/s. */
 static double reboundInStep(double speed) {
@@ -649,11 +625,10 @@ static double reboundInStep(double speed) {
     return kea_reboundInStep(&s, &a, 0, 0.5, 0);
 }
 
-START_TEST(one_steps_own_acceleration_is_no_blow) {
+TEST(one_steps_own_acceleration_is_no_blow) {
     ck_assert(reboundInStep(1.05) == 0);
     assert_near(reboundInStep(1.15), 0.575, 1e-12);
 }
-END_TEST
 
 /* By how much a body's orientation is off after it has turned for that angle, against a thousand steps. */
 static double turnError(double angle) {
@@ -673,11 +648,10 @@ static double turnError(double angle) {
     return off;
 }
 
-START_TEST(rotation_beyond_a_hundredth_of_a_radian_is_of_fourth_order) {
+TEST(rotation_beyond_a_hundredth_of_a_radian_is_of_fourth_order) {
     assert_below(1e-10, turnError(0.7e-2));
     assert_below(turnError(1.4e-2), 1e-12);
 }
-END_TEST
 
 /* Are a matrix's own axes taken for its eigenvectors, with that part of its diagonal beside it? */
 static MeBool isDiagonal(double part) {
@@ -687,10 +661,9 @@ static MeBool isDiagonal(double part) {
     return V[0][1] == 0;
 }
 
-START_TEST(an_off_diagonal_of_rounding_is_none) {
+TEST(an_off_diagonal_of_rounding_is_none) {
     ck_assert(isDiagonal(0.8e-16) && !isDiagonal(1.2e-16));
 }
-END_TEST
 
 /* ---- friction that does not settle ---- */
 
@@ -719,16 +692,15 @@ static void solveParadox(double speed, double maxWork) {
 }
 
 /* After 60 passes, or 12 where the answer is good enough by then; and four follow. */
-START_TEST(friction_bounds_that_do_not_settle_are_frozen) {
+TEST(friction_bounds_that_do_not_settle_are_frozen) {
     solveParadox(1, 0);
     ck_assert(s.report.freezes == 4 && s.report.passes == 60 + 4 && !s.report.limited);
     solveParadox(1e-6, 0);
     ck_assert(s.report.passes == 60 + 4 && s.report.freezes == 60 + 4 - 12);
 }
-END_TEST
 
 /* Three eighths of the work may go on them. */
-START_TEST(friction_bounds_that_do_not_settle_cost_part_of_the_work) {
+TEST(friction_bounds_that_do_not_settle_cost_part_of_the_work) {
     solveParadox(1, 0);
     const double whole = s.report.work / 0.375;
     solveParadox(1, 1.3 * whole);
@@ -736,7 +708,6 @@ START_TEST(friction_bounds_that_do_not_settle_cost_part_of_the_work) {
     solveParadox(1, whole / 1.3);
     ck_assert(s.report.passes < 60 && s.report.limited);
 }
-END_TEST
 
 /* ---- joints that are kept open ---- */
 
@@ -766,11 +737,10 @@ static double closingSpeed(double error) {
 }
 
 /* Beyond 1e-5 of a body's size, what contacts may keep open closes with the energy of the speed that it asks for. */
-START_TEST(open_joints_close_calmly_among_contacts) {
+TEST(open_joints_close_calmly_among_contacts) {
     assert_near_rel(closingSpeed(0.7e-5), closingSpeed(0.1e-5), 1e-6);
     assert_below(closingSpeed(1.4e-5), 0.5 * closingSpeed(0.1e-5));
 }
-END_TEST
 
 /* ---- counted work ----
  *
@@ -826,7 +796,7 @@ static void beginHeap(unsigned seed, int numBodies, int numContacts, int numJoin
     }
 }
 
-START_TEST(iterations_of_steps) {
+TEST(iterations_of_steps) {
     int contacts = 0, friction = 0, jointed = 0, passes = 0;
     for (unsigned seed = 1; seed <= 60; seed++) {
         for (int k = 0; k < 3; k++) {
@@ -842,9 +812,8 @@ START_TEST(iterations_of_steps) {
     ck_assert_int_eq(jointed, 1679);
     ck_assert_int_eq(passes, 273);
 }
-END_TEST
 
-START_TEST(iterations_of_impacts) {
+TEST(iterations_of_impacts) {
     int iterations = 0;
     for (unsigned seed = 1; seed <= 100; seed++) {
         beginHeap(seed, 4, 8, 0, 0.8);
@@ -855,7 +824,6 @@ START_TEST(iterations_of_impacts) {
     }
     ck_assert_int_eq(iterations, 1874);
 }
-END_TEST
 
 /* A body that is all but at rest lies on four contacts beside one that hits the ground. */
 static int iterationsBeside(double speed) {
@@ -878,11 +846,10 @@ static int iterationsBeside(double speed) {
 }
 
 /* 14 times as many where each body was solved for to ten digits of its own speed. */
-START_TEST(what_all_but_rests_beside_an_impact_is_not_solved_for) {
+TEST(what_all_but_rests_beside_an_impact_is_not_solved_for) {
     ck_assert_int_le(iterationsBeside(1e-20), iterationsBeside(0));
     ck_assert_int_gt(iterationsBeside(1e-3), iterationsBeside(0));
 }
-END_TEST
 
 /* Rows of four bodies, bounded on one side or on both; tolerances are as coarse as 1e-4 of the impulses, so that most
  * solves end where they make little progress. */
@@ -937,7 +904,7 @@ static int iterationsOfFriction(unsigned seed, double scale, int *found) {
     return q.counts.iterations;
 }
 
-START_TEST(iterations_of_solves) {
+TEST(iterations_of_solves) {
     int bounded = 0, friction = 0, found = 0, near = 0;
     for (unsigned seed = 1; seed <= 100; seed++) {
         bounded += iterationsOfBounded(seed);
@@ -949,11 +916,10 @@ START_TEST(iterations_of_solves) {
     ck_assert_int_eq(found, 28);
     ck_assert_int_eq(near, 44);
 }
-END_TEST
 
 /* A step on the way to where two rows let go, far beyond what their stiffness tells: at 32 and 64 times the first step
  * the slope is that of one of them, and it goes on from there. */
-START_TEST(a_line_search_looks_sixty_four_steps_ahead) {
+TEST(a_line_search_looks_sixty_four_steps_ahead) {
     begin(1, 2);
     q.scale[0] = 1e9; /* one iteration */
     q.load[0][0] = -1;
@@ -970,10 +936,9 @@ START_TEST(a_line_search_looks_sixty_four_steps_ahead) {
     assert_near(q.d[0][0], 32 * step * (1 + low / (low - high)), 1e-9);
     end();
 }
-END_TEST
 
 /* When one iteration is all there is, sweeps come next: they end once the residual is below 1e-5 of the speed. */
-START_TEST(sweeps_end_a_digit_below_what_is_reported) {
+TEST(sweeps_end_a_digit_below_what_is_reported) {
     int near = 0;
     for (unsigned seed = 1; seed <= 1000; seed++) {
         beginHeap(seed, 6, 10, 0, 0);
@@ -988,10 +953,9 @@ START_TEST(sweeps_end_a_digit_below_what_is_reported) {
     }
     ck_assert_int_gt(near, 0);
 }
-END_TEST
 
 /* So many passes of sweeps share the work, where it is enough for each to have eight, but not for a matrix. */
-START_TEST(sweeps_leave_work_for_eight_passes) {
+TEST(sweeps_leave_work_for_eight_passes) {
     beginHeap(1, 40, 400, 0, 0);
     s.parameters.maxWork = 5e6;
     MdtKeaSolve(&s);
@@ -999,7 +963,6 @@ START_TEST(sweeps_leave_work_for_eight_passes) {
     ck_assert_int_eq(s.report.passes, 8);
     endStep();
 }
-END_TEST
 
 /* The speed with which the first two of three balls in a row that touch leave each other, after the first has hit with
  * 1 m/s. They part with e, the second hits the third, and is met by the first once more, with (1 - e)²/4. */
@@ -1015,52 +978,8 @@ static double partAgain(double restitution) {
     return body[1].velocity[0] - body[0].velocity[0];
 }
 
-START_TEST(rounds_end_at_a_fiftieth_of_the_first_rebound) {
+TEST(rounds_end_at_a_fiftieth_of_the_first_rebound) {
     const double faster = 1 - sqrt(4 * 0.03), slower = 1 - sqrt(4 * 0.015);
     assert_near(partAgain(faster), faster * 0.03, 1e-12);
     assert_near(partAgain(slower), 0, 1e-12);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, friction_bounds_follow_in_full_then_by_a_secant);
-    tcase_add_test(t, factors_that_are_kept_are_good_enough);
-    tcase_add_test(t, a_pivot_of_four_roundings_is_none);
-    tcase_add_test(t, eight_roundings_of_rates_are_no_error);
-    tcase_add_test(t, bounds_that_agree_to_twelve_digits_stay);
-    tcase_add_test(t, sweeps_share_what_work_is_left);
-    tcase_add_test(t, sweeps_end_when_they_have_settled);
-    tcase_add_test(t, contacts_harden_to_the_tolerance);
-    tcase_add_test(t, an_acceleration_goes_on_up_to_thirty_loads);
-    tcase_add_test(t, stiffness_counts_where_it_is_felt_and_harmless);
-    tcase_add_test(t, rigid_joints_are_soft_by_rounding);
-    tcase_add_test(t, the_first_pass_leaves_a_ten_thousandth_of_a_contact);
-    tcase_add_test(t, joints_may_disagree_by_the_rounding_of_places);
-    tcase_add_test(t, far_places_are_known_to_fourteen_digits);
-    tcase_add_test(t, a_runaway_has_ten_times_the_energy);
-    tcase_add_test(t, a_runaway_ends_the_passes);
-    tcase_add_test(t, work_is_counted_in_multiplications);
-    tcase_add_test(t, half_of_a_steps_loads_do_not_rebound);
-    tcase_add_test(t, impacts_are_solved_to_twelve_digits);
-    tcase_add_test(t, an_impact_has_sixty_rounds);
-    tcase_add_test(t, rounds_end_at_a_fiftieth_of_the_first_rebound);
-    tcase_add_test(t, energy_is_known_to_twelve_digits);
-    tcase_add_test(t, a_gap_that_counts_as_none);
-    tcase_add_test(t, friction_below_its_bound_by_rounding_slides);
-    tcase_add_test(t, a_ball_whose_centre_is_off_by_a_millionth_moves);
-    tcase_add_test(t, one_steps_own_acceleration_is_no_blow);
-    tcase_add_test(t, rotation_beyond_a_hundredth_of_a_radian_is_of_fourth_order);
-    tcase_add_test(t, an_off_diagonal_of_rounding_is_none);
-    tcase_add_test(t, friction_bounds_that_do_not_settle_are_frozen);
-    tcase_add_test(t, friction_bounds_that_do_not_settle_cost_part_of_the_work);
-    tcase_add_test(t, open_joints_close_calmly_among_contacts);
-    tcase_add_test(t, iterations_of_steps);
-    tcase_add_test(t, iterations_of_impacts);
-    tcase_add_test(t, what_all_but_rests_beside_an_impact_is_not_solved_for);
-    tcase_add_test(t, iterations_of_solves);
-    tcase_add_test(t, a_line_search_looks_sixty_four_steps_ahead);
-    tcase_add_test(t, sweeps_end_a_digit_below_what_is_reported);
-    tcase_add_test(t, sweeps_leave_work_for_eight_passes);
-}
-
-TEST_MAIN("policy", tests)

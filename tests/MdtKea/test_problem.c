@@ -386,24 +386,21 @@ static void compareWithEnumeration(unsigned count, MeBool isSoft, MeBool isRedun
     ck_assert_msg(skipped <= count / 20, "%s: %u of %u skipped", what, skipped, count);
 }
 
-START_TEST(soft_rows_have_the_enumerated_answer) {
+TEST(soft_rows_have_the_enumerated_answer) {
     compareWithEnumeration(300, METRUE, MEFALSE, "soft");
 }
-END_TEST
 
-START_TEST(rigid_rows_have_the_enumerated_answer) {
+TEST(rigid_rows_have_the_enumerated_answer) {
     compareWithEnumeration(300, MEFALSE, MEFALSE, "rigid");
 }
-END_TEST
 
-START_TEST(redundant_rows_have_the_enumerated_answer) {
+TEST(redundant_rows_have_the_enumerated_answer) {
     compareWithEnumeration(300, MEFALSE, METRUE, "redundant");
     compareWithEnumeration(100, METRUE, METRUE, "redundant and soft");
 }
-END_TEST
 
 /* More rows than can be enumerated, and more than the bodies have degrees of freedom: the conditions themselves. */
-START_TEST(large_problems_are_complementary) {
+TEST(large_problems_are_complementary) {
     for (unsigned seed = 1; seed <= 60; seed++) {
         double p[MAX_ROWS];
         state = seed * 7919;
@@ -417,10 +414,9 @@ START_TEST(large_problems_are_complementary) {
         end();
     }
 }
-END_TEST
 
 /* What a residual is: a law that is not kept by so many m/s, as far as the row's own softness does not take them. */
-START_TEST(residual_tells_what_is_missing) {
+TEST(residual_tells_what_is_missing) {
     for (unsigned seed = 1; seed <= 50; seed++) {
         state = seed * 31;
         randomProblem(3, 5, seed % 2, MEFALSE);
@@ -439,11 +435,10 @@ START_TEST(residual_tells_what_is_missing) {
         end();
     }
 }
-END_TEST
 
 /* Of an answer that passes leave when they run out, 1e-6 of a row's size, 1e-6 of the momentum that is tolerated
  * and 1e-4 of the speed may be missing. */
-START_TEST(answers_are_exact_enough_to_a_millionth) {
+TEST(answers_are_exact_enough_to_a_millionth) {
     for (int k = 0; k < 2; k++) {
         const double share = k ? 1.4 : 0.7;
         KeaResiduals e[3] = {{.worst = 0}};
@@ -454,10 +449,9 @@ START_TEST(answers_are_exact_enough_to_a_millionth) {
             ck_assert_int_eq(kea_isExactEnough(&e[i], 1), !k);
     }
 }
-END_TEST
 
 /* Two joints that contradict each other, 1 and -1 m/s along one direction: half way, with finite impulses. */
-START_TEST(contradictory_rows_end_in_a_compromise) {
+TEST(contradictory_rows_end_in_a_compromise) {
     const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     begin(1, 2);
     setBody(0, 1, unit);
@@ -475,9 +469,8 @@ START_TEST(contradictory_rows_end_in_a_compromise) {
     assert_near(kea_problemResidual(&q, NULL), 1, 9e-16);
     end();
 }
-END_TEST
 
-START_TEST(equal_bounds_are_kept) {
+TEST(equal_bounds_are_kept) {
     const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     begin(1, 2);
     setBody(0, 2, unit);
@@ -494,9 +487,8 @@ START_TEST(equal_bounds_are_kept) {
     assert_near(q.row[1].p, 10, 2e-14);
     end();
 }
-END_TEST
 
-START_TEST(rows_that_are_off_keep_their_impulse) {
+TEST(rows_that_are_off_keep_their_impulse) {
     for (unsigned seed = 1; seed <= 20; seed++) {
         state = seed;
         randomProblem(2, 4, MEFALSE, MEFALSE);
@@ -508,10 +500,9 @@ START_TEST(rows_that_are_off_keep_their_impulse) {
         end();
     }
 }
-END_TEST
 
 /* The iterations stop: impulses are within bounds all the same. */
-START_TEST(a_capped_solve_stays_within_bounds) {
+TEST(a_capped_solve_stays_within_bounds) {
     for (unsigned seed = 1; seed <= 50; seed++) {
         state = seed * 104729;
         randomProblem(8, 40, MEFALSE, seed % 2);
@@ -525,10 +516,9 @@ START_TEST(a_capped_solve_stays_within_bounds) {
         end();
     }
 }
-END_TEST
 
 /* From the answer, nothing is factored any more. */
-START_TEST(a_repeated_solve_is_warm) {
+TEST(a_repeated_solve_is_warm) {
     for (unsigned seed = 1; seed <= 30; seed++) {
         state = seed * 17;
         randomProblem(5, 12, MEFALSE, MEFALSE);
@@ -541,7 +531,6 @@ START_TEST(a_repeated_solve_is_warm) {
         end();
     }
 }
-END_TEST
 
 /* ---- friction ---- */
 
@@ -653,7 +642,7 @@ static Outcome slowContact(double mu, double *p) {
     return outcome;
 }
 
-START_TEST(single_contacts_stick_or_slip_rightly) {
+TEST(single_contacts_stick_or_slip_rightly) {
     int counts[5] = {0};
     for (unsigned seed = 1; seed <= 200; seed++) {
         double frame[3][3], arm[2][3] = {{0}}, p[MAX_ROWS];
@@ -688,10 +677,9 @@ START_TEST(single_contacts_stick_or_slip_rightly) {
                   "open %d, stick %d, slip %d, ambiguous %d", counts[OPEN], counts[STICKS], counts[SLIPS],
                   counts[AMBIGUOUS]);
 }
-END_TEST
 
 /* Below the centre of a ball: the normal and the friction do not mix, and all is known in closed form. */
-START_TEST(a_ball_on_the_ground_in_closed_form) {
+TEST(a_ball_on_the_ground_in_closed_form) {
     const double frame[3][3] = {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}, arm[2][3] = {{0, -1, 0}, {0, 0, 0}};
     for (unsigned seed = 1; seed <= 100; seed++) {
         state = seed * 3;
@@ -715,7 +703,6 @@ START_TEST(a_ball_on_the_ground_in_closed_form) {
         end();
     }
 }
-END_TEST
 
 /* One round of projected relaxation; returns the largest change. */
 static double relaxOnce(double *p) {
@@ -753,7 +740,7 @@ static MeBool relax(double *p) {
 }
 
 /* One body at two points, or one body on another that lies on the ground. */
-START_TEST(pairs_of_contacts_are_fixed_points) {
+TEST(pairs_of_contacts_are_fixed_points) {
     int settled = 0;
     for (unsigned seed = 1; seed <= 150; seed++) {
         double frame[3][3], arm[2][3], p[MAX_ROWS];
@@ -792,10 +779,9 @@ START_TEST(pairs_of_contacts_are_fixed_points) {
     }
     ck_assert_msg(settled > 140, "%d settled", settled);
 }
-END_TEST
 
 /* Two friction rows that share no cone bound each force by itself: a pyramid. */
-START_TEST(a_pyramid_bounds_each_row) {
+TEST(a_pyramid_bounds_each_row) {
     const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, arm[2][3] = {{0}};
     const double frame[3][3] = {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
     begin(1, 3);
@@ -824,10 +810,9 @@ START_TEST(a_pyramid_bounds_each_row) {
     assert_near(total[0][0], -1.9, 2e-15);
     end();
 }
-END_TEST
 
 /* A slide in a known direction: the friction is that part of the bound, whatever the slip. */
-START_TEST(forced_friction_follows_the_normal_force) {
+TEST(forced_friction_follows_the_normal_force) {
     for (unsigned seed = 1; seed <= 40; seed++) {
         double frame[3][3], arm[2][3] = {{0, -0.5, 0}, {0, 0, 0}};
         state = seed * 11;
@@ -853,7 +838,6 @@ START_TEST(forced_friction_follows_the_normal_force) {
         end();
     }
 }
-END_TEST
 
 /* ---- sweeps ---- */
 
@@ -873,7 +857,7 @@ static void makeColumn(void) {
 }
 
 /* Row by row an impulse goes one ball far in a sweep, and 32 plain ones leave .6 of the error. */
-START_TEST(sweeps_carry_weight_down_a_column) {
+TEST(sweeps_carry_weight_down_a_column) {
     makeColumn();
     measure();
     q.sweptPasses = 1;
@@ -885,10 +869,9 @@ START_TEST(sweeps_carry_weight_down_a_column) {
     assert_below(kea_problemResidual(&q, NULL), 0.006);
     end();
 }
-END_TEST
 
 /* Whatever else there is, rows without bounds are solved directly, if they can be. */
-START_TEST(joints_hold_after_sweeps) {
+TEST(joints_hold_after_sweeps) {
     for (unsigned seed = 1; seed <= 50; seed++) {
         state = seed * 15485863;
         randomProblem(8, 24, seed % 2, MEFALSE);
@@ -906,11 +889,10 @@ START_TEST(joints_hold_after_sweeps) {
         end();
     }
 }
-END_TEST
 
 /* Bodies that meet at contacts with friction, after however few sweeps: they have no more energy than before, and
  * friction is within its cone. */
-START_TEST(sweeps_gain_no_energy) {
+TEST(sweeps_gain_no_energy) {
     for (unsigned seed = 1; seed <= 200; seed++) {
         double v[MAX_BODIES][6], before = 0, after = 0;
         state = seed * 104729;
@@ -949,28 +931,3 @@ START_TEST(sweeps_gain_no_energy) {
         end();
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, sweeps_carry_weight_down_a_column);
-    tcase_add_test(t, joints_hold_after_sweeps);
-    tcase_add_test(t, sweeps_gain_no_energy);
-    tcase_add_test(t, soft_rows_have_the_enumerated_answer);
-    tcase_add_test(t, rigid_rows_have_the_enumerated_answer);
-    tcase_add_test(t, redundant_rows_have_the_enumerated_answer);
-    tcase_add_test(t, large_problems_are_complementary);
-    tcase_add_test(t, residual_tells_what_is_missing);
-    tcase_add_test(t, answers_are_exact_enough_to_a_millionth);
-    tcase_add_test(t, contradictory_rows_end_in_a_compromise);
-    tcase_add_test(t, equal_bounds_are_kept);
-    tcase_add_test(t, rows_that_are_off_keep_their_impulse);
-    tcase_add_test(t, a_capped_solve_stays_within_bounds);
-    tcase_add_test(t, a_repeated_solve_is_warm);
-    tcase_add_test(t, single_contacts_stick_or_slip_rightly);
-    tcase_add_test(t, a_ball_on_the_ground_in_closed_form);
-    tcase_add_test(t, pairs_of_contacts_are_fixed_points);
-    tcase_add_test(t, a_pyramid_bounds_each_row);
-    tcase_add_test(t, forced_friction_follows_the_normal_force);
-}
-
-TEST_MAIN("problem", tests)

@@ -49,7 +49,7 @@ static void rotate(const MdtKeaBody *body, double q[4], const double L[3], doubl
         kea_rotateFree(body, q, L, time / n, q);
 }
 
-START_TEST(free_rotation_follows_eulers_equations) {
+TEST(free_rotation_follows_eulers_equations) {
     const double moments[][3] = {{1, 2, 3}, {3, 1, 2}, {2, 3, 1}, {1, 1, 2}, {2, 1, 1}, {1, 1, 1}, {.02, 1, 1.01}};
     const double L[3] = {.7, -1.1, .4};
     for (int k = 0; k < 7; k++) {
@@ -62,10 +62,9 @@ START_TEST(free_rotation_follows_eulers_equations) {
         assert_below(distance(q, exact), 2e-6);
     }
 }
-END_TEST
 
 /* Order 4 for fast rotation, 2 for slow: the error falls by 16, or is below anything that matters. */
-START_TEST(fast_rotation_converges_at_fourth_order) {
+TEST(fast_rotation_converges_at_fourth_order) {
     const MdtKeaBody body = bodyWith(1, 2, 3);
     const double L[3] = {7, -11, 4};
     double exact[4] = {1, 0, 0, 0}, error[2];
@@ -77,11 +76,10 @@ START_TEST(fast_rotation_converges_at_fourth_order) {
     }
     ck_assert_msg(error[0] / error[1] > 12 && error[0] / error[1] < 20, "errors %g and %g", error[0], error[1]);
 }
-END_TEST
 
 /* A disc that wobbles, and a rod that turns across its axis and a little about it: a tilt of the axis by a rounding is
  * 60 / 2e-4 x 1.1e-16 = 3e-11 rad about it in this time, and 1000 of them add up to 1e-9. */
-START_TEST(a_symmetric_top_is_exact) {
+TEST(a_symmetric_top_is_exact) {
     const double moments[2][3] = {{2, 2, .5}, {1, 1, 2e-4}}, L[2][3] = {{30, 0, 40}, {0, 60, 3e-3}};
     for (int k = 0; k < 2; k++) {
         const MdtKeaBody body = bodyWith(moments[k][0], moments[k][1], moments[k][2]);
@@ -91,10 +89,9 @@ START_TEST(a_symmetric_top_is_exact) {
         assert_below(distance(once, often), k == 0 ? 1e-12 : 1e-9);
     }
 }
-END_TEST
 
 /* Back and forth is the identity: the splitting is symmetric. */
-START_TEST(free_rotation_is_reversible) {
+TEST(free_rotation_is_reversible) {
     const MdtKeaBody body = bodyWith(1, 2, 3);
     const double L[3] = {7, -11, 4}, start[4] = {1, 0, 0, 0};
     double q[4] = {1, 0, 0, 0};
@@ -102,7 +99,6 @@ START_TEST(free_rotation_is_reversible) {
     rotate(&body, q, L, -1, 60);
     assert_below(distance(q, start), 1e-12);
 }
-END_TEST
 
 static double energyOf(const MdtKeaBody *body, const double q[4], const double L[3]) {
     double w[3];
@@ -111,7 +107,7 @@ static double energyOf(const MdtKeaBody *body, const double q[4], const double L
 }
 
 /* About the axis that free rotation leaves: a box of 1 x .5 x .2 m turns over and over. */
-START_TEST(whirling_about_the_middle_axis_keeps_its_energy) {
+TEST(whirling_about_the_middle_axis_keeps_its_energy) {
     const double speed[] = {30, 300, 3000, 18000}, h = 1. / 60;
     const MdtKeaBody body = bodyWith(.29, 1.04, 1.25);
     for (int k = 0; k < 4; k++) {
@@ -125,9 +121,8 @@ START_TEST(whirling_about_the_middle_axis_keeps_its_energy) {
         ck_assert_msg(worst < 1e-7, "%g rad/s: %g of the energy", speed[k], worst);
     }
 }
-END_TEST
 
-START_TEST(inertia_tensors_split_into_moments_and_axes) {
+TEST(inertia_tensors_split_into_moments_and_axes) {
     const double turn[4] = {.3, .5, -.7, .2}, moments[3] = {1e-3, 2, 5};
     double q[4], R[3][3], tensor[3][3], back[3][3];
     memcpy(q, turn, sizeof q);
@@ -150,9 +145,8 @@ START_TEST(inertia_tensors_split_into_moments_and_axes) {
             assert_near(product, i == j ? 1 : 0, 5e-12);
         }
 }
-END_TEST
 
-START_TEST(bad_tensors_are_refused) {
+TEST(bad_tensors_are_refused) {
     const double bad[][3][3] = {{{1, 0, 0}, {0, 0, 0}, {0, 0, 1}},   {{1, 2, 0}, {2, 1, 0}, {0, 0, 1}},
                                 {{1, .5, 0}, {0, 1, 0}, {0, 0, 1}},  {{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
                                 {{1, 0, 0}, {0, NAN, 0}, {0, 0, 1}}, {{1, 0, 0}, {0, HUGE_VAL, 0}, {0, 0, 1}}};
@@ -162,10 +156,9 @@ START_TEST(bad_tensors_are_refused) {
         ck_assert(body.moments[0] == 1 && body.moments[1] == 2 && body.moments[2] == 3);
     }
 }
-END_TEST
 
 /* A tensor may be as crooked as arithmetic of a program leaves it, and as flat as a sheet. */
-START_TEST(tensors_are_refused_where_they_are_said_to_be) {
+TEST(tensors_are_refused_where_they_are_said_to_be) {
     for (int k = 0; k < 3; k++)
         for (int isBad = 0; isBad < 2; isBad++) {
             double crooked[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, flat[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -176,7 +169,6 @@ START_TEST(tensors_are_refused_where_they_are_said_to_be) {
             ck_assert_int_eq(MdtKeaBodySetInertia(&body, (const double(*)[3])flat), !isBad);
         }
 }
-END_TEST
 
 /* ---- clamped matrices ---- */
 
@@ -193,7 +185,7 @@ static double minMinor(const double M[3][3]) {
 
 /* The nearest matrix without negative eigenvalues, and the only one K₊ with K₊ >= 0, K₊ - K >= 0, K₊ (K₊ - K) = 0. Of
  * eigenvalues apart, equal in pairs, and 0, at all angles. */
-START_TEST(clamping_takes_the_negative_part_away) {
+TEST(clamping_takes_the_negative_part_away) {
     static const double sets[][3] = {{-1, 2, 3},    {-3, -2, 1},   {-3, -1, -2},  {-1, 2, 2}, {-2, -2, 1},
                                      {-1, -1, -1},  {-1, 0, 0},    {-1, -1, 0},   {-1, 0, 1}, {1, 1, -2},
                                      {-1e-9, 1, 2}, {-1, 1e-9, 2}, {-1, -1, 1e-9}};
@@ -219,10 +211,9 @@ START_TEST(clamping_takes_the_negative_part_away) {
                           angle);
         }
 }
-END_TEST
 
 /* Unless what is negative does no harm. */
-START_TEST(harmless_matrices_stay) {
+TEST(harmless_matrices_stay) {
     double K[3][3] = {{1, 0, 0}, {0, -.1, 0}, {0, 0, 2}};
     kea_clampPositive(K, .11);
     ck_assert(K[1][1] == -.1);
@@ -231,19 +222,3 @@ START_TEST(harmless_matrices_stay) {
     assert_near(K[0][0], 1, 1e-15);
     assert_near(K[2][2], 2, 1e-15);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, free_rotation_follows_eulers_equations);
-    tcase_add_test(t, fast_rotation_converges_at_fourth_order);
-    tcase_add_test(t, a_symmetric_top_is_exact);
-    tcase_add_test(t, free_rotation_is_reversible);
-    tcase_add_test(t, whirling_about_the_middle_axis_keeps_its_energy);
-    tcase_add_test(t, inertia_tensors_split_into_moments_and_axes);
-    tcase_add_test(t, bad_tensors_are_refused);
-    tcase_add_test(t, tensors_are_refused_where_they_are_said_to_be);
-    tcase_add_test(t, clamping_takes_the_negative_part_away);
-    tcase_add_test(t, harmless_matrices_stay);
-}
-
-TEST_MAIN("rotation", tests)

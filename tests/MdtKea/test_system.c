@@ -295,7 +295,7 @@ static double inverseMassOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
 
 /* ---- rows ---- */
 
-START_TEST(two_bodies_share_an_impulse) {
+TEST(two_bodies_share_an_impulse) {
     Scene scene;
     begin(&scene, 2, 1, 0.1, 0);
     setBody(&scene, 0, 1, 1, 0);
@@ -317,11 +317,10 @@ START_TEST(two_bodies_share_an_impulse) {
     ck_assert(scene.s.report.residual <= scene.s.report.resolution);
     end(&scene);
 }
-END_TEST
 
 /* J v⁺ = s - h E λ, as exactly as Kea balances momenta, and v⁺ = v + h (f + Jᵀ λ)/m, whatever the row and the
  * bodies. */
-START_TEST(velocity_rows_obey_their_law) {
+TEST(velocity_rows_obey_their_law) {
     for (unsigned seed = 1; seed <= 60; seed++) {
         Scene scene;
         double start[6];
@@ -364,7 +363,6 @@ START_TEST(velocity_rows_obey_their_law) {
         end(&scene);
     }
 }
-END_TEST
 
 /* φ⁺ = φ + h (s - h E λ) where the bodies have arrived. */
 static void assertPositionLaw(const Scene *scene, unsigned seed) {
@@ -390,7 +388,7 @@ static void chain(Scene *scene, unsigned seed, double gap) {
 }
 
 /* However the bodies turn, and whatever is wrong at the start: s = -γ φ/h takes γ of it away. */
-START_TEST(rigid_position_rows_obey_their_law) {
+TEST(rigid_position_rows_obey_their_law) {
     for (unsigned seed = 1; seed <= 60; seed++) {
         Scene scene;
         chain(&scene, seed, 0.05);
@@ -405,10 +403,9 @@ START_TEST(rigid_position_rows_obey_their_law) {
         end(&scene);
     }
 }
-END_TEST
 
 /* From rest, so that λ is the force of the motion alone: what the velocity stage adds to it does not move. */
-START_TEST(soft_position_rows_obey_their_law) {
+TEST(soft_position_rows_obey_their_law) {
     int checked = 0;
     for (unsigned seed = 1; seed <= 60; seed++) {
         Scene scene;
@@ -431,10 +428,9 @@ START_TEST(soft_position_rows_obey_their_law) {
     }
     ck_assert_msg(checked > 100, "%d steps without a velocity stage", checked);
 }
-END_TEST
 
 /* A joint that gives way: 3 N hold back a body that 10 N pull. */
-START_TEST(position_rows_give_way_at_their_bound) {
+TEST(position_rows_give_way_at_their_bound) {
     Scene scene;
     begin(&scene, 1, 1, 0.01, 0);
     setBody(&scene, 0, 2, 1, 0);
@@ -453,9 +449,8 @@ START_TEST(position_rows_give_way_at_their_bound) {
     assert_near(scene.body[0].velocity[0], 0.2 * 7 / 2, 7e-14);
     end(&scene);
 }
-END_TEST
 
-START_TEST(friction_is_bounded_by_the_normal_force) {
+TEST(friction_is_bounded_by_the_normal_force) {
     for (int isPushed = 0; isPushed < 2; isPushed++) {
         Scene scene;
         begin(&scene, 1, 2, 0.01, 0);
@@ -477,10 +472,9 @@ START_TEST(friction_is_bounded_by_the_normal_force) {
         end(&scene);
     }
 }
-END_TEST
 
 /* Forces are finite and within bounds in systems of every kind, where the answer is cut short too. */
-START_TEST(forces_stay_within_bounds) {
+TEST(forces_stay_within_bounds) {
     for (unsigned seed = 1; seed <= 200; seed++) {
         Scene scene;
         state = seed * 104729;
@@ -504,7 +498,6 @@ START_TEST(forces_stay_within_bounds) {
         end(&scene);
     }
 }
-END_TEST
 
 /* ---- springs ---- */
 
@@ -531,7 +524,7 @@ static void springStep(double stiffness, double damping, double rest, double h, 
 }
 
 /* The midpoint rule: v⁺ = v - h (k (x + x⁺)/2 + d (v + v⁺)/2)/m, x⁺ = x + h (v + v⁺)/2. */
-START_TEST(springs_follow_the_midpoint_rule) {
+TEST(springs_follow_the_midpoint_rule) {
     for (unsigned seed = 1; seed <= 50; seed++) {
         state = seed;
         const double h = uniform(0.002, 0.05), m = 2, x0 = uniform(-1, 1), v0 = uniform(-1, 1);
@@ -549,10 +542,9 @@ START_TEST(springs_follow_the_midpoint_rule) {
             assert_below(k * x[0] * x[0] + m * x[1] * x[1], k * x0 * x0 + m * v0 * v0);
     }
 }
-END_TEST
 
 /* Stiffer than h² k/m = 4: backward Euler, v⁺ = v - h (k x⁺ + d v⁺)/m. */
-START_TEST(springs_too_stiff_are_damped) {
+TEST(springs_too_stiff_are_damped) {
     for (unsigned seed = 1; seed <= 50; seed++) {
         state = seed;
         const double h = uniform(0.002, 0.05), m = 2, x0 = uniform(-1, 1), v0 = uniform(-1, 1);
@@ -564,10 +556,9 @@ START_TEST(springs_too_stiff_are_damped) {
         assert_near(x[0], x0 + h * v, TOL(4e-11, 2e-12));
     }
 }
-END_TEST
 
 /* What rests at a rate moves with it, without a force: the damper's other end moves. */
-START_TEST(a_damper_drags_towards_its_rate) {
+TEST(a_damper_drags_towards_its_rate) {
     double x[2] = {0, 0.7};
     springStep(0, 5, 0.7, 0.01, x);
     assert_near(x[1], 0.7, 1e-14);
@@ -576,12 +567,11 @@ START_TEST(a_damper_drags_towards_its_rate) {
     springStep(0, 5, 0.7, 0.01, x); /* u = v⁺/2: m v⁺/h = d (s - u) */
     assert_near_rel(x[1], 5 * 0.7 / (2 / 0.01 + 2.5), 9e-14);
 }
-END_TEST
 
 /* ---- bodies without rows ---- */
 
 /* x⁺ = x + h v + h² a/2, v⁺ = v + h a, L⁺ = L + h T; with damping, v⁺ = e^{-d h} v. */
-START_TEST(free_bodies_move_freely) {
+TEST(free_bodies_move_freely) {
     Scene scene;
     state = 5;
     begin(&scene, 2, 0, 0.02, 0xff);
@@ -607,10 +597,9 @@ START_TEST(free_bodies_move_freely) {
     }
     end(&scene);
 }
-END_TEST
 
 /* Whom it shares a system with does not touch a body without rows. */
-START_TEST(free_bodies_do_not_see_the_others) {
+TEST(free_bodies_do_not_see_the_others) {
     Scene alone, among;
     state = 9;
     begin(&alone, 1, 0, 0.01, 0);
@@ -632,12 +621,11 @@ START_TEST(free_bodies_do_not_see_the_others) {
     end(&alone);
     end(&among);
 }
-END_TEST
 
 /* ---- robustness ---- */
 
 /* The guards are checked by end(): scratch memory is not left, whatever is in the system. */
-START_TEST(scratch_memory_is_not_left) {
+TEST(scratch_memory_is_not_left) {
     for (unsigned seed = 1; seed <= 150; seed++) {
         Scene scene;
         state = seed * 15485863;
@@ -653,10 +641,9 @@ START_TEST(scratch_memory_is_not_left) {
         end(&scene);
     }
 }
-END_TEST
 
 /* No more room than rows: the arrays are not laid out larger than they were measured. */
-START_TEST(scratch_of_exactly_that_many_rows) {
+TEST(scratch_of_exactly_that_many_rows) {
     for (int n = 1; n <= MAX_BODIES; n++) {
         Scene scene;
         state = (unsigned)n;
@@ -671,7 +658,6 @@ START_TEST(scratch_of_exactly_that_many_rows) {
         end(&scene);
     }
 }
-END_TEST
 
 static MeBool isFiniteBody(const MdtKeaBody *b) {
     return isfinite(keaLength(b->position)) && isfinite(keaLength(b->velocity)) &&
@@ -679,7 +665,7 @@ static MeBool isFiniteBody(const MdtKeaBody *b) {
 }
 
 /* They do not get into the state of a body: the step is not taken, or it is, without them, and that is told. */
-START_TEST(rows_that_are_not_numbers_spoil_nothing) {
+TEST(rows_that_are_not_numbers_spoil_nothing) {
     const double wrong[] = {(double)NAN, HUGE_VAL};
     for (int where = 0; where < 12; where++) {
         Scene scene;
@@ -707,9 +693,8 @@ START_TEST(rows_that_are_not_numbers_spoil_nothing) {
         end(&scene);
     }
 }
-END_TEST
 
-START_TEST(loads_that_are_not_numbers_move_nothing) {
+TEST(loads_that_are_not_numbers_move_nothing) {
     const double wrong[] = {(double)NAN, HUGE_VAL};
     for (int where = 0; where < 8; where++) {
         Scene scene;
@@ -729,10 +714,9 @@ START_TEST(loads_that_are_not_numbers_move_nothing) {
         end(&scene);
     }
 }
-END_TEST
 
 /* A guess that is not a number is none; one that is wildly wrong is found out. */
-START_TEST(a_bad_guess_does_no_harm) {
+TEST(a_bad_guess_does_no_harm) {
     const double wrong[] = {(double)NAN, HUGE_VAL, -HUGE_VAL, 1e6};
     for (int where = 0; where < 4; where++) {
         Scene scene;
@@ -751,7 +735,6 @@ START_TEST(a_bad_guess_does_no_harm) {
         end(&scene);
     }
 }
-END_TEST
 
 static void *MEAPI noMemory(size_t bytes) {
     (void)bytes;
@@ -759,7 +742,7 @@ static void *MEAPI noMemory(size_t bytes) {
 }
 
 /* Without memory for the matrices there is no answer, but a step all the same. */
-START_TEST(lack_of_memory_leaves_finite_bodies) {
+TEST(lack_of_memory_leaves_finite_bodies) {
     Scene scene;
     state = 13;
     begin(&scene, 2, 6, 0.01, 0);
@@ -784,7 +767,6 @@ START_TEST(lack_of_memory_leaves_finite_bodies) {
     ck_assert_int_gt(scene.s.report.factorizations, 0);
     end(&scene);
 }
-END_TEST
 
 /* ---- the report ---- */
 
@@ -809,13 +791,12 @@ static void contradict(MeBool isApart) {
     end(&scene);
 }
 
-START_TEST(contradictory_joints_are_told) {
+TEST(contradictory_joints_are_told) {
     for (int i = 0; i < 100; i++)
         contradict(i % 2);
 }
-END_TEST
 
-START_TEST(fast_tops_are_refused_if_they_may_be) {
+TEST(fast_tops_are_refused_if_they_may_be) {
     const double flat[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 2}}, w[3] = {0, 0, 100};
     for (int mayRefuse = 0; mayRefuse < 2; mayRefuse++) {
         Scene scene;
@@ -837,7 +818,6 @@ START_TEST(fast_tops_are_refused_if_they_may_be) {
         end(&scene);
     }
 }
-END_TEST
 
 /* A top on a joint that takes a step by w h, beside a ball that rests on the ground, or nothing. */
 static MeBool isTopRefused(double w, double difference, MeBool withContact) {
@@ -863,13 +843,12 @@ static MeBool isTopRefused(double w, double difference, MeBool withContact) {
 
 /* By more than .1 rad a step times the relative difference of its moments, .5 where anything is in contact; tensors
  * that differ by rounding are those of balls, which no step is too long for. */
-START_TEST(tops_are_refused_from_a_tenth_of_a_radian_on) {
+TEST(tops_are_refused_from_a_tenth_of_a_radian_on) {
     const double w = 2 / 0.02; /* rad/s, by which it turns by 1 rad times the difference, a half, a step */
     ck_assert(!isTopRefused(0.09 * w, 1, MEFALSE) && isTopRefused(0.11 * w, 1, MEFALSE));
     ck_assert(!isTopRefused(0.45 * w, 1, METRUE) && isTopRefused(0.55 * w, 1, METRUE));
     ck_assert(!isTopRefused(1e12, 0.9e-9, MEFALSE) && isTopRefused(1e12, 1.1e-9, MEFALSE));
 }
-END_TEST
 
 /* Passes of a step of a body of 2 kg with one velocity row, which it obeys, after that guess at the row's force. */
 static int passesAfter(double guess, double speed, double load, double *resolution) {
@@ -893,7 +872,7 @@ static int passesAfter(double guess, double speed, double load, double *resoluti
 
 /* Momentum within 1e-8 of what the load and the row give it; where there is none, within 1e-12 of what it has.
  * Velocities within 1e-9 of the load's and a tenth of its own. */
-START_TEST(a_guess_within_the_tolerances_is_kept) {
+TEST(a_guess_within_the_tolerances_is_kept) {
     double resolution;
     ck_assert_int_eq(passesAfter(20 * (1 + 1.5e-8), 0, -20, &resolution), 0);
     ck_assert_int_gt(passesAfter(20 * (1 + 2.5e-8), 0, -20, &resolution), 0);
@@ -901,7 +880,6 @@ START_TEST(a_guess_within_the_tolerances_is_kept) {
     assert_near_rel(resolution, 1e-9 * 0.1 * 3, 1e-9);
     ck_assert_int_gt(passesAfter(1.5e-12 * 2 * 3 / 0.01, 3, 0, &resolution), 0);
 }
-END_TEST
 
 static void MEAPI errorAlongX(void *context, const MdtKeaTransformation poses[], double errors[]) {
     (void)context;
@@ -936,13 +914,12 @@ static int passesAgainst(double pull, double bound) {
 
 /* A pass leaves N over A_ii of what a rigid row misses, which is half of the pull, as the step is of the midpoint rule:
  * 1e-8 of it with a joint, 1e-6 with a bounded row. 1.2e-12 m and 1.1e-9 m/s are tolerated here. */
-START_TEST(a_pass_leaves_the_proximal_part) {
+TEST(a_pass_leaves_the_proximal_part) {
     ck_assert_int_eq(passesAgainst(0.017, HUGE_VAL), 1);
     ck_assert_int_eq(passesAgainst(0.034, HUGE_VAL), 2);
     ck_assert_int_eq(passesAgainst(1.5e-3, 1e6), 1);
     ck_assert_int_eq(passesAgainst(3e-3, 1e6), 2);
 }
-END_TEST
 
 /* Velocity stages of a step of the midpoint rule for a body that moves with that speed, in m/s, along a joint that
  * holds it: its mean velocity is 0, and at the end the speed is the opposite. The load across the joint gives 1 m/s.
@@ -966,14 +943,13 @@ static int stagesAfter(double speed, double before) {
 
 /* From a twentieth of the load's speed on; below that, where the last step left the opposite: their sum is less than
  * half of their difference, for ratios from -1/3 to -3. */
-START_TEST(velocities_are_corrected_where_it_matters) {
+TEST(velocities_are_corrected_where_it_matters) {
     ck_assert_int_eq(stagesAfter(0.045, 0), 0);
     ck_assert_int_eq(stagesAfter(0.055, 0), 1);
     ck_assert_int_eq(stagesAfter(0.01, -0.38), 1);
     ck_assert_int_eq(stagesAfter(0.01, -0.28), 0);
     ck_assert_int_eq(stagesAfter(0.01, 0.38), 0);
 }
-END_TEST
 
 /* The energy that a spring's swing loses in a step beside a contact with that gap, which is met with that speed. */
 static double lossBeside(double gap, double speed) {
@@ -1004,17 +980,16 @@ static double lossBeside(double gap, double speed) {
 
 /* A contact may act if it would be closed in one and a half steps, or is nearer than a thousandth of the radius of
  * gyration; then the step is that of backward Euler, which damps. */
-START_TEST(contacts_within_reach_damp) {
+TEST(contacts_within_reach_damp) {
     const double way = 0.01 * 3, size = sqrt(0.5);
     assert_below(1e-3, lossBeside(1.4 * way, 3));
     assert_near(lossBeside(1.6 * way, 3), 0, 1e-12);
     assert_below(1e-3, lossBeside(0.9e-3 * size, 0));
     assert_near(lossBeside(1.1e-3 * size, 0), 0, 1e-12);
 }
-END_TEST
 
 /* A hanging body: once its force is known, a step needs no pass and no matrix. */
-START_TEST(nothing_is_factored_at_rest) {
+TEST(nothing_is_factored_at_rest) {
     Scene scene;
     begin(&scene, 1, 3, 0.01, 0);
     setBody(&scene, 0, 2, 1, 0);
@@ -1038,7 +1013,6 @@ START_TEST(nothing_is_factored_at_rest) {
     }
     end(&scene);
 }
-END_TEST
 
 /* ---- impacts ---- */
 
@@ -1058,7 +1032,7 @@ static void cradle(Scene *scene, int n, double restitution) {
     }
 }
 
-START_TEST(impacts_obey_newton) {
+TEST(impacts_obey_newton) {
     for (int i = 0; i <= 4; i++) {
         Scene scene;
         const double e = 0.25 * i;
@@ -1073,7 +1047,6 @@ START_TEST(impacts_obey_newton) {
         end(&scene);
     }
 }
-END_TEST
 
 /* Does a body of 2 kg meet what a contact of that softness keeps it from, when it moves into it by `speed`, of what its
  * weight changes in a step? Others may hang about in the partition, and press on it. */
@@ -1100,7 +1073,7 @@ static MeBool meetsWith(double speed, double softness, double others) {
 
 /* It gives way to the weight of all by v = h E m g, which is E m of what the weight changes in a step; to no more than
  * a twentieth. A hard one gives way to nothing but a millionth. */
-START_TEST(giving_way_to_a_load_is_no_impact) {
+TEST(giving_way_to_a_load_is_no_impact) {
     ck_assert(!meetsWith(0, 0, 3));
     ck_assert(!meetsWith(.75e-6, 0, 3));
     ck_assert(meetsWith(1.5e-6, 0, 3));
@@ -1113,9 +1086,8 @@ START_TEST(giving_way_to_a_load_is_no_impact) {
     ck_assert(!meetsWith(.049, 1, 3));
     ck_assert(meetsWith(.051, 1, 3));
 }
-END_TEST
 
-START_TEST(the_last_ball_of_a_cradle_leaves_alone) {
+TEST(the_last_ball_of_a_cradle_leaves_alone) {
     Scene scene;
     cradle(&scene, 5, 1);
     MdtKeaImpact(&scene.s);
@@ -1123,7 +1095,6 @@ START_TEST(the_last_ball_of_a_cradle_leaves_alone) {
         assert_near(scene.body[i].velocity[0], i == 4 ? 3 : 0, TOL(1e-6, 3e-13));
     end(&scene);
 }
-END_TEST
 
 /* Three balls in a row that touch, of which the first hits with some m/s, and others elsewhere that move as they like.
  * Returns the work of the impact. */
@@ -1155,14 +1126,13 @@ static double hitAmong(int others, double speed) {
     return work;
 }
 
-START_TEST(impacts_leave_alone_what_they_do_not_reach) {
+TEST(impacts_leave_alone_what_they_do_not_reach) {
     const double work = hitAmong(0, 1);
     ck_assert(work > 0);
     ck_assert(hitAmong(1, 1) == work);
     ck_assert(hitAmong(8, 1) == work);
     ck_assert(hitAmong(8, 0) == 0);
 }
-END_TEST
 
 /* Two bodies that spin meet, and one of them has a gap of .03 m to a third. Steps after the impact, with new rows or
  * with those from before it. Returns whether they flew. */
@@ -1194,7 +1164,7 @@ static MeBool stepAfterImpact(Scene *scene, double restitution, MeBool renews) {
     return flies;
 }
 
-START_TEST(rows_from_before_an_impact_will_do_for_what_flies) {
+TEST(rows_from_before_an_impact_will_do_for_what_flies) {
     Scene before, after, held;
     ck_assert(stepAfterImpact(&before, 1, MEFALSE));
     ck_assert(stepAfterImpact(&after, 1, METRUE));
@@ -1206,7 +1176,6 @@ START_TEST(rows_from_before_an_impact_will_do_for_what_flies) {
     end(&after);
     end(&held);
 }
-END_TEST
 
 static double kineticEnergyOf(const MdtKeaBody *b) {
     double w[3];
@@ -1253,7 +1222,7 @@ static void bounceBall(double friction, double fall, double v[2]) {
     end(&scene);
 }
 
-START_TEST(impacts_have_friction) {
+TEST(impacts_have_friction) {
     const double fall = sqrt(2 * 9.81 * 1.5);
     double v[2];
     bounceBall(.1, fall, v); /* it slides */
@@ -1266,11 +1235,10 @@ START_TEST(impacts_have_friction) {
     assert_near(v[0], 6, 1e-12);
     assert_near(v[1], 0, 1e-12);
 }
-END_TEST
 
 /* Newton's law with friction can ask for energy that is not there (Kane's paradox): a slanted rod, or a box on some
  * corners. Then as much of the rebound is given as energy allows: none is gained, and in those cases none is lost. */
-START_TEST(rebounds_with_friction_gain_no_energy) {
+TEST(rebounds_with_friction_gain_no_energy) {
     int limited = 0;
     for (unsigned seed = 1; seed <= 2000; seed++) {
         Scene scene;
@@ -1301,7 +1269,6 @@ START_TEST(rebounds_with_friction_gain_no_energy) {
     }
     ck_assert_int_ge(limited, 20); /* of those that touch at several points, a restitution below 1 and friction */
 }
-END_TEST
 
 /* ---- the same again ---- */
 
@@ -1342,7 +1309,7 @@ enum { SEEDS = 16 };
 enum { SEEDS = 40 };
 #endif
 
-START_TEST(steps_depend_on_the_system_alone) {
+TEST(steps_depend_on_the_system_alone) {
     for (unsigned seed = 1; seed <= SEEDS; seed++) {
         static MdtKeaBody a[MAX_BODIES], b[MAX_BODIES];
         double p[MAX_ROWS], q[MAX_ROWS];
@@ -1355,58 +1322,16 @@ START_TEST(steps_depend_on_the_system_alone) {
         ck_assert_msg(memcmp(a, b, sizeof a) == 0 && memcmp(p, q, sizeof p) == 0, "cache, seed %u", seed);
     }
 }
-END_TEST
 
-START_TEST(memory_required_is_that_of_the_largest_partition) {
+TEST(memory_required_is_that_of_the_largest_partition) {
     const int rows[] = {3, 30, 12};
     ck_assert_int_eq(MdtKeaMemoryRequired(rows, 3, 30, 5), (int)MdtKeaScratchSize(5, 30, 30));
     ck_assert_int_eq(MdtKeaMemoryRequired(NULL, 1, 12, 5), (int)MdtKeaScratchSize(5, 12, 12));
     ck_assert_int_eq(MdtKeaMemoryRequired(rows, 0, 30, 5), 0);
 }
-END_TEST
 
 /* Each test has the same numbers, whichever ran before it. */
 static void restartNumbers(void) {
     state = 1;
 }
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, restartNumbers, NULL);
-    tcase_add_test(t, two_bodies_share_an_impulse);
-    tcase_add_test(t, velocity_rows_obey_their_law);
-    tcase_add_test(t, rigid_position_rows_obey_their_law);
-    tcase_add_test(t, soft_position_rows_obey_their_law);
-    tcase_add_test(t, position_rows_give_way_at_their_bound);
-    tcase_add_test(t, friction_is_bounded_by_the_normal_force);
-    tcase_add_test(t, forces_stay_within_bounds);
-    tcase_add_test(t, springs_follow_the_midpoint_rule);
-    tcase_add_test(t, springs_too_stiff_are_damped);
-    tcase_add_test(t, a_damper_drags_towards_its_rate);
-    tcase_add_test(t, free_bodies_move_freely);
-    tcase_add_test(t, free_bodies_do_not_see_the_others);
-    tcase_add_test(t, scratch_memory_is_not_left);
-    tcase_add_test(t, scratch_of_exactly_that_many_rows);
-    tcase_add_test(t, rows_that_are_not_numbers_spoil_nothing);
-    tcase_add_test(t, loads_that_are_not_numbers_move_nothing);
-    tcase_add_test(t, a_bad_guess_does_no_harm);
-    tcase_add_test(t, lack_of_memory_leaves_finite_bodies);
-    tcase_add_test(t, contradictory_joints_are_told);
-    tcase_add_test(t, fast_tops_are_refused_if_they_may_be);
-    tcase_add_test(t, tops_are_refused_from_a_tenth_of_a_radian_on);
-    tcase_add_test(t, a_guess_within_the_tolerances_is_kept);
-    tcase_add_test(t, a_pass_leaves_the_proximal_part);
-    tcase_add_test(t, velocities_are_corrected_where_it_matters);
-    tcase_add_test(t, contacts_within_reach_damp);
-    tcase_add_test(t, nothing_is_factored_at_rest);
-    tcase_add_test(t, impacts_obey_newton);
-    tcase_add_test(t, giving_way_to_a_load_is_no_impact);
-    tcase_add_test(t, the_last_ball_of_a_cradle_leaves_alone);
-    tcase_add_test(t, impacts_leave_alone_what_they_do_not_reach);
-    tcase_add_test(t, rows_from_before_an_impact_will_do_for_what_flies);
-    tcase_add_test(t, impacts_have_friction);
-    tcase_add_test(t, rebounds_with_friction_gain_no_energy);
-    tcase_add_test(t, steps_depend_on_the_system_alone);
-    tcase_add_test(t, memory_required_is_that_of_the_largest_partition);
-}
-
-TEST_MAIN("system", tests)
+TEST_FIXTURE(restartNumbers, NULL)

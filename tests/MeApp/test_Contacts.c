@@ -1,6 +1,8 @@
 /* Contacts as lines: as many as there are, where they are. */
 #include "app_test.h"
 
+TEST_FIXTURE(set_up, tear_down)
+
 static float yellow[4] = {1, .8f, 0, 1};
 static MeMatrix4 floorTM;
 
@@ -21,7 +23,7 @@ static int contacts_of_the_world(void) {
     return n;
 }
 
-START_TEST(every_contact_is_a_line) {
+TEST(every_contact_is_a_line) {
     make_scene();
     MeAppDrawContacts(app);
     ck_assert_int_eq(lines_drawn(), 0);
@@ -34,9 +36,8 @@ START_TEST(every_contact_is_a_line) {
     run(10);
     ck_assert_int_eq(lines_drawn(), 8);
 }
-END_TEST
 
-START_TEST(a_line_goes_along_the_normal_through_the_contact) {
+TEST(a_line_goes_along_the_normal_through_the_contact) {
     make_scene();
     MeAppDrawContactsInit(app, yellow, 100);
     MeAppSetContactDrawLength(app, 2);
@@ -51,9 +52,8 @@ START_TEST(a_line_goes_along_the_normal_through_the_contact) {
         assert_near(l->m_Color[1], .8, 1e-6);
     }
 }
-END_TEST
 
-START_TEST(no_more_lines_than_there_is_room_for) {
+TEST(no_more_lines_than_there_is_room_for) {
     make_scene();
     MeAppDrawContactsInit(app, yellow, 5);
     MeAppDrawContacts(app);
@@ -63,9 +63,8 @@ START_TEST(no_more_lines_than_there_is_room_for) {
     MeAppDrawContacts(app);
     ck_assert_int_eq(lines_drawn(), 8);
 }
-END_TEST
 
-START_TEST(lines_go_with_their_contacts_and_by_the_switch) {
+TEST(lines_go_with_their_contacts_and_by_the_switch) {
     make_scene();
     MeAppDrawContactsInit(app, yellow, 100);
     run(1);
@@ -84,9 +83,8 @@ START_TEST(lines_go_with_their_contacts_and_by_the_switch) {
     run(3);
     ck_assert_int_eq(lines_drawn(), 0);
 }
-END_TEST
 
-START_TEST(bad_input_is_named) {
+TEST(bad_input_is_named) {
     float broken[4] = {0, NAN, 0, 1};
     messages_catch();
     MeAppDrawContactsInit(app, NULL, 3);
@@ -109,14 +107,3 @@ START_TEST(bad_input_is_named) {
     assert_warned("MeAppSetContactDrawLength");
     messages_release();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_add_test(t, every_contact_is_a_line);
-    tcase_add_test(t, a_line_goes_along_the_normal_through_the_contact);
-    tcase_add_test(t, no_more_lines_than_there_is_room_for);
-    tcase_add_test(t, lines_go_with_their_contacts_and_by_the_switch);
-    tcase_add_test(t, bad_input_is_named);
-}
-TEST_MAIN("MeApp Contacts", tests)

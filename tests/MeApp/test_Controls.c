@@ -2,11 +2,13 @@
 #include "RPanel.h"
 #include "app_test.h"
 
+TEST_FIXTURE(set_up, tear_down)
+
 static void middle(RMouseButtonEvent event) {
     MeAppMousePickCB(rc, WIDTH / 2, HEIGHT / 2, 0, kRLeftButton, event, app);
 }
 
-START_TEST(a_click_selects) {
+TEST(a_click_selects) {
     const McdModelID box = make_box(0, 0, 0);
     MeAppCreateControls(app);
     ck_assert_ptr_null(MeAppGetSelected(app));
@@ -23,9 +25,8 @@ START_TEST(a_click_selects) {
     MstModelAndBodyDestroy(box);
     ck_assert_ptr_null(MeAppGetSelected(app));
 }
-END_TEST
 
-START_TEST(the_selected_model_is_framed) {
+TEST(the_selected_model_is_framed) {
     const McdModelID box = make_box(3, 2, 1);
     make_box(-9, 0, 0);
     AcmeVector3 at;
@@ -46,9 +47,8 @@ START_TEST(the_selected_model_is_framed) {
     assert_near(at[0], -3, 1e-5);
     assert_near(at[1], 1, 1e-5);
 }
-END_TEST
 
-START_TEST(a_ball_is_thrown_along_the_line_of_sight) {
+TEST(a_ball_is_thrown_along_the_line_of_sight) {
     const McdModelID box = make_box(0, 0, 0);
     MeVector3 v;
     ck_assert_ptr_null(MeAppThrowBall(app));
@@ -62,9 +62,8 @@ START_TEST(a_ball_is_thrown_along_the_line_of_sight) {
     McdModelDynamicsGetLinearVelocity(box, v);
     assert_below(v[2], -1); /* It was hit. */
 }
-END_TEST
 
-START_TEST(after_eight_balls_the_first_is_thrown_again) {
+TEST(after_eight_balls_the_first_is_thrown_again) {
     McdModelID first = 0, ball = 0;
     MeAppCreateControls(app);
     for (int i = 0; i < 9; i++) {
@@ -79,10 +78,9 @@ START_TEST(after_eight_balls_the_first_is_thrown_again) {
         ck_assert_ptr_nonnull(MeAppThrowBall(app));
     ck_assert_int_eq(MdtWorldGetTotalBodies(u->world), 8);
 }
-END_TEST
 
 /* Controls that nobody uses change no bit of the motion, and switch no report on. */
-START_TEST(controls_change_nothing_by_themselves) {
+TEST(controls_change_nothing_by_themselves) {
     MeVector3 p[2];
     for (int with = 0; with < 2; with++) {
         tear_down();
@@ -98,10 +96,9 @@ START_TEST(controls_change_nothing_by_themselves) {
     }
     ck_assert_int_eq(memcmp(p[0], p[1], sizeof p[0]), 0);
 }
-END_TEST
 
 /* What the context keeps of the helpers goes with them: the context may live on. */
-START_TEST(controls_end_before_the_context) {
+TEST(controls_end_before_the_context) {
     MeAppCreateControls(app);
     MeAppSetLayers(app, MstDebugAll);
     MeAppDestroy(app);
@@ -111,9 +108,8 @@ START_TEST(controls_end_before_the_context) {
     messages_release();
     app = MeAppCreateFromUniverse(u, rc);
 }
-END_TEST
 
-START_TEST(bad_input) {
+TEST(bad_input) {
     messages_catch();
     MeAppSetLayers(app, MstDebugShapes);
     assert_warned("MeAppCreateControls");
@@ -130,16 +126,3 @@ START_TEST(bad_input) {
     assert_warned("MeAppThrowBall");
     messages_release();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_add_test(t, a_click_selects);
-    tcase_add_test(t, the_selected_model_is_framed);
-    tcase_add_test(t, a_ball_is_thrown_along_the_line_of_sight);
-    tcase_add_test(t, after_eight_balls_the_first_is_thrown_again);
-    tcase_add_test(t, controls_change_nothing_by_themselves);
-    tcase_add_test(t, controls_end_before_the_context);
-    tcase_add_test(t, bad_input);
-}
-TEST_MAIN("Controls", tests)

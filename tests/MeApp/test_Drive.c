@@ -4,7 +4,9 @@
 #include "RKey.h"
 #include "app_test.h"
 
-START_TEST(the_camera_is_behind_the_body_and_comes_after_it) {
+TEST_FIXTURE(set_up, tear_down)
+
+TEST(the_camera_is_behind_the_body_and_comes_after_it) {
     const McdModelID box = make_box(1, 2, 3);
     AcmeVector3 at, from;
     MeAppFollow(app, McdModelGetBody(box), 5, 0);
@@ -21,9 +23,8 @@ START_TEST(the_camera_is_behind_the_body_and_comes_after_it) {
     RCameraGetLookAt(rc, at);
     assert_vec3_near(at, 5, 2, 3, 1e-5);
 }
-END_TEST
 
-START_TEST(the_camera_turns_as_the_body_turns) {
+TEST(the_camera_turns_as_the_body_turns) {
     const McdModelID box = make_box(0, 0, 0);
     AcmeVector3 from;
     const MeReal half = ME_PI / 4;
@@ -34,10 +35,9 @@ START_TEST(the_camera_turns_as_the_body_turns) {
     RCameraGetPosition(rc, from);
     assert_vec3_near(from, 0, 0, 5, 1e-4);
 }
-END_TEST
 
 /* The same with z up: behind is still behind, and a body that turns about z is followed. */
-START_TEST(the_camera_follows_about_the_up_axis) {
+TEST(the_camera_follows_about_the_up_axis) {
     const McdModelID box = make_box(0, 0, 0);
     AcmeVector3 from;
     const MeReal half = ME_PI / 4;
@@ -51,9 +51,8 @@ START_TEST(the_camera_follows_about_the_up_axis) {
     RCameraGetPosition(rc, from);
     assert_vec3_near(from, 0, -5 * cos(acos(-1) / 6), 2.5, 1e-4);
 }
-END_TEST
 
-START_TEST(following_ends_with_the_body) {
+TEST(following_ends_with_the_body) {
     const McdModelID box = make_box(0, 0, 0);
     AcmeVector3 at;
     MeAppFollow(app, McdModelGetBody(box), 5, 0);
@@ -68,7 +67,6 @@ START_TEST(following_ends_with_the_body) {
     RCameraGetLookAt(rc, at);
     assert_vec3_near(at, 0, 0, 0, 0);
 }
-END_TEST
 
 static MeReal MEAPI slope(MeReal x, MeReal z, void *userdata) {
     return *(MeReal *)userdata + (MeReal)0.25 * x - (MeReal)0.5 * z;
@@ -82,7 +80,7 @@ static int graphics_drawn(void) {
 }
 
 /* A ball that falls along y onto the plane y = 2 + x / 4 - z / 2 lies on it. */
-START_TEST(the_model_is_where_the_function_is) {
+TEST(the_model_is_where_the_function_is) {
     MeReal level = 2;
     MeAppTerrain *t = MeAppTerrainCreate(9, 2, slope, &level);
     const McdModelID ground = MeAppTerrainCreateModel(t, u);
@@ -98,9 +96,8 @@ START_TEST(the_model_is_where_the_function_is) {
     MeAppDestroy(app);
     app = MeAppCreateFromUniverse(u, rc);
 }
-END_TEST
 
-START_TEST(corners_are_in_the_world) {
+TEST(corners_are_in_the_world) {
     MeReal level = 0;
     MeAppTerrain *t = MeAppTerrainCreate(5, 3, slope, &level);
     ck_assert_int_eq(MeAppTerrainGetPoints(t), 5);
@@ -122,10 +119,9 @@ START_TEST(corners_are_in_the_world) {
     messages_release();
     MeAppTerrainDestroy(t);
 }
-END_TEST
 
 /* With z up the plane is z = 2 + x / 4 - y / 2, the model's and the picture's. */
-START_TEST(z_may_be_up) {
+TEST(z_may_be_up) {
     MeReal level = 2;
     MeAppTerrain *t = MeAppTerrainCreateZUp(9, 2, slope, &level);
     const McdModelID ground = MeAppTerrainCreateModel(t, u);
@@ -148,10 +144,9 @@ START_TEST(z_may_be_up) {
     MeAppDestroy(app);
     app = MeAppCreateFromUniverse(u, rc);
 }
-END_TEST
 
 /* All cells are drawn, whatever of them is level. */
-START_TEST(it_is_drawn_whole) {
+TEST(it_is_drawn_whole) {
     MeReal level = 1;
     MeAppTerrain *t = MeAppTerrainCreate(5, 3, slope, &level);
     MeAppTerrainShow(t, rc);
@@ -159,9 +154,8 @@ START_TEST(it_is_drawn_whole) {
     ck_assert_int_eq(rc->m_p3DGraphics->m_pObject->m_nNumVertices, 6 * 16);
     MeAppTerrainDestroy(t);
 }
-END_TEST
 
-START_TEST(bad_arguments_get_a_warning) {
+TEST(bad_arguments_get_a_warning) {
     MeReal level = 0;
     messages_catch();
     ck_assert_ptr_null(MeAppTerrainCreate(1, 1, slope, &level));
@@ -182,18 +176,3 @@ START_TEST(bad_arguments_get_a_warning) {
     assert_warned("MeAppFollow");
     messages_release();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_add_test(t, the_camera_is_behind_the_body_and_comes_after_it);
-    tcase_add_test(t, the_camera_turns_as_the_body_turns);
-    tcase_add_test(t, the_camera_follows_about_the_up_axis);
-    tcase_add_test(t, following_ends_with_the_body);
-    tcase_add_test(t, the_model_is_where_the_function_is);
-    tcase_add_test(t, corners_are_in_the_world);
-    tcase_add_test(t, z_may_be_up);
-    tcase_add_test(t, it_is_drawn_whole);
-    tcase_add_test(t, bad_arguments_get_a_warning);
-}
-TEST_MAIN("Drive", tests)

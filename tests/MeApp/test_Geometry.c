@@ -4,6 +4,8 @@
 #include "RGeometry.h"
 #include "app_test.h"
 
+TEST_FIXTURE(set_up, tear_down)
+
 static float red[4] = {.8f, .1f, .1f, 1};
 static MeMatrix4 floorTM = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
 
@@ -26,7 +28,7 @@ static void assert_extent(const RGraphic *g, double x0, double y0, double z0, do
     assert_vec3_near(high, x1, y1, z1, 1e-5);
 }
 
-START_TEST(every_shape_is_as_large_as_its_geometry) {
+TEST(every_shape_is_as_large_as_its_geometry) {
     MeVector3 corner[] = {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}}, low = {-1, -2, 0}, high = {1, 2, 3};
     static const MeReal heights[] = {0, 1, 2, 3, 4, 5};
     RGraphic *g = RGraphicCreateFromGeometry(rc, McdBoxCreate(u->frame, 1, 2, 3), red);
@@ -50,9 +52,8 @@ START_TEST(every_shape_is_as_large_as_its_geometry) {
     assert_extent(g, 5, 6, 0, 7, 8, 5);
     ck_assert_int_eq(g->m_pObject->m_nNumVertices, 12);
 }
-END_TEST
 
-START_TEST(an_aggregate_is_one_graphic) {
+TEST(an_aggregate_is_one_graphic) {
     MeMatrix4 place;
     McdAggregateID whole = McdAggregateCreate(u->frame, 2);
     MeMatrix4TMMakeIdentity(place);
@@ -67,18 +68,16 @@ START_TEST(an_aggregate_is_one_graphic) {
     ck_assert_ptr_null(g->m_pNext);
     McdGeometryDestroy(whole);
 }
-END_TEST
 
-START_TEST(a_models_graphic_follows_it) {
+TEST(a_models_graphic_follows_it) {
     McdModelID m = make_box(1, 2, 3);
     RGraphic *g = RGraphicCreateFromModel(rc, m, red);
     assert_extent(g, -.5, -.5, -.5, .5, .5, .5);
     RRenderUpdateGraphicMatrices(rc);
     assert_vec3_near(g->m_pObject->m_Matrix[3], 1, 2, 3, 0);
 }
-END_TEST
 
-START_TEST(bad_input) {
+TEST(bad_input) {
     McdGeometryID box = McdBoxCreate(u->frame, 1, 1, 1);
     float bad[4] = {NAN, 0, 0, 1};
     messages_catch();
@@ -100,7 +99,6 @@ START_TEST(bad_input) {
     ck_assert_ptr_null(rc->m_p3DGraphics);
     McdGeometryDestroy(box);
 }
-END_TEST
 
 /* ---- debug drawing ---- */
 
@@ -132,22 +130,20 @@ static void draw_a_step(int options) {
     MeDebugDrawAPI.line = before;
 }
 
-START_TEST(a_world_draws_its_contacts) {
+TEST(a_world_draws_its_contacts) {
     draw_a_step(MdtDebugDrawContacts);
     ck_assert_int_eq(lines, 4);
     assert_near(fabs(lengths), 4 * .3, 1e-3);
 }
-END_TEST
 
 /* What carries a body's weight of 10 m/s² is a metre long together. */
-START_TEST(a_world_draws_its_contact_forces) {
+TEST(a_world_draws_its_contact_forces) {
     draw_a_step(MdtDebugDrawContactForce);
     ck_assert_int_eq(lines, 4);
     assert_near(fabs(lengths), 1, 1e-2);
 }
-END_TEST
 
-START_TEST(a_model_draws_its_box) {
+TEST(a_model_draws_its_box) {
     McdModelID m = make_box(0, 0, 0);
     run(1);
     const MeDebugLineFuncPtr before = MeDebugDrawAPI.line;
@@ -163,16 +159,3 @@ START_TEST(a_model_draws_its_box) {
     assert_warned("MdtWorldSetDebugDrawing");
     messages_release();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_add_test(t, every_shape_is_as_large_as_its_geometry);
-    tcase_add_test(t, an_aggregate_is_one_graphic);
-    tcase_add_test(t, a_models_graphic_follows_it);
-    tcase_add_test(t, bad_input);
-    tcase_add_test(t, a_world_draws_its_contacts);
-    tcase_add_test(t, a_world_draws_its_contact_forces);
-    tcase_add_test(t, a_model_draws_its_box);
-}
-TEST_MAIN("Geometry", tests)

@@ -52,6 +52,7 @@ static void teardown(void) {
     messages_release();
     tear_down();
 }
+TEST_FIXTURE(setup, teardown)
 
 static void assert_extent(const RGraphic *g, double x, double y, double z) {
     double low[3] = {1e9, 1e9, 1e9}, high[3] = {-1e9, -1e9, -1e9};
@@ -66,7 +67,7 @@ static void assert_extent(const RGraphic *g, double x, double y, double z) {
     assert_vec3_near(high, x, y, z, 1e-6);
 }
 
-START_TEST(a_box_in_two_formats) {
+TEST(a_box_in_two_formats) {
     RGraphic *const both[] = {load("test_Mesh.obj", obj, 1), load("test_Mesh.ply", ply, 1)};
     for (int i = 0; i < 2; i++) {
         ck_assert_ptr_nonnull(both[i]);
@@ -79,9 +80,8 @@ START_TEST(a_box_in_two_formats) {
     }
     assert_extent(load("test_Mesh.obj", obj, 0.5f), 1, 2, 3);
 }
-END_TEST
 
-START_TEST(normals_of_the_file) {
+TEST(normals_of_the_file) {
     RGraphic *g = load("test_Mesh.stl", stl, 1);
     ck_assert_ptr_nonnull(g);
     ck_assert_int_eq(g->m_pObject->m_nNumVertices, 6);
@@ -90,19 +90,17 @@ START_TEST(normals_of_the_file) {
         assert_near(g->m_pVertices[i].m_NZ, 1, 1e-6);
     }
 }
-END_TEST
 
-START_TEST(objects_are_where_the_file_places_them) {
+TEST(objects_are_where_the_file_places_them) {
     RGraphic *g = load("test_Mesh.gltf", gltf, 2);
     ck_assert_ptr_nonnull(g);
     ck_assert_int_eq(g->m_pObject->m_nNumVertices, 3);
     for (int i = 0; i < 3; i++)
         assert_near(g->m_pVertices[i].m_Z, 10, 1e-6);
 }
-END_TEST
 
 /* The box's hull: its volume, its centre of mass, and the graphic that goes with the body. */
-START_TEST(a_hull_for_a_body) {
+TEST(a_hull_for_a_body) {
     MeVector3 centre;
     RGraphic *g = load("test_Mesh.obj", obj, 1);
     const McdConvexMeshID hull = MeAppHullCreate(u->frame, rc, g, centre);
@@ -124,9 +122,8 @@ START_TEST(a_hull_for_a_body) {
     ck_assert_ptr_null(rc->m_p3DGraphics);
     McdGeometryDestroy(hull);
 }
-END_TEST
 
-START_TEST(bad_input) {
+TEST(bad_input) {
     static const char *const broken[] = {"", "no mesh", "v 0 0\nf 1 2 3\n", "v 0 0 0\nv 1 0 0\nl 1 2\n"};
     for (size_t i = 0; i < sizeof broken / sizeof broken[0]; i++) {
         ck_assert_ptr_null(load("test_Mesh.obj", broken[i], 1));
@@ -150,14 +147,3 @@ START_TEST(bad_input) {
     ck_assert_ptr_null(MeAppShowModelAs(app, make_box(0, 0, 0), 0));
     assert_warned("rg is null");
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setup, teardown);
-    tcase_add_test(t, a_box_in_two_formats);
-    tcase_add_test(t, normals_of_the_file);
-    tcase_add_test(t, objects_are_where_the_file_places_them);
-    tcase_add_test(t, a_hull_for_a_body);
-    tcase_add_test(t, bad_input);
-}
-TEST_MAIN("Mesh", tests)

@@ -1,6 +1,8 @@
 /* The mouse: what is under it, and how it pulls. */
 #include "app_test.h"
 
+TEST_FIXTURE(set_up, tear_down)
+
 /* The pixel at which a point is seen. */
 static void pixel_of(double x, double y, double z, int *px, int *py) {
     const MeVector3 p = {(MeReal)x, (MeReal)y, (MeReal)z};
@@ -37,7 +39,7 @@ static void assert_at(McdModelID m, double x, double y, double z, double toleran
 /* A pixel of the picture is this large, 10 m away. */
 static const double pixel = 10 * .73 / HEIGHT;
 
-START_TEST(a_pixel_is_a_direction_and_a_point) {
+TEST(a_pixel_is_a_direction_and_a_point) {
     const double views[][3] = {{0, 0, 0}, {.7, .3, 0}, {-2, 1.2, 0}, {.7, .3, 1}};
     for (int i = 0; i < 4; i++) {
         MeVector3 d, p;
@@ -65,9 +67,8 @@ START_TEST(a_pixel_is_a_direction_and_a_point) {
         }
     }
 }
-END_TEST
 
-START_TEST(the_nearest_model_is_picked_where_it_is_seen) {
+TEST(the_nearest_model_is_picked_where_it_is_seen) {
     const McdModelID far = make_box(0, 0, -3), near = make_box(.4, 0, 2);
     MeVector3 d, p;
     int x, y;
@@ -87,9 +88,8 @@ START_TEST(the_nearest_model_is_picked_where_it_is_seen) {
     assert_near(d[2], -1, 1e-6);
     ck_assert_ptr_eq(MeAppPickMcdModel(app, x, y, d, p, 0), near);
 }
-END_TEST
 
-START_TEST(what_is_held_follows_the_mouse_until_it_is_released) {
+TEST(what_is_held_follows_the_mouse_until_it_is_released) {
     const McdModelID far = make_box(0, 0, -3), near = make_box(0, 0, 2);
     run(1);
     mouse(kRNewlyPressed, 0, 0, 2.5);
@@ -117,10 +117,9 @@ START_TEST(what_is_held_follows_the_mouse_until_it_is_released) {
     run(60);
     assert_at(near, before[0], before[1], before[2], .1); /* it may drift, but does not follow */
 }
-END_TEST
 
 /* Held by a corner, a rod, heavy or light: the held point comes to the target and the body to rest. */
-START_TEST(every_body_comes_to_rest_at_the_mouse) {
+TEST(every_body_comes_to_rest_at_the_mouse) {
     const double sizes[][3] = {{1, 1, 1}, {.1, 4, .1}, {4, .05, 4}, {.06, .06, .06}};
     for (int i = 0; i < 8; i++) {
         const double *s = sizes[i / 2];
@@ -144,9 +143,8 @@ START_TEST(every_body_comes_to_rest_at_the_mouse) {
         MstModelAndBodyDestroy(m);
     }
 }
-END_TEST
 
-START_TEST(a_far_target_pulls_no_harder_than_a_near_one) {
+TEST(a_far_target_pulls_no_harder_than_a_near_one) {
     const McdModelID m = make_box(0, 0, 0);
     RCameraSetView(rc, 200, 0, 0);
     run(1);
@@ -162,9 +160,8 @@ START_TEST(a_far_target_pulls_no_harder_than_a_near_one) {
     McdModelDynamicsGetPosition(m, p);
     assert_near(p[0], 50, 1);
 }
-END_TEST
 
-START_TEST(who_sleeps_wakes_when_picked) {
+TEST(who_sleeps_wakes_when_picked) {
     const McdModelID m = make_box(0, 0, 0);
     run(1);
     MdtBodyDisable(McdModelGetBody(m));
@@ -177,9 +174,8 @@ START_TEST(who_sleeps_wakes_when_picked) {
     place_of(m, p);
     ck_assert(p[0] > .5);
 }
-END_TEST
 
-START_TEST(the_void_and_fixed_models_are_not_held) {
+TEST(the_void_and_fixed_models_are_not_held) {
     static MeMatrix4 tm;
     const McdModelID behind = make_box(0, 0, -2);
     MeMatrix4TMMakeIdentity(tm);
@@ -197,9 +193,8 @@ START_TEST(the_void_and_fixed_models_are_not_held) {
     assert_at(behind, 0, 0, -2, 0);
     ck_assert(McdModelIsValid(wall) && tm[3][0] == 0);
 }
-END_TEST
 
-START_TEST(only_the_left_button_picks) {
+TEST(only_the_left_button_picks) {
     int x, y;
     make_box(0, 0, 0);
     run(1);
@@ -210,9 +205,8 @@ START_TEST(only_the_left_button_picks) {
     MeAppMousePickCB(rc, x, y, 0, kRRightButton, kRNewlyReleased, app);
     ck_assert_ptr_nonnull(app->pick.model);
 }
-END_TEST
 
-START_TEST(what_is_destroyed_while_held_is_let_go) {
+TEST(what_is_destroyed_while_held_is_let_go) {
     messages_catch();
     McdModelID m = make_box(0, 0, 0);
     run(1);
@@ -234,9 +228,8 @@ START_TEST(what_is_destroyed_while_held_is_let_go) {
     assert_silent();
     messages_release();
 }
-END_TEST
 
-START_TEST(a_moving_camera_takes_along_what_is_held) {
+TEST(a_moving_camera_takes_along_what_is_held) {
     const McdModelID m = make_box(0, 0, 0);
     const AcmeVector3 at = {2, 1, 0};
     run(1);
@@ -250,9 +243,8 @@ START_TEST(a_moving_camera_takes_along_what_is_held) {
     assert_near(held[1], 1, .02);
     assert_near(held[2], .5, .02);
 }
-END_TEST
 
-START_TEST(bad_input_is_named) {
+TEST(bad_input_is_named) {
     MeVector3 v = {0, 0, 0};
     messages_catch();
     ck_assert_ptr_null(MeAppCreate(NULL, u->space, rc));
@@ -279,29 +271,10 @@ START_TEST(bad_input_is_named) {
     assert_warned("MeAppGetMstUniverse");
     messages_release();
 }
-END_TEST
 
-START_TEST(the_universe_is_remembered) {
+TEST(the_universe_is_remembered) {
     MeApp *parts = MeAppCreate(u->world, u->space, rc);
     ck_assert_ptr_eq(MeAppGetMstUniverse(app), u);
     ck_assert_ptr_null(MeAppGetMstUniverse(parts));
     MeAppDestroy(parts);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_add_test(t, a_pixel_is_a_direction_and_a_point);
-    tcase_add_test(t, the_nearest_model_is_picked_where_it_is_seen);
-    tcase_add_test(t, what_is_held_follows_the_mouse_until_it_is_released);
-    tcase_add_test(t, every_body_comes_to_rest_at_the_mouse);
-    tcase_add_test(t, a_far_target_pulls_no_harder_than_a_near_one);
-    tcase_add_test(t, who_sleeps_wakes_when_picked);
-    tcase_add_test(t, the_void_and_fixed_models_are_not_held);
-    tcase_add_test(t, only_the_left_button_picks);
-    tcase_add_test(t, what_is_destroyed_while_held_is_let_go);
-    tcase_add_test(t, a_moving_camera_takes_along_what_is_held);
-    tcase_add_test(t, bad_input_is_named);
-    tcase_add_test(t, the_universe_is_remembered);
-}
-TEST_MAIN("MeApp Pick", tests)

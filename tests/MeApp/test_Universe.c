@@ -3,6 +3,8 @@
 #include "RGeometry.h"
 #include "app_test.h"
 
+TEST_FIXTURE(set_up, tear_down)
+
 static const float red[4] = {.8f, .1f, .1f, 1}, blue[4] = {.1f, .2f, .8f, 1};
 static MeMatrix4 floorTM = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, -3, 1}};
 
@@ -21,7 +23,7 @@ static RGraphic *newest(void) {
     return g;
 }
 
-START_TEST(each_model_has_one_graphic) {
+TEST(each_model_has_one_graphic) {
     MstFixedModelCreate(u, McdPlaneCreate(u->frame), floorTM);
     make_box(1, 2, 3);
     ck_assert_int_eq(MeAppShowUniverse(app), 2);
@@ -31,18 +33,16 @@ START_TEST(each_model_has_one_graphic) {
     ck_assert_int_eq(MeAppShowUniverse(app), 3);
     ck_assert_int_eq(graphics_drawn(), 3);
 }
-END_TEST
 
-START_TEST(of_a_sensor_the_edges_are_drawn) {
+TEST(of_a_sensor_the_edges_are_drawn) {
     McdModelID solid = make_box(1, 2, 3), sensor = make_box(4, 5, 6);
     McdModelSetSensor(sensor, METRUE);
     MeAppShowUniverse(app);
     ck_assert(RGraphicIsWireframe(MeAppShowModel(app, sensor, RPalette[0])));
     ck_assert(!RGraphicIsWireframe(MeAppShowModel(app, solid, RPalette[0])));
 }
-END_TEST
 
-START_TEST(graphics_follow_their_models) {
+TEST(graphics_follow_their_models) {
     McdModelID m = make_box(1, 2, 3);
     MeAppShowUniverse(app);
     RRenderUpdateGraphicMatrices(rc);
@@ -54,9 +54,8 @@ START_TEST(graphics_follow_their_models) {
     assert_vec3_near(rc->m_p3DGraphics->m_pObject->m_Matrix[3], 7, 8, 9, 0);
     McdModelSetBody(m, McdModelGetBody(m));
 }
-END_TEST
 
-START_TEST(graphics_go_with_their_models) {
+TEST(graphics_go_with_their_models) {
     McdModelID m[200];
     for (int i = 0; i < 60; i++)
         m[i] = make_box(i, 0, 0);
@@ -76,9 +75,8 @@ START_TEST(graphics_go_with_their_models) {
     ck_assert_int_eq(MeAppShowUniverse(app), 50);
     ck_assert_int_eq(graphics_drawn(), 50);
 }
-END_TEST
 
-START_TEST(a_model_has_the_colour_that_it_was_given) {
+TEST(a_model_has_the_colour_that_it_was_given) {
     float color[4];
     McdModelID m = make_box(0, 0, 0);
     RGraphic *g = MeAppShowModel(app, m, red);
@@ -91,9 +89,8 @@ START_TEST(a_model_has_the_colour_that_it_was_given) {
     assert_near(color[2], blue[2], 0);
     ck_assert_int_eq(graphics_drawn(), 1);
 }
-END_TEST
 
-START_TEST(colours_are_in_turn_and_fixed_models_grey) {
+TEST(colours_are_in_turn_and_fixed_models_grey) {
     float first[4], second[4], fixed[4];
     make_box(0, 0, 0);
     MeAppShowUniverse(app);
@@ -110,18 +107,16 @@ START_TEST(colours_are_in_turn_and_fixed_models_grey) {
     }
     ck_assert_msg(fabsf(fixed[0] - fixed[2]) < .1f, "not grey");
 }
-END_TEST
 
-START_TEST(ending_the_helpers_removes_their_graphics) {
+TEST(ending_the_helpers_removes_their_graphics) {
     make_box(0, 0, 0);
     MeAppShowUniverse(app);
     MeAppDestroy(app);
     ck_assert_int_eq(graphics_drawn(), 0);
     app = MeAppCreateFromUniverse(u, rc);
 }
-END_TEST
 
-START_TEST(bad_arguments_get_a_warning) {
+TEST(bad_arguments_get_a_warning) {
     McdModelID m = make_box(0, 0, 0);
     messages_catch();
     ck_assert_int_eq(MeAppShowUniverse(0), 0);
@@ -141,17 +136,3 @@ START_TEST(bad_arguments_get_a_warning) {
     messages_release();
     ck_assert_int_eq(graphics_drawn(), 0);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_add_test(t, each_model_has_one_graphic);
-    tcase_add_test(t, of_a_sensor_the_edges_are_drawn);
-    tcase_add_test(t, graphics_follow_their_models);
-    tcase_add_test(t, graphics_go_with_their_models);
-    tcase_add_test(t, a_model_has_the_colour_that_it_was_given);
-    tcase_add_test(t, colours_are_in_turn_and_fixed_models_grey);
-    tcase_add_test(t, ending_the_helpers_removes_their_graphics);
-    tcase_add_test(t, bad_arguments_get_a_warning);
-}
-TEST_MAIN("Universe", tests)

@@ -48,7 +48,7 @@ static void assertNothing(void) {
     MEASSERTALIGNED((uintptr_t)evaluate(1), 16);
 }
 
-START_TEST(true_assertions_are_silent) {
+TEST(true_assertions_are_silent) {
     messages_catch();
     evaluations = 0;
     assertTrue();
@@ -57,9 +57,8 @@ START_TEST(true_assertions_are_silent) {
     assert_silent();
     messages_release();
 }
-END_TEST
 
-START_TEST(false_assertions_are_fatal) {
+TEST(false_assertions_are_fatal) {
     messages_catch();
     evaluations = 0;
     assertFalse();
@@ -73,9 +72,8 @@ START_TEST(false_assertions_are_fatal) {
     ck_assert_int_eq(caught.fatal, 3);
     messages_release();
 }
-END_TEST
 
-START_TEST(assertions_that_are_off_evaluate_nothing) {
+TEST(assertions_that_are_off_evaluate_nothing) {
     messages_catch();
     evaluations = 0;
     assertNothing();
@@ -83,12 +81,3 @@ START_TEST(assertions_that_are_off_evaluate_nothing) {
     assert_silent();
     messages_release();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, true_assertions_are_silent);
-    tcase_add_test(t, false_assertions_are_fatal);
-    tcase_add_test(t, assertions_that_are_off_evaluate_nothing);
-}
-
-TEST_MAIN("MeAssert", tests)

@@ -19,7 +19,7 @@ static void term(void) {
     messages_release();
 }
 
-START_TEST(new_chunk_is_empty) {
+TEST(new_chunk_is_empty) {
     init();
     ck_assert_int_eq(MeChunkGetAlignment(&chunk), 64);
     ck_assert_int_eq(MeChunkGetCurrentSize(&chunk), 0);
@@ -27,9 +27,8 @@ START_TEST(new_chunk_is_empty) {
     ck_assert(!MeChunkIsInUse(&chunk));
     term();
 }
-END_TEST
 
-START_TEST(chunk_grows_by_doubling_from_1024) {
+TEST(chunk_grows_by_doubling_from_1024) {
     static const struct {
         int wanted, size, max;
     } steps[] = {{0, 1024, 0},        {10, 1024, 10},     {1024, 1024, 1024},   {1025, 2048, 1025},
@@ -48,9 +47,8 @@ START_TEST(chunk_grows_by_doubling_from_1024) {
     }
     term();
 }
-END_TEST
 
-START_TEST(kept_memory_is_the_same_again) {
+TEST(kept_memory_is_the_same_again) {
     init();
     void *const mem = MeChunkGetMem(&chunk, 500);
     MeChunkPutMem(&chunk, mem);
@@ -58,9 +56,8 @@ START_TEST(kept_memory_is_the_same_again) {
     MeChunkPutMem(&chunk, mem);
     term();
 }
-END_TEST
 
-START_TEST(memory_is_freed_on_put) {
+TEST(memory_is_freed_on_put) {
     init();
     MeChunkSetMode(&chunk, kMeChunkModeFreeOnPut);
     MeChunkPutMem(&chunk, MeChunkGetMem(&chunk, 5000));
@@ -71,9 +68,8 @@ START_TEST(memory_is_freed_on_put) {
     ck_assert_int_eq(MeChunkGetCurrentSize(&chunk), 1024);
     term();
 }
-END_TEST
 
-START_TEST(initial_size_is_reserved) {
+TEST(initial_size_is_reserved) {
     init();
     MeChunkSetAuto(&chunk, 3000);
     ck_assert_int_eq(MeChunkGetCurrentSize(&chunk), 4096);
@@ -85,9 +81,8 @@ START_TEST(initial_size_is_reserved) {
     MeChunkPutMem(&chunk, reserved);
     term();
 }
-END_TEST
 
-START_TEST(one_piece_at_a_time) {
+TEST(one_piece_at_a_time) {
     init();
     void *const mem = MeChunkGetMem(&chunk, 10);
     ck_assert_ptr_null(MeChunkGetMem(&chunk, 10));
@@ -100,9 +95,8 @@ START_TEST(one_piece_at_a_time) {
     assert_warned("MeChunkPutMem");
     term();
 }
-END_TEST
 
-START_TEST(foreign_memory_is_not_taken) {
+TEST(foreign_memory_is_not_taken) {
     char other[16];
     init();
     void *const mem = MeChunkGetMem(&chunk, 10);
@@ -113,9 +107,8 @@ START_TEST(foreign_memory_is_not_taken) {
     MeChunkPutMem(&chunk, mem);
     term();
 }
-END_TEST
 
-START_TEST(negative_sizes_warn) {
+TEST(negative_sizes_warn) {
     init();
     ck_assert_ptr_null(MeChunkGetMem(&chunk, -1));
     assert_warned("size -1");
@@ -126,9 +119,8 @@ START_TEST(negative_sizes_warn) {
     ck_assert(!MeChunkIsInUse(&chunk));
     term();
 }
-END_TEST
 
-START_TEST(term_frees_what_is_out) {
+TEST(term_frees_what_is_out) {
     init();
     ck_assert_ptr_nonnull(MeChunkGetMem(&chunk, 10));
     MeChunkTerm(&chunk);
@@ -138,9 +130,8 @@ START_TEST(term_frees_what_is_out) {
     MeChunkPutMem(&chunk, MeChunkGetMem(&chunk, 10)); /* as good as new */
     term();
 }
-END_TEST
 
-START_TEST(bad_alignments_warn) {
+TEST(bad_alignments_warn) {
     static const int bad[] = {0, -16, 24, INT_MIN};
     messages_catch();
     for (int i = 0; i < 4; i++) {
@@ -150,18 +141,16 @@ START_TEST(bad_alignments_warn) {
     }
     messages_release();
 }
-END_TEST
 
-START_TEST(bad_modes_warn) {
+TEST(bad_modes_warn) {
     init();
     MeChunkSetMode(&chunk, (kMeChunkMode)3);
     assert_warned("3 is not a mode");
     ck_assert_int_eq(chunk.mode, kMeChunkModeKeepOnPut);
     term();
 }
-END_TEST
 
-START_TEST(null_chunks_warn) {
+TEST(null_chunks_warn) {
     messages_catch();
     MeChunkInit(NULL, 16);
     assert_warned("MeChunkInit");
@@ -185,21 +174,3 @@ START_TEST(null_chunks_warn) {
     assert_warned("MeChunkGetAlignment");
     messages_release();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, new_chunk_is_empty);
-    tcase_add_test(t, chunk_grows_by_doubling_from_1024);
-    tcase_add_test(t, kept_memory_is_the_same_again);
-    tcase_add_test(t, memory_is_freed_on_put);
-    tcase_add_test(t, initial_size_is_reserved);
-    tcase_add_test(t, one_piece_at_a_time);
-    tcase_add_test(t, foreign_memory_is_not_taken);
-    tcase_add_test(t, negative_sizes_warn);
-    tcase_add_test(t, term_frees_what_is_out);
-    tcase_add_test(t, bad_alignments_warn);
-    tcase_add_test(t, bad_modes_warn);
-    tcase_add_test(t, null_chunks_warn);
-}
-
-TEST_MAIN("MeChunk", tests)

@@ -32,7 +32,7 @@ static void assertLeft(const MeCommandLineOptions *options, const char *expected
     ck_assert_ptr_null(options->argv[options->argc]);
 }
 
-START_TEST(words_are_copied) {
+TEST(words_are_copied) {
     char name[] = "program", word[] = "-gl";
     const char *argv[] = {name, word, NULL};
     MeCommandLineOptions *const o = create(argv, 2);
@@ -42,9 +42,8 @@ START_TEST(words_are_copied) {
     assertLeft(o, "-gl");
     destroy(o);
 }
-END_TEST
 
-START_TEST(no_words_at_all) {
+TEST(no_words_at_all) {
     const char *argv[] = {"program", "a", NULL, "b"};
     messages_catch();
     for (int argc = -1; argc <= 0; argc++) {
@@ -61,9 +60,8 @@ START_TEST(no_words_at_all) {
     ck_assert_int_eq(p->argc, 2);
     destroy(p);
 }
-END_TEST
 
-START_TEST(options_are_found_and_eaten) {
+TEST(options_are_found_and_eaten) {
     MeCommandLineOptions *const o = OPTIONS("-gl", "-frames=60", "-profile", "-gl");
     ck_assert(MeCommandLineOptionsCheckFor(o, "-profile", 0));
     ck_assert(!MeCommandLineOptionsCheckFor(o, "-prof", 0));
@@ -79,9 +77,8 @@ START_TEST(options_are_found_and_eaten) {
     assertLeft(o, "-profile");
     destroy(o);
 }
-END_TEST
 
-START_TEST(positions) {
+TEST(positions) {
     MeCommandLineOptions *const o = OPTIONS("a", "-gl", "-size=3", "-gl");
     ck_assert_int_eq(MeCommandLineOptionsGetPos(o, "-gl"), 2);
     ck_assert_int_eq(MeCommandLineOptionsGetPos(o, "-size"), 3);
@@ -89,9 +86,8 @@ START_TEST(positions) {
     ck_assert_int_eq(MeCommandLineOptionsGetPos(o, "program"), 0);
     destroy(o);
 }
-END_TEST
 
-START_TEST(lists) {
+TEST(lists) {
     const char *renderers[] = {"-gl", "-d3d", "-null", NULL}, *empty[] = {NULL}, *others[] = {"-x", "-y", NULL};
     MeCommandLineOptions *const o = OPTIONS("-null", "file", "-gl", "-quiet");
     ck_assert(MeCommandLineOptionsCheckForList(o, renderers, 0));
@@ -104,9 +100,8 @@ START_TEST(lists) {
     ck_assert(!MeCommandLineOptionsCheckForList(o, renderers, 1));
     destroy(o);
 }
-END_TEST
 
-START_TEST(numbers_in_both_forms) {
+TEST(numbers_in_both_forms) {
     MeCommandLineOptions *const o = OPTIONS("-frames", "60", "-seed=-7", "-step", "-0.25", "-scale=1e3", "-n", "-5");
     ck_assert_int_eq(MeCommandLineOptionsGetNumeric(o, "-frames", 0), 60);
     ck_assert_int_eq(MeCommandLineOptionsGetNumeric(o, "-seed", 0), -7);
@@ -123,9 +118,8 @@ START_TEST(numbers_in_both_forms) {
     assertLeft(o, "-scale=1e3 -n -5");
     destroy(o);
 }
-END_TEST
 
-START_TEST(texts_outlive_being_eaten) {
+TEST(texts_outlive_being_eaten) {
     MeCommandLineOptions *const o = OPTIONS("-out", "a b.png", "-title=x=y", "-empty=", "-in", "-");
     char *const out = MeCommandLineOptionsGetString(o, "-out", 1);
     char *const title = MeCommandLineOptionsGetString(o, "-title", 1);
@@ -137,9 +131,8 @@ START_TEST(texts_outlive_being_eaten) {
     ck_assert_str_eq(empty, "");
     destroy(o);
 }
-END_TEST
 
-START_TEST(missing_values_warn) {
+TEST(missing_values_warn) {
     MeCommandLineOptions *const o = OPTIONS("-in", "-out", "-5", "-frames");
     ck_assert_ptr_null(MeCommandLineOptionsGetString(o, "-in", 0)); /* -out is an option */
     assert_warned("-in");
@@ -153,9 +146,8 @@ START_TEST(missing_values_warn) {
     assertLeft(o, "-out -5");
     destroy(o);
 }
-END_TEST
 
-START_TEST(garbage_warns) {
+TEST(garbage_warns) {
     static const char *garbage[] = {"",    "x",           "60x",          "6 0",        "1.5", "0x10",
                                     "--5", "99999999999", "-99999999999", "2147483648", "1e2", "99999999999999999999"};
     for (size_t i = 0; i < sizeof garbage / sizeof garbage[0]; i++) {
@@ -177,18 +169,16 @@ START_TEST(garbage_warns) {
         destroy(o);
     }
 }
-END_TEST
 
-START_TEST(extreme_numbers) {
+TEST(extreme_numbers) {
     MeCommandLineOptions *const o = OPTIONS("-a=2147483647", "-b=-2147483648", "-c=1e-300");
     ck_assert_int_eq(MeCommandLineOptionsGetNumeric(o, "-a", 0), 2147483647);
     ck_assert_int_eq(MeCommandLineOptionsGetNumeric(o, "-b", 0), -2147483647 - 1);
     ck_assert(MeCommandLineOptionsGetFloat(o, "-c", 0) == 1e-300);
     destroy(o);
 }
-END_TEST
 
-START_TEST(positions_are_eaten_in_any_order) {
+TEST(positions_are_eaten_in_any_order) {
     MeCommandLineOptions *const o = OPTIONS("a", "b", "c", "d", "e");
     const int places[] = {4, 1, 4, 2};
     MeCommandLineOptionsEat(o, places, 4);
@@ -198,9 +188,8 @@ START_TEST(positions_are_eaten_in_any_order) {
     assertLeft(o, "c e");
     destroy(o);
 }
-END_TEST
 
-START_TEST(impossible_positions_warn) {
+TEST(impossible_positions_warn) {
     MeCommandLineOptions *const o = OPTIONS("a", "b");
     static const int places[] = {0, -1, 3, 1000000};
     for (int i = 0; i < 4; i++) {
@@ -210,9 +199,8 @@ START_TEST(impossible_positions_warn) {
     }
     destroy(o);
 }
-END_TEST
 
-START_TEST(null_options_are_no_options) {
+TEST(null_options_are_no_options) {
     const char *list[] = {"-gl", NULL};
     const int place = 1;
     messages_catch();
@@ -227,22 +215,3 @@ START_TEST(null_options_are_no_options) {
     assert_silent();
     messages_release();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, words_are_copied);
-    tcase_add_test(t, no_words_at_all);
-    tcase_add_test(t, options_are_found_and_eaten);
-    tcase_add_test(t, positions);
-    tcase_add_test(t, lists);
-    tcase_add_test(t, numbers_in_both_forms);
-    tcase_add_test(t, texts_outlive_being_eaten);
-    tcase_add_test(t, missing_values_warn);
-    tcase_add_test(t, garbage_warns);
-    tcase_add_test(t, extreme_numbers);
-    tcase_add_test(t, positions_are_eaten_in_any_order);
-    tcase_add_test(t, impossible_positions_warn);
-    tcase_add_test(t, null_options_are_no_options);
-}
-
-TEST_MAIN("MeCommandLine", tests)

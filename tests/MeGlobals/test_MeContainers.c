@@ -20,6 +20,7 @@ static void setUp(void) {
     for (int i = 0; i < MANY; i++)
         number[i] = i;
 }
+TEST_FIXTURE(setUp, NULL)
 
 static int randomBelow(int n) {
     seed = seed * 1664525u + 1013904223u;
@@ -39,7 +40,7 @@ static void MEAPI count(void *const item) {
 /* ---- hash tables ---- */
 
 /* Against an array of what is in it, in fewer buckets than entries. */
-START_TEST(a_hash_table_has_what_was_put_in) {
+TEST(a_hash_table_has_what_was_put_in) {
     MeHash *table = MeHashCreate(37);
     void *held[MANY] = {0};
     int population = 0;
@@ -64,9 +65,8 @@ START_TEST(a_hash_table_has_what_was_put_in) {
         ck_assert_ptr_eq(MeHashLookup(&number[i], table), held[i]);
     MeHashDestroy(table);
 }
-END_TEST
 
-START_TEST(a_hash_table_is_walked_in_the_order_in_which_entries_came) {
+TEST(a_hash_table_is_walked_in_the_order_in_which_entries_came) {
     MeHash *table = MeHashCreate(5);
     MeHashIterator i;
     for (int k = 0; k < 20; k++)
@@ -84,9 +84,8 @@ START_TEST(a_hash_table_is_walked_in_the_order_in_which_entries_came) {
     ck_assert_ptr_null(MeHashGetDatum(&i));
     MeHashDestroy(table);
 }
-END_TEST
 
-START_TEST(keys_are_addresses_or_strings) {
+TEST(keys_are_addresses_or_strings) {
     MeHash *table = MeHashCreate(8);
     char one[] = "wheel", same[] = "wheel";
     MeHashInsert(one, &number[1], table);
@@ -99,9 +98,8 @@ START_TEST(keys_are_addresses_or_strings) {
     ck_assert(MeHashInsert(same, &number[2], table) == &number[1] && MeHashPopulation(table) == 1);
     MeHashDestroy(table);
 }
-END_TEST
 
-START_TEST(a_hash_table_frees_what_it_loses) {
+TEST(a_hash_table_frees_what_it_loses) {
     MeHash *table = MeHashCreate(8);
     MeHashSetKeyFreeFunc(table, count);
     for (int i = 0; i < 10; i++)
@@ -115,14 +113,13 @@ START_TEST(a_hash_table_frees_what_it_loses) {
     MeHashDestroy(table);
     ck_assert_int_eq(freed, 21);
 }
-END_TEST
 
 static int MEAPI outside(const void *key, int size) {
     (void)key;
     return size;
 }
 
-START_TEST(hash_tables_warn_of_bad_input) {
+TEST(hash_tables_warn_of_bad_input) {
     MeHashIterator i;
     messages_catch();
     ck_assert_ptr_null(MeHashCreate(0));
@@ -156,11 +153,10 @@ START_TEST(hash_tables_warn_of_bad_input) {
     MeHashDestroy(table);
     messages_release();
 }
-END_TEST
 
 /* ---- heaps ---- */
 
-START_TEST(a_heap_gives_the_least_first) {
+TEST(a_heap_gives_the_least_first) {
     MeHeap heap;
     void *memory[MANY];
     MeHeapInit(&heap, memory, MANY, compare);
@@ -183,9 +179,8 @@ START_TEST(a_heap_gives_the_least_first) {
     }
     ck_assert_ptr_null(MeHeapPop(&heap));
 }
-END_TEST
 
-START_TEST(heaps_warn_of_bad_input) {
+TEST(heaps_warn_of_bad_input) {
     MeHeap own;
     void *memory[1];
     messages_catch();
@@ -210,7 +205,6 @@ START_TEST(heaps_warn_of_bad_input) {
     assert_warned("MeHeapPop");
     messages_release();
 }
-END_TEST
 
 /* ---- sets ---- */
 
@@ -226,7 +220,7 @@ static void checkSet(MeSet *s, const MeBool *isIn, int max) {
     ck_assert_int_eq(MeSetSize(s), size);
 }
 
-START_TEST(a_set_has_each_item_once_and_in_order) {
+TEST(a_set_has_each_item_once_and_in_order) {
     enum { MAX = 60 };
     MeDictNode nodes[MAX];
     MeSet own, *sets[2] = {&own, MeSetCreate(compare)};
@@ -254,9 +248,8 @@ START_TEST(a_set_has_each_item_once_and_in_order) {
         MeSetDestroy(sets[k]);
     }
 }
-END_TEST
 
-START_TEST(sets_warn_when_they_are_full_and_of_bad_input) {
+TEST(sets_warn_when_they_are_full_and_of_bad_input) {
     MeDictNode nodes[2];
     MeSet s;
     messages_catch();
@@ -275,11 +268,10 @@ START_TEST(sets_warn_when_they_are_full_and_of_bad_input) {
     assert_warned("MeSetIteratorNext");
     messages_release();
 }
-END_TEST
 
 /* ---- pools ---- */
 
-START_TEST(the_least_number_that_is_not_taken_is_given) {
+TEST(the_least_number_that_is_not_taken_is_given) {
     MeIDPool *pool = MeIDPoolCreate(), *copy = MeIDPoolCreate();
     MeBool isTaken[300] = {0};
     for (int round = 0; round < 5000; round++) {
@@ -316,10 +308,9 @@ START_TEST(the_least_number_that_is_not_taken_is_given) {
     MeIDPoolDestroy(pool);
     MeIDPoolDestroy(copy);
 }
-END_TEST
 
 /* Onto itself it changes nothing; onto a larger one it leaves nothing of that one's. */
-START_TEST(numbers_are_copied_as_they_are) {
+TEST(numbers_are_copied_as_they_are) {
     MeIDPool *small = MeIDPoolCreate(), *large = MeIDPoolCreate();
     for (int i = 0; i < 5; i++)
         MeIDPoolRequestID(small);
@@ -344,9 +335,8 @@ START_TEST(numbers_are_copied_as_they_are) {
         MeIDPoolDestroy(pool);
     }
 }
-END_TEST
 
-START_TEST(records_come_from_the_programs_memory) {
+TEST(records_come_from_the_programs_memory) {
     struct {
         void *a, *b;
     } memory[3];
@@ -376,9 +366,8 @@ START_TEST(records_come_from_the_programs_memory) {
     ck_assert_ptr_null(MePoolxGet(&pool));
     messages_release();
 }
-END_TEST
 
-START_TEST(a_dictionary_may_take_nodes_from_such_a_pool) {
+TEST(a_dictionary_may_take_nodes_from_such_a_pool) {
     MeDictNode nodes[2];
     MePoolx pool;
     MeDict dict;
@@ -397,7 +386,6 @@ START_TEST(a_dictionary_may_take_nodes_from_such_a_pool) {
     assert_warned("MePoolxUseWithDict");
     messages_release();
 }
-END_TEST
 
 /* ---- the sphere around points ---- */
 
@@ -405,7 +393,7 @@ static MeReal squareRoot(double x) {
     return (MeReal)sqrt(x);
 }
 
-START_TEST(the_sphere_is_the_smallest) {
+TEST(the_sphere_is_the_smallest) {
     MeVector3 centre, cube[9] = {{0}}, triangle[3] = {{-1, 0, 0}, {1, 0, 0}, {0, (MeReal)0.5, 0}};
     MeReal radius;
     for (int i = 0; i < 8; i++)
@@ -427,10 +415,9 @@ START_TEST(the_sphere_is_the_smallest) {
     MeBoundingSphereCalc(same, 3, centre, &radius);
     ck_assert(centre[0] == 7 && centre[1] == 8 && centre[2] == 9 && radius == 0);
 }
-END_TEST
 
 /* Around points on a sphere all over, and others inside, it is that sphere; and nothing is outside. */
-START_TEST(nothing_is_outside_the_sphere) {
+TEST(nothing_is_outside_the_sphere) {
     MeVector3 point[200], centre;
     MeReal radius;
     for (int round = 0; round < 50; round++) {
@@ -457,9 +444,8 @@ START_TEST(nothing_is_outside_the_sphere) {
         }
     }
 }
-END_TEST
 
-START_TEST(the_sphere_of_bad_input_is_none) {
+TEST(the_sphere_of_bad_input_is_none) {
     MeVector3 point[2] = {{1, 2, 3}, {4, 5, 6}}, centre;
     MeReal radius = 9;
     messages_catch();
@@ -474,26 +460,3 @@ START_TEST(the_sphere_of_bad_input_is_none) {
     assert_warned("MeBoundingSphereCalc");
     messages_release();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, NULL);
-    tcase_add_test(t, a_hash_table_has_what_was_put_in);
-    tcase_add_test(t, a_hash_table_is_walked_in_the_order_in_which_entries_came);
-    tcase_add_test(t, keys_are_addresses_or_strings);
-    tcase_add_test(t, a_hash_table_frees_what_it_loses);
-    tcase_add_test(t, hash_tables_warn_of_bad_input);
-    tcase_add_test(t, a_heap_gives_the_least_first);
-    tcase_add_test(t, heaps_warn_of_bad_input);
-    tcase_add_test(t, a_set_has_each_item_once_and_in_order);
-    tcase_add_test(t, sets_warn_when_they_are_full_and_of_bad_input);
-    tcase_add_test(t, the_least_number_that_is_not_taken_is_given);
-    tcase_add_test(t, numbers_are_copied_as_they_are);
-    tcase_add_test(t, records_come_from_the_programs_memory);
-    tcase_add_test(t, a_dictionary_may_take_nodes_from_such_a_pool);
-    tcase_add_test(t, the_sphere_is_the_smallest);
-    tcase_add_test(t, nothing_is_outside_the_sphere);
-    tcase_add_test(t, the_sphere_of_bad_input_is_none);
-}
-
-TEST_MAIN("MeContainers", tests)

@@ -20,6 +20,7 @@ static void setUp(void) {
         MeDictNodeInit(&node[i], &key[i]);
     given = taken = 0;
 }
+TEST_FIXTURE(setUp, NULL)
 
 static void put(int i, int value) {
     key[i] = value;
@@ -31,7 +32,7 @@ static int valueOf(MeDictNode *n) {
 }
 
 /* Nodes come and go at random; each key is there or not. */
-START_TEST(it_is_in_order_whatever_comes_and_goes) {
+TEST(it_is_in_order_whatever_comes_and_goes) {
     MeBool isIn[ROOM] = {0};
     MeU32 seed = 7;
     for (int round = 0; round < 20000; round++) {
@@ -56,7 +57,6 @@ START_TEST(it_is_in_order_whatever_comes_and_goes) {
         ck_assert_ptr_null(n);
     }
 }
-END_TEST
 
 static int depth(const MeDictNode *n) {
     if (!n)
@@ -65,14 +65,13 @@ static int depth(const MeDictNode *n) {
     return 1 + (left > right ? left : right);
 }
 
-START_TEST(it_stays_flat_when_keys_come_in_order) {
+TEST(it_stays_flat_when_keys_come_in_order) {
     for (int i = 0; i < ROOM; i++)
         put(i, i);
     ck_assert_int_lt(depth(dict.root), 30); /* log2(500) = 9; a list would have 500 */
 }
-END_TEST
 
-START_TEST(equal_keys_are_in_the_order_in_which_they_came) {
+TEST(equal_keys_are_in_the_order_in_which_they_came) {
     put(0, 5);
     messages_catch();
     put(1, 5);
@@ -86,7 +85,6 @@ START_TEST(equal_keys_are_in_the_order_in_which_they_came) {
         ck_assert_ptr_eq(n, &node[i]);
     ck_assert(MeDictUpperBound(&dict, &key[0]) == &node[49] && MeDictVerify(&dict));
 }
-END_TEST
 
 static MeDictNode *MEAPI give(void *context) {
     given++;
@@ -105,7 +103,7 @@ static void MEAPI dropOdd(MeDict *d, MeDictNode *n, void *context) {
         MeDictDeleteFree(d, n);
 }
 
-START_TEST(nodes_may_come_from_an_allocator) {
+TEST(nodes_may_come_from_an_allocator) {
     static const int keys[] = {3, 1, 4, 2, 9};
     int room = 4, seen = 0;
     MeDict *own = MeDictCreate(10, compare);
@@ -122,9 +120,8 @@ START_TEST(nodes_may_come_from_an_allocator) {
     MeDictFreeNodes(own);
     MeDictDestroy(own);
 }
-END_TEST
 
-START_TEST(bad_input_warns) {
+TEST(bad_input_warns) {
     MeDict *own = MeDictCreate(1, compare);
     key[0] = 1;
     messages_catch();
@@ -153,15 +150,3 @@ START_TEST(bad_input_warns) {
     assert_warned("no dictionary");
     messages_release();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, NULL);
-    tcase_add_test(t, it_is_in_order_whatever_comes_and_goes);
-    tcase_add_test(t, it_stays_flat_when_keys_come_in_order);
-    tcase_add_test(t, equal_keys_are_in_the_order_in_which_they_came);
-    tcase_add_test(t, nodes_may_come_from_an_allocator);
-    tcase_add_test(t, bad_input_warns);
-}
-
-TEST_MAIN("MeDict", tests)

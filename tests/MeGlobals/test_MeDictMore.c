@@ -25,12 +25,13 @@ static void setUp(void) {
         key[i] = i;
     }
 }
+TEST_FIXTURE(setUp, NULL)
 
 static int keyOf(MeDictNode *n) {
     return *(const int *)MeDictNodeGetKey(n);
 }
 
-START_TEST(nodes_loaded_in_order_are_found) {
+TEST(nodes_loaded_in_order_are_found) {
     MeDictLoad load;
     MeDictLoadBegin(&load, &dict);
     for (int i = 0; i < ROOM; i++)
@@ -40,9 +41,8 @@ START_TEST(nodes_loaded_in_order_are_found) {
     for (int i = 0; i < ROOM; i++)
         ck_assert_ptr_eq(MeDictLookup(&dict, &key[i]), &node[i]);
 }
-END_TEST
 
-START_TEST(what_is_not_in_order_is_not_loaded) {
+TEST(what_is_not_in_order_is_not_loaded) {
     MeDictLoad load;
     messages_catch();
     MeDictLoadBegin(&load, &dict);
@@ -69,9 +69,8 @@ START_TEST(what_is_not_in_order_is_not_loaded) {
     messages_release();
     ck_assert_uint_eq(MeDictCount(&dict), 1);
 }
-END_TEST
 
-START_TEST(merging_moves_what_is_new) {
+TEST(merging_moves_what_is_new) {
     for (int i = 0; i < 20; i++)
         MeDictInsert(i % 2 ? &dict : &other, &node[i], &key[i]);
     key[30] = 3;
@@ -87,9 +86,8 @@ START_TEST(merging_moves_what_is_new) {
     MeDictMerge(&dict, &other);
     ck_assert(MeDictCount(&dict) == 21 && MeDictIsEmpty(&other) && MeDictVerify(&dict));
 }
-END_TEST
 
-START_TEST(merging_of_what_differs_or_does_not_fit_warns) {
+TEST(merging_of_what_differs_or_does_not_fit_warns) {
     MeDict small, differs;
     MeDictInit(&small, 2, compare);
     MeDictInit(&differs, 2, backwards);
@@ -106,9 +104,8 @@ START_TEST(merging_of_what_differs_or_does_not_fit_warns) {
     assert_warned("MeDictMerge");
     messages_release();
 }
-END_TEST
 
-START_TEST(alike_means_order_allocator_and_equal_keys) {
+TEST(alike_means_order_allocator_and_equal_keys) {
     MeDict like;
     ck_assert(MeDictSimilar(&dict, &other));
     MeDictAllowDupes(&dict);
@@ -120,24 +117,10 @@ START_TEST(alike_means_order_allocator_and_equal_keys) {
     MeDictAllowDupes(&other);
     ck_assert(!MeDictSimilar(&dict, &other));
 }
-END_TEST
 
-START_TEST(free_empties_it) {
+TEST(free_empties_it) {
     MeDictAllocInsert(&dict, &key[1], NULL);
     MeDictAllocInsert(&dict, &key[2], NULL);
     MeDictFree(&dict);
     ck_assert(MeDictIsEmpty(&dict));
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, NULL);
-    tcase_add_test(t, nodes_loaded_in_order_are_found);
-    tcase_add_test(t, what_is_not_in_order_is_not_loaded);
-    tcase_add_test(t, merging_moves_what_is_new);
-    tcase_add_test(t, merging_of_what_differs_or_does_not_fit_warns);
-    tcase_add_test(t, alike_means_order_allocator_and_equal_keys);
-    tcase_add_test(t, free_empties_it);
-}
-
-TEST_MAIN("MeDictMore", tests)

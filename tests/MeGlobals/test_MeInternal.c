@@ -27,7 +27,7 @@ static void assertFatal(const char *what) {
     caught.fatal = 0;
 }
 
-START_TEST(failing_allocations_name_who_wanted_what) {
+TEST(failing_allocations_name_who_wanted_what) {
     const MeMemoryAPIStruct before = MeMemoryAPI;
     int *block = MeMemoryTake(3, sizeof *block, "Caller", "numbers");
     block[2] = 5;
@@ -47,9 +47,8 @@ START_TEST(failing_allocations_name_who_wanted_what) {
     MeMemoryAPI = before;
     MeMemoryGive(block);
 }
-END_TEST
 
-START_TEST(more_than_there_can_be_is_no_memory) {
+TEST(more_than_there_can_be_is_no_memory) {
     messages_catch();
     ck_assert(MeMemoryTake(SIZE_MAX / 4, 8, "Caller", "too much") == NULL);
     assertFatal("too much");
@@ -57,9 +56,8 @@ START_TEST(more_than_there_can_be_is_no_memory) {
     assertFatal("too much");
     messages_release();
 }
-END_TEST
 
-START_TEST(growing_keeps_what_is_used_and_nulls_are_not_destroyed) {
+TEST(growing_keeps_what_is_used_and_nulls_are_not_destroyed) {
     const MeMemoryAPIStruct before = MeMemoryAPI;
     int *block = NULL;
     MeMemoryAPI.destroy = refuseNull;
@@ -76,9 +74,8 @@ START_TEST(growing_keeps_what_is_used_and_nulls_are_not_destroyed) {
     MeMemoryGiveAligned(NULL);
     MeMemoryAPI = before;
 }
-END_TEST
 
-START_TEST(aligned_blocks_are_aligned) {
+TEST(aligned_blocks_are_aligned) {
     for (unsigned int alignment = 16; alignment <= 256; alignment *= 2) {
         char *block = MeMemoryTakeAligned(33, 7, alignment, "Caller", "rows");
         ck_assert((uintptr_t)block % alignment == 0);
@@ -86,7 +83,6 @@ START_TEST(aligned_blocks_are_aligned) {
         MeMemoryGiveAligned(block);
     }
 }
-END_TEST
 
 typedef struct Thing {
     int contents[3];
@@ -95,7 +91,7 @@ typedef struct Thing {
 
 enum { APPLE = 0x4150504c, PEAR = 0x50454152 };
 
-START_TEST(handles_are_live_from_entering_to_leaving) {
+TEST(handles_are_live_from_entering_to_leaving) {
     enum { COUNT = 50000 };
     Thing *thing = calloc(COUNT, sizeof *thing);
     for (int i = 0; i < COUNT; i++)
@@ -114,7 +110,6 @@ START_TEST(handles_are_live_from_entering_to_leaving) {
     ck_assert(!MeHandleIsLive(NULL, APPLE));
     free(thing);
 }
-END_TEST
 
 /* The same addresses' buckets from both sides; each thread sees its own. */
 static void *enterAndLeave(void *context) {
@@ -132,7 +127,7 @@ static void *enterAndLeave(void *context) {
     return NULL;
 }
 
-START_TEST(two_threads_enter_and_leave_at_once) {
+TEST(two_threads_enter_and_leave_at_once) {
     pthread_t thread[2];
     int isLost[2] = {0, 0};
     for (int t = 0; t < 2; t++)
@@ -141,15 +136,3 @@ START_TEST(two_threads_enter_and_leave_at_once) {
         pthread_join(thread[t], NULL);
     ck_assert(!isLost[0] && !isLost[1]);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, failing_allocations_name_who_wanted_what);
-    tcase_add_test(t, more_than_there_can_be_is_no_memory);
-    tcase_add_test(t, growing_keeps_what_is_used_and_nulls_are_not_destroyed);
-    tcase_add_test(t, aligned_blocks_are_aligned);
-    tcase_add_test(t, handles_are_live_from_entering_to_leaving);
-    tcase_add_test(t, two_threads_enter_and_leave_at_once);
-}
-
-TEST_MAIN("MeInternal", tests)

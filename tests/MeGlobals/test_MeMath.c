@@ -5,7 +5,7 @@ static const MeReal huge = TOL((MeReal)1e30, (MeReal)1e300), tiny = TOL((MeReal)
 
 /* ---- numbers ---- */
 
-START_TEST(random_numbers_fill_their_range) {
+TEST(random_numbers_fill_their_range) {
     double min = 9, max = -9, sum = 0;
     int low = 0;
     for (int i = 0; i < 100000; i++) {
@@ -21,9 +21,8 @@ START_TEST(random_numbers_fill_their_range) {
     assert_near(sum / 100000, 1, 0.05); /* 7 standard errors */
     assert_near(low / 100000., 0.25, 0.01);
 }
-END_TEST
 
-START_TEST(random_numbers_of_odd_ranges) {
+TEST(random_numbers_of_odd_ranges) {
     for (int i = 0; i < 100; i++) {
         const MeReal x = MeRealRandomInRange(5, -3);
         ck_assert(x >= -3 && x <= 5);
@@ -32,9 +31,8 @@ START_TEST(random_numbers_of_odd_ranges) {
     ck_assert(isnan(MeRealRandomInRange((MeReal)NAN, 1)));
     ck_assert(isfinite(MeRealRandomInRange(-MEINFINITY, MEINFINITY)));
 }
-END_TEST
 
-START_TEST(macros_choose_and_round) {
+TEST(macros_choose_and_round) {
     ck_assert_int_eq(MeMIN(2, 3), 2);
     ck_assert_int_eq(MeMAX(2, 3), 3);
     ck_assert_int_eq(MeMIN3(2, 1, 3), 1);
@@ -52,9 +50,8 @@ START_TEST(macros_choose_and_round) {
     ck_assert_int_eq(MeMathCEILN(10, 21), 30);
     assert_near(ME_PI, 3.14159265358979, TOL(1e-7, 1e-14));
 }
-END_TEST
 
-START_TEST(indices_go_round) {
+TEST(indices_go_round) {
     for (int i = 0; i < 4; i++) {
         ck_assert_int_eq(NextMod4(i), (i + 1) % 4);
         ck_assert_int_eq(PrevMod4(i), (i + 3) % 4);
@@ -67,10 +64,9 @@ START_TEST(indices_go_round) {
     }
     ck_assert_int_eq(NextModN(6, 7), 0);
 }
-END_TEST
 
 /* All 27 ways for three numbers to be smaller, equal or larger. */
-START_TEST(three_numbers_are_sorted) {
+TEST(three_numbers_are_sorted) {
     for (int n = 0; n < 27; n++) {
         const MeReal a[3] = {(MeReal)(n % 3), (MeReal)(n / 3 % 3), (MeReal)(n / 9)};
         MeI32 index[3];
@@ -83,9 +79,8 @@ START_TEST(three_numbers_are_sorted) {
         ck_assert_int_eq(MinIndex(a), index[0]);
     }
 }
-END_TEST
 
-START_TEST(reciprocals_are_finite) {
+TEST(reciprocals_are_finite) {
     ck_assert(MeSafeRecip(4) == (MeReal)0.25);
     ck_assert(MeSafeRecip(-4) == (MeReal)-0.25);
     ck_assert(MeSafeRecip(0) == MEINFINITY);
@@ -96,9 +91,8 @@ START_TEST(reciprocals_are_finite) {
     ck_assert(MeSafeRecip((MeReal)INFINITY) == 0);
     ck_assert(isnan(MeSafeRecip((MeReal)NAN)));
 }
-END_TEST
 
-START_TEST(numbers_are_swapped_and_zeroed) {
+TEST(numbers_are_swapped_and_zeroed) {
     MeReal v[4] = {1, 2, 3, 4};
     MeRealSwap(&v[0], &v[3]);
     ck_assert(v[0] == 4 && v[3] == 1);
@@ -114,7 +108,6 @@ START_TEST(numbers_are_swapped_and_zeroed) {
     v[0] = (MeReal)NAN;
     ck_assert(!MeRealArrayIsZero(v, 3));
 }
-END_TEST
 
 /* ---- MeVector3 ---- */
 
@@ -124,7 +117,7 @@ typedef struct {
 } Operation3;
 
 /* The result for (1, 2, 3) and (5, 7, -4), and the same when it overwrites either operand. */
-START_TEST(vector_operations_may_alias) {
+TEST(vector_operations_may_alias) {
     static const Operation3 operations[] = {{MeVector3Add, {6, 9, -1}},      {MeVector3Subtract, {-4, -5, 7}},
                                             {MeVector3Cross, {-29, 19, -3}}, {MeVector3MultiplyElements, {5, 14, -12}},
                                             {MeVector3Min, {1, 2, -4}},      {MeVector3Max, {5, 7, 3}}};
@@ -140,10 +133,9 @@ START_TEST(vector_operations_may_alias) {
         assert_same_bits(overC, o->expected);
     }
 }
-END_TEST
 
 /* Each component for itself, whichever operand has the larger one, and whatever the others are. */
-START_TEST(smaller_and_larger_components) {
+TEST(smaller_and_larger_components) {
     for (int i = 0; i < 8; i++) {
         MeVector3 b = {1, 10, 100}, c = {2, 20, 200}, min, max;
         for (int j = 0; j < 3; j++) {
@@ -156,9 +148,8 @@ START_TEST(smaller_and_larger_components) {
         assert_vec3_near(max, 2, 20, 200, 0);
     }
 }
-END_TEST
 
-START_TEST(vectors_are_scaled_and_added) {
+TEST(vectors_are_scaled_and_added) {
     const MeVector3 b = {1, 2, 3}, d = {10, 20, 30};
     MeVector3 v;
     MeVector3Set(v, 4, 5, 6);
@@ -179,9 +170,8 @@ START_TEST(vectors_are_scaled_and_added) {
     MeVector3Clamp(v, 50, 100);
     assert_vec3_near(v, 50, 84, 100, 0);
 }
-END_TEST
 
-START_TEST(vectors_are_swapped) {
+TEST(vectors_are_swapped) {
     MeVector3 a = {1, 2, 3}, b = {4, 5, 6};
     MeVector3Swap(a, b);
     assert_vec3_near(a, 4, 5, 6, 0);
@@ -189,9 +179,8 @@ START_TEST(vectors_are_swapped) {
     MeVector3Swap(a, a);
     assert_vec3_near(a, 4, 5, 6, 0);
 }
-END_TEST
 
-START_TEST(lerp_meets_its_ends) {
+TEST(lerp_meets_its_ends) {
     const MeVector3 from = {(MeReal)0.1, (MeReal)0.7, -3}, to = {(MeReal)1e6, (MeReal)0.3, 5};
     MeVector3 v;
     MeVector3Lerp(v, from, to, 0);
@@ -203,9 +192,8 @@ START_TEST(lerp_meets_its_ends) {
     MeVector3Lerp(v, v, to, 2);
     assert_near(v[2], 11, 0);
 }
-END_TEST
 
-START_TEST(products_of_vectors) {
+TEST(products_of_vectors) {
     const MeVector3 x = {2, 0, 0}, y = {0, 3, 0}, z = {0, 0, 4}, v = {1, 2, 3};
     MeMatrix3 m;
     ck_assert(MeVector3Dot(v, v) == 14);
@@ -222,9 +210,8 @@ START_TEST(products_of_vectors) {
     for (int i = 0; i < 3; i++)
         assert_vec3_near(m[i], v[i], 2 * v[i], 3 * v[i], 0);
 }
-END_TEST
 
-START_TEST(cross_products_with_axes) {
+TEST(cross_products_with_axes) {
     for (int axis = 0; axis < 3; axis++) {
         const MeVector3 v = {1, 2, 3};
         MeVector3 e = {0, 0, 0}, expected, actual = {1, 2, 3};
@@ -234,9 +221,8 @@ START_TEST(cross_products_with_axes) {
         assert_array_near(actual, expected, 3, 0);
     }
 }
-END_TEST
 
-START_TEST(lengths_do_not_overflow) {
+TEST(lengths_do_not_overflow) {
     static const MeReal scales[] = {1, TOL((MeReal)1e30, (MeReal)1e300), TOL((MeReal)1e-30, (MeReal)1e-300), 1000};
     for (int i = 0; i < 4; i++) {
         const MeReal s = scales[i];
@@ -248,16 +234,14 @@ START_TEST(lengths_do_not_overflow) {
     ck_assert(MeVector3DistanceSqr(v, w) == 4 + 36 + 81);
     ck_assert(MeVector3Magnitude(zero) == 0);
 }
-END_TEST
 
-START_TEST(lengths_of_what_is_not_finite) {
+TEST(lengths_of_what_is_not_finite) {
     const MeVector3 notANumber = {0, (MeReal)NAN, 1}, infinite = {0, (MeReal)-INFINITY, 1};
     ck_assert(isnan(MeVector3Magnitude(notANumber)));
     ck_assert(isinf(MeVector3Magnitude(infinite)));
 }
-END_TEST
 
-START_TEST(normalized_vectors_are_unit) {
+TEST(normalized_vectors_are_unit) {
     for (int i = 0; i < RANDOM_TRIES; i++) {
         MeVector3 v, unit;
         random_vector(v);
@@ -269,9 +253,8 @@ START_TEST(normalized_vectors_are_unit) {
             assert_near(unit[j] * length, v[j], TOL(1e-7, 3e-16));
     }
 }
-END_TEST
 
-START_TEST(vectors_of_extreme_length_are_normalized) {
+TEST(vectors_of_extreme_length_are_normalized) {
     MeVector3 large = {3 * huge, 0, -4 * huge}, small = {3 * tiny, 0, -4 * tiny};
     assert_near_rel(MeVector3Normalize(large), 5 * huge, TOL(2e-7, 4e-16));
     assert_vec3_near(large, 0.6, 0, -0.8, few);
@@ -284,9 +267,8 @@ START_TEST(vectors_of_extreme_length_are_normalized) {
     ck_assert(MeVector3Normalize(smallest) > 0);
     assert_vec3_near(smallest, 0, 1, 0, 0);
 }
-END_TEST
 
-START_TEST(vectors_without_direction_stay) {
+TEST(vectors_without_direction_stay) {
     static const MeVector3 vectors[] = {{0, 0, 0},
                                         {1, (MeReal)NAN, 2},
                                         {(MeReal)NAN, (MeReal)INFINITY, 0},
@@ -299,9 +281,8 @@ START_TEST(vectors_without_direction_stay) {
         assert_same_bits(v, vectors[i]);
     }
 }
-END_TEST
 
-START_TEST(vectors_are_made_orthogonal) {
+TEST(vectors_are_made_orthogonal) {
     for (int i = 0; i < RANDOM_TRIES; i++) {
         MeVector3 v, v1, n, along;
         random_vector(v);
@@ -315,10 +296,9 @@ START_TEST(vectors_are_made_orthogonal) {
         assert_array_near(v, along, 3, few);
     }
 }
-END_TEST
 
 /* What is left is small, but still at right angles for its size. */
-START_TEST(nearly_parallel_vectors_are_made_orthogonal) {
+TEST(nearly_parallel_vectors_are_made_orthogonal) {
     const MeVector3 v1 = {1 * huge, 2 * huge, 3 * huge};
     MeVector3 v = {(MeReal)100.01, 200, 300}, n = {1, 2, 3};
     MeVector3MakeOrthogonal(v, v1);
@@ -326,9 +306,8 @@ START_TEST(nearly_parallel_vectors_are_made_orthogonal) {
     assert_near(MeVector3Dot(v, n), 0, TOL(2e-7, 4e-16) * (double)MeVector3Magnitude(v));
     assert_near(MeVector3Magnitude(v), 0.01 * sqrt(13. / 14), TOL(5e-5, 5e-14));
 }
-END_TEST
 
-START_TEST(orthogonal_to_nothing_changes_nothing) {
+TEST(orthogonal_to_nothing_changes_nothing) {
     const MeVector3 zero = {0, 0, 0}, before = {1, 2, 3};
     MeVector3 v = {1, 2, 3};
     MeVector3MakeOrthogonal(v, zero);
@@ -336,7 +315,6 @@ START_TEST(orthogonal_to_nothing_changes_nothing) {
     MeVector3MakeOrthogonal(v, v);
     assert_vec3_near(v, 0, 0, 0, few);
 }
-END_TEST
 
 static void assertPlaneSpace(const MeVector3 n) {
     MeVector3 a, b, cross;
@@ -358,7 +336,7 @@ static void assertPlaneSpace(const MeVector3 n) {
     assert_same_bits(overB, b);
 }
 
-START_TEST(plane_spaces_are_right_handed_frames) {
+TEST(plane_spaces_are_right_handed_frames) {
     for (int axis = 0; axis < 3; axis++) {
         MeVector3 n = {0, 0, 0};
         n[axis] = 1;
@@ -381,10 +359,9 @@ START_TEST(plane_spaces_are_right_handed_frames) {
     assert_vec3_near(a, 1, 0, 0, 0);
     assert_vec3_near(b, 0, 1, 0, 0);
 }
-END_TEST
 
 /* A small turn of n, on one side of the equator, turns a and b little. */
-START_TEST(plane_spaces_turn_smoothly) {
+TEST(plane_spaces_turn_smoothly) {
     for (int i = 0; i < RANDOM_TRIES; i++) {
         MeVector3 n, m, step, a, b, c, d;
         random_vector(n);
@@ -399,11 +376,10 @@ START_TEST(plane_spaces_turn_smoothly) {
         assert_below(MeVector3Distance(b, d), 6e-3);
     }
 }
-END_TEST
 
 /* ---- MeVector4 ---- */
 
-START_TEST(four_components_count_alike) {
+TEST(four_components_count_alike) {
     const MeVector4 b = {1, 2, 3, 4}, c = {10, 20, 30, 40};
     const MeVector4 sum = {11, 22, 33, 44}, difference = {-9, -18, -27, -36}, product = {10, 40, 90, 160};
     const MeVector4 clamped = {20, 40, 50, 50};
@@ -424,13 +400,12 @@ START_TEST(four_components_count_alike) {
     MeVector4Clamp(v, 20, 50);
     assert_same_bits(v, clamped);
 }
-END_TEST
 
 /* ---- matrices of any size ---- */
 
 static const MeReal twoByThree[6] = {1, 2, 3, 4, 5, 6}, threeByTwo[6] = {1, 4, 2, 5, 3, 6};
 
-START_TEST(matrices_of_any_size_are_multiplied) {
+TEST(matrices_of_any_size_are_multiplied) {
     const MeReal threeByFour[12] = {1, 0, 2, -1, 0, 1, 3, 2, 5, 0, 1, 1};
     const MeReal expected[8] = {16, 2, 11, 6, 34, 5, 29, 12};
     MeReal a[8];
@@ -440,18 +415,16 @@ START_TEST(matrices_of_any_size_are_multiplied) {
     MeMatrixMultiplyT1(a, 2, 3, 4, threeByTwo, threeByFour);
     assert_same_bits(a, expected);
 }
-END_TEST
 
-START_TEST(matrices_of_any_size_are_transposed) {
+TEST(matrices_of_any_size_are_transposed) {
     MeReal a[6];
     MeMatrixTranspose(a, 2, 3, twoByThree);
     assert_same_bits(a, threeByTwo);
     MeMatrixTranspose(a, 3, 2, threeByTwo);
     assert_same_bits(a, twoByThree);
 }
-END_TEST
 
-START_TEST(matrices_are_printed) {
+TEST(matrices_are_printed) {
     char text[64] = "";
     FILE *const file = tmpfile();
     ck_assert_ptr_nonnull(file);
@@ -463,11 +436,10 @@ START_TEST(matrices_are_printed) {
     ck_assert_str_eq(text, "1.0;2.0;3.0;\n4.0;5.0;6.0;\n1 2 \n");
     MeMatrixPrint(twoByThree, 0, 3, NULL);
 }
-END_TEST
 
 /* ---- packed triangles ---- */
 
-START_TEST(triangles_are_packed_row_by_row) {
+TEST(triangles_are_packed_row_by_row) {
     messages_catch();
     for (int n = 0; n < 6; n++) {
         int upper = 0, super = 0;
@@ -489,9 +461,8 @@ START_TEST(triangles_are_packed_row_by_row) {
     assert_silent();
     messages_release();
 }
-END_TEST
 
-START_TEST(places_outside_a_triangle_warn) {
+TEST(places_outside_a_triangle_warn) {
     messages_catch();
     ck_assert_int_eq(MeUpperDiagonalIndex(2, 1, 4), -1);
     assert_warned("MeUpperDiagonalIndex");
@@ -505,39 +476,3 @@ START_TEST(places_outside_a_triangle_warn) {
     assert_warned("MeSymSuperDiagonalIndex");
     messages_release();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, random_numbers_fill_their_range);
-    tcase_add_test(t, random_numbers_of_odd_ranges);
-    tcase_add_test(t, macros_choose_and_round);
-    tcase_add_test(t, indices_go_round);
-    tcase_add_test(t, three_numbers_are_sorted);
-    tcase_add_test(t, reciprocals_are_finite);
-    tcase_add_test(t, numbers_are_swapped_and_zeroed);
-    tcase_add_test(t, vector_operations_may_alias);
-    tcase_add_test(t, smaller_and_larger_components);
-    tcase_add_test(t, vectors_are_scaled_and_added);
-    tcase_add_test(t, vectors_are_swapped);
-    tcase_add_test(t, lerp_meets_its_ends);
-    tcase_add_test(t, products_of_vectors);
-    tcase_add_test(t, cross_products_with_axes);
-    tcase_add_test(t, lengths_do_not_overflow);
-    tcase_add_test(t, lengths_of_what_is_not_finite);
-    tcase_add_test(t, normalized_vectors_are_unit);
-    tcase_add_test(t, vectors_of_extreme_length_are_normalized);
-    tcase_add_test(t, vectors_without_direction_stay);
-    tcase_add_test(t, vectors_are_made_orthogonal);
-    tcase_add_test(t, nearly_parallel_vectors_are_made_orthogonal);
-    tcase_add_test(t, orthogonal_to_nothing_changes_nothing);
-    tcase_add_test(t, plane_spaces_are_right_handed_frames);
-    tcase_add_test(t, plane_spaces_turn_smoothly);
-    tcase_add_test(t, four_components_count_alike);
-    tcase_add_test(t, matrices_of_any_size_are_multiplied);
-    tcase_add_test(t, matrices_of_any_size_are_transposed);
-    tcase_add_test(t, matrices_are_printed);
-    tcase_add_test(t, triangles_are_packed_row_by_row);
-    tcase_add_test(t, places_outside_a_triangle_warn);
-}
-
-TEST_MAIN("MeMath", tests)

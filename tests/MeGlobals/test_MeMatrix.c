@@ -10,7 +10,7 @@ typedef struct {
     MeMatrix3 expected;
 } Operation;
 
-START_TEST(matrix3_operations_may_alias) {
+TEST(matrix3_operations_may_alias) {
     static const Operation operations[] = {
         {MeMatrix3Add, {{3, 2, 4}, {4, 6, 5}, {10, 9, 10}}},
         {MeMatrix3Subtract, {{-1, 2, 2}, {4, 4, 7}, {4, 7, 10}}},
@@ -29,16 +29,14 @@ START_TEST(matrix3_operations_may_alias) {
         assert_same_bits(overC, o->expected);
     }
 }
-END_TEST
 
-START_TEST(matrix3_multiplies_columns) {
+TEST(matrix3_multiplies_columns) {
     MeVector3 v = {1, 0, 2};
     MeMatrix3MultiplyVector(v, B, v);
     assert_vec3_near(v, 7, 16, 27, 0);
 }
-END_TEST
 
-START_TEST(matrix3_is_made_scaled_and_transposed) {
+TEST(matrix3_is_made_scaled_and_transposed) {
     MeMatrix3 a;
     const MeMatrix3 identity = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const MeMatrix3 transposed = {{1, 4, 7}, {2, 5, 8}, {3, 6, 10}};
@@ -55,9 +53,8 @@ START_TEST(matrix3_is_made_scaled_and_transposed) {
     MeMatrix3CopyVec(a, a[1], a[2], a[0]);
     assert_same_bits(a, turned);
 }
-END_TEST
 
-START_TEST(columns_are_swapped) {
+TEST(columns_are_swapped) {
     MeMatrix3 a;
     const MeMatrix3 expected = {{3, 2, 1}, {6, 5, 4}, {10, 8, 7}};
     messages_catch();
@@ -74,9 +71,8 @@ START_TEST(columns_are_swapped) {
     assert_same_bits(a, expected);
     messages_release();
 }
-END_TEST
 
-START_TEST(cross_product_matrix) {
+TEST(cross_product_matrix) {
     const MeVector3 a = {1, 2, 3}, v = {-2, 5, 4};
     MeMatrix3 m;
     MeVector3 expected, actual;
@@ -90,9 +86,8 @@ START_TEST(cross_product_matrix) {
     MeMatrix3MultiplyVector(actual, m, v);
     assert_array_near(actual, expected, 3, 0);
 }
-END_TEST
 
-START_TEST(inverse_of_a_known_matrix) {
+TEST(inverse_of_a_known_matrix) {
     MeMatrix3 a;
     const MeMatrix3 expected = {
         {(MeReal)(-2. / 3), (MeReal)(-4. / 3), 1}, {(MeReal)(-2. / 3), (MeReal)(11. / 3), -2}, {1, -2, 1}};
@@ -100,10 +95,9 @@ START_TEST(inverse_of_a_known_matrix) {
     ck_assert(MeMatrix3Invert(a) == METRUE);
     assert_array_near(a[0], expected[0], 9, TOL(2e-5, 4e-14)); /* condition 90 */
 }
-END_TEST
 
 /* Whatever the units of the rows. */
-START_TEST(inverse_undoes_a_matrix) {
+TEST(inverse_undoes_a_matrix) {
     static const MeReal units[3] = {TOL((MeReal)1e-20, (MeReal)1e-200), 1, TOL((MeReal)1e15, (MeReal)1e150)};
     int inverted = 0;
     for (int i = 0; i < RANDOM_TRIES; i++) {
@@ -127,9 +121,8 @@ START_TEST(inverse_undoes_a_matrix) {
     }
     ck_assert_int_gt(inverted, RANDOM_TRIES / 2);
 }
-END_TEST
 
-START_TEST(singular_matrices_stay) {
+TEST(singular_matrices_stay) {
     static const MeMatrix3 singular[] = {
         {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
         {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}},
@@ -149,10 +142,9 @@ START_TEST(singular_matrices_stay) {
         assert_same_bits(a, singular[i]);
     }
 }
-END_TEST
 
 /* Small, but far from singular: the inertia of a grain in kilogram square metres. */
-START_TEST(small_inertia_is_inverted) {
+TEST(small_inertia_is_inverted) {
     MeMatrix3 a = {{(MeReal)2e-30, 0, 0}, {0, (MeReal)4e-30, 0}, {0, 0, (MeReal)5e-30}};
     ck_assert(MeMatrix3SymmetricInvert(a) == METRUE);
     assert_near_rel(a[0][0], 5e29, few);
@@ -160,9 +152,8 @@ START_TEST(small_inertia_is_inverted) {
     assert_near_rel(a[2][2], 2e29, few);
     ck_assert(a[0][1] == 0 && a[0][2] == 0 && a[1][2] == 0);
 }
-END_TEST
 
-START_TEST(symmetric_inverse_reads_one_triangle) {
+TEST(symmetric_inverse_reads_one_triangle) {
     for (int i = 0; i < RANDOM_TRIES; i++) {
         MeMatrix3 a, inverse, product;
         random_matrix3(a);
@@ -182,16 +173,14 @@ START_TEST(symmetric_inverse_reads_one_triangle) {
         ck_assert(MeMatrix3IsIdentity(product, TOL((MeReal)2e-6, (MeReal)4e-15)));
     }
 }
-END_TEST
 
-START_TEST(singular_symmetric_matrices_stay) {
+TEST(singular_symmetric_matrices_stay) {
     const MeMatrix3 before = {{1, 2, 3}, {9, 4, 6}, {9, 9, 9}}; /* the upper triangle of an outer product */
     MeMatrix3 a;
     MeMatrix3Copy(a, before);
     ck_assert(MeMatrix3SymmetricInvert(a) == MEFALSE);
     assert_same_bits(a, before);
 }
-END_TEST
 
 static void assertDecomposition(MeMatrix3 l, MeMatrix3 u, const MeMatrix3 a, const unsigned int *swapped) {
     MeMatrix3 pa, product;
@@ -208,7 +197,7 @@ static void assertDecomposition(MeMatrix3 l, MeMatrix3 u, const MeMatrix3 a, con
     assert_array_near(product[0], pa[0], 9, few);
 }
 
-START_TEST(matrices_are_factored) {
+TEST(matrices_are_factored) {
     for (int i = 0; i < RANDOM_TRIES; i++) {
         MeMatrix3 a, l, u, overL, overU;
         MeVector3 scale;
@@ -232,18 +221,16 @@ START_TEST(matrices_are_factored) {
         assertDecomposition(l, overU, a, swapped);
     }
 }
-END_TEST
 
-START_TEST(pivots_do_not_depend_on_units) {
+TEST(pivots_do_not_depend_on_units) {
     MeMatrix3 a = {{10, (MeReal)1e6, 0}, {1, 1, 1}, {0, 1, 2}}, l, u;
     MeVector3 scale;
     unsigned int swapped[3];
     MeMatrix3LUDecompose(l, u, a, swapped, scale);
     ck_assert_uint_eq(swapped[0], 1);
 }
-END_TEST
 
-START_TEST(identity_is_recognized) {
+TEST(identity_is_recognized) {
     MeMatrix3 a;
     MeMatrix4 b;
     MeMatrix3MakeIdentity(a);
@@ -255,9 +242,8 @@ START_TEST(identity_is_recognized) {
     a[1][2] = b[3][0] = (MeReal)NAN;
     ck_assert(!MeMatrix3IsIdentity(a, 1) && !MeMatrix4IsIdentity(b, 1));
 }
-END_TEST
 
-START_TEST(isotropic_inertia_is_recognized) {
+TEST(isotropic_inertia_is_recognized) {
     MeMatrix3 a;
     MeMatrix3MakeIdentity(a);
     MeMatrix3Scale(a, (MeReal)1e-20);
@@ -278,13 +264,12 @@ START_TEST(isotropic_inertia_is_recognized) {
     a[0][2] = (MeReal)NAN;
     ck_assert(!MeMatrix3IsIsotropic(a));
 }
-END_TEST
 
 /* ---- rotations ---- */
 
 static const MeReal quarter = ME_PI / 2;
 
-START_TEST(quarter_turns_are_positive) {
+TEST(quarter_turns_are_positive) {
     static void (*const make[3])(MeMatrix3, const MeReal) = {MeMatrix3MakeRotationX, MeMatrix3MakeRotationY,
                                                              MeMatrix3MakeRotationZ};
     for (int axis = 0; axis < 3; axis++) {
@@ -298,10 +283,9 @@ START_TEST(quarter_turns_are_positive) {
         assert_array_near(v, along, 3, 0);
     }
 }
-END_TEST
 
 /* As they are written with ME_PI, in single precision; what is off by more than its rounding stays so. */
-START_TEST(quarter_turns_are_exact) {
+TEST(quarter_turns_are_exact) {
     const double rounding = TOL(0, 4e-15);
     static const MeReal cosine[4] = {1, 0, -1, 0}, sine[4] = {0, 1, 0, -1};
     for (int turns = -9; turns <= 9; turns++) {
@@ -322,18 +306,16 @@ START_TEST(quarter_turns_are_exact) {
         ck_assert(turns == 0 || (m[0][0] != 0 && m[1][0] != 0));
     }
 }
-END_TEST
 
-START_TEST(rotation_about_z_by_hand) {
+TEST(rotation_about_z_by_hand) {
     MeMatrix3 m;
     const MeReal c = MeCos((MeReal)0.3), s = MeSin((MeReal)0.3);
     const MeMatrix3 expected = {{c, -s, 0}, {s, c, 0}, {0, 0, 1}};
     MeMatrix3MakeRotationZ(m, (MeReal)0.3);
     assert_array_near(m[0], expected[0], 9, 0);
 }
-END_TEST
 
-START_TEST(euler_angles_turn_about_x_then_y_then_z) {
+TEST(euler_angles_turn_about_x_then_y_then_z) {
     for (int i = 0; i < RANDOM_TRIES; i++) {
         MeVector3 angles;
         MeMatrix3 x, y, z, expected, actual;
@@ -348,9 +330,8 @@ START_TEST(euler_angles_turn_about_x_then_y_then_z) {
         assert_array_near(actual[0], expected[0], 9, few);
     }
 }
-END_TEST
 
-START_TEST(orientation_matrices_are_recognized) {
+TEST(orientation_matrices_are_recognized) {
     MeMatrix3 good, bad;
     MeMatrix3FromEulerAngles(good, 1, 2, 3);
     ck_assert(MeMatrix3IsValidOrientationMatrix(good, (MeReal)few));
@@ -368,14 +349,13 @@ START_TEST(orientation_matrices_are_recognized) {
     bad[1][1] = (MeReal)NAN;
     ck_assert(!MeMatrix3IsValidOrientationMatrix(bad, (MeReal)0.1));
 }
-END_TEST
 
 /* ---- MeMatrix4 ---- */
 
 static const MeMatrix4 D = {{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}, {13, 14, 15, 16}};
 static const MeMatrix4 E = {{0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}, {2, 0, 0, 0}};
 
-START_TEST(matrix4_is_added_and_multiplied) {
+TEST(matrix4_is_added_and_multiplied) {
     const MeMatrix4 product = {{8, 1, 2, 3}, {16, 5, 6, 7}, {24, 9, 10, 11}, {32, 13, 14, 15}};
     const MeMatrix4 sum = {{1, 3, 3, 4}, {5, 6, 8, 8}, {9, 10, 11, 13}, {15, 14, 15, 16}};
     MeMatrix4 a;
@@ -391,17 +371,15 @@ START_TEST(matrix4_is_added_and_multiplied) {
     MeMatrix4Add(a, D, a);
     assert_same_bits(a, sum);
 }
-END_TEST
 
-START_TEST(matrix4_multiplies_columns) {
+TEST(matrix4_multiplies_columns) {
     MeVector4 v = {1, 0, 0, 2};
     const MeVector4 expected = {9, 21, 33, 45};
     MeMatrix4MultiplyVector(v, D, v);
     assert_same_bits(v, expected);
 }
-END_TEST
 
-START_TEST(matrix4_is_copied_zeroed_and_transposed) {
+TEST(matrix4_is_copied_zeroed_and_transposed) {
     MeALIGNDATA(MeMatrix4, a, 16);
     const MeMatrix4 transposed = {{1, 5, 9, 13}, {2, 6, 10, 14}, {3, 7, 11, 15}, {4, 8, 12, 16}};
     MeMatrix4CopyAligned(a, D);
@@ -414,9 +392,8 @@ START_TEST(matrix4_is_copied_zeroed_and_transposed) {
     a[3][3] = (MeReal)NAN;
     ck_assert(!MeMatrix4IsZero(a));
 }
-END_TEST
 
-START_TEST(transforms_are_recognized) {
+TEST(transforms_are_recognized) {
     MeMatrix4 good, bad;
     MeMatrix4TMFromEulerAnglesAndPosition(good, 1, 2, 3, 100, -200, 300);
     ck_assert(MeMatrix4IsTM(good, (MeReal)few));
@@ -437,33 +414,3 @@ START_TEST(transforms_are_recognized) {
         ck_assert(!MeMatrix4IsTM(bad, (MeReal)0.1));
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, matrix3_operations_may_alias);
-    tcase_add_test(t, matrix3_multiplies_columns);
-    tcase_add_test(t, matrix3_is_made_scaled_and_transposed);
-    tcase_add_test(t, columns_are_swapped);
-    tcase_add_test(t, cross_product_matrix);
-    tcase_add_test(t, inverse_of_a_known_matrix);
-    tcase_add_test(t, inverse_undoes_a_matrix);
-    tcase_add_test(t, singular_matrices_stay);
-    tcase_add_test(t, small_inertia_is_inverted);
-    tcase_add_test(t, symmetric_inverse_reads_one_triangle);
-    tcase_add_test(t, singular_symmetric_matrices_stay);
-    tcase_add_test(t, matrices_are_factored);
-    tcase_add_test(t, pivots_do_not_depend_on_units);
-    tcase_add_test(t, identity_is_recognized);
-    tcase_add_test(t, isotropic_inertia_is_recognized);
-    tcase_add_test(t, quarter_turns_are_positive);
-    tcase_add_test(t, quarter_turns_are_exact);
-    tcase_add_test(t, rotation_about_z_by_hand);
-    tcase_add_test(t, euler_angles_turn_about_x_then_y_then_z);
-    tcase_add_test(t, orientation_matrices_are_recognized);
-    tcase_add_test(t, matrix4_is_added_and_multiplied);
-    tcase_add_test(t, matrix4_multiplies_columns);
-    tcase_add_test(t, matrix4_is_copied_zeroed_and_transposed);
-    tcase_add_test(t, transforms_are_recognized);
-}
-
-TEST_MAIN("MeMatrix", tests)

@@ -12,7 +12,7 @@
 
 /* ---- the defaults ---- */
 
-START_TEST(created_memory_is_usable) {
+TEST(created_memory_is_usable) {
     static const size_t sizes[] = {0, 1, 7, 4096, 1000000};
     for (int i = 0; i < 5; i++) {
         char *const block = MeMemoryAPI.create(sizes[i]);
@@ -22,9 +22,8 @@ START_TEST(created_memory_is_usable) {
     }
     MeMemoryAPI.destroy(NULL);
 }
-END_TEST
 
-START_TEST(aligned_memory_is_aligned) {
+TEST(aligned_memory_is_aligned) {
     for (unsigned int alignment = 1; alignment <= 65536; alignment *= 2) {
         for (size_t bytes = 0; bytes < 100; bytes += 33) {
             char *const block = MeMemoryAPI.createAligned(bytes, alignment);
@@ -36,9 +35,8 @@ START_TEST(aligned_memory_is_aligned) {
     }
     MeMemoryAPI.destroyAligned(NULL);
 }
-END_TEST
 
-START_TEST(resized_memory_keeps_its_contents) {
+TEST(resized_memory_keeps_its_contents) {
     char *block = MeMemoryAPI.resize(NULL, 4);
     ck_assert_ptr_nonnull(block);
     memcpy(block, "abc", 4);
@@ -49,15 +47,13 @@ START_TEST(resized_memory_keeps_its_contents) {
     ck_assert_ptr_nonnull(block);
     MeMemoryAPI.destroy(block);
 }
-END_TEST
 
 /* The size is volatile so that the compiler does not notice that it is absurd. */
-START_TEST(impossible_sizes_give_null) {
+TEST(impossible_sizes_give_null) {
     volatile size_t absurd = SIZE_MAX;
     ck_assert_ptr_null(MeMemoryAPI.createAligned(absurd, 64));
     ck_assert_ptr_null(MeMemoryAPI.createAligned(absurd - 63, 64));
 }
-END_TEST
 
 /* ---- functions of the program's own ---- */
 
@@ -168,7 +164,7 @@ static MeBool useTic(void) {
 static MeBool (*const uses[])(void) = {useOptions, useChunk, useFixedPool, useMallocPool, useProfile, useTic};
 enum { numUses = sizeof uses / sizeof uses[0] };
 
-START_TEST(all_memory_comes_from_the_api) {
+TEST(all_memory_comes_from_the_api) {
     for (int i = 0; i < numUses; i++) {
         messages_catch();
         memoryCatch(1000);
@@ -180,10 +176,9 @@ START_TEST(all_memory_comes_from_the_api) {
         messages_release();
     }
 }
-END_TEST
 
 /* With memory for nothing, one block, two ... until it is enough: a fatal error, no crash, nothing lost. */
-START_TEST(out_of_memory_is_a_fatal_error) {
+TEST(out_of_memory_is_a_fatal_error) {
     for (int i = 0; i < numUses; i++) {
         MeBool enough = MEFALSE;
         int failures = 0;
@@ -204,10 +199,9 @@ START_TEST(out_of_memory_is_a_fatal_error) {
         ck_assert_int_gt(failures, 0);
     }
 }
-END_TEST
 
 /* A chunk that cannot grow has lost nothing but its size. */
-START_TEST(chunk_recovers_when_there_is_memory_again) {
+TEST(chunk_recovers_when_there_is_memory_again) {
     MeChunk chunk;
     messages_catch();
     memoryCatch(1);
@@ -224,16 +218,3 @@ START_TEST(chunk_recovers_when_there_is_memory_again) {
     ck_assert_int_eq(blocks, 0);
     messages_release();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, created_memory_is_usable);
-    tcase_add_test(t, aligned_memory_is_aligned);
-    tcase_add_test(t, resized_memory_keeps_its_contents);
-    tcase_add_test(t, impossible_sizes_give_null);
-    tcase_add_test(t, all_memory_comes_from_the_api);
-    tcase_add_test(t, out_of_memory_is_a_fatal_error);
-    tcase_add_test(t, chunk_recovers_when_there_is_memory_again);
-}
-
-TEST_MAIN("MeMemory", tests)

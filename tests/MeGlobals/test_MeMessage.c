@@ -52,16 +52,15 @@ static void catchText(const int level, const char *const string) {
     snprintf(got.text, sizeof got.text, "%s", string);
 }
 
-START_TEST(defaults) {
+TEST(defaults) {
     for (int i = 0; i < numKinds; i++) {
         ck_assert_int_eq(*kinds[i].limit, kinds[i].standardLimit);
         ck_assert(*kinds[i].handler == kinds[i].standardHandler);
         ck_assert(*kinds[i].show == kinds[i].standardShow);
     }
 }
-END_TEST
 
-START_TEST(handlers_get_the_message) {
+TEST(handlers_get_the_message) {
     for (int i = 0; i < numKinds; i++) {
         const Kind *const k = &kinds[i];
         const int limit = *k->limit;
@@ -79,10 +78,9 @@ START_TEST(handlers_get_the_message) {
         ck_assert(*k->handler == k->standardHandler);
     }
 }
-END_TEST
 
 /* But for fatal errors, whose default handler does not return. */
-START_TEST(show_functions_get_the_finished_text) {
+TEST(show_functions_get_the_finished_text) {
     for (int i = 0; i < fatal; i++) {
         const Kind *const k = &kinds[i];
         char expected[64];
@@ -99,16 +97,14 @@ START_TEST(show_functions_get_the_finished_text) {
         ck_assert(*k->show == k->standardShow);
     }
 }
-END_TEST
 
-START_TEST(fatal_show_is_replaceable) {
+TEST(fatal_show_is_replaceable) {
     ck_assert(MeSetFatalErrorShow(catchText) == MeShowStderr);
     ck_assert(MeSetFatalErrorShow(NULL) == catchText);
     ck_assert(MeFatalErrorShow == MeShowStderr);
 }
-END_TEST
 
-START_TEST(long_messages_are_cut) {
+TEST(long_messages_are_cut) {
     static char text[3 * MeMAXMESSAGE];
     memset(text, 'x', sizeof text - 1);
     MeSetWarningShow(catchText);
@@ -117,10 +113,9 @@ START_TEST(long_messages_are_cut) {
     ck_assert_uint_eq(strlen(got.text), MeMAXMESSAGE - 1);
     ck_assert(strncmp(got.text, "Karma warning: xxx", 18) == 0);
 }
-END_TEST
 
 /* Of others in between, 64 are remembered. */
-START_TEST(a_warning_that_repeats_is_shown_twice) {
+TEST(a_warning_that_repeats_is_shown_twice) {
     enum { REMEMBERED = 64 };
     memset(&got, 0, sizeof got);
     MeSetWarningShow(catchText);
@@ -137,11 +132,10 @@ START_TEST(a_warning_that_repeats_is_shown_twice) {
     ck_assert_int_eq(got.calls, 2 + REMEMBERED + 1);
     MeSetWarningShow(NULL);
 }
-END_TEST
 
 /* The name that a message begins with, in its format or as an argument, is replaced; what has none stays as it is. Of
  * several the first is sent. */
-START_TEST(messages_go_under_the_name_of_the_caller) {
+TEST(messages_go_under_the_name_of_the_caller) {
     messages_catch();
     const char *before = MeMessagesAs("Outer");
     ck_assert_ptr_null(before);
@@ -161,9 +155,8 @@ START_TEST(messages_go_under_the_name_of_the_caller) {
     ck_assert_str_eq(caught.last, "Callee: sent");
     messages_release();
 }
-END_TEST
 
-START_TEST(empty_messages) {
+TEST(empty_messages) {
     MeSetLogShow(catchText);
     const char *const empty = "";
     MeLog(0, "%s", empty);
@@ -172,7 +165,6 @@ START_TEST(empty_messages) {
     ck_assert_str_eq(got.text, "");
     MeSetLogShow(NULL);
 }
-END_TEST
 
 /* ---- what is printed ---- */
 
@@ -205,7 +197,7 @@ static const char *printedText(void) {
     return text;
 }
 
-START_TEST(what_goes_to_stdout) {
+TEST(what_goes_to_stdout) {
     catchStreams();
     redirect(STDOUT_FILENO);
     MeInfo(1, "ready");
@@ -213,9 +205,8 @@ START_TEST(what_goes_to_stdout) {
     MeShowStdout(0, "shown");
     ck_assert_str_eq(printedText(), "ready\nshown\n");
 }
-END_TEST
 
-START_TEST(what_goes_to_stderr) {
+TEST(what_goes_to_stderr) {
     catchStreams();
     redirect(STDERR_FILENO);
     MeWarning(5, "body %d", 3);
@@ -228,9 +219,8 @@ START_TEST(what_goes_to_stderr) {
     MeShowCrtWarn(0, "d");
     ck_assert_str_eq(printedText(), "Karma warning: body 3\nline\na\nb\nc\nd\n");
 }
-END_TEST
 
-START_TEST(fatal_errors_abort) {
+TEST(fatal_errors_abort) {
     catchStreams();
     const pid_t child = fork();
     if (child == 0) {
@@ -243,9 +233,8 @@ START_TEST(fatal_errors_abort) {
     ck_assert_str_eq(printedText(), "Karma fatal error: out of memory\n");
     ck_assert(WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT);
 }
-END_TEST
 
-START_TEST(paths_are_shortened) {
+TEST(paths_are_shortened) {
     char path[] = "/home/karma/src/MdtBody.c", windows[] = "C:\\karma\\Mdt.c", bare[] = "Mdt.c", dir[] = "src/";
     ck_assert_ptr_eq(MeShortenPath(path), path + 16);
     ck_assert_str_eq(MeShortenPath(windows), "Mdt.c");
@@ -253,21 +242,3 @@ START_TEST(paths_are_shortened) {
     ck_assert_str_eq(MeShortenPath(dir), "");
     ck_assert_ptr_null(MeShortenPath(NULL));
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, defaults);
-    tcase_add_test(t, handlers_get_the_message);
-    tcase_add_test(t, show_functions_get_the_finished_text);
-    tcase_add_test(t, fatal_show_is_replaceable);
-    tcase_add_test(t, long_messages_are_cut);
-    tcase_add_test(t, a_warning_that_repeats_is_shown_twice);
-    tcase_add_test(t, messages_go_under_the_name_of_the_caller);
-    tcase_add_test(t, empty_messages);
-    tcase_add_test(t, what_goes_to_stdout);
-    tcase_add_test(t, what_goes_to_stderr);
-    tcase_add_test(t, fatal_errors_abort);
-    tcase_add_test(t, paths_are_shortened);
-}
-
-TEST_MAIN("MeMessage", tests)

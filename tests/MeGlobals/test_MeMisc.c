@@ -10,7 +10,7 @@ static void assertColour(float h, float s, float v, double red, double green, do
     assert_vec3_near(rgb, red, green, blue, TOL(2e-7, 9e-16));
 }
 
-START_TEST(corners_of_the_colour_circle) {
+TEST(corners_of_the_colour_circle) {
     assertColour(0, 1, 1, 1, 0, 0);
     assertColour(60, 1, 1, 1, 1, 0);
     assertColour(120, 1, 1, 0, 1, 0);
@@ -18,9 +18,8 @@ START_TEST(corners_of_the_colour_circle) {
     assertColour(240, 1, 1, 0, 0, 1);
     assertColour(300, 1, 1, 1, 0, 1);
 }
-END_TEST
 
-START_TEST(colours_in_between) {
+TEST(colours_in_between) {
     assertColour(30, 1, 1, 1, 0.5, 0);
     assertColour(90, 1, 1, 0.5, 1, 0);
     assertColour(150, 1, 1, 0, 1, 0.5);
@@ -29,27 +28,24 @@ START_TEST(colours_in_between) {
     assertColour(330, 1, 1, 1, 0, 0.5);
     assertColour(30, 0.5f, 0.5f, 0.5, 0.375, 0.25);
 }
-END_TEST
 
-START_TEST(grey_white_and_black) {
+TEST(grey_white_and_black) {
     for (int h = 0; h < 360; h += 30) {
         assertColour((float)h, 0, 0.25f, 0.25, 0.25, 0.25);
         assertColour((float)h, 1, 0, 0, 0, 0);
     }
     assertColour(77, 0, 1, 1, 1, 1);
 }
-END_TEST
 
-START_TEST(hue_goes_round) {
+TEST(hue_goes_round) {
     for (int turn = -2; turn <= 2; turn++) {
         assertColour(360 * (float)turn, 1, 1, 1, 0, 0);
         assertColour(360 * (float)turn + 210, 1, 1, 0, 0.5, 1);
     }
     assertColour(-1e-30f, 1, 1, 1, 0, 0);
 }
-END_TEST
 
-START_TEST(numbers_out_of_range) {
+TEST(numbers_out_of_range) {
     assertColour(120, 7, 7, 0, 1, 0);
     assertColour(120, -1, 1, 1, 1, 1);
     assertColour(120, 1, -1, 0, 0, 0);
@@ -58,7 +54,6 @@ START_TEST(numbers_out_of_range) {
     assertColour(120, (float)NAN, 1, 1, 1, 1);
     assertColour(120, 1, (float)NAN, 0, 0, 0);
 }
-END_TEST
 
 static int lines;
 
@@ -67,7 +62,7 @@ static void countLine(MeVector3 start, MeVector3 end, MeReal r, MeReal g, MeReal
     ck_assert(start[0] == 1 && end[0] == 4 && r == 1 && g == 0 && b == 0);
 }
 
-START_TEST(lines_are_drawn_by_the_function_in_use) {
+TEST(lines_are_drawn_by_the_function_in_use) {
     MeVector3 start = {1, 2, 3}, end = {4, 5, 6};
     const MeDebugLineFuncPtr nothing = MeDebugDrawAPI.line;
     ck_assert(nothing != NULL);
@@ -77,15 +72,3 @@ START_TEST(lines_are_drawn_by_the_function_in_use) {
     MeDebugDrawAPI.line = nothing;
     ck_assert_int_eq(lines, 1);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, corners_of_the_colour_circle);
-    tcase_add_test(t, colours_in_between);
-    tcase_add_test(t, grey_white_and_black);
-    tcase_add_test(t, hue_goes_round);
-    tcase_add_test(t, numbers_out_of_range);
-    tcase_add_test(t, lines_are_drawn_by_the_function_in_use);
-}
-
-TEST_MAIN("MeMisc", tests)

@@ -15,7 +15,7 @@ static const struct MePoolAPI *const kinds[] = {&MePoolFixedAPI, &MePoolMallocAP
 static const MePoolType types[] = {MePoolFIXED, MePoolMALLOC};
 enum { capacity = 50 };
 
-START_TEST(records_are_apart_and_aligned) {
+TEST(records_are_apart_and_aligned) {
     static const int alignments[] = {1, 4, 16, 128};
     messages_catch();
     for (int i = 0; i < 8; i++) {
@@ -42,10 +42,9 @@ START_TEST(records_are_apart_and_aligned) {
     assert_silent();
     messages_release();
 }
-END_TEST
 
 /* In every order: what has been put back does not disturb what is out. */
-START_TEST(records_come_and_go) {
+TEST(records_come_and_go) {
     messages_catch();
     for (int i = 0; i < 2; i++) {
         MePool pool;
@@ -74,9 +73,8 @@ START_TEST(records_come_and_go) {
     assert_silent();
     messages_release();
 }
-END_TEST
 
-START_TEST(fixed_pool_has_a_limit) {
+TEST(fixed_pool_has_a_limit) {
     MePool pool;
     messages_catch();
     ck_assert(MePoolFixedAPI.init(&pool, sizeof(Record), 3, 16));
@@ -94,9 +92,8 @@ START_TEST(fixed_pool_has_a_limit) {
     MePoolFixedAPI.destroy(&pool);
     messages_release();
 }
-END_TEST
 
-START_TEST(pool_of_no_records) {
+TEST(pool_of_no_records) {
     MePool pool;
     messages_catch();
     ck_assert(MePoolFixedAPI.init(&pool, sizeof(Record), 0, 16));
@@ -105,9 +102,8 @@ START_TEST(pool_of_no_records) {
     MePoolFixedAPI.destroy(&pool);
     messages_release();
 }
-END_TEST
 
-START_TEST(malloc_pool_has_no_limit) {
+TEST(malloc_pool_has_no_limit) {
     MePool pool;
     messages_catch();
     ck_assert(MePoolMallocAPI.init(&pool, sizeof(Record), 3, 16));
@@ -118,9 +114,8 @@ START_TEST(malloc_pool_has_no_limit) {
     MePoolMallocAPI.destroy(&pool);
     messages_release();
 }
-END_TEST
 
-START_TEST(fixed_order_is_the_same_after_reset) {
+TEST(fixed_order_is_the_same_after_reset) {
     MePool pool;
     void *first[4];
     messages_catch();
@@ -139,9 +134,8 @@ START_TEST(fixed_order_is_the_same_after_reset) {
     MePoolFixedAPI.destroy(&pool);
     messages_release();
 }
-END_TEST
 
-START_TEST(malloc_pool_is_reset) {
+TEST(malloc_pool_is_reset) {
     MePool pool;
     messages_catch();
     ck_assert(MePoolMallocAPI.init(&pool, sizeof(Record), 0, 16));
@@ -155,9 +149,8 @@ START_TEST(malloc_pool_is_reset) {
     MePoolMallocAPI.destroy(&pool);
     messages_release();
 }
-END_TEST
 
-START_TEST(what_is_not_out_is_not_taken) {
+TEST(what_is_not_out_is_not_taken) {
     MePool pool;
     Record other;
     messages_catch();
@@ -179,9 +172,8 @@ START_TEST(what_is_not_out_is_not_taken) {
     MePoolFixedAPI.destroy(&pool);
     messages_release();
 }
-END_TEST
 
-START_TEST(bad_numbers_warn) {
+TEST(bad_numbers_warn) {
     static const int bad[][2] = {{0, 16}, {-1, 16}, {8, 0}, {8, -16}, {8, 24}, {INT_MAX, 16}};
     MePool pool;
     messages_catch();
@@ -194,7 +186,6 @@ START_TEST(bad_numbers_warn) {
     assert_warned("-1 records");
     messages_release();
 }
-END_TEST
 
 static void assertAllWarn(const struct MePoolAPI *api, MePool *pool) {
     char record[64];
@@ -212,7 +203,7 @@ static void assertAllWarn(const struct MePoolAPI *api, MePool *pool) {
     assert_warned("getCount");
 }
 
-START_TEST(null_and_other_pools_warn) {
+TEST(null_and_other_pools_warn) {
     messages_catch();
     for (int i = 0; i < 2; i++) {
         MePool pool;
@@ -226,19 +217,3 @@ START_TEST(null_and_other_pools_warn) {
     }
     messages_release();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, records_are_apart_and_aligned);
-    tcase_add_test(t, records_come_and_go);
-    tcase_add_test(t, fixed_pool_has_a_limit);
-    tcase_add_test(t, pool_of_no_records);
-    tcase_add_test(t, malloc_pool_has_no_limit);
-    tcase_add_test(t, fixed_order_is_the_same_after_reset);
-    tcase_add_test(t, malloc_pool_is_reset);
-    tcase_add_test(t, what_is_not_out_is_not_taken);
-    tcase_add_test(t, bad_numbers_warn);
-    tcase_add_test(t, null_and_other_pools_warn);
-}
-
-TEST_MAIN("MePool", tests)

@@ -3,7 +3,7 @@
 
 #include "MeVersion.h"
 
-START_TEST(types_have_their_sizes) {
+TEST(types_have_their_sizes) {
     ck_assert_uint_eq(sizeof(MeReal), TOL(4, 8));
     ck_assert_uint_eq(sizeof(MeVector3), 3 * sizeof(MeReal));
     ck_assert_uint_eq(sizeof(MeVector4), 4 * sizeof(MeReal));
@@ -15,9 +15,8 @@ START_TEST(types_have_their_sizes) {
     ck_assert_uint_eq(sizeof(MeU64), 8);
     ck_assert_uint_eq(sizeof(AcmeReal), 4);
 }
-END_TEST
 
-START_TEST(functions_are_of_the_right_precision) {
+TEST(functions_are_of_the_right_precision) {
     ck_assert_uint_eq(sizeof(MeSqrt((MeReal)2)), sizeof(MeReal));
     assert_near(MeSqrt((MeReal)2), sqrt(2), TOL(1e-7, 2e-16));
     assert_near(MeAtan2((MeReal)1, (MeReal)-1), 0.75 * acos(-1), TOL(2e-7, 5e-16));
@@ -29,9 +28,8 @@ START_TEST(functions_are_of_the_right_precision) {
     assert_near(MeRecipSqrt((MeReal)4), 0.5, 0);
     assert_near(MeSqr((MeReal)3), 9, 0);
 }
-END_TEST
 
-START_TEST(epsilon_is_the_distance_to_the_next_number) {
+TEST(epsilon_is_the_distance_to_the_next_number) {
     const volatile MeReal next = 1 + ME_EPSILON, same = 1 + ME_EPSILON / 2;
     ck_assert(next > 1);
     ck_assert(same == 1);
@@ -41,9 +39,8 @@ START_TEST(epsilon_is_the_distance_to_the_next_number) {
     ck_assert(ME_EPSILON < ME_MIN_EPSILON && ME_MIN_EPSILON < ME_SMALL_EPSILON);
     ck_assert(ME_SMALL_EPSILON < ME_MEDIUM_EPSILON);
 }
-END_TEST
 
-START_TEST(comparisons_with_a_tolerance) {
+TEST(comparisons_with_a_tolerance) {
     MeVector4 v = {0, 0, 0, 0};
     const MeReal below = ME_SMALL_EPSILON / 2, above = 2 * ME_SMALL_EPSILON;
     for (int i = 0; i < 4; i++) {
@@ -65,31 +62,17 @@ START_TEST(comparisons_with_a_tolerance) {
     a[0] = (MeReal)NAN;
     ck_assert(!ME_IS_ZERO(a[0]) && !ME_ARE_EQUAL_3VEC(a, a));
 }
-END_TEST
 
-START_TEST(aligned_data) {
+TEST(aligned_data) {
     static MeALIGNDATA(MeMatrix4, tm, 16) = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
     ck_assert_uint_eq((size_t)tm % 16, 0);
     ck_assert(tm[2][2] == 1);
 }
-END_TEST
 
-START_TEST(version_names_product_and_precision) {
+TEST(version_names_product_and_precision) {
     char expected[64];
     snprintf(expected, sizeof expected, "%s %d.%d.%d%s (%s precision)", ME_PRODUCT_NAME, ME_PRODUCTVERSION_MAJOR,
              ME_PRODUCTVERSION_MINOR, ME_PRODUCTVERSION_REV, ME_PRODUCTVERSION_QUALIFIER,
              sizeof(MeReal) == 4 ? "single" : "double");
     ck_assert_str_eq(MeToolkitVersionString(), expected);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, types_have_their_sizes);
-    tcase_add_test(t, functions_are_of_the_right_precision);
-    tcase_add_test(t, epsilon_is_the_distance_to_the_next_number);
-    tcase_add_test(t, comparisons_with_a_tolerance);
-    tcase_add_test(t, aligned_data);
-    tcase_add_test(t, version_names_product_and_precision);
-}
-
-TEST_MAIN("MePrecision", tests)

@@ -52,7 +52,7 @@ static void assertNotBelow(double time, double min) {
 
 /* ---- sections ---- */
 
-START_TEST(clock_counts_seconds) {
+TEST(clock_counts_seconds) {
     const double begin = now();
     spend();
     assertNotBelow(now() - begin, waiting);
@@ -61,9 +61,8 @@ START_TEST(clock_counts_seconds) {
     assert_warned("MeProfileGetTimerValue");
     messages_release();
 }
-END_TEST
 
-START_TEST(inner_time_counts_for_the_outer) {
+TEST(inner_time_counts_for_the_outer) {
     start(kMeProfileDontLog);
     const double begin = now();
     MeProfileStartFrame();
@@ -87,10 +86,9 @@ START_TEST(inner_time_counts_for_the_outer) {
     assert_near_rel(MeProfileGetAllSectionTime(), timeOf("outer") + timeOf("other"), rounding);
     stop();
 }
-END_TEST
 
 /* Of the same name in several places, and not as a pointer but as text. */
-START_TEST(sections_are_told_apart_by_text_and_place) {
+TEST(sections_are_told_apart_by_text_and_place) {
     char name[] = "solve";
     start(kMeProfileDontLog);
     MeProfileStartFrame();
@@ -114,9 +112,8 @@ START_TEST(sections_are_told_apart_by_text_and_place) {
     ck_assert(MeProfileGetSectionTime("") == 0);
     stop();
 }
-END_TEST
 
-START_TEST(recursion_is_not_counted_twice) {
+TEST(recursion_is_not_counted_twice) {
     start(kMeProfileDontLog);
     MeProfileStartFrame();
     for (int i = 0; i < 3; i++)
@@ -129,9 +126,8 @@ START_TEST(recursion_is_not_counted_twice) {
     assert_near_rel(timeOf("a"), MeProfileGetAllSectionTime(), 0);
     stop();
 }
-END_TEST
 
-START_TEST(auto_stop_sections_follow_one_another) {
+TEST(auto_stop_sections_follow_one_another) {
     start(kMeProfileDontLog);
     MeProfileStartFrame();
     MeProfileStartSection("step", 0);
@@ -150,10 +146,9 @@ START_TEST(auto_stop_sections_follow_one_another) {
     assert_near_rel(MeProfileGetAllSectionTime(), timeOf("step") + timeOf("draw"), rounding);
     stop();
 }
-END_TEST
 
 /* Only an auto-stop section is ended by the next, and only by an auto-stop one. */
-START_TEST(auto_stop_needs_both) {
+TEST(auto_stop_needs_both) {
     start(kMeProfileDontLog);
     MeProfileStartFrame();
     MeProfileStartSection("plain", 0);
@@ -169,11 +164,10 @@ START_TEST(auto_stop_needs_both) {
     assert_near_rel(timeOf("plain"), MeProfileGetAllSectionTime(), 0);
     stop();
 }
-END_TEST
 
 /* ---- frames ---- */
 
-START_TEST(times_are_those_of_the_last_frame) {
+TEST(times_are_those_of_the_last_frame) {
     start(kMeProfileDontLog);
     MeProfileStartFrame();
     MeProfileStartSection("a", 0);
@@ -186,9 +180,8 @@ START_TEST(times_are_those_of_the_last_frame) {
     ck_assert(timeOf("a") == 0 && MeProfileGetAllSectionTime() == 0);
     stop();
 }
-END_TEST
 
-START_TEST(an_end_without_a_frame_does_nothing) {
+TEST(an_end_without_a_frame_does_nothing) {
     start(kMeProfileDontLog);
     MeProfileStartFrame();
     MeProfileStartSection("a", 0);
@@ -199,9 +192,8 @@ START_TEST(an_end_without_a_frame_does_nothing) {
     assertNotBelow(timeOf("a"), waiting);
     stop();
 }
-END_TEST
 
-START_TEST(time_outside_of_frames_is_in_no_frame) {
+TEST(time_outside_of_frames_is_in_no_frame) {
     start(kMeProfileDontLog);
     MeProfileStartSection("a", 0);
     spend();
@@ -211,9 +203,8 @@ START_TEST(time_outside_of_frames_is_in_no_frame) {
     ck_assert(timeOf("a") == 0);
     stop();
 }
-END_TEST
 
-START_TEST(sections_are_split_by_frames) {
+TEST(sections_are_split_by_frames) {
     start(kMeProfileDontLog);
     MeProfileStartSection("a", 0);
     spend();
@@ -230,9 +221,8 @@ START_TEST(sections_are_split_by_frames) {
     assertNotBelow(whole, timeOf("a"));
     stop();
 }
-END_TEST
 
-START_TEST(results_outlive_the_timers) {
+TEST(results_outlive_the_timers) {
     start(kMeProfileDontLog);
     MeProfileStartFrame();
     MeProfileStartSection("a", 0);
@@ -252,9 +242,8 @@ START_TEST(results_outlive_the_timers) {
     ck_assert(timeOf("a") == 0 && MeProfileGetAllSectionTime() == 0);
     stop();
 }
-END_TEST
 
-START_TEST(starting_again_forgets) {
+TEST(starting_again_forgets) {
     start(kMeProfileDontLog);
     MeProfileStartFrame();
     MeProfileStartSection("a", 0);
@@ -264,9 +253,8 @@ START_TEST(starting_again_forgets) {
     MeProfileEndSection("b");
     stop();
 }
-END_TEST
 
-START_TEST(nothing_happens_while_off) {
+TEST(nothing_happens_while_off) {
     messages_catch();
     MeProfileStartFrame();
     MeProfileStartSection("a", 0);
@@ -280,11 +268,10 @@ START_TEST(nothing_happens_while_off) {
     assert_silent();
     messages_release();
 }
-END_TEST
 
 /* ---- what does not match ---- */
 
-START_TEST(ends_without_a_beginning_warn_once) {
+TEST(ends_without_a_beginning_warn_once) {
     start(kMeProfileDontLog);
     MeProfileStartFrame();
     MeProfileStartSection("a", 0);
@@ -304,9 +291,8 @@ START_TEST(ends_without_a_beginning_warn_once) {
     assert_warned("'b'");
     stop();
 }
-END_TEST
 
-START_TEST(inner_sections_end_with_the_outer) {
+TEST(inner_sections_end_with_the_outer) {
     start(kMeProfileDontLog);
     MeProfileStartFrame();
     MeProfileStartSection("outer", 0);
@@ -324,7 +310,6 @@ START_TEST(inner_sections_end_with_the_outer) {
     assert_near_rel(MeProfileGetAllSectionTime(), timeOf("outer") + timeOf("next"), rounding);
     stop();
 }
-END_TEST
 
 static int markElsewhere(void *unused) {
     (void)unused;
@@ -336,7 +321,7 @@ static int markElsewhere(void *unused) {
     return 0;
 }
 
-START_TEST(other_threads_are_not_timed) {
+TEST(other_threads_are_not_timed) {
     thrd_t thread;
     start(kMeProfileLogTotals);
     MeProfileStartFrame();
@@ -350,15 +335,13 @@ START_TEST(other_threads_are_not_timed) {
     ck_assert(timeOf("elsewhere") == 0);
     stop();
 }
-END_TEST
 
-START_TEST(null_names_warn) {
+TEST(null_names_warn) {
     start(kMeProfileDontLog);
     MeProfileStartSection(NULL, 0);
     assert_warned("MeProfileStartSection");
     stop();
 }
-END_TEST
 
 /* ---- reports ---- */
 
@@ -421,7 +404,7 @@ static double measure(MeProfileLogModes_enum logging) {
     return 1000 * (now() - begin);
 }
 
-START_TEST(totals_are_reported) {
+TEST(totals_are_reported) {
     double step[4], solve[4];
     const double whole = measure(kMeProfileLogTotals);
     makeReport(kMeProfileOutputNormal);
@@ -438,9 +421,8 @@ START_TEST(totals_are_reported) {
     ck_assert(solve[3] >= solve[2] - 1e-4 && solve[3] <= solve[1]); /* the worst frame */
     stop();
 }
-END_TEST
 
-START_TEST(averages_are_reported) {
+TEST(averages_are_reported) {
     double step[3], solve[3];
     const double whole = measure(kMeProfileLogTotals);
     makeReport(kMeProfileOutputAverage);
@@ -452,9 +434,8 @@ START_TEST(averages_are_reported) {
     ck_assert(solve[2] >= solve[1] - 1e-4 && 3 * step[1] <= whole + 3e-4);
     stop();
 }
-END_TEST
 
-START_TEST(calls_are_reported) {
+TEST(calls_are_reported) {
     static const char *names[] = {"step", "solve", "solve", "step", "solve", "solve", "step", "solve", "solve", "step"};
     static const int frames[] = {0, 1, 1, 1, 2, 2, 2, 3, 3, 3};
     double last = 0;
@@ -478,9 +459,8 @@ START_TEST(calls_are_reported) {
     ck_assert(last <= whole + 1.1e-4);
     stop();
 }
-END_TEST
 
-START_TEST(frames_are_reported) {
+TEST(frames_are_reported) {
     double sum = 0;
     const double whole = measure(kMeProfileLogAll);
     makeReport(kMeProfileOutputGnuplot);
@@ -497,9 +477,8 @@ START_TEST(frames_are_reported) {
     ck_assert(sum <= whole + 3e-4);
     stop();
 }
-END_TEST
 
-START_TEST(averages_without_frames_are_zero) {
+TEST(averages_without_frames_are_zero) {
     double columns[4];
     start(kMeProfileLogTotals);
     MeProfileStartSection("a", 0);
@@ -511,10 +490,9 @@ START_TEST(averages_without_frames_are_zero) {
     assertNotBelow(columns[1], 1000 * waiting);
     stop();
 }
-END_TEST
 
 /* More calls than the log begins with room for. */
-START_TEST(long_logs) {
+TEST(long_logs) {
     start(kMeProfileLogAll);
     for (int i = 0; i < 5000; i++) {
         MeProfileStartFrame();
@@ -534,9 +512,8 @@ START_TEST(long_logs) {
     ck_assert_int_eq(lines, 5001);
     stop();
 }
-END_TEST
 
-START_TEST(full_log_warns_and_totals_go_on) {
+TEST(full_log_warns_and_totals_go_on) {
     double columns[4];
     start(kMeProfileLogAll);
     for (int i = 0; i < (1 << 20) + 5; i++) {
@@ -549,9 +526,8 @@ START_TEST(full_log_warns_and_totals_go_on) {
     ck_assert(columns[0] == (1 << 20) + 5);
     stop();
 }
-END_TEST
 
-START_TEST(reports_that_cannot_be_made_warn) {
+TEST(reports_that_cannot_be_made_warn) {
     messages_catch();
     MeProfileSetOutputParameters((MeProfileOutput){kMeProfileOutputNormal, REPORT});
     MeProfileOutputResults();
@@ -573,7 +549,6 @@ START_TEST(reports_that_cannot_be_made_warn) {
     assert_warned("4 is not a format");
     stop();
 }
-END_TEST
 
 /* ---- the stopwatch ---- */
 
@@ -589,7 +564,7 @@ static void assertTicLine(int line, const char *name, double max) {
     ck_assert(milliseconds <= max);
 }
 
-START_TEST(tic_times_what_follows) {
+TEST(tic_times_what_follows) {
     messages_catch();
     tic("before"); /* ignored */
     ticOutputResults(REPORT);
@@ -623,35 +598,3 @@ START_TEST(tic_times_what_follows) {
     assert_silent();
     messages_release();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, clock_counts_seconds);
-    tcase_add_test(t, inner_time_counts_for_the_outer);
-    tcase_add_test(t, sections_are_told_apart_by_text_and_place);
-    tcase_add_test(t, recursion_is_not_counted_twice);
-    tcase_add_test(t, auto_stop_sections_follow_one_another);
-    tcase_add_test(t, auto_stop_needs_both);
-    tcase_add_test(t, times_are_those_of_the_last_frame);
-    tcase_add_test(t, an_end_without_a_frame_does_nothing);
-    tcase_add_test(t, time_outside_of_frames_is_in_no_frame);
-    tcase_add_test(t, sections_are_split_by_frames);
-    tcase_add_test(t, results_outlive_the_timers);
-    tcase_add_test(t, starting_again_forgets);
-    tcase_add_test(t, nothing_happens_while_off);
-    tcase_add_test(t, ends_without_a_beginning_warn_once);
-    tcase_add_test(t, inner_sections_end_with_the_outer);
-    tcase_add_test(t, other_threads_are_not_timed);
-    tcase_add_test(t, null_names_warn);
-    tcase_add_test(t, totals_are_reported);
-    tcase_add_test(t, averages_are_reported);
-    tcase_add_test(t, calls_are_reported);
-    tcase_add_test(t, frames_are_reported);
-    tcase_add_test(t, averages_without_frames_are_zero);
-    tcase_add_test(t, long_logs);
-    tcase_add_test(t, full_log_warns_and_totals_go_on);
-    tcase_add_test(t, reports_that_cannot_be_made_warn);
-    tcase_add_test(t, tic_times_what_follows);
-}
-
-TEST_MAIN("MeProfile", tests)

@@ -18,15 +18,14 @@ static void assertUnit(const MeVector4 q) {
 
 /* ---- making ---- */
 
-START_TEST(quaternions_are_set) {
+TEST(quaternions_are_set) {
     const MeVector4 expected = {1, 2, 3, 4};
     MeVector4 q;
     MeQuaternionSet(q, 1, 2, 3, 4);
     assert_same_bits(q, expected);
 }
-END_TEST
 
-START_TEST(quarter_turn_about_z_takes_x_to_y) {
+TEST(quarter_turn_about_z_takes_x_to_y) {
     const MeVector3 axis = {0, 0, 7}, x = {1, 0, 0};
     MeVector4 q;
     MeVector3 v;
@@ -34,9 +33,8 @@ START_TEST(quarter_turn_about_z_takes_x_to_y) {
     MeQuaternionRotateVector3(v, q, x);
     assert_vec3_near(v, 0, 1, 0, few);
 }
-END_TEST
 
-START_TEST(axis_and_angle_make_the_matrix_of_that_axis) {
+TEST(axis_and_angle_make_the_matrix_of_that_axis) {
     static void (*const make[3])(MeMatrix3, const MeReal) = {MeMatrix3MakeRotationX, MeMatrix3MakeRotationY,
                                                              MeMatrix3MakeRotationZ};
     for (int axis = 0; axis < 3; axis++) {
@@ -53,9 +51,8 @@ START_TEST(axis_and_angle_make_the_matrix_of_that_axis) {
         }
     }
 }
-END_TEST
 
-START_TEST(axes_without_direction_warn) {
+TEST(axes_without_direction_warn) {
     const MeVector3 zero = {0, 0, 0}, notANumber = {1, (MeReal)NAN, 0}, good = {1, 0, 0};
     MeVector4 q = {0, 1, 0, 0};
     messages_catch();
@@ -72,7 +69,6 @@ START_TEST(axes_without_direction_warn) {
     assert_same_bits(q, identity);
     messages_release();
 }
-END_TEST
 
 /* It takes the one direction to the other, and turns by no more than it must: its axis is at right angles to
  * both. */
@@ -92,7 +88,7 @@ static void assertRotates(const MeVector3 v1, const MeVector3 v2) {
     ck_assert(q[0] >= 0);
 }
 
-START_TEST(one_direction_is_turned_into_another) {
+TEST(one_direction_is_turned_into_another) {
     for (int i = 0; i < RANDOM_TRIES; i++) {
         MeVector3 a, b;
         random_vector(a);
@@ -101,10 +97,9 @@ START_TEST(one_direction_is_turned_into_another) {
         assertRotates(a, b);
     }
 }
-END_TEST
 
 /* At all angles near 0 and near 180 degrees, down to less than rounding. */
-START_TEST(nearly_equal_and_nearly_opposite_directions) {
+TEST(nearly_equal_and_nearly_opposite_directions) {
     for (int i = 0; i < RANDOM_TRIES; i++) {
         MeVector3 a, b, opposite;
         random_vector(a);
@@ -120,20 +115,18 @@ START_TEST(nearly_equal_and_nearly_opposite_directions) {
     MeQuaternionForRotation(q, x, x);
     assert_same_bits(q, identity);
 }
-END_TEST
 
-START_TEST(small_rotations_keep_their_digits) {
+TEST(small_rotations_keep_their_digits) {
     const MeReal angle = (MeReal)1e-6;
     const MeVector3 x = {1, 0, 0}, y = {1, angle, 0};
     MeVector4 q;
     MeQuaternionForRotation(q, x, y);
     assert_near_rel(q[3], sin(atan((double)angle) / 2), few);
 }
-END_TEST
 
 /* Half turns and near half turns about all axes, where w is small and each of x, y, z is the largest in its
  * turn. */
-START_TEST(quaternions_come_from_any_transform) {
+TEST(quaternions_come_from_any_transform) {
     for (int i = 0; i < 3 * RANDOM_TRIES; i++) {
         MeVector3 axis;
         MeVector4 q, back;
@@ -149,11 +142,10 @@ START_TEST(quaternions_come_from_any_transform) {
         assertSameRotation(back, q, TOL(6e-7, 1e-15));
     }
 }
-END_TEST
 
 /* ---- using ---- */
 
-START_TEST(products_do_the_second_first) {
+TEST(products_do_the_second_first) {
     for (int i = 0; i < RANDOM_TRIES; i++) {
         MeVector4 p, q, product, over;
         MeVector3 v, expected, actual;
@@ -178,9 +170,8 @@ START_TEST(products_do_the_second_first) {
     MeQuaternionProduct(ij, i, j);
     assert_array_near(ij, k, 4, 0);
 }
-END_TEST
 
-START_TEST(drifted_quaternions_still_rotate) {
+TEST(drifted_quaternions_still_rotate) {
     MeVector4 q, drifted;
     MeMatrix3 expected, actual;
     MeVector3 v = {1, 2, 3}, turned;
@@ -200,9 +191,8 @@ START_TEST(drifted_quaternions_still_rotate) {
     MeQuaternionRotateVector3(turned, zero, v);
     assert_same_bits(turned, v);
 }
-END_TEST
 
-START_TEST(slerp_turns_evenly) {
+TEST(slerp_turns_evenly) {
     const MeVector3 axis = {1, 2, -2};
     for (int i = -20; i <= 40; i++) {
         const MeReal howFar = (MeReal)i / 20;
@@ -222,9 +212,8 @@ START_TEST(slerp_turns_evenly) {
         assert_same_bits(to, actual);
     }
 }
-END_TEST
 
-START_TEST(slerp_goes_the_short_way) {
+TEST(slerp_goes_the_short_way) {
     const MeVector3 axis = {0, 0, 1};
     MeVector4 to, expected, actual;
     MeQuaternionMake(to, axis, 2);
@@ -233,10 +222,9 @@ START_TEST(slerp_goes_the_short_way) {
     MeQuaternionSlerp(actual, identity, to, (MeReal)0.5);
     assertSameRotation(actual, expected, few);
 }
-END_TEST
 
 /* However small the angle, also none at all. */
-START_TEST(slerp_between_near_rotations) {
+TEST(slerp_between_near_rotations) {
     const MeVector3 axis = {0, 1, 0};
     for (int i = 0; i < 30; i++) {
         const MeReal angle = (MeReal)pow(10, -i);
@@ -250,11 +238,10 @@ START_TEST(slerp_between_near_rotations) {
     MeQuaternionSlerp(actual, q, q, (MeReal)0.3);
     assert_array_near(actual, q, 4, few);
 }
-END_TEST
 
 /* ---- in motion ---- */
 
-START_TEST(finite_rotation_is_about_the_world_axis) {
+TEST(finite_rotation_is_about_the_world_axis) {
     const MeVector3 w = {0, 0, ME_PI / 4}, x = {1, 0, 0};
     MeVector4 q;
     MeVector3 v;
@@ -263,9 +250,8 @@ START_TEST(finite_rotation_is_about_the_world_axis) {
     MeQuaternionRotateVector3(v, q, x);
     assert_vec3_near(v, 0, 1, 0, few);
 }
-END_TEST
 
-START_TEST(finite_rotation_is_exact_for_any_angle) {
+TEST(finite_rotation_is_exact_for_any_angle) {
     const MeVector3 w = {2, -3, 6}; /* 7 rad/s */
     for (int i = -30; i <= 1; i++) {
         const MeReal h = (MeReal)pow(10, i);
@@ -278,9 +264,8 @@ START_TEST(finite_rotation_is_exact_for_any_angle) {
             assert_near(q[1 + j], (double)w[j] / 7 * sin(half), half < 1 ? few * half : TOL(1e-5, 1e-14));
     }
 }
-END_TEST
 
-START_TEST(no_rotation_and_tiny_ones) {
+TEST(no_rotation_and_tiny_ones) {
     const MeReal tiny = TOL((MeReal)1e-44, (MeReal)1e-320);
     const MeVector3 none = {0, 0, 0}, w = {tiny, 0, 0};
     MeVector4 q, before;
@@ -291,19 +276,17 @@ START_TEST(no_rotation_and_tiny_ones) {
     MeQuaternionFiniteRotation(q, w, 1);
     assert_array_near(q, before, 4, few);
 }
-END_TEST
 
-START_TEST(many_rotations_do_not_drift) {
+TEST(many_rotations_do_not_drift) {
     const MeVector3 w = {1, 2, 3};
     MeVector4 q = {1, 0, 0, 0};
     for (int i = 0; i < 100000; i++)
         MeQuaternionFiniteRotation(q, w, (MeReal)0.01);
     assertUnit(q);
 }
-END_TEST
 
 /* dq against the difference quotient of the exact rotation, in double precision of h. */
-START_TEST(rate_of_change_is_the_derivative) {
+TEST(rate_of_change_is_the_derivative) {
     const MeReal h = TOL((MeReal)1e-2, (MeReal)1e-5);
     for (int i = 0; i < RANDOM_TRIES; i++) {
         MeVector4 q, dq, before, after, over;
@@ -323,9 +306,8 @@ START_TEST(rate_of_change_is_the_derivative) {
         assert_same_bits(over, dq);
     }
 }
-END_TEST
 
-START_TEST(matrix_d_and_its_transpose) {
+TEST(matrix_d_and_its_transpose) {
     for (int i = 0; i < RANDOM_TRIES; i++) {
         MeVector4 q, dq, byD;
         MeVector3 w, back;
@@ -342,28 +324,3 @@ START_TEST(matrix_d_and_its_transpose) {
         assert_array_near(back, w, 3, few);
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, quaternions_are_set);
-    tcase_add_test(t, quarter_turn_about_z_takes_x_to_y);
-    tcase_add_test(t, axis_and_angle_make_the_matrix_of_that_axis);
-    tcase_add_test(t, axes_without_direction_warn);
-    tcase_add_test(t, one_direction_is_turned_into_another);
-    tcase_add_test(t, nearly_equal_and_nearly_opposite_directions);
-    tcase_add_test(t, small_rotations_keep_their_digits);
-    tcase_add_test(t, quaternions_come_from_any_transform);
-    tcase_add_test(t, products_do_the_second_first);
-    tcase_add_test(t, drifted_quaternions_still_rotate);
-    tcase_add_test(t, slerp_turns_evenly);
-    tcase_add_test(t, slerp_goes_the_short_way);
-    tcase_add_test(t, slerp_between_near_rotations);
-    tcase_add_test(t, finite_rotation_is_about_the_world_axis);
-    tcase_add_test(t, finite_rotation_is_exact_for_any_angle);
-    tcase_add_test(t, no_rotation_and_tiny_ones);
-    tcase_add_test(t, many_rotations_do_not_drift);
-    tcase_add_test(t, rate_of_change_is_the_derivative);
-    tcase_add_test(t, matrix_d_and_its_transpose);
-}
-
-TEST_MAIN("MeQuaternion", tests)

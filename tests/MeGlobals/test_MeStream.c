@@ -27,6 +27,7 @@ static void tearDown(void) {
     snprintf(command, sizeof command, "rm -r '%s'", directory);
     ck_assert_int_eq(system(command), 0);
 }
+TEST_FIXTURE(setUp, tearDown)
 
 static void makeFile(const char *name, const char *content) {
     const int f = MeOpenRaw(name, kMeOpenModeWRONLY);
@@ -47,7 +48,7 @@ static char *contentOf(int f) {
 
 /* ---- files ---- */
 
-START_TEST(what_is_written_is_read) {
+TEST(what_is_written_is_read) {
     char part[10];
     int f = MeOpen("file", kMeOpenModeRDWR), size;
     ck_assert_int_eq(MeWrite(f, text, sizeof text - 1), (int)sizeof text - 1);
@@ -72,18 +73,16 @@ START_TEST(what_is_written_is_read) {
     ck_assert_str_eq(contentOf(MeOpen("file", kMeOpenModeRDONLY)), "");
     assert_silent();
 }
-END_TEST
 
-START_TEST(a_file_that_is_not_there_is_no_message) {
+TEST(a_file_that_is_not_there_is_no_message) {
     ck_assert_int_eq(MeOpen("none", kMeOpenModeRDONLY), -1);
     ck_assert_int_eq(MeOpenWithSearch("none/of/them", kMeOpenModeRDONLY), -1);
     ck_assert_int_eq(MeOpenRaw(".", kMeOpenModeRDONLY), -1);
     ck_assert_int_eq(MeOpen("no/such/place", kMeOpenModeWRONLY), -1);
     assert_silent();
 }
-END_TEST
 
-START_TEST(files_are_searched_for) {
+TEST(files_are_searched_for) {
     makeFile("../resources/near", "near");
     makeFile("../beside", "beside");
     makeFile("../own/deep/far", "far");
@@ -107,9 +106,8 @@ START_TEST(files_are_searched_for) {
     ck_assert(i == 6 && !MeGetDefaultFileLocation(-1) && !MeGetDefaultFileLocation(100));
     assert_silent();
 }
-END_TEST
 
-START_TEST(backslashes_are_slashes_unless_there_is_such_a_file) {
+TEST(backslashes_are_slashes_unless_there_is_such_a_file) {
     makeFile("../own/file", "in own");
     ck_assert_str_eq(contentOf(MeOpen("..\\own\\file", kMeOpenModeRDONLY)), "in own");
     ck_assert_int_eq(MeOpenRaw("..\\own\\file", kMeOpenModeRDONLY), -1);
@@ -119,9 +117,8 @@ START_TEST(backslashes_are_slashes_unless_there_is_such_a_file) {
     ck_assert_str_eq(contentOf(MeOpenRaw("../own/made", kMeOpenModeRDONLY)), "");
     assert_silent();
 }
-END_TEST
 
-START_TEST(bad_calls_for_files_warn) {
+TEST(bad_calls_for_files_warn) {
     char byte;
     makeFile("file", "text");
     const int f = MeOpen("file", kMeOpenModeRDONLY);
@@ -150,7 +147,6 @@ START_TEST(bad_calls_for_files_warn) {
     assert_warned("MeLoadWholeFileHandle");
     ck_assert_str_eq(contentOf(MeOpen("file", kMeOpenModeRDONLY)), "text");
 }
-END_TEST
 
 /* ---- streams ---- */
 
@@ -170,7 +166,7 @@ static void readText(MeStream s) {
     ck_assert_uint_eq(MeStreamRead(line, 20, 0, s), 0);
 }
 
-START_TEST(a_stream_of_a_file_is_read_and_written) {
+TEST(a_stream_of_a_file_is_read_and_written) {
     MeStream s = MeStreamOpen("stream", kMeOpenModeRDWR);
     ck_assert_uint_eq(MeStreamWrite(text, 1, sizeof text - 1, s), sizeof text - 1);
     MeStreamRewind(s);
@@ -190,9 +186,8 @@ START_TEST(a_stream_of_a_file_is_read_and_written) {
     MeStreamClose(s);
     assert_silent();
 }
-END_TEST
 
-START_TEST(a_stream_of_memory_is_read_and_written) {
+TEST(a_stream_of_memory_is_read_and_written) {
     for (int slow = 0; slow < 2; slow++) {
         MeStream s = MeStreamOpenAsMemBuffer(slow ? 10 : 0);
         MeStreamMemBufferUseConservativeGrowth(s, slow);
@@ -210,9 +205,8 @@ START_TEST(a_stream_of_memory_is_read_and_written) {
     }
     assert_silent();
 }
-END_TEST
 
-START_TEST(a_stream_of_the_programs_memory_leaves_it_when_it_is_full) {
+TEST(a_stream_of_the_programs_memory_leaves_it_when_it_is_full) {
     char buffer[8] = "abcd", line[100];
     MeStream s = MeStreamCreateFromMemBuffer(buffer, 4, 8);
     ck_assert_str_eq(MeStreamReadLine(line, 100, s), "abcd");
@@ -230,9 +224,8 @@ START_TEST(a_stream_of_the_programs_memory_leaves_it_when_it_is_full) {
     MeStreamClose(s);
     assert_silent();
 }
-END_TEST
 
-START_TEST(bad_calls_for_streams_warn) {
+TEST(bad_calls_for_streams_warn) {
     char line[4];
     ck_assert_ptr_null(MeStreamOpen("none", kMeOpenModeRDONLY));
     assert_silent();
@@ -262,19 +255,3 @@ START_TEST(bad_calls_for_streams_warn) {
     assert_warned("MeStreamMemBufferUseConservativeGrowth");
     MeStreamClose(s);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, tearDown);
-    tcase_add_test(t, what_is_written_is_read);
-    tcase_add_test(t, a_file_that_is_not_there_is_no_message);
-    tcase_add_test(t, files_are_searched_for);
-    tcase_add_test(t, backslashes_are_slashes_unless_there_is_such_a_file);
-    tcase_add_test(t, bad_calls_for_files_warn);
-    tcase_add_test(t, a_stream_of_a_file_is_read_and_written);
-    tcase_add_test(t, a_stream_of_memory_is_read_and_written);
-    tcase_add_test(t, a_stream_of_the_programs_memory_leaves_it_when_it_is_full);
-    tcase_add_test(t, bad_calls_for_streams_warn);
-}
-
-TEST_MAIN("MeStream", tests)

@@ -26,7 +26,7 @@ static void MEAPI countCall(void *context) {
 
 /* ---- the pool ---- */
 
-START_TEST(each_task_is_called_once) {
+TEST(each_task_is_called_once) {
     for (size_t k = 0; k < sizeof counts / sizeof *counts; k++) {
         MeTaskPoolID pool = MeTaskPoolCreate(counts[k]);
         void *task[64];
@@ -42,9 +42,8 @@ START_TEST(each_task_is_called_once) {
         MeTaskPoolDestroy(pool);
     }
 }
-END_TEST
 
-START_TEST(a_pool_takes_the_nearest_number_of_workers) {
+TEST(a_pool_takes_the_nearest_number_of_workers) {
     messages_catch();
     MeTaskPoolID none = MeTaskPoolCreate(0), many = MeTaskPoolCreate(MeTaskMaxWorkers + 1);
     ck_assert_int_eq(caught.warnings, 2);
@@ -56,7 +55,6 @@ START_TEST(a_pool_takes_the_nearest_number_of_workers) {
     ck_assert_int_eq(MeTaskPoolGetWorkers(NULL), 1);
     messages_release();
 }
-END_TEST
 
 /* ---- teams ---- */
 
@@ -106,7 +104,7 @@ static void MEAPI doNothing(void *context, int item, int worker) {
     (void)context, (void)item, (void)worker;
 }
 
-START_TEST(who_watches_is_told_all_that_an_open_team_does) {
+TEST(who_watches_is_told_all_that_an_open_team_does) {
     MeTeam *team = MeTeamCreate(4, keepJob, runKeptJob, NULL, "test");
     MeTeamWatch(team, noteNews, told);
     MeTeamRun(team, 3, doNothing, NULL); /* it is not open */
@@ -127,9 +125,8 @@ START_TEST(who_watches_is_told_all_that_an_open_team_does) {
     ck_assert_int_eq(told[MeTeamLoopBegins], 2);
     MeTeamDestroy(team);
 }
-END_TEST
 
-START_TEST(each_item_of_a_loop_is_done_once) {
+TEST(each_item_of_a_loop_is_done_once) {
     runLoops(NULL);
     for (size_t k = 0; k < sizeof counts / sizeof *counts; k++) {
         MeTaskPoolID pool = MeTaskPoolCreate(counts[k]);
@@ -140,9 +137,8 @@ START_TEST(each_item_of_a_loop_is_done_once) {
         MeTaskPoolDestroy(pool);
     }
 }
-END_TEST
 
-START_TEST(a_loop_ends_though_no_task_is_started) {
+TEST(a_loop_ends_though_no_task_is_started) {
     MeTeam *atOnce = MeTeamCreate(4, callAtOnce, runKeptJob, NULL, "test");
     MeTeam *later = MeTeamCreate(4, keepJob, runKeptJob, NULL, "test");
     runLoops(atOnce);
@@ -150,7 +146,6 @@ START_TEST(a_loop_ends_though_no_task_is_started) {
     MeTeamDestroy(atOnce);
     MeTeamDestroy(later);
 }
-END_TEST
 
 /* ---- pipes ---- */
 
@@ -170,7 +165,7 @@ static void MEAPI useItem(void *context, int item, int worker) {
     lastUsed = item;
 }
 
-START_TEST(a_pipe_hands_over_its_items_in_their_order) {
+TEST(a_pipe_hands_over_its_items_in_their_order) {
     for (size_t k = 0; k < sizeof counts / sizeof *counts; k++) {
         MeTaskPoolID pool = MeTaskPoolCreate(counts[k]);
         MeTeam *team = MeTeamCreate(counts[k], MeTaskPoolEnqueue, MeTaskPoolFinish, pool, "test");
@@ -185,7 +180,6 @@ START_TEST(a_pipe_hands_over_its_items_in_their_order) {
         MeTaskPoolDestroy(pool);
     }
 }
-END_TEST
 
 /* ---- what workers take along ---- */
 
@@ -195,7 +189,7 @@ static void MEAPI checkWorker(void *context, int item, int worker) {
         atomic_fetch_add(&wrong, 1);
 }
 
-START_TEST(workers_round_and_name_as_the_opening_thread) {
+TEST(workers_round_and_name_as_the_opening_thread) {
     int rounding = FE_UPWARD;
     MeTaskPoolID pool = MeTaskPoolCreate(4);
     MeTeam *team = MeTeamCreate(4, MeTaskPoolEnqueue, MeTaskPoolFinish, pool, "test");
@@ -212,7 +206,6 @@ START_TEST(workers_round_and_name_as_the_opening_thread) {
     MeTeamDestroy(team);
     MeTaskPoolDestroy(pool);
 }
-END_TEST
 
 /* ---- messages ---- */
 
@@ -223,7 +216,7 @@ static void MEAPI say(const int level, const char *const string) {
     strcat(said, strrchr(string, ' '));
 }
 
-START_TEST(messages_that_wait_are_sent_by_their_keys) {
+TEST(messages_that_wait_are_sent_by_their_keys) {
     MeMessageBuffer first = {0}, second = {0}, *held[] = {&first, &second};
     MeSetWarningShow(say);
     ck_assert_ptr_null(MeMessagesBuffer(&first));
@@ -244,7 +237,6 @@ START_TEST(messages_that_wait_are_sent_by_their_keys) {
     ck_assert_str_eq(said, " a c e f g");
     MeSetWarningShow(NULL);
 }
-END_TEST
 
 enum { SPEAKERS = 500 };
 static int spoken[SPEAKERS + 1], numSpoken;
@@ -276,7 +268,7 @@ static void assertSpokenInOrder(void) {
     numSpoken = 0;
 }
 
-START_TEST(messages_of_items_come_in_the_items_order) {
+TEST(messages_of_items_come_in_the_items_order) {
     MeTaskPoolID pool = MeTaskPoolCreate(4);
     MeTeam *team = MeTeamCreate(4, MeTaskPoolEnqueue, MeTaskPoolFinish, pool, "test");
     MeSetWarningShow(noteSpeaker);
@@ -294,7 +286,6 @@ START_TEST(messages_of_items_come_in_the_items_order) {
     MeTeamDestroy(team);
     MeTaskPoolDestroy(pool);
 }
-END_TEST
 
 static int tasksOut, tasksDone;
 
@@ -314,7 +305,7 @@ static void openAndClose(MeTeam *team) {
     MeTeamClose(team);
 }
 
-START_TEST(a_team_that_is_kept_has_its_tasks_out_once) {
+TEST(a_team_that_is_kept_has_its_tasks_out_once) {
     MeTeam *team = MeTeamCreate(3, countOut, countDone, NULL, "test");
     tasksOut = tasksDone = 0;
     openAndClose(team);
@@ -332,19 +323,3 @@ START_TEST(a_team_that_is_kept_has_its_tasks_out_once) {
     ck_assert(tasksOut == 6 && tasksDone == 6);
     MeTeamDestroy(team);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_team_that_is_kept_has_its_tasks_out_once);
-    tcase_add_test(t, each_task_is_called_once);
-    tcase_add_test(t, a_pool_takes_the_nearest_number_of_workers);
-    tcase_add_test(t, who_watches_is_told_all_that_an_open_team_does);
-    tcase_add_test(t, each_item_of_a_loop_is_done_once);
-    tcase_add_test(t, a_loop_ends_though_no_task_is_started);
-    tcase_add_test(t, a_pipe_hands_over_its_items_in_their_order);
-    tcase_add_test(t, workers_round_and_name_as_the_opening_thread);
-    tcase_add_test(t, messages_that_wait_are_sent_by_their_keys);
-    tcase_add_test(t, messages_of_items_come_in_the_items_order);
-}
-
-TEST_MAIN("MeTask", tests)

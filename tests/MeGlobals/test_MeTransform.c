@@ -1,7 +1,7 @@
 /* Rigid transforms: the layout, the three forms of a rotation, inverses, compounds, motion. */
 #include "math_test.h"
 
-START_TEST(layout_is_that_of_opengl) {
+TEST(layout_is_that_of_opengl) {
     const MeMatrix3 R = {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}; /* x to y */
     const MeMatrix4 expected = {{0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {5, 6, 7, 1}};
     const MeMatrix4 identity = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
@@ -17,10 +17,9 @@ START_TEST(layout_is_that_of_opengl) {
     MeMatrix4TMMakeIdentity(tm);
     assert_same_bits(tm, identity);
 }
-END_TEST
 
 /* Quaternion, MeMatrix3 and MeMatrix4 turn a vector alike, wherever they come from. */
-START_TEST(three_forms_of_a_rotation_agree) {
+TEST(three_forms_of_a_rotation_agree) {
     for (int i = 0; i < RANDOM_TRIES; i++) {
         MeVector4 q, back;
         MeMatrix3 R, fromTM;
@@ -54,9 +53,8 @@ START_TEST(three_forms_of_a_rotation_agree) {
         assert_array_near(back, q, 4, TOL(1e-6, 2e-15));
     }
 }
-END_TEST
 
-START_TEST(parts_are_set_apart) {
+TEST(parts_are_set_apart) {
     const MeMatrix4 before = {{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}, {13, 14, 15, 16}};
     const MeMatrix4 moved = {{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}, {20, 21, 22, 16}};
     const MeMatrix4 turned = {{30, 33, 36, 4}, {31, 34, 37, 8}, {32, 35, 38, 12}, {23, 24, 25, 16}};
@@ -78,9 +76,8 @@ START_TEST(parts_are_set_apart) {
     assert_vec3_near(tm[3], 23, 24, 25, 0);
     ck_assert(tm[0][3] == 4 && tm[1][3] == 8 && tm[2][3] == 12 && tm[3][3] == 16);
 }
-END_TEST
 
-START_TEST(euler_angles_and_position) {
+TEST(euler_angles_and_position) {
     MeMatrix3 R;
     MeMatrix4 expected, tm;
     MeMatrix3FromEulerAngles(R, 1, 2, 3);
@@ -88,9 +85,8 @@ START_TEST(euler_angles_and_position) {
     MeMatrix4TMFromEulerAnglesAndPosition(tm, 1, 2, 3, 4, 5, 6);
     assert_same_bits(tm, expected);
 }
-END_TEST
 
-START_TEST(inverses_lead_back) {
+TEST(inverses_lead_back) {
     for (int i = 0; i < RANDOM_TRIES; i++) {
         MeMatrix4 tm, inverse;
         MeVector3 v, w;
@@ -111,11 +107,10 @@ START_TEST(inverses_lead_back) {
         assert_array_near(w, v, 3, 2 * few);
     }
 }
-END_TEST
 
 typedef void (*Use)(MeVector3, const MeMatrix4, const MeVector3);
 
-START_TEST(transformed_vectors_may_alias) {
+TEST(transformed_vectors_may_alias) {
     static const Use uses[] = {MeMatrix4TMTransform, MeMatrix4TMInverseTransform, MeMatrix4TMRotate,
                                MeMatrix4TMInverseRotate};
     MeMatrix4 tm;
@@ -135,9 +130,8 @@ START_TEST(transformed_vectors_may_alias) {
         }
     }
 }
-END_TEST
 
-START_TEST(compound_does_the_first_first) {
+TEST(compound_does_the_first_first) {
     for (int i = 0; i < RANDOM_TRIES; i++) {
         MeMatrix4 part, body, whole, product, overPart, overBody;
         MeVector3 v, expected, actual;
@@ -160,9 +154,8 @@ START_TEST(compound_does_the_first_first) {
         assert_same_bits(overBody, whole);
     }
 }
-END_TEST
 
-START_TEST(rounding_errors_are_mended) {
+TEST(rounding_errors_are_mended) {
     for (int i = 0; i < RANDOM_TRIES; i++) {
         MeMatrix4 tm, mended;
         MeVector3 x;
@@ -180,18 +173,16 @@ START_TEST(rounding_errors_are_mended) {
         assert_vec3_near(x, 0, 0, 0, few);
     }
 }
-END_TEST
 
 /* Nearly parallel axes still span a plane. */
-START_TEST(large_errors_are_mended) {
+TEST(large_errors_are_mended) {
     MeMatrix4 tm = {{1, 0, 0, 0}, {1000, (MeReal)0.1, 0, 0}, {0, 0, -7, 0}, {1, 2, 3, 1}};
     const MeMatrix4 expected = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {1, 2, 3, 1}};
     MeMatrix4TMOrthoNormalize(tm);
     assert_array_near(tm[0], expected[0], 16, few);
 }
-END_TEST
 
-START_TEST(axes_without_a_plane_warn) {
+TEST(axes_without_a_plane_warn) {
     static const MeVector3 axes[][2] = {
         {{0, 0, 0}, {0, 1, 0}}, {{1, 0, 0}, {0, 0, 0}}, {{1, 2, 3}, {-2, -4, -6}}, {{1, 0, (MeReal)NAN}, {0, 1, 0}}};
     messages_catch();
@@ -207,11 +198,10 @@ START_TEST(axes_without_a_plane_warn) {
     }
     messages_release();
 }
-END_TEST
 
 /* ---- motion ---- */
 
-START_TEST(velocities_move_and_turn_in_the_world) {
+TEST(velocities_move_and_turn_in_the_world) {
     const MeVector3 v = {1, 2, 3}, w = {0, 0, ME_PI / 4};
     MeMatrix4 tm, next;
     MeMatrix4TMFromEulerAnglesAndPosition(tm, ME_PI / 2, 0, 0, 10, 20, 30); /* its y axis is the world's z */
@@ -223,9 +213,8 @@ START_TEST(velocities_move_and_turn_in_the_world) {
     MeMatrix4TMUpdateFromVelocities(tm, 0, 2, v, w, tm);
     assert_same_bits(tm, next);
 }
-END_TEST
 
-START_TEST(small_turns_are_left_out) {
+TEST(small_turns_are_left_out) {
     const MeVector3 v = {1, 0, 0}, w = {(MeReal)0.3, (MeReal)0.4, 0}; /* 0.5 rad/s */
     MeMatrix4 tm, next;
     random_tm(tm);
@@ -235,9 +224,8 @@ START_TEST(small_turns_are_left_out) {
     MeMatrix4TMUpdateFromVelocities(next, (MeReal)0.049, (MeReal)0.1, v, w, tm);
     ck_assert(memcmp(next, tm, 3 * sizeof(MeVector4)) != 0);
 }
-END_TEST
 
-START_TEST(many_small_turns_are_a_large_one) {
+TEST(many_small_turns_are_a_large_one) {
     const MeVector3 v = {0, 0, 0}, w = {(MeReal)0.5, -1, 2};
     MeMatrix4 large, small;
     random_tm(large);
@@ -247,9 +235,8 @@ START_TEST(many_small_turns_are_a_large_one) {
         MeMatrix4TMUpdateFromVelocities(small, 0, (MeReal)1 / 64, v, w, small);
     assert_array_near(small[0], large[0], 16, TOL(6e-6, 1e-14));
 }
-END_TEST
 
-START_TEST(accelerations_are_constant) {
+TEST(accelerations_are_constant) {
     const MeVector3 v = {1, 0, 0}, a = {0, 4, 0}, w = {0, 0, (MeReal)0.25}, alpha = {0, 0, (MeReal)0.5};
     const MeVector3 none = {0, 0, 0}, turn = {0, 0, (MeReal)1.5};
     MeMatrix4 tm, next, expected;
@@ -261,23 +248,3 @@ START_TEST(accelerations_are_constant) {
     MeMatrix4TMUpdateFromVelocitiesAndAcceler(tm, 0, 2, v, a, w, alpha, tm);
     assert_same_bits(tm, next);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, layout_is_that_of_opengl);
-    tcase_add_test(t, three_forms_of_a_rotation_agree);
-    tcase_add_test(t, parts_are_set_apart);
-    tcase_add_test(t, euler_angles_and_position);
-    tcase_add_test(t, inverses_lead_back);
-    tcase_add_test(t, transformed_vectors_may_alias);
-    tcase_add_test(t, compound_does_the_first_first);
-    tcase_add_test(t, rounding_errors_are_mended);
-    tcase_add_test(t, large_errors_are_mended);
-    tcase_add_test(t, axes_without_a_plane_warn);
-    tcase_add_test(t, velocities_move_and_turn_in_the_world);
-    tcase_add_test(t, small_turns_are_left_out);
-    tcase_add_test(t, many_small_turns_are_a_large_one);
-    tcase_add_test(t, accelerations_are_constant);
-}
-
-TEST_MAIN("MeTransform", tests)

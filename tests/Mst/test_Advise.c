@@ -130,7 +130,7 @@ static MeU32 stateHash(void) {
 /* ---- what it says ------------------------------------------------------------------------------------------------ */
 
 /* A blow or a stop that comes up to a step late costs millimetres. */
-START_TEST(timed_contacts_are_waste_where_millimetres_are_nothing) {
+TEST(timed_contacts_are_waste_where_millimetres_are_nothing) {
     createSlidingBoxes();
     MstAdviceParams p = paramsOf(.5);
     p.tolerance = (MeReal)0.02;
@@ -146,9 +146,8 @@ START_TEST(timed_contacts_are_waste_where_millimetres_are_nothing) {
     ck_assert_int_eq(t->steps, 30);
     MstUniverseDestroy(u);
 }
-END_TEST
 
-START_TEST(timed_contacts_are_needed_where_they_are_not) {
+TEST(timed_contacts_are_needed_where_they_are_not) {
     createSlidingBoxes();
     const MstAdviceParams p = paramsOf(.5); /* a millimetre */
     ask(&p);
@@ -158,9 +157,8 @@ START_TEST(timed_contacts_are_needed_where_they_are_not) {
     ck_assert(!isFollowed("MdtWorldSetTimedContacts"));
     MstUniverseDestroy(u);
 }
-END_TEST
 
-START_TEST(sub_steps_that_are_needed_are_found) {
+TEST(sub_steps_that_are_needed_are_found) {
     createDoublePendulum();
     MdtWorldSetIntegratorOrder(u->world, 4); /* else order 4 is cheaper than sub-steps */
     MdtBodySetAngularVelocityDamping(MdtBodyGetFirst(u->world), (MeReal)1e-3);
@@ -174,9 +172,8 @@ START_TEST(sub_steps_that_are_needed_are_found) {
     ck_assert(isFollowed("MdtWorldSetSubSteps(world, 4)"));
     MstUniverseDestroy(u);
 }
-END_TEST
 
-START_TEST(sub_steps_that_are_waste_are_found) {
+TEST(sub_steps_that_are_waste_are_found) {
     createFallingBoxes();
     MdtWorldSetSubSteps(u->world, 4);
     const MstAdviceParams p = paramsOf(.5);
@@ -186,9 +183,8 @@ START_TEST(sub_steps_that_are_waste_are_found) {
     ck_assert_int_eq(trial[advice.best].verdict, MstVerdictTake);
     MstUniverseDestroy(u);
 }
-END_TEST
 
-START_TEST(a_ball_that_flies_needs_nothing) {
+TEST(a_ball_that_flies_needs_nothing) {
     create(1);
     const McdModelID ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal)0.5), 1);
     McdModelDynamicsSetPosition(ball, 0, 0, 50);
@@ -199,10 +195,9 @@ START_TEST(a_ball_that_flies_needs_nothing) {
         ck_assert_msg(trial[i].verdict == MstVerdictNone, "%s: %s", trial[i].setting, trial[i].advice);
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* A ball of 10 cm at 120 m/s, and a wall of 2 cm: without continuous motion it is behind it. */
-START_TEST(a_bullet_is_to_be_swept) {
+TEST(a_bullet_is_to_be_swept) {
     create(1);
     static MeMatrix4 wallPlace;
     MeMatrix4TMMakeIdentity(wallPlace);
@@ -219,9 +214,8 @@ START_TEST(a_bullet_is_to_be_swept) {
     ck_assert(isFollowed("McdModelSetSwept"));
     MstUniverseDestroy(u);
 }
-END_TEST
 
-START_TEST(scales_that_are_wrong_are_named) {
+TEST(scales_that_are_wrong_are_named) {
     create(1);
     for (int i = 0; i < 4; i++)
         addBox(.01, .02 * i, .008);
@@ -230,7 +224,6 @@ START_TEST(scales_that_are_wrong_are_named) {
     (void)tried("MstUniverseSizes.lengthScale = 0.017");
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* ---- what it leaves ---------------------------------------------------------------------------------------------- */
 
@@ -272,7 +265,7 @@ static MeU32 hashAfterProgram(MeBool withAdvice, int *callsMade) {
     return hash;
 }
 
-START_TEST(nothing_is_changed_by_it_to_the_last_bit) {
+TEST(nothing_is_changed_by_it_to_the_last_bit) {
     int callsWithout, callsWith;
     const MeU32 without = hashAfterProgram(MEFALSE, &callsWithout), with = hashAfterProgram(METRUE, &callsWith);
     ck_assert_int_eq(told, 1);
@@ -282,9 +275,8 @@ START_TEST(nothing_is_changed_by_it_to_the_last_bit) {
     ck_assert_int_eq(callsWith, callsWithout);
     ck_assert_int_gt(callsWithout, 0);
 }
-END_TEST
 
-START_TEST(it_says_the_same_again_and_with_workers) {
+TEST(it_says_the_same_again_and_with_workers) {
     const MstAdviceParams p = paramsOf(.3);
     MstTrial before[MAX];
     createFallingBoxes();
@@ -307,7 +299,6 @@ START_TEST(it_says_the_same_again_and_with_workers) {
     MstUniverseDestroy(u);
     MeTaskPoolDestroy(pool);
 }
-END_TEST
 
 /* ---- copies that go wrong ---------------------------------------------------------------------------------------- */
 
@@ -326,7 +317,7 @@ static MeBool MEAPI failSometimes(McdIntersectResult *result, McdContact *colC, 
     _exit(0);
 }
 
-START_TEST(a_copy_that_goes_wrong_is_reported) {
+LOOP_TEST(a_copy_that_goes_wrong_is_reported, CRASH, END + 1) {
     mishap = (Mishap)_i;
     createFallingBoxes();
     MstBridgeSetPerContactCB(u->bridge, 0, 0, failSometimes);
@@ -345,9 +336,8 @@ START_TEST(a_copy_that_goes_wrong_is_reported) {
     }
     MstUniverseDestroy(u);
 }
-END_TEST
 
-START_TEST(bad_input_is_refused) {
+TEST(bad_input_is_refused) {
     MstAdviceParams p = paramsOf(1);
     messages_catch();
     create(1);
@@ -384,21 +374,3 @@ START_TEST(bad_input_is_refused) {
     MstUniverseDestroy(u); /* with what was asked */
     assert_silent();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_set_timeout(t, 120);
-    tcase_add_test(t, timed_contacts_are_waste_where_millimetres_are_nothing);
-    tcase_add_test(t, timed_contacts_are_needed_where_they_are_not);
-    tcase_add_test(t, sub_steps_that_are_needed_are_found);
-    tcase_add_test(t, sub_steps_that_are_waste_are_found);
-    tcase_add_test(t, a_ball_that_flies_needs_nothing);
-    tcase_add_test(t, a_bullet_is_to_be_swept);
-    tcase_add_test(t, scales_that_are_wrong_are_named);
-    tcase_add_test(t, nothing_is_changed_by_it_to_the_last_bit);
-    tcase_add_test(t, it_says_the_same_again_and_with_workers);
-    tcase_add_loop_test(t, a_copy_that_goes_wrong_is_reported, CRASH, END + 1);
-    tcase_add_test(t, bad_input_is_refused);
-}
-
-TEST_MAIN("MstAdvise", tests)

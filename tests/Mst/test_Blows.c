@@ -5,6 +5,8 @@
 #include "Mst.h"
 #include "karma_test.h"
 
+TEST_FIXTURE(messages_catch, messages_release)
+
 #define RADIUS  .5
 #define GRAVITY 9.81
 static const double unitDensity = 6 / 3.14159265358979324; /* kg/m³: of a ball of 1 kg */
@@ -112,7 +114,7 @@ static double playCrowd(double apart, MeBool hasWalls, double *work) {
     return playSteps(apart, hasWalls, 300, work);
 }
 
-START_TEST(an_elastic_crowd_keeps_its_energy) {
+TEST(an_elastic_crowd_keeps_its_energy) {
     double work;
     assert_near(playCrowd(1.5, MEFALSE, &work), 1, 1e-5);
     assert_below(work, 2);
@@ -121,14 +123,12 @@ START_TEST(an_elastic_crowd_keeps_its_energy) {
     assert_near(playCrowd(1.5, METRUE, &work), 1, 1e-5);
     assert_below(work, 20);
 }
-END_TEST
 
 /* A fiftieth of a ball apart, they meet by dozens in a step, and many touch at once. */
-START_TEST(so_does_a_dense_one) {
+TEST(so_does_a_dense_one) {
     double work;
     assert_near(playSteps(1.02, MEFALSE, 90, &work), 1, 1e-3);
 }
-END_TEST
 
 /* ---- two balls --------------------------------------------------------------------------------------------------- */
 
@@ -155,7 +155,7 @@ static void hitAside(double aside, double restitution, double h) {
     MstUniverseDestroy(u);
 }
 
-START_TEST(balls_are_hit_along_the_line_of_their_centres) {
+TEST(balls_are_hit_along_the_line_of_their_centres) {
     static const double aside[] = {0, .1, .3, .6, .9}, rate[] = {30, 60, 240};
     for (int i = 0; i < 5; i++)
         for (int k = 0; k < 3; k++) {
@@ -163,7 +163,6 @@ START_TEST(balls_are_hit_along_the_line_of_their_centres) {
             hitAside(aside[i], .5, 1 / rate[k]);
         }
 }
-END_TEST
 
 /* ---- pendulums --------------------------------------------------------------------------------------------------- */
 
@@ -232,16 +231,14 @@ static void assertLastRises(McdGeometryID (*makeShape)(void)) {
 }
 
 /* By one step for all the last one rose to .25 of it, or .16. */
-START_TEST(the_last_pendulum_rises_as_high_as_it_must) {
+TEST(the_last_pendulum_rises_as_high_as_it_must) {
     assertLastRises(makeBall);
 }
-END_TEST
 
 /* They meet face to face, by four contacts each. */
-START_TEST(so_does_the_last_of_boxes) {
+TEST(so_does_the_last_of_boxes) {
     assertLastRises(makeCube);
 }
-END_TEST
 
 /* ---- what comes to rest ------------------------------------------------------------------------------------------ */
 
@@ -309,7 +306,7 @@ static void addCalm(Calm *sum, Calm c) {
 
 /* An attempt in time that is given up costs as much again as the step: 2.0 times the work in single precision, .3 in
  * double. Each slow impact divided it: 1750 events, 15 times the work in double. */
-START_TEST(what_trembles_divides_no_step) {
+TEST(what_trembles_divides_no_step) {
     Calm inTime = {0, 0, 0}, atOnce = {0, 0, 0};
     for (int k = 0; k < 3; k++) {
         addCalm(&inTime, settle(.3 * k, STACK));
@@ -320,11 +317,10 @@ START_TEST(what_trembles_divides_no_step) {
     ck_assert_int_le(inTime.events, 10);
     assert_below(inTime.work, 3 * atOnce.work);
 }
-END_TEST
 
 /* Where a step ends within a thousandth of it before the blow, the arc of the string closes the gap that straight
  * motion leaves. Three of these steps were solved as one, in which nothing rebounds, and the last one rose to .25. */
-START_TEST(a_step_may_end_at_the_blow) {
+TEST(a_step_may_end_at_the_blow) {
     for (int i = 0; i < 400; i++) {
         const Cradle c = {makeBall, MEFALSE, .02, 1, .085 * (1 + 4e-4 * i)};
         double top[ROW];
@@ -332,16 +328,3 @@ START_TEST(a_step_may_end_at_the_blow) {
         assert_near_rel(top[ROW - 1], 1, .02);
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, messages_catch, messages_release);
-    tcase_add_test(t, an_elastic_crowd_keeps_its_energy);
-    tcase_add_test(t, so_does_a_dense_one);
-    tcase_add_test(t, balls_are_hit_along_the_line_of_their_centres);
-    tcase_add_test(t, the_last_pendulum_rises_as_high_as_it_must);
-    tcase_add_test(t, so_does_the_last_of_boxes);
-    tcase_add_test(t, what_trembles_divides_no_step);
-    tcase_add_test(t, a_step_may_end_at_the_blow);
-}
-TEST_MAIN("Blows", tests)

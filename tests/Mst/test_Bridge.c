@@ -21,6 +21,7 @@ static void setUp(void) {
 static void tearDown(void) {
     MstUniverseDestroy(u);
 }
+TEST_FIXTURE(setUp, tearDown)
 
 static void step(void) {
     MstUniverseStep(u, (MeReal)(1. / 60));
@@ -68,7 +69,7 @@ static void playTower(MeBool isTested, MeVector3 place[TOWER + 1]) {
         McdModelDynamicsGetPosition(model[i], place[i]);
 }
 
-START_TEST(what_is_not_tested_again_goes_on_as_if_it_were) {
+TEST(what_is_not_tested_again_goes_on_as_if_it_were) {
     MeVector3 tested[TOWER + 1], kept[TOWER + 1];
     playTower(METRUE, tested);
     ck_assert_int_gt(called, STILL_STEPS);
@@ -81,11 +82,10 @@ START_TEST(what_is_not_tested_again_goes_on_as_if_it_were) {
                       (double)kept[i][1], (double)kept[i][2]);
     ck_assert(kept[TOWER - 1][0] != 20); /* it was hit */
 }
-END_TEST
 
 /* A world whose constraints are all in use: the ball that touches, and does not move, gets its contact once there is
  * room. */
-START_TEST(a_pair_that_found_no_room_is_tested_again) {
+TEST(a_pair_that_found_no_room_is_tested_again) {
     MstUniverseSizes sizes = MstUniverseDefaultSizes;
     sizes.dynamicConstraintsMaxCount = 2; /* a group and its contact */
     tearDown();
@@ -104,11 +104,10 @@ START_TEST(a_pair_that_found_no_room_is_tested_again) {
     step();
     ck_assert_ptr_nonnull(onlyContact());
 }
-END_TEST
 
 /* ---- materials --------------------------------------------------------------------------------------------------- */
 
-START_TEST(materials_are_numbered_from_the_default_one) {
+TEST(materials_are_numbered_from_the_default_one) {
     ck_assert_uint_eq(MstBridgeGetDefaultMaterial(), 0);
     for (unsigned int i = 1; i < 10; i++)
         ck_assert_uint_eq(MstBridgeGetNewMaterial(u->bridge), i);
@@ -117,9 +116,8 @@ START_TEST(materials_are_numbered_from_the_default_one) {
     assert_warned("materialsMaxCount");
     messages_release();
 }
-END_TEST
 
-START_TEST(pairs_of_materials_are_unordered) {
+TEST(pairs_of_materials_are_unordered) {
     MstMaterialID a = MstBridgeGetNewMaterial(u->bridge), b = MstBridgeGetNewMaterial(u->bridge);
     ck_assert_ptr_eq(MstBridgeGetContactParams(u->bridge, a, b), MstBridgeGetContactParams(u->bridge, b, a));
     ck_assert_ptr_ne(MstBridgeGetContactParams(u->bridge, a, b), MstBridgeGetContactParams(u->bridge, a, a));
@@ -129,18 +127,16 @@ START_TEST(pairs_of_materials_are_unordered) {
     assert_warned("no material 7");
     messages_release();
 }
-END_TEST
 
-START_TEST(a_contact_has_its_materials_parameters) {
+TEST(a_contact_has_its_materials_parameters) {
     MstMaterialID rubber = MstBridgeGetNewMaterial(u->bridge);
     MdtContactParamsSetRestitution(MstBridgeGetContactParams(u->bridge, rubber, 0), (MeReal).75);
     McdModelSetMaterial(ball, (int)rubber);
     step();
     assert_near(MdtContactParamsGetRestitution(MdtContactGetParams(onlyContact())), .75, TOL(1e-7, 7e-15));
 }
-END_TEST
 
-START_TEST(bad_bridges_are_refused) {
+TEST(bad_bridges_are_refused) {
     messages_catch();
     MstBridgeDestroy(0);
     assert_silent();
@@ -157,11 +153,10 @@ START_TEST(bad_bridges_are_refused) {
     MstBridgeDestroy(b);
     messages_release();
 }
-END_TEST
 
 /* ---- contacts ---------------------------------------------------------------------------------------------------- */
 
-START_TEST(a_touch_makes_a_contact_of_its_depth) {
+TEST(a_touch_makes_a_contact_of_its_depth) {
     MeVector3 p, n;
     step();
     MdtContactID c = onlyContact();
@@ -174,16 +169,14 @@ START_TEST(a_touch_makes_a_contact_of_its_depth) {
     ck_assert_ptr_null(MdtContactGetBody(c, 1));
     ck_assert(MdtContactGroupIsEnabled(MdtContactGetContactGroup(c)));
 }
-END_TEST
 
-START_TEST(a_contact_that_lasts_is_the_same_object) {
+TEST(a_contact_that_lasts_is_the_same_object) {
     step();
     MdtContactID c = onlyContact();
     for (int i = 0; i < 5; i++)
         step();
     ck_assert_ptr_eq(onlyContact(), c);
 }
-END_TEST
 
 enum { CORNERS = 4, CROSSINGS = 8 };
 
@@ -205,7 +198,7 @@ static int contactsOf(MdtBodyID body, Seen seen[], int max) {
 }
 
 /* Two equal cubes, one on the other. Turned by a hundredth, two edges cross two others where each corner lay before. */
-START_TEST(a_contact_goes_on_as_the_nearest_point_where_its_feature_changes) {
+TEST(a_contact_goes_on_as_the_nearest_point_where_its_feature_changes) {
     static MeMatrix4 below = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {9, 0, 5, 1}};
     const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
     const McdModelID box = MstModelAndBodyCreate(u, cube, 1);
@@ -232,9 +225,8 @@ START_TEST(a_contact_goes_on_as_the_nearest_point_where_its_feature_changes) {
     ck_assert_int_eq(kept, CORNERS);
     ck_assert_int_gt(changed, 0);
 }
-END_TEST
 
-START_TEST(the_group_stays_without_touch_and_goes_at_goodbye) {
+TEST(the_group_stays_without_touch_and_goes_at_goodbye) {
     step();
     MdtContactGroupID group = MdtContactGetContactGroup(onlyContact());
     McdModelDynamicsSetPosition(ball, 0, 0, (MeReal)1.015); /* boxes near, to within the tolerances */
@@ -250,11 +242,10 @@ START_TEST(the_group_stays_without_touch_and_goes_at_goodbye) {
     step();
     ck_assert_int_eq(MdtWorldGetTotalConstraints(u->world), 0);
 }
-END_TEST
 
 /* A plane's model comes first in the pair or second: the body is pushed out either way. */
 /* All records of the world's constraints are used anew, one of them as another pair's group or a program's own. */
-START_TEST(a_group_that_the_program_destroys_is_not_the_pairs_any_more) {
+TEST(a_group_that_the_program_destroys_is_not_the_pairs_any_more) {
     const MdtBodyID body = McdModelGetBody(ball);
     step();
     for (int i = 0; i < 2; i++) {
@@ -285,9 +276,8 @@ START_TEST(a_group_that_the_program_destroys_is_not_the_pairs_any_more) {
         ck_assert_int_eq(MdtContactGroupGetCount(MdtContactGetContactGroup(onlyContact())), 1);
     }
 }
-END_TEST
 
-START_TEST(only_the_second_model_having_a_body_is_as_good) {
+TEST(only_the_second_model_having_a_body_is_as_good) {
     static MeMatrix4 tm;
     MstModelAndBodyDestroy(ball);
     MstFixedModelDestroy(floorModel);
@@ -301,7 +291,6 @@ START_TEST(only_the_second_model_having_a_body_is_as_good) {
     assert_vec3_near(n, 0, 0, 1, TOL(1e-6, 9e-15));
     ck_assert_ptr_eq(MdtContactGetBody(onlyContact(), 0), McdModelGetBody(ball));
 }
-END_TEST
 
 /* ---- callbacks --------------------------------------------------------------------------------------------------- */
 
@@ -312,7 +301,7 @@ static void MEAPI cull(McdIntersectResult *result) {
         result->contactCount = 0;
 }
 
-START_TEST(the_intersect_callback_may_cull) {
+TEST(the_intersect_callback_may_cull) {
     MstBridgeSetIntersectCB(u->bridge, 0, 0, cull);
     ck_assert(MstBridgeGetIntersectCB(u->bridge, 0, 0) == cull);
     step();
@@ -321,7 +310,6 @@ START_TEST(the_intersect_callback_may_cull) {
     step();
     ck_assert(called == 2 && !onlyContact());
 }
-END_TEST
 
 static MeBool MEAPI perContact(McdIntersectResult *result, McdContact *colC, MdtContactID dynC) {
     called++;
@@ -330,7 +318,7 @@ static MeBool MEAPI perContact(McdIntersectResult *result, McdContact *colC, Mdt
     return answer;
 }
 
-START_TEST(the_per_contact_callback_may_change_and_delete) {
+TEST(the_per_contact_callback_may_change_and_delete) {
     MstBridgeSetPerContactCB(u->bridge, 0, 0, perContact);
     ck_assert(MstBridgeGetPerContactCB(u->bridge, 0, 0) == perContact);
     step();
@@ -340,7 +328,6 @@ START_TEST(the_per_contact_callback_may_change_and_delete) {
     step();
     ck_assert(!onlyContact());
 }
-END_TEST
 
 static MeBool MEAPI perPair(McdIntersectResult *result, MdtContactGroupID group) {
     called++;
@@ -348,7 +335,7 @@ static MeBool MEAPI perPair(McdIntersectResult *result, MdtContactGroupID group)
     return answer;
 }
 
-START_TEST(the_per_pair_callback_may_delete_all) {
+TEST(the_per_pair_callback_may_delete_all) {
     MstBridgeSetPerPairCB(u->bridge, 0, 0, perPair);
     ck_assert(MstBridgeGetPerPairCB(u->bridge, 0, 0) == perPair);
     step();
@@ -360,10 +347,9 @@ START_TEST(the_per_pair_callback_may_delete_all) {
     step();
     ck_assert(onlyContact() && called == 3);
 }
-END_TEST
 
 /* The guide's own loop, with the transitions' short form. */
-START_TEST(the_loop_may_be_the_programs) {
+TEST(the_loop_may_be_the_programs) {
     McdSpacePairIterator iterator;
     McdSpaceUpdateAll(u->space);
     McdSpaceEndChanges(u->space);
@@ -375,26 +361,3 @@ START_TEST(the_loop_may_be_the_programs) {
     McdSpaceBeginChanges(u->space);
     ck_assert(onlyContact());
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, tearDown);
-    tcase_add_test(t, what_is_not_tested_again_goes_on_as_if_it_were);
-    tcase_add_test(t, a_pair_that_found_no_room_is_tested_again);
-    tcase_add_test(t, materials_are_numbered_from_the_default_one);
-    tcase_add_test(t, pairs_of_materials_are_unordered);
-    tcase_add_test(t, a_contact_has_its_materials_parameters);
-    tcase_add_test(t, bad_bridges_are_refused);
-    tcase_add_test(t, a_touch_makes_a_contact_of_its_depth);
-    tcase_add_test(t, a_contact_that_lasts_is_the_same_object);
-    tcase_add_test(t, a_contact_goes_on_as_the_nearest_point_where_its_feature_changes);
-    tcase_add_test(t, the_group_stays_without_touch_and_goes_at_goodbye);
-    tcase_add_test(t, a_group_that_the_program_destroys_is_not_the_pairs_any_more);
-    tcase_add_test(t, only_the_second_model_having_a_body_is_as_good);
-    tcase_add_test(t, the_intersect_callback_may_cull);
-    tcase_add_test(t, the_per_contact_callback_may_change_and_delete);
-    tcase_add_test(t, the_per_pair_callback_may_delete_all);
-    tcase_add_test(t, the_loop_may_be_the_programs);
-}
-
-TEST_MAIN("Bridge", tests)

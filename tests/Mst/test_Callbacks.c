@@ -752,7 +752,7 @@ static MeBool isWanted(int callback, const Action *a) {
     return METRUE;
 }
 
-START_TEST(every_action_works_or_is_refused_in_every_callback) {
+LOOP_TEST(every_action_works_or_is_refused_in_every_callback, 0, CB_COUNT) {
     for (int i = 0; i < ACTIONS; i++) {
         action = &actions[i];
         if (isWanted(_i, action))
@@ -762,9 +762,3 @@ START_TEST(every_action_works_or_is_refused_in_every_callback) {
     MeSetWarningShow(0);
     MeSetFatalErrorHandler(0);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_loop_test(t, every_action_works_or_is_refused_in_every_callback, 0, CB_COUNT);
-}
-TEST_MAIN("MstCallbacks", tests)

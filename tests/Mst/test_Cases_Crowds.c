@@ -19,13 +19,12 @@ static int countBroken(const SceneBound *b, const Engine *e) {
     return bounds_countBroken(b, 1, e, ENGINE_RIGID);
 }
 
-START_TEST(karma_is_as_accurate_as_it_was) {
+TEST(karma_is_as_accurate_as_it_was) {
     const SceneBound bounds[] = {moved, gap, rolling, momentum, hit, bouncing, held};
     enum { COUNT = sizeof bounds / sizeof *bounds };
     const int broken = bounds_countBroken(bounds, COUNT, &KARMA, ENGINE_RIGID);
     ck_assert_msg(broken == 0, "%d of %d errors are too large", broken, (int)COUNT);
 }
-END_TEST
 
 /* Karma behind a wrapper that does one thing wrong */
 
@@ -79,45 +78,40 @@ static Engine copyOfKarma(void) {
     return e;
 }
 
-START_TEST(dropped_joints_are_seen) {
+TEST(dropped_joints_are_seen) {
     Engine e = copyOfKarma();
     e.addJoint = dropSecondPlank;
     ck_assert_int_eq(countBroken(&gap, &e), 1);
     ck_assert_int_eq(countBroken(&moved, &e), 1);
 }
-END_TEST
 
-START_TEST(wrong_friction_is_seen) {
+TEST(wrong_friction_is_seen) {
     Engine e = copyOfKarma();
     e.addBody = lessenFriction;
     ck_assert_int_eq(countBroken(&rolling, &e), 1);
     e.addBody = driveBox;
     ck_assert_int_eq(countBroken(&rolling, &e), 1);
 }
-END_TEST
 
-START_TEST(a_thousandth_of_restitution_is_seen) {
+TEST(a_thousandth_of_restitution_is_seen) {
     Engine e = copyOfKarma();
     e.addBody = lessenRestitution;
     ck_assert_int_eq(countBroken(&bouncing, &e), 1);
 }
-END_TEST
 
-START_TEST(a_skipped_step_is_seen) {
+TEST(a_skipped_step_is_seen) {
     Engine e = copyOfKarma();
     e.step = skipTenthStep;
     ck_assert_int_eq(countBroken(&rolling, &e), 1);
 }
-END_TEST
 
 /* A frame's force is not what the step should have had: a ball that is not pushed is not moved. */
-START_TEST(a_force_ends_when_it_should) {
+TEST(a_force_ends_when_it_should) {
     const SceneBody always = {.force = {0, 1, 0}}, half = {.force = {0, 1, 0}, .forceEnds = .5}, none = {.mass = 1};
     ck_assert(scene_isPushed(&always, 100));
     ck_assert(scene_isPushed(&half, .49) && !scene_isPushed(&half, .5));
     ck_assert(!scene_isPushed(&none, 0));
 }
-END_TEST
 
 /* Overlaps and inertias of the shapes */
 
@@ -130,7 +124,7 @@ static SceneBody *placed(SceneWorld *w, int shape, double x, double y) {
 }
 
 /* Capsules lie along z: all reach .5 m along x, whichever they are. */
-START_TEST(overlaps_are_those_of_the_shapes) {
+TEST(overlaps_are_those_of_the_shapes) {
     const double right = acos(-1.) / 2;
     for (int a = SCENE_BOX; a <= SCENE_CAPSULE; a++)
         for (int b = SCENE_BOX; b <= SCENE_CAPSULE; b++) {
@@ -146,10 +140,9 @@ START_TEST(overlaps_are_those_of_the_shapes) {
     assert_near(scenes_below(upright, &upright->start), .3, 1e-12);
     assert_near(scenes_overlap(upright, &upright->start, box, &box->start), .2, 1e-7); /* -.3 below, -.1 above */
 }
-END_TEST
 
 /* A capsule without a cylinder is a ball; a long one is a rod. */
-START_TEST(capsules_have_their_inertia) {
+TEST(capsules_have_their_inertia) {
     SceneWorld w = {.numBodies = 0};
     double inertia[3];
     scene_inertia(scene_addCapsule(&w, 2, .5, 1, 0, 0, 0), inertia);
@@ -159,16 +152,3 @@ START_TEST(capsules_have_their_inertia) {
     assert_near(inertia[0], 2 * 36 / 12., 6e-3); /* but for r / l */
     assert_near(inertia[2], 2 * 1e-6 / 2, 1e-9);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, karma_is_as_accurate_as_it_was);
-    tcase_add_test(t, dropped_joints_are_seen);
-    tcase_add_test(t, wrong_friction_is_seen);
-    tcase_add_test(t, a_thousandth_of_restitution_is_seen);
-    tcase_add_test(t, a_skipped_step_is_seen);
-    tcase_add_test(t, a_force_ends_when_it_should);
-    tcase_add_test(t, overlaps_are_those_of_the_shapes);
-    tcase_add_test(t, capsules_have_their_inertia);
-}
-TEST_MAIN("Cases_Crowds", tests)

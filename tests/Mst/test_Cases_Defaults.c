@@ -2,7 +2,7 @@
  * wider than in the other files, which are rigid, the load's sag is why (epsilon F h² / gamma). */
 #include "cases.h"
 
-START_TEST(stacks_stand_by_default) {
+TEST(stacks_stand_by_default) {
     static const SceneBound bounds[] = {
         {"heavy-1e4", 1, 1, 1e-6, 1e-9},  {"heavy-1e4", 1, 2, 1e-6, 1e-9},  {"heavy-1e6", 1, 1, 1e-6, 1e-7},
         {"heavy-1e6", 1, 2, 1e-6, 1e-7},  {"tower", 1, 0, 1e-6, 1e-9},      {"tower", 1, 1, 1e-6, 1e-8},
@@ -11,9 +11,8 @@ START_TEST(stacks_stand_by_default) {
     };
     assert_by_default(bounds);
 }
-END_TEST
 
-START_TEST(friction_is_exact_by_default) {
+TEST(friction_is_exact_by_default) {
     static const SceneBound bounds[] = {
         {"incline", 1, 0, 4e-6, 1e-10}, {"incline", 1, 1, 1e-10, 1e-11}, {"isotropy", 1, 0, 1e-6, 1e-10},
         {"isotropy", 1, 1, 1e-4, 1e-8}, {"rolling", 1, 0, 1e-6, 2e-9},   {"rolling", 1, 1, 1e-6, 1e-9},
@@ -22,20 +21,11 @@ START_TEST(friction_is_exact_by_default) {
     };
     assert_by_default(bounds);
 }
-END_TEST
 
-START_TEST(impacts_are_exact_by_default) {
+TEST(impacts_are_exact_by_default) {
     static const SceneBound bounds[] = {
         {"bounce", 1, 0, 1e-6, 1e-12}, {"bounce", 1, 1, 1e-6, 1e-12}, {"bounce", 1, 2, 3e-6, 1e-12},
         {"cradle", 1, 0, 1e-6, 1e-13}, {"cradle", 1, 1, 1e-6, 1e-13}, {"cradle", 1, 2, 1e-6, 1e-13},
     };
     assert_by_default(bounds);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, stacks_stand_by_default);
-    tcase_add_test(t, friction_is_exact_by_default);
-    tcase_add_test(t, impacts_are_exact_by_default);
-}
-TEST_MAIN("Cases_Defaults", tests)

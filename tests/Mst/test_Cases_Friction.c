@@ -2,20 +2,18 @@
  * block that topples. */
 #include "cases.h"
 
-START_TEST(cubes_slide_and_stick_on_a_slope) {
+TEST(cubes_slide_and_stick_on_a_slope) {
     static const SceneBound bounds[] = {
         {"incline", 1, 0, 4e-6, 1e-10}, {"incline", 1, 1, 1e-10, 1e-11}, {"incline", 1, 2, 1e-6, 1e-9}};
     assert_cases(bounds);
 }
-END_TEST
 
-START_TEST(friction_is_the_same_in_every_direction) {
+TEST(friction_is_the_same_in_every_direction) {
     static const SceneBound bounds[] = {{"isotropy", 1, 0, 1e-6, 1e-10}, {"isotropy", 1, 1, 1e-4, 1e-8}};
     assert_cases(bounds);
 }
-END_TEST
 
-START_TEST(balls_come_to_roll) {
+TEST(balls_come_to_roll) {
     static const SceneBound bounds[] = {
         {"rolling", 1, 0, 1e-6, 2e-9},
         {"rolling", 1, 1, 1e-6, 1e-9},
@@ -24,19 +22,9 @@ START_TEST(balls_come_to_roll) {
     };
     assert_cases(bounds);
 }
-END_TEST
 
-START_TEST(one_block_stops_and_one_topples) {
+TEST(one_block_stops_and_one_topples) {
     static const SceneBound bounds[] = {
         {"block", 1, 0, 1e-6, 1e-9}, {"block", 1, 1, 1e-6, 1e-8}, {"block", 1, 2, 0, 0}};
     assert_cases(bounds);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, cubes_slide_and_stick_on_a_slope);
-    tcase_add_test(t, friction_is_the_same_in_every_direction);
-    tcase_add_test(t, balls_come_to_roll);
-    tcase_add_test(t, one_block_stops_and_one_topples);
-}
-TEST_MAIN("Cases_Friction", tests)

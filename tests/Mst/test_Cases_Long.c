@@ -2,7 +2,7 @@
 #include "cases.h"
 
 #ifndef TEST_IS_SLOW
-START_TEST(they_stand_for_ten_minutes) {
+TEST(they_stand_for_ten_minutes) {
     static const SceneBound bounds[] = {
         {"tower-600s", 1, 0, 0, 0},
         {"tower-600s", 1, 1, 2.5e-5, 1e-8},
@@ -11,14 +11,4 @@ START_TEST(they_stand_for_ten_minutes) {
     };
     assert_once(bounds);
 }
-END_TEST
 #endif
-
-static void tests(TCase *t) {
-#ifndef TEST_IS_SLOW
-    tcase_add_test(t, they_stand_for_ten_minutes);
-#else
-    (void)t;
-#endif
-}
-TEST_MAIN("Cases_Long", tests)

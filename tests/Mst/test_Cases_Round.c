@@ -1,36 +1,24 @@
 /* Coins that roll and fall, and boxes on ground that turns. */
 #include "cases.h"
 
-START_TEST(a_coin_rolls_round) {
+TEST(a_coin_rolls_round) {
     static const SceneBound bounds[] = {{"coin", 1, 0, .1, .1}, {"coin", 1, 1, .01, .01}, {"coin", 1, 2, .1, .1}};
     assert_cases(bounds);
 }
-END_TEST
 
-START_TEST(a_coin_that_nothing_keeps_rolling_comes_to_lie) {
+TEST(a_coin_that_nothing_keeps_rolling_comes_to_lie) {
     static const SceneBound bounds[] = {
         {"coin-falls", 1, 0, 4e-4, 2.5e-5}, {"coin-falls", 1, 1, 1e-10, 1e-10}, {"coin-falls", 1, 2, .01, .01}};
     assert_cases(bounds);
 }
-END_TEST
 
-START_TEST(boxes_stay_where_turning_ground_takes_them) {
+TEST(boxes_stay_where_turning_ground_takes_them) {
     static const SceneBound bounds[] = {{"turning", 1, 0, 7e-7, 2e-9}, {"turning", 1, 1, 2e-6, 5e-9}};
     assert_cases(bounds);
 }
-END_TEST
 
 /* Within a hundredth of the speed at which they must. */
-START_TEST(and_slide_from_where_nothing_holds_them) {
+TEST(and_slide_from_where_nothing_holds_them) {
     static const SceneBound bounds[] = {{"turning-limit", 1, 0, 2e-6, 7e-9}, {"turning-limit", 1, 1, 0, 0}};
     assert_cases(bounds);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_coin_rolls_round);
-    tcase_add_test(t, a_coin_that_nothing_keeps_rolling_comes_to_lie);
-    tcase_add_test(t, boxes_stay_where_turning_ground_takes_them);
-    tcase_add_test(t, and_slide_from_where_nothing_holds_them);
-}
-TEST_MAIN("Cases_Round", tests)

@@ -1,25 +1,23 @@
 /* Hard cases 1, 4, 5 and 6: heavy on light, towers, towers of any size, and a house of cards. */
 #include "cases.h"
 
-START_TEST(a_heavy_cube_stands_on_a_light_one) {
+TEST(a_heavy_cube_stands_on_a_light_one) {
     static const SceneBound bounds[] = {
         {"heavy-100", 1, 1, 1e-6, 1e-11}, {"heavy-100", 1, 2, 1e-6, 1e-10}, {"heavy-1e4", 1, 1, 1e-6, 2e-10},
         {"heavy-1e4", 1, 2, 1e-6, 2e-10}, {"heavy-1e6", 1, 1, 1e-6, 1e-10}, {"heavy-1e6", 1, 2, 1e-6, 4e-9},
     };
     assert_cases(bounds);
 }
-END_TEST
 
-START_TEST(towers_of_twenty_stand) {
+TEST(towers_of_twenty_stand) {
     static const SceneBound bounds[] = {
         {"tower", 1, 0, 1e-6, 1e-9},           {"tower", 1, 1, 1e-6, 1e-8},        {"tower-shaken", 1, 0, 0, 0},
         {"tower-shaken", 1, 1, 2.5e-5, 2e-10}, {"tower-shaken", 1, 2, 1e-5, 2e-8},
     };
     assert_cases(bounds);
 }
-END_TEST
 
-START_TEST(a_tower_does_not_depend_on_metres) {
+TEST(a_tower_does_not_depend_on_metres) {
     static const SceneBound bounds[] = {
         {"tower-.01m", 1, 0, 3e-6, 5e-8},  {"tower-.01m", 1, 1, 1e-6, 1e-7}, {"tower-.1m", 1, 0, 3e-6, 5e-9},
         {"tower-.1m", 1, 1, 1e-6, 1e-8},   {"tower-1m", 1, 0, 1e-6, 1e-9},   {"tower-1m", 1, 1, 1e-6, 2e-9},
@@ -28,18 +26,8 @@ START_TEST(a_tower_does_not_depend_on_metres) {
     };
     assert_cases(bounds);
 }
-END_TEST
 
-START_TEST(a_house_of_cards_stands) {
+TEST(a_house_of_cards_stands) {
     static const SceneBound bounds[] = {{"cards", 1, 0, 1e-6, 2e-9}};
     assert_cases(bounds);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_heavy_cube_stands_on_a_light_one);
-    tcase_add_test(t, towers_of_twenty_stand);
-    tcase_add_test(t, a_tower_does_not_depend_on_metres);
-    tcase_add_test(t, a_house_of_cards_stands);
-}
-TEST_MAIN("Cases_Stacks", tests)

@@ -1,37 +1,25 @@
 /* Toothed wheels, and a car on a height field. */
 #include "cases.h"
 
-START_TEST(gears_keep_their_ratio) {
+TEST(gears_keep_their_ratio) {
     static const SceneBound bounds[] = {
         {"gears", 1, 0, 2e-6, 1e-9}, {"gears", 1, 1, 1e-6, 1e-10}, {"gears", 1, 2, 0, 0}};
     assert_cases(bounds);
 }
-END_TEST
 
-START_TEST(a_slope_of_triangles_is_a_plane) {
+TEST(a_slope_of_triangles_is_a_plane) {
     static const SceneBound bounds[] = {
         {"terrain-roll", 1, 0, 1e-5, 1e-10}, {"terrain-roll", 1, 1, 3e-6, 2e-9}, {"terrain-roll", 1, 2, 2e-6, 1e-9}};
     assert_cases(bounds);
 }
-END_TEST
 
-START_TEST(a_car_comes_across_bumps) {
+TEST(a_car_comes_across_bumps) {
     static const SceneBound bounds[] = {
         {"terrain-car", 1, 0, .05, .05}, {"terrain-car", 1, 1, 1e-5, 1e-6}, {"terrain-car", 1, 2, 0, 0}};
     assert_cases(bounds);
 }
-END_TEST
 
-START_TEST(a_car_on_bumps_converges) {
+TEST(a_car_on_bumps_converges) {
     static const SceneBound bounds[] = {{"terrain-car", 4, 0, .01, .01}, {"terrain-car", 16, 0, .01, .01}};
     assert_once(bounds);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, gears_keep_their_ratio);
-    tcase_add_test(t, a_slope_of_triangles_is_a_plane);
-    tcase_add_test(t, a_car_comes_across_bumps);
-    tcase_add_test(t, a_car_on_bumps_converges);
-}
-TEST_MAIN("Cases_Terrain", tests)

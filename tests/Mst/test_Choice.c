@@ -35,7 +35,7 @@ static Outcome outcomeOf(const char *name, double p0, double p1, double p2, doub
 }
 
 /* Had burst the stack, from nine bodies on. */
-START_TEST(a_ton_lies_on_cubes_of_a_kilogram) {
+TEST(a_ton_lies_on_cubes_of_a_kilogram) {
     for (int count = 2; count <= 21; count += count < 11 ? 1 : 10)
         for (double load = 100; load <= 1000; load *= 10) {
             const Outcome o = outcomeOf("ton-cubes", count, load, 0, 5);
@@ -43,7 +43,6 @@ START_TEST(a_ton_lies_on_cubes_of_a_kilogram) {
             assert_below(o.drift, 1e-6);
         }
 }
-END_TEST
 
 /* Whatever it sags by at first; had fallen through from 500 kg on. */
 static void assertCarried(double sag, double load) {
@@ -52,17 +51,16 @@ static void assertCarried(double sag, double load) {
                   o.widest);
 }
 
-START_TEST(a_ton_lies_on_a_bridge_of_planks_of_a_kilogram) {
+TEST(a_ton_lies_on_a_bridge_of_planks_of_a_kilogram) {
     for (double sag = .1; sag < 2; sag *= sqrt(10))
         for (double load = 1; load <= 1000; load *= 1000)
             assertCarried(sag, load);
     assertCarried(.5, 1e4);
     assertCarried(1, 1e4);
 }
-END_TEST
 
 /* Of planks of 8 mm, 12 cm long; had fallen. */
-START_TEST(towers_of_a_hundred_layers_of_planks_stand) {
+TEST(towers_of_a_hundred_layers_of_planks_stand) {
     for (int layers = 30; layers <= 120; layers += 30) {
         const Outcome o = outcomeOf("kapla", layers, 0, 0, 4);
         assert_below(fabs(o.error), 1e-4);
@@ -70,7 +68,6 @@ START_TEST(towers_of_a_hundred_layers_of_planks_stand) {
         assert_below(o.drift, 1e-5);
     }
 }
-END_TEST
 
 static void assertStands(int count, double edge, double top) {
     const Outcome o = outcomeOf("stack", count, edge, top, 1.5);
@@ -80,14 +77,13 @@ static void assertStands(int count, double edge, double top) {
 
 /* Whatever their number, size, and the mass of the top: none sinks by more than rounding, so that nothing changes from
  * one number to the next. Of high ones each number has one size and mass in its turn. */
-START_TEST(stacks_of_any_number_stand) {
+TEST(stacks_of_any_number_stand) {
     static const double edge[] = {1, .05, .02}, top[] = {1, 1e2, 1e4};
     for (int count = 2; count <= 200; count += count < 12 ? 1 : count < 62 || count > 66 ? 13 : 1)
         for (int k = 0; k < 9; k++)
             if (count < 12 || k == count % 9)
                 assertStands(count, edge[k / 3], top[k % 3]);
 }
-END_TEST
 
 /* Multiplications, millions, of the first step, whose forces are not known. */
 static double firstWorkOf(const char *name, double count) {
@@ -102,19 +98,8 @@ static double firstWorkOf(const char *name, double count) {
 }
 
 /* Had taken an iteration a layer: 62, 240 and 110. */
-START_TEST(first_steps_of_towers_are_cheap) {
+TEST(first_steps_of_towers_are_cheap) {
     assert_below(firstWorkOf("stack", 100), 1);
     assert_below(firstWorkOf("kapla", 100), 60);
     assert_below(firstWorkOf("pyramid", 20), 25);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_ton_lies_on_cubes_of_a_kilogram);
-    tcase_add_test(t, a_ton_lies_on_a_bridge_of_planks_of_a_kilogram);
-    tcase_add_test(t, towers_of_a_hundred_layers_of_planks_stand);
-    tcase_add_test(t, stacks_of_any_number_stand);
-    tcase_add_test(t, first_steps_of_towers_are_cheap);
-}
-
-TEST_MAIN("Choice", tests)

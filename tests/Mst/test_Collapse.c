@@ -90,7 +90,7 @@ static Cost dropArch(MdtSolver solver) {
 
 /* Stones do not rebound, and what one blow makes is the next one at most. Halves of seven stones that wedge each other
  * may cost Newton's method 1616 matrices in a step: the account does not pay them. */
-START_TEST(an_arch_falls_in_few_parts) {
+TEST(an_arch_falls_in_few_parts) {
     const Cost byDefault = dropArch(MdtSolverAuto), exact = dropArch(MdtSolverExact);
     tell("arch", &byDefault);
     tell("arch, exact", &exact);
@@ -99,7 +99,6 @@ START_TEST(an_arch_falls_in_few_parts) {
     assert_below(byDefault.work, exact.work);
     ck_assert(byDefault.energy < .5 * byDefault.start && exact.energy < .5 * exact.start);
 }
-END_TEST
 
 /* ---- boxes in flight ------------------------------------------------------------------------------------------- */
 
@@ -119,7 +118,7 @@ static void buildBlock(double height, double speed) {
 
 /* Nothing is below them. Their centre of mass falls as a free body, while they part; Newton's method takes 913 matrices
  * and 6 times the work. */
-START_TEST(what_flies_is_no_work_for_newton) {
+TEST(what_flies_is_no_work_for_newton) {
     Cost cost = {0};
     begin(.5);
     buildBlock(30, 0);
@@ -130,7 +129,6 @@ START_TEST(what_flies_is_no_work_for_newton) {
     ck_assert_int_eq(cost.factorizations, 0);
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* ---- a rag doll on a spring ------------------------------------------------------------------------------------- */
 
@@ -179,7 +177,7 @@ static int drag(int part, Cost *c) {
 }
 
 /* Solved exactly, 591 of the steps were divided. */
-START_TEST(a_doll_on_a_stiff_spring_holds_at_little_work) {
+TEST(a_doll_on_a_stiff_spring_holds_at_little_work) {
     static const int parts[] = {DOLL_PELVIS, DOLL_FOREARMS};
     for (int i = 0; i < 2; i++) {
         Cost cost = {0};
@@ -189,11 +187,3 @@ START_TEST(a_doll_on_a_stiff_spring_holds_at_little_work) {
         assert_below(cost.work, 4 * DRAGGED_STEPS);
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_doll_on_a_stiff_spring_holds_at_little_work);
-    tcase_add_test(t, an_arch_falls_in_few_parts);
-    tcase_add_test(t, what_flies_is_no_work_for_newton);
-}
-TEST_MAIN("Collapse", tests)

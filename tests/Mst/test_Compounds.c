@@ -71,7 +71,7 @@ static McdGeometryID makeBoxOfThree(void) {
 }
 
 /* 30 m without friction, or until it stops. */
-START_TEST(a_box_slides_over_parts_as_over_one) {
+TEST(a_box_slides_over_parts_as_over_one) {
     static McdGeometryID (*const shape[])(void) = {makeBox, makeBoxOfThree};
     static const double friction[] = {0, .2};
     for (int s = 0; s < 2; s++)
@@ -83,7 +83,6 @@ START_TEST(a_box_slides_over_parts_as_over_one) {
             assert_near(high[1], high[0], TOL(4e-7, 1e-9));
         }
 }
-END_TEST
 
 /* Cubes of one or two parts, a little deep in each other and tilted; every second one aside by half of that depth. */
 static void stack(int parts, double tilt, McdModelID cube[CUBES]) {
@@ -96,7 +95,7 @@ static void stack(int parts, double tilt, McdModelID cube[CUBES]) {
     }
 }
 
-START_TEST(cubes_of_halves_stand_as_solid_ones) {
+TEST(cubes_of_halves_stand_as_solid_ones) {
     static const double tilts[] = {0, 1e-3, -2e-2};
     for (int t = 0; t < 3; t++) {
         McdModelID cube[CUBES];
@@ -119,10 +118,9 @@ START_TEST(cubes_of_halves_stand_as_solid_ones) {
         MstUniverseDestroy(u);
     }
 }
-END_TEST
 
 /* A small box below the joint of two parts of the floor, nearer to the inner faces of both than to the top. */
-START_TEST(what_is_deep_between_parts_comes_out) {
+TEST(what_is_deep_between_parts_comes_out) {
     begin(.5);
     MstFixedModelCreate(u, boxInParts(4, 8, 2, 1), floorPlace);
     const McdModelID box = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, (MeReal).2, (MeReal).2, (MeReal).2), 500);
@@ -131,11 +129,3 @@ START_TEST(what_is_deep_between_parts_comes_out) {
     assert_near(coordinate(box, 2), .6, TOL(8e-6, 1e-7));
     MstUniverseDestroy(u);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_box_slides_over_parts_as_over_one);
-    tcase_add_test(t, cubes_of_halves_stand_as_solid_ones);
-    tcase_add_test(t, what_is_deep_between_parts_comes_out);
-}
-TEST_MAIN("Compounds", tests)

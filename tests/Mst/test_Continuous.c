@@ -19,6 +19,7 @@ static void setUp(void) {
 static void tearDown(void) {
     MstUniverseDestroy(u);
 }
+TEST_FIXTURE(setUp, tearDown)
 
 static double fraction(void) {
     seed = seed * 1664525u + 1013904223u;
@@ -92,16 +93,15 @@ static MeBool shoot(McdModelID ball, double radius, double wall, double e) {
     return MEFALSE;
 }
 
-START_TEST(no_bullet_tunnels_a_wall_of_two_centimetres) {
+TEST(no_bullet_tunnels_a_wall_of_two_centimetres) {
     MstFixedModelCreate(u, McdBoxCreate(u->frame, (MeReal).02, 8, 8), place);
     McdModelID ball = makeBall(.05);
     setRestitution(.5);
     for (int i = 0; i < 1000; i++)
         ck_assert_msg(!shoot(ball, .05, .01, .5), "shot %d", i);
 }
-END_TEST
 
-START_TEST(without_the_switch_they_tunnel) {
+TEST(without_the_switch_they_tunnel) {
     int tunnels = 0;
     MstFixedModelCreate(u, McdBoxCreate(u->frame, (MeReal).02, 8, 8), place);
     for (int i = 0; i < 100; i++) {
@@ -116,7 +116,6 @@ START_TEST(without_the_switch_they_tunnel) {
     }
     ck_assert_int_gt(tunnels, 80);
 }
-END_TEST
 
 /* The wall is a sheet of two triangles, or a field on its side; both face -x. */
 static MeReal heights[9 * 9];
@@ -134,7 +133,7 @@ static int MEAPI sheet(McdModelPair *pair, McdUserTriangle *triangle, MeVector3 
     return MeMIN(2, max);
 }
 
-START_TEST(no_bullet_tunnels_a_triangle_list) {
+TEST(no_bullet_tunnels_a_triangle_list) {
     MeVector3 low = {0, -4, -4}, high = {0, 4, 4};
     MstFixedModelCreate(u, McdTriangleListCreate(u->frame, low, high, 8, sheet), place);
     McdModelID ball = makeBall(.05);
@@ -142,9 +141,8 @@ START_TEST(no_bullet_tunnels_a_triangle_list) {
     for (int i = 0; i < 1000; i++)
         ck_assert_msg(!shoot(ball, .05, 0, .5), "shot %d", i);
 }
-END_TEST
 
-START_TEST(no_bullet_tunnels_a_height_field) {
+TEST(no_bullet_tunnels_a_height_field) {
     memset(heights, 0, sizeof heights);
     MeVector3Set(place[0], 0, 0, 1); /* its z is the world's -x */
     MeVector3Set(place[1], 0, 1, 0);
@@ -155,10 +153,9 @@ START_TEST(no_bullet_tunnels_a_height_field) {
     for (int i = 0; i < 1000; i++)
         ck_assert_msg(!shoot(ball, .05, 0, .5), "shot %d", i);
 }
-END_TEST
 
 /* Between two walls 1 m apart, at 137 m/s: three impacts in a step. */
-START_TEST(a_bullet_meets_several_walls_in_a_step) {
+TEST(a_bullet_meets_several_walls_in_a_step) {
     static MeMatrix4 other;
     setRestitution(1);
     MeMatrix4TMMakeIdentity(other);
@@ -175,7 +172,6 @@ START_TEST(a_bullet_meets_several_walls_in_a_step) {
         assert_near(coordinate(ball, 0), expected, TOL(5e-4, 3e-10));
     }
 }
-END_TEST
 
 /* ---- rods -------------------------------------------------------------------------------------------------------- */
 
@@ -218,7 +214,7 @@ enum { RODS = 40 };
 enum { RODS = 300 };
 #endif
 
-START_TEST(no_rod_tunnels_a_post) {
+TEST(no_rod_tunnels_a_post) {
     for (int i = 0; i < RODS; i++) {
         tearDown();
         u = MstUniverseCreate(0);
@@ -228,12 +224,11 @@ START_TEST(no_rod_tunnels_a_post) {
         ck_assert_msg(!spin(i % 2), "rod %d", i);
     }
 }
-END_TEST
 
 /* ---- bodies among themselves ------------------------------------------------------------------------------------- */
 
 /* A bullet of m at v sticks to a plate of M: both go on at m v / (m + M). */
-START_TEST(a_bullet_pushes_a_plate) {
+TEST(a_bullet_pushes_a_plate) {
     McdModelID plate = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, (MeReal).02, 4, 4), 100);
     McdModelID ball = makeBall(.05);
     const double m = (double)MdtBodyGetMass(McdModelGetBody(ball)), M = (double)MdtBodyGetMass(McdModelGetBody(plate));
@@ -249,9 +244,8 @@ START_TEST(a_bullet_pushes_a_plate) {
     const double met = (7 - .06) / 900;
     assert_near_rel(coordinate(plate, 0), (30 * STEP - met) * m * 900 / (m + M), TOL(5e-6, 9e-15));
 }
-END_TEST
 
-START_TEST(bullets_meet_each_other) {
+TEST(bullets_meet_each_other) {
     McdModelID a = makeBall(.05), b = makeBall(.05);
     const double left[3] = {-9, 0, 0}, right[3] = {9, .02, 0}, v[3] = {700, 0, 0}, back[3] = {-800, 0, 0};
     double va[3], vb[3];
@@ -268,7 +262,6 @@ START_TEST(bullets_meet_each_other) {
     assert_near_rel(va[0] * va[0] + va[1] * va[1] + vb[0] * vb[0] + vb[1] * vb[1], 700. * 700 + 800. * 800,
                     TOL(1e-5, 1e-9));
 }
-END_TEST
 
 /* A wall of boxes that sleeps: the bullet wakes it, does not go through, and loses what the boxes gain. A large one is
  * not held back by the bullet. */
@@ -308,24 +301,22 @@ static void shootWall(int columns, int rows) {
     assert_below(x, -.5);
 }
 
-START_TEST(a_bullet_breaks_a_sleeping_wall) {
+TEST(a_bullet_breaks_a_sleeping_wall) {
     shootWall(3, 3);
 }
-END_TEST
 
-START_TEST(a_bullet_breaks_a_large_wall) {
+TEST(a_bullet_breaks_a_large_wall) {
     MstUniverseSizes sizes = MstUniverseDefaultSizes;
     sizes.dynamicConstraintsMaxCount = 4000;
     tearDown();
     u = MstUniverseCreate(&sizes);
     shootWall(8, 6);
 }
-END_TEST
 
 /* ---- the step ---------------------------------------------------------------------------------------------------- */
 
 /* A ball that is thrown on the floor, with its weight, an added force and a restitution. */
-START_TEST(forces_act_in_all_parts_of_a_step) {
+TEST(forces_act_in_all_parts_of_a_step) {
     const double from[3] = {0, 0, 20}, v[3] = {0, 0, -30}, time = 100 * STEP;
     setRestitution(.8);
     MdtWorldSetGravity(u->world, 0, 0, -10);
@@ -341,9 +332,8 @@ START_TEST(forces_act_in_all_parts_of_a_step) {
     const double early = g / 2 * STEP * STEP; /* the impact is looked for with the velocity at the step's begin */
     assert_near(coordinate(ball, 2), .05 + .8 * speed * rest - g / 2 * rest * rest, early);
 }
-END_TEST
 
-START_TEST(an_impact_in_the_middle_of_a_step_is_one_event) {
+TEST(an_impact_in_the_middle_of_a_step_is_one_event) {
     MstFixedModelCreate(u, McdBoxCreate(u->frame, (MeReal).02, 8, 8), place);
     McdModelID ball = makeBall(.05);
     const double from[3] = {-5, 0, 0}, v[3] = {400, 0, 0}, m = (double)MdtBodyGetMass(McdModelGetBody(ball));
@@ -360,9 +350,8 @@ START_TEST(an_impact_in_the_middle_of_a_step_is_one_event) {
     step();
     ck_assert(MstUniverseGetEvents(u, &count)->kind == MstEventEnd && count == 1);
 }
-END_TEST
 
-START_TEST(it_is_the_same_twice) {
+TEST(it_is_the_same_twice) {
     double end[2][3];
     for (int run = 0; run < 2; run++) {
         tearDown();
@@ -384,23 +373,3 @@ START_TEST(it_is_the_same_twice) {
     }
     ck_assert(memcmp(end[0], end[1], sizeof end[0]) == 0);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, tearDown);
-    tcase_add_test(t, no_bullet_tunnels_a_wall_of_two_centimetres);
-    tcase_add_test(t, without_the_switch_they_tunnel);
-    tcase_add_test(t, no_bullet_tunnels_a_triangle_list);
-    tcase_add_test(t, no_bullet_tunnels_a_height_field);
-    tcase_add_test(t, a_bullet_meets_several_walls_in_a_step);
-    tcase_add_test(t, no_rod_tunnels_a_post);
-    tcase_add_test(t, a_bullet_pushes_a_plate);
-    tcase_add_test(t, bullets_meet_each_other);
-    tcase_add_test(t, a_bullet_breaks_a_sleeping_wall);
-    tcase_add_test(t, a_bullet_breaks_a_large_wall);
-    tcase_add_test(t, forces_act_in_all_parts_of_a_step);
-    tcase_add_test(t, an_impact_in_the_middle_of_a_step_is_one_event);
-    tcase_add_test(t, it_is_the_same_twice);
-}
-
-TEST_MAIN("MstContinuous", tests)

@@ -131,17 +131,16 @@ static MdtReport firstStepOfTower(double along) {
 
 /* A tower that lands, half a millimetre between its cubes, and slides along without friction, takes the passes of one
  * that does not slide: 24 are not enough for it, unless its common velocity counted as motion. */
-START_TEST(a_common_velocity_saves_no_passes) {
+TEST(a_common_velocity_saves_no_passes) {
     const MdtReport still = firstStepOfTower(0), sliding = firstStepOfTower(30);
     ck_assert_int_gt(still.iterations, 24);
     ck_assert_int_eq(sliding.iterations, still.iterations);
     assert_near((double)sliding.residualVelocity, (double)still.residualVelocity, 1e-4);
 }
-END_TEST
 
 /* 4e-5 m, in which overlaps rest, is 1e-4 of the radius of gyration: with half of it this never comes to rest, with
  * twice as much it sinks too far. */
-START_TEST(a_pyramid_of_forty_rows_comes_to_rest) {
+TEST(a_pyramid_of_forty_rows_comes_to_rest) {
     makeWorld(MdtSolverAuto);
     makeFloor();
     makePyramid(40);
@@ -155,10 +154,9 @@ START_TEST(a_pyramid_of_forty_rows_comes_to_rest) {
     assert_below(deepest(), 6e-5);
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* After 33 steps. */
-START_TEST(a_pyramid_rests_where_its_forces_balance_its_loads) {
+TEST(a_pyramid_rests_where_its_forces_balance_its_loads) {
     makeWorld(MdtSolverFast);
     makeFloor();
     makePyramid(40);
@@ -167,10 +165,9 @@ START_TEST(a_pyramid_rests_where_its_forces_balance_its_loads) {
     assert_near(place(count - 1, 1), 39.5, 1.5e-3);
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* Slower than the accuracy, 1.6e-3 m/s, and in balance: boxes on ice are not held, nor are balls. */
-START_TEST(what_glides_or_rolls_goes_on) {
+TEST(what_glides_or_rolls_goes_on) {
     enum { ROWS = 8 };
     for (int isBall = 0; isBall < 2; isBall++) {
         makeWorld(MdtSolverFast);
@@ -191,11 +188,10 @@ START_TEST(what_glides_or_rolls_goes_on) {
         MstUniverseDestroy(u);
     }
 }
-END_TEST
 
 /* A ball of 20 kg hits it with 8 m/s. Were the pyramid taken to move as the ball and what it takes along do, it would
  * get no passes for what its lower rows carry: overlaps would be 4e-4 of a cube on average, not 8e-5. */
-START_TEST(a_pyramid_that_is_hit_is_pressed_in_by_no_more) {
+TEST(a_pyramid_that_is_hit_is_pressed_in_by_no_more) {
     double sum = 0;
     makeWorld(MdtSolverAuto);
     makeFloor();
@@ -213,11 +209,10 @@ START_TEST(a_pyramid_that_is_hit_is_pressed_in_by_no_more) {
     assert_below(sum, 1e-4);
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* The height that forces have to pass: without passes for it, or if a loaded point may close a gap that is but a tilt
  * within the depth of rest, the tower sways ever more. */
-START_TEST(a_tower_of_forty_comes_to_rest) {
+TEST(a_tower_of_forty_comes_to_rest) {
     makeWorld(MdtSolverFast);
     makeFloor();
     const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
@@ -227,9 +222,8 @@ START_TEST(a_tower_of_forty_comes_to_rest) {
     assert_near(place(count - 1, 1), 39.5, 5e-4);
     MstUniverseDestroy(u);
 }
-END_TEST
 
-START_TEST(a_heap_settles_and_sleeps) {
+TEST(a_heap_settles_and_sleeps) {
     double energy = 0;
     makeWorld(MdtSolverAuto);
     MdtWorldSetAutoDisable(u->world, METRUE);
@@ -249,7 +243,6 @@ START_TEST(a_heap_settles_and_sleeps) {
     assert_below(deepest(), 1e-3);
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* Boxes, balls and cylinders of 1 to 100 kg, thrown at each other: J of a step, with what gravity has done. */
 static void throwThings(unsigned int from) {
@@ -274,7 +267,7 @@ static void throwThings(unsigned int from) {
 static const unsigned int astray[] = {44, 208, 261};
 enum { SEEDS = 30, ASTRAY = sizeof astray / sizeof *astray };
 
-START_TEST(things_thrown_gain_no_energy) {
+LOOP_TEST(things_thrown_gain_no_energy, 0, SEEDS + ASTRAY) {
     double energy = HUGE_VAL, first = 0;
     throwThings(_i < SEEDS ? (unsigned int)_i + 1 : astray[_i - SEEDS]);
     for (int i = 0; i < 150; i++) {
@@ -289,7 +282,6 @@ START_TEST(things_thrown_gain_no_energy) {
     assert_below(energy, .9 * first);
     MstUniverseDestroy(u);
 }
-END_TEST
 
 static void makePit(double inside) {
     static MeMatrix4 place[4];
@@ -317,7 +309,7 @@ static void fillPit(unsigned int from) {
 
 /* Wedged between walls and each other, while they settle. Where more passes were taken for as long as the residual was
  * too large, they added to it: it was .0074 m/s on average. */
-START_TEST(what_friction_feeds_is_held_back) {
+TEST(what_friction_feeds_is_held_back) {
     enum { PITS = 3, STEPS = 100 };
     double residual = 0, passes = 0;
     for (int i = 0; i < PITS; i++) {
@@ -335,12 +327,11 @@ START_TEST(what_friction_feeds_is_held_back) {
     printf("balls in pits: residual %.1e m/s, %.0f passes\n", residual, passes);
     assert_below(residual, .005);
 }
-END_TEST
 
 /* What bounces into a pit flies from impact to impact; from the first body that is held on, the fast solver takes the
  * rest of a step. If the exact one does, a step takes 198 million multiplications, all of its budget; if impacts beside
  * held bodies are followed, or bodies that come to be held in the step are not counted, 115. */
-START_TEST(bodies_that_bounce_into_a_pit_take_no_solve_for_each_impact) {
+TEST(bodies_that_bounce_into_a_pit_take_no_solve_for_each_impact) {
     double max = 0;
     int events = 0;
     makeWorld(MdtSolverAuto);
@@ -358,11 +349,10 @@ START_TEST(bodies_that_bounce_into_a_pit_take_no_solve_for_each_impact) {
     assert_below(max, .2 * MDTWORLD_DEFAULT_WORK_BUDGET);
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* Many at once, touching or nearly so, where the law of restitution at each contact asks for more energy than there is:
  * a step gave up to a third of it. */
-START_TEST(elastic_balls_gain_no_energy) {
+TEST(elastic_balls_gain_no_energy) {
     double energy = HUGE_VAL;
     makeWorld(MdtSolverFast);
     MdtWorldSetGravity(u->world, 0, 0, 0);
@@ -381,9 +371,8 @@ START_TEST(elastic_balls_gain_no_energy) {
     }
     MstUniverseDestroy(u);
 }
-END_TEST
 
-START_TEST(the_same_again_gives_the_same_bits) {
+TEST(the_same_again_gives_the_same_bits) {
     MeMatrix4 poses[30];
     for (int run = 0; run < 2; run++) {
         throwThings(77);
@@ -398,10 +387,9 @@ START_TEST(the_same_again_gives_the_same_bits) {
         MstUniverseDestroy(u);
     }
 }
-END_TEST
 
 /* Balls that collide in space: sums in double over impulses that are the same for both bodies. */
-START_TEST(momentum_is_kept) {
+TEST(momentum_is_kept) {
     enum { SIDE = 4 };
     double before[6] = {0}, after[6] = {0};
     makeWorld(MdtSolverFast);
@@ -433,11 +421,10 @@ START_TEST(momentum_is_kept) {
     }
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* The second ball takes half of the blow's speed, which does not reach the third one in the step, and then all of it,
  * which does. */
-START_TEST(a_rebound_reaches_what_had_not_been_touched) {
+TEST(a_rebound_reaches_what_had_not_been_touched) {
     const double place[] = {0, 1.001, 2.001 + .75 / 60};
     double sum = 0;
     makeWorld(MdtSolverFast);
@@ -454,7 +441,6 @@ START_TEST(a_rebound_reaches_what_had_not_been_touched) {
     assert_near(speed(2, 0), 1. / 6, 1e-5); /* of v1 - v0 = 1, v1 - v2 = .75, v0 + v1 + v2 = 1 */
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* ---- what contacts' parameters say ---- */
 
@@ -526,7 +512,7 @@ static void runCase(const Case *c, MdtSolver solver, double state[6]) {
     MstUniverseDestroy(u);
 }
 
-START_TEST(parameters_mean_what_they_mean_to_the_exact_solver) {
+LOOP_TEST(parameters_mean_what_they_mean_to_the_exact_solver, 0, (int)(sizeof cases / sizeof *cases)) {
     const Case *c = &cases[_i];
     double exact[6], fast[6];
     runCase(c, MdtSolverExact, exact);
@@ -534,7 +520,6 @@ START_TEST(parameters_mean_what_they_mean_to_the_exact_solver) {
     for (int k = 0; k < 6; k++)
         assert_near(fast[k], exact[k], c->tolerance);
 }
-END_TEST
 
 /* ---- the choice ---- */
 
@@ -552,14 +537,13 @@ static void assertChoice(int rows, MdtSolver solver, double accuracy, MdtReportW
 }
 
 /* What the account pays is exact: the first step of a pyramid of 210, but not of one of 820. */
-START_TEST(a_report_tells_why_a_solver_was_chosen) {
+TEST(a_report_tells_why_a_solver_was_chosen) {
     assertChoice(20, MdtSolverAuto, -1, MdtReportWayExact, MdtReportWhyAfforded);
     assertChoice(40, MdtSolverAuto, -1, MdtReportWayFast, MdtReportWhyDear);
     assertChoice(11, MdtSolverExact, -1, MdtReportWayExact, MdtReportWhyAsked);
     assertChoice(11, MdtSolverAuto, 0, MdtReportWayExact, MdtReportWhyAsked);
     assertChoice(3, MdtSolverFast, -1, MdtReportWayFast, MdtReportWhyAsked);
 }
-END_TEST
 
 /* ---- the program's choice, by partition ---- */
 
@@ -592,7 +576,7 @@ static void assertNextWays(MdtReportWay left, MdtReportWay right) {
 }
 
 /* Two towers; what rests is solved again when it is to have another solver, and only then. */
-START_TEST(a_program_may_choose_for_each_partition) {
+TEST(a_program_may_choose_for_each_partition) {
     Wishes wishes = {MdtSolverExact, MdtSolverFast, 0};
     makeWorld(MdtSolverAuto);
     makeFloor();
@@ -617,7 +601,6 @@ START_TEST(a_program_may_choose_for_each_partition) {
     assertNextWays(MdtReportWayFast, MdtReportWayFast);
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* ---- the engine's ---- */
 
@@ -651,16 +634,15 @@ static double jointGap(int links, double speed) {
     return gap;
 }
 
-START_TEST(chains_hold_in_a_crowd) {
+TEST(chains_hold_in_a_crowd) {
     static const int links[] = {4, 13, 40};
     for (int i = 0; i < 3; i++) {
         assert_below(jointGap(links[i], 0), 1e-5);
         assert_below(jointGap(links[i], 3), 1e-5); /* it whips with 15 rad/s */
     }
 }
-END_TEST
 
-START_TEST(settings_are_kept_and_checked) {
+TEST(settings_are_kept_and_checked) {
     makeWorld(MdtSolverAuto);
     ck_assert_int_eq(MdtWorldGetSolver(u->world), MdtSolverAuto);
     messages_catch();
@@ -677,10 +659,9 @@ START_TEST(settings_are_kept_and_checked) {
     assert_near(MdtWorldGetAccuracy(u->world), 1e-4 * gravity / 60, 1e-10);
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* What is asked for decides what the first steps of a pyramid that settles leave, and what they cost. */
-START_TEST(more_accuracy_is_more_passes_and_less_error) {
+TEST(more_accuracy_is_more_passes_and_less_error) {
     static const double wanted[] = {1e-1, 1e-3, 1e-5};
     double left[3];
     int passes[3];
@@ -703,29 +684,3 @@ START_TEST(more_accuracy_is_more_passes_and_less_error) {
         ck_assert_double_lt(left[i], left[i - 1]);
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_common_velocity_saves_no_passes);
-    tcase_add_test(t, a_pyramid_of_forty_rows_comes_to_rest);
-    tcase_add_test(t, a_pyramid_rests_where_its_forces_balance_its_loads);
-    tcase_add_test(t, what_glides_or_rolls_goes_on);
-    tcase_add_test(t, a_pyramid_that_is_hit_is_pressed_in_by_no_more);
-    tcase_add_test(t, a_tower_of_forty_comes_to_rest);
-    tcase_add_test(t, a_heap_settles_and_sleeps);
-    tcase_add_loop_test(t, things_thrown_gain_no_energy, 0, SEEDS + ASTRAY);
-    tcase_add_test(t, what_friction_feeds_is_held_back);
-    tcase_add_test(t, bodies_that_bounce_into_a_pit_take_no_solve_for_each_impact);
-    tcase_add_test(t, elastic_balls_gain_no_energy);
-    tcase_add_test(t, the_same_again_gives_the_same_bits);
-    tcase_add_test(t, momentum_is_kept);
-    tcase_add_test(t, a_rebound_reaches_what_had_not_been_touched);
-    tcase_add_loop_test(t, parameters_mean_what_they_mean_to_the_exact_solver, 0, (int)(sizeof cases / sizeof *cases));
-    tcase_add_test(t, a_program_may_choose_for_each_partition);
-    tcase_add_test(t, a_report_tells_why_a_solver_was_chosen);
-    tcase_add_test(t, chains_hold_in_a_crowd);
-    tcase_add_test(t, settings_are_kept_and_checked);
-    tcase_add_test(t, more_accuracy_is_more_passes_and_less_error);
-}
-
-TEST_MAIN("Crowd", tests)

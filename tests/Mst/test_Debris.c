@@ -78,7 +78,7 @@ static double distanceOf(const double a[3], const double b[3]) {
 
 /* ---- the choice ---- */
 
-START_TEST(what_the_program_wants_exact_is_exact) {
+TEST(what_the_program_wants_exact_is_exact) {
     scatter(MdtSolverExact, brick, MANY);
     ck_assert_int_eq(maxTaken(MdtReportWayFast, 30), 0);
     MstUniverseDestroy(u);
@@ -87,10 +87,9 @@ START_TEST(what_the_program_wants_exact_is_exact) {
     ck_assert_int_eq(maxTaken(MdtReportWayFast, 30), 0);
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* v²/(2 μ g). */
-START_TEST(what_slides_without_being_hit_is_exact) {
+TEST(what_slides_without_being_hit_is_exact) {
     const double speed = 5, way = speed * speed / (2 * .5 * gravity);
     makeWorld(MdtSolverAuto, .5);
     for (int i = 0; i < MANY; i++)
@@ -103,9 +102,8 @@ START_TEST(what_slides_without_being_hit_is_exact) {
     }
     MstUniverseDestroy(u);
 }
-END_TEST
 
-START_TEST(what_bounces_is_met_in_time) {
+TEST(what_bounces_is_met_in_time) {
     scatter(MdtSolverAuto, marble, MANY);
     MdtContactParamsSetRestitution(MstBridgeGetContactParams(u->bridge, 0, 0), 1);
     const MdtReport before = step(1);
@@ -115,12 +113,11 @@ START_TEST(what_bounces_is_met_in_time) {
                         .9 * ((double)before.kineticEnergy + (double)before.potentialEnergy));
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* ---- what they do ---- */
 
 /* What rocks within its resting depths rests by coming back (mdt_sleep.c). */
-START_TEST(they_come_to_rest_on_the_ground) {
+TEST(they_come_to_rest_on_the_ground) {
     scatter(MdtSolverAuto, brick, MANY);
     MdtWorldSetAutoDisable(u->world, METRUE);
     const MdtReport r = step(300);
@@ -134,9 +131,8 @@ START_TEST(they_come_to_rest_on_the_ground) {
     }
     MstUniverseDestroy(u);
 }
-END_TEST
 
-START_TEST(balls_roll) {
+TEST(balls_roll) {
     scatter(MdtSolverAuto, marble, MANY);
     step(90);
     for (int i = 0; i < MANY; i++) {
@@ -148,7 +144,6 @@ START_TEST(balls_roll) {
     }
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* m: how far a brick slides that begins with 2 m/s and spins with 8 rad/s about the vertical. */
 static double slideSpinning(MdtSolver solver) {
@@ -165,14 +160,13 @@ static double slideSpinning(MdtSolver solver) {
 
 /* Coulomb's law at each corner, with loads that go with the moment of friction, integrated in steps of 1e-4 s: .5706 m.
  * The fast solver lets friction act at the middle and, as much as it can, about the normal. */
-START_TEST(what_spins_while_it_slides_is_stopped_earlier_by_the_fast_solver) {
+TEST(what_spins_while_it_slides_is_stopped_earlier_by_the_fast_solver) {
     const double exact = slideSpinning(MdtSolverExact), fast = slideSpinning(MdtSolverFast);
     printf("a brick that spins while it slides: %.3f m, fast %.3f m\n", exact, fast);
     assert_near(exact, .5706, .005);
     ck_assert_double_lt(fast, exact);
     ck_assert_double_gt(fast, .65 * exact);
 }
-END_TEST
 
 /* ---- they are not tied to each other ---- */
 
@@ -189,7 +183,7 @@ static void runAlone(int i, double place[3]) {
     MstUniverseDestroy(u);
 }
 
-START_TEST(each_moves_as_if_it_were_alone) {
+TEST(each_moves_as_if_it_were_alone) {
     double alone[3][3], among[3][3];
     for (int i = 0; i < 3; i++)
         runAlone(40 * i, alone[i]);
@@ -201,11 +195,10 @@ START_TEST(each_moves_as_if_it_were_alone) {
     }
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* Among others that fall on the ground meanwhile, pairs that meet in flight: the middle of each falls by g t²/2, to the
  * rounding of places, whatever its two do to each other. */
-START_TEST(what_meets_in_flight_falls_as_one_body) {
+TEST(what_meets_in_flight_falls_as_one_body) {
     enum { PAIRS = 40, STEPS = 45 };
     const double fall = gravity / 2 * STEPS * STEPS / (60. * 60.);
     makeWorld(MdtSolverFast, .5);
@@ -225,7 +218,6 @@ START_TEST(what_meets_in_flight_falls_as_one_body) {
     }
     MstUniverseDestroy(u);
 }
-END_TEST
 
 #ifndef _ME_API_DOUBLE /* which has room for what input can be */
 /* After SHORT steps and one more, with a ball among them that was given an inertia and a spin whose product is nearly
@@ -247,7 +239,7 @@ static void placesWith(MeBool isBad, double place[MANY][3]) {
     MstUniverseDestroy(u);
 }
 
-START_TEST(what_one_of_them_spoils_is_solved_by_each) {
+TEST(what_one_of_them_spoils_is_solved_by_each) {
     static double with[MANY][3], without[MANY][3];
     messages_catch();
     placesWith(MEFALSE, without);
@@ -260,12 +252,11 @@ START_TEST(what_one_of_them_spoils_is_solved_by_each) {
             ck_assert_double_lt(distanceOf(with[i], without[i]), 1e-4);
     }
 }
-END_TEST
 #endif
 
 /* ---- what is reported ---- */
 
-START_TEST(each_has_its_own_report) {
+TEST(each_has_its_own_report) {
     static int rows[2 * MANY];
     double time = 0, work = 0;
     scatter(MdtSolverFast, brick, MANY);
@@ -298,21 +289,3 @@ START_TEST(each_has_its_own_report) {
     ck_assert_double_gt(work, 0);
     MstUniverseDestroy(u);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, what_the_program_wants_exact_is_exact);
-    tcase_add_test(t, what_slides_without_being_hit_is_exact);
-    tcase_add_test(t, what_bounces_is_met_in_time);
-    tcase_add_test(t, they_come_to_rest_on_the_ground);
-    tcase_add_test(t, balls_roll);
-    tcase_add_test(t, what_spins_while_it_slides_is_stopped_earlier_by_the_fast_solver);
-    tcase_add_test(t, each_moves_as_if_it_were_alone);
-    tcase_add_test(t, what_meets_in_flight_falls_as_one_body);
-#ifndef _ME_API_DOUBLE
-    tcase_add_test(t, what_one_of_them_spoils_is_solved_by_each);
-#endif
-    tcase_add_test(t, each_has_its_own_report);
-}
-
-TEST_MAIN("Debris", tests)

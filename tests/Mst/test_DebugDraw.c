@@ -92,6 +92,7 @@ static void tearDown(void) {
     messages_release();
     MstUniverseDestroy(u);
 }
+TEST_FIXTURE(setUp, tearDown)
 
 static McdModelID box(double x, double y, double z) {
     McdModelID m = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 1, 1, 1), 2);
@@ -108,7 +109,7 @@ static void run(int steps) {
         MstUniverseStep(u, (MeReal)(1. / 60));
 }
 
-START_TEST(contacts_and_their_forces) {
+TEST(contacts_and_their_forces) {
     floorUnder();
     box(0, 0, 0.5);
     run(5);
@@ -129,9 +130,8 @@ START_TEST(contacts_and_their_forces) {
         sum += marks[i].p[1][2] - marks[i].p[0][2];
     assert_near(sum, 0.1 * 9.81, TOL(1e-4, 1e-6));
 }
-END_TEST
 
-START_TEST(boxes_and_shapes) {
+TEST(boxes_and_shapes) {
     floorUnder();
     box(3, 0, 5);
     run(1);
@@ -158,7 +158,6 @@ START_TEST(boxes_and_shapes) {
     }
     ck_assert_int_eq(near, 12);
 }
-END_TEST
 
 static MdtHingeID hinge(MdtBodyID b1, MdtBodyID b2) {
     MdtHingeID h = MdtHingeCreate(u->world);
@@ -175,7 +174,7 @@ static MdtHingeID hinge(MdtBodyID b1, MdtBodyID b2) {
 
 /* The sector stands still in the world, whichever body is the world and however far the other one turns; the needle is
  * as far from its edge as the joint from its stop. */
-START_TEST(a_hinges_sector_is_where_its_stops_are) {
+TEST(a_hinges_sector_is_where_its_stops_are) {
     for (int first = 0; first < 2; first++) {
         double edges[2][2][3];
         const McdModelID m = box(0, 0, 2);
@@ -211,9 +210,8 @@ START_TEST(a_hinges_sector_is_where_its_stops_are) {
         MstModelAndBodyDestroy(m);
     }
 }
-END_TEST
 
-START_TEST(joints_have_axes_and_lead_to_their_bodies) {
+TEST(joints_have_axes_and_lead_to_their_bodies) {
     const MdtBodyID b = McdModelGetBody(box(1, 0, 2));
     hinge(b, 0);
     draw(MstDebugJoints);
@@ -249,7 +247,6 @@ START_TEST(joints_have_axes_and_lead_to_their_bodies) {
     }
     ck_assert_int_eq(sides, 16);
 }
-END_TEST
 
 /* The direction of the last line of an arrow's shaft; `from` is its first point. */
 static void lastStroke(int first, int strokes, double way[3]) {
@@ -259,7 +256,7 @@ static void lastStroke(int first, int strokes, double way[3]) {
 
 /* The arrow of a hinge shows where a point of the moving body goes as the angle grows, the one of a slider where the
  * body goes, whichever body is the world. The arrows of the limits begin at zero and end where the joint is. */
-START_TEST(the_sense_of_a_coordinate_is_seen) {
+TEST(the_sense_of_a_coordinate_is_seen) {
     MdtWorldSetGravity(u->world, 0, 0, 0);
     for (int first = 0; first < 2; first++) {
         const McdModelID m = box(0, 0, 2);
@@ -311,9 +308,8 @@ START_TEST(the_sense_of_a_coordinate_is_seen) {
         MstModelAndBodyDestroy(m);
     }
 }
-END_TEST
 
-START_TEST(bodies_have_centres_and_velocities) {
+TEST(bodies_have_centres_and_velocities) {
     const McdModelID m = box(1, 2, 3);
     MdtBodySetLinearVelocity(McdModelGetBody(m), 5, 0, 0);
     MdtBodySetAngularVelocity(McdModelGetBody(m), 0, 0, 3);
@@ -326,7 +322,6 @@ START_TEST(bodies_have_centres_and_velocities) {
     assert_near(away(marks[0].p[1], (double[3]){1.5, 2, 3}), 0, 1e-5);
     assert_near(away(marks[3].p[1], (double[3]){1, 2, 3.3}), 0, 1e-5);
 }
-END_TEST
 
 /* The colour of the outline of the model that is nearest to a place. */
 static const float *colorAt(unsigned int layers, double x) {
@@ -342,7 +337,7 @@ static int sameColor(const float a[4], const float b[4]) {
     return memcmp(a, b, 4 * sizeof *a) == 0;
 }
 
-START_TEST(outlines_tell_of_partitions_sleep_and_solver) {
+TEST(outlines_tell_of_partitions_sleep_and_solver) {
     float a[4], b[4], c[4];
     box(-5, 0, 0.5);
     box(5, 0, 0.5);
@@ -363,9 +358,8 @@ START_TEST(outlines_tell_of_partitions_sleep_and_solver) {
     ck_assert(!sameColor(a, b));
     ck_assert(!sameColor(c, colorAt(MstDebugSolver, 5))); /* It was solved, and is not any more. */
 }
-END_TEST
 
-START_TEST(names) {
+TEST(names) {
     floorUnder();
     hinge(McdModelGetBody(box(1, 0, 2)), 0);
     run(1);
@@ -379,10 +373,9 @@ START_TEST(names) {
     ck_assert_int_eq(boxes, 1);
     ck_assert_int_eq(hinges, 1);
 }
-END_TEST
 
 /* Drawn or not, the same bits; what others draw with is put back; a table of one function is enough. */
-START_TEST(drawing_changes_nothing) {
+TEST(drawing_changes_nothing) {
     static const MstDebugDraw onlyLines = {.line = onLine, .userdata = marks};
     MeVector3 p[2];
     for (int drawn = 0; drawn < 2; drawn++) {
@@ -408,9 +401,8 @@ START_TEST(drawing_changes_nothing) {
     }
     ck_assert_int_eq(memcmp(p[0], p[1], sizeof p[0]), 0);
 }
-END_TEST
 
-START_TEST(bad_input) {
+TEST(bad_input) {
     MstDebugDrawUniverse(0, MstDebugShapes, &table);
     assert_warned("null");
     MstDebugDrawUniverse(u, MstDebugShapes, 0);
@@ -421,19 +413,3 @@ START_TEST(bad_input) {
     assert_warned("lengthScale");
     MstDebugDrawParts(0, 0, 1, MstDebugAll, &table); /* Nothing, silently. */
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, tearDown);
-    tcase_add_test(t, contacts_and_their_forces);
-    tcase_add_test(t, boxes_and_shapes);
-    tcase_add_test(t, a_hinges_sector_is_where_its_stops_are);
-    tcase_add_test(t, joints_have_axes_and_lead_to_their_bodies);
-    tcase_add_test(t, the_sense_of_a_coordinate_is_seen);
-    tcase_add_test(t, bodies_have_centres_and_velocities);
-    tcase_add_test(t, outlines_tell_of_partitions_sleep_and_solver);
-    tcase_add_test(t, names);
-    tcase_add_test(t, drawing_changes_nothing);
-    tcase_add_test(t, bad_input);
-}
-TEST_MAIN("DebugDraw", tests)

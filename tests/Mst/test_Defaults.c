@@ -88,15 +88,14 @@ static double creepOf(double mass, MdtFrictionModel model, double epsilon, int s
     return way;
 }
 
-START_TEST(a_cube_on_a_slope_does_not_creep) {
+TEST(a_cube_on_a_slope_does_not_creep) {
     const double byDefault = -1;
     for (int model = MdtFrictionModelBox; model <= MdtFrictionModelCone; model++)
         for (int k = 0; k < 4; k++)
             assert_near(creepOf(masses[k], (MdtFrictionModel)model, byDefault, 0), 0, TOL(1e-6, 1e-8));
 }
-END_TEST
 
-START_TEST(a_cube_on_a_slope_may_sleep_there) {
+TEST(a_cube_on_a_slope_may_sleep_there) {
     for (int k = 0; k < 4; k++) {
         MeVector3 start;
         const Slope s = makeSlope(masses[k], MdtFrictionModelCone);
@@ -107,21 +106,19 @@ START_TEST(a_cube_on_a_slope_may_sleep_there) {
         MstUniverseDestroy(s.universe);
     }
 }
-END_TEST
 
 /* Epsilon is for the normals: the cube has sunk after 5 s, by some 3 mm for 10 t at the guide's value, and stays
  * there. */
-START_TEST(soft_contacts_do_not_creep) {
+TEST(soft_contacts_do_not_creep) {
     for (int model = MdtFrictionModelBox; model <= MdtFrictionModelCone; model++)
         for (int k = 0; k < 4; k++)
             assert_near(creepOf(masses[k], (MdtFrictionModel)model, 1e-4, 300), 0, TOL(1e-6, 1e-9));
 }
-END_TEST
 
 /* "Slip: the relative velocity is slip times the force", of which each of the four contacts has its part; epsilon adds
  * nothing. Of 5 s, the mean: a step's velocity may be off by what the solver lets a row creep, 2e-10 m/s, which is 2e-8
  * of it. What creeps so does not come to a stop: where it was taken to, a step took 128 factorizations. */
-START_TEST(slip_is_what_softens_friction) {
+TEST(slip_is_what_softens_friction) {
     const double slip = 1e-5, mass = 1000;
     for (int soft = 0; soft < 2; soft++) {
         MeVector3 start;
@@ -144,7 +141,6 @@ START_TEST(slip_is_what_softens_friction) {
         MstUniverseDestroy(s.universe);
     }
 }
-END_TEST
 
 /* ---- an arch ----------------------------------------------------------------------------------------------------- */
 
@@ -193,7 +189,7 @@ static double heightOfKeystone(const Arch *a) {
 
 /* Heyman (1969): a half circle stands from a thickness of .107 of its mean radius on. This one has .18, as tutorial
  * Arch: kept awake it does not creep, and as programs have it it sleeps at last. */
-START_TEST(an_arch_does_not_sink) {
+TEST(an_arch_does_not_sink) {
 #ifdef TEST_IS_SLOW
     const int seconds[] = {2, 4};
 #else
@@ -207,7 +203,6 @@ START_TEST(an_arch_does_not_sink) {
         MstUniverseDestroy(a.universe);
     }
 }
-END_TEST
 
 /* ---- what bears a load does not sag ------------------------------------------------------------------------------ */
 
@@ -235,7 +230,7 @@ static double heightOf(MdtBodyID b) {
 }
 
 /* Hung at its middle, which is the origin, so that single precision sees the sag too. */
-START_TEST(a_joint_does_not_sag_under_its_bodys_weight_at_any_scale) {
+TEST(a_joint_does_not_sag_under_its_bodys_weight_at_any_scale) {
     for (size_t k = 0; k < sizeof scales / sizeof *scales; k++) {
         const Scale *s = &scales[k];
         MstUniverseID u = makeUniverse(s->length, s->mass);
@@ -252,7 +247,6 @@ START_TEST(a_joint_does_not_sag_under_its_bodys_weight_at_any_scale) {
         MstUniverseDestroy(u);
     }
 }
-END_TEST
 
 static void gapOf(MdtBSJointID j, double *gap) {
     MeVector3 p, q;
@@ -294,13 +288,12 @@ static void assertJointsHold(MdtSolver solver, double bound) {
     }
 }
 
-START_TEST(the_joints_of_a_doll_do_not_open) {
+TEST(the_joints_of_a_doll_do_not_open) {
     assertJointsHold(MdtSolverExact, TOL(1e-5, 1e-6));
     assertJointsHold(MdtSolverAuto, 1e-5);
 }
-END_TEST
 
-START_TEST(a_tower_of_ten_tonne_cubes_does_not_sink) {
+TEST(a_tower_of_ten_tonne_cubes_does_not_sink) {
     enum { CUBES = 10 };
     MdtBodyID cube[CUBES];
     MstUniverseID u = makeUniverse(1, 1);
@@ -314,10 +307,9 @@ START_TEST(a_tower_of_ten_tonne_cubes_does_not_sink) {
         assert_near(heightOf(cube[i]), .5 + i, TOL(1e-5, 1e-6));
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* Two posts and a beam, welded, and 1e5 N in the middle of the beam. */
-START_TEST(a_welded_frame_does_not_give_way) {
+TEST(a_welded_frame_does_not_give_way) {
     MstUniverseID u = makeUniverse(1, 1);
     const MdtBodyID part[3] = {makeCube(u, 1, 1000, 0), makeCube(u, 1, 1000, 0), makeCube(u, 1, 1000, 0)};
     const MeReal at[3][3] = {{-2, 0, (MeReal).5}, {2, 0, (MeReal).5}, {0, 0, (MeReal)2}};
@@ -337,12 +329,11 @@ START_TEST(a_welded_frame_does_not_give_way) {
         assert_near(heightOf(part[i]), at[i][2], TOL(1e-6, 1e-7));
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* ---- the value --------------------------------------------------------------------------------------------------- */
 
 /* 1e7 N sag by 1e-7 m in steps of 1/60 s. */
-START_TEST(epsilon_follows_the_scales) {
+TEST(epsilon_follows_the_scales) {
     const double unit = 1e-7 * .2 * 3600 / 1e7;
     for (size_t k = 0; k < sizeof scales / sizeof *scales; k++) {
         MstUniverseID u = makeUniverse(scales[k].length, scales[k].mass);
@@ -350,10 +341,9 @@ START_TEST(epsilon_follows_the_scales) {
         MstUniverseDestroy(u);
     }
 }
-END_TEST
 
 /* Absolute, whatever the scales are. */
-START_TEST(the_epsilon_that_a_program_sets_wins) {
+TEST(the_epsilon_that_a_program_sets_wins) {
     MstUniverseID u = makeUniverse(1e-3, 100);
     MdtWorldSetEpsilon(u->world, (MeReal).1);
     const MdtBodyID body = makeCube(u, 1, 10, 0);
@@ -365,19 +355,3 @@ START_TEST(the_epsilon_that_a_program_sets_wins) {
     assert_near_rel(heightOf(body), -.1 * 10 * g * h * h / .2, TOL(1e-5, 2e-9));
     MstUniverseDestroy(u);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_cube_on_a_slope_does_not_creep);
-    tcase_add_test(t, a_cube_on_a_slope_may_sleep_there);
-    tcase_add_test(t, soft_contacts_do_not_creep);
-    tcase_add_test(t, slip_is_what_softens_friction);
-    tcase_add_test(t, an_arch_does_not_sink);
-    tcase_add_test(t, a_joint_does_not_sag_under_its_bodys_weight_at_any_scale);
-    tcase_add_test(t, the_joints_of_a_doll_do_not_open);
-    tcase_add_test(t, a_tower_of_ten_tonne_cubes_does_not_sink);
-    tcase_add_test(t, a_welded_frame_does_not_give_way);
-    tcase_add_test(t, epsilon_follows_the_scales);
-    tcase_add_test(t, the_epsilon_that_a_program_sets_wins);
-}
-TEST_MAIN("Defaults", tests)

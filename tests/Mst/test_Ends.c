@@ -36,7 +36,7 @@ static int countEvents(MstUniverseID u, MstEventKind kind) {
 }
 
 /* It went on colliding: as a ghost while it had not touched yet, and by the contacts that it had. */
-START_TEST(what_stands_on_a_destroyed_floor_falls) {
+TEST(what_stands_on_a_destroyed_floor_falls) {
     for (int touches = 0; touches < 2; touches++) {
         messages_catch();
         const MstUniverseID u = makeUniverse();
@@ -54,9 +54,8 @@ START_TEST(what_stands_on_a_destroyed_floor_falls) {
         messages_release();
     }
 }
-END_TEST
 
-START_TEST(a_destroyed_ball_leaves_nothing_with_the_world) {
+TEST(a_destroyed_ball_leaves_nothing_with_the_world) {
     messages_catch();
     const MstUniverseID u = makeUniverse();
     MstFixedModelCreate(u, McdPlaneCreate(u->frame), identity);
@@ -72,9 +71,8 @@ START_TEST(a_destroyed_ball_leaves_nothing_with_the_world) {
     assert_silent();
     messages_release();
 }
-END_TEST
 
-START_TEST(all_may_go_after_their_universe) {
+TEST(all_may_go_after_their_universe) {
     messages_catch();
     const MstUniverseID u = makeUniverse();
     const McdGeometryID plane = McdPlaneCreate(u->frame);
@@ -98,10 +96,9 @@ START_TEST(all_may_go_after_their_universe) {
 #endif
     messages_release();
 }
-END_TEST
 
 /* The contacts, and what knows of the model, have gone with the world. */
-START_TEST(a_world_may_go_before_its_models) {
+TEST(a_world_may_go_before_its_models) {
     messages_catch();
     const McdFrameworkID frame = McdInit(0, 10, 0, 1);
     McdAllRegisterTypes(frame);
@@ -133,10 +130,9 @@ START_TEST(a_world_may_go_before_its_models) {
     assert_silent();
     messages_release();
 }
-END_TEST
 
 /* A message names the function that the program called, and not those that this one calls. */
-START_TEST(messages_name_what_was_called) {
+TEST(messages_name_what_was_called) {
     const MstUniverseID u = makeUniverse();
     const McdGeometryID box = McdBoxCreate(u->frame, 1, 1, 1);
     messages_catch();
@@ -160,13 +156,3 @@ START_TEST(messages_name_what_was_called) {
     messages_release();
     MstUniverseDestroy(u);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, what_stands_on_a_destroyed_floor_falls);
-    tcase_add_test(t, a_destroyed_ball_leaves_nothing_with_the_world);
-    tcase_add_test(t, all_may_go_after_their_universe);
-    tcase_add_test(t, a_world_may_go_before_its_models);
-    tcase_add_test(t, messages_name_what_was_called);
-}
-TEST_MAIN("MstEnds", tests)

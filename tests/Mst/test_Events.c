@@ -24,6 +24,7 @@ static void setUp(void) {
 static void tearDown(void) {
     MstUniverseDestroy(u);
 }
+TEST_FIXTURE(setUp, tearDown)
 
 static void step(void) {
     MstUniverseStep(u, (MeReal)STEP);
@@ -89,7 +90,7 @@ static McdModelID makeZone(double x, double y, double z) {
 /* ---- touches ----------------------------------------------------------------------------------------------------- */
 
 /* A ball that falls from rest by h meets the ground at sqrt(2 g h), and m (1 + e) of that is the impulse. */
-START_TEST(a_bounce_is_a_begin_with_its_impulse_and_an_end) {
+TEST(a_bounce_is_a_begin_with_its_impulse_and_an_end) {
     const double mass = (double)MdtBodyGetMass(McdModelGetBody(ball)), speed = sqrt(2 * 10 * 2.);
     setRestitution(.75);
     McdModelDynamicsSetPosition(ball, 0, 0, (MeReal)2.5);
@@ -111,9 +112,8 @@ START_TEST(a_bounce_is_a_begin_with_its_impulse_and_an_end) {
     step();
     ck_assert_int_eq(eventCount(), 0);
 }
-END_TEST
 
-START_TEST(a_resting_ball_carries_its_weight_every_step) {
+TEST(a_resting_ball_carries_its_weight_every_step) {
     const double mass = (double)MdtBodyGetMass(McdModelGetBody(ball)), weight = 10 * mass;
     MdtWorldSetAutoDisable(u->world, 0);
     step();
@@ -129,9 +129,8 @@ START_TEST(a_resting_ball_carries_its_weight_every_step) {
     step();
     onlyEvent(MstEventEnd);
 }
-END_TEST
 
-START_TEST(a_touch_survives_sleep) {
+TEST(a_touch_survives_sleep) {
     fallAsleep();
     for (int i = 0; i < 60; i++) {
         step();
@@ -145,10 +144,9 @@ START_TEST(a_touch_survives_sleep) {
     step();
     onlyEvent(MstEventEnd);
 }
-END_TEST
 
 /* Looking ahead makes contacts of balls that pass each other: they do not touch. */
-START_TEST(what_passes_by_does_not_touch) {
+TEST(what_passes_by_does_not_touch) {
     McdModelID other = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal).5), 1);
     MdtWorldSetGravity(u->world, 0, 0, 0);
     McdModelDynamicsSetPosition(ball, 0, 0, 5);
@@ -159,14 +157,13 @@ START_TEST(what_passes_by_does_not_touch) {
         ck_assert_int_eq(eventCount(), 0);
     }
 }
-END_TEST
 
 static MeBool MEAPI refuse(McdIntersectResult *result, McdContact *colC, MdtContactID dynC) {
     (void)result, (void)colC, (void)dynC;
     return MEFALSE;
 }
 
-START_TEST(contacts_that_a_callback_takes_away_do_not_count) {
+TEST(contacts_that_a_callback_takes_away_do_not_count) {
     step();
     onlyEvent(MstEventBegin);
     MstBridgeSetPerContactCB(u->bridge, 0, 0, refuse);
@@ -175,7 +172,6 @@ START_TEST(contacts_that_a_callback_takes_away_do_not_count) {
     step();
     ck_assert_int_eq(eventCount(), 0);
 }
-END_TEST
 
 /* ---- callbacks --------------------------------------------------------------------------------------------------- */
 
@@ -189,7 +185,7 @@ static void MEAPI destroyBall(const MstEvent *e) {
     calls[e->kind] += e->model1 == 0;
 }
 
-START_TEST(materials_have_their_callbacks) {
+TEST(materials_have_their_callbacks) {
     const MstMaterialID wood = MstBridgeGetNewMaterial(u->bridge);
     McdModelSetMaterial(ball, (int)wood);
     ck_assert(!MstBridgeGetTouchCB(u->bridge, wood, 0));
@@ -204,9 +200,8 @@ START_TEST(materials_have_their_callbacks) {
     ck_assert(calls[MstEventBegin] == 0 && calls[MstEventPersist] == 1 && calls[MstEventEnd] == 1);
     ck_assert(event(0)->material1 == wood && event(0)->material2 == 0);
 }
-END_TEST
 
-START_TEST(a_callback_may_destroy_what_later_events_are_about) {
+TEST(a_callback_may_destroy_what_later_events_are_about) {
     McdModelID other = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal).5), 1);
     McdModelDynamicsSetPosition(other, 0, (MeReal).99, (MeReal).5);
     MstBridgeSetTouchCB(u->bridge, 0, 0, destroyBall);
@@ -217,11 +212,10 @@ START_TEST(a_callback_may_destroy_what_later_events_are_about) {
     step();
     ck_assert_int_eq(countOf(MstEventEnd), 2);
 }
-END_TEST
 
 /* ---- what goes between steps ------------------------------------------------------------------------------------- */
 
-START_TEST(a_model_that_is_destroyed_ends_its_touches) {
+TEST(a_model_that_is_destroyed_ends_its_touches) {
     for (int isAsleep = 0; isAsleep < 2; isAsleep++) {
         step();
         if (isAsleep)
@@ -242,10 +236,9 @@ START_TEST(a_model_that_is_destroyed_ends_its_touches) {
     step();
     ck_assert(onlyEvent(MstEventEnd)->model1 == ball);
 }
-END_TEST
 
 /* The pool gives a new model the record of an old one: the events know the difference. */
-START_TEST(a_new_model_is_not_taken_for_an_old_one) {
+TEST(a_new_model_is_not_taken_for_an_old_one) {
     MstUniverseSizes sizes = MstUniverseDefaultSizes;
     sizes.collisionModelsMaxCount = 2;
     MstUniverseDestroy(u);
@@ -265,9 +258,8 @@ START_TEST(a_new_model_is_not_taken_for_an_old_one) {
     ck_assert(event(0)->kind == MstEventEnd && !event(0)->model1);
     ck_assert(event(1)->kind == MstEventBegin && event(1)->model1 == next);
 }
-END_TEST
 
-START_TEST(a_model_that_is_taken_out_by_hand_ends_its_touches) {
+TEST(a_model_that_is_taken_out_by_hand_ends_its_touches) {
     step();
     McdSpaceRemoveModel(ball);
     step();
@@ -282,9 +274,8 @@ START_TEST(a_model_that_is_taken_out_by_hand_ends_its_touches) {
     step();
     ck_assert_ptr_null(onlyEvent(MstEventEnd)->model1);
 }
-END_TEST
 
-START_TEST(all_may_be_destroyed_in_any_order) {
+TEST(all_may_be_destroyed_in_any_order) {
     step();
     McdFrameworkDestroyAllModelsAndGeometries(u->frame);
     MstUniverseStep(u, (MeReal)STEP);
@@ -297,9 +288,8 @@ START_TEST(all_may_be_destroyed_in_any_order) {
     step();
     onlyEvent(MstEventBegin);
 }
-END_TEST
 
-START_TEST(the_list_may_be_made_by_hand) {
+TEST(the_list_may_be_made_by_hand) {
     for (int i = 0; i < 3; i++) {
         McdSpaceUpdateAll(u->space);
         MstBridgeUpdateContacts(u->bridge, u->space, u->world);
@@ -310,7 +300,6 @@ START_TEST(the_list_may_be_made_by_hand) {
         onlyEvent(i == 0 ? MstEventBegin : MstEventPersist);
     }
 }
-END_TEST
 
 enum { DROPPED = 30, ASKED_STEPS = 200 };
 
@@ -352,7 +341,7 @@ static int playCrowd(MeBool asksAlways, double *told, int max) {
     return count;
 }
 
-START_TEST(the_list_is_the_same_whether_or_not_earlier_ones_were_asked_for) {
+TEST(the_list_is_the_same_whether_or_not_earlier_ones_were_asked_for) {
     enum { MAX = 100000 };
     static double always[MAX], sometimes[MAX];
     const int count = playCrowd(METRUE, always, MAX);
@@ -361,11 +350,10 @@ START_TEST(the_list_is_the_same_whether_or_not_earlier_ones_were_asked_for) {
     for (int i = 0; i < count; i++)
         ck_assert_msg(always[i] == sometimes[i], "number %d: %.17g, and %.17g", i, always[i], sometimes[i]);
 }
-END_TEST
 
 /* ---- sensors ----------------------------------------------------------------------------------------------------- */
 
-START_TEST(a_sensor_tells_what_passes_and_does_not_push) {
+TEST(a_sensor_tells_what_passes_and_does_not_push) {
     MdtWorldSetGravity(u->world, 0, 0, 0);
     McdModelDynamicsSetPosition(ball, (MeReal)-3.05, 0, 5);
     McdModelDynamicsSetLinearVelocity(ball, 6, 0, 0);
@@ -388,9 +376,8 @@ START_TEST(a_sensor_tells_what_passes_and_does_not_push) {
     McdModelDynamicsGetLinearVelocity(ball, v);
     assert_vec3_near(v, 6, 0, 0, TOL(1e-6, 6e-14));
 }
-END_TEST
 
-START_TEST(a_sensor_sees_what_sleeps_and_what_is_fixed) {
+TEST(a_sensor_sees_what_sleeps_and_what_is_fixed) {
     fallAsleep();
     const McdModelID zone = makeZone(0, 0, .5);
     step();
@@ -408,9 +395,8 @@ START_TEST(a_sensor_sees_what_sleeps_and_what_is_fixed) {
     ck_assert(eventCount() == 2 && countOf(MstEventEnd) == 2);
     ck_assert(!McdModelDynamicsIsEnabled(ball));
 }
-END_TEST
 
-START_TEST(a_sensor_keeps_what_falls_asleep_in_it) {
+TEST(a_sensor_keeps_what_falls_asleep_in_it) {
     const McdModelID zone = makeZone(0, 0, .5);
     step();
     ck_assert_int_eq(countOf(MstEventBegin), 2); /* with the floor, and with the zone */
@@ -428,9 +414,8 @@ START_TEST(a_sensor_keeps_what_falls_asleep_in_it) {
     step();
     ck_assert(eventCount() == 2 && countOf(MstEventEnd) == 2);
 }
-END_TEST
 
-START_TEST(sensors_do_not_see_each_other_and_may_become_solid) {
+TEST(sensors_do_not_see_each_other_and_may_become_solid) {
     const McdModelID zone = makeZone(0, 0, 1);
     McdModelSetFilter(zone, 1, 0xffffffffu);
     McdModelSetFilter(floorModel, 1, 0xffffffffu);
@@ -446,7 +431,6 @@ START_TEST(sensors_do_not_see_each_other_and_may_become_solid) {
               countOf(MstEventPersist) == 1); /* ball and zone; ball and floor: solid now */
     ck_assert(event(0)->impulse > 0 || event(1)->impulse > 0 || event(2)->impulse > 0);
 }
-END_TEST
 
 /* ---- filters ----------------------------------------------------------------------------------------------------- */
 
@@ -464,7 +448,7 @@ static int pairsNow(void) {
     return count;
 }
 
-START_TEST(filters_keep_models_apart) {
+TEST(filters_keep_models_apart) {
     const struct {
         MeU32 categoryA, maskA, categoryB, maskB;
         int groupA, groupB, meets;
@@ -492,9 +476,8 @@ START_TEST(filters_keep_models_apart) {
         ck_assert_int_eq(McdModelGetFilterGroup(ball), cases[i].groupA);
     }
 }
-END_TEST
 
-START_TEST(a_filter_may_change_while_models_touch) {
+TEST(a_filter_may_change_while_models_touch) {
     for (int i = 0; i < 2; i++) {
         step();
         onlyEvent(MstEventBegin);
@@ -508,10 +491,9 @@ START_TEST(a_filter_may_change_while_models_touch) {
         McdModelDynamicsSetLinearVelocity(ball, 0, 0, 0);
     }
 }
-END_TEST
 
 /* What it sleeps on goes: it wakes and falls. */
-START_TEST(a_sleeping_body_falls_when_its_support_goes) {
+TEST(a_sleeping_body_falls_when_its_support_goes) {
     for (int way = 0; way < 2; way++) {
         fallAsleep();
         if (way == 0)
@@ -531,9 +513,8 @@ START_TEST(a_sleeping_body_falls_when_its_support_goes) {
         }
     }
 }
-END_TEST
 
-START_TEST(what_the_program_disabled_stays_so_when_its_support_goes) {
+TEST(what_the_program_disabled_stays_so_when_its_support_goes) {
     step();
     McdModelDynamicsDisable(ball);
     MstFixedModelDestroy(floorModel);
@@ -541,11 +522,10 @@ START_TEST(what_the_program_disabled_stays_so_when_its_support_goes) {
         step();
     ck_assert(!McdModelDynamicsIsEnabled(ball));
 }
-END_TEST
 
 /* ---- joints that break ------------------------------------------------------------------------------------------- */
 
-START_TEST(broken_joints_are_in_the_list) {
+TEST(broken_joints_are_in_the_list) {
     MdtBSJointID joint = MdtBSJointCreate(u->world);
     McdModelDynamicsSetPosition(ball, 0, 0, 5);
     MdtBSJointSetBodies(joint, McdModelGetBody(ball), 0);
@@ -562,7 +542,6 @@ START_TEST(broken_joints_are_in_the_list) {
     step();
     ck_assert_int_eq(eventCount(), 0);
 }
-END_TEST
 
 /* ---- order ------------------------------------------------------------------------------------------------------- */
 
@@ -594,7 +573,7 @@ static int heapEvents(int seed, int keys[][2], int room) {
     return count;
 }
 
-START_TEST(the_order_is_that_of_sort_keys_whatever_was_made_first) {
+TEST(the_order_is_that_of_sort_keys_whatever_was_made_first) {
     static int first[200][2], other[200][2];
     const int count = heapEvents(0, first, 200);
     ck_assert_int_gt(count, 30);
@@ -605,9 +584,8 @@ START_TEST(the_order_is_that_of_sort_keys_whatever_was_made_first) {
         ck_assert(memcmp(first, other, (size_t)count * sizeof *first) == 0);
     }
 }
-END_TEST
 
-START_TEST(bad_arguments_warn) {
+TEST(bad_arguments_warn) {
     int count = 7;
     messages_catch();
     ck_assert(!MstBridgeGetEvents(0, &count) && count == 0);
@@ -628,10 +606,9 @@ START_TEST(bad_arguments_warn) {
     assert_silent();
     messages_release();
 }
-END_TEST
 
 /* Breaks stand behind touches in the list: the joint of the second event is the world's first broken one. */
-START_TEST(a_break_and_a_touch_in_one_step) {
+TEST(a_break_and_a_touch_in_one_step) {
     McdModelID other = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal).5), 1);
     MdtBSJointID joint[2];
     McdModelDynamicsSetPosition(other, 9, 0, 5);
@@ -654,11 +631,10 @@ START_TEST(a_break_and_a_touch_in_one_step) {
     MdtBSJointDestroy(joint[0]);
     ck_assert(!event(1)->joint && event(2)->joint == MdtBSJointQuaConstraint(joint[1]));
 }
-END_TEST
 
 /* The ball is in the zone as each step begins, and hits a wall or two within: the zone tells it once a step, and does
  * not push. */
-START_TEST(a_sensor_in_a_divided_step) {
+TEST(a_sensor_in_a_divided_step) {
     static MeMatrix4 at[2];
     MeVector3 v;
     int begins = 0, persists = 0, ends = 0;
@@ -693,36 +669,3 @@ START_TEST(a_sensor_in_a_divided_step) {
     ck_assert_int_eq(persists, 29);
     ck_assert_int_eq(ends, 0);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_break_and_a_touch_in_one_step);
-    tcase_add_test(t, a_sensor_in_a_divided_step);
-    tcase_add_test(t, the_list_is_the_same_whether_or_not_earlier_ones_were_asked_for);
-    tcase_add_checked_fixture(t, setUp, tearDown);
-    tcase_add_test(t, a_bounce_is_a_begin_with_its_impulse_and_an_end);
-    tcase_add_test(t, a_resting_ball_carries_its_weight_every_step);
-    tcase_add_test(t, a_touch_survives_sleep);
-    tcase_add_test(t, what_passes_by_does_not_touch);
-    tcase_add_test(t, contacts_that_a_callback_takes_away_do_not_count);
-    tcase_add_test(t, materials_have_their_callbacks);
-    tcase_add_test(t, a_callback_may_destroy_what_later_events_are_about);
-    tcase_add_test(t, a_model_that_is_destroyed_ends_its_touches);
-    tcase_add_test(t, a_new_model_is_not_taken_for_an_old_one);
-    tcase_add_test(t, a_model_that_is_taken_out_by_hand_ends_its_touches);
-    tcase_add_test(t, all_may_be_destroyed_in_any_order);
-    tcase_add_test(t, the_list_may_be_made_by_hand);
-    tcase_add_test(t, a_sensor_tells_what_passes_and_does_not_push);
-    tcase_add_test(t, a_sensor_sees_what_sleeps_and_what_is_fixed);
-    tcase_add_test(t, a_sensor_keeps_what_falls_asleep_in_it);
-    tcase_add_test(t, sensors_do_not_see_each_other_and_may_become_solid);
-    tcase_add_test(t, filters_keep_models_apart);
-    tcase_add_test(t, a_filter_may_change_while_models_touch);
-    tcase_add_test(t, a_sleeping_body_falls_when_its_support_goes);
-    tcase_add_test(t, what_the_program_disabled_stays_so_when_its_support_goes);
-    tcase_add_test(t, broken_joints_are_in_the_list);
-    tcase_add_test(t, the_order_is_that_of_sort_keys_whatever_was_made_first);
-    tcase_add_test(t, bad_arguments_warn);
-}
-
-TEST_MAIN("MstEvents", tests)

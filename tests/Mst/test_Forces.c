@@ -149,7 +149,7 @@ static const char *nameOf(Way way) {
 
 /* Before, w h = 1/6 multiplied the amplitude by 57. What turns about a hinge by a tenth of a radian in a step is pushed
  * askew in the end, as a force keeps its direction during a step. */
-START_TEST(an_undamped_spring_keeps_its_amplitude) {
+TEST(an_undamped_spring_keeps_its_amplitude) {
     const double wh[] = {1. / 12, 1. / 6, 1. / 3, .6, 1}, h[] = {1. / 60, 1. / 240};
     for (Way way = FREE; way < WAYS; way++)
         for (int i = 0; i < 5 - (way == HINGED); i++)
@@ -165,9 +165,8 @@ START_TEST(an_undamped_spring_keeps_its_amplitude) {
                               nameOf(way), wh[i], s.first);
             }
 }
-END_TEST
 
-START_TEST(a_damped_spring_stays_below_its_envelope) {
+TEST(a_damped_spring_stays_below_its_envelope) {
     const double wh[] = {1. / 12, 1. / 6, 1. / 3, .6, .9}, ratio[] = {.02, .05, .2, .5, .7, 1};
     for (Way way = FREE; way < WAYS; way++)
         for (int i = 0; i < (way == IN_CROWD ? 4 : 5); i++)
@@ -177,7 +176,6 @@ START_TEST(a_damped_spring_stays_below_its_envelope) {
                               s.excess);
             }
 }
-END_TEST
 
 static MdtBodyID lonelyBody(MstUniverseID u) {
     MdtWorldSetAutoDisable(MstUniverseGetWorld(u), 0);
@@ -185,7 +183,7 @@ static MdtBodyID lonelyBody(MstUniverseID u) {
 }
 
 /* A thruster that is on for some steps gives its momentum and no more. */
-START_TEST(a_constant_force_acts_for_exactly_its_steps) {
+TEST(a_constant_force_acts_for_exactly_its_steps) {
     MstUniverseID u = MstUniverseCreate(&MstUniverseGrowingSizes);
     MdtBodyID b = lonelyBody(u);
     const double mass = (double)MdtBodyGetMass(b), h = 1. / 64;
@@ -199,10 +197,9 @@ START_TEST(a_constant_force_acts_for_exactly_its_steps) {
     assert_near(v[0], 1.5, TOL(1e-6, 1e-14));
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* Where the program itself sets the velocity, or the place, the force of the step before says nothing. */
-START_TEST(a_velocity_that_is_set_is_not_corrected) {
+TEST(a_velocity_that_is_set_is_not_corrected) {
     MstUniverseID u = MstUniverseCreate(&MstUniverseGrowingSizes);
     MdtBodyID b = lonelyBody(u);
     const double mass = (double)MdtBodyGetMass(b), h = 1. / 64;
@@ -224,7 +221,6 @@ START_TEST(a_velocity_that_is_set_is_not_corrected) {
         }
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* ---- as by the method of Verlet ---- */
 
@@ -248,7 +244,7 @@ static void setAsItIs(MdtBodyID b) {
 }
 
 /* Frames of other lengths, a stiffness that depends on the direction, a force on one side only, setters in between. */
-START_TEST(forces_of_programs_act_as_by_verlet) {
+TEST(forces_of_programs_act_as_by_verlet) {
     for (int way = 0; way < 4; way++)
         for (double w = 3; w < 25; w *= 2) {
             MstUniverseID u = MstUniverseCreate(&MstUniverseGrowingSizes);
@@ -283,10 +279,9 @@ START_TEST(forces_of_programs_act_as_by_verlet) {
             MstUniverseDestroy(u);
         }
 }
-END_TEST
 
 /* Frequency times step above 2, or h c / m: no explicit force is stable. */
-START_TEST(a_spring_too_stiff_for_the_step_is_told_of) {
+TEST(a_spring_too_stiff_for_the_step_is_told_of) {
     for (int isDamper = 0; isDamper < 2; isDamper++)
         for (int way = 0; way < 2; way++) {
             messages_catch();
@@ -307,7 +302,6 @@ START_TEST(a_spring_too_stiff_for_the_step_is_told_of) {
             messages_release();
         }
 }
-END_TEST
 
 /* ---- a mechanism ---- */
 
@@ -407,22 +401,9 @@ static double squeeze(double h, int order) {
 
 /* The reference is that of Hairer and Wanner. With order 2 the joints of a crank that turns by .1 rad in a step have
  * the error (h w)²/12 themselves: .0079 rad with MdtSpring in place of the program's. It was .3. */
-START_TEST(a_squeezer_with_a_spring_by_hand_is_as_exact_as_its_joints) {
+TEST(a_squeezer_with_a_spring_by_hand_is_as_exact_as_its_joints) {
     const double reference = 15.81077119629904;
     assert_near(squeeze(1e-4, 4), reference, 1e-3);
     assert_near(squeeze(1e-4, 2), reference, 8e-3);
     assert_near(squeeze(5e-5, 2), reference, 2e-3);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, forces_of_programs_act_as_by_verlet);
-    tcase_add_test(t, an_undamped_spring_keeps_its_amplitude);
-    tcase_add_test(t, a_damped_spring_stays_below_its_envelope);
-    tcase_add_test(t, a_constant_force_acts_for_exactly_its_steps);
-    tcase_add_test(t, a_velocity_that_is_set_is_not_corrected);
-    tcase_add_test(t, a_spring_too_stiff_for_the_step_is_told_of);
-    tcase_add_test(t, a_squeezer_with_a_spring_by_hand_is_as_exact_as_its_joints);
-}
-
-TEST_MAIN("Forces", tests)

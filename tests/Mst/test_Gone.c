@@ -61,7 +61,7 @@ static void assert_said(const char *function, const char *what) {
 /* ---- bodies and models ------------------------------------------------------------------------------------------- */
 
 /* Of a model that touches others: its contacts go with the body. The model may go later, or stay where it is put. */
-START_TEST(the_body_of_a_model_that_touches_another) {
+TEST(the_body_of_a_model_that_touches_another) {
     for (int way = 0; way < 3; way++) {
         static MeMatrix4 tm;
         begin();
@@ -84,11 +84,10 @@ START_TEST(the_body_of_a_model_that_touches_another) {
         end();
     }
 }
-END_TEST
 
 /* A compound by hand: the models of one body make no contacts with each other, however they overlap, but sensors
  * among them sense. */
-START_TEST(two_models_on_one_body) {
+TEST(two_models_on_one_body) {
     for (int isSensor = 0; isSensor < 2; isSensor++) {
         begin();
         const McdModelID m = add(0, .5), other = McdModelCreate(unit);
@@ -108,10 +107,9 @@ START_TEST(two_models_on_one_body) {
         end();
     }
 }
-END_TEST
 
 /* It makes no contacts, with fixed models or others, in any order; said once. */
-START_TEST(a_body_of_another_world) {
+TEST(a_body_of_another_world) {
     for (int way = 0; way < 3; way++) {
         begin();
         const MdtWorldID other = MdtWorldCreate(10, 10, 1, 1);
@@ -131,7 +129,6 @@ START_TEST(a_body_of_another_world) {
         end();
     }
 }
-END_TEST
 
 /* ---- groups ------------------------------------------------------------------------------------------------------ */
 
@@ -146,7 +143,7 @@ static MdtContactGroupID groupOf(McdModelID m) {
 static void *nobody;
 
 /* It is the bridge's: it stays with its two models. */
-START_TEST(the_bodies_of_a_bridges_group) {
+TEST(the_bodies_of_a_bridges_group) {
     for (int way = 0; way < 5; way++) {
         begin();
         const McdModelID m = add(0, .5), other = add(5, .5);
@@ -175,10 +172,9 @@ START_TEST(the_bodies_of_a_bridges_group) {
         end();
     }
 }
-END_TEST
 
 /* Its record continues another group, of more than four contacts, or is that of a lone contact. */
-START_TEST(a_groups_handle_whose_record_is_used_again) {
+TEST(a_groups_handle_whose_record_is_used_again) {
     for (int isLone = 0; isLone < 2; isLone++) {
         begin();
         enum { CONTACTS = 64, GROUPS = 8 };
@@ -204,7 +200,6 @@ START_TEST(a_groups_handle_whose_record_is_used_again) {
         end();
     }
 }
-END_TEST
 
 /* ---- contacts ---------------------------------------------------------------------------------------------------- */
 
@@ -219,7 +214,7 @@ static MeBool keep(McdIntersectResult *r, McdContact *c, MdtContactID d) {
     return METRUE;
 }
 
-START_TEST(the_rim_of_a_contact_whose_model_has_gone) {
+TEST(the_rim_of_a_contact_whose_model_has_gone) {
     double axis[3];
     for (int way = 0; way < 3; way++) {
         begin();
@@ -242,11 +237,10 @@ START_TEST(the_rim_of_a_contact_whose_model_has_gone) {
         end();
     }
 }
-END_TEST
 
 /* ---- numbers ----------------------------------------------------------------------------------------------------- */
 
-START_TEST(a_centre_of_mass_beyond_reach) {
+TEST(a_centre_of_mass_beyond_reach) {
     const MeReal far[] = {(MeReal)3e38, (MeReal)-3e38, (MeReal)1e20, (MeReal)INFINITY, (MeReal)NAN};
     for (int i = 0; i < 5; i++)
         for (int axis = 0; axis < 3; axis++) {
@@ -266,10 +260,9 @@ START_TEST(a_centre_of_mass_beyond_reach) {
             end();
         }
 }
-END_TEST
 
 /* Shapes of all sizes that there can be, in each other: the distance is a number. */
-START_TEST(the_depth_of_tiny_and_huge_shapes) {
+TEST(the_depth_of_tiny_and_huge_shapes) {
     static MeMatrix4 tm[2];
     begin();
     const double min = sizeof(MeReal) == 4 ? 1e-37 : 1e-300;
@@ -292,13 +285,12 @@ START_TEST(the_depth_of_tiny_and_huge_shapes) {
     caught.warnings = 0;
     end();
 }
-END_TEST
 
 /* ---- through the floor ------------------------------------------------------------------------------------------- */
 
 /* A program that counts in millimetres and leaves the mass scale, and the density of water in kg/m3: whatever sinks is
  * told of, and nothing that is right. */
-START_TEST(lengths_are_scaled_and_masses_are_not) {
+TEST(lengths_are_scaled_and_masses_are_not) {
     for (double size = 100; size <= 1000; size *= 10)
         for (int isRight = 0; isRight < 2; isRight++) {
             MstUniverseSizes sizes = MstUniverseGrowingSizes;
@@ -316,7 +308,6 @@ START_TEST(lengths_are_scaled_and_masses_are_not) {
             end();
         }
 }
-END_TEST
 
 static int countBelow(double height, const McdModelID list[], int count) {
     int below = 0;
@@ -326,7 +317,7 @@ static int countBelow(double height, const McdModelID list[], int count) {
 }
 
 /* Whose work ends before contacts hold: what it leaves is the fast solver's. */
-START_TEST(boxes_in_one_place_by_the_exact_solver) {
+TEST(boxes_in_one_place_by_the_exact_solver) {
     static const struct {
         int boxes;
         double work;
@@ -345,7 +336,6 @@ START_TEST(boxes_in_one_place_by_the_exact_solver) {
         end();
     }
 }
-END_TEST
 
 /* ---- events ------------------------------------------------------------------------------------------------------ */
 
@@ -362,7 +352,7 @@ static void countEnds(McdModelID a, McdModelID b, int *ofBoth, int *all) {
 
 /* Disabled by the program, and put elsewhere: the touch ends in the next step, however many models there are, and
  * whoever else is awake. */
-START_TEST(a_disabled_body_that_is_moved_away) {
+TEST(a_disabled_body_that_is_moved_away) {
     static MeMatrix4 tm[200];
     for (int way = 0; way < 12; way++) {
         begin();
@@ -392,20 +382,3 @@ START_TEST(a_disabled_body_that_is_moved_away) {
         end();
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, the_body_of_a_model_that_touches_another);
-    tcase_add_test(t, two_models_on_one_body);
-    tcase_add_test(t, a_body_of_another_world);
-    tcase_add_test(t, the_bodies_of_a_bridges_group);
-    tcase_add_test(t, a_groups_handle_whose_record_is_used_again);
-    tcase_add_test(t, the_rim_of_a_contact_whose_model_has_gone);
-    tcase_add_test(t, a_centre_of_mass_beyond_reach);
-    tcase_add_test(t, the_depth_of_tiny_and_huge_shapes);
-    tcase_add_test(t, lengths_are_scaled_and_masses_are_not);
-    tcase_add_test(t, boxes_in_one_place_by_the_exact_solver);
-    tcase_add_test(t, a_disabled_body_that_is_moved_away);
-}
-
-TEST_MAIN("Gone", tests)

@@ -80,7 +80,7 @@ static int runTower(int tower) {
     return inexact;
 }
 
-START_TEST(towers_come_down_in_finite_numbers) {
+TEST(towers_come_down_in_finite_numbers) {
     int inexact = 0;
     messages_catch();
     for (int tower = 0; tower < TOWERS; tower++)
@@ -90,7 +90,6 @@ START_TEST(towers_come_down_in_finite_numbers) {
     printf("%d of %d steps inexact\n", inexact, TOWERS * STEPS);
     ck_assert_int_le(inexact, TOWERS * STEPS / IN_STEPS);
 }
-END_TEST
 
 static MdtBodyID makeCube(McdGeometryID cube) {
     return body[numBodies++] = McdModelGetBody(MstModelAndBodyCreate(u, cube, 1));
@@ -106,7 +105,7 @@ static double deepest(void) {
     return (double)report.penetration;
 }
 
-START_TEST(nothing_falls_asleep_inside_something) {
+TEST(nothing_falls_asleep_inside_something) {
     makeWorld();
     McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
     for (int i = 0; i < 5; i++)
@@ -118,7 +117,6 @@ START_TEST(nothing_falls_asleep_inside_something) {
     ck_assert_msg(deep < 5e-4, "%g m deep", deep);
     MstUniverseDestroy(u);
 }
-END_TEST
 
 static unsigned int seed;
 static double chance(double from, double to) {
@@ -140,7 +138,7 @@ static void makeHeap(void) {
     }
 }
 
-START_TEST(a_heap_settles_and_sleeps) {
+TEST(a_heap_settles_and_sleeps) {
     enum { MAX = 1200 };
     int inexact = 0, steps = 0;
     messages_catch();
@@ -160,12 +158,3 @@ START_TEST(a_heap_settles_and_sleeps) {
     ck_assert(deepest() < 5e-4);
     MstUniverseDestroy(u);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, nothing_falls_asleep_inside_something);
-    tcase_add_test(t, a_heap_settles_and_sleeps);
-    tcase_add_test(t, towers_come_down_in_finite_numbers);
-}
-
-TEST_MAIN("Heaps", tests)

@@ -26,6 +26,7 @@ static void tearDown(void) {
     messages_release();
     MstUniverseDestroy(u);
 }
+TEST_FIXTURE(setUp, tearDown)
 
 static MdtConstraintID hinge(McdModelID a, McdModelID b, double x) {
     MdtHingeID h = MdtHingeCreate(u->world);
@@ -63,15 +64,14 @@ static int eventsOf(MstEventKind kind) {
     return count;
 }
 
-START_TEST(by_default_they_collide) {
+TEST(by_default_they_collide) {
     const MdtConstraintID h = hinge(arm, shoulder, 0.4);
     ck_assert(MdtConstraintGetBodiesCollide(h));
     run(1);
     ck_assert_int_gt(contactsOf(arm, shoulder), 0);
 }
-END_TEST
 
-START_TEST(off_there_is_nothing_between_them_and_all_else_is_as_before) {
+TEST(off_there_is_nothing_between_them_and_all_else_is_as_before) {
     const McdModelID third = box(0.4, 0, 2.45); /* on both of them, a little inside */
     MdtConstraintSetBodiesCollide(hinge(arm, shoulder, 0.4), MEFALSE);
     run(1);
@@ -79,10 +79,9 @@ START_TEST(off_there_is_nothing_between_them_and_all_else_is_as_before) {
     ck_assert_int_gt(contactsOf(arm, third), 0);
     ck_assert_int_gt(contactsOf(shoulder, third), 0);
 }
-END_TEST
 
 /* A joint without collision moves to the last bit as one whose models are filtered. */
-START_TEST(the_motion_is_that_of_filtered_models) {
+TEST(the_motion_is_that_of_filtered_models) {
     MeMatrix4 ground, end[2][2];
     MeMatrix4TMMakeIdentity(ground);
     for (int filtered = 0; filtered < 2; filtered++) {
@@ -108,7 +107,6 @@ START_TEST(the_motion_is_that_of_filtered_models) {
     }
     ck_assert_int_eq(memcmp(end[0], end[1], sizeof end[0]), 0);
 }
-END_TEST
 
 static void disable(MdtConstraintID c) {
     MdtConstraintDisable(c);
@@ -129,7 +127,7 @@ static void attachElsewhere(MdtConstraintID c) {
 }
 
 /* From the next step on, whichever way; nothing has moved meanwhile that would have a pair tested anew. */
-START_TEST(contacts_come_back_when_the_joint_does_not_act) {
+TEST(contacts_come_back_when_the_joint_does_not_act) {
     void (*const ways[])(MdtConstraintID) = {disable, switchOn, destroy, attachElsewhere};
     const MdtConstraintID fixed = hinge(shoulder, 0, 0), also = hinge(arm, 0, 0.8);
     for (size_t i = 0; i < sizeof ways / sizeof ways[0]; i++) {
@@ -153,10 +151,9 @@ START_TEST(contacts_come_back_when_the_joint_does_not_act) {
     MdtConstraintDestroy(fixed);
     MdtConstraintDestroy(also);
 }
-END_TEST
 
 /* A switch that is set before the joint is attached, or enabled; and the bodies of a joint that has been theirs. */
-START_TEST(the_order_of_calls_does_not_matter) {
+TEST(the_order_of_calls_does_not_matter) {
     MdtHingeID h = MdtHingeCreate(u->world);
     const MdtConstraintID c = MdtHingeQuaConstraint(h);
     MdtConstraintSetBodiesCollide(c, MEFALSE);
@@ -173,9 +170,8 @@ START_TEST(the_order_of_calls_does_not_matter) {
     run(1);
     ck_assert_int_gt(contactsOf(arm, shoulder), 0);
 }
-END_TEST
 
-START_TEST(of_several_joints_one_is_enough) {
+TEST(of_several_joints_one_is_enough) {
     const MdtConstraintID a = hinge(arm, shoulder, 0.4), b = hinge(shoulder, arm, 0.4);
     MdtConstraintSetBodiesCollide(b, MEFALSE);
     run(1);
@@ -185,10 +181,9 @@ START_TEST(of_several_joints_one_is_enough) {
     ck_assert_int_gt(contactsOf(arm, shoulder), 0);
     MdtConstraintDestroy(a);
 }
-END_TEST
 
 /* A hub with many contacts finds its joint from the other body's side; the world in place of a body has no models. */
-START_TEST(a_hub_and_the_world) {
+TEST(a_hub_and_the_world) {
     McdModelID part[8];
     for (int i = 0; i < 8; i++) {
         part[i] = box(-0.4 + 0.1 * i, i % 2 ? 0.4 : -0.4, 2);
@@ -201,9 +196,8 @@ START_TEST(a_hub_and_the_world) {
     for (int i = 0; i < 8; i++)
         ck_assert_int_gt(contactsOf(part[i], shoulder), 0);
 }
-END_TEST
 
-START_TEST(what_slept_on_its_contacts_wakes) {
+TEST(what_slept_on_its_contacts_wakes) {
     const MdtConstraintID fixed = hinge(shoulder, 0, 0), h = hinge(arm, shoulder, 0.4);
     MdtWorldSetGravity(u->world, 0, 0, (MeReal)-9.81);
     run(300);
@@ -215,10 +209,9 @@ START_TEST(what_slept_on_its_contacts_wakes) {
     ck_assert((double)MdtBodyGetTransformPtr(McdModelGetBody(arm))[3][2] < 1.9); /* It hangs down. */
     MdtConstraintDestroy(fixed);
 }
-END_TEST
 
 /* What is fast and held apart is not stopped where it would touch. */
-START_TEST(swept_models_pass_too) {
+TEST(swept_models_pass_too) {
     const double speed = 200;
     McdModelSetSwept(arm, 1);
     McdModelSetSwept(shoulder, 1);
@@ -234,7 +227,6 @@ START_TEST(swept_models_pass_too) {
     MdtBodyGetPosition(McdModelGetBody(arm), p);
     assert_near((double)p[0], 3 - speed / 60, TOL(4e-6, 1e-12));
 }
-END_TEST
 
 /* Chains of boxes that overlap, in a heap: their joints' switches change while workers collide and commit. */
 static void heap(MeTaskPoolID pool, MeMatrix4 end[]) {
@@ -273,7 +265,7 @@ static void heap(MeTaskPoolID pool, MeMatrix4 end[]) {
         memcpy(end[i], MdtBodyGetTransformPtr(McdModelGetBody(m[i])), sizeof end[i]);
 }
 
-START_TEST(on_any_number_of_workers) {
+TEST(on_any_number_of_workers) {
     static MeMatrix4 alone[240], shared[240];
     heap(0, alone);
     for (int workers = 2; workers <= 4; workers += 2) {
@@ -285,9 +277,8 @@ START_TEST(on_any_number_of_workers) {
         MeTaskPoolDestroy(pool);
     }
 }
-END_TEST
 
-START_TEST(bad_input) {
+TEST(bad_input) {
     run(1);
     const MdtConstraintID c = MdtConstraintGetFirst(u->world);
     ck_assert_ptr_nonnull(MdtConstraintDCastContactGroup(c));
@@ -299,20 +290,3 @@ START_TEST(bad_input) {
     ck_assert(!MdtConstraintGetBodiesCollide(0));
     assert_warned("MdtConstraintGetBodiesCollide");
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, tearDown);
-    tcase_add_test(t, by_default_they_collide);
-    tcase_add_test(t, off_there_is_nothing_between_them_and_all_else_is_as_before);
-    tcase_add_test(t, the_motion_is_that_of_filtered_models);
-    tcase_add_test(t, contacts_come_back_when_the_joint_does_not_act);
-    tcase_add_test(t, the_order_of_calls_does_not_matter);
-    tcase_add_test(t, of_several_joints_one_is_enough);
-    tcase_add_test(t, a_hub_and_the_world);
-    tcase_add_test(t, what_slept_on_its_contacts_wakes);
-    tcase_add_test(t, swept_models_pass_too);
-    tcase_add_test(t, on_any_number_of_workers);
-    tcase_add_test(t, bad_input);
-}
-TEST_MAIN("JointCollision", tests)

@@ -94,7 +94,7 @@ static Course run(int steps) {
 /* ---- scenes ---- */
 
 /* The ball comes with 60 kJ. Without geometric stiffness the chain opens by more than a metre. */
-START_TEST(a_ton_on_a_light_chain_stays_on_it_where_it_hits) {
+TEST(a_ton_on_a_light_chain_stays_on_it_where_it_hits) {
     makeHeavyChain(MdtSolverAuto);
     const Course c = run(180);
     printf("heavy chain: open by %.1e m, gains %.1e J, %d partitions fast, %d exact\n", c.open, c.gain, c.fast,
@@ -103,10 +103,9 @@ START_TEST(a_ton_on_a_light_chain_stays_on_it_where_it_hits) {
     assert_below(c.gain, 60);
     ck_assert_int_gt(c.fast, 60);
 }
-END_TEST
 
 /* 216 joints in loops, a ton in it. */
-START_TEST(a_net_catches_boxes) {
+TEST(a_net_catches_boxes) {
     makeNet(MdtSolverAuto);
     const Course c = run(90);
     printf("net: open by %.1e m, gains %.1e J\n", c.open, c.gain);
@@ -114,10 +113,9 @@ START_TEST(a_net_catches_boxes) {
     assert_below(c.gain, 20);
     ck_assert_int_gt(c.fast, 60);
 }
-END_TEST
 
 /* A hundred knots, 190 joints in loops. It must not bounce where it folds. */
-START_TEST(a_cloth_swings_and_folds) {
+TEST(a_cloth_swings_and_folds) {
     makeCloth(MdtSolverAuto);
     const Course c = run(300);
     printf("cloth: open by %.1e m, gains %.1e J, %d fast, %d exact, %d factorizations\n", c.open, c.gain, c.fast,
@@ -125,19 +123,17 @@ START_TEST(a_cloth_swings_and_folds) {
     assert_below(c.open, 2e-5);
     assert_below(c.gain, 1e-2);
 }
-END_TEST
 
 /* With a two hundredth of the work that there is by default, a net is the fast solver's before long. */
-START_TEST(a_net_holds_with_little_work) {
+TEST(a_net_holds_with_little_work) {
     makeCloth(MdtSolverAuto);
     MdtWorldSetWorkBudget(u->world, 2);
     const Course c = run(TEST_STEPS);
     printf("cloth with little work: open by %.1e m, %d fast, %d exact\n", c.open, c.fast, c.exact);
     assert_below(c.open, 1e-4);
 }
-END_TEST
 
-START_TEST(machines_move_as_the_exact_solver_moves_them_and_settle) {
+TEST(machines_move_as_the_exact_solver_moves_them_and_settle) {
     makeMachines(MdtSolverExact, 4, 60);
     const Course exact = run(90);
     makeMachines(MdtSolverAuto, 4, 60);
@@ -147,12 +143,11 @@ START_TEST(machines_move_as_the_exact_solver_moves_them_and_settle) {
     assert_near(c.energy, exact.energy, 5e-3 * exact.energy);
     assert_below(c.open, 1e-4);
 }
-END_TEST
 
 /* ---- long, and out of proportion ---- */
 
 /* Links on hinges that rub, dropped onto boxes: more bodies than are given the response of all to each motor. */
-START_TEST(a_chain_of_150_motors_holds) {
+TEST(a_chain_of_150_motors_holds) {
     McdModelID last = 0;
     makeWorld(MdtSolverFast, .5);
     for (int i = 0; i < 150; i++) {
@@ -171,7 +166,6 @@ START_TEST(a_chain_of_150_motors_holds) {
     assert_below(c.open, 1e-4);
     assert_below(c.gain, 1);
 }
-END_TEST
 
 /* ---- a walker ---- */
 
@@ -210,7 +204,7 @@ static void drive(MdtLimitID motor[2 * LEGS], double t) {
 
 /* What stands on many legs is far from what passes can solve in a step; in one of 180 they had ended with 13 J too
  * much. No step gains more than the motors can give. */
-START_TEST(a_walker_gains_no_more_than_its_motors_give) {
+TEST(a_walker_gains_no_more_than_its_motors_give) {
     MdtLimitID motor[2 * LEGS];
     double gain = 0;
     makeWorld(MdtSolverFast, .5);
@@ -228,10 +222,9 @@ START_TEST(a_walker_gains_no_more_than_its_motors_give) {
     assert_below(opening(), 1e-5);
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* Fourteen decades of mass: further than a double bears. Joints may open, but nothing is lost. */
-START_TEST(masses_out_of_proportion_end_in_no_nan) {
+TEST(masses_out_of_proportion_end_in_no_nan) {
     makeWorld(MdtSolverFast, .5);
     const McdModelID heavy = putAt(ball(.5), 0, .5, 0, 1e9), light = putAt(ball(.1), 0, 1.2, 0, 1e-5);
     joinByBall(light, heavy, 0, 1.1, 0);
@@ -239,7 +232,6 @@ START_TEST(masses_out_of_proportion_end_in_no_nan) {
     const Course c = run(60);
     ck_assert(isfinite(c.energy) && isfinite(c.open));
 }
-END_TEST
 
 /* ---- figures of any kind: numbers are drawn one by one, so that all compilers draw them in one order ---- */
 
@@ -316,7 +308,7 @@ static void makeFigure(MdtSolver solver, int number) {
 }
 
 /* No energy but what overlaps that are taken away have lifted: beyond it 2 mm of the weight in a step. */
-START_TEST(figures_of_any_kind_hold_together_and_gain_no_energy) {
+TEST(figures_of_any_kind_hold_together_and_gain_no_energy) {
     double open = 0, gain = 0;
     for (int i = 0; i < FIGURES; i++) {
         makeFigure(MdtSolverFast, i);
@@ -329,12 +321,11 @@ START_TEST(figures_of_any_kind_hold_together_and_gain_no_energy) {
     }
     printf("figures: open by %.1e m at most, gain %.1e m of their weights\n", open, gain);
 }
-END_TEST
 
 /* Three of four hundred, in which light bodies are hit so hard that the rounds of a step cannot close their joints:
  * these opened by .1 to .45 m. The step is divided until no joint opens by a twentieth of a body, .2 m at most from its
  * centre; what steps leave may add up. */
-START_TEST(a_light_body_may_be_whipped_round) {
+TEST(a_light_body_may_be_whipped_round) {
     static const int figure[] = {85, 157, 331};
     for (int i = 0; i < 3; i++) {
         makeFigure(MdtSolverFast, figure[i]);
@@ -344,13 +335,12 @@ START_TEST(a_light_body_may_be_whipped_round) {
         assert_below(c.open, .1 * .2);
     }
 }
-END_TEST
 
 /* The same where the exact solver is forced: loops that stops contradict, and masses of four decades, of which it has
  * not closed the joints when its work is used up. They opened by 98, 2 and .16 m; the fast solver takes over, and
  * divides steps as above. Joints are up to half a metre from a body's centre. What steps leave may add up: figure 281
  * opens by .045 m. */
-START_TEST(what_the_exact_solver_leaves_open_the_fast_one_closes) {
+TEST(what_the_exact_solver_leaves_open_the_fast_one_closes) {
     static const int figure[] = {281, 104, 157};
     for (int i = 0; i < 3; i++) {
         makeFigure(MdtSolverExact, figure[i]);
@@ -363,20 +353,3 @@ START_TEST(what_the_exact_solver_leaves_open_the_fast_one_closes) {
         assert_below(c.beyondLift, 2e-3 * all);
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_ton_on_a_light_chain_stays_on_it_where_it_hits);
-    tcase_add_test(t, a_net_catches_boxes);
-    tcase_add_test(t, a_cloth_swings_and_folds);
-    tcase_add_test(t, a_net_holds_with_little_work);
-    tcase_add_test(t, machines_move_as_the_exact_solver_moves_them_and_settle);
-    tcase_add_test(t, a_chain_of_150_motors_holds);
-    tcase_add_test(t, a_walker_gains_no_more_than_its_motors_give);
-    tcase_add_test(t, masses_out_of_proportion_end_in_no_nan);
-    tcase_add_test(t, figures_of_any_kind_hold_together_and_gain_no_energy);
-    tcase_add_test(t, a_light_body_may_be_whipped_round);
-    tcase_add_test(t, what_the_exact_solver_leaves_open_the_fast_one_closes);
-}
-
-TEST_MAIN("Jointed", tests)

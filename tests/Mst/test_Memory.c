@@ -135,19 +135,17 @@ static void runWhole(const MstUniverseSizes *sizes) {
     putBack();
 }
 
-START_TEST(a_universe_takes_all_memory_from_the_programs_functions_and_returns_it) {
+TEST(a_universe_takes_all_memory_from_the_programs_functions_and_returns_it) {
     const MstUniverseSizes fixed = fixedSizes();
     runWhole(&fixed);
 }
-END_TEST
 
-START_TEST(so_does_one_that_grows) {
+TEST(so_does_one_that_grows) {
     runWhole(&MstUniverseGrowingSizes);
 }
-END_TEST
 
 /* What is left in it goes with it. */
-START_TEST(models_with_transforms_of_their_own_are_reset_and_destroyed_without_nulls) {
+TEST(models_with_transforms_of_their_own_are_reset_and_destroyed_without_nulls) {
     replaceAll(0, 0);
     ck_assert(whole_begin(&whole, NULL));
     const McdModelID m = whole_add(&whole, McdBoxCreate(whole.u->frame, 1, 1, 1), 0, 0, 3);
@@ -160,7 +158,6 @@ START_TEST(models_with_transforms_of_their_own_are_reset_and_destroyed_without_n
     whole_end(&whole);
     putBack();
 }
-END_TEST
 
 /* ---- memory that fails ------------------------------------------------------------------------------------------- */
 
@@ -220,30 +217,16 @@ static int survivesEach(const MstUniverseSizes *sizes, int more) {
     return n;
 }
 
-START_TEST(every_failing_allocation_is_a_fatal_error_and_nothing_worse) {
+TEST(every_failing_allocation_is_a_fatal_error_and_nothing_worse) {
     const MstUniverseSizes fixed = fixedSizes();
     ck_assert_int_gt(survivesEach(&fixed, 0), 150);
 }
-END_TEST
 
-START_TEST(so_it_is_where_the_universe_grows) {
+TEST(so_it_is_where_the_universe_grows) {
     ck_assert_int_gt(survivesEach(&MstUniverseGrowingSizes, 0), 200);
 }
-END_TEST
 
 /* 'A failed third allocation' crashed in MdtKeaCacheCreate, which was not looked at. */
-START_TEST(a_universe_survives_that_there_is_no_memory_from_somewhere_on) {
+TEST(a_universe_survives_that_there_is_no_memory_from_somewhere_on) {
     ck_assert_int_gt(survivesEach(&MstUniverseGrowingSizes, 1000000), 200);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_universe_takes_all_memory_from_the_programs_functions_and_returns_it);
-    tcase_add_test(t, so_does_one_that_grows);
-    tcase_add_test(t, models_with_transforms_of_their_own_are_reset_and_destroyed_without_nulls);
-    tcase_add_test(t, every_failing_allocation_is_a_fatal_error_and_nothing_worse);
-    tcase_add_test(t, so_it_is_where_the_universe_grows);
-    tcase_add_test(t, a_universe_survives_that_there_is_no_memory_from_somewhere_on);
-}
-
-TEST_MAIN("Memory", tests)

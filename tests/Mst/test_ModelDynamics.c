@@ -20,8 +20,9 @@ static void tearDown(void) {
     McdTerm(frame);
     MdtWorldDestroy(world);
 }
+TEST_FIXTURE(setUp, tearDown)
 
-START_TEST(a_model_follows_its_body) {
+TEST(a_model_follows_its_body) {
     MeVector3 low, high;
     ck_assert_ptr_null(McdModelGetBody(model));
     McdModelSetBody(model, body);
@@ -35,9 +36,8 @@ START_TEST(a_model_follows_its_body) {
     McdModelDynamicsSetLinearVelocity(model, 1, 2, 3);
     assert_vec3_near(McdModelGetLinearVelocityPtr(model), 1, 2, 3, TOL(1e-7, 3e-14));
 }
-END_TEST
 
-START_TEST(a_transform_set_afterwards_counts) {
+TEST(a_transform_set_afterwards_counts) {
     MeMatrix4 tm;
     MeMatrix4TMMakeIdentity(tm);
     McdModelSetBody(model, body);
@@ -46,18 +46,16 @@ START_TEST(a_transform_set_afterwards_counts) {
     McdModelSetBody(model, 0);
     ck_assert_ptr_eq(McdModelGetTransformPtr(model), tm);
 }
-END_TEST
 
-START_TEST(parted_models_have_neither_body_nor_transform) {
+TEST(parted_models_have_neither_body_nor_transform) {
     McdModelSetBody(model, body);
     McdModelSetBody(model, 0);
     ck_assert(!McdModelGetBody(model) && !McdModelGetTransformPtr(model) && !McdModelGetLinearVelocityPtr(model));
     ck_assert_ptr_null(MdtBodyGetModel(body));
 }
-END_TEST
 
 /* Three models of one body, parted and destroyed in every order: the body always knows the rest. */
-START_TEST(a_body_may_have_several_models) {
+TEST(a_body_may_have_several_models) {
     static const int order[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
     for (int k = 0; k < 12; k++) {
         McdModelID m[3];
@@ -79,9 +77,8 @@ START_TEST(a_body_may_have_several_models) {
             McdModelDestroy(m[i]);
     }
 }
-END_TEST
 
-START_TEST(a_reset_puts_the_body_at_the_origin) {
+TEST(a_reset_puts_the_body_at_the_origin) {
     MeVector3 p, v;
     MeVector4 q;
     McdModelSetBody(model, body);
@@ -99,9 +96,8 @@ START_TEST(a_reset_puts_the_body_at_the_origin) {
     McdModelDynamicsGetAngularVelocity(model, v);
     assert_vec3_near(v, 0, 0, 0, 1e-12);
 }
-END_TEST
 
-START_TEST(mass_comes_from_the_geometry) {
+TEST(mass_comes_from_the_geometry) {
     McdModelSetBody(model, body);
     MstAutoSetMassProperties(body, model, 3);
     assert_near_rel(MdtBodyGetMass(body), 3 * 4.1887902, TOL(1e-6, 2e-8));
@@ -119,16 +115,3 @@ START_TEST(mass_comes_from_the_geometry) {
     assert_near(MdtBodyGetMass(body), 10, 0);
     messages_release();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, tearDown);
-    tcase_add_test(t, a_model_follows_its_body);
-    tcase_add_test(t, a_transform_set_afterwards_counts);
-    tcase_add_test(t, parted_models_have_neither_body_nor_transform);
-    tcase_add_test(t, a_body_may_have_several_models);
-    tcase_add_test(t, a_reset_puts_the_body_at_the_origin);
-    tcase_add_test(t, mass_comes_from_the_geometry);
-}
-
-TEST_MAIN("ModelDynamics", tests)

@@ -57,7 +57,7 @@ static void note(Cost *cost) {
     }
 }
 
-START_TEST(dolls_that_fall_cost_few_factorizations_and_stay_together) {
+TEST(dolls_that_fall_cost_few_factorizations_and_stay_together) {
     Cost cost = {0};
     double open = 0, overrun = 0;
     makeDolls();
@@ -79,10 +79,3 @@ START_TEST(dolls_that_fall_cost_few_factorizations_and_stay_together) {
     assert_below(open, 5e-5);
     assert_below(overrun, .02);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, dolls_that_fall_cost_few_factorizations_and_stay_together);
-}
-
-TEST_MAIN("RagDolls", tests)

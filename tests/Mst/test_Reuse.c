@@ -122,7 +122,7 @@ static void findContacts(void) {
     MstBridgeUpdateContacts(u->bridge, u->space, u->world);
 }
 
-START_TEST(a_crowd_comes_to_rest_as_it_does_without) {
+LOOP_TEST(a_crowd_comes_to_rest_as_it_does_without, (int)TOL(0, ON_FIELD), KINDS) {
     double tested[BOXES];
     build(0, _i);
     step(120);
@@ -138,10 +138,9 @@ START_TEST(a_crowd_comes_to_rest_as_it_does_without) {
     ck_assert_int_eq(r.way, MdtReportWayRest);
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* Each is less than what a pair may move without a test. */
-START_TEST(a_change_by_the_program_is_seen) {
+LOOP_TEST(a_change_by_the_program_is_seen, 0, KINDS) {
     MeVector3 p;
     build(MST_CONTACT_REUSE, _i);
     step(90);
@@ -169,7 +168,6 @@ START_TEST(a_change_by_the_program_is_seen) {
     assert_near(depthOf(model[0]), before + (_i >= ON_FIELD ? 2e-4 : 1e-4), 1e-6);
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* ---- surfaces of triangles --------------------------------------------------------------------------------------- */
 
@@ -197,14 +195,13 @@ static MeReal *heightAt(int x, int y) {
 }
 
 /* _i: on a field, on a list. */
-START_TEST(a_box_at_rest_on_triangles_is_tested_while_it_is_awake) {
+LOOP_TEST(a_box_at_rest_on_triangles_is_tested_while_it_is_awake, ON_FIELD, KINDS) {
     build(MST_CONTACT_REUSE, _i);
     step(120);
     for (int i = 0; i < ROWS; i++)
         ck_assert_msg(isTested(model[i]), "box %d", i);
     MstUniverseDestroy(u);
 }
-END_TEST
 
 static int pairCalls;
 static MeBool MEAPI countPair(McdIntersectResult *result, MdtContactGroupID group) {
@@ -236,7 +233,7 @@ static MeBool persists(McdModelID m) {
 
 /* What lies still touches still, is found again where the program has taken its contacts away, and is shown to a
  * callback that is set later. */
-START_TEST(what_lies_still_on_triangles_touches_them) {
+LOOP_TEST(what_lies_still_on_triangles_touches_them, ON_FIELD, KINDS) {
     build(0, _i);
     step(120);
     for (int i = 0; i < 10; i++) {
@@ -253,7 +250,6 @@ START_TEST(what_lies_still_on_triangles_touches_them) {
     ck_assert_int_ge(pairCalls, ROWS);
     MstUniverseDestroy(u);
 }
-END_TEST
 
 enum { ON_HILLS = 8 };
 
@@ -290,7 +286,7 @@ static void dig(int i, MeBool isTold) {
 }
 
 /* A list's callback is called in every step all the same. */
-START_TEST(bodies_that_are_awake_meet_what_is_dug_away_told_or_not) {
+LOOP_TEST(bodies_that_are_awake_meet_what_is_dug_away_told_or_not, ON_FIELD, KINDS) {
     enum { STEPS = 500 };
     static MeMatrix4 kept[STEPS][ON_HILLS];
     McdModelID on[ON_HILLS];
@@ -315,7 +311,6 @@ START_TEST(bodies_that_are_awake_meet_what_is_dug_away_told_or_not) {
     ck_assert_int_eq(called[0], called[1]);
     ck_assert((called[0] > 0) == (_i == ON_LIST));
 }
-END_TEST
 
 /* ---- asleep on surfaces ------------------------------------------------------------------------------------------ */
 
@@ -339,7 +334,7 @@ static void lower(MeBool isAll) {
 }
 
 /* _i: on a field, on a list. The ground is frozen, as MstFixedModelCreate leaves it. */
-START_TEST(a_sleeper_meets_what_was_dug_away_when_told) {
+LOOP_TEST(a_sleeper_meets_what_was_dug_away_when_told, ON_FIELD, KINDS) {
     putToSleep(_i);
     const double before = heightOf(model[0]);
     lower(METRUE);
@@ -350,9 +345,8 @@ START_TEST(a_sleeper_meets_what_was_dug_away_when_told) {
     assert_near(heightOf(model[0]), before - .1, 1e-5);
     MstUniverseDestroy(u);
 }
-END_TEST
 
-START_TEST(a_sleeper_meets_what_was_dug_away_without_a_call_when_woken) {
+LOOP_TEST(a_sleeper_meets_what_was_dug_away_without_a_call_when_woken, ON_FIELD, KINDS) {
     putToSleep(_i);
     const double before = heightOf(model[0]);
     lower(METRUE);
@@ -364,9 +358,8 @@ START_TEST(a_sleeper_meets_what_was_dug_away_without_a_call_when_woken) {
     assert_near(heightOf(model[0]), before - .1, 1e-5);
     MstUniverseDestroy(u);
 }
-END_TEST
 
-START_TEST(a_sleeper_sleeps_on_where_its_own_ground_is_the_same) {
+LOOP_TEST(a_sleeper_sleeps_on_where_its_own_ground_is_the_same, ON_FIELD, KINDS) {
     putToSleep(_i);
     for (int i = 0; i < 3; i++) {
         lower(MEFALSE);
@@ -376,10 +369,9 @@ START_TEST(a_sleeper_sleeps_on_where_its_own_ground_is_the_same) {
     }
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* A field that is not frozen is no reason to test what sleeps on it. */
-START_TEST(on_a_field_that_is_not_frozen_sleepers_are_not_tested) {
+TEST(on_a_field_that_is_not_frozen_sleepers_are_not_tested) {
     putToSleep(ON_FIELD);
     McdSpaceUnfreezeModel(ground);
     step(2);
@@ -391,7 +383,6 @@ START_TEST(on_a_field_that_is_not_frozen_sleepers_are_not_tested) {
     ck_assert(MdtBodyIsEnabled(McdModelGetBody(model[0])));
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* The sum over the body's contacts, m. */
 static double depthsOf(McdModelID m) {
@@ -403,7 +394,7 @@ static double depthsOf(McdModelID m) {
 }
 
 /* The box at the top is tilted by less than what asks for a test: so are the depths of its four corners. */
-START_TEST(depths_follow_the_bodies) {
+LOOP_TEST(depths_follow_the_bodies, 0, KINDS) {
     double max = 0;
     build(MST_CONTACT_REUSE, _i);
     const McdModelID top = model[BOXES - 1];
@@ -425,9 +416,8 @@ START_TEST(depths_follow_the_bodies) {
     ck_assert_msg(max > 1e-4, "the corners moved by %g in all", max);
     MstUniverseDestroy(u);
 }
-END_TEST
 
-START_TEST(bad_input_changes_nothing) {
+TEST(bad_input_changes_nothing) {
     build(MST_CONTACT_REUSE, CUBES);
     messages_catch();
     MstBridgeSetContactReuse(u->bridge, -1);
@@ -440,21 +430,3 @@ START_TEST(bad_input_changes_nothing) {
     messages_release();
     MstUniverseDestroy(u);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    /* In double precision boxes take ten times as long to come to rest: there on the height field and the list. */
-    tcase_add_loop_test(t, a_crowd_comes_to_rest_as_it_does_without, (int)TOL(0, ON_FIELD), KINDS);
-    tcase_add_loop_test(t, a_change_by_the_program_is_seen, 0, KINDS);
-    tcase_add_loop_test(t, depths_follow_the_bodies, 0, KINDS);
-    tcase_add_loop_test(t, a_box_at_rest_on_triangles_is_tested_while_it_is_awake, ON_FIELD, KINDS);
-    tcase_add_loop_test(t, what_lies_still_on_triangles_touches_them, ON_FIELD, KINDS);
-    tcase_add_loop_test(t, bodies_that_are_awake_meet_what_is_dug_away_told_or_not, ON_FIELD, KINDS);
-    tcase_add_loop_test(t, a_sleeper_meets_what_was_dug_away_when_told, ON_FIELD, KINDS);
-    tcase_add_loop_test(t, a_sleeper_meets_what_was_dug_away_without_a_call_when_woken, ON_FIELD, KINDS);
-    tcase_add_loop_test(t, a_sleeper_sleeps_on_where_its_own_ground_is_the_same, ON_FIELD, KINDS);
-    tcase_add_test(t, on_a_field_that_is_not_frozen_sleepers_are_not_tested);
-    tcase_add_test(t, bad_input_changes_nothing);
-}
-
-TEST_MAIN("Reuse", tests)

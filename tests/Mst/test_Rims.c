@@ -22,6 +22,7 @@ static void setUp(void) {
 static void tearDown(void) {
     MstUniverseDestroy(u);
 }
+TEST_FIXTURE(setUp, tearDown)
 
 static void makeCoin(double radius, double thickness) {
     coin =
@@ -90,7 +91,7 @@ static void expectSteady(const Steady *c) {
     assert_below(worst, 1);
 }
 
-START_TEST(a_leaning_disc_rolls_on) {
+TEST(a_leaning_disc_rolls_on) {
     static const Steady cases[] = {
         {.5, .002, 30, 1.5, .9},
         {.5, .1, 30, 1.5, .9},
@@ -99,20 +100,18 @@ START_TEST(a_leaning_disc_rolls_on) {
     for (int i = 0; i < 3; i++)
         expectSteady(&cases[i]);
 }
-END_TEST
 
 /* Steeper than 60 degrees they ask for more friction than ordinary ground has, and nearly upright ones are stable from
  * a spin of sqrt(g/3R) on, which they have on wide circles. */
-START_TEST(so_does_one_of_any_lean) {
+TEST(so_does_one_of_any_lean) {
     static const Steady cases[] = {
         {.5, .02, 5, 15, .9}, {.5, .02, 45, 1.5, .9}, {.5, .02, 60, 1.5, 6}, {.5, .02, 80, 1.5, 6}};
     for (int i = 0; i < 4; i++)
         expectSteady(&cases[i]);
 }
-END_TEST
 
 /* A coin that spins down. */
-START_TEST(a_coin_that_loses_its_spin_comes_to_lie_flat) {
+TEST(a_coin_that_loses_its_spin_comes_to_lie_flat) {
     makeCoin(.1, .02);
     placeCoin(0, .1 * cos(30 * degree) + .01 * sin(30 * degree), 30 * degree);
     MdtBodySetAngularVelocity(coin, 0, 0, 25);
@@ -131,12 +130,3 @@ START_TEST(a_coin_that_loses_its_spin_comes_to_lie_flat) {
     assert_below(MeVector3Magnitude(w), 1e-2);
     assert_near(x[2], .01, 1e-4);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, tearDown);
-    tcase_add_test(t, a_leaning_disc_rolls_on);
-    tcase_add_test(t, so_does_one_of_any_lean);
-    tcase_add_test(t, a_coin_that_loses_its_spin_comes_to_lie_flat);
-}
-TEST_MAIN("Rims", tests)

@@ -7,6 +7,8 @@
 #include "Mst.h"
 #include "karma_test.h"
 
+TEST_FIXTURE(messages_catch, messages_release)
+
 enum { MAX = 100 };
 
 /* Powers of two. */
@@ -354,7 +356,7 @@ static void assertSameCost(const char *name) {
 static const Units others[] = {{-10, 0, -5}, {10, 0, 5}, {0, -20, 0}, {0, 20, 0}, {0, 0, 10}, {0, 0, -10}, {-10, 0, 0}};
 enum { OTHERS = sizeof others / sizeof *others };
 
-START_TEST(scenes_are_the_same_at_any_scale_to_the_last_bit) {
+LOOP_TEST(scenes_are_the_same_at_any_scale_to_the_last_bit, 0, SCENES) {
     const Scene *scene = &scenes[_i];
     play(scene, (Units){0, 0, 0}, &one);
     printf("%s: %d factorizations, %.4g million multiplications\n", scene->name, one.factorizations, one.work);
@@ -366,11 +368,10 @@ START_TEST(scenes_are_the_same_at_any_scale_to_the_last_bit) {
         assertSameCost(scene->name);
     }
 }
-END_TEST
 
 /* Where masses or velocities are still smaller, the fast solver's floats underflow: by 1e-22 of the size, which the
  * heap, where everything is hit by something, makes four times as much in each step. */
-START_TEST(so_is_a_falling_heap_but_for_underflow) {
+TEST(so_is_a_falling_heap_but_for_underflow) {
     static const Scene heap = {"heap of 80", makeHeap, 60, 0};
     static const Units less[] = {{-6, 0, -3}, {10, 0, 5}, {0, 20, 0}, {0, 0, -10}};
     play(&heap, (Units){0, 0, 0}, &one);
@@ -380,7 +381,6 @@ START_TEST(so_is_a_falling_heap_but_for_underflow) {
         assertSameCost(heap.name);
     }
 }
-END_TEST
 
 /* ---- at 60 Hz and 9.81 m/s², with the defaults that follow the scales -------------------------------------------- */
 
@@ -407,7 +407,7 @@ static void beginAtScale(int length) {
 
 /* A box of 1 km falls for 17 s from where it is left. With a threshold of accelerations that grows with the scale, 700
  * m/s², it fell asleep after .2 s. */
-START_TEST(what_falls_is_awake_and_what_lies_sleeps) {
+TEST(what_falls_is_awake_and_what_lies_sleeps) {
     for (int length = -10; length <= 10; length += 5) {
         beginAtScale(length);
         add(box(1, 1, 1), 0, 0, 2);
@@ -422,10 +422,9 @@ START_TEST(what_falls_is_awake_and_what_lies_sleeps) {
         MstUniverseDestroy(u);
     }
 }
-END_TEST
 
 /* .02 and .5 of the guide are for 1 m; above 1.4 m a tenth of gravity is less. */
-START_TEST(thresholds_of_rest_grow_with_the_scale_up_to_a_tenth_of_gravity) {
+TEST(thresholds_of_rest_grow_with_the_scale_up_to_a_tenth_of_gravity) {
     beginAtScale(-3);
     assert_near_rel(MdtWorldGetAutoDisableVelocityThreshold(u->world), .02 / 64, 1e-6);
     assert_near_rel(MdtWorldGetAutoDisableAccelerationThreshold(u->world), .5 / 64, 1e-6);
@@ -442,14 +441,3 @@ START_TEST(thresholds_of_rest_grow_with_the_scale_up_to_a_tenth_of_gravity) {
     assert_near_rel(MdtWorldGetAutoDisableVelocityThreshold(u->world), .02 * 64, 1e-6);
     MstUniverseDestroy(u);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, messages_catch, messages_release);
-    tcase_add_loop_test(t, scenes_are_the_same_at_any_scale_to_the_last_bit, 0, SCENES);
-    tcase_add_test(t, so_is_a_falling_heap_but_for_underflow);
-    tcase_add_test(t, what_falls_is_awake_and_what_lies_sleeps);
-    tcase_add_test(t, thresholds_of_rest_grow_with_the_scale_up_to_a_tenth_of_gravity);
-}
-
-TEST_MAIN("Scales", tests)

@@ -21,7 +21,7 @@ static McdModelID makeBall(MstUniverseID universe, double radius, double x, doub
 
 /* 98 bodies created and one destroyed before the first step: 'no room for 4253 more pairs'. They are all at the origin
  * until the program has put them elsewhere. */
-START_TEST(models_have_no_pairs_before_their_first_place_is_known) {
+TEST(models_have_no_pairs_before_their_first_place_is_known) {
     McdModelID m[98];
     u = MstUniverseCreate(NULL);
     messages_catch();
@@ -35,10 +35,9 @@ START_TEST(models_have_no_pairs_before_their_first_place_is_known) {
     messages_release();
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* The same while the universe runs; and bodies that sleep at once are met where they are, not at the origin. */
-START_TEST(a_body_that_is_disabled_before_its_first_step_is_where_it_was_put) {
+TEST(a_body_that_is_disabled_before_its_first_step_is_where_it_was_put) {
     u = MstUniverseCreate(NULL);
     MdtWorldSetGravity(u->world, 0, 0, (MeReal)-9.8);
     MstUniverseStep(u, (MeReal)(1. / 60));
@@ -63,7 +62,6 @@ START_TEST(a_body_that_is_disabled_before_its_first_step_is_where_it_was_put) {
     ck_assert(p[2] - q[2] > (MeReal).85); /* it has woken it, and is not through it */
     MstUniverseDestroy(u);
 }
-END_TEST
 
 /* ---- what is said where there is no room ------------------------------------------------------------------------- */
 
@@ -102,7 +100,7 @@ static void endListening(void) {
     MstUniverseDestroy(u);
 }
 
-START_TEST(too_many_models_name_the_size_once) {
+TEST(too_many_models_name_the_size_once) {
     MstUniverseSizes sizes = sizesOf(20);
     sizes.collisionModelsMaxCount = 5;
     beginListening(&sizes);
@@ -119,9 +117,8 @@ START_TEST(too_many_models_name_the_size_once) {
     assertSaidOnce("McdModelCreate", "collisionModelsMaxCount");
     endListening();
 }
-END_TEST
 
-START_TEST(too_many_bodies_name_the_size_once) {
+TEST(too_many_bodies_name_the_size_once) {
     MstUniverseSizes sizes = sizesOf(20);
     sizes.dynamicBodiesMaxCount = 5;
     beginListening(&sizes);
@@ -133,9 +130,8 @@ START_TEST(too_many_bodies_name_the_size_once) {
     ck_assert_int_eq(said, 0);
     endListening();
 }
-END_TEST
 
-START_TEST(too_many_constraints_name_the_size_once) {
+TEST(too_many_constraints_name_the_size_once) {
     MstUniverseSizes sizes = sizesOf(20);
     sizes.dynamicConstraintsMaxCount = 3;
     beginListening(&sizes);
@@ -151,9 +147,8 @@ START_TEST(too_many_constraints_name_the_size_once) {
     assertSaidOnce("MstUniverseStep", "dynamicConstraintsMaxCount");
     endListening();
 }
-END_TEST
 
-START_TEST(too_many_pairs_name_the_size_once) {
+TEST(too_many_pairs_name_the_size_once) {
     MstUniverseSizes sizes = sizesOf(100);
     sizes.collisionPairsMaxCount = 10;
     beginListening(&sizes);
@@ -166,9 +161,8 @@ START_TEST(too_many_pairs_name_the_size_once) {
     assertSaidOnce("MstUniverseStep", "collisionPairsMaxCount");
     endListening();
 }
-END_TEST
 
-START_TEST(too_many_parts_of_aggregates_and_materials_name_the_size_once) {
+TEST(too_many_parts_of_aggregates_and_materials_name_the_size_once) {
     MstUniverseSizes sizes = sizesOf(20);
     sizes.collisionGeometryInstancesMaxCount = 3;
     sizes.materialsMaxCount = 2;
@@ -186,16 +180,14 @@ START_TEST(too_many_parts_of_aggregates_and_materials_name_the_size_once) {
     assertSaidOnce("MstBridgeGetNewMaterial", "materialsMaxCount");
     endListening();
 }
-END_TEST
 
-START_TEST(a_type_out_of_range_names_the_size) {
+TEST(a_type_out_of_range_names_the_size) {
     beginListening(NULL);
     McdFrameworkRegisterGeometryType(u->frame, (McdGeometryType)kMcdGeometryFirstUserType, "mine", 0, 0, 0, 0, 0, 0);
     ck_assert_int_eq(said, 1);
     ck_assert(strstr(words, "MstUniverseSizes.collisionUserGeometryTypesMaxCount"));
     endListening();
 }
-END_TEST
 
 /* ---- growing ----------------------------------------------------------------------------------------------------- */
 
@@ -241,7 +233,7 @@ static unsigned int hashOf(MstUniverseID universe, unsigned int hash) {
     return hash;
 }
 
-START_TEST(a_universe_of_sizes_0_takes_3000_bodies_and_1500_joints_without_a_message) {
+TEST(a_universe_of_sizes_0_takes_3000_bodies_and_1500_joints_without_a_message) {
     MdtBodyID first = 0;
     messages_catch();
     u = makeField(&MstUniverseGrowingSizes, 39, &first); /* 3042 bodies, 1521 joints */
@@ -256,9 +248,8 @@ START_TEST(a_universe_of_sizes_0_takes_3000_bodies_and_1500_joints_without_a_mes
     messages_release();
     MstUniverseDestroy(u);
 }
-END_TEST
 
-START_TEST(a_growing_universe_moves_as_one_of_fixed_sizes_bit_by_bit) {
+TEST(a_growing_universe_moves_as_one_of_fixed_sizes_bit_by_bit) {
     const MstUniverseSizes fixed = sizesOf(2000);
     MdtBodyID first;
     unsigned int hash[2] = {1, 1};
@@ -280,10 +271,9 @@ START_TEST(a_growing_universe_moves_as_one_of_fixed_sizes_bit_by_bit) {
     ck_assert_int_eq((int)hash[0], (int)hash[1]);
     ck_assert(hash[0] != 1);
 }
-END_TEST
 
 /* Addresses of parameters hold while materials come. */
-START_TEST(a_bridge_of_size_0_takes_300_materials_whose_parameters_stay) {
+TEST(a_bridge_of_size_0_takes_300_materials_whose_parameters_stay) {
     u = MstUniverseCreate(&MstUniverseGrowingSizes);
     MdtContactParamsID of[300];
     for (int i = 0; i < 300; i++) {
@@ -298,9 +288,8 @@ START_TEST(a_bridge_of_size_0_takes_300_materials_whose_parameters_stay) {
     }
     MstUniverseDestroy(u);
 }
-END_TEST
 
-START_TEST(worlds_frameworks_and_spaces_by_hand_grow_too) {
+TEST(worlds_frameworks_and_spaces_by_hand_grow_too) {
     messages_catch();
     const MdtWorldID w = MdtWorldCreate(MeNoLimit, MeNoLimit);
     const McdFrameworkID f = McdInit(0, MeNoLimit, MeNoLimit, 1);
@@ -327,7 +316,6 @@ START_TEST(worlds_frameworks_and_spaces_by_hand_grow_too) {
     assert_silent();
     messages_release();
 }
-END_TEST
 
 /* ---- threads ----------------------------------------------------------------------------------------------------- */
 
@@ -357,7 +345,7 @@ static void *live(void *context) {
     return 0;
 }
 
-START_TEST(two_threads_create_step_and_destroy_universes_at_once_100_times) {
+TEST(two_threads_create_step_and_destroy_universes_at_once_100_times) {
     Thread *t = calloc(2, sizeof *t);
     for (int k = 0; k < 2; k++)
         ck_assert_int_eq(pthread_create(&t[k].id, NULL, live, &t[k]), 0);
@@ -367,22 +355,3 @@ START_TEST(two_threads_create_step_and_destroy_universes_at_once_100_times) {
         ck_assert(t[0].hash[i] == t[1].hash[i] && t[0].hash[i] == t[0].hash[0]);
     free(t);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, models_have_no_pairs_before_their_first_place_is_known);
-    tcase_add_test(t, a_body_that_is_disabled_before_its_first_step_is_where_it_was_put);
-    tcase_add_test(t, too_many_models_name_the_size_once);
-    tcase_add_test(t, too_many_bodies_name_the_size_once);
-    tcase_add_test(t, too_many_constraints_name_the_size_once);
-    tcase_add_test(t, too_many_pairs_name_the_size_once);
-    tcase_add_test(t, too_many_parts_of_aggregates_and_materials_name_the_size_once);
-    tcase_add_test(t, a_type_out_of_range_names_the_size);
-    tcase_add_test(t, a_universe_of_sizes_0_takes_3000_bodies_and_1500_joints_without_a_message);
-    tcase_add_test(t, a_growing_universe_moves_as_one_of_fixed_sizes_bit_by_bit);
-    tcase_add_test(t, a_bridge_of_size_0_takes_300_materials_whose_parameters_stay);
-    tcase_add_test(t, worlds_frameworks_and_spaces_by_hand_grow_too);
-    tcase_add_test(t, two_threads_create_step_and_destroy_universes_at_once_100_times);
-}
-
-TEST_MAIN("Sizes", tests)

@@ -114,7 +114,7 @@ static void senseSleeper(void) {
     McdModelSetSensor(sleeper, METRUE);
 }
 
-START_TEST(what_loses_its_support_falls) {
+TEST(what_loses_its_support_falls) {
     static void (*const changes[])(void) = {destroySupport, removeSupport,   filterSupport,     groupSupport,
                                             senseSupport,   disablePair,     shrinkSupport,     flattenSupport,
                                             shrinkSleeper,  moveSupportAway, moveFrozenSupport, lowerFrozenSupport,
@@ -130,7 +130,6 @@ START_TEST(what_loses_its_support_falls) {
         tearDown();
     }
 }
-END_TEST
 
 /* ---- what pushes it comes ---------------------------------------------------------------------------------------- */
 
@@ -190,7 +189,7 @@ static void drive(void) {
     MdtLimitSetLimitedForceMotor(MdtPrismaticGetLimit(j), 1, 100000);
 }
 
-START_TEST(what_is_pushed_moves) {
+TEST(what_is_pushed_moves) {
     static void (*const changes[])(void) = {growSleeper, growSupport, tiltGravity, push, hit,    twist, pointAt,
                                             lift,        dropOnto,    slip,        pull, anchor, drive};
     for (int i = 0; i < (int)(sizeof changes / sizeof *changes); i++) {
@@ -213,7 +212,6 @@ START_TEST(what_is_pushed_moves) {
         tearDown();
     }
 }
-END_TEST
 
 /* ---- joints ------------------------------------------------------------------------------------------------------ */
 
@@ -271,7 +269,7 @@ static void hingeBeside(void) {
     MdtHingeEnable(j);
 }
 
-START_TEST(a_joint_that_changes_moves_its_body) {
+TEST(a_joint_that_changes_moves_its_body) {
     static void (*const changes[])(void) = {destroyHinge, disableHinge, setMotor,  setStop,    setLock,
                                             moveWorldEnd, moveBodyEnd,  moveWorld, moveCentre, hingeBeside};
     for (int i = 0; i < (int)(sizeof changes / sizeof *changes); i++) {
@@ -290,10 +288,9 @@ START_TEST(a_joint_that_changes_moves_its_body) {
         tearDown();
     }
 }
-END_TEST
 
 /* Where there was no pair: from 1.5 m by its side, into it. */
-START_TEST(what_grows_into_a_sleeper_wakes_it) {
+TEST(what_grows_into_a_sleeper_wakes_it) {
     setUp();
     const McdModelID wall = makeFixed(McdBoxCreate(frame, 1, 1, 1), 2.25, 0, .5);
     step(30);
@@ -303,10 +300,9 @@ START_TEST(what_grows_into_a_sleeper_wakes_it) {
     ck_assert(isAwake(sleeper) && McdSpaceModelIsFrozen(wall));
     tearDown();
 }
-END_TEST
 
 /* What is set to the value that it has is no change, nor is what is only read. */
-START_TEST(what_changes_nothing_wakes_nobody) {
+TEST(what_changes_nothing_wakes_nobody) {
     hang();
     for (int i = 0; i < 30; i++) {
         MdtLimitSetLimitedForceMotor(MdtHingeGetLimit(hinge), 0, 100);
@@ -319,10 +315,9 @@ START_TEST(what_changes_nothing_wakes_nobody) {
     assert_silent();
     tearDown();
 }
-END_TEST
 
 /* A sleeper by the side of one whose inputs change. */
-START_TEST(a_change_elsewhere_wakes_nobody) {
+TEST(a_change_elsewhere_wakes_nobody) {
     setUp();
     McdModelID other = makeBox(.5, 50, .25);
     makeFixed(McdBoxCreate(frame, 4, 4, 1), 50, 0, -.5);
@@ -338,12 +333,11 @@ START_TEST(a_change_elsewhere_wakes_nobody) {
     assert_silent();
     tearDown();
 }
-END_TEST
 
 /* ---- models that programs move ----------------------------------------------------------------------------------- */
 
 /* A fixed model that is moved as the manual says pushes what it touches, asleep or awake, and does not go through. */
-START_TEST(what_is_moved_pushes_sleepers) {
+TEST(what_is_moved_pushes_sleepers) {
     const double speeds[] = {.05, 1, 5};
     for (int up = 0; up < 2; up++)
         for (int k = 0; k < 3; k++) {
@@ -369,10 +363,9 @@ START_TEST(what_is_moved_pushes_sleepers) {
             tearDown();
         }
 }
-END_TEST
 
 /* Moved sideways without a velocity it leaves what stands on it where it is. */
-START_TEST(what_is_moved_aside_carries_nothing) {
+TEST(what_is_moved_aside_carries_nothing) {
     setUp();
     MeVector3 p;
     McdSpaceUnfreezeModel(support);
@@ -385,17 +378,3 @@ START_TEST(what_is_moved_aside_carries_nothing) {
     assert_near(p[2], .25, 1e-3);
     tearDown();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, what_loses_its_support_falls);
-    tcase_add_test(t, what_is_pushed_moves);
-    tcase_add_test(t, a_joint_that_changes_moves_its_body);
-    tcase_add_test(t, what_grows_into_a_sleeper_wakes_it);
-    tcase_add_test(t, what_changes_nothing_wakes_nobody);
-    tcase_add_test(t, a_change_elsewhere_wakes_nobody);
-    tcase_add_test(t, what_is_moved_pushes_sleepers);
-    tcase_add_test(t, what_is_moved_aside_carries_nothing);
-}
-
-TEST_MAIN("Sleep", tests)

@@ -61,28 +61,25 @@ static void assertWork(Cost cost, double mean) {
 
 /* Some contacts among few rebound in every step, and the drum is tied: the exact solver took 24 000 factorizations, 400
  * of them in a step. */
-START_TEST(a_drum_of_boxes) {
+TEST(a_drum_of_boxes) {
     assertWork(costOf("tumbler"), 9);
 }
-END_TEST
 
-START_TEST(a_bridge_that_boxes_fall_onto) {
+TEST(a_bridge_that_boxes_fall_onto) {
     assertWork(costOf("bridge"), 1);
 }
-END_TEST
 
 /* Bricks without joints settle as little: 72 000 factorizations, 3200 in a step. How the wall comes to lie is chance,
  * so that it is run under gravities that differ by a millionth. */
-START_TEST(a_ball_on_a_chain_hits_a_wall) {
+TEST(a_ball_on_a_chain_hits_a_wall) {
     enum { RUNS = TOL(5, 2) };
     for (int i = 0; i < RUNS; i++)
         assertWork(costUnder(1e-6 * i, "chain"), 6);
 }
-END_TEST
 
 /* Five balls on sockets, let go level: contacts that meet slowly are held in a solve of their own, in which the matrix
  * has a place for them. Without one Newton's method did not converge: 106 000 factorizations, 16 400 in a step. */
-START_TEST(a_chain_folds_onto_itself) {
+TEST(a_chain_folds_onto_itself) {
     enum { BALLS = 5 };
     const MstUniverseID u = twelve_makeUniverse();
     const McdGeometryID ball = McdSphereCreate(u->frame, (MeReal).2);
@@ -103,11 +100,10 @@ START_TEST(a_chain_folds_onto_itself) {
     ck_assert_int_le(cost.all, 6000);
     ck_assert_int_le(cost.worst, 60);
 }
-END_TEST
 
 /* A soft contact is rigid up to the load at which its overlap would be corrected; each pass gave way to the load of the
  * last one instead, and passes came to it by a quarter each: 902 factorizations in double, 146 in a step in single. */
-START_TEST(a_box_lands_softly) {
+TEST(a_box_lands_softly) {
     const MstUniverseID u = twelve_makeUniverse();
     const McdModelID box = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 1, (MeReal).6, (MeReal).8), 1);
     const MdtContactParamsID p = MstBridgeGetContactParams(u->bridge, 0, 0);
@@ -121,27 +117,24 @@ START_TEST(a_box_lands_softly) {
     ck_assert_int_le(cost.all, 700);
     ck_assert_int_le(cost.worst, 80);
 }
-END_TEST
 
 /* Impacts are followed one by one only while each of them is cheap: 1508 in a step where 128 were allowed, 2223 without
  * any. */
-START_TEST(a_row_of_dominoes) {
+TEST(a_row_of_dominoes) {
     const Cost cost = costOf("dominoes");
     assertWork(cost, 3);
 }
-END_TEST
 
 /* What has collapsed and is wedged is given up by the exact solver: 45 ms a step for a second where it was not. */
-START_TEST(a_ball_brings_down_a_wall) {
+TEST(a_ball_brings_down_a_wall) {
     enum { UNTIL_IT_LIES = 300 };
     const MstUniverseID u = twelve_makeUniverse();
     wall_make(u);
     assertWork(costOfUniverse("wall", u, UNTIL_IT_LIES), 5);
 }
-END_TEST
 
 /* Who asks for the exact solver has all of the budget. */
-START_TEST(a_program_may_have_a_wall_solved_exactly) {
+TEST(a_program_may_have_a_wall_solved_exactly) {
     enum { UNTIL_IT_IS_WEDGED = 104, STEPS_MORE = 12 };
     const MstUniverseID u = twelve_makeUniverse();
     const double budget = (double)MdtWorldGetWorkBudget(u->world);
@@ -152,7 +145,6 @@ START_TEST(a_program_may_have_a_wall_solved_exactly) {
     const Cost cost = costOfUniverse("exact", u, STEPS_MORE);
     ck_assert_double_gt(cost.work, .2 * budget);
 }
-END_TEST
 
 enum { LAYERS = 18, PLANKS = 3 * LAYERS, DRAWN = 28 /* the middle one of the tenth layer */ };
 
@@ -209,20 +201,18 @@ static double workOfDrawing(MeBool isKeptAwake, int *limited) {
 /* A tower that is put to sleep between two pulls, and wakes, begins to slide anew each time: friction bounds do not
  * settle, as three planks share a load in many ways. The best answer so far is kept: 4 of 100 steps end with sweeps,
  * where 25 did (12 in double precision), with residuals ten times those of the passes before. */
-START_TEST(a_plank_is_drawn_out_of_a_tower) {
+TEST(a_plank_is_drawn_out_of_a_tower) {
     int limited;
     (void)workOfDrawing(MEFALSE, &limited);
     ck_assert_int_le(limited, 8);
 }
-END_TEST
 
 /* One that is kept awake slides on, and each step begins with the last one's answer: 14 million, 53 if it sleeps. */
-START_TEST(a_plank_is_drawn_out_of_a_tower_that_is_kept_awake) {
+TEST(a_plank_is_drawn_out_of_a_tower_that_is_kept_awake) {
     int limited;
     ck_assert_double_le(workOfDrawing(METRUE, &limited), 28);
     ck_assert_int_eq(limited, 0);
 }
-END_TEST
 
 static int groupsOf(MdtWorldID w) {
     int groups = 0;
@@ -233,7 +223,7 @@ static int groupsOf(MdtWorldID w) {
 
 /* 200 boxes in one place, on a floor, have 19 900 pairs. Each gets contacts with 32 others or a few more, is pushed
  * away from these, and meets the others as these leave. */
-START_TEST(what_is_in_one_place_is_pushed_apart_a_few_at_a_time) {
+TEST(what_is_in_one_place_is_pushed_apart_a_few_at_a_time) {
     enum { BOXES = 200, STEPS_APART = 120 };
     McdModelID box[BOXES];
     MeMatrix4 tm;
@@ -260,19 +250,3 @@ START_TEST(what_is_in_one_place_is_pushed_apart_a_few_at_a_time) {
     ck_assert(far > 1 && far < 100);
     MstUniverseDestroy(u);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, what_is_in_one_place_is_pushed_apart_a_few_at_a_time);
-    tcase_add_test(t, a_drum_of_boxes);
-    tcase_add_test(t, a_bridge_that_boxes_fall_onto);
-    tcase_add_test(t, a_ball_on_a_chain_hits_a_wall);
-    tcase_add_test(t, a_chain_folds_onto_itself);
-    tcase_add_test(t, a_box_lands_softly);
-    tcase_add_test(t, a_row_of_dominoes);
-    tcase_add_test(t, a_ball_brings_down_a_wall);
-    tcase_add_test(t, a_plank_is_drawn_out_of_a_tower);
-    tcase_add_test(t, a_plank_is_drawn_out_of_a_tower_that_is_kept_awake);
-    tcase_add_test(t, a_program_may_have_a_wall_solved_exactly);
-}
-TEST_MAIN("Spikes", tests)

@@ -126,22 +126,20 @@ static void assertNoGain(double gainOf(MeU32), MeU32 number, const MeU32 gained[
 }
 
 /* 125: a pass that turned bodies by half a turn, where all laws were met, was taken as the answer. */
-START_TEST(swept_boxes_on_hinges_gain_no_energy) {
+TEST(swept_boxes_on_hinges_gain_no_energy) {
     static const MeU32 gained[] = {125};
     assertNoGain(throwChain, CHAINS, gained, GAINED_CHAINS);
 }
-END_TEST
 
 /* A part of 5e-10 s made 5e5 J to 1e13 J of a joint's error. 2618: as above; 1136, 3227: the
  * tangent problem of bodies that turned by half a radian; the others: contacts kept a joint open. */
-START_TEST(swept_pairs_on_hinges_do_not_explode) {
+TEST(swept_pairs_on_hinges_do_not_explode) {
     static const MeU32 gained[] = {851, 1384, 2618, 3859, 64, 3313, 1136, 3227};
     assertNoGain(dropPairs, PILES, gained, GAINED_PILES);
 }
-END_TEST
 
 /* A joint that is open by x closes by x (1 - (1 - gamma)^s) in the share s of a step, however small. */
-START_TEST(a_part_corrects_its_share_of_an_error) {
+TEST(a_part_corrects_its_share_of_an_error) {
     static const double part[] = {1e-2, 1e-3, 1e-4};
     const double open = .01;
     for (int i = 0; i < 3; i++) {
@@ -166,12 +164,3 @@ START_TEST(a_part_corrects_its_share_of_an_error) {
         MdtWorldDestroy(w);
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_part_corrects_its_share_of_an_error);
-    tcase_add_test(t, swept_boxes_on_hinges_gain_no_energy);
-    tcase_add_test(t, swept_pairs_on_hinges_do_not_explode);
-}
-
-TEST_MAIN("MstSweptJoints", tests)

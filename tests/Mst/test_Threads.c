@@ -209,21 +209,19 @@ static uint64_t runWith(int workers, void (*make)(Scene *s), MeBool isReported) 
 
 #ifdef TEST_IS_FOR_THREADS
 /* The bits are compared where there is no sanitizer. */
-START_TEST(workers_do_not_race) {
+LOOP_TEST(workers_do_not_race, 0, SCENES) {
     runWith(_i % 2 ? 8 : 3, scenes[_i], _i % 3 == 0);
 }
-END_TEST
 #else
-START_TEST(every_number_of_workers_gives_the_same_bits) {
+LOOP_TEST(every_number_of_workers_gives_the_same_bits, 0, SCENES) {
     static const int counts[] = {3, 8, 2};
     const uint64_t alone = run(scenes[_i], NULL, MEFALSE);
     for (int k = 0; k < 3; k++)
         ck_assert_msg(runWith(counts[k], scenes[_i], k % 2) == alone, "%d workers, scene %d", counts[k], _i);
 }
-END_TEST
 #endif
 
-START_TEST(every_way_of_running_tasks_gives_the_same_bits) {
+TEST(every_way_of_running_tasks_gives_the_same_bits) {
     static const struct {
         MeEnqueueTaskCB enqueue;
         MeFinishTaskCB finish;
@@ -240,7 +238,6 @@ START_TEST(every_way_of_running_tasks_gives_the_same_bits) {
         MstUniverseDestroy(s.u);
     }
 }
-END_TEST
 
 /* Each on a thread of its own, on one pool. */
 static MeTaskPoolID shared;
@@ -250,7 +247,7 @@ static void *runOnThread(void *hash) {
     return NULL;
 }
 
-START_TEST(two_universes_share_a_pool_at_once) {
+TEST(two_universes_share_a_pool_at_once) {
     const uint64_t alone = run(makeMixed, NULL, MEFALSE);
     uint64_t hash[2];
     pthread_t thread[2];
@@ -262,11 +259,10 @@ START_TEST(two_universes_share_a_pool_at_once) {
     ck_assert(hash[0] == alone && hash[1] == alone);
     MeTaskPoolDestroy(shared);
 }
-END_TEST
 
 /* ---- settings, times, messages ---- */
 
-START_TEST(workers_are_counted_and_their_time_is_told) {
+TEST(workers_are_counted_and_their_time_is_told) {
     Scene s;
     MeTaskPoolID pool = MeTaskPoolCreate(2);
     makeWorld(&s);
@@ -282,9 +278,8 @@ START_TEST(workers_are_counted_and_their_time_is_told) {
     MstUniverseDestroy(s.u);
     MeTaskPoolDestroy(pool);
 }
-END_TEST
 
-START_TEST(bad_workers_are_refused) {
+TEST(bad_workers_are_refused) {
     const MdtWorldID w = MdtWorldCreate(1, 1, 1, 1);
     messages_catch();
     MdtWorldSetTaskCallbacks(w, 0, startJob, waitForJob, NULL);
@@ -303,7 +298,6 @@ START_TEST(bad_workers_are_refused) {
     MdtWorldDestroy(w);
     messages_release();
 }
-END_TEST
 
 static char order[64];
 
@@ -315,7 +309,7 @@ static void MEAPI noteNumber(const int level, const char *const text) {
 }
 
 /* Bodies that come to the bound of positions: each is a partition, and says so. */
-START_TEST(messages_of_workers_come_in_the_order_of_partitions) {
+TEST(messages_of_workers_come_in_the_order_of_partitions) {
     const MdtWorldID w = MdtWorldCreate(200, 1, 1, 1);
     MeTaskPoolID pool = MeTaskPoolCreate(4);
     MdtBodyID body[200];
@@ -335,19 +329,3 @@ START_TEST(messages_of_workers_come_in_the_order_of_partitions) {
     MdtWorldDestroy(w);
     MeTaskPoolDestroy(pool);
 }
-END_TEST
-
-static void tests(TCase *t) {
-#ifdef TEST_IS_FOR_THREADS
-    tcase_add_loop_test(t, workers_do_not_race, 0, SCENES);
-#else
-    tcase_add_loop_test(t, every_number_of_workers_gives_the_same_bits, 0, SCENES);
-#endif
-    tcase_add_test(t, every_way_of_running_tasks_gives_the_same_bits);
-    tcase_add_test(t, two_universes_share_a_pool_at_once);
-    tcase_add_test(t, workers_are_counted_and_their_time_is_told);
-    tcase_add_test(t, bad_workers_are_refused);
-    tcase_add_test(t, messages_of_workers_come_in_the_order_of_partitions);
-}
-
-TEST_MAIN("Threads", tests)

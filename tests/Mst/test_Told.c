@@ -34,7 +34,7 @@ static McdModelID addBox(double x, double z) {
 }
 
 /* Newtons, of a friction that is off. */
-START_TEST(a_bound_of_friction_without_a_type) {
+TEST(a_bound_of_friction_without_a_type) {
     for (int isOn = 0; isOn < 2; isOn++) {
         begin();
         MdtContactParamsID p = MstBridgeGetContactParams(u->bridge, 0, 0);
@@ -50,9 +50,8 @@ START_TEST(a_bound_of_friction_without_a_type) {
         end();
     }
 }
-END_TEST
 
-START_TEST(a_negative_force_of_a_motor) {
+TEST(a_negative_force_of_a_motor) {
     begin();
     MdtHingeID j = MdtHingeCreate(u->world);
     MdtLimitSetLimitedForceMotor(MdtHingeGetLimit(j), 1, -50);
@@ -62,10 +61,9 @@ START_TEST(a_negative_force_of_a_motor) {
     assert_silent();
     end();
 }
-END_TEST
 
 /* One that is never enabled; not one that was, nor one that has no bodies yet. */
-START_TEST(a_motor_on_a_joint_that_is_not_enabled) {
+TEST(a_motor_on_a_joint_that_is_not_enabled) {
     for (int way = 0; way < 4; way++) {
         begin();
         MdtHingeID j = MdtHingeCreate(u->world);
@@ -84,7 +82,6 @@ START_TEST(a_motor_on_a_joint_that_is_not_enabled) {
         end();
     }
 }
-END_TEST
 
 static McdModelID addHammer(void) {
     static MeMatrix4 tm[2];
@@ -100,7 +97,7 @@ static McdModelID addHammer(void) {
 }
 
 /* A hammer; not a cone, whose origin is its centre of mass. */
-START_TEST(a_centre_of_mass_that_is_elsewhere) {
+TEST(a_centre_of_mass_that_is_elsewhere) {
     for (int way = 0; way < 4; way++) {
         const MeVector3 centre = {(MeReal).1, 0, 0};
         begin();
@@ -118,10 +115,9 @@ START_TEST(a_centre_of_mass_that_is_elsewhere) {
         end();
     }
 }
-END_TEST
 
 /* Of the model that it belongs to, and what is to be done about it. */
-START_TEST(a_matrix_that_is_none_any_more) {
+TEST(a_matrix_that_is_none_any_more) {
     static MeMatrix4 tm;
     begin();
     MeMatrix4TMMakeIdentity(tm);
@@ -135,10 +131,9 @@ START_TEST(a_matrix_that_is_none_any_more) {
     assert_silent();
     end();
 }
-END_TEST
 
 /* Rays, casts and overlaps meet no sensors, unless the program says so. */
-START_TEST(queries_meet_sensors_if_they_are_asked_to) {
+TEST(queries_meet_sensors_if_they_are_asked_to) {
     static MeMatrix4 tm;
     begin();
     MeMatrix4TMMakeIdentity(tm);
@@ -161,10 +156,9 @@ START_TEST(queries_meet_sensors_if_they_are_asked_to) {
     assert_silent();
     end();
 }
-END_TEST
 
 /* A bridge collides the spaces of its framework that are no other bridge's, and nothing else. */
-START_TEST(a_space_that_a_bridge_may_not_collide) {
+TEST(a_space_that_a_bridge_may_not_collide) {
     begin();
     addBox(0, .5);
     MstUniverseID other = MstUniverseCreate(&MstUniverseGrowingSizes);
@@ -187,16 +181,3 @@ START_TEST(a_space_that_a_bridge_may_not_collide) {
     MstUniverseDestroy(other);
     end();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_bound_of_friction_without_a_type);
-    tcase_add_test(t, a_negative_force_of_a_motor);
-    tcase_add_test(t, a_motor_on_a_joint_that_is_not_enabled);
-    tcase_add_test(t, a_centre_of_mass_that_is_elsewhere);
-    tcase_add_test(t, a_matrix_that_is_none_any_more);
-    tcase_add_test(t, queries_meet_sensors_if_they_are_asked_to);
-    tcase_add_test(t, a_space_that_a_bridge_may_not_collide);
-}
-
-TEST_MAIN("Told", tests)

@@ -112,6 +112,7 @@ static void setUp(void) {
     centre = 0;
     u = MstUniverseCreate(0);
 }
+TEST_FIXTURE(setUp, tearDown)
 
 static void expectHeld(Ground kind) {
     begin(kind, .5);
@@ -123,24 +124,22 @@ static void expectHeld(Ground kind) {
 }
 
 /* Forces turn with the ground, and the last step's with them, so that one pass finds them. */
-START_TEST(a_box_stays_where_friction_holds_it) {
+TEST(a_box_stays_where_friction_holds_it) {
     for (int kind = FIXED; kind <= HEAVY; kind++) {
         expectHeld((Ground)kind);
         ck_assert_int_le(passes, 1200 + 10);
         ck_assert_int_le(factorizations, 2 * 1200 + 20);
     }
 }
-END_TEST
 
-START_TEST(so_it_does_on_ground_that_turns_elsewhere) {
+TEST(so_it_does_on_ground_that_turns_elsewhere) {
     centre = 10;
     for (int kind = FIXED; kind <= HEAVY; kind++)
         expectHeld((Ground)kind);
 }
-END_TEST
 
 /* The threshold: mu g = w² r. */
-START_TEST(a_box_slides_above_the_speed_that_friction_holds) {
+TEST(a_box_slides_above_the_speed_that_friction_holds) {
     for (int kind = FIXED; kind <= HEAVY; kind++) {
         begin((Ground)kind, .99);
         const double below = wayIn(1200);
@@ -151,12 +150,3 @@ START_TEST(a_box_slides_above_the_speed_that_friction_holds) {
         ck_assert(above > 1e-2);
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, tearDown);
-    tcase_add_test(t, a_box_stays_where_friction_holds_it);
-    tcase_add_test(t, so_it_does_on_ground_that_turns_elsewhere);
-    tcase_add_test(t, a_box_slides_above_the_speed_that_friction_holds);
-}
-TEST_MAIN("Turning", tests)

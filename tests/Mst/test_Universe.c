@@ -17,6 +17,7 @@ static void setUp(void) {
 static void tearDown(void) {
     MstUniverseDestroy(u);
 }
+TEST_FIXTURE(setUp, tearDown)
 
 static McdModelID makeGround(void) {
     return MstFixedModelCreate(u, McdPlaneCreate(MstUniverseGetFramework(u)), ground);
@@ -50,16 +51,15 @@ static void setFriction(double coefficient, double restitution) {
 
 /* ---- what it is made of ------------------------------------------------------------------------------------------ */
 
-START_TEST(the_default_sizes_are_the_guides) {
+TEST(the_default_sizes_are_the_guides) {
     const MstUniverseSizes *s = &MstUniverseDefaultSizes;
     ck_assert(s->dynamicBodiesMaxCount == 100 && s->dynamicConstraintsMaxCount == 500);
     ck_assert(s->collisionUserGeometryTypesMaxCount == 0 && s->collisionModelsMaxCount == 100);
     ck_assert(s->collisionPairsMaxCount == 500 && s->collisionGeometryInstancesMaxCount == 100);
     ck_assert(s->materialsMaxCount == 10 && s->lengthScale == 1 && s->massScale == 1);
 }
-END_TEST
 
-START_TEST(its_parts_are_there) {
+TEST(its_parts_are_there) {
     ck_assert_ptr_eq(MstUniverseGetWorld(u), u->world);
     ck_assert_ptr_eq(MstUniverseGetFramework(u), u->frame);
     ck_assert_ptr_eq(MstUniverseGetSpace(u), u->space);
@@ -71,9 +71,8 @@ START_TEST(its_parts_are_there) {
     ck_assert_int_eq(MdtWorldGetMaxConstraints(other->world), 500);
     MstUniverseDestroy(other);
 }
-END_TEST
 
-START_TEST(bad_sizes_make_no_universe) {
+TEST(bad_sizes_make_no_universe) {
     MstUniverseSizes sizes = MstUniverseDefaultSizes;
     sizes.collisionModelsMaxCount = 0x80000000u;
     messages_catch();
@@ -85,10 +84,9 @@ START_TEST(bad_sizes_make_no_universe) {
     assert_warned("no universe");
     messages_release();
 }
-END_TEST
 
 /* User Guide ch. 4, "Making a Model with a Box Geometry": density 1, 2 x 1 x 3. */
-START_TEST(a_box_model_has_the_mass_of_its_geometry) {
+TEST(a_box_model_has_the_mass_of_its_geometry) {
     MeMatrix3 inertia;
     McdGeometryID boxGeom = McdBoxCreate(u->frame, 2, 1, 3);
     McdModelID boxModel = MstModelAndBodyCreate(u, boxGeom, 1), boxModel2 = MstModelAndBodyCreate(u, boxGeom, 2);
@@ -102,9 +100,8 @@ START_TEST(a_box_model_has_the_mass_of_its_geometry) {
     assert_near(inertia[2][2], 6 * (4 + 1) / 12., TOL(1e-5, 3e-14));
     assert_near(inertia[0][1], 0, TOL(1e-6, 9e-15));
 }
-END_TEST
 
-START_TEST(a_model_and_its_body_go_together) {
+TEST(a_model_and_its_body_go_together) {
     McdModelID floor = makeGround(), box = makeBox(1, 0, 0, .5);
     run(.1);
     ck_assert_int_gt(MdtWorldGetTotalConstraints(u->world), 0);
@@ -118,9 +115,8 @@ START_TEST(a_model_and_its_body_go_together) {
     run(.5);
     assert_below(heightOf(box), 0);
 }
-END_TEST
 
-START_TEST(the_step_may_be_driven_by_hand) {
+TEST(the_step_may_be_driven_by_hand) {
     MstUniverseID other = MstUniverseCreate(0);
     MeMatrix4 tm;
     double height[2];
@@ -146,11 +142,10 @@ START_TEST(the_step_may_be_driven_by_hand) {
     ck_assert(height[0] == height[1]);
     MstUniverseDestroy(other);
 }
-END_TEST
 
 /* ---- scenes ------------------------------------------------------------------------------------------------------ */
 
-START_TEST(a_box_rests_on_the_floor_and_goes_to_sleep) {
+TEST(a_box_rests_on_the_floor_and_goes_to_sleep) {
     makeGround();
     McdModelID box = makeBox(1, 0, 0, .6);
     run(3);
@@ -159,9 +154,8 @@ START_TEST(a_box_rests_on_the_floor_and_goes_to_sleep) {
     MdtBodyEnable(McdModelGetBody(box));
     ck_assert(!McdSpaceModelIsFrozen(box));
 }
-END_TEST
 
-START_TEST(a_tower_stands) {
+TEST(a_tower_stands) {
     MdtWorldSetEpsilon(u->world, 0);
     MdtWorldSetAutoDisable(u->world, 0);
     setFriction(.5, 0);
@@ -178,10 +172,9 @@ START_TEST(a_tower_stands) {
     McdModelDynamicsGetPosition(box[9], after);
     assert_vec3_near(after, (double)before[0], (double)before[1], (double)before[2], TOL(1e-4, 9e-8));
 }
-END_TEST
 
 /* All of it sleeps; then a ball hits the uppermost box, and what it pushes wakes. */
-START_TEST(what_sleeps_wakes_when_it_is_hit) {
+TEST(what_sleeps_wakes_when_it_is_hit) {
     setFriction(.5, 0);
     makeGround();
     McdModelID box[3];
@@ -201,10 +194,9 @@ START_TEST(what_sleeps_wakes_when_it_is_hit) {
     for (int i = 0; i < 3; i++) /* the ball may roll on for ever */
         ck_assert(!McdModelDynamicsIsEnabled(box[i]));
 }
-END_TEST
 
 /* Restitution 1: User Guide ch. 5, the ball that is very bouncy. */
-START_TEST(a_bouncy_ball_comes_back) {
+TEST(a_bouncy_ball_comes_back) {
     MstMaterialID ballMaterial = MstBridgeGetNewMaterial(u->bridge), floorMaterial = MstBridgeGetNewMaterial(u->bridge);
     MdtContactParamsSetRestitution(MstBridgeGetContactParams(u->bridge, ballMaterial, floorMaterial), 1);
     McdModelID floor = makeGround(), ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal).5), 1);
@@ -219,7 +211,6 @@ START_TEST(a_bouncy_ball_comes_back) {
     }
     assert_near(top, 2, 9e-5);
 }
-END_TEST
 
 /* A ball falls from h, rebounds with e: where it is after a time, in closed form. */
 static double bounce(double h, double e, double time) {
@@ -234,7 +225,7 @@ static double bounce(double h, double e, double time) {
 }
 
 /* At 10 m/s a frame takes it 16 cm on: it looks ahead, or it would be deep in the floor before it touches. */
-START_TEST(a_fast_ball_rebounds_at_the_floor) {
+TEST(a_fast_ball_rebounds_at_the_floor) {
     MdtContactParamsSetRestitution(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal).8);
     makeGround();
     McdModelID ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal).5), 1000);
@@ -244,11 +235,10 @@ START_TEST(a_fast_ball_rebounds_at_the_floor) {
         assert_near(heightOf(ball), .5 + bounce(5, .8, i / 60.), TOL(3e-5, 5e-13));
     }
 }
-END_TEST
 
 /* Clubs of unequal moments that spin at 80 rad/s and strike the floor: where a step met in time does not find their
  * motion, it is taken in parts, and nobody need be warned. */
-START_TEST(what_spins_fast_may_strike) {
+TEST(what_spins_fast_may_strike) {
     const McdGeometryID g = McdBoxCreate(u->frame, (MeReal).12, (MeReal).4, (MeReal).06);
     setFriction(.3, .3);
     makeGround();
@@ -263,7 +253,6 @@ START_TEST(what_spins_fast_may_strike) {
     assert_silent();
     messages_release();
 }
-END_TEST
 
 static double stackAndHash(void) {
     MstUniverseSizes sizes = MstUniverseDefaultSizes;
@@ -290,15 +279,14 @@ static double stackAndHash(void) {
     return hash;
 }
 
-START_TEST(the_same_heap_gives_the_same_bits) {
+TEST(the_same_heap_gives_the_same_bits) {
     const double first = stackAndHash(), second = stackAndHash();
     ck_assert(isfinite(first) && first == second);
 }
-END_TEST
 
 /* 9 cm at 20 and 100 m/s: 3.7 and 18 rad in a step, which is divided. It neither sinks, nor jumps, nor changes its
  * speed. */
-START_TEST(a_ball_rolls_on_however_fast_it_turns) {
+TEST(a_ball_rolls_on_however_fast_it_turns) {
     for (int k = 0; k < 2; k++) {
         const double speed = k ? 100 : 20, radius = .09;
         MeVector3 v;
@@ -319,10 +307,9 @@ START_TEST(a_ball_rolls_on_however_fast_it_turns) {
         assert_near_rel(v[0], speed, TOL(6e-6, 1e-9));
     }
 }
-END_TEST
 
 /* What the performance bar shows: both sections of a step, whoever measures. */
-START_TEST(a_step_is_profiled_as_collision_and_dynamics) {
+TEST(a_step_is_profiled_as_collision_and_dynamics) {
     makeGround();
     makeBox(1, 0, 0, 0.5);
     MeProfileStartTiming((MeProfileTimerMode){kMeProfileCounterModeFlops}, kMeProfileDontLog);
@@ -335,25 +322,3 @@ START_TEST(a_step_is_profiled_as_collision_and_dynamics) {
                 MeProfileGetAllSectionTime(), TOL(1e-9, 1e-15));
     MeProfileStopTiming();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, tearDown);
-    tcase_add_test(t, a_ball_rolls_on_however_fast_it_turns);
-    tcase_add_test(t, a_step_is_profiled_as_collision_and_dynamics);
-    tcase_add_test(t, the_default_sizes_are_the_guides);
-    tcase_add_test(t, its_parts_are_there);
-    tcase_add_test(t, bad_sizes_make_no_universe);
-    tcase_add_test(t, a_box_model_has_the_mass_of_its_geometry);
-    tcase_add_test(t, a_model_and_its_body_go_together);
-    tcase_add_test(t, the_step_may_be_driven_by_hand);
-    tcase_add_test(t, a_box_rests_on_the_floor_and_goes_to_sleep);
-    tcase_add_test(t, a_tower_stands);
-    tcase_add_test(t, what_sleeps_wakes_when_it_is_hit);
-    tcase_add_test(t, a_bouncy_ball_comes_back);
-    tcase_add_test(t, a_fast_ball_rebounds_at_the_floor);
-    tcase_add_test(t, what_spins_fast_may_strike);
-    tcase_add_test(t, the_same_heap_gives_the_same_bits);
-}
-
-TEST_MAIN("Universe", tests)

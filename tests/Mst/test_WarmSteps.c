@@ -215,7 +215,7 @@ static void assertWarm(const MstUniverseSizes *sizes) {
     ck_assert_int_eq(f.warm, 0);
 }
 
-START_TEST(a_warm_step_allocates_nothing_while_the_contact_graph_changes) {
+TEST(a_warm_step_allocates_nothing_while_the_contact_graph_changes) {
     MstUniverseSizes sizes = MstUniverseDefaultSizes;
     sizes.dynamicBodiesMaxCount = BOXES + 1;
     sizes.collisionModelsMaxCount = BOXES + 5;
@@ -223,16 +223,7 @@ START_TEST(a_warm_step_allocates_nothing_while_the_contact_graph_changes) {
     sizes.dynamicConstraintsMaxCount = 200 * BOXES;
     assertWarm(&sizes);
 }
-END_TEST
 
-START_TEST(nor_does_one_of_a_universe_that_grows) {
+TEST(nor_does_one_of_a_universe_that_grows) {
     assertWarm(&MstUniverseGrowingSizes);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_warm_step_allocates_nothing_while_the_contact_graph_changes);
-    tcase_add_test(t, nor_does_one_of_a_universe_that_grows);
-}
-
-TEST_MAIN("WarmSteps", tests)

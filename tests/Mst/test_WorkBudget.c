@@ -130,7 +130,7 @@ static Run runHeap(int boxes, int steps, int cap, double budget) {
 /* With one iteration bodies reached 4e10 m/s in single precision, 1e41 m/s in double; with five a step took 40 times as
  * long as without. In double, without a cap, the heap takes 449 million multiplications, and 97 with one iteration.
  * Nothing falls by more than 12 m: sqrt(2 g 12 m) = 15 m/s. */
-START_TEST(a_cap_on_iterations_makes_steps_cheaper_and_softer) {
+TEST(a_cap_on_iterations_makes_steps_cheaper_and_softer) {
     static const int caps[] = {1, 5, 20, 0};
     double work = 0, workOfOne = 0;
     for (int i = 0; i < 4; i++) {
@@ -145,9 +145,8 @@ START_TEST(a_cap_on_iterations_makes_steps_cheaper_and_softer) {
         workOfOne = i == 0 ? work : workOfOne;
     }
 }
-END_TEST
 
-START_TEST(a_budget_bounds_every_step_of_a_heap) {
+TEST(a_budget_bounds_every_step_of_a_heap) {
     static const double budgets[] = {1, 4, -1};
     for (int i = 0; i < 3; i++) {
         const Run run = runHeap(30, 80, 0, budgets[i]);
@@ -158,11 +157,10 @@ START_TEST(a_budget_bounds_every_step_of_a_heap) {
         ck_assert(budgets[i] < 0 || run.limited > 0);
     }
 }
-END_TEST
 
 /* 59 400 rows: the first step took a minute. One Newton iteration of them is 96 millions, more than the budget, so they
  * are solved by sweeps. Gamma would move them apart with 12 m/s. */
-START_TEST(a_hundred_boxes_in_one_place_are_bounded) {
+TEST(a_hundred_boxes_in_one_place_are_bounded) {
     enum { BOXES = 100, STEPS = 10 };
     const double sweep = 96e-6; /* of a row */
     double max = 0;
@@ -188,9 +186,8 @@ START_TEST(a_hundred_boxes_in_one_place_are_bounded) {
     assert_below(run.speed, 4);
     MstUniverseDestroy(u);
 }
-END_TEST
 
-START_TEST(the_budget_is_a_number_from_0) {
+TEST(the_budget_is_a_number_from_0) {
     makeWorld(1, 10);
     assert_near(MdtWorldGetWorkBudget(u->world), MDTWORLD_DEFAULT_WORK_BUDGET, 0);
     MdtWorldSetWorkBudget(u->world, 0);
@@ -207,13 +204,3 @@ START_TEST(the_budget_is_a_number_from_0) {
     assert_near(MdtWorldGetWorkBudget(u->world), 2.5, 0);
     MstUniverseDestroy(u);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, the_budget_is_a_number_from_0);
-    tcase_add_test(t, a_cap_on_iterations_makes_steps_cheaper_and_softer);
-    tcase_add_test(t, a_budget_bounds_every_step_of_a_heap);
-    tcase_add_test(t, a_hundred_boxes_in_one_place_are_bounded);
-}
-
-TEST_MAIN("WorkBudget", tests)

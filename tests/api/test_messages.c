@@ -224,7 +224,7 @@ static void callSome(void) {
     _exit(0);
 }
 
-START_TEST(names_the_function_called) {
+TEST(names_the_function_called) {
     record = mmap(NULL, sizeof *record, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     ck_assert_ptr_ne(record, MAP_FAILED);
     int crashes = 0;
@@ -248,9 +248,3 @@ START_TEST(names_the_function_called) {
     ck_assert_int_eq(record->bad, 0);
     munmap(record, sizeof *record);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, names_the_function_called);
-}
-TEST_MAIN("messages", tests)

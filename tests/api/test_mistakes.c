@@ -25,6 +25,7 @@ static void teardown(void) {
     messages_release();
     MstUniverseDestroy(u);
 }
+TEST_FIXTURE(setup, teardown)
 
 static void step(int count) {
     for (int i = 0; i < count; i++)
@@ -63,7 +64,7 @@ static void assert_said(const char *function, const char *what) {
 
 /* ---- a world ---- */
 
-START_TEST(no_gravity) {
+TEST(no_gravity) {
     MdtWorldID w = MdtWorldCreate(1, 0);
     MdtBodyEnable(MdtBodyCreate(w));
     for (int i = 0; i < 120; i++)
@@ -71,9 +72,8 @@ START_TEST(no_gravity) {
     assert_said("MdtWorldStep", "MdtWorldSetGravity");
     MdtWorldDestroy(w);
 }
-END_TEST
 
-START_TEST(no_gravity_in_a_universe) {
+TEST(no_gravity_in_a_universe) {
     MstUniverseID empty = MstUniverseCreate(&MstUniverseGrowingSizes);
     MstModelAndBodyCreate(empty, McdBoxCreate(MstUniverseGetFramework(empty), 1, 1, 1), 1);
     for (int i = 0; i < 120; i++)
@@ -81,9 +81,8 @@ START_TEST(no_gravity_in_a_universe) {
     assert_said("MstUniverseStep", "MdtWorldSetGravity");
     MstUniverseDestroy(empty);
 }
-END_TEST
 
-START_TEST(steps_that_are_none) {
+TEST(steps_that_are_none) {
     const MeReal steps[] = {0, -1, (MeReal)NAN};
     McdModelID m = boxAt(0, 3);
     for (int i = 0; i < 3; i++) {
@@ -96,11 +95,10 @@ START_TEST(steps_that_are_none) {
     MdtWorldStep(0, 1);
     assert_said("MdtWorldStep", "null");
 }
-END_TEST
 
 /* Said once, however many steps follow; a step in which a dropped body falls by less than the length scale is not
  * spoken of: sqrt(2 / 9.8) s. */
-START_TEST(a_step_in_milliseconds) {
+TEST(a_step_in_milliseconds) {
     boxAt(0, 3);
     MstUniverseStep(u, (MeReal)0.45);
     assert_silent();
@@ -109,10 +107,9 @@ START_TEST(a_step_in_milliseconds) {
     MstUniverseStep(u, 16);
     assert_silent();
 }
-END_TEST
 
 /* What is left of the universe goes with it, without a word: the step has said what was wrong. */
-START_TEST(a_part_of_the_universe_is_destroyed) {
+TEST(a_part_of_the_universe_is_destroyed) {
     for (int part = 0; part < 4; part++) {
         MstUniverseID other = MstUniverseCreate(&MstUniverseGrowingSizes);
         MstModelAndBodyCreate(other, McdBoxCreate(MstUniverseGetFramework(other), 1, 1, 1), 1);
@@ -133,11 +130,10 @@ START_TEST(a_part_of_the_universe_is_destroyed) {
         assert_said("MstUniverseDestroy", "no universe");
     }
 }
-END_TEST
 
 /* ---- shapes and models ---- */
 
-START_TEST(sizes_that_are_none) {
+TEST(sizes_that_are_none) {
     ck_assert_ptr_null(McdSphereCreate(frame, -1));
     assert_said("McdSphereCreate", "not a number > 0");
     ck_assert_ptr_null(McdBoxCreate(frame, 0, 1, 1));
@@ -147,25 +143,22 @@ START_TEST(sizes_that_are_none) {
     ck_assert_ptr_null(MstModelAndBodyCreate(u, 0, 1000));
     assert_said("MstModelAndBodyCreate", "must be a geometry");
 }
-END_TEST
 
-START_TEST(a_density_that_is_none) {
+TEST(a_density_that_is_none) {
     McdModelID m = MstModelAndBodyCreate(u, McdBoxCreate(frame, 1, 1, 1), 0);
     assert_said("MstModelAndBodyCreate", "must be positive");
     assert_near(MdtBodyGetMass(McdModelGetBody(m)), 1, 0);
     MdtBodySetMass(McdModelGetBody(m), 0);
     assert_said("MdtBodySetMass", "must be positive");
 }
-END_TEST
 
-START_TEST(a_plane_that_is_to_move) {
+TEST(a_plane_that_is_to_move) {
     MstModelAndBodyCreate(u, McdPlaneCreate(frame), 1000);
     assert_said("MstModelAndBodyCreate", "MstFixedModelCreate");
 }
-END_TEST
 
 /* Upright by exchanged axes, which mirrors; by a scale; not filled in. Two digits are as good as all. */
-START_TEST(a_transform_that_is_none) {
+TEST(a_transform_that_is_none) {
     static MeMatrix4 mirrored = {{1, 0, 0, 0}, {0, 0, 1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
     static MeMatrix4 scaled = {{2, 0, 0, 0}, {0, 2, 0, 0}, {0, 0, 2, 0}, {0, 0, 0, 1}}, zero;
     static MeMatrix4 rough = {{1, 0, 0, 0}, {0, (MeReal).71, (MeReal).71, 0}, {0, (MeReal)-.71, (MeReal).71, 0}};
@@ -179,9 +172,8 @@ START_TEST(a_transform_that_is_none) {
     MstFixedModelDestroy(MstFixedModelCreate(u, McdPlaneCreate(frame), 0));
     assert_said("MstFixedModelCreate", "McdModelSetTransformPtr");
 }
-END_TEST
 
-START_TEST(a_plane_of_zeros_is_met_by_nothing) {
+TEST(a_plane_of_zeros_is_met_by_nothing) {
     static MeMatrix4 zero;
     MstFixedModelCreate(u, McdPlaneCreate(frame), zero);
     assert_said("MstFixedModelCreate", "right angles");
@@ -190,31 +182,27 @@ START_TEST(a_plane_of_zeros_is_met_by_nothing) {
     assert_silent(); /* once */
     ck_assert(isfinite(coordinate(m, 2)));
 }
-END_TEST
 
-START_TEST(a_geometry_in_use_is_destroyed) {
+TEST(a_geometry_in_use_is_destroyed) {
     McdGeometryID g = McdBoxCreate(frame, 1, 1, 1);
     MstModelAndBodyCreate(u, g, 1000);
     McdGeometryDestroy(g);
     assert_said("McdGeometryDestroy", "still use");
     step(10);
 }
-END_TEST
 
-START_TEST(a_model_is_inserted_twice) {
+TEST(a_model_is_inserted_twice) {
     McdSpaceInsertModel(MstUniverseGetSpace(u), boxAt(0, 3));
     assert_said("McdSpaceInsertModel", "in a space already");
     step(2);
 }
-END_TEST
 
-START_TEST(a_fixed_model_is_moved_as_if_it_had_a_body) {
+TEST(a_fixed_model_is_moved_as_if_it_had_a_body) {
     McdModelDynamicsSetPosition(plane(), 0, 0, 1);
     assert_said("McdModelDynamicsSetPosition", "McdModelSetTransformPtr");
 }
-END_TEST
 
-START_TEST(positions_and_turns_that_are_none) {
+TEST(positions_and_turns_that_are_none) {
     McdModelID m = boxAt(0, 3);
     McdModelDynamicsSetPosition(m, (MeReal)NAN, 0, 0);
     assert_said("McdModelDynamicsSetPosition", "nothing is changed");
@@ -228,9 +216,8 @@ START_TEST(positions_and_turns_that_are_none) {
     McdModelDynamicsGetQuaternion(m, q);
     assert_near(q[0], 1, 0);
 }
-END_TEST
 
-START_TEST(a_model_that_is_gone_is_used) {
+TEST(a_model_that_is_gone_is_used) {
     McdModelID m = boxAt(0, 3);
     MdtBodyID b = McdModelGetBody(m);
     MstModelAndBodyDestroy(m);
@@ -243,9 +230,8 @@ START_TEST(a_model_that_is_gone_is_used) {
     MdtBodySetPosition(b, 0, 0, 0);
     assert_said("MdtBodySetPosition", "destroyed");
 }
-END_TEST
 
-START_TEST(a_models_body_is_destroyed_alone) {
+TEST(a_models_body_is_destroyed_alone) {
     McdModelID m = boxAt(0, 3);
     MdtBodyDestroy(McdModelGetBody(m));
     step(2);
@@ -253,18 +239,16 @@ START_TEST(a_models_body_is_destroyed_alone) {
     McdModelDynamicsSetPosition(m, 0, 0, 1);
     assert_said("McdModelDynamicsSetPosition", "destroyed");
 }
-END_TEST
 
 /* ---- joints ---- */
 
-START_TEST(a_joint_without_bodies) {
+TEST(a_joint_without_bodies) {
     MdtHingeEnable(MdtHingeCreate(world));
     assert_said("MdtHingeEnable", "attached to no body");
     step(2);
 }
-END_TEST
 
-START_TEST(a_joint_of_the_world_with_itself) {
+TEST(a_joint_of_the_world_with_itself) {
     McdModelID m = boxAt(0, 3);
     MdtHingeID h = MdtHingeCreate(world);
     MdtHingeSetBodies(h, 0, 0);
@@ -272,18 +256,16 @@ START_TEST(a_joint_of_the_world_with_itself) {
     MdtHingeSetBodies(h, McdModelGetBody(m), McdModelGetBody(m));
     assert_said("MdtHingeSetBodies", "are the same");
 }
-END_TEST
 
-START_TEST(a_joint_in_another_world) {
+TEST(a_joint_in_another_world) {
     MdtWorldID other = MdtWorldCreate(1, 1);
     MdtHingeSetBodies(MdtHingeCreate(other), McdModelGetBody(boxAt(0, 3)), 0);
     assert_said("MdtHingeSetBodies", "another world");
     MdtWorldDestroy(other);
 }
-END_TEST
 
 /* It is held by the world then, or disabled with its last body. */
-START_TEST(a_jointed_body_is_destroyed) {
+TEST(a_jointed_body_is_destroyed) {
     McdModelID m1 = boxAt(0, 3), m2 = boxAt(2, 3);
     MdtHingeID h = MdtHingeCreate(world);
     MdtHingeSetBodies(h, McdModelGetBody(m1), McdModelGetBody(m2));
@@ -293,15 +275,13 @@ START_TEST(a_jointed_body_is_destroyed) {
     step(2);
     ck_assert(isfinite(coordinate(m2, 2)));
 }
-END_TEST
 
-START_TEST(an_axis_of_no_length) {
+TEST(an_axis_of_no_length) {
     MdtHingeSetAxis(hingeOf(boxAt(0, 3)), 0, 0, 0);
     assert_said("MdtHingeSetAxis", "zero");
 }
-END_TEST
 
-START_TEST(stops_in_the_wrong_order) {
+TEST(stops_in_the_wrong_order) {
     MdtLimitID limit = MdtHingeGetLimit(hingeOf(boxAt(0, 3)));
     MdtSingleLimitSetStop(MdtLimitGetLowerLimit(limit), 1);
     MdtSingleLimitSetStop(MdtLimitGetUpperLimit(limit), -1);
@@ -310,9 +290,8 @@ START_TEST(stops_in_the_wrong_order) {
     MdtSingleLimitSetStop(MdtLimitGetUpperLimit(limit), 2);
     MdtLimitActivateLimits(limit, METRUE);
 }
-END_TEST
 
-START_TEST(an_angle_that_is_not_measured) {
+TEST(an_angle_that_is_not_measured) {
     MdtHingeID h = hingeOf(boxAt(0, 3));
     MdtHingeEnable(h);
     step(1);
@@ -321,20 +300,18 @@ START_TEST(an_angle_that_is_not_measured) {
     MdtLimitCalculatePosition(MdtHingeGetLimit(h), METRUE);
     MdtLimitGetPosition(MdtHingeGetLimit(h));
 }
-END_TEST
 
 /* ---- surfaces ---- */
 
-START_TEST(a_friction_coefficient_alone) {
+TEST(a_friction_coefficient_alone) {
     plane();
     MdtContactParamsSetFrictionCoeffecient(surface, 1);
     boxAt(0, (MeReal)0.5);
     step(30);
     assert_said("MstUniverseStep", "MdtContactParamsSetSurface");
 }
-END_TEST
 
-START_TEST(surfaces_that_are_none) {
+TEST(surfaces_that_are_none) {
     MdtContactParamsSetSurface(surface, -1, 0);
     assert_said("MdtContactParamsSetSurface", "at least 0");
     MdtContactParamsSetSurface(surface, 1, 50);
@@ -342,55 +319,20 @@ START_TEST(surfaces_that_are_none) {
     MdtContactParamsSetRestitution(surface, 50);
     assert_said("MdtContactParamsSetRestitution", "between 0 and 1");
 }
-END_TEST
 
-START_TEST(a_material_that_nobody_made) {
+TEST(a_material_that_nobody_made) {
     plane();
     McdModelSetMaterial(boxAt(0, (MeReal)0.5), 7);
     MstUniverseStep(u, (MeReal)(1.0 / 60));
     assert_said("MstUniverseStep", "MstBridgeGetNewMaterial");
 }
-END_TEST
 
 /* ---- what starts where it cannot be: pushed apart, slowly, without a word ---- */
 
-START_TEST(bodies_in_each_other) {
+TEST(bodies_in_each_other) {
     plane();
     McdModelID m1 = boxAt(0, (MeReal)0.5), m2 = boxAt((MeReal)0.1, (MeReal)0.5), deep = boxAt(5, -3);
     step(120);
     ck_assert(coordinate(m2, 0) - coordinate(m1, 0) > 0.99);
     ck_assert(fabs(coordinate(m1, 2) - 0.5) < 0.01 && fabs(coordinate(deep, 2) - 0.5) < 0.01);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setup, teardown);
-    tcase_add_test(t, no_gravity);
-    tcase_add_test(t, no_gravity_in_a_universe);
-    tcase_add_test(t, steps_that_are_none);
-    tcase_add_test(t, a_step_in_milliseconds);
-    tcase_add_test(t, a_part_of_the_universe_is_destroyed);
-    tcase_add_test(t, sizes_that_are_none);
-    tcase_add_test(t, a_density_that_is_none);
-    tcase_add_test(t, a_plane_that_is_to_move);
-    tcase_add_test(t, a_transform_that_is_none);
-    tcase_add_test(t, a_plane_of_zeros_is_met_by_nothing);
-    tcase_add_test(t, a_geometry_in_use_is_destroyed);
-    tcase_add_test(t, a_model_is_inserted_twice);
-    tcase_add_test(t, a_fixed_model_is_moved_as_if_it_had_a_body);
-    tcase_add_test(t, positions_and_turns_that_are_none);
-    tcase_add_test(t, a_model_that_is_gone_is_used);
-    tcase_add_test(t, a_models_body_is_destroyed_alone);
-    tcase_add_test(t, a_joint_without_bodies);
-    tcase_add_test(t, a_joint_of_the_world_with_itself);
-    tcase_add_test(t, a_joint_in_another_world);
-    tcase_add_test(t, a_jointed_body_is_destroyed);
-    tcase_add_test(t, an_axis_of_no_length);
-    tcase_add_test(t, stops_in_the_wrong_order);
-    tcase_add_test(t, an_angle_that_is_not_measured);
-    tcase_add_test(t, a_friction_coefficient_alone);
-    tcase_add_test(t, surfaces_that_are_none);
-    tcase_add_test(t, a_material_that_nobody_made);
-    tcase_add_test(t, bodies_in_each_other);
-}
-TEST_MAIN("mistakes", tests)

@@ -3,7 +3,7 @@
 
 /* Preface, "Coordinate Systems and Reference Frames", "Type Conventions": y = X + R x; a transform is an affine 4 × 4
  * matrix, as in OpenGL; a vector's fourth number is 1 for a place and 0 for a direction. */
-START_TEST(conventions) {
+TEST(conventions) {
     MdtWorldID world = MdtWorldCreate(1, 0);
     MdtBodyID body = MdtBodyCreate(world);
     const MeReal quarter = MeSqrt((MeReal).5);
@@ -33,10 +33,9 @@ START_TEST(conventions) {
     }
     MdtWorldDestroy(world);
 }
-END_TEST
 
 /* "The Mdt Library": different worlds are totally disconnected from each other. */
-START_TEST(different_worlds_are_disconnected) {
+TEST(different_worlds_are_disconnected) {
     MdtWorldID earth = MdtWorldCreate(1, 1), moon = MdtWorldCreate(1, 1);
     MdtBodyID apple = MdtBodyCreate(earth), stone = MdtBodyCreate(moon);
     MdtWorldSetGravity(earth, 0, -(MeReal)9.8, 0);
@@ -56,11 +55,10 @@ START_TEST(different_worlds_are_disconnected) {
     MdtWorldDestroy(earth);
     MdtWorldDestroy(moon);
 }
-END_TEST
 
 /* "Rigid Bodies: A Simplified Description of Reality": any two points of a body stay at their distance, whatever acts
  * on it; and the flow of a program, T, T + Ts, T + 2 Ts, with Ts = 0.01 s. */
-START_TEST(a_rigid_body_never_deforms_and_obeys_newton) {
+TEST(a_rigid_body_never_deforms_and_obeys_newton) {
     MdtWorldID world = MdtWorldCreate(1, 0);
     MdtBodyID body = MdtBodyCreate(world);
     const MeReal Ts = (MeReal)0.01;
@@ -83,11 +81,10 @@ START_TEST(a_rigid_body_never_deforms_and_obeys_newton) {
     }
     MdtWorldDestroy(world);
 }
-END_TEST
 
 /* "Joint Constraints and Articulated Bodies": an upper arm and a forearm with an elbow, which bends by 160 degrees and
  * no further; the forearm cannot be pulled far without moving the upper arm. */
-START_TEST(an_elbow_moves_the_upper_arm_and_bends_by_160_degrees) {
+TEST(an_elbow_moves_the_upper_arm_and_bends_by_160_degrees) {
     MdtWorldID world = MdtWorldCreate(2, 1);
     MdtWorldSetAutoDisable(world, 0);
     MdtBodyID upperArm = MdtBodyCreate(world), forearm = MdtBodyCreate(world);
@@ -123,13 +120,12 @@ START_TEST(an_elbow_moves_the_upper_arm_and_bends_by_160_degrees) {
     ck_assert(velocity(upperArm, 0) > 1);
     MdtWorldDestroy(world);
 }
-END_TEST
 
 /* "Contact Constraints and Collision Detection": a stone falls onto the floor and stops when it strikes it; the
  * rebound is adjusted by the restitution. Without restitution it stops, but for the speed with which gamma pushes it
  * out of the overlap that it has come to, at most gamma times the speed of the impact: it may rise to gamma² of its
  * height. */
-START_TEST(a_stone_stops_or_rebounds_on_the_floor) {
+TEST(a_stone_stops_or_rebounds_on_the_floor) {
     const double restitutions[] = {0, .4, .8};
     for (int k = 0; k < 3; k++) {
         MdtWorldID world = MdtWorldCreate(1, 1);
@@ -167,11 +163,10 @@ START_TEST(a_stone_stops_or_rebounds_on_the_floor) {
         MdtWorldDestroy(world);
     }
 }
-END_TEST
 
 /* "Partitioning the World": all bodies of a list are constrained to at least one other of it, and to none of another
  * list; forces from outside are ignored. */
-START_TEST(partitions_are_lists_of_bodies_constrained_together) {
+TEST(partitions_are_lists_of_bodies_constrained_together) {
     MdtWorldID world = MdtWorldCreate(10, 10);
     MdtBodyID body[10];
     for (int i = 0; i < 10; i++) {
@@ -193,11 +188,10 @@ START_TEST(partitions_are_lists_of_bodies_constrained_together) {
             ck_assert_int_eq(MdtBodyGetPartition(body[i]) == MdtBodyGetPartition(body[k]), i / 5 == k / 5);
     MdtWorldDestroy(world);
 }
-END_TEST
 
 /* "Disabling Bodies": a body that does not move is disabled; it is not enough to disable a body to keep it from
  * moving, since others that collide with it or are constrained to it bring it to life. */
-START_TEST(stationary_bodies_are_disabled_and_come_to_life_when_struck) {
+TEST(stationary_bodies_are_disabled_and_come_to_life_when_struck) {
     MdtWorldID world = MdtWorldCreate(2, 1);
     MdtBodyID still = MdtBodyCreate(world), ball = MdtBodyCreate(world);
     MdtBodyEnable(still);
@@ -219,16 +213,3 @@ START_TEST(stationary_bodies_are_disabled_and_come_to_life_when_struck) {
     assert_near(velocity(still, 1), -1.5, TOL(2e-6, 2e-13)); /* they share the momentum */
     MdtWorldDestroy(world);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, conventions);
-    tcase_add_test(t, different_worlds_are_disconnected);
-    tcase_add_test(t, a_rigid_body_never_deforms_and_obeys_newton);
-    tcase_add_test(t, an_elbow_moves_the_upper_arm_and_bends_by_160_degrees);
-    tcase_add_test(t, a_stone_stops_or_rebounds_on_the_floor);
-    tcase_add_test(t, partitions_are_lists_of_bodies_constrained_together);
-    tcase_add_test(t, stationary_bodies_are_disabled_and_come_to_life_when_struck);
-}
-
-TEST_MAIN("guide_chapter_1", tests)

@@ -48,7 +48,7 @@ static void makeDrop(void) {
 }
 
 /* "Initializing the World": maxBodies and maxConstraints are the most that the world holds. */
-START_TEST(initializing_the_world) {
+TEST(initializing_the_world) {
     world = MdtWorldCreate(1, 0);
     ck_assert_int_eq(MdtWorldGetMaxBodies(world), 1);
     ck_assert_int_eq(MdtWorldGetMaxConstraints(world), 0);
@@ -61,10 +61,9 @@ START_TEST(initializing_the_world) {
     messages_release();
     cleanup();
 }
-END_TEST
 
 /* "Setting the Gravity of the World": in any direction, of any size. */
-START_TEST(setting_the_gravity) {
+TEST(setting_the_gravity) {
     makeDrop();
     MeVector3 g;
     MdtWorldGetGravity(world, g);
@@ -74,10 +73,9 @@ START_TEST(setting_the_gravity) {
     assert_velocity(body, .03, .06, -.09, TOL(9e-8, 8e-15));
     cleanup();
 }
-END_TEST
 
 /* "Defining a Body": the table of default values. */
-START_TEST(default_values_of_a_body) {
+TEST(default_values_of_a_body) {
     world = MdtWorldCreate(1, 0);
     body = MdtBodyCreate(world);
     MeMatrix3 inertia;
@@ -108,10 +106,9 @@ START_TEST(default_values_of_a_body) {
     ck_assert(!MdtBodyIsEnabled(body)); /* "By default, bodies are disabled from simulation." */
     cleanup();
 }
-END_TEST
 
 /* "Defining a Body": what mutators set, accessors get; the Enter key starts the fall again, the same one. */
-START_TEST(reset_and_accessors) {
+TEST(reset_and_accessors) {
     makeDrop();
     MeVector3 first, second;
     Run(40);
@@ -125,11 +122,10 @@ START_TEST(reset_and_accessors) {
     ck_assert(memcmp(first, second, sizeof first) == 0);
     cleanup();
 }
-END_TEST
 
 /* "Stepping Through Time": the ball falls as one does, after n steps by g (n h)²/2; the graphic has the body's matrix.
  * "The time increment does [not] need to be fixed." */
-START_TEST(a_ball_falls_freely) {
+TEST(a_ball_falls_freely) {
     makeDrop();
     const double h = (double)step;
     for (int n = 1; n <= 100; n++) {
@@ -149,11 +145,10 @@ START_TEST(a_ball_falls_freely) {
     assert_near(sphereG->m_matrix[3][1], 10 - 4.9 * t * t, TOL(3e-6, 2e-13));
     cleanup();
 }
-END_TEST
 
 /* "Geometric Properties": without an inertia tensor of its own a long body behaves wrongly, with one rightly: a torque
  * about its long axis turns it faster. */
-START_TEST(inertia_tensors_follow_the_geometry) {
+TEST(inertia_tensors_follow_the_geometry) {
     world = MdtWorldCreate(1, 0);
     body = MdtBodyCreate(world);
     MeMatrix3 bar;
@@ -172,15 +167,3 @@ START_TEST(inertia_tensors_follow_the_geometry) {
     assert_near(spin(body, 1), .03 / 4.04, TOL(8e-9, 7e-16));
     cleanup();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, initializing_the_world);
-    tcase_add_test(t, setting_the_gravity);
-    tcase_add_test(t, default_values_of_a_body);
-    tcase_add_test(t, reset_and_accessors);
-    tcase_add_test(t, a_ball_falls_freely);
-    tcase_add_test(t, inertia_tensors_follow_the_geometry);
-}
-
-TEST_MAIN("guide_chapter_2", tests)

@@ -33,7 +33,7 @@ static void push(double fx, double fz, int n) {
 
 /* "Creating Contacts: MdtContact": "there is no relative motion in the direction opposite to the contact normal"; up
  * to three forces are present. */
-START_TEST(creating_contacts) {
+TEST(creating_contacts) {
     beginOnPlane();
     for (int type = MdtContactTypeFrictionZero; type <= MdtContactTypeFriction2D; type++) {
         MdtContactParamsSetType(MdtContactGetParams(contact), (MdtContactType)type);
@@ -47,10 +47,9 @@ START_TEST(creating_contacts) {
     assert_near(velocity(body, 1), 1 - 9.8 * (double)step, TOL(1e-5, 8e-9));
     MdtWorldDestroy(world);
 }
-END_TEST
 
 /* "Friction in MdtKea": frictionless, infinite friction, box friction, normal force friction. */
-START_TEST(friction_modes) {
+TEST(friction_modes) {
     beginOnPlane();
     MdtContactParamsID params = MdtContactGetParams(contact);
     const double t = 60 * (double)step;
@@ -83,10 +82,9 @@ START_TEST(friction_modes) {
     assert_near(velocity(body, 0), 1 * t, 2e-2);
     MdtWorldDestroy(world);
 }
-END_TEST
 
 /* "Coulomb Friction" in the numbers of its figure: at rest f balances the force, in motion f = mu N, however fast. */
-START_TEST(coulomb_friction) {
+TEST(coulomb_friction) {
     beginOnPlane();
     MdtContactParamsID params = MdtContactGetParams(contact);
     const double mu = .25, max = mu * 9.8;
@@ -104,11 +102,10 @@ START_TEST(coulomb_friction) {
     }
     MdtWorldDestroy(world);
 }
-END_TEST
 
 /* "Slip: An Alternate Way to Model Friction": "an applied force will result in a relative velocity", force times slip;
  * and slidiness: "one body will act like a conveyer belt". */
-START_TEST(slip_and_slide) {
+TEST(slip_and_slide) {
     beginOnPlane();
     MdtContactParamsID params = MdtContactGetParams(contact);
     MdtContactSetDirection(contact, 1, 0, 0);
@@ -127,10 +124,9 @@ START_TEST(slip_and_slide) {
     assert_near(fabs(velocity(body, 0)), 2, TOL(4e-6, 4e-7));
     MdtWorldDestroy(world);
 }
-END_TEST
 
 /* "Functions that are specific to Contacts". */
-START_TEST(contact_accessors_and_mutators) {
+TEST(contact_accessors_and_mutators) {
     beginOnPlane();
     MdtContactID nextContact = MdtContactCreate(world);
     MeVector3 v;
@@ -153,10 +149,9 @@ START_TEST(contact_accessors_and_mutators) {
     assert_near(MdtContactParamsGetRestitution(MdtContactGetParams(contact)), .5, 0);
     MdtWorldDestroy(world);
 }
-END_TEST
 
 /* "MdtContactGroups": "all the contacts between two bodies" as one constraint. */
-START_TEST(contact_groups) {
+TEST(contact_groups) {
     beginOnPlane();
     MdtContactDestroy(contact);
     MdtContactGroupID group = MdtContactGroupCreate(world);
@@ -186,10 +181,9 @@ START_TEST(contact_groups) {
     ck_assert_int_eq(MdtContactGroupGetSortKey(group), 5);
     MdtWorldDestroy(world);
 }
-END_TEST
 
 /* "The MdtBclContactParams Structure": members, and the table of default values. */
-START_TEST(contact_params) {
+TEST(contact_params) {
     MdtBclContactParams param;
     memset(&param, 0x55, sizeof param);
     MdtContactParamsReset(&param);
@@ -207,7 +201,6 @@ START_TEST(contact_params) {
     param.friction2 = 4;
     ck_assert(MdtContactParamsGetPrimaryFriction(&param) == 3 && MdtContactParamsGetSecondaryFriction(&param) == 4);
 }
-END_TEST
 
 /* "How to Use Contacts: Bounce.c": the program, from its fragments. */
 static const MeReal ballRadius = 1;
@@ -239,7 +232,7 @@ static void tick(void) {
 
 /* "A ball is thrown onto a surface and rebounds each time, with consecutive smaller amplitudes", of the restitution
  * squared; and friction sets it rolling. */
-START_TEST(bounce) {
+TEST(bounce) {
     world = MdtWorldCreate(1, 1);
     MdtWorldSetAutoDisable(world, 0);
     MdtWorldSetGravity(world, 0, -(MeReal)(9.8), 0);
@@ -271,11 +264,10 @@ START_TEST(bounce) {
     assert_near(velocity(body, 0), 1 / (1 + .4), TOL(1e-4, 7e-9));   /* with what is left of 1 m/s when it does */
     MdtWorldDestroy(world);
 }
-END_TEST
 
 /* "Remember that if the contact is not enabled before the world is updated, the Kea solver will ignore it"; by two
  * names. */
-START_TEST(enabling_by_two_names) {
+TEST(enabling_by_two_names) {
     beginOnPlane();
     MdtConstraintID cid = MdtContactQuaConstraint(contact);
     MdtConstraintDisable(cid);
@@ -294,18 +286,3 @@ START_TEST(enabling_by_two_names) {
     ck_assert(MdtConstraintIsEnabled(cid));
     MdtWorldDestroy(world);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, creating_contacts);
-    tcase_add_test(t, friction_modes);
-    tcase_add_test(t, coulomb_friction);
-    tcase_add_test(t, slip_and_slide);
-    tcase_add_test(t, contact_accessors_and_mutators);
-    tcase_add_test(t, contact_groups);
-    tcase_add_test(t, contact_params);
-    tcase_add_test(t, bounce);
-    tcase_add_test(t, enabling_by_two_names);
-}
-
-TEST_MAIN("guide_chapter_3_contacts", tests)

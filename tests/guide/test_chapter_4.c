@@ -11,7 +11,7 @@ static MdtBodyID newBody(MdtWorldID world, double x, double y) {
 }
 
 /* "Adding Forces, Torques and Impulse to a Body". */
-START_TEST(adding_forces_torques_and_impulses) {
+TEST(adding_forces_torques_and_impulses) {
     MdtWorldID world = MdtWorldCreate(4, 0);
     MdtWorldSetAutoDisable(world, 0);
     const double h = (double)step;
@@ -57,11 +57,10 @@ START_TEST(adding_forces_torques_and_impulses) {
     }
     MdtWorldDestroy(world);
 }
-END_TEST
 
 /* "Enabling/Disabling Bodies": on and off; below all four thresholds; for a number of steps; and awake again by a
  * force above a threshold. */
-START_TEST(enabling_and_disabling_bodies) {
+TEST(enabling_and_disabling_bodies) {
     MdtWorldID world = MdtWorldCreate(2, 1);
     MdtBodyID body = newBody(world, 0, 0);
     MdtWorldSetAutoDisable(world, 0);
@@ -102,7 +101,6 @@ START_TEST(enabling_and_disabling_bodies) {
     }
     MdtWorldDestroy(world);
 }
-END_TEST
 
 static MdtContactID favourite;
 
@@ -112,7 +110,7 @@ static MeReal MEAPI importance(const MdtContactID c) {
 
 /* "Limiting the Matrix Size": friction first, then contacts of bodies, then contacts with the world, from the
  * shallowest; never joints; one contact stays in each group; and an order of one's own. */
-START_TEST(limiting_the_matrix_size) {
+TEST(limiting_the_matrix_size) {
     MdtWorldID world = MdtWorldCreate(2, 12);
     MdtWorldSetGravity(world, 0, -10, 0);
     MdtBodyID lower = newBody(world, 0, 1), upper = newBody(world, 0, 3);
@@ -158,7 +156,6 @@ START_TEST(limiting_the_matrix_size) {
                      1);
     MdtWorldDestroy(world);
 }
-END_TEST
 
 /* A chain that is thrown about for two seconds; `reordered` removes some of it and adds it again before it starts. */
 static void runChain(MeBool reordered, MeReal out[4][4]) {
@@ -197,7 +194,7 @@ static void runChain(MeBool reordered, MeReal out[4][4]) {
 
 /* "Sort Keys - Deterministic Simulation": stopped and executed again, a simulation evolves in the same way; removed
  * and added again, with sort keys, too. */
-START_TEST(sort_keys) {
+TEST(sort_keys) {
     MeReal once[4][4], again[4][4], reordered[4][4];
     runChain(0, once);
     runChain(0, again);
@@ -205,13 +202,3 @@ START_TEST(sort_keys) {
     ck_assert(memcmp(once, again, sizeof once) == 0);
     ck_assert(memcmp(once, reordered, sizeof once) == 0);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, adding_forces_torques_and_impulses);
-    tcase_add_test(t, enabling_and_disabling_bodies);
-    tcase_add_test(t, limiting_the_matrix_size);
-    tcase_add_test(t, sort_keys);
-}
-
-TEST_MAIN("guide_chapter_4", tests)

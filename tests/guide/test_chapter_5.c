@@ -56,7 +56,7 @@ static double missAfterASecond(int steps) {
 /* "Integrators and First Order Effects", "Background": "as the step size h is changed, the behavior changes"; the
  * difference from the physical model "increases as h increases", here with its square: the spring's frequency is
  * (2/h) atan(ω h/2). A ball that is thrown is where it should be. */
-START_TEST(first_order_effects) {
+TEST(first_order_effects) {
     const double coarse = missAfterASecond(30), fine = missAfterASecond(60), finest = missAfterASecond(120);
     assert_near(coarse, fabs(cos(60 * atan(3. / 60)) - cos(3.)), TOL(1e-6, 4e-12));
     assert_near(coarse / fine, 4, .04);
@@ -68,12 +68,11 @@ START_TEST(first_order_effects) {
     assert_position(ball, 3, 4 - 5, 0, TOL(2e-6, 1e-12));
     end();
 }
-END_TEST
 
 /* "Background": the inaccuracy of an explicit integrator may let a system explode; of a semi-implicit one it lets the
  * energy fall. Here a chain that falls from the horizontal, and could fall through 360 J, never has more than it began
  * with, and loses less than half a percent, although it cracks like a whip. */
-START_TEST(a_closed_system_does_not_explode) {
+TEST(a_closed_system_does_not_explode) {
     for (int rate = 60; rate <= 120; rate += 60) {
         begin(10);
         MdtBodyID last = 0, link[6];
@@ -93,11 +92,10 @@ START_TEST(a_closed_system_does_not_explode) {
         end();
     }
 }
-END_TEST
 
 /* "Stiff Forces and Stability": "large forces caused by constraints will not result in stability problems", "a higher
  * gravitational force should not cause any problems". */
-START_TEST(large_forces_of_constraints_are_stable) {
+TEST(large_forces_of_constraints_are_stable) {
     begin(1e4);
     MdtWorldSetEpsilon(world, 0);
     MdtBodyID body = newBody(100, 0, 0);
@@ -107,10 +105,9 @@ START_TEST(large_forces_of_constraints_are_stable) {
     assert_near_rel(forceOn(MdtBSJointQuaConstraint(joint), 0, 1), 1e6, TOL(2e-6, 9e-9));
     end();
 }
-END_TEST
 
 /* "Stiff Forces": a stiff suspension made of a force that is added each step is unstable; the car wheel's is not. */
-START_TEST(a_stiff_suspension_is_a_matter_for_the_car_wheel) {
+TEST(a_stiff_suspension_is_a_matter_for_the_car_wheel) {
     const double k = 1e5, h = 1. / 60; /* k h² / m = 28, and an explicit spring stands 4 */
     begin(10);
     MdtBodyID body = newBody(1, 0, 0);
@@ -141,12 +138,11 @@ START_TEST(a_stiff_suspension_is_a_matter_for_the_car_wheel) {
     }
     end();
 }
-END_TEST
 
 /* "Epsilon": "the only disadvantage is that it makes joints a little bit springy", "a value near 1 will almost
  * certainly give visible springiness"; "1/epsilon is like a spring constant"; "a heavy mass may penetrate the ground";
  * decrease it. */
-START_TEST(meaning_of_epsilon) {
+TEST(meaning_of_epsilon) {
     begin(10);
     assert_near(MdtWorldGetEpsilon(world), .0001, TOL(1e-9, 9e-13)); /* "such as the default 0.0001" */
     end();
@@ -166,12 +162,11 @@ START_TEST(meaning_of_epsilon) {
             end();
         }
 }
-END_TEST
 
 /* "Gamma": "gamma of the way back to their correctly constrained configurations"; "if gamma = 0, no relaxation is
  * done"; "for most simulations 0.1 < gamma < 0.8 will work well", outside 0..1 "will cause problems": such values are
  * refused. */
-START_TEST(meaning_of_gamma) {
+TEST(meaning_of_gamma) {
     const double gammas[] = {0, .1, .2, .8};
     for (int k = 0; k < 4; k++) {
         begin(0);
@@ -194,11 +189,10 @@ START_TEST(meaning_of_gamma) {
         end();
     }
 }
-END_TEST
 
 /* "Mass Problems": the whip, heavy at the handle and light at the tip, in "a ratio of 100:1 ... reasonable in single
  * precision". Its flick ends as it should: the tip is fast, and all of it stays together. */
-START_TEST(mass_problems) {
+TEST(mass_problems) {
     begin(0);
     MdtWorldSetEpsilon(world, 0);
     const double masses[] = {100, 31.6, 10, 3.16, 1};
@@ -222,12 +216,11 @@ START_TEST(mass_problems) {
     ck_assert_msg(fastest > 10 && fastest < 500, "the tip came to %g m/s", fastest);
     end();
 }
-END_TEST
 
 /* "Inertia Problems": "long thin objects are susceptible to gaining rotational energy on the long axis". A needle with
  * moments of 1000:1 tumbles for 10 s and keeps its energy. (Version 1.x of the guide's Karma makes all tensors round;
  * this one does so on request.) */
-START_TEST(inertia_problems) {
+TEST(inertia_problems) {
     for (int round = 0; round < 2; round++) {
         begin(0);
         const MeMatrix3 needle = {{(MeReal).001, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -244,11 +237,10 @@ START_TEST(inertia_problems) {
         end();
     }
 }
-END_TEST
 
 /* "Numerical Scaling": "keep all length and mass numbers in the range of 0.01 through 100": pendulums of these lengths
  * and masses keep time. A bob on a rod of the length l swings with 2 pi sqrt(l/g) for small angles. */
-START_TEST(numerical_scaling) {
+TEST(numerical_scaling) {
     const double sizes[] = {.01, 1, 100};
     for (int a = 0; a < 3; a++)
         for (int b = 0; b < 3; b++) {
@@ -273,11 +265,10 @@ START_TEST(numerical_scaling) {
             end();
         }
 }
-END_TEST
 
 /* "Preventing Jitter in Contacts": the softness option (keaContactOptionSoft in the guide's old spelling, here
  * MdtBclContactOptionSoft), of 0.0001: "the two objects inter-penetrate slightly", and the contact does not break. */
-START_TEST(preventing_jitter) {
+TEST(preventing_jitter) {
     begin(10);
     MdtWorldSetEpsilon(world, 0);
     MdtBodyID body = newBody(1, 0, .005);
@@ -301,11 +292,10 @@ START_TEST(preventing_jitter) {
     ck_assert_msg(coordinate(body, 1) < 0 && coordinate(body, 1) > -1e-3, "%g", coordinate(body, 1));
     end();
 }
-END_TEST
 
 /* "Constraint Solver Iterations": it may fail to find a solution and says so; even then "the behavior will usually be
  * stable enough". Capped at one iteration, a stack stands roughly, and warnings tell of it. */
-START_TEST(constraint_solver_iterations) {
+TEST(constraint_solver_iterations) {
     begin(10);
     MdtWorldSetMaxLCPIterations(world, 1);
     MdtBodyID body[3];
@@ -332,11 +322,10 @@ START_TEST(constraint_solver_iterations) {
     messages_release();
     end();
 }
-END_TEST
 
 /* "Modeling Using Force-Limited Motors": powered, desired_vel and fmax (here members of MdtBclLimit, powered as
  * bPowered). */
-START_TEST(force_limited_motors) {
+TEST(force_limited_motors) {
     begin(0);
     MdtBodyID body = newBody(2, 0, 0);
     MdtPrismaticID joint = MdtPrismaticCreate(world);
@@ -362,11 +351,10 @@ START_TEST(force_limited_motors) {
     assert_near(velocity(body, 0), 1, TOL(1e-5, 9e-9));
     end();
 }
-END_TEST
 
 /* "Avoiding Over-Determinancy": a hinge modelled as two ball-and-socket joints "constrains the bodies in the correct
  * way", with one row too many; and a box on many contacts. Neither disturbs the solver. */
-START_TEST(over_determinacy) {
+TEST(over_determinacy) {
     double angle[2];
     for (int balls = 0; balls < 2; balls++) {
         begin(10);
@@ -408,10 +396,9 @@ START_TEST(over_determinacy) {
     assert_spin(box, 0, 0, 0, TOL(1e-5, 9e-9));
     end();
 }
-END_TEST
 
 /* "Fast Spin Axis": set at each step; a wheel that rotates very quickly keeps its axis. */
-START_TEST(fast_spin_axis) {
+TEST(fast_spin_axis) {
     begin(0);
     const MeMatrix3 disc = {{(MeReal).1, 0, 0}, {0, (MeReal).1, 0}, {0, 0, (MeReal).2}};
     MdtBodyID wheel = newBody(1, 0, 0);
@@ -431,23 +418,3 @@ START_TEST(fast_spin_axis) {
     assert_spin(wheel, 0, 0, 300, TOL(1e-3, 3e-6));
     end();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, first_order_effects);
-    tcase_add_test(t, a_closed_system_does_not_explode);
-    tcase_add_test(t, large_forces_of_constraints_are_stable);
-    tcase_add_test(t, a_stiff_suspension_is_a_matter_for_the_car_wheel);
-    tcase_add_test(t, meaning_of_epsilon);
-    tcase_add_test(t, meaning_of_gamma);
-    tcase_add_test(t, mass_problems);
-    tcase_add_test(t, inertia_problems);
-    tcase_add_test(t, numerical_scaling);
-    tcase_add_test(t, preventing_jitter);
-    tcase_add_test(t, constraint_solver_iterations);
-    tcase_add_test(t, force_limited_motors);
-    tcase_add_test(t, over_determinacy);
-    tcase_add_test(t, fast_spin_axis);
-}
-
-TEST_MAIN("guide_chapter_5", tests)

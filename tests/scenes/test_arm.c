@@ -216,7 +216,7 @@ static void check(const Arm *a, int substeps) {
 static const int substeps[] = {1, 4};
 enum { RATES = sizeof substeps / sizeof *substeps };
 
-START_TEST(the_motor_holds_the_arm_at_its_stop) {
+TEST(the_motor_holds_the_arm_at_its_stop) {
     for (int i = 0; i < RATES; i++) {
         Arm a = makeArm(1);
         runAndRest(&a, settling, substeps[i]);
@@ -225,11 +225,10 @@ START_TEST(the_motor_holds_the_arm_at_its_stop) {
         MdtWorldDestroy(a.world);
     }
 }
-END_TEST
 
 /* Motor and stop are of two hinges in one place: ten rows, of which five say nothing new, and the two torques about the
  * axis, which nothing else can bring. */
-START_TEST(the_stop_takes_what_the_motor_gives_too_much) {
+TEST(the_stop_takes_what_the_motor_gives_too_much) {
     for (int i = 0; i < RATES; i++) {
         Arm a = makeArm(2);
         runAndRest(&a, settling, substeps[i]);
@@ -240,10 +239,9 @@ START_TEST(the_stop_takes_what_the_motor_gives_too_much) {
         MdtWorldDestroy(a.world);
     }
 }
-END_TEST
 
 /* The cube weighs more than the motor can bear. */
-START_TEST(the_arm_comes_back_when_a_cube_has_beaten_it_down) {
+TEST(the_arm_comes_back_when_a_cube_has_beaten_it_down) {
     for (int i = 0; i < RATES; i++) {
         Arm a = makeArm(1);
         double lowest = 0;
@@ -263,11 +261,3 @@ START_TEST(the_arm_comes_back_when_a_cube_has_beaten_it_down) {
         MdtWorldDestroy(a.world);
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, the_motor_holds_the_arm_at_its_stop);
-    tcase_add_test(t, the_stop_takes_what_the_motor_gives_too_much);
-    tcase_add_test(t, the_arm_comes_back_when_a_cube_has_beaten_it_down);
-}
-TEST_MAIN("arm", tests)

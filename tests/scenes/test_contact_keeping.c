@@ -32,7 +32,7 @@ static void note(const EngineWorld *w, MdtContactID ids[]) {
         ids[i] = w->contacts[i].id;
 }
 
-START_TEST(they_stay_when_they_move_a_little_in_whatever_order) {
+TEST(they_stay_when_they_move_a_little_in_whatever_order) {
     Stand s = makeStand();
     MdtContactID before[8], after[8];
     MeVector3 p;
@@ -54,10 +54,9 @@ START_TEST(they_stay_when_they_move_a_little_in_whatever_order) {
     ck_assert_int_eq(MdtWorldGetTotalConstraints(s.world->world), 8);
     destroy(s.world);
 }
-END_TEST
 
 /* A ball that rolls has one contact, which goes with it. */
-START_TEST(they_stay_when_they_move_with_their_bodies) {
+TEST(they_stay_when_they_move_with_their_bodies) {
     Stand s = makeStand();
     MdtContactID before[8], after[8];
     note(s.world, before);
@@ -70,9 +69,8 @@ START_TEST(they_stay_when_they_move_with_their_bodies) {
     ck_assert_int_eq(memcmp(before, after, sizeof before), 0);
     destroy(s.world);
 }
-END_TEST
 
-START_TEST(they_go_when_they_part_and_come_anew) {
+TEST(they_go_when_they_part_and_come_anew) {
     Stand s = makeStand();
     MdtContactID before[8];
     note(s.world, before);
@@ -95,11 +93,3 @@ START_TEST(they_go_when_they_part_and_come_anew) {
     ck_assert_int_eq(MdtWorldGetTotalConstraints(s.world->world), 0);
     destroy(s.world);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, they_stay_when_they_move_a_little_in_whatever_order);
-    tcase_add_test(t, they_stay_when_they_move_with_their_bodies);
-    tcase_add_test(t, they_go_when_they_part_and_come_anew);
-}
-TEST_MAIN("contact keeping", tests)

@@ -89,15 +89,14 @@ static const SceneBound slide = {"incline", 1, 0, 1e-5, 1e-9}, stick = {"incline
                         way = {"block", 1, 0, 1e-5, 1e-8}, flip = {"tumbling", 1, 1, 1e-6, 1e-3},
                         overlap = {"heavy-1e6", 1, 1, 1e-6, 1e-6}, top = {"bounce", 1, 0, 1e-5, 1e-10};
 
-START_TEST(without_a_fault_all_bounds_hold) {
+TEST(without_a_fault_all_bounds_hold) {
     const SceneBound *all[] = {&slide, &stick, &creep, &sink, &chainGap, &period, &way, &flip, &overlap, &top};
     const Engine e = copyOfKarma();
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         ck_assert_int_eq(countBroken(all[i], &e), 0);
 }
-END_TEST
 
-START_TEST(friction_of_the_wrong_sign_is_seen) {
+TEST(friction_of_the_wrong_sign_is_seen) {
     Engine e = copyOfKarma();
     e.setContacts = removeFriction;
     ck_assert_int_eq(countBroken(&creep, &e), 1);
@@ -106,64 +105,45 @@ START_TEST(friction_of_the_wrong_sign_is_seen) {
     ck_assert_int_eq(countBroken(&stick, &e), 1);
     ck_assert_int_eq(countBroken(&way, &e), 1);
 }
-END_TEST
 
-START_TEST(a_hundredth_of_friction_is_seen) {
+TEST(a_hundredth_of_friction_is_seen) {
     Engine e = copyOfKarma();
     e.setContacts = lessenFriction;
     ck_assert_int_eq(countBroken(&slide, &e), 1);
     ck_assert_int_eq(countBroken(&way, &e), 1);
 }
-END_TEST
 
-START_TEST(dropped_contacts_are_seen) {
+TEST(dropped_contacts_are_seen) {
     Engine e = copyOfKarma();
     e.setContacts = dropTwoContacts;
     ck_assert_int_eq(countBroken(&overlap, &e), 1);
     ck_assert_int_eq(countBroken(&sink, &e), 1);
 }
-END_TEST
 
-START_TEST(contacts_that_are_lost_now_and_then_are_seen) {
+TEST(contacts_that_are_lost_now_and_then_are_seen) {
     Engine e = copyOfKarma();
     e.setContacts = dropEveryTenthContacts;
     ck_assert_int_eq(countBroken(&stick, &e), 1);
     ck_assert_int_eq(countBroken(&sink, &e), 1);
 }
-END_TEST
 
-START_TEST(a_dropped_joint_is_seen) {
+TEST(a_dropped_joint_is_seen) {
     Engine e = copyOfKarma();
     e.addJoint = dropThirdJoint;
     ck_assert_int_eq(countBroken(&chainGap, &e), 1);
 }
-END_TEST
 
-START_TEST(a_skipped_step_is_seen) {
+TEST(a_skipped_step_is_seen) {
     Engine e = copyOfKarma();
     e.step = skipTenthStep;
     ck_assert_int_eq(countBroken(&period, &e), 1);
     ck_assert_int_eq(countBroken(&slide, &e), 1);
     ck_assert_int_eq(countBroken(&flip, &e), 1);
 }
-END_TEST
 
-START_TEST(a_step_that_is_too_long_is_seen) {
+TEST(a_step_that_is_too_long_is_seen) {
     Engine e = copyOfKarma();
     e.step = stepLonger;
     ck_assert_int_eq(countBroken(&period, &e), 1);
     ck_assert_int_eq(countBroken(&way, &e), 0); /* the way to a stop does not depend on time */
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, without_a_fault_all_bounds_hold);
-    tcase_add_test(t, friction_of_the_wrong_sign_is_seen);
-    tcase_add_test(t, a_hundredth_of_friction_is_seen);
-    tcase_add_test(t, dropped_contacts_are_seen);
-    tcase_add_test(t, contacts_that_are_lost_now_and_then_are_seen);
-    tcase_add_test(t, a_dropped_joint_is_seen);
-    tcase_add_test(t, a_skipped_step_is_seen);
-    tcase_add_test(t, a_step_that_is_too_long_is_seen);
-}
-TEST_MAIN("faults", tests)

@@ -89,7 +89,7 @@ static double run(double phase, int driven, double speed, double duration, doubl
 }
 
 /* 2 x 7 x 8 runs: 3648 passages of change points. */
-START_TEST(momentum_chooses_the_branch_at_a_change_point) {
+TEST(momentum_chooses_the_branch_at_a_change_point) {
     double gap = 0;
     int conflicts = 0;
     for (int i = 0; i < SPEEDS; i++)
@@ -104,9 +104,3 @@ START_TEST(momentum_chooses_the_branch_at_a_change_point) {
     assert_below(gap, gapBound);
     ck_assert_int_eq(conflicts, 0);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, momentum_chooses_the_branch_at_a_change_point);
-}
-TEST_MAIN("linkage", tests)

@@ -70,7 +70,7 @@ static double follow(MeBool slides, MeBool tracks, double *velocity) {
     return worst;
 }
 
-START_TEST(a_tracking_motor_leads_along_a_path) {
+TEST(a_tracking_motor_leads_along_a_path) {
     for (int slides = 0; slides < 2; slides++) {
         double velocity;
         const double error = follow(slides, METRUE, &velocity);
@@ -78,9 +78,8 @@ START_TEST(a_tracking_motor_leads_along_a_path) {
         assert_below(velocity, TOL(1e-5, 1e-7));
     }
 }
-END_TEST
 
-START_TEST(a_motor_reaches_its_velocity_at_the_end_of_the_step) {
+TEST(a_motor_reaches_its_velocity_at_the_end_of_the_step) {
     for (int slides = 0; slides < 2; slides++) {
         double velocity;
         const double error = follow(slides, MEFALSE, &velocity);
@@ -88,10 +87,9 @@ START_TEST(a_motor_reaches_its_velocity_at_the_end_of_the_step) {
         assert_below(error, .05);
     }
 }
-END_TEST
 
 /* A constant force F on 1 kg, v < h F / m missing after a step: m v = F t until the velocity is reached. */
-START_TEST(a_tracking_motor_has_no_more_than_its_force) {
+TEST(a_tracking_motor_has_no_more_than_its_force) {
     const double force = 2 + gravity, rate = 1;
     const Machine m = makeMachine(METRUE, force, METRUE);
     MdtLimitSetLimitedForceMotor(m.limit, (MeReal)rate, (MeReal)force);
@@ -103,10 +101,9 @@ START_TEST(a_tracking_motor_has_no_more_than_its_force) {
     assert_near(MdtLimitGetVelocity(m.limit), rate, TOL(1e-5, 1e-8));
     MdtWorldDestroy(m.world);
 }
-END_TEST
 
 /* Copied with the limit, gone with a reset; a null limit is told of. */
-START_TEST(tracking_is_part_of_a_limit) {
+TEST(tracking_is_part_of_a_limit) {
     const Machine m = makeMachine(MEFALSE, 1, METRUE), other = makeMachine(METRUE, 1, MEFALSE);
     ck_assert(MdtLimitMotorIsTracking(m.limit) && !MdtLimitMotorIsTracking(other.limit));
     *other.limit = *m.limit;
@@ -116,12 +113,3 @@ START_TEST(tracking_is_part_of_a_limit) {
     MdtWorldDestroy(m.world);
     MdtWorldDestroy(other.world);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_tracking_motor_leads_along_a_path);
-    tcase_add_test(t, a_motor_reaches_its_velocity_at_the_end_of_the_step);
-    tcase_add_test(t, a_tracking_motor_has_no_more_than_its_force);
-    tcase_add_test(t, tracking_is_part_of_a_limit);
-}
-TEST_MAIN("motor", tests)

@@ -159,7 +159,7 @@ static const Case cases[] = {
     {"hinges of the guide's 1e-4 / kg, bridge", ACROSS, BRIDGE, 1e-4, 1e-3},
 };
 
-START_TEST(redundant_joints_that_agree_are_no_conflict) {
+TEST(redundant_joints_that_agree_are_no_conflict) {
     for (unsigned int i = 0; i < sizeof cases / sizeof *cases; i++) {
         const Case *c = &cases[i];
         const Outcome o = run(c->kind, c->hold, c->epsilon);
@@ -167,9 +167,3 @@ START_TEST(redundant_joints_that_agree_are_no_conflict) {
                       c->what, o.conflicts, o.fallbacks, o.gap);
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, redundant_joints_that_agree_are_no_conflict);
-}
-TEST_MAIN("rings", tests)

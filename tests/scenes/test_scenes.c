@@ -21,24 +21,22 @@ static const Scene *find(const char *name) {
 
 /* The right answers */
 
-START_TEST(pendulum_periods_are_the_elliptic_integral) {
+TEST(pendulum_periods_are_the_elliptic_integral) {
     assert_near_rel(reference_pendulumPeriod(1e-6, 2), pi, 1e-12);
     /* K(1/sqrt 2) = 1.85407467730137 */
     assert_near_rel(reference_pendulumPeriod(pi / 2, 1), 4 * 1.85407467730137, 1e-14);
     assert_near_rel(reference_pendulumPeriod(pi / 3, 1), 2 * pi * 1.07318200714936, 1e-14);
 }
-END_TEST
 
-START_TEST(tumbling_flips_when_the_literature_says) {
+TEST(tumbling_flips_when_the_literature_says) {
     const double inertia[3] = {.4 / 12, 1.04 / 12, 1.36 / 12}, spin[3] = {.01, 5, 0};
     const ReferenceTumbling r = reference_tumbling(inertia, spin, 60);
     ck_assert_int_eq(r.flips, 12);
     assert_near(r.firstFlip, 2.4543, 5e-5);
     assert_near(r.energy, 0, 1e-12);
 }
-END_TEST
 
-START_TEST(slides_and_rolls_are_the_closed_forms) {
+TEST(slides_and_rolls_are_the_closed_forms) {
     const double along = 9.81 * sin(atan(.5)), across = 9.81 * cos(atan(.5));
     assert_near(reference_slide(along, across, .3, 2), 3.509732, 1e-6);
     assert_near(reference_slide(along, across, .45, 2), .877433, 1e-6);
@@ -53,16 +51,14 @@ START_TEST(slides_and_rolls_are_the_closed_forms) {
     assert_near(reference_rollingSpeed(0, 7), 2, 1e-12);
     assert_near(reference_rollingDistance(0, 7, .3, 9.81, .5), .3 * 9.81 * .125, 1e-12);
 }
-END_TEST
 
-START_TEST(blocks_topple_when_they_must) {
+TEST(blocks_topple_when_they_must) {
     ck_assert(!reference_topples(.25, .5, 3, .45, 9.81));
     ck_assert(!reference_topples(.25, .5, 3, .51, 9.81)); /* it rocks, by .38 of the .46 rad that it needs */
     ck_assert(reference_topples(.25, .5, 3, .52, 9.81));
     ck_assert(reference_topples(.25, .5, 3, .55, 9.81));
     ck_assert(!reference_topples(.25, .5, .5, .55, 9.81)); /* too slow: 1/8 J a kg, and it needs .58 */
 }
-END_TEST
 
 static void cross(const double a[3], const double b[3], double out[3]) {
     for (int i = 0; i < 3; i++)
@@ -86,7 +82,7 @@ static void discAt(const ReferenceDisc *d, double rate, double angle, double cen
 
 /* Euler's laws by differences: what pushes the centre round is the ground's force, and its moment about the centre
  * turns the momentum. */
-START_TEST(a_rolling_disc_goes_round_as_its_momentum_asks) {
+TEST(a_rolling_disc_goes_round_as_its_momentum_asks) {
     static const double h = 1e-3;
     static const ReferenceDisc discs[] = {{.5, .05, .125, .0633, pi / 6, 1.5}, {.1, .001, .005, .0025, 1.2, .3}};
     for (int k = 0; k < 2; k++) {
@@ -104,11 +100,10 @@ START_TEST(a_rolling_disc_goes_round_as_its_momentum_asks) {
             assert_near(moment[i], (momentum[2][i] - momentum[0][i]) * rate / (2 * h), 1e-5);
     }
 }
-END_TEST
 
 /* What a top keeps: its energy, its momentum about the upright and about its axis, and the length of that axis. One
  * that is upright stays so, and one that leans goes round slowly at m g l / L, with a ripple (Omega/nutation)². */
-START_TEST(tops_keep_what_they_must_and_go_round_as_they_must) {
+TEST(tops_keep_what_they_must_and_go_round_as_they_must) {
     const double across = .0134, weight = .981, lean = .5, momentum = 5;
     double y[6] = {sin(lean), cos(lean), 0, momentum * sin(lean), momentum * cos(lean), 0};
     const double twice = momentum * momentum / across + 2 * weight * cos(lean), upright = y[4];
@@ -123,11 +118,10 @@ START_TEST(tops_keep_what_they_must_and_go_round_as_they_must) {
     reference_top(up, across, weight, 3);
     assert_near(up[1], 1, 0);
 }
-END_TEST
 
 /* Whether steps of 50 us are fine enough for a top like the scene's: one long span against many short ones, whose steps
  * are half as long. */
-START_TEST(tops_are_integrated_until_they_converge) {
+TEST(tops_are_integrated_until_they_converge) {
     double coarse[6] = {.6, .8, 0, .4, .5, .2}, fine[6] = {.6, .8, 0, .4, .5, .2};
     reference_top(coarse, .0134, .981, 5);
     for (int i = 0; i < 200000; i++)
@@ -135,11 +129,10 @@ START_TEST(tops_are_integrated_until_they_converge) {
     for (int i = 0; i < 6; i++)
         assert_near(coarse[i], fine[i], 5e-11); /* (omega h)^5 / 120 a step, omega = 50 */
 }
-END_TEST
 
 /* The worlds */
 
-START_TEST(every_scene_starts_joined_and_is_measured_as_it_starts) {
+TEST(every_scene_starts_joined_and_is_measured_as_it_starts) {
     for (int i = 0; scenes[i]; i++) {
         SceneWorld w = {.numBodies = 0};
         SceneState states[SCENE_MAX_BODIES];
@@ -156,9 +149,8 @@ START_TEST(every_scene_starts_joined_and_is_measured_as_it_starts) {
             assert_below(t.worst[k], 1e-12);
     }
 }
-END_TEST
 
-START_TEST(gaps_and_energies_are_those_of_the_states) {
+TEST(gaps_and_energies_are_those_of_the_states) {
     SceneWorld w = {.numBodies = 0};
     SceneState states[SCENE_MAX_BODIES];
     find("chain-level")->build(find("chain-level"), &w);
@@ -176,11 +168,10 @@ START_TEST(gaps_and_energies_are_those_of_the_states) {
     states[4].quaternion[3] = 1;
     assert_near(scene_gap(&w, states), .5, 1e-14);
 }
-END_TEST
 
 /* There is room for the teeth to both sides all the time, and never for a whole tooth: over a tooth of the small wheel,
  * by steps of 1/100. They start in the middle of a gap, so what is free turns to the other side with the wheels. */
-START_TEST(gears_have_room_and_cannot_skip) {
+TEST(gears_have_room_and_cannot_skip) {
     const double teeth = 2 * pi / 12;
     for (int i = 0; i < 100; i++)
         for (int side = -1; side < 2; side += 2) {
@@ -190,10 +181,9 @@ START_TEST(gears_have_room_and_cannot_skip) {
             assert_near(scenes_gearPlay(-i * teeth / 100, -side), play, 1e-9);
         }
 }
-END_TEST
 
 /* Wheels touch the ground where a car starts; the slope is one plane, its heights without rounding. */
-START_TEST(terrain_lies_under_the_wheels) {
+TEST(terrain_lies_under_the_wheels) {
     const char *const names[] = {"terrain-roll", "terrain-car"};
     for (int n = 0; n < 2; n++) {
         static SceneWorld w;
@@ -211,7 +201,6 @@ START_TEST(terrain_lies_under_the_wheels) {
         }
     }
 }
-END_TEST
 
 /* Contacts */
 
@@ -227,7 +216,7 @@ static int stackContacts(double x, double y, double turn, SceneContact contacts[
     return scene_contacts(&w, states, SCENE_FRAME, contacts);
 }
 
-START_TEST(faces_meet_where_they_overlap) {
+TEST(faces_meet_where_they_overlap) {
     SceneContact c[SCENE_MAX_CONTACTS];
     ck_assert_int_eq(stackContacts(.25, .999, 0, c), 4);
     for (int i = 0; i < 4; i++) {
@@ -242,9 +231,8 @@ START_TEST(faces_meet_where_they_overlap) {
     ck_assert_int_eq(stackContacts(0, 1.1, 0, c), 0);
     ck_assert_int_eq(stackContacts(1.1, .9, 0, c), 0);
 }
-END_TEST
 
-START_TEST(corners_and_spheres_meet_the_ground) {
+TEST(corners_and_spheres_meet_the_ground) {
     SceneContact c[SCENE_MAX_CONTACTS];
     SceneWorld w = {.numBodies = 0};
     scene_addBox(&w, 1, 1, 2, 3, 0, .99, 0);
@@ -259,9 +247,8 @@ START_TEST(corners_and_spheres_meet_the_ground) {
         assert_vec3_near(c[i].normal, 0, 1, 0, 0);
     }
 }
-END_TEST
 
-START_TEST(spheres_meet_where_they_touch) {
+TEST(spheres_meet_where_they_touch) {
     SceneContact c[SCENE_MAX_CONTACTS];
     SceneWorld w = {.numBodies = 0};
     scene_addSphere(&w, 1, .5, 0, 9, 0)->restitution = .5;
@@ -276,7 +263,6 @@ START_TEST(spheres_meet_where_they_touch) {
     assert_vec3_near(c[0].normal, -.8, 0, -.6, 1e-15);
     assert_vec3_near(c[0].point, .4, 9, .3, 1e-15);
 }
-END_TEST
 
 /* A run tells what breaks: an engine that loses its numbers, and one in which nothing moves. */
 
@@ -306,7 +292,7 @@ static void stillDestroy(EngineWorld *w) {
     (void)w;
 }
 
-START_TEST(a_run_tells_what_breaks) {
+TEST(a_run_tells_what_breaks) {
     const Engine still = {.create = stillCreate,
                           .addBody = stillAddBody,
                           .addJoint = stillAddJoint,
@@ -328,7 +314,6 @@ START_TEST(a_run_tells_what_breaks) {
     ck_assert_int_eq(r.outcome, RUN_TIMES_OUT);
     ck_assert(run_lack(find("bounce"), &still, 0) != NULL && run_lack(find("pendulum"), &still, 0) == NULL);
 }
-END_TEST
 
 /* Karma: what it reaches today, one line for each error that is asserted. The goals are in the scenes. */
 
@@ -418,19 +403,17 @@ static const SceneBound loops[] = {
 };
 enum { LOOPS = sizeof loops / sizeof *loops };
 
-START_TEST(loops_of_joints_hold_and_agree) {
+TEST(loops_of_joints_hold_and_agree) {
     const int broken = bounds_countBroken(loops, LOOPS, KARMA, ENGINE_STRICT);
     ck_assert_msg(broken == 0, "%d of %d errors are too large", broken, LOOPS);
 }
-END_TEST
 
-START_TEST(karma_is_as_accurate_as_it_was) {
+TEST(karma_is_as_accurate_as_it_was) {
     const int broken = bounds_countBroken(bounds, BOUNDS, KARMA, 0);
     ck_assert_msg(broken == 0, "%d of %d errors are too large", broken, BOUNDS);
 }
-END_TEST
 
-START_TEST(runs_are_alike) {
+TEST(runs_are_alike) {
     const char *const names[] = {"block", "isotropy", "cradle"};
     for (int i = 0; i < 3; i++) {
         const RunResult a = run_scene(find(names[i]), KARMA, 0, 2, 1e9),
@@ -438,26 +421,3 @@ START_TEST(runs_are_alike) {
         ck_assert_int_eq(memcmp(a.errors, b.errors, sizeof a.errors), 0);
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, loops_of_joints_hold_and_agree);
-    tcase_add_test(t, a_rolling_disc_goes_round_as_its_momentum_asks);
-    tcase_add_test(t, pendulum_periods_are_the_elliptic_integral);
-    tcase_add_test(t, tumbling_flips_when_the_literature_says);
-    tcase_add_test(t, slides_and_rolls_are_the_closed_forms);
-    tcase_add_test(t, blocks_topple_when_they_must);
-    tcase_add_test(t, tops_keep_what_they_must_and_go_round_as_they_must);
-    tcase_add_test(t, tops_are_integrated_until_they_converge);
-    tcase_add_test(t, every_scene_starts_joined_and_is_measured_as_it_starts);
-    tcase_add_test(t, gaps_and_energies_are_those_of_the_states);
-    tcase_add_test(t, gears_have_room_and_cannot_skip);
-    tcase_add_test(t, terrain_lies_under_the_wheels);
-    tcase_add_test(t, faces_meet_where_they_overlap);
-    tcase_add_test(t, corners_and_spheres_meet_the_ground);
-    tcase_add_test(t, spheres_meet_where_they_touch);
-    tcase_add_test(t, a_run_tells_what_breaks);
-    tcase_add_test(t, runs_are_alike);
-    tcase_add_test(t, karma_is_as_accurate_as_it_was);
-}
-TEST_MAIN("scenes", tests)

@@ -43,7 +43,7 @@ def missing_tests(root, policy):
         if not found:
             yield f'{POLICY}: there is no test program {program}'
         for test in re.findall(r'\w+', tests):
-            if found and not re.search(rf'START_TEST\({test}\)', text):
+            if found and not re.search(rf'TEST\({test}\b', text):
                 yield f'{POLICY}: {program} has no test {test}'
 
 

@@ -5,7 +5,7 @@ static const AcmeVector3 origin = {0, 0, 0};
 
 static const float tolerance = 1e-5f;
 
-START_TEST(position_is_polar) {
+TEST(position_is_polar) {
     RRender *rc = make_context("-null");
     const AcmeVector3 at = {1, 2, 3};
     const float views[][3] = {{5, 0, 0}, {5, 1, 0}, {2, 0.3f, 0.7f}, {40, -2.5f, -1.2f}, {1, 3.1f, 1.5f}};
@@ -27,10 +27,9 @@ START_TEST(position_is_polar) {
     }
     RRenderContextDestroy(rc);
 }
-END_TEST
 
 /* Programs zoom and turn relative to the view that they find. */
-START_TEST(the_view_that_a_program_finds) {
+TEST(the_view_that_a_program_finds) {
     RRender *rc = make_context("-null");
     AcmeVector3 at, eye;
     assert_near(RCameraGetDistance(rc), 15, 0);
@@ -43,9 +42,8 @@ START_TEST(the_view_that_a_program_finds) {
     assert_vec3_near(eye, 0, 0, 6, tolerance);
     RRenderContextDestroy(rc);
 }
-END_TEST
 
-START_TEST(increments_and_bounds) {
+TEST(increments_and_bounds) {
     RRender *rc = make_context("-null");
     RCameraSetView(rc, 5, 1, 0.5f);
     RCameraZoom(rc, 2);
@@ -66,9 +64,8 @@ START_TEST(increments_and_bounds) {
     assert_near(RCameraGetRotation(rc), 4 - 2 * acos(-1), tolerance);
     RRenderContextDestroy(rc);
 }
-END_TEST
 
-START_TEST(looking_straight_down_has_an_up) {
+TEST(looking_straight_down_has_an_up) {
     RRender *rc = make_context("-null");
     AcmeVector3 up;
     RCameraSetView(rc, 5, 0, 10);
@@ -76,9 +73,8 @@ START_TEST(looking_straight_down_has_an_up) {
     assert_vec3_near(up, 0, 0, -1, 1e-6);
     RRenderContextDestroy(rc);
 }
-END_TEST
 
-START_TEST(written_members_count_after_update) {
+TEST(written_members_count_after_update) {
     RRender *rc = make_context("-null");
     AcmeVector3 p;
     RCameraSetLookAt(rc, origin);
@@ -97,9 +93,8 @@ START_TEST(written_members_count_after_update) {
     messages_release();
     RRenderContextDestroy(rc);
 }
-END_TEST
 
-START_TEST(panning_goes_along_the_cameras_axes) {
+TEST(panning_goes_along_the_cameras_axes) {
     RRender *rc = make_context("-null");
     AcmeVector3 at;
     RCameraSetLookAt(rc, origin);
@@ -111,9 +106,8 @@ START_TEST(panning_goes_along_the_cameras_axes) {
     assert_vec3_near(at, 4, 3, -2, tolerance);
     RRenderContextDestroy(rc);
 }
-END_TEST
 
-START_TEST(from_two_points) {
+TEST(from_two_points) {
     RRender *rc = make_context("-null");
     const MeVector3 at = {1, 1, 1}, from = {1 + 3, 1 + 12, 1 + 4};
     AcmeVector3 p;
@@ -124,7 +118,6 @@ START_TEST(from_two_points) {
     assert_near(RCameraGetRotation(rc), atan2(3, 4), tolerance);
     RRenderContextDestroy(rc);
 }
-END_TEST
 
 /* A point through the two matrices, to -1..1. */
 static void project(const RRender *rc, const double p[3], double out[3]) {
@@ -143,7 +136,7 @@ static void project(const RRender *rc, const double p[3], double out[3]) {
         out[j] = clip[j] / clip[3];
 }
 
-START_TEST(matrices_project) {
+TEST(matrices_project) {
     RRender *rc = make_context("-null -size 800x400");
     double p[3];
     RCameraSetLookAt(rc, origin);
@@ -160,9 +153,8 @@ START_TEST(matrices_project) {
     assert_near(p[0], 1, tolerance);
     RRenderContextDestroy(rc);
 }
-END_TEST
 
-START_TEST(orthographic_views) {
+TEST(orthographic_views) {
     RRender *rc = make_context("-null -size 400x400");
     double p[3];
     RCameraSetLookAt(rc, origin);
@@ -183,9 +175,8 @@ START_TEST(orthographic_views) {
     assert_near(rc->m_ProjectionMatrix[2][3], -1, 0);
     RRenderContextDestroy(rc);
 }
-END_TEST
 
-START_TEST(own_matrix) {
+TEST(own_matrix) {
     RRender *rc = make_context("-null");
     MeMatrix4 m = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {-1, -2, -30, 1}};
     AcmeVector3 p;
@@ -196,9 +187,8 @@ START_TEST(own_matrix) {
     assert_vec3_near(p, 0, 0, -1, 0);
     RRenderContextDestroy(rc);
 }
-END_TEST
 
-START_TEST(portal_coordinates) {
+TEST(portal_coordinates) {
     RRender *rc = make_context("-null -size 400x200");
     AcmeReal x, y;
     RCalculatePortalCoordinates(rc, 4, 2, 200, 100, &x, &y);
@@ -209,9 +199,8 @@ START_TEST(portal_coordinates) {
     assert_near(y, 1, 0);
     RRenderContextDestroy(rc);
 }
-END_TEST
 
-START_TEST(bad_input) {
+TEST(bad_input) {
     RRender *rc = make_context("-null");
     AcmeVector3 p = {7, 7, 7}, bad = {0, NAN, 0};
     AcmeReal x;
@@ -244,20 +233,3 @@ START_TEST(bad_input) {
     messages_release();
     RRenderContextDestroy(rc);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, position_is_polar);
-    tcase_add_test(t, the_view_that_a_program_finds);
-    tcase_add_test(t, increments_and_bounds);
-    tcase_add_test(t, looking_straight_down_has_an_up);
-    tcase_add_test(t, written_members_count_after_update);
-    tcase_add_test(t, panning_goes_along_the_cameras_axes);
-    tcase_add_test(t, from_two_points);
-    tcase_add_test(t, matrices_project);
-    tcase_add_test(t, orthographic_views);
-    tcase_add_test(t, own_matrix);
-    tcase_add_test(t, portal_coordinates);
-    tcase_add_test(t, bad_input);
-}
-TEST_MAIN("Camera", tests)

@@ -24,7 +24,7 @@ static RClock start(int64_t *now) {
     return c;
 }
 
-START_TEST(frames_on_time_have_one_tick_each) {
+TEST(frames_on_time_have_one_tick_each) {
     int64_t now;
     RClock c = start(&now);
     for (int i = 1; i <= 600; i++) {
@@ -35,9 +35,8 @@ START_TEST(frames_on_time_have_one_tick_each) {
     }
     ck_assert_double_eq_tol(c.pace, 1, .01);
 }
-END_TEST
 
-START_TEST(slow_frames_have_as_many_ticks_as_time_has_passed) {
+TEST(slow_frames_have_as_many_ticks_as_time_has_passed) {
     static const int frames[] = {17, 40, 100, 250}; /* ms: 60 to 4 frames a second */
     static const double rates[] = {20, 60, 100};
     for (int f = 0; f < 4; f++)
@@ -49,19 +48,17 @@ START_TEST(slow_frames_have_as_many_ticks_as_time_has_passed) {
             ck_assert_double_eq_tol(c.pace, 1, .05);
         }
 }
-END_TEST
 
 /* 40 ms of physics for 1/60 s: a frame has one tick, as one is more than the budget, and time is lost. */
-START_TEST(ticks_that_take_too_long_slow_the_simulation_and_not_the_window) {
+TEST(ticks_that_take_too_long_slow_the_simulation_and_not_the_window) {
     int64_t now;
     RClock c = start(&now);
     const int ticks = run(&c, &now, 10, 10 * MS, 40 * MS, 60);
     ck_assert_int_eq(ticks, 200); /* 10 s of frames of 50 ms */
     ck_assert_double_eq_tol(c.pace, (1. / 60) / .05, .01);
 }
-END_TEST
 
-START_TEST(what_was_owed_before_a_pause_is_forgotten) {
+TEST(what_was_owed_before_a_pause_is_forgotten) {
     int64_t now;
     RClock c = start(&now);
     run(&c, &now, 2, 10 * MS, 40 * MS, 60);
@@ -71,10 +68,9 @@ START_TEST(what_was_owed_before_a_pause_is_forgotten) {
     ck_assert(r_clockCountTicks(&c, now, 60) && !r_clockCountTicks(&c, now, 60));
     ck_assert_double_eq(c.pace, 1);
 }
-END_TEST
 
 /* A stopped process, or a window that was dragged, for a minute: a quarter of a second of it is simulated. */
-START_TEST(a_long_stall_is_not_caught_up_with) {
+TEST(a_long_stall_is_not_caught_up_with) {
     int64_t now;
     RClock c = start(&now);
     int ticks = 0;
@@ -83,14 +79,3 @@ START_TEST(a_long_stall_is_not_caught_up_with) {
         ticks++;
     ck_assert_int_eq(ticks, 15);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_long_stall_is_not_caught_up_with);
-    tcase_add_test(t, frames_on_time_have_one_tick_each);
-    tcase_add_test(t, slow_frames_have_as_many_ticks_as_time_has_passed);
-    tcase_add_test(t, ticks_that_take_too_long_slow_the_simulation_and_not_the_window);
-    tcase_add_test(t, what_was_owed_before_a_pause_is_forgotten);
-}
-
-TEST_MAIN("Clock", tests)

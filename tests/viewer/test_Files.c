@@ -18,6 +18,7 @@ static void teardown(void) {
     messages_release();
     RRenderContextDestroy(rc);
 }
+TEST_FIXTURE(setup, teardown)
 
 static RGraphic *load(const char *text) {
     make_file("test_Files.ASE", text, strlen(text));
@@ -41,7 +42,7 @@ static const char *const normals =
     "\t\t\t\t*MESH_VERTEXNORMAL 0\t0.0\t2.0\t0.0\n\t\t\t\t*MESH_VERTEXNORMAL 1\t1.0\t0.0\t0.0\n"
     "\t\t\t\t*MESH_VERTEXNORMAL 2\t0.0\t0.0\t-1.0\n\t\t}\n";
 
-START_TEST(ase_without_normals) {
+TEST(ase_without_normals) {
     RGraphic *g = load(square);
     ck_assert_ptr_nonnull(g);
     ck_assert_int_eq(g->m_pObject->m_nNumVertices, 6);
@@ -54,10 +55,9 @@ START_TEST(ase_without_normals) {
     assert_near(g->m_pVertices[1].m_V, 1, 0);
     assert_near(g->m_pVertices[3].m_U, 0, 0); /* The second face has no texture. */
 }
-END_TEST
 
 /* Shapes for collision, by their names, are left out on request; the offset comes after the scale. */
-START_TEST(ase_without_collision_shapes) {
+TEST(ase_without_collision_shapes) {
     const MeVector3 offset = {10, 20, 30};
     char text[4096];
     const char *name = strstr(square, "square");
@@ -75,9 +75,8 @@ START_TEST(ase_without_collision_shapes) {
     assert_warned("offset");
     remove("test_Files.ASE");
 }
-END_TEST
 
-START_TEST(ase_with_normals_and_two_meshes) {
+TEST(ase_with_normals_and_two_meshes) {
     char text[4096];
     snprintf(text, sizeof text, "%s%s\t}\n}\n%s\t}\n}\n", square, normals, square);
     RGraphic *g = load(text);
@@ -88,9 +87,8 @@ START_TEST(ase_with_normals_and_two_meshes) {
     assert_near(g->m_pVertices[2].m_NZ, -1, 0);
     assert_near(g->m_pVertices[3].m_NZ, 1, 0); /* Given for the first face only. */
 }
-END_TEST
 
-START_TEST(ase_broken) {
+TEST(ase_broken) {
     static const char *const texts[] = {
         "",
         "no ASE file at all",
@@ -118,9 +116,8 @@ START_TEST(ase_broken) {
     ck_assert_ptr_null(RGraphicLoadASE(rc, "x", 1, 0, 1, RED, NULL));
     assert_warned("scale");
 }
-END_TEST
 
-START_TEST(ase_normalized) {
+TEST(ase_normalized) {
     make_file("test_Files.ASE", square, strlen(square));
     RGraphic *g = RGraphicCreate(rc, "test_Files.ASE", 4, 2, 1, RED, NULL, 1, 1);
     remove("test_Files.ASE");
@@ -129,7 +126,6 @@ START_TEST(ase_normalized) {
     assert_near(g->m_pVertices[2].m_X, 2, 0);
     assert_near(g->m_pVertices[2].m_Y, 1, 0);
 }
-END_TEST
 
 /* A .bmp file of 3 x 2 pixels; the lowest row first, blue before green before red, rows of 12 bytes. */
 static void makeBmp(const char *name, int bits, int height, size_t size) {
@@ -142,7 +138,7 @@ static void makeBmp(const char *name, int bits, int height, size_t size) {
     make_file(name, b, size);
 }
 
-START_TEST(bmp) {
+TEST(bmp) {
     RPicture p;
     makeBmp("test_Files.bmp", 24, 2, 78);
     ck_assert(r_texturePicture("test_Files", &p));
@@ -156,9 +152,8 @@ START_TEST(bmp) {
     r_free(p.rgba);
     remove("test_Files.bmp");
 }
-END_TEST
 
-START_TEST(bmp_broken) {
+TEST(bmp_broken) {
     RPicture p;
     static const struct {
         int bits, height;
@@ -176,9 +171,8 @@ START_TEST(bmp_broken) {
     ck_assert(!r_texturePicture("test_Files", &p)); /* A file that is not there is a message, and no warning. */
     assert_silent();
 }
-END_TEST
 
-START_TEST(png_as_a_texture) {
+TEST(png_as_a_texture) {
     uint8_t pixels[2 * 2 * 4] = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 9, 8, 7, 255};
     const RPicture written = {2, 2, pixels};
     RPicture p;
@@ -196,9 +190,8 @@ START_TEST(png_as_a_texture) {
     remove("test_Files.png");
     ck_assert(!r_imageRead("test_Files.png", &p));
 }
-END_TEST
 
-START_TEST(textures_in_their_own_directory) {
+TEST(textures_in_their_own_directory) {
     char directory[] = "test_Files.XXXXXX", path[64];
     RPicture p;
     ck_assert_ptr_nonnull(mkdtemp(directory));
@@ -211,9 +204,8 @@ START_TEST(textures_in_their_own_directory) {
     remove(path);
     rmdir(directory);
 }
-END_TEST
 
-START_TEST(built_in_textures) {
+TEST(built_in_textures) {
     RPicture p;
     ck_assert(r_texturePicture("checkerboard", &p));
     ck_assert(p.rgba[0] != p.rgba[4 * 32]);
@@ -225,9 +217,8 @@ START_TEST(built_in_textures) {
     ck_assert_int_gt(ink, 1000);
     r_free(p.rgba);
 }
-END_TEST
 
-START_TEST(png) {
+TEST(png) {
     uint8_t pixels[2 * 2 * 4] = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 9, 9, 9, 255};
     const RPicture p = {2, 2, pixels};
     ck_assert(r_writePng("test_Files.png", &p));
@@ -239,20 +230,3 @@ START_TEST(png) {
         assert_warned("/dev/full");
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setup, teardown);
-    tcase_add_test(t, ase_without_normals);
-    tcase_add_test(t, ase_without_collision_shapes);
-    tcase_add_test(t, ase_with_normals_and_two_meshes);
-    tcase_add_test(t, ase_broken);
-    tcase_add_test(t, ase_normalized);
-    tcase_add_test(t, bmp);
-    tcase_add_test(t, bmp_broken);
-    tcase_add_test(t, png_as_a_texture);
-    tcase_add_test(t, textures_in_their_own_directory);
-    tcase_add_test(t, built_in_textures);
-    tcase_add_test(t, png);
-}
-TEST_MAIN("Files", tests)

@@ -14,6 +14,7 @@ static void teardown(void) {
     messages_release();
     RRenderContextDestroy(rc);
 }
+TEST_FIXTURE(setup, teardown)
 
 static int length3D(void) {
     int n = 0;
@@ -22,7 +23,7 @@ static int length3D(void) {
     return n;
 }
 
-START_TEST(creating_puts_into_the_list) {
+TEST(creating_puts_into_the_list) {
     RGraphic *a = RGraphicSphereCreate(rc, 1, RED, NULL), *b = RGraphicBoxCreate(rc, 1, 2, 3, RED, NULL);
     RGraphic *c = RGraphicTorusCreate(rc, 1, 2, RED, NULL), *d = RGraphic2DRectangleCreate(rc, 0, 0, 1, 1, RED);
     ck_assert_ptr_eq(rc->m_p3DGraphics, a);
@@ -43,9 +44,8 @@ START_TEST(creating_puts_into_the_list) {
     ck_assert_ptr_null(rc->m_p2DGraphics);
     ck_assert_int_eq(length3D(), 1);
 }
-END_TEST
 
-START_TEST(wrong_lists_are_refused) {
+TEST(wrong_lists_are_refused) {
     RGraphic *a = RGraphicSphereCreate(rc, 1, RED, NULL), *empty = RGraphicCreateEmpty(3);
     RGraphicAddToList(rc, a, 0);
     assert_warned("already");
@@ -56,9 +56,8 @@ START_TEST(wrong_lists_are_refused) {
     ck_assert_int_eq(length3D(), 1);
     RGraphicDestroy(empty);
 }
-END_TEST
 
-START_TEST(an_empty_graphic_is_white_and_has_room) {
+TEST(an_empty_graphic_is_white_and_has_room) {
     RGraphic *g = RGraphicCreateEmpty(6);
     float color[4];
     ck_assert_int_eq(g->m_nMaxNumVertices, 6);
@@ -75,9 +74,8 @@ START_TEST(an_empty_graphic_is_white_and_has_room) {
     ck_assert_ptr_null(RGraphicCreateEmpty(-3));
     assert_warned("multiple of 3");
 }
-END_TEST
 
-START_TEST(colours) {
+TEST(colours) {
     RGraphic *g = RGraphicSphereCreate(rc, 1, RED, NULL);
     float color[4];
     g->m_pObject->m_ColorEmissive[1] = g->m_pObject->m_ColorSpecular[2] = 1;
@@ -96,9 +94,8 @@ START_TEST(colours) {
     assert_warned("color[1]");
     assert_near(g->m_pObject->m_ColorDiffuse[1], GREEN[1], 0);
 }
-END_TEST
 
-START_TEST(transforms) {
+TEST(transforms) {
     MeMatrix4 m = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {5, 6, 7, 1}};
     RGraphic *g = RGraphicSphereCreate(rc, 1, RED, m);
     ck_assert_ptr_eq(g->m_matrix, m); /* The other name of the same pointer. */
@@ -111,9 +108,8 @@ START_TEST(transforms) {
     RRenderUpdateGraphicMatrices(rc);
     assert_near(g->m_pObject->m_Matrix[3][1], 0, 0);
 }
-END_TEST
 
-START_TEST(scaling_and_moving_vertices) {
+TEST(scaling_and_moving_vertices) {
     RGraphic *g = RGraphicBoxCreate(rc, 2, 2, 2, RED, NULL);
     const MeVector3 offset = {1, 0, 0};
     AcmeReal low = INFINITY, high = -INFINITY;
@@ -145,9 +141,8 @@ START_TEST(scaling_and_moving_vertices) {
     assert_warned("one place");
     RGraphicDestroy(empty);
 }
-END_TEST
 
-START_TEST(combining) {
+TEST(combining) {
     MeMatrix4 m = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {10, 0, 0, 1}};
     RGraphic *a = RGraphicBoxCreate(rc, 1, 1, 1, RED, NULL), *b = RGraphicSphereCreate(rc, 1, GREEN, NULL);
     RGraphic *both = RGraphicCombine(rc, a, b, m);
@@ -158,9 +153,8 @@ START_TEST(combining) {
     assert_near(both->m_pObject->m_ColorDiffuse[0], RED[0], 0);
     ck_assert_int_eq(length3D(), 3);
 }
-END_TEST
 
-START_TEST(strips_become_triangles) {
+TEST(strips_become_triangles) {
     RObjectVertex strip[7];
     int sizes[2] = {4, 3}, starts[2] = {0, 4};
     RGraphic *g = RGraphicCreateEmpty(9);
@@ -180,9 +174,8 @@ START_TEST(strips_become_triangles) {
     assert_warned("negative");
     RGraphicDestroy(g);
 }
-END_TEST
 
-START_TEST(lines_as_graphics) {
+TEST(lines_as_graphics) {
     const AcmeReal a[3] = {1, 2, 3}, b[3] = {4, 5, 6}, bad[3] = {0, INFINITY, 0};
     RGraphic *line = RGraphicLineCreate(rc, a, b, RED, NULL), *box = RGraphicBoxCreate(rc, 1, 1, 1, RED, NULL);
     ck_assert_int_eq(RGraphicLineMoveEnds(line, b, a), 0);
@@ -196,9 +189,8 @@ START_TEST(lines_as_graphics) {
     assert_warned("origin[1]");
     assert_near(line->m_pVertices[0].m_X, 4, 0);
 }
-END_TEST
 
-START_TEST(native_lines) {
+TEST(native_lines) {
     const AcmeReal a[3] = {1, 2, 3}, b[3] = {4, 5, 6};
     const AcmeVector3 p = {0, 0, 0}, q = {1, 1, 1};
     RNativeLine *first = RNLineCreate(rc, a, b, RED, NULL), *second = RNLineCreate(rc, a, b, RED, NULL);
@@ -228,9 +220,8 @@ START_TEST(native_lines) {
     RNLineMoveEnds(NULL, a, b);
     assert_warned("RNLineMoveEnds");
 }
-END_TEST
 
-START_TEST(texture_numbers) {
+TEST(texture_numbers) {
     RGraphic *g = RGraphicSphereCreate(rc, 1, RED, NULL);
     char name[16];
     ck_assert_int_eq(RGraphicSetTexture(rc, g, "checkerboard"), 0);
@@ -247,9 +238,8 @@ START_TEST(texture_numbers) {
     ck_assert_int_eq(RGraphicSetTexture(rc, g, NULL), -1);
     ck_assert_int_eq(g->m_pObject->m_nTextureID, -1);
 }
-END_TEST
 
-START_TEST(light_switches) {
+TEST(light_switches) {
     rc->m_bForceDirectLight2Update = rc->m_bForcePointLightUpdate = 0;
     RLightSwitchOff(rc, kRAmbient);
     RLightSwitchOff(rc, kRDirect2);
@@ -263,9 +253,8 @@ START_TEST(light_switches) {
     RLightSwitchOn(rc, (RRenderLight)9);
     assert_warned("9");
 }
-END_TEST
 
-START_TEST(wireframe_and_resolution) {
+TEST(wireframe_and_resolution) {
     RGraphic *g = RGraphicSphereCreate(rc, 1, RED, NULL);
     ck_assert_int_eq(RGraphicIsWireframe(g), 0);
     RGraphicSetWireframe(g, 5);
@@ -278,9 +267,8 @@ START_TEST(wireframe_and_resolution) {
     assert_warned("res");
     ck_assert_int_eq(RRenderGetSphereResolution(rc), 16);
 }
-END_TEST
 
-START_TEST(bad_sizes) {
+TEST(bad_sizes) {
     struct {
         RGraphic *made;
         const char *argument;
@@ -312,7 +300,6 @@ START_TEST(bad_sizes) {
     RGraphicSetColor(NULL, RED);
     assert_warned("RGraphicSetColor");
 }
-END_TEST
 
 /* ---- Memory ---- */
 
@@ -329,7 +316,7 @@ static void MEAPI countDestroy(void *const block) {
 }
 
 /* Every particle is a triangle round its position that faces the camera. */
-START_TEST(particles_face_the_camera) {
+TEST(particles_face_the_camera) {
     static MeVector3 at[2] = {{1, 2, 3}, {4, (MeReal)NAN, 6}};
     RParticleSystem *ps = RParticleSystemNew(2, at, -1, RED, 0.5f);
     ck_assert_ptr_nonnull(ps);
@@ -353,9 +340,8 @@ START_TEST(particles_face_the_camera) {
     ck_assert_ptr_null(rc->m_p3DGraphics);
     RParticleSystemCreate(rc, 2, at, "checkerboard", RED, 1); /* Goes with the context. */
 }
-END_TEST
 
-START_TEST(the_context_frees_everything) {
+TEST(the_context_frees_everything) {
     const MeMemoryAPIStruct before = MeMemoryAPI;
     const char *const help[] = {"Space - jump"};
     const AcmeReal a[3] = {0, 0, 0}, b[3] = {1, 1, 1};
@@ -384,9 +370,8 @@ START_TEST(the_context_frees_everything) {
     assert_warned("destroyed");
     MeMemoryAPI = before;
 }
-END_TEST
 
-START_TEST(a_context_can_be_looked_at_before_it_starts) {
+TEST(a_context_can_be_looked_at_before_it_starts) {
     RRender *own = RRenderContextCreate2(NULL, NULL, 0, &blocks, NULL);
     ck_assert_ptr_null(own);
     assert_warned("pWnd");
@@ -395,26 +380,3 @@ START_TEST(a_context_can_be_looked_at_before_it_starts) {
     ck_assert_int_eq(RInit(NULL), 0);
     assert_warned("RInit");
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setup, teardown);
-    tcase_add_test(t, creating_puts_into_the_list);
-    tcase_add_test(t, wrong_lists_are_refused);
-    tcase_add_test(t, an_empty_graphic_is_white_and_has_room);
-    tcase_add_test(t, colours);
-    tcase_add_test(t, transforms);
-    tcase_add_test(t, scaling_and_moving_vertices);
-    tcase_add_test(t, combining);
-    tcase_add_test(t, strips_become_triangles);
-    tcase_add_test(t, lines_as_graphics);
-    tcase_add_test(t, native_lines);
-    tcase_add_test(t, texture_numbers);
-    tcase_add_test(t, light_switches);
-    tcase_add_test(t, wireframe_and_resolution);
-    tcase_add_test(t, bad_sizes);
-    tcase_add_test(t, particles_face_the_camera);
-    tcase_add_test(t, the_context_frees_everything);
-    tcase_add_test(t, a_context_can_be_looked_at_before_it_starts);
-}
-TEST_MAIN("Graphics", tests)

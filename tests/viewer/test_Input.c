@@ -58,6 +58,7 @@ static void teardown(void) {
     messages_release();
     RRenderContextDestroy(rc);
 }
+TEST_FIXTURE(setup, teardown)
 
 static void frames(int n) {
     while (n-- > 0)
@@ -79,7 +80,7 @@ static void point(REventKind kind, int which, int modifiers, int x, int y) {
     frames(1);
 }
 
-START_TEST(both_kinds_of_callbacks) {
+TEST(both_kinds_of_callbacks) {
     int data;
     RRenderSetUpCallBack(rc, onPress, &data);
     RRenderSetDownCallBack(rc, onPress);
@@ -98,9 +99,8 @@ START_TEST(both_kinds_of_callbacks) {
     tap(RKEY_UP, 0);
     ck_assert_int_eq(calls, 202);
 }
-END_TEST
 
-START_TEST(all_buttons_and_actions) {
+TEST(all_buttons_and_actions) {
     static const int keys[] = {RKEY_UP, RKEY_DOWN, RKEY_LEFT,  RKEY_RIGHT, 'w', 's', 'a',
                                'd',     ' ',       RKEY_ENTER, '3',        '4', '5'};
     int data[13];
@@ -128,9 +128,8 @@ START_TEST(all_buttons_and_actions) {
     RRenderSetButtonCallBack(rc, kRButtons, onPress, NULL);
     assert_warned("not a button");
 }
-END_TEST
 
-START_TEST(actions_can_have_other_keys) {
+TEST(actions_can_have_other_keys) {
     RRenderSetActionNCallBack(rc, 2, onPress);
     RRenderSetActionNKey(rc, 2, 'R');
     tap(RKEY_ENTER, 0);
@@ -147,9 +146,8 @@ START_TEST(actions_can_have_other_keys) {
     ck_assert_int_eq(calls, 2);
     ck_assert_int_eq(rc->m_bPause, 1);
 }
-END_TEST
 
-START_TEST(an_action_on_a_direction_key_is_not_repeated_as_the_direction) {
+TEST(an_action_on_a_direction_key_is_not_repeated_as_the_direction) {
     RRenderSetUp2CallBack(rc, onPressNoData);
     RRenderSetActionNCallBack(rc, 3, onPress);
     RRenderSetActionNKey(rc, 3, 'w');
@@ -158,7 +156,6 @@ START_TEST(an_action_on_a_direction_key_is_not_repeated_as_the_direction) {
     ck_assert_int_eq(calls, 1);
     assert_silent();
 }
-END_TEST
 
 static void MEAPI drawOne(RRender *r) {
     MeVector3 a = {0, 0, 0}, b = {1, 2, (MeReal)(r ? 3 : 0)};
@@ -166,7 +163,7 @@ static void MEAPI drawOne(RRender *r) {
 }
 
 /* What Karma draws of itself is seen until the next tick, and in a pause. */
-START_TEST(debug_lines_last_until_the_next_tick) {
+TEST(debug_lines_last_until_the_next_tick) {
     static const RTick drawing = {.funcNoData = drawOne};
     MeVector3 a = {0, 0, 0}, bad = {0, (MeReal)NAN, 0};
     MeDebugDrawAPI.line(a, a, 1, 0, 0); /* No frame yet: nobody would ever forget it. */
@@ -184,7 +181,6 @@ START_TEST(debug_lines_last_until_the_next_tick) {
     r_frame(rc, &tick);
     ck_assert_uint_eq(rc->m_pViewer->debugLines.count, 0);
 }
-END_TEST
 
 static int argumentsSeen;
 static void *dataSeen;
@@ -204,7 +200,7 @@ static void MEAPI oneParameter(RRender *r) {
 }
 
 /* Every form that programs write gets the arguments that it has. */
-START_TEST(callbacks_of_all_forms_are_called_with_their_arguments) {
+TEST(callbacks_of_all_forms_are_called_with_their_arguments) {
     int data = 3;
     RRenderSetUpCallBack(rc, withResult, &data);
     tap(RKEY_UP, 0);
@@ -226,9 +222,8 @@ START_TEST(callbacks_of_all_forms_are_called_with_their_arguments) {
     ck_assert_ptr_null(rc->m_CallBacks.m_Button[kRButtonUp].m_FuncNoData);
     assert_silent();
 }
-END_TEST
 
-START_TEST(a_held_button_repeats_and_an_action_does_not) {
+TEST(a_held_button_repeats_and_an_action_does_not) {
     RRenderSetUpCallBack(rc, onPress);
     RRenderSetActionNCallBack(rc, 1, onPressNoData);
     key(rKeyDown, RKEY_UP, 0);
@@ -244,9 +239,8 @@ START_TEST(a_held_button_repeats_and_an_action_does_not) {
     frames(60);
     ck_assert_int_eq(calls, before);
 }
-END_TEST
 
-START_TEST(pause_and_single_step) {
+TEST(pause_and_single_step) {
     frames(3);
     ck_assert_int_eq(ticks, 3);
     tap('p', 0);
@@ -266,9 +260,8 @@ START_TEST(pause_and_single_step) {
     tap(RKEY_F1, 0);
     ck_assert_int_eq(ticks, 7);
 }
-END_TEST
 
-START_TEST(camera_keys) {
+TEST(camera_keys) {
     RRenderSetLeftCallBack(rc, onPress);
     r_cameraKeepHome(rc);
     tap(RKEY_LEFT, RCONTROL);
@@ -286,9 +279,8 @@ START_TEST(camera_keys) {
     assert_near(RCameraGetRotation(rc), 0, 0);
     assert_near(RCameraGetElevation(rc), 0, 0);
 }
-END_TEST
 
-START_TEST(the_mouse_moves_the_camera) {
+TEST(the_mouse_moves_the_camera) {
     point(rMouseDown, kRLeftButton, 0, 100, 100);
     point(rMouseMove, 0, 0, 150, 120);
     assert_below(RCameraGetRotation(rc), -0.1); /* The world follows the mouse to the right. */
@@ -310,7 +302,6 @@ START_TEST(the_mouse_moves_the_camera) {
         assert_below(before + 0.1, rc->m_CameraLookAt[1]); /* Dragging down looks further up. */
     }
 }
-END_TEST
 
 /* World to the picture: 2 x 2, y up. */
 static void seenAt(const double world[3], double seen[2]) {
@@ -326,7 +317,7 @@ static void seenAt(const double world[3], double seen[2]) {
     seen[1] = c[1] * (double)rc->m_ProjectionMatrix[1][1] / w;
 }
 
-START_TEST(the_wheel_zooms_to_the_pointer) {
+TEST(the_wheel_zooms_to_the_pointer) {
     for (int orthographic = 0; orthographic < 2; orthographic++) {
         double before[2], after[2];
         RCameraSetView(rc, 10, 0.4f, 0.3f);
@@ -351,7 +342,6 @@ START_TEST(the_wheel_zooms_to_the_pointer) {
     }
     ck_assert(rc->m_pViewer->camera.orthoHeight < 8);
 }
-END_TEST
 
 static void MEAPI leave(RRender *r, int x, int y, int modifiers, RMouseButtonWhich which, RMouseButtonEvent event,
                         void *userdata) {
@@ -360,7 +350,7 @@ static void MEAPI leave(RRender *r, int x, int y, int modifiers, RMouseButtonWhi
         RRenderLeaveMouse(r);
 }
 
-START_TEST(a_drag_may_be_left_to_the_camera) {
+TEST(a_drag_may_be_left_to_the_camera) {
     RRenderSetMouseCallBack(rc, leave);
     point(rMouseDown, kRLeftButton, 0, 600, 100);
     point(rMouseMove, 0, 0, 650, 100);
@@ -374,9 +364,8 @@ START_TEST(a_drag_may_be_left_to_the_camera) {
     ck_assert_int_eq(mouse.n, 4);
     assert_near(RCameraGetRotation(rc), angle, 0);
 }
-END_TEST
 
-START_TEST(helpers_have_keys_that_the_program_does_not_want) {
+TEST(helpers_have_keys_that_the_program_does_not_want) {
     RRenderSetKeyCallBack(rc, ' ', onPress, NULL, "throw");
     RRenderSetKeyCallBack(rc, 'P', onPress, NULL, NULL);
     tap(' ', 0);
@@ -393,18 +382,16 @@ START_TEST(helpers_have_keys_that_the_program_does_not_want) {
     RRenderSetKeyCallBack(rc, '\n', onPress, NULL, NULL);
     assert_warned("printable");
 }
-END_TEST
 
-START_TEST(slow_motion_ticks_less_often) {
+TEST(slow_motion_ticks_less_often) {
     rc->m_pViewer->slow = 4;
     frames(40);
     ck_assert_int_eq(ticks, 10);
     tap('o', 0); /* A single step comes at once. */
     ck_assert_int_eq(ticks, 11);
 }
-END_TEST
 
-START_TEST(the_programs_mouse) {
+TEST(the_programs_mouse) {
     int data;
     RRenderSetMouseCallBack(rc, onMouse, &data);
     point(rMouseDown, kRLeftButton, RALT, 30, 40);
@@ -426,7 +413,6 @@ START_TEST(the_programs_mouse) {
     point(rMouseDown, kRLeftButton, 0, 30, 40);
     ck_assert_int_eq(mouse.n, 3);
 }
-END_TEST
 
 static MeReal menuValue;
 
@@ -434,7 +420,7 @@ static void MEAPI onValue(MeReal value) {
     menuValue = value;
 }
 
-START_TEST(arrows_work_a_menu) {
+TEST(arrows_work_a_menu) {
     RMenu *m = RMenuCreate(rc, "menu");
     RMenuAddToggleEntry(m, "one", NULL, 0);
     RMenuAddValueEntry(m, "two", onValue, 10, 0, 1, 5);
@@ -454,9 +440,8 @@ START_TEST(arrows_work_a_menu) {
     tap(RKEY_RIGHT, 0);
     ck_assert_int_eq(calls, 1);
 }
-END_TEST
 
-START_TEST(leaving) {
+TEST(leaving) {
     static const int keys[] = {'q', RKEY_ESCAPE};
     for (int i = 0; i < 2; i++) {
         ck_assert(!r_loopEnded(rc));
@@ -473,9 +458,8 @@ START_TEST(leaving) {
     RRenderQuit(rc);
     ck_assert(r_loopEnded(rc));
 }
-END_TEST
 
-START_TEST(scripted_keys_and_the_number_of_frames) {
+TEST(scripted_keys_and_the_number_of_frames) {
     RRender *own = make_context("-null -frames 6 -key Enter@2,q@9,Ctrl+Right@3,F1@4,p@5");
     RRender *const before = rc;
     rc = own;
@@ -496,9 +480,8 @@ START_TEST(scripted_keys_and_the_number_of_frames) {
     RRenderContextDestroy(own);
     rc = before;
 }
-END_TEST
 
-START_TEST(keys_are_held_and_released) {
+TEST(keys_are_held_and_released) {
     static const int up[] = {0, 1, 2, 3, 0, 1, 1, 0};
     RRender *own = make_context("-null -key Up@2-4,Up@6,Up@7,a@3");
     RRender *const before = rc;
@@ -517,9 +500,8 @@ START_TEST(keys_are_held_and_released) {
     RRenderContextDestroy(own);
     rc = before;
 }
-END_TEST
 
-START_TEST(a_script_presses_once_what_it_holds_and_may_press_often) {
+TEST(a_script_presses_once_what_it_holds_and_may_press_often) {
     RRender *own = make_context("-null -key Enter@2-9,Enter@10,Enter@12,Enter@12,Enter@12");
     RRender *const before = rc;
     rc = own;
@@ -534,9 +516,8 @@ START_TEST(a_script_presses_once_what_it_holds_and_may_press_often) {
     RRenderContextDestroy(own);
     rc = before;
 }
-END_TEST
 
-START_TEST(key_names) {
+TEST(key_names) {
     char name[16];
     ck_assert_int_eq(r_keyByName("F1", 2), RKEY_F1);
     ck_assert_int_eq(r_keyByName("f12", 3), RKEY_F12);
@@ -550,30 +531,3 @@ START_TEST(key_names) {
     r_keyName('z', name, sizeof name);
     ck_assert_str_eq(name, "Z");
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setup, teardown);
-    tcase_add_test(t, both_kinds_of_callbacks);
-    tcase_add_test(t, all_buttons_and_actions);
-    tcase_add_test(t, actions_can_have_other_keys);
-    tcase_add_test(t, an_action_on_a_direction_key_is_not_repeated_as_the_direction);
-    tcase_add_test(t, debug_lines_last_until_the_next_tick);
-    tcase_add_test(t, callbacks_of_all_forms_are_called_with_their_arguments);
-    tcase_add_test(t, a_held_button_repeats_and_an_action_does_not);
-    tcase_add_test(t, pause_and_single_step);
-    tcase_add_test(t, camera_keys);
-    tcase_add_test(t, the_mouse_moves_the_camera);
-    tcase_add_test(t, the_wheel_zooms_to_the_pointer);
-    tcase_add_test(t, a_drag_may_be_left_to_the_camera);
-    tcase_add_test(t, helpers_have_keys_that_the_program_does_not_want);
-    tcase_add_test(t, slow_motion_ticks_less_often);
-    tcase_add_test(t, the_programs_mouse);
-    tcase_add_test(t, arrows_work_a_menu);
-    tcase_add_test(t, leaving);
-    tcase_add_test(t, scripted_keys_and_the_number_of_frames);
-    tcase_add_test(t, keys_are_held_and_released);
-    tcase_add_test(t, a_script_presses_once_what_it_holds_and_may_press_often);
-    tcase_add_test(t, key_names);
-}
-TEST_MAIN("Input", tests)

@@ -29,8 +29,9 @@ static void teardown(void) {
     messages_release();
     RRenderContextDestroy(rc);
 }
+TEST_FIXTURE(setup, teardown)
 
-START_TEST(toggling) {
+TEST(toggling) {
     RMenu *m = RMenuCreate(rc, "menu");
     RMenuAddToggleEntry(m, "toggle", onToggle, 1);
     RMenuExecute1Entry(rc); /* No menu is shown: nothing happens. */
@@ -45,9 +46,8 @@ START_TEST(toggling) {
     RRenderHideCurrentMenu(rc);
     ck_assert_ptr_null(RRenderGetCurrentMenu(rc));
 }
-END_TEST
 
-START_TEST(values_stay_between_their_bounds) {
+TEST(values_stay_between_their_bounds) {
     RMenu *m = RMenuCreate(rc, "menu");
     RMenuAddValueEntry(m, "value", onValue, 10, 0, 4, 5);
     RMenuDisplay(m);
@@ -62,9 +62,8 @@ START_TEST(values_stay_between_their_bounds) {
     assert_near(lastValue, 0, 0);
     ck_assert_int_eq(values, 5);
 }
-END_TEST
 
-START_TEST(choosing_goes_round) {
+TEST(choosing_goes_round) {
     RMenu *m = RMenuCreate(rc, "menu");
     RMenuDisplay(m);
     RMenuNextEntry(rc); /* An empty menu bears everything. */
@@ -83,9 +82,8 @@ START_TEST(choosing_goes_round) {
     RMenuPreviousEntry(rc);
     ck_assert_str_eq(m->m_pCurrent->m_Name, "third");
 }
-END_TEST
 
-START_TEST(submenus) {
+TEST(submenus) {
     RMenu *outer = RMenuCreate(rc, "outer"), *inner = RMenuCreate(rc, "inner");
     RMenuAddSubmenuEntry(outer, "more", inner);
     RMenuAddSubmenuEntry(inner, "back to the top", outer);
@@ -105,9 +103,8 @@ START_TEST(submenus) {
     ck_assert_ptr_null(RRenderGetCurrentMenu(rc));
     ck_assert_ptr_null(rc->m_pDefaultMenu);
 }
-END_TEST
 
-START_TEST(bad_input) {
+TEST(bad_input) {
     RMenu *m = RMenuCreate(rc, "menu");
     ck_assert_ptr_null(RMenuCreate(NULL, "menu"));
     assert_warned("RMenuCreate");
@@ -139,25 +136,12 @@ START_TEST(bad_input) {
     RMenuDestroy(NULL);
     assert_warned("RMenuDestroy");
 }
-END_TEST
 
 /* Old programs destroy their menus after the context. */
-START_TEST(menus_may_be_destroyed_late) {
+TEST(menus_may_be_destroyed_late) {
     RRender *own = make_context("-null");
     RMenu *m = RMenuCreate(own, "menu");
     RRenderContextDestroy(own);
     RMenuDestroy(m);
     assert_silent();
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setup, teardown);
-    tcase_add_test(t, toggling);
-    tcase_add_test(t, values_stay_between_their_bounds);
-    tcase_add_test(t, choosing_goes_round);
-    tcase_add_test(t, submenus);
-    tcase_add_test(t, bad_input);
-    tcase_add_test(t, menus_may_be_destroyed_late);
-}
-TEST_MAIN("Menu", tests)

@@ -2,7 +2,7 @@
 #define _DEFAULT_SOURCE /* setenv */
 #include "viewer_test.h"
 
-START_TEST(defaults) {
+TEST(defaults) {
     RRender *rc = make_context("-null");
     ck_assert_int_eq(rc->m_RenderType, kRNull);
     ck_assert_int_eq(rc->m_Options.m_nWidth, 960);
@@ -11,9 +11,8 @@ START_TEST(defaults) {
     ck_assert_int_eq(rc->m_bPause, 0);
     RRenderContextDestroy(rc);
 }
-END_TEST
 
-START_TEST(everything) {
+TEST(everything) {
     RRender *rc = make_context("-bench -size 640x480 -frames 7 -every 2 -camera 20,0.5,-0.25 -paused -bar -profile "
                                "-screenshot ./b.png -key F1@3");
     const RRenderOptions *o = &rc->m_Options;
@@ -28,9 +27,8 @@ START_TEST(everything) {
     ck_assert_str_eq(o->m_Keys, "F1@3");
     RRenderContextDestroy(rc);
 }
-END_TEST
 
-START_TEST(the_first_place_wins) {
+TEST(the_first_place_wins) {
     RRender *rc = make_context("-null -osmesa");
     ck_assert_int_eq(rc->m_RenderType, kRNull);
     RRenderContextDestroy(rc);
@@ -38,9 +36,8 @@ START_TEST(the_first_place_wins) {
     ck_assert_int_eq(rc->m_RenderType, kRBenchmark);
     RRenderContextDestroy(rc);
 }
-END_TEST
 
-START_TEST(overriding_options_win) {
+TEST(overriding_options_win) {
     MeCommandLineOptions *options = make_options("-gl -size 100x100 -frames 5"),
                          *over = make_options("-null -size 50x50");
     RRender *rc = RRenderContextCreate(options, over, 0);
@@ -54,9 +51,8 @@ START_TEST(overriding_options_win) {
     MeCommandLineOptionsDestroy(options);
     MeCommandLineOptionsDestroy(over);
 }
-END_TEST
 
-START_TEST(eating) {
+TEST(eating) {
     MeCommandLineOptions *options = make_options("-mine -null -size 100x100 -frames 5 -paused file -camera 1,0,0 -gl");
     MeCommandLineOptions *over = make_options("-bench -frames 3 -yours");
     RRender *rc = RRenderContextCreate(options, over, 1);
@@ -70,10 +66,9 @@ START_TEST(eating) {
     MeCommandLineOptionsDestroy(options);
     MeCommandLineOptionsDestroy(over);
 }
-END_TEST
 
 /* For programs that pass no options on. */
-START_TEST(options_of_the_environment) {
+TEST(options_of_the_environment) {
     setenv("KARMA_VIEWER", "  -null -frames\t600 -size 100x50 -paused ", 1);
     RRender *rc = RRenderContextCreate(NULL, NULL, 1);
     ck_assert_ptr_nonnull(rc);
@@ -96,9 +91,8 @@ START_TEST(options_of_the_environment) {
     messages_release();
     unsetenv("KARMA_VIEWER");
 }
-END_TEST
 
-START_TEST(bad_values_are_told_and_ignored) {
+TEST(bad_values_are_told_and_ignored) {
     static const struct {
         const char *line, *word;
     } tries[] = {{"-null -size 100", "-size"},
@@ -135,7 +129,6 @@ START_TEST(bad_values_are_told_and_ignored) {
         messages_release();
     }
 }
-END_TEST
 
 static RRender *seen;
 
@@ -145,7 +138,7 @@ static void MEAPI onCreate(RRender *rc) {
     rc->m_Options.m_Type = kRNull; /* Not started yet: it may still choose. */
 }
 
-START_TEST(the_create_callback) {
+TEST(the_create_callback) {
     MeCommandLineOptions *options = make_options("-gl -frames 9");
     RRender *rc = RRenderContextCreate2(options, NULL, 0, NULL, onCreate);
     ck_assert_ptr_nonnull(rc);
@@ -154,9 +147,8 @@ START_TEST(the_create_callback) {
     RRenderContextDestroy(rc);
     MeCommandLineOptionsDestroy(options);
 }
-END_TEST
 
-START_TEST(no_window_without_a_display) {
+TEST(no_window_without_a_display) {
     setenv("DISPLAY", ":54321", 1);
     MeCommandLineOptions *options = make_options("-gl");
     messages_catch();
@@ -167,17 +159,3 @@ START_TEST(no_window_without_a_display) {
     messages_release();
     MeCommandLineOptionsDestroy(options);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, defaults);
-    tcase_add_test(t, everything);
-    tcase_add_test(t, the_first_place_wins);
-    tcase_add_test(t, overriding_options_win);
-    tcase_add_test(t, eating);
-    tcase_add_test(t, options_of_the_environment);
-    tcase_add_test(t, bad_values_are_told_and_ignored);
-    tcase_add_test(t, the_create_callback);
-    tcase_add_test(t, no_window_without_a_display);
-}
-TEST_MAIN("Options", tests)

@@ -25,6 +25,7 @@ static void teardown(void) {
     messages_release();
     RRenderContextDestroy(rc);
 }
+TEST_FIXTURE(setup, teardown)
 
 static void MEAPI onMouse(RRender *r, int x, int y, int modifiers, RMouseButtonWhich which, RMouseButtonEvent event,
                           void *userdata) {
@@ -76,7 +77,7 @@ static void MEAPI showEdit(RRender *r, void *userdata) {
     presses += RPanelEdit("x", edited, sizeof edited) != 0;
 }
 
-START_TEST(f9_shows_panels_and_hides_them) {
+TEST(f9_shows_panels_and_hides_them) {
     RPanelCreate(rc, "Mine", showButton, &shows);
     frame();
     ck_assert_int_eq(shows, 0);
@@ -103,10 +104,9 @@ START_TEST(f9_shows_panels_and_hides_them) {
     tap(RKEY_F9);
     ck_assert(rc->m_pViewer->panelsShown);
 }
-END_TEST
 
 /* Where there is no program's menu, F9 opens the viewer's panel. */
-START_TEST(f9_is_never_in_vain) {
+TEST(f9_is_never_in_vain) {
     frame();
     const size_t before = rc->m_pViewer->overlay.vertices.count;
     tap(RKEY_F9);
@@ -114,9 +114,8 @@ START_TEST(f9_is_never_in_vain) {
     tap(RKEY_F9);
     ck_assert_uint_eq(rc->m_pViewer->overlay.vertices.count, before);
 }
-END_TEST
 
-START_TEST(a_click_is_a_panels_or_the_programs) {
+TEST(a_click_is_a_panels_or_the_programs) {
     RRenderSetMouseCallBack(rc, onMouse);
     RPanelCreate(rc, "Mine", showButton, &shows);
     tap(RKEY_F9);
@@ -137,10 +136,9 @@ START_TEST(a_click_is_a_panels_or_the_programs) {
     click(40, 104); /* Where it was, there is the program again. */
     ck_assert_int_eq(mouseCalls, 7);
 }
-END_TEST
 
 /* A slow machine sees several clicks in one frame: none is lost, and none is two. */
-START_TEST(clicks_in_one_frame_are_all_counted) {
+TEST(clicks_in_one_frame_are_all_counted) {
     RPanelCreate(rc, "Mine", showButton, &shows);
     tap(RKEY_F9);
     for (int i = 0; i < 3; i++) {
@@ -153,9 +151,8 @@ START_TEST(clicks_in_one_frame_are_all_counted) {
         frame();
     ck_assert_int_eq(presses, 3);
 }
-END_TEST
 
-START_TEST(a_slider_follows_the_mouse) {
+TEST(a_slider_follows_the_mouse) {
     RPanelCreate(rc, "Mine", showSlider, NULL);
     tap(RKEY_F9);
     point(rMouseMove, 40, 104);
@@ -171,9 +168,8 @@ START_TEST(a_slider_follows_the_mouse) {
     point(rMouseMove, 40, 104);
     assert_near(value, 10, 0);
 }
-END_TEST
 
-START_TEST(what_is_written_is_not_a_key) {
+TEST(what_is_written_is_not_a_key) {
     RPanelCreate(rc, "Mine", showEdit, NULL);
     tap(RKEY_F9);
     click(40, 104);
@@ -190,7 +186,6 @@ START_TEST(what_is_written_is_not_a_key) {
     ck_assert_str_eq(edited, "pq");
     ck_assert_int_eq(rc->m_bPause, 1);
 }
-END_TEST
 
 static int toggles;
 
@@ -199,7 +194,7 @@ static void MEAPI onToggle(MeBool on) {
     toggles++;
 }
 
-START_TEST(the_mouse_works_a_menu) {
+TEST(the_mouse_works_a_menu) {
     RMenu *m = RMenuCreate(rc, "menu"), *inner = RMenuCreate(rc, "inner");
     RMenuAddToggleEntry(m, "toggle", onToggle, 0);
     RMenuAddValueEntry(m, "value", NULL, 10, 0, 1, 5);
@@ -222,10 +217,9 @@ START_TEST(the_mouse_works_a_menu) {
     tap(RKEY_F9);
     ck_assert_ptr_null(RRenderGetCurrentMenu(rc));
 }
-END_TEST
 
 /* A menu that is destroyed between the picture and the click's effect. */
-START_TEST(a_menu_may_go_after_a_click) {
+TEST(a_menu_may_go_after_a_click) {
     RMenu *m = RMenuCreate(rc, "menu");
     RMenuAddToggleEntry(m, "toggle", onToggle, 0);
     RMenuDisplay(m);
@@ -236,7 +230,6 @@ START_TEST(a_menu_may_go_after_a_click) {
     frame();
     ck_assert_int_eq(toggles, 0);
 }
-END_TEST
 
 static const float red[4] = {1, 0, 0, 1};
 static MeVector3 from, to;
@@ -271,7 +264,7 @@ static void markLine(double x0, double y0, double z0, double x1, double y1, doub
     redBox(box);
 }
 
-START_TEST(marks_are_where_the_camera_sees_their_places) {
+TEST(marks_are_where_the_camera_sees_their_places) {
     double box[4];
     RCameraSetLookAt(rc, (const AcmeVector3){0, 0, 0});
     RCameraSetView(rc, 10, 0, 0);
@@ -301,7 +294,6 @@ START_TEST(marks_are_where_the_camera_sees_their_places) {
     RMarkPoint(rc, from, red, 4);
     assert_warned("RRenderSetMarkCallBack");
 }
-END_TEST
 
 static void MEAPI destroy(RRender *r, void *userdata) {
     (void)userdata;
@@ -309,7 +301,7 @@ static void MEAPI destroy(RRender *r, void *userdata) {
     ck_assert_int_eq(RRenderContextDestroy(r), 1);
 }
 
-START_TEST(a_panel_cannot_destroy_its_context) {
+TEST(a_panel_cannot_destroy_its_context) {
     RPanelCreate(rc, "Mine", destroy, NULL);
     tap(RKEY_F9);
     ck_assert_int_gt(shows, 0);
@@ -317,7 +309,6 @@ START_TEST(a_panel_cannot_destroy_its_context) {
     RPanelDestroy(rc, "Mine");
     frame();
 }
-END_TEST
 
 static int actions;
 
@@ -327,7 +318,7 @@ static void MEAPI onAction(RRender *r, void *userdata) {
 }
 
 /* In the viewer's panel: a click on the section opens it, then one on the first button in it presses the key. */
-START_TEST(the_programs_keys_are_buttons_too) {
+TEST(the_programs_keys_are_buttons_too) {
     char *help[] = {"$ACTION2 - start again", "Just a sentence."};
     RRenderCreateUserHelp(rc, help, 2);
     RRenderSetActionNCallBack(rc, 2, onAction);
@@ -338,7 +329,6 @@ START_TEST(the_programs_keys_are_buttons_too) {
     click(690, 287);
     ck_assert_int_eq(actions, 1);
 }
-END_TEST
 
 static void MEAPI showLines(RRender *r, void *userdata) {
     (void)r, (void)userdata;
@@ -347,7 +337,7 @@ static void MEAPI showLines(RRender *r, void *userdata) {
 }
 
 /* The second has no room below the first: it is beside it in the very first picture, which may be the only one. */
-START_TEST(panels_are_inside_the_window) {
+TEST(panels_are_inside_the_window) {
     RPanelCreate(rc, "First", showLines, NULL);
     RPanelCreate(rc, "Second", showLines, NULL);
     tap(RKEY_F9);
@@ -361,9 +351,8 @@ START_TEST(panels_are_inside_the_window) {
     ck_assert_float_le(lowest, 600);
     ck_assert_float_gt(right, 100);
 }
-END_TEST
 
-START_TEST(a_panel_may_go) {
+TEST(a_panel_may_go) {
     RPanelCreate(rc, "Mine", showButton, &shows);
     RPanelCreate(rc, "Other", showSlider, NULL);
     tap(RKEY_F9);
@@ -374,9 +363,8 @@ START_TEST(a_panel_may_go) {
     ck_assert_int_eq(shows, 0);
     ck_assert_uint_eq(rc->m_pViewer->panelList.count, 1);
 }
-END_TEST
 
-START_TEST(bad_input) {
+TEST(bad_input) {
     MeReal x = 0;
     RPanelCreate(rc, NULL, showButton, NULL);
     assert_warned("title");
@@ -391,23 +379,3 @@ START_TEST(bad_input) {
     RPanelText(NULL);
     assert_warned("RPanelText");
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setup, teardown);
-    tcase_add_test(t, f9_shows_panels_and_hides_them);
-    tcase_add_test(t, f9_is_never_in_vain);
-    tcase_add_test(t, a_click_is_a_panels_or_the_programs);
-    tcase_add_test(t, clicks_in_one_frame_are_all_counted);
-    tcase_add_test(t, a_slider_follows_the_mouse);
-    tcase_add_test(t, what_is_written_is_not_a_key);
-    tcase_add_test(t, the_mouse_works_a_menu);
-    tcase_add_test(t, a_menu_may_go_after_a_click);
-    tcase_add_test(t, marks_are_where_the_camera_sees_their_places);
-    tcase_add_test(t, the_programs_keys_are_buttons_too);
-    tcase_add_test(t, a_panel_cannot_destroy_its_context);
-    tcase_add_test(t, panels_are_inside_the_window);
-    tcase_add_test(t, a_panel_may_go);
-    tcase_add_test(t, bad_input);
-}
-TEST_MAIN("Panels", tests)

@@ -34,6 +34,7 @@ static void teardown(void) {
     messages_release();
     RRenderContextDestroy(rc);
 }
+TEST_FIXTURE(setup, teardown)
 
 static void frame(void) {
     r_frame(rc, NULL);
@@ -46,7 +47,7 @@ static void tap(int code) {
     frame();
 }
 
-START_TEST(keys_step_within_the_range) {
+TEST(keys_step_within_the_range) {
     RRenderCreateParameters(rc, both, 2);
     tap(RKEY_UP);
     ck_assert_double_eq(slope, 27);
@@ -62,9 +63,8 @@ START_TEST(keys_step_within_the_range) {
     ck_assert_double_eq(slope, 5);
     ck_assert_double_eq(weight, 100);
 }
-END_TEST
 
-START_TEST(a_factor_multiplies) {
+TEST(a_factor_multiplies) {
     RRenderCreateParameters(rc, both, 2);
     tap('d');
     ck_assert_double_eq(weight, 1000);
@@ -75,9 +75,8 @@ START_TEST(a_factor_multiplies) {
     ck_assert_double_eq(weight, 10);
     ck_assert_int_eq(calls, 0);
 }
-END_TEST
 
-START_TEST(a_key_that_is_held_goes_on) {
+TEST(a_key_that_is_held_goes_on) {
     RRenderCreateParameters(rc, both, 2);
     r_post(rc, (REvent){.kind = rKeyDown, .key = RKEY_DOWN});
     for (int i = 0; i < 24; i++)
@@ -91,7 +90,6 @@ START_TEST(a_key_that_is_held_goes_on) {
         frame();
     ck_assert_double_eq(slope, 19);
 }
-END_TEST
 
 static void MEAPI onAction(RRender *r, void *userdata) {
     (void)r;
@@ -99,7 +97,7 @@ static void MEAPI onAction(RRender *r, void *userdata) {
 }
 
 /* Actions come first, then parameters, then the buttons. */
-START_TEST(its_keys_are_between_actions_and_buttons) {
+TEST(its_keys_are_between_actions_and_buttons) {
     int actions = 0, buttons = 0;
     RRenderSetUpCallBackWithText(rc, onAction, &buttons, "nothing");
     RRenderCreateParameters(rc, both, 2);
@@ -112,7 +110,6 @@ START_TEST(its_keys_are_between_actions_and_buttons) {
     ck_assert_double_eq(slope, 27);
     ck_assert_double_eq(weight, 100);
 }
-END_TEST
 
 static void point(REventKind kind, int x, int y) {
     r_post(rc, (REvent){.kind = kind, .which = kRLeftButton, .x = x, .y = y});
@@ -122,7 +119,7 @@ static void point(REventKind kind, int x, int y) {
 /* Where the panel has its first slider, from x = 18 to 183, and its button. */
 enum { SLIDER_Y = 99, BUTTON_Y = 150 };
 
-START_TEST(the_slider_goes_by_steps) {
+TEST(the_slider_goes_by_steps) {
     static const struct {
         int x;
         MeReal value;
@@ -142,9 +139,8 @@ START_TEST(the_slider_goes_by_steps) {
         ck_assert_int_eq(calls, before + 1);
     }
 }
-END_TEST
 
-START_TEST(all_go_back_to_where_they_were_at_first) {
+TEST(all_go_back_to_where_they_were_at_first) {
     RRenderCreateParameters(rc, both, 2);
     tap(RKEY_UP);
     tap('d');
@@ -159,9 +155,8 @@ START_TEST(all_go_back_to_where_they_were_at_first) {
     ck_assert_double_eq(weight, 100);
     ck_assert_int_eq(calls, 1);
 }
-END_TEST
 
-START_TEST(the_help_names_them) {
+TEST(the_help_names_them) {
     char text[64];
     RRenderCreateParameters(rc, both, 2);
     const RParameterKept *p = r_parameterOfKey(rc, 'd', NULL);
@@ -176,10 +171,9 @@ START_TEST(the_help_names_them) {
     frame();
     ck_assert_float_gt(with, rc->m_pViewer->helpLayout.bottom - rc->m_pViewer->helpLayout.top);
 }
-END_TEST
 
 /* What is mistaken is told, and left out; the rest is there. */
-START_TEST(mistakes_are_told) {
+TEST(mistakes_are_told) {
     const RParameter mistaken[] = {
         {.value = &slope, .low = 0, .high = 1, .step = 1},
         {.name = "no value", .low = 0, .high = 1, .step = 1},
@@ -204,17 +198,3 @@ START_TEST(mistakes_are_told) {
     assert_warned("RRenderCreateParameters");
     ck_assert_uint_eq(rc->m_pViewer->parameters.count, 2);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setup, teardown);
-    tcase_add_test(t, keys_step_within_the_range);
-    tcase_add_test(t, a_factor_multiplies);
-    tcase_add_test(t, a_key_that_is_held_goes_on);
-    tcase_add_test(t, its_keys_are_between_actions_and_buttons);
-    tcase_add_test(t, the_slider_goes_by_steps);
-    tcase_add_test(t, all_go_back_to_where_they_were_at_first);
-    tcase_add_test(t, the_help_names_them);
-    tcase_add_test(t, mistakes_are_told);
-}
-TEST_MAIN("Parameters", tests)

@@ -86,7 +86,7 @@ static RGraphic *sphereOnGround(void) {
     return RGraphicSphereCreate(rc, 1, BLUE, tm);
 }
 
-START_TEST(the_sphere_is_where_the_camera_sees_it) {
+TEST(the_sphere_is_where_the_camera_sees_it) {
     double centre[2], left[2];
     start("-osmesa -size 320x240");
     sphereOnGround();
@@ -105,9 +105,8 @@ START_TEST(the_sphere_is_where_the_camera_sees_it) {
     r_free(p.rgba);
     stop();
 }
-END_TEST
 
-START_TEST(the_transform_is_read_in_every_frame) {
+TEST(the_transform_is_read_in_every_frame) {
     double before[2], after[2];
     start("-osmesa -size 320x240");
     sphereOnGround();
@@ -125,9 +124,8 @@ START_TEST(the_transform_is_read_in_every_frame) {
     r_free(q.rgba);
     stop();
 }
-END_TEST
 
-START_TEST(a_shadow_falls_on_the_ground) {
+TEST(a_shadow_falls_on_the_ground) {
     double shadow[2], lit[2], contact[2];
     start("-osmesa -size 320x240");
     sphereOnGround();
@@ -154,9 +152,8 @@ START_TEST(a_shadow_falls_on_the_ground) {
     r_free(r.rgba);
     stop();
 }
-END_TEST
 
-START_TEST(outlines_are_smooth) {
+TEST(outlines_are_smooth) {
     double centre[2];
     start("-osmesa -size 320x240");
     RCameraSetView(rc, 6, 0, 0);
@@ -177,9 +174,8 @@ START_TEST(outlines_are_smooth) {
     r_free(p.rgba);
     stop();
 }
-END_TEST
 
-START_TEST(the_same_picture_twice) {
+TEST(the_same_picture_twice) {
     RPicture p[2];
     for (int i = 0; i < 2; i++) {
         start("-osmesa -size 320x240");
@@ -193,9 +189,8 @@ START_TEST(the_same_picture_twice) {
     r_free(p[0].rgba);
     r_free(p[1].rgba);
 }
-END_TEST
 
-START_TEST(f1_shows_and_hides_the_help) {
+TEST(f1_shows_and_hides_the_help) {
     char *help[] = {"$ACTION2 - start again"};
     start("-osmesa -size 320x240");
     sphereOnGround();
@@ -214,9 +209,8 @@ START_TEST(f1_shows_and_hides_the_help) {
     r_free(r.rgba);
     stop();
 }
-END_TEST
 
-START_TEST(help_is_inside_the_picture) {
+TEST(help_is_inside_the_picture) {
     static const char *const sizes[] = {"-osmesa -size 320x240", "-osmesa -size 960x600", "-osmesa -size 1920x1200"};
 #ifdef TEST_IS_SLOW
     enum { SIZES = 2 };
@@ -249,7 +243,6 @@ START_TEST(help_is_inside_the_picture) {
         stop();
     }
 }
-END_TEST
 
 /* The picture's middle in front of a light background, with what `make` creates there. */
 static void middle(void (*make)(void), int rgb[3]) {
@@ -311,7 +304,7 @@ static void makeSky(void) {
     RCameraSetView(rc, 6, 0, -0.5f);
 }
 
-START_TEST(what_is_seen_in_the_middle) {
+TEST(what_is_seen_in_the_middle) {
     int back[3], c[3];
     middle(makeNothing, back);
     ck_assert(back[0] > 180 && back[2] >= back[0]);
@@ -334,9 +327,8 @@ START_TEST(what_is_seen_in_the_middle) {
     middle(makeSky, c);
     ck_assert(abs(c[0] - c[2]) <= 2); /* Grey, and not the bluish sky. */
 }
-END_TEST
 
-START_TEST(vertices_may_change) {
+TEST(vertices_may_change) {
     start("-osmesa -size 64x64");
     RCameraSetView(rc, 6, 0, 0);
     RGraphic *g = RGraphicSphereCreate(rc, 1, RED, NULL);
@@ -362,9 +354,8 @@ START_TEST(vertices_may_change) {
     assert_warned("vertices");
     stop();
 }
-END_TEST
 
-START_TEST(what_is_not_finite_is_not_drawn) {
+TEST(what_is_not_finite_is_not_drawn) {
     MeMatrix4 bad = {{1, 0, 0, 0}, {0, (MeReal)NAN, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
     start("-osmesa -size 64x64");
     RCameraSetView(rc, 6, 0, 0);
@@ -382,7 +373,6 @@ START_TEST(what_is_not_finite_is_not_drawn) {
     RGraphicDestroy(g);
     stop();
 }
-END_TEST
 
 static RPicture lastPicture;
 
@@ -473,7 +463,7 @@ static void stopChanges(void) {
     stop();
 }
 
-START_TEST(changes_are_seen) {
+TEST(changes_are_seen) {
     startChanges();
     ck_assert(changed(noChange) == 0);
     ck_assert(changed(moveUnflaggedLight) == 0);
@@ -492,7 +482,6 @@ START_TEST(changes_are_seen) {
     assert_below(0.03, changed(wireframe));
     stopChanges();
 }
-END_TEST
 
 static MeMatrix4 turned = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
 
@@ -526,15 +515,14 @@ static RGraphic *makeSphyl(void) {
     return RGraphicSphylCreate(rc, 1, 0.001f, WHITE, turned);
 }
 
-START_TEST(a_round_shape_is_seen_to_turn) {
+TEST(a_round_shape_is_seen_to_turn) {
     ck_assert(seenToTurn(makeBall, "checkerboard") > 0.05); /* Its texture tells. */
     assert_below(0.05, seenToTurn(makeBall, NULL));
     assert_below(0.05, seenToTurn(makeSphyl, NULL));
 }
-END_TEST
 
 /* The mean light of the left and of the right half, of two boxes of one colour side by side. */
-START_TEST(equal_neighbours_have_tones_of_their_own) {
+TEST(equal_neighbours_have_tones_of_their_own) {
     static MeMatrix4 right = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {1, 0, 0, 1}};
     static MeMatrix4 left = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {-1, 0, 0, 1}};
     start("-osmesa -size 320x240");
@@ -554,7 +542,6 @@ START_TEST(equal_neighbours_have_tones_of_their_own) {
     r_free(q.rgba);
     stop();
 }
-END_TEST
 
 static char infoText[256];
 static int infos;
@@ -566,7 +553,7 @@ static void catchInfo(const int level, const char *const format, va_list ap) {
 }
 
 /* Programs run without their pictures: one message, however many frames, and no warning, so that the exit code is 0. */
-START_TEST(a_missing_texture_is_one_message) {
+TEST(a_missing_texture_is_one_message) {
     startChanges();
     const MeHandler before = MeSetInfoHandler(catchInfo);
     ck_assert(changed(missingTexture) == 0);
@@ -576,10 +563,9 @@ START_TEST(a_missing_texture_is_one_message) {
     ck_assert_int_eq(infos, 1);
     ck_assert_ptr_nonnull(strstr(infoText, "there is no such texture"));
 }
-END_TEST
 
 /* 600 frames with a bar took as long as 600 pictures, and showed none of them. */
-START_TEST(a_bar_costs_nothing_without_a_window) {
+TEST(a_bar_costs_nothing_without_a_window) {
     start("-osmesa -size 320x240");
     ck_assert_ptr_nonnull(RPerformanceBarCreate(rc));
     ck_assert(!rc->m_pViewer->profiling);
@@ -593,9 +579,8 @@ START_TEST(a_bar_costs_nothing_without_a_window) {
     ck_assert(rc->m_pViewer->loop.isDrawn);
     stop();
 }
-END_TEST
 
-START_TEST(the_bar) {
+TEST(the_bar) {
     start("-osmesa -size 320x240 -bar");
     RPicture p = shoot(1);
     RPerformanceBar *b = RPerformanceBarCreate(rc);
@@ -612,7 +597,6 @@ START_TEST(the_bar) {
     r_free(r.rgba);
     stop();
 }
-END_TEST
 
 static void MEAPI slowTick(RRender *r) {
     const int64_t begin = r_now();
@@ -624,7 +608,7 @@ static void MEAPI slowTick(RRender *r) {
 }
 
 /* Where a frame takes long, the bar does not wait for many of them. */
-START_TEST(the_bar_has_figures_after_three_slow_frames) {
+TEST(the_bar_has_figures_after_three_slow_frames) {
     static const RTick slow = {.funcNoData = slowTick};
     start("-osmesa -size 64x48 -bar");
     RPerformanceBar *b = RPerformanceBarCreate(rc);
@@ -635,10 +619,9 @@ START_TEST(the_bar_has_figures_after_three_slow_frames) {
     assert_below(rc->m_pViewer->bar.fps, 1 / 0.14);
     stop();
 }
-END_TEST
 
 /* The picture's size follows the window's, and one context follows another. */
-START_TEST(resizing) {
+TEST(resizing) {
     start("-osmesa -size 64x64");
     r_post(rc, (REvent){.kind = rResize, .x = 100, .y = 50});
     RPicture p = shoot(1);
@@ -656,11 +639,10 @@ START_TEST(resizing) {
     r_free(p.rgba);
     stop();
 }
-END_TEST
 
 /* A wall on a floor, both bodies: where they meet both are darker than a metre away, and were not without. F5 is the
  * switch. The light comes along the view, so that the wall casts its shadow behind itself. */
-START_TEST(corners_between_bodies_are_darker) {
+TEST(corners_between_bodies_are_darker) {
     static const double towards[3] = {9, 0, 0.5}, at[3] = {0, 1, 0};
     static MeMatrix4 floorTM = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, -0.5f, 0, 1}};
     static MeMatrix4 wallTM = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 1.5f, -0.5f, 1}};
@@ -684,10 +666,9 @@ START_TEST(corners_between_bodies_are_darker) {
     ck_assert_msg(share[0] < 0.92 && share[1] > 0.98, "with: %.3f, without: %.3f", share[0], share[1]);
     stop();
 }
-END_TEST
 
 /* Of a long row of balls the camera sees a few: the map holds these alone, and their shadows. */
-START_TEST(the_shadow_map_holds_what_is_seen) {
+TEST(the_shadow_map_holds_what_is_seen) {
     enum { BALLS = 41 };
     static MeMatrix4 place[BALLS];
     const AcmeVector3 origin = {0, 0, 0};
@@ -710,10 +691,9 @@ START_TEST(the_shadow_map_holds_what_is_seen) {
     ck_assert_msg(texel[1] * 1024 > 200, "the map is %g m wide where all is seen", (double)texel[1] * 1024);
     stop();
 }
-END_TEST
 
 /* Each look differs from each other in a good part of the ground, and -1 is the ground's own. */
-START_TEST(grounds_look_different) {
+TEST(grounds_look_different) {
     RPicture p[R_GROUNDS + 1];
     start("-osmesa -size 320x240");
     sphereOnGround();
@@ -735,10 +715,9 @@ START_TEST(grounds_look_different) {
     ck_assert_int_eq(RRenderGetGroundLook(rc), R_GROUNDS - 1);
     stop();
 }
-END_TEST
 
 /* The same picture at twice the pixels: text is twice as large, and the window's size only if it was not given. */
-START_TEST(a_scale_is_for_dense_displays) {
+TEST(a_scale_is_for_dense_displays) {
     static const struct {
         const char *options;
         int width;
@@ -757,30 +736,3 @@ START_TEST(a_scale_is_for_dense_displays) {
         stop();
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, the_sphere_is_where_the_camera_sees_it);
-    tcase_add_test(t, the_transform_is_read_in_every_frame);
-    tcase_add_test(t, a_shadow_falls_on_the_ground);
-    tcase_add_test(t, outlines_are_smooth);
-    tcase_add_test(t, the_same_picture_twice);
-    tcase_add_test(t, f1_shows_and_hides_the_help);
-    tcase_add_test(t, help_is_inside_the_picture);
-    tcase_add_test(t, what_is_seen_in_the_middle);
-    tcase_add_test(t, vertices_may_change);
-    tcase_add_test(t, what_is_not_finite_is_not_drawn);
-    tcase_add_test(t, changes_are_seen);
-    tcase_add_test(t, a_missing_texture_is_one_message);
-    tcase_add_test(t, a_bar_costs_nothing_without_a_window);
-    tcase_add_test(t, the_bar);
-    tcase_add_test(t, a_round_shape_is_seen_to_turn);
-    tcase_add_test(t, equal_neighbours_have_tones_of_their_own);
-    tcase_add_test(t, the_bar_has_figures_after_three_slow_frames);
-    tcase_add_test(t, resizing);
-    tcase_add_test(t, corners_between_bodies_are_darker);
-    tcase_add_test(t, the_shadow_map_holds_what_is_seen);
-    tcase_add_test(t, grounds_look_different);
-    tcase_add_test(t, a_scale_is_for_dense_displays);
-}
-TEST_MAIN("Picture", tests)

@@ -25,7 +25,7 @@ static RQuality fresh(void) {
 }
 
 /* Software OpenGL at 960x600. */
-START_TEST(it_goes_down_until_thirty_frames_a_second_hold) {
+TEST(it_goes_down_until_thirty_frames_a_second_hold) {
     RQuality q = fresh();
     ck_assert_int_eq(q.level, R_QUALITY_FULL);
     ck_assert_int_eq(run(&q, 4, (const double[]){22, 39, 70, 110}, 1), 3);
@@ -35,18 +35,16 @@ START_TEST(it_goes_down_until_thirty_frames_a_second_hold) {
     ck_assert_int_eq(run(&q, 60, (const double[]){12, 18, 28, 45}, 1), 1);
     ck_assert_int_eq(q.level, 2);
 }
-END_TEST
 
-START_TEST(a_fast_machine_keeps_full_quality) {
+TEST(a_fast_machine_keeps_full_quality) {
     RQuality q = fresh();
     ck_assert_int_eq(run(&q, 60, (const double[]){1, 2, 3, 4}, 5), 0);
     ck_assert_int_eq(run(&q, 60, (const double[]){16.7, 16.7, 16.7, 16.7}, 0), 0); /* It waits for the screen. */
     ck_assert_int_eq(q.level, R_QUALITY_FULL);
 }
-END_TEST
 
 /* However long all was well, a scene that becomes heavy is answered within a second or so a level. */
-START_TEST(it_is_lowered_soon) {
+TEST(it_is_lowered_soon) {
     RQuality q = fresh();
     run(&q, 600, (const double[]){10, 15, 17, 60}, 0); /* Full has been tried in vain, and is put off for long. */
     ck_assert_int_eq(q.level, 2);
@@ -55,10 +53,9 @@ START_TEST(it_is_lowered_soon) {
     ck_assert_int_eq(run(&q, 1, (const double[]){15, 25, 70, 120}, 0), 1);
     ck_assert_int_eq(q.level, 1);
 }
-END_TEST
 
 /* One frame of .3 s among short ones, as when a window is dragged or a file is read. */
-START_TEST(a_hiccup_changes_nothing) {
+TEST(a_hiccup_changes_nothing) {
     RQuality q = fresh();
     for (int i = 0; i < 1200; i++) {
         const int64_t drawing = i % 60 == 0 ? 300 * MS : 10 * MS;
@@ -66,17 +63,15 @@ START_TEST(a_hiccup_changes_nothing) {
         ck_assert_int_eq(q.level, R_QUALITY_FULL);
     }
 }
-END_TEST
 
-START_TEST(slow_physics_does_not_cost_quality) {
+TEST(slow_physics_does_not_cost_quality) {
     RQuality q = fresh();
     ck_assert_int_eq(run(&q, 60, (const double[]){5, 7, 10, 15}, 40), 0);
     ck_assert_int_eq(q.level, R_QUALITY_FULL);
 }
-END_TEST
 
 /* The scene becomes heavy, and light again. */
-START_TEST(it_comes_back_up) {
+TEST(it_comes_back_up) {
     RQuality q = fresh();
     run(&q, 10, (const double[]){20, 36, 60, 90}, 1);
     ck_assert_int_eq(q.level, 0);
@@ -88,11 +83,10 @@ START_TEST(it_comes_back_up) {
     run(&q, 10, (const double[]){16.7, 16.7, 16.7, 16.7}, 0);
     ck_assert_int_eq(q.level, R_QUALITY_FULL);
 }
-END_TEST
 
 /* As long as a level costs less than 1.9 times the one below, it does not swing; if it costs more, less and less
  * often. */
-START_TEST(it_does_not_swing) {
+TEST(it_does_not_swing) {
     for (double min = 4; min < 40; min += 0.25) {
         RQuality q = fresh();
         const double cost[] = {min, 1.86 * min, 1.86 * 1.78 * min, 1.86 * 1.78 * 1.4 * min};
@@ -106,10 +100,9 @@ START_TEST(it_does_not_swing) {
     ck_assert_int_le(early, 9); /* 2, 4, 8, 16 s apart, and the first */
     ck_assert_int_le(late, 2 * 240 / 60);
 }
-END_TEST
 
 /* Buffers and shaders of a level are made in its first frame, which takes long. */
-START_TEST(the_first_frame_of_a_level_does_not_count) {
+TEST(the_first_frame_of_a_level_does_not_count) {
     RQuality q = fresh();
     run(&q, 1, (const double[]){10, 15, 20, 50}, 0);
     ck_assert_int_eq(q.level, 2);
@@ -121,9 +114,8 @@ START_TEST(the_first_frame_of_a_level_does_not_count) {
         r_qualityFrame(&q, 20 * MS, 20 * MS);
     ck_assert_int_eq(q.level, 2);
 }
-END_TEST
 
-START_TEST(setting_it) {
+TEST(setting_it) {
     RRender *rc = make_context("-null");
     ck_assert_int_eq(r_pictureQuality(rc), R_QUALITY_AUTO);
     ck_assert_int_eq(RRenderGetPictureQuality(rc), R_QUALITY_FULL); /* Without a window. */
@@ -153,10 +145,9 @@ START_TEST(setting_it) {
     RRenderContextDestroy(rc);
     messages_release();
 }
-END_TEST
 
 /* Pictures of files do not depend on it. */
-START_TEST(an_off_screen_picture_is_full) {
+TEST(an_off_screen_picture_is_full) {
     RPicture p[2];
     static const char *const options[] = {"-osmesa -size 96x64", "-osmesa -size 96x64 -quality 0"};
     for (int i = 0; i < 2; i++) {
@@ -174,19 +165,3 @@ START_TEST(an_off_screen_picture_is_full) {
     r_free(p[0].rgba);
     r_free(p[1].rgba);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, it_goes_down_until_thirty_frames_a_second_hold);
-    tcase_add_test(t, a_fast_machine_keeps_full_quality);
-    tcase_add_test(t, it_is_lowered_soon);
-    tcase_add_test(t, a_hiccup_changes_nothing);
-    tcase_add_test(t, slow_physics_does_not_cost_quality);
-    tcase_add_test(t, it_comes_back_up);
-    tcase_add_test(t, it_does_not_swing);
-    tcase_add_test(t, the_first_frame_of_a_level_does_not_count);
-    tcase_add_test(t, setting_it);
-    tcase_add_test(t, an_off_screen_picture_is_full);
-}
-
-TEST_MAIN("Quality", tests)

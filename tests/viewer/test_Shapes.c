@@ -46,7 +46,7 @@ static RGraphic *room(int vertices) {
     return RGraphicCreateEmpty(vertices);
 }
 
-START_TEST(box) {
+TEST(box) {
     RGraphic *g = room(RCalculateBoxVertexCount());
     RCalculateBoxGeometry(g, 2, 4, 6);
     checkVertices(g, 36, 1, 2, 3);
@@ -54,9 +54,8 @@ START_TEST(box) {
     checkClosed(g);
     RGraphicDestroy(g);
 }
-END_TEST
 
-START_TEST(sphere) {
+TEST(sphere) {
     RGraphic *g = room(RCalculateSphereVertexCount(24, 12));
     RCalculateSphereGeometry(g, 2, 24, 12);
     checkVertices(g, 6 * 24 * 11, 2, 2, 2);
@@ -66,9 +65,8 @@ START_TEST(sphere) {
         assert_near(g->m_pVertices[i].m_X, 2 * g->m_pVertices[i].m_NX, 1e-5);
     RGraphicDestroy(g);
 }
-END_TEST
 
-START_TEST(sphyl) {
+TEST(sphyl) {
     RGraphic *g = room(RCalculateSphylVertexCount(24, 12));
     RCalculateSphylGeometry(g, 1, 3, 24, 12);
     checkVertices(g, 6 * 24 * 12, 1, 1, 2.5);
@@ -76,9 +74,8 @@ START_TEST(sphyl) {
     checkClosed(g);
     RGraphicDestroy(g);
 }
-END_TEST
 
-START_TEST(cone) {
+TEST(cone) {
     RGraphic *g = room(RCalculateConeVertexCount(32));
     RCalculateConeGeometry(g, 1, -1, 2, 32);
     checkVertices(g, 6 * 32, 1, 1, 2);
@@ -86,9 +83,8 @@ START_TEST(cone) {
     checkClosed(g);
     RGraphicDestroy(g);
 }
-END_TEST
 
-START_TEST(frustums) {
+TEST(frustums) {
     RGraphic *g = room(RCalculateFrustumVertexCount(6));
     RCalculateFrustumGeometry(g, 2, 1, 0, 3, 6);
     checkVertices(g, 12 * 6, 2, 2, 3);
@@ -101,9 +97,8 @@ START_TEST(frustums) {
     checkClosed(g);
     RGraphicDestroy(g);
 }
-END_TEST
 
-START_TEST(torus) {
+TEST(torus) {
     RGraphic *g = room(RCalculateTorusVertexCount(32, 16));
     RCalculateTorusGeometry(g, 3, 1, 32, 16);
     checkVertices(g, 6 * 32 * 16, 3, 3, 1);
@@ -111,9 +106,8 @@ START_TEST(torus) {
     checkClosed(g);
     RGraphicDestroy(g);
 }
-END_TEST
 
-START_TEST(dome) {
+TEST(dome) {
     RGraphic *g = room(RCalculateDomeVertexCount(16, 4));
     RCalculateDomeGeometry(g, 5, 16, 4, 3, 2);
     checkVertices(g, 3 * 16 * 7, 5, 5, 5);
@@ -125,17 +119,15 @@ START_TEST(dome) {
     }
     RGraphicDestroy(g);
 }
-END_TEST
 
-START_TEST(one_vertex) {
+TEST(one_vertex) {
     RObjectVertex v;
     const MeVector3 p = {1, 2, 3}, n = {0, 1, 0};
     RSetVertex(&v, p, n, (MeReal)0.25, (MeReal)0.5);
     ck_assert(v.m_X == 1 && v.m_Y == 2 && v.m_Z == 3 && v.m_NY == 1 && v.m_U == 0.25f && v.m_V == 0.5f);
 }
-END_TEST
 
-START_TEST(bad_input) {
+TEST(bad_input) {
     RGraphic *g = RGraphicCreateEmpty(30);
     messages_catch();
     ck_assert_int_eq(RCalculateSphereVertexCount(2, 10), 0);
@@ -162,17 +154,3 @@ START_TEST(bad_input) {
     messages_release();
     RGraphicDestroy(g);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, box);
-    tcase_add_test(t, sphere);
-    tcase_add_test(t, sphyl);
-    tcase_add_test(t, cone);
-    tcase_add_test(t, frustums);
-    tcase_add_test(t, torus);
-    tcase_add_test(t, dome);
-    tcase_add_test(t, one_vertex);
-    tcase_add_test(t, bad_input);
-}
-TEST_MAIN("Shapes", tests)

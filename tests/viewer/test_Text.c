@@ -15,6 +15,7 @@ static void teardown(void) {
     messages_release();
     RRenderContextDestroy(rc);
 }
+TEST_FIXTURE(setup, teardown)
 
 static const char *parsed(const char *text) {
     static char out[256];
@@ -22,7 +23,7 @@ static const char *parsed(const char *text) {
     return out;
 }
 
-START_TEST(variables) {
+TEST(variables) {
     RRenderSetAppName(rc, "Rainbow");
     ck_assert_str_eq(parsed("plain"), "plain");
     ck_assert_str_eq(parsed(""), "");
@@ -32,16 +33,14 @@ START_TEST(variables) {
     ck_assert_str_eq(parsed("$ACTION1 $ACTION2 $ACTION3 $ACTION4 $ACTION5"), "Space Enter 3 4 5");
     ck_assert_str_eq(parsed("$MOUSE - push"), "Left mouse button - push");
 }
-END_TEST
 
-START_TEST(what_is_no_variable_stays) {
+TEST(what_is_no_variable_stays) {
     ck_assert_str_eq(parsed("$"), "$");
     ck_assert_str_eq(parsed("100$ $up $ACTION9 $ACTION0 $UP3 $UPS"), "100$ $up $ACTION9 $ACTION0 $UP3 $UPS");
     ck_assert_str_eq(parsed("$$UP"), "$Up");
 }
-END_TEST
 
-START_TEST(keys_follow_their_actions) {
+TEST(keys_follow_their_actions) {
     RRenderSetActionNKey(rc, 2, 'x');
     ck_assert_str_eq(parsed("$ACTION2"), "X");
     RRenderSetActionNKey(rc, 3, 'X'); /* Case does not matter, so the key is taken over. */
@@ -57,9 +56,8 @@ START_TEST(keys_follow_their_actions) {
     assert_warned("printable");
     ck_assert_str_eq(parsed("$ACTION5"), "5");
 }
-END_TEST
 
-START_TEST(output_is_cut) {
+TEST(output_is_cut) {
     char out[6] = "-----";
     RParseText(rc, "ab$ACTION1", out, 5);
     ck_assert_str_eq(out, "abSp");
@@ -73,9 +71,8 @@ START_TEST(output_is_cut) {
     RParseText(rc, "abc", NULL, 5);
     assert_warned("text_out");
 }
-END_TEST
 
-START_TEST(characters) {
+TEST(characters) {
     const char *text = "a\xc2\xb5\xe2\x86\x92\xb0z"; /* a, micro, arrow, a degree sign in Latin-1, z */
     ck_assert_uint_eq(r_nextCharacter(&text), 'a');
     ck_assert_uint_eq(r_nextCharacter(&text), 0xb5);
@@ -87,13 +84,12 @@ START_TEST(characters) {
     ck_assert_uint_eq(r_nextCharacter(&text), 0xe2);
     ck_assert_int_eq(*text, 0);
 }
-END_TEST
 
 static double width(const char *text, float size) {
     return (double)r_uiTextSize(text, size, 0, NULL);
 }
 
-START_TEST(widths) {
+TEST(widths) {
     float height;
     ROverlay overlay = {.vertices = {0}};
     ck_assert(r_panelsStart(rc));
@@ -109,10 +105,9 @@ START_TEST(widths) {
     r_panelsEnd(rc, &overlay);
     r_overlayFree(&overlay);
 }
-END_TEST
 
 /* Everything is inside of the panel, and what is laid over the picture is cut nowhere. */
-START_TEST(help_fits_any_window) {
+TEST(help_fits_any_window) {
     static const char *const sizes[] = {"-null -size 320x240", "-null -size 960x600", "-null -size 3840x2160",
                                         "-null -size 1600x200", "-null -size 200x1600"};
     static const double smallest[] = {6.5, 13, 35, 7, 5};
@@ -142,10 +137,9 @@ START_TEST(help_fits_any_window) {
         RRenderContextDestroy(own);
     }
 }
-END_TEST
 
 /* A status line that is longer than the window is wide goes on in another line: nothing is cut. */
-START_TEST(a_status_line_is_never_cut) {
+TEST(a_status_line_is_never_cut) {
     static const char *const sizes[] = {"-null -size 320x240", "-null -size 960x600", "-null -size 480x300"};
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
         RRender *own = make_context(sizes[i]);
@@ -163,10 +157,9 @@ START_TEST(a_status_line_is_never_cut) {
         RRenderContextDestroy(own);
     }
 }
-END_TEST
 
 /* A key and its text are divided by the first " - ", and by ": " only in a line without that. */
-START_TEST(help_lines_are_not_split_at_a_colon_in_their_text) {
+TEST(help_lines_are_not_split_at_a_colon_in_their_text) {
     static const char *const one[] = {"$ACTION1 - start: again"}, *const other[] = {"Space\tstart: again"};
     float panels[2];
     for (int i = 0; i < 2; i++) {
@@ -180,7 +173,6 @@ START_TEST(help_lines_are_not_split_at_a_colon_in_their_text) {
     }
     assert_near(panels[0], panels[1], 0);
 }
-END_TEST
 
 /* The panel of a help of one line. */
 static float widthOfHelp(const char *line) {
@@ -195,15 +187,14 @@ static float widthOfHelp(const char *line) {
 }
 
 /* Words before a colon are a sentence, laid out like the same one without a colon; one word is a key. */
-START_TEST(help_sentences_are_not_split_at_a_colon) {
+TEST(help_sentences_are_not_split_at_a_colon) {
     const float sentence = widthOfHelp("First a chair: a seat and four legs that are thrown about in here");
     assert_near(sentence, widthOfHelp("First a chair; a seat and four legs that are thrown about in here"), 0);
     assert_near(widthOfHelp("Enter: jump over all of the things that are lying about in here, twice"),
                 widthOfHelp("Enter - jump over all of the things that are lying about in here, twice"), 0);
 }
-END_TEST
 
-START_TEST(help_of_all_kinds) {
+TEST(help_of_all_kinds) {
     const char *const constant[] = {"a", "b"};
     const char *variable[] = {"a"};
     RRenderCreateUserHelp(rc, constant, 2);
@@ -217,9 +208,8 @@ START_TEST(help_of_all_kinds) {
     RRenderCreateUserHelp(rc, constant, -1);
     assert_warned("-1");
 }
-END_TEST
 
-START_TEST(toggling_help_toggles_pause) {
+TEST(toggling_help_toggles_pause) {
     RRenderToggleUserHelp(rc);
     ck_assert_int_eq(rc->m_bShowHelp, 1);
     ck_assert_int_eq(rc->m_bPause, 1);
@@ -231,21 +221,3 @@ START_TEST(toggling_help_toggles_pause) {
     RRenderToggleUserHelp(rc);
     ck_assert_int_eq(rc->m_bPause, 1);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setup, teardown);
-    tcase_add_test(t, variables);
-    tcase_add_test(t, what_is_no_variable_stays);
-    tcase_add_test(t, keys_follow_their_actions);
-    tcase_add_test(t, output_is_cut);
-    tcase_add_test(t, characters);
-    tcase_add_test(t, widths);
-    tcase_add_test(t, help_fits_any_window);
-    tcase_add_test(t, a_status_line_is_never_cut);
-    tcase_add_test(t, help_lines_are_not_split_at_a_colon_in_their_text);
-    tcase_add_test(t, help_sentences_are_not_split_at_a_colon);
-    tcase_add_test(t, help_of_all_kinds);
-    tcase_add_test(t, toggling_help_toggles_pause);
-}
-TEST_MAIN("Text", tests)

@@ -92,7 +92,7 @@ static int differing(const RPicture *p, const RPicture *q, int levels) {
 
 /* Rounding moves outlines, the shadow's texels and the checker's edges by less than a sample; so does a single pixel
  * here and there. */
-START_TEST(a_turned_scene_gives_the_same_picture) {
+TEST(a_turned_scene_gives_the_same_picture) {
     static const double axes[][3] = {{0, 0, 1}, {1, 0, 0}, {0, 0, -1}, {0.6, 0, 0.8}, {0.48, 0.6, 0.64}};
     static const int max[] = {0, 0, 0, 8, 8};
     Turn none = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -111,9 +111,8 @@ START_TEST(a_turned_scene_gives_the_same_picture) {
     r_free(p.rgba);
     r_free(expected.rgba);
 }
-END_TEST
 
-START_TEST(angles_and_drags_go_about_the_axis) {
+TEST(angles_and_drags_go_about_the_axis) {
     AcmeVector3 at = {1, 2, 3}, eye, up, moved;
     rc = make_context("-null");
     RCameraSetUp(rc, 0, 0, 2);
@@ -141,10 +140,9 @@ START_TEST(angles_and_drags_go_about_the_axis) {
     assert_below(eye[0], 3 - 0.3);
     RRenderContextDestroy(rc);
 }
-END_TEST
 
 /* A position gives the angles that give the position, with any axis. */
-START_TEST(positions_and_angles) {
+TEST(positions_and_angles) {
     static const AcmeReal axes[][3] = {{0, 1, 0},  {0, 0, 1},      {1, 0, 0},     {0, -1, 0},      {0, 0, -1},
                                        {-1, 0, 0}, {1e-30f, 0, 0}, {1e30f, 0, 0}, {1, -1e-7f, -1}, {.3f, -.9f, .2f}};
     const MeVector3 at = {1, 2, 3}, from = {-2, 4, 8};
@@ -178,9 +176,8 @@ START_TEST(positions_and_angles) {
     }
     RRenderContextDestroy(rc);
 }
-END_TEST
 
-START_TEST(bad_axes_change_nothing) {
+TEST(bad_axes_change_nothing) {
     AcmeVector3 up;
     AcmeReal theta = 1, phi = 2;
     rc = make_context("-null");
@@ -205,13 +202,3 @@ START_TEST(bad_axes_change_nothing) {
     messages_release();
     RRenderContextDestroy(rc);
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_test(t, a_turned_scene_gives_the_same_picture);
-    tcase_add_test(t, angles_and_drags_go_about_the_axis);
-    tcase_add_test(t, positions_and_angles);
-    tcase_add_test(t, bad_axes_change_nothing);
-}
-
-TEST_MAIN("Up", tests)
