@@ -6,20 +6,9 @@
 #include "inner/kea_problem_i.h"
 #include "inner/kea_structure_i.h"
 #include "karma_test.h"
+#include "random_numbers.h"
 
 enum { MAX_NODES = 24, MAX_EDGES = MAX_NODES * MAX_NODES / 2, MAX = MAX_NODES * KEA_FACTOR_MAX_BLOCK };
-
-/* A small generator of its own, so that a failure can be repeated from the printed seed. */
-static unsigned long long state;
-
-static double uniform(double low, double high) {
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return low + (high - low) * (double)(state >> 11) / 9007199254740992.0;
-}
-
-static int below(int n) {
-    return (int)uniform(0, n);
-}
 
 /* ---- graphs ---- */
 

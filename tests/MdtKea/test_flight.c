@@ -1,50 +1,23 @@
 /* Bodies that fly from impact to impact (MdtKeaFly): where they are is known in closed form. */
-#include "MdtKea.h"
-#include "MdtKeaMath.h"
-#include "karma_test.h"
-
-enum { MAX = 60 };
+#include "system.h"
 
 static const double radius = .5;
 /* m, at a place 1 m from the origin: of the transforms that gaps come from, which may be as much less. */
 static const double rounding = 1e-7;
 
-static MdtKeaSystem s;
-static MdtKeaBody body[MAX], *bodies[MAX];
-static MdtKeaManifold manifold[MAX];
-static void *scratch;
+static MdtKeaManifold manifold[MAX_BODIES];
 
 static void begin(int numBodies) {
-    memset(&s, 0, sizeof s);
-    memset(body, 0, sizeof body);
+    system_begin(numBodies, 3 * MAX_BODIES, MAX_BODIES, 1);
     memset(manifold, 0, sizeof manifold);
-    s.numBodies = numBodies;
-    s.bodies = bodies;
     s.manifolds = manifold;
-    s.maxContacts = MAX;
-    s.maxRows = 3 * MAX;
-    s.cache = MdtKeaCacheCreate();
-    s.parameters.stepsize = 1;
     s.parameters.timed = METRUE;
-    scratch = aligned_alloc(16, (MdtKeaScratchSize(numBodies, s.maxRows, s.maxContacts) + 15) & ~(size_t)15);
-    for (int i = 0; i < numBodies; i++)
-        bodies[i] = &body[i];
-}
-
-static void end(void) {
-    MdtKeaCacheDestroy(s.cache);
-    free(scratch);
 }
 
 static void setBall(int i, double x, double y, double v) {
-    static const double tensor[3][3] = {{.1, 0, 0}, {0, .1, 0}, {0, 0, .1}};
-    body[i].position[0] = x;
+    setBody(i, 1, .1, x);
     body[i].position[1] = y;
     body[i].velocity[0] = v;
-    body[i].quaternion[0] = 1;
-    body[i].invMass = 1;
-    body[i].flags = MdtKeaBodyFlagAddCoriolisForce;
-    ck_assert(MdtKeaBodySetInertia(&body[i], tensor));
 }
 
 /* Along x, of two balls or of one and the world. The second one is on the left. */
@@ -64,7 +37,7 @@ static void addContact(int a, int b, double gap, double restitution) {
 
 /* The rows of the first contacts are left out. */
 static double flyWithout(int contacts, int maxImpacts) {
-    MdtKeaInit(&s, scratch);
+    system_init();
     MdtKeaCountContactRows(&s);
     for (int i = 0; i < contacts; i++)
         manifold[i].point[0].numRows = 0;

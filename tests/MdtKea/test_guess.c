@@ -1,24 +1,16 @@
 /* The guess at the forces of contacts where none are known (common/kea_guess.c): bodies of 1 kg under a load of 8 N. */
 #include "common/kea_policy_i.h"
-#include "karma_test.h"
-#include "kea_i.h"
+#include "system.h"
 
-enum { MAX = 60 };
-
-static const double load = 8, unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-static MdtKeaSystem s;
-static MdtKeaBody body[MAX], *pointer[MAX];
-static MdtKeaManifold manifold[2 * MAX];
+static const double load = 8;
+static MdtKeaManifold manifold[2 * MAX_BODIES];
 
 /* Whose manifolds are new, of a point each between the world and the first body, with y up. */
 static void begin(int numBodies, int numManifolds) {
-    memset(&s, 0, sizeof s);
-    memset(body, 0, sizeof body);
+    system_begin(numBodies, 0, 0, 1. / 64);
     for (int i = 0; i < numBodies; i++) {
-        pointer[i] = &body[i];
-        body[i].quaternion[0] = body[i].invMass = 1;
+        setBody(i, 1, 1, 0);
         body[i].force[1] = -load;
-        ck_assert(MdtKeaBodySetInertia(&body[i], unit));
     }
     for (int i = 0; i < numManifolds; i++)
         manifold[i] = (MdtKeaManifold){.body = {0, MdtKeaWORLD},
@@ -26,19 +18,14 @@ static void begin(int numBodies, int numManifolds) {
                                        .normal = {0, 1, 0},
                                        .direction = {1, 0, 0},
                                        .point[0].isNew = METRUE};
-    s.numBodies = numBodies;
-    s.bodies = pointer;
     s.numManifolds = numManifolds;
     s.manifolds = manifold;
-    s.cache = MdtKeaCacheCreate();
-    s.parameters = (MdtKeaParameters){.stepsize = 1. / 64, .solver = MdtKeaSolverFast};
+    s.parameters.solver = MdtKeaSolverFast;
 }
 
 static void guess(void) {
-    void *scratch = calloc(1, MdtKeaScratchSize(s.numBodies, 0, 0));
-    MdtKeaInit(&s, scratch);
-    free(scratch);
-    MdtKeaCacheDestroy(s.cache);
+    system_init();
+    end();
 }
 
 static double forceOf(int i) {
@@ -50,9 +37,9 @@ static double forceOf(int i) {
 
 /* Body k's place from the ground up, in an order of some kind: the world's is -1. */
 static void makeColumn(const int place[]) {
-    begin(MAX, MAX);
-    for (int i = 0; i < MAX; i++)
-        for (int k = 0; k < MAX; k++) {
+    begin(MAX_BODIES, MAX_BODIES);
+    for (int i = 0; i < MAX_BODIES; i++)
+        for (int k = 0; k < MAX_BODIES; k++) {
             if (place[k] == place[i] - 1)
                 manifold[i].body[1] = k;
             manifold[i].body[0] = i;
@@ -61,16 +48,16 @@ static void makeColumn(const int place[]) {
 
 /* Each contact of a column bears all that is above it, in whatever order contacts and bodies come. */
 TEST(a_columns_contacts_bear_what_is_above) {
-    for (int stride = 1; stride < MAX; stride += 6) { /* coprime with 60: 1, 7, 13, 19, 31, 37, 43, 49 */
-        int place[MAX];
+    for (int stride = 1; stride < MAX_BODIES; stride += 6) { /* coprime with 60: 1, 7, 13, 19, 31, 37, 43, 49 */
+        int place[MAX_BODIES];
         if (stride % 5 == 0)
             continue;
-        for (int i = 0; i < MAX; i++)
-            place[i] = i * stride % MAX;
+        for (int i = 0; i < MAX_BODIES; i++)
+            place[i] = i * stride % MAX_BODIES;
         makeColumn(place);
         guess();
-        for (int i = 0; i < MAX; i++)
-            assert_near_rel(forceOf(i), load * (MAX - place[i]), kea_guessTolerance);
+        for (int i = 0; i < MAX_BODIES; i++)
+            assert_near_rel(forceOf(i), load * (MAX_BODIES - place[i]), kea_guessTolerance);
     }
 }
 

@@ -5,20 +5,9 @@
 #include "inner/kea_problem_i.h"
 #include "karma_test.h"
 #include "kea_i.h"
+#include "random_numbers.h"
 
 enum { MAX_BODIES = 12, MAX_ROWS = 48, MAX_ENUMERATED = 7, MAX_PASSES = 12 };
-
-/* A small generator of its own, so that a failure can be repeated from the printed seed. */
-static unsigned long long state;
-
-static double uniform(double low, double high) {
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return low + (high - low) * (double)(state >> 11) / 9007199254740992.0;
-}
-
-static int below(int n) {
-    return (int)uniform(0, n);
-}
 
 /* ---- dense elimination ---- */
 

@@ -1,8 +1,8 @@
 /* Inside Kea: all tuned constants. Numbers that follow from arithmetic or geometry stay in their formulas.
  *
  * Each comment gives the unit, or what the constant is relative to, and the reason for the value: a derivation, a
- * measurement, or a test that fails if the value is halved (/2) or doubled (x2). Most of these tests are in
- * tests/MdtKea/test_policy.c and test_fast_policy.c; for constants that affect cost only, they count iterations.
+ * measurement, or a behaviour that is lost if the value is halved (/2) or doubled (x2), with its test. Constants that
+ * affect cost only are measured by programs of bench/.
  *
  * Units: `A_ii' is a row's J B⁻¹ Jᵀ, 1/kg, the inverse of its effective mass; `load speed' is the largest change of a
  * body's velocity by its loads in the step, m/s (kea_loadSpeed): g h under gravity.
@@ -43,7 +43,7 @@ static const double kea_momentumSlack = 1e2;
  * speed. x2 and /2 fail MdtKea_problem: answers_are_exact_enough_to_a_millionth. */
 static const double kea_loosePosition = 1e4, kea_looseVelocity = 1e5;
 /* Fraction of the loose tolerances at which passes by sweeps end: a digit, so that a swept answer is not on the verge
- * of being reported. x2 and /2 fail MdtKea_policy: sweeps_end_a_digit_below_what_is_reported. */
+ * of being reported. */
 static const double kea_sweptMargin = 0.1;
 
 /* Fraction of a body's own velocity in the speed scale of residuals, beside the load speed: a fast body's residuals
@@ -53,8 +53,7 @@ static const double kea_ownSpeedShare = 0.1;
 /* Fractions of a body's radius of gyration, and of its distance from the origin, in the scale of position errors. The
  * first is for rows without lever arm and motion, the second for rounding far from the origin (1e-4 x 1e-10 = 1e-14 of
  * the distance, 50 times the rounding of a double). x2 of the first fails Mdt_Order:
- * the_sag_of_a_load_is_epsilon_force_over_gamma; x2 and /2 of the second MdtKea_policy:
- * far_places_are_known_to_fourteen_digits. */
+ * the_sag_of_a_load_is_epsilon_force_over_gamma. */
 static const double kea_bodySizeShare = 1e-2, kea_distanceShare = 1e-4;
 /* Fraction of the momentum in the scale of a body's impulses, beside those of its loads: else the tolerance of a body
  * without loads would be 0. With kea_newtonTolerance it is 1e-14 of the momentum, 50 times the rounding of a double. x2
@@ -65,8 +64,7 @@ static const double kea_momentumShare = 1e-4;
 static const double kea_inconsistentShare = 0.5;
 /* Possible error of attachments that a program gives in single precision, relative to lever arms and distances from the
  * origin, or in rad: eight roundings. A linkage may be too long by this to pass its change point, and joints that
- * contradict each other by less count as consistent. x2 and /2 fail MdtKea_policy:
- * joints_may_disagree_by_the_rounding_of_places. */
+ * contradict each other by less count as consistent. */
 static const double kea_attachmentRounding = 5e-7;
 /* Rad, h |w| of a body: a partition without loops in which a body turns further is not solved by the tangent problem.
  * With 0 rag dolls take a sixth more factorizations. x2 fails Mst_SweptJoints: swept_pairs_on_hinges_do_not_explode. */
@@ -77,23 +75,20 @@ static const double kea_tangentTurn = 0.3;
 enum {
     /* Passes, also of an impact, that set friction bounds to μ p_n; later ones move them half of the way, with
      * acceleration. The velocity stage has no more passes than these. Bounds that settle at all have mostly settled
-     * after 3 to 6. x2 and /2 fail MdtKea_policy: friction_bounds_follow_in_full_then_by_a_secant. */
+     * after 3 to 6. */
     KEA_FULL_BOUND_PASSES = 6,
     /* Passes after which friction bounds are frozen: if the answer is within kea_looseVelocity; and in any case.
-     * Collapsing heaps settle within 60 in all but 3 % of their steps (tests/Mst/test_Heaps). x2 and /2 of either fail
-     * MdtKea_policy: friction_bounds_that_do_not_settle_are_frozen. */
+     * Collapsing heaps settle within 60 in all but 3 % of their steps (tests/Mst/test_Heaps). */
     KEA_FREEZE_PASS = 12,
     KEA_MAX_COUPLED_PASSES = 60,
     /* Passes with frozen bounds. The problem is convex then, and each pass reduces the residual by a factor of 3 to 70,
-     * so that 4 gain two to seven digits. x2 and /2 fail MdtKea_policy:
-     * friction_bounds_that_do_not_settle_are_frozen. */
+     * so that 4 gain two to seven digits. */
     KEA_FROZEN_PASSES = 4,
     /* Passes of the tangent problem, which converges quadratically: 2 to 4 where it is regular, 6 near a change point.
      * At a change point, and with redundant joints, more do not converge either. x2 and /2 fail scenes_linkage:
      * momentum_chooses_the_branch_at_a_change_point. */
     KEA_TANGENT_PASSES = 6,
-    /* Passes by sweeps that share the remaining work, so that rows follow the geometry (test_Mst_WorkBudget). /2 fails
-     * MdtKea_policy: sweeps_leave_work_for_eight_passes. */
+    /* Passes by sweeps that share the remaining work, so that rows follow the geometry (test_Mst_WorkBudget). */
     KEA_SWEPT_PASSES = 8,
     /* Above this number of passes the energy of the motion is limited: ordinary steps take 3 to 6; contradicting rows
      * may converge, in more passes, to a motion of a hundred times the energy. Twice the ordinary number. /2 fails
@@ -101,16 +96,14 @@ enum {
     KEA_UNUSUAL_PASSES = 12
 };
 /* Range of t, the coefficient of Anderson's acceleration (kea_friction.c): t -> 1 is a division by zero, and a linear
- * extrapolation is not trusted beyond five times its length. x2 and /2 of either fail MdtKea_policy:
- * friction_bounds_follow_in_full_then_by_a_secant. */
+ * extrapolation is not trusted beyond five times its length. */
 static const double kea_minSecant = -4, kea_maxSecant = 0.9;
 
 /* Fraction of the work budget (MdtKeaParameters.maxWork) that passes may use, so that end velocities and the position
  * projection have the rest. x2 fails Mdt_RandomJoints: random_joints_end_their_steps_and_give_no_energy. */
 static const double kea_workForMotion = 0.9;
 /* Fraction of the work budget that may be spent while friction bounds do not settle. Bounds that settled had taken 17
- * million at most, a third of a budget of 50 million. x2 and /2 fail MdtKea_policy:
- * friction_bounds_that_do_not_settle_cost_part_of_the_work. */
+ * million at most, a third of a budget of 50 million. */
 static const double kea_workForFriction = 0.375;
 
 /* Rad, h |w_m|: beyond it a body counts as turned over. The Cayley map turns by 2 atan(h w / 2), here by 1.8 rad; near
@@ -129,12 +122,11 @@ static const double kea_farTurn = 0.1, kea_farTurnInContact = 0.5;
 static const double kea_centredArm = 1e-3;
 /* Factor on the energy of the partition at its greatest speed: an iterate with more is a runaway, which no motion
  * explains. The room is for answers that are cut short, whose energy is limited later: more passes runaways on to that
- * limiter, less drops rows of valid answers. x2 and /2 fail MdtKea_policy: a_runaway_has_ten_times_the_energy. */
+ * limiter, less drops rows of valid answers. */
 static const double kea_runawayRoom = 10;
 /* Factor on the load speed: a larger change of velocity in the last step was a jerk, and is not the first guess of this
  * one. It affects the first guess only, the answer within the tolerance. Without it Mdt_CarWheel fails,
- * the_steering_motor_moves_and_stops, in one figure by 3e-5. x2 and /2 fail MdtKea_policy:
- * an_acceleration_goes_on_up_to_thirty_loads. */
+ * the_steering_motor_moves_and_stops, in one figure by 3e-5. */
 static const double kea_jerk = 30;
 
 /* ---- theta and geometric stiffness ---- */
@@ -156,11 +148,10 @@ static const double kea_nearBound = 0.5;
  * springs_follow_the_midpoint_rule. */
 static const double kea_stiffSpring = 4;
 /* Fraction of the smallest moment: a smaller geometric stiffness is left out of the metric. Newton's method then leaves
- * 1 % of an error in a pass, as it does anyway. x2 and /2 fail MdtKea_policy:
- * stiffness_counts_where_it_is_felt_and_harmless. */
+ * 1 % of an error in a pass, as it does anyway. */
 static const double kea_smallStiffness = 0.01;
 /* Fraction of the smallest moment: negative stiffness up to this is kept, since B is still positive with half of its
- * inertia. x2 and /2 fail MdtKea_policy: stiffness_counts_where_it_is_felt_and_harmless. */
+ * inertia. */
 static const double kea_harmlessStiffness = 0.5;
 /* Relative difference up to which moments count as equal: the rounding of a program's tensor in double arithmetic. x2
  * and /2 fail MdtKea_system: tops_are_refused_from_a_tenth_of_a_radian_on. */
@@ -176,71 +167,59 @@ static const double kea_proximalJoint = 1e-8, kea_proximalLimit = 1e-6;
 /* N of contacts, by the number of passes that have converged well; in an impact, by the number of passes: 1e-4, and a
  * tenth of the last in each. A start of 1e-3 saves 14 % of the factorizations of small partitions and fails the heavy
  * cube and the creep of tests/scenes; constant 1e-4 takes 22 to 35 factorizations a step in a heap at rest. The last is
- * kea_velocityTolerance: a pass then leaves no more than is tolerated. x2 and /2 fail MdtKea_policy:
- * the_first_pass_leaves_a_ten_thousandth_of_a_contact, contacts_harden_to_the_tolerance. */
+ * kea_velocityTolerance: a pass then leaves no more than is tolerated. */
 enum { KEA_PROXIMAL_LEVELS = 6 };
 static const double kea_proximalContact[KEA_PROXIMAL_LEVELS] = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9};
 /* Passes of the position projection: with N = 1e-5 A_ii, that of contacts after one good pass, they leave 1e-15 of the
  * error of a single row. 1e-6 fails Mst_Cases_Defaults in double precision: stacks_stand_by_default. */
 enum { KEA_PROJECTION_PASSES = 3 };
 /* Regularization of the dual matrix, relative to A_ii, which is not taken out again: rows of one joint may be equal but
- * for rounding, of which this is 500 times. x2 and /2 fail MdtKea_policy: rigid_joints_are_soft_by_rounding. */
+ * for rounding, of which this is 500 times. */
 static const double kea_dualRegularization = 1e-13;
 /* Regularization for redundant joints, relative to the metric: the relative error of their smallest impulses, and the
- * rounding at a mass ratio of 1e4. x2 and /2 fail MdtKea_policy: rigid_joints_are_soft_by_rounding. */
+ * rounding at a mass ratio of 1e4. */
 static const double kea_redundancyRegularization = 1e-12;
 
 /* ---- semismooth Newton ---- */
 
 enum {
     /* Cap on the iterations of the convex problem: with an exact line search it ends by itself, but collapsing heaps
-     * reach 60. /2 fails MdtKea_policy: iterations_of_solves. */
+     * reach 60. */
     KEA_MAX_CONVEX = 60,
     /* Cap on the iterations of the coupled problem, which has no potential: it converges quadratically near the answer;
-     * elsewhere the outer iteration has to approach it. /2 fails MdtKea_policy: iterations_of_solves. */
+     * elsewhere the outer iteration has to approach it. */
     KEA_MAX_COUPLED = 12,
     /* Solves with kept factors: each leaves 1e-2 of the error or less if the factors still fit. Without such solves
-     * bridges under a ton take 4 to 6 % more work (bench/choice, ton-bridge-0.5-1 and -1-1). x2 and /2 fail
-     * MdtKea_policy: factors_that_are_kept_are_good_enough. */
+     * bridges under a ton take 4 to 6 % more work (bench/choice, ton-bridge-0.5-1 and -1-1). */
     KEA_MAX_REFINEMENTS = 4,
     /* Trial lengths of a step of the coupled problem, each half of the last: an eighth at least. Reasoned: shorter
-     * steps are left to the outer iteration. x2 and /2 fail MdtKea_policy: iterations_of_solves. */
+     * steps are left to the outer iteration. */
     KEA_MAX_HALVINGS = 4,
-    /* Iterations of the line search, of which every second halves its interval: 2^-50, a double's digits. /2 fails
-     * MdtKea_policy: iterations_of_steps. */
+    /* Iterations of the line search, of which every second halves its interval: 2^-50, a double's digits. */
     KEA_MAX_LINE_SEARCH = 100
 };
-/* Smallest pivot of a block's factor, relative to its diagonal entry: below 4 roundings of a double no digit is left.
- * x2 and /2 fail MdtKea_policy: a_pivot_of_four_roundings_is_none. */
+/* Smallest pivot of a block's factor, relative to its diagonal entry: below 4 roundings of a double no digit is left. */
 static const double kea_minPivot = 1e-15;
 /* Rounding error of a row's r - J d, a sum of 12 products, in roundings of a double. With 6 (and kea_minPivot of 4
- * roundings) Mst_SweptJoints fails, swept_pairs_on_hinges_do_not_explode, which depends on single bits. x2 and /2 fail
- * MdtKea_policy: eight_roundings_of_rates_are_no_error. */
+ * roundings) Mst_SweptJoints fails, swept_pairs_on_hinges_do_not_explode, which depends on single bits. */
 static const double kea_roundingSteps = 8;
 /* Line search: the fraction of the slope that may be left, and the longest step that is tried. 1e-3 costs Newton's
- * method nothing; lower values take more visits of rows, higher ones more factorizations. x2 and /2 of the first fail
- * MdtKea_policy: iterations_of_steps; x2 of the second a_line_search_looks_sixty_four_steps_ahead. Without a longest
- * step Mst_SweptJoints fails: swept_pairs_on_hinges_do_not_explode. */
+ * method nothing; lower values take more visits of rows, higher ones more factorizations. Without a longest step
+ * Mst_SweptJoints fails: swept_pairs_on_hinges_do_not_explode. */
 static const double kea_lineSearchTolerance = 1e-3, kea_longestStep = 64;
 /* The error of the convex problem, in tolerances, counts as rounding if it is below the first and more than the second
- * is left of it after a step. x2 and /2 of either fail MdtKea_policy: iterations_of_solves. */
+ * is left of it after a step. */
 static const double kea_convexRounding = 1e5, kea_convexProgress = 0.3;
 /* A step of the coupled problem must leave at most the first of the error, a fraction; else it is shortened. If no step
  * does, and the error in tolerances is below the second, it is rounding. With 1 for the first Mst_SweptJoints fails,
- * swept_pairs_on_hinges_do_not_explode, and a wall takes 8 % more work (bench/choice). x2 and /2 of either fail
- * MdtKea_policy: iterations_of_solves. */
+ * swept_pairs_on_hinges_do_not_explode, and a wall takes 8 % more work (bench/choice). */
 static const double kea_coupledProgress = 0.9, kea_coupledRounding = 1e3;
-/* The fraction of the error that a solve with kept factors may leave; else the matrix is factored anew. x2 and /2 fail
- * MdtKea_policy: factors_that_are_kept_are_good_enough. */
+/* The fraction of the error that a solve with kept factors may leave; else the matrix is factored anew. */
 static const double kea_refinedShare = 0.1;
-/* Relative error of friction bounds against μ p_n up to which no coupled solve is needed. x2 and /2 fail MdtKea_policy:
- * bounds_that_agree_to_twelve_digits_stay. */
+/* Relative error of friction bounds against μ p_n up to which no coupled solve is needed. */
 static const double kea_boundsAgree = 1e-12;
 
-/* ---- work, counted in multiplications per row ----
- *
- * x2 and /2 of each fail MdtKea_policy: work_is_counted_in_multiplications, of sweeps sweeps_share_what_work_is_left.
- * */
+/* ---- work, counted in multiplications per row ---- */
 
 enum {
     KEA_VISIT = 32,          /* J d of two bodies, bounds, Jᵀ p */
@@ -250,9 +229,7 @@ enum {
     KEA_ITERATION_VISITS = 8 /* visits in an iteration: gradient, forces, and five of the line search */
 };
 
-/* ---- sweeps ----
- *
- * x2 and /2 of each fail MdtKea_policy: sweeps_share_what_work_is_left. */
+/* ---- sweeps ---- */
 
 enum {
     KEA_SWEEPS = 32,       /* maximum of a solve: accelerated, they do what 500 plain ones do in a pyramid */
@@ -261,8 +238,7 @@ enum {
     KEA_SOME_SWEEPS = 8    /* if passes would have fewer sweeps, there are fewer passes: a quarter of the maximum */
 };
 /* Relative change of the impulses: a sweep that changes them by less has converged. It is a hundredth of where passes
- * by sweeps stop (kea_sweptMargin kea_looseVelocity kea_velocityTolerance, 1e-5). x2 and /2 fail MdtKea_policy:
- * sweeps_end_when_they_have_settled. */
+ * by sweeps stop (kea_sweptMargin kea_looseVelocity kea_velocityTolerance, 1e-5). */
 static const double kea_sweepTolerance = 1e-7;
 
 /* ---- the velocity stage ---- */
@@ -281,11 +257,9 @@ static const double kea_rippleBalance = 0.5, kea_rippleShare = 0.1;
 /* ---- energy ---- */
 
 /* Joint error, relative to a body's size, above which a joint counts as open. Solved joints leave 1e-9; piles of swept
- * boxes on hinges gained energy from 1.5e-4 on (test_Mst_SweptJoints); with 1e-3 two of 4000 gain over 1e-3 of theirs.
- * x2 and /2 fail MdtKea_policy: open_joints_close_calmly_among_contacts. */
+ * boxes on hinges gained energy from 1.5e-4 on (test_Mst_SweptJoints); with 1e-3 two of 4000 gain over 1e-3 of theirs. */
 static const double kea_brokenJoint = 1e-5;
-/* Relative rounding of sums of energies, which does not count as gained energy. x2 and /2 fail MdtKea_policy:
- * energy_is_known_to_twelve_digits. */
+/* Relative rounding of sums of energies, which does not count as gained energy. */
 static const double kea_energyRounding = 1e-12;
 /* Relative tolerance of assertions of check builds, for energies, bounds and unit quaternions that were computed in
  * another order: a thousand times kea_energyRounding. No answer depends on it. */
@@ -305,16 +279,14 @@ static const double kea_minAcross = 1e-6;
 /* ---- contacts in time ---- */
 
 enum {
-    /* Cap on the rounds of an impact: a cradle of n balls takes n. x2 and /2 fail MdtKea_policy:
-     * an_impact_has_sixty_rounds. */
+    /* Cap on the rounds of an impact: a cradle of n balls takes n. */
     KEA_MAX_ROUNDS = 60,
     /* Passes of a round: 6 lower N from the first to the last of kea_proximalContact, the others are for friction
-     * bounds. x2 and /2 fail MdtKea_policy: iterations_of_impacts. */
+     * bounds. */
     KEA_MAX_IMPACT_PASSES = 14
 };
 /* Fraction of the first round's fastest rebound: rounds end when nothing rebounds faster, and contacts that still
- * approach are stopped. A tower of 8 bricks with restitution .3 that a ball hits takes a third of the work with it. x2
- * and /2 fail MdtKea_policy: rounds_end_at_a_fiftieth_of_the_first_rebound. */
+ * approach are stopped. A tower of 8 bricks with restitution .3 that a ball hits takes a third of the work with it. */
 static const double kea_lastRound = 0.02;
 /* Fraction of the load speed. A contact that separates faster is open; one that slides faster may have an event when it
  * stops; one that approaches faster at the start of a step, without rebound, chatters (rolling bodies reach the ground
@@ -330,23 +302,19 @@ static const double kea_minImpactSpeed = 1e-6;
  * MdtKea_system: giving_way_to_a_load_is_no_impact. */
 static const double kea_softContactSpeed = 0.05;
 /* Fraction of the load speed: a slower impact does not rebound, nor divides a step in which no other is faster. It is
- * half of what one step's loads give, so that a ball at rest stays at rest. x2 and /2 fail MdtKea_policy:
- * half_of_a_steps_loads_do_not_rebound. */
+ * half of what one step's loads give, so that a ball at rest stays at rest. */
 static const double kea_minReboundSpeed = 0.5;
-/* Fraction of the bodies' own speeds that takes the place of the load speed where there are no loads. x2 and /2 fail
- * MdtKea_policy: half_of_a_steps_loads_do_not_rebound. */
+/* Fraction of the bodies' own speeds that takes the place of the load speed where there are no loads. */
 static const double kea_unloadedSpeed = 1e-6;
 /* Fraction of the speed: with a smaller residual the passes of an impact end. It is three digits below
  * kea_velocityTolerance, the slowest approach that takes part in a round, so that a reflected contact does not approach
- * again. x2 and /2 fail MdtKea_policy: impacts_are_solved_to_twelve_digits. */
+ * again. */
 static const double kea_impactTolerance = 1e-12;
 /* Relative margin: friction sticks if it is below its bound by more than this. With 0 sliding contacts seem to stop: a
- * wall takes 15 % more work, 100 balls that roll 25 % (bench/choice, wall and roll-100). x2 and /2 fail MdtKea_policy:
- * friction_below_its_bound_by_rounding_slides. */
+ * wall takes 15 % more work, 100 balls that roll 25 % (bench/choice, wall and roll-100). */
 static const double kea_stickMargin = 1e-7;
 /* Gap, relative to the smaller body's size, below which a contact touches. 1e-5 in double precision toppled a tower,
- * 1e-6 left it rocking in 3 of 8 runs; in single precision programs place bodies no better than that. x2 and /2 fail
- * MdtKea_policy: a_gap_that_counts_as_none. */
+ * 1e-6 left it rocking in 3 of 8 runs; in single precision programs place bodies no better than that. */
 #ifdef _ME_API_DOUBLE
 static const double kea_touchingGap = 1e-7;
 #else
@@ -361,8 +329,7 @@ static const double kea_touchingGap = 1e-5;
 static const double kea_maxChord = 2.1;
 /* Rad a step by the rates of the splitting: slower rotation is integrated by the leapfrog, whose error, angle³/12, is
  * 1e-7 rad in the worst case. Reasoned: it is work against accuracy of slow rotation. With 0 Mdt_Behaviours_Joints
- * fails, a_ball_and_socket_leaves_all_rotations_free. x2 and /2 fail MdtKea_policy:
- * rotation_beyond_a_hundredth_of_a_radian_is_of_fourth_order. */
+ * fails, a_ball_and_socket_leaves_all_rotations_free. */
 static const double kea_slowRotation = 1e-2;
 /* Rad by the same rates: faster rotation is divided into substeps, of which KEA_MAX_ROTATIONS is the maximal number, a
  * cap on the cost of a step: 60 000 rad/s at 60 Hz. A box of 1 x .5 x .2 m about its middle axis keeps energy to 5.7e-8
@@ -370,8 +337,7 @@ static const double kea_slowRotation = 1e-2;
  * MdtKea_rotation: whirling_about_the_middle_axis_keeps_its_energy, and so does /2 of the second. */
 static const double kea_fastRotation = 1;
 enum { KEA_MAX_ROTATIONS = 1000 };
-/* Sum of the squares of off-diagonal entries relative to those of the diagonal: entries of 1e-16 are rounding. x2 and
- * /2 fail MdtKea_policy: an_off_diagonal_of_rounding_is_none. */
+/* Sum of the squares of off-diagonal entries relative to those of the diagonal: entries of 1e-16 are rounding. */
 static const double kea_jacobiTolerance = 1e-32;
 /* Limits of a program's inertia tensor: the relative asymmetry, for single precision; and the smallest moment relative
  * to the largest, as a thinner body is refused. x2 and /2 of either fail MdtKea_rotation:
@@ -389,12 +355,10 @@ enum { KEA_MIN_PASSES = 16, KEA_MAX_PASSES = 96, KEA_MORE_PASSES = 8 };
 /* Upper limit of the extrapolation's theta after additional passes have increased the residual. Derived: theta after
  * KEA_MORE_PASSES, so that extrapolation reaches no further than between two measurements. 200 balls that settle in a
  * pit leave .0034 m/s, and .0074 if all passes are made without the limit (Mst_Crowd:
- * what_friction_feeds_is_held_back). x2 and /2 fail MdtKea_fast_policy: held_extrapolation_is_that_of_eight_passes.
- * KEA_MIN_PASSES more passes are made with it: no test tells 12, 24, 48 apart, which leave .0037, .0034, .0032 m/s in
- * that test. */
+ * what_friction_feeds_is_held_back). KEA_MIN_PASSES more passes are made with it: no test tells 12, 24, 48 apart, which
+ * leave .0037, .0034, .0032 m/s in that test. */
 static const double kea_limitedTheta = 5.42;
-/* Passes over displacements. 1 leaves half of the overlaps of a heap, 12 gain nothing. x2 and /2 fail
- * MdtKea_fast_policy: six_passes_push_bodies_apart. */
+/* Passes over displacements. 1 leaves half of the overlaps of a heap, 12 gain nothing. */
 enum { KEA_POSITION_PASSES = 6 };
 /* A pass over displacements removes 1 - (1 - gamma)^kea_pushExponent of an overlap: .15 at the default gamma. With 1/6
  * all passes together remove gamma of a lone contact's overlap, but far less in a heap, whose contacts push against
@@ -404,45 +368,37 @@ static const double kea_pushExponent = 0.73;
 /* Where joints are open, these passes are made in KEA_JOINT_ROUNDS rounds, since errors of joints are not linear in a
  * rotation; rounds of joints alone follow until they are closed, up to KEA_MAX_JOINT_ROUNDS rounds in all. Without the
  * latter a ton on a light chain opens it by 1e-2 m (Mst_Jointed). /2 of the first fails Mst_Jointed:
- * figures_of_any_kind_hold_together_and_gain_no_energy; of the second Mst_Crowd: chains_hold_in_a_crowd; x2 of the
- * first MdtKea_fast_policy: contacts_take_part_in_three_rounds_of_joints, x2 and /2 of the second
- * joints_are_closed_at_three_millionths. */
+ * figures_of_any_kind_hold_together_and_gain_no_energy; of the second Mst_Crowd: chains_hold_in_a_crowd. */
 enum { KEA_JOINT_ROUNDS = 3, KEA_MAX_JOINT_ROUNDS = 8 };
 /* Error, relative to a body's size, up to which joints and stops count as closed. gamma adds up the errors of five
  * steps; a net of 225 balls in loops, whose rows contradict each other by rounding, comes no nearer than 1.5e-6. 1e-5
- * lets the ropes of tutorial Bridge yield by 2.5e-5 m. x2 and /2 fail MdtKea_fast_policy:
- * joints_are_closed_at_three_millionths. */
+ * lets the ropes of tutorial Bridge yield by 2.5e-5 m. */
 static const double kea_closedJoint = 3e-6;
 /* Relative to a body's size: if joints open by more in a step, the motion is too violent for it, as of a light body
  * that is whipped round by more than the rounds of a step can turn it. Without it one of 22 bodies opens by .45 m
  * (Mst_Jointed: a_light_body_may_be_whipped_round). If the exact solver's work ran out before it closed them to this,
- * the fast one takes over (Mst_Jointed: what_the_exact_solver_leaves_open_the_fast_one_closes). x2 and /2 fail
- * MdtKea_fast_policy: a_step_that_opens_joints_by_a_twentieth_is_violent. */
+ * the fast one takes over (Mst_Jointed: what_the_exact_solver_leaves_open_the_fast_one_closes). */
 static const double kea_violentOpening = 0.05;
 /* Fraction of the joints' error that a round of Newton's method may leave; else its Jacobians were those of other
  * poses, and are evaluated anew. The rounds of joints alone are five, and gain five digits if each gains one: from .3
- * of a size to kea_closedJoint. x2 and /2 fail MdtKea_fast_policy: rounds_that_gain_no_digit_have_new_derivatives. */
+ * of a size to kea_closedJoint. */
 static const double kea_roundShare = 0.1;
 /* Rad: the largest rotation of a jointed body in a pass over displacements. Errors are linear for small rotations only,
  * and a chain that is pulled straight needs large ones. Without it a ton on a light chain opens it by a metre
- * (Mst_Jointed). /2 fails Mst_Crowd: chains_hold_in_a_crowd; x2 and /2 MdtKea_fast_policy:
- * a_pass_turns_by_a_tenth_of_a_radian. */
+ * (Mst_Jointed). /2 fails Mst_Crowd: chains_hold_in_a_crowd. */
 static const double kea_maxPush = 0.1;
 /* Factor on kea_proximalLimit in each new trial to factor a block: half of its decades, so that the third trial is A_ii
- * itself. x2 and /2 fail MdtKea_fast_policy: joints_of_thin_bodies_are_softer_by_half_of_the_decades. */
+ * itself. */
 static const double kea_softerJoint = 1e3;
 /* Bodies of a block up to which each row with bounds has the response of the whole block. Its memory and a visit are
  * proportional to the bodies: if all blocks had it, a free chain of 1000 hinges with motors would take 364 ms a step
- * instead of 11, one of 300 19 instead of 10. 128 bodies are 6 kB a row. x2 and /2 fail MdtKea_fast_policy:
- * motors_feel_a_block_of_up_to_128_bodies. */
+ * instead of 11, one of 300 19 instead of 10. 128 bodies are 6 kB a row. */
 enum { KEA_WIDE_BLOCK = 128 };
 /* Smallest determinant of a matrix that is inverted in single precision, relative to the product of its diagonal: the
- * inverse has the error 6e-8 / 1e-4. x2 and /2 fail MdtKea_fast_policy:
- * a_determinant_of_a_ten_thousandth_is_inverted. */
+ * inverse has the error 6e-8 / 1e-4. */
 static const float kea_soundDeterminant = 1e-4f;
 /* Overlap at the end of the step, relative to a body's size: a contact that is deeper and still closes takes more
- * passes, even while bodies move. x2 fails Mst_Crowd: chains_hold_in_a_crowd; x2 and /2 MdtKea_fast_policy:
- * an_overlap_of_a_tenth_is_deep. */
+ * passes, even while bodies move. x2 fails Mst_Crowd: chains_hold_in_a_crowd. */
 static const double kea_smallOverlap = 0.1;
 /* Fraction of the bodies' speed (root mean square): while bodies move, passes end although deep overlaps still grow
  * with this speed. Fraction of the largest speed: rounding error that velocities may have. Less takes more passes while
@@ -464,14 +420,12 @@ static const double kea_changeShare = 0.1;
  * it anew from impulses. A pyramid of 40 rows has .1 to 1. */
 static const double kea_lostMotion = 10;
 /* Compliance relative to 1/m_0 + 1/m_1, or to a joint's A_ii: a larger one is felt within the step, and is part of the
- * equations. x2 and /2 fail MdtKea_fast_policy: a_thousandth_of_the_mobility_is_soft. */
+ * equations. */
 static const double kea_softShare = 1e-3;
 /* Overlap, relative to the smaller body's radius of gyration, that is not corrected: else resting contacts would open
- * and close by the rounding of their passes. /2 fails Mst_Crowd: a_pyramid_of_forty_rows_comes_to_rest; x2 and /2
- * MdtKea_fast_policy: overlaps_of_a_ten_thousandth_rest. */
+ * and close by the rounding of their passes. /2 fails Mst_Crowd: a_pyramid_of_forty_rows_comes_to_rest. */
 static const double kea_restingDepth = 1e-4;
-/* Fraction of the kinetic energy that the passes of a step may add by rounding and by their residual. x2 and /2 fail
- * MdtKea_fast_policy: a_hundred_thousandth_of_the_energy_may_be_gained. */
+/* Fraction of the kinetic energy that the passes of a step may add by rounding and by their residual. */
 static const double kea_energyRoom = 1e-5;
 /* Relative to the smaller body's size: if the mean velocities press a contact deeper than the end's velocities do by
  * more than this, its bodies are moved by the latter. A tenth of kea_restingDepth, so that resting bodies are moved by
@@ -486,13 +440,11 @@ static const double kea_restingChange = 10000;
  * press others. */
 enum { KEA_PRESSED_SWEEPS = 3 };
 /* N s, or a coefficient of friction: stands for an infinite bound. Derived: the product of a coefficient and an impulse
- * of that size, and such a bound added to it, are within single precision, 2^128. x2 and /2 fail MdtKea_fast_policy:
- * friction_without_bound_is_bounded_by_single_precision. */
+ * of that size, and such a bound added to it, are within single precision, 2^128. */
 static const double kea_maxBound = 0x1p63;
 /* Multiplications, counted. Of a visit to a manifold: 275 in a pass (kea_kernel_i.h), and an eighth of a measurement of
  * the residual. Of its preparation and of what follows passes: 600 in the kernel, and about as many in double
- * precision, for the manifold and its share of a body. x2 and /2 of either fail MdtKea_fast_policy:
- * work_is_counted_by_visits_of_manifolds. */
+ * precision, for the manifold and its share of a body. */
 enum { KEA_MANIFOLD_VISIT = 300, KEA_MANIFOLD_PREPARATION = 1200 };
 
 /* ---- workers ---- */
@@ -501,8 +453,7 @@ enum { KEA_MANIFOLD_VISIT = 300, KEA_MANIFOLD_PREPARATION = 1200 };
  * the answer's bits: manifolds between regions are solved after those within them. On two threads, ms a step of a
  * pyramid of 820 and of a heap of 1000 boxes (bench/threads): 2.3, 2.1, 1.9, 1.9, 2.7 and 7.8, 7.4, 6.9, 6.8, 7.8 with
  * 100, 200, 400, 800, 1600; small regions leave lanes of their groups empty, large ones leave workers idle. Half of the
- * second, and twice as much, take the same time within 5 %. x2 and /2 of the first fail MdtKea_fast_policy:
- * regions_have_four_hundred_manifolds; of the second a_worker_takes_sixty_four_bodies_at_a_time. */
+ * second, and twice as much, take the same time within 5 %. */
 enum { KEA_REGION_MANIFOLDS = 400, KEA_BODY_CHUNK = 64 };
 
 /* Distance in bodies at which loops prefetch. It changes no bit. 200 steps of a heap of 10 000 boxes, s, least of
@@ -533,13 +484,12 @@ static const double kea_poseRounding = 6e-8;
  * given. No answer depends on it. */
 static const double kea_unitRounding = 1e-5;
 /* Distance, relative to a ball's radius, of its centre from its body's centre of mass, up to which it does not move
- * when the body turns. Collision gives normals and radii in MeReal, and so this centre to some 1e-7 of the radius. x2
- * and /2 fail MdtKea_policy: a_ball_whose_centre_is_off_by_a_millionth_moves. */
+ * when the body turns. Collision gives normals and radii in MeReal, and so this centre to some 1e-7 of the radius. */
 static const double kea_centredBall = 1e-6;
 /* Rad, sqrt(2 DBL_EPSILON): of a smaller turn, half of the square is lost in rounding. */
 static const double kea_minTurn = 2.1e-8;
 /* Factor on the change of an approach by one step's own acceleration: a body that fell for just one step must not seem
- * faster by rounding. x2 and /2 fail MdtKea_policy: one_steps_own_acceleration_is_no_blow. */
+ * faster by rounding. */
 static const double kea_ownChangeMargin = 1.1;
 
 #endif
