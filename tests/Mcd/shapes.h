@@ -16,15 +16,9 @@
 #include "McdSphere.h"
 #include "McdSphyl.h"
 #include "karma_test.h"
+#include "random_numbers.h"
 
 enum { BALL, BOX, CYLINDER, SPHYL, CONE, CUT_CONE, TURNED_CONE, OCTAHEDRON, FAT_BOX, SOLIDS };
-
-static unsigned long randomState = 1;
-
-static inline double uniform(double low, double high) {
-    randomState = randomState * 6364136223846793005ul + 1442695040888963407ul;
-    return low + (high - low) * (double)(randomState >> 11) / 9007199254740992.;
-}
 
 static inline McdFrameworkID framework(void) {
     McdFrameworkID f = McdInit(0, 100, 0, 1);

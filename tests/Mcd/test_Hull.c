@@ -1,13 +1,7 @@
 /* Hulls: closed, convex, with merged faces, and the same for points of any size. */
 #include "karma_test.h"
 #include "model/mcd_geometries_i.h"
-
-static unsigned long seed = 1;
-
-static double uniform(double low, double high) {
-    seed = (seed * 6364136223846793005ul + 1442695040888963407ul);
-    return low + (high - low) * (double)(seed >> 11) / 9007199254740992.;
-}
+#include "random_numbers.h"
 
 static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

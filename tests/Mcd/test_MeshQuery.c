@@ -4,6 +4,7 @@
 #include "McdQuery.h"
 #include "McdSpace.h"
 #include "terrain.h"
+#include "random_numbers.h"
 
 TEST_FIXTURE(messages_catch, messages_release)
 
@@ -26,13 +27,7 @@ static Surface surface[3]; /* the list, the field, the aggregate */
 static MeMatrix4 partTM, at;
 static McdGeometryID ball, box;
 static const double radius = .4, half[3] = {.5, .3, .2};
-static unsigned long long seed;
 static int ownCalls; /* of the list's callback, with one model twice */
-
-static double randomUpTo(double max) {
-    seed = seed * 6364136223846793005ull + 1442695040888963407ull;
-    return max * (double)(seed >> 11) / 9007199254740992.0;
-}
 
 /* ---- closed forms ------------------------------------------------------------------------------------------------ */
 
@@ -244,7 +239,7 @@ static void turn(MeMatrix4 tm, double a, double b, double x, double y, double z)
 }
 
 static void setUp(void) {
-    seed = 3;
+    state = 3;
     memset(&terrain, 0, sizeof terrain);
     frame = terrain_framework();
     McdAggregateRegisterType(frame);
@@ -282,10 +277,10 @@ static void tearDown(void) {
 
 /* A random place near one of the surfaces. */
 static void placeNear(double max) {
-    const Surface *s = &surface[(int)randomUpTo(3)];
-    const double *corner = s->triangle[(int)randomUpTo(TRIANGLES)][0];
-    turn(at, randomUpTo(6), randomUpTo(6), corner[0] + randomUpTo(2 * max) - max, corner[1] + randomUpTo(2 * max) - max,
-         corner[2] + randomUpTo(2 * max) - max);
+    const Surface *s = &surface[(int)uniform(0, 3)];
+    const double *corner = s->triangle[(int)uniform(0, TRIANGLES)][0];
+    turn(at, uniform(0, 6), uniform(0, 6), corner[0] + uniform(0, 2 * max) - max, corner[1] + uniform(0, 2 * max) - max,
+         corner[2] + uniform(0, 2 * max) - max);
 }
 
 static int surfaceOf(McdModelID m) {
@@ -485,7 +480,7 @@ TEST(casts) {
         double by[3];
         placeNear(2);
         for (int k = 0; k < 3; k++) {
-            displacement[k] = (MeReal)(randomUpTo(n % 3 ? 4 : 40) - (n % 3 ? 2 : 20));
+            displacement[k] = (MeReal)(uniform(0, n % 3 ? 4 : 40) - (n % 3 ? 2 : 20));
             by[k] = (double)displacement[k];
         }
         const double first = firstMet(g, by);
@@ -569,10 +564,10 @@ TEST(rays) {
         if (n == 2 * QUERIES)
             McdTriangleListLineSegmentRegisterInteraction(frame);
         placeNear(3);
-        const double *aim = surface[n % 2].triangle[(int)randomUpTo(TRIANGLES)][1];
+        const double *aim = surface[n % 2].triangle[(int)uniform(0, TRIANGLES)][1];
         for (int k = 0; k < 3; k++) {
             from[k] = (double)at[3][k];
-            displacement[k] = (MeReal)(1.1 * (aim[k] + randomUpTo(.5) - from[k]));
+            displacement[k] = (MeReal)(1.1 * (aim[k] + uniform(0, .5) - from[k]));
             by[k] = (double)displacement[k];
         }
         const double first = firstOfRay(from, by, n < 2 * QUERIES ? 2 : 3);

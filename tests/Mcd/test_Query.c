@@ -7,6 +7,7 @@
 #include "McdQuery.h"
 #include "McdSphere.h"
 #include "karma_test.h"
+#include "random_numbers.h"
 
 TEST_FIXTURE(messages_catch, messages_release)
 
@@ -19,15 +20,8 @@ static const double probeRadius = .5;
 static McdModelID ball[BALLS], ground;
 static double radius[BALLS];
 static MeMatrix4 tm[BALLS], groundTM, at;
-static unsigned long long seed;
-
-static double randomUpTo(double max) {
-    seed = seed * 6364136223846793005ull + 1442695040888963407ull;
-    return max * (double)(seed >> 11) / 9007199254740992.0;
-}
-
 static void setUp(void) {
-    seed = 5;
+    state = 5;
     frame = McdInit(0, BALLS + 10, 0, 1);
     McdPrimitivesRegisterTypes(frame);
     McdPrimitivesRegisterInteractions(frame);
@@ -35,9 +29,9 @@ static void setUp(void) {
     probe = McdSphereCreate(frame, (MeReal)probeRadius);
     MeMatrix4TMMakeIdentity(at);
     for (int i = 0; i < BALLS; i++) {
-        radius[i] = (double)(MeReal)(.1 + randomUpTo(1));
+        radius[i] = (double)(MeReal)(.1 + uniform(0, 1));
         MeMatrix4TMMakeIdentity(tm[i]);
-        MeMatrix4TMSetPosition(tm[i], (MeReal)randomUpTo(12), (MeReal)randomUpTo(12), (MeReal)(1.5 + randomUpTo(12)));
+        MeMatrix4TMSetPosition(tm[i], (MeReal)uniform(0, 12), (MeReal)uniform(0, 12), (MeReal)(1.5 + uniform(0, 12)));
         ball[i] = McdModelCreate(McdSphereCreate(frame, (MeReal)radius[i]));
         McdModelSetTransformPtr(ball[i], tm[i]);
         McdSpaceInsertModel(space, ball[i]);
@@ -57,8 +51,8 @@ static void tearDown(void) {
 }
 
 static void placeProbe(double low) {
-    MeMatrix4TMSetPosition(at, (MeReal)(randomUpTo(14) - 1), (MeReal)(randomUpTo(14) - 1),
-                           (MeReal)(low + randomUpTo(14)));
+    MeMatrix4TMSetPosition(at, (MeReal)(uniform(0, 14) - 1), (MeReal)(uniform(0, 14) - 1),
+                           (MeReal)(low + uniform(0, 14)));
 }
 
 /* Between the probe, moved along by, and ball i, or the ground for i = BALLS. */
@@ -72,7 +66,7 @@ static double gapTo(int i, const double by[3]) {
 }
 
 static int MEAPI noGround(McdModelID m, void *data) {
-    ck_assert_ptr_eq(data, &seed);
+    ck_assert_ptr_eq(data, &state);
     return m != ground;
 }
 
@@ -95,7 +89,7 @@ TEST(overlaps) {
         ck_assert_int_eq(short_, expected > 0);
         ck_assert(!short_ || list[0] == model[0]);
         const int isOnGround = expected && model[expected - 1] == ground;
-        ck_assert_int_eq(McdSpaceOverlapGeometry(space, probe, at, noGround, &seed, list, BALLS + 1),
+        ck_assert_int_eq(McdSpaceOverlapGeometry(space, probe, at, noGround, &state, list, BALLS + 1),
                          expected - isOnGround);
         total += expected;
     }
@@ -119,8 +113,8 @@ TEST(boxes) {
         MeVector3 low, high;
         int expected = 0;
         for (int k = 0; k < 3; k++) {
-            low[k] = (MeReal)(randomUpTo(14) - 1);
-            high[k] = low[k] + (MeReal)randomUpTo(n % 3 ? 1 : 8);
+            low[k] = (MeReal)(uniform(0, 14) - 1);
+            high[k] = low[k] + (MeReal)uniform(0, n % 3 ? 1 : 8);
         }
         for (int i = 0; i <= BALLS; i++) {
             MeVector3 min, max;
@@ -198,7 +192,7 @@ TEST(casts) {
         double first = 2;
         placeProbe(0);
         for (int k = 0; k < 3; k++)
-            by[k] = n % 4 == k ? 0 : (MeReal)(randomUpTo(n % 2 ? 3 : 20) - (n % 2 ? 1.5 : 10));
+            by[k] = n % 4 == k ? 0 : (MeReal)(uniform(0, n % 2 ? 3 : 20) - (n % 2 ? 1.5 : 10));
         for (int i = 0; i <= BALLS; i++)
             first = fmin(first, meets(i, by));
         const int isHit = McdSpaceCastGeometry(space, probe, at, by, 0, 0, &result);
@@ -251,7 +245,7 @@ TEST(rays) {
     assert_near(result.fraction, .5, TOL(3e-7, 5e-16));
     assert_vec3_near(result.position, 50, 50, 0, TOL(1e-5, 5e-14));
     assert_vec3_near(result.normal, 0, 0, 1, TOL(5e-7, 9e-16));
-    ck_assert_int_eq(McdSpaceCastRay(space, from, down, noGround, &seed, &result), 0);
+    ck_assert_int_eq(McdSpaceCastRay(space, from, down, noGround, &state, &result), 0);
     tearDown();
     assert_silent();
 }

@@ -1,22 +1,16 @@
 /* Line segments through a space, against every model one by one. */
 #include "crates.h"
+#include "random_numbers.h"
 
 TEST_FIXTURE(messages_catch, messages_release)
 
 enum { COUNT = 300 };
 static Yard yard, *const y = &yard;
-static unsigned long long seed = 3;
-
-static double randomUpTo(double max) {
-    seed = seed * 6364136223846793005ull + 1442695040888963407ull;
-    return max * (double)(seed >> 11) / 9007199254740992.0;
-}
-
 static void makeYard(void) {
     yardMake(y);
     for (int i = 0; i < COUNT; i++)
-        yardPut(y, (MeReal)(.2 + randomUpTo(i % 20 ? 1.5 : 6)), (MeReal)randomUpTo(15), (MeReal)randomUpTo(15),
-                (MeReal)randomUpTo(15));
+        yardPut(y, (MeReal)(.2 + uniform(0, i % 20 ? 1.5 : 6)), (MeReal)uniform(0, 15), (MeReal)uniform(0, 15),
+                (MeReal)uniform(0, 15));
     yardPut(y, (MeReal)1e12, 7, 7, (MeReal)-5e11 - 40); /* a floor without bounds, far below */
     McdSpaceEndChanges(y->space);
 }
@@ -51,8 +45,8 @@ TEST(as_every_model_one_by_one) {
     for (int n = 0; n < 2000; n++) {
         MeVector3 from, to;
         for (int k = 0; k < 3; k++) {
-            from[k] = (MeReal)(randomUpTo(30) - 7);
-            to[k] = n % 5 == k ? from[k] : (MeReal)(randomUpTo(30) - 7);
+            from[k] = (MeReal)(uniform(0, 30) - 7);
+            to[k] = n % 5 == k ? from[k] : (MeReal)(uniform(0, 30) - 7);
         }
         if (n % 50 == 0)
             to[2] = -1000;

@@ -483,7 +483,7 @@ TEST(models_that_are_still_apart_have_no_contacts) {
     enum { FLIGHTS = 300, STEPS = 60 };
     static const MeBool mayMove[2] = {METRUE, METRUE};
     int kept[2] = {0, 0}, steps[2] = {0, 0}, found = 0; /* of convex pairs, of pairs with parts */
-    randomState = 1;
+    state = 1;
     for (int flight = 0; flight < FLIGHTS; flight++) {
         double start[2][4], way[2][4], at[2][3], velocity[2][3];
         const McdGeometryID first = anyShape(), second = anyShape();

@@ -1,15 +1,9 @@
 /* Random scenes of bodies tied by joints of all kinds that do not fit: whatever happens, every body stays finite.
  * Scenes that fit are those of test_RandomScenes.c. */
 #include "scene.h"
+#include "random_numbers.h"
 
 enum { BODIES = 6, JOINTS = 8 };
-
-static unsigned long long seed;
-
-static double uniform(double from, double to) {
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return from + (to - from) * (double)(seed >> 11) / (double)(1ULL << 53);
-}
 
 /* One number after the other: the order in which a compiler evaluates arguments is its own. */
 static void vector(MeReal v[3], double size) {
@@ -88,7 +82,7 @@ static void setUp(MdtConstraintID c) {
 }
 
 static MdtWorldID makeScene(unsigned long long number, MdtBodyID body[BODIES]) {
-    seed = number * 7919 + 17;
+    state = number * 7919 + 17;
     MdtWorldID w = scene_world(BODIES, JOINTS, 0);
     MdtWorldSetEpsilon(w, pick(2) ? 0 : (MeReal)1e-4);
     for (int i = 0; i < BODIES; i++) {

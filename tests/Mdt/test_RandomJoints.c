@@ -6,6 +6,7 @@
  *     KARMA_RANDOM_SYSTEMS=10000 test_Mdt_RandomJoints   so many
  */
 #include "scene.h"
+#include "random_numbers.h"
 
 #ifdef TEST_IS_SLOW
 enum { SYSTEMS = 2 };
@@ -16,19 +17,9 @@ enum { BODIES = 30, JOINTS = 150, STEPS = 4 };
 
 enum { BUDGET = 40 }; /* millions of multiplications */
 
-static unsigned long long state;
 static int running; /* the number of the one that runs */
 static MdtWorldID world;
 static MdtBodyID body[BODIES];
-
-static double uniform(double low, double high) {
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return low + (high - low) * (double)(state >> 11) / 9007199254740992.0;
-}
-
-static int below(int n) {
-    return (int)uniform(0, n);
-}
 
 static void makeBodies(void) {
     for (int i = 0; i < BODIES; i++) {
