@@ -44,7 +44,7 @@ static inline McdGeometryID boxMesh(McdFrameworkID f, const double half[3], doub
     for (int i = 0; i < 8; i++)
         for (int k = 0; k < 3; k++)
             v[i][k] = (MeReal)(size * ((i >> k & 1) ? half[k] : -half[k]));
-    return McdConvexMeshCreateHull(f, (const MeVector3 *)v, 8, (MeReal)(fatness * size));
+    return McdConvexMeshCreateHull(f, (const MeVector3 *)v, 8, fatness * size);
 }
 
 static inline McdGeometryID octahedron(McdFrameworkID f, double size) {
@@ -56,23 +56,22 @@ static inline McdGeometryID octahedron(McdFrameworkID f, double size) {
 
 static inline McdGeometryID cutCone(McdFrameworkID f, double length, double low, double high) {
     McdGeometryID g = McdConeCreate(f, 1, 1);
-    McdConeSetGeometricalParameters(g, (MeReal)length, (MeReal)low, (MeReal)high);
+    McdConeSetGeometricalParameters(g, length, low, high);
     return g;
 }
 
 static inline McdGeometryID solid(McdFrameworkID f, int kind, double s) {
     switch (kind) {
     case BALL:
-        return McdSphereCreate(f, (MeReal)(.6 * s));
+        return McdSphereCreate(f, .6 * s);
     case BOX:
-        return McdBoxCreate(f, (MeReal)(2 * boxSize[0] * s), (MeReal)(2 * boxSize[1] * s),
-                            (MeReal)(2 * boxSize[2] * s));
+        return McdBoxCreate(f, 2 * boxSize[0] * s, 2 * boxSize[1] * s, 2 * boxSize[2] * s);
     case CYLINDER:
-        return McdCylinderCreate(f, (MeReal)(.5 * s), (MeReal)(1.4 * s));
+        return McdCylinderCreate(f, .5 * s, 1.4 * s);
     case SPHYL:
-        return McdSphylCreate(f, (MeReal)(.3 * s), (MeReal)(.8 * s));
+        return McdSphylCreate(f, .3 * s, .8 * s);
     case CONE:
-        return McdConeCreate(f, (MeReal)(1.5 * s), (MeReal)(.7 * s));
+        return McdConeCreate(f, 1.5 * s, .7 * s);
     case CUT_CONE:
         return cutCone(f, 1.2 * s, .7 * s, .3 * s);
     case TURNED_CONE:

@@ -70,7 +70,7 @@ static inline MeBool terrain_owns(const Terrain *t, const void *data) {
 }
 
 static inline int terrain_vertex(Terrain *t, double x, double y, double z) {
-    MeVector3Set(t->vertex[t->vertexCount], (MeReal)x, (MeReal)y, (MeReal)z);
+    MeVector3Set(t->vertex[t->vertexCount], x, y, z);
     return t->vertexCount++;
 }
 
@@ -167,7 +167,7 @@ static inline int probe_test(Probe *p) {
 }
 
 static inline int probe_at(Probe *p, double x, double y, double z) {
-    MeMatrix4TMSetPosition(p->tm, (MeReal)x, (MeReal)y, (MeReal)z);
+    MeMatrix4TMSetPosition(p->tm, x, y, z);
     return probe_test(p);
 }
 

@@ -26,15 +26,15 @@ static void end(void) {
 }
 
 static void place(MeMatrix4 tm, double ax, double ay, double az, double x, double y, double z) {
-    MeMatrix4TMFromEulerAnglesAndPosition(tm, (MeReal)ax, (MeReal)ay, (MeReal)az, (MeReal)x, (MeReal)y, (MeReal)z);
+    MeMatrix4TMFromEulerAnglesAndPosition(tm, ax, ay, az, x, y, z);
 }
 
 /* The guide's stool. */
 static MeMatrix4 stoolTM[5];
 static McdAggregateID makeStool(void) {
     static const double at[5][3] = {{0, 0, 1}, {1, 1, 0}, {1, -1, 0}, {-1, 1, 0}, {-1, -1, 0}};
-    McdGeometryID seat = McdBoxCreate(frame, (MeReal)2.2, (MeReal)2.2, (MeReal).1);
-    McdGeometryID leg = McdCylinderCreate(frame, (MeReal).1, 2);
+    McdGeometryID seat = McdBoxCreate(frame, 2.2, 2.2, .1);
+    McdGeometryID leg = McdCylinderCreate(frame, .1, 2);
     McdAggregateID a = McdAggregateCreate(frame, 5);
     for (int i = 0; i < 5; i++) {
         place(stoolTM[i], 0, 0, 0, at[i][0], at[i][1], at[i][2]);
@@ -114,7 +114,7 @@ TEST(few_contacts_of_many_are_spread_out) {
 }
 
 TEST(it_stands_on_triangles_and_is_hit_by_lines) {
-    MeReal from[3] = {(MeReal).2, (MeReal).1, 5}, to[3] = {(MeReal).2, (MeReal).1, -5};
+    MeReal from[3] = {.2, .1, 5}, to[3] = {.2, .1, -5};
     McdLineSegIntersectResult hit;
     begin(5);
     memset(&ground, 0, sizeof ground);
@@ -143,8 +143,7 @@ static MeMatrix4 inner[3], outer[2];
 
 /* Two of a group of three parts, one turned; and the same six parts, less one, without groups. */
 static void makeNestedAndFlat(McdAggregateID *nested, McdAggregateID *flat) {
-    McdGeometryID part[3] = {McdBoxCreate(frame, 1, (MeReal).5, (MeReal).3), McdSphereCreate(frame, (MeReal).4),
-                             McdSphylCreate(frame, (MeReal).2, (MeReal).7)};
+    McdGeometryID part[3] = {McdBoxCreate(frame, 1, .5, .3), McdSphereCreate(frame, .4), McdSphylCreate(frame, .2, .7)};
     McdAggregateID group = McdAggregateCreate(frame, 3), all = McdAggregateCreate(frame, 6);
     static MeMatrix4 both[6];
     place(inner[0], .3, .2, .1, .5, 0, 0);
@@ -186,7 +185,7 @@ TEST(nested_is_flat) {
     probe_init(&other, flat, target);
     for (int i = 0; i < 60; i++) {
         MeVector3 low[2], high[2], far[2];
-        MeReal up[3] = {(MeReal).3, (MeReal)-.5, 1};
+        MeReal up[3] = {.3, -.5, 1};
         place(probe.tm, .3 * i, .5 * i, .7 * i, .03 * i, -.02 * i, 1.6 - .02 * i);
         memcpy(other.tm, probe.tm, sizeof other.tm);
         ck_assert_int_eq(probe_test(&probe), probe_test(&other));
@@ -339,7 +338,7 @@ TEST(an_empty_one_is_nowhere) {
     McdAggregateAddElement(empty, McdSphereCreate(frame, 1), at); /* for models made later */
     ck_assert_int_eq(probe_at(&probe, 1, 2, -3), 0);
     probe_init(&other, empty, McdPlaneCreate(frame));
-    ck_assert_int_gt(probe_at(&other, 0, 0, (MeReal).9), 0);
+    ck_assert_int_gt(probe_at(&other, 0, 0, .9), 0);
     end();
 }
 

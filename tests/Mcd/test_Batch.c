@@ -126,8 +126,8 @@ TEST(requests_by_table) {
 
 static void contactAt(McdContact *c, double x, double y, double separation, double nx) {
     memset(c, 0, sizeof *c);
-    MeVector3Set(c->position, (MeReal)x, (MeReal)y, 0);
-    MeVector3Set(c->normal, (MeReal)nx, 0, (MeReal)sqrt(1 - nx * nx));
+    MeVector3Set(c->position, x, y, 0);
+    MeVector3Set(c->normal, nx, 0, sqrt(1 - nx * nx));
     c->separation = (MeReal)separation;
 }
 

@@ -19,12 +19,11 @@ static void end(void) {
 }
 
 static void place(MeMatrix4 tm, const double angle[3], double x, double y, double z) {
-    MeMatrix4TMFromEulerAnglesAndPosition(tm, (MeReal)angle[0], (MeReal)angle[1], (MeReal)angle[2], (MeReal)x,
-                                          (MeReal)y, (MeReal)z);
+    MeMatrix4TMFromEulerAnglesAndPosition(tm, angle[0], angle[1], angle[2], x, y, z);
 }
 
 static McdGeometryID boxOf(double x, double y, double z) {
-    return McdBoxCreate(frame, (MeReal)x, (MeReal)y, (MeReal)z);
+    return McdBoxCreate(frame, x, y, z);
 }
 
 static void add(McdAggregateID whole, McdGeometryID part, double x, double y, double z) {
@@ -47,7 +46,7 @@ static McdAggregateID boxInParts(int parts, double x, double y, double z) {
 static double leanOf(const Probe *p) {
     double max = 0;
     for (int i = 0; i < p->result.contactCount; i++)
-        max = fmax(max, hypot((double)p->contact[i].normal[0], (double)p->contact[i].normal[1]));
+        max = fmax(max, hypot(p->contact[i].normal[0], p->contact[i].normal[1]));
     return max;
 }
 
@@ -61,7 +60,7 @@ static int test(Probe *p) {
 static double minSeparation(const Probe *p) {
     double min = HUGE_VAL;
     for (int i = 0; i < p->result.contactCount; i++)
-        min = fmin(min, (double)p->contact[i].separation);
+        min = fmin(min, p->contact[i].separation);
     return min;
 }
 
@@ -104,12 +103,11 @@ TEST(what_slides_over_parts_touches_their_top) {
     begin();
     MeVector3 corner[8];
     for (int i = 0; i < 8; i++)
-        MeVector3Set(corner[i], (MeReal)(i & 1 ? .25 : -.25), (MeReal)(i & 2 ? .25 : -.25),
-                     (MeReal)(i & 4 ? .25 : -.25));
+        MeVector3Set(corner[i], i & 1 ? .25 : -.25, i & 2 ? .25 : -.25, i & 4 ? .25 : -.25);
     const McdGeometryID shape[] = {boxOf(.5, .5, .5),
-                                   McdSphereCreate(frame, (MeReal).25),
-                                   McdSphylCreate(frame, (MeReal).1, (MeReal).3),
-                                   McdCylinderCreate(frame, (MeReal).25, (MeReal).5),
+                                   McdSphereCreate(frame, .25),
+                                   McdSphylCreate(frame, .1, .3),
+                                   McdCylinderCreate(frame, .25, .5),
                                    McdConvexMeshCreateHull(frame, (const MeVector3 *)corner, 8, 0),
                                    boxInParts(3, .5, .5, .5)};
     const McdGeometryID parts = boxInParts(4, 8, 2, 1), whole = boxOf(8, 2, 1);
@@ -207,7 +205,7 @@ static McdGeometryID wedgeOf(double low, double high) {
     MeVector3 corner[6];
     for (int i = 0; i < 6; i++) {
         const double angle = i < 4 ? low : high, far = i < 2 ? 0 : 1;
-        MeVector3Set(corner[i], (MeReal)(far * cos(angle)), (MeReal)(i % 2 ? .5 : -.5), (MeReal)(far * sin(angle)));
+        MeVector3Set(corner[i], far * cos(angle), i % 2 ? .5 : -.5, far * sin(angle));
     }
     return McdConvexMeshCreateHull(frame, (const MeVector3 *)corner, 6, 0);
 }
@@ -287,8 +285,8 @@ static void extentWith(int element, double extent[2]) {
         const McdContact *c = &probe.contact[i];
         if (c->instance2 != McdGeometryInstanceGetChild(McdModelGetGeometryInstance(probe.ground), element))
             continue;
-        extent[0] = fmin(extent[0], (double)c->position[1]);
-        extent[1] = fmax(extent[1], (double)c->position[1]);
+        extent[0] = fmin(extent[0], c->position[1]);
+        extent[1] = fmax(extent[1], c->position[1]);
     }
 }
 
@@ -317,7 +315,7 @@ TEST(a_rail_between_posts_supports) {
     MeMatrix4 tm;
     begin();
     const McdAggregateID whole = McdAggregateCreate(frame, 4);
-    const McdGeometryID rail = McdCylinderCreate(frame, (MeReal).1, 2);
+    const McdGeometryID rail = McdCylinderCreate(frame, .1, 2);
     for (int i = 0; i < 2; i++) {
         turnAboutY(tm, 1.5707963267949, 0, i ? .4 : -.4, -.1);
         McdAggregateAddElement(whole, rail, tm);
@@ -339,8 +337,7 @@ TEST(a_rail_between_posts_supports) {
 TEST(what_is_deep_between_parts_is_pushed_out) {
     static const double turns[][3] = {{0, 0, 0}, {.1, 0, 0}, {0, .1, 0}, {0, 0, .3}, {.1, .2, .3}};
     begin();
-    const McdGeometryID shape[] = {boxOf(.2, .2, .2), McdSphereCreate(frame, (MeReal).1),
-                                   McdCylinderCreate(frame, (MeReal).1, (MeReal).2)};
+    const McdGeometryID shape[] = {boxOf(.2, .2, .2), McdSphereCreate(frame, .1), McdCylinderCreate(frame, .1, .2)};
     for (int s = 0; s < 3; s++) {
         probe_init(&probe, shape[s], boxInParts(4, 8, 2, 1));
         for (int t = 0; t < 5; t++)
@@ -366,10 +363,10 @@ TEST(what_is_deep_between_parts_is_pushed_out) {
 TEST(what_is_deep_between_round_parts_is_pushed_out) {
     begin();
     const McdAggregateID whole = McdAggregateCreate(frame, 2);
-    const McdGeometryID half = McdCylinderCreate(frame, (MeReal).5, 2);
+    const McdGeometryID half = McdCylinderCreate(frame, .5, 2);
     add(whole, half, 0, 0, -1);
     add(whole, half, 0, 0, 1);
-    probe_init(&probe, McdSphereCreate(frame, (MeReal).05), whole);
+    probe_init(&probe, McdSphereCreate(frame, .05), whole);
     ck_assert_int_eq(probe_at(&probe, .21, .28, 1e-3), 1);
     assert_vec3_near(probe.contact[0].normal, .6, .8, 0, TOL(1e-6, 1e-12));
     assert_near(probe.contact[0].separation, -.2, TOL(1e-6, 1e-12));

@@ -103,25 +103,25 @@ static void expectRadii(Probe *p, double first, double second) {
     clear(p);
 }
 
-static const MeReal thin = (MeReal).01;
+static const MeReal thin = .01;
 
 TEST(round_surfaces_have_their_radius) {
     Probe p;
     setUp(&p);
-    place(&p, 0, McdSphereCreate(p.frame, (MeReal).5), 0, 0, (MeReal).5);
+    place(&p, 0, McdSphereCreate(p.frame, .5), 0, 0, .5);
     place(&p, 1, McdPlaneCreate(p.frame), 0, 0, 0);
     expectRadii(&p, .5, 0);
-    place(&p, 0, McdSphereCreate(p.frame, (MeReal).5), 0, 0, (MeReal).5);
-    place(&p, 1, McdSphereCreate(p.frame, (MeReal).25), 0, 0, (MeReal)-.25);
+    place(&p, 0, McdSphereCreate(p.frame, .5), 0, 0, .5);
+    place(&p, 1, McdSphereCreate(p.frame, .25), 0, 0, -.25);
     expectRadii(&p, .5, .25);
-    place(&p, 0, McdSphereCreate(p.frame, (MeReal).5), 0, 0, (MeReal).5 + thin);
-    place(&p, 1, McdBoxCreate(p.frame, 1, 1, 1), 0, 0, (MeReal)-.5);
+    place(&p, 0, McdSphereCreate(p.frame, .5), 0, 0, (MeReal).5 + thin);
+    place(&p, 1, McdBoxCreate(p.frame, 1, 1, 1), 0, 0, -.5);
     expectRadii(&p, .5, 0);
-    place(&p, 0, McdSphylCreate(p.frame, (MeReal).2, 1), 0, 0, (MeReal).2);
+    place(&p, 0, McdSphylCreate(p.frame, .2, 1), 0, 0, .2);
     layDown(&p, 0);
-    place(&p, 1, McdBoxCreate(p.frame, 3, 1, 1), 0, 0, (MeReal)-.5);
+    place(&p, 1, McdBoxCreate(p.frame, 3, 1, 1), 0, 0, -.5);
     expectRadii(&p, .2, 0);
-    place(&p, 0, boxMesh(p.frame, fatSize, 1, fat), 0, 0, (MeReal).55);
+    place(&p, 0, boxMesh(p.frame, fatSize, 1, fat), 0, 0, .55);
     place(&p, 1, McdPlaneCreate(p.frame), 0, 0, 0);
     expectRadii(&p, .25, 0);
     McdTerm(p.frame);
@@ -131,15 +131,15 @@ TEST(cylinders_are_round_on_their_side_only) {
     Probe p;
     setUp(&p);
     for (int lying = 0; lying < 2; lying++) {
-        place(&p, 0, McdCylinderCreate(p.frame, (MeReal).3, 1), 0, 0, lying ? (MeReal).3 : (MeReal).5);
+        place(&p, 0, McdCylinderCreate(p.frame, .3, 1), 0, 0, lying ? (MeReal).3 : (MeReal).5);
         if (lying)
             layDown(&p, 0);
         place(&p, 1, McdPlaneCreate(p.frame), 0, 0, 0);
         expectRadii(&p, lying ? .3 : 0, 0);
     }
     /* on its rim, tilted by a tenth of a turn: no ball is rolling there */
-    place(&p, 0, McdCylinderCreate(p.frame, (MeReal).3, 1), 0, 0, (MeReal).52);
-    MeMatrix4TMSetRotationFromQuaternion(p.tm[0], (MeVector4){(MeReal).951057, (MeReal).309017, 0, 0});
+    place(&p, 0, McdCylinderCreate(p.frame, .3, 1), 0, 0, .52);
+    MeMatrix4TMSetRotationFromQuaternion(p.tm[0], (MeVector4){.951057, .309017, 0, 0});
     place(&p, 1, McdPlaneCreate(p.frame), 0, 0, 0);
     expectRadii(&p, 0, 0);
     McdTerm(p.frame);
@@ -153,7 +153,7 @@ TEST(cones_are_as_round_as_they_are_wide_there) {
     place(&p, 0, cutCone(p.frame, length, low, high), 0, 0, 0);
     place(&p, 1, McdPlaneCreate(p.frame), 0, 0, 0);
     const double turn = acos(0) + asin((low - high) / slant); /* its side down */
-    MeMatrix4TMSetRotationFromQuaternion(p.tm[0], (MeVector4){(MeReal)cos(turn / 2), (MeReal)sin(turn / 2), 0, 0});
+    MeMatrix4TMSetRotationFromQuaternion(p.tm[0], (MeVector4){cos(turn / 2), sin(turn / 2), 0, 0});
     MeVector3 down = {0, 0, -1}, lowest;
     McdGeometryMaximumPoint(McdModelGetGeometry(p.model[0]), (const MeVector4 *)p.tm[0], down, lowest);
     p.tm[0][3][2] -= lowest[2];
@@ -185,7 +185,7 @@ static void turnAbout(MeMatrix4 tm, const double point[3], double angle) {
 }
 
 static McdGeometryID roller(McdFrameworkID f, int kind) {
-    const MeReal r = (MeReal).3;
+    const MeReal r = .3;
     return kind == 0 ? McdSphereCreate(f, r) : kind == 1 ? McdCylinderCreate(f, r, 1) : McdSphylCreate(f, r, 1);
 }
 
@@ -195,9 +195,9 @@ TEST(a_turn_about_the_middle_of_the_circle_leaves_the_contact) {
     setUp(&p);
     for (int kind = 0; kind < 3; kind++) {
         double middle[3];
-        place(&p, 0, roller(p.frame, kind), (MeReal).1, (MeReal).2, (MeReal).295);
+        place(&p, 0, roller(p.frame, kind), .1, .2, .295);
         layDown(&p, 0);
-        place(&p, 1, McdBoxCreate(p.frame, 4, 4, 1), 0, 0, (MeReal)-.5);
+        place(&p, 1, McdBoxCreate(p.frame, 4, 4, 1), 0, 0, -.5);
         const McdContact before = meet(&p)[0];
         const double out = McdContactGetSeparation(&before) / 2 + McdContactGetRadius(&before, 0);
         for (int k = 0; k < 3; k++)
@@ -215,15 +215,15 @@ TEST(triangles_and_parts_of_aggregates_pass_radii_on) {
     static const MeReal flat[9] = {0};
     Probe p;
     setUp(&p);
-    place(&p, 0, McdSphereCreate(p.frame, (MeReal).5), (MeReal).9, (MeReal)1.2, (MeReal).5);
+    place(&p, 0, McdSphereCreate(p.frame, .5), .9, 1.2, .5);
     place(&p, 1, McdRGHeightFieldCreate(p.frame, flat, 3, 3, 1, 1, 0, 0), 0, 0, 0);
     expectRadii(&p, .5, 0);
     MeMatrix4 up;
     MeMatrix4TMMakeIdentity(up);
     up[3][2] = 1;
-    const McdGeometryID ball = McdSphereCreate(p.frame, (MeReal).5), pole = McdAggregateCreate(p.frame, 1);
+    const McdGeometryID ball = McdSphereCreate(p.frame, .5), pole = McdAggregateCreate(p.frame, 1);
     McdAggregateAddElement(pole, ball, up);
-    place(&p, 0, pole, 0, 0, (MeReal)-.5);
+    place(&p, 0, pole, 0, 0, -.5);
     place(&p, 1, McdPlaneCreate(p.frame), 0, 0, 0);
     expectRadii(&p, .5, 0);
     McdGeometryDestroy(ball);
@@ -237,10 +237,10 @@ static double rimOf(double lean, double axis[3]) {
     double rim;
     Probe p;
     setUp(&p);
-    place(&p, 0, McdCylinderCreate(p.frame, 2, 1), 0, 0, (MeReal)(.5 * c + 2 * s));
+    place(&p, 0, McdCylinderCreate(p.frame, 2, 1), 0, 0, .5 * c + 2 * s);
     place(&p, 1, McdPlaneCreate(p.frame), 0, 0, 0);
-    MeVector3Set(p.tm[0][0], (MeReal)c, 0, (MeReal)-s);
-    MeVector3Set(p.tm[0][2], (MeReal)s, 0, (MeReal)c);
+    MeVector3Set(p.tm[0][0], c, 0, -s);
+    MeVector3Set(p.tm[0][2], s, 0, c);
     const McdContact *contact = meet(&p);
     ck_assert(McdContactGetRim(contact, 1, axis) == 0);
     rim = McdContactGetRim(contact, 0, axis);
@@ -260,7 +260,7 @@ TEST(a_leaning_disc_touches_with_its_rim) {
 
 TEST(the_separation_is_told_in_double) {
     Probe p;
-    const MeReal x = (MeReal).1, y = (MeReal).2, z = (MeReal).4, radius = (MeReal).23;
+    const MeReal x = .1, y = (MeReal).2, z = (MeReal).4, radius = (MeReal).23;
     setUp(&p);
     place(&p, 0, McdSphereCreate(p.frame, radius), x, y, z);
     place(&p, 1, McdSphereCreate(p.frame, radius), 0, 0, 0);
@@ -277,11 +277,11 @@ TEST(the_separation_is_told_in_double) {
 /* Of balls that are alike it is half way between them; a coordinate that a program writes counts. */
 TEST(the_position_is_told_in_double) {
     Probe p;
-    const MeReal place0[3] = {(MeReal).1, (MeReal).2, (MeReal).4};
+    const MeReal place0[3] = {.1, .2, .4};
     double position[3];
     setUp(&p);
-    place(&p, 0, McdSphereCreate(p.frame, (MeReal).23), place0[0], place0[1], place0[2]);
-    place(&p, 1, McdSphereCreate(p.frame, (MeReal).23), 0, 0, 0);
+    place(&p, 0, McdSphereCreate(p.frame, .23), place0[0], place0[1], place0[2]);
+    place(&p, 1, McdSphereCreate(p.frame, .23), 0, 0, 0);
     McdContact c = *meet(&p);
     McdContactGetPosition(&c, position);
     for (int i = 0; i < 3; i++)

@@ -83,7 +83,7 @@ static McdModelID model(McdGeometryType type, int which, double z) {
     const McdModelID m = McdModelCreate(create(type));
     place[which][3][2] = (MeReal)z;
     McdModelSetTransformPtr(m, place[which]);
-    McdModelSetContactTolerance(m, (MeReal).01);
+    McdModelSetContactTolerance(m, .01);
     McdModelUpdate(m);
     return m;
 }
@@ -158,7 +158,7 @@ TEST(where_there_is_little_place_the_ends_are_kept) {
     setUp();
     McdModelPair p = standing(&entry[2]);
     MeMatrix3 tilt;
-    MeMatrix3FromEulerAngles(tilt, 0, (MeReal).001, 0); /* the edge at x = 1 is lowest */
+    MeMatrix3FromEulerAngles(tilt, 0, .001, 0); /* the edge at x = 1 is lowest */
     MeMatrix4TMSetRotation(place[0], (const MeVector3 *)tilt);
     for (int max = 0; max < 5; max++) {
         result.contactMaxCount = max;

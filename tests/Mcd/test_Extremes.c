@@ -16,7 +16,7 @@ enum { ROUNDS = 600 };
 enum { LIST = SOLIDS, FIELD, PLANE, KINDS, FIELD_SIDE = 5, CONTACTS = 8 };
 
 static MeReal height[FIELD_SIDE * FIELD_SIDE];
-static MeVector3 corner[3] = {{-1, -1, 0}, {1, -1, (MeReal).1}, {0, 1, 0}};
+static MeVector3 corner[3] = {{-1, -1, 0}, {1, -1, .1}, {0, 1, 0}};
 
 static int MEAPI listTriangles(McdModelPair *p, McdUserTriangle *t, MeVector3 pos, MeReal radius, int max) {
     (void)p, (void)max;
@@ -40,7 +40,7 @@ static McdGeometryID geometryOf(McdFrameworkID f, int kind) {
     if (kind == LIST)
         return McdTriangleListCreate(f, low, high, 4, listTriangles);
     if (kind == FIELD)
-        return McdRGHeightFieldCreate(f, height, FIELD_SIDE, FIELD_SIDE, (MeReal).5, (MeReal).5, -1, -1);
+        return McdRGHeightFieldCreate(f, height, FIELD_SIDE, FIELD_SIDE, .5, .5, -1, -1);
     return kind == PLANE ? McdPlaneCreate(f) : solid(f, kind, 1);
 }
 
@@ -134,12 +134,11 @@ static void anyPlace(MeMatrix4 tm) {
 }
 
 static void checkVector(const char *what, const MeReal *v) {
-    ck_assert_msg(isfinite(v[0]) && isfinite(v[1]) && isfinite(v[2]), "%s: %g %g %g", what, (double)v[0], (double)v[1],
-                  (double)v[2]);
+    ck_assert_msg(isfinite(v[0]) && isfinite(v[1]) && isfinite(v[2]), "%s: %g %g %g", what, v[0], v[1], v[2]);
 }
 
 static void checkNumber(const char *what, MeReal x) {
-    ck_assert_msg(isfinite(x), "%s: %g", what, (double)x);
+    ck_assert_msg(isfinite(x), "%s: %g", what, x);
 }
 
 /* ---- queries ----------------------------------------------------------------------------------------------------- */
@@ -223,7 +222,7 @@ static void meet(McdModelID a, McdModelID b) {
     if (McdIntersectAt(&pair, &result, anyNumber()))
         for (int i = 0; i < result.contactCount; i++)
             checkVector("contact then", contact[i].position);
-    if (McdSafeTime(&pair, (MeReal)uniform(0, 1), &time))
+    if (McdSafeTime(&pair, uniform(0, 1), &time))
         checkNumber("time", time.time);
     if (McdDistance(&pair, &distance)) {
         checkVector("position 1", distance.position1);

@@ -72,7 +72,7 @@ static McdGeometryID pebble(void) {
     static MeVector3 v[CORNERS];
     for (int i = 0; i < CORNERS; i++) {
         const double z = 1 - (2 * i + 1.) / CORNERS, r = sqrt(1 - z * z), turn = i * 2.399963229728653;
-        MeVector3Set(v[i], (MeReal)(r * cos(turn)), (MeReal)(r * sin(turn)), (MeReal)z);
+        MeVector3Set(v[i], r * cos(turn), r * sin(turn), z);
     }
     return McdConvexMeshCreateHull(frame, (const MeVector3 *)v, CORNERS, 0);
 }
@@ -115,7 +115,7 @@ TEST(each_of_a_thousand_faces_has_its_own) {
 
 TEST(each_of_a_thousand_parts_has_its_own) {
     setUp();
-    const McdGeometryID ball = McdSphereCreate(frame, (MeReal).5), row = McdAggregateCreate(frame, PARTS);
+    const McdGeometryID ball = McdSphereCreate(frame, .5), row = McdAggregateCreate(frame, PARTS);
     MeMatrix4 at;
     MeMatrix4TMMakeIdentity(at);
     for (int i = 0; i < PARTS; i++) {
@@ -133,7 +133,7 @@ TEST(each_of_a_thousand_parts_has_its_own) {
 /* Parts of parts: 40 of 25, whose paths were sums that came out the same. */
 TEST(parts_of_parts_have_their_own) {
     setUp();
-    const McdGeometryID ball = McdSphereCreate(frame, (MeReal).5), row = McdAggregateCreate(frame, 40),
+    const McdGeometryID ball = McdSphereCreate(frame, .5), row = McdAggregateCreate(frame, 40),
                         rows = McdAggregateCreate(frame, 24);
     MeMatrix4 at;
     MeMatrix4TMMakeIdentity(at);
@@ -162,7 +162,7 @@ TEST(contacts_with_many_triangles_have_their_own) {
         height[i] = (MeReal)uniform(-.1, 0);
     place(0, McdBoxCreate(frame, 9, 9, 1));
     tm[0][3][2] = (MeReal).4;
-    place(1, McdRGHeightFieldCreate(frame, height, SIDE, SIDE, (MeReal).25, (MeReal).25, -5, -5));
+    place(1, McdRGHeightFieldCreate(frame, height, SIDE, SIDE, .25, .25, -5, -5));
     ck_assert_int_gt(meet(), 100);
     expectAllDifferent();
     tearDown();

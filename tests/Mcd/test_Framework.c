@@ -44,7 +44,7 @@ TEST(sizes_out_of_range_get_a_warning) {
     assert_warned("instanceCount");
     ck_assert_ptr_null(McdInit(0, 1, 0, 0));
     assert_warned("lengthScale");
-    ck_assert_ptr_null(McdInit(0, 1, 0, (MeReal)NAN));
+    ck_assert_ptr_null(McdInit(0, 1, 0, NAN));
     assert_warned("lengthScale");
     McdTerm(0);
     assert_warned("McdTerm");
@@ -175,8 +175,7 @@ static McdIntersectResult emptyResult(void) {
 }
 
 TEST(a_pair_is_tested_by_the_interaction_of_its_types) {
-    McdModelID a = modelAt(blobCreate(frame, BLOB, 1, 0), 0, 0),
-               b = modelAt(blobCreate(frame, BLOB, 2, 0), 1, (MeReal)2.5);
+    McdModelID a = modelAt(blobCreate(frame, BLOB, 1, 0), 0, 0), b = modelAt(blobCreate(frame, BLOB, 2, 0), 1, 2.5);
     McdModelPairID p = McdModelPairCreate(a, b);
     McdIntersectResult result = emptyResult();
     setInteraction(BLOB, BLOB);
@@ -186,7 +185,7 @@ TEST(a_pair_is_tested_by_the_interaction_of_its_types) {
     assert_near(contacts[0].separation, -.5, TOL(3e-7, 5e-16));
     assert_vec3_near(contacts[0].normal, -1, 0, 0, TOL(5e-7, 9e-16));
     assert_vec3_near(contacts[0].position, .75, 0, 0, TOL(5e-7, 9e-16));
-    MeMatrix4TMSetPosition(place[1], (MeReal)3.5, 0, 0);
+    MeMatrix4TMSetPosition(place[1], 3.5, 0, 0);
     ck_assert(McdIntersect(p, &result));
     ck_assert(result.contactCount == 0 && result.touch == 0);
     McdGoodbye(p);
@@ -265,8 +264,8 @@ TEST(models_are_intersected_where_they_will_be) {
     McdIntersectResult result = emptyResult();
     setInteraction(BLOB, BLOB);
     McdModelSetLinearVelocityPtr(a, velocity);
-    ck_assert(McdIntersectAt(p, &result, (MeReal)0.5) && !result.touch);
-    ck_assert(McdIntersect(p, &result, (MeReal)1.5) && result.touch); /* the guide's form */
+    ck_assert(McdIntersectAt(p, &result, 0.5) && !result.touch);
+    ck_assert(McdIntersect(p, &result, 1.5) && result.touch); /* the guide's form */
     assert_near(contacts[0].separation, -1, TOL(5e-7, 9e-16));
     ck_assert(place[0][3][0] == 0 && McdModelGetTransformPtr(a) == place[0]);
     McdModelPairDestroy(p);
@@ -301,16 +300,16 @@ TEST(the_contact_tolerance_grows_the_boxes) {
     McdModelID a = modelAt(blobCreate(frame, BLOB, 1, 0), 0, 0), b;
     assert_near(McdFrameworkGetDefaultContactTolerance(frame), .02, TOL(1e-9, 2e-17));
     assert_near(McdModelGetContactTolerance(a), .02, TOL(1e-9, 2e-17));
-    McdFrameworkSetDefaultContactTolerance(frame, (MeReal)0.5);
-    b = modelAt(blobCreate(frame, BLOB, 1, 0), 1, (MeReal)2.51);
+    McdFrameworkSetDefaultContactTolerance(frame, 0.5);
+    b = modelAt(blobCreate(frame, BLOB, 1, 0), 1, 2.51);
     McdModelPairID p = McdModelPairCreate(a, b);
     ck_assert(McdNearby(p));
-    McdModelSetContactTolerance(b, (MeReal)0.45);
+    McdModelSetContactTolerance(b, 0.45);
     ck_assert(!McdNearby(p));
     messages_catch();
     McdModelSetContactTolerance(b, -1);
     assert_warned("tolerance");
-    McdFrameworkSetDefaultContactTolerance(frame, (MeReal)NAN);
+    McdFrameworkSetDefaultContactTolerance(frame, NAN);
     assert_warned("tolerance");
     assert_near(McdModelGetContactTolerance(b), .45, TOL(3e-7, 4e-16));
     messages_release();

@@ -113,8 +113,7 @@ TEST(spheres_around_are_the_smallest) {
     for (double radius = .25; radius < 20; radius *= 2)
         for (double length = .5; length < 9; length *= 2) {
             const double up = radius < length ? (length - radius * radius / length) / 2 : 0;
-            assertSphere(McdConeCreate(f, (MeReal)length, (MeReal)radius), up - length / 4,
-                         radius < length ? length - up : radius);
+            assertSphere(McdConeCreate(f, length, radius), up - length / 4, radius < length ? length - up : radius);
         }
     McdTerm(f);
 }
@@ -212,7 +211,7 @@ TEST(a_level_plane_ends_at_its_height) {
     McdGeometryGetAABB(g, (const MeVector4 *)tm, low, high);
     assert_near(high[2], 5, 0);
     ck_assert(low[2] < -1e30 && low[0] < -1e30 && high[1] > 1e30);
-    ck_assert(isfinite((double)(high[0] - low[0])));
+    ck_assert(isfinite(high[0] - low[0]));
     McdPlaneGetNormal(g, (const MeVector4 *)tm, n);
     assert_vec3_near(n, 0, 0, 1, 0);
     McdGeometryDestroy(g);
@@ -256,7 +255,7 @@ TEST(spheres_are_tight) {
                 McdGeometryMaximumPoint(g, tm, d, p);
                 MeVector3Subtract(d, p, centre);
             }
-            max = fmax(max, (double)MeVector3Magnitude(d));
+            max = fmax(max, MeVector3Magnitude(d));
         }
         assert_near(max, radius, TOL(5e-7, 3e-15));
         McdGeometryDestroy(g);
@@ -269,7 +268,7 @@ static double lineReach;
 
 static void MEAPI countLine(MeVector3 start, MeVector3 end, MeReal r, MeReal g, MeReal b) {
     lines++;
-    lineReach = fmax(lineReach, fmax((double)MeVector3Magnitude(start), (double)MeVector3Magnitude(end)));
+    lineReach = fmax(lineReach, fmax(MeVector3Magnitude(start), MeVector3Magnitude(end)));
     ck_assert(r == 1 && g == 0 && b == 0);
 }
 
@@ -341,7 +340,7 @@ TEST(a_space_is_drawn_model_by_model) {
 TEST(bad_sizes_are_refused) {
     messages_catch();
     McdFrameworkID f = framework();
-    const MeReal bad[] = {0, -1, (MeReal)NAN, (MeReal)INFINITY, MEINFINITY};
+    const MeReal bad[] = {0, -1, NAN, INFINITY, MEINFINITY};
     McdGeometryID ball = McdSphereCreate(f, 1), box = McdBoxCreate(f, 1, 1, 1), cone = McdConeCreate(f, 1, 1);
     McdGeometryID cylinder = McdCylinderCreate(f, 1, 1), sphyl = McdSphylCreate(f, 1, 1);
     assert_silent();

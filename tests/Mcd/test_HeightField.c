@@ -33,7 +33,7 @@ static void begin(double roughness) {
             terrain_triangle(&ground, a, a + 1, a + N + 1, ONE_SIDED);
             terrain_triangle(&ground, a, a + N + 1, a + N, ONE_SIDED);
         }
-    field = McdRGHeightFieldCreate(frame, heights, N, N, (MeReal)step, (MeReal)step, -3, -3);
+    field = McdRGHeightFieldCreate(frame, heights, N, N, step, step, -3, -3);
 }
 
 static void end(void) {
@@ -44,7 +44,7 @@ static void end(void) {
 static double deepest(const Probe *p) {
     double min = 1;
     for (int i = 0; i < p->result.contactCount; i++)
-        min = fmin(min, (double)p->contact[i].separation);
+        min = fmin(min, p->contact[i].separation);
     return min;
 }
 
@@ -53,9 +53,8 @@ static void compareShapes(McdGeometryID shape, double above) {
     probe_init(&same, shape, terrain_list(frame, &ground));
     int touching = 0;
     for (int i = 0; i < 300; i++) {
-        MeMatrix4TMFromEulerAnglesAndPosition(probe.tm, (MeReal)(6 * random01()), (MeReal)(6 * random01()),
-                                              (MeReal)(6 * random01()), (MeReal)(4 * random01() - 2),
-                                              (MeReal)(4 * random01() - 2), (MeReal)(above + .2 * random01()));
+        MeMatrix4TMFromEulerAnglesAndPosition(probe.tm, 6 * random01(), 6 * random01(), 6 * random01(),
+                                              4 * random01() - 2, 4 * random01() - 2, above + .2 * random01());
         memcpy(same.tm, probe.tm, sizeof same.tm);
         probe_test(&probe);
         probe_test(&same);
@@ -73,19 +72,13 @@ static void compareShapes(McdGeometryID shape, double above) {
 }
 
 TEST(it_is_the_list_of_its_triangles) {
-    MeVector3 p[7] = {{0, 0, (MeReal).4},
-                      {(MeReal).4, 0, 0},
-                      {(MeReal)-.4, 0, 0},
-                      {0, (MeReal).3, 0},
-                      {0, (MeReal)-.3, 0},
-                      {0, 0, (MeReal)-.4},
-                      {(MeReal).2, (MeReal).2, (MeReal).2}};
+    MeVector3 p[7] = {{0, 0, .4}, {.4, 0, 0}, {-.4, 0, 0}, {0, .3, 0}, {0, -.3, 0}, {0, 0, -.4}, {.2, .2, .2}};
     begin(.15);
-    compareShapes(McdSphereCreate(frame, (MeReal).4), .35);
-    compareShapes(McdBoxCreate(frame, (MeReal).6, (MeReal).4, (MeReal).5), .3);
-    compareShapes(McdSphylCreate(frame, (MeReal).2, (MeReal).6), .3);
-    compareShapes(McdCylinderCreate(frame, (MeReal).3, (MeReal).4), .3);
-    compareShapes(McdConeCreate(frame, (MeReal).6, (MeReal).3), .3);
+    compareShapes(McdSphereCreate(frame, .4), .35);
+    compareShapes(McdBoxCreate(frame, .6, .4, .5), .3);
+    compareShapes(McdSphylCreate(frame, .2, .6), .3);
+    compareShapes(McdCylinderCreate(frame, .3, .4), .3);
+    compareShapes(McdConeCreate(frame, .6, .3), .3);
     compareShapes(McdConvexMeshCreateHull(frame, (const MeVector3 *)p, 7, 0), .3);
     end();
 }
@@ -95,7 +88,7 @@ TEST(nothing_is_in_a_hole) {
     const int i = 10, j = 12;
     heights[j * N + i] = NAN;
     McdRGHeightFieldUpdateHeights(field);
-    probe_init(&probe, McdSphereCreate(frame, (MeReal).1), field);
+    probe_init(&probe, McdSphereCreate(frame, .1), field);
     const double x = -3 + i * step, y = -3 + j * step;
     ck_assert_int_eq(probe_at(&probe, x, y, .05), 0);
     ck_assert_int_eq(probe_at(&probe, x + 2 * step, y, .05), 1);
@@ -110,12 +103,12 @@ TEST(heights_and_normals) {
     begin(0);
     for (int i = 0; i < N * N; i++)
         heights[i] = (MeReal)(.5 * (i % N) * step - .25 * (i / N) * step);
-    ck_assert(McdRGHeightFieldGetHeightAt(field, (MeReal)-2.93, (MeReal)1.234, &z, n));
+    ck_assert(McdRGHeightFieldGetHeightAt(field, -2.93, 1.234, &z, n));
     assert_near(z, .5 * .07 - .25 * 4.234, TOL(5e-7, 1e-15));
     assert_vec3_near(n, -.5 / sqrt(1.3125), .25 / sqrt(1.3125), 1 / sqrt(1.3125), TOL(2e-6, 3e-15));
     ck_assert(McdRGHeightFieldGetHeightAt(field, -3, -3, &z, 0));
     assert_near(z, 0, 0);
-    ck_assert(!McdRGHeightFieldGetHeightAt(field, (MeReal)-3.01, 0, &z, n));
+    ck_assert(!McdRGHeightFieldGetHeightAt(field, -3.01, 0, &z, n));
     ck_assert(!McdRGHeightFieldGetHeightAt(field, 0, NAN, &z, n));
     McdRGHeightFieldGetCounts(field, &nx, &ny);
     McdRGHeightFieldGetOrigin(field, &x0, &y0);
@@ -149,8 +142,8 @@ TEST(line_segments_meet_the_first_triangle) {
         MeVector3 a, b, from, to;
         McdLineSegIntersectResult hit, expected;
         const int onGrid = i % 4 == 0; /* along a line of the grid, or straight down on a point of it */
-        MeVector3Set(a, (MeReal)(8 * random01() - 4), (MeReal)(8 * random01() - 4), (MeReal)(2 * random01()));
-        MeVector3Set(b, (MeReal)(8 * random01() - 4), (MeReal)(8 * random01() - 4), (MeReal)(-1 * random01()));
+        MeVector3Set(a, 8 * random01() - 4, 8 * random01() - 4, 2 * random01());
+        MeVector3Set(b, 8 * random01() - 4, 8 * random01() - 4, -1 * random01());
         if (onGrid) {
             a[0] = b[0] = (MeReal)(-3 + step * (i / 4 % N));
             a[1] = i % 8 ? a[1] : b[1];

@@ -123,8 +123,7 @@ TEST(segments_along_axes) {
         for (int axis = 0; axis < 3; axis++)
             for (int side = -1; side <= 1; side += 2)
                 for (int off = 0; off < 27; off++) {
-                    MeVector3 from = {(MeReal)((off % 3 - 1) * .15), (MeReal)((off / 3 % 3 - 1) * .15),
-                                      (MeReal)((off / 9 - 1) * .15)};
+                    MeVector3 from = {(off % 3 - 1) * .15, (off / 3 % 3 - 1) * .15, (off / 9 - 1) * .15};
                     MeVector3 to;
                     MeVector3Copy(to, from);
                     from[axis] = (MeReal)(side * 3);
@@ -175,8 +174,8 @@ TEST(a_plane_is_met_from_above) {
             from[k] = (MeReal)uniform(-4, 4);
             to[k] = (MeReal)uniform(-4, 4);
         }
-        const double a = (double)McdPlaneGetDistanceToPoint(g, (const MeVector4 *)tm, from);
-        const double b = (double)McdPlaneGetDistanceToPoint(g, (const MeVector4 *)tm, to);
+        const double a = McdPlaneGetDistanceToPoint(g, (const MeVector4 *)tm, from);
+        const double b = McdPlaneGetDistanceToPoint(g, (const MeVector4 *)tm, to);
         ck_assert_int_eq((int)McdLineSegIntersect(m, from, to, &r), a <= 0 || b <= 0);
         if (a <= 0)
             assert_near(r.distance, 0, 0);

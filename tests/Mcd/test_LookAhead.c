@@ -39,7 +39,7 @@ static int contactsAt(double gap) {
     McdModelPairContainer pairs;
     McdContact contact[4];
     McdIntersectResult result;
-    MeMatrix4TMSetPosition(place[1], (MeReal)(2 + gap), 0, 0);
+    MeMatrix4TMSetPosition(place[1], 2 + gap, 0, 0);
     McdSpaceUpdateAll(space);
     if (McdSpaceIsChanging(space))
         McdSpaceEndChanges(space);
@@ -64,14 +64,14 @@ TEST(without_it_balls_that_are_apart_have_no_contact) {
 }
 
 TEST(what_may_meet_within_the_time_has_a_contact) {
-    McdSpaceSetLookAhead(space, (MeReal).1);
+    McdSpaceSetLookAhead(space, .1);
     MeVector3Set(velocity[0], 6, 0, 0); /* .6 m in that time */
     ck_assert_int_eq(contactsAt(.59), 1);
     ck_assert_int_eq(contactsAt(.61), -1);
 }
 
 TEST(it_is_the_relative_velocity_that_counts) {
-    McdSpaceSetLookAhead(space, (MeReal).1);
+    McdSpaceSetLookAhead(space, .1);
     MeVector3Set(velocity[0], 6, 0, 0);
     MeVector3Set(velocity[1], 6, 0, 0);
     ck_assert_int_eq(contactsAt(.1), 0);
@@ -82,7 +82,7 @@ TEST(it_is_the_relative_velocity_that_counts) {
 
 /* 6 m/s each, across each other: sqrt(2) times as much, though each by itself looks .6 m ahead. */
 TEST(velocities_across_each_other_count_by_their_difference) {
-    McdSpaceSetLookAhead(space, (MeReal).1);
+    McdSpaceSetLookAhead(space, .1);
     MeVector3Set(velocity[0], 6, 0, 0);
     MeVector3Set(velocity[1], 0, 6, 0);
     ck_assert_int_eq(contactsAt(.848), 1);
@@ -100,7 +100,7 @@ TEST(none_looks_farther_than_its_radius) {
 }
 
 TEST(a_frozen_model_looks_nowhere) {
-    McdSpaceSetLookAhead(space, (MeReal).1);
+    McdSpaceSetLookAhead(space, .1);
     MeVector3Set(velocity[0], 6, 0, 0);
     ck_assert_int_eq(contactsAt(.5), 1);
     McdSpaceFreezeModel(model[0]);
@@ -112,7 +112,7 @@ TEST(bad_times_are_refused) {
     messages_catch();
     McdSpaceSetLookAhead(space, -1);
     assert_warned("duration");
-    McdSpaceSetLookAhead(space, (MeReal)NAN);
+    McdSpaceSetLookAhead(space, NAN);
     assert_warned("duration");
     ck_assert(McdSpaceGetLookAhead(space) == 2);
     McdSpaceSetLookAhead(0, 1);
@@ -136,16 +136,16 @@ static int contactsBeforeEdge(double rise, double speed, McdContact contact[8]) 
         heights[i] = i % 3 == 2 ? (MeReal)rise : 0;
     MeMatrix4TMMakeIdentity(ground);
     MeMatrix4TMMakeIdentity(at);
-    MeMatrix4TMSetPosition(at, (MeReal).95, (MeReal).5, (MeReal).4);
-    MeVector3Set(v, (MeReal)speed, 0, 0);
+    MeMatrix4TMSetPosition(at, .95, .5, .4);
+    MeVector3Set(v, speed, 0, 0);
     for (int i = 0; i < 2; i++)
         McdSpaceRemoveModel(model[i]);
-    const McdModelID ball = McdModelCreate(McdSphereCreate(frame, (MeReal).4));
+    const McdModelID ball = McdModelCreate(McdSphereCreate(frame, .4));
     const McdModelID field = McdModelCreate(McdRGHeightFieldCreate(frame, heights, 3, 2, 1, 1, 0, 0));
     McdModelSetTransformPtr(ball, at);
     McdModelSetTransformPtr(field, ground);
     McdModelSetLinearVelocityPtr(ball, v);
-    McdSpaceSetLookAhead(space, (MeReal).1);
+    McdSpaceSetLookAhead(space, .1);
     McdSpaceInsertModel(space, ball);
     McdSpaceInsertModel(space, field);
     McdSpaceUpdateAll(space);

@@ -146,8 +146,8 @@ static const double tetrahedron[4][3] = {{0, 0, 0}, {1, .2, .1}, {.3, .9, -.1}, 
 static McdGeometryID fatTetrahedron(McdFrameworkID f, double fatness) {
     MeVector3 v[4];
     for (int i = 0; i < 4; i++)
-        MeVector3Set(v[i], (MeReal)tetrahedron[i][0], (MeReal)tetrahedron[i][1], (MeReal)tetrahedron[i][2]);
-    return McdConvexMeshCreateHull(f, (const MeVector3 *)v, 4, (MeReal)fatness);
+        MeVector3Set(v[i], tetrahedron[i][0], tetrahedron[i][1], tetrahedron[i][2]);
+    return McdConvexMeshCreateHull(f, (const MeVector3 *)v, 4, fatness);
 }
 
 /* The same with balls of many corners at its corners. */
@@ -203,7 +203,7 @@ TEST(a_tetrahedron_off_the_origin) {
         MeVector3 e[3];
         for (int i = 0; i < 3; i++)
             MeVector3Subtract(e[i], v[i + 1], v[0]);
-        const double volume = fabs((double)MeVector3ScalarTripleProduct(e[0], e[1], e[2])) / 6;
+        const double volume = fabs(MeVector3ScalarTripleProduct(e[0], e[1], e[2])) / 6;
         assert_near_rel(m.volume, volume, TOL(1e-6, 2e-15));
         const double trace = sum[0][0] + sum[1][1] + sum[2][2];
         for (int k = 0; k < 3; k++) {

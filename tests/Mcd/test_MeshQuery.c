@@ -235,7 +235,7 @@ static void addModel(Surface *s, McdGeometryID g) {
 }
 
 static void turn(MeMatrix4 tm, double a, double b, double x, double y, double z) {
-    MeMatrix4TMFromEulerAnglesAndPosition(tm, (MeReal)a, (MeReal)b, (MeReal).3, (MeReal)x, (MeReal)y, (MeReal)z);
+    MeMatrix4TMFromEulerAnglesAndPosition(tm, a, b, .3, x, y, z);
 }
 
 static void setUp(void) {
@@ -260,8 +260,8 @@ static void setUp(void) {
     addModel(&surface[0], list);
     addModel(&surface[1], McdRGHeightFieldCreate(frame, heights, CELLS + 1, CELLS + 1, 1, 1, -CELLS / 2, -CELLS / 2));
     addModel(&surface[2], aggregate);
-    ball = McdSphereCreate(frame, (MeReal)radius);
-    box = McdBoxCreate(frame, (MeReal)(2 * half[0]), (MeReal)(2 * half[1]), (MeReal)(2 * half[2]));
+    ball = McdSphereCreate(frame, radius);
+    box = McdBoxCreate(frame, 2 * half[0], 2 * half[1], 2 * half[2]);
     McdSpaceUpdateAll(space);
     McdSpaceEndChanges(space);
     addTerrain(&surface[0], 0);
@@ -382,7 +382,7 @@ TEST(the_nearest) {
         for (int i = 1; i < 3; i++)
             if (gap[i] < gap[nearest])
                 nearest = i;
-        const int isFound = McdSpaceGetClosest(space, g, at, (MeReal)max, 0, 0, &r);
+        const int isFound = McdSpaceGetClosest(space, g, at, max, 0, 0, &r);
         ck_assert(isFound == (gap[nearest] <= max) || fabs(gap[nearest] - max) < TOL(1e-5, 1e-10));
         if (!isFound)
             continue;
@@ -505,17 +505,17 @@ TEST(casts) {
 /* A grain of sand flies a thousand kilometres beside a hill: the work does not grow with the way. */
 TEST(long_casts_of_small_shapes_end) {
     static MeReal corner[4] = {0, 0, 0, 10};
-    const MeReal wide = (MeReal)1e6;
-    const MeVector3 by = {(MeReal)9e5, 0, 0};
+    const MeReal wide = 1e6;
+    const MeVector3 by = {9e5, 0, 0};
     McdCastResult r;
     MeMatrix4 tm, from;
     const McdFrameworkID f = terrain_framework();
     const McdSpaceID s = McdSpaceAxisSortCreate(f, McdAllAxes, 1, 1);
-    const McdGeometryID grain = McdSphereCreate(f, (MeReal)1e-3);
+    const McdGeometryID grain = McdSphereCreate(f, 1e-3);
     const McdModelID hill = McdModelCreate(McdRGHeightFieldCreate(f, corner, 2, 2, wide, wide, -wide / 2, -wide / 2));
     MeMatrix4TMMakeIdentity(tm);
     MeMatrix4TMMakeIdentity(from);
-    MeMatrix4TMSetPosition(from, (MeReal)-4.5e5, (MeReal)-4.5e5, 5);
+    MeMatrix4TMSetPosition(from, -4.5e5, -4.5e5, 5);
     McdModelSetTransformPtr(hill, tm);
     McdSpaceInsertModel(s, hill);
     McdSpaceUpdateAll(s);

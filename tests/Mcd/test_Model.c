@@ -119,7 +119,7 @@ TEST(a_path_covers_the_whole_motion) {
     MeVector3 velocity = {4, -2, 0};
     McdModelSetTransformPtr(model, place);
     McdModelSetLinearVelocityPtr(model, velocity);
-    McdModelUpdatePath(model, (MeReal)0.5);
+    McdModelUpdatePath(model, 0.5);
     assertBox(-1, 3, -2, 1);
     ck_assert(place[3][0] == 0);
 }

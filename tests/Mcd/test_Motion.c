@@ -54,7 +54,7 @@ static void makePair(McdGeometryID a, McdGeometryID b) {
 static McdSafeTimeResult safeTime(double maxTime) {
     McdSafeTimeResult result;
     memset(&result, 0, sizeof result);
-    ck_assert(McdSafeTime(pair, (MeReal)maxTime, &result));
+    ck_assert(McdSafeTime(pair, maxTime, &result));
     ck_assert_ptr_eq(result.pair, pair);
     return result;
 }
@@ -62,7 +62,7 @@ static McdSafeTimeResult safeTime(double maxTime) {
 /* ---- closed forms ------------------------------------------------------------------------------------------------ */
 
 TEST(two_balls_meet_when_they_should) {
-    makePair(McdSphereCreate(frame, 1), McdSphereCreate(frame, (MeReal)0.5));
+    makePair(McdSphereCreate(frame, 1), McdSphereCreate(frame, 0.5));
     MeMatrix4TMSetPosition(place[1], 6, 0, 0);
     MeVector3Set(velocity[0], 3, 0, 0);
     MeVector3Set(velocity[1], -6, 0, 0);
@@ -78,7 +78,7 @@ TEST(two_balls_meet_when_they_should) {
 }
 
 TEST(a_ball_falls_onto_a_plane) {
-    makePair(McdSphereCreate(frame, (MeReal)0.5), McdPlaneCreate(frame));
+    makePair(McdSphereCreate(frame, 0.5), McdPlaneCreate(frame));
     MeMatrix4TMSetPosition(place[0], 0, 0, 10);
     MeVector3Set(velocity[0], 7, 0, -19);
     const McdSafeTimeResult r = safeTime(3);
@@ -93,7 +93,7 @@ static double uniform(double low, double high) {
 
 static void turnAnyWay(MeMatrix4 tm) {
     MeMatrix3 r;
-    MeMatrix3FromEulerAngles(r, (MeReal)uniform(-3, 3), (MeReal)uniform(-3, 3), (MeReal)uniform(-3, 3));
+    MeMatrix3FromEulerAngles(r, uniform(-3, 3), uniform(-3, 3), uniform(-3, 3));
     MeMatrix4TMSetRotation(tm, (const MeVector3 *)r);
 }
 
@@ -113,8 +113,8 @@ TEST(a_box_falls_onto_a_plane_that_lies_any_way) {
         McdDistanceResult d;
         for (int k = 0; k < 2; k++) {
             turnAnyWay(place[k]);
-            MeVector3Set(velocity[k], (MeReal)uniform(-9, 9), (MeReal)uniform(-9, 9), (MeReal)uniform(-9, 9));
-            MeMatrix4TMSetPosition(place[k], (MeReal)uniform(-4, 4), (MeReal)uniform(-4, 4), (MeReal)uniform(-4, 4));
+            MeVector3Set(velocity[k], uniform(-9, 9), uniform(-9, 9), uniform(-9, 9));
+            MeMatrix4TMSetPosition(place[k], uniform(-4, 4), uniform(-4, 4), uniform(-4, 4));
         }
         double height = along(place[0][3], n) - along(place[1][3], n);
         for (int k = 0; k < 3; k++)
@@ -137,8 +137,8 @@ TEST(a_box_falls_onto_a_plane_that_lies_any_way) {
 /* A rod of 2 m turns about its middle until its end meets a block: the corner (1, -.05) at distance r, angle -a, gets
  * to y = .7. */
 TEST(a_turning_rod_meets_a_block) {
-    makePair(McdBoxCreate(frame, 2, (MeReal)0.1, (MeReal)0.1), McdBoxCreate(frame, 4, (MeReal)0.2, 1));
-    MeMatrix4TMSetPosition(place[1], 0, (MeReal)0.8, 0);
+    makePair(McdBoxCreate(frame, 2, 0.1, 0.1), McdBoxCreate(frame, 4, 0.2, 1));
+    MeMatrix4TMSetPosition(place[1], 0, 0.8, 0);
     MeVector3Set(spin[0], 0, 0, 60);
     const double expected = (asin(.7 / hypot(1, .05)) - atan(.05)) / 60;
     const McdSafeTimeResult r = safeTime(1. / 60);
@@ -155,14 +155,14 @@ TEST(models_that_touch_have_no_time) {
 /* Case: a ball of 5 cm at 50 to 1500 m/s against a wall of 2 cm, a frame of 1/60 s: aimed anywhere, it never is found
  * behind the wall, and the time is that of the closed form: when its lowest point is at the wall's face. */
 TEST(no_ball_gets_through_a_wall) {
-    makePair(McdSphereCreate(frame, (MeReal)0.05), McdBoxCreate(frame, 20, 20, (MeReal)0.02));
+    makePair(McdSphereCreate(frame, 0.05), McdBoxCreate(frame, 20, 20, 0.02));
     srand(1);
     for (int i = 0; i < 1000; i++) {
         const double speed = 50 + 1450. * rand() / RAND_MAX, from = .1 + .4 * speed / 60 * rand() / RAND_MAX;
         const double slant = .6 * (2. * rand() / RAND_MAX - 1), around = 6.283 * rand() / RAND_MAX;
-        MeMatrix4TMSetPosition(place[0], 0, 0, (MeReal)from);
-        MeVector3Set(velocity[0], (MeReal)(speed * sin(slant) * cos(around)),
-                     (MeReal)(speed * sin(slant) * sin(around)), (MeReal)(-speed * cos(slant)));
+        MeMatrix4TMSetPosition(place[0], 0, 0, from);
+        MeVector3Set(velocity[0], speed * sin(slant) * cos(around), speed * sin(slant) * sin(around),
+                     -speed * cos(slant));
         const double expected = (from - .06) / (speed * cos(slant));
         const McdSafeTimeResult r = safeTime(1. / 60);
         assert_near((double)r.time * speed, expected * speed, TOL(9e-6, 3e-14)); /* m */
@@ -176,7 +176,7 @@ TEST(bad_times_are_refused) {
     messages_catch();
     ck_assert(!McdSafeTime(pair, -1, &r) && r.time == 0);
     assert_warned("maxTime");
-    ck_assert(!McdSafeTime(pair, (MeReal)NAN, &r) && r.time == 0);
+    ck_assert(!McdSafeTime(pair, NAN, &r) && r.time == 0);
     assert_warned("maxTime");
     place[0][3][0] = (MeReal)NAN;
     ck_assert(!McdSafeTime(pair, 1, &r));
@@ -187,7 +187,7 @@ TEST(bad_times_are_refused) {
 /* ---- random motions ---------------------------------------------------------------------------------------------- */
 
 static McdGeometryID randomGeometry(int kind) {
-    const MeReal a = (MeReal)uniform(.2, 1), b = (MeReal)uniform(.2, 1), c = (MeReal)uniform(.2, 1);
+    const MeReal a = uniform(.2, 1), b = (MeReal)uniform(.2, 1), c = (MeReal)uniform(.2, 1);
     MeVector3 points[12];
     switch (kind) {
     case 0:
@@ -216,9 +216,9 @@ static void randomMotion(int i) {
         velocity[i][k] = (MeReal)(-3 * (double)place[i][3][k] + uniform(-2, 2)); /* they all pass near the origin */
         spin[i][k] = (MeReal)uniform(-6, 6);
     }
-    MeMatrix3MakeRotationX(R, (MeReal)uniform(-3, 3));
+    MeMatrix3MakeRotationX(R, uniform(-3, 3));
     MeMatrix4TMMakeFromRotationAndPosition(turned, R, 0, 0, 0);
-    MeMatrix3MakeRotationZ(R, (MeReal)uniform(-3, 3));
+    MeMatrix3MakeRotationZ(R, uniform(-3, 3));
     MeMatrix4 more;
     MeMatrix4TMMakeFromRotationAndPosition(more, R, place[i][3][0], place[i][3][1], place[i][3][2]);
     MeMatrix4TMCompound(place[i], (const MeVector4 *)turned, (const MeVector4 *)more);
@@ -229,7 +229,7 @@ static double distanceAt(double time) {
     MeMatrix4 then[2];
     McdDistanceResult result;
     for (int i = 0; i < 2; i++) {
-        MeMatrix4TMUpdateFromVelocities(then[i], 0, (MeReal)time, velocity[i], spin[i], (const MeVector4 *)place[i]);
+        MeMatrix4TMUpdateFromVelocities(then[i], 0, time, velocity[i], spin[i], (const MeVector4 *)place[i]);
         McdModelSetTransformPtr(model[i], then[i]);
         McdModelUpdate(model[i]);
     }
@@ -249,7 +249,7 @@ TEST(the_safe_time_is_safe_and_not_too_early) {
             randomMotion(0);
             randomMotion(1);
         } while (distanceAt(0) < .01);
-        const double time = (double)safeTime(1).time;
+        const double time = safeTime(1).time;
         for (int i = 1; i < 50; i++)
             ck_assert_msg(distanceAt(time * i / 50) > 0, "motion %d: they touch before %g", n, time);
         ck_assert_msg(time == 1 || distanceAt(time) < 5e-4, "motion %d: at %g they are %g apart", n, time,
@@ -298,7 +298,7 @@ TEST(distances_of_simple_pairs) {
     drop();
     makePair(McdPlaneCreate(frame), McdSphereCreate(frame, 1));
     MeMatrix4TMSetPosition(place[0], 0, 0, 0);
-    MeMatrix4TMSetPosition(place[1], 1, 2, (MeReal)0.5);
+    MeMatrix4TMSetPosition(place[1], 1, 2, 0.5);
     ck_assert(McdDistance(pair, &d));
     assert_near(d.distance, -.5, TOL(3e-7, 5e-16));
     assert_vec3_near(d.position1, 1, 2, 0, TOL(1e-6, 2e-15));

@@ -217,14 +217,11 @@ TEST(it_stands_on_whatever_is_flat) {
 
 /* One of equal radii is a sphere. */
 TEST(a_round_one_is_a_sphere) {
-    const McdGeometryID other[] = {McdSphereCreate(frame, 1),
-                                   McdSphylCreate(frame, (MeReal).4, 1),
-                                   McdBoxCreate(frame, 1, (MeReal)1.2, (MeReal).8),
-                                   McdCylinderCreate(frame, (MeReal).6, 1),
-                                   McdConeCreate(frame, 1, (MeReal).7),
-                                   makeEllipsoid(.7, .7, .7)};
+    const McdGeometryID other[] = {McdSphereCreate(frame, 1),       McdSphylCreate(frame, .4, 1),
+                                   McdBoxCreate(frame, 1, 1.2, .8), McdCylinderCreate(frame, .6, 1),
+                                   McdConeCreate(frame, 1, .7),     makeEllipsoid(.7, .7, .7)};
     MeMatrix4 tm, place;
-    McdModelID e = McdModelCreate(makeEllipsoid(.5, .5, .5)), s = McdModelCreate(McdSphereCreate(frame, (MeReal).5));
+    McdModelID e = McdModelCreate(makeEllipsoid(.5, .5, .5)), s = McdModelCreate(McdSphereCreate(frame, .5));
     McdModelSetTransformPtr(e, tm);
     McdModelSetTransformPtr(s, tm);
     for (size_t k = 0; k < sizeof other / sizeof *other; k++) {

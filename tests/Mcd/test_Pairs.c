@@ -190,9 +190,9 @@ static void makeRun(Run *r, unsigned long long seed) {
     McdCullingTableSet(r->table, 0, 1, 1);
     McdCullingTableSet(r->table, 2, 2, 1);
     for (int i = 0; i < MODELS; i++) {
-        const MeReal size = (MeReal)(i % 10 ? .2 + randomUpTo(r, 1.5) : 5);
-        yardCrate(&r->yard, size, (MeReal)randomUpTo(r, 8), (MeReal)randomUpTo(r, 8), (MeReal)randomUpTo(r, 8));
-        McdModelSetContactTolerance(r->yard.model[i], (MeReal)randomUpTo(r, .05));
+        const MeReal size = (i % 10 ? .2 + randomUpTo(r, 1.5) : 5);
+        yardCrate(&r->yard, size, randomUpTo(r, 8), randomUpTo(r, 8), randomUpTo(r, 8));
+        McdModelSetContactTolerance(r->yard.model[i], randomUpTo(r, .05));
         r->twin[i].key = (MeI16)chance(r, 5);
         McdModelSetSortKey(r->yard.model[i], r->twin[i].key);
         insert(r, i);

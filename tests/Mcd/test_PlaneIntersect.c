@@ -45,7 +45,7 @@ typedef void(MEAPI *SliceFn)(McdGeometryInstanceID, const MeVector3, MeReal, int
 static int sliceOf(McdModelID m, SliceFn f, const MeReal *normal, double dist, int max, double *area) {
     static MeVector3 v[64];
     int n = -1;
-    f(McdModelGetGeometryInstance(m), normal, (MeReal)dist, max, &n, v);
+    f(McdModelGetGeometryInstance(m), normal, dist, max, &n, v);
     *area = areaOf(v, n, normal);
     for (int i = 0; i < n; i++)
         assert_near(MeVector3Dot(v[i], normal), dist, TOL(1e-5, 1e-12));
@@ -53,7 +53,7 @@ static int sliceOf(McdModelID m, SliceFn f, const MeReal *normal, double dist, i
 }
 
 TEST(a_box_is_cut_into_polygons) {
-    const MeReal third = 1 / MeSqrt((MeReal)3), half = 1 / MeSqrt((MeReal)2);
+    const MeReal third = 1 / MeSqrt(3), half = 1 / MeSqrt(2);
     const MeVector3 up = {0, 0, 1}, diagonal = {third, third, third}, slant = {half, 0, half};
     McdModelID m = modelAt(0, McdBoxCreate(frame, 2, 2, 2));
     double area;
@@ -135,8 +135,8 @@ TEST(a_plane_meets_any_convex_type_in_either_order) {
     McdIntersectResult result = {.contacts = contact, .contactMaxCount = 8};
     McdModelID plane = modelAt(0, McdPlaneCreate(frame));
     McdGeometryID shape[] = {McdSphereCreate(frame, 1), McdBoxCreate(frame, 1, 1, 2), McdCylinderCreate(frame, 1, 2),
-                             McdSphylCreate(frame, (MeReal)0.5, 1), McdConvexMeshCreateSphyl(frame, (MeReal)0.5, 1)};
-    MeMatrix4TMSetPosition(place[1], 3, 4, (MeReal)0.99);
+                             McdSphylCreate(frame, 0.5, 1), McdConvexMeshCreateSphyl(frame, 0.5, 1)};
+    MeMatrix4TMSetPosition(place[1], 3, 4, 0.99);
     for (int i = 0; i < 5; i++) {
         McdModelID m = modelAt(1, shape[i]);
         ck_assert_int_eq(McdPlaneIntersectTest(plane, m, &result), 1);
@@ -171,7 +171,7 @@ TEST(a_plane_meets_any_convex_type_in_either_order) {
 #define COSINE  ((MeReal)0.9396926207859084)
 #define RAMP(y) ((MeReal)0.02 + ((MeReal)(y)-1) * SINE / COSINE)
 static MeVector3 level[] = {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}};
-static MeVector3 ramp[] = {{-9, (MeReal)0.5, RAMP(.5)}, {9, (MeReal)0.5, RAMP(.5)}, {0, 9, RAMP(9)}};
+static MeVector3 ramp[] = {{-9, 0.5, RAMP(.5)}, {9, 0.5, RAMP(.5)}, {0, 9, RAMP(9)}};
 static MeVector3 up = {0, 0, 1}, slant = {0, -SINE, COSINE};
 
 static int MEAPI floorAndRamp(McdModelPair *p, McdUserTriangle *t, MeVector3 pos, MeReal radius, int max) {
@@ -196,7 +196,7 @@ TEST(faces_first_keeps_contacts_along_the_mean_normal) {
     McdRequest request = {2, MEFALSE};
     McdContact contact[8];
     McdIntersectResult result = {.contacts = contact, .contactMaxCount = 8};
-    MeMatrix4TMSetPosition(place[1], 0, 0, (MeReal)0.99);
+    MeMatrix4TMSetPosition(place[1], 0, 0, 0.99);
     McdModelPairID p = McdModelPairCreate(box, surface);
     McdModelPairSetRequestPtr(p, &request);
     for (int isFirst = 0; isFirst < 2; isFirst++) {

@@ -26,13 +26,13 @@ static void setUp(void) {
     McdPrimitivesRegisterTypes(frame);
     McdPrimitivesRegisterInteractions(frame);
     space = McdSpaceAxisSortCreate(frame, McdAllAxes, BALLS + 10, 5000);
-    probe = McdSphereCreate(frame, (MeReal)probeRadius);
+    probe = McdSphereCreate(frame, probeRadius);
     MeMatrix4TMMakeIdentity(at);
     for (int i = 0; i < BALLS; i++) {
         radius[i] = (double)(MeReal)(.1 + uniform(0, 1));
         MeMatrix4TMMakeIdentity(tm[i]);
-        MeMatrix4TMSetPosition(tm[i], (MeReal)uniform(0, 12), (MeReal)uniform(0, 12), (MeReal)(1.5 + uniform(0, 12)));
-        ball[i] = McdModelCreate(McdSphereCreate(frame, (MeReal)radius[i]));
+        MeMatrix4TMSetPosition(tm[i], uniform(0, 12), uniform(0, 12), (1.5 + uniform(0, 12)));
+        ball[i] = McdModelCreate(McdSphereCreate(frame, radius[i]));
         McdModelSetTransformPtr(ball[i], tm[i]);
         McdSpaceInsertModel(space, ball[i]);
     }
@@ -51,8 +51,7 @@ static void tearDown(void) {
 }
 
 static void placeProbe(double low) {
-    MeMatrix4TMSetPosition(at, (MeReal)(uniform(0, 14) - 1), (MeReal)(uniform(0, 14) - 1),
-                           (MeReal)(low + uniform(0, 14)));
+    MeMatrix4TMSetPosition(at, (uniform(0, 14) - 1), (uniform(0, 14) - 1), (low + uniform(0, 14)));
 }
 
 /* Between the probe, moved along by, and ball i, or the ground for i = BALLS. */
@@ -148,7 +147,7 @@ TEST(the_nearest) {
             if (gapTo(i, still) < gapTo(nearest, still))
                 nearest = i;
         const double gap = gapTo(nearest, still), max = n % 7 ? 1e6 : .2;
-        const int isFound = McdSpaceGetClosest(space, probe, at, (MeReal)max, 0, 0, &result);
+        const int isFound = McdSpaceGetClosest(space, probe, at, max, 0, 0, &result);
         found += isFound;
         ck_assert_int_eq(isFound, gap <= max);
         if (!isFound)
@@ -255,7 +254,7 @@ TEST(bad_input) {
     McdCastResult cast;
     McdClosestResult closest;
     MeMatrix4 wrong;
-    const MeVector3 zero = {0, 0, 0}, nan = {0, 0, (MeReal)NAN};
+    const MeVector3 zero = {0, 0, 0}, nan = {0, 0, NAN};
     setUp();
     MeMatrix4TMMakeIdentity(wrong);
     wrong[1][1] = (MeReal)NAN;

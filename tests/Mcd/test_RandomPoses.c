@@ -25,7 +25,7 @@ static McdGeometryID createHull(const McdHull *h) {
 
 /* The geometry of a shape, whose sizes are rounded on the way. A cone's origin is where the library puts it. */
 static McdGeometryID create(McdShape *s) {
-    const MeReal x = (MeReal)s->size[0], y = (MeReal)s->size[1], z = (MeReal)s->size[2], r = (MeReal)s->rounding;
+    const MeReal x = s->size[0], y = (MeReal)s->size[1], z = (MeReal)s->size[2], r = (MeReal)s->rounding;
     switch (s->kind->type) {
     case kMcdGeometryTypeSphere:
         return McdSphereCreate(frame, r);
@@ -76,7 +76,7 @@ static McdModelID createModel(const McdShape *s, McdGeometryID g, MeMatrix4 tm) 
 static double deepest(const McdIntersectResult *result) {
     double s = INFINITY;
     for (int i = 0; i < result->contactCount; i++)
-        s = fmin(s, (double)result->contacts[i].separation);
+        s = fmin(s, result->contacts[i].separation);
     return s;
 }
 
@@ -88,7 +88,7 @@ static void comparePair(int kindA, int kindB, double scale, Random *r) {
     McdContact contacts[8];
     McdIntersectResult result = {.contacts = contacts, .contactMaxCount = 8};
     double n[3];
-    frame = McdInit(0, 2, 0, (MeReal)scale);
+    frame = McdInit(0, 2, 0, scale);
     McdPrimitivesRegisterTypes(frame);
     McdConvexMeshRegisterType(frame);
     McdConeRegisterType(frame);

@@ -38,11 +38,11 @@ static void start(Slide *s, McdGeometryID shape, McdGeometryID ground, double he
     memset(s, 0, sizeof *s);
     s->world = MdtWorldCreate(1, TERRAIN_CONTACTS);
     MdtWorldSetAutoDisable(s->world, 0);
-    MdtWorldSetGravity(s->world, 0, 0, (MeReal)-9.81);
+    MdtWorldSetGravity(s->world, 0, 0, -9.81);
     s->body = MdtBodyCreate(s->world);
-    MdtBodySetPosition(s->body, 0, 0, (MeReal)height);
+    MdtBodySetPosition(s->body, 0, 0, height);
     if (lying)
-        MdtBodySetQuaternion(s->body, (MeReal)sqrt(.5), 0, (MeReal)sqrt(.5), 0);
+        MdtBodySetQuaternion(s->body, sqrt(.5), 0, sqrt(.5), 0);
     MdtBodyEnable(s->body);
     MdtContactParamsReset(&s->params);
     probe_init(&s->probe, shape, ground);
@@ -60,7 +60,7 @@ static void slide(McdGeometryID shape, McdGeometryID ground, double height, int 
     const double range = 16;
     const int steps = (int)fmin(300, range / speed * 60);
     start(&s, shape, ground, height, lying);
-    MdtBodySetLinearVelocity(s.body, (MeReal)(speed * cos(angle)), (MeReal)(speed * sin(angle)), 0);
+    MdtBodySetLinearVelocity(s.body, speed * cos(angle), speed * sin(angle), 0);
     for (int i = 0; i < steps; i++) {
         MeVector3 v, w, x;
         renewContacts(&s);
@@ -91,7 +91,7 @@ static McdConvexMeshID prism(McdFrameworkID f) { /* five corners, lying on one s
     MeVector3 p[10];
     for (int i = 0; i < 10; i++) {
         const double a = -1.5707963267949 + 6.283185307179586 * (i % 5 + .5) / 5;
-        MeVector3Set(p[i], i < 5 ? (MeReal)-.6 : (MeReal).6, (MeReal)(.5 * cos(a)), (MeReal)(.5 * sin(a)));
+        MeVector3Set(p[i], i < 5 ? (MeReal)-.6 : (MeReal).6, .5 * cos(a), .5 * sin(a));
     }
     return McdConvexMeshCreateHull(f, (const MeVector3 *)p, 10, 0);
 }
@@ -104,14 +104,13 @@ static void onGround(int isField) {
     McdGeometryID ground;
     memset(&flat, 0, sizeof flat);
     terrain_grid(&flat, 100, cell, 0, kMcdTriangleStandard & ~kMcdTriangleTwoSided);
-    ground = isField ? McdRGHeightFieldCreate(f, zeros, 101, 101, (MeReal)cell, (MeReal)cell, (MeReal)(-50 * cell),
-                                              (MeReal)(-50 * cell))
+    ground = isField ? McdRGHeightFieldCreate(f, zeros, 101, 101, cell, cell, -50 * cell, -50 * cell)
                      : terrain_list(f, &flat);
     slideEveryWay(McdBoxCreate(f, 1, 1, 1), ground, .5, 0);
-    slideEveryWay(McdBoxCreate(f, (MeReal).2, (MeReal).2, (MeReal).2), ground, .1, 0);
-    slideEveryWay(McdSphereCreate(f, (MeReal).3), ground, .3, 0);
-    slideEveryWay(McdSphylCreate(f, (MeReal).3, 1), ground, .3, 1);
-    slideEveryWay(McdCylinderCreate(f, (MeReal).5, 1), ground, .5, 0);
+    slideEveryWay(McdBoxCreate(f, .2, .2, .2), ground, .1, 0);
+    slideEveryWay(McdSphereCreate(f, .3), ground, .3, 0);
+    slideEveryWay(McdSphylCreate(f, .3, 1), ground, .3, 1);
+    slideEveryWay(McdCylinderCreate(f, .5, 1), ground, .5, 0);
     slideEveryWay(prism(f), ground, .5 * cos(3.14159265358979 / 5), 0);
     McdFrameworkDestroyAllModelsAndGeometries(f);
     McdTerm(f);

@@ -18,7 +18,7 @@ TEST(starts_inside_a_block) {
 
 TEST(pairs_say_hello_stay_and_say_goodbye) {
     yardMake(y);
-    const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardPut(y, 1, (MeReal).9, 0, 0);
+    const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardPut(y, 1, .9, 0, 0);
     yardStep(y);
     assert_pairs(y, 1, 0, 0);
     McdModelPair *pair = y->pairs->array[y->pairs->helloFirst];
@@ -54,10 +54,10 @@ TEST(pairs_say_hello_stay_and_say_goodbye) {
 
 TEST(boxes_are_exact_and_grown_by_tolerances) {
     yardMake(y);
-    const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardPut(y, 1, (MeReal)1.0625, 0, 0);
+    const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardPut(y, 1, 1.0625, 0, 0);
     assert_step(y, 0, 0, 0); /* their fat boxes overlap */
-    McdModelSetContactTolerance(a, (MeReal).03125);
-    McdModelSetContactTolerance(b, (MeReal).03125);
+    McdModelSetContactTolerance(a, .03125);
+    McdModelSetContactTolerance(b, .03125);
     assert_step(y, 0, 0, 0); /* not updated */
     McdSpaceUpdateModel(a);
     McdSpaceUpdateModel(b);
@@ -159,7 +159,7 @@ TEST(pairs_of_frozen_models_are_not_reported) {
 static McdModelPair *asleep(void *data) {
     yardMake(y);
     yardPut(y, 1, 0, 0, 0);
-    yardPut(y, 1, (MeReal).5, 0, 0);
+    yardPut(y, 1, .5, 0, 0);
     yardStep(y);
     assert_pairs(y, 1, 0, 0);
     McdModelPair *pair = y->pairs->array[y->pairs->helloFirst];
@@ -573,10 +573,10 @@ TEST(swept_models_have_boxes_around_their_motion) {
     yardPut(y, 1, 5, 0, 0);
     McdModelSetLinearVelocityPtr(a, fast);
     assert_step(y, 0, 0, 0);
-    McdSpacePathUpdateAll(y->space, (MeReal).1);
+    McdSpacePathUpdateAll(y->space, .1);
     assert_step(y, 0, 0, 0);
     McdModelSetSwept(a, 1);
-    McdSpacePathUpdateAll(y->space, (MeReal).1);
+    McdSpacePathUpdateAll(y->space, .1);
     assert_step(y, 1, 0, 0);
     McdSpaceUpdateAll(y->space);
     assert_step(y, 0, 0, 1);
@@ -614,7 +614,7 @@ TEST(bad_transforms_warn_once_and_keep_the_box) {
 
 TEST(boxes_without_bounds_meet_everything) {
     yardMake(y);
-    yardPut(y, (MeReal)1e12, 0, 0, (MeReal)-5e11);
+    yardPut(y, 1e12, 0, 0, -5e11);
     for (int i = 0; i < 10; i++)
         yardPut(y, 1, (MeReal)(100 * i), 0, (MeReal)(i % 2 ? 0 : 1e6));
     assert_step(y, 5, 0, 0);

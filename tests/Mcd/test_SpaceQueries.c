@@ -9,9 +9,8 @@ static Yard yard, *const y = &yard;
 static void makeYard(void) {
     yardMake(y);
     for (int i = 0; i < COUNT; i++)
-        yardPut(y, (MeReal)(.2 + uniform(0, i % 20 ? 1.5 : 6)), (MeReal)uniform(0, 15), (MeReal)uniform(0, 15),
-                (MeReal)uniform(0, 15));
-    yardPut(y, (MeReal)1e12, 7, 7, (MeReal)-5e11 - 40); /* a floor without bounds, far below */
+        yardPut(y, (.2 + uniform(0, i % 20 ? 1.5 : 6)), uniform(0, 15), uniform(0, 15), uniform(0, 15));
+    yardPut(y, 1e12, 7, 7, (MeReal)-5e11 - 40); /* a floor without bounds, far below */
     McdSpaceEndChanges(y->space);
 }
 
@@ -91,7 +90,7 @@ TEST(starts_inside_a_model) {
 }
 
 TEST(bad_input) {
-    MeVector3 from = {0, 0, 0}, to = {5, 0, 0}, wrong = {0, (MeReal)NAN, 0};
+    MeVector3 from = {0, 0, 0}, to = {5, 0, 0}, wrong = {0, NAN, 0};
     McdLineSegIntersectResult hit;
     yardMake(y);
     yardPut(y, 1, 0, 0, 0);

@@ -106,7 +106,7 @@ TEST(the_last_bit_of_a_place_counts) {
 TEST(every_size_counts) {
     meet(McdSphereCreate(p.frame, 1), McdBoxCreate(p.frame, 1, 1, 1));
     isAsTested();
-    McdSphereSetRadius(p.shape[0], (MeReal)1.1);
+    McdSphereSetRadius(p.shape[0], 1.1);
     assertChanged("a radius");
     McdBoxSetDimensions(p.shape[1], 1, 1, 2);
     assertChanged("a box");
@@ -124,7 +124,7 @@ TEST(every_size_counts) {
     assertChanged("a sphyl's height");
     meet(McdConeCreate(p.frame, 1, 1), McdPlaneCreate(p.frame));
     isAsTested();
-    McdConeSetGeometricalParameters(p.shape[0], 1, 1, (MeReal).5);
+    McdConeSetGeometricalParameters(p.shape[0], 1, 1, .5);
     assertChanged("a cone's top");
 }
 
@@ -137,7 +137,7 @@ TEST(another_shape_counts) {
 TEST(margins_and_requests_count) {
     McdRequest request;
     meetBoxes();
-    McdModelSetContactTolerance(p.model[1], (MeReal).3);
+    McdModelSetContactTolerance(p.model[1], .3);
     assertChanged("a tolerance");
     request = *McdModelPairGetRequestPtr(&p.pair);
     McdModelPairSetRequestPtr(&p.pair, &request);
@@ -322,7 +322,7 @@ static MeReal *heightAt(int x, int y) {
 static MeBool isAsTestedAwake(void) {
     static const MeBool mayMove[2] = {METRUE, METRUE};
     McdFrameworkBeginRound(p.frame);
-    return McdModelPairLook(&p.pair, (MeReal)1e-3, mayMove) != McdPairHasChanged;
+    return McdModelPairLook(&p.pair, 1e-3, mayMove) != McdPairHasChanged;
 }
 
 static McdGeometryID turnedBoxes(void) {
@@ -331,7 +331,7 @@ static McdGeometryID turnedBoxes(void) {
     for (int k = 0; k < 2; k++) {
         MeMatrix4TMMakeIdentity(tm);
         tm[3][0] = (MeReal)(k ? 2.5 : -2.5);
-        McdAggregateAddElement(whole, McdBoxCreate(p.frame, (MeReal).5, (MeReal).5, 1), tm);
+        McdAggregateAddElement(whole, McdBoxCreate(p.frame, .5, .5, 1), tm);
     }
     return whole;
 }
@@ -398,11 +398,11 @@ TEST(an_update_of_a_field_renews_its_box) {
     *heightAt(1, 1) = 3;
     McdModelUpdate(p.model[1]);
     McdModelGetAABB(p.model[1], low, high);
-    assert_near((double)(high[2] - p.tm[1][3][2]), 0, 1e-3);
+    assert_near(high[2] - p.tm[1][3][2], 0, 1e-3);
     McdGeometryUpdate(p.shape[1]);
     McdModelUpdate(p.model[1]);
     McdModelGetAABB(p.model[1], low, high);
-    assert_near((double)(high[2] - p.tm[1][3][2]), 3, 1e-3);
+    assert_near(high[2] - p.tm[1][3][2], 3, 1e-3);
 }
 
 TEST(what_is_no_geometry_is_told_of) {
@@ -430,7 +430,7 @@ TEST(a_list_among_the_parts_is_always_tested) {
 static McdGeometryID anyConvex(void) {
     MeReal corner[6][3];
     const int kind = (int)uniform(0, 6);
-    const MeReal a = (MeReal)uniform(.1, 1), b = (MeReal)uniform(.1, 1), c = (MeReal)uniform(.1, 3);
+    const MeReal a = uniform(.1, 1), b = (MeReal)uniform(.1, 1), c = (MeReal)uniform(.1, 3);
     for (int i = 0; i < 6; i++)
         for (int k = 0; k < 3; k++)
             corner[i][k] = (k == 0 ? 1 : 0) + (i % 3 == k ? (i < 3 ? a : -b) : 0);
@@ -467,7 +467,7 @@ static void put(int which, const double start[4], const double way[4], double ti
     for (int i = 0; i < 4; i++)
         q[i] = (MeReal)((start[i] + time * way[i]) / sqrt(length));
     MeQuaternionToR(R, q);
-    MeMatrix4TMMakeFromRotationAndPosition(p.tm[which], R, (MeReal)at[0], (MeReal)at[1], (MeReal)at[2]);
+    MeMatrix4TMMakeFromRotationAndPosition(p.tm[which], R, at[0], at[1], at[2]);
 }
 
 static int contactsOf(McdModelPair *pair, MeReal *apart) {
@@ -541,9 +541,8 @@ TEST(a_circle_about_the_larger_ones_origin_is_a_motion) {
         meet(which ? ground : box, which ? box : ground);
         for (int i = 0; i < 3; i++) {
             const double angle = i < 2 ? i * 1e-7 : 1e-4;
-            MeMatrix4TMFromEulerAnglesAndPosition(p.tm[which], 0, 0, (MeReal)angle, (MeReal)(40 * cos(angle)),
-                                                  (MeReal)(40 * sin(angle)), 1);
-            ck_assert_int_eq(changeOf((MeReal)1e-3), i == 1 ? McdPairHasMoved : McdPairHasChanged);
+            MeMatrix4TMFromEulerAnglesAndPosition(p.tm[which], 0, 0, angle, 40 * cos(angle), 40 * sin(angle), 1);
+            ck_assert_int_eq(changeOf(1e-3), i == 1 ? McdPairHasMoved : McdPairHasChanged);
         }
     }
 }

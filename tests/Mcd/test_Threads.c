@@ -51,7 +51,7 @@ static McdRGHeightFieldID makeField(void) {
     for (int j = 0; j < N; j++)
         for (int i = 0; i < N; i++)
             heights[j * N + i] = (MeReal)bumps(.4 * i, .4 * j);
-    return McdRGHeightFieldCreate(frame, heights, N, N, (MeReal).4, (MeReal).4, (MeReal)-2.8, (MeReal)-2.8);
+    return McdRGHeightFieldCreate(frame, heights, N, N, .4, .4, -2.8, -2.8);
 }
 
 /* The list, and boxes around it. */
@@ -61,7 +61,7 @@ static McdAggregateID makeAggregate(void) {
     McdAggregateAddElement(a, makeList(find), 0);
     for (int i = 0; i < 4; i++) {
         MeMatrix4TMMakeIdentity(tm);
-        MeMatrix4TMSetPosition(tm, (MeReal)(i % 2 * 3 - 1.5), (MeReal)(i / 2 * 3 - 1.5), (MeReal).2);
+        MeMatrix4TMSetPosition(tm, i % 2 * 3 - 1.5, i / 2 * 3 - 1.5, .2);
         McdAggregateAddElement(a, McdBoxCreate(frame, 1, 1, 1), tm);
     }
     return a;
@@ -100,12 +100,11 @@ static void makeAsker(Asker *a, McdModelID on, int poses) {
     McdAggregateID pair = McdAggregateCreate(frame, 2);
     MeMatrix4 aside;
     MeMatrix4TMMakeIdentity(aside);
-    MeMatrix4TMSetPosition(aside, (MeReal).7, 0, 0);
-    McdAggregateAddElement(pair, McdSphereCreate(frame, (MeReal).4), 0);
-    McdAggregateAddElement(pair, McdBoxCreate(frame, (MeReal).5, (MeReal).6, (MeReal).7), aside);
-    const McdGeometryID shape[SHAPES] = {McdSphereCreate(frame, (MeReal).5),
-                                         McdBoxCreate(frame, 1, (MeReal).8, (MeReal).6),
-                                         McdCylinderCreate(frame, (MeReal).4, (MeReal).9),
+    MeMatrix4TMSetPosition(aside, .7, 0, 0);
+    McdAggregateAddElement(pair, McdSphereCreate(frame, .4), 0);
+    McdAggregateAddElement(pair, McdBoxCreate(frame, .5, .6, .7), aside);
+    const McdGeometryID shape[SHAPES] = {McdSphereCreate(frame, .5), McdBoxCreate(frame, 1, .8, .6),
+                                         McdCylinderCreate(frame, .4, .9),
                                          McdConvexMeshCreateHull(frame, (const MeVector3 *)tetrahedron, 4, 0), pair};
     a->poses = poses;
     for (int i = 0; i < SHAPES; i++) {
@@ -138,10 +137,9 @@ static MeU64 hashOfContacts(const Probe *p) {
 static MeU64 ask(Probe *p, unsigned int *seed) {
     McdDistanceResult distance;
     McdLineSegIntersectResult hit;
-    MeReal from[3] = {(MeReal)(4 * random01(seed) - 2), (MeReal)(4 * random01(seed) - 2), 2}, to[3] = {0, 0, -2};
-    MeMatrix4TMFromEulerAnglesAndPosition(p->tm, (MeReal)(6 * random01(seed)), (MeReal)(6 * random01(seed)),
-                                          (MeReal)(6 * random01(seed)), (MeReal)(4 * random01(seed) - 2),
-                                          (MeReal)(4 * random01(seed) - 2), (MeReal)(.2 + .6 * random01(seed)));
+    MeReal from[3] = {4 * random01(seed) - 2, 4 * random01(seed) - 2, 2}, to[3] = {0, 0, -2};
+    MeMatrix4TMFromEulerAnglesAndPosition(p->tm, 6 * random01(seed), 6 * random01(seed), 6 * random01(seed),
+                                          4 * random01(seed) - 2, 4 * random01(seed) - 2, .2 + .6 * random01(seed));
     McdModelUpdate(p->model);
     (McdIntersect)(p->pair, &p->result);
     MeU64 hash = hashOfContacts(p);

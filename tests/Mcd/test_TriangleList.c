@@ -21,7 +21,7 @@ static void end(void) {
 static double deepest(const Probe *p) {
     double min = INFINITY;
     for (int i = 0; i < p->result.contactCount; i++)
-        min = fmin(min, (double)p->contact[i].separation);
+        min = fmin(min, p->contact[i].separation);
     return min;
 }
 
@@ -42,7 +42,7 @@ static double random01(void) {
 
 static void randomTurn(MeMatrix4 tm) {
     MeMatrix3 r;
-    MeMatrix3FromEulerAngles(r, (MeReal)(6.3 * random01()), (MeReal)(6.3 * random01()), (MeReal)(6.3 * random01()));
+    MeMatrix3FromEulerAngles(r, 6.3 * random01(), 6.3 * random01(), 6.3 * random01());
     MeMatrix4TMSetRotation(tm, (const MeVector3 *)r);
 }
 
@@ -54,13 +54,12 @@ static McdGeometryID randomHull(int number, double size) {
     const int count = 4 + number % 9;
     const double width = .2 + .8 * random01();
     for (int i = 0; i < count; i++)
-        MeVector3Set(p[i], (MeReal)(size * (random01() - .5)), (MeReal)(size * width * (random01() - .5)),
-                     (MeReal)(size * (random01() - .5)));
+        MeVector3Set(p[i], size * (random01() - .5), size * width * (random01() - .5), size * (random01() - .5));
     return McdConvexMeshCreateHull(frame, (const MeVector3 *)p, count, 0);
 }
 
 static McdGeometryID makeShape(int kind, double size) {
-    const MeReal s = (MeReal)size;
+    const MeReal s = size;
     MeVector3 p[9];
     if (kind >= 7)
         return randomHull(kind - 7, size);
@@ -106,12 +105,12 @@ static void onPlane(int kind, double size, int isAlone) {
     if (!isAlone)
         addLowTriangle(size);
     probe_init(&probe, makeShape(kind, size), terrain_list(frame, &ground));
-    McdModelSetContactTolerance(probe.model, (MeReal)(.01 * size));
+    McdModelSetContactTolerance(probe.model, .01 * size);
     McdModelSetContactTolerance(probe.ground, 0);
     seed = 1;
     for (int i = 0; i < TURNS; i++) {
         randomTurn(probe.tm);
-        MeMatrix4TMSetPosition(probe.tm, (MeReal)(size * (random01() - .5)), (MeReal)(size * (random01() - .5)), 0);
+        MeMatrix4TMSetPosition(probe.tm, size * (random01() - .5), size * (random01() - .5), 0);
         McdGeometryMaximumPoint(McdModelGetGeometry(probe.model), (const MeVector4 *)probe.tm, down, lowest);
         McdGeometryMaximumPoint(McdModelGetGeometry(probe.model), (const MeVector4 *)probe.tm, up, highest);
         const double deep = fmin(.15 * size, .45 * (double)(highest[2] - lowest[2])); /* its middle stays in front */
@@ -156,17 +155,16 @@ TEST(what_is_under_the_ground_through_a_hole_is_not_pushed_up) {
         ground.flags[kept++] = ground.flags[i];
     }
     ground.triangleCount = kept;
-    probe_init(&probe, McdBoxCreate(frame, (MeReal).2, (MeReal).2, 4), terrain_list(frame, &ground));
-    McdModelSetContactTolerance(probe.model, (MeReal).01);
-    MeMatrix3FromEulerAngles(r, 0, (MeReal)1, 0);
+    probe_init(&probe, McdBoxCreate(frame, .2, .2, 4), terrain_list(frame, &ground));
+    McdModelSetContactTolerance(probe.model, .01);
+    MeMatrix3FromEulerAngles(r, 0, 1, 0);
     MeMatrix4TMSetRotation(probe.tm, (const MeVector3 *)r);
     int touching = 0;
     for (int i = 0; i < 200; i++) {
         /* the end that is above leans on the border at one side, the other end is below that at the other side */
-        MeMatrix4TMSetPosition(probe.tm, (MeReal)(.4 + .15 * random01()), (MeReal)(.8 * (random01() - .5)),
-                               (MeReal)(.1 * random01()));
+        MeMatrix4TMSetPosition(probe.tm, .4 + .15 * random01(), .8 * (random01() - .5), .1 * random01());
         McdGeometryMaximumPoint(McdModelGetGeometry(probe.model), (const MeVector4 *)probe.tm, down, lowest);
-        ck_assert(fabs((double)lowest[0]) > .7 && lowest[2] < (MeReal)-.5);
+        ck_assert(fabs(lowest[0]) > .7 && lowest[2] < (MeReal)-.5);
         touching += probe_test(&probe) > 0;
         for (int k = 0; k < probe.result.contactCount; k++)
             ck_assert(probe.contact[k].separation > (MeReal)-.3);
@@ -236,12 +234,12 @@ static const double slope = 0.70710678118654752;
 TEST(in_a_valley_only_the_faces_push) {
     begin();
     terrain_grid(&ground, 20, .25, valley, kMcdTriangleStandard & ~kMcdTriangleTwoSided);
-    probe_init(&probe, McdSphereCreate(frame, (MeReal).5), terrain_list(frame, &ground));
+    probe_init(&probe, McdSphereCreate(frame, .5), terrain_list(frame, &ground));
     for (int i = -40; i <= 40; i++) {
         const double x = .01 * i;
         ck_assert_int_gt(probe_at(&probe, x, .013 * i, sqrt(.5) + fabs(x)), 0);
         for (int k = 0; k < probe.result.contactCount; k++)
-            assert_near(fabs((double)probe.contact[k].normal[0]), slope, TOL(4e-7, 2e-15));
+            assert_near(fabs(probe.contact[k].normal[0]), slope, TOL(4e-7, 2e-15));
         assert_near(deepest(&probe), 0, TOL(1e-6, 2e-15));
         ck_assert_int_le(probe.result.contactCount, 2);
         ck_assert(i != 0 || (probe.result.contactCount == 2 && hasNormal(&probe, slope, 0, slope)));
@@ -254,7 +252,7 @@ TEST(over_a_ridge_the_normal_turns_smoothly) {
     double last = -1;
     begin();
     terrain_grid(&ground, 20, .25, ridge, ONE_SIDED);
-    probe_init(&probe, McdSphereCreate(frame, (MeReal).5), terrain_list(frame, &ground));
+    probe_init(&probe, McdSphereCreate(frame, .5), terrain_list(frame, &ground));
     for (int i = -60; i <= 60; i++) { /* at the height of the surface offset by the radius */
         const double x = .01 * i, flat = .5 * slope;
         const double z = fabs(x) < flat ? sqrt(.25 - x * x) : .5 / slope - fabs(x);
@@ -273,7 +271,7 @@ TEST(over_a_ridge_the_normal_turns_smoothly) {
 TEST(a_box_balances_on_a_ridge) {
     begin();
     terrain_grid(&ground, 20, .25, ridge, ONE_SIDED);
-    probe_init(&probe, McdBoxCreate(frame, 2, 1, (MeReal).2), terrain_list(frame, &ground));
+    probe_init(&probe, McdBoxCreate(frame, 2, 1, .2), terrain_list(frame, &ground));
     for (int i = -10; i <= 10; i++) {
         ck_assert_int_eq(probe_at(&probe, .03 * i, .017 * i, .099), 2);
         for (int k = 0; k < 2; k++) {
@@ -327,7 +325,7 @@ TEST(at_a_step_nothing_hooks) {
         ck_assert_int_gt(probe_at(&probe, .499, .1, z - .001), 0);
         for (int k = 0; k < probe.result.contactCount; k++) {
             const MeReal *n = probe.contact[k].normal;
-            assert_near(fmax((double)n[0], (double)n[2]), 1, TOL(5e-7, 9e-16));
+            assert_near(fmax(n[0], n[2]), 1, TOL(5e-7, 9e-16));
             ck_assert((double)probe.contact[k].separation > -.0011);
         }
         ck_assert(hasNormal(&probe, 1, 0, 0) && hasNormal(&probe, 0, 0, 1));
@@ -388,7 +386,7 @@ static double distanceToGround(const double p[3]) {
 TEST(a_ball_on_bumpy_ground_touches_its_nearest_point) {
     begin();
     terrain_grid(&ground, 16, .25, bumps, ONE_SIDED);
-    probe_init(&probe, McdSphereCreate(frame, (MeReal).4), terrain_list(frame, &ground));
+    probe_init(&probe, McdSphereCreate(frame, .4), terrain_list(frame, &ground));
     seed = 3;
     for (int i = 0; i < 1000; i++) {
         const double x = 3 * (random01() - .5), y = 3 * (random01() - .5);
@@ -421,7 +419,7 @@ static void oneTriangle(int flags) {
 static int ballOver(int flags, double x, double y, double z) {
     begin();
     oneTriangle(flags);
-    probe_init(&probe, McdSphereCreate(frame, (MeReal).5), terrain_list(frame, &ground));
+    probe_init(&probe, McdSphereCreate(frame, .5), terrain_list(frame, &ground));
     return probe_at(&probe, x, y, z);
 }
 
@@ -490,7 +488,7 @@ TEST(the_list_may_stand_anywhere) {
     MeMatrix4TMFromEulerAnglesAndPosition(probe.groundTM, 1, 2, 3, 40, -30, 20);
     MeMatrix4 rel;
     MeMatrix4TMMakeIdentity(rel);
-    MeMatrix4TMSetPosition(rel, (MeReal).3, (MeReal)-.2, (MeReal).499);
+    MeMatrix4TMSetPosition(rel, .3, -.2, .499);
     MeMatrix4TMCompound(probe.tm, (const MeVector4 *)rel, (const MeVector4 *)probe.groundTM);
     ck_assert_int_eq(probe_test(&probe), 4);
     for (int k = 0; k < 4; k++) {
@@ -556,7 +554,7 @@ TEST(nothing_falls_through_where_corners_meet_edges) {
         probe_init(&probe, makeShape(kind / 2, 1), terrain_list(frame, &ground));
         for (int i = 0; i < TURNS / 10; i++) {
             randomTurn(probe.tm);
-            MeMatrix4TMSetPosition(probe.tm, (MeReal)(.6 * (random01() - .5)), (MeReal)(2 * (random01() - .5)), 0);
+            MeMatrix4TMSetPosition(probe.tm, .6 * (random01() - .5), 2 * (random01() - .5), 0);
             probe.tm[3][2] = (MeReal)(.01 - lowestOf(&probe));
             for (int step = 0; step < 60; step++) {
                 probe.tm[3][2] -= (MeReal).02;
@@ -584,7 +582,7 @@ TEST(triangles_without_area_do_nothing) {
     MeVector3 min = {-1, -1, 0}, max = {1, 1, 0};
     McdTriangleListID list = McdTriangleListCreate(frame, min, max, 10, terrain_find);
     McdTriangleListSetUserData(list, &ground);
-    probe_init(&probe, McdSphereCreate(frame, (MeReal).5), list);
+    probe_init(&probe, McdSphereCreate(frame, .5), list);
     ck_assert_int_eq(probe_at(&probe, -.5, -.5, .4), 1);
     assert_near(probe.contact[0].separation, -.1, TOL(6e-8, 3e-16));
     assert_silent();
@@ -600,10 +598,10 @@ TEST(too_many_triangles_are_told_once) {
     McdTriangleListID list = terrain_list(frame, &ground);
     McdTriangleListSetMaxTriangles(list, 7);
     ck_assert_int_eq(McdTriangleListGetMaxTriangles(list), 7);
-    probe_init(&probe, McdSphereCreate(frame, (MeReal).5), list);
-    probe_at(&probe, 0, 0, (MeReal).4);
+    probe_init(&probe, McdSphereCreate(frame, .5), list);
+    probe_at(&probe, 0, 0, .4);
     assert_warned("triangleMaxCount");
-    probe_at(&probe, 0, 0, (MeReal).4);
+    probe_at(&probe, 0, 0, .4);
     assert_silent();
     messages_release();
     probe_term(&probe);
@@ -618,14 +616,14 @@ TEST(the_number_of_triangles_may_be_written) {
     McdTriangleListID list = terrain_list(frame, &ground);
     ((McdTriangleList *)list)->triangleMaxCount = 7;
     ck_assert_int_eq(McdTriangleListGetMaxTriangles(list), 7);
-    probe_init(&probe, McdSphereCreate(frame, (MeReal).5), list);
-    probe_at(&probe, 0, 0, (MeReal).4);
+    probe_init(&probe, McdSphereCreate(frame, .5), list);
+    probe_at(&probe, 0, 0, .4);
     assert_warned("triangleMaxCount");
     ((McdTriangleList *)list)->triangleMaxCount = 1000;
-    ck_assert_int_gt(probe_at(&probe, 0, 0, (MeReal).4), 0);
+    ck_assert_int_gt(probe_at(&probe, 0, 0, .4), 0);
     assert_silent();
     ((McdTriangleList *)list)->triangleMaxCount = 0;
-    ck_assert_int_gt(probe_at(&probe, 0, 0, (MeReal).4), 0);
+    ck_assert_int_gt(probe_at(&probe, 0, 0, .4), 0);
     assert_warned("triangleMaxCount is 0");
     ck_assert_int_eq(McdTriangleListGetMaxTriangles(list), 1000);
     messages_release();
@@ -637,7 +635,7 @@ TEST(the_result_has_no_more_than_fit) {
     begin();
     terrain_grid(&ground, 20, .1, bumps, ONE_SIDED);
     probe_init(&probe, McdBoxCreate(frame, 1, 1, 1), terrain_list(frame, &ground));
-    const int all = probe_at(&probe, 0, 0, (MeReal).4);
+    const int all = probe_at(&probe, 0, 0, .4);
     const double depth = deepest(&probe);
     ck_assert_int_gt(all, 6);
     ck_assert_int_le(all, 20); /* the default request's */
@@ -651,7 +649,7 @@ TEST(the_result_has_no_more_than_fit) {
 }
 
 TEST(line_segments_pass_unless_asked_for) {
-    MeReal from[3] = {(MeReal)-.5, (MeReal)-.5, 1}, to[3] = {(MeReal)-.5, (MeReal)-.5, -3};
+    MeReal from[3] = {-.5, -.5, 1}, to[3] = {-.5, -.5, -3};
     McdLineSegIntersectResult hit;
     ballOver(ONE_SIDED, 5, 5, 5);
     ck_assert_uint_eq(McdLineSegIntersect(probe.ground, from, to, &hit), 0);
@@ -713,7 +711,7 @@ static void lonelyTriangle(int edges) {
     for (int i = 0; i < 3; i++)
         terrain_vertex(&ground, cos(i * 2.0943951023931953), sin(i * 2.0943951023931953), 0);
     terrain_triangle(&ground, 0, 1, 2, kMcdTriangleUseSmallestPenetration | edges);
-    probe_init(&probe, McdSphereCreate(frame, (MeReal).5), terrain_list(frame, &ground));
+    probe_init(&probe, McdSphereCreate(frame, .5), terrain_list(frame, &ground));
     McdModelSetContactTolerance(probe.model, 0);
     McdModelSetContactTolerance(probe.ground, 0);
 }

@@ -65,7 +65,7 @@ static inline double forceOn(MdtConstraintID c, unsigned int body, int axis) {
 static inline MdtContactID scene_contact(MdtWorldID w, MdtBodyID upper, MdtBodyID lower, double x, double y, double z) {
     MdtContactID c = MdtContactCreate(w);
     MdtContactSetBodies(c, upper, lower);
-    MdtContactSetPosition(c, (MeReal)x, (MeReal)y, (MeReal)z);
+    MdtContactSetPosition(c, x, y, z);
     MdtContactSetNormal(c, 0, 1, 0);
     MdtContactEnable(c);
     return c;

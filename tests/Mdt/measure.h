@@ -178,11 +178,11 @@ static inline void random_vector(Random *r, double size, double v[3]) {
 }
 
 static inline void add_force(MdtBodyID b, const double f[3]) {
-    MdtBodyAddForce(b, (MeReal)f[0], (MeReal)f[1], (MeReal)f[2]);
+    MdtBodyAddForce(b, f[0], f[1], f[2]);
 }
 
 static inline void add_torque(MdtBodyID b, const double t[3]) {
-    MdtBodyAddTorque(b, (MeReal)t[0], (MeReal)t[1], (MeReal)t[2]);
+    MdtBodyAddTorque(b, t[0], t[1], t[2]);
 }
 
 static inline void read_force(MdtConstraintID c, unsigned int body, double f[3]) {

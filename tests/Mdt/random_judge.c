@@ -170,7 +170,7 @@ static double motorPower(const RandomJoint *j) {
     MdtLimitID limit = hinge ? MdtHingeGetLimit(hinge) : slider ? MdtPrismaticGetLimit(slider) : NULL;
     if (!limit || !MdtLimitIsMotorized(limit))
         return 0;
-    return fabs((double)MdtLimitGetMotorDesiredVelocity(limit)) * (double)MdtLimitGetMotorMaxForce(limit);
+    return fabs(MdtLimitGetMotorDesiredVelocity(limit)) * (double)MdtLimitGetMotorMaxForce(limit);
 }
 
 static double powerOf(const RandomScene *s) {

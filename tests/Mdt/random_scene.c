@@ -62,10 +62,10 @@ static void shape(RandomScene *s, RandomBody *b) {
     b->size = (b->edge[0] + b->edge[1] + b->edge[2]) / 3;
     b->mass = spread(s, pow(s->ratio, -.5), pow(s->ratio, .5));
     if (b->isSphere)
-        MdtMakeInertiaTensorSphere((MeReal)b->mass, (MeReal)(.5 * b->edge[0]), inertia);
+        MdtMakeInertiaTensorSphere(b->mass, .5 * b->edge[0], inertia);
     else
-        MdtMakeInertiaTensorBox((MeReal)b->mass, (MeReal)b->edge[0], (MeReal)b->edge[1], (MeReal)b->edge[2], inertia);
-    MdtBodySetMass(b->id, (MeReal)b->mass);
+        MdtMakeInertiaTensorBox(b->mass, b->edge[0], b->edge[1], b->edge[2], inertia);
+    MdtBodySetMass(b->id, b->mass);
     MdtBodySetInertiaTensor(b->id, inertia);
     for (int i = 0; i < 3; i++)
         b->moment[i] = (double)inertia[i][i];
@@ -79,13 +79,13 @@ static void makeBodies(RandomScene *s) {
         shape(s, b);
         for (int k = 0; k < 4; k++)
             q[k] = random_number(&s->random);
-        MdtBodySetQuaternion(b->id, (MeReal)q[0], (MeReal)q[1], (MeReal)q[2], (MeReal)q[3]);
+        MdtBodySetQuaternion(b->id, q[0], q[1], q[2], q[3]);
         MdtBodyEnable(b->id);
     }
 }
 
 static void placeAt(RandomBody *b, const double p[3]) {
-    MdtBodySetPosition(b->id, (MeReal)p[0], (MeReal)p[1], (MeReal)p[2]);
+    MdtBodySetPosition(b->id, p[0], p[1], p[2]);
 }
 
 /* About as far from its neighbour as they are large. */
@@ -155,7 +155,7 @@ static RandomJoint *attach(RandomScene *s, const char *kind, MdtConstraintID c, 
 }
 
 static void setPosition(RandomJoint *j, const double at[3]) {
-    MdtConstraintSetPosition(j->id, (MeReal)at[0], (MeReal)at[1], (MeReal)at[2]);
+    MdtConstraintSetPosition(j->id, at[0], at[1], at[2]);
 }
 
 static RandomTie *addTie(RandomJoint *j, RandomTieKind kind) {
@@ -202,15 +202,15 @@ static void drawSpring(RandomScene *s, double inertia, double *stiffness, double
 }
 
 static void setStop(MdtSingleLimitID stop, double at, double restitution) {
-    MdtSingleLimitSetStop(stop, (MeReal)at);
-    MdtSingleLimitSetRestitution(stop, (MeReal)restitution);
+    MdtSingleLimitSetStop(stop, at);
+    MdtSingleLimitSetRestitution(stop, restitution);
 }
 
 static void softenStop(RandomScene *s, RandomStore *store, MdtSingleLimitID stop, int side, double inertia) {
     double stiffness, damping;
     drawSpring(s, inertia, &stiffness, &damping);
-    MdtSingleLimitSetStiffness(stop, (MeReal)stiffness);
-    MdtSingleLimitSetDamping(stop, (MeReal)damping);
+    MdtSingleLimitSetStiffness(stop, stiffness);
+    MdtSingleLimitSetDamping(stop, damping);
     store->stop[side] = MdtSingleLimitGetStop(stop);
     store->stiffness[side] = stiffness;
 }
@@ -233,7 +233,7 @@ static void addStops(RandomScene *s, RandomJoint *j, MdtLimitID limit, RandomSto
 
 static void addMotor(RandomScene *s, MdtLimitID limit, double force) {
     const double speed = uniform(s, -5, 5);
-    MdtLimitSetLimitedForceMotor(limit, (MeReal)speed, (MeReal)(force * spread(s, .1, 100)));
+    MdtLimitSetLimitedForceMotor(limit, speed, (force * spread(s, .1, 100)));
 }
 
 static void addLimit(RandomScene *s, RandomJoint *j, MdtLimitID limit, RandomStoreKind kind) {
@@ -259,7 +259,7 @@ static void makeHingeAbout(RandomScene *s, RandomBody *a, RandomBody *b, const d
     RandomJoint *j = attach(s, "Hinge", MdtHingeQuaConstraint(hinge), a, b);
     double across[3];
     setPosition(j, at);
-    MdtHingeSetAxis(hinge, (MeReal)axis[0], (MeReal)axis[1], (MeReal)axis[2]);
+    MdtHingeSetAxis(hinge, axis[0], axis[1], axis[2]);
     tiePoint(j, at);
     tieDirections(j, TIE_DIRECTION, axis, axis);
     directionAcross(s, axis, across);
@@ -281,7 +281,7 @@ static void makePrismatic(RandomScene *s, RandomBody *a, RandomBody *b, const do
     RandomJoint *j = attach(s, "Prismatic", MdtPrismaticQuaConstraint(slider), a, b);
     double axis[3];
     direction(s, axis);
-    MdtPrismaticSetAxis(slider, (MeReal)axis[0], (MeReal)axis[1], (MeReal)axis[2]);
+    MdtPrismaticSetAxis(slider, axis[0], axis[1], axis[2]);
     tieLine(j, at, axis);
     tieTurn(s, j, axis);
     memcpy(j->store.at, j->tie[0].at, sizeof j->store.at);
@@ -296,7 +296,7 @@ static void makeUniversal(RandomScene *s, RandomBody *a, RandomBody *b, const do
     direction(s, p);
     directionAcross(s, p, o);
     setPosition(j, at);
-    MdtUniversalSetAxes(universal, (MeReal)p[0], (MeReal)p[1], (MeReal)p[2], (MeReal)o[0], (MeReal)o[1], (MeReal)o[2]);
+    MdtUniversalSetAxes(universal, p[0], p[1], p[2], o[0], o[1], o[2]);
     tiePoint(j, at);
     tieDirections(j, TIE_RIGHT_ANGLE, p, o);
 }
@@ -308,11 +308,11 @@ static void makeSkeletal(RandomScene *s, RandomBody *a, RandomBody *b, const dou
     direction(s, p);
     directionAcross(s, p, o);
     setPosition(j, at);
-    MdtSkeletalSetAxes(skeletal, (MeReal)p[0], (MeReal)p[1], (MeReal)p[2], (MeReal)o[0], (MeReal)o[1], (MeReal)o[2]);
+    MdtSkeletalSetAxes(skeletal, p[0], p[1], p[2], o[0], o[1], o[2]);
     const double primary = uniform(s, .3, 1.5), secondary = uniform(s, .3, 1.5), twist = uniform(s, .2, 2.5);
-    MdtSkeletalSetConePrimaryLimitAngle(skeletal, (MeReal)primary);
-    MdtSkeletalSetConeSecondaryLimitAngle(skeletal, (MeReal)secondary);
-    MdtSkeletalSetTwistLimitAngle(skeletal, (MeReal)twist);
+    MdtSkeletalSetConePrimaryLimitAngle(skeletal, primary);
+    MdtSkeletalSetConeSecondaryLimitAngle(skeletal, secondary);
+    MdtSkeletalSetTwistLimitAngle(skeletal, twist);
     if (s->isBare) {
         MdtSkeletalSetConeOption(skeletal, MdtSkeletalConeOptionFree);
         MdtSkeletalSetTwistOption(skeletal, MdtSkeletalTwistOptionFree);
@@ -328,7 +328,7 @@ static void makeAngular(RandomScene *s, RandomBody *a, RandomBody *b, const doub
     direction(s, axis);
     const int form = pick(s, 3);
     if (form == 0) {
-        MdtAngular3SetAxis(angular, (MeReal)axis[0], (MeReal)axis[1], (MeReal)axis[2]);
+        MdtAngular3SetAxis(angular, axis[0], axis[1], axis[2]);
         MdtAngular3EnableRotation(angular, METRUE);
         tieDirections(j, TIE_DIRECTION, axis, axis);
     } else if (form == 1) {
@@ -336,8 +336,8 @@ static void makeAngular(RandomScene *s, RandomBody *a, RandomBody *b, const doub
     } else {
         double stiffness, damping;
         drawSpring(s, .1 * reducedMass(j) * j->size * j->size, &stiffness, &damping);
-        MdtAngular3SetStiffness(angular, (MeReal)stiffness);
-        MdtAngular3SetDamping(angular, (MeReal)damping);
+        MdtAngular3SetStiffness(angular, stiffness);
+        MdtAngular3SetDamping(angular, damping);
         j->store.kind = STORE_TURN;
         j->store.stiffness[0] = stiffness;
     }
@@ -350,13 +350,13 @@ static void makeCone(RandomScene *s, RandomBody *a, RandomBody *b, const double 
     const double half = uniform(s, .3, 2.5);
     double axis[3];
     direction(s, axis);
-    MdtConeLimitSetAxis(cone, (MeReal)axis[0], (MeReal)axis[1], (MeReal)axis[2]);
-    MdtConeLimitSetConeHalfAngle(cone, (MeReal)half);
+    MdtConeLimitSetAxis(cone, axis[0], axis[1], axis[2]);
+    MdtConeLimitSetConeHalfAngle(cone, half);
     if (chance(s, .5)) {
         double stiffness, damping;
         drawSpring(s, .1 * reducedMass(j) * j->size * j->size, &stiffness, &damping);
-        MdtConeLimitSetStiffness(cone, (MeReal)stiffness);
-        MdtConeLimitSetDamping(cone, (MeReal)damping);
+        MdtConeLimitSetStiffness(cone, stiffness);
+        MdtConeLimitSetDamping(cone, damping);
         j->store.kind = STORE_LEAN;
         j->store.stop[1] = half;
         j->store.stiffness[1] = stiffness;
@@ -371,7 +371,7 @@ static void makeFixed(RandomScene *s, RandomBody *a, RandomBody *b, const double
     RandomJoint *j = attach(s, "FPFOJoint", MdtFPFOJointQuaConstraint(fixed), a, b);
     double axis[3];
     direction(s, axis);
-    MdtFPFOJointSetPosition(fixed, (MeReal)at[0], (MeReal)at[1], (MeReal)at[2]);
+    MdtFPFOJointSetPosition(fixed, at[0], at[1], at[2]);
     tiePoint(j, at);
     tieTurn(s, j, axis);
 }
@@ -393,7 +393,7 @@ static MdtSpringID makeDistance(RandomScene *s, const char *kind, RandomBody *a,
     keaSubtract(d, end[0], end[1]);
     *length = keaLength(d);
     for (unsigned int k = 0; k < 2; k++) {
-        MdtSpringSetPosition(spring, k, (MeReal)end[k][0], (MeReal)end[k][1], (MeReal)end[k][2]);
+        MdtSpringSetPosition(spring, k, end[k][0], end[k][1], end[k][2]);
         measure_pointIn(idOf((*j)->body[k]), end[k], ends->at[k]);
         keaCopy((*j)->store.at[k], ends->at[k]);
     }
@@ -404,7 +404,7 @@ static void makeRod(RandomScene *s, RandomBody *a, RandomBody *b, const double a
     RandomJoint *j;
     double length;
     MdtSpringID spring = makeDistance(s, "rod", a, b, at, &j, &length);
-    MdtSpringSetNaturalLength(spring, (MeReal)length);
+    MdtSpringSetNaturalLength(spring, length);
     MdtSpringSetStiffness(spring, MEINFINITY);
     addTie(j, TIE_ROD)->length = (double)(MeReal)length;
 }
@@ -416,11 +416,11 @@ static void makeString(RandomScene *s, RandomBody *a, RandomBody *b, const doubl
     MdtSingleLimitID slack = MdtLimitGetLowerLimit(MdtSpringGetLimit(spring));
     MdtSingleLimitID taut = MdtLimitGetUpperLimit(MdtSpringGetLimit(spring));
     length *= uniform(s, 1, 1.4);
-    MdtSpringSetNaturalLength(spring, (MeReal)length);
+    MdtSpringSetNaturalLength(spring, length);
     MdtSingleLimitSetStiffness(slack, 0);
     MdtSingleLimitSetDamping(slack, 0);
     MdtSingleLimitSetStiffness(taut, MEINFINITY);
-    MdtSingleLimitSetRestitution(taut, (MeReal)(chance(s, .5) ? 0 : uniform(s, 0, 1)));
+    MdtSingleLimitSetRestitution(taut, (chance(s, .5) ? 0 : uniform(s, 0, 1)));
     addTie(j, TIE_STRING)->length = (double)(MeReal)length;
 }
 
@@ -429,9 +429,9 @@ static void makeSpring(RandomScene *s, RandomBody *a, RandomBody *b, const doubl
     double length, stiffness, damping;
     MdtSpringID spring = makeDistance(s, "spring", a, b, at, &j, &length);
     drawSpring(s, reducedMass(j), &stiffness, &damping);
-    MdtSpringSetNaturalLength(spring, (MeReal)length);
-    MdtSpringSetStiffness(spring, (MeReal)stiffness);
-    MdtSpringSetDamping(spring, (MeReal)damping);
+    MdtSpringSetNaturalLength(spring, length);
+    MdtSpringSetStiffness(spring, stiffness);
+    MdtSpringSetDamping(spring, damping);
     j->store.kind = STORE_DISTANCE;
     j->store.stop[0] = j->store.stop[1] = (double)(MeReal)length;
     j->store.stiffness[0] = j->store.stiffness[1] = stiffness;
@@ -443,11 +443,11 @@ static void makeElastic(RandomScene *s, RandomBody *a, RandomBody *b, const doub
     MdtSpringID spring = makeDistance(s, "elastic", a, b, at, &j, &length);
     MdtSingleLimitID hard = MdtLimitGetLowerLimit(MdtSpringGetLimit(spring));
     drawSpring(s, reducedMass(j), &stiffness, &damping);
-    MdtSpringSetNaturalLength(spring, (MeReal)length);
-    MdtSpringSetStiffness(spring, (MeReal)stiffness);
-    MdtSpringSetDamping(spring, (MeReal)damping);
+    MdtSpringSetNaturalLength(spring, length);
+    MdtSpringSetStiffness(spring, stiffness);
+    MdtSpringSetDamping(spring, damping);
     MdtSingleLimitSetStiffness(hard, MEINFINITY);
-    MdtSingleLimitSetRestitution(hard, (MeReal)uniform(s, 0, 1));
+    MdtSingleLimitSetRestitution(hard, uniform(s, 0, 1));
     j->store.kind = STORE_DISTANCE;
     j->store.stop[0] = j->store.stop[1] = (double)(MeReal)length;
     j->store.stiffness[1] = stiffness;
@@ -549,8 +549,8 @@ static void drawTopology(RandomScene *s) {
 /* ---- shaking ---- */
 
 static void setMotion(RandomBody *b, const double v[3], const double w[3]) {
-    MdtBodySetLinearVelocity(b->id, (MeReal)v[0], (MeReal)v[1], (MeReal)v[2]);
-    MdtBodySetAngularVelocity(b->id, (MeReal)w[0], (MeReal)w[1], (MeReal)w[2]);
+    MdtBodySetLinearVelocity(b->id, v[0], v[1], v[2]);
+    MdtBodySetAngularVelocity(b->id, w[0], w[1], w[2]);
 }
 
 static void shakeAtFirst(RandomScene *s) {
@@ -587,13 +587,13 @@ static void apply(const RandomKick *kick) {
 static void touchAt(RandomScene *s, const RandomBody *b, const double corner[3]) {
     MdtContactID c = MdtContactCreate(s->world, b->id, NULL);
     MdtContactParamsID p = MdtContactGetParams(c);
-    MdtContactSetPosition(c, (MeReal)corner[0], (MeReal)(.5 * corner[1]), (MeReal)corner[2]);
+    MdtContactSetPosition(c, corner[0], .5 * corner[1], corner[2]);
     MdtContactSetNormal(c, 0, 1, 0);
-    MdtContactSetPenetration(c, (MeReal)-corner[1]);
+    MdtContactSetPenetration(c, -corner[1]);
     MdtContactParamsSetType(p, MdtContactTypeFriction2D);
     MdtContactParamsSetFrictionModel(p, MdtFrictionModelCone);
-    MdtContactParamsSetFrictionCoeffecient(p, (MeReal)s->friction);
-    MdtContactParamsSetRestitution(p, (MeReal)s->restitution);
+    MdtContactParamsSetFrictionCoeffecient(p, s->friction);
+    MdtContactParamsSetRestitution(p, s->restitution);
     MdtContactEnable(c);
     s->contact[s->contacts++] = c;
 }
@@ -638,9 +638,9 @@ static void drawFrame(RandomScene *s) {
 
 static void makeWorld(RandomScene *s) {
     s->world = scene_world(RANDOM_BODIES, RANDOM_JOINTS + RANDOM_CONTACTS, s->gravity);
-    MdtWorldSetGamma(s->world, (MeReal)s->gamma);
+    MdtWorldSetGamma(s->world, s->gamma);
     if (s->epsilon >= 0)
-        MdtWorldSetEpsilon(s->world, (MeReal)s->epsilon);
+        MdtWorldSetEpsilon(s->world, s->epsilon);
     s->epsilon = MdtWorldGetEpsilon(s->world);
 }
 
@@ -681,7 +681,7 @@ MeBool random_sceneStep(RandomScene *s, int i) {
         }
     if (s->hasGround)
         touchGround(s);
-    MdtWorldStep(s->world, (MeReal)s->step);
+    MdtWorldStep(s->world, s->step);
     return wasKicked;
 }
 

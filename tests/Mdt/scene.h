@@ -11,15 +11,15 @@
 static inline MdtWorldID scene_world(unsigned int bodies, unsigned int constraints, double gravity) {
     MdtWorldID w = MdtWorldCreate(bodies, constraints);
     MdtWorldSetAutoDisable(w, 0);
-    MdtWorldSetGravity(w, 0, (MeReal)-gravity, 0);
+    MdtWorldSetGravity(w, 0, -gravity, 0);
     return w;
 }
 
 /* An enabled body. */
 static inline MdtBodyID scene_body(MdtWorldID w, double mass, double x, double y, double z) {
     MdtBodyID b = MdtBodyCreate(w);
-    MdtBodySetMass(b, (MeReal)mass);
-    MdtBodySetPosition(b, (MeReal)x, (MeReal)y, (MeReal)z);
+    MdtBodySetMass(b, mass);
+    MdtBodySetPosition(b, x, y, z);
     MdtBodyEnable(b);
     return b;
 }
@@ -27,7 +27,7 @@ static inline MdtBodyID scene_body(MdtWorldID w, double mass, double x, double y
 static inline MdtBodyID scene_box(MdtWorldID w, double mass, const double edge[3], double x, double y, double z) {
     MdtBodyID b = scene_body(w, mass, x, y, z);
     MeMatrix3 inertia;
-    MdtMakeInertiaTensorBox((MeReal)mass, (MeReal)edge[0], (MeReal)edge[1], (MeReal)edge[2], inertia);
+    MdtMakeInertiaTensorBox(mass, edge[0], edge[1], edge[2], inertia);
     MdtBodySetInertiaTensor(b, inertia);
     return b;
 }
@@ -59,8 +59,8 @@ static inline HingedBar scene_hingedBar(double gravity) {
 
 /* Sets the bar turning about the hinge. */
 static inline void scene_spinBar(HingedBar s, double rate) {
-    MdtBodySetAngularVelocity(s.bar, 0, 0, (MeReal)rate);
-    MdtBodySetLinearVelocity(s.bar, 0, (MeReal)(.5 * rate), 0);
+    MdtBodySetAngularVelocity(s.bar, 0, 0, rate);
+    MdtBodySetLinearVelocity(s.bar, 0, .5 * rate, 0);
 }
 
 static inline void steps(MdtWorldID w, int n, MeReal h) {

@@ -38,9 +38,9 @@ TEST(the_orientation_at_attaching_is_kept) {
         MdtAngular3ID j = MdtAngular3Create(w);
         Random random = {5};
         double start[3][3], now[3][3], p[3];
-        MdtBodySetQuaternion(a, (MeReal).3, (MeReal).5, (MeReal)-.7, (MeReal).4);
+        MdtBodySetQuaternion(a, .3, .5, -.7, .4);
         if (b)
-            MdtBodySetQuaternion(b, (MeReal)-.4, (MeReal).6, (MeReal).1, (MeReal).7);
+            MdtBodySetQuaternion(b, -.4, .6, .1, .7);
         MdtAngular3SetBodies(j, a, b);
         if (variant >= 2)
             MdtAngular3SetAxis(j, 1, 2, -1);
@@ -65,10 +65,10 @@ TEST(an_axis_that_is_set_elsewhere_leaves_the_orientation) {
     MdtAngular3ID j = MdtAngular3Create(w);
     double start[3][3], now[3][3];
     MdtWorldSetEpsilon(w, 0);
-    MdtBodySetQuaternion(a, (MeReal).3, (MeReal).5, (MeReal)-.7, (MeReal).4);
+    MdtBodySetQuaternion(a, .3, .5, -.7, .4);
     MdtAngular3SetBodies(j, a, b);
     relativeRotation(a, b, start);
-    MdtBodySetQuaternion(a, (MeReal).4, (MeReal).6, (MeReal)-.6, (MeReal).2);
+    MdtBodySetQuaternion(a, .4, .6, -.6, .2);
     relativeRotation(a, b, now);
     ck_assert(difference((const double(*)[3])now, (const double(*)[3])start) > .1);
     MdtAngular3SetAxis(j, 1, 2, -1);
@@ -87,8 +87,8 @@ TEST(it_gives_no_force) {
     double f[3], p[3], rate[3], other[3];
     MdtAngular3SetBodies(j, a, b);
     MdtAngular3Enable(j);
-    MdtBodySetSphericalInertiaTensor(a, (MeReal).2);
-    MdtBodySetSphericalInertiaTensor(b, (MeReal).3);
+    MdtBodySetSphericalInertiaTensor(a, .2);
+    MdtBodySetSphericalInertiaTensor(b, .3);
     for (int i = 0; i < 60; i++) {
         MdtBodyAddForce(a, 2, 0, 0);
         MdtBodyAddTorque(b, 0, 0, 1);
@@ -114,9 +114,9 @@ TEST(enabled_rotation_is_about_the_axis_only) {
     Random random = {5};
     MeVector3 now;
     double rate[3];
-    MdtBodySetQuaternion(b, (MeReal).3, (MeReal).5, (MeReal)-.7, (MeReal).4);
+    MdtBodySetQuaternion(b, .3, .5, -.7, .4);
     MdtAngular3SetBodies(j, b, 0);
-    MdtAngular3SetAxis(j, (MeReal)axis[0], (MeReal)axis[1], (MeReal)axis[2]);
+    MdtAngular3SetAxis(j, axis[0], axis[1], axis[2]);
     MdtAngular3EnableRotation(j, 1);
     MdtAngular3Enable(j);
     double turned = 0;
@@ -166,14 +166,14 @@ TEST(the_angular_spring_swings) {
             MdtBodyID b = scene_body(w, 1, 0, 0, 0);
             MdtAngular3ID j = MdtAngular3Create(w);
             Swing swing = {0};
-            MdtBodySetSphericalInertiaTensor(b, (MeReal)inertia);
+            MdtBodySetSphericalInertiaTensor(b, inertia);
             MdtAngular3SetBodies(j, b, 0);
             MdtAngular3SetAxis(j, 0, 1, 0);
             MdtAngular3EnableRotation(j, rotates);
-            MdtAngular3SetStiffness(j, (MeReal)k);
-            MdtAngular3SetDamping(j, (MeReal)c);
+            MdtAngular3SetStiffness(j, k);
+            MdtAngular3SetDamping(j, c);
             MdtAngular3Enable(j);
-            MdtBodySetQuaternion(b, (MeReal)cos(amplitude / 2), 0, 0, (MeReal)sin(amplitude / 2));
+            MdtBodySetQuaternion(b, cos(amplitude / 2), 0, 0, sin(amplitude / 2));
             const double w0 = sqrt(k / inertia), decay = c / (2 * inertia);
             for (int n = 0; n < 3000 && swing.crossings < 11; n++) {
                 double x[3] = {1, 0, 0}, axis[3];
@@ -222,9 +222,9 @@ TEST(the_angular_spring_is_linear_in_the_angle) {
             MdtAngular3SetStiffness(j, 2);
             MdtAngular3SetDamping(j, 0);
             MdtAngular3Enable(j);
-            MdtBodySetSphericalInertiaTensor(b, (MeReal)inertia);
-            MdtBodySetQuaternion(b, (MeReal)cos(angle / 2), 0, 0, (MeReal)sin(angle / 2));
-            MdtWorldStep(w, (MeReal)h);
+            MdtBodySetSphericalInertiaTensor(b, inertia);
+            MdtBodySetQuaternion(b, cos(angle / 2), 0, 0, sin(angle / 2));
+            MdtWorldStep(w, h);
             read_torque(MdtAngular3QuaConstraint(j), 0, t);
             assert_vec3_near(t, 0, 0, -2 * angle / (1 + 2 * h * h / (4 * inertia)), TOL(5e-6, 5e-13));
             MdtWorldDestroy(w);
@@ -243,7 +243,7 @@ TEST(keeping_things_upright) {
     MdtAngular3SetStiffness(j, 3);
     MdtAngular3SetDamping(j, 1);
     MdtAngular3Enable(j);
-    MdtBodySetAngularVelocity(b, 2, (MeReal).7, -1);
+    MdtBodySetAngularVelocity(b, 2, .7, -1);
     double lean = 0;
     for (int i = 0; i < 1200; i++) {
         MdtWorldStep(w, FRAME);

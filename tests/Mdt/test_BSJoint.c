@@ -5,13 +5,13 @@
 static double sagOf(double epsilon, double gamma, double h, double F, double *force) {
     MdtWorldID w = scene_world(1, 1, F); /* mass 1 */
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
-    MdtWorldSetEpsilon(w, (MeReal)epsilon);
-    MdtWorldSetGamma(w, (MeReal)gamma);
+    MdtWorldSetEpsilon(w, epsilon);
+    MdtWorldSetGamma(w, gamma);
     MdtBSJointID j = MdtBSJointCreate(w);
     MdtBSJointSetBodies(j, b, 0);
     MdtBSJointSetPosition(j, 0, 0, 0);
     MdtBSJointEnable(j);
-    steps(w, 2000, (MeReal)h);
+    steps(w, 2000, h);
     MeVector3 p, f;
     MdtBodyGetPosition(b, p);
     MdtBSJointGetForce(j, 0, f);
@@ -53,7 +53,7 @@ TEST(gamma_is_the_fraction_that_a_step_removes) {
     MdtWorldID w = scene_world(1, 1, 0);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     MdtWorldSetEpsilon(w, 0);
-    MdtWorldSetGamma(w, (MeReal).25);
+    MdtWorldSetGamma(w, .25);
     MdtBSJointID j = MdtBSJointCreate(w);
     MdtBSJointSetBodies(j, b, 0);
     MdtBSJointSetPosition(j, 0, 0, 0);
@@ -70,7 +70,7 @@ TEST(gamma_is_the_fraction_that_a_step_removes) {
 
 TEST(gamma_with_reference_step) {
     MdtWorldID w = scene_world(1, 1, 0);
-    MdtWorldSetGammaWithRefTimeStep(w, (MeReal).36, (MeReal).02, (MeReal).01);
+    MdtWorldSetGammaWithRefTimeStep(w, .36, .02, .01);
     assert_near(MdtWorldGetGamma(w), .2, TOL(2e-7, 2e-14)); /* (1 - .2)² = 1 - .36 */
     MdtWorldDestroy(w);
 }
@@ -153,7 +153,7 @@ TEST(the_period_converges_at_second_order) {
         int crossings = 0;
         for (int i = 1; i * h < 10; i++) {
             MeVector3 p;
-            MdtWorldStep(s.world, (MeReal)h);
+            MdtWorldStep(s.world, h);
             MdtBodyGetPosition(s.bar, p);
             if (before > 0 && p[0] <= 0) {
                 last = (i - (double)p[0] / ((double)p[0] - before)) * h;
@@ -173,7 +173,7 @@ TEST(the_force_read_back_is_the_pendulum_s_tension) {
     MdtWorldID w = scene_world(1, 1, 10);
     MdtWorldSetEpsilon(w, 0);
     MdtBodyID b = scene_body(w, 1, 1, 0, 0);
-    MdtBodySetSphericalInertiaTensor(b, (MeReal)1e-6);
+    MdtBodySetSphericalInertiaTensor(b, 1e-6);
     MdtBSJointID j = MdtBSJointCreate(w);
     MdtBSJointSetBodies(j, b, 0);
     MdtBSJointSetPosition(j, 0, 0, 0);
@@ -181,7 +181,7 @@ TEST(the_force_read_back_is_the_pendulum_s_tension) {
     double max = 0;
     for (int i = 0; i < 300; i++) {
         MeVector3 f;
-        MdtWorldStep(w, (MeReal).005);
+        MdtWorldStep(w, .005);
         MdtBSJointGetForce(j, 0, f);
         max = fmax(max, sqrt((double)f[0] * f[0] + (double)f[1] * f[1] + (double)f[2] * f[2]));
     }

@@ -1,7 +1,7 @@
 /* Whatever a program passes: a message, a neutral result, and a world that still steps and stays finite. */
 #include "scene.h"
 
-static const MeReal bad[] = {(MeReal)NAN, (MeReal)INFINITY, (MeReal)-INFINITY};
+static const MeReal bad[] = {NAN, INFINITY, -INFINITY};
 
 static MdtWorldID w;
 static MdtBodyID b;
@@ -127,12 +127,9 @@ TEST(masses_and_tensors_that_no_body_has) {
         MdtBodySetSphericalInertiaTensor(b, masses[i]);
         assert_warned("positive");
     }
-    const MeMatrix3 tensors[] = {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
-                                 {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
-                                 {{1, 2, 0}, {2, 1, 0}, {0, 0, 1}},
-                                 {{1, .5, 0}, {0, 1, 0}, {0, 0, 1}},
-                                 {{1, 0, 0}, {0, (MeReal)NAN, 0}, {0, 0, 1}},
-                                 {{(MeReal)1e-39, 0, 0}, {0, (MeReal)1e-39, 0}, {0, 0, (MeReal)1e-39}}};
+    const MeMatrix3 tensors[] = {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}},   {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
+                                 {{1, 2, 0}, {2, 1, 0}, {0, 0, 1}},   {{1, .5, 0}, {0, 1, 0}, {0, 0, 1}},
+                                 {{1, 0, 0}, {0, NAN, 0}, {0, 0, 1}}, {{1e-39, 0, 0}, {0, 1e-39, 0}, {0, 0, 1e-39}}};
     for (int i = 0; i < 6; i++) {
         MdtBodySetInertiaTensor(b, tensors[i]);
         assert_warned("positive definite");
@@ -170,7 +167,7 @@ TEST(axes_and_orientations_without_direction) {
 
 TEST(steps_that_are_none) {
     setUp();
-    const MeReal hs[] = {0, (MeReal)-.1, (MeReal)NAN, (MeReal)INFINITY};
+    const MeReal hs[] = {0, -.1, NAN, INFINITY};
     for (int i = 0; i < 4; i++) {
         MdtWorldStep(w, hs[i]);
         assert_warned("step size");
@@ -189,9 +186,9 @@ TEST(parameters_out_of_range) {
     assert_warned("epsilon");
     MdtWorldSetGamma(w, 2);
     assert_warned("gamma");
-    MdtWorldSetGamma(w, (MeReal)-.1);
+    MdtWorldSetGamma(w, -.1);
     assert_warned("gamma");
-    MdtWorldSetGammaWithRefTimeStep(w, (MeReal).2, 0, 1);
+    MdtWorldSetGammaWithRefTimeStep(w, .2, 0, 1);
     assert_warned("reference step");
     MdtWorldSetAutoDisableVelocityThreshold(w, -1);
     assert_warned("threshold");
@@ -360,7 +357,7 @@ TEST(scales_that_are_none_count_as_1) {
     messages_catch();
     MdtWorldID x = MdtWorldCreate(1, 0, 0, 1);
     assert_warned("length scale");
-    MdtWorldID y = MdtWorldCreate(1, 0, 1, (MeReal)NAN);
+    MdtWorldID y = MdtWorldCreate(1, 0, 1, NAN);
     assert_warned("mass scale");
     ck_assert(MdtWorldGetDefaultDensity(x) == 1 && MdtWorldGetDefaultDensity(y) == 1);
     ck_assert(MdtWorldCreate(4000000000u, 1) == NULL);
@@ -459,7 +456,7 @@ TEST(rubbish_in_public_structures_does_not_reach_the_bodies) {
     setUp();
     MdtBclContactParams *p = MdtContactGetParams(contact);
     MdtBclLimit *limit = MdtHingeGetLimit(hinge);
-    const MeReal rubbish[] = {(MeReal)NAN, (MeReal)INFINITY, (MeReal)-1e30, (MeReal)1e30, -1};
+    const MeReal rubbish[] = {NAN, INFINITY, -1e30, 1e30, -1};
     MdtContactEnable(contact);
     for (int i = 0; i < 5; i++) {
         const MeReal x = rubbish[i];
@@ -476,7 +473,7 @@ TEST(rubbish_in_public_structures_does_not_reach_the_bodies) {
         for (int n = 0; n < 5; n++)
             MdtWorldStep(w, FRAME);
         for (int c = 0; c < 3; c++)
-            ck_assert_msg(isfinite(MdtBodyGetTransformPtr(b)[3][c]), "rubbish %g", (double)x);
+            ck_assert_msg(isfinite(MdtBodyGetTransformPtr(b)[3][c]), "rubbish %g", x);
         ck_assert(caught.fatal == 0);
         MdtBodySetPosition(b, 1, 0, 0);
         MdtBodySetQuaternion(b, 1, 0, 0, 0);
@@ -502,8 +499,8 @@ TEST(questions_by_no_numbers_are_refused) {
         MdtConvertPositionVector(b, asked, 0, answer);
         assert_warned("MdtConvertPositionVector");
     }
-    MeVector3 far = {(MeReal)3e38, (MeReal)-3e38, (MeReal)3e38};
-    MdtBodySetQuaternion(b, (MeReal).5, (MeReal).5, (MeReal).5, (MeReal).5);
+    MeVector3 far = {3e38, -3e38, 3e38};
+    MdtBodySetQuaternion(b, .5, .5, .5, .5);
     MdtConvertPositionVector(b, far, b, far);
     for (int i = 0; i < 3; i++)
         ck_assert(!isnan(far[i]));
@@ -513,7 +510,7 @@ TEST(questions_by_no_numbers_are_refused) {
 /* Smaller than numbers of single precision can be: what is divided by it is infinite. */
 TEST(numbers_that_are_all_but_0_are_not_positive) {
     setUp();
-    const MeReal tiny = (MeReal)1e-39;
+    const MeReal tiny = 1e-39;
     MdtBodySetMass(b, tiny);
     assert_warned("MdtBodySetMass");
     MdtWorldStep(w, tiny);
@@ -529,7 +526,7 @@ TEST(overflow_stops_only_its_partition) {
     setUp();
     MdtBodyID other = scene_body(w, 1, 5, 5, 5);
     MdtHingeDisable(hinge);
-    MdtBodySetMass(b, (MeReal)1.2e-38);
+    MdtBodySetMass(b, 1.2e-38);
     for (int i = 0; i < 40; i++)
         MdtBodyAddForce(b, MEINFINITY, 0, 0);
     MdtWorldStep(w, FRAME);

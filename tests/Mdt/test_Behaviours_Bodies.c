@@ -55,10 +55,10 @@ TEST(a_constant_force_has_to_be_added_every_step) {
 TEST(a_force_acts_at_the_centre_of_mass_in_the_world_s_axes) {
     MdtWorldID w = scene_world(1, 0, 0);
     MdtBodyID b = scene_body(w, 1, 3, 4, 5);
-    const MeVector3 offset = {1, -2, (MeReal).5};
+    const MeVector3 offset = {1, -2, .5};
     MeVector3 torque;
     MdtBodySetCenterOfMassRelativePosition(b, offset);
-    MdtBodySetQuaternion(b, 1, 2, -1, (MeReal).5);
+    MdtBodySetQuaternion(b, 1, 2, -1, .5);
     for (int i = 0; i < 30; i++) {
         MdtBodyAddForce(b, 1, -2, 3);
         MdtBodyGetTorque(b, torque);
@@ -112,10 +112,10 @@ TEST(without_damping_and_friction_a_body_slides_for_ever) {
     MdtContactID under[2] = {scene_contact(w, ice, 0, 0, 0, 0), scene_contact(w, damped, 0, 0, 0, 5)};
     MdtBodySetLinearVelocity(ice, 3, 0, 0);
     MdtBodySetLinearVelocity(damped, 3, 0, 0);
-    MdtBodySetLinearVelocityDamping(damped, (MeReal).5);
+    MdtBodySetLinearVelocityDamping(damped, .5);
     for (int i = 0; i < 3600; i++) { /* a minute */
-        MdtContactSetPosition(under[0], (MeReal)coordinate(ice, 0), 0, 0);
-        MdtContactSetPosition(under[1], (MeReal)coordinate(damped, 0), 0, 5);
+        MdtContactSetPosition(under[0], coordinate(ice, 0), 0, 0);
+        MdtContactSetPosition(under[1], coordinate(damped, 0), 0, 5);
         MdtWorldStep(w, FRAME);
     }
     assert_near(velocity(ice, 0), 3, TOL(1e-6, 3e-13));
@@ -137,12 +137,12 @@ static void rollForAMinute(MeBool isRound) {
     MdtContactID under = scene_contact(w, ball, 0, 0, 0, 0);
     MdtContactParamsSetType(MdtContactGetParams(under), MdtContactTypeFriction2D);
     MdtContactSetRadius(under, 0, isRound ? (MeReal)radius : 0);
-    MdtBodySetLinearVelocity(ball, (MeReal)v, 0, 0);
-    MdtBodySetAngularVelocity(ball, 0, 0, (MeReal)(-v / radius));
+    MdtBodySetLinearVelocity(ball, v, 0, 0);
+    MdtBodySetAngularVelocity(ball, 0, 0, -v / radius);
     for (int i = 0; i < 3600; i++) {
         const double gap = coordinate(ball, 1) - radius;
-        MdtContactSetPosition(under, (MeReal)coordinate(ball, 0), 0, 0);
-        MdtContactSetPenetration(under, (MeReal)-gap);
+        MdtContactSetPosition(under, coordinate(ball, 0), 0, 0);
+        MdtContactSetPenetration(under, -gap);
         MdtWorldStep(w, FRAME);
         ck_assert(MdtWorldGetReport(w, &report));
         if (report.parts > 1 && !isRound)

@@ -42,7 +42,7 @@ typedef struct {
 static Zoo makeZoo(void) {
     Zoo z = {.world = scene_world(3, 2 * TYPES, 0)};
     z.a = scene_body(z.world, 1, 0, 0, 0);
-    z.b = scene_body(z.world, 2, 1, (MeReal).5, 0);
+    z.b = scene_body(z.world, 2, 1, .5, 0);
 #define ADD(Type)                                                                                                      \
     z.name[z.count] = #Type;                                                                                           \
     z.constraint[z.count++] = Mdt##Type##QuaConstraint(Mdt##Type##Create(z.world));
@@ -150,12 +150,12 @@ TEST(bodies_are_placed_attached_and_then_the_position_is_set) {
 static void setMoving(Zoo *z) {
     MdtBodySetPosition(z->a, 0, 0, 0);
     MdtBodySetQuaternion(z->a, 1, 0, 0, 0);
-    MdtBodySetPosition(z->b, 1, (MeReal).5, 0);
+    MdtBodySetPosition(z->b, 1, .5, 0);
     MdtBodySetQuaternion(z->b, 1, 0, 0, 0);
-    MdtBodySetLinearVelocity(z->a, (MeReal).5, 2, (MeReal).3);
-    MdtBodySetAngularVelocity(z->a, (MeReal).2, (MeReal)-.4, (MeReal).7);
-    MdtBodySetLinearVelocity(z->b, (MeReal)-.1, (MeReal).2, (MeReal)-.5);
-    MdtBodySetAngularVelocity(z->b, (MeReal)-.3, (MeReal).1, (MeReal).6);
+    MdtBodySetLinearVelocity(z->a, .5, 2, .3);
+    MdtBodySetAngularVelocity(z->a, .2, -.4, .7);
+    MdtBodySetLinearVelocity(z->b, -.1, .2, -.5);
+    MdtBodySetAngularVelocity(z->b, -.3, .1, .6);
 }
 
 /* Gives the constraint something to do between the two bodies. */
@@ -163,16 +163,16 @@ static void setTask(Zoo *z, MdtConstraintID c) {
     MdtConstraintSetBodies(c, z->a, z->b);
     if (MdtConstraintDCastContact(c)) {
         /* of balls, half-way between their centres: flat, it would turn with both within the step, and its arms too */
-        MdtContactSetPosition(MdtConstraintDCastContact(c), (MeReal).5, (MeReal).25, 0);
+        MdtContactSetPosition(MdtConstraintDCastContact(c), .5, .25, 0);
         MdtContactSetNormal(MdtConstraintDCastContact(c), -2, -1, 0);
         for (unsigned int k = 0; k < 2; k++)
-            MdtContactSetRadius(MdtConstraintDCastContact(c), k, (MeReal)sqrt(.3125));
+            MdtContactSetRadius(MdtConstraintDCastContact(c), k, sqrt(.3125));
         MdtContactParamsSetType(MdtContactGetParams(MdtConstraintDCastContact(c)), MdtContactTypeFriction2D);
     } else if (!MdtConstraintDCastSpring(c))
-        MdtConstraintSetPosition(c, (MeReal).4, (MeReal).3, (MeReal).2);
+        MdtConstraintSetPosition(c, .4, .3, .2);
     if (MdtConstraintDCastConeLimit(c)) {
-        MdtConeLimitSetConeHalfAngle(MdtConstraintDCastConeLimit(c), (MeReal).2);
-        MdtBodySetQuaternion(z->b, 1, 0, 0, (MeReal).3);
+        MdtConeLimitSetConeHalfAngle(MdtConstraintDCastConeLimit(c), .2);
+        MdtBodySetQuaternion(z->b, 1, 0, 0, .3);
     }
     for (int k = 0; k < 3; k++)
         if (MdtConstraintDCastSpring6(c)) {
@@ -225,7 +225,7 @@ TEST(forces_are_the_last_step_s_and_opposite_on_the_two_bodies) {
             for (int axis = 0; axis < 3; axis++) {
                 const int p = (axis + 1) % 3, q = (axis + 2) % 3;
                 const MdtBodyID b = k ? z.b : z.a;
-                size = fmax(size, fmax(fabs((double)f[axis]), fabs((double)t[axis])));
+                size = fmax(size, fmax(fabs(f[axis]), fabs(t[axis])));
                 sum[axis] += (double)f[axis];
                 moment[axis] += (double)t[axis] + at[k][p] * (double)f[q] - at[k][q] * (double)f[p];
                 assert_near((double)f[axis] * h, mass[k] * (velocity(b, axis) - v[k][axis]),
@@ -289,8 +289,8 @@ TEST(each_type_removes_its_degrees_of_freedom) {
             ck_assert_int_eq(rowsOf(z.constraint[i]), 2);
         }
         if (MdtConstraintDCastConeLimit(z.constraint[i])) { /* at its side */
-            MdtBodySetQuaternion(z.b, 1, 0, (MeReal).6, 0);
-            MdtConeLimitSetConeHalfAngle(MdtConstraintDCastConeLimit(z.constraint[i]), (MeReal).3);
+            MdtBodySetQuaternion(z.b, 1, 0, .6, 0);
+            MdtConeLimitSetConeHalfAngle(MdtConstraintDCastConeLimit(z.constraint[i]), .3);
             ck_assert_int_eq(rowsOf(z.constraint[i]), 1);
             MdtBodySetQuaternion(z.b, 1, 0, 0, 0);
         }

@@ -43,7 +43,7 @@ static Pair makePair(double x, double y, double z) {
     s.contact = MdtContactCreate(s.world);
     MdtContactSetBodies(s.contact, s.first, s.second);
     MdtContactSetPosition(s.contact, 0, 0, 0);
-    MdtContactSetNormal(s.contact, (MeReal)x, (MeReal)y, (MeReal)z);
+    MdtContactSetNormal(s.contact, x, y, z);
     for (unsigned int k = 0; k < 2; k++)
         MdtContactSetRadius(s.contact, k, 1);
     MdtContactEnable(s.contact);
@@ -51,8 +51,7 @@ static Pair makePair(double x, double y, double z) {
 }
 
 static void approachWith(Pair *s, double speed) {
-    MdtBodySetLinearVelocity(s->first, (MeReal)(-speed * s->n[0]), (MeReal)(-speed * s->n[1]),
-                             (MeReal)(-speed * s->n[2]));
+    MdtBodySetLinearVelocity(s->first, -speed * s->n[0], -speed * s->n[1], -speed * s->n[2]);
 }
 
 /* How fast the first body moves away from the second. */
@@ -100,15 +99,15 @@ TEST(the_secondary_direction_follows_the_right_hand_rule) {
             p[k] /= size;
         for (int k = 0; k < 3; k++)
             q[k] = n[(k + 1) % 3] * p[(k + 2) % 3] - n[(k + 2) % 3] * p[(k + 1) % 3];
-        MdtContactSetNormal(c, (MeReal)n[0], (MeReal)n[1], (MeReal)n[2]);
-        MdtContactSetDirection(c, (MeReal)p[0], (MeReal)p[1], (MeReal)p[2]);
+        MdtContactSetNormal(c, n[0], n[1], n[2]);
+        MdtContactSetDirection(c, p[0], p[1], p[2]);
         MdtContactParamsID params = MdtContactGetParams(c);
         MdtContactParamsSetType(params, MdtContactTypeFriction2D);
         MdtContactParamsSetPrimaryFriction(params, 10);
         MdtContactParamsSetSecondaryFriction(params, 2);
         MdtContactParamsSetSecondarySlide(params, 1); /* a belt along the secondary direction tells its sign */
         MdtContactEnable(c);
-        MdtBodyAddForce(b, (MeReal)(6 * p[0] + 6 * q[0]), (MeReal)(6 * p[1] + 6 * q[1]), (MeReal)(6 * p[2] + 6 * q[2]));
+        MdtBodyAddForce(b, 6 * p[0] + 6 * q[0], 6 * p[1] + 6 * q[1], 6 * p[2] + 6 * q[2]);
         MdtWorldStep(w, FRAME);
         double along[2] = {0, 0};
         for (int k = 0; k < 3; k++) {
@@ -142,7 +141,7 @@ TEST(separation_is_restitution_times_approach) {
     for (int i = 0; i < 4; i++)
         for (int k = 0; k < 3; k++) {
             Pair s = makePair(.6, 0, .8);
-            MdtContactParamsSetRestitution(MdtContactGetParams(s.contact), (MeReal)es[i]);
+            MdtContactParamsSetRestitution(MdtContactGetParams(s.contact), es[i]);
             approachWith(&s, speeds[k]);
             MdtWorldStep(s.world, FRAME);
             assert_near(separation(&s), es[i] * speeds[k], TOL(1e-6, 1e-9) * (1 + speeds[k]));
@@ -175,11 +174,11 @@ TEST(set_params_copies_all_values) {
     MdtContactParamsReset(&own);
     MdtContactParamsSetType(&own, MdtContactTypeFriction1D);
     MdtContactParamsSetPrimaryFrictionModel(&own, MdtFrictionModelNormalForce);
-    MdtContactParamsSetFrictionCoeffecient(&own, (MeReal).3);
+    MdtContactParamsSetFrictionCoeffecient(&own, .3);
     MdtContactParamsSetFriction(&own, 4);
-    MdtContactParamsSetRestitution(&own, (MeReal).5);
-    MdtContactParamsSetRestitutionThreshold(&own, (MeReal).6);
-    MdtContactParamsSetSoftness(&own, (MeReal).7);
+    MdtContactParamsSetRestitution(&own, .5);
+    MdtContactParamsSetRestitutionThreshold(&own, .6);
+    MdtContactParamsSetSoftness(&own, .7);
     MdtContactParamsSetMaxAdhesiveForce(&own, 8);
     MdtContactParamsSetPrimarySlip(&own, 9);
     MdtContactParamsSetSecondarySlide(&own, 10);
@@ -208,7 +207,7 @@ TEST(a_group_s_normal_force_is_the_load) {
     MdtContactGroupSetBodies(g, b, 0);
     for (int i = 0; i < 3; i++) {
         MdtContactID c = MdtContactGroupCreateContact(g);
-        MdtContactSetPosition(c, (MeReal)cos(2 * PI / 3 * i), 0, (MeReal)sin(2 * PI / 3 * i));
+        MdtContactSetPosition(c, cos(2 * PI / 3 * i), 0, sin(2 * PI / 3 * i));
         MdtContactSetNormal(c, 0, 1, 0);
         MdtContactParamsSetType(MdtContactGetParams(c), MdtContactTypeFriction2D);
     }

@@ -13,7 +13,7 @@ TEST(redundant_constraints_have_a_solution_at_every_epsilon) {
     const double epsilons[] = {.1, 1e-4, 1e-8, 0}, edge[3] = {2, .2, .2};
     for (int k = 0; k < 4; k++) {
         MdtWorldID w = scene_world(1, 5, 10);
-        MdtWorldSetEpsilon(w, (MeReal)epsilons[k]);
+        MdtWorldSetEpsilon(w, epsilons[k]);
         MdtBodyID b = scene_box(w, 1, edge, 0, 0, 0);
         MdtConstraintID all[5];
         MdtHingeID hinge = MdtHingeCreate(w);
@@ -43,11 +43,11 @@ TEST(a_heavier_load_sinks_deeper_into_a_contact) {
     const double epsilon = .01, loads[] = {10, 20, 200};
     for (int k = 0; k < 3; k++) {
         MdtWorldID w = scene_world(1, 1, loads[k]);
-        MdtWorldSetEpsilon(w, (MeReal)epsilon);
+        MdtWorldSetEpsilon(w, epsilon);
         MdtBodyID b = scene_body(w, 1, 0, 0, 0);
         MdtContactID c = scene_contact(w, b, 0, 0, 0, 0);
         for (int i = 0; i < 400; i++) {
-            MdtContactSetPenetration(c, (MeReal)-coordinate(b, 1));
+            MdtContactSetPenetration(c, -coordinate(b, 1));
             MdtWorldStep(w, FRAME);
         }
         assert_near_rel(-coordinate(b, 1), epsilon * loads[k] * (double)FRAME * (double)FRAME / .2, TOL(9e-6, 1e-6));
@@ -61,12 +61,12 @@ TEST(without_gamma_errors_stay_and_add_up) {
     MdtWorldID w = scene_world(2, 2, 10);
     const double epsilon = .01, h = (double)FRAME;
     MdtWorldSetGamma(w, 0);
-    MdtWorldSetEpsilon(w, (MeReal)epsilon);
+    MdtWorldSetEpsilon(w, epsilon);
     MdtBodyID loaded = scene_body(w, 1, 0, 0, 0);
     MdtBSJointID j = MdtBSJointCreate(w);
     MdtBSJointSetBodies(j, loaded, 0);
     MdtBSJointEnable(j);
-    MdtBodySetPosition(loaded, (MeReal).5, 0, 0);
+    MdtBodySetPosition(loaded, .5, 0, 0);
     double before = 0;
     for (int i = 1; i <= 100; i++) {
         MdtWorldStep(w, FRAME);
@@ -85,7 +85,7 @@ TEST(gamma_pushes_contacts_apart) {
     for (int k = 0; k < 3; k++) {
         MdtWorldID w = scene_world(1, 1, 0);
         MdtWorldSetEpsilon(w, 0);
-        MdtWorldSetGamma(w, (MeReal)gammas[k]);
+        MdtWorldSetGamma(w, gammas[k]);
         MdtBodyID b = scene_body(w, 1, 0, -1, 0);
         MdtContactID c = scene_contact(w, b, 0, 0, 0, 0);
         MdtContactSetPenetration(c, 1);
@@ -108,7 +108,7 @@ TEST(gamma_with_a_reference_step_is_what_leaves_the_same_error) {
     for (size_t k = 0; k < sizeof relaxations / sizeof *relaxations; k++) {
         const double gamma = relaxations[k].gamma, ref = relaxations[k].ref, step = relaxations[k].step;
         MdtWorldID w = scene_world(1, 1, 0);
-        MdtWorldSetGammaWithRefTimeStep(w, (MeReal)gamma, (MeReal)ref, (MeReal)step);
+        MdtWorldSetGammaWithRefTimeStep(w, gamma, ref, step);
         const double expected = -expm1(step / ref * log1p(-gamma));
         assert_near_rel(MdtWorldGetGamma(w), expected, TOL(2e-6, 1e-13));
         MdtWorldDestroy(w);
@@ -122,14 +122,14 @@ TEST(errors_die_in_the_same_time_at_any_step) {
         const int steps = (int)fmax(1, round(2 * ref / step)); /* 2 reference steps, or one that is longer */
         MdtWorldID w = scene_world(1, 1, 0);
         MdtWorldSetEpsilon(w, 0);
-        MdtWorldSetGammaWithRefTimeStep(w, (MeReal)gamma, (MeReal)ref, (MeReal)step);
+        MdtWorldSetGammaWithRefTimeStep(w, gamma, ref, step);
         const MdtBodyID b = scene_body(w, 1, 0, 0, 0);
         const MdtBSJointID j = MdtBSJointCreate(w);
         MdtBSJointSetBodies(j, b, 0);
         MdtBSJointEnable(j);
         MdtBodySetPosition(b, 1, 0, 0);
         for (int i = 0; i < steps; i++)
-            MdtWorldStep(w, (MeReal)step);
+            MdtWorldStep(w, step);
         assert_near(coordinate(b, 0), pow(1 - gamma, steps * step / ref), TOL(2e-6, 1e-9));
         MdtWorldDestroy(w);
     }
@@ -138,9 +138,9 @@ TEST(errors_die_in_the_same_time_at_any_step) {
 /* At its ends gamma needs no reference. */
 TEST(no_gamma_and_all_of_it_are_the_same_at_any_step) {
     MdtWorldID w = scene_world(1, 1, 0);
-    MdtWorldSetGammaWithRefTimeStep(w, 0, (MeReal).01, (MeReal).02);
+    MdtWorldSetGammaWithRefTimeStep(w, 0, .01, .02);
     ck_assert(MdtWorldGetGamma(w) == 0);
-    MdtWorldSetGammaWithRefTimeStep(w, 1, (MeReal).01, (MeReal).003);
+    MdtWorldSetGammaWithRefTimeStep(w, 1, .01, .003);
     ck_assert(MdtWorldGetGamma(w) == 1);
     MdtWorldDestroy(w);
 }
@@ -154,12 +154,12 @@ TEST(friction_and_brakes_do_not_creep) {
         const MdtContactID c = scene_contact(w, cube, 0, 0, 0, 0);
         MdtContactParamsSetType(MdtContactGetParams(c), MdtContactTypeFriction2D);
         MdtContactParamsSetFrictionModel(MdtContactGetParams(c), MdtFrictionModelCone);
-        MdtContactParamsSetFrictionCoeffecient(MdtContactGetParams(c), (MeReal).6);
+        MdtContactParamsSetFrictionCoeffecient(MdtContactGetParams(c), .6);
         const MdtHingeID hinge = MdtHingeCreate(w);
         MdtHingeSetBodies(hinge, arm, 0);
         MdtHingeSetPosition(hinge, 4, 0, 0);
         MdtHingeSetAxis(hinge, 0, 0, 1);
-        MdtLimitSetLimitedForceMotor(MdtHingeGetLimit(hinge), 0, (MeReal)(11 * mass));
+        MdtLimitSetLimitedForceMotor(MdtHingeGetLimit(hinge), 0, 11 * mass);
         MdtHingeEnable(hinge);
         double start[2] = {0, 0};
         for (int i = 0; i < 1260; i++) {
@@ -168,7 +168,7 @@ TEST(friction_and_brakes_do_not_creep) {
             const MeReal *at = MdtBodyGetTransformPtr(cube)[3];
             MdtContactSetPosition(c, at[0], at[1], at[2]); /* the force has no lever arm */
             MdtContactSetPenetration(c, -at[1]);
-            MdtBodyAddForce(cube, (MeReal)(5 * mass), 0, 0);
+            MdtBodyAddForce(cube, 5 * mass, 0, 0);
             MdtWorldStep(w, FRAME);
         }
         assert_near(coordinate(cube, 0), start[0], 1e-6);

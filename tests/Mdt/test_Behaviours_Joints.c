@@ -53,8 +53,8 @@ static double turnOfHeld(int subSteps) {
     MdtBSJointSetBodies(j, held, 0);
     MdtBSJointEnable(j);
     for (int i = 0; i < 120; i++) {
-        MdtBodyAddTorque(held, (MeReal).1, (MeReal).2, (MeReal)-.1);
-        MdtBodyAddTorque(loose, (MeReal).1, (MeReal).2, (MeReal)-.1);
+        MdtBodyAddTorque(held, .1, .2, -.1);
+        MdtBodyAddTorque(loose, .1, .2, -.1);
         MdtWorldStep(w, FRAME);
     }
     assert_position(held, 0, 0, 0, TOL(1e-6, 9e-14));
@@ -135,8 +135,8 @@ TEST(a_car_wheel_s_axes_are_fixed_in_chassis_and_wheel_and_perpendicular) {
     MdtCarWheelSetSteeringLimitedForceMotor(s.joint, 0, 0);
     for (int i = 0; i < 300; i++) {
         MeVector3 steering, hinge, up, along;
-        MdtBodyAddTorque(s.chassis, 3, (MeReal)(20 * sin(.05 * i)), -2);
-        MdtBodyAddTorque(s.wheel, 0, (MeReal).3, 2);
+        MdtBodyAddTorque(s.chassis, 3, 20 * sin(.05 * i), -2);
+        MdtBodyAddTorque(s.wheel, 0, .3, 2);
         MdtWorldStep(s.world, FRAME);
         MdtCarWheelGetSteeringAxis(s.joint, steering);
         MdtCarWheelGetHingeAxis(s.joint, hinge);
@@ -148,7 +148,7 @@ TEST(a_car_wheel_s_axes_are_fixed_in_chassis_and_wheel_and_perpendicular) {
         assert_near(dot(hinge, along), 1, TOL(1e-6, 9e-14));
         assert_near(dot(steering, hinge), 0, TOL(1e-6, 2e-9));
     }
-    ck_assert(fabs((double)MdtCarWheelGetSteeringAngle(s.joint)) > .1);
+    ck_assert(fabs(MdtCarWheelGetSteeringAngle(s.joint)) > .1);
     MdtWorldDestroy(s.world);
 }
 
@@ -156,7 +156,7 @@ TEST(a_car_wheel_s_axes_are_fixed_in_chassis_and_wheel_and_perpendicular) {
 static MdtSpringID springTo(MdtWorldID w, MdtBodyID b) {
     MdtSpringID j = MdtSpringCreate(w);
     MdtSpringSetBodies(j, b, 0);
-    MdtSpringSetPosition(j, 0, (MeReal)coordinate(b, 0), (MeReal)coordinate(b, 1), (MeReal)coordinate(b, 2));
+    MdtSpringSetPosition(j, 0, coordinate(b, 0), coordinate(b, 1), coordinate(b, 2));
     MdtSpringSetPosition(j, 1, 0, 0, 0);
     MdtSpringEnable(j);
     return j;

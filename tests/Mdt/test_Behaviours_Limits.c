@@ -110,7 +110,7 @@ TEST(the_position_flag_cannot_be_cleared_while_the_limit_is_in_use) {
 TEST(limits_are_inactive_until_activated) {
     Rail s = makeRail();
     MdtSingleLimitSetStop(s.lower, -1);
-    MdtSingleLimitSetStop(s.upper, (MeReal).5);
+    MdtSingleLimitSetStop(s.upper, .5);
     ck_assert(!MdtLimitIsActive(s.limit));
     MdtBodySetLinearVelocity(s.body, 1, 0, 0);
     steps(s.world, 60, FRAME);
@@ -128,7 +128,7 @@ TEST(a_soft_stop_takes_many_steps_to_reverse_the_speed) {
     for (int soft = 0; soft < 2; soft++) {
         Rail s = makeRail();
         MdtSingleLimitSetStop(s.lower, -10);
-        MdtSingleLimitSetStop(s.upper, (MeReal).25);
+        MdtSingleLimitSetStop(s.upper, .25);
         if (soft)
             MdtSingleLimitSetStiffness(s.upper, 100);
         MdtLimitActivateLimits(s.limit, 1);
@@ -155,7 +155,7 @@ TEST(a_soft_stop_ignores_restitution_and_a_hard_one_damping) {
         for (int k = 0; k < 2; k++) {
             Rail s = makeRail();
             MdtSingleLimitSetStop(s.lower, -10);
-            MdtSingleLimitSetStop(s.upper, (MeReal).25);
+            MdtSingleLimitSetStop(s.upper, .25);
             MdtSingleLimitSetStiffness(s.upper, 100);
             MdtLimitSetStiffnessThreshold(s.limit, hard ? 99 : 100);
             MdtSingleLimitSetRestitution(s.upper, hard ? (MeReal).5 : (MeReal)k);
@@ -199,8 +199,8 @@ TEST(a_strong_motor_does_not_pass_a_hard_stop) {
         for (int k = 0; k < 3; k++)
             for (int side = -1; side <= 1; side += 2) {
                 Rail s = makeRail();
-                MdtSingleLimitSetStop(s.lower, (MeReal)-gaps[i]);
-                MdtSingleLimitSetStop(s.upper, (MeReal)gaps[i]);
+                MdtSingleLimitSetStop(s.lower, -gaps[i]);
+                MdtSingleLimitSetStop(s.upper, gaps[i]);
                 MdtSingleLimitSetRestitution(s.lower, 0);
                 MdtSingleLimitSetRestitution(s.upper, 0);
                 MdtLimitActivateLimits(s.limit, 1);
@@ -245,7 +245,7 @@ TEST(set_limit_resets_and_copies_the_public_values) {
     MdtSingleLimitSetStop(MdtLimitGetUpperLimit(&own), 4);
     MdtSingleLimitSetStiffness(MdtLimitGetUpperLimit(&own), 5);
     MdtSingleLimitSetDamping(MdtLimitGetLowerLimit(&own), 6);
-    MdtSingleLimitSetRestitution(MdtLimitGetLowerLimit(&own), (MeReal).5);
+    MdtSingleLimitSetRestitution(MdtLimitGetLowerLimit(&own), .5);
     MdtLimitSetStiffnessThreshold(&own, 7);
     MdtLimitSetLimitedForceMotor(&own, 8, 9);
     MdtLimitActivateLimits(&own, 1);

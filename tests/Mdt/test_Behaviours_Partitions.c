@@ -148,11 +148,11 @@ TEST(a_partition_is_disabled_in_one_step) {
         if (i) {
             MdtBSJointID j = MdtBSJointCreate(w);
             MdtBSJointSetBodies(j, b[i - 1], b[i]);
-            MdtBSJointSetPosition(j, (MeReal)(i - .5), 0, 0);
+            MdtBSJointSetPosition(j, i - .5, 0, 0);
             MdtBSJointEnable(j);
         }
     }
-    MdtBodySetLinearVelocity(b[2], 0, (MeReal).5, 0);
+    MdtBodySetLinearVelocity(b[2], 0, .5, 0);
     for (int i = 0; i < 3; i++) {
         MdtBodySetLinearVelocityDamping(b[i], 2);
         MdtBodySetAngularVelocityDamping(b[i], 2);
@@ -178,7 +178,7 @@ TEST(higher_thresholds_disable_sooner) {
         MdtBodySetLinearVelocity(b, 1, 0, 0);
         MdtBodySetLinearVelocityDamping(b, 1);
         MdtWorldSetAutoDisableAccelerationThreshold(w, 100);
-        MdtWorldSetAutoDisableVelocityThreshold(w, (MeReal)thresholds[k]);
+        MdtWorldSetAutoDisableVelocityThreshold(w, thresholds[k]);
         const double n = -.5 * log(thresholds[k]) / (double)FRAME;
         assert_near(stepsAwake(w, b, 1000), n, 3);
         MdtWorldDestroy(w);

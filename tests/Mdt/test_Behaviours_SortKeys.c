@@ -97,13 +97,13 @@ static void runPile(MeBool reversed, MeBool keyed, MeReal out[2][4]) {
         for (int k = 0; k < 5; k++) {
             const int at = reversed ? 4 - k : k;
             made[at] = scene_contact(w, b, 0, at - 1.7, 0, .3 * at * at - 1);
-            MdtContactSetPenetration(made[at], (MeReal)(.001 * at));
+            MdtContactSetPenetration(made[at], .001 * at);
             MdtContactParamsSetType(MdtContactGetParams(made[at]), MdtContactTypeFriction2D);
             MdtContactParamsSetFriction(MdtContactGetParams(made[at]), 1);
             if (keyed)
                 MdtContactSetSortKey(made[at], at);
         }
-        MdtBodyAddForce(b, (MeReal)sin(.1 * i), 0, 2);
+        MdtBodyAddForce(b, sin(.1 * i), 0, 2);
         MdtWorldStep(w, FRAME);
     }
     MdtBodyGetQuaternion(b, out[0]);

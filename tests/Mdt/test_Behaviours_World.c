@@ -26,7 +26,7 @@ TEST(a_step_partitions_solves_and_integrates) {
     MdtLinear2SetPosition(rail, 1, 0, 0);
     MdtLinear2Enable(rail);
     MdtBodySetLinearVelocity(a, 0, 0, 4);
-    MdtWorldStep(w, (MeReal)h);
+    MdtWorldStep(w, h);
     ck_assert_int_eq(MdtBodyGetPartition(a), MdtBodyGetPartition(b)); /* partitioned */
     ck_assert_int_ne(MdtBodyGetPartition(a), MdtBodyGetPartition(apart));
     assert_near(velocity(a, 2) + 3 * velocity(b, 2), 4, TOL(4e-6, 4e-13)); /* solved: the joint shares the momentum */
@@ -61,7 +61,7 @@ TEST(constraint_forces_do_not_add_energy) {
     }
     double highest = 0;
     for (int i = 0; i < 1800; i++) {
-        MdtWorldStep(w, (MeReal)h);
+        MdtWorldStep(w, h);
         double energy = 0;
         for (int k = 0; k < 2; k++)
             energy += (double)MdtBodyGetKineticEnergy(bar[k]) + 10 * coordinate(bar[k], 1);

@@ -58,11 +58,11 @@ TEST(what_is_set_is_got) {
     MdtBodySetMass(b, 7);
     MdtBodySetLinearVelocity(b, 1, 2, 3);
     MdtBodySetAngularVelocity(b, 4, 5, 6);
-    MdtBodySetLinearVelocityDamping(b, (MeReal).25);
-    MdtBodySetAngularVelocityDamping(b, (MeReal).5);
+    MdtBodySetLinearVelocityDamping(b, .25);
+    MdtBodySetAngularVelocityDamping(b, .5);
     MdtBodySetUserData(b, &data);
     MdtBodySetSortKey(b, 2147483647);
-    MdtBodySetSafeTime(b, (MeReal).125);
+    MdtBodySetSafeTime(b, .125);
     MdtBodySetFastSpinAxis(b, 0, 0, 5);
     ck_assert(MdtBodyGetMass(b) == 7 && MdtBodyGetUserData(b) == &data && MdtBodyGetSortKey(b) == 2147483647);
     ck_assert(MdtBodyGetLinearVelocityDamping(b) == (MeReal).25 && MdtBodyGetAngularVelocityDamping(b) == (MeReal).5);
@@ -89,7 +89,7 @@ TEST(the_four_forms_of_a_pose_agree) {
     MeMatrix4 tm;
     MeVector4 q;
     MdtBodySetPosition(a, 1, 2, 3);
-    MdtBodySetQuaternion(a, 3, (MeReal)-1, 2, (MeReal).5); /* normalized */
+    MdtBodySetQuaternion(a, 3, -1, 2, .5); /* normalized */
     MdtBodyGetOrientation(a, R);
     MdtBodyGetTransform(a, tm);
     for (int i = 0; i < 3; i++)
@@ -118,7 +118,7 @@ TEST(rotations_turn_by_the_right_hand_rule) {
     MdtWorldID w = MdtWorldCreate(1, 0);
     MdtBodyID b = MdtBodyCreate(w);
     MeMatrix3 R;
-    MdtBodySetQuaternion(b, (MeReal)sqrt(.5), 0, 0, (MeReal)sqrt(.5));
+    MdtBodySetQuaternion(b, sqrt(.5), 0, 0, sqrt(.5));
     MdtBodyGetOrientation(b, R);
     assert_near(R[1][0], 1, TOL(1e-6, 9e-14));
     assert_near(R[0][0], 0, TOL(1e-6, 9e-14));
@@ -132,7 +132,7 @@ TEST(the_transform_pointer_follows_every_step) {
     MeMatrix4Ptr tm = MdtBodyGetTransformPtr(b);
     MdtBodySetLinearVelocity(b, 6, 0, 0);
     for (int i = 1; i <= 5; i++) {
-        MdtWorldStep(w, (MeReal).5);
+        MdtWorldStep(w, .5);
         assert_near(tm[3][0], 3 * i, TOL(1e-6, 2e-12));
     }
     MdtWorldDestroy(w);
@@ -190,7 +190,7 @@ TEST(the_centre_of_mass_may_be_turned) {
 TEST(moving_the_centre_of_mass_keeps_attachments) {
     MdtWorldID w = scene_world(1, 1, 0);
     MdtBodyID b = scene_body(w, 1, 3, 0, 0);
-    const MeVector3 offset = {(MeReal).5, 1, 0};
+    const MeVector3 offset = {.5, 1, 0};
     MeVector3 p;
     MdtHingeID j = MdtHingeCreate(w);
     MdtHingeSetBodies(j, b, 0);
@@ -255,7 +255,7 @@ TEST(accelerations_are_those_of_the_last_step) {
     MdtBodyID b = scene_body(w, 2, 0, 0, 0);
     MeVector3 a;
     MdtBodyAddForce(b, 8, 0, 0);
-    MdtBodyAddTorque(b, 0, (MeReal).8, 0);
+    MdtBodyAddTorque(b, 0, .8, 0);
     MdtWorldStep(w, FRAME);
     MdtBodyGetLinearAcceleration(b, a);
     assert_vec3_near(a, 4, -9, 0, TOL(1e-5, 8e-13));
@@ -271,19 +271,19 @@ TEST(forces_wait_for_a_disabled_body) {
     MeVector3 v;
     for (int i = 0; i < 10; i++) {
         MdtBodyAddForce(b, 1, 0, 0);
-        MdtWorldStep(w, (MeReal).1);
+        MdtWorldStep(w, .1);
     }
     MdtBodyGetForce(b, v);
     assert_vec3_near(v, 10, 0, 0, 0);
     MdtBodyGetLinearVelocity(b, v);
     assert_vec3_near(v, 0, 0, 0, 0);
     MdtBodyEnable(b);
-    steps(w, 3, (MeReal).1);
+    steps(w, 3, .1);
     MdtBodyGetLinearVelocity(b, v);
     assert_vec3_near(v, 1, 0, 0, TOL(1e-6, 9e-14));
     MdtBodyAddImpulse(b, 5, 0, 0);
     MdtBodyResetImpulses(b);
-    MdtWorldStep(w, (MeReal).1);
+    MdtWorldStep(w, .1);
     MdtBodyGetLinearVelocity(b, v);
     assert_vec3_near(v, 1, 0, 0, TOL(1e-6, 9e-14));
     MdtWorldDestroy(w);
@@ -386,7 +386,7 @@ TEST(vectors_change_frames) {
     MdtWorldID w = MdtWorldCreate(2, 0);
     MdtBodyID a = MdtBodyCreate(w), b = MdtBodyCreate(w);
     MdtBodySetPosition(a, 1, 0, 0);
-    MdtBodySetQuaternion(a, (MeReal)sqrt(.5), 0, 0, (MeReal)sqrt(.5)); /* x to y */
+    MdtBodySetQuaternion(a, sqrt(.5), 0, 0, sqrt(.5)); /* x to y */
     MdtBodySetPosition(b, 0, 0, 5);
     MeVector3 f = {2, 0, 0}, t;
     MdtConvertPositionVector(a, f, 0, t);
@@ -410,7 +410,7 @@ TEST(a_body_stops_at_the_bound_of_positions) {
     messages_catch();
     for (int k = 0; k < 2; k++) {
         MdtBodySetPosition(b, 1, 2, 3);
-        MdtBodySetLinearVelocity(b, (MeReal)(k ? 2e18 : 0), (MeReal)-3e38, 0);
+        MdtBodySetLinearVelocity(b, k ? 2e18 : 0, -3e38, 0);
         for (int i = 0; i < 3; i++) {
             MdtWorldStep(w, FRAME);
             MdtBodyGetPosition(b, p);
@@ -422,7 +422,7 @@ TEST(a_body_stops_at_the_bound_of_positions) {
         ck_assert_int_eq(caught.warnings, 1);
         assert_warned("MdtWorldStep");
     }
-    MdtBodySetPosition(b, 0, (MeReal)(1.1 * bound), 0);
+    MdtBodySetPosition(b, 0, 1.1 * bound, 0);
     assert_warned("MdtBodySetPosition");
     MdtBodyGetPosition(b, p);
     ck_assert((double)p[1] == -bound);

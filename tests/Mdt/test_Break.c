@@ -27,7 +27,7 @@ static MdtConstraintID hangWeight(double x) {
     MdtBodyID b = scene_body(w, 3, x, 0, 0);
     MdtBSJointID joint = MdtBSJointCreate(w);
     MdtBSJointSetBodies(joint, b, 0);
-    MdtBSJointSetPosition(joint, (MeReal)x, 1, 0);
+    MdtBSJointSetPosition(joint, x, 1, 0);
     MdtBSJointEnable(joint);
     return MdtBSJointQuaConstraint(joint);
 }
@@ -52,7 +52,7 @@ static void run(int steps) {
 TEST(a_joint_breaks_where_its_load_exceeds_the_limit) {
     for (int side = -1; side <= 1; side += 2) {
         MdtConstraintID c = hangWeight(0);
-        MdtConstraintSetBreakLimits(c, (MeReal)(30 * (1 + side * 1e-4)), MEINFINITY);
+        MdtConstraintSetBreakLimits(c, 30 * (1 + side * 1e-4), MEINFINITY);
         assert_near_rel(MdtConstraintGetBreakForce(c), 30 * (1 + side * 1e-4), TOL(1e-6, 9e-14));
         ck_assert(MdtConstraintGetBreakTorque(c) == MEINFINITY);
         run(100);
@@ -69,7 +69,7 @@ TEST(torque_counts_about_the_joints_position) {
         for (int isFirst = 0; isFirst < 2; isFirst++) {
             MeVector3 torque;
             MdtConstraintID c = holdBar(isFirst);
-            MdtConstraintSetBreakLimits(c, 21, (MeReal)(10 * (1 + side * 1e-3)));
+            MdtConstraintSetBreakLimits(c, 21, 10 * (1 + side * 1e-3));
             run(100);
             MdtConstraintGetJointTorque(c, isFirst ? 0 : 1, torque);
             assert_vec3_near(torque, 0, 0, 10, TOL(1e-5, 1e-6));
@@ -162,7 +162,7 @@ TEST(bad_limits_warn) {
     messages_catch();
     MdtConstraintSetBreakLimits(c, -1, 1);
     assert_warned("force");
-    MdtConstraintSetBreakLimits(c, 1, (MeReal)NAN);
+    MdtConstraintSetBreakLimits(c, 1, NAN);
     assert_warned("torque");
     ck_assert(MdtConstraintGetBreakForce(c) == MEINFINITY && MdtConstraintGetBreakTorque(c) == MEINFINITY);
     MdtConstraintSetBreakLimits(MdtContactQuaConstraint(contact), 1, 1);

@@ -14,14 +14,14 @@ typedef struct {
 
 static MdtBodyID makeWheel(MdtWorldID w, double x, double y, double z) {
     MdtBodyID wheel = scene_body(w, 5, x, y, z);
-    MdtBodySetSphericalInertiaTensor(wheel, (MeReal)wheelInertia);
+    MdtBodySetSphericalInertiaTensor(wheel, wheelInertia);
     return wheel;
 }
 
 static MdtCarWheelID join(MdtWorldID w, MdtBodyID chassis, MdtBodyID wheel, double x, double y, double z) {
     MdtCarWheelID j = MdtCarWheelCreate(w);
     MdtCarWheelSetBodies(j, chassis, wheel);
-    MdtCarWheelSetPosition(j, (MeReal)x, (MeReal)y, (MeReal)z);
+    MdtCarWheelSetPosition(j, x, y, z);
     MdtCarWheelSetSteeringAndHingeAxes(j, 0, 1, 0, 0, 0, 1);
     MdtCarWheelEnable(j);
     return j;
@@ -31,7 +31,7 @@ static MdtCarWheelID join(MdtWorldID w, MdtBodyID chassis, MdtBodyID wheel, doub
 static void putOnGround(MdtWorldID w, MdtBodyID wheel, double x, double y, double z) {
     MdtLinear1ID plane = MdtLinear1Create(w);
     MdtLinear1SetBodies(plane, wheel, 0);
-    MdtLinear1SetPosition(plane, (MeReal)x, (MeReal)y, (MeReal)z);
+    MdtLinear1SetPosition(plane, x, y, z);
     MdtLinear1SetAxis(plane, 0, 1, 0);
     MdtLinear1Enable(plane);
 }
@@ -82,7 +82,7 @@ TEST(the_suspension_rests_where_its_spring_carries_the_load) {
             Car c = quarterCar(g);
             const double sag = chassisMass * g / kps[i];
             double f[3];
-            MdtCarWheelSetSuspension(c.joint, (MeReal)kps[i], 300, 0, -2, 2, (MeReal)references[k]);
+            MdtCarWheelSetSuspension(c.joint, kps[i], 300, 0, -2, 2, references[k]);
             steps(c.world, 1200, FRAME);
             assert_near(MdtCarWheelGetSuspensionHeight(c.joint), references[k] + sag, TOL(5e-7, 5e-14));
             assert_near(MdtCarWheelGetSuspensionRate(c.joint), 0, 3e-10);
@@ -101,7 +101,7 @@ TEST(the_suspension_is_a_damped_spring) {
             Swing swing = {0};
             const double w0 = sqrt(kps[i] / chassisMass), decay = kds[k] / (2 * chassisMass), h = FRAME;
             const double rest = chassisMass * g / kps[i];
-            MdtCarWheelSetSuspension(c.joint, (MeReal)kps[i], (MeReal)kds[k], 0, -10, 10, 0);
+            MdtCarWheelSetSuspension(c.joint, kps[i], kds[k], 0, -10, 10, 0);
             for (int n = 0; n < 3000 && swing.crossings < 9; n++) {
                 MdtWorldStep(c.world, FRAME);
                 swing_add(&swing, (double)MdtCarWheelGetSuspensionHeight(c.joint) - rest);
@@ -133,7 +133,7 @@ TEST(hard_stops_are_not_passed) {
         Car c = quarterCar(g * side);
         const double stop = side > 0 ? .07 : -.05;
         double max = 0;
-        MdtCarWheelSetSuspension(c.joint, 500, 20, 0, (MeReal)-.05, (MeReal).07, 0);
+        MdtCarWheelSetSuspension(c.joint, 500, 20, 0, -.05, .07, 0);
         for (int n = 0; n < 300; n++) {
             MdtWorldStep(c.world, FRAME);
             max = fmax(max, side * (double)MdtCarWheelGetSuspensionHeight(c.joint));
@@ -151,8 +151,8 @@ TEST(a_soft_stop_gives_way_by_its_softness) {
     const double softness[] = {.01, .1}, h = FRAME, gamma = .2;
     for (int i = 0; i < 2; i++) {
         Car c = quarterCar(g);
-        MdtWorldSetGamma(c.world, (MeReal)gamma);
-        MdtCarWheelSetSuspension(c.joint, 0, 0, (MeReal)softness[i], (MeReal)-.05, (MeReal).07, 0);
+        MdtWorldSetGamma(c.world, gamma);
+        MdtCarWheelSetSuspension(c.joint, 0, 0, softness[i], -.05, .07, 0);
         steps(c.world, 2000, FRAME);
         const double sag = softness[i] * chassisMass * g * h * h / gamma;
         assert_near((double)MdtCarWheelGetSuspensionHeight(c.joint) - (double)(MeReal).07, sag,
@@ -177,7 +177,7 @@ TEST(without_a_suspension_the_wheel_slides_freely) {
 /* ---- steering ---- */
 
 static void twistWheel(Car c, double torque) {
-    MdtBodyAddTorque(c.wheel, 0, (MeReal)torque, 0);
+    MdtBodyAddTorque(c.wheel, 0, torque, 0);
 }
 
 static double steeringOf(Car c) {
@@ -219,7 +219,7 @@ TEST(a_new_wheel_s_steering_holds_its_angle) {
 TEST(the_steering_motor_moves_and_stops) {
     Car c = lonelyWheel();
     const double speed = .5, force = .02, h = FRAME;
-    MdtCarWheelSetSteeringLimitedForceMotor(c.joint, (MeReal)speed, (MeReal)force);
+    MdtCarWheelSetSteeringLimitedForceMotor(c.joint, speed, force);
     /* At its speed the motor drives the angle itself: the mean rate is the one whose midpoint turn is that, and the
      * velocity stage gives the speed. After a step at its strength a joint is taken by backward Euler: the wheel turns
      * by the rate that it gets. */
@@ -237,7 +237,7 @@ TEST(the_steering_motor_moves_and_stops) {
         assert_near(MdtCarWheelGetSteeringAngle(c.joint), -angle, TOL(2e-6, 8e-10));
         assert_near(MdtCarWheelGetSteeringAngleRate(c.joint), -rate, TOL(5e-7, 2e-10));
     }
-    MdtCarWheelSetSteeringLimitedForceMotor(c.joint, 0, (MeReal)force);
+    MdtCarWheelSetSteeringLimitedForceMotor(c.joint, 0, force);
     steps(c.world, 240, FRAME);
     angle = steeringOf(c);
     for (int n = 0; n < 60; n++) { /* less than the motor holds */
@@ -274,7 +274,7 @@ TEST(the_guide_s_steering_controller_settles) {
     const double input = .4;
     for (int n = 0; n < 600; n++) {
         const double velocity = 5 * (input + (double)MdtCarWheelGetSteeringAngle(c.joint));
-        MdtCarWheelSetSteeringLimitedForceMotor(c.joint, (MeReal)velocity, 10);
+        MdtCarWheelSetSteeringLimitedForceMotor(c.joint, velocity, 10);
         MdtWorldStep(c.world, FRAME);
     }
     assert_near(MdtCarWheelGetSteeringAngle(c.joint), -input, TOL(4e-7, 4e-14));
@@ -290,7 +290,7 @@ TEST(the_steering_angle_goes_from_minus_pi_to_pi) {
         MdtWorldStep(c.world, FRAME);
         angle += 2 * (double)FRAME;
         assert_near(remainder((double)MdtCarWheelGetSteeringAngle(c.joint) - angle, 2 * pi), 0, TOL(2e-6, 8e-10));
-        ck_assert(fabs((double)MdtCarWheelGetSteeringAngle(c.joint)) <= pi + 1e-6);
+        ck_assert(fabs(MdtCarWheelGetSteeringAngle(c.joint)) <= pi + 1e-6);
     }
     MdtWorldDestroy(c.world);
 }
@@ -302,7 +302,7 @@ TEST(axes_set_one_by_one_count_from_where_the_bodies_stand) {
         double R[3][3], before[3][3];
         MdtCarWheelDisable(c.joint);
         MdtCarWheelReset(c.joint); /* steering z, hinge y: each new axis is along an old one */
-        MdtBodySetQuaternion(c.wheel, (MeReal).6, (MeReal).4, (MeReal)-.5, (MeReal).3);
+        MdtBodySetQuaternion(c.wheel, .6, .4, -.5, .3);
         for (int i = 0; i < 2; i++) {
             if (i == order)
                 MdtCarWheelSetSteeringAxis(c.joint, 0, 2, 0);
@@ -333,7 +333,7 @@ TEST(the_hinge_motor_drives_and_brakes) {
     Car c = lonelyWheel();
     const double force = .3, speed = 12, h = FRAME;
     double w[3], t[3];
-    MdtCarWheelSetHingeLimitedForceMotor(c.joint, (MeReal)speed, (MeReal)force);
+    MdtCarWheelSetHingeLimitedForceMotor(c.joint, speed, force);
     for (int n = 1; n <= 300; n++) {
         MdtWorldStep(c.world, FRAME);
         measure_rate(c.wheel, w);
@@ -344,13 +344,13 @@ TEST(the_hinge_motor_drives_and_brakes) {
         if (rate < speed)
             assert_near(t[2], -force, TOL(3e-7, 3e-14)); /* on the chassis */
     }
-    MdtCarWheelSetHingeLimitedForceMotor(c.joint, 0, (MeReal)force);
+    MdtCarWheelSetHingeLimitedForceMotor(c.joint, 0, force);
     for (int n = 1; n <= 300; n++) {
         MdtWorldStep(c.world, FRAME);
         const double rate = fmax(0, speed - force / wheelInertia * n * h);
         assert_near(MdtCarWheelGetHingeAngleRate(c.joint), rate, TOL(2e-5, 2e-12));
     }
-    MdtBodyAddTorque(c.wheel, 0, 0, (MeReal)(.9 * force)); /* the brake holds */
+    MdtBodyAddTorque(c.wheel, 0, 0, .9 * force); /* the brake holds */
     MdtWorldStep(c.world, FRAME);
     assert_near(MdtCarWheelGetHingeAngleRate(c.joint), 0, TOL(1e-6, 9e-14));
     MdtWorldDestroy(c.world);
@@ -372,7 +372,7 @@ TEST(the_hinge_angle_is_between_0_and_pi) {
 
 static void giveWheelShape(MdtBodyID wheel) {
     MeMatrix3 I;
-    MdtMakeInertiaTensorBox(10, (MeReal).6, (MeReal).6, (MeReal).2, I);
+    MdtMakeInertiaTensorBox(10, .6, .6, .2, I);
     MdtBodySetMass(wheel, 10);
     MdtBodySetInertiaTensor(wheel, I);
 }
@@ -437,7 +437,7 @@ static FourWheels makeFourWheels(double d) {
         putOnGround(c.world, c.wheel[i], x, .3, z);
         c.joint[i] = join(c.world, c.chassis, c.wheel[i], x, .3, z);
         MdtCarWheelSetSteeringLock(c.joint[i], i >= 2);
-        MdtCarWheelSetSuspension(c.joint[i], (MeReal)kp, (MeReal)kd, 0, (MeReal)-.5, (MeReal).5, 0);
+        MdtCarWheelSetSuspension(c.joint[i], kp, kd, 0, -.5, .5, 0);
     }
     return c;
 }
@@ -470,7 +470,7 @@ TEST(driving_wheels_pitch_the_chassis) {
     steps(c.world, 600, FRAME);
     const double rest = MdtCarWheelGetSuspensionHeight(c.joint[0]);
     for (int i = 0; i < 4; i++)
-        MdtCarWheelSetHingeLimitedForceMotor(c.joint[i], -10000, (MeReal)T);
+        MdtCarWheelSetHingeLimitedForceMotor(c.joint[i], -10000, T);
     steps(c.world, 400, FRAME);
     for (int i = 0; i < 4; i++) {
         const double lift = T / (kp * halfBase) * (i < 2 ? -1 : 1);

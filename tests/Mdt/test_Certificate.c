@@ -22,8 +22,8 @@ typedef struct Pyramid {
 } Pyramid;
 
 static McdModelID addBox(Pyramid *s, double x, double y) {
-    const McdModelID m = MstModelAndBodyCreate(s->universe, s->cube, (MeReal)MASS);
-    MdtBodySetPosition(McdModelGetBody(m), (MeReal)x, (MeReal)y, 0);
+    const McdModelID m = MstModelAndBodyCreate(s->universe, s->cube, MASS);
+    MdtBodySetPosition(McdModelGetBody(m), x, y, 0);
     return m;
 }
 
@@ -37,8 +37,8 @@ static void build(Pyramid *s, int rows) {
     s->cube = McdBoxCreate(MstUniverseGetFramework(s->universe), 1, 1, 1);
     memcpy(s->floorTM, level, sizeof level);
     MstFixedModelCreate(s->universe, McdPlaneCreate(MstUniverseGetFramework(s->universe)), s->floorTM);
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(MstUniverseGetBridge(s->universe), 0, 0), (MeReal).5, 0);
-    MdtWorldSetGravity(s->world, 0, (MeReal)-G, 0);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(MstUniverseGetBridge(s->universe), 0, 0), .5, 0);
+    MdtWorldSetGravity(s->world, 0, -G, 0);
     MdtWorldSetAutoDisable(s->world, 0);
     MdtWorldEnableReport(s->world);
     for (int row = 0; row < rows; row++)
@@ -156,11 +156,11 @@ static void addTorque(Pyramid *s) {
 }
 
 static void addImpulse(Pyramid *s) {
-    MdtBodyAddImpulse(top(s), (MeReal)(.1 * MASS), 0, 0);
+    MdtBodyAddImpulse(top(s), .1 * MASS, 0, 0);
 }
 
 static void changeGravity(Pyramid *s) {
-    MdtWorldSetGravity(s->world, (MeReal).5, (MeReal)-G, 0);
+    MdtWorldSetGravity(s->world, .5, -G, 0);
 }
 
 static void changeEpsilon(Pyramid *s) {
@@ -182,7 +182,7 @@ static void turnBody(Pyramid *s) {
 }
 
 static void changeMass(Pyramid *s) {
-    MdtBodySetMass(top(s), (MeReal)(2 * MASS));
+    MdtBodySetMass(top(s), 2 * MASS);
 }
 
 static void damp(Pyramid *s) {
@@ -205,7 +205,7 @@ static void disableAndEnable(Pyramid *s) {
 }
 
 static void changeMaterial(Pyramid *s) {
-    MdtContactParamsSetPrimarySlide(MstBridgeGetContactParams(MstUniverseGetBridge(s->universe), 0, 0), (MeReal).1);
+    MdtContactParamsSetPrimarySlide(MstBridgeGetContactParams(MstUniverseGetBridge(s->universe), 0, 0), .1);
 }
 
 static void destroyContacts(Pyramid *s) {
@@ -342,15 +342,15 @@ static void setStops(HingedBar *s) { /* which it does not reach */
 }
 
 static void setAxis(HingedBar *s) {
-    MdtHingeSetAxis(s->hinge, 0, (MeReal).1, 1);
+    MdtHingeSetAxis(s->hinge, 0, .1, 1);
 }
 
 static void setPosition(HingedBar *s) {
-    MdtHingeSetPosition(s->hinge, (MeReal).1, 0, 0);
+    MdtHingeSetPosition(s->hinge, .1, 0, 0);
 }
 
 static void setWorldVelocity(HingedBar *s) {
-    MdtConstraintSetWorldLinearVelocity(MdtHingeQuaConstraint(s->hinge), (MeReal).1, 0, 0);
+    MdtConstraintSetWorldLinearVelocity(MdtHingeQuaConstraint(s->hinge), .1, 0, 0);
 }
 
 static void disable(HingedBar *s) {
@@ -382,10 +382,10 @@ typedef struct Resting {
 
 static void setUnder(MdtContactID c, int corner) {
     MdtBclContactParams params;
-    MdtContactSetPosition(c, (MeReal)(corner & 1 ? .5 : -.5), 0, (MeReal)(corner & 2 ? .5 : -.5));
+    MdtContactSetPosition(c, corner & 1 ? .5 : -.5, 0, corner & 2 ? .5 : -.5);
     MdtContactSetNormal(c, 0, 1, 0);
     MdtContactParamsReset(&params);
-    MdtContactParamsSetSurface(&params, (MeReal).5, 0);
+    MdtContactParamsSetSurface(&params, .5, 0);
     MdtContactSetParams(c, &params);
 }
 
@@ -416,15 +416,15 @@ static Resting settledBox(void) {
 
 /* Each sets something to another value, or, with 0, to the value that it has. */
 static void contactPosition(Resting *s, int isOther) {
-    MdtContactSetPosition(s->contact[0], (MeReal)(-.5 + .1 * isOther), 0, (MeReal)-.5);
+    MdtContactSetPosition(s->contact[0], -.5 + .1 * isOther, 0, -.5);
 }
 
 static void contactNormal(Resting *s, int isOther) {
-    MdtContactSetNormal(s->contact[0], (MeReal)(.1 * isOther), 1, 0);
+    MdtContactSetNormal(s->contact[0], .1 * isOther, 1, 0);
 }
 
 static void contactPenetration(Resting *s, int isOther) {
-    MdtContactSetPenetration(s->contact[0], (MeReal)(.001 * isOther));
+    MdtContactSetPenetration(s->contact[0], .001 * isOther);
 }
 
 /* It takes in what the body's shown transform has lost by rounding, so that the box comes to rest anew. */
@@ -450,7 +450,7 @@ static void contactDirection(Resting *s, int isOther) {
 static void contactParams(Resting *s, int isOther) {
     MdtBclContactParams params;
     MdtContactParamsReset(&params);
-    MdtContactParamsSetSurface(&params, (MeReal)(.5 + .1 * isOther), 0);
+    MdtContactParamsSetSurface(&params, .5 + .1 * isOther, 0);
     MdtContactSetParams(s->contact[0], &params);
 }
 
@@ -460,7 +460,7 @@ static void contactParamsByPointer(Resting *s, int isOther) {
         kept = MdtContactGetParams(s->contact[0]);
         steps(s->world, CALM, FRAME); /* from now on it is looked at, and may rest again */
     } else {
-        MdtContactParamsSetRestitution(kept, (MeReal).5);
+        MdtContactParamsSetRestitution(kept, .5);
     }
 }
 
@@ -505,13 +505,13 @@ static void nothingButReading(Resting *s, int isOther) {
 }
 
 static void bodyCentre(Resting *s, int isOther) {
-    MeVector3 centre = {(MeReal)(.1 * isOther), 0, 0};
+    MeVector3 centre = {.1 * isOther, 0, 0};
     if (isOther)
         MdtBodySetCenterOfMassRelativePosition(s->box, centre);
 }
 
 static void bodyCentrePosition(Resting *s, int isOther) {
-    MeVector3 p = {(MeReal)(.1 * isOther), (MeReal).5, 0};
+    MeVector3 p = {.1 * isOther, .5, 0};
     if (isOther)
         MdtBodySetCenterOfMassPosition(s->box, p);
 }
@@ -634,7 +634,7 @@ static double placeAfter(Resting s, int count, int axis, double force) {
     MeVector3 before, after;
     MdtBodyGetPosition(s.box, before);
     for (int i = 0; i < count; i++) {
-        MdtBodyAddForce(s.box, 0, 0, (MeReal)force);
+        MdtBodyAddForce(s.box, 0, 0, force);
         MdtWorldStep(s.world, FRAME);
     }
     MdtBodyGetPosition(s.box, after);
@@ -647,7 +647,7 @@ TEST(a_slow_slide_goes_on) {
     MdtContactGroupDisable(s.group);
     for (int i = 0; i < 4; i++) {
         MdtContactSetDirection(s.contact[i], 1, 0, 0);
-        MdtContactParamsSetPrimarySlide(MdtContactGetParams(s.contact[i]), (MeReal)CREEP);
+        MdtContactParamsSetPrimarySlide(MdtContactGetParams(s.contact[i]), CREEP);
     }
     assert_near(fabs(placeAfter(s, 600, 0, 0)), 10 * CREEP, 1e-2 * 10 * CREEP);
     MdtWorldDestroy(s.world);
@@ -658,7 +658,7 @@ TEST(a_slow_slip_goes_on) {
     Resting s = settledBox();
     MdtContactGroupDisable(s.group);
     for (int i = 0; i < 4; i++)
-        MdtContactParamsSetSlip(MdtContactGetParams(s.contact[i]), (MeReal)(4 * CREEP));
+        MdtContactParamsSetSlip(MdtContactGetParams(s.contact[i]), 4 * CREEP);
     assert_near(placeAfter(s, 600, 2, 1), 10 * CREEP, 1e-2 * 10 * CREEP);
     MdtWorldDestroy(s.world);
 }
@@ -666,7 +666,7 @@ TEST(a_slow_slip_goes_on) {
 TEST(a_slow_motor_goes_on) {
     HingedBar s = heldBar(10);
     MdtLimitActivateLock(s.limit, 0);
-    MdtLimitSetLimitedForceMotor(s.limit, (MeReal)CREEP, 100);
+    MdtLimitSetLimitedForceMotor(s.limit, CREEP, 100);
     const double before = MdtLimitGetPosition(s.limit);
     steps(s.world, 600, FRAME);
     assert_near(MdtLimitGetPosition(s.limit) - before, 10 * CREEP, 1e-2 * 10 * CREEP);
@@ -682,8 +682,8 @@ TEST(a_damped_spring_comes_to_where_it_rests) {
         MdtContactDisable(s.contact[i]);
     MdtContactGroupDisable(s.group);
     MdtSpringSetBodies(spring, s.box, 0);
-    MdtSpringSetPosition(spring, 0, 0, (MeReal).5, 0);
-    MdtSpringSetPosition(spring, 1, 0, (MeReal)1.5, 0);
+    MdtSpringSetPosition(spring, 0, 0, .5, 0);
+    MdtSpringSetPosition(spring, 1, 0, 1.5, 0);
     MdtSpringSetNaturalLength(spring, 1);
     MdtSpringSetStiffness(spring, 100);
     MdtSpringSetDamping(spring, 100); /* overdamped: 1 s to a third of the way */

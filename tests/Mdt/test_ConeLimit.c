@@ -16,7 +16,7 @@ static Hung hang(double inertia) {
     s.world = scene_world(1, 2, 0);
     MdtWorldSetEpsilon(s.world, 0);
     s.bar = scene_body(s.world, mass, 0, -arm, 0);
-    MdtBodySetSphericalInertiaTensor(s.bar, (MeReal)inertia);
+    MdtBodySetSphericalInertiaTensor(s.bar, inertia);
     s.ball = MdtBSJointCreate(s.world);
     MdtBSJointSetBodies(s.ball, s.bar, 0);
     MdtBSJointSetPosition(s.ball, 0, 0, 0);
@@ -24,7 +24,7 @@ static Hung hang(double inertia) {
     s.cone = MdtConeLimitCreate(s.world);
     MdtConeLimitSetBodies(s.cone, s.bar, 0);
     MdtConeLimitSetAxis(s.cone, 0, -1, 0);
-    MdtConeLimitSetConeHalfAngle(s.cone, (MeReal)halfAngle);
+    MdtConeLimitSetConeHalfAngle(s.cone, halfAngle);
     MdtConeLimitEnable(s.cone);
     return s;
 }
@@ -40,13 +40,13 @@ static int rowsOf(Hung s) {
 }
 
 static void pull(Hung s, double x, double z) {
-    MdtWorldSetGravity(s.world, (MeReal)x, 0, (MeReal)z);
+    MdtWorldSetGravity(s.world, x, 0, z);
 }
 
 /* Turning about z and the velocity of the centre that goes with it. */
 static void swingAboutZ(Hung s, double rate) {
-    MdtBodySetAngularVelocity(s.bar, 0, 0, (MeReal)rate);
-    MdtBodySetLinearVelocity(s.bar, (MeReal)(rate * arm), 0, 0);
+    MdtBodySetAngularVelocity(s.bar, 0, 0, rate);
+    MdtBodySetLinearVelocity(s.bar, rate * arm, 0, 0);
 }
 
 TEST(inside_the_cone_it_has_no_row) {
@@ -104,8 +104,8 @@ TEST(a_bar_that_circles_stays_in_the_cone) {
     Hung s = hang(.01);
     double max = 0, min = 9;
     pull(s, 0, 0);
-    MdtBodySetPosition(s.bar, (MeReal)(arm * sin(.45)), (MeReal)(-arm * cos(.45)), 0);
-    MdtBodySetQuaternion(s.bar, (MeReal)cos(.225), 0, 0, (MeReal)sin(.225));
+    MdtBodySetPosition(s.bar, arm * sin(.45), -arm * cos(.45), 0);
+    MdtBodySetQuaternion(s.bar, cos(.225), 0, 0, sin(.225));
     MdtBodySetLinearVelocity(s.bar, 0, 0, 2);
     for (int i = 0; i < 600; i++) {
         MdtWorldStep(s.world, FRAME);
@@ -132,7 +132,7 @@ TEST(a_soft_cone_gives_way_by_torque_over_stiffness) {
     for (int k = 0; k < 3; k++) {
         Hung s = hang(.1);
         pull(s, 10, 0);
-        MdtConeLimitSetStiffness(s.cone, (MeReal)ks[k]);
+        MdtConeLimitSetStiffness(s.cone, ks[k]);
         MdtConeLimitSetDamping(s.cone, 5);
         steps(s.world, 1200, FRAME);
         assert_near(angleOf(s), softAngle(ks[k]), TOL(8e-7, 4e-10));
@@ -149,18 +149,18 @@ TEST(a_soft_cone_is_a_damped_spring) {
             MdtBodyID b = scene_body(w, 1, 0, 0, 0);
             MdtConeLimitID cone = MdtConeLimitCreate(w);
             Swing swing = {0};
-            MdtBodySetSphericalInertiaTensor(b, (MeReal)inertia);
+            MdtBodySetSphericalInertiaTensor(b, inertia);
             MdtConeLimitSetBodies(cone, 0, b);
-            MdtConeLimitSetConeHalfAngle(cone, (MeReal)halfAngle);
-            MdtConeLimitSetStiffness(cone, (MeReal)ks[i]);
-            MdtConeLimitSetDamping(cone, (MeReal)ds[j]);
+            MdtConeLimitSetConeHalfAngle(cone, halfAngle);
+            MdtConeLimitSetStiffness(cone, ks[i]);
+            MdtConeLimitSetDamping(cone, ds[j]);
             MdtConeLimitEnable(cone);
             const double start = halfAngle + .5 * torque / ks[i]; /* it stays beyond the stop */
-            MdtBodySetQuaternion(b, (MeReal)cos(start / 2), 0, 0, (MeReal)sin(start / 2));
+            MdtBodySetQuaternion(b, cos(start / 2), 0, 0, sin(start / 2));
             const double w0 = sqrt(ks[i] / inertia), decay = ds[j] / (2 * inertia);
             for (int n = 0; n < 3000 && swing.crossings < 9; n++) {
                 double x[3] = {1, 0, 0}, axis[3];
-                MdtBodyAddTorque(b, 0, 0, (MeReal)torque);
+                MdtBodyAddTorque(b, 0, 0, torque);
                 MdtWorldStep(w, FRAME);
                 measure_turnOut(b, x, axis);
                 swing_add(&swing, atan2(axis[1], axis[0]) - halfAngle - torque / ks[i]);
@@ -178,7 +178,7 @@ TEST(the_twist_is_free) {
     pull(s, 10, 0);
     steps(s.world, 120, FRAME);
     measure_turnOut(s.bar, down, axis);
-    MdtBodySetAngularVelocity(s.bar, (MeReal)(4 * axis[0]), (MeReal)(4 * axis[1]), (MeReal)(4 * axis[2]));
+    MdtBodySetAngularVelocity(s.bar, 4 * axis[0], 4 * axis[1], 4 * axis[2]);
     for (int i = 0; i < 120; i++) {
         MdtWorldStep(s.world, FRAME);
         measure_rate(s.bar, w);
@@ -216,7 +216,7 @@ TEST(what_has_left_the_side_leaves_no_row_behind) {
 TEST(pi_is_no_limit) {
     Hung s = hang(.1);
     double w[3];
-    MdtConeLimitSetConeHalfAngle(s.cone, (MeReal)pi);
+    MdtConeLimitSetConeHalfAngle(s.cone, pi);
     swingAboutZ(s, 4);
     for (int i = 0; i < 200; i++) {
         MdtWorldStep(s.world, FRAME);
@@ -238,10 +238,10 @@ TEST(half_angles_from_5_to_170_degrees) {
         double x[3] = {1, 0, 0}, axis[3], max = 0;
         MdtWorldSetEpsilon(w, 0);
         MdtConeLimitSetBodies(cone, b, 0);
-        MdtConeLimitSetConeHalfAngle(cone, (MeReal)limit);
+        MdtConeLimitSetConeHalfAngle(cone, limit);
         MdtConeLimitEnable(cone);
         for (int n = 0; n < 300; n++) {
-            MdtBodyAddTorque(b, 0, 0, (MeReal).5);
+            MdtBodyAddTorque(b, 0, 0, .5);
             MdtWorldStep(w, FRAME);
             measure_turnOut(b, x, axis);
             max = fmax(max, fabs(atan2(axis[1], axis[0])));
@@ -259,11 +259,11 @@ TEST(from_outside_it_is_drawn_in) {
     MdtConeLimitID cone = MdtConeLimitCreate(w);
     double x[3] = {1, 0, 0}, axis[3];
     MdtWorldSetEpsilon(w, 0);
-    MdtWorldSetGamma(w, (MeReal).25);
+    MdtWorldSetGamma(w, .25);
     MdtConeLimitSetBodies(cone, b, 0);
-    MdtConeLimitSetConeHalfAngle(cone, (MeReal).5);
+    MdtConeLimitSetConeHalfAngle(cone, .5);
     MdtConeLimitEnable(cone);
-    MdtBodySetQuaternion(b, (MeReal)cos(.5), 0, 0, (MeReal)sin(.5));
+    MdtBodySetQuaternion(b, cos(.5), 0, 0, sin(.5));
     /* a new velocity every time: else it swings on inwards */
     for (int n = 1; n <= 20; n++) {
         MdtBodySetAngularVelocity(b, 0, 0, 0);

@@ -14,7 +14,7 @@ TEST(frames_are_given_in_the_world_and_move_with_the_bodies) {
     assert_vec3_near(p, 0, 0, 1, TOL(1e-6, 9e-14));
     assert_vec3_near(o, 1, 0, 0, TOL(1e-6, 9e-14));
     MdtBodySetPosition(b, 10, 3, 0);
-    MdtBodySetQuaternion(b, (MeReal)sqrt(.5), (MeReal)sqrt(.5), 0, 0); /* y to z */
+    MdtBodySetQuaternion(b, sqrt(.5), sqrt(.5), 0, 0); /* y to z */
     MdtConstraintBodyGetPosition(c, 0, p);
     assert_vec3_near(p, 2, 2, 2, TOL(1e-6, 2e-13));
     MdtConstraintBodyGetPosition(c, 1, p); /* was (2, -1, 2) from b */
@@ -46,7 +46,7 @@ TEST(a_constraint_acts_only_when_enabled) {
     MdtBSJointID j = MdtBSJointCreate(w);
     MeVector3 v;
     MdtBSJointSetBodies(j, a, 0);
-    MdtWorldStep(w, (MeReal).1);
+    MdtWorldStep(w, .1);
     MdtBodyGetLinearVelocity(a, v);
     assert_near(v[1], -1, TOL(1e-6, 9e-14));
     MdtWorldDestroy(w);

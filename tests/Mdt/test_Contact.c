@@ -30,9 +30,9 @@ static void stepBall(Ball *s, MeReal h) {
     if (depth > 0 || s->early) {
         s->contact = MdtContactCreate(s->world);
         MdtContactSetBodies(s->contact, s->body, 0);
-        MdtContactSetPosition(s->contact, p[0], (MeReal)0, p[2]);
+        MdtContactSetPosition(s->contact, p[0], 0, p[2]);
         MdtContactSetNormal(s->contact, 0, 1, 0);
-        MdtContactSetPenetration(s->contact, (MeReal)depth);
+        MdtContactSetPenetration(s->contact, depth);
         MdtContactSetParams(s->contact, &s->params);
         MdtContactEnable(s->contact);
     }
@@ -67,10 +67,10 @@ TEST(bounces_rise_to_the_square_of_the_restitution) {
         for (int early = 0; early < 2; early++) {
             Ball s = makeBall(2.5, 9.81);
             s.early = early;
-            MdtContactParamsSetRestitution(&s.params, (MeReal)es[k]);
+            MdtContactParamsSetRestitution(&s.params, es[k]);
             double wanted = 2;
             for (int bounce = 0; bounce < 3; bounce++) {
-                const double top = nextTop(&s, (MeReal)5e-4);
+                const double top = nextTop(&s, 5e-4);
                 wanted *= es[k] * es[k];
                 /* a contact that is there before the impact is met in time, and the top lies between two pictures; one
                  * that comes after it is met within one step of the way: v h (1 - e²), each bounce atop the last */
@@ -89,8 +89,8 @@ TEST(bounce_heights_converge_at_first_order) {
         const double h = 4e-3 / (k ? 8 : 1);
         for (int phase = 0; phase < 10; phase++) { /* the step at which the floor is met is a matter of luck */
             Ball s = makeBall(2.5 + .003 * phase, 9.81);
-            MdtContactParamsSetRestitution(&s.params, (MeReal).5);
-            worst[k] = fmax(worst[k], fabs(nextTop(&s, (MeReal)h) - .25 * (2 + .003 * phase)));
+            MdtContactParamsSetRestitution(&s.params, .5);
+            worst[k] = fmax(worst[k], fabs(nextTop(&s, h) - .25 * (2 + .003 * phase)));
             MdtWorldDestroy(s.world);
         }
     }
@@ -122,7 +122,7 @@ TEST(impacts_below_the_threshold_do_not_bounce) {
     for (int k = 0; k < 2; k++) {
         Ball s = makeBall(.5, 0);
         s.early = METRUE;
-        MdtContactParamsSetRestitution(&s.params, (MeReal).5);
+        MdtContactParamsSetRestitution(&s.params, .5);
         MdtContactParamsSetRestitutionThreshold(&s.params, 1);
         MdtBodySetLinearVelocity(s.body, 0, k ? (MeReal)-1.1 : (MeReal)-.9, 0);
         stepBall(&s, FRAME);
@@ -135,8 +135,8 @@ TEST(a_bouncing_ball_comes_to_rest_and_stays) {
     /* an overlap that counts as touching is left as it is: a part of the ball's size, sqrt(I/m) */
     const double touching = TOL(1e-5, 1e-7) * sqrt(.4);
     Ball s = makeBall(3, 9.81);
-    MdtWorldSetEpsilon(s.world, (MeReal)MDTWORLD_DEFAULT_EPSILON); /* the sag that keeps the contact overlapping */
-    MdtContactParamsSetRestitution(&s.params, (MeReal).6);
+    MdtWorldSetEpsilon(s.world, MDTWORLD_DEFAULT_EPSILON); /* the sag that keeps the contact overlapping */
+    MdtContactParamsSetRestitution(&s.params, .6);
     for (int i = 0; i < 600; i++)
         stepBall(&s, FRAME);
     for (int i = 0; i < 300; i++) {
@@ -149,7 +149,7 @@ TEST(a_bouncing_ball_comes_to_rest_and_stays) {
 
 static void pushFor(Ball *s, int n, double fx, double fz) {
     for (int i = 0; i < n; i++) {
-        MdtBodyAddForce(s->body, (MeReal)fx, 0, (MeReal)fz);
+        MdtBodyAddForce(s->body, fx, 0, fz);
         stepBall(s, FRAME);
     }
 }
@@ -192,7 +192,7 @@ TEST(what_places_lose_by_rounding_is_put_back) {
         MeVector3 at;
         MdtWorldID w = scene_world(1, 1, 0);
         MdtBodyID b = scene_body(w, 1, 0, 50, 0);
-        MdtBodySetLinearVelocity(b, 0, (MeReal)(rise / (double)FRAME), 0);
+        MdtBodySetLinearVelocity(b, 0, rise / (double)FRAME, 0);
         MdtWorldStep(w, FRAME);
         MdtBodyGetPosition(b, at);
         ck_assert(TOL((double)at[1] == 50, (double)at[1] > 50));
@@ -236,8 +236,8 @@ TEST(box_friction_is_a_box) {
     MdtContactParamsSetSecondaryFriction(&s.params, 2);
     pushFor(&s, 60, 9, 9);
     velocityOf(&s, v);
-    ck_assert_msg((fabs((double)v[0]) < 1e-6) != (fabs((double)v[2]) < 1e-6), "v = %g %g", (double)v[0], (double)v[2]);
-    assert_near(fabs((double)v[0]) + fabs((double)v[2]), 7 * 60 * (double)FRAME, TOL(1e-4, 7e-8));
+    ck_assert_msg((fabs(v[0]) < 1e-6) != (fabs(v[2]) < 1e-6), "v = %g %g", v[0], v[2]);
+    assert_near(fabs(v[0]) + fabs(v[2]), 7 * 60 * (double)FRAME, TOL(1e-4, 7e-8));
     MdtWorldDestroy(s.world);
 }
 
@@ -280,7 +280,7 @@ TEST(normal_force_friction_is_coulomb_s) {
     Ball s = makeBlock(g);
     MdtContactParamsSetType(&s.params, MdtContactTypeFriction2D);
     MdtContactParamsSetFrictionModel(&s.params, MdtFrictionModelNormalForce);
-    MdtContactParamsSetFrictionCoeffecient(&s.params, (MeReal)mu);
+    MdtContactParamsSetFrictionCoeffecient(&s.params, mu);
     pushFor(&s, 1, 3.9, 0);
     velocityOf(&s, v);
     assert_near(v[0], 0, TOL(1e-6, 9e-9));
@@ -291,11 +291,11 @@ TEST(normal_force_friction_is_coulomb_s) {
     /* gravity along a slope of tan .5 */
     for (int k = 0; k < 2; k++) {
         Ball slope = makeBlock(0);
-        MdtWorldSetGravity(slope.world, (MeReal)(g * sqrt(.2)), (MeReal)(-g * sqrt(.8)), 0);
+        MdtWorldSetGravity(slope.world, g * sqrt(.2), -g * sqrt(.8), 0);
         MdtContactParamsSetType(&slope.params, MdtContactTypeFriction2D);
         MdtContactParamsSetFrictionModel(&slope.params, MdtFrictionModelNormalForce);
         const double coefficient = k ? .51 : .49;
-        MdtContactParamsSetFrictionCoeffecient(&slope.params, (MeReal)coefficient);
+        MdtContactParamsSetFrictionCoeffecient(&slope.params, coefficient);
         pushFor(&slope, 120, 0, 0);
         velocityOf(&slope, v);
         const double acceleration = g * (sqrt(.2) - coefficient * sqrt(.8));
@@ -310,7 +310,7 @@ TEST(slip_velocity_is_slip_times_force_at_once) {
         Ball s = makeBlock(9.81);
         MeVector3 v;
         MdtContactParamsSetType(&s.params, MdtContactTypeFriction2D);
-        MdtContactParamsSetSlip(&s.params, (MeReal)slips[k]);
+        MdtContactParamsSetSlip(&s.params, slips[k]);
         /* at once: with h far below the time m × slip that friction needs to bring a mass to its speed it is reached
          * exponentially, in a step of 1/60 s by 1 / (1 + m slip / h) */
         const double lag = slips[k] / (double)FRAME / (1 + slips[k] / (double)FRAME);
@@ -368,8 +368,8 @@ TEST(a_contact_does_not_pull_unless_it_is_adhesive) {
 TEST(softness_rests_softness_force_step_squared_over_gamma_deep) {
     Ball s = makeBall(.5, 10);
     s.early = METRUE;
-    MdtWorldSetEpsilon(s.world, (MeReal).002);
-    MdtContactParamsSetSoftness(&s.params, (MeReal).01);
+    MdtWorldSetEpsilon(s.world, .002);
+    MdtContactParamsSetSoftness(&s.params, .01);
     for (int i = 0; i < 400; i++)
         stepBall(&s, FRAME);
     assert_near_rel(-heightOf(&s), .012 * 10 * (double)FRAME * (double)FRAME / .2, TOL(1e-3, 1e-6));
@@ -420,7 +420,7 @@ TEST(a_moving_world_carries) {
     MeVector3 v;
     MdtContactSetBodies(c, s.body, 0);
     MdtContactParamsSetType(MdtContactGetParams(c), MdtContactTypeFriction2D);
-    MdtContactSetWorldVelocity(c, 1, (MeReal).5, -2);
+    MdtContactSetWorldVelocity(c, 1, .5, -2);
     MdtContactEnable(c);
     MdtWorldStep(s.world, FRAME);
     velocityOf(&s, v);
@@ -432,7 +432,7 @@ TEST(a_moving_world_carries) {
 
 /* Boxes on four corner contacts each, one on the other, or on the floor; made anew each step. */
 static void cornerContacts(MdtWorldID w, MdtBodyID upper, MdtBodyID lower, double edge, MdtContactID made[4]) {
-    MeVector3 up, low = {0, (MeReal)(-edge / 2), 0};
+    MeVector3 up, low = {0, -edge / 2, 0};
     MdtBodyGetPosition(upper, up);
     if (lower)
         MdtBodyGetPosition(lower, low);
@@ -445,7 +445,7 @@ static void cornerContacts(MdtWorldID w, MdtBodyID upper, MdtBodyID lower, doubl
         MdtContactSetPosition(made[i], up[0] + (MeReal)(i & 1 ? edge / 2 : -edge / 2),
                               low[1] + (MeReal)(edge / 2 - depth / 2), up[2] + (MeReal)(i & 2 ? edge / 2 : -edge / 2));
         MdtContactSetNormal(made[i], 0, 1, 0);
-        MdtContactSetPenetration(made[i], (MeReal)depth);
+        MdtContactSetPenetration(made[i], depth);
         MdtContactParamsSetType(MdtContactGetParams(made[i]), MdtContactTypeFriction2D);
         MdtContactParamsSetFriction(MdtContactGetParams(made[i]), 5);
         MdtContactEnable(made[i]);
@@ -509,7 +509,7 @@ TEST(parameters_round_trip) {
     MdtContactParamsSetSecondarySlide(&p, 4);
     MdtContactParamsSetMaxAdhesiveForce(&p, 5);
     MdtContactParamsSetSoftness(&p, 6);
-    MdtContactParamsSetRestitution(&p, (MeReal).7);
+    MdtContactParamsSetRestitution(&p, .7);
     MdtContactParamsSetSecondaryFrictionCoeffecient(&p, 8);
     ck_assert(MdtContactParamsGetPrimarySlip(&p) == 1 && MdtContactParamsGetSecondarySlip(&p) == 2);
     ck_assert(MdtContactParamsGetPrimarySlide(&p) == -3 && MdtContactParamsGetSecondarySlide(&p) == 4);
@@ -561,7 +561,7 @@ TEST(friction_that_cannot_act_or_has_no_bound_is_told_once) {
     MdtBclContactParams p;
     MdtContactParamsReset(&p);
     ck_assert_str_eq(saidOf(&p), "");
-    MdtContactParamsSetFrictionCoeffecient(&p, (MeReal).7);
+    MdtContactParamsSetFrictionCoeffecient(&p, .7);
     ck_assert(strstr(saidOf(&p), "MdtContactParamsSetSurface") && strstr(saidOf(&p), "SetType was not called"));
     MdtContactParamsSetFrictionModel(&p, MdtFrictionModelCone);
     ck_assert(strstr(saidOf(&p), "SetType was not called"));
@@ -587,7 +587,7 @@ TEST(friction_that_cannot_act_or_has_no_bound_is_told_once) {
 TEST(a_surface_is_set_by_one_call) {
     MdtBclContactParams p;
     MdtContactParamsReset(&p);
-    MdtContactParamsSetSurface(&p, (MeReal).6, (MeReal).3);
+    MdtContactParamsSetSurface(&p, .6, .3);
     ck_assert_int_eq(MdtContactParamsGetType(&p), MdtContactTypeFriction2D);
     ck_assert_int_eq(MdtContactParamsGetPrimaryFrictionModel(&p), MdtFrictionModelCone);
     ck_assert_int_eq(MdtContactParamsGetSecondaryFrictionModel(&p), MdtFrictionModelCone);
@@ -610,7 +610,7 @@ TEST(a_surface_is_set_by_one_call) {
 }
 
 TEST(the_threshold_of_restitution_is_of_the_world_s_length_scale) {
-    const MdtWorldID world = MdtWorldCreate(2, 8, (MeReal).25, 1);
+    const MdtWorldID world = MdtWorldCreate(2, 8, .25, 1);
     MdtBclContactParams *const p = MdtContactGetParams(MdtContactCreate(world));
     assert_near_rel(MdtContactParamsGetRestitutionThreshold(p), .001 / 4, 1e-6);
     MdtWorldDestroy(world);

@@ -12,12 +12,12 @@ typedef struct {
 } Cube;
 
 static void placeContact(MdtContactID c, int i, double friction) {
-    MdtContactSetPosition(c, (MeReal)(i & 1 ? .5 : -.5), 0, (MeReal)(i & 2 ? .5 : -.5));
+    MdtContactSetPosition(c, i & 1 ? .5 : -.5, 0, i & 2 ? .5 : -.5);
     MdtContactSetNormal(c, 0, 1, 0);
     MdtContactParamsID p = MdtContactGetParams(c);
     MdtContactParamsSetType(p, MdtContactTypeFriction2D);
     MdtContactParamsSetFrictionModel(p, MdtFrictionModelNormalForce);
-    MdtContactParamsSetFrictionCoeffecient(p, (MeReal)friction);
+    MdtContactParamsSetFrictionCoeffecient(p, friction);
 }
 
 static Cube makeCube(MeBool grouped) {

@@ -11,19 +11,19 @@ TEST(friction_in_impacts_is_against_the_slide_of_a_bar) {
         MdtBodyID b = scene_box(w, 1, edge, 0, .1, 0);
         MeVector3 v, spin;
         MdtWorldSetEpsilon(w, 0);
-        MdtBodySetLinearVelocity(b, (MeReal)start[0], (MeReal)start[1], (MeReal)start[2]);
+        MdtBodySetLinearVelocity(b, start[0], start[1], start[2]);
         MdtContactID c = MdtContactCreate(w);
         MdtContactSetBodies(c, b, 0);
-        MdtContactSetPosition(c, (MeReal)arm[0], 0, (MeReal)arm[2]);
+        MdtContactSetPosition(c, arm[0], 0, arm[2]);
         MdtContactSetNormal(c, 0, 1, 0);
         MdtContactSetDirection(c, 1, 0, 0);
         MdtContactParamsID params = MdtContactGetParams(c);
         MdtContactParamsSetType(params, MdtContactTypeFriction2D);
         MdtContactParamsSetFrictionModel(params, MdtFrictionModelCone);
-        MdtContactParamsSetFrictionCoeffecient(params, (MeReal)mu);
-        MdtContactParamsSetRestitution(params, (MeReal)e);
+        MdtContactParamsSetFrictionCoeffecient(params, mu);
+        MdtContactParamsSetRestitution(params, e);
         MdtContactEnable(c);
-        MdtWorldStep(w, (MeReal)1e-8); /* the impact alone */
+        MdtWorldStep(w, 1e-8); /* the impact alone */
         MdtBodyGetLinearVelocity(b, v);
         MdtBodyGetAngularVelocity(b, spin);
         const double impulse[3] = {(double)v[0] - start[0], (double)v[1] - start[1], (double)v[2] - start[2]};
@@ -40,7 +40,7 @@ TEST(friction_in_impacts_is_against_the_slide_of_a_bar) {
 
 /* A step of which a part was left, and then that rest in two goes, is the step: the force acts throughout. */
 TEST(a_step_and_its_rest_are_a_step) {
-    const MeReal h = (MeReal).015625;
+    const MeReal h = .015625;
     MdtWorldID w = scene_world(2, 0, 10);
     MdtBodyID body[2] = {scene_body(w, 2, 0, 0, 0), scene_body(w, 2, 0, 0, 9)};
     MeVector3 p[2], v[2];

@@ -24,7 +24,7 @@ static Two makeTwo(double distance) {
 /* Turned by an angle about a unit axis. */
 static void turn(MdtBodyID b, double angle, double x, double y, double z) {
     const double s = sin(angle / 2);
-    MdtBodySetQuaternion(b, (MeReal)cos(angle / 2), (MeReal)(s * x), (MeReal)(s * y), (MeReal)(s * z));
+    MdtBodySetQuaternion(b, cos(angle / 2), s * x, s * y, s * z);
 }
 
 static void stand(MdtBodyID b) {
@@ -77,7 +77,7 @@ static void check(Two s, void (*there)(Two), void (*elsewhere)(Two), const char 
 
 static void apart(Two s, double distance) {
     for (int k = 0; k < 2; k++) {
-        MdtBodySetPosition(s.body[k], (MeReal)(k * distance), 0, 0);
+        MdtBodySetPosition(s.body[k], k * distance, 0, 0);
         turn(s.body[k], 0, 1, 0, 0);
         stand(s.body[k]);
     }
@@ -95,7 +95,7 @@ static void coinciding(Two s) {
 static void turned(Two s, double angle) {
     asMade(s);
     turn(s.body[1], angle, 0, 0, 1);
-    MdtBodySetPosition(s.body[1], (MeReal)(.5 + .5 * cos(angle)), (MeReal)(.5 * sin(angle)), 0);
+    MdtBodySetPosition(s.body[1], .5 + .5 * cos(angle), .5 * sin(angle), 0);
 }
 
 static void bent(Two s) {
@@ -114,7 +114,7 @@ TEST(a_universal_joint_bent_by_a_right_angle) {
     Two s = makeTwo(1);
     MdtUniversalID j = MdtUniversalCreate(s.world);
     MdtUniversalSetBodies(j, s.body[0], s.body[1]);
-    MdtUniversalSetPosition(j, (MeReal).5, 0, 0);
+    MdtUniversalSetPosition(j, .5, 0, 0);
     MdtUniversalSetAxis(j, 0, 0, 0, 1);
     MdtUniversalSetAxis(j, 1, 0, 1, 0);
     MdtUniversalEnable(j);
@@ -171,7 +171,7 @@ static void spring(double stiffness, const char *word) {
     Two s = makeTwo(1);
     MdtSpringID j = MdtSpringCreate(s.world);
     MdtSpringSetBodies(j, s.body[0], s.body[1]);
-    MdtSpringSetStiffness(j, (MeReal)stiffness);
+    MdtSpringSetStiffness(j, stiffness);
     MdtSpringEnable(j);
     check(s, coinciding, asMade, word);
 }
@@ -188,8 +188,8 @@ TEST(an_rpro_joint_half_a_turn_off) {
     Two s = makeTwo(1);
     MdtRPROJointID j = MdtRPROJointCreate(s.world);
     MdtRPROJointSetBodies(j, s.body[0], s.body[1]);
-    MdtRPROJointSetAttachmentPosition(j, (MeReal).5, 0, 0, 0);
-    MdtRPROJointSetAttachmentPosition(j, (MeReal)-.5, 0, 0, 1);
+    MdtRPROJointSetAttachmentPosition(j, .5, 0, 0, 0);
+    MdtRPROJointSetAttachmentPosition(j, -.5, 0, 0, 1);
     MdtRPROJointEnable(j);
     check(s, opposite, slightlyBent, "half a turn");
 }
@@ -198,7 +198,7 @@ TEST(a_skeletal_joint_swung_to_the_opposite) {
     Two s = makeTwo(1);
     MdtSkeletalID j = MdtSkeletalCreate(s.world);
     MdtSkeletalSetBodies(j, s.body[0], s.body[1]);
-    MdtSkeletalSetPosition(j, (MeReal).5, 0, 0);
+    MdtSkeletalSetPosition(j, .5, 0, 0);
     MdtSkeletalEnable(j);
     check(s, opposite, slightlyBent, "swing");
 }
@@ -207,7 +207,7 @@ TEST(six_springs_half_a_turn_off) {
     Two s = makeTwo(1);
     MdtSpring6ID j = MdtSpring6Create(s.world);
     MdtSpring6SetBodies(j, s.body[0], s.body[1]);
-    MdtSpring6SetPosition(j, (MeReal).5, 0, 0);
+    MdtSpring6SetPosition(j, .5, 0, 0);
     for (int i = 0; i < 3; i++)
         MdtSpring6SetAngularStiffness(j, i, MEINFINITY);
     MdtSpring6Enable(j);
@@ -232,7 +232,7 @@ TEST(linear_springs_may_turn) {
     Two s = makeTwo(1);
     MdtSpring6ID j = MdtSpring6Create(s.world);
     MdtSpring6SetBodies(j, s.body[0], s.body[1]);
-    MdtSpring6SetPosition(j, (MeReal).5, 0, 0);
+    MdtSpring6SetPosition(j, .5, 0, 0);
     MdtSpring6SetLinearStiffness(j, 0, 10);
     MdtSpring6Enable(j);
     stay(s, 20, opposite);
@@ -245,7 +245,7 @@ TEST(a_car_wheel_whose_axes_are_parallel) {
     Two s = makeTwo(1);
     MdtCarWheelID j = MdtCarWheelCreate(s.world);
     MdtCarWheelSetBodies(j, s.body[0], s.body[1]);
-    MdtCarWheelSetPosition(j, (MeReal).5, 0, 0);
+    MdtCarWheelSetPosition(j, .5, 0, 0);
     MdtCarWheelSetSteeringAxis(j, 0, 1, 0);
     MdtCarWheelSetHingeAxis(j, 1, 0, 0);
     MdtCarWheelEnable(j);

@@ -18,14 +18,14 @@ static Hung hang(double gravity, const double arm[3]) {
     s.body = scene_box(s.world, 2, edge, -arm[0], -arm[1], -arm[2]);
     s.joint = MdtFixedPathCreate(s.world);
     MdtFixedPathSetBodies(s.joint, s.body, 0);
-    MdtFixedPathSetPosition(s.joint, 0, (MeReal)arm[0], (MeReal)arm[1], (MeReal)arm[2]);
+    MdtFixedPathSetPosition(s.joint, 0, arm[0], arm[1], arm[2]);
     MdtFixedPathEnable(s.joint);
     return s;
 }
 
 static void setPath(Hung s, double x, double vx) {
-    MdtFixedPathSetPosition(s.joint, 1, (MeReal)x, 0, 0);
-    MdtFixedPathSetVelocity(s.joint, 1, (MeReal)vx, 0, 0);
+    MdtFixedPathSetPosition(s.joint, 1, x, 0, 0);
+    MdtFixedPathSetVelocity(s.joint, 1, vx, 0, 0);
 }
 
 static const double centre[3] = {0, 0, 0};
@@ -63,7 +63,7 @@ static double referenceAngle(double start, double end) {
 
 /* It hangs still from its pivot, which moves already. */
 static void throwPendulum(MdtBodyID bar) {
-    MdtBodySetLinearVelocity(bar, (MeReal)(amplitude * frequency), 0, 0);
+    MdtBodySetLinearVelocity(bar, amplitude * frequency, 0, 0);
 }
 
 /* The top end of the bar is led along the path with the mean velocity of each step. */
@@ -72,13 +72,13 @@ static double simulatedAngle(double start, double end, double h, double *apart) 
     Hung s = hang(g, top);
     const int n = (int)lround(end / h);
     double up[3], y[3] = {0, 1, 0}, point[3];
-    MdtBodySetQuaternion(s.body, (MeReal)cos(start / 2), 0, 0, (MeReal)sin(start / 2));
-    MdtBodySetPosition(s.body, (MeReal)(.4 * sin(start)), (MeReal)(-.4 * cos(start)), 0);
+    MdtBodySetQuaternion(s.body, cos(start / 2), 0, 0, sin(start / 2));
+    MdtBodySetPosition(s.body, .4 * sin(start), -.4 * cos(start), 0);
     throwPendulum(s.body);
     *apart = 0;
     for (int i = 0; i < n; i++) {
         setPath(s, pivot(i * h), (pivot((i + 1) * h) - pivot(i * h)) / h);
-        MdtWorldStep(s.world, (MeReal)h);
+        MdtWorldStep(s.world, h);
         measure_pointOut(s.body, top, point);
         point[0] -= pivot((i + 1) * h);
         *apart = fmax(*apart, keaLength(point));
@@ -124,7 +124,7 @@ TEST(without_the_velocity_it_lags_by_the_relaxation) {
     for (int k = 0; k < 4; k++) {
         Hung s = hang(0, centre);
         double p[3];
-        MdtWorldSetGamma(s.world, (MeReal)gammas[k]);
+        MdtWorldSetGamma(s.world, gammas[k]);
         for (int i = 0; i < 300; i++) {
             setPath(s, u * i * h, 0);
             MdtWorldStep(s.world, FRAME);
@@ -139,12 +139,12 @@ TEST(without_the_velocity_it_lags_by_the_relaxation) {
 TEST(the_force_is_that_of_the_motion) {
     Hung s = hang(g, centre);
     const double h = .002;
-    MdtBodySetLinearVelocity(s.body, (MeReal)(amplitude * frequency), 0, 0);
+    MdtBodySetLinearVelocity(s.body, amplitude * frequency, 0, 0);
     for (int i = 0; i < 1000; i++) {
         const double t = i * h;
         double f[3];
         setPath(s, pivot(t), amplitude * frequency * cos(frequency * t));
-        MdtWorldStep(s.world, (MeReal)h);
+        MdtWorldStep(s.world, h);
         read_force(MdtFixedPathQuaConstraint(s.joint), 0, f);
         if (i > 50) { /* the velocity at the start is that of the middle of a step */
             const double wanted = -2 * amplitude * frequency * frequency * sin(frequency * t);
@@ -159,7 +159,7 @@ TEST(an_accelerated_path_is_followed_to_second_order) {
     Hung s = hang(0, centre);
     const double a = 4, h = FRAME, gamma = .2;
     double p[3];
-    MdtWorldSetGamma(s.world, (MeReal)gamma);
+    MdtWorldSetGamma(s.world, gamma);
     for (int i = 0; i < 120; i++) {
         setPath(s, .5 * a * i * h * i * h, a * i * h);
         MdtWorldStep(s.world, FRAME);
@@ -185,14 +185,14 @@ TEST(a_path_in_a_turning_body) {
         else
             MdtFixedPathSetBodies(j, ball, body);
         MdtFixedPathEnable(j);
-        MdtBodySetAngularVelocity(body, (MeReal).3, (MeReal)-.5, 2);
+        MdtBodySetAngularVelocity(body, .3, -.5, 2);
         measure_momentum(body, p[0], L[0]);
         measure_momentum(ball, p[1], L[1]);
         for (int i = 0; i < 300; i++) {
             const double x = .5 + .3 * sin(2 * i * h), next = .5 + .3 * sin(2 * (i + 1) * h);
             double wanted[3], at[3], local[3] = {next, .2, 0};
-            MdtFixedPathSetPosition(j, rail, (MeReal)x, (MeReal).2, 0);
-            MdtFixedPathSetVelocity(j, rail, (MeReal)((next - x) / h), 0, 0);
+            MdtFixedPathSetPosition(j, rail, x, .2, 0);
+            MdtFixedPathSetVelocity(j, rail, (next - x) / h, 0, 0);
             MdtWorldStep(w, FRAME);
             measure_pointOut(body, local, wanted);
             measure_position(ball, at);
@@ -210,10 +210,10 @@ TEST(a_path_in_a_turning_body) {
 /* Positions are in the body's frame, which is not that of its centre of mass. */
 TEST(the_frame_is_the_body_s_not_its_centre_of_mass_s) {
     Hung s = hang(g, centre);
-    const MeVector3 offset = {(MeReal).1, (MeReal)-.3, (MeReal).2};
+    const MeVector3 offset = {.1, -.3, .2};
     MeVector3 back;
     MdtBodySetCenterOfMassRelativePosition(s.body, offset);
-    MdtFixedPathSetPosition(s.joint, 0, (MeReal).5, (MeReal).1, (MeReal)-.2);
+    MdtFixedPathSetPosition(s.joint, 0, .5, .1, -.2);
     MdtFixedPathGetPosition(s.joint, 0, back);
     assert_vec3_near(back, .5, .1, -.2, TOL(5e-7, 5e-14));
     MdtFixedPathSetVelocity(s.joint, 0, 1, 2, 3);
@@ -233,7 +233,7 @@ TEST(the_frame_is_the_body_s_not_its_centre_of_mass_s) {
 TEST(rotation_is_free) {
     Hung s = hang(0, centre);
     double w[3];
-    MdtBodySetSphericalInertiaTensor(s.body, (MeReal).1);
+    MdtBodySetSphericalInertiaTensor(s.body, .1);
     MdtBodySetAngularVelocity(s.body, 1, 2, 3);
     for (int i = 0; i < 100; i++) {
         setPath(s, pivot(i * (double)FRAME), 0);

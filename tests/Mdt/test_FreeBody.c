@@ -5,7 +5,7 @@
 TEST(free_fall_is_the_closed_form_to_rounding) {
     const double steplengths[] = {1.0 / 30, 1.0 / 60, 1e-3};
     for (int k = 0; k < 3; k++) {
-        const MeReal h = (MeReal)steplengths[k], g = (MeReal)9.8;
+        const MeReal h = steplengths[k], g = (MeReal)9.8;
         const int n = 600;
         MdtWorldID w = scene_world(1, 0, 9.8);
         MdtBodyID b = scene_body(w, 3, 0, 10, 0);
@@ -47,7 +47,7 @@ TEST(angular_damping_slows_a_spin_by_the_exponential) {
     MdtWorldID w = scene_world(1, 0, 0);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     MdtBodySetAngularVelocity(b, 0, 3, 0);
-    MdtBodySetAngularVelocityDamping(b, (MeReal).5);
+    MdtBodySetAngularVelocityDamping(b, .5);
     steps(w, 120, FRAME);
     MeVector3 v;
     MdtBodyGetAngularVelocity(b, v);
@@ -97,8 +97,8 @@ TEST(a_free_body_keeps_its_momenta) {
     const double edge[3] = {1, .6, .2};
     MdtWorldID w = scene_world(1, 0, 0);
     MdtBodyID b = scene_box(w, 2, edge, 1, 2, 3);
-    MdtBodySetQuaternion(b, (MeReal).8, (MeReal).2, (MeReal)-.5, (MeReal).1);
-    MdtBodySetLinearVelocity(b, 1, -2, (MeReal).5);
+    MdtBodySetQuaternion(b, .8, .2, -.5, .1);
+    MdtBodySetLinearVelocity(b, 1, -2, .5);
     MdtBodySetAngularVelocity(b, 3, -4, 2);
     const Momentum before = momentumOf(w);
     steps(w, 600, FRAME);
@@ -112,7 +112,7 @@ TEST(an_impulse_is_no_acceleration) {
     MeVector3 acceleration, spin;
     MdtWorldID w = scene_world(1, 0, 0);
     MdtBodyID b = scene_box(w, 1, edge, 0, 0, 0);
-    MdtBodyAddImpulseAtPosition(b, 1, 0, 0, 0, (MeReal).5, 0);
+    MdtBodyAddImpulseAtPosition(b, 1, 0, 0, 0, .5, 0);
     MdtWorldStep(w, FRAME);
     MdtBodyGetAngularVelocity(b, spin);
     assert_near(spin[2], -3, TOL(1e-6, 1e-14));
@@ -132,15 +132,15 @@ TEST(bodies_joined_by_joints_keep_their_momenta) {
               c = scene_box(w, .5, edge, 2, 0, 0);
     MdtBSJointID ball = MdtBSJointCreate(w);
     MdtBSJointSetBodies(ball, a, b);
-    MdtBSJointSetPosition(ball, (MeReal).5, 0, 0);
+    MdtBSJointSetPosition(ball, .5, 0, 0);
     MdtBSJointEnable(ball);
     MdtHingeID hinge = MdtHingeCreate(w);
     MdtHingeSetBodies(hinge, b, c);
-    MdtHingeSetPosition(hinge, (MeReal)1.5, 0, 0);
+    MdtHingeSetPosition(hinge, 1.5, 0, 0);
     MdtHingeSetAxis(hinge, 0, 1, 1);
     MdtHingeEnable(hinge);
     MdtBodyAddImpulse(a, 1, 2, 0);
-    MdtBodyAddImpulseAtPosition(c, 0, 1, (MeReal)-.7, (MeReal)2.4, (MeReal).1, 0);
+    MdtBodyAddImpulseAtPosition(c, 0, 1, -.7, 2.4, .1, 0);
     MdtWorldStep(w, FRAME); /* the impulses act */
     const Momentum before = momentumOf(w);
     assert_near(before.linear[1], 3, TOL(1e-6, 3e-13));
@@ -155,7 +155,7 @@ TEST(middle_axis_tumbling_flips_and_keeps_its_energy) {
     const double edge[3] = {1, .6, .2};
     MdtWorldID w = scene_world(1, 0, 0);
     MdtBodyID b = scene_box(w, 1, edge, 0, 0, 0);
-    MdtBodySetAngularVelocity(b, (MeReal).01, 5, 0);
+    MdtBodySetAngularVelocity(b, .01, 5, 0);
     const double before = MdtBodyGetKineticEnergy(b);
     double flips[4] = {0}, worst = 0, last = 5;
     int count = 0;
@@ -182,7 +182,7 @@ TEST(a_tilted_tensor_moves_like_a_tilted_body) {
     const double edge[3] = {1, .6, .2};
     MdtWorldID w = scene_world(2, 0, 0);
     MdtBodyID plain = scene_box(w, 1, edge, 0, 0, 0), tilted = scene_body(w, 1, 5, 0, 0);
-    const MeReal c = (MeReal).8, s = (MeReal).6; /* about z */
+    const MeReal c = .8, s = (MeReal).6; /* about z */
     MeMatrix3 I, tensor;
     MdtBodyGetInertiaTensor(plain, I);
     const MeMatrix3 T = {{c, -s, 0}, {s, c, 0}, {0, 0, 1}};
@@ -215,7 +215,7 @@ TEST(fast_spin_is_exact) {
     MeVector4 q;
     MdtBodyGetQuaternion(b, q);
     const double half = .5 * (double)rate * 60 * (double)FRAME;
-    assert_near(fabs((double)q[0]), fabs(cos(half)), TOL(5e-7, 6e-13));
+    assert_near(fabs(q[0]), fabs(cos(half)), TOL(5e-7, 6e-13));
     assert_near(q[1], 0, 9e-14);
     MdtWorldDestroy(w);
 }
@@ -240,13 +240,13 @@ TEST(spherical_inertia_and_no_coriolis_keep_the_angular_velocity) {
 
 /* v = F h / m for a force, I / m for an impulse, however long the step; a force lasts for one step. */
 TEST(forces_last_a_step_and_impulses_do_not_depend_on_it) {
-    const MeReal h[] = {(MeReal).1, (MeReal).001};
+    const MeReal h[] = {.1, .001};
     for (int k = 0; k < 2; k++) {
         MdtWorldID w = scene_world(2, 0, 0);
         MdtBodyID pushed = scene_body(w, 2, 0, 0, 0), hit = scene_body(w, 2, 0, 5, 0);
         MdtBodyAddForce(pushed, 3, 0, 0);
         MdtBodyAddForce(pushed, 0, 5, 0);
-        MdtBodyAddTorque(pushed, 0, 0, (MeReal).2);
+        MdtBodyAddTorque(pushed, 0, 0, .2);
         MdtBodyAddImpulse(hit, 0, 0, 4);
         steps(w, 3, h[k]);
         MeVector3 v;
@@ -286,7 +286,7 @@ TEST(damped_flight_converges_at_second_order) {
         MeVector3 p;
         MdtBodySetLinearVelocity(b, 0, 6, 0);
         MdtBodySetLinearVelocityDamping(b, 2);
-        steps(w, n, (MeReal)(1.0 / n));
+        steps(w, n, 1.0 / n);
         MdtBodyGetPosition(b, p);
         error[k] = (double)p[1] - 3 * (1 - exp(-2));
         assert_near_rel(error[k], 3 * (1 - exp(-2)) * (4. / 12) / (n * n), 1e-2);
@@ -303,17 +303,17 @@ TEST(a_body_tumbles_alike_at_any_scale) {
     for (int k = 0; k < 2; k++) {
         const double size = k ? 1. / 1024 : 1, mass = size * size * size;
         const double edge[3] = {2 * size, size, .5 * size};
-        MdtWorldID w = MdtWorldCreate(1, 1, (MeReal)size, (MeReal)mass);
+        MdtWorldID w = MdtWorldCreate(1, 1, size, mass);
         MdtWorldSetAutoDisable(w, 0);
         MdtWorldSetEpsilon(w, 0);
-        MdtWorldSetGravity(w, 0, (MeReal)(-10 * size), 0);
+        MdtWorldSetGravity(w, 0, -10 * size, 0);
         MdtBodyID b = scene_box(w, mass, edge, size, 0, 0);
         MdtBSJointID joint = MdtBSJointCreate(w);
         MdtBSJointSetBodies(joint, b, 0);
         MdtBSJointSetPosition(joint, 0, 0, 0);
         MdtBSJointEnable(joint);
         MdtBodySetAngularVelocity(b, 1, 2, 3);
-        MdtBodySetLinearVelocity(b, 0, (MeReal)(3 * size), (MeReal)(-2 * size));
+        MdtBodySetLinearVelocity(b, 0, 3 * size, -2 * size);
         steps(w, 120, FRAME);
         MdtBodyGetPosition(b, p[k]);
         MdtBodyGetAngularVelocity(b, spin[k]);

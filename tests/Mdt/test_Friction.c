@@ -29,12 +29,12 @@ static void standOn(MdtBodyID body, MdtBodyID on, double depth, MdtFrictionModel
         MdtContactSetPosition(c, p[0] + (MeReal)(i & 1 ? .5 : -.5), p[1] - (MeReal).5,
                               p[2] + (MeReal)(i & 2 ? .5 : -.5));
         MdtContactSetNormal(c, 0, 1, 0);
-        MdtContactSetPenetration(c, (MeReal)depth);
-        MdtContactSetDirection(c, (MeReal)cos(turn), 0, (MeReal)sin(turn));
+        MdtContactSetPenetration(c, depth);
+        MdtContactSetDirection(c, cos(turn), 0, sin(turn));
         MdtContactParamsID params = MdtContactGetParams(c);
         MdtContactParamsSetType(params, MdtContactTypeFriction2D);
         MdtContactParamsSetFrictionModel(params, model);
-        MdtContactParamsSetFrictionCoeffecient(params, (MeReal)mu);
+        MdtContactParamsSetFrictionCoeffecient(params, mu);
         MdtContactEnable(c);
     }
 }
@@ -53,8 +53,7 @@ static void push(Cube *s, MdtFrictionModel model, double force, double angle, do
         MeVector3 p;
         MdtBodyGetPosition(s->body, p);
         makeContacts(s, model, turn);
-        MdtBodyAddForceAtPosition(s->body, (MeReal)(force * cos(angle)), 0, (MeReal)(force * sin(angle)), p[0], 0,
-                                  p[2]);
+        MdtBodyAddForceAtPosition(s->body, force * cos(angle), 0, force * sin(angle), p[0], 0, p[2]);
         MdtWorldStep(s->world, FRAME);
     }
 }
@@ -83,13 +82,13 @@ TEST(a_sliding_cube_keeps_its_direction_and_stops) {
         const double angle = k * pi / 4 + .4, speed = 2;
         Cube s = makeCube();
         MeVector3 p;
-        MdtBodySetLinearVelocity(s.body, (MeReal)(speed * cos(angle)), 0, (MeReal)(speed * sin(angle)));
+        MdtBodySetLinearVelocity(s.body, speed * cos(angle), 0, speed * sin(angle));
         for (int i = 0; i < 60; i++) {
             makeContacts(&s, MdtFrictionModelCone, .1 * k);
             MdtWorldStep(s.world, FRAME);
         }
         MdtBodyGetPosition(s.body, p);
-        const double way = hypot((double)p[0], (double)p[2]);
+        const double way = hypot(p[0], p[2]);
         assert_near(way, speed * speed / (2 * mu * gravity), TOL(1e-6, 4e-9)); /* the box model would curve */
         assert_near((double)p[0] * sin(angle) - (double)p[2] * cos(angle), 0, TOL(1e-6, 1e-7));
         MdtWorldDestroy(s.world);
@@ -112,16 +111,16 @@ TEST(a_rolling_ball_needs_two_sevenths_of_the_slope) {
         const double angle = atan(slopes[k]);
         MdtWorldID w = scene_world(1, 1, 0);
         MdtWorldSetEpsilon(w, 0);
-        MdtWorldSetGravity(w, (MeReal)(gravity * sin(angle)), (MeReal)(-gravity * cos(angle)), 0);
+        MdtWorldSetGravity(w, gravity * sin(angle), -gravity * cos(angle), 0);
         MdtBodyID b = scene_body(w, 1, 0, 1, 0);
-        MdtBodySetInertiaTensor(b, (MeMatrix3){{(MeReal).4, 0, 0}, {0, (MeReal).4, 0}, {0, 0, (MeReal).4}});
+        MdtBodySetInertiaTensor(b, (MeMatrix3){{.4, 0, 0}, {0, (MeReal).4, 0}, {0, 0, (MeReal).4}});
         MdtContactID c = MdtContactCreate(w);
         MdtContactSetBodies(c, b, 0);
         MdtContactSetDirection(c, 1, 0, 1);
         MdtContactParamsID params = MdtContactGetParams(c);
         MdtContactParamsSetType(params, MdtContactTypeFriction2D);
         MdtContactParamsSetFrictionModel(params, MdtFrictionModelCone);
-        MdtContactParamsSetFrictionCoeffecient(params, (MeReal)coefficient);
+        MdtContactParamsSetFrictionCoeffecient(params, coefficient);
         MdtContactEnable(c);
         for (int i = 0; i < 60; i++) {
             MeVector3 p;
@@ -149,7 +148,7 @@ TEST(it_acts_between_bodies_that_stand_on_each_other) {
         const MdtBodyID upper = scene_box(s.world, 1, edge, 0, 1.5 + gaps[k], 0);
         standOn(s.body, 0, 0, MdtFrictionModelCone, 0);
         standOn(upper, s.body, -gaps[k], MdtFrictionModelCone, 0);
-        MdtBodyAddForce(upper, (MeReal)(.4 * mu * gravity), 0, 0);
+        MdtBodyAddForce(upper, .4 * mu * gravity, 0, 0);
         MdtWorldSetTimedContacts(s.world, 0); /* as in larger partitions */
         MdtWorldStep(s.world, FRAME);
         MdtBodyGetLinearVelocity(upper, v);
@@ -169,15 +168,15 @@ TEST(a_ball_may_spin_as_fast_as_it_likes) {
         MdtWorldSetEpsilon(w, 0);
         MdtWorldEnableReport(w);
         MdtBodyID b = scene_body(w, 1, 0, radius, 0);
-        MdtBodySetInertiaTensor(b, (MeMatrix3){{(MeReal).004, 0, 0}, {0, (MeReal).004, 0}, {0, 0, (MeReal).004}});
-        MdtBodySetAngularVelocity(b, 0, 0, (MeReal)spin);
+        MdtBodySetInertiaTensor(b, (MeMatrix3){{.004, 0, 0}, {0, (MeReal).004, 0}, {0, 0, (MeReal).004}});
+        MdtBodySetAngularVelocity(b, 0, 0, spin);
         MdtContactID c = MdtContactCreate(w);
         MdtContactSetBodies(c, b, 0);
-        MdtContactSetPosition(c, (MeReal)(aside * radius / 2), 0, 0);
-        MdtContactSetRadius(c, 0, (MeReal)radius);
+        MdtContactSetPosition(c, aside * radius / 2, 0, 0);
+        MdtContactSetRadius(c, 0, radius);
         MdtContactParamsSetType(MdtContactGetParams(c), MdtContactTypeFriction2D);
         MdtContactParamsSetFrictionModel(MdtContactGetParams(c), MdtFrictionModelCone);
-        MdtContactParamsSetFrictionCoeffecient(MdtContactGetParams(c), (MeReal)mu);
+        MdtContactParamsSetFrictionCoeffecient(MdtContactGetParams(c), mu);
         MdtContactEnable(c);
         messages_catch();
         MdtWorldStep(w, FRAME);

@@ -20,24 +20,24 @@ static double rateOf(HingedBar s) {
 
 static void setStops(HingedBar s, double lower, double upper, double restitution) {
     MdtSingleLimitID stop[2] = {MdtLimitGetLowerLimit(s.limit), MdtLimitGetUpperLimit(s.limit)};
-    MdtSingleLimitSetStop(stop[0], (MeReal)lower);
-    MdtSingleLimitSetStop(stop[1], (MeReal)upper);
-    MdtSingleLimitSetRestitution(stop[0], (MeReal)restitution);
-    MdtSingleLimitSetRestitution(stop[1], (MeReal)restitution);
+    MdtSingleLimitSetStop(stop[0], lower);
+    MdtSingleLimitSetStop(stop[1], upper);
+    MdtSingleLimitSetRestitution(stop[0], restitution);
+    MdtSingleLimitSetRestitution(stop[1], restitution);
     MdtLimitActivateLimits(s.limit, 1);
 }
 
 static void setSpring(HingedBar s, double stiffness, double damping) {
     MdtSingleLimitID stop[2] = {MdtLimitGetLowerLimit(s.limit), MdtLimitGetUpperLimit(s.limit)};
     for (int i = 0; i < 2; i++) {
-        MdtSingleLimitSetStiffness(stop[i], (MeReal)stiffness);
-        MdtSingleLimitSetDamping(stop[i], (MeReal)damping);
+        MdtSingleLimitSetStiffness(stop[i], stiffness);
+        MdtSingleLimitSetDamping(stop[i], damping);
     }
 }
 
 TEST(only_the_angle_is_free) {
     HingedBar s = scene_hingedBar(0);
-    MdtBodyAddImpulseAtPosition(s.bar, (MeReal).3, 1, (MeReal).7, 1, 0, (MeReal).2);
+    MdtBodyAddImpulseAtPosition(s.bar, .3, 1, .7, 1, 0, .2);
     for (int i = 0; i < 300; i++) {
         MeVector3 p, w;
         MdtWorldStep(s.world, FRAME);
@@ -56,8 +56,8 @@ TEST(the_angle_counts_full_turns) {
     const double rates[] = {3, -3, 40, -170}; /* the last one is 0.45 of a turn a step */
     for (int k = 0; k < 4; k++) {
         HingedBar s = scene_hingedBar(0);
-        MdtBodySetCenterOfMassRelativePosition(s.bar, (MeVector3){(MeReal)-.5, 0, 0}); /* a rotor: no swing */
-        MdtBodySetAngularVelocity(s.bar, 0, 0, (MeReal)rates[k]);
+        MdtBodySetCenterOfMassRelativePosition(s.bar, (MeVector3){-.5, 0, 0}); /* a rotor: no swing */
+        MdtBodySetAngularVelocity(s.bar, 0, 0, rates[k]);
         steps(s.world, 600, FRAME);
         assert_near_rel(angleOf(s), 600 * divided_turn(rates[k], FRAME, 1), TOL(1e-6, 9e-14));
         assert_near_rel(MdtLimitGetVelocity(s.limit), rates[k], TOL(1e-6, 9e-14));
@@ -156,9 +156,9 @@ TEST(a_soft_stop_is_a_damped_spring) {
             Swing swing = {0};
             setStops(s, 0, 10, 0);
             setSpring(s, ks[a], ds[b]);
-            MdtLimitSetPosition(s.limit, (MeReal)(.5 * rest));
+            MdtLimitSetPosition(s.limit, .5 * rest);
             for (int i = 0; i < 3000 && swing.crossings < 9; i++) {
-                MdtBodyAddTorque(s.bar, 0, 0, (MeReal)-load);
+                MdtBodyAddTorque(s.bar, 0, 0, -load);
                 MdtWorldStep(s.world, FRAME);
                 swing_add(&swing, angleOf(s) - rest);
             }
@@ -212,7 +212,7 @@ TEST(a_stop_without_stiffness_and_damping_does_nothing) {
 
 TEST(the_motor_reaches_its_speed_with_its_force) {
     HingedBar s = scene_hingedBar(0);
-    MdtLimitSetLimitedForceMotor(s.limit, 10, (MeReal).5);
+    MdtLimitSetLimitedForceMotor(s.limit, 10, .5);
     ck_assert(MdtLimitIsMotorized(s.limit));
     const double acceleration = .5 / inertia;
     for (int i = 1; i <= 500; i++) {
@@ -259,12 +259,12 @@ TEST(what_a_motor_has_stopped_costs_nothing) {
 /* The bar lies on the stop, motor and stop in balance: fmax = stiffness × overshoot. */
 TEST(the_lock_holds_up_to_its_force) {
     HingedBar s = scene_hingedBar(10); /* its weight turns with 5 N m where the bar is level */
-    MdtLimitSetLock(s.limit, (MeReal)-.2, 6);
+    MdtLimitSetLock(s.limit, -.2, 6);
     MdtLimitSetLimitedForceMotor(s.limit, 3, 100); /* rests while the lock holds */
     ck_assert(MdtLimitIsLocked(s.limit));
     steps(s.world, 240, FRAME);
     assert_near(angleOf(s), -.2, TOL(2e-7, 2e-9));
-    MdtLimitSetLock(s.limit, (MeReal)-.2, 3);
+    MdtLimitSetLock(s.limit, -.2, 3);
     steps(s.world, 20, FRAME);
     assert_below(angleOf(s), -.3); /* overpowered */
     MdtLimitActivateLock(s.limit, 0);
@@ -391,7 +391,7 @@ TEST(set_limit_copies_the_public_values) {
     MdtBclLimit own;
     MdtLimitReset(&own);
     MdtLimitActivateLimits(&own, 1);
-    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(&own), (MeReal).25);
+    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(&own), .25);
     MdtSingleLimitSetRestitution(MdtLimitGetUpperLimit(&own), 0);
     MdtSingleLimitSetStop(MdtLimitGetLowerLimit(&own), -1);
     MdtHingeSetLimit(s.hinge, &own);
@@ -458,7 +458,7 @@ static double forceOnDoor(double apart) {
         MdtWorldStep(w, FRAME);
         for (int k = 0; k < 2; k++) {
             MdtHingeGetForce(hinge[k], 0, f);
-            max = fmax(max, (double)MeVector3Magnitude(f));
+            max = fmax(max, MeVector3Magnitude(f));
         }
     }
     MdtWorldDestroy(w);

@@ -102,7 +102,7 @@ LOOP_TEST(where_something_acts_it_is_silent, 0, 8) {
 /* As a program does that has collision alone, or plays an animation. */
 TEST(a_body_that_the_program_moves_is_no_mistake) {
     for (int i = 0; i < 200; i++) {
-        MdtBodySetPosition(body, (MeReal)(i * 0.01), 0, 0);
+        MdtBodySetPosition(body, i * 0.01, 0, 0);
         run(1);
     }
     assert_silent();

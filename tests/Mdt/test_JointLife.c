@@ -40,7 +40,7 @@
             (v)[i_] = 7;                                                                                               \
         WARNS(call);                                                                                                   \
         for (int i_ = 0; i_ < (n); i_++)                                                                               \
-            ck_assert_msg((v)[i_] == 0, "%s gives %g", #call, (double)(v)[i_]);                                        \
+            ck_assert_msg((v)[i_] == 0, "%s gives %g", #call, (v)[i_]);                                                \
     } while (0)
 
 /* ---- the world's two bodies ---- */
@@ -55,7 +55,7 @@ static Stage makeStage(unsigned int constraints) {
     s.world = scene_world(2, constraints, 10);
     s.a = scene_body(s.world, 1, 1, 2, 3);
     s.b = scene_body(s.world, 2, 2, 2, 3);
-    MdtBodySetQuaternion(s.b, (MeReal).5, (MeReal).5, (MeReal).5, (MeReal)-.5);
+    MdtBodySetQuaternion(s.b, .5, .5, .5, -.5);
     return s;
 }
 
@@ -479,7 +479,7 @@ static void changeLimit(MdtLimitID l) {
     MdtSingleLimitSetStop(MdtLimitGetLowerLimit(l), -1);
     MdtSingleLimitSetDamping(MdtLimitGetLowerLimit(l), 1);
     MdtSingleLimitSetStiffness(MdtLimitGetUpperLimit(l), 1);
-    MdtSingleLimitSetRestitution(MdtLimitGetUpperLimit(l), (MeReal).5);
+    MdtSingleLimitSetRestitution(MdtLimitGetUpperLimit(l), .5);
     MdtLimitSetStiffnessThreshold(l, 10);
     MdtLimitSetPosition(l, 5);
     MdtLimitActivateLimits(l, 1);
@@ -774,7 +774,7 @@ TEST(reset_restores_the_defaults_and_leaves_the_bodies) {
 /* ---- numbers that a joint cannot have: a warning, and nothing is changed ---- */
 
 TEST(numbers_that_a_joint_cannot_have) {
-    const MeReal bad[] = {(MeReal)NAN, (MeReal)INFINITY, -1};
+    const MeReal bad[] = {NAN, INFINITY, -1};
     messages_catch();
     Stage s = makeStage(16);
     const MdtAngular3ID angular = MdtAngular3Create(s.world);

@@ -234,7 +234,7 @@ static void setUpRPRO(Pair *s) {
         for (int l = 0; l < 3; l++)
             M[i][l] = R[1][0][i] * R[0][0][l] + R[1][1][i] * R[0][1][l] + R[1][2][i] * R[0][2][l];
     keaQuaternionFromMatrix(q, (const double(*)[3])M);
-    const MeVector4 relative = {(MeReal)q[0], (MeReal)q[1], (MeReal)q[2], (MeReal)q[3]};
+    const MeVector4 relative = {q[0], q[1], q[2], q[3]};
     MdtRPROJointSetRelativeQuaternion(j, relative);
 }
 
@@ -260,7 +260,7 @@ static void setUpConeLimit(Pair *s) {
     MdtConeLimitID j = MdtConstraintDCastConeLimit(s->joint);
     for (unsigned int k = 0; k < 2; k++)
         MdtConeLimitBodySetAxes(j, k, XYZ(s->axes[k][0]), XYZ(s->axes[k][1]));
-    MdtConeLimitSetConeHalfAngle(j, (MeReal)halfAngle);
+    MdtConeLimitSetConeHalfAngle(j, halfAngle);
 }
 
 /* A ball and socket: three rows along the world's axes, from the poses alone, the forces in the middle of the gap. */
@@ -336,9 +336,9 @@ static MdtBodyID makeBody(MdtWorldID w, int which) {
     static const double place[2][3] = {{.3, -.2, .1}, {1.2, .4, -.3}};
     MdtBodyID b = scene_box(w, mass[which], edge[which], place[which][0], place[which][1], place[which][2]);
     if (which == 0)
-        MdtBodySetQuaternion(b, (MeReal).7, (MeReal).1, (MeReal)-.5, (MeReal).5);
+        MdtBodySetQuaternion(b, .7, .1, -.5, .5);
     else
-        MdtBodySetQuaternion(b, (MeReal).1, (MeReal).7, (MeReal).5, (MeReal)-.5);
+        MdtBodySetQuaternion(b, .1, .7, .5, -.5);
     return b;
 }
 

@@ -7,8 +7,8 @@ static const double normal[3] = {.6, .8, 0};
 static MdtLinear1ID plane(MdtWorldID w, MdtBodyID a, MdtBodyID b, const double p[3], const double n[3]) {
     MdtLinear1ID j = MdtLinear1Create(w);
     MdtLinear1SetBodies(j, a, b);
-    MdtLinear1SetPosition(j, (MeReal)p[0], (MeReal)p[1], (MeReal)p[2]);
-    MdtLinear1SetAxis(j, (MeReal)n[0], (MeReal)n[1], (MeReal)n[2]);
+    MdtLinear1SetPosition(j, p[0], p[1], p[2]);
+    MdtLinear1SetAxis(j, n[0], n[1], n[2]);
     MdtLinear1Enable(j);
     return j;
 }
@@ -16,8 +16,8 @@ static MdtLinear1ID plane(MdtWorldID w, MdtBodyID a, MdtBodyID b, const double p
 static MdtLinear2ID line(MdtWorldID w, MdtBodyID a, MdtBodyID b, const double p[3], const double d[3]) {
     MdtLinear2ID j = MdtLinear2Create(w);
     MdtLinear2SetBodies(j, a, b);
-    MdtLinear2SetPosition(j, (MeReal)p[0], (MeReal)p[1], (MeReal)p[2]);
-    MdtLinear2SetDirection(j, (MeReal)d[0], (MeReal)d[1], (MeReal)d[2]);
+    MdtLinear2SetPosition(j, p[0], p[1], p[2]);
+    MdtLinear2SetDirection(j, d[0], d[1], d[2]);
     MdtLinear2Enable(j);
     return j;
 }
@@ -63,7 +63,7 @@ TEST(the_point_is_in_the_plane_the_body_turns_about_it) {
     MdtWorldID w = makeWorld(g);
     MdtBodyID b = scene_box(w, 3, edge, 0, cos(lean), 0);
     double ground[3], p[3], end[3];
-    MdtBodySetQuaternion(b, (MeReal)cos(lean / 2), 0, 0, (MeReal)sin(lean / 2));
+    MdtBodySetQuaternion(b, cos(lean / 2), 0, 0, sin(lean / 2));
     measure_pointOut(b, foot, ground);
     plane(w, b, 0, ground, up);
     for (int i = 0; i < 40; i++) {
@@ -85,7 +85,7 @@ TEST(the_plane_is_the_second_body_s) {
     const double at[3] = {.5, .3, 0}, up[3] = {0, 1, 0};
     double p[3], local[3];
     plane(w, ball, table, at, up);
-    MdtBodySetAngularVelocity(table, (MeReal).3, 0, 1);
+    MdtBodySetAngularVelocity(table, .3, 0, 1);
     for (int i = 0; i < 120; i++) {
         MdtWorldStep(w, FRAME);
         measure_position(ball, p);
@@ -103,7 +103,7 @@ TEST(a_plane_of_a_body_on_a_point_of_the_world) {
     MdtBodyID table = scene_box(w, 5, edge, 0, 0, 0);
     double local[3];
     plane(w, 0, table, centre, up);
-    MdtBodySetAngularVelocity(table, 0, 0, (MeReal).5);
+    MdtBodySetAngularVelocity(table, 0, 0, .5);
     MdtBodySetLinearVelocity(table, 1, 0, 0);
     for (int i = 0; i < 60; i++) {
         MdtWorldStep(w, FRAME);
@@ -143,10 +143,10 @@ TEST(a_body_on_a_rail_swings) {
     MdtBodyID b = scene_body(w, 1, 0, -l, 0);
     Swing swing = {0};
     double p[3];
-    MdtBodySetSphericalInertiaTensor(b, (MeReal)inertia);
+    MdtBodySetSphericalInertiaTensor(b, inertia);
     line(w, b, 0, centre, rail);
-    MdtBodySetQuaternion(b, (MeReal)cos(angle / 2), 0, 0, (MeReal)sin(angle / 2));
-    MdtBodySetPosition(b, 0, (MeReal)(-l * cos(angle)), 0);
+    MdtBodySetQuaternion(b, cos(angle / 2), 0, 0, sin(angle / 2));
+    MdtBodySetPosition(b, 0, -l * cos(angle), 0);
     for (int i = 0; i < 600; i++) {
         double R[3][3], end[3];
         MdtWorldStep(w, FRAME);
@@ -170,8 +170,8 @@ TEST(the_line_is_the_second_body_s) {
         MdtBodyID bar = scene_box(w, 5, edge, 0, 0, 0), ball = withBall ? scene_body(w, 1, .5, 0, 0) : NULL;
         double p[3], local[3];
         line(w, ball, bar, at, rail);
-        MdtBodySetAngularVelocity(bar, 0, (MeReal).2, 1);
-        MdtBodySetLinearVelocity(bar, (MeReal)-.3, (MeReal)-.5, 0);
+        MdtBodySetAngularVelocity(bar, 0, .2, 1);
+        MdtBodySetLinearVelocity(bar, -.3, -.5, 0);
         for (int i = 0; i < 120; i++) {
             MdtWorldStep(w, FRAME);
             if (ball)

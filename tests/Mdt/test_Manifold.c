@@ -20,7 +20,7 @@ static void setUp(void) {
     MdtContactGroupSetBodies(group, upper, lower);
     MdtContactGroupEnable(group);
     MdtContactParamsReset(&rough);
-    MdtContactParamsSetSurface(&rough, (MeReal).5, 0);
+    MdtContactParamsSetSurface(&rough, .5, 0);
     MdtContactParamsReset(&smooth);
     MdtContactParamsSetSurface(&smooth, 0, 0);
 }
@@ -98,24 +98,24 @@ TEST(each_has_its_own) {
     MdtContactSetRadius(contact[1], 0, 3);
     MdtContactSetUserData(contact[1], &mark);
     MdtContactSetWorldVelocity(contact[1], 0, 0, 7);
-    MdtContactParamsSetRestitution(MdtContactGetParams(contact[0]), (MeReal).25);
+    MdtContactParamsSetRestitution(MdtContactGetParams(contact[0]), .25);
     for (int i = 0; i < 4; i++) {
         MeVector3 v;
         MdtContactGetWorldVelocity(contact[i], v);
-        assert_near((double)v[2], i == 1 ? 7 : 0, 0);
+        assert_near(v[2], i == 1 ? 7 : 0, 0);
         ck_assert_ptr_eq(MdtContactGetUserData(contact[i]), i == 1 ? (void *)&mark : NULL);
-        assert_near((double)MdtContactGetRadius(contact[i], 0), i == 1 ? 3 : 0, 0);
+        assert_near(MdtContactGetRadius(contact[i], 0), i == 1 ? 3 : 0, 0);
         assert_near(heightOf(contact[i]), i == 1 ? 0 : i == 2 ? sqrt(.5) : 1, TOL(1e-6, 1e-15));
-        assert_near((double)MdtContactGetParams(contact[i])->restitution, i == 0 ? .25 : 0, 0);
-        assert_near((double)MdtContactGetParams(contact[i])->FrictionCoefficient, i == 3 ? 0 : .5, 0);
+        assert_near(MdtContactGetParams(contact[i])->restitution, i == 0 ? .25 : 0, 0);
+        assert_near(MdtContactGetParams(contact[i])->FrictionCoefficient, i == 3 ? 0 : .5, 0);
     }
     /* found again, they are as they are found; what a program has hung on them stays */
     corners(found, 4);
     MdtContactGroupRenew(group, found, 4, 0, contact);
     for (int i = 0; i < 4; i++) {
         assert_near(heightOf(contact[i]), 1, 0);
-        assert_near((double)MdtContactGetRadius(contact[i], 0), 0, 0);
-        assert_near((double)MdtContactGetParams(contact[i])->restitution, 0, 0);
+        assert_near(MdtContactGetRadius(contact[i], 0), 0, 0);
+        assert_near(MdtContactGetParams(contact[i])->restitution, 0, 0);
         ck_assert_ptr_eq(MdtContactGetUserData(contact[i]), i == 1 ? (void *)&mark : NULL);
     }
     /* another one in its place does not have it */
@@ -192,7 +192,7 @@ static double workOfKinds(int kinds) {
     MdtWorldSetSolver(world, MdtSolverFast);
     MdtWorldSetMaxLCPIterations(world, 16);
     MdtWorldEnableReport(world);
-    MdtWorldStep(world, (MeReal)(1. / 60));
+    MdtWorldStep(world, 1. / 60);
     ck_assert(MdtWorldGetReport(world, &r));
     ck_assert_int_eq(r.way, MdtReportWayFast);
     ck_assert_int_eq(r.iterations, 16);
@@ -225,12 +225,12 @@ TEST(surfaces_are_kept_once_and_go) {
                  other = MdtContactCreateBetween(world, upper, 0);
     for (int i = 0; i < 200; i++) {
         MdtBclContactParams p = rough;
-        MdtContactParamsSetSurface(&p, (MeReal)(.01 * i), 0);
+        MdtContactParamsSetSurface(&p, .01 * i, 0);
         MdtContactSetParams(contact, &p);
         MdtContactSetParams(other, &p);
-        assert_near((double)MdtContactGetParams(other)->FrictionCoefficient, (double)(MeReal)(.01 * i), 0);
+        assert_near(MdtContactGetParams(other)->FrictionCoefficient, (MeReal)(.01 * i), 0);
     }
-    assert_near((double)MdtContactGetParams(contact)->FrictionCoefficient, (double)(MeReal)1.99, 0);
+    assert_near(MdtContactGetParams(contact)->FrictionCoefficient, (double)(MeReal)1.99, 0);
 }
 
 /* Falls and turns for a step as one body: so do its contacts, exactly. */
@@ -242,25 +242,25 @@ TEST(contacts_are_carried_along) {
     found.depth = .001;
     MdtContactGroupRenew(group, &found, 1, 0, &contact);
     MdtContactGroupDisable(group); /* they are free */
-    MdtBodySetAngularVelocity(upper, 0, (MeReal).6, 0);
+    MdtBodySetAngularVelocity(upper, 0, .6, 0);
     MdtBodySetLinearVelocity(upper, 0, 0, 3);
     const unsigned long moves = MdtBodyGetMoves(upper);
     MdtWorldSetGravity(world, 0, 0, 0);
-    MdtWorldStep(world, (MeReal).1);
+    MdtWorldStep(world, .1);
     ck_assert(MdtBodyMovedByStep(upper, moves));
-    assert_near((double)MdtContactGroupCarry(group, one), -.001, TOL(1e-7, 1e-12)); /* it slides off: no deeper */
+    assert_near(MdtContactGroupCarry(group, one), -.001, TOL(1e-7, 1e-12)); /* it slides off: no deeper */
     MdtContactGetPosition(contact, place);
     /* half-way between the point of the one, which turns by .06 and goes .3 m, and that of the other */
     const double turned[2] = {.5 * cos(.06) + .5 * sin(.06), .5 * cos(.06) - .5 * sin(.06) + .3};
     assert_vec3_near(place, .5 * (turned[0] + .5), 1, .5 * (turned[1] + .5), TOL(1e-5, 1e-5));
 
-    MdtBodySetAngularVelocity(upper, 0, 0, (MeReal).5); /* one body, as it were, about the origin */
-    MdtBodySetAngularVelocity(lower, 0, 0, (MeReal).5);
-    MdtBodySetLinearVelocity(upper, (MeReal)-.75, 0, 0);
-    MdtBodySetLinearVelocity(lower, (MeReal)-.25, 0, 0);
+    MdtBodySetAngularVelocity(upper, 0, 0, .5); /* one body, as it were, about the origin */
+    MdtBodySetAngularVelocity(lower, 0, 0, .5);
+    MdtBodySetLinearVelocity(upper, -.75, 0, 0);
+    MdtBodySetLinearVelocity(lower, -.25, 0, 0);
     MdtContactSetExact(contact, (double[3]){.5, 1, .5}, .001);
-    MdtWorldStep(world, (MeReal)1e-3);
-    assert_near((double)MdtContactGroupCarry(group, both), -.001, 1e-6); /* second order: their ways are straight */
+    MdtWorldStep(world, 1e-3);
+    assert_near(MdtContactGroupCarry(group, both), -.001, 1e-6); /* second order: their ways are straight */
     MdtContactGetNormal(contact, normal);
     assert_vec3_near(normal, -sin(5e-4), cos(5e-4), 0, TOL(1e-7, 1e-9));
     MdtContactGetPosition(contact, place);

@@ -26,9 +26,9 @@ static Stack makeStack(void) {
         const MeBool between = i < 2;
         s.contact[i] = MdtContactCreate(s.world);
         MdtContactSetBodies(s.contact[i], between ? s.upper : s.lower, between ? s.lower : 0);
-        MdtContactSetPosition(s.contact[i], (MeReal)(i % 2 - .5), between ? 2 : 0, 0);
+        MdtContactSetPosition(s.contact[i], i % 2 - .5, between ? 2 : 0, 0);
         MdtContactSetNormal(s.contact[i], 0, 1, 0);
-        MdtContactSetPenetration(s.contact[i], (MeReal)depth[i]);
+        MdtContactSetPenetration(s.contact[i], depth[i]);
         MdtContactParamsSetType(MdtContactGetParams(s.contact[i]), MdtContactTypeFriction2D);
         MdtContactEnable(s.contact[i]);
     }

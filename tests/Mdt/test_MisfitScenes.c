@@ -61,23 +61,23 @@ static void setUp(MdtConstraintID c) {
     if (hinge || slider) {
         MdtLimitID limit = hinge ? MdtHingeGetLimit(hinge) : MdtPrismaticGetLimit(slider);
         MdtSingleLimitID low = MdtLimitGetLowerLimit(limit), high = MdtLimitGetUpperLimit(limit);
-        MdtSingleLimitSetStop(low, (MeReal)uniform(-1, 0));
-        MdtSingleLimitSetStop(high, (MeReal)uniform(0, 1));
-        MdtSingleLimitSetRestitution(low, (MeReal)uniform(0, 1));
-        MdtSingleLimitSetStiffness(high, (MeReal)uniform(0, 1e4));
+        MdtSingleLimitSetStop(low, uniform(-1, 0));
+        MdtSingleLimitSetStop(high, uniform(0, 1));
+        MdtSingleLimitSetRestitution(low, uniform(0, 1));
+        MdtSingleLimitSetStiffness(high, uniform(0, 1e4));
         MdtLimitActivateLimits(limit, pick(2));
     }
     if (springs)
         for (int i = 0; i < 3; i++) {
-            MdtSpring6SetLinearStiffness(springs, i, (MeReal)uniform(0, 1e5));
-            MdtSpring6SetAngularStiffness(springs, i, (MeReal)uniform(0, 1e4));
-            MdtSpring6SetLinearDamping(springs, i, (MeReal)uniform(0, 10));
+            MdtSpring6SetLinearStiffness(springs, i, uniform(0, 1e5));
+            MdtSpring6SetAngularStiffness(springs, i, uniform(0, 1e4));
+            MdtSpring6SetLinearDamping(springs, i, uniform(0, 10));
         }
     if (cone)
-        MdtConeLimitSetConeHalfAngle(cone, (MeReal)uniform(0, 3));
+        MdtConeLimitSetConeHalfAngle(cone, uniform(0, 3));
     if (wheel) {
         const double kp = uniform(0, 1e5), kd = uniform(0, 100), softness = uniform(0, .01);
-        MdtCarWheelSetSuspension(wheel, (MeReal)kp, (MeReal)kd, (MeReal)softness, (MeReal)-.3, (MeReal).3, 0);
+        MdtCarWheelSetSuspension(wheel, kp, kd, softness, -.3, .3, 0);
     }
 }
 

@@ -72,7 +72,7 @@ static int integratorOrder; /* of the worlds that the test makes from here on */
 static void run(MdtWorldID w, double duration, double h, int parts) {
     MdtWorldSetSubSteps(w, parts);
     MdtWorldSetIntegratorOrder(w, integratorOrder);
-    steps(w, (int)lround(duration / h), (MeReal)h);
+    steps(w, (int)lround(duration / h), h);
 }
 
 /* The bar, let go when it is level: the angle from there. */
@@ -182,7 +182,7 @@ static int freeRotation(double duration, double h, int parts, double result[]) {
     for (int i = 0; i < 3; i++)
         inertia[i][i] = (MeReal)moments[i];
     MdtBodySetInertiaTensor(b, inertia);
-    MdtBodySetAngularVelocity(b, (MeReal)spin[0], (MeReal)spin[1], (MeReal)spin[2]);
+    MdtBodySetAngularVelocity(b, spin[0], spin[1], spin[2]);
     run(w, duration, h, parts);
     measure_rotation(b, R);
     memcpy(result, R, sizeof R);
@@ -287,7 +287,7 @@ static int top(double duration, double h, int parts, double result[]) {
     MdtBSJointSetPosition(joint, 0, 0, 0);
     MdtBSJointEnable(joint);
     MdtBodySetAngularVelocity(b, 1, 100, 0);
-    MdtBodySetLinearVelocity(b, 0, 0, (MeReal).1);
+    MdtBodySetLinearVelocity(b, 0, 0, .1);
     MdtWorldSetEpsilon(w, 0);
     run(w, duration, h, parts);
     measure_position(b, result);
@@ -347,10 +347,10 @@ static void divide(HingedBar s) {
     MdtWorldSetSubSteps(s.world, 3);
 }
 static void soften(HingedBar s) {
-    MdtWorldSetEpsilon(s.world, (MeReal)1e-4);
+    MdtWorldSetEpsilon(s.world, 1e-4);
 }
 static void damp(HingedBar s) {
-    MdtBodySetLinearVelocityDamping(s.bar, (MeReal).1);
+    MdtBodySetLinearVelocityDamping(s.bar, .1);
 }
 static void drive(HingedBar s) {
     MdtLimitActivateMotor(s.limit, 1);
@@ -358,8 +358,8 @@ static void drive(HingedBar s) {
 }
 static void stop(HingedBar s) {
     MdtLimitActivateLimits(s.limit, 1);
-    MdtSingleLimitSetStop(MdtLimitGetLowerLimit(s.limit), (MeReal)0);
-    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(s.limit), (MeReal)1);
+    MdtSingleLimitSetStop(MdtLimitGetLowerLimit(s.limit), 0);
+    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(s.limit), 1);
 }
 static void touch(HingedBar s) {
     MdtContactID c = MdtContactCreate(s.world);
@@ -386,7 +386,7 @@ TEST(others_are_as_with_order_2) {
         HingedBar s = scene_hingedBar(g);
         stop(s);
         MdtWorldSetIntegratorOrder(s.world, i ? 4 : 2);
-        MdtBodySetLinearVelocityDamping(s.bar, (MeReal).1);
+        MdtBodySetLinearVelocityDamping(s.bar, .1);
         steps(s.world, 60, FRAME);
         measure_position(s.bar, place[i]);
         MdtWorldDestroy(s.world);
@@ -399,8 +399,8 @@ TEST(a_stop_in_the_way_of_order_4_holds) {
     HingedBar s = scene_hingedBar(g);
     double p[3], lowest = 0;
     MdtLimitActivateLimits(s.limit, 1);
-    MdtSingleLimitSetStop(MdtLimitGetLowerLimit(s.limit), (MeReal)-1);
-    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(s.limit), (MeReal)1);
+    MdtSingleLimitSetStop(MdtLimitGetLowerLimit(s.limit), -1);
+    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(s.limit), 1);
     MdtSingleLimitSetRestitution(MdtLimitGetLowerLimit(s.limit), 0);
     MdtSingleLimitSetRestitution(MdtLimitGetUpperLimit(s.limit), 0);
     MdtWorldSetIntegratorOrder(s.world, 4);
@@ -434,15 +434,15 @@ TEST(the_sag_of_a_load_is_epsilon_force_over_gamma) {
     for (int k = 0; k < 64; k++) {
         const int parts = 1 << (k & 3);
         const double F = loads[k >> 2 & 1];
-        const MeReal h = (MeReal)lengths[k >> 3 & 1], gamma = (MeReal)gammas[k >> 4 & 1];
-        const MeReal epsilon = (MeReal)epsilons[k >> 5 & 1];
+        const MeReal h = lengths[k >> 3 & 1], gamma = (MeReal)gammas[k >> 4 & 1];
+        const MeReal epsilon = epsilons[k >> 5 & 1];
         MdtWorldID w = scene_world(1, 1, F);
         MdtBodyID b = scene_body(w, 1, 0, 0, 0);
         MdtBSJointID joint = MdtBSJointCreate(w);
         double p[3];
         MeMatrix3 inertia;
         MdtBodyGetInertiaTensor(b, inertia);
-        const double size = sqrt((double)inertia[0][0]);
+        const double size = sqrt(inertia[0][0]);
         MdtWorldSetEpsilon(w, epsilon);
         MdtWorldSetGamma(w, gamma);
         MdtWorldSetSubSteps(w, parts);
@@ -454,7 +454,7 @@ TEST(the_sag_of_a_load_is_epsilon_force_over_gamma) {
         const double sag = (double)epsilon * F * (double)h * (double)h / (double)gamma;
         const double share = 1 - pow(1 - (double)gamma, 1. / parts), allowed = 1e-6 * sag + 1e-12 * size / share;
         ck_assert_msg(fabs(-p[1] - sag) <= allowed, "ε %g, γ %g, h 1/%g, F %g, %d parts: %.9g, not %.9g (off by %.2g)",
-                      (double)epsilon, (double)gamma, 1 / (double)h, F, parts, -p[1], sag, -p[1] / sag - 1);
+                      epsilon, gamma, 1 / (double)h, F, parts, -p[1], sag, -p[1] / sag - 1);
         ck_assert(p[0] == 0 && p[2] == 0);
         MdtWorldDestroy(w);
     }

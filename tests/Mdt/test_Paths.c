@@ -19,7 +19,7 @@ static Chain makeChain(double endMass, int constraints) {
         const MdtConstraintID j =
             i % 2 ? MdtHingeQuaConstraint(MdtHingeCreate(c.world)) : MdtBSJointQuaConstraint(MdtBSJointCreate(c.world));
         MdtConstraintSetBodies(j, c.link[i], i > 0 ? c.link[i - 1] : 0);
-        MdtConstraintSetPosition(j, (MeReal)(.5 * i), 0, 0);
+        MdtConstraintSetPosition(j, .5 * i, 0, 0);
         if (i % 2)
             MdtConstraintSetAxis(j, 0, 0, 1);
         MdtConstraintEnable(j);
@@ -86,18 +86,18 @@ TEST(epsilon_and_gamma_hold_for_the_whole_step) {
             const double force = forces[k % 2], h = hs[k / 2];
             MeVector3 p, f;
             MdtWorldID w = scene_world(1, 1, force);
-            MdtWorldSetEpsilon(w, (MeReal)epsilon);
+            MdtWorldSetEpsilon(w, epsilon);
             MdtWorldSetSubSteps(w, n);
             MdtBodyID b = scene_body(w, 1, 0, 0, 0);
             MdtBSJointID j = MdtBSJointCreate(w);
             MdtBSJointSetBodies(j, b, 0);
             MdtBSJointSetPosition(j, 0, 0, 0);
             MdtBSJointEnable(j);
-            steps(w, 400, (MeReal)h);
+            steps(w, 400, h);
             MdtBodyGetPosition(b, p);
             MdtBSJointGetForce(j, 0, f);
             assert_near_rel(-(double)p[1], epsilon * force * h * h / gamma, TOL(2e-6, 2e-8));
-            assert_near_rel((double)f[1], force, TOL(1e-6, 3e-8));
+            assert_near_rel(f[1], force, TOL(1e-6, 3e-8));
             MdtWorldDestroy(w);
         }
 }
@@ -130,7 +130,7 @@ TEST(settings_are_checked) {
     MdtWorldSetTimedContacts(w, 0);
     ck_assert_int_eq(MdtWorldGetTimedContacts(w), 0);
     const MdtContactID c = MdtContactCreate(w);
-    MdtContactSetRadius(c, 0, (MeReal).5);
+    MdtContactSetRadius(c, 0, .5);
     ck_assert(MdtContactGetRadius(c, 0) == (MeReal).5 && MdtContactGetRadius(c, 1) == 0);
     MdtContactSetRadius(c, 0, -1);
     assert_warned("MdtContactSetRadius");
@@ -148,7 +148,7 @@ TEST(a_rim_is_a_radius_and_an_axis) {
     const MdtContactID c = MdtContactCreate(w);
     ck_assert(MdtContactGetRim(c, 1, axis) == 0);
     assert_vec3_near(axis, 0, 0, 0, 0);
-    MdtContactSetRim(c, 1, (MeReal).5, along);
+    MdtContactSetRim(c, 1, .5, along);
     ck_assert(MdtContactGetRim(c, 1, axis) == (MeReal).5 && MdtContactGetRim(c, 0, axis) == 0);
     MdtContactGetRim(c, 1, axis);
     assert_vec3_near(axis, 0, 0, 1, 0);

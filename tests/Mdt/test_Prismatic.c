@@ -18,10 +18,10 @@ static Cart makeCart(void) {
     s.world = scene_world(2, 2, 0);
     MdtWorldSetEpsilon(s.world, 0);
     s.cart = scene_box(s.world, mass, edge, 1, 2, 3);
-    MdtBodySetQuaternion(s.cart, (MeReal).1, (MeReal).7, (MeReal)-.1, (MeReal).7);
+    MdtBodySetQuaternion(s.cart, .1, .7, -.1, .7);
     s.joint = MdtPrismaticCreate(s.world);
     MdtPrismaticSetBodies(s.joint, s.cart, 0);
-    MdtPrismaticSetAxis(s.joint, (MeReal)axis[0], (MeReal)axis[1], (MeReal)axis[2]);
+    MdtPrismaticSetAxis(s.joint, axis[0], axis[1], axis[2]);
     MdtPrismaticEnable(s.joint);
     s.limit = MdtPrismaticGetLimit(s.joint);
     MdtLimitCalculatePosition(s.limit, 1);
@@ -54,15 +54,15 @@ static void push(Cart s, double force) {
 }
 
 static void throwCart(Cart s, double speed) {
-    MdtBodySetLinearVelocity(s.cart, (MeReal)(speed * axis[0]), (MeReal)(speed * axis[1]), (MeReal)(speed * axis[2]));
+    MdtBodySetLinearVelocity(s.cart, speed * axis[0], speed * axis[1], speed * axis[2]);
 }
 
 static void setStop(Cart s, int side, double stop, double stiffness, double damping, double restitution) {
     MdtSingleLimitID l = side == 0 ? MdtLimitGetLowerLimit(s.limit) : MdtLimitGetUpperLimit(s.limit);
-    MdtSingleLimitSetStop(l, (MeReal)stop);
-    MdtSingleLimitSetStiffness(l, (MeReal)stiffness);
-    MdtSingleLimitSetDamping(l, (MeReal)damping);
-    MdtSingleLimitSetRestitution(l, (MeReal)restitution);
+    MdtSingleLimitSetStop(l, stop);
+    MdtSingleLimitSetStiffness(l, stiffness);
+    MdtSingleLimitSetDamping(l, damping);
+    MdtSingleLimitSetRestitution(l, restitution);
     MdtLimitActivateLimits(s.limit, 1);
 }
 
@@ -196,7 +196,7 @@ TEST(a_soft_stop_is_a_damped_spring) {
             const double w0 = sqrt(ks[i] / mass), decay = ds[j] / (2 * mass);
             setStop(s, 0, -5, 0, 0, 0);
             setStop(s, 1, 0, ks[i], ds[j], 1);
-            MdtLimitSetPosition(s.limit, (MeReal)(.5 * load / ks[i])); /* it stays beyond the stop */
+            MdtLimitSetPosition(s.limit, .5 * load / ks[i]); /* it stays beyond the stop */
             for (int n = 0; n < 3000 && swing.crossings < 9; n++) {
                 push(s, load);
                 MdtWorldStep(s.world, FRAME);
@@ -267,9 +267,9 @@ TEST(a_motor_rests_beyond_a_soft_stop_and_at_a_hard_one) {
  * be twice as fast at its end as in its mean: 2 m γ z / h² = 1440 N. */
 TEST(the_lock_draws_to_its_place_and_holds) {
     Cart s = makeCart();
-    MdtWorldSetGamma(s.world, (MeReal).25);
+    MdtWorldSetGamma(s.world, .25);
     MdtLimitSetLimitedForceMotor(s.limit, -3, 100);
-    MdtLimitSetLock(s.limit, (MeReal).4, 2000);
+    MdtLimitSetLock(s.limit, .4, 2000);
     ck_assert(MdtLimitIsLocked(s.limit));
     for (int i = 1; i <= 40; i++) {
         MdtWorldStep(s.world, FRAME);
@@ -294,7 +294,7 @@ TEST(set_limit_copies_the_public_values) {
     MdtBclLimit own;
     MdtLimitReset(&own);
     MdtLimitActivateLimits(&own, 1);
-    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(&own), (MeReal).25);
+    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(&own), .25);
     MdtSingleLimitSetRestitution(MdtLimitGetUpperLimit(&own), 0);
     MdtPrismaticSetLimit(s.joint, &own);
     ck_assert(MdtPrismaticGetLimit(s.joint) == s.limit);

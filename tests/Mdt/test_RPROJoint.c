@@ -30,8 +30,8 @@ static void turnedBy(const double w[3], double t, const double from[4], double q
 }
 
 static void setOrientation(MdtRPROJointID j, const double q[4], const double w[3]) {
-    const MeVector4 r = {(MeReal)q[0], (MeReal)q[1], (MeReal)q[2], (MeReal)q[3]};
-    MeVector3 rate = {(MeReal)w[0], (MeReal)w[1], (MeReal)w[2]};
+    const MeVector4 r = {q[0], q[1], q[2], q[3]};
+    MeVector3 rate = {w[0], w[1], w[2]};
     MdtRPROJointSetRelativeQuaternion(j, r);
     MdtRPROJointSetRelativeAngularVelocity(j, rate);
 }
@@ -62,7 +62,7 @@ TEST(a_constant_angular_velocity_is_followed_exactly) {
     for (int k = 0; k < 3; k++) {
         Driven s = drive(9.81);
         double q[4], w[3], p[3];
-        MdtBodySetQuaternion(s.body, (MeReal).5, (MeReal)-.5, (MeReal).5, (MeReal).5);
+        MdtBodySetQuaternion(s.body, .5, -.5, .5, .5);
         for (int i = 0; i < 300; i++) {
             turnedBy(rates[k], i * h, from, q);
             setOrientation(s.joint, q, rates[k]);
@@ -86,8 +86,8 @@ TEST(one_body_is_driven_in_another) {
     MdtBodyID a = scene_box(w, 2, edge, .5, 0, 0), b = scene_box(w, 3, other, -.5, 0, 0);
     MdtRPROJointID j = MdtRPROJointCreate(w);
     MdtRPROJointSetBodies(j, a, b);
-    MdtRPROJointSetAttachmentPosition(j, (MeReal)-.5, 0, 0, 0);
-    MdtRPROJointSetAttachmentPosition(j, (MeReal).5, 0, 0, 1);
+    MdtRPROJointSetAttachmentPosition(j, -.5, 0, 0, 0);
+    MdtRPROJointSetAttachmentPosition(j, .5, 0, 0, 1);
     MdtRPROJointEnable(j);
     MdtBodySetAngularVelocity(b, 1, -2, 1);
     double q[4], p[2][3], L[2][3], momentum[3] = {0, 0, 0}, spin[3] = {0, 0, 0};
@@ -143,8 +143,8 @@ TEST(the_attachment_frames_are_held_together) {
     MdtRPROJointID j = MdtRPROJointCreate(w);
     MdtRPROJointSetBodies(j, body[0], body[1]);
     for (unsigned int k = 0; k < 2; k++) {
-        MdtRPROJointSetAttachmentPosition(j, (MeReal)at[k][0], (MeReal)at[k][1], (MeReal)at[k][2], k);
-        MdtRPROJointSetAttachmentQuaternion(j, (MeReal)f[k][0], (MeReal)f[k][1], (MeReal)f[k][2], (MeReal)f[k][3], k);
+        MdtRPROJointSetAttachmentPosition(j, at[k][0], at[k][1], at[k][2], k);
+        MdtRPROJointSetAttachmentQuaternion(j, f[k][0], f[k][1], f[k][2], f[k][3], k);
     }
     setOrientation(j, q, none);
     MdtRPROJointEnable(j);
@@ -181,7 +181,7 @@ TEST(the_joint_holds_up_to_its_linear_strength) {
     double p[3], v[3], f[3];
     MdtRPROJointSetLinearStrength(s.joint, 100, 5, 100);
     for (int i = 0; i < 60; i++) { /* less than the strength in y, much more in x */
-        MdtBodyAddForce(s.body, 90, (MeReal)-4.9, 0);
+        MdtBodyAddForce(s.body, 90, -4.9, 0);
         MdtWorldStep(s.world, FRAME);
     }
     measure_position(s.body, p);
@@ -205,10 +205,10 @@ TEST(the_joint_holds_up_to_its_linear_strength) {
 TEST(the_joint_holds_up_to_its_angular_strength) {
     Driven s = drive(0);
     double w[3], t[3];
-    MdtBodySetSphericalInertiaTensor(s.body, (MeReal).5);
+    MdtBodySetSphericalInertiaTensor(s.body, .5);
     MdtRPROJointSetAngularStrength(s.joint, 50, 50, 2);
     for (int i = 0; i < 60; i++) {
-        MdtBodyAddTorque(s.body, 30, 0, (MeReal)1.9);
+        MdtBodyAddTorque(s.body, 30, 0, 1.9);
         MdtWorldStep(s.world, FRAME);
     }
     assert_below(angleOff(s.body, NULL, straight), TOL(1e-6, 1e-9));
@@ -257,16 +257,16 @@ TEST(two_halves_held_together_move_as_the_whole) {
             double v[3];
             half[side] = scene_box(w, 1, halfBox, arm[side][0], 0, 0);
             keaCross(v, rate, arm[side]);
-            MdtBodySetLinearVelocity(half[side], (MeReal)v[0], (MeReal)v[1], (MeReal)v[2]);
+            MdtBodySetLinearVelocity(half[side], v[0], v[1], v[2]);
             MdtBodySetAngularVelocity(half[side], 2, 3, 1);
         }
         MdtFPFOJointSetBodies(j, half[0], half[1]);
-        MdtFPFOJointSetPosition(j, 0, (MeReal).2, 0);
+        MdtFPFOJointSetPosition(j, 0, .2, 0);
         MdtFPFOJointEnable(j);
         error[k] = 0;
         for (int i = 0; i < 180 << k; i++) {
             double R[3][3], B[3][3], p[3];
-            MdtWorldStep(w, (MeReal)h);
+            MdtWorldStep(w, h);
             measure_rotation(half[0], R);
             measure_rotation(box, B);
             for (int n = 0; n < 9; n++)
@@ -322,7 +322,7 @@ TEST(overpowered_it_pulls_with_its_strength_at_any_angle) {
         MdtRPROJointSetBodies(j, b, 0);
         MdtRPROJointSetAngularStrength(j, 3, 3, 3);
         MdtRPROJointEnable(j);
-        MdtBodySetQuaternion(b, (MeReal)cos(angle / 2), 0, (MeReal)sin(angle / 2), 0);
+        MdtBodySetQuaternion(b, cos(angle / 2), 0, sin(angle / 2), 0);
         MdtWorldStep(w, FRAME);
         read_torque(MdtRPROJointQuaConstraint(j), 0, t);
         assert_vec3_near(t, 0, -3, 0, meanOfTurns);

@@ -25,18 +25,17 @@ static void makeBodies(void) {
     for (int i = 0; i < BODIES; i++) {
         const double edge[3] = {uniform(.2, 1), uniform(.2, 1), uniform(.2, 1)};
         body[i] = scene_box(world, exp(uniform(-2, 2)), edge, uniform(-2, 2), uniform(-2, 2), uniform(-2, 2));
-        MdtBodySetQuaternion(body[i], (MeReal)uniform(.1, 1), (MeReal)uniform(-1, 1), (MeReal)uniform(-1, 1),
-                             (MeReal)uniform(-1, 1));
-        MdtBodySetLinearVelocity(body[i], (MeReal)uniform(-1, 1), (MeReal)uniform(-1, 1), (MeReal)uniform(-1, 1));
-        MdtBodySetAngularVelocity(body[i], (MeReal)uniform(-2, 2), (MeReal)uniform(-2, 2), (MeReal)uniform(-2, 2));
+        MdtBodySetQuaternion(body[i], uniform(.1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+        MdtBodySetLinearVelocity(body[i], uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+        MdtBodySetAngularVelocity(body[i], uniform(-2, 2), uniform(-2, 2), uniform(-2, 2));
     }
 }
 
 /* Rigid stops: a spring would store energy. */
 static void addStops(MdtLimitID limit) {
     const double lower = uniform(-1, .5);
-    MdtSingleLimitSetStop(MdtLimitGetLowerLimit(limit), (MeReal)lower);
-    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(limit), (MeReal)(lower + uniform(0, 1)));
+    MdtSingleLimitSetStop(MdtLimitGetLowerLimit(limit), lower);
+    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(limit), (lower + uniform(0, 1)));
     MdtLimitActivateLimits(limit, METRUE);
 }
 
@@ -69,8 +68,8 @@ static MdtConstraintID makeJoint(MdtBodyID a, MdtBodyID b) {
         break;
     }
     MdtConstraintSetBodies(c, a, b);
-    MdtConstraintSetPosition(c, (MeReal)uniform(-2, 2), (MeReal)uniform(-2, 2), (MeReal)uniform(-2, 2));
-    MdtConstraintSetAxis(c, (MeReal)uniform(-1, 1), (MeReal)uniform(-1, 1), (MeReal)uniform(.1, 1));
+    MdtConstraintSetPosition(c, uniform(-2, 2), uniform(-2, 2), uniform(-2, 2));
+    MdtConstraintSetAxis(c, uniform(-1, 1), uniform(-1, 1), uniform(.1, 1));
     return c;
 }
 
@@ -86,7 +85,7 @@ static void makeJoints(void) {
         if (slider)
             addStops(MdtPrismaticGetLimit(slider));
         if (cone)
-            MdtConeLimitSetConeHalfAngle(cone, (MeReal)uniform(0, 2));
+            MdtConeLimitSetConeHalfAngle(cone, uniform(0, 2));
         MdtConstraintEnable(c);
     }
 }
@@ -100,7 +99,7 @@ static double kineticEnergy(void) {
         MdtBodyGetAngularVelocity(body[i], w);
         MdtBodyGetPosition(body[i], x);
         for (int k = 0; k < 3; k++)
-            ck_assert_msg(isfinite((double)x[k]) && isfinite((double)v[k]) && isfinite((double)w[k]),
+            ck_assert_msg(isfinite(x[k]) && isfinite(v[k]) && isfinite(w[k]),
                           "a body of system %d leaves the finite numbers", running);
         sum += (double)MdtBodyGetKineticEnergy(body[i]);
     }

@@ -161,7 +161,7 @@ TEST(the_judge_sees_energy_from_nowhere) {
             MeVector3 v, w;
             MdtBodyGetLinearVelocity(b, v);
             MdtBodyGetAngularVelocity(b, w);
-            const MeReal more = (MeReal)1.001;
+            const MeReal more = 1.001;
             MdtBodySetLinearVelocity(b, more * v[0], more * v[1], more * v[2]);
             MdtBodySetAngularVelocity(b, more * w[0], more * w[1], more * w[2]);
         }

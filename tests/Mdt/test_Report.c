@@ -17,9 +17,9 @@ static MdtReport reportOf(MdtWorldID w) {
 /* A contact with the floor at y = 0 under one point of a body. */
 static MdtContactID touch(MdtBodyID b, double x, double z, double depth) {
     MdtContactID c = MdtContactCreate(MdtBodyGetWorld(b), b, 0);
-    MdtContactSetPosition(c, (MeReal)x, 0, (MeReal)z);
+    MdtContactSetPosition(c, x, 0, z);
     MdtContactSetNormal(c, 0, 1, 0);
-    MdtContactSetPenetration(c, (MeReal)depth);
+    MdtContactSetPenetration(c, depth);
     MdtContactEnable(c);
     return c;
 }
@@ -70,12 +70,12 @@ TEST(a_joint_that_is_apart_tells_its_gap) {
         MdtWorldID w = reportedWorld(1, 1, 0);
         MdtBodyID b = scene_body(w, 2, 0, 0, 0);
         MdtBSJointID j = MdtBSJointCreate(w);
-        MdtWorldSetGamma(w, (MeReal)gammas[i]);
+        MdtWorldSetGamma(w, gammas[i]);
         MdtWorldSetEpsilon(w, 0);
         MdtBSJointSetBodies(j, b, 0);
         MdtBSJointSetPosition(j, 0, 0, 0);
         MdtBSJointEnable(j);
-        MdtBodySetPosition(b, (MeReal).03, (MeReal).04, (MeReal).12);
+        MdtBodySetPosition(b, .03, .04, .12);
         MdtWorldStep(w, FRAME);
         const MdtReport r = reportOf(w);
         assert_near(r.jointGap, .13 * (1 - gammas[i]), TOL(1e-7, 1e-9));
@@ -89,7 +89,7 @@ TEST(a_joint_that_is_apart_tells_its_gap) {
 
 TEST(an_axis_that_is_off_tells_its_angle) {
     HingedBar s = scene_hingedBar(0);
-    MeReal half = (MeReal).05; /* the bar is turned by 0.1 rad about x: its axis leaves z */
+    MeReal half = .05; /* the bar is turned by 0.1 rad about x: its axis leaves z */
     MdtWorldEnableReport(s.world);
     MdtWorldSetGamma(s.world, 0);
     MdtBodySetQuaternion(s.bar, MeCos(half), MeSin(half), 0, 0);
@@ -114,7 +114,7 @@ TEST(a_joint_that_is_led_along_has_no_gap) {
     MdtFixedPathEnable(j);
     MdtWorldStep(w, FRAME);
     MdtBodyGetPosition(b, p);
-    assert_near(fabs((double)p[0]), 3 * (double)FRAME, TOL(1e-6, 5e-10));
+    assert_near(fabs(p[0]), 3 * (double)FRAME, TOL(1e-6, 5e-10));
     const MdtReport r = reportOf(w);
     assert_near(r.jointGap, 0, TOL(1e-7, 1e-8));
     MdtWorldDestroy(w);
@@ -125,7 +125,7 @@ TEST(the_deepest_contact_is_told_as_it_was_when_the_step_began) {
     MdtBodyID a = scene_body(w, 1, 0, 1, 0), b = scene_body(w, 1, 5, 1, 0);
     touch(a, 0, 0, .01);
     touch(b, 5, 0, .03);
-    MdtContactSetPenetration(touch(b, 5.5, 0, 0), (MeReal)-.5);
+    MdtContactSetPenetration(touch(b, 5.5, 0, 0), -.5);
     MdtWorldStep(w, FRAME);
     assert_near(reportOf(w).penetration, .03, TOL(1e-8, 1e-15));
     MdtReport r;
@@ -143,7 +143,7 @@ static MdtWorldID contradiction(void) {
     for (int i = 0; i < 2; i++) {
         MdtBSJointID j = MdtBSJointCreate(w);
         MdtBSJointSetBodies(j, b, 0);
-        MdtBodySetPosition(b, (MeReal)(i ? 1 : -1), 0, 0);
+        MdtBodySetPosition(b, i ? 1 : -1, 0, 0);
         MdtBSJointSetPosition(j, 0, 0, 0);
         MdtBSJointEnable(j);
     }
@@ -170,14 +170,14 @@ static MdtWorldID pileOf(unsigned int bodies) {
     MdtBodyID below = 0;
     for (unsigned int i = 0; i < bodies; i++) {
         MdtBodyID b = scene_box(w, i % 2 ? 100 : 1, edge, .1 * (i % 3), i + .5, 0);
-        MdtBodySetLinearVelocity(b, (MeReal)(i % 2 ? 3 : -2), -1, 0);
+        MdtBodySetLinearVelocity(b, i % 2 ? 3 : -2, -1, 0);
         for (int k = 0; k < 4; k++) {
             MdtContactID c = MdtContactCreate(w, b, below);
             MdtContactSetPosition(c, (MeReal)(k & 1 ? .5 : -.4), (MeReal)i, (MeReal)(k & 2 ? .5 : -.5));
             MdtContactSetNormal(c, 0, 1, 0);
             MdtBclContactParams *params = MdtContactGetParams(c);
             MdtContactParamsSetType(params, MdtContactTypeFriction2D);
-            MdtContactParamsSetFriction(params, (MeReal).5);
+            MdtContactParamsSetFriction(params, .5);
             MdtContactEnable(c);
         }
         below = b;
@@ -213,8 +213,8 @@ TEST(a_solve_that_is_stopped_short_tells_its_residual) {
 static MdtReport fastStep(unsigned int bodies, double accuracy, double budget) {
     MdtWorldID w = pileOf(bodies);
     MdtWorldSetSolver(w, MdtSolverFast);
-    MdtWorldSetAccuracy(w, (MeReal)accuracy);
-    MdtWorldSetWorkBudget(w, (MeReal)budget);
+    MdtWorldSetAccuracy(w, accuracy);
+    MdtWorldSetWorkBudget(w, budget);
     messages_catch();
     MdtWorldStep(w, FRAME);
     messages_release();
@@ -303,7 +303,7 @@ TEST(a_cap_that_suffices_and_an_answer_that_is_exact_are_not_spoken_of) {
 /* Nobody need mend what a budget ends: its report says so. */
 TEST(a_budget_that_is_used_up_is_told_to_developers_only) {
     MdtWorldID w = pileOf(12);
-    MdtWorldSetWorkBudget(w, (MeReal).02);
+    MdtWorldSetWorkBudget(w, .02);
     const MdtReport r = stepListening(w);
     ck_assert_int_gt(r.limited, 0);
     assert_silent();
@@ -340,11 +340,11 @@ TEST(a_joint_without_meaning_is_warned_of_and_not_the_solve_that_it_spoils) {
     MdtBodyID b = scene_box(s.world, 1, edge, .5, 1, 0);
     MdtUniversalID j = MdtUniversalCreate(s.world);
     MdtUniversalSetBodies(j, b, s.bar);
-    MdtUniversalSetPosition(j, (MeReal).5, 0, 0);
+    MdtUniversalSetPosition(j, .5, 0, 0);
     MdtUniversalSetAxis(j, 0, 0, 0, 1);
     MdtUniversalSetAxis(j, 1, 0, 1, 0);
     MdtUniversalEnable(j);
-    MdtBodySetQuaternion(b, (MeReal)sqrt(.5), 0, 0, (MeReal)sqrt(.5));
+    MdtBodySetQuaternion(b, sqrt(.5), 0, 0, sqrt(.5));
     const MdtReport r = stepListening(s.world);
     ck_assert_int_gt(r.fallbacks, 0);
     ck_assert_int_eq(caught.warnings, 1);
@@ -510,7 +510,7 @@ TEST(the_answer_for_a_box_at_rest_is_kept) {
 TEST(a_pendulum_is_solved) {
     HingedBar s = scene_hingedBar(10);
     MdtWorldEnableReport(s.world);
-    const double before = (double)MdtBodyGetKineticEnergy(s.bar);
+    const double before = MdtBodyGetKineticEnergy(s.bar);
     for (int i = 0; i < 20; i++) {
         MdtWorldStep(s.world, FRAME);
         const MdtReport r = reportOf(s.world);
@@ -549,9 +549,9 @@ static int partsOfWhirl(double ballRadius, double contactRadius, double offX, do
     MdtWorldID w = reportedWorld(2, 1, 0);
     MdtBodyID b = scene_body(w, 1, 0, ballRadius, 0), floor = isOnBody ? scene_body(w, 1000, 0, -1, 0) : 0;
     MdtContactID c = floor ? MdtContactCreate(w, floor, b) : MdtContactCreate(w, b, 0);
-    MdtContactSetPosition(c, (MeReal)offX, 0, (MeReal)offZ);
+    MdtContactSetPosition(c, offX, 0, offZ);
     MdtContactSetNormal(c, 0, floor ? -1 : 1, 0);
-    MdtContactSetRadius(c, floor ? 1 : 0, (MeReal)contactRadius);
+    MdtContactSetRadius(c, floor ? 1 : 0, contactRadius);
     MdtContactEnable(c);
     MdtBodySetAngularVelocity(b, 0, 3 / FRAME, 0);
     MdtWorldStep(w, FRAME);
@@ -587,7 +587,7 @@ static MdtWorldID violentChain(void) {
         MdtBSJointSetBodies(j, b, last);
         MdtBSJointSetPosition(j, (MeReal)i, 0, 0);
         MdtBSJointEnable(j);
-        MdtBodySetAngularVelocity(b, 0, (MeReal)(i % 2 ? 150 : -150), (MeReal)(i % 2 ? -150 : 150));
+        MdtBodySetAngularVelocity(b, 0, i % 2 ? 150 : -150, i % 2 ? -150 : 150);
         last = b;
     }
     return w;
@@ -735,11 +735,11 @@ static MdtWorldID mixedScene(MdtBodyID b[4]) {
         MdtBSJointSetBodies(j, b[i], i ? b[i - 1] : 0);
         MdtBSJointSetPosition(j, (MeReal)i, 3, 0);
         MdtBSJointEnable(j);
-        MdtBodySetAngularVelocity(b[i], 0, (MeReal)(i % 2 ? 150 : -150), 20);
+        MdtBodySetAngularVelocity(b[i], 0, i % 2 ? 150 : -150, 20);
     }
     b[3] = scene_body(w, 1, 9, .6, 0);
     MdtContactID c = touch(b[3], 9, 0, -.1);
-    MdtContactParamsSetRestitution(MdtContactGetParams(c), (MeReal).5);
+    MdtContactParamsSetRestitution(MdtContactGetParams(c), .5);
     return w;
 }
 

@@ -96,8 +96,8 @@ TEST(a_body_that_rests_shows_no_velocity) {
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     const MeReal *const shown[2] = {MdtBodyGetLinearVelocityPtr(b), MdtBodyGetAngularVelocityPtr(b)};
     MdtWorldSetAutoDisable(w, 1);
-    MdtBodySetLinearVelocity(b, (MeReal)1e-4, (MeReal)-2e-4, (MeReal)3e-4);
-    MdtBodySetAngularVelocity(b, (MeReal)3e-4, (MeReal)2e-4, (MeReal)-1e-4);
+    MdtBodySetLinearVelocity(b, 1e-4, -2e-4, 3e-4);
+    MdtBodySetAngularVelocity(b, 3e-4, 2e-4, -1e-4);
     for (int i = 0; i < 600 && MdtBodyIsEnabled(b); i++) {
         assert_vec3_near(shown[0], 1e-4, -2e-4, 3e-4, 1e-10);
         assert_vec3_near(shown[1], 3e-4, 2e-4, -1e-4, 1e-10);
@@ -288,7 +288,7 @@ TEST(a_force_acts_on_what_its_neighbour_wakes) {
     MdtBSJointID j = MdtBSJointCreate(w);
     MeVector3 v;
     MdtBSJointSetBodies(j, b[0], b[1]);
-    MdtBSJointSetPosition(j, (MeReal).5, 0, 0);
+    MdtBSJointSetPosition(j, .5, 0, 0);
     MdtBSJointEnable(j);
     MdtWorldSetAutoDisable(w, 1);
     for (int i = 0; i < 62; i++) {
@@ -317,7 +317,7 @@ TEST(a_force_that_begins_while_it_falls_asleep_moves_it) {
             MeVector3 v;
             MdtWorldSetAutoDisable(w, 1);
             if (way)
-                MdtWorldSetAutoDisableAccelerationThreshold(w, (MeReal).5);
+                MdtWorldSetAutoDisableAccelerationThreshold(w, .5);
             for (int i = 0; i < first + 30; i++) {
                 if (i >= first)
                     MdtBodyAddForce(b, 0, 60, 0);
@@ -363,7 +363,7 @@ TEST(a_motor_wakes_what_hangs_on_a_disabled_body) {
         MdtLimitSetLimitedForceMotor(MdtHingeGetLimit(j), 1, 100);
         steps(w, 3, FRAME);
         MdtBodyGetAngularVelocity(b, v);
-        ck_assert(MdtBodyIsEnabled(b) && fabs((double)v[1]) > .5); /* it turns the other, too */
+        ck_assert(MdtBodyIsEnabled(b) && fabs(v[1]) > .5); /* it turns the other, too */
         MdtWorldDestroy(w);
     }
 }
@@ -393,7 +393,7 @@ TEST(a_slight_torque_wakes_a_slim_sleeper) {
             for (int i = 0; i < 100 && MdtBodyIsEnabled(b); i++)
                 MdtWorldStep(w, FRAME);
             ck_assert(!MdtBodyIsEnabled(b));
-            const MeReal torque = (MeReal)(slim * rate * 60 * (tooMuch ? 1.01 : .99));
+            const MeReal torque = slim * rate * 60 * (tooMuch ? 1.01 : .99);
             MdtBodyAddTorque(b, axis == 0 ? torque : 0, axis == 1 ? torque : 0, axis == 2 ? torque : 0);
             MdtWorldStep(w, FRAME);
             ck_assert_int_eq(MdtBodyIsEnabled(b) != 0, tooMuch);
@@ -419,11 +419,11 @@ static MdtWorldID swing(double amplitude, double stiffness, double damping, MdtB
     *b = scene_body(w, 1, amplitude, 0, 0);
     MdtSpringID s = MdtSpringCreate(w);
     MdtSpringSetBodies(s, *b, 0);
-    MdtSpringSetPosition(s, 0, (MeReal)amplitude, 0, 0);
+    MdtSpringSetPosition(s, 0, amplitude, 0, 0);
     MdtSpringSetPosition(s, 1, -1, 0, 0);
     MdtSpringSetNaturalLength(s, 1);
-    MdtSpringSetStiffness(s, (MeReal)stiffness);
-    MdtSpringSetDamping(s, (MeReal)damping);
+    MdtSpringSetStiffness(s, stiffness);
+    MdtSpringSetDamping(s, damping);
     MdtSpringEnable(s);
     MdtWorldSetAutoDisable(w, 1);
     return w;
@@ -474,7 +474,7 @@ TEST(what_begins_to_move_slowly_stays_awake) {
         MeVector3 v;
         MdtWorldSetAutoDisable(w, 1);
         for (int step = 0; step < 1000; step++) {
-            MdtBodyAddForce(b, (MeReal)pushes[i], 0, 0);
+            MdtBodyAddForce(b, pushes[i], 0, 0);
             MdtWorldStep(w, FRAME);
         }
         MdtBodyGetLinearVelocity(b, v);
@@ -492,9 +492,9 @@ TEST(what_moves_uniformly_goes_on) {
             MeVector3 v;
             MdtWorldSetAutoDisable(w, 1);
             if (turns)
-                MdtBodySetAngularVelocity(b, 0, 0, (MeReal)(speed / .6));
+                MdtBodySetAngularVelocity(b, 0, 0, speed / .6);
             else
-                MdtBodySetLinearVelocity(b, (MeReal)speed, 0, 0);
+                MdtBodySetLinearVelocity(b, speed, 0, 0);
             steps(w, 1200, FRAME);
             ck_assert_msg(MdtBodyIsEnabled(b), "asleep at %g m/s", speed);
             (turns ? MdtBodyGetAngularVelocity : MdtBodyGetLinearVelocity)(b, v);
@@ -512,7 +512,7 @@ TEST(what_is_driven_stays_awake_at_any_speed) {
             MdtFixedPathID path = 0;
             MdtWorldSetAutoDisable(s.world, 1);
             if (way < 2)
-                MdtLimitSetLimitedForceMotor(s.limit, (MeReal)speed, (MeReal)limit);
+                MdtLimitSetLimitedForceMotor(s.limit, speed, limit);
             if (way == 1) { /* against its stop */
                 MdtSingleLimitSetStop(MdtLimitGetLowerLimit(s.limit), -1);
                 MdtSingleLimitSetStop(MdtLimitGetUpperLimit(s.limit), 0);
@@ -524,10 +524,10 @@ TEST(what_is_driven_stays_awake_at_any_speed) {
                 path = MdtFixedPathCreate(s.world);
                 MdtFixedPathSetBodies(path, s.bar, 0);
                 MdtFixedPathEnable(path);
-                MdtFixedPathSetVelocity(path, 1, (MeReal)speed, 0, 0);
+                MdtFixedPathSetVelocity(path, 1, speed, 0, 0);
             }
             if (way == 3)
-                MdtConstraintSetWorldLinearVelocity(MdtHingeQuaConstraint(s.hinge), (MeReal)speed, 0, 0);
+                MdtConstraintSetWorldLinearVelocity(MdtHingeQuaConstraint(s.hinge), speed, 0, 0);
             steps(s.world, 300, FRAME);
             ck_assert_msg(!MdtBodyIsEnabled(s.bar) == (way == 1), "way %d, speed %g", way, speed);
             MdtWorldDestroy(s.world);
@@ -546,9 +546,9 @@ TEST(a_surface_that_moves_keeps_awake_what_it_carries) {
         MdtContactSetDirection(c, 1, 0, 0);
         MdtContactParamsSetSurface(MdtContactGetParams(c), 1, 0);
         if (way == 1)
-            MdtContactParamsSetPrimarySlide(MdtContactGetParams(c), (MeReal)speed);
+            MdtContactParamsSetPrimarySlide(MdtContactGetParams(c), speed);
         if (way == 2)
-            MdtConstraintSetWorldLinearVelocity(MdtContactQuaConstraint(c), (MeReal)speed, 0, 0);
+            MdtConstraintSetWorldLinearVelocity(MdtContactQuaConstraint(c), speed, 0, 0);
         MdtContactEnable(c);
         MdtWorldSetAutoDisable(w, 1);
         for (int i = 0; i < 120; i++) {

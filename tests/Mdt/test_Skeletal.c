@@ -16,13 +16,13 @@ static Bar makeBar(void) {
     s.world = scene_world(1, 1, 0);
     MdtWorldSetEpsilon(s.world, 0);
     s.bar = scene_body(s.world, mass, arm, 0, 0);
-    MdtBodySetSphericalInertiaTensor(s.bar, (MeReal).1);
+    MdtBodySetSphericalInertiaTensor(s.bar, .1);
     s.joint = MdtSkeletalCreate(s.world);
     MdtSkeletalSetBodies(s.joint, s.bar, 0);
     MdtSkeletalSetPosition(s.joint, 0, 0, 0);
     MdtSkeletalSetAxes(s.joint, 1, 0, 0, 0, 1, 0);
-    MdtSkeletalSetConePrimaryLimitAngle(s.joint, (MeReal)primary);
-    MdtSkeletalSetConeSecondaryLimitAngle(s.joint, (MeReal)secondary);
+    MdtSkeletalSetConePrimaryLimitAngle(s.joint, primary);
+    MdtSkeletalSetConeSecondaryLimitAngle(s.joint, secondary);
     MdtSkeletalEnable(s.joint);
     return s;
 }
@@ -44,7 +44,7 @@ static double coneShare(const double swing[2]) {
 }
 
 static void pull(Bar s, double y, double z) {
-    MdtWorldSetGravity(s.world, 0, (MeReal)y, (MeReal)z);
+    MdtWorldSetGravity(s.world, 0, y, z);
 }
 
 static int rowsOf(Bar s) {
@@ -126,8 +126,8 @@ TEST(between_them_it_is_an_ellipse) {
 TEST(inside_it_is_a_ball_and_socket) {
     Bar s = makeBar();
     double w[3];
-    MdtBodySetAngularVelocity(s.bar, (MeReal).2, (MeReal)-.3, (MeReal).1);
-    MdtBodySetLinearVelocity(s.bar, 0, (MeReal)(.1 * arm), (MeReal)(.3 * arm));
+    MdtBodySetAngularVelocity(s.bar, .2, -.3, .1);
+    MdtBodySetLinearVelocity(s.bar, 0, .1 * arm, .3 * arm);
     steps(s.world, 60, FRAME);
     ck_assert_int_eq(rowsOf(s), 3);
     measure_rate(s.bar, w);
@@ -143,7 +143,7 @@ TEST(a_soft_cone_gives_way_by_torque_over_stiffness) {
         Bar s = makeBar();
         double swing[2], twist;
         pull(s, 10, 0);
-        MdtSkeletalSetConeStiffness(s.joint, (MeReal)ks[k]);
+        MdtSkeletalSetConeStiffness(s.joint, ks[k]);
         MdtSkeletalSetConeDamping(s.joint, 4);
         steps(s.world, 1500, FRAME);
         measureSwing(s.bar, swing, &twist);
@@ -165,7 +165,7 @@ TEST(the_twist_stops_at_its_limit) {
     for (int side = -1; side <= 1; side += 2) {
         Bar s = makeBar();
         double swing[2], twist, max = 0, t[3];
-        MdtSkeletalSetTwistLimitAngle(s.joint, (MeReal).6);
+        MdtSkeletalSetTwistLimitAngle(s.joint, .6);
         for (int i = 0; i < 200; i++) {
             twistBar(s, side);
             MdtWorldStep(s.world, FRAME);
@@ -186,7 +186,7 @@ TEST(the_twist_limit_holds_while_swung) {
     Bar s = makeBar();
     double swing[2], twist;
     pull(s, 5, 10);
-    MdtSkeletalSetTwistLimitAngle(s.joint, (MeReal).25);
+    MdtSkeletalSetTwistLimitAngle(s.joint, .25);
     MdtBodySetLinearVelocityDamping(s.bar, 2);
     MdtBodySetAngularVelocityDamping(s.bar, 2);
     for (int i = 0; i < 1500; i++) {
@@ -205,7 +205,7 @@ TEST(the_twist_limit_holds_while_swung) {
 TEST(a_soft_twist_gives_way_by_torque_over_stiffness) {
     Bar s = makeBar();
     double swing[2], twist;
-    MdtSkeletalSetTwistLimitAngle(s.joint, (MeReal).2);
+    MdtSkeletalSetTwistLimitAngle(s.joint, .2);
     MdtSkeletalSetTwistStiffness(s.joint, 25);
     MdtSkeletalSetTwistDamping(s.joint, 2);
     for (int i = 0; i < 1000; i++) {
@@ -221,8 +221,8 @@ TEST(the_present_twist_becomes_its_zero) {
     Bar s = makeBar();
     double swing[2], twist;
     MdtSkeletalDisable(s.joint);
-    MdtBodySetQuaternion(s.bar, (MeReal)cos(.5), (MeReal)sin(.5), 0, 0); /* 1 rad, beyond the limit */
-    MdtSkeletalSetTwistLimitAngle(s.joint, (MeReal).2);
+    MdtBodySetQuaternion(s.bar, cos(.5), sin(.5), 0, 0); /* 1 rad, beyond the limit */
+    MdtSkeletalSetTwistLimitAngle(s.joint, .2);
     MdtSkeletalZeroTwist(s.joint);
     MdtSkeletalEnable(s.joint);
     steps(s.world, 10, FRAME);

@@ -32,9 +32,9 @@ static double lengthOf(Hung s) {
 
 static void setStop(Hung s, int side, double stiffness, double damping, double restitution) {
     MdtSingleLimitID stop = side == 0 ? MdtLimitGetLowerLimit(s.limit) : MdtLimitGetUpperLimit(s.limit);
-    MdtSingleLimitSetStiffness(stop, (MeReal)stiffness);
-    MdtSingleLimitSetDamping(stop, (MeReal)damping);
-    MdtSingleLimitSetRestitution(stop, (MeReal)restitution);
+    MdtSingleLimitSetStiffness(stop, stiffness);
+    MdtSingleLimitSetDamping(stop, damping);
+    MdtSingleLimitSetRestitution(stop, restitution);
 }
 
 /* ---- spring ---- */
@@ -57,9 +57,9 @@ TEST(hooke_s_law) {
         for (int j = 0; j < 3; j++) {
             Hung s = hang(g, .7);
             double f[3];
-            MdtSpringSetStiffness(s.spring, (MeReal)ks[i]);
+            MdtSpringSetStiffness(s.spring, ks[i]);
             MdtSpringSetDamping(s.spring, 15);
-            MdtSpringSetNaturalLength(s.spring, (MeReal)lengths[j]);
+            MdtSpringSetNaturalLength(s.spring, lengths[j]);
             steps(s.world, 2000, FRAME);
             assert_near(lengthOf(s), lengths[j] + mass * g / ks[i], TOL(2e-6, 1e-9));
             assert_near(MdtLimitGetPosition(s.limit), lengthOf(s), TOL(1e-6, 2e-13));
@@ -93,8 +93,8 @@ TEST(it_swings_as_a_damped_spring) {
             Swing swing = {0};
             const double w0 = sqrt(ks[i] / mass), decay = ds[j] / (2 * mass), h = FRAME;
             const double rest = 5 + mass * g / ks[i];
-            MdtSpringSetStiffness(s.spring, (MeReal)ks[i]);
-            MdtSpringSetDamping(s.spring, (MeReal)ds[j]);
+            MdtSpringSetStiffness(s.spring, ks[i]);
+            MdtSpringSetDamping(s.spring, ds[j]);
             MdtSpringSetNaturalLength(s.spring, 5);
             MdtBodySetPosition(s.body, 0, (MeReal) - (rest + .2), 0);
             for (int n = 0; n < 5000 && swing.crossings < 12; n++) {
@@ -116,7 +116,7 @@ TEST(between_two_bodies_the_reduced_mass_counts) {
     MdtSpringSetBodies(spring, a, b);
     MdtSpringSetStiffness(spring, 30);
     MdtSpringSetDamping(spring, 0);
-    MdtSpringSetNaturalLength(spring, (MeReal).8);
+    MdtSpringSetNaturalLength(spring, .8);
     MdtSpringEnable(spring);
     for (int n = 0; n < 2000 && swing.crossings < 20; n++) {
         double p[3], q[3];
@@ -135,9 +135,9 @@ TEST(there_is_no_angular_constraint) {
     const double edge[3] = {1, .2, .2};
     Hung s = hang(g, 1);
     MeMatrix3 I;
-    MdtMakeInertiaTensorBox((MeReal)mass, (MeReal)edge[0], (MeReal)edge[1], (MeReal)edge[2], I);
+    MdtMakeInertiaTensorBox(mass, edge[0], edge[1], edge[2], I);
     MdtBodySetInertiaTensor(s.body, I);
-    MdtSpringSetPosition(s.spring, 0, (MeReal).4, -1, 0);
+    MdtSpringSetPosition(s.spring, 0, .4, -1, 0);
     MdtBodySetAngularVelocityDamping(s.body, 2);
     MdtBodySetLinearVelocityDamping(s.body, 1);
     MdtSpringSetStiffness(s.spring, 200);
@@ -176,8 +176,8 @@ TEST(a_rod_keeps_its_length) {
 TEST(a_rod_of_another_length) {
     Hung s = hang(0, 1);
     MdtSpringSetStiffness(s.spring, MEINFINITY);
-    MdtSpringSetNaturalLength(s.spring, (MeReal)1.5);
-    MdtWorldSetGamma(s.world, (MeReal).25);
+    MdtSpringSetNaturalLength(s.spring, 1.5);
+    MdtWorldSetGamma(s.world, .25);
     for (int i = 1; i <= 30; i++) {
         MdtWorldStep(s.world, FRAME);
         assert_near(lengthOf(s), 1.5 - .5 * pow(.75, i), TOL(1e-6, 2e-13));
@@ -190,7 +190,7 @@ TEST(a_string_pulls_and_does_not_push) {
     double f[3];
     setStop(s, 0, 0, 0, 0);
     setStop(s, 1, MEINFINITY, 0, 0);
-    MdtBodySetPosition(s.body, 0, (MeReal)-.5, 0); /* slack: it falls freely for 0.3 s */
+    MdtBodySetPosition(s.body, 0, -.5, 0); /* slack: it falls freely for 0.3 s */
     double max = 0;
     for (int i = 0; i < 18; i++) {
         MdtWorldStep(s.world, FRAME);
@@ -259,7 +259,7 @@ TEST(a_winch) {
     MdtSingleLimitSetStiffness(MdtLimitGetLowerLimit(&own), 0);
     MdtSingleLimitSetRestitution(MdtLimitGetUpperLimit(&own), 0);
     MdtLimitActivateLimits(&own, 1);
-    MdtLimitSetLimitedForceMotor(&own, (MeReal)-.5, 100);
+    MdtLimitSetLimitedForceMotor(&own, -.5, 100);
     MdtSpringSetLimit(s.spring, &own);
     steps(s.world, 60, FRAME);
     assert_near(lengthOf(s), .5 + .25 / 60, TOL(5e-7, 4e-10)); /* wound up; with half the speed in the first step */
@@ -274,7 +274,7 @@ TEST(a_winch) {
 TEST(the_ends_move_with_the_bodies) {
     Hung s = hang(0, 1);
     MeVector3 p;
-    MdtSpringSetPosition(s.spring, 0, (MeReal).5, (MeReal)-1, 0);
+    MdtSpringSetPosition(s.spring, 0, .5, -1, 0);
     MdtBodySetPosition(s.body, 3, 4, 5);
     MdtSpringGetPosition(s.spring, p, 0);
     assert_vec3_near(p, 3.5, 4, 5, TOL(1e-6, 5e-13));

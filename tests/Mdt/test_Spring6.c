@@ -14,7 +14,7 @@ static Held hold(void) {
     s.world = scene_world(2, 1, 0);
     MdtWorldSetEpsilon(s.world, 0);
     s.body = scene_body(s.world, mass, 1, 2, 3);
-    MdtBodySetSphericalInertiaTensor(s.body, (MeReal)inertia);
+    MdtBodySetSphericalInertiaTensor(s.body, inertia);
     s.joint = MdtSpring6Create(s.world);
     MdtSpring6SetBodies(s.joint, s.body, 0);
     MdtSpring6SetPosition(s.joint, 1, 2, 3);
@@ -26,13 +26,13 @@ static Held hold(void) {
 static const int worldAxis[3] = {1, 2, 0};
 
 static void setLinear(Held s, int axis, double k, double c) {
-    MdtSpring6SetLinearStiffness(s.joint, axis, (MeReal)k);
-    MdtSpring6SetLinearDamping(s.joint, axis, (MeReal)c);
+    MdtSpring6SetLinearStiffness(s.joint, axis, k);
+    MdtSpring6SetLinearDamping(s.joint, axis, c);
 }
 
 static void setAngular(Held s, int axis, double k, double c) {
-    MdtSpring6SetAngularStiffness(s.joint, axis, (MeReal)k);
-    MdtSpring6SetAngularDamping(s.joint, axis, (MeReal)c);
+    MdtSpring6SetAngularStiffness(s.joint, axis, k);
+    MdtSpring6SetAngularDamping(s.joint, axis, c);
 }
 
 static double offsetAlong(Held s, int axis) {
@@ -73,8 +73,8 @@ TEST(each_axis_gives_way_by_force_over_stiffness) {
     }
     ck_assert_int_eq(MdtConstraintGetRowCount(MdtSpring6QuaConstraint(s.joint)), 0); /* before its first step */
     for (int n = 0; n < 1200; n++) {
-        MdtBodyAddForce(s.body, (MeReal)force, (MeReal)force, (MeReal)force);
-        MdtBodyAddTorque(s.body, 0, (MeReal)torque, 0);
+        MdtBodyAddForce(s.body, force, force, force);
+        MdtBodyAddTorque(s.body, 0, torque, 0);
         MdtWorldStep(s.world, FRAME);
     }
     ck_assert_int_eq(MdtConstraintGetRowCount(MdtSpring6QuaConstraint(s.joint)), 6);
@@ -101,10 +101,10 @@ static void swingAt(int axis, double k, double c, MeBool isAngular) {
     if (isAngular) {
         setAngular(s, axis, k, c);
         keaScale(away, sin(amplitude / 2) / amplitude, away);
-        MdtBodySetQuaternion(s.body, (MeReal)cos(amplitude / 2), (MeReal)away[0], (MeReal)away[1], (MeReal)away[2]);
+        MdtBodySetQuaternion(s.body, cos(amplitude / 2), away[0], away[1], away[2]);
     } else {
         setLinear(s, axis, k, c);
-        MdtBodySetPosition(s.body, (MeReal)(1 + away[0]), (MeReal)(2 + away[1]), (MeReal)(3 + away[2]));
+        MdtBodySetPosition(s.body, 1 + away[0], 2 + away[1], 3 + away[2]);
     }
     for (int n = 0; n < 3000 && swing.crossings < 11; n++) {
         MdtWorldStep(s.world, FRAME);
@@ -172,7 +172,7 @@ TEST(a_moving_world) {
     MdtBodyGetLinearVelocity(s.body, v);
     assert_vec3_near(v, 1, 0, -2, TOL(2e-6, 2e-8));
     MdtSpring6SetWorldLinearVelocity(s.joint, 0, 0, 0);
-    MdtSpring6SetWorldAngularVelocity(s.joint, 0, (MeReal).1, 0);
+    MdtSpring6SetWorldAngularVelocity(s.joint, 0, .1, 0);
     MdtSpring6GetWorldAngularVelocity(s.joint, w);
     assert_vec3_near(w, 0, .1, 0, TOL(1e-8, 0));
     for (int i = 0; i < 3; i++)

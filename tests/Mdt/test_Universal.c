@@ -13,8 +13,8 @@ typedef struct {
 static void holdShaft(MdtWorldID w, MdtBodyID b, const double point[3], const double axis[3]) {
     MdtHingeID bearing = MdtHingeCreate(w);
     MdtHingeSetBodies(bearing, b, 0);
-    MdtHingeSetPosition(bearing, (MeReal)point[0], (MeReal)point[1], (MeReal)point[2]);
-    MdtHingeSetAxis(bearing, (MeReal)axis[0], (MeReal)axis[1], (MeReal)axis[2]);
+    MdtHingeSetPosition(bearing, point[0], point[1], point[2]);
+    MdtHingeSetAxis(bearing, axis[0], axis[1], axis[2]);
     MdtHingeEnable(bearing);
 }
 
@@ -23,10 +23,10 @@ static void holdShaft(MdtWorldID w, MdtBodyID b, const double point[3], const do
 static Drive makeDrive(double bend) {
     Drive s = {.axis = {{0, 0, 1}, {0, sin(bend), cos(bend)}}};
     s.world = scene_world(2, 3, 0);
-    MdtWorldSetEpsilon(s.world, (MeReal)1e-6); /* two bearings and a joint have rows to spare, not all alike */
+    MdtWorldSetEpsilon(s.world, 1e-6); /* two bearings and a joint have rows to spare, not all alike */
     for (int k = 0; k < 2; k++) {
         s.shaft[k] = scene_body(s.world, 1, 0, 0, k - .5);
-        MdtBodySetSphericalInertiaTensor(s.shaft[k], (MeReal).1);
+        MdtBodySetSphericalInertiaTensor(s.shaft[k], .1);
     }
     s.joint = MdtUniversalCreate(s.world);
     MdtUniversalSetBodies(s.joint, s.shaft[0], s.shaft[1]);
@@ -34,8 +34,8 @@ static Drive makeDrive(double bend) {
     MdtUniversalSetAxis(s.joint, 0, 1, 0, 0);
     MdtUniversalSetAxis(s.joint, 1, 0, 1, 0);
     MdtUniversalEnable(s.joint);
-    MdtBodySetPosition(s.shaft[1], 0, (MeReal)(.5 * sin(bend)), (MeReal)(.5 * cos(bend)));
-    MdtBodySetQuaternion(s.shaft[1], (MeReal)cos(bend / 2), (MeReal)-sin(bend / 2), 0, 0);
+    MdtBodySetPosition(s.shaft[1], 0, .5 * sin(bend), .5 * cos(bend));
+    MdtBodySetQuaternion(s.shaft[1], cos(bend / 2), -sin(bend / 2), 0, 0);
     for (int k = 0; k < 2; k++) {
         double point[3];
         keaScale(point, k - .5, s.axis[k]);
@@ -149,7 +149,7 @@ TEST(axes_are_drawn_to_right_angles) {
     MeVector3 a, o;
     MdtUniversalSetBodies(j, b, 0);
     MdtUniversalSetAxis(j, 0, 1, 0, 0);
-    MdtUniversalSetAxis(j, 1, (MeReal).6, (MeReal).8, 0);
+    MdtUniversalSetAxis(j, 1, .6, .8, 0);
     MdtUniversalGetAxis(j, 0, a);
     MdtUniversalGetAxis(j, 1, o);
     assert_vec3_near(a, 1, 0, 0, TOL(1e-6, 9e-14));

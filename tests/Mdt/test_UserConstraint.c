@@ -45,10 +45,10 @@ TEST(the_function_is_given_poses_bodies_and_parameters) {
     MdtWorldID w = makeWorld(0);
     MdtBodyID b = scene_body(w, 4, 1, 2, 3);
     MdtUserConstraintID j = make(w, 0, b, look, NULL);
-    MdtWorldSetEpsilon(w, (MeReal).25);
-    MdtWorldSetGamma(w, (MeReal).5);
+    MdtWorldSetEpsilon(w, .25);
+    MdtWorldSetGamma(w, .5);
     memset(&seen, 0, sizeof seen);
-    MdtWorldStep(w, (MeReal).125);
+    MdtWorldStep(w, .125);
     ck_assert_int_eq(seen.calls, 1);
     ck_assert(seen.owner == (void *)j);
     ck_assert(seen.body[0] == NULL && seen.body[1] != NULL);
@@ -64,10 +64,10 @@ TEST(the_function_is_given_poses_bodies_and_parameters) {
     int data;
     MdtUserConstraintSetConstraintData(j, &data);
     ck_assert(MdtUserConstraintGetConstraintData(j) == &data);
-    MdtWorldStep(w, (MeReal).125);
+    MdtWorldStep(w, .125);
     ck_assert(seen.owner == &data);
     MdtUserConstraintDisable(j);
-    MdtWorldStep(w, (MeReal).125);
+    MdtWorldStep(w, .125);
     ck_assert_int_eq(seen.calls, 2);
     MdtWorldDestroy(w);
 }
@@ -206,8 +206,8 @@ TEST(a_gear) {
     MdtWorldID w = makeWorld(0);
     MdtBodyID a = scene_body(w, 1, 0, 0, 0), b = scene_body(w, 1, 1, 0, 0);
     double rate[2][3];
-    MdtBodySetSphericalInertiaTensor(a, (MeReal).1);
-    MdtBodySetSphericalInertiaTensor(b, (MeReal).3);
+    MdtBodySetSphericalInertiaTensor(a, .1);
+    MdtBodySetSphericalInertiaTensor(b, .3);
     make(w, a, b, gear, NULL);
     for (int i = 1; i <= 60; i++) {
         MdtBodyAddTorque(a, 0, 0, 1);

@@ -41,7 +41,7 @@ TEST(the_alive_window_is_in_steps_or_in_seconds) {
     MdtWorldSetAutoDisableAliveWindow(w, 12);
     ck_assert_int_eq(MdtWorldGetAutoDisableAliveWindow(w), 12);
     assert_near(MdtWorldGetAutoDisableAliveTime(w), .2, TOL(2e-7, 2e-14));
-    MdtWorldStep(w, (MeReal).1);
+    MdtWorldStep(w, .1);
     assert_near(MdtWorldGetAutoDisableAliveTime(w), 1.2, TOL(1e-6, 2e-13));
     MdtWorldSetAutoDisableAliveWindow(w, 0.5f);
     assert_near(MdtWorldGetAutoDisableAliveTime(w), .5, 0);
@@ -55,10 +55,10 @@ TEST(worlds_are_independent) {
     MdtWorldID a = scene_world(1, 0, 10), b = scene_world(1, 0, 0);
     MdtBodyID inA = scene_body(a, 1, 0, 0, 0), inB = scene_body(b, 1, 0, 0, 0);
     MeVector3 v;
-    MdtWorldStep(a, (MeReal).5);
+    MdtWorldStep(a, .5);
     MdtBodyGetLinearVelocity(inA, v);
     assert_near(v[1], -5, TOL(1e-6, 5e-13));
-    MdtWorldStep(b, (MeReal).5);
+    MdtWorldStep(b, .5);
     MdtBodyGetLinearVelocity(inB, v);
     assert_near(v[1], 0, 0);
     MdtWorldDestroy(a);
@@ -81,8 +81,8 @@ TEST(the_step_may_differ_from_call_to_call) {
     MdtWorldID w = scene_world(1, 0, 10);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     MeVector3 v;
-    MdtWorldStep(w, (MeReal).1);
-    MdtWorldStep(w, (MeReal).3);
+    MdtWorldStep(w, .1);
+    MdtWorldStep(w, .3);
     MdtBodyGetLinearVelocity(b, v);
     assert_near(v[1], -4, TOL(1e-6, 4e-13));
     MdtWorldDestroy(w);
@@ -184,7 +184,7 @@ TEST(a_warm_step_allocates_nothing) {
     MdtBSJointSetBodies(j, a, 0);
     MdtBSJointEnable(j);
     MdtBSJointSetBodies(k, a, b);
-    MdtBSJointSetPosition(k, (MeReal)1.5, 0, 0);
+    MdtBSJointSetPosition(k, 1.5, 0, 0);
     MdtBSJointEnable(k);
     MdtWorldStep(w, FRAME);
     ck_assert_int_gt(allocations, 0);
@@ -242,12 +242,12 @@ TEST(safe_time_shortens_the_step_of_a_partition) {
     MdtBodyID a = scene_body(w, 1, 0, 0, 0), b = scene_body(w, 1, 0, 1, 0);
     MdtBodySetLinearVelocity(a, 1, 0, 0);
     MdtBodySetLinearVelocity(b, 1, 0, 0);
-    MdtBodySetSafeTime(a, (MeReal).125);
-    MdtWorldStepSafeTime(w, (MeReal).5);
+    MdtBodySetSafeTime(a, .125);
+    MdtWorldStepSafeTime(w, .5);
     assert_near(MdtBodyGetTransformPtr(a)[3][0], .125, TOL(1e-7, 2e-14));
     assert_near(MdtBodyGetTransformPtr(b)[3][0], .5, TOL(1e-7, 5e-14));
     MdtBodySetSafeTime(a, 0);
-    MdtWorldStepSafeTime(w, (MeReal).5);
+    MdtWorldStepSafeTime(w, .5);
     assert_near(MdtBodyGetTransformPtr(a)[3][0], .126, TOL(2e-7, 2e-14)); /* the least safe time */
     MdtWorldDestroy(w);
 }
@@ -255,7 +255,7 @@ TEST(safe_time_shortens_the_step_of_a_partition) {
 TEST(the_least_safe_time_is_a_setting_of_its_own) {
     MdtWorldID w = MdtWorldCreate(1, 0);
     MdtWorldSetMaxMatrixSize(w, 12);
-    MdtWorldSetMinSafeTime(w, (MeReal).25);
+    MdtWorldSetMinSafeTime(w, .25);
     ck_assert(MdtWorldGetMinSafeTime(w) == (MeReal).25);
     ck_assert_int_eq(MdtWorldGetMaxMatrixSize(w), 12);
     messages_catch();

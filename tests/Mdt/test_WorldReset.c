@@ -26,11 +26,11 @@ TEST(reset_empties_a_world) {
     for (int round = 0; round < 5; round++) { /* each time there is room for all of it again */
         fill(w);
         ck_assert_int_eq((int)MdtWorldGetTotalBodies(w), 2);
-        MdtWorldStep(w, (MeReal)(1. / 60));
+        MdtWorldStep(w, 1. / 60);
         ck_assert_int_gt(MdtWorldGetMaxMemoryPoolUsed(w), 0);
         MdtWorldReset(w);
         ck_assert(!MdtBodyGetFirst(w) && !MdtConstraintGetFirst(w) && MdtWorldGetTotalBodies(w) == 0);
-        MdtWorldStep(w, (MeReal)(1. / 60));
+        MdtWorldStep(w, 1. / 60);
     }
     assert_silent();
     messages_release();

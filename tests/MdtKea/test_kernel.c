@@ -202,7 +202,7 @@ static Point pointOf(const KeaGroup *g, int lane, int k) {
         for (int i = 0; i < 3; i++)
             rate += (b == 0 ? 1 : -1) * n[i] * ((double)m->lin[i] + turn[i]);
     }
-    const double impulse = (double)g->impulse[k][lane];
+    const double impulse = g->impulse[k][lane];
     return (Point){rate - (double)g->bias[k][lane] + (double)g->compliance[lane] * impulse, impulse};
 }
 
@@ -229,12 +229,12 @@ static void frictionRatesOf(const KeaGroup *g, int lane, double rate[3]) {
 static void coupledRatesOf(const KeaGroup *g, int lane, double rate[3]) {
     double resultant[3] = {0, 0, 0};
     for (int k = 0; k < KEA_POINTS; k++) {
-        const double p = (double)g->impulse[k][lane];
+        const double p = g->impulse[k][lane];
         resultant[0] += p;
         resultant[1] += p * (double)g->x[k][lane];
         resultant[2] += p * (double)g->y[k][lane];
     }
-    const double torsionImpulse = (double)g->torsionImpulse[lane];
+    const double torsionImpulse = g->torsionImpulse[lane];
     for (int k = 0; k < 2; k++)
         rate[k] = (double)g->torsionToSlide[k][lane] * torsionImpulse;
     rate[2] = g->torsionMass[lane] > 0 ? torsionImpulse / (double)g->torsionMass[lane] : 0;

@@ -39,14 +39,14 @@ static inline void tear_down(void) {
 /* A cube of side 1 and 2 kg. */
 static inline McdModelID make_box(double x, double y, double z) {
     McdModelID m = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 1, 1, 1), 2);
-    McdModelDynamicsSetPosition(m, (MeReal)x, (MeReal)y, (MeReal)z);
+    McdModelDynamicsSetPosition(m, x, y, z);
     return m;
 }
 
 static inline void run(int frames) {
     for (int i = 0; i < frames; i++) {
         MeAppStep(app);
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
     }
 }
 

@@ -42,7 +42,7 @@ static void MEAPI tick(RRender *context) {
     sayIfNew("distance", (double)RCameraGetDistance(context), &distance);
     sayIfNew("angle", (double)RCameraGetRotation(context), &angle);
     MeAppStep(app);
-    MstUniverseStep(u, (MeReal)(1. / 60));
+    MstUniverseStep(u, 1. / 60);
 }
 
 static void MEAPI_CDECL cleanup(void) {
@@ -66,13 +66,13 @@ int MEAPI_CDECL main(int argc, const char **argv) {
         return 1;
     atexit(cleanup);
     MeAppCreateControls(app);
-    MdtWorldSetGravity(u->world, 0, (MeReal)-9.81, 0);
+    MdtWorldSetGravity(u->world, 0, -9.81, 0);
     MstFixedModelCreate(u, McdPlaneCreate(u->frame), floorTM);
     McdModelID box = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 2, 2, 2), 1000);
     McdModelDynamicsSetPosition(box, 0, 1, 0);
     MdtHingeID hinge = MdtHingeCreate(u->world);
-    McdModelID door = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 1, 1, (MeReal)0.1), 1000);
-    McdModelDynamicsSetPosition(door, (MeReal)2.5, 2, 0);
+    McdModelID door = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 1, 1, 0.1), 1000);
+    McdModelDynamicsSetPosition(door, 2.5, 2, 0);
     MdtHingeSetBodies(hinge, McdModelGetBody(door), 0);
     MdtHingeSetPosition(hinge, 2, 2, 0);
     MdtHingeSetAxis(hinge, 0, 1, 0);

@@ -8,7 +8,7 @@ static MeMatrix4 floorTM;
 
 /* Two boxes on the plane z = 0: four contacts each. */
 static void make_scene(void) {
-    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-9.81);
+    MdtWorldSetGravity(u->world, 0, 0, -9.81);
     MeMatrix4TMMakeIdentity(floorTM);
     MstFixedModelCreate(u, McdPlaneCreate(u->frame), floorTM);
     make_box(-1, 0, .5);
@@ -47,7 +47,7 @@ TEST(a_line_goes_along_the_normal_through_the_contact) {
         assert_near(fabs((double)(a[0] + b[0]) / 2), 1, .51);
         assert_near(a[0], b[0], 1e-5);
         assert_near(a[1], b[1], 1e-5);
-        assert_near(fabs((double)(a[2] - b[2])), 2, 1e-5);
+        assert_near(fabs(a[2] - b[2]), 2, 1e-5);
         assert_near((a[2] + b[2]) / 2, 0, .01);
         assert_near(l->m_Color[1], .8, 1e-6);
     }
@@ -95,7 +95,7 @@ TEST(bad_input_is_named) {
     assert_warned("max");
     MeAppSetContactDrawLength(app, 0);
     assert_warned("length");
-    MeAppSetContactDrawLength(app, (MeReal)NAN);
+    MeAppSetContactDrawLength(app, NAN);
     assert_warned("length");
     MeAppDrawContactsInit(NULL, yellow, 3);
     assert_warned("MeAppDrawContactsInit");

@@ -75,7 +75,7 @@ TEST(a_box_in_two_formats) {
         assert_extent(both[i], 2, 4, 6);
         for (int k = 0; k < 36; k++) { /* Flat: each normal is an axis. */
             const RObjectVertex *v = &both[i]->m_pVertices[k];
-            assert_near(fabs((double)v->m_NX) + fabs((double)v->m_NY) + fabs((double)v->m_NZ), 1, 1e-6);
+            assert_near(fabs(v->m_NX) + fabs(v->m_NY) + fabs(v->m_NZ), 1, 1e-6);
         }
     }
     assert_extent(load("test_Mesh.obj", obj, 0.5f), 1, 2, 3);

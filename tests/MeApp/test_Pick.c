@@ -5,12 +5,12 @@ TEST_FIXTURE(set_up, tear_down)
 
 /* The pixel at which a point is seen. */
 static void pixel_of(double x, double y, double z, int *px, int *py) {
-    const MeVector3 p = {(MeReal)x, (MeReal)y, (MeReal)z};
+    const MeVector3 p = {x, y, z};
     MeVector3 c;
     RRenderUpdateProjectionMatrices(rc);
     const MeVector4 *P = (const MeVector4 *)rc->m_ProjectionMatrix;
     MeMatrix4TMTransform(c, (const MeVector4 *)rc->m_CameraMatrix, p);
-    const double w = (double)(P[2][3] * c[2] + P[3][3]);
+    const double w = P[2][3] * c[2] + P[3][3];
     *px = (int)lround(WIDTH / 2. * (1 + (double)(P[0][0] * c[0]) / w));
     *py = (int)lround(HEIGHT / 2. * (1 - (double)(P[1][1] * c[1]) / w));
 }
@@ -72,7 +72,7 @@ TEST(the_nearest_model_is_picked_where_it_is_seen) {
     const McdModelID far = make_box(0, 0, -3), near = make_box(.4, 0, 2);
     MeVector3 d, p;
     int x, y;
-    MstUniverseStep(u, (MeReal)(1. / 60));
+    MstUniverseStep(u, 1. / 60);
     pixel_of(.2, .1, 2.5, &x, &y);
     ck_assert_ptr_eq(MeAppPickMcdModel(app, x, y, d, p, 0), near);
     assert_near(p[0], .2, pixel);
@@ -123,10 +123,10 @@ TEST(every_body_comes_to_rest_at_the_mouse) {
     const double sizes[][3] = {{1, 1, 1}, {.1, 4, .1}, {4, .05, 4}, {.06, .06, .06}};
     for (int i = 0; i < 8; i++) {
         const double *s = sizes[i / 2];
-        McdGeometryID g = McdBoxCreate(u->frame, (MeReal)s[0], (MeReal)s[1], (MeReal)s[2]);
+        McdGeometryID g = McdBoxCreate(u->frame, s[0], s[1], s[2]);
         McdModelID m = MstModelAndBodyCreate(u, g, i % 2 ? 1000 : (MeReal).01);
-        MdtWorldSetGravity(u->world, 0, (MeReal)-9.81, 0);
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MdtWorldSetGravity(u->world, 0, -9.81, 0);
+        MstUniverseStep(u, 1. / 60);
         McdModelDynamicsSetPosition(m, 0, 0, 0);
         McdSpaceUpdateAll(u->space);
         mouse(kRNewlyPressed, .3 * s[0], .3 * s[1], .5 * s[2]);
@@ -137,7 +137,7 @@ TEST(every_body_comes_to_rest_at_the_mouse) {
         MeMatrix4TMTransform(held, (const MeVector4 *)McdModelGetTransformPtr(m), app->pick.relative);
         assert_near(held[0], 1, 2 * pixel);
         assert_near(held[1], 1.5 - 9.81 / 225, 2 * pixel); /* it hangs by its weight lower */
-        const double mass = (double)MdtBodyGetMass(McdModelGetBody(m));
+        const double mass = MdtBodyGetMass(McdModelGetBody(m));
         ck_assert((double)MdtBodyGetKineticEnergy(McdModelGetBody(m)) < 5e-9 * mass); /* .1 mm/s */
         mouse(kRNewlyReleased, 1, 1, .5);
         MstModelAndBodyDestroy(m);

@@ -44,9 +44,8 @@ static inline void random_tm(MeMatrix4 tm) {
 /* Every one of n numbers within the tolerance. */
 static inline void assert_array_near(const MeReal *actual, const MeReal *expected, int n, double tolerance) {
     for (int i = 0; i < n; i++)
-        ck_assert_msg(fabs((double)(actual[i] - expected[i])) <= tolerance,
-                      "number %d is %.17g, expected %.17g within %.3g", i, (double)actual[i], (double)expected[i],
-                      tolerance);
+        ck_assert_msg(fabs(actual[i] - expected[i]) <= tolerance, "number %d is %.17g, expected %.17g within %.3g", i,
+                      actual[i], expected[i], tolerance);
 }
 
 /* The same bits (so that -0 is not 0, and NaN is NaN). */

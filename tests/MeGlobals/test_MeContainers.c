@@ -394,7 +394,7 @@ static MeReal squareRoot(double x) {
 }
 
 TEST(the_sphere_is_the_smallest) {
-    MeVector3 centre, cube[9] = {{0}}, triangle[3] = {{-1, 0, 0}, {1, 0, 0}, {0, (MeReal)0.5, 0}};
+    MeVector3 centre, cube[9] = {{0}}, triangle[3] = {{-1, 0, 0}, {1, 0, 0}, {0, 0.5, 0}};
     MeReal radius;
     for (int i = 0; i < 8; i++)
         MeVector3Set(cube[i], i & 1 ? 3 : 1, i & 2 ? 1 : -1, i & 4 ? 6 : 4);
@@ -405,7 +405,7 @@ TEST(the_sphere_is_the_smallest) {
     MeBoundingSphereCalc(triangle, 3, centre, &radius); /* obtuse: its longest side is a diameter */
     assert_vec3_near(centre, 0, 0, 0, TOL(1e-6, 1e-12));
     assert_near(radius, 1, TOL(1e-6, 1e-12));
-    MeVector3 regular[3] = {{1, 0, 2}, {(MeReal)-0.5, squareRoot(.75), 2}, {(MeReal)-0.5, -squareRoot(.75), 2}};
+    MeVector3 regular[3] = {{1, 0, 2}, {-0.5, squareRoot(.75), 2}, {-0.5, -squareRoot(.75), 2}};
     MeBoundingSphereCalc(regular, 3, centre, &radius);
     assert_vec3_near(centre, 0, 0, 2, TOL(1e-6, 1e-12));
     assert_near(radius, 1, TOL(1e-6, 1e-12));
@@ -427,7 +427,7 @@ TEST(nothing_is_outside_the_sphere) {
                 point[i][k] = (MeReal)(randomBelow(20001) - 10000);
             MeVector3Normalize(point[i]);
             if (i & 1)
-                MeVector3Scale(point[i], (MeReal)0.75);
+                MeVector3Scale(point[i], 0.75);
             MeVector3MultiplyAdd(point[i], 100, (MeVector3){1, 0, 0});
         }
         MeBoundingSphereCalc(point, n, centre, &radius);

@@ -10,8 +10,8 @@ TEST(random_numbers_fill_their_range) {
     int low = 0;
     for (int i = 0; i < 100000; i++) {
         const MeReal x = MeRealRandomInRange(-3, 5);
-        min = fmin(min, (double)x);
-        max = fmax(max, (double)x);
+        min = fmin(min, x);
+        max = fmax(max, x);
         sum += (double)x;
         low += x < -1;
     }
@@ -28,7 +28,7 @@ TEST(random_numbers_of_odd_ranges) {
         ck_assert(x >= -3 && x <= 5);
     }
     ck_assert(MeRealRandomInRange(2, 2) == 2);
-    ck_assert(isnan(MeRealRandomInRange((MeReal)NAN, 1)));
+    ck_assert(isnan(MeRealRandomInRange(NAN, 1)));
     ck_assert(isfinite(MeRealRandomInRange(-MEINFINITY, MEINFINITY)));
 }
 
@@ -84,12 +84,12 @@ TEST(reciprocals_are_finite) {
     ck_assert(MeSafeRecip(4) == (MeReal)0.25);
     ck_assert(MeSafeRecip(-4) == (MeReal)-0.25);
     ck_assert(MeSafeRecip(0) == MEINFINITY);
-    ck_assert(MeSafeRecip((MeReal)-0.0) == MEINFINITY);
+    ck_assert(MeSafeRecip(-0.0) == MEINFINITY);
     const MeReal smallest = TOL((MeReal)1e-45, (MeReal)5e-324);
     ck_assert(MeSafeRecip(smallest) == MEINFINITY);
     ck_assert(MeSafeRecip(-smallest) == -MEINFINITY);
-    ck_assert(MeSafeRecip((MeReal)INFINITY) == 0);
-    ck_assert(isnan(MeSafeRecip((MeReal)NAN)));
+    ck_assert(MeSafeRecip(INFINITY) == 0);
+    ck_assert(isnan(MeSafeRecip(NAN)));
 }
 
 TEST(numbers_are_swapped_and_zeroed) {
@@ -181,13 +181,13 @@ TEST(vectors_are_swapped) {
 }
 
 TEST(lerp_meets_its_ends) {
-    const MeVector3 from = {(MeReal)0.1, (MeReal)0.7, -3}, to = {(MeReal)1e6, (MeReal)0.3, 5};
+    const MeVector3 from = {0.1, 0.7, -3}, to = {1e6, 0.3, 5};
     MeVector3 v;
     MeVector3Lerp(v, from, to, 0);
     assert_same_bits(v, from);
     MeVector3Lerp(v, from, to, 1);
     assert_same_bits(v, to);
-    MeVector3Lerp(v, from, to, (MeReal)0.25);
+    MeVector3Lerp(v, from, to, 0.25);
     assert_near(v[2], -1, 0);
     MeVector3Lerp(v, v, to, 2);
     assert_near(v[2], 11, 0);
@@ -236,7 +236,7 @@ TEST(lengths_do_not_overflow) {
 }
 
 TEST(lengths_of_what_is_not_finite) {
-    const MeVector3 notANumber = {0, (MeReal)NAN, 1}, infinite = {0, (MeReal)-INFINITY, 1};
+    const MeVector3 notANumber = {0, NAN, 1}, infinite = {0, -INFINITY, 1};
     ck_assert(isnan(MeVector3Magnitude(notANumber)));
     ck_assert(isinf(MeVector3Magnitude(infinite)));
 }
@@ -269,11 +269,8 @@ TEST(vectors_of_extreme_length_are_normalized) {
 }
 
 TEST(vectors_without_direction_stay) {
-    static const MeVector3 vectors[] = {{0, 0, 0},
-                                        {1, (MeReal)NAN, 2},
-                                        {(MeReal)NAN, (MeReal)INFINITY, 0},
-                                        {1, 2, (MeReal)INFINITY},
-                                        {(MeReal)-INFINITY, 0, 0}};
+    static const MeVector3 vectors[] = {
+        {0, 0, 0}, {1, NAN, 2}, {NAN, INFINITY, 0}, {1, 2, INFINITY}, {-INFINITY, 0, 0}};
     for (size_t i = 0; i < sizeof vectors / sizeof vectors[0]; i++) {
         MeVector3 v;
         MeVector3Copy(v, vectors[i]);
@@ -300,7 +297,7 @@ TEST(vectors_are_made_orthogonal) {
 /* What is left is small, but still at right angles for its size. */
 TEST(nearly_parallel_vectors_are_made_orthogonal) {
     const MeVector3 v1 = {1 * huge, 2 * huge, 3 * huge};
-    MeVector3 v = {(MeReal)100.01, 200, 300}, n = {1, 2, 3};
+    MeVector3 v = {100.01, 200, 300}, n = {1, 2, 3};
     MeVector3MakeOrthogonal(v, v1);
     MeVector3Normalize(n);
     assert_near(MeVector3Dot(v, n), 0, TOL(2e-7, 4e-16) * (double)MeVector3Magnitude(v));
@@ -368,7 +365,7 @@ TEST(plane_spaces_turn_smoothly) {
         random_vector(step);
         if (MeVector3Normalize(n) == 0 || MeFabs(n[2]) < (MeReal)0.01)
             continue;
-        MeVector3ScaleAndAdd(m, step, (MeReal)1e-3, n);
+        MeVector3ScaleAndAdd(m, step, 1e-3, n);
         MeVector3Normalize(m);
         MeVector3PlaneSpace(n, a, b);
         MeVector3PlaneSpace(m, c, d);

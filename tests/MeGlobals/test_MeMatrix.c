@@ -145,7 +145,7 @@ TEST(singular_matrices_stay) {
 
 /* Small, but far from singular: the inertia of a grain in kilogram square metres. */
 TEST(small_inertia_is_inverted) {
-    MeMatrix3 a = {{(MeReal)2e-30, 0, 0}, {0, (MeReal)4e-30, 0}, {0, 0, (MeReal)5e-30}};
+    MeMatrix3 a = {{2e-30, 0, 0}, {0, 4e-30, 0}, {0, 0, 5e-30}};
     ck_assert(MeMatrix3SymmetricInvert(a) == METRUE);
     assert_near_rel(a[0][0], 5e29, few);
     assert_near_rel(a[1][1], 2.5e29, few);
@@ -223,7 +223,7 @@ TEST(matrices_are_factored) {
 }
 
 TEST(pivots_do_not_depend_on_units) {
-    MeMatrix3 a = {{10, (MeReal)1e6, 0}, {1, 1, 1}, {0, 1, 2}}, l, u;
+    MeMatrix3 a = {{10, 1e6, 0}, {1, 1, 1}, {0, 1, 2}}, l, u;
     MeVector3 scale;
     unsigned int swapped[3];
     MeMatrix3LUDecompose(l, u, a, swapped, scale);
@@ -237,8 +237,8 @@ TEST(identity_is_recognized) {
     MeMatrix4TMMakeIdentity(b);
     ck_assert(MeMatrix3IsIdentity(a, 0) && MeMatrix4IsIdentity(b, 0));
     a[1][2] = b[3][0] = (MeReal)-0.01;
-    ck_assert(MeMatrix3IsIdentity(a, (MeReal)0.011) && MeMatrix4IsIdentity(b, (MeReal)0.011));
-    ck_assert(!MeMatrix3IsIdentity(a, (MeReal)0.009) && !MeMatrix4IsIdentity(b, (MeReal)0.009));
+    ck_assert(MeMatrix3IsIdentity(a, 0.011) && MeMatrix4IsIdentity(b, 0.011));
+    ck_assert(!MeMatrix3IsIdentity(a, 0.009) && !MeMatrix4IsIdentity(b, 0.009));
     a[1][2] = b[3][0] = (MeReal)NAN;
     ck_assert(!MeMatrix3IsIdentity(a, 1) && !MeMatrix4IsIdentity(b, 1));
 }
@@ -246,7 +246,7 @@ TEST(identity_is_recognized) {
 TEST(isotropic_inertia_is_recognized) {
     MeMatrix3 a;
     MeMatrix3MakeIdentity(a);
-    MeMatrix3Scale(a, (MeReal)1e-20);
+    MeMatrix3Scale(a, 1e-20);
     ck_assert(MeMatrix3IsIsotropic(a));
     a[1][1] *= 1 + ME_SMALL_EPSILON / 2;
     ck_assert(MeMatrix3IsIsotropic(a));
@@ -258,7 +258,7 @@ TEST(isotropic_inertia_is_recognized) {
         ck_assert(!MeMatrix3IsIsotropic(a));
     }
     MeMatrix3MakeIdentity(a);
-    MeMatrix3Scale(a, (MeReal)1e-20);
+    MeMatrix3Scale(a, 1e-20);
     a[0][2] = (MeReal)1e-22;
     ck_assert(!MeMatrix3IsIsotropic(a));
     a[0][2] = (MeReal)NAN;
@@ -309,9 +309,9 @@ TEST(quarter_turns_are_exact) {
 
 TEST(rotation_about_z_by_hand) {
     MeMatrix3 m;
-    const MeReal c = MeCos((MeReal)0.3), s = MeSin((MeReal)0.3);
+    const MeReal c = MeCos(0.3), s = MeSin(0.3);
     const MeMatrix3 expected = {{c, -s, 0}, {s, c, 0}, {0, 0, 1}};
-    MeMatrix3MakeRotationZ(m, (MeReal)0.3);
+    MeMatrix3MakeRotationZ(m, 0.3);
     assert_array_near(m[0], expected[0], 9, 0);
 }
 
@@ -334,20 +334,20 @@ TEST(euler_angles_turn_about_x_then_y_then_z) {
 TEST(orientation_matrices_are_recognized) {
     MeMatrix3 good, bad;
     MeMatrix3FromEulerAngles(good, 1, 2, 3);
-    ck_assert(MeMatrix3IsValidOrientationMatrix(good, (MeReal)few));
+    ck_assert(MeMatrix3IsValidOrientationMatrix(good, few));
     MeMatrix3Copy(bad, good);
-    MeMatrix3Scale(bad, (MeReal)1.01);
-    ck_assert(!MeMatrix3IsValidOrientationMatrix(bad, (MeReal)0.015));
-    ck_assert(MeMatrix3IsValidOrientationMatrix(bad, (MeReal)0.025));
+    MeMatrix3Scale(bad, 1.01);
+    ck_assert(!MeMatrix3IsValidOrientationMatrix(bad, 0.015));
+    ck_assert(MeMatrix3IsValidOrientationMatrix(bad, 0.025));
     MeMatrix3Copy(bad, good);
-    MeVector3MultiplyAdd(bad[0], (MeReal)0.01, bad[1]);
-    ck_assert(!MeMatrix3IsValidOrientationMatrix(bad, (MeReal)0.005));
+    MeVector3MultiplyAdd(bad[0], 0.01, bad[1]);
+    ck_assert(!MeMatrix3IsValidOrientationMatrix(bad, 0.005));
     MeMatrix3Copy(bad, good);
     MeVector3Scale(bad[2], -1);
-    ck_assert(!MeMatrix3IsValidOrientationMatrix(bad, (MeReal)0.1));
+    ck_assert(!MeMatrix3IsValidOrientationMatrix(bad, 0.1));
     MeMatrix3Copy(bad, good);
     bad[1][1] = (MeReal)NAN;
-    ck_assert(!MeMatrix3IsValidOrientationMatrix(bad, (MeReal)0.1));
+    ck_assert(!MeMatrix3IsValidOrientationMatrix(bad, 0.1));
 }
 
 /* ---- MeMatrix4 ---- */
@@ -396,12 +396,12 @@ TEST(matrix4_is_copied_zeroed_and_transposed) {
 TEST(transforms_are_recognized) {
     MeMatrix4 good, bad;
     MeMatrix4TMFromEulerAnglesAndPosition(good, 1, 2, 3, 100, -200, 300);
-    ck_assert(MeMatrix4IsTM(good, (MeReal)few));
+    ck_assert(MeMatrix4IsTM(good, few));
     for (int i = 0; i < 4; i++) {
         MeMatrix4Copy(bad, good);
         bad[i][3] += (MeReal)0.01;
-        ck_assert(!MeMatrix4IsTM(bad, (MeReal)0.005));
-        ck_assert(MeMatrix4IsTM(bad, (MeReal)0.02));
+        ck_assert(!MeMatrix4IsTM(bad, 0.005));
+        ck_assert(MeMatrix4IsTM(bad, 0.02));
     }
     for (int i = 0; i < 3; i++) {
         MeMatrix4Copy(bad, good);
@@ -411,6 +411,6 @@ TEST(transforms_are_recognized) {
         ck_assert(!MeMatrix4IsTM(bad, 1));
         MeMatrix4Copy(bad, good);
         MeVector3Scale(bad[i], -1);
-        ck_assert(!MeMatrix4IsTM(bad, (MeReal)0.1));
+        ck_assert(!MeMatrix4IsTM(bad, 0.1));
     }
 }

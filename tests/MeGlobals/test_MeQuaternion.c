@@ -53,7 +53,7 @@ TEST(axis_and_angle_make_the_matrix_of_that_axis) {
 }
 
 TEST(axes_without_direction_warn) {
-    const MeVector3 zero = {0, 0, 0}, notANumber = {1, (MeReal)NAN, 0}, good = {1, 0, 0};
+    const MeVector3 zero = {0, 0, 0}, notANumber = {1, NAN, 0}, good = {1, 0, 0};
     MeVector4 q = {0, 1, 0, 0};
     messages_catch();
     MeQuaternionMake(q, zero, 1);
@@ -104,7 +104,7 @@ TEST(nearly_equal_and_nearly_opposite_directions) {
         MeVector3 a, b, opposite;
         random_vector(a);
         random_vector(b);
-        MeVector3ScaleAndAdd(b, b, (MeReal)pow(10, -i / 40.), a);
+        MeVector3ScaleAndAdd(b, b, pow(10, -i / 40.), a);
         MeVector3MultiplyScalar(opposite, b, -1);
         assertRotates(a, b);
         assertRotates(a, opposite);
@@ -117,11 +117,11 @@ TEST(nearly_equal_and_nearly_opposite_directions) {
 }
 
 TEST(small_rotations_keep_their_digits) {
-    const MeReal angle = (MeReal)1e-6;
+    const MeReal angle = 1e-6;
     const MeVector3 x = {1, 0, 0}, y = {1, angle, 0};
     MeVector4 q;
     MeQuaternionForRotation(q, x, y);
-    assert_near_rel(q[3], sin(atan((double)angle) / 2), few);
+    assert_near_rel(q[3], sin(atan(angle) / 2), few);
 }
 
 /* Half turns and near half turns about all axes, where w is small and each of x, y, z is the largest in its
@@ -177,7 +177,7 @@ TEST(drifted_quaternions_still_rotate) {
     MeVector3 v = {1, 2, 3}, turned;
     random_quaternion(q);
     MeVector4Copy(drifted, q);
-    MeVector4Scale(drifted, (MeReal)1.5);
+    MeVector4Scale(drifted, 1.5);
     MeQuaternionToR(expected, q);
     MeQuaternionToR(actual, drifted);
     assert_array_near(actual[0], expected[0], 9, few);
@@ -219,7 +219,7 @@ TEST(slerp_goes_the_short_way) {
     MeQuaternionMake(to, axis, 2);
     MeVector4Scale(to, -1);
     MeQuaternionMake(expected, axis, 1);
-    MeQuaternionSlerp(actual, identity, to, (MeReal)0.5);
+    MeQuaternionSlerp(actual, identity, to, 0.5);
     assertSameRotation(actual, expected, few);
 }
 
@@ -227,15 +227,15 @@ TEST(slerp_goes_the_short_way) {
 TEST(slerp_between_near_rotations) {
     const MeVector3 axis = {0, 1, 0};
     for (int i = 0; i < 30; i++) {
-        const MeReal angle = (MeReal)pow(10, -i);
+        const MeReal angle = pow(10, -i);
         MeVector4 to, actual;
         MeQuaternionMake(to, axis, angle);
-        MeQuaternionSlerp(actual, identity, to, (MeReal)0.25);
+        MeQuaternionSlerp(actual, identity, to, 0.25);
         assert_near_rel(actual[2], sin((double)angle / 8), few);
     }
     MeVector4 q, actual;
     random_quaternion(q);
-    MeQuaternionSlerp(actual, q, q, (MeReal)0.3);
+    MeQuaternionSlerp(actual, q, q, 0.3);
     assert_array_near(actual, q, 4, few);
 }
 
@@ -245,7 +245,7 @@ TEST(finite_rotation_is_about_the_world_axis) {
     const MeVector3 w = {0, 0, ME_PI / 4}, x = {1, 0, 0};
     MeVector4 q;
     MeVector3 v;
-    MeQuaternionSet(q, MeSqrt((MeReal)0.5), MeSqrt((MeReal)0.5), 0, 0); /* y to z */
+    MeQuaternionSet(q, MeSqrt(0.5), MeSqrt(0.5), 0, 0); /* y to z */
     MeQuaternionFiniteRotation(q, w, 2);
     MeQuaternionRotateVector3(v, q, x);
     assert_vec3_near(v, 0, 1, 0, few);
@@ -254,7 +254,7 @@ TEST(finite_rotation_is_about_the_world_axis) {
 TEST(finite_rotation_is_exact_for_any_angle) {
     const MeVector3 w = {2, -3, 6}; /* 7 rad/s */
     for (int i = -30; i <= 1; i++) {
-        const MeReal h = (MeReal)pow(10, i);
+        const MeReal h = pow(10, i);
         const double half = 3.5 * (double)h;
         MeVector4 q = {1, 0, 0, 0};
         MeQuaternionFiniteRotation(q, w, h);
@@ -281,7 +281,7 @@ TEST(many_rotations_do_not_drift) {
     const MeVector3 w = {1, 2, 3};
     MeVector4 q = {1, 0, 0, 0};
     for (int i = 0; i < 100000; i++)
-        MeQuaternionFiniteRotation(q, w, (MeReal)0.01);
+        MeQuaternionFiniteRotation(q, w, 0.01);
     assertUnit(q);
 }
 
@@ -317,7 +317,7 @@ TEST(matrix_d_and_its_transpose) {
         MeQuaternionWtoDQ(dq, q, w);
         MeQuaternionToD(D, q);
         MeMatrixMultiplyT1(byD, 4, 3, 1, D, w);
-        MeVector4Scale(byD, (MeReal)0.5);
+        MeVector4Scale(byD, 0.5);
         assert_array_near(byD, dq, 4, few);
         MeMatrixMultiply(back, 3, 4, 1, D, dq);
         MeVector3Scale(back, 2);

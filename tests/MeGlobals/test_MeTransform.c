@@ -34,8 +34,8 @@ TEST(three_forms_of_a_rotation_agree) {
         MeMatrix4TMRotate(byTM, tm, v);
         assert_array_near(byR, byQ, 3, few);
         assert_array_near(byTM, byQ, 3, few);
-        ck_assert(MeMatrix3IsValidOrientationMatrix(R, (MeReal)(2 * few)));
-        ck_assert(MeMatrix4IsTM(tm, (MeReal)(2 * few)));
+        ck_assert(MeMatrix3IsValidOrientationMatrix(R, 2 * few));
+        ck_assert(MeMatrix4IsTM(tm, 2 * few));
 
         MeMatrix4TMGetRotation(fromTM, tm);
         assert_same_bits(fromTM, R);
@@ -94,7 +94,7 @@ TEST(inverses_lead_back) {
         random_vector(v);
         MeMatrix4Copy(inverse, tm);
         MeMatrix4TMInvert(inverse);
-        ck_assert(MeMatrix4IsTM(inverse, (MeReal)(2 * few)));
+        ck_assert(MeMatrix4IsTM(inverse, 2 * few));
 
         MeMatrix4TMTransform(w, tm, v);
         MeMatrix4TMInverseTransform(w, tm, w);
@@ -162,11 +162,11 @@ TEST(rounding_errors_are_mended) {
         random_tm(tm);
         for (int j = 0; j < 3; j++) {
             for (int k = 0; k < 3; k++)
-                tm[j][k] += MeRealRandomInRange((MeReal)-0.01, (MeReal)0.01);
+                tm[j][k] += MeRealRandomInRange(-0.01, 0.01);
         }
         MeMatrix4Copy(mended, tm);
         MeMatrix4TMOrthoNormalize(mended);
-        ck_assert(MeMatrix4IsTM(mended, (MeReal)few));
+        ck_assert(MeMatrix4IsTM(mended, few));
         assert_array_near(mended[0], tm[0], 12, 0.04);
         assert_array_near(mended[3], tm[3], 4, 0);
         MeVector3Cross(x, mended[0], tm[0]);
@@ -176,7 +176,7 @@ TEST(rounding_errors_are_mended) {
 
 /* Nearly parallel axes still span a plane. */
 TEST(large_errors_are_mended) {
-    MeMatrix4 tm = {{1, 0, 0, 0}, {1000, (MeReal)0.1, 0, 0}, {0, 0, -7, 0}, {1, 2, 3, 1}};
+    MeMatrix4 tm = {{1, 0, 0, 0}, {1000, 0.1, 0, 0}, {0, 0, -7, 0}, {1, 2, 3, 1}};
     const MeMatrix4 expected = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {1, 2, 3, 1}};
     MeMatrix4TMOrthoNormalize(tm);
     assert_array_near(tm[0], expected[0], 16, few);
@@ -215,18 +215,18 @@ TEST(velocities_move_and_turn_in_the_world) {
 }
 
 TEST(small_turns_are_left_out) {
-    const MeVector3 v = {1, 0, 0}, w = {(MeReal)0.3, (MeReal)0.4, 0}; /* 0.5 rad/s */
+    const MeVector3 v = {1, 0, 0}, w = {0.3, 0.4, 0}; /* 0.5 rad/s */
     MeMatrix4 tm, next;
     random_tm(tm);
-    MeMatrix4TMUpdateFromVelocities(next, (MeReal)0.051, (MeReal)0.1, v, w, tm);
+    MeMatrix4TMUpdateFromVelocities(next, 0.051, 0.1, v, w, tm);
     ck_assert(memcmp(next, tm, 3 * sizeof(MeVector4)) == 0);
     assert_near(next[3][0], tm[3][0] + (MeReal)0.1, few);
-    MeMatrix4TMUpdateFromVelocities(next, (MeReal)0.049, (MeReal)0.1, v, w, tm);
+    MeMatrix4TMUpdateFromVelocities(next, 0.049, 0.1, v, w, tm);
     ck_assert(memcmp(next, tm, 3 * sizeof(MeVector4)) != 0);
 }
 
 TEST(many_small_turns_are_a_large_one) {
-    const MeVector3 v = {0, 0, 0}, w = {(MeReal)0.5, -1, 2};
+    const MeVector3 v = {0, 0, 0}, w = {0.5, -1, 2};
     MeMatrix4 large, small;
     random_tm(large);
     MeMatrix4Copy(small, large);
@@ -237,8 +237,8 @@ TEST(many_small_turns_are_a_large_one) {
 }
 
 TEST(accelerations_are_constant) {
-    const MeVector3 v = {1, 0, 0}, a = {0, 4, 0}, w = {0, 0, (MeReal)0.25}, alpha = {0, 0, (MeReal)0.5};
-    const MeVector3 none = {0, 0, 0}, turn = {0, 0, (MeReal)1.5};
+    const MeVector3 v = {1, 0, 0}, a = {0, 4, 0}, w = {0, 0, 0.25}, alpha = {0, 0, 0.5};
+    const MeVector3 none = {0, 0, 0}, turn = {0, 0, 1.5};
     MeMatrix4 tm, next, expected;
     random_tm(tm);
     MeMatrix4TMUpdateFromVelocitiesAndAcceler(next, 0, 2, v, a, w, alpha, tm);

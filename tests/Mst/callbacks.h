@@ -346,7 +346,7 @@ static inline void MEAPI cb_destroy(void *const block) {
 
 static inline McdModelID cb_add(McdGeometryID g, double x, double y, double z) {
     const McdModelID m = MstModelAndBodyCreate(cb.u, g, 100);
-    McdModelDynamicsSetPosition(m, (MeReal)x, (MeReal)y, (MeReal)z);
+    McdModelDynamicsSetPosition(m, x, y, z);
     return m;
 }
 
@@ -366,25 +366,25 @@ static inline void cb_makeOwnType(void) {
     for (int type = 0; type < BLOB; type++)
         McdFrameworkSetInteractions(cb.f, BLOB, type, &none);
     McdFrameworkSetInteractions(cb.f, BLOB, BLOB, &own);
-    cb_addFixed(blobCreate(cb.f, BLOB, (MeReal).5, 0), cb.blobTM, -5, 0, 1);
-    cb.blob = cb_add(blobCreate(cb.f, BLOB, (MeReal).5, 0), -5, 0, 1.95);
+    cb_addFixed(blobCreate(cb.f, BLOB, .5, 0), cb.blobTM, -5, 0, 1);
+    cb.blob = cb_add(blobCreate(cb.f, BLOB, .5, 0), -5, 0, 1.95);
     McdModelSetSwept(cb.blob, METRUE);
     if (cb.acting == CB_OWN_SAFE_TIME) {
         McdModelDynamicsSetPosition(cb.blob, -5, 0, 3);
         McdModelDynamicsSetLinearVelocity(cb.blob, 0, 0, -100);
     }
-    cb.spare = blobCreate(cb.f, BLOB, (MeReal).5, 0);
+    cb.spare = blobCreate(cb.f, BLOB, .5, 0);
 }
 
 static inline void cb_makeMesh(void) {
     static const int of[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-    MeVector3 low = {-2, -2, (MeReal)-.1}, high = {2, 2, (MeReal).1};
+    MeVector3 low = {-2, -2, -.1}, high = {2, 2, .1};
     for (int i = 0; i < 4; i++)
         MeVector3Set(cb.corner[i], (MeReal)(2 * of[i][0]), (MeReal)(2 * of[i][1]), 0);
     McdTriangleListLineSegmentRegisterInteraction(cb.f);
     const McdGeometryID list = McdTriangleListCreate(cb.f, low, high, 4, cb_triangles);
     cb.mesh = cb_addFixed(list, cb.meshTM, 5, 0, 1);
-    cb.ball = cb_add(McdSphereCreate(cb.f, (MeReal).5), 5, 0, 1.5);
+    cb.ball = cb_add(McdSphereCreate(cb.f, .5), 5, 0, 1.5);
 }
 
 static inline void cb_makeJoints(void) {
@@ -392,7 +392,7 @@ static inline void cb_makeJoints(void) {
     cb.held = McdModelGetBody(cb_add(cb.unit, 0, 7.1, 3));
     cb.hinge = MdtHingeCreate(cb.w);
     MdtHingeSetBodies(cb.hinge, cb.hung, cb.held);
-    MdtHingeSetPosition(cb.hinge, 0, (MeReal)6.55, 3);
+    MdtHingeSetPosition(cb.hinge, 0, 6.55, 3);
     MdtHingeEnable(cb.hinge);
     MdtConstraintSetBreakLimits(MdtHingeQuaConstraint(cb.hinge), 1, 1);
     const MdtBSJointID nail = MdtBSJointCreate(cb.w);
@@ -412,8 +412,8 @@ static inline void cb_makeParts(void) {
     const McdAggregateID parts = McdAggregateCreate(cb.f, 2);
     McdAggregateAddElement(parts, cb.unit, 0);
     cb.aggregate = cb_add(parts, -5, -5, .5);
-    cb.wall = cb_addFixed(McdBoxCreate(cb.f, 4, (MeReal).1, 4), cb.wallTM, 12, 15, 1);
-    cb.bullet = cb_add(McdSphereCreate(cb.f, (MeReal).1), 12, 8, 1);
+    cb.wall = cb_addFixed(McdBoxCreate(cb.f, 4, .1, 4), cb.wallTM, 12, 15, 1);
+    cb.bullet = cb_add(McdSphereCreate(cb.f, .1), 12, 8, 1);
     McdModelSetSwept(cb.bullet, METRUE);
     McdModelDynamicsSetLinearVelocity(cb.bullet, 0, 100, 0);
     cb.witness = cb_add(cb.unit, 9, -9, .5);
@@ -462,7 +462,7 @@ static inline void cb_setMdt(void) {
     if (cb.acting == CB_BREAK)
         MdtWorldSetBreakCB(cb.w, cb_break);
     if (cb.acting == CB_ENQUEUE || cb.acting == CB_FINISH) {
-        const McdGeometryID small = McdSphereCreate(cb.f, (MeReal).2);
+        const McdGeometryID small = McdSphereCreate(cb.f, .2);
         for (int i = 0; i < 100; i++)
             cb_add(small, -9 + i % 10, -9 + .5 * (i / 10), .2);
         MdtWorldSetTaskCallbacks(cb.w, 2, cb_enqueue, cb_finish, 0);
@@ -494,8 +494,8 @@ static inline void cb_begin(int acting, void (*act)(void), int max) {
         sizes.collisionPairsMaxCount = 4;
     cb.u = MstUniverseCreate(&sizes);
     cb.w = cb.u->world, cb.f = cb.u->frame, cb.s = cb.u->space, cb.b = cb.u->bridge;
-    MdtWorldSetGravity(cb.w, 0, 0, (MeReal)-9.8);
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(cb.b, 0, 0), (MeReal).5, 0);
+    MdtWorldSetGravity(cb.w, 0, 0, -9.8);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(cb.b, 0, 0), .5, 0);
     cb.unit = McdBoxCreate(cb.f, 1, 1, 1);
     cb.floor = cb_addFixed(McdBoxCreate(cb.f, 40, 40, 2), cb.floorTM, 0, 0, -1);
     for (int i = 0; i < STACK; i++)
@@ -523,8 +523,7 @@ static inline void cb_begin(int acting, void (*act)(void), int max) {
 /* ---- calls outside of a step ------------------------------------------------------------------------------------- */
 
 static inline void cb_query(void) {
-    MeVector3 from = {-20, 0, (MeReal)1.5}, by = {40, 0, 0}, to = {20, 0, (MeReal)1.5}, low = {-9, -9, 0},
-              high = {9, 9, 9};
+    MeVector3 from = {-20, 0, 1.5}, by = {40, 0, 0}, to = {20, 0, 1.5}, low = {-9, -9, 0}, high = {9, 9, 9};
     MeMatrix4 tm;
     McdModelID found[8];
     McdClosestResult closest;

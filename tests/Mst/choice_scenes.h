@@ -57,7 +57,7 @@ static double randomFrom(double low, double high) {
 }
 
 static McdGeometryID boxOf(double x, double y, double z) {
-    return McdBoxCreate(universe->frame, (MeReal)x, (MeReal)y, (MeReal)z);
+    return McdBoxCreate(universe->frame, x, y, z);
 }
 
 static McdModelID add(McdModelID m) {
@@ -68,15 +68,15 @@ static McdModelID add(McdModelID m) {
 }
 
 static McdModelID put(McdGeometryID g, double density, double x, double y, double z) {
-    const McdModelID m = MstModelAndBodyCreate(universe, g, (MeReal)density);
-    McdModelDynamicsSetPosition(m, (MeReal)x, (MeReal)y, (MeReal)z);
+    const McdModelID m = MstModelAndBodyCreate(universe, g, density);
+    McdModelDynamicsSetPosition(m, x, y, z);
     return add(m);
 }
 
 static void addFixed(McdGeometryID g, double x, double y, double z) {
     MeMatrix4 *tm = &fixedTM[fixed++];
     MeMatrix4TMMakeIdentity(*tm);
-    MeVector3Set((*tm)[3], (MeReal)x, (MeReal)y, (MeReal)z);
+    MeVector3Set((*tm)[3], x, y, z);
     MstFixedModelCreate(universe, g, *tm);
 }
 
@@ -97,8 +97,7 @@ static void turnAnyWay(McdModelID m) {
 }
 
 static void setSurface(double friction, double restitution) {
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(universe->bridge, 0, 0), (MeReal)friction,
-                               (MeReal)restitution);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(universe->bridge, 0, 0), friction, restitution);
 }
 
 /* With a ground at height 0. */
@@ -107,7 +106,7 @@ static void makeUniverse(MdtSolver solver) {
     universe = MstUniverseCreate(&MstUniverseGrowingSizes);
     if (!universe)
         abort();
-    MdtWorldSetGravity(universe->world, 0, (MeReal)-gravity, 0);
+    MdtWorldSetGravity(universe->world, 0, -gravity, 0);
     MdtWorldSetAutoDisable(universe->world, MEFALSE);
     MdtWorldSetSolver(universe->world, solver);
     MdtWorldEnableReport(universe->world);
@@ -123,8 +122,8 @@ static void makeUniverse(MdtSolver solver) {
 static MdtHingeID addHinge(McdModelID a, McdModelID b, const double at[3], const double axis[3]) {
     const MdtHingeID hinge = MdtHingeCreate(universe->world);
     MdtHingeSetBodies(hinge, McdModelGetBody(a), b ? McdModelGetBody(b) : NULL);
-    MdtHingeSetPosition(hinge, (MeReal)at[0], (MeReal)at[1], (MeReal)at[2]);
-    MdtHingeSetAxis(hinge, (MeReal)axis[0], (MeReal)axis[1], (MeReal)axis[2]);
+    MdtHingeSetPosition(hinge, at[0], at[1], at[2]);
+    MdtHingeSetAxis(hinge, axis[0], axis[1], axis[2]);
     MdtHingeEnable(hinge);
     if (b)
         McdSpaceDisablePair(a, b);
@@ -169,7 +168,7 @@ static void noteOverlaps(void) {
     deepest = meanOverlap = 0;
     for (MdtBodyID b = MdtBodyGetFirst(universe->world); b; b = MdtBodyGetNext(b))
         for (MdtContactID k = MdtBodyGetFirstContact(b); k; k = MdtBodyGetNextContact(b, k)) {
-            const double depth = fmax((double)MdtContactGetPenetration(k), 0);
+            const double depth = fmax(MdtContactGetPenetration(k), 0);
             if (MdtContactGetBody(k, 0) != b)
                 continue;
             count++;
@@ -188,9 +187,9 @@ static double endMeanOverlap(void) {
 }
 
 static double belowLowest(void) {
-    double lowest = (double)start[0][1];
+    double lowest = start[0][1];
     for (int i = 0; i < bodies; i++)
-        lowest = fmin(lowest, (double)start[i][1]);
+        lowest = fmin(lowest, start[i][1]);
     return lowest - (double)start[watched][1] - moved(watched, 1);
 }
 
@@ -239,7 +238,7 @@ static void makeLoadedBridge(const double p[3]) {
     for (int i = 0; i < 30; i++) {
         const double angle = p[0] / 7.76 * (i / 14.5 - 1), x = cos(angle), y = sin(angle);
         const McdModelID m = put(plank, 5, at[0] + x / 2, at[1] + y / 2, 0);
-        McdModelDynamicsSetQuaternion(m, (MeReal)cos(angle / 2), 0, 0, (MeReal)sin(angle / 2));
+        McdModelDynamicsSetQuaternion(m, cos(angle / 2), 0, 0, sin(angle / 2));
         addHinge(m, i ? model[i - 1] : NULL, at, axis);
         at[0] += x;
         at[1] += y;
@@ -318,7 +317,7 @@ static MdtSpringID spring;
 
 /* The spring's end goes along the ground with 1 m/s. */
 static void pullSpring(double t) {
-    MdtSpringSetPosition(spring, 1, (MeReal)(1.1 + .8 * t), (MeReal).4, (MeReal)(.5 + .6 * t));
+    MdtSpringSetPosition(spring, 1, 1.1 + .8 * t, .4, .5 + .6 * t);
 }
 
 /* A hand is dragged by a spring from above. */
@@ -328,9 +327,9 @@ static void makeDragged(const double p[3]) {
         addLimb(&limb[i]);
     spring = MdtSpringCreate(universe->world);
     MdtSpringSetBodies(spring, McdModelGetBody(model[HAND]), NULL);
-    MdtSpringSetPosition(spring, 0, (MeReal).8, (MeReal)(thick / 2), (MeReal).5);
+    MdtSpringSetPosition(spring, 0, .8, thick / 2, .5);
     pullSpring(0);
-    MdtSpringSetNaturalLength(spring, (MeReal).4);
+    MdtSpringSetNaturalLength(spring, .4);
     MdtSpringSetStiffness(spring, 5000);
     MdtSpringSetDamping(spring, 200);
     MdtSpringEnable(spring);
@@ -345,7 +344,7 @@ static void driveLegs(double t) {
     for (int i = 0; i < MOTORS; i++) {
         const int leg = i / 2;
         const double phase = 2 * pi * (leg / 2 / 7. + leg % 2 / 2. - i % 2 / 4.);
-        MdtLimitSetLimitedForceMotor(motor[i], (MeReal)(1.6 * cos(2 * pi * t + phase)), 2);
+        MdtLimitSetLimitedForceMotor(motor[i], 1.6 * cos(2 * pi * t + phase), 2);
     }
 }
 
@@ -422,17 +421,17 @@ static void makeDominoes(const double p[3]) {
     for (int i = 0; i < (int)p[0]; i++)
         put(domino, 80, .25 * i, .25, 0);
     McdModelDynamicsSetAngularVelocity(model[0], 0, 0, -2);
-    McdModelDynamicsSetLinearVelocity(model[0], (MeReal).5, (MeReal).1, 0);
+    McdModelDynamicsSetLinearVelocity(model[0], .5, .1, 0);
     size = .15; /* one that leans on the next one is .1 m lower than it was */
 }
 
 /* As many boxes as balls, thrown and turned any way. */
 static void makeDebris(const double p[3]) {
-    const McdGeometryID shape[2] = {boxOf(.5, .5, .5), McdSphereCreate(universe->frame, (MeReal).25)};
+    const McdGeometryID shape[2] = {boxOf(.5, .5, .5), McdSphereCreate(universe->frame, .25)};
     for (int i = 0; i < (int)p[0]; i++) {
         const McdModelID m = put(shape[i % 2], 8, 8 * (i % 20), 1, 8 * (i / 20));
         turnAnyWay(m);
-        McdModelDynamicsSetLinearVelocity(m, (MeReal)randomFrom(-3, 3), 0, (MeReal)randomFrom(-3, 3));
+        McdModelDynamicsSetLinearVelocity(m, randomFrom(-3, 3), 0, randomFrom(-3, 3));
     }
 }
 
@@ -442,20 +441,19 @@ static void makeWall(const double p[3]) {
     (void)p;
     for (int i = 0; i < 50; i++)
         put(brick, 2000, 0, .1 + .2 * (i / 5), .4 * (i % 5 - 2) + .2 * (i / 5 % 2));
-    McdModelDynamicsSetLinearVelocity(put(McdSphereCreate(universe->frame, (MeReal).3), 2000, -2, 1.2, .1), 10, 0, 0);
+    McdModelDynamicsSetLinearVelocity(put(McdSphereCreate(universe->frame, .3), 2000, -2, 1.2, .1), 10, 0, 0);
     size = .4;
 }
 
 /* Balls that lose nothing, in a box. */
 static void makeElastic(const double p[3]) {
-    const McdGeometryID ball = McdSphereCreate(universe->frame, (MeReal).2);
+    const McdGeometryID ball = McdSphereCreate(universe->frame, .2);
     addWalls(4, 4);
     addFixed(boxOf(6, 1, 6), 0, 4.5, 0);
     setSurface(0, 1);
     for (int i = 0; i < (int)p[0]; i++) {
         const McdModelID m = put(ball, 30, i % 4 - 1.5, .5 + i / 16, i / 4 % 4 - 1.5);
-        McdModelDynamicsSetLinearVelocity(m, (MeReal)randomFrom(-5, 5), (MeReal)randomFrom(-5, 5),
-                                          (MeReal)randomFrom(-5, 5));
+        McdModelDynamicsSetLinearVelocity(m, randomFrom(-5, 5), randomFrom(-5, 5), randomFrom(-5, 5));
     }
 }
 
@@ -495,13 +493,13 @@ static void addFalling(int count) {
 
 static void makeSliding(const double p[3]) {
     setSurface(slidingFriction, 0);
-    McdModelDynamicsSetLinearVelocity(put(boxOf(1, .5, 1), 2, 0, .25, 0), (MeReal)slidingSpeed, 0, 0);
+    McdModelDynamicsSetLinearVelocity(put(boxOf(1, .5, 1), 2, 0, .25, 0), slidingSpeed, 0, 0);
     addFalling((int)p[0]);
 }
 
 static void makeRolling(const double p[3]) {
-    MdtWorldSetGravity(universe->world, (MeReal)(gravity * sin(slope)), (MeReal)(-gravity * cos(slope)), 0);
-    put(McdSphereCreate(universe->frame, (MeReal).5), 2, 0, .5, 0);
+    MdtWorldSetGravity(universe->world, gravity * sin(slope), -gravity * cos(slope), 0);
+    put(McdSphereCreate(universe->frame, .5), 2, 0, .5, 0);
     addFalling((int)p[0]);
 }
 
@@ -559,7 +557,7 @@ static void makeScene(const Variant *v) {
 static void advance(int i) {
     if (drive)
         drive(i * h);
-    MstUniverseStep(universe, (MeReal)h);
+    MstUniverseStep(universe, h);
 }
 
 static void note(int i) {
@@ -567,7 +565,7 @@ static void note(int i) {
     MdtWorldGetReport(universe->world, &report);
     const double e = (double)report.kineticEnergy + (double)report.potentialEnergy;
     noteOverlaps();
-    widest = fmax(widest, (double)report.jointGap);
+    widest = fmax(widest, report.jointGap);
     if (i == 0)
         firstEnergy = e;
     else

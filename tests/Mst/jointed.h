@@ -24,17 +24,17 @@ static inline void makeWorld(MdtSolver solver, double friction) {
     static MeMatrix4 floorTM = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
     u = MstUniverseCreate(&MstUniverseGrowingSizes);
     numModels = numJoints = 0;
-    MdtWorldSetGravity(u->world, 0, (MeReal)-gravity, 0);
+    MdtWorldSetGravity(u->world, 0, -gravity, 0);
     MdtWorldSetAutoDisable(u->world, MEFALSE);
     MdtWorldSetSolver(u->world, solver);
     MdtWorldEnableReport(u->world);
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal)friction, 0);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), friction, 0);
     MstFixedModelCreate(u, McdPlaneCreate(u->frame), floorTM);
 }
 
 static inline McdModelID put(McdGeometryID g, const double at[3], double density) {
-    const McdModelID m = MstModelAndBodyCreate(u, g, (MeReal)density);
-    McdModelDynamicsSetPosition(m, (MeReal)at[0], (MeReal)at[1], (MeReal)at[2]);
+    const McdModelID m = MstModelAndBodyCreate(u, g, density);
+    McdModelDynamicsSetPosition(m, at[0], at[1], at[2]);
     return model[numModels++] = m;
 }
 
@@ -43,18 +43,18 @@ static inline McdModelID putAt(McdGeometryID g, double x, double y, double z, do
 }
 
 static inline McdGeometryID box(double x, double y, double z) {
-    return McdBoxCreate(u->frame, (MeReal)x, (MeReal)y, (MeReal)z);
+    return McdBoxCreate(u->frame, x, y, z);
 }
 
 static inline McdGeometryID ball(double radius) {
-    return McdSphereCreate(u->frame, (MeReal)radius);
+    return McdSphereCreate(u->frame, radius);
 }
 
 /* b null: the world. */
 static inline void joinByBall(McdModelID a, McdModelID b, double x, double y, double z) {
     const MdtBSJointID j = MdtBSJointCreate(u->world);
     MdtBSJointSetBodies(j, McdModelGetBody(a), b ? McdModelGetBody(b) : 0);
-    MdtBSJointSetPosition(j, (MeReal)x, (MeReal)y, (MeReal)z);
+    MdtBSJointSetPosition(j, x, y, z);
     MdtBSJointEnable(j);
     joint[numJoints++] = MdtBSJointQuaConstraint(j);
     if (b)
@@ -64,8 +64,8 @@ static inline void joinByBall(McdModelID a, McdModelID b, double x, double y, do
 static inline MdtLimitID joinByHinge(McdModelID a, McdModelID b, const double at[3], const double axis[3]) {
     const MdtHingeID j = MdtHingeCreate(u->world);
     MdtHingeSetBodies(j, McdModelGetBody(a), McdModelGetBody(b));
-    MdtHingeSetPosition(j, (MeReal)at[0], (MeReal)at[1], (MeReal)at[2]);
-    MdtHingeSetAxis(j, (MeReal)axis[0], (MeReal)axis[1], (MeReal)axis[2]);
+    MdtHingeSetPosition(j, at[0], at[1], at[2]);
+    MdtHingeSetAxis(j, axis[0], axis[1], axis[2]);
     MdtHingeEnable(j);
     joint[numJoints++] = MdtHingeQuaConstraint(j);
     McdSpaceDisablePair(a, b);
@@ -80,7 +80,7 @@ static inline double opening(void) {
         MdtConstraintBodyGetPosition(joint[i], 0, a);
         MdtConstraintBodyGetPosition(joint[i], 1, b);
         MeVector3Subtract(a, a, b);
-        const double open = (double)MeVector3Magnitude(a);
+        const double open = MeVector3Magnitude(a);
         max = open <= max ? max : open;
     }
     return max;
@@ -147,7 +147,7 @@ static inline void makeMachine(double z) {
     McdModelID last = car;
     for (int k = 0; k < 4; k++) {
         const double at[3] = {k & 1 ? .8 : -.8, .4, z + (k & 2 ? .75 : -.75)};
-        const McdModelID wheel = put(McdCylinderCreate(u->frame, (MeReal).4, (MeReal).3), at, 200);
+        const McdModelID wheel = put(McdCylinderCreate(u->frame, .4, .3), at, 200);
         const MdtLimitID drive = joinByHinge(wheel, car, at, across);
         MdtLimitSetLimitedForceMotor(drive, -8, 400);
         MdtLimitActivateMotor(drive, METRUE);
@@ -155,7 +155,7 @@ static inline void makeMachine(double z) {
     for (int k = 0; k < 5; k++) {
         const McdModelID link = putAt(box(1, .15, .15), 1.5 + k, 1.2, z, 100);
         const MdtLimitID drive = joinByHinge(link, last, (double[3]){1 + k, 1.2, z}, across);
-        MdtLimitSetLimitedForceMotor(drive, (MeReal)(.3 * sin(k)), 300);
+        MdtLimitSetLimitedForceMotor(drive, .3 * sin(k), 300);
         MdtLimitActivateMotor(drive, METRUE);
         last = link;
     }

@@ -52,7 +52,7 @@ static inline MeBool doll_isSphyl(int i) {
 }
 
 static inline McdGeometryID doll_shape(McdFrameworkID frame, int i) {
-    const MeReal a = (MeReal)doll_part[i].size[0], b = (MeReal)doll_part[i].size[1], c = (MeReal)doll_part[i].size[2];
+    const MeReal a = doll_part[i].size[0], b = (MeReal)doll_part[i].size[1], c = (MeReal)doll_part[i].size[2];
     if (c > 0)
         return McdBoxCreate(frame, a, b, c);
     return doll_isSphyl(i) ? McdSphylCreate(frame, a, b) : McdSphereCreate(frame, a);
@@ -66,9 +66,9 @@ static inline MdtConeLimitID doll_addCone(MdtWorldID w, int i, MdtBodyID below, 
     MdtConeLimitSetAxes(cone, 0, 1, 0, 1, 0, 0);
     if (i >= DOLL_ARMS) {
         MdtConeLimitBodySetAxes(cone, 0, 0, -1, 0, 1, 0, 0);
-        MdtConeLimitBodySetAxes(cone, 1, (MeReal)sideways, -1, (MeReal).6, 1, 0, 0);
+        MdtConeLimitBodySetAxes(cone, 1, sideways, -1, .6, 1, 0, 0);
     }
-    MdtConeLimitSetConeHalfAngle(cone, (MeReal)doll_part[i].cone);
+    MdtConeLimitSetConeHalfAngle(cone, doll_part[i].cone);
     MdtConeLimitEnable(cone);
     return cone;
 }
@@ -76,13 +76,13 @@ static inline MdtConeLimitID doll_addCone(MdtWorldID w, int i, MdtBodyID below, 
 static inline MdtConstraintID doll_addSocket(MdtWorldID w, MdtBodyID below, MdtBodyID above, const double at[3]) {
     const MdtBSJointID socket = MdtBSJointCreate(w);
     MdtBSJointSetBodies(socket, below, above);
-    MdtBSJointSetPosition(socket, (MeReal)at[0], (MeReal)at[1], (MeReal)at[2]);
+    MdtBSJointSetPosition(socket, at[0], at[1], at[2]);
     MdtBSJointEnable(socket);
     return MdtBSJointQuaConstraint(socket);
 }
 
 static inline void doll_setStop(MdtSingleLimitID stop, double angle) {
-    MdtSingleLimitSetStop(stop, (MeReal)angle);
+    MdtSingleLimitSetStop(stop, angle);
     MdtSingleLimitSetRestitution(stop, 0);
 }
 
@@ -91,7 +91,7 @@ static inline MdtConstraintID doll_addHinge(MdtWorldID w, int i, MdtBodyID below
     const MdtHingeID hinge = MdtHingeCreate(w);
     const MdtLimitID limit = MdtHingeGetLimit(hinge);
     MdtHingeSetBodies(hinge, below, above);
-    MdtHingeSetPosition(hinge, (MeReal)at[0], (MeReal)at[1], (MeReal)at[2]);
+    MdtHingeSetPosition(hinge, at[0], at[1], at[2]);
     MdtHingeSetAxis(hinge, 1, 0, 0);
     doll_setStop(MdtLimitGetLowerLimit(limit), fmin(doll_part[i].bend, 0));
     doll_setStop(MdtLimitGetUpperLimit(limit), fmax(doll_part[i].bend, 0));
@@ -118,9 +118,8 @@ static inline void doll_make(Doll *doll, MstUniverseID u, const double feet[3]) 
     for (int i = 0; i < DOLL_PARTS; i++) {
         const double half = doll_isSphyl(i) ? -0.25 * 3.14159265358979323846 : 0;
         const McdModelID m = doll->model[i] = MstModelAndBodyCreate(u, doll_shape(u->frame, i), 1000);
-        McdModelDynamicsSetPosition(m, (MeReal)(feet[0] + doll_part[i].x), (MeReal)(feet[1] + doll_part[i].y),
-                                    (MeReal)feet[2]);
-        McdModelDynamicsSetQuaternion(m, (MeReal)cos(half), (MeReal)sin(half), 0, 0);
+        McdModelDynamicsSetPosition(m, feet[0] + doll_part[i].x, feet[1] + doll_part[i].y, feet[2]);
+        McdModelDynamicsSetQuaternion(m, cos(half), sin(half), 0, 0);
         McdModelDynamicsSetDamping(m, 0, 2);
     }
     doll->joint[DOLL_PELVIS] = 0;
@@ -134,9 +133,8 @@ static inline void doll_make(Doll *doll, MstUniverseID u, const double feet[3]) 
 static inline void doll_throw(const Doll *doll, const double v[3], const double w[3]) {
     for (int i = 0; i < DOLL_PARTS; i++) {
         const double x = doll_part[i].x, y = doll_part[i].y;
-        McdModelDynamicsSetLinearVelocity(doll->model[i], (MeReal)(v[0] - w[2] * y), (MeReal)(v[1] + w[2] * x),
-                                          (MeReal)(v[2] + w[0] * y - w[1] * x));
-        McdModelDynamicsSetAngularVelocity(doll->model[i], (MeReal)w[0], (MeReal)w[1], (MeReal)w[2]);
+        McdModelDynamicsSetLinearVelocity(doll->model[i], v[0] - w[2] * y, v[1] + w[2] * x, v[2] + w[0] * y - w[1] * x);
+        McdModelDynamicsSetAngularVelocity(doll->model[i], w[0], w[1], w[2]);
     }
 }
 
@@ -148,7 +146,7 @@ static inline double doll_opening(const Doll *doll) {
         MdtConstraintBodyGetPosition(doll->joint[i], 0, a);
         MdtConstraintBodyGetPosition(doll->joint[i], 1, b);
         MeVector3Subtract(a, a, b);
-        worst = fmax(worst, (double)MeVector3Magnitude(a));
+        worst = fmax(worst, MeVector3Magnitude(a));
     }
     return worst;
 }
@@ -158,12 +156,12 @@ static inline double doll_beyondCone(MdtConeLimitID cone) {
     for (int k = 0; k < 2; k++)
         MdtConeLimitBodyGetAxes(cone, (unsigned int)k, axis[k], other);
     MeVector3Cross(across, axis[0], axis[1]);
-    return atan2((double)MeVector3Magnitude(across), (double)MeVector3Dot(axis[0], axis[1])) -
+    return atan2(MeVector3Magnitude(across), MeVector3Dot(axis[0], axis[1])) -
            (double)MdtConeLimitGetConeHalfAngle(cone);
 }
 
 static inline double doll_beyondStops(MdtHingeID hinge, int i) {
-    const double angle = (double)MdtLimitGetPosition(MdtHingeGetLimit(hinge));
+    const double angle = MdtLimitGetPosition(MdtHingeGetLimit(hinge));
     return fmax(angle - fmax(doll_part[i].bend, 0), fmin(doll_part[i].bend, 0) - angle);
 }
 

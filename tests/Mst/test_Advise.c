@@ -9,7 +9,7 @@
 enum { MAX = 32 };
 
 static MstUniverseID u;
-static const MeReal step = (MeReal)(1. / 60);
+static const MeReal step = 1. / 60;
 static MeMatrix4 groundPlace;
 
 /* ---- asking ------------------------------------------------------------------------------------------------------ */
@@ -65,15 +65,15 @@ static void create(double lengthScale) {
     MstUniverseSizes sizes = MstUniverseGrowingSizes;
     sizes.lengthScale = (MeReal)lengthScale;
     u = MstUniverseCreate(&sizes);
-    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-9.81);
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal)0.5, 0);
+    MdtWorldSetGravity(u->world, 0, 0, -9.81);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), 0.5, 0);
     MeMatrix4TMMakeIdentity(groundPlace);
     MstFixedModelCreate(u, McdPlaneCreate(u->frame), groundPlace);
 }
 
 static McdModelID addBox(double side, double x, double z) {
-    const McdModelID m = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, (MeReal)side, (MeReal)side, (MeReal)side), 1);
-    McdModelDynamicsSetPosition(m, (MeReal)x, 0, (MeReal)z);
+    const McdModelID m = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, side, side, side), 1);
+    McdModelDynamicsSetPosition(m, x, 0, z);
     return m;
 }
 
@@ -89,7 +89,7 @@ static void createSlidingBoxes(void) {
     create(1);
     for (int i = 0; i < 8; i++) {
         const McdModelID box = addBox(1, 1.005 * i, .5);
-        McdModelDynamicsSetLinearVelocity(box, (MeReal)(.1 * (8 - i)), 0, 0);
+        McdModelDynamicsSetLinearVelocity(box, .1 * (8 - i), 0, 0);
     }
 }
 
@@ -98,11 +98,10 @@ static void createDoublePendulum(void) {
     MdtBodyID before = 0;
     create(1);
     for (int i = 0; i < 2; i++) {
-        const McdModelID rod =
-            MstModelAndBodyCreate(u, McdBoxCreate(u->frame, (MeReal)0.9, (MeReal)0.1, (MeReal)0.1), 1000);
+        const McdModelID rod = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 0.9, 0.1, 0.1), 1000);
         const MdtBodyID body = McdModelGetBody(rod);
         MdtHingeID hinge = MdtHingeCreate(u->world);
-        McdModelDynamicsSetPosition(rod, (MeReal)(.5 + i), 0, 5);
+        McdModelDynamicsSetPosition(rod, .5 + i, 0, 5);
         MdtHingeSetBodies(hinge, body, before);
         MdtHingeSetPosition(hinge, (MeReal)i, 0, 5);
         MdtHingeSetAxis(hinge, 0, 1, 0);
@@ -161,7 +160,7 @@ TEST(timed_contacts_are_needed_where_they_are_not) {
 TEST(sub_steps_that_are_needed_are_found) {
     createDoublePendulum();
     MdtWorldSetIntegratorOrder(u->world, 4); /* else order 4 is cheaper than sub-steps */
-    MdtBodySetAngularVelocityDamping(MdtBodyGetFirst(u->world), (MeReal)1e-3);
+    MdtBodySetAngularVelocityDamping(MdtBodyGetFirst(u->world), 1e-3);
     const MstAdviceParams p = paramsOf(1.5);
     ask(&p);
     assert_below(advice.tolerance, trial[0].error);
@@ -186,7 +185,7 @@ TEST(sub_steps_that_are_waste_are_found) {
 
 TEST(a_ball_that_flies_needs_nothing) {
     create(1);
-    const McdModelID ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal)0.5), 1);
+    const McdModelID ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, 0.5), 1);
     McdModelDynamicsSetPosition(ball, 0, 0, 50);
     const MstAdviceParams p = paramsOf(.5);
     ask(&p);
@@ -202,8 +201,8 @@ TEST(a_bullet_is_to_be_swept) {
     static MeMatrix4 wallPlace;
     MeMatrix4TMMakeIdentity(wallPlace);
     wallPlace[3][0] = 5;
-    MstFixedModelCreate(u, McdBoxCreate(u->frame, (MeReal)0.02, 10, 10), wallPlace);
-    const McdModelID ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal)0.05), 1000);
+    MstFixedModelCreate(u, McdBoxCreate(u->frame, 0.02, 10, 10), wallPlace);
+    const McdModelID ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, 0.05), 1000);
     McdModelDynamicsSetPosition(ball, 0, 0, 3);
     McdModelDynamicsSetLinearVelocity(ball, 120, 0, 0);
     const MstAdviceParams p = paramsOf(.2);
@@ -238,7 +237,7 @@ static MeBool MEAPI push(McdIntersectResult *result, McdContact *colC, MdtContac
 
 static void runProgram(int count) {
     for (int i = 0; i < count; i++) {
-        MdtBodyAddForce(MdtBodyGetFirst(u->world), (MeReal)(steps % 7 + .01 * (calls % 13)), 0, 0);
+        MdtBodyAddForce(MdtBodyGetFirst(u->world), steps % 7 + .01 * (calls % 13), 0, 0);
         MstUniverseStep(u, step);
         steps++;
     }

@@ -15,27 +15,27 @@ static MstUniverseID u;
 
 static void begin(double restitution, double tolerance) {
     u = MstUniverseCreate(&MstUniverseGrowingSizes);
-    McdFrameworkSetDefaultContactTolerance(u->frame, (MeReal)tolerance);
-    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-GRAVITY);
+    McdFrameworkSetDefaultContactTolerance(u->frame, tolerance);
+    MdtWorldSetGravity(u->world, 0, 0, -GRAVITY);
     MdtWorldSetAutoDisable(u->world, MEFALSE);
     MdtWorldEnableReport(u->world);
     const MdtContactParamsID p = MstBridgeGetContactParams(u->bridge, 0, 0);
     MdtContactParamsSetType(p, MdtContactTypeFrictionZero);
-    MdtContactParamsSetRestitution(p, (MeReal)restitution);
+    MdtContactParamsSetRestitution(p, restitution);
 }
 
 static McdModelID add(McdGeometryID shape, double x, double y, double z) {
-    const McdModelID m = MstModelAndBodyCreate(u, shape, (MeReal)unitDensity);
-    McdModelDynamicsSetPosition(m, (MeReal)x, (MeReal)y, (MeReal)z);
+    const McdModelID m = MstModelAndBodyCreate(u, shape, unitDensity);
+    McdModelDynamicsSetPosition(m, x, y, z);
     return m;
 }
 
 static McdGeometryID makeBall(void) {
-    return McdSphereCreate(u->frame, (MeReal)RADIUS);
+    return McdSphereCreate(u->frame, RADIUS);
 }
 
 static McdGeometryID makeCube(void) {
-    return McdBoxCreate(u->frame, (MeReal)(2 * RADIUS), (MeReal)(2 * RADIUS), (MeReal)(2 * RADIUS));
+    return McdBoxCreate(u->frame, 2 * RADIUS, 2 * RADIUS, 2 * RADIUS);
 }
 
 /* ---- a crowd ----------------------------------------------------------------------------------------------------- */
@@ -53,8 +53,8 @@ static double random1(unsigned int *seed) {
 
 static void addFixed(int i, double sx, double sy, double sz, double x, double y, double z) {
     MeMatrix4TMMakeIdentity(place[i]);
-    MeMatrix4TMSetPosition(place[i], (MeReal)x, (MeReal)y, (MeReal)z);
-    MstFixedModelCreate(u, McdBoxCreate(u->frame, (MeReal)sx, (MeReal)sy, (MeReal)sz), place[i]);
+    MeMatrix4TMSetPosition(place[i], x, y, z);
+    MstFixedModelCreate(u, McdBoxCreate(u->frame, sx, sy, sz), place[i]);
 }
 
 /* A lattice of balls, so far apart, each a little off its place and with a speed of its own, on a floor. */
@@ -75,7 +75,7 @@ static void fillCrowd(double apart, MeBool hasWalls) {
             v[k] = random1(&seed);
         }
         ball[i] = add(shape, at[0], at[1], RADIUS + off + at[2]);
-        McdModelDynamicsSetLinearVelocity(ball[i], (MeReal)v[0], (MeReal)v[1], (MeReal)v[2]);
+        McdModelDynamicsSetLinearVelocity(ball[i], v[0], v[1], v[2]);
     }
 }
 
@@ -98,7 +98,7 @@ static double playSteps(double apart, MeBool hasWalls, int steps, double *work) 
     *work = 0;
     for (int i = 0; i < steps; i++) {
         MdtReport r;
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
         ck_assert(MdtWorldGetReport(u->world, &r));
         *work += (double)r.work / steps;
     }
@@ -143,15 +143,15 @@ static void hitAside(double aside, double restitution, double h) {
     const double n[3] = {-aside, 0, -sqrt(1 - aside * aside)}, passed = .5 * (1 + restitution) * -5 * n[2];
     McdModelDynamicsSetLinearVelocity(flies, 0, 0, -5);
     for (int i = 0; i < .3 / h; i++)
-        MstUniverseStep(u, (MeReal)h);
+        MstUniverseStep(u, h);
     MdtBodyGetLinearVelocity(McdModelGetBody(rests), v[0]);
     MdtBodyGetLinearVelocity(McdModelGetBody(flies), v[1]);
     for (int i = 0; i < 3; i++) {
-        assert_near((double)v[0][i], passed * n[i], TOL(1e-5, 1e-5));
-        assert_near((double)v[1][i], (i == 2 ? -5 : 0) - passed * n[i], TOL(1e-5, 1e-5));
+        assert_near(v[0][i], passed * n[i], TOL(1e-5, 1e-5));
+        assert_near(v[1][i], (i == 2 ? -5 : 0) - passed * n[i], TOL(1e-5, 1e-5));
     }
     MdtBodyGetAngularVelocity(McdModelGetBody(rests), w);
-    assert_below((double)MeVector3Magnitude(w), 1e-6);
+    assert_below(MeVector3Magnitude(w), 1e-6);
     MstUniverseDestroy(u);
 }
 
@@ -174,13 +174,13 @@ static void hang(McdModelID m, double x, MeBool onHinge) {
     if (onHinge) {
         const MdtHingeID j = MdtHingeCreate(u->world);
         MdtHingeSetBodies(j, b, 0);
-        MdtHingeSetPosition(j, (MeReal)x, 0, (MeReal)length);
+        MdtHingeSetPosition(j, x, 0, length);
         MdtHingeSetAxis(j, 0, 1, 0);
         MdtHingeEnable(j);
     } else {
         const MdtBSJointID j = MdtBSJointCreate(u->world);
         MdtBSJointSetBodies(j, b, 0);
-        MdtBSJointSetPosition(j, (MeReal)x, 0, (MeReal)length);
+        MdtBSJointSetPosition(j, x, 0, length);
         MdtBSJointEnable(j);
     }
 }
@@ -202,11 +202,11 @@ static void playPendulums(const Cradle *c, double top[ROW]) {
         hang(m[i], x, c->onHinge);
         top[i] = 0;
     }
-    McdModelDynamicsSetPosition(m[0], (MeReal)(-length * sin(angle)), 0, (MeReal)(length * (1 - cos(angle))));
-    McdModelDynamicsSetQuaternion(m[0], (MeReal)cos(.5 * angle), 0, (MeReal)sin(.5 * angle), 0);
+    McdModelDynamicsSetPosition(m[0], -length * sin(angle), 0, length * (1 - cos(angle)));
+    McdModelDynamicsSetQuaternion(m[0], cos(.5 * angle), 0, sin(.5 * angle), 0);
     const double period = 2 * 3.14159265358979324 * sqrt(length / GRAVITY) * (1 + angle * angle / 16);
     for (double time = c->h; time < .6 * period; time += c->h) {
-        MstUniverseStep(u, (MeReal)c->h);
+        MstUniverseStep(u, c->h);
         for (int i = 0; time > .3 * period && i < ROW; i++) {
             MeVector3 at;
             McdModelDynamicsGetPosition(m[i], at);
@@ -248,12 +248,12 @@ static void dropStack(double restitution, int timedBodies, McdModelID m[STACK]) 
     unsigned int seed = 7;
     begin(restitution, .05);
     MdtWorldSetTimedContacts(u->world, timedBodies);
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal).5, (MeReal)restitution);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), .5, restitution);
     addFixed(0, 400, 400, 4, 0, 0, -2);
     for (int i = 0; i < STACK; i++) {
         const double x = .05 * random1(&seed), y = .05 * random1(&seed);
         m[i] = add(makeCube(), x, y, RADIUS + .05 + 1.03 * i);
-        McdModelDynamicsSetQuaternion(m[i], 1, (MeReal)(.3 * x), (MeReal)(.3 * y), 0);
+        McdModelDynamicsSetQuaternion(m[i], 1, .3 * x, .3 * y, 0);
     }
 }
 
@@ -283,7 +283,7 @@ static Calm settle(double restitution, int timedBodies) {
     dropStack(restitution, timedBodies, m);
     for (int i = 0; i < 600; i++) {
         MdtReport r;
-        MstUniverseStep(u, (MeReal)h);
+        MstUniverseStep(u, h);
         ck_assert(MdtWorldGetReport(u->world, &r));
         const MeBool isNow = isCalm(m, h);
         if (wasCalm && isNow) {

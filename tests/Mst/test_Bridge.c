@@ -13,7 +13,7 @@ static void setUp(void) {
     MeMatrix4TMMakeIdentity(ground);
     floorModel = MstFixedModelCreate(u, McdPlaneCreate(u->frame), ground);
     ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, 1), 1);
-    McdModelDynamicsSetPosition(ball, 0, 0, (MeReal).99);
+    McdModelDynamicsSetPosition(ball, 0, 0, .99);
     called = 0;
     answer = METRUE;
 }
@@ -24,7 +24,7 @@ static void tearDown(void) {
 TEST_FIXTURE(setUp, tearDown)
 
 static void step(void) {
-    MstUniverseStep(u, (MeReal)(1. / 60));
+    MstUniverseStep(u, 1. / 60);
 }
 
 static MdtContactID onlyContact(void) {
@@ -49,20 +49,20 @@ static void playTower(MeBool isTested, MeVector3 place[TOWER + 1]) {
     McdModelID model[TOWER + 1];
     if (isTested)
         MstBridgeSetIntersectCB(u->bridge, 0, 0, goOn);
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal).5, (MeReal).3);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), .5, .3);
     MdtWorldSetAutoDisable(u->world, MEFALSE);
     for (int i = 0; i < TOWER; i++) {
         model[i] = MstModelAndBodyCreate(u, i == 2 ? other : cube, 1);
-        McdModelDynamicsSetPosition(model[i], 20, 0, (MeReal)(.5 + i));
+        McdModelDynamicsSetPosition(model[i], 20, 0, .5 + i);
     }
     model[TOWER] = ball;
-    McdModelDynamicsSetPosition(ball, 10, 0, (MeReal)2.2);
-    McdModelDynamicsSetLinearVelocity(ball, (MeReal)(8.5 / (HIT / 60.)), 0, 0);
+    McdModelDynamicsSetPosition(ball, 10, 0, 2.2);
+    McdModelDynamicsSetLinearVelocity(ball, 8.5 / (HIT / 60.), 0, 0);
     for (int i = 0; i < STILL_STEPS; i++) {
         if (i == CHANGE)
             McdBoxGetRadii(other)[2] = (MeReal).52;
         if (i == CHANGE + 10)
-            MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal).01, 0);
+            MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), .01, 0);
         step();
     }
     for (int i = 0; i <= TOWER; i++)
@@ -78,8 +78,7 @@ TEST(what_is_not_tested_again_goes_on_as_if_it_were) {
     playTower(MEFALSE, kept);
     for (int i = 0; i <= TOWER; i++)
         ck_assert_msg(memcmp(tested[i], kept[i], sizeof kept[i]) == 0, "%d: (%g, %g, %g), and (%g, %g, %g)", i,
-                      (double)tested[i][0], (double)tested[i][1], (double)tested[i][2], (double)kept[i][0],
-                      (double)kept[i][1], (double)kept[i][2]);
+                      tested[i][0], tested[i][1], tested[i][2], kept[i][0], kept[i][1], kept[i][2]);
     ck_assert(kept[TOWER - 1][0] != 20); /* it was hit */
 }
 
@@ -130,7 +129,7 @@ TEST(pairs_of_materials_are_unordered) {
 
 TEST(a_contact_has_its_materials_parameters) {
     MstMaterialID rubber = MstBridgeGetNewMaterial(u->bridge);
-    MdtContactParamsSetRestitution(MstBridgeGetContactParams(u->bridge, rubber, 0), (MeReal).75);
+    MdtContactParamsSetRestitution(MstBridgeGetContactParams(u->bridge, rubber, 0), .75);
     McdModelSetMaterial(ball, (int)rubber);
     step();
     assert_near(MdtContactParamsGetRestitution(MdtContactGetParams(onlyContact())), .75, TOL(1e-7, 7e-15));
@@ -202,11 +201,11 @@ TEST(a_contact_goes_on_as_the_nearest_point_where_its_feature_changes) {
     static MeMatrix4 below = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {9, 0, 5, 1}};
     const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
     const McdModelID box = MstModelAndBodyCreate(u, cube, 1);
-    const MeReal half = (MeReal).005;
+    const MeReal half = .005;
     Seen before[CORNERS], after[CROSSINGS];
     int kept = 0, changed = 0;
     MstFixedModelCreate(u, cube, below);
-    McdModelDynamicsSetPosition(box, 9, 0, (MeReal)5.999);
+    McdModelDynamicsSetPosition(box, 9, 0, 5.999);
     step();
     ck_assert_int_eq(contactsOf(McdModelGetBody(box), before, CORNERS), CORNERS);
     McdModelDynamicsSetQuaternion(box, MeCos(half), 0, 0, MeSin(half));
@@ -229,12 +228,12 @@ TEST(a_contact_goes_on_as_the_nearest_point_where_its_feature_changes) {
 TEST(the_group_stays_without_touch_and_goes_at_goodbye) {
     step();
     MdtContactGroupID group = MdtContactGetContactGroup(onlyContact());
-    McdModelDynamicsSetPosition(ball, 0, 0, (MeReal)1.015); /* boxes near, to within the tolerances */
-    McdModelSetContactTolerance(ball, (MeReal).02);
+    McdModelDynamicsSetPosition(ball, 0, 0, 1.015); /* boxes near, to within the tolerances */
+    McdModelSetContactTolerance(ball, .02);
     McdModelSetContactTolerance(floorModel, 0);
     step();
-    McdModelSetContactTolerance(ball, (MeReal).001);
-    McdModelDynamicsSetPosition(ball, 0, 0, (MeReal)1.0005);
+    McdModelSetContactTolerance(ball, .001);
+    McdModelDynamicsSetPosition(ball, 0, 0, 1.0005);
     step();
     ck_assert_int_eq(MdtWorldGetTotalConstraints(u->world) > 0, 1);
     ck_assert_ptr_nonnull(group);
@@ -282,7 +281,7 @@ TEST(only_the_second_model_having_a_body_is_as_good) {
     MstModelAndBodyDestroy(ball);
     MstFixedModelDestroy(floorModel);
     ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, 1), 1);
-    McdModelDynamicsSetPosition(ball, 0, 0, (MeReal).99);
+    McdModelDynamicsSetPosition(ball, 0, 0, .99);
     MeMatrix4TMMakeIdentity(tm);
     floorModel = MstFixedModelCreate(u, McdPlaneCreate(u->frame), tm);
     step();
@@ -314,7 +313,7 @@ TEST(the_intersect_callback_may_cull) {
 static MeBool MEAPI perContact(McdIntersectResult *result, McdContact *colC, MdtContactID dynC) {
     called++;
     ck_assert(result->contactCount == 1 && colC == result->contacts);
-    MdtContactParamsSetRestitution(MdtContactGetParams(dynC), (MeReal).5);
+    MdtContactParamsSetRestitution(MdtContactGetParams(dynC), .5);
     return answer;
 }
 

@@ -152,7 +152,7 @@ static void partModel(void) {
 }
 static void changeModel(void) {
     McdModelSetMaterial(cb.model, 0);
-    McdModelSetContactTolerance(cb.model, (MeReal).02);
+    McdModelSetContactTolerance(cb.model, .02);
     McdModelSetSwept(cb.model, METRUE);
     McdModelSetSensor(cb.model, MEFALSE);
     McdModelSetFilter(cb.model, 1, 0xffffffffu);
@@ -273,13 +273,13 @@ static void moveBody(void) {
     MdtBodyAddForce(cb.body, 1, 0, 0);
 }
 static void changeBody(void) {
-    const MeVector3 centre = {0, 0, (MeReal).01};
+    const MeVector3 centre = {0, 0, .01};
     MdtBodySetMass(cb.body, 50);
     MdtBodySetSphericalInertiaTensor(cb.body, 5);
     MdtBodySetCenterOfMassRelativePosition(cb.body, centre);
-    MdtBodySetLinearVelocityDamping(cb.body, (MeReal).1);
+    MdtBodySetLinearVelocityDamping(cb.body, .1);
     MdtBodySetSortKey(cb.body, 2);
-    MdtBodySetSafeTime(cb.body, (MeReal).1);
+    MdtBodySetSafeTime(cb.body, .1);
 }
 static void copyBody(void) {
     lastBody = MdtBodyCopy(cb.body, cb.w);
@@ -304,7 +304,7 @@ static void destroyWorld(void) {
     MdtWorldDestroy(cb.w);
 }
 static void changeWorld(void) {
-    MdtWorldSetGravity(cb.w, 0, 0, (MeReal)-9.8);
+    MdtWorldSetGravity(cb.w, 0, 0, -9.8);
     MdtWorldSetSubSteps(cb.w, 2);
     MdtWorldSetSolver(cb.w, MdtSolverAuto);
     MdtWorldEnableReport(cb.w);
@@ -371,7 +371,7 @@ static void newMaterial(void) {
     MstBridgeSetContactReuse(cb.b, 0);
 }
 static void query(void) {
-    MeVector3 from = {-20, 0, (MeReal).5}, by = {40, 0, 0};
+    MeVector3 from = {-20, 0, .5}, by = {40, 0, 0};
     McdCastResult hit;
     if (!McdSpaceIsChanging(cb.s))
         McdSpaceCastRay(cb.s, from, by, 0, 0, &hit);

@@ -14,10 +14,10 @@ static MeMatrix4 floorPlace = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0,
 
 static void begin(double friction) {
     u = MstUniverseCreate(&MstUniverseGrowingSizes);
-    MdtWorldSetGravity(u->world, 0, (MeReal)-GRAVITY, 0);
+    MdtWorldSetGravity(u->world, 0, -GRAVITY, 0);
     MdtWorldSetAutoDisable(u->world, MEFALSE);
     MdtWorldEnableReport(u->world);
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal)friction, 0);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), friction, 0);
     MstFixedModelCreate(u, McdPlaneCreate(u->frame), floorPlace);
 }
 
@@ -61,14 +61,14 @@ static void buildArch(McdModelID stone[STONES]) {
     const double radius = middleOf(r[0] * cos(half), r[0] * sin(half), r[1] * cos(half), r[1] * sin(half));
     MeVector3 corner[8];
     for (int i = 0; i < 8; i++)
-        MeVector3Set(corner[i], (MeReal)((i & 1 ? 1 : -1) * r[i >> 2] * sin(half)),
-                     (MeReal)(r[i >> 2] * cos(half) - radius), (MeReal)((i & 2 ? .5 : -.5) * depth));
+        MeVector3Set(corner[i], (i & 1 ? 1 : -1) * r[i >> 2] * sin(half), r[i >> 2] * cos(half) - radius,
+                     (i & 2 ? .5 : -.5) * depth);
     const McdGeometryID wedge = McdConvexMeshCreateHull(u->frame, (const MeVector3 *)corner, 8, 0);
     for (int i = 0; i < STONES; i++) {
         const double angle = pi * (i + .5) / STONES, turn = .5 * (angle - pi / 2);
         stone[i] = MstModelAndBodyCreate(u, wedge, 2400);
-        McdModelDynamicsSetPosition(stone[i], (MeReal)(radius * cos(angle)), (MeReal)(radius * sin(angle)), 0);
-        McdModelDynamicsSetQuaternion(stone[i], (MeReal)cos(turn), 0, 0, (MeReal)sin(turn));
+        McdModelDynamicsSetPosition(stone[i], radius * cos(angle), radius * sin(angle), 0);
+        McdModelDynamicsSetQuaternion(stone[i], cos(turn), 0, 0, sin(turn));
     }
 }
 
@@ -81,7 +81,7 @@ static Cost dropArch(MdtSolver solver) {
     buildArch(stone);
     for (int i = 0; i < 60; i++)
         MstUniverseStep(u, FRAME);
-    McdModelDynamicsSetPosition(stone[STONES / 2], 0, (MeReal).5, 4);
+    McdModelDynamicsSetPosition(stone[STONES / 2], 0, .5, 4);
     for (int i = 0; i < 240; i++)
         stepAndCount(&cost);
     MstUniverseDestroy(u);
@@ -110,9 +110,8 @@ static void buildBlock(double height, double speed) {
     const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
     for (int i = 0; i < BOXES; i++) {
         const McdModelID box = MstModelAndBodyCreate(u, cube, 1);
-        McdModelDynamicsSetPosition(box, (MeReal)(apart * (i % 2)), (MeReal)(height + apart * (i / 4)),
-                                    (MeReal)(apart * (i / 2 % 2)));
-        McdModelDynamicsSetLinearVelocity(box, 0, (MeReal)-speed, 0);
+        McdModelDynamicsSetPosition(box, apart * (i % 2), height + apart * (i / 4), apart * (i / 2 % 2));
+        McdModelDynamicsSetLinearVelocity(box, 0, -speed, 0);
     }
 }
 
@@ -141,7 +140,7 @@ static MdtSpringID pull(McdModelID part, const MeVector3 at) {
     for (unsigned int k = 0; k < 2; k++)
         MdtSpringSetPosition(s, k, at[0], at[1], at[2]);
     MdtSpringSetNaturalLength(s, 0);
-    MdtSpringSetStiffness(s, (MeReal)stiffness);
+    MdtSpringSetStiffness(s, stiffness);
     MdtSpringSetDamping(s, 0);
     MdtSpringEnable(s);
     return s;

@@ -8,16 +8,16 @@ static MeMatrix4 floorPlace;
 
 static void begin(double friction) {
     u = MstUniverseCreate(&MstUniverseGrowingSizes);
-    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-9.81);
+    MdtWorldSetGravity(u->world, 0, 0, -9.81);
     MdtWorldSetAutoDisable(u->world, MEFALSE);
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal)friction, 0);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), friction, 0);
     MeMatrix4TMMakeIdentity(floorPlace);
 }
 
 /* A box cut across x into so many. */
 static McdGeometryID boxInParts(int parts, double x, double y, double z) {
     const McdAggregateID whole = McdAggregateCreate(u->frame, parts);
-    const McdGeometryID part = McdBoxCreate(u->frame, (MeReal)(x / parts), (MeReal)y, (MeReal)z);
+    const McdGeometryID part = McdBoxCreate(u->frame, x / parts, y, z);
     for (int i = 0; i < parts; i++) {
         MeMatrix4 place;
         MeMatrix4TMMakeIdentity(place);
@@ -29,7 +29,7 @@ static McdGeometryID boxInParts(int parts, double x, double y, double z) {
 
 static void step(int count) {
     for (int i = 0; i < count; i++)
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
 }
 
 static double coordinate(McdModelID m, int k) {
@@ -42,7 +42,7 @@ static double coordinate(McdModelID m, int k) {
 static double angleOf(McdModelID m) {
     MeVector4 q;
     McdModelDynamicsGetQuaternion(m, q);
-    return 2 * sqrt((double)(q[1] * q[1] + q[2] * q[2] + q[3] * q[3]));
+    return 2 * sqrt(q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
 }
 
 /* Where a box that slides at 5 m/s over a floor in so many parts is after 6 s, and how high it came. */
@@ -50,8 +50,8 @@ static double slide(int parts, McdGeometryID (*shape)(void), double friction, do
     begin(friction);
     const McdModelID box = MstModelAndBodyCreate(u, shape(), 500);
     MstFixedModelCreate(u, boxInParts(parts, 40, 3, 1), floorPlace);
-    McdModelDynamicsSetPosition(box, -15, 0, (MeReal).75);
-    McdModelDynamicsSetLinearVelocity(box, 5, (MeReal).1, 0);
+    McdModelDynamicsSetPosition(box, -15, 0, .75);
+    McdModelDynamicsSetLinearVelocity(box, 5, .1, 0);
     *highest = 0;
     for (int i = 0; i < 360; i++) {
         step(1);
@@ -63,7 +63,7 @@ static double slide(int parts, McdGeometryID (*shape)(void), double friction, do
 }
 
 static McdGeometryID makeBox(void) {
-    return McdBoxCreate(u->frame, (MeReal).5, (MeReal).5, (MeReal).5);
+    return McdBoxCreate(u->frame, .5, .5, .5);
 }
 
 static McdGeometryID makeBoxOfThree(void) {
@@ -90,8 +90,8 @@ static void stack(int parts, double tilt, McdModelID cube[CUBES]) {
     MstFixedModelCreate(u, boxInParts(parts, 4, 4, 1), floorPlace);
     for (int i = 0; i < CUBES; i++) {
         cube[i] = MstModelAndBodyCreate(u, boxInParts(parts, 1, 1, 1), 500);
-        McdModelDynamicsSetPosition(cube[i], (MeReal)(5e-4 * (i % 2)), 0, (MeReal)(1 + .999 * i - 1e-3));
-        McdModelDynamicsSetQuaternion(cube[i], (MeReal)cos(tilt / 2), 0, (MeReal)sin(tilt / 2), 0);
+        McdModelDynamicsSetPosition(cube[i], 5e-4 * (i % 2), 0, 1 + .999 * i - 1e-3);
+        McdModelDynamicsSetQuaternion(cube[i], cos(tilt / 2), 0, sin(tilt / 2), 0);
     }
 }
 
@@ -123,8 +123,8 @@ TEST(cubes_of_halves_stand_as_solid_ones) {
 TEST(what_is_deep_between_parts_comes_out) {
     begin(.5);
     MstFixedModelCreate(u, boxInParts(4, 8, 2, 1), floorPlace);
-    const McdModelID box = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, (MeReal).2, (MeReal).2, (MeReal).2), 500);
-    McdModelDynamicsSetPosition(box, (MeReal)1e-3, 0, (MeReal).45);
+    const McdModelID box = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, .2, .2, .2), 500);
+    McdModelDynamicsSetPosition(box, 1e-3, 0, .45);
     step(240);
     assert_near(coordinate(box, 2), .6, TOL(8e-6, 1e-7));
     MstUniverseDestroy(u);

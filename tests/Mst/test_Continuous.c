@@ -31,22 +31,22 @@ static double between(double low, double high) {
 }
 
 static void step(void) {
-    MstUniverseStep(u, (MeReal)STEP);
+    MstUniverseStep(u, STEP);
 }
 
 static void setRestitution(double e) {
-    MdtContactParamsSetRestitution(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal)e);
+    MdtContactParamsSetRestitution(MstBridgeGetContactParams(u->bridge, 0, 0), e);
 }
 
 static McdModelID makeBall(double radius) {
-    McdModelID m = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal)radius), 1000);
+    McdModelID m = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, radius), 1000);
     McdModelSetSwept(m, METRUE);
     return m;
 }
 
 static void put(McdModelID m, const double at[3], const double velocity[3]) {
-    McdModelDynamicsSetPosition(m, (MeReal)at[0], (MeReal)at[1], (MeReal)at[2]);
-    McdModelDynamicsSetLinearVelocity(m, (MeReal)velocity[0], (MeReal)velocity[1], (MeReal)velocity[2]);
+    McdModelDynamicsSetPosition(m, at[0], at[1], at[2]);
+    McdModelDynamicsSetLinearVelocity(m, velocity[0], velocity[1], velocity[2]);
 }
 
 static void velocityOf(McdModelID m, double v[3]) {
@@ -94,7 +94,7 @@ static MeBool shoot(McdModelID ball, double radius, double wall, double e) {
 }
 
 TEST(no_bullet_tunnels_a_wall_of_two_centimetres) {
-    MstFixedModelCreate(u, McdBoxCreate(u->frame, (MeReal).02, 8, 8), place);
+    MstFixedModelCreate(u, McdBoxCreate(u->frame, .02, 8, 8), place);
     McdModelID ball = makeBall(.05);
     setRestitution(.5);
     for (int i = 0; i < 1000; i++)
@@ -103,7 +103,7 @@ TEST(no_bullet_tunnels_a_wall_of_two_centimetres) {
 
 TEST(without_the_switch_they_tunnel) {
     int tunnels = 0;
-    MstFixedModelCreate(u, McdBoxCreate(u->frame, (MeReal).02, 8, 8), place);
+    MstFixedModelCreate(u, McdBoxCreate(u->frame, .02, 8, 8), place);
     for (int i = 0; i < 100; i++) {
         McdModelID ball = makeBall(.05);
         McdModelSetSwept(ball, MEFALSE);
@@ -160,8 +160,8 @@ TEST(a_bullet_meets_several_walls_in_a_step) {
     setRestitution(1);
     MeMatrix4TMMakeIdentity(other);
     other[3][0] = 1;
-    MstFixedModelCreate(u, McdBoxCreate(u->frame, (MeReal).02, 8, 8), place);
-    MstFixedModelCreate(u, McdBoxCreate(u->frame, (MeReal).02, 8, 8), other);
+    MstFixedModelCreate(u, McdBoxCreate(u->frame, .02, 8, 8), place);
+    MstFixedModelCreate(u, McdBoxCreate(u->frame, .02, 8, 8), other);
     McdModelID ball = makeBall(.05);
     const double from[3] = {.5, 0, 0}, v[3] = {137, 0, 0}, room = 1 - .02 - .1;
     put(ball, from, v);
@@ -188,10 +188,10 @@ static MeBool spin(MeBool isHinged) {
     const double d = between(.2, .95), angle = between(.15, ME_PI - .15);
     MeBool isThrough = MEFALSE;
     place[3][0] = (MeReal)d;
-    MstFixedModelCreate(u, McdCylinderCreate(u->frame, (MeReal).01, 4), place);
-    McdModelID rod = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 2, (MeReal).02, (MeReal).02), 1000);
+    MstFixedModelCreate(u, McdCylinderCreate(u->frame, .01, 4), place);
+    McdModelID rod = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 2, .02, .02), 1000);
     McdModelSetSwept(rod, METRUE);
-    McdModelDynamicsSetQuaternion(rod, (MeReal)cos(angle / 2), 0, 0, (MeReal)sin(angle / 2));
+    McdModelDynamicsSetQuaternion(rod, cos(angle / 2), 0, 0, sin(angle / 2));
     McdModelDynamicsSetAngularVelocity(rod, 0, 0, 60);
     if (isHinged) {
         MdtHingeID hinge = MdtHingeCreate(u->world);
@@ -229,9 +229,9 @@ TEST(no_rod_tunnels_a_post) {
 
 /* A bullet of m at v sticks to a plate of M: both go on at m v / (m + M). */
 TEST(a_bullet_pushes_a_plate) {
-    McdModelID plate = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, (MeReal).02, 4, 4), 100);
+    McdModelID plate = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, .02, 4, 4), 100);
     McdModelID ball = makeBall(.05);
-    const double m = (double)MdtBodyGetMass(McdModelGetBody(ball)), M = (double)MdtBodyGetMass(McdModelGetBody(plate));
+    const double m = MdtBodyGetMass(McdModelGetBody(ball)), M = (double)MdtBodyGetMass(McdModelGetBody(plate));
     const double from[3] = {-7, 0, 0}, v[3] = {900, 0, 0};
     double after[3];
     put(ball, from, v);
@@ -293,7 +293,7 @@ static void shootWall(int columns, int rows) {
         momentum += v[0] * (double)MdtBodyGetMass(McdModelGetBody(box[i]));
     }
     velocityOf(ball, v);
-    const double m = (double)MdtBodyGetMass(McdModelGetBody(ball));
+    const double m = MdtBodyGetMass(McdModelGetBody(ball));
     assert_near_rel(momentum + m * v[0], m * 600, TOL(2e-6, 9e-15)); /* the floor's friction took some */
     const MeMatrix4Ptr tm = McdModelGetTransformPtr(box[hit]);       /* in its frame the ball is before its face */
     for (int i = 0; i < 3; i++)
@@ -334,7 +334,7 @@ TEST(forces_act_in_all_parts_of_a_step) {
 }
 
 TEST(an_impact_in_the_middle_of_a_step_is_one_event) {
-    MstFixedModelCreate(u, McdBoxCreate(u->frame, (MeReal).02, 8, 8), place);
+    MstFixedModelCreate(u, McdBoxCreate(u->frame, .02, 8, 8), place);
     McdModelID ball = makeBall(.05);
     const double from[3] = {-5, 0, 0}, v[3] = {400, 0, 0}, m = (double)MdtBodyGetMass(McdModelGetBody(ball));
     int count;

@@ -33,12 +33,12 @@ static void makeWorld(MdtSolver solver) {
     u = MstUniverseCreate(&sizes);
     count = 0;
     seed = 1;
-    MdtWorldSetGravity(u->world, 0, (MeReal)-gravity, 0);
+    MdtWorldSetGravity(u->world, 0, -gravity, 0);
     MdtWorldSetSolver(u->world, solver);
     MdtWorldSetAutoDisable(u->world, MEFALSE);
     MdtWorldSetTimedContacts(u->world, 0);
     MdtWorldEnableReport(u->world);
-    MdtContactParamsSetSurface(params(), (MeReal).5, 0);
+    MdtContactParamsSetSurface(params(), .5, 0);
 }
 
 static void makeFloor(void) {
@@ -47,7 +47,7 @@ static void makeFloor(void) {
 
 static McdModelID put(McdGeometryID g, double x, double y, double z) {
     const McdModelID m = MstModelAndBodyCreate(u, g, 1);
-    McdModelDynamicsSetPosition(m, (MeReal)x, (MeReal)y, (MeReal)z);
+    McdModelDynamicsSetPosition(m, x, y, z);
     MdtBodyEnable(McdModelGetBody(m));
     model[count++] = m;
     return m;
@@ -98,7 +98,7 @@ static double deepest(void) {
     for (int i = 0; i < count; i++) {
         const MdtBodyID b = McdModelGetBody(model[i]);
         for (MdtContactID c = MdtBodyGetFirstContact(b); c; c = MdtBodyGetNextContact(b, c))
-            max = fmax(max, (double)MdtContactGetPenetration(c));
+            max = fmax(max, MdtContactGetPenetration(c));
     }
     return max;
 }
@@ -110,7 +110,7 @@ static double meanOverlap(void) {
     for (int i = 0; i < count; i++) {
         const MdtBodyID b = McdModelGetBody(model[i]);
         for (MdtContactID c = MdtBodyGetFirstContact(b); c; c = MdtBodyGetNextContact(b, c), contacts++)
-            sum += fmax((double)MdtContactGetPenetration(c), 0);
+            sum += fmax(MdtContactGetPenetration(c), 0);
     }
     return contacts > 0 ? sum / contacts : 0;
 }
@@ -123,7 +123,7 @@ static MdtReport firstStepOfTower(double along) {
     MdtContactParamsSetSurface(params(), 0, 0);
     const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
     for (int i = 0; i < 12; i++)
-        MdtBodySetLinearVelocity(McdModelGetBody(put(cube, 0, .5 + 1.0005 * i, 0)), (MeReal)along, 0, 0);
+        MdtBodySetLinearVelocity(McdModelGetBody(put(cube, 0, .5 + 1.0005 * i, 0)), along, 0, 0);
     const MdtReport r = step(1);
     MstUniverseDestroy(u);
     return r;
@@ -135,7 +135,7 @@ TEST(a_common_velocity_saves_no_passes) {
     const MdtReport still = firstStepOfTower(0), sliding = firstStepOfTower(30);
     ck_assert_int_gt(still.iterations, 24);
     ck_assert_int_eq(sliding.iterations, still.iterations);
-    assert_near((double)sliding.residualVelocity, (double)still.residualVelocity, 1e-4);
+    assert_near(sliding.residualVelocity, still.residualVelocity, 1e-4);
 }
 
 /* 4e-5 m, in which overlaps rest, is 1e-4 of the radius of gyration: with half of it this never comes to rest, with
@@ -174,14 +174,14 @@ TEST(what_glides_or_rolls_goes_on) {
         makeFloor();
         if (!isBall)
             MdtContactParamsSetSurface(params(), 0, 0);
-        const McdGeometryID g = isBall ? McdSphereCreate(u->frame, (MeReal).5) : McdBoxCreate(u->frame, 1, 1, 1);
+        const McdGeometryID g = isBall ? McdSphereCreate(u->frame, .5) : McdBoxCreate(u->frame, 1, 1, 1);
         for (int i = 0; i < ROWS * ROWS; i++)
             put(g, 2 * (i % ROWS), .5, 2 * (i / ROWS));
         step(60);
         for (int i = 0; i < count; i++)
-            McdModelDynamicsSetLinearVelocity(model[i], (MeReal)1e-3, 0, 0);
+            McdModelDynamicsSetLinearVelocity(model[i], 1e-3, 0, 0);
         for (int i = 0; i < count && isBall; i++)
-            McdModelDynamicsSetAngularVelocity(model[i], 0, 0, (MeReal)-2e-3);
+            McdModelDynamicsSetAngularVelocity(model[i], 0, 0, -2e-3);
         step(180);
         for (int i = 0; i < count; i++)
             assert_near(place(i, 0), 2 * (i % ROWS) + 3e-3, 1e-4);
@@ -198,7 +198,7 @@ TEST(a_pyramid_that_is_hit_is_pressed_in_by_no_more) {
     makePyramid(20);
     step(100);
     const McdModelID ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, 1), 20);
-    McdModelDynamicsSetPosition(ball, (MeReal)1.5, (MeReal)11.2, 0);
+    McdModelDynamicsSetPosition(ball, 1.5, 11.2, 0);
     MdtBodySetLinearVelocity(McdModelGetBody(ball), 8, 0, 0);
     MdtBodyEnable(McdModelGetBody(ball));
     step(40);
@@ -233,7 +233,7 @@ TEST(a_heap_settles_and_sleeps) {
         energy += gravity * place(i, 1);
     for (int i = 0; i < 900; i++) {
         const MdtReport r = step(1);
-        double now = (double)r.kineticEnergy;
+        double now = r.kineticEnergy;
         for (int k = 0; k < count; k++)
             now += gravity * place(k, 1);
         ck_assert_msg(now < energy + 1e-4 * gravity * count, "step %d: %g J of %g J", i, now, energy);
@@ -251,14 +251,14 @@ static void throwThings(unsigned int from) {
     seed = from;
     for (int i = 0; i < 30; i++) {
         const double size = chance(.3, 1);
-        const McdGeometryID g = i % 3 == 0   ? McdBoxCreate(u->frame, (MeReal)size, 1, (MeReal).5)
-                                : i % 3 == 1 ? McdSphereCreate(u->frame, (MeReal)(size / 2))
-                                             : McdCylinderCreate(u->frame, (MeReal)(size / 2), (MeReal)size);
+        const McdGeometryID g = i % 3 == 0   ? McdBoxCreate(u->frame, size, 1, .5)
+                                : i % 3 == 1 ? McdSphereCreate(u->frame, size / 2)
+                                             : McdCylinderCreate(u->frame, size / 2, size);
         const McdModelID m = put(g, chance(-2, 2), 1.2 + .6 * (i / 3), chance(-2, 2));
         const MdtBodyID b = McdModelGetBody(m);
-        MdtBodySetMass(b, (MeReal)pow(100, chance(0, 1)));
-        MdtBodySetLinearVelocity(b, (MeReal)chance(-5, 5), (MeReal)chance(-5, 5), (MeReal)chance(-5, 5));
-        MdtBodySetAngularVelocity(b, (MeReal)chance(-5, 5), (MeReal)chance(-5, 5), (MeReal)chance(-5, 5));
+        MdtBodySetMass(b, pow(100, chance(0, 1)));
+        MdtBodySetLinearVelocity(b, chance(-5, 5), chance(-5, 5), chance(-5, 5));
+        MdtBodySetAngularVelocity(b, chance(-5, 5), chance(-5, 5), chance(-5, 5));
     }
 }
 
@@ -299,7 +299,7 @@ static void makePit(double inside) {
 /* Eight layers of 25 balls of .6 m. */
 static void fillPit(unsigned int from) {
     enum { SIDE = 5 };
-    const McdGeometryID g = McdSphereCreate(u->frame, (MeReal).3);
+    const McdGeometryID g = McdSphereCreate(u->frame, .3);
     seed = from;
     for (int i = 0; i < 8 * SIDE * SIDE; i++) {
         const double x = .65 * (i % SIDE - .5 * (SIDE - 1)), z = .65 * (i / SIDE % SIDE - .5 * (SIDE - 1));
@@ -336,12 +336,12 @@ TEST(bodies_that_bounce_into_a_pit_take_no_solve_for_each_impact) {
     int events = 0;
     makeWorld(MdtSolverAuto);
     MdtWorldSetTimedContacts(u->world, 8); /* the default */
-    MdtContactParamsSetRestitution(params(), (MeReal).6);
+    MdtContactParamsSetRestitution(params(), .6);
     makePit(.65 * 5 + .1);
     fillPit(1);
     for (int i = 0; i < 60; i++) {
         const MdtReport r = step(1);
-        max = fmax(max, (double)r.work);
+        max = fmax(max, r.work);
         events = MeMAX(events, r.events);
     }
     printf("balls that bounce into a pit: %.0f millions, %d events\n", max, events);
@@ -357,15 +357,14 @@ TEST(elastic_balls_gain_no_energy) {
     makeWorld(MdtSolverFast);
     MdtWorldSetGravity(u->world, 0, 0, 0);
     MdtContactParamsSetSurface(params(), 0, 1);
-    const McdGeometryID ball = McdSphereCreate(u->frame, (MeReal).5);
+    const McdGeometryID ball = McdSphereCreate(u->frame, .5);
     for (int i = 0; i < 64; i++) {
         const double x = i % 4 - 1.5, y = i / 4 % 4 - 1.5, z = i / 16 - 1.5;
         const MdtBodyID b = McdModelGetBody(put(ball, 1.05 * x, 1.05 * y, 1.05 * z));
-        MdtBodySetLinearVelocity(b, (MeReal)(chance(-4, 4) - 4 * x), (MeReal)(chance(-4, 4) - 4 * y),
-                                 (MeReal)(chance(-4, 4) - 4 * z));
+        MdtBodySetLinearVelocity(b, (chance(-4, 4) - 4 * x), (chance(-4, 4) - 4 * y), (chance(-4, 4) - 4 * z));
     }
     for (int i = 0; i < 60; i++) {
-        const double now = (double)step(1).kineticEnergy;
+        const double now = step(1).kineticEnergy;
         ck_assert_msg(now < energy * (1 + 1e-4), "step %d: %g J, before %g", i, now, energy);
         energy = now;
     }
@@ -397,9 +396,8 @@ TEST(momentum_is_kept) {
     const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
     for (int i = 0; i < SIDE * SIDE * SIDE; i++) {
         const McdModelID m = put(cube, 1.2 * (i % SIDE), 1.2 * (i / SIDE % SIDE), 1.2 * (i / SIDE / SIDE));
-        MdtBodySetLinearVelocity(McdModelGetBody(m), (MeReal)(1 - place(i, 0)), (MeReal)(2 - place(i, 1)),
-                                 (MeReal)chance(-1, 1));
-        MdtBodySetAngularVelocity(McdModelGetBody(m), (MeReal)chance(-1, 1), 0, (MeReal)chance(-1, 1));
+        MdtBodySetLinearVelocity(McdModelGetBody(m), (1 - place(i, 0)), (2 - place(i, 1)), chance(-1, 1));
+        MdtBodySetAngularVelocity(McdModelGetBody(m), chance(-1, 1), 0, chance(-1, 1));
     }
     for (int t = 0; t < 2; t++) {
         double *sum = t == 0 ? before : after;
@@ -430,9 +428,9 @@ TEST(a_rebound_reaches_what_had_not_been_touched) {
     makeWorld(MdtSolverFast);
     MdtWorldSetGravity(u->world, 0, 0, 0);
     MdtContactParamsSetSurface(params(), 0, 1);
-    const McdGeometryID ball = McdSphereCreate(u->frame, (MeReal).5);
+    const McdGeometryID ball = McdSphereCreate(u->frame, .5);
     for (int i = 0; i < 3; i++)
-        McdModelSetContactTolerance(put(ball, place[i], 0, 0), (MeReal).05);
+        McdModelSetContactTolerance(put(ball, place[i], 0, 0), .05);
     MdtBodySetLinearVelocity(McdModelGetBody(model[0]), 1, 0, 0);
     step(1);
     for (int i = 0; i < 3; i++)
@@ -456,26 +454,26 @@ static void oneWay(void) {
 static void boxBound(void) {
     MdtContactParamsSetType(params(), MdtContactTypeFriction2D);
     MdtContactParamsSetFrictionModel(params(), MdtFrictionModelBox);
-    MdtContactParamsSetFriction(params(), (MeReal).6);
+    MdtContactParamsSetFriction(params(), .6);
 }
 static void slip(void) {
-    MdtContactParamsSetSlip(params(), (MeReal).05);
+    MdtContactParamsSetSlip(params(), .05);
 }
 static void slide(void) {
-    MdtContactParamsSetPrimarySlide(params(), (MeReal).5);
+    MdtContactParamsSetPrimarySlide(params(), .5);
 }
 static void soft(void) {
-    MdtContactParamsSetSoftness(params(), (MeReal)1);
+    MdtContactParamsSetSoftness(params(), 1);
 }
 static void heavyEpsilon(void) {
-    MdtWorldSetEpsilon(u->world, (MeReal)1e-3);
+    MdtWorldSetEpsilon(u->world, 1e-3);
 }
 static void sticky(void) {
     MdtContactParamsSetMaxAdhesiveForce(params(), 5);
 }
 static void bouncing(void) {
-    MdtContactParamsSetRestitution(params(), (MeReal).5);
-    MdtContactParamsSetRestitutionThreshold(params(), (MeReal).2);
+    MdtContactParamsSetRestitution(params(), .5);
+    MdtContactParamsSetRestitutionThreshold(params(), .2);
 }
 static void subSteps(void) {
     MdtWorldSetSubSteps(u->world, 4);
@@ -501,9 +499,8 @@ static void runCase(const Case *c, MdtSolver solver, double state[6]) {
     MdtWorldSetTimedContacts(u->world, c->set == bouncing ? 0 : 8);
     makeFloor();
     c->set();
-    put(McdBoxCreate(u->frame, 1, (MeReal).2, 1), 0, .1 + c->height, 0);
-    MdtBodySetLinearVelocity(McdModelGetBody(model[0]), (MeReal)c->velocity[0], (MeReal)c->velocity[1],
-                             (MeReal)c->velocity[2]);
+    put(McdBoxCreate(u->frame, 1, .2, 1), 0, .1 + c->height, 0);
+    MdtBodySetLinearVelocity(McdModelGetBody(model[0]), c->velocity[0], c->velocity[1], c->velocity[2]);
     step(40);
     for (int k = 0; k < 3; k++) {
         state[k] = place(0, k);
@@ -526,7 +523,7 @@ LOOP_TEST(parameters_mean_what_they_mean_to_the_exact_solver, 0, (int)(sizeof ca
 static void assertChoice(int rows, MdtSolver solver, double accuracy, MdtReportWay way, MdtReportWhy why) {
     makeWorld(solver);
     MdtWorldSetTimedContacts(u->world, 8);
-    MdtWorldSetAccuracy(u->world, (MeReal)accuracy);
+    MdtWorldSetAccuracy(u->world, accuracy);
     makeFloor();
     makePyramid(rows);
     const MdtReport r = step(1);
@@ -608,10 +605,10 @@ TEST(a_program_may_choose_for_each_partition) {
 
 /* A ball on a ball joint above it. */
 static MdtBodyID hang(MdtBodyID from, double x, double y, double z) {
-    const MdtBodyID b = McdModelGetBody(put(McdSphereCreate(u->frame, (MeReal).1), x, y, z));
+    const MdtBodyID b = McdModelGetBody(put(McdSphereCreate(u->frame, .1), x, y, z));
     const MdtBSJointID j = MdtBSJointCreate(u->world);
     MdtBSJointSetBodies(j, b, from);
-    MdtBSJointSetPosition(j, (MeReal)x, (MeReal)(y + .1), (MeReal)z);
+    MdtBSJointSetPosition(j, x, y + .1, z);
     MdtBSJointEnable(j);
     return b;
 }
@@ -624,11 +621,11 @@ static double jointGap(int links, double speed) {
     MdtBodyID last = McdModelGetBody(model[count - 1]); /* the top box drags a chain */
     for (int i = 0; i < links; i++)
         last = hang(last, 5.25 + .2 * i, 12 + .2 * i, 0);
-    MdtBodySetLinearVelocity(last, 0, 0, (MeReal)speed);
+    MdtBodySetLinearVelocity(last, 0, 0, speed);
     for (int i = 0; i < 120; i++) {
         const MdtReport r = step(1);
         ck_assert_int_eq(r.way, MdtReportWayFast);
-        gap = fmax(gap, (double)r.jointGap);
+        gap = fmax(gap, r.jointGap);
     }
     MstUniverseDestroy(u);
     return gap;
@@ -649,10 +646,10 @@ TEST(settings_are_kept_and_checked) {
     MdtWorldSetSolver(u->world, (MdtSolver)7);
     assert_warned("MdtWorldSetSolver");
     ck_assert_int_eq(MdtWorldGetSolver(u->world), MdtSolverAuto);
-    MdtWorldSetAccuracy(u->world, (MeReal)NAN);
+    MdtWorldSetAccuracy(u->world, NAN);
     assert_warned("MdtWorldSetAccuracy");
     messages_release();
-    MdtWorldSetAccuracy(u->world, (MeReal).25);
+    MdtWorldSetAccuracy(u->world, .25);
     assert_near(MdtWorldGetAccuracy(u->world), .25, 0);
     MdtWorldSetAccuracy(u->world, -1);
     step(1);
@@ -667,7 +664,7 @@ TEST(more_accuracy_is_more_passes_and_less_error) {
     int passes[3];
     for (int i = 0; i < 3; i++) {
         makeWorld(MdtSolverFast);
-        MdtWorldSetAccuracy(u->world, (MeReal)wanted[i]);
+        MdtWorldSetAccuracy(u->world, wanted[i]);
         makeFloor();
         makePyramid(20);
         passes[i] = 0;

@@ -22,7 +22,7 @@ static void scatter(MdtSolver solver, McdGeometryID (*make)(void), int count) {
     for (int i = 0; i < count; i++) {
         const McdModelID m = putAt(make(), 12 * (i % 25), 1, 12 * (i / 25), 500);
         turn(m);
-        McdModelDynamicsSetLinearVelocity(m, (MeReal)between(-3, 3), 0, (MeReal)between(-3, 3));
+        McdModelDynamicsSetLinearVelocity(m, between(-3, 3), 0, between(-3, 3));
     }
 }
 
@@ -93,7 +93,7 @@ TEST(what_slides_without_being_hit_is_exact) {
     const double speed = 5, way = speed * speed / (2 * .5 * gravity);
     makeWorld(MdtSolverAuto, .5);
     for (int i = 0; i < MANY; i++)
-        McdModelDynamicsSetLinearVelocity(putAt(brick(), 4 * (i % 10), .25, 4 * (i / 10), 500), (MeReal)speed, 0, 0);
+        McdModelDynamicsSetLinearVelocity(putAt(brick(), 4 * (i % 10), .25, 4 * (i / 10), 500), speed, 0, 0);
     ck_assert_int_eq(maxTaken(MdtReportWayFast, 70), 0);
     for (int i = 0; i < MANY; i++) {
         double place[3];
@@ -139,8 +139,8 @@ TEST(balls_roll) {
         MeVector3 v, w;
         MdtBodyGetLinearVelocity(McdModelGetBody(model[i]), v);
         MdtBodyGetAngularVelocity(McdModelGetBody(model[i]), w);
-        assert_near((double)w[2], -(double)v[0] / .3, 1e-3);
-        assert_near((double)w[0], (double)v[2] / .3, 1e-3);
+        assert_near(w[2], -(double)v[0] / .3, 1e-3);
+        assert_near(w[0], (double)v[2] / .3, 1e-3);
     }
     MstUniverseDestroy(u);
 }
@@ -223,8 +223,8 @@ TEST(what_meets_in_flight_falls_as_one_body) {
 /* After SHORT steps and one more, with a ball among them that was given an inertia and a spin whose product is nearly
  * the largest number that there is. */
 static void placesWith(MeBool isBad, double place[MANY][3]) {
-    const MeReal large = (MeReal)1e10;
-    const MeReal spin = (MeReal)1e30;
+    const MeReal large = 1e10;
+    const MeReal spin = 1e30;
     MeMatrix3 inertia = {{large, 0, 0}, {0, large, 0}, {0, 0, large}};
     scatter(MdtSolverFast, marble, MANY);
     step(SHORT);

@@ -81,9 +81,9 @@ static double away(const double a[3], const double b[3]) {
 
 static void setUp(void) {
     u = MstUniverseCreate(&MstUniverseGrowingSizes);
-    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-9.81);
+    MdtWorldSetGravity(u->world, 0, 0, -9.81);
     MeMatrix4TMMakeIdentity(ground);
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal)0.5, 0);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), 0.5, 0);
     messages_catch();
 }
 
@@ -96,7 +96,7 @@ TEST_FIXTURE(setUp, tearDown)
 
 static McdModelID box(double x, double y, double z) {
     McdModelID m = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 1, 1, 1), 2);
-    McdModelDynamicsSetPosition(m, (MeReal)x, (MeReal)y, (MeReal)z);
+    McdModelDynamicsSetPosition(m, x, y, z);
     return m;
 }
 
@@ -106,7 +106,7 @@ static void floorUnder(void) {
 
 static void run(int steps) {
     for (int i = 0; i < steps; i++)
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
 }
 
 TEST(contacts_and_their_forces) {
@@ -165,8 +165,8 @@ static MdtHingeID hinge(MdtBodyID b1, MdtBodyID b2) {
     MdtHingeSetPosition(h, 0, 0, 2);
     MdtHingeSetAxis(h, 0, 1, 0);
     MdtLimitID limit = MdtHingeGetLimit(h);
-    MdtSingleLimitSetStop(MdtLimitGetLowerLimit(limit), (MeReal)-0.5);
-    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(limit), (MeReal)1.2);
+    MdtSingleLimitSetStop(MdtLimitGetLowerLimit(limit), -0.5);
+    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(limit), 1.2);
     MdtLimitActivateLimits(limit, METRUE);
     MdtHingeEnable(h);
     return h;
@@ -194,7 +194,7 @@ TEST(a_hinges_sector_is_where_its_stops_are) {
                 end = marks[i].kind == 3 ? i : end;
             memcpy(edges[later][0], marks[begin].p[1], sizeof edges[0][0]);
             memcpy(edges[later][1], marks[end].p[2], sizeof edges[0][0]);
-            const double angle = (double)MdtLimitGetPosition(MdtHingeGetLimit(h));
+            const double angle = MdtLimitGetPosition(MdtHingeGetLimit(h));
             /* The chord of the angle from the lower stop. */
             assert_near(away(needle->p[1], edges[later][0]), 2 * 0.4 * sin((angle + 0.5) / 2), 1e-4);
             assert_near(away(needle->p[1], edges[later][1]), 2 * 0.4 * sin((1.2 - angle) / 2), 1e-4);
@@ -234,7 +234,7 @@ TEST(joints_have_axes_and_lead_to_their_bodies) {
     MdtConeLimitID cone = MdtConeLimitCreate(u->world);
     MdtConeLimitSetBodies(cone, b, 0);
     MdtConeLimitSetAxis(cone, 0, 0, 1);
-    MdtConeLimitSetConeHalfAngle(cone, (MeReal)0.6);
+    MdtConeLimitSetConeHalfAngle(cone, 0.6);
     MdtConeLimitEnable(cone);
     draw(MstDebugLimits);
     int sides = 0;
@@ -273,7 +273,7 @@ TEST(the_sense_of_a_coordinate_is_seen) {
         assert_near(sqrt(start[0] * start[0] + start[2] * start[2]), 0.15, 1e-6);
         MdtBodySetAngularVelocity(b, 0, first ? -1 : 1, 0);
         run(15);
-        const double angle = (double)MdtLimitGetPosition(MdtHingeGetLimit(h));
+        const double angle = MdtLimitGetPosition(MdtHingeGetLimit(h));
         assert_near(angle, 0.25, 1e-3);
         /* omega x r, of the motion that made the angle positive. */
         const double spin = first ? -1 : 1, moved[3] = {spin * start[2], 0, -spin * start[0]};
@@ -300,7 +300,7 @@ TEST(the_sense_of_a_coordinate_is_seen) {
         MdtBodySetLinearVelocity(b, first ? -1 : 1, 0, 0);
         ck_assert((marks[4].p[1][0] - marks[4].p[0][0]) * (first ? -1 : 1) > 0.29);
         run(15);
-        assert_near((double)MdtLimitGetPosition(MdtPrismaticGetLimit(slider)), 0.25, TOL(1e-5, 1e-9));
+        assert_near(MdtLimitGetPosition(MdtPrismaticGetLimit(slider)), 0.25, TOL(1e-5, 1e-9));
         draw(MstDebugLimits);
         ck_assert_int_eq(countOf(2), 3);
         assert_near(marks[1].p[1][0] - marks[1].p[0][0], first ? -0.25 : 0.25, TOL(1e-5, 1e-9));
@@ -381,7 +381,7 @@ TEST(drawing_changes_nothing) {
     for (int drawn = 0; drawn < 2; drawn++) {
         MstUniverseDestroy(u);
         u = MstUniverseCreate(&MstUniverseGrowingSizes);
-        MdtWorldSetGravity(u->world, 0, 0, (MeReal)-9.81);
+        MdtWorldSetGravity(u->world, 0, 0, -9.81);
         floorUnder();
         const McdModelID m = box(0, 0, 1);
         box(0.3, 0.2, 2.1);

@@ -13,13 +13,13 @@ static MstUniverseID makeUniverse(double lengthScale, double massScale) {
     sizes.lengthScale = (MeReal)lengthScale;
     sizes.massScale = (MeReal)massScale;
     MstUniverseID u = MstUniverseCreate(&sizes);
-    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-g);
+    MdtWorldSetGravity(u->world, 0, 0, -g);
     return u;
 }
 
 static void run(MstUniverseID u, int steps) {
     for (int i = 0; i < steps; i++)
-        MstUniverseStep(u, (MeReal)h);
+        MstUniverseStep(u, h);
 }
 
 static void setFriction(MstUniverseID u, MdtFrictionModel model, double coefficient) {
@@ -27,9 +27,9 @@ static void setFriction(MstUniverseID u, MdtFrictionModel model, double coeffici
     MdtContactParamsSetType(p, MdtContactTypeFriction2D);
     MdtContactParamsSetFrictionModel(p, model);
     if (model == MdtFrictionModelBox)
-        MdtContactParamsSetFriction(p, (MeReal)coefficient);
+        MdtContactParamsSetFriction(p, coefficient);
     else
-        MdtContactParamsSetFrictionCoeffecient(p, (MeReal)coefficient);
+        MdtContactParamsSetFrictionCoeffecient(p, coefficient);
 }
 
 /* ---- friction holds ---------------------------------------------------------------------------------------------- */
@@ -48,10 +48,10 @@ static Slope makeSlope(double mass, MdtFrictionModel model) {
     Slope s = {.universe = makeUniverse(1, 1)};
     MeMatrix3 turn;
     setFriction(s.universe, model, model == MdtFrictionModelBox ? bound : friction);
-    MeMatrix3MakeRotationY(turn, (MeReal)angle);
+    MeMatrix3MakeRotationY(turn, angle);
     MeMatrix4TMMakeFromRotationAndPosition(ground, turn, 0, 0, 0);
     MstFixedModelCreate(s.universe, McdPlaneCreate(s.universe->frame), ground);
-    s.cube = McdModelGetBody(MstModelAndBodyCreate(s.universe, McdBoxCreate(s.universe->frame, 1, 1, 1), (MeReal)mass));
+    s.cube = McdModelGetBody(MstModelAndBodyCreate(s.universe, McdBoxCreate(s.universe->frame, 1, 1, 1), mass));
     MeMatrix4 at;
     MeMatrix4TMMakeFromRotationAndPosition(at, turn, ground[2][0] / 2, ground[2][1] / 2, ground[2][2] / 2);
     MdtBodySetTransform(s.cube, at);
@@ -79,7 +79,7 @@ static double creepOf(double mass, MdtFrictionModel model, double epsilon, int s
     const Slope s = makeSlope(mass, model);
     MdtWorldSetAutoDisable(s.universe->world, 0);
     if (epsilon >= 0)
-        MdtWorldSetEpsilon(s.universe->world, (MeReal)epsilon);
+        MdtWorldSetEpsilon(s.universe->world, epsilon);
     run(s.universe, settling);
     MdtBodyGetPosition(s.cube, start);
     run(s.universe, STEPS_20S);
@@ -125,12 +125,12 @@ TEST(slip_is_what_softens_friction) {
         const Slope s = makeSlope(mass, MdtFrictionModelCone);
         MdtContactParamsID p = MstBridgeGetContactParams(s.universe->bridge, 0, 0);
         MdtContactParamsSetFrictionCoeffecient(p, 2); /* so that the upper contacts can bear their part too */
-        MdtContactParamsSetPrimarySlip(p, (MeReal)slip);
-        MdtContactParamsSetSecondarySlip(p, (MeReal)slip);
+        MdtContactParamsSetPrimarySlip(p, slip);
+        MdtContactParamsSetSecondarySlip(p, slip);
         MdtWorldSetAutoDisable(s.universe->world, 0);
         MdtWorldEnableReport(s.universe->world);
         if (soft)
-            MdtWorldSetEpsilon(s.universe->world, (MeReal)1e-4);
+            MdtWorldSetEpsilon(s.universe->world, 1e-4);
         run(s.universe, 300);
         MdtBodyGetPosition(s.cube, start);
         run(s.universe, 300);
@@ -163,8 +163,8 @@ static McdGeometryID makeWedge(Arch *a, double inner, double outer) {
     MeVector3 corner[8];
     a->radius = middleOf(inner * cos(half), inner * sin(half), outer * cos(half), outer * sin(half));
     for (int i = 0; i < 8; i++)
-        MeVector3Set(corner[i], (MeReal)((i & 1 ? 1 : -1) * r[i >> 2] * sin(half)), (MeReal)((i & 2 ? .5 : -.5) * 1.4),
-                     (MeReal)(r[i >> 2] * cos(half) - a->radius));
+        MeVector3Set(corner[i], (i & 1 ? 1 : -1) * r[i >> 2] * sin(half), (i & 2 ? .5 : -.5) * 1.4,
+                     r[i >> 2] * cos(half) - a->radius);
     return McdConvexMeshCreateHull(a->universe->frame, (const MeVector3 *)corner, 8, 0);
 }
 
@@ -177,8 +177,8 @@ static Arch makeArch(double inner, double outer) {
     for (int i = 0; i < STONES; i++) {
         const double angle = (double)ME_PI * ((i + .5) / STONES - .5);
         a.stone[i] = McdModelGetBody(MstModelAndBodyCreate(a.universe, wedge, 2400));
-        MdtBodySetPosition(a.stone[i], (MeReal)(a.radius * sin(angle)), 0, (MeReal)(a.radius * cos(angle)));
-        MdtBodySetQuaternion(a.stone[i], (MeReal)cos(angle / 2), 0, (MeReal)sin(angle / 2), 0);
+        MdtBodySetPosition(a.stone[i], a.radius * sin(angle), 0, a.radius * cos(angle));
+        MdtBodySetQuaternion(a.stone[i], cos(angle / 2), 0, sin(angle / 2), 0);
     }
     return a;
 }
@@ -219,9 +219,9 @@ static const Scale scales[] = {
 };
 
 static MdtBodyID makeCube(MstUniverseID u, double size, double mass, double height) {
-    const McdGeometryID cube = McdBoxCreate(u->frame, (MeReal)size, (MeReal)size, (MeReal)size);
-    const MdtBodyID b = McdModelGetBody(MstModelAndBodyCreate(u, cube, (MeReal)(mass / (size * size * size))));
-    MdtBodySetPosition(b, 0, 0, (MeReal)height);
+    const McdGeometryID cube = McdBoxCreate(u->frame, size, size, size);
+    const MdtBodyID b = McdModelGetBody(MstModelAndBodyCreate(u, cube, mass / (size * size * size)));
+    MdtBodySetPosition(b, 0, 0, height);
     return b;
 }
 
@@ -269,10 +269,10 @@ static void assertJointsHold(MdtSolver solver, double bound) {
         double worst = 0, gap;
         for (int i = 0; i < LINKS; i++) {
             const MdtBodyID link = makeCube(u, .4 * s->size, s->weighs, 0);
-            MdtBodySetPosition(link, (MeReal)(s->size * (i + .5)), 0, 0);
+            MdtBodySetPosition(link, s->size * (i + .5), 0, 0);
             joint[i] = MdtBSJointCreate(u->world);
             MdtBSJointSetBodies(joint[i], link, before);
-            MdtBSJointSetPosition(joint[i], (MeReal)(s->size * i), 0, 0);
+            MdtBSJointSetPosition(joint[i], s->size * i, 0, 0);
             MdtBSJointEnable(joint[i]);
             before = link;
         }
@@ -312,7 +312,7 @@ TEST(a_tower_of_ten_tonne_cubes_does_not_sink) {
 TEST(a_welded_frame_does_not_give_way) {
     MstUniverseID u = makeUniverse(1, 1);
     const MdtBodyID part[3] = {makeCube(u, 1, 1000, 0), makeCube(u, 1, 1000, 0), makeCube(u, 1, 1000, 0)};
-    const MeReal at[3][3] = {{-2, 0, (MeReal).5}, {2, 0, (MeReal).5}, {0, 0, (MeReal)2}};
+    const MeReal at[3][3] = {{-2, 0, .5}, {2, 0, .5}, {0, 0, 2}};
     for (int i = 0; i < 3; i++)
         MdtBodySetPosition(part[i], at[i][0], at[i][1], at[i][2]);
     for (int i = 0; i < 4; i++) { /* posts on the ground, the beam on the posts */
@@ -322,7 +322,7 @@ TEST(a_welded_frame_does_not_give_way) {
         MdtFPFOJointEnable(weld);
     }
     for (int i = 0; i < 300; i++) {
-        MdtBodyAddForce(part[2], 0, 0, (MeReal)-1e5);
+        MdtBodyAddForce(part[2], 0, 0, -1e5);
         run(u, 1);
     }
     for (int i = 0; i < 3; i++)
@@ -345,7 +345,7 @@ TEST(epsilon_follows_the_scales) {
 /* Absolute, whatever the scales are. */
 TEST(the_epsilon_that_a_program_sets_wins) {
     MstUniverseID u = makeUniverse(1e-3, 100);
-    MdtWorldSetEpsilon(u->world, (MeReal).1);
+    MdtWorldSetEpsilon(u->world, .1);
     const MdtBodyID body = makeCube(u, 1, 10, 0);
     const MdtBSJointID j = MdtBSJointCreate(u->world);
     MdtBSJointSetBodies(j, body, 0);

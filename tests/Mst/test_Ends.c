@@ -6,13 +6,13 @@ static MeMatrix4 identity = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0,
 
 static MstUniverseID makeUniverse(void) {
     const MstUniverseID u = MstUniverseCreate(0);
-    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-9.81);
+    MdtWorldSetGravity(u->world, 0, 0, -9.81);
     return u;
 }
 
 static McdModelID makeBall(MstUniverseID u, double z) {
-    const McdModelID m = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal).5), 1);
-    McdModelDynamicsSetPosition(m, 0, 0, (MeReal)z);
+    const McdModelID m = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, .5), 1);
+    McdModelDynamicsSetPosition(m, 0, 0, z);
     return m;
 }
 
@@ -24,7 +24,7 @@ static double heightOf(McdModelID m) {
 
 static void run(MstUniverseID u, int steps) {
     for (int i = 0; i < steps; i++)
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
 }
 
 static int countEvents(MstUniverseID u, MstEventKind kind) {
@@ -149,7 +149,7 @@ TEST(messages_name_what_was_called) {
     assert_warned("MstFixedModelCreate: the transform");
     McdModelDestroy(placeless);
     for (int i = 0; i < 3; i++) {
-        MstUniverseStep(u, (const MeReal[]){0, -1, (MeReal)NAN}[i]);
+        MstUniverseStep(u, (const MeReal[]){0, -1, NAN}[i]);
         ck_assert_int_eq(caught.warnings, 1);
         assert_warned("MstUniverseStep: the step");
     }

@@ -16,8 +16,8 @@ static void setUp(void) {
     MeMatrix4TMMakeIdentity(ground);
     MeMatrix4TMMakeIdentity(place);
     floorModel = MstFixedModelCreate(u, McdPlaneCreate(u->frame), ground);
-    ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal).5), 1);
-    McdModelDynamicsSetPosition(ball, 0, 0, (MeReal).5);
+    ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, .5), 1);
+    McdModelDynamicsSetPosition(ball, 0, 0, .5);
     memset(calls, 0, sizeof calls);
 }
 
@@ -27,11 +27,11 @@ static void tearDown(void) {
 TEST_FIXTURE(setUp, tearDown)
 
 static void step(void) {
-    MstUniverseStep(u, (MeReal)STEP);
+    MstUniverseStep(u, STEP);
 }
 
 static void setRestitution(double e) {
-    MdtContactParamsSetRestitution(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal)e);
+    MdtContactParamsSetRestitution(MstBridgeGetContactParams(u->bridge, 0, 0), e);
 }
 
 static int eventCount(void) {
@@ -77,7 +77,7 @@ static void fallAsleep(void) {
 static McdModelID makeZone(double x, double y, double z) {
     McdModelID zone = McdModelCreate(McdBoxCreate(u->frame, 2, 2, 2));
     MeMatrix4TMMakeIdentity(place);
-    MeVector3Set(place[3], (MeReal)x, (MeReal)y, (MeReal)z);
+    MeVector3Set(place[3], x, y, z);
     McdModelSetTransformPtr(zone, place);
     McdModelSetSensor(zone, METRUE);
     McdModelSetFilter(zone, 2, 1);
@@ -91,9 +91,9 @@ static McdModelID makeZone(double x, double y, double z) {
 
 /* A ball that falls from rest by h meets the ground at sqrt(2 g h), and m (1 + e) of that is the impulse. */
 TEST(a_bounce_is_a_begin_with_its_impulse_and_an_end) {
-    const double mass = (double)MdtBodyGetMass(McdModelGetBody(ball)), speed = sqrt(2 * 10 * 2.);
+    const double mass = MdtBodyGetMass(McdModelGetBody(ball)), speed = sqrt(2 * 10 * 2.);
     setRestitution(.75);
-    McdModelDynamicsSetPosition(ball, 0, 0, (MeReal)2.5);
+    McdModelDynamicsSetPosition(ball, 0, 0, 2.5);
     int steps = 0;
     for (; steps < 100 && eventCount() == 0; steps++)
         step();
@@ -114,7 +114,7 @@ TEST(a_bounce_is_a_begin_with_its_impulse_and_an_end) {
 }
 
 TEST(a_resting_ball_carries_its_weight_every_step) {
-    const double mass = (double)MdtBodyGetMass(McdModelGetBody(ball)), weight = 10 * mass;
+    const double mass = MdtBodyGetMass(McdModelGetBody(ball)), weight = 10 * mass;
     MdtWorldSetAutoDisable(u->world, 0);
     step();
     onlyEvent(MstEventBegin);
@@ -147,10 +147,10 @@ TEST(a_touch_survives_sleep) {
 
 /* Looking ahead makes contacts of balls that pass each other: they do not touch. */
 TEST(what_passes_by_does_not_touch) {
-    McdModelID other = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal).5), 1);
+    McdModelID other = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, .5), 1);
     MdtWorldSetGravity(u->world, 0, 0, 0);
     McdModelDynamicsSetPosition(ball, 0, 0, 5);
-    McdModelDynamicsSetPosition(other, -2, (MeReal)1.05, 5);
+    McdModelDynamicsSetPosition(other, -2, 1.05, 5);
     McdModelDynamicsSetLinearVelocity(other, 10, 0, 0);
     for (int i = 0; i < 30; i++) {
         step();
@@ -202,8 +202,8 @@ TEST(materials_have_their_callbacks) {
 }
 
 TEST(a_callback_may_destroy_what_later_events_are_about) {
-    McdModelID other = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal).5), 1);
-    McdModelDynamicsSetPosition(other, 0, (MeReal).99, (MeReal).5);
+    McdModelID other = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, .5), 1);
+    McdModelDynamicsSetPosition(other, 0, .99, .5);
     MstBridgeSetTouchCB(u->bridge, 0, 0, destroyBall);
     step();
     ck_assert_int_eq(eventCount(), 3); /* ball, floor; other, floor; other, ball */
@@ -226,8 +226,8 @@ TEST(a_model_that_is_destroyed_ends_its_touches) {
         ck_assert(!end->model1 && end->model2 == floorModel);
         step();
         ck_assert_int_eq(eventCount(), 0);
-        ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal).5), 1);
-        McdModelDynamicsSetPosition(ball, 0, 0, (MeReal).5);
+        ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, .5), 1);
+        McdModelDynamicsSetPosition(ball, 0, 0, .5);
     }
     step();
     onlyEvent(MstEventBegin);
@@ -244,15 +244,15 @@ TEST(a_new_model_is_not_taken_for_an_old_one) {
     MstUniverseDestroy(u);
     u = MstUniverseCreate(&sizes);
     floorModel = MstFixedModelCreate(u, McdPlaneCreate(u->frame), ground);
-    ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal).5), 1);
-    McdModelDynamicsSetPosition(ball, 0, 0, (MeReal).49);
+    ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, .5), 1);
+    McdModelDynamicsSetPosition(ball, 0, 0, .49);
     step();
     onlyEvent(MstEventBegin);
     MstModelAndBodyDestroy(ball);
-    const McdModelID next = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal).5), 1);
+    const McdModelID next = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, .5), 1);
     ck_assert_ptr_eq(next, ball);
     ck_assert_ptr_null(event(0)->model1);
-    McdModelDynamicsSetPosition(next, 5, 0, (MeReal).49);
+    McdModelDynamicsSetPosition(next, 5, 0, .49);
     step();
     ck_assert_int_eq(eventCount(), 2);
     ck_assert(event(0)->kind == MstEventEnd && !event(0)->model1);
@@ -278,10 +278,10 @@ TEST(a_model_that_is_taken_out_by_hand_ends_its_touches) {
 TEST(all_may_be_destroyed_in_any_order) {
     step();
     McdFrameworkDestroyAllModelsAndGeometries(u->frame);
-    MstUniverseStep(u, (MeReal)STEP);
+    MstUniverseStep(u, STEP);
     ck_assert(onlyEvent(MstEventEnd)->model1 == 0);
     floorModel = MstFixedModelCreate(u, McdPlaneCreate(u->frame), ground);
-    ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal).5), 1);
+    ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, .5), 1);
     step();
     MstBridgeDestroy(u->bridge);
     u->bridge = MstBridgeCreate(u->frame, 1);
@@ -293,7 +293,7 @@ TEST(the_list_may_be_made_by_hand) {
     for (int i = 0; i < 3; i++) {
         McdSpaceUpdateAll(u->space);
         MstBridgeUpdateContacts(u->bridge, u->space, u->world);
-        MdtWorldStep(u->world, (MeReal)STEP);
+        MdtWorldStep(u->world, STEP);
         if (i == 1) /* a program that does not want them does not ask */
             continue;
         MstBridgeUpdateEvents(u->bridge, u->world);
@@ -305,12 +305,12 @@ enum { DROPPED = 30, ASKED_STEPS = 200 };
 
 /* Balls and boxes that fall onto each other and bounce, one of them through a zone. */
 static void makeCrowd(void) {
-    const McdGeometryID shape[2] = {McdSphereCreate(u->frame, (MeReal).5), McdBoxCreate(u->frame, 1, 1, 1)};
+    const McdGeometryID shape[2] = {McdSphereCreate(u->frame, .5), McdBoxCreate(u->frame, 1, 1, 1)};
     setRestitution(.4);
     makeZone(0, 0, 3);
     for (int i = 0; i < DROPPED; i++) {
         const McdModelID m = MstModelAndBodyCreate(u, shape[i % 2], 1);
-        McdModelDynamicsSetPosition(m, (MeReal)(.31 * (i % 3)), (MeReal)(.23 * (i % 2)), (MeReal)(2 + 1.1 * i));
+        McdModelDynamicsSetPosition(m, .31 * (i % 3), .23 * (i % 2), 2 + 1.1 * i);
     }
 }
 
@@ -355,7 +355,7 @@ TEST(the_list_is_the_same_whether_or_not_earlier_ones_were_asked_for) {
 
 TEST(a_sensor_tells_what_passes_and_does_not_push) {
     MdtWorldSetGravity(u->world, 0, 0, 0);
-    McdModelDynamicsSetPosition(ball, (MeReal)-3.05, 0, 5);
+    McdModelDynamicsSetPosition(ball, -3.05, 0, 5);
     McdModelDynamicsSetLinearVelocity(ball, 6, 0, 0);
     const McdModelID zone = makeZone(0, 0, 5);
     int begin = 0, end = 0;
@@ -487,7 +487,7 @@ TEST(a_filter_may_change_while_models_touch) {
         onlyEvent(MstEventEnd);
         ck_assert_int_eq(MdtWorldGetTotalConstraints(u->world), 0);
         McdModelSetFilter(ball, 1, 1);
-        McdModelDynamicsSetPosition(ball, 0, 0, (MeReal).49);
+        McdModelDynamicsSetPosition(ball, 0, 0, .49);
         McdModelDynamicsSetLinearVelocity(ball, 0, 0, 0);
     }
 }
@@ -505,7 +505,7 @@ TEST(a_sleeping_body_falls_when_its_support_goes) {
         for (int i = 0; i < 30; i++)
             step();
         assert_below(heightOf(ball), 0);
-        McdModelDynamicsSetPosition(ball, 0, 0, (MeReal).5);
+        McdModelDynamicsSetPosition(ball, 0, 0, .5);
         McdModelDynamicsSetLinearVelocity(ball, 0, 0, 0);
         if (way == 0) {
             McdModelSetFilter(floorModel, 1, 0xffffffffu);
@@ -553,7 +553,7 @@ static int heapEvents(int seed, int keys[][2], int room) {
     MstModelAndBodyDestroy(ball);
     for (int i = 0; i < 20; i++) {
         const int k = (i * 7 + seed * 3) % 20;
-        balls[k] = McdModelCreate(McdSphereCreate(u->frame, (MeReal).5));
+        balls[k] = McdModelCreate(McdSphereCreate(u->frame, .5));
         McdModelSetSortKey(balls[k], (MeI16)(k + 1));
         MdtBodyID b = MdtBodyCreate(u->world);
         MdtBodySetSortKey(b, k + 1);
@@ -609,17 +609,17 @@ TEST(bad_arguments_warn) {
 
 /* Breaks stand behind touches in the list: the joint of the second event is the world's first broken one. */
 TEST(a_break_and_a_touch_in_one_step) {
-    McdModelID other = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal).5), 1);
+    McdModelID other = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, .5), 1);
     MdtBSJointID joint[2];
     McdModelDynamicsSetPosition(other, 9, 0, 5);
     for (int i = 0; i < 2; i++) {
         joint[i] = MdtBSJointCreate(u->world);
         MdtBSJointSetBodies(joint[i], McdModelGetBody(other), 0);
-        MdtBSJointSetPosition(joint[i], 9, (MeReal)(i - .5), 5);
+        MdtBSJointSetPosition(joint[i], 9, i - .5, 5);
         MdtBSJointEnable(joint[i]);
-        MdtConstraintSetBreakLimits(MdtBSJointQuaConstraint(joint[i]), (MeReal).1, (MeReal).1);
+        MdtConstraintSetBreakLimits(MdtBSJointQuaConstraint(joint[i]), .1, .1);
     }
-    McdModelDynamicsSetPosition(ball, 0, 0, (MeReal).495);
+    McdModelDynamicsSetPosition(ball, 0, 0, .495);
     step();
     ck_assert_int_eq(eventCount(), 3);
     ck_assert_int_eq(event(0)->kind, MstEventBegin);
@@ -642,8 +642,8 @@ TEST(a_sensor_in_a_divided_step) {
     setRestitution(1);
     for (int i = 0; i < 2; i++) {
         MeMatrix4TMMakeIdentity(at[i]);
-        MeVector3Set(at[i][3], (MeReal)(i ? 2.01 : -2.01), 0, 5);
-        MstFixedModelCreate(u, McdBoxCreate(u->frame, (MeReal).02, 4, 4), at[i]);
+        MeVector3Set(at[i][3], i ? 2.01 : -2.01, 0, 5);
+        MstFixedModelCreate(u, McdBoxCreate(u->frame, .02, 4, 4), at[i]);
     }
     const McdModelID zone = makeZone(0, 0, 5);
     McdModelDynamicsSetPosition(ball, 0, 0, 5);
@@ -663,7 +663,7 @@ TEST(a_sensor_in_a_divided_step) {
         }
         ck_assert_int_le(told, 1);
         McdModelDynamicsGetLinearVelocity(ball, v);
-        assert_near(fabs((double)v[0]), 240, TOL(1e-3, 1e-9));
+        assert_near(fabs(v[0]), 240, TOL(1e-3, 1e-9));
     }
     ck_assert_int_eq(begins, 1); /* 3 m between the walls, and the zone with the ball is as wide */
     ck_assert_int_eq(persists, 29);

@@ -28,8 +28,8 @@ typedef struct Oscillator {
 static const double drift = 3; /* m/s, of what moves */
 
 static void placeAt(Oscillator *o, double angle, double x, double y) {
-    MdtBodySetPosition(o->b, (MeReal)x, (MeReal)y, o->way == SLIDING || o->way == IN_CROWD ? (MeReal).5 : 0);
-    MdtBodySetQuaternion(o->b, (MeReal)cos(angle / 2), 0, 0, (MeReal)sin(angle / 2));
+    MdtBodySetPosition(o->b, x, y, o->way == SLIDING || o->way == IN_CROWD ? (MeReal).5 : 0);
+    MdtBodySetQuaternion(o->b, cos(angle / 2), 0, 0, sin(angle / 2));
 }
 
 static void addFloor(MstUniverseID u, McdFrameworkID frame) {
@@ -73,7 +73,7 @@ static Oscillator oscillator(Way way, double wh, double ratio, double h, int sub
                              : o.start,
             way == HINGED ? -arm * cos(o.start) : 0);
     if (way == MOVING)
-        MdtBodySetLinearVelocity(o.b, (MeReal)drift, (MeReal)(2 * drift), 0);
+        MdtBodySetLinearVelocity(o.b, drift, 2 * drift, 0);
     if (way == SLIDING || way == IN_CROWD)
         addFloor(o.u, frame);
     if (way == GUIDED)
@@ -95,7 +95,7 @@ static void look(const Oscillator *o, double t, double *x, double *v) {
     if (o->way != HINGED && o->way != TWISTED)
         return;
     MdtBodyGetAngularVelocity(o->b, velocity);
-    *x = 2 * atan2((double)q[3], (double)q[0]);
+    *x = 2 * atan2(q[3], q[0]);
     *v = (double)velocity[2];
 }
 
@@ -104,11 +104,11 @@ static void push(const Oscillator *o, double t) {
     look(o, t, &x, &v);
     const double f = -o->mass * o->w * (o->w * x + 2 * o->ratio * v);
     if (o->way == TWISTED)
-        MdtBodyAddTorque(o->b, 0, 0, (MeReal)f);
+        MdtBodyAddTorque(o->b, 0, 0, f);
     else if (o->way == HINGED)
-        MdtBodyAddForce(o->b, (MeReal)(f / 2 * cos(x)), (MeReal)(f / 2 * sin(x)), 0);
+        MdtBodyAddForce(o->b, f / 2 * cos(x), f / 2 * sin(x), 0);
     else
-        MdtBodyAddForce(o->b, (MeReal)f, 0, 0);
+        MdtBodyAddForce(o->b, f, 0, 0);
 }
 
 /* What a linear oscillator that is let go at rest does not exceed. */
@@ -129,7 +129,7 @@ static Swing swing(Way way, double wh, double ratio, double h, int subSteps) {
     for (int i = 0; i < 10 * second; i++) {
         double x, v;
         push(&o, i * h);
-        MstUniverseStep(o.u, (MeReal)h);
+        MstUniverseStep(o.u, h);
         look(&o, (i + 1) * h, &x, &v);
         x = fabs(x) / o.start;
         s.first = i < second ? fmax(s.first, x) : s.first;
@@ -186,12 +186,12 @@ static MdtBodyID lonelyBody(MstUniverseID u) {
 TEST(a_constant_force_acts_for_exactly_its_steps) {
     MstUniverseID u = MstUniverseCreate(&MstUniverseGrowingSizes);
     MdtBodyID b = lonelyBody(u);
-    const double mass = (double)MdtBodyGetMass(b), h = 1. / 64;
+    const double mass = MdtBodyGetMass(b), h = 1. / 64;
     MeVector3 v;
     for (int i = 0; i < 64; i++) {
         if (i % 16 < 8)
-            MdtBodyAddForce(b, (MeReal)(3 * mass), 0, 0);
-        MstUniverseStep(u, (MeReal)h);
+            MdtBodyAddForce(b, 3 * mass, 0, 0);
+        MstUniverseStep(u, h);
     }
     MdtBodyGetLinearVelocity(b, v);
     assert_near(v[0], 1.5, TOL(1e-6, 1e-14));
@@ -202,7 +202,7 @@ TEST(a_constant_force_acts_for_exactly_its_steps) {
 TEST(a_velocity_that_is_set_is_not_corrected) {
     MstUniverseID u = MstUniverseCreate(&MstUniverseGrowingSizes);
     MdtBodyID b = lonelyBody(u);
-    const double mass = (double)MdtBodyGetMass(b), h = 1. / 64;
+    const double mass = MdtBodyGetMass(b), h = 1. / 64;
     MeVector3 v;
     for (int way = 0; way < 2; way++)
         for (int i = 0; i < 10; i++) {
@@ -214,8 +214,8 @@ TEST(a_velocity_that_is_set_is_not_corrected) {
                 MdtBodySetPosition(b, (MeReal)i, 0, 0);
             MdtBodyGetLinearVelocity(b, v);
             const double force = (way == 0 || i % 2 ? 10. : -10.) * (10 + i), before = (double)v[0];
-            MdtBodyAddForce(b, (MeReal)(force * mass), 0, 0);
-            MstUniverseStep(u, (MeReal)h);
+            MdtBodyAddForce(b, force * mass, 0, 0);
+            MstUniverseStep(u, h);
             MdtBodyGetLinearVelocity(b, v);
             assert_near(v[0], before + force * h, TOL(1e-6, 1e-14));
         }
@@ -252,7 +252,7 @@ TEST(forces_of_programs_act_as_by_verlet) {
             double x[3] = {way == 2 ? 0 : 1, way == 1 ? 1 : 0, way == 2 ? 2 : 0}, v[3] = {0, 0, 0}, a[3], max = 0,
                    off = 0;
             MdtWorldSetGravity(MstUniverseGetWorld(u), 0, 0, 0);
-            MdtBodySetPosition(b, (MeReal)x[0], (MeReal)x[1], (MeReal)x[2]);
+            MdtBodySetPosition(b, x[0], x[1], x[2]);
             MdtBodySetLinearVelocity(b, 0, 0, 0);
             for (int i = 0; i < 600; i++) {
                 const double h = way == 0 && i % 3 == 0 ? .033 : 1. / 60;
@@ -261,10 +261,10 @@ TEST(forces_of_programs_act_as_by_verlet) {
                 const double place[3] = {(double)at[0], (double)at[1], (double)at[2]}, m = (double)MdtBodyGetMass(b);
                 double next[3];
                 accelerationAt(way, w, place, next);
-                MdtBodyAddForce(b, (MeReal)(m * next[0]), (MeReal)(m * next[1]), (MeReal)(m * next[2]));
+                MdtBodyAddForce(b, m * next[0], m * next[1], m * next[2]);
                 if (way == 3)
                     setAsItIs(b);
-                MstUniverseStep(u, (MeReal)h);
+                MstUniverseStep(u, h);
                 accelerationAt(way, w, x, a);
                 for (int k = 0; k < 3; k++)
                     x[k] += h * v[k] + .5 * h * h * a[k];
@@ -290,12 +290,12 @@ TEST(a_spring_too_stiff_for_the_step_is_told_of) {
                 placeAt(&o, 1e-4, 0, 0);
             for (int i = 0; i < 60 && caught.warnings == 0; i++) {
                 push(&o, 0);
-                MstUniverseStep(o.u, (MeReal)o.h);
+                MstUniverseStep(o.u, o.h);
             }
             assert_warned(way ? "MdtBodyAddTorque: " : "MdtBodyAddForce: ");
             for (int i = 0; i < 10; i++) {
                 push(&o, 0);
-                MstUniverseStep(o.u, (MeReal)o.h);
+                MstUniverseStep(o.u, o.h);
             }
             assert_silent(); /* once */
             MstUniverseDestroy(o.u);
@@ -309,10 +309,10 @@ TEST(a_spring_too_stiff_for_the_step_is_told_of) {
  * Differential Equations II, VII.7): seven bodies, ten hinges, a stiff spring, driven by a constant torque. */
 static MdtBodyID plate(MdtWorldID w, double mass, double moment, double x, double y, double angle) {
     MdtBodyID b = MdtBodyCreate(w);
-    MdtBodySetMass(b, (MeReal)mass);
-    MdtBodySetSphericalInertiaTensor(b, (MeReal)moment);
-    MdtBodySetPosition(b, (MeReal)x, (MeReal)y, 0);
-    MdtBodySetQuaternion(b, (MeReal)cos(angle / 2), 0, 0, (MeReal)sin(angle / 2));
+    MdtBodySetMass(b, mass);
+    MdtBodySetSphericalInertiaTensor(b, moment);
+    MdtBodySetPosition(b, x, y, 0);
+    MdtBodySetQuaternion(b, cos(angle / 2), 0, 0, sin(angle / 2));
     MdtBodyEnable(b);
     return b;
 }
@@ -320,7 +320,7 @@ static MdtBodyID plate(MdtWorldID w, double mass, double moment, double x, doubl
 static void pin(MdtWorldID w, MdtBodyID a, MdtBodyID b, double x, double y) {
     MdtHingeID j = MdtHingeCreate(w);
     MdtHingeSetBodies(j, a, b);
-    MdtHingeSetPosition(j, (MeReal)x, (MeReal)y, 0);
+    MdtHingeSetPosition(j, x, y, 0);
     MdtHingeSetAxis(j, 0, 0, 1);
     MdtHingeEnable(j);
 }
@@ -377,8 +377,8 @@ static void driveSqueezer(const Squeezer *s) {
     const double now = hypot(p[0] - C[0], p[1] - C[1]);
     for (int i = 0; i < 2; i++)
         f[i] = -stiffness * (now - length) / now * (p[i] - C[i]);
-    MdtBodyAddForceAtPosition(s->lever, (MeReal)f[0], (MeReal)f[1], 0, (MeReal)p[0], (MeReal)p[1], 0);
-    MdtBodyAddTorque(s->crank, 0, 0, (MeReal).033);
+    MdtBodyAddForceAtPosition(s->lever, f[0], f[1], 0, p[0], p[1], 0);
+    MdtBodyAddTorque(s->crank, 0, 0, .033);
 }
 
 /* rad: where the crank is after 30 ms. */
@@ -391,9 +391,9 @@ static double squeeze(double h, int order) {
     double angle = crankStart;
     for (int i = 0; i < (int)(.03 / h + .5); i++) {
         driveSqueezer(&s);
-        MdtWorldStep(w, (MeReal)h);
+        MdtWorldStep(w, h);
         const MeMatrix4Ptr t = MdtBodyGetTransformPtr(s.crank);
-        angle += remainder(atan2((double)t[0][1], (double)t[0][0]) - angle, 2 * ME_PI);
+        angle += remainder(atan2(t[0][1], t[0][0]) - angle, 2 * ME_PI);
     }
     MdtWorldDestroy(w);
     return angle;

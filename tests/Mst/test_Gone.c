@@ -17,8 +17,8 @@ static McdGeometryID unit;
 static void beginWith(const MstUniverseSizes *sizes, double gravity) {
     messages_catch();
     u = MstUniverseCreate(sizes);
-    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-gravity);
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal).5, 0);
+    MdtWorldSetGravity(u->world, 0, 0, -gravity);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), .5, 0);
     MeMatrix4TMMakeIdentity(ground);
     MstFixedModelCreate(u, McdPlaneCreate(u->frame), ground);
     unit = McdBoxCreate(u->frame, sizes->lengthScale, sizes->lengthScale, sizes->lengthScale);
@@ -36,7 +36,7 @@ static void end(void) {
 
 static McdModelID add(double x, double z) {
     const McdModelID m = MstModelAndBodyCreate(u, unit, 100);
-    McdModelDynamicsSetPosition(m, (MeReal)x, 0, (MeReal)z);
+    McdModelDynamicsSetPosition(m, x, 0, z);
     return m;
 }
 
@@ -117,7 +117,7 @@ TEST(a_body_of_another_world) {
         const MdtBodyID b = MdtBodyCreate(other);
         McdModelSetBody(strange, b);
         MdtBodyEnable(b);
-        MdtBodySetPosition(b, 0, 0, (MeReal)(way == 2 ? 1.4 : .4));
+        MdtBodySetPosition(b, 0, 0, way == 2 ? 1.4 : .4);
         McdSpaceInsertModel(u->space, strange);
         step(60);
         assert_said("MstUniverseStep", "MstUniverseGetWorld");
@@ -220,7 +220,7 @@ TEST(the_rim_of_a_contact_whose_model_has_gone) {
         begin();
         MstBridgeSetPerContactCB(u->bridge, 0, 0, keep);
         const McdModelID m = MstModelAndBodyCreate(u, McdCylinderCreate(u->frame, 1, 1), 100);
-        McdModelDynamicsSetPosition(m, 0, 0, (MeReal).5);
+        McdModelDynamicsSetPosition(m, 0, 0, .5);
         step(2);
         MdtBodyDestroy(McdModelGetBody(m)); /* that the model has moved is no message */
         assert_near(McdContactGetRim(&kept, keptSide, axis), 0, 0);
@@ -241,7 +241,7 @@ TEST(the_rim_of_a_contact_whose_model_has_gone) {
 /* ---- numbers ----------------------------------------------------------------------------------------------------- */
 
 TEST(a_centre_of_mass_beyond_reach) {
-    const MeReal far[] = {(MeReal)3e38, (MeReal)-3e38, (MeReal)1e20, (MeReal)INFINITY, (MeReal)NAN};
+    const MeReal far[] = {3e38, -3e38, 1e20, INFINITY, NAN};
     for (int i = 0; i < 5; i++)
         for (int axis = 0; axis < 3; axis++) {
             MeMatrix4 tm;
@@ -268,8 +268,8 @@ TEST(the_depth_of_tiny_and_huge_shapes) {
     const double min = sizeof(MeReal) == 4 ? 1e-37 : 1e-300;
     for (double size = min; size < 1e37; size *= 3) {
         McdDistanceResult result;
-        const McdModelID a = McdModelCreate(McdBoxCreate(u->frame, (MeReal)size, (MeReal)size, (MeReal)size)),
-                         b = McdModelCreate(McdConeCreate(u->frame, (MeReal)size, (MeReal)size));
+        const McdModelID a = McdModelCreate(McdBoxCreate(u->frame, size, size, size)),
+                         b = McdModelCreate(McdConeCreate(u->frame, size, size));
         for (int i = 0; i < 2; i++)
             MeMatrix4TMMakeIdentity(tm[i]);
         tm[1][3][0] = (MeReal)(.1 * size);
@@ -297,9 +297,9 @@ TEST(lengths_are_scaled_and_masses_are_not) {
             sizes.lengthScale = 1000;
             sizes.massScale = isRight ? (MeReal)1e12 : 1;
             beginWith(&sizes, 9800);
-            const McdGeometryID box = McdBoxCreate(u->frame, (MeReal)size, (MeReal)size, (MeReal)size);
+            const McdGeometryID box = McdBoxCreate(u->frame, size, size, size);
             const McdModelID m = MstModelAndBodyCreate(u, box, 1000);
-            McdModelDynamicsSetPosition(m, 0, 0, (MeReal)(size / 2));
+            McdModelDynamicsSetPosition(m, 0, 0, size / 2);
             step(60);
             if (isRight)
                 assert_near(heightOf(m), size / 2, .01 * size);
@@ -326,7 +326,7 @@ TEST(boxes_in_one_place_by_the_exact_solver) {
         McdModelID m[60];
         begin();
         MdtWorldSetSolver(u->world, MdtSolverExact);
-        MdtWorldSetWorkBudget(u->world, (MeReal)crowd[c].work);
+        MdtWorldSetWorkBudget(u->world, crowd[c].work);
         for (int i = 0; i < crowd[c].boxes; i++)
             m[i] = add(0, .6);
         for (int i = 0; i < 30; i++) {
@@ -363,7 +363,7 @@ TEST(a_disabled_body_that_is_moved_away) {
         }
         const McdModelID low = add(0, .5), high = add(0, 1.5);
         const MdtBodyID b = McdModelGetBody(high);
-        const MeVector3 far = {20, 0, (MeReal)1.5};
+        const MeVector3 far = {20, 0, 1.5};
         int ends = 0, ofBoth = 0;
         step(10);
         MdtBodyDisable(b);

@@ -19,8 +19,8 @@ static int numBodies;
 
 static void place(McdModelID m, double x, double y, double z, double turn) {
     MdtBodyID b = McdModelGetBody(m);
-    MdtBodySetPosition(b, (MeReal)x, (MeReal)y, (MeReal)z);
-    MdtBodySetQuaternion(b, (MeReal)cos(turn / 2), 0, (MeReal)sin(turn / 2), 0);
+    MdtBodySetPosition(b, x, y, z);
+    MdtBodySetQuaternion(b, cos(turn / 2), 0, sin(turn / 2), 0);
     MdtBodySetLinearVelocity(b, 0, 0, 0);
     MdtBodySetAngularVelocity(b, 0, 0, 0);
     MdtBodyEnable(b);
@@ -35,14 +35,14 @@ static void makeWorld(void) {
     sizes.dynamicConstraintsMaxCount = 50 * CUBES;
     sizes.collisionPairsMaxCount = 30 * CUBES;
     u = MstUniverseCreate(&sizes);
-    MdtWorldSetGravity(u->world, 0, (MeReal)-9.81, 0);
+    MdtWorldSetGravity(u->world, 0, -9.81, 0);
     MdtWorldSetEpsilon(u->world, 0);
     MdtWorldSetWorkBudget(u->world, 0); /* what the exact solver can do */
     MdtWorldEnableReport(u->world);
     MdtContactParamsID p = MstBridgeGetContactParams(u->bridge, 0, 0);
     MdtContactParamsSetType(p, MdtContactTypeFriction2D);
     MdtContactParamsSetFrictionModel(p, MdtFrictionModelCone);
-    MdtContactParamsSetFrictionCoeffecient(p, (MeReal).5);
+    MdtContactParamsSetFrictionCoeffecient(p, .5);
     MeMatrix3MakeRotationX(R, -ME_PI / 2);
     MeMatrix4TMMakeFromRotationAndPosition(floorTM, R, 0, 0, 0);
     MstFixedModelCreate(u, McdPlaneCreate(u->frame), floorTM);
@@ -54,7 +54,7 @@ static void makeModels(void) {
         box[i] = MstModelAndBodyCreate(u, cube, 1);
         place(box[i], .03 * (i % 3 - 1), .5 + 1.005 * i, .03 * (i % 2), .05 * (i % 5 - 2));
     }
-    ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal).8), 5);
+    ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, .8), 5);
     place(ball, -8, .8, 0, 0);
 }
 
@@ -69,7 +69,7 @@ static int runTower(int tower) {
             place(ball, -8, 6 + .05 * tower, .01 * tower, 0);
             MdtBodySetLinearVelocity(McdModelGetBody(ball), 16, 2, 0);
         }
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
         ck_assert(MdtWorldGetReport(u->world, &report));
         inexact += report.fallbacks > 0;
     }
@@ -100,7 +100,7 @@ static double deepest(void) {
     MdtReport report;
     for (int i = 0; i < numBodies; i++)
         MdtBodyEnable(body[i]);
-    MstUniverseStep(u, (MeReal)1e-5);
+    MstUniverseStep(u, 1e-5);
     ck_assert(MdtWorldGetReport(u->world, &report));
     return (double)report.penetration;
 }
@@ -111,7 +111,7 @@ TEST(nothing_falls_asleep_inside_something) {
     for (int i = 0; i < 5; i++)
         MdtBodySetPosition(makeCube(cube), (MeReal)(3 * i), (MeReal)(.5 - .01 * i), 0);
     for (int i = 0; i < 200; i++)
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
     ck_assert_int_eq(MdtWorldGetEnabledBodies(u->world), 0);
     const double deep = deepest();
     ck_assert_msg(deep < 5e-4, "%g m deep", deep);
@@ -131,7 +131,7 @@ static void makeHeap(void) {
     for (int i = 0; i < CUBES; i++) {
         MdtBodyID b = makeCube(cube);
         MeVector4 q;
-        MdtBodySetPosition(b, (MeReal)chance(-2, 2), (MeReal)(2 + 1.2 * (i / 4)), (MeReal)chance(-2, 2));
+        MdtBodySetPosition(b, chance(-2, 2), 2 + 1.2 * (i / 4), chance(-2, 2));
         for (int k = 0; k < 4; k++)
             q[k] = (MeReal)chance(-.5, .5);
         MdtBodySetQuaternion(b, q[0], q[1], q[2], q[3]);
@@ -146,7 +146,7 @@ TEST(a_heap_settles_and_sleeps) {
     makeHeap();
     for (; steps < MAX && (steps == 0 || MdtWorldGetEnabledBodies(u->world) > 0); steps++) {
         MdtReport report;
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
         ck_assert(MdtWorldGetReport(u->world, &report));
         inexact += report.fallbacks > 0;
     }

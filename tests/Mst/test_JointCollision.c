@@ -7,15 +7,15 @@ static MstUniverseID u;
 static McdModelID arm, shoulder;
 
 static McdModelID box(double x, double y, double z) {
-    McdModelID m = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 1, (MeReal)0.5, (MeReal)0.5), 1000);
-    McdModelDynamicsSetPosition(m, (MeReal)x, (MeReal)y, (MeReal)z);
+    McdModelID m = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 1, 0.5, 0.5), 1000);
+    McdModelDynamicsSetPosition(m, x, y, z);
     return m;
 }
 
 /* Two boxes that overlap by a fifth of their length, at whose middle a hinge may be. */
 static void setUp(void) {
     u = MstUniverseCreate(&MstUniverseGrowingSizes);
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal)0.5, 0);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), 0.5, 0);
     shoulder = box(0, 0, 2);
     arm = box(0.8, 0, 2);
     messages_catch();
@@ -31,7 +31,7 @@ TEST_FIXTURE(setUp, tearDown)
 static MdtConstraintID hinge(McdModelID a, McdModelID b, double x) {
     MdtHingeID h = MdtHingeCreate(u->world);
     MdtHingeSetBodies(h, McdModelGetBody(a), b ? McdModelGetBody(b) : 0);
-    MdtHingeSetPosition(h, (MeReal)x, 0, 2);
+    MdtHingeSetPosition(h, x, 0, 2);
     MdtHingeSetAxis(h, 0, 1, 0);
     MdtHingeEnable(h);
     return MdtHingeQuaConstraint(h);
@@ -39,7 +39,7 @@ static MdtConstraintID hinge(McdModelID a, McdModelID b, double x) {
 
 static void run(int steps) {
     for (int i = 0; i < steps; i++)
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
 }
 
 /* Contacts between two bodies; with null, of all that the first one has. */
@@ -87,8 +87,8 @@ TEST(the_motion_is_that_of_filtered_models) {
     for (int filtered = 0; filtered < 2; filtered++) {
         MstUniverseDestroy(u);
         u = MstUniverseCreate(&MstUniverseGrowingSizes);
-        MdtWorldSetGravity(u->world, 0, 0, (MeReal)-9.81);
-        MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal)0.5, 0);
+        MdtWorldSetGravity(u->world, 0, 0, -9.81);
+        MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), 0.5, 0);
         MstFixedModelCreate(u, McdPlaneCreate(u->frame), ground);
         shoulder = box(0, 0, 2);
         arm = box(0.8, 0, 2);
@@ -159,7 +159,7 @@ TEST(the_order_of_calls_does_not_matter) {
     MdtConstraintSetBodiesCollide(c, MEFALSE);
     MdtConstraintSetBodiesCollide(c, MEFALSE);
     MdtHingeSetBodies(h, McdModelGetBody(shoulder), McdModelGetBody(arm));
-    MdtHingeSetPosition(h, (MeReal)0.4, 0, 2);
+    MdtHingeSetPosition(h, 0.4, 0, 2);
     run(1);
     ck_assert_int_gt(contactsOf(arm, shoulder), 0); /* It does not act yet. */
     MdtHingeEnable(h);
@@ -199,7 +199,7 @@ TEST(a_hub_and_the_world) {
 
 TEST(what_slept_on_its_contacts_wakes) {
     const MdtConstraintID fixed = hinge(shoulder, 0, 0), h = hinge(arm, shoulder, 0.4);
-    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-9.81);
+    MdtWorldSetGravity(u->world, 0, 0, -9.81);
     run(300);
     ck_assert_int_eq(MdtWorldGetEnabledBodies(u->world), 0);
     ck_assert_int_gt(contactsOf(arm, shoulder), 0);
@@ -221,11 +221,11 @@ TEST(swept_models_pass_too) {
     MdtLinear1SetAxis(plane, 0, 0, 1);
     MdtLinear1Enable(plane);
     MdtConstraintSetBodiesCollide(MdtLinear1QuaConstraint(plane), MEFALSE);
-    MdtBodySetLinearVelocity(McdModelGetBody(arm), (MeReal)-speed, 0, 0);
+    MdtBodySetLinearVelocity(McdModelGetBody(arm), -speed, 0, 0);
     run(1);
     MeVector3 p;
     MdtBodyGetPosition(McdModelGetBody(arm), p);
-    assert_near((double)p[0], 3 - speed / 60, TOL(4e-6, 1e-12));
+    assert_near(p[0], 3 - speed / 60, TOL(4e-6, 1e-12));
 }
 
 /* Chains of boxes that overlap, in a heap: their joints' switches change while workers collide and commit. */
@@ -236,8 +236,8 @@ static void heap(MeTaskPoolID pool, MeMatrix4 end[]) {
     MdtConstraintID joint[CHAINS * LINKS] = {0};
     MstUniverseDestroy(u);
     u = MstUniverseCreate(&MstUniverseGrowingSizes);
-    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-9.81);
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal)0.5, 0);
+    MdtWorldSetGravity(u->world, 0, 0, -9.81);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), 0.5, 0);
     MdtWorldSetSolver(u->world, MdtSolverFast);
     MdtWorldSetTaskPool(u->world, pool);
     MeMatrix4TMMakeIdentity(ground);
@@ -249,8 +249,7 @@ static void heap(MeTaskPoolID pool, MeMatrix4 end[]) {
             continue;
         MdtBSJointID j = MdtBSJointCreate(u->world);
         MdtBSJointSetBodies(j, McdModelGetBody(m[i - 1]), McdModelGetBody(m[i]));
-        MdtBSJointSetPosition(j, (MeReal)(0.8 * k - 0.4 + 0.1 * (chain % 3)), (MeReal)(0.6 * (chain % 5)),
-                              (MeReal)(0.3 + 0.52 * (chain / 5)));
+        MdtBSJointSetPosition(j, 0.8 * k - 0.4 + 0.1 * (chain % 3), 0.6 * (chain % 5), 0.3 + 0.52 * (chain / 5));
         MdtBSJointEnable(j);
         joint[i] = MdtBSJointQuaConstraint(j);
         MdtConstraintSetBodiesCollide(joint[i], MEFALSE);

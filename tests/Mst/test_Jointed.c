@@ -26,7 +26,7 @@ static double energyOf(MdtBodyID b) {
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
             turning += .5 * (double)(turned[i] * inertia[i][k] * turned[k]);
-    const double mass = (double)MdtBodyGetMass(b);
+    const double mass = MdtBodyGetMass(b);
     return mass * (.5 * (double)MeVector3Dot(v, v) + gravity * (double)x[1]) + turning;
 }
 
@@ -74,7 +74,7 @@ static Course run(int steps) {
     Course c = {0};
     double before = energy(), openBefore = opening();
     for (int i = 0; i < steps; i++) {
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
         notePartitions(&c);
         MdtReport r;
         MdtWorldGetReport(u->world, &r);
@@ -154,7 +154,7 @@ TEST(a_chain_of_150_motors_holds) {
         const McdModelID m = putAt(box(.18, .08, .08), .2 * i, 1.5, 0, 1000);
         if (last) {
             const MdtLimitID rub = joinByHinge(m, last, (double[3]){.2 * i - .1, 1.5, 0}, (double[3]){0, 0, 1});
-            MdtLimitSetLimitedForceMotor(rub, 0, (MeReal).2);
+            MdtLimitSetLimitedForceMotor(rub, 0, .2);
             MdtLimitActivateMotor(rub, METRUE);
         }
         last = m;
@@ -198,7 +198,7 @@ static void drive(MdtLimitID motor[2 * LEGS], double t) {
     for (int i = 0; i < 2 * LEGS; i++) {
         const int leg = i / 2;
         const double phase = 2 * 3.14159265 * (leg / 2 / 7. + leg % 2 / 2. - i % 2 / 4. + t);
-        MdtLimitSetLimitedForceMotor(motor[i], (MeReal)(stroke * cos(phase)), (MeReal)effort);
+        MdtLimitSetLimitedForceMotor(motor[i], stroke * cos(phase), effort);
     }
 }
 
@@ -212,7 +212,7 @@ TEST(a_walker_gains_no_more_than_its_motors_give) {
     double before = energy();
     for (int i = 0; i < 180; i++) {
         drive(motor, i / 60.);
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
         const double now = energy();
         gain = fmax(gain, now - before);
         before = now;
@@ -237,13 +237,13 @@ TEST(masses_out_of_proportion_end_in_no_nan) {
 
 static McdGeometryID anyShape(void) {
     const double a = between(.1, .5), b = between(.1, .5), c = between(.1, .5), kind = between(0, 3);
-    return kind < 1.5 ? box(a, b, c) : kind < 2.2 ? ball(a / 2) : McdSphylCreate(u->frame, (MeReal)(a / 3), (MeReal)b);
+    return kind < 1.5 ? box(a, b, c) : kind < 2.2 ? ball(a / 2) : McdSphylCreate(u->frame, a / 3, b);
 }
 
 static void setStops(MdtLimitID limit, double low, double high) {
-    MdtSingleLimitSetStop(MdtLimitGetLowerLimit(limit), (MeReal)low);
+    MdtSingleLimitSetStop(MdtLimitGetLowerLimit(limit), low);
     MdtSingleLimitSetRestitution(MdtLimitGetLowerLimit(limit), 0);
-    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(limit), (MeReal)high);
+    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(limit), high);
     MdtSingleLimitSetRestitution(MdtLimitGetUpperLimit(limit), 0);
     MdtLimitActivateLimits(limit, METRUE);
 }
@@ -253,7 +253,7 @@ static void joinByPrismatic(McdModelID a, McdModelID b) {
     MdtPrismaticSetBodies(j, McdModelGetBody(a), McdModelGetBody(b));
     const double x = between(-1, 1);
     const double z = between(-1, 1);
-    MdtPrismaticSetAxis(j, (MeReal)x, 1, (MeReal)z);
+    MdtPrismaticSetAxis(j, x, 1, z);
     setStops(MdtPrismaticGetLimit(j), -.2, .2);
     MdtPrismaticEnable(j);
     McdSpaceDisablePair(a, b);

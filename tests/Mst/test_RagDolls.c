@@ -26,10 +26,10 @@ static double between(double from, double to) {
 static void makeDolls(void) {
     static MeMatrix4 floorTM = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
     u = MstUniverseCreate(&MstUniverseGrowingSizes);
-    MdtWorldSetGravity(u->world, 0, (MeReal)-9.81, 0);
+    MdtWorldSetGravity(u->world, 0, -9.81, 0);
     MdtWorldSetAutoDisable(u->world, MEFALSE);
     MdtWorldEnableReport(u->world);
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal).5, 0);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), .5, 0);
     MstFixedModelCreate(u, McdPlaneCreate(u->frame), floorTM);
     for (int i = 0; i < DOLLS; i++) {
         const double feet[3] = {7. * i, between(.05, 1), 0};
@@ -62,7 +62,7 @@ TEST(dolls_that_fall_cost_few_factorizations_and_stay_together) {
     double open = 0, overrun = 0;
     makeDolls();
     for (int i = 0; i < STEPS; i++) {
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
         note(&cost);
         for (int k = 0; k < DOLLS; k++) {
             open = fmax(open, doll_opening(&doll[k]));

@@ -21,7 +21,7 @@ static McdGeometryID makeOfParts(void) {
     const McdAggregateID both = McdAggregateCreate(u->frame, 2);
     MeMatrix4 place;
     MeMatrix4TMMakeIdentity(place);
-    box = McdBoxCreate(u->frame, (MeReal).5, 1, 1);
+    box = McdBoxCreate(u->frame, .5, 1, 1);
     for (int i = 0; i < 2; i++) {
         place[3][0] = (MeReal)(i ? .25 : -.25);
         McdAggregateAddElement(both, box, place);
@@ -71,14 +71,14 @@ static void build(double part, int kind) {
     MstUniverseSizes sizes = MstUniverseDefaultSizes;
     sizes.dynamicConstraintsMaxCount = 2000;
     u = MstUniverseCreate(&sizes);
-    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-9.81);
+    MdtWorldSetGravity(u->world, 0, 0, -9.81);
     MdtWorldSetEpsilon(u->world, 0);
     MdtWorldSetWorkBudget(u->world, 0);
     MdtWorldSetSolver(u->world, MdtSolverExact); /* what rests does not move at all, so that only the cache shows */
     MdtWorldSetAutoDisable(u->world, MEFALSE);
     MdtWorldEnableReport(u->world);
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal).5, 0);
-    MstBridgeSetContactReuse(u->bridge, (MeReal)part);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), .5, 0);
+    MstBridgeSetContactReuse(u->bridge, part);
     MeMatrix4TMMakeIdentity(groundPlace);
     memset(height, 0, sizeof height);
     if (kind >= ON_FIELD)
@@ -90,15 +90,14 @@ static void build(double part, int kind) {
     for (int row = 0; row < ROWS; row++)
         for (int i = 0; i < ROWS - row; i++) {
             model[n] = MstModelAndBodyCreate(u, cube, 1);
-            McdModelDynamicsSetPosition(model[n++], (MeReal)(1.02 * (i - .5 * (ROWS - row - 1))), 0,
-                                        (MeReal)(1 + 1.002 * row));
+            McdModelDynamicsSetPosition(model[n++], 1.02 * (i - .5 * (ROWS - row - 1)), 0, 1 + 1.002 * row);
         }
     ck_assert_int_eq(n, BOXES);
 }
 
 static void step(int count) {
     for (int i = 0; i < count; i++)
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
 }
 
 static double heightOf(McdModelID m) {
@@ -112,7 +111,7 @@ static double depthOf(McdModelID m) {
     double deepest = -HUGE_VAL;
     const MdtBodyID b = McdModelGetBody(m);
     for (MdtContactID c = MdtBodyGetFirstContact(b); c; c = MdtBodyGetNextContact(b, c))
-        deepest = fmax(deepest, (double)MdtContactGetPenetration(c));
+        deepest = fmax(deepest, MdtContactGetPenetration(c));
     return deepest;
 }
 
@@ -181,7 +180,7 @@ static MdtContactID groundContact(McdModelID m) {
 
 /* A depth that no test finds is still there unless the model has been tested against the ground. */
 static MeBool isTested(McdModelID m) {
-    const MeReal mark = (MeReal).25, depth = MdtContactGetPenetration(groundContact(m));
+    const MeReal mark = .25, depth = MdtContactGetPenetration(groundContact(m));
     MdtContactSetPenetration(groundContact(m), mark);
     findContacts();
     const MeBool isMarked = MdtContactGetPenetration(groundContact(m)) == mark;
@@ -260,18 +259,17 @@ static int buildOnHills(McdModelID on[ON_HILLS], int kind) {
     for (int i = 0; i < BOXES; i++)
         MstModelAndBodyDestroy(model[i]);
     MdtWorldSetSolver(u->world, MdtSolverAuto);
-    MdtWorldSetEpsilon(u->world, (MeReal)1e-4);
+    MdtWorldSetEpsilon(u->world, 1e-4);
     for (int i = 0; i < SIDE * SIDE; i++)
         height[i] = (MeReal)(.3 * sin(i % SIDE) * cos(.7 * (i / SIDE)));
     if (kind == ON_FIELD)
         McdRGHeightFieldUpdateHeights(McdModelGetGeometry(ground));
     McdSpaceUnfreezeModel(ground); /* so that it gets the box of these heights */
     for (; n < ON_HILLS; n++) {
-        const McdGeometryID shape[] = {McdBoxCreate(u->frame, 1, (MeReal).7, (MeReal).5), makeOfParts(),
-                                       McdCylinderCreate(u->frame, (MeReal).4, (MeReal).6),
-                                       McdSphylCreate(u->frame, (MeReal).3, (MeReal).5)};
+        const McdGeometryID shape[] = {McdBoxCreate(u->frame, 1, .7, .5), makeOfParts(),
+                                       McdCylinderCreate(u->frame, .4, .6), McdSphylCreate(u->frame, .3, .5)};
         on[n] = MstModelAndBodyCreate(u, shape[n % 4], 1);
-        McdModelDynamicsSetPosition(on[n], (MeReal)(3 * (n % 4) - 5.3), (MeReal)(3.1 * (n / 4) - 5.2), (MeReal)1.6);
+        McdModelDynamicsSetPosition(on[n], 3 * (n % 4) - 5.3, 3.1 * (n / 4) - 5.2, 1.6);
     }
     return n;
 }
@@ -402,7 +400,7 @@ LOOP_TEST(depths_follow_the_bodies, 0, KINDS) {
     const double still = depthsOf(top);
     const MeReal lift = (MeReal)9.8 * MdtBodyGetMass(McdModelGetBody(top)); /* nearly its weight: a slow fall */
     for (int i = 0; i < 12; i++) {
-        MdtBodySetAngularVelocity(McdModelGetBody(top), (MeReal)(i % 3 ? .02 : -.02), (MeReal).01, 0);
+        MdtBodySetAngularVelocity(McdModelGetBody(top), i % 3 ? .02 : -.02, .01, 0);
         MdtBodyAddForce(McdModelGetBody(top), 0, 0, lift);
         step(1);
         findContacts();
@@ -411,7 +409,7 @@ LOOP_TEST(depths_follow_the_bodies, 0, KINDS) {
         MstBridgeSetContactReuse(u->bridge, 0);
         findContacts();
         assert_near(depthsOf(top), carried, TOL(1e-6, 1e-9));
-        MstBridgeSetContactReuse(u->bridge, (MeReal)MST_CONTACT_REUSE);
+        MstBridgeSetContactReuse(u->bridge, MST_CONTACT_REUSE);
     }
     ck_assert_msg(max > 1e-4, "the corners moved by %g in all", max);
     MstUniverseDestroy(u);
@@ -424,8 +422,8 @@ TEST(bad_input_changes_nothing) {
     assert_warned("MstBridgeSetContactReuse");
     MstBridgeSetContactReuse(u->bridge, 2);
     assert_warned("MstBridgeSetContactReuse");
-    assert_near((double)MstBridgeGetContactReuse(u->bridge), (double)(MeReal)MST_CONTACT_REUSE, 0);
-    assert_near((double)MstBridgeGetContactReuse(0), 0, 0);
+    assert_near(MstBridgeGetContactReuse(u->bridge), (double)(MeReal)MST_CONTACT_REUSE, 0);
+    assert_near(MstBridgeGetContactReuse(0), 0, 0);
     assert_warned("MstBridgeGetContactReuse");
     messages_release();
     MstUniverseDestroy(u);

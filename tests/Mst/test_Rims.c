@@ -12,9 +12,9 @@ static MeMatrix4 ground;
 
 static void setUp(void) {
     u = MstUniverseCreate(0);
-    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-gravity);
+    MdtWorldSetGravity(u->world, 0, 0, -gravity);
     MdtWorldEnableReport(u->world);
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal).9, 0);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), .9, 0);
     MeMatrix4TMMakeIdentity(ground);
     MstFixedModelCreate(u, McdPlaneCreate(u->frame), ground);
 }
@@ -25,8 +25,7 @@ static void tearDown(void) {
 TEST_FIXTURE(setUp, tearDown)
 
 static void makeCoin(double radius, double thickness) {
-    coin =
-        McdModelGetBody(MstModelAndBodyCreate(u, McdCylinderCreate(u->frame, (MeReal)radius, (MeReal)thickness), 1000));
+    coin = McdModelGetBody(MstModelAndBodyCreate(u, McdCylinderCreate(u->frame, radius, thickness), 1000));
 }
 
 /* Its z axis leans up by `lean` from the outward radial direction, x; the upper half leans inwards. */
@@ -34,10 +33,10 @@ static void placeCoin(double x, double z, double lean) {
     MeMatrix4 tm;
     MeMatrix4TMMakeIdentity(tm);
     const double c = cos(lean), s = sin(lean);
-    MeVector3Set(tm[0], (MeReal)-s, 0, (MeReal)c);
+    MeVector3Set(tm[0], -s, 0, c);
     MeVector3Set(tm[1], 0, -1, 0);
-    MeVector3Set(tm[2], (MeReal)c, 0, (MeReal)s);
-    MeVector3Set(tm[3], (MeReal)x, 0, (MeReal)z);
+    MeVector3Set(tm[2], c, 0, s);
+    MeVector3Set(tm[3], x, 0, z);
     MdtBodySetTransform(coin, tm);
 }
 
@@ -45,7 +44,7 @@ static void placeCoin(double x, double z, double lean) {
 static double leanOf(void) {
     MeMatrix4 tm;
     MdtBodyGetTransform(coin, tm);
-    return asin(fmin(fabs((double)tm[2][2]), 1));
+    return asin(fmin(fabs(tm[2][2]), 1));
 }
 
 /* Steady rolling of a disc of radius R and thickness 2 b, mass m, moments A about its axis and B across, whose plane
@@ -60,12 +59,12 @@ static void rollSteadily(double radius, double thickness, double lean, double ci
     makeCoin(radius, thickness);
     MdtBodyGetInertiaTensor(coin, tensor);
     const double b = thickness / 2, c = cos(lean), s = sin(lean), m = (double)MdtBodyGetMass(coin);
-    const double A = (double)tensor[2][2], B = (double)tensor[0][0], dx = b * c - radius * s, dz = radius * c + b * s;
+    const double A = tensor[2][2], B = (double)tensor[0][0], dx = b * c - radius * s, dz = radius * c + b * s;
     const double W = sqrt(-m * gravity * dx / (m * dz * (circle + dx) + A * c * circle / radius + (B - A) * s * c));
     const double spin = -W * circle / radius;
     placeCoin(circle + dx, dz, lean);
-    MdtBodySetLinearVelocity(coin, 0, (MeReal)(W * (circle + dx)), 0);
-    MdtBodySetAngularVelocity(coin, (MeReal)(spin * c), 0, (MeReal)(W + spin * s));
+    MdtBodySetLinearVelocity(coin, 0, W * (circle + dx), 0);
+    MdtBodySetAngularVelocity(coin, spin * c, 0, W + spin * s);
 }
 
 typedef struct Steady {
@@ -77,12 +76,12 @@ typedef struct Steady {
 static void expectSteady(const Steady *c) {
     tearDown();
     setUp();
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal)c->friction, 0);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), c->friction, 0);
     rollSteadily(c->radius, c->thickness, c->lean * degree, c->circle);
     double worst = 0;
     for (int step = 1; step <= 600; step++) {
         MdtReport r;
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
         MdtWorldGetReport(u->world, &r);
         ck_assert_int_eq(r.fallbacks, 0);
         worst = fmax(worst, fabs(leanOf() / degree - c->lean));
@@ -115,16 +114,16 @@ TEST(a_coin_that_loses_its_spin_comes_to_lie_flat) {
     makeCoin(.1, .02);
     placeCoin(0, .1 * cos(30 * degree) + .01 * sin(30 * degree), 30 * degree);
     MdtBodySetAngularVelocity(coin, 0, 0, 25);
-    MdtBodySetAngularVelocityDamping(coin, (MeReal).5);
+    MdtBodySetAngularVelocityDamping(coin, .5);
     MeVector3 v, w, x;
     for (int step = 0; step < 1800; step++) {
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
         MdtBodyGetPosition(coin, x);
-        ck_assert(isfinite(leanOf()) && isfinite((double)x[0]) && isfinite((double)x[2]));
+        ck_assert(isfinite(leanOf()) && isfinite(x[0]) && isfinite(x[2]));
     }
     MdtBodyGetLinearVelocity(coin, v);
     MdtBodyGetAngularVelocity(coin, w);
-    printf("lean %g, v %g, w %g\n", leanOf() / degree, (double)MeVector3Magnitude(v), (double)MeVector3Magnitude(w));
+    printf("lean %g, v %g, w %g\n", leanOf() / degree, MeVector3Magnitude(v), MeVector3Magnitude(w));
     assert_below(90 * degree - leanOf(), .1 * degree);
     assert_below(MeVector3Magnitude(v), 1e-3);
     assert_below(MeVector3Magnitude(w), 1e-2);

@@ -129,7 +129,7 @@ static void makeHeap(void) {
             x[k] = (double)(seed >> 8) / (1 << 24) - .5;
         }
         add(box(1, 1, 1), 2 * (i % 4) + .2 * x[0], .2 * x[1], 1 + 1.8 * (i / 4));
-        McdModelDynamicsSetQuaternion(model[i], (MeReal)x[2], (MeReal)x[3], (MeReal)x[4], (MeReal)x[5]);
+        McdModelDynamicsSetQuaternion(model[i], x[2], x[3], x[4], x[5]);
     }
 }
 
@@ -208,8 +208,8 @@ static void bend(const Part *p, McdModelID m, McdModelID above) {
     MdtHingeSetBodies(j, McdModelGetBody(m), McdModelGetBody(above));
     MdtHingeSetPosition(j, lengthOf(p->joint[0]), lengthOf(p->joint[1]), lengthOf(p->joint[2]));
     MdtHingeSetAxis(j, 1, 0, 0);
-    MdtSingleLimitSetStop(stop[0], (MeReal)fmin(p->bend, 0));
-    MdtSingleLimitSetStop(stop[1], (MeReal)fmax(p->bend, 0));
+    MdtSingleLimitSetStop(stop[0], fmin(p->bend, 0));
+    MdtSingleLimitSetStop(stop[1], fmax(p->bend, 0));
     for (int k = 0; k < 2; k++)
         MdtSingleLimitSetRestitution(stop[k], 0);
     MdtLimitActivateLimits(limit, METRUE);
@@ -224,7 +224,7 @@ static void swing(const Part *p, McdModelID m, McdModelID above) {
     MdtBSJointEnable(j);
     MdtConeLimitSetBodies(limit, McdModelGetBody(m), McdModelGetBody(above));
     MdtConeLimitSetAxes(limit, 0, 0, 1, 1, 0, 0);
-    MdtConeLimitSetConeHalfAngle(limit, (MeReal)p->cone);
+    MdtConeLimitSetConeHalfAngle(limit, p->cone);
     MdtConeLimitEnable(limit);
 }
 
@@ -281,7 +281,7 @@ static void begin(const Scene *scene, Units in) {
     setTimes();
     MdtWorldSetGravity(u->world, 0, 0, inUnits(-9.81, 1, 0, -2));
     MdtWorldEnableReport(u->world);
-    MdtContactParamsSetSurface(surface(), (MeReal).5, (MeReal)scene->restitution);
+    MdtContactParamsSetSurface(surface(), .5, scene->restitution);
     scene->make();
     for (int i = 0; i < count; i++)
         MdtBodyEnable(McdModelGetBody(model[i]));
@@ -400,8 +400,8 @@ static void beginAtScale(int length) {
     count = 0;
     sizes.lengthScale = lengthOf(1);
     u = MstUniverseCreate(&sizes);
-    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-9.81);
-    MdtContactParamsSetSurface(surface(), (MeReal).5, 0);
+    MdtWorldSetGravity(u->world, 0, 0, -9.81);
+    MdtContactParamsSetSurface(surface(), .5, 0);
     makeFloor();
 }
 
@@ -413,7 +413,7 @@ TEST(what_falls_is_awake_and_what_lies_sleeps) {
         add(box(1, 1, 1), 0, 0, 2);
         MdtBodyEnable(McdModelGetBody(model[0]));
         for (int i = 0; i < 1600 && isAwake(0); i++) {
-            MstUniverseStep(u, (MeReal)(1. / 60));
+            MstUniverseStep(u, 1. / 60);
             ck_assert_msg(isAwake(0) || heightOf(0) < .51, "asleep %g of its size above the ground, length 2^%d",
                           heightOf(0) - .5, length);
         }
@@ -434,7 +434,7 @@ TEST(thresholds_of_rest_grow_with_the_scale_up_to_a_tenth_of_gravity) {
     assert_near_rel(MdtWorldGetAutoDisableAccelerationThreshold(u->world), tenth, 1e-6);
     assert_near_rel(MdtWorldGetAutoDisableVelocityThreshold(u->world), .02 * tenth / .5, 1e-6);
     MdtWorldSetAutoDisableAccelerationThreshold(u->world, 3);
-    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-2);
+    MdtWorldSetGravity(u->world, 0, 0, -2);
     assert_near_rel(MdtWorldGetAutoDisableAccelerationThreshold(u->world), 3, 1e-6);
     assert_near_rel(MdtWorldGetAutoDisableVelocityThreshold(u->world), .02 * .04 / .5, 1e-6);
     MdtWorldSetGravity(u->world, 0, 0, 0);

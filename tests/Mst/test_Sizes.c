@@ -11,9 +11,9 @@ static MstUniverseSizes sizesOf(unsigned int all) {
 }
 
 static McdModelID makeBall(MstUniverseID universe, double radius, double x, double y, double z) {
-    const McdModelID m = MstModelAndBodyCreate(universe, McdSphereCreate(universe->frame, (MeReal)radius), 1000);
+    const McdModelID m = MstModelAndBodyCreate(universe, McdSphereCreate(universe->frame, radius), 1000);
     if (m)
-        McdModelDynamicsSetPosition(m, (MeReal)x, (MeReal)y, (MeReal)z);
+        McdModelDynamicsSetPosition(m, x, y, z);
     return m;
 }
 
@@ -26,7 +26,7 @@ TEST(models_have_no_pairs_before_their_first_place_is_known) {
     u = MstUniverseCreate(NULL);
     messages_catch();
     for (int i = 0; i < 98; i++)
-        m[i] = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal).4), 1000);
+        m[i] = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, .4), 1000);
     MstModelAndBodyDestroy(m[97]);
     for (int i = 0; i < 97; i++)
         McdModelDynamicsSetPosition(m[i], (MeReal)i, 0, 5);
@@ -39,8 +39,8 @@ TEST(models_have_no_pairs_before_their_first_place_is_known) {
 /* The same while the universe runs; and bodies that sleep at once are met where they are, not at the origin. */
 TEST(a_body_that_is_disabled_before_its_first_step_is_where_it_was_put) {
     u = MstUniverseCreate(NULL);
-    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-9.8);
-    MstUniverseStep(u, (MeReal)(1. / 60));
+    MdtWorldSetGravity(u->world, 0, 0, -9.8);
+    MstUniverseStep(u, 1. / 60);
     const McdModelID below = makeBall(u, .5, 7, 0, 0), above = makeBall(u, .4, 7, 0, 1.2);
     MdtBodyDisable(McdModelGetBody(below));
     McdModelID other[40];
@@ -52,7 +52,7 @@ TEST(a_body_that_is_disabled_before_its_first_step_is_where_it_was_put) {
     messages_release();
     MeVector3 p, q;
     for (int i = 0; i < 30; i++)
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
     int count;
     const MstEvent *event = MstUniverseGetEvents(u, &count);
     ck_assert_int_ge(count, 1);
@@ -143,7 +143,7 @@ TEST(too_many_constraints_name_the_size_once) {
     for (int i = 0; i < 4; i++) /* contacts */
         makeBall(u, 1, 1.9 * i, 0, 0);
     for (int i = 0; i < 5; i++)
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
     assertSaidOnce("MstUniverseStep", "dynamicConstraintsMaxCount");
     endListening();
 }
@@ -155,9 +155,9 @@ TEST(too_many_pairs_name_the_size_once) {
     for (int i = 0; i < 20; i++)
         makeBall(u, 1, .1 * i, 0, 0);
     for (int i = 0; i < 3; i++)
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
     makeBall(u, 1, 0, .1, 0);
-    MstUniverseStep(u, (MeReal)(1. / 60));
+    MstUniverseStep(u, 1. / 60);
     assertSaidOnce("MstUniverseStep", "collisionPairsMaxCount");
     endListening();
 }
@@ -194,13 +194,13 @@ TEST(a_type_out_of_range_names_the_size) {
 /* A field of pillars of two balls, one ball of which is hung up by a joint. */
 static MstUniverseID makeField(const MstUniverseSizes *sizes, int side, MdtBodyID *first) {
     const MstUniverseID made = MstUniverseCreate(sizes);
-    const McdGeometryID small = McdSphereCreate(made->frame, (MeReal).4);
-    MdtWorldSetGravity(made->world, 0, 0, (MeReal)-9.8);
+    const McdGeometryID small = McdSphereCreate(made->frame, .4);
+    MdtWorldSetGravity(made->world, 0, 0, -9.8);
     for (int i = 0; i < side * side; i++) {
         const MeReal x = (MeReal)(i % side), y = (MeReal)(i / side);
         for (int k = 0; k < 2; k++) {
             const McdModelID m = MstModelAndBodyCreate(made, small, 1000);
-            McdModelDynamicsSetPosition(m, x + (MeReal)(.01 * k), y, (MeReal)(.79 * k));
+            McdModelDynamicsSetPosition(m, x + (MeReal)(.01 * k), y, .79 * k);
             if (i == 0 && k == 0)
                 *first = McdModelGetBody(m);
             if (k == 0) {
@@ -239,7 +239,7 @@ TEST(a_universe_of_sizes_0_takes_3000_bodies_and_1500_joints_without_a_message) 
     u = makeField(&MstUniverseGrowingSizes, 39, &first); /* 3042 bodies, 1521 joints */
     const MdtBodyID before = first;
     for (int i = 0; i < 3; i++)
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
     ck_assert_int_eq(MdtWorldGetTotalBodies(u->world), 3042);
     ck_assert_int_gt(MdtWorldGetTotalConstraints(u->world), 1521 + 1000); /* contacts too */
     ck_assert_int_eq(MdtWorldGetMaxBodies(u->world), MeNoLimit);
@@ -263,7 +263,7 @@ TEST(a_growing_universe_moves_as_one_of_fixed_sizes_bit_by_bit) {
                 thrown = makeBall(u, .3, 3, 3, 4);
                 McdModelDynamicsSetLinearVelocity(thrown, 0, 0, -60);
             }
-            MstUniverseStep(u, (MeReal)(1. / 60));
+            MstUniverseStep(u, 1. / 60);
             hash[k] = hashOf(u, hash[k]);
         }
         MstUniverseDestroy(u);

@@ -23,14 +23,14 @@ static McdModelID makeFixed(McdGeometryID g, double x, double y, double z) {
 }
 
 static McdModelID makeBox(double edge, double x, double z) {
-    McdModelID m = MstModelAndBodyCreate(u, McdBoxCreate(frame, (MeReal)edge, (MeReal)edge, (MeReal)edge), 1000);
-    McdModelDynamicsSetPosition(m, (MeReal)x, 0, (MeReal)z);
+    McdModelID m = MstModelAndBodyCreate(u, McdBoxCreate(frame, edge, edge, edge), 1000);
+    McdModelDynamicsSetPosition(m, x, 0, z);
     return m;
 }
 
 static void step(int n) {
     while (n--)
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
 }
 
 static double height(McdModelID m) {
@@ -48,8 +48,8 @@ static void makeWorld(void) {
     u = MstUniverseCreate(&MstUniverseGrowingSizes);
     w = MstUniverseGetWorld(u);
     frame = MstUniverseGetFramework(u);
-    MdtWorldSetGravity(w, 0, 0, (MeReal)-9.8);
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(MstUniverseGetBridge(u), 0, 0), (MeReal).5, 0);
+    MdtWorldSetGravity(w, 0, 0, -9.8);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(MstUniverseGetBridge(u), 0, 0), .5, 0);
     messages_catch();
 }
 
@@ -93,13 +93,13 @@ static void disablePair(void) {
     McdSpaceDisablePair(support, sleeper);
 }
 static void shrinkSupport(void) {
-    McdModelSetGeometry(support, McdBoxCreate(frame, (MeReal).1, 4, (MeReal).2));
+    McdModelSetGeometry(support, McdBoxCreate(frame, .1, 4, .2));
 }
 static void flattenSupport(void) {
-    McdBoxSetDimensions(McdModelGetGeometry(support), 4, 4, (MeReal).2);
+    McdBoxSetDimensions(McdModelGetGeometry(support), 4, 4, .2);
 }
 static void shrinkSleeper(void) {
-    McdBoxSetDimensions(McdModelGetGeometry(sleeper), (MeReal).5, (MeReal).5, (MeReal).1);
+    McdBoxSetDimensions(McdModelGetGeometry(sleeper), .5, .5, .1);
 }
 static void moveSupportAway(void) {
     McdSpaceUnfreezeModel(support), places[0][3][2] -= 2;
@@ -167,9 +167,9 @@ static void slip(void) { /* a surface that moves */
 static void pull(void) {
     MdtSpringID s = MdtSpringCreate(w);
     MdtSpringSetBodies(s, McdModelGetBody(sleeper), 0);
-    MdtSpringSetPosition(s, 0, 0, 0, (MeReal).25);
+    MdtSpringSetPosition(s, 0, 0, 0, .25);
     MdtSpringSetPosition(s, 1, 0, 0, 3);
-    MdtSpringSetNaturalLength(s, (MeReal).5);
+    MdtSpringSetNaturalLength(s, .5);
     MdtSpringSetStiffness(s, 5000);
     MdtSpringSetDamping(s, 100);
     MdtSpringEnable(s);
@@ -177,7 +177,7 @@ static void pull(void) {
 static void anchor(void) {
     MdtBSJointID j = MdtBSJointCreate(w);
     MdtBSJointSetBodies(j, McdModelGetBody(sleeper), 0);
-    MdtConstraintBodySetPosition(MdtBSJointQuaConstraint(j), 0, 0, 0, (MeReal).25);
+    MdtConstraintBodySetPosition(MdtBSJointQuaConstraint(j), 0, 0, 0, .25);
     MdtConstraintBodySetPosition(MdtBSJointQuaConstraint(j), 1, 0, 0, 2);
     MdtBSJointEnable(j);
 }
@@ -223,7 +223,7 @@ static void hang(void) {
     sleeper = makeBox(.5, 0, 3);
     hinge = MdtHingeCreate(w);
     MdtHingeSetBodies(hinge, McdModelGetBody(sleeper), 0);
-    MdtHingeSetPosition(hinge, 0, 0, (MeReal)3.5);
+    MdtHingeSetPosition(hinge, 0, 0, 3.5);
     MdtHingeSetAxis(hinge, 0, 1, 0);
     MdtLimitSetLimitedForceMotor(MdtHingeGetLimit(hinge), 0, 100);
     MdtHingeEnable(hinge);
@@ -241,31 +241,31 @@ static void setMotor(void) {
 }
 static void setStop(void) {
     MdtLimitID l = MdtHingeGetLimit(hinge);
-    MdtSingleLimitSetStop(MdtLimitGetLowerLimit(l), (MeReal).5);
+    MdtSingleLimitSetStop(MdtLimitGetLowerLimit(l), .5);
     MdtSingleLimitSetStop(MdtLimitGetUpperLimit(l), 1);
     MdtLimitActivateLimits(l, METRUE);
 }
 static void setLock(void) {
-    MdtLimitSetLock(MdtHingeGetLimit(hinge), (MeReal).5, 10000);
+    MdtLimitSetLock(MdtHingeGetLimit(hinge), .5, 10000);
 }
 static void moveWorldEnd(void) {
-    MdtConstraintBodySetPosition(MdtHingeQuaConstraint(hinge), 1, 1, 0, (MeReal)3.5);
+    MdtConstraintBodySetPosition(MdtHingeQuaConstraint(hinge), 1, 1, 0, 3.5);
 }
 static void moveBodyEnd(void) {
-    MdtConstraintBodySetPosition(MdtHingeQuaConstraint(hinge), 0, (MeReal).4, 0, 3);
+    MdtConstraintBodySetPosition(MdtHingeQuaConstraint(hinge), 0, .4, 0, 3);
 }
 static void moveWorld(void) {
     MdtConstraintSetWorldLinearVelocity(MdtHingeQuaConstraint(hinge), 1, 0, 0);
 }
 static void moveCentre(void) {
-    const MeVector3 c = {(MeReal).2, 0, 0};
+    const MeVector3 c = {.2, 0, 0};
     MdtBodySetCenterOfMassRelativePosition(McdModelGetBody(sleeper), c);
 }
 static void hingeBeside(void) {
     MdtHingeID j = MdtHingeCreate(w);
     MdtHingeSetBodies(j, McdModelGetBody(sleeper), 0);
-    MdtConstraintBodySetPosition(MdtHingeQuaConstraint(j), 0, 0, 0, (MeReal)2.5);
-    MdtConstraintBodySetPosition(MdtHingeQuaConstraint(j), 1, (MeReal).3, 0, (MeReal)2.5);
+    MdtConstraintBodySetPosition(MdtHingeQuaConstraint(j), 0, 0, 0, 2.5);
+    MdtConstraintBodySetPosition(MdtHingeQuaConstraint(j), 1, .3, 0, 2.5);
     MdtHingeEnable(j);
 }
 
@@ -282,8 +282,7 @@ TEST(a_joint_that_changes_moves_its_body) {
         step(40);
         McdModelDynamicsGetPosition(sleeper, p);
         McdModelDynamicsGetQuaternion(sleeper, q);
-        ck_assert_msg(fabs((double)p[0] - (double)p0[0]) + fabs((double)p[2] - (double)p0[2]) + fabs((double)q[2]) >
-                          .05,
+        ck_assert_msg(fabs((double)p[0] - (double)p0[0]) + fabs((double)p[2] - (double)p0[2]) + fabs(q[2]) > .05,
                       "change %d", i);
         tearDown();
     }
@@ -295,7 +294,7 @@ TEST(what_grows_into_a_sleeper_wakes_it) {
     const McdModelID wall = makeFixed(McdBoxCreate(frame, 1, 1, 1), 2.25, 0, .5);
     step(30);
     ck_assert(!isAwake(sleeper));
-    McdBoxSetDimensions(McdModelGetGeometry(wall), (MeReal)4.2, 1, 1);
+    McdBoxSetDimensions(McdModelGetGeometry(wall), 4.2, 1, 1);
     step(2);
     ck_assert(isAwake(sleeper) && McdSpaceModelIsFrozen(wall));
     tearDown();
@@ -307,7 +306,7 @@ TEST(what_changes_nothing_wakes_nobody) {
     for (int i = 0; i < 30; i++) {
         MdtLimitSetLimitedForceMotor(MdtHingeGetLimit(hinge), 0, 100);
         MdtLimitGetPosition(MdtHingeGetLimit(hinge));
-        MdtWorldSetGravity(w, 0, 0, (MeReal)-9.8);
+        MdtWorldSetGravity(w, 0, 0, -9.8);
         MdtBodySetMass(McdModelGetBody(sleeper), MdtBodyGetMass(McdModelGetBody(sleeper)));
         step(1);
         ck_assert(!isAwake(sleeper));
@@ -323,7 +322,7 @@ TEST(a_change_elsewhere_wakes_nobody) {
     makeFixed(McdBoxCreate(frame, 4, 4, 1), 50, 0, -.5);
     const McdModelID sign = makeFixed(McdBoxCreate(frame, 1, 1, 1), 0, 50, 0);
     for (int i = 0; i < 60; i++) {
-        McdBoxSetDimensions(McdModelGetGeometry(other), (MeReal).5, (MeReal).5, (MeReal)(.5 - .002 * i));
+        McdBoxSetDimensions(McdModelGetGeometry(other), .5, .5, .5 - .002 * i);
         McdModelSetSensor(sign, i % 2);
         McdModelSetMaterial(sign, 0);
         step(1);
@@ -343,7 +342,7 @@ TEST(what_is_moved_pushes_sleepers) {
         for (int k = 0; k < 3; k++) {
             setUp();
             const double v = speeds[k], h = 1. / 60;
-            const McdModelID mover = up ? support : makeFixed(McdBoxCreate(frame, 1, 1, (MeReal).4), -.85, 0, .21);
+            const McdModelID mover = up ? support : makeFixed(McdBoxCreate(frame, 1, 1, .4), -.85, 0, .21);
             MeReal(*tm)[4] = places[up ? 0 : 1];
             McdSpaceUnfreezeModel(mover);
             for (int i = 0; i < 60; i++) {

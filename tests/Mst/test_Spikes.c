@@ -19,7 +19,7 @@ static Cost costOfUniverse(const char *name, MstUniverseID u, int steps) {
     MdtWorldEnableReport(u->world);
     for (int i = 0; i < steps; i++) {
         MdtReport r;
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
         ck_assert(MdtWorldGetReport(u->world, &r));
         cost.all += r.factorizations;
         cost.worst = MeMAX(cost.worst, r.factorizations);
@@ -82,16 +82,16 @@ TEST(a_ball_on_a_chain_hits_a_wall) {
 TEST(a_chain_folds_onto_itself) {
     enum { BALLS = 5 };
     const MstUniverseID u = twelve_makeUniverse();
-    const McdGeometryID ball = McdSphereCreate(u->frame, (MeReal).2);
+    const McdGeometryID ball = McdSphereCreate(u->frame, .2);
     MdtBodyID before = 0;
     MdtWorldSetAutoDisable(u->world, MEFALSE);
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal).5, 0);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), .5, 0);
     for (int i = 0; i < BALLS; i++) {
         const McdModelID m = MstModelAndBodyCreate(u, ball, 1);
         const MdtBSJointID j = MdtBSJointCreate(u->world);
-        McdModelDynamicsSetPosition(m, (MeReal)(.5 * i), 10, 0);
+        McdModelDynamicsSetPosition(m, .5 * i, 10, 0);
         MdtBSJointSetBodies(j, McdModelGetBody(m), before);
-        MdtBSJointSetPosition(j, (MeReal)(.5 * i - .25), 10, 0);
+        MdtBSJointSetPosition(j, .5 * i - .25, 10, 0);
         MdtBSJointEnable(j);
         before = McdModelGetBody(m);
         MdtBodyEnable(before);
@@ -105,13 +105,13 @@ TEST(a_chain_folds_onto_itself) {
  * last one instead, and passes came to it by a quarter each: 902 factorizations in double, 146 in a step in single. */
 TEST(a_box_lands_softly) {
     const MstUniverseID u = twelve_makeUniverse();
-    const McdModelID box = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 1, (MeReal).6, (MeReal).8), 1);
+    const McdModelID box = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 1, .6, .8), 1);
     const MdtContactParamsID p = MstBridgeGetContactParams(u->bridge, 0, 0);
     MdtWorldSetAutoDisable(u->world, MEFALSE);
-    MdtContactParamsSetSurface(p, (MeReal).6, 0);
-    MdtContactParamsSetSoftness(p, (MeReal)5e-4);
-    McdModelDynamicsSetPosition(box, 0, (MeReal).8, 0);
-    McdModelDynamicsSetAngularVelocity(box, (MeReal).1, 0, (MeReal).1);
+    MdtContactParamsSetSurface(p, .6, 0);
+    MdtContactParamsSetSoftness(p, 5e-4);
+    McdModelDynamicsSetPosition(box, 0, .8, 0);
+    McdModelDynamicsSetAngularVelocity(box, .1, 0, .1);
     MdtBodyEnable(McdModelGetBody(box));
     const Cost cost = costOfUniverse("soft box", u, 60);
     ck_assert_int_le(cost.all, 700);
@@ -137,10 +137,10 @@ TEST(a_ball_brings_down_a_wall) {
 TEST(a_program_may_have_a_wall_solved_exactly) {
     enum { UNTIL_IT_IS_WEDGED = 104, STEPS_MORE = 12 };
     const MstUniverseID u = twelve_makeUniverse();
-    const double budget = (double)MdtWorldGetWorkBudget(u->world);
+    const double budget = MdtWorldGetWorkBudget(u->world);
     wall_make(u);
     for (int i = 0; i < UNTIL_IT_IS_WEDGED; i++)
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
     MdtWorldSetSolver(u->world, MdtSolverExact);
     const Cost cost = costOfUniverse("exact", u, STEPS_MORE);
     ck_assert_double_gt(cost.work, .2 * budget);
@@ -150,9 +150,9 @@ enum { LAYERS = 18, PLANKS = 3 * LAYERS, DRAWN = 28 /* the middle one of the ten
 
 /* Layers of three planks side by side, each layer across the one below. */
 static MdtBodyID makeTower(MstUniverseID u) {
-    const MeReal length = (MeReal).75, width = (MeReal).25, height = (MeReal).15, gap = (MeReal).003;
+    const MeReal length = .75, width = (MeReal).25, height = (MeReal).15, gap = (MeReal).003;
     MdtBodyID drawn = NULL;
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal).5, 0);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), .5, 0);
     for (int i = 0; i < PLANKS; i++) {
         const int layer = i / 3;
         const MeReal aside = (MeReal)(i % 3 - 1) * (width + gap), y = ((MeReal)layer + (MeReal).5) * height;
@@ -172,7 +172,7 @@ static void draw(MdtBodyID plank, double time) {
     MdtBodyGetCenterOfMassPosition(plank, x);
     MdtBodyGetLinearVelocity(plank, v);
     const double pull = stiffness * (pace * time - (double)x[2]) + damping * (pace - (double)v[2]);
-    MdtBodyAddForce(plank, 0, 0, (MeReal)fmax(pull, 0));
+    MdtBodyAddForce(plank, 0, 0, fmax(pull, 0));
 }
 
 /* The work of a step, in millions, and how many of a hundred steps end with sweeps, while a plank is drawn. */
@@ -188,7 +188,7 @@ static double workOfDrawing(MeBool isKeptAwake, int *limited) {
         if (isKeptAwake)
             MdtBodyEnable(plank);
         draw(plank, i / 60.);
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
         ck_assert(MdtWorldGetReport(u->world, &r));
         work += (double)r.work / STEPS_DRAWN;
         *limited += r.limited;
@@ -229,23 +229,23 @@ TEST(what_is_in_one_place_is_pushed_apart_a_few_at_a_time) {
     MeMatrix4 tm;
     double far = 0;
     const MstUniverseID u = MstUniverseCreate(&MstUniverseGrowingSizes);
-    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-9.8);
+    MdtWorldSetGravity(u->world, 0, 0, -9.8);
     MeMatrix4TMMakeIdentity(tm);
     MstFixedModelCreate(u, McdPlaneCreate(u->frame), tm);
     for (int i = 0; i < BOXES; i++) {
         box[i] = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 1, 1, 1), 1000);
         McdModelDynamicsSetPosition(box[i], 0, 0, 3);
     }
-    MstUniverseStep(u, (MeReal)(1. / 60));
+    MstUniverseStep(u, 1. / 60);
     ck_assert_int_le(groupsOf(u->world), 32 * BOXES);
     ck_assert_int_ge(groupsOf(u->world), 16 * BOXES);
     for (int i = 0; i < STEPS_APART; i++)
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
     for (int i = 0; i < BOXES; i++) {
         MeVector3 p;
         McdModelDynamicsGetPosition(box[i], p);
         ck_assert(isfinite(p[0]) && isfinite(p[1]) && isfinite(p[2]));
-        far = fmax(far, fabs((double)p[0]));
+        far = fmax(far, fabs(p[0]));
     }
     ck_assert(far > 1 && far < 100);
     MstUniverseDestroy(u);

@@ -28,15 +28,14 @@ static void begin(MeU32 number) {
     MdtContactParamsID params = MstBridgeGetContactParams(u->bridge, 0, 0);
     MdtContactParamsSetType(params, MdtContactTypeFriction2D);
     MdtContactParamsSetFrictionModel(params, MdtFrictionModelCone);
-    MdtContactParamsSetFrictionCoeffecient(params, (MeReal).5);
-    MdtContactParamsSetRestitution(params, (MeReal)between(0, .6));
+    MdtContactParamsSetFrictionCoeffecient(params, .5);
+    MdtContactParamsSetRestitution(params, between(0, .6));
 }
 
 static MdtBodyID addBox(const double size[3], const double at[3]) {
-    McdModelID m = box[count++] =
-        MstModelAndBodyCreate(u, McdBoxCreate(u->frame, (MeReal)size[0], (MeReal)size[1], (MeReal)size[2]), 1000);
+    McdModelID m = box[count++] = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, size[0], size[1], size[2]), 1000);
     McdModelSetSwept(m, METRUE);
-    McdModelDynamicsSetPosition(m, (MeReal)at[0], (MeReal)at[1], (MeReal)at[2]);
+    McdModelDynamicsSetPosition(m, at[0], at[1], at[2]);
     return McdModelGetBody(m);
 }
 
@@ -47,7 +46,7 @@ static void hinge(McdModelID a, McdModelID b) {
     McdModelDynamicsGetPosition(b, q);
     MdtHingeSetBodies(joint, McdModelGetBody(a), McdModelGetBody(b));
     MdtHingeSetPosition(joint, (p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2);
-    MdtHingeSetAxis(joint, (MeReal)between(-1, 1), (MeReal)between(-1, 1), (MeReal)between(-1, 1));
+    MdtHingeSetAxis(joint, between(-1, 1), between(-1, 1), between(-1, 1));
     MdtHingeEnable(joint);
 }
 
@@ -67,7 +66,7 @@ static double largestGain(int steps) {
     double before = energy(), worst = 0;
     const double start = before;
     for (int i = 0; i < steps; i++) {
-        MstUniverseStep(u, (MeReal)STEP);
+        MstUniverseStep(u, STEP);
         const double now = energy();
         worst = now - before < worst ? worst : now - before; /* not a number too is worse */
         before = now;
@@ -81,10 +80,9 @@ static double throwChain(MeU32 number) {
     for (int i = 0; i < 6; i++) {
         const double size[3] = {between(.1, .6), between(.1, .6), between(.1, .6)}, at[3] = {.7 * i, 0, between(.5, 1)};
         const MdtBodyID b = addBox(size, at);
-        MdtBodySetQuaternion(b, (MeReal)between(-1, 1), (MeReal)between(-1, 1), (MeReal)between(-1, 1),
-                             (MeReal)between(-1, 1));
-        MdtBodySetLinearVelocity(b, (MeReal)between(-20, 20), (MeReal)between(-20, 20), (MeReal)between(-20, 0));
-        MdtBodySetAngularVelocity(b, (MeReal)between(-20, 20), (MeReal)between(-20, 20), (MeReal)between(-20, 20));
+        MdtBodySetQuaternion(b, between(-1, 1), between(-1, 1), between(-1, 1), between(-1, 1));
+        MdtBodySetLinearVelocity(b, between(-20, 20), between(-20, 20), between(-20, 0));
+        MdtBodySetAngularVelocity(b, between(-20, 20), between(-20, 20), between(-20, 20));
     }
     for (int i = 0; i < 5; i++)
         hinge(box[i], box[i + 1]);
@@ -102,7 +100,7 @@ static double dropPairs(MeU32 number) {
             const double at[3] = {x + .3 * k, y, 1 + .8 * i};
             const MdtBodyID b = addBox(size, at);
             MdtBodySetLinearVelocity(b, 0, 0, -20);
-            MdtBodySetAngularVelocity(b, (MeReal)between(-9, 9), (MeReal)between(-9, 9), 0);
+            MdtBodySetAngularVelocity(b, between(-9, 9), between(-9, 9), 0);
         }
         hinge(box[count - 2], box[count - 1]);
     }
@@ -148,14 +146,14 @@ TEST(a_part_corrects_its_share_of_an_error) {
         MdtBodyID b = MdtBodyCreate(w);
         MdtBSJointID joint = MdtBSJointCreate(w);
         MdtWorldSetEpsilon(w, 0);
-        MdtWorldSetMinSafeTime(w, (MeReal)1e-9);
+        MdtWorldSetMinSafeTime(w, 1e-9);
         MdtBSJointSetBodies(joint, b, 0);
         MdtBSJointSetPosition(joint, 0, 0, 0);
         MdtBSJointEnable(joint);
         MdtBodyEnable(b);
-        MdtBodySetPosition(b, (MeReal)open, 0, 0);
-        MdtBodySetSafeTime(b, (MeReal)(part[i] * STEP));
-        MdtWorldStepSafeTime(w, (MeReal)STEP);
+        MdtBodySetPosition(b, open, 0, 0);
+        MdtBodySetSafeTime(b, part[i] * STEP);
+        MdtWorldStepSafeTime(w, STEP);
         const double closed = open * (1 - pow(1 - (double)MdtWorldGetGamma(w), part[i]));
         MdtBodyGetPosition(b, at);
         MdtBodyGetLinearVelocity(b, v);

@@ -29,14 +29,14 @@ static void makeWorld(Scene *s) {
     memset(s, 0, sizeof *s);
     s->seed = 1;
     s->u = MstUniverseCreate(&MstUniverseGrowingSizes);
-    MdtWorldSetGravity(s->u->world, 0, (MeReal)-9.81, 0);
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(s->u->bridge, 0, 0), (MeReal).5, (MeReal).2);
+    MdtWorldSetGravity(s->u->world, 0, -9.81, 0);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(s->u->bridge, 0, 0), .5, .2);
     MstFixedModelCreate(s->u, McdPlaneCreate(s->u->frame), floorPlace);
 }
 
 static MdtBodyID put(Scene *s, McdGeometryID g, double x, double y, double z) {
     const McdModelID m = MstModelAndBodyCreate(s->u, g, 1);
-    McdModelDynamicsSetPosition(m, (MeReal)x, (MeReal)y, (MeReal)z);
+    McdModelDynamicsSetPosition(m, x, y, z);
     MdtBodyEnable(McdModelGetBody(m));
     s->model[s->count++] = m;
     return McdModelGetBody(m);
@@ -44,14 +44,14 @@ static MdtBodyID put(Scene *s, McdGeometryID g, double x, double y, double z) {
 
 /* One partition that is most of the scene: all workers step it together. */
 static void makeHeap(Scene *s) {
-    const McdGeometryID box = McdBoxCreate(s->u->frame, 1, (MeReal).8, (MeReal).6);
+    const McdGeometryID box = McdBoxCreate(s->u->frame, 1, .8, .6);
     for (int i = 0; i < 300; i++)
         put(s, box, 1.1 * (i % 5) + chance(s, 0, .3), .6 + 1.05 * (i / 25), 1.1 * (i / 5 % 5) + chance(s, 0, .3));
 }
 
 /* Many partitions, of different sizes: tasks. */
 static void makeChains(Scene *s) {
-    const McdGeometryID ball = McdSphereCreate(s->u->frame, (MeReal).3);
+    const McdGeometryID ball = McdSphereCreate(s->u->frame, .3);
     for (int i = 0; i < 40; i++) {
         MdtBodyID before = NULL;
         for (int k = 0; k <= i % JOINTED; k++) {
@@ -59,7 +59,7 @@ static void makeChains(Scene *s) {
             MdtBSJointID joint = before ? MdtBSJointCreate(s->u->world) : NULL;
             if (joint) {
                 MdtBSJointSetBodies(joint, before, b);
-                MdtBSJointSetPosition(joint, (MeReal)(5 * i + k - .5), (MeReal)(1.85 + .3 * k), 0);
+                MdtBSJointSetPosition(joint, 5 * i + k - .5, 1.85 + .3 * k, 0);
                 MdtBSJointEnable(joint);
             }
             before = b;
@@ -70,14 +70,14 @@ static void makeChains(Scene *s) {
 /* Both, and what flies. */
 static void makeMixed(Scene *s) {
     makeChains(s);
-    const McdGeometryID box = McdBoxCreate(s->u->frame, 1, 1, 1), rod = McdSphylCreate(s->u->frame, (MeReal).2, 1);
+    const McdGeometryID box = McdBoxCreate(s->u->frame, 1, 1, 1), rod = McdSphylCreate(s->u->frame, .2, 1);
     for (int i = 0; i < 120; i++)
         put(s, i % 3 ? box : rod, -20 + 1.05 * (i % 6) + chance(s, 0, .2), .6 + 1.1 * (i / 36), 1.05 * (i / 6 % 6));
 }
 
 /* Each ball is near more others than a range of workers has room for (mcd_pairs.c), and the floor is everywhere. */
 static void makeDense(Scene *s) {
-    const McdGeometryID ball = McdSphereCreate(s->u->frame, (MeReal).3);
+    const McdGeometryID ball = McdSphereCreate(s->u->frame, .3);
     for (int i = 0; i < 343; i++)
         put(s, ball, .605 * (i % 7), .31 + .605 * (i / 49), .605 * (i / 7 % 7));
 }
@@ -86,9 +86,9 @@ static void makeDense(Scene *s) {
 static McdGeometryID stool(McdFrameworkID frame) {
     const McdAggregateID a = McdAggregateCreate(frame, 2);
     MeMatrix4 tm = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
-    McdAggregateAddElement(a, McdBoxCreate(frame, 1, (MeReal).2, 1), tm);
+    McdAggregateAddElement(a, McdBoxCreate(frame, 1, .2, 1), tm);
     tm[3][1] = (MeReal)-.5;
-    McdAggregateAddElement(a, McdCylinderCreate(frame, (MeReal).2, (MeReal).8), tm);
+    McdAggregateAddElement(a, McdCylinderCreate(frame, .2, .8), tm);
     return a;
 }
 
@@ -112,8 +112,8 @@ static void makeTerrain(Scene *s) {
         height[i] = (MeReal)chance(s, 1, 1.8);
     MstFixedModelCreate(s->u, McdRGHeightFieldCreate(s->u->frame, height, SIDE, SIDE, 1, 1, -12, -12), floorPlace);
     MstFixedModelCreate(s->u, McdTriangleListCreate(s->u->frame, low, high, 2, giveGround), floorPlace);
-    const McdGeometryID shape[] = {stool(s->u->frame), McdBoxCreate(s->u->frame, (MeReal).8, (MeReal).6, (MeReal).5),
-                                   McdSphereCreate(s->u->frame, (MeReal).4)};
+    const McdGeometryID shape[] = {stool(s->u->frame), McdBoxCreate(s->u->frame, .8, .6, .5),
+                                   McdSphereCreate(s->u->frame, .4)};
     for (int i = 0; i < 160; i++) {
         put(s, shape[i < 156 ? i % 3 : 0], -9 + 2.2 * (i % 8) + chance(s, 0, .2), 3.5 + 1.2 * (i / 64),
             -9 + 2.2 * (i / 8 % 8));
@@ -125,8 +125,7 @@ static void makeTerrain(Scene *s) {
 /* Bodies each by itself, which workers take in batches. */
 static void makeDebris(Scene *s) {
     MstFixedModelCreate(s->u, McdPlaneCreate(s->u->frame), floorPlace);
-    const McdGeometryID shape[] = {McdBoxCreate(s->u->frame, (MeReal).8, (MeReal).6, (MeReal).5),
-                                   McdSphereCreate(s->u->frame, (MeReal).4)};
+    const McdGeometryID shape[] = {McdBoxCreate(s->u->frame, .8, .6, .5), McdSphereCreate(s->u->frame, .4)};
     for (int i = 0; i < 200; i++)
         put(s, shape[i % 2], 3 * (i % 16) + chance(s, 0, 1), 1 + chance(s, 0, 1), 3 * (i / 16));
 }
@@ -141,7 +140,7 @@ static void makeAtRest(Scene *s) {
         heights[i] = 1;
     MstFixedModelCreate(s->u, McdRGHeightFieldCreate(s->u->frame, heights, FIELD_SIDE, FIELD_SIDE, 1, 1, -20, -20),
                         floorPlace);
-    const McdGeometryID shape[] = {stool(s->u->frame), McdBoxCreate(s->u->frame, (MeReal).8, (MeReal).6, (MeReal).5)};
+    const McdGeometryID shape[] = {stool(s->u->frame), McdBoxCreate(s->u->frame, .8, .6, .5)};
     for (int i = 0; i < 200; i++)
         put(s, shape[i % 4 > 0], -18 + 2.3 * (i % 16), i % 4 ? 1.3 : 1.9, -18 + 2.6 * (i / 16));
 }

@@ -12,7 +12,7 @@ static MeMatrix4 ground;
 static void begin(void) {
     messages_catch();
     u = MstUniverseCreate(&MstUniverseGrowingSizes);
-    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-9.8);
+    MdtWorldSetGravity(u->world, 0, 0, -9.8);
     MeMatrix4TMMakeIdentity(ground);
     MstFixedModelCreate(u, McdPlaneCreate(u->frame), ground);
 }
@@ -24,12 +24,12 @@ static void end(void) {
 
 static void step(int n) {
     while (n--)
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
 }
 
 static McdModelID addBox(double x, double z) {
     McdModelID m = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 1, 1, 1), 1000);
-    McdModelDynamicsSetPosition(m, (MeReal)x, 0, (MeReal)z);
+    McdModelDynamicsSetPosition(m, x, 0, z);
     return m;
 }
 
@@ -38,7 +38,7 @@ TEST(a_bound_of_friction_without_a_type) {
     for (int isOn = 0; isOn < 2; isOn++) {
         begin();
         MdtContactParamsID p = MstBridgeGetContactParams(u->bridge, 0, 0);
-        MdtContactParamsSetFriction(p, (MeReal).5);
+        MdtContactParamsSetFriction(p, .5);
         if (isOn)
             MdtContactParamsSetType(p, MdtContactTypeFriction2D);
         addBox(0, .5);
@@ -89,7 +89,7 @@ static McdModelID addHammer(void) {
     for (int i = 0; i < 2; i++) {
         MeMatrix4TMMakeIdentity(tm[i]);
         tm[i][3][0] = (MeReal)i;
-        McdAggregateAddElement(a, McdBoxCreate(u->frame, i ? (MeReal).4 : 2, (MeReal).2, (MeReal).2), tm[i]);
+        McdAggregateAddElement(a, McdBoxCreate(u->frame, i ? (MeReal).4 : 2, .2, .2), tm[i]);
     }
     McdModelID m = MstModelAndBodyCreate(u, a, 1000);
     McdModelDynamicsSetPosition(m, 0, 0, 3);
@@ -99,7 +99,7 @@ static McdModelID addHammer(void) {
 /* A hammer; not a cone, whose origin is its centre of mass. */
 TEST(a_centre_of_mass_that_is_elsewhere) {
     for (int way = 0; way < 4; way++) {
-        const MeVector3 centre = {(MeReal).1, 0, 0};
+        const MeVector3 centre = {.1, 0, 0};
         begin();
         McdModelID m = way == 3 ? MstModelAndBodyCreate(u, McdConeCreate(u->frame, 1, 1), 1000) : addHammer();
         McdModelDynamicsSetPosition(m, 0, 0, 3);

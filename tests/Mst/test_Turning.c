@@ -23,31 +23,31 @@ static void tearDown(void) {
 
 static MeBool MEAPI turnGround(McdIntersectResult *result, McdContact *c, MdtContactID d) {
     (void)result, (void)c;
-    MdtConstraintSetWorldAngularVelocity(MdtContactQuaConstraint(d), 0, 0, (MeReal)speed);
-    MdtConstraintSetWorldLinearVelocity(MdtContactQuaConstraint(d), 0, (MeReal)(-speed * centre), 0);
+    MdtConstraintSetWorldAngularVelocity(MdtContactQuaConstraint(d), 0, 0, speed);
+    MdtConstraintSetWorldLinearVelocity(MdtContactQuaConstraint(d), 0, -speed * centre, 0);
     return METRUE;
 }
 
 static void makeFixedDisc(void) {
     MeMatrix4TMMakeIdentity(ground);
-    MeMatrix4TMSetPosition(ground, (MeReal)centre, 0, (MeReal)-.1);
-    MstFixedModelCreate(u, McdCylinderCreate(u->frame, 2, (MeReal).2), ground);
+    MeMatrix4TMSetPosition(ground, centre, 0, -.1);
+    MstFixedModelCreate(u, McdCylinderCreate(u->frame, 2, .2), ground);
     MstBridgeSetPerContactCB(u->bridge, 0, 0, turnGround);
 }
 
 static void makeDisc(MeReal density, MeBool isDriven) {
-    const McdModelID model = MstModelAndBodyCreate(u, McdCylinderCreate(u->frame, 2, (MeReal).2), density);
+    const McdModelID model = MstModelAndBodyCreate(u, McdCylinderCreate(u->frame, 2, .2), density);
     disc = McdModelGetBody(model);
-    MdtBodySetPosition(disc, (MeReal)centre, 0, (MeReal)-.1);
-    MdtBodySetAngularVelocity(disc, 0, 0, (MeReal)speed);
+    MdtBodySetPosition(disc, centre, 0, -.1);
+    MdtBodySetAngularVelocity(disc, 0, 0, speed);
     const MdtHingeID hinge = MdtHingeCreate(u->world);
     const MdtConstraintID c = MdtHingeQuaConstraint(hinge);
     MdtHingeSetBodies(hinge, disc, 0);
-    MdtConstraintSetPosition(c, (MeReal)centre, 0, (MeReal)-.1);
+    MdtConstraintSetPosition(c, centre, 0, -.1);
     MdtConstraintSetAxis(c, 0, 0, 1);
     MdtHingeEnable(hinge);
     if (isDriven)
-        MdtLimitSetLimitedForceMotor(MdtHingeGetLimit(hinge), (MeReal)speed, 1000000);
+        MdtLimitSetLimitedForceMotor(MdtHingeGetLimit(hinge), speed, 1000000);
 }
 
 typedef enum Ground { FIXED, DRIVEN, HEAVY } Ground;
@@ -58,26 +58,25 @@ static void begin(Ground kind, double share) {
     speed = share * slidingSpeed();
     disc = 0;
     passes = factorizations = parts = fallbacks = 0;
-    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-gravity);
+    MdtWorldSetGravity(u->world, 0, 0, -gravity);
     MdtWorldSetAutoDisable(u->world, MEFALSE);
     MdtWorldEnableReport(u->world);
     const MdtContactParamsID p = MstBridgeGetContactParams(u->bridge, 0, 0);
-    MdtContactParamsSetSurface(p, (MeReal)friction, 0);
+    MdtContactParamsSetSurface(p, friction, 0);
     if (kind == FIXED)
         makeFixedDisc();
     else
         makeDisc(kind == HEAVY ? 1000000 : 1000, kind == DRIVEN);
-    box = McdModelGetBody(
-        MstModelAndBodyCreate(u, McdBoxCreate(u->frame, (MeReal)size, (MeReal)size, (MeReal)(size / 2)), 100));
-    MdtBodySetPosition(box, (MeReal)(centre + radius), 0, (MeReal)(size / 4));
-    MdtBodySetLinearVelocity(box, 0, (MeReal)(speed * radius), 0);
-    MdtBodySetAngularVelocity(box, 0, 0, (MeReal)speed);
+    box = McdModelGetBody(MstModelAndBodyCreate(u, McdBoxCreate(u->frame, size, size, size / 2), 100));
+    MdtBodySetPosition(box, centre + radius, 0, size / 4);
+    MdtBodySetLinearVelocity(box, 0, speed * radius, 0);
+    MdtBodySetAngularVelocity(box, 0, 0, speed);
 }
 
 static double distance(void) {
     MeVector3 x;
     MdtBodyGetPosition(box, x);
-    return hypot((double)x[0] - centre, (double)x[1]);
+    return hypot((double)x[0] - centre, x[1]);
 }
 
 /* The box in the disc's axes: all of what has turned with the disc is where it was. */
@@ -97,7 +96,7 @@ static double wayIn(int steps) {
     double worst = 0;
     for (int i = 0; i < steps; i++) {
         MdtReport r;
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
         MdtWorldGetReport(u->world, &r);
         passes += r.passes;
         factorizations += r.factorizations;

@@ -10,7 +10,7 @@ static void setUp(void) {
     MstUniverseSizes sizes = MstUniverseDefaultSizes;
     sizes.dynamicConstraintsMaxCount = 1000;
     u = MstUniverseCreate(&sizes);
-    MdtWorldSetGravity(MstUniverseGetWorld(u), 0, 0, (MeReal)-9.81);
+    MdtWorldSetGravity(MstUniverseGetWorld(u), 0, 0, -9.81);
     MeMatrix4TMMakeIdentity(ground);
 }
 
@@ -24,9 +24,9 @@ static McdModelID makeGround(void) {
 }
 
 static McdModelID makeBox(double size, double x, double y, double z) {
-    const MeReal s = (MeReal)size;
+    const MeReal s = size;
     McdModelID m = MstModelAndBodyCreate(u, McdBoxCreate(MstUniverseGetFramework(u), s, s, s), 1);
-    McdModelDynamicsSetPosition(m, (MeReal)x, (MeReal)y, (MeReal)z);
+    McdModelDynamicsSetPosition(m, x, y, z);
     return m;
 }
 
@@ -38,15 +38,15 @@ static double heightOf(McdModelID m) {
 
 static void run(double seconds) {
     for (int i = 0; i < (int)(60 * seconds); i++)
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
 }
 
 static void setFriction(double coefficient, double restitution) {
     MdtContactParamsID p = MstBridgeGetContactParams(u->bridge, 0, 0);
     MdtContactParamsSetType(p, MdtContactTypeFriction2D);
     MdtContactParamsSetFrictionModel(p, MdtFrictionModelCone);
-    MdtContactParamsSetFrictionCoeffecient(p, (MeReal)coefficient);
-    MdtContactParamsSetRestitution(p, (MeReal)restitution);
+    MdtContactParamsSetFrictionCoeffecient(p, coefficient);
+    MdtContactParamsSetRestitution(p, restitution);
 }
 
 /* ---- what it is made of ------------------------------------------------------------------------------------------ */
@@ -123,7 +123,7 @@ TEST(the_step_may_be_driven_by_hand) {
     for (int k = 0; k < 2; k++) {
         MstUniverseID universe = k ? other : u;
         MeMatrix4Ptr at = k ? tm : ground;
-        MdtWorldSetGravity(universe->world, 0, 0, (MeReal)-9.81);
+        MdtWorldSetGravity(universe->world, 0, 0, -9.81);
         MeMatrix4TMMakeIdentity(at);
         MstFixedModelCreate(universe, McdPlaneCreate(universe->frame), at);
         McdModelID m = MstModelAndBodyCreate(universe, McdSphereCreate(universe->frame, 1), 1);
@@ -132,9 +132,9 @@ TEST(the_step_may_be_driven_by_hand) {
             if (k) {
                 McdSpaceUpdateAll(universe->space);
                 MstBridgeUpdateContacts(universe->bridge, universe->space, universe->world);
-                MdtWorldStep(universe->world, (MeReal)(1. / 60));
+                MdtWorldStep(universe->world, 1. / 60);
             } else {
-                MstUniverseStep(universe, (MeReal)(1. / 60));
+                MstUniverseStep(universe, 1. / 60);
             }
         }
         height[k] = heightOf(m);
@@ -170,7 +170,7 @@ TEST(a_tower_stands) {
     McdModelDynamicsGetPosition(box[9], before);
     run(10);
     McdModelDynamicsGetPosition(box[9], after);
-    assert_vec3_near(after, (double)before[0], (double)before[1], (double)before[2], TOL(1e-4, 9e-8));
+    assert_vec3_near(after, before[0], before[1], before[2], TOL(1e-4, 9e-8));
 }
 
 /* All of it sleeps; then a ball hits the uppermost box, and what it pushes wakes. */
@@ -182,8 +182,8 @@ TEST(what_sleeps_wakes_when_it_is_hit) {
         box[i] = makeBox(1, 0, 0, .5 + i);
     run(3);
     ck_assert_int_eq(MdtWorldGetEnabledBodies(u->world), 0);
-    McdModelID ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal).3), 5);
-    McdModelDynamicsSetPosition(ball, -2, 0, (MeReal)2.6);
+    McdModelID ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, .3), 5);
+    McdModelDynamicsSetPosition(ball, -2, 0, 2.6);
     McdModelDynamicsSetLinearVelocity(ball, 8, 0, 1);
     run(.6);
     MeVector3 p;
@@ -199,13 +199,13 @@ TEST(what_sleeps_wakes_when_it_is_hit) {
 TEST(a_bouncy_ball_comes_back) {
     MstMaterialID ballMaterial = MstBridgeGetNewMaterial(u->bridge), floorMaterial = MstBridgeGetNewMaterial(u->bridge);
     MdtContactParamsSetRestitution(MstBridgeGetContactParams(u->bridge, ballMaterial, floorMaterial), 1);
-    McdModelID floor = makeGround(), ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal).5), 1);
+    McdModelID floor = makeGround(), ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, .5), 1);
     McdModelSetMaterial(ball, (int)ballMaterial);
     McdModelSetMaterial(floor, (int)floorMaterial);
     McdModelDynamicsSetPosition(ball, 0, 0, 2);
     double top = 0;
     for (int i = 0; i < 240; i++) {
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
         if (i > 60)
             top = fmax(top, heightOf(ball));
     }
@@ -226,12 +226,12 @@ static double bounce(double h, double e, double time) {
 
 /* At 10 m/s a frame takes it 16 cm on: it looks ahead, or it would be deep in the floor before it touches. */
 TEST(a_fast_ball_rebounds_at_the_floor) {
-    MdtContactParamsSetRestitution(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal).8);
+    MdtContactParamsSetRestitution(MstBridgeGetContactParams(u->bridge, 0, 0), .8);
     makeGround();
-    McdModelID ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal).5), 1000);
-    McdModelDynamicsSetPosition(ball, 0, 0, (MeReal)5.5);
+    McdModelID ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, .5), 1000);
+    McdModelDynamicsSetPosition(ball, 0, 0, 5.5);
     for (int i = 1; i <= 240; i++) {
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
         assert_near(heightOf(ball), .5 + bounce(5, .8, i / 60.), TOL(3e-5, 5e-13));
     }
 }
@@ -239,7 +239,7 @@ TEST(a_fast_ball_rebounds_at_the_floor) {
 /* Clubs of unequal moments that spin at 80 rad/s and strike the floor: where a step met in time does not find their
  * motion, it is taken in parts, and nobody need be warned. */
 TEST(what_spins_fast_may_strike) {
-    const McdGeometryID g = McdBoxCreate(u->frame, (MeReal).12, (MeReal).4, (MeReal).06);
+    const McdGeometryID g = McdBoxCreate(u->frame, .12, .4, .06);
     setFriction(.3, .3);
     makeGround();
     messages_catch();
@@ -259,19 +259,18 @@ static double stackAndHash(void) {
     static MeMatrix4 tm;
     sizes.dynamicConstraintsMaxCount = 1000;
     MstUniverseID universe = MstUniverseCreate(&sizes);
-    MdtWorldSetGravity(universe->world, 0, 0, (MeReal)-9.81);
+    MdtWorldSetGravity(universe->world, 0, 0, -9.81);
     MeMatrix4TMMakeIdentity(tm);
     MstFixedModelCreate(universe, McdPlaneCreate(universe->frame), tm);
     McdModelID m[12];
     double hash = 0;
     for (int i = 0; i < 12; i++) {
-        McdGeometryID g =
-            i % 3 ? McdBoxCreate(universe->frame, 1, 1, 1) : McdCylinderCreate(universe->frame, (MeReal).5, 1);
+        McdGeometryID g = i % 3 ? McdBoxCreate(universe->frame, 1, 1, 1) : McdCylinderCreate(universe->frame, .5, 1);
         m[i] = MstModelAndBodyCreate(universe, g, 1);
-        McdModelDynamicsSetPosition(m[i], (MeReal)(.3 * (i % 4)), (MeReal)(.2 * (i % 5)), (MeReal)(.6 + 1.1 * i));
+        McdModelDynamicsSetPosition(m[i], .3 * (i % 4), .2 * (i % 5), .6 + 1.1 * i);
     }
     for (int i = 0; i < 300; i++)
-        MstUniverseStep(universe, (MeReal)(1. / 60));
+        MstUniverseStep(universe, 1. / 60);
     for (int i = 0; i < 12; i++)
         for (int k = 0; k < 3; k++)
             hash = hash * 1.618 + (double)McdModelGetTransformPtr(m[i])[3][k];
@@ -295,12 +294,12 @@ TEST(a_ball_rolls_on_however_fast_it_turns) {
         setFriction(.5, 0);
         makeGround();
         MdtWorldSetEpsilon(u->world, 0);
-        McdModelID ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal)radius), 500);
-        McdModelDynamicsSetPosition(ball, 0, 0, (MeReal)radius);
-        McdModelDynamicsSetLinearVelocity(ball, (MeReal)speed, 0, 0);
-        McdModelDynamicsSetAngularVelocity(ball, 0, (MeReal)(speed / radius), 0);
+        McdModelID ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, radius), 500);
+        McdModelDynamicsSetPosition(ball, 0, 0, radius);
+        McdModelDynamicsSetLinearVelocity(ball, speed, 0, 0);
+        McdModelDynamicsSetAngularVelocity(ball, 0, speed / radius, 0);
         for (int i = 0; i < 300; i++) {
-            MstUniverseStep(u, (MeReal)(1. / 60));
+            MstUniverseStep(u, 1. / 60);
             assert_near(heightOf(ball), radius, TOL(6e-6, 1e-9));
         }
         McdModelDynamicsGetLinearVelocity(ball, v);
@@ -314,7 +313,7 @@ TEST(a_step_is_profiled_as_collision_and_dynamics) {
     makeBox(1, 0, 0, 0.5);
     MeProfileStartTiming((MeProfileTimerMode){kMeProfileCounterModeFlops}, kMeProfileDontLog);
     MeProfileStartFrame();
-    MstUniverseStep(u, (MeReal)(1. / 60));
+    MstUniverseStep(u, 1. / 60);
     MeProfileEndFrame();
     assert_below(0, MeProfileGetSectionTime("Collision"));
     assert_below(0, MeProfileGetSectionTime("Dynamics"));

@@ -64,18 +64,18 @@ static void makePlane(int across, int up, int normal, MeReal direction, MeReal d
  * sweeps. */
 static void makeWorld(const MstUniverseSizes *sizes) {
     u = MstUniverseCreate(sizes);
-    MdtWorldSetGravity(u->world, 0, (MeReal)-9.81, 0);
+    MdtWorldSetGravity(u->world, 0, -9.81, 0);
     MdtWorldSetWorkBudget(u->world, 5);
     MdtWorldEnableReport(u->world);
     const MdtContactParamsID p = MstBridgeGetContactParams(u->bridge, 0, 0);
     MdtContactParamsSetType(p, MdtContactTypeFriction2D);
     MdtContactParamsSetFrictionModel(p, MdtFrictionModelCone);
-    MdtContactParamsSetFrictionCoeffecient(p, (MeReal).5);
+    MdtContactParamsSetFrictionCoeffecient(p, .5);
     makePlane(2, 0, 1, 1, 0);
-    makePlane(1, 2, 0, 1, (MeReal)2.5);
-    makePlane(2, 1, 0, -1, (MeReal)2.5);
-    makePlane(0, 1, 2, 1, (MeReal)2.5);
-    makePlane(1, 0, 2, -1, (MeReal)2.5);
+    makePlane(1, 2, 0, 1, 2.5);
+    makePlane(2, 1, 0, -1, 2.5);
+    makePlane(0, 1, 2, 1, 2.5);
+    makePlane(1, 0, 2, -1, 2.5);
 }
 
 static void makeBoxes(void) {
@@ -103,8 +103,7 @@ static void place(double width, double layer) {
         for (int k = 0; k < 4; k++)
             q[k] = chance(-.5, .5);
         MdtBodyEnable(body[i]);
-        MdtBodySetPosition(body[i], chance(-width / 2, width / 2), (MeReal)(2 + layer * (i / 4)),
-                           chance(-width / 2, width / 2));
+        MdtBodySetPosition(body[i], chance(-width / 2, width / 2), 2 + layer * (i / 4), chance(-width / 2, width / 2));
         MdtBodySetQuaternion(body[i], q[0], q[1], q[2], q[3]);
         MdtBodySetLinearVelocity(body[i], 0, 0, 0);
         MdtBodySetAngularVelocity(body[i], 0, 0, 0);
@@ -146,7 +145,7 @@ static int touchesNow(void) {
 /* How often the step has allocated. */
 static int step(int *touches) {
     allocations = 0;
-    MstUniverseStep(u, (MeReal)(1. / 60));
+    MstUniverseStep(u, 1. / 60);
     *touches = touchesNow();
     return allocations;
 }

@@ -22,14 +22,14 @@ static void makeWorld(int boxes, int constraints) {
     sizes.collisionPairsMaxCount = (unsigned int)(boxes * boxes + 100);
     sizes.dynamicConstraintsMaxCount = (unsigned int)constraints;
     u = MstUniverseCreate(&sizes);
-    MdtWorldSetGravity(u->world, 0, (MeReal)-9.81, 0);
+    MdtWorldSetGravity(u->world, 0, -9.81, 0);
     MdtWorldSetEpsilon(u->world, 0);
     MdtWorldEnableReport(u->world);
     MdtWorldSetSolver(u->world, MdtSolverExact);
     MdtContactParamsID p = MstBridgeGetContactParams(u->bridge, 0, 0);
     MdtContactParamsSetType(p, MdtContactTypeFriction2D);
     MdtContactParamsSetFrictionModel(p, MdtFrictionModelCone);
-    MdtContactParamsSetFrictionCoeffecient(p, (MeReal).5);
+    MdtContactParamsSetFrictionCoeffecient(p, .5);
     MstFixedModelCreate(u, McdPlaneCreate(u->frame), floorTM);
 }
 
@@ -44,7 +44,7 @@ static void makeHeap(int boxes) {
         const double x = chance(-2, 2), z = chance(-2, 2);
         for (int k = 0; k < 4; k++)
             q[k] = (MeReal)chance(-.5, .5);
-        McdModelDynamicsSetPosition(m, (MeReal)x, (MeReal)(2 + 1.2 * (i / 4)), (MeReal)z);
+        McdModelDynamicsSetPosition(m, x, 2 + 1.2 * (i / 4), z);
         McdModelDynamicsSetQuaternion(m, q[0], q[1], q[2], q[3]);
         body[i] = McdModelGetBody(m);
     }
@@ -64,7 +64,7 @@ static double fastest(int boxes) {
     for (int i = 0; i < boxes; i++) {
         MeVector3 v;
         MdtBodyGetLinearVelocity(body[i], v);
-        max = fmax(max, sqrt((double)(v[0] * v[0] + v[1] * v[1] + v[2] * v[2])));
+        max = fmax(max, sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
     }
     return max;
 }
@@ -104,7 +104,7 @@ static void noteStep(Run *run, int boxes, Energy *last) {
     for (int i = 0; i < MdtWorldGetReportCount(u->world); i++) {
         MdtReport part;
         ck_assert(MdtWorldGetPartitionReport(u->world, i, &part));
-        run->maxWork = fmax(run->maxWork, (double)part.work);
+        run->maxWork = fmax(run->maxWork, part.work);
     }
 }
 
@@ -115,10 +115,10 @@ static Run runHeap(int boxes, int steps, int cap, double budget) {
     run.start = energy.potential;
     MdtWorldSetMaxLCPIterations(u->world, cap);
     if (budget >= 0)
-        MdtWorldSetWorkBudget(u->world, (MeReal)budget);
+        MdtWorldSetWorkBudget(u->world, budget);
     messages_catch();
     for (int i = 0; i < steps; i++) {
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
         noteStep(&run, boxes, &energy);
         run.speed = fmax(run.speed, fastest(boxes));
     }
@@ -175,7 +175,7 @@ TEST(a_hundred_boxes_in_one_place_are_bounded) {
     Energy energy = energyOf(BOXES);
     run.start = energy.potential;
     for (int i = 0; i < STEPS; i++) {
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
         noteStep(&run, BOXES, &energy);
         run.speed = fmax(run.speed, fastest(BOXES));
         max = fmax(max, MDTWORLD_DEFAULT_WORK_BUDGET + sweep * run.rows);
@@ -192,11 +192,11 @@ TEST(the_budget_is_a_number_from_0) {
     assert_near(MdtWorldGetWorkBudget(u->world), MDTWORLD_DEFAULT_WORK_BUDGET, 0);
     MdtWorldSetWorkBudget(u->world, 0);
     ck_assert(MdtWorldGetWorkBudget(u->world) == 0);
-    MdtWorldSetWorkBudget(u->world, (MeReal)2.5);
+    MdtWorldSetWorkBudget(u->world, 2.5);
     messages_catch();
     MdtWorldSetWorkBudget(u->world, -1);
     assert_warned("MdtWorldSetWorkBudget");
-    MdtWorldSetWorkBudget(u->world, (MeReal)NAN);
+    MdtWorldSetWorkBudget(u->world, NAN);
     assert_warned("MdtWorldSetWorkBudget");
     ck_assert(MdtWorldGetWorkBudget(NULL) == 0);
     assert_warned("MdtWorldGetWorkBudget");

@@ -58,37 +58,37 @@ static inline McdModelID whole_add(Whole *s, McdGeometryID g, double x, double y
         return 0;
     McdGeometryGetMassProperties(g, relative, inertia, &volume);
     MdtBodySetCenterOfMassRelativePosition(McdModelGetBody(m), relative[3]);
-    MdtBodySetPosition(McdModelGetBody(m), (MeReal)x, (MeReal)y, (MeReal)z);
+    MdtBodySetPosition(McdModelGetBody(m), x, y, z);
     s->model[s->count++] = m;
     return m;
 }
 
 static inline McdModelID whole_fixed(Whole *s, McdGeometryID g, MeMatrix4Ptr tm, double x, double y, double z) {
     MeMatrix4TMMakeIdentity(tm);
-    MeMatrix4TMSetPosition(tm, (MeReal)x, (MeReal)y, (MeReal)z);
+    MeMatrix4TMSetPosition(tm, x, y, z);
     return MstFixedModelCreate(s->u, g, tm);
 }
 
 static inline McdGeometryID whole_hull(McdFrameworkID f) {
     MeVector3 v[12];
     for (int i = 0; i < 12; i++)
-        MeVector3Set(v[i], (MeReal)(.3 * cos(i * .9)), (MeReal)(.3 * sin(i * .9)), (MeReal)(.05 * (i % 5) - .1));
-    return McdConvexMeshCreateHull(f, (const MeVector3 *)v, 12, (MeReal).02);
+        MeVector3Set(v[i], .3 * cos(i * .9), .3 * sin(i * .9), .05 * (i % 5) - .1);
+    return McdConvexMeshCreateHull(f, (const MeVector3 *)v, 12, .02);
 }
 
 static inline McdGeometryID whole_dumbbell(Whole *s, McdFrameworkID f) {
     const McdGeometryID a = McdAggregateCreate(f, 2);
     for (int i = 0; i < 2; i++) {
         MeMatrix4TMMakeIdentity(s->partTM[i]);
-        MeMatrix4TMSetPosition(s->partTM[i], (MeReal)(i ? .3 : -.3), 0, 0);
+        MeMatrix4TMSetPosition(s->partTM[i], i ? .3 : -.3, 0, 0);
     }
-    McdAggregateAddElement(a, McdSphereCreate(f, (MeReal).2), s->partTM[0]);
-    McdAggregateAddElement(a, McdBoxCreate(f, (MeReal).3, (MeReal).3, (MeReal).3), s->partTM[1]);
+    McdAggregateAddElement(a, McdSphereCreate(f, .2), s->partTM[0]);
+    McdAggregateAddElement(a, McdBoxCreate(f, .3, .3, .3), s->partTM[1]);
     return a;
 }
 
 static inline void whole_grounds(Whole *s, McdFrameworkID f) {
-    MeVector3 low = {-6, -2, (MeReal)-.1}, high = {-2, 2, (MeReal).1};
+    MeVector3 low = {-6, -2, -.1}, high = {-2, 2, .1};
     for (int i = 0; i < WHOLE_HEIGHTS * WHOLE_HEIGHTS; i++)
         s->height[i] = (MeReal)(.03 * sin(i));
     for (int i = 0; i < 4; i++)
@@ -106,18 +106,18 @@ static inline void whole_grounds(Whole *s, McdFrameworkID f) {
 static inline void whole_shapes(Whole *s, McdFrameworkID f) {
     for (int i = 0; i < 2; i++) { /* over the triangles, over the field; two of each overlap a little */
         const double x = i ? 4 : -4, z = .25;
-        whole_add(s, McdSphereCreate(f, (MeReal).25), x, 0, z);
-        whole_add(s, McdBoxCreate(f, (MeReal).5, (MeReal).5, (MeReal).5), x + .45, 0, z);
-        whole_add(s, McdCylinderCreate(f, (MeReal).2, (MeReal).5), x, .5, z);
-        whole_add(s, McdSphylCreate(f, (MeReal).2, (MeReal).4), x + .5, .6, z);
-        whole_add(s, McdConeCreate(f, (MeReal).5, (MeReal).25), x + 1, 0, z);
-        whole_add(s, i ? McdConvexMeshCreateSphyl(f, (MeReal).2, (MeReal).2) : whole_hull(f), x, -.6, z);
+        whole_add(s, McdSphereCreate(f, .25), x, 0, z);
+        whole_add(s, McdBoxCreate(f, .5, .5, .5), x + .45, 0, z);
+        whole_add(s, McdCylinderCreate(f, .2, .5), x, .5, z);
+        whole_add(s, McdSphylCreate(f, .2, .4), x + .5, .6, z);
+        whole_add(s, McdConeCreate(f, .5, .25), x + 1, 0, z);
+        whole_add(s, i ? McdConvexMeshCreateSphyl(f, .2, .2) : whole_hull(f), x, -.6, z);
         whole_add(s, whole_dumbbell(s, f), x + .6, -.6, z);
     }
-    const McdModelID fast = whole_add(s, McdSphereCreate(f, (MeReal).05), 0, 2, 1);
+    const McdModelID fast = whole_add(s, McdSphereCreate(f, .05), 0, 2, 1);
     McdModelSetSwept(fast, METRUE);
     McdModelDynamicsSetLinearVelocity(fast, 0, 0, -200);
-    whole_add(s, McdBoxCreate(f, (MeReal).4, (MeReal).4, (MeReal).4), 0, 0, .4); /* in the sensor */
+    whole_add(s, McdBoxCreate(f, .4, .4, .4), 0, 0, .4); /* in the sensor */
 }
 
 static inline void MEAPI whole_userRows(MdtKeaConstraints *const kea, void *const constraint,
@@ -194,7 +194,7 @@ static inline void whole_materials(Whole *s) {
     const MdtContactParamsID p = MstBridgeGetContactParams(b, rough, 0);
     MdtContactParamsSetType(p, MdtContactTypeFriction2D);
     MdtContactParamsSetFrictionModel(p, MdtFrictionModelCone);
-    MdtContactParamsSetFrictionCoeffecient(p, (MeReal).6);
+    MdtContactParamsSetFrictionCoeffecient(p, .6);
     MstBridgeSetPerContactCB(b, rough, 0, whole_seesContact);
     MstBridgeSetTouchCB(b, 0, 0, whole_touch);
     for (int i = 0; i < s->count; i++)
@@ -238,7 +238,7 @@ static inline McdModelID whole_relative(Whole *s) {
     const McdModelID m = s->count > 3 ? s->model[3] : 0;
     if (m) {
         MeMatrix4TMMakeIdentity(aside);
-        MeMatrix4TMSetPosition(aside, (MeReal).1, 0, 0);
+        MeMatrix4TMSetPosition(aside, .1, 0, 0);
         McdModelSetRelativeTransform(m, aside);
     }
     return m;
@@ -255,7 +255,7 @@ static inline void whole_destroySome(Whole *s) {
 
 static inline void whole_step(Whole *s, int steps) {
     for (int i = 0; i < steps; i++)
-        MstUniverseStep(s->u, (MeReal)(1. / 60));
+        MstUniverseStep(s->u, 1. / 60);
 }
 
 /* False: there was no memory for the universe. */
@@ -264,7 +264,7 @@ static inline MeBool whole_begin(Whole *s, const MstUniverseSizes *sizes) {
     s->u = MstUniverseCreate(sizes);
     if (!s->u)
         return MEFALSE;
-    MdtWorldSetGravity(s->u->world, 0, 0, (MeReal)-9.8);
+    MdtWorldSetGravity(s->u->world, 0, 0, -9.8);
     MdtWorldEnableReport(s->u->world);
     return METRUE;
 }

@@ -379,7 +379,7 @@ static void fillBySeed(const FuzzParameter *p, void *array, int seed) {
     if (p->kind == FUZZ_RECORD)
         fuzzRecords[p->type].fill(array, &random);
     for (int i = 0; p->kind == FUZZ_REALS && i < p->size; i++)
-        ((MeReal *)array)[i] = (MeReal)fuzzReal(&random);
+        ((MeReal *)array)[i] = fuzzReal(&random);
 }
 
 static void fillByNumbers(const FuzzParameter *p, void *array, char *at) {
@@ -388,7 +388,7 @@ static void fillByNumbers(const FuzzParameter *p, void *array, char *at) {
         if (p->kind == FUZZ_DOUBLES)
             ((double *)array)[i] = x;
         else
-            ((MeReal *)array)[i] = (MeReal)x;
+            ((MeReal *)array)[i] = x;
         at += *at == ',';
     }
 }

@@ -34,7 +34,7 @@ static MeReal wild(FuzzRandom *random, const Shape *s) {
 
 static FuzzRandom seedOf(const Shape *s) {
     const int nasty = s->number[2] > 0 && s->number[2] < 100 ? (int)s->number[2] : 0;
-    const double seed = fmod(fabs((double)s->number[0]), 1e6);
+    const double seed = fmod(fabs(s->number[0]), 1e6);
     return (FuzzRandom){seed >= 0 ? (uint64_t)(1e3 * seed) : 0, nasty, 0};
 }
 
@@ -239,7 +239,7 @@ static void run(Shape s[2], MeReal from[3], MeReal to[3]) {
         if (m[i])
             McdModelSetLinearVelocityPtr(m[i], i ? to : from);
     }
-    isRigid = MeMatrix4IsTM(s[0].tm, (MeReal)1e-4) && MeMatrix4IsTM(s[1].tm, (MeReal)1e-4);
+    isRigid = MeMatrix4IsTM(s[0].tm, 1e-4) && MeMatrix4IsTM(s[1].tm, 1e-4);
     McdSpaceUpdateAll(space);
     if (m[0] && m[1]) {
         compare(m[0], m[1]);

@@ -6,7 +6,7 @@
 TEST(conventions) {
     MdtWorldID world = MdtWorldCreate(1, 0);
     MdtBodyID body = MdtBodyCreate(world);
-    const MeReal quarter = MeSqrt((MeReal).5);
+    const MeReal quarter = MeSqrt(.5);
     MeMatrix3 R;
     MeVector3 x = {1, 0, 0}, X, y;
     MdtBodySetPosition(body, 10, 20, 30);
@@ -61,7 +61,7 @@ TEST(different_worlds_are_disconnected) {
 TEST(a_rigid_body_never_deforms_and_obeys_newton) {
     MdtWorldID world = MdtWorldCreate(1, 0);
     MdtBodyID body = MdtBodyCreate(world);
-    const MeReal Ts = (MeReal)0.01;
+    const MeReal Ts = 0.01;
     MdtWorldSetAutoDisable(world, 0);
     MdtWorldSetGravity(world, 0, -(MeReal)9.8, 0);
     MdtBodySetLinearVelocity(body, 3, 4, 0);
@@ -88,8 +88,8 @@ TEST(an_elbow_moves_the_upper_arm_and_bends_by_160_degrees) {
     MdtWorldID world = MdtWorldCreate(2, 1);
     MdtWorldSetAutoDisable(world, 0);
     MdtBodyID upperArm = MdtBodyCreate(world), forearm = MdtBodyCreate(world);
-    MdtBodySetPosition(upperArm, (MeReal)-.5, 0, 0);
-    MdtBodySetPosition(forearm, (MeReal).5, 0, 0);
+    MdtBodySetPosition(upperArm, -.5, 0, 0);
+    MdtBodySetPosition(forearm, .5, 0, 0);
     MdtHingeID elbow = MdtHingeCreate(world);
     MdtHingeSetBodies(elbow, forearm, upperArm);
     MdtHingeSetPosition(elbow, 0, 0, 0);
@@ -97,7 +97,7 @@ TEST(an_elbow_moves_the_upper_arm_and_bends_by_160_degrees) {
     MdtLimitID limit = MdtHingeGetLimit(elbow);
     const double max = 160 * PI / 180;
     MdtSingleLimitSetStop(MdtLimitGetLowerLimit(limit), 0);
-    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(limit), (MeReal)max);
+    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(limit), max);
     MdtSingleLimitSetRestitution(MdtLimitGetLowerLimit(limit), 0);
     MdtSingleLimitSetRestitution(MdtLimitGetUpperLimit(limit), 0);
     MdtLimitActivateLimits(limit, 1);
@@ -107,14 +107,14 @@ TEST(an_elbow_moves_the_upper_arm_and_bends_by_160_degrees) {
     for (int i = 0; i < 200; i++) {
         MdtBodyAddTorque(forearm, 0, 0, 1);
         MdtBodyAddTorque(upperArm, 0, 0, -1);
-        MdtWorldStep(world, (MeReal)0.01);
+        MdtWorldStep(world, 0.01);
         const double bend = MdtLimitGetPosition(limit);
         ck_assert_msg(bend > -1e-4 && bend < max + 1e-4, "bent by %g", bend);
     }
     assert_near(MdtLimitGetPosition(limit), max, TOL(3e-6, 6e-7));
     for (int i = 0; i < 100; i++) { /* pull the forearm away */
         MdtBodyAddForce(forearm, 10, 0, 0);
-        MdtWorldStep(world, (MeReal)0.01);
+        MdtWorldStep(world, 0.01);
     }
     assert_near(velocity(upperArm, 0) + velocity(forearm, 0), 10, TOL(1e-5, 9e-13));
     ck_assert(velocity(upperArm, 0) > 1);
@@ -147,12 +147,12 @@ TEST(a_stone_stops_or_rebounds_on_the_floor) {
                 MdtContactSetBodies(contact, stone, 0);
                 MdtContactSetPosition(contact, 0, 0, 0);
                 MdtContactSetNormal(contact, 0, 1, 0); /* perpendicular to the local contact plane */
-                MdtContactSetPenetration(contact, (MeReal)depth);
-                MdtContactParamsSetRestitution(MdtContactGetParams(contact), (MeReal)restitutions[k]);
+                MdtContactSetPenetration(contact, depth);
+                MdtContactParamsSetRestitution(MdtContactGetParams(contact), restitutions[k]);
                 MdtContactEnable(contact);
                 struck = 1;
             }
-            MdtWorldStep(world, (MeReal)0.001);
+            MdtWorldStep(world, 0.001);
             if (struck)
                 top = fmax(top, coordinate(stone, 1));
         }
@@ -176,13 +176,13 @@ TEST(partitions_are_lists_of_bodies_constrained_together) {
         if (i % 5) { /* two chains of five */
             MdtBSJointID link = MdtBSJointCreate(world);
             MdtBSJointSetBodies(link, body[i - 1], body[i]);
-            MdtBSJointSetPosition(link, (MeReal)(i - .5), 0, 0);
+            MdtBSJointSetPosition(link, i - .5, 0, 0);
             MdtBSJointEnable(link);
         }
     }
     MdtBodyAddForce(body[4], 5, 0, 0); /* from one chain on the other */
     MdtBodyAddForce(body[5], -5, 0, 0);
-    MdtWorldStep(world, (MeReal)0.01);
+    MdtWorldStep(world, 0.01);
     for (int i = 0; i < 10; i++)
         for (int k = 0; k < 10; k++)
             ck_assert_int_eq(MdtBodyGetPartition(body[i]) == MdtBodyGetPartition(body[k]), i / 5 == k / 5);
@@ -196,19 +196,19 @@ TEST(stationary_bodies_are_disabled_and_come_to_life_when_struck) {
     MdtBodyID still = MdtBodyCreate(world), ball = MdtBodyCreate(world);
     MdtBodyEnable(still);
     for (int i = 0; i < 60; i++)
-        MdtWorldStep(world, (MeReal)0.01);
+        MdtWorldStep(world, 0.01);
     ck_assert(!MdtBodyIsEnabled(still));
     MdtBodySetPosition(ball, 0, 2, 0);
     MdtBodySetLinearVelocity(ball, 0, -3, 0);
     MdtBodyEnable(ball);
-    MdtWorldStep(world, (MeReal)0.01);
+    MdtWorldStep(world, 0.01);
     ck_assert(!MdtBodyIsEnabled(still)); /* not struck yet */
     MdtContactID contact = MdtContactCreate(world);
     MdtContactSetBodies(contact, ball, still);
     MdtContactSetPosition(contact, 0, 1, 0);
     MdtContactSetNormal(contact, 0, 1, 0);
     MdtContactEnable(contact);
-    MdtWorldStep(world, (MeReal)0.01);
+    MdtWorldStep(world, 0.01);
     ck_assert(MdtBodyIsEnabled(still));
     assert_near(velocity(still, 1), -1.5, TOL(2e-6, 2e-13)); /* they share the momentum */
     MdtWorldDestroy(world);

@@ -5,7 +5,7 @@
 
 /* "Setting the Timestep for the Simulation" */
 /* Simulation time step in seconds */
-static MeReal step = (MeReal)(0.03);
+static MeReal step = 0.03;
 
 static MdtWorldID world;
 static MdtBodyID body;
@@ -127,7 +127,7 @@ TEST(reset_and_accessors) {
  * "The time increment does [not] need to be fixed." */
 TEST(a_ball_falls_freely) {
     makeDrop();
-    const double h = (double)step;
+    const double h = step;
     for (int n = 1; n <= 100; n++) {
         Run(1);
         assert_near(sphereG->m_matrix[3][1], 10 - 9.8 * h * h * n * n / 2, TOL(2e-5, 4e-12));
@@ -152,7 +152,7 @@ TEST(inertia_tensors_follow_the_geometry) {
     world = MdtWorldCreate(1, 0);
     body = MdtBodyCreate(world);
     MeMatrix3 bar;
-    MdtMakeInertiaTensorBox(12, 2, (MeReal).2, (MeReal).2, bar);
+    MdtMakeInertiaTensorBox(12, 2, .2, .2, bar);
     assert_near(bar[0][0], .08, TOL(8e-8, 8e-15));
     assert_near(bar[1][1], 4.04, TOL(4e-6, 4e-13));
     MdtBodySetMass(body, 12);

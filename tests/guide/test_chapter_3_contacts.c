@@ -4,7 +4,7 @@
 
 static MdtWorldID world;
 static MdtBodyID body;
-static const MeReal step = (MeReal)(1.0 / 60);
+static const MeReal step = 1.0 / 60;
 
 static MdtContactID contact;
 
@@ -24,9 +24,9 @@ static void beginOnPlane(void) {
 /* As collision detection would, the contact is kept under the body. */
 static void push(double fx, double fz, int n) {
     while (n--) {
-        MdtContactSetPosition(contact, (MeReal)coordinate(body, 0), 0, (MeReal)coordinate(body, 2));
-        MdtContactSetPenetration(contact, (MeReal)-coordinate(body, 1));
-        MdtBodyAddForce(body, (MeReal)fx, 0, (MeReal)fz);
+        MdtContactSetPosition(contact, coordinate(body, 0), 0, coordinate(body, 2));
+        MdtContactSetPenetration(contact, -coordinate(body, 1));
+        MdtBodyAddForce(body, fx, 0, fz);
         MdtWorldStep(world, step);
     }
 }
@@ -75,7 +75,7 @@ TEST(friction_modes) {
     MdtBodySetLinearVelocity(body, 0, 0, 0); /* "multiplying the coefficient of friction by the normal force" */
     MdtContactParamsSetPrimaryFrictionModel(params, MdtFrictionModelNormalForce);
     MdtContactParamsSetSecondaryFrictionModel(params, MdtFrictionModelNormalForce);
-    MdtContactParamsSetFrictionCoeffecient(params, (MeReal).5);
+    MdtContactParamsSetFrictionCoeffecient(params, .5);
     push(48, 0, 60);
     assert_near(velocity(body, 0), 0, 1e-2);
     push(50, 0, 60);
@@ -90,7 +90,7 @@ TEST(coulomb_friction) {
     const double mu = .25, max = mu * 9.8;
     MdtContactParamsSetType(params, MdtContactTypeFriction2D);
     MdtContactParamsSetFrictionModel(params, MdtFrictionModelNormalForce);
-    MdtContactParamsSetFrictionCoeffecient(params, (MeReal)mu);
+    MdtContactParamsSetFrictionCoeffecient(params, mu);
     for (int i = 1; i <= 9; i++) {
         push(0, max * i / 10, 10);
         assert_near(forceOn(MdtContactQuaConstraint(contact), 0, 2), -max * i / 10, TOL(8e-6, 3e-6));
@@ -136,7 +136,7 @@ TEST(contact_accessors_and_mutators) {
     MdtContactSetDirection(contact, 3, 0, 0);
     MdtContactGetDirection(contact, v);
     assert_vec3_near(v, 1, 0, 0, 1e-7);
-    MdtContactSetPenetration(contact, (MeReal).125);
+    MdtContactSetPenetration(contact, .125);
     assert_near(MdtContactGetPenetration(contact), .125, 0);
     ck_assert(MdtContactGetNext(contact) == MdtContactInvalidID);
     MdtContactSetNext(contact, nextContact);
@@ -223,8 +223,8 @@ static void tick(void) {
         MdtContactSetPenetration(contact, penetration);
         params = MdtContactGetParams(contact);
         MdtContactParamsSetType(params, MdtContactTypeFriction2D);
-        MdtContactParamsSetFriction(params, (MeReal)(5.0));
-        MdtContactParamsSetRestitution(params, (MeReal)(0.6));
+        MdtContactParamsSetFriction(params, 5.0);
+        MdtContactParamsSetRestitution(params, 0.6);
         MdtContactEnable(contact);
     }
     MdtWorldStep(world, step);

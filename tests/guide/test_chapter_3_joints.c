@@ -5,7 +5,7 @@
 
 static MdtWorldID world;
 static MdtBodyID body1, body2;
-static const MeReal step = (MeReal)(1.0 / 60);
+static const MeReal step = 1.0 / 60;
 
 /* Two enabled bodies of the mass 1, a metre apart, in a world without gravity that puts nothing to rest. */
 static void begin(void) {
@@ -32,7 +32,7 @@ TEST(common_constraint_functions) {
     begin();
     MdtHingeID joint = MdtHingeCreate(world);
     MdtHingeSetBodies(joint, body1, body2);
-    MdtHingeSetPosition(joint, (MeReal).5, 0, 0);
+    MdtHingeSetPosition(joint, .5, 0, 0);
     ck_assert(!MdtHingeIsEnabled(joint));
     MdtBodySetLinearVelocity(body1, 0, 1, 0);
     evolve(1);
@@ -48,7 +48,7 @@ TEST(common_constraint_functions) {
     MdtHingeSetAxis(joint, 0, 1, 0);
     MdtHingeReset(joint);
     MdtHingeGetAxis(joint, axis);
-    ck_assert(fabs((double)axis[0]) > .9); /* "axis = {1,0,0}" of the body */
+    ck_assert(fabs(axis[0]) > .9); /* "axis = {1,0,0}" of the body */
     MdtConstraintID constraint = MdtHingeQuaConstraint(joint);
     ck_assert(MdtConstraintDCastHinge(constraint) == joint);
     ck_assert(MdtConstraintDCastBSJoint(constraint) == 0); /* "not of the expected type, 0 is returned" */
@@ -123,7 +123,7 @@ TEST(base_constraint_functions) {
 /* "Ball-and-socket (BS) Joint": the two points are at the same location in the world. */
 TEST(ball_and_socket) {
     begin();
-    const MeReal pos_x = (MeReal).5, pos_y = (MeReal).25, pos_z = 0;
+    const MeReal pos_x = .5, pos_y = (MeReal).25, pos_z = 0;
     MdtBSJointID bs = MdtBSJointCreate(world);
     MdtBSJointSetBodies(bs, body1, body2);
     MdtBSJointSetPosition(bs, pos_x, pos_y, pos_z);
@@ -143,7 +143,7 @@ TEST(hinge_joint) {
     begin();
     MdtHingeID joint = MdtHingeCreate(world);
     MdtHingeSetBodies(joint, body1, body2);
-    MdtHingeSetPosition(joint, (MeReal).5, 0, 0);
+    MdtHingeSetPosition(joint, .5, 0, 0);
     MdtHingeSetAxis(joint, 0, 0, 1);
     MdtHingeEnable(joint);
     MdtBodyAddImpulseAtPosition(body2, 1, 3, 1, 1, 1, 1);
@@ -175,7 +175,7 @@ TEST(prismatic) {
     assert_near(MdtLimitGetPosition(limit), 0, TOL(1e-6, 9e-14));
     MdtBodySetLinearVelocity(body2, 1, 0, 0);
     evolve(60);
-    assert_near(fabs((double)MdtLimitGetPosition(limit)), 1, TOL(1e-6, 9e-14));
+    assert_near(fabs(MdtLimitGetPosition(limit)), 1, TOL(1e-6, 9e-14));
     MdtBodySetAngularVelocity(body2, 0, 1, 1);
     evolve(10);
     for (int k = 0; k < 3; k++)
@@ -185,7 +185,7 @@ TEST(prismatic) {
     MdtBodySetAngularVelocity(body2, 0, 0, 0);
     MdtBodySetLinearVelocity(body1, 0, 0, 0);
     MdtBodySetLinearVelocity(body2, 0, 0, 0);
-    MdtLimitSetLimitedForceMotor(limit, (MeReal).5, 2);
+    MdtLimitSetLimitedForceMotor(limit, .5, 2);
     evolve(120);
     assert_near(MdtLimitGetVelocity(limit), .5, TOL(5e-7, 5e-14));
     end();
@@ -201,12 +201,12 @@ TEST(universal) {
         MdtUniversalGetAxis(joint, k, axis[k]);
     assert_vec3_near(axis[0], 1, 0, 0, TOL(1e-6, 9e-14)); /* "x-axis in body1 and y-axis in body2" */
     assert_vec3_near(axis[1], 0, 1, 0, TOL(1e-6, 9e-14));
-    MdtUniversalSetPosition(joint, (MeReal).5, 0, 0);
+    MdtUniversalSetPosition(joint, .5, 0, 0);
     MdtUniversalSetAxis(joint, 0, 0, 1, 0);
     MdtUniversalSetAxis(joint, 1, 0, 0, 1);
     MdtUniversalEnable(joint);
     MdtBodySetAngularVelocity(body1, 3, 0, 0); /* a twist is transmitted */
-    MdtBodySetAngularVelocity(body2, 0, (MeReal).2, 0);
+    MdtBodySetAngularVelocity(body2, 0, .2, 0);
     for (int i = 0; i < 100; i++) {
         evolve(1);
         for (unsigned int k = 0; k < 2; k++)
@@ -264,7 +264,7 @@ TEST(car_wheel) {
     assert_vec3_near(hingeAxis, 0, 1, 0, TOL(1e-6, 9e-14));
     MdtCarWheelSetSteeringAxis(joint, 0, 1, 0);
     MdtCarWheelSetHingeAxis(joint, 0, 0, 1);
-    MdtCarWheelSetSuspension(joint, 1000, 60, 0, (MeReal)-.3, (MeReal).3, (MeReal).05);
+    MdtCarWheelSetSuspension(joint, 1000, 60, 0, -.3, .3, .05);
     ck_assert(MdtCarWheelGetSuspensionKp(joint) == 1000 && MdtCarWheelGetSuspensionKd(joint) == 60);
     assert_near(MdtCarWheelGetSuspensionLowLimit(joint), -.3, TOL(1e-7, 3e-14));
     assert_near(MdtCarWheelGetSuspensionHighLimit(joint), .3, TOL(1e-7, 3e-14));
@@ -284,8 +284,8 @@ TEST(car_wheel) {
     ck_assert(MdtCarWheelGetSteeringMotorDesiredVelocity(joint) == 1 &&
               MdtCarWheelGetSteeringMotorMaxForce(joint) == 100);
     evolve(30);
-    assert_near(fabs((double)MdtCarWheelGetSteeringAngle(joint)), .5, 2e-5);
-    assert_near(fabs((double)MdtCarWheelGetSteeringAngleRate(joint)), 1, 6e-5);
+    assert_near(fabs(MdtCarWheelGetSteeringAngle(joint)), .5, 2e-5);
+    assert_near(fabs(MdtCarWheelGetSteeringAngleRate(joint)), 1, 6e-5);
     end();
 }
 
@@ -328,8 +328,8 @@ TEST(fixed_path) {
     MeVector3 velocityThere;
     for (int i = 0; i < 120; i++) { /* an elevator that speeds up with 2 m/s² */
         const double t = i * (double)step;
-        MdtFixedPathSetPosition(joint, 1, 0, (MeReal)(t * t), 0);
-        MdtFixedPathSetVelocity(joint, 1, 0, (MeReal)(2 * t), 0);
+        MdtFixedPathSetPosition(joint, 1, 0, t * t, 0);
+        MdtFixedPathSetVelocity(joint, 1, 0, 2 * t, 0);
         MdtFixedPathGetVelocity(joint, 1, velocityThere);
         assert_vec3_near(velocityThere, 0, (MeReal)(2 * t), 0, 0);
         evolve(1);
@@ -364,8 +364,8 @@ TEST(rpro) {
     begin();
     MdtRPROJointID joint = MdtRPROJointCreate(world);
     MdtRPROJointSetBodies(joint, body1, 0);
-    MdtRPROJointSetAttachmentPosition(joint, 0, (MeReal)-.5, 0, 1);
-    MdtRPROJointSetAttachmentPosition(joint, 0, (MeReal)-.5, 0, 0);
+    MdtRPROJointSetAttachmentPosition(joint, 0, -.5, 0, 1);
+    MdtRPROJointSetAttachmentPosition(joint, 0, -.5, 0, 0);
     MdtRPROJointSetAttachmentQuaternion(joint, 1, 0, 0, 0, 0);
     MeVector3 position;
     MeVector4 quaternion;
@@ -376,7 +376,7 @@ TEST(rpro) {
     MdtRPROJointEnable(joint);
     for (int i = 0; i < 60; i++) {
         const double half = i * (double)step / 2;
-        MeVector4 q = {(MeReal)cos(half), (MeReal)sin(half), 0, 0}, got;
+        MeVector4 q = {cos(half), sin(half), 0, 0}, got;
         MeVector3 w = {1, 0, 0};
         MdtRPROJointSetRelativeQuaternion(joint, q);
         MdtRPROJointGetRelativeQuaternion(joint, got);
@@ -385,7 +385,7 @@ TEST(rpro) {
         evolve(1);
     }
     MdtBodyGetQuaternion(body1, quaternion);
-    assert_near(2 * asin((double)quaternion[1]), 60 * (double)step, TOL(1e-6, 2e-9));
+    assert_near(2 * asin(quaternion[1]), 60 * (double)step, TOL(1e-6, 2e-9));
     assert_near(gapOf(MdtRPROJointQuaConstraint(joint)), 0, TOL(1e-6, 7e-7));
     MdtRPROJointSetLinearStrength(joint, 1, 1, 1); /* "will cause the constraint to be broken easily" */
     MdtRPROJointSetAngularStrength(joint, 1, 1, 1);
@@ -412,7 +412,7 @@ TEST(spring) {
     MdtSpringEnable(joint);
     evolve(1);
     assert_near(forceOn(MdtSpringQuaConstraint(joint), 0, 0), 0, TOL(1e-6, 9e-14));
-    MdtSpringSetNaturalLength(joint, (MeReal).8);
+    MdtSpringSetNaturalLength(joint, .8);
     MdtSpringSetStiffness(joint, 5);
     MdtSpringSetDamping(joint, 0);
     double min = 9, max = 0;
@@ -438,16 +438,16 @@ TEST(cone_limit) {
     MdtBSJointEnable(ball);
     MdtConeLimitID cone = MdtConeLimitCreate(world);
     MdtConeLimitSetBodies(cone, body1, 0);
-    assert_near(MdtConeLimitGetConeHalfAngle(cone), (double)ME_PI, TOL(1e-6, 3e-13));
-    MdtConeLimitSetConeHalfAngle(cone, (MeReal).5);
+    assert_near(MdtConeLimitGetConeHalfAngle(cone), ME_PI, TOL(1e-6, 3e-13));
+    MdtConeLimitSetConeHalfAngle(cone, .5);
     ck_assert(MdtConeLimitGetStiffness(cone) == MEINFINITY && MdtConeLimitGetDamping(cone) == MEINFINITY);
     MdtConeLimitEnable(cone);
     for (int i = 0; i < 120; i++) {
         MdtBodyAddTorque(body1, 1, 0, 1);
         evolve(1);
-        assert_below(acos(fmin(1, (double)MdtBodyGetTransformPtr(body1)[0][0])), .5 + 2e-3);
+        assert_below(acos(fmin(1, MdtBodyGetTransformPtr(body1)[0][0])), .5 + 2e-3);
     }
-    assert_near(acos((double)MdtBodyGetTransformPtr(body1)[0][0]), .5, TOL(5e-7, 8e-7));
+    assert_near(acos(MdtBodyGetTransformPtr(body1)[0][0]), .5, TOL(5e-7, 8e-7));
     ck_assert(fabs(spin(body1, 0)) > 1); /* "does not place a limit on the 'twist'" */
     MdtConeLimitSetStiffness(cone, 3);
     MdtConeLimitSetDamping(cone, 1);
@@ -519,7 +519,7 @@ TEST(how_to_use_joints) {
     MdtSingleLimitSetStop(MdtLimitGetLowerLimit(limit), LO_LIMIT);
     MdtSingleLimitSetStop(MdtLimitGetUpperLimit(limit), HI_LIMIT);
     MdtLimitSetLimitedForceMotor(limit, desiredVelocity, maxForce);
-    MdtSingleLimitSetRestitution(MdtLimitGetUpperLimit(limit), (MeReal).5);
+    MdtSingleLimitSetRestitution(MdtLimitGetUpperLimit(limit), .5);
 
     MdtHingeEnable(hinge);
     double fastest = 0;

@@ -6,7 +6,7 @@ static MdtWorldID world;
 static void begin(double gravity) {
     world = MdtWorldCreate(20, 40);
     MdtWorldSetAutoDisable(world, 0);
-    MdtWorldSetGravity(world, 0, (MeReal)-gravity, 0);
+    MdtWorldSetGravity(world, 0, -gravity, 0);
 }
 
 static void end(void) {
@@ -15,9 +15,9 @@ static void end(void) {
 
 static MdtBodyID newBody(double mass, double x, double y) {
     MdtBodyID body = MdtBodyCreate(world);
-    MdtBodySetMass(body, (MeReal)mass);
-    MdtBodySetSphericalInertiaTensor(body, (MeReal)(.4 * mass));
-    MdtBodySetPosition(body, (MeReal)x, (MeReal)y, 0);
+    MdtBodySetMass(body, mass);
+    MdtBodySetSphericalInertiaTensor(body, .4 * mass);
+    MdtBodySetPosition(body, x, y, 0);
     MdtBodyEnable(body);
     return body;
 }
@@ -25,14 +25,14 @@ static MdtBodyID newBody(double mass, double x, double y) {
 static MdtBSJointID hang(MdtBodyID body, MdtBodyID from, double x, double y) {
     MdtBSJointID joint = MdtBSJointCreate(world);
     MdtBSJointSetBodies(joint, body, from);
-    MdtBSJointSetPosition(joint, (MeReal)x, (MeReal)y, 0);
+    MdtBSJointSetPosition(joint, x, y, 0);
     MdtBSJointEnable(joint);
     return joint;
 }
 
 static void evolve(int n, double h) {
     while (n--)
-        MdtWorldStep(world, (MeReal)h);
+        MdtWorldStep(world, h);
 }
 
 /* How far a ball on a spring, with 1 m to swing and 3 rad/s, is from where it should be after one second. */
@@ -111,10 +111,10 @@ TEST(a_stiff_suspension_is_a_matter_for_the_car_wheel) {
     const double k = 1e5, h = 1. / 60; /* k h² / m = 28, and an explicit spring stands 4 */
     begin(10);
     MdtBodyID body = newBody(1, 0, 0);
-    MdtBodySetPosition(body, 0, (MeReal).01, 0);
+    MdtBodySetPosition(body, 0, .01, 0);
     double worst = 0;
     for (int i = 0; i < 20; i++) {
-        MdtBodyAddForce(body, 0, (MeReal)(-k * coordinate(body, 1)), 0);
+        MdtBodyAddForce(body, 0, (-k * coordinate(body, 1)), 0);
         evolve(1, h);
         worst = fmax(worst, fabs(coordinate(body, 1)));
     }
@@ -127,7 +127,7 @@ TEST(a_stiff_suspension_is_a_matter_for_the_car_wheel) {
     MdtCarWheelSetPosition(joint, 0, 0, 0);
     MdtCarWheelSetSteeringAxis(joint, 0, 1, 0);
     MdtCarWheelSetHingeAxis(joint, 0, 0, 1);
-    MdtCarWheelSetSuspension(joint, (MeReal)k, 0, 0, -1, 1, (MeReal)-.01);
+    MdtCarWheelSetSuspension(joint, k, 0, 0, -1, 1, -.01);
     MdtCarWheelEnable(joint);
     MdtFPFOJointID held = MdtFPFOJointCreate(world);
     MdtFPFOJointSetBodies(held, chassis, 0);
@@ -150,11 +150,11 @@ TEST(meaning_of_epsilon) {
     for (int m = 0; m < 2; m++)
         for (int e = 0; e < 4; e++) {
             begin(10);
-            MdtWorldSetEpsilon(world, (MeReal)epsilons[e]);
+            MdtWorldSetEpsilon(world, epsilons[e]);
             MdtBodyID body = newBody(masses[m], 0, 0);
             MdtContactID contact = scene_contact(world, body, 0, 0, 0, 0);
             for (int i = 0; i < 10000; i++) { /* the softest takes 2 (1 + epsilon m) / gamma = 1010 steps for 1/e */
-                MdtContactSetPenetration(contact, (MeReal)-coordinate(body, 1));
+                MdtContactSetPenetration(contact, -coordinate(body, 1));
                 evolve(1, 1. / 60);
             }
             const double depth = epsilons[e] * masses[m] * 10 / 3600 / .2;
@@ -170,19 +170,19 @@ TEST(meaning_of_gamma) {
     const double gammas[] = {0, .1, .2, .8};
     for (int k = 0; k < 4; k++) {
         begin(0);
-        MdtWorldSetGamma(world, (MeReal)gammas[k]);
+        MdtWorldSetGamma(world, gammas[k]);
         MdtWorldSetEpsilon(world, 0);
         MdtBodyID body = newBody(1, 0, 0);
         MdtBSJointID joint = hang(body, 0, 0, 0);
-        MdtBodySetPosition(body, (MeReal).1, 0, 0);
+        MdtBodySetPosition(body, .1, 0, 0);
         for (int i = 1; i <= 5; i++) {
             evolve(1, 1. / 60);
             assert_near(gapOf(MdtBSJointQuaConstraint(joint)), .1 * pow(1 - gammas[k], i), TOL(1e-6, 9e-10));
         }
         messages_catch();
-        MdtWorldSetGamma(world, (MeReal)1.5);
+        MdtWorldSetGamma(world, 1.5);
         assert_warned("gamma");
-        MdtWorldSetGamma(world, (MeReal)-.5);
+        MdtWorldSetGamma(world, -.5);
         assert_warned("gamma");
         messages_release();
         assert_near(MdtWorldGetGamma(world), gammas[k], 1e-7);
@@ -200,7 +200,7 @@ TEST(mass_problems) {
     MdtBSJointID joint[5];
     for (int i = 0; i < 5; i++) {
         link[i] = newBody(masses[i], i + .5, 0);
-        MdtBodySetSphericalInertiaTensor(link[i], (MeReal)(masses[i] / 12));
+        MdtBodySetSphericalInertiaTensor(link[i], masses[i] / 12);
         joint[i] = hang(link[i], last, i, 0);
         last = link[i];
     }
@@ -223,7 +223,7 @@ TEST(mass_problems) {
 TEST(inertia_problems) {
     for (int round = 0; round < 2; round++) {
         begin(0);
-        const MeMatrix3 needle = {{(MeReal).001, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        const MeMatrix3 needle = {{.001, 0, 0}, {0, 1, 0}, {0, 0, 1}};
         MdtBodyID body = newBody(1, 0, 0);
         MdtBodySetInertiaTensor(body, needle);
         if (round)
@@ -248,7 +248,7 @@ TEST(numerical_scaling) {
             begin(10);
             MdtWorldSetEpsilon(world, 0);
             MdtBodyID bob = newBody(sizes[b], .05 * length, -length * sqrt(1 - .05 * .05));
-            MdtBodySetSphericalInertiaTensor(bob, (MeReal)(1e-4 * sizes[b] * length * length));
+            MdtBodySetSphericalInertiaTensor(bob, 1e-4 * sizes[b] * length * length);
             hang(bob, 0, 0, 0);
             double last = 1, crossing = 0;
             int n = 0;
@@ -278,10 +278,10 @@ TEST(preventing_jitter) {
         const double penetration = -coordinate(body, 1);
         if (penetration > 0) {
             contact = scene_contact(world, body, 0, 0, 0, 0);
-            MdtContactSetPenetration(contact, (MeReal)penetration);
+            MdtContactSetPenetration(contact, penetration);
             MdtContactParamsID params = MdtContactGetParams(contact);
             params->options |= MdtBclContactOptionSoft;
-            MdtContactParamsSetSoftness(params, (MeReal)0.0001);
+            MdtContactParamsSetSoftness(params, 0.0001);
         } else
             broken += i > 200;
         evolve(1, 1. / 60);
@@ -308,9 +308,8 @@ TEST(constraint_solver_iterations) {
             contact[k] = scene_contact(world, body[k], k ? body[k - 1] : 0, 0, k - .5, 0);
             MdtContactParamsSetType(MdtContactGetParams(contact[k]), MdtContactTypeFriction2D);
             MdtContactParamsSetFriction(MdtContactGetParams(contact[k]), 1);
-            MdtContactSetPenetration(contact[k], (MeReal)(k - coordinate(body[k], 1)));
-            MdtBodyAddForce(body[k], (MeReal)(4 * sin(i + 2 * k)), 0,
-                            (MeReal)(4 * cos(2 * i + k))); /* it slips and holds */
+            MdtContactSetPenetration(contact[k], (k - coordinate(body[k], 1)));
+            MdtBodyAddForce(body[k], 4 * sin(i + 2 * k), 0, 4 * cos(2 * i + k)); /* it slips and holds */
         }
         evolve(1, 1. / 60);
         for (int k = 0; k < 3; k++) {
@@ -400,7 +399,7 @@ TEST(over_determinacy) {
 /* "Fast Spin Axis": set at each step; a wheel that rotates very quickly keeps its axis. */
 TEST(fast_spin_axis) {
     begin(0);
-    const MeMatrix3 disc = {{(MeReal).1, 0, 0}, {0, (MeReal).1, 0}, {0, 0, (MeReal).2}};
+    const MeMatrix3 disc = {{.1, 0, 0}, {0, .1, 0}, {0, 0, .2}};
     MdtBodyID wheel = newBody(1, 0, 0);
     MdtBodySetInertiaTensor(wheel, disc);
     MdtHingeID axle = MdtHingeCreate(world);

@@ -48,10 +48,10 @@ static void note(Arm *a, int which, double error) {
 static MdtBodyID addBody(MdtWorldID w, double mass, double lx, double ly, double lz, double x, double y) {
     const MdtBodyID b = MdtBodyCreate(w);
     MeMatrix3 inertia;
-    MdtMakeInertiaTensorBox((MeReal)mass, (MeReal)lx, (MeReal)ly, (MeReal)lz, inertia);
-    MdtBodySetMass(b, (MeReal)mass);
+    MdtMakeInertiaTensorBox(mass, lx, ly, lz, inertia);
+    MdtBodySetMass(b, mass);
     MdtBodySetInertiaTensor(b, inertia);
-    MdtBodySetPosition(b, (MeReal)x, (MeReal)y, 0);
+    MdtBodySetPosition(b, x, y, 0);
     MdtBodyEnable(b);
     return b;
 }
@@ -67,8 +67,8 @@ static MdtHingeID addHinge(const Arm *a) {
 
 static void setStop(MdtLimitID limit) {
     const MdtSingleLimitID stops[2] = {MdtLimitGetLowerLimit(limit), MdtLimitGetUpperLimit(limit)};
-    MdtSingleLimitSetStop(stops[0], (MeReal)(-2 * pi));
-    MdtSingleLimitSetStop(stops[1], (MeReal)(pi / 4));
+    MdtSingleLimitSetStop(stops[0], -2 * pi);
+    MdtSingleLimitSetStop(stops[1], pi / 4);
     MdtSingleLimitSetRestitution(stops[1], 0);
     MdtLimitActivateLimits(limit, 1);
 }
@@ -78,11 +78,11 @@ static Arm makeArm(int hinges) {
     a.world = MdtWorldCreate(2, 2 + MAX_CONTACTS);
     MdtWorldSetAutoDisable(a.world, 0);
     MdtWorldSetEpsilon(a.world, 0);
-    MdtWorldSetGravity(a.world, 0, (MeReal)-gravity, 0);
+    MdtWorldSetGravity(a.world, 0, -gravity, 0);
     a.body = addBody(a.world, 1, 1, 1e-3, 1e-3, .5, 0);
     a.motor = addHinge(&a);
     a.stop = hinges > 1 ? addHinge(&a) : a.motor;
-    MdtLimitSetLimitedForceMotor(MdtHingeGetLimit(a.motor), (MeReal)motorRate, (MeReal)motorTorque);
+    MdtLimitSetLimitedForceMotor(MdtHingeGetLimit(a.motor), motorRate, motorTorque);
     setStop(MdtHingeGetLimit(a.stop));
     return a;
 }
@@ -140,12 +140,12 @@ static void addContacts(Arm *a, double x, double y, double nx, double ny, double
         const MdtContactID c = MdtContactCreate(a->world);
         const MdtContactParamsID p = MdtContactGetParams(c);
         MdtContactSetBodies(c, a->cube, a->body);
-        MdtContactSetPosition(c, (MeReal)x, (MeReal)y, (MeReal)(side * armWidth));
-        MdtContactSetNormal(c, (MeReal)nx, (MeReal)ny, 0);
-        MdtContactSetPenetration(c, (MeReal)depth);
+        MdtContactSetPosition(c, x, y, side * armWidth);
+        MdtContactSetNormal(c, nx, ny, 0);
+        MdtContactSetPenetration(c, depth);
         MdtContactParamsSetType(p, MdtContactTypeFriction2D);
         MdtContactParamsSetFrictionModel(p, MdtFrictionModelCone);
-        MdtContactParamsSetFrictionCoeffecient(p, (MeReal).5);
+        MdtContactParamsSetFrictionCoeffecient(p, .5);
         MdtContactEnable(c);
         a->contacts[a->numContacts++] = c;
     }
@@ -192,7 +192,7 @@ static void run(Arm *a, double duration, int substeps) {
     for (long i = 0; i < n; i++) {
         if (a->cube)
             setContacts(a, h);
-        MdtWorldStep(a->world, (MeReal)h);
+        MdtWorldStep(a->world, h);
         watch(a);
     }
 }

@@ -23,11 +23,11 @@ static const double gapBound = 1e-6; /* m: a step through a change point may lea
 static MdtBodyID addBar(MdtWorldID w, double length, double x, double y, double angle) {
     const MdtBodyID b = MdtBodyCreate(w);
     MeMatrix3 inertia;
-    MdtMakeInertiaTensorBox(1, (MeReal)length, (MeReal)thickness, (MeReal)thickness, inertia);
+    MdtMakeInertiaTensorBox(1, length, thickness, thickness, inertia);
     MdtBodySetMass(b, 1);
     MdtBodySetInertiaTensor(b, inertia);
-    MdtBodySetPosition(b, (MeReal)x, (MeReal)y, 0);
-    MdtBodySetQuaternion(b, (MeReal)cos(angle / 2), 0, 0, (MeReal)sin(angle / 2));
+    MdtBodySetPosition(b, x, y, 0);
+    MdtBodySetQuaternion(b, cos(angle / 2), 0, 0, sin(angle / 2));
     MdtBodyEnable(b);
     return b;
 }
@@ -35,7 +35,7 @@ static MdtBodyID addBar(MdtWorldID w, double length, double x, double y, double 
 static MdtHingeID addHinge(MdtWorldID w, MdtBodyID a, MdtBodyID b, double x, double y) {
     const MdtHingeID j = MdtHingeCreate(w);
     MdtHingeSetBodies(j, a, b);
-    MdtHingeSetPosition(j, (MeReal)x, (MeReal)y, 0);
+    MdtHingeSetPosition(j, x, y, 0);
     MdtHingeSetAxis(j, 0, 0, 1);
     MdtHingeEnable(j);
     return j;
@@ -50,7 +50,7 @@ static Linkage makeLinkage(double phase, int driven, double speed) {
     Linkage l = {.world = MdtWorldCreate(3, 4)};
     MdtWorldSetAutoDisable(l.world, 0);
     MdtWorldSetEpsilon(l.world, 0);
-    MdtWorldSetGravity(l.world, 0, (MeReal)-gravity, 0);
+    MdtWorldSetGravity(l.world, 0, -gravity, 0);
     MdtWorldEnableReport(l.world);
     const double x = crank * cos(phase), y = crank * sin(phase);
     const MdtBodyID bar = addBar(l.world, coupler, coupler / 2 + x, y, 0);
@@ -59,7 +59,7 @@ static Linkage makeLinkage(double phase, int driven, double speed) {
         addHinge(l.world, bar, l.cranks[i], i * coupler + x, y);
         const MdtHingeID j = addHinge(l.world, l.cranks[i], 0, i * coupler, 0);
         if (i == driven)
-            MdtLimitSetLimitedForceMotor(MdtHingeGetLimit(j), (MeReal)(2 * pi * speed), (MeReal)strength);
+            MdtLimitSetLimitedForceMotor(MdtHingeGetLimit(j), 2 * pi * speed, strength);
     }
     return l;
 }
@@ -67,7 +67,7 @@ static Linkage makeLinkage(double phase, int driven, double speed) {
 static double angleOf(MdtBodyID b) {
     MeMatrix3 r;
     MdtBodyGetOrientation(b, r);
-    return atan2((double)r[0][1], (double)r[0][0]);
+    return atan2(r[0][1], r[0][0]);
 }
 
 /* Runs it until the cranks are on different branches. Returns when, or the duration; adds to what the reports have
@@ -77,9 +77,9 @@ static double run(double phase, int driven, double speed, double duration, doubl
     double time = 0;
     for (; time < duration; time += frame) {
         MdtReport r;
-        MdtWorldStep(l.world, (MeReal)frame);
+        MdtWorldStep(l.world, frame);
         ck_assert(MdtWorldGetReport(l.world, &r));
-        *gap = fmax(*gap, (double)r.jointGap);
+        *gap = fmax(*gap, r.jointGap);
         *conflicts += r.conflicts;
         if (!(fabs(remainder(angleOf(l.cranks[0]) - angleOf(l.cranks[1]), 2 * pi)) < apart))
             break;

@@ -20,12 +20,12 @@ static Machine makeMachine(MeBool slides, double force, MeBool tracks) {
     MeMatrix3 inertia;
     MdtWorldSetAutoDisable(m.world, 0);
     MdtWorldSetEpsilon(m.world, 0);
-    MdtWorldSetGravity(m.world, 0, (MeReal)-gravity, 0);
+    MdtWorldSetGravity(m.world, 0, -gravity, 0);
     m.body = MdtBodyCreate(m.world);
-    MdtMakeInertiaTensorBox(1, 1, (MeReal).1, (MeReal).1, inertia);
+    MdtMakeInertiaTensorBox(1, 1, .1, .1, inertia);
     MdtBodySetMass(m.body, 1);
     MdtBodySetInertiaTensor(m.body, inertia);
-    MdtBodySetPosition(m.body, (MeReal).5, 0, 0);
+    MdtBodySetPosition(m.body, .5, 0, 0);
     MdtBodyEnable(m.body);
     if (slides) {
         const MdtPrismaticID j = MdtPrismaticCreate(m.world);
@@ -41,7 +41,7 @@ static Machine makeMachine(MeBool slides, double force, MeBool tracks) {
         MdtHingeEnable(j);
         m.limit = MdtHingeGetLimit(j);
     }
-    MdtLimitSetLimitedForceMotor(m.limit, 0, (MeReal)force);
+    MdtLimitSetLimitedForceMotor(m.limit, 0, force);
     MdtLimitSetMotorTracking(m.limit, tracks);
     return m;
 }
@@ -50,7 +50,7 @@ static Machine makeMachine(MeBool slides, double force, MeBool tracks) {
 static double coordinateOf(const Machine *m, MeBool slides) {
     MeVector3 p;
     MdtBodyGetPosition(m->body, p);
-    return slides ? (double)p[1] : atan2((double)p[1], (double)p[0]);
+    return slides ? (double)p[1] : atan2(p[1], p[0]);
 }
 
 /* The largest error against the path, and of the velocity against what was asked for. */
@@ -61,8 +61,8 @@ static double follow(MeBool slides, MeBool tracks, double *velocity) {
     *velocity = 0;
     for (int i = 0; i < n; i++) {
         const double rate = (pathAt((i + 1) * frame) - pathAt(i * frame)) / frame;
-        MdtLimitSetLimitedForceMotor(m.limit, (MeReal)rate, (MeReal)strength);
-        MdtWorldStep(m.world, (MeReal)frame);
+        MdtLimitSetLimitedForceMotor(m.limit, rate, strength);
+        MdtWorldStep(m.world, frame);
         worst = fmax(worst, fabs(coordinateOf(&m, slides) - pathAt((i + 1) * frame)));
         *velocity = fmax(*velocity, fabs((double)MdtLimitGetVelocity(m.limit) - rate));
     }
@@ -92,9 +92,9 @@ TEST(a_motor_reaches_its_velocity_at_the_end_of_the_step) {
 TEST(a_tracking_motor_has_no_more_than_its_force) {
     const double force = 2 + gravity, rate = 1;
     const Machine m = makeMachine(METRUE, force, METRUE);
-    MdtLimitSetLimitedForceMotor(m.limit, (MeReal)rate, (MeReal)force);
+    MdtLimitSetLimitedForceMotor(m.limit, rate, force);
     for (int i = 1; i <= 60; i++) {
-        MdtWorldStep(m.world, (MeReal)frame);
+        MdtWorldStep(m.world, frame);
         if (i * frame * 2 < rate)
             assert_near(MdtLimitGetVelocity(m.limit), 2 * i * frame, TOL(1e-5, 1e-8));
     }

@@ -49,15 +49,14 @@ static MdtBodyID addLink(MdtWorldID w, double x, double y, double angle, int num
     turnOut(plane);
     place(flat, p);
     multiply(plane, about, q);
-    MdtMakeInertiaTensorBox(1, (MeReal)length, (MeReal)thickness, (MeReal)thickness, inertia);
+    MdtMakeInertiaTensorBox(1, length, thickness, thickness, inertia);
     MdtBodySetMass(b, 1);
     MdtBodySetInertiaTensor(b, inertia);
-    MdtBodySetPosition(b, (MeReal)p[0], (MeReal)p[1], (MeReal)p[2]);
-    MdtBodySetQuaternion(b, (MeReal)q[0], (MeReal)q[1], (MeReal)q[2], (MeReal)q[3]);
-    MdtBodySetLinearVelocity(b, (MeReal)(kick * sin(3. * number)), (MeReal)(kick * cos(5. * number)),
-                             (MeReal)(kick * sin(7. * number)));
-    MdtBodySetLinearVelocityDamping(b, (MeReal)damping);
-    MdtBodySetAngularVelocityDamping(b, (MeReal)damping);
+    MdtBodySetPosition(b, p[0], p[1], p[2]);
+    MdtBodySetQuaternion(b, q[0], q[1], q[2], q[3]);
+    MdtBodySetLinearVelocity(b, kick * sin(3. * number), kick * cos(5. * number), kick * sin(7. * number));
+    MdtBodySetLinearVelocityDamping(b, damping);
+    MdtBodySetAngularVelocityDamping(b, damping);
     MdtBodyEnable(b);
     return b;
 }
@@ -74,9 +73,9 @@ static void join(MdtWorldID w, Joint kind, MdtBodyID a, MdtBodyID b, double x, d
     const MdtConstraintID j =
         kind == BALL ? MdtBSJointQuaConstraint(MdtBSJointCreate(w)) : MdtHingeQuaConstraint(MdtHingeCreate(w));
     MdtConstraintSetBodies(j, a, b);
-    MdtConstraintSetPosition(j, (MeReal)p[0], (MeReal)p[1], (MeReal)p[2]);
+    MdtConstraintSetPosition(j, p[0], p[1], p[2]);
     if (kind != BALL)
-        MdtConstraintSetAxis(j, (MeReal)axis[0], (MeReal)axis[1], (MeReal)axis[2]);
+        MdtConstraintSetAxis(j, axis[0], axis[1], axis[2]);
     MdtConstraintEnable(j);
 }
 
@@ -119,7 +118,7 @@ static Outcome run(Joint kind, Hold hold, double epsilon) {
     const MdtWorldID w = MdtWorldCreate(LINKS, LINKS + 1);
     Outcome o = {.gap = 0};
     MdtWorldSetAutoDisable(w, 0);
-    MdtWorldSetEpsilon(w, (MeReal)epsilon);
+    MdtWorldSetEpsilon(w, epsilon);
     MdtWorldSetGravity(w, 0, hold == FREE ? 0 : (MeReal)-gravity, 0);
     MdtWorldEnableReport(w);
     if (hold == BRIDGE)
@@ -128,11 +127,11 @@ static Outcome run(Joint kind, Hold hold, double epsilon) {
         addRing(w, kind, hold);
     for (int i = 0; i < FRAMES; i++) {
         MdtReport r;
-        MdtWorldStep(w, (MeReal)frame);
+        MdtWorldStep(w, frame);
         ck_assert(MdtWorldGetReport(w, &r));
         o.conflicts += r.conflicts;
         o.fallbacks += r.fallbacks;
-        o.gap = fmax(o.gap, (double)r.jointGap);
+        o.gap = fmax(o.gap, r.jointGap);
     }
     MdtWorldDestroy(w);
     return o;

@@ -64,7 +64,7 @@ static void makeDrop(Side *s, int i) {
     const double where = twelve_random(&s->seed, 0, SMALL);
     const double x = placeX((int)where) + twelve_random(&s->seed, -1, 3), y = twelve_random(&s->seed, 5, 8);
     s->rain[i] = MstModelAndBodyCreate(s->u, s->drop, 500);
-    McdModelDynamicsSetPosition(s->rain[i], (MeReal)x, (MeReal)y, (MeReal)placeZ((int)where));
+    McdModelDynamicsSetPosition(s->rain[i], x, y, placeZ((int)where));
 }
 
 static void make(Side *s, MeTaskPoolID pool, unsigned int seed) {
@@ -76,7 +76,7 @@ static void make(Side *s, MeTaskPoolID pool, unsigned int seed) {
         for (int k = 0; k < p->count; k++)
             noteStart(&s->start[i][k], p->model[k]);
     }
-    s->drop = McdBoxCreate(s->u->frame, (MeReal).3, (MeReal).4, (MeReal).3);
+    s->drop = McdBoxCreate(s->u->frame, .3, .4, .3);
     for (int i = 0; i < RAIN; i++)
         makeDrop(s, i);
     MdtWorldSetTaskPool(s->u->world, pool);
@@ -107,7 +107,7 @@ static void restart(Side *s, int count) {
 static void step(Side *s, long frame) {
     if (frame % RESTART == RESTART - 1)
         restart(s, (int)(frame / RESTART));
-    MstUniverseStep(s->u, (MeReal)(1. / 60));
+    MstUniverseStep(s->u, 1. / 60);
 }
 
 static void compare(long frame) {

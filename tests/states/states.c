@@ -26,7 +26,7 @@ static MeBool run(const TwelveScene *s, MeTaskPoolID pool) {
     twelve_make(&place, s, u, 0, 0);
     MdtWorldSetTaskPool(u->world, pool);
     for (int i = 0; i < FRAMES; i++)
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
     const MeBool isFinite = twelve_isFinite(u->world);
     printf("%s %08x\n", s->name, twelve_state(u->world));
     fflush(stdout);

@@ -18,31 +18,31 @@ static double between(Place *p, double low, double high) {
 }
 
 static McdModelID put(Place *p, McdGeometryID g, double density, double x, double y, double z) {
-    const McdModelID m = MstModelAndBodyCreate(p->u, g, (MeReal)density);
-    McdModelDynamicsSetPosition(m, (MeReal)(p->x + x), (MeReal)y, (MeReal)(p->z + z));
+    const McdModelID m = MstModelAndBodyCreate(p->u, g, density);
+    McdModelDynamicsSetPosition(m, p->x + x, y, p->z + z);
     return p->model[p->count++] = m;
 }
 
 static void putFixed(Place *p, McdGeometryID g, double x, double y, double z) {
     MeMatrix4Ptr tm = p->fixedTM[p->numFixed++];
     MeMatrix4TMMakeIdentity(tm);
-    MeMatrix4TMSetPosition(tm, (MeReal)(p->x + x), (MeReal)y, (MeReal)(p->z + z));
+    MeMatrix4TMSetPosition(tm, p->x + x, y, p->z + z);
     MstFixedModelCreate(p->u, g, tm);
 }
 
 static McdGeometryID box(Place *p, double x, double y, double z) {
-    return McdBoxCreate(p->u->frame, (MeReal)x, (MeReal)y, (MeReal)z);
+    return McdBoxCreate(p->u->frame, x, y, z);
 }
 
 static McdGeometryID ball(Place *p, double radius) {
-    return McdSphereCreate(p->u->frame, (MeReal)radius);
+    return McdSphereCreate(p->u->frame, radius);
 }
 
 /* b null: the world. */
 static void joinByBall(Place *p, McdModelID a, McdModelID b, double x, double y, double z) {
     const MdtBSJointID j = MdtBSJointCreate(p->u->world);
     MdtBSJointSetBodies(j, McdModelGetBody(a), b ? McdModelGetBody(b) : 0);
-    MdtBSJointSetPosition(j, (MeReal)(p->x + x), (MeReal)y, (MeReal)(p->z + z));
+    MdtBSJointSetPosition(j, p->x + x, y, p->z + z);
     MdtBSJointEnable(j);
     if (b)
         McdSpaceDisablePair(a, b);
@@ -52,7 +52,7 @@ static void joinByBall(Place *p, McdModelID a, McdModelID b, double x, double y,
 static MdtHingeID joinByHinge(Place *p, McdModelID a, McdModelID b, double x, double y, double z) {
     const MdtHingeID j = MdtHingeCreate(p->u->world);
     MdtHingeSetBodies(j, McdModelGetBody(a), b ? McdModelGetBody(b) : 0);
-    MdtHingeSetPosition(j, (MeReal)(p->x + x), (MeReal)y, (MeReal)(p->z + z));
+    MdtHingeSetPosition(j, p->x + x, y, p->z + z);
     MdtHingeSetAxis(j, 0, 0, 1);
     MdtHingeEnable(j);
     if (b)
@@ -114,7 +114,7 @@ static void leanCard(Place *p, McdGeometryID card, double x, double y, int side)
     const double halfSine = .21643961393810288, halfCosine = .97629600711993336; /* of half of it */
     const double middle = .2 * sine - .005 * cosine;
     const McdModelID m = put(p, card, 80, x + side * middle, y + .2 * cosine + .005 * sine, 0);
-    McdModelDynamicsSetQuaternion(m, (MeReal)halfCosine, 0, 0, (MeReal)(-side * halfSine));
+    McdModelDynamicsSetQuaternion(m, halfCosine, 0, 0, -side * halfSine);
 }
 
 /* Three storeys of cards that lean on each other, and a ball that comes. */
@@ -129,7 +129,7 @@ static void makeCards(Place *p) {
             if (i > 0)
                 put(p, flat, 80, x - spacing / 2, y + height + .005, 0);
         }
-    McdModelDynamicsSetLinearVelocity(put(p, ball(p, .08), 400, -2.2, .6, 0), 3, (MeReal)1.5, 0);
+    McdModelDynamicsSetLinearVelocity(put(p, ball(p, .08), 400, -2.2, .6, 0), 3, 1.5, 0);
 }
 
 /* Four wheels with springs, the rear ones driven, over two sills. */
@@ -141,10 +141,10 @@ static void makeCar(Place *p) {
         const McdModelID wheel = put(p, tyre, 100, x, .4, z);
         const MdtCarWheelID j = MdtCarWheelCreate(p->u->world);
         MdtCarWheelSetBodies(j, McdModelGetBody(chassis), McdModelGetBody(wheel));
-        MdtCarWheelSetPosition(j, (MeReal)(p->x + x), (MeReal).4, (MeReal)(p->z + z));
+        MdtCarWheelSetPosition(j, p->x + x, .4, p->z + z);
         MdtCarWheelSetSteeringAndHingeAxes(j, 0, 1, 0, 0, 0, -1);
         MdtCarWheelSetSteeringLock(j, METRUE);
-        MdtCarWheelSetSuspension(j, 12000, 900, 0, (MeReal)-.2, (MeReal).2, 0);
+        MdtCarWheelSetSuspension(j, 12000, 900, 0, -.2, .2, 0);
         if (i >= 2)
             MdtCarWheelSetHingeLimitedForceMotor(j, 12, 150);
         MdtCarWheelEnable(j);
@@ -163,10 +163,9 @@ static void makeCradle(Place *p) {
         for (int side = -1; side <= 1; side += 2) {
             const MdtSpringID s = MdtSpringCreate(p->u->world);
             MdtSpringSetBodies(s, McdModelGetBody(m), 0);
-            MdtSpringSetPosition(s, 0, (MeReal)(p->x + (i > 0 ? x : x - 1.2)), (MeReal)(i > 0 ? .8 : 1.2),
-                                 (MeReal)p->z);
-            MdtSpringSetPosition(s, 1, (MeReal)(p->x + x), (MeReal)2.8, (MeReal)(p->z + .5 * side));
-            MdtSpringSetNaturalLength(s, (MeReal)2.0615528128088303); /* the root of 2^2 + .5^2 */
+            MdtSpringSetPosition(s, 0, p->x + (i > 0 ? x : x - 1.2), i > 0 ? .8 : 1.2, p->z);
+            MdtSpringSetPosition(s, 1, p->x + x, 2.8, p->z + .5 * side);
+            MdtSpringSetNaturalLength(s, 2.0615528128088303); /* the root of 2^2 + .5^2 */
             MdtSpringSetStiffness(s, MEINFINITY);
             MdtSpringEnable(s);
         }
@@ -192,7 +191,7 @@ static void makeTumbler(Place *p) {
     for (int i = 0; i < 6; i++) {
         const double x = i < 2 ? .2 : 3.4, y = i == 2 || i == 3 ? .2 : 3.4, z = i < 4 ? 2.4 : .2;
         MeMatrix4TMMakeIdentity(part[i]);
-        MeMatrix4TMSetPosition(part[i], (MeReal)at[i][0], (MeReal)at[i][1], (MeReal)at[i][2]);
+        MeMatrix4TMSetPosition(part[i], at[i][0], at[i][1], at[i][2]);
         McdAggregateAddElement(drum, box(p, x, y, z), part[i]);
     }
     const McdModelID m = put(p, drum, 100, 0, 2.6, 0);
@@ -208,7 +207,7 @@ static void makeDominoes(Place *p) {
     const McdGeometryID stone = box(p, .06, .5, .25);
     for (int i = 0; i < 24; i++)
         put(p, stone, 500, .25 * i, .25, .02 * (i * i % 5));
-    McdModelDynamicsSetAngularVelocity(p->model[0], 0, 0, (MeReal)-2.5);
+    McdModelDynamicsSetAngularVelocity(p->model[0], 0, 0, -2.5);
 }
 
 /* Planks tied to each other at both edges, and to the world at both ends; boxes fall onto it. */
@@ -235,9 +234,9 @@ static void makeShapes(Place *p, McdGeometryID shape[SHAPES]) {
     static const MeVector3 gem[6] = {{.5, 0, 0}, {-.5, 0, 0}, {0, .5, 0}, {0, -.5, 0}, {0, 0, .5}, {0, 0, -.5}};
     shape[0] = box(p, .8, .5, .6);
     shape[1] = ball(p, .3);
-    shape[2] = McdSphylCreate(p->u->frame, (MeReal).2, (MeReal).6);
-    shape[3] = McdCylinderCreate(p->u->frame, (MeReal).3, (MeReal).6);
-    shape[4] = McdConeCreate(p->u->frame, (MeReal).8, (MeReal).35);
+    shape[2] = McdSphylCreate(p->u->frame, .2, .6);
+    shape[3] = McdCylinderCreate(p->u->frame, .3, .6);
+    shape[4] = McdConeCreate(p->u->frame, .8, .35);
     shape[5] = McdConvexMeshCreateHull(p->u->frame, gem, 6, 0);
 }
 
@@ -295,8 +294,8 @@ MstUniverseID twelve_makeUniverse(void) {
     const MstUniverseID u = MstUniverseCreate(&MstUniverseGrowingSizes);
     if (!u)
         abort();
-    MdtWorldSetGravity(u->world, 0, (MeReal)-9.81, 0);
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal).5, (MeReal).2);
+    MdtWorldSetGravity(u->world, 0, -9.81, 0);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), .5, .2);
     MstFixedModelCreate(u, McdPlaneCreate(u->frame), floorTM);
     return u;
 }

@@ -317,7 +317,7 @@ static void MEAPI countDestroy(void *const block) {
 
 /* Every particle is a triangle round its position that faces the camera. */
 TEST(particles_face_the_camera) {
-    static MeVector3 at[2] = {{1, 2, 3}, {4, (MeReal)NAN, 6}};
+    static MeVector3 at[2] = {{1, 2, 3}, {4, NAN, 6}};
     RParticleSystem *ps = RParticleSystemNew(2, at, -1, RED, 0.5f);
     ck_assert_ptr_nonnull(ps);
     ck_assert_ptr_null(rc->m_pParticleSystems);

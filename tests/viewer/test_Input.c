@@ -158,14 +158,14 @@ TEST(an_action_on_a_direction_key_is_not_repeated_as_the_direction) {
 }
 
 static void MEAPI drawOne(RRender *r) {
-    MeVector3 a = {0, 0, 0}, b = {1, 2, (MeReal)(r ? 3 : 0)};
+    MeVector3 a = {0, 0, 0}, b = {1, 2, r ? 3 : 0};
     MeDebugDrawAPI.line(a, b, 1, 0, 0);
 }
 
 /* What Karma draws of itself is seen until the next tick, and in a pause. */
 TEST(debug_lines_last_until_the_next_tick) {
     static const RTick drawing = {.funcNoData = drawOne};
-    MeVector3 a = {0, 0, 0}, bad = {0, (MeReal)NAN, 0};
+    MeVector3 a = {0, 0, 0}, bad = {0, NAN, 0};
     MeDebugDrawAPI.line(a, a, 1, 0, 0); /* No frame yet: nobody would ever forget it. */
     ck_assert_uint_eq(rc->m_pViewer->debugLines.count, 0);
     r_frame(rc, &drawing);
@@ -271,7 +271,7 @@ TEST(camera_keys) {
     assert_below(0, RCameraGetElevation(rc));
     tap(RKEY_PAGE_UP, 0);
     assert_below(RCameraGetDistance(rc), 15);
-    const double near = (double)RCameraGetDistance(rc);
+    const double near = RCameraGetDistance(rc);
     key(rKeyDown, RKEY_PAGE_DOWN, 0);
     frames(40);
     assert_below(near * 1.3, RCameraGetDistance(rc));
@@ -286,14 +286,14 @@ TEST(the_mouse_moves_the_camera) {
     assert_below(RCameraGetRotation(rc), -0.1); /* The world follows the mouse to the right. */
     assert_below(0.05, RCameraGetElevation(rc));
     point(rMouseUp, kRLeftButton, 0, 150, 120);
-    const double angle = (double)RCameraGetRotation(rc);
+    const double angle = RCameraGetRotation(rc);
     point(rMouseMove, 0, 0, 10, 10);
     assert_near(RCameraGetRotation(rc), angle, 0);
     point(rWheel, 2, 0, 480, 300);
     assert_near(RCameraGetDistance(rc), 15 * 0.81, 1e-4);
     static const int buttons[3] = {kRLeftButton, kRMiddleButton, kRRightButton}, modifiers[3] = {RSHIFT, 0, 0};
     for (int i = 0; i < 3; i++) {
-        const double before = (double)rc->m_CameraLookAt[1];
+        const double before = rc->m_CameraLookAt[1];
         point(rMouseDown, buttons[i], modifiers[i], 100, 100);
         point(rMouseMove, 0, modifiers[i], 100, 150);
         point(rMouseUp, buttons[i], 0, 100, 150);
@@ -357,7 +357,7 @@ TEST(a_drag_may_be_left_to_the_camera) {
     point(rMouseUp, kRLeftButton, 0, 650, 100);
     ck_assert_int_eq(mouse.n, 1); /* It is asked, and told no more. */
     assert_below(RCameraGetRotation(rc), -0.1);
-    const double angle = (double)RCameraGetRotation(rc);
+    const double angle = RCameraGetRotation(rc);
     point(rMouseDown, kRLeftButton, 0, 100, 100);
     point(rMouseMove, 0, 0, 150, 100);
     point(rMouseUp, kRLeftButton, 0, 150, 100);

@@ -114,7 +114,7 @@ TEST(bad_input) {
     assert_warned("exchanged");
     RMenuAddValueEntry(m, "value", onValue, 1, 0, 1, 5);
     assert_warned("default");
-    RMenuAddValueEntry(m, "value", onValue, 1, 0, (MeReal)NAN, 0);
+    RMenuAddValueEntry(m, "value", onValue, 1, 0, NAN, 0);
     assert_warned("finite");
     RMenuAddToggleEntry(m, NULL, onToggle, 0);
     assert_warned("name");

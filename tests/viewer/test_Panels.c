@@ -249,16 +249,16 @@ static void redBox(double box[4]) {
         const ROverlayVertex *v = &o->vertices.items[i];
         if (v->color != 0xff0000ffu)
             continue;
-        box[0] = fmin(box[0], (double)v->x);
-        box[1] = fmin(box[1], (double)v->y);
-        box[2] = fmax(box[2], (double)v->x);
-        box[3] = fmax(box[3], (double)v->y);
+        box[0] = fmin(box[0], v->x);
+        box[1] = fmin(box[1], v->y);
+        box[2] = fmax(box[2], v->x);
+        box[3] = fmax(box[3], v->y);
     }
 }
 
 static void markLine(double x0, double y0, double z0, double x1, double y1, double z1, double box[4]) {
-    MeVector3Set(from, (MeReal)x0, (MeReal)y0, (MeReal)z0);
-    MeVector3Set(to, (MeReal)x1, (MeReal)y1, (MeReal)z1);
+    MeVector3Set(from, x0, y0, z0);
+    MeVector3Set(to, x1, y1, z1);
     RRenderUpdateProjectionMatrices(rc);
     frame();
     redBox(box);

@@ -134,7 +134,7 @@ TEST(the_slider_goes_by_steps) {
         frame();
         point(rMouseUp, places[i].x, SLIDER_Y);
         frame();
-        ck_assert_msg(MeFabs(slope - places[i].value) <= 2, "at %d: %g", places[i].x, (double)slope);
+        ck_assert_msg(MeFabs(slope - places[i].value) <= 2, "at %d: %g", places[i].x, slope);
         ck_assert_double_eq(fmod((double)slope - 5, 2), 0);
         ck_assert_int_eq(calls, before + 1);
     }

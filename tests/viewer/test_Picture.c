@@ -356,7 +356,7 @@ TEST(vertices_may_change) {
 }
 
 TEST(what_is_not_finite_is_not_drawn) {
-    MeMatrix4 bad = {{1, 0, 0, 0}, {0, (MeReal)NAN, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+    MeMatrix4 bad = {{1, 0, 0, 0}, {0, NAN, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
     start("-osmesa -size 64x64");
     RCameraSetView(rc, 6, 0, 0);
     RGraphic *g = RGraphicSphereCreate(rc, 1, RED, bad), *h = RGraphicBoxCreate(rc, 1, 1, 1, RED, NULL);
@@ -494,8 +494,8 @@ static double seenToTurn(RGraphic *(*make)(void), const char *texture) {
     if (texture)
         RGraphicSetTexture(rc, g, texture);
     RPicture p = shoot(1);
-    turned[0][0] = turned[2][2] = MeCos((MeReal)0.7);
-    turned[0][2] = -(turned[2][0] = MeSin((MeReal)0.7));
+    turned[0][0] = turned[2][2] = MeCos(0.7);
+    turned[0][2] = -(turned[2][0] = MeSin(0.7));
     RPicture q = shoot(1);
     size_t clearly = 0;
     for (int i = 0; i < p.width * p.height; i++)

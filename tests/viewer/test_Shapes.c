@@ -7,10 +7,10 @@ static void checkVertices(const RGraphic *g, int count, double x, double y, doub
     ck_assert_int_eq(g->m_pObject->m_nNumVertices, count);
     for (int i = 0; i < count; i++) {
         const RObjectVertex *v = &g->m_pVertices[i];
-        assert_near(sqrt((double)(v->m_NX * v->m_NX + v->m_NY * v->m_NY + v->m_NZ * v->m_NZ)), 1, 1e-5);
-        assert_below(fabs((double)v->m_X), x + 1e-5);
-        assert_below(fabs((double)v->m_Y), y + 1e-5);
-        assert_below(fabs((double)v->m_Z), z + 1e-5);
+        assert_near(sqrt(v->m_NX * v->m_NX + v->m_NY * v->m_NY + v->m_NZ * v->m_NZ), 1, 1e-5);
+        assert_below(fabs(v->m_X), x + 1e-5);
+        assert_below(fabs(v->m_Y), y + 1e-5);
+        assert_below(fabs(v->m_Z), z + 1e-5);
     }
 }
 
@@ -123,7 +123,7 @@ TEST(dome) {
 TEST(one_vertex) {
     RObjectVertex v;
     const MeVector3 p = {1, 2, 3}, n = {0, 1, 0};
-    RSetVertex(&v, p, n, (MeReal)0.25, (MeReal)0.5);
+    RSetVertex(&v, p, n, 0.25, 0.5);
     ck_assert(v.m_X == 1 && v.m_Y == 2 && v.m_Z == 3 && v.m_NY == 1 && v.m_U == 0.25f && v.m_V == 0.5f);
 }
 

@@ -157,10 +157,9 @@ TEST(positions_and_angles) {
         RCameraFindAngles(rc, (const AcmeVector3){-3, 2, 5}, &theta, &phi);
         assert_near(theta, RCameraGetRotation(rc), 1e-6);
         assert_near(phi, RCameraGetElevation(rc), 1e-6);
-        RCameraSetElevation(rc, (MeReal)(acos(-1) / 2)); /* From above one looks along the axis. */
+        RCameraSetElevation(rc, acos(-1) / 2); /* From above one looks along the axis. */
         RCameraGetLookDir(rc, dir);
-        const double length =
-            sqrt(pow((double)axes[i][0], 2) + pow((double)axes[i][1], 2) + pow((double)axes[i][2], 2));
+        const double length = sqrt(pow(axes[i][0], 2) + pow(axes[i][1], 2) + pow(axes[i][2], 2));
         AcmeVector3 axis;
         RCameraGetUpAxis(rc, axis);
         assert_vec3_near(axis, -dir[0], -dir[1], -dir[2], 1e-6);
