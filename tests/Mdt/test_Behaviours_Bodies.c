@@ -36,20 +36,6 @@ TEST(a_new_body_takes_part_once_it_is_enabled) {
     MdtWorldDestroy(w);
 }
 
-/* Dynamics guide ch. 4, "Adding Forces": a constant force has to be added before every step; then v = n h F / m. */
-TEST(a_constant_force_has_to_be_added_every_step) {
-    MdtWorldID w = scene_world(2, 0, 0);
-    MdtBodyID always = scene_body(w, 2, 0, 0, 0), once = scene_body(w, 2, 0, 5, 0);
-    MdtBodyAddForce(once, 6, 0, 0);
-    for (int i = 1; i <= 50; i++) {
-        MdtBodyAddForce(always, 6, 0, 0);
-        MdtWorldStep(w, FRAME);
-        assert_velocity(always, 3 * i * (double)FRAME, 0, 0, TOL(1e-6, 3e-13));
-        assert_velocity(once, 3 * (double)FRAME, 0, 0, TOL(1e-8, 1e-15));
-    }
-    MdtWorldDestroy(w);
-}
-
 /* Dynamics guide ch. 4, "Adding Forces": the force acts at the centre of mass, in the world's axes, and turns nothing:
  * however the body is turned, and wherever its centre of mass is. */
 TEST(a_force_acts_at_the_centre_of_mass_in_the_world_s_axes) {
@@ -68,21 +54,6 @@ TEST(a_force_acts_at_the_centre_of_mass_in_the_world_s_axes) {
     const double t = 30 * (double)FRAME;
     assert_velocity(b, t, -2 * t, 3 * t, TOL(1e-6, 2e-13));
     assert_spin(b, 0, 0, 0, 0);
-    MdtWorldDestroy(w);
-}
-
-/* Dynamics guide ch. 4, "Adding Forces": P may lie outside the body; only the line of the force counts. */
-TEST(a_force_may_act_far_outside_the_body) {
-    MdtWorldID w = scene_world(2, 0, 0);
-    MdtBodyID near = scene_body(w, 1, 0, 0, 0), far = scene_body(w, 1, 0, 0, 0);
-    MdtBodyAddForceAtPosition(near, 0, 2, 0, 1, 0, 0);
-    MdtBodyAddForceAtPosition(far, 0, 2, 0, 1, 1000, 0); /* further along the same line */
-    MdtWorldStep(w, FRAME);
-    for (int axis = 0; axis < 3; axis++) {
-        assert_near(velocity(near, axis), velocity(far, axis), 0);
-        assert_near(spin(near, axis), spin(far, axis), TOL(1e-7, 9e-14));
-    }
-    assert_near(spin(near, 2), 2 / .4 * (double)FRAME, TOL(8e-8, 8e-15));
     MdtWorldDestroy(w);
 }
 

@@ -50,79 +50,6 @@ static Zoo makeZoo(void) {
     return z;
 }
 
-/* Ch. 3: created unattached and disabled; SetBodies attaches, index 0 is the first and 1 the second body; Enable lets
- * it act, IsEnabled says 1 or 0; a second body of null is the world. */
-TEST(every_type_is_created_attached_enabled_and_disabled) {
-    Zoo z = makeZoo();
-    ck_assert_int_eq(z.count, TYPES);
-#define LIFE(Type)                                                                                                     \
-    {                                                                                                                  \
-        Mdt##Type##ID j = Mdt##Type##Create(z.world);                                                                  \
-        ck_assert_int_eq(Mdt##Type##IsEnabled(j), 0);                                                                  \
-        ck_assert(Mdt##Type##GetBody(j, 0) == NULL && Mdt##Type##GetBody(j, 1) == NULL);                               \
-        Mdt##Type##SetBodies(j, z.a, z.b);                                                                             \
-        ck_assert(Mdt##Type##GetBody(j, 0) == z.a && Mdt##Type##GetBody(j, 1) == z.b);                                 \
-        Mdt##Type##SetBodies(j, z.b, 0);                                                                               \
-        ck_assert(Mdt##Type##GetBody(j, 0) == z.b && Mdt##Type##GetBody(j, 1) == NULL);                                \
-        Mdt##Type##Enable(j);                                                                                          \
-        ck_assert_int_eq(Mdt##Type##IsEnabled(j), 1);                                                                  \
-        Mdt##Type##Disable(j);                                                                                         \
-        ck_assert_int_eq(Mdt##Type##IsEnabled(j), 0);                                                                  \
-    }
-    EVERY_JOINT(LIFE)
-    MdtWorldDestroy(z.world);
-}
-
-/* Ch. 3, MdtConstraintDestroy: the constraint is disabled first if necessary. */
-TEST(destroying_disables_first) {
-    Zoo z = makeZoo();
-    for (int i = 0; i < z.count; i++) {
-        MdtConstraintSetBodies(z.constraint[i], z.a, z.b);
-        MdtConstraintEnable(z.constraint[i]);
-    }
-    ck_assert_int_eq(MdtWorldGetEnabledConstraints(z.world), TYPES);
-    for (int i = 0; i < z.count; i++) {
-        MdtConstraintDestroy(z.constraint[i]);
-        ck_assert_int_eq(MdtWorldGetEnabledConstraints(z.world), TYPES - 1 - i);
-        ck_assert_int_eq(MdtWorldGetTotalConstraints(z.world), TYPES - 1 - i);
-    }
-    ck_assert(MdtBodyGetFirstConstraint(z.a) == NULL && MdtBodyGetFirstConstraint(z.b) == NULL);
-    MdtWorldDestroy(z.world);
-}
-
-/* Ch. 3: the two casts are each other's inverse, and a cast to another type gives 0. */
-TEST(casts_are_inverse_and_know_the_type) {
-    Zoo z = makeZoo();
-    int index = 0;
-#define CAST(Type)                                                                                                     \
-    for (int i = 0; i < z.count; i++) {                                                                                \
-        Mdt##Type##ID j = MdtConstraintDCast##Type(z.constraint[i]);                                                   \
-        ck_assert_msg((j != NULL) == (i == index), "%s as " #Type, z.name[i]);                                         \
-        if (j)                                                                                                         \
-            ck_assert(Mdt##Type##QuaConstraint(j) == z.constraint[i]);                                                 \
-    }                                                                                                                  \
-    index++;
-    EVERY_JOINT(CAST)
-    MdtWorldDestroy(z.world);
-}
-
-/* Ch. 3: user data are returned as set, the world is the one that created it. */
-TEST(user_data_and_world_are_returned) {
-    Zoo z = makeZoo();
-    int data[TYPES], index = 0;
-#define BOOK(Type)                                                                                                     \
-    {                                                                                                                  \
-        Mdt##Type##ID j = MdtConstraintDCast##Type(z.constraint[index]);                                               \
-        ck_assert(Mdt##Type##GetUserData(j) == NULL && Mdt##Type##GetWorld(j) == z.world);                             \
-        Mdt##Type##SetUserData(j, &data[index]);                                                                       \
-        ck_assert(Mdt##Type##GetUserData(j) == &data[index]);                                                          \
-        ck_assert(MdtConstraintGetUserData(z.constraint[index]) == &data[index]);                                      \
-        index++;                                                                                                       \
-    }
-    EVERY_JOINT(BOOK)
-    MdtWorldDestroy(z.world);
-}
-
 /* Ch. 3: bodies are placed, then attached, then the position is set: it is then one point of both, and moves with
  * each. */
 TEST(bodies_are_placed_attached_and_then_the_position_is_set) {
@@ -267,42 +194,6 @@ static int rowsOf(MdtConstraintID c) {
     const int rows = MdtConstraintGetRowCount(c);
     MdtConstraintDisable(c);
     return rows;
-}
-
-/* Ch. 3: the degrees of freedom that each type removes are its rows. */
-TEST(each_type_removes_its_degrees_of_freedom) {
-    static const struct {
-        const char *name;
-        int rows;
-    } plain[] = {{"BSJoint", 3}, {"Hinge", 5},     {"Prismatic", 5}, {"Universal", 4}, {"Angular3", 3},
-                 {"Linear1", 1}, {"Linear2", 2},   {"FixedPath", 3}, {"FPFOJoint", 6}, {"RPROJoint", 6},
-                 {"Spring", 1},  {"ConeLimit", 0}, {"Spring6", 0},   {"Skeletal", 3},  {"Contact", 1}};
-    Zoo z = makeZoo();
-    for (int i = 0; i < z.count; i++) {
-        MdtConstraintSetBodies(z.constraint[i], z.a, z.b);
-        for (size_t k = 0; k < sizeof plain / sizeof *plain; k++)
-            if (strcmp(plain[k].name, z.name[i]) == 0)
-                ck_assert_msg(rowsOf(z.constraint[i]) == plain[k].rows, "%s has %d rows, not %d", z.name[i],
-                              MdtConstraintGetRowCount(z.constraint[i]), plain[k].rows);
-        if (MdtConstraintDCastAngular3(z.constraint[i])) { /* Angular2 */
-            MdtAngular3EnableRotation(MdtConstraintDCastAngular3(z.constraint[i]), 1);
-            ck_assert_int_eq(rowsOf(z.constraint[i]), 2);
-        }
-        if (MdtConstraintDCastConeLimit(z.constraint[i])) { /* at its side */
-            MdtBodySetQuaternion(z.b, 1, 0, .6, 0);
-            MdtConeLimitSetConeHalfAngle(MdtConstraintDCastConeLimit(z.constraint[i]), .3);
-            ck_assert_int_eq(rowsOf(z.constraint[i]), 1);
-            MdtBodySetQuaternion(z.b, 1, 0, 0, 0);
-        }
-        if (MdtConstraintDCastContact(z.constraint[i])) {
-            MdtContactParamsID params = MdtContactGetParams(MdtConstraintDCastContact(z.constraint[i]));
-            MdtContactParamsSetType(params, MdtContactTypeFriction1D);
-            ck_assert_int_eq(rowsOf(z.constraint[i]), 2);
-            MdtContactParamsSetType(params, MdtContactTypeFriction2D);
-            ck_assert_int_eq(rowsOf(z.constraint[i]), 3);
-        }
-    }
-    MdtWorldDestroy(z.world);
 }
 
 /* The car wheel removes 3 to 6: what is free, the steering (a motor without force, no lock), the rolling and the

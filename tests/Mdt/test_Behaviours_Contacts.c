@@ -135,22 +135,6 @@ TEST(a_primary_direction_is_chosen_when_none_is_set) {
     }
 }
 
-/* "Restitution: the ratio of rebound velocity to impact velocity", between two bodies, above the threshold. */
-TEST(separation_is_restitution_times_approach) {
-    const double es[] = {0, .3, .7, 1}, speeds[] = {.5, 3, 40};
-    for (int i = 0; i < 4; i++)
-        for (int k = 0; k < 3; k++) {
-            Pair s = makePair(.6, 0, .8);
-            MdtContactParamsSetRestitution(MdtContactGetParams(s.contact), es[i]);
-            approachWith(&s, speeds[k]);
-            MdtWorldStep(s.world, FRAME);
-            assert_near(separation(&s), es[i] * speeds[k], TOL(1e-6, 1e-9) * (1 + speeds[k]));
-            assert_near(velocity(s.first, 0) + velocity(s.second, 0), -.6 * speeds[k],
-                        TOL(1e-6, 1e-9) * (1 + speeds[k]));
-            MdtWorldDestroy(s.world);
-        }
-}
-
 /* "Sticky contacts": with MEINFINITY the contact holds whatever pulls. */
 TEST(a_contact_of_infinite_adhesion_never_lets_go) {
     Pair s = makePair(0, 1, 0);
@@ -195,26 +179,5 @@ TEST(set_params_copies_all_values) {
     ck_assert(copy.slide1 == own.slide1 && copy.slide2 == own.slide2);
     MdtContactParamsSetFriction(&own, 44);
     assert_near(MdtContactParamsGetPrimaryFriction(MdtContactGetParams(c)), 4, 0);
-    MdtWorldDestroy(w);
-}
-
-/* "MdtContactGroupGetNormalForce: the magnitude of the last timestep's normal force between the two bodies": what
- * carries the load, friction aside. */
-TEST(a_group_s_normal_force_is_the_load) {
-    MdtWorldID w = scene_world(1, 8, 10);
-    MdtBodyID b = scene_body(w, 3, 0, 0, 0);
-    MdtContactGroupID g = MdtContactGroupCreate(w);
-    MdtContactGroupSetBodies(g, b, 0);
-    for (int i = 0; i < 3; i++) {
-        MdtContactID c = MdtContactGroupCreateContact(g);
-        MdtContactSetPosition(c, cos(2 * PI / 3 * i), 0, sin(2 * PI / 3 * i));
-        MdtContactSetNormal(c, 0, 1, 0);
-        MdtContactParamsSetType(MdtContactGetParams(c), MdtContactTypeFriction2D);
-    }
-    MdtContactGroupEnable(g);
-    MdtBodyAddForce(b, 7, 0, 0); /* friction holds it, and does not count */
-    MdtWorldStep(w, FRAME);
-    assert_near(MdtContactGroupGetNormalForce(g), 30, TOL(1e-2, 1e-2));
-    assert_near(forceOn(MdtContactGroupQuaConstraint(g), 0, 0), -7, TOL(1e-2, 1e-2));
     MdtWorldDestroy(w);
 }

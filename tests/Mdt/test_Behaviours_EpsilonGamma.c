@@ -38,23 +38,6 @@ TEST(redundant_constraints_have_a_solution_at_every_epsilon) {
     }
 }
 
-/* "1/epsilon is like a spring constant": on a contact a load twice as heavy sinks twice as deep. */
-TEST(a_heavier_load_sinks_deeper_into_a_contact) {
-    const double epsilon = .01, loads[] = {10, 20, 200};
-    for (int k = 0; k < 3; k++) {
-        MdtWorldID w = scene_world(1, 1, loads[k]);
-        MdtWorldSetEpsilon(w, epsilon);
-        MdtBodyID b = scene_body(w, 1, 0, 0, 0);
-        MdtContactID c = scene_contact(w, b, 0, 0, 0, 0);
-        for (int i = 0; i < 400; i++) {
-            MdtContactSetPenetration(c, -coordinate(b, 1));
-            MdtWorldStep(w, FRAME);
-        }
-        assert_near_rel(-coordinate(b, 1), epsilon * loads[k] * (double)FRAME * (double)FRAME / .2, TOL(9e-6, 1e-6));
-        MdtWorldDestroy(w);
-    }
-}
-
 /* "If gamma = 0, no relaxation is done. Joints will separate": an error stays what it is, and the load of a springy
  * joint lets it grow by epsilon F h² a step. */
 TEST(without_gamma_errors_stay_and_add_up) {
@@ -79,22 +62,6 @@ TEST(without_gamma_errors_stay_and_add_up) {
     MdtWorldDestroy(w);
 }
 
-/* Gamma applies to contacts as well: they are pushed apart by that fraction of their overlap a step, and not beyond. */
-TEST(gamma_pushes_contacts_apart) {
-    const double gammas[] = {.1, .4, .8};
-    for (int k = 0; k < 3; k++) {
-        MdtWorldID w = scene_world(1, 1, 0);
-        MdtWorldSetEpsilon(w, 0);
-        MdtWorldSetGamma(w, gammas[k]);
-        MdtBodyID b = scene_body(w, 1, 0, -1, 0);
-        MdtContactID c = scene_contact(w, b, 0, 0, 0, 0);
-        MdtContactSetPenetration(c, 1);
-        MdtWorldStep(w, FRAME);
-        assert_near(coordinate(b, 1), gammas[k] - 1, TOL(1e-6, 1e-9));
-        MdtWorldDestroy(w);
-    }
-}
-
 /* The fraction is per step; over the same time steps of any length are to leave the same part of an error:
  * (1 - gamma')^(T/h) = (1 - gamma)^(T/ref) for all T. */
 static const struct {
@@ -103,17 +70,6 @@ static const struct {
     {.2, 1. / 60, 1. / 60},  {.2, 1. / 60, 1. / 30}, {.2, 1. / 60, 1. / 240}, {.5, 1. / 50, 1. / 100},
     {.9, 1. / 60, 1. / 120}, {.05, .01, .02},        {.8, .02, .005},         {.01, 1. / 60, 1. / 1000},
 };
-
-TEST(gamma_with_a_reference_step_is_what_leaves_the_same_error) {
-    for (size_t k = 0; k < sizeof relaxations / sizeof *relaxations; k++) {
-        const double gamma = relaxations[k].gamma, ref = relaxations[k].ref, step = relaxations[k].step;
-        MdtWorldID w = scene_world(1, 1, 0);
-        MdtWorldSetGammaWithRefTimeStep(w, gamma, ref, step);
-        const double expected = -expm1(step / ref * log1p(-gamma));
-        assert_near_rel(MdtWorldGetGamma(w), expected, TOL(2e-6, 1e-13));
-        MdtWorldDestroy(w);
-    }
-}
 
 /* A joint that was pulled open by 1 m has come back by the same part after the same time. */
 TEST(errors_die_in_the_same_time_at_any_step) {

@@ -122,31 +122,6 @@ TEST(limits_are_inactive_until_activated) {
     MdtWorldDestroy(s.world);
 }
 
-/* "A hard bounce reverses the velocity in a single timestep, while a soft bounce may take many timesteps." The soft one
- * returns after half a period, pi sqrt(m / k), with the same speed. */
-TEST(a_soft_stop_takes_many_steps_to_reverse_the_speed) {
-    for (int soft = 0; soft < 2; soft++) {
-        Rail s = makeRail();
-        MdtSingleLimitSetStop(s.lower, -10);
-        MdtSingleLimitSetStop(s.upper, .25);
-        if (soft)
-            MdtSingleLimitSetStiffness(s.upper, 100);
-        MdtLimitActivateLimits(s.limit, 1);
-        MdtBodySetLinearVelocity(s.body, 1, 0, 0);
-        int between = 0;
-        for (int i = 0; i < 120; i++) {
-            MdtWorldStep(s.world, FRAME);
-            between += fabs(velocity(s.body, 0)) < .999;
-        }
-        assert_near(velocity(s.body, 0), -1, soft ? 2e-2 : TOL(1e-5, 1e-9));
-        if (soft)
-            assert_near(between, PI / 10 / (double)FRAME, 2.5);
-        else
-            ck_assert_int_eq(between, 0);
-        MdtWorldDestroy(s.world);
-    }
-}
-
 /* "Restitution ... is used only if the limit hardness exceeds the threshold": a damped soft stop with restitution 1
  * and one with 0 do the same. */
 TEST(a_soft_stop_ignores_restitution_and_a_hard_one_damping) {
@@ -172,46 +147,6 @@ TEST(a_soft_stop_ignores_restitution_and_a_hard_one_damping) {
         else
             ck_assert_msg(after[0] < -.1 && after[0] > -.9, "%g", after[0]);
     }
-}
-
-/* "Set the limited-force motor parameters": on a slider m v = F t until the velocity is reached, which then stays; a
- * greater load than fmax keeps it from ever arriving. */
-TEST(a_motor_takes_its_time_or_never_arrives) {
-    Rail s = makeRail();
-    MdtLimitSetLimitedForceMotor(s.limit, 2, 3);
-    for (int i = 1; i <= 90; i++) {
-        MdtWorldStep(s.world, FRAME);
-        assert_near(velocity(s.body, 0), fmin(2, 3 * i * (double)FRAME), TOL(2e-6, 2e-13));
-    }
-    for (int i = 1; i <= 60; i++) { /* a load of 4 against a motor of 3 */
-        MdtBodyAddForce(s.body, -4, 0, 0);
-        MdtWorldStep(s.world, FRAME);
-        assert_near(velocity(s.body, 0), 2 - i * (double)FRAME, TOL(2e-6, 2e-13));
-    }
-    MdtWorldDestroy(s.world);
-}
-
-/* "No limit is missed" (ch. 3, "Hinge Limits"), by a motor that could pass it within a step either: from rest, just
- * before the stop, with all the force that it likes. */
-TEST(a_strong_motor_does_not_pass_a_hard_stop) {
-    const double gaps[] = {1e-4, .01, .2}, forces[] = {1, 100, 1e6};
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 3; k++)
-            for (int side = -1; side <= 1; side += 2) {
-                Rail s = makeRail();
-                MdtSingleLimitSetStop(s.lower, -gaps[i]);
-                MdtSingleLimitSetStop(s.upper, gaps[i]);
-                MdtSingleLimitSetRestitution(s.lower, 0);
-                MdtSingleLimitSetRestitution(s.upper, 0);
-                MdtLimitActivateLimits(s.limit, 1);
-                MdtLimitSetLimitedForceMotor(s.limit, (MeReal)(50 * side), (MeReal)forces[k]);
-                for (int n = 0; n < 120; n++) {
-                    MdtWorldStep(s.world, FRAME);
-                    assert_below(side * (double)MdtLimitGetPosition(s.limit), gaps[i] + TOL(1e-6, 1e-9));
-                }
-                assert_near(MdtLimitGetPosition(s.limit), side * gaps[i], TOL(2e-7, 8e-12));
-                MdtWorldDestroy(s.world);
-            }
 }
 
 /* Ch. 5: "to model dry friction in a joint set a target velocity of zero, where the braking force is controlled by

@@ -32,35 +32,6 @@
 static const MeI32 keys[] = {0, 1, 12345, 2147483647};
 enum { KEYS = sizeof keys / sizeof *keys };
 
-/* A key that is set is got, for a body, a contact, a contact group, a constraint and every joint type. */
-TEST(set_and_get_sort_key_round_trip_for_every_type) {
-    MdtWorldID w = scene_world(1, 18, 0);
-    MdtBodyID b = MdtBodyCreate(w);
-    for (int i = 0; i < KEYS; i++) {
-        MdtBodySetSortKey(b, keys[i]);
-        ck_assert_int_eq(MdtBodyGetSortKey(b), keys[i]);
-    }
-#define ROUND_TRIP(Type)                                                                                               \
-    {                                                                                                                  \
-        Mdt##Type##ID j = Mdt##Type##Create(w);                                                                        \
-        MdtConstraintID c = Mdt##Type##QuaConstraint(j);                                                               \
-        for (int i = 0; i < KEYS; i++) {                                                                               \
-            Mdt##Type##SetSortKey(j, keys[i]);                                                                         \
-            ck_assert_int_eq(Mdt##Type##GetSortKey(j), keys[i]);                                                       \
-            ck_assert_int_eq(MdtConstraintGetSortKey(c), keys[i]);                                                     \
-            MdtConstraintSetSortKey(c, keys[KEYS - 1 - i]);                                                            \
-            ck_assert_int_eq(Mdt##Type##GetSortKey(j), keys[KEYS - 1 - i]);                                            \
-        }                                                                                                              \
-    }
-    EVERY_TYPE(ROUND_TRIP)
-    MdtRPROJointID rpro = MdtConstraintDCastRPROJoint(MdtConstraintGetFirst(w));
-    for (MdtConstraintID c = MdtConstraintGetFirst(w); c && !rpro; c = MdtConstraintGetNext(c))
-        rpro = MdtConstraintDCastRPROJoint(c);
-    MdtRPROSetSortKey(rpro, 77); /* the guide's other spelling */
-    ck_assert_int_eq(MdtRPROGetSortKey(rpro), 77);
-    MdtWorldDestroy(w);
-}
-
 /* Keys are not negative: such a key gets a warning and changes nothing. */
 TEST(keys_lie_between_0_and_two_to_the_31_minus_1) {
     MdtWorldID w = scene_world(1, 18, 0);

@@ -386,22 +386,6 @@ TEST(limits_follow_the_guide_s_rules) {
     ck_assert(MdtLimitIsMotorized(&own) && MdtLimitGetMotorDesiredVelocity(&own) == 4);
 }
 
-TEST(set_limit_copies_the_public_values) {
-    HingedBar s = scene_hingedBar(0);
-    MdtBclLimit own;
-    MdtLimitReset(&own);
-    MdtLimitActivateLimits(&own, 1);
-    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(&own), .25);
-    MdtSingleLimitSetRestitution(MdtLimitGetUpperLimit(&own), 0);
-    MdtSingleLimitSetStop(MdtLimitGetLowerLimit(&own), -1);
-    MdtHingeSetLimit(s.hinge, &own);
-    ck_assert(MdtHingeGetLimit(s.hinge) == s.limit);
-    scene_spinBar(s, 1);
-    steps(s.world, 60, FRAME);
-    assert_near(angleOf(s), .25, TOL(3e-7, 1e-8));
-    MdtWorldDestroy(s.world);
-}
-
 /* The step may be divided where the motion is violent; the guide's meaning of a load on a joint does not change. */
 TEST(a_violently_turning_pair_stays_together) {
     const double edge[3] = {.2, 1, .2};

@@ -53,19 +53,6 @@ static void push(Cart s, double force) {
     add_force(s.cart, f);
 }
 
-static void throwCart(Cart s, double speed) {
-    MdtBodySetLinearVelocity(s.cart, speed * axis[0], speed * axis[1], speed * axis[2]);
-}
-
-static void setStop(Cart s, int side, double stop, double stiffness, double damping, double restitution) {
-    MdtSingleLimitID l = side == 0 ? MdtLimitGetLowerLimit(s.limit) : MdtLimitGetUpperLimit(s.limit);
-    MdtSingleLimitSetStop(l, stop);
-    MdtSingleLimitSetStiffness(l, stiffness);
-    MdtSingleLimitSetDamping(l, damping);
-    MdtSingleLimitSetRestitution(l, restitution);
-    MdtLimitActivateLimits(s.limit, 1);
-}
-
 /* ---- sliding ---- */
 
 TEST(it_slides_along_the_axis_and_does_not_turn) {
@@ -163,65 +150,6 @@ TEST(a_turning_rail) {
     MdtWorldDestroy(w);
 }
 
-/* ---- stops ---- */
-
-TEST(a_hard_stop_returns_its_restitution) {
-    const double es[] = {0, .5, 1};
-    for (int k = 0; k < 3; k++)
-        for (int side = 0; side < 2; side++) {
-            Cart s = makeCart();
-            const double way = side == 0 ? -1 : 1;
-            double max = 0;
-            setStop(s, 0, -.4, MEINFINITY, 0, es[k]);
-            setStop(s, 1, .6, MEINFINITY, 0, es[k]);
-            throwCart(s, 2 * way);
-            for (int i = 0; i < 30; i++) {
-                MdtWorldStep(s.world, FRAME);
-                max = fmax(max, way * wayOf(s, NULL));
-            }
-            assert_near(speedOf(s), -es[k] * 2 * way, TOL(2e-6, 2e-11));
-            assert_below(max, (side == 0 ? .4 : .6) + TOL(2e-6, 1e-8));
-            if (es[k] == 0)
-                assert_near(wayOf(s, NULL), side == 0 ? -.4 : .6, TOL(2e-6, 6e-12));
-            MdtWorldDestroy(s.world);
-        }
-}
-
-TEST(a_soft_stop_is_a_damped_spring) {
-    const double ks[] = {40, 160}, ds[] = {0, 1}, load = 8, h = FRAME;
-    for (int i = 0; i < 2; i++)
-        for (int j = 0; j < 2; j++) {
-            Cart s = makeCart();
-            Swing swing = {0};
-            const double w0 = sqrt(ks[i] / mass), decay = ds[j] / (2 * mass);
-            setStop(s, 0, -5, 0, 0, 0);
-            setStop(s, 1, 0, ks[i], ds[j], 1);
-            MdtLimitSetPosition(s.limit, .5 * load / ks[i]); /* it stays beyond the stop */
-            for (int n = 0; n < 3000 && swing.crossings < 9; n++) {
-                push(s, load);
-                MdtWorldStep(s.world, FRAME);
-                swing_add(&swing, wayOf(s, NULL) - .5 * load / ks[i]);
-            }
-            ck_assert_int_eq(swing.crossings, 9);
-            swing_check(&swing, w0, decay, h, TOL(1e-5, 1e-8));
-            MdtWorldDestroy(s.world);
-        }
-}
-
-TEST(a_load_rests_on_a_soft_stop_at_force_over_stiffness) {
-    Cart s = makeCart();
-    setStop(s, 1, .2, 50, 20, 0);
-    setStop(s, 0, -1, MEINFINITY, 0, 0);
-    for (int i = 0; i < 900; i++) {
-        push(s, 10);
-        MdtWorldStep(s.world, FRAME);
-    }
-    assert_near(wayOf(s, NULL), .2 + 10. / 50, TOL(4e-7, 4e-14));
-    assert_near(MdtLimitGetOvershoot(s.limit), 10. / 50, TOL(2e-7, 2e-14));
-    ck_assert_int_eq(MdtConstraintGetRowCount(MdtPrismaticQuaConstraint(s.joint)), 6);
-    MdtWorldDestroy(s.world);
-}
-
 /* ---- motor and lock ---- */
 
 TEST(the_motor_reaches_its_speed_with_its_force) {
@@ -251,18 +179,6 @@ TEST(the_motor_reaches_its_speed_with_its_force) {
     MdtWorldDestroy(s.world);
 }
 
-TEST(a_motor_rests_beyond_a_soft_stop_and_at_a_hard_one) {
-    for (int k = 0; k < 2; k++) {
-        Cart s = makeCart();
-        setStop(s, 1, .5, k == 0 ? 40 : MEINFINITY, 10, 0);
-        MdtLimitSetLimitedForceMotor(s.limit, 1, 6);
-        steps(s.world, 900, FRAME);
-        assert_near(wayOf(s, NULL), k == 0 ? .5 + 6. / 40 : .5, TOL(7e-7, 2e-10));
-        ck_assert_int_eq(MdtConstraintGetRowCount(MdtPrismaticQuaConstraint(s.joint)), 7);
-        MdtWorldDestroy(s.world);
-    }
-}
-
 /* γ of the way to the lock a step, up to its force; the motor rests meanwhile. The first step starts at rest and must
  * be twice as fast at its end as in its mean: 2 m γ z / h² = 1440 N. */
 TEST(the_lock_draws_to_its_place_and_holds) {
@@ -286,20 +202,5 @@ TEST(the_lock_draws_to_its_place_and_holds) {
     MdtLimitActivateLock(s.limit, 0);
     steps(s.world, 60, FRAME);
     assert_near(speedOf(s), -3, TOL(3e-6, 3e-13)); /* the motor again */
-    MdtWorldDestroy(s.world);
-}
-
-TEST(set_limit_copies_the_public_values) {
-    Cart s = makeCart();
-    MdtBclLimit own;
-    MdtLimitReset(&own);
-    MdtLimitActivateLimits(&own, 1);
-    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(&own), .25);
-    MdtSingleLimitSetRestitution(MdtLimitGetUpperLimit(&own), 0);
-    MdtPrismaticSetLimit(s.joint, &own);
-    ck_assert(MdtPrismaticGetLimit(s.joint) == s.limit);
-    throwCart(s, 1);
-    steps(s.world, 60, FRAME);
-    assert_near(wayOf(s, NULL), .25, TOL(3e-7, 8e-12));
     MdtWorldDestroy(s.world);
 }
