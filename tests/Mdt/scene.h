@@ -32,6 +32,25 @@ static inline MdtBodyID scene_box(MdtWorldID w, double mass, const double edge[3
     return b;
 }
 
+/* Enabled joints; a body of null is the world. */
+static inline MdtBSJointID scene_ball(MdtWorldID w, MdtBodyID a, MdtBodyID b, double x, double y, double z) {
+    MdtBSJointID j = MdtBSJointCreate(w);
+    MdtBSJointSetBodies(j, a, b);
+    MdtBSJointSetPosition(j, x, y, z);
+    MdtBSJointEnable(j);
+    return j;
+}
+
+static inline MdtHingeID scene_hinge(MdtWorldID w, MdtBodyID a, MdtBodyID b, double x, double y, double z, double ax,
+                                     double ay, double az) {
+    MdtHingeID j = MdtHingeCreate(w);
+    MdtHingeSetBodies(j, a, b);
+    MdtHingeSetPosition(j, x, y, z);
+    MdtHingeSetAxis(j, ax, ay, az);
+    MdtHingeEnable(j);
+    return j;
+}
+
 /* A bar of the mass 1 and the length 1 along x, hinged to the world about z at one end, which is the origin. Its moment
  * of inertia about the hinge is 1/3. */
 typedef struct {

@@ -7,10 +7,7 @@ static double sagOf(double epsilon, double gamma, double h, double F, double *fo
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     MdtWorldSetEpsilon(w, epsilon);
     MdtWorldSetGamma(w, gamma);
-    MdtBSJointID j = MdtBSJointCreate(w);
-    MdtBSJointSetBodies(j, b, 0);
-    MdtBSJointSetPosition(j, 0, 0, 0);
-    MdtBSJointEnable(j);
+    MdtBSJointID j = scene_ball(w, b, 0, 0, 0, 0);
     steps(w, 2000, h);
     MeVector3 p, f;
     MdtBodyGetPosition(b, p);
@@ -54,10 +51,7 @@ TEST(gamma_is_the_fraction_that_a_step_removes) {
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     MdtWorldSetEpsilon(w, 0);
     MdtWorldSetGamma(w, .25);
-    MdtBSJointID j = MdtBSJointCreate(w);
-    MdtBSJointSetBodies(j, b, 0);
-    MdtBSJointSetPosition(j, 0, 0, 0);
-    MdtBSJointEnable(j);
+    scene_ball(w, b, 0, 0, 0, 0);
     MdtBodySetPosition(b, 1, 0, 0);
     MeVector3 p;
     for (int i = 1; i <= 10; i++) {
@@ -174,10 +168,7 @@ TEST(the_force_read_back_is_the_pendulum_s_tension) {
     MdtWorldSetEpsilon(w, 0);
     MdtBodyID b = scene_body(w, 1, 1, 0, 0);
     MdtBodySetSphericalInertiaTensor(b, 1e-6);
-    MdtBSJointID j = MdtBSJointCreate(w);
-    MdtBSJointSetBodies(j, b, 0);
-    MdtBSJointSetPosition(j, 0, 0, 0);
-    MdtBSJointEnable(j);
+    MdtBSJointID j = scene_ball(w, b, 0, 0, 0, 0);
     double max = 0;
     for (int i = 0; i < 300; i++) {
         MeVector3 f;
@@ -196,10 +187,7 @@ TEST(redundant_joints_share_the_load) {
     MdtBodyID b = scene_body(w, 3, 0, 0, 0);
     MdtBSJointID j[3];
     for (int i = 0; i < 3; i++) {
-        j[i] = MdtBSJointCreate(w);
-        MdtBSJointSetBodies(j[i], b, 0);
-        MdtBSJointSetPosition(j[i], (MeReal)(i - 1), 0, 0);
-        MdtBSJointEnable(j[i]);
+        j[i] = scene_ball(w, b, 0, (MeReal)(i - 1), 0, 0);
     }
     steps(w, 600, FRAME);
     double sum = 0;

@@ -11,11 +11,7 @@ static MdtContactID contact;
 static void setUp(void) {
     w = scene_world(3, 4, 10);
     b = scene_body(w, 1, 1, 0, 0);
-    hinge = MdtHingeCreate(w);
-    MdtHingeSetBodies(hinge, b, 0);
-    MdtHingeSetPosition(hinge, 0, 0, 0);
-    MdtHingeSetAxis(hinge, 0, 0, 1);
-    MdtHingeEnable(hinge);
+    hinge = scene_hinge(w, b, 0, 0, 0, 0, 0, 0, 1);
     contact = MdtContactCreate(w, b, 0);
     messages_catch();
 }

@@ -54,10 +54,7 @@ TEST(constraint_forces_do_not_add_energy) {
     MdtWorldSetEpsilon(w, 0);
     MdtBodyID bar[2] = {scene_box(w, 1, edge, .5, 0, 0), scene_box(w, 1, edge, 1.5, 0, 0)};
     for (int i = 0; i < 2; i++) {
-        MdtBSJointID j = MdtBSJointCreate(w);
-        MdtBSJointSetBodies(j, bar[i], i ? bar[0] : 0);
-        MdtBSJointSetPosition(j, (MeReal)i, 0, 0);
-        MdtBSJointEnable(j);
+        scene_ball(w, bar[i], i ? bar[0] : 0, (MeReal)i, 0, 0);
     }
     double highest = 0;
     for (int i = 0; i < 1800; i++) {

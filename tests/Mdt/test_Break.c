@@ -25,10 +25,7 @@ static int brokenCount(void) {
 /* A weight of 3 kg that hangs by a ball joint. */
 static MdtConstraintID hangWeight(double x) {
     MdtBodyID b = scene_body(w, 3, x, 0, 0);
-    MdtBSJointID joint = MdtBSJointCreate(w);
-    MdtBSJointSetBodies(joint, b, 0);
-    MdtBSJointSetPosition(joint, x, 1, 0);
-    MdtBSJointEnable(joint);
+    MdtBSJointID joint = scene_ball(w, b, 0, x, 1, 0);
     return MdtBSJointQuaConstraint(joint);
 }
 

@@ -218,11 +218,7 @@ static void destroyContact(Pyramid *s) {
 }
 
 static void tie(Pyramid *s) {
-    s->hinge = MdtHingeCreate(s->world);
-    MdtHingeSetBodies(s->hinge, top(s), s->box[s->boxes - 2]);
-    MdtHingeSetPosition(s->hinge, 5, 9, 0);
-    MdtHingeSetAxis(s->hinge, 0, 0, 1);
-    MdtHingeEnable(s->hinge);
+    s->hinge = scene_hinge(s->world, top(s), s->box[s->boxes - 2], 5, 9, 0, 0, 0, 1);
 }
 
 static void (*const disturbances[])(Pyramid *) = {

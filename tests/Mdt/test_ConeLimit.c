@@ -17,10 +17,7 @@ static Hung hang(double inertia) {
     MdtWorldSetEpsilon(s.world, 0);
     s.bar = scene_body(s.world, mass, 0, -arm, 0);
     MdtBodySetSphericalInertiaTensor(s.bar, inertia);
-    s.ball = MdtBSJointCreate(s.world);
-    MdtBSJointSetBodies(s.ball, s.bar, 0);
-    MdtBSJointSetPosition(s.ball, 0, 0, 0);
-    MdtBSJointEnable(s.ball);
+    s.ball = scene_ball(s.world, s.bar, 0, 0, 0, 0);
     s.cone = MdtConeLimitCreate(s.world);
     MdtConeLimitSetBodies(s.cone, s.bar, 0);
     MdtConeLimitSetAxis(s.cone, 0, -1, 0);

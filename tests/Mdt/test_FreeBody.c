@@ -130,15 +130,8 @@ TEST(bodies_joined_by_joints_keep_their_momenta) {
     MdtWorldSetEpsilon(w, 0);
     MdtBodyID a = scene_box(w, 1, edge, 0, 0, 0), b = scene_box(w, 2, edge, 1, 0, 0),
               c = scene_box(w, .5, edge, 2, 0, 0);
-    MdtBSJointID ball = MdtBSJointCreate(w);
-    MdtBSJointSetBodies(ball, a, b);
-    MdtBSJointSetPosition(ball, .5, 0, 0);
-    MdtBSJointEnable(ball);
-    MdtHingeID hinge = MdtHingeCreate(w);
-    MdtHingeSetBodies(hinge, b, c);
-    MdtHingeSetPosition(hinge, 1.5, 0, 0);
-    MdtHingeSetAxis(hinge, 0, 1, 1);
-    MdtHingeEnable(hinge);
+    scene_ball(w, a, b, .5, 0, 0);
+    scene_hinge(w, b, c, 1.5, 0, 0, 0, 1, 1);
     MdtBodyAddImpulse(a, 1, 2, 0);
     MdtBodyAddImpulseAtPosition(c, 0, 1, -.7, 2.4, .1, 0);
     MdtWorldStep(w, FRAME); /* the impulses act */
@@ -308,10 +301,7 @@ TEST(a_body_tumbles_alike_at_any_scale) {
         MdtWorldSetEpsilon(w, 0);
         MdtWorldSetGravity(w, 0, -10 * size, 0);
         MdtBodyID b = scene_box(w, mass, edge, size, 0, 0);
-        MdtBSJointID joint = MdtBSJointCreate(w);
-        MdtBSJointSetBodies(joint, b, 0);
-        MdtBSJointSetPosition(joint, 0, 0, 0);
-        MdtBSJointEnable(joint);
+        scene_ball(w, b, 0, 0, 0, 0);
         MdtBodySetAngularVelocity(b, 1, 2, 3);
         MdtBodySetLinearVelocity(b, 0, 3 * size, -2 * size);
         steps(w, 120, FRAME);

@@ -431,11 +431,7 @@ static double forceOnDoor(double apart) {
     double max = 0;
     MdtBodySetAngularVelocity(door, 0, 1, 0);
     for (int k = 0; k < 2; k++) {
-        hinge[k] = MdtHingeCreate(w);
-        MdtHingeSetBodies(hinge[k], door, 0);
-        MdtHingeSetPosition(hinge[k], (MeReal)(k * apart), (MeReal)(2 * k - 1), 0);
-        MdtHingeSetAxis(hinge[k], 0, 1, 0);
-        MdtHingeEnable(hinge[k]);
+        hinge[k] = scene_hinge(w, door, 0, (MeReal)(k * apart), (MeReal)(2 * k - 1), 0, 0, 1, 0);
     }
     for (int i = 0; i < 300; i++) {
         MeVector3 f;

@@ -18,10 +18,7 @@ static Stack makeStack(void) {
     s.world = scene_world(3, 12, 10);
     s.lower = scene_body(s.world, 1, 0, 1, 0);
     s.upper = scene_body(s.world, 1, 0, 3, 0);
-    s.joint = MdtBSJointCreate(s.world);
-    MdtBSJointSetBodies(s.joint, s.upper, 0);
-    MdtBSJointSetPosition(s.joint, 0, 4, 0);
-    MdtBSJointEnable(s.joint);
+    s.joint = scene_ball(s.world, s.upper, 0, 0, 4, 0);
     for (int i = 0; i < CONTACTS; i++) {
         const MeBool between = i < 2;
         s.contact[i] = MdtContactCreate(s.world);

@@ -97,11 +97,7 @@ static int doublePendulum(double duration, double h, int parts, double result[])
     const double edge[3] = {1, 1e-3, 1e-3};
     HingedBar s = scene_hingedBar(g);
     MdtBodyID second = scene_box(s.world, 1, edge, 1.5, 0, 0);
-    MdtHingeID joint = MdtHingeCreate(s.world);
-    MdtHingeSetBodies(joint, second, s.bar);
-    MdtHingeSetPosition(joint, 1, 0, 0);
-    MdtHingeSetAxis(joint, 0, 0, 1);
-    MdtHingeEnable(joint);
+    scene_hinge(s.world, second, s.bar, 1, 0, 0, 0, 0, 1);
     run(s.world, duration, h, parts);
     measure_position(s.bar, result);
     measure_position(second, result + 3);
@@ -282,10 +278,7 @@ static int top(double duration, double h, int parts, double result[]) {
     const double edge[3] = {.2, .02, .2};
     MdtWorldID w = scene_world(1, 1, g);
     MdtBodyID b = scene_box(w, 1, edge, 0, .1, 0);
-    MdtBSJointID joint = MdtBSJointCreate(w);
-    MdtBSJointSetBodies(joint, b, 0);
-    MdtBSJointSetPosition(joint, 0, 0, 0);
-    MdtBSJointEnable(joint);
+    scene_ball(w, b, 0, 0, 0, 0);
     MdtBodySetAngularVelocity(b, 1, 100, 0);
     MdtBodySetLinearVelocity(b, 0, 0, .1);
     MdtWorldSetEpsilon(w, 0);

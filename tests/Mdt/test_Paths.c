@@ -89,10 +89,7 @@ TEST(epsilon_and_gamma_hold_for_the_whole_step) {
             MdtWorldSetEpsilon(w, epsilon);
             MdtWorldSetSubSteps(w, n);
             MdtBodyID b = scene_body(w, 1, 0, 0, 0);
-            MdtBSJointID j = MdtBSJointCreate(w);
-            MdtBSJointSetBodies(j, b, 0);
-            MdtBSJointSetPosition(j, 0, 0, 0);
-            MdtBSJointEnable(j);
+            MdtBSJointID j = scene_ball(w, b, 0, 0, 0, 0);
             steps(w, 400, h);
             MdtBodyGetPosition(b, p);
             MdtBSJointGetForce(j, 0, f);

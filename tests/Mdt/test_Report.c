@@ -243,10 +243,7 @@ TEST(velocity_stages_are_counted) {
     MdtWorldSetEpsilon(w, 0);
     for (int i = 0; i < 2; i++) {
         body[i] = scene_body(w, 1, 0, -1 - i, 0);
-        MdtBSJointID j = MdtBSJointCreate(w);
-        MdtBSJointSetBodies(j, body[i], i ? body[0] : 0);
-        MdtBSJointSetPosition(j, 0, (MeReal)-i, 0);
-        MdtBSJointEnable(j);
+        scene_ball(w, body[i], i ? body[0] : 0, 0, (MeReal)-i, 0);
     }
     MdtWorldStep(w, FRAME); /* its forces are not known yet */
     for (int i = 0; i < 10; i++) {
@@ -425,10 +422,7 @@ TEST(every_one_of_many_partitions_has_a_time) {
         MdtBodyID b = scene_body(w, 1, 3 * i, 0, 0);
         if (i % 3 == 0)
             continue;
-        MdtBSJointID j = MdtBSJointCreate(w);
-        MdtBSJointSetBodies(j, b, 0);
-        MdtBSJointSetPosition(j, (MeReal)(3 * i + 1), 0, 0);
-        MdtBSJointEnable(j);
+        scene_ball(w, b, 0, (MeReal)(3 * i + 1), 0, 0);
     }
     MeProfileTimerResult before, after;
     MeProfileGetTimerValue(&before);
@@ -583,10 +577,7 @@ static MdtWorldID violentChain(void) {
     MdtBodyID last = 0;
     for (int i = 0; i < 4; i++) {
         MdtBodyID b = scene_box(w, 1, edge, i + .5, 0, 0);
-        MdtBSJointID j = MdtBSJointCreate(w);
-        MdtBSJointSetBodies(j, b, last);
-        MdtBSJointSetPosition(j, (MeReal)i, 0, 0);
-        MdtBSJointEnable(j);
+        scene_ball(w, b, last, (MeReal)i, 0, 0);
         MdtBodySetAngularVelocity(b, 0, i % 2 ? 150 : -150, i % 2 ? -150 : 150);
         last = b;
     }
@@ -613,10 +604,7 @@ TEST(a_world_goes_the_way_of_the_most_effort) {
     w = reportedWorld(2, 1, 10);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     scene_body(w, 1, 9, 0, 0);
-    MdtBSJointID j = MdtBSJointCreate(w);
-    MdtBSJointSetBodies(j, b, 0);
-    MdtBSJointSetPosition(j, 1, 0, 0);
-    MdtBSJointEnable(j);
+    scene_ball(w, b, 0, 1, 0, 0);
     MdtWorldSetSubSteps(w, 2);
     MdtWorldStep(w, FRAME);
     ck_assert_int_eq(reportOf(w).way, MdtReportWayExact);
@@ -731,10 +719,7 @@ static MdtWorldID mixedScene(MdtBodyID b[4]) {
     const double edge[3] = {1, .1, .1};
     for (int i = 0; i < 3; i++) {
         b[i] = scene_box(w, 1 + i, edge, i + .5, 3, 0);
-        MdtBSJointID j = MdtBSJointCreate(w);
-        MdtBSJointSetBodies(j, b[i], i ? b[i - 1] : 0);
-        MdtBSJointSetPosition(j, (MeReal)i, 3, 0);
-        MdtBSJointEnable(j);
+        scene_ball(w, b[i], i ? b[i - 1] : 0, (MeReal)i, 3, 0);
         MdtBodySetAngularVelocity(b[i], 0, i % 2 ? 150 : -150, 20);
     }
     b[3] = scene_body(w, 1, 9, .6, 0);

@@ -11,11 +11,7 @@ typedef struct {
 } Drive;
 
 static void holdShaft(MdtWorldID w, MdtBodyID b, const double point[3], const double axis[3]) {
-    MdtHingeID bearing = MdtHingeCreate(w);
-    MdtHingeSetBodies(bearing, b, 0);
-    MdtHingeSetPosition(bearing, point[0], point[1], point[2]);
-    MdtHingeSetAxis(bearing, axis[0], axis[1], axis[2]);
-    MdtHingeEnable(bearing);
+    scene_hinge(w, b, 0, point[0], point[1], point[2], axis[0], axis[1], axis[2]);
 }
 
 /* Two shafts that meet at the origin, joined in line along z, the joint's axes x in the first and y in the second. Then

@@ -49,10 +49,7 @@ TEST(fpfo) {
 /* "Cone Limit constraint": with a ball and socket; "the angle between the cone axis and the side". */
 TEST(cone_limit) {
     begin();
-    MdtBSJointID ball = MdtBSJointCreate(world);
-    MdtBSJointSetBodies(ball, body1, 0);
-    MdtBSJointSetPosition(ball, 0, 0, 0);
-    MdtBSJointEnable(ball);
+    scene_ball(world, body1, 0, 0, 0, 0);
     MdtConeLimitID cone = MdtConeLimitCreate(world);
     MdtConeLimitSetBodies(cone, body1, 0);
     assert_near(MdtConeLimitGetConeHalfAngle(cone), ME_PI, TOL(1e-6, 3e-13));

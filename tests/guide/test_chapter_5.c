@@ -23,10 +23,7 @@ static MdtBodyID newBody(double mass, double x, double y) {
 }
 
 static MdtBSJointID hang(MdtBodyID body, MdtBodyID from, double x, double y) {
-    MdtBSJointID joint = MdtBSJointCreate(world);
-    MdtBSJointSetBodies(joint, body, from);
-    MdtBSJointSetPosition(joint, x, y, 0);
-    MdtBSJointEnable(joint);
+    MdtBSJointID joint = scene_ball(world, body, from, x, y, 0);
     return joint;
 }
 
@@ -360,17 +357,10 @@ TEST(over_determinacy) {
         MdtBodyID door = newBody(1, .5, 0);
         if (balls) {
             for (int i = -1; i <= 1; i += 2) {
-                MdtBSJointID joint = MdtBSJointCreate(world);
-                MdtBSJointSetBodies(joint, door, 0);
-                MdtBSJointSetPosition(joint, 0, 0, (MeReal)i);
-                MdtBSJointEnable(joint);
+                scene_ball(world, door, 0, 0, 0, (MeReal)i);
             }
         } else {
-            MdtHingeID joint = MdtHingeCreate(world);
-            MdtHingeSetBodies(joint, door, 0);
-            MdtHingeSetPosition(joint, 0, 0, 0);
-            MdtHingeSetAxis(joint, 0, 0, 1);
-            MdtHingeEnable(joint);
+            scene_hinge(world, door, 0, 0, 0, 0, 0, 0, 1);
         }
         messages_catch();
         evolve(60, 1. / 60);
