@@ -3,8 +3,9 @@
 
 The functions are those that the public headers of these
 libraries declare, and those macros that the table of the original's interface has as
-functions. Each is called in three ways: NOTHING, all of it zero; HALF, the first handle a live one, numbers NaN, the rest
-zero; NUMBERS, all handles live ones, numbers NaN, integers -1. Live ones are those that test_messages.c has a LIVE_type of.
+functions. Each is called in four ways: NOTHING, all of it zero; DEAD, the same of a joint that has been destroyed; HALF, the first
+handle a live one, numbers NaN, the rest zero; NUMBERS, all handles live ones, numbers NaN, integers -1. Live ones are
+those that test_messages.c has a LIVE_type of. Of a handle that is null or dead, results and vectors are to be 0.
 """
 import importlib.machinery
 import importlib.util
@@ -13,6 +14,7 @@ import re
 import sys
 
 REALS = {'MeReal', 'float', 'double', 'AcmeReal'}
+VECTORS = {'MeVector3', 'MeVector4'}
 INTEGERS = {'int', 'unsigned', 'unsigned int', 'long', 'unsigned long', 'short', 'char', 'unsigned char', 'size_t', 'MeI32', 'MeU32', 'MeI16',
             'MeU16', 'MeI8', 'MeU8', 'MeBool', 'McdGeometryType', 'MstMaterialID'}
 
@@ -61,10 +63,10 @@ def arguments(parameters, way, live):
         if parameter == '...':
             continue
         what = kind(parameter)
-        if what in live and (way == 'NUMBERS' or (way == 'HALF' and handles == 0)):
+        if what in live and (way == 'NUMBERS' or (way in ('DEAD', 'HALF') and handles == 0)):
             given.append(f'LIVE_{what}')
         elif what in REALS:
-            given.append('0' if way == 'NOTHING' else f'({what})NAN')
+            given.append('0' if way in ('NOTHING', 'DEAD') else f'({what})NAN')
         elif what in INTEGERS and way == 'NUMBERS':
             given.append(f'({what})-1')
         else:
@@ -73,13 +75,29 @@ def arguments(parameters, way, live):
     return given, handles
 
 
+def asking(name, parameters, result, call):
+    """Lines of a call that notes whether its result, and what it writes to vectors, is 0."""
+    given = re.match(r'\w+\((.*)\)$', call).group(1).split(', ')
+    lines, checks = [], []
+    for i, parameter in enumerate(p for p in parameters if p != '...'):
+        if kind(parameter) in VECTORS and 'const' not in parameter:
+            lines.append(f'    {kind(parameter)} v{i};\n    memset(v{i}, 7, sizeof v{i});')
+            checks.append(f'    noteZero(v{i}, sizeof v{i});')
+            given[i] = f'v{i}'
+    call = f'{name}({", ".join(given)})'
+    if result == 'void':
+        return lines + [f'    {call};'] + checks
+    return lines + [f'    const __typeof__({call}) result = {call};', '    noteZero(&result, sizeof result);'] + checks
+
+
 def main():
     source, output = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
     test = (source / 'tests/api/test_messages.c').read_text(encoding='utf-8')
     live = set(re.findall(r'^#define LIVE_(\w+)', test, re.M))
+    joints = {f'Mdt{name}ID' for name in re.findall(r'^ +DO\((\w+)\)', test, re.M)}
     leave = set(re.findall(r'^ +LEAVE\((\w+)', test, re.M))
     coverage = table(source)
-    found, headers = {}, []
+    found, results, headers = {}, {}, []
     for library in sys.argv[3:]:
         for header in sorted((source / library / 'include').glob('*.h')):
             if header.name in ('MdtInternal.h', 'MeInternal.h', 'McdInternal.h', 'MeTeam.h', 'KarmaClassic.h') or header.stem in leave:
@@ -87,6 +105,7 @@ def main():
             headers.append(header)
             for result, name, rest in declared(header):
                 found.setdefault(name, coverage.split_parameters(rest))
+                results.setdefault(name, result)
     written = set().union(*(macros(header) for header in headers))
     for row in coverage.read_rows():
         if row.name in written and row.name not in found and 'function' in row.kind and row.parameters:
@@ -98,16 +117,21 @@ def main():
         if name in leave:
             continue
         ways = []
-        for way in ('NOTHING', 'HALF', 'NUMBERS'):
+        for way in ('NOTHING', 'DEAD', 'HALF', 'NUMBERS'):
+            if way == 'DEAD' and (not parameters or kind(parameters[0]) not in joints):
+                continue
             given, handles = arguments(parameters, way, live)
             if way != 'NOTHING' and not handles:
                 continue
             call = f'{name}({", ".join(given)})'
-            if call not in [c for _, c in ways] and parameters:
+            if call not in [c for w, c in ways if w != 'DEAD'] and parameters:
                 ways.append((way, call))
         for way, call in ways:
-            lines.append(f'static void {name}_{way}(void) {{\n    {call};\n}}')
-            entries.append(f'    {{"{name}", {way}, {name}_{way}}},')
+            lines.append(f'static void {name}_{way}(void) {{')
+            lines += asking(name, parameters, results.get(name, 'void'), call) if way in ('NOTHING', 'DEAD') else [f'    {call};']
+            lines.append('}')
+            needs = way == 'DEAD' or way == 'NOTHING' and (kind(parameters[0]) if parameters else '') in live
+            entries.append(f'    {{"{name}", {way}, {name}_{way}, {int(needs)}}},')
     lines += ['', 'static const Call calls[] = {', *entries, '};', '']
     output.write_text('\n'.join(lines), encoding='utf-8')
 

@@ -1,8 +1,9 @@
 /* What a message names: the function that the program called, and no other.
  *
  * messages.py writes a call of every public function with bad input (messages_calls.c). Each is made with handles that
- * are null, and with live ones beside numbers that are none. It may be silent where nothing is wrong with that, it must
- * not crash, and what it says begins with its name, and nothing is said twice. */
+ * are null, of joints also with those of destroyed ones, and with live ones beside numbers that are none. Null and dead
+ * handles get a warning and 0. Else it may be silent where nothing is wrong, it must not crash, and what it says begins
+ * with its name, and nothing is said twice. */
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -128,13 +129,14 @@ static void makeLive(void) {
 
 /* ---- calls ---- */
 
-typedef enum { NOTHING, HALF, NUMBERS } Way;
-static const char *const wayNames[] = {"NOTHING", "HALF", "NUMBERS"};
+typedef enum { NOTHING, DEAD, HALF, NUMBERS } Way;
+static const char *const wayNames[] = {"NOTHING", "DEAD", "HALF", "NUMBERS"};
 
 typedef struct {
     const char *name;
     Way way;
     void (*call)(void);
+    int needsHandle; /* null or dead, it is to warn, and to give 0 */
 } Call;
 
 /* What messages.py leaves out, a function or all of a header's, and why:
@@ -146,6 +148,22 @@ typedef struct {
     LEAVE(MeMessage, "says what it is given")
     LEAVE(MCDGEOMETRY_CHECK_ISVALID, "says what the program wrote")
  */
+
+/* What the calls of a child process said, in memory that outlives it. */
+typedef struct {
+    size_t at;
+    int said, wrong, repeated, given;
+    char text[1024];
+    int bad, silent;
+} Record;
+
+static Record *record;
+
+/* Is what a function gave for nothing 0? */
+static void noteZero(const void *what, size_t size) {
+    for (size_t i = 0; i < size; i++)
+        record->given |= ((const unsigned char *)what)[i];
+}
 
 #include "messages_calls.c"
 
@@ -174,16 +192,6 @@ static const char *nameOf(const Call *c) {
     return c->name;
 }
 
-/* What the calls of a child process said, in memory that outlives it. */
-typedef struct {
-    size_t at;
-    int said, wrong, repeated;
-    char text[1024];
-    int bad, silent;
-} Record;
-
-static Record *record;
-
 static void MEAPI onMessage(const int level, const char *const format, va_list ap) {
     (void)level;
     char text[sizeof record->text];
@@ -196,6 +204,57 @@ static void MEAPI onMessage(const int level, const char *const format, va_list a
     memcpy(record->text, text, sizeof text);
 }
 
+/* Of nothing these are silent: it is destroyed, is not valid, and is no constraint. */
+static const char *const quiet[] = {"*Destroy",        "*IsValid",          "*QuaConstraint", "*GetTypeName",
+                                    "McdGeometryInit", "McdModelGetSerial", "MeAppEnd",       "RRenderRefuseOptions"};
+
+/* These read the vector, or give another number for nothing: -1, a default, the code of a failure. */
+static const char *const giving[] = {"McdAggregateGetBSphere",
+                                     "McdGeometryGetBSphere",
+                                     "McdGeometryGetType",
+                                     "McdGeometryGetTypeId",
+                                     "McdModelGetBSphere",
+                                     "McdModelGetGeometryType",
+                                     "McdRGHeightFieldGetBSphere",
+                                     "McdTriangleListCreate",
+                                     "McdTriangleListGetBSphere",
+                                     "MdtBodyGetPartition",
+                                     "MdtBodyGetVelocityAtPoint",
+                                     "MdtContactGetRim",
+                                     "MdtContactParamsGetPrimaryFrictionModel",
+                                     "MdtContactParamsGetSecondaryFrictionModel",
+                                     "MdtContactParamsGetType",
+                                     "MdtConvertPositionVector",
+                                     "MdtConvertVector",
+                                     "MdtRPROJointSetRelativeAngularVelocity",
+                                     "MdtWorldGetIntegratorOrder",
+                                     "MdtWorldGetSubSteps",
+                                     "MdtWorldGetWorkerCount",
+                                     "MeAppFindClickDir",
+                                     "MeAppFindClickPos",
+                                     "MeAppHullCreate",
+                                     "MeAppPickMcdModel",
+                                     "RGraphicLineMoveEnds",
+                                     "RGraphicSetTexture",
+                                     "RRenderGetGroundLook",
+                                     "RRenderGetPictureQuality",
+                                     "RRenderTextureCreate"};
+
+static MeBool isOneOf(const char *name, const char *const list[], size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        const size_t end = strlen(list[i]) - 1, length = strlen(name);
+        if (strcmp(name, list[i]) == 0 ||
+            (*list[i] == '*' && length >= end && !strcmp(name + length - end, list[i] + 1)))
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
+static MeBool isAnswerToNothing(const Call *c) {
+    return isOneOf(c->name, quiet, sizeof quiet / sizeof *quiet) ||
+           (record->said && (!record->given || isOneOf(c->name, giving, sizeof giving / sizeof *giving)));
+}
+
 static void judge(void) {
     const Call *c = &calls[record->at];
     if (record->wrong || record->repeated) {
@@ -203,8 +262,12 @@ static void judge(void) {
                 record->wrong ? "under another name" : "twice", record->text);
         record->bad++;
     }
+    if (c->needsHandle && !isAnswerToNothing(c)) {
+        fprintf(stderr, "%s (%s) %s\n", c->name, wayNames[c->way], record->said ? "gives something" : "says nothing");
+        record->bad++;
+    }
     record->silent += !record->said;
-    record->said = record->wrong = record->repeated = 0;
+    record->said = record->wrong = record->repeated = record->given = 0;
 }
 
 enum { BATCH = 50, COUNT = sizeof calls / sizeof calls[0] };
@@ -215,6 +278,11 @@ static void callSome(void) {
         const Call *c = &calls[record->at];
         if (c->way != NOTHING)
             makeLive();
+        if (c->way == DEAD) {
+#define JOINT(Joint) Mdt##Joint##Destroy(live.a##Joint);
+            JOINTS(JOINT)
+#undef JOINT
+        }
         MeSetWarningHandler(onMessage);
         MeSetFatalErrorHandler(onMessage);
         c->call();
@@ -241,7 +309,7 @@ TEST(names_the_function_called) {
         fprintf(stderr, "%s (%s) ends the program\n", calls[record->at].name, wayNames[calls[record->at].way]);
         crashes++;
         record->at++;
-        record->said = record->wrong = record->repeated = 0;
+        record->said = record->wrong = record->repeated = record->given = 0;
     }
     printf("%d calls, %d silent\n", (int)COUNT, record->silent);
     ck_assert_int_eq(crashes, 0);
