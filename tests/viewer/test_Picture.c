@@ -9,16 +9,31 @@ enum { WIDTH = 320, HEIGHT = 240 };
 
 static RRender *rc;
 
+static RPicture shots[64]; /* of the test */
+static int numShots;
+
+static void stop(void) {
+    if (rc)
+        RRenderContextDestroy(rc);
+    rc = NULL;
+    assert_silent();
+}
+
+/* A context until the next one, or the test's end. */
 static void start(const char *options) {
+    if (rc)
+        stop();
     messages_catch();
     rc = make_context(options);
 }
 
-static void stop(void) {
-    RRenderContextDestroy(rc);
-    assert_silent();
-    messages_release();
+static void stopAndFree(void) {
+    if (rc)
+        stop();
+    while (numShots > 0)
+        r_free(shots[--numShots].rgba);
 }
+TEST_FIXTURE(NULL, stopAndFree)
 
 static void drawFrame(void) {
     r_frame(rc, NULL);
@@ -31,7 +46,8 @@ static RPicture shoot(int n) {
     while (n-- > 0)
         drawFrame();
     ck_assert(r_drawRead(rc, &p));
-    return p;
+    ck_assert_int_lt(numShots, 64);
+    return shots[numShots++] = p;
 }
 
 static void press(int key) {
@@ -102,8 +118,6 @@ TEST(the_sphere_is_where_the_camera_sees_it) {
     project(view, lookAt, (const double[3]){-1.1 * cos(view[1]), 1, 1.1 * sin(view[1])}, &p, left);
     c = pixel(&p, left[0], left[1]);
     ck_assert(abs(c[2] - c[0]) < 30);
-    r_free(p.rgba);
-    stop();
 }
 
 TEST(the_transform_is_read_in_every_frame) {
@@ -120,9 +134,6 @@ TEST(the_transform_is_read_in_every_frame) {
     ck_assert(c[2] > 100 && c[2] > 2 * c[0]);
     c = pixel(&q, before[0], before[1]);
     ck_assert(abs(c[2] - c[0]) < 30);
-    r_free(p.rgba);
-    r_free(q.rgba);
-    stop();
 }
 
 TEST(a_shadow_falls_on_the_ground) {
@@ -147,10 +158,6 @@ TEST(a_shadow_falls_on_the_ground) {
     /* Where the sphere touches the ground, the sky is hidden too. */
     project(view, lookAt, (const double[3]){0.32, 0, -0.39}, &p, contact);
     ck_assert(brightness(&p, contact) < brightness(&p, shadow));
-    r_free(p.rgba);
-    r_free(q.rgba);
-    r_free(r.rgba);
-    stop();
 }
 
 TEST(outlines_are_smooth) {
@@ -171,8 +178,6 @@ TEST(outlines_are_smooth) {
         between += (edge < outside - 8 && edge > inside + 8) || (second < outside - 8 && second > inside + 8);
     }
     ck_assert_msg(between > rows / 2, "%d of %d rows", between, rows);
-    r_free(p.rgba);
-    stop();
 }
 
 TEST(the_same_picture_twice) {
@@ -186,8 +191,6 @@ TEST(the_same_picture_twice) {
         stop();
     }
     ck_assert_uint_eq(differences(&p[0], &p[1]), 0);
-    r_free(p[0].rgba);
-    r_free(p[1].rgba);
 }
 
 TEST(f1_shows_and_hides_the_help) {
@@ -204,10 +207,6 @@ TEST(f1_shows_and_hides_the_help) {
     RPicture r = shoot(1);
     ck_assert_int_eq(rc->m_bPause, 0);
     ck_assert_uint_eq(differences(&p, &r), 0);
-    r_free(p.rgba);
-    r_free(q.rgba);
-    r_free(r.rgba);
-    stop();
 }
 
 TEST(help_is_inside_the_picture) {
@@ -238,8 +237,6 @@ TEST(help_is_inside_the_picture) {
         ck_assert(l->left > 0 && l->top > 0 && l->right < (float)p.width && l->bottom < (float)p.height);
         ck_assert_int_gt(light, changed / 200); /* Light text. */
         ck_assert_int_lt(light, changed / 4);
-        r_free(p.rgba);
-        r_free(q.rgba);
         stop();
     }
 }
@@ -252,8 +249,6 @@ static void middle(void (*make)(void), int rgb[3]) {
     RPicture p = shoot(1);
     for (int k = 0; k < 3; k++)
         rgb[k] = pixel(&p, 32, 32)[k];
-    r_free(p.rgba);
-    stop();
 }
 
 static void makeNothing(void) {}
@@ -334,12 +329,10 @@ TEST(vertices_may_change) {
     RGraphic *g = RGraphicSphereCreate(rc, 1, RED, NULL);
     RPicture p = shoot(1);
     ck_assert(pixel(&p, 32, 32)[1] < 90);
-    r_free(p.rgba);
     for (int i = 0; i < g->m_pObject->m_nNumVertices; i++)
         g->m_pVertices[i].m_X += 10;
     p = shoot(1);
     ck_assert(pixel(&p, 32, 32)[1] > 150);
-    r_free(p.rgba);
     for (int i = 0; i < 100; i++) { /* Another mesh in every frame: old ones are forgotten. */
         g->m_pVertices[0].m_X = (AcmeReal)i;
         drawFrame();
@@ -352,7 +345,6 @@ TEST(vertices_may_change) {
     drawFrame();
     ck_assert_int_eq(caught.warnings, 1);
     assert_warned("vertices");
-    stop();
 }
 
 TEST(what_is_not_finite_is_not_drawn) {
@@ -363,15 +355,12 @@ TEST(what_is_not_finite_is_not_drawn) {
     h->m_pVertices[7].m_Y = INFINITY;
     RPicture p = shoot(3);
     ck_assert(pixel(&p, 32, 32)[1] > 150);
-    r_free(p.rgba);
     ck_assert_int_eq(caught.warnings, 2); /* Once for each. */
     caught.warnings = 0;
     bad[1][1] = 1;
     p = shoot(1);
     ck_assert(pixel(&p, 32, 32)[1] < 90);
-    r_free(p.rgba);
     RGraphicDestroy(g);
-    stop();
 }
 
 static RPicture lastPicture;
@@ -381,7 +370,6 @@ static double changed(void (*change)(void)) {
     change();
     const RPicture p = shoot(1);
     const double n = (double)differences(&p, &lastPicture) / (WIDTH * HEIGHT);
-    r_free(lastPicture.rgba);
     lastPicture = p;
     return n;
 }
@@ -458,11 +446,6 @@ static void startChanges(void) {
     lastPicture = shoot(1);
 }
 
-static void stopChanges(void) {
-    r_free(lastPicture.rgba);
-    stop();
-}
-
 TEST(changes_are_seen) {
     startChanges();
     ck_assert(changed(noChange) == 0);
@@ -480,7 +463,6 @@ TEST(changes_are_seen) {
     ck_assert(changed(bar) == 0); /* Only with -bar. */
     assert_below(0.3, changed(filled));
     assert_below(0.03, changed(wireframe));
-    stopChanges();
 }
 
 static MeMatrix4 turned = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
@@ -500,8 +482,6 @@ static double seenToTurn(RGraphic *(*make)(void), const char *texture) {
     size_t clearly = 0;
     for (int i = 0; i < p.width * p.height; i++)
         clearly += abs(p.rgba[4 * i] - q.rgba[4 * i]) > 10;
-    r_free(p.rgba);
-    r_free(q.rgba);
     stop();
     return (double)clearly / (WIDTH * HEIGHT);
 }
@@ -538,9 +518,6 @@ TEST(equal_neighbours_have_tones_of_their_own) {
     RGraphicDelete(rc, a, 0); /* A tone stays when others go. */
     RPicture q = shoot(1);
     ck_assert_int_eq(pixel(&q, 200, 120)[1], before);
-    r_free(p.rgba);
-    r_free(q.rgba);
-    stop();
 }
 
 static char infoText[256];
@@ -559,7 +536,6 @@ TEST(a_missing_texture_is_one_message) {
     ck_assert(changed(missingTexture) == 0);
     MeSetInfoHandler(before);
     assert_silent();
-    stopChanges();
     ck_assert_int_eq(infos, 1);
     ck_assert_ptr_nonnull(strstr(infoText, "there is no such texture"));
 }
@@ -577,7 +553,6 @@ TEST(a_bar_costs_nothing_without_a_window) {
     ck_assert(rc->m_pViewer->profiling);
     r_frame(rc, NULL);
     ck_assert(rc->m_pViewer->loop.isDrawn);
-    stop();
 }
 
 TEST(the_bar) {
@@ -592,10 +567,6 @@ TEST(the_bar) {
     press(RKEY_F3);
     RPicture r = shoot(1);
     ck_assert_uint_eq(differences(&p, &r), 0);
-    r_free(p.rgba);
-    r_free(q.rgba);
-    r_free(r.rgba);
-    stop();
 }
 
 static void MEAPI slowTick(RRender *r) {
@@ -617,7 +588,6 @@ TEST(the_bar_has_figures_after_three_slow_frames) {
     assert_below(0.13, b->m_Collision);
     assert_below(0, rc->m_pViewer->bar.fps);
     assert_below(rc->m_pViewer->bar.fps, 1 / 0.14);
-    stop();
 }
 
 /* The picture's size follows the window's, and one context follows another. */
@@ -626,18 +596,14 @@ TEST(resizing) {
     r_post(rc, (REvent){.kind = rResize, .x = 100, .y = 50});
     RPicture p = shoot(1);
     ck_assert(p.width == 100 && p.height == 50);
-    r_free(p.rgba);
     RRender *first = rc;
     rc = make_context("-osmesa -size 32x32"); /* Both at once. */
     p = shoot(1);
     ck_assert_int_eq(p.width, 32);
-    r_free(p.rgba);
     RRenderContextDestroy(rc);
     rc = first;
     p = shoot(1);
     ck_assert_int_eq(p.width, 100);
-    r_free(p.rgba);
-    stop();
 }
 
 /* A wall on a floor, both bodies: where they meet both are darker than a metre away, and were not without. F5 is the
@@ -660,11 +626,9 @@ TEST(corners_between_bodies_are_darker) {
         project(towards, at, (const double[3]){0, 0.06, 0}, &p, corner);
         project(towards, at, (const double[3]){0, 1.6, 0}, &p, wall);
         share[i] = (double)brightness(&p, corner) / brightness(&p, wall);
-        r_free(p.rgba);
         press(RKEY_F5);
     }
     ck_assert_msg(share[0] < 0.92 && share[1] > 0.98, "with: %.3f, without: %.3f", share[0], share[1]);
-    stop();
 }
 
 /* Of a long row of balls the camera sees a few: the map holds these alone, and their shadows. */
@@ -683,13 +647,11 @@ TEST(the_shadow_map_holds_what_is_seen) {
     float texel[2];
     for (int i = 0; i < 2; i++) { /* From near, and from where all are seen. */
         RCameraSetView(rc, i == 0 ? 10 : 250, 0.3f, 0.5f);
-        RPicture p = shoot(1);
-        r_free(p.rgba);
+        shoot(1);
         texel[i] = rc->m_pViewer->draw->block.shadowSettings[1] / 1.2f;
     }
     ck_assert_msg(texel[0] * 1024 > 10 && texel[0] * 1024 < 40, "the map is %g m wide", (double)texel[0] * 1024);
     ck_assert_msg(texel[1] * 1024 > 200, "the map is %g m wide where all is seen", (double)texel[1] * 1024);
-    stop();
 }
 
 /* Each look differs from each other in a good part of the ground, and -1 is the ground's own. */
@@ -706,14 +668,11 @@ TEST(grounds_look_different) {
     for (int i = 1; i <= R_GROUNDS; i++)
         for (int k = 1; k < i; k++)
             ck_assert_uint_gt(differences(&p[i], &p[k]), (size_t)WIDTH * HEIGHT / 8);
-    for (int i = 0; i <= R_GROUNDS; i++)
-        r_free(p[i].rgba);
     RRenderSetGroundLook(rc, R_GROUNDS);
     assert_warned("look");
     RRenderSetGroundLook(rc, -2);
     assert_warned("look");
     ck_assert_int_eq(RRenderGetGroundLook(rc), R_GROUNDS - 1);
-    stop();
 }
 
 /* The same picture at twice the pixels: text is twice as large, and the window's size only if it was not given. */
