@@ -125,7 +125,7 @@ void test_fixture(void (*before)(void), void (*after)(void));
 /* Runs them; main() of a file that has none of its own (test_main.c). */
 int test_main(const char *name);
 
-/* A file may still list its tests: `static void tests(TCase *t) { tcase_add_test(t, a); ... }  TEST_MAIN("A", tests)`. */
+/* A file may still list its tests: `static void tests(TCase *t) { tcase_add_test(t, a); }  TEST_MAIN("A", tests)`. */
 #undef tcase_add_test
 #undef tcase_add_loop_test
 #define tcase_add_test(tcase, test)                     tcase_add_loop_test(tcase, test, 0, 1)

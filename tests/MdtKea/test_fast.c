@@ -77,8 +77,8 @@ TEST(overlaps_are_taken_away_but_for_those_of_rest) {
     }
 }
 
-/* m/s with which a contact, or a joint, of that compliance gives way to a load: E p of the impulse p that leaves it that
- * velocity. */
+/* m/s with which a contact, or a joint, of that compliance gives way to a load: E p of the impulse p that leaves it
+ * that velocity. */
 TEST(compliance_yields_to_a_load) {
     const double soft[] = {1.6e-3, .1, 10};
     for (int i = 0; i < 3; i++) {

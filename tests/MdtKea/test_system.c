@@ -3,7 +3,7 @@
 #include "random_numbers.h"
 #include "system.h"
 
-enum { MOST = 12, MAX_ROWS = 80, MAX_BALLS = 12 };
+enum { SCENE_BODIES = 12, MAX_ROWS = 80, MAX_BALLS = 12 };
 
 /* ---- a client ---- */
 
@@ -168,7 +168,7 @@ static void addContact(int a, int b, double gap) {
 
 /* Everything there is: joints in trees and loops, motors, springs, stops, contacts. */
 static void randomScene(int garbage) {
-    const int n = 1 + below(MOST), joints = below(MAX_BALLS + 1);
+    const int n = 1 + below(SCENE_BODIES), joints = below(MAX_BALLS + 1);
     beginIn(garbage, n, MAX_ROWS, uniform(0.002, 0.03));
     epsilon = below(2) ? 0 : 1e-4;
     for (int i = 0; i < n; i++)
@@ -558,7 +558,7 @@ TEST(scratch_memory_is_not_left) {
 
 /* No more room than rows: the arrays are not laid out larger than they were measured. */
 TEST(scratch_of_exactly_that_many_rows) {
-    for (int n = 1; n <= MOST; n++) {
+    for (int n = 1; n <= SCENE_BODIES; n++) {
         state = (unsigned)n;
         beginIn(0x7f, n, 3 * n, 0.01);
         for (int i = 0; i < n; i++)
@@ -831,7 +831,7 @@ TEST(the_last_ball_of_a_cradle_leaves_alone) {
 /* Three balls in a row that touch, of which the first hits with some m/s, and others elsewhere that move as they like.
  * Returns the work of the impact. */
 static double hitAmong(int others, double speed) {
-    MdtKeaBody before[MOST];
+    MdtKeaBody before[SCENE_BODIES];
     begin(3 + others, 2, 0.01);
     for (int i = 0; i < 3; i++)
         setBody(i, 1, 0.4, i);
@@ -1081,7 +1081,7 @@ static void record(unsigned seed, int garbage, int others, MdtKeaBody bodies[], 
         ck_assert_msg(MdtKeaIntegrate(&s), "seed %u", seed);
     }
     memset(forces, 0, MAX_ROWS * sizeof *forces);
-    memcpy(bodies, body, MOST * sizeof *body);
+    memcpy(bodies, body, SCENE_BODIES * sizeof *body);
     for (int i = 0; i < s.numRows; i++)
         forces[i] = s.rows[i].force;
     end();
@@ -1096,7 +1096,7 @@ enum { SEEDS = 40 };
 
 TEST(steps_depend_on_the_system_alone) {
     for (unsigned seed = 1; seed <= SEEDS; seed++) {
-        static MdtKeaBody a[MOST], b[MOST];
+        static MdtKeaBody a[SCENE_BODIES], b[SCENE_BODIES];
         double p[MAX_ROWS], q[MAX_ROWS];
         record(seed, 0, 0, a, p);
         record(seed, 0, 0, b, q);
