@@ -104,6 +104,33 @@ TEST(the_normal_force_model_is_a_pyramid) {
     MdtWorldDestroy(s.world);
 }
 
+/* m/s along x and z, after a step, of a cube that slid along both with 1 m/s. */
+static void slideWith(MdtFrictionModel model, double first, double second, MeVector3 v) {
+    Cube s = makeCube();
+    makeContacts(&s, model, 0);
+    for (MdtConstraintID c = MdtConstraintGetFirst(s.world); c; c = MdtConstraintGetNext(c)) {
+        MdtContactParamsID params = MdtContactGetParams(MdtConstraintDCastContact(c));
+        params->FrictionCoefficient = first;
+        params->FrictionCoefficient2 = second;
+    }
+    MdtBodySetLinearVelocity(s.body, 1, 0, 1);
+    MdtWorldStep(s.world, FRAME);
+    MdtBodyGetLinearVelocity(s.body, v);
+    MdtWorldDestroy(s.world);
+}
+
+/* A cone has but the first one's coefficient; bounds are those of boxes, however large. */
+TEST(each_model_has_its_own_coefficients_and_no_bounds) {
+    const double lost = mu * gravity * (double)FRAME;
+    MeVector3 v;
+    messages_catch(); /* it may be told that there is no second one */
+    slideWith(MdtFrictionModelCone, mu, 0, v);
+    assert_vec3_near(v, 1 - lost * sqrt(.5), 0, 1 - lost * sqrt(.5), TOL(1e-5, 1e-9));
+    slideWith(MdtFrictionModelNormalForce, mu, 0, v);
+    assert_vec3_near(v, 1 - lost, 0, 1, TOL(1e-5, 1e-9));
+    messages_release();
+}
+
 /* A ball on an incline with the cone: a = g sin / (1 + 2/5) while it rolls; it slips above tan = 7/2 mu. */
 TEST(a_rolling_ball_needs_two_sevenths_of_the_slope) {
     const double slopes[] = {.9 * 3.5 * .3, 1.3 * 3.5 * .3}, coefficient = .3;
