@@ -34,8 +34,7 @@ static const double kea_velocityTolerance = 1e-9;
  * large_problems_are_complementary. */
 static const double kea_newtonTolerance = 1e-10;
 /* Momentum tolerance of a converged pass, in units of kea_newtonTolerance: 1e-8. Momentum is restored exactly
- * afterwards (kea_balanceMomentum): lower values cost passes, higher ones leave more to that correction. x2 and /2 fail
- * MdtKea_system: a_guess_within_the_tolerances_is_kept. */
+ * afterwards (kea_balanceMomentum): lower values cost passes, higher ones leave more to that correction. */
 static const double kea_momentumSlack = 1e2;
 
 /* Loose tolerances, in units of the tolerances of positions (and momenta) and of velocities. When passes have run out,
@@ -47,8 +46,7 @@ static const double kea_loosePosition = 1e4, kea_looseVelocity = 1e5;
 static const double kea_sweptMargin = 0.1;
 
 /* Fraction of a body's own velocity in the speed scale of residuals, beside the load speed: a fast body's residuals
- * have the rounding of its speed. Higher values are lax for fast bodies, lower ones spend passes on rounding. x2 and /2
- * fail MdtKea_system: a_guess_within_the_tolerances_is_kept. */
+ * have the rounding of its speed. Higher values are lax for fast bodies, lower ones spend passes on rounding. */
 static const double kea_ownSpeedShare = 0.1;
 /* Fractions of a body's radius of gyration, and of its distance from the origin, in the scale of position errors. The
  * first is for rows without lever arm and motion, the second for rounding far from the origin (1e-4 x 1e-10 = 1e-14 of
@@ -56,8 +54,7 @@ static const double kea_ownSpeedShare = 0.1;
  * the_sag_of_a_load_is_epsilon_force_over_gamma. */
 static const double kea_bodySizeShare = 1e-2, kea_distanceShare = 1e-4;
 /* Fraction of the momentum in the scale of a body's impulses, beside those of its loads: else the tolerance of a body
- * without loads would be 0. With kea_newtonTolerance it is 1e-14 of the momentum, 50 times the rounding of a double. x2
- * and /2 fail MdtKea_system: a_guess_within_the_tolerances_is_kept. */
+ * without loads would be 0. With kea_newtonTolerance it is 1e-14 of the momentum, 50 times the rounding of a double. */
 static const double kea_momentumShare = 1e-4;
 /* A joint is inconsistent if two passes in succession leave more than this fraction of its residual: half way between 0
  * (its row is fulfilled) and 1 (nothing is gained). x2 fails Mdt_Report: joints_that_contradict_each_other_are_told. */
@@ -113,8 +110,7 @@ static const double kea_maxTurn = 2.5;
 /* Rad, h |w| times the relative difference of the moments: a step in which a body turns further is divided. The
  * midpoint rule would precess a top wrongly, and the angle is too small by the square of this over 12: 1e-3, and 2 % in
  * partitions with contacts, which lose more. .5 everywhere fails free rotation and tops of tests/scenes; .2 in contact
- * costs rag dolls 40 % more factorizations. x2 and /2 of either fail MdtKea_system:
- * tops_are_refused_from_a_tenth_of_a_radian_on. */
+ * costs rag dolls 40 % more factorizations. */
 static const double kea_farTurn = 0.1, kea_farTurnInContact = 0.5;
 /* Lever arm of a contact's normal about a ball's centre, relative to the radius, up to which the ball's rotation does
  * not matter to the contact: its effect is 1e-3 x 2.5 rad of a radius at most. x2 fails Mdt_Report:
@@ -132,13 +128,11 @@ static const double kea_jerk = 30;
 /* ---- theta and geometric stiffness ---- */
 
 /* Gap, relative to a body's size, below which a contact may act at any speed: a hundred times kea_touchingGap of single
- * precision. A larger value makes near misses dissipate energy, a smaller one admits contacts a pass later. x2 and /2
- * fail MdtKea_system: contacts_within_reach_damp. */
+ * precision. A larger value makes near misses dissipate energy, a smaller one admits contacts a pass later. */
 static const double kea_nearbyGap = 1e-3;
 /* Steps: a contact that would close within this time at its present speed may act. A step is right without rows; the
- * half is for the velocity that rows add, and for impacts with restitution that are to be resolved at their time. x2
- * and /2 fail MdtKea_system: contacts_within_reach_damp; 1 in MdtKeaBounces fails Mst_Blows:
- * a_step_may_end_at_the_blow. */
+ * half is for the velocity that rows add, and for impacts with restitution that are to be resolved at their time. 1 in
+ * MdtKeaBounces fails Mst_Blows: a_step_may_end_at_the_blow. */
 static const double kea_reach = 1.5;
 /* Fraction of a bounded joint's strength: a joint whose last force exceeds it may yield in this step, and is treated as
  * a stop. x2 fails Mdt_Hinge: the_lock_holds_up_to_its_force. */
@@ -153,16 +147,14 @@ static const double kea_smallStiffness = 0.01;
 /* Fraction of the smallest moment: negative stiffness up to this is kept, since B is still positive with half of its
  * inertia. */
 static const double kea_harmlessStiffness = 0.5;
-/* Relative difference up to which moments count as equal: the rounding of a program's tensor in double arithmetic. x2
- * and /2 fail MdtKea_system: tops_are_refused_from_a_tenth_of_a_radian_on. */
+/* Relative difference up to which moments count as equal: the rounding of a program's tensor in double arithmetic. */
 static const double kea_equalMoments = 1e-9;
 
 /* ---- the proximal parameter N, relative to A_ii: a compliance of the method, which the passes take out again ---- */
 
 /* N of joints; and of limits, motors, other bounded rows, and joints that make loops. The latter contradict each other,
  * if only by rounding, and respond with impulses of the error over h N. Lower values cost iterations where rows become
- * active and inactive, higher ones cost passes where heavy bodies rest on light ones. x2 and /2 of either fail
- * MdtKea_system: a_pass_leaves_the_proximal_part. */
+ * active and inactive, higher ones cost passes where heavy bodies rest on light ones. */
 static const double kea_proximalJoint = 1e-8, kea_proximalLimit = 1e-6;
 /* N of contacts, by the number of passes that have converged well; in an impact, by the number of passes: 1e-4, and a
  * tenth of the last in each. A start of 1e-3 saves 14 % of the factorizations of small partitions and fails the heavy
@@ -198,7 +190,8 @@ enum {
     /* Iterations of the line search, of which every second halves its interval: 2^-50, a double's digits. */
     KEA_MAX_LINE_SEARCH = 100
 };
-/* Smallest pivot of a block's factor, relative to its diagonal entry: below 4 roundings of a double no digit is left. */
+/* Smallest pivot of a block's factor, relative to its diagonal entry: below 4 roundings of a double no digit is
+ * left. */
 static const double kea_minPivot = 1e-15;
 /* Rounding error of a row's r - J d, a sum of 12 products, in roundings of a double. With 6 (and kea_minPivot of 4
  * roundings) Mst_SweptJoints fails, swept_pairs_on_hinges_do_not_explode, which depends on single bits. */
@@ -244,20 +237,19 @@ static const double kea_sweepTolerance = 1e-7;
 /* ---- the velocity stage ---- */
 
 /* Fraction of the load speed: with a smaller residual the motion is smooth, and the stage is left out. In every step it
- * costs 1.7e-4 of a pendulum's energy in 47 s; with .05, 7e-7. x2 and /2 fail MdtKea_system:
- * velocities_are_corrected_where_it_matters. */
+ * costs 1.7e-4 of a pendulum's energy in 47 s; with .05, 7e-7. */
 static const double kea_calmResidual = 0.05;
 /* Test for the midpoint rule's mode (-1)^n: a row's residual is minus that of the last step, if their sum is below the
  * first, as a fraction of their difference; and it counts if it is above the second, as a fraction of the largest
  * residual, so that no small row decides. x2 of kea_rippleShare fails guide_chapter_5:
- * a_closed_system_does_not_explode; x2 and /2 of kea_rippleBalance MdtKea_system:
- * velocities_are_corrected_where_it_matters. */
+ * a_closed_system_does_not_explode. */
 static const double kea_rippleBalance = 0.5, kea_rippleShare = 0.1;
 
 /* ---- energy ---- */
 
 /* Joint error, relative to a body's size, above which a joint counts as open. Solved joints leave 1e-9; piles of swept
- * boxes on hinges gained energy from 1.5e-4 on (test_Mst_SweptJoints); with 1e-3 two of 4000 gain over 1e-3 of theirs. */
+ * boxes on hinges gained energy from 1.5e-4 on (test_Mst_SweptJoints); with 1e-3 two of 4000 gain over 1e-3 of
+ * theirs. */
 static const double kea_brokenJoint = 1e-5;
 /* Relative rounding of sums of energies, which does not count as gained energy. */
 static const double kea_energyRounding = 1e-12;
