@@ -368,6 +368,8 @@ static double bestStep(KeaProblem *q) {
         high *= 2;
         atHigh = slopeAt(q, constant, linear, high);
     }
+    if (atHigh < -enough)
+        return high; /* a longer step is not tried */
     double step = high, at = atHigh;
     MeBool isSlow = MEFALSE;
     for (int i = 0; i < KEA_MAX_LINE_SEARCH && fabs(at) > enough && high > low; i++) {
@@ -380,7 +382,7 @@ static double bestStep(KeaProblem *q) {
             high = step, atHigh = at;
         isSlow = high - low > 0.5 * width;
     }
-    MEASSERT(!(step < 0));
+    MEASSERT(step >= 0 && step <= kea_longestStep);
     return step;
 }
 
