@@ -36,6 +36,7 @@ static void setUp(void) {
     step = 1. / 60;
     u = MstUniverseCreate(0);
 }
+TEST_FIXTURE(setUp, tearDown)
 
 static MdtBodyID place(McdGeometryID geometry, double volume, double z) {
     const MdtBodyID body = McdModelGetBody(MstModelAndBodyCreate(u, geometry, (MeReal)(mass / volume)));
@@ -80,14 +81,13 @@ static void expectWay(double speed) {
     assert_below(fabs(slideError(speed)), a * a * step * step / (4 * speed * speed) + TOL(1e-5, 1e-6));
 }
 
-START_TEST(a_box_slides_its_way) {
+LOOP_TEST(a_box_slides_its_way, 0, SOLVERS) {
     solver = solvers[_i];
     for (step = 1. / 30; step > 1. / 250; step /= 2)
         expectWay(3);
 }
-END_TEST
 
-START_TEST(so_do_small_and_heavy_ones) {
+LOOP_TEST(so_do_small_and_heavy_ones, 0, SOLVERS) {
     solver = solvers[_i];
     size = .1, mass = 100;
     expectWay(3);
@@ -96,7 +96,6 @@ START_TEST(so_do_small_and_heavy_ones) {
     size = 10, mass = .1, friction = .1;
     expectWay(3);
 }
-END_TEST
 
 /* The same slope for a ball, which rolls, and for a box, which slides. */
 static double slopeError(MeBool isBall) {
@@ -111,17 +110,16 @@ static double slopeError(MeBool isBall) {
     return along(body) / (a / 2) - 1;
 }
 
-START_TEST(down_a_slope) {
+LOOP_TEST(down_a_slope, 0, SOLVERS) {
     solver = solvers[_i];
     for (int i = 0; i < 2; i++) {
         for (step = 1. / 30; step > 1. / 250; step /= 2)
             assert_below(fabs(slopeError(i == 1)), 1e-6);
     }
 }
-END_TEST
 
 /* m, after 2 s: it slides until v = 5/7 v0, and begins to roll within a step. */
-START_TEST(a_ball_slides_and_then_rolls) {
+LOOP_TEST(a_ball_slides_and_then_rolls, 0, SOLVERS) {
     solver = solvers[_i];
     for (int i = 0; i < 3; i++) {
         step = 1 / (60 * pow(2, i));
@@ -134,7 +132,6 @@ START_TEST(a_ball_slides_and_then_rolls) {
         assert_below(fabs(along(ball) - way), 2e-4 * 3600 * step * step + TOL(1e-5, 1e-6));
     }
 }
-END_TEST
 
 /* m: how far a box has crept in 10 s on a driven disc, at half the speed that friction holds, with `others` boxes on a
  * circle of half its radius, which make the partition large. */
@@ -176,7 +173,7 @@ static double creepOnDisc(int others) {
     return worst;
 }
 
-START_TEST(a_box_stays_where_it_is_on_a_driven_disc) {
+LOOP_TEST(a_box_stays_where_it_is_on_a_driven_disc, 0, SOLVERS) {
     solver = solvers[_i];
     const int max = solver == MdtSolverFast ? 100 : 20;
     for (int others = 0; others <= max; others += max / 2) {
@@ -184,14 +181,3 @@ START_TEST(a_box_stays_where_it_is_on_a_driven_disc) {
         assert_below(creep, TOL(5e-6, 5e-5)); /* 5e-7; in double precision it lags by 2.3e-6 m/s, at any accuracy */
     }
 }
-END_TEST
-
-static void tests(TCase *t) {
-    tcase_add_checked_fixture(t, setUp, tearDown);
-    tcase_add_loop_test(t, a_box_slides_its_way, 0, SOLVERS);
-    tcase_add_loop_test(t, so_do_small_and_heavy_ones, 0, SOLVERS);
-    tcase_add_loop_test(t, down_a_slope, 0, SOLVERS);
-    tcase_add_loop_test(t, a_ball_slides_and_then_rolls, 0, SOLVERS);
-    tcase_add_loop_test(t, a_box_stays_where_it_is_on_a_driven_disc, 0, SOLVERS);
-}
-TEST_MAIN("Order_Contacts", tests)

@@ -379,6 +379,11 @@ static const double kea_roundShare = 0.1;
  * and a chain that is pulled straight needs large ones. Without it a ton on a light chain opens it by a metre
  * (Mst_Jointed). /2 fails Mst_Crowd: chains_hold_in_a_crowd. */
 static const double kea_maxPush = 0.1;
+/* (h ω)² of a body as a pendulum under the load of its joints. Above it the start's velocities do not predict the pose
+ * at the middle of the step well enough, and the joints of its block are of first order; a single body is stable up to
+ * 4. With .5 a chain of 150 motors opens by 6e-5 m instead of 2e-6; without it a ton opens a light chain by 8 mm, and a
+ * cloth gains .8 J (Mst_Jointed). */
+static const double kea_stiffLoad = 0.15;
 /* Factor on kea_proximalLimit in each new trial to factor a block: half of its decades, so that the third trial is A_ii
  * itself. */
 static const double kea_softerJoint = 1e3;

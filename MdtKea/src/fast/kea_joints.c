@@ -8,12 +8,21 @@
  * stay closed.
  *
  * Velocities: J v⁺ = t - E p. The target t of a position row corrects no error; that of a stop lets it close. A spring
- * is implicit, E = 1 / (h (h k + d)), t = E h (d s - k φ). Positions: displacements remove the error that the
- * velocities leave of
+ * is implicit, E = 1 / (h (h k + d)), t = E h (d s - k φ). J is that of the middle of the step, as predicted from the
+ * start's velocities v, and bodies move by the mean of v and v⁺: the scheme is of second order. The rates that have to
+ * vanish are those at the end, to second order
+ *
+ *     J_end v⁺ = J v⁺ + (J - J_0) v,    so t is reduced by (J - J_0) v
+ *
+ * and joints do no work but p·J_0 v / 2, by the error of the rates at the start. If a load turns bodies so fast that
+ * the prediction fails, as a ton does links of a kilogram, J = J_0 in the whole block: its bodies move by v⁺, of first
+ * order, with the geometric stiffness of its joints' impulses in their inertia.
+ *
+ * Positions: displacements remove the error that the velocities leave of
  *
  *     φ(x⁺) = φ(x) + h (s - E p)
  *
- * with the same factors: a simplified Newton method, with the Jacobian at the start.
+ * with the same factors: a simplified Newton method, with the Jacobian of the velocities.
  */
 #include "inner/kea_doubles_i.h"
 #include "fast/kea_joints_i.h"
@@ -47,6 +56,20 @@ static void copyJointJacobian(KeaJointRow *r) {
         keaCopy(r->J[k], r->row->J[k].lin);
         keaCopy(r->J[k] + 3, r->row->J[k].ang);
     }
+}
+
+/* m/s: (J - J_0) v, the change of the row's rate at the start's velocities, from the start to the middle. */
+static double turnedRateOf(const MdtKeaSystem *s, const KeaJointRow *r) {
+    const MdtKeaJBlock *start = s->work->savedJ[r->row - s->rows];
+    double rate = 0;
+    for (int k = 0; k < 2; k++) {
+        if (r->row->body[k] < 0)
+            continue;
+        const MdtKeaVelocity *v = &s->velocity[r->row->body[k]];
+        rate += keaDot(r->J[k], v->lin) + keaDot(r->J[k] + 3, v->ang);
+        rate -= keaDot(start[k].lin, v->lin) + keaDot(start[k].ang, v->ang);
+    }
+    return rate;
 }
 
 /* Sets target and compliance of a spring; without stiffness and damping it is inactive. */
@@ -90,6 +113,8 @@ static void setJointRow(const MdtKeaSystem *s, KeaJointRow *r) {
         setSpring(h, r);
     else if (row->position)
         setPosition(h, r);
+    if (!row->spring)
+        r->target -= turnedRateOf(s, r);
     r->lower = h * row->lower;
     r->upper = h * row->upper;
     r->impulse = r->before = r->isInactive ? 0 : keaMin(keaMax(h * row->force, r->lower), r->upper);
@@ -248,6 +273,7 @@ static void addJointStiffness(double K[3][3], double h, const double P[3], const
             K[i][k] += h * ((i == k ? Pr : 0) - 0.5 * (r[i] * P[k] + r[k] * P[i]));
 }
 
+/* Of the last step's impulses. */
 static void sumStiffness(const MdtKeaSystem *s, KeaJoints *j, const KeaJointBlock *b) {
     const double h = s->parameters.stepsize;
     for (int i = b->firstRow; i < b->firstRow + b->numRows; i++) {
@@ -257,7 +283,10 @@ static void sumStiffness(const MdtKeaSystem *s, KeaJoints *j, const KeaJointBloc
             if (row->body[k] < 0 || !(row->position || row->spring))
                 continue;
             keaScale(P, h * row->force, row->J[k].lin);
-            addJointStiffness(j->body[b->firstNode + j->node[row->body[k]]].stiffness, h, P, row->arm[k]);
+            KeaJointBody *own = &j->body[b->firstNode + j->node[row->body[k]]];
+            addJointStiffness(own->stiffness, h, P, row->arm[k]);
+            own->load += keaLength(P);
+            own->spread += keaLength(P) * keaDot(row->arm[k], row->arm[k]);
         }
     }
 }
@@ -292,6 +321,61 @@ void kea_jointsSetMomenta(MdtKeaSystem *s, const KeaJoints *j) {
         }
 }
 
+/* ---- the middle of the step ---- */
+
+/* Whether the load of a body's joints, as of the last step, leaves it to what has been predicted of it: the square of
+ * h ω of the pendulum that it is under that load, tr K / 2 over its inertia about the place where that acts. */
+static MeBool isPredictable(const MdtKeaSystem *s, const KeaJointBody *b) {
+    const double *I = s->bodies[b->body]->moments;
+    const double about = b->load > 0 ? b->spread / (b->load * s->bodies[b->body]->invMass) : 0;
+    const double stiffness = 0.5 * (b->stiffness[0][0] + b->stiffness[1][1] + b->stiffness[2][2]);
+    return fabs(stiffness) <= kea_stiffLoad * (0.5 * (I[0] + I[1] + I[2]) + about);
+}
+
+static MeBool isBlockPredictable(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b) {
+    for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++)
+        if (!isPredictable(s, &j->body[n]))
+            return MEFALSE;
+    return METRUE;
+}
+
+/* The middle, by the velocity of the start and the chord, and the inertia of the end, where momenta are balanced. That
+ * of a body without Coriolis term is the start's. */
+static void predictBody(MdtKeaSystem *s, KeaJointBody *b) {
+    const MdtKeaBody *body = s->bodies[b->body];
+    const MdtKeaVelocity *v = &s->velocity[b->body];
+    const double h = s->parameters.stepsize;
+    double turn[4] = {1}, (*inverse)[3] = s->invMass[b->body].inertia;
+    KeaEnd *end = &s->work->end[b->body];
+    keaCopy(end->position, body->position);
+    keaAddScaled(end->position, h, v->lin);
+    keaScale(turn + 1, 0.5 * h, v->ang);
+    keaQuaternionProduct(end->quaternion, turn, body->quaternion);
+    keaQuaternionNormalize(end->quaternion);
+    kea_setPoses(s, b->body);
+    if (!(body->flags & MdtKeaBodyFlagAddCoriolisForce))
+        return;
+    kea_inertia(body, end->quaternion, b->inertia);
+    kea_invert(inverse, (const double(*)[3])b->inertia);
+    keaApply(s->predicted[b->body].ang, (const double(*)[3])inverse, s->work->body[b->body].freeMomentum);
+}
+
+/* Its rows stay those of the start. */
+static void keepBody(MdtKeaSystem *s, KeaJointBody *b) {
+    s->work->meanPose[b->body] = s->pose[b->body];
+    addToInertia(s, b);
+}
+
+/* Rows of blocks that can be predicted get the Jacobians of the middle; savedJ has those of the start. */
+static void predictRows(MdtKeaSystem *s, const KeaJoints *j) {
+    MeBool isAny = MEFALSE;
+    kea_keepRows(s);
+    for (int i = 0; i < j->numBlocks; i++)
+        isAny |= j->block[i].isMean;
+    if (isAny && s->jacobians)
+        s->jacobians(s->context, s->work->meanPose);
+}
+
 /* ---- setting blocks up ---- */
 
 static void setBodies(MdtKeaSystem *s, const int place[], KeaJoints *j, KeaJointBlock *b) {
@@ -299,8 +383,13 @@ static void setBodies(MdtKeaSystem *s, const int place[], KeaJoints *j, KeaJoint
         for (int k = 0; k < 2; k++)
             addJointBody(s, place, j, b, j->sorted[i]->body[k]);
     sumStiffness(s, j, b);
-    for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++)
-        addToInertia(s, &j->body[n]);
+    b->isMean = isBlockPredictable(s, j, b);
+    for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++) {
+        if (b->isMean)
+            predictBody(s, &j->body[n]);
+        else
+            keepBody(s, &j->body[n]);
+    }
 }
 
 static void setRows(const MdtKeaSystem *s, KeaJoints *j, KeaJointBlock *b) {
@@ -348,13 +437,16 @@ static MeBool setBlocks(MdtKeaSystem *s, const int place[], KeaJoints *j) {
     for (int i = 0; i < j->numBlocks; i++) {
         j->block[i].firstNode = node;
         setBodies(s, place, j, &j->block[i]);
+        node += j->block[i].numNodes;
+    }
+    predictRows(s, j);
+    for (int i = 0; i < j->numBlocks; i++) {
         setRows(s, j, &j->block[i]);
         j->block[i].isWide = j->block[i].numNodes > KEA_WIDE_BLOCK;
         j->block[i].factor =
             kea_cacheFind(s->cache, j->block[i].numNodes, NULL, j->graph.numEdges, (const int(*)[2])j->graph.edges);
         if (!j->block[i].factor)
             return MEFALSE;
-        node += j->block[i].numNodes;
     }
     MEASSERT(node <= s->numBodies);
     return METRUE;
@@ -395,6 +487,14 @@ size_t kea_jointsLayOut(const MdtKeaSystem *s, KeaJoints *j, char *memory) {
     return arena.used;
 }
 
+/* Inertia and rows are those of the start. */
+static void beginAgain(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numBodies; i++)
+        kea_beginBody(s, i);
+    if (s->jacobians)
+        s->jacobians(s->context, s->pose);
+}
+
 MeBool kea_jointsBegin(MdtKeaSystem *s, const int place[], KeaJoints *j) {
     j->numBlocks = 0;
     if (s->numRows == 0)
@@ -408,6 +508,7 @@ MeBool kea_jointsBegin(MdtKeaSystem *s, const int place[], KeaJoints *j) {
         return MEFALSE;
     if (!areFactorsKept(j)) {
         memset(j->parent, 0, (size_t)s->numBodies * sizeof *j->parent); /* all bodies in one block */
+        beginAgain(s);
         if (!setBlocks(s, place, j))
             return MEFALSE;
     }
@@ -646,11 +747,13 @@ double kea_jointsOpening(const KeaJoints *j) {
 }
 
 void kea_jointsMoveByEnd(const KeaJoints *j, const KeaMotion motion[], KeaMotion move[], float theta[]) {
-    for (int i = 0; i < j->numBlocks; i++)
-        for (int n = j->block[i].firstNode; n < j->block[i].firstNode + j->block[i].numNodes; n++) {
+    for (int i = 0; i < j->numBlocks; i++) {
+        const KeaJointBlock *b = &j->block[i];
+        for (int n = b->firstNode; n < b->firstNode + b->numNodes && !b->isMean; n++) {
             move[j->body[n].motion] = motion[j->body[n].motion];
             theta[j->body[n].motion] = 1;
         }
+    }
 }
 
 double kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displacement[]) {

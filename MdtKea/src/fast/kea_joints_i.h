@@ -30,6 +30,7 @@ typedef struct KeaJointBody {
     double inertia[3][3];   /* kg m² (world), with the stiffness added if isStiff */
     MeBool isStiff;         /* the geometric stiffness is not negligible */
     double stiffness[3][3]; /* kg m²: geometric stiffness by its joints' impulses */
+    double load, spread;    /* N s: sum of its joints' impulses; N m² s: of these times their squared arms */
 } KeaJointBody;
 
 /* Bodies that joints connect, directly or through others, and their rows: first the `numTied' ones without bounds. */
@@ -37,6 +38,7 @@ typedef struct KeaJointBlock {
     int firstNode, numNodes, firstRow, numRows, numTied;
     KeaFactor *factor;
     char *numbers;     /* memory of the factor's numbers */
+    MeBool isMean;     /* rows are those of the middle of the step, and bodies may move by the mean */
     MeBool isWide;     /* more than KEA_WIDE_BLOCK bodies: rows with bounds act on their own two bodies only */
     MeBool isSound;    /* the factorization has succeeded */
     MeBool isInverted; /* the factor's blocks are inverted */
@@ -57,8 +59,9 @@ typedef struct KeaJoints {
 
 /* Lays out the arrays in `memory`; null: only measures. Returns their bytes. */
 size_t kea_jointsLayOut(const MdtKeaSystem *s, KeaJoints *j, char *memory);
-/* Sets up and factors the blocks. `place`: by body, its place among motions. Adds geometric stiffness to the inertia of
- * bodies, in invMass and `predicted`, for the rest of the solve. False: no memory. */
+/* Sets up and factors the blocks. `place`: by body, its place among motions. For the rest of the solve, rows have the
+ * Jacobians of the middle, and the inertia of bodies, in invMass and `predicted`, is that of the predicted end; in
+ * blocks of first order it has geometric stiffness added. False: no memory. */
 MeBool kea_jointsBegin(MdtKeaSystem *s, const int place[], KeaJoints *j);
 /* Whether all blocks have been factored; the joints of others have no force in this step. */
 MeBool kea_jointsAreSound(const KeaJoints *j);
@@ -74,8 +77,8 @@ void kea_jointsScale(KeaJoints *j, double share);
 double kea_jointsPass(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[], double beta);
 /* m/s: the largest violation of the rows' laws. Raises *excess to the largest ratio of a violation to its tolerance. */
 double kea_jointsResidual(const KeaJoints *j, const KeaMotion motion[], const KeaTolerance *t, double *excess);
-/* Sets the velocities that jointed bodies are moved by to the end velocities, θ = 1, since their rows are those of the
- * poses at the start. */
+/* Sets the velocities that bodies of first-order blocks are moved by to the end velocities, θ = 1, since their rows are
+ * those of the poses at the start. */
 void kea_jointsMoveByEnd(const KeaJoints *j, const KeaMotion motion[], KeaMotion move[], float theta[]);
 /* The largest error of joints and stops at the start, relative to the smaller body's size. */
 double kea_jointsOpening(const KeaJoints *j);
