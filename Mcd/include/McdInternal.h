@@ -127,10 +127,12 @@ MEPUBLIC MeBool MEAPI McdModelPairIntersectPlain(McdModelPair *p, McdIntersectRe
 MEPUBLIC void MEAPI McdModelPairNoteTest(McdModelPair *p);
 /** Stores the gap found by the test, m, a lower bound (McdIntersectResult.apart); 0: unknown, or none. */
 MEPUBLIC void MEAPI McdModelPairNoteSeparated(McdModelPair *p, MeReal apart);
-/** Whether one of the models is a box that may not move, and the other one is flush with a face of it and will slide
- *  over that face, so that the contacts that a test has found are to be ignored. */
-MEPUBLIC MeBool MEAPI McdModelPairPassesSeam(const McdModelPair *p, const MeBool mayMove[2],
-                                             const McdContact contacts[], int count);
+/** Replaces the contacts of a result with a fixed model that lie at internal edges, where a face of the fixed model
+ *  continues a face of another fixed model, by contacts along the face's normal, if there are any. Returns whether
+ *  the result depends on other models nearby: then the caller must repeat the test even if the pair has not changed
+ *  (McdModelPairForgetTest). */
+MEPUBLIC MeBool MEAPI McdModelPairReplaceInternal(const McdModelPair *p, const MeBool mayMove[2],
+                                                  McdIntersectResult *result);
 /** Invalidates the last test: the next McdModelPairLook returns McdPairHasChanged. */
 MEPUBLIC void MEAPI McdModelPairForgetTest(McdModelPair *p);
 /** @} */

@@ -148,7 +148,7 @@ TEST(halves_stand_on_anything) {
 
 /* ---- how exactly parts abut -------------------------------------------------------------------------------------- */
 
-/* Two boxes of extent 1.5, the second one higher and away from the first; a box on the first one, 1e-4 over the edge.
+/* Two boxes, the second one higher and away from the first; a box of extent .433 on the first one, 1e-4 over the edge.
  * Returns how far the normal leans. */
 static double leanAtEdge(double step, double gap) {
     const McdAggregateID whole = McdAggregateCreate(frame, 2);
@@ -161,14 +161,16 @@ static double leanAtEdge(double step, double gap) {
     return lean;
 }
 
-/* A step and a gap of less than 1e-4 of the size are none; a step of more is one. */
+/* A step of less than 1e-4 of the smaller size is none; nor is a gap of less than a quarter of the width of the shape
+ * above it. */
 TEST(parts_abut_to_within_a_part_of_their_size) {
     begin();
     assert_near(leanAtEdge(0, 0), 0, TOL(1e-6, 1e-15));
-    assert_near(leanAtEdge(1.5 * .8e-4, 0), 0, TOL(1e-6, 1e-15));
-    assert_near(leanAtEdge(0, 1.5 * .8e-4), 0, TOL(1e-6, 1e-15));
-    assert_near(leanAtEdge(1.5 * 1.2e-4, 0), 1, TOL(1e-6, 1e-15));
-    assert_near(leanAtEdge(0, 1.5 * 2.2e-4), 1, TOL(1e-6, 1e-15));
+    assert_near(leanAtEdge(.433 * .8e-4, 0), 0, TOL(1e-6, 1e-15));
+    assert_near(leanAtEdge(0, .433 * .8e-4), 0, TOL(1e-6, 1e-15));
+    assert_near(leanAtEdge(0, .124), 0, TOL(1e-6, 1e-15));
+    assert_near(leanAtEdge(.433 * 1.2e-4, 0), 1, TOL(1e-6, 1e-15));
+    assert_near(leanAtEdge(0, .126), 1, TOL(1e-6, 1e-15));
     end();
 }
 
@@ -432,11 +434,17 @@ static double topAlong(const Box *b, const MeMatrix4 tm, const double n[3]) {
     return top;
 }
 
-/* Is the point, moved outward by .2 mm to 1 cm, as far from all other parts? So their faces are not above it, nor flush
- * with an edge over which the normal leans. */
-static MeBool isOutside(const Compound *c, int part, const MeMatrix4 tm, const McdContact *contact, double side) {
-    static const double heights[] = {2e-4, 1e-3, 1e-2};
-    for (int h = 0; h < 3; h++) {
+/* A quarter of the smallest width of a box. */
+static double gapOf(const Box *b) {
+    return fmin(fmin(b->half[0], b->half[1]), b->half[2]) / 2;
+}
+
+/* Whether the point, moved outward by .2 mm to 1 cm, or by the gap that the other model's part slides over, is as far
+ * from all other parts: then their faces are not above it, nor flush with an edge over which the normal leans. */
+static MeBool isOutside(const Compound *c, int part, const MeMatrix4 tm, const McdContact *contact, double side,
+                        double gap) {
+    const double heights[] = {2e-4, 1e-3, 1e-2, gap};
+    for (int h = 0; h < 4; h++) {
         double x[3], own[3];
         for (int i = 0; i < 3; i++)
             x[i] = (double)contact->position[i] -
@@ -513,7 +521,7 @@ TEST(nothing_on_the_surface_is_lost) {
     int outer = 0, inner = 0;
     begin();
     seed = 3;
-    for (int scene = 0; scene < 200; scene++) {
+    for (int scene = 0; scene < 220; scene++) {
         Compound c[2];
         makeCompound(&c[0]);
         makeCompound(&c[1]);
@@ -539,8 +547,8 @@ TEST(nothing_on_the_surface_is_lost) {
                 if (test(&solid) > 0 && minSeparation(&solid) < 0)
                     ck_assert_msg(isLeft(c, i, k), "scene %d, parts %d and %d", scene, i, k);
                 const McdContact *deepest = deepestOf(&solid);
-                if (deepest && isOutside(&c[0], i, probe.tm, deepest, -1) &&
-                    isOutside(&c[1], k, probe.groundTM, deepest, 1)) {
+                if (deepest && isOutside(&c[0], i, probe.tm, deepest, -1, gapOf(b)) &&
+                    isOutside(&c[1], k, probe.groundTM, deepest, 1, gapOf(a))) {
                     outer++;
                     ck_assert_msg(hasContactAt(deepest), "scene %d, parts %d and %d", scene, i, k);
                 } else {

@@ -5,7 +5,8 @@
  * a little outside is in another part of the same model. Exception: a point of a face at the border of that other
  * part is not internal if a point beside it is on the compound's surface; so the foot of a wall belongs to the
  * floor. At an edge or corner another part may also be flush: then no normal there is one of the compound, except
- * those of the flush faces. (The same for triangles: mcd_mesh_topology.c.)
+ * those of the flush faces. A contact is also internal at an edge where a face of the part continues a face of
+ * another part (mcd_seam.c).
  *
  * An internal manifold is dropped if a manifold that is not internal, of the same part of the other model, separates
  * the two parts as well: pushed apart as far as that manifold says, along its normal, they no longer overlap. So
@@ -14,15 +15,11 @@
  * of the compound. */
 #include "pair/mcd_compound_i.h"
 #include "model/mcd_geometries_i.h"
-#include "convex/mcd_kind_i.h"
+#include "convex/mcd_seam_i.h"
 #include "pair/mcd_pair_i.h"
 
 #include <string.h>
 
-/* Relative to a part's extent: parts nearer than this abut, and steps lower than this are flush. Places in single
- * precision have errors up to 5e-6 of the size at a hundred sizes from the origin (docs/collision.md), twice that
- * relative to each other. Mcd_Compounds fails with twice or half this value. */
-static const double skinShare = 1e-4;
 /* cos(8 degrees). A normal that leans by less over a face is that face's. A point one skin outside along a normal
  * that leans by more is above a flush neighbour by less than this fraction of the skin, and covered: with one limit
  * for both, every normal is either the one or the other. With .98 for covers alone Mcd_Compounds fails. */
@@ -35,20 +32,6 @@ enum { MAX_DIRECTIONS = 12 };
 
 /* ---- points and parts -------------------------------------------------------------------------------------------- */
 
-/* Kind of a point: a sphere without a radius. */
-static const McdKind pointKind = {
-    .type = kMcdGeometryTypeSphere, .support = mcd_pointSupport, .face = mcd_pointFace, .rank = MCD_RANK_SPHERE};
-
-/* The signed distance of a point from a convex shape. */
-static double distanceFrom(const McdShape *s, const double point[3]) {
-    McdShape dot = {.kind = &pointKind, .extent = s->extent};
-    double onDot[3], onShape[3], normal[3];
-    mcd_copy(dot.place, point);
-    for (int i = 0; i < 3; i++)
-        dot.axis[i][i] = 1;
-    return mcd_convexDistance(&dot, s, onDot, onShape, normal);
-}
-
 static MeBool isInBox(const McdGeometryInstance *child, const double point[3], double reach) {
     for (int i = 0; i < 3; i++)
         if (!(point[i] >= (double)child->min[i] - reach && point[i] <= (double)child->max[i] + reach))
@@ -56,55 +39,86 @@ static MeBool isInBox(const McdGeometryInstance *child, const double point[3], d
     return METRUE;
 }
 
+McdGeometryInstance *mcd_childAt(McdGeometryInstance *whole, const McdGeometryInstance *own, const double origin[3],
+                                 const double point[3], double reach, McdSeamVisit visit, const void *context) {
+    double world[3];
+    McdShape shape;
+    mcd_mad(world, origin, 1, point);
+    if (whole == own || !isInBox(whole, world, reach))
+        return 0;
+    if (!whole->firstChild)
+        return mcd_shapeOf(whole, origin, &shape) && visit(&shape, context) ? whole : 0;
+    for (McdGeometryInstance *child = whole->firstChild; child; child = child->nextSibling) {
+        McdGeometryInstance *found = mcd_childAt(child, own, origin, point, reach, visit, context);
+        if (found)
+            return found;
+    }
+    return 0;
+}
+
 /* The surface of a part at the contacts of one normal. Points are relative to the origin. */
 typedef struct Surface {
     McdGeometryInstance *child, *whole;
     double origin[3], normal[3]; /* outward */
-    McdShape shape;
-    double skin;         /* m, see skinShare */
-    MeBool isClassified; /* the members below are set */
-    MeBool isOfFace;     /* the normal is that of a face */
-    double sine;         /* of the angle between the normal and that face's */
-    double lean[3];      /* unit direction in which the normal leans; 0: it does not */
-    MeBool isOfEdge;     /* the normal is that of an edge or a corner between flat faces */
+    McdShape shape, body;        /* of the part, and of the other model's part */
+    double skin;                 /* m, see mcd_seamSkin */
+    MeBool isClassified;         /* the members below are set */
+    MeBool isOfFace;             /* the normal is that of a face */
+    double sine;                 /* of the angle between the normal and that face's */
+    double lean[3];              /* unit direction in which the normal leans; 0: it does not */
+    MeBool isOfEdge;             /* the normal is that of an edge or a corner between flat faces */
 } Surface;
 
-/* Sets the surface of a contact's part on one side; false if the part is not convex. */
-static MeBool beginSurface(Surface *s, const McdContact *contact, McdGeometryInstance *child, int side) {
-    s->child = child;
+/* Sets the surface of a contact's part on one side; false if one of the parts is not convex. */
+static MeBool beginSurface(Surface *s, const McdContact *contact, McdGeometryInstance *const child[2], int side) {
+    s->child = child[side];
     s->isClassified = MEFALSE;
-    s->whole = &mcd_record(child->model)->instance;
+    s->whole = &mcd_record(s->child->model)->instance;
     mcd_copy(s->origin, contact->exactPosition);
     for (int i = 0; i < 3; i++)
         s->normal[i] = side ? (double)contact->normal[i] : -(double)contact->normal[i];
-    if (!mcd_shapeOf(child, s->origin, &s->shape))
+    if (!mcd_shapeOf(s->child, s->origin, &s->shape) || !mcd_shapeOf(child[!side], s->origin, &s->body))
         return MEFALSE;
-    s->skin = skinShare * s->shape.extent;
+    s->skin = mcd_seamSkin(&s->shape, &s->body);
     for (int i = 0; i < 3; i++) /* rounding of the places of two parts */
         s->skin += 4 * (double)ME_EPSILON * fabs(s->origin[i]);
     return METRUE;
 }
 
-/* The first part within reach of a point, other than the surface's own; null: none. */
-static McdGeometryInstance *childAt(const Surface *s, const McdGeometryInstance *whole, const double point[3],
-                                    const double world[3], double reach) {
-    McdGeometryInstance *found = 0;
-    for (McdGeometryInstance *child = whole->firstChild; child && !found; child = child->nextSibling) {
-        McdShape shape;
-        if (child == s->child || !isInBox(child, world, reach))
-            continue;
-        if (child->firstChild)
-            found = childAt(s, child, point, world, reach);
-        else if (mcd_shapeOf(child, s->origin, &shape) && distanceFrom(&shape, point) <= reach)
-            found = child;
-    }
-    return found;
+typedef struct Ball {
+    const double *centre;
+    double radius;
+} Ball;
+
+static MeBool isInBall(const McdShape *child, const void *context) {
+    const Ball *ball = context;
+    return mcd_pointDistance(child, ball->centre) <= ball->radius;
 }
 
+/* The first part within reach of a point, other than the surface's own; null: none. */
 static McdGeometryInstance *childNear(const Surface *s, const double point[3], double reach) {
-    double world[3];
-    mcd_mad(world, s->origin, 1, point);
-    return childAt(s, s->whole, point, world, reach);
+    const Ball ball = {point, reach};
+    return mcd_childAt(s->whole, s->child, s->origin, point, reach, isInBall, &ball);
+}
+
+static void *findChild(const McdSeam *seam, const double point[3], double reach, McdSeamVisit visit,
+                       const void *context) {
+    const Surface *s = seam->pieces;
+    return mcd_childAt(s->whole, s->child, s->origin, point, reach, visit, context);
+}
+
+/* The part beyond an internal edge of this part (mcd_seam.c); null: the contact is not at an internal edge. */
+static McdGeometryInstance *childBehind(const Surface *s, const double point[3], double separation, double *lean) {
+    McdSeam seam = {.shape = s->shape, .separation = separation, .find = findChild, .pieces = s};
+    double face[3];
+    seam.skin = s->skin;
+    seam.gap = mcd_seamGap(&s->body);
+    mcd_copy(seam.normal, s->normal);
+    mcd_copy(seam.point, point);
+    McdGeometryInstance *child = mcd_shapeIsRigid(&s->shape) ? mcd_seamBehind(&seam, face) : 0;
+    const double cosine = child ? mcd_dot(face, s->normal) : 0;
+    *lean = cosine > flushCosine ? sqrt(fmax(1 - cosine * cosine, 0)) : mcd_coveredLean;
+    return child;
 }
 
 /* The part that covers the point one skin outside of a surface point; null: none. */
@@ -132,7 +146,7 @@ static McdGeometryInstance *coverBeyond(const Surface *s, const double point[3])
     if (mcd_dot(s->lean, s->lean) == 0)
         return 0;
     mcd_mad(beyond, point, s->skin, s->lean);
-    return distanceFrom(&s->shape, beyond) > s->skin / 2 ? childNear(s, beyond, s->skin / 2) : 0;
+    return mcd_pointDistance(&s->shape, beyond) > s->skin / 2 ? childNear(s, beyond, s->skin / 2) : 0;
 }
 
 /* Whether one of eight points of the face, on a square around the point, is on the compound's surface. */
@@ -143,7 +157,7 @@ static MeBool hasExposedNeighbour(const Surface *s, const double point[3]) {
     for (int i = 0; i < 8; i++) {
         mcd_mad(beside, point, around[i][0] * s->skin, u);
         mcd_mad(beside, beside, around[i][1] * s->skin, w);
-        if (distanceFrom(&s->shape, beside) <= (1 - flushCosine) * s->skin && !coverAbove(s, beside))
+        if (mcd_pointDistance(&s->shape, beside) <= (1 - flushCosine) * s->skin && !coverAbove(s, beside))
             return METRUE;
     }
     return MEFALSE;
@@ -170,7 +184,7 @@ typedef struct Classified {
     const McdContact *contact; /* the manifold's first contact */
     McdChildManifold *m;
     Surface surface[2];
-    MeBool isCompound[2]; /* the part belongs to a compound and is convex; otherwise its surface is not set */
+    MeBool isCompound[2]; /* the part belongs to a compound and both are convex; otherwise its surface is not set */
 } Classified;
 
 /* Whether a point is covered on either surface. The point is midway between both surfaces; separation: between them. */
@@ -186,6 +200,8 @@ static MeBool isCovered(Classified *l, const double position[3], double separati
         mcd_mad(point, point, -separation / 2, s->normal);
         McdGeometryInstance *cover = coverOf(s, point, &lean);
         if (!cover)
+            cover = childBehind(s, point, separation, &lean);
+        if (!cover)
             continue;
         isIt = METRUE;
         m->lean = fmax(m->lean, lean);
@@ -200,7 +216,7 @@ static MeBool isCovered(Classified *l, const double position[3], double separati
 static Surface *surfaceOf(Classified *l, int side) {
     Surface *s = &l->surface[side];
     McdGeometryInstance *child = l->m->child[side];
-    if (!l->isCompound[side] && (child->parent || !beginSurface(s, l->contact, child, side)))
+    if (!l->isCompound[side] && (child->parent || !beginSurface(s, l->contact, l->m->child, side)))
         return 0;
     if (!s->isClassified)
         classifyNormal(s);
@@ -249,7 +265,7 @@ static void classify(const McdContact *contact, McdChildManifold *m) {
     if (!isConvex(m->child[0]) || !isConvex(m->child[1]))
         return;
     for (int side = 0; side < 2; side++)
-        l.isCompound[side] = m->child[side]->parent && beginSurface(&l.surface[side], l.contact, m->child[side], side);
+        l.isCompound[side] = m->child[side]->parent && beginSurface(&l.surface[side], l.contact, m->child, side);
     if (isInternal(&l, deepest))
         return;
     m->lean = 0;
@@ -376,30 +392,15 @@ typedef struct Overlap {
     double across[2][3]; /* unit: from the other part, orthogonal to the line from each part to its cover */
 } Overlap;
 
-static int countFaceNormals(const McdShape *s) {
-    return s->hull ? s->hull->faceCount : 6;
-}
-
-/* The outward normal number i of a flat face; false: there is no such face. */
-static MeBool faceNormal(const McdShape *s, int i, double normal[3]) {
-    if (s->hull) {
-        const double *own = s->hull->face[i].normal;
-        mcd_shapeDirection(s, own[0], own[1], own[2], normal);
-        return METRUE;
-    }
-    mcd_scale(normal, s->axis[i / 2], i % 2 ? -1 : 1);
-    return (s->kind->flatAxes >> i / 2 & 1) != 0;
-}
-
 /* The normal number i to try, from b's part to a's; false: there is none. */
 static MeBool normalOf(const Overlap *e, int i, double normal[3]) {
     if (i < 2) {
         mcd_scale(normal, e->across[i], i ? 1 : -1);
         return mcd_dot(normal, normal) > 0;
     }
-    const int first = countFaceNormals(&e->shape[0]);
+    const int first = mcd_shapeFaces(&e->shape[0]);
     const MeBool isFirst = i - 2 < first;
-    if (!faceNormal(&e->shape[!isFirst], isFirst ? i - 2 : i - 2 - first, normal))
+    if (!mcd_shapeFaceNormal(&e->shape[!isFirst], isFirst ? i - 2 : i - 2 - first, normal))
         return MEFALSE;
     mcd_scale(normal, normal, isFirst ? -1 : 1);
     return METRUE;
@@ -411,7 +412,7 @@ typedef struct Direction {
 
 /* Chooses the normals of smallest depth, in ascending order of depth, then of number; returns their number. */
 static int chooseDirections(const Overlap *e, Direction direction[MAX_DIRECTIONS]) {
-    const int normals = 2 + countFaceNormals(&e->shape[0]) + countFaceNormals(&e->shape[1]);
+    const int normals = 2 + mcd_shapeFaces(&e->shape[0]) + mcd_shapeFaces(&e->shape[1]);
     int count = 0;
     for (int i = 0; i < normals; i++) {
         Direction d;
@@ -455,27 +456,6 @@ static MeBool beginOverlap(const McdModelPair *p, const McdChildManifold *m, Ove
     return METRUE;
 }
 
-/* Finds the contacts along a normal, if the parts touch along it: their faces are above each other, or a sphere's
- * lowest point is above a face. */
-static int manifoldAlong(const Overlap *e, const double normal[3], double separation, McdManifold *m) {
-    const McdShape *a = &e->shape[0], *b = &e->shape[1];
-    const double back[3] = {-normal[0], -normal[1], -normal[2]};
-    McdProximity p = {.separation = separation, .isGuess = METRUE};
-    McdFace faceA, faceB;
-    mcd_copy(p.normal, normal);
-    mcd_faceToward(a, back, &faceA);
-    mcd_faceToward(b, normal, &faceB);
-    if (faceA.count > 1 && faceB.count > 1)
-        return mcd_facesManifold(a, b, &faceA, &faceB, &p, e->margin, m);
-    mcd_coreSupport(a, back, p.onA);
-    mcd_coreSupport(b, normal, p.onB);
-    const MeBool isOnA = faceA.count == 1; /* the shape that is a point; the other witness point is its projection */
-    mcd_mad(isOnA ? p.onB : p.onA, isOnA ? p.onA : p.onB, isOnA ? -separation : separation, normal);
-    if (distanceFrom(isOnA ? b : a, isOnA ? p.onB : p.onA) > mcd_faceBias * mcd_pairSize(a, b))
-        return 0;
-    return mcd_pointManifold(a, b, &p, 0, e->margin, m);
-}
-
 /* Appends contacts to the scratch; returns their number. */
 static int addContacts(const Overlap *e, const McdManifold *from, McdScratch *scratch, McdChildManifold *to) {
     const MeU32 path = mcd_featureMix(mcd_childPath(to->child[0]), mcd_childPath(to->child[1]));
@@ -503,7 +483,8 @@ static MeBool expose(const McdModelPair *p, McdScratch *scratch, int count, doub
     made->first = count;
     for (int i = 0; i < directions && e.shape[0].rounding + e.shape[1].rounding - direction[i].separation < limit;
          i++) {
-        if (!manifoldAlong(&e, direction[i].normal, direction[i].separation, &points) ||
+        if (!mcd_manifoldAlong(&e.shape[0], &e.shape[1], direction[i].normal, direction[i].separation, e.margin,
+                               &points) ||
             !addContacts(&e, &points, scratch, made))
             continue;
         classify(scratch->contact, made);

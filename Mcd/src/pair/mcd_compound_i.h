@@ -2,6 +2,7 @@
 #ifndef MCD_COMPOUND_H
 #define MCD_COMPOUND_H
 
+#include "convex/mcd_seam_i.h"
 #include "surface/mcd_scratch_i.h"
 
 /* McdChildManifold.lean of covered contacts, whose normal is none of the compound's: larger than any sine. */
@@ -9,6 +10,11 @@ static const double mcd_coveredLean = 2;
 
 /* A hash of the part's path in its model: of its element's index at each level. */
 MeU32 mcd_childPath(const McdGeometryInstance *child);
+
+/* Visits the convex shapes of an instance and its parts, except `own`, whose boxes are within reach of a point
+ * (relative to the origin), until a visit returns true. Returns the instance of that shape, else null. */
+McdGeometryInstance *mcd_childAt(McdGeometryInstance *whole, const McdGeometryInstance *own, const double origin[3],
+                                 const double point[3], double reach, McdSeamVisit visit, const void *context);
 
 /* Removes the contacts at internal faces of either model from the scratch's first `count` contacts, which are those
  * of the pair's parts, one pair of parts after the other. Returns the number that remain: at least one, if there

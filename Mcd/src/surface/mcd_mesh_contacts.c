@@ -2,10 +2,7 @@
  * admissible normal, its own: the shape's face is clipped to it. For other triangles the narrow phase finds the
  * normal, which is accepted only if it belongs to the Voronoi region of an edge or corner. */
 #include "surface/mcd_mesh_stages_i.h"
-#include "convex/mcd_nearfield_i.h"
-
-/* Relative to the shape's extent: the distance beyond a border at which continuesBeyond looks for the surface. */
-#define BEYOND 1e-5
+#include "convex/mcd_seam_i.h"
 
 /* ---- distances between the shape and a triangle
  * ----------------------------------------------------------------------- */
@@ -235,50 +232,60 @@ static MeBool addFaceContacts(McdMeshQuery *q, const McdMeshTriangle *t) {
 /* ---- triangles whose normal must be searched
  * ------------------------------------------------------------------------- */
 
-/* Computes a point at a small step beyond the triangle's border, beside the deepest contact. `out` gets the
- * direction across the border, in the triangle's plane. */
-static void pointBeyondBorder(const McdMeshTriangle *t, const McdManifold *m, double step, double out[3],
-                              double at[3]) {
+/* The border of a triangle in the direction of a contact's normal, and the other triangles of the query. */
+typedef struct Border {
+    const McdMeshQuery *q;
+    const McdMeshTriangle *t;
+    int corners; /* of the border: mcd_meshFarthestCorners */
+} Border;
+
+static MeBool sharesBorder(const Border *b, const McdMeshTriangle *other) {
+    for (int k = 0; k < 3; k++)
+        if (b->corners & 1 << k && !mcd_meshHasVertex(other, b->t->vertex[k]))
+            return MEFALSE;
+    return METRUE;
+}
+
+static MeBool isWithinReach(const McdMeshTriangle *t, const double point[3], double reach) {
+    for (int i = 0; i < 3; i++)
+        if (fmin(fmin(t->corner[0][i], t->corner[1][i]), t->corner[2][i]) > point[i] + reach ||
+            fmax(fmax(t->corner[0][i], t->corner[1][i]), t->corner[2][i]) < point[i] - reach)
+            return MEFALSE;
+    return METRUE;
+}
+
+static void *findTriangle(const McdSeam *s, const double point[3], double reach, McdSeamVisit visit,
+                          const void *context) {
+    const Border *b = s->pieces;
+    for (int i = 0; i < b->q->mesh->count; i++) {
+        McdMeshTriangle *other = &b->q->mesh->triangle[i];
+        McdShape shape;
+        if (other == b->t || sharesBorder(b, other) || !isWithinReach(other, point, reach))
+            continue;
+        mcd_triangleShape((const double(*)[3])other->corner, &shape);
+        if (visit(&shape, context))
+            return other;
+    }
+    return 0;
+}
+
+/* Whether a triangle that does not share the border's corners continues the face beyond the border (mcd_seam.c). */
+static MeBool isContinued(const McdMeshQuery *q, const McdMeshTriangle *t, const double face[3], const McdManifold *m) {
+    const Border b = {q, t, mcd_meshFarthestCorners(t, m->normal)};
     const McdManifoldPoint *deepest = &m->point[0];
-    double border = -INFINITY;
+    McdSeam s = {.side = face, .find = findTriangle, .pieces = &b};
+    double normal[3];
     MEASSERT(m->count >= 1);
     for (int i = 1; i < m->count; i++)
         if (m->point[i].separation < deepest->separation)
             deepest = &m->point[i];
-    mcd_mad(out, m->normal, -mcd_dot(m->normal, t->normal), t->normal);
-    mcd_scale(out, out, 1 / mcd_length(out));
-    mcd_sub(at, deepest->position, t->corner[0]);
-    mcd_mad(at, deepest->position, -mcd_dot(at, t->normal), t->normal);
-    for (int i = 0; i < 3; i++)
-        border = fmax(border, mcd_dot(t->corner[i], out));
-    mcd_mad(at, at, border - mcd_dot(at, out) + step, out);
-}
-
-/* For T-junctions: whether a triangle that shares no corner with the border continues the surface beyond it, above
- * the plane orthogonal to the normal. */
-static MeBool continuesBeyond(const McdMeshQuery *q, const McdMeshTriangle *t, const McdManifold *m) {
-    const double step = BEYOND * q->shape.extent, overlap = MCD_MESH_OVERLAP * q->shape.extent;
-    const int mask = mcd_meshFarthestCorners(t, m->normal);
-    double at[3], out[3], in, end;
-    pointBeyondBorder(t, m, step, out, at);
-    for (int i = 0; i < q->mesh->count; i++) {
-        const McdMeshTriangle *other = &q->mesh->triangle[i];
-        double offset[3], d[3];
-        MeBool sharesBorder = METRUE;
-        for (int k = 0; k < 3; k++)
-            if (mask & 1 << k && !mcd_meshHasVertex(other, t->vertex[k]))
-                sharesBorder = MEFALSE;
-        mcd_sub(offset, at, other->corner[0]);
-        const double height = mcd_dot(offset, other->normal);
-        if (other == t || fabs(height) > step || sharesBorder ||
-            !mcd_meshClipSegment(other, at, at, overlap, &in, &end))
-            continue;
-        mcd_scale(d, out, step);
-        mcd_mad(d, d, -height, other->normal);
-        if (mcd_dot(d, m->normal) > MCD_MESH_SAME_DIRECTION * step)
-            return METRUE;
-    }
-    return MEFALSE;
+    mcd_triangleShape(t->corner, &s.shape);
+    s.skin = mcd_seamSkin(&s.shape, &q->shape);
+    s.gap = mcd_seamGap(&q->shape);
+    mcd_copy(s.normal, m->normal);
+    s.separation = deepest->separation;
+    mcd_mad(s.point, deepest->position, -deepest->separation / 2, m->normal);
+    return mcd_seamBehind(&s, normal) != 0;
 }
 
 /* Adds the narrow phase's contacts. Their feature is that of the edge or corner, equal for all triangles there. */
@@ -302,6 +309,18 @@ static double contactSideOf(const McdMeshTriangle *t, double cosine, double cent
     return (fabs(cosine) > .5 ? cosine : centreHeight) < 0 ? -1 : 1;
 }
 
+/* Drops the speculative contacts from number `first` on that are not corners of the shape. If the shape's face is
+ * tilted over an internal edge, the face will meet the neighbour there. */
+static void dropCutAhead(McdMeshQuery *q, int first) {
+    int count = first;
+    for (int i = first; i < q->mesh->contactCount; i++) {
+        const McdMeshContact *c = &q->mesh->contact[i];
+        if (!c->isCut || c->separation <= 0)
+            q->mesh->contact[count++] = *c;
+    }
+    q->mesh->contactCount = count;
+}
+
 /* Adds the contacts along the narrow phase's normal, where that is a normal of the surface, else along the face's
  * normal. For a triangle below the shape both are the same. False if the shape does not touch the triangle. */
 static MeBool addSearchedContacts(McdMeshQuery *q, McdMeshTriangle *t) {
@@ -318,7 +337,7 @@ static MeBool addSearchedContacts(McdMeshQuery *q, McdMeshTriangle *t) {
     mcd_scale(face, t->normal, side);
     const double cosine = mcd_dot(m.normal, face);
     McdMeshRegion region = mcd_meshRegion(q, t, m.normal);
-    if ((region == MCD_BORDER_REGION || region == MCD_FLAT_BORDER) && continuesBeyond(q, t, &m))
+    if ((region == MCD_BORDER_REGION || region == MCD_FLAT_BORDER) && isContinued(q, t, face, &m))
         region = MCD_INTERNAL_REGION;
     if (region == MCD_FLAT_BORDER && cosine < .5) /* pushed sideways by an edge that is not sharp: no contact */
         return METRUE;
@@ -333,8 +352,12 @@ static MeBool addSearchedContacts(McdMeshQuery *q, McdMeshTriangle *t) {
     }
     if (isFace || side * height >= 0)
         t->facing = (int)side;
-    if (t->facing && mcd_meshAddClipped(q, t, face, MCD_MESH_OVERLAP))
+    const int first = q->mesh->contactCount;
+    if (t->facing && mcd_meshAddClipped(q, t, face, MCD_MESH_OVERLAP)) {
+        if (!isFace && region == MCD_INTERNAL_REGION)
+            dropCutAhead(q, first);
         return METRUE;
+    }
     /* if the normal equals the face's only within the tolerance, its point may be beside the face by as much */
     if (!isFace || mcd_meshAddClipped(q, t, face, MCD_MESH_SAME_DIRECTION))
         return METRUE;

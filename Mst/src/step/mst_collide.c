@@ -1,8 +1,8 @@
 /* Collide: the narrow phase of a run of pairs. Its results are findings, the input of update and commit.
  *
- * Reads models, poses and motion of their bodies, materials, and each pair's manifold and touch. Writes the run, and
- * Mcd's record of each pair's last test. Nothing here calls the program, allocates from a pool, or writes to anything
- * that two pairs share (with the two exceptions in mst_step_i.h).
+ * Reads models, fixed models near them, poses and motion of their bodies, materials, and each pair's manifold and
+ * touch. Writes the run, and Mcd's record of each pair's last test. Nothing here calls the program, allocates from a
+ * pool, or writes to anything that two pairs share (with the two exceptions in mst_step_i.h).
  *
  * A pair that has not moved, to the last bit, since its last test keeps its contacts. If it has moved only a little,
  * its contacts are moved with its bodies. All other pairs are tested.
@@ -193,8 +193,8 @@ void mst_checkContacts(MstBridgeRecord *b, MstRun *run) {
 
 static void storeResult(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     const MeBool mayMove[2] = {mst_bodyOf(f->pair->model1) != 0, mst_bodyOf(f->pair->model2) != 0};
-    if (!f->isFast && McdModelPairPassesSeam(f->pair, mayMove, run->contacts, run->result.contactCount))
-        run->result.contactCount = 0;
+    if (McdModelPairReplaceInternal(f->pair, mayMove, &run->result))
+        McdModelPairForgetTest(f->pair);
     f->first = run->foundCount;
     mst_convertContacts(b, run, f);
 }

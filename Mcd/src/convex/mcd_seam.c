@@ -1,0 +1,198 @@
+/* Internal edges: a body slides over a surface of several pieces as over a single piece.
+ *
+ * A contact lies on one of the pieces, whose outward normal there is the contact's. A face of this piece, of normal f,
+ * continues a face of another piece, of normal m, if
+ *
+ *   f . m >= cos 60 degrees: a fold, up or down;
+ *   the point p of f's plane at the contact is at most a skin above m's plane: a step down of any height;
+ *   the body is not below m's plane, so that the body comes from m's side;
+ *   p is at the edge of the face in the direction of the contact's normal;
+ *   the point of m's plane at a distance of a skin, or of a gap, from p in that direction is on the other piece.
+ *
+ * Then the other piece rises above the plane through the contact orthogonal to the contact's normal. The body is on the
+ * other piece and does not fit into the gap, so the body cannot touch the edge: the edge is internal, and the normal
+ * must be f. (The same rule for triangles with common corners: mcd_mesh_topology.c.) A normal between m and f points to
+ * no part of the other piece, so the normals at a fold down are kept. */
+#include "convex/mcd_seam_i.h"
+
+/* The skin, relative to the extent of the smaller shape. Places in single precision have errors up to 5e-6 of the size
+ * at a hundred sizes from the origin (docs/collision.md), twice that relative to each other; a step of this height is
+ * climbed. With twice or half this value Mst_Seams (what_is_flush_to_a_ten_thousandth_of_its_radius_passes) and
+ * Mcd_Compounds fail. */
+static const double skinShare = 1e-4;
+/* The gap, relative to the body's smallest width. A body does not enter a gap narrower than the body, and a ball sinks
+ * by 1/32 of its radius into a gap of a quarter of its diameter. */
+static const double gapShare = .25;
+/* cos(60 degrees): the largest angle between faces that continue each other. */
+static const double foldCosine = .5;
+/* The sine of the largest angle at which the normals of a contact and of a face count as equal: normals of contacts are
+ * in single precision, with errors of 6e-8 in each coordinate. */
+static const double minSine = 1e-6;
+
+/* ---- shapes ------------------------------------------------------------------------------------------------------ */
+
+/* Kind of a point: a sphere without a radius. */
+static const McdKind pointKind = {
+    .type = kMcdGeometryTypeSphere, .support = mcd_pointSupport, .face = mcd_pointFace, .rank = MCD_RANK_SPHERE};
+
+double mcd_pointDistance(const McdShape *s, const double point[3]) {
+    McdShape dot = {.kind = &pointKind, .extent = s->extent};
+    double onDot[3], onShape[3], normal[3];
+    mcd_copy(dot.place, point);
+    for (int i = 0; i < 3; i++)
+        dot.axis[i][i] = 1;
+    return mcd_convexDistance(&dot, s, onDot, onShape, normal);
+}
+
+int mcd_shapeFaces(const McdShape *s) {
+    return s->hull ? s->hull->faceCount : 6;
+}
+
+MeBool mcd_shapeFaceNormal(const McdShape *s, int i, double normal[3]) {
+    if (s->hull) {
+        const double *own = s->hull->face[i].normal;
+        mcd_shapeDirection(s, own[0], own[1], own[2], normal);
+        return METRUE;
+    }
+    mcd_scale(normal, s->axis[i / 2], i % 2 ? -1 : 1);
+    return (s->kind->flatAxes >> i / 2 & 1) != 0;
+}
+
+/* m: the depth of a point below the shape's supporting plane orthogonal to a direction. */
+static double depthBelow(const McdShape *s, const double direction[3], const double point[3]) {
+    double farthest[3];
+    mcd_support(s, direction, farthest);
+    mcd_sub(farthest, farthest, point);
+    return mcd_dot(farthest, direction);
+}
+
+/* m: the smallest extent of the shape along its own axes. */
+static double minWidth(const McdShape *s) {
+    double width = INFINITY;
+    for (int i = 0; i < 3; i++) {
+        const double back[3] = {-s->axis[i][0], -s->axis[i][1], -s->axis[i][2]};
+        width = fmin(width, depthBelow(s, s->axis[i], s->place) + depthBelow(s, back, s->place));
+    }
+    return width;
+}
+
+/* ---- internal edges ---------------------------------------------------------------------------------------------- */
+
+double mcd_seamSkin(const McdShape *piece, const McdShape *body) {
+    return skinShare * mcd_pairSize(piece, body);
+}
+
+double mcd_seamGap(const McdShape *body) {
+    return gapShare * minWidth(body);
+}
+
+/* A face of the contact's piece. */
+typedef struct SeamFace {
+    const McdSeam *seam;
+    double normal[3];
+    double point[3]; /* of the face's plane, at the contact */
+} SeamFace;
+
+/* Whether a direction equals the contact's normal to within rounding. */
+static MeBool isNormal(const McdSeam *s, const double direction[3]) {
+    double across[3];
+    if (mcd_dot(s->normal, direction) < foldCosine)
+        return MEFALSE;
+    mcd_cross(across, s->normal, direction);
+    return mcd_dot(across, across) <= minSine * minSine;
+}
+
+static int countFaces(const McdSeam *s) {
+    return s->side ? 1 : mcd_shapeFaces(&s->shape);
+}
+
+/* Finds face number i; false if there is no such face, it is not near the contact, or its normal is the contact's. */
+static MeBool faceAtContact(const McdSeam *s, int i, SeamFace *f) {
+    if (s->side)
+        mcd_copy(f->normal, s->side);
+    else if (!mcd_shapeFaceNormal(&s->shape, i, f->normal))
+        return MEFALSE;
+    if (isNormal(s, f->normal))
+        return MEFALSE;
+    const double depth = depthBelow(&s->shape, f->normal, s->point);
+    mcd_mad(f->point, s->point, depth, f->normal);
+    return depth <= fmax(s->gap, s->skin) + fmax(s->separation, 0);
+}
+
+MeBool mcd_seamIsNear(const McdSeam *s) {
+    SeamFace f;
+    for (int i = 0; i < countFaces(s); i++)
+        if (faceAtContact(s, i, &f))
+            return METRUE;
+    return MEFALSE;
+}
+
+static double heightOver(const McdFace *plane, const double point[3]) {
+    double offset[3];
+    mcd_sub(offset, point, plane->point[0]);
+    return mcd_dot(offset, plane->normal);
+}
+
+/* Whether the face continues a face of this other piece, so that the edge between both is internal. */
+static MeBool isContinued(const McdShape *piece, const void *context) {
+    const SeamFace *f = context;
+    const McdSeam *s = f->seam;
+    McdFace other;
+    double body[3], inward[3], foot[3], at[3];
+    other.count = 0;
+    mcd_faceToward(piece, f->normal, &other);
+    if (other.count < 3 || mcd_dot(other.normal, f->normal) < foldCosine)
+        return MEFALSE;
+    const double height = heightOver(&other, f->point) - piece->rounding;
+    mcd_mad(body, s->point, s->separation, s->normal);
+    if (height > s->skin || heightOver(&other, body) - piece->rounding < -s->gap)
+        return MEFALSE;
+    mcd_mad(inward, s->normal, -mcd_dot(s->normal, other.normal), other.normal);
+    const double sine = mcd_length(inward);
+    if (sine <= minSine)
+        return MEFALSE;
+    mcd_mad(at, f->point, s->skin / sine, inward);
+    if (mcd_pointDistance(&s->shape, at) <= s->skin / 2) /* the contact is not at the edge */
+        return MEFALSE;
+    mcd_mad(foot, f->point, -height, other.normal);
+    for (int i = 0; i < 2; i++) {
+        mcd_mad(at, foot, (i ? s->gap : s->skin) / sine, inward);
+        if (mcd_pointDistance(piece, at) <= s->skin / 2)
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
+void *mcd_seamBehind(const McdSeam *s, double normal[3]) {
+    const double reach = 3 * s->gap + 2 * fabs(s->separation); /* isContinued accepts no piece farther away */
+    SeamFace f = {.seam = s};
+    for (int i = 0; i < countFaces(s); i++) {
+        void *piece = faceAtContact(s, i, &f) ? s->find(s, f.point, reach, isContinued, &f) : 0;
+        if (!piece)
+            continue;
+        mcd_copy(normal, f.normal);
+        return piece;
+    }
+    return 0;
+}
+
+/* ---- contacts along a normal ------------------------------------------------------------------------------------- */
+
+int mcd_manifoldAlong(const McdShape *a, const McdShape *b, const double normal[3], double separation, double margin,
+                      McdManifold *m) {
+    const double back[3] = {-normal[0], -normal[1], -normal[2]};
+    McdProximity p = {.separation = separation, .isGuess = METRUE};
+    McdFace faceA, faceB;
+    mcd_copy(p.normal, normal);
+    mcd_faceToward(a, back, &faceA);
+    mcd_faceToward(b, normal, &faceB);
+    if (faceA.count > 1 && faceB.count > 1)
+        return mcd_facesManifold(a, b, &faceA, &faceB, &p, margin, m);
+    mcd_coreSupport(a, back, p.onA);
+    mcd_coreSupport(b, normal, p.onB);
+    const MeBool isOnA = faceA.count == 1; /* the shape that is a point; the other witness point is its projection */
+    mcd_mad(isOnA ? p.onB : p.onA, isOnA ? p.onA : p.onB, isOnA ? -separation : separation, normal);
+    if (mcd_pointDistance(isOnA ? b : a, isOnA ? p.onB : p.onA) > mcd_faceBias * mcd_pairSize(a, b))
+        return 0;
+    return mcd_pointManifold(a, b, &p, 0, margin, m);
+}
