@@ -29,9 +29,6 @@
     X(Contact)                                                                                                         \
     X(ContactGroup)
 
-static const MeI32 keys[] = {0, 1, 12345, 2147483647};
-enum { KEYS = sizeof keys / sizeof *keys };
-
 /* Keys are not negative: such a key gets a warning and changes nothing. */
 TEST(keys_lie_between_0_and_two_to_the_31_minus_1) {
     MdtWorldID w = scene_world(1, 18, 0);
