@@ -44,8 +44,8 @@ MEPUBLIC void MEAPI McdRGHeightFieldUpdateHeights(McdRGHeightFieldID g);
 MEPUBLIC void MEAPI McdRGHeightFieldGetCounts(McdRGHeightFieldID g, int *xCount, int *yCount);
 MEPUBLIC void MEAPI McdRGHeightFieldGetSteps(McdRGHeightFieldID g, MeReal *xStep, MeReal *yStep);
 MEPUBLIC void MEAPI McdRGHeightFieldGetOrigin(McdRGHeightFieldID g, MeReal *x0, MeReal *y0);
-/** The height of the surface at (x, y) of its own frame, and its normal unless that is null. Where there is no
- *  surface: 0, and nothing is written. */
+/** Gets the height of the surface at (x, y) in its own frame and, unless @a normal is null, the surface normal. Returns
+ *  false, and writes nothing, where there is no surface. */
 MEPUBLIC MeBool MEAPI McdRGHeightFieldGetHeightAt(McdRGHeightFieldID g, MeReal x, MeReal y, MeReal *height,
                                                   MeVector3 normal);
 /** @} */

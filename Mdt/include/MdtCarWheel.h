@@ -27,7 +27,7 @@ MEPUBLIC void MEAPI MdtCarWheelReset(const MdtCarWheelID j);
 MEPUBLIC MdtConstraintID MEAPI MdtCarWheelQuaConstraint(const MdtCarWheelID j);
 /** The constraint as a car wheel; null when it is none. */
 MEPUBLIC MdtCarWheelID MEAPI MdtConstraintDCastCarWheel(const MdtConstraintID c);
-/** @name Axes, world frame; normalized. Bad input as in MdtConstraint.h
+/** @name Axes in the world frame. The setters normalize them; for bad input see MdtConstraint.h
  *  @{ */
 MEPUBLIC void MEAPI MdtCarWheelSetSteeringAxis(const MdtCarWheelID j, const MeReal x, const MeReal y, const MeReal z);
 MEPUBLIC void MEAPI MdtCarWheelGetSteeringAxis(const MdtCarWheelID j, MeVector3 v);

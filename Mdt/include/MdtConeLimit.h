@@ -32,7 +32,7 @@ MEPUBLIC MeReal MEAPI MdtConeLimitGetStiffness(const MdtConeLimitID j);
 MEPUBLIC void MEAPI MdtConeLimitSetDamping(const MdtConeLimitID j, const MeReal kd);
 MEPUBLIC MeReal MEAPI MdtConeLimitGetDamping(const MdtConeLimitID j);
 /** @} */
-/** The axes of one body in the frame of its centre of mass. */
+/** Sets the joint's axes on one body, in that body's centre-of-mass frame: primary (px, py, pz), ortho (ox, oy, oz). */
 MEPUBLIC void MEAPI MdtConeLimitBodySetAxesRel(const MdtConeLimitID j, const unsigned int bodyindex, const MeReal px,
                                                const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
                                                const MeReal oz);

@@ -1,5 +1,5 @@
 /** @file MdtMainLoop.h
- *  Functions for programs that take part in MdtWorldStep (User Guide ch. 2, "MdtWorldStep").
+ *  Callbacks by which a program hooks into MdtWorldStep (User Guide ch. 2, "MdtWorldStep").
  *
  *  With MdtWorldSetPartitionCB a program gets every partition before it is simulated, and decides, in place of the
  *  world, whether it is put to sleep; MdtAutoDisableLastPartition is the world's own decision.

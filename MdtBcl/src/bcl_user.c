@@ -21,7 +21,8 @@ MdtKeaRow *MEAPI MdtBclAddRow(MdtKeaConstraints *list) {
     return row;
 }
 
-/* All rows are velocity rows: there is no function for position errors at other poses. */
+/* Has the program's function write the rows; returns their number. They are velocity rows, because the program supplies
+ * no function that evaluates the position error at another pose. */
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     MdtBclUser *user = &c->of.user;
     MdtKeaConstraints list = {.rows = user->rows, .maxRows = MdtBclGETMAXROWSUSER, .context = x};

@@ -134,7 +134,8 @@ typedef struct MeProgramCall {
 MEPUBLIC MeProgramCall MEAPI MeProgramEnter(const char *setBy);
 MEPUBLIC MeProgramCall MEAPI MeProgramEnterQuiet(const char *setBy);
 MEPUBLIC void MEAPI MeProgramLeave(const MeProgramCall *before);
-/** Whether objects may be changed. False, with a message that names @a function: a quiet callback runs. */
+/** Whether the program may change objects now. False while a quiet callback runs, with a warning that names
+ *  @a function. */
 MEPUBLIC MeBool MEAPI MeProgramMayChange(const char *function);
 /** Warns "function: not from the function of X; nothing is changed", where X is the function that set the running
  * callback; without a callback, "function: otherwise; nothing is changed".

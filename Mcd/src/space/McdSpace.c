@@ -564,9 +564,9 @@ static void setSweptMargin(McdModelRecord *m, MeReal reach, MeReal displacement,
     m->turnTravel = MeMIN(turn, m->travel);
 }
 
-/* Sets the model's travel, m: an upper bound of its displacement in the space's look-ahead time, at most its own
- * radius; with more it would get speculative contacts with obstacles that it passes by. isSeen: it has been
- * compared, so its radius and reach are known. */
+/* Sets the model's travel (metres): an upper bound of its displacement during the space's look-ahead time, clamped to
+ * its radius, since more would give speculative contacts with obstacles that it only passes. isSeen: the model has been
+ * compared before, so its radius and reach are known. */
 static void setTravel(const McdSpace *s, McdModelRecord *m, MeBool isSeen) {
     MeVector3 centre;
     MeReal radius = m->radius, reach = m->reach;

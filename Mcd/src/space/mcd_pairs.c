@@ -174,7 +174,7 @@ static MeBool growHash(McdSpace *s) {
 
 static MeBool growLinks(McdSpace *s) {
     const int first = s->linkMax;
-    if (!reserveList(&s->pending, first + 1) || /* `pending` is as large as `link`: both double from 64 on */
+    if (!reserveList(&s->pending, first + 1) || /* same capacity as `link`: both start at 64 and double */
         !reserve(&s->link, &s->linkMax, first + 1, sizeof *s->link, "near models"))
         return MEFALSE;
     MEASSERT(s->pending.max >= s->linkMax);
@@ -698,7 +698,8 @@ static void keepUnfinished(McdSpace *s) {
     s->dirtyCount = kept;
 }
 
-/* For checks: a link is in the hash table, joins two models in their order, and its pair is a live pair of these. */
+/* For MEVALIDATE: whether a link is in the hash table, has its two models in descending order and, if it has a pair, a
+ * live pair of these two models. */
 static MeBool isLinkGood(const McdSpace *s, int i) {
     const McdLink *link = &s->link[i];
     const McdProxy *a = &s->proxy[link->proxy[0]], *b = &s->proxy[link->proxy[1]];

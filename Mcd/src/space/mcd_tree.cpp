@@ -39,8 +39,8 @@ Box boxOf(const McdTreeBox &b) {
     return Box(fcl::Vector3<float>(b.min[0], b.min[1], b.min[2]), fcl::Vector3<float>(b.max[0], b.max[1], b.max[2]));
 }
 
-/* Rebuilds a tree from the top down, splitting the leaves in halves along the longest side, in its own nodes. FCL's
- * balanceTopdown frees all nodes and allocates new ones: without memory no tree would be left. */
+/* Rebuilds a tree top-down in place, reusing its nodes; splits the leaves in half along the longest axis. FCL's
+ * balanceTopdown frees all nodes and allocates new ones: if an allocation failed, the tree would be lost. */
 class Balancing {
     std::vector<Node *> leaf, inner;
     std::size_t used = 0; /* number of inner nodes used */

@@ -122,9 +122,9 @@ static void boundAlongShape(McdMeshQuery *q) {
     }
 }
 
-/* Computes the bounding box along the mesh's axes, with the margin: its corners, its centre, and its radius without
- * the margin. */
-static void boundAlongMesh(McdMeshQuery *q) {
+/* Computes the shape's bounding box in the mesh's axes: the corners `low` and `high`, enlarged by the margin; the
+ * centre and `radius`, half the diagonal without the margin. */
+static void boundInMeshAxes(McdMeshQuery *q) {
     const double grow = q->margin + 1e-9 * q->shape.extent;
     double sum = 0;
     mcd_copy(q->centre, q->place);
@@ -199,7 +199,7 @@ static MeBool placeQuery(McdMeshQuery *q, McdGeometryInstance *ins1, McdGeometry
             q->axis[i][k] = (double)tm[i][k];
         q->place[i] = (double)tm[3][i] - q->origin[i];
     }
-    boundAlongMesh(q);
+    boundInMeshAxes(q);
     return METRUE;
 }
 

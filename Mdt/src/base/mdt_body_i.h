@@ -49,7 +49,7 @@ typedef struct MdtApplied {
 enum {
     MDT_ENABLED = 1,        /* the body or constraint takes part in the simulation */
     MDT_ASLEEP = 2,         /* a body that was disabled by the world, not by the program */
-    MDT_FAR = 4,            /* a body that was stopped at the bound of positions; the warning was given */
+    MDT_FAR = 4,            /* a body that was stopped at the position limit, with a warning */
     MDT_WATCHED = 8,        /* the program may write its parameters through a pointer; of a body: those of a contact */
     MDT_LONE = 16,          /* a manifold of one contact that is in no group */
     MDT_SWAPPED = 32,       /* a group that was attached as (null, body) */

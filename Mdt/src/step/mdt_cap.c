@@ -92,7 +92,7 @@ static MeBool isBetweenBodies(const MdtPoint *point) {
     return !isWithWorld(point);
 }
 
-static MeBool isAnyContact(const MdtPoint *point) {
+static MeBool isOfAnyKind(const MdtPoint *point) {
     (void)point;
     return METRUE;
 }
@@ -114,7 +114,7 @@ static int dropContacts(const MdtIsland *p, MdtRanked ranking[], int rows, int m
 static int dropRows(const MdtIsland *p, MdtRanked ranking[], int rows, int max) {
     rows = dropFriction(p, ranking, rows, max);
     if (p->world->importance)
-        return dropContacts(p, ranking, rows, max, isAnyContact);
+        return dropContacts(p, ranking, rows, max, isOfAnyKind);
     rows = dropContacts(p, ranking, rows, max, isBetweenBodies);
     return dropContacts(p, ranking, rows, max, isWithWorld);
 }

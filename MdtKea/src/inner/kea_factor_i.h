@@ -57,6 +57,8 @@ typedef struct KeaFactorRows {
     const double *a[2][KEA_FACTOR_ROWS], *b[2][KEA_FACTOR_ROWS];
 } KeaFactorRows;
 
+/* Appends the product w aᵀ b to the batch that kea_factorAddRows adds; a[k] and b[k]: the parts for node k. The caller
+ * ensures that there is room. */
 static inline void kea_factorPutRow(KeaFactorRows *rows, double weight, double (*const a)[6], double (*const b)[6]) {
     const int i = rows->count++;
     rows->weight[i] = weight;

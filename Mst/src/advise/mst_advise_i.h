@@ -29,7 +29,7 @@ typedef enum MstKnob {
     MST_KNOB_FRICTION,
     MST_KNOB_SWEPT,
     MST_KNOB_SLEEP,           /* value: METRUE or MEFALSE */
-    MST_KNOB_SLEEP_THRESHOLD, /* value: a factor of the threshold speeds and accelerations */
+    MST_KNOB_SLEEP_THRESHOLD, /* value: multiplier of the threshold speeds and accelerations */
     MST_KNOB_REUSE,
     MST_KNOB_SCALES, /* values: length and mass */
     MST_KNOBS

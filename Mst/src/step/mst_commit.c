@@ -136,7 +136,7 @@ static MdtContactGroupID contactGroupOf(MstBridgeRecord *b, const MstFinding *f,
     return f->count > 0 && !isOverlapDeferred(f->pair, f->separation) ? ensureGroup(b, f->pair, w) : 0;
 }
 
-/* Replaces the pair's contacts by those that collide found. */
+/* Replaces the pair's contacts with those that the narrow phase found. */
 static void commitContacts(MstBridgeRecord *b, const MstRun *run, const MstFinding *f, MdtWorldID w) {
     const MdtContactGroupID group = contactGroupOf(b, f, w);
     if (!group) {

@@ -62,8 +62,8 @@ void mst_workersTerm(MstBridgeRecord *b);
 
 /* ---- collide (mst_collide.c) ------------------------------------------------------------------------------------- */
 
-/* Collides and updates the first pairs of an array until the run is full or a pair has to be tested by commit; returns
- * their number. */
+/* Collides and updates pairs from the start of the array until the run is full or a pair has to be tested in the commit
+ * stage; returns how many pairs it has handled. */
 int mst_collideRun(const MstBridgeRecord *b, MstRun *run, McdModelPair *const pairs[], int count, McdSpaceID s);
 /* Prefetches pairs that follow pairs[i] (`count` pairs in all), and their models. */
 void mst_prefetchModels(McdModelPair *const pairs[], int i, int count);
