@@ -470,29 +470,11 @@ void mcd_modelPlaceAt(const McdModelRecord *m, double time, MeMatrix4 tm) {
 
 /* ---- updating --------------------------------------------------------------------------------------------------- */
 
-/* For checks: whether the box contains the shape's support points along the world's axes. */
-static MeBool isShapeInBox(McdGeometryInstance *ins) {
-    const double origin[3] = {0, 0, 0};
-    McdShape s;
-    if (!mcd_instanceTM(ins) || !mcd_shapeOf(ins, origin, &s) || !mcd_shapeIsRigid(&s))
-        return METRUE;
-    for (int i = 0; i < 6; i++) {
-        double d[3] = {0, 0, 0}, point[3];
-        d[i / 2] = i % 2 ? -1 : 1;
-        mcd_support(&s, d, point);
-        const double x = point[i / 2], slack = 4 * (double)ME_EPSILON * (s.extent + fabs(x));
-        if (i % 2 ? x < (double)ins->min[i / 2] - slack : x > (double)ins->max[i / 2] + slack)
-            return MEFALSE;
-    }
-    return METRUE;
-}
-
 /* Updates the boxes of children first: an aggregate's box is made from theirs. */
 static void updateBoxes(McdGeometryInstance *ins, const MeMatrix4Ptr finalTM) {
     for (McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)
         updateBoxes(child, 0);
     mcd_instanceUpdateAABB(ins, finalTM, METRUE);
-    MEVALIDATE(isShapeInBox(ins));
 }
 
 void mcd_modelRefresh(McdModelRecord *m) {

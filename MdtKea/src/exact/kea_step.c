@@ -26,9 +26,17 @@ typedef struct Passes {
     double before, motion; /* of the previous pass: its worst residual; the larger one of positions and momenta */
     int pass, last;        /* index of this pass; index after which they end */
     int worse;             /* number of passes in which `motion` has grown */
+    MeBool isRefined;      /* the answer had converged before this pass */
     MeBool isLimited;      /* the work budget is used up */
     MeBool mayBeTangent; /* symmetric passes have followed the tangent ones: the saved tangent iterate may be better */
 } Passes;
+
+/* Result of a pass. */
+typedef enum PassResult {
+    PASS_CHANGED,
+    PASS_CONVERGED, /* the answer had converged, and kept factors do not refine it: nothing was changed */
+    PASS_DIVERGED   /* the change is not finite, and was not applied */
+} PassResult;
 
 static double workOfLinearization(const MdtKeaSystem *s) {
     return KEA_LINEARIZATION * ((double)s->numRows + s->numBodies);
@@ -253,7 +261,8 @@ static void chooseProblem(MdtKeaSystem *s, Passes *p) {
     }
 }
 
-/* Whether passes end with this iterate. Passes recover from a runaway only if its friction can still be frozen. Sets
+/* Whether passes end with this iterate. A converged answer is refined once more if that costs no factorization, since
+ * it is the warm start of the next step. Passes recover from a runaway only if its friction can still be frozen. Sets
  * isLimited. */
 static MeBool isLastPass(MdtKeaSystem *s, Passes *p) {
     KeaProblem *q = &s->work->problem;
@@ -263,37 +272,43 @@ static MeBool isLastPass(MdtKeaSystem *s, Passes *p) {
     if (isFrictionSpent && !q->counts.isLimited && kea_isExactEnough(&p->best, 1))
         return METRUE;
     p->isLimited = q->counts.isLimited = q->counts.isLimited || isFrictionSpent;
+    const MeBool isEnough =
+        p->isRefined || (kea_isConverged(&p->e) && !(q->isFactored && p->e.worst > kea_refinedEnough));
     const MeBool isCut = p->isLimited && (s->parameters.mayDecline || kea_isExactEnough(&p->e, kea_sweptMargin) ||
                                           !kea_problemMaySweep(q));
     const MeBool hasRunAway = isnan(p->e.worst) || (isinf(p->e.worst) && isfinite(p->best.worst) && !q->hasFriction);
-    return kea_isConverged(&p->e) || isCut || hasRunAway || p->pass == p->last;
+    return isEnough || isCut || hasRunAway || p->pass == p->last;
 }
 
 /* Solves the inner problem and applies its answer. If passes converge fast, the factors of the last one are tried
  * first. The matrix of the coupled problem is singular if rows contradict each other; the change d may then be NaN,
- * infinite, or so large that squares of distances overflow: it is not applied then. False in that case. */
-static MeBool runPass(MdtKeaSystem *s, Passes *p) {
+ * infinite, or so large that squares of distances overflow. */
+static PassResult runPass(MdtKeaSystem *s, Passes *p) {
     KeaProblem *q = &s->work->problem;
     const MeBool isConvergingFast = kea_isExactEnough(&p->e, 1) && p->e.worst < kea_refinedShare * p->before;
     MeBool isFinite = METRUE;
     p->before = p->e.worst;
+    p->isRefined = kea_isConverged(&p->e);
     q->isWarm = s->work->hasJoints || p->pass > 0; /* without joints the first pass is convex, to share loads evenly */
     if (q->hasTangent)
         differentiateIterate(s);
-    if (!isConvergingFast || !kea_problemRefine(q))
+    if (!isConvergingFast || !kea_problemRefine(q)) {
+        if (p->isRefined)
+            return PASS_CONVERGED;
         solveInnerProblem(s, p->pass, p->e.velocity < kea_looseVelocity, isConvergingFast && q->hasTangent);
+    }
     for (int i = 0; i < q->numBodies; i++)
         for (int k = 0; k < 6; k++)
             isFinite = isFinite && fabs(q->d[i][k]) <= kea_largestChange;
     if (!isFinite)
-        return MEFALSE;
+        return PASS_DIVERGED;
     kea_markInconsistentJoints(s);
     for (int i = 0; i < s->numBodies; i++)
         for (int k = 0; k < 6; k++)
             s->work->body[i].u[k] += q->d[i][k];
     kea_admitContacts(s);
     s->report.passes++;
-    return METRUE;
+    return PASS_CHANGED;
 }
 
 /* Chooses the answer: the best iterate; the last one by sweeps, if only that is exact in positions; for linkages the
@@ -320,13 +335,13 @@ static KeaResiduals chooseAnswer(MdtKeaSystem *s, const Passes *p) {
 static void runPasses(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     Passes p = beginPasses(s);
-    for (MeBool isChanged = METRUE; isChanged; p.pass++) {
+    for (PassResult result = PASS_CHANGED; result == PASS_CHANGED; p.pass++) {
         measurePass(s, &p);
         chooseProblem(s, &p);
         if (isLastPass(s, &p))
             break;
-        isChanged = runPass(s, &p);
-        if (!isChanged)
+        result = runPass(s, &p);
+        if (result == PASS_DIVERGED)
             p.e.worst = HUGE_VAL;
     }
     const KeaResiduals e = chooseAnswer(s, &p);
