@@ -210,8 +210,8 @@ static const double kea_coupledProgress = 0.9, kea_coupledRounding = 1e3;
 /* The fraction of the error that a solve with kept factors may leave; else the matrix is factored anew. */
 static const double kea_refinedShare = 0.1;
 /* In tolerances: a converged answer above it is refined with the kept factors, which costs no factorization and
- * improves the next step's first guess. Without it a linkage in double precision opens by 1.3e-12 m instead of less than
- * 3e-13 (tests/scenes). */
+ * improves the next step's first guess. Without it a linkage in double precision opens by 1.3e-12 m instead of less
+ * than 3e-13 (tests/scenes). */
 static const double kea_refinedEnough = 1e-2;
 /* Relative error of friction bounds against μ p_n up to which no coupled solve is needed. */
 static const double kea_boundsAgree = 1e-12;
