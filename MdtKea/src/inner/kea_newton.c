@@ -527,7 +527,7 @@ MeBool kea_problemSolve(KeaProblem *q, MeBool coupled) {
     const MeBool isFound = !q->counts.isLimited && solveConvex(q);
     if (q->counts.isLimited)
         kea_problemSweep(q);
-    MEVALIDATE(q->counts.isLimited || areWithinBounds(q));
+    MEVALIDATE(areWithinBounds(q));
     if (!isFound)
         return MEFALSE;
     return !coupled || !q->hasFriction || kea_frictionBoundsError(q) < kea_boundsAgree || solveFromConvex(q);

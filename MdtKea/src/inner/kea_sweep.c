@@ -137,9 +137,9 @@ static void tryStart(KeaProblem *q, double *min) {
 /* Chooses the start of smallest D. Returns its 2 D; writes 2 D(0) to `none`. */
 static double chooseStart(KeaProblem *q, double *none) {
     double min = HUGE_VAL;
-    for (int i = 0; i < q->numRows; i++)
-        q->row[i].bestP = q->row[i].p; /* for the case that all D are NaN */
     tryStart(q, &min);
+    for (int i = 0; i < q->numRows && min == HUGE_VAL; i++)
+        q->row[i].bestP = q->row[i].p; /* within its bounds, for the case that all D are NaN */
     for (int i = 0; i < q->numRows; i++)
         q->row[i].p = q->row[i].isInactive ? q->row[i].p : q->row[i].p0;
     tryStart(q, &min);
