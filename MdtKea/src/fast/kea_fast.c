@@ -843,17 +843,19 @@ void kea_fastSolve(MdtKeaSystem *s) {
     findVelocities(&p);
     setEndMomentum(&p);
     guardEnergy(&p);
-    kea_jointsSetMomenta(s, &p.joints);
+    kea_jointsRemoveStiffness(s, &p.joints);
     chooseThetas(&p);
     fallOfCentre(&p);
     findPositions(&p);
+    kea_jointsKeepVelocities(s, &p.joints);
     const MeBool doRebound = setRebounds(&p);
     if (kea_jointsRebound(&p.joints) || doRebound) {
         kea_jointsRefill(s, &p.joints);
         findVelocities(&p);
         setEndMomentum(&p);
         limitRebounds(&p);
-        kea_jointsSetMomenta(s, &p.joints);
+        kea_jointsRemoveStiffness(s, &p.joints);
+        kea_jointsKeepVelocities(s, &p.joints);
     }
     report(&p);
     kea_overNodes(&p.regions, returnGroups, &p);

@@ -308,16 +308,27 @@ static void addToInertia(MdtKeaSystem *s, KeaJointBody *body) {
     *body = b;
 }
 
-void kea_jointsSetMomenta(MdtKeaSystem *s, const KeaJoints *j) {
+/* L := I(q) I'⁻¹ L, with the inertia I' of the passes: L of the angular velocity that they have found. */
+static void setMomentumAt(MdtKeaSystem *s, const KeaJointBody *b, const double q[4]) {
+    double w[3], inertia[3][3], *L = s->work->end[b->body].angularMomentum;
+    keaApply(w, (const double(*)[3])s->invMass[b->body].inertia, L);
+    kea_inertia(s->bodies[b->body], q, inertia);
+    keaApply(L, (const double(*)[3])inertia, w);
+}
+
+void kea_jointsRemoveStiffness(MdtKeaSystem *s, const KeaJoints *j) {
+    for (int i = 0; i < j->numBlocks; i++)
+        for (int n = j->block[i].firstNode; n < j->block[i].firstNode + j->block[i].numNodes; n++)
+            if (j->body[n].isStiff)
+                setMomentumAt(s, &j->body[n], s->bodies[j->body[n].body]->quaternion);
+}
+
+void kea_jointsKeepVelocities(MdtKeaSystem *s, const KeaJoints *j) {
     for (int i = 0; i < j->numBlocks; i++)
         for (int n = j->block[i].firstNode; n < j->block[i].firstNode + j->block[i].numNodes; n++) {
-            const KeaJointBody *b = &j->body[n];
-            double w[3], inertia[3][3], *L = s->work->end[b->body].angularMomentum;
-            if (!b->isStiff)
-                continue;
-            keaApply(w, (const double(*)[3])s->invMass[b->body].inertia, L);
-            kea_inertia(s->bodies[b->body], s->bodies[b->body]->quaternion, inertia);
-            keaApply(L, (const double(*)[3])inertia, w);
+            const int body = j->body[n].body;
+            if (j->block[i].isMean && (s->bodies[body]->flags & MdtKeaBodyFlagAddCoriolisForce))
+                setMomentumAt(s, &j->body[n], s->work->end[body].quaternion);
         }
 }
 

@@ -99,7 +99,11 @@ double kea_jointsWork(const KeaJoints *j);
 /* Adds the changes of momenta by the impulses, N s and N m s, to `change`, by place. */
 void kea_jointsAddImpulses(const KeaJoints *j, double (*change)[6]);
 /* Removes the effect of geometric stiffness from the angular momenta at the end. */
-void kea_jointsSetMomenta(MdtKeaSystem *s, const KeaJoints *j);
+void kea_jointsRemoveStiffness(MdtKeaSystem *s, const KeaJoints *j);
+/* After the orientations at the end are known: in blocks solved at the middle, sets the angular momenta to those of the
+ * velocities found. With the momenta found instead, a thin bar that spins would get a velocity that its joint forbids,
+ * by the error of the predicted orientation times I_max / I_min, which grows from step to step (Mst_Order_Joints). */
+void kea_jointsKeepVelocities(MdtKeaSystem *s, const KeaJoints *j);
 /* Writes the forces of the system's rows. */
 void kea_jointsReturn(MdtKeaSystem *s, const KeaJoints *j);
 
