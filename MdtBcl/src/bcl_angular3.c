@@ -39,9 +39,7 @@ static int countRows(const MdtBclConstraint *c) {
 }
 
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
-    double turn[4];
-    bcl_turnBetween(turn, c, x->pose, NULL);
-    c->isDegenerate = !c->of.angular.rotates && bcl_isHalfATurn(turn);
+    c->isDegenerate = !c->of.angular.rotates && bcl_isHalfATurn(c, x, NULL);
     return countRows(c);
 }
 

@@ -60,7 +60,9 @@ void bcl_turnBetween(double turn[4], const MdtBclConstraint *c, const MdtKeaTran
             turn[i] = -turn[i];
 }
 
-MeBool bcl_isHalfATurn(const double turn[4]) {
+MeBool bcl_isHalfATurn(const MdtBclConstraint *c, const MdtBclContext *x, const double q[4]) {
+    double turn[4];
+    bcl_turnBetween(turn, c, x->pose, q);
     return turn[0] < 1e-3;
 }
 

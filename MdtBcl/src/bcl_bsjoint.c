@@ -4,10 +4,6 @@
  */
 #include "bcl_i.h"
 
-static void reset(MdtBclConstraint *c) {
-    bcl_resetFrames(c);
-}
-
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     (void)c, (void)x;
     return 3;
@@ -18,12 +14,12 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
 }
 
 static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
-    bcl_pointErrors(c, pose, e);
+    bcl_separation(c, pose, e);
 }
 
 const MdtBclType bcl_bsJoint = {.name = "BSJoint",
                                 .maxRows = MdtBclGETMAXROWSBSJOINT,
-                                .reset = reset,
+                                .reset = bcl_resetFrames,
                                 .prepare = prepare,
                                 .fill = fill,
                                 .errors = errors};

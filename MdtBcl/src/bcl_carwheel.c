@@ -56,9 +56,8 @@ static void wheelRow(const MdtBclConstraint *c, const MdtBclContext *x, const do
 
 /* The row of the wheel's rotation relative to the chassis about a world axis. */
 static void wheelSpinRow(const MdtBclContext *x, const double axis[3], MdtKeaRow *row) {
-    bcl_startRow(row, x);
-    keaCopy(row->J[1].ang, axis);
-    keaScale(row->J[0].ang, -1, axis);
+    bcl_spinRow(x, axis, row);
+    bcl_negate(row);
 }
 
 /* Whether a stop gets a row in this step: z is the distance to it, m, and rate the smallest predicted rate of z. */
@@ -141,14 +140,12 @@ static void steeringRow(const MdtBclConstraint *c, const MdtBclContext *x, const
  * to epsilon, as the softness of a contact is. */
 static void stopRow(const MdtBclConstraint *c, const MdtBclContext *x, const Axes *a, int side, MdtKeaRow *row) {
     const MdtBclCarWheel *w = &c->of.wheel;
-    const double height = keaDot(a->s, a->d), h = x->parameters.stepsize;
+    const double height = keaDot(a->s, a->d);
     wheelRow(c, x, a->s, row);
     if (side == 1)
         bcl_negate(row);
     row->error = side == 0 ? height - (double)w->low : (double)w->high - height;
-    row->target = row->error > 0 ? -row->error / h : -x->parameters.gamma * row->error / h;
-    row->lower = 0;
-    row->position = METRUE;
+    bcl_makeStop(row, x);
     row->softness += x->parameters.softening * fmax((double)w->softness, 0);
 }
 

@@ -43,13 +43,6 @@ static void angleRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRo
     keaScale(row->J[0].ang, -1, row->J[1].ang);
 }
 
-/* Copies stiffness and damping to the stop: hard if either is infinite. */
-static void setStop(MdtBclCone *cone) {
-    const MeBool isSpring = bcl_isSpring(cone->stiffness, cone->damping);
-    cone->limit.limit[1].stiffness = isSpring ? cone->stiffness : MEINFINITY;
-    cone->limit.limit[1].damping = isSpring ? cone->damping : 0;
-}
-
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     MdtBclCone *cone = &c->of.cone;
     MdtKeaRow row;
@@ -67,7 +60,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
         cone->limit.rows = 0;
         return 0;
     }
-    setStop(cone);
+    bcl_setStopSpring(&cone->limit.limit[1], cone->stiffness, cone->damping);
     angleRow(c, x, &row);
     const int rows = bcl_limitPrepare(&cone->limit, x, &row, angle);
     MEASSERT(rows >= 0 && rows <= MdtBclGETMAXROWSCONELIMIT);

@@ -42,7 +42,7 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
     double u[3];
     pathVelocity(c, pose, u);
     keaSubtract(u, u, c->of.path.start);
-    bcl_pointErrors(c, pose, e);
+    bcl_separation(c, pose, e);
     keaAddScaled(e, c->of.path.stepsize, u);
 }
 

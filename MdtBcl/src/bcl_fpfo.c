@@ -4,10 +4,6 @@
  */
 #include "bcl_i.h"
 
-static void reset(MdtBclConstraint *c) {
-    bcl_resetFrames(c);
-}
-
 /* Keeps the relative pose that the bodies had when they were attached. */
 static void attached(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
     bcl_matchFrame1Axes(c, pose);
@@ -15,14 +11,12 @@ static void attached(MdtBclConstraint *c, const MdtKeaTransformation *const pose
 }
 
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
-    double turn[4];
-    bcl_turnBetween(turn, c, x->pose, NULL);
-    c->isDegenerate = bcl_isHalfATurn(turn);
+    c->isDegenerate = bcl_isHalfATurn(c, x, NULL);
     return 6;
 }
 
 static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
-    bcl_pointErrors(c, pose, e);
+    bcl_separation(c, pose, e);
     bcl_turnErrors(c, pose, NULL, e + 3);
 }
 
@@ -33,7 +27,7 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
 
 const MdtBclType bcl_fpfoJoint = {.name = "FPFOJoint",
                                   .maxRows = MdtBclGETMAXROWSFPFOJOINT,
-                                  .reset = reset,
+                                  .reset = bcl_resetFrames,
                                   .prepare = prepare,
                                   .fill = fill,
                                   .errors = errors,

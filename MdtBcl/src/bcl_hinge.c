@@ -45,7 +45,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
 }
 
 static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
-    bcl_pointErrors(c, pose, e);
+    bcl_separation(c, pose, e);
     bcl_alignErrors(c, pose, e + 3);
     if (c->of.limit.rows)
         bcl_limitErrors(&c->of.limit, measureAngle(c, pose, 0), e + 5);

@@ -56,17 +56,19 @@ double bcl_boundOf(MeReal value);
 void bcl_arm(double arm[3], const MdtBclConstraint *c, int k, const MdtKeaTransformation *pose);
 void bcl_attachment(double point[3], const MdtBclConstraint *c, int k, const MdtKeaTransformation *pose);
 
-/* Three rows that keep the two attachment points coincident, and their errors. */
+/* m, world: the separation P_0 - P_1 of the attachment points; and three rows, along the world axes, that keep it 0. */
+void bcl_separation(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double d[3]);
 void bcl_pointRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[3]);
-void bcl_pointErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double errors[3]);
 
 /* The row of d·(P_0 - P_1), P the attachment points, d a world direction fixed in body `carrier` (0 or 1). NO_CARRIER:
  * the row of the distance |P_0 - P_1|, whose direction is d. */
 enum { NO_CARRIER = -1 };
 void bcl_alongRow(const MdtBclConstraint *c, const MdtBclContext *x, const double d[3], int carrier, MdtKeaRow *row);
 
-/* d = P_0 - P_1, P the attachment points, m, world. */
-void bcl_separation(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double d[3]);
+/* Rows of the separation along `count` axes of frame 1, from the axis `first` on, and their errors. */
+void bcl_axisRows(const MdtBclConstraint *c, const MdtBclContext *x, int first, int count, MdtKeaRow rows[]);
+void bcl_axisErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], int first, int count,
+                    double errors[]);
 
 /* A frame's axes in the world frame: primary, ortho, and their cross product. */
 void bcl_axes(double axes[3][3], const MdtBclConstraint *c, int k, const MdtKeaTransformation *pose);
@@ -84,13 +86,13 @@ void bcl_rotationVector(const double turn[4], double rotation[3]);
 void bcl_alignRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[2]);
 void bcl_alignErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double errors[2]);
 
-/* The orientation of frame 0 relative to a target frame, which is frame 1 turned by q (null: frame 1), as a quaternion
+/* The orientation of frame 0 relative to a target frame, which is frame 1 rotated by q (null: frame 1), as a quaternion
  * with w >= 0. bcl_turnRows: three rows that constrain twice its vector part to 0, in the axes of the target frame;
- * bcl_turnErrors: their errors. */
+ * bcl_turnErrors: their errors; bcl_isHalfATurn: whether the rotation is within 0.1 degrees of half a turn, where the
+ * rows are singular. */
 void bcl_turnBetween(double turn[4], const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2],
                      const double q[4]);
-/* Whether this rotation is within 0.1 degrees of half a turn, where those rows are singular. */
-MeBool bcl_isHalfATurn(const double turn[4]);
+MeBool bcl_isHalfATurn(const MdtBclConstraint *c, const MdtBclContext *x, const double q[4]);
 void bcl_turnRows(const MdtBclConstraint *c, const MdtBclContext *x, const double q[4], MdtKeaRow rows[3]);
 void bcl_turnErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], const double q[4],
                     double errors[3]);
@@ -98,6 +100,13 @@ void bcl_turnErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const
 /* Sets the axes, or the position, of frame 1 so that it coincides with frame 0 at these poses. */
 void bcl_matchFrame1Axes(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]);
 void bcl_matchFrame1Position(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]);
+
+/* Whether a stop of a limit is hard: its stiffness is infinite or above the threshold. */
+MeBool bcl_isStopHard(const MdtBclLimit *limit, int side);
+/* Sets stiffness and damping of a stop: hard if either is infinite. */
+void bcl_setStopSpring(MdtBclSingleLimit *stop, MeReal stiffness, MeReal damping);
+/* Makes a row, whose error is the distance to a hard stop, the one-sided position row of that stop. */
+void bcl_makeStop(MdtKeaRow *row, const MdtBclContext *x);
 
 /* Limit and motor of a coordinate: `coordinate` is a row with the coordinate's J, so that its rate is J v; `measured`
  * is its present value without offset. bcl_limitPrepare chooses the rows and returns their number; bcl_limitFill writes

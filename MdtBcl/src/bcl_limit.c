@@ -43,10 +43,15 @@ MeBool bcl_limitIsMeasured(const MdtBclLimit *limit) {
     return limit->bActive || limit->bPowered || limit->bLocked || limit->bCalculatePosition;
 }
 
-/* A stop is hard if its stiffness is infinite or above the threshold. */
-static MeBool isHard(const MdtBclLimit *limit, int side) {
+MeBool bcl_isStopHard(const MdtBclLimit *limit, int side) {
     const MeReal stiffness = limit->limit[side].stiffness;
     return stiffness >= MEINFINITY || stiffness > limit->stiffnessThreshold;
+}
+
+void bcl_setStopSpring(MdtBclSingleLimit *stop, MeReal stiffness, MeReal damping) {
+    const MeBool isSpring = bcl_isSpring(stiffness, damping);
+    stop->stiffness = isSpring ? stiffness : MEINFINITY;
+    stop->damping = isSpring ? damping : 0;
 }
 
 static double distanceToStopAt(const MdtBclLimit *limit, int side, double measured) {
@@ -90,7 +95,7 @@ static MeBool isWithinReach(const MdtBclLimit *limit, int side, double rate, dou
                             double h) {
     const MdtBclSingleLimit *stop = &limit->limit[side];
     const double z = distanceToStop(limit, side);
-    if (!isHard(limit, side) && !(stop->stiffness > 0))
+    if (!bcl_isStopHard(limit, side) && !(stop->stiffness > 0))
         return z < 0 && stop->damping > 0;
     return z <= 0 || limit->stopForce[side] > 0 || z < h * impactSpin ||
            z + 2 * h * minRate(limit, side, rate, predicted) < 0;
@@ -143,23 +148,25 @@ static void motorRow(const MdtBclLimit *limit, MdtKeaRow *row) {
     row->position = METRUE;
 }
 
-static void makeHardStop(const MdtBclSingleLimit *stop, const MdtBclContext *x, MdtKeaRow *row) {
+void bcl_makeStop(MdtKeaRow *row, const MdtBclContext *x) {
     const double h = x->parameters.stepsize, z = row->error;
     row->target = z > 0 ? -z / h : -x->parameters.gamma * z / h;
+    row->lower = 0;
     row->position = METRUE;
-    row->restitution = stop->restitution > 0 ? fmin((double)stop->restitution, 1) : 0;
 }
 
 static void stopRow(const MdtBclLimit *limit, int side, const MdtBclContext *x, MdtKeaRow *row) {
+    const MdtBclSingleLimit *stop = &limit->limit[side];
     row->error = distanceToStop(limit, side);
     row->lower = 0;
     if (side == 1)
         bcl_negate(row);
-    if (isHard(limit, side))
-        makeHardStop(&limit->limit[side], x, row);
-    else
-        bcl_makeSpring(row, row->error, limit->limit[side].stiffness,
-                       row->error > 0 ? 0 : (double)limit->limit[side].damping);
+    if (bcl_isStopHard(limit, side)) {
+        bcl_makeStop(row, x);
+        row->restitution = stop->restitution > 0 ? fmin((double)stop->restitution, 1) : 0;
+    } else {
+        bcl_makeSpring(row, row->error, stop->stiffness, row->error > 0 ? 0 : (double)stop->damping);
+    }
 }
 
 void bcl_limitFill(const MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow *coordinate, MdtKeaRow rows[]) {

@@ -25,10 +25,9 @@ static void axesSet(MdtBclConstraint *c, const MdtBclFrame before[2], const MdtK
 }
 
 static double displacement(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
-    double d[3], axis[3];
-    bcl_separation(c, pose, d);
-    keaApply(axis, pose[1]->R, c->frame[1].primary);
-    return keaDot(axis, d);
+    double along;
+    bcl_axisErrors(c, pose, 0, 1, &along);
+    return along;
 }
 
 static void axisRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow *row) {
@@ -39,34 +38,22 @@ static void axisRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow
 
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     MdtKeaRow row;
-    double turn[4];
-    bcl_turnBetween(turn, c, x->pose, NULL);
-    c->isDegenerate = bcl_isHalfATurn(turn);
+    c->isDegenerate = bcl_isHalfATurn(c, x, NULL);
     axisRow(c, x, &row);
     return 5 + bcl_limitPrepare(&c->of.limit, x, &row, displacement(c, x->pose));
 }
 
 static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
-    double axes[3][3], d[3];
-    bcl_axes(axes, c, 1, pose[1]);
-    bcl_separation(c, pose, d);
-    e[0] = keaDot(axes[1], d);
-    e[1] = keaDot(axes[2], d);
+    bcl_axisErrors(c, pose, 1, 2, e);
     bcl_turnErrors(c, pose, NULL, e + 2);
     bcl_limitErrors(&c->of.limit, displacement(c, pose), e + 5);
 }
 
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
-    double axes[3][3], d[3];
     MdtKeaRow along;
-    bcl_axes(axes, c, 1, x->pose[1]);
-    bcl_separation(c, x->pose, d);
-    for (int i = 0; i < 2; i++) {
-        bcl_alongRow(c, x, axes[1 + i], 1, &rows[i]);
-        bcl_aimAtZero(&rows[i], x, keaDot(axes[1 + i], d));
-    }
+    bcl_axisRows(c, x, 1, 2, rows);
     bcl_turnRows(c, x, NULL, rows + 2);
-    bcl_alongRow(c, x, axes[0], 1, &along);
+    axisRow(c, x, &along);
     bcl_limitFill(&c->of.limit, x, &along, rows + 5);
 }
 

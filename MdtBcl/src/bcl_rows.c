@@ -109,7 +109,7 @@ void bcl_attachment(double point[3], const MdtBclConstraint *c, int k, const Mdt
  *     J_0 = [e, r_0 x e],   J_1 = -[e, r_1 x e],   since d(r·e)/dt = (ω x r)·e = ω·(r x e). */
 void bcl_pointRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[3]) {
     double errors[3], arm[2][3];
-    bcl_pointErrors(c, x->pose, errors);
+    bcl_separation(c, x->pose, errors);
     bcl_arm(arm[0], c, 0, x->pose[0]);
     bcl_arm(arm[1], c, 1, x->pose[1]);
     for (int i = 0; i < 3; i++) {
@@ -124,15 +124,11 @@ void bcl_pointRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow 
     MEVALIDATE(bcl_areRows(rows, 3));
 }
 
-void bcl_pointErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double errors[3]) {
-    double other[3];
-    bcl_attachment(errors, c, 0, pose[0]);
-    bcl_attachment(other, c, 1, pose[1]);
-    keaSubtract(errors, errors, other);
-}
-
 void bcl_separation(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double d[3]) {
-    bcl_pointErrors(c, pose, d);
+    double other[3];
+    bcl_attachment(d, c, 0, pose[0]);
+    bcl_attachment(other, c, 1, pose[1]);
+    keaSubtract(d, d, other);
 }
 
 /* With d fixed in body k, the derivative of d·(P_0 - P_1) has the additional term ω_k·(d x (P_0 - P_1)). With it the
@@ -153,6 +149,25 @@ void bcl_alongRow(const MdtBclConstraint *c, const MdtBclContext *x, const doubl
         keaCopy(row->arm[k], arm);
     }
     MEVALIDATE(!isFinite3(d) || bcl_areRows(row, 1)); /* NaN: a pose has overflowed */
+}
+
+void bcl_axisRows(const MdtBclConstraint *c, const MdtBclContext *x, int first, int count, MdtKeaRow rows[]) {
+    double axes[3][3], errors[3];
+    bcl_axes(axes, c, 1, x->pose[1]);
+    bcl_axisErrors(c, x->pose, first, count, errors);
+    for (int i = 0; i < count; i++) {
+        bcl_alongRow(c, x, axes[first + i], 1, &rows[i]);
+        bcl_aimAtZero(&rows[i], x, errors[i]);
+    }
+}
+
+void bcl_axisErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], int first, int count,
+                    double errors[]) {
+    double axes[3][3], d[3];
+    bcl_axes(axes, c, 1, pose[1]);
+    bcl_separation(c, pose, d);
+    for (int i = 0; i < count; i++)
+        errors[i] = keaDot(axes[first + i], d);
 }
 
 void bcl_matchFrame1Position(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {

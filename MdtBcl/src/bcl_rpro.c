@@ -47,30 +47,22 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     targetRate(turn, r->now, r->velocity, r->rotation);
     keaScale(r->rotation, x->parameters.stepsize, r->rotation);
     MEASSERT(isfinite(keaDot(r->rotation, r->rotation)));
-    c->isDegenerate = bcl_isHalfATurn(turn);
+    c->isDegenerate = bcl_isHalfATurn(c, x, r->now);
     return 6;
 }
 
 static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
     const MdtBclRelative *r = &c->of.relative;
-    double axes[3][3], d[3];
-    bcl_axes(axes, c, 1, pose[1]);
-    bcl_separation(c, pose, d);
-    for (int i = 0; i < 3; i++)
-        e[i] = keaDot(axes[i], d);
+    bcl_axisErrors(c, pose, 0, 3, e);
     bcl_turnErrors(c, pose, r->then, e + 3);
     keaAddScaled(e + 3, 1, r->rotation);
 }
 
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
     const MdtBclRelative *r = &c->of.relative;
-    double axes[3][3], d[3];
-    bcl_axes(axes, c, 1, x->pose[1]);
-    bcl_separation(c, x->pose, d);
+    bcl_axisRows(c, x, 0, 3, rows);
     bcl_turnRows(c, x, r->now, rows + 3);
     for (int i = 0; i < 3; i++) {
-        bcl_alongRow(c, x, axes[i], 1, &rows[i]);
-        bcl_aimAtZero(&rows[i], x, keaDot(axes[i], d));
         rows[3 + i].drift = r->rotation[i] / x->parameters.stepsize;
         rows[3 + i].target += rows[3 + i].drift;
         rows[i].upper = bcl_boundOf(r->linear[i]);

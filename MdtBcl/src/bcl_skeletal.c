@@ -93,10 +93,8 @@ static void turnRow(const MdtBclConstraint *c, const MdtBclContext *x, const dou
 }
 
 static void setStop(MdtBclSingleLimit *stop, double at, MeReal stiffness, MeReal damping) {
-    const MeBool isSpring = bcl_isSpring(stiffness, damping);
     stop->stop = (MeReal)at;
-    stop->stiffness = isSpring ? stiffness : MEINFINITY;
-    stop->damping = isSpring ? damping : 0;
+    bcl_setStopSpring(stop, stiffness, damping);
 }
 
 /* The number of swing coordinates that are constrained to 0: none, the secondary one, or both. */
@@ -153,7 +151,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
 static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
     const MdtBclSkeletal *s = &c->of.skeletal;
     Coordinates p;
-    bcl_pointErrors(c, pose, e);
+    bcl_separation(c, pose, e);
     measureCoordinates(c, pose, &p);
     int n = 3;
     if (countLockedSwings(s) > 0)

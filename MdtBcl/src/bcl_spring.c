@@ -41,16 +41,11 @@ static void positioned(MdtBclConstraint *c, const MdtKeaTransformation *const po
     s->limit.limit[0].stop = s->limit.limit[1].stop = (MeReal)distanceOf(c, pose);
 }
 
-static MeBool isHardAt(const MdtBclLimit *limit, int side) {
-    const MeReal k = limit->limit[side].stiffness;
-    return k >= MEINFINITY || k > limit->stiffnessThreshold;
-}
-
 static MdtBclDistanceKind kindOf(const MdtBclLimit *limit) {
     const MeBool isOneLength = limit->limit[0].stop == limit->limit[1].stop && limit->bActive;
-    if (isOneLength && isHardAt(limit, 0) && isHardAt(limit, 1))
+    if (isOneLength && bcl_isStopHard(limit, 0) && bcl_isStopHard(limit, 1))
         return MdtBclDistanceRod;
-    if (isOneLength && !isHardAt(limit, 0) && !isHardAt(limit, 1))
+    if (isOneLength && !bcl_isStopHard(limit, 0) && !bcl_isStopHard(limit, 1))
         return MdtBclDistanceSpring;
     return MdtBclDistanceLimits;
 }

@@ -17,27 +17,17 @@ static MeBool hasRow(const MdtBclSprings *s, int i) {
 }
 
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
-    double turn[4];
     int count[2] = {0, 0}; /* linear, angular */
     for (int i = 0; i < 6; i++)
         count[i / 3] += hasRow(&c->of.springs, i);
-    bcl_turnBetween(turn, c, x->pose, NULL);
-    c->isDegenerate = count[1] > 0 && bcl_isHalfATurn(turn);
+    c->isDegenerate = count[1] > 0 && bcl_isHalfATurn(c, x, NULL);
     return count[0] + count[1];
-}
-
-static void allErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[6]) {
-    double axes[3][3], d[3];
-    bcl_axes(axes, c, 1, pose[1]);
-    bcl_separation(c, pose, d);
-    for (int i = 0; i < 3; i++)
-        e[i] = keaDot(axes[i], d);
-    bcl_turnErrors(c, pose, NULL, e + 3);
 }
 
 static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
     double all[6];
-    allErrors(c, pose, all);
+    bcl_axisErrors(c, pose, 0, 3, all);
+    bcl_turnErrors(c, pose, NULL, all + 3);
     for (int i = 0, n = 0; i < 6; i++)
         if (hasRow(&c->of.springs, i))
             e[n++] = all[i];
@@ -45,13 +35,12 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
 
 /* The six rows along and about the axes of frame 1, and the strains of their springs, m or rad. */
 static void springRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[6], double strain[6]) {
-    double axes[3][3], d[3], turn[4];
+    double axes[3][3], turn[4];
     bcl_axes(axes, c, 1, x->pose[1]);
-    bcl_separation(c, x->pose, d);
+    bcl_axisErrors(c, x->pose, 0, 3, strain);
     bcl_turnBetween(turn, c, x->pose, NULL);
     bcl_rotationVector(turn, strain + 3);
     for (int i = 0; i < 3; i++) {
-        strain[i] = keaDot(axes[i], d);
         bcl_alongRow(c, x, axes[i], 1, &rows[i]);
         bcl_spinRow(x, axes[i], &rows[3 + i]);
     }

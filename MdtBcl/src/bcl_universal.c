@@ -8,10 +8,6 @@
  */
 #include "bcl_i.h"
 
-static void reset(MdtBclConstraint *c) {
-    bcl_resetFrames(c);
-}
-
 static void crossAxes(double a[3], double b[3], const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
     keaApply(a, pose[0]->R, c->frame[0].primary);
     keaApply(b, pose[1]->R, c->frame[1].ortho);
@@ -28,7 +24,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
 
 static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
     double a[3], b[3];
-    bcl_pointErrors(c, pose, e);
+    bcl_separation(c, pose, e);
     crossAxes(a, b, c, pose);
     e[3] = keaDot(a, b);
 }
@@ -43,7 +39,7 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
 
 const MdtBclType bcl_universal = {.name = "Universal",
                                   .maxRows = MdtBclGETMAXROWSUNIVERSAL,
-                                  .reset = reset,
+                                  .reset = bcl_resetFrames,
                                   .prepare = prepare,
                                   .fill = fill,
                                   .errors = errors,

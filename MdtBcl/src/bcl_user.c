@@ -3,11 +3,6 @@
 #include "MeMessage.h"
 #include <string.h>
 
-/* Keeps the program's function, which defines the constraint. */
-static void reset(MdtBclConstraint *c) {
-    bcl_resetFrames(c);
-}
-
 MdtKeaRow *MEAPI MdtBclAddRow(MdtKeaConstraints *list) {
     if (!list || list->numRows >= list->maxRows) {
         if (list)
@@ -41,5 +36,9 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
     memcpy(rows, c->of.user.rows, (size_t)c->of.user.numRows * sizeof *rows);
 }
 
-const MdtBclType bcl_user = {
-    .name = "UserConstraint", .maxRows = MdtBclGETMAXROWSUSER, .reset = reset, .prepare = prepare, .fill = fill};
+/* reset keeps the function of the program, which defines the constraint. */
+const MdtBclType bcl_user = {.name = "UserConstraint",
+                             .maxRows = MdtBclGETMAXROWSUSER,
+                             .reset = bcl_resetFrames,
+                             .prepare = prepare,
+                             .fill = fill};
