@@ -17,6 +17,9 @@ static inline void *kea_carve(KeaArena *a, size_t count, size_t size) {
     return at;
 }
 
+/* Sets `array` to `count` elements of its type. */
+#define KEA_CARVE(arena, array, count) ((array) = kea_carve(arena, count, sizeof *(array)))
+
 /* Reused memory. It grows to twice the requested size, so that later requests up to that allocate nothing. */
 typedef struct KeaBlock {
     char *memory;

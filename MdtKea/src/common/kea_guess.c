@@ -39,8 +39,8 @@ typedef struct Guess {
 
 static size_t layOutGuess(const MdtKeaSystem *s, Guess *g, char *memory) {
     KeaArena arena = {memory, 0};
-    g->load = kea_carve(&arena, (size_t)s->numBodies, sizeof *g->load);
-    g->contact = kea_carve(&arena, (size_t)s->numManifolds, sizeof *g->contact);
+    KEA_CARVE(&arena, g->load, (size_t)s->numBodies);
+    KEA_CARVE(&arena, g->contact, (size_t)s->numManifolds);
     return arena.used;
 }
 

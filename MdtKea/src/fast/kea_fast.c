@@ -68,15 +68,15 @@ static const KeaKernel *kernelOfMachine(void) {
 static size_t layOutStep(Step *p, char *memory) {
     const size_t n = (size_t)p->s->numBodies, m = (size_t)p->s->numManifolds, motions = 1 + n + m;
     KeaArena arena = {memory, 0};
-    p->motion = kea_carve(&arena, motions, sizeof *p->motion);
-    p->before = kea_carve(&arena, motions, sizeof *p->before);
-    p->displacement = kea_carve(&arena, motions, sizeof *p->displacement);
-    p->move = kea_carve(&arena, motions, sizeof *p->move);
-    p->thetas = kea_carve(&arena, motions, sizeof *p->thetas);
-    p->speedChange = kea_carve(&arena, motions, sizeof *p->speedChange);
-    p->patch = kea_carve(&arena, m, sizeof *p->patch);
-    p->change = kea_carve(&arena, n, sizeof *p->change);
-    p->turned = kea_carve(&arena, n, sizeof *p->turned);
+    KEA_CARVE(&arena, p->motion, motions);
+    KEA_CARVE(&arena, p->before, motions);
+    KEA_CARVE(&arena, p->displacement, motions);
+    KEA_CARVE(&arena, p->move, motions);
+    KEA_CARVE(&arena, p->thetas, motions);
+    KEA_CARVE(&arena, p->speedChange, motions);
+    KEA_CARVE(&arena, p->patch, m);
+    KEA_CARVE(&arena, p->change, n);
+    KEA_CARVE(&arena, p->turned, n);
     kea_regionsLayOut(p->s, &p->regions, &arena);
     return arena.used;
 }

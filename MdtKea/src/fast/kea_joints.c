@@ -469,7 +469,7 @@ static MeBool allocateArrays(const MdtKeaSystem *s, KeaJoints *j) {
         KeaArena arena = {memory, 0};
         for (int i = 0; i < j->numBlocks; i++) {
             KeaJointBlock *b = &j->block[i];
-            b->numbers = kea_carve(&arena, kea_factorNumbersSize(b->factor), 1);
+            KEA_CARVE(&arena, b->numbers, kea_factorNumbersSize(b->factor));
             for (int k = b->firstRow + b->numTied; k < b->firstRow + b->numRows; k++)
                 j->row[k].response = kea_carve(&arena, b->isWide ? 2 : (size_t)b->numNodes, 6 * sizeof(double));
         }
@@ -484,16 +484,16 @@ static MeBool allocateArrays(const MdtKeaSystem *s, KeaJoints *j) {
 size_t kea_jointsLayOut(const MdtKeaSystem *s, KeaJoints *j, char *memory) {
     KeaArena arena = {memory, 0};
     const size_t n = (size_t)s->numBodies, m = (size_t)s->numRows;
-    j->block = kea_carve(&arena, n, sizeof *j->block);
-    j->body = kea_carve(&arena, n, sizeof *j->body);
-    j->row = kea_carve(&arena, m, sizeof *j->row);
-    j->x = kea_carve(&arena, n, sizeof *j->x);
-    j->v = kea_carve(&arena, n, sizeof *j->v);
-    j->errors = kea_carve(&arena, m, sizeof *j->errors);
-    j->parent = kea_carve(&arena, n, sizeof *j->parent);
-    j->node = kea_carve(&arena, n, sizeof *j->node);
-    j->sum = kea_carve(&arena, n, sizeof *j->sum);
-    j->sorted = kea_carve(&arena, m, sizeof *j->sorted);
+    KEA_CARVE(&arena, j->block, n);
+    KEA_CARVE(&arena, j->body, n);
+    KEA_CARVE(&arena, j->row, m);
+    KEA_CARVE(&arena, j->x, n);
+    KEA_CARVE(&arena, j->v, n);
+    KEA_CARVE(&arena, j->errors, m);
+    KEA_CARVE(&arena, j->parent, n);
+    KEA_CARVE(&arena, j->node, n);
+    KEA_CARVE(&arena, j->sum, n);
+    KEA_CARVE(&arena, j->sorted, m);
     kea_graphLayOut(&j->graph, m, &arena);
     return arena.used;
 }

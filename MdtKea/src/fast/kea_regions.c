@@ -12,15 +12,15 @@ typedef struct KeaBisected {
 
 void kea_regionsLayOut(const MdtKeaSystem *s, KeaRegions *r, KeaArena *arena) {
     const size_t n = (size_t)s->numBodies, m = (size_t)s->numManifolds;
-    r->body = kea_carve(arena, n, sizeof *r->body);
-    r->place = kea_carve(arena, n, sizeof *r->place);
-    r->manifold = kea_carve(arena, m, sizeof *r->manifold);
-    r->sorted = kea_carve(arena, m, sizeof *r->sorted);
-    r->leaf = kea_carve(arena, n, sizeof *r->leaf);
-    r->home = kea_carve(arena, m, sizeof *r->home);
-    r->colour = kea_carve(arena, m, sizeof *r->colour);
-    r->usedColours = kea_carve(arena, n, sizeof *r->usedColours);
-    r->bisected = kea_carve(arena, n, sizeof *r->bisected);
+    KEA_CARVE(arena, r->body, n);
+    KEA_CARVE(arena, r->place, n);
+    KEA_CARVE(arena, r->manifold, m);
+    KEA_CARVE(arena, r->sorted, m);
+    KEA_CARVE(arena, r->leaf, n);
+    KEA_CARVE(arena, r->home, m);
+    KEA_CARVE(arena, r->colour, m);
+    KEA_CARVE(arena, r->usedColours, n);
+    KEA_CARVE(arena, r->bisected, n);
 }
 
 /* ---- loops ---- */

@@ -4,8 +4,8 @@
 #include <string.h>
 
 void kea_graphLayOut(KeaGraph *g, size_t maxRows, KeaArena *arena) {
-    g->edges = kea_carve(arena, maxRows, sizeof *g->edges);
-    g->table = kea_carve(arena, 4 * maxRows + 4, sizeof *g->table);
+    KEA_CARVE(arena, g->edges, maxRows);
+    KEA_CARVE(arena, g->table, 4 * maxRows + 4);
 }
 
 void kea_graphBegin(KeaGraph *g, int maxRows) {

@@ -257,15 +257,15 @@ static void eliminateNode(Elimination *g, int t, int v) {
 
 static void layOutElimination(Elimination *g, size_t n, size_t edges, size_t weights, KeaArena *a) {
     KeaOrder *o = g->order;
-    o->node = kea_carve(a, n, sizeof *o->node);
-    o->turn = kea_carve(a, n, sizeof *o->turn);
-    o->start = kea_carve(a, n + 1, sizeof *o->start);
-    g->slots = kea_carve(a, 2 * edges, sizeof *g->slots);
-    g->node = kea_carve(a, n, sizeof *g->node);
-    g->element = kea_carve(a, n, sizeof *g->element);
-    g->first = kea_carve(a, weights, sizeof *g->first);
+    KEA_CARVE(a, o->node, n);
+    KEA_CARVE(a, o->turn, n);
+    KEA_CARVE(a, o->start, n + 1);
+    KEA_CARVE(a, g->slots, 2 * edges);
+    KEA_CARVE(a, g->node, n);
+    KEA_CARVE(a, g->element, n);
+    KEA_CARVE(a, g->first, weights);
     for (int k = 0; k < 2; k++)
-        g->merged[k] = kea_carve(a, n, sizeof *g->merged[k]);
+        KEA_CARVE(a, g->merged[k], n);
 }
 
 static MeBool makeRoomForRows(KeaOrder *o, int used, int more) {

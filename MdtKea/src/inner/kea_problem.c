@@ -8,19 +8,19 @@
 
 void kea_problemLayOut(KeaProblem *q, int numBodies, int maxRows, KeaArena *arena) {
     const size_t n = (size_t)numBodies, m = (size_t)maxRows;
-    q->row = kea_carve(arena, m, sizeof *q->row);
-    q->tangent = kea_carve(arena, m, sizeof *q->tangent);
-    q->metric = kea_carve(arena, n, sizeof *q->metric);
-    q->tangentInertia = kea_carve(arena, n, sizeof *q->tangentInertia);
-    q->load = kea_carve(arena, n, sizeof *q->load);
-    q->d = kea_carve(arena, n, sizeof *q->d);
-    q->savedD = kea_carve(arena, n, sizeof *q->savedD);
-    q->gradient = kea_carve(arena, n, sizeof *q->gradient);
-    q->direction = kea_carve(arena, n, sizeof *q->direction);
-    q->scale = kea_carve(arena, n, sizeof(double));
-    q->length = kea_carve(arena, n, sizeof(double));
-    q->tolerance = kea_carve(arena, n, sizeof(double));
-    q->x = kea_carve(arena, 6 * n, sizeof(double));
+    KEA_CARVE(arena, q->row, m);
+    KEA_CARVE(arena, q->tangent, m);
+    KEA_CARVE(arena, q->metric, n);
+    KEA_CARVE(arena, q->tangentInertia, n);
+    KEA_CARVE(arena, q->load, n);
+    KEA_CARVE(arena, q->d, n);
+    KEA_CARVE(arena, q->savedD, n);
+    KEA_CARVE(arena, q->gradient, n);
+    KEA_CARVE(arena, q->direction, n);
+    KEA_CARVE(arena, q->scale, n);
+    KEA_CARVE(arena, q->length, n);
+    KEA_CARVE(arena, q->tolerance, n);
+    KEA_CARVE(arena, q->x, 6 * n);
     kea_graphLayOut(&q->graph, m, arena);
 }
 

@@ -10,16 +10,16 @@
 static size_t layOutFactor(KeaFactor *f, char *memory) {
     const size_t n = (size_t)f->numNodes, m = (size_t)f->numEdges, k = (size_t)f->numEntries;
     KeaArena a = {memory, 0};
-    f->size = kea_carve(&a, n, sizeof *f->size);
-    f->edges = kea_carve(&a, m, sizeof *f->edges);
-    f->offset = kea_carve(&a, n + 1, sizeof *f->offset);
-    f->node = kea_carve(&a, n, sizeof *f->node);
-    f->start = kea_carve(&a, n + 1, sizeof *f->start);
-    f->entry = kea_carve(&a, k, sizeof *f->entry);
-    f->sourceStart = kea_carve(&a, n + 1, sizeof *f->sourceStart);
-    f->source = kea_carve(&a, k, sizeof *f->source);
-    f->diagonalAt = kea_carve(&a, n, sizeof *f->diagonalAt);
-    f->edgeAt = kea_carve(&a, m, sizeof *f->edgeAt);
+    KEA_CARVE(&a, f->size, n);
+    KEA_CARVE(&a, f->edges, m);
+    KEA_CARVE(&a, f->offset, n + 1);
+    KEA_CARVE(&a, f->node, n);
+    KEA_CARVE(&a, f->start, n + 1);
+    KEA_CARVE(&a, f->entry, k);
+    KEA_CARVE(&a, f->sourceStart, n + 1);
+    KEA_CARVE(&a, f->source, k);
+    KEA_CARVE(&a, f->diagonalAt, n);
+    KEA_CARVE(&a, f->edgeAt, m);
     return a.used;
 }
 
@@ -29,14 +29,14 @@ void kea_structureMove(KeaFactor *f, char *memory) {
 
 size_t kea_structureLayOutNumbers(KeaFactor *f, char *memory) {
     KeaArena a = {memory, 0};
-    f->diagonal = kea_carve(&a, f->diagonalSize, sizeof(double));
-    f->upperInput = kea_carve(&a, f->inputSize, sizeof(double));
-    f->lowerInput = kea_carve(&a, f->inputSize, sizeof(double));
-    f->pivot = kea_carve(&a, f->diagonalSize, sizeof(double));
-    f->upper = kea_carve(&a, f->factorSize, sizeof(double));
-    f->lower = kea_carve(&a, f->factorSize, sizeof(double));
-    f->exchange = kea_carve(&a, (size_t)f->offset[f->numNodes], sizeof(int));
-    f->place = kea_carve(&a, (size_t)f->numNodes, sizeof(int));
+    KEA_CARVE(&a, f->diagonal, f->diagonalSize);
+    KEA_CARVE(&a, f->upperInput, f->inputSize);
+    KEA_CARVE(&a, f->lowerInput, f->inputSize);
+    KEA_CARVE(&a, f->pivot, f->diagonalSize);
+    KEA_CARVE(&a, f->upper, f->factorSize);
+    KEA_CARVE(&a, f->lower, f->factorSize);
+    KEA_CARVE(&a, f->exchange, (size_t)f->offset[f->numNodes]);
+    KEA_CARVE(&a, f->place, (size_t)f->numNodes);
     return a.used;
 }
 
