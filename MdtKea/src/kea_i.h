@@ -171,6 +171,17 @@ void kea_angularVelocityBy(const double moments[3], const double R[3][3], const 
 void kea_inverseInertiaBy(const double moments[3], const double R[3][3], double inverse[3][3]);
 /* The inertia tensor in world axes at orientation q. */
 void kea_inertia(const MdtKeaBody *body, const double q[4], double inertia[3][3]);
+/* Of three principal moments: the smallest, the largest, and whether they are equal but for rounding. kea_turnsFar:
+ * whether a rotation by an angle, rad, is more than `far` for the midpoint rule, whose error is proportional to the
+ * relative difference of the moments. */
+static inline double kea_minOf(const double I[3]) {
+    return keaMin(I[0], keaMin(I[1], I[2]));
+}
+static inline double kea_maxOf(const double I[3]) {
+    return keaMax(I[0], keaMax(I[1], I[2]));
+}
+MeBool kea_hasEqualMoments(const double I[3]);
+MeBool kea_turnsFar(const double I[3], double angle, double far);
 /* m, the largest radius of gyration. */
 double kea_bodyExtent(const MdtKeaBody *body);
 /* The inverse of any regular matrix. */
@@ -263,9 +274,19 @@ void kea_setRebounds(MdtKeaSystem *s);
 
 /* ---- kea_rates.c ---- */
 
+/* m/s: the rate J v of one body of a row. */
+static inline double kea_rateAlong(const MdtKeaJBlock *J, const MdtKeaVelocity *v) {
+    return keaDot(J->lin, v->lin) + keaDot(J->ang, v->ang);
+}
+
 /* Whether a row may reach a bound in this step: one-sided rows always, rows with two bounds if the last force was near
  * one of them. */
 MeBool kea_mayReachBound(const MdtKeaRow *row);
+/* Copies a body's Jacobian to six numbers in a row. */
+static inline void kea_copyBlock(double J[6], const MdtKeaJBlock *block) {
+    keaCopy(J, block->lin);
+    keaCopy(J + 3, block->ang);
+}
 /* m/s: rate of row i at the end velocities, with its moving rate. */
 double kea_endRate(const MdtKeaSystem *s, int i);
 /* m/s: J u of row i, with the mean velocities of the step. */

@@ -140,8 +140,7 @@ static MeBool mayCommit(const MdtKeaBody *body, const KeaEnd *end) {
     if (!isInRange(end->position, 3) || !isInRange(end->quaternion, 4) || !isInRange(end->velocity, 3) ||
         !isInRange(end->angularMomentum, 3))
         return MEFALSE;
-    const double *I = body->moments; /* |w| <= |L| / smallest moment */
-    return keaLength(end->angularMomentum) / keaMin(I[0], keaMin(I[1], I[2])) <= (double)MEINFINITY;
+    return keaLength(end->angularMomentum) / kea_minOf(body->moments) <= (double)MEINFINITY; /* a bound of |w| */
 }
 
 static void MEAPI commitBodies(void *system, int first, int end, int worker) {

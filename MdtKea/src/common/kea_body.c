@@ -19,9 +19,8 @@ static void integrateDamped(double r[3], const double v[3], const double a[3], d
 }
 
 double kea_bodyExtent(const MdtKeaBody *body) {
-    const double *I = body->moments;
     MEASSERT(body->invMass > 0);
-    return sqrt(keaMax(I[0], keaMax(I[1], I[2])) * body->invMass);
+    return sqrt(kea_maxOf(body->moments) * body->invMass);
 }
 
 /* Sets velocity and angular momentum at the end of the step without rows, and the angular velocity that belongs to this

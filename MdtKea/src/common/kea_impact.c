@@ -18,8 +18,7 @@ double kea_startRate(const MdtKeaSystem *s, int i) {
     double rate = -row->target;
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
-            rate += keaDot(row->J[k].lin, s->velocity[row->body[k]].lin) +
-                    keaDot(row->J[k].ang, s->velocity[row->body[k]].ang);
+            rate += kea_rateAlong(&row->J[k], &s->velocity[row->body[k]]);
     return row->contact == i ? rate + row->target - row->drift : rate;
 }
 
@@ -59,8 +58,7 @@ void kea_setInstantRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const MdtKeaRow *row = &s->rows[i];
     for (int k = 0; k < 2; k++) {
         p->body[k] = row->body[k];
-        keaCopy(p->J[k], row->J[k].lin);
-        keaCopy(p->J[k] + 3, row->J[k].ang);
+        kea_copyBlock(p->J[k], &row->J[k]);
     }
     p->normal = row->normal;
     p->partner = row->partner;
@@ -287,8 +285,7 @@ static double minImpactSpeedOf(const MdtKeaRow *row, double mass) {
 MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *s) {
     const KeaEventScale scale = kea_eventScale(s);
     for (int i = 0; i < s->numRows; i++)
-        if (s->rows[i].contact == i && kea_isTouching(s, &s->rows[i]) &&
-            kea_startRate(s, i) < -minImpactSpeedOf(&s->rows[i], scale.mass) * scale.speed)
+        if (isApproaching(s, i, minImpactSpeedOf(&s->rows[i], scale.mass) * scale.speed))
             return METRUE;
     return MEFALSE;
 }

@@ -20,14 +20,6 @@ static void kickVelocityOf(const KeaMetric *B, const MdtKeaBody *b, double chang
     keaApply(change + 3, B->inverse, b->kick[1]);
 }
 
-static double kickRateOf(const MdtKeaRow *row, double (*velocity)[6]) {
-    double rate = 0;
-    for (int k = 0; k < 2; k++)
-        if (row->body[k] >= 0)
-            rate += keaDot(row->J[k].lin, velocity[row->body[k]]) + keaDot(row->J[k].ang, velocity[row->body[k]] + 3);
-    return rate;
-}
-
 /* Sets up the inner problem in which joints keep their rates. Contacts, stops and motors are left out. `kicked`: the
  * bodies' changes of velocity without joints. */
 static void setKickProblem(MdtKeaSystem *s, double (*kicked)[6], double target[]) {
@@ -43,7 +35,7 @@ static void setKickProblem(MdtKeaSystem *s, double (*kicked)[6], double target[]
     for (int i = 0; i < s->numRows; i++) {
         kea_setInstantRow(s, i, &q->row[i]);
         s->work->isIncluded[i] = (char)kea_isRigidJoint(&s->rows[i]);
-        target[i] = -kickRateOf(&s->rows[i], kicked);
+        target[i] = -kea_rowRate(&q->row[i], kicked);
     }
     q->numBodies = s->numBodies;
     q->numRows = s->numRows;

@@ -13,24 +13,18 @@ MeBool kea_mayReachBound(const MdtKeaRow *row) {
 double kea_endRate(const MdtKeaSystem *s, int i) {
     const KeaProblemRow *p = &s->work->problem.row[i];
     double rate = s->work->movingRate[i];
-    for (int k = 0; k < 2; k++) {
-        if (p->body[k] < 0)
-            continue;
-        const double *v = s->work->body[p->body[k]].endVelocity;
-        rate += keaDot(p->J[k], v) + keaDot(p->J[k] + 3, v + 3);
-    }
+    for (int k = 0; k < 2; k++)
+        if (p->body[k] >= 0)
+            rate += kea_bodyRate(p->J[k], s->work->body[p->body[k]].endVelocity);
     return rate;
 }
 
 double kea_meanRate(const MdtKeaSystem *s, int i) {
     const KeaProblemRow *p = &s->work->problem.row[i];
     double rate = 0;
-    for (int k = 0; k < 2; k++) {
-        if (p->body[k] < 0)
-            continue;
-        const double *u = s->work->body[p->body[k]].u;
-        rate += keaDot(p->J[k], u) + keaDot(p->J[k] + 3, u + 3);
-    }
+    for (int k = 0; k < 2; k++)
+        if (p->body[k] >= 0)
+            rate += kea_bodyRate(p->J[k], s->work->body[p->body[k]].u);
     return rate;
 }
 

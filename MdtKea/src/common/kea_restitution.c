@@ -14,16 +14,12 @@
 
 /* ---- approach ---- */
 
-static double rateAlong(const MdtKeaJBlock *J, const MdtKeaVelocity *v) {
-    return keaDot(J->lin, v->lin) + keaDot(J->ang, v->ang);
-}
-
 static void addApproachOfBody(const MdtKeaSystem *s, int body, const MdtKeaJBlock *J, KeaApproach *a) {
-    const double now = rateAlong(J, &s->velocity[body]), then = rateAlong(J, &s->predicted[body]);
+    const double now = kea_rateAlong(J, &s->velocity[body]), then = kea_rateAlong(J, &s->predicted[body]);
     a->rate += now;
     a->predicted += then;
     a->fastest += keaMin(now, then);
-    a->acceleration += rateAlong(J, &s->bodies[body]->lastStep);
+    a->acceleration += kea_rateAlong(J, &s->bodies[body]->lastStep);
 }
 
 static void addWorldRate(double rate, KeaApproach *a) {
@@ -50,7 +46,7 @@ KeaApproach kea_approachOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, 
         if (m->body[k] >= 0)
             addApproachOfBody(s, m->body[k], &J, &a);
         else if (m->worldVelocity)
-            addWorldRate(rateAlong(&J, m->worldVelocity), &a);
+            addWorldRate(kea_rateAlong(&J, m->worldVelocity), &a);
     }
     return a;
 }

@@ -145,8 +145,8 @@ void kea_angularVelocity(const MdtKeaBody *body, const double q[4], const double
 }
 
 void kea_angularMomentum(const MdtKeaBody *body, const double q[4], const double w[3], double L[3]) {
-    double qp[4], R[3][3], l[3];
-    orientPrincipalAxes(body, q, qp, R);
+    double R[3][3], l[3];
+    kea_principalAxes(body, q, R);
     keaApplyTransposed(l, (const double(*)[3])R, w);
     for (int i = 0; i < 3; i++)
         l[i] *= body->moments[i];
@@ -165,8 +165,8 @@ void kea_inverseInertiaBy(const double moments[3], const double R[3][3], double 
 }
 
 void kea_inertia(const MdtKeaBody *body, const double q[4], double inertia[3][3]) {
-    double qp[4], R[3][3];
-    orientPrincipalAxes(body, q, qp, R);
+    double R[3][3];
+    kea_principalAxes(body, q, R);
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j <= i; j++) {
             double sum = 0;
@@ -183,6 +183,14 @@ void MEAPI MdtKeaBodyGetAngularVelocity(const MdtKeaBody *body, double w[3]) {
 
 void MEAPI MdtKeaBodySetAngularVelocity(MdtKeaBody *body, const double w[3]) {
     kea_angularMomentum(body, body->quaternion, w, body->angularMomentum);
+}
+
+MeBool kea_hasEqualMoments(const double I[3]) {
+    return kea_maxOf(I) - kea_minOf(I) < kea_equalMoments * kea_maxOf(I);
+}
+
+MeBool kea_turnsFar(const double I[3], double angle, double far) {
+    return angle * (kea_maxOf(I) - kea_minOf(I)) > far * kea_maxOf(I);
 }
 
 void kea_invert(double inverse[3][3], const double M[3][3]) {
@@ -260,12 +268,11 @@ MeBool MEAPI MdtKeaBodySetInertia(MdtKeaBody *body, const double inertia[3][3]) 
         for (int j = 0; j < 3; j++)
             S[i][j] = 0.5 * (inertia[i][j] + inertia[j][i]);
     kea_eigen(S, V);
-    const double largest = fmax(S[0][0], fmax(S[1][1], S[2][2]));
+    const double moments[3] = {S[0][0], S[1][1], S[2][2]};
     for (int i = 0; i < 3; i++)
-        if (!(S[i][i] > kea_minMoment * largest))
+        if (!(moments[i] > kea_minMoment * kea_maxOf(moments))) /* false for NaN */
             return MEFALSE;
-    for (int i = 0; i < 3; i++)
-        body->moments[i] = S[i][i];
+    keaCopy(body->moments, moments);
     keaQuaternionFromMatrix(body->principal, (const double(*)[3])V); /* rotations only: V is never a reflection */
     return METRUE;
 }

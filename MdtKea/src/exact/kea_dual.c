@@ -87,10 +87,6 @@ static void setResponse(const KeaMetric *B, double r[6], const double J[6]) {
     keaApply(r + 3, B->inverse, J + 3);
 }
 
-static double dotOfBody(const double a[6], const double b[6]) {
-    return keaDot(a, b) + keaDot(a + 3, b + 3);
-}
-
 /* Fills the upper triangle of the node's diagonal block, and the responses of its rows. */
 static void fillDiagonal(KeaProblem *q, KeaDual *d, int n) {
     double *block = kea_factorDiagonal(d->factor, n);
@@ -103,7 +99,7 @@ static void fillDiagonal(KeaProblem *q, KeaDual *d, int n) {
             double *response = d->response[start + i][k];
             setResponse(&q->metric[a->body[k]], response, a->J[k]);
             for (int j = i; j < size; j++)
-                block[i * size + j] += dotOfBody(response, q->row[start + j].J[k]);
+                block[i * size + j] += kea_bodyRate(response, q->row[start + j].J[k]);
         }
         block[i * size + i] += a->E + kea_dualRegularization * a->Aii;
     }
@@ -114,7 +110,7 @@ static void fillEdge(KeaProblem *q, KeaDual *d, int e) {
     double *block = kea_factorUpper(d->factor, e);
     for (int i = 0; i < d->size[m]; i++)
         for (int j = 0; j < d->size[n]; j++)
-            block[i * d->size[n] + j] += dotOfBody(d->response[d->start[m] + i][k], q->row[d->start[n] + j].J[l]);
+            block[i * d->size[n] + j] += kea_bodyRate(d->response[d->start[m] + i][k], q->row[d->start[n] + j].J[l]);
 }
 
 static MeBool factorizeDual(KeaProblem *q, KeaDual *d) {
@@ -134,21 +130,12 @@ static void solveBodies(KeaProblem *q) {
     for (int b = 0; b < q->numBodies; b++)
         for (int i = 0; i < 6; i++)
             q->gradient[b][i] = -q->load[b][i];
-    for (int i = 0; i < q->numRows; i++) {
-        const KeaProblemRow *row = &q->row[i];
-        for (int k = 0; k < 2; k++)
-            if (row->body[k] >= 0)
-                kea_addScaled6(q->gradient[row->body[k]], row->p, row->J[k]);
-    }
+    for (int i = 0; i < q->numRows; i++)
+        kea_addRowForce(q->gradient, &q->row[i], q->row[i].p);
     for (int b = 0; b < q->numBodies; b++)
         setResponse(&q->metric[b], q->d[b], q->gradient[b]);
-    for (int i = 0; i < q->numRows; i++) {
-        KeaProblemRow *row = &q->row[i];
-        row->Jd = 0;
-        for (int k = 0; k < 2; k++)
-            if (row->body[k] >= 0)
-                row->Jd += dotOfBody(row->J[k], q->d[row->body[k]]);
-    }
+    for (int i = 0; i < q->numRows; i++)
+        q->row[i].Jd = kea_rowRate(&q->row[i], q->d);
 }
 
 MeBool kea_dualSolve(MdtKeaSystem *s) {

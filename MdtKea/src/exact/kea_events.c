@@ -29,8 +29,7 @@ static double freeRate(const MdtKeaSystem *s, const MdtKeaRow *row) {
     double rate = 0;
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
-            rate += keaDot(row->J[k].lin, s->predicted[row->body[k]].lin) +
-                    keaDot(row->J[k].ang, s->predicted[row->body[k]].ang);
+            rate += kea_rateAlong(&row->J[k], &s->predicted[row->body[k]]);
     return rate;
 }
 

@@ -66,9 +66,7 @@ static void setRedundancyProblem(MdtKeaSystem *s) {
         p->isInactive = !isRigidJoint(s, i);
         if (p->isInactive)
             continue;
-        for (int k = 0; k < 2; k++)
-            for (int c = 0; c < 6 && p->body[k] >= 0; c++)
-                q->load[p->body[k]][c] -= p->p * p->J[k][c];
+        kea_addRowForce(q->load, p, -p->p);
         p->E = 0;
         p->N = 1 / weightOf(s, i);
         p->r = p->p0 = 0;

@@ -10,10 +10,8 @@
 
 /* False for damped bodies, and for bodies with different moments whose Coriolis term is off. */
 static MeBool isBodyReversible(const MdtKeaBody *body) {
-    const double *I = body->moments;
-    const double max = keaMax(I[0], keaMax(I[1], I[2])), min = keaMin(I[0], keaMin(I[1], I[2]));
     return body->linearDamping == 0 && body->angularDamping == 0 &&
-           ((body->flags & MdtKeaBodyFlagAddCoriolisForce) || max - min < kea_equalMoments * max);
+           ((body->flags & MdtKeaBodyFlagAddCoriolisForce) || kea_hasEqualMoments(body->moments));
 }
 
 static MeBool isRowReversible(const MdtKeaSystem *s, const MdtKeaRow *row) {
@@ -38,11 +36,9 @@ MeBool MEAPI MdtKeaIsReversible(const MdtKeaSystem *s) {
 
 MeBool MEAPI MdtKeaTurnsTooFar(const MdtKeaSystem *s, double step) {
     for (int i = 0; i < s->numBodies; i++) {
-        const double *I = s->bodies[i]->moments;
-        const double max = keaMax(I[0], keaMax(I[1], I[2])), min = keaMin(I[0], keaMin(I[1], I[2]));
         double w[3];
         MdtKeaBodyGetAngularVelocity(s->bodies[i], w);
-        if (step * keaLength(w) * (max - min) > kea_farTurn * max)
+        if (kea_turnsFar(s->bodies[i]->moments, step * keaLength(w), kea_farTurn))
             return METRUE;
     }
     return MEFALSE;

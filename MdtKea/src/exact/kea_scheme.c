@@ -28,21 +28,10 @@
 #include "common/kea_policy_i.h"
 #include <string.h>
 
-static void toPrincipal(const MdtKeaBody *body, const double q[4], double axes[3][3]) {
-    double qp[4];
-    keaQuaternionProduct(qp, q, body->principal);
-    keaQuaternionToMatrix(axes, qp);
-}
-
-static MeBool hasEqualMoments(const double I[3]) {
-    const double max = keaMax(I[0], keaMax(I[1], I[2])), min = keaMin(I[0], keaMin(I[1], I[2]));
-    return max - min < kea_equalMoments * max;
-}
-
 static void setSpin(const MdtKeaBody *body, KeaBody *b) {
     double L[3];
-    toPrincipal(body, body->quaternion, b->axes);
-    b->isSpatial = hasEqualMoments(body->moments) || !(body->flags & MdtKeaBodyFlagAddCoriolisForce);
+    kea_principalAxes(body, body->quaternion, b->axes);
+    b->isSpatial = kea_hasEqualMoments(body->moments) || !(body->flags & MdtKeaBodyFlagAddCoriolisForce);
     if (b->isSpatial) {
         kea_inertia(body, body->quaternion, b->inertia);
         MdtKeaBodyGetAngularVelocity(body, b->spin);
@@ -120,7 +109,7 @@ static void turnBody(const MdtKeaBody *body, const double move[6], KeaBody *b, K
     cayley(turn, move, h);
     keaQuaternionProduct(end->quaternion, turn, body->quaternion);
     keaQuaternionNormalize(end->quaternion);
-    toPrincipal(body, end->quaternion, b->endAxes);
+    kea_principalAxes(body, end->quaternion, b->endAxes);
     if (b->isSpatial) {
         for (int i = 0; i < 3; i++)
             b->endVelocity[3 + i] = b->spin[i] + (b->u[3 + i] - b->spin[i]) * perTheta;
@@ -223,7 +212,7 @@ static void gatherStiffness(MdtKeaSystem *s) {
 /* Sets the metric B = inertia / θ + geometric stiffness. Stiffness far below the inertia is left out: Newton's method
  * converges as well without it. */
 static void setBodyMetric(const MdtKeaBody *body, const KeaBody *b, KeaMetric *B) {
-    const double *I = body->moments, perTheta = 1 / b->theta, min = keaMin(I[0], keaMin(I[1], I[2])) * perTheta;
+    const double perTheta = 1 / b->theta, min = kea_minOf(body->moments) * perTheta;
     double inertia[3][3];
     meanInertia(body, b, inertia);
     if (kea_largestEntry((const double(*)[3])B->angular) > kea_smallStiffness * min)

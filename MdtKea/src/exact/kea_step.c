@@ -415,11 +415,9 @@ static MeBool turnsTooFar(const MdtKeaSystem *s) {
         if (s->rows[i].contact == i && !s->work->problem.row[i].isInactive)
             far = kea_farTurnInContact;
     for (int i = 0; i < s->numBodies; i++) {
-        const double *I = s->bodies[i]->moments;
-        const double max = keaMax(I[0], keaMax(I[1], I[2])), min = keaMin(I[0], keaMin(I[1], I[2]));
         const KeaBody *b = &s->work->body[i];
         if (b->theta < 1 && !b->isSpatial &&
-            s->parameters.stepsize * keaLength(s->velocity[i].ang) * (max - min) > far * max)
+            kea_turnsFar(s->bodies[i]->moments, s->parameters.stepsize * keaLength(s->velocity[i].ang), far))
             return METRUE;
     }
     return MEFALSE;

@@ -69,12 +69,8 @@ static void setVelocityLoads(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     for (int i = 0; i < s->numBodies; i++)
         memset(q->load[i], 0, sizeof q->load[i]);
-    for (int i = 0; i < s->numRows; i++) {
-        const KeaProblemRow *p = &q->row[i];
-        for (int k = 0; k < 2; k++)
-            for (int c = 0; c < 6 && p->body[k] >= 0; c++)
-                q->load[p->body[k]][c] += p->p * p->J[k][c];
-    }
+    for (int i = 0; i < s->numRows; i++)
+        kea_addRowForce(q->load, &q->row[i], q->row[i].p);
 }
 
 static void setVelocityProblem(MdtKeaSystem *s) {

@@ -52,10 +52,8 @@ static double invEffectiveMassOf(const MdtKeaSystem *s, const KeaJointRow *r) {
 
 /* Copies the present Jacobian of the system's row. */
 static void copyJointJacobian(KeaJointRow *r) {
-    for (int k = 0; k < 2; k++) {
-        keaCopy(r->J[k], r->row->J[k].lin);
-        keaCopy(r->J[k] + 3, r->row->J[k].ang);
-    }
+    for (int k = 0; k < 2; k++)
+        kea_copyBlock(r->J[k], &r->row->J[k]);
 }
 
 /* m/s: (J - J_0) v, the change of the row's rate at the start's velocities, from the start to the middle. */
@@ -67,7 +65,7 @@ static double turnedRateOf(const MdtKeaSystem *s, const KeaJointRow *r) {
             continue;
         const MdtKeaVelocity *v = &s->velocity[r->row->body[k]];
         rate += keaDot(r->J[k], v->lin) + keaDot(r->J[k] + 3, v->ang);
-        rate -= keaDot(start[k].lin, v->lin) + keaDot(start[k].ang, v->ang);
+        rate -= kea_rateAlong(&start[k], v);
     }
     return rate;
 }
@@ -294,9 +292,8 @@ static void sumStiffness(const MdtKeaSystem *s, KeaJoints *j, const KeaJointBloc
 /* Adds the geometric stiffness K to a body's inertia: I w⁺ = L + Jᵀ p - K w⁺, so that impulses act on I + K. */
 static void addToInertia(MdtKeaSystem *s, KeaJointBody *body) {
     KeaJointBody b = *body;
-    const double *I = s->bodies[b.body]->moments, min = keaMin(I[0], keaMin(I[1], I[2]));
     double(*inverse)[3] = s->invMass[b.body].inertia;
-    if (kea_largestEntry((const double(*)[3])b.stiffness) <= kea_smallStiffness * min)
+    if (kea_largestEntry((const double(*)[3])b.stiffness) <= kea_smallStiffness * kea_minOf(s->bodies[b.body]->moments))
         return;
     b.isStiff = METRUE;
     kea_clampPositive(b.stiffness, 0);

@@ -75,7 +75,7 @@ static void compactStructures(MdtKeaCache *c) {
 static void updatePointers(MdtKeaCache *c) {
     for (int i = 0; i < KEA_MAX_FACTORS; i++)
         if (c->entry[i].bytes > 0)
-            kea_structureMove(&c->entry[i].factor, c->structures.memory + c->entry[i].at);
+            kea_structureLayOut(&c->entry[i].factor, c->structures.memory + c->entry[i].at);
 }
 
 /* Reserves bytes at the end of the block of structures; if it grows, to twice what is used then. False: no memory. */

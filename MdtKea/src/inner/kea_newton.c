@@ -121,17 +121,10 @@ static void setBodyGradient(KeaProblem *q, double step) {
     }
 }
 
-/* Subtracts Jᵀ p of one row from the gradient. */
-static void subtractRowForce(KeaProblem *q, const KeaProblemRow *row) {
-    for (int k = 0; k < 2; k++)
-        if (row->body[k] >= 0)
-            kea_addScaled6(q->gradient[row->body[k]], -row->p, row->J[k]);
-}
-
 void kea_newtonGradient(KeaProblem *q) {
     setBodyGradient(q, 0);
     for (int i = 0; i < q->numRows; i++)
-        subtractRowForce(q, &q->row[i]);
+        kea_addRowForce(q->gradient, &q->row[i], -q->row[i].p);
 }
 
 /* The tolerances allow for the rounding of r and J d in p. */
@@ -145,7 +138,7 @@ double kea_newtonError(KeaProblem *q, double step) {
         const double known = kea_newtonTolerance * fabs(row->p) + impulseRoundingOf(row);
         if (known == 0)
             continue; /* no force */
-        subtractRowForce(q, row);
+        kea_addRowForce(q->gradient, row, -row->p);
         for (int k = 0; k < 2; k++)
             if (row->body[k] >= 0)
                 q->tolerance[row->body[k]] += row->weight[k] * known;

@@ -118,6 +118,27 @@ static inline void kea_addScaled6(double *restrict r, double s, const double *re
         putTwo(r + i, twoAt(r + i) + s * twoAt(a + i));
 }
 
+/* J v of one body: the sum of its linear and its angular part, each rounded (unlike kea_dot6). */
+static inline double kea_bodyRate(const double J[6], const double v[6]) {
+    return keaDot(J, v) + keaDot(J + 3, v + 3);
+}
+
+/* J v of a row; v by body. */
+static inline double kea_rowRate(const KeaProblemRow *row, double (*const v)[6]) {
+    double rate = 0;
+    for (int k = 0; k < 2; k++)
+        if (row->body[k] >= 0)
+            rate += kea_bodyRate(row->J[k], v[row->body[k]]);
+    return rate;
+}
+
+/* Adds Jᵀ p of a row to `total`, by body. */
+static inline void kea_addRowForce(double (*total)[6], const KeaProblemRow *row, double p) {
+    for (int k = 0; k < 2; k++)
+        if (row->body[k] >= 0)
+            kea_addScaled6(total[row->body[k]], p, row->J[k]);
+}
+
 /* r = B d */
 static inline void kea_applyMetric(double r[6], const KeaMetric *B, const double d[6]) {
     for (int i = 0; i < 3; i++)

@@ -7,7 +7,7 @@
 
 /* ---- memory ---- */
 
-static size_t layOutFactor(KeaFactor *f, char *memory) {
+size_t kea_structureLayOut(KeaFactor *f, char *memory) {
     const size_t n = (size_t)f->numNodes, m = (size_t)f->numEdges, k = (size_t)f->numEntries;
     KeaArena a = {memory, 0};
     KEA_CARVE(&a, f->size, n);
@@ -21,10 +21,6 @@ static size_t layOutFactor(KeaFactor *f, char *memory) {
     KEA_CARVE(&a, f->diagonalAt, n);
     KEA_CARVE(&a, f->edgeAt, m);
     return a.used;
-}
-
-void kea_structureMove(KeaFactor *f, char *memory) {
-    layOutFactor(f, memory);
 }
 
 size_t kea_structureLayOutNumbers(KeaFactor *f, char *memory) {
@@ -63,7 +59,7 @@ size_t kea_structurePlan(KeaFactor *f, const KeaOrder *o, const int size[], int 
         measureColumn(f, o, size, i);
     for (int e = 0; e < numEdges; e++)
         f->inputSize += (size_t)(size[edges[e][0]] * size[edges[e][1]]);
-    return layOutFactor(f, NULL);
+    return kea_structureLayOut(f, NULL);
 }
 
 /* ---- writing ---- */
@@ -162,7 +158,7 @@ static inline MeBool hasSortedColumns(const KeaFactor *f) {
 }
 
 void kea_structureWrite(KeaFactor *f, char *memory, const KeaOrder *o, const int size[], const int (*edges)[2]) {
-    layOutFactor(f, memory);
+    kea_structureLayOut(f, memory);
     copyGraph(f, size, edges);
     listSources(f, o);
     writeColumns(f, o);

@@ -69,9 +69,8 @@ extern const KeaFactorKernel kea_factorKernelAvx2;
 size_t kea_structurePlan(KeaFactor *f, const KeaOrder *o, const int size[], int numEdges, const int (*edges)[2]);
 /* Writes the planned structure to `memory`. */
 void kea_structureWrite(KeaFactor *f, char *memory, const KeaOrder *o, const int size[], const int (*edges)[2]);
-/* Updates the pointers after the structure was moved to `memory`. */
-void kea_structureMove(KeaFactor *f, char *memory);
-/* Lays out the numbers in `memory`; null: only measures. Returns their bytes. */
+/* Set the pointers to the structure, or to the numbers, in `memory`; null: only measure. Return their bytes. */
+size_t kea_structureLayOut(KeaFactor *f, char *memory);
 size_t kea_structureLayOutNumbers(KeaFactor *f, char *memory);
 
 #endif

@@ -44,14 +44,6 @@ static void addImpulse(KeaProblem *q, const KeaProblemRow *row, double p) {
             addRowResponse(q->d[row->body[k]], &q->metric[row->body[k]], p, row->J[k]);
 }
 
-static double rateOfChange(const KeaProblem *q, const KeaProblemRow *row) {
-    double rate = 0;
-    for (int k = 0; k < 2; k++)
-        if (row->body[k] >= 0)
-            rate += keaDot(row->J[k], q->d[row->body[k]]) + keaDot(row->J[k] + 3, q->d[row->body[k]] + 3);
-    return rate;
-}
-
 /* d := B⁻¹ (Jᵀ p - g). */
 static void solveBodies(KeaProblem *q) {
     for (int b = 0; b < q->numBodies; b++) {
@@ -158,7 +150,7 @@ static double chooseStart(KeaProblem *q, double *none) {
 /* The Gauss-Seidel update of p without bounds; `unit` is A_ii + E, for a cone the larger one of its two rows. 0 if the
  * geometric stiffness of a very fast spin has made `unit` not positive. */
 static double freeImpulse(const KeaProblem *q, const KeaProblemRow *row, double unit) {
-    return !(unit > 0) ? 0 : row->p + (row->r - rateOfChange(q, row) - row->E * row->p) / unit;
+    return !(unit > 0) ? 0 : row->p + (row->r - kea_rowRate(row, q->d) - row->E * row->p) / unit;
 }
 
 static void sweepImpulse(KeaProblem *q, KeaProblemRow *row, double p) {
@@ -295,7 +287,7 @@ void kea_problemSweep(KeaProblem *q) {
         restoreBest(q);
     q->sweptPasses--;
     for (int i = 0; i < q->numRows; i++) {
-        q->row[i].Jd = rateOfChange(q, &q->row[i]);
+        q->row[i].Jd = kea_rowRate(&q->row[i], q->d);
         q->row[i].Je = 0;
         q->row[i].state = KEA_ACTIVE;
     }
