@@ -10,11 +10,6 @@
 
 enum { COLOURS = 64, ALONE = COLOURS - 1 };
 
-typedef struct Colouring {
-    const MdtKeaSystem *s;
-    KeaRegions *regions;
-} Colouring;
-
 static int lowestFreeColour(MeU64 usedColours) {
     int colour = 0;
     while (colour < ALONE && (usedColours >> colour & 1))
@@ -23,26 +18,26 @@ static int lowestFreeColour(MeU64 usedColours) {
 }
 
 /* The colours that body k of a manifold has already (KeaRegions.usedColours); null: the world. */
-static MeU64 *usedColoursOf(const Colouring *c, const MdtKeaManifold *m, int k) {
-    return m->body[k] >= 0 ? &c->regions->usedColours[c->regions->place[m->body[k]]] : NULL;
+static MeU64 *usedColoursOf(const KeaRegions *r, const MdtKeaManifold *m, int k) {
+    return m->body[k] >= 0 ? &r->usedColours[r->place[m->body[k]]] : NULL;
 }
 
-static void clearColours(const Colouring *c, const KeaNode *node) {
+static void clearColours(const KeaRegions *r, const KeaNode *node) {
     for (int i = 0; i < node->numManifolds; i++)
         for (int k = 0; k < 2; k++) {
-            MeU64 *usedColours = usedColoursOf(c, &c->s->manifolds[c->regions->manifold[node->firstManifold + i]], k);
+            MeU64 *usedColours = usedColoursOf(r, &r->s->manifolds[r->manifold[node->firstManifold + i]], k);
             if (usedColours)
                 *usedColours = 0;
         }
 }
 
-static void chooseColours(const Colouring *c, const KeaNode *node, int count[COLOURS][KEA_POINTS + 1]) {
+static void chooseColours(const KeaRegions *r, const KeaNode *node, int count[COLOURS][KEA_POINTS + 1]) {
     for (int i = 0; i < node->numManifolds; i++) {
-        const int index = c->regions->manifold[node->firstManifold + i];
-        const MdtKeaManifold *m = &c->s->manifolds[index];
+        const int index = r->manifold[node->firstManifold + i];
+        const MdtKeaManifold *m = &r->s->manifolds[index];
         MeU64 *usedColours[2], both = 0;
         for (int k = 0; k < 2; k++) {
-            usedColours[k] = usedColoursOf(c, m, k);
+            usedColours[k] = usedColoursOf(r, m, k);
             both |= usedColours[k] ? *usedColours[k] : 0;
         }
         const int colour = lowestFreeColour(both);
@@ -50,15 +45,14 @@ static void chooseColours(const Colouring *c, const KeaNode *node, int count[COL
         for (int k = 0; k < 2; k++)
             if (usedColours[k] && colour < ALONE)
                 *usedColours[k] |= (MeU64)1 << colour;
-        c->regions->colour[index] = (MeU8)colour;
+        r->colour[index] = (MeU8)colour;
         count[colour][m->numPoints]++;
     }
 }
 
 /* Sorts the manifolds of a node by colour, then by descending number of points, so that groups have equal numbers: a
  * counting sort. */
-static void sortByColour(const Colouring *c, const KeaNode *node, int count[COLOURS][KEA_POINTS + 1]) {
-    const KeaRegions *r = c->regions;
+static void sortByColour(const KeaRegions *r, const KeaNode *node, int count[COLOURS][KEA_POINTS + 1]) {
     int at = node->firstManifold;
     for (int colour = 0; colour < COLOURS; colour++)
         for (int n = KEA_POINTS; n >= 0; n--) {
@@ -69,7 +63,7 @@ static void sortByColour(const Colouring *c, const KeaNode *node, int count[COLO
     MEASSERT(at == node->firstManifold + node->numManifolds);
     for (int i = node->firstManifold; i < node->firstManifold + node->numManifolds; i++) {
         const int index = r->manifold[i];
-        r->sorted[count[r->colour[index]][c->s->manifolds[index].numPoints]++] = index;
+        r->sorted[count[r->colour[index]][r->s->manifolds[index].numPoints]++] = index;
     }
 }
 
@@ -85,18 +79,17 @@ static int countGroups(int count[COLOURS][KEA_POINTS + 1]) {
 }
 
 static void colourNode(void *context, KeaNode *node) {
-    const Colouring *c = context;
+    const KeaRegions *r = context;
     int count[COLOURS][KEA_POINTS + 1] = {{0}};
-    clearColours(c, node);
-    chooseColours(c, node, count);
+    clearColours(r, node);
+    chooseColours(r, node, count);
     node->numGroups = countGroups(count);
-    sortByColour(c, node, count);
+    sortByColour(r, node, count);
 }
 
-int kea_colour(const MdtKeaSystem *s, KeaRegions *r) {
-    Colouring c = {s, r};
+int kea_colour(KeaRegions *r) {
     int groups = 0;
-    kea_inOrder(r, colourNode, &c);
+    kea_inOrder(r, colourNode, r);
     for (int n = 1; n < 2 * r->count; n++) {
         r->node[n].firstGroup = groups;
         groups += r->node[n].numGroups;
@@ -131,7 +124,7 @@ static MeBool areGroupsIndependent(const MdtKeaSystem *s, const KeaGroup groups[
     return METRUE;
 }
 
-void kea_groupManifolds(const MdtKeaSystem *s, const KeaRegions *r, const KeaNode *node, KeaGroup groups[]) {
+void kea_groupManifolds(const KeaRegions *r, const KeaNode *node, KeaGroup groups[]) {
     const int *sorted = r->sorted + node->firstManifold;
     int group = node->firstGroup - 1, lane = KEA_LANES;
     for (int i = 0; i < node->numManifolds; i++) {
@@ -141,10 +134,10 @@ void kea_groupManifolds(const MdtKeaSystem *s, const KeaRegions *r, const KeaNod
             lane = 0;
         }
         if (lane == 0) /* the first manifold of a group has the most points */
-            groups[group].points = s->manifolds[sorted[i]].numPoints;
+            groups[group].points = r->s->manifolds[sorted[i]].numPoints;
         MEASSERT(lane < KEA_LANES);
         groups[group].manifold[lane++] = sorted[i];
     }
     MEASSERT(group == node->firstGroup + node->numGroups - 1);
-    MEVALIDATE(areGroupsIndependent(s, groups + node->firstGroup, node->numGroups));
+    MEVALIDATE(areGroupsIndependent(r->s, groups + node->firstGroup, node->numGroups));
 }

@@ -77,7 +77,7 @@ static size_t layOutStep(Step *p, char *memory) {
     KEA_CARVE(&arena, p->patch, m);
     KEA_CARVE(&arena, p->change, n);
     KEA_CARVE(&arena, p->turned, n);
-    kea_regionsLayOut(p->s, &p->regions, &arena);
+    kea_regionsLayOut(&p->regions, &arena);
     return arena.used;
 }
 
@@ -110,13 +110,13 @@ static void fillGroups(void *context, KeaNode *node) {
     const Step *p = context;
     const KeaGathering from = gathering(p);
     KeaGroup *groups = p->groups + node->firstGroup;
-    kea_groupManifolds(p->s, &p->regions, node, p->groups);
+    kea_groupManifolds(&p->regions, node, p->groups);
     kea_fillGroups(&from, groups, node->numGroups);
     p->kernel->prepare(groups, node->numGroups, (float)p->s->parameters.stepsize);
 }
 
 static MeBool allocateGroups(Step *p) {
-    p->numGroups = kea_colour(p->s, &p->regions);
+    p->numGroups = kea_colour(&p->regions);
     MEASSERT(p->numGroups <= p->s->numManifolds);
     p->groups = kea_cacheScratch(p->s->cache, KEA_GROUP_BLOCK, (size_t)p->numGroups * sizeof *p->groups);
     if (!p->groups)
@@ -131,8 +131,7 @@ static MeBool beginStep(Step *p) {
     if (!memory)
         return MEFALSE;
     layOutStep(p, memory);
-    p->regions.team = s->team;
-    kea_regionsDivide(s, &p->regions);
+    kea_regionsDivide(&p->regions);
     if (!kea_jointsBegin(s, p->regions.place, &p->joints))
         return MEFALSE;
     setMotions(p);
@@ -827,7 +826,7 @@ static void clearForces(MdtKeaSystem *s) {
 
 void kea_fastSolve(MdtKeaSystem *s) {
     KeaNode nodes[KEA_MAX_NODES]; /* not initialized: 24 kB, of which most partitions use two nodes */
-    Step p = {.s = s, .kernel = kernelOfMachine(), .regions.node = nodes};
+    Step p = {.s = s, .kernel = kernelOfMachine(), .regions = {.s = s, .team = s->team, .node = nodes}};
     if (!beginStep(&p)) {
         s->report.capped = METRUE;
         clearForces(s);

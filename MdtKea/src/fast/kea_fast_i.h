@@ -87,7 +87,7 @@ typedef struct KeaGroup {
  * squares: the sum of the squared violations of all rows, (m/s)²; closing: the largest speed at which a deep overlap
  * grows, m/s (kea_smallOverlap). */
 typedef struct KeaMeasure {
-    float max[KEA_LANES], excess[KEA_LANES], excessSquares[KEA_LANES], squares[KEA_LANES], closing[KEA_LANES];
+    KeaLanes max, excess, excessSquares, squares, closing;
 } KeaMeasure;
 
 /* The residual that a contact of two bodies may leave, m/s:

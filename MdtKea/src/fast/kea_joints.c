@@ -161,13 +161,17 @@ static double (*unknownsOf(const KeaJoints *j, const KeaJointBlock *b))[6] {
     return j->x + b->firstNode;
 }
 
+static void clearUnknowns(const KeaJoints *j, const KeaJointBlock *b) {
+    memset(unknownsOf(j, b), 0, (size_t)b->numNodes * sizeof *j->x);
+}
+
 /* ---- the matrix ---- */
 
 /* Adds the run of rows without bounds from `first` on that join the same bodies to the matrix. Returns their number. */
 static int addTied(const KeaJoints *j, const KeaJointBlock *b, int first) {
     const KeaJointRow *start = &j->row[first];
     KeaFactorRows rows = {.node = {start->node[0], start->node[1]}, .edge = start->edge};
-    for (int i = first; i < b->firstRow + b->numTied && rows.count < KEA_FACTOR_ROWS; i++) {
+    for (int i = first; i < b->firstBounded && rows.count < KEA_FACTOR_ROWS; i++) {
         KeaJointRow *r = &j->row[i];
         if (r->node[0] != start->node[0] || r->node[1] != start->node[1])
             break;
@@ -191,9 +195,9 @@ static MeBool factorizeWith(const MdtKeaSystem *s, const KeaJoints *j, const Kea
                 block[6 * (i + 3) + k + 3] = body->inertia[i][k];
         }
     }
-    for (int i = b->firstRow; i < b->firstRow + b->numTied; i++)
+    for (int i = b->firstRow; i < b->firstBounded; i++)
         j->row[i].weight = j->row[i].isInactive ? 0 : 1 / (j->row[i].compliance + soft * j->row[i].invEffectiveMass);
-    for (int i = b->firstRow; i < b->firstRow + b->numTied;)
+    for (int i = b->firstRow; i < b->firstBounded;)
         i += addTied(j, b, i);
     return kea_factorCholesky(b->factor, kea_minPivot);
 }
@@ -242,7 +246,7 @@ static void sortRows(const MdtKeaSystem *s, KeaJoints *j) {
         const int here = j->sum[b];
         j->sum[b] = at;
         if (here > 0)
-            j->block[j->numBlocks++] = (KeaJointBlock){.firstRow = at, .numRows = here};
+            j->block[j->numBlocks++] = (KeaJointBlock){.firstRow = at, .endRow = at + here};
         at += here;
     }
     MEASSERT(at == s->numRows);
@@ -274,7 +278,7 @@ static void addJointStiffness(double K[3][3], double h, const double P[3], const
 /* Of the last step's impulses. */
 static void sumStiffness(const MdtKeaSystem *s, KeaJoints *j, const KeaJointBlock *b) {
     const double h = s->parameters.stepsize;
-    for (int i = b->firstRow; i < b->firstRow + b->numRows; i++) {
+    for (int i = b->firstRow; i < b->endRow; i++) {
         const MdtKeaRow *row = j->sorted[i];
         for (int k = 0; k < 2; k++) {
             double P[3];
@@ -314,10 +318,9 @@ static void setMomentumAt(MdtKeaSystem *s, const KeaJointBody *b, const double q
 }
 
 void kea_jointsRemoveStiffness(MdtKeaSystem *s, const KeaJoints *j) {
-    for (int i = 0; i < j->numBlocks; i++)
-        for (int n = j->block[i].firstNode; n < j->block[i].firstNode + j->block[i].numNodes; n++)
-            if (j->body[n].isStiff)
-                setMomentumAt(s, &j->body[n], s->bodies[j->body[n].body]->quaternion);
+    for (int n = 0; n < j->numNodes; n++)
+        if (j->body[n].isStiff)
+            setMomentumAt(s, &j->body[n], s->bodies[j->body[n].body]->quaternion);
 }
 
 void kea_jointsKeepVelocities(MdtKeaSystem *s, const KeaJoints *j) {
@@ -387,7 +390,7 @@ static void predictRows(MdtKeaSystem *s, const KeaJoints *j) {
 /* ---- setting blocks up ---- */
 
 static void setBodies(MdtKeaSystem *s, const int place[], KeaJoints *j, KeaJointBlock *b) {
-    for (int i = b->firstRow; i < b->firstRow + b->numRows; i++)
+    for (int i = b->firstRow; i < b->endRow; i++)
         for (int k = 0; k < 2; k++)
             addJointBody(s, place, j, b, j->sorted[i]->body[k]);
     sumStiffness(s, j, b);
@@ -402,9 +405,9 @@ static void setBodies(MdtKeaSystem *s, const int place[], KeaJoints *j, KeaJoint
 
 static void setRows(const MdtKeaSystem *s, KeaJoints *j, KeaJointBlock *b) {
     int at = b->firstRow;
-    kea_graphBegin(&j->graph, b->numRows);
+    kea_graphBegin(&j->graph, b->endRow - b->firstRow);
     for (int bounded = 0; bounded < 2; bounded++) {
-        for (int i = b->firstRow; i < b->firstRow + b->numRows; i++) {
+        for (int i = b->firstRow; i < b->endRow; i++) {
             const MdtKeaRow *row = j->sorted[i];
             if (isTwoSided(row) == bounded)
                 continue;
@@ -415,9 +418,9 @@ static void setRows(const MdtKeaSystem *s, KeaJoints *j, KeaJointBlock *b) {
             r->edge = r->node[0] >= 0 && r->node[1] >= 0 ? kea_graphEdge(&j->graph, r->node[0], r->node[1]) : -1;
             setJointRow(s, r);
         }
-        b->numTied = bounded ? b->numTied : at - b->firstRow;
+        b->firstBounded = bounded ? b->firstBounded : at;
     }
-    MEASSERT(at == b->firstRow + b->numRows);
+    MEASSERT(at == b->endRow);
 }
 
 /* Whether the factors of all blocks are still in the cache: blocks with equal graphs share one, and there are no more
@@ -439,13 +442,14 @@ static MeBool areFactorsKept(const KeaJoints *j) {
 
 /* Sets up all blocks: bodies, rows and the structures of their factors. False: no memory for a factor. */
 static MeBool setBlocks(MdtKeaSystem *s, const int place[], KeaJoints *j) {
-    int node = 0;
     sortRows(s, j);
     memset(j->node, 0xff, (size_t)s->numBodies * sizeof *j->node);
+    j->numNodes = 0;
+    j->numRows = s->numRows;
     for (int i = 0; i < j->numBlocks; i++) {
-        j->block[i].firstNode = node;
+        j->block[i].firstNode = j->numNodes;
         setBodies(s, place, j, &j->block[i]);
-        node += j->block[i].numNodes;
+        j->numNodes += j->block[i].numNodes;
     }
     predictRows(s, j);
     for (int i = 0; i < j->numBlocks; i++) {
@@ -456,7 +460,7 @@ static MeBool setBlocks(MdtKeaSystem *s, const int place[], KeaJoints *j) {
         if (!j->block[i].factor)
             return MEFALSE;
     }
-    MEASSERT(node <= s->numBodies);
+    MEASSERT(j->numNodes <= s->numBodies);
     return METRUE;
 }
 
@@ -467,7 +471,7 @@ static MeBool allocateArrays(const MdtKeaSystem *s, KeaJoints *j) {
         for (int i = 0; i < j->numBlocks; i++) {
             KeaJointBlock *b = &j->block[i];
             KEA_CARVE(&arena, b->numbers, kea_factorNumbersSize(b->factor));
-            for (int k = b->firstRow + b->numTied; k < b->firstRow + b->numRows; k++)
+            for (int k = b->firstBounded; k < b->endRow; k++)
                 j->row[k].response = kea_carve(&arena, b->isWide ? 2 : (size_t)b->numNodes, 6 * sizeof(double));
         }
         if (memory)
@@ -504,7 +508,7 @@ static void beginAgain(MdtKeaSystem *s) {
 }
 
 MeBool kea_jointsBegin(MdtKeaSystem *s, const int place[], KeaJoints *j) {
-    j->numBlocks = 0;
+    j->numBlocks = j->numNodes = j->numRows = 0;
     if (s->numRows == 0)
         return METRUE;
     char *memory = kea_cacheScratch(s->cache, KEA_JOINT_BLOCK, kea_jointsLayOut(s, j, NULL));
@@ -538,56 +542,52 @@ MeBool kea_jointsAreSound(const KeaJoints *j) {
 static void sumImpulses(const KeaJoints *j) {
     for (int i = 0; i < j->numBlocks; i++) {
         const KeaJointBlock *b = &j->block[i];
-        memset(unknownsOf(j, b), 0, (size_t)b->numNodes * sizeof *j->x);
-        for (int k = b->firstRow; k < b->firstRow + b->numRows; k++)
+        clearUnknowns(j, b);
+        for (int k = b->firstRow; k < b->endRow; k++)
             addAlong(&j->row[k], j->row[k].impulse, unknownsOf(j, b));
     }
 }
 
 void kea_jointsApply(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[]) {
     sumImpulses(j);
-    for (int i = 0; i < j->numBlocks; i++) {
-        const KeaJointBlock *b = &j->block[i];
-        for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++) {
-            const MdtKeaInverseMassMatrix *m = &s->invMass[j->body[n].body];
-            double turned[3];
-            keaApply(turned, (const double(*)[3])m->inertia, j->x[n] + 3);
-            keaScale(j->x[n], m->mass, j->x[n]);
-            keaCopy(j->x[n] + 3, turned);
-        }
-        moveBodies(j, b, motion);
+    for (int n = 0; n < j->numNodes; n++) {
+        const MdtKeaInverseMassMatrix *m = &s->invMass[j->body[n].body];
+        double turned[3];
+        keaApply(turned, (const double(*)[3])m->inertia, j->x[n] + 3);
+        keaScale(j->x[n], m->mass, j->x[n]);
+        keaCopy(j->x[n] + 3, turned);
     }
+    for (int i = 0; i < j->numBlocks; i++)
+        moveBodies(j, &j->block[i], motion);
 }
 
 double kea_jointsWorkOfPass(const KeaJoints *j) {
-    double work = 0;
+    double work = (double)j->numRows * KEA_VISIT;
     for (int i = 0; i < j->numBlocks; i++)
-        work += 2 * (double)kea_factorEntries(j->block[i].factor) + (double)j->block[i].numRows * KEA_VISIT;
+        work += 2 * (double)kea_factorEntries(j->block[i].factor);
     return work;
 }
 
 double kea_jointsWorkBeside(const KeaJoints *j) {
-    double work = 0;
+    double work = (double)j->numRows * KEA_ASSEMBLY;
     for (int i = 0; i < j->numBlocks; i++)
-        work += kea_factorFlops(j->block[i].factor) + (double)j->block[i].numRows * KEA_ASSEMBLY;
+        work += kea_factorFlops(j->block[i].factor);
     return work;
 }
 
 void kea_jointsScale(KeaJoints *j, double share) {
-    for (int i = 0; i < j->numBlocks; i++)
-        for (int k = j->block[i].firstRow; k < j->block[i].firstRow + j->block[i].numRows; k++)
-            j->row[k].impulse = j->row[k].before = share * j->row[k].impulse;
+    for (int k = 0; k < j->numRows; k++)
+        j->row[k].impulse = j->row[k].before = share * j->row[k].impulse;
 }
 
 /* ---- solves by the factor ---- */
 
 /* Solves S x = Jᵀ W r for the rows without bounds. */
 static void solveTied(const KeaJoints *j, const KeaJointBlock *b) {
-    double(*x)[6] = unknownsOf(j, b);
-    memset(x, 0, (size_t)b->numNodes * sizeof *x);
-    for (int i = b->firstRow; i < b->firstRow + b->numTied; i++)
-        addAlong(&j->row[i], j->row[i].weight * j->row[i].residual, x);
-    solveWithFactor(b, x[0]);
+    clearUnknowns(j, b);
+    for (int i = b->firstRow; i < b->firstBounded; i++)
+        addAlong(&j->row[i], j->row[i].weight * j->row[i].residual, unknownsOf(j, b));
+    solveWithFactor(b, unknownsOf(j, b)[0]);
 }
 
 /* Computes the response of a row with bounds: the velocities of the block (in a wide one, of the row's own bodies) per
@@ -640,7 +640,7 @@ static double setJointImpulse(KeaJointRow *r, double guess, double next) {
 
 static void setResiduals(const KeaJoints *j, const KeaJointBlock *b, const KeaMotion motion[], double beta) {
     double(*const v)[6] = motionsOf(j, b, motion);
-    for (int i = b->firstRow; i < b->firstRow + b->numRows; i++) {
+    for (int i = b->firstRow; i < b->endRow; i++) {
         KeaJointRow *r = &j->row[i];
         r->residual = r->target - jointRateOf(r, v) - r->compliance * guessOf(r, beta);
     }
@@ -663,7 +663,7 @@ static double visitBounded(const MdtKeaSystem *s, const KeaJoints *j, const KeaJ
 
 static double visitAllBounded(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, double beta) {
     double uphill = 0;
-    for (int i = b->firstRow + b->numTied; i < b->firstRow + b->numRows; i++)
+    for (int i = b->firstBounded; i < b->endRow; i++)
         uphill += visitBounded(s, j, b, &j->row[i], beta);
     return uphill;
 }
@@ -676,7 +676,7 @@ static double visitBlock(const MdtKeaSystem *s, const KeaJoints *j, const KeaJoi
         return 0;
     setResiduals(j, b, motion, beta);
     if (b->isWide) {
-        memset(unknownsOf(j, b), 0, (size_t)b->numNodes * sizeof *j->x);
+        clearUnknowns(j, b);
         uphill += visitAllBounded(s, j, b, beta);
         moveBodies(j, b, motion);
         setResiduals(j, b, motion, beta);
@@ -684,7 +684,7 @@ static double visitBlock(const MdtKeaSystem *s, const KeaJoints *j, const KeaJoi
     solveTied(j, b);
     if (!b->isWide)
         uphill += visitAllBounded(s, j, b, beta);
-    for (int i = b->firstRow; i < b->firstRow + b->numTied; i++) {
+    for (int i = b->firstRow; i < b->firstBounded; i++) {
         KeaJointRow *r = &j->row[i];
         const double guess = guessOf(r, beta);
         uphill += setJointImpulse(r, guess, guess + r->weight * (r->residual - jointRateOf(r, unknownsOf(j, b))));
@@ -722,7 +722,7 @@ double kea_jointsResidual(const KeaJoints *j, const KeaMotion motion[], const Ke
     for (int i = 0; i < j->numBlocks; i++) {
         const KeaJointBlock *b = &j->block[i];
         double(*const v)[6] = motionsOf(j, b, motion);
-        for (int k = b->firstRow; k < b->firstRow + b->numRows; k++) {
+        for (int k = b->firstRow; k < b->endRow; k++) {
             if (j->row[k].isInactive)
                 continue;
             const double residual = residualOf(&j->row[k], jointRateOf(&j->row[k], v));
@@ -747,10 +747,9 @@ static double violationOf(const KeaJointRow *r, double error) {
 
 double kea_jointsOpening(const KeaJoints *j) {
     double max = 0;
-    for (int i = 0; i < j->numBlocks; i++)
-        for (int k = j->block[i].firstRow; k < j->block[i].firstRow + j->block[i].numRows; k++)
-            if (j->row[k].isRigid)
-                max = keaMax(max, opening(&j->row[k], violationOf(&j->row[k], j->row[k].row->error)));
+    for (int k = 0; k < j->numRows; k++)
+        if (j->row[k].isRigid)
+            max = keaMax(max, opening(&j->row[k], violationOf(&j->row[k], j->row[k].row->error)));
     return max;
 }
 
@@ -773,7 +772,7 @@ double kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displace
     for (int i = 0; i < j->numBlocks; i++) {
         const KeaJointBlock *b = &j->block[i];
         double(*const v)[6] = motionsOf(j, b, displacement);
-        for (int k = b->firstRow; k < b->firstRow + b->numRows; k++) {
+        for (int k = b->firstRow; k < b->endRow; k++) {
             KeaJointRow *r = &j->row[k];
             if (!r->isRigid)
                 continue;
@@ -793,7 +792,7 @@ void kea_jointsTurn(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displacement[
     s->jacobians(s->context, s->work->endPose);
     for (int i = 0; i < j->numBlocks; i++) {
         double(*const v)[6] = motionsOf(j, &j->block[i], displacement);
-        for (int k = j->block[i].firstRow; k < j->block[i].firstRow + j->block[i].numRows; k++) {
+        for (int k = j->block[i].firstRow; k < j->block[i].endRow; k++) {
             KeaJointRow *r = &j->row[k];
             const double before = jointRateOf(r, v);
             copyJointJacobian(r);
@@ -806,7 +805,7 @@ void kea_jointsTurn(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displacement[
 void kea_jointsRefill(const MdtKeaSystem *s, KeaJoints *j) {
     for (int i = 0; i < j->numBlocks; i++) {
         KeaJointBlock *b = &j->block[i];
-        for (int k = b->firstRow; k < b->firstRow + b->numRows; k++) {
+        for (int k = b->firstRow; k < b->endRow; k++) {
             copyJointJacobian(&j->row[k]);
             j->row[k].invMassInBlock = 0;
         }
@@ -842,7 +841,7 @@ static void limitTurn(const KeaJoints *j, const KeaJointBlock *b) {
 static double setPositionResiduals(const KeaJoints *j, const KeaJointBlock *b, const KeaMotion displacement[]) {
     double(*const v)[6] = motionsOf(j, b, displacement);
     double max = 0;
-    for (int k = b->firstRow; k < b->firstRow + b->numRows; k++) {
+    for (int k = b->firstRow; k < b->endRow; k++) {
         KeaJointRow *r = &j->row[k];
         r->residual = r->isRigid ? -(r->jointError + jointRateOf(r, v)) : 0;
         max = keaMax(max, opening(r, violationOf(r, -r->residual)));
@@ -851,7 +850,7 @@ static double setPositionResiduals(const KeaJoints *j, const KeaJointBlock *b, c
 }
 
 static void pushStops(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b) {
-    for (int k = b->firstRow + b->numTied; k < b->firstRow + b->numRows; k++)
+    for (int k = b->firstBounded; k < b->endRow; k++)
         pushStop(s, j, b, &j->row[k]);
 }
 
@@ -863,7 +862,7 @@ double kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion displacemen
             continue;
         max = keaMax(max, setPositionResiduals(j, b, displacement));
         if (b->isWide) {
-            memset(unknownsOf(j, b), 0, (size_t)b->numNodes * sizeof *j->x);
+            clearUnknowns(j, b);
             pushStops(s, j, b);
             moveBodies(j, b, displacement);
             setPositionResiduals(j, b, displacement);
@@ -881,39 +880,35 @@ double kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion displacemen
 
 MeBool kea_jointsRebound(KeaJoints *j) {
     MeBool isAny = MEFALSE;
-    for (int i = 0; i < j->numBlocks; i++)
-        for (int k = j->block[i].firstRow; k < j->block[i].firstRow + j->block[i].numRows; k++) {
-            KeaJointRow *r = &j->row[k];
-            if (r->row->bounces && r->impulse > 0) {
-                r->target = r->row->rebound;
-                isAny = METRUE;
-            }
+    for (int k = 0; k < j->numRows; k++) {
+        KeaJointRow *r = &j->row[k];
+        if (r->row->bounces && r->impulse > 0) {
+            r->target = r->row->rebound;
+            isAny = METRUE;
         }
+    }
     return isAny;
 }
 
 double kea_jointsWork(const KeaJoints *j) {
     double work = 0;
-    for (int i = 0; i < j->numBlocks; i++)
-        for (int k = j->block[i].firstRow; k < j->block[i].firstRow + j->block[i].numRows; k++) {
-            const KeaJointRow *r = &j->row[k];
-            if (!r->row->bounces)
-                work += r->impulse * (r->target - r->compliance * r->impulse);
-        }
+    for (int k = 0; k < j->numRows; k++) {
+        const KeaJointRow *r = &j->row[k];
+        if (!r->row->bounces)
+            work += r->impulse * (r->target - r->compliance * r->impulse);
+    }
     return work;
 }
 
 void kea_jointsAddImpulses(const KeaJoints *j, double (*change)[6]) {
     sumImpulses(j);
-    for (int i = 0; i < j->numBlocks; i++)
-        for (int n = j->block[i].firstNode; n < j->block[i].firstNode + j->block[i].numNodes; n++)
-            kea_addScaled6(change[j->body[n].motion - 1], 1, j->x[n]);
+    for (int n = 0; n < j->numNodes; n++)
+        kea_addScaled6(change[j->body[n].motion - 1], 1, j->x[n]);
 }
 
 void kea_jointsReturn(MdtKeaSystem *s, const KeaJoints *j) {
     for (int i = 0; i < s->numRows; i++)
         s->rows[i].ripple = 0;
-    for (int i = 0; i < j->numBlocks; i++)
-        for (int k = j->block[i].firstRow; k < j->block[i].firstRow + j->block[i].numRows; k++)
-            s->rows[j->row[k].row - s->rows].force = j->row[k].impulse / s->parameters.stepsize;
+    for (int k = 0; k < j->numRows; k++)
+        s->rows[j->row[k].row - s->rows].force = j->row[k].impulse / s->parameters.stepsize;
 }

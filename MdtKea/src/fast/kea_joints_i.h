@@ -33,9 +33,11 @@ typedef struct KeaJointBody {
     double load, spread;    /* N s: sum of its joints' impulses; N m² s: of these times their squared arms */
 } KeaJointBody;
 
-/* Bodies that joints connect, directly or through others, and their rows: first the `numTied' ones without bounds. */
+/* Bodies that joints connect, directly or through others, and their rows: first those without bounds. */
 typedef struct KeaJointBlock {
-    int firstNode, numNodes, firstRow, numRows, numTied;
+    int firstNode, numNodes;
+    int firstRow, firstBounded,
+        endRow; /* indices of its first row, its first row with bounds, and behind its last one */
     KeaFactor *factor;
     char *numbers;     /* memory of the factor's numbers */
     MeBool isMean;     /* rows are those of the middle of the step, and bodies may move by the mean */
@@ -45,7 +47,7 @@ typedef struct KeaJointBlock {
 } KeaJointBlock;
 
 typedef struct KeaJoints {
-    int numBlocks;
+    int numBlocks, numNodes, numRows; /* of all blocks */
     KeaJointBlock *block;
     KeaJointBody *body;       /* by block */
     KeaJointRow *row;         /* by block */

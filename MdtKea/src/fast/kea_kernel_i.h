@@ -595,12 +595,7 @@ KEA_INLINE KeaLanes toleranceOf(const KeaGroup *g, const KeaTolerance *t) {
 static void measure(const KeaGroup groups[], int count, const KeaMotion motion[], const KeaTolerance *tolerance,
                     KeaMeasure *measure) {
     const KeaLanes h = lanesOf(tolerance->stepsize);
-    KeaLanes worst, excess, excessSquares, squares, fastest;
-    memcpy(&worst, measure->max, sizeof worst);
-    memcpy(&excess, measure->excess, sizeof excess);
-    memcpy(&excessSquares, measure->excessSquares, sizeof excessSquares);
-    memcpy(&squares, measure->squares, sizeof squares);
-    memcpy(&fastest, measure->closing, sizeof fastest);
+    KeaMeasure all = *measure;
     for (int i = 0; i < count; i++) {
         const KeaGroup *g = &groups[i];
         const KeaLanes3 across = lanesCross(g->normal, g->along);
@@ -615,30 +610,26 @@ static void measure(const KeaGroup groups[], int count, const KeaMotion motion[]
             const KeaLanes residual = speed - g->bias[k] + g->compliance * g->impulse[k];
             const KeaLanes next = lanesMax(g->impulse[k] - g->response[k] * residual, g->min);
             const KeaLanes miss = lanesAbs(next - g->impulse[k]) / g->response[k];
-            addResidual(g->isPoint[k], miss, &left, &squares);
+            addResidual(g->isPoint[k], miss, &left, &all.squares);
             lever = lanesMax(lanesSelect(g->isPoint[k], g->lever[k], lanesOf(0)), lever);
-            fastest = lanesMax(closingOf(g, k, speed, h), fastest);
+            all.closing = lanesMax(closingOf(g, k, speed, h), all.closing);
         }
         slidingRates(g, rates.slide, frictionImpulse, rate);
         solveFriction(g, rate, &limits, frictionImpulse);
         for (int k = 0; k < 2; k++) {
             const KeaLanes miss = lanesAbs(frictionImpulse[k] - g->frictionImpulse[k]) / g->frictionMass[2 * k];
-            addResidual(g->isPoint[0] & (g->frictionMass[2 * k] > lanesOf(0)), miss, &left, &squares);
+            addResidual(g->isPoint[0] & (g->frictionMass[2 * k] > lanesOf(0)), miss, &left, &all.squares);
         }
         const KeaLanes torsionImpulse =
             lanesClamp(g->torsionImpulse - g->torsionMass * rates.spin, limits.torsionImpulse);
         addResidual(g->isPoint[1] & (g->torsionMass > lanesOf(0)),
-                    lever * lanesAbs(torsionImpulse - g->torsionImpulse) / g->torsionMass, &left, &squares);
-        worst = lanesMax(left, worst);
+                    lever * lanesAbs(torsionImpulse - g->torsionImpulse) / g->torsionMass, &left, &all.squares);
+        all.max = lanesMax(left, all.max);
         const KeaLanes over = left / toleranceOf(g, tolerance);
-        excess = lanesMax(over, excess);
-        excessSquares += lanesSelect(g->isPoint[0], over * over, lanesOf(0));
+        all.excess = lanesMax(over, all.excess);
+        all.excessSquares += lanesSelect(g->isPoint[0], over * over, lanesOf(0));
     }
-    memcpy(measure->max, &worst, sizeof worst);
-    memcpy(measure->excess, &excess, sizeof excess);
-    memcpy(measure->excessSquares, &excessSquares, sizeof excessSquares);
-    memcpy(measure->squares, &squares, sizeof squares);
-    memcpy(measure->closing, &fastest, sizeof fastest);
+    *measure = all;
 }
 
 const KeaKernel KEA_KERNEL = {.prepare = prepare,

@@ -10,8 +10,8 @@ typedef struct KeaBisected {
     int body;
 } KeaBisected;
 
-void kea_regionsLayOut(const MdtKeaSystem *s, KeaRegions *r, KeaArena *arena) {
-    const size_t n = (size_t)s->numBodies, m = (size_t)s->numManifolds;
+void kea_regionsLayOut(KeaRegions *r, KeaArena *arena) {
+    const size_t n = (size_t)r->s->numBodies, m = (size_t)r->s->numManifolds;
     KEA_CARVE(arena, r->body, n);
     KEA_CARVE(arena, r->place, n);
     KEA_CARVE(arena, r->manifold, m);
@@ -65,12 +65,6 @@ void kea_overNodes(KeaRegions *r, KeaNodeWork work, void *context) {
 }
 
 /* ---- bodies ---- */
-
-/* The context of loops that divide the partition. */
-typedef struct Division {
-    const MdtKeaSystem *s;
-    KeaRegions *regions;
-} Division;
 
 static int numRegionsOf(const MdtKeaSystem *s) {
     int count = 1;
@@ -152,27 +146,25 @@ static void selectLowest(KeaBisected b[], int count, int middle) {
 }
 
 static void halveNode(void *context, KeaNode *node) {
-    const Division *d = context;
-    KeaRegions *r = d->regions;
+    KeaRegions *r = context;
     int first, end;
-    placesOfNode((int)(node - r->node), d->s->numBodies, &first, &end);
+    placesOfNode((int)(node - r->node), r->s->numBodies, &first, &end);
     const int count = end - first;
     if (count < 2)
         return;
     KeaBisected *b = r->bisected + first;
-    const int side = longestSide(d->s, r->body + first, count);
+    const int side = longestSide(r->s, r->body + first, count);
     for (int i = 0; i < count; i++)
-        b[i] = (KeaBisected){d->s->pose[r->body[first + i]].pos[side], r->body[first + i]};
+        b[i] = (KeaBisected){r->s->pose[r->body[first + i]].pos[side], r->body[first + i]};
     selectLowest(b, count, count / 2);
     for (int i = 0; i < count; i++)
         r->body[first + i] = b[i].body;
 }
 
 static void setPlaces(void *context, KeaNode *node) {
-    const Division *d = context;
-    KeaRegions *r = d->regions;
+    KeaRegions *r = context;
     int end;
-    placesOfNode((int)(node - r->node), d->s->numBodies, &node->firstPlace, &end);
+    placesOfNode((int)(node - r->node), r->s->numBodies, &node->firstPlace, &end);
     node->numPlaces = end - node->firstPlace;
     for (int i = node->firstPlace; i < end; i++) {
         r->place[r->body[i]] = i;
@@ -180,16 +172,15 @@ static void setPlaces(void *context, KeaNode *node) {
     }
 }
 
-static void divideBodies(Division *d) {
-    KeaRegions *r = d->regions;
+static void divideBodies(KeaRegions *r) {
     memset(r->node, 0, 2 * (size_t)r->count * sizeof *r->node);
-    for (int i = 0; i < d->s->numBodies; i++)
+    for (int i = 0; i < r->s->numBodies; i++)
         r->body[i] = i;
     for (int nodes = 1; nodes < r->count; nodes *= 2) {
-        Visit v = {r, halveNode, d, nodes};
+        Visit v = {r, halveNode, r, nodes};
         MeTeamRun(r->team, nodes, visitNode, &v);
     }
-    kea_overRegions(r, setPlaces, d);
+    kea_overRegions(r, setPlaces, r);
 }
 
 /* ---- manifolds ---- */
@@ -205,11 +196,10 @@ static int commonNode(int a, int b) {
 }
 
 static void MEAPI findHomes(void *context, int first, int end, int worker) {
-    const Division *d = context;
-    KeaRegions *r = d->regions;
+    KeaRegions *r = context;
     (void)worker;
     for (int i = first; i < end; i++) {
-        const int *body = d->s->manifolds[i].body;
+        const int *body = r->s->manifolds[i].body;
         const int leaf[2] = {body[0] >= 0 ? r->leaf[body[0]] : r->leaf[body[1]],
                              body[1] >= 0 ? r->leaf[body[1]] : r->leaf[body[0]]};
         r->home[i] = (MeU8)commonNode(leaf[0], leaf[1]);
@@ -217,7 +207,8 @@ static void MEAPI findHomes(void *context, int first, int end, int worker) {
 }
 
 /* Sorts manifolds by node, keeping their order: a counting sort. */
-static void sortByNode(const MdtKeaSystem *s, KeaRegions *r) {
+static void sortByNode(KeaRegions *r) {
+    const MdtKeaSystem *s = r->s;
     int at = 0;
     for (int i = 0; i < s->numManifolds; i++)
         r->node[r->home[i]].numManifolds++;
@@ -241,7 +232,8 @@ static MeBool isBelow(int node, int above) {
 
 /* Checks that each body has one place, in the region given by `leaf`, and that the node of each manifold is an ancestor
  * of both its bodies' regions. */
-static MeBool areRegionsGood(const MdtKeaSystem *s, const KeaRegions *r) {
+static MeBool areRegionsGood(const KeaRegions *r) {
+    const MdtKeaSystem *s = r->s;
     int places = 0, manifolds = 0;
     for (int n = r->count; n < 2 * r->count; n++) {
         const KeaNode *node = &r->node[n];
@@ -259,11 +251,10 @@ static MeBool areRegionsGood(const MdtKeaSystem *s, const KeaRegions *r) {
     return places == s->numBodies && manifolds == s->numManifolds;
 }
 
-void kea_regionsDivide(const MdtKeaSystem *s, KeaRegions *r) {
-    Division d = {s, r};
-    r->count = numRegionsOf(s);
-    divideBodies(&d);
-    MeTeamRunRanges(r->team, s->numManifolds, KEA_REGION_MANIFOLDS, findHomes, &d);
-    sortByNode(s, r);
-    MEVALIDATE(areRegionsGood(s, r));
+void kea_regionsDivide(KeaRegions *r) {
+    r->count = numRegionsOf(r->s);
+    divideBodies(r);
+    MeTeamRunRanges(r->team, r->s->numManifolds, KEA_REGION_MANIFOLDS, findHomes, r);
+    sortByNode(r);
+    MEVALIDATE(areRegionsGood(r));
 }

@@ -36,6 +36,7 @@ typedef struct KeaNode {
 } KeaNode;
 
 typedef struct KeaRegions {
+    const MdtKeaSystem *s;
     MeTeam *team;
     int count;                    /* number of regions, a power of two: they are nodes count .. 2 count - 1 */
     int *body, *place;            /* body by place, and place by body: bodies of a region have adjacent places */
@@ -49,10 +50,10 @@ typedef struct KeaRegions {
 
 typedef void (*KeaNodeWork)(void *context, KeaNode *node);
 
-/* Carves the arrays from the arena. */
-void kea_regionsLayOut(const MdtKeaSystem *s, KeaRegions *r, KeaArena *arena);
-/* Divides the bodies into regions, and assigns manifolds to nodes. */
-void kea_regionsDivide(const MdtKeaSystem *s, KeaRegions *r);
+/* Carves the arrays for the system `s` from the arena. */
+void kea_regionsLayOut(KeaRegions *r, KeaArena *arena);
+/* Divides the bodies of the system `s` into regions, and assigns manifolds to nodes. */
+void kea_regionsDivide(KeaRegions *r);
 
 /* Parallel loops that call `work` for nodes. kea_inOrder: depth after depth from the regions up, so that nodes that run
  * at the same time share no body. */
@@ -66,8 +67,8 @@ void kea_overRegions(KeaRegions *r, KeaNodeWork work, void *context);
 
 /* Colours the manifolds of each node, sorts them by colour, and counts their groups. Returns the number of all
  * groups. */
-int kea_colour(const MdtKeaSystem *s, KeaRegions *r);
+int kea_colour(KeaRegions *r);
 /* Clears the groups of a node, and assigns manifolds to their lanes. */
-void kea_groupManifolds(const MdtKeaSystem *s, const KeaRegions *r, const KeaNode *node, KeaGroup groups[]);
+void kea_groupManifolds(const KeaRegions *r, const KeaNode *node, KeaGroup groups[]);
 
 #endif
