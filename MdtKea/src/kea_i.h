@@ -279,8 +279,8 @@ static inline double kea_rateAlong(const MdtKeaJBlock *J, const MdtKeaVelocity *
     return keaDot(J->lin, v->lin) + keaDot(J->ang, v->ang);
 }
 
-/* Whether a row may reach a bound in this step: one-sided rows always, rows with two bounds if the last force was near
- * one of them. */
+/* Whether a row may reach a bound in this step: one-sided rows always, rows with two bounds if the last force was more
+ * than half of one of them. */
 MeBool kea_mayReachBound(const MdtKeaRow *row);
 /* Copies a body's Jacobian to six numbers in a row. */
 static inline void kea_copyBlock(double J[6], const MdtKeaJBlock *block) {

@@ -11,11 +11,9 @@ HALVES = {'0.5', '.5', '1.5', '1.0', '2.0'}  # of formulas; 1.0 and 2.0 make a p
 ALLOWED = {  # (file, number): why it is no choice
     ('common/kea_rotation.c', '2.094395102393195492'): '2 pi / 3',
     ('common/kea_arena_i.h', '15'): 'alignment to 16 bytes',
-    ('inner/kea_factor_i.h', '64'): 'bytes of a cache line',
     ('inner/kea_graph.c', '15'): 'bits that a hash is folded by',
     ('fast/kea_colour.c', '64'): 'bits of the words that colours are sets in',
     ('fast/kea_fast_i.h', '16'): 'alignment, bytes',
-    ('fast/kea_regions_i.h', '64'): 'bytes of a cache line',
     ('kea_system.c', '16'): 'alignment, bytes',
     **{('fast/kea_lanes_i.h', str(lane)): 'index of a lane' for lane in (13, 14, 15)},
 }

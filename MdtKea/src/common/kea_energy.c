@@ -164,7 +164,7 @@ MeBool kea_scaleVelocities(const MdtKeaSystem *s, double (*velocity)[6], double 
     for (int b = 0; b < s->numBodies; b++)
         for (int k = 0; k < 6; k++)
             change[b][k] = s->work->body[b].isFree ? 0 : less * velocity[b][k];
-    MEASSERT(!(kea_kineticEnergy(s, velocity, change) > keaMax(allowed, kept) + kea_assertedRounding * energy +
-                                                            kea_assertedCancelling * largestTerms(s, velocity)));
+    MEASSERT(!(kea_kineticEnergy(s, velocity, change) >
+               keaMax(allowed, kept) + kea_assertedRounding * energy + kea_energyRounding * largestTerms(s, velocity)));
     return METRUE;
 }

@@ -10,9 +10,7 @@
 #ifndef KEA_POLICY_I_H
 #define KEA_POLICY_I_H
 
-/* Added to denominators that may be 0 where nothing moves: far below every quantity in SI units, far above
- * underflow. */
-static const double kea_tiny = 1e-300;
+#include "MePrecision.h"
 
 /* ---- convergence (kea_isConverged, kea_residual.c) ----
  *
@@ -48,17 +46,13 @@ static const double kea_sweptMargin = 0.1;
 /* Fraction of a body's own velocity in the speed scale of residuals, beside the load speed: a fast body's residuals
  * have the rounding of its speed. Higher values are lax for fast bodies, lower ones spend passes on rounding. */
 static const double kea_ownSpeedShare = 0.1;
-/* Fractions of a body's radius of gyration, and of its distance from the origin, in the scale of position errors. The
- * first is for rows without lever arm and motion, the second for rounding far from the origin (1e-4 x 1e-10 = 1e-14 of
- * the distance, 50 times the rounding of a double). x2 of the first fails Mdt_Order:
- * the_sag_of_a_load_is_epsilon_force_over_gamma. */
-static const double kea_bodySizeShare = 1e-2, kea_distanceShare = 1e-4;
-/* Fraction of the momentum in the scale of a body's impulses, beside those of its loads: else the tolerance of a body
- * without loads would be 0. With kea_newtonTolerance it is 1e-14 of the momentum, 50 times the rounding of a double. */
-static const double kea_momentumShare = 1e-4;
-/* A joint is inconsistent if two passes in succession leave more than this fraction of its residual: half way between 0
- * (its row is fulfilled) and 1 (nothing is gained). x2 fails Mdt_Report: joints_that_contradict_each_other_are_told. */
-static const double kea_inconsistentShare = 0.5;
+/* Fraction of a body's radius of gyration in the scale of position errors, for rows without lever arm and motion. x2
+ * fails Mdt_Order: the_sag_of_a_load_is_epsilon_force_over_gamma. */
+static const double kea_bodySizeShare = 1e-2;
+/* Fraction of a body's distance from the origin in the scale of position errors, and of its momentum in the scale of
+ * its impulses: with the tolerances of both it is 1e-14, 50 times the rounding of a double. Without it the tolerance of
+ * a body without loads would be 0. */
+static const double kea_roundingShare = 1e-4;
 /* Possible error of attachments that a program gives in single precision, relative to lever arms and distances from the
  * origin, or in rad: eight roundings. A linkage may be too long by this to pass its change point, and joints that
  * contradict each other by less count as consistent. */
@@ -116,10 +110,6 @@ static const double kea_farTurn = 0.1, kea_farTurnInContact = 0.5;
  * not matter to the contact: its effect is 1e-3 x 2.5 rad of a radius at most. x2 fails Mdt_Report:
  * a_whirling_ball_is_divided_where_a_contact_pushes_past_its_centre. */
 static const double kea_centredArm = 1e-3;
-/* Factor on the energy of the partition at its greatest speed: an iterate with more is a runaway, which no motion
- * explains. The room is for answers that are cut short, whose energy is limited later: more passes runaways on to that
- * limiter, less drops rows of valid answers. */
-static const double kea_runawayRoom = 10;
 /* Factor on the load speed: a larger change of velocity in the last step was a jerk, and is not the first guess of this
  * one. It affects the first guess only, the answer within the tolerance. Without it Mdt_CarWheel fails,
  * the_steering_motor_moves_and_stops, in one figure by 3e-5. */
@@ -134,9 +124,6 @@ static const double kea_nearbyGap = 1e-3;
  * half is for the velocity that rows add, and for impacts with restitution that are to be resolved at their time. 1 in
  * MdtKeaBounces fails Mst_Blows: a_step_may_end_at_the_blow. */
 static const double kea_reach = 1.5;
-/* Fraction of a bounded joint's strength: a joint whose last force exceeds it may yield in this step, and is treated as
- * a stop. x2 fails Mdt_Hinge: the_lock_holds_up_to_its_force. */
-static const double kea_nearBound = 0.5;
 /* h² k / m of a spring: above 4, where h ω > 2 (the stability limit of explicit schemes), the midpoint rule does not
  * follow the oscillation, and backward Euler is used. x2 and /2 fail MdtKea_system: springs_too_stiff_are_damped,
  * springs_follow_the_midpoint_rule. */
@@ -144,9 +131,6 @@ static const double kea_stiffSpring = 4;
 /* Fraction of the smallest moment: a smaller geometric stiffness is left out of the metric. Newton's method then leaves
  * 1 % of an error in a pass, as it does anyway. */
 static const double kea_smallStiffness = 0.01;
-/* Fraction of the smallest moment: negative stiffness up to this is kept, since B is still positive with half of its
- * inertia. */
-static const double kea_harmlessStiffness = 0.5;
 /* Relative difference up to which moments count as equal: the rounding of a program's tensor in double arithmetic. */
 static const double kea_equalMoments = 1e-9;
 
@@ -207,7 +191,9 @@ static const double kea_convexRounding = 1e5, kea_convexProgress = 0.3;
  * does, and the error in tolerances is below the second, it is rounding. With 1 for the first Mst_SweptJoints fails,
  * swept_pairs_on_hinges_do_not_explode, and a wall takes 8 % more work (bench/choice). */
 static const double kea_coupledProgress = 0.9, kea_coupledRounding = 1e3;
-/* The fraction of the error that a solve with kept factors may leave; else the matrix is factored anew. */
+/* Simplified Newton's method: the fraction of the error that a solve with kept factors may leave; else Jacobians are
+ * evaluated, and the matrix is factored, anew. The fast solver's rounds of joints alone are five, and gain five digits
+ * if each gains one: from .3 of a body's size to kea_closedJoint. */
 static const double kea_refinedShare = 0.1;
 /* In tolerances: a converged answer above it is refined with the kept factors, which costs no factorization and
  * improves the next step's first guess. Without it a linkage in double precision opens by 1.3e-12 m instead of less
@@ -243,11 +229,9 @@ static const double kea_sweepTolerance = 1e-7;
 /* Fraction of the load speed: with a smaller residual the motion is smooth, and the stage is left out. In every step it
  * costs 1.7e-4 of a pendulum's energy in 47 s; with .05, 7e-7. */
 static const double kea_calmResidual = 0.05;
-/* Test for the midpoint rule's mode (-1)^n: a row's residual is minus that of the last step, if their sum is below the
- * first, as a fraction of their difference; and it counts if it is above the second, as a fraction of the largest
- * residual, so that no small row decides. x2 of kea_rippleShare fails guide_chapter_5:
- * a_closed_system_does_not_explode. */
-static const double kea_rippleBalance = 0.5, kea_rippleShare = 0.1;
+/* Test for the midpoint rule's mode (-1)^n: fraction of the largest residual. Rows with smaller residuals do not count,
+ * so that no small row decides. x2 fails guide_chapter_5: a_closed_system_does_not_explode. */
+static const double kea_rippleShare = 0.1;
 
 /* ---- energy ---- */
 
@@ -255,16 +239,14 @@ static const double kea_rippleBalance = 0.5, kea_rippleShare = 0.1;
  * boxes on hinges gained energy from 1.5e-4 on (test_Mst_SweptJoints); with 1e-3 two of 4000 gain over 1e-3 of
  * theirs. */
 static const double kea_brokenJoint = 1e-5;
-/* Relative rounding of sums of energies, which does not count as gained energy. */
+/* Relative rounding of sums of energies, which does not count as gained energy; in assertions relative to their largest
+ * terms, which cancel to 1e-14 for a needle that spins about its own axis at 1e16 rad/s. */
 static const double kea_energyRounding = 1e-12;
 /* Relative tolerance of assertions of check builds, for energies, bounds and unit quaternions that were computed in
  * another order: a thousand times kea_energyRounding. No answer depends on it. */
 static const double kea_assertedRounding = 1e-9;
 /* N s: assertions do not compare impulses whose sum is larger, which fuzzed input reaches. */
 static const double kea_maxAsserted = 1e20;
-/* Rounding of a sum of energies relative to its largest terms, for the same assertions: of a needle that spins about
- * its own axis at 1e16 rad/s they cancel to 1e-14. */
-static const double kea_assertedCancelling = 1e-12;
 /* m/s, rad/s: a pass with a larger change has diverged. The squares of the change, and of the distances that it leads
  * to, fit a double; no motion comes near. */
 static const double kea_largestChange = 1e100;
@@ -311,11 +293,7 @@ static const double kea_impactTolerance = 1e-12;
 static const double kea_stickMargin = 1e-7;
 /* Gap, relative to the smaller body's size, below which a contact touches. 1e-5 in double precision toppled a tower,
  * 1e-6 left it rocking in 3 of 8 runs; in single precision programs place bodies no better than that. */
-#ifdef _ME_API_DOUBLE
-static const double kea_touchingGap = 1e-7;
-#else
-static const double kea_touchingGap = 1e-5;
-#endif
+static const double kea_touchingGap = sizeof(MeReal) == sizeof(double) ? 1e-7 : 1e-5;
 
 /* ---- rotation, inertia ---- */
 
@@ -375,10 +353,6 @@ static const double kea_closedJoint = 3e-6;
  * (Mst_Jointed: a_light_body_may_be_whipped_round). If the exact solver's work ran out before it closed them to this,
  * the fast one takes over (Mst_Jointed: what_the_exact_solver_leaves_open_the_fast_one_closes). */
 static const double kea_violentOpening = 0.05;
-/* Fraction of the joints' error that a round of Newton's method may leave; else its Jacobians were those of other
- * poses, and are evaluated anew. The rounds of joints alone are five, and gain five digits if each gains one: from .3
- * of a size to kea_closedJoint. */
-static const double kea_roundShare = 0.1;
 /* Rad: the largest rotation of a jointed body in a pass over displacements. Errors are linear for small rotations only,
  * and a chain that is pulled straight needs large ones. Without it a ton on a light chain opens it by a metre
  * (Mst_Jointed). /2 fails Mst_Crowd: chains_hold_in_a_crowd. */
@@ -388,9 +362,6 @@ static const double kea_maxPush = 0.1;
  * 4. With .5 a chain of 150 motors opens by 6e-5 m instead of 2e-6; without it a ton opens a light chain by 8 mm, and a
  * cloth gains .8 J (Mst_Jointed). */
 static const double kea_stiffLoad = 0.15;
-/* Factor on kea_proximalLimit in each new trial to factor a block: half of its decades, so that the third trial is A_ii
- * itself. */
-static const double kea_softerJoint = 1e3;
 /* Bodies of a block up to which each row with bounds has the response of the whole block. Its memory and a visit are
  * proportional to the bodies: if all blocks had it, a free chain of 1000 hinges with motors would take 364 ms a step
  * instead of 11, one of 300 19 instead of 10. 128 bodies are 6 kB a row. */
@@ -406,9 +377,6 @@ static const double kea_smallOverlap = 0.1;
  * a heap settles, and overlaps are the same. x4 fails Mst_Crowd: a_pyramid_of_forty_rows_comes_to_rest, which sinks by
  * more than a millimetre. */
 static const double kea_impactAccuracy = 0.05;
-/* Displacement in a step, relative to the smaller body's size: no contact may leave a residual that moves bodies
- * further, or a cube of 2 cm would sink by what is invisible on one of a metre. As kea_restingDepth. */
-static const double kea_stepShare = 1e-4;
 /* Root mean square of the contacts' residuals, in tolerances, at which passes end. A heap of 1000 boxes that falls and
  * settles takes 3.1, 2.85, 3.0 s for 500 steps with .1, .3, 1 (bench/heap), a pyramid of 40 rows 7.6, 8.7, 11.5
  * millions of multiplications a step until it rests (bench/choice). */
@@ -424,7 +392,9 @@ static const double kea_lostMotion = 10;
  * equations. */
 static const double kea_softShare = 1e-3;
 /* Overlap, relative to the smaller body's radius of gyration, that is not corrected: else resting contacts would open
- * and close by the rounding of their passes. /2 fails Mst_Crowd: a_pyramid_of_forty_rows_comes_to_rest. */
+ * and close by the rounding of their passes. Nor may a contact leave a residual that moves bodies further in a step: a
+ * cube of 2 cm would sink by what is invisible on one of a metre. /2 fails Mst_Crowd:
+ * a_pyramid_of_forty_rows_comes_to_rest. */
 static const double kea_restingDepth = 1e-4;
 /* Fraction of the kinetic energy that the passes of a step may add by rounding and by their residual. */
 static const double kea_energyRoom = 1e-5;
@@ -476,11 +446,7 @@ static const double kea_guessTolerance = 1e-9;
 
 /* Relative rounding of coordinates: half a unit of the last digit of MeReal, in which collision reads the bodies'
  * transforms. */
-#ifdef _ME_API_DOUBLE
-static const double kea_poseRounding = 1.2e-16;
-#else
-static const double kea_poseRounding = 6e-8;
-#endif
+static const double kea_poseRounding = sizeof(MeReal) == sizeof(double) ? 1.2e-16 : 6e-8;
 /* Relative tolerance of lengths in assertions: a hundred roundings of single precision, in which directions may be
  * given. No answer depends on it. */
 static const double kea_unitRounding = 1e-5;

@@ -7,7 +7,7 @@
 MeBool kea_mayReachBound(const MdtKeaRow *row) {
     if (row->lower == -HUGE_VAL || row->upper == HUGE_VAL)
         return row->lower > -HUGE_VAL || row->upper < HUGE_VAL;
-    return row->force > kea_nearBound * row->upper || row->force < kea_nearBound * row->lower;
+    return row->force > 0.5 * row->upper || row->force < 0.5 * row->lower;
 }
 
 double kea_endRate(const MdtKeaSystem *s, int i) {

@@ -17,7 +17,7 @@ void kea_setErrorScales(MdtKeaSystem *s, int body) {
     const double h = s->parameters.stepsize;
     KeaBody *b = &s->work->body[body];
     b->distance = keaLength(s->work->end[body].position);
-    b->linearScale = h * keaLength(b->u) + kea_bodySizeShare * b->size + kea_distanceShare * b->distance;
+    b->linearScale = h * keaLength(b->u) + kea_bodySizeShare * b->size + kea_roundingShare * b->distance;
     b->angularScale = h * keaLength(b->u + 3);
 }
 
@@ -46,7 +46,7 @@ static double roundingOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
             return kea_attachmentRounding; /* of an angle */
         size += keaLength(row->arm[k]) + s->work->body[row->body[k]].distance;
     }
-    return kea_attachmentRounding * size + kea_tiny;
+    return kea_attachmentRounding * size + DBL_MIN;
 }
 
 /* m or rad: the part of a position row's error that was to be corrected and is left; 0 if a bound of the row is the
@@ -80,7 +80,7 @@ static double largestPositionError(MdtKeaSystem *s, double *attachment) {
         *attachment = keaMax(*attachment, left / roundingOfRow(s, row));
         if (s->work->problem.row[i].isInconsistent)
             continue;
-        worst = keaMax(worst, left / (lengthScaleOf(s, row) + kea_tiny));
+        worst = keaMax(worst, left / (lengthScaleOf(s, row) + DBL_MIN));
     }
     return worst;
 }
@@ -99,11 +99,12 @@ static MeBool mayContradict(const MdtKeaSystem *s, int i) {
            s->parameters.stepsize * fabs(p->r - p->E * p->p) < roundingOfRow(s, row);
 }
 
-/* Whether a pass has left most of a joint's residual, and this is above the tolerance. */
+/* Whether a pass has left more than half of a joint's residual, and this is above the tolerance. (It leaves nothing if
+ * the row can be fulfilled, and everything if it contradicts others.) */
 static MeBool isUnfulfilledByPass(const MdtKeaSystem *s, int i) {
     const KeaProblemRow *p = &s->work->problem.row[i];
     const double required = p->r - p->E * p->p0, left = required - p->Jd - p->E * (p->p - p->p0);
-    return fabs(left) > kea_inconsistentShare * fabs(required) && mayContradict(s, i) &&
+    return fabs(left) > 0.5 * fabs(required) && mayContradict(s, i) &&
            s->parameters.stepsize * fabs(required) > kea_positionTolerance * lengthScaleOf(s, &s->rows[i]);
 }
 

@@ -48,7 +48,7 @@ static double impulseScaleOf(const MdtKeaBody *body, const KeaBody *b, double si
     keaSubtract(dv, b->freeVelocity, body->velocity);
     keaSubtract(dL, b->freeMomentum, body->angularMomentum);
     const double momentum = keaLength(body->velocity) / body->invMass + keaLength(body->angularMomentum) / size;
-    return keaMax(keaLength(dv) / body->invMass + keaLength(dL) / size + kea_momentumShare * momentum,
+    return keaMax(keaLength(dv) / body->invMass + keaLength(dL) / size + kea_roundingShare * momentum,
                   kea_minSpeed(size, h) / body->invMass);
 }
 
@@ -216,7 +216,7 @@ static void setBodyMetric(const MdtKeaBody *body, const KeaBody *b, KeaMetric *B
     double inertia[3][3];
     meanInertia(body, b, inertia);
     if (kea_largestEntry((const double(*)[3])B->angular) > kea_smallStiffness * min)
-        kea_clampPositive(B->angular, kea_harmlessStiffness * min);
+        kea_clampPositive(B->angular, 0.5 * min); /* more negative stiffness than that could make B singular */
     else
         memset(B->angular, 0, sizeof B->angular);
     MEASSERT(b->theta == 0.5 || b->theta == 1);

@@ -124,9 +124,10 @@ static int countTurnedOver(const MdtKeaSystem *s) {
     return count;
 }
 
-/* Whether an iterate that has not converged has more kinetic energy than is possible in the step: more than the whole
- * partition would have at the largest speed that a body has or that is the target of a row, with some room. Mean
- * velocities lie between those of the start and of the end, so that no real motion exceeds it. */
+/* Whether an iterate that has not converged has more kinetic energy than is possible in the step: ten times that of the
+ * whole partition at the largest speed that a body has or that is the target of a row. Mean velocities lie between
+ * those of the start and of the end, so that no real motion exceeds it. The factor is for answers that are cut short,
+ * whose energy is limited later. */
 static MeBool isRunaway(const MdtKeaSystem *s) {
     double energy = 0, mass = 0, speed = 0;
     for (int b = 0; b < s->numBodies; b++) {
@@ -139,7 +140,7 @@ static MeBool isRunaway(const MdtKeaSystem *s) {
     }
     for (int i = 0; i < s->numRows; i++)
         speed = keaMax(speed, kea_pushSpeed(s, &s->rows[i], s->rows[i].target));
-    return !(energy <= kea_runawayRoom * mass * speed * speed);
+    return !(energy <= 10 * mass * speed * speed);
 }
 
 /* Residuals of the present iterate. At half a turn the mean of the poses, and with it a row's Jacobian, vanishes, so

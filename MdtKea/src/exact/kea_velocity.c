@@ -184,14 +184,15 @@ static double velocityResidual(const MdtKeaSystem *s, int i) {
     return (p->E * p->p - p->r) * kea_lengthOf(s, &s->rows[i]);
 }
 
-/* Whether a residual is that of the midpoint rule's undamped mode, which changes its sign in every step. */
+/* Whether a residual is that of the midpoint rule's undamped mode (-1)^n: some row's is about minus that of the last
+ * step, as their sum is below half of their difference. */
 static MeBool isAlternating(const MdtKeaSystem *s, double residual) {
     if (s->parameters.pair != MdtKeaPairNone || residual < kea_velocityTolerance * kea_loadSpeed(s))
         return MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         const double now = velocityResidual(s, i), before = s->rows[i].ripple;
         const MeBool counts = s->rows[i].position && !s->work->problem.row[i].isInactive;
-        if (counts && now * before < 0 && fabs(now + before) < kea_rippleBalance * fabs(now - before) &&
+        if (counts && now * before < 0 && fabs(now + before) < 0.5 * fabs(now - before) &&
             fabs(now) > kea_rippleShare * residual)
             return METRUE;
     }

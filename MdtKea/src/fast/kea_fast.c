@@ -750,7 +750,7 @@ static void pushJoined(Step *p) {
         const MeBool areClosed = jointError <= kea_closedJoint;
         if (round >= KEA_JOINT_ROUNDS && areClosed)
             break;
-        if (round > 0 && !areClosed && jointError > kea_roundShare * before)
+        if (round > 0 && !areClosed && jointError > kea_refinedShare * before)
             kea_jointsTurn(p->s, &p->joints, p->displacement);
         before = jointError;
         if (round >= KEA_JOINT_ROUNDS) {

@@ -93,7 +93,7 @@ typedef struct KeaMeasure {
 /* The residual that a contact of two bodies may leave, m/s:
  *
  *     min((accuracy + kea_changeShare Δv) / max(1, P / (m_light (loadSpeed + Δv)), m_heavy / m_light),
- *         kea_stepShare size / h)
+ *         kea_restingDepth size / h)
  *
  * In a stack the errors of contacts add up, and a light body under a heavy one moves by the error of the heavy body's
  * load. Δv is the larger change of velocity of both bodies in the step, P the sum of the contact's normal impulses. */

@@ -202,12 +202,14 @@ static MeBool factorizeWith(const MdtKeaSystem *s, const KeaJoints *j, const Kea
     return kea_factorCholesky(b->factor, kea_minPivot);
 }
 
-/* Factors a block. If masses differ so much that S is not positive definite in double precision, larger N are tried; if
- * even N = A_ii fails, the block's joints have no force in this step. Blocks of the factor are inverted only if no
- * larger N was needed: products with inverses lose digits that the factors keep. */
+/* Factors a block. If masses differ so much that S is not positive definite in double precision, two larger N are
+ * tried, kea_proximalLimit^(1/2) A_ii and A_ii; if even that fails, the block's joints have no force in this step.
+ * Blocks of the factor are inverted only if no larger N was needed: products with inverses lose digits that the factors
+ * keep. */
 static void factorizeBlock(const MdtKeaSystem *s, const KeaJoints *j, KeaJointBlock *b) {
     b->isInverted = b->isSound = factorizeWith(s, j, b, kea_proximalLimit);
-    for (double soft = kea_softerJoint * kea_proximalLimit; soft <= 1 && !b->isSound; soft *= kea_softerJoint)
+    const double softer = sqrt(kea_proximalLimit);
+    for (double soft = softer; soft <= 1 && !b->isSound; soft /= softer)
         b->isSound = factorizeWith(s, j, b, soft);
     if (b->isInverted)
         kea_factorInvert(b->factor);

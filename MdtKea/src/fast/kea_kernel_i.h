@@ -588,7 +588,7 @@ KEA_INLINE KeaLanes toleranceOf(const KeaGroup *g, const KeaTolerance *t) {
     const KeaLanes carried = light * load / (lanesOf(t->loadSpeed) + change);
     const KeaLanes alone = lanesOf(t->accuracy) + lanesOf((float)kea_changeShare) * change;
     return lanesMin(alone / lanesMax(lanesMax(carried, ratio), lanesOf(1)),
-                    lanesOf((float)kea_stepShare / t->stepsize) * g->size);
+                    lanesOf((float)kea_restingDepth / t->stepsize) * g->size);
 }
 
 /* The residual of a row is the change of its projected impulse in one visit, as a velocity. */

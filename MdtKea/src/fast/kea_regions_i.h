@@ -25,8 +25,8 @@ _Static_assert((KEA_MAX_REGIONS & (KEA_MAX_REGIONS - 1)) == 0, "regions are halv
 
 typedef struct KeaNode {
     /* kea_regions.c */
-    _Alignas(64) int firstPlace, numPlaces; /* its bodies' places; only regions have any */
-    int firstManifold, numManifolds;        /* range of KeaRegions.manifold */
+    _Alignas(ME_CACHE_LINE) int firstPlace, numPlaces; /* its bodies' places; only regions have any */
+    int firstManifold, numManifolds;                   /* range of KeaRegions.manifold */
     /* kea_colour.c */
     int firstGroup, numGroups;
     /* results of the last loop */

@@ -157,7 +157,7 @@ KeaFactor *kea_cacheFind(MdtKeaCache *c, int numNodes, const int size[], int num
 }
 
 void *kea_cacheScratch(MdtKeaCache *c, int block, size_t bytes) {
-    const size_t line = KEA_SCRATCH_LINE;
+    const size_t line = ME_CACHE_LINE;
     MEASSERT(block >= 0 && block < KEA_PASS_BLOCKS);
     if (!kea_blockReserve(&c->passes[block], 0, bytes + line, "the fast solver"))
         return NULL;

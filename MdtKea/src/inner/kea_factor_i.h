@@ -25,10 +25,9 @@ typedef struct KeaFactor KeaFactor;
  * each node. The factor is valid until KEA_MAX_FACTORS other graphs have been requested. Null if there is no memory. */
 KeaFactor *kea_cacheFind(struct MdtKeaCache *cache, int numNodes, const int size[], int numEdges,
                          const int (*edges)[2]);
-/* Scratch memory of `bytes`, aligned to KEA_SCRATCH_LINE, in one of KEA_PASS_BLOCKS blocks. The next call for the same
+/* Scratch memory of `bytes`, aligned to a cache line, in one of KEA_PASS_BLOCKS blocks. The next call for the same
  * block invalidates it. Null: no memory. */
 enum { KEA_STEP_BLOCK, KEA_GROUP_BLOCK, KEA_JOINT_BLOCK, KEA_JOINT_FACTOR_BLOCK, KEA_PASS_BLOCKS };
-enum { KEA_SCRATCH_LINE = 64 };
 void *kea_cacheScratch(struct MdtKeaCache *cache, int block, size_t bytes);
 /* Whether f is the factor of this graph. */
 MeBool kea_factorMatches(const KeaFactor *f, int numNodes, const int size[], int numEdges, const int (*edges)[2]);
