@@ -4,17 +4,10 @@
 #include "MeAssert.h"
 #include "MeInternal.h"
 #include "MeMath.h"
-#include "MeMemory_i.h"
-#include "MeMessage.h"
+#include "MeMessage_i.h"
 #include <limits.h>
 
 static const int firstSize = 1024;
-
-static MeBool isChunk(const MeChunk *chunk, const char *function) {
-    if (chunk == NULL)
-        MeWarning(1, "%s: the chunk is null", function);
-    return chunk != NULL;
-}
 
 static MeBool isPowerOfTwo(int n) {
     return n > 0 && (n & (n - 1)) == 0;
@@ -22,8 +15,7 @@ static MeBool isPowerOfTwo(int n) {
 
 static void freeMemory(MeChunk *chunk) {
     MEASSERT((chunk->mem == NULL) == (chunk->size == 0));
-    if (chunk->mem != NULL)
-        MeMemoryGiveAligned(chunk->mem);
+    MeMemoryGiveAligned(chunk->mem);
     chunk->mem = NULL;
     chunk->size = 0;
 }
@@ -37,7 +29,7 @@ static MeBool reserve(MeChunk *chunk, int size, const char *function) {
     while (newSize < size)
         newSize = newSize > INT_MAX / 2 ? size : 2 * newSize;
     freeMemory(chunk);
-    chunk->mem = me_createAligned((size_t)newSize, (unsigned int)chunk->alignment, function);
+    chunk->mem = MeMemoryTakeAligned((size_t)newSize, 1, (unsigned int)chunk->alignment, function, "a chunk");
     if (chunk->mem == NULL)
         return MEFALSE;
     chunk->size = newSize;
@@ -47,7 +39,7 @@ static MeBool reserve(MeChunk *chunk, int size, const char *function) {
 }
 
 void MEAPI MeChunkInit(MeChunk *chunk, int alignment) {
-    if (!isChunk(chunk, "MeChunkInit"))
+    if (!me_isGiven(chunk, "chunk", "MeChunkInit"))
         return;
     if (!isPowerOfTwo(alignment)) {
         MeWarning(1, "MeChunkInit: alignment %d is not a power of 2, 16 is used", alignment);
@@ -57,7 +49,7 @@ void MEAPI MeChunkInit(MeChunk *chunk, int alignment) {
 }
 
 void MEAPI MeChunkTerm(MeChunk *chunk) {
-    if (!isChunk(chunk, "MeChunkTerm"))
+    if (!me_isGiven(chunk, "chunk", "MeChunkTerm"))
         return;
     if (chunk->inUse)
         MeWarning(1, "MeChunkTerm: the memory is in use");
@@ -66,7 +58,7 @@ void MEAPI MeChunkTerm(MeChunk *chunk) {
 }
 
 void MEAPI MeChunkSetMode(MeChunk *chunk, kMeChunkMode mode) {
-    if (!isChunk(chunk, "MeChunkSetMode"))
+    if (!me_isGiven(chunk, "chunk", "MeChunkSetMode"))
         return;
     if (mode != kMeChunkModeKeepOnPut && mode != kMeChunkModeFreeOnPut) {
         MeWarning(1, "MeChunkSetMode: %d is not a mode", (int)mode);
@@ -77,7 +69,7 @@ void MEAPI MeChunkSetMode(MeChunk *chunk, kMeChunkMode mode) {
 
 /* Whether a block of this size may be allocated now. False: with a warning. */
 static MeBool mayAllocate(const MeChunk *chunk, int size, const char *function) {
-    if (!isChunk(chunk, function))
+    if (!me_isGiven(chunk, "chunk", function))
         return MEFALSE;
     if (size < 0) {
         MeWarning(1, "%s: size %d is negative", function, size);
@@ -105,7 +97,7 @@ void *MEAPI MeChunkGetMem(MeChunk *chunk, int size) {
 }
 
 void MEAPI MeChunkPutMem(MeChunk *chunk, void *mem) {
-    if (!isChunk(chunk, "MeChunkPutMem") || mem == NULL)
+    if (!me_isGiven(chunk, "chunk", "MeChunkPutMem") || mem == NULL)
         return;
     if (!chunk->inUse || mem != chunk->mem) {
         MeWarning(1, "MeChunkPutMem: this memory is not in use");
@@ -117,17 +109,17 @@ void MEAPI MeChunkPutMem(MeChunk *chunk, void *mem) {
 }
 
 MeBool MEAPI MeChunkIsInUse(MeChunk *chunk) {
-    return isChunk(chunk, "MeChunkIsInUse") ? chunk->inUse : MEFALSE;
+    return me_isGiven(chunk, "chunk", "MeChunkIsInUse") ? chunk->inUse : MEFALSE;
 }
 
 int MEAPI MeChunkGetCurrentSize(MeChunk *chunk) {
-    return isChunk(chunk, "MeChunkGetCurrentSize") ? chunk->size : 0;
+    return me_isGiven(chunk, "chunk", "MeChunkGetCurrentSize") ? chunk->size : 0;
 }
 
 int MEAPI MeChunkGetMaxSize(MeChunk *chunk) {
-    return isChunk(chunk, "MeChunkGetMaxSize") ? chunk->maxSize : 0;
+    return me_isGiven(chunk, "chunk", "MeChunkGetMaxSize") ? chunk->maxSize : 0;
 }
 
 int MEAPI MeChunkGetAlignment(MeChunk *chunk) {
-    return isChunk(chunk, "MeChunkGetAlignment") ? chunk->alignment : 0;
+    return me_isGiven(chunk, "chunk", "MeChunkGetAlignment") ? chunk->alignment : 0;
 }

@@ -3,7 +3,7 @@
 
 #include "MeAssert.h"
 #include "MeMath.h"
-#include "MeMemory_i.h"
+#include "MeInternal.h"
 #include "MeMessage.h"
 #include <errno.h>
 #include <limits.h>
@@ -26,7 +26,7 @@ MeCommandLineOptions *MEAPI MeCommandLineOptionsCreate(const int argc, const cha
     size_t bytes = sizeof(MeCommandLineOptions) + pointers;
     for (int i = 0; i < count; i++)
         bytes += strlen(words[i]) + 1;
-    MeCommandLineOptions *const options = me_create(bytes, "MeCommandLineOptionsCreate");
+    MeCommandLineOptions *const options = MeMemoryTake(bytes, 1, "MeCommandLineOptionsCreate", "the options");
     if (options == NULL)
         return NULL;
 
@@ -43,8 +43,7 @@ MeCommandLineOptions *MEAPI MeCommandLineOptionsCreate(const int argc, const cha
 }
 
 void MEAPI MeCommandLineOptionsDestroy(MeCommandLineOptions *options) {
-    if (options != NULL)
-        MeMemoryAPI.destroy(options);
+    MeMemoryGive(options);
 }
 
 /* ---- finding ---- */

@@ -3,21 +3,14 @@
  * every run. */
 #include "MeDict.h"
 #include "MeAssert.h"
-#include "MeMemory.h"
 #include "MeInternal.h"
-#include "MeMessage.h"
+#include "MeMessage_i.h"
 #include <string.h>
-
-static MeBool isGiven(const void *p, const char *what, const char *function) {
-    if (!p)
-        MeWarning(1, "%s: no %s", function, what);
-    return p != NULL;
-}
 
 /* ---- life ------------------------------------------------------------------------------------------------------ */
 
 MeDict *MEAPI MeDictInit(MeDict *dict, unsigned long maxcount, MeDictCompareFn compare) {
-    if (!isGiven(dict, "dictionary", __func__) || !isGiven((const void *)(size_t)compare, "comparison", __func__))
+    if (!me_isGiven(dict, "dictionary", __func__) || !me_isGiven((const void *)(size_t)compare, "comparison", __func__))
         return NULL;
     memset(dict, 0, sizeof *dict);
     dict->maxCount = maxcount;
@@ -27,20 +20,18 @@ MeDict *MEAPI MeDictInit(MeDict *dict, unsigned long maxcount, MeDictCompareFn c
 }
 
 MeDict *MEAPI MeDictCreate(unsigned long maxcount, MeDictCompareFn compare) {
-    if (!isGiven((const void *)(size_t)compare, "comparison", __func__))
+    if (!me_isGiven((const void *)(size_t)compare, "comparison", __func__))
         return NULL;
-    MeDict *dict = MeMemoryAPI.create(sizeof *dict);
-    if (!dict) {
-        MeFatalError(1, "MeDictCreate: no memory");
+    MeDict *dict = MeMemoryTake(1, sizeof *dict, __func__, "a dictionary");
+    if (!dict)
         return NULL;
-    }
     MeDictInit(dict, maxcount, compare);
     dict->isCreated = METRUE;
     return dict;
 }
 
 void MEAPI MeDictInitLike(MeDict *dict, const MeDict *like) {
-    if (!isGiven(dict, "dictionary", __func__) || !isGiven(like, "dictionary to be like", __func__))
+    if (!me_isGiven(dict, "dictionary", __func__) || !me_isGiven(like, "dictionary to be like", __func__))
         return;
     const MeDict model = *like; /* `like` may be `dict` */
     memset(dict, 0, sizeof *dict);
@@ -54,13 +45,13 @@ void MEAPI MeDictInitLike(MeDict *dict, const MeDict *like) {
 }
 
 int MEAPI MeDictSimilar(const MeDict *dict1, const MeDict *dict2) {
-    return isGiven(dict1, "dictionary", __func__) && isGiven(dict2, "second dictionary", __func__) &&
+    return me_isGiven(dict1, "dictionary", __func__) && me_isGiven(dict2, "second dictionary", __func__) &&
            dict1->compare == dict2->compare && dict1->alloc == dict2->alloc && dict1->free == dict2->free &&
            dict1->context == dict2->context && !dict1->allowsDupes == !dict2->allowsDupes;
 }
 
 void MEAPI MeDictDestroy(MeDict *dict) {
-    if (!isGiven(dict, "dictionary", __func__))
+    if (!me_isGiven(dict, "dictionary", __func__))
         return;
     if (!dict->isCreated) {
         MeWarning(1, "MeDictDestroy: MeDictCreate has not made this dictionary");
@@ -70,16 +61,16 @@ void MEAPI MeDictDestroy(MeDict *dict) {
         MeWarning(1, "MeDictDestroy: there are %lu nodes in it", dict->count);
     while (dict->root)
         MeDictDelete(dict, dict->root);
-    MeMemoryAPI.destroy(dict);
+    MeMemoryGive(dict);
 }
 
 void MEAPI MeDictAllowDupes(MeDict *dict) {
-    if (isGiven(dict, "dictionary", __func__))
+    if (me_isGiven(dict, "dictionary", __func__))
         dict->allowsDupes = METRUE;
 }
 
 void MEAPI MeDictSetAllocator(MeDict *dict, MeDictAllocFn alloc, MeDictFreeFn freeNode, void *context) {
-    if (!isGiven(dict, "dictionary", __func__))
+    if (!me_isGiven(dict, "dictionary", __func__))
         return;
     if (!alloc != !freeNode) {
         MeWarning(1, "MeDictSetAllocator: one of the two functions is null; nothing is changed");
@@ -93,7 +84,7 @@ void MEAPI MeDictSetAllocator(MeDict *dict, MeDictAllocFn alloc, MeDictFreeFn fr
 /* ---- nodes ----------------------------------------------------------------------------------------------------- */
 
 MeDictNode *MEAPI MeDictNodeInit(MeDictNode *node, void *data) {
-    if (!isGiven(node, "node", __func__))
+    if (!me_isGiven(node, "node", __func__))
         return NULL;
     memset(node, 0, sizeof *node);
     node->data = data;
@@ -101,38 +92,34 @@ MeDictNode *MEAPI MeDictNodeInit(MeDictNode *node, void *data) {
 }
 
 MeDictNode *MEAPI MeDictNodeCreate(void *data) {
-    MeDictNode *node = MeMemoryAPI.create(sizeof *node);
-    if (!node) {
-        MeFatalError(1, "MeDictNodeCreate: no memory");
-        return NULL;
-    }
-    return MeDictNodeInit(node, data);
+    MeDictNode *node = MeMemoryTake(1, sizeof *node, __func__, "a node");
+    return node ? MeDictNodeInit(node, data) : NULL;
 }
 
 void MEAPI MeDictNodeDestroy(MeDictNode *node) {
-    if (!isGiven(node, "node", __func__))
+    if (!me_isGiven(node, "node", __func__))
         return;
     if (node->dict)
         MeWarning(1, "MeDictNodeDestroy: the node is in a dictionary: see MeDictDelete");
     else
-        MeMemoryAPI.destroy(node);
+        MeMemoryGive(node);
 }
 
 void *MEAPI MeDictNodeGet(MeDictNode *node) {
-    return isGiven(node, "node", __func__) ? node->data : NULL;
+    return me_isGiven(node, "node", __func__) ? node->data : NULL;
 }
 
 void MEAPI MeDictNodePut(MeDictNode *node, void *data) {
-    if (isGiven(node, "node", __func__))
+    if (me_isGiven(node, "node", __func__))
         node->data = data;
 }
 
 const void *MEAPI MeDictNodeGetKey(MeDictNode *node) {
-    return isGiven(node, "node", __func__) ? node->key : NULL;
+    return me_isGiven(node, "node", __func__) ? node->key : NULL;
 }
 
 int MEAPI MeDictNodeIsInADict(MeDictNode *node) {
-    return isGiven(node, "node", __func__) && node->dict;
+    return me_isGiven(node, "node", __func__) && node->dict;
 }
 
 /* ---- the tree -------------------------------------------------------------------------------------------------- */
@@ -240,7 +227,8 @@ static void initNodeInDict(MeDict *dict, MeDictNode *node, const void *key) {
 }
 
 void MEAPI MeDictInsert(MeDict *dict, MeDictNode *node, const void *key) {
-    if (!isGiven(dict, "dictionary", __func__) || !isGiven(node, "node", __func__) || !mayInsert(dict, node, __func__))
+    if (!me_isGiven(dict, "dictionary", __func__) || !me_isGiven(node, "node", __func__) ||
+        !mayInsert(dict, node, __func__))
         return;
     if (!dict->allowsDupes && MeDictLookup(dict, key)) {
         MeWarning(1, "MeDictInsert: there is a node with that key: see MeDictAllowDupes");
@@ -258,7 +246,7 @@ static void freeNode(MeDict *dict, MeDictNode *node) {
 }
 
 int MEAPI MeDictAllocInsert(MeDict *dict, const void *key, void *data) {
-    if (!isGiven(dict, "dictionary", __func__))
+    if (!me_isGiven(dict, "dictionary", __func__))
         return 0;
     MeDictNode *node = dict->alloc ? dict->alloc(dict->context) : MeDictNodeCreate(data);
     if (!node)
@@ -272,7 +260,7 @@ int MEAPI MeDictAllocInsert(MeDict *dict, const void *key, void *data) {
 }
 
 MeDictNode *MEAPI MeDictDelete(MeDict *dict, MeDictNode *node) {
-    if (!isGiven(dict, "dictionary", __func__) || !isGiven(node, "node", __func__))
+    if (!me_isGiven(dict, "dictionary", __func__) || !me_isGiven(node, "node", __func__))
         return NULL;
     if (node->dict != dict) {
         MeWarning(1, "MeDictDelete: the node is not in this dictionary");
@@ -293,17 +281,17 @@ void MEAPI MeDictDeleteFree(MeDict *dict, MeDictNode *node) {
 }
 
 void MEAPI MeDictFreeNodes(MeDict *dict) {
-    while (isGiven(dict, "dictionary", __func__) && dict->root)
+    while (me_isGiven(dict, "dictionary", __func__) && dict->root)
         MeDictDeleteFree(dict, dict->root);
 }
 
 void MEAPI MeDictFree(MeDict *dict) {
-    if (isGiven(dict, "dictionary", __func__))
+    if (me_isGiven(dict, "dictionary", __func__))
         MeDictFreeNodes(dict);
 }
 
 void MEAPI MeDictMerge(MeDict *dict, MeDict *source) {
-    if (!isGiven(dict, "dictionary", __func__) || !isGiven(source, "source", __func__) || dict == source)
+    if (!me_isGiven(dict, "dictionary", __func__) || !me_isGiven(source, "source", __func__) || dict == source)
         return;
     if (!MeDictSimilar(dict, source)) {
         MeWarning(1, "MeDictMerge: the dictionaries are not similar: see MeDictSimilar");
@@ -325,7 +313,7 @@ void MEAPI MeDictMerge(MeDict *dict, MeDict *source) {
 }
 
 void MEAPI MeDictLoadBegin(MeDictLoad *load, MeDict *dict) {
-    if (!isGiven(load, "load", __func__) || !isGiven(dict, "dictionary", __func__))
+    if (!me_isGiven(load, "load", __func__) || !me_isGiven(dict, "dictionary", __func__))
         return;
     if (dict->count)
         MeWarning(1, "MeDictLoadBegin: there are %lu nodes in the dictionary", dict->count);
@@ -334,8 +322,9 @@ void MEAPI MeDictLoadBegin(MeDictLoad *load, MeDict *dict) {
 }
 
 void MEAPI MeDictLoadNext(MeDictLoad *load, MeDictNode *node, const void *key) {
-    if (!isGiven(load, "load", __func__) || !isGiven(load->dict, "empty dictionary: see MeDictLoadBegin", __func__) ||
-        !isGiven(node, "node", __func__) || !mayInsert(load->dict, node, __func__))
+    if (!me_isGiven(load, "load", __func__) ||
+        !me_isGiven(load->dict, "empty dictionary: see MeDictLoadBegin", __func__) ||
+        !me_isGiven(node, "node", __func__) || !mayInsert(load->dict, node, __func__))
         return;
     MeDict *dict = load->dict;
     MeDictNode *last = load->last;
@@ -351,7 +340,7 @@ void MEAPI MeDictLoadNext(MeDictLoad *load, MeDictNode *node, const void *key) {
 }
 
 void MEAPI MeDictLoadEnd(MeDictLoad *load) {
-    if (!isGiven(load, "load", __func__))
+    if (!me_isGiven(load, "load", __func__))
         return;
     MEVALIDATE(!load->dict || MeDictVerify(load->dict));
     load->dict = NULL;
@@ -361,33 +350,33 @@ void MEAPI MeDictLoadEnd(MeDictLoad *load) {
 /* ---- finding --------------------------------------------------------------------------------------------------- */
 
 MeDictNode *MEAPI MeDictLookup(MeDict *dict, const void *key) {
-    if (!isGiven(dict, "dictionary", __func__))
+    if (!me_isGiven(dict, "dictionary", __func__))
         return NULL;
     MeDictNode *node = MeDictLowerBound(dict, key);
     return node && dict->compare(node->key, key) == 0 ? node : NULL;
 }
 
 MeDictNode *MEAPI MeDictLowerBound(MeDict *dict, const void *key) {
-    if (!isGiven(dict, "dictionary", __func__))
+    if (!me_isGiven(dict, "dictionary", __func__))
         return NULL;
     MeDictNode *before = lastBefore(dict, key, MEFALSE);
     return before ? neighbour(before, 1) : extremeNode(dict->root, 0);
 }
 
 MeDictNode *MEAPI MeDictUpperBound(MeDict *dict, const void *key) {
-    return isGiven(dict, "dictionary", __func__) ? lastBefore(dict, key, METRUE) : NULL;
+    return me_isGiven(dict, "dictionary", __func__) ? lastBefore(dict, key, METRUE) : NULL;
 }
 
 MeDictNode *MEAPI MeDictFirst(MeDict *dict) {
-    return isGiven(dict, "dictionary", __func__) ? extremeNode(dict->root, 0) : NULL;
+    return me_isGiven(dict, "dictionary", __func__) ? extremeNode(dict->root, 0) : NULL;
 }
 
 MeDictNode *MEAPI MeDictLast(MeDict *dict) {
-    return isGiven(dict, "dictionary", __func__) ? extremeNode(dict->root, 1) : NULL;
+    return me_isGiven(dict, "dictionary", __func__) ? extremeNode(dict->root, 1) : NULL;
 }
 
 static MeDictNode *checkedNeighbour(MeDict *dict, MeDictNode *node, int side, const char *function) {
-    if (!isGiven(dict, "dictionary", function) || !isGiven(node, "node", function))
+    if (!me_isGiven(dict, "dictionary", function) || !me_isGiven(node, "node", function))
         return NULL;
     if (node->dict == dict)
         return neighbour(node, side);
@@ -404,23 +393,23 @@ MeDictNode *MEAPI MeDictPrev(MeDict *dict, MeDictNode *node) {
 }
 
 unsigned long MEAPI MeDictCount(MeDict *dict) {
-    return isGiven(dict, "dictionary", __func__) ? dict->count : 0;
+    return me_isGiven(dict, "dictionary", __func__) ? dict->count : 0;
 }
 
 int MEAPI MeDictIsEmpty(MeDict *dict) {
-    return isGiven(dict, "dictionary", __func__) && dict->count == 0;
+    return me_isGiven(dict, "dictionary", __func__) && dict->count == 0;
 }
 
 int MEAPI MeDictIsFull(MeDict *dict) {
-    return isGiven(dict, "dictionary", __func__) && dict->count >= dict->maxCount;
+    return me_isGiven(dict, "dictionary", __func__) && dict->count >= dict->maxCount;
 }
 
 int MEAPI MeDictContains(MeDict *dict, MeDictNode *node) {
-    return isGiven(dict, "dictionary", __func__) && isGiven(node, "node", __func__) && node->dict == dict;
+    return me_isGiven(dict, "dictionary", __func__) && me_isGiven(node, "node", __func__) && node->dict == dict;
 }
 
 void MEAPI MeDictProcess(MeDict *dict, void *context, MeDictProcessFn f) {
-    if (!isGiven(dict, "dictionary", __func__) || !isGiven((const void *)(size_t)f, "function", __func__))
+    if (!me_isGiven(dict, "dictionary", __func__) || !me_isGiven((const void *)(size_t)f, "function", __func__))
         return;
     for (MeDictNode *node = extremeNode(dict->root, 0), *next; node; node = next) {
         next = neighbour(node, 1);
@@ -441,7 +430,7 @@ static MeBool areLinksValid(const MeDict *dict, const MeDictNode *node) {
 
 int MEAPI MeDictVerify(MeDict *dict) {
     unsigned long count = 0;
-    if (!isGiven(dict, "dictionary", __func__))
+    if (!me_isGiven(dict, "dictionary", __func__))
         return 0;
     for (MeDictNode *node = extremeNode(dict->root, 0), *last = NULL; node; last = node, node = neighbour(node, 1)) {
         const int order = last ? dict->compare(last->key, node->key) : -1;

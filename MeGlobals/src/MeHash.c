@@ -2,7 +2,8 @@
 #include "MeHash.h"
 
 #include "MeAssert.h"
-#include "MeMemory_i.h"
+#include "MeInternal.h"
+#include "MeMessage_i.h"
 #include <stdint.h>
 #include <string.h>
 
@@ -14,10 +15,8 @@ static int countEntries(const MeHash *table) {
 }
 
 static MeBool isTable(const MeHash *table, const char *function) {
-    if (!table) {
-        MeWarning(1, "%s: the table is null", function);
+    if (!me_isGiven(table, "table", function))
         return MEFALSE;
-    }
     MEASSERT(table->population >= 0 && (table->population == 0) == (table->first == NULL));
     return METRUE;
 }
@@ -74,10 +73,9 @@ MeHash *MEAPI MeHashCreate(int size) {
         return NULL;
     }
     const size_t bytes = (size_t)size * sizeof(MeHashBucket *);
-    MeHash *table = me_create(sizeof *table + bytes, __func__);
+    MeHash *table = MeMemoryTakeZeroed(1, sizeof *table + bytes, __func__, "a table");
     if (!table)
         return NULL;
-    memset(table, 0, sizeof *table + bytes);
     table->bucket = (MeHashBucket **)(table + 1);
     table->size = size;
     table->hash = hashAddress;
@@ -94,7 +92,7 @@ void MEAPI MeHashReset(MeHash *table) {
             table->keyFree((void *)(size_t)b->key);
         if (table->datumFree)
             table->datumFree(b->datum);
-        MeMemoryAPI.destroy(b);
+        MeMemoryGive(b);
     }
     memset(table->bucket, 0, (size_t)table->size * sizeof *table->bucket);
     table->first = table->last = NULL;
@@ -105,7 +103,7 @@ void MEAPI MeHashDestroy(MeHash *table) {
     if (!isTable(table, __func__))
         return;
     MeHashReset(table);
-    MeMemoryAPI.destroy(table);
+    MeMemoryGive(table);
 }
 
 /* Whether the table is empty: changing hash or comparison would lose entries. False: with a warning. */
@@ -160,7 +158,7 @@ void *MEAPI MeHashInsert(const void *key, const void *datum, MeHash *table) {
         b->datum = (void *)(size_t)datum;
         return old;
     }
-    b = me_create(sizeof *b, __func__);
+    b = MeMemoryTake(1, sizeof *b, __func__, "an entry");
     if (!b)
         return NULL;
     *b = (MeHashBucket){.key = key, .datum = (void *)(size_t)datum, .before = table->last};
@@ -188,7 +186,7 @@ void *MEAPI MeHashDelete(const void *key, MeHash *table) {
     *(b->after ? &b->after->before : &table->last) = b->before;
     if (table->keyFree)
         table->keyFree((void *)(size_t)b->key);
-    MeMemoryAPI.destroy(b);
+    MeMemoryGive(b);
     table->population--;
     MEASSERT(table->population >= 0);
     MEVALIDATE(countEntries(table) == table->population);
@@ -200,22 +198,15 @@ int MEAPI MeHashPopulation(const MeHash *table) {
 }
 
 MeHashIterator *MEAPI MeHashInitIterator(MeHashIterator *i, const MeHash *table) {
-    if (!i || !isTable(table, __func__)) {
-        if (!i)
-            MeWarning(1, "MeHashInitIterator: the iterator is null");
-        else
-            memset(i, 0, sizeof *i);
-        return i;
+    if (me_isGiven(i, "iterator", __func__)) {
+        const MeBool isGiven = isTable(table, __func__);
+        *i = (MeHashIterator){.table = isGiven ? table : NULL, .next = isGiven ? table->first : NULL};
     }
-    i->table = table;
-    i->next = table->first;
     return i;
 }
 
 void *MEAPI MeHashGetDatum(MeHashIterator *i) {
-    if (!i)
-        MeWarning(1, "MeHashGetDatum: the iterator is null");
-    if (!i || !i->next)
+    if (!me_isGiven(i, "iterator", __func__) || !i->next)
         return NULL;
     void *datum = i->next->datum;
     i->next = i->next->after;

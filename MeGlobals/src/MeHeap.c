@@ -2,14 +2,13 @@
 #include "MeHeap.h"
 
 #include "MeAssert.h"
-#include "MeMemory_i.h"
+#include "MeInternal.h"
+#include "MeMessage_i.h"
 #include <string.h>
 
 static MeBool isHeap(const MeHeap *h, const char *function) {
-    if (!h) {
-        MeWarning(1, "%s: the heap is null", function);
+    if (!me_isGiven(h, "heap", function))
         return MEFALSE;
-    }
     MEASSERT(h->count >= 0 && h->count <= h->capacity);
     return METRUE;
 }
@@ -20,7 +19,7 @@ MeHeap *MEAPI MeHeapCreate(int capacity, MeHeapComparisonFnPtr cmp) {
                   cmp ? "given" : "null");
         return NULL;
     }
-    MeHeap *h = me_create(sizeof *h + (size_t)capacity * sizeof(void *), __func__);
+    MeHeap *h = MeMemoryTake(1, sizeof *h + (size_t)capacity * sizeof(void *), __func__, "a heap");
     if (!h)
         return NULL;
     MeHeapInit(h, (void **)(h + 1), capacity, cmp);
@@ -29,7 +28,7 @@ MeHeap *MEAPI MeHeapCreate(int capacity, MeHeapComparisonFnPtr cmp) {
 }
 
 void MEAPI MeHeapInit(MeHeap *h, void **memory, int capacity, MeHeapComparisonFnPtr cmp) {
-    if (!isHeap(h ? &(MeHeap){0} : NULL, __func__))
+    if (!me_isGiven(h, "heap", __func__))
         return;
     memset(h, 0, sizeof *h);
     if (!memory || capacity < 1 || !cmp) {
@@ -46,7 +45,7 @@ void MEAPI MeHeapDestroy(MeHeap *h) {
     if (!isHeap(h, __func__))
         return;
     if (h->isCreated)
-        MeMemoryAPI.destroy(h);
+        MeMemoryGive(h);
     else
         MeWarning(1, "MeHeapDestroy: MeHeapCreate has not made this heap");
 }

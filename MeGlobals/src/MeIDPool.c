@@ -3,17 +3,16 @@
 
 #include "MeAssert.h"
 #include "MeMath.h"
-#include "MeMemory_i.h"
+#include "MeInternal.h"
+#include "MeMessage_i.h"
 #include <limits.h>
 #include <string.h>
 
 enum { BITS = 32, MAX = INT_MAX / BITS * BITS }; /* a multiple of the word size, at most INT_MAX */
 
 static MeBool isPool(const MeIDPool *pool, const char *function) {
-    if (!pool) {
-        MeWarning(1, "%s: the pool is null", function);
+    if (!me_isGiven(pool, "pool", function))
         return MEFALSE;
-    }
     MEASSERT(pool->count >= 0 && pool->firstFree >= 0 && pool->firstFree <= BITS * pool->words);
     return METRUE;
 }
@@ -30,18 +29,14 @@ static int countTaken(const MeIDPool *pool) {
 }
 
 MeIDPool *MEAPI MeIDPoolCreate(void) {
-    MeIDPool *pool = me_create(sizeof *pool, __func__);
-    if (pool)
-        memset(pool, 0, sizeof *pool);
-    return pool;
+    return MeMemoryTakeZeroed(1, sizeof(MeIDPool), __func__, "a pool of identifiers");
 }
 
 void MEAPI MeIDPoolDestroy(MeIDPool *pool) {
     if (!isPool(pool, __func__))
         return;
-    if (pool->taken)
-        MeMemoryAPI.destroy(pool->taken);
-    MeMemoryAPI.destroy(pool);
+    MeMemoryGive(pool->taken);
+    MeMemoryGive(pool);
 }
 
 void MEAPI MeIDPoolReset(MeIDPool *pool) {
@@ -55,15 +50,9 @@ void MEAPI MeIDPoolReset(MeIDPool *pool) {
 static MeBool growPool(MeIDPool *pool, int words, const char *function) {
     if (words <= pool->words)
         return METRUE;
-    MeU32 *taken = me_create((size_t)words * sizeof *taken, function);
-    if (!taken)
+    if (!MeMemoryGrow(&pool->taken, (size_t)pool->words, (size_t)words, sizeof *pool->taken, function, "identifiers"))
         return MEFALSE;
-    memset(taken, 0, (size_t)words * sizeof *taken);
-    if (pool->words) {
-        memcpy(taken, pool->taken, (size_t)pool->words * sizeof *taken);
-        MeMemoryAPI.destroy(pool->taken);
-    }
-    pool->taken = taken;
+    memset(pool->taken + pool->words, 0, (size_t)(words - pool->words) * sizeof *pool->taken);
     pool->words = words;
     return METRUE;
 }

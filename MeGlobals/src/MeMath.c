@@ -287,28 +287,26 @@ void MEAPI MeVector4Clamp(MeVector4 a, const MeReal min, const MeReal max) {
 
 /* ---- matrices of any size ---- */
 
-void MEAPI MeMatrixMultiply(MeReal *A, const int p, const int q, const int r, const MeReal *const B,
-                            const MeReal *const C) {
+/* A = B C, p by q times q by r; the entry (i, k) of B is at i rowStep + k columnStep. */
+static void multiply(MeReal *A, int p, int q, int r, const MeReal *B, int rowStep, int columnStep, const MeReal *C) {
     for (int i = 0; i < p; i++) {
         for (int j = 0; j < r; j++) {
             MeReal sum = 0;
             for (int k = 0; k < q; k++)
-                sum += B[i * q + k] * C[k * r + j];
+                sum += B[i * rowStep + k * columnStep] * C[k * r + j];
             A[i * r + j] = sum;
         }
     }
 }
 
+void MEAPI MeMatrixMultiply(MeReal *A, const int p, const int q, const int r, const MeReal *const B,
+                            const MeReal *const C) {
+    multiply(A, p, q, r, B, q, 1, C);
+}
+
 void MEAPI MeMatrixMultiplyT1(MeReal *A, const int p, const int q, const int r, const MeReal *const B,
                               const MeReal *const C) {
-    for (int i = 0; i < p; i++) {
-        for (int j = 0; j < r; j++) {
-            MeReal sum = 0;
-            for (int k = 0; k < q; k++)
-                sum += B[k * p + i] * C[k * r + j];
-            A[i * r + j] = sum;
-        }
-    }
+    multiply(A, p, q, r, B, 1, p, C);
 }
 
 void MEAPI MeMatrixTranspose(MeReal *A, const int n, const int m, const MeReal *const B) {
@@ -353,11 +351,16 @@ int MEAPI MeSymUpperDiagonalIndex(const int inRow, const int inCol, const int in
     return triangleIndex("MeSymUpperDiagonalIndex", MeMIN(inRow, inCol), MeMAX(inRow, inCol), inNCols, 0);
 }
 
-int MEAPI MeUpperDiagonalSize(const int inNCols) {
-    if (inNCols >= 0 && inNCols <= MAX_COLUMNS)
-        return inNCols * (inNCols + 1) / 2;
-    MeWarning(1, "MeUpperDiagonalSize: %d columns: there may be 0 to %d", inNCols, MAX_COLUMNS);
+/* The number of entries of that triangle, or 0 with a warning. */
+static int triangleSize(const char *function, int n, int gap) {
+    if (n >= 0 && n <= MAX_COLUMNS)
+        return n * (n + 1 - 2 * gap) / 2;
+    MeWarning(1, "%s: %d columns: there may be 0 to %d", function, n, MAX_COLUMNS);
     return 0;
+}
+
+int MEAPI MeUpperDiagonalSize(const int inNCols) {
+    return triangleSize("MeUpperDiagonalSize", inNCols, 0);
 }
 
 int MEAPI MeSuperDiagonalIndex(const int inRow, const int inCol, const int inNCols) {
@@ -369,8 +372,5 @@ int MEAPI MeSymSuperDiagonalIndex(const int inRow, const int inCol, const int in
 }
 
 int MEAPI MeSuperDiagonalSize(const int inNCols) {
-    if (inNCols >= 0 && inNCols <= MAX_COLUMNS)
-        return inNCols * (inNCols - 1) / 2;
-    MeWarning(1, "MeSuperDiagonalSize: %d columns: there may be 0 to %d", inNCols, MAX_COLUMNS);
-    return 0;
+    return triangleSize("MeSuperDiagonalSize", inNCols, 1);
 }

@@ -1,8 +1,7 @@
 /* The default memory functions, and calls of those that are set. */
-#include "MeMemory_i.h"
+#include "MeInternal.h"
 
 #include "MeAssert.h"
-#include "MeInternal.h"
 #include "MeMessage.h"
 #include <stdint.h>
 #include <stdlib.h>
@@ -58,21 +57,7 @@ static void callDestroy(void *block) {
     MeProgramLeave(&before);
 }
 
-static void *reportIfNull(void *block, size_t bytes, const char *function) {
-    if (block == NULL)
-        MeFatalError(0, "%s: out of memory, %zu bytes wanted", function, bytes);
-    return block;
-}
-
-void *me_create(size_t bytes, const char *function) {
-    return reportIfNull(callCreate(bytes), bytes, function);
-}
-
-void *me_createAligned(size_t bytes, unsigned int alignment, const char *function) {
-    return reportIfNull(callCreateAligned(bytes, alignment), bytes, function);
-}
-
-/* ---- for all libraries (MeInternal.h) ---- */
+/* ---- for all libraries, this one included (MeInternal.h) ---- */
 
 /* The size of a block, at least 1; 0 on overflow. */
 static size_t bytesOf(size_t count, size_t size) {

@@ -17,6 +17,9 @@ const char *me_messageRename(const char *format, va_list *ap, char renamed[MeMAX
 /* Whether a message is to be dropped, as one was sent under the same name of MeMessagesAs already. */
 MeBool me_messageIsSuppressed(void);
 
+/* Whether p is not null. False: with the warning "function: the `what` is null". */
+MeBool me_isGiven(const void *p, const char *what, const char *function);
+
 /* Save the names for messages (MeCallerSet, MeMessagesAs) in a call and clear them; restore them. */
 void me_namesSave(MeProgramCall *call);
 void me_namesRestore(const MeProgramCall *call);

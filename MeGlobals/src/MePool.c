@@ -3,8 +3,8 @@
 
 #include "MeAssert.h"
 #include "MeMath.h"
-#include "MeMemory_i.h"
-#include "MeMessage.h"
+#include "MeInternal.h"
+#include "MeMessage_i.h"
 #include <limits.h>
 #include <stdint.h>
 #include <string.h>
@@ -12,11 +12,11 @@
 /* ---- both kinds ---- */
 
 static MeBool isPool(const MePool *pool, MePoolType type, const char *function) {
-    if (pool == NULL)
-        MeWarning(1, "%s: the pool is null", function);
-    else if (pool->type != type)
+    if (!me_isGiven(pool, "pool", function))
+        return MEFALSE;
+    if (pool->type != type)
         MeWarning(1, "%s: the pool is of type %d, expected %d", function, (int)pool->type, (int)type);
-    return pool != NULL && pool->type == type;
+    return pool->type == type;
 }
 
 /* `size` rounded up to a multiple of `step`; 0 if it does not fit an int. */
@@ -27,17 +27,13 @@ static int roundUp(int size, int step) {
 /* Initializes the members of both kinds. Records are aligned to `alignment`, at least that of a pointer. */
 static MeBool initCommon(MePool *pool, const struct MePoolAPI *api, int structSize, int alignment,
                          const char *function) {
-    if (pool == NULL) {
-        MeWarning(1, "%s: the pool is null", function);
+    if (!me_isGiven(pool, "pool", function))
         return MEFALSE;
-    }
     *pool = (MePool){.api = api, .type = MePoolNULL};
-    if (structSize < 1 || alignment < 1 || (alignment & (alignment - 1)) != 0) {
-        MeWarning(1, "%s: records of %d bytes at multiples of %d", function, structSize, alignment);
-        return MEFALSE;
+    if (structSize >= 1 && alignment >= 1 && (alignment & (alignment - 1)) == 0) {
+        pool->alignment = MeMAX(alignment, (int)_Alignof(void *));
+        pool->stride = roundUp(structSize, pool->alignment);
     }
-    pool->alignment = MeMAX(alignment, (int)_Alignof(void *));
-    pool->stride = roundUp(structSize, pool->alignment);
     if (pool->stride == 0)
         MeWarning(1, "%s: records of %d bytes at multiples of %d", function, structSize, alignment);
     return pool->stride > 0;
@@ -91,7 +87,8 @@ static MeBool MEAPI fixedInit(MePool *pool, int structSize, int count, int align
         return MEFALSE;
     }
     const size_t records = (size_t)count * (size_t)pool->stride;
-    char *const memory = me_createAligned(records + (size_t)count, (unsigned int)pool->alignment, function);
+    char *const memory =
+        MeMemoryTakeAligned(records + (size_t)count, 1, (unsigned int)pool->alignment, function, "records");
     if (memory == NULL)
         return MEFALSE;
     pool->u.fixed = (MePoolFixed){.memory = memory, .isOut = (MeU8 *)memory + records, .count = count};
@@ -103,7 +100,7 @@ static MeBool MEAPI fixedInit(MePool *pool, int structSize, int count, int align
 static void MEAPI fixedDestroy(MePool *pool) {
     if (!isPool(pool, MePoolFIXED, "MePoolFixedAPI.destroy"))
         return;
-    MeMemoryAPI.destroyAligned(pool->u.fixed.memory);
+    MeMemoryGiveAligned(pool->u.fixed.memory);
     *pool = (MePool){.api = pool->api, .type = MePoolNULL};
 }
 
@@ -159,7 +156,7 @@ static void MEAPI mallocReset(MePool *pool) {
     while (pool->u.allocated.first != NULL) {
         MePoolMallocLink *const link = pool->u.allocated.first;
         pool->u.allocated.first = link->next;
-        MeMemoryAPI.destroyAligned(link);
+        MeMemoryGiveAligned(link);
     }
     pool->used = 0;
 }
@@ -186,7 +183,7 @@ static void *MEAPI mallocGetStruct(MePool *pool) {
         return NULL;
     MePoolMalloc *const list = &pool->u.allocated;
     const size_t bytes = (size_t)list->header + (size_t)pool->stride;
-    MePoolMallocLink *const link = me_createAligned(bytes, (unsigned int)pool->alignment, function);
+    MePoolMallocLink *const link = MeMemoryTakeAligned(bytes, 1, (unsigned int)pool->alignment, function, "a record");
     if (link == NULL)
         return NULL;
     *link = (MePoolMallocLink){.next = list->first};
@@ -212,7 +209,7 @@ static void MEAPI mallocPutStruct(MePool *pool, void *record) {
         list->first = link->next;
     pool->used--;
     MEASSERT((pool->used == 0) == (list->first == NULL));
-    MeMemoryAPI.destroyAligned(link);
+    MeMemoryGiveAligned(link);
 }
 
 static int MEAPI mallocGetUsed(const MePool *pool) {

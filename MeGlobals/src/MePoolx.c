@@ -3,24 +3,20 @@
 
 #include "MeAssert.h"
 #include "MeInternal.h"
-#include "MeMessage.h"
+#include "MeMessage_i.h"
 #include <stdint.h>
 #include <string.h>
 
 static MeBool isPool(const MePoolx *p, const char *function) {
-    if (!p) {
-        MeWarning(1, "%s: the pool is null", function);
+    if (!me_isGiven(p, "pool", function))
         return MEFALSE;
-    }
     MEASSERT(p->used >= 0 && p->used <= p->begun && p->begun <= p->count);
     return METRUE;
 }
 
 void MEAPI MePoolxInit(MePoolx *p, void *memory, int recsize, int numrec) {
-    if (!p) {
-        MeWarning(1, "MePoolxInit: the pool is null");
+    if (!me_isGiven(p, "pool", __func__))
         return;
-    }
     memset(p, 0, sizeof *p);
     if (!memory || recsize < (int)sizeof(void *) || numrec < 0) {
         MeWarning(1, "MePoolxInit: %d records of %d bytes (%d or more) at %p", numrec, recsize, (int)sizeof(void *),

@@ -5,8 +5,7 @@
 #include "MeAssert.h"
 #include "MeInternal.h"
 #include "MeMath.h"
-#include "MeMemory_i.h"
-#include "MeMessage.h"
+#include "MeMessage_i.h"
 #include <stdatomic.h>
 #include <string.h>
 #include <time.h>
@@ -53,9 +52,7 @@ MeU64 MEAPI MeProfileGetClockSpeed(void) {
 }
 
 void MEAPI MeProfileGetTimerValue(MeProfileTimerResult *const result) {
-    if (result == NULL)
-        MeWarning(1, "MeProfileGetTimerValue: the result is null");
-    else
+    if (me_isGiven(result, "result", __func__))
         result->ticks = me_now();
 }
 
@@ -71,7 +68,7 @@ static MeBool isNestedInSameName(const MeSection *parent, const char *name) {
 
 MeSection *me_sectionCreate(MeSection *parent, const char *name) {
     const size_t length = strlen(name) + 1;
-    MeSection *const s = me_create(sizeof *s + length, "MeProfile");
+    MeSection *const s = MeMemoryTake(1, sizeof *s + length, "MeProfile", "a section");
     if (s == NULL)
         return NULL;
     *s = (MeSection){.parent = parent, .isRecursive = isNestedInSameName(parent, name)};
@@ -104,7 +101,7 @@ void me_sectionDestroy(MeSection *section) {
         section->firstChild = child->next;
         me_sectionDestroy(child);
     }
-    MeMemoryAPI.destroy(section);
+    MeMemoryGive(section);
 }
 
 MeSection *me_sectionNext(MeSection *section) {
@@ -129,14 +126,8 @@ static MeBool growLog(void) {
         return MEFALSE;
     }
     const int more = MeMAX(2 * p->maxEvents, firstEvents);
-    MeEvent *const events = me_create((size_t)more * sizeof *events, "MeProfile");
-    if (events == NULL)
+    if (!MeMemoryGrow(&p->events, (size_t)p->numEvents, (size_t)more, sizeof *p->events, "MeProfile", "the log"))
         return MEFALSE;
-    if (p->numEvents > 0)
-        memcpy(events, p->events, (size_t)p->numEvents * sizeof *events);
-    if (p->events != NULL)
-        MeMemoryAPI.destroy(p->events);
-    p->events = events;
     p->maxEvents = more;
     return METRUE;
 }
@@ -204,8 +195,7 @@ void MEAPI MeProfileStopTimers(void) {
 void MEAPI MeProfileStopTiming(void) {
     MeProfileStopTimers();
     me_sectionDestroy(me_profile.root);
-    if (me_profile.events != NULL)
-        MeMemoryAPI.destroy(me_profile.events);
+    MeMemoryGive(me_profile.events);
     me_profile = (MeProfileState){0};
     setOwner(NULL);
 }
@@ -242,10 +232,8 @@ void MEAPI MeProfileEndFrame(void) {
 void MEAPI MeProfileStartSectionFn(const char *codeSection, char unsigned autoStop) {
     if (!isThreadTimed())
         return;
-    if (codeSection == NULL) {
-        MeWarning(1, "MeProfileStartSection: the name is null");
+    if (!me_isGiven(codeSection, "name", "MeProfileStartSection"))
         return;
-    }
     callWatcher();
     const uint64_t now = me_now();
     if (autoStop && me_profile.current->isAutoStop)

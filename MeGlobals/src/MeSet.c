@@ -3,33 +3,25 @@
 
 #include "MeAssert.h"
 #include "MeMath.h"
-#include "MeMemory_i.h"
+#include "MeInternal.h"
+#include "MeMessage_i.h"
 #include <limits.h>
 #include <string.h>
 
 static MeBool isSet(const MeSet *s, const char *function) {
-    if (!s) {
-        MeWarning(1, "%s: the set is null", function);
+    if (!me_isGiven(s, "set", function))
         return MEFALSE;
-    }
     MEASSERT((s->dict.count == 0) == (s->dict.root == NULL));
     MEASSERT(s->isCreated || (int)s->dict.count == s->pool.used);
     return METRUE;
 }
 
-static MeBool isCompared(MeDictCompareFn cmp, const char *function) {
-    if (!cmp)
-        MeWarning(1, "%s: the comparison is null", function);
-    return cmp != NULL;
-}
-
 MeSet *MEAPI MeSetCreate(MeDictCompareFn cmp) {
-    if (!isCompared(cmp, __func__))
+    if (!me_isGiven((const void *)(size_t)cmp, "comparison", __func__))
         return NULL;
-    MeSet *s = me_create(sizeof *s, __func__);
+    MeSet *s = MeMemoryTakeZeroed(1, sizeof *s, __func__, "a set");
     if (!s)
         return NULL;
-    memset(s, 0, sizeof *s);
     MeDictInit(&s->dict, INT_MAX, cmp);
     s->isCreated = METRUE;
     return s;
@@ -43,12 +35,11 @@ static int MEAPI compareAsEqual(const void *key1, const void *key2) {
 }
 
 void MEAPI MeSetInit(MeSet *s, MeDictNode *nodemem, int maxnode, MeDictCompareFn cmp) {
-    if (!s) {
-        MeWarning(1, "MeSetInit: the set is null");
+    if (!me_isGiven(s, "set", __func__))
         return;
-    }
     memset(s, 0, sizeof *s);
-    MePoolxInit(&s->pool, nodemem, sizeof(MeDictNode), isCompared(cmp, __func__) ? maxnode : 0);
+    MePoolxInit(&s->pool, nodemem, sizeof(MeDictNode),
+                me_isGiven((const void *)(size_t)cmp, "comparison", __func__) ? maxnode : 0);
     MeDictInit(&s->dict, (unsigned long)s->pool.count, cmp ? cmp : compareAsEqual);
     MePoolxUseWithDict(&s->pool, &s->dict);
 }
@@ -59,7 +50,7 @@ void MEAPI MeSetDestroy(MeSet *s) {
     MeDictFreeNodes(&s->dict);
     s->next = NULL;
     if (s->isCreated)
-        MeMemoryAPI.destroy(s);
+        MeMemoryGive(s);
 }
 
 int MEAPI MeSetAdd(MeSet *s, void *item) {

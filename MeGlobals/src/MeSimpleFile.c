@@ -4,7 +4,8 @@
 
 #include "MeAssert.h"
 #include "MeFile_i.h"
-#include "MeMemory_i.h"
+#include "MeInternal.h"
+#include "MeMessage_i.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -17,12 +18,6 @@
 enum { MAX_NAME = 4096 }; /* Linux' PATH_MAX: longer names cannot be opened */
 
 /* ---- opening ---- */
-
-static MeBool isNamed(const char *filename, const char *function) {
-    if (!filename)
-        MeWarning(1, "%s: the name is null", function);
-    return filename != NULL;
-}
 
 static int flagsOf(MeOpenMode_enum mode) {
     switch (mode) {
@@ -72,11 +67,11 @@ static int openWithAnySlashes(const char *filename, MeOpenMode_enum mode, const 
 }
 
 int MEAPI MeOpenRaw(const char *filename, MeOpenMode_enum mode) {
-    return isNamed(filename, __func__) ? openFile(filename, mode, __func__) : -1;
+    return me_isGiven(filename, "name", __func__) ? openFile(filename, mode, __func__) : -1;
 }
 
 int me_open(const char *filename, MeOpenMode_enum mode, const char *function) {
-    return isNamed(filename, function) ? openWithAnySlashes(filename, mode, function) : -1;
+    return me_isGiven(filename, "name", function) ? openWithAnySlashes(filename, mode, function) : -1;
 }
 
 int MEAPI MeOpen(const char *filename, MeOpenMode_enum mode) {
@@ -190,11 +185,10 @@ char *MEAPI MeLoadWholeFileHandle(const int f, int *size) {
         MeWarning(1, "MeLoadWholeFileHandle: file %d is not open, not a plain file, or has 2 GB", f);
         return NULL;
     }
-    char *text = me_create((size_t)status.st_size + 1, __func__);
+    char *text = MeMemoryTake((size_t)status.st_size + 1, 1, __func__, "the file");
     const int count = text ? transferAll(f, text, (int)status.st_size, METRUE, __func__) : -1;
     if (count < 0) {
-        if (text)
-            MeMemoryAPI.destroy(text);
+        MeMemoryGive(text);
         return NULL;
     }
     text[count] = 0;

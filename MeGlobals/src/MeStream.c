@@ -5,7 +5,8 @@
 #include "MeAssert.h"
 #include "MeFile_i.h"
 #include "MeMath.h"
-#include "MeMemory_i.h"
+#include "MeInternal.h"
+#include "MeMessage_i.h"
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
@@ -21,19 +22,14 @@ struct _MeStream {
 };
 
 static MeBool isStream(MeStream stream, const char *function) {
-    if (!stream) {
-        MeWarning(1, "%s: the stream is null", function);
+    if (!me_isGiven(stream, "stream", function))
         return MEFALSE;
-    }
     MEASSERT(stream->file || (stream->length <= stream->size && stream->place <= stream->length));
     return METRUE;
 }
 
 static MeStream create(const char *function) {
-    MeStream stream = me_create(sizeof *stream, function);
-    if (stream)
-        memset(stream, 0, sizeof *stream);
-    return stream;
+    return MeMemoryTakeZeroed(1, sizeof(struct _MeStream), function, "a stream");
 }
 
 /* ---- life ---- */
@@ -65,10 +61,10 @@ MeStream MEAPI MeStreamOpenAsMemBuffer(unsigned int initialSize) {
         return NULL;
     stream->isOwn = METRUE;
     stream->size = initialSize;
-    stream->memory = initialSize ? me_create(initialSize, __func__) : NULL;
+    stream->memory = initialSize ? MeMemoryTake(initialSize, 1, __func__, "a stream") : NULL;
     if (stream->memory || !initialSize)
         return stream;
-    MeMemoryAPI.destroy(stream);
+    MeMemoryGive(stream);
     return NULL;
 }
 
@@ -92,9 +88,9 @@ void MEAPI MeStreamClose(MeStream stream) {
         return;
     if (stream->file && fclose(stream->file))
         MeWarning(1, "MeStreamClose: the file has not taken all that was written");
-    if (stream->isOwn && stream->memory)
-        MeMemoryAPI.destroy(stream->memory);
-    MeMemoryAPI.destroy(stream);
+    if (stream->isOwn)
+        MeMemoryGive(stream->memory);
+    MeMemoryGive(stream);
 }
 
 /* ---- memory ---- */
@@ -102,13 +98,13 @@ void MEAPI MeStreamClose(MeStream stream) {
 /* Moves the contents into a block of another size, none for 0; false without memory. */
 static MeBool reallocate(MeStream stream, size_t size, const char *function) {
     MEASSERT(size >= stream->length);
-    char *memory = size ? me_create(size, function) : NULL;
+    char *memory = size ? MeMemoryTake(size, 1, function, "a stream") : NULL;
     if (size && !memory)
         return MEFALSE;
     if (stream->length)
         memcpy(memory, stream->memory, stream->length);
-    if (stream->isOwn && stream->memory)
-        MeMemoryAPI.destroy(stream->memory);
+    if (stream->isOwn)
+        MeMemoryGive(stream->memory);
     stream->isOwn = METRUE;
     stream->memory = memory;
     stream->size = size;

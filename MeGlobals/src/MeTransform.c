@@ -108,17 +108,6 @@ void MEAPI MeMatrix4TMCompound(MeMatrix4 A, const MeMatrix4 B, const MeMatrix4 C
 
 /* ---- moving ---- */
 
-/* Translates by a vector and rotates by a rotation vector, unless that is shorter than epsilon. */
-static void translateAndRotate(MeMatrix4 tm, const MeVector3 move, const MeVector3 turn, MeReal epsilon) {
-    MeVector4 q = {1, 0, 0, 0};
-    MeVector3Add(tm[3], tm[3], move);
-    if (MeVector3Magnitude(turn) < epsilon)
-        return;
-    MeQuaternionFiniteRotation(q, turn, 1);
-    for (int i = 0; i < 3; i++)
-        MeQuaternionRotateVector3(tm[i], q, tm[i]);
-}
-
 void MEAPI MeMatrix4TMUpdateFromVelocities(MeMatrix4 aTransformReturn, MeReal aEpsilon, MeReal aTimeStep,
                                            const MeVector3 aVelocity, const MeVector3 aAngularVelocity,
                                            const MeMatrix4 aTransform) {
@@ -132,11 +121,16 @@ void MEAPI MeMatrix4TMUpdateFromVelocitiesAndAcceler(MeMatrix4 aTransformReturn,
                                                      const MeVector3 aAngularVelocity, const MeVector3 aAngularAcceler,
                                                      const MeMatrix4 aTransform) {
     const MeReal h = aTimeStep, half = h * h / 2;
-    MeVector3 move, turn;
+    MeVector3 turn;
+    MeVector4 q = {1, 0, 0, 0};
+    MeMatrix4Copy(aTransformReturn, aTransform);
     for (int i = 0; i < 3; i++) {
-        move[i] = h * aVelocity[i] + half * aAcceler[i];
+        aTransformReturn[3][i] += h * aVelocity[i] + half * aAcceler[i];
         turn[i] = h * aAngularVelocity[i] + half * aAngularAcceler[i];
     }
-    MeMatrix4Copy(aTransformReturn, aTransform);
-    translateAndRotate(aTransformReturn, move, turn, aEpsilon);
+    if (MeVector3Magnitude(turn) < aEpsilon)
+        return;
+    MeQuaternionFiniteRotation(q, turn, 1);
+    for (int i = 0; i < 3; i++)
+        MeQuaternionRotateVector3(aTransformReturn[i], q, aTransformReturn[i]);
 }

@@ -75,6 +75,12 @@ void me_namesRestore(const MeProgramCall *call) {
     speaker.hasSpoken = call->hasSpoken;
 }
 
+MeBool me_isGiven(const void *p, const char *what, const char *function) {
+    if (!p)
+        MeWarning(1, "%s: the %s is null", function, what);
+    return p != NULL;
+}
+
 void MEAPI MeLimitRename(MeLimit *limit, const char *name) {
     limit->name = name;
     limit->warnsOnce = METRUE;

@@ -4,7 +4,8 @@
  * items of others. A share is one atomic word: the loop's number, the number of items, and the next item. Only the
  * opening thread writes the loop's description, while no item is being processed: a worker that has claimed an item may
  * read it until the item is done; a worker that comes too late claims nothing. The items of a pipe are all in one
- * share, from which they are claimed as buffers become free.
+ * share, from which they are claimed as buffers become free. Data that different threads write are in different cache
+ * lines.
  */
 #define _POSIX_C_SOURCE 199309L /* sched_yield */
 #include "MeAssert.h"
@@ -17,17 +18,16 @@
 #include <stdatomic.h>
 #include <string.h>
 
-enum { CACHE_LINE = 64 };           /* bytes; data written by different threads are in different lines */
 enum { ITEM_BITS = 20 };            /* bits of an index, and of a count, in a claim; the loop's number has the rest */
 enum { MAX_AHEAD = 64 };            /* maximum number of buffers of a pipe */
 enum { SPINS_BEFORE_YIELD = 2000 }; /* some 50 us: longer than the time between two loops of a solver's pass */
 
 typedef struct Share {
-    _Alignas(CACHE_LINE) _Atomic(MeU64) claim;
+    _Alignas(ME_CACHE_LINE) _Atomic(MeU64) claim;
 } Share;
 
 typedef struct Worker {
-    _Alignas(CACHE_LINE) MeTeam *team;
+    _Alignas(ME_CACHE_LINE) MeTeam *team;
     int index;
     void *task;               /* identifier of the program's task; null: none is enqueued */
     MeU64 busy;               /* ticks of work; written by the worker */
@@ -54,16 +54,16 @@ struct MeTeam {
     void *watchContext;
     Worker *worker;
     Loop loop;
-    const char *opener;                              /* threadMark of the opening thread, */
-    const char *caller;                              /* its MeCallerSet, */
-    fenv_t arithmetic;                               /* and its floating-point environment */
-    _Alignas(CACHE_LINE) atomic_uint number;         /* number of the loop; odd while the team is closed */
-    _Alignas(CACHE_LINE) atomic_int done;            /* completed items of a loop */
-    Share share[MeTaskMaxWorkers];                   /* of a loop */
-    Share pipe;                                      /* share of all items of a pipe */
-    Share used;                                      /* of a pipe: number of buffers, and of used items */
-    _Alignas(CACHE_LINE) atomic_int made[MAX_AHEAD]; /* by buffer: 1 + the last item made in it */
-    MeMessageBuffer messages[MAX_AHEAD];             /* messages of that item */
+    const char *opener;                                 /* threadMark of the opening thread, */
+    const char *caller;                                 /* its MeCallerSet, */
+    fenv_t arithmetic;                                  /* and its floating-point environment */
+    _Alignas(ME_CACHE_LINE) atomic_uint number;         /* number of the loop; odd while the team is closed */
+    _Alignas(ME_CACHE_LINE) atomic_int done;            /* completed items of a loop */
+    Share share[MeTaskMaxWorkers];                      /* of a loop */
+    Share pipe;                                         /* share of all items of a pipe */
+    Share used;                                         /* of a pipe: number of buffers, and of used items */
+    _Alignas(ME_CACHE_LINE) atomic_int made[MAX_AHEAD]; /* by buffer: 1 + the last item made in it */
+    MeMessageBuffer messages[MAX_AHEAD];                /* messages of that item */
 };
 
 static MeU64 packClaim(MeU64 number, int items, int next) {
@@ -97,8 +97,9 @@ static void spinOrYield(int *spins) {
 MeTeam *MEAPI MeTeamCreate(int workers, MeEnqueueTaskCB enqueue, MeFinishTaskCB finish, void *userContext,
                            const char *function) {
     MEASSERT(workers >= 1 && workers <= MeTaskMaxWorkers && (workers == 1 || (enqueue && finish)));
-    MeTeam *t = MeMemoryTakeAligned(1, sizeof *t, CACHE_LINE, function, "a team of workers");
-    Worker *worker = t ? MeMemoryTakeAligned((size_t)workers, sizeof *worker, CACHE_LINE, function, "workers") : NULL;
+    MeTeam *t = MeMemoryTakeAligned(1, sizeof *t, ME_CACHE_LINE, function, "a team of workers");
+    Worker *worker =
+        t ? MeMemoryTakeAligned((size_t)workers, sizeof *worker, ME_CACHE_LINE, function, "workers") : NULL;
     if (!worker) {
         MeMemoryGiveAligned(t);
         return NULL;

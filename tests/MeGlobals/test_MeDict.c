@@ -126,7 +126,7 @@ TEST(bad_input_warns) {
     key[0] = 1;
     messages_catch();
     ck_assert(!MeDictInit(0, 1, compare) && !MeDictCreate(1, 0));
-    assert_warned("no comparison");
+    assert_warned("the comparison is null");
     MeDictInsert(own, &node[0], &key[0]);
     assert_silent();
     ck_assert(MeDictIsFull(own) && MeDictNodeIsInADict(&node[0]) && !MeDictContains(&dict, &node[0]));
@@ -147,6 +147,6 @@ TEST(bad_input_warns) {
     ck_assert(!MeDictNodeIsInADict(&node[0]) && !MeDictNodeGetKey(&node[0]));
     MeDictNodePut(&node[0], own);
     ck_assert(MeDictNodeGet(&node[0]) == (void *)own && MeDictCount(0) == 0 && !MeDictFirst(0));
-    assert_warned("no dictionary");
+    assert_warned("the dictionary is null");
     messages_release();
 }
