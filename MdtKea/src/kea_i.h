@@ -193,6 +193,10 @@ void kea_eigen(double S[3][3], double V[3][3]);
 /* Sets the negative eigenvalues of a symmetric matrix to 0, unless all of them are above -harmless. */
 void kea_clampPositive(double K[3][3], double harmless);
 
+/* Adds the geometric stiffness of an impulse P, N s, at the lever arm r, m, which rotates with the body:
+ * K += factor S, S the symmetric part of -[P]x[r]x = (P·r) 1 - r Pᵀ. */
+void kea_addGeometricStiffness(double K[3][3], double factor, const double P[3], const double r[3]);
+
 /* ---- kea_step.c ---- */
 
 /* Finds the forces of the system's rows and the end states of the bodies. */

@@ -232,10 +232,14 @@ static void jacobiRotate(double S[3][3], double V[3][3], int p, int q) {
     }
 }
 
+/* The sum of the squares above the diagonal. */
+static double offDiagonalSquares(const double S[3][3]) {
+    return S[0][1] * S[0][1] + S[0][2] * S[0][2] + S[1][2] * S[1][2];
+}
+
 /* Whether off-diagonal entries are below the rounding of the diagonal; true for NaN, so that the iteration ends. */
 static MeBool isDiagonal(const double S[3][3]) {
-    const double offDiagonal = S[0][1] * S[0][1] + S[0][2] * S[0][2] + S[1][2] * S[1][2];
-    return !(offDiagonal > kea_jacobiTolerance * (S[0][0] * S[0][0] + S[1][1] * S[1][1] + S[2][2] * S[2][2]));
+    return !(offDiagonalSquares(S) > kea_jacobiTolerance * (S[0][0] * S[0][0] + S[1][1] * S[1][1] + S[2][2] * S[2][2]));
 }
 
 void kea_eigen(double S[3][3], double V[3][3]) {
@@ -277,13 +281,19 @@ MeBool MEAPI MdtKeaBodySetInertia(MdtKeaBody *body, const double inertia[3][3]) 
     return METRUE;
 }
 
+void kea_addGeometricStiffness(double K[3][3], double factor, const double P[3], const double r[3]) {
+    const double Pr = keaDot(P, r);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            K[i][j] += factor * ((i == j ? Pr : 0) - 0.5 * (r[i] * P[j] + r[j] * P[i]));
+}
+
 /* Ascending eigenvalues of a symmetric matrix: the trigonometric solution of the characteristic equation (Smith
  * 1961). */
 static void eigenvalues(const double S[3][3], double e[3]) {
     const double mean = (S[0][0] + S[1][1] + S[2][2]) / 3;
     const double a = S[0][0] - mean, b = S[1][1] - mean, c = S[2][2] - mean;
-    const double offDiagonal = S[0][1] * S[0][1] + S[0][2] * S[0][2] + S[1][2] * S[1][2];
-    const double p = sqrt((a * a + b * b + c * c + 2 * offDiagonal) / 6);
+    const double p = sqrt((a * a + b * b + c * c + 2 * offDiagonalSquares(S)) / 6);
     e[0] = e[1] = e[2] = mean;
     if (!(p > 0))
         return;

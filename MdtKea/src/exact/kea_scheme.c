@@ -181,14 +181,6 @@ static void meanInertia(const MdtKeaBody *body, const KeaBody *b, double inertia
     }
 }
 
-/* K += (h/2) of the symmetric part of -[P]x[r]x = (P·r) 1 - r Pᵀ. */
-static void addGeometricStiffness(double K[3][3], const double P[3], const double r[3], double h) {
-    const double Pr = keaDot(P, r);
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            K[i][j] += 0.5 * h * ((i == j ? Pr : 0) - 0.5 * (r[i] * P[j] + r[j] * P[i]));
-}
-
 /* Sums up the geometric stiffness of all rows on each body in metric[].angular. */
 static void gatherStiffness(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
@@ -204,7 +196,7 @@ static void gatherStiffness(MdtKeaSystem *s) {
             if (row->body[k] < 0)
                 continue;
             keaScale(P, q->row[i].p, row->J[k].lin);
-            addGeometricStiffness(q->metric[row->body[k]].angular, P, row->arm[k], h);
+            kea_addGeometricStiffness(q->metric[row->body[k]].angular, 0.5 * h, P, row->arm[k]);
         }
     }
 }

@@ -38,10 +38,6 @@ typedef enum PassResult {
     PASS_DIVERGED   /* the change is not finite, and was not applied */
 } PassResult;
 
-static double workOfLinearization(const MdtKeaSystem *s) {
-    return KEA_LINEARIZATION * ((double)s->numRows + s->numBodies);
-}
-
 /* ---- passes ---- */
 
 static void linearizeIterate(MdtKeaSystem *s) {
@@ -52,14 +48,14 @@ static void linearizeIterate(MdtKeaSystem *s) {
         s->errors(s->context, s->work->endPose, s->work->endErrors);
     kea_linearizeBodies(s);
     kea_linearizeRows(s);
-    kea_problemAddWork(&s->work->problem, workOfLinearization(s));
+    kea_problemAddWork(&s->work->problem, kea_problemWorkOfLinearization(&s->work->problem));
 }
 
 /* Sets the derivatives that only the tangent problem needs: of the bodies' momentum and of the rows' errors. */
 static void differentiateIterate(MdtKeaSystem *s) {
     kea_differentiateBodies(s);
     kea_differentiateRows(s);
-    kea_problemAddWork(&s->work->problem, workOfLinearization(s));
+    kea_problemAddWork(&s->work->problem, kea_problemWorkOfLinearization(&s->work->problem));
 }
 
 /* Solves the inner problem once. Friction bounds are a fixed point, R = μ p_n(R), and each pass makes one step of its
@@ -477,7 +473,7 @@ void kea_exactSolve(MdtKeaSystem *s) {
     memset(&q->counts, 0, sizeof q->counts);
     q->numBodies = s->numBodies;
     q->numRows = s->numRows;
-    s->report.least = KEA_SWEPT_PASSES * workOfLinearization(s);
+    s->report.least = KEA_SWEPT_PASSES * kea_problemWorkOfLinearization(q);
     kea_beginBodies(s);
     if (s->parameters.timed)
         kea_markOpenContacts(s);
@@ -499,7 +495,7 @@ void kea_exactSolve(MdtKeaSystem *s) {
             return;
         }
         if (s->parameters.timed) /* its rows were made for this sub-step only */
-            kea_problemAddWork(q, workOfLinearization(s));
+            kea_problemAddWork(q, kea_problemWorkOfLinearization(q));
         kea_setBudget(s, kea_workForMotion, KEA_SWEPT_PASSES);
         s->work->hasLoops = kea_hasLoops(s);
         kea_dualChoose(s);

@@ -268,16 +268,7 @@ static void addJointBody(const MdtKeaSystem *s, const int place[], KeaJoints *j,
 
 /* ---- geometric stiffness ---- */
 
-/* Adds the stiffness of an impulse P of the last step, whose arm r rotates with the body: h times the symmetric part of
- * (P·r) 1 - r Pᵀ. */
-static void addJointStiffness(double K[3][3], double h, const double P[3], const double r[3]) {
-    const double Pr = keaDot(P, r);
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 3; k++)
-            K[i][k] += h * ((i == k ? Pr : 0) - 0.5 * (r[i] * P[k] + r[k] * P[i]));
-}
-
-/* Of the last step's impulses. */
+/* Sums up the geometric stiffness of the last step's impulses on each body. */
 static void sumStiffness(const MdtKeaSystem *s, KeaJoints *j, const KeaJointBlock *b) {
     const double h = s->parameters.stepsize;
     for (int i = b->firstRow; i < b->endRow; i++) {
@@ -288,17 +279,23 @@ static void sumStiffness(const MdtKeaSystem *s, KeaJoints *j, const KeaJointBloc
                 continue;
             keaScale(P, h * row->force, row->J[k].lin);
             KeaJointBody *own = &j->body[b->firstNode + j->node[row->body[k]]];
-            addJointStiffness(own->stiffness, h, P, row->arm[k]);
+            kea_addGeometricStiffness(own->stiffness, h, P, row->arm[k]);
             own->load += keaLength(P);
             own->spread += keaLength(P) * keaDot(row->arm[k], row->arm[k]);
         }
     }
 }
 
+/* Sets inverse inertia and predicted angular velocity of a body to those by the inertia that the passes use. */
+static void useInertia(MdtKeaSystem *s, const KeaJointBody *b) {
+    double(*inverse)[3] = s->invMass[b->body].inertia;
+    kea_invert(inverse, (const double(*)[3])b->inertia);
+    keaApply(s->predicted[b->body].ang, (const double(*)[3])inverse, s->work->body[b->body].freeMomentum);
+}
+
 /* Adds the geometric stiffness K to a body's inertia: I w⁺ = L + Jᵀ p - K w⁺, so that impulses act on I + K. */
 static void addToInertia(MdtKeaSystem *s, KeaJointBody *body) {
     KeaJointBody b = *body;
-    double(*inverse)[3] = s->invMass[b.body].inertia;
     if (kea_largestEntry((const double(*)[3])b.stiffness) <= kea_smallStiffness * kea_minOf(s->bodies[b.body]->moments))
         return;
     b.isStiff = METRUE;
@@ -306,8 +303,7 @@ static void addToInertia(MdtKeaSystem *s, KeaJointBody *body) {
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
             b.inertia[i][k] += b.stiffness[i][k];
-    kea_invert(inverse, (const double(*)[3])b.inertia);
-    keaApply(s->predicted[b.body].ang, (const double(*)[3])inverse, s->work->body[b.body].freeMomentum);
+    useInertia(s, &b);
     *body = b;
 }
 
@@ -358,7 +354,7 @@ static void predictBody(MdtKeaSystem *s, KeaJointBody *b) {
     const MdtKeaBody *body = s->bodies[b->body];
     const MdtKeaVelocity *v = &s->velocity[b->body];
     const double h = s->parameters.stepsize;
-    double turn[4] = {1}, (*inverse)[3] = s->invMass[b->body].inertia;
+    double turn[4] = {1};
     KeaEnd *end = &s->work->end[b->body];
     keaCopy(end->position, body->position);
     keaAddScaled(end->position, h, v->lin);
@@ -369,8 +365,7 @@ static void predictBody(MdtKeaSystem *s, KeaJointBody *b) {
     if (!(body->flags & MdtKeaBodyFlagAddCoriolisForce))
         return;
     kea_inertia(body, end->quaternion, b->inertia);
-    kea_invert(inverse, (const double(*)[3])b->inertia);
-    keaApply(s->predicted[b->body].ang, (const double(*)[3])inverse, s->work->body[b->body].freeMomentum);
+    useInertia(s, b);
 }
 
 /* Its rows stay those of the start. */

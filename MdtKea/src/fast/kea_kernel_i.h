@@ -198,7 +198,7 @@ KEA_INLINE void slidingRates(const KeaGroup *g, const KeaLanes slide[2], const K
  * change. It updates the rates that the following ones use by the coupling, so that bodies are read and written only
  * once. */
 
-KEA_INLINE void visitNormals(KeaGroup *g, int points, Rates *rates, KeaLanes beta, KeaLanes *uphill,
+KEA_INLINE void visitNormals(KeaGroup *g, int points, Rates *rates, float beta, KeaLanes *uphill,
                              KeaLanes resultant[3]) {
     KeaLanes rate[KEA_POINTS], guess[KEA_POINTS], next[KEA_POINTS], change[KEA_POINTS];
     const KeaLanes *u = rates->u;
@@ -222,7 +222,7 @@ KEA_INLINE void visitNormals(KeaGroup *g, int points, Rates *rates, KeaLanes bet
     }
 }
 
-KEA_INLINE KeaLanes visitTorsion(KeaGroup *g, Rates *rates, const Limits *limits, KeaLanes beta) {
+KEA_INLINE KeaLanes visitTorsion(KeaGroup *g, Rates *rates, const Limits *limits, float beta) {
     const KeaLanes guess = g->torsionImpulse + beta * (g->torsionImpulse - g->torsionImpulseBefore);
     const KeaLanes next = lanesClamp(guess - g->torsionMass * rates->spin, limits->torsionImpulse),
                    change = next - guess;
@@ -233,7 +233,7 @@ KEA_INLINE KeaLanes visitTorsion(KeaGroup *g, Rates *rates, const Limits *limits
     return change;
 }
 
-KEA_INLINE void visitFriction(KeaGroup *g, const Rates *rates, const Limits *limits, KeaLanes beta, KeaLanes *uphill,
+KEA_INLINE void visitFriction(KeaGroup *g, const Rates *rates, const Limits *limits, float beta, KeaLanes *uphill,
                               KeaLanes change[2]) {
     KeaLanes guess[2], next[2], rate[2];
     for (int i = 0; i < 2; i++)
@@ -250,7 +250,7 @@ KEA_INLINE void visitFriction(KeaGroup *g, const Rates *rates, const Limits *lim
 
 /* Solves the manifolds of a group once. A manifold of one point has no friction about the normal, since the point is
  * its centre. */
-KEA_INLINE void visitGroup(KeaGroup *g, int points, KeaMotion motion[], KeaLanes beta, KeaLanes *uphill) {
+KEA_INLINE void visitGroup(KeaGroup *g, int points, KeaMotion motion[], float beta, KeaLanes *uphill) {
     const KeaLanes3 across = lanesCross(g->normal, g->along);
     Pair p = gatherPair(g, motion);
     Rates rates = ratesOf(g, &p, across);
@@ -270,13 +270,13 @@ static void pass(KeaGroup groups[], int count, KeaMotion motion[], float beta, f
     for (int i = 0; i < count; i++)
         switch (groups[i].points) {
         case 1:
-            visitGroup(&groups[i], 1, motion, lanesOf(beta), &sum);
+            visitGroup(&groups[i], 1, motion, beta, &sum);
             break;
         case 2:
-            visitGroup(&groups[i], 2, motion, lanesOf(beta), &sum);
+            visitGroup(&groups[i], 2, motion, beta, &sum);
             break;
         default:
-            visitGroup(&groups[i], KEA_POINTS, motion, lanesOf(beta), &sum);
+            visitGroup(&groups[i], KEA_POINTS, motion, beta, &sum);
         }
     memcpy(uphill, &sum, sizeof sum);
 }
@@ -313,7 +313,7 @@ KEA_INLINE void setCoupling(KeaGroup *g, KeaLanes3 across) {
         }
     for (int k = 0; k < KEA_POINTS; k++) {
         const KeaLanes own = g->coupling[entryOf(k, k)];
-        g->response[k] = lanesSelect(g->isPoint[k] & (own > lanesOf(0)), lanesOf(1) / own, lanesOf(0));
+        g->response[k] = lanesSelect(g->isPoint[k] & (own > 0), 1 / own, lanesOf(0));
     }
 }
 
@@ -324,13 +324,13 @@ KEA_INLINE KeaLanes areaOf(const KeaGroup *g, int a, int b, int c) {
 /* The null vector of A for four points, of unit length: the areas of the triangles that omit one point, with
  * alternating signs. 0 for fewer points, which are treated as independent, and for contacts with compliance. */
 KEA_INLINE void findNullVector(const KeaGroup *g, KeaLanes null[KEA_POINTS]) {
-    const KeaMask isFull = g->isPoint[3] & ~(g->compliance > lanesOf(0));
+    const KeaMask isFull = g->isPoint[3] & ~(g->compliance > 0);
     null[0] = areaOf(g, 1, 2, 3);
     null[1] = -areaOf(g, 0, 2, 3);
     null[2] = areaOf(g, 0, 1, 3);
     null[3] = -areaOf(g, 0, 1, 2);
     const KeaLanes size = lanesRoot(null[0] * null[0] + null[1] * null[1] + null[2] * null[2] + null[3] * null[3]);
-    const KeaMask isThere = isFull & (size > lanesOf(0));
+    const KeaMask isThere = isFull & (size > 0);
     for (int k = 0; k < KEA_POINTS; k++)
         null[k] = lanesSelect(isThere, null[k] / size, lanesOf(0));
 }
@@ -343,8 +343,8 @@ typedef struct Block {
 
 KEA_INLINE Block inverseOf(Block m, KeaMask *isSound) {
     const KeaLanes det = m.a * m.d - m.b * m.b;
-    *isSound &= det > lanesOf(kea_soundDeterminant) * m.a * m.d;
-    const KeaLanes scale = lanesSelect(*isSound, lanesOf(1) / det, lanesOf(0));
+    *isSound &= det > kea_soundDeterminant * m.a * m.d;
+    const KeaLanes scale = lanesSelect(*isSound, 1 / det, lanesOf(0));
     return (Block){scale * m.d, -scale * m.b, scale * m.a};
 }
 
@@ -355,7 +355,7 @@ KEA_INLINE void invertBlocks(KeaLanes M[10], KeaMask *isSound) {
                            P.b * q[1] + P.d * q[3]};
     const Block schur = {M[7] - (q[0] * w[0] + q[2] * w[2]), M[8] - (q[0] * w[1] + q[2] * w[3]),
                          M[9] - (q[1] * w[1] + q[3] * w[3])};
-    *isSound &= (schur.a > lanesOf(kea_soundDeterminant) * M[7]) & (schur.d > lanesOf(kea_soundDeterminant) * M[9]);
+    *isSound &= (schur.a > kea_soundDeterminant * M[7]) & (schur.d > kea_soundDeterminant * M[9]);
     const Block S = inverseOf(schur, isSound);
     const KeaLanes v[4] = {w[0] * S.a + w[1] * S.b, w[0] * S.b + w[1] * S.d, w[2] * S.a + w[3] * S.b,
                            w[2] * S.b + w[3] * S.d};
@@ -387,7 +387,7 @@ KEA_INLINE void setInverse(KeaGroup *g, float stepsize) {
             g->direct[entryOf(k, j)] = lanesSelect(g->isPoint[k] & g->isPoint[j],
                                                    g->direct[entryOf(k, j)] - null[k] * null[j] / scale, lanesOf(0));
     }
-    g->isDirect &= lanesAbs(misfit) * lanesOf(stepsize) <= slop;
+    g->isDirect &= lanesAbs(misfit) * stepsize <= slop;
 }
 
 /* Sets the effective masses of friction: along t1 and t2 together, and about n. */
@@ -403,10 +403,10 @@ KEA_INLINE void setFrictionMass(KeaGroup *g, KeaLanes3 across) {
     }
     T[1] = lanesSelect(g->isOneWay, lanesOf(0), T[1]);
     const KeaLanes det = T[0] * T[2] - T[1] * T[1];
-    g->frictionMass[0] = lanesSelect(det > lanesOf(0), T[2] / det, lanesOf(0));
-    g->frictionMass[1] = lanesSelect(det > lanesOf(0), -T[1] / det, lanesOf(0));
-    g->frictionMass[2] = lanesSelect((det > lanesOf(0)) & ~g->isOneWay, T[0] / det, lanesOf(0));
-    g->torsionMass = lanesSelect(invTorsionMass > lanesOf(0), lanesOf(1) / invTorsionMass, lanesOf(0));
+    g->frictionMass[0] = lanesSelect(det > 0, T[2] / det, lanesOf(0));
+    g->frictionMass[1] = lanesSelect(det > 0, -T[1] / det, lanesOf(0));
+    g->frictionMass[2] = lanesSelect((det > 0) & ~g->isOneWay, T[0] / det, lanesOf(0));
+    g->torsionMass = lanesSelect(invTorsionMass > 0, 1 / invTorsionMass, lanesOf(0));
 }
 
 /* Sets the changes of the rates of friction by the resultant of normal impulses (resultantOf), and by friction about
@@ -464,7 +464,7 @@ static void extrapolate(KeaMotion motion[], KeaMotion before[], int count, float
         KeaLanes now, was;
         memcpy(&now, &motion[i], sizeof now);
         memcpy(&was, &before[i], sizeof was);
-        const KeaLanes next = now + lanesOf(beta) * (now - was);
+        const KeaLanes next = now + beta * (now - was);
         memcpy(&before[i], &now, sizeof now);
         memcpy(&motion[i], &next, sizeof next);
     }
@@ -479,7 +479,7 @@ static void advance(KeaGroup groups[], int count, const KeaMotion motion[], floa
         const Rates rates = ratesOf(g, &p, lanesCross(g->normal, g->along));
         const KeaLanes *u = rates.u;
         for (int k = 0; k < KEA_POINTS; k++)
-            g->gap[k] += lanesOf(stepsize) * pointRate(g, k, u);
+            g->gap[k] += stepsize * pointRate(g, k, u);
     }
 }
 
@@ -500,7 +500,6 @@ KEA_INLINE MeBool moveByEnd(const KeaGroup *g, int lane, const KeaMotion motion[
 
 static MeBool choosePressed(const KeaGroup groups[], int count, const KeaMotion motion[], float stepsize,
                             KeaMotion move[], float theta[]) {
-    const KeaLanes h = lanesOf(stepsize);
     MeBool isAny = MEFALSE;
     for (int i = 0; i < count; i++) {
         const KeaGroup *g = &groups[i];
@@ -509,10 +508,9 @@ static MeBool choosePressed(const KeaGroup groups[], int count, const KeaMotion 
         const Rates end = ratesOf(g, &p, across), moved = ratesOf(g, &q, across);
         KeaMask isPressed = {0};
         for (int k = 0; k < KEA_POINTS; k++) {
-            const KeaLanes atEnd = g->gap[k] + h * pointRate(g, k, end.u);
-            const KeaLanes atMove = g->gap[k] + h * pointRate(g, k, moved.u);
-            isPressed |=
-                g->isPoint[k] & (atMove < lanesMin(atEnd, lanesOf(0)) - lanesOf((float)kea_pressedDepth) * g->size);
+            const KeaLanes atEnd = g->gap[k] + stepsize * pointRate(g, k, end.u);
+            const KeaLanes atMove = g->gap[k] + stepsize * pointRate(g, k, moved.u);
+            isPressed |= g->isPoint[k] & (atMove < lanesMin(atEnd, lanesOf(0)) - (float)kea_pressedDepth * g->size);
         }
         for (int lane = 0; lane < KEA_LANES && !lanesAreAll(~isPressed); lane++)
             if (isPressed[lane])
@@ -533,13 +531,13 @@ KEA_INLINE KeaMask pushGroup(const KeaGroup *g, int points, KeaMotion motion[]) 
     for (int k = 0; k < points; k++) {
         const KeaLanes gap = g->gap[k] + pointRate(g, k, u);
         const KeaLanes overlap = lanesMin(gap + g->slop[k], lanesOf(0));
-        rate[k] = lanesSelect(gap > lanesOf(0), gap, g->correction * overlap);
+        rate[k] = lanesSelect(gap > 0, gap, g->correction * overlap);
         pseudoImpulse[k] = lanesOf(0);
     }
     solvePoints(g, points, rate, lanesOf(0), pseudoImpulse);
     for (int k = 0; k < points; k++) {
-        isAny |= g->isPoint[k] & (rate[k] < -lanesOf((float)kea_closedJoint) * g->size);
-        pseudoImpulse[k] = lanesSelect(g->isPoint[k] & (g->correction > lanesOf(0)), pseudoImpulse[k], lanesOf(0));
+        isAny |= g->isPoint[k] & (rate[k] < -(float)kea_closedJoint * g->size);
+        pseudoImpulse[k] = lanesSelect(g->isPoint[k] & (g->correction > 0), pseudoImpulse[k], lanesOf(0));
     }
     applyNormals(g, points, &p, across, pseudoImpulse);
     scatterPair(g, &p, motion);
@@ -565,9 +563,9 @@ static MeBool pushManifolds(const KeaGroup groups[], int count, KeaMotion motion
 /* ---- the residual ---- */
 
 /* m/s: the speed at which the overlap of point k grows if it is deep at the end of the step; else 0. */
-KEA_INLINE KeaLanes closingOf(const KeaGroup *g, int k, KeaLanes rate, KeaLanes h) {
-    const KeaMask isDeep = h * rate + g->gap[k] < -lanesOf((float)kea_smallOverlap) * g->size;
-    return lanesSelect(g->isPoint[k] & isDeep & (rate < lanesOf(0)), -rate, lanesOf(0));
+KEA_INLINE KeaLanes closingOf(const KeaGroup *g, int k, KeaLanes rate, float h) {
+    const KeaMask isDeep = h * rate + g->gap[k] < -(float)kea_smallOverlap * g->size;
+    return lanesSelect(g->isPoint[k] & isDeep & (rate < 0), -rate, lanesOf(0));
 }
 
 KEA_INLINE void addResidual(KeaMask isRow, KeaLanes miss, KeaLanes *worst, KeaLanes *squares) {
@@ -584,17 +582,16 @@ KEA_INLINE KeaLanes toleranceOf(const KeaGroup *g, const KeaTolerance *t) {
     for (int k = 0; k < KEA_POINTS; k++)
         load += lanesSelect(g->isPoint[k], lanesMax(g->impulse[k], lanesOf(0)), lanesOf(0));
     const KeaLanes light = lanesMax(g->invMass[0], g->invMass[1]), heavy = lanesMin(g->invMass[0], g->invMass[1]);
-    const KeaLanes ratio = lanesSelect(heavy > lanesOf(0), light / heavy, lanesOf(1));
-    const KeaLanes carried = light * load / (lanesOf(t->loadSpeed) + change);
-    const KeaLanes alone = lanesOf(t->accuracy) + lanesOf((float)kea_changeShare) * change;
+    const KeaLanes ratio = lanesSelect(heavy > 0, light / heavy, lanesOf(1));
+    const KeaLanes carried = light * load / (t->loadSpeed + change);
+    const KeaLanes alone = t->accuracy + (float)kea_changeShare * change;
     return lanesMin(alone / lanesMax(lanesMax(carried, ratio), lanesOf(1)),
-                    lanesOf((float)kea_restingDepth / t->stepsize) * g->size);
+                    (float)kea_restingDepth / t->stepsize * g->size);
 }
 
 /* The residual of a row is the change of its projected impulse in one visit, as a velocity. */
 static void measure(const KeaGroup groups[], int count, const KeaMotion motion[], const KeaTolerance *tolerance,
                     KeaMeasure *measure) {
-    const KeaLanes h = lanesOf(tolerance->stepsize);
     KeaMeasure all = *measure;
     for (int i = 0; i < count; i++) {
         const KeaGroup *g = &groups[i];
@@ -612,17 +609,17 @@ static void measure(const KeaGroup groups[], int count, const KeaMotion motion[]
             const KeaLanes miss = lanesAbs(next - g->impulse[k]) / g->response[k];
             addResidual(g->isPoint[k], miss, &left, &all.squares);
             lever = lanesMax(lanesSelect(g->isPoint[k], g->lever[k], lanesOf(0)), lever);
-            all.closing = lanesMax(closingOf(g, k, speed, h), all.closing);
+            all.closing = lanesMax(closingOf(g, k, speed, tolerance->stepsize), all.closing);
         }
         slidingRates(g, rates.slide, frictionImpulse, rate);
         solveFriction(g, rate, &limits, frictionImpulse);
         for (int k = 0; k < 2; k++) {
             const KeaLanes miss = lanesAbs(frictionImpulse[k] - g->frictionImpulse[k]) / g->frictionMass[2 * k];
-            addResidual(g->isPoint[0] & (g->frictionMass[2 * k] > lanesOf(0)), miss, &left, &all.squares);
+            addResidual(g->isPoint[0] & (g->frictionMass[2 * k] > 0), miss, &left, &all.squares);
         }
         const KeaLanes torsionImpulse =
             lanesClamp(g->torsionImpulse - g->torsionMass * rates.spin, limits.torsionImpulse);
-        addResidual(g->isPoint[1] & (g->torsionMass > lanesOf(0)),
+        addResidual(g->isPoint[1] & (g->torsionMass > 0),
                     lever * lanesAbs(torsionImpulse - g->torsionImpulse) / g->torsionMass, &left, &all.squares);
         all.max = lanesMax(left, all.max);
         const KeaLanes over = left / toleranceOf(g, tolerance);

@@ -47,16 +47,19 @@ static void MEAPI visitRegionAndNode(void *context, int item, int worker) {
         v->work(v->context, &v->regions->node[item]);
 }
 
+/* Visits the nodes of one depth, which are as many as the index of the first one. */
+static void visitDepth(KeaRegions *r, int nodes, KeaNodeWork work, void *context) {
+    Visit v = {r, work, context, nodes};
+    MeTeamRun(r->team, nodes, visitNode, &v);
+}
+
 void kea_inOrder(KeaRegions *r, KeaNodeWork work, void *context) {
-    for (int nodes = r->count; nodes >= 1; nodes /= 2) {
-        Visit v = {r, work, context, nodes};
-        MeTeamRun(r->team, nodes, visitNode, &v);
-    }
+    for (int nodes = r->count; nodes >= 1; nodes /= 2)
+        visitDepth(r, nodes, work, context);
 }
 
 void kea_overRegions(KeaRegions *r, KeaNodeWork work, void *context) {
-    Visit v = {r, work, context, r->count};
-    MeTeamRun(r->team, r->count, visitNode, &v);
+    visitDepth(r, r->count, work, context);
 }
 
 void kea_overNodes(KeaRegions *r, KeaNodeWork work, void *context) {
@@ -176,10 +179,8 @@ static void divideBodies(KeaRegions *r) {
     memset(r->node, 0, 2 * (size_t)r->count * sizeof *r->node);
     for (int i = 0; i < r->s->numBodies; i++)
         r->body[i] = i;
-    for (int nodes = 1; nodes < r->count; nodes *= 2) {
-        Visit v = {r, halveNode, r, nodes};
-        MeTeamRun(r->team, nodes, visitNode, &v);
-    }
+    for (int nodes = 1; nodes < r->count; nodes *= 2)
+        visitDepth(r, nodes, halveNode, r);
     kea_overRegions(r, setPlaces, r);
 }
 

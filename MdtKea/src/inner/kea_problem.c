@@ -68,6 +68,10 @@ double kea_problemIterationWork(const KeaProblem *q, MeBool unsymmetric) {
            (double)q->numRows * (KEA_ASSEMBLY + KEA_ITERATION_VISITS * KEA_VISIT);
 }
 
+double kea_problemWorkOfLinearization(const KeaProblem *q) {
+    return KEA_LINEARIZATION * ((double)q->numRows + q->numBodies);
+}
+
 MeBool kea_problemHasBudget(const KeaProblem *q, MeBool unsymmetric) {
     return !(q->maxIterations > 0 && q->counts.iterations >= q->maxIterations) &&
            !(q->maxWork > 0 && q->counts.work + kea_problemIterationWork(q, unsymmetric) > q->maxWork - q->reserve);

@@ -163,6 +163,8 @@ MeBool kea_problemHasBudget(const KeaProblem *q, MeBool unsymmetric);
 MeBool kea_problemMaySpend(KeaProblem *q, MeBool unsymmetric);
 /* Multiplications of one Newton iteration. */
 double kea_problemIterationWork(const KeaProblem *q, MeBool unsymmetric);
+/* Multiplications of a linearization of all rows and bodies. */
+double kea_problemWorkOfLinearization(const KeaProblem *q);
 void kea_problemAddWork(KeaProblem *q, double work);
 /* m/s: the largest projected residual of all rows: A_ii times the change of p that would make the row alone fulfil its
  * law within its bounds. Writes the largest such change, N s, to `impulse` unless null. */

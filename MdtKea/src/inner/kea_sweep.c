@@ -251,8 +251,7 @@ static void sweepOnce(KeaProblem *q, double beta) {
 }
 
 double kea_problemWorkOfSweptPass(const KeaProblem *q, int sweeps) {
-    return KEA_LINEARIZATION * ((double)q->numRows + q->numBodies) +
-           (double)q->numRows * KEA_SWEEP * (sweeps + KEA_START_SWEEPS);
+    return kea_problemWorkOfLinearization(q) + (double)q->numRows * KEA_SWEEP * (sweeps + KEA_START_SWEEPS);
 }
 
 MeBool kea_problemMaySweep(const KeaProblem *q) {
@@ -265,7 +264,7 @@ MeBool kea_problemMaySweep(const KeaProblem *q) {
 static int numberOfSweeps(const KeaProblem *q) {
     if (!(q->maxWork > 0))
         return KEA_SWEEPS;
-    const double left = q->maxWork - q->counts.work - KEA_LINEARIZATION * ((double)q->numRows + q->numBodies);
+    const double left = q->maxWork - q->counts.work - kea_problemWorkOfLinearization(q);
     const double max = left / kea_problemWorkOfSweptPass(q, KEA_SOME_SWEEPS);
     const double share = left / keaMax(keaMin(floor(max), q->sweptPasses), 1) - kea_problemWorkOfSweptPass(q, 0);
     return (int)keaMin(keaMax(share / (KEA_SWEEP * (q->numRows + 1.0)), KEA_FEWEST_SWEEPS), KEA_SWEEPS);
