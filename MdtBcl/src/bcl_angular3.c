@@ -1,7 +1,7 @@
 /* Angular3: the bodies keep their relative orientation and may translate freely (Dynamics guide ch. 3, "MdtAngular3").
  *
- * The joint has three rows, of the relative orientation of the frames (bcl_turnRows); with rotation enabled (Angular2)
- * the two rows of a hinge that keep the primary axes parallel.
+ * The joint has three rows, of the relative orientation of the frames (bcl_orientationRows); with rotation enabled
+ * (Angular2) the two rows of a hinge that keep the primary axes parallel.
  *
  * With finite stiffness and damping the joint is a damped spring, whose torque on body 0 is -k θ n - c ω at any angle:
  * θ n is the rotation vector between the frames, or, with rotation enabled, between the primary axes. The spring has a
@@ -39,7 +39,7 @@ static int countRows(const MdtBclConstraint *c) {
 }
 
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
-    c->isDegenerate = !c->of.angular.rotates && bcl_isHalfATurn(c, x, NULL);
+    c->isDegenerate = !c->of.angular.rotates && bcl_isNearHalfTurn(c, x, NULL);
     return countRows(c);
 }
 
@@ -47,7 +47,7 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
     if (c->of.angular.rotates)
         bcl_alignErrors(c, pose, e);
     else
-        bcl_turnErrors(c, pose, NULL, e);
+        bcl_orientationErrors(c, pose, NULL, e);
 }
 
 /* The rotation vector from the primary axis `to` of frame 1 to that of frame 0, in the axes of frame 0: its first
@@ -68,7 +68,7 @@ static void fillSprings(const MdtBclConstraint *c, const MdtBclContext *x, MdtKe
         keaApply(to, x->pose[1]->R, c->frame[1].primary);
         primaryAxisRotation(axes, to, rotation);
     } else {
-        bcl_turnBetween(turn, c, x->pose, NULL);
+        bcl_relativeOrientation(turn, c, x->pose, NULL);
         bcl_rotationVector(turn, rotation);
     }
     const int count = countRows(c), first = 3 - count;
@@ -85,7 +85,7 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
     else if (joint->rotates)
         bcl_alignRows(c, x, rows);
     else
-        bcl_turnRows(c, x, NULL, rows);
+        bcl_orientationRows(c, x, NULL, rows);
 }
 
 const MdtBclType bcl_angular3 = {.name = "Angular3",

@@ -28,7 +28,7 @@ void bcl_alignRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow 
     keaApply(a, x->pose[1]->R, c->frame[1].primary);
     for (int i = 0; i < 2; i++) {
         bcl_dotRow(x, axes[1 + i], a, &rows[i]);
-        bcl_aimAtZero(&rows[i], x, keaDot(axes[1 + i], a));
+        bcl_makePosition(&rows[i], x, keaDot(axes[1 + i], a));
     }
     MEVALIDATE(bcl_areRows(rows, 2));
 }
@@ -41,8 +41,8 @@ void bcl_alignErrors(const MdtBclConstraint *c, const MdtKeaTransformation *cons
     errors[1] = keaDot(axes[2], a);
 }
 
-void bcl_turnBetween(double turn[4], const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2],
-                     const double q[4]) {
+void bcl_relativeOrientation(double turn[4], const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2],
+                             const double q[4]) {
     double axes[2][3][3], R[3][3];
     bcl_axes(axes[0], c, 0, pose[0]);
     bcl_axes(axes[1], c, 1, pose[1]);
@@ -60,9 +60,9 @@ void bcl_turnBetween(double turn[4], const MdtBclConstraint *c, const MdtKeaTran
             turn[i] = -turn[i];
 }
 
-MeBool bcl_isHalfATurn(const MdtBclConstraint *c, const MdtBclContext *x, const double q[4]) {
+MeBool bcl_isNearHalfTurn(const MdtBclConstraint *c, const MdtBclContext *x, const double q[4]) {
     double turn[4];
-    bcl_turnBetween(turn, c, x->pose, q);
+    bcl_relativeOrientation(turn, c, x->pose, q);
     return turn[0] < 1e-3;
 }
 
@@ -72,10 +72,10 @@ void bcl_rotationVector(const double turn[4], double rotation[3]) {
     keaScale(rotation, sine > 0 ? 2 * atan2(sine, turn[0]) / sine : 2, turn + 1);
 }
 
-void bcl_turnErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], const double q[4],
-                    double errors[3]) {
+void bcl_orientationErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], const double q[4],
+                           double errors[3]) {
     double turn[4];
-    bcl_turnBetween(turn, c, pose, q);
+    bcl_relativeOrientation(turn, c, pose, q);
     keaScale(errors, 2, turn + 1);
 }
 
@@ -102,9 +102,9 @@ static void targetAxes(double axes[3][3], const MdtBclConstraint *c, const MdtKe
  * = Tᵀ(ω_0 - ω_1):
  *     dφ/dt = (w I - [v]x) ω.
  * The matrix is singular at half a turn only. */
-void bcl_turnRows(const MdtBclConstraint *c, const MdtBclContext *x, const double q[4], MdtKeaRow rows[3]) {
+void bcl_orientationRows(const MdtBclConstraint *c, const MdtBclContext *x, const double q[4], MdtKeaRow rows[3]) {
     double turn[4], T[3][3];
-    bcl_turnBetween(turn, c, x->pose, q);
+    bcl_relativeOrientation(turn, c, x->pose, q);
     targetAxes(T, c, x->pose[1], q);
     const double w = turn[0], *v = turn + 1;
     const double G[3][3] = {{w, v[2], -v[1]}, {-v[2], w, v[0]}, {v[1], -v[0], w}};
@@ -113,7 +113,7 @@ void bcl_turnRows(const MdtBclConstraint *c, const MdtBclContext *x, const doubl
         for (int j = 0; j < 3; j++)
             keaAddScaled(rows[i].J[0].ang, G[i][j], T[j]);
         keaScale(rows[i].J[1].ang, -1, rows[i].J[0].ang);
-        bcl_aimAtZero(&rows[i], x, 2 * v[i]);
+        bcl_makePosition(&rows[i], x, 2 * v[i]);
     }
     MEVALIDATE(bcl_areRows(rows, 3));
 }

@@ -123,7 +123,7 @@ static void steeringRow(const MdtBclConstraint *c, const MdtBclContext *x, const
     MEASSERT(c->of.wheel.rows & (STEER | LOCK));
     if (c->of.wheel.rows & LOCK) {
         bcl_dotRow(x, a->t, a->h, row);
-        bcl_aimAtZero(row, x, keaDot(a->t, a->h));
+        bcl_makePosition(row, x, keaDot(a->t, a->h));
     } else {
         const double slant = keaDot(a->s, a->h), size = fmax(1 - slant * slant, 1e-6);
         double axis[3];
@@ -155,11 +155,11 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
     Axes a;
     axesOf(c, x->pose, &a);
     wheelRow(c, x, a.o, rows);
-    bcl_aimAtZero(rows++, x, keaDot(a.o, a.d));
+    bcl_makePosition(rows++, x, keaDot(a.o, a.d));
     wheelRow(c, x, a.t, rows);
-    bcl_aimAtZero(rows++, x, keaDot(a.t, a.d));
+    bcl_makePosition(rows++, x, keaDot(a.t, a.d));
     bcl_dotRow(x, a.s, a.h, rows);
-    bcl_aimAtZero(rows++, x, keaDot(a.s, a.h));
+    bcl_makePosition(rows++, x, keaDot(a.s, a.h));
     if (w->rows & (STEER | LOCK))
         steeringRow(c, x, &a, rows++);
     if (w->rows & SUSPEND) {

@@ -22,7 +22,7 @@ void bcl_startRow(MdtKeaRow *row, const MdtBclContext *x);
 
 /* Makes a row a position row, which constrains φ at the end of the step: its target s = -γ φ / h removes the fraction γ
  * of the error φ (Baumgarte). */
-void bcl_aimAtZero(MdtKeaRow *row, const MdtBclContext *x, double error);
+void bcl_makePosition(MdtKeaRow *row, const MdtBclContext *x, double error);
 
 /* Checks invariants of rows: Jacobians are finite, lower <= upper, and no compliance, stiffness, damping or friction
  * coefficient is negative. Errors and targets are not checked: public parameters of a program may make them
@@ -87,15 +87,15 @@ void bcl_alignRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow 
 void bcl_alignErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double errors[2]);
 
 /* The orientation of frame 0 relative to a target frame, which is frame 1 rotated by q (null: frame 1), as a quaternion
- * with w >= 0. bcl_turnRows: three rows that constrain twice its vector part to 0, in the axes of the target frame;
- * bcl_turnErrors: their errors; bcl_isHalfATurn: whether the rotation is within 0.1 degrees of half a turn, where the
- * rows are singular. */
-void bcl_turnBetween(double turn[4], const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2],
-                     const double q[4]);
-MeBool bcl_isHalfATurn(const MdtBclConstraint *c, const MdtBclContext *x, const double q[4]);
-void bcl_turnRows(const MdtBclConstraint *c, const MdtBclContext *x, const double q[4], MdtKeaRow rows[3]);
-void bcl_turnErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], const double q[4],
-                    double errors[3]);
+ * with w >= 0. bcl_orientationRows: three rows that constrain twice its vector part to 0, in the axes of the target
+ * frame; bcl_orientationErrors: their errors; bcl_isNearHalfTurn: whether the rotation is within 0.1 degrees of half a
+ * turn, where the rows are singular. */
+void bcl_relativeOrientation(double turn[4], const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2],
+                             const double q[4]);
+MeBool bcl_isNearHalfTurn(const MdtBclConstraint *c, const MdtBclContext *x, const double q[4]);
+void bcl_orientationRows(const MdtBclConstraint *c, const MdtBclContext *x, const double q[4], MdtKeaRow rows[3]);
+void bcl_orientationErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], const double q[4],
+                           double errors[3]);
 
 /* Sets the axes, or the position, of frame 1 so that it coincides with frame 0 at these poses. */
 void bcl_matchFrame1Axes(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]);

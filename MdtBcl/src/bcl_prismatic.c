@@ -1,7 +1,7 @@
 /* Prismatic: the bodies slide along a common axis and do not turn (Dynamics guide ch. 3, "MdtPrismatic").
  *
  *     φ_1,2 = u·d, v·d with d = P_0 - P_1 and u, v at right angles to the axis of frame 1
- *     φ_3..5: the frames have one orientation (bcl_turnRows)
+ *     φ_3..5: the frames have one orientation (bcl_orientationRows)
  *
  * The coordinate is the displacement a·d of body 0 relative to body 1 along the axis a, zero at the poses at which the
  * axis was set.
@@ -38,21 +38,21 @@ static void axisRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow
 
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     MdtKeaRow row;
-    c->isDegenerate = bcl_isHalfATurn(c, x, NULL);
+    c->isDegenerate = bcl_isNearHalfTurn(c, x, NULL);
     axisRow(c, x, &row);
     return 5 + bcl_limitPrepare(&c->of.limit, x, &row, displacement(c, x->pose));
 }
 
 static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
     bcl_axisErrors(c, pose, 1, 2, e);
-    bcl_turnErrors(c, pose, NULL, e + 2);
+    bcl_orientationErrors(c, pose, NULL, e + 2);
     bcl_limitErrors(&c->of.limit, displacement(c, pose), e + 5);
 }
 
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
     MdtKeaRow along;
     bcl_axisRows(c, x, 1, 2, rows);
-    bcl_turnRows(c, x, NULL, rows + 2);
+    bcl_orientationRows(c, x, NULL, rows + 2);
     axisRow(c, x, &along);
     bcl_limitFill(&c->of.limit, x, &along, rows + 5);
 }

@@ -50,7 +50,7 @@ void bcl_startRow(MdtKeaRow *row, const MdtBclContext *x) {
     row->normal = row->partner = row->contact = -1;
 }
 
-void bcl_aimAtZero(MdtKeaRow *row, const MdtBclContext *x, double error) {
+void bcl_makePosition(MdtKeaRow *row, const MdtBclContext *x, double error) {
     MEASSERT(x->parameters.gamma >= 0 && x->parameters.gamma <= 1);
     row->error = error;
     row->target = -x->parameters.gamma * error / x->parameters.stepsize;
@@ -119,7 +119,7 @@ void bcl_pointRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow 
             keaCross(rows[i].J[k].ang, arm[k], rows[i].J[k].lin);
             keaCopy(rows[i].arm[k], arm[k]);
         }
-        bcl_aimAtZero(&rows[i], x, errors[i]);
+        bcl_makePosition(&rows[i], x, errors[i]);
     }
     MEVALIDATE(bcl_areRows(rows, 3));
 }
@@ -157,7 +157,7 @@ void bcl_axisRows(const MdtBclConstraint *c, const MdtBclContext *x, int first, 
     bcl_axisErrors(c, x->pose, first, count, errors);
     for (int i = 0; i < count; i++) {
         bcl_alongRow(c, x, axes[first + i], 1, &rows[i]);
-        bcl_aimAtZero(&rows[i], x, errors[i]);
+        bcl_makePosition(&rows[i], x, errors[i]);
     }
 }
 

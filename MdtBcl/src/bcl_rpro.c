@@ -1,12 +1,14 @@
 /* RPRO (relative position, relative orientation): the attachments coincide, and the program sets the relative
  * orientation of the frames; the forces are bounded (Dynamics guide ch. 3, "MdtRPROJoint").
  *
- *     φ_1..3 = e_i·(P_0 - P_1), e_i the axes of frame 1,   φ_4..6: frame 0 is frame 1 turned by q (bcl_turnRows).
+ *     φ_1..3 = e_i·(P_0 - P_1), e_i the axes of frame 1
+ *     φ_4..6: frame 0 is frame 1 rotated by the target q (bcl_orientationRows)
  *
  * With w the angular velocity of q in the axes of frame 1 and T the target frame, the angular rows have the target
- * -γ φ / h + T_i·w and, as position rows, are relative to the q of the end of the step, turned by w h. The force or
- * torque of each row is bounded by its strength: at the bound the joint yields. At an angular error θ the Jacobian of
- * an angular row is shorter by the factor cos θ/2, so the bound of its multiplier is divided by that.
+ * -γ φ / h + T_i·w. As position rows, they constrain the orientation at the end of the step to the q of that time,
+ * rotated by h w. The force or torque of each row is bounded by its strength: at the bound the joint yields. At an
+ * angular error θ the Jacobian of an angular row is shorter by the factor cos θ/2, so that the bound of its multiplier
+ * is divided by this factor.
  */
 #include "bcl_i.h"
 #include <string.h>
@@ -29,7 +31,7 @@ static void targetAfter(const MdtBclRelative *r, double t, double q[4]) {
 }
 
 /* The rate of the angular rows due to the target's angular velocity ω: G Tᵀ F_1 ω, with G = w I - [v]x of
- * bcl_turnRows. */
+ * bcl_orientationRows. */
 static void targetRate(const double turn[4], const double now[4], const double velocity[3], double rate[3]) {
     double R[3][3], w[3];
     keaQuaternionToMatrix(R, now);
@@ -43,25 +45,25 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     double turn[4];
     targetAfter(r, x->elapsed, r->now);
     targetAfter(r, x->elapsed + x->parameters.stepsize, r->then);
-    bcl_turnBetween(turn, c, x->pose, r->now);
+    bcl_relativeOrientation(turn, c, x->pose, r->now);
     targetRate(turn, r->now, r->velocity, r->rotation);
     keaScale(r->rotation, x->parameters.stepsize, r->rotation);
     MEASSERT(isfinite(keaDot(r->rotation, r->rotation)));
-    c->isDegenerate = bcl_isHalfATurn(c, x, r->now);
+    c->isDegenerate = bcl_isNearHalfTurn(c, x, r->now);
     return 6;
 }
 
 static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
     const MdtBclRelative *r = &c->of.relative;
     bcl_axisErrors(c, pose, 0, 3, e);
-    bcl_turnErrors(c, pose, r->then, e + 3);
+    bcl_orientationErrors(c, pose, r->then, e + 3);
     keaAddScaled(e + 3, 1, r->rotation);
 }
 
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
     const MdtBclRelative *r = &c->of.relative;
     bcl_axisRows(c, x, 0, 3, rows);
-    bcl_turnRows(c, x, r->now, rows + 3);
+    bcl_orientationRows(c, x, r->now, rows + 3);
     for (int i = 0; i < 3; i++) {
         rows[3 + i].drift = r->rotation[i] / x->parameters.stepsize;
         rows[3 + i].target += rows[3 + i].drift;

@@ -59,7 +59,7 @@ static void measureCoordinates(const MdtBclConstraint *c, const MdtKeaTransforma
     static const double toY[2] = {1, 0}, toZ[2] = {0, 1};
     const MdtBclSkeletal *s = &c->of.skeletal;
     double D[4], R[3][3];
-    bcl_turnBetween(D, c, pose, NULL);
+    bcl_relativeOrientation(D, c, pose, NULL);
     keaQuaternionToMatrix(R, D);
     const double a[3] = {R[0][0], R[1][0], R[2][0]}, sine = sqrt(a[1] * a[1] + a[2] * a[2]);
     const double theta = atan2(sine, a[0]);
@@ -173,11 +173,11 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
     rows += 3;
     for (int i = 0; i < countLockedSwings(s); i++, rows++) {
         turnRow(c, x, p.swing[1 - i], rows);
-        bcl_aimAtZero(rows, x, p.sigma[1 - i]);
+        bcl_makePosition(rows, x, p.sigma[1 - i]);
     }
     if (s->twistOption == MdtSkeletalTwistOptionFixed) {
         turnRow(c, x, p.twist, rows);
-        bcl_aimAtZero(rows++, x, p.tau);
+        bcl_makePosition(rows++, x, p.tau);
     }
     coneRow(c, x, &p, &row);
     bcl_limitFill(&s->cone, x, &row, rows);

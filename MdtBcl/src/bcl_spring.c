@@ -101,7 +101,7 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
     }
     rows[0] = row;
     if (s->kind == MdtBclDistanceRod) {
-        bcl_aimAtZero(&rows[0], x, e);
+        bcl_makePosition(&rows[0], x, e);
     } else {
         const MdtBclSingleLimit *side = &s->limit.limit[e > 0];
         bcl_makeSpring(&rows[0], e, side->stiffness, side->damping);

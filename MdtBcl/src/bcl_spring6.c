@@ -20,14 +20,14 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     int count[2] = {0, 0}; /* linear, angular */
     for (int i = 0; i < 6; i++)
         count[i / 3] += hasRow(&c->of.springs, i);
-    c->isDegenerate = count[1] > 0 && bcl_isHalfATurn(c, x, NULL);
+    c->isDegenerate = count[1] > 0 && bcl_isNearHalfTurn(c, x, NULL);
     return count[0] + count[1];
 }
 
 static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
     double all[6];
     bcl_axisErrors(c, pose, 0, 3, all);
-    bcl_turnErrors(c, pose, NULL, all + 3);
+    bcl_orientationErrors(c, pose, NULL, all + 3);
     for (int i = 0, n = 0; i < 6; i++)
         if (hasRow(&c->of.springs, i))
             e[n++] = all[i];
@@ -38,7 +38,7 @@ static void springRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKea
     double axes[3][3], turn[4];
     bcl_axes(axes, c, 1, x->pose[1]);
     bcl_axisErrors(c, x->pose, 0, 3, strain);
-    bcl_turnBetween(turn, c, x->pose, NULL);
+    bcl_relativeOrientation(turn, c, x->pose, NULL);
     bcl_rotationVector(turn, strain + 3);
     for (int i = 0; i < 3; i++) {
         bcl_alongRow(c, x, axes[i], 1, &rows[i]);
@@ -51,7 +51,7 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
     MdtKeaRow spring[6], locked[3];
     double strain[6];
     springRows(c, x, spring, strain);
-    bcl_turnRows(c, x, NULL, locked);
+    bcl_orientationRows(c, x, NULL, locked);
     for (int i = 0, n = 0; i < 6; i++) {
         if (!hasRow(s, i))
             continue;
@@ -60,7 +60,7 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
         if (bcl_isSpring(s->stiffness[i], s->damping[i]))
             bcl_makeSpring(row, strain[i], s->stiffness[i], s->damping[i]);
         else if (i < 3)
-            bcl_aimAtZero(row, x, strain[i]);
+            bcl_makePosition(row, x, strain[i]);
         else
             *row = locked[i - 3];
     }

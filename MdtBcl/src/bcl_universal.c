@@ -34,7 +34,7 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
     bcl_pointRows(c, x, rows);
     crossAxes(a, b, c, x->pose);
     bcl_dotRow(x, a, b, &rows[3]);
-    bcl_aimAtZero(&rows[3], x, keaDot(a, b));
+    bcl_makePosition(&rows[3], x, keaDot(a, b));
 }
 
 const MdtBclType bcl_universal = {.name = "Universal",

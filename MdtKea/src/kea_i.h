@@ -4,12 +4,15 @@
  *
  *   exact/, a step by Newton's method to the tolerance:
  *     kea_step.c              one step: passes of linearization, then the velocity stage
- *     kea_scheme.c            time integration: end states from the unknowns u, the residual of momentum, its
- *     derivative kea_contact.c           rows of contacts, from manifolds kea_rows.c              linearization of
- *     rows; the choice of θ per body kea_dual.c              the inner problem solved for the joints' impulses (dual)
- *     kea_redundancy.c        redundant joints: the impulses of least norm kea_velocity.c          the velocity stage:
- *     projects the end velocities onto the rows at the end poses kea_events.c            times of impact and of the end
- *     of sliding within a timed step kea_flight.c            ballistic bodies, advanced from impact to impact
+ *     kea_scheme.c            time integration: end states from the unknowns u, residual of momentum, derivatives
+ *     kea_contact.c           rows of contacts, from manifolds
+ *     kea_rows.c              linearization of rows; the choice of θ per body
+ *     kea_dual.c              the inner problem solved for the joints' impulses (dual)
+ *     kea_redundancy.c        redundant joints: the impulses of least norm
+ *     kea_velocity.c          the velocity stage: projects the end velocities onto the rows at the end poses
+ *     kea_events.c            times of impact and of the end of sliding within a timed step
+ *     kea_flight.c            ballistic bodies, advanced from impact to impact
+ *     kea_reverse.c           steps back in time
  *
  *   fast/, a step by passes over manifolds (fast/kea_fast_i.h)
  *
@@ -18,6 +21,7 @@
  *     kea_anchor.c            positions of contacts, and how their lever arms change
  *     kea_body.c              a body at the start and at the end of a step
  *     kea_budget.c            the work budget of a solve
+ *     kea_guess.c             cold start: a guess at the forces of new contacts
  *     kea_rates.c             rates of rows, J v; which rows may reach a bound
  *     kea_residual.c          residuals and the test of convergence
  *     kea_energy.c            kinetic energy and its limit
@@ -30,11 +34,12 @@
  *
  *   inner/, the inner problem: bodies with a quadratic metric, rows with bounds and cones, independent of any step:
  *     kea_problem_i.h, .c     its data, its residual
- *     kea_newton.c            its solution: semismooth Newton on the bodies' side
- *     kea_friction.c          friction bounds between two of its solves
- *     kea_sweep.c             its solution by sweeps, when work runs out
+ *     kea_newton.c            its solution by semismooth Newton, with the bodies' velocities as unknowns
+ *     kea_states.c            its solution by an active set method, from given states of the rows
+ *     kea_friction.c          updates of friction bounds between two of its solves
+ *     kea_sweep.c             its solution by sweeps, when the work budget is used up
  *     kea_factor.c            sparse factorization: the numeric phase
- *     kea_structure.c, kea_order.c                the symbolic phase: structure, order of elimination
+ *     kea_structure.c, kea_order.c      the symbolic phase: structure, order of elimination
  *     kea_graph.c             the graph of bodies, with an edge for each pair that rows join
  *     kea_cache.c             cached structures, and the memory of all factors
  *
@@ -57,9 +62,9 @@ typedef struct KeaEnd {
 
 /* The working data of a body in a step. */
 typedef struct KeaBody {
-    double theta;           /* of u: 1/2, midpoint rule; 1, backward Euler (dividing by either is exact) */
-    double moveTheta;       /* of an untied body's displacement: 1/2, or 1 if that would press a contact */
-    double size;            /* m, largest radius of gyration */
+    double theta;           /* θ of u: 1/2, midpoint rule; 1, backward Euler. Division by either is exact */
+    double moveTheta;       /* θ of an untied body's displacement: 1/2; 1 if 1/2 would press a contact deeper */
+    double size;            /* m, the largest radius of gyration */
     MeBool isSpatial;       /* its angular velocity is integrated in world axes, without gyroscopic term */
     double axes[3][3];      /* principal axes at the start, as columns */
     double spin[3];         /* rad/s at the start, in principal axes; in world axes if isSpatial */
@@ -105,9 +110,9 @@ typedef struct KeaFlight {
     double *time;               /* s, by body: the time that it has been advanced to */
     double *impactTime;         /* s, by contact: its next predicted impact; -HUGE_VAL: it is part of the present one */
     int *start, *list;          /* the contacts of body b: list[start[b] .. start[b + 1]) */
-    int *body, numBodies;       /* the bodies of the present impact */
-    char *isIn;                 /* by body: it is one of them */
-    int *touching, numTouching; /* their contacts that touch */
+    int *body, numBodies;       /* the bodies that take part in the present impact */
+    char *isInvolved;           /* by body: it takes part in the present impact */
+    int *touching, numTouching; /* the touching contacts of these bodies */
     int impacts, misses;        /* impacts so far; impacts that were predicted too early */
 } KeaFlight;
 
@@ -121,21 +126,21 @@ typedef struct MdtKeaWork {
     double *movingRate;                       /* m/s, by row (kea_setMovingRates) */
     MdtKeaJBlockPair *savedJ;                 /* by row */
     double (*bestU)[6], *bestP;               /* by body, by row: u and p of the best pass so far */
-    double (*tangentU)[6], *tangentP; /* of the best tangent pass with joint errors below the rounding of attachments */
-    double (*added)[6];               /* by body: change of velocity, m/s, rad/s; of the projection m, rad */
-    double (*plastic)[6];             /* by body: change of velocity without restitution, m/s, rad/s */
-    double speed;                     /* m/s: speed of the fastest body in an impact */
-    double *target;                   /* two arrays by row: targets of impacts, m/s, or of the projection, m */
-    double (*velocity)[6];            /* by body: input of the energy limiter, m/s, rad/s */
-    double *savedP;                   /* by row: impulses, saved while the inner problem solves something else */
-    char *isIncluded;                 /* by row: it takes part in an impact or a projection */
-    int *activeRow, *problemRowOf;    /* impacts: system row of a problem row; problem row of a system row */
-    int *activeBody, *problemBodyOf;  /* the same for bodies; -1: not part of the impact */
-    int *parent;                      /* union-find by body, the world last */
+    double (*tangentU)[6], *tangentP;         /* u, p of the best tangent pass that closes joints to rounding */
+    double (*added)[6];              /* by body: change of velocity, m/s, rad/s; in the projection of pose, m, rad */
+    double (*plastic)[6];            /* by body: change of velocity without restitution, m/s, rad/s */
+    double speed;                    /* m/s: speed of the fastest body in an impact */
+    double *target;                  /* two arrays by row: targets of impacts, m/s, or of the projection, m */
+    double (*velocity)[6];           /* by body: input of the energy limiter, m/s, rad/s */
+    double *savedP;                  /* by row: impulses, saved while the inner problem solves something else */
+    char *isIncluded;                /* by row: it takes part in an impact or a projection */
+    int *activeRow, *problemRowOf;   /* impacts: system row of a problem row; problem row of a system row */
+    int *activeBody, *problemBodyOf; /* the same for bodies; -1: not part of the impact */
+    int *parent;                     /* union-find by body, the world last */
     KeaProblem problem;
     KeaDual dual;
     KeaFlight flight;
-    MeBool hasLoops;          /* of joints */
+    MeBool hasLoops;          /* joints form a loop */
     MeBool isInconsistent;    /* joints contradict each other: some keep a residual above the tolerance */
     MeBool hasJoints;         /* there are rows other than those of contacts (kea_beginRows) */
     MeBool usesTangentAnswer; /* the answer is tangentU, tangentP: symmetric passes did not improve it */
@@ -189,7 +194,7 @@ void kea_invert(double inverse[3][3], const double M[3][3]);
 /* The largest absolute value of the entries. */
 double kea_largestEntry(const double M[3][3]);
 /* Diagonalizes a symmetric matrix S in place: eigenvalues on its diagonal, eigenvectors as columns of V. */
-void kea_eigen(double S[3][3], double V[3][3]);
+void kea_diagonalize(double S[3][3], double V[3][3]);
 /* Sets the negative eigenvalues of a symmetric matrix to 0, unless all of them are above -harmless. */
 void kea_clampPositive(double K[3][3], double harmless);
 
@@ -241,9 +246,9 @@ void kea_linearizeRows(MdtKeaSystem *s);
 /* Activates contacts that were inactive (out of reach) and would be penetrated at the end of the step; sets θ = 1 for
  * bodies of stops that act. */
 void kea_admitContacts(MdtKeaSystem *s);
-/* Chooses moveTheta of untied bodies and moves the bodies again: by the mean of their start and end velocities, which
- * is of second order, or, if this presses a contact deeper than the end velocities do (these are what contacts
- * constrain), by their end velocities. */
+/* Chooses moveTheta of untied bodies, and moves the bodies again. A body is moved by the mean of its velocities at the
+ * start and the end, which is of second order, unless this presses a contact deeper than the end velocity does, which
+ * is what contacts constrain: then by the end velocity. */
 void kea_chooseMoveThetas(MdtKeaSystem *s);
 /* Whether a spring is too stiff for the midpoint rule and is integrated by backward Euler (θ = 1). */
 MeBool kea_isTooStiff(const MdtKeaSystem *s, const MdtKeaRow *row);
@@ -263,8 +268,10 @@ typedef struct KeaApproach {
     double acceleration; /* m/s², in the last step */
 } KeaApproach;
 
+/* The approach along a row's direction. */
 KeaApproach kea_approachOfRow(const MdtKeaSystem *s, const MdtKeaRow *row);
-/* Of a point along the manifold's normal; arms point from the bodies' centres, or the world's origin, to the point. */
+/* The approach of a point along the manifold's normal; arms point from the bodies' centres, or the world's origin, to
+ * the point. */
 KeaApproach kea_approachOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const double arm[2][3]);
 /* Whether the bodies touch, or may touch within the step; gap in m. */
 MeBool kea_mayTouch(const MdtKeaSystem *s, const MdtKeaBodyIndexPair body, const KeaApproach *a, double gap);
@@ -300,24 +307,25 @@ double kea_meanRate(const MdtKeaSystem *s, int i);
 double kea_lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row);
 /* m: the smaller radius of gyration of two bodies, the scale of gaps and depths between them. */
 double kea_smallerExtent(const MdtKeaSystem *s, const int body[2]);
-/* Save and restore the rows' Jacobians (work->savedJ). */
-void kea_keepRows(MdtKeaSystem *s);
-void kea_recallRows(MdtKeaSystem *s);
-/* m/s: the part of a target speed that a row can enforce within its bounds. One-sided rows only push: it is 0 for a
- * stop or a contact with a gap. */
+/* Save and restore the Jacobians of all rows (work->savedJ). */
+void kea_saveJacobians(MdtKeaSystem *s);
+void kea_restoreJacobians(MdtKeaSystem *s);
+/* m/s: the absolute value of a target rate `speed`, if the bounds of the row allow the force that enforces it, else 0:
+ * one-sided rows, of stops and contacts, only push, and have no effect while there is a gap. */
 double kea_pushSpeed(const MdtKeaSystem *s, const MdtKeaRow *row, double speed);
 
 /* ---- kea_events.c ---- */
 
 /* Sets isOpen of all contacts at the start of a timed step. */
 void kea_markOpenContacts(MdtKeaSystem *s);
-/* Closes open contacts that have a slow impact within the step by the last solve (holdsSlow); returns their number. */
+/* For holdsSlow: clears isOpen of contacts whose impact, as predicted by the last solve, is within the step and too
+ * slow to rebound. Returns their number. */
 int kea_closeSlowContacts(MdtKeaSystem *s);
-/* s: the time of the first impact or end of sliding within the step; HUGE_VAL: none. *mustRepeat is set if contacts
- * stop sliding: their friction is then fixed against the sliding of the start (isForced), and the caller has to solve
- * and to call again for the time. kea_releaseSlides undoes the fixing. */
+/* s: the time of the first impact or end of sliding within the step; HUGE_VAL: none. Sets *mustRepeat if contacts stop
+ * sliding: the direction of their friction is then fixed against the sliding of the start (isForced), and the caller
+ * has to solve again and to call again for the time. kea_releaseFriction undoes the fixing. */
 double kea_firstEvent(MdtKeaSystem *s, MeBool *mustRepeat);
-void kea_releaseSlides(MdtKeaSystem *s);
+void kea_releaseFriction(MdtKeaSystem *s);
 /* s: the time of the first impact of ballistic motion, at most the length of the step. */
 double kea_firstEventOfFlight(const MdtKeaSystem *s);
 /* s: the time of impact of the contact with normal row i if no row exerts a force; HUGE_VAL: none. */
@@ -331,7 +339,7 @@ MeBool kea_isContactOpen(const MdtKeaSystem *s, int i, double speed);
 KeaEventScale kea_eventScale(const MdtKeaSystem *s);
 /* Resolves all impacts at the start of the step: sets velocities of bodies, and impulses in rows[i].force. False: no
  * memory. */
-MeBool kea_impact(MdtKeaSystem *s, const KeaEventScale *scale);
+MeBool kea_resolveImpacts(MdtKeaSystem *s, const KeaEventScale *scale);
 /* Whether impacts would chatter (MdtKeaTrembles). */
 MeBool kea_impactsChatter(const MdtKeaSystem *s, const KeaEventScale *scale);
 /* m/s: the scale of speeds in timed steps: the change of velocity by the loads in one step, or a small fraction of the
@@ -341,14 +349,15 @@ double kea_eventSpeed(const MdtKeaSystem *s);
 MeBool kea_isTouching(const MdtKeaSystem *s, const MdtKeaRow *row);
 /* m/s: J v - s of row i at the start; J v - drift if it is a normal row. */
 double kea_startRate(const MdtKeaSystem *s, int i);
-/* Set a body and a row of the inner problem of an instant: masses at the start pose, no loads, no springs. */
+/* Set a body and a row of the inner problem of an instant, such as an impact: inertia at the start pose, no loads, no
+ * springs. */
 void kea_setInstantBody(KeaProblem *q, int b, const MdtKeaBody *body);
 void kea_setInstantRow(const MdtKeaSystem *s, int i, KeaProblemRow *p);
 
 /* ---- kea_project.c ---- */
 
 /* Reduces overlaps by displacing bodies, without changing velocities. */
-void kea_project(MdtKeaSystem *s);
+void kea_projectPositions(MdtKeaSystem *s);
 /* Whether the row is a position row without bounds. */
 MeBool kea_isRigidJoint(const MdtKeaRow *row);
 /* Finds the smallest change of the bodies, work->added, in the metric of the instant (kea_setInstantBody), that changes
@@ -367,8 +376,8 @@ void kea_reportWork(MdtKeaSystem *s);
 
 /* Sets the end pose of body i from its KeaEnd, and its mean pose. */
 void kea_setPoses(MdtKeaSystem *s, int i);
-/* Set the end states of all bodies with isFree, or of body i, by free motion. */
-void kea_moveFreely(MdtKeaSystem *s);
+/* Set the end states of all bodies with isFree, or of body i, to those of free motion. */
+void kea_moveFreeBodies(MdtKeaSystem *s);
 void kea_moveFreeBody(MdtKeaSystem *s, int i);
 
 /* ---- kea_energy.c ---- */
@@ -380,9 +389,9 @@ double kea_kineticEnergy(const MdtKeaSystem *s, double (*velocity)[6], double (*
 double kea_energyAllowed(const MdtKeaSystem *s);
 /* J: kinetic energy of the whole partition at the speed with which the largest joint error is corrected. */
 double kea_energyOfCorrection(const MdtKeaSystem *s);
-/* If bodies that rows act on move against the loads so far that the loads would take more than their kinetic energy,
- * scales u of these bodies down until the loads take exactly all of it. Energy that the correction of errors needs is
- * added to it. False: nothing was scaled. */
+/* Limits displacements against the loads: if these would take more than the kinetic energy of the bodies that rows act
+ * on, plus the energy that the correction of errors needs, scales u of these bodies down until they take exactly that.
+ * False: nothing was scaled. */
 MeBool kea_limitDisplacements(const MdtKeaSystem *s);
 /* The largest a in [0, 1] for which velocity + plastic + a (elastic - plastic) has at most the energy `allowed`. */
 double kea_elasticShare(const MdtKeaSystem *s, double (*velocity)[6], double (*elastic)[6], double (*plastic)[6],
@@ -417,7 +426,7 @@ double kea_bodySpeedScale(const MdtKeaSystem *s);
 double kea_rowSpeedScale(const MdtKeaSystem *s);
 /* Residuals of the present iterate, relative to the speed scale `speed`; after a linearization. Writes report.error. */
 KeaResiduals kea_residuals(MdtKeaSystem *s, double speed);
-/* The largest joint error that was to be corrected and was not, relative to the smaller body's size. */
+/* The largest joint error that the step should have corrected and has not, relative to the smaller body's size. */
 double kea_uncorrectedOpening(const MdtKeaSystem *s);
 MeBool kea_isConverged(const KeaResiduals *e);
 /* Whether the residuals are within `margin` times the loose tolerances, within which an answer is reported as exact;
@@ -434,10 +443,10 @@ MeBool kea_isInconsistent(const MdtKeaSystem *s);
 
 /* ---- kea_dual.c ---- */
 
-/* Chooses the primal or the dual factorization by flop count. */
-void kea_dualChoose(MdtKeaSystem *s);
-/* Solves the inner problem for the joints' impulses. False: kea_dualChoose has chosen the primal factorization, the
- * budget is used up, or the factorization failed. */
+/* Chooses the primal or the dual factorization by flop count; dual.factor is null for the primal one. */
+void kea_dualChooseFactor(MdtKeaSystem *s);
+/* Solves the inner problem for the joints' impulses. False: kea_dualChooseFactor has chosen the primal factorization,
+ * the budget is used up, or the factorization failed. */
 MeBool kea_dualSolve(MdtKeaSystem *s);
 
 /* ---- kea_redundancy.c ---- */

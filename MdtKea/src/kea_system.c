@@ -9,6 +9,7 @@
 #include <stdint.h>
 #include <string.h>
 
+/* Sets the system's arrays; without memory in the arena it only measures them. */
 static void layOutSystem(MdtKeaSystem *s, KeaArena *arena) {
     const size_t n = (size_t)s->numBodies, m = (size_t)s->maxRows;
     KEA_CARVE(arena, s->pose, n);
@@ -47,7 +48,7 @@ static void layOutSystem(MdtKeaSystem *s, KeaArena *arena) {
     KEA_CARVE(arena, work->flight.time, n);
     KEA_CARVE(arena, work->flight.start, n + 1);
     KEA_CARVE(arena, work->flight.body, n);
-    KEA_CARVE(arena, work->flight.isIn, n);
+    KEA_CARVE(arena, work->flight.isInvolved, n);
     KEA_CARVE(arena, work->flight.impactTime, (size_t)s->maxContacts);
     KEA_CARVE(arena, work->flight.list, 2 * (size_t)s->maxContacts);
     KEA_CARVE(arena, work->flight.touching, (size_t)s->maxContacts);
@@ -84,7 +85,8 @@ int MEAPI MdtKeaMemoryRequired(const int num_rows_exc_padding[], int num_partiti
     return max > (size_t)INT32_MAX ? INT32_MAX : (int)max;
 }
 
-/* By the rule for order (MeTeam.h), a range writes to its own bodies only; so does commitBodies. */
+/* Computes the start values of a range of bodies. Like commitBodies it writes only to bodies of its range, as the rule
+ * for order demands (MeTeam.h). */
 static void MEAPI beginBodies(void *system, int first, int end, int worker) {
     MdtKeaSystem *s = system;
     (void)worker;
@@ -124,11 +126,11 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
 
 void MEAPI MdtKeaImpact(MdtKeaSystem *s) {
     const KeaEventScale scale = kea_eventScale(s);
-    if (kea_impact(s, &scale))
+    if (kea_resolveImpacts(s, &scale))
         kea_returnContactForces(s);
 }
 
-/* Whether all values are within the range of MeReal, in which programs read the state; false for NaN. */
+/* Whether all values are finite as MeReal, in which programs read the state. */
 static MeBool isInRange(const double *v, int n) {
     for (int i = 0; i < n; i++)
         if (!(fabs(v[i]) <= (double)MEINFINITY))
@@ -136,6 +138,7 @@ static MeBool isInRange(const double *v, int n) {
     return METRUE;
 }
 
+/* Whether the end state of a body, and the angular velocity that follows from it, are finite as MeReal. */
 static MeBool mayCommit(const MdtKeaBody *body, const KeaEnd *end) {
     if (!isInRange(end->position, 3) || !isInRange(end->quaternion, 4) || !isInRange(end->velocity, 3) ||
         !isInRange(end->angularMomentum, 3))

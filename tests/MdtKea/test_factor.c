@@ -697,7 +697,7 @@ static void solveBy(const KeaFactorKernel *kernel, const Graph *g, int seed, For
                 a[r][k / 6][k % 6] = uniform(-1, 1);
                 b[r][k / 6][k % 6] = uniform(-0.1, 0.1) + a[r][k / 6][k % 6] * isSymmetric;
             }
-            kea_factorPutRow(&rows, 1, a[r], isSymmetric ? a[r] : b[r]);
+            kea_factorAppendRow(&rows, 1, a[r], isSymmetric ? a[r] : b[r]);
         }
         if (g->size[i] == 6)
             kernel->addRows(f, &rows, isSymmetric);

@@ -201,7 +201,7 @@ static void solve(void) {
     MeBool isDone = MEFALSE;
     measure();
     for (int pass = 0; pass < MAX_PASSES && !isDone; pass++) {
-        kea_frictionRenewBounds(&q);
+        kea_frictionSetBounds(&q);
         kea_problemSolve(&q, METRUE);
         kea_problemAccumulate(&q, total);
         isDone = kea_problemResidual(&q, NULL) < 1e-13 && kea_problemError(&q) < 1;

@@ -52,7 +52,6 @@ EXCEPTIONS = {  # identifier: (where, why)
     'isTaken': ('MeGlobals/src/MeIDPool.c', 'of a number in MeIDPool.taken'),
     'countTaken': ('MeGlobals/src/MeIDPool.c', 'of numbers in MeIDPool.taken'),
     'off_t': ('MeGlobals/src', 'of POSIX'),
-    'offDiagonal': ('MdtKea/src/common', 'a matrix has entries off its diagonal'),
     'MDT_OFF_CENTRE': ('Mdt/src', "a centre of mass that is off the frame's origin"),
     'sag': ('Mst/src/universe', 'of a joint under its load: epsilon F h² / gamma'),
     'rest': ('Mdt/src/base', 'what remains of a list or a word'),

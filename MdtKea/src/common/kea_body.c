@@ -9,7 +9,8 @@ static void setPose(MdtKeaTransformation *pose, const double position[3], const 
     keaQuaternionToMatrix(pose->R, quaternion);
 }
 
-/* The solution r of dv/dt = scale a - damping v after h seconds; without damping exactly v + h scale a. */
+/* Sets r to the solution of dv/dt = scale a - damping v after h seconds; without damping it is exactly v + h scale
+ * a. */
 static void integrateDamped(double r[3], const double v[3], const double a[3], double scale, double damping, double h) {
     const double x = damping * h;
     MEASSERT(x >= 0);
@@ -23,8 +24,8 @@ double kea_bodyExtent(const MdtKeaBody *body) {
     return sqrt(kea_maxOf(body->moments) * body->invMass);
 }
 
-/* Sets velocity and angular momentum at the end of the step without rows, and the angular velocity that belongs to this
- * momentum at the start pose. R: principal axes. */
+/* Sets the velocity and angular momentum that the body would have at the end of the step without rows, and the angular
+ * velocity of this momentum at the start pose. R: principal axes. */
 static void predictBody(MdtKeaSystem *s, int i, const double R[3][3]) {
     const MdtKeaBody *body = s->bodies[i];
     KeaBody *b = &s->work->body[i];
@@ -63,6 +64,8 @@ static void storeAcceleration(MdtKeaBody *body, MdtKeaVelocity *start, double h)
     }
 }
 
+/* Copies the end state to the body. Without the Coriolis term the angular velocity is constant, and the momentum is
+ * computed anew for the new orientation. */
 static void commitState(MdtKeaBody *body, const KeaEnd *end) {
     double w[3];
     const MeBool steady = !(body->flags & MdtKeaBodyFlagAddCoriolisForce);

@@ -3,8 +3,8 @@
 #include "common/kea_policy_i.h"
 #include "MeAssert.h"
 
-/* An iteration cap is meant to make the step cheaper, so it also limits the number of passes by sweeps. Sweeps get at
- * most half of the remaining work. */
+/* An iteration cap also limits the number of passes by sweeps: a program that sets it wants cheaper steps. At most half
+ * of the remaining work is reserved for sweeps. */
 void kea_setBudget(MdtKeaSystem *s, double share, int sweptPasses) {
     MEASSERT(share > 0 && share <= 1 && sweptPasses >= 0);
     KeaProblem *q = &s->work->problem;

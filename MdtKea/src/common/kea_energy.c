@@ -18,12 +18,14 @@ double kea_kineticEnergy(const MdtKeaSystem *s, double (*velocity)[6], double (*
     return sum;
 }
 
+/* J: kinetic energy of body b at the start. */
 static double startEnergy(const MdtKeaSystem *s, int b) {
     const MdtKeaBody *body = s->bodies[b];
     return 0.5 *
            (keaDot(body->velocity, body->velocity) / body->invMass + keaDot(body->angularMomentum, s->velocity[b].ang));
 }
 
+/* J: the work of the loads on body b in the step, with its mean velocity. */
 static double workOfLoads(const MdtKeaSystem *s, int b) {
     const double *u = s->work->body[b].u;
     double dv[3], dL[3];
@@ -32,7 +34,7 @@ static double workOfLoads(const MdtKeaSystem *s, int b) {
     return keaDot(dv, u) / s->bodies[b]->invMass + keaDot(dL, u + 3);
 }
 
-/* J: work of springs, motors, and moving surfaces and attachments. */
+/* J: the work of springs, motors, moving surfaces and moving attachments in the step. */
 static double workOfRows(const MdtKeaSystem *s) {
     double sum = 0;
     for (int i = 0; i < s->numRows; i++) {
@@ -54,7 +56,7 @@ double kea_energyAllowed(const MdtKeaSystem *s) {
 
 /* ---- correction of errors ---- */
 
-/* m/s: the speed at which the largest error of joints, or of contacts too, is corrected. */
+/* m/s: the speed at which the largest position error of a joint is corrected; withContacts: of a joint or contact. */
 static double speedOfCorrection(const MdtKeaSystem *s, MeBool withContacts) {
     double speed = 0;
     for (int i = 0; i < s->numRows; i++) {

@@ -13,8 +13,8 @@ void kea_setPoses(MdtKeaSystem *s, int i) {
     }
 }
 
-/* Strang splitting: half of the loads, free flight and rotation, the other half of the loads. It is of second order,
- * and exact for the position under constant forces. */
+/* Strang splitting: half of the loads, free flight and rotation, the other half of the loads. The method is of second
+ * order; positions under constant forces are exact. */
 void kea_moveFreeBody(MdtKeaSystem *s, int i) {
     const double h = s->parameters.stepsize;
     const MdtKeaBody *body = s->bodies[i];
@@ -32,7 +32,7 @@ void kea_moveFreeBody(MdtKeaSystem *s, int i) {
     kea_setPoses(s, i);
 }
 
-void kea_moveFreely(MdtKeaSystem *s) {
+void kea_moveFreeBodies(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
         if (s->work->body[i].isFree)
             kea_moveFreeBody(s, i);

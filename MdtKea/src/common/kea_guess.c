@@ -16,24 +16,24 @@
 #include "inner/kea_factor_i.h"
 #include "MeAssert.h"
 
-/* The load L of a body, N, the sum N of the contacts that support it, and share = α / L: a contact carries L share
- * c. */
+/* The load L of a body, N; the vector N, the sum of the normals of the contacts that support it, weighted by c; and
+ * share = α / L: a contact carries L share c. */
 typedef struct Load {
     double force, normal[3], share;
 } Load;
 
 /* A resting contact: a manifold of which some points touch. */
-typedef struct Bearing {
+typedef struct RestingContact {
     MdtKeaManifold *manifold;
     double size;  /* m, of the smaller body */
     double c[2];  /* by body: the fraction of the normal force that supports it; negative: that presses it down */
     double force; /* N, the normal force of all points together */
     int numTouching;
-} Bearing;
+} RestingContact;
 
 typedef struct Guess {
     Load *load; /* by body */
-    Bearing *contact;
+    RestingContact *contact;
     int numContacts;
 } Guess;
 
@@ -52,7 +52,7 @@ static MeBool isAnyForceKnown(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* c of side k: -n·l; 0 for the world and bodies without force. */
+/* The coefficient c = -n·l of body k of a manifold; 0 for the world, and for bodies without force. */
 static double supportOf(const MdtKeaSystem *s, const MdtKeaManifold *m, int k) {
     if (m->body[k] < 0)
         return 0;
@@ -60,14 +60,15 @@ static double supportOf(const MdtKeaSystem *s, const MdtKeaManifold *m, int k) {
     return size > 0 ? (k == 0 ? -1 : 1) * keaDot(m->normal, force) / size : 0;
 }
 
-/* Whether the point is neither open nor in a deep overlap. */
+/* Whether the gap of the point is closed, and its overlap not deep; size: m, of the smaller body. */
 static MeBool isTouching(const MdtKeaPoint *point, double size) {
     return point->depth >= -kea_touchingGap * size && point->depth <= kea_smallOverlap * size;
 }
 
-static void addBearing(const MdtKeaSystem *s, MdtKeaManifold *m, Guess *g) {
-    Bearing *n = &g->contact[g->numContacts];
-    *n = (Bearing){.manifold = m, .size = kea_smallerExtent(s, m->body)};
+/* Adds a manifold to the resting contacts, if points of it touch, and to the normals of the bodies that it supports. */
+static void addRestingContact(const MdtKeaSystem *s, MdtKeaManifold *m, Guess *g) {
+    RestingContact *n = &g->contact[g->numContacts];
+    *n = (RestingContact){.manifold = m, .size = kea_smallerExtent(s, m->body)};
     for (int k = 0; k < m->numPoints; k++)
         n->numTouching += isTouching(&m->point[k], n->size);
     if (n->numTouching == 0)
@@ -80,25 +81,27 @@ static void addBearing(const MdtKeaSystem *s, MdtKeaManifold *m, Guess *g) {
     }
 }
 
+/* Sets the share from the force and the normals of a body. */
 static void setLoadShare(const double force[3], Load *load) {
     MEASSERT(load->force >= 0);
     const double *N = load->normal, squares = keaDot(N, N);
     load->share = squares > 0 ? -keaDot(N, force) / (load->force * squares) : 0;
 }
 
+/* Finds the resting contacts, and sets each body's load to its own force. */
 static void beginGuess(const MdtKeaSystem *s, Guess *g) {
     g->numContacts = 0;
     for (int i = 0; i < s->numBodies; i++)
         g->load[i] = (Load){.force = keaLength(s->bodies[i]->force)};
     for (int i = 0; i < s->numManifolds; i++)
-        addBearing(s, &s->manifolds[i], g);
+        addRestingContact(s, &s->manifolds[i], g);
     for (int i = 0; i < s->numBodies; i++)
         setLoadShare(s->bodies[i]->force, &g->load[i]);
 }
 
 /* Sets the contact's force to its share of the upper body's load, and adds the change to the lower body's load. Returns
  * the absolute change of the force. */
-static double passLoad(Bearing *n, Load load[]) {
+static double passLoad(RestingContact *n, Load load[]) {
     const double before = n->force;
     n->force = 0;
     for (int k = 0; k < 2; k++)
@@ -118,7 +121,7 @@ static MeBool passLoadsDown(Guess *g, int max) {
     for (int i = 0; i < max; i++) {
         double change = 0, all = 0;
         for (int k = 0; k < g->numContacts; k++) {
-            Bearing *n = &g->contact[i % 2 ? k : g->numContacts - 1 - k];
+            RestingContact *n = &g->contact[i % 2 ? k : g->numContacts - 1 - k];
             change += passLoad(n, g->load);
             all += n->force;
         }
@@ -128,9 +131,10 @@ static MeBool passLoadsDown(Guess *g, int max) {
     return MEFALSE;
 }
 
+/* Writes the contacts' forces as warm start, in equal parts to their touching points. */
 static void writeForces(const Guess *g) {
     for (int i = 0; i < g->numContacts; i++) {
-        const Bearing *n = &g->contact[i];
+        const RestingContact *n = &g->contact[i];
         MEASSERT(n->numTouching > 0);
         for (int k = 0; k < n->manifold->numPoints; k++)
             if (isTouching(&n->manifold->point[k], n->size))

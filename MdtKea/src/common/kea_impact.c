@@ -88,6 +88,7 @@ static MeBool isApproaching(const MdtKeaSystem *s, int i, double slowest) {
     return s->rows[i].contact == i && kea_isTouching(s, &s->rows[i]) && -kea_startRate(s, i) > slowest;
 }
 
+/* Adds a body to the problem, if it is not in it yet. */
 static void addImpactBody(MdtKeaSystem *s, int b) {
     KeaProblem *q = &s->work->problem;
     if (s->work->problemBodyOf[b] >= 0)
@@ -107,8 +108,8 @@ static void beginBodySets(MdtKeaSystem *s) {
             }
 }
 
-/* Adds the bodies that acting rows (work->isIncluded) connect with an approaching contact to the problem, in the rows'
- * order. First the roots of their sets are added, which marks these sets. */
+/* Adds to the problem, in the order of rows, all bodies that acting rows (work->isIncluded) connect with an approaching
+ * contact. First the roots of their sets are added, which marks these sets. */
 static void collectImpactBodies(MdtKeaSystem *s, double slowest) {
     KeaProblem *q = &s->work->problem;
     int *parent = s->work->parent, *place = s->work->problemBodyOf;
@@ -129,8 +130,8 @@ static void collectImpactBodies(MdtKeaSystem *s, double slowest) {
                 addImpactBody(s, s->rows[i].body[k]);
 }
 
-/* N s: the scale of a body's impulses. The tolerance of a body that is almost at rest beside moving ones is what an
- * impact's passes leave of their speed, not ten digits of its own speed. */
+/* N s: the scale of a body's impulses, to which its tolerance is relative. For a body almost at rest beside moving ones
+ * it is what the passes of an impact leave of their speed: ten digits of its own speed would never be reached. */
 static double momentumScaleOf(const MdtKeaSystem *s, int b, const MdtKeaVelocity *v) {
     const KeaProblem *q = &s->work->problem;
     const double own = keaLength(v->lin) + q->length[b] * keaLength(v->ang);
@@ -175,7 +176,8 @@ static void setImpactProblem(MdtKeaSystem *s, double slowest) {
 
 /* ---- one round ---- */
 
-/* m/s: the target for the change of a row's rate: 0 for joints; stops are not passed. */
+/* m/s: the change of row i's rate that a round aims at: of contacts to the rates `target`, of stops to the rate of
+ * their attachments; 0 for joints. */
 static double targetChangeOfRate(const MdtKeaSystem *s, int i, const double target[]) {
     const MdtKeaRow *row = &s->rows[i];
     if (row->contact >= 0)
@@ -210,7 +212,7 @@ static void solveRound(MdtKeaSystem *s, const double target[], const char isIncl
             if (q->row[i].partner > i)
                 q->row[i].N = q->row[q->row[i].partner].N = keaMax(q->row[i].N, q->row[q->row[i].partner].N);
         if (pass > 0)
-            kea_frictionApproachBounds(q, pass);
+            kea_frictionIterateBounds(q, pass);
         q->isWarm = pass > 0; /* the first pass, a convex problem, shares impulses evenly */
         kea_problemSolve(q, METRUE);
         kea_problemAccumulate(q, change);
@@ -233,8 +235,8 @@ static void addVelocityChange(MdtKeaSystem *s, double (*change)[6]) {
     }
 }
 
-/* The present velocities, in the layout of the energy limiter. */
-static double (*startVelocities(const MdtKeaSystem *s))[6] {
+/* The present velocities of the problem's bodies, copied to work->velocity, which the energy limiter reads. */
+static double (*presentVelocities(const MdtKeaSystem *s))[6] {
     for (int b = 0; b < s->work->problem.numBodies; b++) {
         keaCopy(s->work->velocity[b], impactVelocityOf(s, b)->lin);
         keaCopy(s->work->velocity[b] + 3, impactVelocityOf(s, b)->ang);
@@ -242,21 +244,22 @@ static double (*startVelocities(const MdtKeaSystem *s))[6] {
     return s->work->velocity;
 }
 
-static double energyWith(const MdtKeaSystem *s, double (*change)[6]) {
-    return kea_kineticEnergy(s, startVelocities(s), change);
+/* J: kinetic energy of the problem's bodies after a change of their velocities; null: at present. */
+static double energyAfter(const MdtKeaSystem *s, double (*change)[6]) {
+    return kea_kineticEnergy(s, presentVelocities(s), change);
 }
 
 /* Whether the change adds no energy; false if it is not finite, as when friction bounds do not converge. */
 static MeBool addsNoEnergy(const MdtKeaSystem *s, double (*change)[6]) {
-    return energyWith(s, change) <= energyWith(s, NULL) * (1 + kea_energyRounding);
+    return energyAfter(s, change) <= energyAfter(s, NULL) * (1 + kea_energyRounding);
 }
 
 /* Adds the plastic change plus the largest fraction of (elastic - plastic) with which no energy is added. */
 static void addBlendedChange(MdtKeaSystem *s, double (*elastic)[6], double (*plastic)[6]) {
-    const double before = energyWith(s, NULL);
+    const double before = energyAfter(s, NULL);
     MEASSERT(addsNoEnergy(s, plastic));
     const double share =
-        isfinite(energyWith(s, elastic)) ? kea_elasticShare(s, startVelocities(s), elastic, plastic, before) : 0;
+        isfinite(energyAfter(s, elastic)) ? kea_elasticShare(s, presentVelocities(s), elastic, plastic, before) : 0;
     addVelocityChange(s, plastic);
     for (int b = 0; share > 0 && b < s->work->problem.numBodies; b++) {
         for (int k = 0; k < 3; k++) {
@@ -264,9 +267,10 @@ static void addBlendedChange(MdtKeaSystem *s, double (*elastic)[6], double (*pla
             impactVelocityOf(s, b)->ang[k] += share * (elastic[b][3 + k] - plastic[b][3 + k]);
         }
     }
-    MEASSERT(energyWith(s, NULL) <= before * (1 + kea_assertedRounding));
+    MEASSERT(energyAfter(s, NULL) <= before * (1 + kea_assertedRounding));
 }
 
+/* Adds the impulses of the round to the rows. */
 static void storeImpulses(MdtKeaSystem *s) {
     const KeaProblem *q = &s->work->problem;
     for (int k = 0; k < q->numRows; k++)
@@ -327,8 +331,9 @@ static double markApproachingContacts(MdtKeaSystem *s, double slowest, double mi
     return fastest;
 }
 
-/* Sets the separating velocities of the contacts. If one contact rebounds, slow ones do so too: a contact that is
- * stopped would dissipate p v / 2, with an impulse p that is due to the others and may be large. */
+/* Sets the velocities at which the included contacts are to separate, without a minimal speed: if one contact rebounds,
+ * slow ones do so too. A contact that is stopped would dissipate p v / 2, with an impulse p that is due to the others
+ * and may be large. */
 static void setReboundTargets(const MdtKeaSystem *s, const char isIncluded[], double target[]) {
     for (int k = 0; k < s->work->problem.numRows; k++) {
         const int i = s->work->activeRow[k];
@@ -339,8 +344,8 @@ static void setReboundTargets(const MdtKeaSystem *s, const char isIncluded[], do
 
 /* ---- rounds ---- */
 
-/* Solves a round and adds its change of velocities. False: even without restitution it would add energy; the contacts
- * are left to the solve of the step. */
+/* Solves a round and adds its change of velocities; if that would add energy, a part of it. False: even the change
+ * without restitution would add energy. Nothing is changed then, and the solve of the step stops the contacts. */
 static MeBool applyRound(MdtKeaSystem *s, const double target[], const char isIncluded[]) {
     solveRound(s, target, isIncluded, s->work->added);
     if (addsNoEnergy(s, s->work->added)) {
@@ -357,6 +362,7 @@ static MeBool applyRound(MdtKeaSystem *s, const double target[], const char isIn
     return METRUE;
 }
 
+/* Prepares a last round, in which all contacts that still approach are stopped. */
 static void includeAllContacts(MdtKeaSystem *s, double target[], char isIncluded[]) {
     for (int k = 0; k < s->work->problem.numRows; k++) {
         const int i = s->work->activeRow[k];
@@ -365,6 +371,7 @@ static void includeAllContacts(MdtKeaSystem *s, double target[], char isIncluded
     }
 }
 
+/* Writes the velocities to the bodies, and what MdtKeaInit derives from them. */
 static void commitVelocities(MdtKeaSystem *s) {
     for (int b = 0; b < s->work->problem.numBodies; b++) {
         MdtKeaBody *body = s->bodies[s->work->activeBody[b]];
@@ -374,7 +381,7 @@ static void commitVelocities(MdtKeaSystem *s) {
     }
 }
 
-MeBool kea_impact(MdtKeaSystem *s, const KeaEventScale *scale) {
+MeBool kea_resolveImpacts(MdtKeaSystem *s, const KeaEventScale *scale) {
     double *target = s->work->target;
     char *isIncluded = s->work->isIncluded;
     const double minReboundSpeed = kea_minReboundSpeed * scale->speed;
@@ -387,7 +394,7 @@ MeBool kea_impact(MdtKeaSystem *s, const KeaEventScale *scale) {
     if (!kea_problemBegin(&s->work->problem, s->cache))
         return MEFALSE;
     kea_setBudget(s, 1, 1);
-    const double before = energyWith(s, NULL);
+    const double before = energyAfter(s, NULL);
     kea_problemSetEffectiveMasses(&s->work->problem);
     double first = 0; /* m/s: the fastest rebound of the first round */
     for (int round = 0; round < KEA_MAX_ROUNDS; round++) {
@@ -401,7 +408,7 @@ MeBool kea_impact(MdtKeaSystem *s, const KeaEventScale *scale) {
     }
     includeAllContacts(s, target, isIncluded);
     applyRound(s, target, isIncluded);
-    MEASSERT(!(energyWith(s, NULL) > before * (1 + kea_assertedRounding)));
+    MEASSERT(!(energyAfter(s, NULL) > before * (1 + kea_assertedRounding)));
     commitVelocities(s);
     kea_reportWork(s);
     return METRUE;

@@ -41,7 +41,7 @@ static void setKickProblem(MdtKeaSystem *s, double (*kicked)[6], double target[]
     q->numRows = s->numRows;
 }
 
-/* min 1/2 |d - d_0|²_M over the changes d of velocity that leave the rates of joints as they are; d_0 = M⁻¹ kick. */
+/* Solves min 1/2 |d - d_0|²_M over the changes d of velocity that do not change the rates of joints; d_0 = M⁻¹ kick. */
 void MEAPI MdtKeaKick(MdtKeaSystem *s) {
     double(*kicked)[6] = s->work->velocity;
     setKickProblem(s, kicked, s->work->target);

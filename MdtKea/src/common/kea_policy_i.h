@@ -238,7 +238,7 @@ static const double kea_rippleShare = 0.1;
 /* Joint error, relative to a body's size, above which a joint counts as open. Solved joints leave 1e-9; piles of swept
  * boxes on hinges gained energy from 1.5e-4 on (test_Mst_SweptJoints); with 1e-3 two of 4000 gain over 1e-3 of
  * theirs. */
-static const double kea_brokenJoint = 1e-5;
+static const double kea_openJoint = 1e-5;
 /* Relative rounding of sums of energies, which does not count as gained energy; in assertions relative to their largest
  * terms, which cancel to 1e-14 for a needle that spins about its own axis at 1e16 rad/s. */
 static const double kea_energyRounding = 1e-12;

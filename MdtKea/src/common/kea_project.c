@@ -3,13 +3,15 @@
 #include "common/kea_policy_i.h"
 #include <string.h>
 
+/* Whether row i is the normal row of a contact that overlaps at the end of the step. Writes the gap there, m, to
+ * `error`. */
 static MeBool isOverlapping(const MdtKeaSystem *s, int i, double *error) {
     const MdtKeaRow *row = &s->rows[i];
     *error = row->error + 0.5 * s->parameters.stepsize * (kea_startRate(s, i) + kea_endRate(s, i) - row->drift);
     return row->contact == i && !row->isOpen && *error < -kea_touchingGap * kea_smallerExtent(s, row->body);
 }
 
-/* m: γ times the sag of a soft contact under its load, which is not corrected. */
+/* m: the part of the correction that would remove the sag of a soft contact under its load, γ times the sag. */
 static double correctedSlop(const MdtKeaSystem *s, int i) {
     return s->parameters.stepsize * s->rows[i].softness * s->work->problem.row[i].p;
 }
@@ -18,6 +20,7 @@ MeBool kea_isRigidJoint(const MdtKeaRow *row) {
     return row->position && row->lower == -HUGE_VAL && row->upper == HUGE_VAL;
 }
 
+/* Moves the end poses of all bodies by work->added. */
 static void displaceBodies(MdtKeaSystem *s) {
     for (int b = 0; b < s->numBodies; b++) {
         KeaEnd *end = &s->work->end[b];
@@ -48,7 +51,7 @@ void kea_solveInstant(MdtKeaSystem *s, const double target[]) {
 
 /* Finds the smallest displacement, in the metric of masses, that removes the fraction γ of every overlap and makes none
  * deeper. */
-void kea_project(MdtKeaSystem *s) {
+void kea_projectPositions(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     double *target = s->work->target, error, max = 0;
     for (int i = 0; i < s->numRows; i++) {

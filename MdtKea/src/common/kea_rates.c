@@ -1,4 +1,4 @@
-/* Quantities of rows: rates J v, length scales, whether bounds may be reached; saving and restoring their Jacobians. */
+/* Rows: rates J v, length scales, whether bounds may be reached; saved Jacobians. */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
 #include "MeAssert.h"
@@ -55,12 +55,12 @@ double kea_pushSpeed(const MdtKeaSystem *s, const MdtKeaRow *row, double speed) 
 
 /* ---- Jacobians, saved and restored ---- */
 
-void kea_keepRows(MdtKeaSystem *s) {
+void kea_saveJacobians(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         memcpy(s->work->savedJ[i], s->rows[i].J, sizeof s->rows[i].J);
 }
 
-void kea_recallRows(MdtKeaSystem *s) {
+void kea_restoreJacobians(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         memcpy(s->rows[i].J, s->work->savedJ[i], sizeof s->rows[i].J);
 }

@@ -67,6 +67,8 @@ double kea_uncorrectedOpening(const MdtKeaSystem *s) {
     return max;
 }
 
+/* The largest uncorrected error of a position row, relative to its scale, without inconsistent rows. Writes the largest
+ * one in units of the rounding of attachments to `attachment`, and the largest in m to report.error. */
 static double largestPositionError(MdtKeaSystem *s, double *attachment) {
     double worst = 0;
     *attachment = 0;
@@ -87,9 +89,9 @@ static double largestPositionError(MdtKeaSystem *s, double *attachment) {
 
 /* ---- joints that contradict each other ---- */
 
-/* Whether a row can be inconsistent: a joint, or a stop whose bodies are kept in place by friction. The impulse of such
- * a stop would grow from pass to pass until a contact slides; while its error is below the rounding of attachments, the
- * stop counts as inconsistent with the contacts instead. */
+/* Whether a row can be inconsistent. It can if it is a joint without bounds in reach, or a stop whose bodies friction
+ * keeps in place: its impulse would grow from pass to pass until a contact slides. While the stop's error is below the
+ * rounding of attachments, it counts as inconsistent with the contacts instead. */
 static MeBool mayContradict(const MdtKeaSystem *s, int i) {
     const MdtKeaRow *row = &s->rows[i];
     const KeaProblemRow *p = &s->work->problem.row[i];
@@ -108,7 +110,7 @@ static MeBool isUnfulfilledByPass(const MdtKeaSystem *s, int i) {
            s->parameters.stepsize * fabs(required) > kea_positionTolerance * lengthScaleOf(s, &s->rows[i]);
 }
 
-/* A joint is inconsistent if two passes in succession have left most of its residual, for any impulse. */
+/* A joint is inconsistent if two passes in succession have left most of its residual. */
 void kea_markInconsistentJoints(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++) {
         KeaProblemRow *p = &s->work->problem.row[i];
@@ -118,6 +120,7 @@ void kea_markInconsistentJoints(MdtKeaSystem *s) {
     }
 }
 
+/* m or rad: the residual of an inconsistent row; 0 for other rows. */
 static double positionResidual(const MdtKeaSystem *s, int i) {
     const KeaProblemRow *p = &s->work->problem.row[i];
     return p->isInconsistent && !p->isInactive ? s->parameters.stepsize * fabs(p->r - p->E * p->p) : 0;

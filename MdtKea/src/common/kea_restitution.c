@@ -14,6 +14,7 @@
 
 /* ---- approach ---- */
 
+/* Adds the part of one body, with the row's Jacobian J. */
 static void addApproachOfBody(const MdtKeaSystem *s, int body, const MdtKeaJBlock *J, KeaApproach *a) {
     const double now = kea_rateAlong(J, &s->velocity[body]), then = kea_rateAlong(J, &s->predicted[body]);
     a->rate += now;
@@ -22,6 +23,7 @@ static void addApproachOfBody(const MdtKeaSystem *s, int body, const MdtKeaJBloc
     a->acceleration += kea_rateAlong(J, &s->bodies[body]->lastStep);
 }
 
+/* Adds the rate due to a moving world, which is constant. */
 static void addWorldRate(double rate, KeaApproach *a) {
     a->rate += rate;
     a->predicted += rate;

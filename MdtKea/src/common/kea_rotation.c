@@ -29,8 +29,9 @@ static void flowAboutAxis(double q[4], double L[3], int axis, double rate, doubl
     L[j] = Lj;
 }
 
+/* The splitting of H: its two parts about axes other than the reference axis r. */
 typedef struct {
-    int a, b;            /* the two axes besides the reference */
+    int a, b;            /* these axes */
     double rateA, rateB; /* 1/I_i - 1/I_r */
 } Split;
 
@@ -61,6 +62,7 @@ static void rotateFast(double q[4], double L[3], const Split *s, double h, doubl
         blanesMoan4(q, L, s, h / numSubsteps);
 }
 
+/* The axis of the middle one of three moments. */
 static int middleAxis(const double I[3]) {
     for (int i = 0; i < 3; i++) {
         const double x = I[(i + 1) % 3], y = I[(i + 2) % 3];
@@ -70,12 +72,13 @@ static int middleAxis(const double I[3]) {
     return 0;
 }
 
+/* The orientation of the principal axes in the world, as quaternion and as matrix. */
 static void orientPrincipalAxes(const MdtKeaBody *body, const double q[4], double qp[4], double R[3][3]) {
     keaQuaternionProduct(qp, q, body->principal);
     keaQuaternionToMatrix(R, qp);
 }
 
-/* Without the Coriolis term the angular velocity is constant through the step. */
+/* Rotation without Coriolis term: the angular velocity is constant through the step. */
 static void rotateSteadily(const MdtKeaBody *body, const double q0[4], const double L[3], double h, double q1[4]) {
     double w[3], turn[4];
     kea_angularVelocity(body, q0, L, w);
@@ -233,16 +236,17 @@ static void jacobiRotate(double S[3][3], double V[3][3], int p, int q) {
 }
 
 /* The sum of the squares above the diagonal. */
-static double offDiagonalSquares(const double S[3][3]) {
+static double squaresAboveDiagonal(const double S[3][3]) {
     return S[0][1] * S[0][1] + S[0][2] * S[0][2] + S[1][2] * S[1][2];
 }
 
 /* Whether off-diagonal entries are below the rounding of the diagonal; true for NaN, so that the iteration ends. */
 static MeBool isDiagonal(const double S[3][3]) {
-    return !(offDiagonalSquares(S) > kea_jacobiTolerance * (S[0][0] * S[0][0] + S[1][1] * S[1][1] + S[2][2] * S[2][2]));
+    return !(squaresAboveDiagonal(S) >
+             kea_jacobiTolerance * (S[0][0] * S[0][0] + S[1][1] * S[1][1] + S[2][2] * S[2][2]));
 }
 
-void kea_eigen(double S[3][3], double V[3][3]) {
+void kea_diagonalize(double S[3][3], double V[3][3]) {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             V[i][j] = i == j;
@@ -253,6 +257,7 @@ void kea_eigen(double S[3][3], double V[3][3]) {
     }
 }
 
+/* Whether a program's inertia tensor is finite, and symmetric but for rounding. */
 static MeBool isSymmetricAndFinite(const double inertia[3][3]) {
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
@@ -271,7 +276,7 @@ MeBool MEAPI MdtKeaBodySetInertia(MdtKeaBody *body, const double inertia[3][3]) 
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             S[i][j] = 0.5 * (inertia[i][j] + inertia[j][i]);
-    kea_eigen(S, V);
+    kea_diagonalize(S, V);
     const double moments[3] = {S[0][0], S[1][1], S[2][2]};
     for (int i = 0; i < 3; i++)
         if (!(moments[i] > kea_minMoment * kea_maxOf(moments))) /* false for NaN */
@@ -293,7 +298,7 @@ void kea_addGeometricStiffness(double K[3][3], double factor, const double P[3],
 static void eigenvalues(const double S[3][3], double e[3]) {
     const double mean = (S[0][0] + S[1][1] + S[2][2]) / 3;
     const double a = S[0][0] - mean, b = S[1][1] - mean, c = S[2][2] - mean;
-    const double p = sqrt((a * a + b * b + c * c + 2 * offDiagonalSquares(S)) / 6);
+    const double p = sqrt((a * a + b * b + c * c + 2 * squaresAboveDiagonal(S)) / 6);
     e[0] = e[1] = e[2] = mean;
     if (!(p > 0))
         return;
@@ -325,8 +330,9 @@ static MeBool isHarmless(const double K[3][3], double harmless) {
     return a > 0 && minor > 0 && c * minor + 2 * x * y * z - a * x * x - b * y * y > 0;
 }
 
-/* One negative eigenvalue: its part is subtracted. Two or three: K becomes the part of the largest, if positive, else
- * 0. The eigenvalue that is used is separated from the others by at least its distance from 0. */
+/* If one eigenvalue is negative, its part of K is subtracted. If two or three are, K is replaced by the part of the
+ * largest one, or by 0 if that is negative, too. The eigenvalue whose part is computed has another sign than the
+ * others, so that it is separated from them by at least its absolute value. */
 void kea_clampPositive(double K[3][3], double harmless) {
     double e[3];
     if (isHarmless((const double(*)[3])K, harmless))

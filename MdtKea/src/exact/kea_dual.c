@@ -70,7 +70,7 @@ static MeBool findEdges(MdtKeaSystem *s, KeaDual *d) {
     return METRUE;
 }
 
-void kea_dualChoose(MdtKeaSystem *s) {
+void kea_dualChooseFactor(MdtKeaSystem *s) {
     KeaDual *d = &s->work->dual;
     d->factor = NULL;
     if (s->work->hasLoops || !findNodes(s, d) || !findEdges(s, d))
@@ -82,7 +82,8 @@ void kea_dualChoose(MdtKeaSystem *s) {
 
 /* ---- a solve ---- */
 
-static void setResponse(const KeaMetric *B, double r[6], const double J[6]) {
+/* r = B⁻¹ J */
+static void applyInverseMetric(const KeaMetric *B, double r[6], const double J[6]) {
     keaScale(r, 1 / B->linear, J);
     keaApply(r + 3, B->inverse, J + 3);
 }
@@ -97,7 +98,7 @@ static void fillDiagonal(KeaProblem *q, KeaDual *d, int n) {
             if (a->body[k] < 0)
                 continue;
             double *response = d->response[start + i][k];
-            setResponse(&q->metric[a->body[k]], response, a->J[k]);
+            applyInverseMetric(&q->metric[a->body[k]], response, a->J[k]);
             for (int j = i; j < size; j++)
                 block[i * size + j] += kea_bodyRate(response, q->row[start + j].J[k]);
         }
@@ -105,6 +106,7 @@ static void fillDiagonal(KeaProblem *q, KeaDual *d, int n) {
     }
 }
 
+/* Adds the block of the two joints of edge e, which share a body. */
 static void fillEdge(KeaProblem *q, KeaDual *d, int e) {
     const int m = d->edges[e][0], n = d->edges[e][1], k = d->side[e][0], l = d->side[e][1];
     double *block = kea_factorUpper(d->factor, e);
@@ -113,6 +115,7 @@ static void fillEdge(KeaProblem *q, KeaDual *d, int e) {
             block[i * d->size[n] + j] += kea_bodyRate(d->response[d->start[m] + i][k], q->row[d->start[n] + j].J[l]);
 }
 
+/* Assembles and factors the dual matrix. False: it is not positive definite in the arithmetic. */
 static MeBool factorizeDual(KeaProblem *q, KeaDual *d) {
     kea_factorClear(d->factor);
     for (int n = 0; n < d->numNodes; n++)
@@ -133,7 +136,7 @@ static void solveBodies(KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++)
         kea_addRowForce(q->gradient, &q->row[i], q->row[i].p);
     for (int b = 0; b < q->numBodies; b++)
-        setResponse(&q->metric[b], q->d[b], q->gradient[b]);
+        applyInverseMetric(&q->metric[b], q->d[b], q->gradient[b]);
     for (int i = 0; i < q->numRows; i++)
         q->row[i].Jd = kea_rowRate(&q->row[i], q->d);
 }

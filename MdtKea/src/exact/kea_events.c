@@ -33,9 +33,9 @@ static double freeRate(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return rate;
 }
 
-/* False with springs, whose forces change within a step, and which need the damping of θ = 1 if they are stiff. False
- * with overlaps, whose projection against joints changes the energy, unless the bodies still approach fast: that is a
- * late impact, of a body that was hit in the last step and had no contact with the next body yet. */
+/* Springs exclude timed steps: their forces change within a step, and stiff ones need the damping of θ = 1. So do
+ * overlaps, whose projection against joints changes the energy, unless the bodies still approach fast: that is a late
+ * impact, of a body that was hit in the last step and had no contact with the next body yet. */
 MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
     const double minSpeed = kea_minReboundSpeed * kea_eventSpeed(s), reach = kea_reach * s->parameters.stepsize;
     MeBool bounces = MEFALSE;
@@ -71,7 +71,7 @@ MeBool MEAPI MdtKeaRolls(const MdtKeaSystem *s) {
     return hasContact;
 }
 
-/* Whether a touching contact neither separates nor rebounds. A contact already deep on arrival rebounds immediately. */
+/* Whether a touching contact neither separates nor rebounds; speed: the load speed. */
 static MeBool isPersistent(double rate, double restitution, double speed) {
     return rate <= kea_separatingSpeed * speed && -rate * restitution <= kea_minReboundSpeed * speed;
 }
@@ -131,8 +131,8 @@ static Impact impactOf(const MdtKeaSystem *s, int i, double endRate) {
 
 /* ---- slow contacts, closed from the start instead ---- */
 
-/* Whether a contact whose rate changes linearly to endRate has an impact within the step that is too slow to rebound,
- * and acts from the start of the step instead (holdsSlow). */
+/* Whether a contact, whose rate changes linearly to endRate, has an impact within the step that is too slow to rebound.
+ * With holdsSlow, it then acts from the start of the step instead. */
 static MeBool closesSlowly(const MdtKeaSystem *s, int i, double endRate) {
     const Impact m = impactOf(s, i, endRate);
     return s->parameters.holdsSlow && m.time < s->parameters.stepsize &&
@@ -191,6 +191,7 @@ typedef struct Slip {
     int row[2];            /* the second is -1 if there is no cone */
 } Slip;
 
+/* The slip of friction row i, or of the cone that it begins. */
 static Slip slipOf(const MdtKeaSystem *s, int i) {
     Slip slip = {.row = {i, s->rows[i].partner}};
     for (int k = 0; k < 2 && slip.row[k] >= 0; k++) {
@@ -233,6 +234,7 @@ static int fixStoppingFriction(MdtKeaSystem *s, double minSpeed) {
     return count;
 }
 
+/* s: the first time at which a contact with fixed friction (isForced) stops sliding; HUGE_VAL: none. */
 static double firstEndOfSliding(const MdtKeaSystem *s) {
     const double h = s->parameters.stepsize;
     double first = HUGE_VAL;
@@ -258,7 +260,7 @@ double kea_firstEvent(MdtKeaSystem *s, MeBool *mustRepeat) {
     return keaMin(impact.time, stop);
 }
 
-void kea_releaseSlides(MdtKeaSystem *s) {
+void kea_releaseFriction(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         s->rows[i].isForced = MEFALSE;
 }

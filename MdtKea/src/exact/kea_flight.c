@@ -29,6 +29,7 @@ static void findStateAt(MdtKeaSystem *s, int b, double t) {
     kea_moveFreeBody(s, b);
 }
 
+/* Commits the motion of body b up to time t, and predicts it for the remaining step. The world, b < 0, is ignored. */
 static void advanceBodyTo(MdtKeaSystem *s, int b, double t) {
     if (b < 0)
         return;
@@ -43,8 +44,8 @@ static void advanceBodyTo(MdtKeaSystem *s, int b, double t) {
     predictBodyFrom(s, b, t);
 }
 
-/* Computes the end states of all bodies at time t, for MdtKeaIntegrate, and sets start velocities such that the
- * accelerations are those since each body's last impact. */
+/* Computes the end states of all bodies at time t, for MdtKeaIntegrate. Sets their start velocities so that the
+ * accelerations that MdtKeaIntegrate stores are those since each body's last impact. */
 static void endFlight(MdtKeaSystem *s, double t) {
     for (int b = 0; b < s->numBodies; b++) {
         const double leg = t - s->work->flight.time[b];
@@ -54,7 +55,7 @@ static void endFlight(MdtKeaSystem *s, double t) {
         if (leg <= 0)
             continue;
         kea_angularVelocity(s->bodies[b], s->work->end[b].quaternion, s->work->end[b].angularMomentum, w);
-        for (int k = 0; k < 3; k++) { /* as if this acceleration had acted during the whole step */
+        for (int k = 0; k < 3; k++) { /* MdtKeaIntegrate divides by t, not by leg */
             const double v = s->work->end[b].velocity[k];
             s->velocity[b].lin[k] = v - (v - s->velocity[b].lin[k]) * t / leg;
             s->velocity[b].ang[k] = w[k] - (w[k] - s->velocity[b].ang[k]) * t / leg;
@@ -65,6 +66,7 @@ static void endFlight(MdtKeaSystem *s, double t) {
 
 /* ---- contacts ---- */
 
+/* The body k of contact c; negative: the world. */
 static int bodyOf(const MdtKeaSystem *s, int c, int k) {
     return s->work->contact[c].manifold->body[k];
 }
@@ -124,17 +126,18 @@ static void predictImpact(MdtKeaSystem *s, int c, double t) {
 
 /* ---- impacts ---- */
 
+/* Adds body b to those of the impact, if it is not among them yet; the world is ignored. */
 static void addFlightBody(MdtKeaSystem *s, int b) {
     KeaFlight *f = &s->work->flight;
-    if (b < 0 || f->isIn[b])
+    if (b < 0 || f->isInvolved[b])
         return;
-    f->isIn[b] = 1;
+    f->isInvolved[b] = 1;
     MEASSERT(f->numBodies < s->numBodies);
     f->body[f->numBodies++] = b;
 }
 
-/* Collects the bodies that take part in an impact at time t, starting from those of the list, and makes rows of all
- * their touching contacts. All bodies that have a contact with one of them are advanced to that time. */
+/* Adds all bodies that touch a body of the impact at time t, directly or through others, and makes rows of their
+ * touching contacts. All bodies that have a contact with one of them are advanced to that time. */
 static void collectTouching(MdtKeaSystem *s, double t) {
     KeaFlight *f = &s->work->flight;
     s->numRows = f->numTouching = 0;
@@ -160,8 +163,8 @@ static void collectTouching(MdtKeaSystem *s, double t) {
         }
 }
 
-/* Whether all contacts of the impact separate, and no body rotates so far in the remaining step that rates of its
- * contacts do not predict the next impact. */
+/* Whether flight may go on after the impact: all its contacts separate, and no body rotates so far in the remaining
+ * step that the rates of its contacts do not predict the next impact. */
 static MeBool areSeparated(const MdtKeaSystem *s) {
     const KeaFlight *f = &s->work->flight;
     for (int i = 0; i < f->numTouching; i++)
@@ -177,6 +180,7 @@ static MeBool areSeparated(const MdtKeaSystem *s) {
     return METRUE;
 }
 
+/* Adds the impulses of the impact to the forces of its points. */
 static void addImpulses(MdtKeaSystem *s) {
     const KeaFlight *f = &s->work->flight;
     for (int i = 0; i < f->numTouching; i++)
@@ -201,10 +205,10 @@ static MeBool resolveImpact(MdtKeaSystem *s, int c, double t) {
     collectTouching(s, t);
     if (kea_impactsChatter(s, &f->scale)) /* too slow to rebound */
         return MEFALSE;
-    const MeBool isDone = kea_impact(s, &f->scale), isSeparated = isDone && areSeparated(s);
+    const MeBool isDone = kea_resolveImpacts(s, &f->scale), isSeparated = isDone && areSeparated(s);
     addImpulses(s);
     for (int n = 0; n < f->numBodies; n++)
-        f->isIn[f->body[n]] = 0;
+        f->isInvolved[f->body[n]] = 0;
     for (int n = 0; n < f->numBodies && isSeparated; n++)
         for (int i = f->start[f->body[n]]; i < f->start[f->body[n] + 1]; i++)
             predictImpact(s, f->list[i], t);
@@ -212,6 +216,7 @@ static MeBool resolveImpact(MdtKeaSystem *s, int c, double t) {
     return isSeparated;
 }
 
+/* Predicts the first impact of each contact; min: s, the shortest advance after a wrong prediction. */
 static void beginFlight(MdtKeaSystem *s, double min) {
     KeaFlight *f = &s->work->flight;
     f->scale = kea_eventScale(s);
@@ -221,7 +226,7 @@ static void beginFlight(MdtKeaSystem *s, double min) {
     listContactsOfBodies(s);
     for (int b = 0; b < s->numBodies; b++) {
         f->time[b] = 0;
-        f->isIn[b] = 0;
+        f->isInvolved[b] = 0;
     }
     for (int c = 0; c < s->work->numContacts; c++) {
         f->impactTime[c] = isLeftOut(s, c) ? HUGE_VAL : kea_freeTimeOfImpact(s, s->work->contact[c].firstRow);

@@ -16,7 +16,8 @@
 #include "MeAssert.h"
 #include <string.h>
 
-/* Uses union-find over the bodies and the world, whose index is numBodies. One-sided rows (stops) make no loop. */
+/* Union-find over the bodies and the world, whose index is numBodies. Rows that may reach a bound, such as stops, do
+ * not count. */
 MeBool kea_hasLoops(const MdtKeaSystem *s) {
     int *parent = s->work->parent, owner = 0;
     MeBool isFirst = METRUE;
@@ -42,6 +43,7 @@ static MeBool isRigidJoint(const MdtKeaSystem *s, int i) {
            !s->work->problem.row[i].isInactive;
 }
 
+/* kg: the weight w of row i. */
 static double weightOf(const MdtKeaSystem *s, int i) {
     const KeaProblemRow *p = &s->work->problem.row[i];
     double sum = 0;
@@ -52,6 +54,7 @@ static double weightOf(const MdtKeaSystem *s, int i) {
     return 1 / (sum > 0 ? sum : p->Aii);
 }
 
+/* Sets the inner problem of the smallest impulses; rows that cannot be redundant are inactive. */
 static void setRedundancyProblem(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     for (int b = 0; b < s->numBodies; b++) {
@@ -74,7 +77,7 @@ static void setRedundancyProblem(MdtKeaSystem *s) {
     }
 }
 
-/* Solves it as an inner problem, B d + g = Jᵀ p with p = -J d / N, g = -f and d = -y. */
+/* The smallest impulses are the solution of an inner problem, B d + g = Jᵀ p with p = -J d / N, g = -f and d = -y. */
 void kea_minimizeRedundantForces(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     const MeBool hadBounds = q->hasBounds;

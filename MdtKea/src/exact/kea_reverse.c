@@ -8,12 +8,15 @@
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
 
-/* False for damped bodies, and for bodies with different moments whose Coriolis term is off. */
+/* Whether free motion of the body is reversible: false with damping, and for different moments without Coriolis
+ * term. */
 static MeBool isBodyReversible(const MdtKeaBody *body) {
     return body->linearDamping == 0 && body->angularDamping == 0 &&
            ((body->flags & MdtKeaBodyFlagAddCoriolisForce) || kea_hasEqualMoments(body->moments));
 }
 
+/* Whether the row depends symmetrically on both ends of the step: joints without bounds and compliance, springs without
+ * damping. */
 static MeBool isRowReversible(const MdtKeaSystem *s, const MdtKeaRow *row) {
     if (row->contact >= 0 || row->normal >= 0 || row->lower > -HUGE_VAL || row->upper < HUGE_VAL)
         return MEFALSE;

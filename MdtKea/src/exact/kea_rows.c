@@ -345,7 +345,7 @@ static void setTangent(double tangent[6], const MdtKeaJBlock *J, const KeaBody *
 
 void kea_differentiateRows(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
-    kea_keepRows(s);
+    kea_saveJacobians(s);
     if (s->jacobians)
         s->jacobians(s->context, s->work->endPose);
     for (int i = 0; i < s->numRows; i++) {
@@ -356,7 +356,7 @@ void kea_differentiateRows(MdtKeaSystem *s) {
             if (row->body[k] >= 0)
                 setTangent(q->tangent[i][k], &row->J[k], &s->work->body[row->body[k]], s->parameters.stepsize);
     }
-    kea_recallRows(s);
+    kea_restoreJacobians(s);
 }
 
 static void springRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {

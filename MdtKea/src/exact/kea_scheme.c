@@ -28,7 +28,8 @@
 #include "common/kea_policy_i.h"
 #include <string.h>
 
-static void setSpin(const MdtKeaBody *body, KeaBody *b) {
+/* Sets principal axes and angular velocity at the start. */
+static void setStartSpin(const MdtKeaBody *body, KeaBody *b) {
     double L[3];
     kea_principalAxes(body, body->quaternion, b->axes);
     b->isSpatial = kea_hasEqualMoments(body->moments) || !(body->flags & MdtKeaBodyFlagAddCoriolisForce);
@@ -70,7 +71,7 @@ void kea_beginBodies(MdtKeaSystem *s) {
         KeaBody *b = &s->work->body[i];
         MEASSERT(body->invMass > 0 && body->moments[0] > 0 && body->moments[1] > 0 && body->moments[2] > 0);
         b->isFree = METRUE;
-        setSpin(body, b);
+        setStartSpin(body, b);
         q->scale[i] = b->scale = impulseScaleOf(body, b, b->size, s->parameters.stepsize);
         q->length[i] = b->size;
     }
@@ -97,13 +98,15 @@ void kea_moveVelocity(const MdtKeaSystem *s, int i, MeBool byEnd, double move[6]
     }
 }
 
+/* The rotation quaternion cay(h w), w the angular part of u. */
 static void cayley(double turn[4], const double u[6], double h) {
     turn[0] = 1;
     keaScale(turn + 1, 0.5 * h, u + 3);
     keaQuaternionNormalize(turn);
 }
 
-static void turnBody(const MdtKeaBody *body, const double move[6], KeaBody *b, KeaEnd *end, double h) {
+/* Sets orientation, angular velocity and angular momentum at the end; move: the velocity that the body is moved by. */
+static void rotateBody(const MdtKeaBody *body, const double move[6], KeaBody *b, KeaEnd *end, double h) {
     const double perTheta = 1 / b->theta;
     double turn[4], w[3], L[3];
     cayley(turn, move, h);
@@ -139,7 +142,7 @@ void kea_moveBodies(MdtKeaSystem *s) {
         keaAddScaled(end->position, h, move);
         for (int k = 0; k < 3; k++)
             b->endVelocity[k] = end->velocity[k] = body->velocity[k] + (b->u[k] - body->velocity[k]) * perTheta;
-        turnBody(body, move, b, end, h);
+        rotateBody(body, move, b, end, h);
         kea_setPoses(s, i);
         kea_setErrorScales(s, i);
     }
@@ -147,7 +150,9 @@ void kea_moveBodies(MdtKeaSystem *s) {
 
 /* ---- momentum and its derivative ---- */
 
-static void setLoad(const MdtKeaBody *body, const KeaBody *b, const KeaEnd *end, double load[6]) {
+/* Sets the load of the inner problem: the momentum at the end minus that without rows, m v⁺ - m v_free and
+ * R⁺ I W⁺ - L_free. */
+static void setMomentumResidual(const MdtKeaBody *body, const KeaBody *b, const KeaEnd *end, double load[6]) {
     for (int i = 0; i < 3; i++)
         load[i] = (end->velocity[i] - b->freeVelocity[i]) / body->invMass;
     if (b->isSpatial) { /* I (w⁺ - w) with the inertia at the start */
@@ -201,8 +206,8 @@ static void gatherStiffness(MdtKeaSystem *s) {
     }
 }
 
-/* Sets the metric B = inertia / θ + geometric stiffness. Stiffness far below the inertia is left out: Newton's method
- * converges as well without it. */
+/* Sets the metric B = inertia / θ + geometric stiffness, which B->angular has at first. Stiffness far below the inertia
+ * is left out: Newton's method converges as well without it. */
 static void setBodyMetric(const MdtKeaBody *body, const KeaBody *b, KeaMetric *B) {
     const double perTheta = 1 / b->theta, min = kea_minOf(body->moments) * perTheta;
     double inertia[3][3];
@@ -292,7 +297,7 @@ void kea_linearizeBodies(MdtKeaSystem *s) {
     gatherStiffness(s);
     for (int i = 0; i < s->numBodies; i++) {
         const KeaBody *b = &s->work->body[i];
-        setLoad(s->bodies[i], b, &s->work->end[i], q->load[i]);
+        setMomentumResidual(s->bodies[i], b, &s->work->end[i], q->load[i]);
         setBodyMetric(s->bodies[i], b, &q->metric[i]);
     }
 }

@@ -26,7 +26,7 @@ typedef struct Passes {
     double before, motion; /* of the previous pass: its worst residual; the larger one of positions and momenta */
     int pass, last;        /* index of this pass; index after which they end */
     int worse;             /* number of passes in which `motion` has grown */
-    MeBool isRefined;      /* the answer had converged before this pass */
+    MeBool isRefined;      /* the iterate had converged before this pass, which refines it */
     MeBool isLimited;      /* the work budget is used up */
     MeBool mayBeTangent; /* symmetric passes have followed the tangent ones: the saved tangent iterate may be better */
 } Passes;
@@ -40,6 +40,7 @@ typedef enum PassResult {
 
 /* ---- passes ---- */
 
+/* Moves the bodies by u, and linearizes momentum and rows there. */
 static void linearizeIterate(MdtKeaSystem *s) {
     kea_moveBodies(s);
     kea_refreshRows(s, s->work->meanPose, METRUE);
@@ -67,15 +68,16 @@ static void solveInnerProblem(MdtKeaSystem *s, int pass, MeBool isGoodEnough, Me
         return;
     const MeBool isFrozen = q->counts.stuck > 0 && pass >= (isGoodEnough ? KEA_FREEZE_PASS : KEA_MAX_COUPLED_PASSES);
     if (isFrozen && q->counts.freezes == 0)
-        kea_frictionRenewBounds(q);
+        kea_frictionSetBounds(q);
     else if (!isFrozen && pass > 0)
-        kea_frictionApproachBounds(q, pass);
+        kea_frictionIterateBounds(q, pass);
     q->counts.freezes += isFrozen;
     q->counts.stuck = !kea_problemSolve(q, !isFrozen) || isFrozen;
     q->counts.level += (!q->counts.stuck && !isExactEnough) || isFrozen;
     q->hasTangent = q->hasTangent && !(q->isSingular && s->work->hasLoops);
 }
 
+/* Copies u and p of the present iterate. */
 static void saveIterate(MdtKeaSystem *s, double (*u)[6], double p[]) {
     for (int i = 0; i < s->numBodies; i++)
         memcpy(u[i], s->work->body[i].u, sizeof u[i]);
@@ -204,6 +206,7 @@ static MeBool mayBeTangent(const MdtKeaSystem *s) {
     return s->work->hasJoints && s->work->problem.hasFriction;
 }
 
+/* The state before the first pass. */
 static Passes beginPasses(MdtKeaSystem *s) {
     const KeaResiduals unknown = {.worst = HUGE_VAL};
     KeaProblem *q = &s->work->problem;
@@ -348,6 +351,7 @@ static void runPasses(MdtKeaSystem *s) {
     reportMotion(s, &e, p.isLimited);
 }
 
+/* Clears isFree of all bodies that an active row acts on; contacts without force do not count. */
 static void markFreeBodies(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
         s->work->body[i].isFree = METRUE;
@@ -395,7 +399,7 @@ static void solveToFirstEvent(MdtKeaSystem *s) {
         solveMotion(s);
         event = kea_firstEvent(s, &isNew);
         if (event > h) {
-            kea_releaseSlides(s);
+            kea_releaseFriction(s);
             solveMotion(s);
         }
     }
@@ -437,18 +441,19 @@ MeBool MEAPI MdtKeaFlies(MdtKeaSystem *s) {
     return isBallistic(s);
 }
 
+/* Moves all bodies freely, and reports the first event. */
 static void moveBallistically(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         s->rows[i].force = 0;
-    kea_moveFreely(s);
+    kea_moveFreeBodies(s);
     s->report.ballistic = METRUE;
     s->report.event = kea_firstEventOfFlight(s);
     kea_problemAddWork(&s->work->problem, KEA_VISIT * ((double)s->numRows + s->numBodies));
     kea_reportWork(s);
 }
 
-/* m/s: the residual that a row may have. Its load and mass ratio are not considered, unlike in the fast solver, since
- * the residual of Newton's method does not depend on them. */
+/* m/s: the residual that a row may have. Unlike the fast solver's tolerance it does not depend on the row's load and
+ * mass ratio, since the residual of Newton's method does not. */
 static double residualTolerance(const MdtKeaSystem *s) {
     double max = 0;
     for (int i = 0; i < s->numBodies; i++) {
@@ -464,7 +469,7 @@ static void declineSolve(MdtKeaSystem *s, double work) {
     s->report.declined = s->report.limited = METRUE;
     s->report.least = work;
     s->report.residual = s->report.excess = HUGE_VAL;
-    kea_moveFreely(s);
+    kea_moveFreeBodies(s);
     kea_reportWork(s);
 }
 
@@ -484,7 +489,7 @@ void kea_exactSolve(MdtKeaSystem *s) {
     kea_beginRows(s);
     if (s->parameters.mayRefuse && s->numRows > 0 && turnsTooFar(s)) {
         s->report.violent = s->report.refused = METRUE;
-        kea_moveFreely(s); /* defined end states, in case that the caller integrates all the same */
+        kea_moveFreeBodies(s); /* defined end states, in case that the caller integrates all the same */
         return;
     }
     s->report.capped = s->numRows > 0; /* remains true if kea_problemBegin has no memory */
@@ -498,7 +503,7 @@ void kea_exactSolve(MdtKeaSystem *s) {
             kea_problemAddWork(q, kea_problemWorkOfLinearization(q));
         kea_setBudget(s, kea_workForMotion, KEA_SWEPT_PASSES);
         s->work->hasLoops = kea_hasLoops(s);
-        kea_dualChoose(s);
+        kea_dualChooseFactor(s);
         solveMotion(s);
         if (s->parameters.timed)
             solveToFirstEvent(s);
@@ -509,9 +514,9 @@ void kea_exactSolve(MdtKeaSystem *s) {
         kea_minimizeRedundantForces(s);
         storeForces(s);
     }
-    kea_moveFreely(s);
+    kea_moveFreeBodies(s);
     if (s->parameters.timed && s->numRows > 0 && q->factor) /* null: there was no memory */
-        kea_project(s);
+        kea_projectPositions(s);
     kea_reportWork(s);
     s->report.declined = s->report.limited && s->parameters.mayDecline;
     s->report.excess = s->report.capped ? s->report.residual / residualTolerance(s) : 0;

@@ -36,7 +36,7 @@ static void setJointLaw(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     p->r -= gamma * (s->work->endErrors[i] - h * row->drift) / ((1 - gamma) * h);
 }
 
-/* Sets row i of the inner problem for d = v - v⁺. */
+/* Sets row i of the projection, whose unknown is d = v - v⁺. */
 static void setVelocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const MdtKeaRow *row = &s->rows[i];
     const MeBool isStop = row->contact == i || (row->position && isUnilateral(row));
@@ -57,6 +57,7 @@ static void setVelocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     p->r -= kea_endRate(s, i);
 }
 
+/* Sets the metric of body i: mass, and inertia at the end pose. */
 static void setVelocityMetric(MdtKeaSystem *s, int i) {
     KeaMetric *B = &s->work->problem.metric[i];
     B->linear = 1 / s->bodies[i]->invMass;
@@ -64,7 +65,7 @@ static void setVelocityMetric(MdtKeaSystem *s, int i) {
     kea_invert(B->inverse, (const double(*)[3])B->angular);
 }
 
-/* Sets the loads to Jᵀ p_1. */
+/* Sets the loads of the projection to Jᵀ p_1. */
 static void setVelocityLoads(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     for (int i = 0; i < s->numBodies; i++)
@@ -87,6 +88,7 @@ static void setVelocityProblem(MdtKeaSystem *s) {
     setVelocityLoads(s);
 }
 
+/* Adds a change of velocities to the end states. */
 static void addVelocities(MdtKeaSystem *s, double (*added)[6]) {
     for (int i = 0; i < s->numBodies; i++) {
         double dL[3];
@@ -98,8 +100,8 @@ static void addVelocities(MdtKeaSystem *s, double (*added)[6]) {
     }
 }
 
-/* Whether the projection can change velocities: with bodies with θ < 1, rebounds, contacts that correct an overlap. */
-static MeBool mayBeNeeded(const MdtKeaSystem *s) {
+/* Whether the projection can change velocities: a body has θ < 1, a row rebounds, or a contact corrects an overlap. */
+static MeBool mayStageBeNeeded(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
         if (s->work->body[i].theta < 1)
             return METRUE;
@@ -109,8 +111,8 @@ static MeBool mayBeNeeded(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* Whether the stage is needed whatever the residual is: for rebounds, and for joints with moving attachments. */
-static MeBool isRequired(const MdtKeaSystem *s) {
+/* Whether the stage is needed for any residual: a row rebounds, or a joint's attachments move. */
+static MeBool isStageRequired(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         if ((s->work->problem.row[i].p > 0 && s->rows[i].bounces) ||
             (s->rows[i].position && !isUnilateral(&s->rows[i]) && s->rows[i].drift != 0))
@@ -119,14 +121,14 @@ static MeBool isRequired(const MdtKeaSystem *s) {
 }
 
 /* Solves for the change of velocities, `added`, until the residual is below tolerance. */
-static void solveRows(MdtKeaSystem *s, double start, double (*added)[6]) {
+static void solveVelocityRows(MdtKeaSystem *s, double start, double (*added)[6]) {
     KeaProblem *q = &s->work->problem;
     memset(added, 0, (size_t)s->numBodies * sizeof *added);
     double residual = start;
     q->isWarm = q->isLinear = s->work->hasJoints;
     q->isFactored = MEFALSE;
     for (int pass = 0; pass < KEA_FULL_BOUND_PASSES && residual > kea_velocityTolerance * start; pass++) {
-        kea_frictionRenewBounds(q);
+        kea_frictionSetBounds(q);
         if (!kea_problemRefine(q))
             kea_problemSolve(q, METRUE);
         kea_problemAccumulate(q, added);
@@ -135,6 +137,7 @@ static void solveRows(MdtKeaSystem *s, double start, double (*added)[6]) {
     q->isWarm = q->isLinear = MEFALSE;
 }
 
+/* Whether an active row rebounds. */
 static MeBool hasRebounds(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].bounces && !s->work->problem.row[i].isInactive)
@@ -142,7 +145,7 @@ static MeBool hasRebounds(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* The end velocities, in the layout of the energy limiter. */
+/* The end velocities, copied to work->velocity, which the energy limiter reads. */
 static double (*endVelocities(const MdtKeaSystem *s))[6] {
     for (int b = 0; b < s->numBodies; b++)
         memcpy(s->work->velocity[b], s->work->body[b].endVelocity, sizeof s->work->velocity[b]);
@@ -159,7 +162,7 @@ static void limitEnergy(MdtKeaSystem *s, double start, double allowed) {
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].bounces && !q->row[i].isInactive)
             q->row[i].r -= s->rows[i].rebound;
-    solveRows(s, start, s->work->plastic);
+    solveVelocityRows(s, start, s->work->plastic);
     const double share =
         kea_elasticShare(s, endVelocities(s), s->work->added, s->work->plastic, allowed * (1 + kea_energyRounding));
     for (int b = 0; b < s->numBodies; b++)
@@ -167,12 +170,13 @@ static void limitEnergy(MdtKeaSystem *s, double start, double allowed) {
             s->work->added[b][k] = s->work->plastic[b][k] + share * (s->work->added[b][k] - s->work->plastic[b][k]);
 }
 
-static void solveStage(MdtKeaSystem *s, double start, double allowed) {
+/* Projects the end velocities, with at most the energy `allowed` if there are rebounds; start: residual before. */
+static void projectVelocities(MdtKeaSystem *s, double start, double allowed) {
     for (int i = 0; i < s->numRows; i++)
         s->work->savedP[i] = s->work->problem.row[i].p;
     s->report.stages++;
     MEASSERT(s->report.stages == 1);
-    solveRows(s, start, s->work->added);
+    solveVelocityRows(s, start, s->work->added);
     if (hasRebounds(s) && kea_kineticEnergy(s, endVelocities(s), s->work->added) > allowed)
         limitEnergy(s, start, allowed);
     addVelocities(s, s->work->added);
@@ -199,11 +203,13 @@ static MeBool isAlternating(const MdtKeaSystem *s, double residual) {
     return MEFALSE;
 }
 
+/* Stores the residuals for the next step's isAlternating; 0 if the stage has removed them. */
 static void storeRipples(MdtKeaSystem *s, MeBool isDamped) {
     for (int i = 0; i < s->numRows; i++)
         s->rows[i].ripple = isDamped ? 0 : velocityResidual(s, i);
 }
 
+/* Whether a contact pushes. */
 static MeBool hasActingContact(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact == i && s->work->problem.row[i].p > 0)
@@ -211,19 +217,20 @@ static MeBool hasActingContact(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* Whether a joint of two bodies is open. Joints to the world do not count: the program may move their attachments. */
-static MeBool isBrokenJoint(const MdtKeaSystem *s, const MdtKeaRow *row) {
+/* Whether a row of a joint between two bodies has a position error. Joints to the world do not count, since the program
+ * may move their attachments. */
+static MeBool isOpenJoint(const MdtKeaSystem *s, const MdtKeaRow *row) {
     if (!row->position || isUnilateral(row) || row->body[0] < 0 || row->body[1] < 0)
         return MEFALSE;
     const double size = keaMax(s->work->body[row->body[0]].size, s->work->body[row->body[1]].size);
-    return fabs(row->error) * kea_lengthOf(s, row) > kea_brokenJoint * size;
+    return fabs(row->error) * kea_lengthOf(s, row) > kea_openJoint * size;
 }
 
 /* Whether contacts act while a joint is open: the correction of the joint's error against the contacts may then add a
  * multiple of the energy. */
 static MeBool areContactsJammed(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
-        if (isBrokenJoint(s, &s->rows[i]))
+        if (isOpenJoint(s, &s->rows[i]))
             return hasActingContact(s);
     return MEFALSE;
 }
@@ -239,7 +246,7 @@ static MeBool needsEnergyLimit(const MdtKeaSystem *s) {
 
 /* Limits the kinetic energy to `allowed` if needsEnergyLimit; if only areContactsJammed, to `allowed` or the energy
  * that the correction of errors needs, whichever is more. */
-static void limitMotion(MdtKeaSystem *s, double allowed) {
+static void limitEndEnergy(MdtKeaSystem *s, double allowed) {
     const MeBool isSuspect = needsEnergyLimit(s);
     if (!isSuspect && !areContactsJammed(s))
         return;
@@ -248,19 +255,20 @@ static void limitMotion(MdtKeaSystem *s, double allowed) {
         addVelocities(s, s->work->added);
 }
 
+/* Whether the residual shows a discontinuity, such as an impact; never in the first step of a pair. */
 static MeBool isDiscontinuity(const MdtKeaSystem *s, double residual) {
     return s->parameters.pair != MdtKeaPairFirst && residual > kea_calmResidual * kea_loadSpeed(s);
 }
 
 void kea_velocityStage(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
-    if (!mayBeNeeded(s) && !needsEnergyLimit(s) && !areContactsJammed(s))
+    if (!mayStageBeNeeded(s) && !needsEnergyLimit(s) && !areContactsJammed(s))
         return;
     if (needsEnergyLimit(s) && kea_limitDisplacements(s))
         kea_moveBodies(s);
-    const MeBool isMandatory = isRequired(s);
+    const MeBool isMandatory = isStageRequired(s);
     const double allowed = kea_energyAllowed(s);
-    kea_keepRows(s);
+    kea_saveJacobians(s);
     setVelocityProblem(s);
     const double start = kea_problemResidual(q, NULL);
     const MeBool isNeeded = !s->work->usesTangentAnswer && start > kea_velocityTolerance * kea_minSpeedOfAll(s) &&
@@ -268,7 +276,7 @@ void kea_velocityStage(MdtKeaSystem *s) {
                             kea_problemMaySweep(q);
     storeRipples(s, isNeeded);
     if (isNeeded)
-        solveStage(s, start, allowed);
-    limitMotion(s, allowed);
-    kea_recallRows(s);
+        projectVelocities(s, start, allowed);
+    limitEndEnergy(s, allowed);
+    kea_restoreJacobians(s);
 }

@@ -87,9 +87,9 @@ static void colourNode(void *context, KeaNode *node) {
     sortByColour(r, node, count);
 }
 
-int kea_colour(KeaRegions *r) {
+int kea_colourManifolds(KeaRegions *r) {
     int groups = 0;
-    kea_inOrder(r, colourNode, r);
+    kea_visitNodesByDepth(r, colourNode, r);
     for (int n = 1; n < 2 * r->count; n++) {
         r->node[n].firstGroup = groups;
         groups += r->node[n].numGroups;

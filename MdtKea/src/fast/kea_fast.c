@@ -38,7 +38,7 @@ typedef struct Step {
     KeaGroup *groups;
     int numGroups;
     KeaJoints joints;
-    double fall[3];     /* m, correction of all positions (fallOfCentre) */
+    double fall[3];     /* m, correction of all positions (setFall) */
     double mean[3];     /* m/s, the bodies' mean velocity */
     double speed;       /* m/s, their speed relative to it, root mean square (findSpeed) */
     MeBool isMoving;    /* most bodies are fast (findSpeed) */
@@ -99,7 +99,7 @@ static void setMotionsOf(void *context, KeaNode *node) {
 static void setMotions(Step *p) {
     memset(p->motion, 0, sizeof *p->motion);
     memset(p->speedChange, 0, (size_t)(1 + p->s->numBodies + p->s->numManifolds) * sizeof *p->speedChange);
-    kea_overRegions(&p->regions, setMotionsOf, p);
+    kea_visitRegions(&p->regions, setMotionsOf, p);
 }
 
 static KeaGathering gathering(const Step *p) {
@@ -116,12 +116,12 @@ static void fillGroups(void *context, KeaNode *node) {
 }
 
 static MeBool allocateGroups(Step *p) {
-    p->numGroups = kea_colour(&p->regions);
+    p->numGroups = kea_colourManifolds(&p->regions);
     MEASSERT(p->numGroups <= p->s->numManifolds);
     p->groups = kea_cacheScratch(p->s->cache, KEA_GROUP_BLOCK, (size_t)p->numGroups * sizeof *p->groups);
     if (!p->groups)
         return MEFALSE;
-    kea_overNodes(&p->regions, fillGroups, p);
+    kea_visitNodes(&p->regions, fillGroups, p);
     return METRUE;
 }
 
@@ -143,7 +143,7 @@ static void applyGroups(void *context, KeaNode *node) {
     p->kernel->apply(p->groups + node->firstGroup, node->numGroups, p->motion);
 }
 
-static void keepMotions(void *context, KeaNode *node) {
+static void saveMotions(void *context, KeaNode *node) {
     const Step *p = context;
     memcpy(p->before + 1 + node->firstPlace, p->motion + 1 + node->firstPlace,
            (size_t)node->numPlaces * sizeof *p->motion);
@@ -151,8 +151,8 @@ static void keepMotions(void *context, KeaNode *node) {
 
 /* Adds the changes of velocity by all impulses to the motions. */
 static void applyImpulses(Step *p) {
-    kea_inOrder(&p->regions, applyGroups, p);
-    kea_jointsApply(p->s, &p->joints, p->motion);
+    kea_visitNodesByDepth(&p->regions, applyGroups, p);
+    kea_jointsApplyImpulses(p->s, &p->joints, p->motion);
 }
 
 /* ---- sums ---- */
@@ -243,7 +243,7 @@ static void findSpeedChangesOf(void *context, KeaNode *node) {
     }
 }
 
-static KeaTolerance tolerance(const Step *p) {
+static KeaTolerance toleranceOf(const Step *p) {
     return (KeaTolerance){.change = p->speedChange,
                           .accuracy = (float)p->s->parameters.accuracy,
                           .loadSpeed = (float)p->loadSpeed,
@@ -252,7 +252,7 @@ static KeaTolerance tolerance(const Step *p) {
 
 static void measureGroups(void *context, KeaNode *node) {
     const Step *p = context;
-    const KeaTolerance allowed = tolerance(p);
+    const KeaTolerance allowed = toleranceOf(p);
     memset(&node->measure, 0, sizeof node->measure);
     p->kernel->measure(p->groups + node->firstGroup, node->numGroups, p->motion, &allowed, &node->measure);
 }
@@ -260,8 +260,8 @@ static void measureGroups(void *context, KeaNode *node) {
 /* Makes passes with Nesterov's extrapolation, which is restarted after a pass that goes against it. */
 static void iteratePasses(Step *p, int passes) {
     for (int i = 0; i < passes; i++) {
-        kea_inOrder(&p->regions, passNode, p);
-        const double ofJoints = kea_jointsPass(p->s, &p->joints, p->motion, (double)(float)p->beta);
+        kea_visitNodesByDepth(&p->regions, passNode, p);
+        const double ofJoints = kea_jointsSolveVelocities(p->s, &p->joints, p->motion, (double)(float)p->beta);
         const double next = 0.5 * (1 + sqrt(1 + 4 * p->theta * p->theta));
         MEASSERT(p->theta >= 1 && p->maxTheta >= 1);
         p->beta = (p->theta - 1) / next;
@@ -274,9 +274,9 @@ static void iteratePasses(Step *p, int passes) {
 
 /* Measures the residuals of contacts and joints. Writes the largest to the report. */
 static Residual measureAll(Step *p) {
-    const KeaTolerance allowed = tolerance(p);
-    kea_overRegions(&p->regions, findSpeedChangesOf, p);
-    kea_overNodes(&p->regions, measureGroups, p);
+    const KeaTolerance allowed = toleranceOf(p);
+    kea_visitRegions(&p->regions, findSpeedChangesOf, p);
+    kea_visitNodes(&p->regions, measureGroups, p);
     Residual r = residualOverNodes(&p->regions);
     r.meanExcess = p->s->numManifolds > 0 ? sqrt(r.meanExcess / p->s->numManifolds) : 0;
     r.max = keaMax(kea_jointsResidual(&p->joints, p->motion, &allowed, &r.ofJoints), r.max);
@@ -287,7 +287,7 @@ static Residual measureAll(Step *p) {
 }
 
 /* m/s: the change of a body's velocity by its loads in the step. */
-static double loadOf(const MdtKeaSystem *s, int body) {
+static double loadSpeedOf(const MdtKeaSystem *s, int body) {
     double load[3];
     keaSubtract(load, s->predicted[body].lin, s->velocity[body].lin);
     return keaLength(load);
@@ -307,7 +307,7 @@ static void sumSpeeds(void *context, KeaNode *node) {
 /* Counts bodies that are faster than their loads make them in a step. Both their speed and their speed relative to the
  * mean velocity must be: otherwise a pile would count as moving when few flying bodies have hit it (which changes the
  * mean), or when it is on a train. */
-static void countFast(void *context, KeaNode *node) {
+static void countFastBodies(void *context, KeaNode *node) {
     const Step *p = context;
     node->sum[0] = 0;
     for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++) {
@@ -315,21 +315,21 @@ static void countFast(void *context, KeaNode *node) {
         const double *v = p->s->velocity[body].lin;
         double relative[3];
         keaSubtract(relative, v, p->mean);
-        node->sum[0] += keaMin(keaLength(v), keaLength(relative)) > loadOf(p->s, body);
+        node->sum[0] += keaMin(keaLength(v), keaLength(relative)) > loadSpeedOf(p->s, body);
     }
 }
 
 /* Sets the mean velocity, the speed relative to it, and isMoving: most bodies are fast. */
 static void findSpeed(Step *p) {
     const double n = p->s->numBodies;
-    kea_overRegions(&p->regions, sumSpeeds, p);
+    kea_visitRegions(&p->regions, sumSpeeds, p);
     double spread = sumOverRegions(&p->regions, 0) / n;
     for (int k = 0; k < 3; k++) {
         p->mean[k] = sumOverRegions(&p->regions, 1 + k) / n;
         spread -= p->mean[k] * p->mean[k];
     }
     p->speed = sqrt(keaMax(spread, 0));
-    kea_overRegions(&p->regions, countFast, p);
+    kea_visitRegions(&p->regions, countFastBodies, p);
     p->isMoving = sumOverRegions(&p->regions, 0) > 0.5 * n;
 }
 
@@ -344,20 +344,21 @@ static MeBool isResidualSmall(const Step *p, const Residual *r) {
 static double workOfPass(const Step *p) {
     return (double)p->numGroups * KEA_LANES * KEA_MANIFOLD_VISIT + kea_jointsWorkOfPass(&p->joints);
 }
-static double workBeside(const Step *p) {
+static double workOutsidePasses(const Step *p) {
     return KEA_POSITION_PASSES * workOfPass(p) + (double)p->s->numManifolds * KEA_MANIFOLD_PREPARATION +
-           kea_jointsWorkBeside(&p->joints);
+           kea_jointsWorkOfFactors(&p->joints);
 }
 
 /* Chooses the minimal and maximal number of passes, within the rest of the budget. */
 static Passes choosePasses(Step *p) {
     const double max = p->s->parameters.maxWork;
     const int cap = p->s->parameters.maxIterations > 0 ? p->s->parameters.maxIterations : KEA_MAX_PASSES;
-    const double paid = max > 0 ? (max - workBeside(p)) / workOfPass(p) - p->s->report.iterations : KEA_MAX_PASSES;
+    const double paid =
+        max > 0 ? (max - workOutsidePasses(p)) / workOfPass(p) - p->s->report.iterations : KEA_MAX_PASSES;
     const double affordable = keaMin(keaMax(paid, 1), cap);
     p->s->report.limited |= affordable < KEA_MIN_PASSES;
     p->s->report.capped |= p->s->report.limited;
-    p->s->report.least = workBeside(p) + KEA_MIN_PASSES * workOfPass(p);
+    p->s->report.least = workOutsidePasses(p) + KEA_MIN_PASSES * workOfPass(p);
     MEASSERT(affordable >= 1);
     return (Passes){(int)keaMin(KEA_MIN_PASSES, affordable), (int)keaMin(KEA_MAX_PASSES, affordable)};
 }
@@ -402,7 +403,7 @@ static void setReboundsOf(void *context, KeaNode *node) {
 
 /* Sets the target of pushing points to their rebound. Returns whether there are any. */
 static MeBool setRebounds(Step *p) {
-    kea_overNodes(&p->regions, setReboundsOf, p);
+    kea_visitNodes(&p->regions, setReboundsOf, p);
     return isAnyOverNodes(&p->regions);
 }
 
@@ -416,7 +417,7 @@ static void addImpulses(void *context, KeaNode *node) {
     kea_addImpulses(&from, p->groups + node->firstGroup, node->numGroups, p->change);
 }
 
-static void setEndMomenta(void *context, KeaNode *node) {
+static void setEndMomentaOfNode(void *context, KeaNode *node) {
     const Step *p = context;
     for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++) {
         const int body = p->regions.body[i];
@@ -429,10 +430,10 @@ static void setEndMomenta(void *context, KeaNode *node) {
     }
 }
 
-static void setEndMomentum(Step *p) {
-    kea_inOrder(&p->regions, addImpulses, p);
+static void setEndMomenta(Step *p) {
+    kea_visitNodesByDepth(&p->regions, addImpulses, p);
     kea_jointsAddImpulses(&p->joints, p->change);
-    kea_overRegions(&p->regions, setEndMomenta, p);
+    kea_visitRegions(&p->regions, setEndMomentaOfNode, p);
 }
 
 /* ---- energy guard ---- */
@@ -458,7 +459,7 @@ static void sumEnergy(void *context, KeaNode *node) {
 /* J: the change of the kinetic energy by the impulses, with the inertia of the start's poses; `all`: the energy with
  * the loads only. */
 static double energyGained(Step *p, double *all) {
-    kea_overRegions(&p->regions, sumEnergy, p);
+    kea_visitRegions(&p->regions, sumEnergy, p);
     *all = sumOverRegions(&p->regions, 1);
     return sumOverRegions(&p->regions, 0);
 }
@@ -472,8 +473,8 @@ static void sumWork(void *context, KeaNode *node) {
 /* J: an upper bound of the energy that motors, springs, conveyor belts and moving worlds have added. By the laws of
  * contacts, and of rows J v⁺ = t - E p within bounds, the impulses p add p·J v⁺ - |Jᵀp|²/2 <= p·(t - E p). */
 static double workOfDrives(Step *p) {
-    double work = kea_jointsWork(&p->joints);
-    kea_overNodes(&p->regions, sumWork, p);
+    double work = kea_jointsWorkOfDrives(&p->joints);
+    kea_visitNodes(&p->regions, sumWork, p);
     for (int n = 1; n < 2 * p->regions.count; n++)
         work += p->regions.node[n].sum[0];
     return work;
@@ -490,7 +491,7 @@ static MeBool isEnergyGained(Step *p) {
  * objective. */
 static void solveByDescent(Step *p) {
     kea_scaleImpulses(p->groups, p->numGroups, 0);
-    kea_jointsScale(&p->joints, 0);
+    kea_jointsScaleImpulses(&p->joints, 0);
     for (int i = 0; i < p->numGroups; i++)
         memset(&p->groups[i].isDirect, 0, sizeof p->groups[i].isDirect);
     setMotions(p);
@@ -499,7 +500,7 @@ static void solveByDescent(Step *p) {
         iteratePasses(p, 1);
     }
     measureAll(p);
-    setEndMomentum(p);
+    setEndMomenta(p);
 }
 
 /* Scales all impulses P by a share, with which the energy changes by share P·v + share² |P|²/2 (norm by M⁻¹): the
@@ -517,11 +518,11 @@ static void limitImpulses(Step *p) {
     }
     const double share = keaMin(keaMax(-linear / square, 0), 1);
     kea_scaleImpulses(p->groups, p->numGroups, (float)share);
-    kea_jointsScale(&p->joints, share);
+    kea_jointsScaleImpulses(&p->joints, share);
     setMotions(p);
     applyImpulses(p);
-    kea_jointsPass(p->s, &p->joints, p->motion, 0);
-    setEndMomentum(p);
+    kea_jointsSolveVelocities(p->s, &p->joints, p->motion, 0);
+    setEndMomenta(p);
 }
 
 static void compareMotions(void *context, KeaNode *node) {
@@ -538,10 +539,10 @@ static void compareMotions(void *context, KeaNode *node) {
 /* Recomputes the velocities, which passes accumulate in single precision, from the impulses, for the rest of the step.
  * False: they differ by more than is allowed, since rounding of large intermediate impulses matters. */
 static MeBool doMotionsMatchImpulses(Step *p) {
-    kea_overRegions(&p->regions, keepMotions, p);
+    kea_visitRegions(&p->regions, saveMotions, p);
     setMotions(p);
     applyImpulses(p);
-    kea_overRegions(&p->regions, compareMotions, p);
+    kea_visitRegions(&p->regions, compareMotions, p);
     const double lost = maxOverRegions(&p->regions, 0), speed = maxOverRegions(&p->regions, 1);
     return lost <= kea_lostMotion * p->s->parameters.restSpeed + kea_impactAccuracy * speed;
 }
@@ -590,7 +591,7 @@ static void setMeans(Step *p) {
     memcpy(p->move + 1 + n, p->motion + 1 + n, (size_t)m * sizeof *p->move);
     for (int i = 1 + n; i < 1 + n + m; i++)
         p->thetas[i] = 1;
-    kea_overRegions(&p->regions, setMeansOf, p);
+    kea_visitRegions(&p->regions, setMeansOf, p);
 }
 
 static void choosePressedOf(void *context, KeaNode *node) {
@@ -600,7 +601,7 @@ static void choosePressedOf(void *context, KeaNode *node) {
 }
 
 static MeBool choosePressed(Step *p) {
-    kea_inOrder(&p->regions, choosePressedOf, p);
+    kea_visitNodesByDepth(&p->regions, choosePressedOf, p);
     return isAnyOverNodes(&p->regions);
 }
 
@@ -620,7 +621,7 @@ static double thetaOf(const Step *p, int body) {
 
 /* Sets `fall`, a displacement of all bodies of a partition without contact or joint to the world, so that its centre of
  * mass moves by the mean of its velocities at the start and the end, though some bodies are moved by θ = 1. */
-static void fallOfCentre(Step *p) {
+static void setFall(Step *p) {
     const MdtKeaSystem *s = p->s;
     double mass = 0;
     keaZero(p->fall);
@@ -652,7 +653,7 @@ static void prefetchBody(const Step *p, const KeaNode *node, int place) {
 
 /* Sets the orientations at the end: free rotation with the angular momentum (1 - θ) L + θ L⁺, by the chord
  * (kea_rotateByChord), as points of contact are moved. */
-static void turnFreely(void *context, KeaNode *node) {
+static void rotateFreely(void *context, KeaNode *node) {
     const Step *p = context;
     for (int place = node->firstPlace; place < node->firstPlace + node->numPlaces; place++) {
         const int i = p->regions.body[place];
@@ -699,7 +700,7 @@ static void setEndPosesOf(void *context, KeaNode *node) {
 }
 
 static void setEndPoses(Step *p) {
-    kea_overRegions(&p->regions, setEndPosesOf, p);
+    kea_visitRegions(&p->regions, setEndPosesOf, p);
 }
 
 /* Advances the gaps of a node to the end of the step, and clears displacements. */
@@ -716,19 +717,19 @@ static void pushNode(void *context, KeaNode *node) {
 
 /* One pass over displacements of contacts. Returns whether some contact has moved its bodies so far that joints
  * open. */
-static MeBool pushContacts(Step *p) {
-    kea_inOrder(&p->regions, pushNode, p);
+static MeBool correctContactPositions(Step *p) {
+    kea_visitNodesByDepth(&p->regions, pushNode, p);
     return isAnyOverNodes(&p->regions);
 }
 
 /* Makes the passes over displacements of some rounds: over contacts, and over joints while these are open. Returns
  * whether contacts have opened joints. */
-static MeBool correctPositions(Step *p, int roundCount, double jointError) {
+static MeBool runPositionPasses(Step *p, int roundCount, double jointError) {
     MeBool isPushed = MEFALSE;
     for (int i = 0; i < roundCount * (KEA_POSITION_PASSES / KEA_JOINT_ROUNDS); i++) {
-        const MeBool isMoved = pushContacts(p);
+        const MeBool isMoved = correctContactPositions(p);
         if (isMoved || jointError > kea_closedJoint)
-            jointError = kea_jointsPush(p->s, &p->joints, p->displacement);
+            jointError = kea_jointsCorrectPositions(p->s, &p->joints, p->displacement);
         isPushed |= isMoved;
     }
     return isPushed;
@@ -738,47 +739,48 @@ static MeBool correctPositions(Step *p, int roundCount, double jointError) {
  * if the last round has not reduced the errors enough. Contacts take part in the first KEA_JOINT_ROUNDS only, which are
  * joined to one if joints are closed already. Reports the step as violent if joints have opened further all the
  * same. */
-static void pushJoined(Step *p) {
+static void correctJointedPositions(Step *p) {
     const double start = kea_jointsOpening(&p->joints);
     double before = HUGE_VAL;
-    kea_keepRows(p->s);
+    kea_saveJacobians(p->s);
     for (int round = 0;; round++) {
         setEndPoses(p);
         if (round == KEA_MAX_JOINT_ROUNDS)
             break;
-        const double jointError = kea_jointsAdvance(p->s, &p->joints, p->displacement);
+        const double jointError = kea_jointsFindErrors(p->s, &p->joints, p->displacement);
         const MeBool areClosed = jointError <= kea_closedJoint;
         if (round >= KEA_JOINT_ROUNDS && areClosed)
             break;
         if (round > 0 && !areClosed && jointError > kea_refinedShare * before)
-            kea_jointsTurn(p->s, &p->joints, p->displacement);
+            kea_jointsRelinearize(p->s, &p->joints, p->displacement);
         before = jointError;
         if (round >= KEA_JOINT_ROUNDS) {
-            kea_jointsPush(p->s, &p->joints, p->displacement);
+            kea_jointsCorrectPositions(p->s, &p->joints, p->displacement);
         } else if (!areClosed) {
-            correctPositions(p, 1, jointError);
-        } else if (correctPositions(p, KEA_JOINT_ROUNDS - round, jointError)) {
+            runPositionPasses(p, 1, jointError);
+        } else if (runPositionPasses(p, KEA_JOINT_ROUNDS - round, jointError)) {
             round = KEA_JOINT_ROUNDS - 1; /* all passes of contacts are done */
         } else {
-            kea_jointsPush(p->s, &p->joints, p->displacement); /* otherwise small errors would add up over steps */
+            kea_jointsCorrectPositions(p->s, &p->joints,
+                                       p->displacement); /* otherwise small errors would add up over steps */
             setEndPoses(p);
             break;
         }
     }
-    kea_recallRows(p->s);
+    kea_restoreJacobians(p->s);
     p->s->report.violent = p->s->report.opens = p->s->report.opening > start + kea_violentOpening;
 }
 
 static void findPositions(Step *p) {
     memset(p->displacement, 0, sizeof *p->displacement);
-    kea_overNodes(&p->regions, advanceNode, p);
-    kea_overRegions(&p->regions, turnFreely, p);
+    kea_visitNodes(&p->regions, advanceNode, p);
+    kea_visitRegions(&p->regions, rotateFreely, p);
     if (p->joints.numBlocks > 0) {
-        pushJoined(p);
+        correctJointedPositions(p);
         return;
     }
     for (int i = 0; i < KEA_POSITION_PASSES; i++)
-        kea_inOrder(&p->regions, pushNode, p);
+        kea_visitNodesByDepth(&p->regions, pushNode, p);
     setEndPoses(p);
 }
 
@@ -789,7 +791,7 @@ static MeBool isZero(const KeaMotion *displacement) {
     return METRUE;
 }
 
-static void findFree(void *context, KeaNode *node) {
+static void markFreeBodies(void *context, KeaNode *node) {
     const Step *p = context;
     for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++)
         p->s->work->body[p->regions.body[i]].isFree =
@@ -797,16 +799,16 @@ static void findFree(void *context, KeaNode *node) {
 }
 
 /* Moves bodies without impulse and displacement as free bodies. */
-static void moveFreely(Step *p) {
-    kea_overRegions(&p->regions, findFree, p);
-    kea_moveFreely(p->s);
+static void moveFreeBodies(Step *p) {
+    kea_visitRegions(&p->regions, markFreeBodies, p);
+    kea_moveFreeBodies(p->s);
 }
 
-static void report(Step *p) {
+static void writeReport(Step *p) {
     MdtKeaReport *r = &p->s->report;
     r->passes = 1;
     r->resolution = p->s->parameters.restSpeed;
-    r->work = r->iterations * workOfPass(p) + workBeside(p);
+    r->work = r->iterations * workOfPass(p) + workOutsidePasses(p);
     r->capped = r->capped || !kea_jointsAreSound(&p->joints);
 }
 
@@ -832,32 +834,32 @@ void kea_fastSolve(MdtKeaSystem *s) {
         clearForces(s);
         for (int i = 0; i < s->numBodies; i++)
             s->work->body[i].isFree = METRUE;
-        kea_moveFreely(s);
+        kea_moveFreeBodies(s);
         return;
     }
     findSpeed(&p);
     p.loadSpeed = kea_loadSpeed(s);
     applyImpulses(&p);
-    kea_overRegions(&p.regions, keepMotions, &p);
+    kea_visitRegions(&p.regions, saveMotions, &p);
     findVelocities(&p);
-    setEndMomentum(&p);
+    setEndMomenta(&p);
     guardEnergy(&p);
     kea_jointsRemoveStiffness(s, &p.joints);
     chooseThetas(&p);
-    fallOfCentre(&p);
+    setFall(&p);
     findPositions(&p);
-    kea_jointsKeepVelocities(s, &p.joints);
+    kea_jointsSetMomenta(s, &p.joints);
     const MeBool doRebound = setRebounds(&p);
-    if (kea_jointsRebound(&p.joints) || doRebound) {
-        kea_jointsRefill(s, &p.joints);
+    if (kea_jointsSetRebounds(&p.joints) || doRebound) {
+        kea_jointsRefactor(s, &p.joints);
         findVelocities(&p);
-        setEndMomentum(&p);
+        setEndMomenta(&p);
         limitRebounds(&p);
         kea_jointsRemoveStiffness(s, &p.joints);
-        kea_jointsKeepVelocities(s, &p.joints);
+        kea_jointsSetMomenta(s, &p.joints);
     }
-    report(&p);
-    kea_overNodes(&p.regions, returnGroups, &p);
-    kea_jointsReturn(s, &p.joints);
-    moveFreely(&p);
+    writeReport(&p);
+    kea_visitNodes(&p.regions, returnGroups, &p);
+    kea_jointsReturnForces(s, &p.joints);
+    moveFreeBodies(&p);
 }

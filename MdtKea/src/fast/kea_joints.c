@@ -71,7 +71,7 @@ static double turnedRateOf(const MdtKeaSystem *s, const KeaJointRow *r) {
 }
 
 /* Sets target and compliance of a spring; without stiffness and damping it is inactive. */
-static void setSpring(double h, KeaJointRow *r) {
+static void setSpringLaw(double h, KeaJointRow *r) {
     const MdtKeaRow *row = r->row;
     MEASSERT(row->stiffness >= 0 && row->damping >= 0);
     const double h2Stiffness = h * (h * row->stiffness + row->damping);
@@ -80,7 +80,7 @@ static void setSpring(double h, KeaJointRow *r) {
     r->target = r->compliance * h * (row->damping * row->target - row->stiffness * row->error);
 }
 
-static void setPosition(double h, KeaJointRow *r) {
+static void setPositionLaw(double h, KeaJointRow *r) {
     const MdtKeaRow *row = r->row;
     const MeBool isSoft = row->softness > kea_softShare * r->invEffectiveMass;
     r->isRigid = !isSoft && (isTwoSided(row) || row->lower == 0 || row->upper == 0);
@@ -108,9 +108,9 @@ static void setJointRow(const MdtKeaSystem *s, KeaJointRow *r) {
     r->targetError = r->jointError = 0;
     r->invMassInBlock = 0;
     if (row->spring)
-        setSpring(h, r);
+        setSpringLaw(h, r);
     else if (row->position)
-        setPosition(h, r);
+        setPositionLaw(h, r);
     if (!row->spring)
         r->target -= turnedRateOf(s, r);
     r->lower = h * row->lower;
@@ -122,7 +122,7 @@ static void setJointRow(const MdtKeaSystem *s, KeaJointRow *r) {
 /* ---- the block's bodies ---- */
 
 /* x += a Jᵀ, and J x; x by node. */
-static void addAlong(const KeaJointRow *r, double a, double (*x)[6]) {
+static void addJointForce(const KeaJointRow *r, double a, double (*x)[6]) {
     for (int k = 0; k < 2; k++)
         if (r->node[k] >= 0)
             kea_addScaled6(x[r->node[k]], a, r->J[k]);
@@ -147,7 +147,7 @@ static double (*motionsOf(const KeaJoints *j, const KeaJointBlock *b, const KeaM
     return j->v + b->firstNode;
 }
 
-static void moveBodies(const KeaJoints *j, const KeaJointBlock *b, KeaMotion motion[]) {
+static void moveBlock(const KeaJoints *j, const KeaJointBlock *b, KeaMotion motion[]) {
     for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++) {
         KeaMotion *m = &motion[j->body[n].motion];
         for (int i = 0; i < 3; i++) {
@@ -168,14 +168,14 @@ static void clearUnknowns(const KeaJoints *j, const KeaJointBlock *b) {
 /* ---- the matrix ---- */
 
 /* Adds the run of rows without bounds from `first` on that join the same bodies to the matrix. Returns their number. */
-static int addTied(const KeaJoints *j, const KeaJointBlock *b, int first) {
+static int addUnboundedRows(const KeaJoints *j, const KeaJointBlock *b, int first) {
     const KeaJointRow *start = &j->row[first];
     KeaFactorRows rows = {.node = {start->node[0], start->node[1]}, .edge = start->edge};
     for (int i = first; i < b->firstBounded && rows.count < KEA_FACTOR_ROWS; i++) {
         KeaJointRow *r = &j->row[i];
         if (r->node[0] != start->node[0] || r->node[1] != start->node[1])
             break;
-        kea_factorPutRow(&rows, r->weight, r->J, r->J);
+        kea_factorAppendRow(&rows, r->weight, r->J, r->J);
     }
     kea_factorAddRows(b->factor, &rows, METRUE);
     MEASSERT(rows.count > 0);
@@ -198,7 +198,7 @@ static MeBool factorizeWith(const MdtKeaSystem *s, const KeaJoints *j, const Kea
     for (int i = b->firstRow; i < b->firstBounded; i++)
         j->row[i].weight = j->row[i].isInactive ? 0 : 1 / (j->row[i].compliance + soft * j->row[i].invEffectiveMass);
     for (int i = b->firstRow; i < b->firstBounded;)
-        i += addTied(j, b, i);
+        i += addUnboundedRows(j, b, i);
     return kea_factorCholesky(b->factor, kea_minPivot);
 }
 
@@ -216,7 +216,7 @@ static void factorizeBlock(const MdtKeaSystem *s, const KeaJoints *j, KeaJointBl
 }
 
 static void solveWithFactor(const KeaJointBlock *b, double x[]) {
-    kea_factorAllocateNumbers(b->factor, b->numbers);
+    kea_factorUseNumbers(b->factor, b->numbers);
     (b->isInverted ? kea_factorSolveInverted : kea_factorSolve)(b->factor, x);
 }
 
@@ -227,7 +227,7 @@ static int anyBodyOf(const MdtKeaRow *row) {
 }
 
 /* Unites the bodies that rows join (union-find). */
-static void join(const MdtKeaSystem *s, int parent[]) {
+static void uniteJoinedBodies(const MdtKeaSystem *s, int parent[]) {
     for (int i = 0; i < s->numBodies; i++)
         parent[i] = i;
     for (int i = 0; i < s->numRows; i++) {
@@ -238,7 +238,7 @@ static void join(const MdtKeaSystem *s, int parent[]) {
 }
 
 /* Sorts rows by the root of their block's set of bodies, and creates the blocks: a stable counting sort. */
-static void sortRows(const MdtKeaSystem *s, KeaJoints *j) {
+static void sortRowsByBlock(const MdtKeaSystem *s, KeaJoints *j) {
     int at = 0;
     memset(j->sum, 0, (size_t)s->numBodies * sizeof *j->sum);
     for (int i = 0; i < s->numRows; i++)
@@ -287,7 +287,7 @@ static void sumStiffness(const MdtKeaSystem *s, KeaJoints *j, const KeaJointBloc
 }
 
 /* Sets inverse inertia and predicted angular velocity of a body to those by the inertia that the passes use. */
-static void useInertia(MdtKeaSystem *s, const KeaJointBody *b) {
+static void usePassInertia(MdtKeaSystem *s, const KeaJointBody *b) {
     double(*inverse)[3] = s->invMass[b->body].inertia;
     kea_invert(inverse, (const double(*)[3])b->inertia);
     keaApply(s->predicted[b->body].ang, (const double(*)[3])inverse, s->work->body[b->body].freeMomentum);
@@ -303,7 +303,7 @@ static void addToInertia(MdtKeaSystem *s, KeaJointBody *body) {
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
             b.inertia[i][k] += b.stiffness[i][k];
-    useInertia(s, &b);
+    usePassInertia(s, &b);
     *body = b;
 }
 
@@ -321,7 +321,7 @@ void kea_jointsRemoveStiffness(MdtKeaSystem *s, const KeaJoints *j) {
             setMomentumAt(s, &j->body[n], s->bodies[j->body[n].body]->quaternion);
 }
 
-void kea_jointsKeepVelocities(MdtKeaSystem *s, const KeaJoints *j) {
+void kea_jointsSetMomenta(MdtKeaSystem *s, const KeaJoints *j) {
     for (int i = 0; i < j->numBlocks; i++)
         for (int n = j->block[i].firstNode; n < j->block[i].firstNode + j->block[i].numNodes; n++) {
             const int body = j->body[n].body;
@@ -365,19 +365,19 @@ static void predictBody(MdtKeaSystem *s, KeaJointBody *b) {
     if (!(body->flags & MdtKeaBodyFlagAddCoriolisForce))
         return;
     kea_inertia(body, end->quaternion, b->inertia);
-    useInertia(s, b);
+    usePassInertia(s, b);
 }
 
 /* Its rows stay those of the start. */
-static void keepBody(MdtKeaSystem *s, KeaJointBody *b) {
+static void useStartPose(MdtKeaSystem *s, KeaJointBody *b) {
     s->work->meanPose[b->body] = s->pose[b->body];
     addToInertia(s, b);
 }
 
 /* Rows of blocks that can be predicted get the Jacobians of the middle; savedJ has those of the start. */
-static void predictRows(MdtKeaSystem *s, const KeaJoints *j) {
+static void evaluateMiddleRows(MdtKeaSystem *s, const KeaJoints *j) {
     MeBool isAny = MEFALSE;
-    kea_keepRows(s);
+    kea_saveJacobians(s);
     for (int i = 0; i < j->numBlocks; i++)
         isAny |= j->block[i].isMean;
     if (isAny && s->jacobians)
@@ -386,7 +386,7 @@ static void predictRows(MdtKeaSystem *s, const KeaJoints *j) {
 
 /* ---- setting blocks up ---- */
 
-static void setBodies(MdtKeaSystem *s, const int place[], KeaJoints *j, KeaJointBlock *b) {
+static void setBlockBodies(MdtKeaSystem *s, const int place[], KeaJoints *j, KeaJointBlock *b) {
     for (int i = b->firstRow; i < b->endRow; i++)
         for (int k = 0; k < 2; k++)
             addJointBody(s, place, j, b, j->sorted[i]->body[k]);
@@ -396,11 +396,11 @@ static void setBodies(MdtKeaSystem *s, const int place[], KeaJoints *j, KeaJoint
         if (b->isMean)
             predictBody(s, &j->body[n]);
         else
-            keepBody(s, &j->body[n]);
+            useStartPose(s, &j->body[n]);
     }
 }
 
-static void setRows(const MdtKeaSystem *s, KeaJoints *j, KeaJointBlock *b) {
+static void setBlockRows(const MdtKeaSystem *s, KeaJoints *j, KeaJointBlock *b) {
     int at = b->firstRow;
     kea_graphBegin(&j->graph, b->endRow - b->firstRow);
     for (int bounded = 0; bounded < 2; bounded++) {
@@ -439,18 +439,18 @@ static MeBool areFactorsKept(const KeaJoints *j) {
 
 /* Sets up all blocks: bodies, rows and the structures of their factors. False: no memory for a factor. */
 static MeBool setBlocks(MdtKeaSystem *s, const int place[], KeaJoints *j) {
-    sortRows(s, j);
+    sortRowsByBlock(s, j);
     memset(j->node, 0xff, (size_t)s->numBodies * sizeof *j->node);
     j->numNodes = 0;
     j->numRows = s->numRows;
     for (int i = 0; i < j->numBlocks; i++) {
         j->block[i].firstNode = j->numNodes;
-        setBodies(s, place, j, &j->block[i]);
+        setBlockBodies(s, place, j, &j->block[i]);
         j->numNodes += j->block[i].numNodes;
     }
-    predictRows(s, j);
+    evaluateMiddleRows(s, j);
     for (int i = 0; i < j->numBlocks; i++) {
-        setRows(s, j, &j->block[i]);
+        setBlockRows(s, j, &j->block[i]);
         j->block[i].isWide = j->block[i].numNodes > KEA_WIDE_BLOCK;
         j->block[i].factor =
             kea_cacheFind(s->cache, j->block[i].numNodes, NULL, j->graph.numEdges, (const int(*)[2])j->graph.edges);
@@ -497,7 +497,7 @@ size_t kea_jointsLayOut(const MdtKeaSystem *s, KeaJoints *j, char *memory) {
 }
 
 /* Inertia and rows are those of the start. */
-static void beginAgain(MdtKeaSystem *s) {
+static void resetToStart(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
         kea_beginBody(s, i);
     if (s->jacobians)
@@ -512,12 +512,12 @@ MeBool kea_jointsBegin(MdtKeaSystem *s, const int place[], KeaJoints *j) {
     if (!memory)
         return MEFALSE;
     kea_jointsLayOut(s, j, memory);
-    join(s, j->parent);
+    uniteJoinedBodies(s, j->parent);
     if (!setBlocks(s, place, j))
         return MEFALSE;
     if (!areFactorsKept(j)) {
         memset(j->parent, 0, (size_t)s->numBodies * sizeof *j->parent); /* all bodies in one block */
-        beginAgain(s);
+        resetToStart(s);
         if (!setBlocks(s, place, j))
             return MEFALSE;
     }
@@ -541,11 +541,11 @@ static void sumImpulses(const KeaJoints *j) {
         const KeaJointBlock *b = &j->block[i];
         clearUnknowns(j, b);
         for (int k = b->firstRow; k < b->endRow; k++)
-            addAlong(&j->row[k], j->row[k].impulse, unknownsOf(j, b));
+            addJointForce(&j->row[k], j->row[k].impulse, unknownsOf(j, b));
     }
 }
 
-void kea_jointsApply(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[]) {
+void kea_jointsApplyImpulses(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[]) {
     sumImpulses(j);
     for (int n = 0; n < j->numNodes; n++) {
         const MdtKeaInverseMassMatrix *m = &s->invMass[j->body[n].body];
@@ -555,7 +555,7 @@ void kea_jointsApply(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[]) {
         keaCopy(j->x[n] + 3, turned);
     }
     for (int i = 0; i < j->numBlocks; i++)
-        moveBodies(j, &j->block[i], motion);
+        moveBlock(j, &j->block[i], motion);
 }
 
 double kea_jointsWorkOfPass(const KeaJoints *j) {
@@ -565,14 +565,14 @@ double kea_jointsWorkOfPass(const KeaJoints *j) {
     return work;
 }
 
-double kea_jointsWorkBeside(const KeaJoints *j) {
+double kea_jointsWorkOfFactors(const KeaJoints *j) {
     double work = (double)j->numRows * KEA_ASSEMBLY;
     for (int i = 0; i < j->numBlocks; i++)
         work += kea_factorFlops(j->block[i].factor);
     return work;
 }
 
-void kea_jointsScale(KeaJoints *j, double share) {
+void kea_jointsScaleImpulses(KeaJoints *j, double share) {
     for (int k = 0; k < j->numRows; k++)
         j->row[k].impulse = j->row[k].before = share * j->row[k].impulse;
 }
@@ -580,16 +580,16 @@ void kea_jointsScale(KeaJoints *j, double share) {
 /* ---- solves by the factor ---- */
 
 /* Solves S x = Jᵀ W r for the rows without bounds. */
-static void solveTied(const KeaJoints *j, const KeaJointBlock *b) {
+static void solveUnboundedRows(const KeaJoints *j, const KeaJointBlock *b) {
     clearUnknowns(j, b);
     for (int i = b->firstRow; i < b->firstBounded; i++)
-        addAlong(&j->row[i], j->row[i].weight * j->row[i].residual, unknownsOf(j, b));
+        addJointForce(&j->row[i], j->row[i].weight * j->row[i].residual, unknownsOf(j, b));
     solveWithFactor(b, unknownsOf(j, b)[0]);
 }
 
 /* Computes the response of a row with bounds: the velocities of the block (in a wide one, of the row's own bodies) per
  * unit of its impulse, and the row's rate with these velocities. */
-static void findResponse(const MdtKeaSystem *s, const KeaJointBlock *b, KeaJointRow *r) {
+static void computeResponse(const MdtKeaSystem *s, const KeaJointBlock *b, KeaJointRow *r) {
     double(*response)[6] = (double(*)[6])(void *)r->response;
     if (b->isWide) {
         r->invMassInBlock = r->invEffectiveMass;
@@ -603,7 +603,7 @@ static void findResponse(const MdtKeaSystem *s, const KeaJointBlock *b, KeaJoint
         return;
     }
     memset(response, 0, (size_t)b->numNodes * sizeof *response);
-    addAlong(r, 1, response);
+    addJointForce(r, 1, response);
     solveWithFactor(b, response[0]);
     r->invMassInBlock = jointRateOf(r, response);
 }
@@ -622,7 +622,7 @@ static void addJointResponse(const KeaJoints *j, const KeaJointBlock *b, const K
 
 /* ---- velocities ---- */
 
-static double guessOf(const KeaJointRow *r, double beta) {
+static double extrapolatedImpulse(const KeaJointRow *r, double beta) {
     return r->impulse + beta * (r->impulse - r->before);
 }
 
@@ -639,34 +639,34 @@ static void setResiduals(const KeaJoints *j, const KeaJointBlock *b, const KeaMo
     double(*const v)[6] = motionsOf(j, b, motion);
     for (int i = b->firstRow; i < b->endRow; i++) {
         KeaJointRow *r = &j->row[i];
-        r->residual = r->target - jointRateOf(r, v) - r->compliance * guessOf(r, beta);
+        r->residual = r->target - jointRateOf(r, v) - r->compliance * extrapolatedImpulse(r, beta);
     }
 }
 
 /* Solves one row with bounds. A row that stays at its bound needs no response. */
-static double visitBounded(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, KeaJointRow *r,
-                           double beta) {
+static double solveBoundedRow(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, KeaJointRow *r,
+                              double beta) {
     if (r->isInactive)
         return 0;
-    const double guess = guessOf(r, beta), residual = r->residual - jointRateOf(r, unknownsOf(j, b));
+    const double guess = extrapolatedImpulse(r, beta), residual = r->residual - jointRateOf(r, unknownsOf(j, b));
     if ((guess == r->lower && residual <= 0) || (guess == r->upper && residual >= 0))
         return setJointImpulse(r, guess, guess);
     if (r->invMassInBlock == 0)
-        findResponse(s, b, r);
+        computeResponse(s, b, r);
     const double next = keaMin(keaMax(guess + residual / (r->invMassInBlock + r->compliance), r->lower), r->upper);
     addJointResponse(j, b, r, next - guess);
     return setJointImpulse(r, guess, next);
 }
 
-static double visitAllBounded(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, double beta) {
+static double solveBoundedRows(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, double beta) {
     double uphill = 0;
     for (int i = b->firstBounded; i < b->endRow; i++)
-        uphill += visitBounded(s, j, b, &j->row[i], beta);
+        uphill += solveBoundedRow(s, j, b, &j->row[i], beta);
     return uphill;
 }
 
 /* One pass over a block. In a wide block rows with bounds are solved first, since they open its joints. */
-static double visitBlock(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, KeaMotion motion[],
+static double solveBlock(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, KeaMotion motion[],
                          double beta) {
     double uphill = 0;
     if (!b->isSound)
@@ -674,26 +674,26 @@ static double visitBlock(const MdtKeaSystem *s, const KeaJoints *j, const KeaJoi
     setResiduals(j, b, motion, beta);
     if (b->isWide) {
         clearUnknowns(j, b);
-        uphill += visitAllBounded(s, j, b, beta);
-        moveBodies(j, b, motion);
+        uphill += solveBoundedRows(s, j, b, beta);
+        moveBlock(j, b, motion);
         setResiduals(j, b, motion, beta);
     }
-    solveTied(j, b);
+    solveUnboundedRows(j, b);
     if (!b->isWide)
-        uphill += visitAllBounded(s, j, b, beta);
+        uphill += solveBoundedRows(s, j, b, beta);
     for (int i = b->firstRow; i < b->firstBounded; i++) {
         KeaJointRow *r = &j->row[i];
-        const double guess = guessOf(r, beta);
+        const double guess = extrapolatedImpulse(r, beta);
         uphill += setJointImpulse(r, guess, guess + r->weight * (r->residual - jointRateOf(r, unknownsOf(j, b))));
     }
-    moveBodies(j, b, motion);
+    moveBlock(j, b, motion);
     return uphill;
 }
 
-double kea_jointsPass(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[], double beta) {
+double kea_jointsSolveVelocities(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[], double beta) {
     double uphill = 0;
     for (int i = 0; i < j->numBlocks; i++)
-        uphill += visitBlock(s, j, &j->block[i], motion, beta);
+        uphill += solveBlock(s, j, &j->block[i], motion, beta);
     return uphill;
 }
 
@@ -733,7 +733,7 @@ double kea_jointsResidual(const KeaJoints *j, const KeaMotion motion[], const Ke
 /* ---- positions ---- */
 
 /* An error relative to the smaller body's size. */
-static double opening(const KeaJointRow *r, double error) {
+static double openingOf(const KeaJointRow *r, double error) {
     return fabs(error) * r->perSize;
 }
 
@@ -746,7 +746,7 @@ double kea_jointsOpening(const KeaJoints *j) {
     double max = 0;
     for (int k = 0; k < j->numRows; k++)
         if (j->row[k].isRigid)
-            max = keaMax(max, opening(&j->row[k], violationOf(&j->row[k], j->row[k].row->error)));
+            max = keaMax(max, openingOf(&j->row[k], violationOf(&j->row[k], j->row[k].row->error)));
     return max;
 }
 
@@ -760,7 +760,7 @@ void kea_jointsMoveByEnd(const KeaJoints *j, const KeaMotion motion[], KeaMotion
     }
 }
 
-double kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displacement[]) {
+double kea_jointsFindErrors(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displacement[]) {
     const double h = s->parameters.stepsize;
     double max = 0, all = 0;
     if (!s->errors)
@@ -775,15 +775,15 @@ double kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displace
                 continue;
             const double error = j->errors[r->row - s->rows] - (r->targetError - h * r->row->softness * r->impulse);
             r->jointError = error - jointRateOf(r, v);
-            max = keaMax(max, opening(r, violationOf(r, error)));
-            all = keaMax(all, opening(r, violationOf(r, j->errors[r->row - s->rows])));
+            max = keaMax(max, openingOf(r, violationOf(r, error)));
+            all = keaMax(all, openingOf(r, violationOf(r, j->errors[r->row - s->rows])));
         }
     }
     s->report.opening = all;
     return max;
 }
 
-void kea_jointsTurn(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displacement[]) {
+void kea_jointsRelinearize(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displacement[]) {
     if (!s->jacobians)
         return;
     s->jacobians(s->context, s->work->endPose);
@@ -796,10 +796,10 @@ void kea_jointsTurn(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displacement[
             r->jointError += before - jointRateOf(r, v);
         }
     }
-    kea_jointsRefill(s, j);
+    kea_jointsRefactor(s, j);
 }
 
-void kea_jointsRefill(const MdtKeaSystem *s, KeaJoints *j) {
+void kea_jointsRefactor(const MdtKeaSystem *s, KeaJoints *j) {
     for (int i = 0; i < j->numBlocks; i++) {
         KeaJointBlock *b = &j->block[i];
         for (int k = b->firstRow; k < b->endRow; k++) {
@@ -811,19 +811,19 @@ void kea_jointsRefill(const MdtKeaSystem *s, KeaJoints *j) {
 }
 
 /* Removes the violation of a stop by displacements; the stop does not pull. */
-static void pushStop(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, KeaJointRow *r) {
+static void correctStop(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, KeaJointRow *r) {
     const double residual = r->residual - jointRateOf(r, unknownsOf(j, b));
     const double need = r->lower == 0 ? keaMax(residual, 0) : keaMin(residual, 0);
     if (!r->isRigid || r->isInactive || need == 0)
         return;
     if (r->invMassInBlock == 0)
-        findResponse(s, b, r);
+        computeResponse(s, b, r);
     addJointResponse(j, b, r, need / r->invMassInBlock);
 }
 
 /* Scales all displacements of a pass down so that no body rotates by more than kea_maxPush: beyond that angle errors
  * are no longer linear in the displacements. */
-static void limitTurn(const KeaJoints *j, const KeaJointBlock *b) {
+static void limitRotation(const KeaJoints *j, const KeaJointBlock *b) {
     double max = 0;
     for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++)
         max = keaMax(max, keaLength(j->x[n] + 3));
@@ -841,17 +841,17 @@ static double setPositionResiduals(const KeaJoints *j, const KeaJointBlock *b, c
     for (int k = b->firstRow; k < b->endRow; k++) {
         KeaJointRow *r = &j->row[k];
         r->residual = r->isRigid ? -(r->jointError + jointRateOf(r, v)) : 0;
-        max = keaMax(max, opening(r, violationOf(r, -r->residual)));
+        max = keaMax(max, openingOf(r, violationOf(r, -r->residual)));
     }
     return max;
 }
 
-static void pushStops(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b) {
+static void correctStops(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b) {
     for (int k = b->firstBounded; k < b->endRow; k++)
-        pushStop(s, j, b, &j->row[k]);
+        correctStop(s, j, b, &j->row[k]);
 }
 
-double kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion displacement[]) {
+double kea_jointsCorrectPositions(const MdtKeaSystem *s, KeaJoints *j, KeaMotion displacement[]) {
     double max = 0;
     for (int i = 0; i < j->numBlocks; i++) {
         const KeaJointBlock *b = &j->block[i];
@@ -860,22 +860,22 @@ double kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion displacemen
         max = keaMax(max, setPositionResiduals(j, b, displacement));
         if (b->isWide) {
             clearUnknowns(j, b);
-            pushStops(s, j, b);
-            moveBodies(j, b, displacement);
+            correctStops(s, j, b);
+            moveBlock(j, b, displacement);
             setPositionResiduals(j, b, displacement);
         }
-        solveTied(j, b);
+        solveUnboundedRows(j, b);
         if (!b->isWide)
-            pushStops(s, j, b);
-        limitTurn(j, b);
-        moveBodies(j, b, displacement);
+            correctStops(s, j, b);
+        limitRotation(j, b);
+        moveBlock(j, b, displacement);
     }
     return max;
 }
 
 /* ---- rebounds and results ---- */
 
-MeBool kea_jointsRebound(KeaJoints *j) {
+MeBool kea_jointsSetRebounds(KeaJoints *j) {
     MeBool isAny = MEFALSE;
     for (int k = 0; k < j->numRows; k++) {
         KeaJointRow *r = &j->row[k];
@@ -887,7 +887,7 @@ MeBool kea_jointsRebound(KeaJoints *j) {
     return isAny;
 }
 
-double kea_jointsWork(const KeaJoints *j) {
+double kea_jointsWorkOfDrives(const KeaJoints *j) {
     double work = 0;
     for (int k = 0; k < j->numRows; k++) {
         const KeaJointRow *r = &j->row[k];
@@ -903,7 +903,7 @@ void kea_jointsAddImpulses(const KeaJoints *j, double (*change)[6]) {
         kea_addScaled6(change[j->body[n].motion - 1], 1, j->x[n]);
 }
 
-void kea_jointsReturn(MdtKeaSystem *s, const KeaJoints *j) {
+void kea_jointsReturnForces(MdtKeaSystem *s, const KeaJoints *j) {
     for (int i = 0; i < s->numRows; i++)
         s->rows[i].ripple = 0;
     for (int k = 0; k < j->numRows; k++)

@@ -69,14 +69,14 @@ MeBool kea_jointsBegin(MdtKeaSystem *s, const int place[], KeaJoints *j);
 MeBool kea_jointsAreSound(const KeaJoints *j);
 /* Multiplications of a pass; of assembly and factorization. */
 double kea_jointsWorkOfPass(const KeaJoints *j);
-double kea_jointsWorkBeside(const KeaJoints *j);
+double kea_jointsWorkOfFactors(const KeaJoints *j);
 /* Adds M⁻¹ Jᵀ p of all impulses to the motions: the warm start. */
-void kea_jointsApply(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[]);
+void kea_jointsApplyImpulses(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[]);
 /* Multiplies all impulses by a share. */
-void kea_jointsScale(KeaJoints *j, double share);
+void kea_jointsScaleImpulses(KeaJoints *j, double share);
 /* Makes a pass over velocities, from impulses extrapolated by beta; returns the criterion of restarts
  * (KeaKernel.pass). */
-double kea_jointsPass(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[], double beta);
+double kea_jointsSolveVelocities(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[], double beta);
 /* m/s: the largest violation of the rows' laws. Raises *excess to the largest ratio of a violation to its tolerance. */
 double kea_jointsResidual(const KeaJoints *j, const KeaMotion motion[], const KeaTolerance *t, double *excess);
 /* Sets the velocities that bodies of first-order blocks are moved by to the end velocities, θ = 1, since their rows are
@@ -86,18 +86,18 @@ void kea_jointsMoveByEnd(const KeaJoints *j, const KeaMotion motion[], KeaMotion
 double kea_jointsOpening(const KeaJoints *j);
 /* Evaluates position errors at the end poses, displacements included. Returns the largest part that is to be corrected,
  * relative to the smaller body's size. */
-double kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displacement[]);
+double kea_jointsFindErrors(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displacement[]);
 /* Evaluates the rows' Jacobians at the end poses, and factors the blocks with them. */
-void kea_jointsTurn(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displacement[]);
+void kea_jointsRelinearize(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displacement[]);
 /* Factors the blocks again, after the rows' Jacobians have changed. */
-void kea_jointsRefill(const MdtKeaSystem *s, KeaJoints *j);
+void kea_jointsRefactor(const MdtKeaSystem *s, KeaJoints *j);
 /* Makes a pass over displacements, which removes position errors. Returns the largest error before the pass, relative
  * to the smaller body's size. */
-double kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion displacement[]);
+double kea_jointsCorrectPositions(const MdtKeaSystem *s, KeaJoints *j, KeaMotion displacement[]);
 /* Sets the target of stops that were hit to their rebound. Returns whether there are any. */
-MeBool kea_jointsRebound(KeaJoints *j);
+MeBool kea_jointsSetRebounds(KeaJoints *j);
 /* J: the work that motors, springs and moving worlds do by the impulses; rebounds do none. */
-double kea_jointsWork(const KeaJoints *j);
+double kea_jointsWorkOfDrives(const KeaJoints *j);
 /* Adds the changes of momenta by the impulses, N s and N m s, to `change`, by place. */
 void kea_jointsAddImpulses(const KeaJoints *j, double (*change)[6]);
 /* Removes the effect of geometric stiffness from the angular momenta at the end. */
@@ -105,8 +105,8 @@ void kea_jointsRemoveStiffness(MdtKeaSystem *s, const KeaJoints *j);
 /* After the orientations at the end are known: in blocks solved at the middle, sets the angular momenta to those of the
  * velocities found. With the momenta found instead, a thin bar that spins would get a velocity that its joint forbids,
  * by the error of the predicted orientation times I_max / I_min, which grows from step to step (Mst_Order_Joints). */
-void kea_jointsKeepVelocities(MdtKeaSystem *s, const KeaJoints *j);
+void kea_jointsSetMomenta(MdtKeaSystem *s, const KeaJoints *j);
 /* Writes the forces of the system's rows. */
-void kea_jointsReturn(MdtKeaSystem *s, const KeaJoints *j);
+void kea_jointsReturnForces(MdtKeaSystem *s, const KeaJoints *j);
 
 #endif

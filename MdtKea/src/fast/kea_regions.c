@@ -53,16 +53,16 @@ static void visitDepth(KeaRegions *r, int nodes, KeaNodeWork work, void *context
     MeTeamRun(r->team, nodes, visitNode, &v);
 }
 
-void kea_inOrder(KeaRegions *r, KeaNodeWork work, void *context) {
+void kea_visitNodesByDepth(KeaRegions *r, KeaNodeWork work, void *context) {
     for (int nodes = r->count; nodes >= 1; nodes /= 2)
         visitDepth(r, nodes, work, context);
 }
 
-void kea_overRegions(KeaRegions *r, KeaNodeWork work, void *context) {
+void kea_visitRegions(KeaRegions *r, KeaNodeWork work, void *context) {
     visitDepth(r, r->count, work, context);
 }
 
-void kea_overNodes(KeaRegions *r, KeaNodeWork work, void *context) {
+void kea_visitNodes(KeaRegions *r, KeaNodeWork work, void *context) {
     Visit v = {r, work, context, r->count};
     MeTeamRun(r->team, r->count, visitRegionAndNode, &v);
 }
@@ -181,7 +181,7 @@ static void divideBodies(KeaRegions *r) {
         r->body[i] = i;
     for (int nodes = 1; nodes < r->count; nodes *= 2)
         visitDepth(r, nodes, halveNode, r);
-    kea_overRegions(r, setPlaces, r);
+    kea_visitRegions(r, setPlaces, r);
 }
 
 /* ---- manifolds ---- */
@@ -196,7 +196,7 @@ static int commonNode(int a, int b) {
     return a;
 }
 
-static void MEAPI findHomes(void *context, int first, int end, int worker) {
+static void MEAPI assignManifolds(void *context, int first, int end, int worker) {
     KeaRegions *r = context;
     (void)worker;
     for (int i = first; i < end; i++) {
@@ -225,7 +225,7 @@ static void sortByNode(KeaRegions *r) {
     }
 }
 
-static MeBool isBelow(int node, int above) {
+static MeBool isDescendant(int node, int above) {
     while (node > above)
         node /= 2;
     return node == above;
@@ -233,7 +233,7 @@ static MeBool isBelow(int node, int above) {
 
 /* Checks that each body has one place, in the region given by `leaf`, and that the node of each manifold is an ancestor
  * of both its bodies' regions. */
-static MeBool areRegionsGood(const KeaRegions *r) {
+static MeBool areRegionsValid(const KeaRegions *r) {
     const MdtKeaSystem *s = r->s;
     int places = 0, manifolds = 0;
     for (int n = r->count; n < 2 * r->count; n++) {
@@ -246,7 +246,7 @@ static MeBool areRegionsGood(const KeaRegions *r) {
         for (int i = 0; i < r->node[n].numManifolds; i++, manifolds++) {
             const int *body = s->manifolds[r->manifold[manifolds]].body;
             for (int k = 0; k < 2; k++)
-                if (body[k] >= 0 && !isBelow(r->leaf[body[k]], n))
+                if (body[k] >= 0 && !isDescendant(r->leaf[body[k]], n))
                     return MEFALSE;
         }
     return places == s->numBodies && manifolds == s->numManifolds;
@@ -255,7 +255,7 @@ static MeBool areRegionsGood(const KeaRegions *r) {
 void kea_regionsDivide(KeaRegions *r) {
     r->count = numRegionsOf(r->s);
     divideBodies(r);
-    MeTeamRunRanges(r->team, r->s->numManifolds, KEA_REGION_MANIFOLDS, findHomes, r);
+    MeTeamRunRanges(r->team, r->s->numManifolds, KEA_REGION_MANIFOLDS, assignManifolds, r);
     sortByNode(r);
-    MEVALIDATE(areRegionsGood(r));
+    MEVALIDATE(areRegionsValid(r));
 }

@@ -55,19 +55,19 @@ void kea_regionsLayOut(KeaRegions *r, KeaArena *arena);
 /* Divides the bodies of the system `s` into regions, and assigns manifolds to nodes. */
 void kea_regionsDivide(KeaRegions *r);
 
-/* Parallel loops that call `work` for nodes. kea_inOrder: depth after depth from the regions up, so that nodes that run
- * at the same time share no body. */
-void kea_inOrder(KeaRegions *r, KeaNodeWork work, void *context);
+/* Parallel loops that call `work` for nodes. kea_visitNodesByDepth: depth after depth from the regions up, so that
+ * nodes that run at the same time share no body. */
+void kea_visitNodesByDepth(KeaRegions *r, KeaNodeWork work, void *context);
 /* All nodes at the same time: `work` may only read bodies of other nodes. */
-void kea_overNodes(KeaRegions *r, KeaNodeWork work, void *context);
+void kea_visitNodes(KeaRegions *r, KeaNodeWork work, void *context);
 /* All regions at the same time. */
-void kea_overRegions(KeaRegions *r, KeaNodeWork work, void *context);
+void kea_visitRegions(KeaRegions *r, KeaNodeWork work, void *context);
 
 /* ---- kea_colour.c ---- */
 
 /* Colours the manifolds of each node, sorts them by colour, and counts their groups. Returns the number of all
  * groups. */
-int kea_colour(KeaRegions *r);
+int kea_colourManifolds(KeaRegions *r);
 /* Clears the groups of a node, and assigns manifolds to their lanes. */
 void kea_groupManifolds(const KeaRegions *r, const KeaNode *node, KeaGroup groups[]);
 

@@ -60,6 +60,7 @@ static Entry *nextStructure(MdtKeaCache *c, size_t at) {
     return next;
 }
 
+/* Moves all structures in use to the front of their block. */
 static void compactStructures(MdtKeaCache *c) {
     size_t end = 0;
     for (Entry *e = nextStructure(c, 0); e; e = nextStructure(c, end)) {
@@ -72,6 +73,7 @@ static void compactStructures(MdtKeaCache *c) {
     c->end = end;
 }
 
+/* Updates the factors' pointers to their structures. */
 static void updatePointers(MdtKeaCache *c) {
     for (int i = 0; i < KEA_MAX_FACTORS; i++)
         if (c->entry[i].bytes > 0)
@@ -91,6 +93,7 @@ static MeBool reserveStructure(MdtKeaCache *c, size_t bytes) {
 
 /* ---- factors ---- */
 
+/* Orders and analyses a graph, and stores its structure in the entry. False: no memory. */
 static MeBool createFactor(MdtKeaCache *c, Entry *e, int numNodes, const int size[], int numEdges,
                            const int (*edges)[2]) {
     KeaFactor plan;
@@ -110,6 +113,7 @@ static MeBool createFactor(MdtKeaCache *c, Entry *e, int numNodes, const int siz
     return METRUE;
 }
 
+/* Reserves memory for the numbers of a factor; no factor owns it then. False: no memory. */
 static MeBool reserveNumbers(MdtKeaCache *c, KeaFactor *f) {
     c->numbers.owner = NULL;
     return kea_blockReserve(&c->numbers.block, 0, kea_structureLayOutNumbers(f, NULL), "the numbers of a factor");

@@ -40,7 +40,7 @@ size_t kea_factorNumbersSize(const KeaFactor *f) {
     return kea_structureLayOutNumbers(&plan, NULL);
 }
 
-void kea_factorAllocateNumbers(KeaFactor *f, char *memory) {
+void kea_factorUseNumbers(KeaFactor *f, char *memory) {
     kea_structureLayOutNumbers(f, memory);
     f->numbers->owner = f;
 }
@@ -50,7 +50,7 @@ void kea_factorClear(KeaFactor *f) {
 }
 
 void kea_factorClearIn(KeaFactor *f, char *memory) {
-    kea_factorAllocateNumbers(f, memory);
+    kea_factorUseNumbers(f, memory);
     memset(f->diagonal, 0, f->diagonalSize * sizeof(double));
     memset(f->upperInput, 0, f->inputSize * sizeof(double));
     memset(f->lowerInput, 0, f->inputSize * sizeof(double));

@@ -34,11 +34,11 @@ MeBool kea_factorMatches(const KeaFactor *f, int numNodes, const int size[], int
 
 /* Begins a matrix: sets all blocks to zero, in the memory that the factors of the cache share. */
 void kea_factorClear(KeaFactor *f);
-/* The same for several matrices at once, each in the caller's memory of kea_factorNumbersSize bytes. kea_factorClearIn
- * begins a matrix there; kea_factorAllocateNumbers switches back to a matrix after others were used. */
+/* For several matrices at once, each in memory of the caller, of kea_factorNumbersSize bytes: kea_factorClearIn begins
+ * a matrix there; kea_factorUseNumbers returns to a matrix after others of the cache were used. */
 size_t kea_factorNumbersSize(const KeaFactor *f);
 void kea_factorClearIn(KeaFactor *f, char *memory);
-void kea_factorAllocateNumbers(KeaFactor *f, char *memory);
+void kea_factorUseNumbers(KeaFactor *f, char *memory);
 /* The blocks of the matrix, row-major, which callers add to. For an edge e = (i, j), `upper` is A_ij, size[i] rows by
  * size[j] columns; `lower` is A_ji, which only kea_factorLU reads. */
 double *kea_factorDiagonal(KeaFactor *f, int node);
@@ -56,9 +56,9 @@ typedef struct KeaFactorRows {
     const double *a[2][KEA_FACTOR_ROWS], *b[2][KEA_FACTOR_ROWS];
 } KeaFactorRows;
 
-/* Appends the product w aᵀ b to the batch that kea_factorAddRows adds; a[k] and b[k]: the parts for node k. The caller
+/* Appends a row, w aᵀ b, to the batch that kea_factorAddRows adds; a[k] and b[k] are its vectors for node k. The caller
  * ensures that there is room. */
-static inline void kea_factorPutRow(KeaFactorRows *rows, double weight, double (*const a)[6], double (*const b)[6]) {
+static inline void kea_factorAppendRow(KeaFactorRows *rows, double weight, double (*const a)[6], double (*const b)[6]) {
     const int i = rows->count++;
     rows->weight[i] = weight;
     for (int k = 0; k < 2; k++) {

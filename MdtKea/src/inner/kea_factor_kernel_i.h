@@ -66,7 +66,7 @@ KEA_INLINE void putRows(double *p, KeaRows r) {
     putFour(p + 4, r.v[1]);
     putFour(p + 8, r.v[2]);
 }
-/* Two rows, both y. */
+/* Two rows that are both y. */
 KEA_INLINE KeaRows twice(const double y[6]) {
     return (KeaRows){{fourAt(y), {y[4], y[5], y[0], y[1]}, fourAt(y + 2)}};
 }
@@ -109,6 +109,7 @@ static void addRows(KeaFactor *f, const KeaFactorRows *rows, MeBool isSymmetric)
         addOuters(f->lowerInput + f->edgeAt[rows->edge], n, rows->weight, rows->a[high], rows->b[low]);
 }
 
+/* C -= Xᵀ Y, all of size six. */
 KEA_INLINE void subtractProduct6(double *C, const double *X, const double *Y) {
     KeaRows top = rowsAt(C), middle = rowsAt(C + 12), bottom = rowsAt(C + 2 * 12);
     for (int p = 0; p < 6; p++) {
@@ -122,6 +123,7 @@ KEA_INLINE void subtractProduct6(double *C, const double *X, const double *Y) {
     putRows(C + 2 * 12, bottom);
 }
 
+/* C -= Xᵀ Y, one number at a time. */
 KEA_INLINE void subtractProductOf(double *restrict C, const double *restrict X, const double *restrict Y, int inner,
                                   int rows, int columns) {
     for (int p = 0; p < inner; p++) {
@@ -185,6 +187,7 @@ static void setRowScales(const double *A, int n, double size[]) {
     }
 }
 
+/* Exchanges rows i and k of a block, with their scales. */
 static void exchangeRows(double *D, int n, double size[], int i, int k) {
     for (int j = 0; j < n && i != k; j++) {
         const double t = D[k * n + j];
@@ -298,6 +301,7 @@ static void divideUpper(double *B, const double *D, int n, int columns) {
         divideUpperOf(B, D, n, columns);
 }
 
+/* B := P B, by the row exchanges of a factored block. */
 static void exchangeRowsOf(double *B, const int exchange[], int n, int columns) {
     for (int r = 0; r < n; r++) {
         for (int j = 0; j < columns && exchange[r] != r; j++) {
@@ -338,10 +342,12 @@ static void divideLower(double *B, const double *D, const int exchange[], int n,
 
 /* ---- factorization ---- */
 
+/* The number of unknowns of an entry's row. */
 static int sizeOfRow(const KeaFactor *f, const KeaFactorEntry *e) {
     return f->size[f->node[e->row]];
 }
 
+/* Copies the given blocks of column t to the factor; fill-in is set to 0. */
 static void loadColumn(KeaFactor *f, int t) {
     const int j = f->node[t], n = f->size[j];
     memcpy(f->pivot + f->diagonalAt[j], f->diagonal + f->diagonalAt[j], (size_t)(n * n) * sizeof(double));
@@ -369,6 +375,7 @@ static void loadColumn(KeaFactor *f, int t) {
     }
 }
 
+/* Subtracts the updates of all earlier columns from column t. */
 static void gatherUpdates(KeaFactor *f, int t) {
     const int j = f->node[t], n = f->size[j];
     const double *left = f->isSymmetric ? f->upper : f->lower;
@@ -386,6 +393,7 @@ static void gatherUpdates(KeaFactor *f, int t) {
     }
 }
 
+/* Factors the diagonal block of column t, and divides its other blocks by it. False: a pivot is too small. */
 static MeBool divideColumn(KeaFactor *f, int t, double min) {
     const int j = f->node[t], n = f->size[j];
     double *D = f->pivot + f->diagonalAt[j];

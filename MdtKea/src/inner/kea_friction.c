@@ -17,7 +17,7 @@ double kea_frictionBoundsError(const KeaProblem *q) {
     return worst;
 }
 
-void kea_frictionRenewBounds(KeaProblem *q) {
+void kea_frictionSetBounds(KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++)
         if (q->row[i].normal >= 0)
             q->row[i].frictionBound = kea_frictionBound(q, &q->row[i]);
@@ -38,9 +38,9 @@ static double secant(const KeaProblem *q) {
     return below > 0 ? keaMin(keaMax(above / below, kea_minSecant), kea_maxSecant) : 0;
 }
 
-/* R' = R + β f - t (ΔR + β Δf): Anderson's acceleration (1965) with a history of one step. β is 1 in the first passes,
- * then 1/2, which damps bounds that alternate between two values. */
-void kea_frictionApproachBounds(KeaProblem *q, int pass) {
+/* R' = R + β f - t (ΔR + β Δf): Anderson's acceleration (1965) with a history of one step. The relaxation β is 1 in the
+ * first passes, then 1/2, which damps bounds that alternate between two values. */
+void kea_frictionIterateBounds(KeaProblem *q, int pass) {
     const double share = pass < KEA_FULL_BOUND_PASSES ? 1 : 0.5, t = pass > KEA_FULL_BOUND_PASSES ? secant(q) : 0;
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];

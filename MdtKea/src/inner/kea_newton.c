@@ -30,6 +30,7 @@ static void applyBody(const KeaProblem *q, int b, double r[6], const double d[6]
         keaApply(r + 3, (const double(*)[3])q->tangentInertia[b], d + 3);
 }
 
+/* m/s: the rate of row i at the velocities v, by the derivative of the problem that is solved. */
 static double rateAlong(const KeaProblem *q, int i, double (*const v)[6]) {
     double(*const J)[6] = derivativeOf(q, i), sum = 0;
     for (int k = 0; k < 2; k++)
@@ -44,12 +45,14 @@ static double clamp(double y, double lower, double upper) {
     return y < lower ? lower : y > upper ? upper : y;
 }
 
+/* y within the bounds; sets the state. */
 static double clampTo(double y, double lower, double upper, KeaRowState *state) {
     *state = y > lower && y < upper ? KEA_ACTIVE : KEA_IDLE;
     return clamp(y, lower, upper);
 }
 
-static void setCone(KeaProblemRow *a, KeaProblemRow *b) {
+/* Sets p of the two rows of a cone to y within the cone, and their states. */
+static void clampToCone(KeaProblemRow *a, KeaProblemRow *b) {
     const double size = keaHypotenuse(a->y, b->y);
     const MeBool sticks = size < a->frictionBound;
     MEASSERT(!(a->frictionBound < 0));
@@ -86,7 +89,7 @@ void kea_newtonClamp(KeaProblem *q, MeBool coupled) {
             row->state = KEA_SLIPS;
         } else if (row->partner > i) {
             q->row[row->partner].frictionBound = row->frictionBound;
-            setCone(row, &q->row[row->partner]);
+            clampToCone(row, &q->row[row->partner]);
         } else if (row->partner < 0) {
             row->p = clampTo(row->y, keaMax(row->lower, -row->frictionBound), keaMin(row->upper, row->frictionBound),
                              &row->state);
@@ -127,7 +130,7 @@ void kea_newtonGradient(KeaProblem *q) {
         kea_addRowForce(q->gradient, &q->row[i], -q->row[i].p);
 }
 
-/* The tolerances allow for the rounding of r and J d in p. */
+/* Tolerances include the effect of the rounding of r and J d on p. */
 double kea_newtonError(KeaProblem *q, double step) {
     double worst = 0;
     setBodyGradient(q, step);
@@ -153,7 +156,8 @@ double kea_newtonError(KeaProblem *q, double step) {
 
 /* ---- the matrix ---- */
 
-static KeaFactorRows rowsLike(const KeaProblemRow *row) {
+/* An empty batch for rows that join the same bodies as this one. */
+static KeaFactorRows emptyBatchOf(const KeaProblemRow *row) {
     KeaFactorRows rows;
     rows.node[0] = row->body[0];
     rows.node[1] = row->body[1];
@@ -165,8 +169,8 @@ static KeaFactorRows rowsLike(const KeaProblemRow *row) {
 /* Adds w aᵀ b to the matrix, a and b the Jacobians of two rows between the same bodies. */
 static void addRowProduct(KeaProblem *q, const KeaProblemRow *row, double w, double (*const a)[6], double (*const b)[6],
                           MeBool isSymmetric) {
-    KeaFactorRows rows = rowsLike(row);
-    kea_factorPutRow(&rows, w, a, b);
+    KeaFactorRows rows = emptyBatchOf(row);
+    kea_factorAppendRow(&rows, w, a, b);
     kea_factorAddRows(q->factor, &rows, isSymmetric);
 }
 
@@ -177,16 +181,17 @@ static MeBool isActive(const KeaProblemRow *row) {
 /* Adds the run of active rows from `first` on that join the same bodies to the matrix. Returns their number. */
 static int addActiveRows(KeaProblem *q, int first, MeBool isSymmetric) {
     const KeaProblemRow *row = &q->row[first];
-    KeaFactorRows rows = rowsLike(row);
+    KeaFactorRows rows = emptyBatchOf(row);
     for (int i = first; i < q->numRows && rows.count < KEA_FACTOR_ROWS && isActive(&q->row[i]); i++) {
         if (q->row[i].body[0] != row->body[0] || q->row[i].body[1] != row->body[1])
             break;
-        kea_factorPutRow(&rows, 1 / softness(&q->row[i]), q->row[i].J, derivativeOf(q, i));
+        kea_factorAppendRow(&rows, 1 / softness(&q->row[i]), q->row[i].J, derivativeOf(q, i));
     }
     kea_factorAddRows(q->factor, &rows, isSymmetric);
     return rows.count;
 }
 
+/* r = s a + t b */
 static void combineJacobians(double r[2][6], double s, double (*const a)[6], double t, double (*const b)[6]) {
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < 6; i++)
@@ -194,7 +199,7 @@ static void combineJacobians(double r[2][6], double s, double (*const a)[6], dou
 }
 
 /* Adds the derivative of a forced row's bound with respect to the normal force; with fixed bounds it has none. */
-static void addForced(KeaProblem *q, KeaProblemRow *row, MeBool unsymmetric) {
+static void addForcedFriction(KeaProblem *q, KeaProblemRow *row, MeBool unsymmetric) {
     KeaProblemRow *normal = &q->row[row->normal];
     if (unsymmetric && !normal->isInactive && normal->state == KEA_ACTIVE)
         addRowProduct(q, row, row->forced * row->friction / softness(normal), row->J, normal->J, MEFALSE);
@@ -202,9 +207,9 @@ static void addForced(KeaProblem *q, KeaProblemRow *row, MeBool unsymmetric) {
 
 /* Adds a sliding row or cone to the matrix; `unsymmetric`: with the derivative of its bound with respect to the normal
  * force. */
-static void addSliding(KeaProblem *q, KeaProblemRow *row, MeBool unsymmetric) {
+static void addSlidingFriction(KeaProblem *q, KeaProblemRow *row, MeBool unsymmetric) {
     if (row->isForced) {
-        addForced(q, row, unsymmetric);
+        addForcedFriction(q, row, unsymmetric);
         return;
     }
     KeaProblemRow *normal = &q->row[row->normal], *other = row->partner >= 0 ? &q->row[row->partner] : row;
@@ -220,6 +225,7 @@ static void addSliding(KeaProblem *q, KeaProblemRow *row, MeBool unsymmetric) {
         addRowProduct(q, row, row->friction / softness(normal), slip, normal->J, MEFALSE);
 }
 
+/* Whether a row slides whose bound depends on a normal force that is not at its own bound. */
 static MeBool slidesUnderLoad(const KeaProblem *q) {
     for (int i = 0; q->hasFriction && i < q->numRows; i++)
         if (q->row[i].state == KEA_SLIPS && !q->row[i].isInactive && q->row[q->row[i].normal].state == KEA_ACTIVE)
@@ -227,6 +233,7 @@ static MeBool slidesUnderLoad(const KeaProblem *q) {
     return MEFALSE;
 }
 
+/* Assembles H for the present states. */
 static void fillMatrix(KeaProblem *q, MeBool unsymmetric) {
     kea_factorClear(q->factor);
     for (int b = 0; b < q->numBodies; b++) {
@@ -246,7 +253,7 @@ static void fillMatrix(KeaProblem *q, MeBool unsymmetric) {
             continue;
         }
         if (!row->isInactive && row->state == KEA_SLIPS && (row->partner < 0 || row->partner > i || row->isForced))
-            addSliding(q, row, unsymmetric);
+            addSlidingFriction(q, row, unsymmetric);
         i++;
     }
 }
@@ -338,7 +345,7 @@ static double slopeAt(const KeaProblem *q, double constant, double linear, doubl
 /* Line search: the step at which the derivative along the direction vanishes, to kea_lineSearchTolerance; mostly 1. It
  * is found by regula falsi, with a bisection after each iteration that did not halve the interval, since the derivative
  * is steep where a rigid row with two bounds passes from one to the other. */
-static double bestStep(KeaProblem *q) {
+static double searchLine(KeaProblem *q) {
     double constant = 0, linear = 0, Bd[6];
     if (!q->hasBounds)
         return 1;
@@ -396,7 +403,7 @@ static MeBool solveConvex(KeaProblem *q) {
         if (!kea_newtonFactorize(q, MEFALSE))
             return MEFALSE;
         kea_newtonDirection(q);
-        const double step = bestStep(q);
+        const double step = searchLine(q);
         kea_newtonApply(q, step);
         setForcesAt(q, 0, MEFALSE);
         if (!q->hasBounds)
@@ -433,12 +440,14 @@ static MeBool solveCoupled(KeaProblem *q) {
     return error < kea_coupledRounding;
 }
 
+/* Saves d, Jd and friction bounds. */
 static void saveAnswer(KeaProblem *q) {
     memcpy(q->savedD, q->d, (size_t)q->numBodies * sizeof *q->d);
     for (int i = 0; i < q->numRows; i++)
         q->row[i].keptJd = q->row[i].Jd, q->row[i].keptBound = q->row[i].frictionBound;
 }
 
+/* Restores d, Jd and friction bounds, and the impulses of the convex problem that follow from them. */
 static void restoreConvexAnswer(KeaProblem *q) {
     memcpy(q->d, q->savedD, (size_t)q->numBodies * sizeof *q->d);
     for (int i = 0; i < q->numRows; i++)
@@ -446,7 +455,8 @@ static void restoreConvexAnswer(KeaProblem *q) {
     setForcesAt(q, 0, MEFALSE);
 }
 
-static void startAtZero(KeaProblem *q) {
+/* Sets d, the search direction, Jd and Je to 0. */
+static void clearSolution(KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++)
         q->row[i].Jd = q->row[i].Je = 0;
     memset(q->d, 0, (size_t)q->numBodies * sizeof *q->d);
@@ -476,7 +486,7 @@ static MeBool solveFromStates(KeaProblem *q) {
         return METRUE;
     for (int i = 0; i < q->numRows; i++)
         q->row[i].frictionBound = q->row[i].keptBound;
-    startAtZero(q);
+    clearSolution(q);
     return MEFALSE;
 }
 
@@ -495,7 +505,7 @@ static MeBool solveFromConvex(KeaProblem *q) {
 }
 
 MeBool kea_problemRefine(KeaProblem *q) {
-    startAtZero(q);
+    clearSolution(q);
     if (!(q->hasTangent || q->isLinear) || !q->isFactored || q->factoredLevel != q->counts.level || q->counts.isLimited)
         return MEFALSE;
     q->isTangent = q->hasTangent;
@@ -508,12 +518,12 @@ MeBool kea_problemRefine(KeaProblem *q) {
         q->row[i].frictionBound = q->row[i].keptBound;
         q->row[i].p = q->row[i].p0;
     }
-    startAtZero(q);
+    clearSolution(q);
     return MEFALSE;
 }
 
 MeBool kea_problemSolve(KeaProblem *q, MeBool coupled) {
-    startAtZero(q);
+    clearSolution(q);
     q->isSingular = MEFALSE;
     if (coupled && q->isWarm && (q->hasTangent || q->hasFriction) && !q->counts.isLimited && solveFromStates(q))
         return METRUE;
@@ -539,13 +549,13 @@ static MeBool isUnbounded(const KeaProblemRow *row) {
     return row->normal < 0 && row->lower == -HUGE_VAL && row->upper == HUGE_VAL;
 }
 
-/* Makes all bounded rows inactive temporarily (isAside). False: no active row is left. */
-static MeBool setBoundedAside(KeaProblem *q) {
+/* Makes all bounded rows inactive temporarily (isDeactivated). False: no active row is left. */
+static MeBool deactivateBoundedRows(KeaProblem *q) {
     MeBool isLeft = MEFALSE;
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
-        row->isAside = !row->isInactive && !isUnbounded(row);
-        row->isInactive = row->isInactive || row->isAside;
+        row->isDeactivated = !row->isInactive && !isUnbounded(row);
+        row->isInactive = row->isInactive || row->isDeactivated;
         isLeft = isLeft || !row->isInactive;
         row->p0 = row->isInactive ? row->p0 : row->p;
     }
@@ -560,7 +570,7 @@ double kea_problemWorkOfJoints(const KeaProblem *q) {
 }
 
 void kea_problemSolveJoints(KeaProblem *q) {
-    if (setBoundedAside(q)) {
+    if (deactivateBoundedRows(q)) {
         setForcesAt(q, 0, MEFALSE);
         kea_newtonGradient(q);
         if (kea_newtonFactorize(q, MEFALSE)) {
@@ -573,5 +583,5 @@ void kea_problemSolveJoints(KeaProblem *q) {
         }
     }
     for (int i = 0; i < q->numRows; i++)
-        q->row[i].isInactive = q->row[i].isInactive && !q->row[i].isAside;
+        q->row[i].isInactive = q->row[i].isInactive && !q->row[i].isDeactivated;
 }

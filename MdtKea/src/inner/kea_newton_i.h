@@ -25,7 +25,7 @@ void kea_newtonApply(KeaProblem *q, double step);
 /* Solves the coupled problem, starting from d = 0 and the states that follow from p and r. False: the states do not
  * settle, the matrix is singular, or the budget is used up; d is then undefined. */
 MeBool kea_statesSolve(KeaProblem *q);
-/* The same with the factors of the last problem. False also if the states are not those that were factored. */
+/* kea_statesSolve with the factors of the last problem. False also if the states are not those that were factored. */
 MeBool kea_statesRefine(KeaProblem *q);
 
 #endif

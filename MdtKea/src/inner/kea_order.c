@@ -32,7 +32,7 @@ typedef struct Node {
 
 /* An eliminated node in the quotient graph. */
 typedef struct Element {
-    int start, end; /* its nodes: row[start .. end); none: it was dropped */
+    int start, end; /* its nodes: row[start .. end); empty: the element was dropped */
     Degree whole;   /* of all its nodes */
     Degree outside; /* of its nodes that are not in the column of turn `seen` */
     int seen;       /* the last turn that `outside` was computed for */
@@ -78,6 +78,7 @@ static int weightOf(Degree d) {
     return d.nodes == 1 ? 1 : d.unknowns;
 }
 
+/* Removes and returns the first node of least weight. */
 static int popMin(Elimination *g) {
     while (g->first[g->min] < 0)
         g->min++;
@@ -202,6 +203,7 @@ static void updateNode(Elimination *g, int i, int t, int v) {
     n->elements = n->last - elements;
 }
 
+/* Counts a neighbour with this number of unknowns. */
 static void addNeighbour(Degree *d, int unknowns) {
     d->nodes++;
     d->unknowns += unknowns;
@@ -239,6 +241,7 @@ static Degree degreeOf(Elimination *g, int i, int t, int v) {
     return d;
 }
 
+/* Eliminates node v in turn t: writes its column, and updates its neighbours. */
 static void eliminateNode(Elimination *g, int t, int v) {
     const KeaOrder *o = g->order;
     writeColumn(g, t, v);
@@ -268,6 +271,7 @@ static void layOutElimination(Elimination *g, size_t n, size_t edges, size_t wei
         KEA_CARVE(a, g->merged[k], n);
 }
 
+/* Reserves memory for `more` rows behind the first `used`. False: no memory. */
 static MeBool makeRoomForRows(KeaOrder *o, int used, int more) {
     const size_t kept = (size_t)used * sizeof *o->row, bytes = kept + (size_t)more * sizeof *o->row;
     if (!kea_blockReserve(&o->rows, kept, bytes, "the columns of a factor"))
@@ -285,6 +289,7 @@ static void initializeNodes(Elimination *g, int numNodes, int numWeights) {
     g->min = numWeights - 1;
 }
 
+/* Eliminates all nodes. False: no memory for a column. */
 static MeBool eliminateAll(Elimination *g) {
     KeaOrder *o = g->order;
     for (int i = o->numNodes - 1; i >= 0; i--) {

@@ -52,7 +52,7 @@ typedef struct KeaProblemRow {
     double along, across;     /* sliding rows: component of the unit direction of sliding; kg, stiffness across it */
     double frictionBound;     /* N s, R of the row or of its cone */
     double keptJd, keptBound; /* saved Jd and frictionBound */
-    double lastBound, lastBoundError; /* N s, R and μ p_n - R in the last kea_frictionApproachBounds */
+    double lastBound, lastBoundError; /* N s, R and μ p_n - R in the last kea_frictionIterateBounds */
     double Jd, Je;                    /* m/s, J d, and the same of the search direction (T in a tangent problem) */
     double previousP, bestP;          /* N s, sweeps: p before the last one; p of the smallest objective */
     double Aii;                       /* 1/kg, J B⁻¹ Jᵀ: the inverse of the effective mass */
@@ -63,15 +63,15 @@ typedef struct KeaProblemRow {
     MeBool isUnmet, isInconsistent; /* a joint that kept most of its residual in the last pass; in the last two */
     MeBool isCheckedElsewhere;      /* kea_problemResidual skips the row: its position error is checked instead */
     MeBool isInactive;              /* p is constant */
-    MeBool isAside;                 /* temporarily inactive, during kea_problemSolveJoints */
-    MeBool isOut;                   /* inactive in all solves of the step: the row has no edge in the graph */
+    MeBool isDeactivated;           /* temporarily inactive, during kea_problemSolveJoints */
+    MeBool isOut;                   /* inactive in all solves of the step: the graph has no edge for it */
     KeaRowState state, factored;    /* present state; state when the matrix was factored */
 } KeaProblemRow;
 
 typedef struct KeaCounts {
     int iterations, factorizations;
     int freezes;      /* passes with frozen friction bounds */
-    int stuck;        /* 1: in the last pass, friction bounds did not converge, or were frozen */
+    int stuck;        /* 1: friction bounds have not converged in the last pass, or were frozen */
     int level;        /* index of N in kea_proximalContact */
     double work;      /* multiplications */
     MeBool isLimited; /* the budget is used up: from now on, solves are by sweeps */
@@ -89,15 +89,15 @@ typedef struct KeaProblem {
     double (*direction)[6];         /* search direction of the last iteration */
     double *scale, *length;         /* by body: N s, scale of its impulses; m, its size */
     double *tolerance;              /* by body: N s, tolerance of its gradient */
-    double *x;                      /* unknowns in the layout of the factor */
+    double *x;                      /* right side, then solution, in the order of the factor's unknowns */
     KeaGraph graph;                 /* bodies, with an edge for each pair that rows join */
     KeaFactor *factor;
     MeBool hasFriction; /* some friction bound depends on a normal force */
     MeBool hasBounds;   /* some row has bounds of any kind */
     MeBool hasTangent;  /* T and tangentInertia are set: coupled solves use the tangent problem */
-    MeBool isTangent;   /* the solve in progress uses the tangent problem */
+    MeBool isTangent;   /* the solve in progress is of the tangent problem */
     MeBool isSingular;  /* the last solve of the tangent problem failed */
-    MeBool isLinear;    /* J, T and N do not change from solve to solve */
+    MeBool isLinear;    /* J, T and N are the same in successive solves: factors may be kept */
     MeBool isFactored;  /* the factors are those of a tangent or linear problem of this step */
     int factoredLevel;  /* counts.level of these factors */
     MeBool isWarm;      /* coupled solves start with the states that follow from p */
@@ -199,8 +199,8 @@ MeBool kea_problemMaySweep(const KeaProblem *q);
 /* The largest relative difference of a friction bound from μ p of its normal row. */
 double kea_frictionBoundsError(const KeaProblem *q);
 /* Sets every friction bound to μ p of its normal row. */
-void kea_frictionRenewBounds(KeaProblem *q);
+void kea_frictionSetBounds(KeaProblem *q);
 /* Makes one accelerated step of the fixed point iteration of the friction bounds. */
-void kea_frictionApproachBounds(KeaProblem *q, int pass);
+void kea_frictionIterateBounds(KeaProblem *q, int pass);
 
 #endif

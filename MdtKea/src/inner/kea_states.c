@@ -35,6 +35,8 @@ static double squaredViolation(double p, double allowed, double diagonal) {
     return diagonal * (p - allowed) * (p - allowed);
 }
 
+/* Each of the next four functions chooses the state of a row, sets p within its bounds, and returns the violation of
+ * the bounds by `affine`, J. */
 static double chooseBounded(KeaProblemRow *row, double lower, double upper, double diagonal) {
     const double z = isolatedImpulse(row, diagonal);
     row->state = z > lower && z < upper ? KEA_ACTIVE : KEA_IDLE;
@@ -110,6 +112,7 @@ static void setForces(KeaProblem *q) {
     }
 }
 
+/* Copies p, before it is clamped, to `affine`. */
 static void saveAffine(KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++)
         q->row[i].affine = q->row[i].p;
@@ -127,6 +130,7 @@ static double applyNewtonStep(KeaProblem *q) {
     return kea_newtonError(q, 0);
 }
 
+/* Whether the present states are those that the matrix was factored for. */
 static MeBool areStatesFactored(const KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++)
         if (!q->row[i].isInactive && q->row[i].state != q->row[i].factored)

@@ -64,6 +64,7 @@ size_t kea_structurePlan(KeaFactor *f, const KeaOrder *o, const int size[], int 
 
 /* ---- writing ---- */
 
+/* Copies the graph, and finds the places of unknowns and given blocks. */
 static void copyGraph(KeaFactor *f, const int size[], const int (*edges)[2]) {
     size_t diagonal = 0, input = 0;
     f->offset[0] = 0;
@@ -126,6 +127,7 @@ static void writeColumns(KeaFactor *f, const KeaOrder *o) {
     MEASSERT(at == f->factorSize);
 }
 
+/* Finds the entry of each edge, by bisection in its column. */
 static void placeEdges(KeaFactor *f, const KeaOrder *o) {
     for (int e = 0; e < f->numEdges; e++) {
         const int a = o->turn[f->edges[e][0]], b = o->turn[f->edges[e][1]];

@@ -29,6 +29,7 @@
 #include <math.h>
 #include <string.h>
 
+/* d += B⁻¹ Jᵀ p, for one body. */
 static void addRowResponse(double *d, const KeaMetric *B, double p, const double J[6]) {
     double turn[3];
     keaApply(turn, B->inverse, J + 3);
@@ -38,6 +39,7 @@ static void addRowResponse(double *d, const KeaMetric *B, double p, const double
     }
 }
 
+/* Adds the response of both bodies of a row to the impulse p. */
 static void addImpulse(KeaProblem *q, const KeaProblemRow *row, double p) {
     for (int k = 0; k < 2 && p != 0; k++)
         if (row->body[k] >= 0)
@@ -57,7 +59,7 @@ static void solveBodies(KeaProblem *q) {
         addImpulse(q, &q->row[i], q->row[i].p);
 }
 
-/* 2 D. */
+/* 2 D, J. */
 static double objective(const KeaProblem *q) {
     double sum = 0;
     for (int b = 0; b < q->numBodies; b++)
@@ -70,7 +72,8 @@ static double objective(const KeaProblem *q) {
     return sum;
 }
 
-static void keepIfBetter(KeaProblem *q, double *min) {
+/* Saves the impulses if they have a smaller objective than *min, and lowers that. */
+static void saveIfBest(KeaProblem *q, double *min) {
     const double D = objective(q);
     if (!(D < *min))
         return;
@@ -83,6 +86,7 @@ static void setFrictionBound(const KeaProblem *q, KeaProblemRow *row) {
     row->frictionBound = kea_frictionBound(q, row);
 }
 
+/* Restores the impulses of smallest objective, with their friction bounds and d. */
 static void restoreBest(KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++)
         q->row[i].p = q->row[i].bestP;
@@ -120,10 +124,11 @@ static void projectImpulses(KeaProblem *q) {
     }
 }
 
+/* Saves the present impulses, clamped to their bounds, if they are the best start so far. */
 static void tryStart(KeaProblem *q, double *min) {
     projectImpulses(q);
     solveBodies(q);
-    keepIfBetter(q, min);
+    saveIfBest(q, min);
 }
 
 /* Chooses the start of smallest D. Returns its 2 D; writes 2 D(0) to `none`. */
@@ -149,15 +154,17 @@ static double chooseStart(KeaProblem *q, double *none) {
 
 /* The Gauss-Seidel update of p without bounds; `unit` is A_ii + E, for a cone the larger one of its two rows. 0 if the
  * geometric stiffness of a very fast spin has made `unit` not positive. */
-static double freeImpulse(const KeaProblem *q, const KeaProblemRow *row, double unit) {
+static double unboundedImpulse(const KeaProblem *q, const KeaProblemRow *row, double unit) {
     return !(unit > 0) ? 0 : row->p + (row->r - kea_rowRate(row, q->d) - row->E * row->p) / unit;
 }
 
+/* Changes the impulse of a row to p. */
 static void sweepImpulse(KeaProblem *q, KeaProblemRow *row, double p) {
     addImpulse(q, row, p - row->p);
     row->p = p;
 }
 
+/* Solves friction row i alone, or the cone that it begins. */
 static void relaxFriction(KeaProblem *q, int i) {
     KeaProblemRow *row = &q->row[i], *other = row->partner >= 0 ? &q->row[row->partner] : NULL;
     setFrictionBound(q, row);
@@ -168,17 +175,19 @@ static void relaxFriction(KeaProblem *q, int i) {
         if (row->partner < i)
             return; /* solved with its partner */
         const double unit = keaMax(row->Aii + row->E, other->Aii + other->E);
-        const double a = freeImpulse(q, row, unit), b = freeImpulse(q, other, unit), size = keaHypotenuse(a, b);
+        const double a = unboundedImpulse(q, row, unit), b = unboundedImpulse(q, other, unit),
+                     size = keaHypotenuse(a, b);
         const double share = size > bound ? bound / size : 1;
         other->frictionBound = bound;
         sweepImpulse(q, row, share * a);
         sweepImpulse(q, other, share * b);
     } else {
-        const double p = freeImpulse(q, row, row->Aii + row->E);
+        const double p = unboundedImpulse(q, row, row->Aii + row->E);
         sweepImpulse(q, row, keaMin(keaMax(p, keaMax(row->lower, -bound)), keaMin(row->upper, bound)));
     }
 }
 
+/* Solves row i alone: the step of the Gauss-Seidel method. */
 static void relaxRow(KeaProblem *q, int i) {
     KeaProblemRow *row = &q->row[i];
     if (row->isInactive)
@@ -186,11 +195,12 @@ static void relaxRow(KeaProblem *q, int i) {
     if (row->normal >= 0)
         relaxFriction(q, i);
     else if (row->Aii > 0)
-        sweepImpulse(q, row, clampToBounds(row, freeImpulse(q, row, row->Aii + row->E)));
+        sweepImpulse(q, row, clampToBounds(row, unboundedImpulse(q, row, row->Aii + row->E)));
 }
 
 /* ---- acceleration ---- */
 
+/* Of Nesterov's method: θ, and the factor β of the extrapolation. */
 typedef struct Momentum {
     double theta, beta;
 } Momentum;
@@ -216,7 +226,7 @@ static void extrapolate(KeaProblem *q, double beta) {
     }
 }
 
-/* The change of p by a sweep, in products weighted by A_ii. */
+/* The change of the impulses by a sweep; scalar products are weighted by A_ii. */
 typedef struct Change {
     double against;      /* minus the scalar product of change and momentum; positive: restart */
     double moved, total; /* squared norms of the change and of p */
@@ -234,6 +244,7 @@ static Change measureChange(const KeaProblem *q) {
     return c;
 }
 
+/* Whether the sweeps have converged. */
 static MeBool hasSettled(Change c) {
     return c.moved <= kea_sweepTolerance * kea_sweepTolerance * c.total;
 }
@@ -278,7 +289,7 @@ void kea_problemSweep(KeaProblem *q) {
     double none, min = chooseStart(q, &none);
     for (; sweeps < max && !hasSettled(c); sweeps++) {
         sweepOnce(q, m.beta);
-        keepIfBetter(q, &min);
+        saveIfBest(q, &min);
         c = measureChange(q);
         m = c.against > 0 ? noMomentum() : nextMomentum(m);
     }
