@@ -29,6 +29,7 @@ static void reset(MdtBclConstraint *c) {
     w->low = (MeReal)-1e9;
 }
 
+/* The vectors s, o, t, h and d of the equations above. */
 typedef struct {
     double s[3], o[3], t[3], h[3], d[3];
 } Axes;
@@ -44,6 +45,7 @@ static void axesOf(const MdtBclConstraint *c, const MdtKeaTransformation *const 
     keaScale(a->d, -1, a->d);
 }
 
+/* rad: the wheel's angle ψ about the steering axis. */
 static double wheelAngle(const Axes *a) {
     return atan2(keaDot(a->t, a->h), keaDot(a->o, a->h));
 }
@@ -119,6 +121,7 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
         *e++ = (double)w->high - height;
 }
 
+/* The row of the locked steering, or of the steering motor. */
 static void steeringRow(const MdtBclConstraint *c, const MdtBclContext *x, const Axes *a, MdtKeaRow *row) {
     MEASSERT(c->of.wheel.rows & (STEER | LOCK));
     if (c->of.wheel.rows & LOCK) {

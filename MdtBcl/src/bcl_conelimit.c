@@ -22,6 +22,7 @@ static void reset(MdtBclConstraint *c) {
     cone->normal[1] = 1;
 }
 
+/* rad: the angle between the axes; across: their cross product. */
 static double measureAngle(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double across[3]) {
     double a0[3], a1[3];
     keaApply(a0, pose[0]->R, c->frame[0].primary);
@@ -30,6 +31,7 @@ static double measureAngle(const MdtBclConstraint *c, const MdtKeaTransformation
     return atan2(keaLength(across), keaDot(a0, a1));
 }
 
+/* The row of the angle θ. */
 static void angleRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow *row) {
     double across[3];
     bcl_startRow(row, x);

@@ -15,12 +15,14 @@ void MEAPI MdtBclContactParamsReset(MdtBclContactParams *params) {
     params->friction1 = params->friction2 = MEINFINITY;
 }
 
+/* N: the constant bound of friction along a direction; 0 if it has a coefficient. */
 static double frictionBound(const MdtBclContactParams *params, int direction) {
     const MeReal bound = direction == 0 ? params->friction1 : params->friction2;
     const MdtFrictionModel model = direction == 0 ? params->model1 : params->model2;
     return model == MdtFrictionModelBox ? bcl_boundOf(bound) : 0;
 }
 
+/* The coefficient of friction along a direction; 0 if it has a constant bound. */
 static double frictionCoefficient(const MdtBclContactParams *params, int direction) {
     const MeReal coefficient = direction == 0 ? params->FrictionCoefficient : params->FrictionCoefficient2;
     const MdtFrictionModel model = direction == 0 ? params->model1 : params->model2;

@@ -14,6 +14,7 @@ static void reset(MdtBclConstraint *c) {
     memset(&c->of.path, 0, sizeof c->of.path);
 }
 
+/* u = R_0 u_0 - R_1 u_1: the relative velocity of the attachments, world. */
 static void pathVelocity(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double u[3]) {
     double other[3];
     keaApply(u, pose[0]->R, c->of.path.velocity[0]);

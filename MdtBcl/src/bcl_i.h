@@ -43,7 +43,8 @@ void bcl_makeSpring(MdtKeaRow *row, double error, double stiffness, double dampi
  * as viscosity: a brake would creep under load. */
 void bcl_makeMotor(MdtKeaRow *row, MeReal velocity, MeReal force);
 
-/* Whether both are finite: a spring. Otherwise the joint is rigid, or the stop hard. */
+/* Whether stiffness and damping are those of a spring: both are finite. Otherwise the joint is rigid, or the stop
+ * hard. */
 MeBool bcl_isSpring(MeReal stiffness, MeReal damping);
 
 /* Negates the Jacobian of a row. */

@@ -54,6 +54,7 @@ void bcl_setStopSpring(MdtBclSingleLimit *stop, MeReal stiffness, MeReal damping
     stop->damping = isSpring ? damping : 0;
 }
 
+/* The distance to a stop at a value of the coordinate; negative: beyond it. */
 static double distanceToStopAt(const MdtBclLimit *limit, int side, double measured) {
     const double position = measured + (double)limit->offset, stop = limit->limit[side].stop;
     return side == 0 ? position - stop : stop - position;
@@ -83,6 +84,7 @@ static double spinAfterImpact(const MdtBclContext *x) {
     return max;
 }
 
+/* Whether the coordinate is an angle: its row has no linear part. */
 static MeBool isAngle(const MdtKeaRow *coordinate) {
     const MdtKeaJBlock *J = coordinate->J;
     return keaDot(J[0].lin, J[0].lin) + keaDot(J[1].lin, J[1].lin) == 0;
@@ -131,6 +133,7 @@ int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow
     return count;
 }
 
+/* Each of the next three functions completes a copy of the coordinate's row. */
 static void lockRow(const MdtBclLimit *limit, const MdtBclContext *x, MdtKeaRow *row) {
     row->error = limit->measured + (double)limit->offset - (double)limit->lock;
     row->target = -x->parameters.gamma * row->error / x->parameters.stepsize;

@@ -30,6 +30,7 @@ static double displacement(const MdtBclConstraint *c, const MdtKeaTransformation
     return along;
 }
 
+/* The row of the displacement. */
 static void axisRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow *row) {
     double axes[3][3];
     bcl_axes(axes, c, 1, x->pose[1]);

@@ -11,6 +11,7 @@ static MeBool isFinite3(const double v[3]) {
     return isfinite(v[0]) && isfinite(v[1]) && isfinite(v[2]);
 }
 
+/* bcl_areRows for one row. */
 static MeBool isRow(const MdtKeaRow *row) {
     for (int k = 0; k < 2; k++)
         if (!isFinite3(row->J[k].lin) || !isFinite3(row->J[k].ang) || !isFinite3(row->arm[k]))
@@ -131,8 +132,8 @@ void bcl_separation(const MdtBclConstraint *c, const MdtKeaTransformation *const
     keaSubtract(d, d, other);
 }
 
-/* With d fixed in body k, the derivative of d·(P_0 - P_1) has the additional term ω_k·(d x (P_0 - P_1)). With it the
- * lever arm of body k ends at the attachment point of the other body. */
+/* If d is fixed in body k, the derivative of d·(P_0 - P_1) has the additional term ω_k·(d x (P_0 - P_1)). Its effect is
+ * that the lever arm of body k ends at the attachment point of the other body. */
 void bcl_alongRow(const MdtBclConstraint *c, const MdtBclContext *x, const double d[3], int carrier, MdtKeaRow *row) {
     MEASSERT(carrier >= NO_CARRIER && carrier <= 1);
     bcl_startRow(row, x);

@@ -40,6 +40,7 @@ typedef struct {
     MeBool isParallel, isOpposite; /* a points along x, or against it */
 } Coordinates;
 
+/* The derivative of the swing along a direction of the (y, z) plane, for a = (cos θ, sin θ t). */
 static void swingRow(const double a[3], const double t[2], double theta, const double along[2], double row[3]) {
     const double sine = sin(theta), stretch = sine > BCL_PARALLEL ? theta / sine : 1;
     const double radial = along[0] * t[0] + along[1] * t[1], across = along[1] * t[0] - along[0] * t[1];
@@ -48,6 +49,7 @@ static void swingRow(const double a[3], const double t[2], double theta, const d
     keaCross(row, a, c); /* c·(ω x a) = ω·(a x c) */
 }
 
+/* The derivative of the twist τ. */
 static void twistRow(const double D[4], double row[3]) {
     const double w = D[0], *v = D + 1, size = fmax(w * w + v[0] * v[0], 1e-12);
     row[0] = (w * w + v[0] * v[0]) / size;
@@ -92,6 +94,7 @@ static void turnRow(const MdtBclConstraint *c, const MdtBclContext *x, const dou
     keaScale(row->J[1].ang, -1, row->J[0].ang);
 }
 
+/* Sets coordinate, stiffness and damping of a stop. */
 static void setStop(MdtBclSingleLimit *stop, double at, MeReal stiffness, MeReal damping) {
     stop->stop = (MeReal)at;
     bcl_setStopSpring(stop, stiffness, damping);
@@ -102,6 +105,7 @@ static int countLockedSwings(const MdtBclSkeletal *s) {
     return s->coneOption == MdtSkeletalConeOptionFixed ? 2 : s->coneOption == MdtSkeletalConeOptionSlot ? 1 : 0;
 }
 
+/* Whether the swing has a limit: an elliptical cone or a slot of less than half a turn. */
 static MeBool hasCone(const MdtBclSkeletal *s) {
     const MeReal min = s->primary < s->secondary ? s->primary : s->secondary;
     return s->coneOption == MdtSkeletalConeOptionSlot ? s->primary < ME_PI
@@ -114,6 +118,7 @@ static double coneCoordinate(const MdtBclSkeletal *s, const Coordinates *p) {
     return s->coneOption == MdtSkeletalConeOptionSlot ? fabs(p->sigma[0]) - (double)s->primary : (p->f - 1) / s->scale;
 }
 
+/* The row of the coordinate that the cone limits. */
 static void coneRow(const MdtBclConstraint *c, const MdtBclContext *x, const Coordinates *p, MdtKeaRow *row) {
     if (c->of.skeletal.coneOption != MdtSkeletalConeOptionSlot) {
         turnRow(c, x, p->cone, row);

@@ -50,6 +50,7 @@ static MdtBclDistanceKind kindOf(const MdtBclLimit *limit) {
     return MdtBclDistanceLimits;
 }
 
+/* The row of the distance. */
 static void distanceRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow *row) {
     double d[3];
     bcl_separation(c, x->pose, d);
@@ -78,6 +79,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     return s->kind == MdtBclDistanceLimits ? count : 1;
 }
 
+/* m: the length beyond the rest length. */
 static double strain(const MdtBclLimit *limit, double length) {
     return length + (double)limit->offset - (double)limit->limit[0].stop;
 }

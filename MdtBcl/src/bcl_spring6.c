@@ -12,6 +12,7 @@ static void reset(MdtBclConstraint *c) {
     memset(&c->of.springs, 0, sizeof c->of.springs);
 }
 
+/* Whether the spring of direction i, 0 to 5, has a row. */
 static MeBool hasRow(const MdtBclSprings *s, int i) {
     return s->stiffness[i] > 0 || s->damping[i] > 0;
 }

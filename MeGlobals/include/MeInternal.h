@@ -90,9 +90,10 @@ MEPUBLIC const char *MEAPI MeCallerSet(const char *function);
 /** The caller, or @a function if none is set. */
 MEPUBLIC const char *MEAPI MeCallerName(const char *function);
 /**
- * For a function that only calls others, and no callbacks: from now on, in this thread, all warnings and fatal errors
- * begin with its name, "Name: ...", instead of that of the function that sends them, and only the first of several
- * warnings is sent. So messages name the function that the program called. Null ends it. Returns the name before.
+ * Sets the name with which all warnings and fatal errors of this thread begin from now on, "Name: ...", in place of
+ * that of the function that sends them; of several warnings only the first is sent. A function that only calls others,
+ * and no callbacks, sets its own name, so that messages name the function that the program called. Null ends it.
+ * Returns the name before.
  */
 MEPUBLIC const char *MEAPI MeMessagesAs(const char *function);
 /** Runs a statement under MeMessagesAs with the name of the enclosing function. */

@@ -115,8 +115,8 @@ static double passLoad(RestingContact *n, Load load[]) {
     return fabs(n->force - before);
 }
 
-/* Sweeps until the forces have converged. False: they have not after `max` sweeps, as bodies that support each other in
- * a cycle. */
+/* Sweeps until the forces have converged. False: they have not after `max` sweeps, as for bodies that support each
+ * other in a cycle. */
 static MeBool passLoadsDown(Guess *g, int max) {
     for (int i = 0; i < max; i++) {
         double change = 0, all = 0;

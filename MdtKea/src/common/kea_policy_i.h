@@ -35,12 +35,12 @@ static const double kea_newtonTolerance = 1e-10;
  * afterwards (kea_balanceMomentum): lower values cost passes, higher ones leave more to that correction. */
 static const double kea_momentumSlack = 1e2;
 
-/* Loose tolerances, in units of the tolerances of positions (and momenta) and of velocities. When passes have run out,
- * an answer within them is exact enough, and another one is reported as capped: 1e-6 of a row's size and 1e-4 of the
- * speed. x2 and /2 fail MdtKea_problem: answers_are_exact_enough_to_a_millionth. */
+/* Loose tolerances, in units of the tolerances of positions (and momenta) and of velocities: 1e-6 of a row's size and
+ * 1e-4 of the speed. An answer for which no passes are left counts as exact if it is within them, and else is reported
+ * as capped. x2 and /2 fail MdtKea_problem: answers_are_exact_enough_to_a_millionth. */
 static const double kea_loosePosition = 1e4, kea_looseVelocity = 1e5;
-/* Fraction of the loose tolerances at which passes by sweeps end: a digit, so that a swept answer is not on the verge
- * of being reported. */
+/* Fraction of the loose tolerances at which passes by sweeps end: a digit less, so that rounding does not decide
+ * whether a swept answer is reported as capped. */
 static const double kea_sweptMargin = 0.1;
 
 /* Fraction of a body's own velocity in the speed scale of residuals, beside the load speed: a fast body's residuals
@@ -79,7 +79,8 @@ enum {
      * At a change point, and with redundant joints, more do not converge either. x2 and /2 fail scenes_linkage:
      * momentum_chooses_the_branch_at_a_change_point. */
     KEA_TANGENT_PASSES = 6,
-    /* Passes by sweeps that share the remaining work, so that rows follow the geometry (test_Mst_WorkBudget). */
+    /* Number of passes by sweeps among which the remaining work is divided: several, since each pass linearizes the
+     * rows anew where the bodies have moved to (test_Mst_WorkBudget). */
     KEA_SWEPT_PASSES = 8,
     /* Above this number of passes the energy of the motion is limited: ordinary steps take 3 to 6; contradicting rows
      * may converge, in more passes, to a motion of a hundred times the energy. Twice the ordinary number. /2 fails
@@ -102,27 +103,28 @@ static const double kea_workForFriction = 0.375;
  * as much is 2.4 rad. x2 fails Mdt_Friction: a_ball_may_spin_as_fast_as_it_likes. */
 static const double kea_maxTurn = 2.5;
 /* Rad, h |w| times the relative difference of the moments: a step in which a body turns further is divided. The
- * midpoint rule would precess a top wrongly, and the angle is too small by the square of this over 12: 1e-3, and 2 % in
- * partitions with contacts, which lose more. .5 everywhere fails free rotation and tops of tests/scenes; .2 in contact
- * costs rag dolls 40 % more factorizations. */
+ * midpoint rule would precess a top wrongly, and it makes the angle too small, by the fraction (h w)²/12: 1e-3, and 2 %
+ * in partitions with contacts, where impacts lose more. .5 everywhere fails free rotation and tops of tests/scenes; .2
+ * in contact costs rag dolls 40 % more factorizations. */
 static const double kea_farTurn = 0.1, kea_farTurnInContact = 0.5;
 /* Lever arm of a contact's normal about a ball's centre, relative to the radius, up to which the ball's rotation does
  * not matter to the contact: its effect is 1e-3 x 2.5 rad of a radius at most. x2 fails Mdt_Report:
  * a_whirling_ball_is_divided_where_a_contact_pushes_past_its_centre. */
 static const double kea_centredArm = 1e-3;
-/* Factor on the load speed: a larger change of velocity in the last step was a jerk, and is not the first guess of this
- * one. It affects the first guess only, the answer within the tolerance. Without it Mdt_CarWheel fails,
- * the_steering_motor_moves_and_stops, in one figure by 3e-5. */
+/* Factor on the load speed: after a larger change of velocity in the last step, such as by an impact, this change is
+ * not the first guess of this step. The guess affects the answer within the tolerance only: without the constant
+ * Mdt_CarWheel fails, the_steering_motor_moves_and_stops, in one figure by 3e-5. */
 static const double kea_jerk = 30;
 
 /* ---- theta and geometric stiffness ---- */
 
 /* Gap, relative to a body's size, below which a contact may act at any speed: a hundred times kea_touchingGap of single
- * precision. A larger value makes near misses dissipate energy, a smaller one admits contacts a pass later. */
+ * precision. With a larger value near misses dissipate energy, with a smaller one contacts are activated a pass
+ * later. */
 static const double kea_nearbyGap = 1e-3;
-/* Steps: a contact that would close within this time at its present speed may act. A step is right without rows; the
- * half is for the velocity that rows add, and for impacts with restitution that are to be resolved at their time. 1 in
- * MdtKeaBounces fails Mst_Blows: a_step_may_end_at_the_blow. */
+/* In steps: a contact that would close within this time at its present speed may act. One step would be enough if rows
+ * did not change velocities; the additional half is for that, and for impacts with restitution, which are to be
+ * resolved at their time. 1 in MdtKeaBounces fails Mst_Blows: a_step_may_end_at_the_blow. */
 static const double kea_reach = 1.5;
 /* h² k / m of a spring: above 4, where h ω > 2 (the stability limit of explicit schemes), the midpoint rule does not
  * follow the oscillation, and backward Euler is used. x2 and /2 fail MdtKea_system: springs_too_stiff_are_damped,
@@ -159,11 +161,11 @@ static const double kea_redundancyRegularization = 1e-12;
 /* ---- semismooth Newton ---- */
 
 enum {
-    /* Cap on the iterations of the convex problem: with an exact line search it ends by itself, but collapsing heaps
-     * reach 60. */
+    /* Cap on the iterations of the convex problem. With an exact line search the iteration always converges, but in
+     * collapsing heaps it takes more. */
     KEA_MAX_CONVEX = 60,
-    /* Cap on the iterations of the coupled problem, which has no potential: it converges quadratically near the answer;
-     * elsewhere the outer iteration has to approach it. */
+    /* Cap on the iterations of the coupled problem, which has no potential. The iteration converges quadratically near
+     * the answer; elsewhere the passes have to approach it. */
     KEA_MAX_COUPLED = 12,
     /* Solves with kept factors: each leaves 1e-2 of the error or less if the factors still fit. Without such solves
      * bridges under a ton take 4 to 6 % more work (bench/choice, ton-bridge-0.5-1 and -1-1). */
@@ -195,9 +197,9 @@ static const double kea_coupledProgress = 0.9, kea_coupledRounding = 1e3;
  * evaluated, and the matrix is factored, anew. The fast solver's rounds of joints alone are five, and gain five digits
  * if each gains one: from .3 of a body's size to kea_closedJoint. */
 static const double kea_refinedShare = 0.1;
-/* In tolerances: a converged answer above it is refined with the kept factors, which costs no factorization and
- * improves the next step's first guess. Without it a linkage in double precision opens by 1.3e-12 m instead of less
- * than 3e-13 (tests/scenes). */
+/* Residual in tolerances: a converged answer with a larger one is refined with the kept factors, which costs no
+ * factorization and improves the next step's first guess. Without it a linkage in double precision opens by 1.3e-12 m
+ * instead of less than 3e-13 (tests/scenes). */
 static const double kea_refinedEnough = 1e-2;
 /* Relative error of friction bounds against μ p_n up to which no coupled solve is needed. */
 static const double kea_boundsAgree = 1e-12;
@@ -217,8 +219,8 @@ enum {
 enum {
     KEA_SWEEPS = 32,       /* maximum of a solve: accelerated, they do what 500 plain ones do in a pyramid */
     KEA_FEWEST_SWEEPS = 2, /* minimum of a solve: the first sweep has no momentum */
-    KEA_START_SWEEPS = 2,  /* cost of choosing their start, in sweeps: three visits */
-    KEA_SOME_SWEEPS = 8    /* if passes would have fewer sweeps, there are fewer passes: a quarter of the maximum */
+    KEA_START_SWEEPS = 2,  /* cost of choosing the start of sweeps, in sweeps: three visits of each row */
+    KEA_SOME_SWEEPS = 8    /* minimum of a pass, a quarter of the maximum: else there are fewer passes */
 };
 /* Relative change of the impulses: a sweep that changes them by less has converged. It is a hundredth of where passes
  * by sweeps stop (kea_sweptMargin kea_looseVelocity kea_velocityTolerance, 1e-5). */
@@ -229,8 +231,8 @@ static const double kea_sweepTolerance = 1e-7;
 /* Fraction of the load speed: with a smaller residual the motion is smooth, and the stage is left out. In every step it
  * costs 1.7e-4 of a pendulum's energy in 47 s; with .05, 7e-7. */
 static const double kea_calmResidual = 0.05;
-/* Test for the midpoint rule's mode (-1)^n: fraction of the largest residual. Rows with smaller residuals do not count,
- * so that no small row decides. x2 fails guide_chapter_5: a_closed_system_does_not_explode. */
+/* Fraction of the largest residual: rows with a smaller one do not count in the test for the midpoint rule's mode
+ * (-1)^n, so that no small row decides. x2 fails guide_chapter_5: a_closed_system_does_not_explode. */
 static const double kea_rippleShare = 0.1;
 
 /* ---- energy ---- */
@@ -247,11 +249,11 @@ static const double kea_energyRounding = 1e-12;
 static const double kea_assertedRounding = 1e-9;
 /* N s: assertions do not compare impulses whose sum is larger, which fuzzed input reaches. */
 static const double kea_maxAsserted = 1e20;
-/* m/s, rad/s: a pass with a larger change has diverged. The squares of the change, and of the distances that it leads
- * to, fit a double; no motion comes near. */
+/* m/s, rad/s: a pass with a larger change has diverged. Up to it, the squares of the change and of the distances that
+ * it leads to fit a double; no real motion comes near. */
 static const double kea_largestChange = 1e100;
-/* Smallest length of a unit direction after its part along the normal is subtracted: a shorter remainder is rounding,
- * and orthogonal to the normal only to less than kea_unitRounding requires. */
+/* Smallest length of what is left of a unit direction after its part along the normal is subtracted. A shorter
+ * remainder consists of rounding, and is not orthogonal to the normal within kea_unitRounding. */
 static const double kea_minAcross = 1e-6;
 
 /* ---- contacts in time ---- */
@@ -279,8 +281,8 @@ static const double kea_minImpactSpeed = 1e-6;
 /* Fraction of the load speed: upper limit of the same for a soft contact, which yields to its load. x2 fails
  * MdtKea_system: giving_way_to_a_load_is_no_impact. */
 static const double kea_softContactSpeed = 0.05;
-/* Fraction of the load speed: a slower impact does not rebound, nor divides a step in which no other is faster. It is
- * half of what one step's loads give, so that a ball at rest stays at rest. */
+/* Fraction of the load speed: a slower impact does not rebound, and does not divide the step unless another one is
+ * faster. It is half of what one step's loads give, so that a ball at rest stays at rest. */
 static const double kea_minReboundSpeed = 0.5;
 /* Fraction of the bodies' own speeds that takes the place of the load speed where there are no loads. */
 static const double kea_unloadedSpeed = 1e-6;
@@ -413,9 +415,9 @@ enum { KEA_PRESSED_SWEEPS = 3 };
 /* N s, or a coefficient of friction: stands for an infinite bound. Derived: the product of a coefficient and an impulse
  * of that size, and such a bound added to it, are within single precision, 2^128. */
 static const double kea_maxBound = 0x1p63;
-/* Multiplications, counted. Of a visit to a manifold: 275 in a pass (kea_kernel_i.h), and an eighth of a measurement of
- * the residual. Of its preparation and of what follows passes: 600 in the kernel, and about as many in double
- * precision, for the manifold and its share of a body. */
+/* Multiplications, counted in the source. The first, of a visit to a manifold: 275 in a pass (kea_kernel_i.h), and an
+ * eighth of a measurement of the residual. The second, of preparing a manifold and of the work after passes: 600 in the
+ * kernel, and about as many in double precision, for the manifold and its share of a body. */
 enum { KEA_MANIFOLD_VISIT = 300, KEA_MANIFOLD_PREPARATION = 1200 };
 
 /* ---- workers ---- */

@@ -23,7 +23,7 @@ typedef struct Passes {
     KeaResiduals e, best;  /* of the present iterate, and of the best one, which is saved */
     double speed;          /* m/s: the largest scale of velocities so far */
     double tangent;        /* the worst residual of the saved tangent iterate; HUGE_VAL: there is none */
-    double before, motion; /* of the previous pass: its worst residual; the larger one of positions and momenta */
+    double before, motion; /* in the previous pass: the worst residual; the larger one of positions and momenta */
     int pass, last;        /* index of this pass; index after which they end */
     int worse;             /* number of passes in which `motion` has grown */
     MeBool isRefined;      /* the iterate had converged before this pass, which refines it */

@@ -22,6 +22,7 @@ static MeU64 *usedColoursOf(const KeaRegions *r, const MdtKeaManifold *m, int k)
     return m->body[k] >= 0 ? &r->usedColours[r->place[m->body[k]]] : NULL;
 }
 
+/* Clears the used colours of all bodies of a node's manifolds. */
 static void clearColours(const KeaRegions *r, const KeaNode *node) {
     for (int i = 0; i < node->numManifolds; i++)
         for (int k = 0; k < 2; k++) {
@@ -31,6 +32,7 @@ static void clearColours(const KeaRegions *r, const KeaNode *node) {
         }
 }
 
+/* Chooses the colours of a node's manifolds, and counts these by colour and number of points. */
 static void chooseColours(const KeaRegions *r, const KeaNode *node, int count[COLOURS][KEA_POINTS + 1]) {
     for (int i = 0; i < node->numManifolds; i++) {
         const int index = r->manifold[node->firstManifold + i];
@@ -67,6 +69,7 @@ static void sortByColour(const KeaRegions *r, const KeaNode *node, int count[COL
     }
 }
 
+/* The number of groups of eight: a group has one colour; in the last colour, one manifold. */
 static int countGroups(int count[COLOURS][KEA_POINTS + 1]) {
     int groups = 0;
     for (int colour = 0; colour < COLOURS; colour++) {

@@ -40,7 +40,7 @@ typedef struct Step {
     KeaJoints joints;
     double fall[3];     /* m, correction of all positions (setFall) */
     double mean[3];     /* m/s, the bodies' mean velocity */
-    double speed;       /* m/s, their speed relative to it, root mean square (findSpeed) */
+    double speed;       /* m/s, root mean square of the bodies' speeds relative to the mean velocity (findSpeed) */
     MeBool isMoving;    /* most bodies are fast (findSpeed) */
     double loadSpeed;   /* m/s, largest change of a body's velocity by loads in the step */
     double theta, beta; /* of Nesterov's extrapolation */
@@ -143,6 +143,7 @@ static void applyGroups(void *context, KeaNode *node) {
     p->kernel->apply(p->groups + node->firstGroup, node->numGroups, p->motion);
 }
 
+/* Copies the velocities of a region's bodies to p->before. */
 static void saveMotions(void *context, KeaNode *node) {
     const Step *p = context;
     memcpy(p->before + 1 + node->firstPlace, p->motion + 1 + node->firstPlace,
@@ -228,7 +229,7 @@ static void passNode(void *context, KeaNode *node) {
     p->kernel->pass(p->groups + node->firstGroup, node->numGroups, p->motion, beta, node->lanes);
 }
 
-/* m/s: sets how much the velocities of a body change in the step; its rotation counts at the radius of gyration. */
+/* Sets the change of each body's velocity in the step, m/s; that of rotation counts at the radius of gyration. */
 static void findSpeedChangesOf(void *context, KeaNode *node) {
     const Step *p = context;
     for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++) {
@@ -250,6 +251,7 @@ static KeaTolerance toleranceOf(const Step *p) {
                           .stepsize = (float)p->s->parameters.stepsize};
 }
 
+/* Measures the residuals of a node's groups. */
 static void measureGroups(void *context, KeaNode *node) {
     const Step *p = context;
     const KeaTolerance allowed = toleranceOf(p);
@@ -257,7 +259,8 @@ static void measureGroups(void *context, KeaNode *node) {
     p->kernel->measure(p->groups + node->firstGroup, node->numGroups, p->motion, &allowed, &node->measure);
 }
 
-/* Makes passes with Nesterov's extrapolation, which is restarted after a pass that goes against it. */
+/* Makes passes with Nesterov's extrapolation. It is restarted after a pass that changes impulses in the opposite
+ * direction. */
 static void iteratePasses(Step *p, int passes) {
     for (int i = 0; i < passes; i++) {
         kea_visitNodesByDepth(&p->regions, passNode, p);
@@ -293,7 +296,7 @@ static double loadSpeedOf(const MdtKeaSystem *s, int body) {
     return keaLength(load);
 }
 
-/* Sums Σ v², Σ v over the bodies of a region. */
+/* Sums up v² and v of the bodies of a region: sum[0], and sum[1] to sum[3]. */
 static void sumSpeeds(void *context, KeaNode *node) {
     const Step *p = context;
     memset(node->sum, 0, sizeof node->sum);
@@ -387,6 +390,7 @@ static void findVelocities(Step *p) {
 
 /* ---- rebounds ---- */
 
+/* Sets the target of pushing points to their rebound; sum[0] := 1 if there is one. */
 static void setReboundsOf(void *context, KeaNode *node) {
     const Step *p = context;
     node->sum[0] = 0;
@@ -401,7 +405,7 @@ static void setReboundsOf(void *context, KeaNode *node) {
             }
 }
 
-/* Sets the target of pushing points to their rebound. Returns whether there are any. */
+/* Sets the targets of all pushing points that rebound. Returns whether there are any. */
 static MeBool setRebounds(Step *p) {
     kea_visitNodes(&p->regions, setReboundsOf, p);
     return isAnyOverNodes(&p->regions);
@@ -417,6 +421,7 @@ static void addImpulses(void *context, KeaNode *node) {
     kea_addImpulses(&from, p->groups + node->firstGroup, node->numGroups, p->change);
 }
 
+/* Sets velocities and angular momenta at the end from the changes of momentum. */
 static void setEndMomentaOfNode(void *context, KeaNode *node) {
     const Step *p = context;
     for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++) {
@@ -438,6 +443,7 @@ static void setEndMomenta(Step *p) {
 
 /* ---- energy guard ---- */
 
+/* Sums up the kinetic energies of a region: their change by the impulses, and with the loads only. */
 static void sumEnergy(void *context, KeaNode *node) {
     const Step *p = context;
     const MdtKeaSystem *s = p->s;
@@ -503,9 +509,9 @@ static void solveByDescent(Step *p) {
     setEndMomenta(p);
 }
 
-/* Scales all impulses P by a share, with which the energy changes by share P·v + share² |P|²/2 (norm by M⁻¹): the
- * largest share that adds no more than the same share of the drives' work. A pass over the joints follows, since
- * scaling violates their rows; it only removes energy. */
+/* Scales all impulses P by the largest share s <= 1 that adds no more energy than s times the work of the drives; the
+ * energy changes by s P·v + s² |P|²/2 (norm by M⁻¹). A pass over the joints follows, since scaling violates their rows;
+ * it only removes energy. */
 static void limitImpulses(Step *p) {
     const MdtKeaSystem *s = p->s;
     double linear = -workOfDrives(p), square = 0;
@@ -525,6 +531,7 @@ static void limitImpulses(Step *p) {
     setEndMomenta(p);
 }
 
+/* Finds the largest component of a region's linear velocities, and the largest change of one since p->before. */
 static void compareMotions(void *context, KeaNode *node) {
     const Step *p = context;
     node->sum[0] = node->sum[1] = 0;
@@ -559,8 +566,8 @@ static void guardEnergy(Step *p) {
     p->s->report.capped = METRUE;
 }
 
-/* Scales all impulses so that no energy is gained: Newton's law of restitution at several points together may add
- * some. */
+/* Scales all impulses down so that no energy is gained: Newton's law of restitution may add some, at several points
+ * together. */
 static void limitRebounds(Step *p) {
     if (isEnergyGained(p))
         limitImpulses(p);
@@ -568,6 +575,7 @@ static void limitRebounds(Step *p) {
 
 /* ---- end poses ---- */
 
+/* Sets p->move to the mean of the velocities at start and end, θ = 1/2. */
 static void setMeansOf(void *context, KeaNode *node) {
     const Step *p = context;
     for (int place = node->firstPlace; place < node->firstPlace + node->numPlaces; place++) {
@@ -615,6 +623,7 @@ static void chooseThetas(Step *p) {
         sweep++;
 }
 
+/* θ of a body's displacement. */
 static double thetaOf(const Step *p, int body) {
     return (double)p->thetas[1 + p->regions.place[body]];
 }
@@ -668,7 +677,7 @@ static void rotateFreely(void *context, KeaNode *node) {
     }
 }
 
-/* Sets the end pose of a body by its velocities and its displacement. */
+/* Sets the end pose of a body: it is moved by its velocities, then by the displacement of position passes. */
 static void setEndPose(const Step *p, int place) {
     MdtKeaSystem *s = p->s;
     const int i = p->regions.body[place];
@@ -784,6 +793,7 @@ static void findPositions(Step *p) {
     setEndPoses(p);
 }
 
+/* Whether a displacement is 0. */
 static MeBool isZero(const KeaMotion *displacement) {
     for (int k = 0; k < 3; k++)
         if (displacement->lin[k] != 0 || displacement->ang[k] != 0)
@@ -791,6 +801,7 @@ static MeBool isZero(const KeaMotion *displacement) {
     return METRUE;
 }
 
+/* Sets isFree of bodies that got neither an impulse nor a displacement. */
 static void markFreeBodies(void *context, KeaNode *node) {
     const Step *p = context;
     for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++)
@@ -798,12 +809,13 @@ static void markFreeBodies(void *context, KeaNode *node) {
             isZero(&p->displacement[1 + i]) && keaLength(p->change[i]) + keaLength(p->change[i] + 3) == 0;
 }
 
-/* Moves bodies without impulse and displacement as free bodies. */
+/* Computes the end states of bodies that got neither an impulse nor a displacement as free motion. */
 static void moveFreeBodies(Step *p) {
     kea_visitRegions(&p->regions, markFreeBodies, p);
     kea_moveFreeBodies(p->s);
 }
 
+/* Writes counts and work to the report. */
 static void writeReport(Step *p) {
     MdtKeaReport *r = &p->s->report;
     r->passes = 1;

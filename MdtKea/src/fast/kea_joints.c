@@ -33,11 +33,12 @@
 
 /* ---- rows ---- */
 
+/* Whether a row has no bounds. */
 static MeBool isTwoSided(const MdtKeaRow *row) {
     return row->lower == -HUGE_VAL && row->upper == HUGE_VAL;
 }
 
-/* J M⁻¹ Jᵀ */
+/* 1/kg: J M⁻¹ Jᵀ of a row. */
 static double invEffectiveMassOf(const MdtKeaSystem *s, const KeaJointRow *r) {
     double invMass = 0, turned[3];
     for (int k = 0; k < 2; k++) {
@@ -80,6 +81,8 @@ static void setSpringLaw(double h, KeaJointRow *r) {
     r->target = r->compliance * h * (row->damping * row->target - row->stiffness * row->error);
 }
 
+/* Sets the law of a position row. It is rigid, corrected by displacements, unless it is soft or a joint of bounded
+ * force; the velocity of a rigid row corrects no error, but lets a stop close. */
 static void setPositionLaw(double h, KeaJointRow *r) {
     const MdtKeaRow *row = r->row;
     const MeBool isSoft = row->softness > kea_softShare * r->invEffectiveMass;
@@ -93,6 +96,7 @@ static void setPositionLaw(double h, KeaJointRow *r) {
                                   : keaMax(row->target, row->drift);
 }
 
+/* Sets all fields of a row but those of the graph. */
 static void setJointRow(const MdtKeaSystem *s, KeaJointRow *r) {
     const MdtKeaRow *row = r->row;
     const double h = s->parameters.stepsize;
@@ -121,7 +125,7 @@ static void setJointRow(const MdtKeaSystem *s, KeaJointRow *r) {
 
 /* ---- the block's bodies ---- */
 
-/* x += a Jᵀ, and J x; x by node. */
+/* addJointForce: x += a Jᵀ; jointRateOf: J x. x is by node. */
 static void addJointForce(const KeaJointRow *r, double a, double (*x)[6]) {
     for (int k = 0; k < 2; k++)
         if (r->node[k] >= 0)
@@ -147,6 +151,7 @@ static double (*motionsOf(const KeaJoints *j, const KeaJointBlock *b, const KeaM
     return j->v + b->firstNode;
 }
 
+/* Adds j->x to the motions of the block's bodies. */
 static void moveBlock(const KeaJoints *j, const KeaJointBlock *b, KeaMotion motion[]) {
     for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++) {
         KeaMotion *m = &motion[j->body[n].motion];
@@ -157,6 +162,7 @@ static void moveBlock(const KeaJoints *j, const KeaJointBlock *b, KeaMotion moti
     }
 }
 
+/* The block's part of j->x. */
 static double (*unknownsOf(const KeaJoints *j, const KeaJointBlock *b))[6] {
     return j->x + b->firstNode;
 }
@@ -215,6 +221,7 @@ static void factorizeBlock(const MdtKeaSystem *s, const KeaJoints *j, KeaJointBl
         kea_factorInvert(b->factor);
 }
 
+/* x := S⁻¹ x */
 static void solveWithFactor(const KeaJointBlock *b, double x[]) {
     kea_factorUseNumbers(b->factor, b->numbers);
     (b->isInverted ? kea_factorSolveInverted : kea_factorSolve)(b->factor, x);
@@ -222,6 +229,7 @@ static void solveWithFactor(const KeaJointBlock *b, double x[]) {
 
 /* ---- blocks ---- */
 
+/* The first body of a row, or the second one if the first is the world. */
 static int anyBodyOf(const MdtKeaRow *row) {
     return row->body[0] >= 0 ? row->body[0] : row->body[1];
 }
@@ -332,8 +340,9 @@ void kea_jointsSetMomenta(MdtKeaSystem *s, const KeaJoints *j) {
 
 /* ---- the middle of the step ---- */
 
-/* Whether the load of a body's joints, as of the last step, leaves it to what has been predicted of it: the square of
- * h ω of the pendulum that it is under that load, tr K / 2 over its inertia about the place where that acts. */
+/* Whether the middle of the step can be predicted from the body's velocity at the start: its joints' loads of the last
+ * step do not turn it much within the step. Measure: (h ω)² of the pendulum that the body is under these loads, tr K /
+ * 2 over its inertia about the place where they act. */
 static MeBool isPredictable(const MdtKeaSystem *s, const KeaJointBody *b) {
     const double *I = s->bodies[b->body]->moments;
     const double about = b->load > 0 ? b->spread / (b->load * s->bodies[b->body]->invMass) : 0;
@@ -341,6 +350,7 @@ static MeBool isPredictable(const MdtKeaSystem *s, const KeaJointBody *b) {
     return fabs(stiffness) <= kea_stiffLoad * (0.5 * (I[0] + I[1] + I[2]) + about);
 }
 
+/* Whether all bodies of the block are predictable. */
 static MeBool isBlockPredictable(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b) {
     for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++)
         if (!isPredictable(s, &j->body[n]))
@@ -348,8 +358,8 @@ static MeBool isBlockPredictable(const MdtKeaSystem *s, const KeaJoints *j, cons
     return METRUE;
 }
 
-/* The middle, by the velocity of the start and the chord, and the inertia of the end, where momenta are balanced. That
- * of a body without Coriolis term is the start's. */
+/* Sets the mean pose of a body, as its velocity at the start moves it along the chord, and for the passes its inertia
+ * at the predicted end, where momenta are balanced. A body without Coriolis term keeps the inertia of the start. */
 static void predictBody(MdtKeaSystem *s, KeaJointBody *b) {
     const MdtKeaBody *body = s->bodies[b->body];
     const MdtKeaVelocity *v = &s->velocity[b->body];
@@ -368,13 +378,14 @@ static void predictBody(MdtKeaSystem *s, KeaJointBody *b) {
     usePassInertia(s, b);
 }
 
-/* Its rows stay those of the start. */
+/* Sets the mean pose of a body to that of the start, for a block of first order, whose rows stay those of the start,
+ * and adds geometric stiffness to its inertia. */
 static void useStartPose(MdtKeaSystem *s, KeaJointBody *b) {
     s->work->meanPose[b->body] = s->pose[b->body];
     addToInertia(s, b);
 }
 
-/* Rows of blocks that can be predicted get the Jacobians of the middle; savedJ has those of the start. */
+/* Saves the Jacobians of the start (work->savedJ), and evaluates the rows at the mean poses. */
 static void evaluateMiddleRows(MdtKeaSystem *s, const KeaJoints *j) {
     MeBool isAny = MEFALSE;
     kea_saveJacobians(s);
@@ -386,6 +397,7 @@ static void evaluateMiddleRows(MdtKeaSystem *s, const KeaJoints *j) {
 
 /* ---- setting blocks up ---- */
 
+/* Adds the bodies of the block's rows to it, and chooses whether it is solved at the middle of the step. */
 static void setBlockBodies(MdtKeaSystem *s, const int place[], KeaJoints *j, KeaJointBlock *b) {
     for (int i = b->firstRow; i < b->endRow; i++)
         for (int k = 0; k < 2; k++)
@@ -400,6 +412,7 @@ static void setBlockBodies(MdtKeaSystem *s, const int place[], KeaJoints *j, Kea
     }
 }
 
+/* Sets the block's rows, first those without bounds, and its graph. */
 static void setBlockRows(const MdtKeaSystem *s, KeaJoints *j, KeaJointBlock *b) {
     int at = b->firstRow;
     kea_graphBegin(&j->graph, b->endRow - b->firstRow);
@@ -496,7 +509,7 @@ size_t kea_jointsLayOut(const MdtKeaSystem *s, KeaJoints *j, char *memory) {
     return arena.used;
 }
 
-/* Inertia and rows are those of the start. */
+/* Restores inertia and rows of the start. */
 static void resetToStart(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
         kea_beginBody(s, i);
@@ -608,6 +621,7 @@ static void computeResponse(const MdtKeaSystem *s, const KeaJointBlock *b, KeaJo
     r->invMassInBlock = jointRateOf(r, response);
 }
 
+/* Adds the response to an impulse of a row with bounds to the block's unknowns. */
 static void addJointResponse(const KeaJoints *j, const KeaJointBlock *b, const KeaJointRow *r, double impulse) {
     double(*x)[6] = unknownsOf(j, b);
     if (b->isWide) {
@@ -622,12 +636,13 @@ static void addJointResponse(const KeaJoints *j, const KeaJointBlock *b, const K
 
 /* ---- velocities ---- */
 
+/* N s: a row's impulse, extrapolated. */
 static double extrapolatedImpulse(const KeaJointRow *r, double beta) {
     return r->impulse + beta * (r->impulse - r->before);
 }
 
-/* Sets the impulse of a row. Returns its part of the criterion of restarts (KeaKernel.pass), in which impulses of
- * angular rows are divided by the bodies' size. */
+/* Sets the impulse of a row from `guess` to `next`. Returns its part of the criterion of restarts (KeaKernel.pass), in
+ * which impulses of angular rows are divided by the bodies' size. */
 static double setJointImpulse(KeaJointRow *r, double guess, double next) {
     const double uphill = -(next - guess) * (next - r->impulse) * r->perSquare;
     r->before = r->impulse;
@@ -635,6 +650,7 @@ static double setJointImpulse(KeaJointRow *r, double guess, double next) {
     return uphill;
 }
 
+/* Sets the velocity residuals of the block's rows at extrapolated impulses. */
 static void setResiduals(const KeaJoints *j, const KeaJointBlock *b, const KeaMotion motion[], double beta) {
     double(*const v)[6] = motionsOf(j, b, motion);
     for (int i = b->firstRow; i < b->endRow; i++) {
@@ -697,6 +713,7 @@ double kea_jointsSolveVelocities(const MdtKeaSystem *s, KeaJoints *j, KeaMotion 
     return uphill;
 }
 
+/* m/s: the residual of a row: the change of its impulse if it were solved alone, as a velocity. */
 static double residualOf(const KeaJointRow *r, double rate) {
     const double residual = r->target - rate - r->compliance * r->impulse,
                  invEffectiveMass = r->invEffectiveMass + r->compliance;

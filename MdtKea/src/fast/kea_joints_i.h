@@ -8,8 +8,8 @@
 typedef struct KeaJointRow {
     double J[2][6]; /* copy of the system's row, close in memory to the other data of passes */
     const MdtKeaRow *row;
-    int node[2], edge;          /* of the block's graph; -1: the world; no edge */
-    MeBool isInactive, isRigid; /* it has no force; displacements remove its position error */
+    int node[2], edge;          /* indices in the block's graph; -1: the world, no edge */
+    MeBool isInactive, isRigid; /* the row has no force; displacements remove its position error */
     double length;              /* m per unit of the row's coordinate: 1, or the bodies' size */
     double perSize;             /* of the smaller body's size, per unit of the row's coordinate */
     double perSquare;           /* 1/length²: makes squares of impulses of all rows comparable */
@@ -30,7 +30,7 @@ typedef struct KeaJointBody {
     double inertia[3][3];   /* kg m² (world), with the stiffness added if isStiff */
     MeBool isStiff;         /* the geometric stiffness is not negligible */
     double stiffness[3][3]; /* kg m²: geometric stiffness by its joints' impulses */
-    double load, spread;    /* N s: sum of its joints' impulses; N m² s: of these times their squared arms */
+    double load, spread;    /* N s: sum of its joints' impulses |P|; N m² s: sum of |P| r², r the arms */
 } KeaJointBody;
 
 /* Bodies that joints connect, directly or through others, and their rows: first those without bounds. */
@@ -40,7 +40,7 @@ typedef struct KeaJointBlock {
         endRow; /* indices of its first row, its first row with bounds, and behind its last one */
     KeaFactor *factor;
     char *numbers;     /* memory of the factor's numbers */
-    MeBool isMean;     /* rows are those of the middle of the step, and bodies may move by the mean */
+    MeBool isMean;     /* rows are those of the middle of the step, and bodies may be moved by mean velocities */
     MeBool isWide;     /* more than KEA_WIDE_BLOCK bodies: rows with bounds act on their own two bodies only */
     MeBool isSound;    /* the factorization has succeeded */
     MeBool isInverted; /* the factor's blocks are inverted */
@@ -67,14 +67,14 @@ size_t kea_jointsLayOut(const MdtKeaSystem *s, KeaJoints *j, char *memory);
 MeBool kea_jointsBegin(MdtKeaSystem *s, const int place[], KeaJoints *j);
 /* Whether all blocks have been factored; the joints of others have no force in this step. */
 MeBool kea_jointsAreSound(const KeaJoints *j);
-/* Multiplications of a pass; of assembly and factorization. */
+/* Multiplications of a pass; of the assembly and factorization of all blocks. */
 double kea_jointsWorkOfPass(const KeaJoints *j);
 double kea_jointsWorkOfFactors(const KeaJoints *j);
 /* Adds M⁻¹ Jᵀ p of all impulses to the motions: the warm start. */
 void kea_jointsApplyImpulses(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[]);
 /* Multiplies all impulses by a share. */
 void kea_jointsScaleImpulses(KeaJoints *j, double share);
-/* Makes a pass over velocities, from impulses extrapolated by beta; returns the criterion of restarts
+/* Solves the velocities of each block once, from impulses extrapolated by beta. Returns the criterion of restarts
  * (KeaKernel.pass). */
 double kea_jointsSolveVelocities(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[], double beta);
 /* m/s: the largest violation of the rows' laws. Raises *excess to the largest ratio of a violation to its tolerance. */
@@ -91,8 +91,8 @@ double kea_jointsFindErrors(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displ
 void kea_jointsRelinearize(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displacement[]);
 /* Factors the blocks again, after the rows' Jacobians have changed. */
 void kea_jointsRefactor(const MdtKeaSystem *s, KeaJoints *j);
-/* Makes a pass over displacements, which removes position errors. Returns the largest error before the pass, relative
- * to the smaller body's size. */
+/* Makes a pass over displacements, which removes position errors. Returns the largest error before it, relative to the
+ * smaller body's size. */
 double kea_jointsCorrectPositions(const MdtKeaSystem *s, KeaJoints *j, KeaMotion displacement[]);
 /* Sets the target of stops that were hit to their rebound. Returns whether there are any. */
 MeBool kea_jointsSetRebounds(KeaJoints *j);
@@ -102,9 +102,9 @@ double kea_jointsWorkOfDrives(const KeaJoints *j);
 void kea_jointsAddImpulses(const KeaJoints *j, double (*change)[6]);
 /* Removes the effect of geometric stiffness from the angular momenta at the end. */
 void kea_jointsRemoveStiffness(MdtKeaSystem *s, const KeaJoints *j);
-/* After the orientations at the end are known: in blocks solved at the middle, sets the angular momenta to those of the
- * velocities found. With the momenta found instead, a thin bar that spins would get a velocity that its joint forbids,
- * by the error of the predicted orientation times I_max / I_min, which grows from step to step (Mst_Order_Joints). */
+/* Sets the angular momenta of bodies in blocks solved at the middle to those of the velocities found, at the end
+ * orientations. With the momenta found instead, a thin bar that spins would get a velocity that its joint forbids, by
+ * the error of the predicted orientation times I_max / I_min, which grows from step to step (Mst_Order_Joints). */
 void kea_jointsSetMomenta(MdtKeaSystem *s, const KeaJoints *j);
 /* Writes the forces of the system's rows. */
 void kea_jointsReturnForces(MdtKeaSystem *s, const KeaJoints *j);

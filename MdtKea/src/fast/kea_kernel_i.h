@@ -8,6 +8,7 @@ typedef struct Pair {
     KeaLanes3 lin[2], ang[2];
 } Pair;
 
+/* Reads the motions of both bodies of each manifold. */
 KEA_INLINE Pair gatherPair(const KeaGroup *g, const KeaMotion motion[]) {
     Pair p;
     for (int k = 0; k < 2; k++) {
@@ -52,8 +53,9 @@ KEA_INLINE void applyImpulse(const KeaGroup *g, Pair *p, KeaLanes3 impulse, KeaL
         lanesDifference(p->ang[1], lanesApply(g->invInertia[1], lanesSum(lanesCross(g->arm[1], impulse), couple)));
 }
 
-/* In the functions below, `points` is the maximal number of points of the group's manifolds. It is a constant of each
- * caller, for which the loops are unrolled. Other points have impulse 0 and would add 0: the bits are the same. */
+/* The parameter `points` of the functions below is the maximal number of points of the group's manifolds. Callers pass
+ * a constant, for which the loops are unrolled. Points beyond it have impulse 0 and would add 0: the bits are the
+ * same. */
 
 /* The sum of normal impulses, and their moments Σ x p, Σ y p. */
 KEA_INLINE void resultantOf(const KeaGroup *g, int points, const KeaLanes impulse[], KeaLanes r[3]) {
@@ -65,10 +67,12 @@ KEA_INLINE void resultantOf(const KeaGroup *g, int points, const KeaLanes impuls
     }
 }
 
+/* The moment about the centre of normal impulses with the resultant r. */
 KEA_INLINE KeaLanes3 coupleOf(const KeaGroup *g, KeaLanes3 across, const KeaLanes r[3]) {
     return lanesDifference(lanesScale(r[2], g->along), lanesScale(r[1], across));
 }
 
+/* Applies changes of normal impulses to both bodies. */
 KEA_INLINE void applyNormals(const KeaGroup *g, int points, Pair *p, KeaLanes3 across, const KeaLanes change[]) {
     KeaLanes r[3];
     resultantOf(g, points, change, r);
@@ -153,6 +157,7 @@ typedef struct Limits {
     KeaLanes frictionImpulse[2], torsionImpulse;
 } Limits;
 
+/* The bounds of friction under these normal impulses. */
 KEA_INLINE Limits frictionLimits(const KeaGroup *g, int points, const KeaLanes impulse[]) {
     KeaLanes load = lanesOf(0), moment = lanesOf(0);
     Limits limits;
@@ -167,6 +172,7 @@ KEA_INLINE Limits frictionLimits(const KeaGroup *g, int points, const KeaLanes i
     return limits;
 }
 
+/* Clamps friction along t1 and t2 to its cone, or to its two bounds. */
 KEA_INLINE void clampFriction(const KeaGroup *g, const Limits *limits, KeaLanes frictionImpulse[2]) {
     const KeaLanes size = lanesRoot(frictionImpulse[0] * frictionImpulse[0] + frictionImpulse[1] * frictionImpulse[1]);
     const KeaLanes share =
@@ -194,9 +200,9 @@ KEA_INLINE void slidingRates(const KeaGroup *g, const KeaLanes slide[2], const K
 
 /* ---- a visit ---- */
 
-/* Each of the next three functions solves for its impulses, from guesses extrapolated by beta, and returns their
- * change. It updates the rates that the following ones use by the coupling, so that bodies are read and written only
- * once. */
+/* The next three functions solve for normal impulses, friction about n, and friction along t1 and t2. Each starts from
+ * impulses extrapolated by beta, returns the change, and updates the rates that the following ones use by the coupling,
+ * so that bodies are read and written only once. */
 
 KEA_INLINE void visitNormals(KeaGroup *g, int points, Rates *rates, float beta, KeaLanes *uphill,
                              KeaLanes resultant[3]) {
@@ -568,6 +574,7 @@ KEA_INLINE KeaLanes closingOf(const KeaGroup *g, int k, KeaLanes rate, float h) 
     return lanesSelect(g->isPoint[k] & isDeep & (rate < 0), -rate, lanesOf(0));
 }
 
+/* Adds the residuals `miss` of a row in the lanes that have it to the largest one, and their squares to a sum. */
 KEA_INLINE void addResidual(KeaMask isRow, KeaLanes miss, KeaLanes *worst, KeaLanes *squares) {
     const KeaLanes counted = lanesSelect(isRow, miss, lanesOf(0));
     *worst = lanesMax(counted, *worst);

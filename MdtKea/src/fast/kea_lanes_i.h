@@ -18,9 +18,11 @@
 
 typedef float KeaQuad __attribute__((vector_size(4 * 4)));
 
+/* a in all lanes. */
 KEA_INLINE KeaLanes lanesOf(float a) {
     return (KeaLanes){a, a, a, a, a, a, a, a};
 }
+/* a where the mask is true, else b. */
 KEA_INLINE KeaLanes lanesSelect(KeaMask m, KeaLanes a, KeaLanes b) {
     return (KeaLanes)(((KeaMask)a & m) | ((KeaMask)b & ~m));
 }
@@ -42,15 +44,18 @@ KEA_INLINE KeaLanes lanesMin(KeaLanes a, KeaLanes b) {
 KEA_INLINE KeaLanes lanesAbs(KeaLanes a) {
     return (KeaLanes)((KeaMask)a & 0x7fffffff);
 }
+/* a, clamped to -bound .. bound. */
 KEA_INLINE KeaLanes lanesClamp(KeaLanes a, KeaLanes bound) {
     return lanesMax(lanesMin(a, bound), -bound);
 }
+/* Square roots. */
 KEA_INLINE KeaLanes lanesRoot(KeaLanes a) {
     KeaLanes r;
     for (int i = 0; i < KEA_LANES; i++)
         r[i] = sqrtf(a[i]);
     return r;
 }
+/* Whether the mask is true in all lanes. */
 KEA_INLINE MeBool lanesAreAll(KeaMask m) {
 #if defined(__AVX__)
     return _mm256_movemask_ps((__m256)m) == 0xff;

@@ -4,7 +4,7 @@
 #include "common/kea_policy_i.h"
 #include <string.h>
 
-/* A body with its coordinate along the longest side. */
+/* A body, with its coordinate along the axis that its node is divided across. */
 typedef struct KeaBisected {
     double at; /* m */
     int body;
@@ -69,6 +69,7 @@ void kea_visitNodes(KeaRegions *r, KeaNodeWork work, void *context) {
 
 /* ---- bodies ---- */
 
+/* The number of regions: a power of two, with at least KEA_REGION_MANIFOLDS manifolds each on average. */
 static int numRegionsOf(const MdtKeaSystem *s) {
     int count = 1;
     while (count < KEA_MAX_REGIONS && s->numManifolds >= 2 * count * KEA_REGION_MANIFOLDS)
@@ -106,6 +107,7 @@ static int longestSide(const MdtKeaSystem *s, const int body[], int count) {
     return longest;
 }
 
+/* The order of bodies along the axis, by index for equal coordinates. */
 static MeBool isBefore(KeaBisected a, KeaBisected b) {
     return a.at < b.at || (a.at == b.at && a.body < b.body);
 }
@@ -148,6 +150,7 @@ static void selectLowest(KeaBisected b[], int count, int middle) {
     }
 }
 
+/* Divides the bodies of a node into two halves across its longest side. */
 static void halveNode(void *context, KeaNode *node) {
     KeaRegions *r = context;
     int first, end;
@@ -164,6 +167,7 @@ static void halveNode(void *context, KeaNode *node) {
         r->body[first + i] = b[i].body;
 }
 
+/* Sets places and regions of the bodies of a region. */
 static void setPlaces(void *context, KeaNode *node) {
     KeaRegions *r = context;
     int end;
@@ -196,6 +200,7 @@ static int commonNode(int a, int b) {
     return a;
 }
 
+/* Finds the node of each manifold. */
 static void MEAPI assignManifolds(void *context, int first, int end, int worker) {
     KeaRegions *r = context;
     (void)worker;

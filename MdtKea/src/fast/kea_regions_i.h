@@ -56,11 +56,11 @@ void kea_regionsLayOut(KeaRegions *r, KeaArena *arena);
 void kea_regionsDivide(KeaRegions *r);
 
 /* Parallel loops that call `work` for nodes. kea_visitNodesByDepth: depth after depth from the regions up, so that
- * nodes that run at the same time share no body. */
+ * nodes visited at the same time share no body. */
 void kea_visitNodesByDepth(KeaRegions *r, KeaNodeWork work, void *context);
-/* All nodes at the same time: `work` may only read bodies of other nodes. */
+/* Visits all nodes at the same time: `work` may read bodies of other nodes, but not change them. */
 void kea_visitNodes(KeaRegions *r, KeaNodeWork work, void *context);
-/* All regions at the same time. */
+/* Visits all regions at the same time. */
 void kea_visitRegions(KeaRegions *r, KeaNodeWork work, void *context);
 
 /* ---- kea_colour.c ---- */

@@ -105,8 +105,8 @@ static void divideSlots(Elimination *g, int numNodes, int numEdges, const int (*
     MEASSERT(at == 2 * numEdges);
 }
 
-/* Lists the neighbours of each node in ascending order: first in any order in `unsorted`, then sorted, by visiting
- * neighbours in ascending order. */
+/* Lists the neighbours of each node in ascending order: first in any order in `unsorted`; then each node, in ascending
+ * order, is appended to the lists of its neighbours. */
 static void readEdges(Elimination *g, int *unsorted, int numNodes, int numEdges, const int (*edges)[2]) {
     for (int e = 0; e < numEdges; e++)
         for (int k = 0; k < 2; k++) {
@@ -223,8 +223,8 @@ static void addElements(Elimination *g, Degree *d, const Node *n, int t) {
     }
 }
 
-/* The degree of node i. Its edges lead to nodes of none of its elements, so that only elements overlap. The first of
- * these is the new one, v. */
+/* The degree of node i. The nodes that its edges lead to are in none of its elements, so that only elements have nodes
+ * in common. Its first element is the new one, v. */
 static Degree degreeOf(Elimination *g, int i, int t, int v) {
     const Node *n = &g->node[i];
     Degree d = {g->element[v].whole.nodes - 1, g->element[v].whole.unknowns - g->size[i]};
