@@ -310,6 +310,8 @@ double kea_smallerExtent(const MdtKeaSystem *s, const int body[2]);
 /* Save and restore the Jacobians of all rows (work->savedJ). */
 void kea_saveJacobians(MdtKeaSystem *s);
 void kea_restoreJacobians(MdtKeaSystem *s);
+/* Saves the impulses of all rows (work->savedP). */
+void kea_saveImpulses(MdtKeaSystem *s);
 /* m/s: the absolute value of a target rate `speed`, if the bounds of the row allow the force that enforces it, else 0:
  * one-sided rows, of stops and contacts, only push, and have no effect while there is a gap. */
 double kea_pushSpeed(const MdtKeaSystem *s, const MdtKeaRow *row, double speed);

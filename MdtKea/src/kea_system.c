@@ -85,14 +85,18 @@ int MEAPI MdtKeaMemoryRequired(const int num_rows_exc_padding[], int num_partiti
     return max > (size_t)INT32_MAX ? INT32_MAX : (int)max;
 }
 
+static void prefetchBody(const MdtKeaSystem *s, int i, int end) {
+    if (i + KEA_AHEAD < end)
+        me_prefetch(s->bodies[i + KEA_AHEAD], sizeof *s->bodies[i]);
+}
+
 /* Computes the start values of a range of bodies. Like commitBodies it writes only to bodies of its range, as the rule
  * for order demands (MeTeam.h). */
 static void MEAPI beginBodies(void *system, int first, int end, int worker) {
     MdtKeaSystem *s = system;
     (void)worker;
     for (int i = first; i < end; i++) {
-        if (i + KEA_AHEAD < end)
-            me_prefetch(s->bodies[i + KEA_AHEAD], sizeof *s->bodies[i]);
+        prefetchBody(s, i, end);
         kea_beginBody(s, i);
     }
 }
@@ -150,8 +154,7 @@ static void MEAPI commitBodies(void *system, int first, int end, int worker) {
     MdtKeaSystem *s = system;
     (void)worker;
     for (int i = first; i < end; i++) {
-        if (i + KEA_AHEAD < end)
-            me_prefetch(s->bodies[i + KEA_AHEAD], sizeof *s->bodies[i]);
+        prefetchBody(s, i, end);
         kea_commitBody(s, i);
     }
 }

@@ -8,6 +8,11 @@
 #include "karma_test.h"
 #include "random_numbers.h"
 
+/* A_ji of an edge (i, j). */
+static double *lowerOf(KeaFactor *f, int edge) {
+    return f->lowerInput + f->edgeAt[edge];
+}
+
 enum { MAX_NODES = 24, MAX_EDGES = MAX_NODES * MAX_NODES / 2, MAX = MAX_NODES * KEA_FACTOR_MAX_BLOCK };
 
 /* ---- graphs ---- */
@@ -99,7 +104,7 @@ static void fill(KeaFactor *f, const Graph *g, double skew) {
             addBlock(kea_factorDiagonal(f, i), 1, a, a, n, n);
             addBlock(kea_factorDiagonal(f, j), 1, b, b, m, m);
             addBlock(kea_factorUpper(f, e), 1 + skew, a, b, n, m);
-            addBlock(kea_factorLower(f, e), 1 - skew, b, a, m, n);
+            addBlock(lowerOf(f, e), 1 - skew, b, a, m, n);
         }
     }
 }
@@ -117,7 +122,7 @@ static void toDense(KeaFactor *f, const Graph *g) {
         for (int r = 0; r < n; r++)
             for (int c = 0; c < m; c++) {
                 dense.A[kea_factorOffset(f, i) + r][kea_factorOffset(f, j) + c] = kea_factorUpper(f, e)[r * m + c];
-                dense.A[kea_factorOffset(f, j) + c][kea_factorOffset(f, i) + r] = kea_factorLower(f, e)[c * n + r];
+                dense.A[kea_factorOffset(f, j) + c][kea_factorOffset(f, i) + r] = lowerOf(f, e)[c * n + r];
             }
     }
 }
@@ -244,7 +249,7 @@ TEST(cholesky_reads_upper_parts_only) {
     kea_factorSolve(f, x);
     for (int e = 0; e < g.numEdges; e++)
         for (int k = 0; k < g.size[g.edges[e][0]] * g.size[g.edges[e][1]]; k++)
-            kea_factorLower(f, e)[k] = (double)NAN;
+            lowerOf(f, e)[k] = (double)NAN;
     for (int i = 0; i < g.numNodes; i++)
         for (int r = 0; r < g.size[i]; r++)
             for (int c = 0; c < r; c++)
@@ -298,7 +303,7 @@ static void checkRows(const KeaFactorKernel *kernel, int count, int turned, MeBo
     isTheSame(kea_factorDiagonal(f, 0), block[0]);
     isTheSame(kea_factorDiagonal(f, 1), block[1]);
     isTheSame(kea_factorUpper(f, 0), block[2]);
-    isTheSame(kea_factorLower(f, 0), block[3]);
+    isTheSame(lowerOf(f, 0), block[3]);
     destroy();
 }
 
@@ -349,7 +354,7 @@ TEST(indefinite_between_blocks_is_told) {
     const int size[] = {1, 1}, edges[][2] = {{1, 0}};
     KeaFactor *f = createFor(2, size, 1, edges);
     kea_factorDiagonal(f, 0)[0] = kea_factorDiagonal(f, 1)[0] = 1;
-    kea_factorUpper(f, 0)[0] = kea_factorLower(f, 0)[0] = 2;
+    kea_factorUpper(f, 0)[0] = lowerOf(f, 0)[0] = 2;
     ck_assert(!kea_factorCholesky(f, 1e-14));
     ck_assert(kea_factorLU(f, 1e-14)); /* [1 2; 2 1] (x, y) = (5, 4): x = 1, y = 2 */
     double x[] = {5, 4};

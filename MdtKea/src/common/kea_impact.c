@@ -208,9 +208,7 @@ static void solveRound(MdtKeaSystem *s, const double target[], const char isIncl
             q->row[i].N = keaMax(kea_proximalContact[0] * pow(kea_proximalContact[0] / kea_proximalContact[1], -pass),
                                  kea_proximalContact[KEA_PROXIMAL_LEVELS - 1]) *
                           q->row[i].Aii;
-        for (int i = 0; i < q->numRows; i++)
-            if (q->row[i].partner > i)
-                q->row[i].N = q->row[q->row[i].partner].N = keaMax(q->row[i].N, q->row[q->row[i].partner].N);
+        kea_problemShareN(q);
         if (pass > 0)
             kea_frictionIterateBounds(q, pass);
         q->isWarm = pass > 0; /* the first pass, a convex problem, shares impulses evenly */

@@ -68,8 +68,8 @@ enum {
      * acceleration. The velocity stage has no more passes than these. Bounds that settle at all have mostly settled
      * after 3 to 6. */
     KEA_FULL_BOUND_PASSES = 6,
-    /* Passes after which friction bounds are frozen: if the answer is within kea_looseVelocity; and in any case.
-     * Collapsing heaps settle within 60 in all but 3 % of their steps (tests/Mst/test_Heaps). */
+    /* Passes after which friction bounds are frozen: the first if the answer is within kea_looseVelocity, the second in
+     * any case. Collapsing heaps settle within 60 in all but 3 % of their steps (tests/Mst/test_Heaps). */
     KEA_FREEZE_PASS = 12,
     KEA_MAX_COUPLED_PASSES = 60,
     /* Passes with frozen bounds. The problem is convex then, and each pass reduces the residual by a factor of 3 to 70,
@@ -99,14 +99,14 @@ static const double kea_workForMotion = 0.9;
 static const double kea_workForFriction = 0.375;
 
 /* Rad, h |w_m|: beyond it a body counts as turned over. The Cayley map turns by 2 atan(h w / 2), here by 1.8 rad; near
- * half a turn (infinite h w) the velocity does not determine the motion. Half of it, 1.1 rad, is followed well; twice
- * as much is 2.4 rad. x2 fails Mdt_Friction: a_ball_may_spin_as_fast_as_it_likes. */
+ * half a turn (infinite h w) the velocity does not determine the motion. At half of the limit the rotation by 1.1 rad
+ * is followed well; at twice the limit it is 2.4 rad. x2 fails Mdt_Friction: a_ball_may_spin_as_fast_as_it_likes. */
 static const double kea_maxTurn = 2.5;
-/* Rad, h |w| times the relative difference of the moments: a step in which a body turns further is divided. The
- * midpoint rule would precess a top wrongly, and it makes the angle too small, by the fraction (h w)²/12: 1e-3, and 2 %
- * in partitions with contacts, where impacts lose more. .5 everywhere fails free rotation and tops of tests/scenes; .2
- * in contact costs rag dolls 40 % more factorizations. */
-static const double kea_farTurn = 0.1, kea_farTurnInContact = 0.5;
+/* Rad, h |w| times the relative difference of the moments: a step in which a body turns further is divided; in
+ * partitions with contacts, five times as far. The midpoint rule would precess a top wrongly, and it makes the angle
+ * too small, by the fraction (h w)²/12: 1e-3, and 2 % with contacts, where impacts lose more. .5 everywhere fails free
+ * rotation and tops of tests/scenes; .2 in contact costs rag dolls 40 % more factorizations. */
+static const double kea_farTurn = 0.1;
 /* Lever arm of a contact's normal about a ball's centre, relative to the radius, up to which the ball's rotation does
  * not matter to the contact: its effect is 1e-3 x 2.5 rad of a radius at most. x2 fails Mdt_Report:
  * a_whirling_ball_is_divided_where_a_contact_pushes_past_its_centre. */
@@ -148,11 +148,8 @@ static const double kea_proximalJoint = 1e-8, kea_proximalLimit = 1e-6;
  * kea_velocityTolerance: a pass then leaves no more than is tolerated. */
 enum { KEA_PROXIMAL_LEVELS = 6 };
 static const double kea_proximalContact[KEA_PROXIMAL_LEVELS] = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9};
-/* Passes of the position projection: with N = 1e-5 A_ii, that of contacts after one good pass, they leave 1e-15 of the
- * error of a single row. 1e-6 fails Mst_Cases_Defaults in double precision: stacks_stand_by_default. */
-enum { KEA_PROJECTION_PASSES = 3 };
-/* Regularization of the dual matrix, relative to A_ii, which is not taken out again: rows of one joint may be equal but
- * for rounding, of which this is 500 times. */
+/* Regularization of the dual matrix, relative to A_ii, which is not taken out again. Two rows of a joint may be equal
+ * but for rounding; this is 500 times the rounding of a double. */
 static const double kea_dualRegularization = 1e-13;
 /* Regularization for redundant joints, relative to the metric: the relative error of their smallest impulses, and the
  * rounding at a mass ratio of 1e4. */
@@ -173,7 +170,8 @@ enum {
     /* Trial lengths of a step of the coupled problem, each half of the last: an eighth at least. Reasoned: shorter
      * steps are left to the outer iteration. */
     KEA_MAX_HALVINGS = 4,
-    /* Iterations of the line search, of which every second halves its interval: 2^-50, a double's digits. */
+    /* Cap on the iterations of the line search. At least every second one halves the interval: 50 halvings leave 2^-50
+     * of it, the precision of a double. */
     KEA_MAX_LINE_SEARCH = 100
 };
 /* Smallest pivot of a block's factor, relative to its diagonal entry: below 4 roundings of a double no digit is
@@ -186,12 +184,12 @@ static const double kea_roundingSteps = 8;
  * method nothing; lower values take more visits of rows, higher ones more factorizations. Without a longest step
  * Mst_SweptJoints fails: swept_pairs_on_hinges_do_not_explode. */
 static const double kea_lineSearchTolerance = 1e-3, kea_longestStep = 64;
-/* The error of the convex problem, in tolerances, counts as rounding if it is below the first and more than the second
- * is left of it after a step. */
+/* The error of the convex problem, in tolerances, counts as rounding if it is below the first and a step has left more
+ * than the second, a fraction, of it. */
 static const double kea_convexRounding = 1e5, kea_convexProgress = 0.3;
-/* A step of the coupled problem must leave at most the first of the error, a fraction; else it is shortened. If no step
- * does, and the error in tolerances is below the second, it is rounding. With 1 for the first Mst_SweptJoints fails,
- * swept_pairs_on_hinges_do_not_explode, and a wall takes 8 % more work (bench/choice). */
+/* The fraction of the error that a step of the coupled problem may leave; else the step is shortened. If this does not
+ * help, and the error in tolerances is below the second constant, it counts as rounding. With 1 for the first constant
+ * Mst_SweptJoints fails, swept_pairs_on_hinges_do_not_explode, and a wall takes 8 % more work (bench/choice). */
 static const double kea_coupledProgress = 0.9, kea_coupledRounding = 1e3;
 /* Simplified Newton's method: the fraction of the error that a solve with kept factors may leave; else Jacobians are
  * evaluated, and the matrix is factored, anew. The fast solver's rounds of joints alone are five, and gain five digits
@@ -208,8 +206,8 @@ static const double kea_boundsAgree = 1e-12;
 
 enum {
     KEA_VISIT = 32,          /* J d of two bodies, bounds, Jᵀ p */
-    KEA_ASSEMBLY = 108,      /* its part of the matrix: three blocks of 6 x 6 */
-    KEA_LINEARIZATION = 256, /* its Jacobian, error, target; as much for a body */
+    KEA_ASSEMBLY = 108,      /* a row's part of the matrix: three blocks of 6 x 6 */
+    KEA_LINEARIZATION = 256, /* a row's Jacobian, error and target; the same for a body */
     KEA_SWEEP = 96,          /* J d, the bound, B⁻¹ Jᵀ p */
     KEA_ITERATION_VISITS = 8 /* visits in an iteration: gradient, forces, and five of the line search */
 };
@@ -228,8 +226,8 @@ static const double kea_sweepTolerance = 1e-7;
 
 /* ---- the velocity stage ---- */
 
-/* Fraction of the load speed: with a smaller residual the motion is smooth, and the stage is left out. In every step it
- * costs 1.7e-4 of a pendulum's energy in 47 s; with .05, 7e-7. */
+/* Fraction of the load speed: with a smaller residual the motion is smooth, and the stage is left out. If made
+ * in every step, the stage costs 1.7e-4 of a pendulum's energy in 47 s; with .05, 7e-7. */
 static const double kea_calmResidual = 0.05;
 /* Fraction of the largest residual: rows with a smaller one do not count in the test for the midpoint rule's mode
  * (-1)^n, so that no small row decides. x2 fails guide_chapter_5: a_closed_system_does_not_explode. */
@@ -237,9 +235,9 @@ static const double kea_rippleShare = 0.1;
 
 /* ---- energy ---- */
 
-/* Joint error, relative to a body's size, above which a joint counts as open. Solved joints leave 1e-9; piles of swept
- * boxes on hinges gained energy from 1.5e-4 on (test_Mst_SweptJoints); with 1e-3 two of 4000 gain over 1e-3 of
- * theirs. */
+/* Joint error, relative to a body's size, above which a joint counts as open. Converged passes leave 1e-9. Piles of
+ * swept boxes on hinges gained energy with errors from 1.5e-4 on (test_Mst_SweptJoints): with 1e-3, two piles of 4000
+ * gain more than 1e-3 of their energy. */
 static const double kea_openJoint = 1e-5;
 /* Relative rounding of sums of energies, which does not count as gained energy; in assertions relative to their largest
  * terms, which cancel to 1e-14 for a needle that spins about its own axis at 1e16 rad/s. */
@@ -247,7 +245,7 @@ static const double kea_energyRounding = 1e-12;
 /* Relative tolerance of assertions of check builds, for energies, bounds and unit quaternions that were computed in
  * another order: a thousand times kea_energyRounding. No answer depends on it. */
 static const double kea_assertedRounding = 1e-9;
-/* N s: assertions do not compare impulses whose sum is larger, which fuzzed input reaches. */
+/* N s: assertions do not compare impulses with a larger sum, such as fuzzed input leads to. */
 static const double kea_maxAsserted = 1e20;
 /* m/s, rad/s: a pass with a larger change has diverged. Up to it, the squares of the change and of the distances that
  * it leads to fit a double; no real motion comes near. */
@@ -266,7 +264,8 @@ enum {
     KEA_MAX_IMPACT_PASSES = 14
 };
 /* Fraction of the first round's fastest rebound: rounds end when nothing rebounds faster, and contacts that still
- * approach are stopped. A tower of 8 bricks with restitution .3 that a ball hits takes a third of the work with it. */
+ * approach are stopped. With this limit a tower of 8 bricks with restitution .3 that a ball hits takes a third of the
+ * work. */
 static const double kea_lastRound = 0.02;
 /* Fraction of the load speed. A contact that separates faster is open; one that slides faster may have an event when it
  * stops; one that approaches faster at the start of a step, without rebound, chatters (rolling bodies reach the ground
@@ -274,11 +273,12 @@ static const double kea_lastRound = 0.02;
  * 794 times) and far below 1, the change of velocity in a step. x2 fails Mst_Cases_Friction:
  * one_block_stops_and_one_topples. */
 static const double kea_separatingSpeed = 0.03;
-/* Fraction of the load speed: a slower approach is no impact. Above it, every impact is located: with .25 a rocking
- * column of ten kept its energy for 120 s, in 3 of 8 runs. x2 and /2 fail MdtKea_system:
+/* Fraction of the load speed: a slower approach is no impact. Faster ones are located in time. With .25, in 3 of 8 runs
+ * a rocking column of ten bodies did not lose its energy in 120 s. x2 and /2 fail MdtKea_system:
  * giving_way_to_a_load_is_no_impact. */
 static const double kea_minImpactSpeed = 1e-6;
-/* Fraction of the load speed: upper limit of the same for a soft contact, which yields to its load. x2 fails
+/* Fraction of the load speed: upper limit of the minimal impact speed of soft contacts, whose bodies approach as the
+ * contact yields to its load (minImpactSpeedOf). x2 fails
  * MdtKea_system: giving_way_to_a_load_is_no_impact. */
 static const double kea_softContactSpeed = 0.05;
 /* Fraction of the load speed: a slower impact does not rebound, and does not divide the step unless another one is
@@ -286,31 +286,31 @@ static const double kea_softContactSpeed = 0.05;
 static const double kea_minReboundSpeed = 0.5;
 /* Fraction of the bodies' own speeds that takes the place of the load speed where there are no loads. */
 static const double kea_unloadedSpeed = 1e-6;
-/* Fraction of the speed: with a smaller residual the passes of an impact end. It is three digits below
- * kea_velocityTolerance, the slowest approach that takes part in a round, so that a reflected contact does not approach
- * again. */
+/* Fraction of the speed of the fastest body: with a smaller residual the passes of an impact end. It is three digits
+ * below kea_velocityTolerance, the slowest approach that takes part in a round, so that a reflected contact does not
+ * approach again. */
 static const double kea_impactTolerance = 1e-12;
 /* Relative margin: friction sticks if it is below its bound by more than this. With 0 sliding contacts seem to stop: a
  * wall takes 15 % more work, 100 balls that roll 25 % (bench/choice, wall and roll-100). */
 static const double kea_stickMargin = 1e-7;
 /* Gap, relative to the smaller body's size, below which a contact touches. 1e-5 in double precision toppled a tower,
- * 1e-6 left it rocking in 3 of 8 runs; in single precision programs place bodies no better than that. */
+ * 1e-6 left it rocking in 3 of 8 runs; in single precision programs place bodies no more accurately than to 1e-5. */
 static const double kea_touchingGap = sizeof(MeReal) == sizeof(double) ? 1e-7 : 1e-5;
 
 /* ---- rotation, inertia ---- */
 
 /* Rad: a body that turns further in a step turns as a free body does, and not by the chord (the Cayley map), which
- * turns by 93 degrees for 120 and never reaches 180. Reasoned: nothing is carried round a third of a circle in a
- * step. */
+ * turns by 93 degrees for 120 and never reaches 180. Reasoned: contacts do not carry a body
+ * round by a third of a turn in a step. */
 static const double kea_maxChord = 2.1;
-/* Rad a step by the rates of the splitting: slower rotation is integrated by the leapfrog, whose error, angle³/12, is
- * 1e-7 rad in the worst case. Reasoned: it is work against accuracy of slow rotation. With 0 Mdt_Behaviours_Joints
- * fails, a_ball_and_socket_leaves_all_rotations_free. */
+/* Rad a step, of the rotations about the two axes of the splitting (kea_rotation.c): slower rotation is integrated by
+ * the leapfrog, whose error, angle³/12, is 1e-7 rad in the worst case. Reasoned: a compromise of work and accuracy.
+ * With 0 Mdt_Behaviours_Joints fails, a_ball_and_socket_leaves_all_rotations_free. */
 static const double kea_slowRotation = 1e-2;
-/* Rad by the same rates: faster rotation is divided into substeps, of which KEA_MAX_ROTATIONS is the maximal number, a
- * cap on the cost of a step: 60 000 rad/s at 60 Hz. A box of 1 x .5 x .2 m about its middle axis keeps energy to 5.7e-8
- * for 10 s at 3000 rad/s and 60 Hz, with 2 rad to 8.6e-7; undivided it had 1.7 times as much. x2 of the first fails
- * MdtKea_rotation: whirling_about_the_middle_axis_keeps_its_energy, and so does /2 of the second. */
+/* Rad a step, of the same rotations: faster rotation is divided into substeps, of which KEA_MAX_ROTATIONS is the
+ * maximal number, a cap on the cost of a step: 60 000 rad/s at 60 Hz. A box of 1 x .5 x .2 m about its middle axis
+ * keeps energy to 5.7e-8 for 10 s at 3000 rad/s and 60 Hz, with 2 rad to 8.6e-7; undivided it had 1.7 times as much. x2
+ * of the first fails MdtKea_rotation: whirling_about_the_middle_axis_keeps_its_energy, and so does /2 of the second. */
 static const double kea_fastRotation = 1;
 enum { KEA_MAX_ROTATIONS = 1000 };
 /* Sum of the squares of off-diagonal entries relative to those of the diagonal: entries of 1e-16 are rounding. */
@@ -341,19 +341,19 @@ enum { KEA_POSITION_PASSES = 6 };
  * each other: 500 cylinders in a pit overlap by 1.5e-4 m on average, and 5.2e-3 at most, with .73 by 1.3e-5 and 8e-5
  * (bench/crowds, steps to 500). With 1 three boxes of 30 come 5 cm deep into a floor (Mst_Gone). */
 static const double kea_pushExponent = 0.73;
-/* Where joints are open, these passes are made in KEA_JOINT_ROUNDS rounds, since errors of joints are not linear in a
- * rotation; rounds of joints alone follow until they are closed, up to KEA_MAX_JOINT_ROUNDS rounds in all. Without the
- * latter a ton on a light chain opens it by 1e-2 m (Mst_Jointed). /2 of the first fails Mst_Jointed:
+/* Where joints are open, passes over displacements are made in KEA_JOINT_ROUNDS rounds, since errors of joints are not
+ * linear in a rotation; rounds of joints alone follow until they are closed, up to KEA_MAX_JOINT_ROUNDS rounds in all.
+ * Without the latter a ton on a light chain opens it by 1e-2 m (Mst_Jointed). /2 of the first fails Mst_Jointed:
  * figures_of_any_kind_hold_together_and_gain_no_energy; of the second Mst_Crowd: chains_hold_in_a_crowd. */
 enum { KEA_JOINT_ROUNDS = 3, KEA_MAX_JOINT_ROUNDS = 8 };
 /* Error, relative to a body's size, up to which joints and stops count as closed. gamma adds up the errors of five
  * steps; a net of 225 balls in loops, whose rows contradict each other by rounding, comes no nearer than 1.5e-6. 1e-5
  * lets the ropes of tutorial Bridge yield by 2.5e-5 m. */
 static const double kea_closedJoint = 3e-6;
-/* Relative to a body's size: if joints open by more in a step, the motion is too violent for it, as of a light body
- * that is whipped round by more than the rounds of a step can turn it. Without it one of 22 bodies opens by .45 m
- * (Mst_Jointed: a_light_body_may_be_whipped_round). If the exact solver's work ran out before it closed them to this,
- * the fast one takes over (Mst_Jointed: what_the_exact_solver_leaves_open_the_fast_one_closes). */
+/* Relative to a body's size: if joints open by more in a step, the motion is too violent for the step, as that of a
+ * light body that is whipped round by more than the rounds of a step can turn it. Without it one of 22 bodies opens by
+ * .45 m (Mst_Jointed: a_light_body_may_be_whipped_round). If the exact solver's work ran out before it closed them to
+ * this, the fast one takes over (Mst_Jointed: what_the_exact_solver_leaves_open_the_fast_one_closes). */
 static const double kea_violentOpening = 0.05;
 /* Rad: the largest rotation of a jointed body in a pass over displacements. Errors are linear for small rotations only,
  * and a chain that is pulled straight needs large ones. Without it a ton on a light chain opens it by a metre
@@ -374,10 +374,10 @@ static const float kea_soundDeterminant = 1e-4f;
 /* Overlap at the end of the step, relative to a body's size: a contact that is deeper and still closes takes more
  * passes, even while bodies move. x2 fails Mst_Crowd: chains_hold_in_a_crowd. */
 static const double kea_smallOverlap = 0.1;
-/* Fraction of the bodies' speed (root mean square): while bodies move, passes end although deep overlaps still grow
- * with this speed. Fraction of the largest speed: rounding error that velocities may have. Less takes more passes while
- * a heap settles, and overlaps are the same. x4 fails Mst_Crowd: a_pyramid_of_forty_rows_comes_to_rest, which sinks by
- * more than a millimetre. */
+/* While bodies move, passes end although deep overlaps still grow, if at less than this fraction of the bodies' speed
+ * (root mean square). The rounding error that velocities may have is this fraction of the largest speed. A lower value
+ * takes more passes while a heap settles, and overlaps are the same. x4 fails Mst_Crowd:
+ * a_pyramid_of_forty_rows_comes_to_rest, which sinks by more than a millimetre. */
 static const double kea_impactAccuracy = 0.05;
 /* Root mean square of the contacts' residuals, in tolerances, at which passes end. A heap of 1000 boxes that falls and
  * settles takes 3.1, 2.85, 3.0 s for 500 steps with .1, .3, 1 (bench/heap), a pyramid of 40 rows 7.6, 8.7, 11.5
@@ -387,9 +387,6 @@ static const double kea_passedExcess = 0.3;
  * the length of the step makes its motion as uncertain. With .01 dolls that settle cost twice as much; with 1 sixty
  * marbles roll round a bowl for ever (tutorial Marbles), and houses of cards slide. */
 static const double kea_changeShare = 0.1;
-/* In units of the rest speed: the rounding that passes in single precision may leave in a velocity, found by computing
- * it anew from impulses. A pyramid of 40 rows has .1 to 1. */
-static const double kea_lostMotion = 10;
 /* Compliance relative to 1/m_0 + 1/m_1, or to a joint's A_ii: a larger one is felt within the step, and is part of the
  * equations. */
 static const double kea_softShare = 1e-3;
@@ -455,7 +452,7 @@ static const double kea_unitRounding = 1e-5;
 /* Distance, relative to a ball's radius, of its centre from its body's centre of mass, up to which it does not move
  * when the body turns. Collision gives normals and radii in MeReal, and so this centre to some 1e-7 of the radius. */
 static const double kea_centredBall = 1e-6;
-/* Rad, sqrt(2 DBL_EPSILON): of a smaller turn, half of the square is lost in rounding. */
+/* Rad, sqrt(2 DBL_EPSILON): half of the square of a smaller angle is lost in rounding beside 1. */
 static const double kea_minTurn = 2.1e-8;
 /* Factor on the change of an approach by one step's own acceleration: a body that fell for just one step must not seem
  * faster by rounding. */

@@ -64,3 +64,8 @@ void kea_restoreJacobians(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         memcpy(s->rows[i].J, s->work->savedJ[i], sizeof s->rows[i].J);
 }
+
+void kea_saveImpulses(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        s->work->savedP[i] = s->work->problem.row[i].p;
+}

@@ -83,8 +83,7 @@ void kea_minimizeRedundantForces(MdtKeaSystem *s) {
     const MeBool hadBounds = q->hasBounds;
     if (!s->work->hasLoops || !kea_problemHasBudget(q, MEFALSE))
         return; /* all solutions have the same effect on the bodies */
-    for (int i = 0; i < s->numRows; i++)
-        s->work->savedP[i] = q->row[i].p;
+    kea_saveImpulses(s);
     setRedundancyProblem(s);
     for (int i = 0; i < s->numRows; i++)
         if (q->row[i].isInactive)

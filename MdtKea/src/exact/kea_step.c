@@ -414,7 +414,7 @@ static MeBool turnsTooFar(const MdtKeaSystem *s) {
     double far = kea_farTurn; /* rad, times the moments' relative difference */
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact == i && !s->work->problem.row[i].isInactive)
-            far = kea_farTurnInContact;
+            far = 5 * kea_farTurn;
     for (int i = 0; i < s->numBodies; i++) {
         const KeaBody *b = &s->work->body[i];
         if (b->theta < 1 && !b->isSpatial &&

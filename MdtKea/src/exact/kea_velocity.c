@@ -82,9 +82,7 @@ static void setVelocityProblem(MdtKeaSystem *s) {
     kea_problemSetEffectiveMasses(q);
     for (int i = 0; i < s->numRows; i++)
         setVelocityRow(s, i, &q->row[i]);
-    for (int i = 0; i < s->numRows; i++)
-        if (q->row[i].partner > i)
-            q->row[i].N = q->row[q->row[i].partner].N = keaMax(q->row[i].N, q->row[q->row[i].partner].N);
+    kea_problemShareN(q);
     setVelocityLoads(s);
 }
 
@@ -172,8 +170,7 @@ static void limitEnergy(MdtKeaSystem *s, double start, double allowed) {
 
 /* Projects the end velocities, with at most the energy `allowed` if there are rebounds; start: residual before. */
 static void projectVelocities(MdtKeaSystem *s, double start, double allowed) {
-    for (int i = 0; i < s->numRows; i++)
-        s->work->savedP[i] = s->work->problem.row[i].p;
+    kea_saveImpulses(s);
     s->report.stages++;
     MEASSERT(s->report.stages == 1);
     solveVelocityRows(s, start, s->work->added);

@@ -41,8 +41,7 @@ static void MEAPI visitNode(void *context, int item, int worker) {
 /* Visits region `item`, and one of the other nodes, so that each worker visits the same regions in all loops. */
 static void MEAPI visitRegionAndNode(void *context, int item, int worker) {
     const Visit *v = context;
-    (void)worker;
-    v->work(v->context, &v->regions->node[v->first + item]);
+    visitNode(context, item, worker);
     if (item > 0)
         v->work(v->context, &v->regions->node[item]);
 }

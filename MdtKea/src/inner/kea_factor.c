@@ -66,11 +66,6 @@ double *kea_factorUpper(KeaFactor *f, int edge) {
     return f->upperInput + f->edgeAt[edge];
 }
 
-double *kea_factorLower(KeaFactor *f, int edge) {
-    MEASSERT(edge >= 0 && edge < f->numEdges);
-    return f->lowerInput + f->edgeAt[edge];
-}
-
 /* ---- factorization and solution ---- */
 
 void kea_factorAddRows(KeaFactor *f, const KeaFactorRows *rows, MeBool isSymmetric) {

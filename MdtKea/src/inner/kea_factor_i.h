@@ -40,10 +40,9 @@ size_t kea_factorNumbersSize(const KeaFactor *f);
 void kea_factorClearIn(KeaFactor *f, char *memory);
 void kea_factorUseNumbers(KeaFactor *f, char *memory);
 /* The blocks of the matrix, row-major, which callers add to. For an edge e = (i, j), `upper` is A_ij, size[i] rows by
- * size[j] columns; `lower` is A_ji, which only kea_factorLU reads. */
+ * size[j] columns. A_ji, which only kea_factorLU reads, is written by kea_factorAddRows. */
 double *kea_factorDiagonal(KeaFactor *f, int node);
 double *kea_factorUpper(KeaFactor *f, int edge);
-double *kea_factorLower(KeaFactor *f, int edge);
 
 /* Rows that join the same two nodes of six unknowns, or belong to one node: row i has the weight w_i and, for each
  * node, the vectors a_i and b_i. They are added together so that each block is loaded and stored once; the sums are the

@@ -187,16 +187,15 @@ static void setRowScales(const double *A, int n, double size[]) {
     }
 }
 
-/* Exchanges rows i and k of a block, with their scales. */
-static void exchangeRows(double *D, int n, double size[], int i, int k) {
-    for (int j = 0; j < n && i != k; j++) {
-        const double t = D[k * n + j];
-        D[k * n + j] = D[i * n + j];
-        D[i * n + j] = t;
-    }
-    const double t = size[k];
-    size[k] = size[i];
-    size[i] = t;
+static void swapNumbers(double *a, double *b) {
+    const double t = *a;
+    *a = *b;
+    *b = t;
+}
+
+static void swapRows(double *B, int columns, int i, int k) {
+    for (int j = 0; j < columns && i != k; j++)
+        swapNumbers(&B[i * columns + j], &B[k * columns + j]);
 }
 
 /* The pivot row of column k: the row with the largest a_ik² / size_i, which is written to `max`. */
@@ -224,7 +223,8 @@ KEA_INLINE MeBool luOf(double *D, const double *given, int n, int exchange[], do
         exchange[k] = pivotOf(D, n, size, k, &max);
         if (!(max > min * min * own[k]))
             return MEFALSE;
-        exchangeRows(D, n, size, exchange[k], k);
+        swapRows(D, n, exchange[k], k);
+        swapNumbers(&size[exchange[k]], &size[k]);
         const double inverse = 1 / D[k * n + k];
         for (int i = k + 1; i < n; i++) {
             const double factor = D[i * n + k] *= inverse;
@@ -249,7 +249,8 @@ static MeBool lu6(double *D, const double *given, int exchange[], double min) {
         exchange[k] = pivotOf(D, 6, size, k, &max);
         if (!(max > min * min * own[k]))
             return MEFALSE;
-        exchangeRows(D, 6, size, exchange[k], k);
+        swapRows(D, 6, exchange[k], k);
+        swapNumbers(&size[exchange[k]], &size[k]);
         const KeaSix whole = sixAt(D + 6 * k), from = sixAt(fromColumn[k]);
         const KeaSix row = {whole.four * from.four, whole.two * from.two};
         const double inverse = 1 / D[7 * k];
@@ -267,26 +268,31 @@ static MeBool lu(double *D, const double *given, int n, int exchange[], double m
     return n == 6 ? lu6(D, given, exchange, min) : luOf(D, given, n, exchange, min);
 }
 
-KEA_INLINE void divideUpperOf(double *restrict B, const double *restrict D, int n, int columns) {
+/* Forward substitution: B := T⁻¹ B, T being the lower triangle of D with unit diagonal or, if byUpper, the transposed
+ * upper triangle, whose diagonal is stored inverted. */
+KEA_INLINE void substituteOf(double *restrict B, const double *restrict D, int n, int columns, MeBool byUpper) {
     for (int r = 0; r < n; r++) {
         for (int p = 0; p < r; p++) {
-            const double u = D[p * n + r];
+            const double t = D[byUpper ? p * n + r : r * n + p];
             for (int j = 0; j < columns; j++)
-                B[r * columns + j] -= u * B[p * columns + j];
+                B[r * columns + j] -= t * B[p * columns + j];
         }
-        for (int j = 0; j < columns; j++)
+        for (int j = 0; j < columns && byUpper; j++)
             B[r * columns + j] *= D[r * n + r];
     }
 }
 
-KEA_INLINE void divideUpper6(double *B, const double *D) {
+/* substituteOf for blocks of six, by whole rows. */
+KEA_INLINE void substitute6(double *B, const double *D, MeBool byUpper) {
     KeaSix row[6];
     for (int r = 0; r < 6; r++) {
         row[r] = sixAt(B + 6 * r);
         for (int p = 0; p < r; p++)
-            row[r] = lessScaled(row[r], D[6 * p + r], row[p]);
-        row[r].four *= D[7 * r];
-        row[r].two *= D[7 * r];
+            row[r] = lessScaled(row[r], D[byUpper ? 6 * p + r : 6 * r + p], row[p]);
+        if (byUpper) {
+            row[r].four *= D[7 * r];
+            row[r].two *= D[7 * r];
+        }
         putSix(B + 6 * r, row[r]);
     }
 }
@@ -294,50 +300,23 @@ KEA_INLINE void divideUpper6(double *B, const double *D) {
 /* B := U⁻ᵀ B, with U the upper triangle of D, whose diagonal is stored inverted. */
 static void divideUpper(double *B, const double *D, int n, int columns) {
     if (n == 6 && columns == 6)
-        divideUpper6(B, D);
+        substitute6(B, D, METRUE);
     else if (n == 3 && columns == 3)
-        divideUpperOf(B, D, 3, 3);
+        substituteOf(B, D, 3, 3, METRUE);
     else
-        divideUpperOf(B, D, n, columns);
-}
-
-/* B := P B, by the row exchanges of a factored block. */
-static void exchangeRowsOf(double *B, const int exchange[], int n, int columns) {
-    for (int r = 0; r < n; r++) {
-        for (int j = 0; j < columns && exchange[r] != r; j++) {
-            const double t = B[r * columns + j];
-            B[r * columns + j] = B[exchange[r] * columns + j];
-            B[exchange[r] * columns + j] = t;
-        }
-    }
-}
-
-KEA_INLINE void divideLowerOf(double *restrict B, const double *restrict D, int n, int columns) {
-    for (int r = 0; r < n; r++)
-        for (int p = 0; p < r; p++)
-            for (int j = 0; j < columns; j++)
-                B[r * columns + j] -= D[r * n + p] * B[p * columns + j];
-}
-
-KEA_INLINE void divideLower6(double *B, const double *D) {
-    KeaSix row[6];
-    for (int r = 0; r < 6; r++) {
-        row[r] = sixAt(B + 6 * r);
-        for (int p = 0; p < r; p++)
-            row[r] = lessScaled(row[r], D[6 * r + p], row[p]);
-        putSix(B + 6 * r, row[r]);
-    }
+        substituteOf(B, D, n, columns, METRUE);
 }
 
 /* B := L⁻¹ P B. */
 static void divideLower(double *B, const double *D, const int exchange[], int n, int columns) {
-    exchangeRowsOf(B, exchange, n, columns);
+    for (int r = 0; r < n; r++)
+        swapRows(B, columns, exchange[r], r);
     if (n == 6 && columns == 6)
-        divideLower6(B, D);
+        substitute6(B, D, MEFALSE);
     else if (n == 6 && columns == 1)
-        divideLowerOf(B, D, 6, 1);
+        substituteOf(B, D, 6, 1, MEFALSE);
     else
-        divideLowerOf(B, D, n, columns);
+        substituteOf(B, D, n, columns, MEFALSE);
 }
 
 /* ---- factorization ---- */
@@ -487,11 +466,11 @@ static void solveUpper(const double *D, double *x, int n) {
 /* x := U⁻ᵀ x. */
 static void solveLower(const double *D, double *x, int n) {
     if (n == 6)
-        divideUpperOf(x, D, 6, 1);
+        substituteOf(x, D, 6, 1, METRUE);
     else if (n == 3)
-        divideUpperOf(x, D, 3, 1);
+        substituteOf(x, D, 3, 1, METRUE);
     else
-        divideUpperOf(x, D, n, 1);
+        substituteOf(x, D, n, 1, METRUE);
 }
 
 static void solveForward(const KeaFactor *f, double x[]) {

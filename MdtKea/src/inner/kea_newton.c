@@ -562,13 +562,6 @@ static MeBool deactivateBoundedRows(KeaProblem *q) {
     return isLeft;
 }
 
-double kea_problemWorkOfJoints(const KeaProblem *q) {
-    for (int i = 0; i < q->numRows; i++)
-        if (!q->row[i].isInactive && isUnbounded(&q->row[i]))
-            return kea_problemIterationWork(q, MEFALSE);
-    return 0;
-}
-
 void kea_problemSolveJoints(KeaProblem *q) {
     if (deactivateBoundedRows(q)) {
         setForcesAt(q, 0, MEFALSE);

@@ -104,6 +104,14 @@ void kea_problemSetEffectiveMasses(KeaProblem *q) {
     }
 }
 
+void kea_problemShareN(KeaProblem *q) {
+    for (int i = 0; i < q->numRows; i++) {
+        KeaProblemRow *row = &q->row[i], *other = row->partner > i ? &q->row[row->partner] : NULL;
+        if (other)
+            row->N = other->N = keaMax(row->N, other->N);
+    }
+}
+
 void kea_problemAccumulate(KeaProblem *q, double (*total)[6]) {
     for (int b = 0; b < q->numBodies; b++) {
         double push[6];

@@ -157,6 +157,8 @@ void kea_problemLayOut(KeaProblem *q, int numBodies, int maxRows, KeaArena *aren
 MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache);
 /* Sets Aii, AiiLinear and weight of all rows, from the metric. */
 void kea_problemSetEffectiveMasses(KeaProblem *q);
+/* Gives both rows of each cone the larger N of the two. */
+void kea_problemShareN(KeaProblem *q);
 /* Whether the budget is enough for one more Newton iteration; kea_problemMaySpend also sets isLimited if it is not.
  * `unsymmetric`: of the coupled problem. */
 MeBool kea_problemHasBudget(const KeaProblem *q, MeBool unsymmetric);
@@ -184,9 +186,8 @@ MeBool kea_problemRefine(KeaProblem *q);
 /* The largest |B d + g - Jᵀ p| of a body at d = 0, in tolerances. */
 double kea_problemError(KeaProblem *q);
 /* Solves for the impulses of unbounded rows (joints) with all others fixed: one linear solve, which lowers the
- * objective as a sweep does. Needs d and Jd. kea_problemWorkOfJoints: its multiplications, 0 without such rows. */
+ * objective as a sweep does. Needs d and Jd. */
 void kea_problemSolveJoints(KeaProblem *q);
-double kea_problemWorkOfJoints(const KeaProblem *q);
 /* ---- kea_sweep.c ---- */
 /* Solves by sweeps, within a share of the remaining work, but at least by KEA_FEWEST_SWEEPS. Needs the metric's inverse
  * and Aii. */
