@@ -257,15 +257,11 @@ static void makePipeItems(MeTeam *t, int worker) {
 
 /* ---- tasks ------------------------------------------------------------------------------------------------------- */
 
-static MeBool isTeamClosed(unsigned int number) {
-    return number & 1;
-}
-
 static void runLoopsUntilClosed(MeTeam *t, int worker) {
     unsigned int seen = 0;
     for (int spins = 0;;) {
         const unsigned int number = atomic_load_explicit(&t->number, memory_order_acquire);
-        if (isTeamClosed(number))
+        if (number & 1) /* closed */
             return;
         if (number == seen) {
             spinOrYield(&spins);
@@ -390,13 +386,8 @@ static void sendMessages(MeTeam *t) {
     MeMessagesSend(buffered, t->size);
 }
 
-/* Whether a loop that the calling thread runs alone is reported as one of the team: it has one item. */
-static MeBool isObservedSerialLoop(const MeTeam *t, int items) {
-    return t && t->depth > 0 && !t->isRunning && items == 1;
-}
-
 static void runSerially(MeTeam *t, int items, MeTeamWork work, void *context) {
-    const MeBool isObserved = isObservedSerialLoop(t, items);
+    const MeBool isObserved = t && t->depth > 0 && !t->isRunning && items == 1; /* reported as a loop of the team */
     if (isObserved)
         notifyObserver(t, MeTeamLoopBegins, items, 0);
     for (int i = 0; i < items; i++)

@@ -180,13 +180,6 @@ static MeBool areSeparated(const MdtKeaSystem *s) {
     return METRUE;
 }
 
-/* Adds the impulses of the impact to the forces of its points. */
-static void addImpulses(MdtKeaSystem *s) {
-    const KeaFlight *f = &s->work->flight;
-    for (int i = 0; i < f->numTouching; i++)
-        kea_contactAddForces(s, &s->work->contact[f->touching[i]]);
-}
-
 /* Resolves the predicted impact of contact c at time t. False: rows act from time t on. */
 static MeBool resolveImpact(MdtKeaSystem *s, int c, double t) {
     KeaFlight *f = &s->work->flight;
@@ -206,7 +199,8 @@ static MeBool resolveImpact(MdtKeaSystem *s, int c, double t) {
     if (kea_impactsChatter(s, &f->scale)) /* too slow to rebound */
         return MEFALSE;
     const MeBool isDone = kea_resolveImpacts(s, &f->scale), isSeparated = isDone && areSeparated(s);
-    addImpulses(s);
+    for (int i = 0; i < f->numTouching; i++)
+        kea_contactAddForces(s, &s->work->contact[f->touching[i]]);
     for (int n = 0; n < f->numBodies; n++)
         f->isInvolved[f->body[n]] = 0;
     for (int n = 0; n < f->numBodies && isSeparated; n++)

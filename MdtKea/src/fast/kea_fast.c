@@ -443,7 +443,8 @@ static void setEndMomenta(Step *p) {
 
 /* ---- energy guard ---- */
 
-/* Sums up the kinetic energies of a region: their change by the impulses, and with the loads only. */
+/* Computes the change of a region's kinetic energy by the impulses, J, and its kinetic energy with the loads only; both
+ * with the inertia of the start's poses. */
 static void sumEnergy(void *context, KeaNode *node) {
     const Step *p = context;
     const MdtKeaSystem *s = p->s;
@@ -460,14 +461,6 @@ static void sumEnergy(void *context, KeaNode *node) {
         node->sum[0] += 0.5 * (mass * keaDot(end->velocity, end->velocity) + keaDot(w, end->angularMomentum) - before);
         node->sum[1] += 0.5 * before;
     }
-}
-
-/* J: the change of the kinetic energy by the impulses, with the inertia of the start's poses; `all`: the energy with
- * the loads only. */
-static double energyGained(Step *p, double *all) {
-    kea_visitRegions(&p->regions, sumEnergy, p);
-    *all = sumOverRegions(&p->regions, 1);
-    return sumOverRegions(&p->regions, 0);
 }
 
 static void sumWork(void *context, KeaNode *node) {
@@ -488,8 +481,8 @@ static double workOfDrives(Step *p) {
 
 /* Whether the answer has more energy than the drives explain. */
 static MeBool isEnergyGained(Step *p) {
-    double all;
-    const double gained = energyGained(p, &all);
+    kea_visitRegions(&p->regions, sumEnergy, p);
+    const double gained = sumOverRegions(&p->regions, 0), all = sumOverRegions(&p->regions, 1);
     return gained > kea_energyRoom * all && gained - workOfDrives(p) > kea_energyRoom * all;
 }
 
@@ -565,13 +558,6 @@ static void guardEnergy(Step *p) {
         return;
     limitImpulses(p);
     p->s->report.capped = METRUE;
-}
-
-/* Scales all impulses down so that no energy is gained: Newton's law of restitution may add some, at several points
- * together. */
-static void limitRebounds(Step *p) {
-    if (isEnergyGained(p))
-        limitImpulses(p);
 }
 
 /* ---- end poses ---- */
@@ -810,12 +796,6 @@ static void markFreeBodies(void *context, KeaNode *node) {
             isZero(&p->displacement[1 + i]) && keaLength(p->change[i]) + keaLength(p->change[i] + 3) == 0;
 }
 
-/* Computes the end states of bodies that got neither an impulse nor a displacement as free motion. */
-static void moveFreeBodies(Step *p) {
-    kea_visitRegions(&p->regions, markFreeBodies, p);
-    kea_moveFreeBodies(p->s);
-}
-
 /* Writes counts and work to the report. */
 static void writeReport(Step *p) {
     MdtKeaReport *r = &p->s->report;
@@ -867,12 +847,14 @@ void kea_fastSolve(MdtKeaSystem *s) {
         kea_jointsRefactor(s, &p.joints);
         findVelocities(&p);
         setEndMomenta(&p);
-        limitRebounds(&p);
+        if (isEnergyGained(&p)) /* by Newton's law of restitution at several points together */
+            limitImpulses(&p);
         kea_jointsRemoveStiffness(s, &p.joints);
         kea_jointsSetMomenta(s, &p.joints);
     }
     writeReport(&p);
     kea_visitNodes(&p.regions, returnGroups, &p);
     kea_jointsReturnForces(s, &p.joints);
-    moveFreeBodies(&p);
+    kea_visitRegions(&p.regions, markFreeBodies, &p);
+    kea_moveFreeBodies(s);
 }

@@ -73,13 +73,6 @@ static void compactStructures(MdtKeaCache *c) {
     c->end = end;
 }
 
-/* Updates the factors' pointers to their structures. */
-static void updatePointers(MdtKeaCache *c) {
-    for (int i = 0; i < KEA_MAX_FACTORS; i++)
-        if (c->entry[i].bytes > 0)
-            kea_structureLayOut(&c->entry[i].factor, c->structures.memory + c->entry[i].at);
-}
-
 /* Reserves bytes at the end of the block of structures; if it grows, to twice what is used then. False: no memory. */
 static MeBool reserveStructure(MdtKeaCache *c, size_t bytes) {
     if (c->structures.memory && c->end + bytes <= c->structures.size)
@@ -87,7 +80,9 @@ static MeBool reserveStructure(MdtKeaCache *c, size_t bytes) {
     compactStructures(c);
     const MeBool hasMemory =
         kea_blockReserve(&c->structures, c->end, 2 * (c->end + bytes), "the structures of factors");
-    updatePointers(c);
+    for (int i = 0; i < KEA_MAX_FACTORS; i++)
+        if (c->entry[i].bytes > 0)
+            kea_structureLayOut(&c->entry[i].factor, c->structures.memory + c->entry[i].at);
     return hasMemory;
 }
 

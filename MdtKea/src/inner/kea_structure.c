@@ -83,12 +83,6 @@ static void copyGraph(KeaFactor *f, const int size[], const int (*edges)[2]) {
     MEASSERT(input == f->inputSize && diagonal == f->diagonalSize);
 }
 
-/* Prefix sum: turns the numbers of elements in counts[t + 1] into starts, so that list t begins at counts[t]. */
-static void prefixSum(int counts[], int n) {
-    for (int t = 0; t < n; t++)
-        counts[t + 1] += counts[t];
-}
-
 /* Restores the starts after all lists have been filled, which has advanced each start to the end of its list. */
 static void restoreStarts(int starts[], int n) {
     memmove(starts + 1, starts, (size_t)n * sizeof *starts);
@@ -100,7 +94,8 @@ static void listSources(KeaFactor *f, const KeaOrder *o) {
     memset(f->sourceStart, 0, (size_t)(f->numNodes + 1) * sizeof *f->sourceStart);
     for (int k = 0; k < f->numEntries; k++)
         f->sourceStart[o->turn[o->row[k]] + 1]++;
-    prefixSum(f->sourceStart, f->numNodes);
+    for (int t = 0; t < f->numNodes; t++) /* from numbers of sources to starts */
+        f->sourceStart[t + 1] += f->sourceStart[t];
     MEASSERT(f->sourceStart[f->numNodes] == f->numEntries);
     for (int t = 0; t < f->numNodes; t++)
         for (int k = o->start[t]; k < o->start[t + 1]; k++)
