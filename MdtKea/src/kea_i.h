@@ -200,7 +200,12 @@ void kea_clampPositive(double K[3][3], double harmless);
 
 /* Adds the geometric stiffness of an impulse P, N s, at the lever arm r, m, which rotates with the body:
  * K += factor S, S the symmetric part of -[P]x[r]x = (P·r) 1 - r Pᵀ. */
-void kea_addGeometricStiffness(double K[3][3], double factor, const double P[3], const double r[3]);
+static inline void kea_addGeometricStiffness(double K[3][3], double factor, const double P[3], const double r[3]) {
+    const double Pr = keaDot(P, r);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            K[i][j] += factor * ((i == j ? Pr : 0) - 0.5 * (r[i] * P[j] + r[j] * P[i]));
+}
 
 /* ---- kea_step.c ---- */
 

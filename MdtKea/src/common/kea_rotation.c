@@ -286,13 +286,6 @@ MeBool MEAPI MdtKeaBodySetInertia(MdtKeaBody *body, const double inertia[3][3]) 
     return METRUE;
 }
 
-void kea_addGeometricStiffness(double K[3][3], double factor, const double P[3], const double r[3]) {
-    const double Pr = keaDot(P, r);
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            K[i][j] += factor * ((i == j ? Pr : 0) - 0.5 * (r[i] * P[j] + r[j] * P[i]));
-}
-
 /* Ascending eigenvalues of a symmetric matrix: the trigonometric solution of the characteristic equation (Smith
  * 1961). */
 static void eigenvalues(const double S[3][3], double e[3]) {
