@@ -16,10 +16,11 @@
 #include "inner/kea_factor_i.h"
 #include "MeAssert.h"
 
-/* The load L of a body, N; the vector N, the sum of the normals of the contacts that support it, weighted by c; and
- * share = α / L: a contact carries L share c. */
+/* What a body's contacts have to carry. */
 typedef struct Load {
-    double force, normal[3], share;
+    double force;     /* L, in newtons */
+    double normal[3]; /* the vector N: the sum of the normals of the contacts that support the body, weighted by c */
+    double share;     /* α / L: a contact carries L share c */
 } Load;
 
 /* A resting contact: a manifold of which some points touch. */

@@ -130,8 +130,9 @@ static void collectImpactBodies(MdtKeaSystem *s, double slowest) {
                 addImpactBody(s, s->rows[i].body[k]);
 }
 
-/* N s: the scale of a body's impulses, to which its tolerance is relative. For a body almost at rest beside moving ones
- * it is what the passes of an impact leave of their speed: ten digits of its own speed would never be reached. */
+/* N s: the scale of a body's impulses, to which its tolerance is relative. The body's own speed counts, and the
+ * residual that the passes of an impact leave of the fastest body's speed: a body almost at rest beside fast ones would
+ * never reach ten digits of its own speed. */
 static double momentumScaleOf(const MdtKeaSystem *s, int b, const MdtKeaVelocity *v) {
     const KeaProblem *q = &s->work->problem;
     const double own = keaLength(v->lin) + q->length[b] * keaLength(v->ang);
@@ -278,8 +279,8 @@ static void storeImpulses(MdtKeaSystem *s) {
 
 /* ---- approaching contacts ---- */
 
-/* Fraction of the event speed: a slower approach is no impact. A soft contact yields to its load with J v⁺ = -h E λ,
- * where λ is at most the weight of all bodies. */
+/* The slowest approach that is an impact, as a fraction of the event speed. A soft contact yields to its load with
+ * J v⁺ = -h E λ, where λ is at most the weight of all bodies. */
 static double minImpactSpeedOf(const MdtKeaRow *row, double mass) {
     return keaMin(kea_minImpactSpeed + row->softness * mass, kea_softContactSpeed);
 }

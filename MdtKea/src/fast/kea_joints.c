@@ -636,7 +636,7 @@ static void addJointResponse(const KeaJoints *j, const KeaJointBlock *b, const K
 
 /* ---- velocities ---- */
 
-/* N s: a row's impulse, extrapolated. */
+/* N s: a row's impulse, extrapolated by beta times its last change. */
 static double extrapolatedImpulse(const KeaJointRow *r, double beta) {
     return r->impulse + beta * (r->impulse - r->before);
 }

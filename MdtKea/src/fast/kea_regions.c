@@ -106,7 +106,7 @@ static int longestSide(const MdtKeaSystem *s, const int body[], int count) {
     return longest;
 }
 
-/* The order of bodies along the axis, by index for equal coordinates. */
+/* Whether body a precedes b along the axis; of bodies with equal coordinates, the one with the smaller index does. */
 static MeBool isBefore(KeaBisected a, KeaBisected b) {
     return a.at < b.at || (a.at == b.at && a.body < b.body);
 }
