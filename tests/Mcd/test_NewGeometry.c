@@ -47,9 +47,10 @@ static void MEAPI maximumPoint(McdGeometryInstanceID ins, MeReal *const directio
 
 static MeI16 MEAPI mass(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume) {
     const double *r = ((const Ellipsoid *)g)->radius, m = 4. / 3 * MCD_PI * r[0] * r[1] * r[2];
-    mcd_massDiagonal(relTM, inertia, volume, m, m * (r[1] * r[1] + r[2] * r[2]) / 5,
-                     m * (r[2] * r[2] + r[0] * r[0]) / 5, m * (r[0] * r[0] + r[1] * r[1]) / 5);
-    return 1;
+    McdMass all;
+    mcd_massDiagonal(&all, m, m * (r[1] * r[1] + r[2] * r[2]) / 5, m * (r[2] * r[2] + r[0] * r[0]) / 5,
+                     m * (r[0] * r[0] + r[1] * r[1]) / 5);
+    return mcd_massStore(&all, relTM, inertia, volume);
 }
 
 static char *MEAPI name(const McdGeometryID g) {

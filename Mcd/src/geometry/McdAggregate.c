@@ -39,8 +39,6 @@ static void MEAPI release(McdGeometryID g) {
     MeMemoryGive(a);
 }
 
-MCD_DEFINE_DESTROY(Aggregate)
-
 /* ---- elements ---------------------------------------------------------------------------------------------------- */
 
 static MeBool isChildOf(const McdAggregate *child, const McdGeometry *g) {
@@ -259,11 +257,6 @@ static MeBool ballOf(const McdAggregate *a, int i, Ball *ball) {
     return METRUE;
 }
 
-static double distance(const double a[3], const double b[3]) {
-    const double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-    return sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-}
-
 /* The smallest sphere around all elements' spheres with its centre at the centre of their bounding box. */
 static Ball ballAroundBalls(const McdAggregate *a) {
     double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
@@ -277,7 +270,7 @@ static Ball ballAroundBalls(const McdAggregate *a) {
         all.centre[k] = low[k] <= high[k] ? (double)mcd_clampReal(low[k] / 2 + high[k] / 2) : 0;
     for (int i = 0; i < a->count; i++)
         if (ballOf(a, i, &one))
-            all.radius = MeMAX(all.radius, distance(one.centre, all.centre) + one.radius);
+            all.radius = MeMAX(all.radius, sqrt(mcd_distanceSquared(one.centre, all.centre)) + one.radius);
     return all;
 }
 
@@ -288,33 +281,25 @@ static Ball ballAroundBox(McdGeometryID g) {
     for (int k = 0; k < 3; k++)
         ball.centre[k] = (double)(low[k] / 2 + high[k] / 2);
     const double corner[3] = {(double)high[0], (double)high[1], (double)high[2]};
-    ball.radius = distance(corner, ball.centre);
+    ball.radius = sqrt(mcd_distanceSquared(corner, ball.centre));
     return ball;
 }
 
-void MEAPI McdAggregateGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
-    if (!mcd_areGiven(__func__, center, radius, radius))
-        return;
-    if (!mcd_geometryIs(g, kMcdGeometryTypeAggregate, "McdAggregateGetBSphere"))
-        return;
+static MeReal boundingRadius(const McdGeometry *g, MeVector3 center) {
     Ball ball = ballAroundBalls((const McdAggregate *)g);
-    const Ball other = ballAroundBox(g);
+    const Ball other = ballAroundBox((McdGeometryID)g);
     if (((const McdAggregate *)g)->count && other.radius < ball.radius)
         ball = other;
     for (int k = 0; k < 3; k++)
         center[k] = (MeReal)ball.centre[k];
-    *radius = mcd_clampReal(ball.radius);
+    return mcd_clampReal(ball.radius);
 }
 
 /* ---- mass -------------------------------------------------------------------------------------------------------- */
 
-typedef struct Mass {
-    double volume, centre[3], inertia[3][3]; /* about the centre */
-} Mass;
-
 /* inertia += volume (d.d 1 - d d^T) */
 static void addParallelAxes(double inertia[3][3], double volume, const double d[3]) {
-    const double square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    const double square = mcd_dot(d, d);
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
             inertia[i][k] += volume * ((i == k ? square : 0) - d[i] * d[k]);
@@ -341,7 +326,7 @@ static MeBool massOf(const McdAggregateElement *element, MeMatrix4 tm, MeMatrix3
     return METRUE;
 }
 
-static void addVolume(Mass *sum, const McdAggregateElement *element) {
+static void addVolume(McdMass *sum, const McdAggregateElement *element) {
     MeMatrix4 tm;
     MeMatrix3 inertia;
     double volume;
@@ -352,7 +337,7 @@ static void addVolume(Mass *sum, const McdAggregateElement *element) {
         sum->centre[i] += volume * (double)tm[3][i];
 }
 
-static void addInertia(Mass *sum, const McdAggregateElement *element) {
+static void addInertia(McdMass *sum, const McdAggregateElement *element) {
     MeMatrix4 tm;
     MeMatrix3 inertia;
     double volume, arm[3];
@@ -364,32 +349,22 @@ static void addInertia(Mass *sum, const McdAggregateElement *element) {
     addParallelAxes(sum->inertia, volume, arm);
 }
 
-MeI16 MEAPI McdAggregateGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 m, MeReal *volume) {
-    if (!mcd_areGiven(__func__, relTM, m, volume) ||
-        !mcd_geometryIs(g, kMcdGeometryTypeAggregate, "McdAggregateGetMassProperties"))
-        return 0;
+static void addMass(const McdGeometry *g, McdMass *sum) {
     const McdAggregate *a = (const McdAggregate *)g;
-    Mass sum;
-    memset(&sum, 0, sizeof sum);
     for (int i = 0; i < a->count; i++)
-        addVolume(&sum, &a->element[i]);
+        addVolume(sum, &a->element[i]);
     for (int i = 0; i < 3; i++)
-        sum.centre[i] = sum.volume > 0 ? sum.centre[i] / sum.volume : 0;
+        sum->centre[i] = sum->volume > 0 ? sum->centre[i] / sum->volume : 0;
     for (int i = 0; i < a->count; i++)
-        addInertia(&sum, &a->element[i]);
+        addInertia(sum, &a->element[i]);
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < i; k++)
-            sum.inertia[i][k] = sum.inertia[k][i] = (sum.inertia[i][k] + sum.inertia[k][i]) / 2;
-    return mcd_massStore(relTM, m, volume, sum.volume, sum.centre, sum.inertia) && sum.volume > 0;
+            sum->inertia[i][k] = sum->inertia[k][i] = (sum->inertia[i][k] + sum->inertia[k][i]) / 2;
 }
 
 /* ---- the type ---------------------------------------------------------------------------------------------------- */
 
-void MEAPI McdAggregateDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
-    if (!mcd_areGiven(__func__, tm, colour, colour))
-        return;
-    if (!mcd_geometryIs(g, kMcdGeometryTypeAggregate, "McdAggregateDebugDraw"))
-        return;
+static void draw(const McdGeometry *g, const MeMatrix4 tm, const MeReal colour[3]) {
     const McdAggregate *a = (const McdAggregate *)g;
     for (int i = 0; i < a->count; i++) {
         MeMatrix4 place;
@@ -398,17 +373,5 @@ void MEAPI McdAggregateDebugDraw(const McdGeometryID g, const MeMatrix4 tm, cons
     }
 }
 
-MeI16 MEAPI McdAggregateGetTypeId(void) {
-    return kMcdGeometryTypeAggregate;
-}
-
-char *MEAPI McdAggregateGetTypeName(McdGeometryID g) {
-    (void)g;
-    return (char *)"Aggregate";
-}
-
 static const McdKind kind = {MCD_KIND_FUNCTIONS(Aggregate, release)};
-
-void MEAPI McdAggregateRegisterType(McdFramework *frame) {
-    mcd_kindRegister(frame, &kind, "McdAggregateRegisterType");
-}
+MCD_DEFINE_TYPE(Aggregate, addMass)

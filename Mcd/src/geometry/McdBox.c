@@ -7,6 +7,11 @@ static const McdBox *get(const McdGeometry *g) {
     return (const McdBox *)g;
 }
 
+static void halfExtents(const McdGeometry *g, double size[3]) {
+    for (int k = 0; k < 3; k++)
+        size[k] = (double)get(g)->radii[k];
+}
+
 static void support(const McdGeometry *g, const double d[3], double point[3]) {
     for (int k = 0; k < 3; k++)
         point[k] = copysign((double)get(g)->radii[k], d[k]); /* branchless: the signs are unpredictable */
@@ -27,9 +32,8 @@ MCD_DEFINE_LINE_SEGMENT(Box)
 /* ---- narrow phase ---------------------------------------------------------------------------------------------- */
 
 static void setShape(const McdGeometry *g, McdShape *s) {
-    const double x = (double)get(g)->radii[0], y = (double)get(g)->radii[1], z = (double)get(g)->radii[2];
-    mcd_set(s->size, x, y, z);
-    s->extent = sqrt(x * x + y * y + z * z);
+    halfExtents(g, s->size);
+    s->extent = mcd_length(s->size);
 }
 
 static void farthestCorner(const McdShape *s, const double d[3], double point[3]) {
@@ -84,7 +88,6 @@ static const McdKind kind = {MCD_KIND_FUNCTIONS(Box, mcd_geometryFree),
                              .rank = MCD_RANK_BOX,
                              .flatAxes = 1 | 2 | 4,
                              .edges = visitEdges};
-MCD_DEFINE_GEOMETRY_TYPE(Box)
 
 /* ---- sizes --------------------------------------------------------------------------------------------------- */
 
@@ -124,11 +127,7 @@ MeReal *MEAPI McdBoxGetRadii(McdBoxID g) {
 }
 
 void MEAPI McdBoxGetXYAABB(McdBoxID g, MeMatrix4 tm, MeReal bounds[4]) {
-    if (!mcd_areGiven(__func__, tm, bounds, bounds))
-        return;
-    MeVectorSetZero(bounds, 4);
-    if (mcd_geometryIs(g, kMcdGeometryTypeBox, "McdBoxGetXYAABB"))
-        mcd_localXYAABB(g, tm, bounds, support, __func__);
+    mcd_localXYAABB(g, kMcdGeometryTypeBox, tm, bounds, support, __func__);
 }
 
 void MEAPI McdBoxMaximumPointLocal(McdBoxID g, MeReal *inDir, MeReal *outPoint) {
@@ -139,41 +138,27 @@ void MEAPI McdBoxMaximumPointLocal(McdBoxID g, MeReal *inDir, MeReal *outPoint) 
         outPoint[k] = !isBox ? 0 : inDir[k] < 0 ? -get(g)->radii[k] : get(g)->radii[k];
 }
 
-void MEAPI McdBoxGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
-    if (!mcd_areGiven(__func__, center, radius, radius))
-        return;
-    MeVector3Set(center, 0, 0, 0);
-    *radius = 0;
-    if (!mcd_geometryIs(g, kMcdGeometryTypeBox, "McdBoxGetBSphere"))
-        return;
-    const double x = (double)get(g)->radii[0], y = (double)get(g)->radii[1], z = (double)get(g)->radii[2];
-    *radius = mcd_roundUp(sqrt(x * x + y * y + z * z));
+/* ---- the type ---------------------------------------------------------------------------------------------------- */
+
+static MeReal boundingRadius(const McdGeometry *g, MeVector3 center) {
+    double size[3];
+    (void)center;
+    halfExtents(g, size);
+    return mcd_roundUp(mcd_length(size));
 }
 
 /* I_xx = m (y^2 + z^2) / 3 with half extents x, y, z. */
-MeI16 MEAPI McdBoxGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume) {
-    if (!mcd_areGiven(__func__, relTM, inertia, volume))
-        return 0;
-    if (!mcd_geometryIs(g, kMcdGeometryTypeBox, "McdBoxGetMassProperties"))
-        return 0;
-    const double x = (double)get(g)->radii[0], y = (double)get(g)->radii[1], z = (double)get(g)->radii[2];
-    const double mass = 8 * x * y * z;
-    return mcd_massDiagonal(relTM, inertia, volume, mass, mass * (y * y + z * z) / 3, mass * (z * z + x * x) / 3,
-                            mass * (x * x + y * y) / 3);
+static void addMass(const McdGeometry *g, McdMass *sum) {
+    double size[3];
+    halfExtents(g, size);
+    const double x = size[0], y = size[1], z = size[2], mass = 8 * x * y * z;
+    mcd_massDiagonal(sum, mass, mass * (y * y + z * z) / 3, mass * (z * z + x * x) / 3, mass * (x * x + y * y) / 3);
 }
 
-/* The corners of an edge have numbers that differ in one bit. */
-void MEAPI McdBoxDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
-    if (!mcd_areGiven(__func__, tm, colour, colour))
-        return;
-    if (!mcd_geometryIs(g, kMcdGeometryTypeBox, "McdBoxDebugDraw"))
-        return;
-    double corner[8][3];
-    for (int i = 0; i < 8; i++)
-        for (int k = 0; k < 3; k++)
-            corner[i][k] = (i >> k & 1) ? (double)get(g)->radii[k] : -(double)get(g)->radii[k];
-    for (int i = 0; i < 8; i++)
-        for (int k = 0; k < 3; k++)
-            if (!(i >> k & 1))
-                mcd_drawLine(tm, colour, corner[i], corner[i | 1 << k]);
+static void draw(const McdGeometry *g, const MeMatrix4 tm, const MeReal colour[3]) {
+    MeVector3 low;
+    MeVector3MultiplyScalar(low, get(g)->radii, -1);
+    mcd_drawBox(tm, colour, low, get(g)->radii);
 }
+
+MCD_DEFINE_GEOMETRY_TYPE(Box, addMass)

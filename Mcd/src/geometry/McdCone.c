@@ -79,10 +79,10 @@ static void clip(const McdGeometry *g, McdClip *c) {
     const double up[3] = {0, 0, 1}, down[3] = {0, 0, -1}, *v = c->along;
     mcd_clipHalfSpace(c, up, e.high);
     mcd_clipHalfSpace(c, down, -e.low);
-    const double vv = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    const double vv = mcd_dot(v, v);
     if (mcd_clipIsEmpty(c))
         return;
-    const double nearest = vv > 0 ? -(c->from[0] * v[0] + c->from[1] * v[1] + c->from[2] * v[2]) / vv : 0;
+    const double nearest = vv > 0 ? -mcd_dot(c->from, v) / vv : 0;
     clipSide(c, &e, MeCLAMP(nearest, c->in, c->out));
 }
 
@@ -104,7 +104,6 @@ static const McdKind kind = {MCD_KIND_FUNCTIONS(Cone, mcd_geometryFree),
                              .rim = mcd_discsRim,
                              .rank = MCD_RANK_CONE,
                              .flatAxes = 4};
-MCD_DEFINE_GEOMETRY_TYPE(Cone)
 
 /* ---- sizes ------------------------------------------------------------------------------------------------------- */
 
@@ -170,33 +169,22 @@ MeReal MEAPI McdConeGetZOffset(McdConeID g) {
     return isCone(g, "McdConeGetZOffset") ? get(g)->length / 2 - get(g)->lowerHeight : 0;
 }
 
-/* ---- bounding sphere, mass, drawing
- * ------------------------------------------------------------------------------- */
+/* ---- the type ---------------------------------------------------------------------------------------------------- */
 
 /* The sphere through the rims of both ends. If its centre would be beyond an end, the centre of that end's disc is
  * used. */
-void MEAPI McdConeGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
-    if (!mcd_areGiven(__func__, center, radius, radius))
-        return;
-    MeVector3Set(center, 0, 0, 0);
-    *radius = 0;
-    if (!isCone(g, "McdConeGetBSphere"))
-        return;
+static MeReal boundingRadius(const McdGeometry *g, MeVector3 center) {
     const Ends e = endsOf(g);
     double z =
         (e.high + e.low) / 2 + (e.highRadius - e.lowRadius) * (e.highRadius + e.lowRadius) / (2 * (e.high - e.low));
     z = (double)(MeReal)MeCLAMP(z, e.low, e.high);
     center[2] = (MeReal)z;
-    *radius = mcd_roundUp(MeMAX(sqrt((z - e.low) * (z - e.low) + e.lowRadius * e.lowRadius),
-                                sqrt((e.high - z) * (e.high - z) + e.highRadius * e.highRadius)));
+    return mcd_roundUp(MeMAX(sqrt((z - e.low) * (z - e.low) + e.lowRadius * e.lowRadius),
+                             sqrt((e.high - z) * (e.high - z) + e.highRadius * e.highRadius)));
 }
 
 /* Integrals over discs of radius R(z): m = pi int R^2, I_zz = pi/2 int R^4, I_xx = I_zz/2 + pi int R^2 z^2. */
-MeI16 MEAPI McdConeGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume) {
-    if (!mcd_areGiven(__func__, relTM, inertia, volume))
-        return 0;
-    if (!isCone(g, "McdConeGetMassProperties"))
-        return 0;
+static void addMass(const McdGeometry *g, McdMass *sum) {
     const Ends e = endsOf(g);
     const double r = e.lowRadius, s = e.highRadius, l = e.high - e.low;
     const double mass = MCD_PI * l / 3 * (r * r + r * s + s * s);
@@ -205,14 +193,10 @@ MeI16 MEAPI McdConeGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3
     const double height = l / 4 * (r * r + 2 * r * s + 3 * s * s) / (r * r + r * s + s * s);
     const double fromBase = MCD_PI * l * l * l / 30 * (r * r + 3 * r * s + 6 * s * s);
     const double across = along / 2 + fromBase - mass * height * height;
-    return mcd_massDiagonal(relTM, inertia, volume, mass, across, across, along);
+    mcd_massDiagonal(sum, mass, across, across, along);
 }
 
-void MEAPI McdConeDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
-    if (!mcd_areGiven(__func__, tm, colour, colour))
-        return;
-    if (!isCone(g, "McdConeDebugDraw"))
-        return;
+static void draw(const McdGeometry *g, const MeMatrix4 tm, const MeReal colour[3]) {
     const Ends e = endsOf(g);
     if (e.lowRadius > 0)
         mcd_drawCircle(tm, colour, e.low, e.lowRadius);
@@ -220,3 +204,5 @@ void MEAPI McdConeDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeR
         mcd_drawCircle(tm, colour, e.high, e.highRadius);
     mcd_drawSides(tm, colour, e.low, e.lowRadius, e.high, e.highRadius);
 }
+
+MCD_DEFINE_GEOMETRY_TYPE(Cone, addMass)

@@ -14,25 +14,23 @@ static const McdConvexMesh *get(const McdGeometry *g) {
     return (const McdConvexMesh *)g;
 }
 
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double out[3]) {
-    out[0] = a[1] * b[2] - a[2] * b[1];
-    out[1] = a[2] * b[0] - a[0] * b[2];
-    out[2] = a[0] * b[1] - a[1] * b[0];
+static int farthestOfAll(const McdHull *h, const double d[3]) {
+    int best = 0;
+    double max = mcd_dot(h->vertex[0], d);
+    for (int i = 1; i < h->vertexCount; i++) {
+        const double x = mcd_dot(h->vertex[i], d);
+        if (x > max) {
+            max = x;
+            best = i;
+        }
+    }
+    return best;
 }
 
 static void support(const McdGeometry *g, const double d[3], double point[3]) {
     const McdHull *h = get(g)->hull;
-    int best = 0;
-    for (int i = 1; i < h->vertexCount; i++)
-        if (dot(d, h->vertex[i]) > dot(d, h->vertex[best]))
-            best = i;
-    const double length = sqrt(dot(d, d)), out = length > 0 ? (double)get(g)->fatness / length : 0;
-    for (int k = 0; k < 3; k++)
-        point[k] = h->vertex[best][k] + out * d[k];
+    const double length = mcd_length(d), out = length > 0 ? (double)get(g)->fatness / length : 0;
+    mcd_mad(point, h->vertex[farthestOfAll(h, d)], out, d);
 }
 
 /* ---- line segments ----------------------------------------------------------------------------------------------- */
@@ -46,18 +44,19 @@ static void clipByFaces(McdClip *c, const McdHull *h, double fatness) {
  * edges. */
 static void clipByPrism(McdClip *c, const McdHull *h, const McdHullFace *face, double fatness) {
     const int *v = h->faceVertex + face->first;
-    const double inward[3] = {-face->normal[0], -face->normal[1], -face->normal[2]};
+    double inward[3];
+    mcd_scale(inward, face->normal, -1);
     mcd_clipHalfSpace(c, face->normal, face->offset + fatness);
     mcd_clipHalfSpace(c, inward, -face->offset);
     for (int i = 0; i < face->count && !mcd_clipIsEmpty(c); i++) {
         const double *a = h->vertex[v[i]], *b = h->vertex[v[(i + 1) % face->count]];
-        const double along[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-        double out[3];
-        cross(along, face->normal, out);
-        const double length = sqrt(dot(out, out));
+        double along[3], out[3];
+        mcd_sub(along, b, a);
+        mcd_cross(out, along, face->normal);
+        const double length = mcd_length(out);
         for (int k = 0; k < 3; k++)
             out[k] /= length;
-        mcd_clipHalfSpace(c, out, dot(out, a));
+        mcd_clipHalfSpace(c, out, mcd_dot(out, a));
     }
 }
 
@@ -107,19 +106,6 @@ static void setShape(const McdGeometry *g, McdShape *s) {
     s->hull = get(g)->hull;
     s->rounding = (double)get(g)->fatness;
     s->extent = mcd_length(s->hull->centre) + s->hull->extent + s->rounding;
-}
-
-static int farthestOfAll(const McdHull *h, const double d[3]) {
-    int best = 0;
-    double max = mcd_dot(h->vertex[0], d);
-    for (int i = 1; i < h->vertexCount; i++) {
-        const double x = mcd_dot(h->vertex[i], d);
-        if (x > max) {
-            max = x;
-            best = i;
-        }
-    }
-    return best;
 }
 
 /* The support vertex by hill climbing: on a convex polyhedron a vertex that is not lower than its neighbours is a
@@ -195,7 +181,6 @@ static const McdKind kind = {MCD_KIND_FUNCTIONS(ConvexMesh, release),
                              .face = hullFace,
                              .rank = MCD_RANK_HULL,
                              .edges = visitEdges};
-MCD_DEFINE_GEOMETRY_TYPE(ConvexMesh)
 
 /* ---- creation
  * ------------------------------------------------------------------------------------------------------- */
@@ -328,23 +313,13 @@ const MeReal *MEAPI McdConvexMeshGetPolygonVertexPtr(McdConvexMeshID g, int poly
 }
 
 void MEAPI McdConvexMeshGetXYAABB(McdConvexMeshID g, MeMatrix4 tm, MeReal bounds[4]) {
-    if (!mcd_areGiven(__func__, tm, bounds, bounds))
-        return;
-    MeVectorSetZero(bounds, 4);
-    if (isMesh(g, "McdConvexMeshGetXYAABB"))
-        mcd_localXYAABB(g, tm, bounds, support, __func__);
+    mcd_localXYAABB(g, kMcdGeometryTypeConvexMesh, tm, bounds, support, __func__);
 }
 
 /* ---- bounding sphere, drawing
  * --------------------------------------------------------------------------------------- */
 
-void MEAPI McdConvexMeshGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
-    if (!mcd_areGiven(__func__, center, radius, radius))
-        return;
-    MeVector3Set(center, 0, 0, 0);
-    *radius = 0;
-    if (!isMesh(g, "McdConvexMeshGetBSphere"))
-        return;
+static MeReal boundingRadius(const McdGeometry *g, MeVector3 center) {
     const McdHull *h = get(g)->hull;
     double max = 0;
     for (int k = 0; k < 3; k++)
@@ -353,16 +328,12 @@ void MEAPI McdConvexMeshGetBSphere(const McdGeometryID g, MeVector3 center, MeRe
         double d[3];
         for (int k = 0; k < 3; k++)
             d[k] = h->vertex[i][k] - (double)center[k];
-        max = MeMAX(max, dot(d, d));
+        max = MeMAX(max, mcd_dot(d, d));
     }
-    *radius = mcd_roundUp(sqrt(max) * (1 + 4 * DBL_EPSILON) + (double)get(g)->fatness);
+    return mcd_roundUp(sqrt(max) * (1 + 4 * DBL_EPSILON) + (double)get(g)->fatness);
 }
 
-void MEAPI McdConvexMeshDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
-    if (!mcd_areGiven(__func__, tm, colour, colour))
-        return;
-    if (!isMesh(g, "McdConvexMeshDebugDraw"))
-        return;
+static void draw(const McdGeometry *g, const MeMatrix4 tm, const MeReal colour[3]) {
     const McdHull *h = get(g)->hull;
     for (int i = 0; i < h->edgeCount; i++)
         mcd_drawLine(tm, colour, h->vertex[h->edge[i][0]], h->vertex[h->edge[i][1]]);
@@ -382,29 +353,22 @@ static void addSecondMoment(Moments *s, double w, const double a[3], const doubl
             s->second[i][j] += w * (a[i] * b[j] + a[j] * b[i]) / 2;
 }
 
-static void addFirstMoment(Moments *s, double w, const double a[3]) {
-    for (int k = 0; k < 3; k++)
-        s->first[k] += w * a[k];
-}
-
 /* Adds a simplex with n corners v and content m: first moment m/n sum v, second m/(n (n + 1)) (sum v v^T + (sum
  * v)(sum v)^T). */
 static void addSimplex(Moments *s, double m, const double (*corner)[3], int n) {
     double sum[3] = {0, 0, 0};
     for (int i = 0; i < n; i++) {
-        for (int k = 0; k < 3; k++)
-            sum[k] += corner[i][k];
+        mcd_mad(sum, sum, 1, corner[i]);
         addSecondMoment(s, m / (n * (n + 1)), corner[i], corner[i]);
     }
     s->m += m;
-    addFirstMoment(s, m / n, sum);
+    mcd_mad(s->first, s->first, m / n, sum);
     addSecondMoment(s, m / (n * (n + 1)), sum, sum);
 }
 
 /* A vertex relative to the hull's centre. */
 static void vertexAt(const McdHull *h, int vertex, double out[3]) {
-    for (int k = 0; k < 3; k++)
-        out[k] = h->vertex[vertex][k] - h->centre[k];
+    mcd_sub(out, h->vertex[vertex], h->centre);
 }
 
 /* Adds the triangles of a face or, if isSolid, the tetrahedra that these form with the centre. */
@@ -415,15 +379,13 @@ static void addFace(Moments *s, const McdHull *h, const McdHullFace *f, MeBool i
         vertexAt(h, v[0], t[0]);
         vertexAt(h, v[i], t[1]);
         vertexAt(h, v[i + 1], t[2]);
-        for (int k = 0; k < 3; k++) {
-            u[k] = t[1][k] - t[0][k];
-            w[k] = t[2][k] - t[0][k];
-        }
-        cross(u, w, n);
+        mcd_sub(u, t[1], t[0]);
+        mcd_sub(w, t[2], t[0]);
+        mcd_cross(n, u, w);
         if (isSolid)
-            addSimplex(s, dot(n, t[0]) / 6, (const double(*)[3])t, 4);
+            addSimplex(s, mcd_dot(n, t[0]) / 6, (const double(*)[3])t, 4);
         else
-            addSimplex(s, dot(n, f->normal) / 2, (const double(*)[3])t, 3);
+            addSimplex(s, mcd_dot(n, f->normal) / 2, (const double(*)[3])t, 3);
     }
 }
 
@@ -432,8 +394,8 @@ static void addPrism(Moments *s, const McdHull *h, const McdHullFace *f, double 
     Moments face = {0};
     addFace(&face, h, f, 0);
     s->m += r * face.m;
-    addFirstMoment(s, r, face.first);
-    addFirstMoment(s, face.m * r * r / 2, f->normal);
+    mcd_mad(s->first, s->first, r, face.first);
+    mcd_mad(s->first, s->first, face.m * r * r / 2, f->normal);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             s->second[i][j] += r * face.second[i][j];
@@ -448,21 +410,19 @@ static double addSector(Moments *s, const McdHull *h, int edge, double r) {
     const double *a = h->face[h->edgeFace[edge][0]].normal, *other = h->face[h->edgeFace[edge][1]].normal;
     vertexAt(h, h->edge[edge][0], p);
     vertexAt(h, h->edge[edge][1], q);
-    cross(a, other, side);
-    const double sine = sqrt(dot(side, side)), angle = atan2(sine, dot(a, other));
-    double length2 = 0;
+    mcd_cross(side, a, other);
+    mcd_sub(along, q, p);
+    const double sine = mcd_length(side), length = mcd_length(along), angle = atan2(sine, mcd_dot(a, other));
     for (int k = 0; k < 3; k++) {
         middle[k] = (p[k] + q[k]) / 2;
-        along[k] = q[k] - p[k];
-        length2 += along[k] * along[k];
-        b[k] = sine > 0 ? (other[k] - dot(a, other) * a[k]) / sine : 0;
+        b[k] = sine > 0 ? (other[k] - mcd_dot(a, other) * a[k]) / sine : 0;
         normals[k] = sin(angle) * a[k] + (1 - cos(angle)) * b[k]; /* the integral of n over t */
     }
-    MEASSERT(angle >= 0 && length2 > 0);
-    const double length = sqrt(length2), disc = angle * r * r / 2, ring = r * r * r / 3, quarter = r * r * r * r / 4;
+    MEASSERT(angle >= 0 && length > 0);
+    const double disc = angle * r * r / 2, ring = r * r * r / 3, quarter = r * r * r * r / 4;
     s->m += length * disc;
-    addFirstMoment(s, length * disc, middle);
-    addFirstMoment(s, length * ring, normals);
+    mcd_mad(s->first, s->first, length * disc, middle);
+    mcd_mad(s->first, s->first, length * ring, normals);
     addSecondMoment(s, length * disc, middle, middle);
     addSecondMoment(s, length * disc / 12, along, along);
     addSecondMoment(s, 2 * length * ring, middle, normals);
@@ -483,7 +443,7 @@ static double addSector(Moments *s, const McdHull *h, int edge, double r) {
 static void addSolidAngle(Moments *s, const double v[3], double angle, double r) {
     const double ball = r * r * r / 3, fifth = r * r * r * r * r / 5;
     s->m += angle * ball;
-    addFirstMoment(s, angle * ball, v);
+    mcd_mad(s->first, s->first, angle * ball, v);
     addSecondMoment(s, angle * ball, v, v);
     for (int k = 0; k < 3; k++)
         s->second[k][k] += fifth * angle / 3;
@@ -494,12 +454,10 @@ static double angleAt(const McdHull *h, const int *corner, int count, int i) {
     vertexAt(h, corner[i], v);
     vertexAt(h, corner[(i + 1) % count], p);
     vertexAt(h, corner[(i + count - 1) % count], q);
-    for (int k = 0; k < 3; k++) {
-        p[k] -= v[k];
-        q[k] -= v[k];
-    }
-    cross(p, q, n);
-    return atan2(sqrt(dot(n, n)), dot(p, q));
+    mcd_sub(p, p, v);
+    mcd_sub(q, q, v);
+    mcd_cross(n, p, q);
+    return atan2(mcd_length(n), mcd_dot(p, q));
 }
 
 static void addCorners(Moments *s, const McdHull *h, double r) {
@@ -520,9 +478,8 @@ static void addSides(Moments *s, const McdHull *h, int edge, double angle, doubl
     double a[3], b[3], along[3];
     vertexAt(h, h->edge[edge][0], a);
     vertexAt(h, h->edge[edge][1], b);
-    for (int k = 0; k < 3; k++)
-        along[k] = b[k] - a[k];
-    addSecondMoment(s, angle * r * r * r * r / 4 / sqrt(dot(along, along)), along, along);
+    mcd_sub(along, b, a);
+    addSecondMoment(s, angle * r * r * r * r / 4 / mcd_length(along), along, along);
 }
 
 static Moments momentsOf(const McdHull *h, double r) {
@@ -540,25 +497,23 @@ static Moments momentsOf(const McdHull *h, double r) {
     return s;
 }
 
-MeI16 MEAPI McdConvexMeshGetMassProperties(McdConvexMeshID mesh, MeMatrix4 relTM, MeMatrix3 m, MeReal *volume) {
-    if (!mcd_areGiven(__func__, relTM, m, volume))
-        return 0;
-    if (!isMesh(mesh, "McdConvexMeshGetMassProperties"))
-        return 0;
-    const McdHull *h = get(mesh)->hull;
-    Moments s = momentsOf(h, (double)get(mesh)->fatness);
-    double centre[3], offset[3], inertia[3][3];
-    for (int k = 0; k < 3; k++) {
+static void addMass(const McdGeometry *g, McdMass *sum) {
+    const McdHull *h = get(g)->hull;
+    Moments s = momentsOf(h, (double)get(g)->fatness);
+    double offset[3];
+    for (int k = 0; k < 3; k++)
         offset[k] = s.first[k] / s.m;
-        centre[k] = h->centre[k] + offset[k];
-    }
+    mcd_mad(sum->centre, h->centre, 1, offset);
     addSecondMoment(&s, -s.m, offset, offset);
+    sum->volume = s.m;
     const double trace = s.second[0][0] + s.second[1][1] + s.second[2][2];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            inertia[i][j] = (i == j ? trace : 0) - s.second[i][j];
-    return mcd_massProperties(relTM, m, volume, s.m, centre, inertia);
+            sum->inertia[i][j] = (i == j ? trace : 0) - s.second[i][j];
+    MEASSERT(mcd_isInertiaGood(sum));
 }
+
+MCD_DEFINE_GEOMETRY_TYPE(ConvexMesh, addMass)
 
 /* ---- interactions ------------------------------------------------------------------------------------------------ */
 

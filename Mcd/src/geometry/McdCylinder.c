@@ -53,7 +53,6 @@ static const McdKind kind = {MCD_KIND_FUNCTIONS(Cylinder, mcd_geometryFree),
                              .rank = MCD_RANK_CYLINDER,
                              .flatAxes = 4,
                              .edges = visitEdges};
-MCD_DEFINE_GEOMETRY_TYPE(Cylinder)
 
 static MeBool sizesAreGood(MeReal r, MeReal h, const char *function) {
     return mcd_sizeIsGood(r, "radius", function) && mcd_sizeIsGood(h, "height", function);
@@ -110,11 +109,7 @@ void MEAPI McdCylinderSetGeometricalParameters(McdCylinderID g, MeReal inRadius,
 }
 
 void MEAPI McdCylinderGetXYAABB(McdGeometry *g, MeMatrix4 tm, MeReal bounds[4]) {
-    if (!mcd_areGiven(__func__, tm, bounds, bounds))
-        return;
-    MeVectorSetZero(bounds, 4);
-    if (isCylinder(g, "McdCylinderGetXYAABB"))
-        mcd_localXYAABB(g, tm, bounds, support, __func__);
+    mcd_localXYAABB(g, kMcdGeometryTypeCylinder, tm, bounds, support, __func__);
 }
 
 void MEAPI McdCylinderMaximumPointLocal(McdGeometry *g, MeReal *const inDir, MeReal *const outPoint) {
@@ -131,35 +126,26 @@ void MEAPI McdCylinderMaximumPointLocal(McdGeometry *g, MeReal *const inDir, MeR
     MeVector3Set(outPoint, (MeReal)p[0], (MeReal)p[1], (MeReal)p[2]);
 }
 
-void MEAPI McdCylinderGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
-    if (!mcd_areGiven(__func__, center, radius, radius))
-        return;
-    MeVector3Set(center, 0, 0, 0);
-    *radius = 0;
-    if (!isCylinder(g, "McdCylinderGetBSphere"))
-        return;
+/* ---- the type ---------------------------------------------------------------------------------------------------- */
+
+static MeReal boundingRadius(const McdGeometry *g, MeVector3 center) {
     const double r = (double)get(g)->radius, h = (double)get(g)->halfHeight;
-    *radius = mcd_roundUp(sqrt(r * r + h * h));
+    (void)center;
+    return mcd_roundUp(sqrt(r * r + h * h));
 }
 
 /* I_zz = m r^2 / 2, I_xx = m (r^2 / 4 + h^2 / 3) with half height h. */
-MeI16 MEAPI McdCylinderGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume) {
-    if (!mcd_areGiven(__func__, relTM, inertia, volume))
-        return 0;
-    if (!isCylinder(g, "McdCylinderGetMassProperties"))
-        return 0;
+static void addMass(const McdGeometry *g, McdMass *sum) {
     const double r = (double)get(g)->radius, h = (double)get(g)->halfHeight;
     const double mass = MCD_PI * r * r * 2 * h, across = mass * (r * r / 4 + h * h / 3);
-    return mcd_massDiagonal(relTM, inertia, volume, mass, across, across, mass * r * r / 2);
+    mcd_massDiagonal(sum, mass, across, across, mass * r * r / 2);
 }
 
-void MEAPI McdCylinderDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
-    if (!mcd_areGiven(__func__, tm, colour, colour))
-        return;
-    if (!isCylinder(g, "McdCylinderDebugDraw"))
-        return;
+static void draw(const McdGeometry *g, const MeMatrix4 tm, const MeReal colour[3]) {
     const double r = (double)get(g)->radius, h = (double)get(g)->halfHeight;
     mcd_drawCircle(tm, colour, h, r);
     mcd_drawCircle(tm, colour, -h, r);
     mcd_drawSides(tm, colour, -h, r, h, r);
 }
+
+MCD_DEFINE_GEOMETRY_TYPE(Cylinder, addMass)

@@ -10,30 +10,21 @@ static void support(const McdGeometry *g, const double direction[3], double poin
 }
 
 static const McdKind kind = {MCD_KIND_FUNCTIONS(Null, mcd_geometryFree), .isStatic = METRUE, .isEmpty = METRUE};
-MCD_DEFINE_GEOMETRY_TYPE(Null)
 
-McdNullID MEAPI McdNullCreate(McdFramework *frame) {
-    return (McdNullID)mcd_geometryCreate(frame, kMcdGeometryTypeNull, sizeof(McdNull), "McdNullCreate");
-}
-
-void MEAPI McdNullGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
-    if (!mcd_areGiven(__func__, center, radius, radius))
-        return;
+static MeReal boundingRadius(const McdGeometry *g, MeVector3 center) {
     (void)g;
-    MeVector3Set(center, 0, 0, 0);
-    *radius = 0;
-}
-
-MeI16 MEAPI McdNullGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume) {
-    (void)g;
-    (void)relTM;
-    (void)inertia;
-    (void)volume;
+    (void)center;
     return 0;
 }
 
-void MEAPI McdNullDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
+static void draw(const McdGeometry *g, const MeMatrix4 tm, const MeReal colour[3]) {
     (void)g;
     (void)tm;
     (void)colour;
+}
+
+MCD_DEFINE_GEOMETRY_TYPE(Null, mcd_addNoMass)
+
+McdNullID MEAPI McdNullCreate(McdFramework *frame) {
+    return (McdNullID)mcd_geometryCreate(frame, kMcdGeometryTypeNull, sizeof(McdNull), "McdNullCreate");
 }

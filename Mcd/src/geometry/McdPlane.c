@@ -20,25 +20,10 @@ static void clip(const McdGeometry *g, McdClip *c) {
     mcd_clipHalfSpace(c, up, 0);
 }
 
-MCD_DEFINE_DESTROY(Plane)
 MCD_DEFINE_LINE_SEGMENT(Plane)
-
-MeI16 MEAPI McdPlaneGetTypeId(void) {
-    return kMcdGeometryTypePlane;
-}
-
-char *MEAPI McdPlaneGetTypeName(const McdGeometryID g) {
-    static char name[] = "Plane";
-    (void)g;
-    return name;
-}
 
 static const McdKind kind = {MCD_KIND_FUNCTIONS(Plane, mcd_geometryFree), .size = sizeof(McdPlane),
                              .isHalfSpace = METRUE, .isStatic = METRUE};
-
-void MEAPI McdPlaneRegisterType(McdFramework *frame) {
-    mcd_kindRegister(frame, &kind, "McdPlaneRegisterType");
-}
 
 McdPlaneID MEAPI McdPlaneCreate(McdFramework *frame) {
     return (McdPlaneID)mcd_geometryCreate(frame, kMcdGeometryTypePlane, sizeof(McdPlane), "McdPlaneCreate");
@@ -74,22 +59,6 @@ MeReal MEAPI McdPlaneGetDistanceToPoint(const McdGeometry *g, const MeMatrix4 tm
     for (int k = 0; k < 3; k++)
         distance += (double)tm[2][k] * ((double)point[k] - (double)tm[3][k]);
     return mcd_clampReal(distance);
-}
-
-void MEAPI McdPlaneGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
-    if (!mcd_areGiven(__func__, center, radius, radius))
-        return;
-    (void)g;
-    MeVector3Set(center, 0, 0, 0);
-    *radius = (MeReal)reach;
-}
-
-MeI16 MEAPI McdPlaneGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume) {
-    (void)g;
-    (void)relTM;
-    (void)inertia;
-    (void)volume;
-    return 0;
 }
 
 void MEAPI McdPlaneMaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir, MeReal *const outPoint) {
@@ -130,10 +99,14 @@ void MEAPI McdPlaneUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr fina
     McdGeometryInstanceSetAABB(ins, min, max);
 }
 
+static MeReal boundingRadius(const McdGeometry *g, MeVector3 center) {
+    (void)g;
+    (void)center;
+    return (MeReal)reach;
+}
+
 /* Draws a square of 2 by 2 and the normal. */
-void MEAPI McdPlaneDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
-    if (!mcd_areGiven(__func__, tm, colour, colour))
-        return;
+static void draw(const McdGeometry *g, const MeMatrix4 tm, const MeReal colour[3]) {
     const double corner[4][3] = {{1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}}, origin[3] = {0, 0, 0},
                  up[3] = {0, 0, 1};
     (void)g;
@@ -141,3 +114,5 @@ void MEAPI McdPlaneDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const Me
         mcd_drawLine(tm, colour, corner[i], corner[(i + 1) % 4]);
     mcd_drawLine(tm, colour, origin, up);
 }
+
+MCD_DEFINE_TYPE(Plane, mcd_addNoMass)

@@ -1,6 +1,5 @@
 /* Height fields: triangles over a regular grid. */
 #include "McdRGHeightField.h"
-#include "MeDebugDraw.h"
 #include "model/mcd_geometries_i.h"
 #include "convex/mcd_kind_i.h"
 #include "geometry/mcd_geometry_i.h"
@@ -164,59 +163,30 @@ static void support(const McdGeometry *g, const double direction[3], double poin
     mcd_boxSupport(min, max, direction, point);
 }
 
-static void gather(McdMeshQuery *q);
-static void update(McdGeometry *g);
-static const McdKind kind = {MCD_KIND_FUNCTIONS(RGHeightField, mcd_geometryFree), .size = sizeof(McdRGHeightField),
-                             .gather = gather, .update = update, .isStatic = METRUE};
-MCD_DEFINE_GEOMETRY_TYPE(RGHeightField)
-
-void MEAPI McdRGHeightFieldGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
-    if (!mcd_areGiven(__func__, center, radius, radius))
-        return;
-    if (!mcd_geometryIs(g, kMcdGeometryTypeRGHeightField, "McdRGHeightFieldGetBSphere"))
-        return;
+static MeReal boundingRadius(const McdGeometry *g, MeVector3 center) {
     MeVector3 min, max;
     boxOf((const McdRGHeightField *)g, min, max);
-    mcd_boxBSphere(min, max, center, radius);
+    return mcd_boxBSphere(min, max, center);
 }
 
-MeI16 MEAPI McdRGHeightFieldGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 m, MeReal *volume) {
-    if (!mcd_areGiven(__func__, relTM, m, volume))
-        return 0;
-    (void)g;
-    MeMatrix4TMMakeIdentity(relTM);
-    memset(m, 0, sizeof(MeMatrix3));
-    *volume = 0;
-    return 0;
-}
-
-static void drawLine(const McdRGHeightField *f, const MeMatrix4 tm, int i, int j, int i2, int j2,
+/* Draws the line between two grid points that have heights. */
+static void drawEdge(const McdRGHeightField *f, const MeMatrix4 tm, int i, int j, int i2, int j2,
                      const MeReal colour[3]) {
-    const int at[2][2] = {{i, j}, {i2, j2}};
-    MeVector3 ends[2];
-    for (int e = 0; e < 2; e++) {
-        double point[3];
-        pointOf(f, at[e][0], at[e][1], point);
-        if (!isfinite(point[2]))
-            return;
-        const MeVector3 local = {(MeReal)point[0], (MeReal)point[1], (MeReal)point[2]};
-        MeMatrix4TMTransform(ends[e], tm, local);
-    }
-    mcd_drawWorldLine(ends[0], ends[1], colour);
+    double from[3], to[3];
+    pointOf(f, i, j, from);
+    pointOf(f, i2, j2, to);
+    if (isfinite(from[2]) && isfinite(to[2]))
+        mcd_drawLine(tm, colour, from, to);
 }
 
-void MEAPI McdRGHeightFieldDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
-    if (!mcd_areGiven(__func__, tm, colour, colour))
-        return;
-    if (!mcd_geometryIs(g, kMcdGeometryTypeRGHeightField, "McdRGHeightFieldDebugDraw"))
-        return;
+static void draw(const McdGeometry *g, const MeMatrix4 tm, const MeReal colour[3]) {
     const McdRGHeightField *f = (const McdRGHeightField *)g;
     for (int j = 0; j < f->yCount; j++)
         for (int i = 0; i < f->xCount; i++) {
             if (i + 1 < f->xCount)
-                drawLine(f, tm, i, j, i + 1, j, colour);
+                drawEdge(f, tm, i, j, i + 1, j, colour);
             if (j + 1 < f->yCount)
-                drawLine(f, tm, i, j, i, j + 1, colour);
+                drawEdge(f, tm, i, j, i, j + 1, colour);
         }
 }
 
@@ -267,6 +237,10 @@ static void update(McdGeometry *g) {
     f->version++;
     findExtremes(f);
 }
+
+static const McdKind kind = {MCD_KIND_FUNCTIONS(RGHeightField, mcd_geometryFree), .size = sizeof(McdRGHeightField),
+                             .gather = gather, .update = update, .isStatic = METRUE};
+MCD_DEFINE_GEOMETRY_TYPE(RGHeightField, mcd_addNoMass)
 
 static int intersect(McdModelPair *p, McdIntersectResult *result) {
     if (!mcd_geometryIs(mcd_record(p->model2)->instance.geometry, kMcdGeometryTypeRGHeightField,

@@ -8,7 +8,7 @@ static const McdSphere *get(const McdGeometry *g) {
 }
 
 static void support(const McdGeometry *g, const double d[3], double point[3]) {
-    const double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    const double length = mcd_length(d);
     for (int k = 0; k < 3; k++)
         point[k] = length > 0 ? (double)get(g)->radius * d[k] / length : 0;
 }
@@ -31,7 +31,6 @@ static const McdKind kind = {MCD_KIND_FUNCTIONS(Sphere, mcd_geometryFree),
                              .support = mcd_pointSupport,
                              .face = mcd_pointFace,
                              .rank = MCD_RANK_SPHERE};
-MCD_DEFINE_GEOMETRY_TYPE(Sphere)
 
 McdSphereID MEAPI McdSphereCreate(McdFramework *frame, MeReal r) {
     if (!mcd_sizeIsGood(r, "radius", "McdSphereCreate"))
@@ -54,30 +53,24 @@ void MEAPI McdSphereSetRadius(McdSphereID g, MeReal r) {
     }
 }
 
-void MEAPI McdSphereGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
-    if (!mcd_areGiven(__func__, center, radius, radius))
-        return;
-    MeVector3Set(center, 0, 0, 0);
-    *radius = mcd_geometryIs(g, kMcdGeometryTypeSphere, "McdSphereGetBSphere") ? get(g)->radius : 0;
+/* ---- the type ---------------------------------------------------------------------------------------------------- */
+
+static MeReal boundingRadius(const McdGeometry *g, MeVector3 center) {
+    (void)center;
+    return get(g)->radius;
 }
 
-MeI16 MEAPI McdSphereGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume) {
-    if (!mcd_areGiven(__func__, relTM, inertia, volume))
-        return 0;
-    if (!mcd_geometryIs(g, kMcdGeometryTypeSphere, "McdSphereGetMassProperties"))
-        return 0;
-    const double r = (double)get(g)->radius, mass = 4. / 3 * MCD_PI * r * r * r, moment = .4 * mass * r * r;
-    return mcd_massDiagonal(relTM, inertia, volume, mass, moment, moment, moment);
+static void addMass(const McdGeometry *g, McdMass *sum) {
+    const double r = (double)get(g)->radius, volume = 4. / 3 * MCD_PI * r * r * r, moment = .4 * volume * r * r;
+    mcd_massDiagonal(sum, volume, moment, moment, moment);
 }
 
-void MEAPI McdSphereDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
-    if (!mcd_areGiven(__func__, tm, colour, colour))
-        return;
-    if (!mcd_geometryIs(g, kMcdGeometryTypeSphere, "McdSphereDebugDraw"))
-        return;
+static void draw(const McdGeometry *g, const MeMatrix4 tm, const MeReal colour[3]) {
     const double r = (double)get(g)->radius, origin[3] = {0, 0, 0}, x[3] = {r, 0, 0}, y[3] = {0, r, 0},
                  z[3] = {0, 0, r};
     mcd_drawArc(tm, colour, origin, x, y, MCD_DRAW_SIDES);
     mcd_drawArc(tm, colour, origin, y, z, MCD_DRAW_SIDES);
     mcd_drawArc(tm, colour, origin, z, x, MCD_DRAW_SIDES);
 }
+
+MCD_DEFINE_GEOMETRY_TYPE(Sphere, addMass)

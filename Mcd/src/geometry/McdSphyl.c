@@ -8,7 +8,7 @@ static const McdSphyl *get(const McdGeometry *g) {
 }
 
 static void support(const McdGeometry *g, const double d[3], double point[3]) {
-    const double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    const double length = mcd_length(d);
     for (int k = 0; k < 3; k++)
         point[k] = length > 0 ? (double)get(g)->radius * d[k] / length : 0;
     point[2] += d[2] < 0 ? -(double)get(g)->halfHeight : (double)get(g)->halfHeight;
@@ -50,7 +50,6 @@ static const McdKind kind = {MCD_KIND_FUNCTIONS(Sphyl, mcd_geometryFree),
                              .support = farthestEnd,
                              .face = face,
                              .rank = MCD_RANK_SPHYL};
-MCD_DEFINE_GEOMETRY_TYPE(Sphyl)
 
 McdSphylID MEAPI McdSphylCreate(McdFramework *frame, MeReal r, MeReal h) {
     if (!mcd_sizeIsGood(r, "radius", "McdSphylCreate") || !mcd_sizeIsGood(h, "height", "McdSphylCreate"))
@@ -89,33 +88,24 @@ void MEAPI McdSphylSetHeight(McdSphylID s, MeReal h) {
     }
 }
 
-void MEAPI McdSphylGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
-    if (!mcd_areGiven(__func__, center, radius, radius))
-        return;
-    MeVector3Set(center, 0, 0, 0);
-    *radius = isSphyl(g, "McdSphylGetBSphere") ? mcd_roundUp((double)get(g)->radius + (double)get(g)->halfHeight) : 0;
+/* ---- the type ---------------------------------------------------------------------------------------------------- */
+
+static MeReal boundingRadius(const McdGeometry *g, MeVector3 center) {
+    (void)center;
+    return mcd_roundUp((double)get(g)->radius + (double)get(g)->halfHeight);
 }
 
 /* The centre of mass of each half ball is 3/8 r beyond the cylinder's end; its inertia about the centre of its flat
  * side is m 2/5 r^2. So I_xx of both about the origin is m (2/5 r^2 + h^2 + 3/4 h r), with their total mass m and
  * half height h. */
-MeI16 MEAPI McdSphylGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume) {
-    if (!mcd_areGiven(__func__, relTM, inertia, volume))
-        return 0;
-    if (!isSphyl(g, "McdSphylGetMassProperties"))
-        return 0;
+static void addMass(const McdGeometry *g, McdMass *sum) {
     const double r = (double)get(g)->radius, h = (double)get(g)->halfHeight;
     const double middle = MCD_PI * r * r * 2 * h, ends = 4. / 3 * MCD_PI * r * r * r;
     const double across = middle * (r * r / 4 + h * h / 3) + ends * (.4 * r * r + h * h + .75 * h * r);
-    return mcd_massDiagonal(relTM, inertia, volume, middle + ends, across, across,
-                            middle * r * r / 2 + .4 * ends * r * r);
+    mcd_massDiagonal(sum, middle + ends, across, across, middle * r * r / 2 + .4 * ends * r * r);
 }
 
-void MEAPI McdSphylDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
-    if (!mcd_areGiven(__func__, tm, colour, colour))
-        return;
-    if (!isSphyl(g, "McdSphylDebugDraw"))
-        return;
+static void draw(const McdGeometry *g, const MeMatrix4 tm, const MeReal colour[3]) {
     const double r = (double)get(g)->radius, h = (double)get(g)->halfHeight;
     mcd_drawCircle(tm, colour, h, r);
     mcd_drawCircle(tm, colour, -h, r);
@@ -126,3 +116,5 @@ void MEAPI McdSphylDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const Me
         mcd_drawArc(tm, colour, centre, y, z, MCD_DRAW_SIDES / 2);
     }
 }
+
+MCD_DEFINE_GEOMETRY_TYPE(Sphyl, addMass)

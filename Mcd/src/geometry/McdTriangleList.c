@@ -131,35 +131,12 @@ static void support(const McdGeometry *g, const double direction[3], double poin
     mcd_boxSupport(list->min, list->max, direction, point);
 }
 
-static void gather(McdMeshQuery *q);
-static const McdKind kind = {MCD_KIND_FUNCTIONS(TriangleList, release), .gather = gather, .callsProgram = METRUE,
-                             .isStatic = METRUE};
-MCD_DEFINE_GEOMETRY_TYPE(TriangleList)
-
-void MEAPI McdTriangleListGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
-    if (!mcd_areGiven(__func__, center, radius, radius))
-        return;
-    if (!mcd_geometryIs(g, kMcdGeometryTypeTriangleList, "McdTriangleListGetBSphere"))
-        return;
+static MeReal boundingRadius(const McdGeometry *g, MeVector3 center) {
     const McdTriangleListRecord *list = (const McdTriangleListRecord *)g;
-    mcd_boxBSphere(list->min, list->max, center, radius);
+    return mcd_boxBSphere(list->min, list->max, center);
 }
 
-MeI16 MEAPI McdTriangleListGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 m, MeReal *volume) {
-    if (!mcd_areGiven(__func__, relTM, m, volume))
-        return 0;
-    (void)g;
-    MeMatrix4TMMakeIdentity(relTM);
-    memset(m, 0, sizeof(MeMatrix3));
-    *volume = 0;
-    return 0;
-}
-
-void MEAPI McdTriangleListDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
-    if (!mcd_areGiven(__func__, tm, colour, colour))
-        return;
-    if (!mcd_geometryIs(g, kMcdGeometryTypeTriangleList, "McdTriangleListDebugDraw"))
-        return;
+static void draw(const McdGeometry *g, const MeMatrix4 tm, const MeReal colour[3]) {
     const McdTriangleListRecord *list = (const McdTriangleListRecord *)g;
     mcd_drawBox(tm, colour, list->min, list->max);
 }
@@ -261,6 +238,10 @@ static void gather(McdMeshQuery *q) {
     }
     releaseArray(list, &generated);
 }
+
+static const McdKind kind = {MCD_KIND_FUNCTIONS(TriangleList, release), .gather = gather, .callsProgram = METRUE,
+                             .isStatic = METRUE};
+MCD_DEFINE_GEOMETRY_TYPE(TriangleList, mcd_addNoMass)
 
 static int intersect(McdModelPair *p, McdIntersectResult *result) {
     if (!mcd_geometryIs(mcd_record(p->model2)->instance.geometry, kMcdGeometryTypeTriangleList,

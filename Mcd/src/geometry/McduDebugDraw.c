@@ -6,14 +6,7 @@ void MEAPI McduDebugDrawAABB(const MeVector3 min, const MeVector3 max, const MeR
     if (!mcd_areGiven(__func__, min, max, colour))
         return;
     static const MeMatrix4 world = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
-    double corner[8][3];
-    for (int i = 0; i < 8; i++)
-        for (int k = 0; k < 3; k++)
-            corner[i][k] = (double)((i >> k & 1) ? max[k] : min[k]);
-    for (int i = 0; i < 8; i++)
-        for (int k = 0; k < 3; k++)
-            if (!(i >> k & 1))
-                mcd_drawLine(world, colour, corner[i], corner[i | 1 << k]);
+    mcd_drawBox(world, colour, min, max);
 }
 
 void MEAPI McduDebugDrawGeometry(const McdGeometryID geometry, const MeMatrix4Ptr tm, const MeReal colour[3]) {

@@ -27,10 +27,15 @@ MeBool mcd_instanceIs(McdGeometryInstanceID ins, McdGeometryType type, const cha
 /* ---- boxes, support points
  * ------------------------------------------------------------------------------------------- */
 
-void mcd_localXYAABB(const McdGeometry *g, const MeMatrix4Ptr tm, MeReal bounds[4], McdLocalSupportFn support,
-                     const char *caller) {
+void mcd_localXYAABB(McdGeometryID g, McdGeometryType type, const MeMatrix4Ptr tm, MeReal bounds[4],
+                     McdLocalSupportFn support, const char *function) {
+    if (!mcd_areGiven(function, tm, bounds, bounds))
+        return;
+    MeVectorSetZero(bounds, 4);
+    if (!mcd_geometryIs(g, type, function))
+        return;
     if (!mcd_isValidTransform(mcd_const(tm))) {
-        MeWarning(1, "%s: tm is no transform, or not finite; the bounds are 0", caller);
+        MeWarning(1, "%s: tm is no transform, or not finite; the bounds are 0", function);
         return;
     }
     for (int i = 0; i < 2; i++) {
@@ -66,38 +71,23 @@ void mcd_boxSupport(const MeReal *min, const MeReal *max, const double direction
         point[i] = (double)(direction[i] > 0 ? max[i] : min[i]);
 }
 
-void mcd_boxBSphere(const MeReal *min, const MeReal *max, MeVector3 center, MeReal *radius) {
+MeReal mcd_boxBSphere(const MeReal *min, const MeReal *max, MeVector3 center) {
     MeReal sum = 0;
     for (int i = 0; i < 3; i++) {
         center[i] = mcd_clampReal((double)(min[i] / 2 + max[i] / 2));
         sum += (max[i] - min[i]) * (max[i] - min[i]);
     }
-    *radius = mcd_clampReal((double)(MeSqrt(sum) / 2));
+    return mcd_clampReal((double)(MeSqrt(sum) / 2));
 }
 
 /* ---- line segments ----------------------------------------------------------------------------------------------- */
-
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-void mcd_clipBegin(McdClip *c, const double from[3], const double along[3]) {
-    for (int k = 0; k < 3; k++) {
-        c->from[k] = from[k];
-        c->along[k] = along[k];
-        c->normal[k] = 0;
-    }
-    c->in = -HUGE_VAL;
-    c->out = HUGE_VAL;
-}
 
 MeBool mcd_clipIsEmpty(const McdClip *c) {
     return !(c->in <= c->out);
 }
 
 void mcd_clipAt(const McdClip *c, double t, double point[3]) {
-    for (int k = 0; k < 3; k++)
-        point[k] = c->from[k] + t * c->along[k];
+    mcd_mad(point, c->from, t, c->along);
 }
 
 static void clipAll(McdClip *c) {
@@ -108,14 +98,13 @@ static void clipAll(McdClip *c) {
 void mcd_clipInterval(McdClip *c, double in, double out, const double normal[3]) {
     if (in > c->in) {
         c->in = in;
-        for (int k = 0; k < 3; k++)
-            c->normal[k] = normal[k];
+        mcd_copy(c->normal, normal);
     }
     c->out = MeMIN(c->out, out);
 }
 
 void mcd_clipHalfSpace(McdClip *c, const double normal[3], double offset) {
-    const double gap = offset - dot(normal, c->from), speed = dot(normal, c->along);
+    const double gap = offset - mcd_dot(normal, c->from), speed = mcd_dot(normal, c->along);
     if (speed < 0)
         mcd_clipInterval(c, gap / speed, HUGE_VAL, normal);
     else if (speed > 0)
@@ -127,11 +116,10 @@ void mcd_clipHalfSpace(McdClip *c, const double normal[3], double offset) {
 /* Clips the line r + t v, relative to a centre, by |r + t v| <= radius. Computes from the line's point nearest to
  * the centre, which is accurate for a line that begins far away. */
 static void clipRound(McdClip *c, const double r[3], const double v[3], double radius) {
-    const double vv = dot(v, v), nearest = vv > 0 ? -dot(r, v) / vv : 0;
+    const double vv = mcd_dot(v, v), nearest = vv > 0 ? -mcd_dot(r, v) / vv : 0;
     double p[3], normal[3];
-    for (int k = 0; k < 3; k++)
-        p[k] = r[k] + nearest * v[k];
-    const double inside = radius * radius - dot(p, p);
+    mcd_mad(p, r, nearest, v);
+    const double inside = radius * radius - mcd_dot(p, p);
     if (inside < 0) {
         clipAll(c);
     } else if (vv > 0) {
@@ -144,19 +132,16 @@ static void clipRound(McdClip *c, const double r[3], const double v[3], double r
 }
 
 void mcd_clipBall(McdClip *c, const double centre[3], double radius) {
-    const double r[3] = {c->from[0] - centre[0], c->from[1] - centre[1], c->from[2] - centre[2]};
+    double r[3];
+    mcd_sub(r, c->from, centre);
     clipRound(c, r, c->along, radius);
 }
 
 void mcd_clipCylinder(McdClip *c, const double point[3], const double axis[3], double radius) {
     double r[3], v[3];
-    for (int k = 0; k < 3; k++)
-        r[k] = c->from[k] - point[k];
-    const double ra = dot(r, axis), va = dot(c->along, axis);
-    for (int k = 0; k < 3; k++) {
-        r[k] -= ra * axis[k];
-        v[k] = c->along[k] - va * axis[k];
-    }
+    mcd_sub(r, c->from, point);
+    mcd_mad(r, r, -mcd_dot(r, axis), axis);
+    mcd_mad(v, c->along, -mcd_dot(c->along, axis), axis);
     clipRound(c, r, v, radius);
 }
 
@@ -169,23 +154,21 @@ void mcd_clipUnion(McdClip *c, const McdClip *other) {
     }
     if (other->in < c->in) {
         c->in = other->in;
-        memcpy(c->normal, other->normal, sizeof c->normal);
+        mcd_copy(c->normal, other->normal);
     }
     c->out = MeMAX(c->out, other->out);
 }
 
 void mcd_clipCapsule(McdClip *c, const double a[3], const double b[3], double radius) {
     double axis[3], back[3];
+    mcd_sub(axis, b, a);
+    const double length = mcd_length(axis);
     for (int k = 0; k < 3; k++)
-        axis[k] = b[k] - a[k];
-    const double length = sqrt(dot(axis, axis));
-    for (int k = 0; k < 3; k++) {
         axis[k] /= length;
-        back[k] = -axis[k];
-    }
+    mcd_scale(back, axis, -1);
     McdClip first = *c, second = *c;
-    mcd_clipHalfSpace(c, axis, dot(axis, b));
-    mcd_clipHalfSpace(c, back, -dot(axis, a));
+    mcd_clipHalfSpace(c, axis, mcd_dot(axis, b));
+    mcd_clipHalfSpace(c, back, -mcd_dot(axis, a));
     mcd_clipCylinder(c, a, axis, radius);
     mcd_clipBall(&first, a, radius);
     mcd_clipBall(&second, b, radius);
@@ -228,62 +211,52 @@ int mcd_localLineSegment(McdModelID cm, const MeReal *from, const MeReal *to, Mc
         return 0;
     const MeVector4 *tm = mcd_const(mcd_instanceTM(ins));
     const double inside[3] = {0, 0, 0};
-    double displacement[3], localStart[3], localDisplacement[3];
+    double displacement[3];
+    McdClip c = {.in = -HUGE_VAL, .out = HUGE_VAL};
     for (int i = 0; i < 3; i++)
         displacement[i] = (double)to[i] - (double)from[i];
-    if (!mcd_toLocal(tm, from, localStart))
+    if (!mcd_toLocal(tm, from, c.from))
         return 0;
-    toLocal(tm, displacement, localDisplacement);
-    McdClip c;
-    mcd_clipBegin(&c, localStart, localDisplacement);
+    toLocal(tm, displacement, c.along);
     clip(ins->geometry, &c);
     if (mcd_clipIsEmpty(&c) || c.in > 1 || c.out < 0)
         return 0;
-    MEASSERT(!(c.in > 0) || isfinite(dot(c.normal, c.normal))); /* its length may have lost digits far away */
+    MEASSERT(!(c.in > 0) || isfinite(mcd_dot(c.normal, c.normal))); /* its length may have lost digits far away */
     result->model = cm;
     return mcd_segmentHit(tm, from, to, MeMAX(c.in, 0), c.in > 0 ? c.normal : inside, result);
 }
 
 /* ---- mass -------------------------------------------------------------------------------------------------------- */
 
-/* For checks: whether these can be the moments of inertia of a mass: each at most the sum of the others, and
- * symmetric. */
-static MeBool isMomentGood(double moment[3][3]) {
+MeBool mcd_isInertiaGood(const McdMass *m) {
     for (int i = 0; i < 3; i++) {
-        const double others = moment[(i + 1) % 3][(i + 1) % 3] + moment[(i + 2) % 3][(i + 2) % 3];
-        if (moment[i][i] < 0 || moment[i][i] > others * (1 + 1e-6) || moment[i][(i + 1) % 3] != moment[(i + 1) % 3][i])
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double others = m->inertia[j][j] + m->inertia[k][k];
+        if (m->inertia[i][i] < 0 || m->inertia[i][i] > others * (1 + 1e-6) || m->inertia[i][j] != m->inertia[j][i])
             return MEFALSE;
     }
     return METRUE;
 }
 
-MeI16 mcd_massProperties(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, const double centre[3],
-                         double moment[3][3]) {
-    MEASSERT(!(mass < 0) && isMomentGood(moment));
-    return mcd_massStore(relTM, inertia, volume, mass, centre, moment);
-}
-
-MeI16 mcd_massStore(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, const double centre[3],
-                    double moment[3][3]) {
+MeI16 mcd_massStore(const McdMass *m, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume) {
+    const double greatest = MeMAX3(m->inertia[0][0], m->inertia[1][1], m->inertia[2][2]);
     MeMatrix4TMMakeIdentity(relTM);
     memset(inertia, 0, sizeof(MeMatrix3));
     *volume = 0;
-    const double greatest = MeMAX(moment[0][0], MeMAX(moment[1][1], moment[2][2]));
-    if (!(mass <= (double)MEINFINITY) || !(greatest <= (double)MEINFINITY))
+    if (!(m->volume > 0) || !(m->volume <= (double)MEINFINITY) || !(greatest <= (double)MEINFINITY))
         return 0;
-    *volume = (MeReal)mass;
+    *volume = (MeReal)m->volume;
     for (int i = 0; i < 3; i++) {
-        relTM[3][i] = (MeReal)centre[i];
+        relTM[3][i] = (MeReal)m->centre[i];
         for (int j = 0; j < 3; j++)
-            inertia[i][j] = (MeReal)moment[i][j];
+            inertia[i][j] = (MeReal)m->inertia[i][j];
     }
     return 1;
 }
 
-MeI16 mcd_massDiagonal(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, double x, double y, double z) {
-    const double centre[3] = {0, 0, 0};
-    double moment[3][3] = {{x, 0, 0}, {0, y, 0}, {0, 0, z}};
-    return mcd_massProperties(relTM, inertia, volume, mass, centre, moment);
+void mcd_massDiagonal(McdMass *m, double volume, double x, double y, double z) {
+    *m = (McdMass){volume, {0, 0, 0}, {{x, 0, 0}, {0, y, 0}, {0, 0, z}}};
+    MEASSERT(mcd_isInertiaGood(m));
 }
 
 /* ---- drawing ----------------------------------------------------------------------------------------------------- */
@@ -294,17 +267,13 @@ static void toWorld(const MeVector4 *tm, const double p[3], MeVector3 out) {
             (MeReal)((double)tm[0][i] * p[0] + (double)tm[1][i] * p[1] + (double)tm[2][i] * p[2] + (double)tm[3][i]);
 }
 
-void mcd_drawWorldLine(MeVector3 start, MeVector3 end, const MeReal colour[3]) {
-    const MeProgramCall before = MeProgramEnterQuiet("MeDebugDrawAPI.line");
-    MeDebugDrawAPI.line(start, end, colour[0], colour[1], colour[2]);
-    MeProgramLeave(&before);
-}
-
 void mcd_drawLine(const MeVector4 *tm, const MeReal colour[3], const double a[3], const double b[3]) {
     MeVector3 start, end;
     toWorld(tm, a, start);
     toWorld(tm, b, end);
-    mcd_drawWorldLine(start, end, colour);
+    const MeProgramCall before = MeProgramEnterQuiet("MeDebugDrawAPI.line");
+    MeDebugDrawAPI.line(start, end, colour[0], colour[1], colour[2]);
+    MeProgramLeave(&before);
 }
 
 void mcd_drawBox(const MeVector4 *tm, const MeReal colour[3], const MeReal *min, const MeReal *max) {
@@ -327,12 +296,11 @@ void mcd_drawArc(const MeVector4 *tm, const MeReal colour[3], const double centr
     double last[3] = {0, 0, 0};
     for (int n = 0; n <= pieces; n++) {
         double p[3];
-        for (int k = 0; k < 3; k++)
-            p[k] = centre[k] + cos(n * step) * u[k] + sin(n * step) * v[k];
+        mcd_mad(p, centre, cos(n * step), u);
+        mcd_mad(p, p, sin(n * step), v);
         if (n > 0)
             mcd_drawLine(tm, colour, last, p);
-        for (int k = 0; k < 3; k++)
-            last[k] = p[k];
+        mcd_copy(last, p);
     }
 }
 

@@ -88,13 +88,13 @@ static inline void mcd_localUpdateAABB(McdGeometryInstanceID ins, const MeMatrix
 
 void mcd_localMaximumPoint(McdGeometryInstanceID ins, const MeReal *direction, MeReal *point,
                            McdLocalSupportFn support);
-/* If tm is not a valid transform: a warning, and bounds are left as they are. */
-void mcd_localXYAABB(const McdGeometry *g, const MeMatrix4Ptr tm, MeReal bounds[4], McdLocalSupportFn support,
-                     const char *caller);
+/* Implements Mcd...GetXYAABB of a type: sets the bounds; 0, with a warning, for bad arguments. */
+void mcd_localXYAABB(McdGeometryID g, McdGeometryType type, const MeMatrix4Ptr tm, MeReal bounds[4],
+                     McdLocalSupportFn support, const char *function);
 
 /* For geometries that are bounded by a box in their own frame only. */
 void mcd_boxSupport(const MeReal *min, const MeReal *max, const double direction[3], double point[3]);
-void mcd_boxBSphere(const MeReal *min, const MeReal *max, MeVector3 center, MeReal *radius);
+MeReal mcd_boxBSphere(const MeReal *min, const MeReal *max, MeVector3 center); /* sets the centre, returns the radius */
 
 /* ---- line segments ----------------------------------------------------------------------------------------------- */
 
@@ -106,7 +106,6 @@ typedef struct McdClip {
     double normal[3];
 } McdClip;
 
-void mcd_clipBegin(McdClip *c, const double from[3], const double along[3]);
 MeBool mcd_clipIsEmpty(const McdClip *c);
 void mcd_clipInterval(McdClip *c, double in, double out, const double normal[3]); /* normal: of the surface at `in` */
 void mcd_clipHalfSpace(McdClip *c, const double normal[3], double offset);        /* unit normal: normal . x <=
@@ -135,22 +134,27 @@ int mcd_localLineSegment(McdModelID cm, const MeReal *from, const MeReal *to, Mc
 
 /* ---- mass -------------------------------------------------------------------------------------------------------- */
 
-/* Fills the results of an McdGeometryGetMassPropertiesFnPtr, from the volume, the centre of mass and the inertia
- * about it. Returns 1; if these exceed MeReal: 0, and zero results. */
-MeI16 mcd_massProperties(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, const double centre[3],
-                         double moment[3][3]);
-/* mcd_massProperties without its check that the moments can be those of a mass: parts may have been scaled. */
-MeI16 mcd_massStore(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, const double centre[3],
-                    double moment[3][3]);
-/* mcd_massProperties for a shape whose centre of mass is the origin, with principal moments x, y, z. */
-MeI16 mcd_massDiagonal(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, double x, double y, double z);
+typedef struct McdMass {
+    double volume, centre[3], inertia[3][3]; /* about the centre */
+} McdMass;
+
+/* Writes the results of an McdGeometryGetMassPropertiesFnPtr. Returns 1; without volume, or if it or the inertia exceed
+ * MeReal: 0, and zero results. */
+MeI16 mcd_massStore(const McdMass *m, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume);
+/* Sets volume and principal moments x, y, z of a shape whose centre of mass is the origin. */
+void mcd_massDiagonal(McdMass *m, double volume, double x, double y, double z);
+/* For checks: whether the inertia can be that of a mass: symmetric, and each moment at most the sum of the others. */
+MeBool mcd_isInertiaGood(const McdMass *m);
+/* Of geometries without mass. */
+static inline void mcd_addNoMass(const McdGeometry *g, McdMass *sum) {
+    (void)g;
+    (void)sum;
+}
 
 /* ---- drawing ----------------------------------------------------------------------------------------------------- */
 
 enum { MCD_DRAW_SIDES = 16 }; /* segments of a circle */
 
-/* Draws a line given in the world. */
-void mcd_drawWorldLine(MeVector3 start, MeVector3 end, const MeReal colour[3]);
 void mcd_drawLine(const MeVector4 *tm, const MeReal colour[3], const double a[3], const double b[3]);
 void mcd_drawBox(const MeVector4 *tm, const MeReal colour[3], const MeReal *min, const MeReal *max);
 /* Draws an arc of an ellipse from angle 0: centre + u cos + v sin, in `pieces` of the MCD_DRAW_SIDES segments of a
