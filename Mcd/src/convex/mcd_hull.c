@@ -6,6 +6,7 @@
  * order that depends only on the order of the points. */
 #define _POSIX_C_SOURCE 200809L /* fmemopen */
 #include "convex/mcd_shape_i.h"
+#include "convex/mcd_vector_i.h"
 
 #include <float.h>
 #include <limits.h>
@@ -61,21 +62,17 @@ static void freeBlocks(Work *w) {
 
 /* ---- vectors --------------------------------------------------------------------------------------------------- */
 
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 static double distance(const double a[3], const double b[3]) {
-    const double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-    return sqrt(dot(d, d));
+    return sqrt(mcd_distanceSquared(a, b));
 }
 
 /* The distance of p from the line through a and b, which differ. */
 static double distanceToLine(const double p[3], const double a[3], const double b[3]) {
-    const double along[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, r[3] = {p[0] - a[0], p[1] - a[1], p[2] - a[2]};
-    const double t = dot(r, along) / dot(along, along);
-    const double offset[3] = {r[0] - t * along[0], r[1] - t * along[1], r[2] - t * along[2]};
-    return sqrt(dot(offset, offset));
+    double along[3], r[3];
+    mcd_sub(along, b, a);
+    mcd_sub(r, p, a);
+    mcd_mad(r, r, -(mcd_dot(r, along) / mcd_dot(along, along)), along);
+    return mcd_length(r);
 }
 
 /* ---- the points: checked, scaled, duplicates removed ------------------------------------------------------------- */
@@ -123,6 +120,20 @@ static int byX(const void *a, const void *b) {
     if (p->x != q->x)
         return p->x < q->x ? -1 : 1;
     return (p->index > q->index) - (p->index < q->index);
+}
+
+/* What identifies an edge or a face, its vertices and more, and in the last number what it belongs to. */
+typedef struct Key {
+    int number[4];
+} Key;
+
+/* Compares the first three numbers, which are different in any two keys. */
+static int byNumbers(const void *a, const void *b) {
+    const int *p = ((const Key *)a)->number, *q = ((const Key *)b)->number;
+    int i = 0;
+    while (i < 2 && p[i] == q[i])
+        i++;
+    return (p[i] > q[i]) - (p[i] < q[i]);
 }
 
 /* Marks each point that is the same as an earlier one to within `flatness`. */
@@ -197,16 +208,14 @@ static MeBool allocateFacets(Work *w, Facets *f, int points) {
 
 /* Twice the area of a polygon, as a vector along its normal (Newell). */
 static void areaVector(const double (*point)[3], const int *vertex, int count, double out[3]) {
-    out[0] = out[1] = out[2] = 0;
+    const double *first = point[vertex[0]]; /* the origin, which keeps small faces accurate */
+    mcd_set(out, 0, 0, 0);
     for (int i = 0; i < count; i++) {
-        double a[3], b[3];
-        for (int k = 0; k < 3; k++) { /* relative to a corner, which keeps small faces accurate */
-            a[k] = point[vertex[i]][k] - point[vertex[0]][k];
-            b[k] = point[vertex[(i + 1) % count]][k] - point[vertex[0]][k];
-        }
-        out[0] += a[1] * b[2] - a[2] * b[1];
-        out[1] += a[2] * b[0] - a[0] * b[2];
-        out[2] += a[0] * b[1] - a[1] * b[0];
+        double a[3], b[3], n[3];
+        mcd_sub(a, point[vertex[i]], first);
+        mcd_sub(b, point[vertex[(i + 1) % count]], first);
+        mcd_cross(n, a, b);
+        mcd_mad(out, out, 1, n);
     }
 }
 
@@ -229,12 +238,12 @@ static MeBool addFacet(Facets *f, const Cloud *c, qhT *qh, facetT *facet) {
             v[i] = qh_pointid(qh, ((vertexT *)corners->e[i].p)->point);
         double area[3];
         areaVector((const double(*)[3])c->point, v, size, area);
-        if (dot(area, facet->normal) < 0)
+        if (mcd_dot(area, facet->normal) < 0)
             reverse(v, size);
         for (int i = 0; i < size; i++)
             f->face[f->cornerCount + i] = f->count;
         memcpy(f->normal[f->count], facet->normal, sizeof f->normal[0]);
-        f->area[f->count] = sqrt(dot(area, area)) / 2;
+        f->area[f->count] = mcd_length(area) / 2;
         f->cornerCount += size;
         f->first[++f->count] = f->cornerCount;
     }
@@ -278,34 +287,24 @@ static MeBool runQhull(Work *w, Facets *f, const Cloud *c, char *options) {
 
 /* ---- facets on either side of each edge -------------------------------------------------------------------------- */
 
-typedef struct EdgeKey {
-    int low, high, corner;
-} EdgeKey;
-
-static int byVertices(const void *a, const void *b) {
-    const EdgeKey *p = (const EdgeKey *)a, *q = (const EdgeKey *)b;
-    if (p->low != q->low)
-        return p->low < q->low ? -1 : 1;
-    if (p->high != q->high)
-        return p->high < q->high ? -1 : 1;
-    return (p->corner > q->corner) - (p->corner < q->corner);
+static MeBool isSameEdge(const Key *a, const Key *b) {
+    return a->number[0] == b->number[0] && a->number[1] == b->number[1];
 }
 
 /* Finds the twin of each corner; false if the surface is not closed. */
 static MeBool joinFacets(Work *w, Facets *f) {
-    EdgeKey *key = (EdgeKey *)allocate(w, (size_t)f->cornerCount, sizeof *key);
+    Key *key = (Key *)allocate(w, (size_t)f->cornerCount, sizeof *key); /* both vertices, the corner */
     if (!key || f->cornerCount % 2)
         return MEFALSE;
     for (int i = 0; i < f->cornerCount; i++) {
         const int a = f->vertex[i], b = f->vertex[nextCorner(f, i)];
-        key[i] = (EdgeKey){a < b ? a : b, a < b ? b : a, i};
+        key[i] = (Key){{MeMIN(a, b), MeMAX(a, b), i}};
     }
-    qsort(key, (size_t)f->cornerCount, sizeof *key, byVertices);
+    qsort(key, (size_t)f->cornerCount, sizeof *key, byNumbers);
     for (int i = 0; i < f->cornerCount; i += 2) {
-        const int a = key[i].corner, b = key[i + 1].corner;
-        if (key[i].low != key[i + 1].low || key[i].high != key[i + 1].high || f->vertex[a] == f->vertex[b])
-            return MEFALSE;
-        if (i > 0 && key[i].low == key[i - 1].low && key[i].high == key[i - 1].high)
+        const int a = key[i].number[2], b = key[i + 1].number[2];
+        if (!isSameEdge(&key[i], &key[i + 1]) || f->vertex[a] == f->vertex[b] ||
+            (i > 0 && isSameEdge(&key[i], &key[i - 1])))
             return MEFALSE;
         f->twin[a] = b;
         f->twin[b] = a;
@@ -324,9 +323,9 @@ typedef struct Regions {
 static MeBool isWithin(const Facets *f, const Cloud *c, int face, int seed) {
     const double *n = f->normal[seed], *origin = c->point[f->vertex[f->first[seed]]];
     for (int i = f->first[face]; i < f->first[face + 1]; i++)
-        if (fabs(dot(n, c->point[f->vertex[i]]) - dot(n, origin)) > flatness)
+        if (fabs(mcd_dot(n, c->point[f->vertex[i]]) - mcd_dot(n, origin)) > flatness)
             return MEFALSE;
-    return dot(f->normal[face], n) > 0;
+    return mcd_dot(f->normal[face], n) > 0;
 }
 
 static void growRegion(const Facets *f, const Cloud *c, Regions *r, int seed) {
@@ -539,21 +538,9 @@ static void beginAtFirstVertex(const Facets *f, Loops *l, int region) {
     l->start[region] = best;
 }
 
-/* Three vertices identify a face: two faces share at most one edge. */
-typedef struct FaceKey {
-    int v[3], region;
-} FaceKey;
-
-static int byCorners(const void *a, const void *b) {
-    const FaceKey *p = (const FaceKey *)a, *q = (const FaceKey *)b;
-    for (int i = 0; i < 3; i++)
-        if (p->v[i] != q->v[i])
-            return p->v[i] < q->v[i] ? -1 : 1;
-    return (p->region > q->region) - (p->region < q->region);
-}
-
 static MeBool planHull(Work *w, const Facets *f, const Cloud *c, Loops *l, Plan *p) {
-    FaceKey *key = (FaceKey *)allocate(w, (size_t)f->count, sizeof *key);
+    /* three vertices, which identify a face, since two faces share at most one edge; the region */
+    Key *key = (Key *)allocate(w, (size_t)f->count, sizeof *key);
     p->number = (int *)allocate(w, (size_t)c->count, sizeof(int));
     p->region = (int *)allocate(w, (size_t)f->count, sizeof(int));
     if (w->isExhausted)
@@ -563,12 +550,12 @@ static MeBool planHull(Work *w, const Facets *f, const Cloud *c, Loops *l, Plan 
         if (l->start[i] >= 0) {
             beginAtFirstVertex(f, l, i);
             const int a = l->start[i], b = l->next[a];
-            key[p->faces++] = (FaceKey){{f->vertex[a], f->vertex[b], f->vertex[l->next[b]]}, i};
+            key[p->faces++] = (Key){{f->vertex[a], f->vertex[b], f->vertex[l->next[b]], i}};
             p->corners += l->size[i];
         }
-    qsort(key, (size_t)p->faces, sizeof *key, byCorners);
+    qsort(key, (size_t)p->faces, sizeof *key, byNumbers);
     for (int i = 0; i < p->faces; i++)
-        p->region[i] = key[i].region;
+        p->region[i] = key[i].number[3];
     countDegrees(f, c, l);
     for (int i = 0; i < c->count; i++)
         p->number[i] = l->degree[i] > 0 ? p->vertices++ : -1;
@@ -592,7 +579,7 @@ static void fillVertices(McdHull *h, const Plan *p, const Cloud *c, const double
 
 static void fillNormal(McdHullFace *face, const McdHull *h, const Cloud *c, const double spare[3]) {
     areaVector((const double(*)[3])h->vertex, h->faceVertex + face->first, face->count, face->normal);
-    const double size = sqrt(dot(face->normal, face->normal));
+    const double size = mcd_length(face->normal);
     for (int k = 0; k < 3; k++) /* the area of a sliver is mostly rounding: Qhull's normal is used */
         face->normal[k] = size > 1e-12 * c->scale * c->scale ? face->normal[k] / size : spare[k];
 }
@@ -604,13 +591,13 @@ static void fillOffsets(McdHull *h, const Facets *f, const Cloud *c, const Regio
         h->face[i].offset = -DBL_MAX;
     for (int i = 0; i < f->cornerCount; i++) {
         McdHullFace *face = &h->face[faceOf[r->of[f->face[i]]]];
-        face->offset = fmax(face->offset, dot(face->normal, c->point[f->vertex[i]]));
+        face->offset = fmax(face->offset, mcd_dot(face->normal, c->point[f->vertex[i]]));
     }
     for (int i = 0; i < h->faceCount; i++) {
         McdHullFace *face = &h->face[i];
-        face->offset = dot(face->normal, c->centre) + c->scale * face->offset;
+        face->offset = mcd_dot(face->normal, c->centre) + c->scale * face->offset;
         for (int k = 0; k < face->count; k++)
-            face->offset = fmax(face->offset, dot(face->normal, h->vertex[h->faceVertex[face->first + k]]));
+            face->offset = fmax(face->offset, mcd_dot(face->normal, h->vertex[h->faceVertex[face->first + k]]));
     }
 }
 
@@ -629,40 +616,27 @@ static void fillFaces(McdHull *h, const Plan *p, const Facets *f, const Cloud *c
     fillOffsets(h, f, c, r, faceOf);
 }
 
-typedef struct HullEdge {
-    int low, high, face;
-    MeBool rises; /* the face's border runs from low to high */
-} HullEdge;
-
-static int byEnds(const void *a, const void *b) {
-    const HullEdge *p = (const HullEdge *)a, *q = (const HullEdge *)b;
-    if (p->low != q->low)
-        return p->low < q->low ? -1 : 1;
-    if (p->high != q->high)
-        return p->high < q->high ? -1 : 1;
-    return (int)q->rises - (int)p->rises;
-}
-
 /* Fills the edges in the order of their vertices. The face whose border runs in the edge's direction is on its left. */
 static MeBool fillEdges(Work *w, McdHull *h) {
-    HullEdge *half = (HullEdge *)allocate(w, 2 * (size_t)h->edgeCount, sizeof *half);
+    /* both vertices; 1 unless the face's border runs from the lower to the higher; the face */
+    Key *half = (Key *)allocate(w, 2 * (size_t)h->edgeCount, sizeof *half);
     if (!half)
         return MEFALSE;
     int n = 0;
     for (int i = 0; i < h->faceCount; i++)
         for (int k = 0; k < h->face[i].count; k++) {
             const int *v = h->faceVertex + h->face[i].first, a = v[k], b = v[(k + 1) % h->face[i].count];
-            half[n++] = (HullEdge){a < b ? a : b, a < b ? b : a, i, a < b};
+            half[n++] = (Key){{MeMIN(a, b), MeMAX(a, b), a > b, i}};
         }
-    qsort(half, (size_t)n, sizeof *half, byEnds);
+    qsort(half, (size_t)n, sizeof *half, byNumbers);
     for (int i = 0; i < h->edgeCount; i++) {
-        const HullEdge *p = &half[2 * i], *q = p + 1;
-        if (p->low != q->low || p->high != q->high || !p->rises || q->rises)
+        const Key *p = &half[2 * i], *q = p + 1;
+        if (!isSameEdge(p, q) || p->number[2] || !q->number[2])
             return MEFALSE;
-        h->edge[i][0] = p->low;
-        h->edge[i][1] = p->high;
-        h->edgeFace[i][0] = p->face;
-        h->edgeFace[i][1] = q->face;
+        h->edge[i][0] = p->number[0];
+        h->edge[i][1] = p->number[1];
+        h->edgeFace[i][0] = p->number[3];
+        h->edgeFace[i][1] = q->number[3];
     }
     return METRUE;
 }
@@ -709,7 +683,7 @@ static MeBool isThick(const McdHull *h, const Cloud *c) {
     for (int i = 0; i < h->faceCount; i++) {
         double width = 0;
         for (int k = 0; k < h->vertexCount && width < minThickness * c->scale; k++)
-            width = fmax(width, h->face[i].offset - dot(h->face[i].normal, h->vertex[k]));
+            width = fmax(width, h->face[i].offset - mcd_dot(h->face[i].normal, h->vertex[k]));
         if (width < minThickness * c->scale)
             return MEFALSE;
     }
@@ -721,10 +695,10 @@ static MeBool isConvex(const McdHull *h) {
     const double slack = 4 * flatness * h->extent;
     for (int i = 0; i < h->faceCount; i++) {
         const McdHullFace *face = &h->face[i];
-        if (fabs(dot(face->normal, face->normal) - 1) > 1e-9 || !(dot(face->normal, h->centre) < face->offset))
+        if (!mcd_isUnit(face->normal) || !(mcd_dot(face->normal, h->centre) < face->offset))
             return MEFALSE;
         for (int k = 0; k < h->vertexCount; k++)
-            if (dot(face->normal, h->vertex[k]) > face->offset + slack)
+            if (mcd_dot(face->normal, h->vertex[k]) > face->offset + slack)
                 return MEFALSE;
     }
     return METRUE;

@@ -4,9 +4,9 @@
 
 #include "geometry/mcd_local_i.h"
 
-/* Defines the functions of McdGeometryDeclare.h except MaximumPoint, UpdateAABB and the line segment's. They check their
- * arguments and call static functions of the file:
- *     MeReal boundingRadius(const McdGeometry *g, MeVector3 center): of the bounding sphere; may set the centre, which is 0
+/* Defines the functions of McdGeometryDeclare.h except MaximumPoint, UpdateAABB and the line segment's. They check
+ * their arguments and call static functions of the file:
+ *     MeReal boundingRadius(const McdGeometry *g, MeVector3 center): of the bounding sphere; may set the centre from 0
  *     void draw(const McdGeometry *g, const MeMatrix4 tm, const MeReal colour[3])
  *     void addMass(const McdGeometry *g, McdMass *sum): the macro's argument; or mcd_addNoMass
  * `kind` is the type's table (mcd_kind_i.h). */
