@@ -116,8 +116,7 @@ static void setNormal(const McdShape *a, const Boxes *x, const Best *best, doubl
         const double sign = offsetAlongB(x, j) < 0 ? -1 : 1;
         mcd_set(axis, sign * x->rotation[0][j], sign * x->rotation[1][j], sign * x->rotation[2][j]);
     }
-    for (int i = 0; i < 3; i++)
-        normal[i] = a->axis[0][i] * axis[0] + a->axis[1][i] * axis[1] + a->axis[2][i] * axis[2];
+    mcd_shapeDirection(a, axis[0], axis[1], axis[2], normal);
 }
 
 /* The midpoint of the box's edge along axis k that is farthest in a direction. */
@@ -131,8 +130,9 @@ static void supportEdgeMiddle(const McdShape *s, const double direction[3], int 
 /* Witness points of an edge-edge contact: the closest points of the two edges. */
 static void setEdgeWitnesses(const McdShape *a, const McdShape *b, const Best *best, McdProximity *p) {
     const double *u = a->axis[best->edgeA], *w = b->axis[best->edgeB];
-    const double back[3] = {-p->normal[0], -p->normal[1], -p->normal[2]};
+    double back[3];
     double from[3], to[3], d[3];
+    mcd_scale(back, p->normal, -1);
     supportEdgeMiddle(a, back, best->edgeA, from);
     supportEdgeMiddle(b, p->normal, best->edgeB, to);
     mcd_sub(d, to, from);
@@ -143,25 +143,28 @@ static void setEdgeWitnesses(const McdShape *a, const McdShape *b, const Best *b
     mcd_mad(p->onB, to, MeCLAMP(t, -lb, lb), w);
 }
 
-/* Witness points of a face contact: the deepest corner of one box and its projection on the other's face. */
-static void setFaceWitnesses(const McdShape *a, const McdShape *b, McdProximity *p) {
-    const double back[3] = {-p->normal[0], -p->normal[1], -p->normal[2]};
-    double steepA = 0, steepB = 0;
-    for (int i = 0; i < 3; i++) {
-        steepA = MeMAX(steepA, fabs(mcd_dot(a->axis[i], p->normal)));
-        steepB = MeMAX(steepB, fabs(mcd_dot(b->axis[i], p->normal)));
-    }
-    if (steepA >= steepB) {
-        mcd_coreSupport(b, p->normal, p->onB);
+void mcd_setFaceWitnesses(const McdShape *a, const McdShape *b, MeBool isFaceOfA, McdProximity *p) {
+    double back[3];
+    mcd_scale(back, p->normal, -1);
+    mcd_coreSupport(isFaceOfA ? b : a, isFaceOfA ? p->normal : back, isFaceOfA ? p->onB : p->onA);
+    if (isFaceOfA)
         mcd_mad(p->onA, p->onB, p->separation, p->normal);
-    } else {
-        mcd_coreSupport(a, back, p->onA);
+    else
         mcd_mad(p->onB, p->onA, -p->separation, p->normal);
-    }
 }
 
-MeBool mcd_isAlongNormal(const McdShape *a, const McdShape *b, const McdProximity *p) {
-    const double max = 1e-8 * mcd_pairSize(a, b) + 1e-12 * (MeMAX(a->extent, b->extent) + fabs(p->separation));
+/* Whether a has a face more nearly orthogonal to the normal than any of b's. */
+static MeBool isFaceOfFirst(const McdShape *a, const McdShape *b, const double normal[3]) {
+    double steepA = 0, steepB = 0;
+    for (int i = 0; i < 3; i++) {
+        steepA = MeMAX(steepA, fabs(mcd_dot(a->axis[i], normal)));
+        steepB = MeMAX(steepB, fabs(mcd_dot(b->axis[i], normal)));
+    }
+    return steepA >= steepB;
+}
+
+MeBool mcd_isAlongNormal(const McdShape *a, const McdShape *b, const McdProximity *p, double ofSize, double ofLargest) {
+    const double max = ofSize * mcd_pairSize(a, b) + ofLargest * (MeMAX(a->extent, b->extent) + fabs(p->separation));
     return !mcd_areResolved(a, b) ||
            (mcd_isUnit(p->normal) && fabs(mcd_separationAlong(a, b, p->normal) - p->separation) <= max);
 }
@@ -182,7 +185,7 @@ MeBool mcd_boxBoxProximity(const McdShape *a, const McdShape *b, double limit, M
     if (best.edgeA >= 0)
         setEdgeWitnesses(a, b, &best, p);
     else
-        setFaceWitnesses(a, b, p);
-    MEVALIDATE(mcd_isAlongNormal(a, b, p));
+        mcd_setFaceWitnesses(a, b, isFaceOfFirst(a, b, p->normal), p);
+    MEVALIDATE(mcd_isAlongNormal(a, b, p, 1e-8, 1e-12));
     return METRUE;
 }

@@ -108,19 +108,6 @@ static void setEdgeWitnesses(const McdShape *box, const McdShape *triangle, cons
     mcd_mad(p->onB, to, MeCLAMP(t, 0, 1), w);
 }
 
-/* Witness points of a face contact: the box's deepest corner and its projection on the triangle, or the triangle's
- * deepest corner and its projection on the box's face. */
-static void setFaceWitnesses(const McdShape *box, const McdShape *triangle, MeBool isTriangleFace, McdProximity *p) {
-    const double back[3] = {-p->normal[0], -p->normal[1], -p->normal[2]};
-    if (isTriangleFace) {
-        mcd_coreSupport(box, back, p->onA);
-        mcd_mad(p->onB, p->onA, -p->separation, p->normal);
-    } else {
-        mcd_coreSupport(triangle, p->normal, p->onB);
-        mcd_mad(p->onA, p->onB, p->separation, p->normal);
-    }
-}
-
 MeBool mcd_boxTriangleProximity(const McdShape *box, const McdShape *triangle, double limit, McdProximity *p) {
     BoxTriangle x = {.limit = limit, .bias = mcd_faceBias * mcd_pairSize(box, triangle), .separation = -INFINITY};
     transformToBox(box, triangle, &x);
@@ -133,7 +120,7 @@ MeBool mcd_boxTriangleProximity(const McdShape *box, const McdShape *triangle, d
     if (x.triangleEdge >= 0)
         setEdgeWitnesses(box, triangle, &x, p);
     else
-        setFaceWitnesses(box, triangle, x.isTriangleFace, p);
-    MEVALIDATE(mcd_isAlongNormal(box, triangle, p));
+        mcd_setFaceWitnesses(box, triangle, !x.isTriangleFace, p);
+    MEVALIDATE(mcd_isAlongNormal(box, triangle, p, 1e-8, 1e-12));
     return isfinite(x.separation) != 0;
 }

@@ -120,12 +120,10 @@ double mcd_discsRadius(const McdShape *s, const double outward[3], const double 
     const double lower = discs.radius[0], upper = discs.radius[1], bottom = discs.height[0], top = discs.height[1];
     const double slant = slantOf(&discs), out = (top - bottom) / slant;
     const double up = mcd_dot(s->axis[2], outward), aside = sqrt(fmax(1 - up * up, 0));
-    double offset[3];
     MEASSERT(out >= 0);
     if (!(aside * out + up * (lower - upper) / slant >= across))
         return 0;
-    mcd_sub(offset, point, s->place);
-    const double t = MeCLAMP((mcd_dot(offset, s->axis[2]) - bottom) / (top - bottom), 0, 1);
+    const double t = MeCLAMP((mcd_heightOver(point, s->place, s->axis[2]) - bottom) / (top - bottom), 0, 1);
     return (lower + t * (upper - lower)) / out;
 }
 

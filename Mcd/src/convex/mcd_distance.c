@@ -39,19 +39,20 @@ static Pair makePair(const McdShape *a, const McdShape *b) {
 
 /* The support point of M in a direction. */
 static void minkowskiSupport(const Pair *p, const double direction[3], Corner *c) {
-    const double back[3] = {-direction[0], -direction[1], -direction[2]};
+    double back[3];
+    mcd_scale(back, direction, -1);
     mcd_coreSupport(p->a, direction, c->a);
     mcd_coreSupport(p->b, back, c->b);
     mcd_sub(c->w, c->a, c->b);
 }
 
 double mcd_separationAlong(const McdShape *a, const McdShape *b, const double n[3]) {
-    const double back[3] = {-n[0], -n[1], -n[2]};
+    double back[3];
     double x[3], y[3];
+    mcd_scale(back, n, -1);
     mcd_coreSupport(a, back, x);
     mcd_coreSupport(b, n, y);
-    mcd_sub(x, x, y);
-    return mcd_dot(x, n);
+    return mcd_heightOver(x, y, n);
 }
 
 /* ---- separated ------------------------------------------------------------------------------------------- */
@@ -193,7 +194,8 @@ static GjkResult runGjk(const Pair *p, double limit, Simplex *s, double *bound) 
         if (!(distance > p->tolerance))
             return OVERLAPPING;
         Corner *c = &s->corner[s->count];
-        const double d[3] = {-s->nearest[0], -s->nearest[1], -s->nearest[2]};
+        double d[3];
+        mcd_scale(d, s->nearest, -1);
         minkowskiSupport(p, d, c);
         *bound = -mcd_dot(d, c->w) / distance; /* lower bound of the distance of M */
         if (*bound > limit)

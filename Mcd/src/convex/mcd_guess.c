@@ -237,8 +237,7 @@ static void tryBoxAndCylinder(const Pair *p, const McdShape *box, const McdShape
     double offset[3], corner[3], n[3];
     for (int i = 0; i < 3; i++)
         tryCrossProduct(p, box->axis[i], axis, g);
-    mcd_sub(offset, box->place, cylinder->place);
-    const double height = MeCLAMP(mcd_dot(offset, axis), -cylinder->low, cylinder->low);
+    const double height = MeCLAMP(mcd_heightOver(box->place, cylinder->place, axis), -cylinder->low, cylinder->low);
     const double end = copysign(cylinder->low, height);
     boxCornerToward(box, cylinder, height, corner);
     mcd_sub(offset, corner, cylinder->place);
@@ -277,8 +276,9 @@ MeBool mcd_guessSides(const McdShape *a, const McdShape *b, McdProximity *g) {
 
 /* The support point of M. */
 static void minkowskiSupport(const McdShape *a, const McdShape *b, const double direction[3], double w[3]) {
-    const double back[3] = {-direction[0], -direction[1], -direction[2]};
+    double back[3];
     double x[3], y[3];
+    mcd_scale(back, direction, -1);
     mcd_coreSupport(a, direction, x);
     mcd_coreSupport(b, back, y);
     mcd_sub(w, x, y);

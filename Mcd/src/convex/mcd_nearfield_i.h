@@ -51,8 +51,12 @@ MeBool mcd_isMinDepthOfRound(const McdShape *a, const McdShape *b, const McdProx
  * other's face: contacts are made from faces and do not use them. */
 MeBool mcd_boxBoxProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
 MeBool mcd_boxTriangleProximity(const McdShape *box, const McdShape *triangle, double limit, McdProximity *p);
-/* For checks: whether the normal has length 1 and the separation is that of the support points along it. */
-MeBool mcd_isAlongNormal(const McdShape *a, const McdShape *b, const McdProximity *p);
+/* Sets the witness points of a contact with a face of a, or of b: the other core's support point, and its projection on
+ * the face. */
+void mcd_setFaceWitnesses(const McdShape *a, const McdShape *b, MeBool isFaceOfA, McdProximity *p);
+/* For checks: whether the normal has length 1 and the separation is that of the support points along it, to within
+ * fractions of the smaller shape's size and of the largest length. */
+MeBool mcd_isAlongNormal(const McdShape *a, const McdShape *b, const McdProximity *p, double ofSize, double ofLargest);
 /* The closest points of two segments along the shapes' z axes, each from -low to low: s and t, m from the origin of
  * a and of b. */
 void mcd_nearestOfSegments(const McdShape *a, const McdShape *b, double *s, double *t);

@@ -5,10 +5,11 @@
 static const McdKind flat = {.type = kMcdGeometryTypePlane};
 
 int mcd_planeManifold(const McdShape *a, const double normal[3], double offset, double margin, McdManifold *m) {
-    const double back[3] = {-normal[0], -normal[1], -normal[2]};
+    double back[3];
     McdProximity p = {.isGuess = 0};
     McdFace face, ground = {.count = 4};
     double u[3], w[3];
+    mcd_scale(back, normal, -1);
     mcd_copy(p.normal, normal);
     mcd_coreSupport(a, back, p.onA);
     p.separation = mcd_dot(p.onA, normal) - offset;
@@ -36,10 +37,8 @@ int mcd_planeManifold(const McdShape *a, const double normal[3], double offset, 
 double mcd_planeDistance(const McdShape *a, const MeVector4 *tm, const double origin[3], double onA[3], double onB[3],
                          double normal[3]) {
     double down[3], distance = 0;
-    for (int i = 0; i < 3; i++) {
-        normal[i] = (double)tm[2][i];
-        down[i] = -normal[i];
-    }
+    mcd_fromReal(normal, tm[2]);
+    mcd_scale(down, normal, -1);
     mcd_support(a, down, onA);
     for (int i = 0; i < 3; i++)
         distance += normal[i] * (onA[i] + origin[i] - (double)tm[3][i]);

@@ -29,9 +29,7 @@ MeBool mcd_pointPointProximity(const McdShape *a, const McdShape *b, double limi
 }
 
 MeBool mcd_pointSegmentProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
-    double d[3];
-    mcd_sub(d, a->place, b->place);
-    const double t = mcd_dot(d, b->axis[2]), half = b->low;
+    const double t = mcd_heightOver(a->place, b->place, b->axis[2]), half = b->low;
     mcd_copy(p->onA, a->place);
     mcd_mad(p->onB, b->place, MeCLAMP(t, -half, half), b->axis[2]);
     return setProximityOfPoints(a, b, b->axis[0], limit, p);
@@ -69,26 +67,19 @@ MeBool mcd_segmentSegmentProximity(const McdShape *a, const McdShape *b, double 
     return setProximityOfPoints(a, b, across, limit, p);
 }
 
+/* a's place along b's axes. */
 static void placeInFrame(const McdShape *a, const McdShape *b, double x[3]) {
     double d[3];
     mcd_sub(d, a->place, b->place);
-    for (int i = 0; i < 3; i++)
-        x[i] = mcd_dot(b->axis[i], d);
-}
-
-static void directionFromFrame(const McdShape *b, const double x[3], double out[3]) {
-    for (int i = 0; i < 3; i++)
-        out[i] = b->axis[0][i] * x[0] + b->axis[1][i] * x[1] + b->axis[2][i] * x[2];
+    mcd_shapeOwn(b, d, x);
 }
 
 /* Stores the proximity of a's point; normal (outward) and nearest surface point are given in b's axes. */
 static MeBool setProximityInFrame(const McdShape *a, const McdShape *b, const double normal[3], const double nearest[3],
                                   double separation, double limit, McdProximity *p) {
-    double d[3];
     MEASSERT(mcd_isUnit(normal));
-    directionFromFrame(b, normal, p->normal);
-    directionFromFrame(b, nearest, d);
-    mcd_mad(p->onB, b->place, 1, d);
+    mcd_shapeDirection(b, normal[0], normal[1], normal[2], p->normal);
+    mcd_shapePoint(b, nearest[0], nearest[1], nearest[2], p->onB);
     mcd_copy(p->onA, a->place);
     p->separation = separation;
     p->isGuess = 0;

@@ -62,15 +62,15 @@ MeBool mcd_shapeFaceNormal(const McdShape *s, int i, double normal[3]) {
 static double depthBelow(const McdShape *s, const double direction[3], const double point[3]) {
     double farthest[3];
     mcd_support(s, direction, farthest);
-    mcd_sub(farthest, farthest, point);
-    return mcd_dot(farthest, direction);
+    return mcd_heightOver(farthest, point, direction);
 }
 
 /* m: the smallest extent of the shape along its own axes. */
 static double minWidth(const McdShape *s) {
     double width = INFINITY;
     for (int i = 0; i < 3; i++) {
-        const double back[3] = {-s->axis[i][0], -s->axis[i][1], -s->axis[i][2]};
+        double back[3];
+        mcd_scale(back, s->axis[i], -1);
         width = fmin(width, depthBelow(s, s->axis[i], s->place) + depthBelow(s, back, s->place));
     }
     return width;
@@ -127,12 +127,6 @@ MeBool mcd_seamIsNear(const McdSeam *s) {
     return MEFALSE;
 }
 
-static double heightOver(const McdFace *plane, const double point[3]) {
-    double offset[3];
-    mcd_sub(offset, point, plane->point[0]);
-    return mcd_dot(offset, plane->normal);
-}
-
 /* Whether the face continues a face of this other piece, so that the edge between both is internal. */
 static MeBool isContinued(const McdShape *piece, const void *context) {
     const SeamFace *f = context;
@@ -143,9 +137,9 @@ static MeBool isContinued(const McdShape *piece, const void *context) {
     mcd_faceToward(piece, f->normal, &other);
     if (other.count < 3 || mcd_dot(other.normal, f->normal) < foldCosine)
         return MEFALSE;
-    const double height = heightOver(&other, f->point) - piece->rounding;
+    const double height = mcd_heightOver(f->point, other.point[0], other.normal) - piece->rounding;
     mcd_mad(body, s->point, s->separation, s->normal);
-    if (height > s->skin || heightOver(&other, body) - piece->rounding < -s->gap)
+    if (height > s->skin || mcd_heightOver(body, other.point[0], other.normal) - piece->rounding < -s->gap)
         return MEFALSE;
     mcd_mad(inward, s->normal, -mcd_dot(s->normal, other.normal), other.normal);
     const double sine = mcd_length(inward);
@@ -180,9 +174,10 @@ void *mcd_seamBehind(const McdSeam *s, double normal[3]) {
 
 int mcd_manifoldAlong(const McdShape *a, const McdShape *b, const double normal[3], double separation, double margin,
                       McdManifold *m) {
-    const double back[3] = {-normal[0], -normal[1], -normal[2]};
+    double back[3];
     McdProximity p = {.separation = separation, .isGuess = METRUE};
     McdFace faceA, faceB;
+    mcd_scale(back, normal, -1);
     mcd_copy(p.normal, normal);
     mcd_faceToward(a, back, &faceA);
     mcd_faceToward(b, normal, &faceB);

@@ -43,8 +43,7 @@ static void orthonormalizeAxes(double axis[3][3]) {
 
 void mcd_shapeAxes(const MeMatrix4 tm, double axis[3][3]) {
     for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            axis[i][j] = (double)tm[i][j];
+        mcd_fromReal(axis[i], tm[i]);
     orthonormalizeAxes(axis);
 }
 
@@ -53,8 +52,7 @@ MeBool mcd_isValidTransform(const MeVector4 *tm) {
     if (!tm || !mcd_areInRange(tm[3], 3))
         return MEFALSE;
     for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++)
-            axis[i][k] = (double)tm[i][k];
+        mcd_fromReal(axis[i], tm[i]);
         longest = fmax(longest, mcd_dot(axis[i], axis[i]));
     }
     mcd_cross(across, axis[0], axis[1]);

@@ -43,6 +43,11 @@ static inline MeReal mcd_clampReal(double x) {
     return (MeReal)MeCLAMP(x, -(double)MEINFINITY, (double)MEINFINITY);
 }
 
+/* Coordinate i in the world of a point in the frame at tm. */
+static inline double mcd_placedCoordinate(const MeVector4 *tm, const double point[3], int i) {
+    return (double)tm[0][i] * point[0] + (double)tm[1][i] * point[1] + (double)tm[2][i] * point[2] + (double)tm[3][i];
+}
+
 /* Whether a transform can be used: not null, finite, products do not overflow, and its axes are not nearly coplanar,
  * which would make shapes flat. Axes that are not unit or not orthogonal are accepted, though not rigid. */
 MeBool mcd_isValidTransform(const MeVector4 *tm);

@@ -90,10 +90,9 @@ MeBool mcd_triangleNormal(const double corner[3][3], const double *given, double
 
 MeBool mcd_segmentTriangle(const double corner[3][3], const double normal[3], MeBool twoSided, const double from[3],
                            const double to[3], double *fraction, double hitNormal[3]) {
-    double along[3], offset[3], at[3];
+    double along[3], at[3];
     mcd_sub(along, to, from);
-    mcd_sub(offset, from, corner[0]);
-    const double fall = -mcd_dot(along, normal), height = mcd_dot(offset, normal);
+    const double fall = -mcd_dot(along, normal), height = mcd_heightOver(from, corner[0], normal);
     const double side = fall < 0 ? -1 : 1;
     if (fall == 0 || (side < 0 && !twoSided) || side * height < 0 || side * height > side * fall)
         return MEFALSE;
@@ -102,12 +101,11 @@ MeBool mcd_segmentTriangle(const double corner[3][3], const double normal[3], Me
     mcd_mad(at, from, *fraction, along);
     for (int i = 0; i < 3; i++) {
         const int next = (i + 1) % 3, last = (i + 2) % 3;
-        double edge[3], inward[3], across[3], here[3];
+        double edge[3], inward[3];
         mcd_sub(edge, corner[next], corner[i]);
         mcd_cross(inward, normal, edge);
-        mcd_sub(across, corner[last], corner[i]);
-        mcd_sub(here, at, corner[i]);
-        const double width = mcd_dot(across, inward), inside = mcd_dot(here, inward) * (width < 0 ? -1 : 1);
+        const double width = mcd_heightOver(corner[last], corner[i], inward);
+        const double inside = mcd_heightOver(at, corner[i], inward) * (width < 0 ? -1 : 1);
         if (inside < -1e-12 * fabs(width)) /* a point on an edge belongs to both of its triangles */
             return MEFALSE;
     }

@@ -2,6 +2,7 @@
 #ifndef MCD_VECTOR_H
 #define MCD_VECTOR_H
 
+#include "MePrecision.h"
 #include <math.h>
 
 static inline double mcd_dot(const double a[3], const double b[3]) {
@@ -16,6 +17,16 @@ static inline void mcd_set(double out[3], double x, double y, double z) {
 
 static inline void mcd_copy(double out[3], const double a[3]) {
     mcd_set(out, a[0], a[1], a[2]);
+}
+
+static inline void mcd_fromReal(double out[3], const MeReal a[3]) {
+    mcd_set(out, (double)a[0], (double)a[1], (double)a[2]);
+}
+
+static inline void mcd_toReal(MeReal out[3], const double a[3]) {
+    out[0] = (MeReal)a[0];
+    out[1] = (MeReal)a[1];
+    out[2] = (MeReal)a[2];
 }
 
 static inline void mcd_scale(double out[3], const double a[3], double k) {
@@ -43,6 +54,13 @@ static inline double mcd_distanceSquared(const double a[3], const double b[3]) {
     double d[3];
     mcd_sub(d, a, b);
     return mcd_dot(d, d);
+}
+
+/* The height of a point over the plane through `base` with a unit normal. */
+static inline double mcd_heightOver(const double point[3], const double base[3], const double normal[3]) {
+    double offset[3];
+    mcd_sub(offset, point, base);
+    return mcd_dot(offset, normal);
 }
 
 /* Two directions u, w that form a right-handed frame (u, w, n) with the unit vector n. */

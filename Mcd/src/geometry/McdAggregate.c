@@ -245,14 +245,15 @@ typedef struct Ball {
 /* Computes the bounding sphere of element i in the aggregate's frame; false if the element has no valid transform. */
 static MeBool ballOf(const McdAggregate *a, int i, Ball *ball) {
     const MeVector4 *tm = mcd_const(a->element[i].relTM);
-    MeVector3 local;
+    MeVector3 center;
     MeReal radius;
+    double local[3];
     if (!mcd_isValidTransform(tm))
         return MEFALSE;
-    McdGeometryGetBSphere(a->element[i].geometry, local, &radius);
+    McdGeometryGetBSphere(a->element[i].geometry, center, &radius);
+    mcd_fromReal(local, center);
     for (int k = 0; k < 3; k++)
-        ball->centre[k] = (double)tm[0][k] * (double)local[0] + (double)tm[1][k] * (double)local[1] +
-                          (double)tm[2][k] * (double)local[2] + (double)tm[3][k];
+        ball->centre[k] = mcd_placedCoordinate(tm, local, k);
     ball->radius = (double)radius;
     return METRUE;
 }
@@ -280,7 +281,8 @@ static Ball ballAroundBox(McdGeometryID g) {
     McdGeometryGetAABB(g, identity, low, high);
     for (int k = 0; k < 3; k++)
         ball.centre[k] = (double)(low[k] / 2 + high[k] / 2);
-    const double corner[3] = {(double)high[0], (double)high[1], (double)high[2]};
+    double corner[3];
+    mcd_fromReal(corner, high);
     ball.radius = sqrt(mcd_distanceSquared(corner, ball.centre));
     return ball;
 }
@@ -290,8 +292,7 @@ static MeReal boundingRadius(const McdGeometry *g, MeVector3 center) {
     const Ball other = ballAroundBox((McdGeometryID)g);
     if (((const McdAggregate *)g)->count && other.radius < ball.radius)
         ball = other;
-    for (int k = 0; k < 3; k++)
-        center[k] = (MeReal)ball.centre[k];
+    mcd_toReal(center, ball.centre);
     return mcd_clampReal(ball.radius);
 }
 

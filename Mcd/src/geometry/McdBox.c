@@ -7,11 +7,6 @@ static const McdBox *get(const McdGeometry *g) {
     return (const McdBox *)g;
 }
 
-static void halfExtents(const McdGeometry *g, double size[3]) {
-    for (int k = 0; k < 3; k++)
-        size[k] = (double)get(g)->radii[k];
-}
-
 static void support(const McdGeometry *g, const double d[3], double point[3]) {
     for (int k = 0; k < 3; k++)
         point[k] = copysign((double)get(g)->radii[k], d[k]); /* branchless: the signs are unpredictable */
@@ -32,7 +27,7 @@ MCD_DEFINE_LINE_SEGMENT(Box)
 /* ---- narrow phase ---------------------------------------------------------------------------------------------- */
 
 static void setShape(const McdGeometry *g, McdShape *s) {
-    halfExtents(g, s->size);
+    mcd_fromReal(s->size, get(g)->radii);
     s->extent = mcd_length(s->size);
 }
 
@@ -143,14 +138,14 @@ void MEAPI McdBoxMaximumPointLocal(McdBoxID g, MeReal *inDir, MeReal *outPoint) 
 static MeReal boundingRadius(const McdGeometry *g, MeVector3 center) {
     double size[3];
     (void)center;
-    halfExtents(g, size);
+    mcd_fromReal(size, get(g)->radii);
     return mcd_roundUp(mcd_length(size));
 }
 
 /* I_xx = m (y^2 + z^2) / 3 with half extents x, y, z. */
 static void addMass(const McdGeometry *g, McdMass *sum) {
     double size[3];
-    halfExtents(g, size);
+    mcd_fromReal(size, get(g)->radii);
     const double x = size[0], y = size[1], z = size[2], mass = 8 * x * y * z;
     mcd_massDiagonal(sum, mass, mass * (y * y + z * z) / 3, mass * (z * z + x * x) / 3, mass * (x * x + y * y) / 3);
 }

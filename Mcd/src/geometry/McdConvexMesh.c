@@ -167,9 +167,9 @@ static void visitEdges(const McdGeometry *g, int sides, McdEdgeVisit visit, void
     for (int f = 0; f < h->faceCount; f++)
         for (int i = 0; i < h->face[f].count; i++) {
             const int *corner = h->faceVertex + h->face[f].first;
-            const MeReal *a = get(g)->shown[corner[i]], *b = get(g)->shown[corner[(i + 1) % h->face[f].count]];
-            const double from[3] = {(double)a[0], (double)a[1], (double)a[2]};
-            const double to[3] = {(double)b[0], (double)b[1], (double)b[2]};
+            double from[3], to[3];
+            mcd_fromReal(from, get(g)->shown[corner[i]]);
+            mcd_fromReal(to, get(g)->shown[corner[(i + 1) % h->face[f].count]]);
             visit(context, from, to);
         }
 }
@@ -193,7 +193,7 @@ static MeBool isMesh(McdGeometryID g, const char *function) {
 static MeVector3 *copyVertices(const McdHull *h, const char *function) {
     MeVector3 *v = (MeVector3 *)MeMemoryTake((size_t)h->vertexCount, sizeof *v, function, "vertices");
     for (int i = 0; v && i < h->vertexCount; i++)
-        MeVector3Set(v[i], (MeReal)h->vertex[i][0], (MeReal)h->vertex[i][1], (MeReal)h->vertex[i][2]);
+        mcd_toReal(v[i], h->vertex[i]);
     return v;
 }
 
@@ -228,8 +228,7 @@ McdConvexMeshID MEAPI McdConvexMeshCreateHull(McdFramework *frame, const MeVecto
     if (!point)
         return 0;
     for (int i = 0; i < vertexCount; i++)
-        for (int k = 0; k < 3; k++)
-            point[i][k] = (double)vertices[i][k];
+        mcd_fromReal(point[i], vertices[i]);
     McdConvexMeshID g =
         createFrom(frame, (const double(*)[3])point, vertexCount, fatnessRadius, "McdConvexMeshCreateHull");
     MeMemoryGive(point);
@@ -322,8 +321,7 @@ void MEAPI McdConvexMeshGetXYAABB(McdConvexMeshID g, MeMatrix4 tm, MeReal bounds
 static MeReal boundingRadius(const McdGeometry *g, MeVector3 center) {
     const McdHull *h = get(g)->hull;
     double max = 0;
-    for (int k = 0; k < 3; k++)
-        center[k] = (MeReal)h->centre[k];
+    mcd_toReal(center, h->centre);
     for (int i = 0; i < h->vertexCount; i++) {
         double d[3];
         for (int k = 0; k < 3; k++)

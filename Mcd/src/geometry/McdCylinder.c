@@ -116,14 +116,13 @@ void MEAPI McdCylinderMaximumPointLocal(McdGeometry *g, MeReal *const inDir, MeR
     if (!mcd_areGiven(__func__, inDir, outPoint, outPoint))
         return;
     double d[3], p[3] = {0, 0, 0};
-    for (int k = 0; k < 3; k++)
-        d[k] = (double)inDir[k];
+    mcd_fromReal(d, inDir);
     const MeBool isGood = isCylinder(g, "McdCylinderMaximumPointLocal");
     if (isGood && mcd_areInRange(inDir, 3))
         support(g, d, p);
     else if (isGood)
         MeWarning(1, "McdCylinderMaximumPointLocal: the direction is not finite");
-    MeVector3Set(outPoint, (MeReal)p[0], (MeReal)p[1], (MeReal)p[2]);
+    mcd_toReal(outPoint, p);
 }
 
 /* ---- the type ---------------------------------------------------------------------------------------------------- */

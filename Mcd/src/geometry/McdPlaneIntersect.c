@@ -82,9 +82,9 @@ static void mergeCorners(Slice *s) {
 }
 
 static void sortCorners(Slice *s) {
-    const MeVector3 n = {(MeReal)s->normal[0], (MeReal)s->normal[1], (MeReal)s->normal[2]};
-    MeVector3 x, y;
+    MeVector3 n, x, y;
     double middle[3] = {0, 0, 0};
+    mcd_toReal(n, s->normal);
     MeVector3PlaneSpace(n, x, y);
     for (int i = 0; i < s->count; i++)
         mcd_mad(middle, middle, 1. / s->count, s->corner[i].position);

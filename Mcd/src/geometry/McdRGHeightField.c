@@ -146,7 +146,7 @@ MeBool MEAPI McdRGHeightFieldGetHeightAt(McdRGHeightFieldID g, MeReal x, MeReal 
         return MEFALSE;
     *height = (MeReal)(corner[0][2] - (n[0] * ((double)x - corner[0][0]) + n[1] * ((double)y - corner[0][1])) / n[2]);
     if (normal)
-        MeVector3Set(normal, (MeReal)n[0], (MeReal)n[1], (MeReal)n[2]);
+        mcd_toReal(normal, n);
     return METRUE;
 }
 

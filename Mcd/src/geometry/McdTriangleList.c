@@ -189,7 +189,8 @@ static void releaseArray(McdTriangleListRecord *list, const Generated *generated
  * releaseArray must follow. */
 static void callGenerator(McdTriangleListRecord *list, McdModelPair *p, McdScratch *scratch, const double centre[3],
                           double radius, Generated *generated) {
-    MeVector3 pos = {(MeReal)centre[0], (MeReal)centre[1], (MeReal)centre[2]};
+    MeVector3 pos;
+    mcd_toReal(pos, centre);
     double reach = radius; /* plus the rounding of the centre */
     for (int i = 0; i < 3; i++)
         reach += fabs((double)pos[i] - centre[i]);
@@ -213,16 +214,16 @@ static MeBool cornersOf(const McdUserTriangle *t, double corner[3][3]) {
     for (int i = 0; i < 3; i++) {
         if (!t->vertices[i])
             return MEFALSE;
-        for (int k = 0; k < 3; k++)
-            corner[i][k] = (double)(*t->vertices[i])[k];
+        mcd_fromReal(corner[i], *t->vertices[i]);
     }
     return METRUE;
 }
 
 static const double *normalOf(const McdUserTriangle *t, double normal[3]) {
-    for (int k = 0; t->normal && k < 3; k++)
-        normal[k] = (double)(*t->normal)[k];
-    return t->normal ? normal : 0;
+    if (!t->normal)
+        return 0;
+    mcd_fromReal(normal, *t->normal);
+    return normal;
 }
 
 static void gather(McdMeshQuery *q) {

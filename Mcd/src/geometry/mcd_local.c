@@ -62,8 +62,7 @@ void mcd_localMaximumPoint(McdGeometryInstanceID ins, const MeReal *direction, M
     }
     support(ins->geometry, d, p);
     for (int i = 0; i < 3; i++)
-        point[i] = mcd_clampReal((double)tm[0][i] * p[0] + (double)tm[1][i] * p[1] + (double)tm[2][i] * p[2] +
-                                 (double)tm[3][i]);
+        point[i] = mcd_clampReal(mcd_placedCoordinate(mcd_const(tm), p, i));
 }
 
 void mcd_boxSupport(const MeReal *min, const MeReal *max, const double direction[3], double point[3]) {
@@ -263,8 +262,7 @@ void mcd_massDiagonal(McdMass *m, double volume, double x, double y, double z) {
 
 static void toWorld(const MeVector4 *tm, const double p[3], MeVector3 out) {
     for (int i = 0; i < 3; i++)
-        out[i] =
-            (MeReal)((double)tm[0][i] * p[0] + (double)tm[1][i] * p[1] + (double)tm[2][i] * p[2] + (double)tm[3][i]);
+        out[i] = (MeReal)mcd_placedCoordinate(tm, p, i);
 }
 
 void mcd_drawLine(const MeVector4 *tm, const MeReal colour[3], const double a[3], const double b[3]) {

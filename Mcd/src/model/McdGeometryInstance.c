@@ -1,6 +1,7 @@
 /* Instances: geometries at places, and the trees of instances of aggregates. */
 #include "model/mcd_geometries_i.h"
 #include "convex/mcd_shape_i.h"
+#include "convex/mcd_vector_i.h"
 #include "model/mcd_result_i.h"
 #include <string.h>
 
@@ -237,9 +238,10 @@ MeBool MEAPI McdGeometryInstanceOverlap(McdGeometryInstanceID a, McdGeometryInst
 }
 
 static void placePoint(MeVector3 placed, const MeMatrix4Ptr tm, const MeVector3 local) {
+    double point[3];
+    mcd_fromReal(point, local);
     for (int i = 0; i < 3; i++)
-        placed[i] = mcd_clampReal((double)tm[0][i] * (double)local[0] + (double)tm[1][i] * (double)local[1] +
-                                  (double)tm[2][i] * (double)local[2] + (double)tm[3][i]);
+        placed[i] = mcd_clampReal(mcd_placedCoordinate(mcd_const(tm), point, i));
 }
 
 void MEAPI McdGeometryInstanceGetBSphere(const McdGeometryInstanceID ins, MeVector3 center, MeReal *radius) {

@@ -8,6 +8,7 @@
  * are needed; when s becomes small compared with the true distance, a new direction is computed.
  */
 #include "model/mcd_geometries_i.h"
+#include "convex/mcd_vector_i.h"
 #include "model/mcd_motion_i.h"
 #include "model/mcd_result_i.h"
 #include <string.h>
@@ -21,40 +22,25 @@ typedef struct Mover {
     double reach;
 } Mover;
 
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(double out[3], const double a[3], const double b[3]) {
-    out[0] = a[1] * b[2] - a[2] * b[1];
-    out[1] = a[2] * b[0] - a[0] * b[2];
-    out[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-static double length(const double a[3]) {
-    return sqrt(dot(a, a));
-}
-
 /* Rotates v about the unit axis, by Rodrigues' formula. */
 static void rotateVector(double v[3], const double axis[3], double sine, double cosine) {
     double side[3];
-    cross(side, axis, v);
-    const double along = dot(axis, v) * (1 - cosine);
+    mcd_cross(side, axis, v);
+    const double along = mcd_dot(axis, v) * (1 - cosine);
     for (int i = 0; i < 3; i++)
         v[i] = cosine * v[i] + sine * side[i] + along * axis[i];
 }
 
 void mcd_shapeMove(const McdShape *s, const double velocity[3], const double spin[3], double time, McdShape *moved) {
     *moved = *s;
-    for (int i = 0; i < 3; i++)
-        moved->place[i] += time * velocity[i];
-    const double rate = length(spin);
+    mcd_mad(moved->place, moved->place, time, velocity);
+    const double rate = mcd_length(spin);
     if (rate == 0)
         return;
     const double axis[3] = {spin[0] / rate, spin[1] / rate, spin[2] / rate};
     for (int i = 0; i < 3; i++)
         rotateVector(moved->axis[i], axis, sin(rate * time), cos(rate * time));
-    MEVALIDATE(!mcd_shapeIsRigid(s) || fabs(dot(moved->axis[0], moved->axis[1])) < 1e-8);
+    MEVALIDATE(!mcd_shapeIsRigid(s) || fabs(mcd_dot(moved->axis[0], moved->axis[1])) < 1e-8);
 }
 
 static void getVelocities(const McdModelRecord *m, double velocity[3], double spin[3]) {
@@ -76,27 +62,29 @@ static MeBool makeMover(McdModelID cm, const double origin[3], Mover *mover) {
 /* m/s: an upper bound of the velocity along n of any point of the mover. */
 static double speedAlong(const Mover *m, const double n[3]) {
     double lever[3];
-    cross(lever, n, m->spin);
-    return dot(m->velocity, n) + length(lever) * m->reach;
+    mcd_cross(lever, n, m->spin);
+    return mcd_dot(m->velocity, n) + mcd_length(lever) * m->reach;
 }
 
 /* The separation min a.n - max b.n at a time. */
 static double separationAlong(const Mover *a, const Mover *b, const double n[3], double time) {
-    const double back[3] = {-n[0], -n[1], -n[2]};
+    double back[3];
     double low[3], high[3];
     McdShape moved;
+    mcd_scale(back, n, -1);
     mcd_shapeMove(&a->start, a->velocity, a->spin, time, &moved);
     mcd_support(&moved, back, low);
     mcd_shapeMove(&b->start, b->velocity, b->spin, time, &moved);
     mcd_support(&moved, n, high);
-    return dot(low, n) - dot(high, n);
+    return mcd_dot(low, n) - mcd_dot(high, n);
 }
 
 /* Advances the time along one fixed direction while progress is good; s is the separation at `time`. Returns the new
  * time. */
 static double advanceAlong(const Mover *a, const Mover *b, const double n[3], double s, double target, double time,
                            double maxTime) {
-    const double back[3] = {-n[0], -n[1], -n[2]};
+    double back[3];
+    mcd_scale(back, n, -1);
     const double closing = speedAlong(a, back) + speedAlong(b, n);
     for (int i = 0; i < ADVANCES && s > target / 2 && time < maxTime; i++) {
         if (closing <= 0)
@@ -134,7 +122,7 @@ static double firstTouch(const Mover *a, const Mover *b, double target, double m
 
 static void reportTouch(McdSafeTimeResult *result, double time, MeBool touches, const double n[3], const double at[3],
                         const double origin[3]) {
-    MEASSERT(time >= 0 && (!touches || isfinite(length(n))));
+    MEASSERT(time >= 0 && (!touches || isfinite(mcd_length(n))));
     result->time = (MeReal)time;
     for (int i = 0; i < 3; i++) {
         result->normal[i] = touches ? (MeReal)n[i] : 0;
@@ -157,50 +145,44 @@ int MEAPI mcd_safeTimeConvex(McdModelPair *p, MeReal maxTime, McdSafeTimeResult 
 
 /* ---- planes ------------------------------------------------------------------------------------------------------ */
 
-/* The half-space of a plane model at a time. */
-static void planeAt(McdModelRecord *plane, const double origin[3], double time, double n[3], double *offset) {
-    MeMatrix4 tm;
-    mcd_modelPlaceAt(plane, time, tm);
-    *offset = 0;
-    for (int i = 0; i < 3; i++) {
-        n[i] = (double)tm[2][i];
-        *offset += n[i] * ((double)tm[3][i] - origin[i]);
-    }
-}
-
 static double heightAbove(const Mover *a, const double n[3], double offset, double time, double at[3]) {
-    const double back[3] = {-n[0], -n[1], -n[2]};
+    double back[3];
     McdShape moved;
+    mcd_scale(back, n, -1);
     mcd_shapeMove(&a->start, a->velocity, a->spin, time, &moved);
     mcd_support(&moved, back, at);
-    return dot(at, n) - offset;
+    return mcd_dot(at, n) - offset;
 }
 
 /* m/s: an upper bound of the closing speed of a shape and a moving plane. If the plane rotates with angular velocity
  * w, the height n.(x - p) changes by up to w |x - p| more, since n changes. */
 static double closingSpeed(const Mover *a, const McdModelRecord *plane, const double origin[3], const double n[3],
                            double maxTime) {
-    const double back[3] = {-n[0], -n[1], -n[2]};
+    double back[3];
     double velocity[3], spin[3], arm[3];
+    mcd_scale(back, n, -1);
     getVelocities(plane, velocity, spin);
-    if (length(spin) == 0)
-        return speedAlong(a, back) + dot(velocity, n);
+    if (mcd_length(spin) == 0)
+        return speedAlong(a, back) + mcd_dot(velocity, n);
     for (int i = 0; i < 3; i++)
         arm[i] = a->start.place[i] + origin[i] - (double)plane->instance.tm[3][i];
-    const double straight = length(a->velocity) + length(velocity);
-    return straight + length(a->spin) * a->reach + length(spin) * (length(arm) + a->reach + straight * maxTime);
+    const double straight = mcd_length(a->velocity) + mcd_length(velocity);
+    return straight + mcd_length(a->spin) * a->reach +
+           mcd_length(spin) * (mcd_length(arm) + a->reach + straight * maxTime);
 }
 
 int MEAPI mcd_safeTimePlane(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result) {
     McdModelRecord *shape = mcd_record(p->model1), *plane = mcd_record(p->model2);
     double origin[3], n[3], at[3], offset, time = 0;
+    MeMatrix4 tm;
     Mover a;
     mcd_pairOrigin(&shape->instance, &shape->instance, origin);
     if (!makeMover(p->model1, origin, &a))
         return 0;
     const double target = MCD_TOUCH * a.reach;
     for (int i = 0; i < DIRECTIONS * ADVANCES; i++) {
-        planeAt(plane, origin, time, n, &offset);
+        mcd_modelPlaceAt(plane, time, tm);
+        mcd_halfSpaceAt(mcd_const(tm), origin, n, &offset);
         const double height = heightAbove(&a, n, offset, time, at);
         if (height <= target || time >= (double)maxTime) {
             reportTouch(result, time, height <= target, n, at, origin);

@@ -15,6 +15,13 @@ void mcd_pairOrigin(McdGeometryInstanceID ins1, McdGeometryInstanceID ins2, doub
     MEASSERT(isfinite(origin[0]) && isfinite(origin[1]) && isfinite(origin[2]));
 }
 
+void mcd_halfSpaceAt(const MeVector4 *tm, const double origin[3], double normal[3], double *offset) {
+    *offset = 0;
+    mcd_fromReal(normal, tm[2]);
+    for (int i = 0; i < 3; i++)
+        *offset += normal[i] * ((double)tm[3][i] - origin[i]);
+}
+
 MeBool mcd_shapeSizes(McdGeometryID g, McdShape *s) {
     s->kind = mcd_kindOf(g);
     if (!s->kind || !s->kind->setShape) {

@@ -71,15 +71,11 @@ int mcd_convexContacts(McdModelPair *p, McdIntersectResult *result, const char *
     return mcd_convexInstances(ins1, ins2, mcd_pairMargin(p), result) ? mcd_resultEnd(result) : warnNotPlaced(function);
 }
 
-/* The plane's unit normal, and its offset normal . x relative to origin; false if the transform is invalid. */
-static MeBool halfSpaceAt(const MeMatrix4Ptr tm, const double origin[3], double normal[3], double *offset) {
-    *offset = 0;
+/* mcd_halfSpaceAt with a unit normal; false if the transform is invalid. */
+static MeBool unitHalfSpaceAt(const MeMatrix4Ptr tm, const double origin[3], double normal[3], double *offset) {
     if (!tm)
         return MEFALSE;
-    for (int i = 0; i < 3; i++) {
-        normal[i] = (double)tm[2][i];
-        *offset += normal[i] * ((double)tm[3][i] - origin[i]);
-    }
+    mcd_halfSpaceAt(mcd_const(tm), origin, normal, offset);
     const double square = mcd_dot(normal, normal);
     if (!(isfinite(*offset) && isfinite(square) && square > 0))
         return MEFALSE;
@@ -102,7 +98,7 @@ int mcd_planeContacts(McdModelPair *p, McdIntersectResult *result, const char *f
     McdManifold m;
     mcd_pairOrigin(ins1, ins2, origin);
     if (!mcd_shapeOf(isSwapped ? ins2 : ins1, origin, &a) ||
-        !halfSpaceAt(mcd_instanceTM(isSwapped ? ins1 : ins2), origin, normal, &offset))
+        !unitHalfSpaceAt(mcd_instanceTM(isSwapped ? ins1 : ins2), origin, normal, &offset))
         return warnNotPlaced(function);
     if (mcd_planeManifold(&a, normal, offset, mcd_pairMargin(p), &m)) {
         if (isSwapped)

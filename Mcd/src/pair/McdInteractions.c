@@ -247,8 +247,7 @@ static void completeContacts(McdIntersectResult *result) {
     for (int i = 0; i < result->contactCount; i++) {
         McdContact *c = &result->contacts[i];
         c->exactSeparation = (double)c->separation;
-        for (int k = 0; k < 3; k++)
-            c->exactPosition[k] = (double)c->position[k];
+        mcd_fromReal(c->exactPosition, c->position);
         c->radius[0] = c->radius[1] = 0;
     }
 }

@@ -112,7 +112,7 @@ static void storeInputs(McdModelRecord *m, const McdModelInputs *now) {
     m->isPlaced = mcd_isValidTransform(mcd_const(m->instance.tm));
     if (m->isPlaced)
         mcd_shapeAxes(mcd_const(m->instance.tm), m->shape.axis);
-    mcd_set(m->shape.place, (double)now->place[0], (double)now->place[1], (double)now->place[2]);
+    mcd_fromReal(m->shape.place, now->place);
     if (!isOtherShape)
         return;
     mcd_shapeSizes(m->instance.geometry, &m->shape);

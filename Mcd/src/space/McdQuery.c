@@ -49,17 +49,14 @@ static MeBool setQueryShape(Query *q, McdGeometryID g, const MeMatrix4 tm, const
         MeWarning(1, "%s: the transform is null, not finite, flat, or beyond %g", function, (double)FLT_MAX);
         return MEFALSE;
     }
-    for (int i = 0; i < 3; i++)
-        q->origin[i] = (double)tm[3][i];
+    mcd_fromReal(q->origin, tm[3]);
     if (!mcd_shapeAt(g, tm, q->origin, &q->shape)) {
         MeWarning(1, "%s: the geometry is not convex: %s", function, McdGeometryGetTypeName(g));
         return MEFALSE;
     }
     McdGeometryGetAABB(g, tm, low, high);
-    for (int i = 0; i < 3; i++) {
-        q->min[i] = (double)low[i];
-        q->max[i] = (double)high[i];
-    }
+    mcd_fromReal(q->min, low);
+    mcd_fromReal(q->max, high);
     return METRUE;
 }
 
@@ -188,10 +185,8 @@ int MEAPI McdSpaceOverlapBox(McdSpaceID space, const MeVector3 minCorner, const 
         MeWarning(1, "McdSpaceOverlapBox: a corner is null, not finite, or beyond %g", (double)FLT_MAX);
         return 0;
     }
-    for (int i = 0; i < 3; i++) {
-        q.min[i] = (double)minCorner[i];
-        q.max[i] = (double)maxCorner[i];
-    }
+    mcd_fromReal(q.min, minCorner);
+    mcd_fromReal(q.max, maxCorner);
     visitOverlapping(&q, q.min, q.max, visitBox, &q);
     return q.count;
 }
@@ -293,8 +288,7 @@ static void writeClosest(const Closest *c, McdClosestResult *result) {
     result->distance = mcd_clampReal(c->gap.distance);
     toWorld(&c->q, c->gap.onShape, result->position1);
     toWorld(&c->q, c->gap.onOther, result->position2);
-    for (int i = 0; i < 3; i++)
-        result->normal[i] = (MeReal)c->gap.normal[i];
+    mcd_toReal(result->normal, c->gap.normal);
 }
 
 int MEAPI McdSpaceGetClosest(McdSpaceID space, McdGeometryID g, const MeMatrix4 tm, MeReal maxDistance,
@@ -470,8 +464,7 @@ static void writeCast(const Cast *c, McdCastResult *result) {
     result->instance = c->gap.child;
     result->fraction = (MeReal)c->fraction;
     toWorld(&c->q, c->gap.onOther, result->position);
-    for (int i = 0; i < 3; i++)
-        result->normal[i] = (MeReal)c->gap.normal[i];
+    mcd_toReal(result->normal, c->gap.normal);
 }
 
 int MEAPI McdSpaceCastGeometry(McdSpaceID space, McdGeometryID g, const MeMatrix4 tm, const MeVector3 displacement,
@@ -481,8 +474,8 @@ int MEAPI McdSpaceCastGeometry(McdSpaceID space, McdGeometryID g, const MeMatrix
     if (!checkCast(space, displacement, result, "McdSpaceCastGeometry") ||
         !setQueryShape(&c.q, g, tm, "McdSpaceCastGeometry"))
         return 0;
+    mcd_fromReal(c.by, displacement);
     for (int i = 0; i < 3; i++) {
-        c.by[i] = (double)displacement[i];
         middle[i] = (c.q.min[i] + c.q.max[i]) / 2;
         half[i] = (c.q.max[i] - c.q.min[i]) / 2 * (1 + 8 * (double)ME_EPSILON);
     }

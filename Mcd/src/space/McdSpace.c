@@ -1291,11 +1291,10 @@ static MeBool checkSegment(McdSpaceID s, const MeReal *from, const MeReal *to, c
 static int castSegment(Segment *q) {
     const double still[3] = {0, 0, 0};
     double from[3], by[3];
-    for (int i = 0; i < 3; i++) {
-        from[i] = (double)q->from[i];
-        by[i] = (double)q->to[i] - from[i];
-    }
-    q->length = sqrt(by[0] * by[0] + by[1] * by[1] + by[2] * by[2]);
+    mcd_fromReal(from, q->from);
+    mcd_fromReal(by, q->to);
+    mcd_sub(by, by, from);
+    q->length = mcd_length(by);
     MeStageBegin(&q->space->frame->stage, MCD_GUARD_SHAPES);
     mcd_spaceCast(q->space, from, by, still, 1, intersectModel, q);
     MeStageEnd(&q->space->frame->stage, MCD_GUARD_SHAPES);

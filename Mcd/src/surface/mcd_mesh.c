@@ -104,10 +104,8 @@ static void extentAlong(const McdShape *s, const double axis[3], const double po
     mcd_scale(back, axis, -1);
     mcd_support(s, axis, far);
     mcd_support(s, back, near);
-    mcd_sub(far, far, point);
-    mcd_sub(near, near, point);
-    *low = mcd_dot(near, axis);
-    *high = mcd_dot(far, axis);
+    *low = mcd_heightOver(near, point, axis);
+    *high = mcd_heightOver(far, point, axis);
 }
 
 /* Computes the bounding box along the shape's own axes: centre and half extents. */
@@ -143,10 +141,8 @@ static void boundInMeshAxes(McdMeshQuery *q) {
  * smaller. */
 static void boundByBall(McdMeshQuery *q) {
     const MeBool isOriginBetter = q->shape.extent < q->radius;
-    double offset[3];
-    mcd_sub(offset, isOriginBetter ? q->shape.place : q->centre, q->place);
     for (int i = 0; i < 3; i++)
-        q->ball[i] = mcd_dot(offset, q->axis[i]);
+        q->ball[i] = mcd_heightOver(isOriginBetter ? q->shape.place : q->centre, q->place, q->axis[i]);
     q->ballRadius = (isOriginBetter ? q->shape.extent : q->radius) + q->margin;
     MEASSERT(!(q->ballRadius < q->margin));
 }
@@ -195,8 +191,7 @@ static MeBool placeQuery(McdMeshQuery *q, McdGeometryInstance *ins1, McdGeometry
     if (!mcd_shapeOf(ins1, q->origin, &q->shape))
         return MEFALSE;
     for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++)
-            q->axis[i][k] = (double)tm[i][k];
+        mcd_fromReal(q->axis[i], tm[i]);
         q->place[i] = (double)tm[3][i] - q->origin[i];
     }
     boundInMeshAxes(q);

@@ -67,11 +67,8 @@ MeBool mcd_meshClipSegment(const McdMeshTriangle *t, const double from[3], const
     *out = 1;
     for (int i = 0; i < 3; i++) {
         const double *inward = t->inward[i];
-        double offset[3];
-        mcd_sub(offset, from, t->corner[i]);
-        const double a = mcd_dot(offset, inward) + tolerance;
-        mcd_sub(offset, to, t->corner[i]);
-        const double b = mcd_dot(offset, inward) + tolerance;
+        const double a = mcd_heightOver(from, t->corner[i], inward) + tolerance;
+        const double b = mcd_heightOver(to, t->corner[i], inward) + tolerance;
         if (a < 0 && b < 0)
             return MEFALSE;
         if (a < 0)
@@ -97,7 +94,9 @@ static MeU32 quantizedNormal(const double normal[3]) {
 void mcd_meshAddContact(McdMeshQuery *q, const McdMeshTriangle *t, const double position[3], const double normal[3],
                         double separation, MeU32 feature, MeBool isCut) {
     McdMesh *mesh = q->mesh;
-    const double outward[3] = {-normal[0], -normal[1], -normal[2]}, size = mcd_dot(normal, normal);
+    const double size = mcd_dot(normal, normal);
+    double outward[3];
+    mcd_scale(outward, normal, -1);
     if (!(size > 0) || !isfinite(size + separation + position[0] + position[1] + position[2]))
         return; /* coordinates near the largest number may overflow */
     if (!mcd_meshReserveContacts(mesh, mesh->contactCount + 1))
@@ -119,9 +118,8 @@ MeBool mcd_meshAddPoints(McdMeshQuery *q, const McdMeshTriangle *t, const double
                          MeBool onlyDeeper, double *min) {
     MeBool isAnyAdded = MEFALSE;
     for (int i = 0; i < p->count; i++) {
-        double offset[3], at[3];
-        mcd_sub(offset, p->point[i], t->corner[0]);
-        const double separation = mcd_dot(offset, normal) - q->shape.rounding;
+        double at[3];
+        const double separation = mcd_heightOver(p->point[i], t->corner[0], normal) - q->shape.rounding;
         if (separation > q->margin || (onlyDeeper && separation >= *min - MCD_MESH_OVERLAP * q->shape.extent))
             continue;
         mcd_mad(at, p->point[i], -(q->shape.rounding + separation / 2), normal);

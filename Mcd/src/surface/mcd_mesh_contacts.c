@@ -8,24 +8,22 @@
  * ----------------------------------------------------------------------- */
 
 static double heightOfCentre(const McdMeshQuery *q, const McdMeshTriangle *t) {
-    double offset[3];
-    mcd_sub(offset, q->centre, t->corner[0]);
-    return mcd_dot(offset, t->normal);
+    return mcd_heightOver(q->centre, t->corner[0], t->normal);
 }
 
 /* Computes the unit vectors orthogonal to the edges, in the triangle's plane, pointing inward. False if the triangle
  * is so far away or so large that after rounding an edge has no length, or the third corner lies on an edge. */
 static MeBool findInward(McdMeshTriangle *t) {
     for (int i = 0; i < 3; i++) {
-        double *inward = t->inward[i], edge[3], across[3];
+        double *inward = t->inward[i], edge[3];
+        const double *opposite = t->corner[(i + 2) % 3];
         mcd_sub(edge, t->corner[(i + 1) % 3], t->corner[i]);
         mcd_cross(inward, t->normal, edge);
-        mcd_sub(across, t->corner[(i + 2) % 3], t->corner[i]);
         const double length = mcd_length(inward);
         if (!(length > 0))
             return MEFALSE;
-        mcd_scale(inward, inward, (mcd_dot(inward, across) < 0 ? -1 : 1) / length);
-        if (!(mcd_dot(inward, across) > 0))
+        mcd_scale(inward, inward, (mcd_heightOver(opposite, t->corner[i], inward) < 0 ? -1 : 1) / length);
+        if (!(mcd_heightOver(opposite, t->corner[i], inward) > 0))
             return MEFALSE;
     }
     return METRUE;
@@ -34,11 +32,11 @@ static MeBool findInward(McdMeshTriangle *t) {
 /* Whether the shape's oriented box, grown by the margin, overlaps the triangle's prism. */
 static MeBool overlapsPrism(const McdMeshQuery *q, const McdMeshTriangle *t) {
     for (int i = 0; i < 3; i++) {
-        double offset[3], reach = 0;
+        double reach = 0;
         for (int k = 0; k < 3; k++)
             reach += q->half[k] * fabs(mcd_dot(q->shape.axis[k], t->inward[i]));
-        mcd_sub(offset, q->box, t->corner[i]);
-        if (mcd_dot(offset, t->inward[i]) + reach < -q->margin - MCD_MESH_OVERLAP * q->shape.extent)
+        if (mcd_heightOver(q->box, t->corner[i], t->inward[i]) + reach <
+            -q->margin - MCD_MESH_OVERLAP * q->shape.extent)
             return MEFALSE;
     }
     return METRUE;
@@ -49,10 +47,9 @@ static MeBool overlapsBox(const McdMeshQuery *q, const McdMeshTriangle *t) {
     for (int i = 0; i < 3; i++) {
         double low = INFINITY, high = -INFINITY;
         for (int k = 0; k < 3; k++) {
-            double offset[3];
-            mcd_sub(offset, t->corner[k], q->box);
-            low = fmin(low, mcd_dot(offset, q->shape.axis[i]));
-            high = fmax(high, mcd_dot(offset, q->shape.axis[i]));
+            const double height = mcd_heightOver(t->corner[k], q->box, q->shape.axis[i]);
+            low = fmin(low, height);
+            high = fmax(high, height);
         }
         const double reach = q->half[i] + q->margin + MCD_MESH_OVERLAP * q->shape.extent;
         if (low > reach || high < -reach)
@@ -75,9 +72,8 @@ static MeBool intersectTriangle(const McdMeshQuery *q, const McdMeshTriangle *t,
 /* For checks: whether low and high, the shape's lowest and highest heights over the plane, are within its bounding
  * sphere. */
 static MeBool areHeightsGood(const McdMeshQuery *q, const McdMeshTriangle *t, double low, double high) {
-    double offset[3];
-    mcd_sub(offset, q->shape.place, t->corner[0]);
-    const double place = mcd_dot(offset, t->normal), slack = 1e-6 * q->shape.extent + 1e-9 * fabs(place);
+    const double place = mcd_heightOver(q->shape.place, t->corner[0], t->normal),
+                 slack = 1e-6 * q->shape.extent + 1e-9 * fabs(place);
     return !mcd_shapeIsRigid(&q->shape) || !mcd_isUnit(t->normal) ||
            (low <= high + slack && high <= place + q->shape.extent + slack && low >= place - q->shape.extent - slack);
 }
@@ -93,7 +89,7 @@ static MeBool isBelowShape(const McdMeshQuery *q, const McdMeshTriangle *t, cons
 /* Classifies a triangle. Sets inward and isFlat; isPending for triangles within reach; facing for those with only
  * one admissible normal; isBelow. */
 static void classifyTriangle(McdMeshQuery *q, McdMeshTriangle *t) {
-    double back[3], lowest[3], highest[3], offset[3];
+    double back[3], lowest[3], highest[3];
     t->facing = 0;
     t->isPending = t->isBelow = MEFALSE;
     t->isFlat = !findInward(t);
@@ -101,10 +97,9 @@ static void classifyTriangle(McdMeshQuery *q, McdMeshTriangle *t) {
         return;
     mcd_scale(back, t->normal, -1);
     mcd_support(&q->shape, back, lowest);
-    mcd_sub(offset, lowest, t->corner[0]);
     mcd_support(&q->shape, t->normal, highest);
-    mcd_sub(highest, highest, t->corner[0]);
-    const double low = mcd_dot(offset, t->normal), high = mcd_dot(highest, t->normal);
+    const double low = mcd_heightOver(lowest, t->corner[0], t->normal);
+    const double high = mcd_heightOver(highest, t->corner[0], t->normal);
     MEVALIDATE(areHeightsGood(q, t, low, high));
     if (low > q->margin || high < -q->margin)
         return;
@@ -125,14 +120,12 @@ static const McdMeshTriangle *commonPlane(const McdMeshQuery *q) {
     const McdMeshTriangle *first = 0;
     for (int i = 0; i < q->mesh->count; i++) {
         const McdMeshTriangle *t = &q->mesh->triangle[i];
-        double offset[3];
         if (!t->isPending)
             continue;
         if (!first)
             first = t;
-        mcd_sub(offset, t->corner[0], first->corner[0]);
         if (!t->facing || t->facing != first->facing || !mcd_meshAreParallel(t->normal, first->normal) ||
-            fabs(mcd_dot(offset, first->normal)) > MCD_MESH_OVERLAP * q->shape.extent)
+            fabs(mcd_heightOver(t->corner[0], first->corner[0], first->normal)) > MCD_MESH_OVERLAP * q->shape.extent)
             return 0;
     }
     return first;
@@ -197,8 +190,7 @@ static MeBool findEntry(const McdMeshQuery *q, const McdMeshContact *c, double e
     surfacePointOf(c, foot);
     mcd_mad(point, c->position, c->separation / 2, c->normal);
     mcd_support(&q->shape, c->normal, highest);
-    mcd_sub(offset, highest, foot);
-    const double height = mcd_dot(offset, c->normal);
+    const double height = mcd_heightOver(highest, foot, c->normal);
     if (height <= 0)
         return MEFALSE;
     mcd_sub(offset, highest, point);
@@ -370,11 +362,9 @@ static MeBool addSearchedContacts(McdMeshQuery *q, McdMeshTriangle *t) {
  * ------------------------------------------------------------------- */
 
 static MeBool areCoplanar(const McdMeshQuery *q, const McdMeshTriangle *a, const McdMeshTriangle *b) {
-    double offset[3];
     if (1 - fabs(mcd_dot(a->normal, b->normal)) > MCD_MESH_RISES * MCD_MESH_RISES)
         return MEFALSE;
-    mcd_sub(offset, b->corner[0], a->corner[0]);
-    return fabs(mcd_dot(offset, a->normal)) <= MCD_MESH_RISES * q->shape.extent;
+    return fabs(mcd_heightOver(b->corner[0], a->corner[0], a->normal)) <= MCD_MESH_RISES * q->shape.extent;
 }
 
 /* Whether triangles in t's plane cover the segment, the last of them facing along the normal. Extends the covered
@@ -404,11 +394,10 @@ static double minSeparationOnPlane(const McdMeshQuery *q, const McdMeshTriangle 
     double min = INFINITY;
     for (int i = 0; i < count; i++) {
         const McdMeshContact *c = &q->mesh->contact[i];
-        double offset[3];
-        surfacePointOf(c, offset);
-        mcd_sub(offset, offset, t->corner[0]);
+        double foot[3];
+        surfacePointOf(c, foot);
         if (c->separation < min && mcd_meshAreParallel(c->normal, normal) &&
-            fabs(mcd_dot(offset, normal)) <= MCD_MESH_RISES * q->shape.extent)
+            fabs(mcd_heightOver(foot, t->corner[0], normal)) <= MCD_MESH_RISES * q->shape.extent)
             min = c->separation;
     }
     return min;

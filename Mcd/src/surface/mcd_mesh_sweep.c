@@ -21,25 +21,19 @@
 #define NO_FALL 1e-9
 
 static double heightOver(const McdMeshTriangle *t, const double point[3]) {
-    double offset[3];
-    mcd_sub(offset, point, t->corner[0]);
-    return mcd_dot(offset, t->normal);
+    return mcd_heightOver(point, t->corner[0], t->normal);
 }
 
 static void nearestOnSegment(const double point[3], const double from[3], const double to[3], double nearest[3]) {
-    double along[3], offset[3];
+    double along[3];
     mcd_sub(along, to, from);
-    mcd_sub(offset, point, from);
-    mcd_mad(nearest, from, MeCLAMP(mcd_dot(offset, along) / mcd_dot(along, along), 0, 1), along);
+    mcd_mad(nearest, from, MeCLAMP(mcd_heightOver(point, from, along) / mcd_dot(along, along), 0, 1), along);
 }
 
 static MeBool isOver(const McdMeshTriangle *t, const double point[3]) {
-    for (int i = 0; i < 3; i++) {
-        double offset[3];
-        mcd_sub(offset, point, t->corner[i]);
-        if (mcd_dot(offset, t->inward[i]) < 0)
+    for (int i = 0; i < 3; i++)
+        if (mcd_heightOver(point, t->corner[i], t->inward[i]) < 0)
             return MEFALSE;
-    }
     return METRUE;
 }
 
