@@ -285,12 +285,24 @@ void mcd_standInEnd(McdModelID cm, McdGeometryInstance *child) {
     mcd_instanceLeave(&m->instance);
 }
 
+/* ---- accessors --------------------------------------------------------------------------------------------------- */
+
+/* Defines a function that gets a value of the model `m`; `otherwise`, with a warning, if it is not a model. */
+#define DEFINE_GETTER(Type, Name, value, otherwise)                                                                    \
+    Type MEAPI Name(McdModelID cm) {                                                                                   \
+        McdModelRecord *m = mcd_modelCheck(cm, __func__);                                                              \
+        return m ? (value) : (otherwise);                                                                              \
+    }
+#define DEFINE_SETTER(Name, Type, member)                                                                              \
+    void MEAPI Name(McdModelID cm, Type value) {                                                                       \
+        McdModelRecord *m = mcd_modelCheck(cm, __func__);                                                              \
+        if (m)                                                                                                         \
+            m->member = value;                                                                                         \
+    }
+
 /* ---- shape ---------------------------------------------------------------------------------------------------- */
 
-McdGeometryID MEAPI McdModelGetGeometry(McdModelID cm) {
-    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetGeometry");
-    return m ? m->instance.geometry : 0;
-}
+DEFINE_GETTER(McdGeometryID, McdModelGetGeometry, m->instance.geometry, 0)
 
 void MEAPI McdModelSetGeometry(McdModelID cm, McdGeometryID g) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetGeometry");
@@ -312,27 +324,13 @@ void MEAPI McdModelSetGeometry(McdModelID cm, McdGeometryID g) {
         acquireGeometry(m, old, "McdModelSetGeometry");
 }
 
-McdGeometryType MEAPI McdModelGetGeometryType(McdModelID cm) {
-    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetGeometryType");
-    return m ? m->instance.geometry->type : (McdGeometryType)-1;
-}
+DEFINE_GETTER(McdGeometryType, McdModelGetGeometryType, m->instance.geometry->type, (McdGeometryType)-1)
 
-MeBool MEAPI McdModelIsConvex(McdModelID cm) {
-    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelIsConvex");
-    const McdKind *kind = m ? mcd_kindOf(m->instance.geometry) : 0;
-    return kind && kind->setShape;
-}
+DEFINE_GETTER(MeBool, McdModelIsConvex, mcd_isConvex(&m->instance), MEFALSE)
 
-MeBool MEAPI McdModelIsSurface(McdModelID cm) {
-    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelIsSurface");
-    const McdKind *kind = m ? mcd_kindOf(m->instance.geometry) : 0;
-    return kind && kind->gather;
-}
+DEFINE_GETTER(MeBool, McdModelIsSurface, mcd_isSurface(&m->instance), MEFALSE)
 
-McdGeometryInstanceID MEAPI McdModelGetGeometryInstance(McdModelID cm) {
-    McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetGeometryInstance");
-    return m ? &m->instance : 0;
-}
+DEFINE_GETTER(McdGeometryInstanceID, McdModelGetGeometryInstance, &m->instance, 0)
 
 void MEAPI McdModelGetAABB(McdModelID cm, MeVector3 minCorner, MeVector3 maxCorner) {
     if (!mcd_areGiven(__func__, minCorner, maxCorner, maxCorner))
@@ -356,10 +354,7 @@ void MEAPI McdModelGetBSphere(McdModelID cm, MeVector3 center, MeReal *radius) {
 
 /* ---- place ----------------------------------------------------------------------------------------------------- */
 
-MeMatrix4Ptr MEAPI McdModelGetTransformPtr(McdModelID cm) {
-    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetTransformPtr");
-    return m ? m->instance.tm : 0;
-}
+DEFINE_GETTER(MeMatrix4Ptr, McdModelGetTransformPtr, m->instance.tm, 0)
 
 void MEAPI McdModelSetTransformPtr(const McdModelID cm, const MeMatrix4Ptr geometryTM) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetTransformPtr");
@@ -425,10 +420,7 @@ void MEAPI McdModelSetRelativeTransform(McdModelID cm, MeMatrix4 relTM) {
     McdModelSetRelativeTransformPtrs(cm, copy, reference, product, METRUE);
 }
 
-MeMatrix4Ptr MEAPI McdModelGetRelativeTransform(McdModelID cm) {
-    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetRelativeTransform");
-    return m ? m->relTM : 0;
-}
+DEFINE_GETTER(MeMatrix4Ptr, McdModelGetRelativeTransform, m->relTM, 0)
 
 void MEAPI McdModelCompoundTransforms(McdModelID cm) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelCompoundTransforms");
@@ -436,27 +428,13 @@ void MEAPI McdModelCompoundTransforms(McdModelID cm) {
         composeTransforms(m);
 }
 
-void MEAPI McdModelSetLinearVelocityPtr(McdModelID cm, MeReal *velocity) {
-    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetLinearVelocityPtr");
-    if (m)
-        m->linearVelocity = velocity;
-}
+DEFINE_SETTER(McdModelSetLinearVelocityPtr, MeReal *, linearVelocity)
 
-void MEAPI McdModelSetAngularVelocityPtr(McdModelID cm, MeReal *velocity) {
-    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetAngularVelocityPtr");
-    if (m)
-        m->angularVelocity = velocity;
-}
+DEFINE_SETTER(McdModelSetAngularVelocityPtr, MeReal *, angularVelocity)
 
-MeReal *MEAPI McdModelGetLinearVelocityPtr(McdModelID cm) {
-    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetLinearVelocityPtr");
-    return m ? m->linearVelocity : 0;
-}
+DEFINE_GETTER(MeReal *, McdModelGetLinearVelocityPtr, m->linearVelocity, 0)
 
-MeReal *MEAPI McdModelGetAngularVelocityPtr(McdModelID cm) {
-    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetAngularVelocityPtr");
-    return m ? m->angularVelocity : 0;
-}
+DEFINE_GETTER(MeReal *, McdModelGetAngularVelocityPtr, m->angularVelocity, 0)
 
 MeBool mcd_modelIsPlaced(const McdModelRecord *m) {
     return mcd_isPlacedAsSeen(m) || mcd_isValidTransform(mcd_const(m->instance.tm));
@@ -578,17 +556,11 @@ void MEAPI McdModelSetUpdateCallback(McdModelID cm, McdModelUpdateFnPtr f) {
         setUpdate(m, f);
 }
 
-McdModelUpdateFnPtr MEAPI McdModelGetUpdateCallback(McdModelID cm) {
-    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetUpdateCallback");
-    return m ? m->update : 0;
-}
+DEFINE_GETTER(McdModelUpdateFnPtr, McdModelGetUpdateCallback, m->update, 0)
 
 /* ---- collision -------------------------------------------------------------------------------------------------- */
 
-McdSpaceID MEAPI McdModelGetSpace(McdModelID cm) {
-    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetSpace");
-    return m ? m->space : 0;
-}
+DEFINE_GETTER(McdSpaceID, McdModelGetSpace, m->space, 0)
 
 void MEAPI McdModelSetMaterial(McdModelID cm, int material) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetMaterial");
@@ -596,10 +568,7 @@ void MEAPI McdModelSetMaterial(McdModelID cm, int material) {
         ME_UNDER_OWN_NAME(McdGeometryInstanceSetMaterial(&m->instance, material));
 }
 
-unsigned int MEAPI McdModelGetMaterial(McdModelID cm) {
-    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetMaterial");
-    return m ? mcd_instanceMaterial(&m->instance) : 0;
-}
+DEFINE_GETTER(unsigned int, McdModelGetMaterial, mcd_instanceMaterial(&m->instance), 0)
 
 void MEAPI McdModelSetContactTolerance(McdModelID cm, MeReal tolerance) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetContactTolerance");
@@ -612,10 +581,7 @@ void MEAPI McdModelSetContactTolerance(McdModelID cm, MeReal tolerance) {
     mcd_modelMarkChanged(m);
 }
 
-MeReal MEAPI McdModelGetContactTolerance(McdModelID cm) {
-    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetContactTolerance");
-    return m ? m->tolerance : 0;
-}
+DEFINE_GETTER(MeReal, McdModelGetContactTolerance, m->tolerance, 0)
 
 void MEAPI McdModelSetSwept(McdModelID cm, MeBool swept) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetSwept");
@@ -625,15 +591,9 @@ void MEAPI McdModelSetSwept(McdModelID cm, MeBool swept) {
     mcd_modelMarkChanged(m);
 }
 
-MeBool MEAPI McdModelIsSwept(McdModelID cm) {
-    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelIsSwept");
-    return m && m->isSwept;
-}
+DEFINE_GETTER(MeBool, McdModelIsSwept, m->isSwept, MEFALSE)
 
-MeReal MEAPI McdModelGetFastMargin(McdModelID cm) {
-    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetFastMargin");
-    return m ? mcd_fastMargin(m) : 0;
-}
+DEFINE_GETTER(MeReal, McdModelGetFastMargin, mcd_fastMargin(m), 0)
 
 void MEAPI McdModelSetSensor(McdModelID cm, MeBool sensor) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetSensor");
@@ -643,10 +603,7 @@ void MEAPI McdModelSetSensor(McdModelID cm, MeBool sensor) {
     mcd_modelMarkChanged(m);
 }
 
-MeBool MEAPI McdModelIsSensor(McdModelID cm) {
-    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelIsSensor");
-    return m && m->isSensor;
-}
+DEFINE_GETTER(MeBool, McdModelIsSensor, m->isSensor, MEFALSE)
 
 void MEAPI McdModelSetFilter(McdModelID cm, MeU32 category, MeU32 mask) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetFilter");
@@ -660,20 +617,11 @@ void MEAPI McdModelSetFilterGroup(McdModelID cm, int group) {
         setFilter(m, (McdFilter){.category = m->filter.category, .mask = m->filter.mask, .group = group});
 }
 
-MeU32 MEAPI McdModelGetFilterCategory(McdModelID cm) {
-    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetFilterCategory");
-    return m ? m->filter.category : 0;
-}
+DEFINE_GETTER(MeU32, McdModelGetFilterCategory, m->filter.category, 0)
 
-MeU32 MEAPI McdModelGetFilterMask(McdModelID cm) {
-    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetFilterMask");
-    return m ? m->filter.mask : 0;
-}
+DEFINE_GETTER(MeU32, McdModelGetFilterMask, m->filter.mask, 0)
 
-int MEAPI McdModelGetFilterGroup(McdModelID cm) {
-    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetFilterGroup");
-    return m ? m->filter.group : 0;
-}
+DEFINE_GETTER(int, McdModelGetFilterGroup, m->filter.group, 0)
 
 void MEAPI McdModelSetSortKey(McdModelID cm, MeI16 key) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetSortKey");
@@ -687,54 +635,23 @@ void MEAPI McdModelSetSortKey(McdModelID cm, MeI16 key) {
         m->sortKey = key;
 }
 
-MeI16 MEAPI McdModelGetSortKey(McdModelID cm) {
-    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetSortKey");
-    return m ? m->sortKey : 0;
-}
+DEFINE_GETTER(MeI16, McdModelGetSortKey, m->sortKey, 0)
 
-void MEAPI McdModelSetRequestID(McdModelID cm, int requestId) {
-    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetRequestID");
-    if (m)
-        m->requestId = requestId;
-}
+DEFINE_SETTER(McdModelSetRequestID, int, requestId)
 
-int MEAPI McdModelGetRequestID(McdModelID cm) {
-    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetRequestID");
-    return m ? m->requestId : McdModelGetDefaultRequestID();
-}
+DEFINE_GETTER(int, McdModelGetRequestID, m->requestId, McdModelGetDefaultRequestID())
 
-void MEAPI McdModelSetIntersectCallback(McdModelID cm, McdModelIntersectFnPtr fn) {
-    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetIntersectCallback");
-    if (m)
-        m->intersect = fn;
-}
+DEFINE_SETTER(McdModelSetIntersectCallback, McdModelIntersectFnPtr, intersect)
 
-McdModelIntersectFnPtr MEAPI McdModelGetIntersectCallback(McdModelID cm) {
-    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetIntersectCallback");
-    return m ? m->intersect : 0;
-}
+DEFINE_GETTER(McdModelIntersectFnPtr, McdModelGetIntersectCallback, m->intersect, 0)
 
 /* ---- the program's data
  * --------------------------------------------------------------------------------------------- */
 
-void MEAPI McdModelSetUserData(McdModelID cm, void *data) {
-    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetUserData");
-    if (m)
-        m->userData = data;
-}
+DEFINE_SETTER(McdModelSetUserData, void *, userData)
 
-void *MEAPI McdModelGetUserData(McdModelID cm) {
-    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetUserData");
-    return m ? m->userData : 0;
-}
+DEFINE_GETTER(void *, McdModelGetUserData, m->userData, 0)
 
-void MEAPI McdModelSetBodyData(McdModelID cm, void *body) {
-    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetBodyData");
-    if (m)
-        m->model.mBody = body;
-}
+DEFINE_SETTER(McdModelSetBodyData, void *, model.mBody)
 
-void *MEAPI McdModelGetBodyData(McdModelID cm) {
-    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetBodyData");
-    return m ? m->model.mBody : 0;
-}
+DEFINE_GETTER(void *, McdModelGetBodyData, m->model.mBody, 0)

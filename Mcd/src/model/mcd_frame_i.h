@@ -109,6 +109,17 @@ static inline MeBool mcd_isHalfSpace(const McdGeometryInstance *ins) {
     return kind && kind->isHalfSpace;
 }
 
+static inline MeBool mcd_isConvex(const McdGeometryInstance *ins) {
+    const McdKind *kind = mcd_kindOf(ins->geometry);
+    return kind && kind->setShape;
+}
+
+/* Whether it is a surface of triangles. */
+static inline MeBool mcd_isSurface(const McdGeometryInstance *ins) {
+    const McdKind *kind = mcd_kindOf(ins->geometry);
+    return kind && kind->gather;
+}
+
 /* Registers a built-in type with a framework. */
 void mcd_kindRegister(McdFramework *frame, const McdKind *kind, const char *function);
 /* Registers the library's functions for two types. False, with a warning, if one is not a type. */

@@ -8,7 +8,8 @@
 
 /* The common origin of a pair's coordinates: the middle of the intersection of their boxes. */
 void mcd_pairOrigin(McdGeometryInstanceID ins1, McdGeometryInstanceID ins2, double origin[3]);
-/* The half-space below z = 0 of tm: normal . x <= offset with x relative to origin. The normal has the length of tm's. */
+/* The half-space below z = 0 of tm: normal . x <= offset, with x relative to origin. The normal is tm's z axis, of any
+ * length. */
 void mcd_halfSpaceAt(const MeVector4 *tm, const double origin[3], double normal[3], double *offset);
 /* Makes the convex shape of an instance, relative to origin; false if its geometry is not convex (plane, surfaces of
  * triangles, aggregate, null) or its transform not valid. */

@@ -497,11 +497,6 @@ static MeBool callSafeTime(const McdGridCell *cell, McdModelPair *p, MeReal maxT
     return answer;
 }
 
-static MeBool areBothConvex(const McdModelPair *p) {
-    const McdKind *a = kindOf(p->model1), *b = kindOf(p->model2);
-    return a && b && a->setShape && b->setShape;
-}
-
 MeBool mcd_safeTimeBegin(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result, const char *function) {
     if (!mcd_areGiven(function, result, result, result))
         return MEFALSE;
@@ -530,7 +525,8 @@ MeBool MEAPI McdSafeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *res
     if (!safeTime || !mcd_safeTimeInputsAreValid(p, "McdSafeTime"))
         return MEFALSE;
     McdModelPair ordered = isSwapped ? swapModels(p) : *p;
-    const MeBool mayCall = !areBothConvex(p) || safeTime != cell->library.safeTimeFn;
+    const MeBool mayCall = !mcd_isConvex(&mcd_record(p->model1)->instance) ||
+                           !mcd_isConvex(&mcd_record(p->model2)->instance) || safeTime != cell->library.safeTimeFn;
     const MeBool answer =
         mayCall ? callSafeTime(cell, &ordered, maxTime, result) : safeTime(&ordered, maxTime, result) != 0;
     if (isSwapped)

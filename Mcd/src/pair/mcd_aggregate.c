@@ -37,8 +37,7 @@ static MeBool isAggregate(const McdGeometryInstance *ins) {
 }
 
 static MeBool areConvex(const McdGeometryInstance *a, const McdGeometryInstance *b) {
-    const McdKind *kindA = mcd_kindOf(a->geometry), *kindB = mcd_kindOf(b->geometry);
-    return kindA && kindB && kindA->setShape && kindB->setShape &&
+    return mcd_isConvex(a) && mcd_isConvex(b) &&
            mcd_typesAreBuiltIn(a->geometry->frame, a->geometry->type, b->geometry->type);
 }
 

@@ -244,11 +244,6 @@ static MeBool isInternal(Classified *l, int deepest) {
     return isOfEdges(l) || isCovered(l, mean, separation, MEFALSE);
 }
 
-static MeBool isConvex(const McdGeometryInstance *child) {
-    const McdKind *kind = mcd_kindOf(child->geometry);
-    return kind && kind->setShape;
-}
-
 /* Sets the members of a manifold that follow from its contacts. Contacts with planes and triangles count as on the
  * surface: only convex parts can be separated along a normal. */
 static void classify(const McdContact *contact, McdChildManifold *m) {
@@ -262,7 +257,7 @@ static void classify(const McdContact *contact, McdChildManifold *m) {
     m->separation = l.contact[deepest].exactSeparation;
     m->lean = m->skin = 0;
     m->cover[0] = m->cover[1] = 0;
-    if (!isConvex(m->child[0]) || !isConvex(m->child[1]))
+    if (!mcd_isConvex(m->child[0]) || !mcd_isConvex(m->child[1]))
         return;
     for (int side = 0; side < 2; side++)
         l.isCompound[side] = m->child[side]->parent && beginSurface(&l.surface[side], l.contact, m->child, side);

@@ -89,11 +89,10 @@ MeU64 mcd_modelNewStamp(McdModelRecord *m) {
 }
 
 static MeBool hasSurface(const McdGeometryInstance *ins) {
-    const McdKind *kind = mcd_kindOf(ins->geometry);
     for (const McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)
         if (hasSurface(child))
             return METRUE;
-    return kind && kind->gather;
+    return mcd_isSurface(ins);
 }
 
 /* Stores changed inputs: makes new stamps, and updates the members of the record that are derived from the inputs. */

@@ -6,9 +6,6 @@
 #include "convex/mcd_vector_i.h"
 #include <string.h>
 
-enum { MAX_ADVANCES = 100, MAX_PIECES = 64 };
-static const double touching = 1e-7; /* relative to the size: touching gap; single precision: 10 times */
-
 /* ---- common to all queries --------------------------------------------------------------------------------------- */
 
 typedef struct Query {
@@ -25,11 +22,11 @@ typedef struct Query {
     int count, listSize;
 } Query;
 
-/* The distance of one part of a model from the querying shape. */
-typedef struct Gap {
+/* The gap of one part of a model from the querying shape. */
+typedef struct ChildGap {
     McdGeometryInstance *child;
-    double distance, onShape[3], onOther[3], normal[3];
-} Gap;
+    McdGap gap;
+} ChildGap;
 
 static McdModelID modelOf(const Query *q, int proxy) {
     return &q->space->proxy[proxy].model->model;
@@ -60,37 +57,6 @@ static MeBool setQueryShape(Query *q, McdGeometryID g, const MeMatrix4 tm, const
     return METRUE;
 }
 
-static MeBool isPlane(const McdGeometryInstance *child) {
-    return mcd_isHalfSpace(child);
-}
-
-/* Measures the distance of a shape from `other`: the part's shape, or one of its triangles; null: the part is a
- * plane. */
-static void measureGap(const Query *q, const McdShape *shape, const McdShape *other, Gap *gap) {
-    if (other)
-        gap->distance = mcd_convexDistance(shape, other, gap->onShape, gap->onOther, gap->normal);
-    else
-        gap->distance = mcd_planeDistance(shape, mcd_const(mcd_instanceTM(gap->child)), q->origin, gap->onShape,
-                                          gap->onOther, gap->normal);
-}
-
-/* Measures the distance of a part; false if the part is too far away or does not support the query. */
-static MeBool measureChild(const Query *q, Gap *gap) {
-    McdShape other;
-    if (!mcd_instanceIsPlaced(gap->child))
-        return MEFALSE;
-    if (mcd_isMesh(gap->child))
-        return mcd_meshNearest(&q->shape, gap->child, q->self, q->origin, q->reach, &gap->distance, gap->onShape,
-                               gap->onOther, gap->normal);
-    if (isPlane(gap->child))
-        measureGap(q, &q->shape, 0, gap);
-    else if (mcd_shapeOf(gap->child, q->origin, &other))
-        measureGap(q, &q->shape, &other, gap);
-    else
-        return MEFALSE;
-    return METRUE;
-}
-
 /* Iterate over the parts of a model: the leaves of its tree of instances. */
 static McdGeometryInstance *firstLeaf(McdGeometryInstance *ins) {
     while (ins->firstChild)
@@ -104,22 +70,20 @@ static McdGeometryInstance *nextLeaf(McdGeometryInstance *ins) {
     return ins && ins->parent ? firstLeaf(ins->nextSibling) : 0;
 }
 
-/* Finds the nearest part of a model; false if none supports the query. */
-static MeBool nearestChild(const Query *q, McdModelID cm, Gap *nearest) {
-    Gap gap;
-    MeBool isFound = MEFALSE;
+/* Finds the nearest part of a model; false if none supports the query or is within reach. */
+static MeBool nearestChild(const Query *q, McdModelID cm, ChildGap *nearest) {
+    McdGap gap;
+    nearest->gap.distance = INFINITY;
     if (!mcd_modelIsPlaced(mcd_record(cm)))
         return MEFALSE;
-    for (gap.child = firstLeaf(&mcd_record(cm)->instance); gap.child; gap.child = nextLeaf(gap.child))
-        if (measureChild(q, &gap) && (!isFound || gap.distance < nearest->distance)) {
-            *nearest = gap;
-            isFound = METRUE;
-        }
-    return isFound;
+    for (McdGeometryInstance *child = firstLeaf(&mcd_record(cm)->instance); child; child = nextLeaf(child))
+        if (mcd_measureGap(&q->shape, child, q->self, q->origin, q->reach, &gap) &&
+            gap.distance < nearest->gap.distance)
+            *nearest = (ChildGap){child, gap};
+    return nearest->gap.distance < INFINITY;
 }
 
-/* ---- searches: models are guarded while filters and callbacks run
- * --------------------------------------------------- */
+/* ---- searches: models are guarded while filters and callbacks run ----------------------------------------------- */
 
 static void visitOverlapping(const Query *q, const double min[3], const double max[3], McdTreeVisit visit,
                              void *context) {
@@ -193,9 +157,9 @@ int MEAPI McdSpaceOverlapBox(McdSpaceID space, const MeVector3 minCorner, const 
 
 static MeBool visitOverlap(void *context, int proxy) {
     Query *q = context;
-    Gap gap;
+    ChildGap nearest;
     const McdModelID cm = modelOf(q, proxy);
-    if (passesFilter(q, cm) && nearestChild(q, cm, &gap) && gap.distance <= 0)
+    if (passesFilter(q, cm) && nearestChild(q, cm, &nearest) && nearest.gap.distance <= 0)
         addToList(q, cm);
     return METRUE;
 }
@@ -245,20 +209,20 @@ int MEAPI McdSpaceOverlapModel(McdSpaceID space, McdModelID cm, McdLineSegInters
 typedef struct Closest {
     Query q;
     McdModelID model;
-    Gap gap;
+    ChildGap nearest;
 } Closest;
 
 static MeBool visitClosest(void *context, int proxy) {
     Closest *c = context;
-    Gap gap;
+    ChildGap here;
     const McdModelID cm = modelOf(&c->q, proxy);
-    if (!passesFilter(&c->q, cm) || !nearestChild(&c->q, cm, &gap))
+    if (!passesFilter(&c->q, cm) || !nearestChild(&c->q, cm, &here))
         return METRUE;
-    const MeBool isFirst =
-        c->model && gap.distance == c->gap.distance && mcd_modelPrecedes(mcd_record(cm), mcd_record(c->model));
-    if (!c->model || gap.distance < c->gap.distance || isFirst) {
+    const double best = c->nearest.gap.distance;
+    if (!c->model || here.gap.distance < best ||
+        (here.gap.distance == best && mcd_modelPrecedes(mcd_record(cm), mcd_record(c->model)))) {
         c->model = cm;
-        c->gap = gap;
+        c->nearest = here;
     }
     return METRUE;
 }
@@ -275,20 +239,20 @@ static void searchClosest(Closest *c, double maxReach) {
         c->model = 0;
         c->q.reach = reach;
         visitOverlapping(&c->q, min, max, visitClosest, c);
-        if ((c->model && c->gap.distance <= reach) || reach >= fmin(maxReach, MCD_TREE_REACH))
+        if ((c->model && c->nearest.gap.distance <= reach) || reach >= fmin(maxReach, MCD_TREE_REACH))
             return;
-        reach = fmin(maxReach, c->model ? c->gap.distance * 1.0001 : 4 * reach);
+        reach = fmin(maxReach, c->model ? c->nearest.gap.distance * 1.0001 : 4 * reach);
     }
 }
 
 static void writeClosest(const Closest *c, McdClosestResult *result) {
-    MEASSERT(c->gap.child->model == c->model);
+    MEASSERT(c->nearest.child->model == c->model);
     result->model = c->model;
-    result->instance = c->gap.child;
-    result->distance = mcd_clampReal(c->gap.distance);
-    toWorld(&c->q, c->gap.onShape, result->position1);
-    toWorld(&c->q, c->gap.onOther, result->position2);
-    mcd_toReal(result->normal, c->gap.normal);
+    result->instance = c->nearest.child;
+    result->distance = mcd_clampReal(c->nearest.gap.distance);
+    toWorld(&c->q, c->nearest.gap.onShape, result->position1);
+    toWorld(&c->q, c->nearest.gap.onOther, result->position2);
+    mcd_toReal(result->normal, c->nearest.gap.normal);
 }
 
 int MEAPI McdSpaceGetClosest(McdSpaceID space, McdGeometryID g, const MeMatrix4 tm, MeReal maxDistance,
@@ -303,7 +267,7 @@ int MEAPI McdSpaceGetClosest(McdSpaceID space, McdGeometryID g, const MeMatrix4 
     }
     MeStageBegin(&space->frame->stage, MCD_GUARD_MODELS);
     searchClosest(&c, (double)maxDistance);
-    const MeBool isFound = c.model && c.gap.distance <= (double)maxDistance;
+    const MeBool isFound = c.model && c.nearest.gap.distance <= (double)maxDistance;
     if (isFound)
         writeClosest(&c, result);
     MeStageEnd(&space->frame->stage, MCD_GUARD_MODELS);
@@ -316,51 +280,56 @@ typedef struct Cast {
     Query q;
     double by[3], fraction;
     McdModelID model;
-    Gap gap;
+    ChildGap hit;
 } Cast;
 
+/* m: the gap that counts as touching. */
 static double touchingGap(const Cast *c) {
-    return (sizeof(MeReal) == sizeof(double) ? 1 : 10) * touching * c->q.shape.extent;
+    return (sizeof(MeReal) == sizeof(double) ? 1e-7 : 1e-6) * c->q.shape.extent;
 }
 
 /* Conservative advancement: an open gap has a separating plane, so the shapes cannot touch before the motion has
- * closed the gap along that plane's normal. Returns false if they do not touch up to the fraction `last`. */
-static MeBool advanceToTouch(const Cast *c, const McdShape *other, double last, Gap *gap, double *fraction) {
-    const double enough = touchingGap(c);
+ * closed the gap along that plane's normal. other: the part's shape, or one of its triangles; null: the part is a
+ * plane. Returns false if they do not touch up to the fraction c->fraction. */
+static MeBool advanceToTouch(const Cast *c, const McdShape *other, ChildGap *hit, double *fraction) {
+    enum { MAX_ADVANCES = 100 };
+    const double enough = touchingGap(c), *origin = c->q.origin;
     McdShape moved = c->q.shape;
+    McdGap *gap = &hit->gap;
     double t = 0;
     for (int i = 0; i < MAX_ADVANCES; i++) {
         mcd_mad(moved.place, c->q.shape.place, t, c->by);
-        measureGap(&c->q, &moved, other, gap);
+        gap->distance = other ? mcd_convexDistance(&moved, other, gap->onShape, gap->onOther, gap->normal)
+                              : mcd_planeDistance(&moved, mcd_const(mcd_instanceTM(hit->child)), origin, gap->onShape,
+                                                  gap->onOther, gap->normal);
         const double closing = -mcd_dot(gap->normal, c->by);
         if (gap->distance < -enough || (gap->distance <= enough && closing > 0))
             break;
-        if (closing <= 0 || t + gap->distance / closing > last)
+        if (closing <= 0 || t + gap->distance / closing > c->fraction)
             return MEFALSE;
         t += gap->distance / closing;
     }
-    MEASSERT(t >= 0 && t <= last);
+    MEASSERT(t >= 0 && t <= c->fraction);
     *fraction = t;
     return METRUE;
 }
 
-static void keepFirstHit(Cast *c, McdModelID cm, const Gap *gap, double t) {
+static void keepFirstHit(Cast *c, McdModelID cm, const ChildGap *hit, double t) {
     MEASSERT(t >= 0 && t <= c->fraction);
     const MeBool isFirst =
         !c->model || t < c->fraction || (cm != c->model && mcd_modelPrecedes(mcd_record(cm), mcd_record(c->model)));
     if (!isFirst)
         return;
     c->model = cm;
-    c->gap = *gap;
+    c->hit = *hit;
     c->fraction = t;
 }
 
 static void castOntoShape(Cast *c, McdModelID cm, McdGeometryInstance *child, const McdShape *other) {
-    Gap gap;
+    ChildGap hit = {.child = child};
     double t;
-    gap.child = child;
-    if (advanceToTouch(c, other, c->fraction, &gap, &t))
-        keepFirstHit(c, cm, &gap, t);
+    if (advanceToTouch(c, other, &hit, &t))
+        keepFirstHit(c, cm, &hit, t);
 }
 
 /* ---- casts onto triangles */
@@ -374,14 +343,13 @@ typedef struct MeshCast {
 static MeBool visitTriangle(void *context, const McdMeshTriangle *t, const McdShape *triangle) {
     const MeshCast *m = context;
     Cast *c = m->cast;
-    Gap gap;
+    ChildGap hit = {.child = m->child};
     double fraction;
-    gap.child = m->child;
-    if (!advanceToTouch(c, triangle, c->fraction, &gap, &fraction))
+    if (!advanceToTouch(c, triangle, &hit, &fraction))
         return METRUE;
     const MeBool isFromBehind = !(t->flags & kMcdTriangleTwoSided) && mcd_dot(t->normal, c->by) > 0;
-    if (!isFromBehind || (fraction == 0 && gap.distance < -touchingGap(c)))
-        keepFirstHit(c, m->model, &gap, fraction);
+    if (!isFromBehind || (fraction == 0 && hit.gap.distance < -touchingGap(c)))
+        keepFirstHit(c, m->model, &hit, fraction);
     return METRUE;
 }
 
@@ -408,6 +376,7 @@ static MeBool clipToMeshBox(const Cast *c, McdGeometryInstance *child, double *e
 /* Casts onto the triangles near the motion. The motion is divided into pieces, so that the box around each contains
  * few triangles that are far from the swept shape. */
 static void castMesh(Cast *c, McdModelID cm, McdGeometryInstance *child) {
+    enum { MAX_PIECES = 64 };
     MeshCast m = {c, cm, child};
     double enter, leave;
     if (!clipToMeshBox(c, child, &enter, &leave))
@@ -438,9 +407,9 @@ static double visitCast(void *context, int proxy, double last) {
     for (McdGeometryInstance *child = firstLeaf(&mcd_record(cm)->instance); child; child = nextLeaf(child)) {
         if (!mcd_instanceIsPlaced(child))
             continue;
-        if (mcd_isMesh(child))
+        if (mcd_isSurface(child))
             castMesh(c, cm, child);
-        else if (isPlane(child))
+        else if (mcd_isHalfSpace(child))
             castOntoShape(c, cm, child, 0);
         else if (mcd_shapeOf(child, c->q.origin, &other))
             castOntoShape(c, cm, child, &other);
@@ -459,12 +428,12 @@ static MeBool checkCast(McdSpaceID s, const MeReal *by, const McdCastResult *res
 }
 
 static void writeCast(const Cast *c, McdCastResult *result) {
-    MEASSERT(c->gap.child->model == c->model && c->fraction >= 0 && c->fraction <= 1);
+    MEASSERT(c->hit.child->model == c->model && c->fraction >= 0 && c->fraction <= 1);
     result->model = c->model;
-    result->instance = c->gap.child;
+    result->instance = c->hit.child;
     result->fraction = (MeReal)c->fraction;
-    toWorld(&c->q, c->gap.onOther, result->position);
-    mcd_toReal(result->normal, c->gap.normal);
+    toWorld(&c->q, c->hit.gap.onOther, result->position);
+    mcd_toReal(result->normal, c->hit.gap.normal);
 }
 
 int MEAPI McdSpaceCastGeometry(McdSpaceID space, McdGeometryID g, const MeMatrix4 tm, const MeVector3 displacement,

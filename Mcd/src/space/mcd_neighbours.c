@@ -49,11 +49,9 @@ static void *findPiece(const McdSeam *seam, const double point[3], double reach,
 /* Whether the body has a pair with a fixed plane or surface of triangles. */
 static MeBool isOnSurface(const Surroundings *s) {
     int at = MCD_NONE;
-    for (const McdModelRecord *m = 0; (m = nextFixed(mcd_record(s->moving->model), &at)) != 0;) {
-        const McdKind *kind = mcd_kindOf(m->instance.geometry);
-        if (kind && (kind->isHalfSpace || kind->gather))
+    for (const McdModelRecord *m = 0; (m = nextFixed(mcd_record(s->moving->model), &at)) != 0;)
+        if (mcd_isHalfSpace(&m->instance) || mcd_isSurface(&m->instance))
             return METRUE;
-    }
     return MEFALSE;
 }
 

@@ -92,8 +92,6 @@ void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *norma
 
 /* ---- queries (mcd_mesh_query.c) ---------------------------------------------------------------------------------- */
 
-/* Whether the instance is a triangle list or a height field. */
-MeBool mcd_isMesh(const McdGeometryInstance *ins);
 /* The box around the whole mesh, relative to origin. */
 void mcd_meshBounds(McdGeometryInstance *ins, const double origin[3], double low[3], double high[3]);
 /* Calls visit for each triangle near a box, until it returns false. Triangles and box are along the world's axes,
@@ -101,10 +99,15 @@ void mcd_meshBounds(McdGeometryInstance *ins, const double origin[3], double low
 typedef MeBool (*McdMeshVisit)(void *context, const McdMeshTriangle *t, const McdShape *triangle);
 void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const double origin[3], const double low[3],
                          const double high[3], McdMeshVisit visit, void *context);
-/* The distance to the nearest triangle, as mcd_convexDistance; false if there is none within max, which may be
- * INFINITY. */
-MeBool mcd_meshNearest(const McdShape *shape, McdGeometryInstance *ins, McdModelID asker, const double origin[3],
-                       double max, double *distance, double onShape[3], double onMesh[3], double normal[3]);
+/* The signed distance of a convex shape from another part of a model, the nearest points and the normal (to the shape);
+ * INFINITY: the part is a surface without triangles within reach. */
+typedef struct McdGap {
+    double distance, onShape[3], onOther[3], normal[3];
+} McdGap;
+/* Measures the gap to a part; false if the part is not convex, a plane or a surface, or has no valid transform.
+ * Triangles farther away than `reach` (or INFINITY) may be ignored. asker: as of mcd_meshForEachNear. */
+MeBool mcd_measureGap(const McdShape *shape, McdGeometryInstance *ins, McdModelID asker, const double origin[3],
+                      double reach, McdGap *gap);
 
 /* Whether there are a pair of live models with valid transforms, and room for contacts; warns if not. */
 MeBool mcd_meshMayIntersect(const McdModelPair *p, const McdIntersectResult *result, const char *function);

@@ -1,18 +1,9 @@
-/* The triangles of a surface near a box, and the one nearest to a convex shape: for queries, which treat each
- * triangle as a convex shape of its own. */
+/* The triangles of a surface near a box, and the distance of a convex shape from any part of a model: for queries, which
+ * treat each triangle as a convex shape of its own. */
 #include "convex/mcd_kind_i.h"
 #include "surface/mcd_scratch_i.h"
 #include "convex/mcd_vector_i.h"
 #include <string.h>
-
-static McdMeshGather gatherOf(const McdGeometryInstance *ins) {
-    const McdKind *kind = mcd_kindOf(ins->geometry);
-    return kind ? kind->gather : 0;
-}
-
-MeBool mcd_isMesh(const McdGeometryInstance *ins) {
-    return gatherOf(ins) != 0;
-}
 
 void mcd_meshBounds(McdGeometryInstance *ins, const double origin[3], double low[3], double high[3]) {
     MeVector3 min, max;
@@ -77,7 +68,7 @@ void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const doubl
     mcd_copy(q.origin, origin);
     setMeshFrame(&q, ins, low, high);
     q.mesh->count = q.mesh->skipped = q.mesh->vertexCount = 0;
-    gatherOf(ins)(&q);
+    mcd_kindOf(ins->geometry)->gather(&q);
     mcd_standInEnd(pair.model2, ins);
     MeBool goesOn = METRUE;
     for (int i = 0; i < q.mesh->count && goesOn; i++) {
@@ -88,13 +79,12 @@ void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const doubl
     mcd_scratchRelease(frame, q.scratch);
 }
 
-/* ---- nearest triangle
- * ------------------------------------------------------------------------------------------------ */
+/* ---- distances --------------------------------------------------------------------------------------------------- */
 
 typedef struct Nearest {
     const McdShape *shape;
     double low[3], high[3]; /* the shape's box */
-    double distance, onShape[3], onMesh[3], normal[3];
+    McdGap gap;
 } Nearest;
 
 static void boundShape(const McdShape *shape, double low[3], double high[3]) {
@@ -123,16 +113,12 @@ static double gapOfBoxes(const Nearest *n, const McdMeshTriangle *t) {
 
 static MeBool visitNearest(void *context, const McdMeshTriangle *t, const McdShape *triangle) {
     Nearest *n = context;
-    double onShape[3], onMesh[3], normal[3];
-    if (gapOfBoxes(n, t) > fmax(n->distance, 0))
+    McdGap here;
+    if (gapOfBoxes(n, t) > fmax(n->gap.distance, 0))
         return METRUE;
-    const double distance = mcd_convexDistance(n->shape, triangle, onShape, onMesh, normal);
-    if (distance >= n->distance)
-        return METRUE;
-    n->distance = distance;
-    mcd_copy(n->onShape, onShape);
-    mcd_copy(n->onMesh, onMesh);
-    mcd_copy(n->normal, normal);
+    here.distance = mcd_convexDistance(n->shape, triangle, here.onShape, here.onOther, here.normal);
+    if (here.distance < n->gap.distance)
+        n->gap = here;
     return METRUE;
 }
 
@@ -148,26 +134,38 @@ static void searchNearest(Nearest *n, McdGeometryInstance *ins, McdModelID asker
             high[i] = n->high[i] + reach;
             isAll = isAll && low[i] <= boundsLow[i] && high[i] >= boundsHigh[i];
         }
-        n->distance = INFINITY;
+        n->gap.distance = INFINITY;
         mcd_meshForEachNear(ins, asker, origin, low, high, visitNearest, n);
-        if (n->distance <= reach || reach >= max || isAll)
+        if (n->gap.distance <= reach || reach >= max || isAll)
             return;
-        reach = fmin(max, isfinite(n->distance) ? n->distance * 1.0001 : 4 * reach);
+        reach = fmin(max, isfinite(n->gap.distance) ? n->gap.distance * 1.0001 : 4 * reach);
     }
 }
 
-MeBool mcd_meshNearest(const McdShape *shape, McdGeometryInstance *ins, McdModelID asker, const double origin[3],
-                       double max, double *distance, double onShape[3], double onMesh[3], double normal[3]) {
-    Nearest n;
-    n.shape = shape;
+static void measureSurface(const McdShape *shape, McdGeometryInstance *ins, McdModelID asker, const double origin[3],
+                           double reach, McdGap *gap) {
+    Nearest n = {.shape = shape};
     boundShape(shape, n.low, n.high);
-    searchNearest(&n, ins, asker, origin, max);
-    if (!isfinite(n.distance) || n.distance > max)
+    searchNearest(&n, ins, asker, origin, reach);
+    *gap = n.gap;
+    if (!(gap->distance <= reach))
+        gap->distance = INFINITY;
+    MEASSERT(gap->distance == INFINITY || isfinite(mcd_dot(gap->normal, gap->normal)));
+}
+
+MeBool mcd_measureGap(const McdShape *shape, McdGeometryInstance *ins, McdModelID asker, const double origin[3],
+                      double reach, McdGap *gap) {
+    McdShape other;
+    if (!mcd_instanceIsPlaced(ins))
         return MEFALSE;
-    MEASSERT(isfinite(mcd_dot(n.normal, n.normal)) && n.distance <= max);
-    *distance = n.distance;
-    mcd_copy(onShape, n.onShape);
-    mcd_copy(onMesh, n.onMesh);
-    mcd_copy(normal, n.normal);
+    if (mcd_isSurface(ins))
+        measureSurface(shape, ins, asker, origin, reach, gap);
+    else if (mcd_isHalfSpace(ins))
+        gap->distance =
+            mcd_planeDistance(shape, mcd_const(mcd_instanceTM(ins)), origin, gap->onShape, gap->onOther, gap->normal);
+    else if (mcd_shapeOf(ins, origin, &other))
+        gap->distance = mcd_convexDistance(shape, &other, gap->onShape, gap->onOther, gap->normal);
+    else
+        return MEFALSE;
     return METRUE;
 }
