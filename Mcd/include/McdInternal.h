@@ -66,10 +66,8 @@ MEPUBLIC void MEAPI McdModelForgetPairs(McdModelID cm);
 /** For a model whose transform was removed: drops its box, and unfreezes it; it has no pairs until it is placed
  *  again. */
 MEPUBLIC void MEAPI McdModelDropBox(McdModelID cm);
-/** McdSpaceBeginChanges and McdSpaceEndChanges by the owner of the models: without checks and deferral, and only if
- *  the space is not in that state already. */
-MEPUBLIC void MEAPI McdSpaceOpen(McdSpaceID s);
-MEPUBLIC void MEAPI McdSpaceClose(McdSpaceID s);
+/** McdSpaceBeginChanges by the owner of the models, unless the space is changing already: without checks and deferral. */
+MEPUBLIC void MEAPI McdSpaceBeginOwnChanges(McdSpaceID s);
 /** @} */
 
 /** @name Workers

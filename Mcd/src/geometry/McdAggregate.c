@@ -166,12 +166,8 @@ typedef struct Extent {
 
 static void addBox(McdGeometryInstance *child, const MeMatrix4Ptr finalTM, void *data) {
     Extent *e = data;
-    const McdTypeRecord *type = mcd_geometryType(child->geometry, "McdAggregateUpdateAABB");
-    if (!type || !type->getAABB)
+    if (!mcd_instanceUpdateAABB(child, finalTM, e->tight))
         return;
-    const McdTypeCall call = mcd_typeEnter(child->geometry->frame, type);
-    type->getAABB(child, finalTM, e->tight);
-    mcd_typeLeave(&call);
     for (int i = 0; i < 3; i++) {
         e->min[i] = e->isSet ? MeMIN(e->min[i], child->min[i]) : child->min[i];
         e->max[i] = e->isSet ? MeMAX(e->max[i], child->max[i]) : child->max[i];
@@ -210,13 +206,9 @@ typedef struct Farthest {
 static void addPoint(McdGeometryInstance *child, const MeMatrix4Ptr finalTM, void *data) {
     Farthest *f = data;
     MeVector3 point;
-    const McdTypeRecord *type = mcd_geometryType(child->geometry, "McdAggregateMaximumPoint");
     (void)finalTM;
-    if (!type || !type->maximumPoint)
+    if (!mcd_instanceMaximumPoint(child, f->direction, point))
         return;
-    const McdTypeCall call = mcd_typeEnter(child->geometry->frame, type);
-    type->maximumPoint(child, f->direction, point);
-    mcd_typeLeave(&call);
     double height = 0;
     for (int k = 0; k < 3; k++)
         height += (double)point[k] * (double)f->direction[k];

@@ -221,16 +221,10 @@ static McdGeometryInstance temporaryInstance(McdGeometryID g, const MeMatrix4 tm
 void MEAPI McdGeometryGetAABB(McdGeometryID g, const MeMatrix4 tm, MeVector3 minCorner, MeVector3 maxCorner) {
     if (!mcd_areGiven(__func__, minCorner, maxCorner, maxCorner))
         return;
-    const McdTypeRecord *type = mcd_geometryType(g, "McdGeometryGetAABB");
-    MeVector3Set(minCorner, 0, 0, 0);
-    MeVector3Set(maxCorner, 0, 0, 0);
-    if (!type || !type->getAABB || !tm)
-        return;
     McdGeometryInstance ins = temporaryInstance(g, tm);
     mcd_instanceEnter(&ins);
-    const McdTypeCall call = mcd_typeEnter(g->frame, type);
-    type->getAABB(&ins, 0, METRUE);
-    mcd_typeLeave(&call);
+    if (checkLive(g, "McdGeometryGetAABB"))
+        mcd_instanceUpdateAABB(&ins, 0, METRUE);
     mcd_instanceLeave(&ins);
     MeVector3Copy(minCorner, ins.min);
     MeVector3Copy(maxCorner, ins.max);
@@ -252,15 +246,11 @@ void MEAPI McdGeometryGetBSphere(const McdGeometryID g, MeVector3 center, MeReal
 void MEAPI McdGeometryMaximumPoint(McdGeometryID g, const MeMatrix4 tm, MeReal *const inDir, MeReal *const outPoint) {
     if (!mcd_areGiven(__func__, inDir, outPoint, outPoint))
         return;
-    const McdTypeRecord *type = mcd_geometryType(g, "McdGeometryMaximumPoint");
-    MeVector3Set(outPoint, 0, 0, 0);
-    if (!type || !type->maximumPoint || !tm)
-        return;
     McdGeometryInstance ins = temporaryInstance(g, tm);
+    MeVector3Set(outPoint, 0, 0, 0);
     mcd_instanceEnter(&ins);
-    const McdTypeCall call = mcd_typeEnter(g->frame, type);
-    type->maximumPoint(&ins, inDir, outPoint);
-    mcd_typeLeave(&call);
+    if (checkLive(g, "McdGeometryMaximumPoint"))
+        mcd_instanceMaximumPoint(&ins, inDir, outPoint);
     mcd_instanceLeave(&ins);
 }
 

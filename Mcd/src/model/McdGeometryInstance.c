@@ -210,13 +210,24 @@ void MEAPI McdGeometryInstanceSetAABB(McdGeometryInstanceID ins, const MeVector3
     MeVector3Copy(ins->max, maxCorner);
 }
 
-void mcd_instanceUpdateAABB(McdGeometryInstance *ins, const MeMatrix4Ptr finalTM, MeBool tight) {
+MeBool mcd_instanceUpdateAABB(McdGeometryInstance *ins, const MeMatrix4Ptr finalTM, MeBool tight) {
     const McdTypeRecord *type = mcd_geometryType(ins->geometry, "McdGeometryInstanceUpdateAABB");
     if (!type || !type->getAABB || !mcd_instanceTM(ins))
-        return;
+        return MEFALSE;
     const McdTypeCall call = mcd_typeEnter(ins->geometry->frame, type);
     type->getAABB(ins, finalTM, tight);
     mcd_typeLeave(&call);
+    return METRUE;
+}
+
+MeBool mcd_instanceMaximumPoint(McdGeometryInstance *ins, MeReal *const direction, MeReal *const point) {
+    const McdTypeRecord *type = mcd_geometryType(ins->geometry, "McdGeometryInstanceMaximumPoint");
+    if (!type || !type->maximumPoint || !mcd_instanceTM(ins))
+        return MEFALSE;
+    const McdTypeCall call = mcd_typeEnter(ins->geometry->frame, type);
+    type->maximumPoint(ins, direction, point);
+    mcd_typeLeave(&call);
+    return METRUE;
 }
 
 void MEAPI McdGeometryInstanceUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, MeBool tight) {
@@ -267,12 +278,6 @@ void MEAPI McdGeometryInstanceMaximumPoint(McdGeometryInstanceID ins, MeReal *co
     if (!mcd_areGiven(__func__, inDir, outPoint, outPoint))
         return;
     MeVector3Set(outPoint, 0, 0, 0);
-    if (!mcd_instanceCheck(ins, "McdGeometryInstanceMaximumPoint") || !mcd_instanceTM(ins))
-        return;
-    const McdTypeRecord *type = mcd_geometryType(ins->geometry, "McdGeometryInstanceMaximumPoint");
-    if (!type || !type->maximumPoint)
-        return;
-    const McdTypeCall call = mcd_typeEnter(ins->geometry->frame, type);
-    type->maximumPoint(ins, inDir, outPoint);
-    mcd_typeLeave(&call);
+    if (mcd_instanceCheck(ins, "McdGeometryInstanceMaximumPoint"))
+        mcd_instanceMaximumPoint(ins, inDir, outPoint);
 }

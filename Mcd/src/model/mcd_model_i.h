@@ -156,6 +156,8 @@ void mcd_modelPlaceAt(const McdModelRecord *m, double time, MeMatrix4 tm);
  * the model has no valid transform. */
 MeBool mcd_modelUpdate(McdModelRecord *m);
 MeBool mcd_modelUpdatePath(McdModelRecord *m, MeReal duration);
-void mcd_instanceUpdateAABB(McdGeometryInstance *ins, const MeMatrix4Ptr finalTM, MeBool tight);
+/* Call the function of the instance's type; false if there is none, or the instance has no transform. */
+MeBool mcd_instanceUpdateAABB(McdGeometryInstance *ins, const MeMatrix4Ptr finalTM, MeBool tight);
+MeBool mcd_instanceMaximumPoint(McdGeometryInstance *ins, MeReal *const direction, MeReal *const point);
 
 #endif

@@ -93,46 +93,20 @@ void MEAPI McdModelPairContainerRemovePair(McdModelPairContainer *c, McdModelPai
         MeWarning(1, "McdModelPairContainerRemovePair: that is no place of a pair in the container");
 }
 
-static McdModelPair **pairsOfRange(McdModelPairContainer *c, int first, int end, int *count) {
-    if (count)
-        *count = end - first;
-    return c->array + first;
-}
-
-static McdModelPair **noPairs(int *count) {
-    if (count)
-        *count = 0;
-    return 0;
-}
-
-McdModelPair **MEAPI McdModelPairContainerGetHelloArray(McdModelPairContainer *c, int *count) {
-    return checkContainer(c, "McdModelPairContainerGetHelloArray") ? pairsOfRange(c, c->helloFirst, c->helloEnd, count)
-                                                                   : noPairs(count);
-}
-
-McdModelPair **MEAPI McdModelPairContainerGetStayingArray(McdModelPairContainer *c, int *count) {
-    return checkContainer(c, "McdModelPairContainerGetStayingArray")
-               ? pairsOfRange(c, c->stayingFirst, c->stayingEnd, count)
-               : noPairs(count);
-}
-
-McdModelPair **MEAPI McdModelPairContainerGetGoodbyeArray(McdModelPairContainer *c, int *count) {
-    return checkContainer(c, "McdModelPairContainerGetGoodbyeArray")
-               ? pairsOfRange(c, c->goodbyeFirst, c->goodbyeEnd, count)
-               : noPairs(count);
-}
-
-int MEAPI McdModelPairContainerGetHelloCount(McdModelPairContainer *c) {
-    return checkContainer(c, "McdModelPairContainerGetHelloCount") ? c->helloEnd - c->helloFirst : 0;
-}
-
-int MEAPI McdModelPairContainerGetStayingCount(McdModelPairContainer *c) {
-    return checkContainer(c, "McdModelPairContainerGetStayingCount") ? c->stayingEnd - c->stayingFirst : 0;
-}
-
-int MEAPI McdModelPairContainerGetGoodbyeCount(McdModelPairContainer *c) {
-    return checkContainer(c, "McdModelPairContainerGetGoodbyeCount") ? c->goodbyeEnd - c->goodbyeFirst : 0;
-}
+/* Defines the functions that get a container's pairs of one phase, and their number. */
+#define DEFINE_PHASE(Phase, first, end)                                                                                \
+    McdModelPair **MEAPI McdModelPairContainerGet##Phase##Array(McdModelPairContainer *c, int *count) {                \
+        const MeBool isGood = checkContainer(c, __func__);                                                             \
+        if (count)                                                                                                     \
+            *count = isGood ? c->end - c->first : 0;                                                                   \
+        return isGood ? c->array + c->first : 0;                                                                       \
+    }                                                                                                                  \
+    int MEAPI McdModelPairContainerGet##Phase##Count(McdModelPairContainer *c) {                                       \
+        return checkContainer(c, __func__) ? c->end - c->first : 0;                                                    \
+    }
+DEFINE_PHASE(Hello, helloFirst, helloEnd)
+DEFINE_PHASE(Staying, stayingFirst, stayingEnd)
+DEFINE_PHASE(Goodbye, goodbyeFirst, goodbyeEnd)
 
 void MEAPI McdModelPairContainerIteratorInit(McdModelPairContainerIterator *it, McdModelPairContainer *c) {
     if (!it)

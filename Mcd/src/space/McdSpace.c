@@ -61,10 +61,6 @@ static McdProxy *proxyOf(McdModelID cm, const char *function) {
     return m && m->space ? m->proxy : 0;
 }
 
-static int indexOf(const McdSpace *s, const McdProxy *p) {
-    return (int)(p - s->proxy);
-}
-
 /* ---- creation, destruction --------------------------------------------------------------------------------------- */
 
 static void freeSpace(McdSpace *s) {
@@ -166,14 +162,13 @@ static void removeDestroyedModel(McdModelID cm) {
     McdProxy *p = m->proxy;
     if (!m->space)
         return;
-    mcd_pairsEraseProxy(m->space, indexOf(m->space, p));
+    mcd_pairsEraseProxy(p);
     releaseModel(m->space, p);
 }
 
 /* Forgets the contacts of a model's pairs, while models are guarded; the pairs stay. */
 static void forgetContactsOf(McdModelID cm) {
-    McdModelRecord *m = mcd_record(cm);
-    mcd_pairsForgetContacts(m->space, indexOf(m->space, m->proxy));
+    mcd_pairsForgetContacts(mcd_record(cm)->proxy);
 }
 
 /* Drops a model's box, and unfreezes the model; it has no pairs until it is updated again. */
@@ -183,7 +178,7 @@ static void dropBoxOf(McdModelID cm) {
     dropLeaf(s, p);
     dropUnbounded(s, p);
     p->hasBox = MEFALSE;
-    mcd_proxyMarkDirty(s, indexOf(s, p));
+    mcd_proxyMarkDirty(p);
     McdSpaceUnfreezeModel(cm);
 }
 
@@ -191,7 +186,7 @@ static void applyFilter(McdModelID cm) {
     McdModelRecord *m = mcd_record(cm);
     McdProxy *p = m->proxy;
     p->filter = m->filter;
-    mcd_proxyMarkDirty(m->space, indexOf(m->space, p));
+    mcd_proxyMarkDirty(p);
 }
 
 McdSpaceID MEAPI(McdSpaceAxisSortCreate)(McdFrameworkID framework, int axes, int objectCount, int pairCount) {
@@ -276,16 +271,10 @@ McdSpacePoolErrorFnPtr MEAPI McdSpaceGetPoolFullHandler(McdSpaceID space) {
 
 /* ---- change blocks ----------------------------------------------------------------------------------------------- */
 
-void MEAPI McdSpaceOpen(McdSpaceID s) {
+void MEAPI McdSpaceBeginOwnChanges(McdSpaceID s) {
     s->isInner = MEFALSE;
     if (!s->isChanging)
         beginBlock(s);
-}
-
-void MEAPI McdSpaceClose(McdSpaceID s) {
-    s->isInner = MEFALSE;
-    if (s->isChanging)
-        endBlock(s);
 }
 
 /* Inner blocks: change blocks that the program begins in a callback. Models inserted in one are in the space
@@ -301,13 +290,16 @@ static void MEAPI openDeferred(const MeLater *later) {
     if (!s)
         return;
     s->isOpenedLater = !s->isChanging;
-    McdSpaceOpen(s);
+    McdSpaceBeginOwnChanges(s);
 }
 
 static void MEAPI closeDeferred(const MeLater *later) {
     McdSpace *s = spaceOfDeferred(later);
-    if (s && s->isOpenedLater)
-        McdSpaceClose(s);
+    if (!s || !s->isOpenedLater)
+        return;
+    s->isInner = MEFALSE;
+    if (s->isChanging)
+        endBlock(s);
 }
 
 void MEAPI McdSpaceBeginChanges(McdSpaceID space) {
@@ -371,15 +363,6 @@ static double fatMargin(const McdProxy *p, double size) {
     return .1 * size + 1.0001 * (double)p->tolerance;
 }
 
-/* Whether the fat box contains the exact one, clamped to the tree's range. */
-static MeBool isWithinFatBox(const McdProxy *p) {
-    for (int i = 0; i < 3; i++)
-        if (fmax((double)p->min[i], -MCD_TREE_REACH) < (double)p->fat.min[i] ||
-            fmin((double)p->max[i], MCD_TREE_REACH) > (double)p->fat.max[i])
-            return MEFALSE;
-    return METRUE;
-}
-
 /* Makes the fat box. Predictive enlargement: it covers four more steps of the last step's motion, at most twice the
  * model's size. */
 static void makeFatBox(McdProxy *p, const double moved[3]) {
@@ -392,7 +375,7 @@ static void makeFatBox(McdProxy *p, const double moved[3]) {
         max[i] = high + rounding * fabs(high) + margin + fmax(ahead, 0);
     }
     mcd_treeBox(min, max, &p->fat);
-    MEASSERT(isWithinFatBox(p));
+    MEASSERT(mcd_proxyIsWithinFatBox(p));
 }
 
 /* Whether the fat box still contains the exact one grown by the tolerance, and is not far too large for it. */
@@ -412,7 +395,7 @@ static void dropUnbounded(McdSpace *s, McdProxy *p) {
     int at = 0;
     if (!p->isUnbounded)
         return;
-    while (s->unbounded[at] != indexOf(s, p))
+    while (s->unbounded[at] != mcd_proxyIndex(s, p))
         at++;
     MEASSERT(at < s->unboundedCount);
     memmove(s->unbounded + at, s->unbounded + at + 1, (size_t)(--s->unboundedCount - at) * sizeof *s->unbounded);
@@ -431,7 +414,7 @@ static void putUnbounded(McdSpace *s, McdProxy *p) {
     dropLeaf(s, p);
     MEASSERT(s->unboundedCount - p->isUnbounded < s->proxyRoom);
     if (!p->isUnbounded)
-        s->unbounded[s->unboundedCount++] = indexOf(s, p);
+        s->unbounded[s->unboundedCount++] = mcd_proxyIndex(s, p);
     p->isUnbounded = METRUE;
 }
 
@@ -440,7 +423,7 @@ static void putInTree(McdSpace *s, McdProxy *p) {
     if (p->leaf)
         mcd_treeMove(s->tree, p->leaf, &p->fat);
     else
-        p->leaf = mcd_treeInsert(s->tree, &p->fat, indexOf(s, p));
+        p->leaf = mcd_treeInsert(s->tree, &p->fat, mcd_proxyIndex(s, p));
     if (!p->leaf) {
         MeFatalError(0, "%s: no memory for the tree of boxes", MeCallerName("McdSpaceUpdateModel"));
         putUnbounded(s, p); /* without memory for the tree: slower, but correct */
@@ -486,7 +469,7 @@ static McdBoxUpdate copyBox(McdProxy *p) {
 static void placeBox(McdSpace *s, McdProxy *p, McdBoxUpdate update) {
     if (update == MCD_BOX_KEPT)
         return;
-    mcd_proxyMarkDirty(s, indexOf(s, p));
+    mcd_proxyMarkDirty(p);
     if (update != MCD_BOX_LEFT)
         return;
     if (isWithoutBounds(largestSide(p)))
@@ -653,8 +636,8 @@ static void appendAwake(McdSpace *s, McdProxy *p) {
     p->nextAwake = MCD_NONE;
     p->previousAwake = s->lastAwake;
     MEASSERT((s->firstAwake == MCD_NONE) == (s->lastAwake == MCD_NONE));
-    *(p->previousAwake == MCD_NONE ? &s->firstAwake : &s->proxy[p->previousAwake].nextAwake) = indexOf(s, p);
-    s->lastAwake = indexOf(s, p);
+    *(p->previousAwake == MCD_NONE ? &s->firstAwake : &s->proxy[p->previousAwake].nextAwake) = mcd_proxyIndex(s, p);
+    s->lastAwake = mcd_proxyIndex(s, p);
 }
 
 static void unlinkAwake(McdSpace *s, McdProxy *p) {
@@ -742,9 +725,7 @@ static int listAwake(McdSpace *s) {
 static void updateByWorkers(McdSpace *s, MeReal duration) {
     Updating u = {s, duration};
     const int count = listAwake(s);
-    MeTeamOpen(s->team);
-    MeTeamRunRanges(s->team, count, MCD_RANGE, updateRange, &u);
-    MeTeamClose(s->team);
+    mcd_spaceRunRanges(s, count, MCD_RANGE, updateRange, &u);
     for (int i = 0; i < count; i++) {
         McdProxy *p = &s->proxy[s->awake[i]];
         if (s->updates[i] == MCD_BOX_TOUCHED)
@@ -876,7 +857,7 @@ static MeBool setFrozen(McdModelID cm, MeBool isFrozen, const char *function) {
         appendAwake(p->model->space, p);
         p->isMoved = METRUE; /* links between frozen models exist only for pairs: look for links */
     }
-    mcd_proxyMarkDirty(p->model->space, indexOf(p->model->space, p));
+    mcd_proxyMarkDirty(p);
     return METRUE;
 }
 
@@ -944,7 +925,7 @@ static void releaseModel(McdSpace *s, McdProxy *p) {
     *(p->previous == MCD_NONE ? &s->firstProxy : &s->proxy[p->previous].next) = p->next;
     *(p->next == MCD_NONE ? &s->lastProxy : &s->proxy[p->next].previous) = p->previous;
     p->next = s->freeProxy;
-    s->freeProxy = indexOf(s, p);
+    s->freeProxy = mcd_proxyIndex(s, p);
     s->proxyCount--;
 }
 
@@ -973,7 +954,7 @@ MeBool MEAPI McdSpaceInsertModel(McdSpaceID s, McdModelID cm) {
     return isGood;
 }
 
-static void setCulling(McdSpace *s, McdProxy *p, McdCullingTable *table, int index, int id, const char *function) {
+static void setCulling(McdProxy *p, McdCullingTable *table, int index, int id, const char *function) {
     if (table && (index < 0 || index >= McdCullingTableGetSize(table))) {
         MeWarning(1, "%s: cullingIndex is %d: the table is for 0 .. %d", function, index,
                   McdCullingTableGetSize(table) - 1);
@@ -982,7 +963,7 @@ static void setCulling(McdSpace *s, McdProxy *p, McdCullingTable *table, int ind
     p->table = table;
     p->cullingIndex = index;
     p->cullingID = id;
-    mcd_proxyMarkDirty(s, indexOf(s, p));
+    mcd_proxyMarkDirty(p);
 }
 
 MeBool MEAPI McdSpaceInsertModelWithCulling(McdSpaceID s, McdModelID cm, McdCullingTable *table, int cullingIndex,
@@ -990,14 +971,13 @@ MeBool MEAPI McdSpaceInsertModelWithCulling(McdSpaceID s, McdModelID cm, McdCull
     if (!canInsert(s, cm, "McdSpaceInsertModelWithCulling"))
         return MEFALSE;
     insertModel(s, mcd_record(cm));
-    setCulling(s, mcd_record(cm)->proxy, table, cullingIndex, cullingID, "McdSpaceInsertModelWithCulling");
+    setCulling(mcd_record(cm)->proxy, table, cullingIndex, cullingID, "McdSpaceInsertModelWithCulling");
     return METRUE;
 }
 
 static void removeProxy(McdProxy *p) {
-    McdSpace *s = p->model->space;
-    mcd_pairsForgetProxy(s, indexOf(s, p));
-    releaseModel(s, p);
+    mcd_pairsForgetProxy(p);
+    releaseModel(p->model->space, p);
 }
 
 static void MEAPI removeDeferred(const MeLater *later) {
@@ -1066,21 +1046,20 @@ MeBool MEAPI McdSpaceDisablePair(McdModelID cm1, McdModelID cm2) {
         return METRUE;
     if (!proxiesOf(cm1, cm2, &a, &b, "McdSpaceDisablePair") || !checkInside(a->model->space, "McdSpaceDisablePair"))
         return MEFALSE;
-    return mcd_pairsDisable(a->model->space, indexOf(a->model->space, a), indexOf(a->model->space, b));
+    return mcd_pairsDisable(a, b);
 }
 
 MeBool MEAPI McdSpaceEnablePair(McdModelID cm1, McdModelID cm2) {
     McdProxy *a, *b;
     if (!proxiesOf(cm1, cm2, &a, &b, "McdSpaceEnablePair") || !checkInside(a->model->space, "McdSpaceEnablePair"))
         return MEFALSE;
-    mcd_pairsEnable(a->model->space, indexOf(a->model->space, a), indexOf(a->model->space, b));
+    mcd_pairsEnable(a, b);
     return METRUE;
 }
 
 MeBool MEAPI McdSpacePairIsEnabled(McdModelID cm1, McdModelID cm2) {
     McdProxy *a, *b;
-    return proxiesOf(cm1, cm2, &a, &b, "McdSpacePairIsEnabled") &&
-           mcd_pairsAreEnabled(a->model->space, indexOf(a->model->space, a), indexOf(a->model->space, b));
+    return proxiesOf(cm1, cm2, &a, &b, "McdSpacePairIsEnabled") && mcd_pairsAreEnabled(a, b);
 }
 
 void MEAPI McdSpaceSetModelCullingParameters(McdSpaceID s, McdModelID cm, McdCullingTable *table, int cullingIndex,
@@ -1091,7 +1070,7 @@ void MEAPI McdSpaceSetModelCullingParameters(McdSpaceID s, McdModelID cm, McdCul
     if (p->model->space != s)
         MeWarning(1, "McdSpaceSetModelCullingParameters: the model is in another space");
     else
-        setCulling(s, p, table, cullingIndex, cullingID, "McdSpaceSetModelCullingParameters");
+        setCulling(p, table, cullingIndex, cullingID, "McdSpaceSetModelCullingParameters");
 }
 
 /* ---- lists of pairs for programs
@@ -1107,14 +1086,6 @@ void MEAPI McdSpacePairIteratorBegin(McdSpaceID s, McdSpacePairIterator *iter) {
         iter->step = s->step;
 }
 
-static int min(int a, int b) {
-    return a < b ? a : b;
-}
-
-static int max(int a, int b) {
-    return a > b ? a : b;
-}
-
 /* Copies `count` pairs of a list, from *from on, to array[at]; advances *from. */
 static void copyPairs(McdModelPairContainer *c, int at, const McdPairList *list, int *from, int count) {
     for (int i = 0; i < count; i++)
@@ -1127,11 +1098,11 @@ static void copyPairs(McdModelPairContainer *c, int at, const McdPairList *list,
 static int fillContainer(const McdSpace *s, McdSpacePairIterator *it, McdModelPairContainer *c, MeBool withStaying) {
     const int goodbye = s->goodbye.count - it->goodbye, hello = s->hello.count - it->hello;
     const int staying = withStaying ? s->staying.count - it->staying : 0;
-    const int middle = min(goodbye + hello, max((c->size + 1) / 2, c->size - staying));
-    c->goodbyeEnd = min(goodbye, middle);
+    const int middle = MeMIN(goodbye + hello, MeMAX((c->size + 1) / 2, c->size - staying));
+    c->goodbyeEnd = MeMIN(goodbye, middle);
     c->helloEnd = c->stayingFirst = middle;
-    c->helloFirst = middle - min(hello, middle - c->goodbyeEnd);
-    c->stayingEnd = middle + min(staying, c->size - middle);
+    c->helloFirst = middle - MeMIN(hello, middle - c->goodbyeEnd);
+    c->stayingEnd = middle + MeMIN(staying, c->size - middle);
     copyPairs(c, 0, &s->goodbye, &it->goodbye, c->goodbyeEnd);
     copyPairs(c, c->helloFirst, &s->hello, &it->hello, middle - c->helloFirst);
     copyPairs(c, middle, &s->staying, &it->staying, c->stayingEnd - middle);

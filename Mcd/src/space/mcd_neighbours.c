@@ -23,7 +23,7 @@ static MeBool isFixed(const McdModelRecord *m) {
  * before the first call. Returns null at the end. */
 static McdModelRecord *nextFixed(const McdModelRecord *moving, int *at) {
     const McdSpace *space = moving->space;
-    const int own = space ? (int)((const McdProxy *)moving->proxy - space->proxy) : MCD_NONE;
+    const int own = space ? mcd_proxyIndex(space, moving->proxy) : MCD_NONE;
     while (space) {
         *at = *at == MCD_NONE ? space->proxy[own].firstLink : space->link[*at].next[space->link[*at].proxy[1] == own];
         if (*at == MCD_NONE)

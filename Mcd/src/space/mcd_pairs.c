@@ -295,13 +295,12 @@ static void sayGoodbye(McdSpace *s, int i) {
 }
 
 /* Moves a pair between the staying pairs and the silent ones (pairs of two frozen models). */
-static void setSilent(McdSpace *s, int i, MeBool isSilent) {
+static void switchSilent(McdSpace *s, int i) {
     McdLink *link = &s->link[i];
     McdPairEntry entry = entryOf(s, i);
     entry.record = link->record;
-    if (link->isSilent != isSilent)
-        listAdd(isSilent ? &s->silenced : &s->woken, &entry);
-    link->isSilent = isSilent;
+    link->isSilent = !link->isSilent;
+    listAdd(link->isSilent ? &s->silenced : &s->woken, &entry);
 }
 
 static void stopWaiting(McdSpace *s, int i) {
@@ -319,38 +318,56 @@ static void queueForRoom(McdSpace *s, int i) {
     listAdd(&s->pending, &entry);
 }
 
+/* Whether two models may collide at all: neither culled nor filtered out. */
+static MeBool mayCollide(const McdProxy *a, const McdProxy *b) {
+    return !isCulled(a, b) && !areFiltered(&a->filter, &b->filter);
+}
+
 static MeBool isPairOf(const McdSpace *s, const McdLink *link) {
     const McdProxy *a = &s->proxy[link->proxy[0]], *b = &s->proxy[link->proxy[1]];
-    return !link->isDisabled && isNear(s, a, b) && !isCulled(a, b) && !areFiltered(&a->filter, &b->filter);
+    return !link->isDisabled && isNear(s, a, b) && mayCollide(a, b);
 }
 
-/* Whether classifyPair would change nothing. */
-static MeBool isClassified(const McdSpace *s, const McdLink *link) {
-    const McdProxy *a = &s->proxy[link->proxy[0]], *b = &s->proxy[link->proxy[1]];
-    const MeBool areFrozen = a->isFrozen && b->isFrozen;
-    if (isPairOf(s, link))
-        return link->record ? link->isSilent == areFrozen : !areFrozen && link->isWaiting;
-    return !link->record && !link->isWaiting && (link->isDisabled || (!areFrozen && fatBoxesOverlap(s, a, b)));
-}
+/* What changes about a link when it is classified. */
+typedef enum LinkChange { NO_CHANGE, SILENCE_OR_WAKE, QUEUE, END } LinkChange;
 
-static void classifyPair(McdSpace *s, int i) {
-    McdLink *link = &s->link[i];
+static LinkChange changeOf(const McdSpace *s, const McdLink *link) {
     const McdProxy *a = &s->proxy[link->proxy[0]], *b = &s->proxy[link->proxy[1]];
     const MeBool areFrozen = a->isFrozen && b->isFrozen, isPair = isPairOf(s, link);
-    if (isPair && link->record) {
-        setSilent(s, i, areFrozen);
-        return;
-    }
-    if (isPair && !areFrozen) {
-        if (!link->isWaiting)
-            queueForRoom(s, i);
-        return;
-    }
+    if (isPair && link->record)
+        return link->isSilent == areFrozen ? NO_CHANGE : SILENCE_OR_WAKE;
+    if (isPair && !areFrozen)
+        return link->isWaiting ? NO_CHANGE : QUEUE;
+    if (link->record || link->isWaiting)
+        return END;
+    return link->isDisabled || (!areFrozen && fatBoxesOverlap(s, a, b)) ? NO_CHANGE : END;
+}
+
+/* Ends the pair of a link; drops the link unless it is disabled, or the boxes are near and one of them may move. */
+static void endLink(McdSpace *s, int i) {
+    const McdLink *link = &s->link[i];
+    const McdProxy *a = &s->proxy[link->proxy[0]], *b = &s->proxy[link->proxy[1]];
     if (link->record)
         sayGoodbye(s, i);
     stopWaiting(s, i);
-    if (!link->isDisabled && (areFrozen || !fatBoxesOverlap(s, a, b)))
+    if (!link->isDisabled && ((a->isFrozen && b->isFrozen) || !fatBoxesOverlap(s, a, b)))
         dropLink(s, i);
+}
+
+static void classifyPair(McdSpace *s, int i) {
+    switch (changeOf(s, &s->link[i])) {
+    case NO_CHANGE:
+        break;
+    case SILENCE_OR_WAKE:
+        switchSilent(s, i);
+        break;
+    case QUEUE:
+        queueForRoom(s, i);
+        break;
+    case END:
+        endLink(s, i);
+        break;
+    }
 }
 
 /* ---- broad phase search ------------------------------------------------------------------------------------------ */
@@ -478,11 +495,8 @@ static MeBool reserveFound(McdSpace *s) {
 /* Makes the missing links of all dirty proxies that have a new fat box; they stay marked where there was no memory. */
 static void findAllLinks(McdSpace *s) {
     const MeBool isShared = s->team && s->dirtyCount >= MCD_MIN_RANGES * MCD_RANGE && reserveFound(s);
-    if (isShared) {
-        MeTeamOpen(s->team);
-        MeTeamRunRanges(s->team, s->dirtyCount, MCD_RANGE, searchRange, s);
-        MeTeamClose(s->team);
-    }
+    if (isShared)
+        mcd_spaceRunRanges(s, s->dirtyCount, MCD_RANGE, searchRange, s);
     for (int i = 0; i < s->dirtyCount; i++) {
         McdProxy *p = &s->proxy[s->dirty[i]];
         if (needsSearch(p))
@@ -504,7 +518,8 @@ static void classifyPairsOf(McdSpace *s, int proxy) {
 /* Whether one of the link's proxies is dirty and classification will change the link. */
 static MeBool needsClassification(const McdSpace *s, int i) {
     const int *p = s->link[i].proxy;
-    return p[0] != MCD_NONE && (s->proxy[p[0]].isDirty || s->proxy[p[1]].isDirty) && !isClassified(s, &s->link[i]);
+    return p[0] != MCD_NONE && (s->proxy[p[0]].isDirty || s->proxy[p[1]].isDirty) &&
+           changeOf(s, &s->link[i]) != NO_CHANGE;
 }
 
 /* Marks the links of a range that must be classified. Deterministic (MeTeam.h): that depends only on the link and
@@ -521,11 +536,8 @@ static void MEAPI markRange(void *space, int first, int end, int worker) {
 static void classifyAll(McdSpace *s) {
     const MeBool isShared = s->team && s->linkMax >= MCD_MIN_RANGES * MCD_LINK_RANGE &&
                             reserve(&s->changes, &s->changesRoom, s->linkMax, sizeof *s->changes, "near models");
-    if (isShared) {
-        MeTeamOpen(s->team);
-        MeTeamRunRanges(s->team, s->linkMax, MCD_LINK_RANGE, markRange, s);
-        MeTeamClose(s->team);
-    }
+    if (isShared)
+        mcd_spaceRunRanges(s, s->linkMax, MCD_LINK_RANGE, markRange, s);
     for (int i = 0; i < s->linkMax; i++)
         if (isShared ? s->changes[i] : needsClassification(s, i))
             classifyPair(s, i);
@@ -670,12 +682,21 @@ static void admitQueued(McdSpace *s) {
 
 /* ---- the block --------------------------------------------------------------------------------------------------- */
 
-void mcd_proxyMarkDirty(McdSpace *s, int proxy) {
-    if (s->proxy[proxy].isDirty)
+void mcd_proxyMarkDirty(McdProxy *p) {
+    McdSpace *s = p->model->space;
+    if (p->isDirty)
         return;
-    s->proxy[proxy].isDirty = METRUE;
+    p->isDirty = METRUE;
     MEASSERT(s->dirtyCount < s->proxyRoom);
-    s->dirty[s->dirtyCount++] = proxy;
+    s->dirty[s->dirtyCount++] = mcd_proxyIndex(s, p);
+}
+
+MeBool mcd_proxyIsWithinFatBox(const McdProxy *p) {
+    for (int i = 0; i < 3; i++)
+        if (fmax((double)p->min[i], -MCD_TREE_REACH) < (double)p->fat.min[i] ||
+            fmin((double)p->max[i], MCD_TREE_REACH) > (double)p->fat.max[i])
+            return MEFALSE;
+    return METRUE;
 }
 
 void mcd_pairsBegin(McdSpace *s) {
@@ -743,12 +764,8 @@ static MeBool areBoxesGood(const McdSpace *s) {
     for (int i = s->firstProxy; i != MCD_NONE; i = s->proxy[i].next, count++) {
         const McdProxy *p = &s->proxy[i];
         if (!p->model || p->model->proxy != p || p->model->space != s || p->hasBox != (p->leaf || p->isUnbounded) ||
-            (p->leaf && p->isUnbounded))
+            (p->leaf && p->isUnbounded) || (p->hasBox && !mcd_proxyIsWithinFatBox(p)))
             return MEFALSE;
-        for (int k = 0; p->hasBox && k < 3; k++)
-            if (fmax((double)p->min[k], -MCD_TREE_REACH) < (double)p->fat.min[k] ||
-                fmin((double)p->max[k], MCD_TREE_REACH) > (double)p->fat.max[k])
-                return MEFALSE;
     }
     return count == s->proxyCount && count <= s->proxyRoom;
 }
@@ -768,30 +785,33 @@ void mcd_pairsEnd(McdSpace *s) {
                isListGood(&s->goodbye, kMcdFFStateGoodbye));
 }
 
-static void clearDirty(McdSpace *s, int proxy) {
+static void clearDirty(McdProxy *p) {
+    McdSpace *s = p->model->space;
     int at = 0;
-    if (!s->proxy[proxy].isDirty)
+    if (!p->isDirty)
         return;
-    while (s->dirty[at] != proxy)
+    while (s->dirty[at] != mcd_proxyIndex(s, p))
         at++;
     MEASSERT(at < s->dirtyCount);
     s->dirty[at] = s->dirty[--s->dirtyCount];
-    s->proxy[proxy].isDirty = MEFALSE;
+    p->isDirty = MEFALSE;
 }
 
-void mcd_pairsForgetProxy(McdSpace *s, int proxy) {
-    while (s->proxy[proxy].firstLink != MCD_NONE) {
-        const int i = s->proxy[proxy].firstLink;
+void mcd_pairsForgetProxy(McdProxy *p) {
+    McdSpace *s = p->model->space;
+    while (p->firstLink != MCD_NONE) {
+        const int i = p->firstLink;
         if (s->link[i].record)
             sayGoodbye(s, i);
         stopWaiting(s, i);
         dropLink(s, i);
     }
-    clearDirty(s, proxy);
+    clearDirty(p);
 }
 
-void mcd_pairsForgetContacts(McdSpace *s, int proxy) {
-    for (int i = s->proxy[proxy].firstLink; i != MCD_NONE; i = nextLink(s, i, proxy)) {
+void mcd_pairsForgetContacts(McdProxy *p) {
+    const McdSpace *s = p->model->space;
+    for (int i = p->firstLink; i != MCD_NONE; i = nextLink(s, i, mcd_proxyIndex(s, p))) {
         McdPairRecord *record = s->link[i].record;
         if (!record)
             continue;
@@ -848,17 +868,19 @@ static void eraseGoodbyesOf(McdSpace *s, McdModelID cm) {
     s->goodbye.count = kept;
 }
 
-void mcd_pairsEraseProxy(McdSpace *s, int proxy) {
-    for (int i = s->proxy[proxy].firstLink; i != MCD_NONE; i = nextLink(s, i, proxy)) {
-        if (!s->link[i].record)
+void mcd_pairsEraseProxy(McdProxy *p) {
+    McdSpace *s = p->model->space;
+    for (int i = p->firstLink; i != MCD_NONE; i = nextLink(s, i, mcd_proxyIndex(s, p))) {
+        McdLink *link = &s->link[i];
+        if (!link->record)
             continue;
-        erasePair(s, s->link[i].record, !s->link[i].isSilent);
-        s->link[i].record = 0;
-        s->link[i].isSilent = MEFALSE;
+        erasePair(s, link->record, !link->isSilent);
+        link->record = 0;
+        link->isSilent = MEFALSE;
         s->liveCount--;
     }
-    eraseGoodbyesOf(s, &s->proxy[proxy].model->model);
-    mcd_pairsForgetProxy(s, proxy);
+    eraseGoodbyesOf(s, &p->model->model);
+    mcd_pairsForgetProxy(p);
 }
 
 void mcd_pairsDestroy(McdSpace *s) {
@@ -880,27 +902,29 @@ void mcd_pairsDestroy(McdSpace *s) {
 
 /* ---- pairs that never collide ------------------------------------------------------------------------------------ */
 
-MeBool mcd_pairsDisable(McdSpace *s, int a, int b) {
-    int i = findLink(s, a, b);
+MeBool mcd_pairsDisable(McdProxy *a, McdProxy *b) {
+    McdSpace *s = a->model->space;
+    int i = findLink(s, mcd_proxyIndex(s, a), mcd_proxyIndex(s, b));
     if (i == MCD_NONE)
-        i = makeLink(s, a, b);
+        i = makeLink(s, mcd_proxyIndex(s, a), mcd_proxyIndex(s, b));
     if (i == MCD_NONE)
         return MEFALSE;
     s->link[i].isDisabled = METRUE;
-    mcd_proxyMarkDirty(s, a);
+    mcd_proxyMarkDirty(a);
     return METRUE;
 }
 
-void mcd_pairsEnable(McdSpace *s, int a, int b) {
-    const int i = findLink(s, a, b);
+void mcd_pairsEnable(McdProxy *a, McdProxy *b) {
+    McdSpace *s = a->model->space;
+    const int i = findLink(s, mcd_proxyIndex(s, a), mcd_proxyIndex(s, b));
     if (i == MCD_NONE)
         return;
     s->link[i].isDisabled = MEFALSE;
-    mcd_proxyMarkDirty(s, a);
+    mcd_proxyMarkDirty(a);
 }
 
-MeBool mcd_pairsAreEnabled(const McdSpace *s, int a, int b) {
-    const int i = findLink(s, a, b);
-    return !(i != MCD_NONE && s->link[i].isDisabled) && !isCulled(&s->proxy[a], &s->proxy[b]) &&
-           !areFiltered(&s->proxy[a].filter, &s->proxy[b].filter);
+MeBool mcd_pairsAreEnabled(const McdProxy *a, const McdProxy *b) {
+    const McdSpace *s = a->model->space;
+    const int i = findLink(s, mcd_proxyIndex(s, a), mcd_proxyIndex(s, b));
+    return !(i != MCD_NONE && s->link[i].isDisabled) && mayCollide(a, b);
 }

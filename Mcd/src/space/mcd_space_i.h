@@ -154,18 +154,31 @@ MeBool mcd_spaceCheck(McdSpaceID s, const char *function);
  * in it. */
 MeBool mcd_spaceIsReady(McdSpaceID s, const char *function);
 
+static inline int mcd_proxyIndex(const McdSpace *s, const McdProxy *p) {
+    return (int)(p - s->proxy);
+}
+
+/* Has the space's workers process ranges of `size` of all `count` items (MeTeamRunRanges). */
+static inline void mcd_spaceRunRanges(McdSpace *s, int count, int size, MeTeamRangeWork work, void *context) {
+    MeTeamOpen(s->team);
+    MeTeamRunRanges(s->team, count, size, work, context);
+    MeTeamClose(s->team);
+}
+
 /* ---- links and pairs (mcd_pairs.c) ------------------------------------------------------------------------------- */
 
-void mcd_proxyMarkDirty(McdSpace *s, int proxy);      /* marks it dirty: its links are classified when the block ends */
-void mcd_pairsForgetProxy(McdSpace *s, int proxy);    /* drops its links; its pairs say goodbye */
-void mcd_pairsEraseProxy(McdSpace *s, int proxy);     /* drops its links and pairs, without goodbyes */
-void mcd_pairsForgetContacts(McdSpace *s, int proxy); /* forgets Mst's data of its pairs, which stay */
-void mcd_pairsRemoveErased(McdSpace *s);              /* removes erased pairs from the lists */
-MeBool mcd_pairsDisable(McdSpace *s, int a, int b);   /* false: no memory */
-void mcd_pairsEnable(McdSpace *s, int a, int b);
-MeBool mcd_pairsAreEnabled(const McdSpace *s, int a, int b); /* neither disabled, culled nor filtered */
-void mcd_pairsBegin(McdSpace *s);                            /* as a block begins: goodbye pairs become invalid */
-void mcd_pairsEnd(McdSpace *s);                              /* as a block ends: finds the pairs */
+void mcd_proxyMarkDirty(McdProxy *p);      /* marks it dirty: its links are classified when the block ends */
+void mcd_pairsForgetProxy(McdProxy *p);    /* drops its links; its pairs say goodbye */
+void mcd_pairsEraseProxy(McdProxy *p);     /* drops its links and pairs, without goodbyes */
+void mcd_pairsForgetContacts(McdProxy *p); /* forgets Mst's data of its pairs, which stay */
+/* Whether the fat box contains the exact one, clamped to the tree's range. */
+MeBool mcd_proxyIsWithinFatBox(const McdProxy *p);
+void mcd_pairsRemoveErased(McdSpace *s);           /* removes erased pairs from the lists */
+MeBool mcd_pairsDisable(McdProxy *a, McdProxy *b); /* false: no memory */
+void mcd_pairsEnable(McdProxy *a, McdProxy *b);
+MeBool mcd_pairsAreEnabled(const McdProxy *a, const McdProxy *b); /* neither disabled, culled nor filtered */
+void mcd_pairsBegin(McdSpace *s);                                 /* as a block begins: goodbye pairs become invalid */
+void mcd_pairsEnd(McdSpace *s);                                   /* as a block ends: finds the pairs */
 void mcd_pairsDestroy(McdSpace *s);
 
 /* ---- queries ----------------------------------------------------------------------------------------------------- */

@@ -71,30 +71,22 @@ MeBool mcd_scratchReserveContacts(McdScratch *s, int used, int count) {
     return METRUE;
 }
 
-/* Replaces memory by `count` new, zeroed elements. */
-static MeBool reallocate(void **memory, int *room, int count, size_t size, const char *what) {
-    void *made = MeMemoryTakeZeroed((size_t)count, size, "McdIntersect", what);
-    if (!made)
+MeBool mcd_scratchReserveTriangles(McdScratch *s, int count) {
+    if (count <= s->triangleRoom)
+        return METRUE;
+    if (!MeMemoryGrow(&s->triangle, 0, (size_t)count, sizeof *s->triangle, "McdIntersect", "triangles"))
         return MEFALSE;
-    MeMemoryGive(*memory);
-    *memory = made;
-    *room = count;
+    memset(s->triangle, 0, (size_t)count * sizeof *s->triangle);
+    s->triangleRoom = count;
     return METRUE;
 }
 
-MeBool mcd_scratchReserveTriangles(McdScratch *s, int count) {
-    void *memory = s->triangle;
-    const MeBool isThere =
-        count <= s->triangleRoom || reallocate(&memory, &s->triangleRoom, count, sizeof *s->triangle, "triangles");
-    s->triangle = memory;
-    return isThere;
-}
-
 MeBool mcd_scratchReserveManifolds(McdScratch *s, int count) {
-    void *memory = s->manifold;
-    const MeBool isThere =
-        count <= s->manifoldRoom || reallocate(&memory, &s->manifoldRoom, MeMAX(count, 2 * s->manifoldRoom),
-                                               sizeof *s->manifold, "manifolds of parts");
-    s->manifold = memory;
-    return isThere;
+    const int room = MeMAX(count, 2 * s->manifoldRoom);
+    if (count <= s->manifoldRoom)
+        return METRUE;
+    if (!MeMemoryGrow(&s->manifold, 0, (size_t)room, sizeof *s->manifold, "McdIntersect", "manifolds of parts"))
+        return MEFALSE;
+    s->manifoldRoom = room;
+    return METRUE;
 }

@@ -261,7 +261,7 @@ void mst_updateContacts(MstBridgeRecord *record, McdSpaceID s, MdtWorldID w) {
         MstHandleTransitionsOf(*pairs);
         handleCollisions(record, *pairs, s, w);
     } while (isMore);
-    McdSpaceOpen(s);
+    McdSpaceBeginOwnChanges(s);
     mst_refreezeModels(record);
     mst_releasePairs(record, record->frame, world);
     MeProfileEndSection("Collision");
@@ -290,7 +290,7 @@ void MEAPI MstBridgeUpdateTransitions(const MstBridgeID b, const McdSpaceID s, c
         isMore = McdSpaceGetTransitions(s, &iterator, b->pairs);
         MstHandleTransitionsOf(b->pairs);
     } while (isMore);
-    McdSpaceOpen(s);
+    McdSpaceBeginOwnChanges(s);
     mst_releasePairs(record, record->frame, liveWorld(w));
 }
 
