@@ -40,8 +40,11 @@ MEPUBLIC MeBool MEAPI McdModelGetDisplacement(McdModelID cm, const MeVector3 poi
 
 /** @name Stages (MeInternal.h, mcd_stage.c)
  *  @{ */
+/** Levels of a stage: objects that must not change while the program is called. Each level includes those before it. */
 enum {
-    MCD_MODELS_GUARD = 1 /**< the level at which models and their pairs are guarded */
+    MCD_GUARD_FRAME,  /**< the framework and its spaces */
+    MCD_GUARD_MODELS, /**< models and their pairs, geometries, change blocks */
+    MCD_GUARD_SHAPES  /**< transform pointers, geometries of models, boxes in the tree */
 };
 MEPUBLIC MeStage *MEAPI McdFrameworkGetStage(McdFrameworkID frame);
 /** The stage of the model's framework if it guards models; else null. */
@@ -66,7 +69,8 @@ MEPUBLIC void MEAPI McdModelForgetPairs(McdModelID cm);
 /** For a model whose transform was removed: drops its box, and unfreezes it; it has no pairs until it is placed
  *  again. */
 MEPUBLIC void MEAPI McdModelDropBox(McdModelID cm);
-/** McdSpaceBeginChanges by the owner of the models, unless the space is changing already: without checks and deferral. */
+/** McdSpaceBeginChanges by the owner of the models, unless the space is changing already: without checks and
+ *  deferral. */
 MEPUBLIC void MEAPI McdSpaceBeginOwnChanges(McdSpaceID s);
 /** @} */
 

@@ -1,10 +1,6 @@
 /* Solids of revolution between two discs about z: cylinders and cones. */
 #include "convex/mcd_kind_i.h"
 
-/* Relative to the radius: the rim's support point becomes a corner of its own if it is farther along d than the
- * fixed corners by more than this; the same as `slack` in mcd_face.c. */
-static const double standsOut = 2e-7;
-
 /* The lower disc and the upper one. */
 typedef struct Discs {
     double radius[2], height[2];
@@ -76,7 +72,7 @@ static void makeDiscFace(const McdShape *s, const double d[3], double radius, do
         if (i != after)
             continue;
         const double here = c * x + n * y, next = cosine[before] * x + cosine[(before + 12) % RIM] * y;
-        if ((1 - MeMAX(here, next)) * across > standsOut)
+        if ((1 - MeMAX(here, next)) * across > mcd_slack)
             mcd_faceAdd(s, f, radius * x, side * radius * y, height, FARTHEST);
     }
 }

@@ -20,7 +20,6 @@
 
 /* Tolerance of distances, relative to the smaller shape; rounding of coordinates, relative to the larger shape. */
 static const double tolerance = 1e-9, resolution = 1e-14;
-enum { GJK_STEPS = 96 };
 
 /* A point w = a - b of M, with its points a of A and b of B. */
 typedef struct Corner {
@@ -34,7 +33,7 @@ typedef struct Pair {
 
 static Pair makePair(const McdShape *a, const McdShape *b) {
     const double small = mcd_pairSize(a, b), large = MeMAX(a->extent, b->extent);
-    return (Pair){a, b, MeMAX(tolerance * small, resolution * large), mcd_guessTolerance * small};
+    return (Pair){a, b, MeMAX(tolerance * small, resolution * large), mcd_guessTolerance(a, b)};
 }
 
 /* The support point of M in a direction. */
@@ -188,8 +187,9 @@ typedef enum { BEYOND_LIMIT, SEPARATED, OVERLAPPING } GjkResult;
 /* Iterates until the plane through the nearest point supports M, so that no point of M is nearer. For BEYOND_LIMIT,
  * `bound` is a lower bound of the distance. */
 static GjkResult runGjk(const Pair *p, double limit, Simplex *s, double *bound) {
+    enum { STEPS = 96 };
     beginGjk(p, s);
-    for (int step = 0; step < GJK_STEPS; step++) {
+    for (int step = 0; step < STEPS; step++) {
         const double distance = sqrt(s->squared);
         if (!(distance > p->tolerance))
             return OVERLAPPING;

@@ -10,9 +10,6 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* Rounding of positions, relative to the smaller shape: corners that are outside by less count as inside, and
- * separations that differ by less count as equal. Depths are documented to 1e-6. */
-static const double slack = 2e-7;
 /* Contacts within this depth of the deepest one are preferred in the reduction: a fraction of the pair's size
  * (carryingShare), or of the range of depths (tiltShare). Without the first, a body lying flat would change its four
  * contacts with the rounding of each step; without the second, a box on an edge would keep contacts at one end only
@@ -22,9 +19,7 @@ static const double carryingShare = 1e-3, tiltShare = 0.25;
  * normal. */
 static const double preference = 1e-5;
 /* Lines at a smaller angle (sine) touch along a segment, lines at larger angles in a point. */
-static const double parallelSine = .05;
-/* A face whose normal has a smaller cosine with the contact normal is seen edge-on and not clipped. */
-static const double minSlope = 1e-2;
+static const double segmentSine = .05;
 
 /* The code of a feature: the face's id, the kind of feature, and the name of the face's corner (McdFace). 24 bits of
  * face id suffice for any hull that fits into memory. */
@@ -47,7 +42,7 @@ static MeU64 featureOfPair(MeU32 a, MeU32 b) {
 
 /* For checks: the corners have different names and are counter-clockwise about the unit normal. */
 static MeBool isFaceGood(const McdShape *s, const McdFace *f) {
-    const double slack_ = 1e-9 * s->extent * s->extent;
+    const double slack = 1e-9 * s->extent * s->extent;
     for (int i = 0; i < f->count; i++)
         for (int j = 0; j < i; j++)
             if (f->name[i] == f->name[j])
@@ -58,7 +53,7 @@ static MeBool isFaceGood(const McdShape *s, const McdFace *f) {
         mcd_sub(pq, q, p);
         mcd_sub(qr, r, q);
         mcd_cross(n, pq, qr);
-        if (mcd_dot(n, f->normal) < -slack_)
+        if (mcd_dot(n, f->normal) < -slack)
             return MEFALSE;
     }
     return f->count < 3 || !mcd_shapeIsRigid(s) || mcd_isUnit(f->normal) || mcd_dot(f->normal, f->normal) == 0;
@@ -117,8 +112,8 @@ static MeBool makeOutline(const View *v, const McdFace *f, MeBool isMirrored, Ou
     }
     if (f->count < 3)
         return METRUE;
-    const double up = mcd_dot(f->normal, v->n);
-    if (!(fabs(up) > minSlope))
+    const double up = mcd_dot(f->normal, v->n), edgeOn = 1e-2; /* of a smaller cosine: not clipped */
+    if (!(fabs(up) > edgeOn))
         return MEFALSE;
     o->slopeX = -mcd_dot(f->normal, v->u) / up;
     o->slopeY = -mcd_dot(f->normal, v->w) / up;
@@ -202,7 +197,7 @@ static Circle circleAround(const Outline *o) {
 /* Computes for each corner its signed distance from b's edge that begins at b's corner j, times the edge's length,
  * positive inside. Returns false if no corner is outside, which the bounding circle usually shows without the
  * distances. */
-static MeBool isEdgeCutting(const Polygon *p, const Circle *around, const Outline *b, int j, double slack_,
+static MeBool isEdgeCutting(const Polygon *p, const Circle *around, const Outline *b, int j, double slack,
                             double *inside) {
     const int next = j + 1 < b->count ? j + 1 : 0;
     const double x = b->x[j], y = b->y[j], ex = b->x[next] - x, ey = b->y[next] - y, length = sqrt(ex * ex + ey * ey);
@@ -210,7 +205,7 @@ static MeBool isEdgeCutting(const Polygon *p, const Circle *around, const Outlin
     if (ex * (around->y - y) - ey * (around->x - x) >= around->radius * length)
         return MEFALSE; /* also for an edge without length */
     for (int i = 0; i < p->count; i++) {
-        inside[i] = ex * (p->y[i] - y) - ey * (p->x[i] - x) + slack_ * length;
+        inside[i] = ex * (p->y[i] - y) - ey * (p->x[i] - x) + slack * length;
         min = MeMIN(min, inside[i]);
     }
     return !(min >= 0);
@@ -249,7 +244,7 @@ static void cutByEdge(Polygon *from, const double *inside, const Outline *b, int
 }
 
 /* Clips polygon or line a by polygon b. */
-static int clipPolygon(const Outline *a, const Outline *b, double slack_, Candidate *candidate) {
+static int clipPolygon(const Outline *a, const Outline *b, double slack, Candidate *candidate) {
     Polygon memory[2], *from = &memory[0], *to = &memory[1];
     double inside[MAX_CANDIDATES + 1];
     const Circle around = circleAround(a);
@@ -261,7 +256,7 @@ static int clipPolygon(const Outline *a, const Outline *b, double slack_, Candid
         from->origin[i] = (MeU32)i << OF_A | none << OF_B | (MeU32)i << EDGE_OF;
     }
     for (int j = 0; j < b->count && from->count; j++) {
-        if (!isEdgeCutting(from, &around, b, j, slack_, inside))
+        if (!isEdgeCutting(from, &around, b, j, slack, inside))
             continue;
         inside[from->count] = inside[a->count > 2 ? 0 : from->count - 1];
         cutByEdge(from, inside, b, j, to);
@@ -294,7 +289,7 @@ static int overlapLines(const Outline *a, const Outline *b, double radius, Candi
     double ax = a->x[1] - a->x[0], ay = a->y[1] - a->y[0];
     double bx = b->x[1] - b->x[0], by = b->y[1] - b->y[0];
     const double la = hypot(ax, ay), lb = hypot(bx, by);
-    if (!(la > 0 && lb > 0) || fabs(ax * by - ay * bx) > parallelSine * la * lb)
+    if (!(la > 0 && lb > 0) || fabs(ax * by - ay * bx) > segmentSine * la * lb)
         return 0;
     ax /= la;
     ay /= la;
@@ -328,7 +323,7 @@ static int crossLines(const Outline *a, const Outline *b, MeU64 feature, Candida
     const double ax = a->x[1] - a->x[0], ay = a->y[1] - a->y[0], bx = b->x[1] - b->x[0], by = b->y[1] - b->y[0];
     const double x = b->x[0] - a->x[0], y = b->y[0] - a->y[0], area = ax * by - ay * bx;
     const double la = sqrt(ax * ax + ay * ay), lb = sqrt(bx * bx + by * by);
-    if (!(fabs(area) > parallelSine * la * lb))
+    if (!(fabs(area) > segmentSine * la * lb))
         return 0;
     const double s = (x * by - y * bx) / area, t = (x * ay - y * ax) / area;
     if (fabs(s - .5) > half || fabs(t - .5) > half)
@@ -341,17 +336,17 @@ static int crossLines(const Outline *a, const Outline *b, MeU64 feature, Candida
     return 1;
 }
 
-static int clipFaces(const Outline *a, const Outline *b, double radius, double slack_, Candidate *candidate) {
+static int clipFaces(const Outline *a, const Outline *b, double radius, double slack, Candidate *candidate) {
     if (a->count < 2 || b->count < 2)
         return 0;
     if (b->count > 2 && b->count <= MeMAX(a->count, 4))
-        return clipPolygon(a, b, slack_, candidate);
+        return clipPolygon(a, b, slack, candidate);
     if (a->count == 2 && b->count == 2)
         return overlapLines(a, b, radius, candidate);
     if (a->count == 2)
-        return clipPolygon(a, b, slack_, candidate);
+        return clipPolygon(a, b, slack, candidate);
     /* The face with fewer corners clips the other one: fewer passes. */
-    const int count = clipPolygon(b, a, slack_, candidate);
+    const int count = clipPolygon(b, a, slack, candidate);
     swapCandidates(candidate, count);
     return count;
 }
@@ -365,8 +360,8 @@ static double planarDistanceSquared(const Candidate *p, const Candidate *q) {
 
 /* Removes candidates whose gap exceeds the margin, and duplicates. With more than 8 points, which are in the
  * polygon's order, only the previous and the first point are compared. */
-static int dropFarAndDuplicates(Candidate *candidate, int count, double margin, double slack_) {
-    const double min = 16 * slack_ * slack_;
+static int dropFarAndDuplicates(Candidate *candidate, int count, double margin, double slack) {
+    const double min = 16 * slack * slack;
     int kept = 0;
     for (int i = 0; i < count; i++) {
         int isNew = candidate[i].a - candidate[i].b <= margin;
@@ -385,13 +380,13 @@ static double depthOf(const Candidate *s) {
 
 /* The candidate farthest from a point. Of candidates equal to within the slack the first one is chosen, so that a
  * body at rest keeps its contacts. */
-static int farthestOf(const Candidate *candidate, int count, const Candidate *from, double slack_) {
+static int farthestOf(const Candidate *candidate, int count, const Candidate *from, double slack) {
     int best = 0;
-    double enough = slack_ * slack_; /* (max + slack)^2 */
+    double enough = slack * slack; /* (max + slack)^2 */
     for (int i = 0; i < count; i++) {
         const double squared = planarDistanceSquared(&candidate[i], from);
         if (squared > enough) {
-            const double max = sqrt(squared) + slack_;
+            const double max = sqrt(squared) + slack;
             enough = max * max;
             best = i;
         }
@@ -415,8 +410,8 @@ static double areaOf(const Candidate *a, const Candidate *b, const Candidate *c)
 
 /* The candidate farthest from the line first-second on either side, left in best[0] and right in best[1]; -1: none. */
 static void farthestBeside(const Candidate *candidate, int count, const Candidate *first, const Candidate *second,
-                           double slack_, int best[2]) {
-    const double dx = second->x - first->x, dy = second->y - first->y, min = 4 * slack_ * sqrt(dx * dx + dy * dy);
+                           double slack, int best[2]) {
+    const double dx = second->x - first->x, dy = second->y - first->y, min = 4 * slack * sqrt(dx * dx + dy * dy);
     double max[2] = {min, min};
     best[0] = best[1] = -1;
     for (int i = 0; i < count; i++) {
@@ -439,11 +434,11 @@ static int deepestOf(const Candidate *candidate, int count) {
 
 /* If all kept points are shallower than the deepest candidate by more than the slack, that candidate replaces the
  * kept point nearest to it. */
-static void includeDeepest(const Candidate *candidate, int count, Candidate *kept, int made, double slack_) {
+static void includeDeepest(const Candidate *candidate, int count, Candidate *kept, int made, double slack) {
     const Candidate *deepest = &candidate[deepestOf(candidate, count)];
     int nearest = 0;
     for (int i = 0; i < made; i++) {
-        if (depthOf(&kept[i]) >= depthOf(deepest) - slack_)
+        if (depthOf(&kept[i]) >= depthOf(deepest) - slack)
             return;
         if (planarDistanceSquared(&kept[i], deepest) < planarDistanceSquared(&kept[nearest], deepest))
             nearest = i;
@@ -453,12 +448,12 @@ static void includeDeepest(const Candidate *candidate, int count, Candidate *kep
 
 /* Adds a fourth point to a triangle of kept points: the candidate that enlarges its area most, beyond one of the two
  * sides at the third point. Returns the number of points. */
-static int addFourthPoint(const Candidate *candidate, int count, Candidate *kept, double slack_) {
+static int addFourthPoint(const Candidate *candidate, int count, Candidate *kept, double slack) {
     double max = 0;
     int best = -1;
     for (int k = 0; k < 2; k++) {
         int beside[2];
-        farthestBeside(candidate, count, &kept[k], &kept[2], slack_, beside);
+        farthestBeside(candidate, count, &kept[k], &kept[2], slack, beside);
         /* the triangle's remaining corner is on one side of this line; `beyond` is on the other */
         const double inside = areaOf(&kept[k], &kept[2], &kept[1 - k]);
         const int beyond = beside[inside >= 0];
@@ -502,21 +497,21 @@ static int moveDeepestToFront(Candidate *candidate, int count, double band) {
  * mcd_spread does not fit: here all points are in one plane, ties to within the slack must keep the contacts of
  * bodies at rest, and mcd_spread would make a pair a fifth slower. */
 static int reduceToFour(Candidate *candidate, int count, MeBool isDisc, double size) {
-    const double slack_ = slack * size;
+    const double slack = mcd_slack * size;
     const int nearDeepest = isDisc ? count : moveDeepestToFront(candidate, count, carryingShare * size);
     const Candidate middle = middleOf(candidate, nearDeepest);
     Candidate kept[4];
     int of[2], all[2], made = 0;
-    kept[made++] = candidate[farthestOf(candidate, nearDeepest, &middle, slack_)];
-    kept[made++] = candidate[farthestOf(candidate, nearDeepest > 1 ? nearDeepest : count, &kept[0], slack_)];
-    farthestBeside(candidate, nearDeepest, &kept[0], &kept[1], slack_, of);
-    farthestBeside(candidate, count, &kept[0], &kept[1], slack_, all);
+    kept[made++] = candidate[farthestOf(candidate, nearDeepest, &middle, slack)];
+    kept[made++] = candidate[farthestOf(candidate, nearDeepest > 1 ? nearDeepest : count, &kept[0], slack)];
+    farthestBeside(candidate, nearDeepest, &kept[0], &kept[1], slack, of);
+    farthestBeside(candidate, count, &kept[0], &kept[1], slack, all);
     for (int i = 0; i < 2; i++)
         if (all[i] >= 0)
             kept[made++] = candidate[of[i] >= 0 ? of[i] : all[i]];
     if (made == 3 && !isDisc)
-        made = addFourthPoint(candidate, count, kept, slack_);
-    includeDeepest(candidate, count, kept, made, slack_);
+        made = addFourthPoint(candidate, count, kept, slack);
+    includeDeepest(candidate, count, kept, made, slack);
     memcpy(candidate, kept, (size_t)made * sizeof *candidate);
     return made;
 }
@@ -549,7 +544,7 @@ static Candidate supportCandidate(const View *v, const McdProximity *p, MeU64 fe
 }
 
 static View makeView(const McdShape *a, const McdShape *b, const McdProximity *p) {
-    View v = {.n = p->normal, .slack = slack * mcd_pairSize(a, b)};
+    View v = {.n = p->normal, .slack = mcd_slack * mcd_pairSize(a, b)};
     mcd_basis(p->normal, v.u, v.w);
     return v;
 }
@@ -598,7 +593,7 @@ static int clampSeparations(Candidate *candidate, int count, double separation) 
 static MeBool isManifoldGood(const McdShape *a, const McdShape *b, const McdProximity *p, double margin,
                              const McdManifold *m) {
     const double rounding = a->rounding + b->rounding;
-    const double slack_ = preference * mcd_pairSize(a, b) + 1e-12 * fabs(p->separation);
+    const double slack = preference * mcd_pairSize(a, b) + 1e-12 * fabs(p->separation);
     if (!mcd_areResolved(a, b))
         return METRUE;
     for (int i = 0; i < m->count; i++) {
@@ -606,7 +601,7 @@ static MeBool isManifoldGood(const McdShape *a, const McdShape *b, const McdProx
         for (int j = 0; j < i; j++)
             if (m->point[j].feature == point->feature)
                 return MEFALSE;
-        if (point->separation < p->separation - rounding - slack_ || !(point->separation <= margin + slack_) ||
+        if (point->separation < p->separation - rounding - slack || !(point->separation <= margin + slack) ||
             !(point->radius[0] >= 0 && point->radius[1] >= 0))
             return MEFALSE;
     }

@@ -325,7 +325,7 @@ typedef struct Ball {
 static MeBool makeBall(const McdShape *a, const McdShape *b, const McdProximity *p, Ball *ball) {
     mcd_scale(ball->down, p->normal, -1);
     ball->depth = -p->separation;
-    ball->tolerance = mcd_guessTolerance * mcd_pairSize(a, b);
+    ball->tolerance = mcd_guessTolerance(a, b);
     return ball->depth > 2 * ball->tolerance && ball->depth < INFINITY;
 }
 

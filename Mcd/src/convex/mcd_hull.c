@@ -25,8 +25,7 @@
 
 /* Lengths relative to half the longest side of the bounding box. Single precision leaves about 1e-7 of noise in the
  * coordinates of a face's corners. */
-static const double flatness = 3e-7;     /* points nearer than this to a plane or a line count as lying in it */
-static const double minThickness = 1e-6; /* thinner point sets are refused as flat */
+static const double flatness = 3e-7; /* points nearer than this to a plane or a line count as lying in it */
 
 /* ---- temporary memory ------------------------------------------------------------------------------------------ */
 
@@ -42,7 +41,7 @@ typedef struct Work {
 } Work;
 
 static void *allocate(Work *w, size_t count, size_t size) {
-    Block *b = (Block *)MeMemoryTake(1, sizeof(Block) + count * size, w->function, "making the hull");
+    Block *b = MeMemoryTake(1, sizeof(Block) + count * size, w->function, "making the hull");
     if (!b) {
         w->isExhausted = 1;
         return NULL;
@@ -50,6 +49,10 @@ static void *allocate(Work *w, size_t count, size_t size) {
     b->next = w->blocks;
     w->blocks = b;
     return b->contents;
+}
+
+static int *allocateInts(Work *w, int count) {
+    return allocate(w, (size_t)count, sizeof(int));
 }
 
 static void freeBlocks(Work *w) {
@@ -116,7 +119,7 @@ typedef struct Sortable {
 } Sortable;
 
 static int byX(const void *a, const void *b) {
-    const Sortable *p = (const Sortable *)a, *q = (const Sortable *)b;
+    const Sortable *p = a, *q = b;
     if (p->x != q->x)
         return p->x < q->x ? -1 : 1;
     return (p->index > q->index) - (p->index < q->index);
@@ -154,16 +157,16 @@ static void markCopies(const double (*p)[3], Sortable *order, int count, char *i
 static MeBool makeCloud(Work *w, Cloud *c, const double (*point)[3], int count) {
     if (!findScale(c, point, count, w->function))
         return MEFALSE;
-    c->point = (double(*)[3])allocate(w, (size_t)count, sizeof *c->point);
-    c->source = (int *)allocate(w, (size_t)count, sizeof *c->source);
-    Sortable *order = (Sortable *)allocate(w, (size_t)count, sizeof *order);
-    char *isCopy = (char *)allocate(w, (size_t)count, 1);
+    c->point = allocate(w, (size_t)count, sizeof *c->point);
+    c->source = allocate(w, (size_t)count, sizeof *c->source);
+    Sortable *order = allocate(w, (size_t)count, sizeof *order);
+    char *isCopy = allocate(w, (size_t)count, 1);
     if (w->isExhausted)
         return MEFALSE;
     for (int i = 0; i < count; i++)
         for (int k = 0; k < 3; k++)
             c->point[i][k] = (point[i][k] - c->centre[k]) / c->scale;
-    markCopies((const double(*)[3])c->point, order, count, isCopy);
+    markCopies(mcd_constRows(c->point), order, count, isCopy);
     c->count = 0;
     MEASSERT(!isCopy[0]); /* of duplicates the first point is kept */
     for (int i = 0; i < count; i++)
@@ -197,12 +200,12 @@ static int nextCorner(const Facets *f, int corner) {
 static MeBool allocateFacets(Work *w, Facets *f, int points) {
     f->faceMax = 2 * points;
     f->cornerMax = 6 * points;
-    f->first = (int *)allocate(w, (size_t)f->faceMax + 1, sizeof(int));
-    f->normal = (double(*)[3])allocate(w, (size_t)f->faceMax, sizeof *f->normal);
-    f->area = (double *)allocate(w, (size_t)f->faceMax, sizeof(double));
-    f->vertex = (int *)allocate(w, (size_t)f->cornerMax, sizeof(int));
-    f->face = (int *)allocate(w, (size_t)f->cornerMax, sizeof(int));
-    f->twin = (int *)allocate(w, (size_t)f->cornerMax, sizeof(int));
+    f->first = allocateInts(w, f->faceMax + 1);
+    f->normal = allocate(w, (size_t)f->faceMax, sizeof *f->normal);
+    f->area = allocate(w, (size_t)f->faceMax, sizeof(double));
+    f->vertex = allocateInts(w, f->cornerMax);
+    f->face = allocateInts(w, f->cornerMax);
+    f->twin = allocateInts(w, f->cornerMax);
     return !w->isExhausted;
 }
 
@@ -237,7 +240,7 @@ static MeBool addFacet(Facets *f, const Cloud *c, qhT *qh, facetT *facet) {
         for (int i = 0; i < size; i++)
             v[i] = qh_pointid(qh, ((vertexT *)corners->e[i].p)->point);
         double area[3];
-        areaVector((const double(*)[3])c->point, v, size, area);
+        areaVector(mcd_constRows(c->point), v, size, area);
         if (mcd_dot(area, facet->normal) < 0)
             reverse(v, size);
         for (int i = 0; i < size; i++)
@@ -266,7 +269,7 @@ static MeBool readFacets(Facets *f, const Cloud *c, qhT *qh) {
 static MeBool runQhull(Work *w, Facets *f, const Cloud *c, char *options) {
     char text[1024]; /* receives Qhull's messages, which are dropped */
     FILE *sink = fmemopen(text, sizeof text, "w");
-    qhT *qh = (qhT *)MeMemoryTake(1, sizeof *qh, w->function, "Qhull");
+    qhT *qh = MeMemoryTake(1, sizeof *qh, w->function, "Qhull");
     MeBool works = 0;
     w->isExhausted = w->isExhausted || !qh || !sink;
     if (!sink)
@@ -293,7 +296,7 @@ static MeBool isSameEdge(const Key *a, const Key *b) {
 
 /* Finds the twin of each corner; false if the surface is not closed. */
 static MeBool joinFacets(Work *w, Facets *f) {
-    Key *key = (Key *)allocate(w, (size_t)f->cornerCount, sizeof *key); /* both vertices, the corner */
+    Key *key = allocate(w, (size_t)f->cornerCount, sizeof *key); /* both vertices, the corner */
     if (!key || f->cornerCount % 2)
         return MEFALSE;
     for (int i = 0; i < f->cornerCount; i++) {
@@ -346,9 +349,9 @@ static void growRegion(const Facets *f, const Cloud *c, Regions *r, int seed) {
 
 /* Grows regions of coplanar facets, from the largest facets first: their planes are the most exact. */
 static MeBool makeRegions(Work *w, const Facets *f, const Cloud *c, Regions *r) {
-    Sortable *order = (Sortable *)allocate(w, (size_t)f->count, sizeof *order);
-    r->of = (int *)allocate(w, (size_t)f->count, sizeof(int));
-    r->stack = (int *)allocate(w, (size_t)f->count, sizeof(int));
+    Sortable *order = allocate(w, (size_t)f->count, sizeof *order);
+    r->of = allocateInts(w, f->count);
+    r->stack = allocateInts(w, f->count);
     if (w->isExhausted)
         return MEFALSE;
     for (int i = 0; i < f->count; i++) {
@@ -427,12 +430,12 @@ static MeBool linkLoops(const Facets *f, Regions *r, Loops *l, int *seen, int po
 }
 
 static MeBool makeLoops(Work *w, const Facets *f, const Cloud *c, Regions *r, Loops *l) {
-    int *seen = (int *)allocate(w, (size_t)c->count, sizeof(int));
-    l->next = (int *)allocate(w, (size_t)f->cornerCount, sizeof(int));
-    l->previous = (int *)allocate(w, (size_t)f->cornerCount, sizeof(int));
-    l->start = (int *)allocate(w, (size_t)f->count, sizeof(int));
-    l->size = (int *)allocate(w, (size_t)f->count, sizeof(int));
-    l->degree = (int *)allocate(w, (size_t)c->count, sizeof(int));
+    int *seen = allocateInts(w, c->count);
+    l->next = allocateInts(w, f->cornerCount);
+    l->previous = allocateInts(w, f->cornerCount);
+    l->start = allocateInts(w, f->count);
+    l->size = allocateInts(w, f->count);
+    l->degree = allocateInts(w, c->count);
     if (w->isExhausted)
         return MEFALSE;
     memset(r->stack, 0, (size_t)f->count * sizeof(int)); /* from here on: whether a facet's region is to be split */
@@ -479,7 +482,7 @@ static void findCorners(const Facets *f, const Loops *l, int (*corner)[2], int p
 }
 
 static MeBool straightenEdges(Work *w, const Facets *f, const Cloud *c, const Regions *r, Loops *l) {
-    int(*corner)[2] = (int(*)[2])allocate(w, (size_t)c->count, sizeof *corner);
+    int(*corner)[2] = allocate(w, (size_t)c->count, sizeof *corner);
     if (!corner)
         return MEFALSE;
     countDegrees(f, c, l);
@@ -504,7 +507,7 @@ static McdHull *allocateHull(Work *w, int vertices, int faces, int corners) {
     const size_t v = (size_t)vertices, n = (size_t)faces, e = (size_t)corners / 2;
     const size_t bytes = sizeof(McdHull) + v * sizeof(double[3]) + n * sizeof(McdHullFace) +
                          (2 * e + 4 * e + v + 1 + 2 * e) * sizeof(int);
-    McdHull *h = (McdHull *)MeMemoryTake(1, bytes, w->function, "the hull");
+    McdHull *h = MeMemoryTake(1, bytes, w->function, "the hull");
     if (!h) {
         w->isExhausted = 1;
         return NULL;
@@ -540,9 +543,9 @@ static void beginAtFirstVertex(const Facets *f, Loops *l, int region) {
 
 static MeBool planHull(Work *w, const Facets *f, const Cloud *c, Loops *l, Plan *p) {
     /* three vertices, which identify a face, since two faces share at most one edge; the region */
-    Key *key = (Key *)allocate(w, (size_t)f->count, sizeof *key);
-    p->number = (int *)allocate(w, (size_t)c->count, sizeof(int));
-    p->region = (int *)allocate(w, (size_t)f->count, sizeof(int));
+    Key *key = allocate(w, (size_t)f->count, sizeof *key);
+    p->number = allocateInts(w, c->count);
+    p->region = allocateInts(w, f->count);
     if (w->isExhausted)
         return MEFALSE;
     p->vertices = p->faces = p->corners = 0;
@@ -578,7 +581,7 @@ static void fillVertices(McdHull *h, const Plan *p, const Cloud *c, const double
 }
 
 static void fillNormal(McdHullFace *face, const McdHull *h, const Cloud *c, const double spare[3]) {
-    areaVector((const double(*)[3])h->vertex, h->faceVertex + face->first, face->count, face->normal);
+    areaVector(mcd_constRows(h->vertex), h->faceVertex + face->first, face->count, face->normal);
     const double size = mcd_length(face->normal);
     for (int k = 0; k < 3; k++) /* the area of a sliver is mostly rounding: Qhull's normal is used */
         face->normal[k] = size > 1e-12 * c->scale * c->scale ? face->normal[k] / size : spare[k];
@@ -619,7 +622,7 @@ static void fillFaces(McdHull *h, const Plan *p, const Facets *f, const Cloud *c
 /* Fills the edges in the order of their vertices. The face whose border runs in the edge's direction is on its left. */
 static MeBool fillEdges(Work *w, McdHull *h) {
     /* both vertices; 1 unless the face's border runs from the lower to the higher; the face */
-    Key *half = (Key *)allocate(w, 2 * (size_t)h->edgeCount, sizeof *half);
+    Key *half = allocate(w, 2 * (size_t)h->edgeCount, sizeof *half);
     if (!half)
         return MEFALSE;
     int n = 0;
@@ -677,14 +680,15 @@ static McdHull *buildHull(Work *w, const Facets *f, const Cloud *c, const Region
 
 /* ---- public functions -------------------------------------------------------------------------------------------- */
 
-/* Whether the hull is thick enough. Its smallest width is across a face or between two edges; widths across faces
+/* Whether the hull is thick enough: thinner ones are refused as flat. Its smallest width is across a face or between two edges; widths across faces
  * are exact enough here. */
 static MeBool isThick(const McdHull *h, const Cloud *c) {
+    const double min = 1e-6 * c->scale;
     for (int i = 0; i < h->faceCount; i++) {
         double width = 0;
-        for (int k = 0; k < h->vertexCount && width < minThickness * c->scale; k++)
+        for (int k = 0; k < h->vertexCount && width < min; k++)
             width = fmax(width, h->face[i].offset - mcd_dot(h->face[i].normal, h->vertex[k]));
-        if (width < minThickness * c->scale)
+        if (width < min)
             return MEFALSE;
     }
     return METRUE;

@@ -30,7 +30,7 @@ typedef struct McdMeshQuery McdMeshQuery; /* mcd_mesh_i.h */
 typedef void (*McdMeshGather)(McdMeshQuery *q);
 
 struct McdKind {
-    int type; /* kMcdGeometryType..., or MCD_SHAPE_TRIANGLE */
+    int type; /* kMcdGeometryType...; not set for shapes that are no geometries, such as triangles */
     char *(MEAPI *name)(const McdGeometryID);
     size_t size; /* bytes of its record: all inputs of its tests, except triangles (mcd_tested.c); 0: maybe not all */
 

@@ -18,15 +18,20 @@ typedef struct McdProximity {
 /* Relative to the smaller shape: a face's normal is preferred to a direction whose separation is larger by no more
  * than this, so that a resting shape keeps its face. */
 static const double mcd_faceBias = 2e-7;
-/* Relative to the smaller shape: a guessed normal is accepted if no other direction's separation can be larger by
- * more than this, half of mcd_faceBias. */
-static const double mcd_guessTolerance = 1e-7;
+/* Rounding of positions, relative to the smaller shape: corners that are outside by less count as inside, and
+ * separations that differ by less count as equal. Depths are documented to 1e-6. */
+static const double mcd_slack = 2e-7;
 /* Edges with a smaller sine between them count as parallel: their cross product is not tried as separating axis. */
 static const double mcd_parallelSine = 1e-7;
 
 /* The smaller extent of two shapes, to which tolerances are relative. */
 static inline double mcd_pairSize(const McdShape *a, const McdShape *b) {
     return a->extent < b->extent ? a->extent : b->extent;
+}
+
+/* m: a guessed normal is accepted if no other direction's separation can be larger by more than this. */
+static inline double mcd_guessTolerance(const McdShape *a, const McdShape *b) {
+    return mcd_faceBias / 2 * mcd_pairSize(a, b);
 }
 
 /* The separation of the cores along the unit vector n, which points from b to a. Its maximum over all n is the

@@ -2,7 +2,7 @@
 #include "convex/mcd_kind_i.h"
 
 /* Kind of the square of the plane that is clipped. */
-static const McdKind flat = {.type = kMcdGeometryTypePlane};
+static const McdKind flat = {.rank = MCD_RANK_OTHER};
 
 int mcd_planeManifold(const McdShape *a, const double normal[3], double offset, double margin, McdManifold *m) {
     double back[3];

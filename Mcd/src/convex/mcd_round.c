@@ -5,8 +5,6 @@
 /* Relative to the smaller shape: cores nearer than this touch. */
 static const double touching = 1e-12;
 
-static const double up[3] = {0, 0, 1};
-
 /* Completes the proximity from its witness points. If these coincide, the normal is `across`. */
 static MeBool setProximityOfPoints(const McdShape *a, const McdShape *b, const double across[3], double limit,
                                    McdProximity *p) {
@@ -23,6 +21,7 @@ static MeBool setProximityOfPoints(const McdShape *a, const McdShape *b, const d
 }
 
 MeBool mcd_pointPointProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+    static const double up[3] = {0, 0, 1};
     mcd_copy(p->onA, a->place);
     mcd_copy(p->onB, b->place);
     return setProximityOfPoints(a, b, up, limit, p);

@@ -15,25 +15,13 @@
  * no part of the other piece, so the normals at a fold down are kept. */
 #include "convex/mcd_seam_i.h"
 
-/* The skin, relative to the extent of the smaller shape. Places in single precision have errors up to 5e-6 of the size
- * at a hundred sizes from the origin (docs/collision.md), twice that relative to each other; a step of this height is
- * climbed. With twice or half this value Mst_Seams (what_is_flush_to_a_ten_thousandth_of_its_radius_passes) and
- * Mcd_Compounds fail. */
-static const double skinShare = 1e-4;
-/* The gap, relative to the body's smallest width. A body does not enter a gap narrower than the body, and a ball sinks
- * by 1/32 of its radius into a gap of a quarter of its diameter. */
-static const double gapShare = .25;
 /* cos(60 degrees): the largest angle between faces that continue each other. */
 static const double foldCosine = .5;
-/* The sine of the largest angle at which the normals of a contact and of a face count as equal: normals of contacts are
- * in single precision, with errors of 6e-8 in each coordinate. */
-static const double minSine = 1e-6;
 
 /* ---- shapes ------------------------------------------------------------------------------------------------------ */
 
 /* Kind of a point: a sphere without a radius. */
-static const McdKind pointKind = {
-    .type = kMcdGeometryTypeSphere, .support = mcd_pointSupport, .face = mcd_pointFace, .rank = MCD_RANK_SPHERE};
+static const McdKind pointKind = {.support = mcd_pointSupport, .face = mcd_pointFace, .rank = MCD_RANK_SPHERE};
 
 double mcd_pointDistance(const McdShape *s, const double point[3]) {
     McdShape dot = {.kind = &pointKind, .extent = s->extent};
@@ -78,12 +66,18 @@ static double minWidth(const McdShape *s) {
 
 /* ---- internal edges ---------------------------------------------------------------------------------------------- */
 
+/* The skin is 1e-4 of the extent of the smaller shape. Places in single precision have errors up to 5e-6 of the size
+ * at a hundred sizes from the origin (docs/collision.md), twice that relative to each other; a step of this height is
+ * climbed. With twice or half this value Mst_Seams (what_is_flush_to_a_ten_thousandth_of_its_radius_passes) and
+ * Mcd_Compounds fail. */
 double mcd_seamSkin(const McdShape *piece, const McdShape *body) {
-    return skinShare * mcd_pairSize(piece, body);
+    return 1e-4 * mcd_pairSize(piece, body);
 }
 
+/* A quarter of the body's smallest width: a body does not enter a gap narrower than the body, and a ball sinks by 1/32
+ * of its radius into such a gap. */
 double mcd_seamGap(const McdShape *body) {
-    return gapShare * minWidth(body);
+    return minWidth(body) / 4;
 }
 
 /* A face of the contact's piece. */
@@ -99,7 +93,7 @@ static MeBool isNormal(const McdSeam *s, const double direction[3]) {
     if (mcd_dot(s->normal, direction) < foldCosine)
         return MEFALSE;
     mcd_cross(across, s->normal, direction);
-    return mcd_dot(across, across) <= minSine * minSine;
+    return mcd_dot(across, across) <= mcd_minSine * mcd_minSine;
 }
 
 static int countFaces(const McdSeam *s) {
@@ -143,7 +137,7 @@ static MeBool isContinued(const McdShape *piece, const void *context) {
         return MEFALSE;
     mcd_mad(inward, s->normal, -mcd_dot(s->normal, other.normal), other.normal);
     const double sine = mcd_length(inward);
-    if (sine <= minSine)
+    if (sine <= mcd_minSine)
         return MEFALSE;
     mcd_mad(at, f->point, s->skin / sine, inward);
     if (mcd_pointDistance(&s->shape, at) <= s->skin / 2) /* the contact is not at the edge */

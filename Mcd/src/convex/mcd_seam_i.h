@@ -5,6 +5,10 @@
 
 #include "convex/mcd_kind_i.h"
 
+/* The sine of the largest angle at which the normals of a contact and of a face count as equal: normals of contacts are
+ * in single precision, with errors of 6e-8 in each coordinate. */
+static const double mcd_minSine = 1e-6;
+
 typedef struct McdSeam McdSeam;
 /* Called for a piece. Returns true to end the search at this piece. */
 typedef MeBool (*McdSeamVisit)(const McdShape *piece, const void *context);

@@ -90,8 +90,6 @@ struct McdHull {
     double centre[3], extent; /* mean of the vertices; largest distance of a vertex from it */
 };
 
-enum { MCD_SHAPE_TRIANGLE = -2 }; /* McdKind.type of a triangle, which is not a geometry type */
-
 /* The axes of a shape at a transform that has passed mcd_isValidTransform. */
 void mcd_shapeAxes(const MeMatrix4 tm, double axis[3][3]);
 void mcd_triangleShape(const double corners[3][3], McdShape *shape);

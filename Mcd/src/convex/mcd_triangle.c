@@ -2,9 +2,6 @@
 #include "convex/mcd_kind_i.h"
 #include <string.h>
 
-/* A triangle whose height is a smaller fraction of its longest side counts as without area. */
-#define NO_HEIGHT 1e-7
-
 /* ---- the shape --------------------------------------------------------------------------------------------- */
 
 static void triangleSupport(const McdShape *s, const double d[3], double point[3]) {
@@ -26,11 +23,8 @@ static void triangleFace(const McdShape *s, const double d[3], McdFace *f) {
     }
 }
 
-static const McdKind kind = {.type = MCD_SHAPE_TRIANGLE,
-                             .support = triangleSupport,
-                             .face = triangleFace,
-                             .rank = MCD_RANK_TRIANGLE,
-                             .flatAxes = 4};
+static const McdKind kind = {
+    .support = triangleSupport, .face = triangleFace, .rank = MCD_RANK_TRIANGLE, .flatAxes = 4};
 
 /* Sets the axes. The third one is the normal, by the right-hand rule; z for a triangle without area. */
 static void setAxes(McdShape *shape) {
@@ -63,7 +57,8 @@ static MeBool areCornersInRange(const double corner[3][3]) {
     return mcd_isInRange3(corner[0]) && mcd_isInRange3(corner[1]) && mcd_isInRange3(corner[2]);
 }
 
-/* The unit normal by the right-hand rule; false if the triangle has no area. */
+/* The unit normal by the right-hand rule; false if the triangle has no area: if its height is less than 1e-7 of its
+ * longest side. */
 static MeBool unitNormalOf(const double corner[3][3], double normal[3]) {
     double e[3][3], longest = 0;
     for (int i = 0; i < 3; i++) {
@@ -72,7 +67,7 @@ static MeBool unitNormalOf(const double corner[3][3], double normal[3]) {
     }
     mcd_cross(normal, e[0], e[1]);
     const double area = mcd_length(normal);
-    if (!(area > NO_HEIGHT * longest))
+    if (!(area > 1e-7 * longest))
         return MEFALSE;
     mcd_scale(normal, normal, 1 / area);
     return METRUE;

@@ -63,6 +63,11 @@ static inline double mcd_heightOver(const double point[3], const double base[3],
     return mcd_dot(offset, normal);
 }
 
+/* Converts rows for functions that only read them: before C23, C does not convert the pointer implicitly. */
+static inline const double (*mcd_constRows(double (*rows)[3]))[3] {
+    return (const double(*)[3])rows;
+}
+
 /* Two directions u, w that form a right-handed frame (u, w, n) with the unit vector n. */
 static inline void mcd_basis(const double n[3], double u[3], double w[3]) {
     if (fabs(n[0]) < .6)

@@ -99,9 +99,6 @@ MCD_DEFINE_LINE_SEGMENT(ConvexMesh)
 /* ---- narrow phase
  * -------------------------------------------------------------------------------------------------- */
 
-/* Up to this number of vertices a linear search is faster than hill climbing. */
-enum { SCANNED_CORNERS = 24 };
-
 static void setShape(const McdGeometry *g, McdShape *s) {
     s->hull = get(g)->hull;
     s->rounding = (double)get(g)->fatness;
@@ -132,7 +129,8 @@ static int farthestByClimbing(const McdHull *h, const double d[3]) {
 static void hullSupport(const McdShape *s, const double d[3], double point[3]) {
     const double own[3] = {mcd_dot(s->axis[0], d), mcd_dot(s->axis[1], d), mcd_dot(s->axis[2], d)};
     const McdHull *h = s->hull;
-    const int i = h->vertexCount <= SCANNED_CORNERS ? farthestOfAll(h, own) : farthestByClimbing(h, own);
+    enum { SCANNED = 24 }; /* up to this number of vertices a linear search is faster than hill climbing */
+    const int i = h->vertexCount <= SCANNED ? farthestOfAll(h, own) : farthestByClimbing(h, own);
     mcd_shapePoint(s, h->vertex[i][0], h->vertex[i][1], h->vertex[i][2], point);
 }
 
@@ -191,7 +189,7 @@ static MeBool isMesh(McdGeometryID g, const char *function) {
 
 /* Copies the vertices in MeReal, for programs. */
 static MeVector3 *copyVertices(const McdHull *h, const char *function) {
-    MeVector3 *v = (MeVector3 *)MeMemoryTake((size_t)h->vertexCount, sizeof *v, function, "vertices");
+    MeVector3 *v = MeMemoryTake((size_t)h->vertexCount, sizeof *v, function, "vertices");
     for (int i = 0; v && i < h->vertexCount; i++)
         mcd_toReal(v[i], h->vertex[i]);
     return v;
@@ -223,14 +221,12 @@ McdConvexMeshID MEAPI McdConvexMeshCreateHull(McdFramework *frame, const MeVecto
     }
     if (fatnessRadius != 0 && !mcd_sizeIsGood(fatnessRadius, "fatness", "McdConvexMeshCreateHull"))
         return 0;
-    double(*point)[3] =
-        (double(*)[3])MeMemoryTake((size_t)vertexCount, sizeof *point, "McdConvexMeshCreateHull", "vertices");
+    double(*point)[3] = MeMemoryTake((size_t)vertexCount, sizeof *point, "McdConvexMeshCreateHull", "vertices");
     if (!point)
         return 0;
     for (int i = 0; i < vertexCount; i++)
         mcd_fromReal(point[i], vertices[i]);
-    McdConvexMeshID g =
-        createFrom(frame, (const double(*)[3])point, vertexCount, fatnessRadius, "McdConvexMeshCreateHull");
+    McdConvexMeshID g = createFrom(frame, mcd_constRows(point), vertexCount, fatnessRadius, "McdConvexMeshCreateHull");
     MeMemoryGive(point);
     return g;
 }
@@ -256,7 +252,7 @@ McdConvexMeshID MEAPI McdConvexMeshCreateSphyl(McdFramework *frame, MeReal radiu
         point[n][0] = point[n][1] = 0;
         point[n++][2] = side * (h + r);
     }
-    return createFrom(frame, (const double(*)[3])point, n, 0, "McdConvexMeshCreateSphyl");
+    return createFrom(frame, mcd_constRows(point), n, 0, "McdConvexMeshCreateSphyl");
 }
 
 /* ---- polygons ---------------------------------------------------------------------------------------------------- */
@@ -381,9 +377,9 @@ static void addFace(Moments *s, const McdHull *h, const McdHullFace *f, MeBool i
         mcd_sub(w, t[2], t[0]);
         mcd_cross(n, u, w);
         if (isSolid)
-            addSimplex(s, mcd_dot(n, t[0]) / 6, (const double(*)[3])t, 4);
+            addSimplex(s, mcd_dot(n, t[0]) / 6, mcd_constRows(t), 4);
         else
-            addSimplex(s, mcd_dot(n, f->normal) / 2, (const double(*)[3])t, 3);
+            addSimplex(s, mcd_dot(n, f->normal) / 2, mcd_constRows(t), 3);
     }
 }
 

@@ -6,9 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIDES = 32 };                   /* maximum for a cylinder */
-static const double sameCorner = 1e-6; /* relative to the largest distance: nearer corners are merged */
-
 typedef struct Corner {
     double position[3], angle;
 } Corner;
@@ -70,7 +67,7 @@ static void mergeCorners(Slice *s) {
     int kept = 0;
     for (int i = 1; i < s->count; i++)
         largest = fmax(largest, mcd_distanceSquared(s->corner[i].position, s->corner[0].position));
-    const double near = sameCorner * sameCorner * largest;
+    const double near = 1e-12 * largest; /* squared: a millionth of the largest distance */
     for (int i = 0; i < s->count; i++) {
         MeBool isNew = METRUE;
         for (int k = 0; k < kept && isNew; k++)
@@ -147,7 +144,7 @@ static void computeSlice(McdGeometryInstanceID ins, const MeReal *normal, MeReal
     placePlane(&s, mcd_instanceTM(ins), normal, dist);
     const McdKind *kind = mcd_kindOf(g);
     if (kind && kind->edges)
-        kind->edges(g, MeCLAMP(maxVert - 2, 3, SIDES), cutEdge, &s);
+        kind->edges(g, MeCLAMP(maxVert - 2, 3, 32), cutEdge, &s); /* of a cylinder: 3 to 32 sides */
     else
         MeWarning(1, "%s: the instance is no box, cylinder or convex mesh", function);
     if (s.count) {

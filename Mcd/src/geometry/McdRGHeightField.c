@@ -142,7 +142,7 @@ MeBool MEAPI McdRGHeightFieldGetHeightAt(McdRGHeightFieldID g, MeReal x, MeReal 
     const int i = cellAt(u, 0, 1, f->xCount), j = cellAt(v, 0, 1, f->yCount);
     double corner[3][3], n[3];
     triangleOf(f, i, j, v - j > u - i, corner);
-    if (!mcd_triangleNormal((const double(*)[3])corner, 0, n))
+    if (!mcd_triangleNormal(mcd_constRows(corner), 0, n))
         return MEFALSE;
     *height = (MeReal)(corner[0][2] - (n[0] * ((double)x - corner[0][0]) + n[1] * ((double)y - corner[0][1])) / n[2]);
     if (normal)
@@ -200,8 +200,8 @@ static void addCell(McdMeshQuery *q, const McdRGHeightField *f, int i, int j, in
         double corner[3][3];
         triangleOf(f, i, j, half, corner);
         if (isfinite(corner[0][2] + corner[1][2] + corner[2][2]))
-            mcd_meshAdd(q, (const double(*)[3])corner, 0, kMcdTriangleUseSmallestPenetration | kMcdTriangleUseEdges,
-                        vertex, elementOf(f, i, j, half));
+            mcd_meshAdd(q, mcd_constRows(corner), 0, kMcdTriangleUseSmallestPenetration | kMcdTriangleUseEdges, vertex,
+                        elementOf(f, i, j, half));
     }
 }
 
@@ -242,14 +242,7 @@ static const McdKind kind = {MCD_KIND_FUNCTIONS(RGHeightField, mcd_geometryFree)
                              .gather = gather, .update = update, .isStatic = METRUE};
 MCD_DEFINE_GEOMETRY_TYPE(RGHeightField, mcd_addNoMass)
 
-static int intersect(McdModelPair *p, McdIntersectResult *result) {
-    if (!mcd_geometryIs(mcd_record(p->model2)->instance.geometry, kMcdGeometryTypeRGHeightField,
-                        "Mcd...RGHeightFieldIntersect"))
-        return 0;
-    return mcd_meshIntersect(p, result, gather);
-}
-
-MCD_MESH_INTERACTIONS(RGHeightField, intersect)
+MCD_MESH_INTERACTIONS(RGHeightField)
 
 /* ---- line segments ----------------------------------------------------------------------------------------------- */
 
@@ -260,8 +253,8 @@ static MeBool intersectCell(const McdRGHeightField *f, int i, int j, const doubl
     for (int half = 0; half < 2; half++) {
         double corner[3][3], own[3], here, hit[3];
         triangleOf(f, i, j, half, corner);
-        if (mcd_triangleNormal((const double(*)[3])corner, 0, own) &&
-            mcd_segmentTriangle((const double(*)[3])corner, own, MEFALSE, from, to, &here, hit) &&
+        if (mcd_triangleNormal(mcd_constRows(corner), 0, own) &&
+            mcd_segmentTriangle(mcd_constRows(corner), own, MEFALSE, from, to, &here, hit) &&
             (!isHit || here < *fraction)) {
             *fraction = here;
             memcpy(normal, hit, 3 * sizeof *normal);

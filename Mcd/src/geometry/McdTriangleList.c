@@ -235,7 +235,7 @@ static void gather(McdMeshQuery *q) {
     for (int i = 0; i < count; i++) {
         const McdUserTriangle *t = &generated.triangle[i];
         if (cornersOf(t, corner))
-            mcd_meshAdd(q, (const double(*)[3])corner, normalOf(t, normal), (int)t->flags, 0, t->triangleData);
+            mcd_meshAdd(q, mcd_constRows(corner), normalOf(t, normal), (int)t->flags, 0, t->triangleData);
     }
     releaseArray(list, &generated);
 }
@@ -244,16 +244,9 @@ static const McdKind kind = {MCD_KIND_FUNCTIONS(TriangleList, release), .gather 
                              .isStatic = METRUE};
 MCD_DEFINE_GEOMETRY_TYPE(TriangleList, mcd_addNoMass)
 
-static int intersect(McdModelPair *p, McdIntersectResult *result) {
-    if (!mcd_geometryIs(mcd_record(p->model2)->instance.geometry, kMcdGeometryTypeTriangleList,
-                        "Mcd...TriangleListIntersect"))
-        return 0;
-    return mcd_meshIntersect(p, result, gather);
-}
-
 /* ---- interactions ------------------------------------------------------------------------------------------------ */
 
-MCD_MESH_INTERACTIONS(TriangleList, intersect)
+MCD_MESH_INTERACTIONS(TriangleList)
 
 /* ---- line segments ----------------------------------------------------------------------------------------------- */
 
@@ -265,10 +258,10 @@ static double firstHit(const Generated *generated, const double from[3], const d
     for (int i = 0; i < generated->count; i++) {
         double corner[3][3], own[3], given[3], fraction, hit[3];
         const McdUserTriangle *t = &generated->triangle[i];
-        if (!cornersOf(t, corner) || !mcd_triangleNormal((const double(*)[3])corner, normalOf(t, given), own))
+        if (!cornersOf(t, corner) || !mcd_triangleNormal(mcd_constRows(corner), normalOf(t, given), own))
             continue;
-        if (mcd_segmentTriangle((const double(*)[3])corner, own, (t->flags & kMcdTriangleTwoSided) != 0, from, to,
-                                &fraction, hit) &&
+        if (mcd_segmentTriangle(mcd_constRows(corner), own, (t->flags & kMcdTriangleTwoSided) != 0, from, to, &fraction,
+                                hit) &&
             fraction < min) {
             min = fraction;
             memcpy(normal, hit, sizeof hit);

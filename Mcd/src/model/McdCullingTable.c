@@ -4,8 +4,6 @@
 #include "MeMessage.h"
 #include <string.h>
 
-enum { MAX_SIZE = 32768 };
-
 struct McdCullingTable {
     MeU32 size;
     unsigned char bits[];
@@ -29,6 +27,7 @@ static MeBool checkTable(const McdCullingTable *table, MeU32 a, MeU32 b, const c
 }
 
 McdCullingTable *MEAPI McdCullingTableCreate(int size) {
+    enum { MAX_SIZE = 32768 };
     if (size < 1 || size > MAX_SIZE) {
         MeWarning(1, "McdCullingTableCreate: size is %d: it must be 1 .. %d", size, MAX_SIZE);
         return 0;

@@ -13,6 +13,17 @@ MeBool mcd_modelsMakeAPair(McdModelID m1, McdModelID m2, const char *function) {
     return METRUE;
 }
 
+int mcd_warnNotPlaced(const char *function) {
+    MeWarning(1, "%s: a model has no transform, or one that is not finite, or flat: they do not touch",
+              MeCallerName(function));
+    return 0;
+}
+
+MeBool mcd_pairIsPlaced(const McdModelPair *p, const char *function) {
+    return (mcd_modelIsPlaced(mcd_record(p->model1)) && mcd_modelIsPlaced(mcd_record(p->model2))) ||
+           mcd_warnNotPlaced(function);
+}
+
 static MeBool isPair(McdModelPairID p, const char *function) {
     if (!p)
         MeWarning(1, "%s: no pair", function);

@@ -2,6 +2,7 @@
 #ifndef MCD_FRAME_I_H
 #define MCD_FRAME_I_H
 
+#include "McdInternal.h"
 #include "convex/mcd_kind_i.h"
 #include "model/mcd_model_i.h"
 
@@ -125,15 +126,8 @@ void mcd_kindRegister(McdFramework *frame, const McdKind *kind, const char *func
 /* Registers the library's functions for two types. False, with a warning, if one is not a type. */
 MeBool mcd_interactionRegister(McdFramework *frame, int type1, int type2, const McdInteractions *library);
 
-/* ---- stages (mcd_stage.c) ------------------------------------------------------------------------------------- */
+/* ---- stages (mcd_stage.c; levels: McdInternal.h) ------------------------------------------------------------------------------------- */
 
-/* Levels of a stage: objects that must not change while the program is called. Each level includes the ones before
- * it. */
-enum {
-    MCD_GUARD_FRAME,  /* the framework and its spaces */
-    MCD_GUARD_MODELS, /* models and their pairs, geometries, change blocks */
-    MCD_GUARD_SHAPES  /* transform pointers, geometries of models, boxes in the tree */
-};
 /* When a call takes effect (MeStageWhen): if models are guarded, the call is added to the framework's deferred
  * calls. */
 MeWhen mcd_deferWhileGuarded(McdFramework *frame, const MeLater *later, const char *function);

@@ -43,6 +43,9 @@ MeU32 mcd_featureNumber(MeU64 feature);
 int mcd_resultEnd(McdIntersectResult *result); /* sets the mean normal; 1 if there are contacts */
 /* Whether two models may form a pair: different live models of one framework; warns if not. */
 MeBool mcd_modelsMakeAPair(McdModelID m1, McdModelID m2, const char *function);
+/* Whether both models have valid transforms; warns if not. */
+MeBool mcd_pairIsPlaced(const McdModelPair *p, const char *function);
+int mcd_warnNotPlaced(const char *function); /* gives that warning; returns 0 */
 /* m: a model's share of the speculative margin: its tolerance, and its largest displacement before the next test. */
 static inline MeReal mcd_modelReach(const McdModelRecord *m) {
     return m->tolerance + m->travel;

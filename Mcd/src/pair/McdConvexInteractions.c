@@ -27,12 +27,6 @@ static MeBool checkArguments(McdModelPair *p, McdIntersectResult *result, int ty
     return m1 && m2 && checkTypes(p, type1, type2, function);
 }
 
-static int warnNotPlaced(const char *function) {
-    MeWarning(1, "%s: a model has no transform, or one that is not finite, or flat: they do not touch",
-              MeCallerName(function));
-    return 0;
-}
-
 static int convexIntersect(McdModelPair *p, McdIntersectResult *result, int type1, int type2, const char *function) {
     return checkArguments(p, result, type1, type2, function) ? mcd_convexContacts(p, result, function) : 0;
 }
@@ -68,7 +62,8 @@ MeBool mcd_convexModels(McdModelRecord *m1, McdModelRecord *m2, double margin, M
 
 int mcd_convexContacts(McdModelPair *p, McdIntersectResult *result, const char *function) {
     McdGeometryInstance *ins1 = &mcd_record(p->model1)->instance, *ins2 = &mcd_record(p->model2)->instance;
-    return mcd_convexInstances(ins1, ins2, mcd_pairMargin(p), result) ? mcd_resultEnd(result) : warnNotPlaced(function);
+    return mcd_convexInstances(ins1, ins2, mcd_pairMargin(p), result) ? mcd_resultEnd(result)
+                                                                      : mcd_warnNotPlaced(function);
 }
 
 /* mcd_halfSpaceAt with a unit normal; false if the transform is invalid. */
@@ -99,7 +94,7 @@ int mcd_planeContacts(McdModelPair *p, McdIntersectResult *result, const char *f
     mcd_pairOrigin(ins1, ins2, origin);
     if (!mcd_shapeOf(isSwapped ? ins2 : ins1, origin, &a) ||
         !unitHalfSpaceAt(mcd_instanceTM(isSwapped ? ins1 : ins2), origin, normal, &offset))
-        return warnNotPlaced(function);
+        return mcd_warnNotPlaced(function);
     if (mcd_planeManifold(&a, normal, offset, mcd_pairMargin(p), &m)) {
         if (isSwapped)
             mcd_manifoldSwap(&m);

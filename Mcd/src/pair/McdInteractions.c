@@ -72,12 +72,11 @@ MeBool mcd_interactionIsBuiltIn(const McdModelPair *p) {
     return mcd_typesAreBuiltIn(mcd_record(p->model1)->frame, typeOf(p->model1), typeOf(p->model2));
 }
 
-enum { TYPE_BITS = 63 }; /* one less than the word: shifts by 64 are undefined */
-
 MeBool mcd_instanceTypes(const McdGeometryInstance *ins, MeU64 *types) {
+    enum { BITS = 63 }; /* one less than the word: shifts by 64 are undefined */
     const int type = ins->geometry->type;
     const McdKind *kind = mcd_kindOf(ins->geometry);
-    if ((ins->parent && ins->material >= 0) || type >= TYPE_BITS || !kind || kind->callsProgram)
+    if ((ins->parent && ins->material >= 0) || type >= BITS || !kind || kind->callsProgram)
         return MEFALSE;
     *types |= (MeU64)1 << type;
     for (const McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)
@@ -317,14 +316,6 @@ static void runIntersect(McdIntersectFn intersect, McdModelPair *p, MeBool isSwa
     result->contactMaxCount = max;
 }
 
-static MeBool arePlaced(const McdModelPair *p, const char *function) {
-    if (mcd_modelIsPlaced(mcd_record(p->model1)) && mcd_modelIsPlaced(mcd_record(p->model2)))
-        return METRUE;
-    MeWarning(1, "%s: a model has no transform, or one that is not finite, or flat: they do not touch",
-              MeCallerName(function));
-    return MEFALSE;
-}
-
 MeBool mcd_intersect(McdModelPair *p, McdIntersectResult *result) {
     MeBool isSwapped;
     clearResult(result, p);
@@ -332,7 +323,7 @@ MeBool mcd_intersect(McdModelPair *p, McdIntersectResult *result) {
     const McdIntersectFn intersect = cell ? cell->interactions.intersectFn : 0;
     if (!intersect)
         return MEFALSE;
-    if (!arePlaced(p, "McdIntersect"))
+    if (!mcd_pairIsPlaced(p, "McdIntersect"))
         return METRUE;
     const Call call = beginCall(p, intersect != cell->library.intersectFn);
     runIntersect(intersect, p, isSwapped, result);
@@ -387,7 +378,7 @@ MeBool MEAPI McdIntersectAt(McdModelPair *p, McdIntersectResult *result, MeReal 
         MeWarning(1, "McdIntersectAt: time is not finite");
         return MEFALSE;
     }
-    if (!arePlaced(p, "McdIntersectAt"))
+    if (!mcd_pairIsPlaced(p, "McdIntersectAt"))
         return METRUE;
     McdModelRecord *models[2] = {mcd_record(p->model1), mcd_record(p->model2)};
     McdFramework *frame = models[0]->frame;
@@ -513,7 +504,7 @@ MeBool mcd_safeTimeBegin(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *res
 }
 
 MeBool mcd_safeTimeInputsAreValid(const McdModelPair *p, const char *function) {
-    return arePlaced(p, function) && areVelocitiesGood(p, function);
+    return mcd_pairIsPlaced(p, function) && areVelocitiesGood(p, function);
 }
 
 MeBool MEAPI McdSafeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result) {

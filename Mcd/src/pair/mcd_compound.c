@@ -24,9 +24,6 @@
  * that leans by more is above a flush neighbour by less than this fraction of the skin, and covered: with one limit
  * for both, every normal is either the one or the other. With .98 for covers alone Mcd_Compounds fails. */
 static const double flushCosine = .99;
-/* The sine of the largest angle between a contact's normal and a face's that count as the same: contacts have
- * normals in single precision, with errors of 6e-8 in each coordinate. */
-static const double minSine = 1e-6;
 /* Number of directions of smallest depth that are tried for manifolds deep between parts: as many as two boxes have. */
 enum { MAX_DIRECTIONS = 12 };
 
@@ -136,8 +133,8 @@ static void classifyNormal(Surface *s) {
     s->isOfFace = face.count > 2 && cosine > flushCosine;
     mcd_mad(s->lean, s->normal, -cosine, face.normal);
     s->sine = mcd_length(s->lean);
-    mcd_scale(s->lean, s->lean, s->isOfFace && s->sine > minSine ? 1 / s->sine : 0);
-    s->isOfEdge = face.count > 2 && (!s->isOfFace || s->sine > minSine);
+    mcd_scale(s->lean, s->lean, s->isOfFace && s->sine > mcd_minSine ? 1 / s->sine : 0);
+    s->isOfEdge = face.count > 2 && (!s->isOfFace || s->sine > mcd_minSine);
 }
 
 /* The part that continues the face beyond an edge over which the normal leans; null: none. */

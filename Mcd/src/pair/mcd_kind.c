@@ -13,17 +13,13 @@ static int MEAPI intersectHalfSpace(McdModelPair *p, McdIntersectResult *result)
     return mcd_planeContacts(p, result, "McdIntersect");
 }
 
-static int MEAPI intersectSurface(McdModelPair *p, McdIntersectResult *result) {
-    return mcd_meshIntersect(p, result, mcd_kindOf(mcd_record(p->model2)->instance.geometry)->gather);
-}
-
 /* The interaction of a convex type with another one; without functions if the pair is not supported. */
 static McdInteractions interactionsWith(const McdKind *other) {
     if (other->setShape)
         return (McdInteractions){.intersectFn = intersectConvex, .safeTimeFn = mcd_safeTimeConvex};
     if (other->isHalfSpace)
         return (McdInteractions){.intersectFn = intersectHalfSpace, .safeTimeFn = mcd_safeTimePlane};
-    return (McdInteractions){.intersectFn = other->gather ? intersectSurface : 0};
+    return (McdInteractions){.intersectFn = other->gather ? mcd_meshIntersect : 0};
 }
 
 void mcd_kindRegisterInteractions(McdFramework *frame, const McdKind *kind, const char *function) {

@@ -8,10 +8,6 @@
 #include "space/mcd_space_i.h"
 #include <string.h>
 
-/* In each step one TURNS-th of the models is compared, so each one within TURNS steps. A comparison takes some 60
- * ns. */
-enum { TURNS = 16 };
-
 /* Compares a model with the inputs for which its box was made. If the box was made before the first comparison,
  * these inputs are not known: the current ones are stored. */
 static MeBool hasChanged(McdModelRecord *m, MeBool *hasMoved) {
@@ -38,6 +34,7 @@ static void visitIfChanged(McdSpace *s, int i, McdFrozenVisit visit, void *conte
 }
 
 void MEAPI McdSpaceVisitChangedFrozen(McdSpaceID s, McdFrozenVisit visit, void *context) {
+    enum { TURNS = 16 }; /* steps in which each model is compared once; a comparison takes some 60 ns */
     MEASSERT(s && visit);
     const int all = s->proxyRoom;
     const int count = s->changesSeen == s->frame->changes ? (all + TURNS - 1) / TURNS : all;

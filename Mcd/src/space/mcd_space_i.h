@@ -195,7 +195,6 @@ MeBool mcd_passesFilter(const McdSpace *s, McdModelID cm, McdLineSegIntersectEna
 /* McdSpaceGetLineSegFirstEnabledIntersection; warnings name `function`. */
 int mcd_segmentFirstHit(McdSpaceID s, MeReal *from, MeReal *to, McdLineSegIntersectEnableCallback filter,
                         void *filterData, McdLineSegIntersectResult *result, const char *function);
-/* Rounds a box outward to float. */
-void mcd_treeBox(const double min[3], const double max[3], McdTreeBox *box);
+void mcd_treeBox(const double min[3], const double max[3], McdTreeBox *box); /* rounds the box outward to float */
 
 #endif

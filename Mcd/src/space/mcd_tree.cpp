@@ -23,10 +23,6 @@ struct McdTree {
 
 namespace {
 
-/* Levels beyond twice the depth of a balanced tree at which the tree is rebuilt: before the next query (spareDepth),
- * or immediately (maxSpareDepth), since boxes inserted in sorted order would make it a list. */
-const int spareDepth = 40, maxSpareDepth = 1000;
-
 Node *nodeOf(McdTreeLeaf *leaf) {
     return reinterpret_cast<Node *>(leaf);
 }
@@ -105,7 +101,10 @@ void balance(McdTree &tree) noexcept {
     MEVALIDATE(isSound(tree.nodes.getRoot()));
 }
 
+/* Has the tree rebuilt if a leaf lies deeper than twice the depth of a balanced tree and some spare levels: before the
+ * next query or, if it is far deeper, immediately, since boxes inserted in sorted order would make the tree a list. */
 void checkDepth(McdTree &tree, const Node *leaf) noexcept {
+    const int spare = 40, maxSpare = 1000;
     int depth = 0, balanced = 0;
     for (const Node *n = leaf->parent; n; n = n->parent) {
         MEASSERT(n->bv.contain(leaf->bv));
@@ -113,10 +112,10 @@ void checkDepth(McdTree &tree, const Node *leaf) noexcept {
     }
     for (std::size_t size = tree.nodes.size(); size > 1; size /= 2)
         balanced++;
-    if (depth > 2 * balanced + maxSpareDepth)
+    if (depth > 2 * balanced + maxSpare)
         balance(tree);
     else
-        tree.isDeep = tree.isDeep || depth > 2 * balanced + spareDepth;
+        tree.isDeep = tree.isDeep || depth > 2 * balanced + spare;
 }
 
 /* Compares all axes without branches: the separating axis is unpredictable. */

@@ -211,10 +211,10 @@ static MeBool beginQuery(McdMeshQuery *q, McdModelPair *p) {
     return METRUE;
 }
 
-static void gatherTriangles(McdMeshQuery *q, McdMeshGather gather) {
+static void gatherTriangles(McdMeshQuery *q) {
     McdMesh *mesh = q->mesh;
     mesh->count = mesh->contactCount = mesh->skipped = mesh->vertexCount = 0;
-    gather(q);
+    mcd_kindOf(mcd_record(q->pair->model2)->instance.geometry)->gather(q);
     MEASSERT(q->mesh->count <= q->mesh->max && q->mesh->contactCount == 0);
     if (mesh->skipped)
         MeDebug(3, "McdIntersect: %d triangles without area were skipped", mesh->skipped);
@@ -241,17 +241,14 @@ static void addToResult(McdMeshQuery *q, McdIntersectResult *result) {
     }
 }
 
-MeBool mcd_meshMayIntersect(const McdModelPair *p, const McdIntersectResult *result, const char *function) {
-    if (!mcd_areGiven(function, p, result, result) || !mcd_resultHasRoom(result, function) ||
-        !mcd_modelCheck(p->model1, function) || !mcd_modelCheck(p->model2, function))
-        return MEFALSE;
-    if (mcd_modelIsPlaced(mcd_record(p->model1)) && mcd_modelIsPlaced(mcd_record(p->model2)))
-        return METRUE;
-    MeWarning(1, "%s: a model has no transform, or one that is not finite, or flat: they do not touch", function);
-    return MEFALSE;
+MeBool mcd_meshMayIntersect(const McdModelPair *p, McdGeometryType surface, const McdIntersectResult *result,
+                            const char *function) {
+    return mcd_areGiven(function, p, result, result) && mcd_resultHasRoom(result, function) &&
+           mcd_modelCheck(p->model1, function) && mcd_modelCheck(p->model2, function) &&
+           mcd_geometryIs(mcd_record(p->model2)->instance.geometry, surface, function) && mcd_pairIsPlaced(p, function);
 }
 
-int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather gather) {
+int MEAPI mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result) {
     McdFramework *frame = mcd_record(p->model1)->frame;
     McdMeshQuery q;
     int touches = 0;
@@ -262,7 +259,7 @@ int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather
     if (!q.scratch)
         return 0;
     q.mesh = &q.scratch->mesh;
-    gatherTriangles(&q, gather);
+    gatherTriangles(&q);
     if (q.mesh->count) {
         mcd_meshBuildAdjacency(q.mesh);
         mcd_meshFindContacts(&q);

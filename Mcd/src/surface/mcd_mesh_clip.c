@@ -2,8 +2,6 @@
 #include "surface/mcd_mesh_stages_i.h"
 #include "convex/mcd_nearfield_i.h"
 
-_Static_assert(MCD_POLYGON_POINTS == MCD_FACE_POINTS + 4, "a face, cut three times");
-
 /* ---- polygons ---------------------------------------------------------------------------------------------------- */
 
 static void appendPoint(McdPolygon *p, const double point[3], MeU32 name, MeBool isCut) {

@@ -254,7 +254,7 @@ static void *findTriangle(const McdSeam *s, const double point[3], double reach,
         McdShape shape;
         if (other == b->t || sharesBorder(b, other) || !isWithinReach(other, point, reach))
             continue;
-        mcd_triangleShape((const double(*)[3])other->corner, &shape);
+        mcd_triangleShape(mcd_constRows(other->corner), &shape);
         if (visit(&shape, context))
             return other;
     }

@@ -80,7 +80,7 @@ struct McdMeshQuery {
 };
 
 /* Finds the contacts of a convex model (model1) with a surface (model2); 1 if there are any. */
-int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather gather);
+int MEAPI mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result);
 /* Ensures room for a number of triangles; false, after a fatal error, if there is no memory. */
 MeBool mcd_meshReserve(McdMesh *mesh, int triangles);
 void mcd_meshFree(McdMesh *mesh);
@@ -109,25 +109,27 @@ typedef struct McdGap {
 MeBool mcd_measureGap(const McdShape *shape, McdGeometryInstance *ins, McdModelID asker, const double origin[3],
                       double reach, McdGap *gap);
 
-/* Whether there are a pair of live models with valid transforms, and room for contacts; warns if not. */
-MeBool mcd_meshMayIntersect(const McdModelPair *p, const McdIntersectResult *result, const char *function);
+/* Whether there are a pair of live models with valid transforms, the second of a type of surface, and room for
+ * contacts; warns if not. */
+MeBool mcd_meshMayIntersect(const McdModelPair *p, McdGeometryType surface, const McdIntersectResult *result,
+                            const char *function);
 /* Registers an interaction of a convex type with a surface's type. */
 MeBool mcd_meshRegister(McdFramework *frame, McdGeometryType type, McdGeometryType meshType, McdIntersectFn function);
 /* Defines Mcd<shape><mesh>Intersect and ...RegisterInteraction for all convex shapes. */
-#define MCD_MESH_INTERACTION(shape, mesh, intersect)                                                                   \
+#define MCD_MESH_INTERACTION(shape, mesh)                                                                              \
     int MEAPI Mcd##shape##mesh##Intersect(McdModelPair *p, McdIntersectResult *result) {                               \
-        return mcd_meshMayIntersect(p, result, __func__) ? intersect(p, result) : 0;                                   \
+        return mcd_meshMayIntersect(p, kMcdGeometryType##mesh, result, __func__) ? mcd_meshIntersect(p, result) : 0;   \
     }                                                                                                                  \
     MeBool MEAPI Mcd##shape##mesh##RegisterInteraction(McdFramework *frame) {                                          \
         ME_RETURN_UNDER_OWN_NAME(MeBool, mcd_meshRegister(frame, kMcdGeometryType##shape, kMcdGeometryType##mesh,      \
                                                           Mcd##shape##mesh##Intersect));                               \
     }
-#define MCD_MESH_INTERACTIONS(mesh, intersect)                                                                         \
-    MCD_MESH_INTERACTION(Sphere, mesh, intersect)                                                                      \
-    MCD_MESH_INTERACTION(Box, mesh, intersect)                                                                         \
-    MCD_MESH_INTERACTION(Cylinder, mesh, intersect)                                                                    \
-    MCD_MESH_INTERACTION(Sphyl, mesh, intersect)                                                                       \
-    MCD_MESH_INTERACTION(ConvexMesh, mesh, intersect)                                                                  \
-    MCD_MESH_INTERACTION(Cone, mesh, intersect)
+#define MCD_MESH_INTERACTIONS(mesh)                                                                                    \
+    MCD_MESH_INTERACTION(Sphere, mesh)                                                                                 \
+    MCD_MESH_INTERACTION(Box, mesh)                                                                                    \
+    MCD_MESH_INTERACTION(Cylinder, mesh)                                                                               \
+    MCD_MESH_INTERACTION(Sphyl, mesh)                                                                                  \
+    MCD_MESH_INTERACTION(ConvexMesh, mesh)                                                                             \
+    MCD_MESH_INTERACTION(Cone, mesh)
 
 #endif

@@ -73,7 +73,7 @@ void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const doubl
     MeBool goesOn = METRUE;
     for (int i = 0; i < q.mesh->count && goesOn; i++) {
         McdShape shape;
-        mcd_triangleShape((const double(*)[3])q.mesh->triangle[i].corner, &shape);
+        mcd_triangleShape(mcd_constRows(q.mesh->triangle[i].corner), &shape);
         goesOn = visit(context, &q.mesh->triangle[i], &shape);
     }
     mcd_scratchRelease(frame, q.scratch);

@@ -57,7 +57,7 @@ void mcd_meshSweep(McdMeshQuery *q);
 /* ---- contacts along a given normal (mcd_mesh_clip.c) ------------------------------------------------------------- */
 
 /* A point, line or convex polygon on the shape. */
-enum { MCD_POLYGON_POINTS = 68 /* MCD_FACE_POINTS, one for each of three cuts, one for rounding */ };
+enum { MCD_POLYGON_POINTS = MCD_FACE_POINTS + 4 }; /* one for each of three cuts, one for rounding */
 typedef struct McdPolygon {
     int count;
     double point[MCD_POLYGON_POINTS][3];

@@ -17,9 +17,6 @@
 #include "convex/mcd_kind_i.h"
 #include "surface/mcd_mesh_stages_i.h"
 
-/* Relative to the extent: a drop below this is rounding of two distances. */
-#define NO_FALL 1e-9
-
 static double heightOver(const McdMeshTriangle *t, const double point[3]) {
     return mcd_heightOver(point, t->corner[0], t->normal);
 }
@@ -84,7 +81,7 @@ static void followSurface(const McdMeshQuery *q, McdMeshContact *c) {
     mcd_mad(end, q->shape.place, 1, displacement);
     const double distance = distanceToSurface(q, end, nearest);
     const double drop = distance - q->shape.rounding - c->separation;
-    if (!isfinite(distance) || !(drop > NO_FALL * q->shape.extent))
+    if (!isfinite(distance) || !(drop > 1e-9 * q->shape.extent)) /* less is rounding of two distances */
         return;
     mcd_sub(chord, nearest, end);
     mcd_mad(chord, displacement, drop / distance, chord);

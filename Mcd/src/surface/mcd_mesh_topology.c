@@ -3,9 +3,6 @@
 #include "surface/mcd_mesh_stages_i.h"
 #include <string.h>
 
-/* Corners whose heights over a plane differ by less than this fraction of their distance count as equally high. */
-#define SAME_HEIGHT 1e-5
-
 enum { NOT_KNOWN, CLOSED, OPEN }; /* values of McdMesh.fan */
 
 /* ---- adjacency --------------------------------------------------------------------------------------------------- */
@@ -72,6 +69,8 @@ void mcd_meshBuildAdjacency(McdMesh *mesh) {
 /* ---- Voronoi regions --------------------------------------------------------------------------------------------- */
 
 int mcd_meshFarthestCorners(const McdMeshTriangle *t, const double direction[3]) {
+    static const double sameHeight =
+        1e-5; /* a fraction of the corners' distance: differences below this are rounding */
     double height[3], max = -INFINITY;
     int mask = 0, top = 0;
     for (int i = 0; i < 3; i++) {
@@ -82,7 +81,7 @@ int mcd_meshFarthestCorners(const McdMeshTriangle *t, const double direction[3])
         }
     }
     for (int i = 0; i < 3; i++)
-        if (max - height[i] <= SAME_HEIGHT * sqrt(mcd_distanceSquared(t->corner[i], t->corner[top])))
+        if (max - height[i] <= sameHeight * sqrt(mcd_distanceSquared(t->corner[i], t->corner[top])))
             mask |= 1 << i;
     MEASSERT(mask & 1 << top);
     return mask;

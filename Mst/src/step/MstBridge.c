@@ -123,14 +123,14 @@ void mst_beginRound(MstBridgeRecord *b) {
 
 void mst_guardPairs(MstBridgeRecord *b, McdFrameworkID frame, MdtWorldID w) {
     MeStageBegin(&b->stage, MST_GUARD_PAIRS);
-    MeStageBegin(McdFrameworkGetStage(frame), MCD_MODELS_GUARD);
+    MeStageBegin(McdFrameworkGetStage(frame), MCD_GUARD_MODELS);
     if (w)
         MeStageBegin(MdtWorldGetStage(w), MDT_BODY_GUARD);
 }
 
 /* Deferred removals of models are done before those of bodies. */
 void mst_releasePairs(MstBridgeRecord *b, McdFrameworkID frame, MdtWorldID w) {
-    MeStageEnd(McdFrameworkGetStage(frame), MCD_MODELS_GUARD);
+    MeStageEnd(McdFrameworkGetStage(frame), MCD_GUARD_MODELS);
     if (w)
         MeStageEnd(MdtWorldGetStage(w), MDT_BODY_GUARD);
     MeStageEnd(&b->stage, MST_GUARD_PAIRS);
