@@ -310,7 +310,7 @@ static void toWorld(const McdShape *s, const double own[3], MeBool isPlace, doub
 /* The corners of round shapes are none, and their own axes stand for normals and edges. */
 static void makeSolid(const McdShape *s, Solid *x) {
     memset(x, 0, sizeof *x);
-    if (s->kind->type == MCD_SHAPE_TRIANGLE) {
+    if (s->kind->rank == MCD_RANK_TRIANGLE) {
         for (int i = 0; i < 3; i++) {
             mcd_copy(x->corner[x->corners++], s->corner[i]);
             mcd_sub(x->edge[x->edges++], s->corner[(i + 1) % 3], s->corner[i]);

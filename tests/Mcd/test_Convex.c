@@ -77,7 +77,7 @@ static MeBool isShownApart(const McdShape *a, const McdShape *b, double margin) 
 
 static MeBool isSolid(const McdShape *s) {
     return s->kind->type == kMcdGeometryTypeBox || s->kind->type == kMcdGeometryTypeConvexMesh ||
-           s->kind->type == MCD_SHAPE_TRIANGLE;
+           s->kind->rank == MCD_RANK_TRIANGLE;
 }
 
 static void comparePair(int kindA, int kindB, int pose, double scale, MeBool slab, Random *r) {

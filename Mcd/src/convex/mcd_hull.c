@@ -680,8 +680,8 @@ static McdHull *buildHull(Work *w, const Facets *f, const Cloud *c, const Region
 
 /* ---- public functions -------------------------------------------------------------------------------------------- */
 
-/* Whether the hull is thick enough: thinner ones are refused as flat. Its smallest width is across a face or between two edges; widths across faces
- * are exact enough here. */
+/* Whether the hull is thick enough: thinner ones are refused as flat. The smallest width is across a face or between
+ * two edges; widths across faces are exact enough here. */
 static MeBool isThick(const McdHull *h, const Cloud *c) {
     const double min = 1e-6 * c->scale;
     for (int i = 0; i < h->faceCount; i++) {

@@ -126,7 +126,7 @@ void mcd_kindRegister(McdFramework *frame, const McdKind *kind, const char *func
 /* Registers the library's functions for two types. False, with a warning, if one is not a type. */
 MeBool mcd_interactionRegister(McdFramework *frame, int type1, int type2, const McdInteractions *library);
 
-/* ---- stages (mcd_stage.c; levels: McdInternal.h) ------------------------------------------------------------------------------------- */
+/* ---- stages (mcd_stage.c; levels: McdInternal.h) ----------------------------------------------------------------- */
 
 /* When a call takes effect (MeStageWhen): if models are guarded, the call is added to the framework's deferred
  * calls. */
