@@ -99,24 +99,22 @@ static void tryEdge(const Simplex *s, int i, int j, Candidate *best) {
 /* The projection of the origin on the triangle's plane is inside the triangle if the areas of the three
  * sub-triangles have the same sign. */
 static void tryFacet(const Simplex *s, int i, int j, int k, Candidate *best) {
-    const double *p = s->corner[i].w, *q = s->corner[j].w, *r = s->corner[k].w;
+    const double *w[3] = {s->corner[i].w, s->corner[j].w, s->corner[k].w};
     double pq[3], pr[3], n[3], x[3], coordinate[3];
-    mcd_sub(pq, q, p);
-    mcd_sub(pr, r, p);
+    mcd_sub(pq, w[1], w[0]);
+    mcd_sub(pr, w[2], w[0]);
     mcd_cross(n, pq, pr);
-    mcd_cross(x, q, r);
-    coordinate[0] = mcd_dot(n, x);
-    mcd_cross(x, r, p);
-    coordinate[1] = mcd_dot(n, x);
-    mcd_cross(x, p, q);
-    coordinate[2] = mcd_dot(n, x);
+    for (int l = 0; l < 3; l++) {
+        mcd_cross(x, w[(l + 1) % 3], w[(l + 2) % 3]);
+        coordinate[l] = mcd_dot(n, x);
+    }
     const double all = coordinate[0] + coordinate[1] + coordinate[2], squared = mcd_dot(n, n);
     if (!(coordinate[0] > 0 && coordinate[1] > 0 && coordinate[2] > 0) || !(squared > 0))
         return;
     Candidate c = {.count = 3, .corner = {i, j, k}};
     for (int l = 0; l < 3; l++)
         c.weight[l] = coordinate[l] / all;
-    mcd_scale(c.point, n, mcd_dot(n, p) / squared);
+    mcd_scale(c.point, n, mcd_dot(n, w[0]) / squared);
     c.squared = mcd_dot(c.point, c.point);
     keepIfNearer(best, &c);
 }
@@ -435,11 +433,6 @@ static void keepFacet(Polytope *t, const Facet *f, double support) {
     mcd_copy(t->normal, f->normal);
 }
 
-static void keepGuess(Polytope *t, const McdProximity *guess) {
-    t->support = -guess->separation;
-    mcd_scale(t->normal, guess->normal, -1);
-}
-
 /* Expands the polytope until the plane of its nearest facet supports M. If rounding makes the polytope degenerate,
  * the result is the best plane so far: an upper bound of the depth, not the minimum. */
 static void runEpa(const Pair *p, const McdProximity *guess, Polytope *t) {
@@ -451,7 +444,8 @@ static void runEpa(const Pair *p, const McdProximity *guess, Polytope *t) {
             return;
         const Facet f = t->facet[nearest];
         if (-guess->separation - f.offset <= p->guessTolerance && mcd_dot(guess->normal, f.normal) < -.99) {
-            keepGuess(t, guess);
+            t->support = -guess->separation;
+            mcd_scale(t->normal, guess->normal, -1);
             return;
         }
         const int corner = t->cornerCount;

@@ -74,6 +74,13 @@ double mcd_seamSkin(const McdShape *piece, const McdShape *body) {
     return 1e-4 * mcd_pairSize(piece, body);
 }
 
+double mcd_seamSkinAt(const McdShape *piece, const McdShape *body, const double origin[3]) {
+    double skin = mcd_seamSkin(piece, body);
+    for (int i = 0; i < 3; i++)
+        skin += 4 * (double)ME_EPSILON * fabs(origin[i]);
+    return skin;
+}
+
 /* A quarter of the body's smallest width: a body does not enter a gap narrower than the body, and a ball sinks by 1/32
  * of its radius into such a gap. */
 double mcd_seamGap(const McdShape *body) {

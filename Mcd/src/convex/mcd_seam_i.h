@@ -31,6 +31,8 @@ struct McdSeam {
 
 /* m: the skin of a piece for a body of this shape. */
 double mcd_seamSkin(const McdShape *piece, const McdShape *body);
+/* m: the skin plus the rounding of the places of two pieces, as far from the world's origin as the query's. */
+double mcd_seamSkinAt(const McdShape *piece, const McdShape *body, const double origin[3]);
 /* m: the widest gap that a body of this shape slides over. */
 double mcd_seamGap(const McdShape *body);
 /* Whether the contact is near an edge of a face of the piece, so that the result depends on the other pieces. */

@@ -5,7 +5,6 @@
 #include "geometry/mcd_geometry_i.h"
 #include "convex/mcd_vector_i.h"
 #include <math.h>
-#include <string.h>
 
 static McdRGHeightField *fieldOf(McdGeometryID g, const char *function) {
     return mcd_geometryIs(g, kMcdGeometryTypeRGHeightField, function) ? (McdRGHeightField *)g : 0;
@@ -246,22 +245,18 @@ MCD_MESH_INTERACTIONS(RGHeightField)
 
 /* ---- line segments ----------------------------------------------------------------------------------------------- */
 
-/* Intersects the segment with both triangles of a cell; true if it is hit. */
-static MeBool intersectCell(const McdRGHeightField *f, int i, int j, const double from[3], const double to[3],
-                            double *fraction, double normal[3]) {
-    MeBool isHit = MEFALSE;
+/* Intersects the segment with both triangles of a cell: *fraction and normal become those of a hit that is nearer. */
+static void intersectCell(const McdRGHeightField *f, int i, int j, const double from[3], const double to[3],
+                          double *fraction, double normal[3]) {
     for (int half = 0; half < 2; half++) {
         double corner[3][3], own[3], here, hit[3];
         triangleOf(f, i, j, half, corner);
-        if (mcd_triangleNormal(mcd_constRows(corner), 0, own) &&
-            mcd_segmentTriangle(mcd_constRows(corner), own, MEFALSE, from, to, &here, hit) &&
-            (!isHit || here < *fraction)) {
-            *fraction = here;
-            memcpy(normal, hit, 3 * sizeof *normal);
-            isHit = METRUE;
-        }
+        if (!mcd_triangleNormal(mcd_constRows(corner), 0, own) ||
+            !mcd_segmentTriangle(mcd_constRows(corner), own, MEFALSE, from, to, &here, hit) || here >= *fraction)
+            continue;
+        *fraction = here;
+        mcd_copy(normal, hit);
     }
-    return isHit;
 }
 
 /* Clips the segment to the grid's rectangle: the interval [*enter, *leave] within 0 .. 1; false if there is none. */
@@ -298,24 +293,19 @@ static MeBool traverseCells(const McdRGHeightField *f, const double from[3], con
     const int points[2] = {f->xCount, f->yCount};
     double enter, leave;
     int cell[2];
+    *fraction = INFINITY;
     if (!clipToGrid(f, from, to, &enter, &leave))
         return MEFALSE;
     for (int k = 0; k < 2; k++)
         cell[k] = cellAt(from[k] + enter * (to[k] - from[k]), origin[k], step[k], points[k]);
     for (;;) {
-        MeBool isHit = MEFALSE;
         for (int beside = 0; beside < 9; beside++) {
             const int i = cell[0] + beside % 3 - 1, j = cell[1] + beside / 3 - 1;
-            double here = 0, hit[3];
-            if (i < 0 || j < 0 || i > points[0] - 2 || j > points[1] - 2 ||
-                !intersectCell(f, i, j, from, to, &here, hit) || (isHit && here >= *fraction))
-                continue;
-            isHit = METRUE;
-            *fraction = here;
-            memcpy(normal, hit, 3 * sizeof *normal);
+            if (i >= 0 && j >= 0 && i <= points[0] - 2 && j <= points[1] - 2)
+                intersectCell(f, i, j, from, to, fraction, normal);
         }
-        MEASSERT(!isHit || (*fraction >= 0 && *fraction <= 1));
-        if (isHit)
+        MEASSERT(*fraction == INFINITY || (*fraction >= 0 && *fraction <= 1));
+        if (*fraction < INFINITY)
             return METRUE;
         double next[2];
         for (int k = 0; k < 2; k++)

@@ -64,6 +64,12 @@ MeBool mcd_shapeOf(McdGeometryInstanceID ins, const double origin[3], McdShape *
     return setShapeExceptAxes(ins->geometry, ins->tm[3], origin, shape);
 }
 
+MeBool mcd_shapesOf(McdGeometryInstanceID ins1, McdGeometryInstanceID ins2, double origin[3], McdShape *a,
+                    McdShape *b) {
+    mcd_pairOrigin(ins1, ins2, origin);
+    return mcd_shapeOf(ins1, origin, a) && mcd_shapeOf(ins2, origin, b);
+}
+
 /* For checks: whether the shape is the one that the model's geometry and transform make now. */
 static MeBool isShapeCurrent(McdModelRecord *m, const double origin[3], const McdShape *shape) {
     McdShape now;

@@ -147,7 +147,8 @@ static MeBool isRigid(McdGeometryInstanceID ins) {
 
 /* Whether the normal has length 1; not checked for transforms that are not rigid. */
 static MeBool isNormalGood(const McdContact *c) {
-    const double n[3] = {(double)c->normal[0], (double)c->normal[1], (double)c->normal[2]};
+    double n[3];
+    mcd_fromReal(n, c->normal);
     return !isRigid(c->instance1) || !isRigid(c->instance2) || fabs(mcd_length(n) - 1) < 1e-3;
 }
 

@@ -14,6 +14,8 @@ void mcd_halfSpaceAt(const MeVector4 *tm, const double origin[3], double normal[
 /* Makes the convex shape of an instance, relative to origin; false if its geometry is not convex (plane, surfaces of
  * triangles, aggregate, null) or its transform not valid. */
 MeBool mcd_shapeOf(McdGeometryInstanceID ins, const double origin[3], McdShape *shape);
+/* mcd_shapeOf for both instances of a pair, relative to their mcd_pairOrigin. */
+MeBool mcd_shapesOf(McdGeometryInstanceID ins1, McdGeometryInstanceID ins2, double origin[3], McdShape *a, McdShape *b);
 /* Makes the convex shape of a geometry at a given transform. */
 MeBool mcd_shapeAt(McdGeometryID g, const MeMatrix4 tm, const double origin[3], McdShape *shape);
 /* Makes the convex shape of a model that has been compared in this round (mcd_modelStamp), without reading its

@@ -29,8 +29,7 @@ void MEAPI McdBatchContextReset(McdBatchContext *context) {
 }
 
 void MEAPI McdBatchContextRelease(McdBatchContext *context) {
-    if (checkBatch(context, "McdBatchContextRelease"))
-        context->pairs = 0;
+    ME_UNDER_OWN_NAME(McdBatchContextReset(context));
 }
 
 MeBool MEAPI McdBatchIntersectEach(McdBatchContext *context, McdModelPairContainer *pairs,

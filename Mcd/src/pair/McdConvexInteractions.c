@@ -43,8 +43,7 @@ MeBool mcd_convexInstances(McdGeometryInstance *ins1, McdGeometryInstance *ins2,
                            McdIntersectResult *result) {
     double origin[3];
     McdShape a, b;
-    mcd_pairOrigin(ins1, ins2, origin);
-    if (!mcd_shapeOf(ins1, origin, &a) || !mcd_shapeOf(ins2, origin, &b))
+    if (!mcd_shapesOf(ins1, ins2, origin, &a, &b))
         return MEFALSE;
     addManifold(&a, &b, origin, ins1, ins2, margin, result);
     return METRUE;

@@ -170,7 +170,7 @@ static McdFramework *frameOf(const McdModelPairContainer *pairs, int first, int 
 }
 
 /* Calls `notify` for each pair. Meanwhile, destruction and removal of models by the program's callbacks is deferred. */
-static void notifyPairs(McdModelPairContainer *pairs, int first, int end, void(MEAPI *notify)(McdModelPair *p)) {
+static void notifyPairs(const McdModelPairContainer *pairs, int first, int end, void(MEAPI *notify)(McdModelPair *p)) {
     McdFramework *frame = frameOf(pairs, first, end);
     if (!frame)
         return;

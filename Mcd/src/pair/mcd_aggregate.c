@@ -83,12 +83,19 @@ typedef struct Gathering {
     int each; /* maximum number of contacts of two parts */
 } Gathering;
 
-MeU32 mcd_childPath(const McdGeometryInstance *child) {
+static MeU32 childPath(const McdGeometryInstance *child) {
     MeU32 path = 0;
     for (; child->parent; child = child->parent)
         path = mcd_featureMix(path, (MeU32)child->element + 1);
     MEASSERT(child == &mcd_record(child->model)->instance);
     return path;
+}
+
+void mcd_mixChildPaths(McdIntersectResult *result, int first, const McdGeometryInstance *child1,
+                       const McdGeometryInstance *child2) {
+    const MeU32 path = first < result->contactCount ? mcd_featureMix(childPath(child1), childPath(child2)) : 0;
+    for (int i = first; i < result->contactCount; i++)
+        result->contacts[i].feature = mcd_featureMix(result->contacts[i].feature, path);
 }
 
 /* Prepares a result whose contacts are appended to the gathered ones; false: there is no memory. */
@@ -101,14 +108,12 @@ static MeBool beginResult(Gathering *g, McdIntersectResult *result) {
     return METRUE;
 }
 
-static void appendResult(Gathering *g, const McdIntersectResult *result, McdGeometryInstance *child1,
+static void appendResult(Gathering *g, McdIntersectResult *result, McdGeometryInstance *child1,
                          McdGeometryInstance *child2) {
-    const MeU32 path = result->contactCount ? mcd_featureMix(mcd_childPath(child1), mcd_childPath(child2)) : 0;
+    mcd_mixChildPaths(result, 0, child1, child2);
     for (int i = 0; i < result->contactCount; i++) {
-        McdContact *c = &result->contacts[i];
-        c->instance1 = child1;
-        c->instance2 = child2;
-        c->feature = mcd_featureMix(c->feature, path);
+        result->contacts[i].instance1 = child1;
+        result->contacts[i].instance2 = child2;
     }
     g->count += result->contactCount;
     MEASSERT(g->count <= g->scratch->contactRoom);

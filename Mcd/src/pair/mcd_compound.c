@@ -72,13 +72,11 @@ static MeBool beginSurface(Surface *s, const McdContact *contact, McdGeometryIns
     s->isClassified = MEFALSE;
     s->whole = &mcd_record(s->child->model)->instance;
     mcd_copy(s->origin, contact->exactPosition);
-    for (int i = 0; i < 3; i++)
-        s->normal[i] = side ? (double)contact->normal[i] : -(double)contact->normal[i];
+    mcd_fromReal(s->normal, contact->normal);
+    mcd_scale(s->normal, s->normal, side ? 1 : -1);
     if (!mcd_shapeOf(s->child, s->origin, &s->shape) || !mcd_shapeOf(child[!side], s->origin, &s->body))
         return MEFALSE;
-    s->skin = mcd_seamSkin(&s->shape, &s->body);
-    for (int i = 0; i < 3; i++) /* rounding of the places of two parts */
-        s->skin += 4 * (double)ME_EPSILON * fabs(s->origin[i]);
+    s->skin = mcd_seamSkinAt(&s->shape, &s->body, s->origin);
     return METRUE;
 }
 
@@ -291,8 +289,7 @@ static int makeManifolds(const McdContact *contact, int count, McdChildManifold 
  * a tilt, which it has where the other part's face is equally good. Returns their number. */
 static int normalsOf(const McdContact *contact, const McdChildManifold *m, double normal[3][3]) {
     int count = 1;
-    for (int i = 0; i < 3; i++)
-        normal[0][i] = (double)contact[m->first].normal[i];
+    mcd_fromReal(normal[0], contact[m->first].normal);
     for (int side = 0; side < 2; side++) {
         static const double origin[3] = {0, 0, 0};
         const double out = side ? 1 : -1;
@@ -314,8 +311,7 @@ static double separationAlong(const McdContact *contact, const McdChildManifold 
     double normal[3][3], origin[3], max = -INFINITY;
     McdShape a, b;
     const int count = normalsOf(contact, along, normal);
-    mcd_pairOrigin(m->child[0], m->child[1], origin);
-    if (!mcd_shapeOf(m->child[0], origin, &a) || !mcd_shapeOf(m->child[1], origin, &b))
+    if (!mcd_shapesOf(m->child[0], m->child[1], origin, &a, &b))
         return max;
     for (int i = 0; i < count; i++)
         max = fmax(max, mcd_separationAlong(&a, &b, normal[i]) - a.rounding - b.rounding);
@@ -367,10 +363,8 @@ static double translationWithCovers(const McdContact *contact, const McdChildMan
             const McdChildManifold *other = &all[i];
             if (!m->cover[side] || other->child[side] != m->cover[side] || other->child[!side] != m->child[!side])
                 continue;
-            for (int k = 0; k < 3; k++) {
-                n[0][k] = (double)contact[m->first].normal[k];
-                n[1][k] = (double)contact[other->first].normal[k];
-            }
+            mcd_fromReal(n[0], contact[m->first].normal);
+            mcd_fromReal(n[1], contact[other->first].normal);
             if (m->separation < 0 && other->separation < 0 && mcd_dot(n[0], n[1]) < 0)
                 max = fmax(max, translationAlong(n[0], -m->separation, n[1], -other->separation));
         }
@@ -439,8 +433,7 @@ static void setAcross(const McdChildManifold *m, int side, Overlap *e) {
 }
 
 static MeBool beginOverlap(const McdModelPair *p, const McdChildManifold *m, Overlap *e) {
-    mcd_pairOrigin(m->child[0], m->child[1], e->origin);
-    if (!mcd_shapeOf(m->child[0], e->origin, &e->shape[0]) || !mcd_shapeOf(m->child[1], e->origin, &e->shape[1]))
+    if (!mcd_shapesOf(m->child[0], m->child[1], e->origin, &e->shape[0], &e->shape[1]))
         return MEFALSE;
     e->margin = mcd_childMargin(p, m->child[0], m->child[1]);
     setAcross(m, 0, e);
@@ -450,14 +443,12 @@ static MeBool beginOverlap(const McdModelPair *p, const McdChildManifold *m, Ove
 
 /* Appends contacts to the scratch; returns their number. */
 static int addContacts(const Overlap *e, const McdManifold *from, McdScratch *scratch, McdChildManifold *to) {
-    const MeU32 path = mcd_featureMix(mcd_childPath(to->child[0]), mcd_childPath(to->child[1]));
     McdIntersectResult result;
     memset(&result, 0, sizeof result);
     result.contacts = scratch->contact + to->first;
     result.contactMaxCount = MCD_MANIFOLD_POINTS;
     mcd_resultAdd(&result, from, e->origin, to->child[0], to->child[1]);
-    for (int i = 0; i < result.contactCount; i++)
-        result.contacts[i].feature = mcd_featureMix(result.contacts[i].feature, path);
+    mcd_mixChildPaths(&result, 0, to->child[0], to->child[1]);
     return to->count = result.contactCount;
 }
 

@@ -8,8 +8,10 @@
 /* McdChildManifold.lean of covered contacts, whose normal is none of the compound's: larger than any sine. */
 static const double mcd_coveredLean = 2;
 
-/* A hash of the part's path in its model: of its element's index at each level. */
-MeU32 mcd_childPath(const McdGeometryInstance *child);
+/* Mixes the features of a result's contacts from number `first` on with a hash of both parts' paths in their models (the
+ * index of the element at each level), so that contacts of other parts have other features. */
+void mcd_mixChildPaths(McdIntersectResult *result, int first, const McdGeometryInstance *child1,
+                       const McdGeometryInstance *child2);
 
 /* Visits the convex shapes of an instance and its parts, except `own`, whose boxes are within reach of a point
  * (relative to the origin), until a visit returns true. Returns the instance of that shape, else null. */

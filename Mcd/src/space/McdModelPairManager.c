@@ -222,21 +222,19 @@ void MEAPI McdModelPairManagerResetIterator(McdModelPairManagerID manager, McdSp
 }
 
 /* Copies the pairs of a phase, except the first *done ones, to array, at most `room`; advances *done. Returns their
- * number. */
+ * number; *isMore becomes true if there are more. */
 static int copyPairsOfPhase(const McdModelPairManager *manager, McdModelPairPhase phase, int *done,
-                            McdModelPair **array, int room) {
+                            McdModelPair **array, int room, MeBool *isMore) {
     int seen = 0, count = 0;
-    for (Record *r = manager->first; r && count < room; r = r->after)
-        if (r->pair.phase == phase && seen++ >= *done)
-            array[count++] = &r->pair;
+    for (Record *r = manager->first; r; r = r->after) {
+        if (r->pair.phase != phase || seen++ < *done)
+            continue;
+        if (count < room)
+            array[count] = &r->pair;
+        *isMore |= count++ >= room;
+    }
+    count = MeMIN(count, room);
     *done += count;
-    return count;
-}
-
-static int countPairsOfPhase(const McdModelPairManager *manager, McdModelPairPhase phase) {
-    int count = 0;
-    for (const Record *r = manager->first; r; r = r->after)
-        count += r->pair.phase == phase;
     return count;
 }
 
@@ -244,19 +242,18 @@ static int countPairsOfPhase(const McdModelPairManager *manager, McdModelPairPha
  * of the phase before. True if there are more. */
 static MeBool fillContainer(const McdModelPairManager *manager, McdSpacePairIterator *it, McdModelPairContainer *c,
                             MeBool withStaying) {
+    MeBool isMore = MEFALSE;
     c->goodbyeFirst = 0;
-    c->goodbyeEnd = copyPairsOfPhase(manager, kMcdFFStateGoodbye, &it->goodbye, c->array, c->size);
+    c->goodbyeEnd = copyPairsOfPhase(manager, kMcdFFStateGoodbye, &it->goodbye, c->array, c->size, &isMore);
     c->helloFirst = c->goodbyeEnd;
     c->helloEnd = c->helloFirst + copyPairsOfPhase(manager, kMcdFFStateHello, &it->hello, c->array + c->helloFirst,
-                                                   c->size - c->helloFirst);
+                                                   c->size - c->helloFirst, &isMore);
     c->stayingFirst = c->stayingEnd = c->helloEnd;
     if (withStaying)
         c->stayingEnd += copyPairsOfPhase(manager, kMcdFFStateStaying, &it->staying, c->array + c->stayingFirst,
-                                          c->size - c->stayingFirst);
+                                          c->size - c->stayingFirst, &isMore);
     MEASSERT(c->stayingEnd <= c->size);
-    return it->goodbye < countPairsOfPhase(manager, kMcdFFStateGoodbye) ||
-           it->hello < countPairsOfPhase(manager, kMcdFFStateHello) ||
-           (withStaying && it->staying < countPairsOfPhase(manager, kMcdFFStateStaying));
+    return isMore;
 }
 
 static MeBool getPairs(McdModelPairManager *manager, McdSpacePairIterator *it, McdModelPairContainer *c,

@@ -28,6 +28,11 @@ typedef struct ChildGap {
     McdGap gap;
 } ChildGap;
 
+static Query makeQuery(const McdSpace *space, McdLineSegIntersectEnableCallback filter, void *filterData,
+                       const char *function) {
+    return (Query){.space = space, .filter = filter, .filterData = filterData, .function = function};
+}
+
 static McdModelID modelOf(const Query *q, int proxy) {
     return &q->space->proxy[proxy].model->model;
 }
@@ -38,17 +43,17 @@ static MeBool passesFilter(const Query *q, McdModelID cm) {
 
 /* Sets the querying shape to a geometry at a transform; false, with a warning, if it is not convex or the transform
  * not valid. */
-static MeBool setQueryShape(Query *q, McdGeometryID g, const MeMatrix4 tm, const char *function) {
+static MeBool setQueryShape(Query *q, McdGeometryID g, const MeMatrix4 tm) {
     MeVector3 low, high;
-    if (!mcd_geometryType(g, function))
+    if (!mcd_geometryType(g, q->function))
         return MEFALSE;
     if (!mcd_isValidTransform(tm)) {
-        MeWarning(1, "%s: the transform is null, not finite, flat, or beyond %g", function, (double)FLT_MAX);
+        MeWarning(1, "%s: the transform is null, not finite, flat, or beyond %g", q->function, (double)FLT_MAX);
         return MEFALSE;
     }
     mcd_fromReal(q->origin, tm[3]);
     if (!mcd_shapeAt(g, tm, q->origin, &q->shape)) {
-        MeWarning(1, "%s: the geometry is not convex: %s", function, McdGeometryGetTypeName(g));
+        MeWarning(1, "%s: the geometry is not convex: %s", q->function, McdGeometryGetTypeName(g));
         return MEFALSE;
     }
     McdGeometryGetAABB(g, tm, low, high);
@@ -114,12 +119,15 @@ static void addToList(Query *q, McdModelID cm) {
     MEASSERT(at + 1 == q->count || mcd_modelPrecedes(mcd_record(cm), mcd_record(q->list[at + 1])));
 }
 
-static MeBool checkList(McdSpaceID s, const McdModelID *list, int size, const char *function) {
-    if (!mcd_spaceIsReady(s, function))
+/* Has the query write its results to the list; false, with a warning, if it cannot run. */
+static MeBool setList(Query *q, McdSpaceID s, McdModelID *list, int size) {
+    q->list = list;
+    q->listSize = size;
+    if (!mcd_spaceIsReady(s, q->function))
         return MEFALSE;
     if (list && size > 0)
         return METRUE;
-    MeWarning(1, "%s: no place for results", function);
+    MeWarning(1, "%s: no place for results", q->function);
     return MEFALSE;
 }
 
@@ -137,13 +145,8 @@ static MeBool visitBox(void *context, int proxy) {
 int MEAPI McdSpaceOverlapBox(McdSpaceID space, const MeVector3 minCorner, const MeVector3 maxCorner,
                              McdLineSegIntersectEnableCallback filter, void *filterData, McdModelID *list,
                              int listSize) {
-    Query q = {.space = space,
-               .filter = filter,
-               .filterData = filterData,
-               .function = __func__,
-               .list = list,
-               .listSize = listSize};
-    if (!checkList(space, list, listSize, "McdSpaceOverlapBox"))
+    Query q = makeQuery(space, filter, filterData, __func__);
+    if (!setList(&q, space, list, listSize))
         return 0;
     if (!minCorner || !maxCorner || !mcd_areInRange(minCorner, 3) || !mcd_areInRange(maxCorner, 3)) {
         MeWarning(1, "McdSpaceOverlapBox: a corner is null, not finite, or beyond %g", (double)FLT_MAX);
@@ -167,14 +170,8 @@ static MeBool visitOverlap(void *context, int proxy) {
 int MEAPI McdSpaceOverlapGeometry(McdSpaceID space, McdGeometryID g, const MeMatrix4 tm,
                                   McdLineSegIntersectEnableCallback filter, void *filterData, McdModelID *list,
                                   int listSize) {
-    Query q = {.space = space,
-               .filter = filter,
-               .filterData = filterData,
-               .function = __func__,
-               .list = list,
-               .listSize = listSize};
-    if (!checkList(space, list, listSize, "McdSpaceOverlapGeometry") ||
-        !setQueryShape(&q, g, tm, "McdSpaceOverlapGeometry"))
+    Query q = makeQuery(space, filter, filterData, __func__);
+    if (!setList(&q, space, list, listSize) || !setQueryShape(&q, g, tm))
         return 0;
     visitOverlapping(&q, q.min, q.max, visitOverlap, &q);
     return q.count;
@@ -182,20 +179,15 @@ int MEAPI McdSpaceOverlapGeometry(McdSpaceID space, McdGeometryID g, const MeMat
 
 int MEAPI McdSpaceOverlapModel(McdSpaceID space, McdModelID cm, McdLineSegIntersectEnableCallback filter,
                                void *filterData, McdModelID *list, int listSize) {
-    Query q = {.space = space,
-               .filter = filter,
-               .filterData = filterData,
-               .self = cm,
-               .function = __func__,
-               .list = list,
-               .listSize = listSize};
+    Query q = makeQuery(space, filter, filterData, __func__);
     McdModelRecord *m = mcd_modelCheck(cm, "McdSpaceOverlapModel");
-    if (!m || !checkList(space, list, listSize, "McdSpaceOverlapModel"))
+    q.self = cm;
+    if (!m || !setList(&q, space, list, listSize))
         return 0;
     McdFramework *frame = m->frame;
     MeStageBegin(&frame->stage, MCD_GUARD_MODELS);
     for (McdGeometryInstance *child = firstLeaf(&m->instance); child; child = nextLeaf(child)) {
-        if (!setQueryShape(&q, child->geometry, mcd_const(mcd_instanceTM(child)), "McdSpaceOverlapModel"))
+        if (!setQueryShape(&q, child->geometry, mcd_const(mcd_instanceTM(child))))
             break;
         visitOverlapping(&q, q.min, q.max, visitOverlap, &q);
     }
@@ -257,8 +249,8 @@ static void writeClosest(const Closest *c, McdClosestResult *result) {
 
 int MEAPI McdSpaceGetClosest(McdSpaceID space, McdGeometryID g, const MeMatrix4 tm, MeReal maxDistance,
                              McdLineSegIntersectEnableCallback filter, void *filterData, McdClosestResult *result) {
-    Closest c = {.q = {.space = space, .filter = filter, .filterData = filterData, .function = __func__}};
-    if (!mcd_spaceIsReady(space, "McdSpaceGetClosest") || !setQueryShape(&c.q, g, tm, "McdSpaceGetClosest"))
+    Closest c = {.q = makeQuery(space, filter, filterData, __func__)};
+    if (!mcd_spaceIsReady(space, "McdSpaceGetClosest") || !setQueryShape(&c.q, g, tm))
         return 0;
     if (!(maxDistance >= 0) || !result) {
         MeWarning(1, "McdSpaceGetClosest: maxDistance is %g: it must be >= 0; or there is no result",
@@ -438,10 +430,9 @@ static void writeCast(const Cast *c, McdCastResult *result) {
 
 int MEAPI McdSpaceCastGeometry(McdSpaceID space, McdGeometryID g, const MeMatrix4 tm, const MeVector3 displacement,
                                McdLineSegIntersectEnableCallback filter, void *filterData, McdCastResult *result) {
-    Cast c = {.q = {.space = space, .filter = filter, .filterData = filterData, .function = __func__}, .fraction = 1};
+    Cast c = {.q = makeQuery(space, filter, filterData, __func__), .fraction = 1};
     double middle[3], half[3];
-    if (!checkCast(space, displacement, result, "McdSpaceCastGeometry") ||
-        !setQueryShape(&c.q, g, tm, "McdSpaceCastGeometry"))
+    if (!checkCast(space, displacement, result, "McdSpaceCastGeometry") || !setQueryShape(&c.q, g, tm))
         return 0;
     mcd_fromReal(c.by, displacement);
     for (int i = 0; i < 3; i++) {

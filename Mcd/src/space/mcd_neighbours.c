@@ -80,12 +80,10 @@ static MeBool beginSeam(Surroundings *s, const McdContact *contact, McdSeam *sea
     if (!mcd_shapeOf(s->fixed, s->origin, &seam->shape) || !mcd_shapeOf(s->moving, s->origin, &s->body) ||
         !mcd_shapeIsRigid(&seam->shape) || !mcd_shapeIsRigid(&s->body))
         return MEFALSE;
-    seam->skin = mcd_seamSkin(&seam->shape, &s->body);
+    seam->skin = mcd_seamSkinAt(&seam->shape, &s->body, s->origin);
     seam->gap = mcd_seamGap(&s->body);
-    for (int i = 0; i < 3; i++) {
-        seam->normal[i] = (double)contact->normal[i] * (s->side ? 1 : -1);
-        seam->skin += 4 * (double)ME_EPSILON * fabs(s->origin[i]); /* rounding of the places of two models */
-    }
+    mcd_fromReal(seam->normal, contact->normal);
+    mcd_scale(seam->normal, seam->normal, s->side ? 1 : -1);
     return METRUE;
 }
 
@@ -119,8 +117,6 @@ static MeBool areInternal(const Surroundings *s, const McdContact *contact, int 
 static void addAlongFace(const Surroundings *s, const McdSeam *seam, const double face[3], McdIntersectResult *result) {
     const McdShape *a = s->side ? &s->body : &seam->shape, *b = s->side ? &seam->shape : &s->body;
     McdGeometryInstance *first = s->side ? s->moving : s->fixed, *second = s->side ? s->fixed : s->moving;
-    const MeU32 path =
-        first->parent || second->parent ? mcd_featureMix(mcd_childPath(first), mcd_childPath(second)) : 0;
     const int count = result->contactCount;
     double normal[3];
     McdManifold m;
@@ -129,8 +125,8 @@ static void addAlongFace(const Surroundings *s, const McdSeam *seam, const doubl
                                                                mcd_childMargin(s->pair, first, second), &m))
         return;
     mcd_resultAdd(result, &m, s->origin, first, second);
-    for (int i = count; path && i < result->contactCount; i++)
-        result->contacts[i].feature = mcd_featureMix(result->contacts[i].feature, path);
+    if (first->parent || second->parent)
+        mcd_mixChildPaths(result, count, first, second);
 }
 
 static int countManifold(const McdContact *contact, int count) {
