@@ -32,7 +32,7 @@ MEPUBLIC void MEAPI McdSpaceVisitChangedFrozen(McdSpaceID s, McdFrozenVisit visi
 /** Whether a change of the model's transform was seen between the last two ends of change blocks. */
 MEPUBLIC MeBool MEAPI McdModelHasMoved(McdModelID cm);
 /** Marks the model as changed: if it is frozen then, the next McdSpaceVisitChangedFrozen visits it. */
-MEPUBLIC void MEAPI McdModelStir(McdModelID cm);
+MEPUBLIC void MEAPI McdModelMarkChanged(McdModelID cm);
 /** The displacement (m) of a world point that moves with the model, by that change of its transform. Zero and
  *  MEFALSE if there was none, or if it exceeds the model's radius, as when a program puts the model elsewhere. */
 MEPUBLIC MeBool MEAPI McdModelGetDisplacement(McdModelID cm, const MeVector3 point, MeVector3 displacement);
@@ -78,9 +78,9 @@ MEPUBLIC void MEAPI McdSpaceBeginOwnChanges(McdSpaceID s);
  *  @{ */
 /** Sets the worker threads that update the boxes of models; null: the calling thread only. */
 MEPUBLIC void MEAPI McdSpaceSetTeam(McdSpaceID s, MeTeam *team);
-/** Compares all models that are not frozen with their last inputs (McdModelPairLookAtModels), by the space's
+/** Compares all models that are not frozen with their last inputs (McdModelPairCompareModels), by the space's
  *  workers. */
-MEPUBLIC void MEAPI McdSpaceLookAtModels(McdSpaceID s);
+MEPUBLIC void MEAPI McdSpaceCompareModels(McdSpaceID s);
 /** @} */
 
 /** @name Change detection: tests that need not be repeated
@@ -92,22 +92,22 @@ typedef enum McdPairChange {
     McdPairHasChanged,  /**< unknown: test it; the test's inputs have been stored */
     McdPairHasMoved,    /**< small relative motion since the last test: its contacts may be moved along */
     McdPairIsSeparated, /**< less relative motion than the gap at the last test: it would find no contacts */
-    McdPairIsUnchanged, /**< all inputs equal those of the last McdModelPairLook, to the last bit */
+    McdPairIsUnchanged, /**< all inputs equal those of the last McdModelPairCompare, to the last bit */
 } McdPairChange;
-/** Compares both models with their last inputs, unless that was done in this round. After that McdModelPairLook
+/** Compares both models with their last inputs, unless that was done in this round. After that McdModelPairCompare
  *  writes only to the pair, so several threads may call it for different pairs. */
-MEPUBLIC void MEAPI McdModelPairLookAtModels(const McdModelPair *p);
+MEPUBLIC void MEAPI McdModelPairCompareModels(const McdModelPair *p);
 /** Whether both models have been compared in this round. */
-MEPUBLIC MeBool MEAPI McdModelPairHasSeenModels(const McdModelPair *p);
+MEPUBLIC MeBool MEAPI McdModelPairHasComparedModels(const McdModelPair *p);
 /** Compares a pair with its last test. Results other than McdPairHasChanged require: convex models, planes, height
  *  fields, or aggregates of these whose parts have no materials of their own; the library's interactions; no
  *  callbacks; unchanged sizes, places of parts and margins; with height fields, that each model that @a mayMove is
  *  frozen; and that only models that @a mayMove have moved since the last call.
- *  McdPairIsSeparated: since the last test (McdModelPairNoteTest) no point has moved relative to the other model by
- *  as much as their gap then (McdModelPairNoteSeparated). McdPairHasMoved: otherwise, if no point of the smaller
+ *  McdPairIsSeparated: since the last test (McdModelPairStoreTest) no point has moved relative to the other model by
+ *  as much as their gap then (McdModelPairStoreGap). McdPairHasMoved: otherwise, if no point of the smaller
  *  model has moved by more than @a part of its size, or a quarter of the pair's margin; if such a pair is tested all
- *  the same, call McdModelPairNoteTest before. */
-MEPUBLIC McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool mayMove[2]);
+ *  the same, call McdModelPairStoreTest before. */
+MEPUBLIC McdPairChange MEAPI McdModelPairCompare(McdModelPair *p, MeReal part, const MeBool mayMove[2]);
 /** Properties of a pair's models that decide how the pair is handled; flags. */
 typedef enum McdPairTrait {
     McdPairIsAsleep = 1,  /**< both are frozen in their space (McdSpaceModelIsFrozen) */
@@ -126,16 +126,16 @@ MEPUBLIC MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p);
  *  McdIntersect. */
 MEPUBLIC MeBool MEAPI McdModelPairIntersectPlain(McdModelPair *p, McdIntersectResult *result);
 /** Stores the current inputs as those of the test that follows, even if the last test may still be valid. */
-MEPUBLIC void MEAPI McdModelPairNoteTest(McdModelPair *p);
+MEPUBLIC void MEAPI McdModelPairStoreTest(McdModelPair *p);
 /** Stores the gap found by the test, m, a lower bound (McdIntersectResult.apart); 0: unknown, or none. */
-MEPUBLIC void MEAPI McdModelPairNoteSeparated(McdModelPair *p, MeReal apart);
+MEPUBLIC void MEAPI McdModelPairStoreGap(McdModelPair *p, MeReal apart);
 /** Replaces the contacts of a result with a fixed model that lie at internal edges, where a face of the fixed model
  *  continues a face of another fixed model, by contacts along the face's normal, if there are any. Returns whether
  *  the result depends on other models nearby: then the caller must repeat the test even if the pair has not changed
  *  (McdModelPairForgetTest). */
 MEPUBLIC MeBool MEAPI McdModelPairReplaceInternal(const McdModelPair *p, const MeBool mayMove[2],
                                                   McdIntersectResult *result);
-/** Invalidates the last test: the next McdModelPairLook returns McdPairHasChanged. */
+/** Invalidates the last test: the next McdModelPairCompare returns McdPairHasChanged. */
 MEPUBLIC void MEAPI McdModelPairForgetTest(McdModelPair *p);
 /** @} */
 

@@ -106,9 +106,9 @@ MEPUBLIC MeReal MEAPI McdModelGetContactTolerance(McdModelID cm);
 MEPUBLIC void MEAPI McdModelSetSwept(McdModelID cm, MeBool swept);
 MEPUBLIC MeBool MEAPI McdModelIsSwept(McdModelID cm);
 /**
- * For a swept model that is fast: at the space's last update some point of it could move farther than half of the
- * model's thickness in the look-ahead time. Returns the gap (m) up to which it gets contacts. Later impacts, and their
- * times, are found by McdSafeTime. 0 if it is not fast. Beyond Karma.
+ * The gap (m) up to which a fast model gets contacts; 0 if it is not fast. A swept model is fast if, at the space's
+ * last update, some point of it could move farther than half of the model's thickness in the look-ahead time. Impacts
+ * beyond that gap, and their times, are found by McdSafeTime. Beyond Karma.
  */
 MEPUBLIC MeReal MEAPI McdModelGetFastMargin(McdModelID cm);
 /**

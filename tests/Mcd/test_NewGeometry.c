@@ -66,7 +66,7 @@ static void setShape(const McdGeometry *g, McdShape *s) {
 
 static void shapeSupport(const McdShape *s, const double direction[3], double point[3]) {
     double d[3], own[3];
-    mcd_shapeOwn(s, direction, d);
+    mcd_shapeToOwnAxes(s, direction, d);
     farthest(s->size, d, own);
     mcd_shapePoint(s, own[0], own[1], own[2], point);
 }

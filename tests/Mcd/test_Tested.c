@@ -48,7 +48,7 @@ TEST_FIXTURE(setUp, tearDown)
 
 static MeBool isAsTestedInRound(void) {
     static const MeBool mayMove[2] = {MEFALSE, MEFALSE};
-    return McdModelPairLook(&p.pair, 0, mayMove) == McdPairIsUnchanged;
+    return McdModelPairCompare(&p.pair, 0, mayMove) == McdPairIsUnchanged;
 }
 
 static MeBool isAsTested(void) {
@@ -150,8 +150,8 @@ TEST(margins_and_requests_count) {
     assertChanged("what was given away");
 }
 
-/* Contacts with the second model turned about an axis; isSeen: the pair has been looked at since. */
-static void intersectTurned(int axis, MeBool isSeen, McdContact contact[4]) {
+/* Contacts with the second model turned about an axis; isCompared: the pair has been looked at since. */
+static void intersectTurned(int axis, MeBool isCompared, McdContact contact[4]) {
     McdIntersectResult result = {.contacts = contact, .contactMaxCount = 4};
     MeVector3 angle = {0, 0, 0};
     MeMatrix3 turn;
@@ -159,7 +159,7 @@ static void intersectTurned(int axis, MeBool isSeen, McdContact contact[4]) {
     angle[axis] = (MeReal).2;
     MeMatrix3FromEulerAngles(turn, angle[0], angle[1], angle[2]);
     MeMatrix4TMSetRotation(p.tm[1], (const MeVector3 *)turn);
-    if (isSeen)
+    if (isCompared)
         assertChanged("a turn");
     memset(contact, 0, 4 * sizeof *contact);
     ck_assert(McdIntersect(&p.pair, &result));
@@ -322,7 +322,7 @@ static MeReal *heightAt(int x, int y) {
 static MeBool isAsTestedAwake(void) {
     static const MeBool mayMove[2] = {METRUE, METRUE};
     McdFrameworkBeginRound(p.frame);
-    return McdModelPairLook(&p.pair, 1e-3, mayMove) != McdPairHasChanged;
+    return McdModelPairCompare(&p.pair, 1e-3, mayMove) != McdPairHasChanged;
 }
 
 static McdGeometryID turnedBoxes(void) {
@@ -509,14 +509,14 @@ TEST(models_that_are_still_apart_have_no_contacts) {
             }
             McdFrameworkBeginRound(p.frame);
             steps[hasParts]++;
-            if (McdModelPairLook(&p.pair, 0, mayMove) == McdPairIsSeparated) {
+            if (McdModelPairCompare(&p.pair, 0, mayMove) == McdPairIsSeparated) {
                 kept[hasParts]++;
                 ck_assert_msg(contactsOf(&p.pair, &apart) == 0, "flight %d, step %d", flight, step);
                 continue;
             }
             const int count = contactsOf(&p.pair, &apart);
             found += count > 0;
-            McdModelPairNoteSeparated(&p.pair, count == 0 ? apart : 0);
+            McdModelPairStoreGap(&p.pair, count == 0 ? apart : 0);
         }
         McdFrameworkDestroyAllModelsAndGeometries(p.frame);
     }
@@ -531,7 +531,7 @@ TEST(models_that_are_still_apart_have_no_contacts) {
 static McdPairChange changeOf(MeReal part) {
     static const MeBool mayMove[2] = {METRUE, METRUE};
     McdFrameworkBeginRound(p.frame);
-    return McdModelPairLook(&p.pair, part, mayMove);
+    return McdModelPairCompare(&p.pair, part, mayMove);
 }
 
 /* A box goes round the middle of a large ground, which it always sees in the same place. */

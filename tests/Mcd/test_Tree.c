@@ -102,7 +102,7 @@ TEST(boxes_are_found_wherever_they_went) {
             ck_assert_int_eq(query(tree, &before).count, i % 3 == 2);
             ck_assert_int_eq(query(tree, &after).count, i % 3 == 1);
         }
-        mcd_treeBalance(tree);
+        mcd_treeRebuild(tree);
     }
     mcd_treeDestroy(tree);
 }
@@ -195,7 +195,7 @@ TEST(casts_meet_what_is_near_before_what_is_far) {
             const McdTreeBox box = boxAt(axis == 0 ? 3 * i : 0, axis == 1 ? 3 * i : 0, axis == 2 ? 3 * i : 0);
             mcd_treeInsert(tree, &box, i);
         }
-        mcd_treeBalance(tree);
+        mcd_treeRebuild(tree);
         for (int isBack = 0; isBack < 2; isBack++) {
             double from[3] = {.5, .5, .5}, by[3] = {0, 0, 0};
             from[axis] = isBack ? 200 : -10;

@@ -18,9 +18,9 @@ static void transformToBox(const McdShape *box, const McdShape *triangle, BoxTri
     for (int k = 0; k < 3; k++) {
         double opposite[3];
         mcd_sub(opposite, triangle->corner[k], box->place);
-        mcd_shapeOwn(box, opposite, x->corner[k]);
+        mcd_shapeToOwnAxes(box, opposite, x->corner[k]);
     }
-    mcd_shapeOwn(box, triangle->axis[2], x->normal);
+    mcd_shapeToOwnAxes(box, triangle->axis[2], x->normal);
     for (int k = 0; k < 3; k++)
         mcd_sub(x->edge[k], x->corner[(k + 1) % 3], x->corner[k]);
 }

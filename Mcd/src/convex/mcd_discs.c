@@ -95,7 +95,7 @@ void mcd_discsFace(const McdShape *s, const double direction[3], McdFace *f) {
     const Discs discs = discsOf(s);
     const double *radius = discs.radius, *height = discs.height;
     double d[3];
-    mcd_shapeOwn(s, direction, d);
+    mcd_shapeToOwnAxes(s, direction, d);
     const double across = sqrt(d[0] * d[0] + d[1] * d[1]);
     const double side = (across * (height[1] - height[0]) + d[2] * (radius[0] - radius[1])) / slantOf(&discs);
     if (d[2] > side && radius[1] > 0)

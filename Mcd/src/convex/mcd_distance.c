@@ -231,8 +231,8 @@ static void setWitnesses(const Corner *const corner[], const double *weight, int
     }
 }
 
-/* Weighted sums lose digits in a thin simplex, and facets of EPA lie within M. So the difference of the witness
- * points is not exactly the separation along the normal: moves each of the two by half of the error. */
+/* Makes the difference of the witness points the separation along the normal: moves each of the two by half of the
+ * error. Weighted sums lose digits in a thin simplex, and facets of EPA lie within M. */
 static void correctWitnesses(McdProximity *p) {
     double deficit[3];
     mcd_sub(deficit, p->onB, p->onA);
@@ -266,7 +266,8 @@ typedef struct Polytope {
     Corner corner[MAX_CORNERS];
     Facet facet[MAX_FACETS];
     double offset[MAX_FACETS]; /* of live facets, INFINITY of others: searched for its minimum in every round */
-    int cornerCount, facetCount, freeCount, freeFacet[MAX_FACETS], startsAt[MAX_CORNERS];
+    int cornerCount, facetCount, freeCount, freeFacet[MAX_FACETS];
+    int facetFrom[MAX_CORNERS]; /* of each corner: the new facet whose first corner it is; -1: none */
     double epsilon;
     double normal[3], support; /* the best direction so far, and M's support along it: an upper bound of the depth */
 } Polytope;
@@ -382,7 +383,7 @@ static int findVisible(Polytope *t, int first, int round, const double w[3], int
 static MeBool closeHorizon(Polytope *t, const int *seen, int count, int round, int corner) {
     int made = 0, first = -1;
     for (int i = 0; i < t->cornerCount; i++)
-        t->startsAt[i] = -1;
+        t->facetFrom[i] = -1;
     for (int i = 0; i < count; i++)
         for (int edge = 0; edge < 3; edge++) {
             const Facet *f = &t->facet[seen[i]];
@@ -390,16 +391,16 @@ static MeBool closeHorizon(Polytope *t, const int *seen, int count, int round, i
             if (t->facet[outside].seen == round)
                 continue;
             const int g = newFacet(t, from, to, corner);
-            if (g < 0 || t->startsAt[from] >= 0 || !makePlane(t, g))
+            if (g < 0 || t->facetFrom[from] >= 0 || !makePlane(t, g))
                 return MEFALSE;
             linkFacets(t, g, 0, outside);
-            t->startsAt[from] = g;
+            t->facetFrom[from] = g;
             first = g;
             made++;
         }
     int g = first, walked = 0;
     do {
-        const int next = g < 0 ? -1 : t->startsAt[t->facet[g].corner[1]];
+        const int next = g < 0 ? -1 : t->facetFrom[t->facet[g].corner[1]];
         if (next < 0)
             return MEFALSE;
         t->facet[g].neighbour[1] = next;
@@ -428,7 +429,7 @@ static int nearestFacet(const Polytope *t) {
     return best;
 }
 
-static void keepFacet(Polytope *t, const Facet *f, double support) {
+static void keepDirection(Polytope *t, const Facet *f, double support) {
     t->support = support;
     mcd_copy(t->normal, f->normal);
 }
@@ -454,11 +455,11 @@ static void runEpa(const Pair *p, const McdProximity *guess, Polytope *t) {
         MEASSERT(support >= f.offset - p->tolerance ||
                  !mcd_areResolved(p->a, p->b)); /* M contains the facet's corners */
         if (support - f.offset <= p->tolerance) {
-            keepFacet(t, &f, support);
+            keepDirection(t, &f, support);
             return;
         }
         if (support < t->support)
-            keepFacet(t, &f, support);
+            keepDirection(t, &f, support);
         const int count = findVisible(t, nearest, round, w, seen);
         t->cornerCount++;
         if (!closeHorizon(t, seen, count, round, corner))

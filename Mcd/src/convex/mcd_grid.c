@@ -95,7 +95,7 @@ static void preferFaceNormals(const McdShape *a, const McdShape *b, const McdFac
     MEASSERT(p->separation >= min);
 }
 
-/* ---- what the others call ------------------------------------------------------------------------------------- */
+/* ---- manifolds and distances ------------------------------------------------------------------------------------- */
 
 /* Compares the bounding spheres. If they are farther apart than the limit: false, with a lower bound of the
  * separation. */
@@ -170,7 +170,8 @@ static MeBool guessNormal(const McdShape *a, const McdShape *b, double limit, Mc
 static int clipFacesAlongNormal(const McdShape *a, const McdShape *b, double margin, McdProximity *p, McdManifold *m) {
     McdFace faceA, faceB;
     findFacesAlong(a, b, p->normal, &faceA, &faceB);
-    if (!p->isGuess && !(areAllAxesTried(a, b) && p->separation <= 0)) { /* else the axes' bias did it */
+    if (!p->isGuess &&
+        !(areAllAxesTried(a, b) && p->separation <= 0)) { /* else the separating axes prefer face normals already */
         preferFaceNormals(a, b, &faceA, &faceB, p);
         if (faceA.count == 2 || faceB.count == 2) /* lines depend on the normal */
             findFacesAlong(a, b, p->normal, &faceA, &faceB);
@@ -178,14 +179,15 @@ static int clipFacesAlongNormal(const McdShape *a, const McdShape *b, double mar
     return mcd_facesManifold(a, b, &faceA, &faceB, p, margin, m);
 }
 
-/* No contacts: stores the gap of the surfaces, which include the rounding of the cores. Returns 0. */
+/* For shapes without contacts: stores the gap of their surfaces, which lie outside of the cores by the rounding.
+ * Returns 0. */
 static int storeGap(const McdShape *a, const McdShape *b, const McdProximity *p, McdManifold *m) {
     m->minGap = fmax(p->separation - a->rounding - b->rounding, 0);
     return 0;
 }
 
-/* Tries the cheap ways first: resting shapes mostly touch along a face's normal, and round ones along a normal
- * between their sides, which need only verification. GJK and EPA serve the others. */
+/* Finds the manifold by the cheapest algorithm that is exact. Resting shapes mostly touch along a face's normal, and
+ * round ones along a normal between their sides: these guesses only need verification. Other pairs use GJK and EPA. */
 static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdManifold *m) {
     const double limit = margin + a->rounding + b->rounding;
     McdProximity p;

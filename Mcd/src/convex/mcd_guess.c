@@ -225,7 +225,7 @@ static void boxCornerToward(const McdShape *box, const McdShape *cylinder, doubl
     double at[3], own[3];
     mcd_mad(at, cylinder->place, height, cylinder->axis[2]);
     mcd_sub(at, at, box->place);
-    mcd_shapeOwn(box, at, own);
+    mcd_shapeToOwnAxes(box, at, own);
     mcd_shapePoint(box, copysign(box->size[0], own[0]), copysign(box->size[1], own[1]), copysign(box->size[2], own[2]),
                    corner);
 }
@@ -274,7 +274,7 @@ MeBool mcd_guessSides(const McdShape *a, const McdShape *b, McdProximity *g) {
 
 /* ---- verification ------------------------------------------------------------------------------------------------ */
 
-/* The support point of M. */
+/* The support point of M in a direction. */
 static void minkowskiSupport(const McdShape *a, const McdShape *b, const double direction[3], double w[3]) {
     double back[3];
     double x[3], y[3];
@@ -321,7 +321,7 @@ typedef struct Ball {
     double down[3], depth, tolerance;
 } Ball;
 
-/* False if the depth is too small to be verified, or not finite. */
+/* Makes the ball of a guess; false if the depth is too small to be verified, or not finite. */
 static MeBool makeBall(const McdShape *a, const McdShape *b, const McdProximity *p, Ball *ball) {
     mcd_scale(ball->down, p->normal, -1);
     ball->depth = -p->separation;

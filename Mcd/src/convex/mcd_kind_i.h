@@ -32,7 +32,8 @@ typedef void (*McdMeshGather)(McdMeshQuery *q);
 struct McdKind {
     int type; /* kMcdGeometryType...; not set for shapes that are no geometries, such as triangles */
     char *(MEAPI *name)(const McdGeometryID);
-    size_t size; /* bytes of its record: all inputs of its tests, except triangles (mcd_tested.c); 0: maybe not all */
+    size_t
+        size; /* bytes of its record, which holds all inputs of its tests but triangles (mcd_tested.c); 0: it may not */
 
     /* Any type: the arguments of McdFrameworkRegisterGeometryType. */
     McdGeometryDestroyFnPtr destroy;
@@ -61,7 +62,7 @@ struct McdKind {
     /* Surfaces of triangles: adds the triangles near a query's box. */
     McdMeshGather gather;
     MeBool callsProgram;            /* `gather` calls a function of the program */
-    void (*update)(McdGeometry *g); /* for McdGeometryUpdate: changes the record, to be seen. May be null */
+    void (*update)(McdGeometry *g); /* for McdGeometryUpdate: reads the program's array again. May be null */
 
     MeBool isHalfSpace; /* the half-space below z = 0 of its frame */
     MeBool isStatic;    /* usually fixed: no warning for two such types without an interaction */

@@ -70,7 +70,7 @@ MeBool mcd_segmentSegmentProximity(const McdShape *a, const McdShape *b, double 
 static void placeInFrame(const McdShape *a, const McdShape *b, double x[3]) {
     double d[3];
     mcd_sub(d, a->place, b->place);
-    mcd_shapeOwn(b, d, x);
+    mcd_shapeToOwnAxes(b, d, x);
 }
 
 /* Stores the proximity of a's point; normal (outward) and nearest surface point are given in b's axes. */

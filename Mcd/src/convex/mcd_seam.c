@@ -158,7 +158,7 @@ static MeBool isContinued(const McdShape *piece, const void *context) {
     return MEFALSE;
 }
 
-void *mcd_seamBehind(const McdSeam *s, double normal[3]) {
+void *mcd_seamPieceBeyond(const McdSeam *s, double normal[3]) {
     const double reach = 3 * s->gap + 2 * fabs(s->separation); /* isContinued accepts no piece farther away */
     SeamFace f = {.seam = s};
     for (int i = 0; i < countFaces(s); i++) {

@@ -16,13 +16,12 @@ typedef MeBool (*McdSeamVisit)(const McdShape *piece, const void *context);
 /* A contact with a piece of a surface, and the other pieces near the contact. Coordinates are relative to the query's
  * origin. */
 struct McdSeam {
-    McdShape shape; /* the piece */
-    const double
-        *side;         /* for a triangle, the normal of the tested side; null: all flat faces of the piece are tested */
-    double skin, gap;  /* m: mcd_seamSkin plus the rounding of places; mcd_seamGap */
-    double normal[3];  /* the contact's, outward */
-    double point[3];   /* the contact's, on the piece */
-    double separation; /* m, from the point to the body along the normal */
+    McdShape shape;     /* the piece */
+    const double *side; /* normal of a triangle's tested side; null: all flat faces of the piece are tested */
+    double skin, gap;   /* m: mcd_seamSkin plus the rounding of places; mcd_seamGap */
+    double normal[3];   /* the contact's, outward */
+    double point[3];    /* the contact's, on the piece */
+    double separation;  /* m, from the point to the body along the normal */
     /* The supplier of the other pieces: visits those within reach of a point until a visit returns true. Returns the
      * supplier's own handle of that piece; null: there is none. */
     void *(*find)(const McdSeam *s, const double point[3], double reach, McdSeamVisit visit, const void *context);
@@ -39,7 +38,7 @@ double mcd_seamGap(const McdShape *body);
 MeBool mcd_seamIsNear(const McdSeam *s);
 /* The piece beyond the internal edge at which the contact lies; null: the contact is not at an internal edge. Writes
  * the normal that replaces the contact's: that of a face of the contact's piece. */
-void *mcd_seamBehind(const McdSeam *s, double normal[3]);
+void *mcd_seamPieceBeyond(const McdSeam *s, double normal[3]);
 
 /* The signed distance of a point from a convex shape. */
 double mcd_pointDistance(const McdShape *s, const double point[3]);

@@ -28,10 +28,10 @@ static inline const MeVector4 *mcd_const(MeMatrix4Ptr tm) {
  * Collision requires this of numbers that programs give and of products of their transforms: then no product of
  * eight of them exceeds the range of double. */
 static inline MeBool mcd_areInRange(const MeReal *x, int count) {
-    MeBool areNear = METRUE;
+    MeBool areInRange = METRUE;
     for (int i = 0; i < count; i++)
-        areNear &= MeFabs(x[i]) <= (MeReal)FLT_MAX; /* false for NaN */
-    return areNear;
+        areInRange &= MeFabs(x[i]) <= (MeReal)FLT_MAX; /* false for NaN */
+    return areInRange;
 }
 
 static inline MeBool mcd_isInRange3(const double x[3]) {
@@ -106,18 +106,20 @@ MeBool mcd_segmentTriangle(const double corner[3][3], const double normal[3], Me
 McdHull *mcd_hullCreate(const double (*point)[3], int count, const char *function);
 void mcd_hullDestroy(McdHull *hull);
 
-/* Converts a point, and a direction, from the shape's own axes, and a direction to them. */
+/* The query's coordinates of the point (x, y, z) of the shape's own frame. */
 static inline void mcd_shapePoint(const McdShape *s, double x, double y, double z, double out[3]) {
     for (int i = 0; i < 3; i++)
         out[i] = s->place[i] + (s->axis[0][i] * x + s->axis[1][i] * y + s->axis[2][i] * z);
 }
 
+/* The same for a direction. */
 static inline void mcd_shapeDirection(const McdShape *s, double x, double y, double z, double out[3]) {
     for (int i = 0; i < 3; i++)
         out[i] = s->axis[0][i] * x + s->axis[1][i] * y + s->axis[2][i] * z;
 }
 
-static inline void mcd_shapeOwn(const McdShape *s, const double direction[3], double own[3]) {
+/* The components of a direction along the shape's own axes. */
+static inline void mcd_shapeToOwnAxes(const McdShape *s, const double direction[3], double own[3]) {
     for (int i = 0; i < 3; i++)
         own[i] = s->axis[i][0] * direction[0] + s->axis[i][1] * direction[1] + s->axis[i][2] * direction[2];
 }

@@ -41,6 +41,7 @@ static void MEAPI release(McdGeometryID g) {
 
 /* ---- elements ---------------------------------------------------------------------------------------------------- */
 
+/* Whether the aggregate `child` is the geometry g or, at any level, an element of it. */
 static MeBool isChildOf(const McdAggregate *child, const McdGeometry *g) {
     if (g == &child->head)
         return METRUE;
@@ -94,7 +95,7 @@ void MEAPI McdAggregateRemoveElement(McdAggregateID id, int i) {
         MeWarning(1, "McdAggregateRemoveElement: %d models or aggregates use the aggregate", a->head.referenceCount);
         return;
     }
-    if (!mcd_mayPlace(id->frame, "McdAggregateRemoveElement"))
+    if (!mcd_mayChangeShapes(id->frame, "McdAggregateRemoveElement"))
         return;
     McdGeometryDecrementReferenceCount(element->geometry);
     a->count--;

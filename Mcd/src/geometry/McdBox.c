@@ -40,7 +40,7 @@ static void face(const McdShape *s, const double direction[3], McdFace *f) {
     static const double round[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     double d[3];
     int k = 0;
-    mcd_shapeOwn(s, direction, d);
+    mcd_shapeToOwnAxes(s, direction, d);
     for (int i = 1; i < 3; i++)
         if (fabs(d[i]) > fabs(d[k]))
             k = i;

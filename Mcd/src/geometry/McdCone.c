@@ -27,8 +27,7 @@ static void support(const McdGeometry *g, const double d[3], double point[3]) {
     point[2] = isHigh ? e.high : e.low;
 }
 
-/* ---- a line against the side: |p + t v|^2 <= (R + k t)^2, p and v orthogonal to the axis, R + k t >= 0
- * ------------- */
+/* ---- a line against the side: |p + t v|^2 <= (R + k t)^2, p and v orthogonal to the axis, R + k t >= 0 ---- */
 
 static void sideNormal(const McdClip *c, double t, double slope, double normal[3]) {
     double p[3];

@@ -90,14 +90,13 @@ static void clip(const McdGeometry *g, McdClip *c) {
 
 static void MEAPI release(McdGeometryID g) {
     mcd_hullDestroy(((McdConvexMesh *)g)->hull);
-    MeMemoryGive(((McdConvexMesh *)g)->shown);
+    MeMemoryGive(((McdConvexMesh *)g)->publicVertex);
     MeMemoryGive(g);
 }
 
 MCD_DEFINE_LINE_SEGMENT(ConvexMesh)
 
-/* ---- narrow phase
- * -------------------------------------------------------------------------------------------------- */
+/* ---- narrow phase ---------------------------------------------------------------------------- */
 
 static void setShape(const McdGeometry *g, McdShape *s) {
     s->hull = get(g)->hull;
@@ -136,7 +135,7 @@ static void hullSupport(const McdShape *s, const double d[3], double point[3]) {
 
 static void hullFace(const McdShape *s, const double direction[3], McdFace *f) {
     double d[3];
-    mcd_shapeOwn(s, direction, d);
+    mcd_shapeToOwnAxes(s, direction, d);
     const McdHull *h = s->hull;
     int best = 0;
     double max = -INFINITY;
@@ -166,8 +165,8 @@ static void visitEdges(const McdGeometry *g, int sides, McdEdgeVisit visit, void
         for (int i = 0; i < h->face[f].count; i++) {
             const int *corner = h->faceVertex + h->face[f].first;
             double from[3], to[3];
-            mcd_fromReal(from, get(g)->shown[corner[i]]);
-            mcd_fromReal(to, get(g)->shown[corner[(i + 1) % h->face[f].count]]);
+            mcd_fromReal(from, get(g)->publicVertex[corner[i]]);
+            mcd_fromReal(to, get(g)->publicVertex[corner[(i + 1) % h->face[f].count]]);
             visit(context, from, to);
         }
 }
@@ -180,8 +179,7 @@ static const McdKind kind = {MCD_KIND_FUNCTIONS(ConvexMesh, release),
                              .rank = MCD_RANK_HULL,
                              .edges = visitEdges};
 
-/* ---- creation
- * ------------------------------------------------------------------------------------------------------- */
+/* ---- creation -------------------------------------------------------------------------------- */
 
 static MeBool isMesh(McdGeometryID g, const char *function) {
     return mcd_geometryIs(g, kMcdGeometryTypeConvexMesh, function);
@@ -198,15 +196,15 @@ static MeVector3 *copyVertices(const McdHull *h, const char *function) {
 static McdConvexMeshID createFrom(McdFramework *frame, const double (*point)[3], int count, MeReal fatness,
                                   const char *function) {
     McdHull *hull = mcd_hullCreate(point, count, function);
-    MeVector3 *shown = hull ? copyVertices(hull, function) : 0;
-    McdConvexMesh *m = shown ? mcd_geometryCreate(frame, kMcdGeometryTypeConvexMesh, sizeof *m, function) : 0;
+    MeVector3 *publicVertex = hull ? copyVertices(hull, function) : 0;
+    McdConvexMesh *m = publicVertex ? mcd_geometryCreate(frame, kMcdGeometryTypeConvexMesh, sizeof *m, function) : 0;
     if (m) {
         m->hull = hull;
-        m->shown = shown;
+        m->publicVertex = publicVertex;
         m->fatness = fatness;
         return (McdConvexMeshID)m;
     }
-    MeMemoryGive(shown);
+    MeMemoryGive(publicVertex);
     mcd_hullDestroy(hull);
     return 0;
 }
@@ -290,7 +288,7 @@ void MEAPI McdConvexMeshGetPolygonNormal(McdConvexMeshID g, int polyID, MeVector
 static const MeReal *vertexOf(McdConvexMeshID g, int polyID, int vertexID, const char *function) {
     const McdHullFace *f = faceOf(g, polyID, function);
     if (f && vertexID >= 0 && vertexID < f->count)
-        return get(g)->shown[get(g)->hull->faceVertex[f->first + vertexID]];
+        return get(g)->publicVertex[get(g)->hull->faceVertex[f->first + vertexID]];
     if (f)
         MeWarning(1, "%s: polygon %d has no vertex %d", function, polyID, vertexID);
     return 0;
@@ -311,8 +309,7 @@ void MEAPI McdConvexMeshGetXYAABB(McdConvexMeshID g, MeMatrix4 tm, MeReal bounds
     mcd_localXYAABB(g, kMcdGeometryTypeConvexMesh, tm, bounds, support, __func__);
 }
 
-/* ---- bounding sphere, drawing
- * --------------------------------------------------------------------------------------- */
+/* ---- bounding sphere, drawing ---------------------------------------------------------------- */
 
 static MeReal boundingRadius(const McdGeometry *g, MeVector3 center) {
     const McdHull *h = get(g)->hull;
@@ -333,8 +330,7 @@ static void draw(const McdGeometry *g, const MeMatrix4 tm, const MeReal colour[3
         mcd_drawLine(tm, colour, h->vertex[h->edge[i][0]], h->vertex[h->edge[i][1]]);
 }
 
-/* ---- mass: integrals of 1, x and x x^T over each part
- * --------------------------------------------------------------- */
+/* ---- mass: integrals of 1, x and x x^T over each part ---------------------------------------- */
 
 typedef struct Moments {
     double m, first[3], second[3][3];

@@ -18,8 +18,7 @@ typedef struct Slice {
     const char *function; /* called by the program; for messages */
 } Slice;
 
-/* ---- collecting corners
- * --------------------------------------------------------------------------------------------- */
+/* ---- collecting corners ---------------------------------------------------------------------- */
 
 static void addCorner(Slice *s, const double position[3]) {
     if (s->isOut)
@@ -53,8 +52,7 @@ static void cutEdge(void *context, const double from[3], const double to[3]) {
     addCorner(s, cut);
 }
 
-/* ---- sorting corners
- * ------------------------------------------------------------------------------------------------ */
+/* ---- sorting corners ------------------------------------------------------------------------- */
 
 static int compareAngles(const void *p, const void *q) {
     const Corner *a = p, *b = q;
@@ -97,8 +95,7 @@ static void sortCorners(Slice *s) {
     qsort(s->corner, (size_t)s->count, sizeof *s->corner, compareAngles);
 }
 
-/* ---- public functions
- * ----------------------------------------------------------------------------------------------- */
+/* ---- public functions ------------------------------------------------------------------------ */
 
 static MeBool isValidQuery(McdGeometryInstanceID ins, const MeReal *normal, MeReal dist, int maxVert,
                            const int *numVert, MeVector3 *outVert, const char *function) {

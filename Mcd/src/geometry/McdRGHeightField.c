@@ -10,8 +10,7 @@ static McdRGHeightField *fieldOf(McdGeometryID g, const char *function) {
     return mcd_geometryIs(g, kMcdGeometryTypeRGHeightField, function) ? (McdRGHeightField *)g : 0;
 }
 
-/* ---- creation
- * ------------------------------------------------------------------------------------------------------- */
+/* ---- creation -------------------------------------------------------------------------------- */
 
 static void findExtremes(McdRGHeightField *f) {
     MeBool any = MEFALSE;
@@ -54,8 +53,7 @@ McdRGHeightFieldID MEAPI McdRGHeightFieldCreate(McdFramework *frame, const MeRea
     return &f->head;
 }
 
-/* ---- accessors
- * ------------------------------------------------------------------------------------------------------ */
+/* ---- accessors ------------------------------------------------------------------------------- */
 
 const MeReal *MEAPI McdRGHeightFieldGetHeights(McdRGHeightFieldID g) {
     const McdRGHeightField *f = fieldOf(g, "McdRGHeightFieldGetHeights");

@@ -36,7 +36,7 @@ static void farthestEnd(const McdShape *s, const double d[3], double point[3]) {
 
 static void face(const McdShape *s, const double direction[3], McdFace *f) {
     double d[3];
-    mcd_shapeOwn(s, direction, d);
+    mcd_shapeToOwnAxes(s, direction, d);
     const double across = sqrt(d[0] * d[0] + d[1] * d[1]);
     if (across > 0)
         mcd_shapeDirection(s, d[0] / across, d[1] / across, 0, f->normal);

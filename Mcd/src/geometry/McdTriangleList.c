@@ -11,8 +11,7 @@ static McdTriangleListRecord *listOf(McdGeometryID g, const char *function) {
     return mcd_geometryIs(g, kMcdGeometryTypeTriangleList, function) ? (McdTriangleListRecord *)g : 0;
 }
 
-/* ---- creation
- * ------------------------------------------------------------------------------------------------------- */
+/* ---- creation -------------------------------------------------------------------------------- */
 
 static MeBool isBox(const MeReal *min, const MeReal *max) {
     for (int i = 0; min && max && i < 3; i++)
@@ -62,8 +61,7 @@ static void MEAPI release(McdGeometryID g) {
     MeMemoryGive(list);
 }
 
-/* ---- accessors
- * ------------------------------------------------------------------------------------------------------ */
+/* ---- accessors ------------------------------------------------------------------------------- */
 
 void MEAPI McdTriangleListGetBoundingBox(McdTriangleListID g, MeVector3 min, MeVector3 max) {
     if (!mcd_areGiven(__func__, min, max, max))
@@ -109,7 +107,7 @@ void MEAPI McdTriangleListSetMaxTriangles(McdTriangleListID g, int max) {
     McdTriangleListRecord *list = listOf(g, "McdTriangleListSetMaxTriangles");
     if (list && max < 1)
         MeWarning(1, "McdTriangleListSetMaxTriangles: max is %d (> 0)", max);
-    else if (list && mcd_mayPlace(list->list.head.frame, "McdTriangleListSetMaxTriangles"))
+    else if (list && mcd_mayChangeShapes(list->list.head.frame, "McdTriangleListSetMaxTriangles"))
         reserveTriangles(list, max);
 }
 
@@ -143,7 +141,7 @@ static void draw(const McdGeometry *g, const MeMatrix4 tm, const MeReal colour[3
 
 /* ---- triangles --------------------------------------------------------------------------------------------------- */
 
-/* Applies triangleMaxCount, to which the program may have written. */
+/* Resizes the array if the program has written another triangleMaxCount; restores that if it is bad. */
 static void applyMaxCount(McdTriangleListRecord *list) {
     const int count = list->list.triangleMaxCount;
     if (count == list->room)

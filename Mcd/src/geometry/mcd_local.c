@@ -24,8 +24,7 @@ MeBool mcd_instanceIs(McdGeometryInstanceID ins, McdGeometryType type, const cha
     return MEFALSE;
 }
 
-/* ---- boxes, support points
- * ------------------------------------------------------------------------------------------- */
+/* ---- boxes, support points ------------------------------------------------------------------- */
 
 void mcd_localXYAABB(McdGeometryID g, McdGeometryType type, const MeMatrix4Ptr tm, MeReal bounds[4],
                      McdLocalSupportFn support, const char *function) {

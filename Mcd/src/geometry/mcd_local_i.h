@@ -44,8 +44,7 @@ static inline MeReal mcd_roundDown(double x) {
     return -mcd_roundUp(-x);
 }
 
-/* ---- boxes, support points
- * ------------------------------------------------------------------------------------------- */
+/* ---- boxes, support points ------------------------------------------------------------------- */
 
 /* The geometry's support point in a direction of any length; any point for a zero direction. */
 typedef void (*McdLocalSupportFn)(const McdGeometry *g, const double direction[3], double point[3]);
@@ -108,8 +107,7 @@ typedef struct McdClip {
 
 MeBool mcd_clipIsEmpty(const McdClip *c);
 void mcd_clipInterval(McdClip *c, double in, double out, const double normal[3]); /* normal: of the surface at `in` */
-void mcd_clipHalfSpace(McdClip *c, const double normal[3], double offset);        /* unit normal: normal . x <=
-                                                                                   * offset */
+void mcd_clipHalfSpace(McdClip *c, const double normal[3], double offset); /* normal . x <= offset; unit normal */
 void mcd_clipBall(McdClip *c, const double centre[3], double radius);
 void mcd_clipCylinder(McdClip *c, const double point[3], const double axis[3], double radius); /* infinite; unit axis */
 /* Clips by all points within radius of the segment from a to b, whose length is not 0. */

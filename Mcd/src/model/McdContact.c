@@ -119,8 +119,7 @@ static void cross(const double a[3], const double b[3], double out[3]) {
     memcpy(out, c, sizeof c);
 }
 
-/* ---- spots with one normal
- * ---------------------------------------------------------------------------------------- */
+/* ---- spots with one normal ------------------------------------------------------------------- */
 
 static int farthestFrom(const McdSpot *spot, int count, const double place[3]) {
     int best = 0;
@@ -232,8 +231,7 @@ static void includeDeepest(const McdSpot *spot, int count, int *kept, int keptCo
         kept[place] = deepest;
 }
 
-/* ---- spots with any normals
- * --------------------------------------------------------------------------------------- */
+/* ---- spots with any normals ------------------------------------------------------------------ */
 
 static double differenceSquared(const McdSpot *a, const McdSpot *b, double size) {
     double d[3], n[3];

@@ -47,8 +47,7 @@ MeBool mcd_frameCheck(McdFrameworkID frame, const char *function) {
     return MEFALSE;
 }
 
-/* ---- creation, pools
- * ---------------------------------------------------------------------------------------------- */
+/* ---- creation, pools ------------------------------------------------------------------------- */
 
 static void freeBlocks(McdPoolBlock *block) {
     for (McdPoolBlock *next; block; block = next) {

@@ -2,8 +2,7 @@
 #include "model/mcd_result_i.h"
 #include <string.h>
 
-/* ---- creation, destruction
- * -------------------------------------------------------------------------------------------- */
+/* ---- creation, destruction ------------------------------------------------------------------- */
 
 /* The public head of a geometry has opaque storage for its handle. */
 _Static_assert(sizeof(MeHandle) <= sizeof(((McdGeometry *)0)->handle), "McdGeometry has place for its handle");

@@ -125,7 +125,7 @@ void MEAPI McdGeometryInstanceSetGeometry(McdGeometryInstanceID ins, McdGeometry
     if (!mcd_instanceCheck(ins, "McdGeometryInstanceSetGeometry") ||
         !mcd_geometryType(g, "McdGeometryInstanceSetGeometry") ||
         !mcd_geometryBelongs(g, mcd_record(ins->model)->frame, "McdGeometryInstanceSetGeometry") ||
-        !mcd_mayPlace(g->frame, "McdGeometryInstanceSetGeometry"))
+        !mcd_mayChangeShapes(g->frame, "McdGeometryInstanceSetGeometry"))
         return;
     if (mcd_asAggregate(g) || mcd_asAggregate(ins->geometry)) {
         MeWarning(1, "McdGeometryInstanceSetGeometry: aggregates are set by McdModelSetGeometry");
@@ -189,8 +189,7 @@ void MEAPI McdGeometryInstanceReset(McdGeometryInstanceID ins) {
         mcd_record(ins->model)->material = 0;
 }
 
-/* ---- boxes, support points
- * ------------------------------------------------------------------------------------------ */
+/* ---- boxes, support points ------------------------------------------------------------------- */
 
 void MEAPI McdGeometryInstanceGetAABB(McdGeometryInstanceID ins, MeVector3 minCorner, MeVector3 maxCorner) {
     if (!mcd_areGiven(__func__, minCorner, maxCorner, maxCorner))
@@ -248,7 +247,7 @@ MeBool MEAPI McdGeometryInstanceOverlap(McdGeometryInstanceID a, McdGeometryInst
     return METRUE;
 }
 
-static void placePoint(MeVector3 placed, const MeMatrix4Ptr tm, const MeVector3 local) {
+static void transformPoint(MeVector3 placed, const MeMatrix4Ptr tm, const MeVector3 local) {
     double point[3];
     mcd_fromReal(point, local);
     for (int i = 0; i < 3; i++)
@@ -268,7 +267,7 @@ void MEAPI McdGeometryInstanceGetBSphere(const McdGeometryInstanceID ins, MeVect
     McdGeometryGetBSphere(ins->geometry, local, radius);
     MeVector3Copy(center, local);
     if (mcd_instanceIsPlaced(ins))
-        placePoint(center, mcd_instanceTM(ins), local);
+        transformPoint(center, mcd_instanceTM(ins), local);
     else if (mcd_instanceTM(ins))
         MeWarning(1, "McdGeometryInstanceGetBSphere: the transform is not finite, or flat");
     MeStageEnd(&frame->stage, MCD_GUARD_MODELS);

@@ -17,13 +17,12 @@ MeBool mcd_modelPrecedes(const McdModelRecord *a, const McdModelRecord *b) {
     return a->sortKey != b->sortKey ? a->sortKey < b->sortKey : a->serial < b->serial;
 }
 
-/* ---- creation, destruction
- * -------------------------------------------------------------------------------------------- */
+/* ---- creation, destruction ------------------------------------------------------------------- */
 
 static void setFilter(McdModelRecord *m, McdFilter filter) {
     m->filter = filter;
     if (m->space)
-        m->frame->spaceFilter(&m->model);
+        m->frame->spaceApplyFilter(&m->model);
 }
 
 static void setUpdate(McdModelRecord *m, McdModelUpdateFnPtr f) {
@@ -150,7 +149,7 @@ static void leaveBody(McdModelRecord *m) {
 
 static void destroyModel(McdModelRecord *m) {
     if (m->space)
-        m->frame->spaceForget(&m->model);
+        m->frame->spaceRemoveDestroyed(&m->model);
     leaveBody(m);
     freeRelative(m);
     setUpdate(m, 0);
@@ -169,7 +168,7 @@ void mcd_modelDestroy(McdModelRecord *m) {
 }
 
 static void MEAPI destroyDeferred(const MeLater *later) {
-    McdModelRecord *m = mcd_laterModel(later);
+    McdModelRecord *m = mcd_deferredModel(later);
     if (m && m->isCondemned)
         mcd_modelDestroy(m);
 }
@@ -216,13 +215,13 @@ void MEAPI McdModelDropBox(McdModelID cm) {
         m->frame->spaceDropBox(cm);
 }
 
-void MEAPI McdModelStir(McdModelID cm) {
+void MEAPI McdModelMarkChanged(McdModelID cm) {
     mcd_modelMarkChanged(mcd_record(cm));
 }
 
 void MEAPI McdModelReset(McdModelID cm) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelReset");
-    if (!m || !MeProgramMayChange("McdModelReset") || !mcd_mayPlace(m->frame, "McdModelReset"))
+    if (!m || !MeProgramMayChange("McdModelReset") || !mcd_mayChangeShapes(m->frame, "McdModelReset"))
         return;
     leaveBody(m);
     freeRelative(m);
@@ -316,7 +315,7 @@ void MEAPI McdModelSetGeometry(McdModelID cm, McdGeometryID g) {
         MeWarning(1, "McdModelSetGeometry: an aggregate's model is in a space: take it out first");
         return;
     }
-    if (!MeProgramMayChange("McdModelSetGeometry") || !mcd_mayPlace(m->frame, "McdModelSetGeometry"))
+    if (!MeProgramMayChange("McdModelSetGeometry") || !mcd_mayChangeShapes(m->frame, "McdModelSetGeometry"))
         return;
     const McdGeometryID old = m->instance.geometry;
     dropGeometry(m);
@@ -358,7 +357,7 @@ DEFINE_GETTER(MeMatrix4Ptr, McdModelGetTransformPtr, m->instance.tm, 0)
 
 void MEAPI McdModelSetTransformPtr(const McdModelID cm, const MeMatrix4Ptr geometryTM) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetTransformPtr");
-    if (!m || !mcd_mayPlace(m->frame, "McdModelSetTransformPtr"))
+    if (!m || !mcd_mayChangeShapes(m->frame, "McdModelSetTransformPtr"))
         return;
     freeRelative(m);
     m->relTM = m->refTM = 0;
@@ -374,7 +373,7 @@ static void composeTransforms(McdModelRecord *m) {
 void MEAPI McdModelSetRelativeTransformPtrs(McdModelID cm, MeMatrix4 relTM, MeMatrix4 refTM, MeMatrix4 compoundTM,
                                             MeBool own) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetRelativeTransformPtrs");
-    if (!m || !mcd_mayPlace(m->frame, "McdModelSetRelativeTransformPtrs"))
+    if (!m || !mcd_mayChangeShapes(m->frame, "McdModelSetRelativeTransformPtrs"))
         return;
     if (!relTM || !refTM || !compoundTM) {
         MeWarning(1, "McdModelSetRelativeTransformPtrs: a transform is null");
@@ -398,7 +397,7 @@ void MEAPI McdModelGetRelativeTransformPtrs(McdModelID cm, MeMatrix4Ptr *relTM, 
 
 void MEAPI McdModelSetRelativeTransform(McdModelID cm, MeMatrix4 relTM) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetRelativeTransform");
-    if (!m || !mcd_mayPlace(m->frame, "McdModelSetRelativeTransform"))
+    if (!m || !mcd_mayChangeShapes(m->frame, "McdModelSetRelativeTransform"))
         return;
     const MeMatrix4Ptr reference = m->refTM ? m->refTM : m->instance.tm;
     if (!relTM) {
@@ -437,7 +436,7 @@ DEFINE_GETTER(MeReal *, McdModelGetLinearVelocityPtr, m->linearVelocity, 0)
 DEFINE_GETTER(MeReal *, McdModelGetAngularVelocityPtr, m->angularVelocity, 0)
 
 MeBool mcd_modelIsPlaced(const McdModelRecord *m) {
-    return mcd_isPlacedAsSeen(m) || mcd_isValidTransform(mcd_const(m->instance.tm));
+    return mcd_isPlacedAsCompared(m) || mcd_isValidTransform(mcd_const(m->instance.tm));
 }
 
 void mcd_modelPlaceAt(const McdModelRecord *m, double time, MeMatrix4 tm) {
@@ -488,7 +487,7 @@ MeBool mcd_modelUpdate(McdModelRecord *m) {
     return METRUE;
 }
 
-static void warnOfNoPlace(const char *function) {
+static void warnNoTransform(const char *function) {
     MeWarning(1, "%s: the model has no transform, or one that is not finite: see McdModelSetTransformPtr", function);
 }
 
@@ -499,7 +498,7 @@ void MEAPI McdModelUpdate(McdModelID cm) {
     McdFramework *frame = m->frame;
     MeStageBegin(&frame->stage, MCD_GUARD_MODELS);
     if (!mcd_modelUpdate(m))
-        warnOfNoPlace("McdModelUpdate");
+        warnNoTransform("McdModelUpdate");
     MeStageEnd(&frame->stage, MCD_GUARD_MODELS);
 }
 
@@ -539,7 +538,7 @@ void MEAPI McdModelUpdatePath(McdModelID cm, MeReal motionDuration) {
     McdFramework *frame = m->frame;
     MeStageBegin(&frame->stage, MCD_GUARD_MODELS);
     if (!mcd_modelUpdatePath(m, motionDuration))
-        warnOfNoPlace("McdModelUpdatePath");
+        warnNoTransform("McdModelUpdatePath");
     MeStageEnd(&frame->stage, MCD_GUARD_MODELS);
 }
 
@@ -645,8 +644,7 @@ DEFINE_SETTER(McdModelSetIntersectCallback, McdModelIntersectFnPtr, intersect)
 
 DEFINE_GETTER(McdModelIntersectFnPtr, McdModelGetIntersectCallback, m->intersect, 0)
 
-/* ---- the program's data
- * --------------------------------------------------------------------------------------------- */
+/* ---- the program's data ---------------------------------------------------------------------- */
 
 DEFINE_SETTER(McdModelSetUserData, void *, userData)
 

@@ -62,9 +62,9 @@ struct _McdFramework {
     struct McdScratch *freeScratch; /* unused scratches of queries (mcd_scratch_i.h) */
     atomic_int scratchIsLocked;
     /* Functions of spaces, set when the first space is created, so that programs without spaces do not link them.
-     * spaceForget: removes a model from its space immediately. spaceFilter: the model's filter has changed. */
-    void (*spaceForget)(McdModelID cm);
-    void (*spaceFilter)(McdModelID cm);
+     * spaceRemoveDestroyed: removes a model at once. spaceApplyFilter: for a model whose filter has changed. */
+    void (*spaceRemoveDestroyed)(McdModelID cm);
+    void (*spaceApplyFilter)(McdModelID cm);
     void (*spaceForgetPairs)(McdModelID cm); /* McdModelForgetPairs */
     void (*spaceDropBox)(McdModelID cm);     /* McdModelDropBox */
 };
@@ -132,23 +132,23 @@ MeBool mcd_interactionRegister(McdFramework *frame, int type1, int type2, const 
  * calls. */
 MeWhen mcd_deferWhileGuarded(McdFramework *frame, const MeLater *later, const char *function);
 /* The model that a deferred call is for; null: it has been destroyed. */
-McdModelRecord *mcd_laterModel(const MeLater *later);
+McdModelRecord *mcd_deferredModel(const MeLater *later);
 /* Whether shapes may change; false, with a message, while they are guarded. */
-MeBool mcd_mayPlace(const McdFramework *frame, const char *function);
+MeBool mcd_mayChangeShapes(const McdFramework *frame, const char *function);
 
 /* Bracket a call of a geometry type's function, which may be the program's. */
 typedef struct McdTypeCall {
     McdFramework *frame; /* null: the function is the library's */
     MeProgramCall before;
 } McdTypeCall;
-McdTypeCall mcd_typeEnterOwn(McdFramework *frame);
-void mcd_typeLeaveOwn(const McdTypeCall *call);
+McdTypeCall mcd_typeEnterProgram(McdFramework *frame);
+void mcd_typeLeaveProgram(const McdTypeCall *call);
 static inline McdTypeCall mcd_typeEnter(McdFramework *frame, const McdTypeRecord *type) {
-    return type->kind ? (McdTypeCall){.frame = 0} : mcd_typeEnterOwn(frame);
+    return type->kind ? (McdTypeCall){.frame = 0} : mcd_typeEnterProgram(frame);
 }
 static inline void mcd_typeLeave(const McdTypeCall *call) {
     if (call->frame)
-        mcd_typeLeaveOwn(call);
+        mcd_typeLeaveProgram(call);
 }
 
 #endif

@@ -41,8 +41,8 @@ struct McdCone { /* about z, possibly truncated; the centre of mass is at the or
 struct McdConvexMesh {
     McdGeometry head;
     McdHull *hull;
-    MeReal fatness;   /* all points within this distance of the hull belong to the shape */
-    MeVector3 *shown; /* the hull's vertices in MeReal, for programs */
+    MeReal fatness;          /* all points within this distance of the hull belong to the shape */
+    MeVector3 *publicVertex; /* the hull's vertices in MeReal, for programs */
 };
 
 typedef struct McdTriangleListRecord {

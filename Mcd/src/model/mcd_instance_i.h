@@ -59,7 +59,7 @@ struct _McdGeometryInstance {
     MeHandle handle;
 };
 
-/* Between mcd_instanceEnter and mcd_instanceLeave MeHandleIsLive knows the instance; in check builds only. */
+/* Add an instance to the table of live objects (MeHandleIsLive), and remove it; in check builds only. */
 static inline void mcd_instanceEnter(McdGeometryInstance *ins) {
 #if KARMA_CHECK
     MeHandleEnter(&ins->handle, ins, MCD_INSTANCE);

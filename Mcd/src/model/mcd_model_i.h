@@ -96,15 +96,16 @@ typedef struct McdModelRecord {
     MeHandle handle;
 } McdModelRecord;
 
-_Static_assert(offsetof(McdModelRecord, isPlaced) == ME_CACHE_LINE || sizeof(MeReal) > 4, "one line");
-_Static_assert(offsetof(McdModelRecord, inputs) == 2 * ME_CACHE_LINE || sizeof(MeReal) > 4, "and one");
-_Static_assert(offsetof(McdModelInputs, spin) <= ME_CACHE_LINE || sizeof(MeReal) > 4, "and one with pose and velocity");
-_Static_assert(offsetof(McdGeometryInstance, model) <= ME_CACHE_LINE || sizeof(MeReal) > 4, "its boxes are in it");
+_Static_assert(offsetof(McdModelRecord, isPlaced) == ME_CACHE_LINE || sizeof(MeReal) > 4, "line 1 is full");
+_Static_assert(offsetof(McdModelRecord, inputs) == 2 * ME_CACHE_LINE || sizeof(MeReal) > 4, "line 2 is full");
+_Static_assert(offsetof(McdModelInputs, spin) <= ME_CACHE_LINE || sizeof(MeReal) > 4,
+               "line 3 has the pose and velocity");
+_Static_assert(offsetof(McdGeometryInstance, model) <= ME_CACHE_LINE || sizeof(MeReal) > 4, "line 10 has the box");
 _Static_assert(sizeof(McdModelInputs) == 40 + 20 * sizeof(MeReal) || sizeof(MeReal) > 4, "no padding");
 
-/* Notes that a shape has changed: frozen models are compared again. */
+/* Counts a change of a shape: frozen models are compared again. */
 void mcd_geometryChanged(McdGeometryID g);
-/* Notes that something outside of a model's inputs has changed. */
+/* Marks a model as changed in something that is not in its `inputs` (mcd_frozen.c). */
 void mcd_modelMarkChanged(McdModelRecord *m);
 
 static inline McdModelRecord *mcd_record(McdModelID cm) {
@@ -138,7 +139,7 @@ MeBool mcd_modelPrecedes(const McdModelRecord *a, const McdModelRecord *b);
 /* Updates children and boxes from the current transform, without the update callback. */
 void mcd_modelRefresh(McdModelRecord *m);
 /* Whether the transform is valid and equal, to the last bit, to the one in `inputs`. */
-static inline MeBool mcd_isPlacedAsSeen(const McdModelRecord *m) {
+static inline MeBool mcd_isPlacedAsCompared(const McdModelRecord *m) {
     const MeMatrix4Ptr tm = m->instance.tm;
     return m->isPlaced && tm && memcmp(tm[0], m->inputs.axis[0], sizeof(MeVector3)) == 0 &&
            memcmp(tm[1], m->inputs.axis[1], sizeof(MeVector3)) == 0 &&

@@ -58,7 +58,7 @@ MeBool mcd_shapeOf(McdGeometryInstanceID ins, const double origin[3], McdShape *
         memcpy(shape->axis, ins->placedAxis, sizeof shape->axis);
         return setShapeExceptAxes(ins->geometry, ins->placed[3], origin, shape);
     }
-    if (!m || ins != &m->instance || !mcd_isPlacedAsSeen(m))
+    if (!m || ins != &m->instance || !mcd_isPlacedAsCompared(m))
         return mcd_shapeAt(ins->geometry, (const MeReal(*)[4])mcd_instanceTM(ins), origin, shape);
     memcpy(shape->axis, m->shape.axis, sizeof shape->axis);
     return setShapeExceptAxes(ins->geometry, ins->tm[3], origin, shape);

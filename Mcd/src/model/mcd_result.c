@@ -137,7 +137,7 @@ McdContact *mcd_resultAdd(McdIntersectResult *result, const McdManifold *m, cons
     return count ? first : 0;
 }
 
-static MeBool isRigid(McdGeometryInstanceID ins) {
+static MeBool hasUnitAxes(McdGeometryInstanceID ins) {
     const MeMatrix4Ptr tm = mcd_instanceTM(ins);
     for (int i = 0; i < 3; i++)
         if (!(MeFabs(MeVector3Dot(tm[i], tm[i]) - 1) < (MeReal)1e-4))
@@ -149,7 +149,7 @@ static MeBool isRigid(McdGeometryInstanceID ins) {
 static MeBool isNormalGood(const McdContact *c) {
     double n[3];
     mcd_fromReal(n, c->normal);
-    return !isRigid(c->instance1) || !isRigid(c->instance2) || fabs(mcd_length(n) - 1) < 1e-3;
+    return !hasUnitAxes(c->instance1) || !hasUnitAxes(c->instance2) || fabs(mcd_length(n) - 1) < 1e-3;
 }
 
 /* For checks: preconditions of contact response: finite numbers, unit normal, parts of the pair's models, and a

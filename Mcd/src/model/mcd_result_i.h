@@ -18,7 +18,7 @@ MeBool mcd_shapeOf(McdGeometryInstanceID ins, const double origin[3], McdShape *
 MeBool mcd_shapesOf(McdGeometryInstanceID ins1, McdGeometryInstanceID ins2, double origin[3], McdShape *a, McdShape *b);
 /* Makes the convex shape of a geometry at a given transform. */
 MeBool mcd_shapeAt(McdGeometryID g, const MeMatrix4 tm, const double origin[3], McdShape *shape);
-/* Makes the convex shape of a model that has been compared in this round (mcd_modelStamp), without reading its
+/* Makes the convex shape of a model that has been compared in this round (mcd_modelCompare), without reading its
  * geometry; false if it has not, or is not convex. */
 MeBool mcd_shapeInRound(McdModelRecord *m, const double origin[3], McdShape *shape);
 /* Sets kind, sizes, rounding and extent from the geometry. False: it is not convex. */
@@ -49,7 +49,7 @@ MeBool mcd_modelsMakeAPair(McdModelID m1, McdModelID m2, const char *function);
 MeBool mcd_pairIsPlaced(const McdModelPair *p, const char *function);
 int mcd_warnNotPlaced(const char *function); /* gives that warning; returns 0 */
 /* m: a model's share of the speculative margin: its tolerance, and its largest displacement before the next test. */
-static inline MeReal mcd_modelReach(const McdModelRecord *m) {
+static inline MeReal mcd_modelMargin(const McdModelRecord *m) {
     return m->tolerance + m->travel;
 }
 /* Mixes bytes into a 128-bit hash. A change within one group of eight bytes always changes the hash; changes of

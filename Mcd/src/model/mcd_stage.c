@@ -1,16 +1,12 @@
 /* Stages of a framework: calls that the program makes from its callbacks, and that are deferred or refused until the
  * stage ends (mcd_frame_i.h, MeInternal.h).
  *
- *     stage                                                     level             deferred, or refused
- *     pairs are processed; boxes are updated; a block ends; a   MCD_GUARD_MODELS  deferred: destroying models and
- *     model is updated; a query, a test                                           geometries, removing models,
- *     beginning
- *                                                                                 and ending change blocks
- *     within it: a function of a geometry type, an interaction, MCD_GUARD_SHAPES  refused: placing models, and
- *     changing
- *     a triangle list's callback, a query's filter                                their geometries
- *     a universe is stepped; a framework is destroyed           MCD_GUARD_FRAME   refused: destroying framework or
- *     spaces
+ *     MCD_GUARD_MODELS while pairs are processed, models are updated, a block ends, or a query or a test runs.
+ *         Deferred: destroying models and geometries, removing models, beginning and ending change blocks.
+ *     MCD_GUARD_SHAPES, within that, while a function of a geometry type, an interaction, a triangle list's callback
+ *         or a query's filter runs. Refused: placing models and changing their geometries.
+ *     MCD_GUARD_FRAME while a universe is stepped or a framework is destroyed.
+ *         Refused: destroying the framework or its spaces.
  *
  * A model that will be destroyed gets no more pairs and contacts (isGone). Until the stage ends it stays usable,
  * except that McdModelIsValid returns false.
@@ -42,12 +38,12 @@ MeWhen mcd_deferWhileGuarded(McdFramework *frame, const MeLater *later, const ch
                                                                                                       : when;
 }
 
-McdModelRecord *mcd_laterModel(const MeLater *later) {
+McdModelRecord *mcd_deferredModel(const MeLater *later) {
     McdModelRecord *m = later->object;
     return MeHandleIsLive(m, MCD_MODEL) && m->serial == later->serial ? m : 0;
 }
 
-MeBool mcd_mayPlace(const McdFramework *frame, const char *function) {
+MeBool mcd_mayChangeShapes(const McdFramework *frame, const char *function) {
     if (!MeStageIsActive(&frame->stage, MCD_GUARD_SHAPES))
         return METRUE;
     MeProgramRefuse(function, "models are being tested");
@@ -55,17 +51,17 @@ MeBool mcd_mayPlace(const McdFramework *frame, const char *function) {
 }
 
 MeBool MEAPI McdModelMayBePlaced(McdModelID cm, const char *function) {
-    return mcd_mayPlace(mcd_record(cm)->frame, function);
+    return mcd_mayChangeShapes(mcd_record(cm)->frame, function);
 }
 
 /* ---- functions of geometry types --------------------------------------------------------------------------------- */
 
-McdTypeCall mcd_typeEnterOwn(McdFramework *frame) {
+McdTypeCall mcd_typeEnterProgram(McdFramework *frame) {
     MeStageBegin(&frame->stage, MCD_GUARD_SHAPES);
     return (McdTypeCall){.frame = frame, .before = MeProgramEnter("McdFrameworkRegisterGeometryType")};
 }
 
-void mcd_typeLeaveOwn(const McdTypeCall *call) {
+void mcd_typeLeaveProgram(const McdTypeCall *call) {
     MeProgramLeave(&call->before);
     MeStageEnd(&call->frame->stage, MCD_GUARD_SHAPES);
 }

@@ -35,7 +35,8 @@ static const McdGridCell *interactionOf(const McdModelPair *p, MeBool *isSwapped
     return swapped->isSet ? swapped : 0;
 }
 
-/* Brackets a call of an interaction's function. If that is the program's, it runs at MCD_GUARD_SHAPES. */
+/* A call of an interaction's function, from beginCall to endCall. Shapes are guarded (MCD_GUARD_SHAPES) while the
+ * program's function runs. */
 typedef struct Call {
     McdFramework *frame; /* null: the function is the library's */
     MeProgramCall before;
@@ -202,7 +203,7 @@ MeBool MEAPI McdNearby(McdModelPair *p) {
     if (!checkPair(p, "McdNearby"))
         return MEFALSE;
     const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
-    const MeReal margin = mcd_modelReach(a) + mcd_modelReach(b);
+    const MeReal margin = mcd_modelMargin(a) + mcd_modelMargin(b);
     for (int i = 0; i < 3; i++)
         if (a->instance.min[i] - margin > b->instance.max[i] || b->instance.min[i] - margin > a->instance.max[i])
             return MEFALSE;
@@ -234,8 +235,8 @@ static void swapContacts(McdIntersectResult *result) {
     }
 }
 
-/* A program's own interaction may not set all members of McdContact, which has more than earlier versions had: these
- * stay as they were, or zero. Marks a contact as unused by a negative radius, which no interaction sets. */
+/* Marks a contact as unused by a negative radius, which no interaction sets. A program's interaction, written for an
+ * earlier version of McdContact, sets only some of its members; the others keep their values. */
 static void markUnused(McdContact *c) {
     c->radius[0] = c->radius[1] = -1;
 }
@@ -459,8 +460,7 @@ MeBool MEAPI McdIntersectEach(McdModelPairContainer *pairs, McdModelPairContaine
     return isMore;
 }
 
-/* ---- time of impact, line segments
- * ----------------------------------------------------------------------------------- */
+/* ---- time of impact, line segments ----------------------------------------------------------- */
 
 static MeBool areVelocitiesGood(const McdModelPair *p, const char *function) {
     const McdModelRecord *m[2] = {mcd_record(p->model1), mcd_record(p->model2)};

@@ -9,6 +9,7 @@
 
 /* ---- pairs of parts ---------------------------------------------------------------------------------------------- */
 
+/* An iteration over all pairs of parts of two models. */
 typedef struct ChildPairs ChildPairs;
 struct ChildPairs {
     McdModelPair *pair;
@@ -80,9 +81,10 @@ static void visitAllChildPairs(ChildPairs *m) {
 typedef struct Gathering {
     McdScratch *scratch; /* contains the contacts */
     int count;
-    int each; /* maximum number of contacts of two parts */
+    int maxPerPair; /* maximum number of contacts of two parts */
 } Gathering;
 
+/* A hash of a part's path in its model: the index of the element at each level. */
 static MeU32 childPath(const McdGeometryInstance *child) {
     MeU32 path = 0;
     for (; child->parent; child = child->parent)
@@ -100,11 +102,11 @@ void mcd_mixChildPaths(McdIntersectResult *result, int first, const McdGeometryI
 
 /* Prepares a result whose contacts are appended to the gathered ones; false: there is no memory. */
 static MeBool beginResult(Gathering *g, McdIntersectResult *result) {
-    if (!mcd_scratchReserveContacts(g->scratch, g->count, g->count + g->each))
+    if (!mcd_scratchReserveContacts(g->scratch, g->count, g->count + g->maxPerPair))
         return MEFALSE;
     memset(result, 0, sizeof *result);
     result->contacts = g->scratch->contact + g->count;
-    result->contactMaxCount = g->each;
+    result->contactMaxCount = g->maxPerPair;
     return METRUE;
 }
 

@@ -55,15 +55,15 @@ McdGeometryInstance *mcd_childAt(McdGeometryInstance *whole, const McdGeometryIn
 
 /* The surface of a part at the contacts of one normal. Points are relative to the origin. */
 typedef struct Surface {
-    McdGeometryInstance *child, *whole;
-    double origin[3], normal[3]; /* outward */
-    McdShape shape, body;        /* of the part, and of the other model's part */
-    double skin;                 /* m, see mcd_seamSkin */
-    MeBool isClassified;         /* the members below are set */
-    MeBool isOfFace;             /* the normal is that of a face */
-    double sine;                 /* of the angle between the normal and that face's */
-    double lean[3];              /* unit direction in which the normal leans; 0: it does not */
-    MeBool isOfEdge;             /* the normal is that of an edge or a corner between flat faces */
+    McdGeometryInstance *child, *whole; /* the part, and the instance of its model */
+    double origin[3], normal[3];        /* outward */
+    McdShape shape, body;               /* of the part, and of the other model's part */
+    double skin;                        /* m, see mcd_seamSkin */
+    MeBool isClassified;                /* the members below are set */
+    MeBool isOfFace;                    /* the normal is that of a face */
+    double sine;                        /* of the angle between the normal and that face's */
+    double lean[3];                     /* unit direction in which the normal leans; 0: it does not */
+    MeBool isOfEdge;                    /* the normal is that of an edge or a corner between flat faces */
 } Surface;
 
 /* Sets the surface of a contact's part on one side; false if one of the parts is not convex. */
@@ -103,14 +103,14 @@ static void *findChild(const McdSeam *seam, const double point[3], double reach,
 }
 
 /* The part beyond an internal edge of this part (mcd_seam.c); null: the contact is not at an internal edge. */
-static McdGeometryInstance *childBehind(const Surface *s, const double point[3], double separation, double *lean) {
+static McdGeometryInstance *childBeyondEdge(const Surface *s, const double point[3], double separation, double *lean) {
     McdSeam seam = {.shape = s->shape, .separation = separation, .find = findChild, .pieces = s};
     double face[3];
     seam.skin = s->skin;
     seam.gap = mcd_seamGap(&s->body);
     mcd_copy(seam.normal, s->normal);
     mcd_copy(seam.point, point);
-    McdGeometryInstance *child = mcd_shapeIsRigid(&s->shape) ? mcd_seamBehind(&seam, face) : 0;
+    McdGeometryInstance *child = mcd_shapeIsRigid(&s->shape) ? mcd_seamPieceBeyond(&seam, face) : 0;
     const double cosine = child ? mcd_dot(face, s->normal) : 0;
     *lean = cosine > flushCosine ? sqrt(fmax(1 - cosine * cosine, 0)) : mcd_coveredLean;
     return child;
@@ -183,35 +183,35 @@ typedef struct Classified {
 } Classified;
 
 /* Whether a point is covered on either surface. The point is midway between both surfaces; separation: between them. */
-static MeBool isCovered(Classified *l, const double position[3], double separation, MeBool isDeepest) {
-    McdChildManifold *m = l->m;
-    MeBool isIt = MEFALSE;
+static MeBool isCovered(Classified *c, const double position[3], double separation, MeBool isDeepest) {
+    McdChildManifold *m = c->m;
+    MeBool isCoveredAnywhere = MEFALSE;
     for (int side = 0; side < 2; side++) {
-        Surface *s = &l->surface[side];
+        Surface *s = &c->surface[side];
         double point[3], lean;
-        if (!l->isCompound[side])
+        if (!c->isCompound[side])
             continue;
         mcd_sub(point, position, s->origin);
         mcd_mad(point, point, -separation / 2, s->normal);
         McdGeometryInstance *cover = coverOf(s, point, &lean);
         if (!cover)
-            cover = childBehind(s, point, separation, &lean);
+            cover = childBeyondEdge(s, point, separation, &lean);
         if (!cover)
             continue;
-        isIt = METRUE;
+        isCoveredAnywhere = METRUE;
         m->lean = fmax(m->lean, lean);
         m->skin = fmax(m->skin, s->skin);
         if (isDeepest)
             m->cover[side] = cover;
     }
-    return isIt;
+    return isCoveredAnywhere;
 }
 
 /* The classified surface on a side; null: the part has none. */
-static Surface *surfaceOf(Classified *l, int side) {
-    Surface *s = &l->surface[side];
-    McdGeometryInstance *child = l->m->child[side];
-    if (!l->isCompound[side] && (child->parent || !beginSurface(s, l->contact, l->m->child, side)))
+static Surface *surfaceOf(Classified *c, int side) {
+    Surface *s = &c->surface[side];
+    McdGeometryInstance *child = c->m->child[side];
+    if (!c->isCompound[side] && (child->parent || !beginSurface(s, c->contact, c->m->child, side)))
         return 0;
     if (!s->isClassified)
         classifyNormal(s);
@@ -220,43 +220,43 @@ static Surface *surfaceOf(Classified *l, int side) {
 
 /* Whether the normal is exactly that of a face of neither part, nor of a round side: then it comes from edges, and
  * the region between the contacts does not matter. */
-static MeBool isOfEdges(Classified *l) {
-    const Surface *a = surfaceOf(l, 0), *b = surfaceOf(l, 1);
+static MeBool isOfEdges(Classified *c) {
+    const Surface *a = surfaceOf(c, 0), *b = surfaceOf(c, 1);
     return a && b && a->isOfEdge && b->isOfEdge;
 }
 
 /* Whether all contacts are covered and also, unless the normal comes from edges, their centroid. */
-static MeBool isInternal(Classified *l, int deepest) {
-    const McdChildManifold *m = l->m;
+static MeBool isInternal(Classified *c, int deepest) {
+    const McdChildManifold *m = c->m;
     double mean[3] = {0, 0, 0}, separation = 0;
     for (int i = 0; i < m->count; i++) {
-        const McdContact *c = &l->contact[(i + deepest) % m->count];
-        if (!isCovered(l, c->exactPosition, c->exactSeparation, i == 0))
+        const McdContact *contact = &c->contact[(i + deepest) % m->count];
+        if (!isCovered(c, contact->exactPosition, contact->exactSeparation, i == 0))
             return MEFALSE;
-        mcd_mad(mean, mean, 1. / m->count, c->exactPosition);
-        separation += c->exactSeparation / m->count;
+        mcd_mad(mean, mean, 1. / m->count, contact->exactPosition);
+        separation += contact->exactSeparation / m->count;
     }
-    return isOfEdges(l) || isCovered(l, mean, separation, MEFALSE);
+    return isOfEdges(c) || isCovered(c, mean, separation, MEFALSE);
 }
 
 /* Sets the members of a manifold that follow from its contacts. Contacts with planes and triangles count as on the
  * surface: only convex parts can be separated along a normal. */
-static void classify(const McdContact *contact, McdChildManifold *m) {
-    Classified l;
+static void classifyManifold(const McdContact *contact, McdChildManifold *m) {
+    Classified c;
     int deepest = 0;
-    l.contact = &contact[m->first];
-    l.m = m;
+    c.contact = &contact[m->first];
+    c.m = m;
     for (int i = 1; i < m->count; i++)
-        if (l.contact[i].exactSeparation < l.contact[deepest].exactSeparation)
+        if (c.contact[i].exactSeparation < c.contact[deepest].exactSeparation)
             deepest = i;
-    m->separation = l.contact[deepest].exactSeparation;
+    m->separation = c.contact[deepest].exactSeparation;
     m->lean = m->skin = 0;
     m->cover[0] = m->cover[1] = 0;
     if (!mcd_isConvex(m->child[0]) || !mcd_isConvex(m->child[1]))
         return;
     for (int side = 0; side < 2; side++)
-        l.isCompound[side] = m->child[side]->parent && beginSurface(&l.surface[side], l.contact, m->child, side);
-    if (isInternal(&l, deepest))
+        c.isCompound[side] = m->child[side]->parent && beginSurface(&c.surface[side], c.contact, m->child, side);
+    if (isInternal(&c, deepest))
         return;
     m->lean = 0;
     m->cover[0] = m->cover[1] = 0;
@@ -441,7 +441,7 @@ static MeBool beginOverlap(const McdModelPair *p, const McdChildManifold *m, Ove
     return METRUE;
 }
 
-/* Appends contacts to the scratch; returns their number. */
+/* Writes a manifold's contacts to the scratch; returns their number. */
 static int addContacts(const Overlap *e, const McdManifold *from, McdScratch *scratch, McdChildManifold *to) {
     McdIntersectResult result;
     memset(&result, 0, sizeof result);
@@ -452,10 +452,10 @@ static int addContacts(const Overlap *e, const McdManifold *from, McdScratch *sc
     return to->count = result.contactCount;
 }
 
-/* Appends the manifold of smallest depth, below a limit, that lies on the surfaces of both compounds. False: there
- * is none. */
-static MeBool expose(const McdModelPair *p, McdScratch *scratch, int count, double limit, const McdChildManifold *m,
-                     McdChildManifold *made) {
+/* Appends to the scratch the manifold of smallest depth, below a limit, that lies on the surfaces of both compounds.
+ * False: there is none. */
+static MeBool addExposedManifold(const McdModelPair *p, McdScratch *scratch, int count, double limit,
+                                 const McdChildManifold *m, McdChildManifold *made) {
     Overlap e;
     McdManifold points;
     Direction direction[MAX_DIRECTIONS];
@@ -470,7 +470,7 @@ static MeBool expose(const McdModelPair *p, McdScratch *scratch, int count, doub
                                &points) ||
             !addContacts(&e, &points, scratch, made))
             continue;
-        classify(scratch->contact, made);
+        classifyManifold(scratch->contact, made);
         if (made->lean > 0)
             continue;
         memcpy(made->cover, m->cover, sizeof made->cover);
@@ -488,7 +488,7 @@ static int replaceDeep(const McdModelPair *p, McdScratch *scratch, int *count, i
         if (m->isDropped || m->lean < mcd_coveredLean)
             continue;
         const double limit = translationWithCovers(scratch->contact, m, scratch->manifold, manifolds);
-        if (!(limit > -m->separation) || !expose(p, scratch, *count, limit, m, &scratch->manifold[all]))
+        if (!(limit > -m->separation) || !addExposedManifold(p, scratch, *count, limit, m, &scratch->manifold[all]))
             continue;
         m->isDropped = METRUE;
         *count += scratch->manifold[all++].count;
@@ -520,7 +520,7 @@ static void dropDeeper(const McdContact *contact, McdChildManifold *all, int fir
 /* ---- the filter -------------------------------------------------------------------------------------------------- */
 
 /* Moves the contacts of the remaining manifolds to the front; returns their number. */
-static int compact(McdContact *contact, const McdChildManifold *manifold, int manifolds) {
+static int compactContacts(McdContact *contact, const McdChildManifold *manifold, int manifolds) {
     int kept = 0;
     for (int i = 0; i < manifolds; i++) {
         const McdChildManifold *m = &manifold[i];
@@ -540,7 +540,7 @@ int mcd_dropInternalContacts(const McdModelPair *p, McdScratch *scratch, int cou
         return count;
     const int found = makeManifolds(scratch->contact, count, scratch->manifold);
     for (int i = 0; i < found; i++) {
-        classify(scratch->contact, &scratch->manifold[i]);
+        classifyManifold(scratch->contact, &scratch->manifold[i]);
         isAnyInternal |= scratch->manifold[i].lean > 0;
     }
     if (!isAnyInternal)
@@ -548,8 +548,9 @@ int mcd_dropInternalContacts(const McdModelPair *p, McdScratch *scratch, int cou
     dropSeparated(scratch->contact, scratch->manifold, found, 0);
     const int manifolds = replaceDeep(p, scratch, &count, found);
     dropDeeper(scratch->contact, scratch->manifold, found, manifolds);
-    dropSeparated(scratch->contact, scratch->manifold, manifolds, 1); /* the covered ones: a sine is at most 1 */
-    const int kept = compact(scratch->contact, scratch->manifold, manifolds);
+    dropSeparated(scratch->contact, scratch->manifold, manifolds,
+                  1); /* the covered ones, whose lean exceeds any sine */
+    const int kept = compactContacts(scratch->contact, scratch->manifold, manifolds);
     MEASSERT(kept > 0);
     return kept;
 }

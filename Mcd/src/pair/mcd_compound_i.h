@@ -8,8 +8,8 @@
 /* McdChildManifold.lean of covered contacts, whose normal is none of the compound's: larger than any sine. */
 static const double mcd_coveredLean = 2;
 
-/* Mixes the features of a result's contacts from number `first` on with a hash of both parts' paths in their models (the
- * index of the element at each level), so that contacts of other parts have other features. */
+/* Mixes a hash of both parts' paths in their models (the index of the element at each level) into the features of a
+ * result's contacts from number `first` on: contacts of other parts have other features. */
 void mcd_mixChildPaths(McdIntersectResult *result, int first, const McdGeometryInstance *child1,
                        const McdGeometryInstance *child2);
 

@@ -47,9 +47,9 @@ MeBool mcd_safeTimeInputsAreValid(const McdModelPair *p, const char *function);
 
 /* Compares a model with its last inputs. Returns its stamp, a version that changes with any input of the model's box
  * and tests; 0: the inputs cannot be compared. */
-MeU64 mcd_modelStamp(McdModelRecord *m);
+MeU64 mcd_modelCompare(McdModelRecord *m);
 /* The model's stamp; compares it first, unless it has been compared in this round. */
-MeU64 mcd_modelStampInRound(McdModelRecord *m);
+MeU64 mcd_modelCompareInRound(McdModelRecord *m);
 /* Makes a stamp that no model has had. */
 MeU64 mcd_modelNewStamp(McdModelRecord *m);
 

@@ -124,7 +124,7 @@ static void storeInputs(McdModelRecord *m, const McdModelInputs *now) {
     m->reach = m->radius + MeVector3Magnitude(centre);
 }
 
-MeU64 mcd_modelStamp(McdModelRecord *m) {
+MeU64 mcd_modelCompare(McdModelRecord *m) {
     McdModelInputs now;
     m->comparedIn = m->frame->round;
     if (!readInputs(m, &now))
@@ -168,8 +168,8 @@ static MeBool isComparedInRound(const McdModelRecord *m) {
     return m->comparedIn == m->frame->round;
 }
 
-MeU64 mcd_modelStampInRound(McdModelRecord *m) {
-    return isComparedInRound(m) ? m->stamp : mcd_modelStamp(m);
+MeU64 mcd_modelCompareInRound(McdModelRecord *m) {
+    return isComparedInRound(m) ? m->stamp : mcd_modelCompare(m);
 }
 
 void MEAPI McdFrameworkBeginRound(McdFrameworkID frame) {
@@ -274,11 +274,11 @@ static MeBool areMoversFrozen(const McdModelPair *p, const MeBool mayMove[2]) {
 
 /* Sets the inputs of the pair's test to the current ones. Member by member, since they are read soon: a copy of the
  * whole struct would stall until all members are stored. */
-static void setTest(McdModelPair *p, McdModelRecord *m1, McdModelRecord *m2) {
+static void storeTestInputs(McdModelPair *p, McdModelRecord *m1, McdModelRecord *m2) {
     const McdRequest *request = p->request ? p->request : m1->frame->defaultRequest;
     McdTest *t = &p->test;
-    t->stamp1 = mcd_modelStampInRound(m1);
-    t->stamp2 = mcd_modelStampInRound(m2);
+    t->stamp1 = mcd_modelCompareInRound(m1);
+    t->stamp2 = mcd_modelCompareInRound(m2);
     t->contactMaxCount = request->contactMaxCount;
     t->faceNormalsFirst = request->faceNormalsFirst;
     t->shape1 = m1->shapeStamp;
@@ -287,21 +287,21 @@ static void setTest(McdModelPair *p, McdModelRecord *m1, McdModelRecord *m2) {
 
 /* ---- pairs ------------------------------------------------------------------------------------------------------- */
 
-void MEAPI McdModelPairLookAtModels(const McdModelPair *p) {
-    mcd_modelStampInRound(mcd_record(p->model1));
-    mcd_modelStampInRound(mcd_record(p->model2));
+void MEAPI McdModelPairCompareModels(const McdModelPair *p) {
+    mcd_modelCompareInRound(mcd_record(p->model1));
+    mcd_modelCompareInRound(mcd_record(p->model2));
 }
 
-MeBool MEAPI McdModelPairHasSeenModels(const McdModelPair *p) {
+MeBool MEAPI McdModelPairHasComparedModels(const McdModelPair *p) {
     return isComparedInRound(mcd_record(p->model1)) && isComparedInRound(mcd_record(p->model2));
 }
 
-McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal share, const MeBool mayMove[2]) {
+McdPairChange MEAPI McdModelPairCompare(McdModelPair *p, MeReal share, const MeBool mayMove[2]) {
     static const MeBool neither[2] = {MEFALSE, MEFALSE};
     MEASSERT(p && p->model1 && p->model2 && mayMove);
     McdModelRecord *m1 = mcd_record(p->model1), *m2 = mcd_record(p->model2);
     const McdTest before = p->test, *now = &p->test;
-    setTest(p, m1, m2);
+    storeTestInputs(p, m1, m2);
     const MeBool isComparable = now->stamp1 != 0 && now->stamp2 != 0 && before.stamp1 != 0 && before.stamp2 != 0 &&
                                 (!hasSurfaces(p) || areMoversFrozen(p, mayMove)) && isBuiltIn(p);
     if (isComparable && areInputsUnchanged(now, &before, neither))
@@ -314,7 +314,7 @@ McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal share, const MeBool
             return McdPairHasMoved;
         storePose(p, &stand);
     } else {
-        McdModelPairNoteTest(p);
+        McdModelPairStoreTest(p);
     }
     return McdPairHasChanged;
 }
@@ -355,7 +355,7 @@ MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p) {
            typesOfModel(b, &types[1]) && mcd_typesInteractAsBuiltIn(a->frame, types[0], types[1]);
 }
 
-void MEAPI McdModelPairNoteTest(McdModelPair *p) {
+void MEAPI McdModelPairStoreTest(McdModelPair *p) {
     if (p->test.stamp1 == 0 || p->test.stamp2 == 0) {
         p->stand.size = p->stand.apart = 0;
         return;
@@ -364,7 +364,7 @@ void MEAPI McdModelPairNoteTest(McdModelPair *p) {
     storePose(p, &now);
 }
 
-void MEAPI McdModelPairNoteSeparated(McdModelPair *p, MeReal apart) {
+void MEAPI McdModelPairStoreGap(McdModelPair *p, MeReal apart) {
     MEASSERT(p && apart >= 0);
     p->stand.apart = apart;
 }

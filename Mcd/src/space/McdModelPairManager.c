@@ -23,7 +23,7 @@ struct McdModelPairManager {
     MeStage stage;   /* active during calls of the program's functions */
 };
 
-/* Whether pairs may be added and removed: not from a callback of the manager; then a message names the function. */
+/* Whether pairs may be added and removed. False, with a message naming the function, in callbacks of the manager. */
 static MeBool mayChange(McdModelPairManagerID manager, const char *function) {
     return MeStageIsFree(&manager->stage, function);
 }
@@ -103,10 +103,9 @@ int MEAPI McdModelPairManagerGetSize(McdModelPairManagerID manager) {
     return isManager(manager, "McdModelPairManagerGetSize") ? manager->size : 0;
 }
 
-/* ---- adding and removing
- * --------------------------------------------------------------------------------------------- */
+/* ---- adding and removing --------------------------------------------------------------------- */
 
-static void warnFull(McdModelPairManager *manager, McdModelID m1, McdModelID m2) {
+static void reportNoRoom(McdModelPairManager *manager, McdModelID m1, McdModelID m2) {
     if (!manager->poolFull && !manager->hasWarned)
         MeWarning(1, "McdModelPairManagerActivate: there are %d pairs: raise McdModelPairManagerCreate's size",
                   manager->size);
@@ -149,7 +148,7 @@ MeBool MEAPI McdModelPairManagerActivate(McdModelPairManagerID manager, McdModel
     if (isActive(r))
         return METRUE;
     if (!r && !manager->firstFree) {
-        warnFull(manager, model1, model2);
+        reportNoRoom(manager, model1, model2);
         return MEFALSE;
     }
     manager->step++;

@@ -120,7 +120,7 @@ static void addToList(Query *q, McdModelID cm) {
 }
 
 /* Has the query write its results to the list; false, with a warning, if it cannot run. */
-static MeBool setList(Query *q, McdSpaceID s, McdModelID *list, int size) {
+static MeBool setResultList(Query *q, McdSpaceID s, McdModelID *list, int size) {
     q->list = list;
     q->listSize = size;
     if (!mcd_spaceIsReady(s, q->function))
@@ -146,7 +146,7 @@ int MEAPI McdSpaceOverlapBox(McdSpaceID space, const MeVector3 minCorner, const 
                              McdLineSegIntersectEnableCallback filter, void *filterData, McdModelID *list,
                              int listSize) {
     Query q = makeQuery(space, filter, filterData, __func__);
-    if (!setList(&q, space, list, listSize))
+    if (!setResultList(&q, space, list, listSize))
         return 0;
     if (!minCorner || !maxCorner || !mcd_areInRange(minCorner, 3) || !mcd_areInRange(maxCorner, 3)) {
         MeWarning(1, "McdSpaceOverlapBox: a corner is null, not finite, or beyond %g", (double)FLT_MAX);
@@ -171,7 +171,7 @@ int MEAPI McdSpaceOverlapGeometry(McdSpaceID space, McdGeometryID g, const MeMat
                                   McdLineSegIntersectEnableCallback filter, void *filterData, McdModelID *list,
                                   int listSize) {
     Query q = makeQuery(space, filter, filterData, __func__);
-    if (!setList(&q, space, list, listSize) || !setQueryShape(&q, g, tm))
+    if (!setResultList(&q, space, list, listSize) || !setQueryShape(&q, g, tm))
         return 0;
     visitOverlapping(&q, q.min, q.max, visitOverlap, &q);
     return q.count;
@@ -182,7 +182,7 @@ int MEAPI McdSpaceOverlapModel(McdSpaceID space, McdModelID cm, McdLineSegInters
     Query q = makeQuery(space, filter, filterData, __func__);
     McdModelRecord *m = mcd_modelCheck(cm, "McdSpaceOverlapModel");
     q.self = cm;
-    if (!m || !setList(&q, space, list, listSize))
+    if (!m || !setResultList(&q, space, list, listSize))
         return 0;
     McdFramework *frame = m->frame;
     MeStageBegin(&frame->stage, MCD_GUARD_MODELS);
@@ -195,8 +195,7 @@ int MEAPI McdSpaceOverlapModel(McdSpaceID space, McdModelID cm, McdLineSegInters
     return q.count;
 }
 
-/* ---- closest model
- * --------------------------------------------------------------------------------------------------- */
+/* ---- closest model --------------------------------------------------------------------------- */
 
 typedef struct Closest {
     Query q;

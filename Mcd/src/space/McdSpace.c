@@ -53,7 +53,7 @@ MeBool mcd_spaceIsReady(McdSpaceID s, const char *function) {
     return !s->isChanging && !s->isInner;
 }
 
-/* The proxy of a model; null, with a warning, if the model is not in a space. */
+/* The proxy of a model; null, with a warning: the model is in no space. */
 static McdProxy *proxyOf(McdModelID cm, const char *function) {
     McdModelRecord *m = mcd_modelCheck(cm, function);
     if (m && !m->space)
@@ -156,7 +156,7 @@ static void releaseModel(McdSpace *s, McdProxy *p);
 static void dropLeaf(McdSpace *s, McdProxy *p);
 static void dropUnbounded(McdSpace *s, McdProxy *p);
 
-/* Removes a model that is being destroyed, with its pairs, which say no goodbye. Called by the framework. */
+/* Removes a model that is being destroyed, and its pairs, which get no goodbye phase. */
 static void removeDestroyedModel(McdModelID cm) {
     McdModelRecord *m = mcd_record(cm);
     McdProxy *p = m->proxy;
@@ -166,7 +166,7 @@ static void removeDestroyedModel(McdModelID cm) {
     releaseModel(m->space, p);
 }
 
-/* Forgets the contacts of a model's pairs, while models are guarded; the pairs stay. */
+/* Forgets the contacts of a model's pairs. The pairs stay, so this is legal while models are guarded. */
 static void forgetContactsOf(McdModelID cm) {
     mcd_pairsForgetContacts(mcd_record(cm)->proxy);
 }
@@ -202,8 +202,8 @@ McdSpaceID MEAPI(McdSpaceAxisSortCreate)(McdFrameworkID framework, int axes, int
     s->pairLimit = (MeLimit){.max = pairCount, .name = "McdSpaceAxisSortCreate's pairCount"};
     s->isChanging = s->isFirstBlock = METRUE;
     s->step = MCD_SPACE; /* a number that an uninitialized iterator is unlikely to contain */
-    framework->spaceForget = removeDestroyedModel;
-    framework->spaceFilter = applyFilter;
+    framework->spaceRemoveDestroyed = removeDestroyedModel;
+    framework->spaceApplyFilter = applyFilter;
     framework->spaceForgetPairs = forgetContactsOf;
     framework->spaceDropBox = dropBoxOf;
     framework->spaceCount++;
@@ -235,8 +235,8 @@ void MEAPI McdSpaceDestroy(McdSpaceID s) {
 }
 
 void MEAPI McdSpaceBuild(McdSpaceID s) {
-    if (mcd_spaceCheck(s, "McdSpaceBuild") && mcd_mayPlace(s->frame, "McdSpaceBuild"))
-        mcd_treeBalance(s->tree);
+    if (mcd_spaceCheck(s, "McdSpaceBuild") && mcd_mayChangeShapes(s->frame, "McdSpaceBuild"))
+        mcd_treeRebuild(s->tree);
 }
 
 McdFrameworkID MEAPI McdSpaceGetFramework(McdSpaceID s) {
@@ -285,7 +285,7 @@ static McdSpace *spaceOfDeferred(const MeLater *later) {
     return MeHandleIsLive(later->object, MCD_SPACE) ? later->object : 0;
 }
 
-static void MEAPI openDeferred(const MeLater *later) {
+static void MEAPI beginDeferredBlock(const MeLater *later) {
     McdSpace *s = spaceOfDeferred(later);
     if (!s)
         return;
@@ -293,7 +293,7 @@ static void MEAPI openDeferred(const MeLater *later) {
     McdSpaceBeginOwnChanges(s);
 }
 
-static void MEAPI closeDeferred(const MeLater *later) {
+static void MEAPI endDeferredBlock(const MeLater *later) {
     McdSpace *s = spaceOfDeferred(later);
     if (!s || !s->isOpenedLater)
         return;
@@ -305,7 +305,7 @@ static void MEAPI closeDeferred(const MeLater *later) {
 void MEAPI McdSpaceBeginChanges(McdSpaceID space) {
     if (!mcd_spaceIsReady(space, "McdSpaceBeginChanges"))
         return;
-    const MeLater later = {.carryOut = openDeferred, .object = space};
+    const MeLater later = {.carryOut = beginDeferredBlock, .object = space};
     const MeWhen when = mcd_deferWhileGuarded(space->frame, &later, "McdSpaceBeginChanges");
     if (when == MeWhenNow)
         beginBlock(space);
@@ -315,7 +315,7 @@ void MEAPI McdSpaceBeginChanges(McdSpaceID space) {
 void MEAPI McdSpaceEndChanges(McdSpaceID space) {
     if (!checkInside(space, "McdSpaceEndChanges"))
         return;
-    const MeLater later = {.carryOut = closeDeferred, .object = space};
+    const MeLater later = {.carryOut = endDeferredBlock, .object = space};
     if (space->isInner)
         space->isInner = mcd_deferWhileGuarded(space->frame, &later, "McdSpaceEndChanges") == MeWhenNever;
     else if (areModelsGuarded(space))
@@ -330,10 +330,11 @@ int MEAPI McdSpaceIsChanging(McdSpaceID space) {
 
 /* ---- boxes ------------------------------------------------------------------------------------------------------- */
 
+/* Rounds to float, clamped to the tree's range: up for side 1, down for side -1. */
 static float roundOutward(double x, double side) {
-    const double cut = x > MCD_TREE_REACH ? MCD_TREE_REACH : x < -MCD_TREE_REACH ? -MCD_TREE_REACH : x;
-    const float f = (float)cut;
-    return side * ((double)f - cut) >= 0 ? f : nextafterf(f, side > 0 ? INFINITY : -INFINITY);
+    const double clamped = x > MCD_TREE_REACH ? MCD_TREE_REACH : x < -MCD_TREE_REACH ? -MCD_TREE_REACH : x;
+    const float f = (float)clamped;
+    return side * ((double)f - clamped) >= 0 ? f : nextafterf(f, side > 0 ? INFINITY : -INFINITY);
 }
 
 void mcd_treeBox(const double min[3], const double max[3], McdTreeBox *box) {
@@ -348,14 +349,14 @@ static double largestSide(const McdProxy *p) {
     return fmax(fmax(x, y), (double)p->max[2] - (double)p->min[2]);
 }
 
-static MeBool isWithoutBounds(double side) {
+static MeBool isUnbounded(double side) {
     return !(side < 1e-6 * MCD_TREE_REACH);
 }
 
 /* The size to which the fat box's margin is relative: the model's or, if the box is unbounded, that of a
  * medium-sized object. */
 static double sizeOfProxy(const McdProxy *p, double side) {
-    return isWithoutBounds(side) ? (double)p->model->frame->lengthScale : side;
+    return isUnbounded(side) ? (double)p->model->frame->lengthScale : side;
 }
 
 /* m: the distance of the fat box from the exact one, apart from motion and rounding. */
@@ -381,7 +382,7 @@ static void makeFatBox(McdProxy *p, const double moved[3]) {
 /* Whether the fat box still contains the exact one grown by the tolerance, and is not far too large for it. */
 static MeBool isFatBoxGood(const McdProxy *p) {
     const double side = largestSide(p), size = sizeOfProxy(p, side), tolerance = 1.00001 * (double)p->tolerance;
-    const double maxSide = isWithoutBounds(side) ? INFINITY : 4 * (size + 2 * fatMargin(p, size));
+    const double maxSide = isUnbounded(side) ? INFINITY : 4 * (size + 2 * fatMargin(p, size));
     for (int i = 0; i < 3; i++) {
         const double low = (double)p->fat.min[i], high = (double)p->fat.max[i];
         const double min = (double)p->min[i] - tolerance, max = (double)p->max[i] + tolerance;
@@ -433,11 +434,11 @@ static void putInTree(McdSpace *s, McdProxy *p) {
 /* The result of a proxy's update. */
 typedef enum McdBoxUpdate {
     MCD_BOX_KEPT,
-    MCD_BOX_MOVED,   /* moved within its fat box */
-    MCD_BOX_TOUCHED, /* as MCD_BOX_MOVED, and the proxy became dirty: it must be added to the list */
-    MCD_BOX_LEFT,    /* left its fat box and has a new one */
-    MCD_BOX_UNSET,   /* the model has no transform */
-    MCD_BOX_UNBOUND, /* the box is not finite */
+    MCD_BOX_MOVED,  /* moved within its fat box */
+    MCD_BOX_MARKED, /* as MCD_BOX_MOVED, and a worker has marked the proxy dirty: its index must be added to the list */
+    MCD_BOX_LEFT,   /* left its fat box and has a new one */
+    MCD_BOX_UNSET,  /* the model has no transform */
+    MCD_BOX_INVALID, /* the box is not finite */
     MCD_BOX_LATER,   /* to be updated by the calling thread */
 } McdBoxUpdate;
 
@@ -445,7 +446,7 @@ typedef enum McdBoxUpdate {
 static McdBoxUpdate copyBox(McdProxy *p) {
     const McdModelRecord *m = p->model;
     double moved[3] = {0, 0, 0};
-    MeBool isSame = p->hasBox && p->tolerance == mcd_modelReach(m);
+    MeBool isSame = p->hasBox && p->tolerance == mcd_modelMargin(m);
     for (int i = 0; i < 3; i++) {
         isSame = isSame && p->min[i] == m->instance.min[i] && p->max[i] == m->instance.max[i];
         if (p->hasBox)
@@ -455,7 +456,7 @@ static McdBoxUpdate copyBox(McdProxy *p) {
         return MCD_BOX_KEPT;
     MeVector3Copy(p->min, m->instance.min);
     MeVector3Copy(p->max, m->instance.max);
-    p->tolerance = mcd_modelReach(m);
+    p->tolerance = mcd_modelMargin(m);
     const MeBool hadBox = p->hasBox;
     p->hasBox = METRUE;
     if (hadBox && isFatBoxGood(p))
@@ -466,13 +467,13 @@ static McdBoxUpdate copyBox(McdProxy *p) {
 }
 
 /* Applies a box update to the space's shared data: dirty list, tree, list of unbounded proxies. */
-static void placeBox(McdSpace *s, McdProxy *p, McdBoxUpdate update) {
+static void applyBox(McdSpace *s, McdProxy *p, McdBoxUpdate update) {
     if (update == MCD_BOX_KEPT)
         return;
     mcd_proxyMarkDirty(p);
     if (update != MCD_BOX_LEFT)
         return;
-    if (isWithoutBounds(largestSide(p)))
+    if (isUnbounded(largestSide(p)))
         putUnbounded(s, p);
     else
         putInTree(s, p);
@@ -485,7 +486,7 @@ static MeBool isBox(const McdModelRecord *m) {
     return METRUE;
 }
 
-static void warnOfTransform(McdProxy *p, const char *what) {
+static void warnTransform(McdProxy *p, const char *what) {
     if (!p->isWarned)
         MeWarning(1,
                   "%s: the transform of a model (number %lu, a %s) %s; models keep their matrix by "
@@ -518,7 +519,7 @@ static void clearLookAhead(McdModelRecord *m) {
     m->isFast = MEFALSE;
 }
 
-static MeReal rateOf(const MeReal *velocity) {
+static MeReal speedOf(const MeReal *velocity) {
     return velocity ? MeVector3Magnitude(velocity) : 0;
 }
 
@@ -547,21 +548,21 @@ static void setSweptMargin(McdModelRecord *m, MeReal reach, MeReal displacement,
     m->turnTravel = MeMIN(turn, m->travel);
 }
 
-/* Sets the model's travel (metres): an upper bound of its displacement during the space's look-ahead time, clamped to
- * its radius, since more would give speculative contacts with obstacles that it only passes. isSeen: the model has been
- * compared before, so its radius and reach are known. */
-static void setTravel(const McdSpace *s, McdModelRecord *m, MeBool isSeen) {
+/* Sets the model's travel (m): an upper bound of its displacement during the space's look-ahead time, clamped to its
+ * radius, since more would give speculative contacts with obstacles that it only passes. isCompared: the model has
+ * been compared, so its radius and reach are known. */
+static void setTravel(const McdSpace *s, McdModelRecord *m, MeBool isCompared) {
     MeVector3 centre;
     MeReal radius = m->radius, reach = m->reach;
     clearLookAhead(m);
     if (!(s->lookAhead > 0) || (!m->linearVelocity && !m->angularVelocity))
         return;
-    if (!isSeen) {
+    if (!isCompared) {
         McdGeometryGetBSphere(m->instance.geometry, centre, &radius);
         reach = MeVector3Magnitude(centre) + radius;
     }
-    const MeReal turn = s->lookAhead * rateOf(m->angularVelocity) * reach;
-    const MeReal displacement = s->lookAhead * rateOf(m->linearVelocity);
+    const MeReal turn = s->lookAhead * speedOf(m->angularVelocity) * reach;
+    const MeReal displacement = s->lookAhead * speedOf(m->linearVelocity);
     m->lookAhead = s->lookAhead;
     m->turnTravel = MeMIN(turn, radius);
     m->travel = MeMIN(displacement + turn, radius);
@@ -572,10 +573,10 @@ static void setTravel(const McdSpace *s, McdModelRecord *m, MeBool isSeen) {
     MEASSERT(m->travel >= 0 && m->turnTravel >= 0 && m->turnTravel <= m->travel);
 }
 
-/* Compares the model before its update; false if that cannot show that its box is up to date: with an update
- * callback of the model or the space, or a relative transform, which the update applies. */
-static MeBool isSeenBeforeUpdate(const McdSpace *s, McdModelRecord *m) {
-    return !m->update && !s->update && !m->relTM && mcd_modelStamp(m) != 0;
+/* Compares the model with its last inputs before its update. False if the comparison cannot show that the box is up
+ * to date: with an update callback of the model or the space, or a relative transform, which the update applies. */
+static MeBool isComparedBeforeUpdate(const McdSpace *s, McdModelRecord *m) {
+    return !m->update && !s->update && !m->relTM && mcd_modelCompare(m) != 0;
 }
 
 /* Whether the box and margin of a model that has been compared are still valid. */
@@ -596,18 +597,18 @@ static void markBoxValid(const McdSpace *s, McdModelRecord *m, MeReal duration) 
 static McdBoxUpdate updateProxy(const McdSpace *s, McdProxy *p, MeReal duration) {
     McdModelRecord *m = p->model;
     m->isMarkedChanged = MEFALSE; /* its pairs will be tested */
-    const MeBool isSeen = p->hasBox && isSeenBeforeUpdate(s, m);
-    if (isSeen && isUpToDate(s, m, duration))
+    const MeBool isCompared = p->hasBox && isComparedBeforeUpdate(s, m);
+    if (isCompared && isUpToDate(s, m, duration))
         return MCD_BOX_KEPT;
     if (!m->instance.tm && !m->update && !s->update)
         return MCD_BOX_UNSET;
     if (!updateBox(s, m, duration) || !isBox(m)) {
         MeVector3Copy(m->instance.min, p->min);
         MeVector3Copy(m->instance.max, p->max);
-        return m->instance.tm ? MCD_BOX_UNBOUND : MCD_BOX_UNSET;
+        return m->instance.tm ? MCD_BOX_INVALID : MCD_BOX_UNSET;
     }
     p->isWarned = MEFALSE;
-    setTravel(s, m, isSeen);
+    setTravel(s, m, isCompared);
     const McdBoxUpdate update = copyBox(p);
     markBoxValid(s, m, duration);
     return update;
@@ -615,14 +616,14 @@ static McdBoxUpdate updateProxy(const McdSpace *s, McdProxy *p, MeReal duration)
 
 /* Applies an update to the space; warns if the transform is not valid. */
 static void applyUpdate(McdSpace *s, McdProxy *p, McdBoxUpdate update) {
-    MEASSERT(update != MCD_BOX_LATER && update != MCD_BOX_TOUCHED);
+    MEASSERT(update != MCD_BOX_LATER && update != MCD_BOX_MARKED);
     if (update == MCD_BOX_UNSET)
-        warnOfTransform(p, p->hasBox ? "is not set; it keeps its old box"
-                                     : "is not set, or its body was destroyed; it collides with nothing");
-    else if (update == MCD_BOX_UNBOUND)
-        warnOfTransform(p, "or box is not finite; it keeps its old box");
+        warnTransform(p, p->hasBox ? "is not set; it keeps its old box"
+                                   : "is not set, or its body was destroyed; it collides with nothing");
+    else if (update == MCD_BOX_INVALID)
+        warnTransform(p, "or box is not finite; it keeps its old box");
     else
-        placeBox(s, p, update);
+        applyBox(s, p, update);
 }
 
 /* ---- updating ---------------------------------------------------------------------------------------------------- */
@@ -650,14 +651,14 @@ static void unlinkAwake(McdSpace *s, McdProxy *p) {
     MEASSERT((s->firstAwake == MCD_NONE) == (s->lastAwake == MCD_NONE));
 }
 
-/* Whether a proxy is not updated: it is frozen and has its box, or cannot get one. */
-static MeBool isToBeSkipped(const McdProxy *p) {
+/* Whether a proxy needs no updates: it is frozen, and has a box or cannot get one. */
+static MeBool needsNoUpdate(const McdProxy *p) {
     return p->isFrozen && (p->hasBox || !p->model->instance.tm);
 }
 
 static void updateInOrder(McdSpace *s, MeReal duration) {
     for (int i = s->firstAwake; i != MCD_NONE; i = s->proxy[i].nextAwake)
-        if (isToBeSkipped(&s->proxy[i]))
+        if (needsNoUpdate(&s->proxy[i]))
             unlinkAwake(s, &s->proxy[i]);
         else /* callbacks may freeze and unfreeze models */
             applyUpdate(s, &s->proxy[i], updateProxy(s, &s->proxy[i], duration));
@@ -670,15 +671,15 @@ typedef struct Updating {
     MeReal duration;
 } Updating;
 
-/* Marks a proxy that moved within its fat box as dirty. Then the calling thread only adds its index to the list, and
- * need not load the proxy. */
-static McdBoxUpdate markIfMoved(McdProxy *p, McdBoxUpdate update) {
+/* Marks a proxy dirty if it moved within its fat box. The calling thread then only adds its index to the list, without
+ * loading the proxy. */
+static McdBoxUpdate markDirtyIfMoved(McdProxy *p, McdBoxUpdate update) {
     if (update != MCD_BOX_MOVED)
         return update;
     if (p->isDirty)
         return MCD_BOX_KEPT;
     p->isDirty = METRUE;
-    return MCD_BOX_TOUCHED;
+    return MCD_BOX_MARKED;
 }
 
 /* Whether a function of the program computes the box of the instance or of one of its parts. */
@@ -698,8 +699,9 @@ static void MEAPI updateRange(void *context, int first, int end, int worker) {
     (void)worker;
     for (int i = first; i < end; i++) {
         McdProxy *p = &s->proxy[s->awake[i]];
-        s->updates[i] = (MeU8)(isBoxOfProgram(&p->model->instance) ? MCD_BOX_LATER
-                                                                   : markIfMoved(p, updateProxy(s, p, u->duration)));
+        s->updates[i] =
+            (MeU8)(isBoxOfProgram(&p->model->instance) ? MCD_BOX_LATER
+                                                       : markDirtyIfMoved(p, updateProxy(s, p, u->duration)));
     }
 }
 
@@ -711,7 +713,7 @@ static int listAwake(McdSpace *s) {
         return s->awakeCount;
     for (int i = s->firstAwake; i != MCD_NONE; i = s->proxy[i].nextAwake) {
         frozen += s->proxy[i].isFrozen;
-        if (isToBeSkipped(&s->proxy[i]))
+        if (needsNoUpdate(&s->proxy[i]))
             unlinkAwake(s, &s->proxy[i]);
         else
             s->awake[count++] = i;
@@ -728,7 +730,7 @@ static void updateByWorkers(McdSpace *s, MeReal duration) {
     mcd_spaceRunRanges(s, count, MCD_RANGE, updateRange, &u);
     for (int i = 0; i < count; i++) {
         McdProxy *p = &s->proxy[s->awake[i]];
-        if (s->updates[i] == MCD_BOX_TOUCHED)
+        if (s->updates[i] == MCD_BOX_MARKED)
             s->dirty[s->dirtyCount++] = s->awake[i];
         else if (s->updates[i] != MCD_BOX_KEPT)
             applyUpdate(s, p,
@@ -738,11 +740,11 @@ static void updateByWorkers(McdSpace *s, MeReal duration) {
 }
 
 /* Compares a range of models. Deterministic: each model is in one range, and only its own data are written. */
-static void MEAPI lookAtRange(void *space, int first, int end, int worker) {
+static void MEAPI compareRange(void *space, int first, int end, int worker) {
     const McdSpace *s = space;
     (void)worker;
     for (int i = first; i < end; i++)
-        mcd_modelStampInRound(s->proxy[s->awake[i]].model);
+        mcd_modelCompareInRound(s->proxy[s->awake[i]].model);
 }
 
 int MEAPI McdSpaceGetPairCount(McdSpaceID s) {
@@ -750,15 +752,15 @@ int MEAPI McdSpaceGetPairCount(McdSpaceID s) {
     return s->hello.count + s->staying.count + s->goodbye.count;
 }
 
-void MEAPI McdSpaceLookAtModels(McdSpaceID s) {
+void MEAPI McdSpaceCompareModels(McdSpaceID s) {
     MEASSERT(s);
-    MeTeamRunRanges(s->team, listAwake(s), MCD_RANGE, lookAtRange, s);
+    MeTeamRunRanges(s->team, listAwake(s), MCD_RANGE, compareRange, s);
 }
 
 static void updateAll(McdSpace *s, MeReal duration) {
-    const MeBool isAlone = !s->isChanging;
+    const MeBool ownsBlock = !s->isChanging;
     const int before = s->proxyCount;
-    if (isAlone)
+    if (ownsBlock)
         beginBlock(s);
     MeStageBegin(&s->frame->stage, MCD_GUARD_MODELS);
     s->isUpdating = METRUE;
@@ -771,12 +773,11 @@ static void updateAll(McdSpace *s, MeReal duration) {
     (void)before;
     s->isUpdated = METRUE;
     MeStageEnd(&s->frame->stage, MCD_GUARD_MODELS);
-    if (isAlone)
+    if (ownsBlock)
         endBlock(s);
 }
 
-/* Whether the space may be updated: not in callbacks while models are guarded, since boxes and pairs are in use
- * then. */
+/* Whether the space may be updated. False, with a message, while models are guarded: boxes and pairs are in use. */
 static MeBool mayUpdate(McdSpaceID s, const char *function) {
     if (!mcd_spaceCheck(s, function) || !MeProgramMayChange(function))
         return MEFALSE;
@@ -850,12 +851,12 @@ static MeBool setFrozen(McdModelID cm, MeBool isFrozen, const char *function) {
     p->model->space->awakeCount = MCD_NONE;
     if (isFrozen) { /* a frozen model does not move */
         clearLookAhead(p->model);
-        p->tolerance = mcd_modelReach(p->model);
+        p->tolerance = mcd_modelMargin(p->model);
         if (p->hasBox)
-            p->model->boxStamp = mcd_modelStamp(p->model); /* the stamp to compare with (mcd_frozen.c) */
+            p->model->boxStamp = mcd_modelCompare(p->model); /* the stamp to compare with (mcd_frozen.c) */
     } else {
         appendAwake(p->model->space, p);
-        p->isMoved = METRUE; /* links between frozen models exist only for pairs: look for links */
+        p->isMoved = METRUE; /* its links to frozen models without a pair were dropped: search them again */
     }
     mcd_proxyMarkDirty(p);
     return METRUE;
@@ -944,7 +945,7 @@ static void insertModel(McdSpace *s, McdModelRecord *m) {
     m->space = s;
     m->proxy = p;
     if (wasUpdated(m) && !areModelsGuarded(s))
-        placeBox(s, p, copyBox(p));
+        applyBox(s, p, copyBox(p));
 }
 
 MeBool MEAPI McdSpaceInsertModel(McdSpaceID s, McdModelID cm) {
@@ -981,7 +982,7 @@ static void removeProxy(McdProxy *p) {
 }
 
 static void MEAPI removeDeferred(const MeLater *later) {
-    const McdModelRecord *m = mcd_laterModel(later);
+    const McdModelRecord *m = mcd_deferredModel(later);
     if (m && m->space)
         removeProxy(m->proxy);
 }
@@ -1073,8 +1074,7 @@ void MEAPI McdSpaceSetModelCullingParameters(McdSpaceID s, McdModelID cm, McdCul
         setCulling(p, table, cullingIndex, cullingID, "McdSpaceSetModelCullingParameters");
 }
 
-/* ---- lists of pairs for programs
- * ------------------------------------------------------------------------------------- */
+/* ---- lists of pairs for programs ------------------------------------------------------------- */
 
 void MEAPI McdSpacePairIteratorBegin(McdSpaceID s, McdSpacePairIterator *iter) {
     if (!iter) {
@@ -1093,19 +1093,19 @@ static void copyPairs(McdModelPairContainer *c, int at, const McdPairList *list,
     *from += count;
 }
 
-/* Fills the container: goodbye and hello pairs share the front, staying pairs have the back. The border between them
- * is where all pairs fit; if they do not, in the middle at least. */
+/* Fills the container: goodbye and hello pairs at the front, staying pairs behind them. If not all fit, the front gets
+ * half of the places, or more if there are fewer staying pairs than that. */
 static int fillContainer(const McdSpace *s, McdSpacePairIterator *it, McdModelPairContainer *c, MeBool withStaying) {
     const int goodbye = s->goodbye.count - it->goodbye, hello = s->hello.count - it->hello;
     const int staying = withStaying ? s->staying.count - it->staying : 0;
-    const int middle = MeMIN(goodbye + hello, MeMAX((c->size + 1) / 2, c->size - staying));
-    c->goodbyeEnd = MeMIN(goodbye, middle);
-    c->helloEnd = c->stayingFirst = middle;
-    c->helloFirst = middle - MeMIN(hello, middle - c->goodbyeEnd);
-    c->stayingEnd = middle + MeMIN(staying, c->size - middle);
+    const int border = MeMIN(goodbye + hello, MeMAX((c->size + 1) / 2, c->size - staying));
+    c->goodbyeEnd = MeMIN(goodbye, border);
+    c->helloEnd = c->stayingFirst = border;
+    c->helloFirst = border - MeMIN(hello, border - c->goodbyeEnd);
+    c->stayingEnd = border + MeMIN(staying, c->size - border);
     copyPairs(c, 0, &s->goodbye, &it->goodbye, c->goodbyeEnd);
-    copyPairs(c, c->helloFirst, &s->hello, &it->hello, middle - c->helloFirst);
-    copyPairs(c, middle, &s->staying, &it->staying, c->stayingEnd - middle);
+    copyPairs(c, c->helloFirst, &s->hello, &it->hello, border - c->helloFirst);
+    copyPairs(c, border, &s->staying, &it->staying, c->stayingEnd - border);
     MEASSERT(c->goodbyeEnd <= c->helloFirst && c->helloFirst <= c->helloEnd && c->stayingFirst <= c->stayingEnd &&
              c->stayingEnd <= c->size);
     MEASSERT(it->goodbye <= s->goodbye.count && it->hello <= s->hello.count && it->staying <= s->staying.count);

@@ -14,7 +14,7 @@ static MeBool hasChanged(McdModelRecord *m, MeBool *hasMoved) {
     MeReal before[4][3];
     memcpy(before, m->inputs.axis, sizeof before[0] * 3);
     memcpy(before[3], m->inputs.place, sizeof before[3]);
-    const MeU64 stamp = mcd_modelStamp(m);
+    const MeU64 stamp = mcd_modelCompare(m);
     *hasMoved = memcmp(before, m->inputs.axis, sizeof before[0] * 3) != 0 ||
                 memcmp(before[3], m->inputs.place, sizeof before[3]) != 0;
     const MeBool isMarkedChanged = m->isMarkedChanged;
@@ -40,7 +40,7 @@ void MEAPI McdSpaceVisitChangedFrozen(McdSpaceID s, McdFrozenVisit visit, void *
     const int count = s->changesSeen == s->frame->changes ? (all + TURNS - 1) / TURNS : all;
     s->changesSeen = s->frame->changes;
     for (int i = 0; i < count; i++) {
-        s->nextLook = s->nextLook + 1 < s->proxyRoom ? s->nextLook + 1 : 0;
-        visitIfChanged(s, s->nextLook, visit, context);
+        s->lastCompared = s->lastCompared + 1 < s->proxyRoom ? s->lastCompared + 1 : 0;
+        visitIfChanged(s, s->lastCompared, visit, context);
     }
 }

@@ -55,9 +55,10 @@ static MeBool isOnSurface(const Surroundings *s) {
     return MEFALSE;
 }
 
-/* Planes and surfaces of triangles are not pieces with faces. Whether a body on one of them is flush with a face of the
- * fixed model and the contact is not with this face (the models are separated, or the normals differ by more than 60
- * degrees), so that the body will pass over the face. Writes the face's normal. */
+/* Whether the body rests on a plane or a surface of triangles that is flush with a face of the fixed model, and the
+ * contact is not with this face: the models are separated, or the normals differ by more than 60 degrees. Then the
+ * body will pass over the face. Planes and surfaces need this rule because they are not pieces with faces. Writes the
+ * face's normal. */
 static MeBool isFlush(const Surroundings *s, const McdSeam *seam, double face[3]) {
     for (int i = 0; i < mcd_shapeFaces(&seam->shape); i++)
         if (mcd_shapeFaceNormal(&seam->shape, i, face) &&
@@ -87,16 +88,16 @@ static MeBool beginSeam(Surroundings *s, const McdContact *contact, McdSeam *sea
     return METRUE;
 }
 
-static void moveSeam(const Surroundings *s, const McdContact *contact, McdSeam *seam) {
+static void setSeamContact(const Surroundings *s, const McdContact *contact, McdSeam *seam) {
     mcd_sub(seam->point, contact->exactPosition, s->origin);
     mcd_mad(seam->point, seam->point, -contact->exactSeparation / 2, seam->normal);
     seam->separation = contact->exactSeparation;
 }
 
-/* Whether all contacts of a manifold are near an edge. Otherwise the manifold is kept whatever the neighbours are. */
+/* Whether all contacts of a manifold are near an edge. A manifold that is not is kept, whatever its neighbours are. */
 static MeBool areNearEdge(const Surroundings *s, const McdContact *contact, int count, McdSeam *seam) {
     for (int i = 0; i < count; i++) {
-        moveSeam(s, &contact[i], seam);
+        setSeamContact(s, &contact[i], seam);
         if (!mcd_seamIsNear(seam))
             return MEFALSE;
     }
@@ -106,14 +107,14 @@ static MeBool areNearEdge(const Surroundings *s, const McdContact *contact, int 
 /* Whether all contacts of a manifold are at an internal edge. Writes the face's normal. */
 static MeBool areInternal(const Surroundings *s, const McdContact *contact, int count, McdSeam *seam, double face[3]) {
     for (int i = 0; i < count; i++) {
-        moveSeam(s, &contact[i], seam);
-        if (!mcd_seamBehind(seam, face))
+        setSeamContact(s, &contact[i], seam);
+        if (!mcd_seamPieceBeyond(seam, face))
             return MEFALSE;
     }
     return METRUE;
 }
 
-/* Appends the contacts along the face's normal, if the body is above the face. */
+/* Appends the contacts along the face's normal; none if the body is not above the face. */
 static void addAlongFace(const Surroundings *s, const McdSeam *seam, const double face[3], McdIntersectResult *result) {
     const McdShape *a = s->side ? &s->body : &seam->shape, *b = s->side ? &seam->shape : &s->body;
     McdGeometryInstance *first = s->side ? s->moving : s->fixed, *second = s->side ? s->fixed : s->moving;
@@ -129,6 +130,7 @@ static void addAlongFace(const Surroundings *s, const McdSeam *seam, const doubl
         mcd_mixChildPaths(result, count, first, second);
 }
 
+/* The number of contacts, from the first on, that have its instances and its normal. */
 static int countManifold(const McdContact *contact, int count) {
     int i = 1;
     while (i < count && contact[i].instance1 == contact->instance1 && contact[i].instance2 == contact->instance2 &&

@@ -143,14 +143,14 @@ static int findLink(const McdSpace *s, int a, int b) {
     return MCD_NONE;
 }
 
-static void hashIn(McdSpace *s, int i) {
+static void insertIntoHash(McdSpace *s, int i) {
     int *head = bucketOf(s, s->link[i].proxy[0], s->link[i].proxy[1]);
     MEASSERT(*head < s->linkMax && *head != i);
     s->link[i].nextInHash = *head;
     *head = i;
 }
 
-static void hashOut(McdSpace *s, int i) {
+static void removeFromHash(McdSpace *s, int i) {
     int *at = bucketOf(s, s->link[i].proxy[0], s->link[i].proxy[1]);
     while (*at != i) {
         at = &s->link[*at].nextInHash;
@@ -168,7 +168,7 @@ static MeBool growHash(McdSpace *s) {
         s->hash[i] = MCD_NONE;
     for (int i = 0; i < s->linkMax; i++)
         if (s->link[i].proxy[0] != MCD_NONE)
-            hashIn(s, i);
+            insertIntoHash(s, i);
     return METRUE;
 }
 
@@ -186,7 +186,7 @@ static MeBool growLinks(McdSpace *s) {
     return METRUE;
 }
 
-/* Inserts a link into the list of its proxy number `end` (0 or 1). */
+/* Inserts a link into the list of its proxy[end]; end: 0 or 1. */
 static void linkIntoList(McdSpace *s, int i, int end) {
     McdProxy *p = &s->proxy[s->link[i].proxy[end]];
     const int next = p->firstLink;
@@ -222,7 +222,7 @@ static int makeLink(McdSpace *s, int a, int b) {
     const int isSwapped = s->proxy[a].order < s->proxy[b].order;
     link->proxy[0] = isSwapped ? b : a;
     link->proxy[1] = isSwapped ? a : b;
-    hashIn(s, i);
+    insertIntoHash(s, i);
     linkIntoList(s, i, 0);
     linkIntoList(s, i, 1);
     return i;
@@ -230,7 +230,7 @@ static int makeLink(McdSpace *s, int a, int b) {
 
 static void dropLink(McdSpace *s, int i) {
     MEASSERT(!s->link[i].record && !s->link[i].isWaiting);
-    hashOut(s, i);
+    removeFromHash(s, i);
     unlinkFromList(s, i, 0);
     unlinkFromList(s, i, 1);
     s->link[i].proxy[0] = MCD_NONE;
@@ -343,7 +343,8 @@ static LinkChange changeOf(const McdSpace *s, const McdLink *link) {
     return link->isDisabled || (!areFrozen && fatBoxesOverlap(s, a, b)) ? NO_CHANGE : END;
 }
 
-/* Ends the pair of a link; drops the link unless it is disabled, or the boxes are near and one of them may move. */
+/* Ends the pair of a link. Keeps the link if it is disabled, or if the fat boxes overlap and one model is not frozen;
+ * drops it otherwise. */
 static void endLink(McdSpace *s, int i) {
     const McdLink *link = &s->link[i];
     const McdProxy *a = &s->proxy[link->proxy[0]], *b = &s->proxy[link->proxy[1]];
@@ -377,17 +378,18 @@ static MeBool isUnlinked(const McdSpace *s, int proxy, int other) {
     return other != proxy && !(a->isFrozen && b->isFrozen) && findLink(s, proxy, other) == MCD_NONE;
 }
 
-/* A search for the proxies that overlap a proxy's fat box. They are looked up in the hash table in groups, so that
- * the cache misses of a group overlap. */
-enum { LOOKED_UP = 16 }; /* 64 takes the same time in a heap of 10 000 boxes */
+/* Number of proxies whose links are looked up in the hash table together, so that their cache misses overlap. 64 takes
+ * the same time in a heap of 10 000 boxes. */
+enum { LOOKUP_GROUP = 16 };
 
+/* A search for the proxies that overlap a proxy's fat box and have no link with it. */
 typedef struct Search {
     const McdSpace *space;
     int proxy, count;
-    int other[LOOKED_UP];
-    MeBool (*visit)(void *context, int proxy, int other); /* for each proxy without a link; false: stop */
+    int other[LOOKUP_GROUP];
+    MeBool (*visit)(void *context, int proxy, int other); /* called for each of them until it returns false */
     void *context;
-    MeBool isDone; /* false: visit has returned false */
+    MeBool isComplete; /* no visit has returned false */
 } Search;
 
 static void visitUnlinked(Search *r) {
@@ -397,27 +399,28 @@ static void visitUnlinked(Search *r) {
         if (first != MCD_NONE)
             ME_PREFETCH(&s->link[first]);
     }
-    for (int i = 0; i < r->count && r->isDone; i++)
+    for (int i = 0; i < r->count && r->isComplete; i++)
         if (isUnlinked(s, r->proxy, r->other[i]))
-            r->isDone = r->visit(r->context, r->proxy, r->other[i]);
+            r->isComplete = r->visit(r->context, r->proxy, r->other[i]);
     r->count = 0;
 }
 
 static MeBool collectOverlap(void *context, int other) {
     Search *r = context;
-    if (r->count == LOOKED_UP)
+    if (r->count == LOOKUP_GROUP)
         visitUnlinked(r);
     if (r->space->hashSize)
         ME_PREFETCH(bucketOf(r->space, r->proxy, other));
     r->other[r->count++] = other;
-    return r->isDone;
+    return r->isComplete;
 }
 
 static MeBool addLink(void *space, int proxy, int other) {
     return makeLink(space, proxy, other) != MCD_NONE;
 }
 
-/* Visits the proxies that overlap a proxy's fat box. After a visit has returned false, a few more calls may follow. */
+/* Visits the proxies whose fat boxes overlap that of a proxy. After a visit has returned false, a few more calls may
+ * follow. */
 static void visitOverlaps(const McdSpace *s, int proxy, McdTreeVisit visit, void *context) {
     McdTreeBox box = s->proxy[proxy].fat;
     for (int i = 0; i < 3; i++)
@@ -437,16 +440,16 @@ static MeBool needsSearch(const McdProxy *p) {
 
 /* Makes the missing links of a proxy; false if there was not enough memory for all. */
 static MeBool findLinks(McdSpace *s, int proxy) {
-    Search search = {.space = s, .proxy = proxy, .visit = addLink, .context = s, .isDone = METRUE};
+    Search search = {.space = s, .proxy = proxy, .visit = addLink, .context = s, .isComplete = METRUE};
     visitOverlaps(s, proxy, collectOverlap, &search);
     visitUnlinked(&search);
-    return search.isDone;
+    return search.isComplete;
 }
 
 /* Deterministic with workers (MeTeam.h): these only search, each range writing to its own part of `found`; the
  * calling thread makes the links, in the same order as without workers. */
 
-enum { FOUND_ROOM = 8 * MCD_RANGE }; /* room of each range of dirty proxies for overlapping proxies without a link */
+enum { FOUND_ROOM = 8 * MCD_RANGE }; /* capacity for the results of a range of MCD_RANGE dirty proxies */
 
 typedef struct Range {
     int *found, count; /* the range's part of `found` */
@@ -465,15 +468,15 @@ static MeBool storeFound(void *range, int proxy, int other) {
 static void MEAPI searchRange(void *space, int first, int end, int worker) {
     const McdSpace *s = space;
     Range r = {.found = s->found + first / MCD_RANGE * FOUND_ROOM};
-    Search search = {.space = s, .visit = storeFound, .context = &r, .isDone = METRUE};
+    Search search = {.space = s, .visit = storeFound, .context = &r, .isComplete = METRUE};
     (void)worker;
     for (int i = first; i < end; i++) {
         search.proxy = s->dirty[i];
-        if (search.isDone && needsSearch(&s->proxy[search.proxy])) {
+        if (search.isComplete && needsSearch(&s->proxy[search.proxy])) {
             visitOverlaps(s, search.proxy, collectOverlap, &search);
             visitUnlinked(&search);
         }
-        s->foundEnd[i] = search.isDone ? r.count : -1;
+        s->foundEnd[i] = search.isComplete ? r.count : -1;
     }
 }
 
@@ -492,7 +495,7 @@ static MeBool reserveFound(McdSpace *s) {
            reserve(&s->foundEnd, &s->foundEndRoom, s->dirtyCount, sizeof *s->foundEnd, "near models");
 }
 
-/* Makes the missing links of all dirty proxies that have a new fat box; they stay marked where there was no memory. */
+/* Makes the missing links of all dirty proxies that have a new fat box. isMoved stays set where memory ran out. */
 static void findAllLinks(McdSpace *s) {
     const MeBool isShared = s->team && s->dirtyCount >= MCD_MIN_RANGES * MCD_RANGE && reserveFound(s);
     if (isShared)
@@ -510,7 +513,7 @@ static void classifyPairsOf(McdSpace *s, int proxy) {
     for (int i = s->proxy[proxy].firstLink, next; i != MCD_NONE; i = next) {
         const int first = s->link[i].proxy[0];
         next = nextLink(s, i, proxy);
-        if (first == proxy || !s->proxy[first].isDirty) /* else the first proxy's turn classifies it */
+        if (first == proxy || !s->proxy[first].isDirty) /* else the link is classified with its first proxy */
             classifyPair(s, i);
     }
 }
@@ -556,7 +559,7 @@ static void classifyPairs(McdSpace *s) {
 /* ---- lists ------------------------------------------------------------------------------------------------------- */
 
 /* Binary search in the sorted entry[first .. end - 1]: the index of the first entry that does not precede `other`. */
-static int placeOf(const McdPairEntry *entry, int first, int end, const McdPairEntry *other) {
+static int lowerBound(const McdPairEntry *entry, int first, int end, const McdPairEntry *other) {
     while (first < end) {
         const int middle = first + (end - first) / 2;
         if (precedes(&entry[middle], other))
@@ -578,7 +581,7 @@ static void addToStaying(McdSpace *s, McdPairList *list) {
         listAdd(&s->staying, &list->entry[i]);
     McdPairEntry *entry = s->staying.entry;
     for (; add > 0; add--) {
-        const int at = placeOf(entry, 0, end, &list->entry[add - 1]);
+        const int at = lowerBound(entry, 0, end, &list->entry[add - 1]);
         moveEntries(entry, at + add, at, end - at);
         entry[at + add - 1] = list->entry[add - 1];
         end = at;
@@ -602,7 +605,7 @@ static void dropFromStaying(McdSpace *s, const McdPairList *dropped) {
     const int end = s->staying.count;
     int kept = 0, from = 0;
     for (int i = 0; i < dropped->count; i++) {
-        const int at = placeOf(entry, from, end, &dropped->entry[i]);
+        const int at = lowerBound(entry, from, end, &dropped->entry[i]);
         if (at == end || entry[at].record != dropped->entry[i].record)
             continue;
         moveEntries(entry, kept, from, at - from);
@@ -655,7 +658,7 @@ static void reportFull(McdSpace *s, int first) {
     MeProgramLeave(&before);
 }
 
-/* Queues links that found no room earlier again, together with the new ones, in order. */
+/* Rebuilds the queue from all waiting links: those that found no room earlier, and the new ones. */
 static void requeueWaiting(McdSpace *s) {
     s->pending.count = 0;
     for (int i = 0; i < s->linkMax; i++)
@@ -772,7 +775,7 @@ static MeBool areBoxesGood(const McdSpace *s) {
 
 void mcd_pairsEnd(McdSpace *s) {
     mcd_pairsRemoveErased(s);
-    mcd_treeRebalanceIfDeep(s->tree);
+    mcd_treeRebuildIfDeep(s->tree);
     findAllLinks(s);
     helloBecomesStaying(s);
     classifyPairs(s);
@@ -820,7 +823,8 @@ void mcd_pairsForgetContacts(McdProxy *p) {
     }
 }
 
-/* Erases a pair: ends what the program's hello function began. The lists are cleaned up later, once for many pairs. */
+/* Erases a pair: calls the program's goodbye function if its hello function stored data. A pair that is in a list is
+ * released later, when all erased pairs are removed from the lists (mcd_pairsRemoveErased). */
 static void erasePair(McdSpace *s, McdPairRecord *record, MeBool isInLists) {
     forgetPair(record);
     if (record->pair.m_cachedData)
@@ -859,10 +863,10 @@ static void eraseGoodbyesOf(McdSpace *s, McdModelID cm) {
     int kept = 0;
     for (int i = 0; i < s->goodbye.count; i++) {
         McdPairRecord *record = s->goodbye.entry[i].record;
-        const MeBool isHis = record->pair.model1 == cm || record->pair.model2 == cm;
-        if (!isHis || !s->isChanging || record->wasSilent)
+        const MeBool isOfModel = record->pair.model1 == cm || record->pair.model2 == cm;
+        if (!isOfModel || !s->isChanging || record->wasSilent)
             s->goodbye.entry[kept++] = s->goodbye.entry[i];
-        if (isHis)
+        if (isOfModel)
             erasePair(s, record, METRUE);
     }
     s->goodbye.count = kept;

@@ -32,11 +32,11 @@ enum { MCD_LINK_RANGE = 1024 };
  * int can count. */
 enum { MCD_PAIR_BLOCK = 128, MCD_PAIR_BLOCKS = 23 };
 
-/* Two cache lines of 64 bytes, in single precision: updates of unmoved models, and the classification of pairs, read
- * only the first. */
+/* In single precision two cache lines of 64 bytes. Updates of unmoved models and the classification of pairs read only
+ * the first line. */
 typedef struct McdProxy {
     _Alignas(ME_CACHE_LINE) MeReal min[3];
-    MeReal max[3], tolerance; /* m: its share of the contact margin, mcd_modelReach */
+    MeReal max[3], tolerance; /* m: its share of the contact margin, mcd_modelMargin */
     bool hasBox : 1, isFrozen : 1;
     bool isDirty : 1;     /* its links must be classified */
     bool isAwake : 1;     /* in the list of nextAwake; a frozen one leaves it at the next update */
@@ -67,7 +67,7 @@ struct McdPairRecord {
     MeBool wasSilent; /* when it said goodbye: then it is in the list of goodbyes only */
 };
 
-_Static_assert(offsetof(McdModelPair, responseData) == ME_CACHE_LINE, "McdModelPairLook reads one line");
+_Static_assert(offsetof(McdModelPair, responseData) == ME_CACHE_LINE, "McdModelPairCompare reads one line");
 
 typedef struct McdPairEntry {
     MeU64 order2, order1; /* of model2 and model1 */
@@ -104,9 +104,9 @@ struct _McdSpace {
     MeLimit modelLimit, pairLimit;
     MeBool isChanging;
     MeBool isInner;                 /* a callback began an inner block, to be applied when the stage ends */
-    MeBool isOpenedLater;           /* a block was opened for it at the end of the stage */
+    MeBool isOpenedLater;           /* that block has begun, for the inner block only, and ends with it */
     MeBool isUpdating;              /* callbacks of the program are running */
-    MeBool isFirstBlock, isUpdated; /* the block that creation began; McdSpaceUpdateAll was called in it */
+    MeBool isFirstBlock, isUpdated; /* it is in the block that its creation began; it has been updated in this block */
     MeU32 step;
     MeReal lookAhead; /* s */
     McdSpaceUpdateAABBFnPtr update;
@@ -118,8 +118,8 @@ struct _McdSpace {
     McdProxy *proxy; /* proxyRoom elements; reallocated to grow */
     int proxyRoom;
     int proxyCount, firstProxy, lastProxy, freeProxy;
-    MeU64 changesSeen;         /* value of the framework's counter at the last look (mcd_frozen.c) */
-    int nextLook;              /* the proxy compared last, in turn */
+    MeU64 changesSeen;         /* McdFramework.changes when frozen models were last compared (mcd_frozen.c) */
+    int lastCompared;          /* the frozen proxy compared last, in turn */
     int firstAwake, lastAwake; /* list of proxies that are updated; frozen models cost no time */
     int *awake, awakeCount;    /* the same as an array of proxyRoom for workers; awakeCount MCD_NONE: not up to date */
     MeU8 *updates;             /* parallel to awake: an McdBoxUpdate each */

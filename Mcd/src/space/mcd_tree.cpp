@@ -37,7 +37,7 @@ Box boxOf(const McdTreeBox &b) {
 
 /* Rebuilds a tree top-down in place, reusing its nodes; splits the leaves in half along the longest axis. FCL's
  * balanceTopdown frees all nodes and allocates new ones: if an allocation failed, the tree would be lost. */
-class Balancing {
+class TopDownRebuild {
     std::vector<Node *> leaf, inner;
     std::size_t used = 0; /* number of inner nodes used */
 
@@ -65,7 +65,7 @@ class Balancing {
 
   public:
     /* Allocates all memory that is needed; throws before anything is changed. */
-    explicit Balancing(std::size_t leaves) {
+    explicit TopDownRebuild(std::size_t leaves) {
         leaf.reserve(leaves);
         inner.reserve(leaves);
     }
@@ -90,12 +90,12 @@ bool isSound(const Node *n) {
     return true;
 }
 
-void balance(McdTree &tree) noexcept {
+void rebuildTopDown(McdTree &tree) noexcept {
     tree.isDeep = false;
     if (tree.nodes.size() < 3)
         return;
     try {
-        Balancing(tree.nodes.size()).run(tree.nodes.getRoot());
+        TopDownRebuild(tree.nodes.size()).run(tree.nodes.getRoot());
     } catch (...) { /* no memory: slower, but correct */
     }
     MEVALIDATE(isSound(tree.nodes.getRoot()));
@@ -113,7 +113,7 @@ void checkDepth(McdTree &tree, const Node *leaf) noexcept {
     for (std::size_t size = tree.nodes.size(); size > 1; size /= 2)
         balanced++;
     if (depth > 2 * balanced + maxSpare)
-        balance(tree);
+        rebuildTopDown(tree);
     else
         tree.isDeep = tree.isDeep || depth > 2 * balanced + spare;
 }
@@ -240,13 +240,13 @@ void mcd_treeRemove(McdTree *tree, McdTreeLeaf *leaf) {
     tree->nodes.remove(nodeOf(leaf));
 }
 
-void mcd_treeBalance(McdTree *tree) {
-    balance(*tree);
+void mcd_treeRebuild(McdTree *tree) {
+    rebuildTopDown(*tree);
 }
 
-void mcd_treeRebalanceIfDeep(McdTree *tree) {
+void mcd_treeRebuildIfDeep(McdTree *tree) {
     if (tree->isDeep)
-        balance(*tree);
+        rebuildTopDown(*tree);
 }
 
 size_t mcd_treeBytesPerItem(void) {

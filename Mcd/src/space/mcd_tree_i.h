@@ -27,9 +27,9 @@ McdTreeLeaf *mcd_treeInsert(McdTree *tree, const McdTreeBox *box, int item); /* 
 void mcd_treeMove(McdTree *tree, McdTreeLeaf *leaf, const McdTreeBox *box);
 void mcd_treeRemove(McdTree *tree, McdTreeLeaf *leaf);
 /* Rebuilds the tree from the top down: for use after many insertions. */
-void mcd_treeBalance(McdTree *tree);
+void mcd_treeRebuild(McdTree *tree);
 /* Rebuilds the tree if it has become too deep; to be called before queries. */
-void mcd_treeRebalanceIfDeep(McdTree *tree);
+void mcd_treeRebuildIfDeep(McdTree *tree);
 size_t mcd_treeBytesPerItem(void); /* memory per item: its leaf and an inner node */
 
 /* Calls visit for each item whose box overlaps the box, until it returns false. */

@@ -163,7 +163,7 @@ static MeBool isShapeInBall(const McdMeshQuery *q) {
     return METRUE;
 }
 
-static MeBool areAxesUnit(const McdMeshQuery *q) {
+static MeBool areAxesOrthonormal(const McdMeshQuery *q) {
     double x[3];
     mcd_cross(x, q->axis[0], q->axis[1]);
     for (int i = 0; i < 3; i++)
@@ -207,7 +207,7 @@ static MeBool beginQuery(McdMeshQuery *q, McdModelPair *p) {
         return MEFALSE;
     boundAlongShape(q);
     boundByBall(q);
-    MEVALIDATE(!areAxesUnit(q) || !mcd_shapeIsRigid(&q->shape) || isShapeInBall(q));
+    MEVALIDATE(!areAxesOrthonormal(q) || !mcd_shapeIsRigid(&q->shape) || isShapeInBall(q));
     return METRUE;
 }
 

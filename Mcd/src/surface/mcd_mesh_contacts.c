@@ -4,8 +4,7 @@
 #include "surface/mcd_mesh_stages_i.h"
 #include "convex/mcd_seam_i.h"
 
-/* ---- distances between the shape and a triangle
- * ----------------------------------------------------------------------- */
+/* ---- distances between the shape and a triangle ---------------------------------------------- */
 
 static double heightOfCentre(const McdMeshQuery *q, const McdMeshTriangle *t) {
     return mcd_heightOver(q->centre, t->corner[0], t->normal);
@@ -78,8 +77,8 @@ static MeBool areHeightsGood(const McdMeshQuery *q, const McdMeshTriangle *t, do
            (low <= high + slack && high <= place + q->shape.extent + slack && low >= place - q->shape.extent - slack);
 }
 
-/* Whether the core is above the triangle's plane and its lowest point projects into the triangle. Then these two are
- * the closest points, and the contact normal is the face's. */
+/* Whether the core is above the triangle's plane and its lowest point projects into the triangle. Then that point and
+ * its projection are the closest points, and the contact normal is the triangle's. */
 static MeBool isBelowShape(const McdMeshQuery *q, const McdMeshTriangle *t, const double lowest[3], double low) {
     double in, out;
     return low + q->shape.rounding > 0 &&
@@ -112,8 +111,7 @@ static void classifyTriangle(McdMeshQuery *q, McdMeshTriangle *t) {
     MEASSERT(t->facing >= 0 || t->flags & kMcdTriangleTwoSided);
 }
 
-/* ---- all triangles in one plane
- * -------------------------------------------------------------------------------------- */
+/* ---- all triangles in one plane -------------------------------------------------------------- */
 
 /* The first pending triangle if all pending ones are coplanar and face the same way; else null. */
 static const McdMeshTriangle *commonPlane(const McdMeshQuery *q) {
@@ -175,8 +173,7 @@ static MeBool addPlaneContacts(McdMeshQuery *q) {
     return MEFALSE;
 }
 
-/* ---- triangles with only one admissible normal
- * ----------------------------------------------------------------------- */
+/* ---- triangles with only one admissible normal ----------------------------------------------- */
 
 /* The contact's point on the surface. */
 static void surfacePointOf(const McdMeshContact *c, double foot[3]) {
@@ -221,8 +218,7 @@ static MeBool addFaceContacts(McdMeshQuery *q, const McdMeshTriangle *t) {
     return MEFALSE;
 }
 
-/* ---- triangles whose normal must be searched
- * ------------------------------------------------------------------------- */
+/* ---- triangles whose normal must be searched ------------------------------------------------- */
 
 /* The border of a triangle in the direction of a contact's normal, and the other triangles of the query. */
 typedef struct Border {
@@ -277,7 +273,7 @@ static MeBool isContinued(const McdMeshQuery *q, const McdMeshTriangle *t, const
     mcd_copy(s.normal, m->normal);
     s.separation = deepest->separation;
     mcd_mad(s.point, deepest->position, -deepest->separation / 2, m->normal);
-    return mcd_seamBehind(&s, normal) != 0;
+    return mcd_seamPieceBeyond(&s, normal) != 0;
 }
 
 /* Adds the narrow phase's contacts. Their feature is that of the edge or corner, equal for all triangles there. */
@@ -301,9 +297,9 @@ static double contactSideOf(const McdMeshTriangle *t, double cosine, double cent
     return (fabs(cosine) > .5 ? cosine : centreHeight) < 0 ? -1 : 1;
 }
 
-/* Drops the speculative contacts from number `first` on that are not corners of the shape. If the shape's face is
- * tilted over an internal edge, the face will meet the neighbour there. */
-static void dropCutAhead(McdMeshQuery *q, int first) {
+/* Drops the speculative contacts from number `first` on that were made by clipping: where the shape's face is tilted
+ * over an internal edge, it will touch the neighbouring triangle, not this one. */
+static void dropSpeculativeCuts(McdMeshQuery *q, int first) {
     int count = first;
     for (int i = first; i < q->mesh->contactCount; i++) {
         const McdMeshContact *c = &q->mesh->contact[i];
@@ -347,7 +343,7 @@ static MeBool addSearchedContacts(McdMeshQuery *q, McdMeshTriangle *t) {
     const int first = q->mesh->contactCount;
     if (t->facing && mcd_meshAddClipped(q, t, face, MCD_MESH_OVERLAP)) {
         if (!isFace && region == MCD_INTERNAL_REGION)
-            dropCutAhead(q, first);
+            dropSpeculativeCuts(q, first);
         return METRUE;
     }
     /* if the normal equals the face's only within the tolerance, its point may be beside the face by as much */
@@ -358,8 +354,7 @@ static MeBool addSearchedContacts(McdMeshQuery *q, McdMeshTriangle *t) {
     return METRUE;
 }
 
-/* ---- coplanar triangles that were not hit directly
- * ------------------------------------------------------------------- */
+/* ---- coplanar triangles that were not hit directly ------------------------------------------- */
 
 static MeBool areCoplanar(const McdMeshQuery *q, const McdMeshTriangle *a, const McdMeshTriangle *b) {
     if (1 - fabs(mcd_dot(a->normal, b->normal)) > MCD_MESH_RISES * MCD_MESH_RISES)
@@ -425,8 +420,7 @@ static void addCoplanarContacts(McdMeshQuery *q, const McdMeshTriangle *t) {
     mesh->contactCount = count;
 }
 
-/* ---- recovery from tunnelling
- * ---------------------------------------------------------------------------------------- */
+/* ---- recovery from tunnelling ---------------------------------------------------------------- */
 
 /* For shapes without contacts whose centre is behind a one-sided triangle by less than half of their radius: adds
  * contacts with the nearest such triangle, and with triangles of the same normal, which push the shape back. */

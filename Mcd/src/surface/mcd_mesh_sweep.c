@@ -3,14 +3,12 @@
  * edge where the surface falls, and let it penetrate the next triangle where the surface rises: both by the
  * displacement times the edge's angle, of first order in the step. So:
  *
- *     Where the surface falls away below a contact, its normal becomes that of the chord, from the ball's place to
- *     where it
- *     touches the surface after its displacement. Motion along the chord ends on the surface, and no work is done.
- *     The first triangle whose plane the ball reaches, over that triangle, gets a contact ahead of time, with the
- *     current
- *     gap. The narrow phase does not find it, since the nearest feature is still the edge between both triangles,
- *     which
- *     has no admissible normal.
+ *   - Where the surface falls away below a contact, its normal becomes that of the chord, from the ball's place to
+ *     where it touches the surface after its displacement. Motion along the chord ends on the surface, and no work is
+ *     done.
+ *   - The first triangle whose plane the ball reaches, over that triangle, gets a contact ahead of time, with the
+ *     current gap. The narrow phase does not find it, since the nearest feature is still the edge between both
+ *     triangles, which has no admissible normal.
  *
  * The displacement is that of the current velocities, as for all speculative contacts (mcd_pairMargin). Other shapes
  * touch at points with different displacements; they keep the contacts of their current place. */

@@ -69,8 +69,8 @@ void mcd_meshBuildAdjacency(McdMesh *mesh) {
 /* ---- Voronoi regions --------------------------------------------------------------------------------------------- */
 
 int mcd_meshFarthestCorners(const McdMeshTriangle *t, const double direction[3]) {
-    static const double sameHeight =
-        1e-5; /* a fraction of the corners' distance: differences below this are rounding */
+    /* Heights count as equal if they differ by less than this fraction of the corners' distance. */
+    static const double sameHeight = 1e-5;
     double height[3], max = -INFINITY;
     int mask = 0, top = 0;
     for (int i = 0; i < 3; i++) {

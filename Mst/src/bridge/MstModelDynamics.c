@@ -53,7 +53,7 @@ static void MEAPI detachModels(const MdtBodyID b) {
 
 static void MEAPI markModelsChanged(const MdtBodyID b) {
     for (McdModelID m = MdtBodyGetModel(b); m; m = m->mOfBody)
-        McdModelStir(m);
+        McdModelMarkChanged(m);
 }
 
 static const MdtBodyUser modelCallbacks = {guardStageOf, markModelsGone, detachModels, markModelsChanged};

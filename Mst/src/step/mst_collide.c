@@ -99,7 +99,7 @@ static MstOutcome outcomeWithoutTest(const MstBridgeRecord *b, MstFinding *f) {
     McdModelPair *p = f->pair;
     const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
     const MeBool mayMove[2] = {body1 != 0, body2 != 0};
-    const McdPairChange change = McdModelPairLook(p, f->isFast ? 0 : b->reuse, mayMove);
+    const McdPairChange change = McdModelPairCompare(p, f->isFast ? 0 : b->reuse, mayMove);
     if (change == McdPairHasChanged)
         return MST_TO_TEST;
     if (!mst_hasCallback(f->materials) &&
@@ -112,7 +112,7 @@ static MstOutcome outcomeWithoutTest(const MstBridgeRecord *b, MstFinding *f) {
         if (last == MOVED && mayCarryContacts(b, p, f->hasMoved))
             return MST_CARRIED;
     }
-    McdModelPairNoteTest(p);
+    McdModelPairStoreTest(p);
     return MST_TO_TEST;
 }
 
@@ -272,7 +272,7 @@ static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p, 
         return; /* tests and contacts that involve the program are left to commit */
     f->outcome = MST_TESTED;
     testPlainPair(b, run, f);
-    McdModelPairNoteSeparated(p, f->count == 0 ? run->result.apart : 0);
+    McdModelPairStoreGap(p, f->count == 0 ? run->result.apart : 0);
     if (f->count == 0 && f->isFast)
         f->timeToTouch = mst_timeToTouch(b, p, s);
 }

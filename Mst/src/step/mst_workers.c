@@ -71,7 +71,7 @@ static void MEAPI findPlainPairs(void *context, int run, int worker) {
     (void)worker;
     for (; i < end && mst_isPlainPair(p->b, p->pairs[i]); i++) {
         mst_prefetchModels(p->pairs, i, end);
-        if (unstamped == i && McdModelPairHasSeenModels(p->pairs[i]))
+        if (unstamped == i && McdModelPairHasComparedModels(p->pairs[i]))
             unstamped++;
     }
     p->end[run] = i;
@@ -89,7 +89,7 @@ static int countPlainPairs(MeTeam *team, MstBridgeRecord *b, McdModelPair *const
     for (int run = 0; run < runs && plain == firstPairOf(run); run++) {
         plain = p.end[run];
         for (int i = p.unstamped[run]; i < plain; i++)
-            McdModelPairLookAtModels(pairs[i]);
+            McdModelPairCompareModels(pairs[i]);
     }
     b->runsLooked = plain < p.count ? MST_MIN_RUNS : MeMIN(2 * b->runsLooked, MAX_RUNS);
     MEASSERT(plain >= 0 && plain <= p.count);
@@ -132,7 +132,7 @@ void mst_stampModelsByWorkers(MstBridgeRecord *b, int count, McdSpaceID s, MdtWo
     if (!areWorthWorkers(b, team, count) || count < McdSpaceGetModelCount(s))
         return;
     MeTeamOpen(team);
-    McdSpaceLookAtModels(s);
+    McdSpaceCompareModels(s);
     MeTeamClose(team);
 }
 
