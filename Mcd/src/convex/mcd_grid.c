@@ -44,6 +44,8 @@ static McdRank rankOf(const McdShape *s) {
 
 /* ---- preference for a face's normal --------------------------------------------------------- */
 
+/* Replaces the proximity's normal by n if the angle between them has a cosine > .9 and the separation along n is at
+ * least `min`. */
 static void tryNormal(const McdShape *a, const McdShape *b, const double n[3], McdProximity *p, double min) {
     if (!(mcd_dot(n, p->normal) > .9))
         return;

@@ -118,7 +118,7 @@ typedef struct Sortable {
     int index;
 } Sortable;
 
-static int byX(const void *a, const void *b) {
+static int compareX(const void *a, const void *b) {
     const Sortable *p = a, *q = b;
     if (p->x != q->x)
         return p->x < q->x ? -1 : 1;
@@ -131,7 +131,7 @@ typedef struct Key {
 } Key;
 
 /* Compares the first three numbers, which are different in any two keys. */
-static int byNumbers(const void *a, const void *b) {
+static int compareNumbers(const void *a, const void *b) {
     const int *p = ((const Key *)a)->number, *q = ((const Key *)b)->number;
     int i = 0;
     while (i < 2 && p[i] == q[i])
@@ -145,7 +145,7 @@ static void markCopies(const double (*p)[3], Sortable *order, int count, char *i
         order[i] = (Sortable){p[i][0], i};
         isCopy[i] = 0;
     }
-    qsort(order, (size_t)count, sizeof *order, byX);
+    qsort(order, (size_t)count, sizeof *order, compareX);
     for (int i = 0; i < count; i++)
         for (int j = i + 1; j < count && order[j].x - order[i].x <= flatness; j++) {
             const int a = order[i].index, b = order[j].index;
@@ -303,7 +303,7 @@ static MeBool joinFacets(Work *w, Facets *f) {
         const int a = f->vertex[i], b = f->vertex[nextCorner(f, i)];
         key[i] = (Key){{MeMIN(a, b), MeMAX(a, b), i}};
     }
-    qsort(key, (size_t)f->cornerCount, sizeof *key, byNumbers);
+    qsort(key, (size_t)f->cornerCount, sizeof *key, compareNumbers);
     for (int i = 0; i < f->cornerCount; i += 2) {
         const int a = key[i].number[2], b = key[i + 1].number[2];
         if (!isSameEdge(&key[i], &key[i + 1]) || f->vertex[a] == f->vertex[b] ||
@@ -358,7 +358,7 @@ static MeBool makeRegions(Work *w, const Facets *f, const Cloud *c, Regions *r) 
         r->of[i] = -1;
         order[i] = (Sortable){-f->area[i], i};
     }
-    qsort(order, (size_t)f->count, sizeof *order, byX);
+    qsort(order, (size_t)f->count, sizeof *order, compareX);
     for (int i = 0; i < f->count; i++)
         if (r->of[order[i].index] < 0)
             growRegion(f, c, r, order[i].index);
@@ -556,7 +556,7 @@ static MeBool planHull(Work *w, const Facets *f, const Cloud *c, Loops *l, Plan 
             key[p->faces++] = (Key){{f->vertex[a], f->vertex[b], f->vertex[l->next[b]], i}};
             p->corners += l->size[i];
         }
-    qsort(key, (size_t)p->faces, sizeof *key, byNumbers);
+    qsort(key, (size_t)p->faces, sizeof *key, compareNumbers);
     for (int i = 0; i < p->faces; i++)
         p->region[i] = key[i].number[3];
     countDegrees(f, c, l);
@@ -631,7 +631,7 @@ static MeBool fillEdges(Work *w, McdHull *h) {
             const int *v = h->faceVertex + h->face[i].first, a = v[k], b = v[(k + 1) % h->face[i].count];
             half[n++] = (Key){{MeMIN(a, b), MeMAX(a, b), a > b, i}};
         }
-    qsort(half, (size_t)n, sizeof *half, byNumbers);
+    qsort(half, (size_t)n, sizeof *half, compareNumbers);
     for (int i = 0; i < h->edgeCount; i++) {
         const Key *p = &half[2 * i], *q = p + 1;
         if (!isSameEdge(p, q) || p->number[2] || !q->number[2])

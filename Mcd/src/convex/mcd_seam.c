@@ -134,7 +134,6 @@ static MeBool isContinued(const McdShape *piece, const void *context) {
     const McdSeam *s = f->seam;
     McdFace other;
     double body[3], inward[3], foot[3], at[3];
-    other.count = 0;
     mcd_faceToward(piece, f->normal, &other);
     if (other.count < 3 || mcd_dot(other.normal, f->normal) < foldCosine)
         return MEFALSE;

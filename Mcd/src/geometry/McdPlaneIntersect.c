@@ -14,19 +14,19 @@ typedef struct Slice {
     double normal[3], dist; /* the plane, in the instance's frame */
     Corner *corner;
     int count, room;
-    MeBool isOut;         /* memory is exhausted */
+    MeBool isOutOfMemory; /* no more corners are added */
     const char *function; /* called by the program; for messages */
 } Slice;
 
 /* ---- collecting corners ---------------------------------------------------------------------- */
 
 static void addCorner(Slice *s, const double position[3]) {
-    if (s->isOut)
+    if (s->isOutOfMemory)
         return;
     if (s->count == s->room) {
         const int room = MeMAX(2 * s->room, 32);
         if (!MeMemoryGrow(&s->corner, (size_t)s->count, (size_t)room, sizeof *s->corner, s->function, "corners")) {
-            s->isOut = METRUE;
+            s->isOutOfMemory = METRUE;
             return;
         }
         s->room = room;

@@ -58,6 +58,7 @@ static MeBool areModelsGood(const McdFramework *frame) {
     return count == frame->modelCount;
 }
 
+/* Takes a record from the pool, which has one, and appends it to the framework's list. */
 static McdModelRecord *recordFromPool(McdFramework *frame) {
     McdModelRecord *m = frame->firstFree;
     MEASSERT(m->magic == 0 && frame->modelCount < frame->modelRoom);
@@ -157,7 +158,7 @@ static void destroyModel(McdModelRecord *m) {
     recordToPool(m);
 }
 
-/* Within a stage, since the space may call functions of the program for the model's pairs. */
+/* Guards models, since the space may call functions of the program for the model's pairs. */
 void mcd_modelDestroy(McdModelRecord *m) {
     McdFramework *frame = m->frame;
     MEASSERT(!m->standsFor);
@@ -292,6 +293,7 @@ void mcd_standInEnd(McdModelID cm, McdGeometryInstance *child) {
         McdModelRecord *m = mcd_modelCheck(cm, __func__);                                                              \
         return m ? (value) : (otherwise);                                                                              \
     }
+/* Defines a function that sets a member of a model. */
 #define DEFINE_SETTER(Name, Type, member)                                                                              \
     void MEAPI Name(McdModelID cm, Type value) {                                                                       \
         McdModelRecord *m = mcd_modelCheck(cm, __func__);                                                              \

@@ -37,6 +37,7 @@ static MeBool precedes(const McdPairEntry *a, const McdPairEntry *b) {
     return a->order2 != b->order2 ? a->order2 < b->order2 : a->order1 < b->order1;
 }
 
+/* A step of heapsort: moves an entry down in the heap until none of its children follows it in the order. */
 static void siftDown(McdPairEntry *entry, int at, int count) {
     const McdPairEntry moved = entry[at];
     for (int child = 2 * at + 1; child < count; child = 2 * at + 1) {
@@ -228,6 +229,7 @@ static int makeLink(McdSpace *s, int a, int b) {
     return i;
 }
 
+/* Frees a link that has no pair. */
 static void dropLink(McdSpace *s, int i) {
     MEASSERT(!s->link[i].record && !s->link[i].isWaiting);
     removeFromHash(s, i);
@@ -281,6 +283,7 @@ static McdPairEntry entryOf(const McdSpace *s, int i) {
     return (McdPairEntry){.order2 = s->proxy[link->proxy[1]].order, .order1 = s->proxy[link->proxy[0]].order};
 }
 
+/* Ends the pair of a link: moves it to the goodbye pairs. */
 static void sayGoodbye(McdSpace *s, int i) {
     McdLink *link = &s->link[i];
     McdPairEntry entry = entryOf(s, i);
@@ -310,6 +313,7 @@ static void stopWaiting(McdSpace *s, int i) {
     s->link[i].isWaiting = MEFALSE;
 }
 
+/* Queues a link for a pair (admitQueued). */
 static void queueForRoom(McdSpace *s, int i) {
     McdPairEntry entry = entryOf(s, i);
     entry.link = i;
@@ -669,6 +673,7 @@ static void requeueWaiting(McdSpace *s) {
         }
 }
 
+/* Makes the pairs of the queued links, in order, up to the limit of pairs; the other links keep waiting. */
 static void admitQueued(McdSpace *s) {
     const int newCount = s->pending.count;
     if (s->waitingCount > newCount)
