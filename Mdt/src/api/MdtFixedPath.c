@@ -16,7 +16,7 @@ static void rotateToCentre(const MdtBodyID b, const double in[3], double out[3])
         keaCopy(out, in);
         return;
     }
-    keaQuaternionToMatrix(R, b->centreTurn);
+    keaQuaternionToMatrix(R, b->centre.quaternion);
     keaApplyTransposed(out, (const double(*)[3])R, in);
 }
 
@@ -26,7 +26,7 @@ static void rotateFromCentre(const MdtBodyID b, const double in[3], double out[3
         keaCopy(out, in);
         return;
     }
-    keaQuaternionToMatrix(R, b->centreTurn);
+    keaQuaternionToMatrix(R, b->centre.quaternion);
     keaApply(out, (const double(*)[3])R, in);
 }
 
@@ -38,7 +38,7 @@ void MEAPI MdtFixedPathSetPosition(const MdtFixedPathID path, const unsigned int
     const MdtBodyID body = j->base.side[bodyindex].body;
     double p[3] = {x, y, z};
     if (body)
-        keaSubtract(p, p, body->centre);
+        keaSubtract(p, p, body->centre.position);
     rotateToCentre(body, p, j->bcl.frame[bodyindex].position);
 }
 
@@ -50,7 +50,7 @@ void MEAPI MdtFixedPathGetPosition(const MdtFixedPathID path, const unsigned int
     const MdtBodyID body = j->base.side[bodyindex].body;
     rotateFromCentre(body, j->bcl.frame[bodyindex].position, p);
     if (body)
-        keaAddScaled(p, 1, body->centre);
+        keaAddScaled(p, 1, body->centre.position);
     mdt_toReal(position, p);
 }
 

@@ -17,11 +17,10 @@ static void setIdentityMotion(Motion *m) {
 }
 
 static void getStepMotion(const MdtBody *b, Motion *m) {
-    double back[4], turn[4];
-    keaQuaternionConjugate(back, b->start.quaternion);
-    keaQuaternionProduct(turn, b->kea.quaternion, back);
+    double moved[3], turn[4];
+    mdt_bodyMotionSince(b, &b->start.pose, moved, turn);
     keaQuaternionToMatrix(m->R, turn);
-    keaCopy(m->from, b->start.position);
+    keaCopy(m->from, b->start.pose.position);
     keaCopy(m->to, b->kea.position);
 }
 

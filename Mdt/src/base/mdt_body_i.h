@@ -3,28 +3,33 @@
 #define MDT_BODY_I_H
 
 #include "base/mdt_base_i.h"
+#include <math.h>
+#include <string.h>
 
 typedef struct MdtAttachment MdtAttachment;
+
+/* A pose: m, and unit quaternion w x y z. */
+typedef struct MdtPose {
+    double position[3], quaternion[4];
+} MdtPose;
 
 /* The state of a body at the start of its last step, or of the last part of a step by safe times. */
 typedef struct MdtStart {
     MdtKeaVelocity velocity;
-    double position[3], quaternion[4]; /* of the centre of mass */
-    unsigned long moves;               /* MdtBody.moves at the start */
-    unsigned long movesAfter;          /* MdtBody.moves at the end */
+    MdtPose pose;        /* of the centre of mass */
+    unsigned long moves; /* MdtBody.moves at the start; ULONG_MAX after the step, unless it has changed the pose once */
 } MdtStart;
 
 /* Whether a body has stayed near one pose, and how it oscillates about it (mdt_stay.c). */
 typedef struct MdtStay {
-    double displacement[6];            /* m, over the last second: translation, and rotation times the body's radius */
-    double maxDisplacement;            /* m, the largest magnitude of `displacement` in the last second */
-    double position[3], quaternion[4]; /* of the centre of mass */
-    double time;                       /* s, for which the body has been near that pose */
-    double maxDistance;                /* m, the largest distance from that pose so far */
-    double maxAtReturn;                /* m, `maxDistance` at the last return */
-    double reach; /* m: within it the body still counts as oscillating little, since it did so before; 0: it did not */
-    int returns;  /* how often it has come back to within half of `maxDistance` */
-    MeBool isBack;
+    double displacement[6]; /* m, over the last second: translation, and rotation times the body's radius */
+    double maxDisplacement; /* m, the largest magnitude of `displacement` in the last second */
+    MdtPose pose;           /* of the centre of mass */
+    double time;            /* s, for which the body has been near that pose */
+    double maxDistance;     /* m, the largest distance from that pose so far */
+    double maxAtReturn;     /* m, `maxDistance` at the last return */
+    double reach;  /* m: within it the body still counts as oscillating little, since it did so before; 0: it did not */
+    int crossings; /* how often its distance has crossed half of `maxDistance`; even: it is nearer now */
 } MdtStay;
 
 /* Response of a program's force on a body to the body's motion: sums over frames (mdt_force.c). */
@@ -38,13 +43,19 @@ typedef struct MdtFeedback {
     int growth; /* score of frames in which the force grew while it alternated: those add, others subtract */
 } MdtFeedback;
 
-/* The forces that the program applied to a body in its last frame. */
-typedef struct MdtApplied {
-    double force[3], torque[3]; /* N, N m */
-    double momentum[2][3]; /* kg m/s, kg m²/s, linear and angular, at the start of the last step or of its last part */
-    double time;           /* s, length of that frame; 0: the program applied nothing, or has moved the body since */
-    MdtFeedback pushing, turning;
-} MdtApplied;
+/* The forces that the program applies to a body: linear, about the centre of mass. */
+typedef struct MdtForces {
+    double load[2][3];     /* N, N m, added since the last step */
+    double impulse[2][3];  /* N s, N m s, likewise */
+    double lastLoad[2][3]; /* N, N m, of the last frame; of a sleeping body those under which it rests */
+    double momentum[2][3]; /* kg m/s, kg m²/s, at the start of the last step or of its last part; of a sleeping body:
+                              the sum of impulses that have not woken it yet */
+    double time; /* s, length of the last frame; 0: the program applied nothing, or has moved the body since */
+    MdtFeedback feedback[2];
+} MdtForces;
+
+/* The forces of a body to which the program has never applied any. */
+extern const MdtForces mdt_noForces;
 
 enum {
     MDT_ENABLED = 1,        /* the body or constraint takes part in the simulation */
@@ -64,19 +75,19 @@ enum {
     MDT_BRIDGED = 16384,    /* a contact group that the bridge (Mst) made and owns */
 };
 
-/* A body's frame in double: `MdtBody.transform` before rounding. */
-typedef struct MdtFrame {
-    double position[3], axes[3][3]; /* m; its axes are columns */
-} MdtFrame;
+/* Velocities that programs read: m/s, rad/s. */
+typedef struct MdtPublicVelocity {
+    MeVector3 lin, ang;
+} MdtPublicVelocity;
 
 /* Fields that are read together share cache lines of 64 bytes in single precision; the record starts at such a line. */
 struct MdtBody {
     MdtRecord record;
     MdtLink link;
     /* read by collision detection and by events */
-    MeMatrix4 transform;                 /* the pose that programs read */
-    MeVector3 velocity, angularVelocity; /* the velocities that programs read and may write */
-    unsigned long moves;                 /* version number of `frame` */
+    MeMatrix4 transform;        /* the pose that programs read */
+    MdtPublicVelocity velocity; /* programs may write it */
+    unsigned long moves;        /* version number of `frame` */
     /* the graph */
     int partition; /* index of its partition in this step; -1: none */
     int index;     /* in Kea's arrays in this step */
@@ -87,35 +98,28 @@ struct MdtBody {
     int manifolds;              /* number of manifolds among the attachments */
     /* read for partitions at rest (mdt_certificate.c) */
     unsigned long certificate; /* of rest: MdtWorld.certificate when it was given, or MDT_SLEEPS; 0: none */
-    MeVector3 shownVelocity, shownAngularVelocity; /* as the library last wrote them: `velocity` differs if
-                                                      the program has written it */
-    double force[3], torque[3];                    /* N, N m, added by the program since the last step */
-    double impulse[3], angularImpulse[3];          /* N s, N m s, the same */
-    double lag, lastAdvance; /* s: time by which the body is behind its world; length of its last step or part */
-    double enabledTime;      /* s */
-    int enabledSteps;
-    double aliveTime; /* s, since the last call of MdtBodyEnable, also if the body was enabled already */
+    MdtPublicVelocity shown;   /* `velocity` as the library last wrote it; differs if the program has written it */
+    MdtForces *forces;         /* null: the program has never applied a force or an impulse */
+    double lag, lastAdvance;   /* s: time by which the body is behind its world; length of its last step or part */
+    double enabledTime;        /* s; 0: it has not been stepped since it was enabled */
+    double aliveTime;          /* s, since the last call of MdtBodyEnable, also if the body was enabled already */
     int aliveSteps;
     MeReal safeTime;
-    MdtSolver solver; /* the answer of MdtSolverCB for its partition, if there is one (mdt_choice.c) */
 
     MdtKeaBody kea; /* mass and motion of the centre of mass: the authoritative state */
     MdtStart start;
     double push[3]; /* m/s: position correction of the last step, that is
                                            displacement / h - velocity */
     MdtStay stay;
-    double theta; /* 1/2 to 1: in the last step the body moved by h ((1 - θ) v + θ v⁺) */
-    MdtApplied applied;
-    double centre[3];     /* m, the centre of mass in the body's frame */
-    double centreTurn[4]; /* quaternion w x y z, from the centre of mass's axes to the body's frame */
+    double theta;   /* 1/2 to 1: in the last step the body moved by h ((1 - θ) v + θ v⁺) */
+    MdtPose centre; /* of the centre of mass and its axes, in the body's frame */
     /* of `kea`, as last shown: by setters and at the end of a step */
-    MdtFrame frame;
-    double spin[3];            /* rad/s; within a step with the attitude at the step's start */
-    MeMatrix4 centreTransform; /* the centre of mass's pose that programs read */
+    MdtKeaTransformation frame; /* the body's pose: `transform` before rounding */
+    double spin[3];             /* rad/s; within a step with the attitude at the step's start */
+    MeMatrix4 centreTransform;  /* the centre of mass's pose that programs read */
 
     double mass;          /* kg */
     double inertia[3][3]; /* kg m², as set */
-    MeReal linearDamping, angularDamping;
     MeVector3 fastSpinAxis;
     void *userData, *model;
     const MdtBodyUser *user; /* callbacks of the owner of `model`; null: none */
@@ -123,6 +127,26 @@ struct MdtBody {
 #ifndef _ME_API_DOUBLE
 _Static_assert(offsetof(MdtBody, transform) == 64, "a pose is one line");
 #endif
+
+/* The pose of the centre of mass. */
+static inline MdtPose mdt_bodyPose(const MdtBody *b) {
+    MdtPose pose;
+    keaCopy(pose.position, b->kea.position);
+    memcpy(pose.quaternion, b->kea.quaternion, sizeof pose.quaternion);
+    return pose;
+}
+/* The motion of the centre of mass since a pose: displacement, m, and rotation. */
+static inline void mdt_bodyMotionSince(const MdtBody *b, const MdtPose *pose, double moved[3], double turned[4]) {
+    double back[4];
+    keaSubtract(moved, b->kea.position, pose->position);
+    keaQuaternionConjugate(back, pose->quaternion);
+    keaQuaternionProduct(turned, b->kea.quaternion, back);
+}
+/* m: the largest radius of gyration. */
+static inline double mdt_bodyRadius(const MdtBody *b) {
+    const double *I = b->kea.moments;
+    return sqrt(fmax(I[0], fmax(I[1], I[2])) * b->kea.invMass);
+}
 
 /* The certificate number of bodies that are asleep. */
 #define MDT_SLEEPS ((unsigned long)-1)

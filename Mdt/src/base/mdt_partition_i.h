@@ -22,9 +22,10 @@ typedef enum MdtAccount { MDT_OPTIONAL, MDT_NEEDED, MDT_ACCOUNTS } MdtAccount;
 
 /* The state that a partition keeps from step to step (mdt_choice.c). */
 typedef struct MdtIslandRecord {
-    int steps;       /* steps with the automatic choice of solver, counted up to 2 */
-    float exactWork; /* multiplications of an exact step per body; 0: not measured yet */
-    float fastWork;  /* per body: multiplications of the exact solver that take the time of a fast step */
+    int steps;           /* steps with the automatic choice of solver, counted up to 2 */
+    float exactWork;     /* multiplications of an exact step per body; 0: not measured yet */
+    float fastWork;      /* per body: multiplications of the exact solver that take the time of a fast step */
+    MdtSolver requested; /* the last answer of MdtSolverCB, if there is one */
     MeBool hasNoContacts;
     MeBool isUnfit;                     /* the fast solver does not suit it: there are no contacts, or bodies bounce */
     MeBool isUnmet;                     /* the fast solver's last answer missed the accuracy */

@@ -116,15 +116,11 @@ MeBool mdt_certificateIsValid(const MdtIsland *p) {
         const MdtBody *b = p->bodies[i];
         if (b->certificate != p->world->certificate)
             return MEFALSE;
-        const MeBool hasForces = memcmp(b->force, b->applied.force, sizeof b->force) == 0 &&
-                                 memcmp(b->torque, b->applied.torque, sizeof b->torque) == 0;
-        MeBool hasImpulse = MEFALSE;
-        for (int k = 0; k < 3; k++)
-            hasImpulse = hasImpulse || b->impulse[k] != 0 || b->angularImpulse[k] != 0;
-        const MeBool hasVelocities =
-            memcmp(b->velocity, b->shownVelocity, sizeof b->velocity) == 0 &&
-            memcmp(b->angularVelocity, b->shownAngularVelocity, sizeof b->angularVelocity) == 0;
-        if (!hasForces || hasImpulse || !hasVelocities || !mdt_areConstraintsCertified(p->bodies[i]))
+        const MdtForces *f = b->forces;
+        const MeBool hasSameForces = !f || (memcmp(f->load, f->lastLoad, sizeof f->load) == 0 &&
+                                            memcmp(f->impulse, mdt_noForces.impulse, sizeof f->impulse) == 0);
+        if (!hasSameForces || memcmp(&b->velocity, &b->shown, sizeof b->velocity) != 0 ||
+            !mdt_areConstraintsCertified(p->bodies[i]))
             return MEFALSE;
     }
     return p->h >= p->whole;
@@ -143,7 +139,7 @@ static void logRows(const MdtIsland *p) {
 void mdt_certificateApply(MdtIsland *p) {
     for (int i = 0; i < p->numBodies; i++) {
         MdtBodyID b = p->bodies[i];
-        MEASSERT(b->lag == 0 && b->lastAdvance == p->h && b->enabledSteps > 0);
+        MEASSERT(b->lag == 0 && b->lastAdvance == p->h && b->enabledTime > 0);
         if (!(b->record.flags & MDT_FORCED))
             mdt_forceRestart(b);
         MdtBodyResetForces(b);
@@ -170,20 +166,16 @@ static double restingSpeed(const MdtIsland *p) {
 
 /* m/s: the larger of the speed of the centre of mass and that of rotation at the radius of gyration. */
 static double bodySpeed(const MdtBody *b, const MdtKeaVelocity *v) {
-    const double *I = b->kea.moments;
-    return fmax(keaLength(v->lin), keaLength(v->ang) * sqrt(fmax(I[0], fmax(I[1], I[2])) * b->kea.invMass));
+    return fmax(keaLength(v->lin), keaLength(v->ang) * mdt_bodyRadius(b));
 }
 
 /* m/s, rad/s: the displacement of the step over h. It includes position corrections, which velocities do not. */
 static MdtKeaVelocity meanVelocity(const MdtIsland *p, int i) {
-    const MdtKeaBody *b = &p->bodies[i]->kea;
     MdtKeaVelocity mean;
-    double back[4], turn[4];
+    double turn[4];
     MEASSERT(p->h > 0);
-    keaSubtract(mean.lin, b->position, p->bodies[i]->start.position);
+    mdt_bodyMotionSince(p->bodies[i], &p->bodies[i]->start.pose, mean.lin, turn);
     keaScale(mean.lin, 1 / p->h, mean.lin);
-    keaQuaternionConjugate(back, p->bodies[i]->start.quaternion);
-    keaQuaternionProduct(turn, b->quaternion, back);
     keaScale(mean.ang, 2 / p->h, turn + 1);
     return mean;
 }
@@ -287,8 +279,8 @@ void mdt_islandResetPoses(MdtIsland *p) {
     const MeBool isStanding = ignoresSway(p);
     for (int i = 0; i < p->numBodies; i++) {
         MdtKeaBody *b = &p->bodies[i]->kea;
-        keaCopy(b->position, p->bodies[i]->start.position);
-        memcpy(b->quaternion, p->bodies[i]->start.quaternion, sizeof b->quaternion);
+        keaCopy(b->position, p->bodies[i]->start.pose.position);
+        memcpy(b->quaternion, p->bodies[i]->start.pose.quaternion, sizeof b->quaternion);
         if (isStanding) {
             keaZero(b->velocity);
             MdtKeaBodySetAngularVelocity(b, none);

@@ -80,18 +80,15 @@ static void readSolversOfProgram(MdtWorldID w) {
     for (int i = 0; w->solverCb && i < w->numPartitions; i++) {
         const int first = w->bodyStart[i], end = w->bodyStart[i + 1];
         const MdtSolver solver = solverOfProgram(w, w->bodyOf + first, end - first);
-        for (int k = first; k < end; k++) {
-            MdtBodyID b = w->bodyOf[k];
-            if (b->solver != solver)
-                mdt_bodyDisturb(b);
-            b->solver = solver;
-        }
+        for (int k = first; k < end && w->record[i].requested != solver; k++)
+            mdt_bodyDisturb(w->bodyOf[k]);
+        w->record[i].requested = solver;
     }
 }
 
 MdtSolver mdt_choiceRequested(const MdtWorld *w, int partition) {
     MEASSERT(partition >= 0 && partition < w->numPartitions);
-    const MdtSolver solver = w->solverCb ? w->bodyOf[w->bodyStart[partition]]->solver : w->solver;
+    const MdtSolver solver = w->solverCb ? w->record[partition].requested : w->solver;
     return solver == MdtSolverAuto && w->accuracy == 0 ? MdtSolverExact : solver;
 }
 
@@ -106,6 +103,7 @@ void mdt_recordMerge(MdtIslandRecord *to, const MdtIslandRecord *from) {
     to->isUnfit = to->isUnfit || from->isUnfit;
     to->hasNoContacts = to->hasNoContacts && from->hasNoContacts;
     to->wasExact = to->wasExact || from->wasExact;
+    to->requested = from->requested;
     to->steps = MeMAX(to->steps, from->steps);
     to->stepsUntilRetry = MeMAX(to->stepsUntilRetry, from->stepsUntilRetry);
     to->stepsSinceTry = MeMAX(to->stepsSinceTry, from->stepsSinceTry);
@@ -272,8 +270,8 @@ static double closingSpeedAt(const MdtPoint *point) {
         double arm[3], v[3], w[3], turn[3];
         if (!b)
             continue;
-        mdt_fromReal(v, b->velocity);
-        mdt_fromReal(w, b->angularVelocity);
+        mdt_fromReal(v, b->velocity.lin);
+        mdt_fromReal(w, b->velocity.ang);
         keaSubtract(arm, point->position, b->kea.position);
         keaCross(turn, w, arm);
         sum += (k == 0 ? -1 : 1) * (keaDot(normal, v) + keaDot(normal, turn));

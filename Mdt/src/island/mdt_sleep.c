@@ -24,10 +24,10 @@
 
 /* N s, N m s: the change of the body's load against the one under which it came to rest, over h seconds. */
 static void getLoadChange(const MdtBody *b, double h, double change[2][3]) {
-    for (int i = 0; i < 3; i++) {
-        change[0][i] = h * (b->force[i] - b->applied.force[i]) + b->impulse[i];
-        change[1][i] = h * (b->torque[i] - b->applied.torque[i]) + b->angularImpulse[i];
-    }
+    const MdtForces *f = mdt_forcesOf(b);
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < 3; i++)
+            change[k][i] = h * (f->load[k][i] - f->lastLoad[k][i]) + f->impulse[k][i];
 }
 
 static MeBool maySleep(MdtBodyID b, double h) {
@@ -35,10 +35,10 @@ static MeBool maySleep(MdtBodyID b, double h) {
     double change[2][3];
     const MeBool isYoung = sleepParams->alive_window < 0 ? b->aliveTime < (double)sleepParams->alive_time
                                                          : b->aliveSteps < sleepParams->alive_window;
-    if (isYoung || b->enabledSteps == 0 || MdtBodyIsMovingTest(b, sleepParams))
+    if (isYoung || b->enabledTime == 0 || MdtBodyIsMovingTest(b, sleepParams))
         return MEFALSE;
     getLoadChange(b, h, change);
-    return (mdt_bodyIsQuiet(b) || mdt_bodyStaysInPlace(b)) && !mdt_bodyWouldMove(b, change[0], change[1], h);
+    return (mdt_bodyIsQuiet(b) || mdt_bodyStaysInPlace(b)) && !mdt_bodyWouldMove(b, change, h);
 }
 
 /* ---- what keeps a partition awake ---- */
@@ -77,20 +77,26 @@ MeBool mdt_islandIsToSleep(const MdtIsland *p) {
 
 /* Lets forces of the next step continue those of this step, if these are the load under which the body rests. */
 static void continueForce(MdtBodyID b) {
-    const MeBool isSame = memcmp(b->force, b->applied.force, sizeof b->force) == 0 &&
-                          memcmp(b->torque, b->applied.torque, sizeof b->torque) == 0;
-    b->applied.time = (b->record.flags & MDT_FORCED) && isSame ? b->world->lastStep : 0;
+    MdtForces *f = b->forces;
+    const MeBool isSame = f && memcmp(f->load, f->lastLoad, sizeof f->load) == 0;
+    if (f)
+        f->time = (b->record.flags & MDT_FORCED) && isSame ? b->world->lastStep : 0;
+}
+
+static void endForces(MdtBodyID b) {
+    continueForce(b);
+    MdtBodyResetForces(b);
+    MdtBodyResetImpulses(b);
 }
 
 /* Stores the forces of this step as the load under which the body rests, and clears the accumulators. */
 static void storeSleepLoad(MdtBodyID b) {
     mdt_forceRestart(b);
-    keaCopy(b->applied.force, b->force);
-    keaCopy(b->applied.torque, b->torque);
-    continueForce(b);
-    memset(b->applied.momentum, 0, sizeof b->applied.momentum);
-    MdtBodyResetForces(b);
-    MdtBodyResetImpulses(b);
+    if (b->forces) {
+        memcpy(b->forces->lastLoad, b->forces->load, sizeof b->forces->lastLoad);
+        memset(b->forces->momentum, 0, sizeof b->forces->momentum);
+    }
+    endForces(b);
 }
 
 void mdt_bodySleep(MdtBodyID b) {
@@ -126,36 +132,35 @@ MeBool MEAPI MdtBodyWakeIfAsleep(const MdtBodyID b) {
 /* Impulses of successive steps add up, so that a small lasting push wakes the body in the end; a step without a push
  * clears the sum. */
 static MeBool isToWake(MdtBodyID b, double h) {
-    double change[2][3], (*pushed)[3] = b->applied.momentum;
+    double change[2][3];
     mdt_bodyAcceptVelocities(b);
     if (b->certificate == 0)
         return METRUE;
     getLoadChange(b, h, change);
     const MeBool isPushed = keaDot(change[0], change[0]) + keaDot(change[1], change[1]) > 0;
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < 2 && b->forces; k++) {
         if (!isPushed || b->world->hasThresholds)
-            keaZero(pushed[k]);
-        keaAddScaled(pushed[k], 1, change[k]);
+            keaZero(b->forces->momentum[k]);
+        keaAddScaled(b->forces->momentum[k], 1, change[k]);
     }
-    return (isPushed && mdt_bodyWouldMove(b, pushed[0], pushed[1], h)) || !mdt_areConstraintsCertified(b);
+    return (isPushed && mdt_bodyWouldMove(b, b->forces->momentum, h)) || !mdt_areConstraintsCertified(b);
 }
 
 static void wakeBody(MdtBodyID b) {
-    const double time = b->applied.time;
+    const double time = mdt_forcesOf(b)->time;
     MEASSERT(b->record.flags & MDT_ASLEEP);
     mdt_bodyEnable(b);
-    b->applied.time = time;
-    memset(b->applied.momentum, 0, sizeof b->applied.momentum);
+    if (!b->forces)
+        return;
+    b->forces->time = time;
+    memset(b->forces->momentum, 0, sizeof b->forces->momentum);
 }
 
 void mdt_sleepersEndForces(MdtWorldID w) {
     for (MdtLink *link = w->asleepBodies > 0 ? w->bodies.first : NULL; link; link = link->next) {
         MdtBodyID b = mdt_linkOwner(link);
-        if (!(b->record.flags & MDT_ASLEEP))
-            continue;
-        continueForce(b);
-        MdtBodyResetForces(b);
-        MdtBodyResetImpulses(b);
+        if (b->record.flags & MDT_ASLEEP)
+            endForces(b);
     }
 }
 

@@ -10,7 +10,7 @@
 
 static void getFrameQuaternion(const MdtBody *b, double q[4]) {
     double back[4];
-    keaQuaternionConjugate(back, b->centreTurn);
+    keaQuaternionConjugate(back, b->centre.quaternion);
     keaQuaternionProduct(q, b->kea.quaternion, back);
 }
 
@@ -18,7 +18,7 @@ static void getFrameQuaternion(const MdtBody *b, double q[4]) {
  * of mass. */
 static void getCentreOffset(const MdtBody *b, const double q[4], double R[3][3], double offset[3]) {
     keaQuaternionToMatrix(R, q);
-    keaApply(offset, (const double(*)[3])R, b->centre);
+    keaApply(offset, (const double(*)[3])R, b->centre.position);
 }
 
 static MeBool isUnit4(const double q[4]) {
@@ -72,8 +72,8 @@ static void clearWarmStarts(MdtBodyID b) {
 /* Restarts the times from which the body may fall asleep. */
 static void restartSleepTime(MdtBodyID b) {
     b->enabledTime = b->aliveTime = 0;
+    b->aliveSteps = 0;
     mdt_stayRestart(b);
-    b->enabledSteps = b->aliveSteps = 0;
 }
 
 /* Notifies the body's user that the program has moved a disabled body. A sleeping body is left out, since it wakes and
@@ -87,20 +87,19 @@ static void notifyMoved(MdtBodyID b) {
 static void setFrame(MdtBodyID b, const double p[3], const double q[4]) {
     const MdtPartitionParams *sleepParams = &b->world->sleepParams;
     const double h2 = b->world->lastStep * b->world->lastStep;
-    double w[3], R[3][3], offset[3], before[3], turned[4];
-    MEASSERT(isUnit4(q) && isUnit4(b->centreTurn));
+    const MdtPose before = mdt_bodyPose(b);
+    double w[3], R[3][3], offset[3], moved[3], turned[4];
+    MEASSERT(isUnit4(q) && isUnit4(b->centre.quaternion));
     mdt_bodyAcceptVelocities(b);
     keaCopy(w, b->spin);
-    keaCopy(before, b->kea.position);
-    keaQuaternionConjugate(turned, b->kea.quaternion);
     getCentreOffset(b, q, R, offset);
     keaCopy(b->kea.position, p);
     keaAddScaled(b->kea.position, 1, offset);
-    keaQuaternionProduct(b->kea.quaternion, q, b->centreTurn);
+    keaQuaternionProduct(b->kea.quaternion, q, b->centre.quaternion);
     keaQuaternionNormalize(b->kea.quaternion);
     MdtKeaBodySetAngularVelocity(&b->kea, w);
-    keaQuaternionProduct(turned, b->kea.quaternion, turned);
-    if (distanceSquared(b->kea.position, before) > h2 * (double)sleepParams->vel_thresh ||
+    mdt_bodyMotionSince(b, &before, moved, turned);
+    if (keaDot(moved, moved) > h2 * (double)sleepParams->vel_thresh ||
         4 * keaDot(turned + 1, turned + 1) > h2 * (double)sleepParams->velrot_thresh)
         mdt_forceRestart(b);
     clearWarmStarts(b);
@@ -119,27 +118,22 @@ static void writeTransform(MeMatrix4 tm, const double p[3], const double R[3][3]
     tm[3][3] = 1;
 }
 
-static void setShownFrame(MdtBodyID b, const MdtFrame *frame) {
-    if (memcmp(&b->frame, frame, sizeof *frame) == 0)
-        return;
-    b->frame = *frame;
-    b->moves++;
-}
-
 void mdt_bodyShow(MdtBodyID b) {
-    MdtFrame frame;
+    MdtKeaTransformation frame;
     double q[4], R[3][3];
-    getAxes(b, frame.position, q, frame.axes);
-    setShownFrame(b, &frame);
+    getAxes(b, frame.pos, q, frame.R);
+    if (memcmp(&b->frame, &frame, sizeof frame) != 0) {
+        b->frame = frame;
+        b->moves++;
+    }
     MEASSERT(isfinite((double)(MeReal)keaLength(b->kea.position)));
-    writeTransform(b->transform, frame.position, (const double(*)[3])frame.axes);
+    writeTransform(b->transform, frame.pos, (const double(*)[3])frame.R);
     keaQuaternionToMatrix(R, b->kea.quaternion);
     writeTransform(b->centreTransform, b->kea.position, (const double(*)[3])R);
     MdtKeaBodyGetAngularVelocity(&b->kea, b->spin);
-    mdt_toReal(b->velocity, b->kea.velocity);
-    mdt_toReal(b->angularVelocity, b->spin);
-    memcpy(b->shownVelocity, b->velocity, sizeof b->velocity);
-    memcpy(b->shownAngularVelocity, b->angularVelocity, sizeof b->angularVelocity);
+    mdt_toReal(b->velocity.lin, b->kea.velocity);
+    mdt_toReal(b->velocity.ang, b->spin);
+    b->shown = b->velocity;
 }
 
 int MEAPI MdtBodyGetManifoldCount(const MdtBodyID b) {
@@ -154,7 +148,7 @@ unsigned long MEAPI MdtBodyGetMoves(const MdtBodyID b) {
 
 MeBool MEAPI MdtBodyMovedByStep(const MdtBodyID b, unsigned long moves) {
     MEASSERT(b);
-    return b->start.moves == moves && b->start.movesAfter == b->moves && b->moves == moves + 1;
+    return b->start.moves == moves && b->moves == moves + 1;
 }
 
 void mdt_bodyRoundingOffset(const MdtBody *b, const double point[3], double lost[3]) {
@@ -164,9 +158,9 @@ void mdt_bodyRoundingOffset(const MdtBody *b, const double point[3], double lost
     for (int i = 0; i < 3; i++)
         local[i] = offset[0] * (double)b->transform[i][0] + offset[1] * (double)b->transform[i][1] +
                    offset[2] * (double)b->transform[i][2];
-    keaApply(lost, b->frame.axes, local);
+    keaApply(lost, b->frame.R, local);
     for (int i = 0; i < 3; i++)
-        lost[i] += b->frame.position[i] - point[i];
+        lost[i] += b->frame.pos[i] - point[i];
 }
 
 MeReal MEAPI MdtBodyGetPositionBound(const MdtBodyID b) {
@@ -207,16 +201,16 @@ static MeBool areSameBits3(const MeReal *a, const MeReal *b) {
 }
 
 void mdt_bodyAcceptVelocities(MdtBodyID b) {
-    const MeBool linear = !areSameBits3(b->velocity, b->shownVelocity);
-    const MeBool angular = !areSameBits3(b->angularVelocity, b->shownAngularVelocity);
+    const MeBool linear = !areSameBits3(b->velocity.lin, b->shown.lin);
+    const MeBool angular = !areSameBits3(b->velocity.ang, b->shown.ang);
     if (!linear && !angular)
         return;
-    if (!mdt_areFinite(b->velocity) || !mdt_areFinite(b->angularVelocity)) {
+    if (!mdt_areFinite(b->velocity.lin) || !mdt_areFinite(b->velocity.ang)) {
         MeWarning(1, "A velocity that is not finite was written through a body's pointer; it is ignored");
     } else {
         double v[3], w[3];
-        mdt_fromReal(v, b->velocity);
-        mdt_fromReal(w, b->angularVelocity);
+        mdt_fromReal(v, b->velocity.lin);
+        mdt_fromReal(w, b->velocity.ang);
         restartForceIfFast(b, linear ? v : b->kea.velocity, angular ? w : b->spin);
         if (linear)
             keaCopy(b->kea.velocity, v);
@@ -271,29 +265,24 @@ static void setNoFastSpinAxis(MdtBodyID b) {
 }
 
 static void setDefaults(MdtBodyID b) {
-    static const double unit[4] = {1, 0, 0, 0};
     const double m = b->world->params.massScale, l = b->world->params.lengthScale;
-    MdtKeaBody zero = {.flags = MdtKeaBodyFlagIsNonSpherical | MdtKeaBodyFlagAddCoriolisForce};
-    b->kea = zero;
-    memcpy(b->kea.quaternion, unit, sizeof unit);
-    memcpy(b->centreTurn, unit, sizeof unit);
-    keaZero(b->centre);
+    b->kea = (MdtKeaBody){.quaternion = {1, 0, 0, 0},
+                          .linearDamping = MDTBODY_DEFAULT_LINEAR_DAMPING,
+                          .angularDamping = MDTBODY_DEFAULT_ANGULAR_DAMPING,
+                          .flags = MdtKeaBodyFlagIsNonSpherical | MdtKeaBodyFlagAddCoriolisForce};
+    b->centre = (MdtPose){.quaternion = {1, 0, 0, 0}};
     b->mass = MDTBODY_DEFAULT_MASS * m;
     b->kea.invMass = 1 / b->mass;
     memset(b->inertia, 0, sizeof b->inertia);
     for (int i = 0; i < 3; i++)
         b->inertia[i][i] = MDTBODY_DEFAULT_INERTIA * m * l * l;
     setKeaInertia(b);
-    double *sums[] = {b->force, b->torque, b->impulse, b->angularImpulse, b->kea.lastStep.lin, b->kea.lastStep.ang,
-                      b->push};
-    for (size_t i = 0; i < sizeof sums / sizeof *sums; i++)
-        keaZero(sums[i]);
-    b->linearDamping = MDTBODY_DEFAULT_LINEAR_DAMPING;
-    b->angularDamping = MDTBODY_DEFAULT_ANGULAR_DAMPING;
+    keaZero(b->push);
     b->theta = 0.5;
     b->safeTime = MEINFINITY;
     mdt_bodyDisturb(b);
-    mdt_forceRestart(b);
+    if (b->forces)
+        *b->forces = mdt_noForces;
     setNoFastSpinAxis(b);
     mdt_bodyShow(b);
 }
@@ -334,6 +323,7 @@ void mdt_bodyTerm(MdtBodyID b) {
     MEASSERT(!b->attachments && !(b->record.flags & (MDT_ENABLED | MDT_ASLEEP)));
     MEASSERT(b->manifolds == 0);
     mdt_listRemove(&w->bodies, &b->link);
+    mdt_forcesFree(b);
     mdt_poolPut(&w->bodyPool, b);
     MeStageEnd(&w->stage, MDT_GUARD_GRAPH);
 }
@@ -360,6 +350,11 @@ MdtBodyID MEAPI MdtBodyCopy(const MdtBodyID b, const MdtWorldID w) {
     copy->world = w;
     copy->attachments = NULL;
     copy->manifolds = 0;
+    copy->forces = NULL;
+    if (b->forces && mdt_forcesMake(copy, __func__))
+        *copy->forces = *b->forces;
+    else
+        copy->record.flags &= ~MDT_FORCED;
     copy->model = NULL;
     copy->user = NULL;
     copy->record.flags &= ~(MDT_ENABLED | MDT_ASLEEP | MDT_CONDEMNED);
@@ -485,7 +480,6 @@ MeBool mdt_bodyIsFast(const MdtBody *b) {
 void mdt_bodyAge(MdtBodyID b, double h) {
     MEASSERT(h > 0 && (b->record.flags & MDT_ENABLED));
     b->enabledTime += h;
-    b->enabledSteps++;
     b->aliveTime += h;
     b->aliveSteps++;
     mdt_stayUpdate(b, h);
@@ -513,12 +507,11 @@ static void addKick(MdtBodyID b) {
 
 void mdt_bodySaveStart(MdtBodyID b) {
     mdt_bodyVelocity(b, &b->start.velocity);
-    keaCopy(b->start.position, b->kea.position);
-    memcpy(b->start.quaternion, b->kea.quaternion, sizeof b->start.quaternion);
+    b->start.pose = mdt_bodyPose(b);
     b->start.moves = b->moves;
     b->kea.fall = 0;
-    keaScale(b->applied.momentum[0], b->mass, b->kea.velocity);
-    keaCopy(b->applied.momentum[1], b->kea.angularMomentum);
+    if (b->forces)
+        mdt_bodyMomenta(b, b->forces->momentum);
 }
 
 void mdt_bodyPack(MdtBodyID b, double frame, MeBool hasJoints) {
@@ -529,15 +522,12 @@ void mdt_bodyPack(MdtBodyID b, double frame, MeBool hasJoints) {
     mdt_bodyAcceptVelocities(b);
     if (b->mass > b->world->sinkingMass)
         mdt_forgottenScale(b);
-    keaCopy(b->kea.kick[0], b->impulse);
-    keaCopy(b->kea.kick[1], b->angularImpulse);
+    memcpy(b->kea.kick, mdt_forcesOf(b)->impulse, sizeof b->kea.kick);
     mdt_forceBegin(b);
     if (!hasJoints)
         addKick(b);
     mdt_forceApply(b, frame);
     MEASSERT(isfinite(b->kea.force[0] + b->kea.force[1] + b->kea.force[2]));
-    b->kea.linearDamping = b->linearDamping;
-    b->kea.angularDamping = b->angularDamping;
     MdtBodyResetImpulses(b);
 }
 
@@ -685,8 +675,8 @@ static void setCentre(const char *caller, MdtBodyID b, const double centre[3], c
         return;
     b->record.flags &= ~MDT_OFF_CENTRE;
     getFrame(b, p, q);
-    keaCopy(b->centre, centre);
-    memcpy(b->centreTurn, turn, sizeof b->centreTurn);
+    keaCopy(b->centre.position, centre);
+    memcpy(b->centre.quaternion, turn, sizeof b->centre.quaternion);
     setFrame(b, p, q);
     for (MdtAttachment *at = b->attachments; at; at = at->next)
         mdt_constraintReframe(mdt_attachmentOwner(at), mdt_attachmentSide(at), &before, &b->kea);
@@ -699,13 +689,13 @@ void MEAPI MdtBodySetCenterOfMassRelativePosition(const MdtBodyID b, const MeVec
         return;
     double centre[3];
     mdt_fromReal(centre, pos);
-    setCentre(__func__, b, centre, b->centreTurn);
+    setCentre(__func__, b, centre, b->centre.quaternion);
 }
 
 void MEAPI MdtBodyGetCenterOfMassRelativePosition(const MdtBodyID b, MeVector3 pos) {
     if (!mdt_isResult(__func__, pos, 3) || !mdt_isBody(b, __func__))
         return;
-    mdt_toReal(pos, b->centre);
+    mdt_toReal(pos, b->centre.position);
 }
 
 void MEAPI MdtBodySetCenterOfMassRelativeTransform(const MdtBodyID b, const MeMatrix4 t) {
@@ -719,8 +709,8 @@ void MEAPI MdtBodyGetCenterOfMassRelativeTransform(const MdtBodyID b, MeMatrix4 
     if (!mdt_isResult(__func__, (MeReal *)t, 16) || !mdt_isBody(b, __func__))
         return;
     double R[3][3];
-    keaQuaternionToMatrix(R, b->centreTurn);
-    writeTransform(t, b->centre, (const double(*)[3])R);
+    keaQuaternionToMatrix(R, b->centre.quaternion);
+    writeTransform(t, b->centre.position, (const double(*)[3])R);
 }
 
 void MEAPI MdtBodySetCenterOfMassPosition(const MdtBodyID b, const MeVector3 pos) {
@@ -767,12 +757,12 @@ void MEAPI MdtBodyGetLinearVelocity(const MdtBodyID b, MeVector3 v) {
     if (!mdt_isResult(__func__, v, 3) || !mdt_isBody(b, __func__))
         return;
     mdt_bodyAcceptVelocities(b);
-    memcpy(v, b->velocity, sizeof b->velocity);
+    memcpy(v, b->velocity.lin, sizeof b->velocity.lin);
 }
 
 MeReal *MEAPI MdtBodyGetLinearVelocityPtr(const MdtBodyID b) {
     MDT_NEED_BODY(b, NULL);
-    return b->velocity;
+    return b->velocity.lin;
 }
 
 void MEAPI MdtBodySetAngularVelocity(const MdtBodyID b, const MeReal wx, const MeReal wy, const MeReal wz) {
@@ -792,12 +782,12 @@ void MEAPI MdtBodyGetAngularVelocity(const MdtBodyID b, MeVector3 v) {
     if (!mdt_isResult(__func__, v, 3) || !mdt_isBody(b, __func__))
         return;
     mdt_bodyAcceptVelocities(b);
-    memcpy(v, b->angularVelocity, sizeof b->angularVelocity);
+    memcpy(v, b->velocity.ang, sizeof b->velocity.ang);
 }
 
 MeReal *MEAPI MdtBodyGetAngularVelocityPtr(const MdtBodyID b) {
     MDT_NEED_BODY(b, NULL);
-    return b->angularVelocity;
+    return b->velocity.ang;
 }
 
 void MEAPI MdtBodyGetLinearAcceleration(const MdtBodyID b, MeVector3 v) {
@@ -929,27 +919,30 @@ MeBool MEAPI MdtBodyCoriolisForceIsEnabled(const MdtBodyID b) {
 
 /* ---- forces ---- */
 
-/* Adds v to `sum`, and to `moment` the moment of v at `point` about the centre of mass; null: v acts at the centre. */
-static void addWithMoment(const MdtBody *b, const double v[3], const double *point, double sum[3], double moment[3]) {
-    keaAddScaled(sum, 1, v);
+/* Adds v, at a point (null: at the centre of mass), to a sum of forces and torques, or of impulses. */
+static void addWithMoment(const MdtBody *b, const double v[3], const double *point, double sum[2][3]) {
+    keaAddScaled(sum[0], 1, v);
     if (!point)
         return;
     double arm[3], turn[3];
     keaSubtract(arm, point, b->kea.position);
     keaCross(turn, arm, v);
-    keaAddScaled(moment, 1, turn);
+    keaAddScaled(sum[1], 1, turn);
 }
 
-static void addForce(MdtBodyID b, const double f[3], const double *point) {
+static void addForce(MdtBodyID b, const double f[3], const double *point, const char *caller) {
+    MdtForces *forces = mdt_forcesMake(b, caller);
+    if (!forces)
+        return;
     b->record.flags |= MDT_FORCED;
-    addWithMoment(b, f, point, b->force, b->torque);
+    addWithMoment(b, f, point, forces->load);
 }
 
 void MEAPI MdtBodyAddForce(const MdtBodyID b, const MeReal fx, const MeReal fy, const MeReal fz) {
     MDT_NEED_BODY(b, );
     const double f[3] = {fx, fy, fz};
     if (mdt_isFinite3(__func__, "the force", fx, fy, fz))
-        addForce(b, f, NULL);
+        addForce(b, f, NULL, __func__);
 }
 
 void MEAPI MdtBodyAddForceAtPosition(const MdtBodyID b, const MeReal fx, const MeReal fy, const MeReal fz,
@@ -957,23 +950,30 @@ void MEAPI MdtBodyAddForceAtPosition(const MdtBodyID b, const MeReal fx, const M
     MDT_NEED_BODY(b, );
     const double f[3] = {fx, fy, fz}, p[3] = {px, py, pz};
     if (mdt_isFinite3(__func__, "the force", fx, fy, fz) && mdt_isFinite3(__func__, "the position", px, py, pz))
-        addForce(b, f, p);
+        addForce(b, f, p, __func__);
 }
 
 void MEAPI MdtBodyAddTorque(const MdtBodyID b, const MeReal tx, const MeReal ty, const MeReal tz) {
     MDT_NEED_BODY(b, );
     const double t[3] = {tx, ty, tz};
-    if (!mdt_isFinite3(__func__, "the torque", tx, ty, tz))
+    MdtForces *forces = mdt_isFinite3(__func__, "the torque", tx, ty, tz) ? mdt_forcesMake(b, __func__) : NULL;
+    if (!forces)
         return;
     b->record.flags |= MDT_FORCED;
-    keaAddScaled(b->torque, 1, t);
+    keaAddScaled(forces->load[1], 1, t);
+}
+
+static void addImpulse(MdtBodyID b, const double i[3], const double *point, const char *caller) {
+    MdtForces *forces = mdt_forcesMake(b, caller);
+    if (forces)
+        addWithMoment(b, i, point, forces->impulse);
 }
 
 void MEAPI MdtBodyAddImpulse(const MdtBodyID b, const MeReal ix, const MeReal iy, const MeReal iz) {
     MDT_NEED_BODY(b, );
     const double i[3] = {ix, iy, iz};
     if (mdt_isFinite3(__func__, "the impulse", ix, iy, iz))
-        addWithMoment(b, i, NULL, b->impulse, b->angularImpulse);
+        addImpulse(b, i, NULL, __func__);
 }
 
 void MEAPI MdtBodyAddImpulseAtPosition(const MdtBodyID b, const MeReal ix, const MeReal iy, const MeReal iz,
@@ -981,31 +981,31 @@ void MEAPI MdtBodyAddImpulseAtPosition(const MdtBodyID b, const MeReal ix, const
     MDT_NEED_BODY(b, );
     const double i[3] = {ix, iy, iz}, p[3] = {px, py, pz};
     if (mdt_isFinite3(__func__, "the impulse", ix, iy, iz) && mdt_isFinite3(__func__, "the position", px, py, pz))
-        addWithMoment(b, i, p, b->impulse, b->angularImpulse);
+        addImpulse(b, i, p, __func__);
 }
 
 void MEAPI MdtBodyGetForce(const MdtBodyID b, MeVector3 v) {
     if (!mdt_isResult(__func__, v, 3) || !mdt_isBody(b, __func__))
         return;
-    mdt_toReal(v, b->force);
+    mdt_toReal(v, mdt_forcesOf(b)->load[0]);
 }
 
 void MEAPI MdtBodyGetTorque(const MdtBodyID b, MeVector3 v) {
     if (!mdt_isResult(__func__, v, 3) || !mdt_isBody(b, __func__))
         return;
-    mdt_toReal(v, b->torque);
+    mdt_toReal(v, mdt_forcesOf(b)->load[1]);
 }
 
 void MEAPI MdtBodyResetImpulses(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    keaZero(b->impulse);
-    keaZero(b->angularImpulse);
+    if (b->forces)
+        memset(b->forces->impulse, 0, sizeof b->forces->impulse);
 }
 
 /* ---- damping and fast spin ---- */
 
-static void setDamping(MdtBodyID b, MeReal *damping, MeReal d) {
-    if (*damping != d)
+static void setDamping(MdtBodyID b, double *damping, MeReal d) {
+    if (*damping != (double)d)
         mdt_bodyDisturb(b);
     *damping = d;
 }
@@ -1013,23 +1013,23 @@ static void setDamping(MdtBodyID b, MeReal *damping, MeReal d) {
 void MEAPI MdtBodySetLinearVelocityDamping(const MdtBodyID b, const MeReal d) {
     MDT_CHANGE_BODY(b);
     if (mdt_isNotBelow(__func__, "the damping", d, 0))
-        setDamping(b, &b->linearDamping, d);
+        setDamping(b, &b->kea.linearDamping, d);
 }
 
 MeReal MEAPI MdtBodyGetLinearVelocityDamping(const MdtBodyID b) {
     MDT_NEED_BODY(b, 0);
-    return b->linearDamping;
+    return (MeReal)b->kea.linearDamping;
 }
 
 void MEAPI MdtBodySetAngularVelocityDamping(const MdtBodyID b, const MeReal d) {
     MDT_CHANGE_BODY(b);
     if (mdt_isNotBelow(__func__, "the damping", d, 0))
-        setDamping(b, &b->angularDamping, d);
+        setDamping(b, &b->kea.angularDamping, d);
 }
 
 MeReal MEAPI MdtBodyGetAngularVelocityDamping(const MdtBodyID b) {
     MDT_NEED_BODY(b, 0);
-    return b->angularDamping;
+    return (MeReal)b->kea.angularDamping;
 }
 
 void MEAPI MdtBodySetFastSpinAxis(const MdtBodyID b, const MeReal x, const MeReal y, const MeReal z) {

@@ -693,7 +693,7 @@ static void addContactForce(const MdtPoint *p, MdtKeaForcePair *sum) {
     for (int k = 0; k < 2; k++) {
         static const double origin[3] = {0, 0, 0};
         double arm[3], torque[3];
-        keaSubtract(arm, p->position, base->side[k].body ? base->side[k].body->start.position : origin);
+        keaSubtract(arm, p->position, base->side[k].body ? base->side[k].body->start.pose.position : origin);
         keaCross(torque, arm, force);
         keaAddScaled(sum->body[k].lin, k == 0 ? 1 : -1, force);
         keaAddScaled(sum->body[k].ang, k == 0 ? 1 : -1, torque);

@@ -105,14 +105,14 @@ static void warnOfStiffness(MdtBodyID b, const char *function) {
               "%s: the load on a body (sort key %d) grows step by step of %g s: its spring or "
               "damper is too stiff for explicit forces, with frequency times step above 2. Take shorter steps, or "
               "MdtSpring or MdtSpring6, which are stable at any stiffness",
-              function, b->link.sortKey, b->applied.time);
+              function, b->link.sortKey, b->forces->time);
 }
 
 /* The correction, N s or N m s, for a force that was `last` in the last step and is `now`. `before` and `after` are the
  * momenta at the last step's start and now. Also updates the estimate `fit`. */
 static void computeCorrection(const MdtBody *b, MdtFeedback *fit, const double now[3], const double last[3],
                               const double before[3], const double after[3], double correction[3]) {
-    const double h = b->applied.time, growth = keaDot(now, now) / keaDot(last, last);
+    const double h = b->forces->time, growth = keaDot(now, now) / keaDot(last, last);
     MEASSERT(h > 0);
     double mean[3], change[3];
     keaSubtract(correction, now, last);
@@ -140,38 +140,53 @@ static void computeCorrection(const MdtBody *b, MdtFeedback *fit, const double n
 
 /* ---- the correction ---- */
 
-static void getMomenta(const MdtBody *b, double momentum[2][3]) {
+void mdt_bodyMomenta(const MdtBody *b, double momentum[2][3]) {
     keaScale(momentum[0], b->mass, b->kea.velocity);
     keaCopy(momentum[1], b->kea.angularMomentum);
 }
 
 /* Adds the correction to the body's momenta at the start of the frame, and warns of instability. */
 static void addCorrections(MdtBodyID b) {
-    MdtApplied *last = &b->applied;
+    MdtForces *f = b->forces;
+    const MdtPartitionParams *sleepParams = &b->world->sleepParams;
+    const double *I = b->kea.moments, inverse[2] = {b->kea.invMass, 1 / fmax(I[0], fmax(I[1], I[2]))};
+    const MeReal threshold[2] = {sleepParams->vel_thresh, sleepParams->velrot_thresh};
     double after[2][3], correction[2][3];
-    getMomenta(b, after);
-    computeCorrection(b, &last->pushing, b->force, last->force, last->momentum[0], after[0], correction[0]);
-    computeCorrection(b, &last->turning, b->torque, last->torque, last->momentum[1], after[1], correction[1]);
-    const double h = last->time, *I = b->kea.moments, inverse = 1 / fmax(I[0], fmax(I[1], I[2]));
-    if (isUnstable(&last->pushing) && isLoadVisible(b->force, b->kea.invMass, h, b->world->sleepParams.vel_thresh))
-        warnOfStiffness(b, "MdtBodyAddForce");
-    if (isUnstable(&last->turning) && isLoadVisible(b->torque, inverse, h, b->world->sleepParams.velrot_thresh))
-        warnOfStiffness(b, "MdtBodyAddTorque");
+    mdt_bodyMomenta(b, after);
+    for (int k = 0; k < 2; k++) {
+        computeCorrection(b, &f->feedback[k], f->load[k], f->lastLoad[k], f->momentum[k], after[k], correction[k]);
+        if (isUnstable(&f->feedback[k]) && isLoadVisible(f->load[k], inverse[k], f->time, threshold[k]))
+            warnOfStiffness(b, k == 0 ? "MdtBodyAddForce" : "MdtBodyAddTorque");
+    }
     for (int k = 0; k < 2; k++)
         keaAddScaled(b->kea.kick[k], 1, correction[k]);
 }
 
 /* ---- one frame ---- */
 
+const MdtForces mdt_noForces;
+
+MdtForces *mdt_forcesMake(MdtBodyID b, const char *caller) {
+    if (!b->forces)
+        b->forces = MeMemoryTakeZeroed(1, sizeof *b->forces, caller, "the forces of a body");
+    return b->forces;
+}
+
+void mdt_forcesFree(MdtBodyID b) {
+    MeMemoryGive(b->forces);
+    b->forces = NULL;
+}
+
 void mdt_forceRestart(MdtBodyID b) {
-    b->applied.time = 0;
-    memset(&b->applied.pushing, 0, sizeof b->applied.pushing);
-    memset(&b->applied.turning, 0, sizeof b->applied.turning);
+    if (!b->forces)
+        return;
+    b->forces->time = 0;
+    memset(b->forces->feedback, 0, sizeof b->forces->feedback);
 }
 
 void mdt_forceContinue(MdtBodyID b) {
-    keaAddScaled(b->force, 1, b->applied.force);
-    keaAddScaled(b->torque, 1, b->applied.torque);
+    for (int k = 0; k < 2 && b->forces; k++)
+        keaAddScaled(b->forces->load[k], 1, b->forces->lastLoad[k]);
     b->record.flags |= MDT_KEPT;
 }
 
@@ -180,26 +195,26 @@ void mdt_forceBegin(MdtBodyID b) {
         return;
     if (!(b->record.flags & MDT_FORCED))
         mdt_forceRestart(b);
-    else if (b->applied.time > 0)
+    else if (b->forces->time > 0)
         addCorrections(b);
 }
 
 void MEAPI MdtBodyResetForces(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    keaZero(b->force);
-    keaZero(b->torque);
+    if (b->forces)
+        memset(b->forces->load, 0, sizeof b->forces->load);
     b->record.flags &= ~MDT_FORCED;
 }
 
 void mdt_forceApply(MdtBodyID b, double frame) {
     MEASSERT(frame > 0);
-    MdtApplied *a = &b->applied;
-    keaCopy(a->force, b->force);
-    keaCopy(a->torque, b->torque);
+    MdtForces *f = b->forces;
+    keaCopy(b->kea.force, mdt_forcesOf(b)->load[0]);
+    keaCopy(b->kea.torque, mdt_forcesOf(b)->load[1]);
+    if (f)
+        memcpy(f->lastLoad, f->load, sizeof f->lastLoad);
     if ((b->record.flags & (MDT_FORCED | MDT_KEPT)) == MDT_FORCED)
-        a->time = frame;
-    keaCopy(b->kea.force, b->force);
-    keaCopy(b->kea.torque, b->torque);
+        f->time = frame;
     b->record.flags &= ~MDT_KEPT;
     MdtBodyResetForces(b);
 }

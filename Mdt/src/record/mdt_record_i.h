@@ -36,10 +36,18 @@ MeBool mdt_bodyStaysInPlace(const MdtBody *b);
 /* True if the body, with its present motion, would hardly move in the next second. */
 MeBool mdt_bodyIsQuiet(const MdtBody *b);
 /* True if a change of momentum, N s and N m s, that acts in h seconds would move the body visibly. */
-MeBool mdt_bodyWouldMove(const MdtBody *b, const double push[3], const double angularImpulse[3], double h);
+MeBool mdt_bodyWouldMove(const MdtBody *b, double push[2][3], double h);
 
 /* ---- forces in successive steps (mdt_force.c) ---- */
 
+/* The forces of the program on a body: for reading; for writing, allocated at first: null, after a fatal error, if there
+ * is no memory. */
+static inline const MdtForces *mdt_forcesOf(const MdtBody *b) {
+    return b->forces ? b->forces : &mdt_noForces;
+}
+MdtForces *mdt_forcesMake(MdtBodyID b, const char *caller);
+void mdt_forcesFree(MdtBodyID b);                              /* sets `forces` to null */
+void mdt_bodyMomenta(const MdtBody *b, double momentum[2][3]); /* kg m/s, kg m²/s */
 /* At the start of a frame: adds the correction to the body's kick if a force was given in the last frame, too. */
 void mdt_forceBegin(MdtBodyID b);
 /* Passes the forces of a frame, of `frame` seconds, to kea and clears the accumulators. */

@@ -23,8 +23,7 @@ static double lookAheadTime(const MdtBody *b) {
 
 /* m: the radius of gyration, at least a fifth of the length scale. */
 static double radiusOf(const MdtBody *b) {
-    const double *I = b->kea.moments, min = 0.2 * (double)b->world->params.lengthScale;
-    return fmax(sqrt(fmax(I[0], fmax(I[1], I[2])) * b->kea.invMass), min);
+    return fmax(mdt_bodyRadius(b), 0.2 * (double)b->world->params.lengthScale);
 }
 
 /* m: largest displacement of a body that is still. */
@@ -35,11 +34,9 @@ static double stillDistance(double radius) {
 /* Restarts the observation at the present pose. reach: MdtStay.reach. */
 static void restartAt(MdtBodyID b, double reach) {
     MdtStay *s = &b->stay;
-    keaCopy(s->position, b->kea.position);
-    memcpy(s->quaternion, b->kea.quaternion, sizeof s->quaternion);
+    s->pose = mdt_bodyPose(b);
     s->time = s->maxDistance = s->maxAtReturn = 0;
-    s->returns = 0;
-    s->isBack = METRUE;
+    s->crossings = 0;
     s->reach = reach;
 }
 
@@ -51,10 +48,8 @@ void mdt_stayRestart(MdtBodyID b) {
 
 /* m: distance from the reference pose, with the rotation at the radius. */
 static double distanceFromPlace(const MdtBody *b, double radius) {
-    double moved[3], back[4], turned[4];
-    keaSubtract(moved, b->kea.position, b->stay.position);
-    keaQuaternionConjugate(back, b->stay.quaternion);
-    keaQuaternionProduct(turned, b->kea.quaternion, back);
+    double moved[3], turned[4];
+    mdt_bodyMotionSince(b, &b->stay.pose, moved, turned);
     return keaLength(moved) + 2 * keaLength(turned + 1) * radius;
 }
 
@@ -68,10 +63,8 @@ static double pointSpeed(const MdtBody *b, double radius) {
 
 /* The displacement of the last step: of the centre of mass, and of the rotation times the radius. */
 static void getStepDisplacement(const MdtBody *b, double radius, double displacement[6]) {
-    double back[4], turned[4];
-    keaSubtract(displacement, b->kea.position, b->start.position);
-    keaQuaternionConjugate(back, b->start.quaternion);
-    keaQuaternionProduct(turned, b->kea.quaternion, back);
+    double turned[4];
+    mdt_bodyMotionSince(b, &b->start.pose, displacement, turned);
     keaScale(displacement + 3, 2 * radius, turned + 1);
 }
 
@@ -101,24 +94,22 @@ static void addDisplacement(MdtStay *s, const double displacement[6], double sti
  * the body goes a tenth farther in between. One is not enough: a body near a turning point of its path has one, too.
  * */
 static void countReturns(MdtStay *s, double distance, double h) {
-    const MeBool isBack = distance < 0.5 * s->maxDistance;
+    const MeBool isBack = distance < 0.5 * s->maxDistance, wasBack = s->crossings % 2 == 0;
     s->maxDistance = fmax(s->maxDistance, distance);
-    if (isBack && !s->isBack) {
-        s->returns++;
+    s->crossings += isBack != wasBack;
+    if (isBack && !wasBack)
         s->maxAtReturn = s->maxDistance;
-    }
     if (distance > 1.1 * s->maxAtReturn)
-        s->returns = 0;
+        s->crossings = !isBack;
     if (distance > s->reach)
         s->reach = 0;
-    s->isBack = isBack;
     s->time += h;
-    MEASSERT(s->maxAtReturn <= s->maxDistance && s->returns >= 0);
+    MEASSERT(s->maxAtReturn <= s->maxDistance && s->crossings >= 0);
 }
 
 /* True for two returns with a small amplitude; the amplitude may grow with the time observed. */
 static MeBool oscillatesLittle(const MdtStay *s, double radius, double second) {
-    return s->time >= second && s->returns > 1 && s->maxDistance <= stayingReach * radius * s->time / second;
+    return s->time >= second && s->crossings >= 4 && s->maxDistance <= stayingReach * radius * s->time / second;
 }
 
 void mdt_stayUpdate(MdtBodyID b, double h) {
@@ -154,12 +145,10 @@ MeBool mdt_bodyIsQuiet(const MdtBody *b) {
     return b->world->hasThresholds || distanceAhead(b, radius) <= quietReach * radius;
 }
 
-/* push, angularImpulse: change of momentum in h seconds. */
-MeBool mdt_bodyWouldMove(const MdtBody *b, const double push[3], const double angularImpulse[3], double h) {
+MeBool mdt_bodyWouldMove(const MdtBody *b, double push[2][3], double h) {
     const MdtPartitionParams *sleepParams = &b->world->sleepParams;
     const double *I = b->kea.moments, radius = radiusOf(b);
-    const double speed = keaLength(push) * b->kea.invMass,
-                 spin = keaLength(angularImpulse) / fmin(I[0], fmin(I[1], I[2]));
+    const double speed = keaLength(push[0]) * b->kea.invMass, spin = keaLength(push[1]) / fmin(I[0], fmin(I[1], I[2]));
     if (b->world->hasThresholds)
         return speed * speed > h * h * (double)sleepParams->acc_thresh ||
                spin * spin > h * h * (double)sleepParams->accrot_thresh;

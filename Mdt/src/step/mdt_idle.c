@@ -6,15 +6,14 @@
 #include "MdtBody.h"
 #include "MdtInternal.h"
 #include "step/mdt_step_i.h"
+#include <string.h>
 
 #if KARMA_CHECK
-static MeBool isZero(const double v[3]) {
-    return v[0] == 0 && v[1] == 0 && v[2] == 0;
-}
-
 static MeBool isUnaffected(const MdtBody *b) {
-    return isZero(b->force) && isZero(b->torque) && isZero(b->impulse) && isZero(b->angularImpulse) &&
-           MeVector3MagnitudeSqr(b->velocity) == 0 && MeVector3MagnitudeSqr(b->angularVelocity) == 0;
+    const MdtForces *f = mdt_forcesOf(b);
+    return memcmp(f->load, mdt_noForces.load, sizeof f->load) == 0 &&
+           memcmp(f->impulse, mdt_noForces.impulse, sizeof f->impulse) == 0 &&
+           MeVector3MagnitudeSqr(b->velocity.lin) == 0 && MeVector3MagnitudeSqr(b->velocity.ang) == 0;
 }
 
 /* True if nothing acts on any body at the start of a step. `sum`, over bodies and their moves, detects bodies that the

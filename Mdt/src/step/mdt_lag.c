@@ -37,7 +37,7 @@ void mdt_lagSet(const MdtIsland *p, double remainingTime) {
 static double commonLag(const MdtIsland *p) {
     double min = INFINITY;
     for (int i = 0; i < p->numBodies; i++)
-        if (p->bodies[i]->enabledSteps > 0)
+        if (p->bodies[i]->enabledTime > 0)
             min = fmin(min, p->bodies[i]->lag);
     return min < INFINITY ? min : 0;
 }

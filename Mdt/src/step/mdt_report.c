@@ -214,7 +214,7 @@ void mdt_reportSubstep(MdtReport *r, const MdtIsland *p, MeBool isFinite) {
 /* Uses the public angular velocity: in single precision it has as many digits as the report. */
 static double kineticEnergyOf(const MdtBody *b) {
     double w[3];
-    mdt_fromReal(w, b->angularVelocity);
+    mdt_fromReal(w, b->velocity.ang);
     return 0.5 * (b->mass * keaDot(b->kea.velocity, b->kea.velocity) + keaDot(w, b->kea.angularMomentum));
 }
 

@@ -3,6 +3,7 @@
 #include "MeAssert.h"
 #include "MeInternal.h"
 #include "step/mdt_step_i.h"
+#include <limits.h>
 #include <string.h>
 
 /* ---- constraints ---- */
@@ -83,7 +84,7 @@ void mdt_unpackConstraints(MdtIsland *p) {
 static void recordPush(MdtBodyID b, const MdtStart *start, const MdtKeaVelocity *end, double h) {
     b->theta = b->kea.fall / (h * h);
     for (int k = 0; k < 3; k++)
-        b->push[k] = (b->kea.position[k] - start->position[k]) / h - (1 - b->theta) * start->velocity.lin[k] -
+        b->push[k] = (b->kea.position[k] - start->pose.position[k]) / h - (1 - b->theta) * start->velocity.lin[k] -
                      b->theta * end->lin[k];
 }
 
@@ -100,7 +101,8 @@ static void unpackBody(MdtBodyID b, double h) {
     MEASSERT(b->theta >= 0.5 - 1e-9 && b->theta <= 1 + 1e-9);
     MEASSERT(isfinite(keaLength(b->kea.lastStep.lin) + keaLength(b->kea.lastStep.ang) + keaLength(b->push)));
     mdt_bodyAge(b, h);
-    b->start.movesAfter = b->moves;
+    if (b->moves != b->start.moves + 1)
+        b->start.moves = ULONG_MAX;
 }
 
 /* For results independent of threads (rule in MeTeam.h), a range writes to its own bodies only. */
@@ -127,5 +129,6 @@ void mdt_unpackStopped(MdtIsland *p) {
         MdtKeaBodySetAngularVelocity(&p->bodies[i]->kea, none);
         mdt_bodyClampPosition(p->bodies[i]); /* an earlier part of the step may have moved it beyond */
         mdt_bodyShow(p->bodies[i]);
+        p->bodies[i]->start.moves = ULONG_MAX;
     }
 }

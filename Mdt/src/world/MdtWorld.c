@@ -65,8 +65,10 @@ static void unregisterConstraint(MdtConstraintID c) {
 }
 
 static void freeWorld(MdtWorldID w) {
-    for (MdtLink *link = w->bodies.first; link; link = link->next)
+    for (MdtLink *link = w->bodies.first; link; link = link->next) {
+        mdt_forcesFree(mdt_linkOwner(link));
         MeHandleLeave(&((MdtBodyID)mdt_linkOwner(link))->record.handle);
+    }
     for (MdtLink *link = w->constraints.first; link; link = link->next)
         unregisterConstraint(mdt_linkOwner(link));
     void *arrays[] = {w->bodyOf,       w->actingOf,        w->constraintOf,    w->keaOf,         w->bodyStart,
