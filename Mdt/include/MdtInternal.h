@@ -31,7 +31,7 @@ typedef struct MdtBodyUser {
 } MdtBodyUser;
 /** True if the body has a user. */
 MEPUBLIC MeBool MEAPI MdtBodyHasUser(const MdtBodyID b);
-/** Sets the result of MdtBodyGetModel, and the body's user; null: none. */
+/** Sets the result of MdtBodyGetModel, and the body's user, which is the same for all bodies of a world; null: none. */
 MEPUBLIC void MEAPI MdtBodySetUser(const MdtBodyID b, void *model, const MdtBodyUser *user);
 /** @} */
 

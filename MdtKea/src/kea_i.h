@@ -69,19 +69,12 @@ typedef struct KeaBody {
     double axes[3][3];      /* principal axes at the start, as columns */
     double spin[3];         /* rad/s at the start, in principal axes; in world axes if isSpatial */
     double inertia[3][3];   /* kg m², world, at the start; set if isSpatial */
-    double freeVelocity[3]; /* m/s, at the end without rows */
     double freeMomentum[3]; /* kg m²/s, angular, at the end without rows */
-    double scale;           /* N s: scale of the impulses in the step, to which tolerances are relative */
     double u[6];            /* the unknown: mean velocity of the step, m/s and rad/s (world) */
     double endAxes[3][3];
     double endVelocity[6]; /* m/s, rad/s (world) */
-    /* s, for tangent problems: a change dw of w changes cay(h w) by the rotation vector (turnDerivative dw), world */
-    double turnDerivative[3][3];
-    double distance; /* m, of its end position from the origin */
-    /* m, rad: the body's contribution to the scales of position errors (kea_residual.c) */
-    double linearScale, angularScale;
-    MeBool isUntied; /* no row constrains its displacement: it is moved by v + moveTheta (v⁺ - v), not by u */
-    MeBool isFree;   /* no row acts on it: it moves as a free body */
+    MeBool isUntied;       /* no row constrains its displacement: it is moved by v + moveTheta (v⁺ - v), not by u */
+    MeBool isFree;         /* no row acts on it: it moves as a free body */
 } KeaBody;
 
 /* The graph of joints (kea_dual.c): nodes are joints, edges are bodies that two joints share. */
@@ -225,6 +218,9 @@ void kea_moveVelocity(const MdtKeaSystem *s, int body, MeBool byEnd, double move
 /* Sets load and metric of the inner problem: the residual of momentum without rows, and its derivative with respect to
  * u, made symmetric and positive definite. */
 void kea_linearizeBodies(MdtKeaSystem *s);
+/* s: D, the derivative of a body's rotation cay(h w): a change dw of w changes it by the rotation vector D dw (world).
+ */
+void kea_setTurnDerivative(const MdtKeaSystem *s, int i, double D[3][3]);
 /* Sets the exact, unsymmetric derivative of the momentum, for the tangent problem; after kea_linearizeBodies. */
 void kea_differentiateBodies(MdtKeaSystem *s);
 /* Computes end velocities from the impulses, so that momentum is conserved exactly even if passes have not
@@ -440,8 +436,6 @@ MeBool kea_isConverged(const KeaResiduals *e);
  * kea_isMotionExactEnough: those of positions and momenta only, whatever the velocity residual is. */
 MeBool kea_isExactEnough(const KeaResiduals *e, double margin);
 MeBool kea_isMotionExactEnough(const KeaResiduals *e, double margin);
-/* Sets distance, linearScale and angularScale of a body, after it has been moved. */
-void kea_setErrorScales(MdtKeaSystem *s, int body);
 /* Marks inconsistent joints, which contradict each other; after every pass. kea_isConflicting: whether the residual of
  * such a joint exceeds the rounding of attachments; kea_isInconsistent: whether it exceeds the position tolerance. */
 void kea_markInconsistentJoints(MdtKeaSystem *s);

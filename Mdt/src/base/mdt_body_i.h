@@ -73,6 +73,7 @@ enum {
     MDT_OFF_CENTRE = 4096,  /* a body whose centre of mass the program still has to set: a warning otherwise */
     MDT_CONDEMNED = 8192,   /* an object that is being destroyed, or will be when a stage ends (mdt_stage.c) */
     MDT_BRIDGED = 16384,    /* a contact group that the bridge (Mst) made and owns */
+    MDT_MODELLED = 32768,   /* a body with models, whose owner is notified by MdtWorld.bodyUser */
 };
 
 /* Velocities that programs read: m/s, rad/s. */
@@ -122,7 +123,6 @@ struct MdtBody {
     double inertia[3][3]; /* kg m², as set */
     MeVector3 fastSpinAxis;
     void *userData, *model;
-    const MdtBodyUser *user; /* callbacks of the owner of `model`; null: none */
 };
 #ifndef _ME_API_DOUBLE
 _Static_assert(offsetof(MdtBody, transform) == 64, "a pose is one line");

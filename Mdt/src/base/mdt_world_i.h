@@ -26,6 +26,7 @@ struct MdtWorld {
     MdtContactImportanceCBPtr importance;     /* null: the deepest contacts matter most */
     int *sizeLog, sizeLogLength;              /* owned by the program; null: none */
     MdtBodyHandler bodyEnabled, bodyDisabled; /* null: none */
+    const MdtBodyUser *bodyUser;              /* callbacks of the owner of bodies' models (Mst); null: none */
     MdtPartitionEndCB partitionCb;            /* null: the world decides which partitions fall asleep */
     void *partitionCbData;
     MdtPartitionOutput output;
@@ -92,6 +93,11 @@ struct MdtWorld {
 
     MeHandle handle;
 };
+
+/* The callbacks of the owner of the body's models; null: it has none. */
+static inline const MdtBodyUser *mdt_userOf(const MdtBody *b) {
+    return b->record.flags & MDT_MODELLED ? b->world->bodyUser : NULL;
+}
 
 /* Call it when the set of enabled constraints, their bodies, or the order has changed. Creating and destroying does not
  * count: a new constraint is not enabled yet, and one is disabled before it is destroyed. */

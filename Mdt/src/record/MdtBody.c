@@ -79,8 +79,8 @@ static void restartSleepTime(MdtBodyID b) {
 /* Notifies the body's user that the program has moved a disabled body. A sleeping body is left out, since it wakes and
  * is then updated anyway. */
 static void notifyMoved(MdtBodyID b) {
-    if (b->user && !(b->record.flags & (MDT_ENABLED | MDT_ASLEEP)))
-        b->user->moved(b);
+    if (mdt_userOf(b) && !(b->record.flags & (MDT_ENABLED | MDT_ASLEEP)))
+        mdt_userOf(b)->moved(b);
 }
 
 /* Places the frame. The velocities stay, so the angular momentum changes with the attitude. */
@@ -316,8 +316,8 @@ void mdt_bodyTerm(MdtBodyID b) {
     b->record.flags |= MDT_CONDEMNED;
     MeStageBegin(&w->stage, MDT_GUARD_GRAPH); /* defers calls of the program's handlers */
     mdt_bodyDisable(b);
-    if (b->user)
-        b->user->leave(b);
+    if (mdt_userOf(b))
+        mdt_userOf(b)->leave(b);
     while (b->attachments)
         releaseConstraint(b->attachments);
     MEASSERT(!b->attachments && !(b->record.flags & (MDT_ENABLED | MDT_ASLEEP)));
@@ -356,8 +356,7 @@ MdtBodyID MEAPI MdtBodyCopy(const MdtBodyID b, const MdtWorldID w) {
     else
         copy->record.flags &= ~MDT_FORCED;
     copy->model = NULL;
-    copy->user = NULL;
-    copy->record.flags &= ~(MDT_ENABLED | MDT_ASLEEP | MDT_CONDEMNED);
+    copy->record.flags &= ~(MDT_ENABLED | MDT_ASLEEP | MDT_CONDEMNED | MDT_MODELLED);
     copy->partition = -1;
     if (b->record.flags & MDT_ENABLED)
         MdtBodyEnable(copy);
@@ -1069,7 +1068,7 @@ void MEAPI MdtBodySetUserData(const MdtBodyID b, void *d) {
 
 void MEAPI MdtBodySetModel(const MdtBodyID b, void *model) {
     MDT_NEED_BODY(b, );
-    if (b->user && model != b->model)
+    if (mdt_userOf(b) && model != b->model)
         MeWarning(1, "%s: the body has models of its own; see McdModelSetBody; nothing is changed", __func__);
     else
         b->model = model;
@@ -1077,13 +1076,14 @@ void MEAPI MdtBodySetModel(const MdtBodyID b, void *model) {
 
 MeBool MEAPI MdtBodyHasUser(const MdtBodyID b) {
     MDT_NEED_BODY(b, MEFALSE);
-    return b->user != NULL;
+    return mdt_userOf(b) != NULL;
 }
 
 void MEAPI MdtBodySetUser(const MdtBodyID b, void *model, const MdtBodyUser *user) {
     MDT_NEED_BODY(b, );
     b->model = model;
-    b->user = user;
+    b->record.flags = user ? b->record.flags | MDT_MODELLED : b->record.flags & ~MDT_MODELLED;
+    b->world->bodyUser = user ? user : b->world->bodyUser;
 }
 
 void *MEAPI MdtBodyGetModel(const MdtBodyID b) {

@@ -40,8 +40,8 @@ MeBool mdt_bodyWouldMove(const MdtBody *b, double push[2][3], double h);
 
 /* ---- forces in successive steps (mdt_force.c) ---- */
 
-/* The forces of the program on a body: for reading; for writing, allocated at first: null, after a fatal error, if there
- * is no memory. */
+/* The forces of the program on a body: for reading; for writing, allocated if needed: null, after a fatal error, if
+ * there is no memory. */
 static inline const MdtForces *mdt_forcesOf(const MdtBody *b) {
     return b->forces ? b->forces : &mdt_noForces;
 }

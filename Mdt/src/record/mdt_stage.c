@@ -50,7 +50,7 @@ static void MEAPI destroyBody(const MeLater *later);
 
 /* The stage that guards the body from being destroyed: its world's, or that of its models; null if there is none. */
 static MeStage *guardingStage(MdtBodyID b) {
-    MeStage *own = &b->world->stage, *user = b->user ? b->user->guardOf(b) : NULL;
+    MeStage *own = &b->world->stage, *user = mdt_userOf(b) ? mdt_userOf(b)->guardOf(b) : NULL;
     return MeStageIsActive(own, MDT_GUARD_BODIES) ? own : user;
 }
 
@@ -77,6 +77,6 @@ void mdt_bodyDestroy(MdtBodyID b, const char *caller) {
     if (!deferDestroy(stage, b, caller))
         return;
     b->record.flags |= MDT_CONDEMNED;
-    if (b->user)
-        b->user->condemn(b);
+    if (mdt_userOf(b))
+        mdt_userOf(b)->condemn(b);
 }

@@ -145,7 +145,7 @@ static MeBool mayDestroyContents(MdtWorldID w, const char *caller) {
         return MEFALSE;
     for (MdtLink *link = w->bodies.first; link; link = link->next) {
         const MdtBodyID b = mdt_linkOwner(link);
-        if (b->user && b->user->guardOf(b)) {
+        if (mdt_userOf(b) && mdt_userOf(b)->guardOf(b)) {
             MeProgramRefuse(caller, "models of its bodies are in use");
             return MEFALSE;
         }
@@ -159,8 +159,8 @@ void MEAPI MdtWorldDestroy(const MdtWorldID w) {
         return;
     for (MdtLink *link = w->bodies.first; link; link = link->next) {
         const MdtBodyID b = mdt_linkOwner(link);
-        if (b->user)
-            b->user->leave(b);
+        if (mdt_userOf(b))
+            mdt_userOf(b)->leave(b);
     }
     MEASSERT(!w->stage.first);
     MeHandleLeave(&w->handle);

@@ -29,7 +29,7 @@ static double startEnergy(const MdtKeaSystem *s, int b) {
 static double workOfLoads(const MdtKeaSystem *s, int b) {
     const double *u = s->work->body[b].u;
     double dv[3], dL[3];
-    keaSubtract(dv, s->work->body[b].freeVelocity, s->bodies[b]->velocity);
+    keaSubtract(dv, s->predicted[b].lin, s->bodies[b]->velocity);
     keaSubtract(dL, s->work->body[b].freeMomentum, s->bodies[b]->angularMomentum);
     return keaDot(dv, u) / s->bodies[b]->invMass + keaDot(dL, u + 3);
 }
@@ -81,7 +81,7 @@ static double workOfCorrection(const MdtKeaSystem *s) {
     double momentum = 0;
     for (int b = 0; b < s->numBodies; b++) {
         double dv[3];
-        keaSubtract(dv, s->work->body[b].freeVelocity, s->bodies[b]->velocity);
+        keaSubtract(dv, s->predicted[b].lin, s->bodies[b]->velocity);
         momentum += keaLength(dv) / s->bodies[b]->invMass;
     }
     return momentum * speedOfCorrection(s, METRUE);

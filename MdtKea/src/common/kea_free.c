@@ -22,11 +22,11 @@ void kea_moveFreeBody(MdtKeaSystem *s, int i) {
     KeaEnd *end = &s->work->end[i];
     double L[3];
     for (int k = 0; k < 3; k++) {
-        end->position[k] = body->position[k] + 0.5 * h * (body->velocity[k] + b->freeVelocity[k]);
+        end->position[k] = body->position[k] + 0.5 * h * (body->velocity[k] + s->predicted[i].lin[k]);
         L[k] = 0.5 * (body->angularMomentum[k] + b->freeMomentum[k]);
     }
     end->theta = 0.5;
-    keaCopy(end->velocity, b->freeVelocity);
+    keaCopy(end->velocity, s->predicted[i].lin);
     keaCopy(end->angularMomentum, b->freeMomentum);
     kea_rotateFree(body, body->quaternion, L, h, end->quaternion);
     kea_setPoses(s, i);

@@ -13,25 +13,25 @@
 
 /* ---- position rows ---- */
 
-void kea_setErrorScales(MdtKeaSystem *s, int body) {
-    const double h = s->parameters.stepsize;
-    KeaBody *b = &s->work->body[body];
-    b->distance = keaLength(s->work->end[body].position);
-    b->linearScale = h * keaLength(b->u) + kea_bodySizeShare * b->size + kea_roundingShare * b->distance;
-    b->angularScale = h * keaLength(b->u + 3);
+/* m: the distance of a body's end position from the origin. */
+static double endDistance(const MdtKeaSystem *s, int body) {
+    return keaLength(s->work->end[body].position);
 }
 
 /* Scale of a position row's error: the sum of its initial error, lever arms, the displacements of its bodies and
  * fractions of their size and, for rounding far from the origin, of their distance from it. For an angular row all of
  * these are angles. */
 static double lengthScaleOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    const double h = s->parameters.stepsize;
     double size = fabs(row->error);
     for (int k = 0; k < 2; k++) {
         if (row->body[k] < 0)
             continue;
         const KeaBody *b = &s->work->body[row->body[k]];
         size += keaLength(row->J[k].ang);
-        size += keaDot(row->J[k].lin, row->J[k].lin) > 0 ? b->linearScale : b->angularScale;
+        size += keaDot(row->J[k].lin, row->J[k].lin) > 0 ? h * keaLength(b->u) + kea_bodySizeShare * b->size +
+                                                               kea_roundingShare * endDistance(s, row->body[k])
+                                                         : h * keaLength(b->u + 3);
     }
     return size;
 }
@@ -44,7 +44,7 @@ static double roundingOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
             continue;
         if (keaDot(row->J[k].lin, row->J[k].lin) == 0)
             return kea_attachmentRounding; /* of an angle */
-        size += keaLength(row->arm[k]) + s->work->body[row->body[k]].distance;
+        size += keaLength(row->arm[k]) + endDistance(s, row->body[k]);
     }
     return kea_attachmentRounding * size + DBL_MIN;
 }
@@ -145,7 +145,7 @@ MeBool kea_isConflicting(const MdtKeaSystem *s) {
 /* m/s: the change of a body's velocity by its loads in the step. */
 static double changeByLoads(const MdtKeaSystem *s, int i) {
     double change[3];
-    keaSubtract(change, s->work->body[i].freeVelocity, s->bodies[i]->velocity);
+    keaSubtract(change, s->predicted[i].lin, s->bodies[i]->velocity);
     return keaLength(change);
 }
 
@@ -167,7 +167,7 @@ double kea_bodySpeedScale(const MdtKeaSystem *s) {
     double speed = kea_minSpeedOfAll(s);
     for (int i = 0; i < s->numBodies; i++) {
         const KeaBody *b = &s->work->body[i];
-        speed = keaMax(speed, changeByLoads(s, i) + kea_ownSpeedShare * keaLength(b->freeVelocity) +
+        speed = keaMax(speed, changeByLoads(s, i) + kea_ownSpeedShare * keaLength(s->predicted[i].lin) +
                                   kea_ownSpeedShare * b->size * keaLength(s->predicted[i].ang));
     }
     return speed;

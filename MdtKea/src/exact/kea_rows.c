@@ -336,11 +336,13 @@ void kea_setMovingRates(MdtKeaSystem *s) {
 }
 
 /* The derivative of a row's error with respect to d, over h: J at the end pose, with its angular part times D / h
- * (KeaBody.turnDerivative). */
-static void setTangent(double tangent[6], const MdtKeaJBlock *J, const KeaBody *body, double h) {
+ * (kea_setTurnDerivative). */
+static void setTangent(const MdtKeaSystem *s, int body, const MdtKeaJBlock *J, double tangent[6]) {
+    double D[3][3];
+    kea_setTurnDerivative(s, body, D);
     keaCopy(tangent, J->lin);
-    keaApplyTransposed(tangent + 3, body->turnDerivative, J->ang);
-    keaScale(tangent + 3, 1 / h, tangent + 3);
+    keaApplyTransposed(tangent + 3, (const double(*)[3])D, J->ang);
+    keaScale(tangent + 3, 1 / s->parameters.stepsize, tangent + 3);
 }
 
 void kea_differentiateRows(MdtKeaSystem *s) {
@@ -354,7 +356,7 @@ void kea_differentiateRows(MdtKeaSystem *s) {
             memcpy(q->tangent[i], q->row[i].J, sizeof q->row[i].J);
         for (int k = 0; k < 2 && (row->position || row->spring); k++)
             if (row->body[k] >= 0)
-                setTangent(q->tangent[i][k], &row->J[k], &s->work->body[row->body[k]], s->parameters.stepsize);
+                setTangent(s, row->body[k], &row->J[k], q->tangent[i][k]);
     }
     kea_restoreJacobians(s);
 }

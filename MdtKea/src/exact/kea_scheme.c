@@ -44,23 +44,27 @@ static void setStartSpin(const MdtKeaBody *body, KeaBody *b) {
 }
 
 /* N s: the scale of a body's impulses: those of its loads plus a small fraction of its momentum. */
-static double impulseScaleOf(const MdtKeaBody *body, const KeaBody *b, double size, double h) {
+static double impulseScaleOf(const MdtKeaSystem *s, int i) {
+    const MdtKeaBody *body = s->bodies[i];
+    const double size = s->work->body[i].size;
     double dv[3], dL[3];
-    keaSubtract(dv, b->freeVelocity, body->velocity);
-    keaSubtract(dL, b->freeMomentum, body->angularMomentum);
+    keaSubtract(dv, s->predicted[i].lin, body->velocity);
+    keaSubtract(dL, s->work->body[i].freeMomentum, body->angularMomentum);
     const double momentum = keaLength(body->velocity) / body->invMass + keaLength(body->angularMomentum) / size;
     return keaMax(keaLength(dv) / body->invMass + keaLength(dL) / size + kea_roundingShare * momentum,
-                  kea_minSpeed(size, h) / body->invMass);
+                  kea_minSpeed(size, s->parameters.stepsize) / body->invMass);
 }
 
 /* Guesses u by the acceleration of the last step, unless that was a jerk, such as an impact. */
-static void guessVelocity(const MdtKeaBody *body, const MdtKeaVelocity *v, KeaBody *b, double h) {
-    const double *a = body->acceleration;
-    const double change = h * (keaLength(a) + b->size * keaLength(a + 3)) / body->invMass;
-    const double step = change < kea_jerk * b->scale ? b->theta * h : 0;
-    for (int i = 0; i < 3; i++) {
-        b->u[i] = v->lin[i] + step * a[i];
-        b->u[3 + i] = v->ang[i] + step * a[3 + i];
+static void guessVelocity(MdtKeaSystem *s, int i) {
+    const MdtKeaVelocity *v = &s->velocity[i];
+    KeaBody *b = &s->work->body[i];
+    const double *a = s->bodies[i]->acceleration, h = s->parameters.stepsize;
+    const double change = h * (keaLength(a) + b->size * keaLength(a + 3)) / s->bodies[i]->invMass;
+    const double step = change < kea_jerk * s->work->problem.scale[i] ? b->theta * h : 0;
+    for (int k = 0; k < 3; k++) {
+        b->u[k] = v->lin[k] + step * a[k];
+        b->u[3 + k] = v->ang[k] + step * a[3 + k];
     }
 }
 
@@ -72,14 +76,14 @@ void kea_beginBodies(MdtKeaSystem *s) {
         MEASSERT(body->invMass > 0 && body->moments[0] > 0 && body->moments[1] > 0 && body->moments[2] > 0);
         b->isFree = METRUE;
         setStartSpin(body, b);
-        q->scale[i] = b->scale = impulseScaleOf(body, b, b->size, s->parameters.stepsize);
+        q->scale[i] = impulseScaleOf(s, i);
         q->length[i] = b->size;
     }
 }
 
 void kea_guessMotion(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
-        guessVelocity(s->bodies[i], &s->velocity[i], &s->work->body[i], s->parameters.stepsize);
+        guessVelocity(s, i);
 }
 
 /* ---- motion ---- */
@@ -144,7 +148,6 @@ void kea_moveBodies(MdtKeaSystem *s) {
             b->endVelocity[k] = end->velocity[k] = body->velocity[k] + (b->u[k] - body->velocity[k]) * perTheta;
         rotateBody(body, move, b, end, h);
         kea_setPoses(s, i);
-        kea_setErrorScales(s, i);
     }
 }
 
@@ -152,9 +155,10 @@ void kea_moveBodies(MdtKeaSystem *s) {
 
 /* Sets the load of the inner problem: the momentum at the end minus that without rows, m v⁺ - m v_free and
  * R⁺ I W⁺ - L_free. */
-static void setMomentumResidual(const MdtKeaBody *body, const KeaBody *b, const KeaEnd *end, double load[6]) {
+static void setMomentumResidual(const MdtKeaBody *body, const KeaBody *b, const double free[3], const KeaEnd *end,
+                                double load[6]) {
     for (int i = 0; i < 3; i++)
-        load[i] = (end->velocity[i] - b->freeVelocity[i]) / body->invMass;
+        load[i] = (end->velocity[i] - free[i]) / body->invMass;
     if (b->isSpatial) { /* I (w⁺ - w) with the inertia at the start */
         double dw[3];
         keaSubtract(dw, b->endVelocity + 3, b->spin);
@@ -227,7 +231,8 @@ static void setBodyMetric(const MdtKeaBody *body, const KeaBody *b, KeaMetric *B
 /* ---- the exact derivative of the momentum, for the tangent problem ---- */
 
 /* D = h (1 + h/2 [w]x) / (1 + |h w / 2|²). */
-static void setTurnDerivative(double D[3][3], const double w[3], double h) {
+void kea_setTurnDerivative(const MdtKeaSystem *s, int body, double D[3][3]) {
+    const double *w = s->work->body[body].u + 3, h = s->parameters.stepsize;
     const double half = 0.5 * h, share = h / (1 + half * half * keaDot(w, w));
     const double x[3][3] = {{0, -w[2], w[1]}, {w[2], 0, -w[0]}, {-w[1], w[0], 0}};
     for (int i = 0; i < 3; i++)
@@ -236,7 +241,7 @@ static void setTurnDerivative(double D[3][3], const double w[3], double h) {
 }
 
 /* r += s A D */
-static void addProduct(double r[3][3], double s, double (*const A)[3], const double (*D)[3]) {
+static void addProduct(double r[3][3], double s, double (*const A)[3], double (*const D)[3]) {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             for (int k = 0; k < 3; k++)
@@ -244,41 +249,40 @@ static void addProduct(double r[3][3], double s, double (*const A)[3], const dou
 }
 
 /* r = derivative with w_m of R⁺ I W⁺, or of a spatial body's I (w⁺ - w). */
-static void momentumDerivative(const MdtKeaBody *body, const KeaBody *b, const KeaEnd *end, double r[3][3]) {
-    const double *L = end->angularMomentum, perTheta = 1 / b->theta;
-    double x[3][3] = {{0, -L[2], L[1]}, {L[2], 0, -L[0]}, {-L[1], L[0], 0}};
+static void momentumDerivative(const MdtKeaSystem *s, int body, double r[3][3]) {
+    const KeaBody *b = &s->work->body[body];
+    const double *L = s->work->end[body].angularMomentum, perTheta = 1 / b->theta;
+    double x[3][3] = {{0, -L[2], L[1]}, {L[2], 0, -L[0]}, {-L[1], L[0], 0}}, D[3][3];
+    kea_setTurnDerivative(s, body, D);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             double sum = b->isSpatial ? b->inertia[i][j] : 0;
             for (int k = 0; k < 3 && !b->isSpatial; k++)
-                sum += b->endAxes[i][k] * body->moments[k] * b->axes[j][k];
+                sum += b->endAxes[i][k] * s->bodies[body]->moments[k] * b->axes[j][k];
             r[i][j] = sum * perTheta;
         }
     if (!b->isSpatial)
-        addProduct(r, -1, x, b->turnDerivative);
+        addProduct(r, -1, x, D);
 }
 
 /* -d (r_m x P) = 1/2 P x (D d w x r⁺), r⁺ = r_m + h/2 w_m x r_m. */
-static void addExactStiffness(double r[3][3], const double P[3], const double arm[3], const KeaBody *b, double h) {
-    double end[3], K[3][3];
-    keaCross(end, b->u + 3, arm);
-    keaScale(end, 0.5 * h, end);
+static void addExactStiffness(const MdtKeaSystem *s, int body, double r[3][3], const double P[3], const double arm[3]) {
+    double end[3], K[3][3], D[3][3];
+    kea_setTurnDerivative(s, body, D);
+    keaCross(end, s->work->body[body].u + 3, arm);
+    keaScale(end, 0.5 * s->parameters.stepsize, end);
     keaAddScaled(end, 1, arm);
     const double Pr = keaDot(P, end);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             K[i][j] = (i == j ? Pr : 0) - end[i] * P[j];
-    addProduct(r, 0.5, K, b->turnDerivative);
+    addProduct(r, 0.5, K, D);
 }
 
 void kea_differentiateBodies(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
-    const double h = s->parameters.stepsize;
-    for (int i = 0; i < s->numBodies; i++) {
-        KeaBody *b = &s->work->body[i];
-        setTurnDerivative(b->turnDerivative, b->u + 3, h);
-        momentumDerivative(s->bodies[i], b, &s->work->end[i], q->tangentInertia[i]);
-    }
+    for (int i = 0; i < s->numBodies; i++)
+        momentumDerivative(s, i, q->tangentInertia[i]);
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
         for (int k = 0; k < 2 && (row->position || row->spring); k++) {
@@ -287,7 +291,7 @@ void kea_differentiateBodies(MdtKeaSystem *s) {
             if (b < 0)
                 continue;
             keaScale(P, q->row[i].p, row->J[k].lin);
-            addExactStiffness(q->tangentInertia[b], P, row->arm[k], &s->work->body[b], h);
+            addExactStiffness(s, b, q->tangentInertia[b], P, row->arm[k]);
         }
     }
 }
@@ -297,7 +301,7 @@ void kea_linearizeBodies(MdtKeaSystem *s) {
     gatherStiffness(s);
     for (int i = 0; i < s->numBodies; i++) {
         const KeaBody *b = &s->work->body[i];
-        setMomentumResidual(s->bodies[i], b, &s->work->end[i], q->load[i]);
+        setMomentumResidual(s->bodies[i], b, s->predicted[i].lin, &s->work->end[i], q->load[i]);
         setBodyMetric(s->bodies[i], b, &q->metric[i]);
     }
 }
@@ -305,7 +309,7 @@ void kea_linearizeBodies(MdtKeaSystem *s) {
 void kea_balanceMomentum(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++) {
         const KeaBody *b = &s->work->body[i];
-        keaCopy(s->work->end[i].velocity, b->freeVelocity);
+        keaCopy(s->work->end[i].velocity, s->predicted[i].lin);
         keaCopy(s->work->end[i].angularMomentum, b->freeMomentum);
     }
     for (int i = 0; i < s->numRows; i++) {

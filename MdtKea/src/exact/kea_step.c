@@ -131,7 +131,7 @@ static MeBool isRunaway(const MdtKeaSystem *s) {
     for (int b = 0; b < s->numBodies; b++) {
         const KeaBody *body = &s->work->body[b];
         const double u = keaLength(body->u) + body->size * keaLength(body->u + 3), m = 1 / s->bodies[b]->invMass;
-        speed = keaMax(speed, keaLength(s->bodies[b]->velocity) + keaLength(body->freeVelocity) +
+        speed = keaMax(speed, keaLength(s->bodies[b]->velocity) + keaLength(s->predicted[b].lin) +
                                   body->size * keaLength(s->velocity[b].ang));
         energy += m * u * u;
         mass += m;
@@ -157,7 +157,7 @@ static void moveWithoutRows(MdtKeaSystem *s) {
         KeaBody *body = &s->work->body[b];
         for (int k = 0; k < 3; k++) {
             const double v = s->bodies[b]->velocity[k], w = s->velocity[b].ang[k];
-            body->u[k] = v + body->theta * (body->freeVelocity[k] - v);
+            body->u[k] = v + body->theta * (s->predicted[b].lin[k] - v);
             body->u[3 + k] = w + body->theta * (s->predicted[b].ang[k] - w);
         }
     }

@@ -428,7 +428,7 @@ static void setEndMomentaOfNode(void *context, KeaNode *node) {
         const int body = p->regions.body[i];
         const KeaBody *b = &p->s->work->body[body];
         KeaEnd *end = &p->s->work->end[body];
-        keaCopy(end->velocity, b->freeVelocity);
+        keaCopy(end->velocity, p->s->predicted[body].lin);
         keaAddScaled(end->velocity, p->s->bodies[body]->invMass, p->change[i]);
         keaCopy(end->angularMomentum, b->freeMomentum);
         keaAddScaled(end->angularMomentum, 1, p->change[i] + 3);
@@ -456,8 +456,8 @@ static void sumEnergy(void *context, KeaNode *node) {
         const double mass = 1 / s->bodies[body]->invMass;
         double w[3];
         keaApply(w, (const double(*)[3])s->invMass[body].inertia, end->angularMomentum);
-        const double before =
-            mass * keaDot(b->freeVelocity, b->freeVelocity) + keaDot(s->predicted[body].ang, b->freeMomentum);
+        const double before = mass * keaDot(s->predicted[body].lin, s->predicted[body].lin) +
+                              keaDot(s->predicted[body].ang, b->freeMomentum);
         node->sum[0] += 0.5 * (mass * keaDot(end->velocity, end->velocity) + keaDot(w, end->angularMomentum) - before);
         node->sum[1] += 0.5 * before;
     }
