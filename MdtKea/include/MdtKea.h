@@ -86,12 +86,11 @@ typedef struct MdtKeaBody {
     double velocity[3];        /**< m/s, of the centre of mass */
     double angularMomentum[3]; /**< kg m²/s, about the centre of mass */
     /* constants, set by the owner */
-    double invMass;        /**< 1/kg */
-    double moments[3];     /**< kg m², principal moments of inertia, all positive */
-    double principal[4];   /**< w x y z: principal axes to body frame */
-    double linearDamping;  /**< 1/s: dv/dt = -d v */
-    double angularDamping; /**< 1/s: dL/dt = -d L */
-    int flags;             /**< MdtKeaBodyFlag */
+    double invMass;      /**< 1/kg */
+    double moments[3];   /**< kg m², principal moments of inertia, all positive */
+    double principal[4]; /**< w x y z: principal axes to body frame */
+    double damping[2];   /**< 1/s: dv/dt = -damping[0] v, dL/dt = -damping[1] L */
+    int flags;           /**< MdtKeaBodyFlag */
     /* load of this step, set by the owner */
     double force[3];        /**< N, gravity included */
     double torque[3];       /**< N m, about the centre of mass */

@@ -73,8 +73,10 @@ typedef struct KeaBody {
     double u[6];            /* the unknown: mean velocity of the step, m/s and rad/s (world) */
     double endAxes[3][3];
     double endVelocity[6]; /* m/s, rad/s (world) */
-    MeBool isUntied;       /* no row constrains its displacement: it is moved by v + moveTheta (v⁺ - v), not by u */
-    MeBool isFree;         /* no row acts on it: it moves as a free body */
+    double errorScale
+        [2];         /* m, rad: its contribution to the scales of linear and angular position errors (kea_residual.c) */
+    MeBool isUntied; /* no row constrains its displacement: it is moved by v + moveTheta (v⁺ - v), not by u */
+    MeBool isFree;   /* no row acts on it: it moves as a free body */
 } KeaBody;
 
 /* The graph of joints (kea_dual.c): nodes are joints, edges are bodies that two joints share. */
@@ -120,6 +122,8 @@ typedef struct MdtKeaWork {
     MdtKeaJBlockPair *savedJ;                 /* by row */
     double (*bestU)[6], *bestP;               /* by body, by row: u and p of the best pass so far */
     double (*tangentU)[6], *tangentP;         /* u, p of the best tangent pass that closes joints to rounding */
+    /* s, by body, for tangent problems: a change dw of w changes cay(h w) by the rotation vector (turnDerivative dw) */
+    double (*turnDerivative)[3][3];
     double (*added)[6];              /* by body: change of velocity, m/s, rad/s; in the projection of pose, m, rad */
     double (*plastic)[6];            /* by body: change of velocity without restitution, m/s, rad/s */
     double speed;                    /* m/s: speed of the fastest body in an impact */
@@ -218,9 +222,6 @@ void kea_moveVelocity(const MdtKeaSystem *s, int body, MeBool byEnd, double move
 /* Sets load and metric of the inner problem: the residual of momentum without rows, and its derivative with respect to
  * u, made symmetric and positive definite. */
 void kea_linearizeBodies(MdtKeaSystem *s);
-/* s: D, the derivative of a body's rotation cay(h w): a change dw of w changes it by the rotation vector D dw (world).
- */
-void kea_setTurnDerivative(const MdtKeaSystem *s, int i, double D[3][3]);
 /* Sets the exact, unsymmetric derivative of the momentum, for the tangent problem; after kea_linearizeBodies. */
 void kea_differentiateBodies(MdtKeaSystem *s);
 /* Computes end velocities from the impulses, so that momentum is conserved exactly even if passes have not
@@ -436,6 +437,8 @@ MeBool kea_isConverged(const KeaResiduals *e);
  * kea_isMotionExactEnough: those of positions and momenta only, whatever the velocity residual is. */
 MeBool kea_isExactEnough(const KeaResiduals *e, double margin);
 MeBool kea_isMotionExactEnough(const KeaResiduals *e, double margin);
+/* Sets errorScale of a body, after it has been moved. */
+void kea_setErrorScales(MdtKeaSystem *s, int body);
 /* Marks inconsistent joints, which contradict each other; after every pass. kea_isConflicting: whether the residual of
  * such a joint exceeds the rounding of attachments; kea_isInconsistent: whether it exceeds the position tolerance. */
 void kea_markInconsistentJoints(MdtKeaSystem *s);

@@ -34,6 +34,7 @@ static void layOutSystem(MdtKeaSystem *s, KeaArena *arena) {
     KEA_CARVE(arena, work->bestP, m);
     KEA_CARVE(arena, work->tangentU, n);
     KEA_CARVE(arena, work->tangentP, m);
+    KEA_CARVE(arena, work->turnDerivative, n);
     KEA_CARVE(arena, work->added, n);
     KEA_CARVE(arena, work->plastic, n);
     KEA_CARVE(arena, work->target, 2 * m);

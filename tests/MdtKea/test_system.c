@@ -491,8 +491,8 @@ TEST(free_bodies_move_freely) {
     randomBody(0);
     randomBody(1);
     const MdtKeaBody a = body[0], b = body[1];
-    body[1].linearDamping = 3;
-    body[1].angularDamping = 5;
+    body[1].damping[0] = 3;
+    body[1].damping[1] = 5;
     keaZero(body[1].force);
     keaZero(body[1].torque);
     init();

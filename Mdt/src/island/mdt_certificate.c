@@ -183,29 +183,35 @@ static MdtKeaVelocity meanVelocity(const MdtIsland *p, int i) {
 /* Ratio of the accuracy to the fast solver's resting speed (kea_restingShare). */
 enum { MDT_SWAY = 10 };
 
-/* True if bodies may be stopped although they sway: forces balance loads, and speeds are below the accuracy. A heap
- * sways within its resting depths for a long time, and the same forces hold it at rest. Not with joints, whose errors
- * decay more slowly, nor with contacts that roll or have no friction, where slow motion goes on. */
-static MeBool ignoresSway(const MdtIsland *p) {
-    if (!p->isFast || p->numJoints > 0)
-        return MEFALSE;
-    for (int i = 0; i < p->kea.numManifolds; i++) {
+/* What an island's contacts allow bodies that are nearly at rest. */
+typedef struct AtContacts {
+    MeBool ignoresSway; /* bodies may be stopped although they sway: forces balance loads, and speeds are below the
+                           accuracy. A heap sways within its resting depths for a long time, and the same forces hold it
+                           at rest. Not with joints, whose errors decay more slowly, nor with contacts that roll or have
+                           no friction, where slow motion goes on */
+    MeBool mayCreep; /* slip or moving surfaces keep bodies moving, perhaps more slowly than the fast solver's resting
+                           speed */
+} AtContacts;
+
+static AtContacts allowedAtContacts(const MdtIsland *p) {
+    AtContacts allowed = {p->isFast && p->numJoints == 0, MEFALSE};
+    for (int i = 0; i < p->kea.numManifolds && p->isFast; i++) {
         const MdtKeaManifold *m = &p->kea.manifolds[i];
         const MdtKeaSurface *s = &m->surface;
         const MeBool isRound = m->radius[0] > 0 || m->radius[1] > 0;
         const MeBool hasFriction =
             (s->coefficient[0] > 0 || s->bound[0] > 0) && (s->isCone || s->coefficient[1] > 0 || s->bound[1] > 0);
-        if (isRound || !hasFriction)
-            return MEFALSE;
+        allowed.ignoresSway = allowed.ignoresSway && !isRound && hasFriction;
+        allowed.mayCreep |= s->slip[0] != 0 || s->slip[1] != 0 || s->slide[0] != 0 || s->slide[1] != 0;
     }
-    return METRUE;
+    return allowed;
 }
 
 /* Whether some of the island's bodies are at rest in this step. The factor 2: with the midpoint rule an error of the
  * mean velocity is twice as large at either end of the step. */
 static MeBool areCalm(const MdtIsland *p, int first, int end) {
     const double speed = restingSpeed(p);
-    const MeBool isStanding = ignoresSway(p);
+    const MeBool isStanding = allowedAtContacts(p).ignoresSway;
     const double maxAtEnds = (isStanding ? MDT_SWAY : 2) * speed, maxMean = (isStanding ? MDT_SWAY : 1) * speed;
     for (int i = first; i < end; i++) {
         const MdtBody *b = p->bodies[i];
@@ -245,17 +251,6 @@ static int countCalmStep(const MdtIsland *p, int first, int end) {
     return fewest;
 }
 
-/* Contacts with slip or moving surfaces keep bodies moving, perhaps more slowly than the fast solver's resting speed.
- * */
-static MeBool mayCreep(const MdtIsland *p) {
-    for (int i = 0; i < p->kea.numManifolds && p->isFast; i++) {
-        const MdtKeaSurface *s = &p->kea.manifolds[i].surface;
-        if (s->slip[0] != 0 || s->slip[1] != 0 || s->slide[0] != 0 || s->slide[1] != 0)
-            return METRUE;
-    }
-    return MEFALSE;
-}
-
 /* Never with rows that come from a callback, whose next result may differ. Passes that alternate between joints and
  * contacts reduce joint errors more slowly than the fast solver's resting speed shows, so these are checked, too. */
 MeBool mdt_islandIsSettled(MdtIsland *p) {
@@ -271,12 +266,12 @@ MeBool mdt_islandIsSettled(MdtIsland *p) {
     const MeBool areClosed = !p->isFast || r->opening <= MDT_MAX_JOINT_ERROR;
     const MeBool isProgrammed = p->hasUserRows || (p->world->importance && p->isCapped);
     return isForLong && isWhole && isExact && areClosed && !isProgrammed && p->numRows > 0 &&
-           r->residual <= r->resolution && !mayCreep(p);
+           r->residual <= r->resolution && !allowedAtContacts(p).mayCreep;
 }
 
 void mdt_islandResetPoses(MdtIsland *p) {
     static const double none[3] = {0, 0, 0};
-    const MeBool isStanding = ignoresSway(p);
+    const MeBool isStanding = allowedAtContacts(p).ignoresSway;
     for (int i = 0; i < p->numBodies; i++) {
         MdtKeaBody *b = &p->bodies[i]->kea;
         keaCopy(b->position, p->bodies[i]->start.pose.position);

@@ -328,11 +328,13 @@ static MdtReportWhy findReason(const MdtIsland *p) {
     return isUnmet ? MdtReportWhyUnfit : MdtReportWhyDear;
 }
 
-MeBool mdt_choiceIsFast(MdtIsland *p) {
+MdtSolver mdt_choiceSolver(MdtIsland *p) {
     p->why = findReason(p);
-    const MeBool isFast = p->why == MdtReportWhyAsked ? p->solver == MdtSolverFast : p->why >= MdtReportWhyFlight;
-    MEASSERT(!isFast || p->mayBeFast);
-    return isFast;
+    const MdtSolver solver = p->why == MdtReportWhyAsked    ? p->solver
+                             : p->why >= MdtReportWhyFlight ? MdtSolverFast
+                                                            : MdtSolverExact;
+    MEASSERT(solver == MdtSolverExact || p->mayBeFast);
+    return solver;
 }
 
 /* ---- the step ---- */

@@ -14,8 +14,8 @@ void mdt_choicesEnd(MdtWorldID w);
 MdtSolver mdt_choiceRequested(const MdtWorld *w, int partition);
 /* Merges the record of a partition of the last step into that of one that has bodies of it. */
 void mdt_recordMerge(MdtIslandRecord *to, const MdtIslandRecord *from);
-/* True if the fast solver starts the step; sets p->why. */
-MeBool mdt_choiceIsFast(MdtIsland *p);
+/* The solver that starts the step; sets p->why. */
+MdtSolver mdt_choiceSolver(MdtIsland *p);
 /* True if no contact of the partition is with the world. */
 MeBool mdt_choiceIsInFlight(const MdtIsland *p);
 /* Multiplications that its step may cost; 0: unlimited. mdt_choiceHasShare: true if the exact solver started the step

@@ -122,38 +122,28 @@ void mdt_islandSleep(const MdtIsland *p) {
     MEASSERT(p->world->asleepBodies >= p->numBodies);
 }
 
-MeBool MEAPI MdtBodyWakeIfAsleep(const MdtBodyID b) {
-    MEASSERT(b);
-    const MeBool isAsleep = (b->record.flags & MDT_ASLEEP) != 0;
-    mdt_bodyWakeIfAsleep(b);
-    return isAsleep;
-}
-
-/* Impulses of successive steps add up, so that a small lasting push wakes the body in the end; a step without a push
- * clears the sum. */
-static MeBool isToWake(MdtBodyID b, double h) {
+/* Wakes a sleeping body if its inputs have changed. Impulses of successive steps add up, so that a small lasting push
+ * wakes the body in the end; a step without a push clears the sum. */
+static void wakeIfChanged(MdtBodyID b, double h) {
+    MdtForces *f = b->forces;
     double change[2][3];
+    MEASSERT(b->record.flags & MDT_ASLEEP);
     mdt_bodyAcceptVelocities(b);
-    if (b->certificate == 0)
-        return METRUE;
     getLoadChange(b, h, change);
     const MeBool isPushed = keaDot(change[0], change[0]) + keaDot(change[1], change[1]) > 0;
-    for (int k = 0; k < 2 && b->forces; k++) {
+    for (int k = 0; k < 2 && f; k++) {
         if (!isPushed || b->world->hasThresholds)
-            keaZero(b->forces->momentum[k]);
-        keaAddScaled(b->forces->momentum[k], 1, change[k]);
+            keaZero(f->momentum[k]);
+        keaAddScaled(f->momentum[k], 1, change[k]);
     }
-    return (isPushed && mdt_bodyWouldMove(b, b->forces->momentum, h)) || !mdt_areConstraintsCertified(b);
-}
-
-static void wakeBody(MdtBodyID b) {
-    const double time = mdt_forcesOf(b)->time;
-    MEASSERT(b->record.flags & MDT_ASLEEP);
-    mdt_bodyEnable(b);
-    if (!b->forces)
+    if (b->certificate != 0 && !(isPushed && mdt_bodyWouldMove(b, f->momentum, h)) && mdt_areConstraintsCertified(b))
         return;
-    b->forces->time = time;
-    memset(b->forces->momentum, 0, sizeof b->forces->momentum);
+    const double time = mdt_forcesOf(b)->time;
+    mdt_bodyEnable(b); /* restarts the forces */
+    if (f) {
+        f->time = time;
+        memset(f->momentum, 0, sizeof f->momentum);
+    }
 }
 
 void mdt_sleepersEndForces(MdtWorldID w) {
@@ -179,8 +169,8 @@ void mdt_sleepersWakeChanged(MdtWorldID w, double h) {
     MeStageBegin(&w->stage, MDT_GUARD_CONSTRAINTS);
     for (MdtLink *link = w->bodies.first; link; link = link->next) {
         MdtBodyID b = mdt_linkOwner(link);
-        if ((b->record.flags & (MDT_ASLEEP | MDT_CONDEMNED)) == MDT_ASLEEP && isToWake(b, h))
-            wakeBody(b);
+        if ((b->record.flags & (MDT_ASLEEP | MDT_CONDEMNED)) == MDT_ASLEEP)
+            wakeIfChanged(b, h);
     }
     MeStageEnd(&w->stage, MDT_GUARD_CONSTRAINTS);
 }

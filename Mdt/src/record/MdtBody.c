@@ -8,6 +8,13 @@
 /* ---- poses: the body's frame (p, q) and the centre of mass (x, qc); (c, t) is its pose in the body's frame:
  *          x = p + R(q) c,   qc = q t ---- */
 
+/* A function that returns a property of the body b; `none` for a bad handle. */
+#define BODY_GETTER(Type, function, none, value)                                                                       \
+    Type MEAPI function(const MdtBodyID b) {                                                                           \
+        MDT_NEED_BODY(b, none);                                                                                        \
+        return value;                                                                                                  \
+    }
+
 static void getFrameQuaternion(const MdtBody *b, double q[4]) {
     double back[4];
     keaQuaternionConjugate(back, b->centre.quaternion);
@@ -163,10 +170,7 @@ void mdt_bodyRoundingOffset(const MdtBody *b, const double point[3], double lost
         lost[i] += b->frame.pos[i] - point[i];
 }
 
-MeReal MEAPI MdtBodyGetPositionBound(const MdtBodyID b) {
-    MDT_NEED_BODY(b, 0);
-    return (MeReal)mdt_worldBound(b->world);
-}
+BODY_GETTER(MeReal, MdtBodyGetPositionBound, 0, (MeReal)mdt_worldBound(b->world))
 
 void mdt_bodyClampPosition(MdtBodyID b) {
     static const double none[3] = {0, 0, 0};
@@ -267,8 +271,7 @@ static void setNoFastSpinAxis(MdtBodyID b) {
 static void setDefaults(MdtBodyID b) {
     const double m = b->world->params.massScale, l = b->world->params.lengthScale;
     b->kea = (MdtKeaBody){.quaternion = {1, 0, 0, 0},
-                          .linearDamping = MDTBODY_DEFAULT_LINEAR_DAMPING,
-                          .angularDamping = MDTBODY_DEFAULT_ANGULAR_DAMPING,
+                          .damping = {MDTBODY_DEFAULT_LINEAR_DAMPING, MDTBODY_DEFAULT_ANGULAR_DAMPING},
                           .flags = MdtKeaBodyFlagIsNonSpherical | MdtKeaBodyFlagAddCoriolisForce};
     b->centre = (MdtPose){.quaternion = {1, 0, 0, 0}};
     b->mass = MDTBODY_DEFAULT_MASS * m;
@@ -366,7 +369,7 @@ MdtBodyID MEAPI MdtBodyCopy(const MdtBodyID b, const MdtWorldID w) {
 void MEAPI MdtBodyReset(const MdtBodyID b) {
     MDT_CHANGE_BODY(b);
     setDefaults(b);
-    mdt_bodyWakeIfAsleep(b);
+    MdtBodyWakeIfAsleep(b);
 }
 
 static void endSleep(MdtBodyID b) {
@@ -441,9 +444,12 @@ void MEAPI MdtBodyEnable(const MdtBodyID b) {
         mdt_bodyEnable(b);
 }
 
-void mdt_bodyWakeIfAsleep(MdtBodyID b) {
-    if (b->record.flags & MDT_ASLEEP)
+MeBool MEAPI MdtBodyWakeIfAsleep(const MdtBodyID b) {
+    MEASSERT(b);
+    const MeBool isAsleep = (b->record.flags & MDT_ASLEEP) != 0;
+    if (isAsleep)
         MdtBodyEnable(b);
+    return isAsleep;
 }
 
 void MEAPI MdtBodyDisable(const MdtBodyID b) {
@@ -452,15 +458,9 @@ void MEAPI MdtBodyDisable(const MdtBodyID b) {
         mdt_bodyDisable(b);
 }
 
-MeBool MEAPI MdtBodyIsEnabled(const MdtBodyID b) {
-    MDT_NEED_BODY(b, 0);
-    return (b->record.flags & MDT_ENABLED) != 0;
-}
+BODY_GETTER(MeBool, MdtBodyIsEnabled, 0, (b->record.flags & MDT_ENABLED) != 0)
 
-MeReal MEAPI MdtBodyGetEnabledTime(const MdtBodyID b) {
-    MDT_NEED_BODY(b, 0);
-    return (MeReal)b->enabledTime;
-}
+BODY_GETTER(MeReal, MdtBodyGetEnabledTime, 0, (MeReal)b->enabledTime)
 
 static MeBool isFast(const MdtBody *b, const MdtPartitionParams *params) {
     return keaDot(b->kea.velocity, b->kea.velocity) >= (double)params->vel_thresh ||
@@ -540,7 +540,7 @@ void MEAPI MdtBodySetPosition(const MdtBodyID b, const MeReal x, const MeReal y,
     double p[3], q[4];
     getFrame(b, p, q);
     setFrame(b, to, q);
-    mdt_bodyWakeIfAsleep(b);
+    MdtBodyWakeIfAsleep(b);
 }
 
 void MEAPI MdtBodyGetPosition(const MdtBodyID b, MeVector3 p) {
@@ -564,7 +564,7 @@ static void rotateFrame(MdtBodyID b, const double q[4]) {
     double p[3], old[4];
     getFrame(b, p, old);
     setFrame(b, p, q);
-    mdt_bodyWakeIfAsleep(b);
+    MdtBodyWakeIfAsleep(b);
 }
 
 void MEAPI MdtBodySetQuaternion(const MdtBodyID b, const MeReal qw, const MeReal qx, const MeReal qy, const MeReal qz) {
@@ -637,7 +637,7 @@ void MEAPI MdtBodySetTransform(const MdtBodyID b, const MeMatrix4 tm) {
         !isPositionValid(__func__, b, tm[3][0], tm[3][1], tm[3][2]))
         return;
     setFrame(b, p, q);
-    mdt_bodyWakeIfAsleep(b);
+    MdtBodyWakeIfAsleep(b);
 }
 
 void MEAPI MdtBodyGetTransform(const MdtBodyID b, MeMatrix4 m) {
@@ -646,10 +646,7 @@ void MEAPI MdtBodyGetTransform(const MdtBodyID b, MeMatrix4 m) {
     memcpy(m, b->transform, sizeof b->transform);
 }
 
-MeMatrix4Ptr MEAPI MdtBodyGetTransformPtr(const MdtBodyID b) {
-    MDT_NEED_BODY(b, NULL);
-    return b->transform;
-}
+BODY_GETTER(MeMatrix4Ptr, MdtBodyGetTransformPtr, NULL, b->transform)
 
 /* ---- the centre of mass ---- */
 
@@ -679,7 +676,7 @@ static void setCentre(const char *caller, MdtBodyID b, const double centre[3], c
     setFrame(b, p, q);
     for (MdtAttachment *at = b->attachments; at; at = at->next)
         mdt_constraintReframe(mdt_attachmentOwner(at), mdt_attachmentSide(at), &before, &b->kea);
-    mdt_bodyWakeIfAsleep(b);
+    MdtBodyWakeIfAsleep(b);
 }
 
 void MEAPI MdtBodySetCenterOfMassRelativePosition(const MdtBodyID b, const MeVector3 pos) {
@@ -723,7 +720,7 @@ void MEAPI MdtBodySetCenterOfMassPosition(const MdtBodyID b, const MeVector3 pos
     mdt_bodyAcceptVelocities(b);
     mdt_bodyShow(b);
     notifyMoved(b);
-    mdt_bodyWakeIfAsleep(b);
+    MdtBodyWakeIfAsleep(b);
 }
 
 void MEAPI MdtBodyGetCenterOfMassPosition(const MdtBodyID b, MeVector3 pos) {
@@ -732,10 +729,7 @@ void MEAPI MdtBodyGetCenterOfMassPosition(const MdtBodyID b, MeVector3 pos) {
     memcpy(pos, b->centreTransform[3], sizeof(MeVector3));
 }
 
-MeMatrix4Ptr MEAPI MdtBodyGetCenterOfMassTransformPtr(const MdtBodyID b) {
-    MDT_NEED_BODY(b, NULL);
-    return b->centreTransform;
-}
+BODY_GETTER(MeMatrix4Ptr, MdtBodyGetCenterOfMassTransformPtr, NULL, b->centreTransform)
 
 /* ---- motion ---- */
 
@@ -749,7 +743,7 @@ void MEAPI MdtBodySetLinearVelocity(const MdtBodyID b, const MeReal dx, const Me
     keaCopy(b->kea.velocity, v);
     clearAccelerationGuess(b);
     mdt_bodyShow(b);
-    mdt_bodyWakeIfAsleep(b);
+    MdtBodyWakeIfAsleep(b);
 }
 
 void MEAPI MdtBodyGetLinearVelocity(const MdtBodyID b, MeVector3 v) {
@@ -759,10 +753,7 @@ void MEAPI MdtBodyGetLinearVelocity(const MdtBodyID b, MeVector3 v) {
     memcpy(v, b->velocity.lin, sizeof b->velocity.lin);
 }
 
-MeReal *MEAPI MdtBodyGetLinearVelocityPtr(const MdtBodyID b) {
-    MDT_NEED_BODY(b, NULL);
-    return b->velocity.lin;
-}
+BODY_GETTER(MeReal *, MdtBodyGetLinearVelocityPtr, NULL, b->velocity.lin)
 
 void MEAPI MdtBodySetAngularVelocity(const MdtBodyID b, const MeReal wx, const MeReal wy, const MeReal wz) {
     MDT_CHANGE_BODY(b);
@@ -774,7 +765,7 @@ void MEAPI MdtBodySetAngularVelocity(const MdtBodyID b, const MeReal wx, const M
     MdtKeaBodySetAngularVelocity(&b->kea, w);
     clearAccelerationGuess(b);
     mdt_bodyShow(b);
-    mdt_bodyWakeIfAsleep(b);
+    MdtBodyWakeIfAsleep(b);
 }
 
 void MEAPI MdtBodyGetAngularVelocity(const MdtBodyID b, MeVector3 v) {
@@ -784,10 +775,7 @@ void MEAPI MdtBodyGetAngularVelocity(const MdtBodyID b, MeVector3 v) {
     memcpy(v, b->velocity.ang, sizeof b->velocity.ang);
 }
 
-MeReal *MEAPI MdtBodyGetAngularVelocityPtr(const MdtBodyID b) {
-    MDT_NEED_BODY(b, NULL);
-    return b->velocity.ang;
-}
+BODY_GETTER(MeReal *, MdtBodyGetAngularVelocityPtr, NULL, b->velocity.ang)
 
 void MEAPI MdtBodyGetLinearAcceleration(const MdtBodyID b, MeVector3 v) {
     if (!mdt_isResult(__func__, v, 3) || !mdt_isBody(b, __func__))
@@ -836,10 +824,7 @@ void MEAPI MdtBodySetMass(const MdtBodyID b, const MeReal mass) {
     b->kea.invMass = 1 / b->mass;
 }
 
-MeReal MEAPI MdtBodyGetMass(const MdtBodyID b) {
-    MDT_NEED_BODY(b, 0);
-    return (MeReal)b->mass;
-}
+BODY_GETTER(MeReal, MdtBodyGetMass, 0, (MeReal)b->mass)
 
 static MeBool areMomentsInRange(const double moments[3]) {
     return mdt_isPositiveInRange((MeReal)moments[0]) && mdt_isPositiveInRange((MeReal)moments[1]) &&
@@ -896,10 +881,7 @@ void MEAPI MdtBodyDisableNonSphericalInertia(const MdtBodyID b) {
     changeInertia(b);
 }
 
-MeBool MEAPI MdtBodyNonSphericalInertiaIsEnabled(const MdtBodyID b) {
-    MDT_NEED_BODY(b, 0);
-    return (b->kea.flags & MdtKeaBodyFlagIsNonSpherical) != 0;
-}
+BODY_GETTER(MeBool, MdtBodyNonSphericalInertiaIsEnabled, 0, (b->kea.flags & MdtKeaBodyFlagIsNonSpherical) != 0)
 
 void MEAPI MdtBodyEnableCoriolisForce(const MdtBodyID b) {
     MDT_CHANGE_BODY(b);
@@ -911,10 +893,7 @@ void MEAPI MdtBodyDisableCoriolisForce(const MdtBodyID b) {
     setKeaFlag(b, MdtKeaBodyFlagAddCoriolisForce, MEFALSE);
 }
 
-MeBool MEAPI MdtBodyCoriolisForceIsEnabled(const MdtBodyID b) {
-    MDT_NEED_BODY(b, 0);
-    return (b->kea.flags & MdtKeaBodyFlagAddCoriolisForce) != 0;
-}
+BODY_GETTER(MeBool, MdtBodyCoriolisForceIsEnabled, 0, (b->kea.flags & MdtKeaBodyFlagAddCoriolisForce) != 0)
 
 /* ---- forces ---- */
 
@@ -1003,33 +982,27 @@ void MEAPI MdtBodyResetImpulses(const MdtBodyID b) {
 
 /* ---- damping and fast spin ---- */
 
-static void setDamping(MdtBodyID b, double *damping, MeReal d) {
-    if (*damping != (double)d)
+static void setDamping(MdtBodyID b, int k, MeReal d, const char *caller) {
+    if (!mdt_isNotBelow(caller, "the damping", d, 0))
+        return;
+    if (b->kea.damping[k] != (double)d)
         mdt_bodyDisturb(b);
-    *damping = d;
+    b->kea.damping[k] = d;
 }
 
 void MEAPI MdtBodySetLinearVelocityDamping(const MdtBodyID b, const MeReal d) {
     MDT_CHANGE_BODY(b);
-    if (mdt_isNotBelow(__func__, "the damping", d, 0))
-        setDamping(b, &b->kea.linearDamping, d);
+    setDamping(b, 0, d, __func__);
 }
 
-MeReal MEAPI MdtBodyGetLinearVelocityDamping(const MdtBodyID b) {
-    MDT_NEED_BODY(b, 0);
-    return (MeReal)b->kea.linearDamping;
-}
+BODY_GETTER(MeReal, MdtBodyGetLinearVelocityDamping, 0, (MeReal)b->kea.damping[0])
 
 void MEAPI MdtBodySetAngularVelocityDamping(const MdtBodyID b, const MeReal d) {
     MDT_CHANGE_BODY(b);
-    if (mdt_isNotBelow(__func__, "the damping", d, 0))
-        setDamping(b, &b->kea.angularDamping, d);
+    setDamping(b, 1, d, __func__);
 }
 
-MeReal MEAPI MdtBodyGetAngularVelocityDamping(const MdtBodyID b) {
-    MDT_NEED_BODY(b, 0);
-    return (MeReal)b->kea.angularDamping;
-}
+BODY_GETTER(MeReal, MdtBodyGetAngularVelocityDamping, 0, (MeReal)b->kea.damping[1])
 
 void MEAPI MdtBodySetFastSpinAxis(const MdtBodyID b, const MeReal x, const MeReal y, const MeReal z) {
     MDT_CHANGE_BODY(b);
@@ -1056,10 +1029,7 @@ void MEAPI MdtBodySetNoFastSpinAxis(const MdtBodyID b) {
 
 /* ---- bookkeeping ---- */
 
-MdtWorldID MEAPI MdtBodyGetWorld(const MdtBodyID b) {
-    MDT_NEED_BODY(b, NULL);
-    return b->world;
-}
+BODY_GETTER(MdtWorldID, MdtBodyGetWorld, NULL, b->world)
 
 void MEAPI MdtBodySetUserData(const MdtBodyID b, void *d) {
     MDT_NEED_BODY(b, );
@@ -1074,10 +1044,7 @@ void MEAPI MdtBodySetModel(const MdtBodyID b, void *model) {
         b->model = model;
 }
 
-MeBool MEAPI MdtBodyHasUser(const MdtBodyID b) {
-    MDT_NEED_BODY(b, MEFALSE);
-    return mdt_userOf(b) != NULL;
-}
+BODY_GETTER(MeBool, MdtBodyHasUser, MEFALSE, mdt_userOf(b) != NULL)
 
 void MEAPI MdtBodySetUser(const MdtBodyID b, void *model, const MdtBodyUser *user) {
     MDT_NEED_BODY(b, );
@@ -1086,15 +1053,9 @@ void MEAPI MdtBodySetUser(const MdtBodyID b, void *model, const MdtBodyUser *use
     b->world->bodyUser = user ? user : b->world->bodyUser;
 }
 
-void *MEAPI MdtBodyGetModel(const MdtBodyID b) {
-    MDT_NEED_BODY(b, NULL);
-    return b->model;
-}
+BODY_GETTER(void *, MdtBodyGetModel, NULL, b->model)
 
-void *MEAPI MdtBodyGetUserData(const MdtBodyID b) {
-    MDT_NEED_BODY(b, NULL);
-    return b->userData;
-}
+BODY_GETTER(void *, MdtBodyGetUserData, NULL, b->userData)
 
 static void MEAPI applyDeferredSortKey(const MeLater *later) {
     if (mdt_deferredBody(later))
@@ -1112,10 +1073,7 @@ void MEAPI MdtBodySetSortKey(const MdtBodyID b, const MeI32 key) {
     mdt_graphChanged(b->world);
 }
 
-MeI32 MEAPI MdtBodyGetSortKey(const MdtBodyID b) {
-    MDT_NEED_BODY(b, 0);
-    return b->link.sortKey;
-}
+BODY_GETTER(MeI32, MdtBodyGetSortKey, 0, b->link.sortKey)
 
 int MEAPI MdtBodyGetPartitionSize(const MdtBodyID b) {
     MDT_NEED_BODY(b, 0);
@@ -1123,10 +1081,7 @@ int MEAPI MdtBodyGetPartitionSize(const MdtBodyID b) {
     return p >= 0 && p < b->world->numPartitions ? b->world->bodyStart[p + 1] - b->world->bodyStart[p] : 0;
 }
 
-int MEAPI MdtBodyGetPartition(const MdtBodyID b) {
-    MDT_NEED_BODY(b, -1);
-    return b->partition;
-}
+BODY_GETTER(int, MdtBodyGetPartition, -1, b->partition)
 
 void MEAPI MdtBodySetSafeTime(const MdtBodyID b, const MeReal t) {
     MDT_NEED_BODY(b, );
@@ -1134,20 +1089,11 @@ void MEAPI MdtBodySetSafeTime(const MdtBodyID b, const MeReal t) {
         b->safeTime = t;
 }
 
-MeReal MEAPI MdtBodyGetLag(const MdtBodyID b) {
-    MDT_NEED_BODY(b, 0);
-    return (MeReal)b->lag;
-}
+BODY_GETTER(MeReal, MdtBodyGetLag, 0, (MeReal)b->lag)
 
-MeReal MEAPI MdtBodyGetPart(const MdtBodyID b) {
-    MDT_NEED_BODY(b, 0);
-    return (MeReal)b->lastAdvance;
-}
+BODY_GETTER(MeReal, MdtBodyGetPart, 0, (MeReal)b->lastAdvance)
 
-MeReal MEAPI MdtBodyGetSafeTime(const MdtBodyID b) {
-    MDT_NEED_BODY(b, 0);
-    return b->safeTime;
-}
+BODY_GETTER(MeReal, MdtBodyGetSafeTime, 0, b->safeTime)
 
 void MEAPI MdtBodyLog(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
@@ -1171,10 +1117,7 @@ MdtBodyID MEAPI MdtBodyGetFirst(const MdtWorldID w) {
     return w->bodies.first ? mdt_linkOwner(w->bodies.first) : NULL;
 }
 
-MdtBodyID MEAPI MdtBodyGetNext(const MdtBodyID b) {
-    MDT_NEED_BODY(b, NULL);
-    return b->link.next ? mdt_linkOwner(b->link.next) : NULL;
-}
+BODY_GETTER(MdtBodyID, MdtBodyGetNext, NULL, b->link.next ? mdt_linkOwner(b->link.next) : NULL)
 
 /* ---- the body's constraints ---- */
 
@@ -1226,61 +1169,43 @@ void MEAPI MdtBodyForAllConstraints(const MdtBodyID b, MdtConstraintIteratorCBPt
 
 /* ---- for all constraints of a body, or its contacts ---- */
 
-/* Called with a joint or a manifold. */
-typedef void (*ConstraintFn)(MdtConstraintID c, const char *caller);
-
-static void removeOne(MdtConstraintID c, const char *caller) {
-    (void)caller;
-    mdt_constraintRemove(mdt_constraintPublicHandle(c));
-}
-
-static void deactivateOne(MdtConstraintID c, const char *caller) {
-    (void)caller;
-    mdt_constraintDeactivate(c);
-}
-
-static void destroyOne(MdtConstraintID c, const char *caller) {
-    mdt_constraintDestroy(mdt_constraintPublicHandle(c), caller);
-}
-
-static void disableOne(MdtConstraintID c, const char *caller) {
-    mdt_constraintDisable(mdt_constraintPublicHandle(c), caller);
-}
-
-/* Calls `now` for each constraint; or `later`, which defers the change, if a stage of the world guards that level.
- * Calls that the program's handlers make meanwhile are deferred. */
-static void forEachConstraint(MdtBodyID b, MeBool contactsOnly, int level, ConstraintFn now, ConstraintFn later,
-                              const char *caller) {
+/* Destroys or disables the constraints now or, if a stage of the world guards them, when it ends. Calls that the
+ * program's handlers make meanwhile are deferred. */
+static void removeConstraints(MdtBodyID b, MeBool contactsOnly, MeBool isToDestroy, const char *caller) {
     MdtWorldID w = b->world;
-    const MeWhen when = MeStageWhen(&w->stage, level, caller);
+    const MeWhen when = MeStageWhen(&w->stage, isToDestroy ? MDT_GUARD_CONSTRAINTS : MDT_GUARD_GRAPH, caller);
     if (when == MeWhenNever)
         return;
     MeStageBegin(&w->stage, MDT_GUARD_GRAPH);
     for (MdtAttachment *at = b->attachments, *next; at; at = next) {
-        const MdtConstraintID c = mdt_attachmentOwner(at);
+        const MdtConstraintID c = mdt_attachmentOwner(at), handle = mdt_constraintPublicHandle(c);
         next = at->next;
-        if ((!contactsOnly || !mdt_isJoint(c)) && !mdt_constraintIsCondemned(mdt_constraintPublicHandle(c)))
-            (when == MeWhenNow ? now : later)(c, caller);
+        if ((contactsOnly && mdt_isJoint(c)) || mdt_constraintIsCondemned(handle))
+            continue;
+        if (isToDestroy)
+            when == MeWhenNow ? mdt_constraintRemove(handle) : mdt_constraintDestroy(handle, caller);
+        else
+            when == MeWhenNow ? mdt_constraintDeactivate(c) : mdt_constraintDisable(handle, caller);
     }
     MeStageEnd(&w->stage, MDT_GUARD_GRAPH);
 }
 
 void MEAPI MdtBodyDestroyConstraints(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    forEachConstraint(b, MEFALSE, MDT_GUARD_CONSTRAINTS, removeOne, destroyOne, __func__);
+    removeConstraints(b, MEFALSE, METRUE, __func__);
 }
 
 void MEAPI MdtBodyDestroyContacts(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    forEachConstraint(b, METRUE, MDT_GUARD_CONSTRAINTS, removeOne, destroyOne, __func__);
+    removeConstraints(b, METRUE, METRUE, __func__);
 }
 
 void MEAPI MdtBodyDisableConstraints(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    forEachConstraint(b, MEFALSE, MDT_GUARD_GRAPH, deactivateOne, disableOne, __func__);
+    removeConstraints(b, MEFALSE, MEFALSE, __func__);
 }
 
 void MEAPI MdtBodyDisableContacts(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    forEachConstraint(b, METRUE, MDT_GUARD_GRAPH, deactivateOne, disableOne, __func__);
+    removeConstraints(b, METRUE, MEFALSE, __func__);
 }

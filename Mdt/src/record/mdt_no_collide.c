@@ -36,7 +36,7 @@ void MEAPI MdtConstraintSetBodiesCollide(const MdtConstraintID c, const MeBool c
         setNoCollide(c);
     for (int k = 0; k < 2; k++) /* it may rest on such contacts, or begin to collide */
         if (c->side[k].body && (c->record.flags & MDT_ENABLED))
-            mdt_bodyWakeIfAsleep(c->side[k].body);
+            MdtBodyWakeIfAsleep(c->side[k].body);
 }
 
 MeBool MEAPI MdtConstraintGetBodiesCollide(const MdtConstraintID c) {

@@ -17,7 +17,6 @@ void mdt_bodyEnable(MdtBodyID b);           /* MdtBodyEnable and MdtBodyDisable,
 void mdt_bodyDisable(MdtBodyID b);
 void mdt_bodyAge(MdtBodyID b, double h); /* adds a step of h seconds to its times */
 MeBool mdt_bodyIsFast(const MdtBody *b); /* a velocity is at or above the world's sleep threshold */
-void mdt_bodyWakeIfAsleep(MdtBodyID b);
 /* Passes the loads of this step to kea and clears the accumulators. frame: s, the time of the program's frame, of which
  * this step is a part. Impulses are added to the momenta, unless there are joints: then mdt_islandKick applies them. */
 void mdt_bodyPack(MdtBodyID b, double frame, MeBool hasJoints);

@@ -107,9 +107,11 @@ static void countReturns(MdtStay *s, double distance, double h) {
     MEASSERT(s->maxAtReturn <= s->maxDistance && s->crossings >= 0);
 }
 
-/* True for two returns with a small amplitude; the amplitude may grow with the time observed. */
-static MeBool oscillatesLittle(const MdtStay *s, double radius, double second) {
-    return s->time >= second && s->crossings >= 4 && s->maxDistance <= stayingReach * radius * s->time / second;
+/* m: the amplitude of a small oscillation, which is one with two returns; 0: there is none. The amplitude may grow with
+ * the time observed. */
+static double amplitudeOf(const MdtStay *s, double radius, double second) {
+    const MeBool isSmall = s->maxDistance <= stayingReach * radius * s->time / second;
+    return s->time >= second && s->crossings >= 4 && isSmall ? s->maxDistance : 0;
 }
 
 void mdt_stayUpdate(MdtBodyID b, double h) {
@@ -121,7 +123,7 @@ void mdt_stayUpdate(MdtBodyID b, double h) {
     if (distance > oscillationReach * radius)
         restartAt(b, 0);
     else if (s->time > oscillationReach / stayingReach * second)
-        restartAt(b, oscillatesLittle(s, radius, second) ? 2 * s->maxDistance : 0);
+        restartAt(b, 2 * amplitudeOf(s, radius, second));
     else
         countReturns(s, distance, h);
     MEASSERT(s->maxDisplacement >= 0);
@@ -130,7 +132,7 @@ void mdt_stayUpdate(MdtBodyID b, double h) {
 MeBool mdt_bodyStaysInPlace(const MdtBody *b) {
     const double radius = radiusOf(b);
     return b->stay.maxDisplacement <= stillDistance(radius) || b->stay.reach > 0 ||
-           oscillatesLittle(&b->stay, radius, lookAheadTime(b));
+           amplitudeOf(&b->stay, radius, lookAheadTime(b)) > 0;
 }
 
 /* m: displacement in the next second if the motion of the last step goes on. */

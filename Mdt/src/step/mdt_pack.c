@@ -143,7 +143,7 @@ static void storeCounts(MdtIsland *p, const Chunk *all) {
 }
 
 static void setSystem(MdtIsland *p) {
-    mdt_islandSetFast(p, p->numMembers > 0 || mdt_choiceIsFast(p));
+    mdt_islandSetFast(p, p->numMembers > 0 || mdt_choiceSolver(p) == MdtSolverFast);
     p->kea.numBodies = p->numBodies;
     p->kea.errors = p->numJoints > 0 ? mdt_rowsErrors : NULL;
     p->kea.jacobians = p->numJoints > 0 ? mdt_rowsUpdateJacobians : NULL;

@@ -31,8 +31,8 @@ static void predictBody(MdtKeaSystem *s, int i, const double R[3][3]) {
     KeaBody *b = &s->work->body[i];
     const double h = s->parameters.stepsize;
     b->size = kea_bodyExtent(body);
-    integrateDamped(s->predicted[i].lin, body->velocity, body->force, body->invMass, body->linearDamping, h);
-    integrateDamped(b->freeMomentum, body->angularMomentum, body->torque, 1, body->angularDamping, h);
+    integrateDamped(s->predicted[i].lin, body->velocity, body->force, body->invMass, body->damping[0], h);
+    integrateDamped(b->freeMomentum, body->angularMomentum, body->torque, 1, body->damping[1], h);
     kea_angularVelocityBy(body->moments, R, b->freeMomentum, s->predicted[i].ang);
 }
 

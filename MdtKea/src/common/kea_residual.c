@@ -18,20 +18,24 @@ static double endDistance(const MdtKeaSystem *s, int body) {
     return keaLength(s->work->end[body].position);
 }
 
+void kea_setErrorScales(MdtKeaSystem *s, int body) {
+    const double h = s->parameters.stepsize;
+    KeaBody *b = &s->work->body[body];
+    b->errorScale[0] = h * keaLength(b->u) + kea_bodySizeShare * b->size + kea_distanceShare * endDistance(s, body);
+    b->errorScale[1] = h * keaLength(b->u + 3);
+}
+
 /* Scale of a position row's error: the sum of its initial error, lever arms, the displacements of its bodies and
  * fractions of their size and, for rounding far from the origin, of their distance from it. For an angular row all of
  * these are angles. */
 static double lengthScaleOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
-    const double h = s->parameters.stepsize;
     double size = fabs(row->error);
     for (int k = 0; k < 2; k++) {
         if (row->body[k] < 0)
             continue;
         const KeaBody *b = &s->work->body[row->body[k]];
         size += keaLength(row->J[k].ang);
-        size += keaDot(row->J[k].lin, row->J[k].lin) > 0 ? h * keaLength(b->u) + kea_bodySizeShare * b->size +
-                                                               kea_roundingShare * endDistance(s, row->body[k])
-                                                         : h * keaLength(b->u + 3);
+        size += b->errorScale[keaDot(row->J[k].lin, row->J[k].lin) > 0 ? 0 : 1];
     }
     return size;
 }

@@ -11,7 +11,7 @@
 /* Whether free motion of the body is reversible: false with damping, and for different moments without Coriolis
  * term. */
 static MeBool isBodyReversible(const MdtKeaBody *body) {
-    return body->linearDamping == 0 && body->angularDamping == 0 &&
+    return body->damping[0] == 0 && body->damping[1] == 0 &&
            ((body->flags & MdtKeaBodyFlagAddCoriolisForce) || kea_hasEqualMoments(body->moments));
 }
 

@@ -336,12 +336,10 @@ void kea_setMovingRates(MdtKeaSystem *s) {
 }
 
 /* The derivative of a row's error with respect to d, over h: J at the end pose, with its angular part times D / h
- * (kea_setTurnDerivative). */
+ * (MdtKeaWork.turnDerivative). */
 static void setTangent(const MdtKeaSystem *s, int body, const MdtKeaJBlock *J, double tangent[6]) {
-    double D[3][3];
-    kea_setTurnDerivative(s, body, D);
     keaCopy(tangent, J->lin);
-    keaApplyTransposed(tangent + 3, (const double(*)[3])D, J->ang);
+    keaApplyTransposed(tangent + 3, (const double(*)[3])s->work->turnDerivative[body], J->ang);
     keaScale(tangent + 3, 1 / s->parameters.stepsize, tangent + 3);
 }
 

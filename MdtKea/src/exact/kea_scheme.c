@@ -148,6 +148,7 @@ void kea_moveBodies(MdtKeaSystem *s) {
             b->endVelocity[k] = end->velocity[k] = body->velocity[k] + (b->u[k] - body->velocity[k]) * perTheta;
         rotateBody(body, move, b, end, h);
         kea_setPoses(s, i);
+        kea_setErrorScales(s, i);
     }
 }
 
@@ -231,8 +232,7 @@ static void setBodyMetric(const MdtKeaBody *body, const KeaBody *b, KeaMetric *B
 /* ---- the exact derivative of the momentum, for the tangent problem ---- */
 
 /* D = h (1 + h/2 [w]x) / (1 + |h w / 2|²). */
-void kea_setTurnDerivative(const MdtKeaSystem *s, int body, double D[3][3]) {
-    const double *w = s->work->body[body].u + 3, h = s->parameters.stepsize;
+static void setTurnDerivative(double D[3][3], const double w[3], double h) {
     const double half = 0.5 * h, share = h / (1 + half * half * keaDot(w, w));
     const double x[3][3] = {{0, -w[2], w[1]}, {w[2], 0, -w[0]}, {-w[1], w[0], 0}};
     for (int i = 0; i < 3; i++)
@@ -252,8 +252,7 @@ static void addProduct(double r[3][3], double s, double (*const A)[3], double (*
 static void momentumDerivative(const MdtKeaSystem *s, int body, double r[3][3]) {
     const KeaBody *b = &s->work->body[body];
     const double *L = s->work->end[body].angularMomentum, perTheta = 1 / b->theta;
-    double x[3][3] = {{0, -L[2], L[1]}, {L[2], 0, -L[0]}, {-L[1], L[0], 0}}, D[3][3];
-    kea_setTurnDerivative(s, body, D);
+    double x[3][3] = {{0, -L[2], L[1]}, {L[2], 0, -L[0]}, {-L[1], L[0], 0}};
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             double sum = b->isSpatial ? b->inertia[i][j] : 0;
@@ -262,13 +261,12 @@ static void momentumDerivative(const MdtKeaSystem *s, int body, double r[3][3]) 
             r[i][j] = sum * perTheta;
         }
     if (!b->isSpatial)
-        addProduct(r, -1, x, D);
+        addProduct(r, -1, x, s->work->turnDerivative[body]);
 }
 
 /* -d (r_m x P) = 1/2 P x (D d w x r⁺), r⁺ = r_m + h/2 w_m x r_m. */
 static void addExactStiffness(const MdtKeaSystem *s, int body, double r[3][3], const double P[3], const double arm[3]) {
-    double end[3], K[3][3], D[3][3];
-    kea_setTurnDerivative(s, body, D);
+    double end[3], K[3][3];
     keaCross(end, s->work->body[body].u + 3, arm);
     keaScale(end, 0.5 * s->parameters.stepsize, end);
     keaAddScaled(end, 1, arm);
@@ -276,13 +274,15 @@ static void addExactStiffness(const MdtKeaSystem *s, int body, double r[3][3], c
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             K[i][j] = (i == j ? Pr : 0) - end[i] * P[j];
-    addProduct(r, 0.5, K, D);
+    addProduct(r, 0.5, K, s->work->turnDerivative[body]);
 }
 
 void kea_differentiateBodies(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
-    for (int i = 0; i < s->numBodies; i++)
+    for (int i = 0; i < s->numBodies; i++) {
+        setTurnDerivative(s->work->turnDerivative[i], s->work->body[i].u + 3, s->parameters.stepsize);
         momentumDerivative(s, i, q->tangentInertia[i]);
+    }
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
         for (int k = 0; k < 2 && (row->position || row->spring); k++) {

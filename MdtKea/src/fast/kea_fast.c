@@ -405,12 +405,6 @@ static void setReboundsOf(void *context, KeaNode *node) {
             }
 }
 
-/* Sets the targets of all pushing points that rebound. Returns whether there are any. */
-static MeBool setRebounds(Step *p) {
-    kea_visitNodes(&p->regions, setReboundsOf, p);
-    return isAnyOverNodes(&p->regions);
-}
-
 /* ---- end ---- */
 
 static void addImpulses(void *context, KeaNode *node) {
@@ -595,19 +589,17 @@ static void choosePressedOf(void *context, KeaNode *node) {
                                             (float)p->s->parameters.stepsize, p->move, p->thetas);
 }
 
-static MeBool choosePressed(Step *p) {
-    kea_visitNodesByDepth(&p->regions, choosePressedOf, p);
-    return isAnyOverNodes(&p->regions);
-}
-
 /* Chooses θ of the displacement. Bodies are moved by the mean of their velocities at the start and the end, which is of
  * second order; or, if that presses a contact deeper than the end velocities do (these are what contacts constrain), by
  * the end velocities. */
 static void chooseThetas(Step *p) {
     setMeans(p);
     kea_jointsMoveByEnd(&p->joints, p->motion, p->move, p->thetas);
-    for (int sweep = 0; sweep < KEA_PRESSED_SWEEPS && choosePressed(p);)
-        sweep++;
+    for (int sweep = 0; sweep < KEA_PRESSED_SWEEPS; sweep++) {
+        kea_visitNodesByDepth(&p->regions, choosePressedOf, p);
+        if (!isAnyOverNodes(&p->regions))
+            return;
+    }
 }
 
 /* θ of a body's displacement. */
@@ -711,19 +703,13 @@ static void pushNode(void *context, KeaNode *node) {
     node->sum[0] = p->kernel->push(p->groups + node->firstGroup, node->numGroups, p->displacement);
 }
 
-/* One pass over displacements of contacts. Returns whether some contact has moved its bodies so far that joints
- * open. */
-static MeBool correctContactPositions(Step *p) {
-    kea_visitNodesByDepth(&p->regions, pushNode, p);
-    return isAnyOverNodes(&p->regions);
-}
-
 /* Makes the passes over displacements of some rounds: over contacts, and over joints while these are open. Returns
  * whether contacts have opened joints. */
 static MeBool runPositionPasses(Step *p, int roundCount, double jointError) {
     MeBool isPushed = MEFALSE;
     for (int i = 0; i < roundCount * (KEA_POSITION_PASSES / KEA_JOINT_ROUNDS); i++) {
-        const MeBool isMoved = correctContactPositions(p);
+        kea_visitNodesByDepth(&p->regions, pushNode, p);
+        const MeBool isMoved = isAnyOverNodes(&p->regions); /* so far that joints open */
         if (isMoved || jointError > kea_closedJoint)
             jointError = kea_jointsCorrectPositions(p->s, &p->joints, p->displacement);
         isPushed |= isMoved;
@@ -842,7 +828,8 @@ void kea_fastSolve(MdtKeaSystem *s) {
     setFall(&p);
     findPositions(&p);
     kea_jointsSetMomenta(s, &p.joints);
-    const MeBool doRebound = setRebounds(&p);
+    kea_visitNodes(&p.regions, setReboundsOf, &p);
+    const MeBool doRebound = isAnyOverNodes(&p.regions);
     if (kea_jointsSetRebounds(&p.joints) || doRebound) {
         kea_jointsRefactor(s, &p.joints);
         findVelocities(&p);

@@ -55,41 +55,34 @@ MeBool mst_hasCallback(const MstMaterialPair *materials) {
     return materials->intersectCb || materials->perContactCb || materials->perPairCb;
 }
 
-/* The state of a pair's contacts relative to its last test, or to their last move with the bodies. */
-typedef enum LastTest {
-    INVALID,   /* some contacts are missing, or the touch does not match them */
-    SEPARATED, /* the test found no contacts */
-    IN_PLACE,  /* all contacts exist, and both bodies have the same pose, to the last bit */
-    MOVED      /* all contacts exist, but a body has moved */
-} LastTest;
-
-static LastTest lastTestOf(const MstBridgeRecord *b, const McdModelPair *p) {
+/* The outcome for a pair that has not moved enough for a new test:
+ *     MST_NOTHING   the last test found no contacts
+ *     MST_KEPT      both bodies have the same pose as at that test, to the last bit
+ *     MST_CARRIED   the bodies have moved since then only by their last step; f->hasMoved: which of the group's bodies
+ *     MST_TO_TEST   contacts are missing, the touch does not match them, or they cannot be carried */
+static MstOutcome outcomeOfLastTest(const MstBridgeRecord *b, MstFinding *f) {
+    const McdModelPair *p = f->pair;
     const MstTouch *t = p->touch;
     const MdtContactGroupID group = p->responseData;
-    if (!t)
-        return group ? INVALID : SEPARATED;
-    if (t->found == 0)
-        return mst_touchIsTouching(&b->events, t) ? INVALID : SEPARATED;
-    if (!group || MdtContactGroupGetCount(group) != t->found)
-        return INVALID;
-    return t->moves[0] == mst_moveCountOf(p->model1) && t->moves[1] == mst_moveCountOf(p->model2) ? IN_PLACE : MOVED;
-}
-
-/* Whether the contacts of the pair's group can be moved with its bodies: the bodies have not moved since the last test
- * but by their last step. Sets which of the group's bodies have moved. */
-static MeBool mayCarryContacts(const MstBridgeRecord *b, const McdModelPair *p, MeBool hasMoved[2]) {
-    const MstTouch *t = p->touch;
     const McdModelID model[2] = {p->model1, p->model2};
     const MeBool isSwapped = !mst_bodyOf(p->model1);
+    if (!t)
+        return group ? MST_TO_TEST : MST_NOTHING;
+    if (t->found == 0)
+        return mst_touchIsTouching(&b->events, t) ? MST_TO_TEST : MST_NOTHING;
+    if (!group || MdtContactGroupGetCount(group) != t->found)
+        return MST_TO_TEST;
+    if (t->moves[0] == mst_moveCountOf(p->model1) && t->moves[1] == mst_moveCountOf(p->model2))
+        return MST_KEPT;
     if (t->carried >= MST_CARRIES || b->substep > 0)
-        return MEFALSE;
+        return MST_TO_TEST;
     for (int k = 0; k < 2; k++) {
         const MeBool moved = mst_moveCountOf(model[k]) != t->moves[k];
         if (moved && !MdtBodyMovedByStep(mst_bodyOf(model[k]), t->moves[k]))
-            return MEFALSE;
-        hasMoved[isSwapped ? 1 - k : k] = moved;
+            return MST_TO_TEST;
+        f->hasMoved[isSwapped ? 1 - k : k] = moved;
     }
-    return MdtContactGroupIsFlat(p->responseData);
+    return MdtContactGroupIsFlat(group) ? MST_CARRIED : MST_TO_TEST;
 }
 
 /* The outcome if the last test is still valid; else MST_TO_TEST, and the inputs of the coming test are recorded. Pairs
@@ -104,13 +97,9 @@ static MstOutcome outcomeWithoutTest(const MstBridgeRecord *b, MstFinding *f) {
         return MST_TO_TEST;
     if (!mst_hasCallback(f->materials) &&
         (change != McdPairHasMoved || mst_isInLargeIsland(body1) || mst_isInLargeIsland(body2))) {
-        const LastTest last = lastTestOf(b, p);
-        if (last == SEPARATED) /* the models' relative displacement is less than their gap */
-            return MST_NOTHING;
-        if (last == IN_PLACE)
-            return MST_KEPT;
-        if (last == MOVED && mayCarryContacts(b, p, f->hasMoved))
-            return MST_CARRIED;
+        const MstOutcome outcome = outcomeOfLastTest(b, f);
+        if (outcome != MST_TO_TEST)
+            return outcome;
     }
     McdModelPairStoreTest(p);
     return MST_TO_TEST;
