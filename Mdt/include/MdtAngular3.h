@@ -18,9 +18,9 @@ ME_BEGIN_C
 MEPUBLIC MdtAngular3ID MEAPI MdtAngular3Create(const MdtWorldID w);
 /** Aligns the bodies' frames, and resets all else. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtAngular3Reset(const MdtAngular3ID j);
-/** The angular joint as a constraint. Null for null. */
+/** The angular joint as a constraint. Null if @a j is null. */
 MEPUBLIC MdtConstraintID MEAPI MdtAngular3QuaConstraint(const MdtAngular3ID j);
-/** The constraint as an angular joint; null when it is none. */
+/** The constraint as an angular joint; null if it is none. */
 MEPUBLIC MdtAngular3ID MEAPI MdtConstraintDCastAngular3(const MdtConstraintID c);
 /** @name Rotation about the axis: off by default
  *  @{ */

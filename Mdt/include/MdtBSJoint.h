@@ -14,9 +14,9 @@ ME_BEGIN_C
 MEPUBLIC MdtBSJointID MEAPI MdtBSJointCreate(const MdtWorldID w);
 /** Resets the point to the bodies' centres of mass and the axes to x and y. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtBSJointReset(const MdtBSJointID j);
-/** The joint as a constraint. Null for null. */
+/** The joint as a constraint. Null if @a j is null. */
 MEPUBLIC MdtConstraintID MEAPI MdtBSJointQuaConstraint(const MdtBSJointID j);
-/** The constraint as a ball-and-socket joint; null when it is none. */
+/** The constraint as a ball-and-socket joint; null if it is none. */
 MEPUBLIC MdtBSJointID MEAPI MdtConstraintDCastBSJoint(const MdtConstraintID c);
 
 /** @name Functions that every constraint has, under this joint's name

@@ -23,9 +23,9 @@ MEPUBLIC MdtCarWheelID MEAPI MdtCarWheelCreate(const MdtWorldID w);
 /** Sets position, axes, motors and suspension to the defaults of a new joint. Bodies and enabled state do not change.
  *  */
 MEPUBLIC void MEAPI MdtCarWheelReset(const MdtCarWheelID j);
-/** The car wheel as a constraint. Null for null. */
+/** The car wheel as a constraint. Null if @a j is null. */
 MEPUBLIC MdtConstraintID MEAPI MdtCarWheelQuaConstraint(const MdtCarWheelID j);
-/** The constraint as a car wheel; null when it is none. */
+/** The constraint as a car wheel; null if it is none. */
 MEPUBLIC MdtCarWheelID MEAPI MdtConstraintDCastCarWheel(const MdtConstraintID c);
 /** @name Axes in the world frame. The setters normalize them; for bad input see MdtConstraint.h
  *  @{ */

@@ -17,9 +17,9 @@ ME_BEGIN_C
 MEPUBLIC MdtConeLimitID MEAPI MdtConeLimitCreate(const MdtWorldID w);
 /** Sets axes, half angle and stiffness to the defaults of a new limit. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtConeLimitReset(const MdtConeLimitID j);
-/** The cone limit as a constraint. Null for null. */
+/** The cone limit as a constraint. Null if @a j is null. */
 MEPUBLIC MdtConstraintID MEAPI MdtConeLimitQuaConstraint(const MdtConeLimitID j);
-/** The constraint as a cone limit; null when it is none. */
+/** The constraint as a cone limit; null if it is none. */
 MEPUBLIC MdtConeLimitID MEAPI MdtConstraintDCastConeLimit(const MdtConstraintID c);
 /** The angle between the cone's axis and its surface, rad, clamped to 0 .. pi. */
 MEPUBLIC void MEAPI MdtConeLimitSetConeHalfAngle(const MdtConeLimitID j, const MeReal theta);

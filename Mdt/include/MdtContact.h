@@ -41,9 +41,9 @@ ME_BEGIN_C
 #endif
 /** Sets everything but the bodies to the defaults of a new contact. */
 MEPUBLIC void MEAPI MdtContactReset(const MdtContactID c);
-/** The contact as a constraint. Null for null. */
+/** The contact as a constraint. Null if @a c is null. */
 MEPUBLIC MdtConstraintID MEAPI MdtContactQuaConstraint(const MdtContactID c);
-/** The constraint as a contact; null when it is none. */
+/** The constraint as a contact; null if it is none. */
 MEPUBLIC MdtContactID MEAPI MdtConstraintDCastContact(const MdtConstraintID c);
 
 /** @name Geometry

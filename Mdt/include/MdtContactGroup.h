@@ -21,9 +21,9 @@ ME_BEGIN_C
 MEPUBLIC MdtContactGroupID MEAPI MdtContactGroupCreate(const MdtWorldID w);
 /** Destroys the group's contacts. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtContactGroupReset(const MdtContactGroupID c);
-/** The group as a constraint. Null for null. */
+/** The group as a constraint. Null if @a c is null. */
 MEPUBLIC MdtConstraintID MEAPI MdtContactGroupQuaConstraint(const MdtContactGroupID c);
-/** The constraint as a group; null when it is none. */
+/** The constraint as a group; null if it is none. */
 MEPUBLIC MdtContactGroupID MEAPI MdtConstraintDCastContactGroup(const MdtConstraintID c);
 
 /** @name The group's contacts
@@ -52,15 +52,15 @@ MEPUBLIC MeBool MEAPI MdtContactGroupIsSwapped(MdtContactGroupID g);
  *  @{ */
 MEPUBLIC void MEAPI MdtContactGroupSetGenerator(MdtContactGroupID g, void *generator);
 MEPUBLIC void *MEAPI MdtContactGroupGetGenerator(MdtContactGroupID group);
-/** Sets the address of the maker's pointer to the group: *@a holder is set to null when the group is destroyed, by
- *  whomever, so that the maker does not take a new object in the same memory for it. The pointer must live as long as
+/** Sets the address of the maker's pointer to the group: *@a holder is set to null when the group is destroyed by
+ *  anyone, so that the maker does not mistake a new object in the same memory for it. The pointer must live as long as
  *  the group, or until another holder, or null, is set. Beyond Karma. */
 MEPUBLIC void MEAPI MdtContactGroupSetHolder(MdtContactGroupID g, void **holder);
 /** @} */
 
-/** @name Functions that every constraint has, under its own name Each does what the MdtConstraint function of that
- *  name does (MdtConstraint.h). Force and torque are the sums over the contacts. Destroying the group destroys its
- *  contacts.
+/** @name Functions that every constraint has, under its own name
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h). Force and torque are the sums over
+ *  the contacts. Destroying the group destroys its contacts.
  *  @{ */
 MEPUBLIC void MEAPI MdtContactGroupDestroy(const MdtContactGroupID j);
 MEPUBLIC void MEAPI MdtContactGroupEnable(const MdtContactGroupID j);

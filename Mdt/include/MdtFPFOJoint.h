@@ -13,11 +13,12 @@ ME_BEGIN_C
 /** Creates an FPFO joint, disabled, unattached, which makes the bodies' frames coincide. The world owns it. Returns
  *  null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtFPFOJointID MEAPI MdtFPFOJointCreate(const MdtWorldID w);
-/** Makes the bodies' frames coincide, as before SetBodies. Bodies and enabled state do not change. */
+/** Resets the relative pose that the joint holds: the bodies' frames coincide, as before SetBodies. Bodies and enabled
+ *  state do not change. */
 MEPUBLIC void MEAPI MdtFPFOJointReset(const MdtFPFOJointID j);
-/** The FPFO joint as a constraint. Null for null. */
+/** The FPFO joint as a constraint. Null if @a j is null. */
 MEPUBLIC MdtConstraintID MEAPI MdtFPFOJointQuaConstraint(const MdtFPFOJointID j);
-/** The constraint as an FPFO joint; null when it is none. */
+/** The constraint as an FPFO joint; null if it is none. */
 MEPUBLIC MdtFPFOJointID MEAPI MdtConstraintDCastFPFOJoint(const MdtConstraintID c);
 /** The point, world frame, at which the joint transmits forces. */
 MEPUBLIC void MEAPI MdtFPFOJointSetPosition(const MdtFPFOJointID j, const MeReal x, const MeReal y, const MeReal z);

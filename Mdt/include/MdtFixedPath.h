@@ -18,9 +18,9 @@ ME_BEGIN_C
 MEPUBLIC MdtFixedPathID MEAPI MdtFixedPathCreate(const MdtWorldID w);
 /** Sets positions and velocities to 0. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtFixedPathReset(const MdtFixedPathID j);
-/** The fixed-path joint as a constraint. Null for null. */
+/** The fixed-path joint as a constraint. Null if @a j is null. */
 MEPUBLIC MdtConstraintID MEAPI MdtFixedPathQuaConstraint(const MdtFixedPathID j);
-/** The constraint as a fixed-path joint; null when it is none. */
+/** The constraint as a fixed-path joint; null if it is none. */
 MEPUBLIC MdtFixedPathID MEAPI MdtConstraintDCastFixedPath(const MdtConstraintID c);
 /** The attachment to the body of index 0 or 1, m, in that body's frame. Bad input as in MdtConstraint.h. */
 MEPUBLIC void MEAPI MdtFixedPathSetPosition(const MdtFixedPathID j, const unsigned int bodyindex, const MeReal x,

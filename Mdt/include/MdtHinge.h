@@ -20,9 +20,9 @@ ME_BEGIN_C
 MEPUBLIC MdtHingeID MEAPI MdtHingeCreate(const MdtWorldID w);
 /** Sets position, axes and limit to the defaults of a new hinge. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtHingeReset(const MdtHingeID j);
-/** The hinge as a constraint. Null for null. */
+/** The hinge as a constraint. Null if @a j is null. */
 MEPUBLIC MdtConstraintID MEAPI MdtHingeQuaConstraint(const MdtHingeID j);
-/** The constraint as a hinge; null when it is none. */
+/** The constraint as a hinge; null if it is none. */
 MEPUBLIC MdtHingeID MEAPI MdtConstraintDCastHinge(const MdtConstraintID c);
 /** Pointer to the hinge's limit, for reading and writing; valid as long as the hinge. */
 MEPUBLIC MdtLimitID MEAPI MdtHingeGetLimit(const MdtHingeID j);

@@ -15,9 +15,9 @@ ME_BEGIN_C
 MEPUBLIC MdtLinear1ID MEAPI MdtLinear1Create(const MdtWorldID w);
 /** Sets position and axis to the defaults of a new joint. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtLinear1Reset(const MdtLinear1ID j);
-/** The Linear1 joint as a constraint. Null for null. */
+/** The Linear1 joint as a constraint. Null if @a j is null. */
 MEPUBLIC MdtConstraintID MEAPI MdtLinear1QuaConstraint(const MdtLinear1ID j);
-/** The constraint as a Linear1 joint; null when it is none. */
+/** The constraint as a Linear1 joint; null if it is none. */
 MEPUBLIC MdtLinear1ID MEAPI MdtConstraintDCastLinear1(const MdtConstraintID c);
 
 /** @name Functions that every constraint has, under this joint's name

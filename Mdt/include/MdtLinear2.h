@@ -15,9 +15,9 @@ ME_BEGIN_C
 MEPUBLIC MdtLinear2ID MEAPI MdtLinear2Create(const MdtWorldID w);
 /** Sets position and direction to the defaults of a new joint. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtLinear2Reset(const MdtLinear2ID j);
-/** The Linear2 joint as a constraint. Null for null. */
+/** The Linear2 joint as a constraint. Null if @a j is null. */
 MEPUBLIC MdtConstraintID MEAPI MdtLinear2QuaConstraint(const MdtLinear2ID j);
-/** The constraint as a Linear2 joint; null when it is none. */
+/** The constraint as a Linear2 joint; null if it is none. */
 MEPUBLIC MdtLinear2ID MEAPI MdtConstraintDCastLinear2(const MdtConstraintID c);
 /** The direction of the line, world frame. Bad input as in MdtConstraintSetAxis. */
 MEPUBLIC void MEAPI MdtLinear2SetDirection(const MdtLinear2ID j, const MeReal x, const MeReal y, const MeReal z);

@@ -18,9 +18,9 @@ ME_BEGIN_C
 MEPUBLIC MdtPrismaticID MEAPI MdtPrismaticCreate(const MdtWorldID w);
 /** Sets axes and limit to the defaults of a new joint. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtPrismaticReset(const MdtPrismaticID j);
-/** The prismatic joint as a constraint. Null for null. */
+/** The prismatic joint as a constraint. Null if @a j is null. */
 MEPUBLIC MdtConstraintID MEAPI MdtPrismaticQuaConstraint(const MdtPrismaticID j);
-/** The constraint as a prismatic joint; null when it is none. */
+/** The constraint as a prismatic joint; null if it is none. */
 MEPUBLIC MdtPrismaticID MEAPI MdtConstraintDCastPrismatic(const MdtConstraintID c);
 /** Pointer to the joint's limit, for reading and writing; valid as long as the joint. */
 MEPUBLIC MdtLimitID MEAPI MdtPrismaticGetLimit(const MdtPrismaticID j);

@@ -22,9 +22,9 @@ MEPUBLIC MdtRPROJointID MEAPI MdtRPROJointCreate(const MdtWorldID w);
 /** Sets frames, quaternion, velocity and strengths to the defaults of a new joint. Bodies and enabled state do not
  *  change. */
 MEPUBLIC void MEAPI MdtRPROJointReset(const MdtRPROJointID j);
-/** The RPRO joint as a constraint. Null for null. */
+/** The RPRO joint as a constraint. Null if @a j is null. */
 MEPUBLIC MdtConstraintID MEAPI MdtRPROJointQuaConstraint(const MdtRPROJointID j);
-/** The constraint as an RPRO joint; null when it is none. */
+/** The constraint as an RPRO joint; null if it is none. */
 MEPUBLIC MdtRPROJointID MEAPI MdtConstraintDCastRPROJoint(const MdtConstraintID c);
 /** @name Target orientation of the first frame in the second
  *  A unit quaternion (w, x, y, z); others are normalized, and one of length zero gets a warning. The angular velocity

@@ -19,9 +19,9 @@ ME_BEGIN_C
 MEPUBLIC MdtSkeletalID MEAPI MdtSkeletalCreate(const MdtWorldID w);
 /** Sets frame, limits and options to the defaults of a new joint. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtSkeletalReset(const MdtSkeletalID j);
-/** The skeletal joint as a constraint. Null for null. */
+/** The skeletal joint as a constraint. Null if @a j is null. */
 MEPUBLIC MdtConstraintID MEAPI MdtSkeletalQuaConstraint(const MdtSkeletalID j);
-/** The constraint as a skeletal joint; null when it is none. */
+/** The constraint as a skeletal joint; null if it is none. */
 MEPUBLIC MdtSkeletalID MEAPI MdtConstraintDCastSkeletal(const MdtConstraintID c);
 /** @name Limit angles, rad, 0 to pi (clamped)
  *  @{ */

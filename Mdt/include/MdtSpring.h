@@ -25,9 +25,9 @@ ME_BEGIN_C
 MEPUBLIC MdtSpringID MEAPI MdtSpringCreate(const MdtWorldID w);
 /** Sets positions and limit to the defaults of a new spring. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtSpringReset(const MdtSpringID j);
-/** The spring as a constraint. Null for null. */
+/** The spring as a constraint. Null if @a j is null. */
 MEPUBLIC MdtConstraintID MEAPI MdtSpringQuaConstraint(const MdtSpringID j);
-/** The constraint as a spring; null when it is none. */
+/** The constraint as a spring; null if it is none. */
 MEPUBLIC MdtSpringID MEAPI MdtConstraintDCastSpring(const MdtConstraintID c);
 /** Pointer to the spring's limit, for reading and writing; valid as long as the spring. */
 MEPUBLIC MdtLimitID MEAPI MdtSpringGetLimit(const MdtSpringID j);

@@ -18,9 +18,9 @@ ME_BEGIN_C
 MEPUBLIC MdtSpring6ID MEAPI MdtSpring6Create(const MdtWorldID w);
 /** Sets frames, stiffness and damping to the defaults of a new joint. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtSpring6Reset(const MdtSpring6ID j);
-/** The Spring6 as a constraint. Null for null. */
+/** The Spring6 as a constraint. Null if @a j is null. */
 MEPUBLIC MdtConstraintID MEAPI MdtSpring6QuaConstraint(const MdtSpring6ID j);
-/** The constraint as a Spring6; null when it is none. */
+/** The constraint as a Spring6; null if it is none. */
 MEPUBLIC MdtSpring6ID MEAPI MdtConstraintDCastSpring6(const MdtConstraintID c);
 /** @name Springs by axis, 0 to 2: N/m and N s/m, N m/rad and N m s/rad, at least 0
  *  @{ */

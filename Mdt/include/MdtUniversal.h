@@ -18,14 +18,14 @@ ME_BEGIN_C
 MEPUBLIC MdtUniversalID MEAPI MdtUniversalCreate(const MdtWorldID w);
 /** Sets position and axes to the defaults of a new joint. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtUniversalReset(const MdtUniversalID j);
-/** The universal joint as a constraint. Null for null. */
+/** The universal joint as a constraint. Null if @a j is null. */
 MEPUBLIC MdtConstraintID MEAPI MdtUniversalQuaConstraint(const MdtUniversalID j);
-/** The constraint as a universal joint; null when it is none. */
+/** The constraint as a universal joint; null if it is none. */
 MEPUBLIC MdtUniversalID MEAPI MdtConstraintDCastUniversal(const MdtConstraintID c);
 /** The joint's axis in the body of index 0 or 1, world frame. Bad input as in MdtConstraint.h. */
 MEPUBLIC void MEAPI MdtUniversalSetAxis(const MdtUniversalID j, const unsigned int bodyindex, const MeReal Ax,
                                         const MeReal Ay, const MeReal Az);
-/** The present direction of that axis, world frame. */
+/** The present direction of axis @a bodyindex, world frame. */
 MEPUBLIC void MEAPI MdtUniversalGetAxis(const MdtUniversalID j, const unsigned int bodyindex, MeVector3 axis);
 
 /** @name Functions that every constraint has, under this joint's name

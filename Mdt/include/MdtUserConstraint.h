@@ -19,9 +19,9 @@ ME_BEGIN_C
 MEPUBLIC MdtUserConstraintID MEAPI MdtUserConstraintCreate(const MdtWorldID w);
 /** Resets the frames; the callback, bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtUserConstraintReset(const MdtUserConstraintID j);
-/** The user constraint as a constraint. Null for null. */
+/** The user constraint as a constraint. Null if @a j is null. */
 MEPUBLIC MdtConstraintID MEAPI MdtUserConstraintQuaConstraint(const MdtUserConstraintID j);
-/** The constraint as a user constraint; null when it is none. */
+/** The constraint as a user constraint; null if it is none. */
 MEPUBLIC MdtUserConstraintID MEAPI MdtConstraintDCastUserConstraint(const MdtConstraintID c);
 /** The callback that writes the rows; null: no rows. It must not move bodies; objects that it creates or destroys are
  *  processed later (docs/simulation.md, "Callbacks"). */

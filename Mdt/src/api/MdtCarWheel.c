@@ -3,10 +3,7 @@
 
 MDT_JOINT_BASICS(CarWheel, MdtBclCARWHEEL)
 
-static MdtBclCarWheel *wheelOf(MdtCarWheelID j, const char *caller) {
-    MdtJoint *c = mdt_jointOfType(j, MdtBclCARWHEEL, caller);
-    return c ? &c->bcl.of.wheel : NULL;
-}
+MDT_JOINT_DATA(CarWheel, MdtBclCARWHEEL, MdtBclCarWheel, wheel)
 
 /* ---- axes ---- */
 
@@ -38,13 +35,13 @@ void MEAPI MdtCarWheelGetHingeAxis(const MdtCarWheelID j, MeVector3 v) {
 /* ---- steering and rolling ---- */
 
 void MEAPI MdtCarWheelSetSteeringLock(const MdtCarWheelID j, const MeBool lock) {
-    MdtBclCarWheel *w = wheelOf(j, __func__);
+    Data *w = dataOf(j, __func__);
     if (w)
         w->isLocked = lock != 0;
 }
 
 MeBool MEAPI MdtCarWheelIsSteeringLocked(const MdtCarWheelID j) {
-    const MdtBclCarWheel *w = wheelOf(j, __func__);
+    const Data *w = dataOf(j, __func__);
     return w && w->isLocked;
 }
 
@@ -57,62 +54,31 @@ static void setMotor(MdtBclMotor *motor, const char *caller, MeReal velocity, Me
 
 void MEAPI MdtCarWheelSetSteeringLimitedForceMotor(const MdtCarWheelID j, const MeReal desiredVelocity,
                                                    const MeReal forceLimit) {
-    MdtBclCarWheel *w = wheelOf(j, __func__);
+    Data *w = dataOf(j, __func__);
     setMotor(w ? &w->steering : NULL, __func__, desiredVelocity, forceLimit);
 }
 
 void MEAPI MdtCarWheelSetHingeLimitedForceMotor(const MdtCarWheelID j, const MeReal desiredVelocity,
                                                 const MeReal forceLimit) {
-    MdtBclCarWheel *w = wheelOf(j, __func__);
+    Data *w = dataOf(j, __func__);
     setMotor(w ? &w->rolling : NULL, __func__, desiredVelocity, forceLimit);
 }
 
-MeReal MEAPI MdtCarWheelGetSteeringMotorDesiredVelocity(const MdtCarWheelID j) {
-    const MdtBclCarWheel *w = wheelOf(j, __func__);
-    return w ? w->steering.velocity : 0;
-}
-
-MeReal MEAPI MdtCarWheelGetSteeringMotorMaxForce(const MdtCarWheelID j) {
-    const MdtBclCarWheel *w = wheelOf(j, __func__);
-    return w ? w->steering.force : 0;
-}
-
-MeReal MEAPI MdtCarWheelGetHingeMotorDesiredVelocity(const MdtCarWheelID j) {
-    const MdtBclCarWheel *w = wheelOf(j, __func__);
-    return w ? w->rolling.velocity : 0;
-}
-
-MeReal MEAPI MdtCarWheelGetHingeMotorMaxForce(const MdtCarWheelID j) {
-    const MdtBclCarWheel *w = wheelOf(j, __func__);
-    return w ? w->rolling.force : 0;
-}
-
-MeReal MEAPI MdtCarWheelGetSteeringAngle(const MdtCarWheelID j) {
-    const MdtBclCarWheel *w = wheelOf(j, __func__);
-    return w ? (MeReal)w->steeringAngle : 0;
-}
-
-MeReal MEAPI MdtCarWheelGetSteeringAngleRate(const MdtCarWheelID j) {
-    const MdtBclCarWheel *w = wheelOf(j, __func__);
-    return w ? mdt_real(w->steeringRate) : 0;
-}
-
-MeReal MEAPI MdtCarWheelGetHingeAngle(const MdtCarWheelID j) {
-    const MdtBclCarWheel *w = wheelOf(j, __func__);
-    return w ? (MeReal)w->hingeAngle : 0;
-}
-
-MeReal MEAPI MdtCarWheelGetHingeAngleRate(const MdtCarWheelID j) {
-    const MdtBclCarWheel *w = wheelOf(j, __func__);
-    return w ? mdt_real(w->hingeRate) : 0;
-}
+MDT_JOINT_GETTER(CarWheel, SteeringMotorDesiredVelocity, d->steering.velocity)
+MDT_JOINT_GETTER(CarWheel, SteeringMotorMaxForce, d->steering.force)
+MDT_JOINT_GETTER(CarWheel, HingeMotorDesiredVelocity, d->rolling.velocity)
+MDT_JOINT_GETTER(CarWheel, HingeMotorMaxForce, d->rolling.force)
+MDT_JOINT_GETTER(CarWheel, SteeringAngle, (MeReal)d->steeringAngle)
+MDT_JOINT_GETTER(CarWheel, SteeringAngleRate, mdt_real(d->steeringRate))
+MDT_JOINT_GETTER(CarWheel, HingeAngle, (MeReal)d->hingeAngle)
+MDT_JOINT_GETTER(CarWheel, HingeAngleRate, mdt_real(d->hingeRate))
 
 /* ---- suspension ---- */
 
 void MEAPI MdtCarWheelSetSuspension(const MdtCarWheelID j, const MeReal Kp, const MeReal Kd,
                                     const MeReal limit_softness, const MeReal lolimit, const MeReal hilimit,
                                     const MeReal reference) {
-    MdtBclCarWheel *w = wheelOf(j, __func__);
+    Data *w = dataOf(j, __func__);
     if (!w || !mdt_isNotBelow(__func__, "Kp", Kp, 0) || !mdt_isNotBelow(__func__, "Kd", Kd, 0) ||
         !mdt_isNotBelow(__func__, "the softness", limit_softness, 0) ||
         !mdt_isFinite(__func__, "the low limit", lolimit) || !mdt_isFinite(__func__, "the high limit", hilimit) ||
@@ -127,42 +93,11 @@ void MEAPI MdtCarWheelSetSuspension(const MdtCarWheelID j, const MeReal Kp, cons
     w->reference = reference;
 }
 
-MeReal MEAPI MdtCarWheelGetSuspensionKp(const MdtCarWheelID j) {
-    const MdtBclCarWheel *w = wheelOf(j, __func__);
-    return w ? w->kp : 0;
-}
-
-MeReal MEAPI MdtCarWheelGetSuspensionKd(const MdtCarWheelID j) {
-    const MdtBclCarWheel *w = wheelOf(j, __func__);
-    return w ? w->kd : 0;
-}
-
-MeReal MEAPI MdtCarWheelGetSuspensionLimitSoftness(const MdtCarWheelID j) {
-    const MdtBclCarWheel *w = wheelOf(j, __func__);
-    return w ? w->softness : 0;
-}
-
-MeReal MEAPI MdtCarWheelGetSuspensionLowLimit(const MdtCarWheelID j) {
-    const MdtBclCarWheel *w = wheelOf(j, __func__);
-    return w ? w->low : 0;
-}
-
-MeReal MEAPI MdtCarWheelGetSuspensionHighLimit(const MdtCarWheelID j) {
-    const MdtBclCarWheel *w = wheelOf(j, __func__);
-    return w ? w->high : 0;
-}
-
-MeReal MEAPI MdtCarWheelGetSuspensionReference(const MdtCarWheelID j) {
-    const MdtBclCarWheel *w = wheelOf(j, __func__);
-    return w ? w->reference : 0;
-}
-
-MeReal MEAPI MdtCarWheelGetSuspensionHeight(const MdtCarWheelID j) {
-    const MdtBclCarWheel *w = wheelOf(j, __func__);
-    return w ? mdt_real(w->height) : 0;
-}
-
-MeReal MEAPI MdtCarWheelGetSuspensionRate(const MdtCarWheelID j) {
-    const MdtBclCarWheel *w = wheelOf(j, __func__);
-    return w ? mdt_real(w->heightRate) : 0;
-}
+MDT_JOINT_GETTER(CarWheel, SuspensionKp, d->kp)
+MDT_JOINT_GETTER(CarWheel, SuspensionKd, d->kd)
+MDT_JOINT_GETTER(CarWheel, SuspensionLimitSoftness, d->softness)
+MDT_JOINT_GETTER(CarWheel, SuspensionLowLimit, d->low)
+MDT_JOINT_GETTER(CarWheel, SuspensionHighLimit, d->high)
+MDT_JOINT_GETTER(CarWheel, SuspensionReference, d->reference)
+MDT_JOINT_GETTER(CarWheel, SuspensionHeight, mdt_real(d->height))
+MDT_JOINT_GETTER(CarWheel, SuspensionRate, mdt_real(d->heightRate))

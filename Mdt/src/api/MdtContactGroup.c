@@ -62,8 +62,10 @@ static MdtPoint *deferredMember(const MeLater *later) {
     return mdt_deferredConstraint(later) && mdt_isPoint(later->other[0]) && mdt_pointIsAlone(p) ? p : NULL;
 }
 
-static MeBool mayMoveNow(MdtManifold *group, MdtPoint *p, void(MEAPI *carryOut)(const MeLater *later),
-                         const char *caller) {
+/* Whether the contact may be moved into or out of the group now. Otherwise the move is deferred, or refused with a
+ * message. */
+static MeBool mayRegroupNow(MdtManifold *group, MdtPoint *p, void(MEAPI *carryOut)(const MeLater *later),
+                            const char *caller) {
     const MeLater later = {.carryOut = carryOut, .object = group, .other = {p}, .serial = group->base.link.serial};
     return mdt_deferIfGuarded(group->base.world, MDT_GUARD_CONSTRAINTS, caller, &later) == MeWhenNow;
 }
@@ -87,7 +89,7 @@ static MeBool mayJoin(const MdtPoint *p, const MdtManifold *group) {
 void MEAPI MdtContactGroupAppendContact(MdtContactGroupID g, MdtContactID c) {
     MdtManifold *group = mdt_groupOf(g, __func__);
     MdtPoint *p = group ? mdt_pointOf(c, __func__) : NULL;
-    if (p && mayJoin(p, group) && mayMoveNow(group, p, applyDeferredJoin, __func__))
+    if (p && mayJoin(p, group) && mayRegroupNow(group, p, applyDeferredJoin, __func__))
         mdt_pointJoin(p, group);
 }
 
@@ -102,7 +104,7 @@ void MEAPI MdtContactGroupRemoveContact(MdtContactGroupID g, MdtContactID c) {
     if (p && !mdt_pointIsAlone(p))
         MeWarning(1, "MdtContactGroupRemoveContact: the contact was made by a bridge, and lives in its group only; "
                      "nothing is changed");
-    else if (p && mayMoveNow(mdt_manifoldOf(p), p, applyDeferredLeave, __func__))
+    else if (p && mayRegroupNow(mdt_manifoldOf(p), p, applyDeferredLeave, __func__))
         mdt_pointLeave(p);
 }
 

@@ -3,11 +3,7 @@
 #include <string.h>
 
 MDT_JOINT_BASICS(RPROJoint, MdtBclRPROJOINT)
-
-static MdtBclRelative *relativeOf(MdtRPROJointID j, const char *caller) {
-    MdtJoint *c = mdt_jointOfType(j, MdtBclRPROJOINT, caller);
-    return c ? &c->bcl.of.relative : NULL;
-}
+MDT_JOINT_DATA(RPROJoint, MdtBclRPROJOINT, MdtBclRelative, relative)
 
 /* Normalizes a quaternion; false, with a warning, for one without length. */
 static MeBool normalizeQuaternion(const char *caller, const MeReal q[4], double unit[4]) {
@@ -33,26 +29,26 @@ static void copyQuaternion(MeVector4 q, const double from[4]) {
 /* ---- the target orientation ---- */
 
 void MEAPI MdtRPROJointSetRelativeQuaternion(const MdtRPROJointID j, const MeVector4 q) {
-    MdtBclRelative *r = relativeOf(j, __func__);
+    Data *r = dataOf(j, __func__);
     double unit[4];
     if (r && mdt_isPointer(__func__, "the quaternion", q) && normalizeQuaternion(__func__, q, unit))
         memcpy(r->quaternion, unit, sizeof unit);
 }
 
 void MEAPI MdtRPROJointGetRelativeQuaternion(const MdtRPROJointID j, MeVector4 q) {
-    const MdtBclRelative *r = mdt_isResult(__func__, q, 4) ? relativeOf(j, __func__) : NULL;
+    const Data *r = mdt_isResult(__func__, q, 4) ? dataOf(j, __func__) : NULL;
     if (r)
         copyQuaternion(q, r->quaternion);
 }
 
 void MEAPI MdtRPROJointSetRelativeAngularVelocity(MdtRPROJointID j, MeVector3 w) {
-    MdtBclRelative *r = relativeOf(j, __func__);
+    Data *r = dataOf(j, __func__);
     if (r && mdt_isPointer(__func__, "the velocity", w) && mdt_isFinite3(__func__, "the velocity", w[0], w[1], w[2]))
         mdt_fromReal(r->velocity, w);
 }
 
 void MEAPI MdtRPROJointGetRelativeAngularVelocity(const MdtRPROJointID j, MeVector3 w) {
-    const MdtBclRelative *r = mdt_isResult(__func__, w, 3) ? relativeOf(j, __func__) : NULL;
+    const Data *r = mdt_isResult(__func__, w, 3) ? dataOf(j, __func__) : NULL;
     if (r)
         mdt_toReal(w, r->velocity);
 }
@@ -130,25 +126,25 @@ static void setStrength(MeReal strength[3], const char *caller, MeReal x, MeReal
 }
 
 void MEAPI MdtRPROJointSetLinearStrength(const MdtRPROJointID j, const MeReal sX, const MeReal sY, const MeReal sZ) {
-    MdtBclRelative *r = relativeOf(j, __func__);
+    Data *r = dataOf(j, __func__);
     if (r)
         setStrength(r->linear, __func__, sX, sY, sZ);
 }
 
 void MEAPI MdtRPROJointSetAngularStrength(const MdtRPROJointID j, const MeReal sX, const MeReal sY, const MeReal sZ) {
-    MdtBclRelative *r = relativeOf(j, __func__);
+    Data *r = dataOf(j, __func__);
     if (r)
         setStrength(r->angular, __func__, sX, sY, sZ);
 }
 
 void MEAPI MdtRPROJointGetLinearStrength(const MdtRPROJointID j, MeVector3 v) {
-    const MdtBclRelative *r = mdt_isResult(__func__, v, 3) ? relativeOf(j, __func__) : NULL;
+    const Data *r = mdt_isResult(__func__, v, 3) ? dataOf(j, __func__) : NULL;
     if (r)
         memcpy(v, r->linear, sizeof r->linear);
 }
 
 void MEAPI MdtRPROJointGetAngularStrength(const MdtRPROJointID j, MeVector3 v) {
-    const MdtBclRelative *r = mdt_isResult(__func__, v, 3) ? relativeOf(j, __func__) : NULL;
+    const Data *r = mdt_isResult(__func__, v, 3) ? dataOf(j, __func__) : NULL;
     if (r)
         memcpy(v, r->angular, sizeof r->angular);
 }

@@ -3,89 +3,25 @@
 
 MDT_JOINT_BASICS(Skeletal, MdtBclSKELETAL)
 
-static MdtBclSkeletal *skeletalOf(MdtSkeletalID j, const char *caller) {
-    MdtJoint *c = mdt_jointOfType(j, MdtBclSKELETAL, caller);
-    return c ? &c->bcl.of.skeletal : NULL;
-}
+MDT_JOINT_DATA(Skeletal, MdtBclSKELETAL, MdtBclSkeletal, skeletal)
 
 /* ---- angles ---- */
 
-void MEAPI MdtSkeletalSetConePrimaryLimitAngle(const MdtSkeletalID j, const MeReal theta) {
-    MdtBclSkeletal *s = skeletalOf(j, __func__);
-    mdt_setAngle(__func__, "the angle", s ? &s->primary : NULL, theta);
-}
-
-MeReal MEAPI MdtSkeletalGetConePrimaryLimitAngle(const MdtSkeletalID j) {
-    const MdtBclSkeletal *s = skeletalOf(j, __func__);
-    return s ? s->primary : 0;
-}
-
-void MEAPI MdtSkeletalSetConeSecondaryLimitAngle(const MdtSkeletalID j, const MeReal theta) {
-    MdtBclSkeletal *s = skeletalOf(j, __func__);
-    mdt_setAngle(__func__, "the angle", s ? &s->secondary : NULL, theta);
-}
-
-MeReal MEAPI MdtSkeletalGetConeSecondaryLimitAngle(const MdtSkeletalID j) {
-    const MdtBclSkeletal *s = skeletalOf(j, __func__);
-    return s ? s->secondary : 0;
-}
-
-void MEAPI MdtSkeletalSetTwistLimitAngle(const MdtSkeletalID j, const MeReal theta) {
-    MdtBclSkeletal *s = skeletalOf(j, __func__);
-    mdt_setAngle(__func__, "the angle", s ? &s->twist : NULL, theta);
-}
-
-MeReal MEAPI MdtSkeletalGetTwistLimitAngle(const MdtSkeletalID j) {
-    const MdtBclSkeletal *s = skeletalOf(j, __func__);
-    return s ? s->twist : 0;
-}
+MDT_JOINT_PROPERTY(Skeletal, ConePrimaryLimitAngle, mdt_setAngle, "the angle", primary)
+MDT_JOINT_PROPERTY(Skeletal, ConeSecondaryLimitAngle, mdt_setAngle, "the angle", secondary)
+MDT_JOINT_PROPERTY(Skeletal, TwistLimitAngle, mdt_setAngle, "the angle", twist)
 
 /* ---- compliance ---- */
 
-void MEAPI MdtSkeletalSetConeStiffness(const MdtSkeletalID j, const MeReal kp) {
-    MdtBclSkeletal *s = skeletalOf(j, __func__);
-    mdt_setNonNegative(__func__, "the stiffness", s ? &s->coneStiffness : NULL, kp);
-}
-
-MeReal MEAPI MdtSkeletalGetConeStiffness(const MdtSkeletalID j) {
-    const MdtBclSkeletal *s = skeletalOf(j, __func__);
-    return s ? s->coneStiffness : 0;
-}
-
-void MEAPI MdtSkeletalSetConeDamping(const MdtSkeletalID j, const MeReal kd) {
-    MdtBclSkeletal *s = skeletalOf(j, __func__);
-    mdt_setNonNegative(__func__, "the damping", s ? &s->coneDamping : NULL, kd);
-}
-
-MeReal MEAPI MdtSkeletalGetConeDamping(const MdtSkeletalID j) {
-    const MdtBclSkeletal *s = skeletalOf(j, __func__);
-    return s ? s->coneDamping : 0;
-}
-
-void MEAPI MdtSkeletalSetTwistStiffness(const MdtSkeletalID j, const MeReal kp) {
-    MdtBclSkeletal *s = skeletalOf(j, __func__);
-    mdt_setNonNegative(__func__, "the stiffness", s ? &s->twistStiffness : NULL, kp);
-}
-
-MeReal MEAPI MdtSkeletalGetTwistStiffness(const MdtSkeletalID j) {
-    const MdtBclSkeletal *s = skeletalOf(j, __func__);
-    return s ? s->twistStiffness : 0;
-}
-
-void MEAPI MdtSkeletalSetTwistDamping(const MdtSkeletalID j, const MeReal kd) {
-    MdtBclSkeletal *s = skeletalOf(j, __func__);
-    mdt_setNonNegative(__func__, "the damping", s ? &s->twistDamping : NULL, kd);
-}
-
-MeReal MEAPI MdtSkeletalGetTwistDamping(const MdtSkeletalID j) {
-    const MdtBclSkeletal *s = skeletalOf(j, __func__);
-    return s ? s->twistDamping : 0;
-}
+MDT_JOINT_PROPERTY(Skeletal, ConeStiffness, mdt_setNonNegative, "the stiffness", coneStiffness)
+MDT_JOINT_PROPERTY(Skeletal, ConeDamping, mdt_setNonNegative, "the damping", coneDamping)
+MDT_JOINT_PROPERTY(Skeletal, TwistStiffness, mdt_setNonNegative, "the stiffness", twistStiffness)
+MDT_JOINT_PROPERTY(Skeletal, TwistDamping, mdt_setNonNegative, "the damping", twistDamping)
 
 /* ---- options ---- */
 
 void MEAPI MdtSkeletalSetConeOption(const MdtSkeletalID j, MdtSkeletalConeOption co) {
-    MdtBclSkeletal *s = skeletalOf(j, __func__);
+    Data *s = dataOf(j, __func__);
     if (!s)
         return;
     if (co < MdtSkeletalConeOptionFree || co > MdtSkeletalConeOptionFixed)
@@ -95,12 +31,12 @@ void MEAPI MdtSkeletalSetConeOption(const MdtSkeletalID j, MdtSkeletalConeOption
 }
 
 MdtSkeletalConeOption MEAPI MdtSkeletalGetConeOption(const MdtSkeletalID j) {
-    const MdtBclSkeletal *s = skeletalOf(j, __func__);
+    const Data *s = dataOf(j, __func__);
     return s ? s->coneOption : MdtSkeletalConeOptionFree;
 }
 
 void MEAPI MdtSkeletalSetTwistOption(const MdtSkeletalID j, MdtSkeletalTwistOption to) {
-    MdtBclSkeletal *s = skeletalOf(j, __func__);
+    Data *s = dataOf(j, __func__);
     if (!s)
         return;
     if (to < MdtSkeletalTwistOptionFree || to > MdtSkeletalTwistOptionFixed)
@@ -110,7 +46,7 @@ void MEAPI MdtSkeletalSetTwistOption(const MdtSkeletalID j, MdtSkeletalTwistOpti
 }
 
 MdtSkeletalTwistOption MEAPI MdtSkeletalGetTwistOption(const MdtSkeletalID j) {
-    const MdtBclSkeletal *s = skeletalOf(j, __func__);
+    const Data *s = dataOf(j, __func__);
     return s ? s->twistOption : MdtSkeletalTwistOptionFree;
 }
 

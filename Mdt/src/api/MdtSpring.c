@@ -2,24 +2,8 @@
 #include "api/mdt_api_i.h"
 
 MDT_JOINT_BASICS(Spring, MdtBclSPRING)
-
-MdtLimitID MEAPI MdtSpringGetLimit(const MdtSpringID j) {
-    MdtJoint *c = mdt_jointOfType(j, MdtBclSPRING, __func__);
-    if (c)
-        mdt_constraintMarkWatched(&c->base);
-    return c ? &c->bcl.of.distance.limit : NULL;
-}
-
-void MEAPI MdtSpringSetLimit(const MdtSpringID j, const MdtLimitID NewLimit) {
-    MdtJoint *c = mdt_jointOfType(j, MdtBclSPRING, __func__);
-    if (c && mdt_isPointer(__func__, "the limit", NewLimit))
-        mdt_limitAssign(&c->bcl.of.distance.limit, NewLimit);
-}
-
-static MdtBclDistance *distanceOf(MdtSpringID j, const char *caller) {
-    MdtJoint *c = mdt_jointOfType(j, MdtBclSPRING, caller);
-    return c ? &c->bcl.of.distance : NULL;
-}
+MDT_JOINT_LIMIT(Spring, MdtBclSPRING, distance.limit)
+MDT_JOINT_DATA(Spring, MdtBclSPRING, MdtBclDistance, distance)
 
 void MEAPI MdtSpringSetPosition(const MdtSpringID j, const unsigned int bodyindex, const MeReal x, const MeReal y,
                                 const MeReal z) {
@@ -35,7 +19,7 @@ void MEAPI MdtSpringGetPosition(const MdtSpringID j, MeVector3 v, const unsigned
 }
 
 void MEAPI MdtSpringSetNaturalLength(const MdtSpringID j, const MeReal NewNaturalLength) {
-    MdtBclDistance *s = distanceOf(j, __func__);
+    Data *s = dataOf(j, __func__);
     if (!s || !mdt_isNotBelow(__func__, "the length", NewNaturalLength, 0) ||
         !mdt_isFinite3(__func__, "the length", NewNaturalLength, 0, 0))
         return;
@@ -44,13 +28,13 @@ void MEAPI MdtSpringSetNaturalLength(const MdtSpringID j, const MeReal NewNatura
 }
 
 void MEAPI MdtSpringSetStiffness(const MdtSpringID j, const MeReal NewStiffness) {
-    MdtBclDistance *s = distanceOf(j, __func__);
+    Data *s = dataOf(j, __func__);
     if (s && mdt_isNotBelow(__func__, "the stiffness", NewStiffness, 0))
         s->limit.limit[0].stiffness = s->limit.limit[1].stiffness = NewStiffness;
 }
 
 void MEAPI MdtSpringSetDamping(const MdtSpringID j, const MeReal NewDamping) {
-    MdtBclDistance *s = distanceOf(j, __func__);
+    Data *s = dataOf(j, __func__);
     if (s && mdt_isNotBelow(__func__, "the damping", NewDamping, 0))
         s->limit.limit[0].damping = s->limit.limit[1].damping = NewDamping;
 }

@@ -15,30 +15,26 @@ MdtUserConstraintID MEAPI MdtUserConstraintCreate(const MdtWorldID w) {
 }
 
 MDT_JOINT_CASTS(UserConstraint, MdtBclUSER)
-
-static MdtBclUser *userOf(MdtUserConstraintID j, const char *caller) {
-    MdtJoint *c = mdt_jointOfType(j, MdtBclUSER, caller);
-    return c ? &c->bcl.of.user : NULL;
-}
+MDT_JOINT_DATA(UserConstraint, MdtBclUSER, MdtBclUser, user)
 
 void MEAPI MdtUserConstraintSetFunction(const MdtUserConstraintID j, MdtBclAddConstraintFn f) {
-    MdtBclUser *user = userOf(j, __func__);
+    Data *user = dataOf(j, __func__);
     if (user)
         user->function = f;
 }
 
 MdtBclAddConstraintFn MEAPI MdtUserConstraintGetFunction(const MdtUserConstraintID j) {
-    const MdtBclUser *user = userOf(j, __func__);
+    const Data *user = dataOf(j, __func__);
     return user ? user->function : NULL;
 }
 
 void MEAPI MdtUserConstraintSetConstraintData(const MdtUserConstraintID j, void *d) {
-    MdtBclUser *user = userOf(j, __func__);
+    Data *user = dataOf(j, __func__);
     if (user)
         user->owner = d;
 }
 
 void *MEAPI MdtUserConstraintGetConstraintData(const MdtUserConstraintID j) {
-    const MdtBclUser *user = userOf(j, __func__);
+    const Data *user = dataOf(j, __func__);
     return user ? user->owner : NULL;
 }

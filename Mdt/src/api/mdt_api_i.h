@@ -25,6 +25,43 @@
         return mdt_jointCast(c, TYPE, __func__);                                                                       \
     }
 
+/* The data of a joint's type, for the macros below: dataOf is null, with a warning, for a handle that is no such joint.
+ */
+#define MDT_JOINT_DATA(Joint, TYPE, DataOfType, member)                                                                \
+    typedef DataOfType Data;                                                                                           \
+    static Data *dataOf(Mdt##Joint##ID j, const char *caller) {                                                        \
+        MdtJoint *c = mdt_jointOfType(j, TYPE, caller);                                                                \
+        return c ? &c->bcl.of.member : NULL;                                                                           \
+    }
+/* A function that returns a number of a joint's data, d. */
+#define MDT_JOINT_GETTER(Joint, Name, value)                                                                           \
+    MeReal MEAPI Mdt##Joint##Get##Name(const Mdt##Joint##ID j) {                                                       \
+        const Data *d = dataOf(j, __func__);                                                                           \
+        return d ? value : 0;                                                                                          \
+    }
+/* Two functions that set and return a number of a joint's data. `store` checks and stores it: mdt_setNonNegative or
+ * mdt_setAngle. */
+#define MDT_JOINT_PROPERTY(Joint, Name, store, what, member)                                                           \
+    void MEAPI Mdt##Joint##Set##Name(const Mdt##Joint##ID j, const MeReal x) {                                         \
+        Data *d = dataOf(j, __func__);                                                                                 \
+        store(__func__, what, d ? &d->member : NULL, x);                                                               \
+    }                                                                                                                  \
+    MDT_JOINT_GETTER(Joint, Name, d->member)
+
+/* The functions of a joint with a limit. */
+#define MDT_JOINT_LIMIT(Joint, TYPE, member)                                                                           \
+    MdtLimitID MEAPI Mdt##Joint##GetLimit(const Mdt##Joint##ID j) {                                                    \
+        MdtJoint *c = mdt_jointOfType(j, TYPE, __func__);                                                              \
+        if (c)                                                                                                         \
+            mdt_constraintMarkWatched(&c->base);                                                                       \
+        return c ? &c->bcl.of.member : NULL;                                                                           \
+    }                                                                                                                  \
+    void MEAPI Mdt##Joint##SetLimit(const Mdt##Joint##ID j, const MdtLimitID NewLimit) {                               \
+        MdtJoint *c = mdt_jointOfType(j, TYPE, __func__);                                                              \
+        if (c && mdt_isPointer(__func__, "the limit", NewLimit))                                                       \
+            mdt_limitAssign(&c->bcl.of.member, NewLimit);                                                              \
+    }
+
 /* Position and depth of a contact now: moved along with its bodies since the step began. */
 void mdt_pointGetCurrent(const MdtPoint *p, double position[3], double *depth);
 

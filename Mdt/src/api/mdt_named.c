@@ -77,11 +77,31 @@
         mdt_constraintBodyGetAxes((MdtConstraintID)j, bodyindex, primary, ortho, __func__);                            \
     }
 
+#define GET_AXES(Joint)                                                                                                \
+    void MEAPI Mdt##Joint##GetAxes(const Mdt##Joint##ID j, MeVector3 primary, MeVector3 ortho) {                       \
+        mdt_constraintGetAxes((MdtConstraintID)j, primary, ortho, __func__);                                           \
+    }
+
+#define BODY_AXES_REL(Joint)                                                                                           \
+    void MEAPI Mdt##Joint##BodySetAxesRel(const Mdt##Joint##ID j, const unsigned int bodyindex, const MeReal px,       \
+                                          const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,          \
+                                          const MeReal oz) {                                                           \
+        mdt_constraintBodySetAxesRel((MdtConstraintID)j, bodyindex, px, py, pz, ox, oy, oz, __func__);                 \
+    }
+
+#define BODY_AXIS(Joint)                                                                                               \
+    void MEAPI Mdt##Joint##BodyGetAxis(const Mdt##Joint##ID j, const unsigned int bodyindex, MeVector3 axis) {         \
+        mdt_constraintBodyGetAxes((MdtConstraintID)j, bodyindex, axis, NULL, __func__);                                \
+    }
+
 COMMON(Constraint)
 POSITION(Constraint)
 AXIS(Constraint)
 AXES(Constraint)
 BODY_AXES(Constraint)
+GET_AXES(Constraint)
+BODY_AXES_REL(Constraint)
+BODY_AXIS(Constraint)
 
 COMMON(Angular3)
 AXIS(Angular3)
@@ -97,6 +117,8 @@ POSITION(ConeLimit)
 AXIS(ConeLimit)
 AXES(ConeLimit)
 BODY_AXES(ConeLimit)
+GET_AXES(ConeLimit)
+BODY_AXES_REL(ConeLimit)
 
 COMMON(Contact)
 
@@ -126,12 +148,14 @@ COMMON(Skeletal)
 POSITION(Skeletal)
 AXES(Skeletal)
 BODY_AXES(Skeletal)
+BODY_AXIS(Skeletal)
 
 COMMON(Spring)
 
 COMMON(Spring6)
 POSITION(Spring6)
 AXES(Spring6)
+GET_AXES(Spring6)
 
 COMMON(Universal)
 POSITION(Universal)
@@ -148,20 +172,6 @@ void MEAPI MdtConstraintBodySetPosition(const MdtConstraintID c, const unsigned 
 
 void MEAPI MdtConstraintBodyGetPosition(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p) {
     mdt_constraintBodyGetPosition(c, bodyindex, p, __func__);
-}
-
-void MEAPI MdtConstraintGetAxes(const MdtConstraintID c, MeVector3 p, MeVector3 o) {
-    mdt_constraintGetAxes(c, p, o, __func__);
-}
-
-void MEAPI MdtConstraintBodySetAxesRel(const MdtConstraintID c, const unsigned int bodyindex, const MeReal px,
-                                       const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
-                                       const MeReal oz) {
-    mdt_constraintBodySetAxesRel(c, bodyindex, px, py, pz, ox, oy, oz, __func__);
-}
-
-void MEAPI MdtConstraintBodyGetAxis(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 a) {
-    mdt_constraintBodyGetAxes(c, bodyindex, a, NULL, __func__);
 }
 
 void MEAPI MdtConstraintSetBothAxis(const MdtConstraintID c, const MeReal px, const MeReal py, const MeReal pz,
@@ -194,27 +204,9 @@ void MEAPI MdtCarWheelGetSteeringAndHingeAxes(const MdtCarWheelID j, const unsig
     mdt_constraintBodyGetAxes((MdtConstraintID)j, bodyindex, primary, ortho, __func__);
 }
 
-void MEAPI MdtConeLimitBodySetAxesRel(const MdtConeLimitID j, const unsigned int bodyindex, const MeReal px,
-                                      const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
-                                      const MeReal oz) {
-    mdt_constraintBodySetAxesRel((MdtConstraintID)j, bodyindex, px, py, pz, ox, oy, oz, __func__);
-}
-
-void MEAPI MdtConeLimitGetAxes(const MdtConeLimitID j, MeVector3 primary, MeVector3 ortho) {
-    mdt_constraintGetAxes((MdtConstraintID)j, primary, ortho, __func__);
-}
-
-void MEAPI MdtSkeletalBodyGetAxis(const MdtSkeletalID j, const unsigned int bodyindex, MeVector3 axis) {
-    mdt_constraintBodyGetAxes((MdtConstraintID)j, bodyindex, axis, NULL, __func__);
-}
-
 void MEAPI MdtUniversalGetAxes(const MdtUniversalID j, const unsigned int bodyindex, MeVector3 primary,
                                MeVector3 ortho) {
     mdt_constraintBodyGetAxes((MdtConstraintID)j, bodyindex, primary, ortho, __func__);
-}
-
-void MEAPI MdtSpring6GetAxes(const MdtSpring6ID j, MeVector3 primary, MeVector3 ortho) {
-    mdt_constraintGetAxes((MdtConstraintID)j, primary, ortho, __func__);
 }
 
 void MEAPI MdtContactGroupTorque(const MdtContactGroupID j, const unsigned int bodyindex, MeVector3 torque) {

@@ -24,7 +24,7 @@ typedef struct MdtRecord {
     unsigned int magic; /* the record's type, MDT_...; 0: the record is free */
     int flags;
     union {
-        MeHandle handle;        /* its entry in the table of live objects (MeInternal.h) */
+        MeHandle handle;        /* the record's entry in the table of live objects (MeInternal.h) */
         struct MdtRecord *free; /* next in the pool's free list */
     };
 } MdtRecord;
@@ -44,7 +44,7 @@ typedef struct MdtPool {
     void *blocks; /* the newest; each begins with a pointer to the block allocated before it */
     size_t recordSize;
     MeLimit limit;
-    const char *what; /* in messages, for instance "bodies" */
+    const char *what; /* name of the records in messages, for instance "bodies" */
     int room, used;   /* numbers of records in all blocks */
     char *fresh;      /* the newest block's first record that was never in use; nothing was written there yet */
     int numFresh;
@@ -82,7 +82,7 @@ typedef struct MdtList {
 void mdt_listAppend(MdtList *list, MdtLink *link, unsigned long serial);
 void mdt_listRemove(MdtList *list, MdtLink *link);
 void mdt_listSetKey(MdtList *list, MdtLink *link, MeI32 key);
-void mdt_listSort(MdtList *list); /* by key, then serial; a merge sort that allocates nothing */
+void mdt_listSort(MdtList *list); /* sorts by key, then serial; a merge sort that allocates nothing */
 
 /* ---- checks -------------------------------------------------------------------------------------------------- */
 
@@ -92,11 +92,11 @@ MeBool mdt_isBody(const MdtBody *b, const char *caller);
 MeBool mdt_isConstraint(const MdtBaseConstraint *c, const char *caller);
 /* True for a finite number; otherwise warns. */
 MeBool mdt_isFinite(const char *caller, const char *what, MeReal x);
-/* The same for vectors. In double builds, too, numbers beyond the range of single precision are refused, so that
+/* mdt_isFinite for vectors. In double builds, too, numbers beyond the range of single precision are refused, so that
  * products of a few of them are finite. */
 MeBool mdt_isFinite3(const char *caller, const char *what, MeReal x, MeReal y, MeReal z);
-MeBool mdt_areFinite(const MeReal v[3]); /* the same without a warning */
-/* The same, and within the bound of positions (MdtBodyGetPositionBound). */
+MeBool mdt_areFinite(const MeReal v[3]); /* mdt_isFinite3 without a warning */
+/* True for a finite vector within the bound of positions (MdtBodyGetPositionBound); otherwise warns. */
 MeBool mdt_isPositionValid(const char *caller, const char *what, const MdtWorld *w, MeReal x, MeReal y, MeReal z);
 /* True for a finite x >= lower; otherwise warns. */
 MeBool mdt_isNotBelow(const char *caller, const char *what, MeReal x, MeReal lower);
@@ -110,7 +110,7 @@ MeBool mdt_isResult(const char *caller, MeReal *result, int n);
 void mdt_setNonNegative(const char *caller, const char *what, MeReal *place, MeReal x);
 /* Stores an angle, clamped to 0..pi. An angle that is not finite is not stored, with a warning. */
 void mdt_setAngle(const char *caller, const char *what, MeReal *place, MeReal x);
-/* True for a live body; otherwise warns, but for a destroyed body only while some world lives. */
+/* True for a live body. Otherwise warns, unless all worlds have been destroyed, and the body with its own. */
 MeBool mdt_mayDestroyBody(const MdtBody *b, const char *caller);
 /* Warns: "caller: the <what> has been destroyed, or never was one". */
 void mdt_warnGone(const char *caller, const char *what);

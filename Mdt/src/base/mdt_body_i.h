@@ -28,7 +28,8 @@ typedef struct MdtStay {
     double time;            /* s, for which the body has been near that pose */
     double maxDistance;     /* m, the largest distance from that pose so far */
     double maxAtReturn;     /* m, `maxDistance` at the last return */
-    double reach;  /* m: within it the body still counts as oscillating little, since it did so before; 0: it did not */
+    double
+        reach; /* m: after a small oscillation, the distance up to which the body still counts as oscillating; else 0 */
     int crossings; /* how often its distance has crossed half of `maxDistance`; even: it is nearer now */
 } MdtStay;
 
@@ -46,7 +47,7 @@ typedef struct MdtFeedback {
 /* The forces that the program applies to a body: linear, about the centre of mass. */
 typedef struct MdtForces {
     double load[2][3];     /* N, N m, added since the last step */
-    double impulse[2][3];  /* N s, N m s, likewise */
+    double impulse[2][3];  /* N s, N m s, added since the last step */
     double lastLoad[2][3]; /* N, N m, of the last frame; of a sleeping body those under which it rests */
     double momentum[2][3]; /* kg m/s, kg m²/s, at the start of the last step or of its last part; of a sleeping body:
                               the sum of impulses that have not woken it yet */
@@ -61,19 +62,19 @@ enum {
     MDT_ENABLED = 1,        /* the body or constraint takes part in the simulation */
     MDT_ASLEEP = 2,         /* a body that was disabled by the world, not by the program */
     MDT_FAR = 4,            /* a body that was stopped at the position limit, with a warning */
-    MDT_WATCHED = 8,        /* the program may write its parameters through a pointer; of a body: those of a contact */
+    MDT_WATCHED = 8,        /* a constraint whose parameters the program may write by pointer; a body with such a one */
     MDT_LONE = 16,          /* a manifold of one contact that is in no group */
     MDT_SWAPPED = 32,       /* a group that was attached as (null, body) */
     MDT_NO_COLLIDE = 64,    /* a joint whose bodies do not collide with each other; a body that has or had one */
     MDT_FORCED = 128,       /* a body to which the program has added a force, perhaps 0, since the last step */
     MDT_KEPT = 256,         /* a body whose force also acts in the rest of a step that safe times divide */
-    MDT_TOUCHED = 1024,     /* a joint that an API call may have changed; of a body: one of its joints is */
+    MDT_TOUCHED = 1024,     /* a joint that an API call may have changed; a body with such a joint */
     MDT_WARNED = 512,       /* a body or joint whose warning was given (mdt_force.c, mdt_forgotten.c) */
     MDT_WAS_ENABLED = 2048, /* a joint that has been enabled */
     MDT_OFF_CENTRE = 4096,  /* a body whose centre of mass the program still has to set: a warning otherwise */
     MDT_CONDEMNED = 8192,   /* an object that is being destroyed, or will be when a stage ends (mdt_stage.c) */
     MDT_BRIDGED = 16384,    /* a contact group that the bridge (Mst) made and owns */
-    MDT_MODELLED = 32768,   /* a body with models, whose owner is notified by MdtWorld.bodyUser */
+    MDT_MODELLED = 32768,   /* a body with models; MdtWorld.bodyUser notifies their owner */
 };
 
 /* Velocities that programs read: m/s, rad/s. */
@@ -91,14 +92,14 @@ struct MdtBody {
     unsigned long moves;        /* version number of `frame` */
     /* the graph */
     int partition; /* index of its partition in this step; -1: none */
-    int index;     /* in Kea's arrays in this step */
+    int index;     /* of the body in Kea's arrays of this step */
     int place;     /* index in the order of simulation when partitions were last found */
-    int calmSteps; /* steps in a row with all velocities of its partition below Kea's resting speed */
+    int calmSteps; /* consecutive steps in which its partition was at rest (areCalm, mdt_certificate.c) */
     MdtWorldID world;
     MdtAttachment *attachments; /* list of its joints and manifolds */
     int manifolds;              /* number of manifolds among the attachments */
-    /* read for partitions at rest (mdt_certificate.c) */
-    unsigned long certificate; /* of rest: MdtWorld.certificate when it was given, or MDT_SLEEPS; 0: none */
+    /* fields that the rest certificate reads (mdt_certificate.c) */
+    unsigned long certificate; /* the world's when the rest certificate was given; MDT_SLEEPS: asleep; 0: none */
     MdtPublicVelocity shown;   /* `velocity` as the library last wrote it; differs if the program has written it */
     MdtForces *forces;         /* null: the program has never applied a force or an impulse */
     double lag, lastAdvance;   /* s: time by which the body is behind its world; length of its last step or part */
@@ -109,12 +110,11 @@ struct MdtBody {
 
     MdtKeaBody kea; /* mass and motion of the centre of mass: the authoritative state */
     MdtStart start;
-    double push[3]; /* m/s: position correction of the last step, that is
-                                           displacement / h - velocity */
+    double push[3]; /* m/s: position correction of the last step, displacement / h - velocity */
     MdtStay stay;
     double theta;   /* 1/2 to 1: in the last step the body moved by h ((1 - θ) v + θ v⁺) */
     MdtPose centre; /* of the centre of mass and its axes, in the body's frame */
-    /* of `kea`, as last shown: by setters and at the end of a step */
+    /* copies of the state in `kea`, written by setters and at the end of a step (mdt_bodyShow) */
     MdtKeaTransformation frame; /* the body's pose: `transform` before rounding */
     double spin[3];             /* rad/s; within a step with the attitude at the step's start */
     MeMatrix4 centreTransform;  /* the centre of mass's pose that programs read */

@@ -35,15 +35,15 @@ typedef struct MdtJoint {
     const MdtBclType *type;
     MdtBclConstraint bcl;
     MdtKeaVelocity worldVelocity;
-    MdtKeaForcePair force;          /* on its bodies in the last step */
+    MdtKeaForcePair force;          /* of the joint on its bodies in the last step */
     MeU64 certified;                /* hash of `bcl` after the step that was certified */
     MeReal breakForce, breakTorque; /* N, N m; MEINFINITY: it does not break */
 
-    int firstRow, numRows;                                   /* in this step's system */
+    int firstRow, numRows;                                   /* the joint's rows in this step's system */
     double warm[MdtBclGETMAXROWS], ripple[MdtBclGETMAXROWS]; /* N, m/s, of the rows in the last step: warm start */
     int numWarm;                        /* number of rows in the last step; used if it is the same now */
-    MeBool isDegenerate, wasDegenerate; /* in this step, in the last step */
-    MeBool isDriven;                    /* in the last step its motor ran, or its attachment to the world moved */
+    MeBool isDegenerate, wasDegenerate; /* it was degenerate (MdtBclConstraint) in this step; in the last one */
+    MeBool isDriven;                    /* its motor ran, or its attachment to the world moved, in the last step */
 } MdtJoint;
 
 static inline MeBool mdt_isJoint(const MdtBaseConstraint *c) {

@@ -20,7 +20,7 @@ enum { MDT_POINTS = 4, MDT_GROUP_SLOT = MDT_POINTS };
 typedef struct MdtPoint {
     unsigned int magic;   /* MDT_POINT; 0: the slot is free */
     MeU8 slot;            /* its index in the manifold */
-    MeU8 numRows;         /* in this step */
+    MeU8 numRows;         /* its rows in this step */
     MeU8 numWarm;         /* rows that `force` belongs to: the warm start if numRows is the same */
     bool isFound : 1;     /* continues as one of the newly found contacts (mdt_renew.c) */
     bool isCondemned : 1; /* will be destroyed when a stage ends (mdt_stage.c) */
@@ -38,9 +38,9 @@ typedef struct MdtExtra {
     MdtRecord record;      /* flags: MDT_OWN_... and MDT_WATCHED */
     struct MdtExtra *next; /* next extra of the same manifold */
     int slot;              /* index of its point; MDT_GROUP_SLOT: of the group itself */
-    MeI32 sortKey;         /* of a contact in a group: stored, without effect */
+    MeI32 sortKey;         /* sort key of a contact in a group: stored, without effect */
     void *userData;
-    MdtContactID nextContact;     /* in the list of the contacts' maker (MdtContactSetNext) */
+    MdtContactID nextContact;     /* next contact in the list of the contacts' maker (MdtContactSetNext) */
     MdtBclContactParams params;   /* valid with MDT_OWN_PARAMS */
     MeReal normal[3], radius[2];  /* valid with MDT_OWN_NORMAL, MDT_OWN_RADIUS */
     double direction[3];          /* valid with MDT_OWN_DIRECTION */
@@ -58,7 +58,7 @@ typedef struct MdtManifold {
     void *generator, **holder;   /* MdtContactGroup.h */
     MeReal normal[3];            /* direction in which the first body is pushed; not normalized */
     MeReal radius[2];            /* m, MdtContactSetRadius */
-    unsigned int numPoints : 24; /* of the whole group; 2^24 points would take 2 GB */
+    unsigned int numPoints : 24; /* points of the whole group; 2^24 would take 2 GB */
     unsigned int used : 8;       /* bit set of the slots in use */
     MdtPoint point[MDT_POINTS];
 } MdtManifold;

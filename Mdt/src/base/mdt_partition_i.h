@@ -7,12 +7,14 @@
 #include "MeTeam.h"
 
 enum { MDT_TIMED_BODIES = 8, MDT_NO_REPORTS = -1 };
-/* Minimum number of bodies of batches (mdt_batch.c), of partitions that all workers step together (mdt_parallel.c), and
- * of islands whose inelastic impacts are timed only while all bodies are in flight (mdt_maxConstrained). */
+/* Minimum number of bodies of batches (mdt_batch.c), which share the cost of setting up a solve: 600 tumbling or
+ * rolling bodies take 2 % more instructions with half of it, 1 % fewer with twice of it. Also of partitions that all
+ * workers step together (mdt_parallel.c), and of islands whose inelastic impacts are timed only while all bodies are in
+ * flight (mdt_maxConstrained). */
 enum { MDT_LARGE_ISLAND = 64 };
-/* Islands with restitution are timed if at most one of so many bodies is held by touching contacts. Measured; no test
- * distinguishes 4 from 8: 216 balls a hundredth apart that land with 4 m/s lose 4, 4, 2 and 14 % of the energy in 5 s
- * balls a fiftieth apart .2 % with each. */
+/* Islands with restitution are timed if touching contacts hold at most one in so many of their bodies. Measured, but no
+ * test distinguishes 4 from 8: 216 balls a hundredth apart that land with 4 m/s lose 4, 4, 2 and 14 % of the energy in
+ * 5 s balls a fiftieth apart .2 % with each. */
 enum { MDT_CONSTRAINED_SHARE = 4 };
 /* Largest error of joints at rest, relative to the size of a body. The same as for overlaps. */
 #define MDT_MAX_JOINT_ERROR 1e-4
@@ -27,15 +29,16 @@ typedef struct MdtIslandRecord {
     float fastWork;      /* per body: multiplications of the exact solver that take the time of a fast step */
     MdtSolver requested; /* the last answer of MdtSolverCB, if there is one */
     MeBool hasNoContacts;
-    MeBool isUnfit;                     /* the fast solver does not suit it: there are no contacts, or bodies bounce */
-    MeBool isUnmet;                     /* the fast solver's last answer missed the accuracy */
-    int stepsUntilRetry, stepsSinceTry; /* of the fast solver, then: length of the wait, and steps since its last try */
-    MeBool wasExact;                    /* the exact solver solved the last step */
-    /* in this step */
+    MeBool isUnfit; /* the fast solver does not suit it: there are no contacts, or bodies bounce */
+    MeBool isUnmet; /* the fast solver's last answer missed the accuracy */
+    int stepsUntilRetry,
+        stepsSinceTry; /* steps to wait before the fast solver is tried again; steps since its last try */
+    MeBool wasExact;   /* the exact solver solved the last step */
+    /* fields of this step */
     MeBool isExactFirst; /* the exact solver is tried first */
     MdtAccount account;  /* the account that pays the exact work */
     double share;        /* multiplications that the exact solver may use */
-    double drawn, loan;  /* of `share`: drawn from `account`, lent by MDT_NEEDED; after the step the unused rest */
+    double drawn, loan;  /* parts of `share`: from `account`, and lent by MDT_NEEDED; after the step, what is unused */
 } MdtIslandRecord;
 
 /* A member of a batch: a partition that is solved together with others, and where its bodies and acting constraints
@@ -48,10 +51,10 @@ typedef struct MdtMember {
 typedef struct MdtBatches {
     int bodyRoom, actingRoom;
     int count, numMembers;
-    int *firstMember;        /* by batch, with an end entry */
-    MdtMember *member;       /* of all batches in turn, with an end entry */
-    MeBool *isIn;            /* by partition: it is in a batch; only if there are batches */
-    MdtBodyID *body;         /* of the members */
+    int *firstMember;        /* by batch: index of its first member; with an end entry */
+    MdtMember *member;       /* the members of all batches, one batch after the other; with an end entry */
+    MeBool *isIn;            /* by partition: whether it is in a batch; valid if there are batches */
+    MdtBodyID *body;         /* the bodies of the members */
     MdtKeaBody **kea;        /* parallel to `body` */
     MdtConstraintID *acting; /* constraints that act on them */
 } MdtBatches;
@@ -62,9 +65,9 @@ typedef struct MdtGraph {
     unsigned long seen;    /* `changes` when the partitions were last found */
     int numBodies, numActing;
     MdtBodyID *body;         /* by place (MdtBody.place); capacity bodyRoom */
-    int *parent;             /* by place: union-find */
-    MeBool *isEnabled;       /* by place */
-    MeBool *isAwake;         /* by place; of the first body of a set: some body of the set is awake */
+    int *parent;             /* by place: parent in the union-find forest */
+    MeBool *isEnabled;       /* by place: whether the body is enabled */
+    MeBool *isAwake;         /* by place of the first body of a set: whether some body of the set is awake */
     int *partition;          /* by place: copy of MdtBody.partition that stays in the cache */
     MdtConstraintID *acting; /* enabled joints and manifolds; capacity constraintRoom */
     int *actsOn;             /* parallel to `acting`: the place of one of the constraint's bodies */
@@ -82,9 +85,9 @@ _Static_assert(sizeof(MdtCertificateInputs) == 8 * sizeof(double) + sizeof(MdtCo
 
 /* The memory of one worker while it steps partitions, and its contributions to the world's results. */
 typedef struct MdtWorker {
-    MeChunk scratch, ranking; /* for Kea and contacts; for ranking contacts (mdt_cap.c) */
+    MeChunk scratch, ranking; /* memory for Kea and manifolds; for ranking contacts (mdt_cap.c) */
     MdtKeaCache *keaCache;
-    MeMessageBuffer messages; /* in the order of partitions */
+    MeMessageBuffer messages; /* messages of its partitions, to be sent in the order of all partitions */
     int surfaceProblems;      /* incomplete friction settings of the contacts that it packed (MdtContactParams.c) */
 } MdtWorker;
 

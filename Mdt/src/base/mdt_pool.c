@@ -5,10 +5,10 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { ALIGNMENT = 64, FIRST_BLOCK = 64 }; /* a cache line; records */
+enum { FIRST_BLOCK = 64 }; /* records */
 
 static size_t roundUp(size_t size) {
-    return (size + ALIGNMENT - 1) & ~(size_t)(ALIGNMENT - 1);
+    return (size + ME_CACHE_LINE - 1) & ~(size_t)(ME_CACHE_LINE - 1);
 }
 
 static void appendFree(MdtPool *pool, MdtRecord *record) {
@@ -24,7 +24,7 @@ static MeBool addBlock(MdtPool *pool, int count, const char *caller) {
     MEASSERT(count > 0 && pool->numFresh == 0);
     const size_t head = roundUp(sizeof(void *)), records = (size_t)count;
     const size_t bytes = records <= (SIZE_MAX - head) / pool->recordSize ? head + records * pool->recordSize : SIZE_MAX;
-    char *block = MeMemoryTakeAligned(bytes, 1, ALIGNMENT, caller, pool->what);
+    char *block = MeMemoryTakeAligned(bytes, 1, ME_CACHE_LINE, caller, pool->what);
     if (!block)
         return MEFALSE;
     memcpy(block, &pool->blocks, sizeof pool->blocks);
@@ -62,7 +62,7 @@ static MeBool growPool(MdtPool *pool, const char *caller) {
 
 static MdtRecord *popFresh(MdtPool *pool) {
     MdtRecord *record = (MdtRecord *)(void *)pool->fresh;
-    MEASSERT(pool->numFresh > 0 && (uintptr_t)pool->fresh % ALIGNMENT == 0);
+    MEASSERT(pool->numFresh > 0 && (uintptr_t)pool->fresh % ME_CACHE_LINE == 0);
     pool->fresh += pool->recordSize;
     pool->numFresh--;
     return record;

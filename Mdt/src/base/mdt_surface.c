@@ -3,7 +3,7 @@
 #include "MeAssert.h"
 #include <string.h>
 
-enum { FIRST_BUCKETS = 16, BLOCK = 16 };
+enum { BLOCK = 16 }; /* surfaces of a block, and buckets at first */
 
 typedef struct MdtSurfaceBlock {
     struct MdtSurfaceBlock *next;
@@ -59,8 +59,8 @@ MeBool mdt_surfacesInit(MdtSurfaces *s, MeReal lengthScale, const char *caller) 
     MdtBclContactParamsReset(&s->standard.params);
     s->standard.params.velThreshold *= lengthScale;
     s->standard.users = 1; /* the world itself */
-    s->bucket = MeMemoryTakeZeroed(FIRST_BUCKETS, sizeof(MdtSurface *), caller, "surfaces");
-    s->numBuckets = FIRST_BUCKETS;
+    s->bucket = MeMemoryTakeZeroed(BLOCK, sizeof(MdtSurface *), caller, "surfaces");
+    s->numBuckets = BLOCK;
     if (!s->bucket || !addBlock(s, caller))
         return MEFALSE;
     linkSurface(s, &s->standard);

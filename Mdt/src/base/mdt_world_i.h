@@ -20,7 +20,7 @@ struct MdtWorld {
     MeBool isSolverWarned; /* the warning about an invalid result of solverCb was given */
     MeReal accuracy;       /* m/s; negative: derived from gravity and the step */
     int subSteps;
-    int order;         /* of the integration scheme: 2, or 4 for partitions without contacts (mdt_compose.c) */
+    int order;         /* order of the integration scheme: 2, or 4 for partitions without contacts (mdt_compose.c) */
     int timedBodies;   /* largest number of bodies of partitions with timed contacts */
     int maxMatrixSize; /* cap on the rows of a partition */
     MdtContactImportanceCBPtr importance;     /* null: the deepest contacts matter most */
@@ -40,13 +40,13 @@ struct MdtWorld {
     int enabledJoints;       /* how many of the enabled constraints are joints */
     int watchedSteps;        /* steps that mdt_forgotten.c has watched */
     MeBool expectsCentre;    /* mdt_forgotten.c is to check a body for an unset centre of mass */
-    MeBool isCentreWarned;   /* its warning was given */
+    MeBool isCentreWarned;   /* the warning about an unset centre of mass was given */
     MeBool isScaleWarned;    /* the warning about the mass scale was given */
     double sinkingMass;      /* kg, the mass that this warning reports */
     int breakable;           /* number of constraints with a break limit */
     int numNoCollide;        /* number of joints whose bodies do not collide with each other */
     int userConstraints;     /* number of constraints whose rows a callback of the program makes */
-    MdtConstraintID *broken; /* in the last step; capacity constraintRoom */
+    MdtConstraintID *broken; /* joints that broke in the last step; capacity constraintRoom */
     int numBroken;
     MdtBreakCBPtr breakCb; /* null: none */
     double lastStep;       /* s, length of the last step; 0 before the first */
@@ -74,7 +74,7 @@ struct MdtWorld {
     MdtConstraintID *actingOf;
     MdtKeaBody **keaOf; /* parallel to bodyOf */
     int *bodyStart, *actingStart;
-    MdtIslandRecord *record, *lastRecord; /* by partition; of the last step's partitions, while new ones are found */
+    MdtIslandRecord *record, *lastRecord; /* by partition; lastRecord: of the last step's, while new ones are found */
     double credit[MDT_ACCOUNTS];          /* balance of each account, multiplications (mdt_choice.c) */
     MdtBatches batches;
     /* bodies' constraints by partition as programs see them, with contacts; made on request (mdt_islandsList) */

@@ -54,8 +54,8 @@ void mdt_certificatesBegin(MdtWorldID w) {
     w->calmStepsToCertify = relaxationSteps(w);
 }
 
-/* Hashes word by word; the multiplier is 2^64 over the golden ratio, and the shift mixes high bits into the low ones.
- * */
+/* A hash of a record's bytes, word by word: the multiplier is 2^64 over the golden ratio, and the shift mixes high bits
+ * into the low ones. */
 static MeU64 hashOf(const void *record, size_t size) {
     const char *bytes = record;
     MeU64 hash = 0;
@@ -147,8 +147,9 @@ void mdt_certificateApply(MdtIsland *p) {
     }
     if (p->number < p->world->sizeLogLength)
         logRows(p);
+    mdt_reportPath(p->report, MdtReportWayRest);
     if (p->report)
-        mdt_reportCertified(p->report);
+        p->report->parts = p->report->rested = 1;
 }
 
 /* ---- certifying ---- */
@@ -251,8 +252,9 @@ static int countCalmStep(const MdtIsland *p, int first, int end) {
     return fewest;
 }
 
-/* Never with rows that come from a callback, whose next result may differ. Passes that alternate between joints and
- * contacts reduce joint errors more slowly than the fast solver's resting speed shows, so these are checked, too. */
+/* An island with rows from a callback is never settled, as the callback's next result may differ. Joint errors are
+ * checked, too: passes that alternate between joints and contacts reduce them more slowly than the resting speed of the
+ * fast solver shows. */
 MeBool mdt_islandIsSettled(MdtIsland *p) {
     const MdtKeaReport *r = &p->kea.report;
     if (!areCalm(p, 0, p->numBodies)) {
@@ -260,12 +262,12 @@ MeBool mdt_islandIsSettled(MdtIsland *p) {
         return MEFALSE;
     }
     MEASSERT(p->world->calmStepsToCertify >= 1);
-    const MeBool isForLong = countCalmStep(p, 0, p->numBodies) >= (p->isFast ? p->world->calmStepsToCertify : 1);
+    const MeBool isCalmLongEnough = countCalmStep(p, 0, p->numBodies) >= (p->isFast ? p->world->calmStepsToCertify : 1);
     const MeBool isWhole = p->h >= p->whole && p->parameters.stepsize >= p->h && !p->hadImpact;
     const MeBool isExact = !r->capped && !r->limited && !r->violent && !r->conflicting && !p->isDegenerate;
-    const MeBool areClosed = !p->isFast || r->opening <= MDT_MAX_JOINT_ERROR;
-    const MeBool isProgrammed = p->hasUserRows || (p->world->importance && p->isCapped);
-    return isForLong && isWhole && isExact && areClosed && !isProgrammed && p->numRows > 0 &&
+    const MeBool areJointsClosed = !p->isFast || r->opening <= MDT_MAX_JOINT_ERROR;
+    const MeBool dependsOnCallback = p->hasUserRows || (p->world->importance && p->isCapped);
+    return isCalmLongEnough && isWhole && isExact && areJointsClosed && !dependsOnCallback && p->numRows > 0 &&
            r->residual <= r->resolution && !allowedAtContacts(p).mayCreep;
 }
 

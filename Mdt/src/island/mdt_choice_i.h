@@ -22,15 +22,15 @@ MeBool mdt_choiceIsInFlight(const MdtIsland *p);
  * with a share of exact work, and may decline it. */
 double mdt_choiceBudget(const MdtIsland *p);
 MeBool mdt_choiceHasShare(const MdtIsland *p);
-/* Lets the fast solver solve the rest of a step that the exact solver has started. */
+/* Makes the fast solver solve the rest of a step that the exact solver has started. */
 void mdt_choiceSwitchToFast(MdtIsland *p);
-/* True if the exact solver has to redo a part whose fast answer misses the accuracy; mdt_choiceSwitchToExact lets it.
- * */
+/* True if the exact solver has to redo a part whose fast answer misses the accuracy. mdt_choiceSwitchToExact makes it
+ * solve the part. */
 MeBool mdt_choiceNeedsExact(const MdtIsland *p);
 void mdt_choiceSwitchToExact(MdtIsland *p);
-/* At the end of a step: updates a record, the partition's own or that of a member of the batch. */
+/* At the end of a step: updates the record of the partition, or of a member of the batch. */
 void mdt_choiceRecordStep(const MdtIsland *p, MdtIslandRecord *r);
-/* Fills the world's accounts. */
+/* Sets the balances of the world's accounts to their limits. */
 void mdt_choicesReset(MdtWorldID w);
 
 /* ---- the path of a step (mdt_path.c) ---- */
@@ -41,17 +41,8 @@ void mdt_islandSetFast(MdtIsland *p, MeBool isFast);
 /* How many bodies may be constrained by contacts in a partition whose impacts are timed; 0: none. */
 int mdt_maxConstrained(const MdtIsland *p);
 
-/* Records the path of a sub-step. */
+/* Records the path of a sub-step, if the report is not null. */
 void mdt_reportPath(MdtReport *r, MdtReportWay path);
-/* Record: an impact at the start of a part; the early end of a part at an event; a flight; a halved step. */
-void mdt_reportImpact(MdtReport *r);
-void mdt_reportEvent(MdtReport *r);
-void mdt_reportFlight(MdtReport *r, int impacts, MeBool isEnded);
-void mdt_reportDivision(MdtReport *r);
-/* Records a sub-step of order 4. */
-void mdt_reportComposed(MdtReport *r);
-/* Records that the last step's answer was used without a solve. */
-void mdt_reportCertified(MdtReport *r);
 
 /* ---- accuracy (mdt_accuracy.c) ---- */
 

@@ -25,32 +25,32 @@ typedef struct MdtIsland {
     MeTeam *team;      /* the team that helps; null: none */
     int number, numBodies, numActing;
     MdtSolver solver;        /* requested by the program */
-    MdtIslandRecord *record; /* its state from step to step */
+    MdtIslandRecord *record; /* the partition's state from step to step */
     MdtBodyID *bodies;
     MdtConstraintID *acting; /* joints and manifolds */
     /* mdt_batch.c */
-    const MdtMember *member; /* of a batch: its partitions */
+    const MdtMember *member; /* the partitions of a batch */
     int numMembers;          /* 0: it is a single partition */
-    double whole;            /* s, the argument of MdtWorldStep */
+    double whole;            /* s, the step that the program requested (MdtWorldStep) */
     /* mdt_step.c, mdt_lag.c */
     double h; /* s, time of the partition's step: `whole`, or less if limited by safe times */
     /* mdt_report.c */
     MdtReport *report;     /* null: the report is off */
-    MeBool isTimedByStage; /* false: partitions are timed together */
+    MeBool isTimedByStage; /* false: small partitions are timed together */
     MeU64 lap, *clock;     /* ticks at the start of the timed stage; clock: the world's, or with workers `lap` */
     /* pack */
     void *scratch;                         /* scratch memory: Kea's arrays, then further ones */
     MeBool isFast;                         /* Kea's fast solver solves it; also written by mdt_path.c */
-    MdtReportWhy why;                      /* also written by mdt_batch.c, mdt_choice.c */
+    MdtReportWhy why;                      /* why that solver solves it; also written by mdt_batch.c, mdt_choice.c */
     int numContacts, numJoints, jointRows; /* jointRows: upper bound, of all joints */
     MeBool hasUserRows;                    /* a callback of the program makes some joint's rows */
     MeBool mayBeFast;                      /* the fast solver can solve it */
-    MeBool bounces, losesEnergy;           /* a contact has restitution; a restitution is below 1 */
+    MeBool bounces, losesEnergy;           /* some contact has restitution; some restitution is below 1 */
     MdtIslandManifold *manifolds;          /* parallel to kea.manifolds */
     MdtKeaSystem kea; /* parameters written by mdt_subdivide.c; arrays and answers by rows and MdtKea; bodies by
                                      mdt_islandOf, mdt_batch.c */
     /* subdivide */
-    MdtBclSolverParameters parameters; /* of the present part */
+    MdtBclSolverParameters parameters; /* parameters of the present part */
     double elapsed;                    /* s, of the step before the present part */
     double work;                       /* multiplications left for the step; MDT_NO_BOUND: unlimited */
     int iterations;                    /* iterations of Newton's method left for the step; 0: unlimited */
@@ -65,7 +65,7 @@ typedef struct MdtIsland {
     double forward; /* total length of the forward stages, relative to the part that they compose */
     /* rows */
     MeBool isDegenerate; /* some joint was degenerate in this step */
-    int numRows;         /* of the part: rows of joints and contacts, as for the exact solver */
+    int numRows;         /* rows of joints and contacts in the part, counted as for the exact solver */
     MeBool isCapped;     /* the cap left out contacts or their friction */
 } MdtIsland;
 
@@ -96,7 +96,7 @@ static inline MeBool mdt_isInBatch(const MdtWorld *w, int partition) {
  * mdt_islandsEnd: changes that callbacks make are deferred. */
 void mdt_islandsBegin(MdtWorldID w);
 void mdt_islandsEnd(MdtWorldID w);
-/* Lists the constraints of all partitions for programs; the public description of one partition, with isDisabled 0. */
+/* Lists the constraints of all partitions for programs. mdt_islandInfo: the public description of one, enabled. */
 void mdt_islandsList(MdtWorldID w);
 MdtPartitionInfo mdt_islandInfo(MdtWorldID w, int p);
 /* The working data of a partition, for a step of h seconds; passes the partition to the program's callback, together
@@ -114,7 +114,7 @@ void mdt_sleepersEndForces(MdtWorldID w);
 /* Ends the certificates of all sleeping bodies, so that they wake when the next step begins. */
 void mdt_sleepersWakeAll(MdtWorldID w);
 
-/* True if the world puts the partition to sleep; puts it to sleep. */
+/* True if the partition is to fall asleep by the world's rule. mdt_islandSleep puts it to sleep. */
 MeBool mdt_islandIsToSleep(const MdtIsland *p);
 void mdt_islandSleep(const MdtIsland *p);
 

@@ -17,39 +17,7 @@ int mdt_maxConstrained(const MdtIsland *p) {
     return MeMAX(p->world->timedBodies, p->numBodies / MDT_CONSTRAINED_SHARE);
 }
 
-/* ---- records in the report ---- */
-
 void mdt_reportPath(MdtReport *r, MdtReportWay path) {
-    if (path > r->way)
+    if (r && path > r->way)
         r->way = path;
-}
-
-void mdt_reportImpact(MdtReport *r) {
-    mdt_reportPath(r, MdtReportWayTimed);
-}
-
-void mdt_reportEvent(MdtReport *r) {
-    r->events++;
-    mdt_reportPath(r, MdtReportWayTimed);
-}
-
-/* Each impact begins a part, except the one that ends the flight: its part is counted later. */
-void mdt_reportFlight(MdtReport *r, int impacts, MeBool isEnded) {
-    MEASSERT(impacts >= 0);
-    r->events += impacts;
-    r->parts += impacts > 0 && isEnded ? impacts - 1 : impacts;
-    mdt_reportPath(r, MdtReportWayTimed);
-}
-
-void mdt_reportComposed(MdtReport *r) {
-    r->composed++;
-}
-
-void mdt_reportCertified(MdtReport *r) {
-    r->parts = r->rested = 1;
-    mdt_reportPath(r, MdtReportWayRest);
-}
-
-void mdt_reportDivision(MdtReport *r) {
-    mdt_reportPath(r, MdtReportWayDivided);
 }

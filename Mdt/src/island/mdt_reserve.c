@@ -3,6 +3,9 @@
 #include "MeInternal.h"
 #include "island/mdt_choice_i.h"
 
+/* Reserves `count` elements of an array, of which the first `kept` ones stay. False, after a fatal error: no memory. */
+#define GROW(array, kept, count, what) MeMemoryGrow(&(array), (kept), (count), sizeof *(array), caller, (what))
+
 /* ---- tasks ---- */
 
 /* The partitions sorted by task, and the start of each task with an end entry. */
@@ -13,18 +16,15 @@ size_t mdt_tasksSize(size_t bodies) {
 /* ---- batches ---- */
 
 static MeBool reserveBatches(MdtBatches *b, size_t n, const char *caller) {
-    return MeMemoryGrow(&b->firstMember, 0, n + 1, sizeof *b->firstMember, caller, "batches") &&
-           MeMemoryGrow(&b->member, 0, n + 1, sizeof *b->member, caller, "batches") &&
-           MeMemoryGrow(&b->isIn, 0, n, sizeof *b->isIn, caller, "batches") &&
-           MeMemoryGrow(&b->body, 0, n, sizeof *b->body, caller, "batches") &&
-           MeMemoryGrow(&b->kea, 0, n, sizeof *b->kea, caller, "batches");
+    return GROW(b->firstMember, 0, n + 1, "batches") && GROW(b->member, 0, n + 1, "batches") &&
+           GROW(b->isIn, 0, n, "batches") && GROW(b->body, 0, n, "batches") && GROW(b->kea, 0, n, "batches");
 }
 
 MeBool mdt_batchesReserve(MdtBatches *b, int bodies, int acting, const char *caller) {
     if (bodies > b->bodyRoom && !reserveBatches(b, (size_t)bodies, caller))
         return MEFALSE;
     b->bodyRoom = MeMAX(b->bodyRoom, bodies);
-    if (acting > b->actingRoom && !MeMemoryGrow(&b->acting, 0, (size_t)acting, sizeof *b->acting, caller, "batches"))
+    if (acting > b->actingRoom && !GROW(b->acting, 0, (size_t)acting, "batches"))
         return MEFALSE;
     b->actingRoom = MeMAX(b->actingRoom, acting);
     return METRUE;
@@ -44,20 +44,14 @@ static MeBool reserveBodies(MdtWorldID w, int bodies, const char *caller) {
     MEASSERT(w->numPartitions <= w->bodyRoom);
     if (bodies <= w->bodyRoom)
         return METRUE;
-    if (!MeMemoryGrow(&w->bodyOf, 0, n, sizeof *w->bodyOf, caller, "the bodies of a step") ||
-        !MeMemoryGrow(&w->keaOf, 0, n, sizeof *w->keaOf, caller, "the bodies of a step") ||
-        !MeMemoryGrow(&w->graph.body, 0, n, sizeof *w->graph.body, caller, "the bodies of a step") ||
-        !MeMemoryGrow(&w->graph.parent, 0, n, sizeof *w->graph.parent, caller, "the bodies of a step") ||
-        !MeMemoryGrow(&w->graph.isEnabled, 0, n, sizeof *w->graph.isEnabled, caller, "the bodies of a step") ||
-        !MeMemoryGrow(&w->graph.isAwake, 0, n, sizeof *w->graph.isAwake, caller, "the bodies of a step") ||
-        !MeMemoryGrow(&w->graph.partition, 0, n, sizeof *w->graph.partition, caller, "the bodies of a step") ||
-        !MeMemoryGrow(&w->bodyStart, 0, n + 1, sizeof *w->bodyStart, caller, "partitions") ||
-        !MeMemoryGrow(&w->actingStart, 0, n + 1, sizeof *w->actingStart, caller, "partitions") ||
-        !MeMemoryGrow(&w->constraintStart, 0, n + 1, sizeof *w->constraintStart, caller, "partitions") ||
-        !MeMemoryGrow(&w->record, records, n, sizeof *w->record, caller, "partitions") ||
-        !MeMemoryGrow(&w->lastRecord, 0, n, sizeof *w->lastRecord, caller, "partitions") ||
-        !MeMemoryGrow(&w->output.info, 0, n, sizeof *w->output.info, caller, "partitions") ||
-        !MeMemoryGrow(&w->taskOf, 0, mdt_tasksSize(n), sizeof *w->taskOf, caller, "tasks"))
+    if (!GROW(w->bodyOf, 0, n, "the bodies of a step") || !GROW(w->keaOf, 0, n, "the bodies of a step") ||
+        !GROW(w->graph.body, 0, n, "the bodies of a step") || !GROW(w->graph.parent, 0, n, "the bodies of a step") ||
+        !GROW(w->graph.isEnabled, 0, n, "the bodies of a step") ||
+        !GROW(w->graph.isAwake, 0, n, "the bodies of a step") ||
+        !GROW(w->graph.partition, 0, n, "the bodies of a step") || !GROW(w->bodyStart, 0, n + 1, "partitions") ||
+        !GROW(w->actingStart, 0, n + 1, "partitions") || !GROW(w->constraintStart, 0, n + 1, "partitions") ||
+        !GROW(w->record, records, n, "partitions") || !GROW(w->lastRecord, 0, n, "partitions") ||
+        !GROW(w->output.info, 0, n, "partitions") || !GROW(w->taskOf, 0, mdt_tasksSize(n), "tasks"))
         return MEFALSE;
     w->bodyRoom = (int)n;
     MEASSERT(w->bodyRoom >= bodies);
@@ -70,11 +64,10 @@ static MeBool reserveConstraints(MdtWorldID w, int constraints, const char *call
     MEASSERT(w->numBroken <= w->constraintRoom);
     if (constraints <= w->constraintRoom)
         return METRUE;
-    if (!MeMemoryGrow(&w->constraintOf, 0, n, sizeof *w->constraintOf, caller, "the constraints of a step") ||
-        !MeMemoryGrow(&w->actingOf, 0, n, sizeof *w->actingOf, caller, "the constraints of a step") ||
-        !MeMemoryGrow(&w->graph.acting, 0, n, sizeof *w->graph.acting, caller, "the constraints of a step") ||
-        !MeMemoryGrow(&w->graph.actsOn, 0, n, sizeof *w->graph.actsOn, caller, "the constraints of a step") ||
-        !MeMemoryGrow(&w->broken, broken, n, sizeof *w->broken, caller, "broken joints"))
+    if (!GROW(w->constraintOf, 0, n, "the constraints of a step") ||
+        !GROW(w->actingOf, 0, n, "the constraints of a step") ||
+        !GROW(w->graph.acting, 0, n, "the constraints of a step") ||
+        !GROW(w->graph.actsOn, 0, n, "the constraints of a step") || !GROW(w->broken, broken, n, "broken joints"))
         return MEFALSE;
     w->constraintRoom = (int)n;
     return METRUE;

@@ -5,9 +5,6 @@
 #include "MeAssert.h"
 #include <string.h>
 
-/* ---- poses: the body's frame (p, q) and the centre of mass (x, qc); (c, t) is its pose in the body's frame:
- *          x = p + R(q) c,   qc = q t ---- */
-
 /* A function that returns a property of the body b; `none` for a bad handle. */
 #define BODY_GETTER(Type, function, none, value)                                                                       \
     Type MEAPI function(const MdtBodyID b) {                                                                           \
@@ -15,14 +12,23 @@
         return value;                                                                                                  \
     }
 
+#define BODY_VECTOR_GETTER(function, vector)                                                                           \
+    void MEAPI function(const MdtBodyID b, MeVector3 v) {                                                              \
+        if (mdt_isResult(__func__, v, 3) && mdt_isBody(b, __func__))                                                   \
+            mdt_toReal(v, vector);                                                                                     \
+    }
+
+/* ---- poses: the body's frame (p, q) and the centre of mass (x, qc); (c, t) is its pose in the body's frame:
+ *          x = p + R(q) c,   qc = q t ---- */
+
 static void getFrameQuaternion(const MdtBody *b, double q[4]) {
     double back[4];
     keaQuaternionConjugate(back, b->centre.quaternion);
     keaQuaternionProduct(q, b->kea.quaternion, back);
 }
 
-/* For a body's frame with the attitude q, in the world: its axes, the columns of R, and the offset R(q) c of the centre
- * of mass. */
+/* The axes of a body's frame of attitude q, the columns of R, and the offset R(q) c of the centre of mass, in the
+ * world. */
 static void getCentreOffset(const MdtBody *b, const double q[4], double R[3][3], double offset[3]) {
     keaQuaternionToMatrix(R, q);
     keaApply(offset, (const double(*)[3])R, b->centre.position);
@@ -32,7 +38,8 @@ static MeBool isUnit4(const double q[4]) {
     return fabs(q[0] * q[0] + keaDot(q + 1, q + 1) - 1) < 1e-6;
 }
 
-static void getAxes(const MdtBody *b, double p[3], double q[4], double R[3][3]) {
+/* The pose of the body's frame from that of the centre of mass: position, attitude, and its axes, the columns of R. */
+static void getFrameAxes(const MdtBody *b, double p[3], double q[4], double R[3][3]) {
     double offset[3];
     getFrameQuaternion(b, q);
     getCentreOffset(b, q, R, offset);
@@ -41,7 +48,7 @@ static void getAxes(const MdtBody *b, double p[3], double q[4], double R[3][3]) 
 
 static void getFrame(const MdtBody *b, double p[3], double q[4]) {
     double R[3][3];
-    getAxes(b, p, q, R);
+    getFrameAxes(b, p, q, R);
 }
 
 /* Clears the initial guess of the acceleration: the program has changed the body's motion. */
@@ -128,7 +135,7 @@ static void writeTransform(MeMatrix4 tm, const double p[3], const double R[3][3]
 void mdt_bodyShow(MdtBodyID b) {
     MdtKeaTransformation frame;
     double q[4], R[3][3];
-    getAxes(b, frame.pos, q, frame.R);
+    getFrameAxes(b, frame.pos, q, frame.R);
     if (memcmp(&b->frame, &frame, sizeof frame) != 0) {
         b->frame = frame;
         b->moves++;
@@ -484,7 +491,7 @@ void mdt_bodyAge(MdtBodyID b, double h) {
     mdt_stayUpdate(b, h);
 }
 
-/* Acceleration without displacement is solver jitter. */
+/* An accelerated body that stays in its place does not count as moving: the acceleration is solver jitter. */
 MeBool MEAPI MdtBodyIsMovingTest(const MdtBodyID b, const MdtPartitionParams *params) {
     MDT_NEED_BODY(b, 0);
     if (!mdt_isPointer(__func__, "the thresholds", params))
@@ -688,11 +695,7 @@ void MEAPI MdtBodySetCenterOfMassRelativePosition(const MdtBodyID b, const MeVec
     setCentre(__func__, b, centre, b->centre.quaternion);
 }
 
-void MEAPI MdtBodyGetCenterOfMassRelativePosition(const MdtBodyID b, MeVector3 pos) {
-    if (!mdt_isResult(__func__, pos, 3) || !mdt_isBody(b, __func__))
-        return;
-    mdt_toReal(pos, b->centre.position);
-}
+BODY_VECTOR_GETTER(MdtBodyGetCenterOfMassRelativePosition, b->centre.position)
 
 void MEAPI MdtBodySetCenterOfMassRelativeTransform(const MdtBodyID b, const MeMatrix4 t) {
     MDT_CHANGE_BODY(b);
@@ -777,17 +780,9 @@ void MEAPI MdtBodyGetAngularVelocity(const MdtBodyID b, MeVector3 v) {
 
 BODY_GETTER(MeReal *, MdtBodyGetAngularVelocityPtr, NULL, b->velocity.ang)
 
-void MEAPI MdtBodyGetLinearAcceleration(const MdtBodyID b, MeVector3 v) {
-    if (!mdt_isResult(__func__, v, 3) || !mdt_isBody(b, __func__))
-        return;
-    mdt_toReal(v, b->kea.lastStep.lin);
-}
+BODY_VECTOR_GETTER(MdtBodyGetLinearAcceleration, b->kea.lastStep.lin)
 
-void MEAPI MdtBodyGetAngularAcceleration(const MdtBodyID b, MeVector3 v) {
-    if (!mdt_isResult(__func__, v, 3) || !mdt_isBody(b, __func__))
-        return;
-    mdt_toReal(v, b->kea.lastStep.ang);
-}
+BODY_VECTOR_GETTER(MdtBodyGetAngularAcceleration, b->kea.lastStep.ang)
 
 void MEAPI MdtBodyGetVelocityAtPoint(const MdtBodyID body, MeVector3 p, MeVector3 v) {
     if (!mdt_isPointer(__func__, "the point", p) || !mdt_isPointer(__func__, "the result", v))
@@ -962,17 +957,9 @@ void MEAPI MdtBodyAddImpulseAtPosition(const MdtBodyID b, const MeReal ix, const
         addImpulse(b, i, p, __func__);
 }
 
-void MEAPI MdtBodyGetForce(const MdtBodyID b, MeVector3 v) {
-    if (!mdt_isResult(__func__, v, 3) || !mdt_isBody(b, __func__))
-        return;
-    mdt_toReal(v, mdt_forcesOf(b)->load[0]);
-}
+BODY_VECTOR_GETTER(MdtBodyGetForce, mdt_forcesOf(b)->load[0])
 
-void MEAPI MdtBodyGetTorque(const MdtBodyID b, MeVector3 v) {
-    if (!mdt_isResult(__func__, v, 3) || !mdt_isBody(b, __func__))
-        return;
-    mdt_toReal(v, mdt_forcesOf(b)->load[1]);
-}
+BODY_VECTOR_GETTER(MdtBodyGetTorque, mdt_forcesOf(b)->load[1])
 
 void MEAPI MdtBodyResetImpulses(const MdtBodyID b) {
     MDT_NEED_BODY(b, );

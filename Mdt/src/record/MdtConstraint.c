@@ -65,10 +65,6 @@ static void termJoint(MdtJoint *j) {
     mdt_poolPut(&j->base.world->jointPool, j);
 }
 
-static MdtJoint *jointOf(MdtConstraintID c) {
-    return mdt_isJoint(c) ? (MdtJoint *)(void *)c : NULL;
-}
-
 static MdtManifold *manifoldOf(MdtConstraintID c) {
     return mdt_isPoint(c) ? mdt_manifoldOf(mdt_asPoint(c)) : mdt_isManifold(c) ? (MdtManifold *)(void *)c : NULL;
 }
@@ -119,7 +115,7 @@ void mdt_constraintRemove(MdtConstraintID c) {
     else if (mdt_isManifold(c))
         mdt_manifoldTerm(manifoldOf(c));
     else
-        termJoint(jointOf(c));
+        termJoint(mdt_asJoint(c));
 }
 
 /* A contact that is to be destroyed is recognized by its own mark: its record may hold other contacts. */
@@ -163,7 +159,7 @@ void mdt_constraintDestroy(MdtConstraintID c, const char *caller) {
 
 void mdt_constraintClearWarmStart(MdtConstraintID c) {
     if (mdt_isJoint(c))
-        jointOf(c)->numWarm = 0;
+        mdt_asJoint(c)->numWarm = 0;
     else
         mdt_manifoldClearWarmStart(manifoldOf(c));
 }
@@ -310,17 +306,11 @@ static void copyPoses(MdtConstraintID c, Poses *poses) {
     poses->at[1] = &poses->of[1];
 }
 
-static void notifyPositioned(MdtJoint *j) {
+/* Notifies the joint's type of a new position; isAttached: of new bodies first. */
+static void notifyPositioned(MdtJoint *j, MeBool isAttached) {
     Poses poses;
     copyPoses(&j->base, &poses);
-    if (j->type->positioned)
-        j->type->positioned(&j->bcl, poses.at);
-}
-
-static void notifyAttached(MdtJoint *j) {
-    Poses poses;
-    copyPoses(&j->base, &poses);
-    if (j->type->attached)
+    if (isAttached && j->type->attached)
         j->type->attached(&j->bcl, poses.at);
     if (j->type->positioned)
         j->type->positioned(&j->bcl, poses.at);
@@ -339,7 +329,7 @@ void mdt_constraintAttach(MdtConstraintID c, MdtBodyID b0, MdtBodyID b1) {
     attachSide(c, 1, b1);
     mdt_constraintClearWarmStart(c);
     if (mdt_isJoint(c))
-        notifyAttached(jointOf(c));
+        notifyPositioned(mdt_asJoint(c), METRUE);
 }
 
 /* In a group with the world the first side is the body. */
@@ -424,7 +414,7 @@ void mdt_constraintPoses(MdtConstraintID c, MdtKeaTransformation pose[2]) {
 void mdt_constraintReframe(MdtConstraintID c, int side, const MdtKeaBody *before, const MdtKeaBody *after) {
     if (!mdt_isJoint(c))
         return; /* contacts are stored in world coordinates */
-    MdtBclFrame *frame = &jointOf(c)->bcl.frame[side];
+    MdtBclFrame *frame = &mdt_asJoint(c)->bcl.frame[side];
     MdtKeaTransformation from, to;
     double world[3];
     poseOfKea(before, &from);
@@ -478,12 +468,12 @@ static MdtJoint *checkJoint(MdtConstraintID c, const char *caller) {
         return NULL;
     if (!mdt_isJoint(c))
         MeWarning(1, "%s: a contact has no frames in its bodies; see MdtContact.h", caller);
-    return jointOf(c);
+    return mdt_asJoint(c);
 }
 
 static void setPosition(MdtJoint *j, unsigned int side, const double world[3]) {
     pointToBody(&j->base, (int)side, world, j->bcl.frame[side].position);
-    notifyPositioned(j);
+    notifyPositioned(j, MEFALSE);
 }
 
 void mdt_constraintSetPosition(MdtConstraintID c, MeReal x, MeReal y, MeReal z, const char *caller) {
@@ -528,7 +518,7 @@ void MEAPI MdtConstraintBodySetPositionRel(const MdtConstraintID c, const unsign
         return;
     const double local[3] = {x, y, z};
     keaCopy(j->bcl.frame[bodyindex].position, local);
-    notifyPositioned(j);
+    notifyPositioned(j, MEFALSE);
 }
 
 void MEAPI MdtConstraintBodyGetPositionRel(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p) {
@@ -619,7 +609,7 @@ static void setCrossFrame(MdtJoint *j, int side, const double own[3], const doub
 /* Makes the second axis of each side from the other side's axis, orthogonalized, in the bodies' present poses: angles
  * are measured from it. If both axes are parallel, as before the other one is set, the second axis is arbitrary. */
 void mdt_constraintSetCrossAxis(MdtConstraintID c, const char *caller, int side, MeReal x, MeReal y, MeReal z) {
-    MdtJoint *j = jointOf(c);
+    MdtJoint *j = mdt_asJoint(c);
     double axis[3] = {x, y, z}, other[3], second[3], back[3];
     rotateToWorld(c, 1 - side, side == 0 ? j->bcl.frame[1].ortho : j->bcl.frame[0].primary, other);
     const MeBool isParallel = fabs(keaDot(axis, other)) > 0.999 * keaLength(axis);
@@ -703,7 +693,7 @@ static void addContactForce(const MdtPoint *p, MdtKeaForcePair *sum) {
 static MdtKeaForcePair forceOf(MdtConstraintID c) {
     MdtKeaForcePair sum = {{{{0, 0, 0}, {0, 0, 0}}}};
     if (mdt_isJoint(c))
-        return jointOf(c)->force;
+        return mdt_asJoint(c)->force;
     if (mdt_isPoint(c))
         addContactForce(mdt_asPoint(c), &sum);
     else
@@ -714,7 +704,7 @@ static MdtKeaForcePair forceOf(MdtConstraintID c) {
 
 void mdt_constraintSetForce(MdtConstraintID c, const MdtKeaForcePair *force) {
     if (mdt_isJoint(c))
-        jointOf(c)->force = *force;
+        mdt_asJoint(c)->force = *force;
     else if (mdt_isPoint(c))
         mdt_toReal(mdt_asPoint(c)->mean, force->body[0].lin);
     mdt_constraintDisturb(baseOf(c)); /* its force no longer is the answer of a step */
@@ -739,7 +729,7 @@ int MEAPI MdtConstraintGetRowCount(const MdtConstraintID c) {
     int rows = 0;
     MDT_NEED_CONSTRAINT(c, 0);
     if (mdt_isJoint(c))
-        return jointOf(c)->numRows;
+        return mdt_asJoint(c)->numRows;
     if (mdt_isPoint(c))
         return mdt_asPoint(c)->numRows;
     for (const MdtPoint *p = mdt_pointFirst(manifoldOf(c)); p; p = mdt_pointAfter(p))
@@ -763,50 +753,45 @@ static const MdtExtra *extraOf(MdtConstraintID c) {
 /* The world velocity for writing; null, with a warning, if there is no memory. */
 static MdtKeaVelocity *makeWorldVelocity(MdtConstraintID c, const char *caller) {
     MdtExtra *extra = mdt_isJoint(c) ? NULL : makeExtra(c, caller);
-    return mdt_isJoint(c) ? &jointOf(c)->worldVelocity : extra ? &extra->worldVelocity : NULL;
+    return mdt_isJoint(c) ? &mdt_asJoint(c)->worldVelocity : extra ? &extra->worldVelocity : NULL;
 }
 
 static const MdtKeaVelocity *worldVelocityOf(MdtConstraintID c) {
     const MdtExtra *extra = mdt_isJoint(c) ? NULL : extraOf(c);
-    return mdt_isJoint(c) ? &jointOf(c)->worldVelocity : extra ? &extra->worldVelocity : &MdtBclWorldVelocity;
+    return mdt_isJoint(c) ? &mdt_asJoint(c)->worldVelocity : extra ? &extra->worldVelocity : &MdtBclWorldVelocity;
 }
 
-static void setComponent(MdtConstraintID c, double component[3], const double v[3]) {
-    if (memcmp(component, v, 3 * sizeof *v) != 0)
+static void setWorldVelocity(MdtConstraintID c, MeBool isAngular, MeReal x, MeReal y, MeReal z, const char *caller) {
+    const double v[3] = {x, y, z};
+    if (!mdt_isConstraint(c, caller) || !mdt_isFinite3(caller, "the velocity", x, y, z))
+        return;
+    MdtKeaVelocity *velocity = makeWorldVelocity(c, caller);
+    if (!velocity)
+        return;
+    double *component = isAngular ? velocity->ang : velocity->lin;
+    if (memcmp(component, v, sizeof v) != 0)
         mdt_constraintDisturb(baseOf(c));
     keaCopy(component, v);
 }
 
 void MEAPI MdtConstraintSetWorldLinearVelocity(const MdtConstraintID c, const MeReal vx, const MeReal vy,
                                                const MeReal vz) {
-    const double v[3] = {vx, vy, vz};
-    if (!mdt_isConstraint(c, __func__) || !mdt_isFinite3(__func__, "the velocity", vx, vy, vz))
-        return;
-    MdtKeaVelocity *velocity = makeWorldVelocity(c, __func__);
-    if (velocity)
-        setComponent(c, velocity->lin, v);
+    setWorldVelocity(c, MEFALSE, vx, vy, vz, __func__);
 }
 
 void MEAPI MdtConstraintSetWorldAngularVelocity(const MdtConstraintID c, const MeReal ax, const MeReal ay,
                                                 const MeReal az) {
-    const double v[3] = {ax, ay, az};
-    if (!mdt_isConstraint(c, __func__) || !mdt_isFinite3(__func__, "the velocity", ax, ay, az))
-        return;
-    MdtKeaVelocity *velocity = makeWorldVelocity(c, __func__);
-    if (velocity)
-        setComponent(c, velocity->ang, v);
+    setWorldVelocity(c, METRUE, ax, ay, az, __func__);
 }
 
 void MEAPI MdtConstraintGetWorldLinearVelocity(const MdtConstraintID c, MeVector3 lv) {
-    if (!mdt_isResult(__func__, lv, 3) || !mdt_isConstraint(c, __func__))
-        return;
-    mdt_toReal(lv, worldVelocityOf(c)->lin);
+    if (mdt_isResult(__func__, lv, 3) && mdt_isConstraint(c, __func__))
+        mdt_toReal(lv, worldVelocityOf(c)->lin);
 }
 
 void MEAPI MdtConstraintGetWorldAngularVelocity(const MdtConstraintID c, MeVector3 av) {
-    if (!mdt_isResult(__func__, av, 3) || !mdt_isConstraint(c, __func__))
-        return;
-    mdt_toReal(av, worldVelocityOf(c)->ang);
+    if (mdt_isResult(__func__, av, 3) && mdt_isConstraint(c, __func__))
+        mdt_toReal(av, worldVelocityOf(c)->ang);
 }
 
 MdtWorldID mdt_constraintGetWorld(MdtConstraintID c, const char *caller) {
@@ -820,7 +805,7 @@ void mdt_constraintSetUserData(MdtConstraintID c, void *d, const char *caller) {
         return;
     MdtExtra *extra = mdt_isJoint(c) ? NULL : makeExtra(c, caller);
     if (mdt_isJoint(c))
-        jointOf(c)->userData = d;
+        mdt_asJoint(c)->userData = d;
     else if (extra)
         extra->userData = d;
 }
@@ -829,7 +814,7 @@ void *mdt_constraintGetUserData(MdtConstraintID c, const char *caller) {
     if (!mdt_isConstraint(c, caller))
         return NULL;
     const MdtExtra *extra = mdt_isJoint(c) ? NULL : extraOf(c);
-    return mdt_isJoint(c) ? jointOf(c)->userData : extra ? extra->userData : NULL;
+    return mdt_isJoint(c) ? mdt_asJoint(c)->userData : extra ? extra->userData : NULL;
 }
 
 static void MEAPI applyDeferredSortKey(const MeLater *later) {

@@ -17,6 +17,11 @@ static MeBool setNonNegative(MdtContactParamsID p, MeReal *value, MeReal x, cons
     return METRUE;
 }
 
+/* A function that returns a parameter; `none` for null. */
+#define PARAMS_GETTER(Type, function, member, none)                                                                    \
+    Type MEAPI function(const MdtContactParamsID p) {                                                                  \
+        return isParams(p, __func__) ? p->member : none;                                                               \
+    }
 #define FIELD(p, name) ((p) ? &(p)->name : NULL)
 
 void MEAPI MdtContactParamsReset(const MdtContactParamsID p) {
@@ -100,9 +105,7 @@ void MEAPI MdtContactParamsSetType(const MdtContactParamsID p, MdtContactType t)
     }
 }
 
-MdtContactType MEAPI MdtContactParamsGetType(const MdtContactParamsID p) {
-    return isParams(p, __func__) ? p->type : MdtContactTypeUnknown;
-}
+PARAMS_GETTER(MdtContactType, MdtContactParamsGetType, type, MdtContactTypeUnknown)
 
 static MeBool setModel(MdtContactParamsID p, MdtFrictionModel *model, MdtFrictionModel m, const char *caller) {
     if (!isParams(p, caller))
@@ -128,13 +131,9 @@ void MEAPI MdtContactParamsSetSecondaryFrictionModel(const MdtContactParamsID p,
     setModel(p, FIELD(p, model2), m, __func__);
 }
 
-MdtFrictionModel MEAPI MdtContactParamsGetPrimaryFrictionModel(const MdtContactParamsID p) {
-    return isParams(p, __func__) ? p->model1 : MdtFrictionModelUnknown;
-}
+PARAMS_GETTER(MdtFrictionModel, MdtContactParamsGetPrimaryFrictionModel, model1, MdtFrictionModelUnknown)
 
-MdtFrictionModel MEAPI MdtContactParamsGetSecondaryFrictionModel(const MdtContactParamsID p) {
-    return isParams(p, __func__) ? p->model2 : MdtFrictionModelUnknown;
-}
+PARAMS_GETTER(MdtFrictionModel, MdtContactParamsGetSecondaryFrictionModel, model2, MdtFrictionModelUnknown)
 
 /* ---- friction ---- */
 
@@ -162,13 +161,9 @@ void MEAPI MdtContactParamsSetSecondaryFriction(const MdtContactParamsID p, MeRe
     setBound(p, FIELD(p, friction2), f, __func__);
 }
 
-MeReal MEAPI MdtContactParamsGetPrimaryFriction(const MdtContactParamsID p) {
-    return isParams(p, __func__) ? p->friction1 : 0;
-}
+PARAMS_GETTER(MeReal, MdtContactParamsGetPrimaryFriction, friction1, 0)
 
-MeReal MEAPI MdtContactParamsGetSecondaryFriction(const MdtContactParamsID p) {
-    return isParams(p, __func__) ? p->friction2 : 0;
-}
+PARAMS_GETTER(MeReal, MdtContactParamsGetSecondaryFriction, friction2, 0)
 
 void MEAPI MdtContactParamsSetFrictionCoeffecient(const MdtContactParamsID p, MeReal f) {
     if (setCoefficient(p, FIELD(p, FrictionCoefficient), f, __func__))
@@ -183,13 +178,9 @@ void MEAPI MdtContactParamsSetSecondaryFrictionCoeffecient(const MdtContactParam
     setCoefficient(p, FIELD(p, FrictionCoefficient2), f, __func__);
 }
 
-MeReal MEAPI MdtContactParamsGetPrimaryFrictionCoeffecient(const MdtContactParamsID p) {
-    return isParams(p, __func__) ? p->FrictionCoefficient : 0;
-}
+PARAMS_GETTER(MeReal, MdtContactParamsGetPrimaryFrictionCoeffecient, FrictionCoefficient, 0)
 
-MeReal MEAPI MdtContactParamsGetSecondaryFrictionCoeffecient(const MdtContactParamsID p) {
-    return isParams(p, __func__) ? p->FrictionCoefficient2 : 0;
-}
+PARAMS_GETTER(MeReal, MdtContactParamsGetSecondaryFrictionCoeffecient, FrictionCoefficient2, 0)
 
 /* ---- slip and slide ---- */
 
@@ -213,13 +204,9 @@ void MEAPI MdtContactParamsSetSecondarySlip(const MdtContactParamsID p, MeReal s
     setSlip(p, FIELD(p, slip2), s, MdtBclContactOptionSlip2, __func__);
 }
 
-MeReal MEAPI MdtContactParamsGetPrimarySlip(const MdtContactParamsID p) {
-    return isParams(p, __func__) ? p->slip1 : 0;
-}
+PARAMS_GETTER(MeReal, MdtContactParamsGetPrimarySlip, slip1, 0)
 
-MeReal MEAPI MdtContactParamsGetSecondarySlip(const MdtContactParamsID p) {
-    return isParams(p, __func__) ? p->slip2 : 0;
-}
+PARAMS_GETTER(MeReal, MdtContactParamsGetSecondarySlip, slip2, 0)
 
 void MEAPI MdtContactParamsSetPrimarySlide(const MdtContactParamsID p, MeReal s) {
     if (!isParams(p, __func__) || !mdt_isFinite(__func__, "the slide", s))
@@ -235,13 +222,9 @@ void MEAPI MdtContactParamsSetSecondarySlide(const MdtContactParamsID p, MeReal 
     setOption(p, MdtBclContactOptionSlide2, s != 0);
 }
 
-MeReal MEAPI MdtContactParamsGetPrimarySlide(const MdtContactParamsID p) {
-    return isParams(p, __func__) ? p->slide1 : 0;
-}
+PARAMS_GETTER(MeReal, MdtContactParamsGetPrimarySlide, slide1, 0)
 
-MeReal MEAPI MdtContactParamsGetSecondarySlide(const MdtContactParamsID p) {
-    return isParams(p, __func__) ? p->slide2 : 0;
-}
+PARAMS_GETTER(MeReal, MdtContactParamsGetSecondarySlide, slide2, 0)
 
 /* ---- restitution, softness, adhesion ---- */
 
@@ -256,32 +239,24 @@ void MEAPI MdtContactParamsSetRestitution(const MdtContactParamsID p, MeReal r) 
     setOption(p, MdtBclContactOptionBounce, r > 0);
 }
 
-MeReal MEAPI MdtContactParamsGetRestitution(const MdtContactParamsID p) {
-    return isParams(p, __func__) ? p->restitution : 0;
-}
+PARAMS_GETTER(MeReal, MdtContactParamsGetRestitution, restitution, 0)
 
 void MEAPI MdtContactParamsSetRestitutionThreshold(const MdtContactParamsID p, MeReal v) {
     setNonNegative(p, FIELD(p, velThreshold), v, __func__, "the threshold");
 }
 
-MeReal MEAPI MdtContactParamsGetRestitutionThreshold(const MdtContactParamsID p) {
-    return isParams(p, __func__) ? p->velThreshold : 0;
-}
+PARAMS_GETTER(MeReal, MdtContactParamsGetRestitutionThreshold, velThreshold, 0)
 
 void MEAPI MdtContactParamsSetSoftness(const MdtContactParamsID p, MeReal s) {
     if (setNonNegative(p, FIELD(p, softness), s, __func__, "the softness"))
         setOption(p, MdtBclContactOptionSoft, s > 0);
 }
 
-MeReal MEAPI MdtContactParamsGetSoftness(const MdtContactParamsID p) {
-    return isParams(p, __func__) ? p->softness : 0;
-}
+PARAMS_GETTER(MeReal, MdtContactParamsGetSoftness, softness, 0)
 
 void MEAPI MdtContactParamsSetMaxAdhesiveForce(const MdtContactParamsID p, MeReal s) {
     if (setNonNegative(p, FIELD(p, max_adhesive_force), s, __func__, "the adhesive force"))
         setOption(p, MdtBclContactOptionAdhesive, s > 0);
 }
 
-MeReal MEAPI MdtContactParamsGetMaxAdhesiveForce(const MdtContactParamsID p) {
-    return isParams(p, __func__) ? p->max_adhesive_force : 0;
-}
+PARAMS_GETTER(MeReal, MdtContactParamsGetMaxAdhesiveForce, max_adhesive_force, 0)

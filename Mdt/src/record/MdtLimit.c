@@ -21,6 +21,12 @@ static MeBool isReadable(const MdtBclLimit *l, const char *caller) {
     return METRUE;
 }
 
+/* A function that returns a property of the limit l; 0 unless `check` accepts it. */
+#define LIMIT_GETTER(Type, function, check, value)                                                                     \
+    Type MEAPI function(const MdtLimitID l) {                                                                          \
+        return check(l, __func__) ? value : 0;                                                                         \
+    }
+
 /* ---- the whole limit ---- */
 
 void MEAPI MdtLimitReset(const MdtLimitID limit) {
@@ -56,13 +62,9 @@ void mdt_limitAssign(MdtLimitID to, const MdtBclLimit *from) {
     to->bCalculatePosition = copy.bCalculatePosition;
 }
 
-MeReal MEAPI MdtLimitGetPosition(const MdtLimitID l) {
-    return isReadable(l, __func__) ? l->position : 0;
-}
+LIMIT_GETTER(MeReal, MdtLimitGetPosition, isReadable, l->position)
 
-MeReal MEAPI MdtLimitGetVelocity(const MdtLimitID l) {
-    return isReadable(l, __func__) ? l->velocity : 0;
-}
+LIMIT_GETTER(MeReal, MdtLimitGetVelocity, isReadable, l->velocity)
 
 void MEAPI MdtLimitSetPosition(MdtLimitID l, const MeReal NewPosition) {
     if (!isLimit(l, __func__) || !mdt_isFinite(__func__, "the position", NewPosition))
@@ -83,17 +85,11 @@ void MEAPI MdtLimitSetStiffnessThreshold(const MdtLimitID l, const MeReal NewSti
         l->stiffnessThreshold = NewStiffnessThreshold > 0 ? NewStiffnessThreshold : 0;
 }
 
-MeReal MEAPI MdtLimitGetStiffnessThreshold(const MdtLimitID l) {
-    return isLimit(l, __func__) ? l->stiffnessThreshold : 0;
-}
+LIMIT_GETTER(MeReal, MdtLimitGetStiffnessThreshold, isLimit, l->stiffnessThreshold)
 
-MdtSingleLimitID MEAPI MdtLimitGetLowerLimit(const MdtLimitID l) {
-    return isLimit(l, __func__) ? &l->limit[0] : NULL;
-}
+LIMIT_GETTER(MdtSingleLimitID, MdtLimitGetLowerLimit, isLimit, &l->limit[0])
 
-MdtSingleLimitID MEAPI MdtLimitGetUpperLimit(const MdtLimitID l) {
-    return isLimit(l, __func__) ? &l->limit[1] : NULL;
-}
+LIMIT_GETTER(MdtSingleLimitID, MdtLimitGetUpperLimit, isLimit, &l->limit[1])
 
 void MEAPI MdtLimitSetLowerLimit(const MdtLimitID l, const MdtSingleLimitID sl) {
     if (!isLimit(l, __func__) || !mdt_isPointer(__func__, "the stop", sl))
@@ -122,18 +118,14 @@ void MEAPI MdtLimitActivateLimits(const MdtLimitID l, const MeBool NewActivation
                   (double)l->limit[0].stop, (double)l->limit[1].stop);
 }
 
-MeBool MEAPI MdtLimitIsActive(const MdtLimitID l) {
-    return isLimit(l, __func__) ? l->bActive : 0;
-}
+LIMIT_GETTER(MeBool, MdtLimitIsActive, isLimit, l->bActive)
 
 void MEAPI MdtLimitActivateMotor(const MdtLimitID l, const MeBool NewActivationState) {
     if (isLimit(l, __func__))
         l->bPowered = NewActivationState != 0;
 }
 
-MeBool MEAPI MdtLimitIsMotorized(const MdtLimitID l) {
-    return isLimit(l, __func__) ? l->bPowered : 0;
-}
+LIMIT_GETTER(MeBool, MdtLimitIsMotorized, isLimit, l->bPowered)
 
 void MEAPI MdtLimitCalculatePosition(const MdtLimitID l, const MeBool NewState) {
     if (isLimit(l, __func__))
@@ -163,17 +155,11 @@ void MEAPI MdtLimitSetMotorTracking(const MdtLimitID l, const MeBool NewState) {
         l->bMotorTracks = NewState != 0;
 }
 
-MeBool MEAPI MdtLimitMotorIsTracking(const MdtLimitID l) {
-    return isLimit(l, __func__) ? l->bMotorTracks : 0;
-}
+LIMIT_GETTER(MeBool, MdtLimitMotorIsTracking, isLimit, l->bMotorTracks)
 
-MeReal MEAPI MdtLimitGetMotorDesiredVelocity(const MdtLimitID l) {
-    return isLimit(l, __func__) ? l->desired_vel : 0;
-}
+LIMIT_GETTER(MeReal, MdtLimitGetMotorDesiredVelocity, isLimit, l->desired_vel)
 
-MeReal MEAPI MdtLimitGetMotorMaxForce(const MdtLimitID l) {
-    return isLimit(l, __func__) ? l->fmax : 0;
-}
+LIMIT_GETTER(MeReal, MdtLimitGetMotorMaxForce, isLimit, l->fmax)
 
 /* ---- the lock ---- */
 
@@ -191,15 +177,18 @@ void MEAPI MdtLimitActivateLock(const MdtLimitID l, const MeBool NewActivationSt
         l->bLocked = NewActivationState != 0;
 }
 
-MeBool MEAPI MdtLimitIsLocked(const MdtLimitID l) {
-    return isLimit(l, __func__) ? l->bLocked : 0;
-}
+LIMIT_GETTER(MeBool, MdtLimitIsLocked, isLimit, l->bLocked)
 
 /* ---- one stop ---- */
 
 static MeBool isStop(const MdtBclSingleLimit *sl, const char *caller) {
     return mdt_isPointer(caller, "the stop", sl);
 }
+
+#define STOP_GETTER(function, member)                                                                                  \
+    MeReal MEAPI function(const MdtSingleLimitID sl) {                                                                 \
+        return isStop(sl, __func__) ? sl->member : 0;                                                                  \
+    }
 
 void MEAPI MdtSingleLimitReset(const MdtSingleLimitID limit) {
     if (isStop(limit, __func__))
@@ -211,33 +200,25 @@ void MEAPI MdtSingleLimitSetStop(const MdtSingleLimitID sl, const MeReal NewStop
         sl->stop = NewStop;
 }
 
-MeReal MEAPI MdtSingleLimitGetStop(const MdtSingleLimitID sl) {
-    return isStop(sl, __func__) ? sl->stop : 0;
-}
+STOP_GETTER(MdtSingleLimitGetStop, stop)
 
 void MEAPI MdtSingleLimitSetStiffness(const MdtSingleLimitID sl, const MeReal NewStiffness) {
     if (isStop(sl, __func__) && mdt_isFinite(__func__, "the stiffness", NewStiffness))
         sl->stiffness = NewStiffness > 0 ? NewStiffness : 0;
 }
 
-MeReal MEAPI MdtSingleLimitGetStiffness(const MdtSingleLimitID sl) {
-    return isStop(sl, __func__) ? sl->stiffness : 0;
-}
+STOP_GETTER(MdtSingleLimitGetStiffness, stiffness)
 
 void MEAPI MdtSingleLimitSetDamping(const MdtSingleLimitID sl, const MeReal NewDamping) {
     if (isStop(sl, __func__) && mdt_isFinite(__func__, "the damping", NewDamping))
         sl->damping = NewDamping > 0 ? NewDamping : 0;
 }
 
-MeReal MEAPI MdtSingleLimitGetDamping(const MdtSingleLimitID sl) {
-    return isStop(sl, __func__) ? sl->damping : 0;
-}
+STOP_GETTER(MdtSingleLimitGetDamping, damping)
 
 void MEAPI MdtSingleLimitSetRestitution(const MdtSingleLimitID sl, const MeReal NewRestitution) {
     if (isStop(sl, __func__) && mdt_isFinite(__func__, "the restitution", NewRestitution))
         sl->restitution = NewRestitution < 0 ? 0 : NewRestitution > 1 ? 1 : NewRestitution;
 }
 
-MeReal MEAPI MdtSingleLimitGetRestitution(const MdtSingleLimitID sl) {
-    return isStop(sl, __func__) ? sl->restitution : 0;
-}
+STOP_GETTER(MdtSingleLimitGetRestitution, restitution)

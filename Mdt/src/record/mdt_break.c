@@ -8,15 +8,11 @@ static MeBool isBreakable(const MdtJoint *j) {
     return j->breakForce < MEINFINITY || j->breakTorque < MEINFINITY;
 }
 
-static MdtJoint *asJoint(MdtConstraintID c) {
-    return mdt_isJoint(c) ? (MdtJoint *)(void *)c : NULL;
-}
-
 /* The joint; null, with a warning, for a contact or a group. */
 static MdtJoint *jointOf(MdtConstraintID c, const char *caller) {
     if (!mdt_isJoint(c))
         MeWarning(1, "%s: a %s does not break; nothing is changed", caller, mdt_constraintName(c));
-    return asJoint(c);
+    return mdt_asJoint(c);
 }
 
 void MEAPI MdtConstraintSetBreakLimits(const MdtConstraintID c, const MeReal force, const MeReal torque) {
@@ -33,12 +29,12 @@ void MEAPI MdtConstraintSetBreakLimits(const MdtConstraintID c, const MeReal for
 
 MeReal MEAPI MdtConstraintGetBreakForce(const MdtConstraintID c) {
     MDT_NEED_CONSTRAINT(c, 0);
-    return mdt_isJoint(c) ? asJoint(c)->breakForce : MEINFINITY;
+    return mdt_isJoint(c) ? mdt_asJoint(c)->breakForce : MEINFINITY;
 }
 
 MeReal MEAPI MdtConstraintGetBreakTorque(const MdtConstraintID c) {
     MDT_NEED_CONSTRAINT(c, 0);
-    return mdt_isJoint(c) ? asJoint(c)->breakTorque : MEINFINITY;
+    return mdt_isJoint(c) ? mdt_asJoint(c)->breakTorque : MEINFINITY;
 }
 
 /* ---- loads ---- */
@@ -92,7 +88,7 @@ static void breakJoints(MdtWorldID w) {
     MeStageBegin(&w->stage, MDT_GUARD_GRAPH);
     for (MdtLink *link = w->constraints.first; link && w->breakable; link = link->next) {
         MdtConstraintID c = mdt_linkOwner(link);
-        MdtJoint *j = asJoint(c);
+        MdtJoint *j = mdt_asJoint(c);
         if (!j || !isBreakable(j) || !wasStepped(c) || !isOverloaded(j))
             continue;
         mdt_constraintDeactivate(c);

@@ -36,6 +36,17 @@ static MdtExtra *makeOwnExtra(MdtPoint *p, int own, MeBool isShared, const char 
     return extra;
 }
 
+/* Stores numbers of a point: in its extra, at offset `inExtra`, or in the manifold if no other point shares them. */
+static void setNumbers(MdtPoint *p, int own, MeReal *shared, size_t inExtra, const MeReal *numbers, size_t size,
+                       const char *caller) {
+    const MeBool isShared = memcmp(shared, numbers, size) == 0;
+    MdtExtra *extra = makeOwnExtra(p, own, isShared, caller);
+    if (extra)
+        setProperty(p, (char *)extra + inExtra, numbers, size);
+    else if (!isShared && mdt_countSlots(mdt_blockOf(p)) == 1)
+        setProperty(p, shared, numbers, size);
+}
+
 const MdtBclContactParams *mdt_pointParams(const MdtPoint *p) {
     const MdtExtra *own = findOwnExtra(p, MDT_OWN_PARAMS);
     return own ? &own->params : &mdt_blockOf(p)->surface->params;
@@ -86,13 +97,8 @@ void mdt_pointNormal(const MdtPoint *p, double normal[3]) {
 }
 
 void mdt_pointSetNormal(MdtPoint *p, const MeReal normal[3]) {
-    MdtManifold *block = mdt_blockOf(p);
-    const MeBool isShared = memcmp(block->normal, normal, sizeof block->normal) == 0;
-    MdtExtra *extra = makeOwnExtra(p, MDT_OWN_NORMAL, isShared, "MdtContactSetNormal");
-    if (extra)
-        setProperty(p, extra->normal, normal, sizeof extra->normal);
-    else if (!isShared && mdt_countSlots(block) == 1)
-        setProperty(p, block->normal, normal, sizeof block->normal);
+    setNumbers(p, MDT_OWN_NORMAL, mdt_blockOf(p)->normal, offsetof(MdtExtra, normal), normal, 3 * sizeof *normal,
+               "MdtContactSetNormal");
 }
 
 MeReal mdt_pointRadius(const MdtPoint *p, int side) {
@@ -101,15 +107,10 @@ MeReal mdt_pointRadius(const MdtPoint *p, int side) {
 }
 
 void mdt_pointSetRadius(MdtPoint *p, int side, MeReal radius) {
-    MdtManifold *block = mdt_blockOf(p);
     MeReal both[2] = {mdt_pointRadius(p, 0), mdt_pointRadius(p, 1)};
     both[side] = radius;
-    const MeBool isShared = memcmp(block->radius, both, sizeof both) == 0;
-    MdtExtra *extra = makeOwnExtra(p, MDT_OWN_RADIUS, isShared, "MdtContactSetRadius");
-    if (extra)
-        setProperty(p, extra->radius, both, sizeof both);
-    else if (!isShared && mdt_countSlots(block) == 1)
-        setProperty(p, block->radius, both, sizeof both);
+    setNumbers(p, MDT_OWN_RADIUS, mdt_blockOf(p)->radius, offsetof(MdtExtra, radius), both, sizeof both,
+               "MdtContactSetRadius");
 }
 
 double mdt_pointRim(const MdtPoint *p, int side, double axis[3]) {

@@ -34,7 +34,7 @@ void mdt_blockSetSurface(MdtManifold *block, const MdtBclContactParams *params);
 
 /* The extra of a contact or, with MDT_GROUP_SLOT, of the manifold itself; null if there is none. */
 MdtExtra *mdt_extraOf(const MdtManifold *block, int slot);
-/* The same, created if there is none; null, with a warning, if there is no memory. */
+/* mdt_extraOf, but creates the extra if there is none. Null, with a warning: no memory. */
 MdtExtra *mdt_extraMake(MdtManifold *block, int slot, const char *caller);
 
 const MdtBclContactParams *mdt_pointParams(const MdtPoint *p);

@@ -47,11 +47,12 @@ static inline const MdtForces *mdt_forcesOf(const MdtBody *b) {
 MdtForces *mdt_forcesMake(MdtBodyID b, const char *caller);
 void mdt_forcesFree(MdtBodyID b);                              /* sets `forces` to null */
 void mdt_bodyMomenta(const MdtBody *b, double momentum[2][3]); /* kg m/s, kg m²/s */
-/* At the start of a frame: adds the correction to the body's kick if a force was given in the last frame, too. */
+/* At the start of a frame: if the program has applied a force in the last frame and in this one, adds the correction to
+ * the body's kick. */
 void mdt_forceBegin(MdtBodyID b);
 /* Passes the forces of a frame, of `frame` seconds, to kea and clears the accumulators. */
 void mdt_forceApply(MdtBodyID b, double frame);
-/* Applies the forces of the step's start in a further part of the step, too. */
+/* Makes the forces of the step's start act in a further part of the step as well. */
 void mdt_forceContinue(MdtBodyID b);
 /* Restarts the history of forces: the program has moved or changed the body. */
 void mdt_forceRestart(MdtBodyID b);
@@ -61,8 +62,8 @@ void mdt_forceRestart(MdtBodyID b);
 /* Marks that the program has a pointer to the constraint's parameters, and may write them without a setter. */
 void mdt_constraintMarkWatched(MdtConstraintID c);
 
-/* Add to, and subtract from, the world's number of constraints (joints, groups, contacts). False, with a warning that
- * names the caller, if the world is full. */
+/* Count one more, and one less, of the world's constraints (joints, groups, contacts). False, with a warning that names
+ * the caller, if the world is full. */
 MeBool mdt_constraintCount(MdtWorldID w, const char *caller);
 void mdt_constraintUncount(MdtWorldID w);
 
@@ -96,7 +97,7 @@ void mdt_constraintTerm(MdtConstraintID c);
 /* Disable a joint or a manifold; destroy a joint, a group or a contact. Never deferred. */
 void mdt_constraintDeactivate(MdtConstraintID c);
 void mdt_constraintRemove(MdtConstraintID c);
-/* The poses of both sides: a body's centre of mass, or the world. */
+/* The poses of both sides' frames: of the body's centre of mass, or the world's. */
 void mdt_constraintPoses(MdtConstraintID c, MdtKeaTransformation pose[2]);
 /* Transforms an attachment into the new frame of the body's centre of mass; it stays where it is in the world. */
 void mdt_constraintReframe(MdtConstraintID c, int side, const MdtKeaBody *before, const MdtKeaBody *after);
@@ -160,7 +161,7 @@ void mdt_bodyDestroy(MdtBodyID b, const char *caller);
 MdtBodyID mdt_deferredBody(const MeLater *later);
 MdtConstraintID mdt_deferredConstraint(const MeLater *later);
 
-/* Guard of API functions that change a body's state or parameters. */
+/* Returns from an API function that changes a body, with a warning or message, unless the body may be changed now. */
 #define MDT_CHANGE_BODY(b)                                                                                             \
     do {                                                                                                               \
         if (!mdt_isBody((b), __func__) || !mdt_mayChangeState((b), __func__))                                          \

@@ -3,22 +3,17 @@
 #include <math.h>
 #include <string.h>
 
-/* Alive times over which the rule looks ahead and back: 1 s by default, and if the alive time is 0. */
-enum { AHEAD = 5 };
-/* Displacements in that time, relative to the larger of the body's radius of gyration and a fifth of the length scale.
- * A box of 1 m that rotates at 2.5e-3 rad/s, drifts at 1 mm/s, or oscillates by +-1 cm stays awake, and a push that
- * gives it 1 cm/s wakes it. */
-static const double stayingReach = 2.5e-3;   /* a body that moves less is at rest: 1 mm/s is not visible */
-static const double oscillationReach = 5e-2; /* 20 times that: largest oscillation about its place */
-static const double quietReach = 2.5e-4;     /* a tenth: a body that moves less is at rest at once */
-static const double wakingReach = 2.5e-2;    /* ten times: a push that moves a sleeping body as far wakes it */
+/* Largest displacement of a body at rest in the time that the rule looks ahead and back, relative to the larger of its
+ * radius of gyration and a fifth of the length scale: 1 mm/s of a body of 1 m is not visible. A box of 1 m that rotates
+ * at 2.5e-3 rad/s, drifts at 1 mm/s, or oscillates by +-1 cm stays awake, and a push that gives it 1 cm/s wakes it. */
+static const double stayingReach = 2.5e-3;
 
 /* ---- one body ---- */
 
-/* s: the time that is called "a second" here. */
+/* s: the time that is called "a second" here, five alive times: 1 s by default, and if the alive time is 0. */
 static double lookAheadTime(const MdtBody *b) {
     const double alive = (double)b->world->sleepParams.alive_time;
-    return AHEAD * (alive > 0 ? alive : MDTWORLD_DEFAULT_ALIVE_TIME_THRESH);
+    return 5 * (alive > 0 ? alive : MDTWORLD_DEFAULT_ALIVE_TIME_THRESH);
 }
 
 /* m: the radius of gyration, at least a fifth of the length scale. */
@@ -120,9 +115,9 @@ void mdt_stayUpdate(MdtBodyID b, double h) {
     double displacement[6];
     getStepDisplacement(b, radius, displacement);
     addDisplacement(s, displacement, stillDistance(radius), h / second);
-    if (distance > oscillationReach * radius)
+    if (distance > 20 * stayingReach * radius) /* the largest oscillation about its place */
         restartAt(b, 0);
-    else if (s->time > oscillationReach / stayingReach * second)
+    else if (s->time > 20 * second)
         restartAt(b, 2 * amplitudeOf(s, radius, second));
     else
         countReturns(s, distance, h);
@@ -144,7 +139,7 @@ static double distanceAhead(const MdtBody *b, double radius) {
 
 MeBool mdt_bodyIsQuiet(const MdtBody *b) {
     const double radius = radiusOf(b);
-    return b->world->hasThresholds || distanceAhead(b, radius) <= quietReach * radius;
+    return b->world->hasThresholds || distanceAhead(b, radius) <= 0.1 * stayingReach * radius;
 }
 
 MeBool mdt_bodyWouldMove(const MdtBody *b, double push[2][3], double h) {
@@ -154,5 +149,5 @@ MeBool mdt_bodyWouldMove(const MdtBody *b, double push[2][3], double h) {
     if (b->world->hasThresholds)
         return speed * speed > h * h * (double)sleepParams->acc_thresh ||
                spin * spin > h * h * (double)sleepParams->accrot_thresh;
-    return (speed + radius * spin) * lookAheadTime(b) > wakingReach * radius;
+    return (speed + radius * spin) * lookAheadTime(b) > 10 * stayingReach * radius;
 }

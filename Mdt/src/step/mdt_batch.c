@@ -16,11 +16,6 @@
 #include "step/mdt_step_i.h"
 #include <string.h>
 
-/* Minimum number of bodies of a batch, to share the cost of setting up a solve, with enough batches left for some
- * workers. 600 tumbling or rolling bodies take 2 % more instructions with half the number, 1 % fewer with twice the
- * number; no test distinguishes these. */
-enum { MIN_BATCH_BODIES = 64 };
-
 /* ---- candidates ---- */
 
 /* The number of bodies of a partition if it is small and has constraints; else 0. */
@@ -108,7 +103,7 @@ static void makeBatches(MdtBatches *b) {
     b->firstMember[0] = 0;
     for (int i = 1; i <= b->numMembers; i++) {
         const int first = b->firstMember[b->count];
-        if (b->member[i].firstBody - b->member[first].firstBody >= MIN_BATCH_BODIES || i == b->numMembers)
+        if (b->member[i].firstBody - b->member[first].firstBody >= MDT_LARGE_ISLAND || i == b->numMembers)
             b->firstMember[++b->count] = i;
     }
     MEASSERT(b->numMembers == 0 || b->firstMember[b->count] == b->numMembers);

@@ -88,20 +88,14 @@ static MeBool isWithWorld(const MdtPoint *point) {
     return !base->side[0].body || !base->side[1].body;
 }
 
-static MeBool isBetweenBodies(const MdtPoint *point) {
-    return !isWithWorld(point);
-}
+/* Sets of contacts: between two bodies, and with the world. */
+enum { BETWEEN_BODIES = 1, WITH_WORLD = 2 };
 
-static MeBool isOfAnyKind(const MdtPoint *point) {
-    (void)point;
-    return METRUE;
-}
-
-static int dropContacts(const MdtIsland *p, MdtRanked ranking[], int rows, int max,
-                        MeBool (*isOfKind)(const MdtPoint *)) {
+static int dropContacts(const MdtIsland *p, MdtRanked ranking[], int rows, int max, int set) {
     for (int i = 0; i < p->numContacts && rows > max; i++) {
         MdtRanked *c = &ranking[ranking[i].place], *first = &ranking[c->first];
-        if (c->at->numRows == 0 || !isOfKind(c->point) || (mdt_isInGroup(c->point) && first->numKept == 1))
+        if (c->at->numRows == 0 || !(set & (isWithWorld(c->point) ? WITH_WORLD : BETWEEN_BODIES)) ||
+            (mdt_isInGroup(c->point) && first->numKept == 1))
             continue;
         MEASSERT(c->at->numRows == 1 && first->numKept > 0);
         c->at->numRows = 0;
@@ -114,9 +108,9 @@ static int dropContacts(const MdtIsland *p, MdtRanked ranking[], int rows, int m
 static int dropRows(const MdtIsland *p, MdtRanked ranking[], int rows, int max) {
     rows = dropFriction(p, ranking, rows, max);
     if (p->world->importance)
-        return dropContacts(p, ranking, rows, max, isOfAnyKind);
-    rows = dropContacts(p, ranking, rows, max, isBetweenBodies);
-    return dropContacts(p, ranking, rows, max, isWithWorld);
+        return dropContacts(p, ranking, rows, max, BETWEEN_BODIES | WITH_WORLD);
+    rows = dropContacts(p, ranking, rows, max, BETWEEN_BODIES);
+    return dropContacts(p, ranking, rows, max, WITH_WORLD);
 }
 
 int mdt_capRows(MdtIsland *p, int rows, int max) {

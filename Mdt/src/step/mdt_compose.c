@@ -61,7 +61,7 @@ static void advanceStages(MdtIsland *p, const double share[], double substep) {
     for (int i = 0; i < STAGES && isDone; i++)
         isDone = advanceStage(p, share[i] * substep);
     if (isDone && p->report)
-        mdt_reportComposed(p->report);
+        p->report->composed++;
     if (!p->isStopped && end - p->elapsed > min)
         mdt_substepAdvance(p, end - p->elapsed, 0);
 }

@@ -27,14 +27,14 @@ static MeBool hasOwnValues(const MdtManifold *block) {
     return MEFALSE;
 }
 
-/* True for most groups; their points need not be read to count the manifolds. */
+/* True if the group forms at most one manifold of Kea's, as most groups do: counting it then reads no point. */
 static MeBool isOneManifold(const MdtManifold *first) {
     return !first->next && !hasOwnValues(first);
 }
 
-/* For other groups, as on triangles of a surface or on parts of compounds: points of equal normal, radii and surface
- * form one manifold, whichever records they are in. At most so many combinations are remembered; a point of a further
- * one forms a manifold alone, which is correct, but slower. No test distinguishes 8 from 32. */
+/* In other groups, such as those on triangles of a surface or on children of compounds, points of equal normal, radii
+ * and surface form one manifold, whichever records they are in. A point forms a manifold alone if the group has more
+ * such combinations, which is correct, but slower. No test distinguishes 8 from 32. */
 enum { MAX_COMBINATIONS = 16 };
 
 typedef struct SharedValues {
@@ -62,7 +62,7 @@ static SharedValues sharedValuesOf(const MdtManifold *block, const MdtExtra *ext
     return kind;
 }
 
-/* The index, in the group, of the manifold to which the point is added; a new manifold if it was numManifolds. */
+/* Adds the point to a manifold. Returns the manifold's index in the group: the old numManifolds if it is a new one. */
 static int assignManifold(Grouping *s, const MdtManifold *block, const MdtPoint *point) {
     const MdtExtra *extra = mdt_extraOf(block, point->slot);
     if (extra && needsOwnManifold(extra))

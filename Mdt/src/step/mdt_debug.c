@@ -8,12 +8,6 @@
 #include "MeMath.h"
 #include "step/mdt_step_i.h"
 
-/* Forces are drawn as the acceleration of the contact's first body, .1 m for 1 m/s²: a force that carries a body's
- * weight is about a metre long, whatever the mass. */
-#define METRES_PER_ACCELERATION ((MeReal)0.1)
-/* m: length of the line along the normal of each contact. */
-#define NORMAL_LENGTH ((MeReal)0.3)
-
 static void drawLine(const MeVector3 start, const MeVector3 direction, MeReal length, const MeReal colour[3]) {
     MeVector3 from, to;
     MeVector3Copy(from, start);
@@ -25,17 +19,21 @@ static void drawLine(const MeVector3 start, const MeVector3 direction, MeReal le
 
 static void drawContact(MdtContactID c, int options) {
     static const MeReal yellow[3] = {1, 1, 0}, red[3] = {1, 0, 0};
+    const MeReal normalLength = (MeReal)0.3; /* m */
+    /* Forces are drawn as the acceleration of the contact's first body, .1 m for 1 m/s²: a force that carries a body's
+     * weight is about a metre long, whatever the mass. */
+    const MeReal perAcceleration = (MeReal)0.1;
     const MdtConstraintID constraint = MdtContactQuaConstraint(c);
     const MdtBodyID body = MdtConstraintGetBody(constraint, 0);
     MeVector3 position, v;
     MdtContactGetPosition(c, position);
     if (options & MdtDebugDrawContacts) {
         MdtContactGetNormal(c, v);
-        drawLine(position, v, NORMAL_LENGTH, yellow);
+        drawLine(position, v, normalLength, yellow);
     }
     if ((options & MdtDebugDrawContactForce) && body) {
         MdtConstraintGetForce(constraint, 0, v);
-        drawLine(position, v, METRES_PER_ACCELERATION / MdtBodyGetMass(body), red);
+        drawLine(position, v, perAcceleration / MdtBodyGetMass(body), red);
     }
 }
 

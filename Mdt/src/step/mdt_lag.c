@@ -4,11 +4,16 @@
 #include "step/mdt_step_i.h"
 #include <math.h>
 
+double mdt_minSafeTime(MdtBodyID const bodies[], int count, double max) {
+    double safe = max;
+    for (int i = 0; i < count; i++)
+        safe = fmin(safe, (double)bodies[i]->safeTime);
+    return safe;
+}
+
 double mdt_lagSafeStep(const MdtIsland *p) {
     MEASSERT(p->h > 0);
-    double safe = p->h;
-    for (int i = 0; i < p->numBodies; i++)
-        safe = fmin(safe, (double)p->bodies[i]->safeTime);
+    const double safe = mdt_minSafeTime(p->bodies, p->numBodies, p->h);
     return fmin(p->h, fmax(safe, (double)p->world->minSafeTime));
 }
 
@@ -53,9 +58,7 @@ static MeBool isTooShort(const MdtIsland *p) {
 static MeBool advanceLag(MdtWorldID w, int number) {
     MdtIsland p = mdt_islandOf(w, number, 0);
     const double lag = commonLag(&p);
-    p.h = lag;
-    for (int i = 0; i < p.numBodies; i++)
-        p.h = fmin(p.h, (double)p.bodies[i]->safeTime);
+    p.h = mdt_minSafeTime(p.bodies, p.numBodies, lag);
     if (isTooShort(&p))
         return MEFALSE;
     for (int i = 0; i < p.numBodies; i++)

@@ -17,9 +17,6 @@
 /* Minimum size of a task, in bodies and constraints: 150 us for chains of balls; starting a task costs less than 1 us.
  * */
 enum { TASK_SIZE = 32 };
-/* Minimum size of a step that is distributed: .6 ms for such chains. A sleeping thread needs up to .35 ms to wake, on a
- * virtual machine. */
-enum { STEP_SIZE = 4 * TASK_SIZE };
 enum { SIZE_CLASSES = 32 }; /* size classes of partitions: powers of two */
 
 /* ---- sleep, and stepping in order ---- */
@@ -221,6 +218,9 @@ static void warnOfSurfaces(MdtWorldID w) {
 }
 
 void mdt_islandsStep(MdtWorldID w, double h, MeBool stopAtSafeTime) {
+    /* Minimum size of a step that is distributed: .6 ms for chains of balls. A sleeping thread needs up to .35 ms to
+     * wake, on a virtual machine. */
+    const int distributedSize = 4 * TASK_SIZE;
     w->batches.count = 0;
     mdt_choicesBegin(w, METRUE);
     if (w->partitionCb)
@@ -228,7 +228,7 @@ void mdt_islandsStep(MdtWorldID w, double h, MeBool stopAtSafeTime) {
     else {
         sleepAllDue(w, h, stopAtSafeTime);
         MeStageBegin(&w->stage, MDT_GUARD_STATES);
-        if (w->team && !needsCallbacks(w) && sizeOfAllPartitions(w) >= STEP_SIZE)
+        if (w->team && !needsCallbacks(w) && sizeOfAllPartitions(w) >= distributedSize)
             advanceByWorkers(w, h, stopAtSafeTime);
         else
             advanceInOrder(w, h, stopAtSafeTime);

@@ -10,7 +10,7 @@
 #include "MeProfile.h"
 #include <string.h>
 
-enum { SMALL = 16, GROUP = 16 }; /* largest number of bodies and constraints; partitions */
+enum { SMALL = 16, GROUP = 16 }; /* bodies and constraints of the largest small partition; partitions of a group */
 
 /* ---- on and off ---- */
 
@@ -90,6 +90,7 @@ static double workOf(const MdtReport *r) {
     return r->bodies + r->rows;
 }
 
+/* Divides a partition's time among the stages; without rows all of it is integration. */
 static void distributeToStages(MdtReport *r, double time, const double share[]) {
     static const double free[MdtReportStages] = {[MdtReportStageIntegrate] = 1};
     for (int i = 0; i < MdtReportStages; i++)
@@ -256,7 +257,7 @@ void mdt_reportEnd(MdtIsland *p) {
 
 /* ---- batches ---- */
 
-/* Batches precede other partitions, and each has its own clock. */
+/* Batches are stepped before other partitions, and each has its own clock. */
 void mdt_reportBatch(MdtIsland *p, MdtReport *r) {
     if (!p->world->isReported || p->world->numReports != p->world->numPartitions)
         return;

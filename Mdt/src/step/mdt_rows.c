@@ -103,7 +103,7 @@ static void scaleAngularSoftness(const MdtWorld *w, MdtKeaRow rows[], int count)
             rows[r].softness /= length * length;
 }
 
-/* owner: number by which Kea identifies the rows of one constraint. */
+/* Writes the joint's rows behind those of the system. `owner`: the number by which Kea identifies the joint's rows. */
 static void fillJoint(MdtIsland *p, MdtJoint *j, int owner) {
     MdtKeaRow *rows = p->kea.rows + p->kea.numRows;
     MdtBclContext x;

@@ -30,7 +30,7 @@ void mdt_substepSolve(MdtIsland *p, double substep) {
     mdt_substepSolveRows(p);
 }
 
-/* False for a batch whose impulses the energy guard has scaled down: that concerns all members. */
+/* False for a batch whose impulses were scaled down to limit its energy, which affects all members. */
 static MeBool isAcceptable(const MdtIsland *p) {
     return p->numMembers == 0 || !p->kea.report.capped || p->kea.report.limited;
 }

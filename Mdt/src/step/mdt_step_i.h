@@ -32,7 +32,7 @@ void mdt_islandAdvance(MdtIsland *p, MeBool stopAtSafeTime);
 void mdt_worldStep(MdtWorldID w, double h, MeBool stopAtSafeTime);
 /* Makes and solves the rows of a part of so many seconds. No body has moved afterwards: the result may be discarded. */
 void mdt_substepSolve(MdtIsland *p, double substep);
-/* The two halves of it: making rows; impacts of a timed part, and the solve. */
+/* The same in two calls: makes the rows; resolves impacts at the start of a timed part, and solves. */
 void mdt_substepMakeRows(MdtIsland *p, double substep);
 void mdt_substepSolveRows(MdtIsland *p);
 /* Integrates the part and unpacks the constraints; sets isStopped. */
@@ -46,7 +46,7 @@ void mdt_batchAdvance(MdtIsland *p);
 
 /* Counts the present rows of the partition's joints and contacts. */
 int mdt_rowsCount(MdtIsland *p);
-/* Counts joints and contacts, for the choice of the solver. */
+/* Counts joints and contacts, before mdt_choiceSolver. */
 void mdt_islandCount(MdtIsland *p);
 /* Allocates scratch memory, and writes loads to Kea's bodies. False, with a warning, if the partition is too large. */
 MeBool mdt_islandPack(MdtIsland *p);
@@ -54,7 +54,8 @@ void mdt_islandRelease(MdtIsland *p);
 
 /* ---- contacts in Kea's form (mdt_contacts.c) ---- */
 
-/* The number of Kea's manifolds for a group; the bytes for so many; sets where a partition's manifolds are. */
+/* The number of Kea's manifolds that a group needs; the bytes of `count` manifolds; places a partition's manifolds in
+ * memory. */
 int mdt_contactsCount(const MdtManifold *first);
 size_t mdt_contactsSize(int count);
 void mdt_contactsLayOut(MdtIsland *p, void *memory, int count);
@@ -63,8 +64,8 @@ void mdt_contactsLayOut(MdtIsland *p, void *memory, int count);
  * */
 int mdt_contactsPack(const MdtIsland *p, const MdtManifold *first, int at, int *problems);
 void mdt_contactsCarry(MdtIsland *p);
-/* Adds this share of the points' forces to the means over the step; clears the forces of the points; copies them to the
- * contacts. isGuess: they are a warm start for the next part. */
+/* mdt_contactsAddForces adds `share` times the points' forces to the means over the step; mdt_contactsClearForces
+ * zeroes them; mdt_contactsUnpack copies them to the contacts, with isGuess as warm start of the next part. */
 void mdt_contactsAddForces(MdtIsland *p, double share);
 void mdt_contactsClearForces(MdtIsland *p);
 void mdt_contactsUnpack(MdtIsland *p, MeBool isGuess);
@@ -72,19 +73,19 @@ double mdt_contactsPenetration(const MdtIsland *p);
 
 /* Advances the step in parts, within its work budget, or until the bodies are stopped (mdt_subdivide.c). */
 void mdt_islandSubdivide(MdtIsland *p);
-/* At the start of a part: sets its parameters and Kea's arrays. Solves an impact in it. At its end, after integration.
- * */
+/* mdt_substepBegin sets the parameters and Kea's arrays of a part; mdt_substepImpact resolves an impact at its start;
+ * mdt_substepEnd, after integration, adds its time to that of the step. */
 void mdt_substepBegin(MdtIsland *p, double substep);
 void mdt_substepImpact(MdtIsland *p);
 void mdt_substepEnd(MdtIsland *p);
-/* Advances by a part, made by so many halvings, and halves it further if its motion is violent. The second one expects
- * its rows to be made. */
+/* Advances by a part, the result of `halvings` halvings, and halves it further if its motion is violent.
+ * mdt_substepAdvanceRows needs the part's rows. */
 void mdt_substepAdvance(MdtIsland *p, double substep, int halvings);
 void mdt_substepAdvanceRows(MdtIsland *p, double substep, int halvings);
 /* True if parts may be integrated with order 4; integrates a part so, as far as possible (mdt_compose.c). */
 MeBool mdt_mayCompose(const MdtIsland *p);
 void mdt_substepCompose(MdtIsland *p, double substep);
-/* Sets the budget of the next solve; draws the cost of the last one from the step's budget. */
+/* mdt_budgetGrant sets the budget of the next solve; mdt_budgetDraw subtracts the cost of the last one. */
 void mdt_budgetGrant(MdtIsland *p);
 void mdt_budgetDraw(MdtIsland *p);
 
@@ -99,8 +100,8 @@ void mdt_rowsContext(const MdtIsland *p, MdtConstraintID c, const MdtKeaVelocity
  * are left. Returns the number of rows left. */
 int mdt_capRows(MdtIsland *p, int rows, int max);
 
-/* Forces of constraints of any type: clears them at the start of a step; adds the impulses of an impact to those of the
- * part; reads them back after a part. */
+/* Forces of joints and contacts: mdt_unpackBegin zeroes them at the start of a step; mdt_unpackImpact adds the impulses
+ * of an impact; mdt_unpackConstraints reads them back after a part. */
 void mdt_unpackBegin(MdtIsland *p);
 void mdt_unpackImpact(MdtIsland *p);
 void mdt_unpackConstraints(MdtIsland *p);
@@ -111,6 +112,8 @@ void mdt_unpackStopped(MdtIsland *p);
 
 /* ---- steps by safe time (mdt_lag.c) ------------------------------------------------------------------------------ */
 
+/* s: the shortest safe time of some bodies, at most `max`. */
+double mdt_minSafeTime(MdtBodyID const bodies[], int count, double max);
 /* s: the time by which a partition may advance: the shortest safe time of its bodies, within bounds. */
 double mdt_lagSafeStep(const MdtIsland *p);
 /* Subtracts the advance h of a partition from the remaining time of the step, as the lag of its bodies. */

@@ -59,10 +59,10 @@ void mdt_budgetDraw(MdtIsland *p) {
 
 /* ---- one part ---- */
 
-/* A part of H / n relaxes by the n-th part of a step's relaxation, and contacts give way under a load as in a whole
- * step: 1 - γ = (1 - γ')^n,   ε' F (H/n)² / γ' = ε F H² / γ. H is the step that the program requested: a partition
- * that safe times advance by less removes that share of an error, however short the part is, at the same speed γ φ /
- * H. */
+/* Sets γ' and ε' of a part of length H/n so that n parts reduce errors as a whole step of length H does, and contacts
+ * give way under a load F as in a whole step: 1 - γ = (1 - γ')^n, ε' F (H/n)² / γ' = ε F H² / γ. H is the step that the
+ * program requested: a partition that safe times advance by less removes a smaller fraction of an error, at the same
+ * speed γ φ / H. */
 static void setSubstep(MdtIsland *p, double substep) {
     MEASSERT(substep > 0 && substep <= p->h * (1 + 1e-9) && p->h <= p->whole * (1 + 1e-9));
     const double n = p->whole / substep * (p->stage == MDT_STAGE_NONE ? 1 : p->forward), gamma = p->world->gamma;
@@ -99,8 +99,7 @@ void mdt_substepImpact(MdtIsland *p) {
     mdt_budgetGrant(p);
     MdtKeaImpact(&p->kea);
     mdt_budgetDraw(p);
-    if (p->report)
-        mdt_reportImpact(p->report);
+    mdt_reportPath(p->report, MdtReportWayTimed);
     mdt_unpackImpact(p);
     if (MdtKeaFlies(&p->kea))
         return;
@@ -191,8 +190,7 @@ static AfterSolve chooseAfterSolve(const MdtIsland *p, int halvings) {
 }
 
 static void advanceHalves(MdtIsland *p, double substep, int halvings) {
-    if (p->report)
-        mdt_reportDivision(p->report);
+    mdt_reportPath(p->report, MdtReportWayDivided);
     const double reserve = reserveWork(p, 0.5);
     mdt_substepAdvance(p, 0.5 * substep, halvings + 1);
     p->work += reserve;
@@ -246,6 +244,12 @@ static MeBool isAccurate(const MdtIsland *p) {
  * a_row_of_dominoes. */
 enum { MDT_MAX_FACTORIZATIONS = 96 };
 
+static void reportEvents(MdtIsland *p, int count) {
+    mdt_reportPath(p->report, MdtReportWayTimed);
+    if (p->report)
+        p->report->events += count;
+}
+
 /* Advances bodies in flight through at most maxImpacts impacts, until one is constrained or the part, of `remaining` s,
  * ends. */
 static void followFlight(MdtIsland *p, double remaining, double min, int maxImpacts) {
@@ -257,8 +261,9 @@ static void followFlight(MdtIsland *p, double remaining, double min, int maxImpa
     p->hadImpact = p->hadImpact || p->kea.report.impacts > 0;
     mdt_unpackImpact(p);
     mdt_contactsClearForces(p);
-    if (p->report)
-        mdt_reportFlight(p->report, p->kea.report.impacts, flown < remaining);
+    reportEvents(p, p->kea.report.impacts);
+    if (p->report) /* each impact begins a part; that of the impact that ends the flight is counted later */
+        p->report->parts += p->kea.report.impacts - (p->kea.report.impacts > 0 && flown < remaining);
 }
 
 /* True if joints or closed contacts constrain too many of the bodies for a solve at each event. */
@@ -289,8 +294,7 @@ static TimedResult solveToEvent(MdtIsland *p, double remaining, double min, int 
     if (r->ballistic) {
         followFlight(p, remaining, min, maxImpacts);
     } else {
-        if (p->report)
-            mdt_reportEvent(p->report);
+        reportEvents(p, 1);
         mdt_substepSolve(p, fmax(r->event, min));
     }
     return isAccurate(p) ? TIMED : r->violent ? VIOLENT : NOT_TIMED;

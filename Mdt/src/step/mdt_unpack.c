@@ -30,6 +30,7 @@ static void addJointForces(MdtJoint *j, const MdtKeaRow rows[], double share) {
         memset(&j->force, 0, sizeof j->force);
 }
 
+/* Adds `share` times the forces of the present part to those of the step. */
 static void addForces(MdtIsland *p, double share) {
     for (int i = 0; i < p->numActing && p->numJoints > 0; i++) {
         MdtJoint *j = mdt_asJoint(p->acting[i]);

@@ -21,10 +21,7 @@ void MEAPI MdtAutoDisableLastPartition(MdtPartitionOutput *po, void *cbdata) {
 MeReal MEAPI MdtPartitionGetSafeTime(MdtPartitionOutput *po, int i) {
     if (!hasPartition(po, i, __func__))
         return 0;
-    double safe = (double)MEINFINITY;
-    for (int k = 0; k < po->info[i].numBodies; k++)
-        safe = fmin(safe, (double)po->bodies[po->info[i].firstBody + k]->safeTime);
-    return (MeReal)safe;
+    return (MeReal)mdt_minSafeTime(po->bodies + po->info[i].firstBody, po->info[i].numBodies, (double)MEINFINITY);
 }
 
 unsigned int MEAPI MdtUnpackForces(const MdtKeaForcePair *force, const unsigned int partitionindex,

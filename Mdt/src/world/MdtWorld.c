@@ -6,10 +6,15 @@
 #include <float.h>
 #include <limits.h>
 
-static const double usualStep = 1.0 / 60; /* s, for converting alive windows before the first step */
+/* A function that returns a property of the world w; `none` for a bad handle. */
+#define WORLD_GETTER(Type, function, none, value)                                                                      \
+    Type MEAPI function(const MdtWorldID w) {                                                                          \
+        MDT_NEED_WORLD(w, none);                                                                                       \
+        return value;                                                                                                  \
+    }
 
 static MeReal scaleOr1(const char *what, MeReal scale) {
-    if (mdt_isPositiveInRange(scale) && scale <= (MeReal)FLT_MAX)
+    if (mdt_isPositiveInRange(scale))
         return scale;
     MeWarning(1, "MdtWorldCreate: the %s scale is %g, it must be positive; 1 is taken", what, (double)scale);
     return 1;
@@ -235,10 +240,7 @@ void MEAPI MdtWorldSetEpsilon(const MdtWorldID w, const MeReal e) {
         w->epsilon = e;
 }
 
-MeReal MEAPI MdtWorldGetEpsilon(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, 0);
-    return w->epsilon;
-}
+WORLD_GETTER(MeReal, MdtWorldGetEpsilon, 0, w->epsilon)
 
 static MeBool isFraction(const char *caller, MeReal gamma) {
     if (gamma >= 0 && gamma <= 1)
@@ -253,10 +255,7 @@ void MEAPI MdtWorldSetGamma(const MdtWorldID w, const MeReal g) {
         w->gamma = g;
 }
 
-MeReal MEAPI MdtWorldGetGamma(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, 0);
-    return w->gamma;
-}
+WORLD_GETTER(MeReal, MdtWorldGetGamma, 0, w->gamma)
 
 void MEAPI MdtWorldSetGammaWithRefTimeStep(const MdtWorldID w, const MeReal aGamma, const MeReal aRefStep,
                                            const MeReal aTimeStep) {
@@ -271,10 +270,7 @@ void MEAPI MdtWorldSetAutoDisable(const MdtWorldID w, const MeBool d) {
     w->sleepParams.autoDisable = d != 0;
 }
 
-MeBool MEAPI MdtWorldGetAutoDisable(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, 0);
-    return w->sleepParams.autoDisable;
-}
+WORLD_GETTER(MeBool, MdtWorldGetAutoDisable, 0, w->sleepParams.autoDisable)
 
 void MEAPI MdtWorldSetAutoDisableVelocityThreshold(const MdtWorldID w, const MeReal vt) {
     MDT_NEED_WORLD(w, );
@@ -282,10 +278,7 @@ void MEAPI MdtWorldSetAutoDisableVelocityThreshold(const MdtWorldID w, const MeR
         w->sleepParams.vel_thresh = vt, w->hasVelThresh = w->hasThresholds = METRUE;
 }
 
-MeReal MEAPI MdtWorldGetAutoDisableVelocityThreshold(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, 0);
-    return w->sleepParams.vel_thresh;
-}
+WORLD_GETTER(MeReal, MdtWorldGetAutoDisableVelocityThreshold, 0, w->sleepParams.vel_thresh)
 
 void MEAPI MdtWorldSetAutoDisableAngularVelocityThreshold(const MdtWorldID w, const MeReal avt) {
     MDT_NEED_WORLD(w, );
@@ -293,10 +286,7 @@ void MEAPI MdtWorldSetAutoDisableAngularVelocityThreshold(const MdtWorldID w, co
         w->sleepParams.velrot_thresh = avt, w->hasThresholds = METRUE;
 }
 
-MeReal MEAPI MdtWorldGetAutoDisableAngularVelocityThreshold(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, 0);
-    return w->sleepParams.velrot_thresh;
-}
+WORLD_GETTER(MeReal, MdtWorldGetAutoDisableAngularVelocityThreshold, 0, w->sleepParams.velrot_thresh)
 
 void MEAPI MdtWorldSetAutoDisableAccelerationThreshold(const MdtWorldID w, const MeReal at) {
     MDT_NEED_WORLD(w, );
@@ -304,10 +294,7 @@ void MEAPI MdtWorldSetAutoDisableAccelerationThreshold(const MdtWorldID w, const
         w->sleepParams.acc_thresh = at, w->hasAccThresh = w->hasThresholds = METRUE;
 }
 
-MeReal MEAPI MdtWorldGetAutoDisableAccelerationThreshold(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, 0);
-    return w->sleepParams.acc_thresh;
-}
+WORLD_GETTER(MeReal, MdtWorldGetAutoDisableAccelerationThreshold, 0, w->sleepParams.acc_thresh)
 
 void MEAPI MdtWorldSetAutoDisableAngularAccelerationThreshold(const MdtWorldID w, const MeReal aat) {
     MDT_NEED_WORLD(w, );
@@ -315,10 +302,7 @@ void MEAPI MdtWorldSetAutoDisableAngularAccelerationThreshold(const MdtWorldID w
         w->sleepParams.accrot_thresh = aat, w->hasThresholds = METRUE;
 }
 
-MeReal MEAPI MdtWorldGetAutoDisableAngularAccelerationThreshold(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, 0);
-    return w->sleepParams.accrot_thresh;
-}
+WORLD_GETTER(MeReal, MdtWorldGetAutoDisableAngularAccelerationThreshold, 0, w->sleepParams.accrot_thresh)
 
 void MEAPI MdtWorldSetAutoDisableAliveTime(const MdtWorldID w, const MeReal aw) {
     MDT_NEED_WORLD(w, );
@@ -335,14 +319,12 @@ void MEAPI(MdtWorldSetAutoDisableAliveWindow)(const MdtWorldID w, const int aliv
 }
 
 static double stepForWindows(const MdtWorldID w) {
-    return w->lastStep > 0 ? w->lastStep : usualStep;
+    return w->lastStep > 0 ? w->lastStep : 1.0 / 60; /* the usual one before the first step */
 }
 
-MeReal MEAPI MdtWorldGetAutoDisableAliveTime(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, 0);
-    return w->sleepParams.alive_window < 0 ? w->sleepParams.alive_time
-                                           : (MeReal)(w->sleepParams.alive_window * stepForWindows(w));
-}
+WORLD_GETTER(MeReal, MdtWorldGetAutoDisableAliveTime, 0,
+             w->sleepParams.alive_window < 0 ? w->sleepParams.alive_time
+                                             : (MeReal)(w->sleepParams.alive_window * stepForWindows(w)))
 
 int MEAPI MdtWorldGetAutoDisableAliveWindow(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
@@ -363,40 +345,19 @@ void MEAPI MdtWorldSetBodyHandlers(const MdtWorldID w, MdtBodyHandler enabled, M
     w->bodyDisabled = disabled;
 }
 
-MeReal MEAPI MdtWorldGetMinSafeTime(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, 0);
-    return w->minSafeTime;
-}
+WORLD_GETTER(MeReal, MdtWorldGetMinSafeTime, 0, w->minSafeTime)
 
-int MEAPI MdtWorldGetMaxBodies(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, 0);
-    return w->bodyPool.limit.max;
-}
+WORLD_GETTER(int, MdtWorldGetMaxBodies, 0, w->bodyPool.limit.max)
 
-int MEAPI MdtWorldGetMaxConstraints(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, 0);
-    return w->constraintLimit.max;
-}
+WORLD_GETTER(int, MdtWorldGetMaxConstraints, 0, w->constraintLimit.max)
 
-int MEAPI MdtWorldGetTotalBodies(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, 0);
-    return w->bodies.count;
-}
+WORLD_GETTER(int, MdtWorldGetTotalBodies, 0, w->bodies.count)
 
-int MEAPI MdtWorldGetTotalConstraints(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, 0);
-    return w->numConstraints;
-}
+WORLD_GETTER(int, MdtWorldGetTotalConstraints, 0, w->numConstraints)
 
-int MEAPI MdtWorldGetEnabledBodies(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, 0);
-    return w->enabledBodies;
-}
+WORLD_GETTER(int, MdtWorldGetEnabledBodies, 0, w->enabledBodies)
 
-int MEAPI MdtWorldGetEnabledConstraints(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, 0);
-    return w->enabledConstraints;
-}
+WORLD_GETTER(int, MdtWorldGetEnabledConstraints, 0, w->enabledConstraints)
 
 void MEAPI MdtWorldForAllConstraints(const MdtWorldID w, MdtConstraintIteratorCBPtr cb, void *ccbdata) {
     MDT_NEED_WORLD(w, );
@@ -440,10 +401,7 @@ void MEAPI MdtWorldSetSubSteps(const MdtWorldID w, const int n) {
         w->subSteps = n;
 }
 
-int MEAPI MdtWorldGetSubSteps(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, 1);
-    return w->subSteps;
-}
+WORLD_GETTER(int, MdtWorldGetSubSteps, 1, w->subSteps)
 
 void MEAPI MdtWorldSetIntegratorOrder(const MdtWorldID w, const int order) {
     MDT_NEED_WORLD(w, );
@@ -453,10 +411,7 @@ void MEAPI MdtWorldSetIntegratorOrder(const MdtWorldID w, const int order) {
         MeWarning(1, "%s: %d is neither 2 nor 4; nothing is changed", __func__, order);
 }
 
-int MEAPI MdtWorldGetIntegratorOrder(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, 2);
-    return w->order;
-}
+WORLD_GETTER(int, MdtWorldGetIntegratorOrder, 2, w->order)
 
 void MEAPI MdtWorldSetTimedContacts(const MdtWorldID w, const int bodies) {
     MDT_NEED_WORLD(w, );
@@ -464,10 +419,7 @@ void MEAPI MdtWorldSetTimedContacts(const MdtWorldID w, const int bodies) {
         w->timedBodies = bodies;
 }
 
-int MEAPI MdtWorldGetTimedContacts(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, 0);
-    return w->timedBodies;
-}
+WORLD_GETTER(int, MdtWorldGetTimedContacts, 0, w->timedBodies)
 
 void MEAPI MdtWorldSetMaxLCPIterations(const MdtWorldID w, const int mi) {
     MDT_NEED_WORLD(w, );
@@ -475,10 +427,7 @@ void MEAPI MdtWorldSetMaxLCPIterations(const MdtWorldID w, const int mi) {
         w->maxLcpIterations = mi;
 }
 
-int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, 0);
-    return w->maxLcpIterations;
-}
+WORLD_GETTER(int, MdtWorldGetMaxLCPIterations, 0, w->maxLcpIterations)
 
 void MEAPI MdtWorldSetWorkBudget(const MdtWorldID w, const MeReal work) {
     MDT_NEED_WORLD(w, );
@@ -486,10 +435,7 @@ void MEAPI MdtWorldSetWorkBudget(const MdtWorldID w, const MeReal work) {
         w->workBudget = work;
 }
 
-MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, 0);
-    return w->workBudget;
-}
+WORLD_GETTER(MeReal, MdtWorldGetWorkBudget, 0, w->workBudget)
 
 /* ---- the solver ---- */
 
@@ -501,10 +447,7 @@ void MEAPI MdtWorldSetSolver(const MdtWorldID w, const MdtSolver solver) {
         MeWarning(1, "MdtWorldSetSolver: %d is no solver; it stays as it is", (int)solver);
 }
 
-MdtSolver MEAPI MdtWorldGetSolver(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, MdtSolverAuto);
-    return w->solver;
-}
+WORLD_GETTER(MdtSolver, MdtWorldGetSolver, MdtSolverAuto, w->solver)
 
 void MEAPI MdtWorldSetSolverCB(const MdtWorldID w, MdtSolverCB cb, void *data) {
     MDT_NEED_WORLD(w, );
@@ -520,10 +463,7 @@ void MEAPI MdtWorldSetAccuracy(const MdtWorldID w, const MeReal velocity) {
         w->accuracy = velocity;
 }
 
-MeReal MEAPI MdtWorldGetAccuracy(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, 0);
-    return (MeReal)mdt_worldAccuracy(w, w->lastStep, MEFALSE);
-}
+WORLD_GETTER(MeReal, MdtWorldGetAccuracy, 0, (MeReal)mdt_worldAccuracy(w, w->lastStep, MEFALSE))
 
 /* ---- the cap on the rows ---- */
 
@@ -535,10 +475,7 @@ void MEAPI MdtWorldSetMaxMatrixSize(const MdtWorldID w, const int size) {
         MeWarning(1, "MdtWorldSetMaxMatrixSize: the size is %d, it must be positive; nothing is changed", size);
 }
 
-int MEAPI MdtWorldGetMaxMatrixSize(const MdtWorldID w) {
-    MDT_NEED_WORLD(w, 0);
-    return w->maxMatrixSize;
-}
+WORLD_GETTER(int, MdtWorldGetMaxMatrixSize, 0, w->maxMatrixSize)
 
 void MEAPI MdtWorldSetContactImportanceCB(const MdtWorldID w, MdtContactImportanceCBPtr cb) {
     MDT_NEED_WORLD(w, );

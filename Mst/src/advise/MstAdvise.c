@@ -20,9 +20,9 @@
 enum { MAX_ROUNDS = 15, TRIALS = MST_SETTINGS + 2 }; /* as it is, each setting, all advised settings together */
 enum { MAX_STEPS = 1000000, MAX_SAMPLES = 128 };
 enum { MAX_RECORD_BYTES = 64 << 20 }; /* of one copy's record */
-/* Trials are ended after this factor of the time of the scene as it is, and fail. */
+/* A trial is ended, and fails, when it has taken this many times as long as the scene as it is. */
 enum { TOO_SLOW = 20 };
-/* Settings slower than this factor are timed only once. */
+/* A setting that makes steps slower than by this factor is timed only once. */
 static const double maxRatioToRepeat = 3;
 
 typedef struct MstAdviser {

@@ -145,7 +145,7 @@ static MeBool hasFastBody(MdtWorldID w, double step) {
     return MEFALSE;
 }
 
-static void MEAPI noteConstraint(MdtConstraintID c, void *traits) {
+static void MEAPI recordConstraint(MdtConstraintID c, void *traits) {
     MstSceneTraits *t = traits;
     if (MdtConstraintDCastContactGroup(c) || MdtConstraintDCastContact(c))
         t->hasContacts = METRUE;
@@ -153,11 +153,11 @@ static void MEAPI noteConstraint(MdtConstraintID c, void *traits) {
         t->hasJoints = METRUE;
 }
 
-static void noteTraits(MstRecord *r, MdtWorldID w, double step) {
+static void recordTraits(MstRecord *r, MdtWorldID w, double step) {
     MstSceneTraits *t = &r->traits;
     MdtReport report;
     if (!t->hasContacts || !t->hasJoints)
-        MdtWorldForAllConstraints(w, noteConstraint, t);
+        MdtWorldForAllConstraints(w, recordConstraint, t);
     if (!t->hasFastBodies)
         t->hasFastBodies = hasFastBody(w, step);
     for (int i = 0; i < MdtWorldGetReportCount(w); i++) {
@@ -169,7 +169,7 @@ static void noteTraits(MstRecord *r, MdtWorldID w, double step) {
     }
 }
 
-static void noteReport(MstRecord *r, MdtWorldID w) {
+static void recordReport(MstRecord *r, MdtWorldID w) {
     MdtReport report;
     if (!MdtWorldGetReport(w, &report)) {
         r->isReporting = 0;
@@ -186,8 +186,8 @@ void mst_copyStepEnds(MstCopy *c, MstUniverseID u, double step) {
     MstRecord *r = c->record;
     if (r->steps >= c->size.warmUp)
         r->time += elapsed;
-    noteReport(r, u->world);
-    noteTraits(r, u->world, step);
+    recordReport(r, u->world);
+    recordTraits(r, u->world, step);
     if ((r->steps + 1) % c->size.stride == 0 && r->sampleCount < c->size.samples)
         sampleBodies(c, u->world);
     if (++r->steps >= c->size.steps)

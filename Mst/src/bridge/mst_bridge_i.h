@@ -21,9 +21,9 @@ void mst_warnGone(const void *p, const char *what, const char *function);
 /* The parameters of a pair of materials, and copies of them to detect changes, as programs write them at any time. */
 typedef struct MstMaterialRecord {
     MstMaterialPair pair, seen; /* pair: the public part, first; seen: copy at the last comparison */
-    MdtBclContactParams known;  /* copy of the parameters at the last check by mst_moved.c */
-    unsigned long version;      /* version number of the present state, */
-    unsigned long lookedIn;     /* and the bridge's round in which it was compared */
+    MdtBclContactParams known;  /* copy of the parameters when mst_moved.c last compared them */
+    unsigned long version;      /* version number of the present state */
+    unsigned long comparedIn;   /* the last round of the bridge in which `pair` was compared with `seen` */
 } MstMaterialRecord;
 
 /* ---- what collide hands to commit (mst_step_i.h) ---- */
@@ -57,16 +57,16 @@ typedef enum MstOutcome {
 /* The result of collide for one pair. */
 typedef struct MstFinding {
     McdModelPair *pair;
-    MstMaterialPair *materials; /* of the pair's models */
+    MstMaterialPair *materials; /* parameters of the models' materials */
     MstOutcome outcome;
-    MeBool isFast;      /* one of the models is fast: its motion is continuous in this step */
-    MeBool hasMoved[2]; /* MST_CARRIED: which bodies of the pair's group have moved */
-    MeBool isKnown;     /* MST_TESTED: the geometry types have an interaction, which has found the contacts */
-    int first, count;   /* MST_TESTED: the contacts found, a range of MstRun.found */
-    MeReal separation;  /* m, the least separation of these contacts */
-    MeReal timeToTouch; /* s, mst_timeToTouch; MST_UNKNOWN: not computed */
-    MstTouch *updated;  /* the pair's touch if mst_updatePair has done all but append it to the lists; else null */
-    MeBool isUndecided; /* with `updated`: the touch is undecided */
+    MeBool isFast;         /* one of the models is fast: its motion is continuous in this step */
+    MeBool hasMoved[2];    /* MST_CARRIED: which bodies of the pair's group have moved */
+    MeBool hasInteraction; /* MST_TESTED: the geometry types have an interaction, which has found the contacts */
+    int first, count;      /* MST_TESTED: the contacts found, a range of MstRun.found */
+    MeReal separation;     /* m, the least separation of these contacts */
+    MeReal timeToTouch;    /* s, mst_timeToTouch; MST_UNKNOWN: not computed */
+    MstTouch *updated;     /* the pair's touch if mst_updatePair has done all but append it to the lists; else null */
+    MeBool isUndecided;    /* with `updated`: the touch is undecided */
 } MstFinding;
 
 /* Findings of consecutive pairs, with the buffers for their computation. */
@@ -75,7 +75,7 @@ typedef struct MstRun {
     MstFinding finding[MST_RUN];
     MdtFoundContact *found;    /* contacts of all pairs of the run; capacity foundMax */
     McdContact *contacts;      /* contacts of the pair that was tested last; capacity contactMax */
-    McdIntersectResult result; /* of the pair that was tested last */
+    McdIntersectResult result; /* result for the pair that was tested last */
     MdtContactID *made;        /* dynamics contacts made from a pair's contacts; capacity contactMax */
     int contactMax, foundMax;
 } MstRun;
@@ -91,24 +91,24 @@ struct MstBridgeRecord {
     unsigned int materialRoom, materialCount;
     MstMaterialRecord **materials; /* the pair (m1 >= m2) is materials[m1][m2] */
     unsigned long lastVersion;     /* the largest version of any material record */
-    unsigned long round;           /* number of the present round, in which inputs change only by callbacks */
-    unsigned long allSeenIn;       /* the last round that computed the versions of all materials before its pairs */
+    unsigned long round;           /* number of the present round: only callbacks change inputs within one */
+    unsigned long allComparedIn;   /* the last round that computed the versions of all materials before its pairs */
     MeBool isPairsSizeSet;         /* the program has set the size of bridge.pairs, which then does not grow */
     MstRun run;
     MstRun *runsAhead; /* MST_AHEAD runs for workers; null until workers are first used */
-    int runsLooked;    /* number of runs that the next search for plain pairs covers (mst_workers.c) */
+    int runsSearched;  /* number of runs that the next search for plain pairs covers (mst_workers.c) */
     MstEvents events;
     MdtBodyID *clamped; /* bodies that have a safe time in this sub-step */
     int clampedCount, clampedMax;
-    MeReal ahead;        /* s, the longest time that a model may move in this sub-step */
-    MeBool hasNoCollide; /* as this container began: some joint of the world disables the collision of its bodies */
+    MeReal ahead;        /* s, the longest time by which a model may advance in this sub-step */
+    MeBool hasNoCollide; /* some joint of the world disabled the collision of its bodies as this container began */
     int substep;         /* index of the sub-step; in the first, 0, all bodies move */
     MeReal reuse;        /* MstBridgeSetContactReuse */
     MstModelRef *thawed; /* models to freeze again after their pairs were tested (mst_moved.c) */
     int thawedCount, thawedMax;
-    unsigned int nextMaterial[2]; /* next pair of materials that checkSomeMaterials compares (mst_moved.c) */
+    unsigned int nextMaterial[2]; /* next pair of materials that compareSomeMaterials compares (mst_moved.c) */
     MeStage stage;                /* guards the bridge while it runs callbacks */
-    MeBool hasWarned[2];          /* of: [0] bodies of other worlds; [1] invalid contacts made by a callback */
+    MeBool hasWarned[2]; /* warnings given: [0] of bodies of other worlds, [1] of invalid contacts from callbacks */
 };
 
 /* The levels of a bridge's stage (MeInternal.h). While pairs are handled, stages of the framework's models and of the
@@ -123,6 +123,18 @@ static inline MdtBodyID mst_bodyOf(McdModelID m) {
     return m->mBody;
 }
 
+/* Makes room for one more element in an array of `count` elements, `array` being the address of the pointer to it, and
+ * *max its capacity. False, after MeFatalError: no memory, and the array is unchanged. */
+static inline MeBool mst_reserveOne(void *array, int count, int *max, size_t size, const char *what) {
+    const int more = *max ? 2 * *max : 64;
+    if (count < *max)
+        return METRUE;
+    if (!MeMemoryGrow(array, (size_t)count, (size_t)more, size, "MstBridgeUpdateContacts", what))
+        return MEFALSE;
+    *max = more;
+    return METRUE;
+}
+
 /* ---- materials (mst_material.c) -------------------------------------------------------------------------------- */
 
 /* The record of a live bridge; null, with a warning, for anything else. */
@@ -135,11 +147,11 @@ MstMaterialPair *mst_materialsOf(const MstBridgeRecord *b, const McdContact *c);
 MeBool mst_materialAdd(MstBridgeRecord *b, const char *function);
 /* The version of a pair of materials: a number that changes with its parameters and callbacks. */
 unsigned long mst_materialVersion(MstBridgeRecord *b, MstMaterialPair *pair);
-/* Whether this round has computed the versions of all pairs of materials; then mst_versionSeen returns them. */
-static inline MeBool mst_areMaterialsSeen(const MstBridgeRecord *b) {
-    return b->allSeenIn == b->round;
+/* Whether the versions of all pairs of materials were computed in this round; mst_currentVersion returns them then. */
+static inline MeBool mst_areVersionsCurrent(const MstBridgeRecord *b) {
+    return b->allComparedIn == b->round;
 }
-static inline unsigned long mst_versionSeen(const MstMaterialPair *pair) {
+static inline unsigned long mst_currentVersion(const MstMaterialPair *pair) {
     return ((const MstMaterialRecord *)pair)->version;
 }
 

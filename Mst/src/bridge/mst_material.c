@@ -87,9 +87,9 @@ MstMaterialPair *mst_materialsOf(const MstBridgeRecord *b, const McdContact *c) 
 
 unsigned long mst_materialVersion(MstBridgeRecord *b, MstMaterialPair *pair) {
     MstMaterialRecord *record = (MstMaterialRecord *)pair;
-    if (record->lookedIn == b->round)
+    if (record->comparedIn == b->round)
         return record->version;
-    record->lookedIn = b->round;
+    record->comparedIn = b->round;
     if (record->version == 0 || memcmp(&record->pair, &record->seen, sizeof record->pair) != 0) {
         record->seen = record->pair;
         record->version = ++b->lastVersion;
@@ -112,47 +112,25 @@ MdtContactParamsID MEAPI MstBridgeGetContactParams(const MstBridgeID b, const Ms
     return pair ? &pair->params : 0;
 }
 
-void MEAPI MstBridgeSetIntersectCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
-                                   const MstIntersectCBPtr cb) {
-    MstMaterialPair *pair = materialPairFor(b, m1, m2, "MstBridgeSetIntersectCB");
-    if (!pair)
-        return;
-    pair->intersectCb = cb;
-    mst_wakeBodiesOfMaterials(mst_bridgeCheck(b, "MstBridgeSetIntersectCB"), pair);
-}
+/* Functions that set and return a callback of a pair of materials. */
+#define CALLBACK(Name, member)                                                                                         \
+    void MEAPI MstBridgeSet##Name##CB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,             \
+                                      const Mst##Name##CBPtr cb) {                                                     \
+        MstMaterialPair *pair = materialPairFor(b, m1, m2, __func__);                                                  \
+        if (!pair)                                                                                                     \
+            return;                                                                                                    \
+        pair->member = cb;                                                                                             \
+        mst_wakeBodiesOfMaterials((const MstBridgeRecord *)b, pair);                                                   \
+    }                                                                                                                  \
+    Mst##Name##CBPtr MEAPI MstBridgeGet##Name##CB(const MstBridgeID b, const MstMaterialID m1,                         \
+                                                  const MstMaterialID m2) {                                            \
+        const MstMaterialPair *pair = materialPairFor(b, m1, m2, __func__);                                            \
+        return pair ? pair->member : 0;                                                                                \
+    }
 
-MstIntersectCBPtr MEAPI MstBridgeGetIntersectCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2) {
-    const MstMaterialPair *pair = materialPairFor(b, m1, m2, "MstBridgeGetIntersectCB");
-    return pair ? pair->intersectCb : 0;
-}
-
-void MEAPI MstBridgeSetPerContactCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
-                                    const MstPerContactCBPtr cb) {
-    MstMaterialPair *pair = materialPairFor(b, m1, m2, "MstBridgeSetPerContactCB");
-    if (!pair)
-        return;
-    pair->perContactCb = cb;
-    mst_wakeBodiesOfMaterials(mst_bridgeCheck(b, "MstBridgeSetPerContactCB"), pair);
-}
-
-MstPerContactCBPtr MEAPI MstBridgeGetPerContactCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2) {
-    const MstMaterialPair *pair = materialPairFor(b, m1, m2, "MstBridgeGetPerContactCB");
-    return pair ? pair->perContactCb : 0;
-}
-
-void MEAPI MstBridgeSetPerPairCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
-                                 const MstPerPairCBPtr cb) {
-    MstMaterialPair *pair = materialPairFor(b, m1, m2, "MstBridgeSetPerPairCB");
-    if (!pair)
-        return;
-    pair->perPairCb = cb;
-    mst_wakeBodiesOfMaterials(mst_bridgeCheck(b, "MstBridgeSetPerPairCB"), pair);
-}
-
-MstPerPairCBPtr MEAPI MstBridgeGetPerPairCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2) {
-    const MstMaterialPair *pair = materialPairFor(b, m1, m2, "MstBridgeGetPerPairCB");
-    return pair ? pair->perPairCb : 0;
-}
+CALLBACK(Intersect, intersectCb)
+CALLBACK(PerContact, perContactCb)
+CALLBACK(PerPair, perPairCb)
 
 void MEAPI MstBridgeSetTouchCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
                                const MstTouchCBPtr cb) {

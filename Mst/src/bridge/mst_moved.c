@@ -27,17 +27,10 @@ static MeBool isAwake(McdModelID m) {
     return mst_bodyOf(m) && MdtBodyIsEnabled(mst_bodyOf(m));
 }
 
-/* Adds a model to the list of those to freeze again. False, after MeFatalError: no memory; the model stays unfrozen. */
-static MeBool addThawed(MstBridgeRecord *b, McdModelID m) {
-    if (b->thawedCount == b->thawedMax) {
-        const int more = b->thawedMax ? 2 * b->thawedMax : 16;
-        if (!MeMemoryGrow(&b->thawed, (size_t)b->thawedCount, (size_t)more, sizeof *b->thawed,
-                          "MstBridgeUpdateContacts", "models"))
-            return MEFALSE;
-        b->thawedMax = more;
-    }
-    b->thawed[b->thawedCount++] = (MstModelRef){m, McdModelGetSerial(m)};
-    return METRUE;
+/* Adds a model to the list of those to freeze again. After MeFatalError, no memory, the model stays unfrozen. */
+static void addThawed(MstBridgeRecord *b, McdModelID m) {
+    if (mst_reserveOne(&b->thawed, b->thawedCount, &b->thawedMax, sizeof *b->thawed, "models"))
+        b->thawed[b->thawedCount++] = (MstModelRef){m, McdModelGetSerial(m)};
 }
 
 static void warnOfFrozenMove(McdModelID m) {
@@ -96,7 +89,7 @@ void mst_wakeBodiesOfMaterials(const MstBridgeRecord *b, const MstMaterialPair *
 }
 
 /* Compares some pairs of materials per step with their last parameters, in turn. */
-static void checkSomeMaterials(MstBridgeRecord *b) {
+static void compareSomeMaterials(MstBridgeRecord *b) {
     enum { LOOKS = 64 };
     const unsigned int pairs = b->materialCount * (b->materialCount + 1) / 2;
     for (unsigned int i = 0; i < LOOKS && i < pairs; i++) {
@@ -114,7 +107,7 @@ static void checkSomeMaterials(MstBridgeRecord *b) {
 }
 
 void mst_applyProgramChanges(MstBridgeRecord *b, McdSpaceID s) {
-    checkSomeMaterials(b);
+    compareSomeMaterials(b);
     McdSpaceVisitChangedFrozen(s, thawModel, b);
 }
 

@@ -31,19 +31,19 @@ struct MstTouch {
      * pair, up to `carried`; the members after `listedIn` are of the step of that list. */
     _Alignas(ME_CACHE_LINE) unsigned long moves[2]; /* mst_moveCountOf; updated when contacts are carried */
     unsigned long version;                          /* version of its materials' record */
-    int found;                                      /* number of contacts; MST_UNKNOWN: contacts are missing */
-    int carried;                                    /* number of times that the contacts were carried since */
-    unsigned long listedIn;                         /* number of the last list that it was in: mst_touchIsListed */
-    bool wasTouching;                               /* state before the step of that list; see mst_touchIsTouching */
-    bool isTouching;                                /* state after that step; while undecided, without forces */
-    bool isSensor;                                  /* a model is a sensor */
-    bool hasContacts;                               /* the pair has contacts */
-    bool isUndecided;                               /* contact forces decide whether it touches: MstEvents.undecided */
-    bool isPushed;                                  /* a model without a body pushes its contacts (mst_moved.c) */
-    MeReal lag;        /* s, lag of its bodies when `impulse` was last summed; MEINFINITY: not yet in this step */
-    MeReal separation; /* m, the least separation of its contacts at the beginning of the step */
-    MeReal tolerance;  /* m, sum of both models */
-    MeReal impulse;    /* N s, sum over all contacts */
+    int found;              /* contacts that the last test found; MST_UNKNOWN: some are missing */
+    int carried;            /* number of times that they were carried since that test */
+    unsigned long listedIn; /* number of the last list that it was in: mst_touchIsListed */
+    bool wasTouching;       /* state before the step of that list; see mst_touchIsTouching */
+    bool isTouching;        /* state after that step; while undecided, without forces */
+    bool isSensor;          /* a model is a sensor */
+    bool hasContacts;       /* the pair has contacts */
+    bool isUndecided;       /* contact forces decide whether it touches: MstEvents.undecided */
+    bool isPushed;          /* a model without a body pushes its contacts (mst_moved.c) */
+    MeReal lag;             /* s, lag of its bodies when `impulse` was last summed; MEINFINITY: not yet in this step */
+    MeReal separation;      /* m, the least separation of its contacts at the beginning of the step */
+    MeReal tolerance;       /* m, sum of both models */
+    MeReal impulse;         /* N s, sum over all contacts */
     /* Reset in every step; of persisting touches, computed only if the program wants events. */
     McdModelPair *pair; /* null: the touch is free */
     MstBridgeRecord *bridge;
@@ -51,7 +51,7 @@ struct MstTouch {
     MeReal approachSpeed;       /* m/s, the largest of its contacts */
     MeReal deepest;             /* m, the separation at `position`; used until impulses select the contact */
     MeReal largestImpulse;      /* N s, of one contact */
-    MeVector3 position, normal; /* of the contact with the largest impulse; of sensors, the deepest one */
+    MeVector3 position, normal; /* those of the contact with the largest impulse; sensors: the deepest one */
     /* Written when the touch is allocated. */
     MstModelRef model[2];
     MstTouch *nextFree;

@@ -113,7 +113,7 @@ static void updateMaterialVersions(MstBridgeRecord *b, int count) {
     for (unsigned int i = 0; i < b->materialCount; i++)
         for (unsigned int k = 0; k <= i; k++)
             mst_materialVersion(b, &b->materials[i][k].pair);
-    b->allSeenIn = b->round;
+    b->allComparedIn = b->round;
 }
 
 void mst_beginRound(MstBridgeRecord *b) {

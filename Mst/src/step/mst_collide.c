@@ -23,14 +23,14 @@
 
 /* ---- memory that will be read ------------------------------------------------------------------------------------ */
 
-/* Prefetch distances, in pairs: PAIR_AHEAD for the pair itself, CONTENT_AHEAD for its models, touch and group. In a
- * heap of 1000 boxes, twice as far costs the same. */
-enum { PAIR_AHEAD = 8, CONTENT_AHEAD = 4 };
+/* Prefetch distance, in pairs, for a pair's models, touch and group; that for the pair itself is twice as far. In a
+ * heap of 1000 boxes, doubling both costs the same. */
+enum { CONTENT_AHEAD = 4 };
 
 void mst_prefetchModels(McdModelPair *const pairs[], int i, int count) {
     enum { MODEL = 3 * ME_CACHE_LINE }; /* bytes of a model that the loop over pairs reads (McdModelRecord) */
-    if (i + PAIR_AHEAD < count)
-        me_prefetch(pairs[i + PAIR_AHEAD], sizeof *pairs[i]);
+    if (i + 2 * CONTENT_AHEAD < count)
+        me_prefetch(pairs[i + 2 * CONTENT_AHEAD], sizeof *pairs[i]);
     if (i + CONTENT_AHEAD >= count)
         return;
     me_prefetch(pairs[i + CONTENT_AHEAD]->model1, MODEL);
@@ -190,13 +190,13 @@ static void storeResult(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
 
 static void testPlainPair(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     beginResult(run);
-    f->isKnown = McdModelPairIntersectPlain(f->pair, &run->result);
+    f->hasInteraction = McdModelPairIntersectPlain(f->pair, &run->result);
     storeResult(b, run, f);
 }
 
 void mst_testPair(MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     McdModelPair *p = f->pair;
-    f->isKnown = mst_intersectPair(run, p);
+    f->hasInteraction = mst_intersectPair(run, p);
     mst_checkContacts(b, run);
     if (!McdModelGetTransformPtr(p->model1) || !McdModelGetTransformPtr(p->model2))
         run->result.contactCount = 0; /* a function of the program has removed a transform */

@@ -81,7 +81,7 @@ static MeBool isOverlapDeferred(const McdModelPair *p, MeReal separation) {
 
 /* ---- contacts that remain ---------------------------------------------------------------------------------------- */
 
-/* Keeps positions and normals of the contacts, and updates their parameters if the materials have changed. */
+/* Updates the parameters of the contacts if the materials have changed; positions and normals stay. */
 static void keepContactsInPlace(MstBridgeRecord *b, McdModelPair *p, MstMaterialPair *materials) {
     const MdtContactGroupID group = p->responseData;
     const unsigned long version = mst_materialVersion(b, materials);
@@ -93,7 +93,7 @@ static void keepContactsInPlace(MstBridgeRecord *b, McdModelPair *p, MstMaterial
     t->version = version;
     mst_setPushVelocities(b, p);
     MdtContactGroupEnable(group);
-    mst_touchNoteUnchanged(b, p);
+    mst_touchCommitUnchanged(b, p);
 }
 
 static void carryContacts(MstBridgeRecord *b, const MstFinding *f) {
@@ -167,7 +167,8 @@ static void callPerPair(MstRun *run, const MstFinding *f, MdtContactGroupID grou
         emptyGroup(f->pair);
 }
 
-/* The same as commitContacts, with the program's callbacks, for a pair that was just tested. */
+/* Replaces the pair's contacts, as commitContacts does, and calls the program's callbacks. For a pair that was just
+ * tested. */
 static void commitWithCallbacks(MstBridgeRecord *b, MstRun *run, MstFinding *f, MdtWorldID w) {
     const MstMaterialPair *materials = f->materials;
     McdModelPair *p = f->pair;
@@ -189,7 +190,7 @@ static void commitWithCallbacks(MstBridgeRecord *b, MstRun *run, MstFinding *f, 
         callPerPair(run, f, group);
 }
 
-static void rememberTest(MstBridgeRecord *b, const MstFinding *f, int numContacts) {
+static void recordTestOf(MstBridgeRecord *b, const MstFinding *f, int numContacts) {
     if (f->pair->touch)
         mst_recordTest(f, numContacts, mst_materialVersion(b, f->materials));
     else if (f->count > 0) /* the world or the memory was full: test the pair again in the next step */
@@ -199,22 +200,22 @@ static void rememberTest(MstBridgeRecord *b, const MstFinding *f, int numContact
 static void finishTest(MstBridgeRecord *b, const MstFinding *f, McdSpaceID s, MdtWorldID w) {
     const MdtContactGroupID group = f->pair->responseData;
     const int numContacts = group ? MdtContactGroupGetCount(group) : 0;
-    mst_touchNoteTested(b, f->pair, numContacts, f->count, f->separation);
-    rememberTest(b, f, numContacts);
+    mst_touchCommitTested(b, f->pair, numContacts, f->count, f->separation);
+    recordTestOf(b, f, numContacts);
     mst_clampFastPair(b, f, f->count > 0, s, w);
 }
 
 /* ---- pairs ------------------------------------------------------------------------------------------------------- */
 
 static void commitTested(MstBridgeRecord *b, const MstRun *run, const MstFinding *f, McdSpaceID s, MdtWorldID w) {
-    if (f->isKnown)
+    if (f->hasInteraction)
         commitContacts(b, run, f, w);
     finishTest(b, f, s, w);
 }
 
 static void testAndCommit(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpaceID s, MdtWorldID w) {
     mst_testPair(b, run, f);
-    if (f->isKnown && !McdModelPairIsLeaving(f->pair))
+    if (f->hasInteraction && !McdModelPairIsLeaving(f->pair))
         commitWithCallbacks(b, run, f, w);
     if (mst_hasCallback(f->materials))
         mst_beginRound(b); /* callbacks may have changed any input */
@@ -230,7 +231,7 @@ static void senseAndCommit(MstBridgeRecord *b, MstRun *run, McdModelPair *p) {
     if (!mst_intersectPair(run, p) || McdModelPairIsLeaving(p))
         return;
     mst_checkContacts(b, run);
-    mst_touchNoteSensor(b, p, &run->result);
+    mst_touchCommitSensor(b, p, &run->result);
 }
 
 /* Removes contacts and touch as at goodbye, and invalidates the last test, so that it is not reused if the collision is

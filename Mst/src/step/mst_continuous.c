@@ -45,19 +45,8 @@ void mst_clearSafeTimes(MstBridgeRecord *b) {
     b->clampedCount = 0;
 }
 
-static MeBool growClamped(MstBridgeRecord *b) {
-    if (b->clampedCount < b->clampedMax)
-        return METRUE;
-    const int more = b->clampedMax ? 2 * b->clampedMax : 32;
-    if (!MeMemoryGrow(&b->clamped, (size_t)b->clampedCount, (size_t)more, sizeof(MdtBodyID), "MstBridgeUpdateContacts",
-                      "fast bodies"))
-        return MEFALSE;
-    b->clampedMax = more;
-    return METRUE;
-}
-
 static void clampBody(MstBridgeRecord *b, MdtBodyID body, MeReal time) {
-    if (!body || !growClamped(b))
+    if (!body || !mst_reserveOne(&b->clamped, b->clampedCount, &b->clampedMax, sizeof *b->clamped, "fast bodies"))
         return;
     MEASSERT(time >= 0 && time <= b->ahead);
     MdtBodySetSafeTime(body, MeMIN(time, MdtBodyGetSafeTime(body)));
@@ -183,7 +172,8 @@ MeBool mst_isInLargeIsland(MdtBodyID body) {
     return body && MdtBodyGetPartitionSize(body) > LARGE_ISLAND;
 }
 
-/* ---- the parts after the first --------------------------------------------------------------------------------- */
+/* ---- the sub-steps after the first ---------------------------------------------------------------------------------
+ */
 
 /* Whether the body has completed its step, so that it must not be pushed. */
 static MeBool hasAdvanced(MdtBodyID body) {
@@ -224,7 +214,7 @@ void mst_clampLaggingBody(MstBridgeRecord *b, const MstFinding *f) {
 /* Makes one more sub-step. Returns 0 if no body can advance. */
 static int advanceLag(MstUniverse *u, MstBridgeRecord *b, MeReal step) {
     MEASSERT(b->substep > 0 && b->substep < MAX_SUBSTEPS);
-    mst_eventsGather(b);
+    mst_eventsAddImpulses(b);
     McdSpacePathUpdateAll(u->space, step);
     mst_updateContacts(b, u->space, u->world);
     return MdtWorldAdvanceLag(u->world);

@@ -92,7 +92,7 @@ unsigned long mst_moveCountOf(McdModelID m);
 void mst_updatePair(const MstBridgeRecord *b, const MstRun *run, MstFinding *f);
 /* Moves the pair's contacts with its bodies. */
 void mst_carryContacts(const MstFinding *f);
-/* Records the state of the models for which the contacts were made. Fast pairs, pairs with callbacks, and pairs whose
+/* Records the poses and materials for which the contacts were made. Fast pairs, pairs with callbacks, and pairs whose
  * group has fewer contacts than were found are marked instead, so that they are tested in every step. */
 void mst_recordTest(const MstFinding *f, int numContacts, unsigned long version);
 
@@ -120,7 +120,7 @@ MeReal mst_timeToTouch(const MstBridgeRecord *b, McdModelPair *p, McdSpaceID s);
 void mst_clampLaggingBody(MstBridgeRecord *b, const MstFinding *f);
 /* Limits the safe times of the bodies of a fast pair to the time of their impact, if it is within the step. */
 void mst_clampFastPair(MstBridgeRecord *b, const MstFinding *f, MeBool hasContacts, McdSpaceID s, MdtWorldID w);
-/* Is the body in a large partition, which is costly to solve and which a single pair affects little? */
+/* Whether the body is in a large partition, which is costly to solve and on which a single pair has little effect. */
 MeBool mst_isInLargeIsland(MdtBodyID body);
 /* Removes the safe times of all bodies, as a sub-step begins. */
 void mst_clearSafeTimes(MstBridgeRecord *b);

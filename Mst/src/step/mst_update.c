@@ -37,11 +37,11 @@ static MeBool mayUpdatePair(const MstBridgeRecord *b, const MstRun *run, const M
     const MstTouch *t = p->touch;
     const MdtContactGroupID group = p->responseData;
     if (b->substep > 0 || p->phase == kMcdFFStateInactive || !t || mst_touchIsListed(&b->events, t) || f->isFast ||
-        !mst_areMaterialsSeen(b) || mst_isPushedByModel(p))
+        !mst_areVersionsCurrent(b) || mst_isPushedByModel(p))
         return MEFALSE;
     if (f->outcome != MST_TESTED)
-        return t->version == mst_versionSeen(f->materials) && MdtContactGroupIsEnabled(group);
-    if (!f->isKnown)
+        return t->version == mst_currentVersion(f->materials) && MdtContactGroupIsEnabled(group);
+    if (!f->hasInteraction)
         return MEFALSE;
     if (f->count == 0)
         return !group || (MdtContactGroupGetCount(group) == 0 && !MdtContactGroupIsEnabled(group));
@@ -64,7 +64,7 @@ static void renewPair(const MstBridgeRecord *b, const MstRun *run, const MstFind
         numContacts = MdtContactGroupRenew(f->pair->responseData, &run->found[f->first], f->count, b->ahead, run->made);
     MEASSERT(numContacts == f->count);
     mst_touchUpdateTested(b, f->pair, numContacts, f->count, f->separation);
-    mst_recordTest(f, numContacts, mst_versionSeen(f->materials));
+    mst_recordTest(f, numContacts, mst_currentVersion(f->materials));
 }
 
 void mst_updatePair(const MstBridgeRecord *b, const MstRun *run, MstFinding *f) {

@@ -81,8 +81,8 @@ static void MEAPI findPlainPairs(void *context, int run, int worker) {
 /* The number of leading pairs that workers may collide. Stamps their models: of fixed and sleeping ones, with the first
  * pair that has them. */
 static int countPlainPairs(MeTeam *team, MstBridgeRecord *b, McdModelPair *const pairs[], int count) {
-    PlainSearch p = {.b = b, .pairs = pairs, .count = MeMIN(count, firstPairOf(b->runsLooked))};
-    MEASSERT(b->runsLooked > 0 && b->runsLooked <= MAX_RUNS);
+    PlainSearch p = {.b = b, .pairs = pairs, .count = MeMIN(count, firstPairOf(b->runsSearched))};
+    MEASSERT(b->runsSearched > 0 && b->runsSearched <= MAX_RUNS);
     const int runs = runCountOf(p.count);
     int plain = 0;
     MeTeamRun(team, runs, findPlainPairs, &p);
@@ -91,7 +91,7 @@ static int countPlainPairs(MeTeam *team, MstBridgeRecord *b, McdModelPair *const
         for (int i = p.unstamped[run]; i < plain; i++)
             McdModelPairCompareModels(pairs[i]);
     }
-    b->runsLooked = plain < p.count ? MST_MIN_RUNS : MeMIN(2 * b->runsLooked, MAX_RUNS);
+    b->runsSearched = plain < p.count ? MST_MIN_RUNS : MeMIN(2 * b->runsSearched, MAX_RUNS);
     MEASSERT(plain >= 0 && plain <= p.count);
     return plain;
 }
@@ -128,7 +128,7 @@ static MeBool areWorthWorkers(const MstBridgeRecord *b, const MeTeam *team, int 
 /* If there are more models than pairs, only the models of pairs are stamped (countPlainPairs). */
 void mst_stampModelsByWorkers(MstBridgeRecord *b, int count, McdSpaceID s, MdtWorldID w) {
     MeTeam *team = w ? MdtWorldGetTeam(w) : 0;
-    b->runsLooked = MAX_RUNS;
+    b->runsSearched = MAX_RUNS;
     if (!areWorthWorkers(b, team, count) || count < McdSpaceGetModelCount(s))
         return;
     MeTeamOpen(team);

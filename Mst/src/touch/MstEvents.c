@@ -84,12 +84,12 @@ static void clearListedTouches(MstEvents *e) {
     e->list++;
 }
 
-/* Updates separation and place from the contacts after the step. For pairs that did not touch, this was done before the
+/* Adds the contacts as they are after the step, if the pair touched before. For other pairs this was done before the
  * solve. */
-static void noteContactsAfterStep(MstTouch *t) {
+static void addContactsAfterStep(MstTouch *t) {
     const MdtContactGroupID group = t->pair->responseData;
     if (group && t->wasTouching && !t->isSensor)
-        mst_touchNoteGroup(t, group);
+        mst_touchAddContacts(t, group);
 }
 
 /* Adds the contacts' impulse since the last call for this touch; returns the time for which they acted, s. */
@@ -105,8 +105,8 @@ static MeReal addImpulse(MstTouch *t) {
     return time;
 }
 
-/* Sets place and normal of the touch to those of the contact with the largest impulse; the contacts acted for `time`
- * s. */
+/* Sets position and normal of the touch to those of the contact with the largest impulse. time: s, for which the
+ * contacts acted. */
 static void findLargestImpulse(MstTouch *t, MeReal time) {
     const MdtContactGroupID group = t->pair->responseData;
     for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c)) {
@@ -123,17 +123,17 @@ static void findLargestImpulse(MstTouch *t, MeReal time) {
 }
 
 /* Updates a touch with its contacts' impulses since the last call. */
-static void gatherTouch(MstTouch *t) {
-    noteContactsAfterStep(t);
+static void updateImpulses(MstTouch *t) {
+    addContactsAfterStep(t);
     const MeReal time = addImpulse(t);
     if (time > 0)
         findLargestImpulse(t, time);
 }
 
-void mst_eventsGather(MstBridgeRecord *b) {
+void mst_eventsAddImpulses(MstBridgeRecord *b) {
     for (int i = 0; i < b->events.listedCount; i++)
         if (b->events.listed[i])
-            gatherTouch(b->events.listed[i]);
+            updateImpulses(b->events.listed[i]);
 }
 
 static void reportChange(MstEvents *e, MstTouch *t) {
@@ -203,7 +203,7 @@ static void makeEventList(MstBridgeRecord *b) {
     if (!isToDo)
         return;
     MEVALIDATE(mst_touchesAreConsistent(e));
-    mst_eventsGather(b);
+    mst_eventsAddImpulses(b);
     reportEnded(e);
     for (int i = 0; i < e->listedCount; i++)
         if (e->listed[i])
@@ -247,7 +247,7 @@ static void MEAPI settleTouches(void *context, int first, int end, int worker) {
         if (!t)
             continue;
         MEASSERT(t->isUndecided);
-        noteContactsAfterStep(t);
+        addContactsAfterStep(t);
         addImpulse(t);
         t->isTouching = mst_touchEvaluate(t);
     }

@@ -90,12 +90,8 @@ static MstTouch *ensureTouch(MstBridgeRecord *b, McdModelPair *p) {
 
 /* Appends a touch to a list. False, after MeFatalError: no memory, and the list is unchanged. */
 static MeBool appendTouch(MstTouch ***list, int *count, int *max, MstTouch *t) {
-    if (*count == *max) {
-        const int more = *max ? 2 * *max : 64;
-        if (!MeMemoryGrow(list, (size_t)*count, (size_t)more, sizeof **list, "MstBridgeUpdateContacts", "what touches"))
-            return MEFALSE;
-        *max = more;
-    }
+    if (!mst_reserveOne(list, *count, max, sizeof **list, "what touches"))
+        return MEFALSE;
     (*list)[(*count)++] = t;
     return METRUE;
 }
@@ -179,7 +175,7 @@ static void evaluateListedTouch(MstTouch *t) {
 
 /* ---- the touch of a step ----------------------------------------------------------------------------------------- */
 
-/* Begins a touch's data of this step, with empty sums over its contacts. */
+/* Resets a touch for this step: no contacts are added yet. */
 static void beginTouch(const MstBridgeRecord *b, const McdModelPair *p, MeBool hasContacts, MeBool isSensor) {
     MstTouch *t = p->touch;
     MEASSERT(!mst_touchIsListed(&b->events, t));
@@ -232,7 +228,7 @@ MeReal mst_approachSpeedAt(const McdModelPair *p, MeVector3 point, const MeVecto
 }
 
 /* Adds a contact to the touch. Its position is that of the deepest contact, until impulses select another one. */
-static void noteContact(MstTouch *t, MeVector3 position, const MeVector3 normal, MeReal separation) {
+static void addContact(MstTouch *t, MeVector3 position, const MeVector3 normal, MeReal separation) {
     t->separation = MeMIN(t->separation, separation);
     if (separation < t->deepest) {
         t->deepest = separation;
@@ -249,12 +245,12 @@ void mst_normalOf(const McdModelPair *p, MdtContactID c, MeVector3 normal) {
         MeVector3MultiplyScalar(normal, normal, -1);
 }
 
-void mst_touchNoteGroup(MstTouch *t, MdtContactGroupID group) {
+void mst_touchAddContacts(MstTouch *t, MdtContactGroupID group) {
     for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c)) {
         MeVector3 position, normal;
         MdtContactGetPosition(c, position);
         mst_normalOf(t->pair, c, normal);
-        noteContact(t, position, normal, -MdtContactGetPenetration(c));
+        addContact(t, position, normal, -MdtContactGetPenetration(c));
     }
 }
 
@@ -268,18 +264,18 @@ static MeReal minSeparation(MdtContactGroupID group, int numContacts, int found,
     return min;
 }
 
-static void noteUnchangedContacts(MstTouch *t, MeReal separation) {
+static void addUnchangedContacts(MstTouch *t, MeReal separation) {
     t->separation = MeMIN(t->separation, separation);
     if (!t->wasTouching)
-        mst_touchNoteGroup(t, t->pair->responseData);
+        mst_touchAddContacts(t, t->pair->responseData);
 }
 
-void mst_touchNoteUnchanged(MstBridgeRecord *b, McdModelPair *p) {
+void mst_touchCommitUnchanged(MstBridgeRecord *b, McdModelPair *p) {
     MstTouch *t = p->touch;
     const MeReal separation = t->separation;
     if (!listedTouch(b, p, METRUE, MEFALSE))
         return;
-    noteUnchangedContacts(t, separation);
+    addUnchangedContacts(t, separation);
     evaluateListedTouch(t);
 }
 
@@ -287,22 +283,22 @@ void mst_touchUpdateUnchanged(const MstBridgeRecord *b, const McdModelPair *p) {
     MstTouch *t = p->touch;
     const MeReal separation = t->separation;
     beginTouch(b, p, METRUE, MEFALSE);
-    noteUnchangedContacts(t, separation);
+    addUnchangedContacts(t, separation);
     evaluateTouch(t);
 }
 
-static void noteFound(MstTouch *t, int numContacts, int found, MeReal separation) {
+static void addFoundContacts(MstTouch *t, int numContacts, int found, MeReal separation) {
     const MdtContactGroupID group = t->pair->responseData;
     if (!t->wasTouching) /* the approach speed is known only before the solve */
-        mst_touchNoteGroup(t, group);
+        mst_touchAddContacts(t, group);
     else
         t->separation = MeMIN(t->separation, minSeparation(group, numContacts, found, separation));
 }
 
-void mst_touchNoteTested(MstBridgeRecord *b, McdModelPair *p, int numContacts, int found, MeReal separation) {
+void mst_touchCommitTested(MstBridgeRecord *b, McdModelPair *p, int numContacts, int found, MeReal separation) {
     MstTouch *t = listedTouch(b, p, numContacts > 0, MEFALSE);
     if (t && numContacts > 0)
-        noteFound(t, numContacts, found, separation);
+        addFoundContacts(t, numContacts, found, separation);
     if (t)
         evaluateListedTouch(t);
 }
@@ -311,15 +307,15 @@ void mst_touchUpdateTested(const MstBridgeRecord *b, const McdModelPair *p, int 
                            MeReal separation) {
     beginTouch(b, p, numContacts > 0, MEFALSE);
     if (numContacts > 0)
-        noteFound(p->touch, numContacts, found, separation);
+        addFoundContacts(p->touch, numContacts, found, separation);
     evaluateTouch(p->touch);
 }
 
-void mst_touchNoteSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result) {
+void mst_touchCommitSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result) {
     MstTouch *t = listedTouch(b, p, result->contactCount > 0, METRUE);
     if (!t)
         return;
     for (int i = 0; i < result->contactCount; i++)
-        noteContact(t, result->contacts[i].position, result->contacts[i].normal, result->contacts[i].separation);
+        addContact(t, result->contacts[i].position, result->contacts[i].normal, result->contacts[i].separation);
     evaluateListedTouch(t);
 }

@@ -19,25 +19,26 @@ static inline MeBool mst_touchIsTouching(const MstEvents *e, const MstTouch *t) 
 MeBool mst_touchEvaluate(const MstTouch *t);
 /* Appends a touch that was updated for this step to the lists. */
 void mst_touchList(MstEvents *e, MstTouch *t, MeBool isUndecided);
-/* The same as mst_touchNoteTested and mst_touchNoteUnchanged for an existing touch that is not listed yet, without
- * appending it to lists: may run in any thread. */
+/* In any thread: the same as mst_touchCommitTested and mst_touchCommitUnchanged, for an existing touch that is not
+ * listed yet, but without appending it to lists. */
 void mst_touchUpdateTested(const MstBridgeRecord *b, const McdModelPair *p, int numContacts, int found,
                            MeReal separation);
 void mst_touchUpdateUnchanged(const MstBridgeRecord *b, const McdModelPair *p);
-/* Updates the touch of a pair that was tested, and whose group now has numContacts contacts; `separation` is the least
- * one of the `found` contacts. */
-void mst_touchNoteTested(MstBridgeRecord *b, McdModelPair *p, int numContacts, int found, MeReal separation);
-/* Updates the touch of a pair whose contacts remain as they are. */
-void mst_touchNoteUnchanged(MstBridgeRecord *b, McdModelPair *p);
-/* Updates the touch of a pair with a sensor from its collision contacts. */
-void mst_touchNoteSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result);
-/* Updates the touch's separation, place and approach speed from the contacts of a group. */
-void mst_touchNoteGroup(MstTouch *t, MdtContactGroupID group);
+/* Updates and lists the touch of a pair that was tested. numContacts: of its group now; found: contacts that the test
+ * found, with the smallest `separation`, m. */
+void mst_touchCommitTested(MstBridgeRecord *b, McdModelPair *p, int numContacts, int found, MeReal separation);
+/* Updates and lists the touch of a pair whose contacts are unchanged. */
+void mst_touchCommitUnchanged(MstBridgeRecord *b, McdModelPair *p);
+/* Updates and lists the touch of a pair with a sensor, from its collision contacts. */
+void mst_touchCommitSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result);
+/* Adds the contacts of a group to the touch: its separation, position, normal and approach speed. */
+void mst_touchAddContacts(MstTouch *t, MdtContactGroupID group);
 /* Removes a touch from the lists of this step. */
 void mst_touchUnlist(MstTouch *t);
 /* Returns a touch without a pair to the free list. */
 void mst_touchFree(MstTouch *t);
-/* For assertions: touches and pairs refer to each other, and the lists have exactly the touches marked as listed. */
+/* For assertions: whether touches and pairs refer to each other, and exactly the touches marked as listed are in lists.
+ */
 MeBool mst_touchesAreConsistent(const MstEvents *e);
 /* Frees the memory of all touches, and clears the pairs' pointers to them. */
 void mst_freeTouches(MstEvents *e);
@@ -50,10 +51,10 @@ void mst_normalOf(const McdModelPair *p, MdtContactID c, MeVector3 normal);
 
 /* ---- events (MstEvents.c) ---------------------------------------------------------------------------------------- */
 
-/* Begins a step: settles the touches of the last one, by the workers, if its list of events was never made. */
+/* Begins a step. If the list of events of the last one was never made, the workers settle which of its pairs touch. */
 void mst_eventsBegin(MstBridgeRecord *b, MeTeam *team);
 /* Adds the contact impulses of the sub-step just done to the listed touches. */
-void mst_eventsGather(MstBridgeRecord *b);
+void mst_eventsAddImpulses(MstBridgeRecord *b);
 /* Ends and frees the touch of a pair that is removed. */
 void MEAPI mst_touchForget(McdModelPair *p);
 void mst_eventsTerm(MstBridgeRecord *b);

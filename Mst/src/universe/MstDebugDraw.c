@@ -231,6 +231,23 @@ static void drawArcArrow(const Drawing *d, const MeVector3 at, const MeVector3 a
     }
 }
 
+/* Draws the sector, or the cone's mantle, that a radius from `at` sweeps as it turns about an axis: from the direction
+ * `from`, between two angles. */
+static void drawSector(const Drawing *d, const MeVector3 at, const MeVector3 axis, const MeVector3 from, MeReal radius,
+                       MeReal first, MeReal last) {
+    enum { STEPS = 16 };
+    MeVector3 edge, end, before;
+    for (int i = 0; i <= STEPS; i++) {
+        rotateVector(from, axis, first + (last - first) * (MeReal)i / STEPS, edge);
+        MeVector3ScaleAndAdd(end, edge, radius, at);
+        if (i > 0) {
+            drawTriangle(d, at, before, end, translucent);
+            drawLine(d, before, end, yellow);
+        }
+        MeVector3Copy(before, end);
+    }
+}
+
 static void drawAngleText(const Drawing *d, const MeVector3 at, MeReal angle) {
     char words[32];
     snprintf(words, sizeof words, "%.1f\xc2\xb0", (double)angle * 57.29577951308232);
@@ -246,12 +263,12 @@ static MeBool isMeasured(MdtLimitID limit) {
  * body is the world: then the needle moves with the second one. Stops of ten turns and more are not drawn. */
 static void drawHinge(const Drawing *d, MdtHingeID hinge, const MeVector3 at, const MeVector3 axis,
                       const MeVector3 second, MeReal side) {
-    enum { STEPS = 16, MAX_TURN = 63 };
+    enum { MAX_TURN = 63 };
     const MdtLimitID limit = MdtHingeGetLimit(hinge);
     if (!isMeasured(limit))
         return;
     const MeReal angle = MdtLimitGetPosition(limit), radius = (MeReal)0.4 * d->length;
-    MeVector3 edge, end, before;
+    MeVector3 edge, end;
     drawLineAlong(d, at, second, radius, yellow, end);
     drawAngleText(d, end, angle);
     rotateVector(second, axis, -side * angle, edge);
@@ -261,15 +278,7 @@ static void drawHinge(const Drawing *d, MdtHingeID hinge, const MeVector3 at, co
     const MeReal high = side * (MdtSingleLimitGetStop(MdtLimitGetUpperLimit(limit)) - angle);
     if (!MdtLimitIsActive(limit) || !(MeFabs(low) < MAX_TURN) || !(MeFabs(high) < MAX_TURN))
         return;
-    for (int i = 0; i <= STEPS; i++) {
-        rotateVector(second, axis, low + (high - low) * (MeReal)i / STEPS, edge);
-        MeVector3ScaleAndAdd(end, edge, radius, at);
-        if (i > 0) {
-            drawTriangle(d, at, before, end, translucent);
-            drawLine(d, before, end, yellow);
-        }
-        MeVector3Copy(before, end);
-    }
+    drawSector(d, at, axis, second, radius, low, high);
 }
 
 /* Draws the track between a slider's stops, and an arrow from coordinate zero to the present one. */
@@ -298,23 +307,14 @@ static void drawSlider(const Drawing *d, MdtPrismaticID slider, const MeVector3 
 
 /* Draws the cone about the second body's axis, and the first body's axis. */
 static void drawCone(const Drawing *d, MdtConeLimitID cone, const MeVector3 at) {
-    enum { SIDES = 16 };
     const MdtConstraintID c = MdtConeLimitQuaConstraint(cone);
     const MeReal half = MdtConeLimitGetConeHalfAngle(cone), radius = (MeReal)0.4 * d->length;
-    MeVector3 inner, axis, across, other, edge, side, end, before;
+    MeVector3 inner, axis, across, other, edge, end;
     MdtConstraintBodyGetAxis(c, 0, inner);
     MdtConstraintBodyGetAxis(c, 1, axis);
     MeVector3PlaneSpace(axis, across, other);
     rotateVector(axis, across, half, edge);
-    for (int i = 0; i <= SIDES; i++) {
-        rotateVector(edge, axis, (MeReal)(2 * ME_PI) * (MeReal)i / SIDES, side);
-        MeVector3ScaleAndAdd(end, side, radius, at);
-        if (i > 0) {
-            drawTriangle(d, at, before, end, translucent);
-            drawLine(d, before, end, yellow);
-        }
-        MeVector3Copy(before, end);
-    }
+    drawSector(d, at, axis, edge, radius, 0, (MeReal)(2 * ME_PI));
     drawLineAlong(d, at, inner, radius, yellow, end);
     const MeReal cosine = MeVector3Dot(inner, axis);
     drawAngleText(d, end, MeAcos(MeCLAMP(cosine, -1, 1)));

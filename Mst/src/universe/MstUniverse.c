@@ -209,7 +209,7 @@ static void advance(MstUniverse *u, MeReal step) {
     MeCallerSet(before);
 }
 
-/* Makes a step after functions of the program, which may have destroyed a member. False: a member is missing. */
+/* Makes a step, for a hook that has called functions of the program. False: these have destroyed a member. */
 static MeBool advanceWholeStep(MstUniverse *u, MeReal step) {
     if (!hasAllMembers(u, "MstUniverseStep"))
         return MEFALSE;
