@@ -122,14 +122,14 @@ MEPUBLIC MeReal MEAPI MdtBodyGetMass(const MdtBodyID b);
  *  precision. MdtUtilities.h computes tensors of some shapes. */
 MEPUBLIC void MEAPI MdtBodySetInertiaTensor(const MdtBodyID b, const MeMatrix3 i);
 MEPUBLIC void MEAPI MdtBodyGetInertiaTensor(const MdtBodyID b, MeMatrix3 i);
-/** @a i times the unit matrix. */
+/** Sets the tensor to @a i times the unit matrix. */
 MEPUBLIC void MEAPI MdtBodySetSphericalInertiaTensor(const MdtBodyID b, const MeReal i);
 /** Use the full tensor (the default), or a third of its trace times the unit matrix, as Karma 1.x did (Dynamics guide
  *  ch. 5, "Inertia Problems"): cheaper, but independent of the body's shape. */
 MEPUBLIC void MEAPI MdtBodyEnableNonSphericalInertia(const MdtBodyID b);
 MEPUBLIC void MEAPI MdtBodyDisableNonSphericalInertia(const MdtBodyID b);
 MEPUBLIC MeBool MEAPI MdtBodyNonSphericalInertiaIsEnabled(const MdtBodyID b);
-/** With it (the default, physically correct) free rotation conserves angular momentum; without, angular velocity. */
+/** While enabled (the default, physically correct), free rotation conserves angular momentum; else angular velocity. */
 MEPUBLIC void MEAPI MdtBodyEnableCoriolisForce(const MdtBodyID b);
 MEPUBLIC void MEAPI MdtBodyDisableCoriolisForce(const MdtBodyID b);
 MEPUBLIC MeBool MEAPI MdtBodyCoriolisForceIsEnabled(const MdtBodyID b);
@@ -148,12 +148,12 @@ MEPUBLIC MeBool MEAPI MdtBodyCoriolisForceIsEnabled(const MdtBodyID b);
  *  1 % for w h <= 1 and stay bounded below w h = 2; dampers are stable up to c h = 2 m. Beyond that, one warning is
  *  given; MdtSpring and MdtSpring6 are stable at any stiffness.
  *  @{ */
-/** At the centre of mass. */
+/** Adds a force at the centre of mass. */
 MEPUBLIC void MEAPI MdtBodyAddForce(const MdtBodyID b, const MeReal fx, const MeReal fy, const MeReal fz);
-/** At the world position (px, py, pz), which may be outside of the body. */
+/** Adds a force at the world position (px, py, pz), which may be outside of the body. */
 MEPUBLIC void MEAPI MdtBodyAddForceAtPosition(const MdtBodyID b, const MeReal fx, const MeReal fy, const MeReal fz,
                                               const MeReal px, const MeReal py, const MeReal pz);
-/** N m. */
+/** Adds a torque, N m. */
 MEPUBLIC void MEAPI MdtBodyAddTorque(const MdtBodyID b, const MeReal tx, const MeReal ty, const MeReal tz);
 MEPUBLIC void MEAPI MdtBodyAddImpulse(const MdtBodyID b, const MeReal ix, const MeReal iy, const MeReal iz);
 MEPUBLIC void MEAPI MdtBodyAddImpulseAtPosition(const MdtBodyID b, const MeReal ix, const MeReal iy, const MeReal iz,

@@ -71,7 +71,7 @@ MEPUBLIC void MEAPI MdtConstraintBodySetAxesRel(const MdtConstraintID c, const u
                                                 const MeReal oz);
 MEPUBLIC void MEAPI MdtConstraintBodyGetAxesRel(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p,
                                                 MeVector3 o);
-/** The primary axis alone. */
+/** The present primary axis only. */
 MEPUBLIC void MEAPI MdtConstraintBodyGetAxis(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 a);
 MEPUBLIC void MEAPI MdtConstraintGetAxis(const MdtConstraintID c, MeVector3 axis);
 /** Deprecated names of the guides. */
@@ -92,7 +92,7 @@ MEPUBLIC void MEAPI MdtConstraintGetForce(const MdtConstraintID c, const unsigne
 /** The torque [N m] about the body's centre of mass, including the moment of the force. For contacts: the moment of the
  *  force at the position where the contact was found, about the centre of mass at the start of the step. */
 MEPUBLIC void MEAPI MdtConstraintGetTorque(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 t);
-/** The number of rows that it had. */
+/** The number of the constraint's rows. */
 MEPUBLIC int MEAPI MdtConstraintGetRowCount(const MdtConstraintID c);
 /** @} */
 

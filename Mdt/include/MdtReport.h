@@ -26,13 +26,14 @@ typedef enum MdtReportWay {
     MdtReportWayLimited, /**< work or iterations ran out (MdtWorldSetWorkBudget, MdtWorldSetMaxLCPIterations) */
 } MdtReportWay;
 
-/** Why that solver was used (MdtWorldSetSolver); for a world, of the first partition with the world's way. */
+/** Why the solver was chosen (MdtWorldSetSolver); for a world, the reason of the first partition with the world's way.
+ */
 typedef enum MdtReportWhy {
     MdtReportWhyNone,  /**< nothing was solved */
     MdtReportWhyAsked, /**< the program's choice, or an accuracy of 0 */
     MdtReportWhyUnfit, /**< exact, since the fast solver is unfit: rows made by the program, more rows than the cap, or
                             bodies in free flight that conserve energy; without contacts also where the program asked
-                            for the fast solver, or that one missed the accuracy */
+                            for the fast solver, or where it missed the accuracy */
     MdtReportWhyCheap, /**< exact: at most the cost of the fast solver; without contacts, a hundred times that */
     MdtReportWhyAfforded, /**< exact: paid by the world's accounts of exact work */
     /* reasons for the fast solver */
@@ -69,8 +70,8 @@ typedef struct MdtReport {
                              turn far; 0: all parts were of order 2 */
     int events;         /**< divisions of the step where bodies collided or began to stick */
     int passes;         /**< linearizations */
-    int iterations;     /**< of Newton's method (Karma: pivots) */
-    int factorizations; /**< of sparse matrices */
+    int iterations;     /**< iterations of Newton's method (Karma: pivots) */
+    int factorizations; /**< factorizations of sparse matrices */
     int stages;         /**< velocity stages */
     int freezes;        /**< passes with constant friction bounds, as renewing them did not converge */
     int fallbacks;      /**< parts with inexact forces within bounds, or with stopped bodies; with a
@@ -81,10 +82,10 @@ typedef struct MdtReport {
     /* errors */
     MeReal residualVelocity; /**< m/s: largest velocity of a row that its force should have prevented (angular: times
                                 the bodies' radius of gyration) */
-    /** The same relative to the tolerance of each contact and joint: the accuracy (MdtWorldSetAccuracy) and a tenth of
-     *  its bodies' change of velocity, less if it carries more than their own weight or joins unequal masses, and at
-     *  most 1e-4 of a body's size per step. Up to 1: the accuracy is met; 0: by the exact solver, to its own
-     *  tolerance. */
+    /** The largest velocity error relative to the tolerance of its contact or joint: the accuracy (MdtWorldSetAccuracy)
+     *  and a tenth of its bodies' change of velocity, less if it carries more than their own weight or joins unequal
+     *  masses, and at most 1e-4 of a body's size per step. Up to 1: the accuracy is met; 0: by the exact solver, to its
+     *  own tolerance. */
     MeReal excess;
     MeReal residualForce; /**< N: largest change of a row's force that would remove that velocity (angular: N m) */
     MeReal jointError;    /**< m: largest error of a joint relative to the correction due in this step (angular: rad) */

@@ -256,7 +256,7 @@ MEPUBLIC int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w);
  *  (MdtWorldSetSolver). Partitions of 3000 rows or more get only a few sweeps in each pass; they need a larger budget.
  *  MdtReport has the results (`way`, `limited`, `fallbacks`, `residualVelocity`).
  *
- *  Not limited are: making the rows, a few visits of each row, and one such answer for each part.
+ *  The budget does not limit making the rows, a few visits of each row, and one such answer for each part.
  *
  *  Default 400; the exact steps of MdtSolverAuto draw from accounts that are shares of it. The first step of a tower
  *  of 100 layers of three planks, solved exactly (MdtWorldSetSolver), takes 38. The hard cases in docs/lab/accuracy.md
@@ -378,10 +378,8 @@ MEPUBLIC const MdtConstraintID *MEAPI MdtWorldGetBrokenJoints(const MdtWorldID w
 MEPUBLIC void MEAPI MdtWorldSetBreakCB(const MdtWorldID w, MdtBreakCBPtr cb);
 /** @} */
 
-/**
- * What each step draws at its end by MeDebugDrawAPI (MeDebugDraw.h); a viewer's context shows it until the next tick. A
- * sum of options; 0, the default: nothing. Other values get a warning and change nothing.
- */
+/** Sets what each step draws at its end by MeDebugDrawAPI (MeDebugDraw.h); a viewer's context shows it until the next
+ *  tick. A sum of options; 0, the default: nothing. Other values get a warning and change nothing. */
 MEPUBLIC void MEAPI MdtWorldSetDebugDrawing(const MdtWorldID w, const MdtDebugDrawOptions drawOptions);
 
 ME_END_C

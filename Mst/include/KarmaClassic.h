@@ -40,7 +40,7 @@ MEPUBLIC McdFrameworkID MEAPI MstClassicInit(int geoTypeMaxCount, int modelCount
 MEPUBLIC void MEAPI MstClassicPrimitivesRegisterTypes(McdFrameworkID frame);
 /** McdPrimitivesRegisterInteractions; for the process' framework cones are included. */
 MEPUBLIC MeBool MEAPI MstClassicPrimitivesRegisterInteractions(McdFrameworkID frame);
-/** McdTerm, also of another framework. */
+/** McdTerm for the process' framework or another one. */
 MEPUBLIC void MEAPI MstClassicTerm(McdFrameworkID frame);
 /** The framework; null before McdInit and after McdTerm(). */
 MEPUBLIC McdFrameworkID MEAPI MstClassicFramework(void);

@@ -24,7 +24,7 @@ MEPUBLIC void MEAPI MstBridgeDestroy(const MstBridgeID b);
  *  @{ */
 /** The material that every model has at first. */
 #define MstBridgeGetDefaultMaterial() ((MstMaterialID)0)
-/** Creates a material. Where there is no more room: the default material, with a warning that names the limit to raise.
+/** Creates a material. Beyond the limit: the default material, with a warning that names the limit to raise.
  *  Pointers to parameters of other materials stay valid. */
 MEPUBLIC MstMaterialID MEAPI MstBridgeGetNewMaterial(const MstBridgeID b);
 /** The parameters of contacts of the pair from now on. Owned by the bridge. */

@@ -23,8 +23,8 @@ MEPUBLIC MdtBodyID MEAPI McdModelGetBody(const McdModelID m);
 MEPUBLIC void MEAPI McdModelDynamicsReset(const McdModelID m);
 
 /** @name Properties of a model's body
- *  The same as the functions of MdtBody.h. A model without a body gets a warning, and zeros. Move a fixed model by its
- *  transform: McdModelSetTransformPtr.
+ *  They call the functions of MdtBody.h for the model's body. A model without a body gets a warning, and zeros. Move a
+ *  fixed model by its transform: McdModelSetTransformPtr.
  *  @{ */
 MEPUBLIC void MEAPI McdModelDynamicsEnable(const McdModelID m);
 MEPUBLIC void MEAPI McdModelDynamicsDisable(const McdModelID m);

@@ -1,7 +1,7 @@
 /* API of the user constraint. Memory for its rows is allocated at its creation. */
 #include "api/mdt_api_i.h"
 
-/* MDT_JOINT_BASICS with another creation function. */
+/* The functions of MDT_JOINT_BASICS; creation also allocates the rows. */
 MdtUserConstraintID MEAPI MdtUserConstraintCreate(const MdtWorldID w) {
     MdtJoint *c = mdt_jointCreate(w, MdtBclUSER, __func__);
     if (!c)

@@ -144,7 +144,7 @@ static MdtPoint *addPoint(MdtManifold *m, const MdtFoundContact *found) {
     return p;
 }
 
-static void setRound(MdtPoint *p, int side, const MdtFoundContact *found) {
+static void setRadiusAndRim(MdtPoint *p, int side, const MdtFoundContact *found) {
     mdt_pointSetRadius(p, side, found->radius[side]);
     mdt_pointSetRim(p, side, found->rim[side], found->axis[side]);
 }
@@ -192,7 +192,7 @@ static void setPoint(MdtPoint *p, const MdtFoundContact *found, Shared *last) {
             mdt_pointSetParams(p, found->params);
             mdt_pointSetNormal(p, found->normal);
             for (int k = 0; k < 2; k++)
-                setRound(p, k, found);
+                setRadiusAndRim(p, k, found);
         }
         last->block = isShared && isSame ? block : NULL;
         last->found = found;

@@ -17,7 +17,7 @@ typedef struct MdtPose {
 typedef struct MdtStart {
     MdtKeaVelocity velocity;
     MdtPose pose;        /* of the centre of mass */
-    unsigned long moves; /* MdtBody.moves at the start; ULONG_MAX after the step, unless it has changed the pose once */
+    unsigned long moves; /* MdtBody.moves at the start; ULONG_MAX after a step that did not change the pose just once */
 } MdtStart;
 
 /* Whether a body has stayed near one pose, and how it oscillates about it (mdt_stay.c). */

@@ -83,6 +83,13 @@ typedef struct MdtCertificateInputs {
 _Static_assert(sizeof(MdtCertificateInputs) == 8 * sizeof(double) + sizeof(MdtContactImportanceCBPtr) + 6 * sizeof(int),
                "compared as bytes: no padding");
 
+/* Times of the stages of a step, for partitions that are stepped in order (mdt_report.c). */
+typedef struct MdtTiming {
+    MeU64 lap;                          /* ticks at the start of the stage that is being timed */
+    int firstUntimed;                   /* first of the latest partitions that have no time yet */
+    double stageShare[MdtReportStages]; /* fractions of a small partition's time; 0: not measured */
+} MdtTiming;
+
 /* The memory of one worker while it steps partitions, and its contributions to the world's results. */
 typedef struct MdtWorker {
     MeChunk scratch, ranking; /* memory for Kea and manifolds; for ranking contacts (mdt_cap.c) */

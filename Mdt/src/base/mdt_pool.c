@@ -161,7 +161,7 @@ static MdtLink **mergeSmaller(MdtLink **end, MdtLink **a, MdtLink **b) {
 }
 
 /* Cuts a run off behind `length` links and returns the links behind the cut. */
-static MdtLink *cutAfter(MdtLink *run, int length) {
+static MdtLink *cutRunAfter(MdtLink *run, int length) {
     for (int i = 1; run && i < length; i++)
         run = run->next;
     if (!run)
@@ -177,8 +177,8 @@ static int mergeRuns(MdtLink **first, int length) {
     MdtLink *rest = *first, **end = first;
     int runs = 0;
     while (rest) {
-        MdtLink *a = rest, *b = cutAfter(a, length);
-        rest = cutAfter(b, length);
+        MdtLink *a = rest, *b = cutRunAfter(a, length);
+        rest = cutRunAfter(b, length);
         while (a || b)
             end = mergeSmaller(end, &a, &b);
         runs++;

@@ -86,10 +86,8 @@ struct MdtWorld {
     MeBool isReported;
     MdtReport *reports; /* by partition of the last step; null until the report is first enabled */
     int reportRoom;
-    int numReports;                     /* MDT_NO_REPORTS: the report is off, or there was no step yet */
-    MeU64 lap;                          /* ticks at the start of the stage that is being timed; with one worker only */
-    int firstUntimed;                   /* first of the latest partitions that have no time yet */
-    double stageShare[MdtReportStages]; /* fractions of a small partition's time; 0: not measured */
+    int numReports; /* MDT_NO_REPORTS: the report is off, or there was no step yet */
+    MdtTiming timing;
 
     MeHandle handle;
 };

@@ -136,7 +136,7 @@ static void logRows(const MdtIsland *p) {
     p->world->sizeLog[p->number] = rows;
 }
 
-void mdt_certificateApply(MdtIsland *p) {
+void mdt_certificateApply(const MdtIsland *p) {
     for (int i = 0; i < p->numBodies; i++) {
         MdtBodyID b = p->bodies[i];
         MEASSERT(b->lag == 0 && b->lastAdvance == p->h && b->enabledTime > 0);
@@ -271,7 +271,7 @@ MeBool mdt_islandIsSettled(MdtIsland *p) {
            r->residual <= r->resolution && !allowedAtContacts(p).mayCreep;
 }
 
-void mdt_islandResetPoses(MdtIsland *p) {
+void mdt_islandResetPoses(const MdtIsland *p) {
     static const double none[3] = {0, 0, 0};
     const MeBool isStanding = allowedAtContacts(p).ignoresSway;
     for (int i = 0; i < p->numBodies; i++) {
@@ -305,7 +305,7 @@ void mdt_constraintsCertify(const MdtIsland *p) {
             certifyConstraint(p->acting[i]);
 }
 
-void mdt_islandCertify(MdtIsland *p, MeBool isSettled) {
+void mdt_islandCertify(const MdtIsland *p, MeBool isSettled) {
     Certifying certifying = {p, isSettled};
     MEASSERT(p->world->certificate != 0 && p->elapsed > 0);
     MeTeamRunRanges(p->team, p->numBodies, MDT_RANGE, certifyBodies, &certifying);

@@ -255,7 +255,7 @@ void mdt_islandsList(MdtWorldID w) {
     MEASSERT(at <= w->numConstraints);
 }
 
-MdtPartitionInfo mdt_islandInfo(MdtWorldID w, int p) {
+MdtPartitionInfo mdt_islandInfo(const MdtWorld *w, int p) {
     MEASSERT(p >= 0 && p < w->numPartitions && w->bodyStart[p] < w->bodyStart[p + 1]);
     return (MdtPartitionInfo){.firstBody = w->bodyStart[p],
                               .numBodies = w->bodyStart[p + 1] - w->bodyStart[p],
@@ -263,11 +263,10 @@ MdtPartitionInfo mdt_islandInfo(MdtWorldID w, int p) {
                               .numConstraints = w->constraintStart[p + 1] - w->constraintStart[p]};
 }
 
-MdtIsland mdt_islandOf(MdtWorldID w, int number, double h) {
+MdtIsland mdt_islandOf(const MdtWorld *w, int number, double h) {
     MEASSERT(number >= 0 && number < w->numPartitions && h >= 0);
     return (MdtIsland){.world = w,
                        .worker = &w->workers[0],
-                       .clock = &w->lap,
                        .number = number,
                        .solver = mdt_choiceRequested(w, number),
                        .record = &w->record[number],
@@ -280,14 +279,14 @@ MdtIsland mdt_islandOf(MdtWorldID w, int number, double h) {
                        .h = h};
 }
 
-void mdt_islandShow(const MdtIsland *p) {
-    MdtPartitionOutput *po = &p->world->output;
-    po->info[p->number] = mdt_islandInfo(p->world, p->number);
-    po->numPartitions = p->number + 1;
-    if (!p->world->partitionCb) /* the callback has unset itself */
+void mdt_islandShow(MdtWorldID w, int number) {
+    MdtPartitionOutput *po = &w->output;
+    po->info[number] = mdt_islandInfo(w, number);
+    po->numPartitions = number + 1;
+    if (!w->partitionCb) /* the callback has unset itself */
         return;
     const MeProgramCall before = MeProgramEnter("MdtWorldSetPartitionCB");
-    p->world->partitionCb(po, p->world->partitionCbData);
+    w->partitionCb(po, w->partitionCbData);
     MeProgramLeave(&before);
 }
 

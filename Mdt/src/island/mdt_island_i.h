@@ -20,14 +20,14 @@ typedef enum MdtStage { MDT_STAGE_NONE, MDT_STAGE_FORWARD, MDT_STAGE_BACK } MdtS
 /* One partition in one step. Each group of fields is written by the file or stage that is named before it. */
 typedef struct MdtIsland {
     /* written by mdt_islandOf, mdt_parallel.c */
-    MdtWorldID world;
-    MdtWorker *worker; /* the worker that steps it */
-    MeTeam *team;      /* the team that helps; null: none */
+    const MdtWorld *world; /* read only: several workers step partitions at once */
+    MdtWorker *worker;     /* the worker that steps it */
+    MeTeam *team;          /* the team that helps; null: none */
     int number, numBodies, numActing;
     MdtSolver solver;        /* requested by the program */
     MdtIslandRecord *record; /* the partition's state from step to step */
-    MdtBodyID *bodies;
-    MdtConstraintID *acting; /* joints and manifolds */
+    MdtBodyID const *bodies;
+    MdtConstraintID const *acting; /* joints and manifolds */
     /* mdt_batch.c */
     const MdtMember *member; /* the partitions of a batch */
     int numMembers;          /* 0: it is a single partition */
@@ -37,7 +37,8 @@ typedef struct MdtIsland {
     /* mdt_report.c */
     MdtReport *report;     /* null: the report is off */
     MeBool isTimedByStage; /* false: small partitions are timed together */
-    MeU64 lap, *clock;     /* ticks at the start of the timed stage; clock: the world's, or with workers `lap` */
+    MdtTiming *timing;     /* the world's, if partitions are stepped in order; null: `lap` times it alone */
+    MeU64 lap;             /* ticks at the start of the stage that is being timed */
     /* pack */
     void *scratch;                         /* scratch memory: Kea's arrays, then further ones */
     MeBool isFast;                         /* Kea's fast solver solves it; also written by mdt_path.c */
@@ -83,6 +84,13 @@ enum { MDT_AHEAD = 4 };
 static inline double mdt_substepTime(const MdtIsland *p) {
     return p->stage == MDT_STAGE_BACK ? -p->parameters.stepsize : p->parameters.stepsize;
 }
+/* Iterates over the partition's joints: the first one from index *i on, with *i set behind it; null after the last. */
+static inline MdtJoint *mdt_nextJoint(const MdtIsland *p, int *i) {
+    MdtJoint *j = NULL;
+    while (!j && p->numJoints > 0 && *i < p->numActing)
+        j = mdt_asJoint(p->acting[(*i)++]);
+    return j;
+}
 static inline MeBool mdt_hasRestitution(const MdtBclContactParams *params) {
     return (params->options & MdtBclContactOptionBounce) && params->restitution > 0;
 }
@@ -98,11 +106,11 @@ void mdt_islandsBegin(MdtWorldID w);
 void mdt_islandsEnd(MdtWorldID w);
 /* Lists the constraints of all partitions for programs. mdt_islandInfo: the public description of one, enabled. */
 void mdt_islandsList(MdtWorldID w);
-MdtPartitionInfo mdt_islandInfo(MdtWorldID w, int p);
-/* The working data of a partition, for a step of h seconds; passes the partition to the program's callback, together
- * with those before it. */
-MdtIsland mdt_islandOf(MdtWorldID w, int number, double h);
-void mdt_islandShow(const MdtIsland *p);
+MdtPartitionInfo mdt_islandInfo(const MdtWorld *w, int p);
+/* The working data of a partition, for a step of h seconds. mdt_islandShow passes the partition to the program's
+ * callback, together with those before it. */
+MdtIsland mdt_islandOf(const MdtWorld *w, int number, double h);
+void mdt_islandShow(MdtWorldID w, int number);
 
 /* ---- sleep (mdt_sleep.c) ---- */
 
@@ -124,12 +132,12 @@ void mdt_islandSleep(const MdtIsland *p);
  * answer of a partition holds again. mdt_certificateApply uses it, in place of all other stages. */
 void mdt_certificatesBegin(MdtWorldID w);
 MeBool mdt_certificateIsValid(const MdtIsland *p);
-void mdt_certificateApply(MdtIsland *p);
+void mdt_certificateApply(const MdtIsland *p);
 /* True if this step's answer may hold in the next one; then the bodies are reset to their poses at the step's start,
  * and get a certificate. */
 MeBool mdt_islandIsSettled(MdtIsland *p);
-void mdt_islandResetPoses(MdtIsland *p);
-void mdt_islandCertify(MdtIsland *p, MeBool isSettled);
+void mdt_islandResetPoses(const MdtIsland *p);
+void mdt_islandCertify(const MdtIsland *p, MeBool isSettled);
 /* True if all bodies of a partition have a certificate, or would get one after another calm step. mdt_membersCountCalm
  * counts calm steps of a batch's members. */
 MeBool mdt_certificateIsNear(const MdtWorld *w, int partition);

@@ -38,7 +38,7 @@ void mdt_batchesTerm(MdtBatches *b) {
 
 /* ---- the world ---- */
 
-/* Only the records of partitions keep their contents. */
+/* Of these arrays only the records of partitions keep their contents. */
 static MeBool reserveBodies(MdtWorldID w, int bodies, const char *caller) {
     const size_t n = (size_t)MeMAX(bodies, 2 * w->bodyRoom), records = (size_t)w->numPartitions;
     MEASSERT(w->numPartitions <= w->bodyRoom);

@@ -458,7 +458,7 @@ static void rotateToWorld(MdtConstraintID c, int side, const double local[3], do
 }
 
 /* The side whose frame stands for the whole constraint: the first one with a body. */
-static int mainSide(MdtConstraintID c) {
+static int firstAttachedSide(MdtConstraintID c) {
     return c->side[0].body ? 0 : 1;
 }
 
@@ -488,7 +488,7 @@ void mdt_constraintSetPosition(MdtConstraintID c, MeReal x, MeReal y, MeReal z, 
 void mdt_constraintGetPosition(MdtConstraintID c, MeVector3 p, const char *caller) {
     if (!mdt_isResult(caller, p, 3) || !mdt_isConstraint(c, caller))
         return;
-    mdt_constraintBodyGetPosition(c, (unsigned int)mainSide(baseOf(c)), p, caller);
+    mdt_constraintBodyGetPosition(c, (unsigned int)firstAttachedSide(baseOf(c)), p, caller);
 }
 
 void mdt_constraintBodySetPosition(MdtConstraintID c, unsigned int bodyindex, MeReal x, MeReal y, MeReal z,
@@ -650,7 +650,7 @@ void mdt_constraintGetAxes(MdtConstraintID c, MeVector3 p, MeVector3 o, const ch
     zeroAxes(p, o);
     MdtJoint *j = checkJoint(c, caller);
     if (j)
-        getAxes(j, mainSide(c), p, o);
+        getAxes(j, firstAttachedSide(c), p, o);
 }
 
 void mdt_constraintBodyGetAxes(MdtConstraintID c, unsigned int bodyindex, MeVector3 p, MeVector3 o,

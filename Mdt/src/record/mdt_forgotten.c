@@ -1,5 +1,5 @@
-/* Common omissions of programs, each warned of once: enabling a joint whose motor is on, setting the centre of mass of
- * a compound, scaling masses with lengths. */
+/* Warnings about common omissions of programs, each given once: a joint whose motor runs was not enabled, a compound's
+ * centre of mass was not set, or masses were not scaled with lengths. */
 #include "MdtInternal.h"
 #include "record/mdt_record_i.h"
 

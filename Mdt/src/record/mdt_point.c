@@ -194,7 +194,7 @@ void mdt_pointMotionWeights(const MdtPoint *p, double share[2]) {
 }
 
 /* Writes position and depth if they differ. */
-static void setPlace(MdtPoint *p, const double place[3], double depth) {
+static void setPositionAndDepth(MdtPoint *p, const double place[3], double depth) {
     if (p->position[0] == place[0] && p->position[1] == place[1] && p->position[2] == place[2] && p->depth == depth)
         return;
     keaCopy(p->position, place);
@@ -215,7 +215,7 @@ void mdt_pointSetFound(MdtPoint *p, const double normal[3], const double share[2
         keaAddScaled(place, share[k], lost);
         depth -= (k == 0 ? 1 : -1) * keaDot(normal, lost);
     }
-    setPlace(p, place, depth);
+    setPositionAndDepth(p, place, depth);
 }
 
 void mdt_pointReset(MdtPoint *p) {

@@ -125,7 +125,7 @@ void mdt_batchesFind(MdtWorldID w, double h, MeBool stopAtSafeTime, MeTeam *team
 
 /* ---- the step of a batch ---- */
 
-MdtIsland mdt_batchOf(MdtWorldID w, int batch, double h) {
+MdtIsland mdt_batchOf(const MdtWorld *w, int batch, double h) {
     const MdtBatches *b = &w->batches;
     const MdtMember *first = &b->member[b->firstMember[batch]], *end = &b->member[b->firstMember[batch + 1]];
     MdtIsland p = mdt_islandOf(w, first->partition, h);
@@ -190,7 +190,6 @@ static void stepMembersOneByOne(const MdtIsland *p) {
         MEASSERT(p->h > p->elapsed);
         MdtIsland own = mdt_islandOf(p->world, m->partition, p->h - p->elapsed);
         own.worker = p->worker;
-        own.clock = &own.lap;
         p->worker->messages.key = m->partition;
         mdt_islandAdvance(&own, MEFALSE);
     }

@@ -46,7 +46,7 @@ static MeBool areRanked(const MdtRanked ranking[], int n) {
     return METRUE;
 }
 
-static double importanceOf(MdtWorldID w, const MdtPoint *point, double depth) {
+static double importanceOf(const MdtWorld *w, const MdtPoint *point, double depth) {
     double value = depth;
     if (w->importance) {
         const MeProgramCall before = MeProgramEnter("MdtWorldSetContactImportanceCB");
@@ -56,7 +56,7 @@ static double importanceOf(MdtWorldID w, const MdtPoint *point, double depth) {
     return isnan(value) ? 0 : value;
 }
 
-static void rankContacts(MdtIsland *p, MdtRanked ranking[]) {
+static void rankContacts(const MdtIsland *p, MdtRanked ranking[]) {
     int n = 0;
     for (int i = 0; i < p->kea.numManifolds; i++)
         for (int k = 0; k < p->kea.manifolds[i].numPoints; k++, n++) {
@@ -105,6 +105,7 @@ static int dropContacts(const MdtIsland *p, MdtRanked ranking[], int rows, int m
     return rows;
 }
 
+/* Leaves out rows in the documented order. Returns the number of rows left. */
 static int dropRows(const MdtIsland *p, MdtRanked ranking[], int rows, int max) {
     rows = dropFriction(p, ranking, rows, max);
     if (p->world->importance)

@@ -178,7 +178,7 @@ int mdt_contactsPack(const MdtIsland *p, const MdtManifold *first, int at, int *
     return isOneManifold(first) ? packBlock(p, first, at, problems) : packGrouped(p, first, at, problems);
 }
 
-void mdt_contactsCarry(MdtIsland *p) {
+void mdt_contactsCarry(const MdtIsland *p) {
     for (int i = 0; i < p->kea.numManifolds; i++)
         for (int k = 0; k < p->kea.manifolds[i].numPoints; k++) {
             MdtKeaPoint *at = &p->kea.manifolds[i].point[k];
@@ -200,7 +200,7 @@ static void addForce(const MdtKeaManifold *m, const double force[3], double shar
 /* For results independent of threads (rule in MeTeam.h), a range writes to its own manifolds and their
  * contacts only. */
 typedef struct Unpacking {
-    MdtIsland *p;
+    const MdtIsland *p;
     double share;
     MeBool isGuess;
 } Unpacking;
@@ -215,12 +215,12 @@ static void MEAPI addForces(void *context, int first, int end, int worker) {
     }
 }
 
-void mdt_contactsAddForces(MdtIsland *p, double share) {
+void mdt_contactsAddForces(const MdtIsland *p, double share) {
     Unpacking u = {.p = p, .share = share};
     MeTeamRunRanges(p->team, p->kea.numManifolds, MDT_RANGE, addForces, &u);
 }
 
-void mdt_contactsClearForces(MdtIsland *p) {
+void mdt_contactsClearForces(const MdtIsland *p) {
     for (int i = 0; i < p->kea.numManifolds; i++)
         for (int k = 0; k < p->kea.manifolds[i].numPoints; k++)
             keaZero(p->kea.manifolds[i].point[k].force);
@@ -247,7 +247,7 @@ static void MEAPI unpackPoints(void *context, int first, int end, int worker) {
     }
 }
 
-void mdt_contactsUnpack(MdtIsland *p, MeBool isGuess) {
+void mdt_contactsUnpack(const MdtIsland *p, MeBool isGuess) {
     Unpacking u = {.p = p, .isGuess = isGuess};
     MeTeamRunRanges(p->team, p->kea.numManifolds, MDT_RANGE, unpackPoints, &u);
 }

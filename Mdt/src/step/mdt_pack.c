@@ -32,8 +32,8 @@ static void recordRestitution(const MdtBclContactParams *params, Chunk *c) {
     c->losesEnergy = c->losesEnergy || (double)params->restitution < 1;
 }
 
-/* Without extras all points of a record have the record's surface. */
-static void countManifold(const MdtManifold *m, Chunk *c) {
+/* Adds a manifold's counts to those of a chunk. Without extras all points of a record have the record's surface. */
+static void addManifoldTo(const MdtManifold *m, Chunk *c) {
     c->points += m->numPoints;
     c->manifolds += mdt_contactsCount(m);
     for (const MdtManifold *block = m->numPoints > 0 ? m : NULL; block; block = block->next) {
@@ -57,7 +57,7 @@ static void MEAPI countChunk(void *context, int item, int worker) {
         c.joints += j != NULL;
         c.hasUserRows |= j && j->bcl.type == MdtBclUSER;
         if (!j)
-            countManifold(mdt_asManifold(a->p->acting[i]), &c);
+            addManifoldTo(mdt_asManifold(a->p->acting[i]), &c);
     }
     a->chunk[item] = c;
 }
@@ -157,7 +157,7 @@ static void setSystem(MdtIsland *p) {
 
 /* ---- bodies ---- */
 
-static void addGravity(MdtWorldID w, MdtBodyID b) {
+static void addGravity(const MdtWorld *w, MdtBodyID b) {
     for (int i = 0; i < 3; i++)
         b->kea.force[i] += b->mass * (double)w->params.gravity[i];
 }

@@ -53,6 +53,7 @@ static void advanceInOrder(MdtWorldID w, double h, MeBool stopAtSafeTime) {
         if (mdt_isInBatch(w, i))
             continue;
         MdtIsland p = mdt_islandOf(w, i, h);
+        p.timing = &w->timing;
         mdt_islandAdvance(&p, stopAtSafeTime);
     }
 }
@@ -62,7 +63,8 @@ static void stepWithCallback(MdtWorldID w, double h, MeBool stopAtSafeTime) {
     mdt_islandsList(w);
     for (int i = 0; i < w->numPartitions; i++) {
         MdtIsland p = mdt_islandOf(w, i, h);
-        mdt_islandShow(&p);
+        p.timing = &w->timing;
+        mdt_islandShow(w, i);
         sleepIfDue(&p, stopAtSafeTime);
         MeStageBegin(&w->stage, MDT_GUARD_STATES);
         mdt_islandAdvance(&p, stopAtSafeTime);
@@ -89,7 +91,7 @@ static int sizeOfAllPartitions(const MdtWorld *w) {
 }
 
 /* True if the partition is more than one worker's share of all work, and large enough for the fast solver. */
-static MeBool isForTeam(const MdtWorld *w, int i) {
+static MeBool isForAllWorkers(const MdtWorld *w, int i) {
     const int bodies = w->bodyStart[i + 1] - w->bodyStart[i];
     return bodies >= MDT_LARGE_ISLAND && !w->record[i].isExactFirst && mdt_choiceRequested(w, i) != MdtSolverExact &&
            (double)sizeOfPartition(w, i) * w->numWorkers > (double)sizeOfAllPartitions(w);
@@ -100,7 +102,6 @@ static void stepOnWorker(const Stepping *s, MdtIsland *p, int worker, MeTeam *te
     MEASSERT(worker >= 0 && worker < s->world->numWorkers);
     p->worker = &s->world->workers[worker];
     p->team = team;
-    p->clock = &p->lap;
     MeMessageBuffer *const before = MeMessagesBuffer(&p->worker->messages);
     p->worker->messages.key = p->number;
     if (p->numMembers > 0)
@@ -122,7 +123,7 @@ static void stepBatch(const Stepping *s, int batch, int worker) {
 
 static void advanceByTeam(const Stepping *s) {
     for (int i = 0; i < s->world->numPartitions; i++)
-        if (isForTeam(s->world, i))
+        if (isForAllWorkers(s->world, i))
             stepPartition(s, i, 0, s->world->team);
 }
 
@@ -136,7 +137,7 @@ static int log2Of(int size) {
 
 /* True if neither all workers step the partition together, nor a batch has it. */
 static MeBool isForOneWorker(const MdtWorld *w, int i) {
-    return !mdt_isInBatch(w, i) && !isForTeam(w, i);
+    return !mdt_isInBatch(w, i) && !isForAllWorkers(w, i);
 }
 
 /* Sorts these partitions by size class, the largest first, with a counting sort. Returns their number. */

@@ -61,8 +61,8 @@ void mdt_reportStep(MdtWorldID w) {
     }
     w->numReports = w->numPartitions;
     memset(w->reports, 0, (size_t)w->numReports * sizeof *w->reports);
-    w->firstUntimed = 0;
-    w->lap = ticksNow();
+    w->timing.firstUntimed = 0;
+    w->timing.lap = ticksNow();
 }
 
 /* s: time since the last lap; begins a new one. */
@@ -74,7 +74,7 @@ static double lapTime(MeU64 *clock) {
 
 void mdt_reportLap(MdtIsland *p, MdtReportStage stage) {
     if (p->isTimedByStage)
-        p->report->time[stage] += (MeReal)lapTime(p->clock);
+        p->report->time[stage] += (MeReal)lapTime(p->timing ? &p->timing->lap : &p->lap);
 }
 
 /* True if a partition is timed by stage, instead of together with others: one in GROUP, those larger than SMALL, and
@@ -83,7 +83,7 @@ static MeBool isTimedByStage(const MdtWorld *w, int partition) {
     const int bodies = w->bodyStart[partition + 1] - w->bodyStart[partition];
     const int constraints = w->actingStart[partition + 1] - w->actingStart[partition];
     return w->partitionCb || partition % GROUP == 0 || bodies + constraints > SMALL ||
-           (constraints > 0 && w->stageShare[MdtReportStageSolve] == 0);
+           (constraints > 0 && w->timing.stageShare[MdtReportStageSolve] == 0);
 }
 
 static double workOf(const MdtReport *r) {
@@ -98,49 +98,45 @@ static void distributeToStages(MdtReport *r, double time, const double share[]) 
 }
 
 /* Distributes the time since the last lap among the preceding partitions that were not timed by stage. */
-static void distributeTime(MdtWorldID w, int end) {
-    const double time = lapTime(&w->lap);
-    MEASSERT(end >= w->firstUntimed);
+static void distributeTime(const MdtWorld *w, MdtTiming *t, int end) {
+    const double time = lapTime(&t->lap);
+    MEASSERT(end >= t->firstUntimed);
     double work = 0;
-    for (int i = w->firstUntimed; i < end; i++)
+    for (int i = t->firstUntimed; i < end; i++)
         work += mdt_isInBatch(w, i) ? 0 : workOf(&w->reports[i]);
-    for (int i = w->firstUntimed; i < end; i++)
+    for (int i = t->firstUntimed; i < end; i++)
         if (!mdt_isInBatch(w, i))
-            distributeToStages(&w->reports[i], time * workOf(&w->reports[i]) / work, w->stageShare);
-    w->firstUntimed = end;
+            distributeToStages(&w->reports[i], time * workOf(&w->reports[i]) / work, t->stageShare);
+    t->firstUntimed = end;
 }
 
-/* With several workers each one has its own clock, which times its own partitions only. */
-static MeBool hasOwnClock(const MdtIsland *p) {
-    return p->clock == &p->lap;
-}
-
+/* With several workers each partition is timed alone. */
 void mdt_reportBegin(MdtIsland *p) {
-    MdtWorldID w = p->world;
+    const MdtWorld *w = p->world;
     MEASSERT(p->number >= 0 && p->number < w->numPartitions);
     if (!w->isReported || p->number >= w->numReports)
         return;
     p->report = &w->reports[p->number];
-    p->isTimedByStage = hasOwnClock(p) || isTimedByStage(w, p->number);
-    if (hasOwnClock(p))
+    p->isTimedByStage = !p->timing || isTimedByStage(w, p->number);
+    if (!p->timing)
         p->lap = ticksNow();
     else if (p->isTimedByStage)
-        distributeTime(w, p->number);
+        distributeTime(w, p->timing, p->number);
 }
 
 /* Stores each stage's fraction of a small partition's time, for partitions that are not timed by stage. */
-static void storeStageShares(MdtWorldID w, const MdtReport *r) {
+static void storeStageShares(MdtTiming *t, const MdtReport *r) {
     double sum = 0;
     for (int i = 0; i < MdtReportStages; i++)
         sum += (double)r->time[i];
     MEASSERT(sum >= 0);
     for (int i = 0; i < MdtReportStages && sum > 0; i++)
-        w->stageShare[i] = (double)r->time[i] / sum;
+        t->stageShare[i] = (double)r->time[i] / sum;
 }
 
 void mdt_reportStepEnd(MdtWorldID w) {
-    if (w->firstUntimed < w->numReports)
-        distributeTime(w, w->numReports);
+    if (w->timing.firstUntimed < w->numReports)
+        distributeTime(w, &w->timing, w->numReports);
 }
 
 static void raiseMax(MeReal *worst, double x) {
@@ -205,11 +201,10 @@ void mdt_reportSubstep(MdtReport *r, const MdtIsland *p, MeBool isFinite) {
     raiseMax(&r->jointError, kea->report.error);
     r->jointGap = r->jointTurn = 0;
     raiseMax(&r->penetration, mdt_contactsPenetration(p));
-    for (int i = 0; i < p->numActing; i++) {
-        const MdtJoint *j = mdt_asJoint(p->acting[i]);
-        if (j && j->numRows > 0 && j->type->errors)
+    const MdtJoint *j;
+    for (int i = 0; (j = mdt_nextJoint(p, &i));)
+        if (j->numRows > 0 && j->type->errors)
             measureJoint(r, j, kea);
-    }
 }
 
 /* Uses the public angular velocity: in single precision it has as many digits as the report. */
@@ -231,7 +226,7 @@ static void reportEnergy(MdtReport *r, MdtBodyID const bodies[], int count, cons
 }
 
 /* Contacts and their groups both count as constraints. */
-static int countConstraints(MdtWorldID w, int partition) {
+static int countConstraints(const MdtWorld *w, int partition) {
     int count = 0;
     for (int i = w->actingStart[partition]; i < w->actingStart[partition + 1]; i++) {
         const MdtConstraintID c = w->actingOf[i];
@@ -242,17 +237,17 @@ static int countConstraints(MdtWorldID w, int partition) {
 }
 
 void mdt_reportEnd(MdtIsland *p) {
-    MdtWorldID w = p->world;
+    const MdtWorld *w = p->world;
     MdtReport *r = p->report;
     r->bodies = p->numBodies;
     r->constraints = countConstraints(w, p->number);
     reportEnergy(r, p->bodies, r->bodies, w->params.gravity);
     mdt_reportLap(p, MdtReportStageIntegrate);
-    if (!p->isTimedByStage || hasOwnClock(p))
+    if (!p->isTimedByStage || !p->timing)
         return;
-    w->firstUntimed = p->number + 1;
+    p->timing->firstUntimed = p->number + 1;
     if (r->rows > 0 && r->bodies + r->constraints <= SMALL)
-        storeStageShares(w, r);
+        storeStageShares(p->timing, r);
 }
 
 /* ---- batches ---- */
@@ -264,7 +259,6 @@ void mdt_reportBatch(MdtIsland *p, MdtReport *r) {
     memset(r, 0, sizeof *r);
     p->report = r;
     p->isTimedByStage = METRUE;
-    p->clock = &p->lap;
     p->lap = ticksNow();
 }
 
@@ -286,7 +280,7 @@ void mdt_reportMember(const MdtIsland *p, const MdtMember *m, int rows, double p
 
 void mdt_reportBatchesEnd(MdtWorldID w) {
     if (w->isReported && w->batches.count > 0)
-        w->lap = ticksNow();
+        w->timing.lap = ticksNow();
 }
 
 /* ---- reading by programs ---- */

@@ -56,20 +56,18 @@ static MeBool isUserConstraint(const MdtJoint *j) {
 /* Calls the callbacks that make rows. First, because they may change other joints. */
 static void makeUserRows(MdtIsland *p) {
     const MeProgramCall before = MeProgramEnter("MdtUserConstraintSetFunction");
-    for (int i = 0; i < p->numActing; i++) {
-        MdtJoint *j = mdt_asJoint(p->acting[i]);
-        if (j && isUserConstraint(j))
+    MdtJoint *j;
+    for (int i = 0; (j = mdt_nextJoint(p, &i));)
+        if (isUserConstraint(j))
             prepareJoint(p, j);
-    }
     MeProgramLeave(&before);
 }
 
 static int countJointRows(MdtIsland *p) {
+    MdtJoint *j;
     int rows = 0;
-    for (int i = 0; i < p->numActing && p->numJoints > 0; i++) {
-        MdtJoint *j = mdt_asJoint(p->acting[i]);
-        rows += !j ? 0 : isUserConstraint(j) ? j->numRows : prepareJoint(p, j);
-    }
+    for (int i = 0; (j = mdt_nextJoint(p, &i));)
+        rows += isUserConstraint(j) ? j->numRows : prepareJoint(p, j);
     return rows;
 }
 
@@ -126,18 +124,16 @@ static void fillJoint(MdtIsland *p, MdtJoint *j, int owner) {
 
 /* Counts the rows, leaves out those beyond the cap, fills them. */
 void mdt_rowsMake(MdtIsland *p) {
-    MdtWorldID w = p->world;
+    const MdtWorld *w = p->world;
     MEASSERT(p->kea.numRows == 0);
     if (w->userConstraints > 0)
         makeUserRows(p);
     p->numRows = mdt_rowsCount(p);
     if (p->numRows > w->maxMatrixSize && p->numMembers == 0) /* batches are below the cap */
         p->numRows = mdt_capRows(p, p->numRows, w->maxMatrixSize);
-    for (int i = 0; i < p->numActing && p->numJoints > 0; i++) {
-        MdtJoint *j = mdt_asJoint(p->acting[i]);
-        if (j)
-            fillJoint(p, j, i);
-    }
+    MdtJoint *j;
+    for (int i = 0; (j = mdt_nextJoint(p, &i));)
+        fillJoint(p, j, i);
     MdtKeaMakeContactRows(&p->kea);
     MEASSERT(p->isFast || p->kea.numRows == p->numRows);
     if (p->number < w->sizeLogLength && p->numMembers == 0)
@@ -151,9 +147,9 @@ void MEAPI mdt_rowsUpdateJacobians(void *island, const MdtKeaTransformation pose
     const MdtIsland *p = island;
     MdtKeaRow rows[MdtBclGETMAXROWS];
     MdtBclContext x;
-    for (int i = 0; i < p->numActing && p->numJoints > 0; i++) {
-        MdtJoint *j = mdt_asJoint(p->acting[i]);
-        if (!j || j->numRows == 0)
+    MdtJoint *j;
+    for (int i = 0; (j = mdt_nextJoint(p, &i));) {
+        if (j->numRows == 0)
             continue;
         jointContext(p, j, &x);
         for (int k = 0; k < 2; k++)
@@ -173,10 +169,10 @@ void MEAPI mdt_rowsUpdateJacobians(void *island, const MdtKeaTransformation pose
 
 void MEAPI mdt_rowsErrors(void *island, const MdtKeaTransformation poses[], double errors[]) {
     const MdtIsland *p = island;
-    for (int i = 0; i < p->numActing; i++) {
-        const MdtJoint *j = mdt_asJoint(p->acting[i]);
+    const MdtJoint *j;
+    for (int i = 0; (j = mdt_nextJoint(p, &i));) {
         const MdtKeaTransformation *pose[2];
-        if (!j || !j->type->errors)
+        if (!j->type->errors)
             continue;
         for (int k = 0; k < 2; k++)
             pose[k] = j->base.side[k].body ? &poses[j->base.side[k].body->index] : &MdtBclWorldPose;

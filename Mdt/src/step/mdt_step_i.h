@@ -41,7 +41,7 @@ void mdt_substepIntegrate(MdtIsland *p);
 /* mdt_batchesFind finds the batches of a step; `team` helps, null: none. mdt_batchOf is the working data of a batch;
  * mdt_batchAdvance steps it, in place of its members (mdt_batch.c). */
 void mdt_batchesFind(MdtWorldID w, double h, MeBool stopAtSafeTime, MeTeam *team);
-MdtIsland mdt_batchOf(MdtWorldID w, int batch, double h);
+MdtIsland mdt_batchOf(const MdtWorld *w, int batch, double h);
 void mdt_batchAdvance(MdtIsland *p);
 
 /* Counts the present rows of the partition's joints and contacts. */
@@ -63,12 +63,12 @@ void mdt_contactsLayOut(MdtIsland *p, void *memory, int count);
  * and returns the next index. mdt_contactsCarry updates positions and depths for further parts, for the fast solver.
  * */
 int mdt_contactsPack(const MdtIsland *p, const MdtManifold *first, int at, int *problems);
-void mdt_contactsCarry(MdtIsland *p);
+void mdt_contactsCarry(const MdtIsland *p);
 /* mdt_contactsAddForces adds `share` times the points' forces to the means over the step; mdt_contactsClearForces
  * zeroes them; mdt_contactsUnpack copies them to the contacts, with isGuess as warm start of the next part. */
-void mdt_contactsAddForces(MdtIsland *p, double share);
-void mdt_contactsClearForces(MdtIsland *p);
-void mdt_contactsUnpack(MdtIsland *p, MeBool isGuess);
+void mdt_contactsAddForces(const MdtIsland *p, double share);
+void mdt_contactsClearForces(const MdtIsland *p);
+void mdt_contactsUnpack(const MdtIsland *p, MeBool isGuess);
 double mdt_contactsPenetration(const MdtIsland *p);
 
 /* Advances the step in parts, within its work budget, or until the bodies are stopped (mdt_subdivide.c). */
@@ -102,13 +102,13 @@ int mdt_capRows(MdtIsland *p, int rows, int max);
 
 /* Forces of joints and contacts: mdt_unpackBegin zeroes them at the start of a step; mdt_unpackImpact adds the impulses
  * of an impact; mdt_unpackConstraints reads them back after a part. */
-void mdt_unpackBegin(MdtIsland *p);
-void mdt_unpackImpact(MdtIsland *p);
-void mdt_unpackConstraints(MdtIsland *p);
+void mdt_unpackBegin(const MdtIsland *p);
+void mdt_unpackImpact(const MdtIsland *p);
+void mdt_unpackConstraints(const MdtIsland *p);
 /* Reads back the states of bodies at the end of the step. */
 void mdt_unpackBodies(MdtIsland *p);
 /* Fallback: bodies whose next state is not finite keep their pose, with velocity 0. */
-void mdt_unpackStopped(MdtIsland *p);
+void mdt_unpackStopped(const MdtIsland *p);
 
 /* ---- steps by safe time (mdt_lag.c) ------------------------------------------------------------------------------ */
 

@@ -300,7 +300,7 @@ static TimedResult solveToEvent(MdtIsland *p, double remaining, double min, int 
     return isAccurate(p) ? TIMED : r->violent ? VIOLENT : NOT_TIMED;
 }
 
-/* The same; halves the part as long as the motion is violent. */
+/* Calls solveToEvent, and halves the part as long as the motion is violent. */
 static TimedResult solveToEventOrHalf(MdtIsland *p, double remaining, double min, int maxImpacts) {
     TimedResult result = solveToEvent(p, remaining, min, maxImpacts);
     for (double ahead = remaining; result == VIOLENT && ahead >= 0.2 * remaining;) {

@@ -8,11 +8,9 @@
 
 /* ---- constraints ---- */
 
-void mdt_unpackBegin(MdtIsland *p) {
-    for (int i = 0; i < p->numActing && p->numJoints > 0; i++) {
-        MdtJoint *j = mdt_asJoint(p->acting[i]);
-        if (!j)
-            continue;
+void mdt_unpackBegin(const MdtIsland *p) {
+    MdtJoint *j;
+    for (int i = 0; (j = mdt_nextJoint(p, &i));) {
         j->wasDegenerate = j->isDegenerate;
         j->isDegenerate = MEFALSE;
         memset(&j->force, 0, sizeof j->force);
@@ -31,16 +29,14 @@ static void addJointForces(MdtJoint *j, const MdtKeaRow rows[], double share) {
 }
 
 /* Adds `share` times the forces of the present part to those of the step. */
-static void addForces(MdtIsland *p, double share) {
-    for (int i = 0; i < p->numActing && p->numJoints > 0; i++) {
-        MdtJoint *j = mdt_asJoint(p->acting[i]);
-        if (j)
-            addJointForces(j, p->kea.rows + j->firstRow, share);
-    }
+static void addForces(const MdtIsland *p, double share) {
+    MdtJoint *j;
+    for (int i = 0; (j = mdt_nextJoint(p, &i));)
+        addJointForces(j, p->kea.rows + j->firstRow, share);
     mdt_contactsAddForces(p, share);
 }
 
-void mdt_unpackImpact(MdtIsland *p) {
+void mdt_unpackImpact(const MdtIsland *p) {
     addForces(p, 1 / p->h);
 }
 
@@ -68,21 +64,19 @@ static void unpackJoint(const MdtIsland *p, MdtJoint *j, MeBool isGuess) {
         j->type->readBack(&j->bcl, &x, rows);
 }
 
-void mdt_unpackConstraints(MdtIsland *p) {
+void mdt_unpackConstraints(const MdtIsland *p) {
     const MeBool isGuess = p->parameters.stepsize > 0.1 * p->h; /* forces of very short parts are no warm start */
     addForces(p, mdt_substepTime(p) / p->h);
-    for (int i = 0; i < p->numActing && p->numJoints > 0; i++) {
-        MdtJoint *j = mdt_asJoint(p->acting[i]);
-        if (j)
-            unpackJoint(p, j, isGuess);
-    }
+    MdtJoint *j;
+    for (int i = 0; (j = mdt_nextJoint(p, &i));)
+        unpackJoint(p, j, isGuess);
     mdt_contactsUnpack(p, isGuess);
 }
 
 /* ---- bodies ---- */
 
 /* Computes the position correction: the displacement beyond h ((1 - θ) v + θ v⁺). */
-static void recordPush(MdtBodyID b, const MdtStart *start, const MdtKeaVelocity *end, double h) {
+static void recordPositionCorrection(MdtBodyID b, const MdtStart *start, const MdtKeaVelocity *end, double h) {
     b->theta = b->kea.fall / (h * h);
     for (int k = 0; k < 3; k++)
         b->push[k] = (b->kea.position[k] - start->pose.position[k]) / h - (1 - b->theta) * start->velocity.lin[k] -
@@ -98,7 +92,7 @@ static void unpackBody(MdtBodyID b, double h) {
         b->kea.lastStep.lin[k] = (end.lin[k] - b->start.velocity.lin[k]) / h;
         b->kea.lastStep.ang[k] = (end.ang[k] - b->start.velocity.ang[k]) / h;
     }
-    recordPush(b, &b->start, &end, h);
+    recordPositionCorrection(b, &b->start, &end, h);
     MEASSERT(b->theta >= 0.5 - 1e-9 && b->theta <= 1 + 1e-9);
     MEASSERT(isfinite(keaLength(b->kea.lastStep.lin) + keaLength(b->kea.lastStep.ang) + keaLength(b->push)));
     mdt_bodyAge(b, h);
@@ -121,7 +115,7 @@ void mdt_unpackBodies(MdtIsland *p) {
     MeTeamRunRanges(p->team, p->numBodies, MDT_RANGE, unpackBodies, p);
 }
 
-void mdt_unpackStopped(MdtIsland *p) {
+void mdt_unpackStopped(const MdtIsland *p) {
     static const double none[3] = {0, 0, 0};
     MeWarning(2, "%s: partition %d (%d bodies) would leave the finite numbers; its bodies are stopped",
               MeCallerName("MdtWorldStep"), p->number, p->numBodies);

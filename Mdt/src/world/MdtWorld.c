@@ -13,7 +13,8 @@
         return value;                                                                                                  \
     }
 
-static MeReal scaleOr1(const char *what, MeReal scale) {
+/* The scale; 1, with a warning, if it is not positive and finite. */
+static MeReal validScale(const char *what, MeReal scale) {
     if (mdt_isPositiveInRange(scale))
         return scale;
     MeWarning(1, "MdtWorldCreate: the %s scale is %g, it must be positive; 1 is taken", what, (double)scale);
@@ -127,7 +128,7 @@ MdtWorldID MEAPI(MdtWorldCreate)(const unsigned int maxBodies, const unsigned in
     w->certificate = 1;   /* 0 is none */
     w->graph.changes = 1; /* `seen` is 0: the partitions are to be found */
     w->numReports = MDT_NO_REPORTS;
-    setDefaults(w, scaleOr1("length", lengthScale), scaleOr1("mass", massScale));
+    setDefaults(w, validScale("length", lengthScale), validScale("mass", massScale));
     if (!allocateArrays(w, (int)maxBodies, (int)maxConstraints, "MdtWorldCreate")) {
         freeWorld(w);
         return NULL;

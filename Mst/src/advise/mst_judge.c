@@ -171,7 +171,7 @@ static MstVerdict verdictOf(const MstTrial *t, const MstTrial *asItIs, double to
 }
 
 /* Marks the cheapest setting that corrects the scene's errors as needed. */
-static void chooseMend(MstTrial *t, int count, double tolerance) {
+static void chooseNeededSetting(MstTrial *t, int count, double tolerance) {
     MstTrial *best = 0;
     for (int i = 1; i < count; i++)
         if (t[i].verdict == MstVerdictExact && isWithinTolerance(&t[i], tolerance) &&
@@ -240,7 +240,7 @@ void mst_trialsRate(MstTrial *t, int count, double tolerance, MeBool isCompared)
     for (int i = 1; i < count; i++)
         t[i].verdict = verdictOf(&t[i], &t[0], tolerance, isCompared);
     if (isCompared && !isWithinTolerance(&t[0], tolerance))
-        chooseMend(t, count, tolerance);
+        chooseNeededSetting(t, count, tolerance);
     for (int i = 1; i < count; i++)
         writeAdvice(&t[i], &t[0], tolerance, isCompared);
     snprintf(t[0].advice, sizeof t[0].advice, "%s", "");

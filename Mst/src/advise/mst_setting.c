@@ -100,7 +100,7 @@ static void planSolver(Plan *plan, MdtWorldID w, const MstSceneTraits *traits) {
     }
 }
 
-static void planTime(Plan *plan, MdtWorldID w, const MstSceneTraits *traits) {
+static void planTimeIntegration(Plan *plan, MdtWorldID w, const MstSceneTraits *traits) {
     const int n = MdtWorldGetSubSteps(w);
     if (n > 2)
         addSetting(plan, MST_KNOB_SUBSTEPS, 1, 0, "MdtWorldSetSubSteps(world, 1)");
@@ -160,7 +160,7 @@ static void planScales(Plan *plan, MstUniverseID u, const Models *models) {
 int mst_settingsPlan(MstUniverseID u, const MstSceneTraits *traits, MstSetting setting[MST_SETTINGS]) {
     Plan plan = {setting, 0};
     const Models models = summarizeModels(u);
-    planTime(&plan, u->world, traits);
+    planTimeIntegration(&plan, u->world, traits);
     if (traits->hasContacts) {
         planSolver(&plan, u->world, traits);
         planFriction(&plan, u);

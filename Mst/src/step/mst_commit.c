@@ -197,7 +197,8 @@ static void recordTestOf(MstBridgeRecord *b, const MstFinding *f, int numContact
         McdModelPairForgetTest(f->pair);
 }
 
-static void finishTest(MstBridgeRecord *b, const MstFinding *f, McdSpaceID s, MdtWorldID w) {
+/* After a test: updates the pair's touch, records the test, and sets safe times of fast bodies. */
+static void recordTestAndTouch(MstBridgeRecord *b, const MstFinding *f, McdSpaceID s, MdtWorldID w) {
     const MdtContactGroupID group = f->pair->responseData;
     const int numContacts = group ? MdtContactGroupGetCount(group) : 0;
     mst_touchCommitTested(b, f->pair, numContacts, f->count, f->separation);
@@ -210,7 +211,7 @@ static void finishTest(MstBridgeRecord *b, const MstFinding *f, McdSpaceID s, Md
 static void commitTested(MstBridgeRecord *b, const MstRun *run, const MstFinding *f, McdSpaceID s, MdtWorldID w) {
     if (f->hasInteraction)
         commitContacts(b, run, f, w);
-    finishTest(b, f, s, w);
+    recordTestAndTouch(b, f, s, w);
 }
 
 static void testAndCommit(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpaceID s, MdtWorldID w) {
@@ -220,11 +221,11 @@ static void testAndCommit(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpa
     if (mst_hasCallback(f->materials))
         mst_beginRound(b); /* callbacks may have changed any input */
     if (!McdModelPairIsLeaving(f->pair))
-        finishTest(b, f, s, w);
+        recordTestAndTouch(b, f, s, w);
 }
 
 /* An overlap with a sensor gives an event, but no contacts. Two sensors do not detect each other. */
-static void senseAndCommit(MstBridgeRecord *b, MstRun *run, McdModelPair *p) {
+static void testAndCommitSensor(MstBridgeRecord *b, MstRun *run, McdModelPair *p) {
     mst_destroyGroup(p);
     if (McdModelIsSensor(p->model1) && McdModelIsSensor(p->model2))
         return;
@@ -265,7 +266,7 @@ static void commitPair(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpaceI
         removeContacts(f->pair);
         return;
     case MST_TO_SENSE:
-        senseAndCommit(b, run, f->pair);
+        testAndCommitSensor(b, run, f->pair);
         return;
     case MST_TO_WAIT:
         mst_clampLaggingBody(b, f);

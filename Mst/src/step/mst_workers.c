@@ -121,7 +121,7 @@ static void MEAPI commitItem(void *context, int item, int worker) {
     }
 }
 
-static MeBool areWorthWorkers(const MstBridgeRecord *b, const MeTeam *team, int count) {
+static MeBool areEnoughForWorkers(const MstBridgeRecord *b, const MeTeam *team, int count) {
     return team && b->substep == 0 && count >= MST_MIN_RUNS * MST_RUN;
 }
 
@@ -129,7 +129,7 @@ static MeBool areWorthWorkers(const MstBridgeRecord *b, const MeTeam *team, int 
 void mst_stampModelsByWorkers(MstBridgeRecord *b, int count, McdSpaceID s, MdtWorldID w) {
     MeTeam *team = w ? MdtWorldGetTeam(w) : 0;
     b->runsSearched = MAX_RUNS;
-    if (!areWorthWorkers(b, team, count) || count < McdSpaceGetModelCount(s))
+    if (!areEnoughForWorkers(b, team, count) || count < McdSpaceGetModelCount(s))
         return;
     MeTeamOpen(team);
     McdSpaceCompareModels(s);
@@ -138,7 +138,7 @@ void mst_stampModelsByWorkers(MstBridgeRecord *b, int count, McdSpaceID s, MdtWo
 
 int mst_handlePairsByWorkers(MstBridgeRecord *b, McdModelPair *const pairs[], int count, McdSpaceID s, MdtWorldID w) {
     MeTeam *team = w ? MdtWorldGetTeam(w) : 0;
-    if (!areWorthWorkers(b, team, count) || !allocateRuns(b))
+    if (!areEnoughForWorkers(b, team, count) || !allocateRuns(b))
         return 0;
     MeTeamOpen(team);
     PairPipeline p = {b, pairs, countPlainPairs(team, b, pairs, count), s, w};

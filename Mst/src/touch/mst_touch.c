@@ -111,7 +111,7 @@ void mst_touchList(MstEvents *e, MstTouch *t, MeBool isUndecided) {
         t->isUndecided = false;
 }
 
-static void nullEntry(MstTouch **list, int count, const MstTouch *t) {
+static void clearEntriesOf(MstTouch **list, int count, const MstTouch *t) {
     for (int i = 0; i < count; i++)
         if (list[i] == t)
             list[i] = 0;
@@ -120,8 +120,8 @@ static void nullEntry(MstTouch **list, int count, const MstTouch *t) {
 void mst_touchUnlist(MstTouch *t) {
     MstEvents *e = &t->bridge->events;
     MEASSERT(mst_touchIsListed(e, t));
-    nullEntry(e->listed, e->listedCount, t);
-    nullEntry(e->undecided, e->undecidedCount, t);
+    clearEntriesOf(e->listed, e->listedCount, t);
+    clearEntriesOf(e->undecided, e->undecidedCount, t);
     markUnlisted(t);
 }
 
