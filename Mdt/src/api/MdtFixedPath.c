@@ -10,24 +10,14 @@ static MdtJoint *jointOf(MdtFixedPathID path, unsigned int bodyindex, const char
     return j && mdt_isSide(caller, bodyindex) ? j : NULL;
 }
 
-static void rotateToCentre(const MdtBodyID b, const double in[3], double out[3]) {
+/* Rotates a vector between the body's frame and the axes of its centre of mass; the world has the same for both. */
+static void rotate(const MdtBodyID b, MeBool isToCentre, const double in[3], double out[3]) {
     double R[3][3];
-    if (!b) {
-        keaCopy(out, in);
+    keaCopy(out, in);
+    if (!b)
         return;
-    }
     keaQuaternionToMatrix(R, b->centre.quaternion);
-    keaApplyTransposed(out, (const double(*)[3])R, in);
-}
-
-static void rotateFromCentre(const MdtBodyID b, const double in[3], double out[3]) {
-    double R[3][3];
-    if (!b) {
-        keaCopy(out, in);
-        return;
-    }
-    keaQuaternionToMatrix(R, b->centre.quaternion);
-    keaApply(out, (const double(*)[3])R, in);
+    (isToCentre ? keaApplyTransposed : keaApply)(out, (const double(*)[3])R, in);
 }
 
 void MEAPI MdtFixedPathSetPosition(const MdtFixedPathID path, const unsigned int bodyindex, const MeReal x,
@@ -39,7 +29,7 @@ void MEAPI MdtFixedPathSetPosition(const MdtFixedPathID path, const unsigned int
     double p[3] = {x, y, z};
     if (body)
         keaSubtract(p, p, body->centre.position);
-    rotateToCentre(body, p, j->bcl.frame[bodyindex].position);
+    rotate(body, METRUE, p, j->bcl.frame[bodyindex].position);
 }
 
 void MEAPI MdtFixedPathGetPosition(const MdtFixedPathID path, const unsigned int bodyindex, MeVector3 position) {
@@ -48,7 +38,7 @@ void MEAPI MdtFixedPathGetPosition(const MdtFixedPathID path, const unsigned int
     if (!j)
         return;
     const MdtBodyID body = j->base.side[bodyindex].body;
-    rotateFromCentre(body, j->bcl.frame[bodyindex].position, p);
+    rotate(body, MEFALSE, j->bcl.frame[bodyindex].position, p);
     if (body)
         keaAddScaled(p, 1, body->centre.position);
     mdt_toReal(position, p);
@@ -61,7 +51,7 @@ void MEAPI MdtFixedPathSetVelocity(const MdtFixedPathID path, const unsigned int
         return;
     const MdtBodyID body = j->base.side[bodyindex].body;
     const double v[3] = {dx, dy, dz};
-    rotateToCentre(body, v, j->bcl.of.path.velocity[bodyindex]);
+    rotate(body, METRUE, v, j->bcl.of.path.velocity[bodyindex]);
 }
 
 void MEAPI MdtFixedPathGetVelocity(const MdtFixedPathID path, const unsigned int bodyindex, MeVector3 velocity) {
@@ -70,6 +60,6 @@ void MEAPI MdtFixedPathGetVelocity(const MdtFixedPathID path, const unsigned int
     if (!j)
         return;
     const MdtBodyID body = j->base.side[bodyindex].body;
-    rotateFromCentre(body, j->bcl.of.path.velocity[bodyindex], v);
+    rotate(body, MEFALSE, j->bcl.of.path.velocity[bodyindex], v);
     mdt_toReal(velocity, v);
 }

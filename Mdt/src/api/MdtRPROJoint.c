@@ -5,22 +5,6 @@
 MDT_JOINT_BASICS(RPROJoint, MdtBclRPROJOINT)
 MDT_JOINT_DATA(RPROJoint, MdtBclRPROJOINT, MdtBclRelative, relative)
 
-/* Normalizes a quaternion; false, with a warning, for one without length. */
-static MeBool normalizeQuaternion(const char *caller, const MeReal q[4], double unit[4]) {
-    double square = 0;
-    for (int i = 0; i < 4; i++) {
-        unit[i] = q[i];
-        square += unit[i] * unit[i];
-    }
-    if (!(square > 0) || !isfinite(square)) {
-        MeWarning(1, "%s: the quaternion is (%g, %g, %g, %g), it must have a length; nothing is changed", caller,
-                  unit[0], unit[1], unit[2], unit[3]);
-        return MEFALSE;
-    }
-    keaQuaternionNormalize(unit);
-    return METRUE;
-}
-
 static void copyQuaternion(MeVector4 q, const double from[4]) {
     for (int i = 0; i < 4; i++)
         q[i] = (MeReal)from[i];
@@ -30,8 +14,10 @@ static void copyQuaternion(MeVector4 q, const double from[4]) {
 
 void MEAPI MdtRPROJointSetRelativeQuaternion(const MdtRPROJointID j, const MeVector4 q) {
     Data *r = dataOf(j, __func__);
-    double unit[4];
-    if (r && mdt_isPointer(__func__, "the quaternion", q) && normalizeQuaternion(__func__, q, unit))
+    if (!r || !mdt_isPointer(__func__, "the quaternion", q))
+        return;
+    double unit[4] = {q[0], q[1], q[2], q[3]};
+    if (mdt_normalizeQuaternion(__func__, unit))
         memcpy(r->quaternion, unit, sizeof unit);
 }
 
@@ -71,9 +57,8 @@ void MEAPI MdtRPROJointGetAttachmentPosition(const MdtRPROJointID j, const unsig
 void MEAPI MdtRPROJointSetAttachmentQuaternion(const MdtRPROJointID j, const MeReal q0, const MeReal q1,
                                                const MeReal q2, const MeReal q3, const unsigned int bodyindex) {
     MdtJoint *c = mdt_jointOfType(j, MdtBclRPROJOINT, __func__);
-    const MeReal q[4] = {q0, q1, q2, q3};
-    double unit[4], R[3][3];
-    if (!c || !mdt_isSide(__func__, bodyindex) || !normalizeQuaternion(__func__, q, unit))
+    double unit[4] = {q0, q1, q2, q3}, R[3][3];
+    if (!c || !mdt_isSide(__func__, bodyindex) || !mdt_normalizeQuaternion(__func__, unit))
         return;
     keaQuaternionToMatrix(R, unit);
     for (int i = 0; i < 3; i++) {

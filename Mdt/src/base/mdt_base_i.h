@@ -106,6 +106,8 @@ MeBool mdt_isSortKey(const char *caller, MeI32 key);
 MeBool mdt_isPointer(const char *caller, const char *what, const void *p);
 /* True if result is not null; its n numbers are then zeroed, as the neutral result. Otherwise warns. */
 MeBool mdt_isResult(const char *caller, MeReal *result, int n);
+/* Normalizes a quaternion; false, with a warning, if it has no length. */
+MeBool mdt_normalizeQuaternion(const char *caller, double q[4]);
 /* Stores x if it is >= 0; otherwise warns. Does nothing if place is null: the joint was not valid. */
 void mdt_setNonNegative(const char *caller, const char *what, MeReal *place, MeReal x);
 /* Stores an angle, clamped to 0..pi. An angle that is not finite is not stored, with a warning. */

@@ -198,6 +198,16 @@ MeBool mdt_isResult(const char *caller, MeReal *result, int n) {
     return METRUE;
 }
 
+MeBool mdt_normalizeQuaternion(const char *caller, double q[4]) {
+    const double size = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    if (isfinite(size) && size > 0) {
+        keaQuaternionNormalize(q);
+        return METRUE;
+    }
+    MeWarning(1, "%s: (%g, %g, %g, %g) is no orientation; nothing is changed", caller, q[0], q[1], q[2], q[3]);
+    return MEFALSE;
+}
+
 void mdt_setNonNegative(const char *caller, const char *what, MeReal *place, MeReal x) {
     if (place && mdt_isNotBelow(caller, what, x, 0))
         *place = x;

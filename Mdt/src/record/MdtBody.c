@@ -556,17 +556,6 @@ void MEAPI MdtBodyGetPosition(const MdtBodyID b, MeVector3 p) {
     memcpy(p, b->transform[3], sizeof(MeVector3));
 }
 
-/* Fails, with a warning, for a quaternion of length zero. */
-static MeBool normalizeQuaternion(const char *caller, double q[4]) {
-    const double size = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-    if (isfinite(size) && size > 0) {
-        keaQuaternionNormalize(q);
-        return METRUE;
-    }
-    MeWarning(1, "%s: (%g, %g, %g, %g) is no orientation; nothing is changed", caller, q[0], q[1], q[2], q[3]);
-    return MEFALSE;
-}
-
 static void rotateFrame(MdtBodyID b, const double q[4]) {
     double p[3], old[4];
     getFrame(b, p, old);
@@ -577,7 +566,7 @@ static void rotateFrame(MdtBodyID b, const double q[4]) {
 void MEAPI MdtBodySetQuaternion(const MdtBodyID b, const MeReal qw, const MeReal qx, const MeReal qy, const MeReal qz) {
     MDT_CHANGE_BODY(b);
     double q[4] = {qw, qx, qy, qz};
-    if (normalizeQuaternion(__func__, q))
+    if (mdt_normalizeQuaternion(__func__, q))
         rotateFrame(b, q);
 }
 

@@ -710,18 +710,19 @@ void mdt_constraintSetForce(MdtConstraintID c, const MdtKeaForcePair *force) {
     mdt_constraintDisturb(baseOf(c)); /* its force no longer is the answer of a step */
 }
 
-void mdt_constraintGetForce(MdtConstraintID c, unsigned int bodyindex, MeVector3 f, const char *caller) {
-    if (!mdt_isResult(caller, f, 3) || !mdt_isConstraint(c, caller) || !mdt_isSide(caller, bodyindex))
+static void getForce(MdtConstraintID c, unsigned int side, MeBool isTorque, MeVector3 result, const char *caller) {
+    if (!mdt_isResult(caller, result, 3) || !mdt_isConstraint(c, caller) || !mdt_isSide(caller, side))
         return;
     const MdtKeaForcePair force = forceOf(c);
-    mdt_toReal(f, force.body[bodyindex].lin);
+    mdt_toReal(result, isTorque ? force.body[side].ang : force.body[side].lin);
+}
+
+void mdt_constraintGetForce(MdtConstraintID c, unsigned int bodyindex, MeVector3 f, const char *caller) {
+    getForce(c, bodyindex, MEFALSE, f, caller);
 }
 
 void mdt_constraintGetTorque(MdtConstraintID c, unsigned int bodyindex, MeVector3 t, const char *caller) {
-    if (!mdt_isResult(caller, t, 3) || !mdt_isConstraint(c, caller) || !mdt_isSide(caller, bodyindex))
-        return;
-    const MdtKeaForcePair force = forceOf(c);
-    mdt_toReal(t, force.body[bodyindex].ang);
+    getForce(c, bodyindex, METRUE, t, caller);
 }
 
 /* Works for manifolds of single contacts, too, which the library passes. */

@@ -201,11 +201,16 @@ static MeBool claimSpace(MstBridgeRecord *b, McdSpaceID s, const char *function)
     return METRUE;
 }
 
+/* The record of a bridge that may handle the pairs of the space now; null, with a warning or message, otherwise. */
+static MstBridgeRecord *bridgeFor(MstBridgeID b, McdSpaceID s, MdtWorldID w, const char *function) {
+    MstBridgeRecord *record = mst_bridgeCheck(b, function);
+    return record && claimSpace(record, s, function) && areStagesFree(record, record->frame, w, function) ? record : 0;
+}
+
 void MEAPI MstHandleCollisions(McdModelPairContainer *pairs, const McdSpaceID s, const MdtWorldID w,
                                const MstBridgeID b) {
-    MstBridgeRecord *record = mst_bridgeCheck(b, "MstHandleCollisions");
-    if (!record || !pairs || !claimSpace(record, s, "MstHandleCollisions") ||
-        !areStagesFree(record, record->frame, w, "MstHandleCollisions"))
+    MstBridgeRecord *record = pairs ? bridgeFor(b, s, w, __func__) : mst_bridgeCheck(b, __func__);
+    if (!record || !pairs)
         return;
     mst_guardPairs(record, record->frame, liveWorld(w));
     handleCollisions(record, pairs, s, w);
@@ -269,18 +274,16 @@ void mst_updateContacts(MstBridgeRecord *record, McdSpaceID s, MdtWorldID w) {
 }
 
 void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, const MdtWorldID w) {
-    MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeUpdateContacts");
-    if (record && claimSpace(record, s, "MstBridgeUpdateContacts") &&
-        areStagesFree(record, record->frame, w, "MstBridgeUpdateContacts"))
+    MstBridgeRecord *record = bridgeFor(b, s, w, __func__);
+    if (record)
         mst_updateContacts(record, s, w);
 }
 
 void MEAPI MstBridgeUpdateTransitions(const MstBridgeID b, const McdSpaceID s, const MdtWorldID w) {
     McdSpacePairIterator iterator;
     int isMore;
-    MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeUpdateTransitions");
-    if (!record || !claimSpace(record, s, "MstBridgeUpdateTransitions") ||
-        !areStagesFree(record, record->frame, w, "MstBridgeUpdateTransitions"))
+    MstBridgeRecord *record = bridgeFor(b, s, w, __func__);
+    if (!record)
         return;
     McdSpaceEndChanges(s);
     McdSpacePairIteratorBegin(s, &iterator);

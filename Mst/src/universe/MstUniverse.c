@@ -248,18 +248,13 @@ const MstEvent *MEAPI MstUniverseGetEvents(const MstUniverseID u, int *count) {
     return 0;
 }
 
-MdtWorldID MEAPI MstUniverseGetWorld(const MstUniverseID u) {
-    return isUniverse(u, "MstUniverseGetWorld") ? u->world : 0;
-}
+/* A function that returns a member of a universe; null, with a warning, for a bad handle. */
+#define MEMBER_GETTER(Type, function, member)                                                                          \
+    Type MEAPI function(const MstUniverseID u) {                                                                       \
+        return isUniverse(u, __func__) ? u->member : 0;                                                                \
+    }
 
-McdFrameworkID MEAPI MstUniverseGetFramework(const MstUniverseID u) {
-    return isUniverse(u, "MstUniverseGetFramework") ? u->frame : 0;
-}
-
-McdSpaceID MEAPI MstUniverseGetSpace(const MstUniverseID u) {
-    return isUniverse(u, "MstUniverseGetSpace") ? u->space : 0;
-}
-
-MstBridgeID MEAPI MstUniverseGetBridge(const MstUniverseID u) {
-    return isUniverse(u, "MstUniverseGetBridge") ? u->bridge : 0;
-}
+MEMBER_GETTER(MdtWorldID, MstUniverseGetWorld, world)
+MEMBER_GETTER(McdFrameworkID, MstUniverseGetFramework, frame)
+MEMBER_GETTER(McdSpaceID, MstUniverseGetSpace, space)
+MEMBER_GETTER(MstBridgeID, MstUniverseGetBridge, bridge)
