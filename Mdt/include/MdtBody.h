@@ -138,7 +138,8 @@ MEPUBLIC MeBool MEAPI MdtBodyCoriolisForceIsEnabled(const MdtBodyID b);
 /** @name Forces, torques and impulses (Dynamics guide ch. 4)
  *  They add up until the next step in which the body is simulated, act in it, and are cleared. Forces [N] act for the
  *  whole step; impulses [N s] change the momentum at its start, whatever its length, and joints transmit them
- *  immediately.
+ *  immediately. The first force or impulse on a body allocates memory; without any, a fatal error is reported, and
+ *  nothing is changed.
  *
  *  Springs and dampers that a program computes itself are stable: forces that are given in successive steps are
  *  interpreted as samples of a continuous force (velocity Verlet), so that half of the force's change times the step is

@@ -25,9 +25,9 @@ ME_BEGIN_C
  * a warning and count as 1.
  *
  * Returns the world, or null when there is no memory. Destroy it with MdtWorldDestroy. All memory for bodies and
- * constraints is allocated here, through MeMemoryAPI. With MeNoLimit nothing is allocated at first, and the world grows
- * when it is full; handles and pointers stay valid, and results are the same. Dynamics guide ch. 2, "Initializing the
- * World".
+ * constraints is allocated here, through MeMemoryAPI, except 0.6 kB by the first force or impulse on a body. With
+ * MeNoLimit nothing is allocated at first, and the world grows when it is full; handles and pointers stay valid, and
+ * results are the same. Dynamics guide ch. 2, "Initializing the World".
  */
 #ifdef __cplusplus
 MEPUBLIC MdtWorldID MEAPI MdtWorldCreate(const unsigned int maxBodies, const unsigned int maxConstraints,

@@ -16,7 +16,7 @@ FAULTS = {
         ('calls', 'MeGlobals/src/me_stage.c', 'return MeStageIsActive(stage, level) ? MeWhenStageEnds : MeWhenNow;',
          'return level < 0 ? MeWhenStageEnds : MeWhenNow;'),
     'body-keeps-its-models':
-        ('calls', 'Mdt/src/record/MdtBody.c', '    if (b->user)\n        b->user->leave(b);\n', ''),
+        ('calls', 'Mdt/src/record/MdtBody.c', '    if (mdt_userOf(b))\n        mdt_userOf(b)->leave(b);\n', ''),
     'body-keeps-its-joints':
         ('calls', 'Mdt/src/record/MdtBody.c', 'while (b->attachments)\n', 'while (b->attachments && b->attachments->next)\n'),
     'two-models-of-a-body-touch':

@@ -21,7 +21,7 @@ static double endDistance(const MdtKeaSystem *s, int body) {
 void kea_setErrorScales(MdtKeaSystem *s, int body) {
     const double h = s->parameters.stepsize;
     KeaBody *b = &s->work->body[body];
-    b->errorScale[0] = h * keaLength(b->u) + kea_bodySizeShare * b->size + kea_distanceShare * endDistance(s, body);
+    b->errorScale[0] = h * keaLength(b->u) + kea_bodySizeShare * b->size + kea_roundingShare * endDistance(s, body);
     b->errorScale[1] = h * keaLength(b->u + 3);
 }
 
