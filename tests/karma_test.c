@@ -3,7 +3,6 @@
 
 CaughtMessages caught;
 
-static int isCatching;
 static MeHandler oldWarning, oldFatal;
 
 static void onWarning(const int level, const char *const format, va_list ap) {
@@ -18,25 +17,51 @@ static void onFatal(const int level, const char *const format, va_list ap) {
     vsnprintf(caught.last, sizeof caught.last, format, ap);
 }
 
-void messages_catch(void) {
-    if (isCatching)
-        return;
+void messages_forget(void) {
     memset(&caught, 0, sizeof caught);
-    oldWarning = MeSetWarningHandler(onWarning);
-    oldFatal = MeSetFatalErrorHandler(onFatal);
-    isCatching = 1;
 }
 
-void messages_release(void) {
-    if (!isCatching)
-        return;
+void messages_show(void) {
     MeSetWarningHandler(oldWarning);
     MeSetFatalErrorHandler(oldFatal);
-    isCatching = 0;
 }
 
-int messages_are_caught(void) {
-    return isCatching;
+static void beginTest(void) {
+    messages_forget();
+    oldWarning = MeSetWarningHandler(onWarning);
+    oldFatal = MeSetFatalErrorHandler(onFatal);
+}
+
+static struct {
+    void (*end)(void *);
+    void *object;
+} * ends;
+
+static int endCount;
+
+void test_finally(void (*end)(void *), void *object) {
+    ends = realloc(ends, (size_t)(endCount + 1) * sizeof *ends);
+    ends[endCount].end = end;
+    ends[endCount++].object = object;
+}
+
+static void endObjects(void) {
+    while (endCount > 0) {
+        endCount--;
+        ends[endCount].end(ends[endCount].object);
+    }
+    free(ends);
+    ends = NULL;
+}
+
+void test_end(void) {
+    endObjects();
+    assert_silent();
+}
+
+static void finishTest(void) {
+    endObjects(); /* of a test that failed */
+    messages_show();
 }
 
 enum { TESTS = 256 };
@@ -78,8 +103,8 @@ int test_main(const char *name) {
     Suite *suite = suite_create(name);
     TCase *tcase = tcase_create(name);
     tcase_set_timeout(tcase, 0); /* CTest has one */
-    (tcase_add_checked_fixture)(tcase, NULL, messages_release);
-    (tcase_add_checked_fixture)(tcase, beforeEach, afterEach);
+    tcase_add_checked_fixture(tcase, beginTest, finishTest);
+    tcase_add_checked_fixture(tcase, beforeEach, afterEach);
     addInOrder(tcase);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);

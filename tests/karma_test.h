@@ -67,9 +67,8 @@ void margin_note(const char *file, int line, double actual, double expected, dou
         assert_near((actual)[2], (z), (tolerance));                                                                    \
     } while (0)
 
-/* Messages caught instead of shown. Tests of bad input start with messages_catch(); assertions about messages are
- * errors outside of messages_catch() and messages_release(), where they would see none. A file whose every test is to
- * be silent says so once: tcase_add_checked_fixture(t, messages_catch, messages_release). */
+/* Messages are caught, not shown, from before the fixture of a test to its end. A test is to be silent but for what it
+ * asserts: warnings and fatal errors that are left over at its end fail it. */
 typedef struct {
     int warnings;
     int fatal;
@@ -78,18 +77,12 @@ typedef struct {
 
 extern CaughtMessages caught;
 
-void messages_catch(void); /* From here on warnings and fatal errors are counted, not shown; again: changes nothing. */
-void messages_release(void); /* Back to the handlers that were set before. The end of a test does it too. */
-int messages_are_caught(void);
-
-#define assert_messages_are_caught(assertion)                                                                          \
-    ck_assert_msg(messages_are_caught(), "%s outside of messages_catch() and messages_release() sees nothing",         \
-                  assertion)
+void messages_forget(void); /* What has been caught until now does not matter. */
+void messages_show(void);   /* From here to the end of the test nothing is caught. */
 
 /* One warning was given since the last call, and its text contains the word. */
 #define assert_warned(word)                                                                                            \
     do {                                                                                                               \
-        assert_messages_are_caught("assert_warned()");                                                                 \
         ck_assert_msg(caught.warnings > 0, "no warning, expected one with '%s'", word);                                \
         ck_assert_msg(strstr(caught.last, word) != NULL, "warning '%s' does not say '%s'", caught.last, word);         \
         caught.warnings = 0;                                                                                           \
@@ -98,10 +91,13 @@ int messages_are_caught(void);
 
 #define assert_silent()                                                                                                \
     do {                                                                                                               \
-        assert_messages_are_caught("assert_silent()");                                                                 \
         ck_assert_msg(caught.warnings == 0, "%d unexpected warning(s): %s", caught.warnings, caught.last);             \
         ck_assert_msg(caught.fatal == 0, "unexpected fatal error: %s", caught.last);                                   \
     } while (0)
+
+/* At the end of the test, before the fixture's end, `end` is called with the object, the latest one first. */
+void test_finally(void (*end)(void *), void *object);
+void test_end(void);
 
 /* A test: `TEST(a_ball_falls) { ... }`, which adds itself to the file's; a LOOP_TEST runs for each _i from start to end
  * - 1. Each stands alone: the three builds of CI run them in the written order, in reverse (KARMA_TEST_ORDER=reverse),
@@ -111,7 +107,12 @@ int messages_are_caught(void);
     __attribute__((constructor)) static void name##_add(void) {                                                        \
         test_add(name, start, end);                                                                                    \
     }                                                                                                                  \
-    START_TEST(name)
+    static void name##_body(int _i);                                                                                   \
+    START_TEST(name) {                                                                                                 \
+        name##_body(_i);                                                                                               \
+        test_end();                                                                                                    \
+    }                                                                                                                  \
+    static void name##_body(int _i CK_ATTRIBUTE_UNUSED)
 #define TEST(name) LOOP_TEST(name, 0, 1)
 void test_add(const TTest *test, int start, int end);
 
@@ -124,17 +125,5 @@ void test_fixture(void (*before)(void), void (*after)(void));
 
 /* Runs them; main() of a file that has none of its own (test_main.c). */
 int test_main(const char *name);
-
-/* A file may still list its tests: `static void tests(TCase *t) { tcase_add_test(t, a); }  TEST_MAIN("A", tests)`. */
-#undef tcase_add_test
-#undef tcase_add_loop_test
-#define tcase_add_test(tcase, test)                     tcase_add_loop_test(tcase, test, 0, 1)
-#define tcase_add_loop_test(tcase, test, start, end)    ((void)(tcase), test_add(test, start, end))
-#define tcase_add_checked_fixture(tcase, before, after) ((void)(tcase), test_fixture(before, after))
-#define TEST_MAIN(name, add)                                                                                           \
-    int main(void) {                                                                                                   \
-        add(NULL);                                                                                                     \
-        return test_main(name);                                                                                        \
-    }
 
 #endif

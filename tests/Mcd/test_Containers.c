@@ -2,8 +2,6 @@
 #include "McdModelPair.h"
 #include "crates.h"
 
-TEST_FIXTURE(messages_catch, messages_release)
-
 TEST(by_hand) {
     McdModelPairContainer *c = McdModelPairContainerCreate(6);
     McdModelPair pair[8];
@@ -38,7 +36,6 @@ TEST(by_hand) {
                          McdModelPairContainerGetGoodbyeCount(c),
                      0);
     McdModelPairContainerDestroy(c);
-    assert_silent();
 }
 
 /* Every size hands over the same pairs in the same order, and ends. */
@@ -88,7 +85,6 @@ TEST(overflow_hands_over_everything) {
         McdModelPairContainerDestroy(c);
     }
     yardDestroy(&y);
-    assert_silent();
 }
 
 TEST(the_form_without_an_iterator) {
@@ -109,7 +105,6 @@ TEST(the_form_without_an_iterator) {
     assert_pairs(&y, 10, 0, 0);
     McdModelPairContainerDestroy(c);
     yardDestroy(&y);
-    assert_silent();
 }
 
 /* As in the guide's sample: a pair of a program's own, in a container that a space filled and that was reset, at the
@@ -148,7 +143,6 @@ TEST(pairs_of_a_programs_own) {
         McdModelPairContainerDestroy(c);
         yardDestroy(&y);
     }
-    assert_silent();
 }
 
 TEST(bad_input) {

@@ -260,7 +260,6 @@ static void askHeight(Place *p) {
 }
 
 static void askEverything(Place *p) {
-    messages_catch();
     for (int round = 0; round < ROUNDS; round++) {
         askSegments(p);
         askHeight(p);
@@ -270,7 +269,7 @@ static void askEverything(Place *p) {
             askPairs(p, round / 4 % KINDS);
         ck_assert_msg(caught.fatal == 0, "%d fatal errors: %s", caught.fatal, caught.last);
     }
-    messages_release();
+    messages_forget();
 }
 
 TEST(any_numbers_against_any_geometry) {
@@ -287,10 +286,8 @@ TEST(any_numbers_against_parts_out_of_reach) {
     for (int kind = 0; kind < KINDS; kind++)
         for (int k = 0; k < 3; k++)
             p.tm[1][kind][3][k] = MEINFINITY;
-    messages_catch();
     for (int kind = 0; kind < KINDS; kind++)
         McdModelUpdate(p.part[kind]);
-    messages_release();
     askEverything(&p);
     tearDown(&p);
 }
@@ -303,7 +300,6 @@ TEST(flat_transforms_touch_nothing_and_are_told) {
     McdPrimitivesRegisterTypes(f);
     McdPrimitivesRegisterInteractions(f);
     MeMatrix4TMMakeIdentity(tm);
-    messages_catch();
     for (int kind = 0; kind < PLANE + 1; kind++) {
         McdGeometryID g = kind == LIST || kind == FIELD ? 0 : geometryOf(f, kind);
         if (!g) /* not of the primitives */
@@ -329,7 +325,6 @@ TEST(flat_transforms_touch_nothing_and_are_told) {
         McdGeometryDestroy(g);
         McdGeometryDestroy(box);
     }
-    messages_release();
     McdTerm(f);
 }
 
@@ -348,12 +343,10 @@ TEST(a_result_without_room_is_refused) {
     }
     McdModelPairID pair = McdModelPairCreate(m[0], m[1]), rough = McdModelPairCreate(m[0], m[2]);
     McdIntersectResult result = {.contactMaxCount = CONTACTS};
-    messages_catch();
     ck_assert_int_eq(McdPlaneIntersect(pair, &result), 0);
     assert_warned("McdPlaneIntersect: the result has no place for contacts");
     ck_assert_int_eq(McdBoxRGHeightFieldIntersect(rough, &result), 0);
     assert_warned("McdBoxRGHeightFieldIntersect: the result has no place for contacts");
-    messages_release();
     McdModelPairDestroy(pair);
     McdModelPairDestroy(rough);
     for (int i = 0; i < 3; i++) {
@@ -394,4 +387,5 @@ TEST(a_segment_against_a_height_field_in_an_aggregate) {
     McdGeometryDestroy(whole);
     McdGeometryDestroy(field);
     McdTerm(f);
+    messages_forget();
 }

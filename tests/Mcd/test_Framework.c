@@ -35,7 +35,6 @@ static void setInteraction(int type1, int type2) {
 /* ---- life ------------------------------------------------------------------------------------------------------ */
 
 TEST(sizes_out_of_range_get_a_warning) {
-    messages_catch();
     ck_assert_ptr_null(McdInit(-1, 1, 0, 1));
     assert_warned("geoTypeMaxCount");
     ck_assert_ptr_null(McdInit(0, 0, 0, 1));
@@ -48,7 +47,6 @@ TEST(sizes_out_of_range_get_a_warning) {
     assert_warned("lengthScale");
     McdTerm(0);
     assert_warned("McdTerm");
-    messages_release();
 }
 
 TEST(three_arguments_mean_a_length_scale_of_one) {
@@ -78,10 +76,8 @@ TEST(the_end_runs_term_actions_and_says_what_was_left) {
     McdFrameworkRegisterTermAction(f, firstAction);
     McdFrameworkRegisterTermAction(f, secondAction);
     actionCount = 0;
-    messages_catch();
     McdTerm(f);
     assert_warned("1 models and 1 geometries");
-    messages_release();
     ck_assert(actionCount == 2 && actions[0] == 2 && actions[1] == 1);
     ck_assert_int_eq(destroyed, 1);
 }
@@ -108,22 +104,18 @@ TEST(types_are_registered_once) {
     ck_assert_str_eq(McdFrameworkGetTypeName(frame, BLOB), "blob");
     ck_assert_str_eq(McdFrameworkGetTypeName(frame, kMcdGeometryTypeBox), "(not registered)");
     ck_assert(!McdFrameworkTypeIsValid(frame, -1) && !McdFrameworkTypeIsValid(frame, BLOB + 2));
-    messages_catch();
     McdFrameworkRegisterGeometryType(frame, BLOB + 2, other, 0, 0, 0, 0, 0, 0);
     assert_warned("geoTypeMaxCount");
-    messages_release();
 }
 
 TEST(a_geometry_of_a_type_that_is_not_registered_is_none) {
     Blob blob;
     memset(&blob, 0, sizeof blob);
-    messages_catch();
     McdGeometryInit(&blob.head, frame, kMcdGeometryTypeCone);
     assert_warned("not registered");
     ck_assert(!McdGeometryIsValid(&blob.head));
     ck_assert_ptr_null(McdModelCreate(&blob.head));
     assert_warned("no geometry");
-    messages_release();
 }
 
 /* ---- references ------------------------------------------------------------------------------------------------ */
@@ -133,7 +125,6 @@ TEST(a_geometry_in_use_stays) {
     McdGeometryID g = blobCreate(frame, BLOB, 1, &destroyed);
     McdModelID a = McdModelCreate(g), b = McdModelCreate(g);
     ck_assert_int_eq(McdGeometryGetReferenceCount(g), 2);
-    messages_catch();
     McdGeometryDestroy(g);
     assert_warned("2 models or aggregates");
     McdModelDestroy(a);
@@ -141,9 +132,7 @@ TEST(a_geometry_in_use_stays) {
     assert_warned("1 models or aggregates");
     McdModelDestroy(b);
     McdGeometryDestroy(g);
-    assert_silent();
     ck_assert_int_eq(destroyed, 1);
-    messages_release();
 }
 
 TEST(the_pool_of_models_has_an_end_and_is_reused) {
@@ -151,15 +140,12 @@ TEST(the_pool_of_models_has_an_end_and_is_reused) {
     McdModelID m[3];
     for (int i = 0; i < 3; i++)
         m[i] = McdModelCreate(g);
-    messages_catch();
     ck_assert_ptr_null(McdModelCreate(g));
     assert_warned("modelCount");
     McdModelDestroy(m[1]);
     McdModelGetMaterial(m[1]);
     assert_warned("no model"); /* a stale handle */
     ck_assert_ptr_nonnull(McdModelCreate(g));
-    assert_silent();
-    messages_release();
 }
 
 /* ---- interactions ----------------------------------------------------------------------------------------------- */
@@ -211,14 +197,11 @@ TEST(a_pair_without_an_interaction_never_touches_and_is_told_once) {
     McdModelID a = modelAt(blobCreate(frame, BLOB, 1, 0), 0, 0), b = modelAt(blobCreate(frame, BLOB, 1, 0), 1, 1);
     McdModelPairID p = McdModelPairCreate(a, b);
     McdIntersectResult result = emptyResult();
-    messages_catch();
     McdHello(p);
     assert_warned("blob");
     McdHello(p);
-    assert_silent();
     ck_assert_int_eq(McdFrameworkGetInteractionsWarned(frame, BLOB, BLOB), 2);
     ck_assert(!McdIntersect(p, &result) && result.contactCount == 0);
-    messages_release();
     McdModelPairDestroy(p);
 }
 
@@ -275,7 +258,6 @@ TEST(bad_pairs_and_results_are_refused) {
     McdModelID a = modelAt(blobCreate(frame, BLOB, 1, 0), 0, 0), b = modelAt(blobCreate(frame, BLOB, 1, 0), 1, 1);
     McdModelPair p = {.model1 = a, .model2 = b, .phase = kMcdFFStateInactive};
     McdIntersectResult result = emptyResult(), placeless = {0};
-    messages_catch();
     setInteraction(BLOB, BLOB);
     ck_assert_ptr_null(McdModelPairCreate(a, a));
     assert_warned("two models");
@@ -291,7 +273,6 @@ TEST(bad_pairs_and_results_are_refused) {
     McdModelSetTransformPtr(a, 0);
     ck_assert(McdIntersect(&p, &result) && !result.touch);
     assert_warned("no transform");
-    messages_release();
 }
 
 /* ---- defaults --------------------------------------------------------------------------------------------------- */
@@ -306,12 +287,10 @@ TEST(the_contact_tolerance_grows_the_boxes) {
     ck_assert(McdNearby(p));
     McdModelSetContactTolerance(b, 0.45);
     ck_assert(!McdNearby(p));
-    messages_catch();
     McdModelSetContactTolerance(b, -1);
     assert_warned("tolerance");
     McdFrameworkSetDefaultContactTolerance(frame, NAN);
     assert_warned("tolerance");
     assert_near(McdModelGetContactTolerance(b), .45, TOL(3e-7, 4e-16));
-    messages_release();
     McdModelPairDestroy(p);
 }

@@ -15,13 +15,11 @@ static void setUp(void) {
     frame = McdInit(0, 20, 20, 1);
     McdAllRegisterTypes(frame);
     McdAllRegisterInteractions(frame);
-    messages_catch();
 }
 
 static void tearDown(void) {
     McdTerm(frame);
     assert_silent();
-    messages_release();
 }
 
 /* ---- in any order ------------------------------------------------------------------------------------------------ */
@@ -68,8 +66,6 @@ TEST(geometries_may_go_after_their_framework) {
     }
     McdModelDestroy(m);
     McdTerm(frame);
-    assert_silent();
-    messages_release();
 }
 
 /* A type's own Destroy is McdGeometryDestroy: the framework knows of it. */
@@ -135,7 +131,6 @@ TEST(a_pair_of_a_model_with_itself_is_disabled_in_silence) {
     const McdModelID m = McdModelCreate(ball);
     McdSpaceInsertModel(s, m);
     ck_assert(McdSpaceDisablePair(m, m));
-    assert_silent();
     McdModelDestroy(m);
     McdSpaceDestroy(s);
     McdGeometryDestroy(ball);
@@ -260,7 +255,6 @@ TEST(what_has_been_destroyed_gets_a_warning_and_is_not_read) {
     GONE(ck_assert_ptr_null(McdSphereCreate(frame, 1)), "McdSphereCreate");
     GONE(ck_assert_ptr_null(McdModelGetGeometry(m)), "McdModelGetGeometry");
     GONE(ck_assert_ptr_null(McdGeometryInstanceGetModel(child)), "McdGeometryInstanceGetModel");
-    messages_release();
 }
 #endif
 
@@ -269,7 +263,6 @@ TEST(what_has_been_destroyed_gets_a_warning_and_is_not_read) {
 TEST(primitives_and_meshes_register_the_triangle_list) {
     static const int solids[] = {kMcdGeometryTypeSphere, kMcdGeometryTypeBox, kMcdGeometryTypeCylinder,
                                  kMcdGeometryTypeSphyl, kMcdGeometryTypeConvexMesh};
-    messages_catch();
     frame = McdInit((int)McdPrimitivesGetTypeCount(), 20, 20, 1);
     McdPrimitivesRegisterTypes(frame);
     McdPrimitivesRegisterInteractions(frame);

@@ -6,8 +6,6 @@
 #include "terrain.h"
 #include "random_numbers.h"
 
-TEST_FIXTURE(messages_catch, messages_release)
-
 enum { CELLS = 14, TRIANGLES = 2 * CELLS * CELLS, QUERIES = 150 };
 
 typedef double Triangle[3][3];
@@ -335,7 +333,6 @@ TEST(overlaps) {
     ck_assert_int_gt(free, 100);
     ck_assert_int_gt(ownCalls, 100);
     tearDown();
-    assert_silent();
 }
 
 /* The gap of balls, penetrating or not, and of boxes that are free; else -1. */
@@ -396,7 +393,6 @@ TEST(the_nearest) {
     }
     ck_assert_int_gt(found, QUERIES / 2);
     tearDown();
-    assert_silent();
 }
 
 TEST(distances_of_pairs) {
@@ -433,7 +429,6 @@ TEST(distances_of_pairs) {
     ck_assert(!McdDistance(surfaces, &none) && none.distance == 0);
     McdModelPairDestroy(surfaces);
     tearDown();
-    assert_silent();
 }
 
 /* May the cast meet it, coming from that side? */
@@ -499,7 +494,6 @@ TEST(casts) {
     ck_assert_int_gt(misses, QUERIES / 10);
     ck_assert_int_gt(starts, QUERIES / 10);
     tearDown();
-    assert_silent();
 }
 
 /* A grain of sand flies a thousand kilometres beside a hill: the work does not grow with the way. */
@@ -524,7 +518,6 @@ TEST(long_casts_of_small_shapes_end) {
     McdSpaceDestroy(s);
     McdFrameworkDestroyAllModelsAndGeometries(f);
     McdTerm(f);
-    assert_silent();
 }
 
 /* Where the segment meets the triangle; above 1 if it does not. */
@@ -579,5 +572,4 @@ TEST(rays) {
     }
     ck_assert_int_gt(hits, QUERIES / 2);
     tearDown();
-    assert_silent();
 }

@@ -97,7 +97,6 @@ static McdContact contact[20];
 static McdIntersectResult result;
 
 static void setUp(void) {
-    messages_catch();
     frame = McdInit(1, 20, 20, 1);
     McdAllRegisterTypes(frame);
     mcd_kindRegister(frame, &kind, "test");
@@ -109,7 +108,6 @@ static void tearDown(void) {
     McdFrameworkDestroyAllModelsAndGeometries(frame);
     McdTerm(frame);
     assert_silent();
-    messages_release();
 }
 TEST_FIXTURE(setUp, tearDown)
 

@@ -3,8 +3,6 @@
 #include "terrain.h"
 #include <pthread.h>
 
-TEST_FIXTURE(messages_catch, messages_release)
-
 enum { N = 15, SHAPES = 5, ONE_SIDED = kMcdTriangleStandard & ~kMcdTriangleTwoSided };
 
 #ifdef TEST_IS_SLOW
@@ -197,6 +195,7 @@ TEST(two_threads_ask_one_aggregate) {
     begin();
     compareThreads(makeAggregate());
     end();
+    messages_forget();
 }
 
 /* ---- a query within a query -------------------------------------------------------------------------------------- */
@@ -248,4 +247,5 @@ TEST(a_callback_asks_the_aggregate_that_its_list_is_in) {
     McdAggregateID a = makeAggregate();
     compareNested(a, McdAggregateGetElementGeometry(a, 0));
     end();
+    messages_forget();
 }

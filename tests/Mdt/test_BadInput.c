@@ -13,7 +13,6 @@ static void setUp(void) {
     b = scene_body(w, 1, 1, 0, 0);
     hinge = scene_hinge(w, b, 0, 0, 0, 0, 0, 0, 1);
     contact = MdtContactCreate(w, b, 0);
-    messages_catch();
 }
 
 /* The world steps, silently, and stays finite. */
@@ -26,7 +25,6 @@ static void tearDown(void) {
                 ck_assert(isfinite(MdtBodyGetTransformPtr(b)[r][c]));
     }
     assert_silent();
-    messages_release();
     MdtWorldDestroy(w);
 }
 
@@ -266,7 +264,6 @@ TEST(destroyed_handles_are_noticed) {
 #if KARMA_CHECK
 /* Nothing is read through handles of a destroyed world, or through a pointer that never was a handle. */
 TEST(the_check_build_notices_handles_of_destroyed_worlds) {
-    messages_catch();
     MdtWorldID gone = MdtWorldCreate(2, 2);
     MdtBodyID body = MdtBodyCreate(gone);
     MdtHingeID joint = MdtHingeCreate(gone);
@@ -285,7 +282,6 @@ TEST(the_check_build_notices_handles_of_destroyed_worlds) {
     assert_warned("never was one");
     MdtWorldStep((MdtWorldID)(void *)wild, FRAME);
     assert_warned("never was one");
-    messages_release();
 }
 #endif
 
@@ -312,7 +308,6 @@ TEST(attachments_that_make_no_sense) {
 }
 
 TEST(scales_that_are_none_count_as_1) {
-    messages_catch();
     MdtWorldID x = MdtWorldCreate(1, 0, 0, 1);
     assert_warned("length scale");
     MdtWorldID y = MdtWorldCreate(1, 0, 1, NAN);
@@ -320,7 +315,6 @@ TEST(scales_that_are_none_count_as_1) {
     ck_assert(MdtWorldGetDefaultDensity(x) == 1 && MdtWorldGetDefaultDensity(y) == 1);
     ck_assert(MdtWorldCreate(4000000000u, 1) == NULL);
     assert_warned("more than");
-    messages_release();
     MdtWorldDestroy(x);
     MdtWorldDestroy(y);
 }

@@ -64,6 +64,7 @@ TEST(setting_the_motor_switches_it_and_wakes_nothing) {
     ck_assert(!MdtLimitIsMotorized(s.limit));
     assert_near(MdtLimitGetMotorMaxForce(s.limit), 0, 0);
     MdtWorldDestroy(s.world);
+    messages_forget();
 }
 
 /* "MdtLimitActivateMotor", "MdtLimitActivateLimits": on and off, without changing any other property. */

@@ -240,11 +240,9 @@ TEST(velocities_may_be_written_through_their_pointers) {
     MdtWorldStep(w, 1);
     assert_near(MdtBodyGetTransformPtr(b)[3][0], 3, TOL(1e-6, 3e-13));
     assert_near(MdtBodyGetTransformPtr(b)[0][1], sin(1), TOL(1e-6, 8e-14));
-    messages_catch();
     v[0] = (MeReal)NAN;
     MdtWorldStep(w, 1);
     assert_warned("not finite");
-    messages_release();
     assert_near(v[0], 3, 0);
     assert_near(MdtBodyGetTransformPtr(b)[3][0], 6, TOL(1e-5, 6e-13));
     MdtWorldDestroy(w);
@@ -407,7 +405,6 @@ TEST(a_body_stops_at_the_bound_of_positions) {
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     MeVector3 p, v;
     ck_assert((double)MdtBodyGetPositionBound(b) == bound);
-    messages_catch();
     for (int k = 0; k < 2; k++) {
         MdtBodySetPosition(b, 1, 2, 3);
         MdtBodySetLinearVelocity(b, k ? 2e18 : 0, -3e38, 0);
@@ -426,6 +423,5 @@ TEST(a_body_stops_at_the_bound_of_positions) {
     assert_warned("MdtBodySetPosition");
     MdtBodyGetPosition(b, p);
     ck_assert((double)p[1] == -bound);
-    messages_release();
     MdtWorldDestroy(w);
 }

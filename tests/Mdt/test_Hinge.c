@@ -384,6 +384,7 @@ TEST(limits_follow_the_guide_s_rules) {
     ck_assert(!MdtLimitIsMotorized(&own) && MdtLimitGetMotorMaxForce(&own) == 0);
     MdtLimitActivateMotor(&own, 1);
     ck_assert(MdtLimitIsMotorized(&own) && MdtLimitGetMotorDesiredVelocity(&own) == 4);
+    messages_forget();
 }
 
 /* The step may be divided where the motion is violent; the guide's meaning of a load on a joint does not change. */

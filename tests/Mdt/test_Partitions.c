@@ -338,7 +338,6 @@ TEST(partitions_are_those_of_a_search_after_whatever_changes_the_graph) {
     enum { ACTIONS = sizeof actions / sizeof *actions };
     Scene s = create();
     int done[ACTIONS] = {0}, max = 0;
-    messages_catch();
     MdtWorldSetPartitionCB(s.world, see, &s);
     for (int i = 0; i < 20; i++)
         createBody(&s);
@@ -359,6 +358,6 @@ TEST(partitions_are_those_of_a_search_after_whatever_changes_the_graph) {
     for (int i = 0; i < ACTIONS; i++)
         ck_assert_int_gt(done[i], STEPS / ACTIONS / 4);
     ck_assert_int_gt(max, 5);
-    messages_release();
     MdtWorldDestroy(s.world);
+    messages_forget();
 }

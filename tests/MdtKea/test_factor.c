@@ -578,7 +578,6 @@ static int failuresOf(const Graph *g) {
 
 TEST(the_cache_survives_lack_of_memory) {
     Graph g;
-    messages_catch();
     makeScarce();
     failAt = 1;
     ck_assert_ptr_null(MdtKeaCacheCreate());
@@ -588,7 +587,7 @@ TEST(the_cache_survives_lack_of_memory) {
         ck_assert_int_ge(failuresOf(&g), 4); /* the order, its columns, the structure, the numbers */
     }
     MeMemoryAPI = real;
-    messages_release();
+    messages_forget();
 }
 
 /* A factor in use, then a larger graph for which there is no memory: the first is as good as before. */
@@ -597,7 +596,6 @@ TEST(a_factor_survives_lack_of_memory_for_another) {
     state = 11;
     makeGraph(&g, RANDOM, 6);
     makeGraph(&large, RANDOM, MAX_NODES);
-    messages_catch();
     makeScarce();
     KeaFactor *f = NULL, *other = NULL;
     for (int k = 1; !other; k++) {
@@ -620,7 +618,7 @@ TEST(a_factor_survives_lack_of_memory_for_another) {
     destroy();
     ck_assert_int_eq(blocks, 0);
     MeMemoryAPI = real;
-    messages_release();
+    messages_forget();
 }
 
 /* More graphs than the cache has room for: the last ones are found again, and the first is made anew in the place of

@@ -102,15 +102,12 @@ TEST(controls_end_before_the_context) {
     MeAppCreateControls(app);
     MeAppSetLayers(app, MstDebugAll);
     MeAppDestroy(app);
-    messages_catch();
     RPanelShow(rc, "Report", 1);
     assert_warned("no panel Report");
-    messages_release();
     app = MeAppCreateFromUniverse(u, rc);
 }
 
 TEST(bad_input) {
-    messages_catch();
     MeAppSetLayers(app, MstDebugShapes);
     assert_warned("MeAppCreateControls");
     MeAppCreateControls(app);
@@ -124,5 +121,4 @@ TEST(bad_input) {
     assert_warned("MeAppFrameSelected");
     ck_assert_ptr_null(MeAppThrowBall(NULL));
     assert_warned("MeAppThrowBall");
-    messages_release();
 }

@@ -44,12 +44,10 @@ static RGraphic *load(const char *name, const char *text, AcmeReal scale) {
 
 static void setup(void) {
     set_up();
-    messages_catch();
 }
 
 static void teardown(void) {
     assert_silent();
-    messages_release();
     tear_down();
 }
 TEST_FIXTURE(setup, teardown)

@@ -9,14 +9,12 @@
 static MeChunk chunk;
 
 static void init(void) {
-    messages_catch();
     MeChunkInit(&chunk, 64);
 }
 
 static void term(void) {
     MeChunkTerm(&chunk);
     assert_silent();
-    messages_release();
 }
 
 TEST(new_chunk_is_empty) {
@@ -133,13 +131,11 @@ TEST(term_frees_what_is_out) {
 
 TEST(bad_alignments_warn) {
     static const int bad[] = {0, -16, 24, INT_MIN};
-    messages_catch();
     for (int i = 0; i < 4; i++) {
         MeChunkInit(&chunk, bad[i]);
         assert_warned("alignment");
         ck_assert_int_eq(MeChunkGetAlignment(&chunk), 16);
     }
-    messages_release();
 }
 
 TEST(bad_modes_warn) {
@@ -151,7 +147,6 @@ TEST(bad_modes_warn) {
 }
 
 TEST(null_chunks_warn) {
-    messages_catch();
     MeChunkInit(NULL, 16);
     assert_warned("MeChunkInit");
     MeChunkTerm(NULL);
@@ -172,5 +167,4 @@ TEST(null_chunks_warn) {
     assert_warned("MeChunkGetMaxSize");
     ck_assert_int_eq(MeChunkGetAlignment(NULL), 0);
     assert_warned("MeChunkGetAlignment");
-    messages_release();
 }

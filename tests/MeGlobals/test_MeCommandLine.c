@@ -8,7 +8,6 @@
     create((const char *[]){"program", __VA_ARGS__}, sizeof((const char *[]){"program", __VA_ARGS__}) / sizeof(char *))
 
 static MeCommandLineOptions *create(const char **words, size_t count) {
-    messages_catch();
     MeCommandLineOptions *const options = MeCommandLineOptionsCreate((int)count, words);
     ck_assert_ptr_nonnull(options);
     return options;
@@ -17,7 +16,6 @@ static MeCommandLineOptions *create(const char **words, size_t count) {
 static void destroy(MeCommandLineOptions *options) {
     assert_silent();
     MeCommandLineOptionsDestroy(options);
-    messages_release();
 }
 
 /* What is left after the program's name is exactly this, separated by spaces. */
@@ -45,7 +43,6 @@ TEST(words_are_copied) {
 
 TEST(no_words_at_all) {
     const char *argv[] = {"program", "a", NULL, "b"};
-    messages_catch();
     for (int argc = -1; argc <= 0; argc++) {
         MeCommandLineOptions *const o = MeCommandLineOptionsCreate(argc, argv);
         ck_assert_int_eq(o->argc, 1);
@@ -203,7 +200,6 @@ TEST(impossible_positions_warn) {
 TEST(null_options_are_no_options) {
     const char *list[] = {"-gl", NULL};
     const int place = 1;
-    messages_catch();
     ck_assert(!MeCommandLineOptionsCheckFor(NULL, "-gl", 1));
     ck_assert(!MeCommandLineOptionsCheckForList(NULL, list, 1));
     ck_assert_int_eq(MeCommandLineOptionsGetPos(NULL, "-gl"), 0);
@@ -212,6 +208,4 @@ TEST(null_options_are_no_options) {
     ck_assert_ptr_null(MeCommandLineOptionsGetString(NULL, "-gl", 1));
     MeCommandLineOptionsEat(NULL, &place, 1);
     MeCommandLineOptionsDestroy(NULL);
-    assert_silent();
-    messages_release();
 }

@@ -121,7 +121,6 @@ static int MEAPI outside(const void *key, int size) {
 
 TEST(hash_tables_warn_of_bad_input) {
     MeHashIterator i;
-    messages_catch();
     ck_assert_ptr_null(MeHashCreate(0));
     assert_warned("MeHashCreate");
     MeHash *table = MeHashCreate(1);
@@ -151,7 +150,6 @@ TEST(hash_tables_warn_of_bad_input) {
     MeHashDestroy(NULL);
     assert_warned("MeHashDestroy");
     MeHashDestroy(table);
-    messages_release();
 }
 
 /* ---- heaps ---- */
@@ -183,7 +181,6 @@ TEST(a_heap_gives_the_least_first) {
 TEST(heaps_warn_of_bad_input) {
     MeHeap own;
     void *memory[1];
-    messages_catch();
     MeHeap *heap = MeHeapCreate(2, compare);
     ck_assert(MeHeapPush(heap, &number[2]) && MeHeapPush(heap, &number[1]));
     assert_silent();
@@ -203,7 +200,6 @@ TEST(heaps_warn_of_bad_input) {
     assert_warned("MeHeapCreate");
     ck_assert(!MeHeapPop(NULL));
     assert_warned("MeHeapPop");
-    messages_release();
 }
 
 /* ---- sets ---- */
@@ -252,7 +248,6 @@ TEST(a_set_has_each_item_once_and_in_order) {
 TEST(sets_warn_when_they_are_full_and_of_bad_input) {
     MeDictNode nodes[2];
     MeSet s;
-    messages_catch();
     MeSetInit(&s, nodes, 2, compare);
     ck_assert(MeSetAdd(&s, &number[1]) && !MeSetIsFull(&s) && MeSetAdd(&s, &number[2]) && MeSetIsFull(&s));
     assert_silent();
@@ -266,7 +261,6 @@ TEST(sets_warn_when_they_are_full_and_of_bad_input) {
     assert_warned("MeSetCreate");
     ck_assert(!MeSetSize(NULL) && !MeSetPop(NULL) && !MeSetIteratorNext(NULL));
     assert_warned("MeSetIteratorNext");
-    messages_release();
 }
 
 /* ---- pools ---- */
@@ -295,7 +289,6 @@ TEST(the_least_number_that_is_not_taken_is_given) {
     ck_assert_int_eq(MeIDPoolRequestID(copy), MeIDPoolRequestID(pool));
     MeIDPoolReset(pool);
     ck_assert_int_eq(MeIDPoolRequestID(pool), 0);
-    messages_catch();
     MeIDPoolReturnID(pool, 5);
     assert_warned("MeIDPoolReturnID");
     MeIDPoolReturnID(pool, -1);
@@ -304,7 +297,6 @@ TEST(the_least_number_that_is_not_taken_is_given) {
     assert_warned("MeIDPoolReturnID");
     ck_assert_int_eq(MeIDPoolRequestID(NULL), -1);
     assert_warned("MeIDPoolRequestID");
-    messages_release();
     MeIDPoolDestroy(pool);
     MeIDPoolDestroy(copy);
 }
@@ -317,7 +309,6 @@ TEST(numbers_are_copied_as_they_are) {
     MeIDPoolReturnID(small, 2);
     for (int i = 0; i < 1000; i++)
         MeIDPoolRequestID(large);
-    messages_catch();
     MeIDPoolCopy(small, small);
     assert_silent();
     MeIDPoolCopy(large, small);
@@ -326,7 +317,6 @@ TEST(numbers_are_copied_as_they_are) {
     assert_warned("MeIDPoolCopy");
     MeIDPoolCopy(NULL, small);
     assert_warned("MeIDPoolCopy");
-    messages_release();
     for (int k = 0; k < 2; k++) {
         MeIDPool *pool = k ? large : small;
         ck_assert_int_eq(MeIDPoolRequestID(pool), 2);
@@ -354,7 +344,6 @@ TEST(records_come_from_the_programs_memory) {
     ck_assert_ptr_eq(MePoolxGet(&pool), r[0]);
     ck_assert_ptr_eq(MePoolxGetZeroed(&pool), r[1]);
     ck_assert(!memory[1].a && !memory[1].b && !MePoolxGetZeroed(&pool));
-    messages_catch();
     MePoolxPut(&pool, (char *)r[1] + 1);
     assert_warned("MePoolxPut");
     MePoolxPut(&pool, &pool);
@@ -364,7 +353,6 @@ TEST(records_come_from_the_programs_memory) {
     MePoolxInit(&pool, memory, 1, 3);
     assert_warned("MePoolxInit");
     ck_assert_ptr_null(MePoolxGet(&pool));
-    messages_release();
 }
 
 TEST(a_dictionary_may_take_nodes_from_such_a_pool) {
@@ -381,10 +369,8 @@ TEST(a_dictionary_may_take_nodes_from_such_a_pool) {
     MePoolx narrow;
     void *small[4];
     MePoolxInit(&narrow, small, sizeof(void *), 4);
-    messages_catch();
     MePoolxUseWithDict(&narrow, &dict);
     assert_warned("MePoolxUseWithDict");
-    messages_release();
 }
 
 /* ---- the sphere around points ---- */
@@ -448,7 +434,6 @@ TEST(nothing_is_outside_the_sphere) {
 TEST(the_sphere_of_bad_input_is_none) {
     MeVector3 point[2] = {{1, 2, 3}, {4, 5, 6}}, centre;
     MeReal radius = 9;
-    messages_catch();
     MeBoundingSphereCalc(point, 0, centre, &radius);
     assert_warned("MeBoundingSphereCalc");
     ck_assert(radius == 0 && centre[0] == 0);
@@ -458,5 +443,4 @@ TEST(the_sphere_of_bad_input_is_none) {
     ck_assert(radius == 0 && centre[0] == 0);
     MeBoundingSphereCalc(NULL, 2, NULL, NULL);
     assert_warned("MeBoundingSphereCalc");
-    messages_release();
 }

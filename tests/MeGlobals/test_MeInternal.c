@@ -31,7 +31,6 @@ TEST(failing_allocations_name_who_wanted_what) {
     const MeMemoryAPIStruct before = MeMemoryAPI;
     int *block = MeMemoryTake(3, sizeof *block, "Caller", "numbers");
     block[2] = 5;
-    messages_catch();
     MeMemoryAPI.create = createNothing;
     MeMemoryAPI.createAligned = createNothingAligned;
     ck_assert(MeMemoryTake(7, 8, "Caller", "things") == NULL);
@@ -43,18 +42,15 @@ TEST(failing_allocations_name_who_wanted_what) {
     ck_assert(!MeMemoryGrow(&block, 3, 6, sizeof *block, "Caller", "more numbers"));
     assertFatal("more numbers");
     ck_assert_int_eq(block[2], 5);
-    messages_release();
     MeMemoryAPI = before;
     MeMemoryGive(block);
 }
 
 TEST(more_than_there_can_be_is_no_memory) {
-    messages_catch();
     ck_assert(MeMemoryTake(SIZE_MAX / 4, 8, "Caller", "too much") == NULL);
     assertFatal("too much");
     ck_assert(MeMemoryTakeAligned(SIZE_MAX / 4, 8, 16, "Caller", "too much") == NULL);
     assertFatal("too much");
-    messages_release();
 }
 
 TEST(growing_keeps_what_is_used_and_nulls_are_not_destroyed) {

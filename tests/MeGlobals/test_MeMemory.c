@@ -166,14 +166,11 @@ enum { numUses = sizeof uses / sizeof uses[0] };
 
 TEST(all_memory_comes_from_the_api) {
     for (int i = 0; i < numUses; i++) {
-        messages_catch();
         memoryCatch(1000);
         ck_assert(uses[i]());
         memoryRelease();
         ck_assert_int_gt(requests, 0);
         ck_assert_int_eq(blocks, 0);
-        assert_silent();
-        messages_release();
     }
 }
 
@@ -183,7 +180,7 @@ TEST(out_of_memory_is_a_fatal_error) {
         MeBool enough = MEFALSE;
         int failures = 0;
         for (int available = 0; !enough; available++) {
-            messages_catch();
+            messages_forget();
             memoryCatch(available);
             enough = uses[i]();
             memoryRelease();
@@ -193,17 +190,16 @@ TEST(out_of_memory_is_a_fatal_error) {
                 ck_assert_int_gt(caught.fatal, 0);
                 ck_assert_ptr_nonnull(strstr(caught.last, "no memory for"));
             }
-            messages_release();
             ck_assert_int_lt(available, 100);
         }
         ck_assert_int_gt(failures, 0);
     }
+    messages_forget();
 }
 
 /* A chunk that cannot grow has lost nothing but its size. */
 TEST(chunk_recovers_when_there_is_memory_again) {
     MeChunk chunk;
-    messages_catch();
     memoryCatch(1);
     MeChunkInit(&chunk, 16);
     MeChunkPutMem(&chunk, MeChunkGetMem(&chunk, 100));
@@ -216,5 +212,5 @@ TEST(chunk_recovers_when_there_is_memory_again) {
     MeChunkTerm(&chunk);
     memoryRelease();
     ck_assert_int_eq(blocks, 0);
-    messages_release();
+    messages_forget();
 }

@@ -53,6 +53,7 @@ static void catchText(const int level, const char *const string) {
 }
 
 TEST(defaults) {
+    messages_show();
     for (int i = 0; i < numKinds; i++) {
         ck_assert_int_eq(*kinds[i].limit, kinds[i].standardLimit);
         ck_assert(*kinds[i].handler == kinds[i].standardHandler);
@@ -61,6 +62,7 @@ TEST(defaults) {
 }
 
 TEST(handlers_get_the_message) {
+    messages_show();
     for (int i = 0; i < numKinds; i++) {
         const Kind *const k = &kinds[i];
         const int limit = *k->limit;
@@ -81,6 +83,7 @@ TEST(handlers_get_the_message) {
 
 /* But for fatal errors, whose default handler does not return. */
 TEST(show_functions_get_the_finished_text) {
+    messages_show();
     for (int i = 0; i < fatal; i++) {
         const Kind *const k = &kinds[i];
         char expected[64];
@@ -105,6 +108,7 @@ TEST(fatal_show_is_replaceable) {
 }
 
 TEST(long_messages_are_cut) {
+    messages_show();
     static char text[3 * MeMAXMESSAGE];
     memset(text, 'x', sizeof text - 1);
     MeSetWarningShow(catchText);
@@ -116,6 +120,7 @@ TEST(long_messages_are_cut) {
 
 /* Of others in between, 64 are remembered. */
 TEST(a_warning_that_repeats_is_shown_twice) {
+    messages_show();
     enum { REMEMBERED = 64 };
     memset(&got, 0, sizeof got);
     MeSetWarningShow(catchText);
@@ -136,7 +141,6 @@ TEST(a_warning_that_repeats_is_shown_twice) {
 /* The name that a message begins with, in its format or as an argument, is replaced; what has none stays as it is. Of
  * several the first is sent. */
 TEST(messages_go_under_the_name_of_the_caller) {
-    messages_catch();
     const char *before = MeMessagesAs("Outer");
     ck_assert_ptr_null(before);
     ck_assert_str_eq(MeMessagesAs("Inner"), "Outer"); /* who is set stays */
@@ -153,7 +157,7 @@ TEST(messages_go_under_the_name_of_the_caller) {
     MeMessagesAs(NULL);
     MeWarning(1, "Callee: sent");
     ck_assert_str_eq(caught.last, "Callee: sent");
-    messages_release();
+    messages_forget();
 }
 
 TEST(empty_messages) {
@@ -207,6 +211,7 @@ TEST(what_goes_to_stdout) {
 }
 
 TEST(what_goes_to_stderr) {
+    messages_show();
     catchStreams();
     redirect(STDERR_FILENO);
     MeWarning(5, "body %d", 3);
@@ -221,6 +226,7 @@ TEST(what_goes_to_stderr) {
 }
 
 TEST(fatal_errors_abort) {
+    messages_show();
     catchStreams();
     const pid_t child = fork();
     if (child == 0) {

@@ -17,7 +17,6 @@ enum { capacity = 50 };
 
 TEST(records_are_apart_and_aligned) {
     static const int alignments[] = {1, 4, 16, 128};
-    messages_catch();
     for (int i = 0; i < 8; i++) {
         MePool pool;
         char *records[capacity];
@@ -39,13 +38,10 @@ TEST(records_are_apart_and_aligned) {
         pool.api->destroy(&pool);
         ck_assert_int_eq(pool.type, MePoolNULL);
     }
-    assert_silent();
-    messages_release();
 }
 
 /* In every order: what has been put back does not disturb what is out. */
 TEST(records_come_and_go) {
-    messages_catch();
     for (int i = 0; i < 2; i++) {
         MePool pool;
         int *records[capacity] = {NULL}, out = 0;
@@ -70,13 +66,10 @@ TEST(records_come_and_go) {
         ck_assert_int_gt(out, 0);
         pool.api->destroy(&pool); /* with what is out: the leak check would tell */
     }
-    assert_silent();
-    messages_release();
 }
 
 TEST(fixed_pool_has_a_limit) {
     MePool pool;
-    messages_catch();
     ck_assert(MePoolFixedAPI.init(&pool, sizeof(Record), 3, 16));
     ck_assert_int_eq(MePoolFixedAPI.getCount(&pool), 3);
     void *last = NULL;
@@ -88,37 +81,29 @@ TEST(fixed_pool_has_a_limit) {
     ck_assert_int_eq(MePoolFixedAPI.getUsed(&pool), 3);
     MePoolFixedAPI.putStruct(&pool, last);
     ck_assert_ptr_eq(MePoolFixedAPI.getStruct(&pool), last);
-    assert_silent();
     MePoolFixedAPI.destroy(&pool);
-    messages_release();
 }
 
 TEST(pool_of_no_records) {
     MePool pool;
-    messages_catch();
     ck_assert(MePoolFixedAPI.init(&pool, sizeof(Record), 0, 16));
     ck_assert_ptr_null(MePoolFixedAPI.getStruct(&pool));
     assert_warned("all 0 records");
     MePoolFixedAPI.destroy(&pool);
-    messages_release();
 }
 
 TEST(malloc_pool_has_no_limit) {
     MePool pool;
-    messages_catch();
     ck_assert(MePoolMallocAPI.init(&pool, sizeof(Record), 3, 16));
     ck_assert_int_eq(MePoolMallocAPI.getCount(&pool), 0);
     for (int i = 0; i < 1000; i++)
         ck_assert_ptr_nonnull(MePoolMallocAPI.getStruct(&pool));
-    assert_silent();
     MePoolMallocAPI.destroy(&pool);
-    messages_release();
 }
 
 TEST(fixed_order_is_the_same_after_reset) {
     MePool pool;
     void *first[4];
-    messages_catch();
     ck_assert(MePoolFixedAPI.init(&pool, sizeof(Record), 4, 16));
     for (int i = 0; i < 4; i++) {
         first[i] = MePoolFixedAPI.getStruct(&pool);
@@ -130,14 +115,11 @@ TEST(fixed_order_is_the_same_after_reset) {
     ck_assert_int_eq(MePoolFixedAPI.getUsed(&pool), 0);
     for (int i = 0; i < 4; i++)
         ck_assert_ptr_eq(MePoolFixedAPI.getStruct(&pool), first[i]);
-    assert_silent();
     MePoolFixedAPI.destroy(&pool);
-    messages_release();
 }
 
 TEST(malloc_pool_is_reset) {
     MePool pool;
-    messages_catch();
     ck_assert(MePoolMallocAPI.init(&pool, sizeof(Record), 0, 16));
     for (int i = 0; i < 5; i++)
         ck_assert_ptr_nonnull(MePoolMallocAPI.getStruct(&pool));
@@ -145,15 +127,12 @@ TEST(malloc_pool_is_reset) {
     ck_assert_int_eq(MePoolMallocAPI.getUsed(&pool), 0);
     MePoolMallocAPI.putStruct(&pool, MePoolMallocAPI.getStruct(&pool));
     ck_assert_int_eq(MePoolMallocAPI.getUsed(&pool), 0);
-    assert_silent();
     MePoolMallocAPI.destroy(&pool);
-    messages_release();
 }
 
 TEST(what_is_not_out_is_not_taken) {
     MePool pool;
     Record other;
-    messages_catch();
     ck_assert(MePoolFixedAPI.init(&pool, sizeof(Record), 4, 16));
     char *const record = MePoolFixedAPI.getStruct(&pool);
     char *const bad[] = {(char *)&other, record + 1, record + pool.stride, record - pool.stride,
@@ -170,13 +149,11 @@ TEST(what_is_not_out_is_not_taken) {
     assert_warned("MePoolFixedAPI.putStruct");
     ck_assert_int_eq(MePoolFixedAPI.getUsed(&pool), 0);
     MePoolFixedAPI.destroy(&pool);
-    messages_release();
 }
 
 TEST(bad_numbers_warn) {
     static const int bad[][2] = {{0, 16}, {-1, 16}, {8, 0}, {8, -16}, {8, 24}, {INT_MAX, 16}};
     MePool pool;
-    messages_catch();
     for (int i = 0; i < 12; i++) {
         ck_assert(!kinds[i % 2]->init(&pool, bad[i / 2][0], 4, bad[i / 2][1]));
         assert_warned("init");
@@ -184,7 +161,6 @@ TEST(bad_numbers_warn) {
     }
     ck_assert(!MePoolFixedAPI.init(&pool, 8, -1, 16));
     assert_warned("-1 records");
-    messages_release();
 }
 
 static void assertAllWarn(const struct MePoolAPI *api, MePool *pool) {
@@ -204,7 +180,6 @@ static void assertAllWarn(const struct MePoolAPI *api, MePool *pool) {
 }
 
 TEST(null_and_other_pools_warn) {
-    messages_catch();
     for (int i = 0; i < 2; i++) {
         MePool pool;
         ck_assert(!kinds[i]->init(NULL, 8, 4, 16));
@@ -215,5 +190,4 @@ TEST(null_and_other_pools_warn) {
         pool.api->destroy(&pool);
         assertAllWarn(kinds[i], &pool);
     }
-    messages_release();
 }

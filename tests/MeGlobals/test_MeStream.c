@@ -16,12 +16,10 @@ static void setUp(void) {
     ck_assert_ptr_nonnull(mkdtemp(directory));
     ck_assert(chdir(directory) == 0 && mkdir("work", 0777) == 0 && mkdir("resources", 0777) == 0);
     ck_assert(mkdir("own", 0777) == 0 && mkdir("own/deep", 0777) == 0 && chdir("work") == 0);
-    messages_catch();
 }
 
 static void tearDown(void) {
     char command[4200];
-    messages_release();
     unsetenv("KARMA_FILES");
     ck_assert_int_eq(chdir(home), 0);
     snprintf(command, sizeof command, "rm -r '%s'", directory);
@@ -71,7 +69,6 @@ TEST(what_is_written_is_read) {
     f = MeOpen("file", kMeOpenModeWRONLY);
     ck_assert_int_eq(MeClose(f), 0);
     ck_assert_str_eq(contentOf(MeOpen("file", kMeOpenModeRDONLY)), "");
-    assert_silent();
 }
 
 TEST(a_file_that_is_not_there_is_no_message) {
@@ -79,7 +76,6 @@ TEST(a_file_that_is_not_there_is_no_message) {
     ck_assert_int_eq(MeOpenWithSearch("none/of/them", kMeOpenModeRDONLY), -1);
     ck_assert_int_eq(MeOpenRaw(".", kMeOpenModeRDONLY), -1);
     ck_assert_int_eq(MeOpen("no/such/place", kMeOpenModeWRONLY), -1);
-    assert_silent();
 }
 
 TEST(files_are_searched_for) {
@@ -104,7 +100,6 @@ TEST(files_are_searched_for) {
     while (MeGetDefaultFileLocation(i))
         i++;
     ck_assert(i == 6 && !MeGetDefaultFileLocation(-1) && !MeGetDefaultFileLocation(100));
-    assert_silent();
 }
 
 TEST(backslashes_are_slashes_unless_there_is_such_a_file) {
@@ -115,7 +110,6 @@ TEST(backslashes_are_slashes_unless_there_is_such_a_file) {
     ck_assert_str_eq(contentOf(MeOpen("a\\b", kMeOpenModeRDONLY)), "odd");
     ck_assert_int_eq(MeClose(MeOpen("..\\own\\made", kMeOpenModeWRONLY)), 0);
     ck_assert_str_eq(contentOf(MeOpenRaw("../own/made", kMeOpenModeRDONLY)), "");
-    assert_silent();
 }
 
 TEST(bad_calls_for_files_warn) {
@@ -184,7 +178,6 @@ TEST(a_stream_of_a_file_is_read_and_written) {
     s = MeStreamOpenWithSearch("found", kMeOpenModeRDONLY);
     readText(s);
     MeStreamClose(s);
-    assert_silent();
 }
 
 TEST(a_stream_of_memory_is_read_and_written) {
@@ -203,7 +196,6 @@ TEST(a_stream_of_memory_is_read_and_written) {
         ck_assert_str_eq(MeStreamReadLine(line, 100, s), "FIRST\n");
         MeStreamClose(s);
     }
-    assert_silent();
 }
 
 TEST(a_stream_of_the_programs_memory_leaves_it_when_it_is_full) {
@@ -222,7 +214,6 @@ TEST(a_stream_of_the_programs_memory_leaves_it_when_it_is_full) {
     s = MeStreamCreateFromMemBuffer(text, sizeof text - 1, sizeof text - 1);
     readText(s);
     MeStreamClose(s);
-    assert_silent();
 }
 
 TEST(bad_calls_for_streams_warn) {

@@ -44,7 +44,6 @@ TEST(each_task_is_called_once) {
 }
 
 TEST(a_pool_takes_the_nearest_number_of_workers) {
-    messages_catch();
     MeTaskPoolID none = MeTaskPoolCreate(0), many = MeTaskPoolCreate(MeTaskMaxWorkers + 1);
     ck_assert_int_eq(caught.warnings, 2);
     ck_assert_int_eq(MeTaskPoolGetWorkers(none), 1);
@@ -53,7 +52,7 @@ TEST(a_pool_takes_the_nearest_number_of_workers) {
     MeTaskPoolDestroy(many);
     MeTaskPoolDestroy(NULL);
     ck_assert_int_eq(MeTaskPoolGetWorkers(NULL), 1);
-    messages_release();
+    messages_forget();
 }
 
 /* ---- teams ---- */
@@ -217,6 +216,7 @@ static void MEAPI say(const int level, const char *const string) {
 }
 
 TEST(messages_that_wait_are_sent_by_their_keys) {
+    messages_show();
     MeMessageBuffer first = {0}, second = {0}, *held[] = {&first, &second};
     MeSetWarningShow(say);
     ck_assert_ptr_null(MeMessagesBuffer(&first));
@@ -269,6 +269,7 @@ static void assertSpokenInOrder(void) {
 }
 
 TEST(messages_of_items_come_in_the_items_order) {
+    messages_show();
     MeTaskPoolID pool = MeTaskPoolCreate(4);
     MeTeam *team = MeTeamCreate(4, MeTaskPoolEnqueue, MeTaskPoolFinish, pool, "test");
     MeSetWarningShow(noteSpeaker);

@@ -185,7 +185,6 @@ TEST(large_errors_are_mended) {
 TEST(axes_without_a_plane_warn) {
     static const MeVector3 axes[][2] = {
         {{0, 0, 0}, {0, 1, 0}}, {{1, 0, 0}, {0, 0, 0}}, {{1, 2, 3}, {-2, -4, -6}}, {{1, 0, (MeReal)NAN}, {0, 1, 0}}};
-    messages_catch();
     for (int i = 0; i < 4; i++) {
         MeMatrix4 tm, before;
         MeMatrix4TMMakeIdentity(tm);
@@ -196,7 +195,6 @@ TEST(axes_without_a_plane_warn) {
         assert_warned("MeMatrix4TMOrthoNormalize");
         assert_same_bits(tm, before);
     }
-    messages_release();
 }
 
 /* ---- motion ---- */

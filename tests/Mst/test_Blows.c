@@ -5,8 +5,6 @@
 #include "Mst.h"
 #include "karma_test.h"
 
-TEST_FIXTURE(messages_catch, messages_release)
-
 #define RADIUS  .5
 #define GRAVITY 9.81
 static const double unitDensity = 6 / 3.14159265358979324; /* kg/m³: of a ball of 1 kg */

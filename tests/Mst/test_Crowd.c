@@ -588,11 +588,9 @@ TEST(a_program_may_choose_for_each_partition) {
     step(200);
     wishes.left = MdtSolverFast;
     assertNextWays(MdtReportWayFast, MdtReportWayRest);
-    messages_catch();
     wishes.right = (MdtSolver)9; /* so that the engine chooses, as if anew: exactly, as the account pays it */
     assertNextWays(MdtReportWayFast, MdtReportWayExact);
     assert_warned("MdtWorldSetSolverCB");
-    messages_release();
     MdtWorldSetSolver(u->world, MdtSolverFast);
     MdtWorldSetSolverCB(u->world, NULL, NULL);
     assertNextWays(MdtReportWayFast, MdtReportWayFast);
@@ -642,13 +640,11 @@ TEST(chains_hold_in_a_crowd) {
 TEST(settings_are_kept_and_checked) {
     makeWorld(MdtSolverAuto);
     ck_assert_int_eq(MdtWorldGetSolver(u->world), MdtSolverAuto);
-    messages_catch();
     MdtWorldSetSolver(u->world, (MdtSolver)7);
     assert_warned("MdtWorldSetSolver");
     ck_assert_int_eq(MdtWorldGetSolver(u->world), MdtSolverAuto);
     MdtWorldSetAccuracy(u->world, NAN);
     assert_warned("MdtWorldSetAccuracy");
-    messages_release();
     MdtWorldSetAccuracy(u->world, .25);
     assert_near(MdtWorldGetAccuracy(u->world), .25, 0);
     MdtWorldSetAccuracy(u->world, -1);

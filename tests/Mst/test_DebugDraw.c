@@ -84,12 +84,10 @@ static void setUp(void) {
     MdtWorldSetGravity(u->world, 0, 0, -9.81);
     MeMatrix4TMMakeIdentity(ground);
     MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), 0.5, 0);
-    messages_catch();
 }
 
 static void tearDown(void) {
     assert_silent();
-    messages_release();
     MstUniverseDestroy(u);
 }
 TEST_FIXTURE(setUp, tearDown)

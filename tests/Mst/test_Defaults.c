@@ -246,6 +246,7 @@ TEST(a_joint_does_not_sag_under_its_bodys_weight_at_any_scale) {
                     5e-12 * s->size);
         MstUniverseDestroy(u);
     }
+    messages_forget();
 }
 
 static void gapOf(MdtBSJointID j, double *gap) {
@@ -291,6 +292,7 @@ static void assertJointsHold(MdtSolver solver, double bound) {
 TEST(the_joints_of_a_doll_do_not_open) {
     assertJointsHold(MdtSolverExact, TOL(1e-5, 1e-6));
     assertJointsHold(MdtSolverAuto, 1e-5);
+    messages_forget();
 }
 
 TEST(a_tower_of_ten_tonne_cubes_does_not_sink) {
@@ -354,4 +356,5 @@ TEST(the_epsilon_that_a_program_sets_wins) {
     run(u, STEPS_20S);
     assert_near_rel(heightOf(body), -.1 * 10 * g * h * h / .2, TOL(1e-5, 2e-9));
     MstUniverseDestroy(u);
+    messages_forget();
 }

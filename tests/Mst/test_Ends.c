@@ -38,7 +38,6 @@ static int countEvents(MstUniverseID u, MstEventKind kind) {
 /* It went on colliding: as a ghost while it had not touched yet, and by the contacts that it had. */
 TEST(what_stands_on_a_destroyed_floor_falls) {
     for (int touches = 0; touches < 2; touches++) {
-        messages_catch();
         const MstUniverseID u = makeUniverse();
         const McdModelID floor = MstFixedModelCreate(u, McdPlaneCreate(u->frame), identity);
         const McdModelID ball = makeBall(u, touches ? .5 : 2);
@@ -50,13 +49,10 @@ TEST(what_stands_on_a_destroyed_floor_falls) {
         run(u, 59);
         assert_below(heightOf(ball), before - 4);
         MstUniverseDestroy(u);
-        assert_silent();
-        messages_release();
     }
 }
 
 TEST(a_destroyed_ball_leaves_nothing_with_the_world) {
-    messages_catch();
     const MstUniverseID u = makeUniverse();
     MstFixedModelCreate(u, McdPlaneCreate(u->frame), identity);
     const McdModelID ball = makeBall(u, .5);
@@ -68,12 +64,9 @@ TEST(a_destroyed_ball_leaves_nothing_with_the_world) {
     ck_assert_ptr_null(MdtBodyGetModel(body));
     run(u, 10);
     MstUniverseDestroy(u);
-    assert_silent();
-    messages_release();
 }
 
 TEST(all_may_go_after_their_universe) {
-    messages_catch();
     const MstUniverseID u = makeUniverse();
     const McdGeometryID plane = McdPlaneCreate(u->frame);
     const McdModelID floor = MstFixedModelCreate(u, plane, identity), ball = makeBall(u, .5);
@@ -94,12 +87,10 @@ TEST(all_may_go_after_their_universe) {
     ck_assert_ptr_null(MstUniverseGetWorld(u));
     assert_warned("MstUniverseGetWorld");
 #endif
-    messages_release();
 }
 
 /* The contacts, and what knows of the model, have gone with the world. */
 TEST(a_world_may_go_before_its_models) {
-    messages_catch();
     const McdFrameworkID frame = McdInit(0, 10, 0, 1);
     McdAllRegisterTypes(frame);
     McdAllRegisterInteractions(frame);
@@ -127,15 +118,12 @@ TEST(a_world_may_go_before_its_models) {
     assert_warned("1 geometries were left");
     McdSphereDestroy(ball);
     MdtBodyDestroy(body);
-    assert_silent();
-    messages_release();
 }
 
 /* A message names the function that the program called, and not those that this one calls. */
 TEST(messages_name_what_was_called) {
     const MstUniverseID u = makeUniverse();
     const McdGeometryID box = McdBoxCreate(u->frame, 1, 1, 1);
-    messages_catch();
     ck_assert_ptr_null(MstModelAndBodyCreate(u, 0, 1));
     assert_warned("MstModelAndBodyCreate: g");
     ck_assert_ptr_nonnull(MstModelAndBodyCreate(u, box, 0));
@@ -153,6 +141,5 @@ TEST(messages_name_what_was_called) {
         ck_assert_int_eq(caught.warnings, 1);
         assert_warned("MstUniverseStep: the step");
     }
-    messages_release();
     MstUniverseDestroy(u);
 }

@@ -122,7 +122,6 @@ typedef struct Swing {
 } Swing;
 
 static Swing swing(Way way, double wh, double ratio, double h, int subSteps) {
-    messages_catch();
     Oscillator o = oscillator(way, wh, ratio, h, subSteps);
     Swing s = {0, 0, 0};
     const int second = (int)(1 / h + .5);
@@ -138,7 +137,6 @@ static Swing swing(Way way, double wh, double ratio, double h, int subSteps) {
     }
     MstUniverseDestroy(o.u);
     ck_assert_msg(caught.warnings == 0, "%d, w h = %g, damping ratio %g: %s", (int)way, wh, ratio, caught.last);
-    messages_release();
     return s;
 }
 
@@ -284,7 +282,6 @@ TEST(forces_of_programs_act_as_by_verlet) {
 TEST(a_spring_too_stiff_for_the_step_is_told_of) {
     for (int isDamper = 0; isDamper < 2; isDamper++)
         for (int way = 0; way < 2; way++) {
-            messages_catch();
             Oscillator o = oscillator(way ? TWISTED : FREE, isDamper ? .1 : 2.1, isDamper ? 11 : 0, 1. / 60, 1);
             if (way)
                 placeAt(&o, 1e-4, 0, 0);
@@ -299,7 +296,6 @@ TEST(a_spring_too_stiff_for_the_step_is_told_of) {
             }
             assert_silent(); /* once */
             MstUniverseDestroy(o.u);
-            messages_release();
         }
 }
 

@@ -15,7 +15,6 @@ static MeMatrix4 ground;
 static McdGeometryID unit;
 
 static void beginWith(const MstUniverseSizes *sizes, double gravity) {
-    messages_catch();
     u = MstUniverseCreate(sizes);
     MdtWorldSetGravity(u->world, 0, 0, -gravity);
     MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), .5, 0);
@@ -30,7 +29,6 @@ static void begin(void) {
 
 static void end(void) {
     assert_silent();
-    messages_release();
     MstUniverseDestroy(u);
 }
 

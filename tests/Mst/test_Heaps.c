@@ -82,11 +82,9 @@ static int runTower(int tower) {
 
 TEST(towers_come_down_in_finite_numbers) {
     int inexact = 0;
-    messages_catch();
     for (int tower = 0; tower < TOWERS; tower++)
         inexact += runTower(tower);
     ck_assert_msg(strstr(caught.last, "finite") == NULL, "%s", caught.last);
-    messages_release();
     printf("%d of %d steps inexact\n", inexact, TOWERS * STEPS);
     ck_assert_int_le(inexact, TOWERS * STEPS / IN_STEPS);
 }
@@ -141,7 +139,6 @@ static void makeHeap(void) {
 TEST(a_heap_settles_and_sleeps) {
     enum { MAX = 1200 };
     int inexact = 0, steps = 0;
-    messages_catch();
     makeWorld();
     makeHeap();
     for (; steps < MAX && (steps == 0 || MdtWorldGetEnabledBodies(u->world) > 0); steps++) {
@@ -151,7 +148,6 @@ TEST(a_heap_settles_and_sleeps) {
         inexact += report.fallbacks > 0;
     }
     ck_assert_int_eq(caught.warnings, 0);
-    messages_release();
     printf("%d cubes sleep after %d steps, %d of them inexact\n", CUBES, steps, inexact);
     ck_assert_int_lt(steps, MAX);
     ck_assert_int_le(inexact, steps / IN_STEPS);

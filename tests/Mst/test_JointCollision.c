@@ -18,12 +18,10 @@ static void setUp(void) {
     MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), 0.5, 0);
     shoulder = box(0, 0, 2);
     arm = box(0.8, 0, 2);
-    messages_catch();
 }
 
 static void tearDown(void) {
     assert_silent();
-    messages_release();
     MstUniverseDestroy(u);
 }
 TEST_FIXTURE(setUp, tearDown)

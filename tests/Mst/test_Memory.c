@@ -124,11 +124,9 @@ static void assertWhole(void) {
 
 static void runWhole(const MstUniverseSizes *sizes) {
     replaceAll(0, 0);
-    messages_catch();
     ck_assert(whole_begin(&whole, sizes));
     whole_run(&whole, 15);
     assert_silent();
-    messages_release();
     assertWhole();
     whole_end(&whole);
     ck_assert_int_gt(memory.calls, 100);

@@ -7,8 +7,6 @@
 #include "Mst.h"
 #include "karma_test.h"
 
-TEST_FIXTURE(messages_catch, messages_release)
-
 enum { MAX = 100 };
 
 /* Powers of two. */
@@ -421,6 +419,7 @@ TEST(what_falls_is_awake_and_what_lies_sleeps) {
         assert_near(heightOf(0), .5, TOL(1e-5, 1e-6));
         MstUniverseDestroy(u);
     }
+    messages_forget();
 }
 
 /* .02 and .5 of the guide are for 1 m; above 1.4 m a tenth of gravity is less. */

@@ -24,15 +24,12 @@ static McdModelID makeBall(MstUniverseID universe, double radius, double x, doub
 TEST(models_have_no_pairs_before_their_first_place_is_known) {
     McdModelID m[98];
     u = MstUniverseCreate(NULL);
-    messages_catch();
     for (int i = 0; i < 98; i++)
         m[i] = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, .4), 1000);
     MstModelAndBodyDestroy(m[97]);
     for (int i = 0; i < 97; i++)
         McdModelDynamicsSetPosition(m[i], (MeReal)i, 0, 5);
     MstUniverseStep(u, (MeReal)(1. / 60));
-    assert_silent();
-    messages_release();
     MstUniverseDestroy(u);
 }
 
@@ -46,10 +43,7 @@ TEST(a_body_that_is_disabled_before_its_first_step_is_where_it_was_put) {
     McdModelID other[40];
     for (int i = 0; i < 40; i++)
         other[i] = makeBall(u, .4, -i, 0, -20);
-    messages_catch();
     MstModelAndBodyDestroy(other[39]);
-    assert_silent();
-    messages_release();
     MeVector3 p, q;
     for (int i = 0; i < 30; i++)
         MstUniverseStep(u, 1. / 60);
@@ -235,7 +229,6 @@ static unsigned int hashOf(MstUniverseID universe, unsigned int hash) {
 
 TEST(a_universe_of_sizes_0_takes_3000_bodies_and_1500_joints_without_a_message) {
     MdtBodyID first = 0;
-    messages_catch();
     u = makeField(&MstUniverseGrowingSizes, 39, &first); /* 3042 bodies, 1521 joints */
     const MdtBodyID before = first;
     for (int i = 0; i < 3; i++)
@@ -244,8 +237,6 @@ TEST(a_universe_of_sizes_0_takes_3000_bodies_and_1500_joints_without_a_message) 
     ck_assert_int_gt(MdtWorldGetTotalConstraints(u->world), 1521 + 1000); /* contacts too */
     ck_assert_int_eq(MdtWorldGetMaxBodies(u->world), MeNoLimit);
     MdtBodyAddForce(before, 0, 0, 1); /* the first handle is good yet */
-    assert_silent();
-    messages_release();
     MstUniverseDestroy(u);
 }
 
@@ -290,7 +281,6 @@ TEST(a_bridge_of_size_0_takes_300_materials_whose_parameters_stay) {
 }
 
 TEST(worlds_frameworks_and_spaces_by_hand_grow_too) {
-    messages_catch();
     const MdtWorldID w = MdtWorldCreate(MeNoLimit, MeNoLimit);
     const McdFrameworkID f = McdInit(0, MeNoLimit, MeNoLimit, 1);
     McdPrimitivesRegisterTypes(f);
@@ -313,8 +303,6 @@ TEST(worlds_frameworks_and_spaces_by_hand_grow_too) {
     McdFrameworkDestroyAllModelsAndGeometries(f);
     McdTerm(f);
     MdtWorldDestroy(w);
-    assert_silent();
-    messages_release();
 }
 
 /* ---- threads ----------------------------------------------------------------------------------------------------- */

@@ -86,11 +86,9 @@ TEST(written_members_count_after_update) {
     RCameraUpdate(rc);
     RCameraGetPosition(rc, p);
     assert_vec3_near(p, 7, 0, 2, tolerance);
-    messages_catch();
     rc->m_CameraDist = NAN;
     RCameraUpdate(rc);
     assert_warned("m_CameraDist");
-    messages_release();
     RRenderContextDestroy(rc);
 }
 
@@ -204,7 +202,6 @@ TEST(bad_input) {
     RRender *rc = make_context("-null");
     AcmeVector3 p = {7, 7, 7}, bad = {0, NAN, 0};
     AcmeReal x;
-    messages_catch();
     RCameraSetLookAt(rc, bad);
     assert_warned("RCameraSetLookAt");
     RCameraSetView(rc, INFINITY, 0, 0);
@@ -230,6 +227,5 @@ TEST(bad_input) {
     assert_warned("null");
     RCameraGetPosition(rc, p);
     assert_near(p[2], 16, 1e-5);
-    messages_release();
     RRenderContextDestroy(rc);
 }

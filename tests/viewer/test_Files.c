@@ -10,12 +10,10 @@ static RRender *rc;
 
 static void setup(void) {
     rc = make_context("-null");
-    messages_catch();
 }
 
 static void teardown(void) {
     assert_silent();
-    messages_release();
     RRenderContextDestroy(rc);
 }
 TEST_FIXTURE(setup, teardown)
@@ -169,7 +167,6 @@ TEST(bmp_broken) {
     }
     remove("test_Files.bmp");
     ck_assert(!r_texturePicture("test_Files", &p)); /* A file that is not there is a message, and no warning. */
-    assert_silent();
 }
 
 TEST(png_as_a_texture) {

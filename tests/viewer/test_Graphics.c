@@ -6,12 +6,10 @@ static RRender *rc;
 
 static void setup(void) {
     rc = make_context("-null");
-    messages_catch();
 }
 
 static void teardown(void) {
     assert_silent();
-    messages_release();
     RRenderContextDestroy(rc);
 }
 TEST_FIXTURE(setup, teardown)

@@ -21,12 +21,10 @@ static void MEAPI onValue(MeReal value) {
 static void setup(void) {
     toggles = values = 0;
     rc = make_context("-null");
-    messages_catch();
 }
 
 static void teardown(void) {
     assert_silent();
-    messages_release();
     RRenderContextDestroy(rc);
 }
 TEST_FIXTURE(setup, teardown)
@@ -143,5 +141,4 @@ TEST(menus_may_be_destroyed_late) {
     RMenu *m = RMenuCreate(own, "menu");
     RRenderContextDestroy(own);
     RMenuDestroy(m);
-    assert_silent();
 }

@@ -82,13 +82,11 @@ TEST(options_of_the_environment) {
     ck_assert_int_eq(rc->m_Options.m_nFrames, 7);
     ck_assert_int_eq(rc->m_Options.m_nWidth, 100);
     RRenderContextDestroy(rc);
-    messages_catch();
     setenv("KARMA_VIEWER", "-null -fames 600", 1);
     rc = RRenderContextCreate(NULL, NULL, 1);
     ck_assert_int_eq(caught.warnings, 1); /* Of the word and its value one. */
     assert_warned("-fames is no option: write -frames");
     RRenderContextDestroy(rc);
-    messages_release();
     unsetenv("KARMA_VIEWER");
 }
 
@@ -116,7 +114,6 @@ TEST(bad_values_are_told_and_ignored) {
                  {"-null -screenshot no/such/a.png", "no directory no/such"},
                  {"-null -film no/a.mp4", "no directory no:"}};
     for (size_t i = 0; i < sizeof tries / sizeof tries[0]; i++) {
-        messages_catch();
         RRender *rc = make_context(tries[i].line);
         ck_assert_int_eq(caught.warnings, 1);
         assert_warned(tries[i].word);
@@ -126,7 +123,6 @@ TEST(bad_values_are_told_and_ignored) {
         ck_assert_str_eq(rc->m_Options.m_Screenshot, "");
         ck_assert_str_eq(rc->m_Options.m_Film, "");
         RRenderContextDestroy(rc);
-        messages_release();
     }
 }
 
@@ -151,11 +147,9 @@ TEST(the_create_callback) {
 TEST(no_window_without_a_display) {
     setenv("DISPLAY", ":54321", 1);
     MeCommandLineOptions *options = make_options("-gl");
-    messages_catch();
     ck_assert_ptr_null(RRenderContextCreate(options, NULL, 0));
     assert_warned("-osmesa");
     ck_assert_ptr_null(RRenderContextCreate(options, NULL, 0)); /* And again. */
     assert_warned(":54321");
-    messages_release();
     MeCommandLineOptionsDestroy(options);
 }

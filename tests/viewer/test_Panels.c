@@ -17,12 +17,10 @@ static void setup(void) {
     strcpy(edited, "");
     rc = make_context("-null -size 960x600");
     ck_assert(r_panelsStart(rc));
-    messages_catch();
 }
 
 static void teardown(void) {
     assert_silent();
-    messages_release();
     RRenderContextDestroy(rc);
 }
 TEST_FIXTURE(setup, teardown)

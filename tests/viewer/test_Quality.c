@@ -121,7 +121,6 @@ TEST(setting_it) {
     ck_assert_int_eq(RRenderGetPictureQuality(rc), R_QUALITY_FULL); /* Without a window. */
     RRenderSetPictureQuality(rc, 1);
     ck_assert_int_eq(r_pictureQuality(rc), 1);
-    messages_catch();
     RRenderSetPictureQuality(rc, 4);
     assert_warned("RRenderSetPictureQuality");
     RRenderSetPictureQuality(rc, -2);
@@ -143,7 +142,6 @@ TEST(setting_it) {
     rc = make_context("-null -quality 4");
     assert_warned("-quality");
     RRenderContextDestroy(rc);
-    messages_release();
 }
 
 /* Pictures of files do not depend on it. */

@@ -180,7 +180,6 @@ TEST(bad_axes_change_nothing) {
     AcmeVector3 up;
     AcmeReal theta = 1, phi = 2;
     rc = make_context("-null");
-    messages_catch();
     RCameraSetUp(rc, 0, 0, 0);
     assert_warned("RCameraSetUp");
     RCameraSetUp(rc, 0, NAN, 0);
@@ -194,10 +193,8 @@ TEST(bad_axes_change_nothing) {
     RCameraFindAngles(rc, (const AcmeVector3){1, 0, 0}, NULL, &phi);
     assert_warned("RCameraFindAngles");
     RCameraFindAngles(rc, (const AcmeVector3){0, 0, 0}, &theta, &phi); /* No direction: they stay. */
-    assert_silent();
     ck_assert(theta == 1 && phi == 2);
     RCameraGetUp(rc, up);
     assert_vec3_near(up, 0, 1, 0, 0);
-    messages_release();
     RRenderContextDestroy(rc);
 }
