@@ -89,6 +89,18 @@ void messages_show(void);   /* From here to the end of the test nothing is caugh
         caught.last[0] = 0;                                                                                            \
     } while (0)
 
+/* f(...) gives a warning that names f; assert_none: and returns 0 or null. */
+#define assert_refused(f, ...)                                                                                         \
+    do {                                                                                                               \
+        f(__VA_ARGS__);                                                                                                \
+        assert_warned(#f);                                                                                             \
+    } while (0)
+#define assert_none(f, ...)                                                                                            \
+    do {                                                                                                               \
+        ck_assert(!f(__VA_ARGS__));                                                                                    \
+        assert_warned(#f);                                                                                             \
+    } while (0)
+
 #define assert_silent()                                                                                                \
     do {                                                                                                               \
         ck_assert_msg(caught.warnings == 0, "%d unexpected warning(s): %s", caught.warnings, caught.last);             \

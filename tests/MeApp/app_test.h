@@ -4,9 +4,6 @@
 #define APP_TEST_H
 
 #include "MeApp.h"
-#include "MeCommandLine.h"
-#include "MeViewer.h"
-#include "Mst.h"
 #include "karma_test.h"
 
 enum { WIDTH = 800, HEIGHT = 600 };

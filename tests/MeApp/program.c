@@ -1,9 +1,6 @@
 /* A box on a floor and a door, with all controls of a demonstration program, for the test of them in a window. It says
  * on stdout what has changed since the tick before. `-layers` draws all layers. */
 #include "MeApp.h"
-#include "MeCommandLine.h"
-#include "MeViewer.h"
-#include "Mst.h"
 #include "leaks.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -31,16 +28,16 @@ static void MEAPI tick(RRender *context) {
     sayIfNew("selected", MeAppGetSelected(app) != 0, &selected);
     sayIfNew("held", app->pick.model != 0, &held);
     sayIfNew("bodies", MdtWorldGetTotalBodies(u->world), &bodies);
-    sayIfNew("gravity", (double)g[1], &gravity);
+    sayIfNew("gravity", g[1], &gravity);
     sayIfNew("substeps", MdtWorldGetSubSteps(u->world), &substeps);
     sayIfNew("solver", MdtWorldGetSolver(u->world), &solver);
-    sayIfNew("budget", (double)MdtWorldGetWorkBudget(u->world), &budget);
+    sayIfNew("budget", MdtWorldGetWorkBudget(u->world), &budget);
     sayIfNew("sleeps", MdtWorldGetAutoDisable(u->world), &sleeps);
-    sayIfNew("friction", (double)MdtContactParamsGetPrimaryFrictionCoeffecient(params), &friction);
-    sayIfNew("restitution", (double)MdtContactParamsGetRestitution(params), &restitution);
+    sayIfNew("friction", MdtContactParamsGetPrimaryFrictionCoeffecient(params), &friction);
+    sayIfNew("restitution", MdtContactParamsGetRestitution(params), &restitution);
     sayIfNew("report", MdtWorldReportIsEnabled(u->world), &report);
-    sayIfNew("distance", (double)RCameraGetDistance(context), &distance);
-    sayIfNew("angle", (double)RCameraGetRotation(context), &angle);
+    sayIfNew("distance", RCameraGetDistance(context), &distance);
+    sayIfNew("angle", RCameraGetRotation(context), &angle);
     MeAppStep(app);
     MstUniverseStep(u, 1. / 60);
 }

@@ -96,12 +96,8 @@ TEST(bad_input_is_named) {
     assert_warned("length");
     MeAppSetContactDrawLength(app, NAN);
     assert_warned("length");
-    MeAppDrawContactsInit(NULL, yellow, 3);
-    assert_warned("MeAppDrawContactsInit");
-    MeAppDrawContacts(NULL);
-    assert_warned("MeAppDrawContacts");
-    MeAppToggleDrawContacts(NULL, 1);
-    assert_warned("MeAppToggleDrawContacts");
-    MeAppSetContactDrawLength(NULL, 1);
-    assert_warned("MeAppSetContactDrawLength");
+    assert_refused(MeAppDrawContactsInit, NULL, yellow, 3);
+    assert_refused(MeAppDrawContacts, NULL);
+    assert_refused(MeAppToggleDrawContacts, NULL, 1);
+    assert_refused(MeAppSetContactDrawLength, NULL, 1);
 }

@@ -111,10 +111,8 @@ TEST(corners_are_in_the_world) {
         assert_below(0, up[1]); /* Counter-clockwise as seen from above. */
         assert_vec3_near(*a, -3, .25 * -3 - .5 * -3, -3, 1e-6);
     }
-    ck_assert_ptr_null(MeAppTerrainGetCorner(t, 4, 0, 0, 0));
-    assert_warned("MeAppTerrainGetCorner");
-    ck_assert_ptr_null(MeAppTerrainGetCorner(t, 0, 0, 2, 0));
-    assert_warned("MeAppTerrainGetCorner");
+    assert_none(MeAppTerrainGetCorner, t, 4, 0, 0, 0);
+    assert_none(MeAppTerrainGetCorner, t, 0, 0, 2, 0);
     MeAppTerrainDestroy(t);
 }
 
@@ -155,20 +153,13 @@ TEST(it_is_drawn_whole) {
 
 TEST(bad_arguments_get_a_warning) {
     MeReal level = 0;
-    ck_assert_ptr_null(MeAppTerrainCreate(1, 1, slope, &level));
-    assert_warned("MeAppTerrainCreate");
-    ck_assert_ptr_null(MeAppTerrainCreate(9, 0, slope, &level));
-    assert_warned("MeAppTerrainCreate");
-    ck_assert_ptr_null(MeAppTerrainCreate(9, 1, 0, 0));
-    assert_warned("MeAppTerrainCreate");
-    MeAppTerrainShow(0, rc);
-    assert_warned("MeAppTerrainShow");
-    ck_assert_ptr_null(MeAppTerrainCreateModel(0, u));
-    assert_warned("MeAppTerrainCreateModel");
-    ck_assert_int_eq(MeAppGetKeyAxis(0, "Left", "Right"), 0);
-    assert_warned("MeAppGetKeyAxis");
+    assert_none(MeAppTerrainCreate, 1, 1, slope, &level);
+    assert_none(MeAppTerrainCreate, 9, 0, slope, &level);
+    assert_none(MeAppTerrainCreate, 9, 1, 0, 0);
+    assert_refused(MeAppTerrainShow, 0, rc);
+    assert_none(MeAppTerrainCreateModel, 0, u);
+    assert_none(MeAppGetKeyAxis, 0, "Left", "Right");
     ck_assert_int_eq(MeAppGetKeyAxis(app, "Left", "Rigth"), 0);
     assert_warned("MeAppGetKeyAxis: Rigth");
-    MeAppFollow(0, 0, 1, 0);
-    assert_warned("MeAppFollow");
+    assert_refused(MeAppFollow, 0, 0, 1, 0);
 }

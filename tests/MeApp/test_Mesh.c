@@ -134,8 +134,7 @@ TEST(bad_input) {
     ck_assert_ptr_null(load("test_Mesh.obj", obj, 0));
     assert_warned("scale");
     RGraphic *flat = load("test_Mesh.stl", stl, 1);
-    ck_assert_ptr_null(MeAppHullCreate(u->frame, rc, flat, 0));
-    assert_warned("MeAppHullCreate");
+    assert_none(MeAppHullCreate, u->frame, rc, flat, 0);
     ck_assert_ptr_null(MeAppHullCreate(0, rc, flat, 0));
     assert_warned("frame");
     ck_assert_ptr_null(MeAppHullCreate(u->frame, rc, 0, 0));

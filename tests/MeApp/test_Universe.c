@@ -118,19 +118,12 @@ TEST(ending_the_helpers_removes_their_graphics) {
 
 TEST(bad_arguments_get_a_warning) {
     McdModelID m = make_box(0, 0, 0);
-    ck_assert_int_eq(MeAppShowUniverse(0), 0);
-    assert_warned("MeAppShowUniverse");
-    ck_assert_ptr_null(MeAppShowModel(0, m, red));
-    assert_warned("MeAppShowModel");
-    ck_assert_ptr_null(MeAppShowModel(app, 0, red));
-    assert_warned("MeAppShowModel");
-    ck_assert_ptr_null(MeAppShowModel(app, m, 0));
-    assert_warned("MeAppShowModel");
-    MeAppRun(0, 1, 0, 0);
-    assert_warned("MeAppRun");
-    MeAppRun(app, 0, 0, 0);
-    assert_warned("MeAppRun");
-    ck_assert_ptr_null(MeAppStart(0, 0, "name", 0));
-    assert_warned("MeAppStart");
+    assert_none(MeAppShowUniverse, 0);
+    assert_none(MeAppShowModel, 0, m, red);
+    assert_none(MeAppShowModel, app, 0, red);
+    assert_none(MeAppShowModel, app, m, 0);
+    assert_refused(MeAppRun, 0, 1, 0, 0);
+    assert_refused(MeAppRun, app, 0, 0, 0);
+    assert_none(MeAppStart, 0, 0, "name", 0);
     ck_assert_int_eq(graphics_drawn(), 0);
 }

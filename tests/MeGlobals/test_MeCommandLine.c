@@ -136,8 +136,7 @@ TEST(missing_values_warn) {
     ck_assert_str_eq(MeCommandLineOptionsGetString(o, "-out", 0), "-5");
     ck_assert_int_eq(MeCommandLineOptionsGetNumeric(o, "-frames", 0), 0);
     assert_warned("MeCommandLineOptionsGetNumeric: option -frames has no value: write -frames VALUE");
-    ck_assert(MeCommandLineOptionsGetFloat(o, "-frames", 1) == 0);
-    assert_warned("MeCommandLineOptionsGetFloat");
+    assert_none(MeCommandLineOptionsGetFloat, o, "-frames", 1);
     ck_assert_int_eq(MeCommandLineOptionsGetNumeric(o, "-in", 1), 0);
     assert_warned("-in");
     assertLeft(o, "-out -5");
@@ -190,8 +189,7 @@ TEST(impossible_positions_warn) {
     MeCommandLineOptions *const o = OPTIONS("a", "b");
     static const int places[] = {0, -1, 3, 1000000};
     for (int i = 0; i < 4; i++) {
-        MeCommandLineOptionsEat(o, &places[i], 1);
-        assert_warned("MeCommandLineOptionsEat");
+        assert_refused(MeCommandLineOptionsEat, o, &places[i], 1);
         assertLeft(o, "a b");
     }
     destroy(o);

@@ -1,6 +1,5 @@
 /* What Karma's libraries share: memory that reports its failure, and the table of live objects. */
 #include "MeInternal.h"
-#include "MeMemory.h"
 #include "karma_test.h"
 #include <pthread.h>
 #include <stdint.h>

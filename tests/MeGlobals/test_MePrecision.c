@@ -19,14 +19,14 @@ TEST(types_have_their_sizes) {
 TEST(functions_are_of_the_right_precision) {
     ck_assert_uint_eq(sizeof(MeSqrt((MeReal)2)), sizeof(MeReal));
     assert_near(MeSqrt((MeReal)2), sqrt(2), TOL(1e-7, 2e-16));
-    assert_near(MeAtan2((MeReal)1, (MeReal)-1), 0.75 * acos(-1), TOL(2e-7, 5e-16));
-    assert_near(MeTan(MeAtan((MeReal)0.5)), 0.5, TOL(1e-7, 2e-16));
-    assert_near(MeSin(MeAsin((MeReal)0.5)), 0.5, TOL(1e-7, 2e-16));
-    assert_near(MeCos(MeAcos((MeReal)0.5)), 0.5, TOL(2e-7, 3e-16));
+    assert_near(MeAtan2(1, -1), 0.75 * acos(-1), TOL(2e-7, 5e-16));
+    assert_near(MeTan(MeAtan(0.5)), 0.5, TOL(1e-7, 2e-16));
+    assert_near(MeSin(MeAsin(0.5)), 0.5, TOL(1e-7, 2e-16));
+    assert_near(MeCos(MeAcos(0.5)), 0.5, TOL(2e-7, 3e-16));
     assert_near(MeFabs((MeReal)-3), 3, 0);
-    assert_near(MeRecip((MeReal)4), 0.25, 0);
-    assert_near(MeRecipSqrt((MeReal)4), 0.5, 0);
-    assert_near(MeSqr((MeReal)3), 9, 0);
+    assert_near(MeRecip(4), 0.25, 0);
+    assert_near(MeRecipSqrt(4), 0.5, 0);
+    assert_near(MeSqr(3), 9, 0);
 }
 
 TEST(epsilon_is_the_distance_to_the_next_number) {
@@ -35,7 +35,7 @@ TEST(epsilon_is_the_distance_to_the_next_number) {
     ck_assert(same == 1);
     ck_assert(MeRealIsValid(MEINFINITY));
     ck_assert(!MeRealIsValid(2 * MEINFINITY));
-    ck_assert(!MeRealIsValid((MeReal)NAN));
+    ck_assert(!MeRealIsValid(NAN));
     ck_assert(ME_EPSILON < ME_MIN_EPSILON && ME_MIN_EPSILON < ME_SMALL_EPSILON);
     ck_assert(ME_SMALL_EPSILON < ME_MEDIUM_EPSILON);
 }

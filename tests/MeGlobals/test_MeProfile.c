@@ -54,8 +54,7 @@ TEST(clock_counts_seconds) {
     const double begin = now();
     spend();
     assertNotBelow(now() - begin, waiting);
-    MeProfileGetTimerValue(NULL);
-    assert_warned("MeProfileGetTimerValue");
+    assert_refused(MeProfileGetTimerValue, NULL);
 }
 
 TEST(inner_time_counts_for_the_outer) {
@@ -331,8 +330,7 @@ TEST(other_threads_are_not_timed) {
 
 TEST(null_names_warn) {
     start(kMeProfileDontLog);
-    MeProfileStartSection(NULL, 0);
-    assert_warned("MeProfileStartSection");
+    assert_refused(MeProfileStartSection, NULL, 0);
     stop();
 }
 
@@ -577,8 +575,7 @@ TEST(tic_times_what_follows) {
     ck_assert_int_eq(report.count, 2);
     assertTicLine(0, "collide", max);
     assertTicLine(1, "solve", max);
-    ticOutputResults("/no/such/directory/report");
-    assert_warned("ticOutputResults");
+    assert_refused(ticOutputResults, "/no/such/directory/report");
     ticInit();
     ticOutputResults(REPORT);
     readReport();

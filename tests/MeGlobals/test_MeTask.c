@@ -1,6 +1,5 @@
 /* The pool of threads, teams of workers on top of it or of a program's functions, and messages that wait. */
 #include "MeInternal.h"
-#include "MeTask.h"
 #include "MeTeam.h"
 #include "jobs.h"
 #include "karma_test.h"

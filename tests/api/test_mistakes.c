@@ -1,7 +1,5 @@
 /* Typical beginner's mistakes: each gets one message that says what to do, or the neutral result of the documents. None
  * ends the program. */
-#include "Mcd.h"
-#include "Mdt.h"
 #include "Mst.h"
 #include "karma_test.h"
 
@@ -16,7 +14,7 @@ static void setup(void) {
     frame = MstUniverseGetFramework(u);
     world = MstUniverseGetWorld(u);
     surface = MstBridgeGetContactParams(MstUniverseGetBridge(u), 0, 0);
-    MdtWorldSetGravity(world, 0, 0, (MeReal)-9.8);
+    MdtWorldSetGravity(world, 0, 0, -9.8);
 }
 
 static void teardown(void) {
@@ -27,7 +25,7 @@ TEST_FIXTURE(setup, teardown)
 
 static void step(int count) {
     for (int i = 0; i < count; i++)
-        MstUniverseStep(u, (MeReal)(1.0 / 60));
+        MstUniverseStep(u, 1.0 / 60);
 }
 
 static McdModelID boxAt(MeReal x, MeReal z) {
@@ -66,7 +64,7 @@ TEST(no_gravity) {
     MdtWorldID w = MdtWorldCreate(1, 0);
     MdtBodyEnable(MdtBodyCreate(w));
     for (int i = 0; i < 120; i++)
-        MdtWorldStep(w, (MeReal)(1.0 / 60));
+        MdtWorldStep(w, 1.0 / 60);
     assert_said("MdtWorldStep", "MdtWorldSetGravity");
     MdtWorldDestroy(w);
 }
@@ -75,7 +73,7 @@ TEST(no_gravity_in_a_universe) {
     MstUniverseID empty = MstUniverseCreate(&MstUniverseGrowingSizes);
     MstModelAndBodyCreate(empty, McdBoxCreate(MstUniverseGetFramework(empty), 1, 1, 1), 1);
     for (int i = 0; i < 120; i++)
-        MstUniverseStep(empty, (MeReal)(1.0 / 60));
+        MstUniverseStep(empty, 1.0 / 60);
     assert_said("MstUniverseStep", "MdtWorldSetGravity");
     MstUniverseDestroy(empty);
 }
@@ -98,8 +96,8 @@ TEST(steps_that_are_none) {
  * spoken of: sqrt(2 / 9.8) s. */
 TEST(a_step_in_milliseconds) {
     boxAt(0, 3);
-    MstUniverseStep(u, (MeReal)0.45);
-    MstUniverseStep(u, (MeReal)0.46);
+    MstUniverseStep(u, 0.45);
+    MstUniverseStep(u, 0.46);
     assert_said("MstUniverseStep", "seconds");
     MstUniverseStep(u, 16);
 }
@@ -118,7 +116,7 @@ TEST(a_part_of_the_universe_is_destroyed) {
         if (part == 3)
             McdTerm(MstUniverseGetFramework(other));
         caught.warnings = 0; /* a framework says what is still in it */
-        MstUniverseStep(other, (MeReal)0.01);
+        MstUniverseStep(other, 0.01);
         assert_said("MstUniverseStep", "MstUniverseDestroy");
         MstUniverseDestroy(other);
         assert_silent();
@@ -134,7 +132,7 @@ TEST(sizes_that_are_none) {
     assert_said("McdSphereCreate", "not a number > 0");
     ck_assert_ptr_null(McdBoxCreate(frame, 0, 1, 1));
     assert_said("McdBoxCreate", "not a number > 0");
-    ck_assert_ptr_null(McdCylinderCreate(frame, 1, (MeReal)NAN));
+    ck_assert_ptr_null(McdCylinderCreate(frame, 1, NAN));
     assert_said("McdCylinderCreate", "not a number > 0");
     ck_assert_ptr_null(MstModelAndBodyCreate(u, 0, 1000));
     assert_said("MstModelAndBodyCreate", "must be a geometry");
@@ -174,7 +172,7 @@ TEST(a_plane_of_zeros_is_met_by_nothing) {
     MstFixedModelCreate(u, McdPlaneCreate(frame), zero);
     assert_said("MstFixedModelCreate", "right angles");
     McdModelID m = boxAt(0, 0);
-    MstUniverseStep(u, (MeReal)(1.0 / 60));
+    MstUniverseStep(u, 1.0 / 60);
     assert_silent(); /* once */
     ck_assert(isfinite(coordinate(m, 2)));
 }
@@ -200,12 +198,12 @@ TEST(a_fixed_model_is_moved_as_if_it_had_a_body) {
 
 TEST(positions_and_turns_that_are_none) {
     McdModelID m = boxAt(0, 3);
-    McdModelDynamicsSetPosition(m, (MeReal)NAN, 0, 0);
+    McdModelDynamicsSetPosition(m, NAN, 0, 0);
     assert_said("McdModelDynamicsSetPosition", "nothing is changed");
     assert_near(coordinate(m, 2), 3, 0);
     McdModelDynamicsSetQuaternion(m, 0, 0, 0, 0);
     assert_said("McdModelDynamicsSetQuaternion", "nothing is changed");
-    McdModelDynamicsAddForce(m, (MeReal)INFINITY, 0, 0);
+    McdModelDynamicsAddForce(m, INFINITY, 0, 0);
     assert_said("McdModelDynamicsAddForce", "nothing is changed");
     MeVector4 q;
     McdModelDynamicsSetQuaternion(m, 2, 0, 0, 0); /* of another length: it is normalized, as documented */
@@ -319,7 +317,7 @@ TEST(surfaces_that_are_none) {
 TEST(a_material_that_nobody_made) {
     plane();
     McdModelSetMaterial(boxAt(0, (MeReal)0.5), 7);
-    MstUniverseStep(u, (MeReal)(1.0 / 60));
+    MstUniverseStep(u, 1.0 / 60);
     assert_said("MstUniverseStep", "MstBridgeGetNewMaterial");
 }
 

@@ -9,8 +9,6 @@
  * differ, or where a body is nowhere, and says in which step. */
 #include "twelve.h"
 
-#include "MeTask.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -5,8 +5,6 @@
  * Ends with 1 where a body is nowhere. */
 #include "twelve.h"
 
-#include "MeTask.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -179,7 +179,7 @@ static void makeBullets(Place *p) {
     for (int i = 0; i < 12; i++) {
         const McdModelID m = put(p, g, 1000, -5 + .05 * i, .6 + .2 * (i * 5 % 8), -1.5 + .25 * i);
         McdModelSetSwept(m, METRUE);
-        McdModelDynamicsSetLinearVelocity(m, (MeReal)(60 + 40 * i), 0, 0);
+        McdModelDynamicsSetLinearVelocity(m, 60. + 40 * i, 0, 0);
     }
 }
 

@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "MeMessage.h"
 #include "MeViewer.h"
 #include "RPanel.h"
 #include "leaks.h"

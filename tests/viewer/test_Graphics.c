@@ -1,5 +1,4 @@
 /* Graphics as objects: lists, colours, changes to vertices, lines, textures, lights; and all memory given back. */
-#include "MeMemory.h"
 #include "viewer_test.h"
 
 static RRender *rc;
@@ -132,8 +131,7 @@ TEST(scaling_and_moving_vertices) {
     RGraphicNormalize(g, 0);
     for (int i = 0; i < 36; i++)
         assert_near(fabsf(g->m_pVertices[i].m_X), 0.5, 1e-6);
-    RGraphicScale(g, 0, 1, 1);
-    assert_warned("RGraphicScale");
+    assert_refused(RGraphicScale, g, 0, 1, 1);
     RGraphic *empty = RGraphicCreateEmpty(3);
     RGraphicNormalize(empty, 1);
     assert_warned("one place");
@@ -215,8 +213,7 @@ TEST(native_lines) {
     RLineRemoveAll(rc);
     RLineAdd(rc, p, q, NAN, 0, 0);
     assert_warned("color");
-    RNLineMoveEnds(NULL, a, b);
-    assert_warned("RNLineMoveEnds");
+    assert_refused(RNLineMoveEnds, NULL, a, b);
 }
 
 TEST(texture_numbers) {
@@ -293,10 +290,8 @@ TEST(bad_sizes) {
     assert_warned("text");
     ck_assert_int_eq(length3D(), 0);
     ck_assert_ptr_null(rc->m_p2DGraphics);
-    RGraphicDestroy(NULL);
-    assert_warned("RGraphicDestroy");
-    RGraphicSetColor(NULL, RED);
-    assert_warned("RGraphicSetColor");
+    assert_refused(RGraphicDestroy, NULL);
+    assert_refused(RGraphicSetColor, NULL, RED);
 }
 
 /* ---- Memory ---- */
@@ -375,6 +370,5 @@ TEST(a_context_can_be_looked_at_before_it_starts) {
     assert_warned("pWnd");
     ck_assert_int_eq(RInit(rc), 0);
     assert_warned("already");
-    ck_assert_int_eq(RInit(NULL), 0);
-    assert_warned("RInit");
+    assert_none(RInit, NULL);
 }

@@ -486,12 +486,9 @@ TEST(keys_are_held_and_released) {
         ck_assert_int_eq(RRenderGetKeyFrames(rc, "up"), up[i]);
         ck_assert_int_eq(RRenderGetKeyFrames(rc, "A"), i == 2);
     }
-    ck_assert_int_eq(RRenderGetKeyFrames(rc, "Foo"), 0);
-    assert_warned("RRenderGetKeyFrames");
-    ck_assert_int_eq(RRenderGetKeyFrames(rc, 0), 0);
-    assert_warned("RRenderGetKeyFrames");
-    ck_assert_int_eq(RRenderGetKeyFrames(0, "Up"), 0);
-    assert_warned("RRenderGetKeyFrames");
+    assert_none(RRenderGetKeyFrames, rc, "Foo");
+    assert_none(RRenderGetKeyFrames, rc, 0);
+    assert_none(RRenderGetKeyFrames, 0, "Up");
     RRenderContextDestroy(own);
     rc = before;
 }

@@ -104,8 +104,7 @@ TEST(submenus) {
 
 TEST(bad_input) {
     RMenu *m = RMenuCreate(rc, "menu");
-    ck_assert_ptr_null(RMenuCreate(NULL, "menu"));
-    assert_warned("RMenuCreate");
+    assert_none(RMenuCreate, NULL, "menu");
     ck_assert_ptr_null(RMenuCreate(rc, NULL));
     assert_warned("name");
     RMenuAddValueEntry(m, "value", onValue, 0, 10, 1, 5);
@@ -116,10 +115,8 @@ TEST(bad_input) {
     assert_warned("finite");
     RMenuAddToggleEntry(m, NULL, onToggle, 0);
     assert_warned("name");
-    RMenuAddSubmenuEntry(m, "more", NULL);
-    assert_warned("RMenuAddSubmenuEntry");
-    RMenuDisplay(NULL);
-    assert_warned("RMenuDisplay");
+    assert_refused(RMenuAddSubmenuEntry, m, "more", NULL);
+    assert_refused(RMenuDisplay, NULL);
     RMenuDisplay(m);
     RMenuExecute1Entry(rc);
     assert_near(lastValue, 6, 0); /* The exchanged one: 0 to 10. */
@@ -131,8 +128,7 @@ TEST(bad_input) {
     assert_warned("destroyed");
     RMenuDestroy(m); /* It is gone, as it should be. */
     assert_silent();
-    RMenuDestroy(NULL);
-    assert_warned("RMenuDestroy");
+    assert_refused(RMenuDestroy, NULL);
 }
 
 /* Old programs destroy their menus after the context. */

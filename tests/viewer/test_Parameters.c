@@ -187,12 +187,9 @@ TEST(mistakes_are_told) {
     enum { COUNT = sizeof mistaken / sizeof mistaken[0] };
     RRenderCreateParameters(rc, both, 2);
     for (int i = 0; i < COUNT; i++) {
-        RRenderCreateParameters(rc, &mistaken[i], 1);
-        assert_warned("RRenderCreateParameters");
+        assert_refused(RRenderCreateParameters, rc, &mistaken[i], 1);
     }
-    RRenderCreateParameters(rc, NULL, 1);
-    assert_warned("RRenderCreateParameters");
-    RRenderCreateParameters(NULL, both, 2);
-    assert_warned("RRenderCreateParameters");
+    assert_refused(RRenderCreateParameters, rc, NULL, 1);
+    assert_refused(RRenderCreateParameters, NULL, both, 2);
     ck_assert_uint_eq(rc->m_pViewer->parameters.count, 2);
 }

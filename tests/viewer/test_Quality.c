@@ -121,14 +121,10 @@ TEST(setting_it) {
     ck_assert_int_eq(RRenderGetPictureQuality(rc), R_QUALITY_FULL); /* Without a window. */
     RRenderSetPictureQuality(rc, 1);
     ck_assert_int_eq(r_pictureQuality(rc), 1);
-    RRenderSetPictureQuality(rc, 4);
-    assert_warned("RRenderSetPictureQuality");
-    RRenderSetPictureQuality(rc, -2);
-    assert_warned("RRenderSetPictureQuality");
-    RRenderSetPictureQuality(NULL, 1);
-    assert_warned("RRenderSetPictureQuality");
-    RRenderGetPictureQuality(NULL);
-    assert_warned("RRenderGetPictureQuality");
+    assert_refused(RRenderSetPictureQuality, rc, 4);
+    assert_refused(RRenderSetPictureQuality, rc, -2);
+    assert_refused(RRenderSetPictureQuality, NULL, 1);
+    assert_refused(RRenderGetPictureQuality, NULL);
     ck_assert_int_eq(r_pictureQuality(rc), 1);
     RRenderContextDestroy(rc);
     rc = make_context("-null -quality 2");

@@ -2,7 +2,6 @@
 #ifndef VIEWER_TEST_H
 #define VIEWER_TEST_H
 
-#include "MeCommandLine.h"
 #include "MeViewer.h"
 #include "karma_test.h"
 

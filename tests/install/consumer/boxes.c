@@ -39,11 +39,11 @@ int main(void) {
     MstFixedModelCreate(universe, McdPlaneCreate(framework), floorTM);
 
     McdModelDynamicsSetPosition(boxModel, 0, 1, 0);
-    McdModelDynamicsSetPosition(boxModel2, 0, (MeReal)2.5, 0);
+    McdModelDynamicsSetPosition(boxModel2, 0, 2.5, 0);
     McdModelDynamicsSetPosition(pyramidModel, 10, 2, 0);
 
     for (int i = 0; i < 300; i++)
-        MstUniverseStep(universe, (MeReal)(1.0 / 60));
+        MstUniverseStep(universe, 1.0 / 60);
 
     printf("boxes at %g and %g, pyramid at %g\n", heightOf(boxModel), heightOf(boxModel2), heightOf(pyramidModel));
     const int isRight = fabs(heightOf(boxModel) - 0.5) < 1e-3 && fabs(heightOf(boxModel2) - 1.5) < 1e-3 &&

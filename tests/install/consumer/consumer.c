@@ -15,7 +15,7 @@ static MdtBodyID ball;
 static void MEAPI tick(RRender *rc, void *userdata) {
     (void)rc;
     (void)userdata;
-    MdtWorldStep(world, (MeReal)(1.0 / 60));
+    MdtWorldStep(world, 1.0 / 60);
 }
 #endif
 
@@ -69,7 +69,7 @@ int main(void) {
     world = MdtWorldCreate(1, 0);
     ball = MdtBodyCreate(world);
     MdtBodyEnable(ball);
-    MdtWorldSetGravity(world, 0, (MeReal)-9.81, 0);
+    MdtWorldSetGravity(world, 0, -9.81, 0);
 #ifdef CONSUMER_VIEWER
     const char *arguments[] = {"consumer", "-null", "-frames", "60"};
     MeCommandLineOptions *options = MeCommandLineOptionsCreate(4, arguments);
@@ -81,7 +81,7 @@ int main(void) {
     RRun(rc, tick, 0);
 #else
     for (int i = 0; i < 60; i++)
-        MdtWorldStep(world, (MeReal)(1.0 / 60));
+        MdtWorldStep(world, 1.0 / 60);
     check();
 #endif
     return 0;

@@ -5,9 +5,9 @@ int main(void) {
     MstUniverseSizes sizes = MstUniverseDefaultSizes;
     MstUniverseID u = MstUniverseCreate(&sizes);
     McdFrameworkID f = MstUniverseGetFramework(u);
-    MdtWorldSetGravity(MstUniverseGetWorld(u), 0, 0, (MeReal)-9.8);
+    MdtWorldSetGravity(MstUniverseGetWorld(u), 0, 0, -9.8);
     McdAggregateID stool = McdAggregateCreate(f, 4);
-    McdGeometryID leg = (McdGeometryID)McdBoxCreate(f, (MeReal)0.1, (MeReal)0.1, 1);
+    McdGeometryID leg = (McdGeometryID)McdBoxCreate(f, 0.1, 0.1, 1);
     int same = 0;
     {
         MeMatrix4 place;
@@ -25,7 +25,7 @@ int main(void) {
     McdModelID m = MstModelAndBodyCreate(u, (McdGeometryID)stool, 1);
     McdModelDynamicsSetPosition(m, 0, 0, 1);
     for (int i = 0; i < 120; i++)
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
     MeVector3 p;
     McdModelDynamicsGetPosition(m, p);
     const MeReal first = McdAggregateGetElementTransformPtr(stool, 0)[3][0];

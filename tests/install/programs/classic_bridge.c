@@ -9,7 +9,7 @@ int main(void) {
     McdSpaceID space = McdSpaceAxisSortCreate(McdAllAxes, 10, 20, 1);
     MstBridgeID bridge = MstBridgeCreate(3);
     MstSetWorldHandlers(world);
-    MdtWorldSetGravity(world, 0, 0, (MeReal)-9.81);
+    MdtWorldSetGravity(world, 0, 0, -9.81);
 
     MeMatrix4 floorTM;
     MeMatrix4TMMakeIdentity(floorTM);
@@ -20,7 +20,7 @@ int main(void) {
     McdSpaceFreezeModel(floor_);
 
     MdtBodyID body = MdtBodyCreate(world);
-    McdModelID ball = McdModelCreate((McdGeometryID)McdSphereCreate((MeReal)0.5));
+    McdModelID ball = McdModelCreate((McdGeometryID)McdSphereCreate(0.5));
     McdModelSetBody(ball, body);
     MdtBodySetPosition(body, 0, 0, 1);
     MdtBodyEnable(body);
@@ -29,7 +29,7 @@ int main(void) {
     for (int i = 0; i < 180; i++) {
         McdSpaceUpdateAll(space);
         MstBridgeUpdateContacts(bridge, space, world);
-        MdtWorldStep(world, (MeReal)(1. / 60));
+        MdtWorldStep(world, 1. / 60);
     }
     MeVector3 p;
     MdtBodyGetPosition(body, p);

@@ -26,7 +26,7 @@ int main(void) {
     MeMatrix4 floorTM, ballTM;
     MeMatrix4TMMakeIdentity(floorTM);
     MeMatrix4TMMakeIdentity(ballTM);
-    MeMatrix4TMSetPosition(ballTM, 0, 0, (MeReal)0.5);
+    MeMatrix4TMSetPosition(ballTM, 0, 0, 0.5);
     McdModelID floor_ = McdModelCreate(g[0]), ball = McdModelCreate(g[1]);
     McdModelSetTransformPtr(floor_, floorTM);
     McdModelSetTransformPtr(ball, ballTM);

@@ -45,7 +45,7 @@ static int InitialiseMEWorld(void) {
     framework = MstUniverseGetFramework(universe);
     MdtWorldSetEpsilon(world, 0.0001f);
     MdtWorldSetGamma(world, timeStep * 10);
-    MdtWorldSetGravity(world, 0, (MeReal)-20, 0);
+    MdtWorldSetGravity(world, 0, -20, 0);
     return 1;
 }
 

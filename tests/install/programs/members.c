@@ -50,16 +50,16 @@ int main(void) {
     /* where both triangles are all there is, well inside of one of them */
     for (int side = -1; side <= 1; side += 2) {
         McdModelID ball = MstModelAndBodyCreate(u, (McdGeometryID)McdSphereCreate(f, 1), 1);
-        McdModelDynamicsSetPosition(ball, (MeReal)(side * 3), -8, (MeReal)0.99);
+        McdModelDynamicsSetPosition(ball, side * 3, -8, 0.99);
         McdModelSetIntersectCallback(ball, look);
     }
-    MstUniverseStep(u, (MeReal)(1. / 60));
+    MstUniverseStep(u, 1. / 60);
 
     McdRequest request = *McdFrameworkGetDefaultRequestPtr(f);
     request.faceNormalsFirst = 1;
     MdtBclContactParams p;
     MdtContactParamsReset(&p);
-    MdtContactParamsSetPrimaryFrictionCoeffecient(&p, (MeReal)0.25);
+    MdtContactParamsSetPrimaryFrictionCoeffecient(&p, 0.25);
     p.frictioncoeff2 = (MeReal)0.5;
     wrong |= p.frictioncoeff1 != (MeReal)0.25 || MdtContactParamsGetSecondaryFrictionCoeffecient(&p) != (MeReal)0.5;
     wrong |= sizeof(MeVector3) != 3 * sizeof(MeReal) || request.contactMaxCount < 1;

@@ -7,15 +7,15 @@ int main(void) {
     McdFrameworkID f = MstUniverseGetFramework(u);
     MeMatrix4 floorTM;
     MeMatrix4TMMakeIdentity(floorTM);
-    MdtWorldSetGravity(MstUniverseGetWorld(u), 0, 0, (MeReal)-9.8);
+    MdtWorldSetGravity(MstUniverseGetWorld(u), 0, 0, -9.8);
     McdModelID floor_ = MstFixedModelCreate(u, (McdGeometryID)McdPlaneCreate(f), floorTM);
-    McdModelID ball = MstModelAndBodyCreate(u, (McdGeometryID)McdSphereCreate(f, (MeReal)0.5), 1);
+    McdModelID ball = MstModelAndBodyCreate(u, (McdGeometryID)McdSphereCreate(f, 0.5), 1);
     McdModelDynamicsSetPosition(ball, 0, 0, 2);
     for (int i = 0; i < 10; i++)
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
     McdModelDestroy(floor_);
     for (int i = 0; i < 110; i++)
-        MstUniverseStep(u, (MeReal)(1. / 60));
+        MstUniverseStep(u, 1. / 60);
     MeVector3 p;
     McdModelDynamicsGetPosition(ball, p);
     MstUniverseDestroy(u);

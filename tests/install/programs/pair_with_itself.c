@@ -4,10 +4,9 @@
 int main(void) {
     MstUniverseSizes sizes = MstUniverseDefaultSizes;
     MstUniverseID u = MstUniverseCreate(&sizes);
-    McdModelID ball =
-        MstModelAndBodyCreate(u, (McdGeometryID)McdSphereCreate(MstUniverseGetFramework(u), (MeReal)0.5), 1);
+    McdModelID ball = MstModelAndBodyCreate(u, (McdGeometryID)McdSphereCreate(MstUniverseGetFramework(u), 0.5), 1);
     McdSpaceDisablePair(ball, ball);
-    MstUniverseStep(u, (MeReal)(1. / 60));
+    MstUniverseStep(u, 1. / 60);
     MstUniverseDestroy(u);
     return 0;
 }

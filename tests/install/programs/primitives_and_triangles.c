@@ -25,13 +25,12 @@ int main(void) {
     MeVector3 low = {-9, -9, -1}, high = {9, 9, 1};
     McdModelID surface = McdModelCreate((McdGeometryID)McdTriangleListCreate(f, low, high, 10, ground));
     McdGeometryID shape[5] = {(McdGeometryID)McdSphereCreate(f, 1), (McdGeometryID)McdBoxCreate(f, 2, 2, 2),
-                              (McdGeometryID)McdCylinderCreate(f, 1, 2),
-                              (McdGeometryID)McdSphylCreate(f, (MeReal)0.5, 1),
+                              (McdGeometryID)McdCylinderCreate(f, 1, 2), (McdGeometryID)McdSphylCreate(f, 0.5, 1),
                               (McdGeometryID)McdConvexMeshCreateHull(f, tip, 6, 0)};
     MeMatrix4 tm[2];
     for (int i = 0; i < 2; i++)
         MeMatrix4TMMakeIdentity(tm[i]);
-    MeMatrix4TMSetPosition(tm[1], 1, 2, (MeReal)0.99);
+    MeMatrix4TMSetPosition(tm[1], 1, 2, 0.99);
     McdModelSetTransformPtr(surface, tm[0]);
     McdModelUpdate(surface);
     int touching = 0;

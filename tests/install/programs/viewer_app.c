@@ -30,7 +30,7 @@ static void MEAPI tick(RRender *r, MeApp *a) {
     if (++ticks == 30)
         MeAppToggleDrawContacts(a, !a->drawContacts);
     MeAppStep(a);
-    MstUniverseStep(universe, (MeReal)(1. / 60));
+    MstUniverseStep(universe, 1. / 60);
 }
 
 int main(int argc, const char *argv[]) {
@@ -50,7 +50,7 @@ int main(int argc, const char *argv[]) {
     MeMatrix4TMMakeFromRotationAndPosition(ground, R, 0, 0, 0);
     McdModelID floor = MstFixedModelCreate(universe, (McdGeometryID)McdPlaneCreate(frame), ground);
     McdModelID box = MstModelAndBodyCreate(universe, (McdGeometryID)McdBoxCreate(frame, 1, 1, 1), 1);
-    McdModelDynamicsSetPosition(box, 0, (MeReal).5, 0);
+    McdModelDynamicsSetPosition(box, 0, .5, 0);
     app = MeAppCreateFromUniverse(universe, rc);
     MeAppDrawContactsInit(app, red, 100);
     RRenderSetMouseCallBack(rc, MeAppMousePickCB, app);

@@ -14,7 +14,7 @@ int main(void) {
         MdtBSJointID joint = MdtBSJointCreate(world);
         MdtBSJointSetBodies(joint, first, 0);
         MdtBSJointEnable(joint);
-        MdtWorldStep(world, (MeReal)(1. / 60));
+        MdtWorldStep(world, 1. / 60);
         MdtWorldReset(world);
         if (MdtWorldGetTotalBodies(world))
             return 1;
