@@ -1,6 +1,5 @@
 /* See random_judge.h. */
 #include "random_judge.h"
-#include "MdtReport.h"
 
 const char *const random_faultName[FAULTS] = {"not finite", "energy", "motor", "spike", "gap", "sunk", "capped"};
 

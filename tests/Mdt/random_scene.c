@@ -637,7 +637,7 @@ static void drawFrame(RandomScene *s) {
 }
 
 static void makeWorld(RandomScene *s) {
-    s->world = scene_world(RANDOM_BODIES, RANDOM_JOINTS + RANDOM_CONTACTS, s->gravity);
+    s->world = scene_open(RANDOM_BODIES, RANDOM_JOINTS + RANDOM_CONTACTS, s->gravity);
     MdtWorldSetGamma(s->world, s->gamma);
     if (s->epsilon >= 0)
         MdtWorldSetEpsilon(s->world, s->epsilon);

@@ -8,10 +8,21 @@
 #define FRAME ((MeReal)(1.0 / 60)) /* s, one picture of a game */
 
 /* A world that puts nothing to rest by itself. */
-static inline MdtWorldID scene_world(unsigned int bodies, unsigned int constraints, double gravity) {
+static inline MdtWorldID scene_open(unsigned int bodies, unsigned int constraints, double gravity) {
     MdtWorldID w = MdtWorldCreate(bodies, constraints);
     MdtWorldSetAutoDisable(w, 0);
     MdtWorldSetGravity(w, 0, -gravity, 0);
+    return w;
+}
+
+static inline void scene_end(void *world) {
+    MdtWorldDestroy((MdtWorldID)world);
+}
+
+/* The same, which is destroyed at the end of the test. */
+static inline MdtWorldID scene_world(unsigned int bodies, unsigned int constraints, double gravity) {
+    MdtWorldID w = scene_open(bodies, constraints, gravity);
+    test_finally(scene_end, w);
     return w;
 }
 

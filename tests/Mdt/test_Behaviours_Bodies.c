@@ -22,20 +22,6 @@
  */
 #include "behaviour.h"
 
-/* Dynamics guide ch. 2, "Defining a Body": a new body is disabled; MdtBodyEnable lets it take part. */
-TEST(a_new_body_takes_part_once_it_is_enabled) {
-    MdtWorldID w = scene_world(1, 0, 10);
-    MdtBodyID b = MdtBodyCreate(w);
-    MdtWorldStep(w, FRAME);
-    ck_assert(!MdtBodyIsEnabled(b));
-    assert_velocity(b, 0, 0, 0, 0);
-    MdtBodyEnable(b);
-    MdtWorldStep(w, FRAME);
-    ck_assert(MdtBodyIsEnabled(b));
-    assert_velocity(b, 0, -10 * (double)FRAME, 0, TOL(1e-7, 9e-14));
-    MdtWorldDestroy(w);
-}
-
 /* Dynamics guide ch. 4, "Adding Forces": the force acts at the centre of mass, in the world's axes, and turns nothing:
  * however the body is turned, and wherever its centre of mass is. */
 TEST(a_force_acts_at_the_centre_of_mass_in_the_world_s_axes) {
@@ -54,7 +40,6 @@ TEST(a_force_acts_at_the_centre_of_mass_in_the_world_s_axes) {
     const double t = 30 * (double)FRAME;
     assert_velocity(b, t, -2 * t, 3 * t, TOL(1e-6, 2e-13));
     assert_spin(b, 0, 0, 0, 0);
-    MdtWorldDestroy(w);
 }
 
 /* Dynamics guide ch. 5, "Inertia Problems": Karma 1.x puts a multiple of the unit matrix in place of the tensor. Later
@@ -72,26 +57,7 @@ TEST(the_tensor_can_be_made_a_multiple_of_the_unit_matrix) {
         MdtBodyAddTorque(b, 0, 0, 6);
         MdtWorldStep(w, FRAME);
         assert_spin(b, 0, 0, (spherical ? 2 : 1) * (double)FRAME, 9e-14); /* a third of the trace is 3 */
-        MdtWorldDestroy(w);
     }
-}
-
-/* User Guide ch. 3: damping slows a free body; without damping and friction it slides for ever. */
-TEST(without_damping_and_friction_a_body_slides_for_ever) {
-    MdtWorldID w = scene_world(2, 2, 10);
-    MdtBodyID ice = scene_body(w, 1, 0, 0, 0), damped = scene_body(w, 1, 0, 0, 5);
-    MdtContactID under[2] = {scene_contact(w, ice, 0, 0, 0, 0), scene_contact(w, damped, 0, 0, 0, 5)};
-    MdtBodySetLinearVelocity(ice, 3, 0, 0);
-    MdtBodySetLinearVelocity(damped, 3, 0, 0);
-    MdtBodySetLinearVelocityDamping(damped, .5);
-    for (int i = 0; i < 3600; i++) { /* a minute */
-        MdtContactSetPosition(under[0], coordinate(ice, 0), 0, 0);
-        MdtContactSetPosition(under[1], coordinate(damped, 0), 0, 5);
-        MdtWorldStep(w, FRAME);
-    }
-    assert_near(velocity(ice, 0), 3, TOL(1e-6, 3e-13));
-    assert_near_rel(velocity(damped, 0), 3 * exp(-.5 * 3600 * (double)FRAME), TOL(1e-6, 3e-13));
-    MdtWorldDestroy(w);
 }
 
 /* A minute of rolling with 2 m/s; the contact may know that the ball is round. Where rounding has left a gap, the step
@@ -122,7 +88,6 @@ static void rollForAMinute(MeBool isRound) {
     assert_below(gain, TOL(2e-3, 1e-7));
     assert_near(velocity(ball, 0), v, rounding + gain);
     assert_near(spin(ball, 2), -v / radius, rounding + gain);
-    MdtWorldDestroy(w);
 }
 
 /* User Guide ch. 3: with friction and without damping a ball rolls for ever. */

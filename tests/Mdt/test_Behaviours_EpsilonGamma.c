@@ -1,8 +1,8 @@
 /* Documented behaviours: epsilon and gamma (Dynamics guide ch. 5, "The Meaning of Epsilon and Gamma").
  *
  * Already proved elsewhere:
- *   (A + epsilon I) x = b; larger epsilon, springier joints  test_BSJoint: sag_is_epsilon_force_step_squared_over_gamma
- *   gamma is the fraction of the error that a step removes   test_BSJoint: gamma_is_the_fraction_that_a_step_removes
+ *   (A + epsilon I) x = b; larger epsilon, springier joints  test_Order: the_sag_of_a_load_is_epsilon_force_over_gamma
+ *   gamma is the fraction of the error that a step removes   errors_die_in_the_same_time_at_any_step
  *   gamma outside 0..1 is unsafe: it is refused              test_BadInput: parameters_out_of_range
  */
 #include "behaviour.h"
@@ -22,7 +22,7 @@ TEST(redundant_constraints_have_a_solution_at_every_epsilon) {
             all[i] = MdtBSJointQuaConstraint(MdtBSJointCreate(w));
         for (int i = 0; i < 5; i++) {
             MdtConstraintSetBodies(all[i], b, 0);
-            MdtConstraintSetPosition(all[i], (MeReal)(i - 2), 0, 0);
+            MdtConstraintSetPosition(all[i], i - 2., 0, 0);
             MdtConstraintEnable(all[i]);
         }
         steps(w, 300, FRAME);
@@ -31,7 +31,6 @@ TEST(redundant_constraints_have_a_solution_at_every_epsilon) {
             carried += forceOn(all[i], 0, 1);
         assert_near(carried, 10, TOL(1e-4, 1e-7));
         assert_near(coordinate(b, 1), 0, epsilons[k] * 10 * (double)FRAME * (double)FRAME / .2 + TOL(1e-7, 1e-9));
-        MdtWorldDestroy(w);
     }
 }
 
@@ -56,7 +55,6 @@ TEST(without_gamma_errors_stay_and_add_up) {
     }
     /* a joint is met to 1e-10 of its size, here the error of 0.5 m, at every step */
     assert_near(coordinate(loaded, 1) - before, -80 * epsilon * 10 * h * h, TOL(2e-7, 80 * 1e-10 * .5));
-    MdtWorldDestroy(w);
 }
 
 /* The fraction is per step; over the same time steps of any length are to leave the same part of an error:
@@ -84,7 +82,6 @@ TEST(errors_die_in_the_same_time_at_any_step) {
         for (int i = 0; i < steps; i++)
             MdtWorldStep(w, step);
         assert_near(coordinate(b, 0), pow(1 - gamma, steps * step / ref), TOL(2e-6, 1e-9));
-        MdtWorldDestroy(w);
     }
 }
 
@@ -95,7 +92,6 @@ TEST(no_gamma_and_all_of_it_are_the_same_at_any_step) {
     ck_assert(MdtWorldGetGamma(w) == 0);
     MdtWorldSetGammaWithRefTimeStep(w, 1, .01, .003);
     ck_assert(MdtWorldGetGamma(w) == 1);
-    MdtWorldDestroy(w);
 }
 
 /* Epsilon is for joints and for the normals of contacts. On a row without a position it would be viscosity: friction
@@ -126,6 +122,5 @@ TEST(friction_and_brakes_do_not_creep) {
         }
         assert_near(coordinate(cube, 0), start[0], 1e-6);
         assert_near(coordinate(arm, 1), start[1], 1e-6);
-        MdtWorldDestroy(w);
     }
 }

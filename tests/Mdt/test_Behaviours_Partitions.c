@@ -1,7 +1,7 @@
 /* Documented behaviours: partitions and auto-disable; the cap on the matrix size.
  *
  * Already proved elsewhere:
- *   a partition is what constraints join; the world joins nothing  test_Rest: constraints_join_bodies_and_the_world_...
+ *   a partition is what constraints join; the world joins nothing  test_Partitions
  *   all four values have to be below their thresholds              test_Rest: each_threshold_keeps_a_body_awake
  *   the thresholds are squares of magnitudes                       test_Rest: each_threshold_keeps_a_body_awake
  *   auto-disable can be switched                                   test_Rest: auto_disable_can_be_switched_off
@@ -16,20 +16,6 @@
  */
 #include "behaviour.h"
 
-/* Dynamics guide ch. 1, "Partitioning the World"; User Guide ch. 6: two boxes on the ground are two partitions, a
- * stack is one. */
-TEST(two_boxes_on_the_ground_are_two_partitions_and_a_stack_is_one) {
-    MdtWorldID w = scene_world(3, 3, 10);
-    MdtBodyID left = scene_body(w, 1, 0, 1, 0), right = scene_body(w, 1, 5, 1, 0), top = scene_body(w, 1, 5, 3, 0);
-    scene_contact(w, left, 0, 0, 0, 0);
-    scene_contact(w, right, 0, 5, 0, 0);
-    scene_contact(w, top, right, 5, 2, 0);
-    MdtWorldStep(w, FRAME);
-    ck_assert_int_ne(MdtBodyGetPartition(left), MdtBodyGetPartition(right));
-    ck_assert_int_eq(MdtBodyGetPartition(top), MdtBodyGetPartition(right));
-    MdtWorldDestroy(w);
-}
-
 TEST(a_body_knows_the_size_of_its_partition) {
     MdtWorldID w = scene_world(4, 1, 10);
     MdtBodyID left = scene_body(w, 1, 5, 1, 0), right = scene_body(w, 1, 5, 3, 0), alone = scene_body(w, 1, 0, 1, 0),
@@ -42,21 +28,6 @@ TEST(a_body_knows_the_size_of_its_partition) {
     ck_assert_int_eq(MdtBodyGetPartitionSize(alone), 1);
     ck_assert_int_eq(MdtBodyGetPartition(asleep), -1);
     ck_assert_int_eq(MdtBodyGetPartitionSize(asleep), 0);
-    MdtWorldDestroy(w);
-}
-
-/* Dynamics guide ch. 1, "Partitioning the World": forces from outside are ignored; bodies that pull at each other by
- * them stay apart. */
-TEST(forces_do_not_join_bodies) {
-    MdtWorldID w = scene_world(2, 0, 10);
-    MdtBodyID a = scene_body(w, 1, 0, 0, 0), b = scene_body(w, 1, 2, 0, 0);
-    for (int i = 0; i < 10; i++) {
-        MdtBodyAddForceAtPosition(a, 50, 0, 0, 1, 0, 0);
-        MdtBodyAddForceAtPosition(b, -50, 0, 0, 1, 0, 0);
-        MdtWorldStep(w, FRAME);
-        ck_assert_int_ne(MdtBodyGetPartition(a), MdtBodyGetPartition(b));
-    }
-    MdtWorldDestroy(w);
 }
 
 static int MEAPI compareNumbers(const void *a, const void *b) {
@@ -106,5 +77,4 @@ TEST(partitions_are_found_from_a_list_of_bodies) {
         MeDictDelete(&list, MeDictFirst(&list));
     MdtUpdatePartitions(&list, &po, 0, 0);
     ck_assert_int_eq(po.numPartitions, 0);
-    MdtWorldDestroy(w);
 }

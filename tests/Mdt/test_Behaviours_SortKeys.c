@@ -48,7 +48,6 @@ TEST(keys_lie_between_0_and_two_to_the_31_minus_1) {
         ck_assert_int_eq(Mdt##Type##GetSortKey(j), 2147483647);                                                        \
     }
     EVERY_TYPE(NOT_NEGATIVE)
-    MdtWorldDestroy(w);
 }
 
 /* Five contacts under one body, made anew before every step in one order or in another. */
@@ -74,7 +73,6 @@ static void runPile(MeBool reversed, MeBool keyed, MeReal out[2][4]) {
     }
     MdtBodyGetQuaternion(b, out[0]);
     MdtBodyGetPosition(b, out[1]);
-    MdtWorldDestroy(w);
 }
 
 /* Removing contacts and adding them in another order changes the last digits; with sort keys not a bit. */

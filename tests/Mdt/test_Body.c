@@ -51,7 +51,7 @@ TEST(scales_set_the_default_mass_and_inertia) {
 }
 
 TEST(what_is_set_is_got) {
-    MdtWorldID w = MdtWorldCreate(1, 0);
+    MdtWorldID w = scene_world(1, 0, 0);
     MdtBodyID b = MdtBodyCreate(w);
     MeVector3 v;
     int data;
@@ -78,12 +78,11 @@ TEST(what_is_set_is_got) {
     assert_vec3_near(v, 0, 1, 0, 0);
     MdtBodySetSphericalInertiaTensor(b, 3);
     assert_near(MdtBodyGetKineticEnergy(b), .5 * 7 * 14 + .5 * 3 * 77, TOL(1e-4, 1e-12));
-    MdtWorldDestroy(w);
 }
 
 /* Position, quaternion, orientation matrix and transform are one thing in four forms. */
 TEST(the_four_forms_of_a_pose_agree) {
-    MdtWorldID w = MdtWorldCreate(2, 0);
+    MdtWorldID w = scene_world(2, 0, 0);
     MdtBodyID a = MdtBodyCreate(w), b = MdtBodyCreate(w);
     MeMatrix3 R;
     MeMatrix4 tm;
@@ -110,12 +109,11 @@ TEST(the_four_forms_of_a_pose_agree) {
     MdtBodySetOrientation(b, R);
     MdtBodyGetQuaternion(b, q);
     assert_near(q[1], -1 / length, TOL(3e-7, 3e-14));
-    MdtWorldDestroy(w);
 }
 
 /* y = X + R x: a quarter turn about z takes the body's x to the world's y. */
 TEST(rotations_turn_by_the_right_hand_rule) {
-    MdtWorldID w = MdtWorldCreate(1, 0);
+    MdtWorldID w = scene_world(1, 0, 0);
     MdtBodyID b = MdtBodyCreate(w);
     MeMatrix3 R;
     MdtBodySetQuaternion(b, sqrt(.5), 0, 0, sqrt(.5));
@@ -123,7 +121,6 @@ TEST(rotations_turn_by_the_right_hand_rule) {
     assert_near(R[1][0], 1, TOL(1e-6, 9e-14));
     assert_near(R[0][0], 0, TOL(1e-6, 9e-14));
     assert_near(MdtBodyGetTransformPtr(b)[0][1], 1, TOL(1e-6, 9e-14));
-    MdtWorldDestroy(w);
 }
 
 TEST(the_transform_pointer_follows_every_step) {
@@ -135,7 +132,6 @@ TEST(the_transform_pointer_follows_every_step) {
         MdtWorldStep(w, .5);
         assert_near(tm[3][0], 3 * i, TOL(1e-6, 2e-12));
     }
-    MdtWorldDestroy(w);
 }
 
 /* A body whose centre of mass is beside its frame spins about the centre of mass. */
@@ -164,7 +160,6 @@ TEST(the_centre_of_mass_may_lie_beside_the_frame) {
     MdtBodyGetPosition(b, p);
     assert_vec3_near(p, -cos(angle), -sin(angle), 0, TOL(1e-6, 9e-14));
     assert_near(MdtBodyGetCenterOfMassTransformPtr(b)[3][0], 0, 0);
-    MdtWorldDestroy(w);
 }
 
 TEST(the_centre_of_mass_may_be_turned) {
@@ -183,7 +178,6 @@ TEST(the_centre_of_mass_may_be_turned) {
     MeVector3 v;
     MdtBodyGetAngularVelocity(b, v);
     assert_vec3_near(v, 0, 1, 0, TOL(1e-6, 9e-14));
-    MdtWorldDestroy(w);
 }
 
 /* What is attached to the body's frame stays there when the centre of mass moves. */
@@ -201,7 +195,6 @@ TEST(moving_the_centre_of_mass_keeps_attachments) {
     assert_vec3_near(p, 4, 1, 2, TOL(1e-6, 4e-13));
     MdtHingeGetAxis(j, p);
     assert_vec3_near(p, 0, sqrt(.5), sqrt(.5), TOL(1e-6, 9e-14));
-    MdtWorldDestroy(w);
 }
 
 TEST(velocity_at_a_point_turns_with_the_body) {
@@ -212,7 +205,6 @@ TEST(velocity_at_a_point_turns_with_the_body) {
     MdtBodySetAngularVelocity(b, 0, 0, 5);
     MdtBodyGetVelocityAtPoint(b, p, v);
     assert_vec3_near(v, 0, 10, 4, TOL(1e-5, 9e-13));
-    MdtWorldDestroy(w);
 }
 
 /* Changing mass, inertia or pose leaves the velocities alone. */
@@ -228,7 +220,6 @@ TEST(velocities_survive_what_is_set_about_them) {
     MdtBodySetPosition(b, 9, 9, 9);
     MdtBodyGetAngularVelocity(b, v);
     assert_vec3_near(v, 1, 2, 3, TOL(1e-6, 3e-13));
-    MdtWorldDestroy(w);
 }
 
 TEST(velocities_may_be_written_through_their_pointers) {
@@ -245,7 +236,6 @@ TEST(velocities_may_be_written_through_their_pointers) {
     assert_warned("not finite");
     assert_near(v[0], 3, 0);
     assert_near(MdtBodyGetTransformPtr(b)[3][0], 6, TOL(1e-5, 6e-13));
-    MdtWorldDestroy(w);
 }
 
 TEST(accelerations_are_those_of_the_last_step) {
@@ -259,7 +249,6 @@ TEST(accelerations_are_those_of_the_last_step) {
     assert_vec3_near(a, 4, -9, 0, TOL(1e-5, 8e-13));
     MdtBodyGetAngularAcceleration(b, a);
     assert_vec3_near(a, 0, 2, 0, TOL(2e-6, 2e-13));
-    MdtWorldDestroy(w);
 }
 
 /* Forces on a body that is not simulated add up, and act for one step when it is. */
@@ -284,7 +273,6 @@ TEST(forces_wait_for_a_disabled_body) {
     MdtWorldStep(w, .1);
     MdtBodyGetLinearVelocity(b, v);
     assert_vec3_near(v, 1, 0, 0, TOL(1e-6, 9e-14));
-    MdtWorldDestroy(w);
 }
 
 TEST(a_copy_has_everything_but_constraints) {
@@ -306,8 +294,6 @@ TEST(a_copy_has_everything_but_constraints) {
     }
     ck_assert_int_eq(MdtWorldGetEnabledBodies(w), 2);
     ck_assert_int_eq(MdtWorldGetEnabledBodies(other), 1);
-    MdtWorldDestroy(w);
-    MdtWorldDestroy(other);
 }
 
 TEST(reset_brings_the_defaults_back) {
@@ -327,7 +313,6 @@ TEST(reset_brings_the_defaults_back) {
     assert_vec3_near(v, 0, 0, 0, 0);
     ck_assert(MdtBodyGetMass(b) == 1 && MdtBodyGetLinearVelocityDamping(b) == 0);
     ck_assert(MdtBodyIsEnabled(b) && MdtBodyGetSortKey(b) == 5);
-    MdtWorldDestroy(w);
 }
 
 static void countCall(const MdtConstraintID c, void *count) {
@@ -366,7 +351,6 @@ TEST(a_body_knows_its_constraints) {
     ck_assert(MdtBSJointGetBody(joint, 0) == NULL && MdtBSJointGetBody(joint, 1) == a);
     MdtBodyDestroyConstraints(a);
     ck_assert_int_eq(MdtWorldGetTotalConstraints(w), 0);
-    MdtWorldDestroy(w);
 }
 
 TEST(inertia_tensors_of_solids) {
@@ -381,7 +365,7 @@ TEST(inertia_tensors_of_solids) {
 }
 
 TEST(vectors_change_frames) {
-    MdtWorldID w = MdtWorldCreate(2, 0);
+    MdtWorldID w = scene_world(2, 0, 0);
     MdtBodyID a = MdtBodyCreate(w), b = MdtBodyCreate(w);
     MdtBodySetPosition(a, 1, 0, 0);
     MdtBodySetQuaternion(a, sqrt(.5), 0, 0, sqrt(.5)); /* x to y */
@@ -395,7 +379,6 @@ TEST(vectors_change_frames) {
     assert_vec3_near(t, 0, -2, 0, TOL(1e-6, 2e-13));
     MdtConvertPositionVector(0, t, 0, t);
     assert_vec3_near(t, 0, -2, 0, TOL(1e-6, 2e-13));
-    MdtWorldDestroy(w);
 }
 
 /* In single precision a body was at -inf while its double state was finite. */
@@ -419,9 +402,7 @@ TEST(a_body_stops_at_the_bound_of_positions) {
         ck_assert_int_eq(caught.warnings, 1);
         assert_warned("MdtWorldStep");
     }
-    MdtBodySetPosition(b, 0, 1.1 * bound, 0);
-    assert_warned("MdtBodySetPosition");
+    assert_refused(MdtBodySetPosition, b, 0, 1.1 * bound, 0);
     MdtBodyGetPosition(b, p);
     ck_assert((double)p[1] == -bound);
-    MdtWorldDestroy(w);
 }

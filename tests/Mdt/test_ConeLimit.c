@@ -57,7 +57,6 @@ TEST(inside_the_cone_it_has_no_row) {
         assert_vec3_near(t, 0, 0, 0, 0);
     }
     assert_near(angleOf(s), 40 * .5 * (double)FRAME, TOL(1e-5, 1e-5));
-    MdtWorldDestroy(s.world);
 }
 
 /* A bar pulled to the side, from all directions, comes to rest on it: m g l cos θ on the limit. */
@@ -77,7 +76,6 @@ TEST(it_rests_on_its_side) {
         read_torque(MdtConeLimitQuaConstraint(s.cone), 0, t);
         const double torque = mass * 10 * arm * cos(halfAngle); /* gravity's axis: (x, 0, z) cross y */
         assert_vec3_near(t, torque * sin(way), 0, -torque * cos(way), TOL(9e-6, 2e-6));
-        MdtWorldDestroy(s.world);
     }
 }
 
@@ -93,7 +91,6 @@ TEST(a_hit_takes_the_speed_and_gives_none_back) {
     assert_near(angleOf(s), halfAngle, TOL(5e-7, 4e-9));
     measure_rate(s.bar, w);
     assert_vec3_near(w, 0, 0, 0, TOL(1e-6, 6e-9));
-    MdtWorldDestroy(s.world);
 }
 
 /* Round along the side, pressed to it. */
@@ -112,29 +109,6 @@ TEST(a_bar_that_circles_stays_in_the_cone) {
     }
     assert_below(max, halfAngle + 5e-3);
     assert_below(halfAngle - 5e-3, min);
-    MdtWorldDestroy(s.world);
-}
-
-/* k (θ - θ_0) = m g l cos θ, by Newton's method. */
-static double softAngle(double stiffness) {
-    double x = halfAngle;
-    const double load = mass * 10 * arm;
-    for (int i = 0; i < 50; i++)
-        x -= (stiffness * (x - halfAngle) - load * cos(x)) / (stiffness + load * sin(x));
-    return x;
-}
-
-TEST(a_soft_cone_gives_way_by_torque_over_stiffness) {
-    const double ks[] = {20, 100, 1000};
-    for (int k = 0; k < 3; k++) {
-        Hung s = hang(.1);
-        pull(s, 10, 0);
-        MdtConeLimitSetStiffness(s.cone, ks[k]);
-        MdtConeLimitSetDamping(s.cone, 5);
-        steps(s.world, 1200, FRAME);
-        assert_near(angleOf(s), softAngle(ks[k]), TOL(8e-7, 4e-10));
-        MdtWorldDestroy(s.world);
-    }
 }
 
 /* A body without a joint is turned onto the soft side by a torque and swings about the balance. */
@@ -164,7 +138,6 @@ TEST(a_soft_cone_is_a_damped_spring) {
             }
             ck_assert_int_eq(swing.crossings, 9);
             swing_check(&swing, w0, decay, h, TOL(2e-5, 2e-7));
-            MdtWorldDestroy(w);
         }
 }
 
@@ -183,7 +156,6 @@ TEST(the_twist_is_free) {
         assert_near(keaDot(w, axis), 4, TOL(4e-6, 4e-13));
         assert_near(angleOf(s), halfAngle, TOL(5e-7, 4e-9));
     }
-    MdtWorldDestroy(s.world);
 }
 
 /* It rested on its side, and is put along the axis: all is as if the cone was disabled, which writes and reads none of
@@ -197,7 +169,7 @@ TEST(what_has_left_the_side_leaves_no_row_behind) {
         steps(s.world, 120, FRAME);
         ck_assert_int_eq(rowsOf(s), 1);
         pull(s, 0, 0);
-        MdtBodySetPosition(s.bar, 0, (MeReal)-arm, 0);
+        MdtBodySetPosition(s.bar, 0, -arm, 0);
         MdtBodySetQuaternion(s.bar, 1, 0, 0, 0);
         swingAboutZ(s, .1);
         if (isDisabled)
@@ -205,7 +177,6 @@ TEST(what_has_left_the_side_leaves_no_row_behind) {
         MdtWorldStep(s.world, FRAME);
         ck_assert(isDisabled || rowsOf(s) == 0);
         angle[isDisabled] = angleOf(s);
-        MdtWorldDestroy(s.world);
     }
     ck_assert(angle[0] == angle[1]);
 }
@@ -221,7 +192,6 @@ TEST(pi_is_no_limit) {
     }
     measure_rate(s.bar, w);
     assert_near(w[2], 4, TOL(4e-6, 4e-13));
-    MdtWorldDestroy(s.world);
 }
 
 /* Down to the 5 degrees that the guide allows, and beyond a right angle. */
@@ -245,7 +215,6 @@ TEST(half_angles_from_5_to_170_degrees) {
         }
         assert_near(max, limit, TOL(2e-6, 4e-11));
         assert_near(atan2(axis[1], axis[0]), limit, TOL(2e-6, 2e-11));
-        MdtWorldDestroy(w);
     }
 }
 
@@ -268,34 +237,4 @@ TEST(from_outside_it_is_drawn_in) {
         measure_turnOut(b, x, axis);
         assert_near(atan2(axis[1], axis[0]), .5 + .5 * pow(.75, n), TOL(1e-6, 5e-10));
     }
-    MdtWorldDestroy(w);
-}
-
-/* The guide's advice: beside a universal joint the cone keeps it away from 90 degrees. */
-TEST(beside_a_universal_joint_it_limits_the_bend) {
-    MdtWorldID w = scene_world(1, 2, 10);
-    MdtWorldSetEpsilon(w, 0);
-    MdtBodyID b = scene_body(w, 1, 0, 0, 1);
-    MdtUniversalID u = MdtUniversalCreate(w);
-    MdtUniversalSetBodies(u, b, 0);
-    MdtUniversalSetPosition(u, 0, 0, 0);
-    MdtUniversalSetAxis(u, 0, 1, 0, 0);
-    MdtUniversalSetAxis(u, 1, 0, 1, 0);
-    MdtUniversalEnable(u);
-    MdtConeLimitID cone = MdtConeLimitCreate(w);
-    MdtConeLimitSetBodies(cone, b, 0);
-    MdtConeLimitSetAxis(cone, 0, 0, 1);
-    MdtConeLimitSetConeHalfAngle(cone, 1);
-    MdtConeLimitEnable(cone);
-    MdtBodySetLinearVelocity(b, 1, 0, 0);
-    double max = 0;
-    for (int n = 0; n < 600; n++) {
-        double z[3] = {0, 0, 1}, axis[3];
-        MdtWorldStep(w, FRAME);
-        measure_turnOut(b, z, axis);
-        max = fmax(max, atan2(sqrt(axis[0] * axis[0] + axis[1] * axis[1]), axis[2]));
-    }
-    assert_below(max, 1.01);
-    assert_below(.99, max);
-    MdtWorldDestroy(w);
 }

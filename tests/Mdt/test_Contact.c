@@ -79,22 +79,7 @@ TEST(bounces_rise_to_the_square_of_the_restitution) {
                                   : 6.3 * 5e-4 * (1 - es[k] * es[k]) + .01 * wanted);
                 wanted = early ? wanted : top;
             }
-            MdtWorldDestroy(s.world);
         }
-}
-
-TEST(bounce_heights_converge_at_first_order) {
-    double worst[2] = {0, 0};
-    for (int k = 0; k < 2; k++) {
-        const double h = 4e-3 / (k ? 8 : 1);
-        for (int phase = 0; phase < 10; phase++) { /* the step at which the floor is met is a matter of luck */
-            Ball s = makeBall(2.5 + .003 * phase, 9.81);
-            MdtContactParamsSetRestitution(&s.params, .5);
-            worst[k] = fmax(worst[k], fabs(nextTop(&s, h) - .25 * (2 + .003 * phase)));
-            MdtWorldDestroy(s.world);
-        }
-    }
-    ck_assert_msg(worst[0] / worst[1] > 5, "worst errors %g and %g", worst[0], worst[1]);
 }
 
 static double energyOf(const Ball *s) {
@@ -114,7 +99,6 @@ TEST(a_lossless_bounce_neither_gains_nor_loses) {
             if (early)
                 assert_near(energy, 9.81 * 5, TOL(1e-4, 1e-9));
         }
-        MdtWorldDestroy(s.world);
     }
 }
 
@@ -127,7 +111,6 @@ TEST(impacts_below_the_threshold_do_not_bounce) {
         MdtBodySetLinearVelocity(s.body, 0, k ? (MeReal)-1.1 : (MeReal)-.9, 0);
         stepBall(&s, FRAME);
         assert_near(speedOf(&s), k ? .55 : 0, TOL(1e-6, 9e-9));
-        MdtWorldDestroy(s.world);
     }
 }
 
@@ -144,7 +127,6 @@ TEST(a_bouncing_ball_comes_to_rest_and_stays) {
         assert_near(speedOf(&s), 0, TOL(1e-5, 9e-9));
         assert_near(heightOf(&s), -1e-4 * 9.81 * (double)FRAME * (double)FRAME / .2, touching);
     }
-    MdtWorldDestroy(s.world);
 }
 
 static void pushFor(Ball *s, int n, double fx, double fz) {
@@ -169,21 +151,6 @@ static void velocityOf(const Ball *s, MeVector3 v) {
     MdtBodyGetLinearVelocity(s->body, v);
 }
 
-TEST(box_friction_of_10_holds_9_and_lets_11_slide_with_1) {
-    Ball s = makeBlock(9.81);
-    MeVector3 v;
-    MdtContactParamsSetType(&s.params, MdtContactTypeFriction2D);
-    MdtContactParamsSetFriction(&s.params, 10);
-    pushFor(&s, 60, 9, 0);
-    velocityOf(&s, v);
-    assert_near(v[0], 0, TOL(1e-6, 2e-8));
-    pushFor(&s, 60, 11, 0);
-    velocityOf(&s, v);
-    assert_near(v[0], 1 * 60 * (double)FRAME, TOL(1e-5, 1e-8));
-    MdtWorldDestroy(s.world);
-}
-
-/* The box model bounds each direction by itself: 9 along both is 12.7 together and still holds. */
 /* A body that has risen by less than half a digit of single precision shows the same place as before. What is measured
  * from there says nothing of the rise, which MdtContactSetExact puts back: noise of rounding moves no resting body. */
 TEST(what_places_lose_by_rounding_is_put_back) {
@@ -200,7 +167,6 @@ TEST(what_places_lose_by_rounding_is_put_back) {
         MdtContactSetBodies(c, side == 0 ? b : 0, side == 0 ? 0 : b);
         MdtContactSetExact(c, position, 50 - (double)at[1]);
         assert_near(MdtContactGetPenetration(c), side == 0 ? -rise : TOL(rise, -rise), TOL(1e-10, 1e-14));
-        MdtWorldDestroy(w);
     }
 }
 
@@ -238,7 +204,6 @@ TEST(box_friction_is_a_box) {
     velocityOf(&s, v);
     ck_assert_msg((fabs(v[0]) < 1e-6) != (fabs(v[2]) < 1e-6), "v = %g %g", v[0], v[2]);
     assert_near(fabs(v[0]) + fabs(v[2]), 7 * 60 * (double)FRAME, TOL(1e-4, 7e-8));
-    MdtWorldDestroy(s.world);
 }
 
 TEST(frictionless_and_infinite_friction) {
@@ -247,13 +212,11 @@ TEST(frictionless_and_infinite_friction) {
     pushFor(&ice, 60, 5, -2);
     velocityOf(&ice, v);
     assert_vec3_near(v, 5 * 60 * (double)FRAME, 0, -2 * 60 * (double)FRAME, TOL(1e-5, 5e-8));
-    MdtWorldDestroy(ice.world);
     Ball glue = makeBlock(9.81);
     MdtContactParamsSetType(&glue.params, MdtContactTypeFriction2D); /* friction MEINFINITY by default */
     pushFor(&glue, 60, 1000, -2000);
     velocityOf(&glue, v);
     assert_vec3_near(v, 0, 0, 0, 1e-6);
-    MdtWorldDestroy(glue.world);
 }
 
 TEST(friction_1d_acts_along_the_primary_direction) {
@@ -270,7 +233,6 @@ TEST(friction_1d_acts_along_the_primary_direction) {
     MdtWorldStep(s.world, FRAME);
     velocityOf(&s, v);
     assert_vec3_near(v, 2 * (double)FRAME, 0, -2 * (double)FRAME, TOL(1e-6, 2e-8));
-    MdtWorldDestroy(s.world);
 }
 
 /* The bound of the normal-force model is that of this very step: it holds from the first. */
@@ -287,7 +249,6 @@ TEST(normal_force_friction_is_coulomb_s) {
     pushFor(&s, 60, 5, 0);
     velocityOf(&s, v);
     assert_near(v[0], (5 - mu * g) * 60 * (double)FRAME, TOL(1e-5, 1e-8));
-    MdtWorldDestroy(s.world);
     /* gravity along a slope of tan .5 */
     for (int k = 0; k < 2; k++) {
         Ball slope = makeBlock(0);
@@ -300,7 +261,6 @@ TEST(normal_force_friction_is_coulomb_s) {
         velocityOf(&slope, v);
         const double acceleration = g * (sqrt(.2) - coefficient * sqrt(.8));
         assert_near(v[0], k ? 0 : acceleration * 120 * (double)FRAME, TOL(2e-5, 1e-8));
-        MdtWorldDestroy(slope.world);
     }
 }
 
@@ -323,7 +283,6 @@ TEST(slip_velocity_is_slip_times_force_at_once) {
         velocityOf(&s, v);
         assert_near_rel(v[0], 3 * slips[k], TOL(1e-5, 1e-6));
         assert_near_rel(v[2], -1 * slips[k], TOL(1e-5, 1e-6));
-        MdtWorldDestroy(s.world);
     }
 }
 
@@ -342,7 +301,6 @@ TEST(slide_carries_at_belt_speed) {
     velocityOf(&s, v);
     for (int i = 0; i < 3; i++)
         assert_near(v[i], 2 * (double)direction[i], TOL(1e-6, 1e-9));
-    MdtWorldDestroy(s.world);
 }
 
 TEST(a_contact_does_not_pull_unless_it_is_adhesive) {
@@ -357,12 +315,10 @@ TEST(a_contact_does_not_pull_unless_it_is_adhesive) {
     MdtBodyAddForce(s.body, 0, 7, 0);
     stepBall(&s, FRAME);
     assert_near(speedOf(&s), 2 * (double)FRAME, TOL(1e-6, 7e-9));
-    MdtWorldDestroy(s.world);
     Ball free = makeBlock(0);
     MdtBodyAddForce(free.body, 0, 4, 0);
     stepBall(&free, FRAME);
     assert_near(speedOf(&free), 4 * (double)FRAME, TOL(1e-6, 6e-10));
-    MdtWorldDestroy(free.world);
 }
 
 TEST(softness_rests_softness_force_step_squared_over_gamma_deep) {
@@ -373,7 +329,6 @@ TEST(softness_rests_softness_force_step_squared_over_gamma_deep) {
     for (int i = 0; i < 400; i++)
         stepBall(&s, FRAME);
     assert_near_rel(-heightOf(&s), .012 * 10 * (double)FRAME * (double)FRAME / .2, TOL(1e-3, 1e-6));
-    MdtWorldDestroy(s.world);
 }
 
 /* A contact with a gap lets the body come to the floor and no further, in the very step. */
@@ -386,7 +341,6 @@ TEST(a_gap_closes_exactly) {
     stepBall(&s, FRAME);
     assert_near(heightOf(&s), 0, 1e-7);
     assert_near(speedOf(&s), 0, TOL(1e-5, 9e-9));
-    MdtWorldDestroy(s.world);
 }
 
 TEST(overlap_is_pushed_out_by_gamma_a_step) {
@@ -394,7 +348,6 @@ TEST(overlap_is_pushed_out_by_gamma_a_step) {
     stepBall(&s, FRAME);
     assert_near(heightOf(&s), -.08, TOL(1e-6, 1e-9));
     stepBall(&s, FRAME);
-    MdtWorldDestroy(s.world);
 }
 
 TEST(a_disabled_contact_is_ignored_and_the_world_may_come_first) {
@@ -411,7 +364,6 @@ TEST(a_disabled_contact_is_ignored_and_the_world_may_come_first) {
     MeVector3 f;
     MdtContactGetForce(c, 1, f);
     assert_vec3_near(f, 0, 9.81, 0, TOL(1e-4, 1e-6));
-    MdtWorldDestroy(s.world);
 }
 
 TEST(a_moving_world_carries) {
@@ -427,54 +379,6 @@ TEST(a_moving_world_carries) {
     assert_vec3_near(v, 1, .5, -2, TOL(1e-5, 1e-9));
     MdtContactGetRelativeVelocity(c, v);
     assert_vec3_near(v, 0, 0, 0, TOL(1e-5, 1e-9));
-    MdtWorldDestroy(s.world);
-}
-
-/* Boxes on four corner contacts each, one on the other, or on the floor; made anew each step. */
-static void cornerContacts(MdtWorldID w, MdtBodyID upper, MdtBodyID lower, double edge, MdtContactID made[4]) {
-    MeVector3 up, low = {0, -edge / 2, 0};
-    MdtBodyGetPosition(upper, up);
-    if (lower)
-        MdtBodyGetPosition(lower, low);
-    const double depth = edge - ((double)up[1] - low[1]);
-    for (int i = 0; i < 4; i++) {
-        if (made[i])
-            MdtContactDestroy(made[i]);
-        made[i] = MdtContactCreate(w);
-        MdtContactSetBodies(made[i], upper, lower);
-        MdtContactSetPosition(made[i], up[0] + (MeReal)(i & 1 ? edge / 2 : -edge / 2),
-                              low[1] + (MeReal)(edge / 2 - depth / 2), up[2] + (MeReal)(i & 2 ? edge / 2 : -edge / 2));
-        MdtContactSetNormal(made[i], 0, 1, 0);
-        MdtContactSetPenetration(made[i], depth);
-        MdtContactParamsSetType(MdtContactGetParams(made[i]), MdtContactTypeFriction2D);
-        MdtContactParamsSetFriction(MdtContactGetParams(made[i]), 5);
-        MdtContactEnable(made[i]);
-    }
-}
-
-TEST(a_heavy_box_rests_on_a_light_one) {
-    const double unit[3] = {1, 1, 1}, ratio[] = {1, 1e3, 1e6};
-    for (int k = 0; k < 3; k++) {
-        MdtWorldID w = scene_world(2, 8, 9.81);
-        MdtWorldSetEpsilon(w, 0);
-        MdtBodyID light = scene_box(w, 1, unit, 0, .5, 0), heavy = scene_box(w, ratio[k], unit, 0, 1.5, 0);
-        MdtContactID floor[4] = {0}, middle[4] = {0};
-        double carried = 0;
-        for (int i = 0; i < 300; i++) {
-            cornerContacts(w, light, 0, 1, floor);
-            cornerContacts(w, heavy, light, 1, middle);
-            MdtWorldStep(w, FRAME);
-        }
-        MeVector3 p, f;
-        MdtBodyGetPosition(heavy, p);
-        assert_vec3_near(p, 0, 1.5, 0, 1e-6);
-        for (int i = 0; i < 4; i++) {
-            MdtContactGetForce(floor[i], 0, f);
-            carried += f[1];
-        }
-        assert_near_rel(carried, 9.81 * (1 + ratio[k]), TOL(1e-6, 1e-9));
-        MdtWorldDestroy(w);
-    }
 }
 
 TEST(parameters_have_the_guide_s_defaults) {
@@ -496,7 +400,6 @@ TEST(parameters_have_the_guide_s_defaults) {
     MdtContactGetPosition(c, v);
     assert_vec3_near(v, 0, 0, 0, 0);
     ck_assert(MdtContactGetPenetration(c) == 0 && MdtContactGetNext(c) == MdtContactInvalidID);
-    MdtWorldDestroy(w);
 }
 
 /* Every value goes in and comes out, and switches its option. */
@@ -552,7 +455,6 @@ static const char *saidOf(const MdtBclContactParams *params) {
     strcpy(text, caught.warnings ? caught.last : "");
     messages_forget();
     MeSetInfoShow(before);
-    MdtWorldDestroy(w);
     return text;
 }
 
@@ -594,12 +496,9 @@ TEST(a_surface_is_set_by_one_call) {
     ck_assert(MdtContactParamsGetSecondaryFrictionCoeffecient(&p) == (MeReal).6);
     ck_assert(MdtContactParamsGetRestitution(&p) == (MeReal).3);
     ck_assert_str_eq(saidOf(&p), "");
-    MdtContactParamsSetSurface(&p, -1, 0);
-    assert_warned("MdtContactParamsSetSurface");
-    MdtContactParamsSetSurface(&p, 1, 2);
-    assert_warned("MdtContactParamsSetSurface");
-    MdtContactParamsSetSurface(0, 1, 0);
-    assert_warned("MdtContactParamsSetSurface");
+    assert_refused(MdtContactParamsSetSurface, &p, -1, 0);
+    assert_refused(MdtContactParamsSetSurface, &p, 1, 2);
+    assert_refused(MdtContactParamsSetSurface, 0, 1, 0);
     ck_assert(MdtContactParamsGetPrimaryFrictionCoeffecient(&p) == (MeReal).6);
     MdtContactParamsSetSurface(&p, 0, 0);
     ck_assert_int_eq(MdtContactParamsGetType(&p), MdtContactTypeFrictionZero);

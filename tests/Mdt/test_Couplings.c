@@ -34,7 +34,6 @@ TEST(friction_in_impacts_is_against_the_slide_of_a_bar) {
         assert_near(up, -e * start[1], TOL(1e-5, 6e-8));
         for (int k = 0; k < 2; k++)
             assert_near(impulse[2 * k] / impulse[1], -mu * slide[k] / sliding, TOL(2e-5, 1e-7));
-        MdtWorldDestroy(w);
     }
 }
 
@@ -68,7 +67,6 @@ TEST(a_step_and_its_rest_are_a_step) {
     }
     assert_vec3_near(v[0], v[1][0], v[1][1], v[1][2], TOL(1e-6, 2e-15));
     assert_vec3_near(p[0], p[1][0], p[1][1], 0, TOL(1e-8, 2e-17));
-    MdtWorldDestroy(w);
 }
 
 static int wakes, sleeps;
@@ -105,7 +103,6 @@ TEST(handlers_hear_of_bodies_that_are_enabled_and_disabled) {
     MdtBodyDisable(b);
     MdtBodyEnable(a);
     ck_assert(wakes == 2 && sleeps == 1);
-    MdtWorldDestroy(w);
 }
 
 TEST(what_is_set_is_got) {
@@ -125,5 +122,4 @@ TEST(what_is_set_is_got) {
     assert_vec3_near(v, 1, -2, 3, 0);
     MdtContactGetRelativeVelocity(c, v);
     assert_vec3_near(v, -1, 2, -3, 0);
-    MdtWorldDestroy(w);
 }

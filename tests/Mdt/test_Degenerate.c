@@ -1,6 +1,5 @@
 /* Where a joint loses its meaning: everything stays finite, one warning is given when it comes there and not one a
  * step, and another when it comes there again. */
-#include "MeMath.h"
 #include "measure.h"
 
 typedef struct {
@@ -71,7 +70,6 @@ static void check(Two s, void (*there)(Two), void (*elsewhere)(Two), const char 
         assertFinite(s);
     }
     messages_forget();
-    MdtWorldDestroy(s.world);
 }
 
 static void apart(Two s, double distance) {
@@ -162,7 +160,6 @@ TEST(a_cone_limit_that_had_no_plane_yet) {
         slightlyBent(s);
         MdtWorldStep(s.world, FRAME);
     }
-    MdtWorldDestroy(s.world);
     messages_forget();
 }
 
@@ -235,7 +232,6 @@ TEST(linear_springs_may_turn) {
     MdtSpring6SetLinearStiffness(j, 0, 10);
     MdtSpring6Enable(j);
     stay(s, 20, opposite);
-    MdtWorldDestroy(s.world);
 }
 
 TEST(a_car_wheel_whose_axes_are_parallel) {
@@ -259,23 +255,17 @@ TEST(axes_that_span_no_plane_are_refused) {
         MeVector3 p, o;
         MdtConstraintSetBodies(all[i], s.body[0], s.body[1]);
         assert_silent();
-        MdtConstraintSetAxes(all[i], 1, 2, 3, 2, 4, 6);
-        assert_warned("MdtConstraintSetAxes");
+        assert_refused(MdtConstraintSetAxes, all[i], 1, 2, 3, 2, 4, 6);
         MdtConstraintSetAxes(all[i], 1, 2, 3, -1, -2, -3);
         assert_warned("parallel");
-        MdtConstraintSetAxes(all[i], 0, 0, 0, 1, 0, 0);
-        assert_warned("MdtConstraintSetAxes");
-        MdtConstraintBodySetAxes(all[i], 1, 0, 0, 1, 0, 0, 1);
-        assert_warned("MdtConstraintBodySetAxes");
-        MdtConstraintSetAxis(all[i], 0, 0, 0);
-        assert_warned("MdtConstraintSetAxis");
+        assert_refused(MdtConstraintSetAxes, all[i], 0, 0, 0, 1, 0, 0);
+        assert_refused(MdtConstraintBodySetAxes, all[i], 1, 0, 0, 1, 0, 0, 1);
+        assert_refused(MdtConstraintSetAxis, all[i], 0, 0, 0);
         for (unsigned int k = 0; k < 2; k++) {
             MdtConstraintBodyGetAxes(all[i], k, p, o);
             assert_vec3_near(p, 1, 0, 0, 0);
             assert_vec3_near(o, 0, 1, 0, 0);
         }
     }
-    MdtUniversalSetAxis(MdtConstraintDCastUniversal(all[2]), 1, 0, 0, 0);
-    assert_warned("MdtUniversalSetAxis");
-    MdtWorldDestroy(s.world);
+    assert_refused(MdtUniversalSetAxis, MdtConstraintDCastUniversal(all[2]), 1, 0, 0, 0);
 }

@@ -1,5 +1,5 @@
 /* Bodies that nothing touches: falling, damping, momentum, tumbling. */
-#include "scene.h"
+#include "measure.h"
 
 /* Free flight takes the mean of the velocities: exact under a constant force, whatever the step. */
 TEST(free_fall_is_the_closed_form_to_rounding) {
@@ -17,7 +17,6 @@ TEST(free_fall_is_the_closed_form_to_rounding) {
         assert_near_rel(v[1], -(double)g * h * n, TOL(1e-7, 1e-13));
         assert_near_rel((double)p[1] - 10, -fallen, TOL(1e-6, 1e-13));
         ck_assert(p[0] == 0 && p[2] == 0);
-        MdtWorldDestroy(w);
     }
 }
 
@@ -40,7 +39,6 @@ TEST(damped_projectile_follows_the_exponential) {
     assert_near(v[1], limit + (6 - limit) * rn, TOL(3e-6, 1e-12));
     assert_near(p[0], h * 4 * sum, TOL(2e-6, 5e-13));
     assert_near(p[1], h * (n * limit + (6 - limit) * sum), TOL(2e-5, 4e-12));
-    MdtWorldDestroy(w);
 }
 
 TEST(angular_damping_slows_a_spin_by_the_exponential) {
@@ -52,45 +50,6 @@ TEST(angular_damping_slows_a_spin_by_the_exponential) {
     MeVector3 v;
     MdtBodyGetAngularVelocity(b, v);
     assert_near(v[1], 3 * exp(-.5 * 120 * (double)FRAME), TOL(1e-6, 1e-13));
-    MdtWorldDestroy(w);
-}
-
-typedef struct {
-    double linear[3], angular[3];
-} Momentum;
-
-/* Of all bodies, about the origin. L = x × m v + R I R^T ω. */
-static Momentum momentumOf(MdtWorldID w) {
-    Momentum sum = {{0, 0, 0}, {0, 0, 0}};
-    for (MdtBodyID b = MdtBodyGetFirst(w); b; b = MdtBodyGetNext(b)) {
-        MeVector3 p, v, omega;
-        MeMatrix3 R, I;
-        const double m = MdtBodyGetMass(b);
-        MdtBodyGetPosition(b, p);
-        MdtBodyGetLinearVelocity(b, v);
-        MdtBodyGetAngularVelocity(b, omega);
-        MdtBodyGetOrientation(b, R);
-        MdtBodyGetInertiaTensor(b, I);
-        double local[3], turned[3];
-        for (int i = 0; i < 3; i++)
-            local[i] = (double)R[0][i] * omega[0] + (double)R[1][i] * omega[1] + (double)R[2][i] * omega[2];
-        for (int i = 0; i < 3; i++)
-            turned[i] = I[i][0] * local[0] + I[i][1] * local[1] + I[i][2] * local[2];
-        for (int i = 0; i < 3; i++) {
-            const int j = (i + 1) % 3, k = (i + 2) % 3;
-            sum.linear[i] += m * v[i];
-            sum.angular[i] += m * ((double)p[j] * v[k] - (double)p[k] * v[j]) + R[i][0] * turned[0] +
-                              R[i][1] * turned[1] + R[i][2] * turned[2];
-        }
-    }
-    return sum;
-}
-
-static void assertSameMomentum(Momentum a, Momentum b, double tolerance) {
-    for (int i = 0; i < 3; i++) {
-        assert_near(b.linear[i], a.linear[i], tolerance);
-        assert_near(b.angular[i], a.angular[i], tolerance);
-    }
 }
 
 TEST(a_free_body_keeps_its_momenta) {
@@ -100,10 +59,14 @@ TEST(a_free_body_keeps_its_momenta) {
     MdtBodySetQuaternion(b, .8, .2, -.5, .1);
     MdtBodySetLinearVelocity(b, 1, -2, .5);
     MdtBodySetAngularVelocity(b, 3, -4, 2);
-    const Momentum before = momentumOf(w);
+    double p[2][3], L[2][3];
+    measure_momentum(b, p[0], L[0]);
     steps(w, 600, FRAME);
-    assertSameMomentum(before, momentumOf(w), TOL(2e-4, 1e-11));
-    MdtWorldDestroy(w);
+    measure_momentum(b, p[1], L[1]);
+    for (int i = 0; i < 3; i++) {
+        assert_near(p[1][i], p[0][i], TOL(2e-4, 1e-11));
+        assert_near(L[1][i], L[0][i], TOL(2e-4, 1e-11));
+    }
 }
 
 /* What an impulse gives a body as a step begins is not among what the step adds. */
@@ -120,54 +83,6 @@ TEST(an_impulse_is_no_acceleration) {
     assert_near(MeVector3Magnitude(acceleration), 0, 1e-12);
     MdtBodyGetAngularAcceleration(b, acceleration);
     assert_near(MeVector3Magnitude(acceleration), 0, 1e-12);
-    MdtWorldDestroy(w);
-}
-
-/* Forces between bodies are opposite and act at the same point. */
-TEST(bodies_joined_by_joints_keep_their_momenta) {
-    const double edge[3] = {1, .3, .2};
-    MdtWorldID w = scene_world(3, 2, 0);
-    MdtWorldSetEpsilon(w, 0);
-    MdtBodyID a = scene_box(w, 1, edge, 0, 0, 0), b = scene_box(w, 2, edge, 1, 0, 0),
-              c = scene_box(w, .5, edge, 2, 0, 0);
-    scene_ball(w, a, b, .5, 0, 0);
-    scene_hinge(w, b, c, 1.5, 0, 0, 0, 1, 1);
-    MdtBodyAddImpulse(a, 1, 2, 0);
-    MdtBodyAddImpulseAtPosition(c, 0, 1, -.7, 2.4, .1, 0);
-    MdtWorldStep(w, FRAME); /* the impulses act */
-    const Momentum before = momentumOf(w);
-    assert_near(before.linear[1], 3, TOL(1e-6, 3e-13));
-    steps(w, 600, FRAME);
-    assertSameMomentum(before, momentumOf(w), TOL(5e-4, 1e-7));
-    MdtWorldDestroy(w);
-}
-
-/* A box turning about its middle axis turns over again and again (Dzhanibekov); reference flips from a converged
- * integration: 2.4543 s and then every 4.9085 s. */
-TEST(middle_axis_tumbling_flips_and_keeps_its_energy) {
-    const double edge[3] = {1, .6, .2};
-    MdtWorldID w = scene_world(1, 0, 0);
-    MdtBodyID b = scene_box(w, 1, edge, 0, 0, 0);
-    MdtBodySetAngularVelocity(b, .01, 5, 0);
-    const double before = MdtBodyGetKineticEnergy(b);
-    double flips[4] = {0}, worst = 0, last = 5;
-    int count = 0;
-    for (int i = 1; i <= 600; i++) {
-        MdtWorldStep(w, FRAME);
-        MeVector3 omega;
-        MeMatrix4Ptr tm = MdtBodyGetTransformPtr(b);
-        MdtBodyGetAngularVelocity(b, omega);
-        const double spin = (double)omega[0] * tm[1][0] + (double)omega[1] * tm[1][1] + (double)omega[2] * tm[1][2];
-        if (spin * last < 0 && count < 4)
-            flips[count++] = (i - spin / (spin - last)) * (double)FRAME;
-        last = spin;
-        worst = fmax(worst, fabs(MdtBodyGetKineticEnergy(b) / before - 1));
-    }
-    ck_assert_int_eq(count, 2);
-    assert_near(flips[0], 2.4543, 4e-4);
-    assert_near(flips[1] - flips[0], 4.9085, 3e-4);
-    assert_below(worst, TOL(2e-6, 1e-8)); /* single: the rounding of what is read back */
-    MdtWorldDestroy(w);
 }
 
 /* Any inertia tensor may be set in a frame that is not its own. */
@@ -193,7 +108,6 @@ TEST(a_tilted_tensor_moves_like_a_tilted_body) {
         MdtBodyGetAngularVelocity(tilted, b);
         assert_vec3_near(b, a[0], a[1], a[2], TOL(5e-6, 5e-13));
     }
-    MdtWorldDestroy(w);
 }
 
 /* A rotation of more than a turn per step is no matter for a body that spins about its own axis. */
@@ -210,7 +124,6 @@ TEST(fast_spin_is_exact) {
     const double half = .5 * (double)rate * 60 * (double)FRAME;
     assert_near(fabs(q[0]), fabs(cos(half)), TOL(5e-7, 6e-13));
     assert_near(q[1], 0, 9e-14);
-    MdtWorldDestroy(w);
 }
 
 TEST(spherical_inertia_and_no_coriolis_keep_the_angular_velocity) {
@@ -227,7 +140,6 @@ TEST(spherical_inertia_and_no_coriolis_keep_the_angular_velocity) {
         MeVector3 v;
         MdtBodyGetAngularVelocity(b, v);
         assert_vec3_near(v, 1, 2, 3, TOL(3e-6, 1e-12));
-        MdtWorldDestroy(w);
     }
 }
 
@@ -251,7 +163,6 @@ TEST(forces_last_a_step_and_impulses_do_not_depend_on_it) {
         assert_vec3_near(v, 0, 0, 2, TOL(1e-7, 2e-13));
         MdtBodyGetForce(pushed, v);
         assert_vec3_near(v, 0, 0, 0, 0);
-        MdtWorldDestroy(w);
     }
 }
 
@@ -266,27 +177,6 @@ TEST(force_at_a_position_adds_its_torque) {
     MdtBodyResetForces(b);
     MdtBodyGetTorque(b, t);
     assert_vec3_near(t, 0, 0, 0, 0);
-    MdtWorldDestroy(w);
-}
-
-/* Against x = (v_0 / d) (1 - exp(-d t)): the means' error is that of the trapezoid rule, (d h)²/12 of the way. */
-TEST(damped_flight_converges_at_second_order) {
-    double error[3];
-    for (int k = 0; k < 3; k++) {
-        const int n = 8 << k;
-        MdtWorldID w = scene_world(1, 0, 0);
-        MdtBodyID b = scene_body(w, 1, 0, 0, 0);
-        MeVector3 p;
-        MdtBodySetLinearVelocity(b, 0, 6, 0);
-        MdtBodySetLinearVelocityDamping(b, 2);
-        steps(w, n, 1.0 / n);
-        MdtBodyGetPosition(b, p);
-        error[k] = (double)p[1] - 3 * (1 - exp(-2));
-        assert_near_rel(error[k], 3 * (1 - exp(-2)) * (4. / 12) / (n * n), 1e-2);
-        MdtWorldDestroy(w);
-    }
-    assert_near(error[0] / error[1], 4, 1e-2);
-    assert_near(error[1] / error[2], 4, TOL(3e-3, 1e-2));
 }
 
 /* A long body on a ball-and-socket joint, of the size 1 and 2^-10: its moments are 1 and 1e-15 kg m2 then, and it is no

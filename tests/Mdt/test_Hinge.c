@@ -1,5 +1,4 @@
 /* The hinge: its angle, its stops, its motor. */
-#include "MdtReport.h"
 #include "measure.h"
 
 static const double inertia = (4 + 1e-6) / 12; /* it is a millimetre thick */
@@ -49,7 +48,6 @@ TEST(only_the_angle_is_free) {
         assert_near(w[1], 0, TOL(1e-6, 9e-14));
         assert_near(w[2], 1 / inertia, steady); /* 1 N s at 1 m */
     }
-    MdtWorldDestroy(s.world);
 }
 
 TEST(the_angle_counts_full_turns) {
@@ -61,7 +59,6 @@ TEST(the_angle_counts_full_turns) {
         steps(s.world, 600, FRAME);
         assert_near_rel(angleOf(s), 600 * divided_turn(rates[k], FRAME, 1), TOL(1e-6, 9e-14));
         assert_near_rel(MdtLimitGetVelocity(s.limit), rates[k], TOL(1e-6, 9e-14));
-        MdtWorldDestroy(s.world);
     }
 }
 
@@ -77,7 +74,6 @@ TEST(position_is_only_an_offset) {
     MdtBodyGetPosition(s.bar, after);
     assert_near(angleOf(s), 7 + 30 * midpoint_turn(1, FRAME), steady);
     assert_near(after[0], .5 * cos(60 * midpoint_turn(1, FRAME)), steady);
-    MdtWorldDestroy(s.world);
 }
 
 TEST(a_hard_stop_returns_its_restitution_in_one_step) {
@@ -108,7 +104,6 @@ TEST(a_hard_stop_returns_its_restitution_in_one_step) {
                 ck_assert_int_eq(reversals, 1);
                 assert_below(max, (side > 0 ? .9 : .7) + TOL(1e-6, 1e-9));
             }
-            MdtWorldDestroy(s.world);
         }
 }
 
@@ -126,7 +121,6 @@ TEST(a_lossless_stop_keeps_the_energy_of_a_falling_bar) {
     }
     assert_below(max, .25); /* of g v h / 2, by which a hit can come late; it started with 0 */
     assert_below(-min, .25);
-    MdtWorldDestroy(s.world);
 }
 
 TEST(stops_lie_beyond_full_turns) {
@@ -142,7 +136,6 @@ TEST(stops_lie_beyond_full_turns) {
     ck_assert_msg(max > 5 * pi - .16 && max <= 5 * pi + 1e-5, "highest angle %g", max);
     ck_assert_msg(min < -3 * pi + .16 && min >= -3 * pi - 1e-5, "lowest angle %g", min);
     assert_near(fabs(rateOf(s)), 9, steady);
-    MdtWorldDestroy(s.world);
 }
 
 /* A torque presses the bar onto the stop and it swings about the balance, beyond the stop all the time:
@@ -164,7 +157,6 @@ TEST(a_soft_stop_is_a_damped_spring) {
             }
             ck_assert_int_eq(swing.crossings, 9);
             swing_check(&swing, w0, decay, FRAME, TOL(1e-5, 2e-7));
-            MdtWorldDestroy(s.world);
         }
 }
 
@@ -180,21 +172,6 @@ TEST(a_very_stiff_soft_stop_gains_no_energy) {
     }
     assert_below(max, .05); /* it started at 0 */
     assert_near(angleOf(s), -.5, TOL(6e-7, 5e-7));
-    MdtWorldDestroy(s.world);
-}
-
-TEST(above_the_threshold_a_stop_is_hard) {
-    HingedBar s = scene_hingedBar(0);
-    setStops(s, -1, .5, .5);
-    setSpring(s, 100, 3);
-    MdtLimitSetStiffnessThreshold(s.limit, 50);
-    scene_spinBar(s, 2);
-    steps(s.world, 30, FRAME);
-    assert_near(rateOf(s), -1, steady); /* restitution, no damping */
-    MdtLimitSetStiffnessThreshold(s.limit, 100);
-    MdtLimitSetStiffnessThreshold(s.limit, -3);
-    assert_near(MdtLimitGetStiffnessThreshold(s.limit), 0, 0);
-    MdtWorldDestroy(s.world);
 }
 
 TEST(a_stop_without_stiffness_and_damping_does_nothing) {
@@ -207,7 +184,6 @@ TEST(a_stop_without_stiffness_and_damping_does_nothing) {
     assert_near(rateOf(s), 2, steady);
     assert_near(angleOf(s), turned, steady);
     assert_near(MdtLimitGetOvershoot(s.limit), turned - .5, steady);
-    MdtWorldDestroy(s.world);
 }
 
 TEST(the_motor_reaches_its_speed_with_its_force) {
@@ -220,7 +196,6 @@ TEST(the_motor_reaches_its_speed_with_its_force) {
         const double rate = fmin(10, acceleration * i * (double)FRAME);
         assert_near(rateOf(s), rate, steady);
     }
-    MdtWorldDestroy(s.world);
 }
 
 TEST(the_motor_stalls_at_its_force_limit) {
@@ -229,12 +204,10 @@ TEST(the_motor_stalls_at_its_force_limit) {
     MdtLimitSetLimitedForceMotor(weak.limit, 5, 3);
     MdtWorldStep(weak.world, FRAME);
     assert_near_rel(rateOf(weak), -(4.905 - 3) / inertia * (double)FRAME, TOL(2e-6, 3e-6));
-    MdtWorldDestroy(weak.world);
     HingedBar brake = scene_hingedBar(9.81);
     MdtLimitSetLimitedForceMotor(brake.limit, 0, 5);
     steps(brake.world, 300, FRAME);
     assert_near(angleOf(brake), 0, TOL(1e-6, 3e-8));
-    MdtWorldDestroy(brake.world);
 }
 
 /* Without loads there is no speed to compare with but the bar's own, of which a brake leaves less and less: what moves
@@ -253,7 +226,6 @@ TEST(what_a_motor_has_stopped_costs_nothing) {
     }
     ck_assert_int_le(max, 12);
     assert_near(rateOf(s), 0, 1e-20);
-    MdtWorldDestroy(s.world);
 }
 
 /* The bar lies on the stop, motor and stop in balance: fmax = stiffness × overshoot. */
@@ -270,7 +242,6 @@ TEST(the_lock_holds_up_to_its_force) {
     MdtLimitActivateLock(s.limit, 0);
     steps(s.world, 240, FRAME);
     assert_near(rateOf(s), 3, TOL(3e-6, 2e-11));
-    MdtWorldDestroy(s.world);
 }
 
 TEST(a_motor_rests_on_a_soft_stop_at_fmax_over_stiffness) {
@@ -281,7 +252,6 @@ TEST(a_motor_rests_on_a_soft_stop_at_fmax_over_stiffness) {
     steps(s.world, 1200, FRAME);
     assert_near(MdtLimitGetOvershoot(s.limit), 8.0 / 40, TOL(2e-7, 1e-9));
     assert_near(rateOf(s), 0, TOL(1e-6, 1e-8));
-    MdtWorldDestroy(s.world);
 }
 
 /* An arm driven up against a stop at 45 degrees: it comes to rest there, without rattling; the stop carries what the
@@ -302,7 +272,6 @@ TEST(a_motor_rests_on_a_hard_stop) {
         assert_near(min, pi / 4, TOL(1e-6, 1e-9));
         assert_near(max, pi / 4, TOL(1e-6, 3e-9));
         assert_near(s.limit->stopForce[1], 10 - 4.905 * cos(pi / 4), TOL(7e-6, 5e-7));
-        MdtWorldDestroy(s.world);
     }
 }
 
@@ -321,15 +290,6 @@ TEST(the_torque_read_back_balances_the_load) {
     MdtHingeGetForce(s.hinge, 1, other);
     assert_vec3_near(other, -f[0], -f[1], -f[2], 0);
     ck_assert_int_eq(MdtConstraintGetRowCount(MdtHingeQuaConstraint(s.hinge)), 6);
-    MdtWorldDestroy(s.world);
-}
-
-TEST(a_free_hinge_has_five_rows) {
-    HingedBar s = scene_hingedBar(9.81);
-    setStops(s, -10, 10, 1);
-    MdtWorldStep(s.world, FRAME);
-    ck_assert_int_eq(MdtConstraintGetRowCount(MdtHingeQuaConstraint(s.hinge)), 5);
-    MdtWorldDestroy(s.world);
 }
 
 /* The world as the first body: the same motion, the angle of the other sign. */
@@ -347,8 +307,6 @@ TEST(the_bodies_order_mirrors_the_angle) {
         MdtWorldStep(b.world, FRAME);
         assert_near(angleOf(b), -angleOf(a), TOL(2e-6, 2e-13));
     }
-    MdtWorldDestroy(a.world);
-    MdtWorldDestroy(b.world);
 }
 
 TEST(limits_follow_the_guide_s_rules) {
@@ -375,6 +333,8 @@ TEST(limits_follow_the_guide_s_rules) {
     assert_near(MdtSingleLimitGetRestitution(&stop), 1, 0);
     MdtSingleLimitSetRestitution(&stop, -3);
     assert_near(MdtSingleLimitGetRestitution(&stop), 0, 0);
+    MdtLimitSetStiffnessThreshold(&own, -3);
+    assert_near(MdtLimitGetStiffnessThreshold(&own), 0, 0);
     /* the motor's switch and its force */
     MdtLimitSetLimitedForceMotor(&own, 4, 2);
     ck_assert(MdtLimitIsMotorized(&own) && MdtLimitPositionIsCalculated(&own));
@@ -419,7 +379,6 @@ TEST(a_violently_turning_pair_stays_together) {
         energy = MdtBodyGetKineticEnergy(a) + MdtBodyGetKineticEnergy(b) + 9.81 * ((double)pa[1] + pb[1] + 2);
     }
     assert_below(energy, 100); /* it started with 58 + the impulse of the hinges */
-    MdtWorldDestroy(w);
 }
 
 /* The largest force on a door of 1 kg that turns with 1 rad/s on two hinges whose axes are so far apart, in m. */
@@ -432,7 +391,7 @@ static double forceOnDoor(double apart) {
     double max = 0;
     MdtBodySetAngularVelocity(door, 0, 1, 0);
     for (int k = 0; k < 2; k++) {
-        hinge[k] = scene_hinge(w, door, 0, (MeReal)(k * apart), (MeReal)(2 * k - 1), 0, 0, 1, 0);
+        hinge[k] = scene_hinge(w, door, 0, k * apart, 2 * k - 1, 0, 0, 1, 0);
     }
     for (int i = 0; i < 300; i++) {
         MeVector3 f;
@@ -442,7 +401,6 @@ static double forceOnDoor(double apart) {
             max = fmax(max, MeVector3Magnitude(f));
         }
     }
-    MdtWorldDestroy(w);
     return max;
 }
 

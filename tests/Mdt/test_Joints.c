@@ -458,7 +458,6 @@ static void shake(const Joint *j, int first, int second) {
     totalMomentum(&s, p, L);
     for (int i = 0; i < 3 && first >= 0 && second >= 0; i++)
         assert_near(p[i], given[i], TOL(6e-6, 6e-13));
-    MdtWorldDestroy(s.world);
 }
 
 TEST(removed_freedoms_stay_removed_and_the_others_free) {
@@ -490,7 +489,6 @@ TEST(each_joint_has_the_guide_s_number_of_rows) {
         MdtWorldStep(s.world, FRAME);
         ck_assert_msg(MdtConstraintGetRowCount(s.joint) == joints[i].rows, "%s has %d rows", joints[i].name,
                       MdtConstraintGetRowCount(s.joint));
-        MdtWorldDestroy(s.world);
     }
 }
 
@@ -528,7 +526,6 @@ TEST(forces_are_opposite) {
             }
         }
         ck_assert_msg(max > 1, "%s gives no more than %.3g", joints[i].name, max);
-        MdtWorldDestroy(s.world);
     }
 }
 
@@ -564,7 +561,6 @@ static void balance(const Joint *j, int first, int second) {
     for (int i = 0; i < 3; i++)
         ck_assert_msg(fabs(back[i] + turn[i]) < TOL(1e-4, 5e-6), "%s: torque %d is %.9g against %.9g", j->name, i,
                       back[i], turn[i]);
-    MdtWorldDestroy(s.world);
 }
 
 TEST(the_force_read_back_balances_a_load) {
@@ -640,7 +636,6 @@ TEST(a_free_pair_keeps_its_momenta) {
             ck_assert_msg(fabs(L[1][n] - L[0][n]) < TOL(1e-4, 1e-8), "%s: angular momentum %.9g from %.9g",
                           joints[i].name, L[1][n], L[0][n]);
         }
-        MdtWorldDestroy(s.world);
     }
     messages_forget(); /* a universal joint may come to a right angle on its way */
 }
@@ -669,7 +664,6 @@ TEST(a_joint_acts_only_while_it_is_enabled) {
         measure_velocity(s.body[1], v);
         v[0] += 1, v[1] += 2, v[2] += 3;
         ck_assert_msg(keaLength(v) + keaLength(w) > .1, "%s does not act", joints[i].name);
-        MdtWorldDestroy(s.world);
     }
 }
 
@@ -724,7 +718,5 @@ TEST(the_order_of_the_bodies_does_not_matter) {
                 }
             }
         }
-        MdtWorldDestroy(s[0].world);
-        MdtWorldDestroy(s[1].world);
     }
 }

@@ -64,7 +64,6 @@ TEST(rows_go_in_the_documented_order) {
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Stack s = makeStack();
         assertRows(&s, cases[i].cap, cases[i].rows);
-        MdtWorldDestroy(s.world);
     }
 }
 
@@ -80,7 +79,6 @@ TEST(a_group_keeps_its_deepest_contact) {
     ck_assert_int_eq(rowsOf(s.contact[0]), 0);
     ck_assert_int_eq(rowsOf(s.contact[1]), 1);
     ck_assert_int_eq(rowsOf(s.contact[2]) + rowsOf(s.contact[3]), 0);
-    MdtWorldDestroy(s.world);
 }
 
 static MeReal MEAPI importanceOfX(const MdtContactID c) {
@@ -93,16 +91,13 @@ TEST(a_callback_replaces_the_order) {
     Stack s = makeStack(); /* by importance: 0, 2, 1, 3 */
     MdtWorldSetContactImportanceCB(s.world, importanceOfX);
     assertRows(&s, 11, (int[CONTACTS]){1, 3, 1, 3});
-    MdtWorldDestroy(s.world);
     s = makeStack();
     MdtWorldSetContactImportanceCB(s.world, importanceOfX);
     assertRows(&s, 5, (int[CONTACTS]){0, 1, 0, 1});
-    MdtWorldDestroy(s.world);
     s = makeStack();
     MdtWorldSetContactImportanceCB(s.world, importanceOfX);
     MdtWorldSetContactImportanceCB(s.world, NULL);
     assertRows(&s, 5, (int[CONTACTS]){0, 0, 1, 1});
-    MdtWorldDestroy(s.world);
 }
 
 TEST(without_a_call_there_is_no_cap) {
@@ -122,7 +117,6 @@ TEST(without_a_call_there_is_no_cap) {
     MdtWorldSetMaxMatrixSize(w, 0);
     assert_warned("positive");
     ck_assert_int_eq(MdtWorldGetMaxMatrixSize(w), MDTMAXMATRIXSIZE_MAX);
-    MdtWorldDestroy(w);
 }
 
 static int shown, maxShown;
@@ -150,7 +144,6 @@ TEST(a_program_may_decide_about_rest) {
     MdtWorldSetPartitionCB(w, NULL, NULL);
     MdtWorldStep(w, FRAME);
     ck_assert_int_eq(shown, 4);
-    MdtWorldDestroy(w);
 }
 
 TEST(auto_disable_as_a_callback_is_the_world_s) {

@@ -1,5 +1,4 @@
 /* A warm step allocates nothing, though bodies fall asleep and wake, and joints and contacts come and go. */
-#include "MeMemory.h"
 #include "scene.h"
 
 static int allocations;
@@ -35,7 +34,7 @@ typedef struct Row {
 
 static Row build(void) {
     Row s;
-    s.world = scene_world(MeNoLimit, MeNoLimit, 0);
+    s.world = scene_open(MeNoLimit, MeNoLimit, 0);
     MdtWorldEnableReport(s.world);
     for (int i = 0; i < BODIES; i++) {
         s.body[i] = scene_body(s.world, 1, i, 0, 0);

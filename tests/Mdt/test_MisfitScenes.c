@@ -83,7 +83,7 @@ static void setUp(MdtConstraintID c) {
 
 static MdtWorldID makeScene(unsigned long long number, MdtBodyID body[BODIES]) {
     state = number * 7919 + 17;
-    MdtWorldID w = scene_world(BODIES, JOINTS, 0);
+    MdtWorldID w = scene_open(BODIES, JOINTS, 0);
     MdtWorldSetEpsilon(w, pick(2) ? 0 : (MeReal)1e-4);
     for (int i = 0; i < BODIES; i++) {
         MeReal at[3], turn[3], v[3], spin[3];

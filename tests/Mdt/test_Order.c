@@ -82,7 +82,6 @@ static int pendulum(double duration, double h, int parts, double result[]) {
     run(s.world, duration, h, parts);
     measure_position(s.bar, p);
     result[0] = atan2(-p[1], p[0]);
-    MdtWorldDestroy(s.world);
     return 1;
 }
 
@@ -101,7 +100,6 @@ static int doublePendulum(double duration, double h, int parts, double result[])
     run(s.world, duration, h, parts);
     measure_position(s.bar, result);
     measure_position(second, result + 3);
-    MdtWorldDestroy(s.world);
     return 6;
 }
 
@@ -126,14 +124,14 @@ static int springChain(double duration, double h, int parts, double result[]) {
     MdtBodyID body[LINKS];
     for (int i = 0; i < LINKS; i++) {
         body[i] = scene_body(w, 1, i + 1, 0, 0);
-        MdtBodySetLinearVelocity(body[i], 0, (MeReal)(i + 1), 0);
+        MdtBodySetLinearVelocity(body[i], 0, i + 1., 0);
         MdtSpringID spring = MdtSpringCreate(w);
         MdtSpringSetBodies(spring, body[i], i > 0 ? body[i - 1] : 0);
-        MdtSpringSetPosition(spring, 0, (MeReal)(i + 1), 0, 0);
+        MdtSpringSetPosition(spring, 0, i + 1., 0, 0);
         MdtSpringSetPosition(spring, 1, (MeReal)i, 0, 0);
-        MdtSpringSetNaturalLength(spring, (MeReal)rest);
-        MdtSpringSetStiffness(spring, (MeReal)stiffness);
-        MdtSpringSetDamping(spring, (MeReal)damping);
+        MdtSpringSetNaturalLength(spring, rest);
+        MdtSpringSetStiffness(spring, stiffness);
+        MdtSpringSetDamping(spring, damping);
         MdtSpringEnable(spring);
     }
     run(w, duration, h, parts);
@@ -143,7 +141,6 @@ static int springChain(double duration, double h, int parts, double result[]) {
         result[2 * i] = p[0];
         result[2 * i + 1] = p[1];
     }
-    MdtWorldDestroy(w);
     return 2 * LINKS;
 }
 
@@ -182,7 +179,6 @@ static int freeRotation(double duration, double h, int parts, double result[]) {
     run(w, duration, h, parts);
     measure_rotation(b, R);
     memcpy(result, R, sizeof R);
-    MdtWorldDestroy(w);
     return 9;
 }
 
@@ -284,7 +280,6 @@ static int top(double duration, double h, int parts, double result[]) {
     MdtWorldSetEpsilon(w, 0);
     run(w, duration, h, parts);
     measure_position(b, result);
-    MdtWorldDestroy(w);
     return 3;
 }
 
@@ -314,7 +309,6 @@ TEST(order_4_goes_back_where_it_came_from) {
     steps(s.world, 300, FRAME);
     measure_position(s.bar, after);
     ck_assert_msg(distance(3, before, after) < TOL(1e-4, 1e-7), "%g", distance(3, before, after));
-    MdtWorldDestroy(s.world);
 }
 
 /* How many sub-steps of a step were composed. */
@@ -332,7 +326,6 @@ static int composedBar(void (*change)(HingedBar s)) {
     if (change)
         change(s);
     const int composed = composedOf(s.world);
-    MdtWorldDestroy(s.world);
     return composed;
 }
 
@@ -382,7 +375,6 @@ TEST(others_are_as_with_order_2) {
         MdtBodySetLinearVelocityDamping(s.bar, .1);
         steps(s.world, 60, FRAME);
         measure_position(s.bar, place[i]);
-        MdtWorldDestroy(s.world);
     }
     ck_assert(memcmp(place[0], place[1], sizeof place[0]) == 0);
 }
@@ -404,17 +396,14 @@ TEST(a_stop_in_the_way_of_order_4_holds) {
     }
     ck_assert_msg(lowest < 1.001, "%g rad", lowest);
     ck_assert_msg(fabs(fabs(atan2(p[1], p[0])) - 1) < 1e-3, "%g rad", atan2(p[1], p[0]));
-    MdtWorldDestroy(s.world);
 }
 
 TEST(the_order_is_2_or_4) {
     MdtWorldID w = scene_world(1, 1, 0);
     ck_assert_int_eq(MdtWorldGetIntegratorOrder(w), 2);
     MdtWorldSetIntegratorOrder(w, 4);
-    MdtWorldSetIntegratorOrder(w, 3);
-    assert_warned("MdtWorldSetIntegratorOrder");
+    assert_refused(MdtWorldSetIntegratorOrder, w, 3);
     ck_assert_int_eq(MdtWorldGetIntegratorOrder(w), 4);
-    MdtWorldDestroy(w);
 }
 
 /* A load F on a joint comes to rest ε F h²/γ away, h the whole step, in however many parts it is done. Kea is content
@@ -447,7 +436,6 @@ TEST(the_sag_of_a_load_is_epsilon_force_over_gamma) {
         ck_assert_msg(fabs(-p[1] - sag) <= allowed, "ε %g, γ %g, h 1/%g, F %g, %d parts: %.9g, not %.9g (off by %.2g)",
                       epsilon, gamma, 1 / (double)h, F, parts, -p[1], sag, -p[1] / sag - 1);
         ck_assert(p[0] == 0 && p[2] == 0);
-        MdtWorldDestroy(w);
     }
 }
 

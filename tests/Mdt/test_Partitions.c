@@ -1,7 +1,5 @@
 /* Partitions, found anew only where the graph has changed: against a search that knows nothing of that, from what
  * programs see, after whatever a program can do to the graph. */
-#include "MdtMainLoop.h"
-#include "MdtPartition.h"
 #include "measure.h"
 
 enum { MAX_BODIES = 40, MAX_CONSTRAINTS = 200, STEPS = 1000 };

@@ -58,8 +58,6 @@ TEST(both_sides_of_the_problem_give_one_motion) {
             MdtWorldStep(bodies.world, FRAME);
         }
         assert_below(farthestApart(&joints, &bodies), TOL(2e-5, 1e-7));
-        MdtWorldDestroy(joints.world);
-        MdtWorldDestroy(bodies.world);
     }
 }
 
@@ -74,8 +72,6 @@ TEST(sub_steps_are_steps) {
         MdtWorldStep(divided.world, FRAME);
     }
     assert_below(farthestApart(&once, &divided), TOL(2e-4, 1e-6));
-    MdtWorldDestroy(once.world);
-    MdtWorldDestroy(divided.world);
 }
 
 /* ε F h² / γ, h the whole step, however it is divided. */
@@ -95,7 +91,6 @@ TEST(epsilon_and_gamma_hold_for_the_whole_step) {
             MdtBSJointGetForce(j, 0, f);
             assert_near_rel(-(double)p[1], epsilon * force * h * h / gamma, TOL(2e-6, 2e-8));
             assert_near_rel(f[1], force, TOL(1e-6, 3e-8));
-            MdtWorldDestroy(w);
         }
 }
 
@@ -107,33 +102,25 @@ TEST(the_same_bits_again) {
     }
     for (int i = 0; i < LINKS; i++)
         ck_assert_mem_eq(MdtBodyGetTransformPtr(a.link[i]), MdtBodyGetTransformPtr(b.link[i]), sizeof(MeMatrix4));
-    MdtWorldDestroy(a.world);
-    MdtWorldDestroy(b.world);
 }
 
 TEST(settings_are_checked) {
     MdtWorldID w = scene_world(1, 1, 10);
     ck_assert_int_eq(MdtWorldGetSubSteps(w), 1);
-    MdtWorldSetSubSteps(w, 0);
-    assert_warned("MdtWorldSetSubSteps");
-    MdtWorldSetSubSteps(w, 1001);
-    assert_warned("MdtWorldSetSubSteps");
+    assert_refused(MdtWorldSetSubSteps, w, 0);
+    assert_refused(MdtWorldSetSubSteps, w, 1001);
     ck_assert_int_eq(MdtWorldGetSubSteps(w), 1);
     ck_assert_int_eq(MdtWorldGetTimedContacts(w), 8);
-    MdtWorldSetTimedContacts(w, -1);
-    assert_warned("MdtWorldSetTimedContacts");
+    assert_refused(MdtWorldSetTimedContacts, w, -1);
     ck_assert_int_eq(MdtWorldGetTimedContacts(w), 8);
     MdtWorldSetTimedContacts(w, 0);
     ck_assert_int_eq(MdtWorldGetTimedContacts(w), 0);
     const MdtContactID c = MdtContactCreate(w);
     MdtContactSetRadius(c, 0, .5);
     ck_assert(MdtContactGetRadius(c, 0) == (MeReal).5 && MdtContactGetRadius(c, 1) == 0);
-    MdtContactSetRadius(c, 0, -1);
-    assert_warned("MdtContactSetRadius");
-    MdtContactSetRadius(c, 2, 1);
-    assert_warned("MdtContactSetRadius");
+    assert_refused(MdtContactSetRadius, c, 0, -1);
+    assert_refused(MdtContactSetRadius, c, 2, 1);
     ck_assert(MdtContactGetRadius(c, 0) == (MeReal).5);
-    MdtWorldDestroy(w);
 }
 
 TEST(a_rim_is_a_radius_and_an_axis) {
@@ -147,16 +134,11 @@ TEST(a_rim_is_a_radius_and_an_axis) {
     ck_assert(MdtContactGetRim(c, 1, axis) == (MeReal).5 && MdtContactGetRim(c, 0, axis) == 0);
     MdtContactGetRim(c, 1, axis);
     assert_vec3_near(axis, 0, 0, 1, 0);
-    MdtContactSetRim(c, 1, -1, along);
-    assert_warned("MdtContactSetRim");
-    MdtContactSetRim(c, 2, 1, along);
-    assert_warned("MdtContactSetRim");
-    MdtContactSetRim(c, 1, 1, none);
-    assert_warned("MdtContactSetRim");
-    MdtContactSetRim(c, 1, 1, 0);
-    assert_warned("MdtContactSetRim");
-    ck_assert(MdtContactGetRim(c, 2, axis) == 0);
-    assert_warned("MdtContactGetRim");
+    assert_refused(MdtContactSetRim, c, 1, -1, along);
+    assert_refused(MdtContactSetRim, c, 2, 1, along);
+    assert_refused(MdtContactSetRim, c, 1, 1, none);
+    assert_refused(MdtContactSetRim, c, 1, 1, 0);
+    assert_none(MdtContactGetRim, c, 2, axis);
     ck_assert(MdtContactGetRim(c, 1, axis) == (MeReal).5);
     MdtContactReset(c);
     ck_assert(MdtContactGetRim(c, 1, axis) == 0);

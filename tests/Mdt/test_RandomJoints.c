@@ -135,7 +135,7 @@ static double heightOfEnergy(void) {
 static void runSystem(int number, Worst *worst) {
     running = number;
     state = 1000003ULL * (unsigned long long)number + 17;
-    world = scene_world(BODIES, JOINTS, 10);
+    world = scene_open(BODIES, JOINTS, 10);
     MdtWorldSetWorkBudget(world, BUDGET);
     MdtWorldEnableReport(world);
     makeBodies();

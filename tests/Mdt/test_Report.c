@@ -37,7 +37,6 @@ TEST(a_falling_body_has_the_energies_of_the_closed_form) {
         assert_near_rel(r.kineticEnergy, 1.5 * (4 + 100 * t * t), TOL(1e-6, 1e-13));
         assert_near_rel(r.potentialEnergy, 30 * (7 - 5 * t * t), TOL(1e-6, 1e-13));
     }
-    MdtWorldDestroy(w);
 }
 
 TEST(turning_is_kinetic_energy_and_gravity_may_point_anywhere) {
@@ -58,7 +57,6 @@ TEST(turning_is_kinetic_energy_and_gravity_may_point_anywhere) {
     ck_assert_double_gt(kinetic, 5);
     assert_near_rel(r.kineticEnergy, kinetic, TOL(1e-6, 1e-13));
     assert_near_rel(r.potentialEnergy, potential, TOL(1e-6, 1e-13));
-    MdtWorldDestroy(w);
 }
 
 /* ---- errors ---- */
@@ -83,7 +81,6 @@ TEST(a_joint_that_is_apart_tells_its_gap) {
         assert_near(r.jointTurn, 0, 0);
         ck_assert_int_eq(r.rows, 3);
         ck_assert_int_eq(r.fallbacks, 0);
-        MdtWorldDestroy(w);
     }
 }
 
@@ -97,7 +94,6 @@ TEST(an_axis_that_is_off_tells_its_angle) {
     const MdtReport r = reportOf(s.world);
     assert_near(r.jointTurn, .1, 2e-4); /* its sine */
     assert_near(r.jointGap, 0, TOL(1e-7, 1e-9));
-    MdtWorldDestroy(s.world);
 }
 
 /* Attachments and worlds that move are followed: that is no gap. */
@@ -117,7 +113,6 @@ TEST(a_joint_that_is_led_along_has_no_gap) {
     assert_near(fabs(p[0]), 3 * (double)FRAME, TOL(1e-6, 5e-10));
     const MdtReport r = reportOf(w);
     assert_near(r.jointGap, 0, TOL(1e-7, 1e-8));
-    MdtWorldDestroy(w);
 }
 
 TEST(the_deepest_contact_is_told_as_it_was_when_the_step_began) {
@@ -131,7 +126,6 @@ TEST(the_deepest_contact_is_told_as_it_was_when_the_step_began) {
     MdtReport r;
     ck_assert(MdtWorldGetPartitionReport(w, MdtBodyGetPartition(a), &r));
     assert_near(r.penetration, .01, TOL(1e-8, 1e-15));
-    MdtWorldDestroy(w);
 }
 
 /* Two joints hold a body to places 2 m apart: a compromise, with half of it left in each. */
@@ -158,7 +152,6 @@ TEST(joints_that_contradict_each_other_are_told) {
     ck_assert_int_gt(r.conflicts, 0);
     assert_near(r.jointGap, 1, TOL(2e-6, 9e-9));
     assert_near(r.jointError, 1, TOL(2e-6, 9e-9));
-    MdtWorldDestroy(w);
 }
 
 /* Boxes of 1 kg and 100 kg by turns, which slide over each other and press on each other. */
@@ -173,7 +166,7 @@ static MdtWorldID pileOf(unsigned int bodies) {
         MdtBodySetLinearVelocity(b, i % 2 ? 3 : -2, -1, 0);
         for (int k = 0; k < 4; k++) {
             MdtContactID c = MdtContactCreate(w, b, below);
-            MdtContactSetPosition(c, (MeReal)(k & 1 ? .5 : -.4), (MeReal)i, (MeReal)(k & 2 ? .5 : -.5));
+            MdtContactSetPosition(c, k & 1 ? .5 : -.4, (MeReal)i, k & 2 ? .5 : -.5);
             MdtContactSetNormal(c, 0, 1, 0);
             MdtBclContactParams *params = MdtContactGetParams(c);
             MdtContactParamsSetType(params, MdtContactTypeFriction2D);
@@ -200,11 +193,10 @@ TEST(a_solve_that_is_stopped_short_tells_its_residual) {
             assert_below(r.residualVelocity, 1e-5);
             assert_below(r.residualForce, 1e-1); /* of weights of 7 kN */
         }
-        MdtWorldDestroy(w);
     }
     ck_assert_double_gt(r.residualVelocity, 1e-4);
     /* A row between bodies of 1 kg and of 100 kg weighs 0.2 kg at least, 1 kg at most. */
-    ck_assert_double_gt((double)(r.residualForce * FRAME), .1 * (double)r.residualVelocity);
+    ck_assert_double_gt(r.residualForce * FRAME, .1 * (double)r.residualVelocity);
     messages_forget();
 }
 
@@ -216,7 +208,6 @@ static MdtReport fastStep(unsigned int bodies, double accuracy, double budget) {
     MdtWorldSetWorkBudget(w, budget);
     MdtWorldStep(w, FRAME);
     const MdtReport r = reportOf(w);
-    MdtWorldDestroy(w);
     return r;
 }
 
@@ -226,11 +217,11 @@ TEST(an_excess_up_to_one_meets_the_accuracy) {
     const MdtReport lax = fastStep(1, 1e-2, 0), strict = fastStep(1, 1e-6, 0);
     assert_below(lax.excess, 1);
     assert_below(strict.excess, 1);
-    ck_assert_double_ge((double)strict.work, (double)lax.work);
+    ck_assert_double_ge(strict.work, lax.work);
     const MdtReport whole = fastStep(12, 1e-4, 0), limited = fastStep(12, 1e-4, 1e-3);
-    ck_assert_double_gt((double)whole.excess, 1);
-    ck_assert_double_gt((double)limited.excess, (double)whole.excess);
-    ck_assert_double_gt((double)whole.work, 2 * (double)limited.work);
+    ck_assert_double_gt(whole.excess, 1);
+    ck_assert_double_gt(limited.excess, whole.excess);
+    ck_assert_double_gt(whole.work, 2 * (double)limited.work);
 }
 
 /* A hanging chain of two: calm it needs no velocity stage; whose joint is jerked, it needs one, in this step. */
@@ -240,7 +231,7 @@ TEST(velocity_stages_are_counted) {
     MdtWorldSetEpsilon(w, 0);
     for (int i = 0; i < 2; i++) {
         body[i] = scene_body(w, 1, 0, -1 - i, 0);
-        scene_ball(w, body[i], i ? body[0] : 0, 0, (MeReal)-i, 0);
+        scene_ball(w, body[i], i ? body[0] : 0, 0, -i, 0);
     }
     MdtWorldStep(w, FRAME); /* its forces are not known yet */
     for (int i = 0; i < 10; i++) {
@@ -252,7 +243,6 @@ TEST(velocity_stages_are_counted) {
     const MdtReport r = reportOf(w);
     ck_assert_int_ge(r.stages, 1);
     ck_assert_int_le(r.stages, r.parts + 2 * r.events);
-    MdtWorldDestroy(w);
 }
 
 /* ---- what is said of a solve that is not exact: a warning of what somebody can mend, else a word for developers -- */
@@ -287,7 +277,6 @@ TEST(a_cap_that_suffices_and_an_answer_that_is_exact_are_not_spoken_of) {
         const MdtReport r = stepListening(s.world);
         ck_assert_int_eq(r.fallbacks, 0);
         ck_assert_int_eq(saidCount, 0);
-        MdtWorldDestroy(s.world);
     }
 }
 
@@ -299,7 +288,6 @@ TEST(a_budget_that_is_used_up_is_told_to_developers_only) {
     ck_assert_int_gt(r.limited, 0);
     ck_assert_int_eq(saidCount, r.limited);
     ck_assert_ptr_nonnull(strstr(said, "MdtWorldSetWorkBudget"));
-    MdtWorldDestroy(w);
 }
 
 /* A bar that turns by more than a half in the shortest part of a step, a 64th. */
@@ -318,7 +306,6 @@ TEST(motion_that_no_part_of_a_step_can_follow_is_warned_of_without_a_cap) {
     ck_assert_int_eq(caught.warnings, r.fallbacks);
     assert_warned("shorter steps");
     ck_assert_int_eq(saidCount, 0);
-    MdtWorldDestroy(s.world);
 }
 
 /* Where a joint has lost its meaning, that is said, once, and what follows from it is not. */
@@ -337,7 +324,6 @@ TEST(a_joint_without_meaning_is_warned_of_and_not_the_solve_that_it_spoils) {
     ck_assert_int_gt(r.fallbacks, 0);
     ck_assert_int_eq(caught.warnings, 1);
     ck_assert_ptr_null(strstr(caught.last, "inexact"));
-    MdtWorldDestroy(s.world);
     messages_forget();
 }
 
@@ -347,7 +333,6 @@ TEST(a_contradiction_is_told_to_developers) {
     ck_assert_int_gt(r.conflicts, 0);
     ck_assert_int_eq(saidCount, r.conflicts);
     ck_assert_ptr_nonnull(strstr(said, "contradictory"));
-    MdtWorldDestroy(w);
 }
 
 /* ---- counting ---- */
@@ -382,7 +367,6 @@ TEST(bodies_constraints_and_rows_are_counted_by_partition) {
     ck_assert_int_eq(sum.constraints, 3);
     ck_assert_int_eq(sum.rows, 9);
     assert_near_rel(sum.kineticEnergy, kinetic, TOL(1e-6, 1e-14));
-    MdtWorldDestroy(w);
 }
 
 TEST(time_is_told_by_stage_and_is_less_than_the_clock_says) {
@@ -396,11 +380,10 @@ TEST(time_is_told_by_stage_and_is_less_than_the_clock_says) {
     const MdtReport r = reportOf(s.world);
     double sum = 0;
     for (int i = 0; i < MdtReportStages; i++) {
-        ck_assert_double_gt((double)r.time[i], 0);
+        ck_assert_double_gt(r.time[i], 0);
         sum += (double)r.time[i];
     }
     assert_below(sum, whole * (1 + 1e-6));
-    MdtWorldDestroy(s.world);
 }
 
 /* Small ones are timed together, and each has its part. */
@@ -411,7 +394,7 @@ TEST(every_one_of_many_partitions_has_a_time) {
         MdtBodyID b = scene_body(w, 1, 3 * i, 0, 0);
         if (i % 3 == 0)
             continue;
-        scene_ball(w, b, 0, (MeReal)(3 * i + 1), 0, 0);
+        scene_ball(w, b, 0, 3 * i + 1, 0, 0);
     }
     MeProfileTimerResult before, after;
     MeProfileGetTimerValue(&before);
@@ -430,7 +413,6 @@ TEST(every_one_of_many_partitions_has_a_time) {
     const MdtReport all = reportOf(w);
     assert_near_rel(all.time[0] + all.time[1] + all.time[2], sum, TOL(1e-6, 1e-14));
     assert_below(sum * (double)MeProfileGetClockSpeed(), (double)(after.ticks - before.ticks) * (1 + 1e-6));
-    MdtWorldDestroy(w);
 }
 
 /* ---- ways ---- */
@@ -443,7 +425,6 @@ TEST(free_flight_has_no_way) {
     ck_assert_int_eq(r.way, MdtReportWayNone);
     ck_assert_int_eq(r.parts, 1);
     ck_assert_int_eq(r.passes, 0);
-    MdtWorldDestroy(w);
 }
 
 TEST(a_partition_that_is_put_to_rest_has_no_way_and_no_part) {
@@ -462,7 +443,6 @@ TEST(a_partition_that_is_put_to_rest_has_no_way_and_no_part) {
     r = reportOf(w);
     ck_assert_int_eq(r.bodies, 0);
     ck_assert_int_eq(MdtWorldGetReportCount(w), 0);
-    MdtWorldDestroy(w);
 }
 
 TEST(the_answer_for_a_box_at_rest_is_kept) {
@@ -487,7 +467,6 @@ TEST(the_answer_for_a_box_at_rest_is_kept) {
     ck_assert_int_eq(r.rows, 4);
     assert_near(r.kineticEnergy, 0, 1e-12);
     assert_near(r.potentialEnergy, 5, TOL(1e-6, 1e-9));
-    MdtWorldDestroy(w);
 }
 
 TEST(a_pendulum_is_solved) {
@@ -508,7 +487,6 @@ TEST(a_pendulum_is_solved) {
         assert_below(r.jointGap, 1e-7);
         assert_near(r.kineticEnergy + r.potentialEnergy, before, TOL(2e-5, 9e-9)); /* of 5 J that fall */
     }
-    MdtWorldDestroy(s.world);
 }
 
 TEST(a_ball_that_bounces_is_timed) {
@@ -523,7 +501,6 @@ TEST(a_ball_that_bounces_is_timed) {
     ck_assert_int_eq(r.events, 1);
     ck_assert_int_eq(r.parts, 2);
     assert_near_rel(r.kineticEnergy + r.potentialEnergy, 18 + 5.5, TOL(1e-6, 1e-9));
-    MdtWorldDestroy(w);
 }
 
 /* The parts of a step in which a ball turns about y by more than a step can follow, on the floor or on a body that
@@ -539,7 +516,6 @@ static int partsOfWhirl(double ballRadius, double contactRadius, double offX, do
     MdtBodySetAngularVelocity(b, 0, 3 / FRAME, 0);
     MdtWorldStep(w, FRAME);
     const int parts = reportOf(w).parts;
-    MdtWorldDestroy(w);
     return parts;
 }
 
@@ -566,7 +542,7 @@ static MdtWorldID violentChain(void) {
     MdtBodyID last = 0;
     for (int i = 0; i < 4; i++) {
         MdtBodyID b = scene_box(w, 1, edge, i + .5, 0, 0);
-        scene_ball(w, b, last, (MeReal)i, 0, 0);
+        scene_ball(w, b, last, i, 0, 0);
         MdtBodySetAngularVelocity(b, 0, i % 2 ? 150 : -150, i % 2 ? -150 : 150);
         last = b;
     }
@@ -580,7 +556,6 @@ TEST(a_violent_chain_divides_its_step) {
     ck_assert_int_eq(r.way, MdtReportWayDivided);
     ck_assert_int_gt(r.parts, 1);
     ck_assert_int_eq(r.rows, 12);
-    MdtWorldDestroy(w);
 }
 
 TEST(a_world_goes_the_way_of_the_most_effort) {
@@ -589,7 +564,6 @@ TEST(a_world_goes_the_way_of_the_most_effort) {
     MdtWorldSetSubSteps(w, 2);
     MdtWorldStep(w, FRAME);
     ck_assert_int_eq(reportOf(w).way, MdtReportWayDivided);
-    MdtWorldDestroy(w);
     w = reportedWorld(2, 1, 10);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     scene_body(w, 1, 9, 0, 0);
@@ -600,7 +574,6 @@ TEST(a_world_goes_the_way_of_the_most_effort) {
     ck_assert(MdtWorldGetPartitionReport(w, 1, &r));
     ck_assert_int_eq(r.way, MdtReportWayNone);
     ck_assert_int_eq(r.parts, 2);
-    MdtWorldDestroy(w);
 }
 
 /* ---- on and off ---- */
@@ -632,7 +605,6 @@ TEST(off_it_is_zero) {
             MdtWorldDisableReport(w);
         }
     }
-    MdtWorldDestroy(w);
 }
 
 TEST(bad_input_is_warned_of) {
@@ -640,33 +612,23 @@ TEST(bad_input_is_warned_of) {
     MdtReport r;
     scene_body(w, 1, 0, 1, 0);
     MdtWorldStep(w, FRAME);
-    MdtWorldEnableReport(NULL);
-    assert_warned("MdtWorldEnableReport");
-    MdtWorldDisableReport(NULL);
-    assert_warned("MdtWorldDisableReport");
-    ck_assert(!MdtWorldReportIsEnabled(NULL));
-    assert_warned("MdtWorldReportIsEnabled");
-    ck_assert_int_eq(MdtWorldGetReportCount(NULL), 0);
-    assert_warned("MdtWorldGetReportCount");
-    ck_assert(!MdtWorldGetReport(w, NULL));
-    assert_warned("MdtWorldGetReport");
-    ck_assert(!MdtWorldGetPartitionReport(w, 0, NULL));
-    assert_warned("MdtWorldGetPartitionReport");
+    assert_refused(MdtWorldEnableReport, NULL);
+    assert_refused(MdtWorldDisableReport, NULL);
+    assert_none(MdtWorldReportIsEnabled, NULL);
+    assert_none(MdtWorldGetReportCount, NULL);
+    assert_none(MdtWorldGetReport, w, NULL);
+    assert_none(MdtWorldGetPartitionReport, w, 0, NULL);
     memset(&r, 1, sizeof r);
-    ck_assert(!MdtWorldGetReport(NULL, &r));
-    assert_warned("MdtWorldGetReport");
+    assert_none(MdtWorldGetReport, NULL, &r);
     assert_zero(&r);
     memset(&r, 1, sizeof r);
-    ck_assert(!MdtWorldGetPartitionReport(NULL, 0, &r));
-    assert_warned("MdtWorldGetPartitionReport");
+    assert_none(MdtWorldGetPartitionReport, NULL, 0, &r);
     assert_zero(&r);
     for (int i = -1; i <= 1; i += 2) {
         memset(&r, 1, sizeof r);
-        ck_assert(!MdtWorldGetPartitionReport(w, i, &r));
-        assert_warned("MdtWorldGetPartitionReport");
+        assert_none(MdtWorldGetPartitionReport, w, i, &r);
         assert_zero(&r);
     }
-    MdtWorldDestroy(w);
 }
 
 /* A program's callback may switch it in the middle of a step. */
@@ -692,7 +654,6 @@ TEST(it_may_be_switched_during_a_step) {
     MdtWorldEnableReport(w);
     MdtWorldStep(w, FRAME);
     ck_assert_int_eq(reportOf(w).bodies, 4);
-    MdtWorldDestroy(w);
 }
 
 static MdtWorldID mixedScene(MdtBodyID b[4]) {
@@ -700,7 +661,7 @@ static MdtWorldID mixedScene(MdtBodyID b[4]) {
     const double edge[3] = {1, .1, .1};
     for (int i = 0; i < 3; i++) {
         b[i] = scene_box(w, 1 + i, edge, i + .5, 3, 0);
-        scene_ball(w, b[i], i ? b[i - 1] : 0, (MeReal)i, 3, 0);
+        scene_ball(w, b[i], i ? b[i - 1] : 0, i, 3, 0);
         MdtBodySetAngularVelocity(b[i], 0, i % 2 ? 150 : -150, 20);
     }
     b[3] = scene_body(w, 1, 9, .6, 0);
@@ -730,6 +691,4 @@ TEST(the_simulation_is_the_same_bit_for_bit) {
         }
     }
     ck_assert_int_eq(max, MdtReportWayDivided);
-    MdtWorldDestroy(a);
-    MdtWorldDestroy(b);
 }

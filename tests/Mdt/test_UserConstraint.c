@@ -69,7 +69,6 @@ TEST(the_function_is_given_poses_bodies_and_parameters) {
     MdtUserConstraintDisable(j);
     MdtWorldStep(w, .125);
     ck_assert_int_eq(seen.calls, 2);
-    MdtWorldDestroy(w);
 }
 
 TEST(without_a_function_it_has_no_rows) {
@@ -81,7 +80,6 @@ TEST(without_a_function_it_has_no_rows) {
     ck_assert_int_eq(MdtConstraintGetRowCount(MdtUserConstraintQuaConstraint(j)), 0);
     measure_velocity(b, v);
     assert_vec3_near(v, 0, -10. / 60, 0, TOL(1e-7, 9e-14));
-    MdtWorldDestroy(w);
 }
 
 /* ---- rows ---- */
@@ -131,7 +129,6 @@ TEST(a_row_aims_at_its_target) {
     read_force(MdtUserConstraintQuaConstraint(j), 0, f);
     assert_vec3_near(f, 0, 30, 0, TOL(3e-5, 8e-10));
     ck_assert_int_eq(MdtConstraintGetRowCount(MdtUserConstraintQuaConstraint(j)), 1);
-    MdtWorldDestroy(w);
 }
 
 /* One-sided, as a contact; and with a bound, as a motor. */
@@ -155,7 +152,6 @@ TEST(bounds_are_kept) {
     MdtWorldStep(w, FRAME);
     measure_velocity(b, v);
     assert_near(v[1], -(10 - 4) / 60., TOL(1e-7, 9e-15));
-    MdtWorldDestroy(w);
 }
 
 /* J v = s - h E λ: with the target 0 and its weight on it, a body sinks at h E m g. */
@@ -169,7 +165,6 @@ TEST(softness_is_a_compliance_in_velocity) {
     steps(w, 600, FRAME);
     measure_velocity(b, v);
     assert_near(v[1], -.2 * 30 / 60, TOL(1e-7, 3e-9));
-    MdtWorldDestroy(w);
 }
 
 TEST(a_spring_row_is_a_damped_spring) {
@@ -189,7 +184,6 @@ TEST(a_spring_row_is_a_damped_spring) {
     }
     const double w0 = sqrt(k / mass), decay = c / (2 * mass);
     swing_check(&swing, w0, decay, h, TOL(1e-5, 1e-8));
-    MdtWorldDestroy(w);
 }
 
 /* ---- a gear, which no joint of the library is: two wheels about z, ω_0 = -2 ω_1 ---- */
@@ -217,7 +211,6 @@ TEST(a_gear) {
         assert_near(rate[0][2], -2 * rate[1][2], TOL(1e-5, 6e-13));
         assert_near(rate[0][2], 1 / (.1 + .3 / 4) * i / 60, TOL(1e-5, 6e-13)); /* I_0 + I_1 / 4 */
     }
-    MdtWorldDestroy(w);
 }
 
 /* ---- too many rows ---- */
@@ -249,7 +242,6 @@ TEST(too_many_rows_get_a_warning) {
     steps(w, 60, FRAME);
     measure_position(b, p);
     assert_vec3_near(p, 0, 0, 0, TOL(1e-6, 4e-12));
-    MdtWorldDestroy(w);
     messages_forget();
 }
 
@@ -264,5 +256,4 @@ TEST(reset_keeps_the_function) {
     steps(w, 60, FRAME);
     measure_position(b, p);
     assert_near(p[1], 0, TOL(1e-6, 5e-12));
-    MdtWorldDestroy(w);
 }

@@ -55,10 +55,7 @@ TEST(recreate_makes_it_new) {
 }
 
 TEST(no_world_warns) {
-    MdtWorldReset(NULL);
-    assert_warned("MdtWorldReset");
-    MdtWorldReCreate(NULL);
-    assert_warned("MdtWorldReCreate");
-    ck_assert_int_eq(MdtWorldGetMaxMemoryPoolUsed(NULL), 0);
-    assert_warned("MdtWorldGetMaxMemoryPoolUsed");
+    assert_refused(MdtWorldReset, NULL);
+    assert_refused(MdtWorldReCreate, NULL);
+    assert_none(MdtWorldGetMaxMemoryPoolUsed, NULL);
 }

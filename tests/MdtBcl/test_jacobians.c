@@ -5,8 +5,6 @@
 #include "MdtKeaMath.h"
 #include "MeMath.h"
 #include "karma_test.h"
-#include <stdlib.h>
-#include <string.h>
 
 static const double small = 1e-6; /* of a finite difference: errors of 1e-12 of curvature, 1e-10 of rounding */
 static const double tolerance = 2e-8;
@@ -15,7 +13,7 @@ static unsigned long long seed;
 
 static double number(void) { /* in -1..1 */
     seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (double)(long long)(seed >> 11) / (double)(1LL << 52) - 1;
+    return (double)(long long)(seed >> 11) / (1LL << 52) - 1;
 }
 
 static void vector(double v[3], double size) {
@@ -173,7 +171,7 @@ static void freeSkeletal(MdtBclConstraint *c) {
 }
 
 static void ellipse(MdtBclConstraint *c) {
-    c->of.skeletal.secondary = (MeReal).3;
+    c->of.skeletal.secondary = .3;
 }
 
 static void slotSkeletal(MdtBclConstraint *c) {
@@ -187,7 +185,7 @@ static void wideSlot(MdtBclConstraint *c) {
 }
 
 static void narrow(MdtBclConstraint *c) {
-    c->of.cone.limit.limit[1].stop = (MeReal).1;
+    c->of.cone.limit.limit[1].stop = .1;
 }
 
 static void rotate(MdtBclConstraint *c) {
@@ -204,7 +202,7 @@ static void lockWheel(MdtBclConstraint *c) {
 
 static void rod(MdtBclConstraint *c) {
     c->of.distance.limit.limit[0].stiffness = c->of.distance.limit.limit[1].stiffness = MEINFINITY;
-    c->of.distance.limit.limit[0].stop = c->of.distance.limit.limit[1].stop = (MeReal).7;
+    c->of.distance.limit.limit[0].stop = c->of.distance.limit.limit[1].stop = .7;
 }
 
 static void string(MdtBclConstraint *c) {
@@ -330,8 +328,8 @@ static const double lowest = 10, highest = -10;
 
 static void beyondStops(MdtBclLimit *limit) {
     limit->bActive = METRUE;
-    limit->limit[0].stop = (MeReal)lowest;
-    limit->limit[1].stop = (MeReal)highest;
+    limit->limit[0].stop = lowest;
+    limit->limit[1].stop = highest;
 }
 
 static void hardStops(MdtBclConstraint *c) {
@@ -403,7 +401,7 @@ static void farStops(MdtBclConstraint *c) {
 }
 
 static void springOfHalf(MdtBclConstraint *c) {
-    c->of.distance.limit.limit[0].stop = c->of.distance.limit.limit[1].stop = (MeReal).5;
+    c->of.distance.limit.limit[0].stop = c->of.distance.limit.limit[1].stop = .5;
 }
 
 /* The rotation vector from frame 1 to frame 0 in their axes, to the first order. */
@@ -471,7 +469,7 @@ static void coneAndTwistRows(const Side f[2], double out[]) {
 }
 
 static void hardCone(MdtBclConstraint *c) {
-    c->of.cone.limit.limit[1].stop = (MeReal)halfAngle;
+    c->of.cone.limit.limit[1].stop = halfAngle;
 }
 
 static void softCone(MdtBclConstraint *c) {
@@ -480,8 +478,8 @@ static void softCone(MdtBclConstraint *c) {
 }
 
 static void hardSkeletal(MdtBclConstraint *c) {
-    c->of.skeletal.primary = c->of.skeletal.secondary = (MeReal)halfAngle;
-    c->of.skeletal.twist = (MeReal)-lowest;
+    c->of.skeletal.primary = c->of.skeletal.secondary = halfAngle;
+    c->of.skeletal.twist = -lowest;
 }
 
 static void softSkeletal(MdtBclConstraint *c) {
@@ -514,9 +512,9 @@ static void steeringRow(const Side f[2], double out[]) {
 static void drivenWheel(MdtBclConstraint *c) {
     MdtBclCarWheel *w = &c->of.wheel;
     w->kp = w->kd = 1;
-    w->reference = (MeReal).125;
-    w->low = (MeReal)lowest;
-    w->high = (MeReal)highest;
+    w->reference = .125;
+    w->low = lowest;
+    w->high = highest;
     w->rolling.force = 1;
     w->steering.force = 0;
 }

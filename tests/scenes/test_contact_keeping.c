@@ -61,7 +61,7 @@ TEST(they_stay_when_they_move_with_their_bodies) {
     MdtContactID before[8], after[8];
     note(s.world, before);
     for (int i = 0; i < 2; i++)
-        MdtBodySetPosition(s.world->bodies[i], (MeReal)(2 * i + 3), (MeReal).2, 0);
+        MdtBodySetPosition(s.world->bodies[i], 2. * i + 3, .2, 0);
     for (int i = 0; i < 8; i++)
         s.contacts[i].point[0] += 3;
     setContacts(s.world, s.contacts, 8);

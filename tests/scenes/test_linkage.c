@@ -2,7 +2,6 @@
  * on hinges, under gravity. A motor turns one of the cranks. Twice a turn all links are in line: there the antiparallel
  * branch crosses the parallel one, on which momentum carries the cranks on. */
 #include "Mdt.h"
-#include "MdtReport.h"
 #include "karma_test.h"
 
 static const double pi = 3.14159265358979323846, gravity = 9.81;

@@ -2,7 +2,6 @@
  * kicked, hanging from one joint, and a bridge of 40 links that sags between two. Some rows of a loop of hinges are
  * redundant; they agree with the others, and no joints contradict each other. */
 #include "Mdt.h"
-#include "MdtReport.h"
 #include "karma_test.h"
 
 static const double pi = 3.14159265358979323846, gravity = 9.81;
