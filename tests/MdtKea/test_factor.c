@@ -249,11 +249,11 @@ TEST(cholesky_reads_upper_parts_only) {
     kea_factorSolve(f, x);
     for (int e = 0; e < g.numEdges; e++)
         for (int k = 0; k < g.size[g.edges[e][0]] * g.size[g.edges[e][1]]; k++)
-            lowerOf(f, e)[k] = (double)NAN;
+            lowerOf(f, e)[k] = NAN;
     for (int i = 0; i < g.numNodes; i++)
         for (int r = 0; r < g.size[i]; r++)
             for (int c = 0; c < r; c++)
-                kea_factorDiagonal(f, i)[r * g.size[i] + c] = (double)NAN;
+                kea_factorDiagonal(f, i)[r * g.size[i] + c] = NAN;
     ck_assert(kea_factorCholesky(f, 1e-14));
     kea_factorSolve(f, y);
     ck_assert_int_eq(memcmp(x, y, (size_t)n * sizeof *x), 0);
@@ -339,7 +339,7 @@ TEST(not_positive_definite_is_told_and_the_matrix_kept) {
         double *entry = kea_factorDiagonal(f, node) + row * (g.size[node] + 1), kept = *entry;
         *entry = -0.01;
         ck_assert_msg(!kea_factorCholesky(f, 1e-14), "seed %u", seed);
-        *entry = (double)NAN;
+        *entry = NAN;
         ck_assert_msg(!kea_factorCholesky(f, 1e-14), "seed %u", seed);
         *entry = kept;
         ck_assert(kea_factorCholesky(f, 1e-14));

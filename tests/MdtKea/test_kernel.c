@@ -2,7 +2,6 @@
  * contact say, which is computed here in double, one number at a time. */
 #include "fast/kea_fast_i.h"
 #include "karma_test.h"
-#include <stdlib.h>
 
 enum { GROUPS = 40, BODIES = 1 + GROUPS * KEA_LANES * 2, PASSES = 12 };
 
@@ -13,13 +12,13 @@ static unsigned int seed;
 
 static float chance(double low, double high) {
     seed = seed * 1664525u + 1013904223u;
-    return (float)(low + (high - low) * (double)(seed >> 8) / (1 << 24));
+    return (float)(low + (high - low) * (seed >> 8) / (1 << 24));
 }
 
 static void setFrame(KeaGroup *g, int lane) {
     double n[3], t[3], s = 0, along = 0;
     for (int i = 0; i < 3; i++) {
-        n[i] = (double)chance(-1, 1), t[i] = (double)chance(-1, 1);
+        n[i] = chance(-1, 1), t[i] = chance(-1, 1);
         s += n[i] * n[i];
     }
     for (int i = 0; i < 3; i++)
@@ -181,7 +180,7 @@ static void crossOf(double r[3], const double a[3], const double b[3]) {
 }
 
 static void laneOf(const KeaLanes3 *from, int lane, double to[3]) {
-    to[0] = (double)from->x[lane], to[1] = (double)from->y[lane], to[2] = (double)from->z[lane];
+    to[0] = from->x[lane], to[1] = from->y[lane], to[2] = from->z[lane];
 }
 
 /* Each point's own velocity along the normal, from the bodies' motions. */
@@ -195,15 +194,15 @@ static Point pointOf(const KeaGroup *g, int lane, int k) {
         double arm[3], w[3], turn[3];
         laneOf(&g->arm[b], lane, arm);
         for (int i = 0; i < 3; i++) {
-            arm[i] += (double)g->x[k][lane] * t1[i] + (double)g->y[k][lane] * t2[i];
-            w[i] = (double)m->ang[i];
+            arm[i] += g->x[k][lane] * t1[i] + g->y[k][lane] * t2[i];
+            w[i] = m->ang[i];
         }
         crossOf(turn, w, arm);
         for (int i = 0; i < 3; i++)
-            rate += (b == 0 ? 1 : -1) * n[i] * ((double)m->lin[i] + turn[i]);
+            rate += (b == 0 ? 1 : -1) * n[i] * (m->lin[i] + turn[i]);
     }
     const double impulse = g->impulse[k][lane];
-    return (Point){rate - (double)g->bias[k][lane] + (double)g->compliance[lane] * impulse, impulse};
+    return (Point){rate - g->bias[k][lane] + g->compliance[lane] * impulse, impulse};
 }
 
 /* Along t1 and t2 at the centre, and about the normal, from the bodies' motions. */
@@ -215,13 +214,13 @@ static void frictionRatesOf(const KeaGroup *g, int lane, double rate[3]) {
     rate[0] = rate[1] = rate[2] = 0;
     for (int b = 0; b < 2; b++) {
         const KeaMotion *m = &motion[g->body[b][lane]];
-        const double w[3] = {(double)m->ang[0], (double)m->ang[1], (double)m->ang[2]};
+        const double w[3] = {m->ang[0], m->ang[1], m->ang[2]};
         double arm[3], turn[3];
         laneOf(&g->arm[b], lane, arm);
         crossOf(turn, w, arm);
         for (int i = 0; i < 3; i++)
             for (int k = 0; k < 3; k++)
-                rate[k] += (b == 0 ? 1 : -1) * axis[k][i] * (k < 2 ? (double)m->lin[i] + turn[i] : w[i]);
+                rate[k] += (b == 0 ? 1 : -1) * axis[k][i] * (k < 2 ? m->lin[i] + turn[i] : w[i]);
     }
 }
 
@@ -231,17 +230,17 @@ static void coupledRatesOf(const KeaGroup *g, int lane, double rate[3]) {
     for (int k = 0; k < KEA_POINTS; k++) {
         const double p = g->impulse[k][lane];
         resultant[0] += p;
-        resultant[1] += p * (double)g->x[k][lane];
-        resultant[2] += p * (double)g->y[k][lane];
+        resultant[1] += p * g->x[k][lane];
+        resultant[2] += p * g->y[k][lane];
     }
     const double torsionImpulse = g->torsionImpulse[lane];
     for (int k = 0; k < 2; k++)
-        rate[k] = (double)g->torsionToSlide[k][lane] * torsionImpulse;
-    rate[2] = g->torsionMass[lane] > 0 ? torsionImpulse / (double)g->torsionMass[lane] : 0;
+        rate[k] = g->torsionToSlide[k][lane] * torsionImpulse;
+    rate[2] = g->torsionMass[lane] > 0 ? torsionImpulse / g->torsionMass[lane] : 0;
     for (int j = 0; j < 3; j++) {
-        rate[0] += (double)g->toSlide[0][j][lane] * resultant[j];
-        rate[1] += (double)g->toSlide[1][j][lane] * resultant[j];
-        rate[2] += (double)g->toSpin[j][lane] * resultant[j];
+        rate[0] += g->toSlide[0][j][lane] * resultant[j];
+        rate[1] += g->toSlide[1][j][lane] * resultant[j];
+        rate[2] += g->toSpin[j][lane] * resultant[j];
     }
 }
 
@@ -380,11 +379,10 @@ LOOP_TEST(points_may_coincide_anywhere, 1, 4) {
         for (int k = 0; k < count; k++) {
             const MdtKeaPoint *last = &b.manifold.point[k > 0 ? k - 1 : 0];
             const MeBool isNew = k == 0 || chance(0, 1) < .3f;
-            addPoint(&b, isNew ? (double)chance(-1, 1) : last->position[0],
-                     isNew ? (double)chance(-1, 1) : last->position[2], 1e-3);
+            addPoint(&b, isNew ? chance(-1, 1) : last->position[0], isNew ? chance(-1, 1) : last->position[2], 1e-3);
         }
         for (int i = 0; i < 3; i++)
-            b.body.moments[i] = (double)chance(.02, .2);
+            b.body.moments[i] = chance(.02, .2);
         for (int i = 0; i < 10; i++) {
             double from[3];
             keaCopy(from, b.body.position);
