@@ -3,12 +3,6 @@
 #define BLOB_H
 
 #include "McdFrame.h"
-#include "McdGeometry.h"
-#include "McdGeometryInstance.h"
-#include "McdInteractions.h"
-#include "McdModel.h"
-#include "McdModelPair.h"
-#include "MeMemory.h"
 #include <string.h>
 
 enum { BLOB = kMcdGeometryFirstUserType, OTHER_BLOB };

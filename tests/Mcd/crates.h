@@ -4,12 +4,6 @@
 #define CRATES_H
 
 #include "McdFrame.h"
-#include "McdGeometry.h"
-#include "McdGeometryInstance.h"
-#include "McdInteractions.h"
-#include "McdModel.h"
-#include "McdSpace.h"
-#include "MeMemory.h"
 #include "karma_test.h"
 
 enum { CRATE = kMcdGeometryFirstUserType, CRATES = 400 };
@@ -102,6 +96,7 @@ static inline void yardDestroy(Yard *y) {
     McdFrameworkDestroyAllModelsAndGeometries(y->frame);
     McdTerm(y->frame);
     McdModelPairContainerDestroy(y->pairs);
+    y->frame = 0;
 }
 
 /* A crate of that size at a place, in no space; no contact tolerance. */

@@ -2,26 +2,13 @@
 #ifndef SHAPES_H
 #define SHAPES_H
 
-#include "McdBox.h"
-#include "McdCone.h"
-#include "McdConvexMesh.h"
-#include "McdCylinder.h"
-#include "McdGeometry.h"
-#include "McdGeometryInstance.h"
-#include "McdInteractions.h"
-#include "McdModel.h"
-#include "McdNull.h"
-#include "McdPlane.h"
-#include "McdPrimitives.h"
-#include "McdSphere.h"
-#include "McdSphyl.h"
-#include "karma_test.h"
+#include "frame.h"
 #include "random_numbers.h"
 
 enum { BALL, BOX, CYLINDER, SPHYL, CONE, CUT_CONE, TURNED_CONE, OCTAHEDRON, FAT_BOX, SOLIDS };
 
 static inline McdFrameworkID framework(void) {
-    McdFrameworkID f = McdInit(0, 100, 0, 1);
+    McdFrameworkID f = frame_make(0, 100, 0, 1);
     McdPrimitivesRegisterTypes(f);
     McdNullRegisterType(f);
     McdConeRegisterType(f);

@@ -3,20 +3,7 @@
 #ifndef TERRAIN_H
 #define TERRAIN_H
 
-#include "McdBox.h"
-#include "McdCone.h"
-#include "McdConvexMesh.h"
-#include "McdCylinder.h"
-#include "McdFrame.h"
-#include "McdGeometry.h"
-#include "McdInteractions.h"
-#include "McdModel.h"
-#include "McdModelPair.h"
-#include "McdRGHeightField.h"
-#include "McdSphere.h"
-#include "McdSphyl.h"
-#include "McdTriangleList.h"
-#include "karma_test.h"
+#include "frame.h"
 
 enum { TERRAIN_TRIANGLES = 40000, TERRAIN_FOUND = 4000, TERRAIN_CONTACTS = 64 };
 
@@ -104,7 +91,7 @@ static inline void terrain_grid(Terrain *t, int n, double cell, double (*height)
 
 /* All convex types, lists and fields, and their interactions. */
 static inline McdFrameworkID terrain_framework(void) {
-    McdFrameworkID f = McdInit(0, 64, 256, 1);
+    McdFrameworkID f = frame_make(0, 64, 256, 1);
     McdSphereRegisterType(f);
     McdBoxRegisterType(f);
     McdCylinderRegisterType(f);

@@ -1,6 +1,5 @@
 /* Contacts of compounds are on the surface of the whole: none at faces between parts that abut or overlap, nothing else
  * is lost. */
-#include "Mcd.h"
 #include "terrain.h"
 
 static McdFrameworkID frame;
@@ -8,14 +7,9 @@ static Probe probe, solid;
 static Terrain ground;
 
 static void begin(void) {
-    frame = McdInit(0, 20, 100, 1);
+    frame = frame_make(0, 20, 100, 1);
     McdAllRegisterTypes(frame);
     McdAllRegisterInteractions(frame);
-}
-
-static void end(void) {
-    McdFrameworkDestroyAllModelsAndGeometries(frame);
-    McdTerm(frame);
 }
 
 static void place(MeMatrix4 tm, const double angle[3], double x, double y, double z) {
@@ -95,7 +89,6 @@ TEST(halves_on_halves_touch_at_outer_faces) {
         for (int o = 0; o < OFFS; o++)
             for (int d = 0; d < 5; d++)
                 compareWithSolid(tilts[t], offs[o], 0, 1 - depths[d]);
-    end();
 }
 
 /* Shapes of all kinds, over each place of a floor's joint. */
@@ -122,7 +115,6 @@ TEST(what_slides_over_parts_touches_their_top) {
         probe_term(&probe);
         probe_term(&solid);
     }
-    end();
 }
 
 /* The same halves, on a plane and on triangles, and as parts of parts. */
@@ -143,7 +135,6 @@ TEST(halves_stand_on_anything) {
         probe_term(&probe);
         probe_term(&solid);
     }
-    end();
 }
 
 /* ---- how exactly parts abut -------------------------------------------------------------------------------------- */
@@ -171,7 +162,6 @@ TEST(parts_abut_to_within_a_part_of_their_size) {
     assert_near(leanAtEdge(0, .124), 0, TOL(1e-6, 1e-15));
     assert_near(leanAtEdge(.433 * 1.2e-4, 0), 1, TOL(1e-6, 1e-15));
     assert_near(leanAtEdge(0, .126), 1, TOL(1e-6, 1e-15));
-    end();
 }
 
 /* Above the floor and before an edge, at the same distance at 10 degrees: no contact at the edge. */
@@ -180,7 +170,6 @@ TEST(no_normal_leans_over_an_edge_between_flush_faces) {
     probe_init(&probe, boxOf(.5, .5, .5), boxInParts(2, 4, 2, 1));
     ck_assert_int_gt(probe_at(&probe, -.25 - 1e-3 * tan(.1745), 0, .75 + 1e-3), 0);
     assert_near(leanOf(&probe), 0, TOL(1e-6, 1e-15));
-    end();
 }
 
 /* ---- corners of the whole ---------------------------------------------------------------------------------------- */
@@ -248,7 +237,6 @@ TEST(the_foot_of_a_wall_is_floor) {
         }
         probe_term(&probe);
     }
-    end();
 }
 
 static void turnAboutY(MeMatrix4 tm, double angle, double x, double y, double z) {
@@ -276,7 +264,6 @@ TEST(both_sides_of_a_sharp_corner_push) {
     assert_near(depth, -.01, TOL(1e-6, 1e-12));
     ck_assert_int_eq(countWith(1, &depth, &n), 2);
     assert_vec3_near(n, c, 0, -s, TOL(1e-6, 1e-12));
-    end();
 }
 
 /* Along y, of the contacts with a part: from where to where. */
@@ -308,7 +295,6 @@ TEST(the_foot_of_a_wall_supports) {
     assert_near(extent[1], 0, 2e-6);
     extentWith(1, extent);
     assert_near(extent[1], .5, 2e-6);
-    end();
 }
 
 /* A plate on two rails, which it touches all along; the first rail has a post at either end of the plate. */
@@ -330,7 +316,6 @@ TEST(a_rail_between_posts_supports) {
     assert_near(extent[0], -.4, TOL(1e-6, 1e-12));
     extentWith(1, extent);
     assert_near(extent[0], .4, TOL(1e-6, 1e-12));
-    end();
 }
 
 /* ---- deep in between --------------------------------------------------------------------------------------------- */
@@ -358,7 +343,6 @@ TEST(what_is_deep_between_parts_is_pushed_out) {
             }
         probe_term(&probe);
     }
-    end();
 }
 
 /* Two cylinders with one axis: a ball near their joint comes out through the side. */
@@ -372,7 +356,6 @@ TEST(what_is_deep_between_round_parts_is_pushed_out) {
     ck_assert_int_eq(probe_at(&probe, .21, .28, 1e-3), 1);
     assert_vec3_near(probe.contact[0].normal, .6, .8, 0, TOL(1e-6, 1e-12));
     assert_near(probe.contact[0].separation, -.2, TOL(1e-6, 1e-12));
-    end();
 }
 
 /* ---- nothing is lost --------------------------------------------------------------------------------------------- */
@@ -560,5 +543,4 @@ TEST(nothing_on_the_surface_is_lost) {
     }
     ck_assert_int_gt(outer, 200);
     ck_assert_int_gt(inner, 200);
-    end();
 }

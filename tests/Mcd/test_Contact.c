@@ -1,9 +1,5 @@
 /* What a contact knows beyond its place: how round the surfaces are that meet there, and its separation in double. */
-#include "McdAggregate.h"
-#include "McdAll.h"
-#include "McdContact.h"
 #include "McdInternal.h"
-#include "McdRGHeightField.h"
 #include "shapes.h"
 
 enum { MAX = 8, ROUND = kMcdGeometryFirstUserType };

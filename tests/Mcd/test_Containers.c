@@ -1,5 +1,4 @@
 /* Containers of pairs, by hand and as spaces fill them; culling tables. */
-#include "McdModelPair.h"
 #include "crates.h"
 
 TEST(by_hand) {

@@ -1,10 +1,5 @@
 /* Queries with any numbers, huge, tiny, infinite and none, against every geometry kind, alone and as parts of
  * aggregates: no crash, no NaN in a result, and an answer or a message. */
-#include "McdAggregate.h"
-#include "McdAll.h"
-#include "McdQuery.h"
-#include "McdRGHeightField.h"
-#include "McdTriangleList.h"
 #include "shapes.h"
 #include <float.h>
 

@@ -1,9 +1,4 @@
 /* McdContact.feature tells contacts apart, however many faces, triangles and parts there are. */
-#include "McdAggregate.h"
-#include "McdAll.h"
-#include "McdContact.h"
-#include "McdModelPair.h"
-#include "McdRGHeightField.h"
 #include "shapes.h"
 
 enum { CORNERS = 502, FACES = 1000, PARTS = 1000, MAX = 3 * FACES };

@@ -1,12 +1,4 @@
 /* Objects that have gone, that belong to another framework, or that go in an order that nobody planned. */
-#include "McdAggregate.h"
-#include "McdAll.h"
-#include "McdConvexInteractions.h"
-#include "McdQuery.h"
-#include "McdRGHeightField.h"
-#include "McdSpace.h"
-#include "McdTriangleList.h"
-#include "MeMemory.h"
 #include "shapes.h"
 
 static McdFrameworkID frame;
@@ -281,7 +273,7 @@ TEST(an_aggregate_copies_the_transforms_of_its_parts) {
     MeMatrix4 place;
     MeVector3 low, high;
     setUp();
-    const McdGeometryID leg = McdBoxCreate(frame, (MeReal).1, (MeReal).1, 1), stool = McdAggregateCreate(frame, 4);
+    const McdGeometryID leg = McdBoxCreate(frame, .1, .1, 1), stool = McdAggregateCreate(frame, 4);
     for (int i = 0; i < 4; i++) {
         memcpy(place, identity, sizeof place);
         place[3][0] = i & 1 ? (MeReal).5 : (MeReal)-.5;

@@ -106,7 +106,6 @@ TEST(segments_enter_where_a_march_does) {
             McdModelDestroy(m);
             McdGeometryDestroy(g);
         }
-    McdTerm(f);
 }
 
 /* Along the axes and through the middle, where slopes are 0 and roots are double. */
@@ -135,7 +134,6 @@ TEST(segments_along_axes) {
         McdModelDestroy(m);
         McdGeometryDestroy(g);
     }
-    McdTerm(f);
 }
 
 TEST(a_segment_that_is_a_point_hits_from_inside_only) {
@@ -156,7 +154,6 @@ TEST(a_segment_that_is_a_point_hits_from_inside_only) {
         McdModelDestroy(m);
         McdGeometryDestroy(g);
     }
-    McdTerm(f);
 }
 
 TEST(a_plane_is_met_from_above) {
@@ -185,7 +182,4 @@ TEST(a_plane_is_met_from_above) {
             assert_vec3_near(r.normal, tm[2][0], tm[2][1], tm[2][2], TOL(5e-7, 9e-16));
         }
     }
-    McdModelDestroy(m);
-    McdGeometryDestroy(g);
-    McdTerm(f);
 }

@@ -74,7 +74,6 @@ TEST(columns_add_up_to_the_same) {
         }
         McdGeometryDestroy(g);
     }
-    McdTerm(f);
 }
 
 TEST(closed_forms) {
@@ -99,9 +98,6 @@ TEST(closed_forms) {
     assert_near_rel(m.volume, n.volume, TOL(5e-7, 2e-15));
     assert_near_rel(m.inertia[0][0], n.inertia[0][0], TOL(5e-7, 9e-16));
     assert_near_rel(m.inertia[2][2], n.inertia[2][2], TOL(5e-7, 9e-16));
-    McdGeometryDestroy(g);
-    McdGeometryDestroy(c);
-    McdTerm(f);
 }
 
 /* The integral of x^2 over a box with half sizes a, b, c and all within r of it: box, faces, edges, corners. */
@@ -136,9 +132,6 @@ TEST(a_fat_box_by_steiners_formula) {
     assert_near_rel(m.volume, n.volume, 2e-6);
     for (int k = 0; k < 3; k++)
         assert_near_rel(m.inertia[k][k], n.inertia[k][k], 2e-6);
-    McdGeometryDestroy(point);
-    McdGeometryDestroy(ball);
-    McdTerm(f);
 }
 
 static const double tetrahedron[4][3] = {{0, 0, 0}, {1, .2, .1}, {.3, .9, -.1}, {.2, .3, .8}};
@@ -179,7 +172,6 @@ TEST(a_fat_hull_is_the_limit_of_hulls) {
         McdGeometryDestroy(a);
         McdGeometryDestroy(b);
     }
-    McdTerm(f);
 }
 
 /* A tetrahedron's: V = det/6, the centre the mean; with covariance V/20 (sum v v^T + s s^T) from its centre, where s =
@@ -213,7 +205,6 @@ TEST(a_tetrahedron_off_the_origin) {
         }
         McdGeometryDestroy(g);
     }
-    McdTerm(f);
 }
 
 TEST(size_goes_with_its_powers) {
@@ -231,7 +222,6 @@ TEST(size_goes_with_its_powers) {
         }
         McdGeometryDestroy(one);
     }
-    McdTerm(f);
 }
 
 TEST(some_have_none) {
@@ -243,5 +233,4 @@ TEST(some_have_none) {
         assert_near(m.volume, 0, 0);
         McdGeometryDestroy(g[i]);
     }
-    McdTerm(f);
 }

@@ -1,8 +1,5 @@
 /* Queries of a space that has a triangle list, a height field and a list in an aggregate, and distances to them,
  * against every triangle one by one in closed forms. */
-#include "McdAggregate.h"
-#include "McdQuery.h"
-#include "McdSpace.h"
 #include "terrain.h"
 #include "random_numbers.h"
 
@@ -267,12 +264,6 @@ static void setUp(void) {
     addTerrain(&surface[2], partTM);
 }
 
-static void tearDown(void) {
-    McdSpaceDestroy(space);
-    McdFrameworkDestroyAllModelsAndGeometries(frame);
-    McdTerm(frame);
-}
-
 /* A random place near one of the surfaces. */
 static void placeNear(double max) {
     const Surface *s = &surface[(int)uniform(0, 3)];
@@ -332,7 +323,7 @@ TEST(overlaps) {
     ck_assert_int_gt(met, 100);
     ck_assert_int_gt(free, 100);
     ck_assert_int_gt(ownCalls, 100);
-    tearDown();
+    McdSpaceDestroy(space);
 }
 
 /* The gap of balls, penetrating or not, and of boxes that are free; else -1. */
@@ -392,7 +383,7 @@ TEST(the_nearest) {
         assertPoints(g, surfaceOf(r.model), r.position1, r.position2, r.normal, (double)r.distance);
     }
     ck_assert_int_gt(found, QUERIES / 2);
-    tearDown();
+    McdSpaceDestroy(space);
 }
 
 TEST(distances_of_pairs) {
@@ -428,7 +419,7 @@ TEST(distances_of_pairs) {
     McdDistanceResult none;
     ck_assert(!McdDistance(surfaces, &none) && none.distance == 0);
     McdModelPairDestroy(surfaces);
-    tearDown();
+    McdSpaceDestroy(space);
 }
 
 /* May the cast meet it, coming from that side? */
@@ -493,7 +484,7 @@ TEST(casts) {
     ck_assert_int_gt(hits, QUERIES / 6);
     ck_assert_int_gt(misses, QUERIES / 10);
     ck_assert_int_gt(starts, QUERIES / 10);
-    tearDown();
+    McdSpaceDestroy(space);
 }
 
 /* A grain of sand flies a thousand kilometres beside a hill: the work does not grow with the way. */
@@ -516,8 +507,6 @@ TEST(long_casts_of_small_shapes_end) {
     McdSpaceEndChanges(s);
     ck_assert_int_eq(McdSpaceCastGeometry(s, grain, from, (MeReal *)by, 0, 0, &r), 0);
     McdSpaceDestroy(s);
-    McdFrameworkDestroyAllModelsAndGeometries(f);
-    McdTerm(f);
 }
 
 /* Where the segment meets the triangle; above 1 if it does not. */
@@ -571,5 +560,5 @@ TEST(rays) {
         assert_near(r.fraction, first, TOL(4e-6, 1e-14));
     }
     ck_assert_int_gt(hits, QUERIES / 2);
-    tearDown();
+    McdSpaceDestroy(space);
 }

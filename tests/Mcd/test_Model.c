@@ -1,6 +1,6 @@
 /* Models: places, relative places, paths, what is kept and what is reset. */
+#include "frame.h"
 #include "blob.h"
-#include "karma_test.h"
 
 static McdFrameworkID frame;
 static McdGeometryID blob;
@@ -8,18 +8,14 @@ static McdModelID model;
 static MeMatrix4 place;
 
 static void setUp(void) {
-    frame = McdInit(1, 4, 0, 1);
+    frame = frame_make(1, 4, 0, 1);
     blobRegister(frame, BLOB);
     blob = blobCreate(frame, BLOB, 1, 0);
     model = McdModelCreate(blob);
     MeMatrix4TMMakeIdentity(place);
 }
 
-static void tearDown(void) {
-    McdFrameworkDestroyAllModelsAndGeometries(frame);
-    McdTerm(frame);
-}
-TEST_FIXTURE(setUp, tearDown)
+TEST_FIXTURE(setUp, NULL)
 
 static void assertBox(double x0, double x1, double y0, double y1) {
     MeVector3 low, high;

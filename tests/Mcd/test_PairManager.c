@@ -127,22 +127,17 @@ TEST(its_pairs_can_be_asked_for_contacts) {
 TEST(bad_input_warns) {
     McdSpacePairIterator it;
     McdModelPairContainer *c = McdModelPairContainerCreate(4);
-    ck_assert_ptr_null(McdModelPairManagerCreate(0));
-    assert_warned("McdModelPairManagerCreate");
-    ck_assert(!McdModelPairManagerActivate(manager, model[0], model[0]));
-    assert_warned("McdModelPairManagerActivate");
-    ck_assert(!McdModelPairManagerActivate(manager, model[0], NULL));
-    assert_warned("McdModelPairManagerActivate");
+    assert_none(McdModelPairManagerCreate, 0);
+    assert_none(McdModelPairManagerActivate, manager, model[0], model[0]);
+    assert_none(McdModelPairManagerActivate, manager, model[0], NULL);
     McdModelPairManagerResetIterator(manager, &it);
     McdModelPairManagerActivate(manager, model[0], model[1]);
     ck_assert(!McdModelPairManagerGetPairs(manager, &it, c));
     assert_warned("McdModelPairManagerResetIterator");
-    ck_assert(!McdModelPairManagerGetTransitions(manager, NULL, c));
-    assert_warned("McdModelPairManagerGetTransitions");
+    assert_none(McdModelPairManagerGetTransitions, manager, NULL, c);
     ck_assert(!McdModelPairManagerDeactivate(NULL, model[0], model[1]) && !McdModelPairManagerGetSize(NULL));
     assert_warned("McdModelPairManagerGetSize");
-    McdModelPairManagerFlush(NULL);
-    assert_warned("McdModelPairManagerFlush");
+    assert_refused(McdModelPairManagerFlush, NULL);
     McdModelPairManagerDestroy(NULL);
     McdModelPairContainerDestroy(c);
 }

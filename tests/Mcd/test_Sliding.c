@@ -112,8 +112,6 @@ static void onGround(int isField) {
     slideEveryWay(McdSphylCreate(f, .3, 1), ground, .3, 1);
     slideEveryWay(McdCylinderCreate(f, .5, 1), ground, .5, 0);
     slideEveryWay(prism(f), ground, .5 * cos(3.14159265358979 / 5), 0);
-    McdFrameworkDestroyAllModelsAndGeometries(f);
-    McdTerm(f);
 }
 
 TEST(over_a_triangle_list) {

@@ -1,5 +1,4 @@
 /* Several queries of one geometry at once, in two threads or one within another, give the bits that one gives alone. */
-#include "McdAggregate.h"
 #include "terrain.h"
 #include <pthread.h>
 
@@ -76,11 +75,6 @@ static void begin(void) {
     McdAggregateRegisterInteractions(frame);
     memset(&ground, 0, sizeof ground);
     terrain_grid(&ground, N, .4, bumps, ONE_SIDED);
-}
-
-static void end(void) {
-    McdFrameworkDestroyAllModelsAndGeometries(frame);
-    McdTerm(frame);
 }
 
 /* ---- what a thread asks ------------------------------------------------------------------------------------------ */
@@ -182,19 +176,16 @@ static void compareThreads(McdGeometryID g) {
 TEST(two_threads_ask_one_triangle_list) {
     begin();
     compareThreads(makeList(find));
-    end();
 }
 
 TEST(two_threads_ask_one_height_field) {
     begin();
     compareThreads(makeField());
-    end();
 }
 
 TEST(two_threads_ask_one_aggregate) {
     begin();
     compareThreads(makeAggregate());
-    end();
     messages_forget();
 }
 
@@ -239,13 +230,11 @@ TEST(a_callback_asks_its_own_list) {
     begin();
     McdTriangleListID list = makeList(find);
     compareNested(list, list);
-    end();
 }
 
 TEST(a_callback_asks_the_aggregate_that_its_list_is_in) {
     begin();
     McdAggregateID a = makeAggregate();
     compareNested(a, McdAggregateGetElementGeometry(a, 0));
-    end();
     messages_forget();
 }

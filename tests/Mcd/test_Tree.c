@@ -229,8 +229,8 @@ TEST(a_box_is_rounded_outward) {
         mcd_treeBox(min, max, &box);
         for (int k = 0; k < 3; k++) {
             ck_assert((double)box.min[k] <= min[k] && max[k] <= (double)box.max[k]);
-            ck_assert_double_ge((double)box.min[k], min[k] - 2 * (double)FLT_EPSILON * fabs(min[k]));
-            ck_assert_double_le((double)box.max[k], max[k] + 2 * (double)FLT_EPSILON * fabs(max[k]));
+            ck_assert_double_ge(box.min[k], min[k] - 2 * (double)FLT_EPSILON * fabs(min[k]));
+            ck_assert_double_le(box.max[k], max[k] + 2 * (double)FLT_EPSILON * fabs(max[k]));
         }
     }
     const double low[3] = {-INFINITY, -1e300, -2e15}, high[3] = {INFINITY, 1e300, 2e15};
