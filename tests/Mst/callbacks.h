@@ -4,15 +4,8 @@
 #define CALLBACKS_H
 
 #include "../Mcd/blob.h"
-#include "Mcd.h"
-#include "McdModelPairManager.h"
-#include "McdQuery.h"
-#include "McduDebugDraw.h"
-#include "Mdt.h"
 #include "MeDebugDraw.h"
 #include "Mst.h"
-#include "MstDebugDraw.h"
-#include "MstEvents.h"
 #include "karma_test.h"
 
 /* The functions, and by which function the program sets each. */

@@ -3,7 +3,6 @@
 #ifndef CHOICE_SCENES_H
 #define CHOICE_SCENES_H
 
-#include "MdtReport.h"
 #include "ragdoll.h"
 
 #include <stdio.h>

@@ -3,13 +3,11 @@
 #ifndef JOINTED_H
 #define JOINTED_H
 
-#include "Mst.h"
-#include <math.h>
+#include "universe.h"
 
 enum { MAX = 1000 };
 
 static const double gravity = 9.81;
-static MstUniverseID u;
 static McdModelID model[MAX];
 static MdtConstraintID joint[MAX];
 static int numModels, numJoints;
@@ -22,7 +20,7 @@ static inline double between(double low, double high) {
 
 static inline void makeWorld(MdtSolver solver, double friction) {
     static MeMatrix4 floorTM = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
-    u = MstUniverseCreate(&MstUniverseGrowingSizes);
+    universe_begin(&MstUniverseGrowingSizes);
     numModels = numJoints = 0;
     MdtWorldSetGravity(u->world, 0, -gravity, 0);
     MdtWorldSetAutoDisable(u->world, MEFALSE);

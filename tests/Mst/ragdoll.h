@@ -100,24 +100,24 @@ static inline MdtConstraintID doll_addHinge(MdtWorldID w, int i, MdtBodyID below
     return MdtHingeQuaConstraint(hinge);
 }
 
-static inline void doll_join(Doll *doll, MstUniverseID u, int i, const double feet[3]) {
+static inline void doll_join(Doll *doll, MstUniverseID universe, int i, const double feet[3]) {
     const McdModelID m = doll->model[i], above = doll->model[doll_part[i].above];
     const MdtBodyID b1 = McdModelGetBody(m), b2 = McdModelGetBody(above);
     const double at[3] = {feet[0] + doll_part[i].jointX, feet[1] + doll_part[i].jointY, feet[2]};
     if (doll_part[i].cone > 0) {
-        doll->joint[i] = doll_addSocket(u->world, b1, b2, at);
-        doll->cone[i] = doll_addCone(u->world, i, b1, b2);
+        doll->joint[i] = doll_addSocket(universe->world, b1, b2, at);
+        doll->cone[i] = doll_addCone(universe->world, i, b1, b2);
     } else {
-        doll->joint[i] = doll_addHinge(u->world, i, b1, b2, at);
+        doll->joint[i] = doll_addHinge(universe->world, i, b1, b2, at);
     }
     McdSpaceDisablePair(m, above);
 }
 
 /* A figure that stands with its feet there, at rest; y is up. */
-static inline void doll_make(Doll *doll, MstUniverseID u, const double feet[3]) {
+static inline void doll_make(Doll *doll, MstUniverseID universe, const double feet[3]) {
     for (int i = 0; i < DOLL_PARTS; i++) {
         const double half = doll_isSphyl(i) ? -0.25 * 3.14159265358979323846 : 0;
-        const McdModelID m = doll->model[i] = MstModelAndBodyCreate(u, doll_shape(u->frame, i), 1000);
+        const McdModelID m = doll->model[i] = MstModelAndBodyCreate(universe, doll_shape(universe->frame, i), 1000);
         McdModelDynamicsSetPosition(m, feet[0] + doll_part[i].x, feet[1] + doll_part[i].y, feet[2]);
         McdModelDynamicsSetQuaternion(m, cos(half), sin(half), 0, 0);
         McdModelDynamicsSetDamping(m, 0, 2);
@@ -125,7 +125,7 @@ static inline void doll_make(Doll *doll, MstUniverseID u, const double feet[3]) 
     doll->joint[DOLL_PELVIS] = 0;
     memset(doll->cone, 0, sizeof doll->cone);
     for (int i = DOLL_CHEST; i < DOLL_PARTS; i++)
-        doll_join(doll, u, i, feet);
+        doll_join(doll, universe, i, feet);
     McdSpaceDisablePair(doll->model[DOLL_THIGHS], doll->model[DOLL_THIGHS + 1]); /* hips are narrow */
 }
 

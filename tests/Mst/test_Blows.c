@@ -1,18 +1,13 @@
 /* Blows: crowds of balls that keep their energy, a cradle of pendulums, a stack that settles, with what a world does by
  * default. */
-#include "McdFrame.h"
-#include "MdtReport.h"
-#include "Mst.h"
-#include "karma_test.h"
+#include "universe.h"
 
 #define RADIUS  .5
 #define GRAVITY 9.81
 static const double unitDensity = 6 / 3.14159265358979324; /* kg/m³: of a ball of 1 kg */
 
-static MstUniverseID u;
-
 static void begin(double restitution, double tolerance) {
-    u = MstUniverseCreate(&MstUniverseGrowingSizes);
+    universe_begin(&MstUniverseGrowingSizes);
     McdFrameworkSetDefaultContactTolerance(u->frame, tolerance);
     MdtWorldSetGravity(u->world, 0, 0, -GRAVITY);
     MdtWorldSetAutoDisable(u->world, MEFALSE);
@@ -102,7 +97,6 @@ static double playSteps(double apart, MeBool hasWalls, int steps, double *work) 
     }
     const double left = energyOfCrowd() / start;
     assert_silent();
-    MstUniverseDestroy(u);
     return left;
 }
 
@@ -150,7 +144,6 @@ static void hitAside(double aside, double restitution, double h) {
     }
     MdtBodyGetAngularVelocity(McdModelGetBody(rests), w);
     assert_below(MeVector3Magnitude(w), 1e-6);
-    MstUniverseDestroy(u);
 }
 
 TEST(balls_are_hit_along_the_line_of_their_centres) {
@@ -212,7 +205,6 @@ static void playPendulums(const Cradle *c, double top[ROW]) {
         }
     }
     assert_silent();
-    MstUniverseDestroy(u);
 }
 
 /* Each blow hands (1 + e)/2 of the speed on. */
@@ -292,7 +284,6 @@ static Calm settle(double restitution, int timedBodies) {
         wasCalm = isNow;
     }
     assert_silent();
-    MstUniverseDestroy(u);
     return calm;
 }
 

@@ -1,27 +1,20 @@
 /* The bridge: the material table, its callbacks, contact groups from touch to goodbye. */
-#include "Mst.h"
-#include "karma_test.h"
+#include "universe.h"
 
-static MstUniverseID u;
-static MeMatrix4 ground;
 static McdModelID floorModel, ball;
 static int called;
 static MeBool answer;
 
 static void setUp(void) {
-    u = MstUniverseCreate(0);
-    MeMatrix4TMMakeIdentity(ground);
-    floorModel = MstFixedModelCreate(u, McdPlaneCreate(u->frame), ground);
+    universe_begin(0);
+    floorModel = universe_addFloor();
     ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, 1), 1);
     McdModelDynamicsSetPosition(ball, 0, 0, .99);
     called = 0;
     answer = METRUE;
 }
 
-static void tearDown(void) {
-    MstUniverseDestroy(u);
-}
-TEST_FIXTURE(setUp, tearDown)
+TEST_FIXTURE(setUp, NULL)
 
 static void step(void) {
     MstUniverseStep(u, 1. / 60);
@@ -73,7 +66,6 @@ TEST(what_is_not_tested_again_goes_on_as_if_it_were) {
     MeVector3 tested[TOWER + 1], kept[TOWER + 1];
     playTower(METRUE, tested);
     ck_assert_int_gt(called, STILL_STEPS);
-    tearDown();
     setUp();
     playTower(MEFALSE, kept);
     for (int i = 0; i <= TOWER; i++)
@@ -87,9 +79,8 @@ TEST(what_is_not_tested_again_goes_on_as_if_it_were) {
 TEST(a_pair_that_found_no_room_is_tested_again) {
     MstUniverseSizes sizes = MstUniverseDefaultSizes;
     sizes.dynamicConstraintsMaxCount = 2; /* a group and its contact */
-    tearDown();
-    u = MstUniverseCreate(&sizes);
-    MstFixedModelCreate(u, McdPlaneCreate(u->frame), ground);
+    universe_begin(&sizes);
+    universe_addFloor();
     ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, 1), 1);
     McdModelDynamicsSetPosition(ball, 0, 0, 1); /* touches: nothing pushes it */
     const MdtBSJointID first = MdtBSJointCreate(u->world), second = MdtBSJointCreate(u->world);
@@ -267,13 +258,11 @@ TEST(a_group_that_the_program_destroys_is_not_the_pairs_any_more) {
 }
 
 TEST(only_the_second_model_having_a_body_is_as_good) {
-    static MeMatrix4 tm;
     MstModelAndBodyDestroy(ball);
     MstFixedModelDestroy(floorModel);
     ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, 1), 1);
     McdModelDynamicsSetPosition(ball, 0, 0, .99);
-    MeMatrix4TMMakeIdentity(tm);
-    floorModel = MstFixedModelCreate(u, McdPlaneCreate(u->frame), tm);
+    floorModel = universe_addFloor();
     step();
     MeVector3 n;
     MdtContactGetNormal(onlyContact(), n);

@@ -1,19 +1,16 @@
 /* What falls apart, or is torn about: an arch without its keystone, boxes in flight, a rag doll on a stiff spring.
  * How often their steps are divided, and how many matrices that takes. */
-#include "MdtReport.h"
-#include "Mst.h"
-#include "karma_test.h"
+#include "universe.h"
 #include "ragdoll.h"
 
 #define GRAVITY 9.81
 #define FRAME   ((MeReal)(1. / 60))
 static const double pi = 3.14159265358979324;
 
-static MstUniverseID u;
 static MeMatrix4 floorPlace = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
 
 static void begin(double friction) {
-    u = MstUniverseCreate(&MstUniverseGrowingSizes);
+    universe_begin(&MstUniverseGrowingSizes);
     MdtWorldSetGravity(u->world, 0, -GRAVITY, 0);
     MdtWorldSetAutoDisable(u->world, MEFALSE);
     MdtWorldEnableReport(u->world);
@@ -84,7 +81,6 @@ static Cost dropArch(MdtSolver solver) {
     McdModelDynamicsSetPosition(stone[STONES / 2], 0, .5, 4);
     for (int i = 0; i < 240; i++)
         stepAndCount(&cost);
-    MstUniverseDestroy(u);
     return cost;
 }
 
@@ -126,7 +122,6 @@ TEST(what_flies_is_no_work_for_newton) {
     tell("in flight", &cost);
     assert_near(cost.energy, cost.start, 1e-3);
     ck_assert_int_eq(cost.factorizations, 0);
-    MstUniverseDestroy(u);
 }
 
 /* ---- a rag doll on a spring ------------------------------------------------------------------------------------- */
@@ -171,7 +166,6 @@ static int drag(int part, Cost *c) {
         divided += r.parts > MdtWorldGetReportCount(u->world);
         assert_below(doll_opening(&doll), 1e-5);
     }
-    MstUniverseDestroy(u);
     return divided;
 }
 

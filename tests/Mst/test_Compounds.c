@@ -1,13 +1,11 @@
 /* Bodies that are aggregates of abutting boxes behave as solid ones do. */
-#include "Mst.h"
-#include "karma_test.h"
+#include "universe.h"
 
 enum { CUBES = 5 };
-static MstUniverseID u;
 static MeMatrix4 floorPlace;
 
 static void begin(double friction) {
-    u = MstUniverseCreate(&MstUniverseGrowingSizes);
+    universe_begin(&MstUniverseGrowingSizes);
     MdtWorldSetGravity(u->world, 0, 0, -9.81);
     MdtWorldSetAutoDisable(u->world, MEFALSE);
     MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), friction, 0);
@@ -28,8 +26,7 @@ static McdGeometryID boxInParts(int parts, double x, double y, double z) {
 }
 
 static void step(int count) {
-    for (int i = 0; i < count; i++)
-        MstUniverseStep(u, 1. / 60);
+    universe_step(count);
 }
 
 static double coordinate(McdModelID m, int k) {
@@ -58,7 +55,6 @@ static double slide(int parts, McdGeometryID (*shape)(void), double friction, do
         *highest = fmax(*highest, coordinate(box, 2));
     }
     const double way = coordinate(box, 0);
-    MstUniverseDestroy(u);
     return way;
 }
 
@@ -106,7 +102,6 @@ TEST(cubes_of_halves_stand_as_solid_ones) {
             height[i] = coordinate(cube[i], 2);
             aside[i] = coordinate(cube[i], 0);
         }
-        MstUniverseDestroy(u);
         stack(2, tilts[t], cube);
         step(300);
         for (int i = 0; i < CUBES; i++) {
@@ -115,7 +110,6 @@ TEST(cubes_of_halves_stand_as_solid_ones) {
             if (fabs(tilts[t]) < .01) /* beyond that, they fall onto an edge, and slide by a centimetre meanwhile */
                 assert_near(coordinate(cube[i], 0), aside[i], 6e-6);
         }
-        MstUniverseDestroy(u);
     }
 }
 
@@ -127,5 +121,4 @@ TEST(what_is_deep_between_parts_comes_out) {
     McdModelDynamicsSetPosition(box, 1e-3, 0, .45);
     step(240);
     assert_near(coordinate(box, 2), .6, TOL(8e-6, 1e-7));
-    MstUniverseDestroy(u);
 }

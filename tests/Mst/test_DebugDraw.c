@@ -1,8 +1,6 @@
 /* What is drawn of a simulation, recorded: each layer against what the simulation says of itself. */
+#include "universe.h"
 #include "MeDebugDraw.h"
-#include "MstDebugDraw.h"
-#include "Mst.h"
-#include "karma_test.h"
 
 enum { MAX = 4096 };
 typedef struct {
@@ -14,7 +12,6 @@ typedef struct {
 
 static Mark marks[MAX];
 static int count;
-static MstUniverseID u;
 static MeMatrix4 ground;
 
 static Mark *mark(int kind, const float color[4]) {
@@ -80,17 +77,13 @@ static double away(const double a[3], const double b[3]) {
 }
 
 static void setUp(void) {
-    u = MstUniverseCreate(&MstUniverseGrowingSizes);
+    universe_begin(&MstUniverseGrowingSizes);
     MdtWorldSetGravity(u->world, 0, 0, -9.81);
     MeMatrix4TMMakeIdentity(ground);
     MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), 0.5, 0);
 }
 
-static void tearDown(void) {
-    assert_silent();
-    MstUniverseDestroy(u);
-}
-TEST_FIXTURE(setUp, tearDown)
+TEST_FIXTURE(setUp, NULL)
 
 static McdModelID box(double x, double y, double z) {
     McdModelID m = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 1, 1, 1), 2);
@@ -103,8 +96,7 @@ static void floorUnder(void) {
 }
 
 static void run(int steps) {
-    for (int i = 0; i < steps; i++)
-        MstUniverseStep(u, 1. / 60);
+    universe_step(steps);
 }
 
 TEST(contacts_and_their_forces) {
@@ -377,8 +369,7 @@ TEST(drawing_changes_nothing) {
     static const MstDebugDraw onlyLines = {.line = onLine, .userdata = marks};
     MeVector3 p[2];
     for (int drawn = 0; drawn < 2; drawn++) {
-        MstUniverseDestroy(u);
-        u = MstUniverseCreate(&MstUniverseGrowingSizes);
+        universe_begin(&MstUniverseGrowingSizes);
         MdtWorldSetGravity(u->world, 0, 0, -9.81);
         floorUnder();
         const McdModelID m = box(0, 0, 1);

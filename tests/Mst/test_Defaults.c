@@ -1,6 +1,5 @@
 /* What a universe gives to a program that sets nothing but gravity and friction: what friction holds stays, and what
  * bears a load does not sag. */
-#include "MdtReport.h"
 #include "Mst.h"
 #include "karma_test.h"
 

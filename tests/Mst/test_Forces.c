@@ -1,6 +1,4 @@
 /* Forces that a program computes from the state of its bodies: springs, dampers, thrusters by hand. */
-#include "MdtHinge.h"
-#include "MdtPrismatic.h"
 #include "Mst.h"
 #include "karma_test.h"
 
@@ -178,22 +176,6 @@ TEST(a_damped_spring_stays_below_its_envelope) {
 static MdtBodyID lonelyBody(MstUniverseID u) {
     MdtWorldSetAutoDisable(MstUniverseGetWorld(u), 0);
     return McdModelGetBody(MstModelAndBodyCreate(u, McdSphereCreate(MstUniverseGetFramework(u), 1), 1));
-}
-
-/* A thruster that is on for some steps gives its momentum and no more. */
-TEST(a_constant_force_acts_for_exactly_its_steps) {
-    MstUniverseID u = MstUniverseCreate(&MstUniverseGrowingSizes);
-    MdtBodyID b = lonelyBody(u);
-    const double mass = MdtBodyGetMass(b), h = 1. / 64;
-    MeVector3 v;
-    for (int i = 0; i < 64; i++) {
-        if (i % 16 < 8)
-            MdtBodyAddForce(b, 3 * mass, 0, 0);
-        MstUniverseStep(u, h);
-    }
-    MdtBodyGetLinearVelocity(b, v);
-    assert_near(v[0], 1.5, TOL(1e-6, 1e-14));
-    MstUniverseDestroy(u);
 }
 
 /* Where the program itself sets the velocity, or the place, the force of the step before says nothing. */

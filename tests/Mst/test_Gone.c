@@ -1,35 +1,21 @@
 /* What is destroyed, moved to another world or given by mistake while it touches something: one message at most, which
  * says what to do, and the scene goes on. */
-#include "McdContact.h"
-#include "McdInteractions.h"
-#include "McdModelPair.h"
-#include "MdtContact.h"
-#include "MdtContactGroup.h"
-#include "Mst.h"
-#include "karma_test.h"
+#include "universe.h"
 
 #define STEP ((MeReal)(1. / 60))
 
-static MstUniverseID u;
-static MeMatrix4 ground;
 static McdGeometryID unit;
 
 static void beginWith(const MstUniverseSizes *sizes, double gravity) {
-    u = MstUniverseCreate(sizes);
+    universe_begin(sizes);
     MdtWorldSetGravity(u->world, 0, 0, -gravity);
     MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), .5, 0);
-    MeMatrix4TMMakeIdentity(ground);
-    MstFixedModelCreate(u, McdPlaneCreate(u->frame), ground);
+    universe_addFloor();
     unit = McdBoxCreate(u->frame, sizes->lengthScale, sizes->lengthScale, sizes->lengthScale);
 }
 
 static void begin(void) {
     beginWith(&MstUniverseGrowingSizes, 9.8);
-}
-
-static void end(void) {
-    assert_silent();
-    MstUniverseDestroy(u);
 }
 
 static McdModelID add(double x, double z) {
@@ -39,8 +25,7 @@ static McdModelID add(double x, double z) {
 }
 
 static void step(int n) {
-    while (n--)
-        MstUniverseStep(u, STEP);
+    universe_step(n);
 }
 
 static double heightOf(McdModelID m) {
@@ -79,7 +64,6 @@ TEST(the_body_of_a_model_that_touches_another) {
             assert_said("MstUniverseStep", "body was destroyed");
         assert_near(heightOf(low), .5, .02);
         assert_near(heightOf(high), way == 2 ? 2.5 : 1.5, .02);
-        end();
     }
 }
 
@@ -102,7 +86,6 @@ TEST(two_models_on_one_body) {
         step(60);
         assert_near(heightOf(m), .5, .02);
         ck_assert_int_eq(MdtWorldGetTotalBodies(u->world), 1);
-        end();
     }
 }
 
@@ -124,7 +107,6 @@ TEST(a_body_of_another_world) {
         McdModelDestroy(strange);
         MdtWorldDestroy(other);
         step(2);
-        end();
     }
 }
 
@@ -167,7 +149,6 @@ TEST(the_bodies_of_a_bridges_group) {
         MstModelAndBodyDestroy(m);
         MstModelAndBodyDestroy(other);
         step(2);
-        end();
     }
 }
 
@@ -195,7 +176,6 @@ TEST(a_groups_handle_whose_record_is_used_again) {
             assert_said("MdtConstraintDestroy", "destroyed");
         }
         ck_assert_int_eq(MdtContactGroupGetCount(g), isLone ? 0 : CONTACTS);
-        end();
     }
 }
 
@@ -232,7 +212,6 @@ TEST(the_rim_of_a_contact_whose_model_has_gone) {
         if (way != 1)
             assert_said("McdContactGetRim", "destroyed");
         caught.warnings = 0;
-        end();
     }
 }
 
@@ -255,7 +234,6 @@ TEST(a_centre_of_mass_beyond_reach) {
             assert_said("MdtBodySetCenterOfMassPosition", "nothing is changed");
             step(10);
             assert_near(heightOf(m), .5, .02);
-            end();
         }
 }
 
@@ -281,7 +259,6 @@ TEST(the_depth_of_tiny_and_huge_shapes) {
         McdModelDestroy(b);
     }
     caught.warnings = 0;
-    end();
 }
 
 /* ---- through the floor ------------------------------------------------------------------------------------------- */
@@ -303,7 +280,6 @@ TEST(lengths_are_scaled_and_masses_are_not) {
                 assert_near(heightOf(m), size / 2, .01 * size);
             else
                 assert_said("MstUniverseStep", "massScale");
-            end();
         }
 }
 
@@ -331,7 +307,6 @@ TEST(boxes_in_one_place_by_the_exact_solver) {
             step(1);
             ck_assert_int_eq(countBelow(.45, m, crowd[c].boxes), 0);
         }
-        end();
     }
 }
 
@@ -377,6 +352,5 @@ TEST(a_disabled_body_that_is_moved_away) {
             countEnds(low, high, &ofBoth, &ends);
             ck_assert_msg(ofBoth == 1 && ends == 1, "way %d, step %d: %d of both, %d in all", way, i, ofBoth, ends);
         }
-        end();
     }
 }

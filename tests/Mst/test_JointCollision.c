@@ -1,9 +1,6 @@
 /* Joints whose bodies do not collide with each other: what goes, what stays, and when it comes back. */
-#include "MeTask.h"
-#include "Mst.h"
-#include "karma_test.h"
+#include "universe.h"
 
-static MstUniverseID u;
 static McdModelID arm, shoulder;
 
 static McdModelID box(double x, double y, double z) {
@@ -14,17 +11,13 @@ static McdModelID box(double x, double y, double z) {
 
 /* Two boxes that overlap by a fifth of their length, at whose middle a hinge may be. */
 static void setUp(void) {
-    u = MstUniverseCreate(&MstUniverseGrowingSizes);
+    universe_begin(&MstUniverseGrowingSizes);
     MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), 0.5, 0);
     shoulder = box(0, 0, 2);
     arm = box(0.8, 0, 2);
 }
 
-static void tearDown(void) {
-    assert_silent();
-    MstUniverseDestroy(u);
-}
-TEST_FIXTURE(setUp, tearDown)
+TEST_FIXTURE(setUp, NULL)
 
 static MdtConstraintID hinge(McdModelID a, McdModelID b, double x) {
     MdtHingeID h = MdtHingeCreate(u->world);
@@ -36,8 +29,7 @@ static MdtConstraintID hinge(McdModelID a, McdModelID b, double x) {
 }
 
 static void run(int steps) {
-    for (int i = 0; i < steps; i++)
-        MstUniverseStep(u, 1. / 60);
+    universe_step(steps);
 }
 
 /* Contacts between two bodies; with null, of all that the first one has. */
@@ -83,8 +75,7 @@ TEST(the_motion_is_that_of_filtered_models) {
     MeMatrix4 ground, end[2][2];
     MeMatrix4TMMakeIdentity(ground);
     for (int filtered = 0; filtered < 2; filtered++) {
-        MstUniverseDestroy(u);
-        u = MstUniverseCreate(&MstUniverseGrowingSizes);
+        universe_begin(&MstUniverseGrowingSizes);
         MdtWorldSetGravity(u->world, 0, 0, -9.81);
         MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), 0.5, 0);
         MstFixedModelCreate(u, McdPlaneCreate(u->frame), ground);
@@ -229,17 +220,14 @@ TEST(swept_models_pass_too) {
 /* Chains of boxes that overlap, in a heap: their joints' switches change while workers collide and commit. */
 static void heap(MeTaskPoolID pool, MeMatrix4 end[]) {
     enum { CHAINS = 40, LINKS = 6 };
-    MeMatrix4 ground;
     McdModelID m[CHAINS * LINKS];
     MdtConstraintID joint[CHAINS * LINKS] = {0};
-    MstUniverseDestroy(u);
-    u = MstUniverseCreate(&MstUniverseGrowingSizes);
+    universe_begin(&MstUniverseGrowingSizes);
     MdtWorldSetGravity(u->world, 0, 0, -9.81);
     MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), 0.5, 0);
     MdtWorldSetSolver(u->world, MdtSolverFast);
     MdtWorldSetTaskPool(u->world, pool);
-    MeMatrix4TMMakeIdentity(ground);
-    MstFixedModelCreate(u, McdPlaneCreate(u->frame), ground);
+    universe_addFloor();
     for (int i = 0; i < CHAINS * LINKS; i++) {
         const int chain = i / LINKS, k = i % LINKS;
         m[i] = box(0.8 * k + 0.1 * (chain % 3), 0.6 * (chain % 5), 0.3 + 0.52 * (chain / 5));
@@ -269,8 +257,7 @@ TEST(on_any_number_of_workers) {
         MeTaskPoolID pool = MeTaskPoolCreate(workers);
         heap(pool, shared);
         ck_assert_int_eq(memcmp(alone, shared, sizeof alone), 0);
-        MstUniverseDestroy(u);
-        u = MstUniverseCreate(&MstUniverseGrowingSizes);
+        universe_begin(&MstUniverseGrowingSizes);
         MeTaskPoolDestroy(pool);
     }
 }
@@ -282,8 +269,6 @@ TEST(bad_input) {
     MdtConstraintSetBodiesCollide(c, MEFALSE);
     assert_warned("MdtConstraintSetBodiesCollide: a");
     ck_assert(MdtConstraintGetBodiesCollide(c));
-    MdtConstraintSetBodiesCollide(0, MEFALSE);
-    assert_warned("MdtConstraintSetBodiesCollide");
-    ck_assert(!MdtConstraintGetBodiesCollide(0));
-    assert_warned("MdtConstraintGetBodiesCollide");
+    assert_refused(MdtConstraintSetBodiesCollide, 0, MEFALSE);
+    assert_none(MdtConstraintGetBodiesCollide, 0);
 }

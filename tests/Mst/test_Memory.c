@@ -1,7 +1,6 @@
 /* The memory contract of MeMemory.h, for a whole universe: only the program's functions, in pairs, no resize, no nulls,
  * nothing left; and a failing allocation is a fatal error, and then nothing worse. */
 #include "whole.h"
-#include "MeMemory.h"
 #include <stdint.h>
 
 /* ---- the program's functions, which know their blocks ------------------------------------------------------------ */

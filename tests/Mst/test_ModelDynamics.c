@@ -96,20 +96,3 @@ TEST(a_reset_puts_the_body_at_the_origin) {
     McdModelDynamicsGetAngularVelocity(model, v);
     assert_vec3_near(v, 0, 0, 0, 1e-12);
 }
-
-TEST(mass_comes_from_the_geometry) {
-    McdModelSetBody(model, body);
-    MstAutoSetMassProperties(body, model, 3);
-    assert_near_rel(MdtBodyGetMass(body), 3 * 4.1887902, TOL(1e-6, 2e-8));
-    MdtBodySetMass(body, 10);
-    MstAutoSetInertialTensor(model);
-    MeMatrix3 inertia;
-    MdtBodyGetInertiaTensor(body, inertia);
-    assert_near(inertia[1][1], .4 * 10, TOL(1e-5, 4e-14));
-    MstAutoSetMassProperties(body, model, 0);
-    assert_warned("density");
-    McdModelID plane = McdModelCreate(McdPlaneCreate(frame));
-    MstAutoSetMassProperties(body, plane, 1);
-    assert_warned("no mass properties");
-    assert_near(MdtBodyGetMass(body), 10, 0);
-}

@@ -1,62 +1,36 @@
 /* The order of both solvers' motion with contacts, without impacts met in time: bodies move by the mean of their
  * velocities. Each scene has a known answer; beside it a hundred boxes may lie in the same partition. */
-#include "Mst.h"
-#include "karma_test.h"
+#include "order.h"
 
-static const double gravity = 9.81;
+static double friction, size, mass;
 
-static MstUniverseID u;
-static double friction, size, mass, step;
-static MdtSolver solver;
-
-static const MdtSolver solvers[] = {MdtSolverFast, MdtSolverExact};
-enum { SOLVERS = sizeof solvers / sizeof *solvers };
-
-static void tearDown(void) {
-    MstUniverseDestroy(u);
+static void setUp(int which) {
+    solver = solvers[which];
+    step = 1. / 60;
+    friction = .3;
+    size = mass = 1;
 }
 
 static void begin(void) {
-    static MeMatrix4 ground;
-    tearDown();
-    u = MstUniverseCreate(&MstUniverseGrowingSizes);
-    MdtWorldSetSolver(u->world, solver);
-    MdtWorldSetTimedContacts(u->world, 0);
-    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-gravity);
-    MdtWorldSetAutoDisable(u->world, MEFALSE);
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal)friction, 0);
-    MeMatrix4TMMakeIdentity(ground);
-    MstFixedModelCreate(u, McdPlaneCreate(u->frame), ground);
+    order_begin();
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), friction, 0);
+    universe_addFloor();
 }
-
-static void setUp(void) {
-    friction = .3;
-    size = 1;
-    mass = 1;
-    step = 1. / 60;
-    u = MstUniverseCreate(0);
-}
-TEST_FIXTURE(setUp, tearDown)
 
 static MdtBodyID place(McdGeometryID geometry, double volume, double z) {
-    const MdtBodyID body = McdModelGetBody(MstModelAndBodyCreate(u, geometry, (MeReal)(mass / volume)));
-    MdtBodySetPosition(body, 0, 0, (MeReal)z);
+    const MdtBodyID body = McdModelGetBody(MstModelAndBodyCreate(u, geometry, (mass / volume)));
+    MdtBodySetPosition(body, 0, 0, z);
     return body;
 }
 
 static MdtBodyID placeBox(void) {
-    const MeReal a = (MeReal)size;
+    const MeReal a = size;
     return place(McdBoxCreate(u->frame, a, a, a / 2), size * size * size / 2, size / 4);
 }
 
 static MdtBodyID placeBall(void) {
     const double r = size / 2;
-    return place(McdSphereCreate(u->frame, (MeReal)r), 4 / 3. * ME_PI * r * r * r, r);
-}
-
-static void stepFor(double seconds) {
-    for (int i = 0, n = (int)lround(seconds / step); i < n; i++)
-        MstUniverseStep(u, (MeReal)step);
+    return place(McdSphereCreate(u->frame, r), 4 / 3. * ME_PI * r * r * r, r);
 }
 
 static double along(MdtBodyID b) {
@@ -69,7 +43,7 @@ static double along(MdtBodyID b) {
 static double slideError(double speed) {
     begin();
     const MdtBodyID box = placeBox();
-    MdtBodySetLinearVelocity(box, (MeReal)speed, 0, 0);
+    MdtBodySetLinearVelocity(box, speed, 0, 0);
     stepFor(speed / (friction * gravity) + 1);
     const double way = speed * speed / (2 * friction * gravity);
     return along(box) / way - 1;
@@ -82,13 +56,13 @@ static void expectWay(double speed) {
 }
 
 LOOP_TEST(a_box_slides_its_way, 0, SOLVERS) {
-    solver = solvers[_i];
+    setUp(_i);
     for (step = 1. / 30; step > 1. / 250; step /= 2)
         expectWay(3);
 }
 
 LOOP_TEST(so_do_small_and_heavy_ones, 0, SOLVERS) {
-    solver = solvers[_i];
+    setUp(_i);
     size = .1, mass = 100;
     expectWay(3);
     friction = .7;
@@ -101,9 +75,9 @@ LOOP_TEST(so_do_small_and_heavy_ones, 0, SOLVERS) {
 static double slopeError(MeBool isBall) {
     const double angle = .2, c = cos(angle), s = sin(angle);
     begin();
-    MdtWorldSetGravity(u->world, (MeReal)(gravity * s), 0, (MeReal)(-gravity * c));
+    MdtWorldSetGravity(u->world, (gravity * s), 0, (-gravity * c));
     friction = isBall ? .8 : .1;
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal)friction, 0);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), friction, 0);
     const MdtBodyID body = isBall ? placeBall() : placeBox();
     stepFor(1);
     const double a = isBall ? gravity * s * 5 / 7 : gravity * (s - friction * c);
@@ -111,7 +85,7 @@ static double slopeError(MeBool isBall) {
 }
 
 LOOP_TEST(down_a_slope, 0, SOLVERS) {
-    solver = solvers[_i];
+    setUp(_i);
     for (int i = 0; i < 2; i++) {
         for (step = 1. / 30; step > 1. / 250; step /= 2)
             assert_below(fabs(slopeError(i == 1)), 1e-6);
@@ -120,7 +94,7 @@ LOOP_TEST(down_a_slope, 0, SOLVERS) {
 
 /* m, after 2 s: it slides until v = 5/7 v0, and begins to roll within a step. */
 LOOP_TEST(a_ball_slides_and_then_rolls, 0, SOLVERS) {
-    solver = solvers[_i];
+    setUp(_i);
     for (int i = 0; i < 3; i++) {
         step = 1 / (60 * pow(2, i));
         begin();
@@ -139,42 +113,36 @@ static double creepOnDisc(int others) {
     begin();
     const double speed = .5 * sqrt(.5 * gravity), height = .2, z = 1;
     friction = .5;
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal)friction, 0);
-    const MdtBodyID disc =
-        McdModelGetBody(MstModelAndBodyCreate(u, McdCylinderCreate(u->frame, 2, (MeReal)height), 1000));
-    MdtBodySetPosition(disc, 0, 0, (MeReal)z);
-    MdtBodySetAngularVelocity(disc, 0, 0, (MeReal)speed);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), friction, 0);
+    const MdtBodyID disc = McdModelGetBody(MstModelAndBodyCreate(u, McdCylinderCreate(u->frame, 2, height), 1000));
+    MdtBodySetPosition(disc, 0, 0, z);
+    MdtBodySetAngularVelocity(disc, 0, 0, speed);
     const MdtHingeID hinge = MdtHingeCreate(u->world);
-    const MdtConstraintID c = MdtHingeQuaConstraint(hinge);
-    MdtHingeSetBodies(hinge, disc, 0);
-    MdtConstraintSetPosition(c, 0, 0, (MeReal)z);
-    MdtConstraintSetAxis(c, 0, 0, 1);
-    MdtHingeEnable(hinge);
-    MdtLimitSetLimitedForceMotor(MdtHingeGetLimit(hinge), (MeReal)speed, 1000000);
+    order_join(hinge, disc, 0, 0, z, upright);
+    MdtLimitSetLimitedForceMotor(MdtHingeGetLimit(hinge), speed, 1000000);
     MdtBodyID box = 0;
     for (int i = others; i >= 0; i--) {
         const double a = i == 0 ? 0 : 2 * (double)ME_PI * i / others, r = i == 0 ? 1 : .5, w = i == 0 ? .2 : .02;
-        box = McdModelGetBody(
-            MstModelAndBodyCreate(u, McdBoxCreate(u->frame, (MeReal)w, (MeReal)w, (MeReal)(w / 2)), 100));
-        MdtBodySetPosition(box, (MeReal)(r * cos(a)), (MeReal)(r * sin(a)), (MeReal)(z + height / 2 + w / 4));
-        MdtBodySetLinearVelocity(box, (MeReal)(-speed * r * sin(a)), (MeReal)(speed * r * cos(a)), 0);
-        MdtBodySetAngularVelocity(box, 0, 0, (MeReal)speed);
+        box = order_addBox(w, w / 2, 100);
+        MdtBodySetPosition(box, (r * cos(a)), (r * sin(a)), (z + height / 2 + w / 4));
+        MdtBodySetLinearVelocity(box, (-speed * r * sin(a)), (speed * r * cos(a)), 0);
+        MdtBodySetAngularVelocity(box, 0, 0, speed);
     }
     double worst = 0;
     for (int i = 0, n = (int)lround(10 / step); i < n; i++) {
         MeVector3 x;
         MeMatrix4 tm;
-        MstUniverseStep(u, (MeReal)step);
+        MstUniverseStep(u, step);
         MdtBodyGetPosition(box, x);
         MdtBodyGetTransform(disc, tm);
         const double ahead = (double)x[0] * (double)tm[1][0] + (double)x[1] * (double)tm[1][1];
-        worst = fmax(worst, fmax(fabs(hypot((double)x[0], (double)x[1]) - 1), fabs(ahead)));
+        worst = fmax(worst, fmax(fabs(hypot(x[0], x[1]) - 1), fabs(ahead)));
     }
     return worst;
 }
 
 LOOP_TEST(a_box_stays_where_it_is_on_a_driven_disc, 0, SOLVERS) {
-    solver = solvers[_i];
+    setUp(_i);
     const int max = solver == MdtSolverFast ? 100 : 20;
     for (int others = 0; others <= max; others += max / 2) {
         const double creep = creepOnDisc(others);

@@ -1,8 +1,6 @@
 /* What rag dolls cost that fall on a plane and come to lie, in factorizations, and how exact they are meanwhile. Box3D
  * opens their necks by 6e-4 m. */
-#include "MdtReport.h"
-#include "Mst.h"
-#include "karma_test.h"
+#include "universe.h"
 #include "ragdoll.h"
 
 #ifdef TEST_IS_SLOW
@@ -13,7 +11,6 @@ enum { DOLLS = 10, STEPS = 180 };
 
 enum { DEAR = 100 }; /* factorizations */
 
-static MstUniverseID u;
 static Doll doll[DOLLS];
 
 static double between(double from, double to) {
@@ -25,7 +22,7 @@ static double between(double from, double to) {
 /* Thrown and turning in any way, far from each other. */
 static void makeDolls(void) {
     static MeMatrix4 floorTM = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
-    u = MstUniverseCreate(&MstUniverseGrowingSizes);
+    universe_begin(&MstUniverseGrowingSizes);
     MdtWorldSetGravity(u->world, 0, -9.81, 0);
     MdtWorldSetAutoDisable(u->world, MEFALSE);
     MdtWorldEnableReport(u->world);
@@ -72,7 +69,6 @@ TEST(dolls_that_fall_cost_few_factorizations_and_stay_together) {
     printf("%.1f factorizations of a doll's step, %d at most, more than %d in %d steps; joints open by %.1e m, limits "
            "overrun by %.1e rad\n",
            cost.sum / (DOLLS * STEPS), cost.max, DEAR, cost.dear, open, overrun);
-    MstUniverseDestroy(u);
     assert_below(cost.sum, 20 * DOLLS * STEPS);
     ck_assert_int_le(100 * cost.dear, 2 * DOLLS * STEPS);
     ck_assert_int_le(1000 * cost.inexact, DOLLS * STEPS); /* contacts that may stick or slip: no answer settles */

@@ -2,10 +2,7 @@
  * does not tell apart: the motion is the same to the last bit, and so is what it costs, unless a number somewhere has a
  * unit of its own. Under one gravity, 9.81 m/s², the unit of time is the root of that of length: a doll of a metre
  * falls as one of a millimetre in slow motion. */
-#include "McdTriangleList.h"
-#include "MdtReport.h"
-#include "Mst.h"
-#include "karma_test.h"
+#include "universe.h"
 
 enum { MAX = 100 };
 
@@ -15,7 +12,6 @@ typedef struct Units {
 } Units;
 
 static Units units;
-static MstUniverseID u;
 static McdModelID model[MAX];
 static int count;
 static MeMatrix4 place;
@@ -63,8 +59,7 @@ static void setTimes(void) {
 }
 
 static void makeFloor(void) {
-    MeMatrix4TMMakeIdentity(place);
-    MstFixedModelCreate(u, McdPlaneCreate(u->frame), place);
+    universe_addFloor();
 }
 
 static McdModelID add(McdGeometryID shape, double x, double y, double z) {
@@ -275,7 +270,7 @@ static void begin(const Scene *scene, Units in) {
     count = 0;
     sizes.lengthScale = lengthOf(1);
     sizes.massScale = inUnits(1, 0, 1, 0);
-    u = MstUniverseCreate(&sizes);
+    universe_begin(&sizes);
     setTimes();
     MdtWorldSetGravity(u->world, 0, 0, inUnits(-9.81, 1, 0, -2));
     MdtWorldEnableReport(u->world);
@@ -324,7 +319,6 @@ static void play(const Scene *scene, Units in, Run *run) {
         for (int i = 0; i < count; i++)
             look(McdModelGetBody(model[i]), run->state[step][i]);
     }
-    MstUniverseDestroy(u);
 }
 
 /* Of the larger of 1 and the unit in which the state is told. */
@@ -397,7 +391,7 @@ static void beginAtScale(int length) {
     units = (Units){length, 0, 0};
     count = 0;
     sizes.lengthScale = lengthOf(1);
-    u = MstUniverseCreate(&sizes);
+    universe_begin(&sizes);
     MdtWorldSetGravity(u->world, 0, 0, -9.81);
     MdtContactParamsSetSurface(surface(), .5, 0);
     makeFloor();
@@ -417,7 +411,6 @@ TEST(what_falls_is_awake_and_what_lies_sleeps) {
         }
         ck_assert_msg(!isAwake(0), "awake, length 2^%d", length);
         assert_near(heightOf(0), .5, TOL(1e-5, 1e-6));
-        MstUniverseDestroy(u);
     }
     messages_forget();
 }
@@ -427,7 +420,6 @@ TEST(thresholds_of_rest_grow_with_the_scale_up_to_a_tenth_of_gravity) {
     beginAtScale(-3);
     assert_near_rel(MdtWorldGetAutoDisableVelocityThreshold(u->world), .02 / 64, 1e-6);
     assert_near_rel(MdtWorldGetAutoDisableAccelerationThreshold(u->world), .5 / 64, 1e-6);
-    MstUniverseDestroy(u);
     beginAtScale(3);
     const double tenth = .981 * .981;
     assert_near_rel(MdtWorldGetAutoDisableAccelerationThreshold(u->world), tenth, 1e-6);
@@ -438,5 +430,4 @@ TEST(thresholds_of_rest_grow_with_the_scale_up_to_a_tenth_of_gravity) {
     assert_near_rel(MdtWorldGetAutoDisableVelocityThreshold(u->world), .02 * .04 / .5, 1e-6);
     MdtWorldSetGravity(u->world, 0, 0, 0);
     assert_near_rel(MdtWorldGetAutoDisableVelocityThreshold(u->world), .02 * 64, 1e-6);
-    MstUniverseDestroy(u);
 }

@@ -1,13 +1,13 @@
 /* Floors of two tiles: a body slides over the seam between them as over a single tile, and a step stops the body. The
  * tiles are fixed boxes, parts of an aggregate, or rectangles of a triangle list. */
+#include "universe.h"
 #include "whole.h"
 
-static MstUniverseID u;
 static MeMatrix4 tiles[2];
 
 /* Lays two tiles that meet at x = 0; the second tile's top is higher by `step`. */
 static void makeFloor(double step) {
-    u = MstUniverseCreate(&MstUniverseGrowingSizes);
+    universe_begin(&MstUniverseGrowingSizes);
     MdtWorldSetGravity(u->world, 0, 0, -10);
     for (int i = 0; i < 2; i++) {
         MeMatrix4TMMakeIdentity(tiles[i]);
@@ -61,7 +61,6 @@ static double slide(int kind, double v, int rate, double step) {
     for (int i = 0; i < rate; i++)
         MstUniverseStep(u, 1. / rate);
     McdModelDynamicsGetPosition(m, p);
-    MstUniverseDestroy(u);
     return p[0] + .5;
 }
 
@@ -184,14 +183,12 @@ static double slideOver(int kind, int shape, const Floor *f) {
     MstUniverseSizes sizes = MstUniverseGrowingSizes;
     MeVector3 p;
     sizes.lengthScale = s;
-    u = MstUniverseCreate(&sizes);
+    universe_begin(&sizes);
     MdtWorldSetGravity(u->world, 0, 0, -10 * s);
     layFloor(kind, f);
     const McdModelID m = putBody(shape, f->size, speedOf(f));
-    for (int i = 0; i < stepsOf(f); i++)
-        MstUniverseStep(u, 1. / 60);
+    universe_step(stepsOf(f));
     McdModelDynamicsGetPosition(m, p);
-    MstUniverseDestroy(u);
     return p[0] / f->size + .5;
 }
 
@@ -324,16 +321,14 @@ LOOP_TEST(a_wall_stops_what_slides_along_the_floor, 0, FLOORS) {
 LOOP_TEST(the_outer_edge_of_a_floor_stops_what_comes_from_outside, 0, FLOORS) {
     for (int k = 0; k < SLIDERS; k++) {
         MeVector3 p;
-        u = MstUniverseCreate(&MstUniverseGrowingSizes);
+        universe_begin(&MstUniverseGrowingSizes);
         layFloor(_i, &(Floor){.size = 1});
         const McdModelID m = putBody(sliders[k], 1, 0);
         McdModelDynamicsSetPosition(m, 10.5, 0, 0);
         McdModelDynamicsSetLinearVelocity(m, -.8, 0, 0);
-        for (int i = 0; i < 60; i++)
-            MstUniverseStep(u, 1. / 60);
+        universe_step(60);
         McdModelDynamicsGetPosition(m, p);
         ck_assert_msg(p[0] > 10.19, "%s, shape %d: at %g", floorName[_i], sliders[k], p[0]);
-        MstUniverseDestroy(u);
     }
 }
 
@@ -341,16 +336,14 @@ LOOP_TEST(the_outer_edge_of_a_floor_stops_what_comes_from_outside, 0, FLOORS) {
 LOOP_TEST(a_wide_gap_between_tiles_has_walls, 0, FLOORS) {
     for (int k = 0; k < SLIDERS; k++) {
         MeVector3 p;
-        u = MstUniverseCreate(&MstUniverseGrowingSizes);
+        universe_begin(&MstUniverseGrowingSizes);
         layFloor(_i, &(Floor){.size = 1, .gap = 1});
         const McdModelID m = putBody(sliders[k], 1, 0);
         McdModelDynamicsSetPosition(m, .5, 0, 0);
         McdModelDynamicsSetLinearVelocity(m, .8, 0, 0);
-        for (int i = 0; i < 60; i++)
-            MstUniverseStep(u, 1. / 60);
+        universe_step(60);
         McdModelDynamicsGetPosition(m, p);
         ck_assert_msg(p[0] < .81, "%s, shape %d: at %g", floorName[_i], sliders[k], p[0]);
-        MstUniverseDestroy(u);
     }
 }
 
@@ -358,38 +351,32 @@ LOOP_TEST(a_wide_gap_between_tiles_has_walls, 0, FLOORS) {
 LOOP_TEST(a_floor_does_not_hold_what_is_beyond_its_end, 0, FLOORS) {
     for (int k = 0; k < SLIDERS; k++) {
         MeVector3 p;
-        u = MstUniverseCreate(&MstUniverseGrowingSizes);
+        universe_begin(&MstUniverseGrowingSizes);
         MdtWorldSetGravity(u->world, 0, 0, -10);
         layFloor(_i, &(Floor){.size = 1});
         const McdModelID m = putBody(sliders[k], 1, 0);
         McdModelDynamicsGetPosition(m, p);
         McdModelDynamicsSetPosition(m, 9.5, 0, p[2]);
         McdModelDynamicsSetLinearVelocity(m, .8, 0, 0);
-        for (int i = 0; i < 90; i++)
-            MstUniverseStep(u, 1. / 60);
+        universe_step(90);
         McdModelDynamicsGetPosition(m, p);
         ck_assert_msg(p[0] > 10.5 && p[2] < -.5, "%s, shape %d: at %g %g", floorName[_i], sliders[k], p[0], p[2]);
-        MstUniverseDestroy(u);
     }
 }
 
 /* The first tile is replaced by a plane at the height of the second tile's top. */
 TEST(a_tile_that_is_flush_with_a_plane_is_not_felt) {
-    static MeMatrix4 ground;
     MeVector3 p;
     for (int k = 0; k < SLIDERS; k++) {
-        u = MstUniverseCreate(&MstUniverseGrowingSizes);
+        universe_begin(&MstUniverseGrowingSizes);
         MdtWorldSetGravity(u->world, 0, 0, -10);
-        MeMatrix4TMMakeIdentity(ground);
-        MstFixedModelCreate(u, McdPlaneCreate(u->frame), ground);
+        universe_addFloor();
         placeTile(1, &(Floor){.size = 1});
         MstFixedModelCreate(u, McdBoxCreate(u->frame, 10, 10, 2), tiles[1]);
         const McdModelID m = putBody(sliders[k], 1, .8);
-        for (int i = 0; i < 90; i++)
-            MstUniverseStep(u, 1. / 60);
+        universe_step(90);
         McdModelDynamicsGetPosition(m, p);
         assert_near(p[0] + .5, 1.2, TOL(2e-5, 1e-8));
-        MstUniverseDestroy(u);
     }
 }
 
@@ -404,7 +391,7 @@ static int contactsOf(McdModelID m) {
 /* A box at rest before the second tile, without gravity, touches the first tile only. When the first tile is destroyed,
  * the second tile's edge becomes an outer edge. */
 TEST(an_edge_is_tested_again_when_its_neighbour_goes) {
-    u = MstUniverseCreate(&MstUniverseGrowingSizes);
+    universe_begin(&MstUniverseGrowingSizes);
     const Floor f = {.size = 1};
     McdModelID tile[2];
     for (int i = 0; i < 2; i++) {
@@ -413,12 +400,10 @@ TEST(an_edge_is_tested_again_when_its_neighbour_goes) {
     }
     const McdModelID m = putBody(BOX, 1, 0);
     McdModelDynamicsSetPosition(m, -.203, 0, .05);
-    for (int i = 0; i < 3; i++)
-        MstUniverseStep(u, 1. / 60);
+    universe_step(3);
     ck_assert_int_eq(contactsOf(m), 4);
     MstFixedModelDestroy(tile[0]);
     MstUniverseStep(u, 1. / 60);
     MstUniverseStep(u, 1. / 60);
     ck_assert_int_eq(contactsOf(m), 2);
-    MstUniverseDestroy(u);
 }

@@ -1,9 +1,9 @@
 /* The sizes of a universe: what has no room is said once, in the program's words; sizes of 0 have no limits; universes
  * in several threads at once. */
+#include "universe.h"
 #include "whole.h"
 #include <pthread.h>
 
-static MstUniverseID u;
 static MeMatrix4 ground = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
 
 static MstUniverseSizes sizesOf(unsigned int all) {
@@ -23,19 +23,18 @@ static McdModelID makeBall(MstUniverseID universe, double radius, double x, doub
  * until the program has put them elsewhere. */
 TEST(models_have_no_pairs_before_their_first_place_is_known) {
     McdModelID m[98];
-    u = MstUniverseCreate(NULL);
+    universe_begin(NULL);
     for (int i = 0; i < 98; i++)
         m[i] = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, .4), 1000);
     MstModelAndBodyDestroy(m[97]);
     for (int i = 0; i < 97; i++)
         McdModelDynamicsSetPosition(m[i], (MeReal)i, 0, 5);
-    MstUniverseStep(u, (MeReal)(1. / 60));
-    MstUniverseDestroy(u);
+    MstUniverseStep(u, 1. / 60);
 }
 
 /* The same while the universe runs; and bodies that sleep at once are met where they are, not at the origin. */
 TEST(a_body_that_is_disabled_before_its_first_step_is_where_it_was_put) {
-    u = MstUniverseCreate(NULL);
+    universe_begin(NULL);
     MdtWorldSetGravity(u->world, 0, 0, -9.8);
     MstUniverseStep(u, 1. / 60);
     const McdModelID below = makeBall(u, .5, 7, 0, 0), above = makeBall(u, .4, 7, 0, 1.2);
@@ -45,8 +44,7 @@ TEST(a_body_that_is_disabled_before_its_first_step_is_where_it_was_put) {
         other[i] = makeBall(u, .4, -i, 0, -20);
     MstModelAndBodyDestroy(other[39]);
     MeVector3 p, q;
-    for (int i = 0; i < 30; i++)
-        MstUniverseStep(u, 1. / 60);
+    universe_step(30);
     int count;
     const MstEvent *event = MstUniverseGetEvents(u, &count);
     ck_assert_int_ge(count, 1);
@@ -54,7 +52,6 @@ TEST(a_body_that_is_disabled_before_its_first_step_is_where_it_was_put) {
     McdModelDynamicsGetPosition(above, p);
     McdModelDynamicsGetPosition(below, q);
     ck_assert(p[2] - q[2] > (MeReal).85); /* it has woken it, and is not through it */
-    MstUniverseDestroy(u);
 }
 
 /* ---- what is said where there is no room ------------------------------------------------------------------------- */
@@ -83,7 +80,7 @@ static void assertSaidOnce(const char *function, const char *member) {
 static MeHandler warning;
 
 static void beginListening(const MstUniverseSizes *sizes) {
-    u = MstUniverseCreate(sizes);
+    universe_begin(sizes);
     said = 0;
     words[0] = 0;
     warning = MeSetWarningHandler(listen);
@@ -91,7 +88,6 @@ static void beginListening(const MstUniverseSizes *sizes) {
 
 static void endListening(void) {
     MeSetWarningHandler(warning);
-    MstUniverseDestroy(u);
 }
 
 TEST(too_many_models_name_the_size_once) {
@@ -136,8 +132,7 @@ TEST(too_many_constraints_name_the_size_once) {
     beginListening(&sizes);
     for (int i = 0; i < 4; i++) /* contacts */
         makeBall(u, 1, 1.9 * i, 0, 0);
-    for (int i = 0; i < 5; i++)
-        MstUniverseStep(u, 1. / 60);
+    universe_step(5);
     assertSaidOnce("MstUniverseStep", "dynamicConstraintsMaxCount");
     endListening();
 }
@@ -148,8 +143,7 @@ TEST(too_many_pairs_name_the_size_once) {
     beginListening(&sizes);
     for (int i = 0; i < 20; i++)
         makeBall(u, 1, .1 * i, 0, 0);
-    for (int i = 0; i < 3; i++)
-        MstUniverseStep(u, 1. / 60);
+    universe_step(3);
     makeBall(u, 1, 0, .1, 0);
     MstUniverseStep(u, 1. / 60);
     assertSaidOnce("MstUniverseStep", "collisionPairsMaxCount");
@@ -231,13 +225,11 @@ TEST(a_universe_of_sizes_0_takes_3000_bodies_and_1500_joints_without_a_message) 
     MdtBodyID first = 0;
     u = makeField(&MstUniverseGrowingSizes, 39, &first); /* 3042 bodies, 1521 joints */
     const MdtBodyID before = first;
-    for (int i = 0; i < 3; i++)
-        MstUniverseStep(u, 1. / 60);
+    universe_step(3);
     ck_assert_int_eq(MdtWorldGetTotalBodies(u->world), 3042);
     ck_assert_int_gt(MdtWorldGetTotalConstraints(u->world), 1521 + 1000); /* contacts too */
     ck_assert_int_eq(MdtWorldGetMaxBodies(u->world), MeNoLimit);
     MdtBodyAddForce(before, 0, 0, 1); /* the first handle is good yet */
-    MstUniverseDestroy(u);
 }
 
 TEST(a_growing_universe_moves_as_one_of_fixed_sizes_bit_by_bit) {
@@ -257,7 +249,6 @@ TEST(a_growing_universe_moves_as_one_of_fixed_sizes_bit_by_bit) {
             MstUniverseStep(u, 1. / 60);
             hash[k] = hashOf(u, hash[k]);
         }
-        MstUniverseDestroy(u);
     }
     ck_assert_int_eq((int)hash[0], (int)hash[1]);
     ck_assert(hash[0] != 1);
@@ -265,7 +256,7 @@ TEST(a_growing_universe_moves_as_one_of_fixed_sizes_bit_by_bit) {
 
 /* Addresses of parameters hold while materials come. */
 TEST(a_bridge_of_size_0_takes_300_materials_whose_parameters_stay) {
-    u = MstUniverseCreate(&MstUniverseGrowingSizes);
+    universe_begin(&MstUniverseGrowingSizes);
     MdtContactParamsID of[300];
     for (int i = 0; i < 300; i++) {
         const MstMaterialID m = MstBridgeGetNewMaterial(u->bridge);
@@ -277,7 +268,6 @@ TEST(a_bridge_of_size_0_takes_300_materials_whose_parameters_stay) {
         ck_assert_ptr_eq(MstBridgeGetContactParams(u->bridge, 0, (MstMaterialID)(i + 1)), of[i]);
         assert_near(MdtContactParamsGetRestitution(of[i]), (MeReal)i / 300, 0);
     }
-    MstUniverseDestroy(u);
 }
 
 TEST(worlds_frameworks_and_spaces_by_hand_grow_too) {

@@ -1,14 +1,6 @@
 /* What wakes a sleeper: every change that would move it (docs/simulation.md, "Sleep"). */
-#include "McdBox.h"
-#include "MdtBSJoint.h"
-#include "MdtHinge.h"
-#include "MdtPrismatic.h"
-#include "MdtSpring.h"
-#include "Mst.h"
-#include "karma_test.h"
-#include <math.h>
+#include "universe.h"
 
-static MstUniverseID u;
 static MdtWorldID w;
 static McdFrameworkID frame;
 static MeMatrix4 places[16];
@@ -29,8 +21,7 @@ static McdModelID makeBox(double edge, double x, double z) {
 }
 
 static void step(int n) {
-    while (n--)
-        MstUniverseStep(u, 1. / 60);
+    universe_step(n);
 }
 
 static double height(McdModelID m) {
@@ -45,7 +36,7 @@ static MeBool isAwake(McdModelID m) {
 
 static void makeWorld(void) {
     placeCount = 0;
-    u = MstUniverseCreate(&MstUniverseGrowingSizes);
+    universe_begin(&MstUniverseGrowingSizes);
     w = MstUniverseGetWorld(u);
     frame = MstUniverseGetFramework(u);
     MdtWorldSetGravity(w, 0, 0, -9.8);
@@ -64,10 +55,6 @@ static void setUp(void) {
     support = makeFixed(McdBoxCreate(frame, 4, 4, 1), 0, 0, -.5);
     sleeper = makeBox(.5, 0, .25);
     fallAsleep();
-}
-
-static void tearDown(void) {
-    MstUniverseDestroy(u);
 }
 
 /* ---- what holds it up goes --------------------------------------------------------------------------------------- */
@@ -125,7 +112,6 @@ TEST(what_loses_its_support_falls) {
         if (changes[i] == moveFrozenSupport || changes[i] == lowerFrozenSupport)
             assert_warned("McdSpaceUnfreezeModel");
         assert_silent();
-        tearDown();
     }
 }
 
@@ -206,7 +192,6 @@ TEST(what_is_pushed_moves) {
             max = changes[i] == dropOnto && isAwake(sleeper) ? 1 : max;
         }
         ck_assert_msg(max > .01, "change %d: moved by %g", i, max);
-        tearDown();
     }
 }
 
@@ -281,7 +266,6 @@ TEST(a_joint_that_changes_moves_its_body) {
         McdModelDynamicsGetQuaternion(sleeper, q);
         ck_assert_msg(fabs((double)p[0] - (double)p0[0]) + fabs((double)p[2] - (double)p0[2]) + fabs(q[2]) > .05,
                       "change %d", i);
-        tearDown();
     }
 }
 
@@ -294,7 +278,6 @@ TEST(what_grows_into_a_sleeper_wakes_it) {
     McdBoxSetDimensions(McdModelGetGeometry(wall), 4.2, 1, 1);
     step(2);
     ck_assert(isAwake(sleeper) && McdSpaceModelIsFrozen(wall));
-    tearDown();
 }
 
 /* What is set to the value that it has is no change, nor is what is only read. */
@@ -308,7 +291,6 @@ TEST(what_changes_nothing_wakes_nobody) {
         step(1);
         ck_assert(!isAwake(sleeper));
     }
-    tearDown();
 }
 
 /* A sleeper by the side of one whose inputs change. */
@@ -325,7 +307,6 @@ TEST(a_change_elsewhere_wakes_nobody) {
         ck_assert(!isAwake(sleeper));
     }
     ck_assert(McdSpaceModelIsFrozen(support) && isAwake(other));
-    tearDown();
 }
 
 /* ---- models that programs move ----------------------------------------------------------------------------------- */
@@ -353,7 +334,6 @@ TEST(what_is_moved_pushes_sleepers) {
             }
             step(60); /* it stops: no velocity is left over */
             ck_assert(fabs(height(sleeper) - .25 - (up ? (double)tm[3][2] + .5 : 0)) < .02 || v > 2);
-            tearDown();
         }
 }
 
@@ -369,5 +349,4 @@ TEST(what_is_moved_aside_carries_nothing) {
     McdModelDynamicsGetPosition(sleeper, p);
     assert_near(p[0], 0, 1e-3);
     assert_near(p[2], .25, 1e-3);
-    tearDown();
 }

@@ -1,10 +1,8 @@
 /* The worst steps of small scenes (tests/states): no step costs a frame because contacts do not settle. Work is counted
  * in factorizations; docs/lab/speed.md has their times ("The worst step"). */
-#include "MdtReport.h"
 #include "karma_test.h"
 #include "twelve.h"
 #include "wall.h"
-#include <string.h>
 
 enum { STEPS = 600 };
 

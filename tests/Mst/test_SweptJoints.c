@@ -1,11 +1,9 @@
 /* Swept bodies with joints: a part of a step, however short, corrects its share of a joint's error and no more. */
-#include "Mst.h"
-#include "karma_test.h"
+#include "universe.h"
 
 #define STEP (1. / 60)
 enum { MAX = 12 };
 
-static MstUniverseID u;
 static McdModelID box[MAX];
 static int count;
 static MeU32 seed;
@@ -17,14 +15,12 @@ static double between(double low, double high) {
 
 /* An empty universe with a plane at z = 0, and materials that rebound and rub. */
 static void begin(MeU32 number) {
-    static MeMatrix4 place;
     seed = number * 7919 + 1;
     count = 0;
-    u = MstUniverseCreate(0);
+    universe_begin(0);
     MdtWorldSetGravity(u->world, 0, 0, -10);
     MdtWorldSetAutoDisable(u->world, 0);
-    MeMatrix4TMMakeIdentity(place);
-    MstFixedModelCreate(u, McdPlaneCreate(u->frame), place);
+    universe_addFloor();
     MdtContactParamsID params = MstBridgeGetContactParams(u->bridge, 0, 0);
     MdtContactParamsSetType(params, MdtContactTypeFriction2D);
     MdtContactParamsSetFrictionModel(params, MdtFrictionModelCone);
@@ -87,7 +83,6 @@ static double throwChain(MeU32 number) {
     for (int i = 0; i < 5; i++)
         hinge(box[i], box[i + 1]);
     const double gain = largestGain(20);
-    MstUniverseDestroy(u);
     return gain;
 }
 
@@ -105,7 +100,6 @@ static double dropPairs(MeU32 number) {
         hinge(box[count - 2], box[count - 1]);
     }
     const double gain = largestGain(30);
-    MstUniverseDestroy(u);
     return gain;
 }
 

@@ -1,8 +1,6 @@
 /* Workers (MdtWorldSetTaskPool, MdtWorldSetTaskCallbacks): a simulation is the same to the last bit on any number of
  * threads, with any way of running tasks. */
 #include "Mst.h"
-#include "MdtReport.h"
-#include "MeTask.h"
 #include "jobs.h"
 #include "karma_test.h"
 #include <stdint.h>
@@ -281,10 +279,8 @@ TEST(workers_are_counted_and_their_time_is_told) {
 
 TEST(bad_workers_are_refused) {
     const MdtWorldID w = MdtWorldCreate(1, 1, 1, 1);
-    MdtWorldSetTaskCallbacks(w, 0, startJob, waitForJob, NULL);
-    assert_warned("MdtWorldSetTaskCallbacks");
-    MdtWorldSetTaskCallbacks(w, MeTaskMaxWorkers + 1, startJob, waitForJob, NULL);
-    assert_warned("MdtWorldSetTaskCallbacks");
+    assert_refused(MdtWorldSetTaskCallbacks, w, 0, startJob, waitForJob, NULL);
+    assert_refused(MdtWorldSetTaskCallbacks, w, MeTaskMaxWorkers + 1, startJob, waitForJob, NULL);
     MdtWorldSetTaskCallbacks(w, 2, NULL, waitForJob, NULL);
     assert_warned("enqueue");
     MdtWorldSetTaskCallbacks(w, 2, startJob, NULL, NULL);

@@ -1,62 +1,20 @@
 /* What a program forgets, or gets wrong without an error: it is told once, with what to call. */
-#include "McdAggregate.h"
-#include "McdCone.h"
-#include "McdQuery.h"
-#include "MdtHinge.h"
-#include "Mst.h"
-#include "karma_test.h"
-
-static MstUniverseID u;
-static MeMatrix4 ground;
+#include "universe.h"
 
 static void begin(void) {
-    u = MstUniverseCreate(&MstUniverseGrowingSizes);
+    universe_begin(&MstUniverseGrowingSizes);
     MdtWorldSetGravity(u->world, 0, 0, -9.8);
-    MeMatrix4TMMakeIdentity(ground);
-    MstFixedModelCreate(u, McdPlaneCreate(u->frame), ground);
-}
-
-static void end(void) {
-    MstUniverseDestroy(u);
+    universe_addFloor();
 }
 
 static void step(int n) {
-    while (n--)
-        MstUniverseStep(u, 1. / 60);
+    universe_step(n);
 }
 
 static McdModelID addBox(double x, double z) {
     McdModelID m = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 1, 1, 1), 1000);
     McdModelDynamicsSetPosition(m, x, 0, z);
     return m;
-}
-
-/* Newtons, of a friction that is off. */
-TEST(a_bound_of_friction_without_a_type) {
-    for (int isOn = 0; isOn < 2; isOn++) {
-        begin();
-        MdtContactParamsID p = MstBridgeGetContactParams(u->bridge, 0, 0);
-        MdtContactParamsSetFriction(p, .5);
-        if (isOn)
-            MdtContactParamsSetType(p, MdtContactTypeFriction2D);
-        addBox(0, .5);
-        step(2);
-        if (!isOn)
-            assert_warned("MdtContactParamsSetType");
-        step(100);
-        assert_silent();
-        end();
-    }
-}
-
-TEST(a_negative_force_of_a_motor) {
-    begin();
-    MdtHingeID j = MdtHingeCreate(u->world);
-    MdtLimitSetLimitedForceMotor(MdtHingeGetLimit(j), 1, -50);
-    assert_warned("MdtLimitSetLimitedForceMotor");
-    ck_assert(!MdtLimitIsMotorized(MdtHingeGetLimit(j)) && MdtLimitGetMotorMaxForce(MdtHingeGetLimit(j)) == 0);
-    MdtLimitSetLimitedForceMotor(MdtHingeGetLimit(j), 1, 0);
-    end();
 }
 
 /* One that is never enabled; not one that was, nor one that has no bodies yet. */
@@ -76,7 +34,6 @@ TEST(a_motor_on_a_joint_that_is_not_enabled) {
             assert_warned("MdtHingeEnable");
         step(130);
         assert_silent();
-        end();
     }
 }
 
@@ -109,7 +66,6 @@ TEST(a_centre_of_mass_that_is_elsewhere) {
             addHammer();
         step(20);
         assert_silent(); /* once a world */
-        end();
     }
 }
 
@@ -125,7 +81,6 @@ TEST(a_matrix_that_is_none_any_more) {
     step(1);
     assert_warned("number 2, a Box) or box is not finite");
     step(10);
-    end();
 }
 
 /* Rays, casts and overlaps meet no sensors, unless the program says so. */
@@ -149,7 +104,6 @@ TEST(queries_meet_sensors_if_they_are_asked_to) {
         ck_assert_int_eq(McdSpaceGetClosest(u->space, McdSphereCreate(u->frame, 1), tm, 1, 0, 0, &closest), on);
     }
     McdSpaceBeginChanges(u->space);
-    end();
 }
 
 /* A bridge collides the spaces of its framework that are no other bridge's, and nothing else. */
@@ -174,5 +128,4 @@ TEST(a_space_that_a_bridge_may_not_collide) {
     assert_warned("MstBridgeUpdateContacts: s is null");
     MstBridgeDestroy(second);
     MstUniverseDestroy(other);
-    end();
 }

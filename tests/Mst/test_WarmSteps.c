@@ -9,14 +9,10 @@
  * What is cold takes few blocks too: they double, as the number of pairs does that touch.
  *
  * Once with pools of fixed sizes, and once with pools that grow. The program asks for the events of every step. */
-#include "MdtReport.h"
-#include "MeMemory.h"
-#include "Mst.h"
-#include "karma_test.h"
+#include "universe.h"
 
 enum { BOXES = 100, FALL = 120, WARM_FALLS = 2, FALLS = 4 };
 
-static MstUniverseID u;
 static MdtBodyID body[BOXES];
 static unsigned int seed;
 static int allocations;
@@ -63,7 +59,7 @@ static void makePlane(int across, int up, int normal, MeReal direction, MeReal d
 /* A bin of 5 m by 5 m. The budget bounds the time of the test: some steps are solved exactly, others finished by
  * sweeps. */
 static void makeWorld(const MstUniverseSizes *sizes) {
-    u = MstUniverseCreate(sizes);
+    universe_begin(sizes);
     MdtWorldSetGravity(u->world, 0, -9.81, 0);
     MdtWorldSetWorkBudget(u->world, 5);
     MdtWorldEnableReport(u->world);
@@ -194,7 +190,6 @@ static Falls runFalls(const MstUniverseSizes *sizes) {
         else
             noteStep(&f, allocated);
     }
-    MstUniverseDestroy(u);
     return f;
 }
 

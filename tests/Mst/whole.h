@@ -5,11 +5,6 @@
 #define WHOLE_H
 
 #include "Mst.h"
-#include "Mcd.h"
-#include "Mdt.h"
-#include "McdBatch.h"
-#include "McdCullingTable.h"
-#include "McduRequestTable.h"
 #include "karma_test.h"
 
 enum { WHOLE_MODELS = 24, WHOLE_HEIGHTS = 8 };
