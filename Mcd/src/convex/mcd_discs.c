@@ -1,6 +1,9 @@
 /* Solids of revolution between two discs about z: cylinders and cones. */
 #include "convex/mcd_kind_i.h"
 
+/* Sine of the angle between axis and normal up to which a disc touches flat, with its face; beyond, with its rim. */
+static const double flatSine = .05;
+
 /* The lower disc and the upper one. */
 typedef struct Discs {
     double radius[2], height[2];
@@ -45,21 +48,33 @@ static int sectorOf(double x, double y) {
     return x < 0 ? 8 + quarter : 15 - quarter;
 }
 
-/* Makes the rim of a disc a polygon of 16 fixed corners, counter-clockwise seen from the side of z = side, and adds
- * the support point along d (own axes) where no fixed corner is as far. */
-static void makeDiscFace(const McdShape *s, const double d[3], double radius, double height, double side, McdFace *f) {
-    enum { RIM = 16, FARTHEST = 63 };
+enum { RIM = 16, FARTHEST = 63 };
+
+/* The rim of a tilted disc: a regular pentagon, one corner of which is the support point, in the direction (x, y). With
+ * corners that are fixed on the disc it could not roll. It rolls from corner to corner if it turns by more than
+ * tan(36 degrees) in a step. */
+static void makeTiltedRim(const McdShape *s, double x, double y, double radius, double height, double side,
+                          McdFace *f) {
+    enum { CORNERS = 5 };
+    static const double cosine[CORNERS] = {1, .30901699437494742, -.80901699437494742, -.80901699437494742,
+                                           .30901699437494742},
+                        sine[CORNERS] = {0, .95105651629515357, .58778525229247313, -.58778525229247313,
+                                         -.95105651629515357};
+    for (int i = 0; i < CORNERS; i++)
+        mcd_faceAdd(s, f, radius * (cosine[i] * x - sine[i] * y), side * radius * (sine[i] * x + cosine[i] * y), height,
+                    (MeU32)(FARTHEST - i));
+}
+
+/* The rim of a disc that lies flat: a polygon of 16 fixed corners, and the support point, in the direction (x, y),
+ * where no fixed corner is as far by a share `across` of the radius. */
+static void makeFlatRim(const McdShape *s, double x, double y, double across, double radius, double height, double side,
+                        McdFace *f) {
     static const double cosine[RIM] = {1,  .9238795325112867,  .7071067811865476,  .3826834323650898,
                                        0,  -.3826834323650898, -.7071067811865476, -.9238795325112867,
                                        -1, -.9238795325112867, -.7071067811865476, -.3826834323650898,
                                        0,  .3826834323650898,  .7071067811865476,  .9238795325112867};
-    const double across = sqrt(d[0] * d[0] + d[1] * d[1]), x = across > 0 ? d[0] / across : 1,
-                 y = across > 0 ? side * d[1] / across : 0;
     const int after = sectorOf(x, y), before = (after + 1) % RIM; /* fixed corners beside the support point */
     double centre[3], u[3], w[3];
-    mcd_shapeDirection(s, 0, 0, side, f->normal);
-    f->id = side > 0;
-    f->isDisc = METRUE;
     mcd_mad(centre, s->place, height, s->axis[2]);
     mcd_scale(u, s->axis[0], radius);
     mcd_scale(w, s->axis[1], side * radius);
@@ -75,6 +90,19 @@ static void makeDiscFace(const McdShape *s, const double d[3], double radius, do
         if ((1 - MeMAX(here, next)) * across > mcd_slack)
             mcd_faceAdd(s, f, radius * x, side * radius * y, height, FARTHEST);
     }
+}
+
+/* The face of a disc in the direction d (own axes), counter-clockwise seen from the side of z = side. */
+static void makeDiscFace(const McdShape *s, const double d[3], double radius, double height, double side, McdFace *f) {
+    const double across = sqrt(d[0] * d[0] + d[1] * d[1]), x = across > 0 ? d[0] / across : 1,
+                 y = across > 0 ? side * d[1] / across : 0;
+    mcd_shapeDirection(s, 0, 0, side, f->normal);
+    f->id = side > 0;
+    f->isDisc = METRUE;
+    if (across > flatSine)
+        makeTiltedRim(s, x, y, radius, height, side, f);
+    else
+        makeFlatRim(s, x, y, across, radius, height, side, f);
 }
 
 /* The generator line of the side that faces the direction d (own axes). */
@@ -126,12 +154,12 @@ double mcd_discsRadius(const McdShape *s, const double outward[3], const double 
 /* The radius of the circle about the axis that the contact point lies on, on a rim or on the side; 0 where the
  * normal is within .05 rad of the axis: a disc touches flat. */
 double mcd_discsRim(const McdShape *s, const double outward[3], const double point[3]) {
-    static const double min = .05, near = .9987502603949663; /* rad; cos(.05) */
+    static const double near = .9987502603949663; /* cos(.05) */
     const double up = mcd_dot(s->axis[2], outward);
     double offset[3], aside[3];
     mcd_sub(offset, point, s->place);
     mcd_mad(offset, offset, -mcd_dot(offset, s->axis[2]), s->axis[2]);
     mcd_mad(aside, outward, -up, s->axis[2]);
     const double rim = mcd_length(offset), sine = mcd_length(aside);
-    return sine > min && mcd_dot(offset, aside) > near * rim * sine ? rim : 0;
+    return sine > flatSine && mcd_dot(offset, aside) > near * rim * sine ? rim : 0;
 }
