@@ -170,6 +170,7 @@ struct _McdContact {
     double exactSeparation;  /**< The separation before rounding to MeReal: use McdContactGetSeparation. */
     double exactPosition[3]; /**< The position before rounding to MeReal: use McdContactGetPosition. */
     double radius[2];        /**< Radii of both surfaces, where round: use McdContactGetRadius. */
+    int vertices;            /**< Bit k: a vertex of model k touches: use McdContactIsVertex. */
 };
 
 /** The result of McdIntersect. Set the first three members before the call. */

@@ -43,6 +43,13 @@ MEPUBLIC double MEAPI McdContactGetRadius(const McdContact *c, int side);
 MEPUBLIC double MEAPI McdContactGetRim(const McdContact *c, int side, double axis[3]);
 
 /**
+ * Whether a vertex of a polyhedral model touches: the contact point then moves with this model. False for points
+ * inside of edges and faces, for round surfaces, and for rims. `side` and bad arguments as for McdContactGetRadius.
+ * Beyond Karma.
+ */
+MEPUBLIC MeBool MEAPI McdContactIsVertex(const McdContact *c, int side);
+
+/**
  * Contact reduction: chooses at most @a nContacts_dest contacts that support as well as all of them: spread as far as
  * possible, with different normals, including the deepest. They are copied in their original order.
  * @param avgNormal        the faces' normal, for faceNormalsFirst; may be null.

@@ -143,8 +143,10 @@ MEPUBLIC void MEAPI McdModelPairForgetTest(McdModelPair *p);
 typedef struct McdExactContact {
     double position[3], separation, radius[2]; /**< m */
     double rim[2], axis[2][3];                 /**< m, unit; the axis is set only if there is a rim */
+    MeBool isVertex[2];
 } McdExactContact;
-/** The results of McdContactGetPosition, McdContactGetSeparation, McdContactGetRadius and McdContactGetRim in one
+/** The results of McdContactGetPosition, McdContactGetSeparation, McdContactGetRadius, McdContactGetRim and
+ *  McdContactIsVertex in one
  *  call, without their checks: @a c must be a contact. */
 MEPUBLIC void MEAPI McdContactGetExact(const McdContact *c, McdExactContact *exact);
 

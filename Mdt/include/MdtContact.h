@@ -78,6 +78,13 @@ MEPUBLIC MeReal MEAPI MdtContactGetRadius(const MdtContactID c, const unsigned i
 MEPUBLIC void MEAPI MdtContactSetRim(const MdtContactID c, const unsigned int bodyindex, const MeReal radius,
                                      const MeVector3 axis);
 MEPUBLIC MeReal MEAPI MdtContactGetRim(const MdtContactID c, const unsigned int bodyindex, MeVector3 axis);
+/**
+ * Whether a vertex of the body touches: within a step the contact then moves with this body, as when a box rocks on
+ * its corners. False, the default: the contact moves with the rotation that both bodies have in common. A circle or a
+ * radius takes precedence. Beyond Karma.
+ */
+MEPUBLIC void MEAPI MdtContactSetVertex(const MdtContactID c, const unsigned int bodyindex, const MeBool isVertex);
+MEPUBLIC MeBool MEAPI MdtContactIsVertex(const MdtContactID c, const unsigned int bodyindex);
 /** Feature id: a number by which the contact's maker recognizes it in the next step. Not used otherwise. Default 0. */
 MEPUBLIC void MEAPI MdtContactSetFeature(const MdtContactID c, const MeU32 feature);
 MEPUBLIC MeU32 MEAPI MdtContactGetFeature(const MdtContactID c);

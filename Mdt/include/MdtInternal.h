@@ -68,6 +68,7 @@ typedef struct MdtFoundContact {
     MeReal normal[3];          /**< direction in which the group's first body is pushed; not zero, of any length */
     MeReal radius[2];          /**< m, for each of the group's bodies: MdtContactSetRadius */
     double rim[2], axis[2][3]; /**< m, unit vectors, likewise: MdtContactSetRim */
+    MeBool isVertex[2];        /**< likewise: MdtContactSetVertex */
     MeU32 feature;             /**< MdtContactSetFeature */
     const MdtBclContactParams *params; /**< copied */
 } MdtFoundContact;

@@ -70,7 +70,8 @@ static void expectExact(const McdContact *c) {
     ck_assert(memcmp(position, exact.position, sizeof position) == 0);
     ck_assert(exact.separation == McdContactGetSeparation(c));
     for (int k = 0; k < 2; k++) {
-        ck_assert(exact.radius[k] == McdContactGetRadius(c, k) && exact.rim[k] == McdContactGetRim(c, k, axis));
+        ck_assert(exact.radius[k] == McdContactGetRadius(c, k) && exact.rim[k] == McdContactGetRim(c, k, axis) &&
+                  exact.isVertex[k] == McdContactIsVertex(c, k));
         ck_assert(!(exact.rim[k] > 0) || memcmp(axis, exact.axis[k], sizeof axis) == 0);
     }
 }
@@ -254,6 +255,26 @@ TEST(a_leaning_disc_touches_with_its_rim) {
     assert_vec3_near(axis, sin(.5), 0, cos(.5), TOL(1e-7, 1e-12));
 }
 
+/* A box that leans, by its lower edge or on a corner, on a plane; on the edge of another box; and a disc. */
+TEST(vertices_are_told_from_edges_and_rims) {
+    for (int kind = 0; kind < 4; kind++) {
+        const double lean = kind == 3 ? .5 : .3, c = cos(lean), s = sin(lean);
+        Probe p;
+        setUp(&p);
+        const McdGeometryID shape =
+            kind == 3 ? McdCylinderCreate(p.frame, 2, 1) : McdBoxCreate(p.frame, 2, kind == 2 ? 20 : 2, 2);
+        place(&p, 0, shape, 0, 0, kind == 3 ? .5 * c + 2 * s : kind == 2 ? 1 + c + s : c + s);
+        place(&p, 1, kind == 2 ? McdBoxCreate(p.frame, 20, 2, 2) : McdPlaneCreate(p.frame), 0, 0, 0);
+        MeVector3Set(p.tm[0][0], c, 0, -s);
+        MeVector3Set(p.tm[0][2], s, 0, c);
+        const McdContact *contact = meet(&p);
+        ck_assert(!McdContactIsVertex(contact, 0) == (kind >= 2) && !McdContactIsVertex(contact, 1));
+        expectExactOf(contact);
+        clear(&p);
+        McdTerm(p.frame);
+    }
+}
+
 TEST(the_separation_is_told_in_double) {
     Probe p;
     const MeReal x = .1, y = (MeReal).2, z = (MeReal).4, radius = (MeReal).23;
@@ -343,6 +364,10 @@ TEST(what_is_no_contact_or_no_side_gets_a_warning) {
     assert_warned("McdContactGetRadius: no contact");
     ck_assert(McdContactGetRadius(&c, 2) == 0);
     assert_warned("McdContactGetRadius: side must be 0");
+    ck_assert(!McdContactIsVertex(0, 0));
+    assert_warned("McdContactIsVertex: no contact");
+    ck_assert(!McdContactIsVertex(&c, 2));
+    assert_warned("McdContactIsVertex: side must be 0");
     double axis[3];
     ck_assert(McdContactGetRim(0, 0, axis) == 0);
     assert_warned("McdContactGetRim: no contact");

@@ -140,7 +140,11 @@ TEST(a_rim_is_a_radius_and_an_axis) {
     assert_refused(MdtContactSetRim, c, 1, 1, 0);
     assert_none(MdtContactGetRim, c, 2, axis);
     ck_assert(MdtContactGetRim(c, 1, axis) == (MeReal).5);
+    MdtContactSetVertex(c, 1, METRUE);
+    ck_assert(MdtContactIsVertex(c, 1) && !MdtContactIsVertex(c, 0));
+    assert_refused(MdtContactSetVertex, c, 2, METRUE);
+    assert_none(MdtContactIsVertex, c, 2);
     MdtContactReset(c);
-    ck_assert(MdtContactGetRim(c, 1, axis) == 0);
+    ck_assert(MdtContactGetRim(c, 1, axis) == 0 && !MdtContactIsVertex(c, 1));
     MdtWorldDestroy(w);
 }

@@ -518,7 +518,25 @@ static int reduceToFour(Candidate *candidate, int count, MeBool isDisc, double s
 
 /* ---- manifolds ------------------------------------------------------------------------------------------ */
 
-static void addContact(const McdShape *a, const McdShape *b, const View *v, const Candidate *s, McdManifold *m) {
+/* Whether a candidate at (x, y, z) is at a vertex of the face. A corner of a disc is one sample of its rim, and the
+ * rim's farthest point moves along it. The witness points of a proximity (SUPPORT) have no name: they are compared. */
+static MeBool isAtVertex(const McdFace *f, MeU32 feature, const View *v, double x, double y, double z) {
+    double point[3];
+    if (f->isDisc || kindOfFeature(feature) != SUPPORT)
+        return !f->isDisc && kindOfFeature(feature) == CORNER;
+    for (int k = 0; k < 3; k++)
+        point[k] = v->u[k] * x + v->w[k] * y + v->n[k] * z;
+    for (int i = 0; i < f->count; i++) {
+        double offset[3];
+        mcd_sub(offset, f->point[i], point);
+        if (mcd_length(offset) <= 16 * v->slack)
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
+static McdManifoldPoint *addContact(const McdShape *a, const McdShape *b, const View *v, const Candidate *s,
+                                    McdManifold *m) {
     const double za = s->a - a->rounding, zb = s->b + b->rounding;
     McdManifoldPoint *p = &m->point[m->count++];
     for (int i = 0; i < 3; i++)
@@ -528,6 +546,8 @@ static void addContact(const McdShape *a, const McdShape *b, const View *v, cons
     const double out[3] = {-v->n[0], -v->n[1], -v->n[2]};
     p->radius[0] = mcd_surfaceRadius(a, out, p->position);
     p->radius[1] = mcd_surfaceRadius(b, v->n, p->position);
+    p->isVertex[0] = p->isVertex[1] = MEFALSE;
+    return p;
 }
 
 /* A candidate midway between the witness points: the deepest contact, independent of the faces. */
@@ -643,8 +663,12 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
     if (count > MCD_MANIFOLD_POINTS)
         count = reduceToFour(candidate, count, faceA->isDisc || faceB->isDisc, mcd_pairSize(a, b));
     MEASSERT(count <= MCD_MANIFOLD_POINTS);
-    for (int i = 0; i < count; i++)
-        addContact(a, b, &v, &candidate[i], m);
+    for (int i = 0; i < count; i++) {
+        const Candidate *c = &candidate[i];
+        McdManifoldPoint *point = addContact(a, b, &v, c, m);
+        point->isVertex[0] = isAtVertex(faceA, (MeU32)(c->feature >> 32), &v, c->x, c->y, c->a);
+        point->isVertex[1] = isAtVertex(faceB, (MeU32)c->feature, &v, c->x, c->y, c->b);
+    }
     MEVALIDATE(isManifoldGood(a, b, p, margin, m));
     return m->count;
 }
@@ -657,6 +681,9 @@ void mcd_manifoldSwap(McdManifold *m) {
         const double radius = p->radius[0];
         p->radius[0] = p->radius[1];
         p->radius[1] = radius;
+        const MeBool isVertex = p->isVertex[0];
+        p->isVertex[0] = p->isVertex[1];
+        p->isVertex[1] = isVertex;
         p->feature = p->feature << 32 | p->feature >> 32;
     }
 }

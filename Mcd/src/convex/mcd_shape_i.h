@@ -148,6 +148,7 @@ typedef struct McdManifoldPoint {
     double position[3]; /* midway between the surfaces */
     double separation;  /* along the normal; negative: penetration */
     double radius[2];   /* mcd_surfaceRadius of both shapes */
+    MeBool isVertex[2]; /* the contact is at a vertex of the shape, and moves with it */
     MeU64 feature;      /* a's feature in the upper 32 bits, b's in the lower; depends only on the shapes' topology */
 } McdManifoldPoint;
 

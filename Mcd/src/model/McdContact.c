@@ -95,12 +95,25 @@ double MEAPI McdContactGetRim(const McdContact *c, int side, double axis[3]) {
     return rimOf(c, side, axis);
 }
 
+static MeBool isVertex(const McdContact *c, int side) {
+    return isSeparationAsFound(c) && (c->vertices & 1 << side);
+}
+
+MeBool MEAPI McdContactIsVertex(const McdContact *c, int side) {
+    if (!c || side < 0 || side > 1) {
+        MeWarning(1, "McdContactIsVertex: %s", c ? "side must be 0, for the first model, or 1" : "no contact");
+        return MEFALSE;
+    }
+    return isVertex(c, side);
+}
+
 void MEAPI McdContactGetExact(const McdContact *c, McdExactContact *exact) {
     MEASSERT(c && exact);
     positionOf(c, exact->position);
     exact->separation = separationOf(c);
     for (int side = 0; side < 2; side++) {
         exact->radius[side] = radiusOf(c, side);
+        exact->isVertex[side] = isVertex(c, side);
         exact->rim[side] = rimOf(c, side, exact->axis[side]);
     }
 }

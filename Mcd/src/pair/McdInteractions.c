@@ -228,6 +228,7 @@ static void swapContacts(McdIntersectResult *result) {
         MeVector3MultiplyScalar(c->normal, c->normal, -1);
         c->radius[0] = c->radius[1];
         c->radius[1] = radius;
+        c->vertices = (c->vertices & 1) << 1 | c->vertices >> 1;
         c->instance1 = c->instance2;
         c->instance2 = instance;
         c->element1 = c->element2;
@@ -249,6 +250,7 @@ static void completeContacts(McdIntersectResult *result) {
         c->exactSeparation = (double)c->separation;
         mcd_fromReal(c->exactPosition, c->position);
         c->radius[0] = c->radius[1] = 0;
+        c->vertices = 0;
     }
 }
 

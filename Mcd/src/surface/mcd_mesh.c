@@ -232,6 +232,8 @@ static void addToResult(McdMeshQuery *q, McdIntersectResult *result) {
         m.point[0].separation = c->separation;
         m.point[0].radius[0] = c->radius;
         m.point[0].radius[1] = 0;
+        m.point[0].isVertex[0] = c->isVertex;
+        m.point[0].isVertex[1] = MEFALSE;
         m.point[0].feature = c->feature;
         McdContact *added = mcd_resultAdd(result, &m, q->origin, ins1, ins2);
         if (added) {

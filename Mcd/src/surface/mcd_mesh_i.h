@@ -33,7 +33,8 @@ typedef struct McdMeshTriangle {
 
 typedef struct McdMeshContact {
     double position[3], normal[3], separation;
-    double radius; /* mcd_surfaceRadius of the shape there */
+    double radius;   /* mcd_surfaceRadius of the shape there */
+    MeBool isVertex; /* at a vertex of the shape */
     MeU32 feature;
     McdElementData element;
     int dims;  /* of its manifold: McdContact.dims */

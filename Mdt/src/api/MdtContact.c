@@ -156,6 +156,17 @@ MeReal MEAPI MdtContactGetRim(const MdtContactID c, const unsigned int bodyindex
     return (MeReal)rim;
 }
 
+void MEAPI MdtContactSetVertex(const MdtContactID c, const unsigned int bodyindex, const MeBool isVertex) {
+    MdtPoint *p = mdt_pointOf(c, __func__);
+    if (p && mdt_isSide(__func__, bodyindex))
+        mdt_pointSetVertex(p, (int)bodyindex, isVertex);
+}
+
+MeBool MEAPI MdtContactIsVertex(const MdtContactID c, const unsigned int bodyindex) {
+    const MdtPoint *p = mdt_pointOf(c, __func__);
+    return p && mdt_isSide(__func__, bodyindex) && mdt_pointIsVertex(p, (int)bodyindex);
+}
+
 /* The contact's present primary direction and normal. */
 static void getAxes(const MdtPoint *p, double direction[3], double normal[3]) {
     mdt_pointNormal(p, normal);

@@ -201,6 +201,8 @@ static void setPoint(MdtPoint *p, const MdtFoundContact *found, Shared *last) {
     }
     mdt_pointSetFound(p, last->normal, last->share, found->position, found->depth);
     p->feature = found->feature;
+    for (int k = 0; k < 2; k++)
+        mdt_pointSetVertex(p, k, found->isVertex[k]);
 }
 
 static MeBool areAllAlike(const MdtFoundContact found[], int count) {

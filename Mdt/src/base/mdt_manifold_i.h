@@ -22,6 +22,7 @@ typedef struct MdtPoint {
     MeU8 slot;            /* its index in the manifold */
     MeU8 numRows;         /* its rows in this step */
     MeU8 numWarm;         /* rows that `force` belongs to: the warm start if numRows is the same */
+    MeU8 vertices : 2;    /* bit k: a vertex of body k touches (MdtContactSetVertex) */
     bool isFound : 1;     /* continues as one of the newly found contacts (mdt_renew.c) */
     bool isCondemned : 1; /* will be destroyed when a stage ends (mdt_stage.c) */
     MeU32 feature;        /* feature id, set by the maker of the contact */

@@ -229,6 +229,7 @@ void mdt_pointReset(MdtPoint *p) {
     for (int k = 0; k < 2; k++) {
         mdt_pointSetRadius(p, k, 0);
         mdt_pointSetRim(p, k, 0, origin);
+        mdt_pointSetVertex(p, k, MEFALSE);
     }
     keaCopy(p->position, origin);
     p->depth = 0;

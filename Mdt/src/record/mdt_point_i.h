@@ -46,6 +46,14 @@ const MdtKeaVelocity *mdt_pointWorldVelocity(const MdtPoint *p);
 double mdt_pointRim(const MdtPoint *p, int side, double axis[3]);
 /* True if the surface of that body is round at the contact, so that it rolls. */
 MeBool mdt_pointIsRound(const MdtPoint *p, int side);
+/* Whether a vertex of the side's body touches. */
+static inline MeBool mdt_pointIsVertex(const MdtPoint *p, int side) {
+    return p->vertices >> side & 1;
+}
+static inline void mdt_pointSetVertex(MdtPoint *p, int side, MeBool isVertex) {
+    const unsigned int others = p->vertices & ~(1u << side);
+    p->vertices = (MeU8)(others | (isVertex ? 1u << side : 0)) & 3u;
+}
 void mdt_pointSetRim(MdtPoint *p, int side, double rim, const double axis[3]);
 void mdt_pointSetParams(MdtPoint *p, const MdtBclContactParams *params);
 void mdt_pointSetNormal(MdtPoint *p, const MeReal normal[3]);

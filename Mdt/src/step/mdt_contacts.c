@@ -124,6 +124,8 @@ static void packPoint(MdtKeaManifold *m, MdtIslandManifold *own, MdtPoint *point
     keaZero(own->mean[at]);
     keaCopy(to->position, point->position);
     to->depth = to->depthNow = point->depth;
+    for (int k = 0; k < 2; k++)
+        to->isVertex[k] = mdt_pointIsVertex(point, k);
     to->guess[0] = point->force[0];
     to->isNew = !isWarm && point->force[0] == 0;
     for (int i = 1; i < 3; i++)

@@ -119,6 +119,7 @@ static void convertContact(MdtFoundContact *found, const McdContact *from, MeBoo
         const int side = isSwapped ? 1 - k : k;
         found->radius[side] = (MeReal)exact.radius[k];
         found->rim[side] = exact.rim[k];
+        found->isVertex[side] = exact.isVertex[k];
         if (exact.rim[k] > 0)
             memcpy(found->axis[side], exact.axis[k], sizeof exact.axis[k]);
     }
