@@ -38,7 +38,7 @@
  *                              predicted, invMass, numRows = 0
  *      the owner               writes the rows of its joints, numRows
  *      MdtKeaCountContactRows  reads manifolds; writes numRows of their points
- *      MdtKeaMakeContactRows   writes rows and moves of contacts, behind the owner's rows
+ *      MdtKeaMakeContactRows   writes rows of contacts, behind the owner's rows
  *      MdtKeaKick              reads rows of joints, kicks; writes velocities of bodies, report.work. Afterwards
  *                              MdtKeaInit is called, and rows are filled, again
  *      MdtKeaMeets             reads rows; writes nothing
@@ -148,6 +148,7 @@ typedef struct MdtKeaRow {
     int owner;          /**< a number that identifies the row's constraint */
     int contact;        /**< -1, or the index of the normal row of the contact that this row belongs to */
     MeBool moves;       /**< contacts: the lever arms change within the step (MdtKeaMove) */
+    MeBool rolls;       /**< contacts: and the point is on a round side, a rim or a vertex of a body that rotates */
     MeBool isOpen;      /**< contacts in a timed step: the contact has a gap or separates, and does not act */
     MeBool position;    /**< the row constrains φ at the end of the step (MdtKeaErrorFn); else the velocity */
     MeBool spring;      /**< a damped spring; the target is the rate without damping force; softness is not read */
@@ -185,6 +186,7 @@ typedef struct MdtKeaPoint {
     double position[3]; /**< m, at the start of the step */
     double depth;       /**< m, at the start of the step; negative: a gap */
     double guess[3];    /**< N, normal, primary, secondary: the warm start; 0: none */
+    MeBool isVertex[2]; /**< a vertex of that body touches: the point moves with it */
     MeBool isNew;       /**< no warm start. If all points are new, MdtKeaInit guesses forces for the first sub-step */
     double force[3];    /**< N, normal, primary, secondary: the answer of MdtKeaSolve; of MdtKeaImpact in N s */
     double depthNow;    /**< m, at the start of the sub-step (MdtKeaCountContactRows, exact solver) */

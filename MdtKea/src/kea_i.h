@@ -73,10 +73,10 @@ typedef struct KeaBody {
     double u[6];            /* the unknown: mean velocity of the step, m/s and rad/s (world) */
     double endAxes[3][3];
     double endVelocity[6]; /* m/s, rad/s (world) */
-    double errorScale
-        [2];         /* m, rad: its contribution to the scales of linear and angular position errors (kea_residual.c) */
-    MeBool isUntied; /* no row constrains its displacement: it is moved by v + moveTheta (v⁺ - v), not by u */
-    MeBool isFree;   /* no row acts on it: it moves as a free body */
+    double errorScale[2];  /* m, rad: its share of the scales of linear and angular position errors (kea_residual.c) */
+    MeBool isTied;         /* a joint or a spring constrains its displacement (kea_markTied) */
+    MeBool isUntied;       /* not tied, in an untimed step: it is moved by v + moveTheta (v⁺ - v), not by u */
+    MeBool isFree;         /* no row acts on it: it moves as a free body */
 } KeaBody;
 
 /* The graph of joints (kea_dual.c): nodes are joints, edges are bodies that two joints share. */
@@ -114,6 +114,7 @@ typedef struct KeaFlight {
 typedef struct MdtKeaWork {
     struct KeaContact *contact; /* common/kea_anchor_i.h; kept through the sub-steps of a step */
     int numContacts;
+    int contactPasses; /* of the solve: those in which contacts followed the bodies */
     KeaBody *body;
     KeaEnd *end;
     MdtKeaTransformation *endPose, *meanPose; /* by body */
@@ -240,6 +241,13 @@ void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool
 /* Sets T of the tangent problem: the derivative of the error at the end for position and spring rows, J for velocity
  * rows; after kea_differentiateBodies. */
 void kea_differentiateRows(MdtKeaSystem *s);
+/* Sets the Jacobians of contacts that move with bodies, in the middle and at the end of the step, from the
+ * displacements by u; before kea_setMovingRates. Those of tied bodies only in the
+ * first pass. Returns whether there are any. */
+MeBool kea_moveContacts(MdtKeaSystem *s, MeBool isFirst);
+/* Sets isTied of all bodies from the rows of joints. */
+void kea_markTied(MdtKeaSystem *s);
+void kea_copyJacobian(KeaProblemRow *p, const MdtKeaJBlockPair J);
 /* Sets movingRate of contacts whose lever arms change in the step: the difference between the rate that the row
  * constrains and J v, with the J along which its impulse acts; after kea_moveBodies. */
 void kea_setMovingRates(MdtKeaSystem *s);
@@ -349,6 +357,9 @@ MeBool kea_impactsChatter(const MdtKeaSystem *s, const KeaEventScale *scale);
 /* m/s: the scale of speeds in timed steps: the change of velocity by the loads in one step, or a small fraction of the
  * bodies' speeds if that is more. */
 double kea_eventSpeed(const MdtKeaSystem *s);
+/* Whether a contact has carried a load and moves with a rolling body: the path of its point leaves the surface by O(h³)
+ * in a step, and its rate by O(h²). */
+MeBool kea_isRolling(const MdtKeaRow *row);
 /* Whether the contact of a normal row touches: its gap is below a tolerance. */
 MeBool kea_isTouching(const MdtKeaSystem *s, const MdtKeaRow *row);
 /* m/s: J v - s of row i at the start; J v - drift if it is a normal row. */
@@ -466,5 +477,7 @@ void kea_minimizeRedundantForces(MdtKeaSystem *s);
 
 /* Corrects the end velocities after discontinuities, and limits their energy. */
 void kea_velocityStage(MdtKeaSystem *s);
+/* Limits the kinetic energy if contacts that move have added to it by more than kea_rollingGain. */
+void kea_limitRolling(MdtKeaSystem *s);
 
 #endif

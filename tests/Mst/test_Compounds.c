@@ -106,7 +106,7 @@ TEST(cubes_of_halves_stand_as_solid_ones) {
         step(300);
         for (int i = 0; i < CUBES; i++) {
             assert_near(angleOf(cube[i]), 0, TOL(1e-5, 4e-6));
-            assert_near(coordinate(cube[i], 2), height[i], TOL(1e-5, 1e-6));
+            assert_near(coordinate(cube[i], 2), height[i], (i + 1) * TOL(1e-5, 1e-6)); /* each contact has a gap */
             if (fabs(tilts[t]) < .01) /* beyond that, they fall onto an edge, and slide by a centimetre meanwhile */
                 assert_near(coordinate(cube[i], 0), aside[i], 6e-6);
         }

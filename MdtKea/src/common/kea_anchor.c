@@ -30,8 +30,9 @@ static MeBool isWorld(const KeaContact *c, int k) {
     return c->manifold->body[k] < 0;
 }
 
-static MeBool isRound(const KeaContact *c, int k) {
-    return c->manifold->radius[k] > 0 || c->circle[k] > 0;
+/* Whether the contact point is a feature of this side: the farthest point of a sphere or circle, or a vertex. */
+static MeBool isOwner(const KeaContact *c, int k) {
+    return c->manifold->radius[k] > 0 || c->circle[k] > 0 || c->isVertex[k];
 }
 
 /* ---- the depth ---- */
@@ -133,8 +134,8 @@ static void setAnchors(const MdtKeaSystem *s, KeaContact *c) {
  * before the world; else the mean of both. */
 enum { BOTH = 2 };
 static int sideToFollow(const KeaContact *c) {
-    if (isRound(c, 0) != isRound(c, 1))
-        return isRound(c, 0) ? 0 : 1;
+    if (isOwner(c, 0) != isOwner(c, 1))
+        return isOwner(c, 0) ? 0 : 1;
     return isWorld(c, 1) ? 0 : isWorld(c, 0) ? 1 : BOTH;
 }
 
@@ -189,9 +190,8 @@ static void moveWithBodies(const MdtKeaSystem *s, KeaContact *c) {
 
 /* ---- motion of the contact point within a sub-step ----
  *
- * It is predicted from the velocities at the start of the sub-step: bodies move by (h v, h w). These are known before
- * the rows are solved and are the same in all passes. Changes by loads and impulses of this step are of the next
- * order. */
+ * It follows from the velocities with which the bodies move during the sub-step, (h v, h w): those of the present
+ * iterate in the exact solver's first passes, predicted ones in the fast solver. */
 
 /* r += share (cay(φ) r - r), with cay(φ) r - r = (φ x r + φ x (φ x r) / 2) / (1 + φ²/4), the rotation of bodies. */
 static void turnBy(const double turn[3], double share, double r[3]) {
@@ -205,17 +205,19 @@ static void turnBy(const double turn[3], double share, double r[3]) {
 
 /* Displacement, m, and rotation vector, rad, of a side in this sub-step; 0 for the world, even if its surface moves
  * (conveyor belt). */
-static void motionOf(const MdtKeaSystem *s, const KeaContact *c, int k, double displacement[3], double turn[3]) {
+static void motionOf(const MdtKeaSystem *s, const KeaContact *c, int k, const double move[6], double displacement[3],
+                     double turn[3]) {
     const double h = isWorld(c, k) ? 0 : s->parameters.stepsize;
-    keaScale(displacement, h, sideVelocityOf(s, c, k)->lin);
-    keaScale(turn, h, sideVelocityOf(s, c, k)->ang);
+    keaScale(displacement, h, move);
+    keaScale(turn, h, move + 3);
 }
 
-/* The contact point p of a round surface after a share of the sub-step. */
-static void pointOfRound(const MdtKeaSystem *s, const KeaContact *c, int k, double share, double p[3]) {
+/* The contact point p of the side that owns it after a share of the sub-step. */
+static void pointOfOwner(const MdtKeaSystem *s, const KeaContact *c, int k, const double move[6], double share,
+                         double p[3]) {
     const MdtKeaTransformation *pose = poseOf(s, c, k);
     double displacement[3], turn[3], axis[3], out[3];
-    motionOf(s, c, k, displacement, turn);
+    motionOf(s, c, k, move, displacement, turn);
     circleAxisOf(s, c, k, axis);
     turnBy(turn, share, axis);
     offsetToSurface(c, k, axis, out);
@@ -229,11 +231,13 @@ static void pointOfRound(const MdtKeaSystem *s, const KeaContact *c, int k, doub
 
 /* Lever arms of a rolling contact: each of two round surfaces has its own point; a flat one uses that of the round
  * one. */
-static void rollArms(const MdtKeaSystem *s, const KeaContact *c, double share, double arm[2][3]) {
+static void rollArms(const MdtKeaSystem *s, const KeaContact *c, const double move[2][6], double share,
+                     double arm[2][3]) {
     for (int k = 0; k < 2; k++) {
+        const int owner = isOwner(c, k) ? k : 1 - k;
         double p[3], displacement[3], turn[3];
-        pointOfRound(s, c, isRound(c, k) ? k : 1 - k, share, p);
-        motionOf(s, c, k, displacement, turn);
+        pointOfOwner(s, c, owner, move[owner], share, p);
+        motionOf(s, c, k, move[k], displacement, turn);
         keaSubtract(arm[k], p, poseOf(s, c, k)->pos);
         keaAddScaled(arm[k], -share, displacement);
     }
@@ -297,15 +301,38 @@ static void turnArms(const MdtKeaSystem *s, const KeaContact *c, double share, d
     }
 }
 
-static MeBool hasRoundSide(const KeaContact *c) {
-    return isRound(c, 0) || isRound(c, 1);
+MeBool kea_isContactTied(const MdtKeaSystem *s, const KeaContact *c) {
+    for (int k = 0; k < 2; k++)
+        if (!isWorld(c, k) && s->work->body[c->manifold->body[k]].isTied)
+            return METRUE;
+    return MEFALSE;
+}
+
+/* Whether vertices move with their bodies: these rotate relative to each other, and no joint constrains them. With
+ * joints, passes under heavy loads would not converge, and contacts are of first order anyway, as they are met by
+ * θ = 1. */
+static MeBool doVerticesMove(const MdtKeaSystem *s, const KeaContact *c) {
+    double relative[3];
+    keaSubtract(relative, sideVelocityOf(s, c, 0)->ang, sideVelocityOf(s, c, 1)->ang);
+    return !kea_isContactTied(s, c) && s->parameters.stepsize * keaLength(relative) > kea_minRoll;
+}
+
+static MeBool hasOwner(const KeaContact *c) {
+    return isOwner(c, 0) || isOwner(c, 1);
 }
 
 static void setArms(const MdtKeaSystem *s, KeaContact *c) {
-    keaZero(c->turn);
     for (int k = 0; k < 2; k++)
         keaSubtract(c->arm[k], c->point, poseOf(s, c, k)->pos);
-    c->moves = hasRoundSide(c) ? !isArmConstant(s, c, 0) || !isArmConstant(s, c, 1) : findSharedTurn(s, c);
+}
+
+void kea_contactChooseMotion(const MdtKeaSystem *s, KeaContact *c) {
+    const MeBool areVertices = doVerticesMove(s, c);
+    keaZero(c->turn);
+    for (int k = 0; k < 2; k++)
+        c->isVertex[k] = c->at->isVertex[k] && areVertices;
+    c->rolls = hasOwner(c) && (!isArmConstant(s, c, 0) || !isArmConstant(s, c, 1));
+    c->moves = c->rolls || (!hasOwner(c) && findSharedTurn(s, c));
 }
 
 void kea_contactPlaceAtStart(const MdtKeaSystem *s, KeaContact *c) {
@@ -321,11 +348,12 @@ void kea_contactPlace(const MdtKeaSystem *s, KeaContact *c) {
     setArms(s, c);
 }
 
-void kea_contactArms(const MdtKeaSystem *s, const KeaContact *c, double share, double arm[2][3]) {
+void kea_contactArms(const MdtKeaSystem *s, const KeaContact *c, const double move[2][6], double share,
+                     double arm[2][3]) {
     MEASSERT(c->moves);
     MEASSERT(share >= 0 && share <= 1);
-    if (hasRoundSide(c))
-        rollArms(s, c, share, arm);
+    if (hasOwner(c))
+        rollArms(s, c, move, share, arm);
     else
         turnArms(s, c, share, arm);
 }

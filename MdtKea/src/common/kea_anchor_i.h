@@ -12,6 +12,7 @@ typedef struct KeaContact {
     double anchor[2][3];     /* m, body frames: the surface point of each body, or the centre of its sphere or circle */
     double circle[2];        /* m, radius of the circle (the manifold's rim); 0: none, or it may become flat */
     double circleAxis[2][3]; /* unit, body frames: axis of the circle */
+    MeBool isVertex[2];      /* a vertex of the body touches, and the bodies rotate relative to each other */
     MeBool isAboutCentre[2]; /* the surface is spherical about its body's centre of mass */
     MeBool areBalls;         /* both bodies are balls about their centres of mass */
     /* kea_anchor.c, at the start of the sub-step */
@@ -20,7 +21,8 @@ typedef struct KeaContact {
     double depth;                   /* m */
     double arm[2][3];               /* m, from the bodies' centres to the point */
     double turn[3];                 /* rad, rotation vector of a contact of flat surfaces in this sub-step; else 0 */
-    MeBool moves;                   /* lever arms change within this sub-step */
+    MeBool moves;                   /* lever arms change within this sub-step, */
+    MeBool rolls;                   /* since the point moves with a round side, a rim or a vertex */
     /* kea_contact.c */
     int frictionRows; /* set of directions with a friction row: 1 primary, 2 secondary */
     int firstRow;     /* index of the contact's normal row */
@@ -30,8 +32,14 @@ typedef struct KeaContact {
 const MdtKeaVelocity *kea_sideVelocity(const MdtKeaSystem *s, const MdtKeaManifold *m, int k);
 /* Sets position, depth, arms and their motion at the start of the sub-step. */
 void kea_contactPlace(const MdtKeaSystem *s, KeaContact *c);
-/* m: lever arms after a share of the sub-step: 1 is its end, 1/2 the mean of start and end. Needs c->moves. */
-void kea_contactArms(const MdtKeaSystem *s, const KeaContact *c, double share, double arm[2][3]);
+/* Whether a joint constrains a body of the contact (kea_markTied). */
+MeBool kea_isContactTied(const MdtKeaSystem *s, const KeaContact *c);
+/* Sets how the point moves within the sub-step: isVertex, turn, moves. After the place, and the rows of joints. */
+void kea_contactChooseMotion(const MdtKeaSystem *s, KeaContact *c);
+/* m: lever arms after a share of the sub-step: 1 is its end, 1/2 the mean of start and end. `move`: the velocities with
+ * which the bodies move during the sub-step, not read for the world. Needs c->moves. */
+void kea_contactArms(const MdtKeaSystem *s, const KeaContact *c, const double move[2][6], double share,
+                     double arm[2][3]);
 /* kea_contactPlace, but at the position that collision detection found, in whatever sub-step. */
 void kea_contactPlaceAtStart(const MdtKeaSystem *s, KeaContact *c);
 

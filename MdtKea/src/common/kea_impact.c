@@ -39,8 +39,13 @@ KeaEventScale kea_eventScale(const MdtKeaSystem *s) {
     return scale;
 }
 
+MeBool kea_isRolling(const MdtKeaRow *row) {
+    return row->rolls && row->force > 0;
+}
+
 MeBool kea_isTouching(const MdtKeaSystem *s, const MdtKeaRow *row) {
-    return row->error < kea_touchingGap * kea_smallerExtent(s, row->body);
+    const double gap = kea_isRolling(row) ? kea_rollingGap : kea_touchingGap;
+    return row->error < gap * kea_smallerExtent(s, row->body);
 }
 
 /* ---- the inner problem of an instant ---- */
@@ -280,9 +285,11 @@ static void storeImpulses(MdtKeaSystem *s) {
 /* ---- approaching contacts ---- */
 
 /* The slowest approach that is an impact, as a fraction of the event speed. A soft contact yields to its load with
- * J v⁺ = -h E λ, where λ is at most the weight of all bodies. */
+ * J v⁺ = -h E λ, where λ is at most the weight of all bodies. A rolling one has the rate by which the last step was
+ * inexact. */
 static double minImpactSpeedOf(const MdtKeaRow *row, double mass) {
-    return keaMin(kea_minImpactSpeed + row->softness * mass, kea_softContactSpeed);
+    return kea_isRolling(row) ? kea_softContactSpeed
+                              : keaMin(kea_minImpactSpeed + row->softness * mass, kea_softContactSpeed);
 }
 
 MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *s) {

@@ -75,6 +75,9 @@ enum {
     /* Passes with frozen bounds. The problem is convex then, and each pass reduces the residual by a factor of 3 to 70,
      * so that 4 gain two to seven digits. */
     KEA_FROZEN_PASSES = 4,
+    /* Passes in which contacts follow the bodies. Each multiplies the error of their places by the angle in rad by
+     * which a body turns in a step; 8 leave 1e-3 at .4 rad. With 2 a top turns over (Mst_Order_Edges). */
+    KEA_CONTACT_PASSES = 8,
     /* Passes of the tangent problem, which converges quadratically: 2 to 4 where it is regular, 6 near a change point.
      * At a change point, and with redundant joints, more do not converge either. x2 and /2 fail scenes_linkage:
      * momentum_chooses_the_branch_at_a_change_point. */
@@ -297,6 +300,11 @@ static const double kea_stickMargin = 1e-7;
  * 1e-6 left it rocking in 3 of 8 runs; in single precision programs place bodies no more accurately than to 1e-5. */
 static const double kea_touchingGap = sizeof(MeReal) == sizeof(double) ? 1e-7 : 1e-5;
 
+/* The same for a contact that has carried a load and moves with a rolling body: in a step the path of the contact point
+ * leaves the surface by O(h³), and the gap may not count as flight, at the end of which there is an impact. x1/10 loses
+ * a disc that rolls round and round (Mst_Order_Edges); x10 stops cubes with a tilt (Mst_Compounds). */
+static const double kea_rollingGap = 1e-4;
+
 /* ---- rotation, inertia ---- */
 
 /* Rad: a body that turns further in a step turns as a free body does, and not by the chord (the Cayley map), which
@@ -395,6 +403,9 @@ static const double kea_softShare = 1e-3;
  * cube of 2 cm would sink by what is invisible on one of a metre. /2 fails Mst_Crowd:
  * a_pyramid_of_forty_rows_comes_to_rest. */
 static const double kea_restingDepth = 1e-4;
+/* Fraction of the kinetic energy that contacts that move may add in a step. The scheme is not exact in energy for them:
+ * a disc that rolls by .6 rad a step on its rim gained 13 % (Mst_Cases_Round). */
+static const double kea_rollingGain = 1e-3;
 /* Fraction of the kinetic energy that the passes of a step may add by rounding and by their residual. */
 static const double kea_energyRoom = 1e-5;
 /* Relative to the smaller body's size: if the mean velocities press a contact deeper than the end's velocities do by
@@ -454,6 +465,9 @@ static const double kea_unitRounding = 1e-5;
 static const double kea_centredBall = 1e-6;
 /* Rad, sqrt(2 DBL_EPSILON): half of the square of a smaller angle is lost in rounding beside 1. */
 static const double kea_minTurn = 2.1e-8;
+/* Rad, of the bodies relative to each other: of a smaller turn vertices count as fixed. Their arcs leave the surface by
+ * half its square, 5e-9 of an arm. 1e-6 lets a box creep that friction just holds (Mst_Turning). */
+static const double kea_minRoll = 1e-4;
 /* Factor on the change of an approach by one step's own acceleration: a body that fell for just one step must not seem
  * faster by rounding. */
 static const double kea_ownChangeMargin = 1.1;

@@ -99,6 +99,7 @@ static void startRow(const KeaContact *c, const double d[3], int owner, double t
     row->normal = row->partner = -1;
     row->contact = c->firstRow;
     row->moves = c->moves;
+    row->rolls = c->rolls;
     row->owner = owner;
 }
 
@@ -155,19 +156,36 @@ static void warmStartFriction(const KeaContact *c, MdtKeaRow rows[]) {
 }
 
 /* Sets the Jacobians of a contact's rows in the middle and at the end of the sub-step (s->moves). */
-static void setMovedJacobians(MdtKeaSystem *s, const KeaContact *c, int count) {
+static void setMovedJacobians(MdtKeaSystem *s, const KeaContact *c, const double move[2][6]) {
     static const double share[2] = {0.5, 1};
-    MEASSERT(c->firstRow + count <= s->numRows);
+    MEASSERT(c->firstRow + c->at->numRows <= s->numRows);
     for (int k = 0; k < 2; k++) {
         double arm[2][3];
-        kea_contactArms(s, c, share[k], arm);
-        for (int r = 0; r < count; r++) {
-            const MdtKeaRow *row = &s->rows[c->firstRow + r];
-            MdtKeaMove *move = &s->moves[c->firstRow + r][k];
-            contactJacobian((const double(*)[3])arm, row->J[0].lin, move->J);
-            move->rate = worldRate(c, move->J) - worldRate(c, row->J);
+        kea_contactArms(s, c, move, share[k], arm);
+        for (int r = c->firstRow; r < c->firstRow + c->at->numRows; r++) {
+            MdtKeaMove *moved = &s->moves[r][k];
+            contactJacobian((const double(*)[3])arm, s->rows[r].J[0].lin, moved->J);
+            moved->rate = worldRate(c, moved->J) - worldRate(c, s->rows[r].J);
         }
     }
+}
+
+MeBool kea_moveContacts(MdtKeaSystem *s, MeBool isFirst) {
+    MeBool isAny = MEFALSE;
+    for (int i = 0; i < s->work->numContacts; i++) {
+        const KeaContact *c = &s->work->contact[i];
+        double move[2][6] = {{0}};
+        if (!c->moves || c->at->numRows == 0 || (!isFirst && kea_isContactTied(s, c)))
+            continue;
+        for (int k = 0; k < 2; k++)
+            if (c->manifold->body[k] >= 0)
+                kea_moveVelocity(s, c->manifold->body[k], MEFALSE, move[k]);
+        setMovedJacobians(s, c, (const double(*)[6])move);
+        for (int r = c->firstRow; r < c->firstRow + c->at->numRows; r++)
+            kea_copyJacobian(&s->work->problem.row[r], s->moves[r][0].J);
+        isAny = METRUE;
+    }
+    return isAny;
 }
 
 void kea_contactMakeRows(MdtKeaSystem *s, KeaContact *c, int owner) {
@@ -177,6 +195,7 @@ void kea_contactMakeRows(MdtKeaSystem *s, KeaContact *c, int owner) {
     c->firstRow = s->numRows;
     if (c->at->numRows == 0)
         return;
+    kea_contactChooseMotion(s, c);
     normalRow(s, c, owner, rows);
     int count = 1;
     for (int direction = 0; direction < 2; direction++)
@@ -190,11 +209,10 @@ void kea_contactMakeRows(MdtKeaSystem *s, KeaContact *c, int owner) {
         warmStartFriction(c, rows + 1);
     s->numRows += count;
     MEASSERT(count == c->at->numRows && s->numRows <= s->maxRows);
-    if (c->moves)
-        setMovedJacobians(s, c, count);
 }
 
 void MEAPI MdtKeaMakeContactRows(MdtKeaSystem *s) {
+    kea_markTied(s);
     if (s->parameters.solver == MdtKeaSolverFast)
         return;
     for (int i = 0; i < s->work->numContacts; i++)

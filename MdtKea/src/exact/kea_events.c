@@ -19,7 +19,8 @@
 #include <string.h>
 
 MeBool kea_isContactOpen(const MdtKeaSystem *s, int i, double speed) {
-    return !kea_isTouching(s, &s->rows[i]) || kea_startRate(s, i) > kea_separatingSpeed * speed;
+    const double separating = kea_isRolling(&s->rows[i]) ? kea_minReboundSpeed : kea_separatingSpeed;
+    return !kea_isTouching(s, &s->rows[i]) || kea_startRate(s, i) > separating * speed;
 }
 
 /* ---- which systems are timed ---- */

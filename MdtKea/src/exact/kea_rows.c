@@ -86,18 +86,24 @@ static void spreadTheta(MdtKeaSystem *s) {
     }
 }
 
-/* Sets isUntied of all bodies: no row constrains their displacement. In timed steps it is false, as impacts are located
- * along the displacement by u. */
-static void markUntied(MdtKeaSystem *s) {
+void kea_markTied(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
-        s->work->body[i].isUntied = !s->parameters.timed;
+        s->work->body[i].isTied = MEFALSE;
     for (int i = 0; i < s->numRows; i++)
         for (int k = 0; k < 2; k++)
             if ((s->rows[i].position || s->rows[i].spring) && s->rows[i].body[k] >= 0)
-                s->work->body[s->rows[i].body[k]].isUntied = MEFALSE;
+                s->work->body[s->rows[i].body[k]].isTied = METRUE;
 }
 
-static MeBool isTied(const MdtKeaSystem *s, int body) {
+/* Sets isUntied of all bodies: no row constrains their displacement. In timed steps it is false, as impacts are located
+ * along the displacement by u. */
+static void markUntied(MdtKeaSystem *s) {
+    kea_markTied(s);
+    for (int i = 0; i < s->numBodies; i++)
+        s->work->body[i].isUntied = !s->parameters.timed && !s->work->body[i].isTied;
+}
+
+static MeBool isMovedByU(const MdtKeaSystem *s, int body) {
     return body >= 0 && !s->work->body[body].isUntied;
 }
 
@@ -109,7 +115,7 @@ static void moveTouchingByEnd(MdtKeaSystem *s) {
         if (row->contact != i || s->work->problem.row[i].isInactive)
             continue;
         for (int k = 0; k < 2; k++)
-            if (row->body[k] >= 0 && isTied(s, row->body[1 - k]) && s->work->body[row->body[1 - k]].theta == 1)
+            if (row->body[k] >= 0 && isMovedByU(s, row->body[1 - k]) && s->work->body[row->body[1 - k]].theta == 1)
                 s->work->body[row->body[k]].moveTheta = 1;
     }
 }
@@ -195,7 +201,7 @@ static void copyBounds(KeaProblemRow *p, const MdtKeaRow *row, double h) {
     p->upper = h * row->upper;
 }
 
-static void copyJacobian(KeaProblemRow *p, const MdtKeaJBlockPair J) {
+void kea_copyJacobian(KeaProblemRow *p, const MdtKeaJBlockPair J) {
     for (int k = 0; k < 2; k++) {
         keaCopy(p->J[k], J[k].lin);
         keaCopy(p->J[k] + 3, J[k].ang);
@@ -251,7 +257,7 @@ void kea_beginRows(MdtKeaSystem *s) {
         p->partner = row->partner;
         p->friction = row->friction;
         copyBounds(p, row, h);
-        copyJacobian(p, row->moves ? s->moves[i][0].J : row->J);
+        kea_copyJacobian(p, row->J);
         s->work->movingRate[i] = 0;
         p->isInactive = isInactive(s, row);
         /* with holdsSlow kea_closeSlowContacts may close an open contact, which then needs its block of the matrix */
@@ -297,7 +303,7 @@ void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool
         s->jacobians(s->context, poses);
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact < 0)
-            copyJacobian(&s->work->problem.row[i], s->rows[i].J);
+            kea_copyJacobian(&s->work->problem.row[i], s->rows[i].J);
     for (int i = 0; withBounds && i < s->numRows; i++)
         copyBounds(&s->work->problem.row[i], &s->rows[i], s->parameters.stepsize);
 }
@@ -309,7 +315,7 @@ static MeBool isMovedByEnd(const MdtKeaSystem *s, const MdtKeaRow *row) {
         if (b && (b->isUntied ? b->moveTheta : b->theta) < 1)
             return MEFALSE;
     }
-    return isTied(s, row->body[0]) || isTied(s, row->body[1]);
+    return isMovedByU(s, row->body[0]) || isMovedByU(s, row->body[1]);
 }
 
 /* m/s: the rate that the contact constrains minus J v⁺ with the J of the mean lever arms (kea_setMovingRates). */
@@ -385,7 +391,8 @@ static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
  *     J v = drift - max(E p - G, 0),
  *
  * which is rigid up to the load G/E. The branch is chosen by p of the last pass; in the first pass, in which contacts
- * share their load by E, it is the soft one without G. A contact with a gap that acts from the start of the step
+ * share their load by E, it is the soft one without G. The gap of a rolling contact may close within the step. A
+ * contact with a gap that acts from the start of the step
  * touches at its end (kea_events.c). */
 static double timedTarget(const MdtKeaSystem *s, const MdtKeaRow *row, KeaProblemRow *p) {
     if (row->lower < 0) /* it may pull */
@@ -397,7 +404,7 @@ static double timedTarget(const MdtKeaSystem *s, const MdtKeaRow *row, KeaProble
         return row->drift + separating;
     if (p->p > 0)
         p->E = 0;
-    return row->drift;
+    return row->drift - (kea_isRolling(row) ? keaMax(row->error, 0) / s->parameters.stepsize : 0);
 }
 
 static void velocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {

@@ -27,6 +27,7 @@ typedef struct Passes {
     int pass, last;        /* index of this pass; index after which they end */
     int worse;             /* number of passes in which `motion` has grown */
     MeBool isRefined;      /* the iterate had converged before this pass, which refines it */
+    MeBool movesContacts;  /* contacts follow the bodies: as long as that converges */
     MeBool isLimited;      /* the work budget is used up */
     MeBool mayBeTangent; /* symmetric passes have followed the tangent ones: the saved tangent iterate may be better */
 } Passes;
@@ -40,9 +41,12 @@ typedef enum PassResult {
 
 /* ---- passes ---- */
 
-/* Moves the bodies by u, and linearizes momentum and rows there. */
-static void linearizeIterate(MdtKeaSystem *s) {
+/* Moves the bodies by u, and linearizes momentum and rows there. With moveContacts, contacts follow the bodies; in
+ * later passes they do not, so that these converge. */
+static void linearizeIterate(MdtKeaSystem *s, MeBool moveContacts) {
     kea_moveBodies(s);
+    if (moveContacts)
+        s->work->contactPasses += kea_moveContacts(s, s->report.passes == 0);
     kea_refreshRows(s, s->work->meanPose, METRUE);
     kea_setMovingRates(s);
     if (s->errors)
@@ -91,7 +95,7 @@ static KeaResiduals restoreIterate(MdtKeaSystem *s, double (*const u)[6], const 
         memcpy(s->work->body[i].u, u[i], sizeof u[i]);
     for (int i = 0; i < s->numRows; i++)
         s->work->problem.row[i].p = p[i];
-    linearizeIterate(s);
+    linearizeIterate(s, MEFALSE);
     return kea_residuals(s, speed);
 }
 
@@ -163,7 +167,7 @@ static void moveWithoutRows(MdtKeaSystem *s) {
     }
     for (int i = 0; i < s->numRows; i++)
         s->work->problem.row[i].p = 0;
-    linearizeIterate(s);
+    linearizeIterate(s, MEFALSE);
 }
 
 /* Whether the symmetric passes have left the branch of motion that the tangent passes found. They removed joint errors
@@ -220,15 +224,17 @@ static Passes beginPasses(MdtKeaSystem *s) {
                     .tangent = HUGE_VAL,
                     .before = HUGE_VAL,
                     .motion = HUGE_VAL,
+                    .movesContacts = METRUE,
                     .last = KEA_MAX_COUPLED_PASSES + KEA_FROZEN_PASSES};
 }
 
 /* Computes the residuals of the present iterate; saves it if it is the best one, or the best tangent one with joint
  * errors below the rounding of attachments. */
 static void measurePass(MdtKeaSystem *s, Passes *p) {
-    linearizeIterate(s);
+    linearizeIterate(s, p->movesContacts);
     p->speed = keaMax(p->speed, kea_rowSpeedScale(s));
     p->e = residualsOfPass(s, p->speed);
+    p->movesContacts = p->movesContacts && p->pass + 1 < KEA_CONTACT_PASSES && p->e.worst < p->before;
     if (p->e.worst < p->best.worst || p->pass == 0) {
         p->best = p->e;
         saveIterate(s, s->work->bestU, s->work->bestP);
@@ -476,6 +482,7 @@ static void declineSolve(MdtKeaSystem *s, double work) {
 void kea_exactSolve(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     memset(&q->counts, 0, sizeof q->counts);
+    s->work->contactPasses = 0;
     q->numBodies = s->numBodies;
     q->numRows = s->numRows;
     s->report.least = KEA_SWEPT_PASSES * kea_problemWorkOfLinearization(q);
@@ -511,6 +518,7 @@ void kea_exactSolve(MdtKeaSystem *s) {
         kea_setBudget(s, 1, 1);
         if (!s->parameters.timed || s->work->hasJoints)
             kea_velocityStage(s);
+        kea_limitRolling(s);
         kea_minimizeRedundantForces(s);
         storeForces(s);
     }

@@ -238,7 +238,8 @@ static MeBool areContactsJammed(const MdtKeaSystem *s) {
  * time. */
 static MeBool needsEnergyLimit(const MdtKeaSystem *s) {
     return s->report.capped || s->work->isInconsistent || s->work->usesTangentAnswer ||
-           s->report.passes > KEA_UNUSUAL_PASSES || s->work->problem.counts.isLimited || s->parameters.isPart;
+           s->report.passes - s->work->contactPasses > KEA_UNUSUAL_PASSES || s->work->problem.counts.isLimited ||
+           s->parameters.isPart;
 }
 
 /* Limits the kinetic energy to `allowed` if needsEnergyLimit; if only areContactsJammed, to `allowed` or the energy
@@ -276,4 +277,26 @@ void kea_velocityStage(MdtKeaSystem *s) {
         projectVelocities(s, start, allowed);
     limitEndEnergy(s, allowed);
     kea_restoreJacobians(s);
+}
+
+/* Whether a loaded contact rolls, and the world's surfaces rest: the work of moving ones is known to (h w)² only. */
+static MeBool mayRollingGain(const MdtKeaSystem *s) {
+    MeBool rolls = MEFALSE;
+    for (int i = 0; i < s->numRows; i++) {
+        if (s->rows[i].contact >= 0 && s->rows[i].drift != 0)
+            return MEFALSE;
+        rolls |= s->rows[i].rolls && s->work->problem.row[i].p > 0;
+    }
+    return rolls;
+}
+
+void kea_limitRolling(MdtKeaSystem *s) {
+    if (!mayRollingGain(s))
+        return;
+    for (int i = 0; i < s->numBodies; i++)
+        setVelocityMetric(s, i);
+    const double allowed = kea_energyAllowed(s);
+    if (kea_kineticEnergy(s, endVelocities(s), NULL) > (1 + kea_rollingGain) * allowed &&
+        kea_scaleVelocities(s, endVelocities(s), allowed, s->work->added))
+        addVelocities(s, s->work->added);
 }

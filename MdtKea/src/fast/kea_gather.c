@@ -198,6 +198,34 @@ static MeBool doArmsRotate(const MdtKeaSystem *s, const MdtKeaManifold *m, const
            0.5 * s->parameters.stepsize * keaLength(rate) < kea_pressedDepth * kea_smallerExtent(s, m->body);
 }
 
+/* The velocity with which a side will move during the step, as predicted by its acceleration of the last one. If that
+ * would change the velocity by more than itself, it was a jerk, such as an impact, and the velocity at the start
+ * counts. */
+static void predictMove(const MdtKeaSystem *s, const MdtKeaManifold *m, int k, double move[6]) {
+    const MdtKeaVelocity *v = kea_sideVelocity(s, m, k);
+    keaCopy(move, v->lin);
+    keaCopy(move + 3, v->ang);
+    if (m->body[k] < 0)
+        return;
+    const double half = 0.5 * s->parameters.stepsize, *a = s->bodies[m->body[k]]->acceleration;
+    if (half * keaLength(a) < keaLength(v->lin))
+        keaAddScaled(move, half, a);
+    if (half * keaLength(a + 3) < keaLength(v->ang))
+        keaAddScaled(move + 3, half, a + 3);
+}
+
+/* Whether a vertex of body k carries at each point of a manifold that has a load; or at all, if none has. */
+static MeBool isOnVertices(const MdtKeaManifold *m, int k) {
+    MeBool isLoaded = MEFALSE, areLoaded = METRUE, areAll = METRUE;
+    for (int i = 0; i < m->numPoints; i++) {
+        const MeBool hasLoad = m->point[i].guess[0] > 0;
+        isLoaded |= hasLoad;
+        areLoaded &= !hasLoad || m->point[i].isVertex[k];
+        areAll &= m->point[i].isVertex[k];
+    }
+    return isLoaded ? areLoaded : areAll;
+}
+
 /* Sets the lever arms of a manifold. Impulses act with the mean of the arms at the start and at the end of the step;
  * otherwise bodies that rotate together would gain angular momentum. The contact laws hold for the rates at the end.
  * Their difference from the rates with the mean arms is predicted by the velocities at the start: `added` :=
@@ -205,7 +233,7 @@ static MeBool doArmsRotate(const MdtKeaSystem *s, const MdtKeaManifold *m, const
 static void setArms(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaPatch *p, double added[3]) {
     MdtKeaPoint centre = m->point[0];
     KeaContact c = {.manifold = m, .at = &centre};
-    double end[2][3];
+    double end[2][3], move[2][6];
     keaCopy(centre.position, p->centre);
     keaZero(added);
     for (int k = 0; k < 2; k++) {
@@ -215,11 +243,16 @@ static void setArms(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaPatch *p,
     }
     if (!doArmsRotate(s, m, p))
         return;
+    for (int k = 0; k < 2; k++)
+        centre.isVertex[k] = isOnVertices(m, k);
     kea_contactPlaceAtStart(s, &c);
+    kea_contactChooseMotion(s, &c);
     if (!c.moves)
         return;
-    kea_contactArms(s, &c, 0.5, p->arm);
-    kea_contactArms(s, &c, 1, end);
+    for (int k = 0; k < 2; k++)
+        predictMove(s, m, k, move[k]);
+    kea_contactArms(s, &c, (const double(*)[6])move, 0.5, p->arm);
+    kea_contactArms(s, &c, (const double(*)[6])move, 1, end);
     for (int k = 0; k < 2; k++) {
         double remainder[3], rate[3];
         keaSubtract(remainder, end[k], p->arm[k]);

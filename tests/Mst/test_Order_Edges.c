@@ -1,0 +1,243 @@
+/* The order of motion on vertices and rims, by default: a block that rocks, a disc that rolls in a circle of its own
+ * radius, a top that slides on its tip, a ladder that slides off a wall. */
+#include "Mst.h"
+#include "karma_test.h"
+#include <string.h>
+
+static const double gravity = 9.81, pi = 3.14159265358979323846;
+
+static MstUniverseID u;
+static MdtBodyID body;
+static MeMatrix4 ground, wall;
+static double step;
+
+static void tearDown(void) {
+    MstUniverseDestroy(u);
+}
+
+static void begin(double friction) {
+    tearDown();
+    u = MstUniverseCreate(0);
+    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-gravity);
+    MdtWorldSetAutoDisable(u->world, MEFALSE);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal)friction, 0);
+    MeMatrix4TMMakeIdentity(ground);
+    MstFixedModelCreate(u, McdPlaneCreate(u->frame), ground);
+}
+
+static void setUp(void) {
+    step = 1. / 60;
+    u = MstUniverseCreate(0);
+}
+TEST_FIXTURE(setUp, tearDown)
+
+/* With its axes in the x-z plane, its z axis turned from up by `tilt` towards x. */
+static void place(double x, double z, double tilt) {
+    MeMatrix4 tm;
+    MeMatrix4TMMakeIdentity(tm);
+    MeVector3Set(tm[0], (MeReal)cos(tilt), 0, (MeReal)-sin(tilt));
+    MeVector3Set(tm[2], (MeReal)sin(tilt), 0, (MeReal)cos(tilt));
+    MeVector3Set(tm[3], (MeReal)x, 0, (MeReal)z);
+    MdtBodySetTransform(body, tm);
+}
+
+static double energy(void) {
+    MeVector3 v, w, x;
+    MeMatrix3 inertia;
+    MeMatrix4 tm;
+    double own[3], e;
+    MdtBodyGetLinearVelocity(body, v);
+    MdtBodyGetAngularVelocity(body, w);
+    MdtBodyGetCenterOfMassPosition(body, x);
+    MdtBodyGetInertiaTensor(body, inertia);
+    MdtBodyGetTransform(body, tm);
+    const double m = MdtBodyGetMass(body);
+    e = m * gravity * (double)x[2];
+    for (int i = 0; i < 3; i++) {
+        own[i] = (double)MeVector3Dot(w, tm[i]);
+        e += m * (double)(v[i] * v[i]) / 2;
+    }
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            e += own[i] * (double)inertia[i][k] * own[k] / 2;
+    return e;
+}
+
+static double tiltOf(void) {
+    MeMatrix4 tm;
+    MdtBodyGetTransform(body, tm);
+    return atan2((double)tm[2][0], (double)tm[2][2]);
+}
+
+/* ---- a block that rocks ------------------------------------------------------------------------------------------ */
+
+/* The peaks of its tilt after each blow, over those of Housner (1963): a blow leaves the share 1 - 3/2 sin² of the
+ * angular velocity, and the block rises by the energy left. Returns the loss before the first blow, of what it had. */
+static double rock(double width, double height, double share, double peak[3]) {
+    begin(1);
+    body = McdModelGetBody(
+        MstModelAndBodyCreate(u, McdBoxCreate(u->frame, (MeReal)width, (MeReal)width, (MeReal)height), 1000));
+    const double balance = atan2(width, height), R = hypot(width, height) / 2, start = share * balance;
+    const double weight = MdtBodyGetMass(body) * gravity, kept = 1 - 1.5 * sin(balance) * sin(balance);
+    place(-R * sin(balance - start), R * cos(balance - start), start);
+    const double had = energy() - weight * height / 2;
+    double left = weight * R * (cos(balance - start) - cos(balance)), lost = 0, max = 0, side = start;
+    for (int blows = 0; blows < 4;) {
+        const double before = energy();
+        MstUniverseStep(u, (MeReal)step);
+        const double tilt = tiltOf();
+        if (tilt * side < 0) {
+            if (blows > 0) {
+                left *= kept * kept;
+                peak[blows - 1] = max / (balance - acos(cos(balance) + left / (weight * R)));
+            } else {
+                lost = 1 - (before - weight * height / 2) / had;
+            }
+            blows++;
+            side = tilt;
+            max = 0;
+        }
+        max = fmax(max, fabs(tilt));
+    }
+    return lost;
+}
+
+TEST(a_block_rocks_as_housner_has_it) {
+    static const double shapes[][3] = {{.2, 1, .8}, {.2, 1, .5}, {.02, .1, .8}, {2, 10, .8}, {.5, 1, .6}, {.7, 1, .9}};
+    for (int i = 0; i < 6; i++) {
+        const double *shape = shapes[i];
+        double peak[3], before = INFINITY;
+        step = fmin(sqrt(shape[1]), 1) / 60;
+        for (int halved = 0; halved < 2; halved++, step /= 2) {
+            const double lost = rock(shape[0], shape[1], shape[2], peak);
+            ck_assert_msg(fabs(lost) < 2e-3 && fabs(lost) < before / 2, "%g x %g m: loses %g", shape[0], shape[1],
+                          lost);
+            ck_assert_msg(fabs(peak[0] - 1) < .02 && fabs(peak[2] - 1) < .1, "%g x %g m: peaks %g %g %g of Housner's",
+                          shape[0], shape[1], peak[0], peak[1], peak[2]);
+            before = fmax(fabs(lost), 5e-4);
+        }
+    }
+}
+
+/* ---- a disc that rolls in a circle of its own radius ------------------------------------------------------------- */
+
+/* Its centre rests, so that the contact describes a circle of the radius R cos a - b sin a, with the angle a between
+ * the disc and the ground, the thickness 2 b, and the moments A about its axis and B across:
+ *
+ *     W² [A sin a r/R + (B - A) sin a cos a] = m g r,  spin -W r/R. */
+static double rollOn(double radius, double thickness, double angle, double seconds, double *rate) {
+    begin(1);
+    body =
+        McdModelGetBody(MstModelAndBodyCreate(u, McdCylinderCreate(u->frame, (MeReal)radius, (MeReal)thickness), 1000));
+    MeMatrix3 inertia;
+    MeMatrix4 tm;
+    MdtBodyGetInertiaTensor(body, inertia);
+    const double b = thickness / 2, c = cos(angle), s = sin(angle), r = radius * c - b * s;
+    const double A = inertia[2][2], B = inertia[0][0], m = MdtBodyGetMass(body);
+    const double W = sqrt(m * gravity * r / (A * s * r / radius + (B - A) * s * c)), spin = -W * r / radius;
+    MeMatrix4TMMakeIdentity(tm);
+    MeVector3Set(tm[0], (MeReal)-c, 0, (MeReal)s);
+    MeVector3Set(tm[1], 0, -1, 0);
+    MeVector3Set(tm[2], (MeReal)s, 0, (MeReal)c);
+    MeVector3Set(tm[3], 0, 0, (MeReal)(radius * s + b * c));
+    MdtBodySetTransform(body, tm);
+    MdtBodySetAngularVelocity(body, (MeReal)(spin * s), 0, (MeReal)(W + spin * c));
+    double worst = 0;
+    for (int i = 0; i < seconds / step; i++) {
+        MstUniverseStep(u, (MeReal)step);
+        MdtBodyGetTransform(body, tm);
+        worst = fmax(worst, fabs(acos(fmin(fabs((double)tm[2][2]), 1)) - angle));
+    }
+    *rate = W;
+    return worst * 180 / pi;
+}
+
+TEST(a_disc_rolls_in_a_circle_of_its_own_radius) {
+    static const double discs[][3] = {{.5, .01, 30},  {.5, .01, 20}, {.5, .01, 10}, {.5, .01, 5},
+                                      {.1, .002, 60}, {2, .1, 30},   {2, .04, 5},   {.5, .2, 40}};
+    for (int i = 0; i < 8; i++) {
+        double before = INFINITY;
+        step = 1. / 60;
+        for (int halved = 0; halved < 2; halved++, step /= 2) {
+            double rate;
+            const double off = rollOn(discs[i][0], discs[i][1], discs[i][2] * pi / 180, 10, &rate);
+            ck_assert_msg(off < 1 && off < before / 3, "radius %g, %g degrees, %g rad a step: off by %g degrees",
+                          discs[i][0], discs[i][2], rate * step, off);
+            before = fmax(off, .01);
+        }
+    }
+}
+
+/* ---- a top ------------------------------------------------------------------------------------------------------- */
+
+/* A ball with its centre of mass below its middle, which spins about its axis, tilted by .1 rad. By a Runge-Kutta
+ * solution with Coulomb's friction the tilt is .0265 rad after 4 s, and at most .1 until then. */
+TEST(a_top_does_not_turn_over) {
+    const double radius = .1, offset = .03, tilt = .1, spin = 80;
+    for (step = 1. / 60; step > 1. / 250; step /= 2) {
+        static MeMatrix4 middle;
+        MeMatrix3 inertia;
+        double max = 0;
+        begin(.3);
+        const McdModelID model = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal)radius), 1000);
+        body = McdModelGetBody(model);
+        memset(inertia, 0, sizeof inertia);
+        inertia[2][2] = (MeReal)(.4 * radius * radius);
+        inertia[0][0] = inertia[1][1] = (MeReal)(.936 * .4 * radius * radius);
+        MdtBodySetMass(body, 1);
+        MdtBodySetInertiaTensor(body, inertia);
+        MeMatrix4TMMakeIdentity(middle);
+        middle[3][2] = (MeReal)offset;
+        McdModelSetRelativeTransform(model, middle);
+        place(0, radius - offset * cos(tilt), tilt);
+        MdtBodySetAngularVelocity(body, (MeReal)(spin * sin(tilt)), 0, (MeReal)(spin * cos(tilt)));
+        for (int i = 0; i < 4 / step; i++) {
+            MeMatrix4 tm;
+            MstUniverseStep(u, (MeReal)step);
+            MdtBodyGetTransform(body, tm);
+            max = fmax(max, hypot((double)tm[2][0], (double)tm[2][1]));
+        }
+        MeMatrix4 tm;
+        MdtBodyGetTransform(body, tm);
+        printf("step %g: tilt %g\n", step, hypot((double)tm[2][0], (double)tm[2][1]));
+        assert_near(hypot((double)tm[2][0], (double)tm[2][1]), .0265, .03);
+        assert_below(max, .101);
+    }
+}
+
+/* ---- a ladder ---------------------------------------------------------------------------------------------------- */
+
+/* It slides down without friction, and keeps its energy until it leaves the wall, which is behind it at x = 0. Then the
+ * lower end moves by sin³ of the first angle, in its length. */
+static double slideDown(double length, double thickness, double angle) {
+    MeMatrix4 tm;
+    begin(0);
+    MeMatrix4TMMakeIdentity(wall);
+    MeVector3Set(wall[0], 0, 0, -1);
+    MeVector3Set(wall[2], 1, 0, 0);
+    MstFixedModelCreate(u, McdPlaneCreate(u->frame), wall);
+    body = McdModelGetBody(
+        MstModelAndBodyCreate(u, McdBoxCreate(u->frame, (MeReal)thickness, (MeReal).4, (MeReal)length), 1000));
+    const double tilt = angle - pi / 2, c = cos(tilt), s = fabs(sin(tilt));
+    place((length * s + thickness * c) / 2, (length * c + thickness * s) / 2, tilt);
+    const double had = energy();
+    double worst = 0;
+    for (int i = 0; i < 5 / step; i++) {
+        MstUniverseStep(u, (MeReal)step);
+        MdtBodyGetTransform(body, tm);
+        const double reach = (length * fabs((double)tm[2][0]) + thickness * fabs((double)tm[0][0])) / 2;
+        if ((double)tm[3][0] - reach > 1e-3 * length)
+            break;
+        worst = fmax(worst, fabs(energy() / had - 1));
+    }
+    return worst;
+}
+
+TEST(a_ladder_slides_off_a_wall_without_loss) {
+    static const double ladders[][3] = {{4, .05, 75}, {4, .05, 50}, {1, .2, 60}, {.2, .01, 70}, {20, 1, 65}};
+    for (int i = 0; i < 5; i++)
+        for (step = 1. / 60; step > 1. / 130; step /= 2) {
+            const double lost = slideDown(ladders[i][0], ladders[i][1], ladders[i][2] * pi / 180);
+            ck_assert_msg(lost < 2e-3, "%g m at %g degrees, %g s: loses %g", ladders[i][0], ladders[i][2], step, lost);
+        }
+}
