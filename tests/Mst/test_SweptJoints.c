@@ -115,6 +115,7 @@ static void assertNoGain(double gainOf(MeU32), MeU32 number, const MeU32 gained[
         assert_below(gainOf(i), 1e-3);
     for (int i = 0; i < numGained; i++)
         assert_below(gainOf(gained[i]), 1e-3);
+    messages_forget(); /* in double a pile warns that its step could not be solved */
 }
 
 /* 125: a pass that turned bodies by half a turn, where all laws were met, was taken as the answer. */
