@@ -75,7 +75,6 @@ typedef struct KeaBody {
     double endVelocity[6]; /* m/s, rad/s (world) */
     double errorScale[2];  /* m, rad: its share of the scales of linear and angular position errors (kea_residual.c) */
     MeBool isTied;         /* a joint or a spring constrains its displacement (kea_markTied) */
-    MeBool isUntied;       /* not tied, in an untimed step: it is moved by v + moveTheta (v⁺ - v), not by u */
     MeBool isFree;         /* no row acts on it: it moves as a free body */
 } KeaBody;
 
@@ -245,6 +244,9 @@ void kea_differentiateRows(MdtKeaSystem *s);
  * displacements by u; before kea_setMovingRates. Those of tied bodies only in the
  * first pass. Returns whether there are any. */
 MeBool kea_moveContacts(MdtKeaSystem *s, MeBool isFirst);
+/* Whether a body is moved by u: it is tied, or the step is timed, as impacts are located along this displacement.
+ * Others are moved by v + moveTheta (v⁺ - v). False for the world, -1. */
+MeBool kea_isMovedByU(const MdtKeaSystem *s, int body);
 /* Sets isTied of all bodies from the rows of joints. */
 void kea_markTied(MdtKeaSystem *s);
 void kea_copyJacobian(KeaProblemRow *p, const MdtKeaJBlockPair J);

@@ -95,16 +95,8 @@ void kea_markTied(MdtKeaSystem *s) {
                 s->work->body[s->rows[i].body[k]].isTied = METRUE;
 }
 
-/* Sets isUntied of all bodies: no row constrains their displacement. In timed steps it is false, as impacts are located
- * along the displacement by u. */
-static void markUntied(MdtKeaSystem *s) {
-    kea_markTied(s);
-    for (int i = 0; i < s->numBodies; i++)
-        s->work->body[i].isUntied = !s->parameters.timed && !s->work->body[i].isTied;
-}
-
-static MeBool isMovedByU(const MdtKeaSystem *s, int body) {
-    return body >= 0 && !s->work->body[body].isUntied;
+MeBool kea_isMovedByU(const MdtKeaSystem *s, int body) {
+    return body >= 0 && (s->parameters.timed || s->work->body[body].isTied);
 }
 
 /* Bodies that touch a tied body with θ = 1 are moved by v⁺, too: otherwise the contact force would do more work on one
@@ -115,13 +107,13 @@ static void moveTouchingByEnd(MdtKeaSystem *s) {
         if (row->contact != i || s->work->problem.row[i].isInactive)
             continue;
         for (int k = 0; k < 2; k++)
-            if (row->body[k] >= 0 && isMovedByU(s, row->body[1 - k]) && s->work->body[row->body[1 - k]].theta == 1)
+            if (row->body[k] >= 0 && kea_isMovedByU(s, row->body[1 - k]) && s->work->body[row->body[1 - k]].theta == 1)
                 s->work->body[row->body[k]].moveTheta = 1;
     }
 }
 
 static void chooseTheta(MdtKeaSystem *s) {
-    markUntied(s);
+    kea_markTied(s);
     for (int i = 0; i < s->numBodies; i++)
         s->work->body[i].theta = s->work->body[i].moveTheta = 0.5;
     for (int i = 0; i < s->numRows && !s->parameters.timed; i++) {
@@ -183,7 +175,7 @@ void kea_chooseMoveThetas(MdtKeaSystem *s) {
                 continue;
             for (int k = 0; k < 2; k++) {
                 KeaBody *b = row->body[k] < 0 ? NULL : &s->work->body[row->body[k]];
-                if (!b || !b->isUntied || b->moveTheta == 1)
+                if (!b || kea_isMovedByU(s, row->body[k]) || b->moveTheta == 1)
                     continue;
                 b->moveTheta = 1;
                 isAny = METRUE;
@@ -312,10 +304,10 @@ void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool
 static MeBool isMovedByEnd(const MdtKeaSystem *s, const MdtKeaRow *row) {
     for (int k = 0; k < 2; k++) {
         const KeaBody *b = row->body[k] < 0 ? NULL : &s->work->body[row->body[k]];
-        if (b && (b->isUntied ? b->moveTheta : b->theta) < 1)
+        if (b && (kea_isMovedByU(s, row->body[k]) ? b->theta : b->moveTheta) < 1)
             return MEFALSE;
     }
-    return isMovedByU(s, row->body[0]) || isMovedByU(s, row->body[1]);
+    return kea_isMovedByU(s, row->body[0]) || kea_isMovedByU(s, row->body[1]);
 }
 
 /* m/s: the rate that the contact constrains minus J v⁺ with the J of the mean lever arms (kea_setMovingRates). */

@@ -91,7 +91,7 @@ void kea_guessMotion(MdtKeaSystem *s) {
 void kea_moveVelocity(const MdtKeaSystem *s, int i, MeBool byEnd, double move[6]) {
     const MdtKeaBody *body = s->bodies[i];
     const KeaBody *b = &s->work->body[i];
-    const double theta = !b->isUntied ? b->theta : byEnd ? 1 : b->moveTheta, share = theta / b->theta;
+    const double theta = kea_isMovedByU(s, i) ? b->theta : byEnd ? 1 : b->moveTheta, share = theta / b->theta;
     double w[3];
     keaCopy(w, b->spin);
     if (!b->isSpatial)
@@ -141,7 +141,7 @@ void kea_moveBodies(MdtKeaSystem *s) {
         const double perTheta = 1 / b->theta;
         double move[6];
         kea_moveVelocity(s, i, MEFALSE, move);
-        end->theta = b->isUntied ? b->moveTheta : b->theta;
+        end->theta = kea_isMovedByU(s, i) ? b->theta : b->moveTheta;
         keaCopy(end->position, body->position);
         keaAddScaled(end->position, h, move);
         for (int k = 0; k < 3; k++)
