@@ -374,9 +374,9 @@ MEPUBLIC void MEAPI MeMatrix4TMUpdateFromVelocitiesAndAcceler(
 /** @name Quaternions: construction
  *  @{ */
 MEPUBLIC void MEAPI MeQuaternionSet(MeVector4 q, MeReal w, MeReal x, MeReal y, MeReal z); /**< As given. */
-/** The rotation by the angle a about the axis x, which may have any length. For a zero axis it warns and returns the
+/** The rotation by the angle about the axis, which may have any length. For a zero axis it warns and returns the
  *  identity. */
-MEPUBLIC void MEAPI MeQuaternionMake(MeVector4 q, const MeVector3 x, const MeReal a);
+MEPUBLIC void MEAPI MeQuaternionMake(MeVector4 q, const MeVector3 axis, const MeReal angle);
 /** The smallest rotation that takes the direction of v1 to that of v2; for opposite ones, half a turn about some
  *  perpendicular axis. For a zero vector it warns and returns the identity. */
 MEPUBLIC void MEAPI MeQuaternionForRotation(MeVector4 q, const MeVector3 v1, const MeVector3 v2);

@@ -12,14 +12,14 @@ void MEAPI MeQuaternionSet(MeVector4 q, MeReal w, MeReal x, MeReal y, MeReal z) 
     q[3] = z;
 }
 
-void MEAPI MeQuaternionMake(MeVector4 q, const MeVector3 x, const MeReal a) {
+void MEAPI MeQuaternionMake(MeVector4 q, const MeVector3 axis, const MeReal angle) {
     MeReal c, s;
     MeVector3 n;
-    me_direction(a / 2, &c, &s);
-    MeVector3Copy(n, x);
+    me_direction(angle / 2, &c, &s);
+    MeVector3Copy(n, axis);
     if (MeVector3Normalize(n) == 0) {
-        MeWarning(1, "MeQuaternionMake: the axis (%g, %g, %g) has no direction", (double)x[0], (double)x[1],
-                  (double)x[2]);
+        MeWarning(1, "MeQuaternionMake: the axis (%g, %g, %g) has no direction", (double)axis[0], (double)axis[1],
+                  (double)axis[2]);
         MeQuaternionSet(q, 1, 0, 0, 0);
         return;
     }

@@ -185,7 +185,7 @@ static MeBool isCylinder(const McdShape *s) {
     return s->kind->rank == MCD_RANK_CYLINDER;
 }
 
-static MeBool isRound(const McdShape *s) {
+static MeBool isSphylOrCylinder(const McdShape *s) {
     return s->kind->rank == MCD_RANK_SPHYL || isCylinder(s);
 }
 
@@ -261,7 +261,7 @@ void mcd_guessFaces(const McdShape *a, const McdShape *b, McdProximity *g) {
 
 MeBool mcd_guessSides(const McdShape *a, const McdShape *b, McdProximity *g) {
     const Pair p = {a, b, mcd_faceBias * mcd_pairSize(a, b)};
-    if ((isCylinder(a) && isRound(b)) || (isRound(a) && isCylinder(b)))
+    if ((isCylinder(a) && isSphylOrCylinder(b)) || (isSphylOrCylinder(a) && isCylinder(b)))
         tryRoundSides(&p, g);
     else if (isBox(a) && isCylinder(b))
         tryBoxAndCylinder(&p, a, b, g);

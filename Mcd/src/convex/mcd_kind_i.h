@@ -66,7 +66,7 @@ struct McdKind {
 
     MeBool isHalfSpace; /* the half-space below z = 0 of its frame */
     MeBool isStatic;    /* usually fixed: no warning for two such types without an interaction */
-    MeBool isEmpty;     /* no warning where it has no interaction with another type */
+    MeBool isEmpty;     /* touches nothing (McdNull): pairs without an interaction are no mistake */
 };
 
 /* The entries that all built-in types have: the functions of their headers. */

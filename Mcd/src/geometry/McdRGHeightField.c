@@ -321,7 +321,7 @@ static int MEAPI intersectSegment(const McdModelID cm, MeReal *const inOrig, MeR
     double from[3], to[3], fraction, normal[3];
     return mcd_toLocal(mcd_const(ins->tm), inOrig, from) && mcd_toLocal(mcd_const(ins->tm), inDest, to) &&
            traverseCells((const McdRGHeightField *)ins->geometry, from, to, &fraction, normal) &&
-           mcd_segmentHit(mcd_const(ins->tm), inOrig, inDest, fraction, normal, outOverlap);
+           mcd_writeSegmentHit(mcd_const(ins->tm), inOrig, inDest, fraction, normal, outOverlap);
 }
 
 void MEAPI McdRGHeightFieldLineSegmentRegisterInteraction(McdFramework *frame) {

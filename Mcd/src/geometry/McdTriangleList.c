@@ -291,7 +291,7 @@ static int MEAPI intersectSegment(const McdModelID cm, MeReal *const inOrig, MeR
     const double min = firstHit(&generated, from, to, normal);
     releaseArray(list, &generated);
     mcd_scratchRelease(frame, scratch);
-    return min <= 1 && mcd_segmentHit(mcd_const(ins->tm), inOrig, inDest, min, normal, outOverlap);
+    return min <= 1 && mcd_writeSegmentHit(mcd_const(ins->tm), inOrig, inDest, min, normal, outOverlap);
 }
 
 void MEAPI McdTriangleListLineSegmentRegisterInteraction(McdFramework *frame) {

@@ -187,8 +187,8 @@ MeBool mcd_toLocal(const MeVector4 *tm, const MeReal *world, double local[3]) {
     return isfinite(local[0] + local[1] + local[2]);
 }
 
-int mcd_segmentHit(const MeVector4 *tm, const MeReal *from, const MeReal *to, double fraction, const double normal[3],
-                   McdLineSegIntersectResult *hit) {
+int mcd_writeSegmentHit(const MeVector4 *tm, const MeReal *from, const MeReal *to, double fraction,
+                        const double normal[3], McdLineSegIntersectResult *hit) {
     double length = 0;
     MEASSERT(fraction >= 0 && fraction <= 1);
     for (int i = 0; i < 3; i++) {
@@ -221,7 +221,7 @@ int mcd_localLineSegment(McdModelID cm, const MeReal *from, const MeReal *to, Mc
         return 0;
     MEASSERT(!(c.in > 0) || isfinite(mcd_dot(c.normal, c.normal))); /* its length may have lost digits far away */
     result->model = cm;
-    return mcd_segmentHit(tm, from, to, MeMAX(c.in, 0), c.in > 0 ? c.normal : inside, result);
+    return mcd_writeSegmentHit(tm, from, to, MeMAX(c.in, 0), c.in > 0 ? c.normal : inside, result);
 }
 
 /* ---- mass -------------------------------------------------------------------------------------------------------- */

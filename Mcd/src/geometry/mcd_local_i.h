@@ -120,8 +120,8 @@ void mcd_clipAt(const McdClip *c, double t, double point[3]);
 MeBool mcd_toLocal(const MeVector4 *tm, const MeReal *world, double local[3]);
 /* Fills the result, except the model, for a hit at a fraction of the segment, with a normal in the frame at tm.
  * Returns 1. */
-int mcd_segmentHit(const MeVector4 *tm, const MeReal *from, const MeReal *to, double fraction, const double normal[3],
-                   McdLineSegIntersectResult *hit);
+int mcd_writeSegmentHit(const MeVector4 *tm, const MeReal *from, const MeReal *to, double fraction,
+                        const double normal[3], McdLineSegIntersectResult *hit);
 
 /* Clips a line, initially unclipped, by the geometry. */
 typedef void (*McdLocalClipFn)(const McdGeometry *g, McdClip *c);

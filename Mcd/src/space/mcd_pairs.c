@@ -484,8 +484,9 @@ static void MEAPI searchRange(void *space, int first, int end, int worker) {
     }
 }
 
-/* Makes the links that were found for a proxy. A link found from both of its proxies is made once. */
-static MeBool linkFound(McdSpace *s, int i) {
+/* Makes the links that the search for the proxy dirty[i] found, except those that exist already, since the search for
+ * the other proxy found them, too. False: there is no memory. */
+static MeBool makeFoundLinks(McdSpace *s, int i) {
     const int *found = s->found + i / MCD_RANGE * FOUND_ROOM, proxy = s->dirty[i];
     MeBool isDone = METRUE;
     for (int k = i % MCD_RANGE ? s->foundEnd[i - 1] : 0; k < s->foundEnd[i] && isDone; k++)
@@ -507,7 +508,7 @@ static void findAllLinks(McdSpace *s) {
     for (int i = 0; i < s->dirtyCount; i++) {
         McdProxy *p = &s->proxy[s->dirty[i]];
         if (needsSearch(p))
-            p->isMoved = !(isShared && s->foundEnd[i] >= 0 ? linkFound(s, i) : findLinks(s, s->dirty[i]));
+            p->isMoved = !(isShared && s->foundEnd[i] >= 0 ? makeFoundLinks(s, i) : findLinks(s, s->dirty[i]));
         else
             p->isMoved = MEFALSE;
     }

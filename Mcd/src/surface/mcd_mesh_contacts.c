@@ -196,9 +196,9 @@ static MeBool findEntry(const McdMeshQuery *q, const McdMeshContact *c, double e
     return METRUE;
 }
 
-/* Adds the contacts along the face's normal. They are accepted if one of them is not below the surface or entered
- * through this triangle, or if the narrow phase finds that the shape touches the triangle. Otherwise returns false
- * and adds none. */
+/* Adds the contacts along the face's normal if at least one of them is on or above the surface, or its estimated point
+ * of entry (findEntry) lies in this triangle, or if the narrow phase finds that the shape touches the triangle.
+ * Otherwise adds none and returns false. */
 static MeBool addFaceContacts(McdMeshQuery *q, const McdMeshTriangle *t) {
     const int first = q->mesh->contactCount;
     const double overlap = MCD_MESH_OVERLAP * q->shape.extent;

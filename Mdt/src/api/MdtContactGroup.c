@@ -1,4 +1,5 @@
-/* API of contact groups: a group is a manifold, with the manifolds that continue it. */
+/* API of contact groups. A group is a manifold of up to four contacts; further manifolds in a list hold its fifth and
+ * later contacts (mdt_manifold_i.h). */
 #include "MdtInternal.h"
 #include "api/mdt_api_i.h"
 #include "MeAssert.h"

@@ -61,8 +61,8 @@ void mdt_budgetDraw(MdtIsland *p) {
 
 /* Sets γ' and ε' of a part of length H/n so that n parts reduce errors as a whole step of length H does, and contacts
  * give way under a load F as in a whole step: 1 - γ = (1 - γ')^n, ε' F (H/n)² / γ' = ε F H² / γ. H is the step that the
- * program requested: a partition that safe times advance by less removes a smaller fraction of an error, at the same
- * speed γ φ / H. */
+ * program requested: if safe times let a partition advance by less, it removes a smaller fraction of its errors, at the
+ * same speed γ φ / H. */
 static void setSubstep(MdtIsland *p, double substep) {
     MEASSERT(substep > 0 && substep <= p->h * (1 + 1e-9) && p->h <= p->whole * (1 + 1e-9));
     const double n = p->whole / substep * (p->stage == MDT_STAGE_NONE ? 1 : p->forward), gamma = p->world->gamma;

@@ -415,8 +415,9 @@ KEA_INLINE void setFrictionMass(KeaGroup *g, KeaLanes3 across) {
     g->torsionMass = lanesSelect(invTorsionMass > 0, 1 / invTorsionMass, lanesOf(0));
 }
 
-/* Sets the changes of the rates of friction by the resultant of normal impulses (resultantOf), and by friction about
- * n. */
+/* Sets the blocks of J M⁻¹ Jᵀ that couple friction with other impulses: the changes of the velocities along t1, t2 and
+ * about n by a unit of the resultant of normal impulses (resultantOf), and of those along t1, t2 by a unit of friction
+ * about n. */
 KEA_INLINE void setFrictionCoupling(KeaGroup *g, KeaLanes3 across) {
     for (int j = 0; j < 3; j++)
         g->toSlide[0][j] = g->toSlide[1][j] = g->toSpin[j] = lanesOf(0);
