@@ -208,6 +208,7 @@ static uint64_t runWith(int workers, void (*make)(Scene *s), MeBool isReported) 
 /* The bits are compared where there is no sanitizer. */
 LOOP_TEST(workers_do_not_race, 0, SCENES) {
     runWith(_i % 2 ? 8 : 3, scenes[_i], _i % 3 == 0);
+    messages_forget();
 }
 #else
 LOOP_TEST(every_number_of_workers_gives_the_same_bits, 0, SCENES) {
