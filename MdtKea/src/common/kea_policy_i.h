@@ -302,7 +302,8 @@ static const double kea_touchingGap = sizeof(MeReal) == sizeof(double) ? 1e-7 : 
 
 /* The same for a contact that has carried a load and moves with a rolling body: in a step the path of the contact point
  * leaves the surface by O(h³), and the gap may not count as flight, at the end of which there is an impact. x1/10 loses
- * a disc that rolls round and round (Mst_Order_Edges); x10 stops cubes with a tilt (Mst_Compounds). */
+ * a disc that rolls round and round (Mst_Order_Edges); x10 keeps discs, too, that
+ * fall at more than .37 rad a step. */
 static const double kea_rollingGap = 1e-4;
 
 /* ---- rotation, inertia ---- */
@@ -466,7 +467,7 @@ static const double kea_centredBall = 1e-6;
 /* Rad, sqrt(2 DBL_EPSILON): half of the square of a smaller angle is lost in rounding beside 1. */
 static const double kea_minTurn = 2.1e-8;
 /* Rad, of the bodies relative to each other: of a smaller turn vertices count as fixed. Their arcs leave the surface by
- * half its square, 5e-9 of an arm. 1e-6 lets a box creep that friction just holds (Mst_Turning). */
+ * half its square, 5e-9 of an arm. With kea_minTurn no test fails, Mst_Order_Edges neither. */
 static const double kea_minRoll = 1e-4;
 /* Factor on the change of an approach by one step's own acceleration: a body that fell for just one step must not seem
  * faster by rounding. */
