@@ -241,9 +241,9 @@ void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool
  * rows; after kea_differentiateBodies. */
 void kea_differentiateRows(MdtKeaSystem *s);
 /* Sets the Jacobians of contacts that move with bodies, in the middle and at the end of the step, from the
- * displacements by u; before kea_setMovingRates. Those of tied bodies only in the
- * first pass. Returns whether there are any. */
-MeBool kea_moveContacts(MdtKeaSystem *s, MeBool isFirst);
+ * displacements by u, in pass `pass` of the solve; before kea_setMovingRates. Those of tied bodies follow in the first
+ * pass only, others until their places are exact. Returns whether there are any. */
+MeBool kea_moveContacts(MdtKeaSystem *s, int pass);
 /* Whether a body is moved by u: it is tied, or the step is timed, as impacts are located along this displacement.
  * Others are moved by v + moveTheta (v⁺ - v). False for the world, -1. */
 MeBool kea_isMovedByU(const MdtKeaSystem *s, int body);
@@ -359,10 +359,8 @@ MeBool kea_impactsChatter(const MdtKeaSystem *s, const KeaEventScale *scale);
 /* m/s: the scale of speeds in timed steps: the change of velocity by the loads in one step, or a small fraction of the
  * bodies' speeds if that is more. */
 double kea_eventSpeed(const MdtKeaSystem *s);
-/* Whether a contact has carried a load and moves with a rolling body: the path of its point leaves the surface by O(h³)
- * in a step, and its rate by O(h²). */
-MeBool kea_isRolling(const MdtKeaRow *row);
-/* Whether the contact of a normal row touches: its gap is below a tolerance. */
+/* Whether the contact of a normal row touches: its gap is below a tolerance, which is larger for one that has carried a
+ * load and moves with a rolling body. */
 MeBool kea_isTouching(const MdtKeaSystem *s, const MdtKeaRow *row);
 /* m/s: J v - s of row i at the start; J v - drift if it is a normal row. */
 double kea_startRate(const MdtKeaSystem *s, int i);

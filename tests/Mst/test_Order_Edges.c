@@ -168,6 +168,20 @@ TEST(a_disc_rolls_in_a_circle_of_its_own_radius) {
     }
 }
 
+TEST(a_disc_may_roll_by_half_a_rad_in_a_step) {
+    static const double angles[] = {5, 10, 20, 35, 50}, radii[] = {.1, .5, 2};
+    for (int i = 0; i < 15; i++)
+        for (double turn = .2; turn < .51; turn += .1) {
+            const double radius = radii[i / 5], angle = angles[i % 5] * pi / 180;
+            double rate;
+            rollOn(radius, .02 * radius, angle, 0, &rate);
+            step = turn / rate;
+            const double off = rollOn(radius, .02 * radius, angle, 10, &rate);
+            ck_assert_msg(off < 1, "radius %g, %g degrees, %g rad a step: off by %g degrees", radius, angles[i % 5],
+                          turn, off);
+        }
+}
+
 /* ---- a top ------------------------------------------------------------------------------------------------------- */
 
 /* A ball with its centre of mass below its middle, which spins about its axis, tilted by .1 rad. By a Runge-Kutta
@@ -199,7 +213,6 @@ TEST(a_top_does_not_turn_over) {
         }
         MeMatrix4 tm;
         MdtBodyGetTransform(body, tm);
-        printf("step %g: tilt %g\n", step, hypot((double)tm[2][0], (double)tm[2][1]));
         assert_near(hypot((double)tm[2][0], (double)tm[2][1]), .0265, .03);
         assert_below(max, .101);
     }

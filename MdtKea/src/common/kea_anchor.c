@@ -314,7 +314,7 @@ MeBool kea_isContactTied(const MdtKeaSystem *s, const KeaContact *c) {
 static MeBool doVerticesMove(const MdtKeaSystem *s, const KeaContact *c) {
     double relative[3];
     keaSubtract(relative, sideVelocityOf(s, c, 0)->ang, sideVelocityOf(s, c, 1)->ang);
-    return !kea_isContactTied(s, c) && s->parameters.stepsize * keaLength(relative) > kea_minRoll;
+    return !kea_isContactTied(s, c) && s->parameters.stepsize * keaLength(relative) > kea_minTurn;
 }
 
 static MeBool hasOwner(const KeaContact *c) {

@@ -39,12 +39,8 @@ KeaEventScale kea_eventScale(const MdtKeaSystem *s) {
     return scale;
 }
 
-MeBool kea_isRolling(const MdtKeaRow *row) {
-    return row->rolls && row->force > 0;
-}
-
 MeBool kea_isTouching(const MdtKeaSystem *s, const MdtKeaRow *row) {
-    const double gap = kea_isRolling(row) ? kea_rollingGap : kea_touchingGap;
+    const double gap = row->rolls && row->force > 0 ? kea_nearbyGap : kea_touchingGap;
     return row->error < gap * kea_smallerExtent(s, row->body);
 }
 
@@ -285,11 +281,9 @@ static void storeImpulses(MdtKeaSystem *s) {
 /* ---- approaching contacts ---- */
 
 /* The slowest approach that is an impact, as a fraction of the event speed. A soft contact yields to its load with
- * J v⁺ = -h E λ, where λ is at most the weight of all bodies. A rolling one has the rate by which the last step was
- * inexact. */
+ * J v⁺ = -h E λ, where λ is at most the weight of all bodies. */
 static double minImpactSpeedOf(const MdtKeaRow *row, double mass) {
-    return kea_isRolling(row) ? kea_softContactSpeed
-                              : keaMin(kea_minImpactSpeed + row->softness * mass, kea_softContactSpeed);
+    return keaMin(kea_minImpactSpeed + row->softness * mass, kea_softContactSpeed);
 }
 
 MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *s) {

@@ -75,8 +75,9 @@ enum {
     /* Passes with frozen bounds. The problem is convex then, and each pass reduces the residual by a factor of 3 to 70,
      * so that 4 gain two to seven digits. */
     KEA_FROZEN_PASSES = 4,
-    /* Passes in which contacts follow the bodies. Each multiplies the error of their places by the angle in rad by
-     * which a body turns in a step; 8 leave 1e-3 at .4 rad. With 2 a top turns over (Mst_Order_Edges). */
+    /* Maximal number of passes in which contacts follow the bodies. Each multiplies the error of their places by the
+     * angle in rad by which bodies turn relative to each other in a step; 8 leave 1e-3 at .4 rad. With 2 a top turns
+     * over (Mst_Order_Edges). */
     KEA_CONTACT_PASSES = 8,
     /* Passes of the tangent problem, which converges quadratically: 2 to 4 where it is regular, 6 near a change point.
      * At a change point, and with redundant joints, more do not converge either. x2 and /2 fail scenes_linkage:
@@ -121,9 +122,11 @@ static const double kea_jerk = 30;
 
 /* ---- theta and geometric stiffness ---- */
 
-/* Gap, relative to a body's size, below which a contact may act at any speed: a hundred times kea_touchingGap of single
- * precision. With a larger value near misses dissipate energy, with a smaller one contacts are activated a pass
- * later. */
+/* Gap, relative to a body's size, below which a contact may act at any speed, and one touches that has carried a load
+ * and moves with a rolling body: the path of its point leaves the surface by O(h³) in a step, and that gap is not
+ * flight, at whose end there would be an impact. A hundred times kea_touchingGap of single precision. With a larger
+ * value near misses dissipate energy, with a smaller one contacts are activated a pass later; /10 fails
+ * Mst_Order_Edges: a_disc_may_roll_by_half_a_rad_in_a_step. */
 static const double kea_nearbyGap = 1e-3;
 /* In steps: a contact that would close within this time at its present speed may act. One step would be enough if rows
  * did not change velocities; the additional half is for that, and for impacts with restitution, which are to be
@@ -300,12 +303,6 @@ static const double kea_stickMargin = 1e-7;
  * 1e-6 left it rocking in 3 of 8 runs; in single precision programs place bodies no more accurately than to 1e-5. */
 static const double kea_touchingGap = sizeof(MeReal) == sizeof(double) ? 1e-7 : 1e-5;
 
-/* The same for a contact that has carried a load and moves with a rolling body: in a step the path of the contact point
- * leaves the surface by O(h³), and the gap may not count as flight, at the end of which there is an impact. x1/10 loses
- * a disc that rolls round and round (Mst_Order_Edges); x10 keeps discs, too, that
- * fall at more than .37 rad a step. */
-static const double kea_rollingGap = 1e-4;
-
 /* ---- rotation, inertia ---- */
 
 /* Rad: a body that turns further in a step turns as a free body does, and not by the chord (the Cayley map), which
@@ -466,9 +463,6 @@ static const double kea_unitRounding = 1e-5;
 static const double kea_centredBall = 1e-6;
 /* Rad, sqrt(2 DBL_EPSILON): half of the square of a smaller angle is lost in rounding beside 1. */
 static const double kea_minTurn = 2.1e-8;
-/* Rad, of the bodies relative to each other: of a smaller turn vertices count as fixed. Their arcs leave the surface by
- * half its square, 5e-9 of an arm. With kea_minTurn no test fails, Mst_Order_Edges neither. */
-static const double kea_minRoll = 1e-4;
 /* Factor on the change of an approach by one step's own acceleration: a body that fell for just one step must not seem
  * faster by rounding. */
 static const double kea_ownChangeMargin = 1.1;

@@ -19,8 +19,7 @@
 #include <string.h>
 
 MeBool kea_isContactOpen(const MdtKeaSystem *s, int i, double speed) {
-    const double separating = kea_isRolling(&s->rows[i]) ? kea_minReboundSpeed : kea_separatingSpeed;
-    return !kea_isTouching(s, &s->rows[i]) || kea_startRate(s, i) > separating * speed;
+    return !kea_isTouching(s, &s->rows[i]) || kea_startRate(s, i) > kea_separatingSpeed * speed;
 }
 
 /* ---- which systems are timed ---- */

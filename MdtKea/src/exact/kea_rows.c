@@ -383,8 +383,7 @@ static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
  *     J v = drift - max(E p - G, 0),
  *
  * which is rigid up to the load G/E. The branch is chosen by p of the last pass; in the first pass, in which contacts
- * share their load by E, it is the soft one without G. The gap of a rolling contact may close within the step. A
- * contact with a gap that acts from the start of the step
+ * share their load by E, it is the soft one without G. A contact with a gap that acts from the start of the step
  * touches at its end (kea_events.c). */
 static double timedTarget(const MdtKeaSystem *s, const MdtKeaRow *row, KeaProblemRow *p) {
     if (row->lower < 0) /* it may pull */
@@ -396,7 +395,7 @@ static double timedTarget(const MdtKeaSystem *s, const MdtKeaRow *row, KeaProble
         return row->drift + separating;
     if (p->p > 0)
         p->E = 0;
-    return row->drift - (kea_isRolling(row) ? keaMax(row->error, 0) / s->parameters.stepsize : 0);
+    return row->drift;
 }
 
 static void velocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {

@@ -27,7 +27,7 @@ typedef struct Passes {
     int pass, last;        /* index of this pass; index after which they end */
     int worse;             /* number of passes in which `motion` has grown */
     MeBool isRefined;      /* the iterate had converged before this pass, which refines it */
-    MeBool movesContacts;  /* contacts follow the bodies: as long as that converges */
+    MeBool movesContacts;  /* contacts follow the bodies: in the first KEA_CONTACT_PASSES */
     MeBool isLimited;      /* the work budget is used up */
     MeBool mayBeTangent; /* symmetric passes have followed the tangent ones: the saved tangent iterate may be better */
 } Passes;
@@ -46,7 +46,7 @@ typedef enum PassResult {
 static void linearizeIterate(MdtKeaSystem *s, MeBool moveContacts) {
     kea_moveBodies(s);
     if (moveContacts)
-        s->work->contactPasses += kea_moveContacts(s, s->report.passes == 0);
+        s->work->contactPasses += kea_moveContacts(s, s->report.passes);
     kea_refreshRows(s, s->work->meanPose, METRUE);
     kea_setMovingRates(s);
     if (s->errors)
@@ -234,7 +234,7 @@ static void measurePass(MdtKeaSystem *s, Passes *p) {
     linearizeIterate(s, p->movesContacts);
     p->speed = keaMax(p->speed, kea_rowSpeedScale(s));
     p->e = residualsOfPass(s, p->speed);
-    p->movesContacts = p->movesContacts && p->pass + 1 < KEA_CONTACT_PASSES && p->e.worst < p->before;
+    p->movesContacts = p->pass + 1 < KEA_CONTACT_PASSES;
     if (p->e.worst < p->best.worst || p->pass == 0) {
         p->best = p->e;
         saveIterate(s, s->work->bestU, s->work->bestP);
