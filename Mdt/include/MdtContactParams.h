@@ -77,6 +77,19 @@ MEPUBLIC MeReal MEAPI MdtContactParamsGetPrimarySlide(const MdtContactParamsID p
 MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondarySlide(const MdtContactParamsID p);
 /** @} */
 
+/** @name Rolling and spinning friction, m, >= 0; 0: none, the default. Beyond Karma.
+ *  The largest torque with which the contact resists rolling (about axes at right angles to the normal) and spinning
+ *  (about the normal) is this length times the normal force. It is the distance by which the normal force acts ahead of
+ *  the centre of the contact: for spinning, 2/3 of the radius of a contact patch times its coefficient of friction. A
+ *  ball of radius R that rolls with the speed v on a floor comes to rest after 7/10 v² R / (r g), with the rolling
+ *  friction r, and stays on a slope up to r / R. Independent of the other friction, which rolling needs.
+ *  @{ */
+MEPUBLIC void MEAPI MdtContactParamsSetRollingFriction(const MdtContactParamsID p, MeReal r);
+MEPUBLIC MeReal MEAPI MdtContactParamsGetRollingFriction(const MdtContactParamsID p);
+MEPUBLIC void MEAPI MdtContactParamsSetSpinningFriction(const MdtContactParamsID p, MeReal r);
+MEPUBLIC MeReal MEAPI MdtContactParamsGetSpinningFriction(const MdtContactParamsID p);
+/** @} */
+
 /** @name Restitution: rebound speed over impact speed, 0..1, for impacts above the threshold [m/s, >= 0]
  *  Bodies whose closing speed is at most what their acceleration gives in one step count as resting, and do not bounce.
  *  @{ */

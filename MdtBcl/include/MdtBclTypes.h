@@ -120,6 +120,8 @@ typedef struct MdtBclContactParams {
     MeReal slip2;              /**< m/s per N along the secondary direction */
     MeReal slide1;             /**< m/s, surface velocity along the primary direction */
     MeReal slide2;             /**< m/s, the same along the secondary direction */
+    MeReal rollingFriction;    /**< m, >= 0: the largest torque against rolling over the normal force. Beyond Karma */
+    MeReal spinningFriction;   /**< m, >= 0: the same against spinning about the normal. Beyond Karma */
 } MdtBclContactParams;
 
 /** The list of rows that a program's function adds to a user constraint (MdtBcl.h). */

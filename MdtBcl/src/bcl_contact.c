@@ -58,6 +58,8 @@ void MEAPI MdtBclContactSurface(const MdtBclContactParams *params, MdtKeaSurface
     setFriction(params, type >= MdtContactTypeFriction2D ? 2 : type >= MdtContactTypeFriction1D, s);
     if (options & MdtBclContactOptionSoft)
         s->softness = fmax((double)params->softness, 0);
+    s->rolling = bcl_boundOf(params->rollingFriction);
+    s->spinning = bcl_boundOf(params->spinningFriction);
     if (options & MdtBclContactOptionAdhesive)
         s->adhesion = bcl_boundOf(params->max_adhesive_force);
     if ((options & MdtBclContactOptionBounce) && params->restitution > 0) {

@@ -142,7 +142,7 @@ typedef struct MdtKeaRow {
     double softness;    /**< E, 1/kg: compliance (CFM): ε, or the row's own */
     double lower;       /**< N, lower bound of the force; -HUGE_VAL: none */
     double upper;       /**< N, upper bound of the force; HUGE_VAL: none */
-    double friction;    /**< μ of a friction row (`normal` >= 0), else unused */
+    double friction;    /**< μ of a friction row (`normal` >= 0), m for an angular one; else unused */
     int normal;         /**< -1, or the index of the row whose force times μ bounds this one's in both directions */
     int partner;        /**< -1, or the index of the other friction row of a cone: |λ| <= μ λ_normal for the pair */
     int owner;          /**< a number that identifies the row's constraint */
@@ -173,6 +173,8 @@ typedef struct MdtKeaSurface {
     double bound[2];       /**< N, constant bound of the friction at a point, in place of a coefficient */
     double slip[2];        /**< m/s per N, along either direction */
     double slide[2];       /**< m/s, surface velocity: the relative velocity that friction drives the bodies to */
+    double rolling;        /**< m, >= 0: the largest torque at right angles to the normal, over the normal force */
+    double spinning;       /**< m, >= 0: the largest torque about the normal, over the normal force */
     double softness;       /**< 1/kg, the contact's own; epsilon is in the parameters */
     double adhesion;       /**< N: largest pulling force of a point */
     double restitution;    /**< 0..1; 0: points do not bounce */
@@ -190,8 +192,8 @@ typedef struct MdtKeaPoint {
     MeBool isNew;       /**< no warm start. If all points are new, MdtKeaInit guesses forces for the first sub-step */
     double force[3];    /**< N, normal, primary, secondary: the answer of MdtKeaSolve; of MdtKeaImpact in N s */
     double depthNow;    /**< m, at the start of the sub-step (MdtKeaCountContactRows, exact solver) */
-    int numRows;        /**< rows of the point in the exact solver (MdtKeaCountContactRows): normal, then friction. The
-                             owner may reduce it to 1 (no friction) or to 0 */
+    int numRows;        /**< rows of the point in the exact solver (MdtKeaCountContactRows): normal, friction, rolling,
+                             spinning. The owner may reduce it to 1 (the normal only) or to 0 */
 } MdtKeaPoint;
 
 /** Contacts of two bodies that share a normal and a surface. World frame. The fast solver solves manifolds, the exact

@@ -2,7 +2,8 @@
  *
  * Collision finds where boxes touch, the bridge makes contacts of that, dynamics holds them. The tower stands, goes to
  * sleep, and costs nothing then; a ball wakes what it hits. Watch the number of bodies that are awake. After two
- * seconds the ball is thrown; a tower that is built again stands until you throw it.
+ * seconds the ball is thrown; a tower that is built again stands until you throw it. The ground is soft for the ball:
+ * by its rolling friction it comes to rest.
  */
 #include "play.h"
 #include <stdio.h>
@@ -47,6 +48,18 @@ static void MEAPI Tick(RRender *context) {
     RRenderSetStatusText(playRc, text);
 }
 
+/* A material of its own for the ball, with the friction of all others. Without rolling friction it would roll on for
+ * ever; by 3 cm it loses 5/7 * 9.81 * .03 / .8 = .26 m/s in a second. Without spinning friction it would then turn on
+ * the spot. */
+static void softenGround(void) {
+    const MstMaterialID iron = MstBridgeGetNewMaterial(playUniverse->bridge);
+    const MdtContactParamsID p = playContact(0, iron);
+    McdModelSetMaterial(ball, (int)iron);
+    MdtContactParamsSetSurface(p, (MeReal)0.5, 0);
+    MdtContactParamsSetRollingFriction(p, (MeReal)0.03);
+    MdtContactParamsSetSpinningFriction(p, (MeReal)0.01);
+}
+
 static void createModels(void) {
     McdFrameworkID frame = playUniverse->frame;
     static const float iron[4] = {.30f, .32f, .36f, 1};
@@ -55,6 +68,7 @@ static void createModels(void) {
     for (int i = 0; i < BOXES; i++)
         box[i] = playModel(cube, 1, 0, 0, 0, RPalette[i % 6]);
     ball = playModel(McdSphereCreate(frame, (MeReal)0.8), 5, 0, 0, 0, iron);
+    softenGround();
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {

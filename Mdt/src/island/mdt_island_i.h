@@ -40,14 +40,15 @@ typedef struct MdtIsland {
     MdtTiming *timing;     /* the world's, if partitions are stepped in order; null: `lap` times it alone */
     MeU64 lap;             /* ticks at the start of the stage that is being timed */
     /* pack */
-    void *scratch;                         /* scratch memory: Kea's arrays, then further ones */
-    MeBool isFast;                         /* Kea's fast solver solves it; also written by mdt_path.c */
-    MdtReportWhy why;                      /* why that solver solves it; also written by mdt_batch.c, mdt_choice.c */
-    int numContacts, numJoints, jointRows; /* jointRows: upper bound, of all joints */
-    MeBool hasUserRows;                    /* a callback of the program makes some joint's rows */
-    MeBool mayBeFast;                      /* the fast solver can solve it */
-    MeBool bounces, losesEnergy;           /* some contact has restitution; some restitution is below 1 */
-    MdtIslandManifold *manifolds;          /* parallel to kea.manifolds */
+    void *scratch;    /* scratch memory: Kea's arrays, then further ones */
+    MeBool isFast;    /* Kea's fast solver solves it; also written by mdt_path.c */
+    MdtReportWhy why; /* why that solver solves it; also written by mdt_batch.c, mdt_choice.c */
+    int numContacts, numJoints;
+    int jointRows, contactRows;   /* upper bounds, of all joints and of all contacts */
+    MeBool hasUserRows;           /* a callback of the program makes some joint's rows */
+    MeBool mayBeFast;             /* the fast solver can solve it */
+    MeBool bounces, losesEnergy;  /* some contact has restitution; some restitution is below 1 */
+    MdtIslandManifold *manifolds; /* parallel to kea.manifolds */
     MdtKeaSystem kea; /* parameters written by mdt_subdivide.c; arrays and answers by rows and MdtKea; bodies by
                                      mdt_islandOf, mdt_batch.c */
     /* subdivide */

@@ -5,7 +5,7 @@ void mdt_islandSetFast(MdtIsland *p, MeBool isFast) {
     MEASSERT(!isFast || p->mayBeFast || p->numMembers > 0);
     p->isFast = isFast;
     p->kea.parameters.solver = isFast ? MdtKeaSolverFast : MdtKeaSolverExact;
-    p->kea.maxRows = p->jointRows + (isFast ? 0 : p->numContacts * MdtBclGETMAXROWSCONTACT);
+    p->kea.maxRows = p->jointRows + (isFast ? 0 : p->contactRows);
     p->kea.maxContacts = isFast ? 0 : p->numContacts;
 }
 

@@ -226,6 +226,20 @@ PARAMS_GETTER(MeReal, MdtContactParamsGetPrimarySlide, slide1, 0)
 
 PARAMS_GETTER(MeReal, MdtContactParamsGetSecondarySlide, slide2, 0)
 
+/* ---- rolling and spinning friction ---- */
+
+void MEAPI MdtContactParamsSetRollingFriction(const MdtContactParamsID p, MeReal r) {
+    setNonNegative(p, FIELD(p, rollingFriction), r, __func__, "the rolling friction");
+}
+
+PARAMS_GETTER(MeReal, MdtContactParamsGetRollingFriction, rollingFriction, 0)
+
+void MEAPI MdtContactParamsSetSpinningFriction(const MdtContactParamsID p, MeReal r) {
+    setNonNegative(p, FIELD(p, spinningFriction), r, __func__, "the spinning friction");
+}
+
+PARAMS_GETTER(MeReal, MdtContactParamsGetSpinningFriction, spinningFriction, 0)
+
 /* ---- restitution, softness, adhesion ---- */
 
 void MEAPI MdtContactParamsSetRestitution(const MdtContactParamsID p, MeReal r) {

@@ -229,7 +229,7 @@ void mdt_contactsClearForces(const MdtIsland *p) {
 }
 
 static void unpackPoint(MdtKeaPoint *from, MdtPoint *point, const double mean[3], MeBool isGuess) {
-    MEASSERT(from->numRows >= 0 && from->numRows <= MdtBclGETMAXROWSCONTACT);
+    MEASSERT(from->numRows >= 0 && from->numRows <= MdtBclGETMAXROWSCONTACT + 3);
     point->numRows = (MeU8)from->numRows;
     point->numWarm = isGuess ? (MeU8)from->numRows : 0;
     keaCopy(point->force, from->force);

@@ -11,6 +11,7 @@
 /* Counts of the constraints of a chunk, and properties found while they are packed. */
 typedef struct Chunk {
     int rows, joints, points, manifolds; /* rows: upper bound, of joints */
+    int angularRows;                     /* of contacts with rolling or spinning friction */
     int firstManifold, surfaceProblems;
     MeBool hasUserRows, bounces, losesEnergy;
 } Chunk;
@@ -25,7 +26,9 @@ typedef struct Acting {
     Chunk chunk[MAX_CHUNKS];
 } Acting;
 
-static void recordRestitution(const MdtBclContactParams *params, Chunk *c) {
+/* Records the surface of a number of points. */
+static void recordSurface(const MdtBclContactParams *params, int points, Chunk *c) {
+    c->angularRows += points * ((params->rollingFriction > 0 ? 2 : 0) + (params->spinningFriction > 0));
     if (!mdt_hasRestitution(params))
         return;
     c->bounces = METRUE;
@@ -38,9 +41,9 @@ static void addManifoldTo(const MdtManifold *m, Chunk *c) {
     c->manifolds += mdt_contactsCount(m);
     for (const MdtManifold *block = m->numPoints > 0 ? m : NULL; block; block = block->next) {
         if (!block->extras)
-            recordRestitution(&block->surface->params, c);
+            recordSurface(&block->surface->params, MDT_POINTS, c);
         for (const MdtPoint *at = mdt_pointIn(block, 0); at && block->extras; at = mdt_pointIn(block, at->slot + 1))
-            recordRestitution(mdt_pointParams(at), c);
+            recordSurface(mdt_pointParams(at), 1, c);
     }
 }
 
@@ -90,6 +93,7 @@ static Chunk countActing(Acting *a) {
         all.rows += a->chunk[i].rows;
         all.joints += a->chunk[i].joints;
         all.points += a->chunk[i].points;
+        all.angularRows += a->chunk[i].angularRows;
         all.manifolds += a->chunk[i].manifolds;
         all.hasUserRows |= a->chunk[i].hasUserRows;
         all.bounces |= a->chunk[i].bounces;
@@ -136,7 +140,8 @@ static void storeCounts(MdtIsland *p, const Chunk *all) {
     p->jointRows = all->rows;
     p->numContacts = all->points;
     p->hasUserRows = all->hasUserRows;
-    p->mayBeFast = p->jointRows + p->numContacts * MdtBclGETMAXROWSCONTACT <= p->world->maxMatrixSize &&
+    p->contactRows = p->numContacts * MdtBclGETMAXROWSCONTACT + all->angularRows;
+    p->mayBeFast = p->jointRows + p->contactRows <= p->world->maxMatrixSize &&
                    !p->hasUserRows; /* the fast solver has no cap, and cannot update rows of callbacks */
     p->bounces = all->bounces;
     p->losesEnergy = all->losesEnergy;

@@ -24,8 +24,8 @@ typedef struct KeaContact {
     MeBool moves;                   /* lever arms change within this sub-step, */
     MeBool rolls;                   /* since the point moves with a round side, a rim or a vertex */
     /* kea_contact.c */
-    int frictionRows; /* set of directions with a friction row: 1 primary, 2 secondary */
-    int firstRow;     /* index of the contact's normal row */
+    int friction; /* set of its kinds of friction: 1 primary, 2 secondary, 4 rolling, 8 spinning */
+    int firstRow; /* index of the contact's normal row */
 } KeaContact;
 
 /* The velocity of side k of a manifold at the start of the sub-step: of its body, or of the world at the origin. */

@@ -9,40 +9,44 @@
  *   friction: J v⁺ = slide - slip λ, |λ| <= bound or μ λ_n.   E = slip / h, without ε, which on a velocity row would be
  *             viscosity: bodies that friction holds would creep by h ε λ a second.
  *             Cone, for both directions: λ_1² + λ_2² <= (μ λ_n)², with the primary coefficient.
- *             Friction rows exist only if the bodies touch, or may touch within the step.
+ *   rolling, spinning: J v⁺ = 0 with J_0 = [0, d], J_1 = [0, -d]; |λ| <= r λ_n, a cone for t1 and t2.
+ *             Rows of friction exist only if the bodies touch, or may touch within the step.
  */
 #include "exact/kea_contact_i.h"
 #include "MeAssert.h"
 #include "common/kea_policy_i.h"
 #include <string.h>
 
-enum { PRIMARY = 1, SECONDARY = 2 };
+enum { PRIMARY = 1, SECONDARY = 2, ROLLING = 4, SPINNING = 8, SLIDING = PRIMARY | SECONDARY };
 
 static MeBool hasFriction(const MdtKeaSurface *s, int direction) {
     return s->coefficient[direction] > 0 || s->bound[direction] > 0;
 }
 
+static int kindsOfFriction(const MdtKeaSurface *s) {
+    return hasFriction(s, 0) * PRIMARY + hasFriction(s, 1) * SECONDARY + (s->rolling > 0) * ROLLING +
+           (s->spinning > 0) * SPINNING;
+}
+
 /* ---- counting ---- */
 
-static int countDirections(int frictionRows) {
-    return !!(frictionRows & PRIMARY) + !!(frictionRows & SECONDARY);
+static int countFriction(int kinds) {
+    return !!(kinds & PRIMARY) + !!(kinds & SECONDARY) + 2 * !!(kinds & ROLLING) + !!(kinds & SPINNING);
 }
 
 void kea_contactChooseRows(const MdtKeaSystem *s, KeaContact *c) {
-    const MdtKeaSurface *surface = &c->manifold->surface;
     kea_contactPlace(s, c);
     const KeaApproach approach = kea_approachOfPoint(s, c->manifold, (const double(*)[3])c->arm);
     const MeBool touches = kea_mayTouch(s, c->manifold->body, &approach, -c->depth);
-    c->frictionRows = touches ? hasFriction(surface, 0) * PRIMARY + hasFriction(surface, 1) * SECONDARY : 0;
+    c->friction = touches ? kindsOfFriction(&c->manifold->surface) : 0;
     c->at->depthNow = c->depth;
-    c->at->numRows = 1 + countDirections(c->frictionRows);
+    c->at->numRows = 1 + countFriction(c->friction);
 }
 
 static int countRowsOfManifolds(MdtKeaSystem *s) {
     int rows = 0;
     for (int i = 0; i < s->numManifolds; i++) {
-        const MdtKeaSurface *surface = &s->manifolds[i].surface;
-        const int each = 1 + hasFriction(surface, 0) + hasFriction(surface, 1);
+        const int each = 1 + countFriction(kindsOfFriction(&s->manifolds[i].surface));
         for (int k = 0; k < s->manifolds[i].numPoints; k++)
             s->manifolds[i].point[k].numRows = each;
         rows += each * s->manifolds[i].numPoints;
@@ -86,28 +90,37 @@ static double worldRate(const KeaContact *c, const MdtKeaJBlock J[2]) {
     return rate;
 }
 
-/* Initializes a row along d. The rate of a moving world is known: with reversed sign it is part of the target. */
-static void startRow(const KeaContact *c, const double d[3], int owner, double target, MdtKeaRow *row) {
+/* Initializes a row with the Jacobian J. The rate of a moving world is known: with reversed sign it is part of the
+ * target. */
+static void startRow(const KeaContact *c, const MdtKeaJBlock J[2], int owner, double target, MdtKeaRow *row) {
     memset(row, 0, sizeof *row);
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; k < 2; k++) {
         row->body[k] = c->manifold->body[k];
-    contactJacobian((const double(*)[3])c->arm, d, row->J);
+        row->J[k] = J[k];
+    }
     row->drift = -worldRate(c, row->J);
     row->target = target + row->drift;
     row->lower = -HUGE_VAL;
     row->upper = HUGE_VAL;
     row->normal = row->partner = -1;
     row->contact = c->firstRow;
+    row->owner = owner;
+}
+
+/* Initializes a row along d, which moves with the contact. */
+static void startLinearRow(const KeaContact *c, const double d[3], int owner, double target, MdtKeaRow *row) {
+    MdtKeaJBlock J[2];
+    contactJacobian((const double(*)[3])c->arm, d, J);
+    startRow(c, J, owner, target, row);
     row->moves = c->moves;
     row->rolls = c->rolls;
-    row->owner = owner;
 }
 
 static void normalRow(const MdtKeaSystem *s, const KeaContact *c, int owner, MdtKeaRow *row) {
     const MdtKeaParameters *p = &s->parameters;
     const MdtKeaSurface *surface = &c->manifold->surface;
     const double aim = c->depth > 0 ? p->gamma * c->depth : c->depth; /* m: smallest separation within the sub-step */
-    startRow(c, c->normal, owner, aim / p->stepsize, row);
+    startLinearRow(c, c->normal, owner, aim / p->stepsize, row);
     row->error = -c->depth;
     for (int k = 0; k < 2; k++)
         row->radius[k] = c->manifold->radius[k];
@@ -131,7 +144,7 @@ static void frictionRow(const MdtKeaSystem *s, const KeaContact *c, int directio
     const MdtKeaSurface *surface = &c->manifold->surface;
     double d[3];
     directionOf(c, direction, d);
-    startRow(c, d, owner, surface->slide[direction], row);
+    startLinearRow(c, d, owner, surface->slide[direction], row);
     row->softness = surface->slip[direction] / s->parameters.stepsize;
     if (surface->coefficient[direction] > 0) {
         row->normal = c->firstRow;
@@ -142,27 +155,60 @@ static void frictionRow(const MdtKeaSystem *s, const KeaContact *c, int directio
     }
 }
 
+/* Makes a row of friction against rotation about d, with the bound r λ_n. It has no warm start. */
+static void angularRow(const KeaContact *c, const double d[3], double r, int owner, MdtKeaRow *row) {
+    MdtKeaJBlock J[2];
+    memset(J, 0, sizeof J);
+    keaCopy(J[0].ang, d);
+    keaScale(J[1].ang, -1, d);
+    startRow(c, J, owner, 0, row);
+    row->normal = c->firstRow;
+    row->friction = r;
+}
+
+/* Makes the rows of rolling and spinning friction from row `at` of the system on. Returns the index behind them. */
+static int makeAngularRows(MdtKeaSystem *s, const KeaContact *c, int owner, int at) {
+    const MdtKeaSurface *surface = &c->manifold->surface;
+    if (c->friction & ROLLING) {
+        for (int k = 0; k < 2; k++) {
+            double d[3];
+            directionOf(c, k, d);
+            angularRow(c, d, surface->rolling, owner, &s->rows[at + k]);
+            s->rows[at + k].partner = at + 1 - k;
+        }
+        at += 2;
+    }
+    if (c->friction & SPINNING)
+        angularRow(c, c->normal, surface->spinning, owner, &s->rows[at++]);
+    return at;
+}
+
 /* Warm start of friction: the force of the last step, rotated with the contact about the normal. */
 static void warmStartFriction(const KeaContact *c, MdtKeaRow rows[]) {
-    MEASSERT(c->frictionRows >= PRIMARY && c->frictionRows <= (PRIMARY | SECONDARY));
+    const int directions = c->friction & SLIDING;
     const double *guess = c->at->guess, angle = c->moves ? keaDot(c->turn, c->normal) : 0;
     const double cosine = cos(angle), sine = sin(angle);
-    if (c->frictionRows == (PRIMARY | SECONDARY)) {
+    if (directions == SLIDING) {
         rows[0].force = cosine * guess[1] - sine * guess[2];
         rows[1].force = sine * guess[1] + cosine * guess[2];
-    } else {
-        rows[0].force = guess[c->frictionRows == PRIMARY ? 1 : 2];
+    } else if (directions) {
+        rows[0].force = guess[directions == PRIMARY ? 1 : 2];
     }
 }
 
-/* Sets the Jacobians of a contact's rows in the middle and at the end of the sub-step (s->moves). */
+/* Index behind the contact's linear rows, which are its first ones. */
+static int endOfLinearRows(const KeaContact *c) {
+    return c->firstRow + 1 + countFriction(c->friction & SLIDING);
+}
+
+/* Sets the Jacobians of a contact's linear rows in the middle and at the end of the sub-step (s->moves). */
 static void setMovedJacobians(MdtKeaSystem *s, const KeaContact *c, const double move[2][6]) {
     static const double share[2] = {0.5, 1};
     MEASSERT(c->firstRow + c->at->numRows <= s->numRows);
     for (int k = 0; k < 2; k++) {
         double arm[2][3];
         kea_contactArms(s, c, move, share[k], arm);
-        for (int r = c->firstRow; r < c->firstRow + c->at->numRows; r++) {
+        for (int r = c->firstRow; r < endOfLinearRows(c); r++) {
             MdtKeaMove *moved = &s->moves[r][k];
             contactJacobian((const double(*)[3])arm, s->rows[r].J[0].lin, moved->J);
             moved->rate = worldRate(c, moved->J) - worldRate(c, s->rows[r].J);
@@ -191,7 +237,7 @@ MeBool kea_moveContacts(MdtKeaSystem *s, int pass) {
         if (pass > 0 && isPlaceExact(s, (const double(*)[6])move, pass))
             continue;
         setMovedJacobians(s, c, (const double(*)[6])move);
-        for (int r = c->firstRow; r < c->firstRow + c->at->numRows; r++)
+        for (int r = c->firstRow; r < endOfLinearRows(c); r++)
             kea_copyJacobian(&s->work->problem.row[r], s->moves[r][0].J);
         isAny = METRUE;
     }
@@ -201,7 +247,7 @@ MeBool kea_moveContacts(MdtKeaSystem *s, int pass) {
 void kea_contactMakeRows(MdtKeaSystem *s, KeaContact *c, int owner) {
     const MdtKeaSurface *surface = &c->manifold->surface;
     MdtKeaRow *rows = &s->rows[s->numRows];
-    c->frictionRows = c->at->numRows > 1 ? c->frictionRows : 0;
+    c->friction = c->at->numRows > 1 ? c->friction : 0;
     c->firstRow = s->numRows;
     if (c->at->numRows == 0)
         return;
@@ -209,16 +255,15 @@ void kea_contactMakeRows(MdtKeaSystem *s, KeaContact *c, int owner) {
     normalRow(s, c, owner, rows);
     int count = 1;
     for (int direction = 0; direction < 2; direction++)
-        if (c->frictionRows & (direction == 0 ? PRIMARY : SECONDARY))
+        if (c->friction & (direction == 0 ? PRIMARY : SECONDARY))
             frictionRow(s, c, direction, owner, &rows[count++]);
-    if (c->frictionRows == (PRIMARY | SECONDARY) && surface->isCone) {
+    if ((c->friction & SLIDING) == SLIDING && surface->isCone) {
         rows[1].partner = s->numRows + 2;
         rows[2].partner = s->numRows + 1;
     }
-    if (count > 1)
-        warmStartFriction(c, rows + 1);
-    s->numRows += count;
-    MEASSERT(count == c->at->numRows && s->numRows <= s->maxRows);
+    warmStartFriction(c, rows + 1);
+    s->numRows = makeAngularRows(s, c, owner, s->numRows + count);
+    MEASSERT(s->numRows == c->firstRow + c->at->numRows && s->numRows <= s->maxRows);
 }
 
 void MEAPI MdtKeaMakeContactRows(MdtKeaSystem *s) {
@@ -237,9 +282,9 @@ void kea_contactAddForces(const MdtKeaSystem *s, const KeaContact *c) {
         return;
     c->at->force[0] += s->rows[row++].force;
     for (int direction = 0; direction < 2; direction++)
-        if (c->frictionRows & (direction == 0 ? PRIMARY : SECONDARY))
+        if (c->friction & (direction == 0 ? PRIMARY : SECONDARY))
             c->at->force[1 + direction] += s->rows[row++].force;
-    MEASSERT(row == c->firstRow + c->at->numRows);
+    MEASSERT(row == endOfLinearRows(c));
 }
 
 void kea_returnContactForces(MdtKeaSystem *s) {

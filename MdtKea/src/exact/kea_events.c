@@ -223,7 +223,7 @@ static int fixStoppingFriction(MdtKeaSystem *s, double minSpeed) {
         if (isViscous || row->isForced)
             continue;
         const Slip slip = slipOf(s, i);
-        if (slip.size <= minSpeed || !stopsSliding(s, &slip))
+        if (kea_lengthOf(s, row) * slip.size <= minSpeed || !stopsSliding(s, &slip))
             continue;
         for (int k = 0; k < 2 && slip.row[k] >= 0; k++) {
             s->rows[slip.row[k]].isForced = METRUE;

@@ -228,8 +228,8 @@ static double startingBound(const MdtKeaSystem *s, const MdtKeaRow *row) {
     const double along = rateAt(row, s->predicted) - row->target;
     const double across =
         row->partner >= 0 ? rateAt(&s->rows[row->partner], s->predicted) - s->rows[row->partner].target : 0;
-    const double approach = -rateAt(&s->rows[row->normal], s->predicted);
-    return keaHypotenuse(along, across) > row->friction * keaMax(approach, 0) ? 0 : HUGE_VAL;
+    const double approach = -rateAt(&s->rows[row->normal], s->predicted), length = kea_lengthOf(s, row);
+    return length * keaHypotenuse(along, across) > row->friction / length * keaMax(approach, 0) ? 0 : HUGE_VAL;
 }
 
 void kea_beginRows(MdtKeaSystem *s) {

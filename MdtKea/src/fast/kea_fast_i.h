@@ -50,6 +50,7 @@ typedef struct KeaGroup {
     int manifold[KEA_LANES]; /* index of the system's manifold; -1: unused lane */
     int points;              /* maximal number of points of a manifold */
     /* kea_gather.c */
+    int resistsRotation;    /* some manifold has rolling or spinning friction */
     int body[2][KEA_LANES]; /* index in arrays of KeaMotion: 0 for the world, else 1 + place of the body */
     KeaLanes3 normal, along, arm[2];
     KeaLanes invMass[2], invInertia[2][6];
@@ -65,6 +66,7 @@ typedef struct KeaGroup {
     KeaLanes coefficient[2], bound[2];        /* friction: coefficient, and constant bound, N s */
     KeaLanes slip[2], slide[2];               /* friction: compliance, 1/kg; target velocity, m/s */
     KeaLanes lever[KEA_POINTS], torsionBound; /* friction about n: lever of a point, m; constant bound, N m s */
+    KeaLanes rolling, spinning;               /* m, friction against rotation: bounds of torques over the load */
     KeaMask isPoint[KEA_POINTS], isCone, isOneWay;
     /* prepare */
     KeaLanes coupling[10]; /* 1/kg, matrix J M⁻¹ Jᵀ + E of the points' normals: rows of the upper triangle */
@@ -80,6 +82,7 @@ typedef struct KeaGroup {
     KeaLanes impulse[KEA_POINTS], before[KEA_POINTS];      /* N s, normal; and one pass earlier */
     KeaLanes frictionImpulse[2], frictionImpulseBefore[2]; /* N s, friction along t1 and t2, at the centre */
     KeaLanes torsionImpulse, torsionImpulseBefore;         /* N m s, friction about n */
+    KeaLanes rollingImpulse[2], rollingImpulseBefore[2];   /* N m s, rolling friction about t1 and t2 */
 } KeaGroup;
 
 /* Residuals after passes, by lane. max: the largest violation of the laws of contact, m/s; excess: the largest ratio of

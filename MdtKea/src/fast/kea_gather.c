@@ -178,6 +178,9 @@ static void fillFriction(const MdtKeaSystem *s, const MdtKeaManifold *m, const K
         g->slide[i][lane] = (float)m->surface.slide[i];
     }
     g->torsionImpulse[lane] = (float)(h * torsionImpulse);
+    g->rolling[lane] = clampBound(m->surface.rolling);
+    g->spinning[lane] = clampBound(m->surface.spinning);
+    g->resistsRotation |= m->surface.rolling > 0 || m->surface.spinning > 0;
     g->isCone[lane] = m->surface.isCone ? -1 : 0;
 }
 
@@ -339,6 +342,8 @@ static void impulsesOf(const KeaGathering *from, const KeaGroup *g, int lane, do
     keaScale(impulse, (double)g->frictionImpulse[0][lane], m->direction);
     keaAddScaled(impulse, (double)g->frictionImpulse[1][lane], p->across);
     keaScale(couple, (double)g->torsionImpulse[lane], m->normal);
+    keaAddScaled(couple, (double)g->rollingImpulse[0][lane], m->direction);
+    keaAddScaled(couple, (double)g->rollingImpulse[1][lane], p->across);
     for (int k = 0; k < m->numPoints; k++) {
         const double normal = (double)g->impulse[k][lane];
         keaAddScaled(impulse, normal, m->normal);
@@ -405,8 +410,10 @@ void kea_scaleImpulses(KeaGroup groups[], int count, float share) {
             KeaGroup *g = &groups[i];
             for (int k = 0; k < KEA_POINTS; k++)
                 g->impulse[k][lane] = share > 0 ? share * g->impulse[k][lane] : 0;
-            for (int k = 0; k < 2; k++)
+            for (int k = 0; k < 2; k++) {
                 g->frictionImpulse[k][lane] = share > 0 ? share * g->frictionImpulse[k][lane] : 0;
+                g->rollingImpulse[k][lane] = share > 0 ? share * g->rollingImpulse[k][lane] : 0;
+            }
             g->torsionImpulse[lane] = share > 0 ? share * g->torsionImpulse[lane] : 0;
         }
 }

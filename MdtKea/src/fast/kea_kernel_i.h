@@ -79,11 +79,15 @@ KEA_INLINE void applyNormals(const KeaGroup *g, int points, Pair *p, KeaLanes3 a
     applyImpulse(g, p, lanesScale(r[0], g->normal), coupleOf(g, across, r));
 }
 
+/* The vector a t1 + b t2. */
+KEA_INLINE KeaLanes3 inTangentPlane(const KeaGroup *g, KeaLanes3 across, KeaLanes a, KeaLanes b) {
+    return lanesSum(lanesScale(a, g->along), lanesScale(b, across));
+}
+
 /* Applies normal impulses with the resultant r, friction along t1 and t2, and friction about n. */
 KEA_INLINE void applyAll(const KeaGroup *g, Pair *p, KeaLanes3 across, const KeaLanes r[3],
                          const KeaLanes frictionImpulse[2], KeaLanes torsionImpulse) {
-    const KeaLanes3 friction =
-        lanesSum(lanesScale(frictionImpulse[0], g->along), lanesScale(frictionImpulse[1], across));
+    const KeaLanes3 friction = inTangentPlane(g, across, frictionImpulse[0], frictionImpulse[1]);
     applyImpulse(g, p, lanesSum(lanesScale(r[0], g->normal), friction),
                  lanesSum(coupleOf(g, across, r), lanesScale(torsionImpulse, g->normal)));
 }
@@ -152,9 +156,9 @@ KEA_INLINE void solvePoints(const KeaGroup *g, int points, const KeaLanes rate[]
 
 /* ---- friction ---- */
 
-/* Bounds of friction: N s along t1 and t2, N m s about n. */
+/* Bounds of friction: N s along t1 and t2, N m s about n, and about t1 and t2. */
 typedef struct Limits {
-    KeaLanes frictionImpulse[2], torsionImpulse;
+    KeaLanes frictionImpulse[2], torsionImpulse, rollingImpulse;
 } Limits;
 
 /* The bounds of friction under these normal impulses. */
@@ -168,15 +172,20 @@ KEA_INLINE Limits frictionLimits(const KeaGroup *g, int points, const KeaLanes i
     }
     for (int i = 0; i < 2; i++)
         limits.frictionImpulse[i] = g->bound[i] + g->coefficient[i] * load;
-    limits.torsionImpulse = g->torsionBound + g->coefficient[0] * moment;
+    limits.torsionImpulse = g->torsionBound + g->coefficient[0] * moment + g->spinning * load;
+    limits.rollingImpulse = g->rolling * load;
     return limits;
+}
+
+/* The factor that brings the vector (a, b) to a length of at most `limit`. */
+KEA_INLINE KeaLanes shareWithin(KeaLanes limit, KeaLanes a, KeaLanes b) {
+    const KeaLanes size = lanesRoot(a * a + b * b);
+    return lanesSelect(size > limit, limit / size, lanesOf(1));
 }
 
 /* Clamps friction along t1 and t2 to its cone, or to its two bounds. */
 KEA_INLINE void clampFriction(const KeaGroup *g, const Limits *limits, KeaLanes frictionImpulse[2]) {
-    const KeaLanes size = lanesRoot(frictionImpulse[0] * frictionImpulse[0] + frictionImpulse[1] * frictionImpulse[1]);
-    const KeaLanes share =
-        lanesSelect(size > limits->frictionImpulse[0], limits->frictionImpulse[0] / size, lanesOf(1));
+    const KeaLanes share = shareWithin(limits->frictionImpulse[0], frictionImpulse[0], frictionImpulse[1]);
     for (int i = 0; i < 2; i++)
         frictionImpulse[i] = lanesSelect(g->isCone, share * frictionImpulse[i],
                                          lanesClamp(frictionImpulse[i], limits->frictionImpulse[i]));
@@ -254,8 +263,58 @@ KEA_INLINE void visitFriction(KeaGroup *g, const Rates *rates, const Limits *lim
     }
 }
 
-/* Solves the manifolds of a group once. A manifold of one point has no friction about the normal, since the point is
- * its centre. */
+/* Solves for rolling friction about t1 and t2, starting from the guess `impulse`: the bodies do not rotate relative to
+ * each other about them, or it is at its limit. */
+KEA_INLINE void solveRolling(const KeaGroup *g, const Pair *p, KeaLanes3 across, const Limits *limits,
+                             KeaLanes impulse[2]) {
+    const KeaLanes3 w = lanesDifference(p->ang[0], p->ang[1]);
+    const KeaLanes rate[2] = {lanesDot(g->along, w), lanesDot(across, w)};
+    KeaLanes T[3] = {lanesOf(0), lanesOf(0), lanesOf(0)};
+    for (int b = 0; b < 2; b++) {
+        const KeaLanes3 turned = lanesApply(g->invInertia[b], across);
+        T[0] += lanesDot(g->along, lanesApply(g->invInertia[b], g->along));
+        T[1] += lanesDot(g->along, turned);
+        T[2] += lanesDot(across, turned);
+    }
+    const KeaLanes det = T[0] * T[2] - T[1] * T[1], scale = lanesSelect(det > 0, 1 / det, lanesOf(0));
+    impulse[0] -= scale * (T[2] * rate[0] - T[1] * rate[1]);
+    impulse[1] -= scale * (T[0] * rate[1] - T[1] * rate[0]);
+    const KeaLanes share = shareWithin(limits->rollingImpulse, impulse[0], impulse[1]);
+    impulse[0] *= share;
+    impulse[1] *= share;
+}
+
+/* Solves for rolling friction and, as both rotate and move a body, for friction along t1 and t2 again. A sweep leaves
+ * 5/7 of the error of a ball at rest: three and the passes' extrapolation leave as little as without it. */
+KEA_INLINE void visitRolling(KeaGroup *g, Pair *p, KeaLanes3 across, const Limits *limits, float beta) {
+    const KeaLanes3 none = {lanesOf(0), lanesOf(0), lanesOf(0)};
+    KeaLanes old[2], next[2];
+    for (int i = 0; i < 2; i++) {
+        old[i] = next[i] = g->rollingImpulse[i] + beta * (g->rollingImpulse[i] - g->rollingImpulseBefore[i]);
+        g->rollingImpulseBefore[i] = g->rollingImpulse[i];
+    }
+    for (int sweep = 0; sweep < 3; sweep++) {
+        solveRolling(g, p, across, limits, next);
+        applyImpulse(g, p, none, inTangentPlane(g, across, next[0] - old[0], next[1] - old[1]));
+        const KeaLanes3 v = rateAtCentre(g, p);
+        const KeaLanes slide[2] = {lanesDot(g->along, v), lanesDot(across, v)};
+        KeaLanes rate[2], friction[2] = {g->frictionImpulse[0], g->frictionImpulse[1]};
+        slidingRates(g, slide, friction, rate);
+        solveFriction(g, rate, limits, friction);
+        applyImpulse(
+            g, p, inTangentPlane(g, across, friction[0] - g->frictionImpulse[0], friction[1] - g->frictionImpulse[1]),
+            none);
+        for (int i = 0; i < 2; i++) {
+            g->frictionImpulse[i] = friction[i];
+            old[i] = next[i];
+        }
+    }
+    for (int i = 0; i < 2; i++)
+        g->rollingImpulse[i] = next[i];
+}
+
+/* Solves the manifolds of a group once. A manifold of one point has no friction about the normal but spinning friction,
+ * since the point is its centre. */
 KEA_INLINE void visitGroup(KeaGroup *g, int points, KeaMotion motion[], float beta, KeaLanes *uphill) {
     const KeaLanes3 across = lanesCross(g->normal, g->along);
     Pair p = gatherPair(g, motion);
@@ -263,10 +322,12 @@ KEA_INLINE void visitGroup(KeaGroup *g, int points, KeaMotion motion[], float be
     KeaLanes normal[3], frictionImpulse[2], torsionImpulse = lanesOf(0);
     visitNormals(g, points, &rates, beta, uphill, normal);
     const Limits limits = frictionLimits(g, points, g->impulse);
-    if (points > 1)
+    if (points > 1 || g->resistsRotation)
         torsionImpulse = visitTorsion(g, &rates, &limits, beta);
     visitFriction(g, &rates, &limits, beta, uphill, frictionImpulse);
     applyAll(g, &p, across, normal, frictionImpulse, torsionImpulse);
+    if (g->resistsRotation)
+        visitRolling(g, &p, across, &limits, beta);
     scatterPair(g, &p, motion);
 }
 
@@ -451,6 +512,8 @@ static void prepare(KeaGroup groups[], int count, float stepsize) {
         g->frictionImpulseBefore[0] = g->frictionImpulse[0];
         g->frictionImpulseBefore[1] = g->frictionImpulse[1];
         g->torsionImpulseBefore = g->torsionImpulse;
+        g->rollingImpulseBefore[0] = g->rollingImpulse[0];
+        g->rollingImpulseBefore[1] = g->rollingImpulse[1];
     }
 }
 
@@ -462,6 +525,9 @@ static void apply(const KeaGroup groups[], int count, KeaMotion motion[]) {
         KeaLanes normal[3];
         resultantOf(g, KEA_POINTS, g->impulse, normal);
         applyAll(g, &p, across, normal, g->frictionImpulse, g->torsionImpulse);
+        if (g->resistsRotation)
+            applyImpulse(g, &p, lanesScale(lanesOf(0), g->normal),
+                         inTangentPlane(g, across, g->rollingImpulse[0], g->rollingImpulse[1]));
         scatterPair(g, &p, motion);
     }
 }
@@ -597,6 +663,19 @@ KEA_INLINE KeaLanes toleranceOf(const KeaGroup *g, const KeaTolerance *t) {
                     (float)kea_restingDepth / t->stepsize * g->size);
 }
 
+/* Adds the residuals of rolling and spinning friction, at the distance of the smaller body's size. */
+KEA_INLINE void measureRotation(const KeaGroup *g, const Pair *p, KeaLanes3 across, const Limits *limits,
+                                KeaLanes torsionImpulse, KeaLanes *left, KeaLanes *squares) {
+    KeaLanes next[2] = {g->rollingImpulse[0], g->rollingImpulse[1]};
+    const KeaMask isThere = g->isPoint[0] & (g->torsionMass > 0);
+    solveRolling(g, p, across, limits, next);
+    addResidual(isThere & (g->spinning > 0), g->size * lanesAbs(torsionImpulse - g->torsionImpulse) / g->torsionMass,
+                left, squares);
+    for (int i = 0; i < 2; i++)
+        addResidual(isThere & (g->rolling > 0), g->size * lanesAbs(next[i] - g->rollingImpulse[i]) / g->torsionMass,
+                    left, squares);
+}
+
 /* The residual of a row is the change of its projected impulse in one visit, as a velocity. */
 static void measure(const KeaGroup groups[], int count, const KeaMotion motion[], const KeaTolerance *tolerance,
                     KeaMeasure *measure) {
@@ -629,6 +708,8 @@ static void measure(const KeaGroup groups[], int count, const KeaMotion motion[]
             lanesClamp(g->torsionImpulse - g->torsionMass * rates.spin, limits.torsionImpulse);
         addResidual(g->isPoint[1] & (g->torsionMass > 0),
                     lever * lanesAbs(torsionImpulse - g->torsionImpulse) / g->torsionMass, &left, &all.squares);
+        if (g->resistsRotation)
+            measureRotation(g, &p, across, &limits, torsionImpulse, &left, &all.squares);
         all.max = lanesMax(left, all.max);
         const KeaLanes over = left / toleranceOf(g, tolerance);
         all.excess = lanesMax(over, all.excess);
