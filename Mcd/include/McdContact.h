@@ -50,8 +50,9 @@ MEPUBLIC double MEAPI McdContactGetRim(const McdContact *c, int side, double axi
 MEPUBLIC MeBool MEAPI McdContactIsVertex(const McdContact *c, int side);
 
 /**
- * Contact reduction: chooses at most @a nContacts_dest contacts that support as well as all of them: spread as far as
- * possible, with different normals, including the deepest. They are copied in their original order.
+ * Contact reduction: chooses the deepest contact and, one by one, at most @a nContacts_dest that need support most:
+ * those that overlap most where bodies tilt and the chosen ones do not overlap. A difference of normals counts as a
+ * distance. Contacts that cannot overlap then are left out. They are copied in their original order.
  * @param avgNormal        the faces' normal, for faceNormalsFirst; may be null.
  * @param contacts_src     nContacts_src contacts; may be the same array as contacts_dst.
  * @param faceNormalsFirst if true, contacts within 8 degrees of avgNormal are chosen before all others.

@@ -118,227 +118,15 @@ void MEAPI McdContactGetExact(const McdContact *c, McdExactContact *exact) {
     }
 }
 
-static void difference(const double a[3], const double b[3], double out[3]) {
-    for (int i = 0; i < 3; i++)
-        out[i] = a[i] - b[i];
-}
-
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double out[3]) {
-    const double c[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-    memcpy(out, c, sizeof c);
-}
-
-/* ---- spots with one normal ------------------------------------------------------------------- */
-
-static int farthestFrom(const McdSpot *spot, int count, const double place[3]) {
-    int best = 0;
-    double max = -1;
-    for (int i = 0; i < count; i++) {
-        double d[3];
-        difference(spot[i].position, place, d);
-        if (dot(d, d) > max) {
-            max = dot(d, d);
-            best = i;
-        }
-    }
-    return best;
-}
-
-static int deepestOf(const McdSpot *spot, int count) {
-    int best = 0;
-    for (int i = 1; i < count; i++)
-        if (spot[i].separation < spot[best].separation)
-            best = i;
-    return best;
-}
-
-/* Twice the area of the triangle a, b, c, seen along the normal: positive if c is on the left of a -> b. */
-static double areaBeside(const McdSpot *a, const McdSpot *b, const McdSpot *c, const double normal[3]) {
-    double ab[3], ac[3], n[3];
-    difference(b->position, a->position, ab);
-    difference(c->position, a->position, ac);
-    cross(ab, ac, n);
-    return dot(n, normal);
-}
-
-/* The spot farthest to one side (sign 1: left, -1: right) of the line from a to b, seen along the normal; `area`
- * gets twice the area of its triangle. */
-static int farthestBeside(const McdSpot *spot, int count, int a, int b, const double normal[3], double sign,
-                          double *area) {
-    int best = a;
-    *area = 0;
-    for (int i = 0; i < count; i++) {
-        const double here = sign * areaBeside(&spot[a], &spot[b], &spot[i], normal);
-        if (here > *area) {
-            *area = here;
-            best = i;
-        }
-    }
-    return best;
-}
-
-/* Chooses up to four extreme spots: two far ends, and the spot farthest from their line on either side; if the
- * second side is empty, the spot that adds most area beyond the triangle's two other sides. All areas are seen along
- * one normal, since the spots' own normals differ by up to 1.1 degrees: along two of them a corner might lie outside
- * of its own triangle. */
-static int keepExtremes(const McdSpot *spot, int count, int maxCount, double same, int *kept) {
-    double mean[3] = {0, 0, 0}, ab[3];
-    for (int i = 0; i < count; i++)
-        for (int k = 0; k < 3; k++)
-            mean[k] += spot[i].position[k] / count;
-    const int a = farthestFrom(spot, count, mean), b = farthestFrom(spot, count, spot[a].position);
-    difference(spot[b].position, spot[a].position, ab);
-    const double length = sqrt(dot(ab, ab));
-    kept[0] = a;
-    if (maxCount == 1 || !(length > same)) /* or NaN: the positions are not finite */
-        return 1;
-    kept[1] = b;
-    if (maxCount == 2)
-        return 2;
-    const double *normal = spot[a].normal;
-    double left, right;
-    const int l = farthestBeside(spot, count, a, b, normal, 1, &left);
-    const int r = farthestBeside(spot, count, a, b, normal, -1, &right);
-    const double min = MeMAX(same, 1e-6 * length) * length;
-    const int first = left >= right ? l : r, second = left >= right ? r : l;
-    if (MeMAX(left, right) <= min)
-        return 2;
-    kept[2] = first;
-    if (maxCount == 3)
-        return 3;
-    if (MeMIN(left, right) > min) {
-        kept[3] = second;
-        return 4;
-    }
-    const double outward = left >= right ? -1 : 1; /* a -> b -> first turns left if `left`: outside is right */
-    double across[2];
-    const int beyond[2] = {farthestBeside(spot, count, b, first, normal, outward, &across[0]),
-                           farthestBeside(spot, count, first, a, normal, outward, &across[1])};
-    const int better = across[1] > across[0];
-    if (across[better] <= min)
-        return 3;
-    kept[3] = beyond[better];
-    return 4;
-}
-
-/* Replaces the nearest kept spot by the deepest spot, if that is deeper than all kept ones. */
-static void includeDeepest(const McdSpot *spot, int count, int *kept, int keptCount) {
-    const int deepest = deepestOf(spot, count);
-    double lowest = spot[kept[0]].separation, size = 0, nearest = INFINITY;
-    int place = 0;
-    for (int i = 0; i < keptCount; i++) {
-        double d[3];
-        difference(spot[kept[i]].position, spot[deepest].position, d);
-        lowest = fmin(lowest, spot[kept[i]].separation);
-        size = fmax(size, dot(d, d));
-        if (dot(d, d) < nearest) {
-            nearest = dot(d, d);
-            place = i;
-        }
-    }
-    if (spot[deepest].separation < lowest - 1e-7 * sqrt(size))
-        kept[place] = deepest;
-}
-
-/* ---- spots with any normals ------------------------------------------------------------------ */
-
-static double differenceSquared(const McdSpot *a, const McdSpot *b, double size) {
-    double d[3], n[3];
-    difference(a->position, b->position, d);
-    difference(a->normal, b->normal, n);
-    return dot(d, d) + size * size * dot(n, n);
-}
-
-static double extentOfSpots(const McdSpot *spot, int count) {
-    double d[3];
-    difference(spot[farthestFrom(spot, count, spot[0].position)].position, spot[0].position, d);
-    return sqrt(dot(d, d));
-}
-
-/* Updates each spot's distance from the chosen ones, after one more was chosen. Spots that are not finite get
- * distance 0, so they are never chosen. */
-static void updateDistances(McdSpot *spot, int count, const McdSpot *chosen, double size) {
-    for (int i = 0; i < count; i++) {
-        const double distance2 = differenceSquared(&spot[i], chosen, size);
-        spot[i].distance2 = isnan(distance2) ? 0 : fmin(spot[i].distance2, distance2);
-    }
-}
-
-static int addFarthest(McdSpot *spot, int count, int maxCount, double same, int *kept, int keptCount) {
-    const double size = fmax(extentOfSpots(spot, count), same);
-    for (int i = 0; i < count; i++)
-        spot[i].distance2 = INFINITY;
-    for (int k = 0; k < keptCount; k++)
-        updateDistances(spot, count, &spot[kept[k]], size);
-    while (keptCount < maxCount) {
-        int best = 0;
-        for (int i = 1; i < count; i++)
-            if (spot[i].distance2 > spot[best].distance2)
-                best = i;
-        if (!(spot[best].distance2 > same * same))
-            break;
-        kept[keptCount++] = best;
-        updateDistances(spot, count, &spot[best], size);
-    }
-    return keptCount;
-}
-
-static MeBool haveOneNormal(const McdSpot *spot, int count) {
-    for (int i = 1; i < count; i++)
-        if (dot(spot[i].normal, spot[0].normal) < .9998) /* 1.1 degrees */
-            return MEFALSE;
-    return METRUE;
-}
-
-static void sortAscending(int *kept, int count) {
-    for (int i = 1; i < count; i++)
-        for (int k = i; k > 0 && kept[k] < kept[k - 1]; k--) {
-            const int swap = kept[k];
-            kept[k] = kept[k - 1];
-            kept[k - 1] = swap;
-        }
-}
-
-static MeBool areAscending(const int *kept, int count) {
-    for (int i = 1; i < count; i++)
-        if (kept[i] <= kept[i - 1])
-            return MEFALSE;
-    return METRUE;
-}
-
-int mcd_spread(McdSpot *spot, int count, int maxCount, double same, int *kept) {
-    int keptCount;
-    if (count <= 0 || maxCount <= 0)
-        return 0;
-    if (haveOneNormal(spot, count)) {
-        keptCount = keepExtremes(spot, count, MeMIN(maxCount, 4), same, kept);
-        includeDeepest(spot, count, kept, keptCount);
-        if (maxCount > 4)
-            keptCount = addFarthest(spot, count, maxCount, same, kept, keptCount);
-    } else {
-        kept[0] = deepestOf(spot, count);
-        keptCount = addFarthest(spot, count, maxCount, same, kept, 1);
-    }
-    sortAscending(kept, keptCount);
-    MEASSERT(keptCount >= 1 && keptCount <= maxCount && kept[0] >= 0 && kept[keptCount - 1] < count);
-    MEVALIDATE(areAscending(kept, keptCount));
-    return keptCount;
-}
-
 /* ---- contacts ---------------------------------------------------------------------------------------------------- */
 
 static McdSpot spotOf(const McdContact *c, const McdContact *reference) {
-    McdSpot s;
+    McdSpot s = {.support = 0};
     for (int i = 0; i < 3; i++) {
-        s.position[i] = (double)c->position[i] - (double)reference->position[i];
-        s.normal[i] = (double)c->normal[i];
+        s.at[i] = (double)c->position[i] - (double)reference->position[i];
+        s.at[3 + i] = (double)c->normal[i];
     }
     s.separation = (double)c->separation;
-    s.distance2 = 0;
     return s;
 }
 
@@ -383,7 +171,7 @@ static int chooseContacts(const Workplace *w, const McdContact *contacts, int co
         for (int i = 0; i < keptCount; i++)
             w->chosen[chosenCount++] = w->from[w->kept[i]];
     }
-    sortAscending(w->chosen, chosenCount);
+    mcd_sortAscending(w->chosen, chosenCount);
     return chosenCount;
 }
 

@@ -102,8 +102,8 @@ static int choosePoints(const McdManifold *m, int room, int kept[MCD_MANIFOLD_PO
     if (room >= m->count)
         return m->count;
     for (int i = 0; i < m->count; i++) {
-        mcd_copy(spot[i].position, m->point[i].position);
-        mcd_copy(spot[i].normal, m->normal);
+        mcd_copy(spot[i].at, m->point[i].position);
+        mcd_copy(spot[i].at + 3, m->normal);
         spot[i].separation = m->point[i].separation;
     }
     return mcd_spread(spot, m->count, room, 0, kept);

@@ -7,16 +7,16 @@
 
 /* A contact's properties that the choice depends on. */
 typedef struct McdSpot {
-    double position[3], normal[3], separation;
-    double distance2; /* used by mcd_spread: squared difference from the chosen spots */
+    double at[6]; /* position, normal; mcd_spread scales the normal */
+    double separation;
+    double
+        support; /* used by mcd_spread: the separation to which the chosen spots let this one come, if it is theirs */
 } McdSpot;
 
-/* Chooses at most `maxCount` spots and writes their indices in ascending order; returns their number.
- *
- * Spots with one normal: the extreme ones, so that they span a large area; inner spots only if they are deeper.
- * Spots with several normals: starting with the deepest, repeatedly the one that differs most from the chosen ones
- * in position or normal. Spots within `same` (m) of a chosen one are left out. */
+/* Chooses at most `maxCount` spots that support the others (mcd_spread.c), and writes their indices in ascending order;
+ * returns their number. Spots within `same` (m) of a chosen one are left out, unless they are deeper. */
 int mcd_spread(McdSpot *spot, int count, int maxCount, double same, int *kept);
+void mcd_sortAscending(int *kept, int count);
 
 /* McdContactSimplify in given memory of mcd_simplifyBytes(count) bytes; faceNormal may be null. */
 size_t mcd_simplifyBytes(int count);

@@ -1,0 +1,201 @@
+/* Contact reduction: which of many contacts to keep.
+ *
+ * The kept ones have to support the others. Where bodies move a little, the separation of contact i, at x_i, changes by
+ * w(x_i), w affine. While the kept contacts k do not overlap, s_k + w(x_k) >= 0, and while the bodies tilt by at
+ * most t, |grad w| <= t, no contact overlaps by more than
+ *
+ *     need_i = min { sum l_k s_k + t |x_i - sum l_k x_k| : l_k >= 0, sum l_k = 1 } - s_i
+ *
+ * by the duality of linear programs. The minimum is the lower convex hull of the kept contacts with a cone of slope t
+ * around it. Contacts without a need are left out. The deepest contact is kept, then one by one that with the greatest
+ * need: of contacts in one plane far corners, of others those that touch before those that do not. t is a tenth more
+ * than the tilt by which all contacts of the choice come to touch: with a quarter of it a thin plank sinks into bumps
+ * and stays there, with twice it small discs rock.
+ *
+ * Contacts with several normals are compared in six dimensions: a difference of normals counts as a distance. */
+#include "model/mcd_spread_i.h"
+#include "convex/mcd_vector_i.h"
+#include "MeAssert.h"
+
+/* Spots, and what holds for all of them. */
+typedef struct Choice {
+    McdSpot *spot;
+    int count, dims; /* 3 if there is one normal, else 6 */
+    double tilt;     /* rad: t */
+    double slack;    /* m: smaller differences of needs do not matter */
+    double level;    /* m: smaller differences of depth do not, either */
+} Choice;
+
+/* Relative to the spots' extent. Spots that all touch are compared as if separations ranged over flatRange; needs that
+ * differ by less than sameNeed times that range are equal, so that bodies at rest keep their contacts. With ten times
+ * sameNeed Mcd_Batch leaves out a corner of a slab. */
+static const double flatRange = 1e-3, sameNeed = 1e-4;
+
+/* (a - o) . (b - o) */
+static double product(const Choice *c, const McdSpot *o, const McdSpot *a, const McdSpot *b) {
+    double sum = 0;
+    for (int i = 0; i < c->dims; i++)
+        sum += (a->at[i] - o->at[i]) * (b->at[i] - o->at[i]);
+    return sum;
+}
+
+static double distanceOf(const Choice *c, const McdSpot *a, const McdSpot *b) {
+    return sqrt(product(c, a, b, b));
+}
+
+/* ---- support ----------------------------------------------------------------------------------------------------- */
+
+/* Whether the spot is supported, or chosen: support only falls, so that neither will change. */
+static MeBool isSettled(const Choice *c, const McdSpot *s) {
+    return s->support - s->separation <= c->slack;
+}
+
+static void lowerSupport(McdSpot *s, double support) {
+    if (!(s->support <= support))
+        s->support = support;
+}
+
+/* Lowers the support of all spots to that of two chosen ones, where x lies between them:
+ * s_a + u (s_b - s_a) + t sqrt(p + u (u ll - 2 lp)), u between 0 and 1. Its minimum is where the cone's slope along the
+ * line is that of the separation. */
+static void addSegment(const Choice *c, const McdSpot *a, const McdSpot *b) {
+    const double ll = product(c, a, b, b), rise = b->separation - a->separation;
+    const double room = c->tilt * c->tilt * ll - rise * rise; /* negative: the lower end's cone is below the other */
+    for (int i = 0; i < c->count; i++) {
+        McdSpot *s = &c->spot[i];
+        if (isSettled(c, s))
+            continue;
+        const double p = product(c, a, s, s), lp = product(c, a, b, s);
+        double u = rise < 0;
+        if (room > 0)
+            u = MeCLAMP((lp - rise * sqrt(fmax(p * ll - lp * lp, 0) / room)) / ll, 0, 1);
+        lowerSupport(s, a->separation + u * rise + c->tilt * sqrt(fmax(p + u * (u * ll - 2 * lp), 0)));
+    }
+}
+
+/* Lowers the support of the spots over a triangle of chosen ones. */
+static void addTriangle(const Choice *c, const McdSpot *o, const McdSpot *a, const McdSpot *b) {
+    const double aa = product(c, o, a, a), ab = product(c, o, a, b), bb = product(c, o, b, b);
+    const double det = aa * bb - ab * ab, riseA = a->separation - o->separation, riseB = b->separation - o->separation;
+    if (!(det > 1e-12 * aa * bb))
+        return;
+    for (int i = 0; i < c->count; i++) {
+        McdSpot *s = &c->spot[i];
+        if (isSettled(c, s))
+            continue;
+        const double ap = product(c, o, a, s), bp = product(c, o, b, s);
+        const double u = (ap * bb - bp * ab) / det, v = (bp * aa - ap * ab) / det;
+        if (u < 0 || v < 0 || u + v > 1)
+            continue;
+        const double aside = fmax(product(c, o, s, s) - u * ap - v * bp, 0); /* squared distance from the triangle */
+        lowerSupport(s, o->separation + u * riseA + v * riseB + c->tilt * sqrt(aside));
+    }
+}
+
+/* Adds the support of the last chosen spot, alone and with those chosen before. */
+static void addSupport(const Choice *c, const int *kept, int keptCount) {
+    const McdSpot *last = &c->spot[kept[keptCount - 1]];
+    for (int j = 0; j < keptCount - 1; j++) {
+        addSegment(c, &c->spot[kept[j]], last);
+        for (int k = 0; k < j; k++)
+            addTriangle(c, &c->spot[kept[j]], &c->spot[kept[k]], last);
+    }
+    for (int i = 0; keptCount == 1 && i < c->count; i++)
+        lowerSupport(&c->spot[i], last->separation + c->tilt * distanceOf(c, last, &c->spot[i]));
+}
+
+/* ---- choice ------------------------------------------------------------------------------------------------------ */
+
+static MeBool haveOneNormal(const McdSpot *spot, int count) {
+    for (int i = 1; i < count; i++)
+        if (mcd_dot(spot[i].at + 3, spot[0].at + 3) < .9998) /* 1.1 degrees */
+            return MEFALSE;
+    return METRUE;
+}
+
+/* Measures the spots' extent, and scales their normals. */
+static Choice beginChoice(McdSpot *spot, int count, McdSpot *middle) {
+    Choice c = {spot, count, 3, 0, 0, 0};
+    double low = INFINITY, high = -INFINITY, extent = 0;
+    *middle = (McdSpot){.separation = 0};
+    for (int i = 0; i < count; i++) {
+        mcd_mad(middle->at, middle->at, 1. / count, spot[i].at);
+        low = fmin(low, spot[i].separation);
+        high = fmax(high, spot[i].separation);
+        spot[i].support = INFINITY;
+    }
+    for (int i = 0; i < count; i++)
+        extent = fmax(extent, distanceOf(&c, middle, &spot[i]));
+    c.tilt = fmax(extent > 0 ? 1.1 * (high - low) / extent : 0, flatRange);
+    c.slack = sameNeed * c.tilt * extent;
+    c.level = sameNeed * flatRange * extent;
+    if (haveOneNormal(spot, count))
+        return c;
+    c.dims = 6;
+    for (int i = 0; i < count; i++)
+        mcd_scale(spot[i].at + 3, spot[i].at + 3, 2 * extent);
+    return c;
+}
+
+/* The deepest spot; of those equally deep the one farthest from the middle. */
+static int firstOf(const Choice *c, const McdSpot *middle) {
+    double low = INFINITY, max = -1;
+    int best = 0;
+    for (int i = 0; i < c->count; i++)
+        low = fmin(low, c->spot[i].separation);
+    for (int i = 0; i < c->count; i++) {
+        const double far = c->tilt * distanceOf(c, middle, &c->spot[i]);
+        if (c->spot[i].separation <= low + c->level && far > max + c->slack) {
+            max = far;
+            best = i;
+        }
+    }
+    return best;
+}
+
+/* The spot that needs support most, of equal ones the first; -1: none does. */
+static int neediestOf(const Choice *c, double same) {
+    double max = fmax(c->slack, c->tilt * same);
+    int best = -1;
+    for (int i = 0; i < c->count; i++) {
+        const double need = c->spot[i].support - c->spot[i].separation;
+        if (need > max) {
+            max = need + c->slack;
+            best = i;
+        }
+    }
+    return best;
+}
+
+void mcd_sortAscending(int *kept, int count) {
+    for (int i = 1; i < count; i++)
+        for (int k = i; k > 0 && kept[k] < kept[k - 1]; k--) {
+            const int swap = kept[k];
+            kept[k] = kept[k - 1];
+            kept[k - 1] = swap;
+        }
+}
+
+static MeBool areAscending(const int *kept, int count) {
+    for (int i = 1; i < count; i++)
+        if (kept[i] <= kept[i - 1])
+            return MEFALSE;
+    return METRUE;
+}
+
+int mcd_spread(McdSpot *spot, int count, int maxCount, double same, int *kept) {
+    McdSpot middle;
+    int keptCount = 0;
+    if (count <= 0 || maxCount <= 0)
+        return 0;
+    const Choice c = beginChoice(spot, count, &middle);
+    for (int next = firstOf(&c, &middle); next >= 0; next = keptCount < maxCount ? neediestOf(&c, same) : -1) {
+        kept[keptCount++] = next;
+        addSupport(&c, kept, keptCount);
+        spot[next].support = -INFINITY; /* not again */
+    }
+    mcd_sortAscending(kept, keptCount);
+    MEASSERT(keptCount >= 1 && keptCount <= maxCount && kept[0] >= 0 && kept[keptCount - 1] < count);
+    MEVALIDATE(areAscending(kept, keptCount));
+    return keptCount;
+}
