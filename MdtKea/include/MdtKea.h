@@ -375,6 +375,13 @@ MEPUBLIC MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *system);
 MEPUBLIC MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *system);
 
 /**
+ * Reflects, at the start of a sub-step that is not timed, the velocities of bodies whose contacts have restitution and
+ * will meet within it (kea_reflect.c). Writes the impulses, N s, as forces of their points. Returns the number of
+ * reflections; unless it is 0, MdtKeaInit has to be called and rows be filled again. Needs filled rows.
+ */
+MEPUBLIC int MEAPI MdtKeaReflect(MdtKeaSystem *system);
+
+/**
  * Whether impacts would chatter, which would divide the step without end: bodies of touching contacts approach each
  * other (MdtKeaMeets), but all too slowly to rebound, and no open contact will close faster within the step. Needs
  * filled rows; changes nothing.

@@ -13,6 +13,8 @@ void mdt_substepSolveRows(MdtIsland *p) {
     MeProfileStartSection("Rows", 0);
     if (p->kea.parameters.timed && MdtKeaMeets(&p->kea))
         mdt_substepImpact(p);
+    if (!p->kea.parameters.timed && p->bounces && MdtKeaReflect(&p->kea) > 0)
+        mdt_substepReflected(p);
     MeProfileEndSection("Rows");
     if (p->report && p->numRows > 0)
         mdt_reportLap(p, MdtReportStageRows);

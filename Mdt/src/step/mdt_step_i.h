@@ -77,6 +77,7 @@ void mdt_islandSubdivide(MdtIsland *p);
  * mdt_substepEnd, after integration, adds its time to that of the step. */
 void mdt_substepBegin(MdtIsland *p, double substep);
 void mdt_substepImpact(MdtIsland *p);
+void mdt_substepReflected(MdtIsland *p);
 void mdt_substepEnd(MdtIsland *p);
 /* Advances by a part, the result of `halvings` halvings, and halves it further if its motion is violent.
  * mdt_substepAdvanceRows needs the part's rows. */

@@ -107,6 +107,16 @@ void mdt_substepImpact(MdtIsland *p) {
     mdt_rowsMake(p);
 }
 
+/* After reflections: makes the rows again. */
+void mdt_substepReflected(MdtIsland *p) {
+    p->hadImpact = METRUE;
+    mdt_budgetDraw(p);
+    mdt_unpackImpact(p);
+    mdt_contactsClearForces(p);
+    MdtKeaInit(&p->kea, p->scratch);
+    mdt_rowsMake(p);
+}
+
 /* Applies the impulses that bodies got before the step; joints transmit them immediately. */
 static void applyKick(MdtIsland *p) {
     if (p->numJoints == 0 || p->isFast || !MdtKeaIsKicked(&p->kea))

@@ -269,6 +269,15 @@ enum {
      * bounds. */
     KEA_MAX_IMPACT_PASSES = 14
 };
+enum {
+    /* Reflections of an undivided step, by manifold with restitution (kea_reflect.c); contacts that meet after them are
+     * stopped. A column of n balls takes (n + 1)/2. With 8 Mst_Packs fails: so_do_larger_packs. */
+    KEA_REFLECTIONS = 64,
+    /* Projected Gauss-Seidel passes that stop the points of a manifold together. The energy does not depend on them; a
+     * face that lands flat rotates by what they leave. With 4 Mst_Packs fails:
+     * a_layer_bounces_by_the_law. */
+    KEA_FACE_PASSES = 32
+};
 /* Fraction of the first round's fastest rebound: rounds end when nothing rebounds faster, and contacts that still
  * approach are stopped. With this limit a tower of 8 bricks with restitution .3 that a ball hits takes a third of the
  * work. */

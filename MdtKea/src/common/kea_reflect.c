@@ -1,0 +1,396 @@
+/* Reflections: impacts of a step that is not divided at them.
+ *
+ * At the start of the step each contact with restitution whose gap would close within it reflects the velocities of
+ * its bodies, one manifold after the other, until no such contact is left. Bodies rebound before they touch, and move
+ * freely from there: positions are off by up to the way of a step, the energy is exact. A manifold's points are
+ * reflected together, along the direction d in which its bodies would be stopped:
+ *
+ *     v⁺ = v - (1 + e) (v·d)/(d·d) d,    d = M⁻¹ Jᵀ p,    p >= 0 with J (v + d) >= 0 where p = 0, = 0 elsewhere
+ *
+ * (dot products by M). With e = 1 this keeps the kinetic energy for any p, so that passes for p need not converge.
+ * Where many contacts touch, the law is thus that of sequential reflections, in the order of manifolds. Their number is
+ * finite (Sinai 1978, Billiard trajectories in a polyhedral angle), but bounded here: the step stops what is left.
+ *
+ * With e < 1, a contact with the gap g and the approach a of loads has the impact speed u, u² = rate² + 2 g a, and
+ * separates at this gap with v, v² = e² u² - 2 g a, as if it had closed the gap.
+ */
+#include "common/kea_anchor_i.h"
+#include "common/kea_policy_i.h"
+#include "inner/kea_factor_i.h"
+#include "MeAssert.h"
+#include <string.h>
+
+/* A point of a manifold: J of its normal, and M⁻¹ Jᵀ. */
+typedef struct Point {
+    MdtKeaPoint *at;
+    double arm[2][3], turn[2][3], response[2][3]; /* m; 1/kg and per m */
+    double mobility;                              /* 1/kg, J M⁻¹ Jᵀ */
+    double gap, load, world; /* m; m/s: change of the rate by loads in the step, rate of the world */
+    double rate, p;          /* of the present reflection: m/s, N s */
+    MeBool isIn;             /* it takes part in the present reflection */
+} Point;
+
+typedef struct Face {
+    const MdtKeaManifold *manifold;
+    double normal[3];
+    int first, count;
+    int seen; /* r.clock at the last visit */
+} Face;
+
+enum { FIRST = 1 };
+
+typedef struct Reflections {
+    MdtKeaSystem *s;
+    Face *face;
+    Point *point;
+    int *changed; /* by body: r.clock at its last change */
+    int numFaces, numPoints;
+    int clock, visits; /* FIRST + reflections so far; visits of points */
+    double speed;      /* m/s: kea_eventSpeed */
+} Reflections;
+
+/* ---- set up ---- */
+
+static size_t layOut(const MdtKeaSystem *s, Reflections *r, int numPoints, char *memory) {
+    KeaArena arena = {memory, 0};
+    KEA_CARVE(&arena, r->face, (size_t)s->numManifolds);
+    KEA_CARVE(&arena, r->point, (size_t)numPoints);
+    KEA_CARVE(&arena, r->changed, (size_t)s->numBodies);
+    return arena.used;
+}
+
+static MeBool isTied(const MdtKeaSystem *s, const MdtKeaManifold *m) {
+    for (int k = 0; k < 2; k++)
+        if (m->body[k] >= 0 && s->work->body[m->body[k]].isTied)
+            return METRUE;
+    return MEFALSE;
+}
+
+/* m/s: the rate of body k of a point along d, whose angular part is arm x d. */
+static double rateOfBody(const Reflections *r, const Face *f, const Point *p, int k, const double d[3]) {
+    const MdtKeaVelocity *v = kea_sideVelocity(r->s, f->manifold, k);
+    double turn[3];
+    keaCross(turn, p->arm[k], d);
+    return (k == 0 ? 1 : -1) * (keaDot(d, v->lin) + keaDot(turn, v->ang));
+}
+
+/* 1/kg: the mobility of a point along d. */
+static double mobilityAlong(const Reflections *r, const Face *f, const Point *p, const double d[3]) {
+    double sum = 0;
+    for (int k = 0; k < 2; k++) {
+        const int b = f->manifold->body[k];
+        double turn[3], response[3];
+        if (b < 0)
+            continue;
+        keaCross(turn, p->arm[k], d);
+        keaApply(response, (const double(*)[3])r->s->invMass[b].inertia, turn);
+        sum += r->s->invMass[b].mass + keaDot(turn, response);
+    }
+    return sum;
+}
+
+static void setPoint(const Reflections *r, const Face *f, Point *p) {
+    const MdtKeaSystem *s = r->s;
+    p->load = p->world = 0;
+    for (int k = 0; k < 2; k++) {
+        const int b = f->manifold->body[k];
+        const double sign = k == 0 ? 1 : -1;
+        keaCross(p->turn[k], p->arm[k], f->normal);
+        keaScale(p->turn[k], sign, p->turn[k]);
+        keaZero(p->response[k]);
+        if (b < 0) {
+            p->world += rateOfBody(r, f, p, k, f->normal);
+            continue;
+        }
+        keaApply(p->response[k], (const double(*)[3])s->invMass[b].inertia, p->turn[k]);
+        for (int i = 0; i < 3; i++)
+            p->load += sign * f->normal[i] * (s->predicted[b].lin[i] - s->velocity[b].lin[i]) +
+                       p->turn[k][i] * (s->predicted[b].ang[i] - s->velocity[b].ang[i]);
+    }
+    p->mobility = mobilityAlong(r, f, p, f->normal);
+}
+
+/* Sets place and gap of the point, which the exact solver has measured. */
+static void placePoint(const Reflections *r, const MdtKeaManifold *m, MdtKeaPoint *at, const KeaContact *measured,
+                       Point *p) {
+    static const double origin[3];
+    p->at = at;
+    p->gap = -(measured ? measured->depth : at->depth);
+    for (int k = 0; k < 2; k++) {
+        if (measured)
+            keaCopy(p->arm[k], measured->arm[k]);
+        else
+            keaSubtract(p->arm[k], at->position, m->body[k] >= 0 ? r->s->pose[m->body[k]].pos : origin);
+    }
+}
+
+/* Adds a manifold whose contacts bounce; measured: contacts of its points, null in the fast solver. */
+static void addFace(Reflections *r, MdtKeaManifold *m, const KeaContact *measured) {
+    Face *f = &r->face[r->numFaces];
+    *f = (Face){.manifold = m, .first = r->numPoints};
+    keaCopy(f->normal, measured ? measured->normal : m->normal);
+    for (int k = 0; k < m->numPoints; k++) {
+        Point *p = &r->point[r->numPoints];
+        if (m->point[k].numRows == 0)
+            continue;
+        placePoint(r, m, &m->point[k], measured ? measured + k : NULL, p);
+        setPoint(r, f, p);
+        r->numPoints++;
+        f->count++;
+    }
+    r->numFaces += f->count > 0;
+}
+
+static void addFaces(Reflections *r) {
+    const MdtKeaSystem *s = r->s;
+    const KeaContact *contact = s->parameters.solver == MdtKeaSolverFast ? NULL : s->work->contact;
+    for (int i = 0; i < s->numManifolds; i++) {
+        MdtKeaManifold *m = &s->manifolds[i];
+        if (m->surface.restitution > 0 && !isTied(s, m))
+            addFace(r, m, contact);
+        contact += contact ? m->numPoints : 0;
+    }
+}
+
+/* ---- one reflection ---- */
+
+/* The share of the approach speed with which the point separates: 0 below the threshold of restitution; negative: it
+ * does not meet within the step, or too slowly, or would not come back to its gap. */
+static double reboundShare(const Reflections *r, const Face *f, const Point *p) {
+    const MdtKeaSurface *surface = &f->manifold->surface;
+    const double h = r->s->parameters.stepsize, gap = keaMax(p->gap, 0), e = surface->restitution;
+    const double fall = -2 * gap * p->load / h, speed2 = p->rate * p->rate + fall;
+    const double slow = keaMax(kea_minImpactSpeed, kea_separatingSpeed * sqrt(1 - e * e));
+    const double min = keaMax(slow * r->speed, kea_minReboundSpeed * fabs(p->load));
+    if (!(p->rate < -min) || !(p->gap + h * (p->rate + p->load) < 0))
+        return -1;
+    const double rebound = kea_reboundOfImpact(e, surface->threshold, sqrt(keaMax(speed2, 0)), 0);
+    const double after2 = rebound * rebound - fall;
+    return rebound == 0 ? 0 : after2 < 0 ? -1 : sqrt(keaMin(after2, p->rate * p->rate)) / -p->rate;
+}
+
+/* Marks the points that are reflected. Returns the share of the fastest one; negative: none is. */
+static double beginReflection(Reflections *r, const Face *f) {
+    double fastest = 0, share = -1;
+    for (int i = f->first; i < f->first + f->count; i++) {
+        Point *p = &r->point[i];
+        p->rate = p->world;
+        for (int k = 0; k < 2; k++)
+            if (f->manifold->body[k] >= 0)
+                p->rate += rateOfBody(r, f, p, k, f->normal);
+        const double own = reboundShare(r, f, p);
+        p->isIn = own >= 0;
+        p->p = 0;
+        if (own >= 0 && -p->rate > fastest) {
+            fastest = -p->rate;
+            share = own;
+        }
+    }
+    return share;
+}
+
+/* Adds the change of the bodies' velocities by an impulse at a point to d. */
+static void addChange(const Reflections *r, const Face *f, const Point *p, double impulse, double d[2][6]) {
+    for (int k = 0; k < 2; k++) {
+        const int b = f->manifold->body[k];
+        if (b < 0)
+            continue;
+        keaAddScaled(d[k], (k == 0 ? impulse : -impulse) * r->s->invMass[b].mass, f->normal);
+        keaAddScaled(d[k] + 3, impulse, p->response[k]);
+    }
+}
+
+/* m/s: J d of a point. */
+static double rateOfChange(const Face *f, const Point *p, double d[2][6]) {
+    return keaDot(f->normal, d[0]) - keaDot(f->normal, d[1]) + keaDot(p->turn[0], d[0] + 3) +
+           keaDot(p->turn[1], d[1] + 3);
+}
+
+/* One projected Gauss-Seidel pass. Returns the largest change of a rate, m/s. */
+static double passPoints(Reflections *r, const Face *f, double d[2][6]) {
+    double largest = 0;
+    for (int i = f->first; i < f->first + f->count; i++) {
+        Point *p = &r->point[i];
+        if (!p->isIn)
+            continue;
+        const double before = p->p;
+        p->p = keaMax(before - (p->rate + rateOfChange(f, p, d)) / p->mobility, 0);
+        addChange(r, f, p, p->p - before, d);
+        largest = keaMax(largest, fabs(p->p - before) * p->mobility);
+    }
+    return largest;
+}
+
+/* Finds impulses that stop the points, and their d. The first pass changes rates by those that are stopped. */
+static void stopPoints(Reflections *r, const Face *f, double d[2][6]) {
+    memset(d, 0, 2 * sizeof *d);
+    const double first = passPoints(r, f, d);
+    for (int pass = 1; pass < KEA_FACE_PASSES && f->count > 1; pass++)
+        if (passPoints(r, f, d) <= kea_impactTolerance * first)
+            return;
+}
+
+/* Pushes a point by an impulse along t. */
+static void push(Reflections *r, const Face *f, const Point *p, const double t[3], double impulse) {
+    for (int k = 0; k < 2; k++) {
+        const int b = f->manifold->body[k];
+        const double sign = k == 0 ? impulse : -impulse;
+        double turn[3], response[3];
+        if (b < 0)
+            continue;
+        keaCross(turn, p->arm[k], t);
+        keaApply(response, (const double(*)[3])r->s->invMass[b].inertia, turn);
+        keaAddScaled(r->s->velocity[b].lin, sign * r->s->invMass[b].mass, t);
+        keaAddScaled(r->s->velocity[b].ang, sign, response);
+    }
+}
+
+/* Friction against the slip along the unit vector t: stops it, or is at its bound. Returns the impulse. */
+static double stopSlip(Reflections *r, const Face *f, const Point *p, const double t[3], double slip, double viscosity,
+                       double bound) {
+    const double stop = slip / (mobilityAlong(r, f, p, t) + viscosity / r->s->parameters.stepsize);
+    const double impulse = -keaMin(keaMax(stop, -bound), bound);
+    push(r, f, p, t, impulse);
+    return impulse;
+}
+
+static void addFriction(Reflections *r, const Face *f, Point *p, double pressed) {
+    const MdtKeaSurface *surface = &f->manifold->surface;
+    double t[2][3], slip[2];
+    keaCopy(t[0], f->manifold->direction);
+    keaCross(t[1], f->normal, t[0]);
+    for (int i = 0; i < 2; i++) {
+        slip[i] = rateOfBody(r, f, p, 0, t[i]) + rateOfBody(r, f, p, 1, t[i]) - surface->slide[i];
+        if (fabs(slip[i]) <= kea_minImpactSpeed * r->speed) /* the rounding of a slip that was stopped */
+            slip[i] = 0;
+    }
+    if (surface->isCone && surface->coefficient[0] > 0) {
+        const double size = keaHypotenuse(slip[0], slip[1]);
+        double along[3] = {0, 0, 0};
+        for (int i = 0; i < 2 && size > 0; i++)
+            keaAddScaled(along, slip[i] / size, t[i]);
+        const double impulse =
+            size > 0 ? stopSlip(r, f, p, along, size, surface->slip[0], surface->coefficient[0] * pressed) : 0;
+        for (int i = 0; i < 2 && size > 0; i++)
+            p->at->force[1 + i] += impulse * slip[i] / size;
+        return;
+    }
+    for (int i = 0; i < (surface->isOneWay ? 1 : 2); i++)
+        if (surface->coefficient[i] > 0)
+            p->at->force[1 + i] +=
+                stopSlip(r, f, p, t[i], slip[i], surface->slip[i], surface->coefficient[i] * pressed);
+}
+
+/* The factor of d: -(1 + share) (v·d)/(d·d); 0: there is no d. */
+static double factorOf(const Reflections *r, const Face *f, double share, double d[2][6]) {
+    double speed = 0, size = 0;
+    for (int i = f->first; i < f->first + f->count; i++) {
+        const Point *p = &r->point[i];
+        speed += p->p * p->rate;
+        size += p->p * rateOfChange(f, p, d);
+    }
+    return size > 0 ? -(1 + share) * speed / size : 0;
+}
+
+/* Adds the impulses of a reflection to the forces of its points, with their friction. */
+static void addImpulses(Reflections *r, const Face *f, double factor) {
+    for (int i = f->first; i < f->first + f->count; i++) {
+        Point *p = &r->point[i];
+        p->at->force[0] += factor * p->p;
+        if (p->p > 0)
+            addFriction(r, f, p, factor * p->p);
+    }
+}
+
+/* Reflects the velocities at a manifold. False: none of its points meets. */
+static MeBool reflectFace(Reflections *r, const Face *f) {
+    const double share = beginReflection(r, f);
+    double d[2][6];
+    if (share < 0)
+        return MEFALSE;
+    stopPoints(r, f, d);
+    const double factor = factorOf(r, f, share, d);
+    if (!(factor > 0))
+        return MEFALSE;
+    r->clock++;
+    for (int k = 0; k < 2; k++) {
+        const int b = f->manifold->body[k];
+        if (b < 0)
+            continue;
+        keaAddScaled(r->s->velocity[b].lin, factor, d[k]);
+        keaAddScaled(r->s->velocity[b].ang, factor, d[k] + 3);
+        r->changed[b] = r->clock;
+    }
+    addImpulses(r, f, factor);
+    return METRUE;
+}
+
+/* ---- one after the other ---- */
+
+/* r.clock at the last change of a body of the manifold. */
+static int lastChange(const Reflections *r, const Face *f) {
+    int last = 0;
+    for (int k = 0; k < 2; k++)
+        if (f->manifold->body[k] >= 0 && r->changed[f->manifold->body[k]] > last)
+            last = r->changed[f->manifold->body[k]];
+    return last;
+}
+
+/* Reflects the manifolds that meet, in their order, until none is left or there were `max` reflections. A manifold is
+ * visited again only if one of its bodies has changed. */
+static void reflectInTurn(Reflections *r, int max) {
+    for (MeBool isAny = METRUE; isAny && r->clock < max;) {
+        isAny = MEFALSE;
+        for (int i = 0; i < r->numFaces && r->clock < max; i++) {
+            Face *f = &r->face[i];
+            if (f->seen >= lastChange(r, f))
+                continue;
+            f->seen = r->clock;
+            r->visits += f->count;
+            isAny |= reflectFace(r, f);
+        }
+    }
+}
+
+/* ---- all ---- */
+
+static void commit(const Reflections *r) {
+    MdtKeaSystem *s = r->s;
+    for (int b = 0; b < s->numBodies; b++)
+        if (r->changed[b] > FIRST) {
+            keaCopy(s->bodies[b]->velocity, s->velocity[b].lin);
+            MdtKeaBodySetAngularVelocity(s->bodies[b], s->velocity[b].ang);
+            kea_beginBody(s, b);
+        }
+}
+
+static MeBool begin(Reflections *r) {
+    MdtKeaSystem *s = r->s;
+    int count = 0;
+    for (int i = 0; i < s->numManifolds; i++) {
+        count += s->manifolds[i].numPoints;
+        for (int k = 0; k < s->manifolds[i].numPoints; k++)
+            keaZero(s->manifolds[i].point[k].force);
+    }
+    char *memory = kea_cacheScratch(s->cache, KEA_STEP_BLOCK, layOut(s, r, count, NULL));
+    if (!memory)
+        return MEFALSE;
+    layOut(s, r, count, memory);
+    r->speed = kea_eventSpeed(s);
+    r->clock = FIRST;
+    for (int b = 0; b < s->numBodies; b++)
+        r->changed[b] = FIRST;
+    addFaces(r);
+    return METRUE;
+}
+
+int MEAPI MdtKeaReflect(MdtKeaSystem *s) {
+    Reflections r = {.s = s};
+    if (!begin(&r))
+        return 0;
+    reflectInTurn(&r, FIRST + KEA_REFLECTIONS * r.numFaces);
+    if (r.clock > FIRST)
+        commit(&r);
+    s->report.work = KEA_VISIT * (double)r.visits;
+    return r.clock - FIRST;
+}
