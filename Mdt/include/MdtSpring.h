@@ -37,7 +37,12 @@ MEPUBLIC void MEAPI MdtSpringSetLimit(const MdtSpringID j, const MdtLimitID NewL
 MEPUBLIC void MEAPI MdtSpringSetPosition(const MdtSpringID j, const unsigned int bodyindex, const MeReal x,
                                          const MeReal y, const MeReal z);
 MEPUBLIC void MEAPI MdtSpringGetPosition(const MdtSpringID j, MeVector3 v, const unsigned int bodyindex);
-/** Rest length, m, >= 0: sets both stops of the spring's limit to it. */
+/**
+ * Rest length, m, >= 0: sets both stops of the spring's limit to it. It is the distance of the two attachments without
+ * load, l in F = -k (d - l), as the Dynamics guide says (ch. 3: "the spring length under no load"). The User Guide (ch.
+ * 3) calls it a distance that is added to the separation of the bodies; where the guides conflict, the Dynamics guide
+ * holds. For the User Guide's equilibrium pass the initial distance of the attachments plus its natural length.
+ */
 MEPUBLIC void MEAPI MdtSpringSetNaturalLength(const MdtSpringID j, const MeReal NewNaturalLength);
 /** N/m, at least 0: sets the stiffness of both stops; MEINFINITY makes a rod. */
 MEPUBLIC void MEAPI MdtSpringSetStiffness(const MdtSpringID j, const MeReal NewStiffness);

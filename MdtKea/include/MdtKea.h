@@ -136,6 +136,8 @@ typedef struct MdtKeaRow {
     MdtKeaJBlockPair J;
     MdtKeaBodyIndexPair body;
     double arm[2][3];   /**< m, lever arms of a position or spring row, from the centres of mass; angular rows: 0 */
+    double bend[2][3];  /**< angular position rows: direction along which J turns with either body */
+    double curvature;   /**< rad that J turns for a rad along it; 0: none. A bend takes room for one more row */
     double error;       /**< φ, m: the position error (position rows, springs; of a contact the gap) */
     double target;      /**< s, m/s: target of the rate, with the bias that corrects the error (Baumgarte) */
     double drift;       /**< m/s: the target without that bias: the rate due to moving attachments or a moving world */

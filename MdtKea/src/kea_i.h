@@ -7,9 +7,11 @@
  *     kea_scheme.c            time integration: end states from the unknowns u, residual of momentum, derivatives
  *     kea_contact.c           rows of contacts, from manifolds
  *     kea_rows.c              linearization of rows; the choice of θ per body
+ *     kea_bend.c              how directions of angular rows turn, in the inner problem
  *     kea_dual.c              the inner problem solved for the joints' impulses (dual)
  *     kea_redundancy.c        redundant joints: the impulses of least norm
  *     kea_velocity.c          the velocity stage: projects the end velocities onto the rows at the end poses
+ *     kea_spin.c              conserves the angular momentum of groups that nothing fixed acts on
  *     kea_events.c            times of impact and of the end of sliding within a timed step
  *     kea_flight.c            ballistic bodies, advanced from impact to impact
  *     kea_reverse.c           steps back in time
@@ -230,6 +232,15 @@ void kea_balanceMomentum(MdtKeaSystem *s);
 /* The inertia tensor (world) of a body at its end pose; at its start pose if isSpatial. */
 void kea_endInertia(const MdtKeaSystem *s, int i, double inertia[3][3]);
 
+/* ---- kea_bend.c ---- */
+
+/* Adds inactive rows for bends behind the problem's rows of the system. */
+void kea_beginBends(MdtKeaSystem *s);
+/* Sets them from their rows' impulses and bends; before effective masses are set. */
+void kea_linearizeBends(MdtKeaSystem *s);
+/* Leaves them out of solves until the next linearization. */
+void kea_disableBends(MdtKeaSystem *s);
+
 /* ---- kea_rows.c ---- */
 
 /* Chooses the rows that can act in this step and θ of the bodies; sets the fields of the problem's rows that are
@@ -288,10 +299,12 @@ KeaApproach kea_approachOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, 
 /* Whether the bodies touch, or may touch within the step; gap in m. */
 MeBool kea_mayTouch(const MdtKeaSystem *s, const MdtKeaBodyIndexPair body, const KeaApproach *a, double gap);
 /* m/s, >= 0: the separating velocity by the law of restitution, or 0. kea_reboundOfImpact: after an impact that is
- * resolved at its time, with the approach speed `speed`, if this exceeds minSpeed. kea_reboundInStep: at the end of a
- * step that contains the impact. */
-double kea_reboundOfImpact(double restitution, double threshold, double speed, double minSpeed);
-double kea_reboundInStep(const MdtKeaSystem *s, const KeaApproach *a, double gap, double restitution, double threshold);
+ * resolved at its time, with the approach speed `speed`, if this exceeds minSpeed; fall: what loads have added to its
+ * square since the surfaces met. kea_reboundInStep: at the end of a step that contains the impact and leaves the share
+ * `left` of an overlap. */
+double kea_reboundOfImpact(double restitution, double threshold, double speed, double fall, double minSpeed);
+double kea_reboundInStep(const MdtKeaSystem *s, const KeaApproach *a, double gap, double left, double restitution,
+                         double threshold);
 /* Sets `bounces` and `rebound` of all rows. */
 void kea_setRebounds(MdtKeaSystem *s);
 
@@ -327,6 +340,12 @@ void kea_saveImpulses(MdtKeaSystem *s);
 /* m/s: the absolute value of a target rate `speed`, if the bounds of the row allow the force that enforces it, else 0:
  * one-sided rows, of stops and contacts, only push, and have no effect while there is a gap. */
 double kea_pushSpeed(const MdtKeaSystem *s, const MdtKeaRow *row, double speed);
+
+/* ---- kea_spin.c ---- */
+
+/* Gives groups of bodies that nothing fixed acts on the angular momentum that their loads leave them; after the
+ * velocity stage. */
+void kea_keepSpin(MdtKeaSystem *s);
 
 /* ---- kea_events.c ---- */
 

@@ -317,7 +317,9 @@ MEPUBLIC void MEAPI RParticleSystemDestroy(RParticleSystem *ps);
  *  look-at + distance (cos phi sin theta, sin phi, cos phi cos theta); with z up (RCameraSetUp) it is look-at +
  *  distance (cos phi sin theta, -cos phi cos theta, sin phi). Defaults, as in 1.2: distance 15, theta 0, phi 0, look-at
  *  (0, 0, 1); so the camera is at (0, 0, 16) and looks along -z, x to the right and y up. theta is wrapped to -pi..pi,
- *  phi is clamped to -pi/2..pi/2. `-camera` overrides settings of the program before RRun.
+ *  phi is clamped to -pi/2..pi/2. `-camera` overrides settings of the program before RRun. If neither has set the
+ *  camera by then, RRun looks at the middle of all models and of the ground below them, with phi .2, from at least 15
+ *  and so far that all are in the picture: the default would see a ground at y = 0 edge-on.
  *  @{ */
 /**
  * Sets the axis of the world that is up on the screen, of any length but 0: default (0, 1, 0); MeAppStart sets (0, 0,

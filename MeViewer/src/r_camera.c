@@ -54,6 +54,7 @@ static AcmeReal clamp(AcmeReal x, AcmeReal lo, AcmeReal hi) {
 static void update(RRender *rc) {
     AcmeReal right[3], up[3], back[3];
     rc->m_pViewer->camera.ownMatrix = false;
+    rc->m_pViewer->camera.isSet = true;
     rc->m_CameraDist = rc->m_CameraDist >= nearest ? rc->m_CameraDist : nearest;
     rc->m_CameraAngle = remainderf(rc->m_CameraAngle, 2 * pi);
     rc->m_CameraElevation = clamp(rc->m_CameraElevation, -pi / 2, pi / 2);
@@ -94,11 +95,54 @@ void r_cameraInit(RRender *rc) {
     rc->m_CameraDist = 15;
     rc->m_CameraFov = 0.7f;
     update(rc);
+    rc->m_pViewer->camera.isSet = false;
 }
 
 void r_cameraApplyOption(RRender *rc) {
     if (rc->m_Options.m_bCamera)
         RCameraSetView(rc, rc->m_Options.m_Camera[0], rc->m_Options.m_Camera[1], rc->m_Options.m_Camera[2]);
+}
+
+/* Extends a box in the upright frame by a graphic; a ground has only a height. Returns whether it is a model. */
+static bool addToBox(const RRender *rc, RGraphic *rg, AcmeReal box[2][3]) {
+    const bool isGround = rg->m_pPart->kind == rGround;
+    float m[16];
+    if ((rg->m_pPart->kind != rMesh && !isGround) || !r_graphicTransform(rg, m))
+        return false;
+    for (int i = 0; i < rg->m_pObject->m_nNumVertices && i < rg->m_nMaxNumVertices; i++) {
+        const RObjectVertex *v = &rg->m_pVertices[i];
+        AcmeReal p[3], world[3];
+        for (int k = 0; k < 3; k++)
+            world[k] = v->m_X * m[k] + v->m_Y * m[4 + k] + v->m_Z * m[8 + k] + m[12 + k];
+        memcpy(p, world, sizeof p);
+        if (!isGround) /* The ground's own frame is upright already. */
+            r_toUpright(rc, world, p);
+        for (int k = isGround; k < (isGround ? 2 : 3); k++) {
+            box[0][k] = fminf(box[0][k], p[k]); /* not NaN, if p is */
+            box[1][k] = fmaxf(box[1][k], p[k]);
+        }
+    }
+    return !isGround && rg->m_pObject->m_nNumVertices > 0;
+}
+
+void r_cameraSeeScene(RRender *rc) {
+    const RCamera *c = &rc->m_pViewer->camera;
+    AcmeReal box[2][3] = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}}, middle[3], radius = 0;
+    bool hasModel = false;
+    if (c->isSet || c->orthographic || c->ownMatrix)
+        return;
+    for (RGraphic *rg = rc->m_p3DGraphics; rg; rg = rg->m_pNext)
+        hasModel |= addToBox(rc, rg, box);
+    for (int k = 0; k < 3; k++) {
+        middle[k] = (box[0][k] + box[1][k]) / 2;
+        radius = hypotf(radius, box[1][k] - middle[k]);
+    }
+    if (!hasModel || !isfinite(radius))
+        return;
+    r_fromUpright(rc, middle, rc->m_CameraLookAt);
+    rc->m_CameraDist = fmaxf(rc->m_CameraDist, radius / sinf(rc->m_CameraFov / 2));
+    rc->m_CameraElevation = 0.2f;
+    update(rc);
 }
 
 void r_cameraKeepHome(RRender *rc) {
@@ -136,7 +180,9 @@ void MEAPI RCameraSetUp(RRender *rc, AcmeReal x, AcmeReal y, AcmeReal z) {
     r_lightsToUpright(rc, lights);
     setUpright(&rc->m_pViewer->camera, up);
     r_lightsFromUpright(rc, lights);
+    const bool isSet = rc->m_pViewer->camera.isSet;
     update(rc);
+    rc->m_pViewer->camera.isSet = isSet;
 }
 
 void MEAPI RCameraGetUpAxis(RRender *rc, AcmeVector3 axis) {
@@ -274,6 +320,7 @@ void MEAPI RCameraRotateElevation(RRender *rc, AcmeReal d_phi) {
 static void pan(RRender *rc, AcmeReal x, AcmeReal y, AcmeReal z) {
     AcmeReal right[3], up[3], back[3];
     rc->m_pViewer->camera.ownMatrix = false;
+    rc->m_pViewer->camera.isSet = true;
     axes(rc, right, up, back);
     for (int i = 0; i < 3; i++)
         rc->m_CameraLookAt[i] += x * right[i] + y * up[i] + z * back[i];

@@ -137,6 +137,7 @@ typedef struct {
     AcmeReal upright[3][3]; /* The upright frame's axes in the world: upright = rows . world. */
     bool orthographic;
     bool ownMatrix; /* RCameraSetMatrix */
+    bool isSet;     /* By the program, or by -camera. */
     AcmeReal orthoHeight, orthoDepth;
     AcmeReal farthest; /* Distance from the camera up to which the scene reaches. */
     bool hasHome;
@@ -147,6 +148,8 @@ void r_cameraInit(RRender *rc);
 void r_toUpright(const RRender *rc, const AcmeReal world[3], AcmeReal upright[3]);
 void r_fromUpright(const RRender *rc, const AcmeReal upright[3], AcmeReal world[3]);
 void r_cameraApplyOption(RRender *rc); /* -camera */
+/* A camera that no program has set sees all models and the ground below them, from above the ground. */
+void r_cameraSeeScene(RRender *rc);
 void r_cameraKeepHome(RRender *rc);
 void r_cameraHome(RRender *rc);
 void r_cameraPan(RRender *rc, AcmeReal right, AcmeReal up);       /* In pixels of the window, at the look-at point. */

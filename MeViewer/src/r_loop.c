@@ -171,6 +171,7 @@ static void begin(RRender *rc) {
         rc->m_bPause = rc->m_Options.m_bPaused;
     }
     r_cameraApplyOption(rc);
+    r_cameraSeeScene(rc);
     r_cameraKeepHome(rc);
     if (rc->m_Options.m_bProfile)
         r_profileStart(rc);

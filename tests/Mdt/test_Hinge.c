@@ -409,3 +409,37 @@ TEST(hinges_that_contradict_each_other_do_not_build_up_forces) {
     assert_below(forceOnDoor(0), 12);
     assert_below(forceOnDoor(1e-6), 1e5);
 }
+
+/* Arms of 1 and 2 m that motors drive against their stops, on a base that nothing holds: without a torque from outside
+ * all of them together do not begin to spin. */
+TEST(arms_that_are_driven_against_stops_do_not_spin_their_base) {
+    static const double torques[] = {1, 100, 1e4, 1e5};
+    for (int k = 0; k < 4; k++) {
+        MdtWorldID w = scene_world(3, 2, 0);
+        MdtBodyID body[3] = {scene_body(w, 50, 0, 0, 0)};
+        MdtWorldSetEpsilon(w, 0);
+        double spin = 0;
+        for (int i = 1; i < 3; i++) {
+            const double side = i == 1 ? -.4 : .4;
+            body[i] = scene_body(w, 5, side, .5 * i, 0);
+            MdtHingeID j = scene_hinge(w, body[i], body[0], side, 0, 0, 0, 0, 1);
+            MdtLimitID limit = MdtHingeGetLimit(j);
+            MdtSingleLimitSetStop(MdtLimitGetLowerLimit(limit), i == 1 ? -.5 : -.3);
+            MdtSingleLimitSetStop(MdtLimitGetUpperLimit(limit), .4);
+            MdtSingleLimitSetRestitution(MdtLimitGetLowerLimit(limit), 0);
+            MdtSingleLimitSetRestitution(MdtLimitGetUpperLimit(limit), 0);
+            MdtLimitActivateLimits(limit, 1);
+            MdtLimitSetLimitedForceMotor(limit, i == 1 ? -10 : 10, torques[k]);
+        }
+        for (int step = 0; step < 120; step++) {
+            double p[3], L[3], sum[3] = {0, 0, 0};
+            MdtWorldStep(w, FRAME);
+            for (int i = 0; i < 3; i++) {
+                measure_momentum(body[i], p, L);
+                keaAddScaled(sum, 1, L);
+            }
+            spin = fmax(spin, keaLength(sum));
+        }
+        assert_below(spin, TOL(2e-5, 1e-9));
+    }
+}

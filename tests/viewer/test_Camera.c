@@ -1,6 +1,9 @@
 /* The camera: positions from polar coordinates, bounds, axes, projections. */
 #include "viewer_test.h"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 static const AcmeVector3 origin = {0, 0, 0};
 
 static const float tolerance = 1e-5f;
@@ -41,6 +44,45 @@ TEST(the_view_that_a_program_finds) {
     RCameraGetPosition(rc, eye);
     assert_vec3_near(eye, 0, 0, 6, tolerance);
     RRenderContextDestroy(rc);
+}
+
+/* Whether a point is in the picture. */
+static int isSeen(const RRender *rc, double x, double y, double z) {
+    double c[3];
+    for (int j = 0; j < 3; j++)
+        c[j] = x * rc->m_CameraMatrix[0][j] + y * rc->m_CameraMatrix[1][j] + z * rc->m_CameraMatrix[2][j] +
+               rc->m_CameraMatrix[3][j];
+    const double half = tan(rc->m_CameraFov / 2) * -c[2];
+    return c[2] < 0 && fabs(c[1]) < half && fabs(c[0]) < half;
+}
+
+static int wantsDefault;
+
+/* Leaves the program with 0 if the camera is as it should be. */
+static void MEAPI look(RRender *rc) {
+    const int isDefault = RCameraGetElevation(rc) == 0;
+    const int sees = isSeen(rc, 0, 11, 0) && isSeen(rc, 0, 0, 0) && RCameraGetElevation(rc) > .1f;
+    _exit(wantsDefault ? !isDefault : !sees);
+}
+
+/* The Dynamics guide's Drop sets no camera: a ball that starts 10 m above the ground. What a program sets is left. */
+TEST(a_camera_that_nobody_sets_sees_the_scene) {
+    for (int k = 0; k < 2; k++) {
+        const pid_t child = fork();
+        int status = 0;
+        if (child == 0) {
+            static MeMatrix4 tm = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 10, 0, 1}};
+            RRender *rc = make_context("-null -frames 3");
+            RGraphicSphereCreate(rc, 1, RED, tm);
+            RGraphicGroundPlaneCreate(rc, 24, 2, WHITE, 0);
+            wantsDefault = k;
+            if (wantsDefault)
+                RCameraZoom(rc, 1);
+            RRun(rc, look);
+        }
+        ck_assert_int_eq(waitpid(child, &status, 0), child);
+        ck_assert(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    }
 }
 
 TEST(increments_and_bounds) {

@@ -4,8 +4,9 @@
  * Dynamics does not know shapes, so somebody has to say where bodies touch. For a ball and a plane that takes
  * one subtraction, and this program does it by itself. Before every step the contact of the last step is
  * thrown away, and when the ball has gone into the plane a new one is made: where it is, which way it pushes,
- * how deep the ball is in, and what the surfaces are like. Friction turns the ball: after some bounces it
- * rolls.
+ * how deep the ball is in, and what the surfaces are like. The depth tells when the ball met the plane, and how
+ * fast, so that it rises to restitution squared times the height of before. Friction turns the ball: after some
+ * bounces it rolls.
  */
 #include "Mdt.h"
 #include "MeViewer.h"

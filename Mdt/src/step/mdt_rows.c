@@ -161,6 +161,8 @@ void MEAPI mdt_rowsUpdateJacobians(void *island, const MdtKeaTransformation pose
             MdtKeaRow *row = &p->kea.rows[j->firstRow + r];
             memcpy(row->J, rows[r].J, sizeof row->J);
             memcpy(row->arm, rows[r].arm, sizeof row->arm);
+            memcpy(row->bend, rows[r].bend, sizeof row->bend);
+            row->curvature = rows[r].curvature;
             row->lower = rows[r].lower;
             row->upper = rows[r].upper;
         }

@@ -316,17 +316,31 @@ MeBool MEAPI MdtKeaTrembles(const MdtKeaSystem *s) {
     return kea_impactsChatter(s, &scale);
 }
 
+/* m²/s²: what the loads have added to the square of a contact's approach speed since its surfaces met. */
+static double fallOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    double change = 0; /* m/s: the velocities that bodies have before the impact, less those by loads at the end */
+    for (int k = 0; k < 2 && row->error < 0; k++)
+        if (row->body[k] >= 0)
+            change += keaDot(row->J[k].lin, s->bodies[row->body[k]]->velocity) -
+                      keaDot(row->J[k].lin, s->predicted[row->body[k]].lin);
+    return 2 * keaMax(-row->error, 0) * keaMax(change, 0) / s->parameters.stepsize;
+}
+
+/* m/s: the rebound of a contact, slower than minSpeed none. */
+static double reboundOf(const MdtKeaSystem *s, int i, double minSpeed) {
+    const MdtKeaRow *row = &s->rows[i];
+    return kea_reboundOfImpact(row->restitution, row->threshold, -kea_startRate(s, i), fallOf(s, row), minSpeed);
+}
+
 /* Marks the touching contacts that approach faster than `slowest` (isIncluded). Returns the speed of the fastest
  * rebound among them; 0: none rebounds. */
 static double markApproachingContacts(MdtKeaSystem *s, double slowest, double minReboundSpeed, char isIncluded[]) {
     double fastest = 0;
     for (int k = 0; k < s->work->problem.numRows; k++) {
         const int i = s->work->activeRow[k];
-        const MdtKeaRow *row = &s->rows[i];
         isIncluded[i] = (char)isApproaching(s, i, slowest);
         if (isIncluded[i])
-            fastest = keaMax(
-                fastest, kea_reboundOfImpact(row->restitution, row->threshold, -kea_startRate(s, i), minReboundSpeed));
+            fastest = keaMax(fastest, reboundOf(s, i, minReboundSpeed));
     }
     return fastest;
 }
@@ -337,8 +351,7 @@ static double markApproachingContacts(MdtKeaSystem *s, double slowest, double mi
 static void setReboundTargets(const MdtKeaSystem *s, const char isIncluded[], double target[]) {
     for (int k = 0; k < s->work->problem.numRows; k++) {
         const int i = s->work->activeRow[k];
-        const MdtKeaRow *row = &s->rows[i];
-        target[i] = isIncluded[i] ? kea_reboundOfImpact(row->restitution, row->threshold, -kea_startRate(s, i), 0) : 0;
+        target[i] = isIncluded[i] ? reboundOf(s, i, 0) : 0;
     }
 }
 

@@ -12,7 +12,7 @@
  * finite (Sinai 1978, Billiard trajectories in a polyhedral angle), but bounded here: the step stops what is left.
  *
  * With e < 1, a contact with the gap g and the approach a of loads has the impact speed u, u² = rate² + 2 g a, and
- * separates at this gap with v, v² = e² u² - 2 g a, as if it had closed the gap.
+ * separates at this gap with v, v² = e² u² - 2 g a, as if it had closed the gap; with g < 0 alike.
  */
 #include "common/kea_anchor_i.h"
 #include "common/kea_policy_i.h"
@@ -158,14 +158,16 @@ static void addFaces(Reflections *r) {
  * does not meet within the step, or too slowly, or would not come back to its gap. */
 static double reboundShare(const Reflections *r, const Face *f, const Point *p) {
     const MdtKeaSurface *surface = &f->manifold->surface;
-    const double h = r->s->parameters.stepsize, gap = keaMax(p->gap, 0), e = surface->restitution;
-    const double fall = -2 * gap * p->load / h, speed2 = p->rate * p->rate + fall;
+    const double h = r->s->parameters.stepsize, e = surface->restitution;
+    const double fall = -2 * p->gap * p->load / h; /* m²/s²: until the gap closes; negative: since it did */
+    const double ahead = p->gap > 0 ? fall : 0, late = p->gap > 0 ? 0 : keaMax(-fall, 0);
     const double slow = keaMax(kea_minImpactSpeed, kea_separatingSpeed * sqrt(1 - e * e));
     const double min = keaMax(slow * r->speed, kea_minReboundSpeed * fabs(p->load));
     if (!(p->rate < -min) || !(p->gap + h * (p->rate + p->load) < 0))
         return -1;
-    const double rebound = kea_reboundOfImpact(e, surface->threshold, sqrt(keaMax(speed2, 0)), 0);
-    const double after2 = rebound * rebound - fall;
+    const double speed = sqrt(keaMax(p->rate * p->rate + ahead, 0));
+    const double rebound = kea_reboundOfImpact(e, surface->threshold, speed, late, 0);
+    const double after2 = rebound * rebound - ahead;
     return rebound == 0 ? 0 : after2 < 0 ? -1 : sqrt(keaMin(after2, p->rate * p->rate)) / -p->rate;
 }
 

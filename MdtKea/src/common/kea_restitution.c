@@ -7,6 +7,9 @@
  *   an impact within a step: if the bodies collide in the step, faster than the acceleration of one step explains (else
  *   resting bodies would rattle), the velocity at the end of the step is e u with u² = rate² + 2 gap a: the speed at
  *   which the gap closes under the acceleration a of the last step.
+ *
+ * A contact that is found late, at the depth d, approaches faster than the surfaces met, by the loads' acceleration a:
+ * u² = rate² - 2 d a. At this depth it separates with v, v² = (e u)² + 2 d a, so that it leaves the surface with e u.
  */
 #include "kea_i.h"
 #include "MeAssert.h"
@@ -59,9 +62,11 @@ MeBool kea_mayTouch(const MdtKeaSystem *s, const MdtKeaBodyIndexPair body, const
 
 /* ---- the law ---- */
 
-double kea_reboundOfImpact(double restitution, double threshold, double speed, double minSpeed) {
-    MEASSERT(restitution >= 0 && restitution <= 1);
-    return speed > keaMax(threshold, minSpeed) ? restitution * speed : 0;
+double kea_reboundOfImpact(double restitution, double threshold, double speed, double fall, double minSpeed) {
+    MEASSERT(restitution >= 0 && restitution <= 1 && fall >= 0);
+    const double late = restitution > 0 && fall < speed * speed ? fall : 0, square = speed * speed - late;
+    const MeBool rebounds = speed > 0 && sqrt(square) > keaMax(threshold, minSpeed);
+    return rebounds ? sqrt(restitution * restitution * square + late) : 0;
 }
 
 /* m/s: the largest change of the rate in one step that needs no impact: by loads, or by the acceleration of the last
@@ -71,14 +76,17 @@ static double changeWithoutImpact(const MdtKeaSystem *s, const KeaApproach *a) {
     return kea_ownChangeMargin * keaMax(loads, before);
 }
 
-double kea_reboundInStep(const MdtKeaSystem *s, const KeaApproach *a, double gap, double restitution,
+double kea_reboundInStep(const MdtKeaSystem *s, const KeaApproach *a, double gap, double left, double restitution,
                          double threshold) {
+    const double fall = 2 * keaMax(-gap, 0) * keaMax(a->rate - a->predicted, 0) / s->parameters.stepsize;
     const MeBool isHit = gap + s->parameters.stepsize * a->predicted < 0;
     if (!isfinite(a->rate) || !isfinite(a->acceleration)) /* overflow: the step will not be committed */
         return 0;
     if (!(restitution > 0) || !isHit || !(a->rate < -keaMax(threshold, changeWithoutImpact(s, a))))
         return 0;
-    return restitution * sqrt(a->rate * a->rate + 2 * keaMax(gap, 0) * keaMax(-a->acceleration, 0));
+    const double late = fall < a->rate * a->rate ? fall : 0;
+    const double square = a->rate * a->rate + 2 * keaMax(gap, 0) * keaMax(-a->acceleration, 0) - late;
+    return sqrt(restitution * restitution * square + left * late);
 }
 
 void kea_setRebounds(MdtKeaSystem *s) {
@@ -87,7 +95,8 @@ void kea_setRebounds(MdtKeaSystem *s) {
         row->rebound = 0;
         if (row->restitution > 0) {
             const KeaApproach a = kea_approachOfRow(s, row);
-            row->rebound = kea_reboundInStep(s, &a, row->error, row->restitution, row->threshold);
+            row->rebound =
+                kea_reboundInStep(s, &a, row->error, 1 - s->parameters.gamma, row->restitution, row->threshold);
         }
         row->bounces = row->rebound > 0;
     }

@@ -262,6 +262,7 @@ void kea_beginRows(MdtKeaSystem *s) {
         p->forced = row->forced;
         p->frictionBound = row->normal >= 0 ? startingBound(s, row) : 0;
     }
+    kea_beginBends(s);
     chooseTheta(s);
 }
 
@@ -355,6 +356,8 @@ void kea_differentiateRows(MdtKeaSystem *s) {
                 setTangent(s, row->body[k], &row->J[k], q->tangent[i][k]);
     }
     kea_restoreJacobians(s);
+    for (int i = s->numRows; i < q->numRows; i++)
+        memcpy(q->tangent[i], q->row[i].J, sizeof q->row[i].J);
 }
 
 static void springRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
@@ -417,6 +420,7 @@ static void equalizeN(KeaProblemRow *a, KeaProblemRow *b) {
 
 void kea_linearizeRows(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
+    kea_linearizeBends(s);
     kea_problemSetEffectiveMasses(q);
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];

@@ -82,6 +82,7 @@ static void setVelocityProblem(MdtKeaSystem *s) {
     kea_problemSetEffectiveMasses(q);
     for (int i = 0; i < s->numRows; i++)
         setVelocityRow(s, i, &q->row[i]);
+    kea_disableBends(s);
     kea_problemShareN(q);
     setVelocityLoads(s);
 }

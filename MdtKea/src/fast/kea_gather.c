@@ -136,10 +136,13 @@ static void fillPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const KeaP
 }
 
 static void fillRebounds(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaGroup *g, int lane) {
+    const MeBool soft = g->correction[lane] == 0;
+    const double passes = soft ? 1 : kea_pushExponent * KEA_POSITION_PASSES,
+                 left = pow(1 - s->parameters.gamma, passes);
     for (int k = 0; k < m->numPoints && m->surface.restitution > 0; k++) {
         const KeaApproach a = approachOf(s, m, &m->point[k]);
         g->rebound[k][lane] =
-            (float)kea_reboundInStep(s, &a, -m->point[k].depth, m->surface.restitution, m->surface.threshold);
+            (float)kea_reboundInStep(s, &a, -m->point[k].depth, left, m->surface.restitution, m->surface.threshold);
     }
 }
 

@@ -41,6 +41,7 @@ typedef struct KeaProblemRow {
     int body[2]; /* indices of the problem's bodies, or MdtKeaWORLD */
     int edge;    /* index of the graph's edge; -1: the row has one body, or isOut */
     int normal, partner;
+    int bent; /* of a bend: the row whose direction turns (kea_bend.c) */
     double friction;
     double lower, upper;      /* N s */
     double E;                 /* 1/kg */
