@@ -48,6 +48,13 @@ MEPUBLIC void MEAPI MdtCarWheelSetSteeringLock(const MdtCarWheelID j, const MeBo
 MEPUBLIC MeBool MEAPI MdtCarWheelIsSteeringLocked(const MdtCarWheelID j);
 MEPUBLIC void MEAPI MdtCarWheelSetSteeringLimitedForceMotor(const MdtCarWheelID j, const MeReal desiredVelocity,
                                                             const MeReal forceLimit);
+/** Beyond Karma: holds the steering at an angle [rad], as MdtCarWheelGetSteeringAngle tells it, in place of a motor
+ *  of a velocity: as MdtLimitSetPositionMotor (MdtLimit.h), with a frequency [Hz], damping ratio and largest torque
+ *  [N m]. The mass is the moment of inertia of wheel and chassis about the steering axis; against friction at the
+ *  ground 20 Hz and more hold a wheel. A frequency of 0 gives the steering back to the motor of a velocity. */
+MEPUBLIC void MEAPI MdtCarWheelSetSteeringPositionMotor(const MdtCarWheelID j, const MeReal angle,
+                                                        const MeReal frequency, const MeReal dampingRatio,
+                                                        const MeReal torqueLimit);
 MEPUBLIC MeReal MEAPI MdtCarWheelGetSteeringMotorDesiredVelocity(const MdtCarWheelID j);
 MEPUBLIC MeReal MEAPI MdtCarWheelGetSteeringMotorMaxForce(const MdtCarWheelID j);
 /** rad and rad/s, after the last step. */

@@ -61,7 +61,7 @@ MEPUBLIC void MEAPI MdtLimitCalculatePosition(const MdtLimitID l, const MeBool N
 MEPUBLIC MeBool MEAPI MdtLimitPositionIsCalculated(const MdtLimitID l);
 /** @} */
 
-/** @name The motor
+/** @name The motor of a velocity, which replaces one of a position
  *  @{ */
 /** Switches the motor on: it drives the coordinate to @a desiredVelocity with at most @a forceLimit in either
  *  direction (a negative one counts as 0); a force limit of 0 switches it off. A desired velocity of 0 is a brake with
@@ -69,13 +69,42 @@ MEPUBLIC MeBool MEAPI MdtLimitPositionIsCalculated(const MdtLimitID l);
 MEPUBLIC void MEAPI MdtLimitSetLimitedForceMotor(const MdtLimitID l, const MeReal desiredVelocity,
                                                  const MeReal forceLimit);
 /** Whether the motor tracks the position that follows from its velocity. Off, the default: the desired velocity is
- *  that at the end of the step, as in the guide. On: as far as the force allows, each step moves the coordinate by the
- *  step's length times the desired velocity, and ends with that velocity. So a program that sets the mean velocity of
- *  a path's next step leads the joint along the path. Distance lost for lack of force is not made up for. */
+ *  that at the end of the step, as in the guide; in a step in which it is changed by v the coordinate moves by half a
+ *  step's length times v less, as its mean velocity is that of both ends. On: as far as the force allows, each step
+ *  moves the coordinate by the step's length times the desired velocity, and ends with that velocity. So a program
+ *  that sets the mean velocity of a path's next step leads the joint along the path. Distance lost for lack of force
+ *  is not made up for. */
 MEPUBLIC void MEAPI MdtLimitSetMotorTracking(const MdtLimitID l, const MeBool NewState);
 MEPUBLIC MeBool MEAPI MdtLimitMotorIsTracking(const MdtLimitID l);
 MEPUBLIC MeReal MEAPI MdtLimitGetMotorDesiredVelocity(const MdtLimitID l);
 MEPUBLIC MeReal MEAPI MdtLimitGetMotorMaxForce(const MdtLimitID l);
+/** @} */
+
+/** @name The motor of a position, beyond Karma
+ *  A damped spring to a target: what a program would do by proportional and derivative control, but stable at any
+ *  stiffness and step, and without forces that lag. The joint moves as an oscillator of the given frequency and damping
+ *  ratio. Its mass is that which the joint's two bodies show along the coordinate, the moment of inertia of a door
+ *  about its hinge: it is measured in every step, without other joints of these bodies. Under a load F the coordinate
+ *  stays off by F / (mass (2 pi frequency)²). Of an angle the target counts full turns, as the coordinate does.
+ *
+ *  Up to 2 pi frequency x step = 2 the motion is of second order in the step; above it is damped more. It does not
+ *  overshoot more than the oscillator, but by a hundredth of its way where steps turn by .3 rad. A frequency far above
+ *  1 / step makes the motor as rigid as a joint, up to its force.
+ *  @{ */
+/** Switches the motor on, in place of one of a velocity: @a target [m] at rest, @a frequency [Hz] of the undamped
+ *  oscillation, @a dampingRatio (1: critically damped; 0: none), with at most @a forceLimit [N] in either direction
+ *  (MEINFINITY: any force). A frequency or force limit of 0 switches it off. A negative number gets a warning. */
+MEPUBLIC void MEAPI MdtLimitSetPositionMotor(const MdtLimitID l, const MeReal target, const MeReal frequency,
+                                             const MeReal dampingRatio, const MeReal forceLimit);
+/** Moves the target: where it is at the start of the next step, and its velocity [m/s] from there on, which the motor
+ *  follows without lag. To be called before every step if the velocity is not 0, as steps do not change the target.
+ *  Warns without a position motor. */
+MEPUBLIC void MEAPI MdtLimitSetMotorTarget(const MdtLimitID l, const MeReal target, const MeReal velocity);
+/** The target's velocity is MdtLimitGetMotorDesiredVelocity, and the force limit MdtLimitGetMotorMaxForce. */
+MEPUBLIC MeReal MEAPI MdtLimitGetMotorTarget(const MdtLimitID l);
+/** 0: the motor is one of a velocity. */
+MEPUBLIC MeReal MEAPI MdtLimitGetMotorFrequency(const MdtLimitID l);
+MEPUBLIC MeReal MEAPI MdtLimitGetMotorDampingRatio(const MdtLimitID l);
 /** @} */
 
 /** @name The lock: keeps the coordinate at a value with limited force; the motor is off meanwhile

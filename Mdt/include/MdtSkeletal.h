@@ -55,6 +55,25 @@ MEPUBLIC MdtSkeletalTwistOption MEAPI MdtSkeletalGetTwistOption(const MdtSkeleta
 MEPUBLIC void MEAPI MdtSkeletalZeroTwist(const MdtSkeletalID j);
 MEPUBLIC void MEAPI MdtSkeletalBodyGetAxis(const MdtSkeletalID j, const unsigned int bodyindex, MeVector3 axis);
 
+/** @name A position motor of the relative orientation, beyond Karma
+ *  A damped spring to a target, as MdtLimitSetPositionMotor (MdtLimit.h) is for an angle: implicit, stable at any
+ *  frequency and step. The joint turns to its target as an oscillator of the frequency and damping ratio, from any
+ *  orientation and about any axis, whatever the shape of its bodies: the torque is the effective inertia, a tensor,
+ *  times what the oscillator's law demands. Effective is the inertia that the two bodies show about the joint,
+ *  without other joints of theirs. Beyond half a turn from its target the motor turns the shorter way.
+ *  @{ */
+/** Switches the motor on: @a frequency [Hz] of the undamped oscillation, @a dampingRatio (1: critically damped), with
+ *  at most @a torqueLimit [N m] (MEINFINITY: any) about each principal axis of the effective inertia. A frequency or
+ *  torque limit of 0, the default, switches it off. A negative number gets a warning, and nothing is changed. */
+MEPUBLIC void MEAPI MdtSkeletalSetPositionMotor(const MdtSkeletalID j, const MeReal frequency,
+                                                const MeReal dampingRatio, const MeReal torqueLimit);
+/** The target: the orientation of the first axes in that of the second, a quaternion (w, x, y, z), not zero, by
+ *  default (1, 0, 0, 0), at the start of the next step; and its angular velocity [rad/s], in the axes of the second
+ *  one, from there on; null: it rests. Steps do not change it. */
+MEPUBLIC void MEAPI MdtSkeletalSetMotorTarget(const MdtSkeletalID j, const MeVector4 q, const MeVector3 w);
+MEPUBLIC void MEAPI MdtSkeletalGetMotorTarget(const MdtSkeletalID j, MeVector4 q);
+/** @} */
+
 /** @name Functions that every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */

@@ -33,6 +33,31 @@ MEPUBLIC MeReal MEAPI MdtSpring6GetAngularStiffness(const MdtSpring6ID j, int ax
 MEPUBLIC void MEAPI MdtSpring6SetAngularDamping(const MdtSpring6ID j, int axisindex, MeReal d);
 MEPUBLIC MeReal MEAPI MdtSpring6GetAngularDamping(const MdtSpring6ID j, int axisindex);
 /** @} */
+/** @name Position motors, beyond Karma: a spring whose frequency does not depend on masses, with a bounded force
+ *  Such a motor replaces the spring of its direction, and is as that of MdtLimitSetPositionMotor (MdtLimit.h); its mass
+ *  is what the two bodies show in this direction while rigid directions hold, and the others are free. All six together
+ *  lead a frame to a target pose.
+ *  @{ */
+/** Of an axis, 0 to 2: @a frequency [Hz], @a dampingRatio (1: critically damped), and the largest force [N] or torque
+ *  [N m] in either direction (MEINFINITY: any). A frequency of 0, the default, switches the motor off. A negative
+ *  number gets a warning, and nothing is changed. */
+MEPUBLIC void MEAPI MdtSpring6SetLinearMotor(const MdtSpring6ID j, int axisindex, MeReal frequency, MeReal dampingRatio,
+                                             MeReal forceLimit);
+MEPUBLIC void MEAPI MdtSpring6SetAngularMotor(const MdtSpring6ID j, int axisindex, MeReal frequency,
+                                              MeReal dampingRatio, MeReal torqueLimit);
+/** @} */
+/** @name The target of springs, motors and rigid directions, by default 0: where the first frame is drawn to
+ *  At the start of the next step, with its velocity from there on (null: it rests). Steps do not change it.
+ *  @{ */
+/** m, m/s, along the axes of the second frame, from its origin. */
+MEPUBLIC void MEAPI MdtSpring6SetTargetPosition(const MdtSpring6ID j, const MeVector3 position,
+                                                const MeVector3 velocity);
+MEPUBLIC void MEAPI MdtSpring6GetTargetPosition(const MdtSpring6ID j, MeVector3 position);
+/** The orientation of the first frame in the second, a quaternion (w, x, y, z), not zero, and its angular velocity,
+ *  rad/s, in the axes of the second frame. Angular springs then act about the axes of the target. */
+MEPUBLIC void MEAPI MdtSpring6SetTargetQuaternion(const MdtSpring6ID j, const MeVector4 q, const MeVector3 w);
+MEPUBLIC void MEAPI MdtSpring6GetTargetQuaternion(const MdtSpring6ID j, MeVector4 q);
+/** @} */
 /** @name The velocity of the world where the spring is attached to it: see MdtConstraint.h
  *  @{ */
 MEPUBLIC void MEAPI MdtSpring6SetWorldLinearVelocity(const MdtSpring6ID j, MeReal vx, MeReal vy, MeReal vz);

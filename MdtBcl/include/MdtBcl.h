@@ -15,7 +15,7 @@ ME_BEGIN_C
 
 /** @name Maximal number of rows of each constraint type
  *  @{ */
-#define MdtBclGETMAXROWSBSJOINT   3
+#define MdtBclGETMAXROWSBSJOINT   6 /**< 3 of the joint, 3 of a position motor. */
 #define MdtBclGETMAXROWSHINGE     8 /**< 5 of the joint, 1 for motor or lock, 1 for each stop. */
 #define MdtBclGETMAXROWSPRISMATIC 8 /**< As of a hinge. */
 #define MdtBclGETMAXROWSCARWHEEL  8 /**< 3 of the joint; 1 each for steering, spring, hinge motor; 2 stops. */
@@ -23,7 +23,7 @@ ME_BEGIN_C
 #define MdtBclGETMAXROWSFIXEDPATH 3
 #define MdtBclGETMAXROWSRPROJOINT 6
 #define MdtBclGETMAXROWSUNIVERSAL 4
-#define MdtBclGETMAXROWSSKELETAL  7 /**< 3 of the joint, 2 for swing, 2 for twist. */
+#define MdtBclGETMAXROWSSKELETAL  10 /**< 3 of the joint, 2 for swing, 2 for twist, 3 of a position motor. */
 #define MdtBclGETMAXROWSLINEAR1   1
 #define MdtBclGETMAXROWSLINEAR2   2
 #define MdtBclGETMAXROWSANGULAR3  3
@@ -48,6 +48,22 @@ typedef struct MdtBclAngular {
     MeReal damping;   /**< N m s/rad */
     MeBool rotates;   /**< the bodies may rotate about the primary axis (Angular2) */
 } MdtBclAngular;
+
+/** A relative orientation that changes. */
+typedef struct MdtBclTargetTurn {
+    double quaternion[4]; /**< w x y z, unit, of frame 0 relative to frame 1, now */
+    double velocity[3];   /**< rad/s, its angular velocity, in the axes of frame 1 */
+} MdtBclTargetTurn;
+
+/** A position motor of a relative orientation: BSJoint, Skeletal. */
+typedef struct MdtBclTurnServo {
+    MdtBclServo motor;
+    MdtBclTargetTurn target;
+    /* Set by the library. */
+    double now[4];     /**< the target at the start of the sub-step */
+    double axis[3][3]; /**< unit, principal axes of the effective inertia, in the axes of the target */
+    double inertia[3]; /**< kg m², about them; 0: nothing can turn */
+} MdtBclTurnServo;
 
 /** FixedPath. */
 typedef struct MdtBclPath {
@@ -90,8 +106,15 @@ typedef struct MdtBclDistance {
 
 /** Spring6: three linear springs, then three angular ones. */
 typedef struct MdtBclSprings {
-    MeReal stiffness[6]; /**< N/m, N m/rad; MEINFINITY: rigid */
-    MeReal damping[6];   /**< N s/m, N m s/rad */
+    MeReal stiffness[6];     /**< N/m, N m/rad; MEINFINITY: rigid */
+    MeReal damping[6];       /**< N s/m, N m s/rad */
+    MdtBclServo motor[6];    /**< which replace springs whose motor has a frequency */
+    double position[3];      /**< m, target of the attachment of frame 0, along the axes of frame 1, now */
+    double velocity[3];      /**< m/s, of this target */
+    MdtBclTargetTurn target; /**< of the angular springs and motors */
+    /* Set by the library: the target's position at the start of the sub-step, its orientation there and at the end, the
+     * rates of the angular rows that follow from its velocity, and their change in rigid directions. */
+    double place[3], now[4], then[4], rate[3], rotation[3];
 } MdtBclSprings;
 
 /** ConeLimit: the upper stop of the limit is the half angle. */
@@ -110,6 +133,8 @@ typedef struct MdtBclMotor {
 /** CarWheel. */
 typedef struct MdtBclCarWheel {
     MdtBclMotor steering, rolling;
+    MdtBclServo servo;           /**< position motor of the steering, which replaces `steering` if it has a frequency */
+    MeReal target;               /**< rad, of this motor, as steeringAngle */
     MeBool isLocked;             /**< the steering is locked */
     MeReal kp, kd;               /**< N/m, N s/m, of the suspension */
     MeReal softness;             /**< 1/kg, compliance of the suspension's stops */
@@ -148,6 +173,7 @@ typedef struct MdtBclSkeletal {
     /* Set by the library. */
     MdtBclLimit cone, turn; /**< of swing and twist */
     double scale;           /**< 1/rad, |∇f| of the cone at the start of the step (bcl_skeletal.c) */
+    MdtBclTurnServo servo;
 } MdtBclSkeletal;
 
 struct MdtBclContext;
@@ -173,7 +199,8 @@ typedef struct MdtBclConstraint {
     MdtBclFrame frame[2]; /**< by body */
     MeBool isDegenerate;  /**< its rows are singular at the present poses (MdtBclType.degenerate) */
     union {
-        MdtBclLimit limit; /**< hinge, prismatic */
+        MdtBclLimit limit;     /**< hinge, prismatic */
+        MdtBclTurnServo servo; /**< ball and socket */
         MdtBclAngular angular;
         MdtBclPath path;
         MdtBclRelative relative;

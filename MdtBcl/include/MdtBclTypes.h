@@ -43,6 +43,14 @@ typedef struct MdtBclSingleLimit {
     MeReal stop;        /**< m, the coordinate of the stop. Default 0. */
 } MdtBclSingleLimit;
 
+/** A position motor: a damped spring to a target, which accelerates what it moves as an oscillator of this frequency
+ *  and damping, whatever its mass; the force is bounded. */
+typedef struct MdtBclServo {
+    MeReal frequency;    /**< Hz, undamped; 0: off */
+    MeReal dampingRatio; /**< 1: critically damped */
+    MeReal force;        /**< N, or N m: the largest in either direction; MEINFINITY: unbounded */
+} MdtBclServo;
+
 /** The limits and the motor of one degree of freedom of a joint (Dynamics guide ch. 3, "Joint Limit"). */
 typedef struct MdtBclLimit {
     MdtBclSingleLimit limit[2]; /**< lower and upper stop */
@@ -52,6 +60,9 @@ typedef struct MdtBclLimit {
     MeReal stiffnessThreshold;  /**< N/m; above it a stop is hard, at or below it a damped spring */
     MeReal desired_vel;         /**< m/s, target velocity of the motor */
     MeReal fmax;                /**< N, largest force of the motor in either direction */
+    MeReal target;              /**< m, of a position motor, now: in a step it moves with desired_vel */
+    MeReal frequency;           /**< Hz, undamped, of a position motor; 0: a velocity motor */
+    MeReal dampingRatio;        /**< of a position motor; 1: critically damped */
     MeReal lock;                /**< m, the value at which the lock keeps the coordinate */
     MeReal lockForce;           /**< N, largest force of the lock in either direction */
     MeBool bLocked;             /**< the lock is on, which turns the motor off */

@@ -79,9 +79,7 @@ void bcl_orientationErrors(const MdtBclConstraint *c, const MdtKeaTransformation
     keaScale(errors, 2, turn + 1);
 }
 
-/* The axes of the target frame in the world: frame 1 turned by q. */
-static void targetAxes(double axes[3][3], const MdtBclConstraint *c, const MdtKeaTransformation *pose,
-                       const double q[4]) {
+void bcl_targetAxes(double axes[3][3], const MdtBclConstraint *c, const MdtKeaTransformation *pose, const double q[4]) {
     double frame[3][3], R[3][3];
     bcl_axes(frame, c, 1, pose);
     if (q) {
@@ -105,7 +103,7 @@ static void targetAxes(double axes[3][3], const MdtBclConstraint *c, const MdtKe
 void bcl_orientationRows(const MdtBclConstraint *c, const MdtBclContext *x, const double q[4], MdtKeaRow rows[3]) {
     double turn[4], T[3][3];
     bcl_relativeOrientation(turn, c, x->pose, q);
-    targetAxes(T, c, x->pose[1], q);
+    bcl_targetAxes(T, c, x->pose[1], q);
     const double w = turn[0], *v = turn + 1;
     const double G[3][3] = {{w, v[2], -v[1]}, {-v[2], w, v[0]}, {v[1], -v[0], w}};
     for (int i = 0; i < 3; i++) {

@@ -8,7 +8,7 @@
  *     locked: φ_4 = t·h    the wheel does not steer; else the steering motor's row
  *     steering: the wheel's angle ψ about s, dψ/dt = (s - (s·h) h)·(ω_1 - ω_0) / (1 - (s·h)²). The motor's row is a
  *                          position row of ψ at the end of the step: a wheel rolls so far in a step that a rate at one
- *                          pose does not determine the change of ψ
+ *                          pose does not determine the change of ψ; a position motor has a spring row (bcl_servo.c)
  *     suspension: a damped spring of the height s·d, and one-sided rows at its stops
  *     the hinge motor's row
  * The steering angle that is read back is -angle(o, h) about s: that of the chassis relative to the wheel, as of hinges
@@ -16,6 +16,8 @@
  */
 #include "bcl_i.h"
 #include <string.h>
+
+static const double fullTurn = 6.283185307179586476925;
 
 enum { STEER = 1, LOCK = 2, SUSPEND = 4, LOW = 8, HIGH = 16, ROLL = 32 };
 
@@ -25,6 +27,7 @@ static void reset(MdtBclConstraint *c) {
     c->frame[0] = c->frame[1] = standard;
     memset(w, 0, sizeof *w);
     w->steering.force = (MeReal)1e9;
+    w->servo = (MdtBclServo){.dampingRatio = 1};
     w->high = (MeReal)1e9;
     w->low = (MeReal)-1e9;
 }
@@ -67,6 +70,11 @@ static MeBool isNearStop(const MdtBclCarWheel *w, int side, double z, double rat
     return z <= 0 || w->stopForce[side] > 0 || z + 2 * h * rate < 0;
 }
 
+/* Whether the steering has a position motor. */
+static MeBool isPositioned(const MdtBclCarWheel *w) {
+    return w->servo.frequency > 0;
+}
+
 /* The set of this step's rows (flags STEER to ROLL). */
 static int chooseRows(const MdtBclConstraint *c, const MdtBclContext *x, const Axes *a) {
     const MdtBclCarWheel *w = &c->of.wheel;
@@ -74,7 +82,8 @@ static int chooseRows(const MdtBclConstraint *c, const MdtBclContext *x, const A
     wheelRow(c, x, a->s, &along);
     const double height = keaDot(a->s, a->d), h = x->parameters.stepsize;
     const double rate[2] = {bcl_rate(&along, x->velocity), bcl_rate(&along, x->predicted)};
-    int rows = w->isLocked ? LOCK : w->steering.force > 0 ? STEER : 0;
+    const MeBool steers = isPositioned(w) ? bcl_isServo(&w->servo) : w->steering.force > 0;
+    int rows = w->isLocked ? LOCK : steers ? STEER : 0;
     if (w->kp > 0 || w->kd > 0)
         rows |= SUSPEND;
     if (isNearStop(w, 0, height - (double)w->low, fmin(rate[0], rate[1]), h))
@@ -112,7 +121,7 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
     if (w->rows & LOCK)
         *e++ = keaDot(a.t, a.h);
     else if (w->rows & STEER)
-        *e++ = remainder(wheelAngle(&a) - w->startAngle, 6.283185307179586476925);
+        *e++ = remainder(wheelAngle(&a) - w->startAngle, fullTurn);
     if (w->rows & SUSPEND)
         e++;
     if (w->rows & LOW)
@@ -121,10 +130,11 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
         *e++ = (double)w->high - height;
 }
 
-/* The row of the locked steering, or of the steering motor. */
+/* The row of the locked steering, or of the steering motor, behind those of φ_1..3. */
 static void steeringRow(const MdtBclConstraint *c, const MdtBclContext *x, const Axes *a, MdtKeaRow *row) {
-    MEASSERT(c->of.wheel.rows & (STEER | LOCK));
-    if (c->of.wheel.rows & LOCK) {
+    const MdtBclCarWheel *w = &c->of.wheel;
+    MEASSERT(w->rows & (STEER | LOCK));
+    if (w->rows & LOCK) {
         bcl_dotRow(x, a->t, a->h, row);
         bcl_makePosition(row, x, keaDot(a->t, a->h));
     } else {
@@ -133,7 +143,12 @@ static void steeringRow(const MdtBclConstraint *c, const MdtBclContext *x, const
         keaScale(axis, 1 / size, a->s);
         keaAddScaled(axis, -slant / size, a->h);
         wheelSpinRow(x, axis, row);
-        bcl_makeMotor(row, c->of.wheel.steering.velocity, c->of.wheel.steering.force);
+        if (isPositioned(w)) {
+            bcl_makeServo(row, x, &w->servo, remainder(wheelAngle(a) + (double)w->target, fullTurn), 0,
+                          bcl_effectiveMass(x, row - 3, 3, row));
+            return;
+        }
+        bcl_makeMotor(row, w->steering.velocity, w->steering.force);
         row->drift = row->target;
         row->position = !c->isDegenerate;
     }

@@ -91,7 +91,7 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
     MdtKeaRow row;
     angleRow(c, x, &row);
-    bcl_limitFill(&c->of.cone.limit, x, &row, rows);
+    bcl_limitFill(&c->of.cone.limit, x, &row, 0, rows);
 }
 
 static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {

@@ -56,7 +56,7 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
     bcl_pointRows(c, x, rows);
     bcl_alignRows(c, x, rows + 3);
     angleRow(c, x, &angle);
-    bcl_limitFill(&c->of.limit, x, &angle, rows + 5);
+    bcl_limitFill(&c->of.limit, x, &angle, 5, rows + 5);
 }
 
 static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {

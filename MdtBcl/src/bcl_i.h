@@ -98,6 +98,28 @@ void bcl_orientationRows(const MdtBclConstraint *c, const MdtBclContext *x, cons
 void bcl_orientationErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], const double q[4],
                            double errors[3]);
 
+/* The axes of the target frame in the world: frame 1 turned by q (null: frame 1). */
+void bcl_targetAxes(double axes[3][3], const MdtBclConstraint *c, const MdtKeaTransformation *pose, const double q[4]);
+
+/* Position motors (bcl_servo.c). bcl_effectiveMass: kg, that the bodies show along a row while `count` rows hold; 0:
+ * infinite. bcl_makeServo makes a row the motor's, with its error, the velocity of its target, and this mass. */
+MeBool bcl_isServo(const MdtBclServo *m);
+double bcl_effectiveMass(const MdtBclContext *x, const MdtKeaRow rigid[], int count, const MdtKeaRow *row);
+void bcl_makeServo(MdtKeaRow *row, const MdtBclContext *x, const MdtBclServo *m, double error, double velocity,
+                   double mass);
+
+/* Targets that turn: their quaternion after a time; the components of their velocity in the target's axes. */
+void bcl_resetTurn(MdtBclTargetTurn *t);
+void bcl_turnAfter(const double quaternion[4], const double velocity[3], double time, double q[4]);
+void bcl_turnVelocity(const double q[4], const double velocity[3], double local[3]);
+/* The rate of bcl_orientationRows due to the angular velocity ω of the target q: G Tᵀ F_1 ω, with G of these rows. */
+void bcl_orientationRate(const double turn[4], const double q[4], const double velocity[3], double rate[3]);
+
+/* The rows of an orientation's motor: prepare returns their number, 0 or 3. */
+void bcl_resetTurnServo(MdtBclTurnServo *t);
+int bcl_turnServoPrepare(const MdtBclConstraint *c, MdtBclTurnServo *t, const MdtBclContext *x);
+void bcl_turnServoFill(const MdtBclConstraint *c, const MdtBclTurnServo *t, const MdtBclContext *x, MdtKeaRow rows[3]);
+
 /* Sets the axes, or the position, of frame 1 so that it coincides with frame 0 at these poses. */
 void bcl_matchFrame1Axes(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]);
 void bcl_matchFrame1Position(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]);
@@ -111,12 +133,16 @@ void bcl_makeStop(MdtKeaRow *row, const MdtBclContext *x);
 
 /* Limit and motor of a coordinate: `coordinate` is a row with the coordinate's J, so that its rate is J v; `measured`
  * is its present value without offset. bcl_limitPrepare chooses the rows and returns their number; bcl_limitFill writes
- * them; bcl_limitReadBack stores position, rate and stop forces after the step. bcl_limitIsMeasured: whether the limit
- * needs the value. */
+ * them, behind `rigid` rows of the joint that hold its other directions; bcl_limitReadBack stores position, rate and
+ * stop forces after the step. bcl_limitIsMeasured: whether the limit needs the value. */
 int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow *coordinate, double measured);
-void bcl_limitFill(const MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow *coordinate, MdtKeaRow rows[]);
+void bcl_limitFill(const MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow *coordinate, int rigid,
+                   MdtKeaRow rows[]);
 void bcl_limitReadBack(MdtBclLimit *limit, double measured, double rate, const MdtKeaRow rows[]);
 MeBool bcl_limitIsMeasured(const MdtBclLimit *limit);
+
+/* The number of rows that bcl_limitPrepare chose. */
+int bcl_limitRows(const MdtBclLimit *limit);
 
 /* Writes the errors of the limit's rows at a value of the coordinate (without offset). Returns the number of rows. */
 int bcl_limitErrors(const MdtBclLimit *limit, double measured, double errors[]);

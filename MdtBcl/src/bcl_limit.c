@@ -9,9 +9,8 @@
  *          damping, in the step in which the stop is reached, so that the spring acts from first contact.
  * The motor is a velocity row J v⁺ = desired velocity with |λ| <= fmax, without ε, so that a brake holds. If it tracks,
  * it is a position row of the coordinate q, q⁺ - q = h x desired velocity: displacement that is lost while the force is
- * at its bound is not made up for later. The lock, which replaces the motor, is the row of a joint,
- * J v⁺ = -γ (position - lock) / h with |λ| <= lockForce.
- */
+ * at its bound is not made up for later. A position motor is a spring to its target (bcl_servo.c). The lock, which
+ * replaces the motor, is the row of a joint, J v⁺ = -γ (position - lock) / h with |λ| <= lockForce. */
 #include "bcl_i.h"
 #include <string.h>
 
@@ -64,11 +63,28 @@ static double distanceToStop(const MdtBclLimit *limit, int side) {
     return distanceToStopAt(limit, side, limit->measured);
 }
 
+static MeBool isPositionMotor(const MdtBclLimit *limit) {
+    return limit->frequency > 0;
+}
+
+/* The coordinate minus the position motor's target at the start of the sub-step. */
+static double targetError(const MdtBclLimit *limit, const MdtBclContext *x) {
+    const double moved = x->elapsed * (double)limit->desired_vel;
+    return limit->measured + (double)limit->offset - (double)limit->target - moved;
+}
+
+/* The velocity to which the motor may bring the coordinate in this step: a position motor, that which reaches its
+ * target. */
+static double motorVelocity(const MdtBclLimit *limit, const MdtBclContext *x) {
+    const double toTarget = isPositionMotor(limit) ? -targetError(limit, x) / x->parameters.stepsize : 0;
+    return (double)limit->desired_vel + toTarget;
+}
+
 /* The smallest rate of z in this step: of its present rate, its rate predicted without constraints and, if the motor
  * runs, the motor's velocity. */
-static double minRate(const MdtBclLimit *limit, int side, double rate, double predicted) {
+static double minRate(const MdtBclLimit *limit, const MdtBclContext *x, int side, double rate, double predicted) {
     const double sign = side == 0 ? 1 : -1, slowest = fmin(sign * rate, sign * predicted);
-    return limit->rows & MOTOR ? fmin(slowest, sign * (double)limit->desired_vel) : slowest;
+    return limit->rows & MOTOR ? fmin(slowest, sign * motorVelocity(limit, x)) : slowest;
 }
 
 /* rad/s: an upper estimate of the angular velocity that an impact in this step can give a body: its speed over its
@@ -93,18 +109,17 @@ static MeBool isAngle(const MdtKeaRow *coordinate) {
 /* Whether a stop gets a row in this step: if twice the predicted displacement would pass it, which allows for other
  * constraints; if it limits an angle, which an impact could turn that far (impactSpin); or if it carried a force in the
  * last step, so that a load at rest on it does not rattle. */
-static MeBool isWithinReach(const MdtBclLimit *limit, int side, double rate, double predicted, double impactSpin,
-                            double h) {
+static MeBool isWithinReach(const MdtBclLimit *limit, const MdtBclContext *x, int side, double rate, double predicted,
+                            double impactSpin) {
     const MdtBclSingleLimit *stop = &limit->limit[side];
-    const double z = distanceToStop(limit, side);
+    const double z = distanceToStop(limit, side), h = x->parameters.stepsize;
     if (!bcl_isStopHard(limit, side) && !(stop->stiffness > 0))
         return z < 0 && stop->damping > 0;
     return z <= 0 || limit->stopForce[side] > 0 || z < h * impactSpin ||
-           z + 2 * h * minRate(limit, side, rate, predicted) < 0;
+           z + 2 * h * minRate(limit, x, side, rate, predicted) < 0;
 }
 
-/* The number of rows that bcl_limitPrepare chose. */
-static int countRows(const MdtBclLimit *limit) {
+int bcl_limitRows(const MdtBclLimit *limit) {
     return ((limit->rows & (MOTOR | LOCK)) != 0) + ((limit->rows & LOWER) != 0) + ((limit->rows & UPPER) != 0);
 }
 
@@ -124,12 +139,12 @@ int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow
         count++;
     }
     for (int side = 0; side < 2; side++) {
-        if (limit->bActive && isWithinReach(limit, side, rate, predicted, impactSpin, x->parameters.stepsize)) {
+        if (limit->bActive && isWithinReach(limit, x, side, rate, predicted, impactSpin)) {
             limit->rows |= side == 0 ? LOWER : UPPER;
             count++;
         }
     }
-    MEASSERT(count == countRows(limit));
+    MEASSERT(count == bcl_limitRows(limit));
     return count;
 }
 
@@ -142,7 +157,18 @@ static void lockRow(const MdtBclLimit *limit, const MdtBclContext *x, MdtKeaRow 
     row->lower = -row->upper;
 }
 
-static void motorRow(const MdtBclLimit *limit, MdtKeaRow *row) {
+/* The row of the position motor, behind `rigid` rows of the joint. */
+static void servoRow(const MdtBclLimit *limit, const MdtBclContext *x, int rigid, MdtKeaRow *row) {
+    const MdtBclServo motor = {limit->frequency, limit->dampingRatio, limit->fmax};
+    bcl_makeServo(row, x, &motor, targetError(limit, x), limit->desired_vel,
+                  bcl_effectiveMass(x, row - rigid, rigid, row));
+}
+
+static void motorRow(const MdtBclLimit *limit, const MdtBclContext *x, int rigid, MdtKeaRow *row) {
+    if (isPositionMotor(limit)) {
+        servoRow(limit, x, rigid, row);
+        return;
+    }
     bcl_makeMotor(row, limit->desired_vel, limit->fmax);
     if (!limit->bMotorTracks)
         return;
@@ -172,11 +198,12 @@ static void stopRow(const MdtBclLimit *limit, int side, const MdtBclContext *x, 
     }
 }
 
-void bcl_limitFill(const MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow *coordinate, MdtKeaRow rows[]) {
+void bcl_limitFill(const MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow *coordinate, int rigid,
+                   MdtKeaRow rows[]) {
     MdtKeaRow *const first = rows;
     if (limit->rows & MOTOR) {
         *rows = *coordinate;
-        motorRow(limit, rows++);
+        motorRow(limit, x, rigid, rows++);
     } else if (limit->rows & LOCK) {
         *rows = *coordinate;
         lockRow(limit, x, rows++);
@@ -187,8 +214,8 @@ void bcl_limitFill(const MdtBclLimit *limit, const MdtBclContext *x, const MdtKe
             stopRow(limit, side, x, rows++);
         }
     }
-    MEASSERT(rows - first == countRows(limit));
-    MEVALIDATE(bcl_areRows(first, countRows(limit)));
+    MEASSERT(rows - first == bcl_limitRows(limit));
+    MEVALIDATE(bcl_areRows(first, bcl_limitRows(limit)));
 }
 
 int bcl_limitErrors(const MdtBclLimit *limit, double measured, double errors[]) {
@@ -202,7 +229,7 @@ int bcl_limitErrors(const MdtBclLimit *limit, double measured, double errors[]) 
     for (int side = 0; side < 2; side++)
         if (limit->rows & (side == 0 ? LOWER : UPPER))
             errors[n++] = distanceToStopAt(limit, side, measured);
-    MEASSERT(n == countRows(limit));
+    MEASSERT(n == bcl_limitRows(limit));
     return n;
 }
 

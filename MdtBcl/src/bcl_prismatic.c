@@ -55,7 +55,7 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
     bcl_axisRows(c, x, 1, 2, rows);
     bcl_orientationRows(c, x, NULL, rows + 2);
     axisRow(c, x, &along);
-    bcl_limitFill(&c->of.limit, x, &along, rows + 5);
+    bcl_limitFill(&c->of.limit, x, &along, 5, rows + 5);
 }
 
 static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {

@@ -22,31 +22,13 @@ static void reset(MdtBclConstraint *c) {
         r->linear[i] = r->angular[i] = MEINFINITY;
 }
 
-/* The target quaternion after t seconds of rotation with its angular velocity. */
-static void targetAfter(const MdtBclRelative *r, double t, double q[4]) {
-    double turn[3], step[4];
-    keaScale(turn, t, r->velocity);
-    keaQuaternionExp(step, turn);
-    keaQuaternionProduct(q, step, r->quaternion);
-}
-
-/* The rate of the angular rows due to the target's angular velocity ω: G Tᵀ F_1 ω, with G = w I - [v]x of
- * bcl_orientationRows. */
-static void targetRate(const double turn[4], const double now[4], const double velocity[3], double rate[3]) {
-    double R[3][3], w[3];
-    keaQuaternionToMatrix(R, now);
-    keaApplyTransposed(w, (const double(*)[3])R, velocity);
-    keaCross(rate, w, turn + 1);
-    keaAddScaled(rate, turn[0], w);
-}
-
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     MdtBclRelative *r = &c->of.relative;
     double turn[4];
-    targetAfter(r, x->elapsed, r->now);
-    targetAfter(r, x->elapsed + x->parameters.stepsize, r->then);
+    bcl_turnAfter(r->quaternion, r->velocity, x->elapsed, r->now);
+    bcl_turnAfter(r->quaternion, r->velocity, x->elapsed + x->parameters.stepsize, r->then);
     bcl_relativeOrientation(turn, c, x->pose, r->now);
-    targetRate(turn, r->now, r->velocity, r->rotation);
+    bcl_orientationRate(turn, r->now, r->velocity, r->rotation);
     keaScale(r->rotation, x->parameters.stepsize, r->rotation);
     MEASSERT(isfinite(keaDot(r->rotation, r->rotation)));
     c->isDegenerate = bcl_isNearHalfTurn(c, x, r->now);

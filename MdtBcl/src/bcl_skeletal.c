@@ -9,6 +9,7 @@
  *          A hard limit is a position row, which constrains f at the end of the step.
  *   twist: τ = 2 atan2(D_x, D_w), with D as a quaternion (w, v):
  *          dτ/dt = (w (w ω_x + ω_y v_z - ω_z v_y) + v_x v·ω) / (w² + v_x²).
+ *   motor: three rows of D, at the end (bcl_servo.c).
  */
 #include "bcl_i.h"
 #include <string.h>
@@ -30,6 +31,7 @@ static void reset(MdtBclConstraint *c) {
     resetLimit(&s->cone);
     s->cone.limit[0].stiffness = 0; /* no lower stop */
     resetLimit(&s->turn);
+    bcl_resetTurnServo(&s->servo);
 }
 
 /* The coordinates of the joint, and their derivatives in the axes of frame 1: rate = row·ω, ω = ω_0 - ω_1. */
@@ -148,6 +150,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
         turnRow(c, x, p.twist, &row);
         count += bcl_limitPrepare(&s->turn, x, &row, p.tau);
     }
+    count += bcl_turnServoPrepare(c, &s->servo, x);
     c->isDegenerate = p.isOpposite || (p.isParallel && s->cone.rows && s->coneOption == MdtSkeletalConeOptionCone);
     MEASSERT(count <= MdtBclGETMAXROWSSKELETAL);
     return count;
@@ -185,10 +188,13 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
         bcl_makePosition(rows++, x, p.tau);
     }
     coneRow(c, x, &p, &row);
-    bcl_limitFill(&s->cone, x, &row, rows);
+    bcl_limitFill(&s->cone, x, &row, 0, rows);
     rows += s->cone.rows != 0;
     turnRow(c, x, p.twist, &row);
-    bcl_limitFill(&s->turn, x, &row, rows);
+    bcl_limitFill(&s->turn, x, &row, 0, rows);
+    rows += bcl_limitRows(&s->turn);
+    if (bcl_isServo(&s->servo.motor))
+        bcl_turnServoFill(c, &s->servo, x, rows);
 }
 
 static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {

@@ -98,7 +98,7 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
     distanceRow(c, x, &row);
     const double e = strain(&s->limit, s->length);
     if (s->kind == MdtBclDistanceLimits) {
-        bcl_limitFill(&s->limit, x, &row, rows);
+        bcl_limitFill(&s->limit, x, &row, 0, rows);
         return;
     }
     rows[0] = row;

@@ -163,6 +163,7 @@ typedef struct MdtKeaRow {
     double forced;      /**< component of this direction: the force is `forced` times the bound */
     double stiffness;   /**< N/m of a spring, >= 0 */
     double damping;     /**< N s/m of a spring, >= 0 */
+    double mass;        /**< kg: effective mass that a spring moves; 0: that of its bodies along the row alone */
     double ripple;      /**< m/s: in: residual of the row's end velocity in the last step; out: in this one */
     double force;       /**< λ, N: in: the warm start; out: the answer */
 } MdtKeaRow;
@@ -477,6 +478,10 @@ MEPUBLIC void MEAPI MdtKeaBodySetAngularVelocity(MdtKeaBody *body, const double 
  * leaves the body unchanged, if the tensor is not finite, not symmetric or not positive definite.
  */
 MEPUBLIC MeBool MEAPI MdtKeaBodySetInertia(MdtKeaBody *body, const double inertia[3][3]);
+
+/** Makes a symmetric matrix @a S diagonal, by Jacobi rotations. The columns of @a V are its axes; those of a diagonal
+ *  matrix are not changed. */
+MEPUBLIC void MEAPI MdtKeaDiagonalize(double S[3][3], double V[3][3]);
 
 /**
  * Bytes of scratch memory for solving partitions one after the other: the largest need of one of them

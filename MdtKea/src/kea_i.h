@@ -192,8 +192,6 @@ double kea_bodyExtent(const MdtKeaBody *body);
 void kea_invert(double inverse[3][3], const double M[3][3]);
 /* The largest absolute value of the entries. */
 double kea_largestEntry(const double M[3][3]);
-/* Diagonalizes a symmetric matrix S in place: eigenvalues on its diagonal, eigenvectors as columns of V. */
-void kea_diagonalize(double S[3][3], double V[3][3]);
 /* Sets the negative eigenvalues of a symmetric matrix to 0, unless all of them are above -harmless. */
 void kea_clampPositive(double K[3][3], double harmless);
 
@@ -273,8 +271,6 @@ void kea_admitContacts(MdtKeaSystem *s);
  * start and the end, which is of second order, unless this presses a contact deeper than the end velocity does, which
  * is what contacts constrain: then by the end velocity. */
 void kea_chooseMoveThetas(MdtKeaSystem *s);
-/* Whether a spring is too stiff for the midpoint rule and is integrated by backward Euler (θ = 1). */
-MeBool kea_isTooStiff(const MdtKeaSystem *s, const MdtKeaRow *row);
 
 /* ---- kea_contact.c ---- */
 
@@ -318,6 +314,8 @@ static inline double kea_rateAlong(const MdtKeaJBlock *J, const MdtKeaVelocity *
 /* Whether a row may reach a bound in this step: one-sided rows always, rows with two bounds if the last force was more
  * than half of one of them. */
 MeBool kea_mayReachBound(const MdtKeaRow *row);
+/* Whether a spring is too stiff for the midpoint rule and is integrated by backward Euler (θ = 1). */
+MeBool kea_isTooStiff(const MdtKeaSystem *s, const MdtKeaRow *row);
 /* Copies a body's Jacobian to six numbers in a row. */
 static inline void kea_copyBlock(double J[6], const MdtKeaJBlock *block) {
     keaCopy(J, block->lin);

@@ -216,7 +216,20 @@ static void turned(MdtBclConstraint *c) {
     keaQuaternionNormalize(c->of.relative.quaternion);
 }
 
+/* All directions rigid, to a target that moves and turns. */
+static void toTarget(MdtBclConstraint *c) {
+    MdtBclSprings *s = &c->of.springs;
+    static const double q[4] = {.5, .1, -.7, .5};
+    for (int i = 0; i < 6; i++)
+        s->stiffness[i] = MEINFINITY;
+    memcpy(s->target.quaternion, q, sizeof q);
+    keaQuaternionNormalize(s->target.quaternion);
+    for (int i = 0; i < 3; i++)
+        s->position[i] = .1 * i, s->velocity[i] = .2;
+}
+
 TEST(position_rows) {
+    check(MdtBclSPRING6, toTarget, 6);
     check(MdtBclBSJOINT, NULL, 3);
     check(MdtBclHINGE, NULL, 5);
     check(MdtBclPRISMATIC, NULL, 5);
@@ -439,7 +452,24 @@ static void softAxis(MdtBclConstraint *c) {
     c->of.angular.rotates = METRUE;
 }
 
+static void turnMotor(MdtBclConstraint *c) {
+    c->of.servo.motor.frequency = 1;
+}
+
+static void skeletalMotor(MdtBclConstraint *c) {
+    freeSkeletal(c);
+    c->of.skeletal.servo.motor.frequency = 1;
+}
+
+static void sixMotors(MdtBclConstraint *c) {
+    for (int i = 0; i < 6; i++)
+        c->of.springs.motor[i].frequency = 1;
+}
+
 TEST(springs) {
+    checkRates(MdtBclBSJOINT, turnMotor, SAME, 3, 3, smallTurn);
+    checkRates(MdtBclSKELETAL, skeletalMotor, SAME, 3, 3, smallTurn);
+    checkRates(MdtBclSPRING6, sixMotors, SAME, 0, 6, spring6Rows);
     checkRates(MdtBclSPRING, farStops, ANY, 0, 2, distanceRows);
     checkRates(MdtBclSPRING, springOfHalf, ANY, 0, 1, distanceStrain);
     checkRates(MdtBclSPRING6, sixSprings, SAME, 0, 6, spring6Rows);

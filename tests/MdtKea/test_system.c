@@ -450,6 +450,18 @@ TEST(springs_too_stiff_are_damped) {
     }
 }
 
+/* A dashpot of h d / m above 2 stops the mass, and does not throw it back. */
+TEST(strong_dashpots_do_not_ring) {
+    for (double damping = .5; damping < 1e9; damping *= 3) {
+        const double h = .01, m = 2;
+        double x[2] = {0, 1};
+        for (int i = 0; i < 4; i++)
+            springStep(0, damping * m / h, 0, h, x);
+        ck_assert(x[1] >= 0);
+        assert_below(x[1], 1);
+    }
+}
+
 /* ---- bodies without rows ---- */
 
 /* ---- robustness ---- */

@@ -113,3 +113,20 @@ TEST(tracking_is_part_of_a_limit) {
     MdtWorldDestroy(m.world);
     MdtWorldDestroy(other.world);
 }
+
+/* A motor that jumps from rest to a velocity v gives the velocity at the end of a step, so that the step of the jump
+ * moves by the mean of 0 and v, h v / 2 less than v; one that tracks gives the mean. */
+TEST(a_jump_of_the_velocity_costs_half_a_step_unless_the_motor_tracks) {
+    const double rate = .5;
+    enum { STEPS = 30 };
+    for (int slides = 0; slides < 2; slides++)
+        for (int tracks = 0; tracks < 2; tracks++) {
+            const Machine m = makeMachine(slides, strength, tracks);
+            MdtWorldSetGravity(m.world, 0, 0, 0);
+            MdtLimitSetLimitedForceMotor(m.limit, rate, strength);
+            for (int i = 0; i < STEPS; i++)
+                MdtWorldStep(m.world, frame);
+            assert_near(coordinateOf(&m, slides), rate * frame * (tracks ? STEPS : STEPS - .5), TOL(1e-5, 1e-5));
+            MdtWorldDestroy(m.world);
+        }
+}

@@ -115,12 +115,11 @@ static void turnSteering(MeReal wanted) {
 
 /* ---- the car's machinery ---------------------------------------------------------------------------------------- */
 
-/* The inner front wheel runs on a smaller circle than the outer one and has to be turned further. Motors have a
- * velocity, so the steering motor aims at one that is proportional to what is missing. */
+/* The inner front wheel runs on a smaller circle than the outer one and has to be turned further. */
 static void steerWheel(int i) {
     const MeReal t = MeTan(steering), wanted = MeAtan2(wheelbase * t, wheelbase + wheelZ(i) * t);
-    const MeReal angle = -MdtCarWheelGetSteeringAngle(joint[i]); /* it is the chassis' against the wheel */
-    MdtCarWheelSetSteeringLimitedForceMotor(joint[i], 10 * (wanted - angle), 2000);
+    MdtCarWheelSetSteeringPositionMotor(joint[i], -wanted, 20, 1,
+                                        2000); /* the angle is the chassis' against the wheel */
 }
 
 static void changeGear(int pedal) {

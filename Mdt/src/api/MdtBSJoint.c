@@ -2,3 +2,4 @@
 #include "api/mdt_api_i.h"
 
 MDT_JOINT_BASICS(BSJoint, MdtBclBSJOINT)
+MDT_JOINT_TURN_MOTOR(BSJoint, MdtBclBSJOINT, servo)

@@ -45,23 +45,34 @@ MeBool MEAPI MdtCarWheelIsSteeringLocked(const MdtCarWheelID j) {
     return w && w->isLocked;
 }
 
-static void setMotor(MdtBclMotor *motor, const char *caller, MeReal velocity, MeReal force) {
+/* Whether the motor was set. */
+static MeBool setMotor(MdtBclMotor *motor, const char *caller, MeReal velocity, MeReal force) {
     if (!motor || !mdt_isFinite(caller, "the velocity", velocity) || !mdt_isFinite(caller, "the force limit", force))
-        return;
+        return MEFALSE;
     motor->velocity = velocity;
     motor->force = force > 0 ? force : 0;
+    return METRUE;
 }
 
 void MEAPI MdtCarWheelSetSteeringLimitedForceMotor(const MdtCarWheelID j, const MeReal desiredVelocity,
                                                    const MeReal forceLimit) {
     Data *w = dataOf(j, __func__);
-    setMotor(w ? &w->steering : NULL, __func__, desiredVelocity, forceLimit);
+    if (setMotor(w ? &w->steering : NULL, __func__, desiredVelocity, forceLimit))
+        w->servo.frequency = 0;
 }
 
 void MEAPI MdtCarWheelSetHingeLimitedForceMotor(const MdtCarWheelID j, const MeReal desiredVelocity,
                                                 const MeReal forceLimit) {
     Data *w = dataOf(j, __func__);
     setMotor(w ? &w->rolling : NULL, __func__, desiredVelocity, forceLimit);
+}
+
+void MEAPI MdtCarWheelSetSteeringPositionMotor(const MdtCarWheelID j, const MeReal angle, const MeReal frequency,
+                                               const MeReal dampingRatio, const MeReal torqueLimit) {
+    Data *w = dataOf(j, __func__);
+    if (w && mdt_isFinite(__func__, "the angle", angle) &&
+        mdt_setServo(__func__, &w->servo, frequency, dampingRatio, torqueLimit))
+        w->target = angle;
 }
 
 MDT_JOINT_GETTER(CarWheel, SteeringMotorDesiredVelocity, d->steering.velocity)

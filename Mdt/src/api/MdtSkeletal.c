@@ -2,6 +2,7 @@
 #include "api/mdt_api_i.h"
 
 MDT_JOINT_BASICS(Skeletal, MdtBclSKELETAL)
+MDT_JOINT_TURN_MOTOR(Skeletal, MdtBclSKELETAL, skeletal.servo)
 
 MDT_JOINT_DATA(Skeletal, MdtBclSKELETAL, MdtBclSkeletal, skeletal)
 

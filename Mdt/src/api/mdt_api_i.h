@@ -62,6 +62,25 @@
             mdt_limitAssign(&c->bcl.of.member, NewLimit);                                                              \
     }
 
+/* The functions of a joint whose relative orientation has a position motor. */
+#define MDT_JOINT_TURN_MOTOR(Joint, TYPE, member)                                                                      \
+    void MEAPI Mdt##Joint##SetPositionMotor(const Mdt##Joint##ID j, const MeReal frequency, const MeReal dampingRatio, \
+                                            const MeReal torqueLimit) {                                                \
+        MdtJoint *c = mdt_jointOfType(j, TYPE, __func__);                                                              \
+        if (c)                                                                                                         \
+            mdt_setServo(__func__, &c->bcl.of.member.motor, frequency, dampingRatio, torqueLimit);                     \
+    }                                                                                                                  \
+    void MEAPI Mdt##Joint##SetMotorTarget(const Mdt##Joint##ID j, const MeVector4 q, const MeVector3 w) {              \
+        MdtJoint *c = mdt_jointOfType(j, TYPE, __func__);                                                              \
+        if (c)                                                                                                         \
+            mdt_setTargetTurn(__func__, &c->bcl.of.member.target, q, w);                                               \
+    }                                                                                                                  \
+    void MEAPI Mdt##Joint##GetMotorTarget(const Mdt##Joint##ID j, MeVector4 q) {                                       \
+        const MdtJoint *c = mdt_isResult(__func__, q, 4) ? mdt_jointOfType(j, TYPE, __func__) : NULL;                  \
+        for (int i = 0; c && i < 4; i++)                                                                               \
+            q[i] = (MeReal)c->bcl.of.member.target.quaternion[i];                                                      \
+    }
+
 /* Position and depth of a contact now: moved along with its bodies since the step began. */
 void mdt_pointGetCurrent(const MdtPoint *p, double position[3], double *depth);
 

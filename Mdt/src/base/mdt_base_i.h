@@ -100,6 +100,8 @@ MeBool mdt_areFinite(const MeReal v[3]); /* mdt_isFinite3 without a warning */
 MeBool mdt_isPositionValid(const char *caller, const char *what, const MdtWorld *w, MeReal x, MeReal y, MeReal z);
 /* True for a finite x >= lower; otherwise warns. */
 MeBool mdt_isNotBelow(const char *caller, const char *what, MeReal x, MeReal lower);
+/* Sets the numbers of a position motor; if one is negative or not finite, warns and changes nothing. */
+MeBool mdt_setServo(const char *caller, MdtBclServo *motor, MeReal frequency, MeReal dampingRatio, MeReal force);
 MeBool mdt_isPositiveInRange(MeReal x); /* positive and within the range of single precision */
 MeBool mdt_isPositive(const char *caller, const char *what, MeReal x);
 MeBool mdt_isSortKey(const char *caller, MeI32 key);
@@ -108,6 +110,8 @@ MeBool mdt_isPointer(const char *caller, const char *what, const void *p);
 MeBool mdt_isResult(const char *caller, MeReal *result, int n);
 /* Normalizes a quaternion; false, with a warning, if it has no length. */
 MeBool mdt_normalizeQuaternion(const char *caller, double q[4]);
+/* Sets an orientation that changes; a velocity of null is 0. If an argument is bad, warns and changes nothing. */
+void mdt_setTargetTurn(const char *caller, MdtBclTargetTurn *target, const MeReal q[4], const MeReal w[3]);
 /* Stores x if it is >= 0; otherwise warns. Does nothing if place is null: the joint was not valid. */
 void mdt_setNonNegative(const char *caller, const char *what, MeReal *place, MeReal x);
 /* Stores an angle, clamped to 0..pi. An angle that is not finite is not stored, with a warning. */

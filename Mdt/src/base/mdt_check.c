@@ -12,6 +12,7 @@
 #include "MeMath.h"
 #include <float.h>
 #include <stdatomic.h>
+#include <string.h>
 
 static void warnAbout(const char *caller, const char *what, MeBool isNull) {
     if (isNull)
@@ -163,6 +164,15 @@ MeBool mdt_isNotBelow(const char *caller, const char *what, MeReal x, MeReal low
     return MEFALSE;
 }
 
+MeBool mdt_setServo(const char *caller, MdtBclServo *motor, MeReal frequency, MeReal dampingRatio, MeReal force) {
+    if (!mdt_isNotBelow(caller, "the frequency", frequency, 0) ||
+        !mdt_isNotBelow(caller, "the damping ratio", dampingRatio, 0) ||
+        !mdt_isNotBelow(caller, "the force limit", force, 0))
+        return MEFALSE;
+    *motor = (MdtBclServo){frequency, dampingRatio, force};
+    return METRUE;
+}
+
 /* Dividing by a smaller number, or by its square, would overflow. */
 MeBool mdt_isPositiveInRange(MeReal x) {
     return x >= (MeReal)FLT_MIN && x <= (MeReal)FLT_MAX;
@@ -206,6 +216,19 @@ MeBool mdt_normalizeQuaternion(const char *caller, double q[4]) {
     }
     MeWarning(1, "%s: (%g, %g, %g, %g) is no orientation; nothing is changed", caller, q[0], q[1], q[2], q[3]);
     return MEFALSE;
+}
+
+void mdt_setTargetTurn(const char *caller, MdtBclTargetTurn *target, const MeReal q[4], const MeReal w[3]) {
+    if (!mdt_isPointer(caller, "the quaternion", q) ||
+        (w && !mdt_isFinite3(caller, "the angular velocity", w[0], w[1], w[2])))
+        return;
+    double unit[4] = {q[0], q[1], q[2], q[3]};
+    if (!mdt_normalizeQuaternion(caller, unit))
+        return;
+    memcpy(target->quaternion, unit, sizeof unit);
+    keaZero(target->velocity);
+    if (w)
+        mdt_fromReal(target->velocity, w);
 }
 
 void mdt_setNonNegative(const char *caller, const char *what, MeReal *place, MeReal x) {

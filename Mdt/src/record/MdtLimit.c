@@ -53,6 +53,9 @@ void mdt_limitAssign(MdtLimitID to, const MdtBclLimit *from) {
     to->stiffnessThreshold = copy.stiffnessThreshold;
     to->desired_vel = copy.desired_vel;
     to->fmax = copy.fmax;
+    to->target = copy.target;
+    to->frequency = copy.frequency;
+    to->dampingRatio = copy.dampingRatio;
     to->lock = copy.lock;
     to->lockForce = copy.lockForce;
     to->bLocked = copy.bLocked;
@@ -148,7 +151,40 @@ void MEAPI MdtLimitSetLimitedForceMotor(const MdtLimitID l, const MeReal desired
     l->desired_vel = desiredVelocity;
     l->fmax = forceLimit > 0 ? forceLimit : 0;
     l->bPowered = l->fmax > 0;
+    l->frequency = 0;
 }
+
+void MEAPI MdtLimitSetPositionMotor(const MdtLimitID l, const MeReal target, const MeReal frequency,
+                                    const MeReal dampingRatio, const MeReal forceLimit) {
+    MdtBclServo motor;
+    if (!isLimit(l, __func__) || !mdt_isFinite(__func__, "the target", target) ||
+        !mdt_setServo(__func__, &motor, frequency, dampingRatio, forceLimit))
+        return;
+    l->target = target;
+    l->desired_vel = 0;
+    l->frequency = motor.frequency;
+    l->dampingRatio = motor.dampingRatio;
+    l->fmax = motor.force;
+    l->bPowered = motor.frequency > 0 && motor.force > 0;
+}
+
+void MEAPI MdtLimitSetMotorTarget(const MdtLimitID l, const MeReal target, const MeReal velocity) {
+    if (!isLimit(l, __func__) || !mdt_isFinite(__func__, "the target", target) ||
+        !mdt_isFinite(__func__, "the velocity", velocity))
+        return;
+    if (!(l->frequency > 0)) {
+        MeWarning(1, "%s: the limit has no position motor: call MdtLimitSetPositionMotor first", __func__);
+        return;
+    }
+    l->target = target;
+    l->desired_vel = velocity;
+}
+
+LIMIT_GETTER(MeReal, MdtLimitGetMotorTarget, isLimit, l->target)
+
+LIMIT_GETTER(MeReal, MdtLimitGetMotorFrequency, isLimit, l->frequency)
+
+LIMIT_GETTER(MeReal, MdtLimitGetMotorDampingRatio, isLimit, l->dampingRatio)
 
 void MEAPI MdtLimitSetMotorTracking(const MdtLimitID l, const MeBool NewState) {
     if (isLimit(l, __func__))

@@ -69,3 +69,26 @@ void kea_saveImpulses(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         s->work->savedP[i] = s->work->problem.row[i].p;
 }
+
+/* 1/kg: J M⁻¹ Jᵀ of a row. */
+static double inverseMassOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    double sum = 0, turn[3];
+    for (int k = 0; k < 2; k++) {
+        if (row->body[k] < 0)
+            continue;
+        const MdtKeaInverseMassMatrix *m = &s->invMass[row->body[k]];
+        keaApply(turn, m->inertia, row->J[k].ang);
+        sum += m->mass * keaDot(row->J[k].lin, row->J[k].lin) + keaDot(turn, row->J[k].ang);
+    }
+    return sum;
+}
+
+/* With κ = h² k / m and δ = h d / m, the rates of the motion, times h, are the roots of x² - δ x + κ. The larger one is
+ * beyond 2 if κ > 4 or, of real roots, if the polynomial is negative at 2. */
+MeBool kea_isTooStiff(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    if (!row->spring)
+        return MEFALSE;
+    const double h = s->parameters.stepsize, perMass = row->mass > 0 ? 1 / row->mass : inverseMassOf(s, row);
+    const double stiffness = h * h * row->stiffness * perMass, damping = h * row->damping * perMass;
+    return stiffness > kea_stiffSpring || 2 * damping > kea_stiffSpring + stiffness;
+}

@@ -246,7 +246,7 @@ static MeBool isDiagonal(const double S[3][3]) {
              kea_jacobiTolerance * (S[0][0] * S[0][0] + S[1][1] * S[1][1] + S[2][2] * S[2][2]));
 }
 
-void kea_diagonalize(double S[3][3], double V[3][3]) {
+void MEAPI MdtKeaDiagonalize(double S[3][3], double V[3][3]) {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             V[i][j] = i == j;
@@ -276,7 +276,7 @@ MeBool MEAPI MdtKeaBodySetInertia(MdtKeaBody *body, const double inertia[3][3]) 
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             S[i][j] = 0.5 * (inertia[i][j] + inertia[j][i]);
-    kea_diagonalize(S, V);
+    MdtKeaDiagonalize(S, V);
     const double moments[3] = {S[0][0], S[1][1], S[2][2]};
     for (int i = 0; i < 3; i++)
         if (!(moments[i] > kea_minMoment * kea_maxOf(moments))) /* false for NaN */

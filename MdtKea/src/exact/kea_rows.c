@@ -54,23 +54,6 @@ static double thetaOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return theta;
 }
 
-static double inverseMassOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
-    double sum = 0, turn[3];
-    for (int k = 0; k < 2; k++) {
-        if (row->body[k] < 0)
-            continue;
-        const MdtKeaInverseMassMatrix *m = &s->invMass[row->body[k]];
-        keaApply(turn, m->inertia, row->J[k].ang);
-        sum += m->mass * keaDot(row->J[k].lin, row->J[k].lin) + keaDot(turn, row->J[k].ang);
-    }
-    return sum;
-}
-
-MeBool kea_isTooStiff(const MdtKeaSystem *s, const MdtKeaRow *row) {
-    const double h = s->parameters.stepsize;
-    return row->spring && h * h * row->stiffness * inverseMassOf(s, row) > kea_stiffSpring;
-}
-
 static void spreadTheta(MdtKeaSystem *s) {
     for (MeBool changed = METRUE; changed;) {
         changed = MEFALSE;

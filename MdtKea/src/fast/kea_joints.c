@@ -5,10 +5,11 @@
  *
  * with N the proximal parameter, because of which a pass leaves a small part of the residual to the next one. Rows with
  * bounds follow one by one (projected Gauss-Seidel), with the response S⁻¹ Jᵀ of the whole block, so that its joints
- * stay closed.
+ * stay closed. Springs with bounds in both directions, such as position motors, are in the factor, too, as one by one
+ * they would not converge along chains: an impulse η that pushes against the row keeps it at its bound (boundSprings).
  *
  * Velocities: J v⁺ = t - E p. The target t of a position row corrects no error; that of a stop lets it close. A spring
- * is implicit, E = 1 / (h (h k + d)), t = E h (d s - k φ). J is that of the middle of the step, as predicted from the
+ * is implicit, as in the exact solver (setSpringLaw). J is that of the middle of the step, as predicted from the
  * start's velocities v, and bodies move by the mean of v and v⁺: the scheme is of second order. The rates that have to
  * vanish are those at the end, to second order
  *
@@ -36,6 +37,12 @@
 /* Whether a row has no bounds. */
 static MeBool isTwoSided(const MdtKeaRow *row) {
     return row->lower == -HUGE_VAL && row->upper == HUGE_VAL;
+}
+
+/* The section of a block's rows to which a row belongs: 0 without bounds, 1 springs of the factor, 2 others. */
+static int sectionOf(const KeaJointBlock *b, const MdtKeaRow *row) {
+    const MeBool isWithin = row->force > row->lower && row->force < row->upper; /* in the last step */
+    return isTwoSided(row) ? 0 : row->spring && row->lower < 0 && row->upper > 0 && isWithin && !b->isWide ? 1 : 2;
 }
 
 /* 1/kg: J M⁻¹ Jᵀ of a row. */
@@ -71,14 +78,30 @@ static double turnedRateOf(const MdtKeaSystem *s, const KeaJointRow *r) {
     return rate;
 }
 
-/* Sets target and compliance of a spring; without stiffness and damping it is inactive. */
-static void setSpringLaw(double h, KeaJointRow *r) {
+/* m/s: the rate of a row at the start's velocities. */
+static double startRateOf(const MdtKeaSystem *s, const KeaJointRow *r) {
+    double rate = 0;
+    for (int k = 0; k < 2; k++) {
+        const MdtKeaVelocity *v = r->row->body[k] < 0 ? NULL : &s->velocity[r->row->body[k]];
+        rate += v ? keaDot(r->J[k], v->lin) + keaDot(r->J[k] + 3, v->ang) : 0;
+    }
+    return rate;
+}
+
+/* Sets target and compliance of a spring, p = -h [k φ + (θ h k + d) (J u - s)] with u = v⁺ (θ = 1) or, in a block of
+ * second order, the mean of v and v⁺ (θ = 1/2). Without stiffness and damping it is inactive. One that only pushes and
+ * has a gap carries no force at the start: half of the gap counts then. */
+static void setSpringLaw(const MdtKeaSystem *s, MeBool isMean, KeaJointRow *r) {
     const MdtKeaRow *row = r->row;
+    const double h = s->parameters.stepsize, theta = isMean ? 0.5 : 1;
     MEASSERT(row->stiffness >= 0 && row->damping >= 0);
-    const double h2Stiffness = h * (h * row->stiffness + row->damping);
-    r->isInactive = !(h2Stiffness > 0);
-    r->compliance = r->isInactive ? 0 : 1 / h2Stiffness;
-    r->target = r->compliance * h * (row->damping * row->target - row->stiffness * row->error);
+    const double perRate = h * (theta * h * row->stiffness + row->damping);
+    const double slack = row->lower == 0 ? keaMax(row->error, 0) : 0;
+    r->isInactive = !(perRate > 0);
+    r->compliance = r->isInactive ? 0 : 1 / (theta * perRate);
+    r->target = -r->compliance * h * row->stiffness * (row->error - (1 - theta) * slack) + row->target / theta;
+    if (isMean)
+        r->target -= startRateOf(s, r);
 }
 
 /* Sets the law of a position row. It is rigid, corrected by displacements, unless it is soft or a joint of bounded
@@ -97,7 +120,7 @@ static void setPositionLaw(double h, KeaJointRow *r) {
 }
 
 /* Sets all fields of a row but those of the graph. */
-static void setJointRow(const MdtKeaSystem *s, KeaJointRow *r) {
+static void setJointRow(const MdtKeaSystem *s, MeBool isMean, KeaJointRow *r) {
     const MdtKeaRow *row = r->row;
     const double h = s->parameters.stepsize;
     copyJointJacobian(r);
@@ -112,7 +135,7 @@ static void setJointRow(const MdtKeaSystem *s, KeaJointRow *r) {
     r->targetError = r->jointError = 0;
     r->invMassInBlock = 0;
     if (row->spring)
-        setSpringLaw(h, r);
+        setSpringLaw(s, isMean, r);
     else if (row->position)
         setPositionLaw(h, r);
     if (!row->spring)
@@ -350,8 +373,11 @@ static MeBool isPredictable(const MdtKeaSystem *s, const KeaJointBody *b) {
     return fabs(stiffness) <= kea_stiffLoad * (0.5 * (I[0] + I[1] + I[2]) + about);
 }
 
-/* Whether all bodies of the block are predictable. */
+/* Whether all bodies of the block are predictable, and no spring is too stiff for the midpoint rule. */
 static MeBool isBlockPredictable(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b) {
+    for (int i = b->firstRow; i < b->endRow; i++)
+        if (kea_isTooStiff(s, j->sorted[i]))
+            return MEFALSE;
     for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++)
         if (!isPredictable(s, &j->body[n]))
             return MEFALSE;
@@ -412,23 +438,24 @@ static void setBlockBodies(MdtKeaSystem *s, const int place[], KeaJoints *j, Kea
     }
 }
 
-/* Sets the block's rows, first those without bounds, and its graph. */
+/* Sets the block's rows, section by section, and its graph. */
 static void setBlockRows(const MdtKeaSystem *s, KeaJoints *j, KeaJointBlock *b) {
     int at = b->firstRow;
     kea_graphBegin(&j->graph, b->endRow - b->firstRow);
-    for (int bounded = 0; bounded < 2; bounded++) {
+    for (int section = 0; section < 3; section++) {
+        b->firstSpring = section == 1 ? at : b->firstSpring;
+        b->firstBounded = section == 2 ? at : b->firstBounded;
         for (int i = b->firstRow; i < b->endRow; i++) {
             const MdtKeaRow *row = j->sorted[i];
-            if (isTwoSided(row) == bounded)
+            if (sectionOf(b, row) != section)
                 continue;
             KeaJointRow *r = &j->row[at++];
             r->row = row;
             for (int k = 0; k < 2; k++)
                 r->node[k] = row->body[k] >= 0 ? j->node[row->body[k]] : -1;
             r->edge = r->node[0] >= 0 && r->node[1] >= 0 ? kea_graphEdge(&j->graph, r->node[0], r->node[1]) : -1;
-            setJointRow(s, r);
+            setJointRow(s, b->isMean, r);
         }
-        b->firstBounded = bounded ? b->firstBounded : at;
     }
     MEASSERT(at == b->endRow);
 }
@@ -463,8 +490,8 @@ static MeBool setBlocks(MdtKeaSystem *s, const int place[], KeaJoints *j) {
     }
     evaluateMiddleRows(s, j);
     for (int i = 0; i < j->numBlocks; i++) {
-        setBlockRows(s, j, &j->block[i]);
         j->block[i].isWide = j->block[i].numNodes > KEA_WIDE_BLOCK;
+        setBlockRows(s, j, &j->block[i]);
         j->block[i].factor =
             kea_cacheFind(s->cache, j->block[i].numNodes, NULL, j->graph.numEdges, (const int(*)[2])j->graph.edges);
         if (!j->block[i].factor)
@@ -481,7 +508,7 @@ static MeBool allocateArrays(const MdtKeaSystem *s, KeaJoints *j) {
         for (int i = 0; i < j->numBlocks; i++) {
             KeaJointBlock *b = &j->block[i];
             KEA_CARVE(&arena, b->numbers, kea_factorNumbersSize(b->factor));
-            for (int k = b->firstBounded; k < b->endRow; k++)
+            for (int k = b->firstSpring; k < b->endRow; k++)
                 j->row[k].response = kea_carve(&arena, b->isWide ? 2 : (size_t)b->numNodes, 6 * sizeof(double));
         }
         if (memory)
@@ -548,13 +575,18 @@ MeBool kea_jointsAreSound(const KeaJoints *j) {
     return METRUE;
 }
 
+/* N s: a row's impulse within its bounds, which one of the factor may leave in a pass. */
+static double boundedImpulse(const KeaJointRow *r) {
+    return keaMin(keaMax(r->impulse, r->lower), r->upper);
+}
+
 /* Sets j->x to Jᵀ p of all impulses, by node, N s and N m s. */
 static void sumImpulses(const KeaJoints *j) {
     for (int i = 0; i < j->numBlocks; i++) {
         const KeaJointBlock *b = &j->block[i];
         clearUnknowns(j, b);
         for (int k = b->firstRow; k < b->endRow; k++)
-            addJointForce(&j->row[k], j->row[k].impulse, unknownsOf(j, b));
+            addJointForce(&j->row[k], boundedImpulse(&j->row[k]), unknownsOf(j, b));
     }
 }
 
@@ -681,9 +713,36 @@ static double solveBoundedRows(const MdtKeaSystem *s, const KeaJoints *j, const 
     return uphill;
 }
 
+/* N s: the impulse of a row of the factor after its solve, within or beyond its bounds. */
+static double solvedImpulse(const KeaJoints *j, const KeaJointBlock *b, const KeaJointRow *r, double guess) {
+    return guess + r->weight * (r->residual - jointRateOf(r, unknownsOf(j, b)));
+}
+
+/* Takes springs whose impulses the factor's solve has left beyond their bounds out of the factor, for the rest of the
+ * step: they follow one by one. Returns whether there were any. */
+static MeBool releaseSprings(const MdtKeaSystem *s, const KeaJoints *j, KeaJointBlock *b, double beta) {
+    const int before = b->firstBounded;
+    for (int i = b->firstSpring; i < b->firstBounded;) {
+        KeaJointRow *r = &j->row[i];
+        const double solved = solvedImpulse(j, b, r, extrapolatedImpulse(r, beta));
+        if (r->isInactive || (solved >= r->lower && solved <= r->upper)) {
+            i++;
+            continue;
+        }
+        const KeaJointRow last = j->row[--b->firstBounded];
+        j->row[b->firstBounded] = *r;
+        *r = last;
+    }
+    if (b->firstBounded == before)
+        return MEFALSE;
+    for (int i = b->firstSpring; i < b->endRow; i++)
+        j->row[i].invMassInBlock = 0;
+    factorizeBlock(s, j, b);
+    return METRUE;
+}
+
 /* One pass over a block. In a wide block rows with bounds are solved first, since they open its joints. */
-static double solveBlock(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, KeaMotion motion[],
-                         double beta) {
+static double solveBlock(const MdtKeaSystem *s, const KeaJoints *j, KeaJointBlock *b, KeaMotion motion[], double beta) {
     double uphill = 0;
     if (!b->isSound)
         return 0;
@@ -695,12 +754,14 @@ static double solveBlock(const MdtKeaSystem *s, const KeaJoints *j, const KeaJoi
         setResiduals(j, b, motion, beta);
     }
     solveUnboundedRows(j, b);
+    while (releaseSprings(s, j, b, beta) && b->isSound)
+        solveUnboundedRows(j, b);
     if (!b->isWide)
         uphill += solveBoundedRows(s, j, b, beta);
     for (int i = b->firstRow; i < b->firstBounded; i++) {
         KeaJointRow *r = &j->row[i];
         const double guess = extrapolatedImpulse(r, beta);
-        uphill += setJointImpulse(r, guess, guess + r->weight * (r->residual - jointRateOf(r, unknownsOf(j, b))));
+        uphill += setJointImpulse(r, guess, solvedImpulse(j, b, r, guess));
     }
     moveBlock(j, b, motion);
     return uphill;
@@ -924,5 +985,5 @@ void kea_jointsReturnForces(MdtKeaSystem *s, const KeaJoints *j) {
     for (int i = 0; i < s->numRows; i++)
         s->rows[i].ripple = 0;
     for (int k = 0; k < j->numRows; k++)
-        s->rows[j->row[k].row - s->rows].force = j->row[k].impulse / s->parameters.stepsize;
+        s->rows[j->row[k].row - s->rows].force = boundedImpulse(&j->row[k]) / s->parameters.stepsize;
 }

@@ -33,11 +33,13 @@ typedef struct KeaJointBody {
     double load, spread;    /* N s: sum of its joints' impulses |P|; N m² s: sum of |P| r², r the arms */
 } KeaJointBody;
 
-/* Bodies that joints connect, directly or through others, and their rows: first those without bounds. */
+/* Bodies that joints connect, directly or through others, and their rows: first those that its factor contains, without
+ * bounds and, unless it is wide, springs with bounds in both directions; then the others. */
 typedef struct KeaJointBlock {
     int firstNode, numNodes;
-    int firstRow, firstBounded,
-        endRow; /* indices of its first row, its first row with bounds, and behind its last one */
+    int firstRow, firstSpring, firstBounded,
+        endRow; /* indices of its first row, of the first of these springs, of the first of the others, and behind its
+                   last row */
     KeaFactor *factor;
     char *numbers;     /* memory of the factor's numbers */
     MeBool isMean;     /* rows are those of the middle of the step, and bodies may be moved by mean velocities */
