@@ -342,7 +342,7 @@ double kea_pushSpeed(const MdtKeaSystem *s, const MdtKeaRow *row, double speed);
 /* ---- kea_spin.c ---- */
 
 /* Gives groups of bodies that nothing fixed acts on the angular momentum that their loads leave them; after the
- * velocity stage. */
+ * projection of velocities, and before their energy is limited. */
 void kea_keepSpin(MdtKeaSystem *s);
 
 /* ---- kea_events.c ---- */

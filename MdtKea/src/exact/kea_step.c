@@ -519,7 +519,6 @@ void kea_exactSolve(MdtKeaSystem *s) {
         if (!s->parameters.timed || s->work->hasJoints)
             kea_velocityStage(s);
         kea_limitRolling(s);
-        kea_keepSpin(s);
         kea_minimizeRedundantForces(s);
         storeForces(s);
     }

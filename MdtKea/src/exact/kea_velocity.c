@@ -261,8 +261,10 @@ static MeBool isDiscontinuity(const MdtKeaSystem *s, double residual) {
 
 void kea_velocityStage(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
-    if (!mayStageBeNeeded(s) && !needsEnergyLimit(s) && !areContactsJammed(s))
+    if (!mayStageBeNeeded(s) && !needsEnergyLimit(s) && !areContactsJammed(s)) {
+        kea_keepSpin(s);
         return;
+    }
     if (needsEnergyLimit(s) && kea_limitDisplacements(s))
         kea_moveBodies(s);
     const MeBool isMandatory = isStageRequired(s);
@@ -276,6 +278,7 @@ void kea_velocityStage(MdtKeaSystem *s) {
     storeRipples(s, isNeeded);
     if (isNeeded)
         projectVelocities(s, start, allowed);
+    kea_keepSpin(s);
     limitEndEnergy(s, allowed);
     kea_restoreJacobians(s);
 }
