@@ -126,6 +126,7 @@ static void packPoint(MdtKeaManifold *m, MdtIslandManifold *own, MdtPoint *point
     to->depth = to->depthNow = point->depth;
     for (int k = 0; k < 2; k++)
         to->isVertex[k] = mdt_pointIsVertex(point, k);
+    keaZero(to->force); /* the answer, if memory fails before there is one */
     to->guess[0] = point->force[0];
     to->isNew = !isWarm && point->force[0] == 0;
     for (int i = 1; i < 3; i++)
