@@ -78,10 +78,9 @@ static void sortContacts(McdMesh *mesh, int count) {
  * changes by less than .2 %. */
 static const double planeSlack = 1e-3;
 
-/* The points of two convex shapes lie in one plane; those of a face over bumps do not, and more of them may touch next.
- * With eight points one of two bumps that touch is left out in 1 of 4000 poses; with four, in an earlier form of the
- * choice, in 765. */
-enum { MANIFOLD_POINTS = 8 };
+/* Maximal number of contacts of a manifold over bumps: those of convex shapes lie in one plane, but of a face over bumps
+ * more may touch next. With eight one of two bumps that touch is left out in 1 of 4000 poses; with four in 765. */
+enum { BUMPY_POINTS = 8 };
 
 /* ---- manifolds --------------------------------------------------------------------------------------------------- */
 
@@ -182,6 +181,17 @@ static MeBool isBelowPlane(const McdMeshQuery *q, const McdMeshContact *c, const
     return MEFALSE;
 }
 
+/* Whether the surface has bumps, higher than slack, below the contacts. */
+static MeBool isBumpy(const McdMeshContact *contact, int count, double slack) {
+    double low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < count; i++) {
+        const double height = heightOf(&contact[i], contact->normal);
+        low = fmin(low, height);
+        high = fmax(high, height);
+    }
+    return high - low > slack;
+}
+
 /* Appends the manifolds of a cluster, one for each plane, in descending order of depth. Contacts of a plane whose point
  * on the shape is below a deeper plane are dropped. Returns the new number of contacts. */
 static int addManifolds(const McdMeshQuery *q, int size, int count, double same) {
@@ -195,7 +205,8 @@ static int addManifolds(const McdMeshQuery *q, int size, int count, double same)
         for (int i = 0; i < size - onPlane; i++)
             if (!isBelowPlane(q, &others[i], left, slack))
                 others[remaining++] = others[i];
-        const int keptCount = keepSpread(mesh, left, onPlane, MANIFOLD_POINTS, same);
+        const int max = isBumpy(left, onPlane, slack) ? BUMPY_POINTS : MCD_MANIFOLD_POINTS;
+        const int keptCount = keepSpread(mesh, left, onPlane, max, same);
         for (int i = 0; i < keptCount; i++)
             left[i].dims = mcd_regionDims(keptCount);
         memcpy(mesh->merged + count, left, (size_t)keptCount * sizeof *left);
