@@ -250,9 +250,9 @@ void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool
  * rows; after kea_differentiateBodies. */
 void kea_differentiateRows(MdtKeaSystem *s);
 /* Sets the Jacobians of contacts that move with bodies, in the middle and at the end of the step, from the
- * displacements by u, in pass `pass` of the solve; before kea_setMovingRates. Those of tied bodies follow in the first
- * pass only, others until their places are exact. Returns whether there are any. */
-MeBool kea_moveContacts(MdtKeaSystem *s, int pass);
+ * displacements by u; before kea_setMovingRates. Those of tied bodies follow in the first pass only. Returns whether
+ * any has changed its place. */
+MeBool kea_moveContacts(MdtKeaSystem *s, MeBool isFirst);
 /* Whether a body is moved by u: it is tied, or the step is timed, as impacts are located along this displacement.
  * Others are moved by v + moveTheta (v⁺ - v). False for the world, -1. */
 MeBool kea_isMovedByU(const MdtKeaSystem *s, int body);

@@ -75,9 +75,9 @@ enum {
     /* Passes with frozen bounds. The problem is convex then, and each pass reduces the residual by a factor of 3 to 70,
      * so that 4 gain two to seven digits. */
     KEA_FROZEN_PASSES = 4,
-    /* Maximal number of passes in which contacts follow the bodies. Each multiplies the error of their places by the
-     * angle in rad by which bodies turn relative to each other in a step; 8 leave 1e-3 at .4 rad. With 2 a top turns
-     * over (Mst_Order_Edges). */
+    /* Maximal number of passes in which contacts follow bodies. Each multiplies the error of their places by the
+     * angle in rad by which bodies turn relative to each other in a step; 8 leave 1e-3 at .4 rad. With 6, discs fall
+     * that roll by .3 rad and more a step (Mst_Order_Edges), with 12 and 16 as many as with 8. */
     KEA_CONTACT_PASSES = 8,
     /* Passes of the tangent problem, which converges quadratically: 2 to 4 where it is regular, 6 near a change point.
      * At a change point, and with redundant joints, more do not converge either. x2 and /2 fail scenes_linkage:

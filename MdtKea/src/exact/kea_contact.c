@@ -216,30 +216,34 @@ static void setMovedJacobians(MdtKeaSystem *s, const KeaContact *c, const double
     }
 }
 
-/* Whether the place of a contact has converged before a pass: each multiplies its error by the rad by which the bodies
- * turn relative to each other in the step. */
-static MeBool isPlaceExact(const MdtKeaSystem *s, const double move[2][6], int pass) {
-    double relative[3];
-    keaSubtract(relative, move[0] + 3, move[1] + 3);
-    return pow(s->parameters.stepsize * keaLength(relative), pass + 1) < kea_velocityTolerance;
+/* Replaces a contact's Jacobians by those in the middle of the sub-step. Returns whether its place changed. */
+static MeBool replaceJacobians(MdtKeaSystem *s, const KeaContact *c) {
+    const double slack = kea_velocityTolerance * kea_smallerExtent(s, c->manifold->body);
+    double change2 = 0;
+    for (int r = c->firstRow; r < endOfLinearRows(c); r++) {
+        KeaProblemRow *p = &s->work->problem.row[r];
+        for (int k = 0; k < 2; k++) {
+            double change[3];
+            keaSubtract(change, s->moves[r][0].J[k].ang, p->J[k] + 3);
+            change2 += keaDot(change, change);
+        }
+        kea_copyJacobian(p, s->moves[r][0].J);
+    }
+    return change2 > slack * slack;
 }
 
-MeBool kea_moveContacts(MdtKeaSystem *s, int pass) {
+MeBool kea_moveContacts(MdtKeaSystem *s, MeBool isFirst) {
     MeBool isAny = MEFALSE;
     for (int i = 0; i < s->work->numContacts; i++) {
         const KeaContact *c = &s->work->contact[i];
         double move[2][6] = {{0}};
-        if (!c->moves || c->at->numRows == 0 || (pass > 0 && kea_isContactTied(s, c)))
+        if (!c->moves || c->at->numRows == 0 || (!isFirst && kea_isContactTied(s, c)))
             continue;
         for (int k = 0; k < 2; k++)
             if (c->manifold->body[k] >= 0)
                 kea_moveVelocity(s, c->manifold->body[k], MEFALSE, move[k]);
-        if (pass > 0 && isPlaceExact(s, (const double(*)[6])move, pass))
-            continue;
         setMovedJacobians(s, c, (const double(*)[6])move);
-        for (int r = c->firstRow; r < endOfLinearRows(c); r++)
-            kea_copyJacobian(&s->work->problem.row[r], s->moves[r][0].J);
-        isAny = METRUE;
+        isAny |= replaceJacobians(s, c);
     }
     return isAny;
 }

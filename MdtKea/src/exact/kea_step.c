@@ -27,7 +27,7 @@ typedef struct Passes {
     int pass, last;        /* index of this pass; index after which they end */
     int worse;             /* number of passes in which `motion` has grown */
     MeBool isRefined;      /* the iterate had converged before this pass, which refines it */
-    MeBool movesContacts;  /* contacts follow the bodies: in the first KEA_CONTACT_PASSES */
+    MeBool movesContacts;  /* contacts follow the bodies: until they stay, at most KEA_CONTACT_PASSES times */
     MeBool isLimited;      /* the work budget is used up */
     MeBool mayBeTangent; /* symmetric passes have followed the tangent ones: the saved tangent iterate may be better */
 } Passes;
@@ -41,12 +41,12 @@ typedef enum PassResult {
 
 /* ---- passes ---- */
 
-/* Moves the bodies by u, and linearizes momentum and rows there. With moveContacts, contacts follow the bodies; in
- * later passes they do not, so that these converge. */
-static void linearizeIterate(MdtKeaSystem *s, MeBool moveContacts) {
+/* Moves the bodies by u, and linearizes momentum and rows there. With moveContacts, contacts follow the bodies; returns
+ * whether some have. */
+static MeBool linearizeIterate(MdtKeaSystem *s, MeBool moveContacts) {
     kea_moveBodies(s);
-    if (moveContacts)
-        s->work->contactPasses += kea_moveContacts(s, s->report.passes);
+    const MeBool haveMoved = moveContacts && kea_moveContacts(s, s->report.passes == 0);
+    s->work->contactPasses += haveMoved;
     kea_refreshRows(s, s->work->meanPose, METRUE);
     kea_setMovingRates(s);
     if (s->errors)
@@ -54,6 +54,7 @@ static void linearizeIterate(MdtKeaSystem *s, MeBool moveContacts) {
     kea_linearizeBodies(s);
     kea_linearizeRows(s);
     kea_problemAddWork(&s->work->problem, kea_problemWorkOfLinearization(&s->work->problem));
+    return haveMoved;
 }
 
 /* Sets the derivatives that only the tangent problem needs: of the bodies' momentum and of the rows' errors. */
@@ -231,10 +232,10 @@ static Passes beginPasses(MdtKeaSystem *s) {
 /* Computes the residuals of the present iterate; saves it if it is the best one, or the best tangent one with joint
  * errors below the rounding of attachments. */
 static void measurePass(MdtKeaSystem *s, Passes *p) {
-    linearizeIterate(s, p->movesContacts);
+    p->movesContacts = linearizeIterate(s, p->movesContacts) && p->pass + 1 < KEA_CONTACT_PASSES;
     p->speed = keaMax(p->speed, kea_rowSpeedScale(s));
     p->e = residualsOfPass(s, p->speed);
-    p->movesContacts = p->pass + 1 < KEA_CONTACT_PASSES;
+    p->movesContacts = p->movesContacts && p->e.worst < p->before;
     if (p->e.worst < p->best.worst || p->pass == 0) {
         p->best = p->e;
         saveIterate(s, s->work->bestU, s->work->bestP);
