@@ -15,7 +15,7 @@ ME_BEGIN_C
 
 /** @name Maximal number of rows of each constraint type
  *  @{ */
-#define MdtBclGETMAXROWSBSJOINT   6 /**< 3 of the joint, 3 of a position motor. */
+#define MdtBclGETMAXROWSBSJOINT   3 /**< Without the 3 of a position motor. */
 #define MdtBclGETMAXROWSHINGE     8 /**< 5 of the joint, 1 for motor or lock, 1 for each stop. */
 #define MdtBclGETMAXROWSPRISMATIC 8 /**< As of a hinge. */
 #define MdtBclGETMAXROWSCARWHEEL  8 /**< 3 of the joint; 1 each for steering, spring, hinge motor; 2 stops. */
@@ -23,7 +23,7 @@ ME_BEGIN_C
 #define MdtBclGETMAXROWSFIXEDPATH 3
 #define MdtBclGETMAXROWSRPROJOINT 6
 #define MdtBclGETMAXROWSUNIVERSAL 4
-#define MdtBclGETMAXROWSSKELETAL  10 /**< 3 of the joint, 2 for swing, 2 for twist, 3 of a position motor. */
+#define MdtBclGETMAXROWSSKELETAL  7 /**< 3 of the joint, 2 for swing, 2 for twist; without those of a motor. */
 #define MdtBclGETMAXROWSLINEAR1   1
 #define MdtBclGETMAXROWSLINEAR2   2
 #define MdtBclGETMAXROWSANGULAR3  3

@@ -26,7 +26,7 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
 }
 
 const MdtBclType bcl_bsJoint = {.name = "BSJoint",
-                                .maxRows = MdtBclGETMAXROWSBSJOINT,
+                                .maxRows = MdtBclGETMAXROWSBSJOINT + 3, /* and a position motor */
                                 .reset = reset,
                                 .prepare = prepare,
                                 .fill = fill,

@@ -152,7 +152,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     }
     count += bcl_turnServoPrepare(c, &s->servo, x);
     c->isDegenerate = p.isOpposite || (p.isParallel && s->cone.rows && s->coneOption == MdtSkeletalConeOptionCone);
-    MEASSERT(count <= MdtBclGETMAXROWSSKELETAL);
+    MEASSERT(count <= bcl_skeletal.maxRows);
     return count;
 }
 
@@ -223,7 +223,7 @@ void MEAPI MdtBclSkeletalZeroTwist(MdtBclConstraint *c, const MdtKeaTransformati
 }
 
 const MdtBclType bcl_skeletal = {.name = "Skeletal",
-                                 .maxRows = MdtBclGETMAXROWSSKELETAL,
+                                 .maxRows = MdtBclGETMAXROWSSKELETAL + 3, /* and a position motor */
                                  .reset = reset,
                                  .prepare = prepare,
                                  .fill = fill,
