@@ -78,7 +78,7 @@ static void sortContacts(McdMesh *mesh, int count) {
  * changes by less than .2 %. */
 static const double planeSlack = 1e-3;
 
-/* Maximal number of contacts of a manifold over bumps: those of convex shapes lie in one plane, but of a face over bumps
+/* Maximal number of contacts of a manifold over bumps: those of convex shapes lie in one plane, of a face over bumps
  * more may touch next. With eight one of two bumps that touch is left out in 1 of 4000 poses; with four in 765. */
 enum { BUMPY_POINTS = 8 };
 
