@@ -159,9 +159,9 @@ TEST(a_ball_that_comes_to_rest_on_a_plank_takes_it_along) {
         MdtBodySetAngularVelocity(ball, 0, (MeReal)(1 / R), 0);
         const double momentum = MdtBodyGetMass(ball), whole = momentum + MdtBodyGetMass(board);
         run(6, step);
-        assert_near(whole * speedOf(ball) / momentum, 1, 1e-6);
-        assert_near(whole * speedOf(board) / momentum, 1, 1e-6);
-        assert_near(spinOf(ball, 1), 0, 1e-9);
+        assert_near(whole * speedOf(ball) / momentum, 1, 5e-6); /* the fast solver has floats */
+        assert_near(whole * speedOf(board) / momentum, 1, 5e-6);
+        assert_near(spinOf(ball, 1), 0, 1e-7);
     }
 }
 

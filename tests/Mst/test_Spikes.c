@@ -63,8 +63,16 @@ TEST(a_drum_of_boxes) {
     assertWork(costOf("tumbler"), 9);
 }
 
+/* How the boxes come to lie is chance: one run in a few takes twice as much. */
 TEST(a_bridge_that_boxes_fall_onto) {
-    assertWork(costOf("bridge"), 1);
+    enum { RUNS = 4 };
+    double sum = 0;
+    for (int i = 0; i < RUNS; i++) {
+        const Cost cost = costUnder(1e-6 * i, "bridge");
+        assertWork(cost, 1.2);
+        sum += cost.mean;
+    }
+    assert_below(sum / RUNS, .7);
 }
 
 /* Bricks without joints settle as little: 72 000 factorizations, 3200 in a step. How the wall comes to lie is chance,
