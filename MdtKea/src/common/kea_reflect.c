@@ -143,12 +143,11 @@ static void addFace(Reflections *r, MdtKeaManifold *m, const KeaContact *measure
 
 static void addFaces(Reflections *r) {
     const MdtKeaSystem *s = r->s;
-    const KeaContact *contact = s->parameters.solver == MdtKeaSolverFast ? NULL : s->work->contact;
-    for (int i = 0; i < s->numManifolds; i++) {
+    const MeBool isMeasured = s->parameters.solver != MdtKeaSolverFast;
+    for (int i = 0, contact = 0; i < s->numManifolds; contact += s->manifolds[i++].numPoints) {
         MdtKeaManifold *m = &s->manifolds[i];
         if (m->surface.restitution > 0 && !isTied(s, m))
-            addFace(r, m, contact);
-        contact += contact ? m->numPoints : 0;
+            addFace(r, m, isMeasured ? &s->work->contact[contact] : NULL);
     }
 }
 
