@@ -9,8 +9,7 @@
 typedef struct McdSpot {
     double at[6]; /* position, normal; mcd_spread scales the normal */
     double separation;
-    double
-        support; /* used by mcd_spread: the separation to which the chosen spots let this one come, if it is theirs */
+    double support; /* used by mcd_spread: the separation that the chosen spots leave to this one */
 } McdSpot;
 
 /* Chooses at most `maxCount` spots that support the others (mcd_spread.c), and writes their indices in ascending order;
