@@ -160,6 +160,26 @@ std::unique_ptr<btTypedConstraint> makeJoint(const SceneJoint *j, btRigidBody &c
     return std::make_unique<btPoint2PointConstraint>(child, point);
 }
 
+/* A hinge with a spring: a joint of six directions, whose turn about the frame's x-axis alone is free. */
+std::unique_ptr<btTypedConstraint> makeSpring(const SceneJoint *j, btRigidBody &child, btRigidBody *parent) {
+    const btVector3 axis = vector(j->axis), across = axis.cross(btVector3(0, 1, 0)), up = across.cross(axis);
+    const btMatrix3x3 turn(axis[0], up[0], across[0], axis[1], up[1], across[1], axis[2], up[2], across[2]);
+    const btTransform frame(turn, vector(j->point));
+    const btTransform inChild = child.getCenterOfMassTransform().inverse() * frame;
+    auto spring = parent ? std::make_unique<btGeneric6DofSpring2Constraint>(
+                               *parent, child, parent->getCenterOfMassTransform().inverse() * frame, inChild)
+                         : std::make_unique<btGeneric6DofSpring2Constraint>(child, inChild);
+    spring->setLinearLowerLimit(btVector3(0, 0, 0));
+    spring->setLinearUpperLimit(btVector3(0, 0, 0));
+    spring->setAngularLowerLimit(btVector3(1, 0, 0)); /* lower above upper: free */
+    spring->setAngularUpperLimit(btVector3(-1, 0, 0));
+    spring->enableSpring(3, true);
+    spring->setStiffness(3, btScalar(j->stiffness));
+    spring->setDamping(3, btScalar(j->damping));
+    spring->setEquilibriumPoint(3, btScalar(-j->rest));
+    return spring;
+}
+
 /* Its angle is that of the second body against the first, its largest impulse that of one step. */
 void setHinge(EngineWorld *w, const SceneJoint *j, btHingeConstraint *hinge) {
     if (j->stops[0] < j->stops[1])
@@ -170,8 +190,9 @@ void setHinge(EngineWorld *w, const SceneJoint *j, btHingeConstraint *hinge) {
 
 void addJoint(EngineWorld *w, const SceneJoint *j) {
     btRigidBody *parent = j->parent == SCENE_WORLD ? nullptr : w->bodies[size_t(j->parent)].get();
-    w->joints.push_back(makeJoint(j, *w->bodies[size_t(j->child)], parent));
-    if (j->kind == SCENE_HINGE)
+    btRigidBody &child = *w->bodies[size_t(j->child)];
+    w->joints.push_back(j->stiffness > 0 ? makeSpring(j, child, parent) : makeJoint(j, child, parent));
+    if (j->kind == SCENE_HINGE && j->stiffness <= 0)
         setHinge(w, j, static_cast<btHingeConstraint *>(w->joints.back().get()));
     w->world.addConstraint(w->joints.back().get(), true);
 }

@@ -86,6 +86,8 @@ static void sayJoint(EngineWorld *w, const SceneJoint *j, const SceneState *s) {
         say(w, " limited='true'");
         sayNumbers(w, "range", j->stops, 2);
     }
+    if (j->stiffness > 0)
+        say(w, " stiffness='%.17g' damping='%.17g' springref='%.17g'", j->stiffness, j->damping, j->rest);
     say(w, "/>");
 }
 

@@ -141,6 +141,15 @@ static void setHinge(dJointID joint, const SceneJoint *j) {
     }
 }
 
+/* A stop without play whose ERP and CFM are those of an implicit spring for this step. */
+static void setSpring(dJointID joint, const SceneJoint *j, double h) {
+    const double impulse = h * j->stiffness + j->damping;
+    dJointSetHingeParam(joint, dParamLoStop, j->rest);
+    dJointSetHingeParam(joint, dParamHiStop, j->rest);
+    dJointSetHingeParam(joint, dParamStopERP, h * j->stiffness / impulse);
+    dJointSetHingeParam(joint, dParamStopCFM, 1 / impulse);
+}
+
 static void addJoint(EngineWorld *w, const SceneJoint *j) {
     const dJointID joint = j->kind == SCENE_HINGE ? dJointCreateHinge(w->world, 0) : dJointCreateBall(w->world, 0);
     dJointAttach(joint, w->bodies[j->child], j->parent == SCENE_WORLD ? 0 : w->bodies[j->parent]);
@@ -184,6 +193,9 @@ static void step(EngineWorld *w, double h) {
         if (w->bodies[i] && scene_isPushed(&w->from[i], w->time))
             dBodyAddForce(w->bodies[i], force[0], force[1], force[2]);
     }
+    for (int i = 0; i < w->numJoints; i++)
+        if (w->joints[i]->stiffness > 0)
+            setSpring(w->joined[i], w->joints[i], h);
     for (int i = 0; i < w->numJoints; i++)
         if (w->joints[i]->path)
             dJointSetHingeParam(w->joined[i], dParamVel, scene_motorSpeed(w->joints[i], w->time, h));

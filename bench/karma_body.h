@@ -69,6 +69,16 @@ static inline void karma_setLimit(MdtLimitID limit, const SceneJoint *j) {
         MdtSingleLimitSetRestitution(MdtLimitGetUpperLimit(limit), 0);
         MdtLimitActivateLimits(limit, METRUE);
     }
+    if (j->stiffness > 0) {
+        const MdtSingleLimitID stops[2] = {MdtLimitGetLowerLimit(limit), MdtLimitGetUpperLimit(limit)};
+        MdtLimitSetStiffnessThreshold(limit, MEINFINITY);
+        for (int i = 0; i < 2; i++) {
+            MdtSingleLimitSetStop(stops[i], (MeReal)j->rest);
+            MdtSingleLimitSetStiffness(stops[i], (MeReal)j->stiffness);
+            MdtSingleLimitSetDamping(stops[i], (MeReal)j->damping);
+        }
+        MdtLimitActivateLimits(limit, METRUE);
+    }
     if (j->torque > 0) {
         MdtLimitSetLimitedForceMotor(limit, (MeReal)j->speed, (MeReal)j->torque);
         MdtLimitActivateMotor(limit, METRUE);

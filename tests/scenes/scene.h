@@ -56,12 +56,14 @@ typedef enum SceneJointKind { SCENE_BALL_JOINT, SCENE_HINGE } SceneJointKind;
  * collide. Angles of a hinge are the child's against the parent, about the axis, 0 at the start. */
 typedef struct SceneJoint {
     SceneJointKind kind;
-    int child, parent; /* indices of bodies; the parent may be SCENE_WORLD */
-    double point[3];   /* m, in the world, at the start */
-    double axis[3];    /* unit, in the world, at the start; of a hinge */
-    double stops[2];   /* rad, the least and the largest angle of a hinge; both 0: none */
-    double speed;      /* rad/s, of a hinge's motor */
-    double torque;     /* N m, the largest of the motor; 0: there is none */
+    int child, parent;         /* indices of bodies; the parent may be SCENE_WORLD */
+    double point[3];           /* m, in the world, at the start */
+    double axis[3];            /* unit, in the world, at the start; of a hinge */
+    double stops[2];           /* rad, the least and the largest angle of a hinge; both 0: none */
+    double speed;              /* rad/s, of a hinge's motor */
+    double torque;             /* N m, the largest of the motor; 0: there is none */
+    double stiffness, damping; /* N m/rad, N m s/rad, of a hinge's spring; both 0: there is none */
+    double rest;               /* rad, where the spring has no torque */
     /* rad: where the motor is to have led the hinge to at that time; null: it keeps its speed */
     double (*path)(double time);
 } SceneJoint;
@@ -125,6 +127,10 @@ struct Scene {
 };
 
 extern const Scene *const scenes[]; /* ends with a null */
+/* Not among them: the map of stability sets the parameter (mass ratio; for the beam Hz, of a link on its spring) and
+ * the count. */
+extern const Scene scenes_mapChain, scenes_mapTower, scenes_mapBeam;
+#define SCENE_MAP_FRAME (1.0 / 15) /* s, the longest step of the map */
 
 /* s, between two looks at the states. */
 double scene_frame(const Scene *s);
