@@ -91,6 +91,10 @@ const Scene *const scenes[] = {
     &scenes_gears,
     &scenes_terrainRoll,
     &scenes_terrainCar,
+    &scenes_rocking,
+    &scenes_discRolls,
+    &scenes_pack,
+    &scenes_bumps,
     NULL,
 };
 

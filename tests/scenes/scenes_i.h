@@ -41,6 +41,7 @@ extern const Scene scenes_linkage, scenes_ring, scenes_slackBridge, scenes_ledAr
 /* rad, that the large wheel may be turned to that side (1 or -1) of half of the small one's angle. */
 double scenes_gearPlay(double small, int side);
 extern const Scene scenes_gears, scenes_terrainRoll, scenes_terrainCar;
+extern const Scene scenes_rocking, scenes_discRolls, scenes_pack, scenes_bumps;
 extern const Scene scenes_incline, scenes_isotropy, scenes_rolling, scenes_backspin, scenes_block;
 
 #endif
