@@ -29,13 +29,18 @@ typedef void(MEAPI *McdFrozenVisit)(McdModelID m, MeBool hasMoved, void *context
 /** Visits frozen models that have changed. Each call compares some of the frozen models, in turn; after a call that
  *  changed a shape or a model of the framework, all of them. The visit may freeze and unfreeze models. */
 MEPUBLIC void MEAPI McdSpaceVisitChangedFrozen(McdSpaceID s, McdFrozenVisit visit, void *context);
-/** Whether a change of the model's transform was seen between the last two ends of change blocks. */
-MEPUBLIC MeBool MEAPI McdModelHasMoved(McdModelID cm);
+/** Visits the models without a body that are not frozen and whose transform has changed in the open change block;
+ *  @a before: their transform before that. */
+typedef void(MEAPI *McdMovedVisit)(McdModelID m, MeMatrix4 before, void *context);
+MEPUBLIC void MEAPI McdSpaceVisitMoved(McdSpaceID s, McdMovedVisit visit, void *context);
+/** Places the model by a mover's transform, which is in the place of the program's until this is called with null.
+ *  McdModelGetTransformPtr still returns the program's. */
+MEPUBLIC void MEAPI McdModelPlaceBy(McdModelID cm, MeMatrix4Ptr mover);
+/** The transform that places the model; and the program's, up to date, of a model that a mover places. */
+MEPUBLIC MeMatrix4Ptr MEAPI McdModelGetPlace(McdModelID cm);
+MEPUBLIC MeMatrix4Ptr MEAPI McdModelGetGiven(McdModelID cm);
 /** Marks the model as changed: if it is frozen then, the next McdSpaceVisitChangedFrozen visits it. */
 MEPUBLIC void MEAPI McdModelMarkChanged(McdModelID cm);
-/** The displacement (m) of a world point that moves with the model, by that change of its transform. Zero and
- *  MEFALSE if there was none, or if it exceeds the model's radius, as when a program puts the model elsewhere. */
-MEPUBLIC MeBool MEAPI McdModelGetDisplacement(McdModelID cm, const MeVector3 point, MeVector3 displacement);
 /** @} */
 
 /** @name Stages (MeInternal.h, mcd_stage.c)

@@ -112,6 +112,27 @@ MEPUBLIC void MEAPI MdtBodyGetVelocityAtPoint(const MdtBodyID body, MeVector3 p,
 MEPUBLIC MeReal MEAPI MdtBodyGetKineticEnergy(const MdtBodyID b);
 /** @} */
 
+/** @name Bodies that the program moves (kinematic bodies). Beyond Karma.
+ *  Nothing moves them but the program, and they move all that touches them or is tied to them: they push, carry by
+ *  friction, and wake. They are in no partition, and make no contacts with fixed models and with each other. They do
+ *  not fall asleep; one that does not move costs what a fixed model costs. While disabled they stand still.
+ *  @{ */
+/** With METRUE the program moves the body from now on, by its velocities (MdtBodySetLinearVelocity and
+ *  ...AngularVelocity), which stay as they are, or by MdtBodyMoveTo. With MEFALSE it obeys forces again, with its mass.
+ *  Its constraints remain; its contacts are found anew. In a callback it takes effect when the stage ends. */
+MEPUBLIC void MEAPI MdtBodySetKinematic(const MdtBodyID b, const MeBool kinematic);
+MEPUBLIC MeBool MEAPI MdtBodyIsKinematic(const MdtBodyID b);
+/**
+ * Moves a kinematic body to a pose that it reaches at the end of the next step, with the velocities that follow:
+ * the centre of mass moves in a straight line, and the body turns the shorter way. In the steps after that it stands
+ * still until this is called again, or a velocity is set. MdtBodySetPosition puts it there at once, without velocity.
+ * @param position    m, of the body's frame, within MdtBodyGetPositionBound
+ * @param quaternion  w x y z, of the body's frame; normalized here
+ * A body that is not kinematic, numbers that are not finite, and a quaternion of 0 get a warning and change nothing.
+ */
+MEPUBLIC void MEAPI MdtBodyMoveTo(const MdtBodyID b, const MeVector3 position, const MeVector4 quaternion);
+/** @} */
+
 /** @name Mass and inertia
  *  Setting them keeps the velocities.
  *  @{ */

@@ -42,6 +42,39 @@ MEPUBLIC MeStage *MEAPI MdtWorldGetStage(const MdtWorldID w);
 MEPUBLIC void MEAPI MdtWorldAdvance(const MdtWorldID w, const MeReal h, const MeBool stopAtSafeTime);
 MEPUBLIC int MEAPI MdtWorldAdvanceLag(const MdtWorldID w);
 
+/** Sets the motion of the movers, kinematic bodies, in a step of h seconds. The step does so itself; earlier calls show
+ *  the velocities that follow from targets. */
+MEPUBLIC void MEAPI MdtWorldBeginMovers(const MdtWorldID w, const MeReal h);
+
+/** MdtBodyIsKinematic of a live body, without its check. */
+MEPUBLIC MeBool MEAPI MdtBodyIsMover(const MdtBodyID b);
+
+/** Puts the movers, after a step, to where they were after @a time seconds of it; the step's length: to its end. One
+ *  of them: whether its pose has changed. */
+MEPUBLIC void MEAPI MdtWorldPlaceMovers(const MdtWorldID w, const MeReal time);
+MEPUBLIC MeBool MEAPI MdtBodyPlaceMover(const MdtBodyID b, const MeReal time);
+
+/** @name Hidden bodies
+ *  Movers of models that have no body: Mst places them. They are none of the world's bodies that programs see, and
+ *  functions that return the body of a contact return null for them.
+ *  @{ */
+/** Null, after a message, if the transform is no rotation, or there is no memory. */
+MEPUBLIC MdtBodyID MEAPI MdtBodyCreateHidden(const MdtWorldID w, const MeMatrix4 tm);
+MEPUBLIC void MEAPI MdtBodyDestroyHidden(const MdtBodyID b);
+MEPUBLIC MeBool MEAPI MdtBodyIsHidden(const MdtBodyID b);
+/** The world's hidden body after @a b; null: the first one, or no more. */
+MEPUBLIC MdtBodyID MEAPI MdtWorldNextHidden(const MdtWorldID w, const MdtBodyID b);
+/** Sets the result of MdtBodyGetModel, and whose callback `leave` is called when the world is destroyed. */
+MEPUBLIC void MEAPI MdtBodySetHiddenUser(const MdtBodyID b, void *model, const MdtBodyUser *user);
+/** Moves the body to its target at once, without velocity. */
+MEPUBLIC void MEAPI MdtBodyJump(const MdtBodyID b);
+/** MdtBodyMoveTo by a transform. False, and nothing is changed: it is not finite, or no rotation to 1 %. */
+MEPUBLIC MeBool MEAPI MdtBodyFollow(const MdtBodyID b, const MeMatrix4 tm);
+/** @} */
+
+/** True if the group is between these bodies, which may be null or hidden. */
+MEPUBLIC MeBool MEAPI MdtContactGroupIsBetween(MdtContactGroupID g, const MdtBodyID b1, const MdtBodyID b2);
+
 /** Version number of the body's pose in double, which changes with the pose's last bit: collision results stay valid as
  *  long as it is the same. */
 MEPUBLIC unsigned long MEAPI MdtBodyGetMoves(const MdtBodyID b);

@@ -222,6 +222,7 @@ typedef struct MdtBclContext {
     int firstRow;                              /**< index of the constraint's first row */
     MdtKeaBody *kea[2];                        /**< null: the world */
     const MdtKeaTransformation *pose[2];       /**< present */
+    MdtKeaTransformation moverPose[2];         /**< what `pose` points to where a mover is in the world's place */
     const MdtKeaVelocity *velocity[2];         /**< present */
     const MdtKeaVelocity *predicted[2];        /**< at the end of the step without constraints */
     const MdtKeaInverseMassMatrix *invMass[2]; /**< present */

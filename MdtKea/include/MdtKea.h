@@ -107,6 +107,15 @@ typedef struct MdtKeaTransformation {
     double pos[3]; /**< m */
 } MdtKeaTransformation;
 
+/** A body whose motion is given (kinematic). Rows have the world in its place, which moves with it. */
+typedef struct MdtKeaMover {
+    double position[3], quaternion[4]; /**< m, the centre, and w x y z, at the start of the step */
+    MdtKeaVelocity velocity;           /**< constant during the step */
+    MdtKeaVelocity jump;               /**< its change since the last step */
+    MdtKeaVelocity
+        chord; /**< `velocity`, but its ang turns a body by the Cayley map as far in the step as `velocity` does */
+} MdtKeaMover;
+
 typedef struct MdtKeaForce {
     double lin[3]; /**< N */
     double ang[3]; /**< N m, about the centre of mass */
@@ -135,12 +144,15 @@ typedef int MdtKeaBodyIndexPair[2]; /**< Indices of the system's bodies, or MdtK
 typedef struct MdtKeaRow {
     MdtKeaJBlockPair J;
     MdtKeaBodyIndexPair body;
-    double arm[2][3];   /**< m, lever arms of a position or spring row, from the centres of mass; angular rows: 0 */
-    double bend[2][3];  /**< angular position rows: direction along which J turns with either body */
-    double curvature;   /**< rad that J turns for a rad along it; 0: none. A bend takes room for one more row */
-    double error;       /**< φ, m: the position error (position rows, springs; of a contact the gap) */
-    double target;      /**< s, m/s: target of the rate, with the bias that corrects the error (Baumgarte) */
-    double drift;       /**< m/s: the target without that bias: the rate due to moving attachments or a moving world */
+    double arm[2][3];  /**< m, lever arms of a position or spring row, from the centres of mass; angular rows: 0 */
+    double bend[2][3]; /**< angular position rows: direction along which J turns with either body */
+    double curvature;  /**< rad that J turns for a rad along it; 0: none. A bend takes room for one more row */
+    double error;      /**< φ, m: the position error (position rows, springs; of a contact the gap) */
+    double target;     /**< s, m/s: target of the rate, with the bias that corrects the error (Baumgarte) */
+    double drift;      /**< m/s: the target without that bias: the rate due to moving attachments or a moving world */
+    double carried;    /**< m/s: the rate due to a mover alone, with which its pose changes the error, too */
+    const MdtKeaVelocity *mover; /**< of a joint's mover, in place of the world; null: none */
+    double jump; /**< m/s, contacts: change of the rate at the start of the step, by its mover's (MdtKeaMover.jump) */
     double softness;    /**< E, 1/kg: compliance (CFM): ε, or the row's own */
     double lower;       /**< N, lower bound of the force; -HUGE_VAL: none */
     double upper;       /**< N, upper bound of the force; HUGE_VAL: none */
@@ -211,6 +223,7 @@ typedef struct MdtKeaManifold {
     double axis[2][3];   /**< unit, axes of these circles; unused without a circle */
     MdtKeaSurface surface;
     const MdtKeaVelocity *worldVelocity; /**< of the world's surface, as of a body at the origin; null: it is at rest */
+    const MdtKeaMover *mover; /**< in place of the world: worldVelocity is its chord, about its centre; null: none */
     MdtKeaPoint point[MdtKeaMANIFOLDPOINTS];
 } MdtKeaManifold;
 
@@ -239,6 +252,7 @@ typedef enum MdtKeaPair {
 typedef struct MdtKeaParameters {
     double stepsize;   /**< s, of the step or sub-step */
     double elapsed;    /**< s, from the start of the step to that of this sub-step; 0: the first one */
+    double late;       /**< s, from the start of the movers' step to that of this step */
     MeBool isBack;     /**< this sub-step goes back in time (MdtKeaReverse) */
     double epsilon;    /**< 1/kg, of contacts */
     double softening;  /**< factor of the softness of contact surfaces in a sub-step; 1 in a whole step */
@@ -316,6 +330,8 @@ typedef struct MdtKeaSystem {
     MdtKeaErrorFn errors;       /**< may be null if no row is a position row */
     MdtKeaJacobianFn jacobians; /**< may be null: J is constant */
     void *context;              /**< passed to both */
+    double share;               /**< of the sub-step, at the end of which the poses are that these functions get; 1/2:
+                                     means of start and end */
     MdtKeaCache *cache;         /**< may be shared by systems that are solved one after the other */
     struct MeTeam *team;        /**< threads that work on a large system; null: the calling thread alone */
 
@@ -466,6 +482,9 @@ MEPUBLIC MeBool MEAPI MdtKeaFlies(MdtKeaSystem *system);
  * @return s, the time that the bodies were advanced by, at least @a least; also written to the system's stepsize
  */
 MEPUBLIC double MEAPI MdtKeaFly(MdtKeaSystem *system, double least, int maxImpacts);
+
+/** The pose of a mover after @a time seconds of its step. */
+MEPUBLIC void MEAPI MdtKeaMoverPose(const MdtKeaMover *mover, double time, MdtKeaTransformation *pose);
 
 /** The angular velocity of a body, rad/s, world frame. */
 MEPUBLIC void MEAPI MdtKeaBodyGetAngularVelocity(const MdtKeaBody *body, double w[3]);

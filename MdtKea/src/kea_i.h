@@ -23,6 +23,7 @@
  *     kea_anchor.c            positions of contacts, and how their lever arms change
  *     kea_body.c              a body at the start and at the end of a step
  *     kea_budget.c            the work budget of a solve
+ *     kea_carry.c             what sticks to movers moves with them
  *     kea_guess.c             cold start: a guess at the forces of new contacts
  *     kea_rates.c             rates of rows, J v; which rows may reach a bound
  *     kea_residual.c          residuals and the test of convergence
@@ -133,6 +134,7 @@ typedef struct MdtKeaWork {
     double (*velocity)[6];           /* by body: input of the energy limiter, m/s, rad/s */
     double *savedP;                  /* by row: impulses, saved while the inner problem solves something else */
     char *isIncluded;                /* by row: it takes part in an impact or a projection */
+    const MdtKeaMover **carrier;     /* by body: the mover that it sticks to (kea_carry.c); null: none */
     int *activeRow, *problemRowOf;   /* impacts: system row of a problem row; problem row of a system row */
     int *activeBody, *problemBodyOf; /* the same for bodies; -1: not part of the impact */
     int *parent;                     /* union-find by body, the world last */
@@ -330,6 +332,10 @@ double kea_meanRate(const MdtKeaSystem *s, int i);
 double kea_lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row);
 /* m: the smaller radius of gyration of two bodies, the scale of gaps and depths between them. */
 double kea_smallerExtent(const MdtKeaSystem *s, const int body[2]);
+/* Call the owner's functions, if there are any: for Jacobians at the poses after a share of the sub-step; for errors at
+ * the end poses. */
+void kea_evaluateJacobians(MdtKeaSystem *s, const MdtKeaTransformation poses[], double share);
+void kea_evaluateErrors(MdtKeaSystem *s, double errors[]);
 /* Save and restore the Jacobians of all rows (work->savedJ). */
 void kea_saveJacobians(MdtKeaSystem *s);
 void kea_restoreJacobians(MdtKeaSystem *s);
@@ -385,6 +391,11 @@ double kea_startRate(const MdtKeaSystem *s, int i);
  * springs. */
 void kea_setInstantBody(KeaProblem *q, int b, const MdtKeaBody *body);
 void kea_setInstantRow(const MdtKeaSystem *s, int i, KeaProblemRow *p);
+
+/* ---- kea_carry.c ---- */
+
+/* Displaces bodies that stick to movers whose velocity has changed, after the solve. */
+void kea_carryBodies(MdtKeaSystem *s);
 
 /* ---- kea_project.c ---- */
 

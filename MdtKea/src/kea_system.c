@@ -41,6 +41,7 @@ static void layOutSystem(MdtKeaSystem *s, KeaArena *arena) {
     KEA_CARVE(arena, work->velocity, n);
     KEA_CARVE(arena, work->savedP, m);
     KEA_CARVE(arena, work->isIncluded, m);
+    KEA_CARVE(arena, work->carrier, n);
     KEA_CARVE(arena, work->activeRow, m);
     KEA_CARVE(arena, work->problemRowOf, m);
     KEA_CARVE(arena, work->activeBody, n);
@@ -123,10 +124,11 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
     kea_setRebounds(s);
     if (s->parameters.solver == MdtKeaSolverFast) {
         kea_fastSolve(s);
-        return;
+    } else {
+        kea_exactSolve(s);
+        kea_returnContactForces(s);
     }
-    kea_exactSolve(s);
-    kea_returnContactForces(s);
+    kea_carryBodies(s);
 }
 
 void MEAPI MdtKeaImpact(MdtKeaSystem *s) {

@@ -18,7 +18,9 @@ MEPUBLIC McdModelID MEAPI MstModelAndBodyCreate(const MstUniverseID u, const Mcd
 /** Removes such a model from its space and destroys it, its body and its contacts. The geometry remains. */
 MEPUBLIC void MEAPI MstModelAndBodyDestroy(const McdModelID m);
 /** Creates and freezes a model that does not move, in the universe's space. The transform is kept by pointer; if it is
- *  more than a rotation and a translation (a scale or a mirror image), there is a warning. */
+ *  more than a rotation and a translation (a scale or a mirror image), there is a warning. If the program writes to it
+ *  after McdSpaceUnfreezeModel, the model moves there in the next step, as a kinematic body does (MdtBodyMoveTo); if it
+ *  is farther than its bounding sphere's radius, it is there at once. */
 MEPUBLIC McdModelID MEAPI MstFixedModelCreate(const MstUniverseID u, const McdGeometryID g,
                                               MeMatrix4Ptr transformation);
 /** Removes such a model from its space and destroys it and its contacts. The geometry remains. */

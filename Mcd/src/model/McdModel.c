@@ -355,12 +355,24 @@ void MEAPI McdModelGetBSphere(McdModelID cm, MeVector3 center, MeReal *radius) {
 
 /* ---- place ----------------------------------------------------------------------------------------------------- */
 
-DEFINE_GETTER(MeMatrix4Ptr, McdModelGetTransformPtr, m->instance.tm, 0)
+static MeMatrix4Ptr transformOf(const McdModelRecord *m) {
+    return m->given ? m->given : m->instance.tm;
+}
+
+DEFINE_GETTER(MeMatrix4Ptr, McdModelGetTransformPtr, transformOf(m), 0)
+
+/* Ends the motion of a model that the program moves: it has its transform again. */
+static void leaveMover(McdModelRecord *m) {
+    if (m->given)
+        leaveBody(m);
+    MEASSERT(!m->given);
+}
 
 void MEAPI McdModelSetTransformPtr(const McdModelID cm, const MeMatrix4Ptr geometryTM) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetTransformPtr");
     if (!m || !mcd_mayChangeShapes(m->frame, "McdModelSetTransformPtr"))
         return;
+    leaveMover(m);
     freeRelative(m);
     m->relTM = m->refTM = 0;
     m->instance.tm = geometryTM;
@@ -368,8 +380,25 @@ void MEAPI McdModelSetTransformPtr(const McdModelID cm, const MeMatrix4Ptr geome
 }
 
 static void composeTransforms(McdModelRecord *m) {
-    if (m->relTM && m->refTM && m->instance.tm)
-        MeMatrix4TMCompound(m->instance.tm, mcd_const(m->relTM), mcd_const(m->refTM));
+    if (m->relTM && m->refTM && transformOf(m))
+        MeMatrix4TMCompound(transformOf(m), mcd_const(m->relTM), mcd_const(m->refTM));
+}
+
+void MEAPI McdModelPlaceBy(McdModelID cm, MeMatrix4Ptr mover) {
+    McdModelRecord *m = mcd_record(cm);
+    const MeMatrix4Ptr given = transformOf(m);
+    m->given = mover ? given : 0;
+    m->instance.tm = mover ? mover : given;
+}
+
+MeMatrix4Ptr MEAPI McdModelGetPlace(McdModelID cm) {
+    return mcd_record(cm)->instance.tm;
+}
+
+MeMatrix4Ptr MEAPI McdModelGetGiven(McdModelID cm) {
+    McdModelRecord *m = mcd_record(cm);
+    composeTransforms(m);
+    return m->given;
 }
 
 void MEAPI McdModelSetRelativeTransformPtrs(McdModelID cm, MeMatrix4 relTM, MeMatrix4 refTM, MeMatrix4 compoundTM,
@@ -381,6 +410,7 @@ void MEAPI McdModelSetRelativeTransformPtrs(McdModelID cm, MeMatrix4 relTM, MeMa
         MeWarning(1, "McdModelSetRelativeTransformPtrs: a transform is null");
         return;
     }
+    leaveMover(m);
     freeRelative(m);
     m->relTM = relTM;
     m->refTM = refTM;
@@ -401,7 +431,7 @@ void MEAPI McdModelSetRelativeTransform(McdModelID cm, MeMatrix4 relTM) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetRelativeTransform");
     if (!m || !mcd_mayChangeShapes(m->frame, "McdModelSetRelativeTransform"))
         return;
-    const MeMatrix4Ptr reference = m->refTM ? m->refTM : m->instance.tm;
+    const MeMatrix4Ptr reference = m->refTM ? m->refTM : transformOf(m);
     if (!relTM) {
         McdModelSetTransformPtr(cm, reference);
         return;

@@ -76,6 +76,7 @@ typedef struct McdModelRecord {
     _Alignas(ME_CACHE_LINE) McdModelIntersectFnPtr intersect;
     McdModelUpdateFnPtr update;
     MeMatrix4Ptr relTM; /* null unless relative */
+    MeMatrix4Ptr given; /* the program's transform, if a mover's is in its place (McdModelPlaceBy); else null */
     MeReal *linearVelocity, *angularVelocity;
     MeU64 boxStamp;                   /* the stamp for which the box was made */
     MeReal boxDuration, boxLookAhead; /* s, motion duration and look-ahead for which the box was made */

@@ -134,36 +134,6 @@ MeU64 mcd_modelCompare(McdModelRecord *m) {
     return m->stamp;
 }
 
-MeBool MEAPI McdModelHasMoved(McdModelID cm) {
-    const McdModelRecord *m = mcd_record(cm);
-    return m->past.isSet && m->space && m->past.block + 1 == m->space->step && m->stamp != 0;
-}
-
-/* Transforms the point to the model's frame, and from there to the world by the previous pose. */
-MeBool MEAPI McdModelGetDisplacement(McdModelID cm, const MeVector3 point, MeVector3 displacement) {
-    const McdModelRecord *m = mcd_record(cm);
-    double offset[3], size = 0;
-    MeVector3Set(displacement, 0, 0, 0);
-    if (!McdModelHasMoved(cm))
-        return MEFALSE;
-    for (int i = 0; i < 3; i++)
-        offset[i] = (double)point[i] - (double)m->inputs.place[i];
-    for (int i = 0; i < 3; i++) {
-        double was = m->past.place[i];
-        for (int k = 0; k < 3; k++) {
-            const MeReal *axis = m->inputs.axis[k];
-            was += (offset[0] * (double)axis[0] + offset[1] * (double)axis[1] + offset[2] * (double)axis[2]) *
-                   (double)m->past.axis[k][i];
-        }
-        displacement[i] = (MeReal)((double)point[i] - was);
-        size += (double)displacement[i] * (double)displacement[i];
-    }
-    if (size <= (double)m->radius * (double)m->radius)
-        return METRUE;
-    MeVector3Set(displacement, 0, 0, 0);
-    return MEFALSE;
-}
-
 static MeBool isComparedInRound(const McdModelRecord *m) {
     return m->comparedIn == m->frame->round;
 }

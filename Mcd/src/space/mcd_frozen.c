@@ -1,4 +1,5 @@
-/* Detects frozen models that have changed: their boxes, and pairs of two frozen models, are not updated.
+/* Detects models that the program moves, and frozen models that have changed.
+ * Boxes of frozen models, and pairs of two of them, are not updated.
  *
  * Setters of shapes and models increment a counter of the framework; after that all frozen models are compared. A
  * program may also write to a frozen model's matrix without a call, so a fraction of the models is compared in each
@@ -42,5 +43,21 @@ void MEAPI McdSpaceVisitChangedFrozen(McdSpaceID s, McdFrozenVisit visit, void *
     for (int i = 0; i < count; i++) {
         s->lastCompared = s->lastCompared + 1 < s->proxyRoom ? s->lastCompared + 1 : 0;
         visitIfChanged(s, s->lastCompared, visit, context);
+    }
+}
+
+void MEAPI McdSpaceVisitMoved(McdSpaceID s, McdMovedVisit visit, void *context) {
+    MEASSERT(s && visit);
+    for (int i = s->firstAwake, next; i != MCD_NONE; i = next) {
+        McdModelRecord *m = s->proxy[i].model;
+        next = s->proxy[i].nextAwake;
+        if (!m || m->model.mBody || !m->past.isSet || m->past.block != s->step || m->stamp == 0)
+            continue;
+        MeMatrix4 before = {{0}};
+        for (int k = 0; k < 3; k++)
+            MeVector3Copy(before[k], m->past.axis[k]);
+        MeVector3Copy(before[3], m->past.place);
+        before[3][3] = 1;
+        visit(&m->model, before, context);
     }
 }

@@ -250,7 +250,7 @@ void MEAPI MdtContactGetRelativeVelocity(const MdtContactID c, MeVector3 v) {
     MeVector3 point, of[2];
     mdt_toReal(point, p->position);
     for (unsigned int k = 0; k < 2; k++) {
-        MdtBodyID b = MdtContactGetBody(c, k);
+        const MdtBodyID b = mdt_manifoldOf(p)->base.side[k].body; /* a hidden one, too */
         if (b)
             MdtBodyGetVelocityAtPoint(b, point, of[k]);
         else

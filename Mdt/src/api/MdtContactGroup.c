@@ -177,3 +177,8 @@ void *MEAPI MdtContactGroupGetGenerator(MdtContactGroupID g) {
     const MdtManifold *group = mdt_groupOf(g, __func__);
     return group ? group->generator : NULL;
 }
+
+MeBool MEAPI MdtContactGroupIsBetween(MdtContactGroupID g, const MdtBodyID b1, const MdtBodyID b2) {
+    const MdtManifold *m = mdt_groupOf(g, __func__);
+    return m && m->base.side[0].body == b1 && m->base.side[1].body == b2;
+}

@@ -82,6 +82,6 @@
     }
 
 /* Position and depth of a contact now: moved along with its bodies since the step began. */
-void mdt_pointGetCurrent(const MdtPoint *p, double position[3], double *depth);
+void mdt_pointGetCurrent(const MdtPoint *p, double time, double position[3], double *depth);
 
 #endif

@@ -24,6 +24,17 @@ static void getStepMotion(const MdtBody *b, Motion *m) {
     keaCopy(m->to, b->kea.position);
 }
 
+/* The motion of a mover in the first `time` seconds of its step. */
+static void getMoverMotion(const MdtKeaMover *mover, double time, Motion *m) {
+    double rotation[3], turn[4];
+    keaScale(rotation, time, mover->velocity.ang);
+    keaQuaternionExp(turn, rotation);
+    keaQuaternionToMatrix(m->R, turn);
+    keaCopy(m->from, mover->position);
+    keaCopy(m->to, mover->position);
+    keaAddScaled(m->to, time, mover->velocity.lin);
+}
+
 static void movePoint(const Motion *m, double x[3]) {
     double arm[3];
     keaSubtract(arm, x, m->from);
@@ -65,14 +76,16 @@ static void moveSurfacePoints(MdtPoint *p, const Motion motion[2], const double 
         keaAddScaled(p->position, 0.5, between);
 }
 
-void mdt_pointGetCurrent(const MdtPoint *p, double position[3], double *depth) {
+void mdt_pointGetCurrent(const MdtPoint *p, double time, double position[3], double *depth) {
     const MdtManifold *m = mdt_manifoldOf(p);
     double normal[3];
     Motion motion[2];
     MdtPoint carried = *p;
     mdt_pointNormal(p, normal);
     for (int k = 0; k < 2; k++)
-        if (m->base.side[k].body)
+        if (mdt_sideMover(&m->base, k))
+            getMoverMotion(&mdt_sideMover(&m->base, k)->kea, time, &motion[k]);
+        else if (m->base.side[k].body)
             getStepMotion(m->base.side[k].body, &motion[k]);
         else
             setIdentityMotion(&motion[k]);

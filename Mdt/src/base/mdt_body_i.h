@@ -8,6 +8,11 @@
 
 typedef struct MdtAttachment MdtAttachment;
 
+/* Velocities that programs read: m/s, rad/s. */
+typedef struct MdtPublicVelocity {
+    MeVector3 lin, ang;
+} MdtPublicVelocity;
+
 /* A pose: m, and unit quaternion w x y z. */
 typedef struct MdtPose {
     double position[3], quaternion[4];
@@ -55,6 +60,22 @@ typedef struct MdtForces {
     MdtFeedback feedback[2];
 } MdtForces;
 
+/* The motion of a body that the program moves (mdt_mover.c). */
+typedef struct MdtMover {
+    MdtBodyID body;
+    struct MdtMover *next, *previous; /* of the world's movers */
+    MdtKeaMover kea;                  /* its motion in this step, or in the last one */
+    MdtPose target;                   /* of the centre of mass */
+    MdtPose end;                      /* of the centre of mass at the end of the step */
+    MeBool isHidden;                  /* it is a hidden body (MdtInternal.h) */
+    const MdtBodyUser *user;          /* of a hidden body */
+    MeBool hasTarget;                 /* it is to be reached at the end of the next step */
+    MeBool isMoving;                  /* in this step, or in the one before */
+    MdtKeaVelocity before;            /* its velocity in the last step */
+    MeBool wasLed;                    /* the last step has reached a target */
+    MdtPublicVelocity led;            /* the velocities that followed from it */
+} MdtMover;
+
 /* The forces of a body to which the program has never applied any. */
 extern const MdtForces mdt_noForces;
 
@@ -77,11 +98,6 @@ enum {
     MDT_MODELLED = 32768,   /* a body with models; MdtWorld.bodyUser notifies their owner */
 };
 
-/* Velocities that programs read: m/s, rad/s. */
-typedef struct MdtPublicVelocity {
-    MeVector3 lin, ang;
-} MdtPublicVelocity;
-
 /* Fields that are read together share cache lines of 64 bytes in single precision; the record starts at such a line. */
 struct MdtBody {
     MdtRecord record;
@@ -96,6 +112,7 @@ struct MdtBody {
     int place;     /* index in the order of simulation when partitions were last found */
     int calmSteps; /* consecutive steps in which its partition was at rest (areCalm, mdt_certificate.c) */
     MdtWorldID world;
+    MdtMover *mover;            /* null: forces move it; else its partition, index and place are -1 */
     MdtAttachment *attachments; /* list of its joints and manifolds */
     int manifolds;              /* number of manifolds among the attachments */
     /* fields that the rest certificate reads (mdt_certificate.c) */

@@ -28,6 +28,21 @@ static inline MdtConstraintID mdt_attachmentOwner(const MdtAttachment *at) {
     return (MdtConstraintID)(void *)((char *)(at - mdt_attachmentSide(at)) - offsetof(MdtBaseConstraint, side));
 }
 
+/* The body of a side that forces move; null: the world, or a mover. */
+static inline MdtBodyID mdt_sideBody(const MdtBaseConstraint *c, int side) {
+    const MdtBodyID b = c->side[side].body;
+    return b && !b->mover ? b : NULL;
+}
+/* The mover of a side; null: none. */
+static inline const MdtMover *mdt_sideMover(const MdtBaseConstraint *c, int side) {
+    return c->side[side].body ? c->side[side].body->mover : NULL;
+}
+/* Whether the constraint has a mover that moves in this step. */
+static inline MeBool mdt_isCarried(const MdtBaseConstraint *c) {
+    const MdtMover *m0 = mdt_sideMover(c, 0), *m1 = mdt_sideMover(c, 1);
+    return (m0 && m0->isMoving) || (m1 && m1->isMoving);
+}
+
 /* A joint, spring or limit: any constraint that is no contact. */
 typedef struct MdtJoint {
     MdtBaseConstraint base;

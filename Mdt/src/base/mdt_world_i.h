@@ -30,7 +30,8 @@ struct MdtWorld {
     MdtPartitionEndCB partitionCb;            /* null: the world decides which partitions fall asleep */
     void *partitionCbData;
     MdtPartitionOutput output;
-    MdtPool bodyPool, jointPool, manifoldPool, extraPool;
+    MdtPool bodyPool, hiddenPool, jointPool, manifoldPool, extraPool;
+    MdtMover *movers;            /* the newest one first */
     MdtList bodies, constraints; /* constraints: joints, and manifolds except those that continue a group */
     MeLimit constraintLimit;     /* for numConstraints: joints, groups and contacts together */
     int numConstraints;
@@ -96,6 +97,10 @@ struct MdtWorld {
 static inline const MdtBodyUser *mdt_userOf(const MdtBody *b) {
     return b->record.flags & MDT_MODELLED ? b->world->bodyUser : NULL;
 }
+
+/* Make a body a mover of its world, or none (mdt_movers.c). False, after a fatal error: no memory. */
+MeBool mdt_moverMake(MdtBodyID b, const char *caller);
+void mdt_moverFree(MdtBodyID b);
 
 /* Call it when the set of enabled constraints, their bodies, or the order has changed. Creating and destroying does not
  * count: a new constraint is not enabled yet, and one is disabled before it is destroyed. */

@@ -97,8 +97,8 @@ MeBool mdt_areConstraintsCertified(MdtBodyID b) {
     for (const MdtAttachment *at = b->attachments; at; at = at->next) {
         const MdtConstraintID c = mdt_attachmentOwner(at);
         const MdtBody *first = c->side[0].body;
-        const MeBool isVisited =
-            mdt_attachmentSide(at) == 0 || !first || !(first->record.flags & (MDT_ENABLED | MDT_ASLEEP));
+        const MeBool isVisited = mdt_attachmentSide(at) == 0 || !first || first->mover ||
+                                 !(first->record.flags & (MDT_ENABLED | MDT_ASLEEP));
         const MeBool mayDiffer = (c->record.flags & MDT_ENABLED) && (c->record.flags & (MDT_WATCHED | MDT_TOUCHED));
         if (!isVisited)
             continue;

@@ -255,7 +255,7 @@ void mdt_choicesEnd(MdtWorldID w) {
  * overlaps only. */
 MeBool mdt_choiceIsInFlight(const MdtIsland *p) {
     for (int i = 0; i < p->numActing; i++)
-        if (!p->acting[i]->side[0].body || !p->acting[i]->side[1].body)
+        if (!mdt_sideBody(p->acting[i], 0) || !mdt_sideBody(p->acting[i], 1))
             return MEFALSE;
     return METRUE;
 }
@@ -291,7 +291,7 @@ static int countPersistent(const MdtIsland *p, int max) {
             const MdtBaseConstraint *base = &mdt_manifoldOf(at)->base;
             const MdtKeaBody *bodies[2];
             for (int k = 0; k < 2; k++)
-                bodies[k] = base->side[k].body ? &base->side[k].body->kea : NULL;
+                bodies[k] = mdt_sideBody(base, k) ? &base->side[k].body->kea : NULL;
             isPersistent = MdtKeaContactHolds(bodies, -at->depth, -closingSpeedAt(at), mdt_pointParams(at)->restitution,
                                               keaLength(g) * p->h);
         }

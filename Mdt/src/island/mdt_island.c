@@ -1,8 +1,8 @@
 /* Partitions: sets of bodies that constraints connect (Dynamics guide ch. 1, "Partitioning the World").
  *
- * Contacts with the world do not connect bodies: two boxes on the ground are two partitions. A set with one enabled
- * body becomes enabled as a whole. Partitions are numbered by their first body, and their bodies and constraints keep
- * the world's order, so that the same scene is always solved in the same order.
+ * Contacts with the world, and with movers, do not connect bodies: two boxes on the ground are two partitions. A set
+ * with one enabled body becomes enabled as a whole. Partitions are numbered by their first body, and their bodies and
+ * constraints keep the world's order, so that the same scene is always solved in the same order.
  *
  * Method: union-find with path halving on the bodies' indices in that order, one walk over the constraints, and a
  * counting sort. The partitions are kept while the graph has not changed (MdtGraph.changes).
@@ -40,14 +40,19 @@ static void numberBodies(MdtWorldID w) {
     int n = 0;
     for (MdtLink *link = w->bodies.first; link; link = link->next, n++) {
         MdtBodyID b = mdt_linkOwner(link);
-        b->place = n;
+        b->place = b->mover ? NONE : n;
         MEASSERT(n < w->bodyRoom);
         g->body[n] = b;
         g->parent[n] = n;
-        g->isEnabled[n] = g->isAwake[n] = (b->record.flags & MDT_ENABLED) != 0;
+        g->isEnabled[n] = g->isAwake[n] = (b->record.flags & MDT_ENABLED) && !b->mover;
     }
     MEASSERT(n == w->bodies.count);
     g->numBodies = n;
+}
+
+/* The place of the body of a side; NONE: the world, or a mover. */
+static int placeOf(const MdtBaseConstraint *c, int side) {
+    return c->side[side].body ? c->side[side].body->place : NONE;
 }
 
 /* Unites the bodies of each acting constraint, and lists the acting constraints. Their records are scattered in memory;
@@ -60,15 +65,16 @@ static void uniteBodies(MdtWorldID w) {
         MdtConstraintID c = mdt_linkOwner(link);
         if (n + MDT_AHEAD < before)
             me_prefetch(g->acting[n + MDT_AHEAD], sizeof *c);
-        const MdtBodyID b0 = c->side[0].body, b1 = c->side[1].body;
-        if (!(c->record.flags & MDT_ENABLED) || (!b0 && !b1))
+        const int place[2] = {placeOf(c, 0), placeOf(c, 1)};
+        if (!(c->record.flags & MDT_ENABLED) || (place[0] == NONE && place[1] == NONE))
             continue;
-        MEVALIDATE((!b0 || g->body[b0->place] == b0) && (!b1 || g->body[b1->place] == b1));
-        if (b0 && b1)
-            uniteSets(g, b0->place, b1->place);
+        MEVALIDATE(place[0] == NONE || g->body[place[0]] == c->side[0].body);
+        MEVALIDATE(place[1] == NONE || g->body[place[1]] == c->side[1].body);
+        if (place[0] != NONE && place[1] != NONE)
+            uniteSets(g, place[0], place[1]);
         MEASSERT(n < w->constraintRoom);
         g->acting[n] = c;
-        g->actsOn[n++] = b0 ? b0->place : b1->place;
+        g->actsOn[n++] = place[0] != NONE ? place[0] : place[1];
     }
     MEASSERT(n <= w->constraints.count);
     g->numActing = n;
@@ -179,7 +185,7 @@ static MeBool areSeparate(const MdtWorld *w) {
                 return MEFALSE;
         for (int i = w->actingStart[p]; i < w->actingStart[p + 1]; i++)
             for (int k = 0; k < 2; k++)
-                if (w->actingOf[i]->side[k].body && w->actingOf[i]->side[k].body->partition != p)
+                if (mdt_sideBody(w->actingOf[i], k) && w->actingOf[i]->side[k].body->partition != p)
                     return MEFALSE;
     }
     return METRUE;

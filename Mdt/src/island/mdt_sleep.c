@@ -47,6 +47,8 @@ static MeBool maySleep(MdtBodyID b, double h) {
  * MdtConstraintSetWorldLinearVelocity): bodies then move with it, however slowly, or are held against its friction. */
 static MeBool drivesBodies(MdtConstraintID c) {
     const MdtJoint *j = mdt_asJoint(c);
+    if (mdt_isCarried(c))
+        return METRUE;
     if (j)
         return j->isDriven;
     for (const MdtPoint *at = mdt_pointFirst(mdt_asManifold(c)); at; at = mdt_pointAfter(at)) {

@@ -97,20 +97,35 @@ static void notifyMoved(MdtBodyID b) {
         mdt_userOf(b)->moved(b);
 }
 
+void mdt_bodyCentrePose(const MdtBody *b, const double p[3], const double q[4], MdtPose *pose) {
+    double R[3][3], offset[3];
+    getCentreOffset(b, q, R, offset);
+    keaCopy(pose->position, p);
+    keaAddScaled(pose->position, 1, offset);
+    keaQuaternionProduct(pose->quaternion, q, b->centre.quaternion);
+    keaQuaternionNormalize(pose->quaternion);
+}
+
+void mdt_bodyRestart(MdtBodyID b) {
+    mdt_forceRestart(b);
+    clearAccelerationGuess(b);
+    restartSleepTime(b);
+    memset(&b->kea.lastStep, 0, sizeof b->kea.lastStep);
+}
+
 /* Places the frame. The velocities stay, so the angular momentum changes with the attitude. */
 static void setFrame(MdtBodyID b, const double p[3], const double q[4]) {
     const MdtPartitionParams *sleepParams = &b->world->sleepParams;
     const double h2 = b->world->lastStep * b->world->lastStep;
     const MdtPose before = mdt_bodyPose(b);
-    double w[3], R[3][3], offset[3], moved[3], turned[4];
+    MdtPose after;
+    double w[3], moved[3], turned[4];
     MEASSERT(isUnit4(q) && isUnit4(b->centre.quaternion));
     mdt_bodyAcceptVelocities(b);
     keaCopy(w, b->spin);
-    getCentreOffset(b, q, R, offset);
-    keaCopy(b->kea.position, p);
-    keaAddScaled(b->kea.position, 1, offset);
-    keaQuaternionProduct(b->kea.quaternion, q, b->centre.quaternion);
-    keaQuaternionNormalize(b->kea.quaternion);
+    mdt_bodyCentrePose(b, p, q, &after);
+    keaCopy(b->kea.position, after.position);
+    memcpy(b->kea.quaternion, after.quaternion, sizeof b->kea.quaternion);
     MdtKeaBodySetAngularVelocity(&b->kea, w);
     mdt_bodyMotionSince(b, &before, moved, turned);
     if (keaDot(moved, moved) > h2 * (double)sleepParams->vel_thresh ||
@@ -333,9 +348,51 @@ void mdt_bodyTerm(MdtBodyID b) {
     MEASSERT(!b->attachments && !(b->record.flags & (MDT_ENABLED | MDT_ASLEEP)));
     MEASSERT(b->manifolds == 0);
     mdt_listRemove(&w->bodies, &b->link);
+    mdt_moverFree(b);
     mdt_forcesFree(b);
     mdt_poolPut(&w->bodyPool, b);
     MeStageEnd(&w->stage, MDT_GUARD_GRAPH);
+}
+
+/* ---- hidden bodies ---- */
+
+MdtBodyID MEAPI MdtBodyCreateHidden(const MdtWorldID w, const MeMatrix4 tm) {
+    MdtBodyID b = mdt_poolGet(&w->hiddenPool, MDT_BODY, "MstBridgeUpdateContacts");
+    if (!b)
+        return NULL;
+    b->world = w;
+    setDefaults(b);
+    b->record.flags |= MDT_ENABLED;
+    if (!mdt_moverMake(b, "MstBridgeUpdateContacts") || !MdtBodyFollow(b, tm)) {
+        MdtBodyDestroyHidden(b);
+        return NULL;
+    }
+    b->mover->isHidden = METRUE;
+    MdtBodyJump(b);
+    return b;
+}
+
+void MEAPI MdtBodyJump(const MdtBodyID b) {
+    keaCopy(b->kea.position, b->mover->target.position);
+    memcpy(b->kea.quaternion, b->mover->target.quaternion, sizeof b->kea.quaternion);
+    b->mover->hasTarget = MEFALSE;
+    clearWarmStarts(b);
+    mdt_bodyShow(b);
+}
+
+void MEAPI MdtBodySetHiddenUser(const MdtBodyID b, void *model, const MdtBodyUser *user) {
+    MEASSERT(b->mover && b->mover->isHidden);
+    b->model = model;
+    b->mover->user = user;
+}
+
+void MEAPI MdtBodyDestroyHidden(const MdtBodyID b) {
+    MdtWorldID w = b->world;
+    while (b->attachments)
+        releaseConstraint(b->attachments);
+    mdt_moverFree(b);
+    mdt_forcesFree(b);
+    mdt_poolPut(&w->hiddenPool, b);
 }
 
 void MEAPI MdtBodyDestroy(const MdtBodyID b) {
@@ -366,6 +423,11 @@ MdtBodyID MEAPI MdtBodyCopy(const MdtBodyID b, const MdtWorldID w) {
     else
         copy->record.flags &= ~MDT_FORCED;
     copy->model = NULL;
+    copy->mover = NULL;
+    if (b->mover && mdt_moverMake(copy, __func__)) {
+        copy->mover->target = b->mover->target;
+        copy->mover->hasTarget = b->mover->hasTarget;
+    }
     copy->record.flags &= ~(MDT_ENABLED | MDT_ASLEEP | MDT_CONDEMNED | MDT_MODELLED);
     copy->partition = -1;
     if (b->record.flags & MDT_ENABLED)
@@ -579,18 +641,24 @@ void MEAPI MdtBodyGetQuaternion(const MdtBodyID b, MeVector4 q) {
         q[i] = (MeReal)turn[i];
 }
 
-/* The quaternion of the rotation nearest to a matrix that is orthonormal to 1 %; otherwise warns. */
-static MeBool toRotation(const char *caller, const double R[3][3], double q[4]) {
+/* True if the matrix is orthonormal to 1 %. */
+static MeBool isRotation(const double R[3][3]) {
     double across[3];
     keaCross(across, R[0], R[1]);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             const double expected = i == j ? 1 : 0;
-            if (!(fabs(keaDot(R[i], R[j]) - expected) < 0.01) || !(fabs(across[j] - R[2][j]) < 0.03)) {
-                MeWarning(1, "%s: the matrix is no rotation; nothing is changed", caller);
+            if (!(fabs(keaDot(R[i], R[j]) - expected) < 0.01) || !(fabs(across[j] - R[2][j]) < 0.03))
                 return MEFALSE;
-            }
         }
+    return METRUE;
+}
+
+/* The quaternion of the rotation nearest to a matrix that is one to 1 %; otherwise warns. */
+static MeBool toRotation(const char *caller, const double R[3][3], double q[4]) {
+    if (!isRotation(R)) {
+        MeWarning(1, "%s: the matrix is no rotation; nothing is changed", caller);
+        return MEFALSE;
     }
     keaQuaternionFromMatrix(q, R);
     return METRUE;
@@ -643,6 +711,21 @@ void MEAPI MdtBodyGetTransform(const MdtBodyID b, MeMatrix4 m) {
 }
 
 BODY_GETTER(MeMatrix4Ptr, MdtBodyGetTransformPtr, NULL, b->transform)
+
+MeBool MEAPI MdtBodyFollow(const MdtBodyID b, const MeMatrix4 tm) {
+    double R[3][3], p[3], q[4];
+    MEASSERT(b->mover);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            R[i][j] = tm[j][i];
+    mdt_fromReal(p, tm[3]);
+    if (!mdt_areFinite(tm[3]) || !isRotation((const double(*)[3])R))
+        return MEFALSE;
+    keaQuaternionFromMatrix(q, (const double(*)[3])R);
+    mdt_bodyCentrePose(b, p, q, &b->mover->target);
+    b->mover->hasTarget = METRUE;
+    return METRUE;
+}
 
 /* ---- the centre of mass ---- */
 

@@ -389,7 +389,8 @@ MeBool mdt_isSide(const char *caller, unsigned int bodyindex) {
 MdtBodyID mdt_constraintGetBody(MdtConstraintID c, unsigned int bodyindex, const char *caller) {
     if (!mdt_isConstraint(c, caller))
         return NULL;
-    return mdt_isSide(caller, bodyindex) ? baseOf(c)->side[bodyindex].body : NULL;
+    const MdtBodyID b = mdt_isSide(caller, bodyindex) ? baseOf(c)->side[bodyindex].body : NULL;
+    return b && !(b->mover && b->mover->isHidden) ? b : NULL;
 }
 
 /* ---- frames: in the coordinates of the body's centre of mass, or the world's ---- */

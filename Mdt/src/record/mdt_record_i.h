@@ -23,6 +23,15 @@ void mdt_bodyPack(MdtBodyID b, double frame, MeBool hasJoints);
 /* Stores the body's present state as the start of its step. */
 void mdt_bodySaveStart(MdtBodyID b);
 void mdt_bodyTerm(MdtBodyID b); /* detaches its constraints and frees the record */
+/* The pose of the centre of mass when the body's frame is at p with the attitude q. */
+void mdt_bodyCentrePose(const MdtBody *b, const double p[3], const double q[4], MdtPose *pose);
+/* Ends what the body remembers of earlier steps. */
+void mdt_bodyRestart(MdtBodyID b);
+
+/* ---- movers (mdt_mover.c) ---- */
+
+/* Moves all movers by the motion of the step, which MdtWorldBeginMovers has set. */
+void mdt_moversEnd(MdtWorldID w, double h);
 
 /* ---- bodies that stay near a pose (mdt_stay.c) ---- */
 

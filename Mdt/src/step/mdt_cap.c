@@ -85,7 +85,7 @@ static int dropFriction(const MdtIsland *p, MdtRanked ranking[], int rows, int m
 
 static MeBool isWithWorld(const MdtPoint *point) {
     const MdtBaseConstraint *base = &mdt_manifoldOf(point)->base;
-    return !base->side[0].body || !base->side[1].body;
+    return !mdt_sideBody(base, 0) || !mdt_sideBody(base, 1);
 }
 
 /* Sets of contacts: between two bodies, and with the world. */

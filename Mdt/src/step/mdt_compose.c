@@ -23,7 +23,12 @@
 
 /* Only for partitions without contacts. Whether the joints are reversible is known when their rows have been made. */
 MeBool mdt_mayCompose(const MdtIsland *p) {
-    return p->world->order == 4 && p->numJoints > 0 && p->numContacts == 0 && !p->isFast;
+    if (p->world->order != 4 || p->numJoints == 0 || p->numContacts > 0 || p->isFast)
+        return MEFALSE;
+    for (int i = 0; i < p->numActing; i++)
+        if (mdt_isCarried(p->acting[i])) /* its motion has no reverse */
+            return MEFALSE;
+    return METRUE;
 }
 
 enum { STAGES = 5 };

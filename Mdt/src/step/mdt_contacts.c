@@ -133,6 +133,14 @@ static void packPoint(MdtKeaManifold *m, MdtIslandManifold *own, MdtPoint *point
         to->guess[i] = isWarm ? point->force[i] : 0;
 }
 
+/* Puts a mover in the world's place; null: none. One that stands still is like the world. */
+static void setMover(MdtKeaManifold *m, const MdtMover *mover) {
+    if (!mover)
+        return;
+    m->mover = mover->isMoving ? &mover->kea : NULL;
+    m->worldVelocity = mover->isMoving ? &mover->kea.chord : NULL;
+}
+
 /* Begins a manifold without points, with the values that `first` shares with the points that follow. */
 static void beginManifold(MdtKeaManifold *m, const MdtPoint *first, int *problems) {
     const MdtBaseConstraint *base = &mdt_manifoldOf(first)->base;
@@ -140,10 +148,13 @@ static void beginManifold(MdtKeaManifold *m, const MdtPoint *first, int *problem
     const MdtKeaVelocity *velocity = mdt_pointWorldVelocity(first);
     m->numPoints = 0;
     m->worldVelocity = isMoving(velocity) ? velocity : NULL;
+    m->mover = NULL;
     mdt_pointNormal(first, m->normal);
     mdt_pointDirection(first, m->normal, m->direction);
     for (int k = 0; k < 2; k++) {
         m->body[k] = base->side[k].body ? base->side[k].body->index : MdtKeaWORLD;
+        if (m->body[k] < 0)
+            setMover(m, mdt_sideMover(base, k));
         m->radius[k] = mdt_pointRadius(first, k);
         m->rim[k] = mdt_pointRim(first, k, m->axis[k]);
     }
@@ -185,7 +196,7 @@ void mdt_contactsCarry(const MdtIsland *p) {
     for (int i = 0; i < p->kea.numManifolds; i++)
         for (int k = 0; k < p->kea.manifolds[i].numPoints; k++) {
             MdtKeaPoint *at = &p->kea.manifolds[i].point[k];
-            mdt_pointGetCurrent(p->manifolds[i].point[k], at->position, &at->depth);
+            mdt_pointGetCurrent(p->manifolds[i].point[k], p->late + p->elapsed, at->position, &at->depth);
         }
 }
 

@@ -58,6 +58,7 @@ static MeBool isTooShort(const MdtIsland *p) {
 static MeBool advanceLag(MdtWorldID w, int number) {
     MdtIsland p = mdt_islandOf(w, number, 0);
     const double lag = commonLag(&p);
+    p.late = p.whole - lag;
     p.h = mdt_minSafeTime(p.bodies, p.numBodies, lag);
     if (isTooShort(&p))
         return MEFALSE;

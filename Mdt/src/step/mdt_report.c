@@ -169,18 +169,21 @@ static void addSquare(double *sum, double x) {
 
 /* Measures a joint's gap and angle at the end of a part. Its rows are orthogonal to each other, so that their errors
  * add up like components of a vector. The drift of moving attachments is subtracted. */
-static void measureJoint(MdtReport *r, const MdtJoint *j, const MdtKeaSystem *kea) {
+static void measureJoint(MdtReport *r, const MdtJoint *j, const MdtIsland *p) {
+    const MdtKeaSystem *kea = &p->kea;
     const MdtKeaRow *rows = kea->rows + j->firstRow;
     const MdtKeaTransformation *pose[2];
+    MdtKeaTransformation memory[2];
     double errors[MdtBclGETMAXROWS], linearError = 0, angularError = 0;
     for (int k = 0; k < 2; k++)
-        pose[k] = j->base.side[k].body ? &kea->pose[j->base.side[k].body->index] : &MdtBclWorldPose;
+        pose[k] = mdt_sidePose(p, &j->base, k, 1, kea->pose, &memory[k]);
     j->type->errors(&j->bcl, pose, errors);
     for (int i = 0; i < j->numRows; i++) {
         const MeBool isLinear =
             keaDot(rows[i].J[0].lin, rows[i].J[0].lin) + keaDot(rows[i].J[1].lin, rows[i].J[1].lin) > 0;
         if (rows[i].position)
-            addSquare(isLinear ? &linearError : &angularError, errors[i] - kea->parameters.stepsize * rows[i].drift);
+            addSquare(isLinear ? &linearError : &angularError,
+                      errors[i] - kea->parameters.stepsize * (rows[i].drift + rows[i].carried));
     }
     raiseMax(&r->jointGap, sqrt(linearError));
     raiseMax(&r->jointTurn, sqrt(angularError));
@@ -204,7 +207,7 @@ void mdt_reportSubstep(MdtReport *r, const MdtIsland *p, MeBool isFinite) {
     const MdtJoint *j;
     for (int i = 0; (j = mdt_nextJoint(p, &i));)
         if (j->numRows > 0 && j->type->errors)
-            measureJoint(r, j, kea);
+            measureJoint(r, j, p);
 }
 
 /* Uses the public angular velocity: in single precision it has as many digits as the report. */

@@ -5,18 +5,44 @@
 #include "step/mdt_step_i.h"
 #include <string.h>
 
+/* The mean of two poses. */
+static void setMeanPose(MdtKeaTransformation *mean, const MdtKeaTransformation *end) {
+    for (int i = 0; i < 3; i++) {
+        mean->pos[i] = 0.5 * (mean->pos[i] + end->pos[i]);
+        for (int j = 0; j < 3; j++)
+            mean->R[i][j] = 0.5 * (mean->R[i][j] + end->R[i][j]);
+    }
+}
+
+const MdtKeaTransformation *mdt_sidePose(const MdtIsland *p, const MdtBaseConstraint *c, int k, double share,
+                                         const MdtKeaTransformation poses[], MdtKeaTransformation *memory) {
+    const MdtMover *m = mdt_sideMover(c, k);
+    const double start = p->late + p->elapsed, h = p->parameters.stepsize;
+    if (!m)
+        return c->side[k].body ? &poses[c->side[k].body->index] : &MdtBclWorldPose;
+    MdtKeaMoverPose(&m->kea, start + (share == 1 ? h : 0), memory);
+    if (share == 0.5) {
+        MdtKeaTransformation end;
+        MdtKeaMoverPose(&m->kea, start + h, &end);
+        setMeanPose(memory, &end);
+    }
+    return memory;
+}
+
 void mdt_rowsContext(const MdtIsland *p, MdtConstraintID c, const MdtKeaVelocity *worldVelocity, MdtBclContext *x) {
     const MdtKeaSystem *kea = &p->kea;
     x->parameters = p->parameters;
     x->elapsed = p->elapsed;
     for (int k = 0; k < 2; k++) {
-        MdtBodyID b = c->side[k].body;
+        const MdtBodyID b = mdt_sideBody(c, k);
+        const MdtMover *m = mdt_sideMover(c, k);
+        const MdtKeaVelocity *given = m ? &m->kea.chord : worldVelocity;
         MEASSERT(!b || p->bodies[b->index] == b);
         x->body[k] = b ? b->index : MdtBclNO_BODY;
         x->kea[k] = b ? &b->kea : NULL;
-        x->pose[k] = b ? &kea->pose[b->index] : &MdtBclWorldPose;
-        x->velocity[k] = b ? &kea->velocity[b->index] : worldVelocity;
-        x->predicted[k] = b ? &kea->predicted[b->index] : worldVelocity;
+        x->pose[k] = mdt_sidePose(p, c, k, 0, kea->pose, &x->moverPose[k]);
+        x->velocity[k] = b ? &kea->velocity[b->index] : given;
+        x->predicted[k] = b ? &kea->predicted[b->index] : given;
         x->invMass[k] = b ? &kea->invMass[b->index] : &MdtBclWorldInvMass;
     }
 }
@@ -86,11 +112,23 @@ static double worldRate(const MdtKeaVelocity *v, const MdtKeaRow *row) {
     return rate;
 }
 
-/* Moves the known motion of the world to the right-hand side: subtracts its rate from the row's target. */
-static void subtractWorldVelocity(const MdtKeaVelocity *v, MdtKeaRow *row) {
-    const double rate = worldRate(v, row);
+/* Moves a known part of the rate to the right-hand side: subtracts it from the row's target. */
+static void subtractRate(double rate, MdtKeaRow *row) {
     row->target -= rate;
     row->drift -= rate;
+}
+
+/* Sets the rate due to a mover to that of the row's present Jacobian. */
+static void setCarriedRate(MdtKeaRow *row) {
+    const double rate = worldRate(row->mover, row);
+    subtractRate(rate - row->carried, row);
+    row->carried = rate;
+}
+
+/* The velocities of a joint's mover; null: it has none. */
+static const MdtKeaVelocity *velocityOfMover(const MdtJoint *j) {
+    const MdtMover *m = mdt_sideMover(&j->base, 0) ? mdt_sideMover(&j->base, 0) : mdt_sideMover(&j->base, 1);
+    return m ? &m->kea.chord : NULL;
 }
 
 /* Sets the softness of angular rows, 1/(kg m²), to that of a linear row at a lever arm of the length scale. */
@@ -114,7 +152,12 @@ static void fillJoint(MdtIsland *p, MdtJoint *j, int owner) {
         scaleAngularSoftness(p->world, rows, j->numRows);
     const MeBool isWarm = j->numWarm == j->numRows;
     for (int r = 0; r < j->numRows; r++) {
-        subtractWorldVelocity(&j->worldVelocity, &rows[r]);
+        rows[r].carried = 0;
+        rows[r].mover = velocityOfMover(j);
+        if (rows[r].mover)
+            setCarriedRate(&rows[r]);
+        else
+            subtractRate(worldRate(&j->worldVelocity, &rows[r]), &rows[r]);
         rows[r].owner = owner;
         rows[r].force = isWarm ? j->warm[r] : rows[r].force;
         rows[r].ripple = isWarm ? j->ripple[r] : 0;
@@ -153,8 +196,7 @@ void MEAPI mdt_rowsUpdateJacobians(void *island, const MdtKeaTransformation pose
             continue;
         jointContext(p, j, &x);
         for (int k = 0; k < 2; k++)
-            if (j->base.side[k].body)
-                x.pose[k] = &poses[j->base.side[k].body->index];
+            x.pose[k] = mdt_sidePose(p, &j->base, k, p->kea.share, poses, &x.moverPose[k]);
         MEASSERT(j->firstRow + j->numRows <= p->kea.numRows);
         j->type->fill(&j->bcl, &x, rows);
         for (int r = 0; r < j->numRows; r++) {
@@ -165,6 +207,8 @@ void MEAPI mdt_rowsUpdateJacobians(void *island, const MdtKeaTransformation pose
             row->curvature = rows[r].curvature;
             row->lower = rows[r].lower;
             row->upper = rows[r].upper;
+            if (row->mover)
+                setCarriedRate(row);
         }
     }
 }
@@ -174,10 +218,11 @@ void MEAPI mdt_rowsErrors(void *island, const MdtKeaTransformation poses[], doub
     const MdtJoint *j;
     for (int i = 0; (j = mdt_nextJoint(p, &i));) {
         const MdtKeaTransformation *pose[2];
+        MdtKeaTransformation memory[2];
         if (!j->type->errors)
             continue;
         for (int k = 0; k < 2; k++)
-            pose[k] = j->base.side[k].body ? &poses[j->base.side[k].body->index] : &MdtBclWorldPose;
+            pose[k] = mdt_sidePose(p, &j->base, k, p->kea.share, poses, &memory[k]);
         j->type->errors(&j->bcl, pose, errors + j->firstRow);
     }
 }

@@ -1,4 +1,5 @@
 /* One step of a world: its stages in their order (mdt_step_i.h; Dynamics guide ch. 2; User Guide ch. 2). */
+#include "MdtInternal.h"
 #include "MeProfile.h"
 #include "step/mdt_step_i.h"
 
@@ -92,6 +93,7 @@ void mdt_islandAdvance(MdtIsland *p, MeBool stopAtSafeTime) {
 void mdt_worldStep(MdtWorldID w, double h, MeBool stopAtSafeTime) {
     MeProfileStartSection("Dynamics", 0);
     MeProfileStartSection("Partition", 0);
+    MdtWorldBeginMovers(w, (MeReal)h);
     mdt_sleepersWakeChanged(w, h);
     mdt_islandsBegin(w); /* wakes bodies that are connected to awake ones */
     mdt_sleepersEndForces(w);
@@ -102,6 +104,7 @@ void mdt_worldStep(MdtWorldID w, double h, MeBool stopAtSafeTime) {
     mdt_islandsStep(w, h, stopAtSafeTime);
     if (w->isReported)
         mdt_reportStepEnd(w);
+    mdt_moversEnd(w, h);
     MeProfileEndSection("Dynamics");
     mdt_islandsEnd(w);
     if (w->debugDraw)

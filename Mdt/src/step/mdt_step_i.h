@@ -95,6 +95,10 @@ void mdt_rowsMake(MdtIsland *p);
 /* Callbacks of Kea for other poses of the bodies: the joints' rows, and their errors. The context is the island. */
 void MEAPI mdt_rowsUpdateJacobians(void *island, const MdtKeaTransformation poses[]);
 void MEAPI mdt_rowsErrors(void *island, const MdtKeaTransformation poses[], double errors[]);
+/* The pose of a constraint's side after a share of the part: of its body in `poses`, or the world's. A mover's is
+ * written to `memory`; share 1/2: the mean of start and end. */
+const MdtKeaTransformation *mdt_sidePose(const MdtIsland *p, const MdtBaseConstraint *c, int side, double share,
+                                         const MdtKeaTransformation poses[], MdtKeaTransformation *memory);
 /* The data of the system for a constraint in this part, except firstRow. */
 void mdt_rowsContext(const MdtIsland *p, MdtConstraintID c, const MdtKeaVelocity *worldVelocity, MdtBclContext *x);
 /* Leaves out rows of contacts, in the documented order (mdt_cap.c), until at most `max` of the partition's `rows` rows

@@ -77,6 +77,7 @@ static void setSubstep(MdtIsland *p, double substep) {
     MEASSERT(p->parameters.softening >= 0 && p->parameters.gamma >= 0 && p->parameters.gamma <= 1);
     p->kea.parameters.stepsize = substep;
     p->kea.parameters.elapsed = p->elapsed;
+    p->kea.parameters.late = p->late;
     p->kea.parameters.isBack = p->stage == MDT_STAGE_BACK;
     p->kea.parameters.epsilon = p->parameters.epsilon;
     p->kea.parameters.softening = p->parameters.softening;

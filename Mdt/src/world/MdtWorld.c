@@ -72,6 +72,7 @@ static void unregisterConstraint(MdtConstraintID c) {
 
 static void freeWorld(MdtWorldID w) {
     for (MdtLink *link = w->bodies.first; link; link = link->next) {
+        mdt_moverFree(mdt_linkOwner(link));
         mdt_forcesFree(mdt_linkOwner(link));
         MeHandleLeave(&((MdtBodyID)mdt_linkOwner(link))->record.handle);
     }
@@ -86,6 +87,7 @@ static void freeWorld(MdtWorldID w) {
     mdt_batchesTerm(&w->batches);
     mdt_workersTerm(w);
     mdt_poolTerm(&w->bodyPool);
+    mdt_poolTerm(&w->hiddenPool);
     mdt_poolTerm(&w->jointPool);
     mdt_poolTerm(&w->manifoldPool);
     mdt_poolTerm(&w->extraPool);
@@ -98,12 +100,14 @@ static MeBool allocateArrays(MdtWorldID w, int bodies, int constraints, const ch
     w->bodyPool = (MdtPool){.recordSize = sizeof(MdtBody),
                             .what = "bodies",
                             .limit = {.max = bodies, .name = "MdtWorldCreate's maxBodies"}};
+    w->hiddenPool = (MdtPool){.recordSize = sizeof(MdtBody), .what = "movers", .limit = {.max = MeNoLimit}};
     const MeLimit room = {.max = constraints, .name = "MdtWorldCreate's maxConstraints"};
     w->constraintLimit = room;
     w->jointPool = (MdtPool){.recordSize = sizeof(MdtJoint), .what = "joints", .limit = room};
     w->manifoldPool = (MdtPool){.recordSize = sizeof(MdtManifold), .what = "contacts", .limit = room};
     w->extraPool = (MdtPool){.recordSize = sizeof(MdtExtra), .what = "properties of contacts", .limit = room};
-    return mdt_workersInit(w, 1, caller) && mdt_poolInit(&w->bodyPool, caller) && mdt_poolInit(&w->jointPool, caller) &&
+    return mdt_workersInit(w, 1, caller) && mdt_poolInit(&w->bodyPool, caller) &&
+           mdt_poolInit(&w->hiddenPool, caller) && mdt_poolInit(&w->jointPool, caller) &&
            mdt_poolInit(&w->manifoldPool, caller) && mdt_poolInit(&w->extraPool, caller) &&
            mdt_surfacesInit(&w->surfaces, w->params.lengthScale, caller) &&
            mdt_worldReserve(w, bodies == MeNoLimit ? 0 : bodies, constraints == MeNoLimit ? 0 : constraints, caller);
@@ -159,6 +163,12 @@ static MeBool mayDestroyContents(MdtWorldID w, const char *caller) {
     return METRUE;
 }
 
+/* Lets the models that hidden bodies place leave them, which destroys these. */
+static void leaveHidden(MdtWorldID w) {
+    for (MdtBodyID b = MdtWorldNextHidden(w, NULL); b; b = MdtWorldNextHidden(w, NULL))
+        b->mover->user->leave(b);
+}
+
 void MEAPI MdtWorldDestroy(const MdtWorldID w) {
     MDT_NEED_WORLD(w, );
     if (!mayDestroyContents(w, __func__))
@@ -168,6 +178,7 @@ void MEAPI MdtWorldDestroy(const MdtWorldID w) {
         if (mdt_userOf(b))
             mdt_userOf(b)->leave(b);
     }
+    leaveHidden(w);
     MEASSERT(!w->stage.first);
     MeHandleLeave(&w->handle);
     mdt_countWorlds(-1);
@@ -192,6 +203,7 @@ static MeBool destroyContents(MdtWorldID w, const char *caller) {
         if (link->serial < end)
             mdt_bodyTerm(mdt_linkOwner(link));
     }
+    leaveHidden(w);
     MeStageEnd(&w->stage, MDT_GUARD_GRAPH);
     mdt_choicesReset(w);
     return METRUE;

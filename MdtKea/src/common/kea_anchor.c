@@ -12,9 +12,20 @@
 
 /* ---- the two sides ---- */
 
-static const MdtKeaTransformation *poseOf(const MdtKeaSystem *s, const KeaContact *c, int k) {
+const MdtKeaTransformation *kea_sidePose(const MdtKeaSystem *s, const MdtKeaManifold *m, int k,
+                                         MdtKeaTransformation *memory) {
     static const MdtKeaTransformation world = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
-    return c->manifold->body[k] >= 0 ? &s->pose[c->manifold->body[k]] : &world;
+    if (m->body[k] >= 0)
+        return &s->pose[m->body[k]];
+    if (!m->mover)
+        return &world;
+    MdtKeaMoverPose(m->mover, s->parameters.late + s->parameters.elapsed, memory);
+    return memory;
+}
+
+static const MdtKeaTransformation *poseOf(const MdtKeaSystem *s, const KeaContact *c, int k,
+                                          MdtKeaTransformation *memory) {
+    return kea_sidePose(s, c->manifold, k, memory);
 }
 
 const MdtKeaVelocity *kea_sideVelocity(const MdtKeaSystem *s, const MdtKeaManifold *m, int k) {
@@ -28,6 +39,11 @@ static const MdtKeaVelocity *sideVelocityOf(const MdtKeaSystem *s, const KeaCont
 
 static MeBool isWorld(const KeaContact *c, int k) {
     return c->manifold->body[k] < 0;
+}
+
+/* Whether the side stays where it is, though its surface may move (conveyor belt). */
+static MeBool isPlaced(const KeaContact *c, int k) {
+    return isWorld(c, k) && !c->manifold->mover;
 }
 
 /* Whether the contact point is a feature of this side: the farthest point of a sphere or circle, or a vertex. */
@@ -53,9 +69,10 @@ static double depthWithinRounding(const MdtKeaSystem *s, const KeaContact *c) {
     const double *n = c->manifold->normal, depth = c->at->depth;
     double extent = 0;
     for (int k = 0; k < 2; k++) {
-        const double *place = poseOf(s, c, k)->pos;
+        MdtKeaTransformation memory;
+        const double *place = poseOf(s, c, k, &memory)->pos;
         double arm[3], across[3];
-        if (isWorld(c, k))
+        if (isPlaced(c, k))
             continue;
         keaSubtract(arm, c->at->position, place);
         keaCross(across, arm, n);
@@ -113,7 +130,8 @@ static void setAnchors(const MdtKeaSystem *s, KeaContact *c) {
     c->depth = depthWithinRounding(s, c);
     MEASSERT(fabs(keaDot(normal, normal) - 1) < kea_unitRounding && isfinite(c->depth));
     for (int k = 0; k < 2; k++) {
-        const MdtKeaTransformation *pose = poseOf(s, c, k);
+        MdtKeaTransformation memory;
+        const MdtKeaTransformation *pose = poseOf(s, c, k, &memory);
         double arm[3], out[3];
         c->circle[k] = c->manifold->rim[k] > 0 ? circleOf(s, c, k) : 0;
         offsetToSurface(c, k, c->manifold->axis[k], out);
@@ -141,8 +159,9 @@ static int sideToFollow(const KeaContact *c) {
 
 /* The axis of the circle (world); 0 without a circle. */
 static void circleAxisOf(const MdtKeaSystem *s, const KeaContact *c, int k, double axis[3]) {
+    MdtKeaTransformation memory;
     if (c->circle[k] > 0)
-        keaApply(axis, poseOf(s, c, k)->R, c->circleAxis[k]);
+        keaApply(axis, poseOf(s, c, k, &memory)->R, c->circleAxis[k]);
     else
         keaZero(axis);
 }
@@ -150,7 +169,7 @@ static void circleAxisOf(const MdtKeaSystem *s, const KeaContact *c, int k, doub
 /* Two balls touch along the line of their present centres. */
 static void updateBallNormal(const MdtKeaSystem *s, KeaContact *c) {
     double n[3], d[3];
-    keaSubtract(n, poseOf(s, c, 0)->pos, poseOf(s, c, 1)->pos);
+    keaSubtract(n, s->pose[c->manifold->body[0]].pos, s->pose[c->manifold->body[1]].pos);
     keaCopy(d, c->direction);
     const double distance = keaLength(n);
     if (!(distance > 0) || !isfinite(distance))
@@ -171,7 +190,8 @@ static void moveWithBodies(const MdtKeaSystem *s, KeaContact *c) {
     if (c->areBalls)
         updateBallNormal(s, c);
     for (int k = 0; k < 2; k++) {
-        const MdtKeaTransformation *pose = poseOf(s, c, k);
+        MdtKeaTransformation memory;
+        const MdtKeaTransformation *pose = poseOf(s, c, k, &memory);
         double axis[3], out[3];
         circleAxisOf(s, c, k, axis);
         offsetToSurface(c, k, axis, out);
@@ -203,19 +223,20 @@ static void turnBy(const double turn[3], double share, double r[3]) {
     keaAddScaled(r, 0.5 * halfAngleFactor, twice);
 }
 
-/* Displacement, m, and rotation vector, rad, of a side in this sub-step; 0 for the world, even if its surface moves
- * (conveyor belt). */
+/* Displacement, m, and rotation vector, rad, of a side in this sub-step. */
 static void motionOf(const MdtKeaSystem *s, const KeaContact *c, int k, const double move[6], double displacement[3],
                      double turn[3]) {
-    const double h = isWorld(c, k) ? 0 : s->parameters.stepsize;
-    keaScale(displacement, h, move);
-    keaScale(turn, h, move + 3);
+    const double h = isPlaced(c, k) ? 0 : s->parameters.stepsize;
+    const MdtKeaVelocity *given = isWorld(c, k) ? sideVelocityOf(s, c, k) : NULL;
+    keaScale(displacement, h, given ? given->lin : move);
+    keaScale(turn, h, given ? given->ang : move + 3);
 }
 
 /* The contact point p of the side that owns it after a share of the sub-step. */
 static void pointOfOwner(const MdtKeaSystem *s, const KeaContact *c, int k, const double move[6], double share,
                          double p[3]) {
-    const MdtKeaTransformation *pose = poseOf(s, c, k);
+    MdtKeaTransformation memory;
+    const MdtKeaTransformation *pose = poseOf(s, c, k, &memory);
     double displacement[3], turn[3], axis[3], out[3];
     motionOf(s, c, k, move, displacement, turn);
     circleAxisOf(s, c, k, axis);
@@ -235,10 +256,11 @@ static void rollArms(const MdtKeaSystem *s, const KeaContact *c, const double mo
                      double arm[2][3]) {
     for (int k = 0; k < 2; k++) {
         const int owner = isOwner(c, k) ? k : 1 - k;
+        MdtKeaTransformation memory;
         double p[3], displacement[3], turn[3];
         pointOfOwner(s, c, owner, move[owner], share, p);
         motionOf(s, c, k, move[k], displacement, turn);
-        keaSubtract(arm[k], p, poseOf(s, c, k)->pos);
+        keaSubtract(arm[k], p, poseOf(s, c, k, &memory)->pos);
         keaAddScaled(arm[k], -share, displacement);
     }
 }
@@ -252,13 +274,13 @@ static MeBool isArmConstant(const MdtKeaSystem *s, const KeaContact *c, int k) {
     return c->isAboutCentre[k];
 }
 
-/* The arm from the axis of rotation, which goes through the body's centre or, for a world that moves with v at the
- * origin and rotates with w, through w x v / w². */
+/* The arm from the axis of rotation, which goes through the body's centre or, for a world that moves with v at
+ * the origin and rotates with w, through w x v / w². */
 static void armFromAxis(const MdtKeaSystem *s, const KeaContact *c, int k, double r[3]) {
     const MdtKeaVelocity *v = sideVelocityOf(s, c, k);
     const double w2 = keaDot(v->ang, v->ang);
     keaCopy(r, c->arm[k]);
-    if (isWorld(c, k) && w2 > 0) {
+    if (isPlaced(c, k) && w2 > 0) {
         double place[3];
         keaCross(place, v->ang, v->lin);
         keaAddScaled(r, -1 / w2, place);
@@ -322,8 +344,9 @@ static MeBool hasOwner(const KeaContact *c) {
 }
 
 static void setArms(const MdtKeaSystem *s, KeaContact *c) {
+    MdtKeaTransformation memory;
     for (int k = 0; k < 2; k++)
-        keaSubtract(c->arm[k], c->point, poseOf(s, c, k)->pos);
+        keaSubtract(c->arm[k], c->point, poseOf(s, c, k, &memory)->pos);
 }
 
 void kea_contactChooseMotion(const MdtKeaSystem *s, KeaContact *c) {

@@ -28,7 +28,11 @@ typedef struct KeaContact {
     int firstRow; /* index of the contact's normal row */
 } KeaContact;
 
-/* The velocity of side k of a manifold at the start of the sub-step: of its body, or of the world at the origin. */
+/* The pose of side k of a manifold at the start of the sub-step: of its body, its mover, or the world. A mover's is
+ * written to `memory`. */
+const MdtKeaTransformation *kea_sidePose(const MdtKeaSystem *s, const MdtKeaManifold *m, int k,
+                                         MdtKeaTransformation *memory);
+/* The velocity of side k of a manifold at the start of the sub-step, at the origin of kea_sidePose. */
 const MdtKeaVelocity *kea_sideVelocity(const MdtKeaSystem *s, const MdtKeaManifold *m, int k);
 /* Sets position, depth, arms and their motion at the start of the sub-step. */
 void kea_contactPlace(const MdtKeaSystem *s, KeaContact *c);

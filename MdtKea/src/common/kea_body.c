@@ -88,3 +88,13 @@ void kea_commitBody(MdtKeaSystem *s, int i) {
     storeAcceleration(s->bodies[i], &s->velocity[i], s->parameters.stepsize);
     s->pose[i] = s->work->endPose[i];
 }
+
+void MEAPI MdtKeaMoverPose(const MdtKeaMover *mover, double time, MdtKeaTransformation *pose) {
+    double position[3], rotation[3], turn[4], q[4];
+    keaCopy(position, mover->position);
+    keaAddScaled(position, time, mover->velocity.lin);
+    keaScale(rotation, time, mover->velocity.ang);
+    keaQuaternionExp(turn, rotation);
+    keaQuaternionProduct(q, turn, mover->quaternion);
+    setPose(pose, position, q);
+}

@@ -53,6 +53,20 @@ double kea_pushSpeed(const MdtKeaSystem *s, const MdtKeaRow *row, double speed) 
     return pushed * kea_lengthOf(s, row);
 }
 
+/* ---- the owner's functions ---- */
+
+void kea_evaluateJacobians(MdtKeaSystem *s, const MdtKeaTransformation poses[], double share) {
+    s->share = share;
+    if (s->jacobians)
+        s->jacobians(s->context, poses);
+}
+
+void kea_evaluateErrors(MdtKeaSystem *s, double errors[]) {
+    s->share = 1;
+    if (s->errors)
+        s->errors(s->context, s->work->endPose, errors);
+}
+
 /* ---- Jacobians, saved and restored ---- */
 
 void kea_saveJacobians(MdtKeaSystem *s) {

@@ -113,14 +113,14 @@ static void setPoint(const Reflections *r, const Face *f, Point *p) {
 /* Sets place and gap of the point, which the exact solver has measured. */
 static void placePoint(const Reflections *r, const MdtKeaManifold *m, MdtKeaPoint *at, const KeaContact *measured,
                        Point *p) {
-    static const double origin[3];
+    MdtKeaTransformation memory;
     p->at = at;
     p->gap = -(measured ? measured->depth : at->depth);
     for (int k = 0; k < 2; k++) {
         if (measured)
             keaCopy(p->arm[k], measured->arm[k]);
         else
-            keaSubtract(p->arm[k], at->position, m->body[k] >= 0 ? r->s->pose[m->body[k]].pos : origin);
+            keaSubtract(p->arm[k], at->position, kea_sidePose(r->s, m, k, &memory)->pos);
     }
 }
 

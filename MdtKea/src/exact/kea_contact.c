@@ -80,14 +80,18 @@ static void contactJacobian(const double arm[2][3], const double d[3], MdtKeaJBl
     }
 }
 
-/* m/s: the part of a row's rate that comes from the motion of the world's side (conveyor belts). */
-static double worldRate(const KeaContact *c, const MdtKeaJBlock J[2]) {
-    const MdtKeaVelocity *v = c->manifold->worldVelocity;
+/* m/s: the part of a row's rate that comes from a velocity of the world's side; null: 0. */
+static double worldRateBy(const KeaContact *c, const MdtKeaJBlock J[2], const MdtKeaVelocity *v) {
     double rate = 0;
     for (int k = 0; k < 2; k++)
         if (v && c->manifold->body[k] < 0)
             rate += keaDot(J[k].lin, v->lin) + keaDot(J[k].ang, v->ang);
     return rate;
+}
+
+/* The same by its present velocity (movers, conveyor belts). */
+static double worldRate(const KeaContact *c, const MdtKeaJBlock J[2]) {
+    return worldRateBy(c, J, c->manifold->worldVelocity);
 }
 
 /* Initializes a row with the Jacobian J. The rate of a moving world is known: with reversed sign it is part of the
@@ -142,9 +146,11 @@ static void directionOf(const KeaContact *c, int direction, double d[3]) {
 
 static void frictionRow(const MdtKeaSystem *s, const KeaContact *c, int direction, int owner, MdtKeaRow *row) {
     const MdtKeaSurface *surface = &c->manifold->surface;
+    const MeBool isFirst = s->parameters.elapsed + s->parameters.late == 0;
     double d[3];
     directionOf(c, direction, d);
     startLinearRow(c, d, owner, surface->slide[direction], row);
+    row->jump = c->manifold->mover && isFirst ? worldRateBy(c, row->J, &c->manifold->mover->jump) : 0;
     row->softness = surface->slip[direction] / s->parameters.stepsize;
     if (surface->coefficient[direction] > 0) {
         row->normal = c->firstRow;

@@ -6,7 +6,8 @@
  *
  *   an impact: an open contact's gap, φ + J v t + J (v⁺ - v) t²/2h, vanishes at some t, its time of impact;
  *   a stop:    a sliding contact would stick or slide back at the end. With friction still against the slip velocity u
- *              of the start, the slip vanishes at t = h |u| / (|u| - u⁺·u/|u|).
+ *              of the start, the slip vanishes at t = h |u| / (|u| - u⁺·u/|u|). What sticks to a mover does not slide
+ *              because its velocity changes: u is the slip before that.
  *
  * Impacts that are all too slow to rebound may follow each other without end (chattering, report.trembles). The owner
  * then does not divide the step, or has such contacts act from its start (holdsSlow): a contact with the gap φ and the
@@ -194,11 +195,17 @@ typedef struct Slip {
 /* The slip of friction row i, or of the cone that it begins. */
 static Slip slipOf(const MdtKeaSystem *s, int i) {
     Slip slip = {.row = {i, s->rows[i].partner}};
+    double before[2] = {0, 0};
     for (int k = 0; k < 2 && slip.row[k] >= 0; k++) {
         slip.start[k] = kea_startRate(s, slip.row[k]);
         slip.end[k] = kea_endRate(s, slip.row[k]) - s->rows[slip.row[k]].target;
+        before[k] = slip.start[k] - s->rows[slip.row[k]].jump;
     }
     slip.size = keaHypotenuse(slip.start[0], slip.start[1]);
+    if (keaHypotenuse(before[0], before[1]) < slip.size) {
+        memcpy(slip.start, before, sizeof before);
+        slip.size = keaHypotenuse(before[0], before[1]);
+    }
     return slip;
 }
 

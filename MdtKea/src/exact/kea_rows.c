@@ -103,7 +103,7 @@ static void chooseTheta(MdtKeaSystem *s) {
         const MdtKeaRow *row = &s->rows[i];
         const MeBool isActing = row->contact == i ? !s->work->problem.row[i].isInactive
                                                   : row->position && kea_mayReachBound(row) && row->force != 0 &&
-                                                        rateAt(row, s->velocity) <= 0;
+                                                        rateAt(row, s->velocity) <= row->drift;
         if (isActing || kea_isTooStiff(s, row))
             useBackwardEuler(s, row);
     }
@@ -115,7 +115,7 @@ static void chooseTheta(MdtKeaSystem *s) {
  * untied bodies would have if v⁺ moved them. */
 static double gapRate(const MdtKeaSystem *s, int i, MeBool byEnd) {
     const KeaProblemRow *p = &s->work->problem.row[i];
-    double rate = s->rows[i].moves ? s->moves[i][0].rate : 0;
+    double rate = (s->rows[i].moves ? s->moves[i][0].rate : 0) - s->rows[i].drift;
     for (int k = 0; k < 2; k++) {
         double move[6];
         if (p->body[k] < 0)
@@ -195,7 +195,7 @@ static MeBool isInactive(const MdtKeaSystem *s, const MdtKeaRow *row) {
     for (int k = 0; k < 2; k++)
         if (normal->body[k] >= 0)
             size = keaMax(size, s->work->body[normal->body[k]].size);
-    const double speed = keaMin(rateAt(normal, s->velocity), rateAt(normal, s->predicted));
+    const double speed = keaMin(rateAt(normal, s->velocity), rateAt(normal, s->predicted)) - normal->drift;
     const double h = s->parameters.stepsize,
                  gap = normal->error + h * keaMax(speed, 0); /* at the end, if the bodies separate */
     const MeBool mayPull = normal->lower < 0, isNear = gap < kea_nearbyGap * size;
@@ -211,7 +211,8 @@ static double startingBound(const MdtKeaSystem *s, const MdtKeaRow *row) {
     const double along = rateAt(row, s->predicted) - row->target;
     const double across =
         row->partner >= 0 ? rateAt(&s->rows[row->partner], s->predicted) - s->rows[row->partner].target : 0;
-    const double approach = -rateAt(&s->rows[row->normal], s->predicted), length = kea_lengthOf(s, row);
+    const double approach = s->rows[row->normal].drift - rateAt(&s->rows[row->normal], s->predicted),
+                 length = kea_lengthOf(s, row);
     return length * keaHypotenuse(along, across) > row->friction / length * keaMax(approach, 0) ? 0 : HUGE_VAL;
 }
 
@@ -261,7 +262,7 @@ void kea_admitContacts(MdtKeaSystem *s) {
         }
         if (row->contact != i || !s->work->problem.row[i].isInactive || row->isOpen)
             continue;
-        if (row->error + h * kea_endRate(s, i) >= 0)
+        if (row->error + h * (kea_endRate(s, i) - row->drift) >= 0)
             continue;
         for (int k = i; k < s->numRows && s->rows[k].contact == i; k++)
             s->work->problem.row[k].isInactive = MEFALSE;
@@ -275,8 +276,7 @@ void kea_admitContacts(MdtKeaSystem *s) {
 /* ---- every pass ---- */
 
 void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool withBounds) {
-    if (s->jacobians)
-        s->jacobians(s->context, poses);
+    kea_evaluateJacobians(s, poses, poses == s->work->meanPose ? 0.5 : 1);
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact < 0)
             kea_copyJacobian(&s->work->problem.row[i], s->rows[i].J);
@@ -328,8 +328,7 @@ static void setTangent(const MdtKeaSystem *s, int body, const MdtKeaJBlock *J, d
 void kea_differentiateRows(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     kea_saveJacobians(s);
-    if (s->jacobians)
-        s->jacobians(s->context, s->work->endPose);
+    kea_evaluateJacobians(s, s->work->endPose, 1);
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
         if (!row->position && !row->spring)
@@ -356,7 +355,7 @@ static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const MdtKeaRow *row = &s->rows[i];
     const double h = s->parameters.stepsize;
     p->E = row->softness;
-    p->r = row->target - (s->work->endErrors[i] - row->error) / h;
+    p->r = row->target + row->carried - (s->work->endErrors[i] - row->error) / h;
     const MeBool mayContradict = s->work->hasLoops && !s->work->problem.hasTangent;
     /* without lever arms: else joints that share a load would not share it evenly */
     const double invEffectiveMass = p->AiiLinear > 0 ? p->AiiLinear : p->Aii;

@@ -49,8 +49,7 @@ static MeBool linearizeIterate(MdtKeaSystem *s, MeBool moveContacts) {
     s->work->contactPasses += haveMoved;
     kea_refreshRows(s, s->work->meanPose, METRUE);
     kea_setMovingRates(s);
-    if (s->errors)
-        s->errors(s->context, s->work->endPose, s->work->endErrors);
+    kea_evaluateErrors(s, s->work->endErrors);
     kea_linearizeBodies(s);
     kea_linearizeRows(s);
     kea_problemAddWork(&s->work->problem, kea_problemWorkOfLinearization(&s->work->problem));

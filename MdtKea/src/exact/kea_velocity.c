@@ -33,7 +33,7 @@ static void setJointLaw(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     if (gamma >= 1)
         return;
     p->E = row->softness / (1 - gamma);
-    p->r -= gamma * (s->work->endErrors[i] - h * row->drift) / ((1 - gamma) * h);
+    p->r -= gamma * (s->work->endErrors[i] - h * (row->drift + row->carried)) / ((1 - gamma) * h);
 }
 
 /* Sets row i of the projection, whose unknown is d = v - v⁺. */

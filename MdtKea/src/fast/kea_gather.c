@@ -101,10 +101,10 @@ static MeBool isSoft(const MdtKeaSystem *s, const MdtKeaManifold *m) {
 }
 
 static KeaApproach approachOf(const MdtKeaSystem *s, const MdtKeaManifold *m, const MdtKeaPoint *point) {
-    static const double noPlace[3];
+    MdtKeaTransformation memory;
     double arm[2][3];
     for (int k = 0; k < 2; k++)
-        keaSubtract(arm[k], point->position, m->body[k] >= 0 ? s->pose[m->body[k]].pos : noPlace);
+        keaSubtract(arm[k], point->position, kea_sidePose(s, m, k, &memory)->pos);
     return kea_approachOfPoint(s, m, (const double(*)[3])arm);
 }
 
@@ -189,7 +189,8 @@ static void fillFriction(const MdtKeaSystem *s, const MdtKeaManifold *m, const K
 
 /* Whether lever arms are to change in the step: a body rotates, and the relative displacement of both bodies at the
  * centre is below kea_pressedDepth. If the bodies collide or slide, impulses act at one common point, that of the
- * start; otherwise angular momentum would not be conserved. */
+ * start; otherwise angular momentum would not be conserved. A mover has none: it turns in any case, and what slides on
+ * it can come to rest. */
 static MeBool doArmsRotate(const MdtKeaSystem *s, const MdtKeaManifold *m, const KeaPatch *p) {
     double rate[3] = {0, 0, 0}, spin2 = 0;
     for (int k = 0; k < 2; k++) {
@@ -200,8 +201,8 @@ static MeBool doArmsRotate(const MdtKeaSystem *s, const MdtKeaManifold *m, const
         keaAddScaled(rate, k == 0 ? 1 : -1, turn);
         spin2 += keaDot(v->ang, v->ang);
     }
-    return spin2 > 0 &&
-           0.5 * s->parameters.stepsize * keaLength(rate) < kea_pressedDepth * kea_smallerExtent(s, m->body);
+    return spin2 > 0 && (m->mover || 0.5 * s->parameters.stepsize * keaLength(rate) <
+                                         kea_pressedDepth * kea_smallerExtent(s, m->body));
 }
 
 /* The velocity with which a side will move during the step, as predicted by its acceleration of the last one. If that
@@ -242,11 +243,9 @@ static void setArms(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaPatch *p,
     double end[2][3], move[2][6];
     keaCopy(centre.position, p->centre);
     keaZero(added);
-    for (int k = 0; k < 2; k++) {
-        keaCopy(p->arm[k], p->centre);
-        if (m->body[k] >= 0)
-            keaAddScaled(p->arm[k], -1, s->pose[m->body[k]].pos);
-    }
+    MdtKeaTransformation memory;
+    for (int k = 0; k < 2; k++)
+        keaSubtract(p->arm[k], p->centre, kea_sidePose(s, m, k, &memory)->pos);
     if (!doArmsRotate(s, m, p))
         return;
     for (int k = 0; k < 2; k++)

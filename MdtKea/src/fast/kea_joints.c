@@ -69,9 +69,9 @@ static double turnedRateOf(const MdtKeaSystem *s, const KeaJointRow *r) {
     const MdtKeaJBlock *start = s->work->savedJ[r->row - s->rows];
     double rate = 0;
     for (int k = 0; k < 2; k++) {
-        if (r->row->body[k] < 0)
+        const MdtKeaVelocity *v = r->row->body[k] >= 0 ? &s->velocity[r->row->body[k]] : r->row->mover;
+        if (!v)
             continue;
-        const MdtKeaVelocity *v = &s->velocity[r->row->body[k]];
         rate += keaDot(r->J[k], v->lin) + keaDot(r->J[k] + 3, v->ang);
         rate -= kea_rateAlong(&start[k], v);
     }
@@ -113,7 +113,7 @@ static void setPositionLaw(double h, KeaJointRow *r) {
     if (!r->isRigid)
         return;
     r->compliance = 0;
-    r->targetError = row->error + h * row->target;
+    r->targetError = row->error + h * (row->target + row->carried);
     r->target = isTwoSided(row)   ? row->drift
                 : row->lower == 0 ? keaMin(row->target, row->drift)
                                   : keaMax(row->target, row->drift);
@@ -417,8 +417,8 @@ static void evaluateMiddleRows(MdtKeaSystem *s, const KeaJoints *j) {
     kea_saveJacobians(s);
     for (int i = 0; i < j->numBlocks; i++)
         isAny |= j->block[i].isMean;
-    if (isAny && s->jacobians)
-        s->jacobians(s->context, s->work->meanPose);
+    if (isAny)
+        kea_evaluateJacobians(s, s->work->meanPose, 0.5);
 }
 
 /* ---- setting blocks up ---- */
@@ -540,8 +540,7 @@ size_t kea_jointsLayOut(const MdtKeaSystem *s, KeaJoints *j, char *memory) {
 static void resetToStart(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
         kea_beginBody(s, i);
-    if (s->jacobians)
-        s->jacobians(s->context, s->pose);
+    kea_evaluateJacobians(s, s->pose, 0);
 }
 
 MeBool kea_jointsBegin(MdtKeaSystem *s, const int place[], KeaJoints *j) {
@@ -843,7 +842,7 @@ double kea_jointsFindErrors(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displ
     double max = 0, all = 0;
     if (!s->errors)
         return 0;
-    s->errors(s->context, s->work->endPose, j->errors);
+    kea_evaluateErrors(s, j->errors);
     for (int i = 0; i < j->numBlocks; i++) {
         const KeaJointBlock *b = &j->block[i];
         double(*const v)[6] = motionsOf(j, b, displacement);
@@ -864,7 +863,7 @@ double kea_jointsFindErrors(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displ
 void kea_jointsRelinearize(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displacement[]) {
     if (!s->jacobians)
         return;
-    s->jacobians(s->context, s->work->endPose);
+    kea_evaluateJacobians(s, s->work->endPose, 1);
     for (int i = 0; i < j->numBlocks; i++) {
         double(*const v)[6] = motionsOf(j, &j->block[i], displacement);
         for (int k = j->block[i].firstRow; k < j->block[i].endRow; k++) {

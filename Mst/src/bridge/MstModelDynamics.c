@@ -108,7 +108,9 @@ void MEAPI McdModelSetBody(const McdModelID m, const MdtBodyID b) {
     if (!isModel(m, function) || !isBody(b, function) || !MeProgramMayChange(function) ||
         !McdModelMayBePlaced(m, function))
         return;
-    if (m->mLeave)
+    if (m->mBody && MdtBodyIsHidden(m->mBody))
+        m->mLeave(m);
+    else if (m->mLeave)
         detachModel(m);
     McdModelForgetPairs(m);
     McdModelSetBodyData(m, b);
@@ -124,11 +126,12 @@ void MEAPI McdModelSetBody(const McdModelID m, const MdtBodyID b) {
 }
 
 MdtBodyID MEAPI McdModelGetBody(const McdModelID m) {
-    return isModel(m, "McdModelGetBody") ? m->mBody : 0;
+    const MdtBodyID b = isModel(m, "McdModelGetBody") ? m->mBody : 0;
+    return b && !MdtBodyIsHidden(b) ? b : 0;
 }
 
 void MEAPI McdModelDynamicsReset(const McdModelID m) {
-    const MdtBodyID b = isModel(m, "McdModelDynamicsReset") ? m->mBody : 0;
+    const MdtBodyID b = McdModelGetBody(m);
     if (!b)
         return;
     MdtBodySetPosition(b, 0, 0, 0);
@@ -143,12 +146,12 @@ void MEAPI McdModelDynamicsReset(const McdModelID m) {
 static MdtBodyID bodyOf(McdModelID m, const char *function) {
     if (!isModel(m, function))
         return 0;
-    if (!m->mBody)
+    if (!m->mBody || MdtBodyIsHidden(m->mBody))
         MeWarning(1,
                   "%s: the model has no body, or its body was destroyed; a fixed model is moved by its transform: "
                   "McdModelSetTransformPtr",
                   function);
-    return m->mBody;
+    return m->mBody && !MdtBodyIsHidden(m->mBody) ? m->mBody : 0;
 }
 
 void MEAPI McdModelDynamicsEnable(const McdModelID m) {

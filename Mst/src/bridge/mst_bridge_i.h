@@ -80,6 +80,12 @@ typedef struct MstRun {
     int contactMax, foundMax;
 } MstRun;
 
+/* What the program has given a model without a body that it moves (mst_moved.c). */
+typedef struct MstMoved {
+    MeMatrix4 seen;      /* its transform when it was last compared */
+    MeReal *velocity[2]; /* pointers to its linear and angular velocity; null: none */
+} MstMoved;
+
 /* ---- the bridge ---- */
 
 struct MstBridgeRecord {
@@ -123,6 +129,15 @@ static inline MdtBodyID mst_bodyOf(McdModelID m) {
     return m->mBody;
 }
 
+/* The model's body if forces move it; null: none, or the program moves it. */
+static inline MdtBodyID mst_freeBodyOf(McdModelID m) {
+    return m->mBody && !MdtBodyIsMover(m->mBody) ? m->mBody : 0;
+}
+/* Whether the second model's body is the first of the pair's group: fixed models and movers come second. */
+static inline MeBool mst_isSwapped(const McdModelPair *p) {
+    return !mst_freeBodyOf(p->model1) && mst_freeBodyOf(p->model2);
+}
+
 /* Makes room for one more element in an array of `count` elements, `array` being the address of the pointer to it, and
  * *max its capacity. False, after MeFatalError: no memory, and the array is unchanged. */
 static inline MeBool mst_reserveOne(void *array, int count, int *max, size_t size, const char *what) {
@@ -157,16 +172,14 @@ static inline unsigned long mst_currentVersion(const MstMaterialPair *pair) {
 
 /* ---- what programs change (mst_moved.c) -------------------------------------------------------------------------- */
 
-/* At the beginning of a step: unfreezes frozen models that the program has changed, and wakes bodies whose contacts
- * have changed parameters. */
-void mst_applyProgramChanges(MstBridgeRecord *b, McdSpaceID s);
+/* At the beginning of a step: unfreezes frozen models that the program has changed, finds models without a body that it
+ * moves, and wakes bodies whose contacts have changed parameters. The world may be null. */
+void mst_applyProgramChanges(MstBridgeRecord *b, McdSpaceID s, MdtWorldID w);
 /* Wakes the bodies of all touches between a pair of materials. */
 void mst_wakeBodiesOfMaterials(const MstBridgeRecord *b, const MstMaterialPair *changed);
 /* Freezes the models again that mst_applyProgramChanges unfroze, unless their bodies are awake now. */
 void mst_refreezeModels(MstBridgeRecord *b);
-/* Whether the program moves the pair's model without a body in this step, or did in the last one. */
-MeBool mst_isPushedByModel(const McdModelPair *p);
-/* If the program moves the pair's model without a body: sets the surface velocities of the contacts. */
-void mst_setPushVelocities(const MstBridgeRecord *b, const McdModelPair *p);
+/* Lets models that the program moves follow their transforms in the next step, of `step` s. */
+void mst_followMoved(MdtWorldID w, MeReal step);
 
 #endif

@@ -4,8 +4,9 @@
  * are tested again; contacts that differ wake the bodies (mdt_bodyDisturb). Models that the program has moved stay
  * unfrozen. Where parameters of a pair of materials change, the bodies that touch with it are woken individually.
  *
- * A model without a body that the program moves pushes bodies: its contacts get the velocity of its surface along their
- * normal. Friction acts as on a world at rest, so bodies standing on it are not carried along.
+ * A model without a body that the program moves gets a hidden body, a mover: it is at its old transform when the step
+ * begins and at the new one, which the program has written, at its end. The model is placed by the body's transform;
+ * programs go on to see their own.
  */
 #include "McdInternal.h"
 #include "McdGeometry.h"
@@ -63,6 +64,98 @@ void mst_refreezeModels(MstBridgeRecord *b) {
     b->thawedCount = 0;
 }
 
+/* ---- models without a body that are moved ------------------------------------------------------------------------ */
+
+/* Takes the program's velocities of a model's surface back, unless it has set other ones meanwhile. */
+static void restoreVelocities(McdModelID m, const MstMoved *moved, MdtBodyID body) {
+    if (McdModelGetLinearVelocityPtr(m) == MdtBodyGetLinearVelocityPtr(body))
+        McdModelSetLinearVelocityPtr(m, moved->velocity[0]);
+    if (McdModelGetAngularVelocityPtr(m) == MdtBodyGetAngularVelocityPtr(body))
+        McdModelSetAngularVelocityPtr(m, moved->velocity[1]);
+}
+
+static void MEAPI endMoved(McdModel *m) {
+    const MdtBodyID body = m->mBody;
+    MstMoved *moved = MdtBodyGetUserData(body);
+    McdModelForgetPairs(m);
+    McdModelPlaceBy(m, 0);
+    restoreVelocities(m, moved, body);
+    m->mLeave = 0;
+    m->mBody = 0;
+    MeMemoryGive(moved);
+    MdtBodyDestroyHidden(body);
+}
+
+static void MEAPI leaveHidden(const MdtBodyID body) {
+    endMoved(MdtBodyGetModel(body));
+}
+
+/* Puts a model at the transform of a hidden body, which will follow the program's. */
+static void MEAPI beginMoved(McdModelID m, MeMatrix4 before, void *world) {
+    static const MdtBodyUser user = {0, 0, leaveHidden, 0};
+    if (McdModelIsSensor(m) || m->mLeave || !McdModelGetTransformPtr(m))
+        return;
+    MstMoved *moved = MeMemoryTakeZeroed(1, sizeof *moved, "MstBridgeUpdateContacts", "a model that is moved");
+    const MdtBodyID body = moved ? MdtBodyCreateHidden(world, (const MeVector4 *)before) : 0;
+    if (!body) {
+        MeMemoryGive(moved);
+        return;
+    }
+    McdModelForgetPairs(m);
+    memcpy(moved->seen, before, sizeof moved->seen);
+    moved->velocity[0] = McdModelGetLinearVelocityPtr(m);
+    moved->velocity[1] = McdModelGetAngularVelocityPtr(m);
+    MdtBodySetUserData(body, moved);
+    MdtBodySetHiddenUser(body, m, &user);
+    m->mBody = body;
+    m->mLeave = endMoved;
+    McdModelPlaceBy(m, MdtBodyGetTransformPtr(body));
+    McdModelSetLinearVelocityPtr(m, MdtBodyGetLinearVelocityPtr(body));
+    McdModelSetAngularVelocityPtr(m, MdtBodyGetAngularVelocityPtr(body));
+    McdSpaceUpdateModel(m);
+}
+
+/* Whether the program has put the model elsewhere, by more than its radius, instead of moving it. */
+static MeBool isElsewhere(McdModelID m, MeMatrix4 seen, MeMatrix4 now) {
+    MeVector3 way, centre;
+    MeReal radius;
+    McdModelGetBSphere(m, centre, &radius);
+    MeVector3Subtract(way, now[3], seen[3]);
+    return !(MeVector3MagnitudeSqr(way) <= radius * radius);
+}
+
+/* Lets a hidden body follow the program's transform. False: it is none any more that a body can have. */
+static MeBool follow(MdtBodyID body) {
+    const McdModelID m = MdtBodyGetModel(body);
+    MstMoved *moved = MdtBodyGetUserData(body);
+    const MeMatrix4Ptr now = McdModelGetGiven(m);
+    if (!now)
+        return MEFALSE;
+    if (memcmp(now, moved->seen, sizeof moved->seen) == 0)
+        return METRUE;
+    const MeBool isFar = isElsewhere(m, moved->seen, now);
+    memcpy(moved->seen, now, sizeof moved->seen);
+    if (McdModelGetSpace(m) && McdSpaceModelIsFrozen(m)) {
+        McdSpaceUnfreezeModel(m);
+        warnOfFrozenMove(m);
+    }
+    if (!MdtBodyFollow(body, (const MeVector4 *)now))
+        return MEFALSE;
+    if (isFar)
+        MdtBodyJump(body);
+    return METRUE;
+}
+
+void mst_followMoved(MdtWorldID w, MeReal step) {
+    for (MdtBodyID b = MdtWorldNextHidden(w, 0), next; b; b = next) {
+        next = MdtWorldNextHidden(w, b);
+        if (!follow(b))
+            endMoved(MdtBodyGetModel(b));
+    }
+    if (step > 0)
+        MdtWorldBeginMovers(w, step);
+}
+
 /* ---- materials --------------------------------------------------------------------------------------------------- */
 
 /* Whether the model is an aggregate, whose children may have materials of their own. */
@@ -106,38 +199,11 @@ static void compareSomeMaterials(MstBridgeRecord *b) {
     }
 }
 
-void mst_applyProgramChanges(MstBridgeRecord *b, McdSpaceID s) {
+void mst_applyProgramChanges(MstBridgeRecord *b, McdSpaceID s, MdtWorldID w) {
     compareSomeMaterials(b);
     McdSpaceVisitChangedFrozen(s, thawModel, b);
-}
-
-/* ---- models that are moved --------------------------------------------------------------------------------------- */
-
-/* The pair's model without a body; null: both have one. */
-static McdModelID modelWithoutBody(const McdModelPair *p) {
-    return !mst_bodyOf(p->model1) ? p->model1 : !mst_bodyOf(p->model2) ? p->model2 : 0;
-}
-
-MeBool mst_isPushedByModel(const McdModelPair *p) {
-    const McdModelID m = modelWithoutBody(p);
-    const MstTouch *t = p->touch;
-    return m && (McdModelHasMoved(m) || (t && t->isPushed));
-}
-
-void mst_setPushVelocities(const MstBridgeRecord *b, const McdModelPair *p) {
-    const McdModelID m = modelWithoutBody(p);
-    const MdtContactGroupID group = p->responseData;
-    MstTouch *t = p->touch;
-    if (!m || !group || !t || b->substep > 0 || !mst_isPushedByModel(p) || !(b->ahead > 0))
-        return; /* after the first sub-step, models without a body do not move */
-    t->isPushed = false;
-    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c)) {
-        MeVector3 position, normal, moved;
-        MdtContactGetPosition(c, position);
-        MdtContactGetNormal(c, normal);
-        if (McdModelGetDisplacement(m, position, moved))
-            t->isPushed = true;
-        MeVector3MultiplyScalar(normal, normal, MeVector3Dot(normal, moved) / b->ahead);
-        MdtConstraintSetWorldLinearVelocity(MdtContactQuaConstraint(c), normal[0], normal[1], normal[2]);
-    }
+    if (!w)
+        return;
+    McdSpaceVisitMoved(s, beginMoved, w);
+    mst_followMoved(w, b->ahead);
 }

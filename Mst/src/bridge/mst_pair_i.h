@@ -39,7 +39,6 @@ struct MstTouch {
     bool isSensor;          /* a model is a sensor */
     bool hasContacts;       /* the pair has contacts */
     bool isUndecided;       /* contact forces decide whether it touches: MstEvents.undecided */
-    bool isPushed;          /* a model without a body pushes its contacts (mst_moved.c) */
     MeReal lag;             /* s, lag of its bodies when `impulse` was last summed; MEINFINITY: not yet in this step */
     MeReal separation;      /* m, the least separation of its contacts at the beginning of the step */
     MeReal tolerance;       /* m, sum of both models */

@@ -166,6 +166,16 @@ void MEAPI(MstHandleTransitions)(McdModelPairContainer *pairs, const McdSpaceID 
     MstHandleTransitionsOf(pairs);
 }
 
+/* After the first sub-step: puts the pair's mover where it is when its lagging body goes on. */
+static void placeMover(MstBridgeRecord *record, const McdModelPair *p) {
+    const MeReal lag = mst_pairLag(p);
+    const McdModelID models[2] = {p->model1, p->model2};
+    for (int k = 0; k < 2 && lag > 0; k++)
+        if (mst_bodyOf(models[k]) && MdtBodyIsMover(mst_bodyOf(models[k])) &&
+            MdtBodyPlaceMover(mst_bodyOf(models[k]), record->ahead - lag))
+            mst_beginRound(record);
+}
+
 static void handleCollisions(MstBridgeRecord *record, McdModelPairContainer *pairs, McdSpaceID s, MdtWorldID w) {
     mst_beginRound(record);
     updateMaterialVersions(record, pairs->stayingEnd - pairs->helloFirst);
@@ -174,6 +184,8 @@ static void handleCollisions(MstBridgeRecord *record, McdModelPairContainer *pai
     if (record->hasNoCollide)
         mst_markNoCollidePairs(&pairs->array[pairs->helloFirst], pairs->stayingEnd - pairs->helloFirst);
     for (int i = pairs->helloFirst; i < pairs->stayingEnd;) {
+        if (record->substep > 0)
+            placeMover(record, pairs->array[i]);
         i += mst_handlePairsByWorkers(record, &pairs->array[i], pairs->stayingEnd - i, s, w);
         if (i == pairs->stayingEnd)
             break;
@@ -246,9 +258,10 @@ void mst_updateContacts(MstBridgeRecord *record, McdSpaceID s, MdtWorldID w) {
     MeProfileStartSection("Collision", 0);
     if (record->substep == 0) {
         MEASSERT(record->thawedCount == 0);
+        record->ahead = McdSpaceGetLookAhead(s);
         mst_eventsBegin(record, w ? MdtWorldGetTeam(w) : 0);
         mst_guardPairs(record, record->frame, world);
-        mst_applyProgramChanges(record, s);
+        mst_applyProgramChanges(record, s, world);
         mst_releasePairs(record, record->frame, world);
     }
     mst_clearSafeTimes(record);

@@ -65,7 +65,7 @@ static MstOutcome outcomeOfLastTest(const MstBridgeRecord *b, MstFinding *f) {
     const MstTouch *t = p->touch;
     const MdtContactGroupID group = p->responseData;
     const McdModelID model[2] = {p->model1, p->model2};
-    const MeBool isSwapped = !mst_bodyOf(p->model1);
+    const MeBool isSwapped = mst_isSwapped(p);
     if (!t)
         return group ? MST_TO_TEST : MST_NOTHING;
     if (t->found == 0)
@@ -130,7 +130,7 @@ static void convertContact(MdtFoundContact *found, const McdContact *from, MeBoo
 
 void mst_convertContacts(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     const McdIntersectResult *result = &run->result;
-    const MeBool isSwapped = !mst_bodyOf(f->pair->model1);
+    const MeBool isSwapped = mst_isSwapped(f->pair);
     f->count = result->contactCount;
     f->separation = MEINFINITY;
     MEASSERT(f->count <= result->contactMaxCount && f->first + f->count <= run->foundMax);
@@ -237,7 +237,9 @@ static MstOutcome outcomeOfModels(const MstBridgeRecord *b, const McdModelPair *
         return mst_mustClampLagging(p) ? MST_TO_WAIT : MST_NOTHING;
     if (traits & McdPairHasSensor)
         return MST_TO_SENSE;
-    return mst_bodyOf(p->model1) || mst_bodyOf(p->model2) ? MST_TO_TEST : MST_NOTHING;
+    if (mst_freeBodyOf(p->model1) || mst_freeBodyOf(p->model2))
+        return MST_TO_TEST;
+    return p->touch || p->responseData ? MST_TO_REMOVE : MST_NOTHING;
 }
 
 static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p, McdSpaceID s) {

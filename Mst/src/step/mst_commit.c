@@ -4,8 +4,8 @@
  * contacts of a pair involve a function of the program, the pair is tested here, and ends its run, as that function may
  * change anything.
  *
- * The contact group is stored in the pair's responseData. Its first body is that of the first model or, if only the
- * second model has a body, that one; then normals are reversed.
+ * The contact group is stored in the pair's responseData. Its first body is that of the first model or, if forces move
+ * only the second model's body, that one; then normals are reversed.
  */
 #include "McdContact.h"
 #include "McdInteractions.h"
@@ -43,9 +43,9 @@ static MeBool areBodiesOfWorld(MstBridgeRecord *b, MdtBodyID body1, MdtBodyID bo
 
 /* For assertions: the bodies of the pair's group are those of its models, with the world second. */
 static inline MeBool hasGroupItsBodies(const McdModelPair *p) {
-    const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
-    return MdtContactGroupGetBody(p->responseData, 0) == (body1 ? body1 : body2) &&
-           MdtContactGroupGetBody(p->responseData, 1) == (body1 ? body2 : 0);
+    const MeBool isSwapped = mst_isSwapped(p);
+    return MdtContactGroupIsBetween(p->responseData, mst_bodyOf(isSwapped ? p->model2 : p->model1),
+                                    mst_bodyOf(isSwapped ? p->model1 : p->model2));
 }
 
 /* The pair's group, created if needed; null if the world is full, or the pair's bodies make no contacts. */
@@ -56,7 +56,9 @@ static MdtContactGroupID ensureGroup(MstBridgeRecord *b, McdModelPair *p, MdtWor
         return p->responseData;
     if ((!body1 && !body2) || body1 == body2 || !areBodiesOfWorld(b, body1, body2, w))
         return 0;
-    p->responseData = MdtContactGroupCreateBridged(w, body1 ? body1 : body2, body1 ? body2 : 0, p, &p->responseData);
+    const MeBool isSwapped = mst_isSwapped(p);
+    p->responseData =
+        MdtContactGroupCreateBridged(w, isSwapped ? body2 : body1, isSwapped ? body1 : body2, p, &p->responseData);
     p->forget = mst_pairForget;
     return p->responseData;
 }
@@ -91,7 +93,6 @@ static void keepContactsInPlace(MstBridgeRecord *b, McdModelPair *p, MstMaterial
         for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c))
             MdtContactSetParams(c, &materials->params);
     t->version = version;
-    mst_setPushVelocities(b, p);
     MdtContactGroupEnable(group);
     mst_touchCommitUnchanged(b, p);
 }
@@ -144,7 +145,6 @@ static void commitContacts(MstBridgeRecord *b, const MstRun *run, const MstFindi
         return;
     }
     replaceContacts(b, run, f, group);
-    mst_setPushVelocities(b, f->pair);
     if (MdtContactGroupGetCount(group) > 0)
         MdtContactGroupEnable(group);
 }
@@ -180,7 +180,6 @@ static void commitWithCallbacks(MstBridgeRecord *b, MstRun *run, MstFinding *f, 
         return;
     }
     const int renewed = replaceContacts(b, run, f, group);
-    mst_setPushVelocities(b, p);
     callPerContact(b, run, p, renewed);
     if (!isGroupOf(p, group))
         return;

@@ -10,6 +10,9 @@
  * lagging body that reaches such a body is stopped, and loses the rest of its step; so do bodies that still lag after
  * the last sub-step.
  *
+ * A mover has made its whole step after the first sub-step. In the others it is put back, for each pair, to where it
+ * was at the time of the body that lags.
+ *
  * A large partition is not stopped by a fast body that hits it, as each sub-step would need a solve of the whole
  * partition. The fast body waits in front of it and collides in the next step, which is not divided either. Fast bodies
  * within a large partition get safe times in the first sub-steps only.
@@ -76,8 +79,8 @@ static MeReal timeToSurface(McdModelID shape, McdModelID surface, McdSpaceID s, 
     addLinearDisplacement(displacement, surface, -max);
     const MeReal length = MeVector3Magnitude(displacement);
     if (!(length > 0) ||
-        !McdSpaceCastGeometry(s, McdModelGetGeometry(shape), (const MeVector4 *)McdModelGetTransformPtr(shape),
-                              displacement, isSameModel, surface, &hit))
+        !McdSpaceCastGeometry(s, McdModelGetGeometry(shape), (const MeVector4 *)McdModelGetPlace(shape), displacement,
+                              isSameModel, surface, &hit))
         return max;
     McdModelGetBSphere(shape, centre, &radius);
     MEASSERT(hit.fraction >= 0 && hit.fraction <= 1);
@@ -139,7 +142,7 @@ static MeBool isWorthClamping(const MstBridgeRecord *b, MeReal time, MeReal max)
 }
 
 static void clampPair(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w, MeReal time) {
-    const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
+    const MdtBodyID body1 = mst_freeBodyOf(p->model1), body2 = mst_freeBodyOf(p->model2);
     const MeBool clamps1 =
         !mst_isInLargeIsland(body1) || (b->substep < MAX_LARGE_ISLAND_SUBSTEPS && McdModelGetFastMargin(p->model1) > 0);
     const MeBool clamps2 =
@@ -177,7 +180,7 @@ MeBool mst_isInLargeIsland(MdtBodyID body) {
 
 /* Whether the body has completed its step, so that it must not be pushed. */
 static MeBool hasAdvanced(MdtBodyID body) {
-    return body && MdtBodyIsEnabled(body) && !(MdtBodyGetLag(body) > 0);
+    return body && !MdtBodyIsMover(body) && MdtBodyIsEnabled(body) && !(MdtBodyGetLag(body) > 0);
 }
 
 static MeBool isLagging(McdModelID m) {
@@ -215,6 +218,7 @@ void mst_clampLaggingBody(MstBridgeRecord *b, const MstFinding *f) {
 static int advanceLag(MstUniverse *u, MstBridgeRecord *b, MeReal step) {
     MEASSERT(b->substep > 0 && b->substep < MAX_SUBSTEPS);
     mst_eventsAddImpulses(b);
+    MdtWorldPlaceMovers(u->world, 0); /* their boxes enclose all of their way */
     McdSpacePathUpdateAll(u->space, step);
     mst_updateContacts(b, u->space, u->world);
     return MdtWorldAdvanceLag(u->world);
@@ -232,6 +236,7 @@ void mst_stepWorld(MstUniverse *u, MeReal step) {
         if (!advanceLag(u, b, step))
             break;
     b->substep = 0;
+    MdtWorldPlaceMovers(u->world, step);
     mst_clearSafeTimes(b);
     MEASSERT(b->clampedCount == 0);
 }

@@ -37,7 +37,7 @@ static MeBool mayUpdatePair(const MstBridgeRecord *b, const MstRun *run, const M
     const MstTouch *t = p->touch;
     const MdtContactGroupID group = p->responseData;
     if (b->substep > 0 || p->phase == kMcdFFStateInactive || !t || mst_touchIsListed(&b->events, t) || f->isFast ||
-        !mst_areVersionsCurrent(b) || mst_isPushedByModel(p))
+        !mst_areVersionsCurrent(b))
         return MEFALSE;
     if (f->outcome != MST_TESTED)
         return t->version == mst_currentVersion(f->materials) && MdtContactGroupIsEnabled(group);

@@ -241,7 +241,7 @@ static void addContact(MstTouch *t, MeVector3 position, const MeVector3 normal, 
 
 void mst_normalOf(const McdModelPair *p, MdtContactID c, MeVector3 normal) {
     MdtContactGetNormal(c, normal);
-    if (!mst_bodyOf(p->model1))
+    if (mst_isSwapped(p))
         MeVector3MultiplyScalar(normal, normal, -1);
 }
 

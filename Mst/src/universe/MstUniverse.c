@@ -197,6 +197,7 @@ static void advance(MstUniverse *u, MeReal step) {
     MeTeam *team = MdtWorldGetTeam(u->world);
     McdSpaceSetTeam(u->space, team);
     MeTeamKeep(team);
+    mst_followMoved(u->world, step);
     updateBoxes(u->space, step);
     mst_updateContacts(bridge, u->space, u->world);
     mst_stepWorld(u, step);
