@@ -36,7 +36,7 @@ set(KARMA_DEAR
   Mcd.BoxBox Mcd.Ccd Mcd.Convex Mcd.Guess Mcd.MassProperties Mcd.MeshQuery Mcd.RandomPoses Mcd.Threads Mcd.TriangleList
   Mdt.Certificate Mdt.MisfitScenes Mdt.Order Mdt.RandomScenes
   Mst.Advise Mst.Blows Mst.Callbacks Mst.Cases_Crowds Mst.Cases_Impacts Mst.Cases_Long Mst.Cases_Stacks
-  Mst.Cases_Terrain Mst.Choice Mst.Continuous Mst.Crowd Mst.Forces Mst.Heaps
+  Mst.Cases_Terrain Mst.Choice Mst.Continuous Mst.Crowd Mst.Forces Mst.Grounds Mst.Heaps
   Mst.Jointed Mst.Memory Mst.Reuse Mst.Scales Mst.Spikes
   Mst.Threads Mst.WarmSteps Mst.WorkBudget)
 

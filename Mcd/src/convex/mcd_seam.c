@@ -11,8 +11,9 @@
  *
  * Then the other piece rises above the plane through the contact orthogonal to the contact's normal. The body is on the
  * other piece and does not fit into the gap, so the body cannot touch the edge: the edge is internal, and the normal
- * must be f. (The same rule for triangles with common corners: mcd_mesh_topology.c.) A normal between m and f points to
- * no part of the other piece, so the normals at a fold down are kept. */
+ * must be f. A body above the gap, and above neither face, has the contacts of a face that bridges the gap. (The same
+ * rule for triangles with common corners: mcd_mesh_topology.c.) A normal between m and f points to no part of the other
+ * piece, so the normals at a fold down are kept. */
 #include "convex/mcd_seam_i.h"
 
 /* cos(60 degrees): the largest angle between faces that continue each other. */
@@ -70,19 +71,15 @@ static double minWidth(const McdShape *s) {
  * at a hundred sizes from the origin (docs/collision.md), twice that relative to each other; a step of this height is
  * climbed. With twice or half this value Mst_Seams (what_is_flush_to_a_ten_thousandth_of_its_radius_passes) and
  * Mcd_Compounds fail. */
-double mcd_seamSkin(const McdShape *piece, const McdShape *body) {
-    return 1e-4 * mcd_pairSize(piece, body);
-}
-
-double mcd_seamSkinAt(const McdShape *piece, const McdShape *body, const double origin[3]) {
-    double skin = mcd_seamSkin(piece, body);
+double mcd_seamSkin(const McdShape *piece, const McdShape *body, const double origin[3]) {
+    double skin = 1e-4 * mcd_pairSize(piece, body);
     for (int i = 0; i < 3; i++)
         skin += 4 * (double)ME_EPSILON * fabs(origin[i]);
     return skin;
 }
 
-/* A quarter of the body's smallest width: a body does not enter a gap narrower than the body, and a ball sinks by 1/32
- * of its radius into such a gap. */
+/* A quarter of the body's smallest width: a body does not enter a gap narrower than the body, and a ball would sink by
+ * 1/32 of its radius into such a gap. */
 double mcd_seamGap(const McdShape *body) {
     return minWidth(body) / 4;
 }
@@ -91,7 +88,8 @@ double mcd_seamGap(const McdShape *body) {
 typedef struct SeamFace {
     const McdSeam *seam;
     double normal[3];
-    double point[3]; /* of the face's plane, at the contact */
+    double point[3]; /* of the face's plane, at the contact; mcd_seamGapShift: of the body */
+    double size;     /* m, the extent of the body; for mcd_seamGapShift alone */
 } SeamFace;
 
 /* Whether a direction equals the contact's normal to within rounding. */
@@ -128,17 +126,29 @@ MeBool mcd_seamIsNear(const McdSeam *s) {
     return MEFALSE;
 }
 
+/* The body's point that is nearest to the contact. */
+static void bodyPoint(const McdSeam *s, double point[3]) {
+    mcd_mad(point, s->point, s->separation, s->normal);
+}
+
+/* Finds the other piece's face that may continue a face of this normal; false: there is none. */
+static MeBool faceAcross(const McdShape *piece, const double *side, const double normal[3], McdFace *face) {
+    if (side && mcd_dot(side, normal) < 0)
+        return MEFALSE;
+    mcd_faceToward(piece, normal, face);
+    return face->count >= 3 && mcd_dot(face->normal, normal) >= foldCosine;
+}
+
 /* Whether the face continues a face of this other piece, so that the edge between both is internal. */
-static MeBool isContinued(const McdShape *piece, const void *context) {
+static MeBool isContinued(const McdShape *piece, const double *side, const void *context) {
     const SeamFace *f = context;
     const McdSeam *s = f->seam;
     McdFace other;
     double body[3], inward[3], foot[3], at[3];
-    mcd_faceToward(piece, f->normal, &other);
-    if (other.count < 3 || mcd_dot(other.normal, f->normal) < foldCosine)
+    if (!faceAcross(piece, side, f->normal, &other))
         return MEFALSE;
     const double height = mcd_heightOver(f->point, other.point[0], other.normal) - piece->rounding;
-    mcd_mad(body, s->point, s->separation, s->normal);
+    bodyPoint(s, body);
     if (height > s->skin || mcd_heightOver(body, other.point[0], other.normal) - piece->rounding < -s->gap)
         return MEFALSE;
     mcd_mad(inward, s->normal, -mcd_dot(s->normal, other.normal), other.normal);
@@ -157,17 +167,65 @@ static MeBool isContinued(const McdShape *piece, const void *context) {
     return MEFALSE;
 }
 
+/* m: isContinued accepts no piece farther away. */
+static double reachOf(const McdSeam *s) {
+    return 3 * s->gap + 2 * fabs(s->separation);
+}
+
 void *mcd_seamPieceBeyond(const McdSeam *s, double normal[3]) {
-    const double reach = 3 * s->gap + 2 * fabs(s->separation); /* isContinued accepts no piece farther away */
     SeamFace f = {.seam = s};
     for (int i = 0; i < countFaces(s); i++) {
-        void *piece = faceAtContact(s, i, &f) ? s->find(s, f.point, reach, isContinued, &f) : 0;
+        void *piece = faceAtContact(s, i, &f) ? s->find(s, f.point, reachOf(s), isContinued, &f) : 0;
         if (!piece)
             continue;
         mcd_copy(normal, f.normal);
         return piece;
     }
     return 0;
+}
+
+/* ---- gaps -------------------------------------------------------------------------------------------------------- */
+
+/* Whether the body's point is above a face of this other piece. */
+static MeBool isBelowBody(const McdShape *piece, const double *side, const void *context) {
+    const SeamFace *f = context;
+    McdFace face;
+    double foot[3];
+    if (!faceAcross(piece, side, f->normal, &face))
+        return MEFALSE;
+    const double height = mcd_heightOver(f->point, face.point[0], face.normal);
+    mcd_mad(foot, f->point, -height, face.normal);
+    return mcd_pointDistance(piece, foot) <= mcd_faceBias / 2 * fmin(piece->extent, f->size);
+}
+
+/* The point of the body's lowest face, a point or a line, that is nearest to the contact; false: the face is flat, and
+ * wider than the gap. */
+static MeBool lowestPoint(const McdSeam *s, const McdShape *body, const double face[3], double lowest[3]) {
+    McdFace low;
+    double down[3], line[3];
+    mcd_scale(down, face, -1);
+    mcd_faceToward(body, down, &low);
+    if (low.count < 1 || low.count > 2)
+        return MEFALSE;
+    mcd_sub(line, low.point[low.count - 1], low.point[0]);
+    const double square = mcd_dot(line, line), at = mcd_heightOver(s->point, low.point[0], line);
+    mcd_mad(lowest, low.point[0], square > 0 ? MeCLAMP(at / square, 0, 1) : 0, line);
+    return METRUE;
+}
+
+MeBool mcd_seamGapShift(const McdSeam *s, const McdShape *body, const double face[3], double shift[3]) {
+    SeamFace f = {.seam = s, .size = body->extent};
+    double lowest[3];
+    mcd_copy(f.normal, face);
+    bodyPoint(s, f.point);
+    if (!lowestPoint(s, body, face, lowest) || s->find(s, f.point, reachOf(s), isBelowBody, &f))
+        return MEFALSE;
+    mcd_sub(shift, s->point, lowest);
+    mcd_mad(shift, shift, -mcd_dot(shift, face), face);
+    const double length = mcd_length(shift);
+    if (length > 0) /* a skin farther than to the edge, as the contact's point is rounded */
+        mcd_scale(shift, shift, 1 + s->skin / length);
+    return length <= s->gap;
 }
 
 /* ---- contacts along a normal ------------------------------------------------------------------------------------- */

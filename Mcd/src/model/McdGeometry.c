@@ -118,6 +118,8 @@ void *mcd_geometryCreate(McdFramework *frame, McdGeometryType type, size_t size,
     if (!g)
         return 0;
     McdGeometryInit(g, frame, type);
+    const McdKind *kind = frame->types[type].kind;
+    frame->hasProgramSurfaces = frame->hasProgramSurfaces || (kind && kind->callsProgram);
     return g;
 }
 

@@ -35,6 +35,8 @@ typedef struct McdPoolBlock {
     _Alignas(ME_CACHE_LINE) struct McdPoolBlock *next;
 } McdPoolBlock;
 
+enum { MCD_NO_NEIGHBOUR = -1 };
+
 struct _McdFramework {
     MeU32 magic;
     MeHandle handle;
@@ -56,6 +58,7 @@ struct _McdFramework {
     MeStage stage;    /* which objects are guarded at present (mcd_stage.c) */
     MeBool isEmptied; /* everything is being destroyed: nothing may be created */
     int spaceCount;
+    MeBool hasProgramSurfaces;      /* a geometry was created whose triangles come from a function of the program */
     int updateCallbacks;            /* number of models that have one */
     MeU64 round;                    /* counts rounds of pair tests; models do not change within a round */
     MeU64 changes;                  /* counts calls that change a shape or other inputs of collisions */
@@ -67,6 +70,9 @@ struct _McdFramework {
     void (*spaceApplyFilter)(McdModelID cm);
     void (*spaceForgetPairs)(McdModelID cm); /* McdModelForgetPairs */
     void (*spaceDropBox)(McdModelID cm);     /* McdModelDropBox */
+    /* Iterates over the models that a model has pairs with; *at: MCD_NO_NEIGHBOUR before the first call. Null: the
+     * end. */
+    McdModelRecord *(*spaceNextNeighbour)(const McdModelRecord *m, int *at);
 };
 
 MeBool mcd_frameCheck(McdFrameworkID frame, const char *function);

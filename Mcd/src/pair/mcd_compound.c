@@ -17,6 +17,7 @@
 #include "model/mcd_geometries_i.h"
 #include "convex/mcd_seam_i.h"
 #include "pair/mcd_pair_i.h"
+#include "surface/mcd_pieces_i.h"
 
 #include <string.h>
 
@@ -27,56 +28,30 @@ static const double flushCosine = .99;
 /* Number of directions of smallest depth that are tried for manifolds deep between parts: as many as two boxes have. */
 enum { MAX_DIRECTIONS = 12 };
 
-/* ---- points and parts -------------------------------------------------------------------------------------------- */
-
-static MeBool isInBox(const McdGeometryInstance *child, const double point[3], double reach) {
-    for (int i = 0; i < 3; i++)
-        if (!(point[i] >= (double)child->min[i] - reach && point[i] <= (double)child->max[i] + reach))
-            return MEFALSE;
-    return METRUE;
-}
-
-McdGeometryInstance *mcd_childAt(McdGeometryInstance *whole, const McdGeometryInstance *own, const double origin[3],
-                                 const double point[3], double reach, McdSeamVisit visit, const void *context) {
-    double world[3];
-    McdShape shape;
-    mcd_mad(world, origin, 1, point);
-    if (whole == own || !isInBox(whole, world, reach))
-        return 0;
-    if (!whole->firstChild)
-        return mcd_shapeOf(whole, origin, &shape) && visit(&shape, context) ? whole : 0;
-    for (McdGeometryInstance *child = whole->firstChild; child; child = child->nextSibling) {
-        McdGeometryInstance *found = mcd_childAt(child, own, origin, point, reach, visit, context);
-        if (found)
-            return found;
-    }
-    return 0;
-}
-
 /* The surface of a part at the contacts of one normal. Points are relative to the origin. */
 typedef struct Surface {
-    McdGeometryInstance *child, *whole; /* the part, and the instance of its model */
-    double origin[3], normal[3];        /* outward */
-    McdShape shape, body;               /* of the part, and of the other model's part */
-    double skin;                        /* m, see mcd_seamSkin */
-    MeBool isClassified;                /* the members below are set */
-    MeBool isOfFace;                    /* the normal is that of a face */
-    double sine;                        /* of the angle between the normal and that face's */
-    double lean[3];                     /* unit direction in which the normal leans; 0: it does not */
-    MeBool isOfEdge;                    /* the normal is that of an edge or a corner between flat faces */
+    McdPieces others;     /* the other parts of the model */
+    double normal[3];     /* outward */
+    McdShape shape, body; /* of the part, and of the other model's part */
+    double skin;          /* m, see mcd_seamSkin */
+    MeBool isClassified;  /* the members below are set */
+    MeBool isOfFace;      /* the normal is that of a face */
+    double sine;          /* of the angle between the normal and that face's */
+    double lean[3];       /* unit direction in which the normal leans; 0: it does not */
+    MeBool isOfEdge;      /* the normal is that of an edge or a corner between flat faces */
 } Surface;
 
 /* Sets the surface of a contact's part on one side; false if one of the parts is not convex. */
 static MeBool beginSurface(Surface *s, const McdContact *contact, McdGeometryInstance *const child[2], int side) {
-    s->child = child[side];
+    s->others = (McdPieces){.own = child[side]};
     s->isClassified = MEFALSE;
-    s->whole = &mcd_record(s->child->model)->instance;
-    mcd_copy(s->origin, contact->exactPosition);
+    mcd_copy(s->others.origin, contact->exactPosition);
     mcd_fromReal(s->normal, contact->normal);
     mcd_scale(s->normal, s->normal, side ? 1 : -1);
-    if (!mcd_shapeOf(s->child, s->origin, &s->shape) || !mcd_shapeOf(child[!side], s->origin, &s->body))
+    if (!mcd_shapeOf(s->others.own, s->others.origin, &s->shape) ||
+        !mcd_shapeOf(child[!side], s->others.origin, &s->body))
         return MEFALSE;
-    s->skin = mcd_seamSkinAt(&s->shape, &s->body, s->origin);
+    s->skin = mcd_seamSkin(&s->shape, &s->body, s->others.origin);
     return METRUE;
 }
 
@@ -85,26 +60,21 @@ typedef struct Ball {
     double radius;
 } Ball;
 
-static MeBool isInBall(const McdShape *child, const void *context) {
+static MeBool isInBall(const McdPieces *others, McdGeometryInstance *child, void *context) {
     const Ball *ball = context;
-    return mcd_pointDistance(child, ball->centre) <= ball->radius;
+    McdShape shape;
+    return mcd_shapeOf(child, others->origin, &shape) && mcd_pointDistance(&shape, ball->centre) <= ball->radius;
 }
 
-/* The first part within reach of a point, other than the surface's own; null: none. */
+/* The first convex part within reach of a point, other than the surface's own; null: none. */
 static McdGeometryInstance *childNear(const Surface *s, const double point[3], double reach) {
-    const Ball ball = {point, reach};
-    return mcd_childAt(s->whole, s->child, s->origin, point, reach, isInBall, &ball);
-}
-
-static void *findChild(const McdSeam *seam, const double point[3], double reach, McdSeamVisit visit,
-                       const void *context) {
-    const Surface *s = seam->pieces;
-    return mcd_childAt(s->whole, s->child, s->origin, point, reach, visit, context);
+    Ball ball = {point, reach};
+    return mcd_piecesNear(&s->others, point, reach, isInBall, &ball);
 }
 
 /* The part beyond an internal edge of this part (mcd_seam.c); null: the contact is not at an internal edge. */
 static McdGeometryInstance *childBeyondEdge(const Surface *s, const double point[3], double separation, double *lean) {
-    McdSeam seam = {.shape = s->shape, .separation = separation, .find = findChild, .pieces = s};
+    McdSeam seam = {.shape = s->shape, .separation = separation, .find = mcd_piecesFind, .pieces = &s->others};
     double face[3];
     seam.skin = s->skin;
     seam.gap = mcd_seamGap(&s->body);
@@ -191,7 +161,7 @@ static MeBool isCovered(Classified *c, const double position[3], double separati
         double point[3], lean;
         if (!c->isCompound[side])
             continue;
-        mcd_sub(point, position, s->origin);
+        mcd_sub(point, position, s->others.origin);
         mcd_mad(point, point, -separation / 2, s->normal);
         McdGeometryInstance *cover = coverOf(s, point, &lean);
         if (!cover)

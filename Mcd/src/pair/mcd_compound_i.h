@@ -13,11 +13,6 @@ static const double mcd_coveredLean = 2;
 void mcd_mixChildPaths(McdIntersectResult *result, int first, const McdGeometryInstance *child1,
                        const McdGeometryInstance *child2);
 
-/* Visits the convex shapes of an instance and its parts, except `own`, whose boxes are within reach of a point
- * (relative to the origin), until a visit returns true. Returns the instance of that shape, else null. */
-McdGeometryInstance *mcd_childAt(McdGeometryInstance *whole, const McdGeometryInstance *own, const double origin[3],
-                                 const double point[3], double reach, McdSeamVisit visit, const void *context);
-
 /* Removes the contacts at internal faces of either model from the scratch's first `count` contacts, which are those
  * of the pair's parts, one pair of parts after the other. Returns the number that remain: at least one, if there
  * were any. */

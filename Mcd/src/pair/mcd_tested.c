@@ -15,6 +15,7 @@
 #include "model/mcd_geometries_i.h"
 #include "convex/mcd_kind_i.h"
 #include "space/mcd_space_i.h"
+#include "surface/mcd_pieces_i.h"
 #include "convex/mcd_vector_i.h"
 #include <string.h>
 
@@ -316,7 +317,7 @@ static MeBool typesOfModel(const McdModelRecord *m, MeU64 *types) {
 
 MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p) {
     const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
-    if (a->intersect || b->intersect)
+    if (a->intersect || b->intersect || mcd_piecesCallProgram(a, b) || mcd_piecesCallProgram(b, a))
         return MEFALSE;
     if (isConvexOrPlane(a) && isConvexOrPlane(b))
         return mcd_interactionIsBuiltIn(p);

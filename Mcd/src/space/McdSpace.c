@@ -171,6 +171,22 @@ static void forgetContactsOf(McdModelID cm) {
     mcd_pairsForgetContacts(mcd_record(cm)->proxy);
 }
 
+/* McdFramework.spaceNextNeighbour. */
+static McdModelRecord *nextNeighbour(const McdModelRecord *m, int *at) {
+    const McdSpace *space = m->space;
+    const int own = space ? mcd_proxyIndex(space, m->proxy) : MCD_NONE;
+    while (space) {
+        *at = *at == MCD_NO_NEIGHBOUR ? space->proxy[own].firstLink
+                                      : space->link[*at].next[space->link[*at].proxy[1] == own];
+        if (*at == MCD_NONE)
+            break;
+        const McdLink *link = &space->link[*at];
+        if (link->record)
+            return space->proxy[link->proxy[link->proxy[0] == own]].model;
+    }
+    return 0;
+}
+
 /* Drops a model's box, and unfreezes the model; it has no pairs until it is updated again. */
 static void dropBoxOf(McdModelID cm) {
     McdSpace *s = mcd_record(cm)->space;
@@ -206,6 +222,7 @@ McdSpaceID MEAPI(McdSpaceAxisSortCreate)(McdFrameworkID framework, int axes, int
     framework->spaceApplyFilter = applyFilter;
     framework->spaceForgetPairs = forgetContactsOf;
     framework->spaceDropBox = dropBoxOf;
+    framework->spaceNextNeighbour = nextNeighbour;
     framework->spaceCount++;
     MeHandleEnter(&s->handle, s, MCD_SPACE);
     return s;

@@ -1,9 +1,9 @@
 /* Internal edges between fixed models: a body slides over a floor of several fixed models as over a single model
- * (mcd_seam.c). The pieces are the convex geometries and parts of the fixed models near the moving model. */
+ * (mcd_seam.c, mcd_pieces.c). */
 #include "McdInternal.h"
 #include "convex/mcd_seam_i.h"
 #include "pair/mcd_compound_i.h"
-#include "space/mcd_space_i.h"
+#include "surface/mcd_pieces_i.h"
 #include <string.h>
 
 /* A manifold (contacts of the same instances along one normal), and the fixed models near it. */
@@ -11,77 +11,23 @@ typedef struct Surroundings {
     const McdModelPair *pair;
     int side; /* which of the pair's models is the fixed one */
     McdGeometryInstance *fixed, *moving;
-    double origin[3];
+    McdPieces pieces;
     McdShape body;
 } Surroundings;
-
-static MeBool isFixed(const McdModelRecord *m) {
-    return m && !m->linearVelocity && !m->isSensor && !m->isGone;
-}
-
-/* Iterates over the fixed models that the moving model has pairs with. `at` is the link of the last result, MCD_NONE
- * before the first call. Returns null at the end. */
-static McdModelRecord *nextFixed(const McdModelRecord *moving, int *at) {
-    const McdSpace *space = moving->space;
-    const int own = space ? mcd_proxyIndex(space, moving->proxy) : MCD_NONE;
-    while (space) {
-        *at = *at == MCD_NONE ? space->proxy[own].firstLink : space->link[*at].next[space->link[*at].proxy[1] == own];
-        if (*at == MCD_NONE)
-            break;
-        const McdLink *link = &space->link[*at];
-        McdModelRecord *other = space->proxy[link->proxy[link->proxy[0] == own]].model;
-        if (link->record && isFixed(other))
-            return other;
-    }
-    return 0;
-}
-
-static void *findPiece(const McdSeam *seam, const double point[3], double reach, McdSeamVisit visit,
-                       const void *context) {
-    const Surroundings *s = seam->pieces;
-    int at = MCD_NONE;
-    void *found = 0;
-    for (McdModelRecord *m = 0; !found && (m = nextFixed(mcd_record(s->moving->model), &at)) != 0;)
-        found = mcd_childAt(&m->instance, s->fixed, s->origin, point, reach, visit, context);
-    return found;
-}
-
-/* Whether the body has a pair with a fixed plane or surface of triangles. */
-static MeBool isOnSurface(const Surroundings *s) {
-    int at = MCD_NONE;
-    for (const McdModelRecord *m = 0; (m = nextFixed(mcd_record(s->moving->model), &at)) != 0;)
-        if (mcd_isHalfSpace(&m->instance) || mcd_isSurface(&m->instance))
-            return METRUE;
-    return MEFALSE;
-}
-
-/* Whether the body rests on a plane or a surface of triangles that is flush with a face of the fixed model, and the
- * contact is not with this face: the models are separated, or the normals differ by more than 60 degrees. Then the
- * body will pass over the face. Planes and surfaces need this rule because they are not pieces with faces. Writes the
- * face's normal. */
-static MeBool isFlush(const Surroundings *s, const McdSeam *seam, double face[3]) {
-    for (int i = 0; i < mcd_shapeFaces(&seam->shape); i++)
-        if (mcd_shapeFaceNormal(&seam->shape, i, face) &&
-            (seam->separation > seam->skin || 2 * fabs(mcd_dot(seam->normal, face)) < 1) &&
-            fabs(mcd_separationAlong(&s->body, &seam->shape, face) - s->body.rounding - seam->shape.rounding) <=
-                seam->skin)
-            return isOnSurface(s);
-    return MEFALSE;
-}
 
 /* Sets the seam except for the contact's point and separation. False if one of the shapes is not convex and rigid. */
 static MeBool beginSeam(Surroundings *s, const McdContact *contact, McdSeam *seam) {
     McdGeometryInstance *const instance[2] = {contact->instance1, contact->instance2};
     s->fixed = instance[s->side];
     s->moving = instance[!s->side];
-    mcd_copy(s->origin, contact->exactPosition);
+    mcd_piecesBegin(&s->pieces, s->fixed, s->moving, contact->exactPosition);
     seam->side = 0;
-    seam->find = findPiece;
-    seam->pieces = s;
-    if (!mcd_shapeOf(s->fixed, s->origin, &seam->shape) || !mcd_shapeOf(s->moving, s->origin, &s->body) ||
+    seam->find = mcd_piecesFind;
+    seam->pieces = &s->pieces;
+    if (!mcd_shapeOf(s->fixed, s->pieces.origin, &seam->shape) || !mcd_shapeOf(s->moving, s->pieces.origin, &s->body) ||
         !mcd_shapeIsRigid(&seam->shape) || !mcd_shapeIsRigid(&s->body))
         return MEFALSE;
-    seam->skin = mcd_seamSkinAt(&seam->shape, &s->body, s->origin);
+    seam->skin = mcd_seamSkin(&seam->shape, &s->body, s->pieces.origin);
     seam->gap = mcd_seamGap(&s->body);
     mcd_fromReal(seam->normal, contact->normal);
     mcd_scale(seam->normal, seam->normal, s->side ? 1 : -1);
@@ -89,7 +35,7 @@ static MeBool beginSeam(Surroundings *s, const McdContact *contact, McdSeam *sea
 }
 
 static void setSeamContact(const Surroundings *s, const McdContact *contact, McdSeam *seam) {
-    mcd_sub(seam->point, contact->exactPosition, s->origin);
+    mcd_sub(seam->point, contact->exactPosition, s->pieces.origin);
     mcd_mad(seam->point, seam->point, -contact->exactSeparation / 2, seam->normal);
     seam->separation = contact->exactSeparation;
 }
@@ -114,18 +60,34 @@ static MeBool areInternal(const Surroundings *s, const McdContact *contact, int 
     return METRUE;
 }
 
-/* Appends the contacts along the face's normal; none if the body is not above the face. */
-static void addAlongFace(const Surroundings *s, const McdSeam *seam, const double face[3], McdIntersectResult *result) {
-    const McdShape *a = s->side ? &s->body : &seam->shape, *b = s->side ? &seam->shape : &s->body;
-    McdGeometryInstance *first = s->side ? s->moving : s->fixed, *second = s->side ? s->fixed : s->moving;
-    const int count = result->contactCount;
+/* Finds the contacts along the face's normal, of the body moved by a shift; none if the body is not above the face. */
+static int manifoldOverFace(const Surroundings *s, const McdSeam *seam, const double face[3], const double shift[3],
+                            double margin, McdManifold *m) {
+    McdShape body = s->body;
+    const McdShape *a = s->side ? &body : &seam->shape, *b = s->side ? &seam->shape : &body;
     double normal[3];
-    McdManifold m;
     mcd_scale(normal, face, s->side ? 1 : -1);
-    if (count == result->contactMaxCount || !mcd_manifoldAlong(a, b, normal, mcd_separationAlong(a, b, normal),
-                                                               mcd_childMargin(s->pair, first, second), &m))
+    mcd_mad(body.place, body.place, 1, shift);
+    const int count = mcd_manifoldAlong(a, b, normal, mcd_separationAlong(a, b, normal), margin, m);
+    for (int i = 0; i < count; i++)
+        mcd_mad(m->point[i].position, m->point[i].position, -1, shift);
+    return count;
+}
+
+/* Appends the contacts along the face's normal, if the body is above the face or the gap beside it. */
+static void addAlongFace(const Surroundings *s, const McdSeam *seam, const double face[3], McdIntersectResult *result) {
+    static const double none[3] = {0, 0, 0};
+    McdGeometryInstance *first = s->side ? s->moving : s->fixed, *second = s->side ? s->fixed : s->moving;
+    const double margin = mcd_childMargin(s->pair, first, second);
+    const int count = result->contactCount;
+    double shift[3];
+    McdManifold m;
+    if (count == result->contactMaxCount)
         return;
-    mcd_resultAdd(result, &m, s->origin, first, second);
+    if (!manifoldOverFace(s, seam, face, none, margin, &m) &&
+        !(mcd_seamGapShift(seam, &s->body, face, shift) && manifoldOverFace(s, seam, face, shift, margin, &m)))
+        return;
+    mcd_resultAdd(result, &m, s->pieces.origin, first, second);
     if (first->parent || second->parent)
         mcd_mixChildPaths(result, count, first, second);
 }
@@ -153,7 +115,7 @@ MeBool MEAPI McdModelPairReplaceInternal(const McdModelPair *p, const MeBool may
         n = countManifold(&contact[i], count - i);
         const MeBool mayBeInternal = beginSeam(&s, &contact[i], &seam) && areNearEdge(&s, &contact[i], n, &seam);
         isNear = isNear || mayBeInternal;
-        if (mayBeInternal && (areInternal(&s, &contact[i], n, &seam, face) || isFlush(&s, &seam, face))) {
+        if (mayBeInternal && areInternal(&s, &contact[i], n, &seam, face)) {
             addAlongFace(&s, &seam, face, result);
             continue;
         }

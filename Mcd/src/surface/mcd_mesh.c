@@ -7,15 +7,6 @@
 
 /* ---- memory ------------------------------------------------------------------------------------------------------ */
 
-void mcd_meshFree(McdMesh *mesh) {
-    void *block[] = {mesh->triangle,     mesh->place, mesh->slot,    mesh->cornerOf, mesh->firstOf,
-                     mesh->usersOf,      mesh->fan,   mesh->contact, mesh->cluster,  mesh->merged,
-                     mesh->contactOrder, mesh->spots, mesh->kept};
-    for (size_t i = 0; i < sizeof block / sizeof *block; i++)
-        MeMemoryGive(block[i]);
-    memset(mesh, 0, sizeof *mesh);
-}
-
 MeBool mcd_meshReserve(McdMesh *mesh, int triangles) {
     if (triangles <= mesh->max)
         return METRUE;
@@ -263,6 +254,7 @@ int MEAPI mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result) {
     q.mesh = &q.scratch->mesh;
     gatherTriangles(&q);
     if (q.mesh->count) {
+        mcd_meshAddAround(&q);
         mcd_meshBuildAdjacency(q.mesh);
         mcd_meshFindContacts(&q);
         mcd_meshSweep(&q);

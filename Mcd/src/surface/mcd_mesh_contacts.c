@@ -147,7 +147,8 @@ static MeBool addPointsOverTriangles(McdMeshQuery *q, const double normal[3], co
             k++;
         if (k == q->mesh->count)
             return MEFALSE;
-        mcd_meshAddPoints(q, &q->mesh->triangle[k], normal, &one, onlyDeeper, min);
+        if (k < q->mesh->own)
+            mcd_meshAddPoints(q, &q->mesh->triangle[k], normal, &one, onlyDeeper, min);
     }
     return METRUE;
 }
@@ -251,14 +252,16 @@ static void *findTriangle(const McdSeam *s, const double point[3], double reach,
         if (other == b->t || sharesBorder(b, other) || !isWithinReach(other, point, reach))
             continue;
         mcd_triangleShape(mcd_constRows(other->corner), &shape);
-        if (visit(&shape, context))
+        if (visit(&shape, other->flags & kMcdTriangleTwoSided ? 0 : other->normal, context))
             return other;
     }
     return 0;
 }
 
-/* Whether a triangle that does not share the border's corners continues the face beyond the border (mcd_seam.c). */
-static MeBool isContinued(const McdMeshQuery *q, const McdMeshTriangle *t, const double face[3], const McdManifold *m) {
+/* Whether a triangle that does not share the border's corners continues the face beyond the border (mcd_seam.c).
+ * isOverGap: the shape is above the gap between both, from where the shift takes it above the face. */
+static MeBool isContinued(const McdMeshQuery *q, const McdMeshTriangle *t, const double face[3], const McdManifold *m,
+                          MeBool *isOverGap, double shift[3]) {
     const Border b = {q, t, mcd_meshFarthestCorners(t, m->normal)};
     const McdManifoldPoint *deepest = &m->point[0];
     McdSeam s = {.side = face, .find = findTriangle, .pieces = &b};
@@ -268,12 +271,28 @@ static MeBool isContinued(const McdMeshQuery *q, const McdMeshTriangle *t, const
         if (m->point[i].separation < deepest->separation)
             deepest = &m->point[i];
     mcd_triangleShape(t->corner, &s.shape);
-    s.skin = mcd_seamSkin(&s.shape, &q->shape);
+    s.skin = mcd_seamSkin(&s.shape, &q->shape, q->origin);
     s.gap = mcd_seamGap(&q->shape);
     mcd_copy(s.normal, m->normal);
     s.separation = deepest->separation;
     mcd_mad(s.point, deepest->position, -deepest->separation / 2, m->normal);
-    return mcd_seamPieceBeyond(&s, normal) != 0;
+    if (!mcd_seamPieceBeyond(&s, normal))
+        return MEFALSE;
+    *isOverGap = mcd_seamGapShift(&s, &q->shape, face, shift);
+    return METRUE;
+}
+
+/* Adds the contacts along the face's normal of a shape above the gap beside the face: those of the shape moved onto
+ * the face, moved back. False if there are none. */
+static MeBool addOverGap(McdMeshQuery *q, const McdMeshTriangle *t, const double face[3], const double shift[3]) {
+    const McdShape shape = q->shape;
+    const int first = q->mesh->contactCount;
+    mcd_mad(q->shape.place, shape.place, 1, shift);
+    const MeBool isAnyAdded = mcd_meshAddClipped(q, t, face, MCD_MESH_OVERLAP);
+    q->shape = shape;
+    for (int i = first; i < q->mesh->contactCount; i++)
+        mcd_mad(q->mesh->contact[i].position, q->mesh->contact[i].position, -1, shift);
+    return isAnyAdded;
 }
 
 /* Adds the narrow phase's contacts. Their feature is that of the edge or corner, equal for all triangles there. */
@@ -325,7 +344,9 @@ static MeBool addSearchedContacts(McdMeshQuery *q, McdMeshTriangle *t) {
     mcd_scale(face, t->normal, side);
     const double cosine = mcd_dot(m.normal, face);
     McdMeshRegion region = mcd_meshRegion(q, t, m.normal);
-    if ((region == MCD_BORDER_REGION || region == MCD_FLAT_BORDER) && isContinued(q, t, face, &m))
+    MeBool isOverGap = MEFALSE;
+    double shift[3];
+    if ((region == MCD_BORDER_REGION || region == MCD_FLAT_BORDER) && isContinued(q, t, face, &m, &isOverGap, shift))
         region = MCD_INTERNAL_REGION;
     if (region == MCD_FLAT_BORDER && cosine < .5) /* pushed sideways by an edge that is not sharp: no contact */
         return METRUE;
@@ -346,6 +367,8 @@ static MeBool addSearchedContacts(McdMeshQuery *q, McdMeshTriangle *t) {
             dropSpeculativeCuts(q, first);
         return METRUE;
     }
+    if (isOverGap && addOverGap(q, t, face, shift))
+        return METRUE;
     /* if the normal equals the face's only within the tolerance, its point may be beside the face by as much */
     if (!isFace || mcd_meshAddClipped(q, t, face, MCD_MESH_SAME_DIRECTION))
         return METRUE;
@@ -428,7 +451,7 @@ static void recoverFromBehind(McdMeshQuery *q) {
     const McdMeshTriangle *nearest = 0;
     McdManifold m;
     double min = fmin(q->radius, q->shape.extent) / 2;
-    for (int i = 0; i < q->mesh->count; i++) {
+    for (int i = 0; i < q->mesh->own; i++) {
         const McdMeshTriangle *t = &q->mesh->triangle[i];
         const double depth = -heightOfCentre(q, t);
         if (t->flags & kMcdTriangleTwoSided || depth < 0 || depth >= min || !intersectTriangle(q, t, &m))
@@ -436,7 +459,7 @@ static void recoverFromBehind(McdMeshQuery *q) {
         min = depth;
         nearest = t;
     }
-    for (int i = 0; nearest && i < q->mesh->count; i++) {
+    for (int i = 0; nearest && i < q->mesh->own; i++) {
         const McdMeshTriangle *t = &q->mesh->triangle[i];
         if (mcd_dot(t->normal, nearest->normal) > MCD_MESH_SAME_MANIFOLD && intersectTriangle(q, t, &m))
             mcd_meshAddClipped(q, t, t->normal, MCD_MESH_OVERLAP);
@@ -451,12 +474,12 @@ void mcd_meshFindContacts(McdMeshQuery *q) {
     for (int i = 0; i < mesh->count; i++)
         classifyTriangle(q, &mesh->triangle[i]);
     if (!addPlaneContacts(q)) {
-        for (int i = 0; i < mesh->count; i++) {
+        for (int i = 0; i < mesh->own; i++) {
             McdMeshTriangle *t = &mesh->triangle[i];
             if (t->isPending)
                 t->isPending = t->facing ? !addFaceContacts(q, t) : !addSearchedContacts(q, t);
         }
-        for (int i = 0; i < mesh->count; i++)
+        for (int i = 0; i < mesh->own; i++)
             if (mesh->triangle[i].isPending)
                 addCoplanarContacts(q, &mesh->triangle[i]);
     }

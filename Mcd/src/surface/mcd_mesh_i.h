@@ -46,6 +46,7 @@ struct McdScratch;
 /* The triangles near a shape and its contacts with them, for one query; initially zeroed (McdScratch). */
 typedef struct McdMesh {
     int count, max; /* triangles */
+    int own;        /* triangles of the surface itself; those that follow are of its surroundings (mcd_mesh_around.c) */
     McdMeshTriangle *triangle;
     double (*place)[3];     /* their corners in the mesh's frame, three each */
     int *firstOf, *usersOf; /* triangles of vertex v: usersOf[firstOf[v] .. firstOf[v + 1] - 1]; 3 max + 1, 3 max */
@@ -84,7 +85,6 @@ struct McdMeshQuery {
 int MEAPI mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result);
 /* Ensures room for a number of triangles; false, after a fatal error, if there is no memory. */
 MeBool mcd_meshReserve(McdMesh *mesh, int triangles);
-void mcd_meshFree(McdMesh *mesh);
 /* For gather functions: adds a triangle, with its corners in the mesh's frame, unless it is too far away, has no
  * area, or is not finite. normal: on the outside; null: by the right-hand rule. vertex: numbers of the corners,
  * below vertexCount; null: they are numbered by coordinates. */

@@ -23,6 +23,12 @@ static inline MeBool mcd_meshAreParallel(const double a[3], const double b[3]) {
     return mcd_distanceSquared(a, b) < MCD_MESH_RISES * MCD_MESH_RISES;
 }
 
+/* ---- surroundings (mcd_mesh_around.c) ---------------------------------------------------------------------------- */
+
+/* Adds the triangles around the shape of other surfaces, convex parts and half-spaces that form one surface with this
+ * one (mcd_pieces.c): neighbours, without contacts of their own. */
+void mcd_meshAddAround(McdMeshQuery *q);
+
 /* ---- adjacency and Voronoi regions (mcd_mesh_topology.c) --------------------------------------------------------- */
 
 /* The Voronoi region of a triangle to which a contact normal belongs. */

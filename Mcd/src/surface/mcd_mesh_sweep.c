@@ -123,7 +123,7 @@ static void addContactAhead(McdMeshQuery *q) {
         gap = ownGap;
         first = &q->mesh->triangle[i];
     }
-    if (!first)
+    if (!first || first >= q->mesh->triangle + q->mesh->own) /* another model's pair has that contact */
         return;
     MEASSERT(soonest >= 0 && soonest <= 1 && gap >= 0);
     mcd_mad(at, q->shape.place, -(q->shape.rounding + gap / 2), first->normal);

@@ -42,11 +42,20 @@ void mcd_scratchRelease(McdFramework *frame, McdScratch *scratch) {
     unlock(frame);
 }
 
+static void freeMesh(McdMesh *mesh) {
+    void *block[] = {mesh->triangle,     mesh->place, mesh->slot,    mesh->cornerOf, mesh->firstOf,
+                     mesh->usersOf,      mesh->fan,   mesh->contact, mesh->cluster,  mesh->merged,
+                     mesh->contactOrder, mesh->spots, mesh->kept};
+    for (size_t i = 0; i < sizeof block / sizeof *block; i++)
+        MeMemoryGive(block[i]);
+    memset(mesh, 0, sizeof *mesh);
+}
+
 void mcd_scratchFreeAll(McdFramework *frame) {
     while (frame->freeScratch) {
         McdScratch *scratch = frame->freeScratch;
         frame->freeScratch = scratch->next;
-        mcd_meshFree(&scratch->mesh);
+        freeMesh(&scratch->mesh);
         MeMemoryGive(scratch->triangle);
         MeMemoryGive(scratch->contact);
         MeMemoryGive(scratch->choice);
