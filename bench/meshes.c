@@ -1,5 +1,6 @@
 /* What a convex shape on triangles costs: microseconds per query of shapes a metre in size on a grid of cells, flat and
- * rough, as a triangle list and as a height field; lying flat, tilted a little, and lying any way.
+ * rough, as a triangle list, a height field and an indexed mesh; lying flat, tilted a little, and lying any way. Then a
+ * mesh of a million triangles: creation, fitting to moved vertices, rays.
  *
  *     meshes [--rounds COUNT] */
 #include "timing.h"
@@ -11,6 +12,7 @@
 #include "McdFrame.h"
 #include "McdGeometry.h"
 #include "McdInteractions.h"
+#include "McdMesh.h"
 #include "McdModel.h"
 #include "McdModelPair.h"
 #include "McdRGHeightField.h"
@@ -85,6 +87,7 @@ static McdFrameworkID makeFramework(void) {
     McdConvexMeshRegisterType(f);
     McdTriangleListRegisterType(f);
     McdRGHeightFieldRegisterType(f);
+    McdMeshRegisterType(f);
     McdSphereTriangleListRegisterInteraction(f);
     McdBoxTriangleListRegisterInteraction(f);
     McdCylinderTriangleListRegisterInteraction(f);
@@ -97,6 +100,7 @@ static McdFrameworkID makeFramework(void) {
     McdSphylRGHeightFieldRegisterInteraction(f);
     McdConeRGHeightFieldRegisterInteraction(f);
     McdConvexMeshRGHeightFieldRegisterInteraction(f);
+    McdMeshRegisterInteractions(f);
     return f;
 }
 
@@ -134,6 +138,23 @@ static McdGeometryID makeList(McdFrameworkID f) {
 static McdGeometryID makeField(McdFrameworkID f) {
     const MeReal reach = (MeReal)(cell * CELLS / 2);
     return McdRGHeightFieldCreate(f, height, SAMPLES, SAMPLES, (MeReal)cell, (MeReal)cell, -reach, -reach);
+}
+
+/* The grid's triangles; `stride` points a row. */
+static McdGeometryID makeMesh(McdFrameworkID f, const MeVector3 *points, int stride) {
+    const int cells = stride - 1;
+    int *index = malloc(6 * (size_t)cells * (size_t)cells * sizeof *index), *next = index;
+    for (int j = 0; j < cells; j++)
+        for (int i = 0; i < cells; i++, next += 6) {
+            const int a = j * stride + i, of[6] = {a, a + 1, a + 1 + stride, a, a + 1 + stride, a + stride};
+            memcpy(next, of, sizeof of);
+        }
+    const double begin = now();
+    McdGeometryID mesh = McdMeshCreate(f, points, stride * stride, index, 2 * cells * cells, 0);
+    if (cells > CELLS)
+        printf("%d triangles: created in %.3f s", 2 * cells * cells, now() - begin);
+    free(index);
+    return mesh;
 }
 
 /* Its lowest point a hundredth below 0. */
@@ -196,12 +217,15 @@ static double timeShape(McdFrameworkID f, int kind, McdGeometryID ground, int po
 static void timeGround(const char *name, double roughness, int rounds) {
     seed = 7;
     makeGround(roughness);
-    for (int isField = 0; isField < 2; isField++)
+    static const char *const groundName[] = {"list", "field", "mesh"};
+    for (int kindOfGround = 0; kindOfGround < 3; kindOfGround++)
         for (int kind = 0; kind < SHAPES; kind++) {
-            printf("%-6s %-6s %-9s", name, isField ? "field" : "list", shapeName[kind]);
+            printf("%-6s %-6s %-9s", name, groundName[kindOfGround], shapeName[kind]);
             for (int pose = 0; pose < POSES; pose++) {
                 McdFrameworkID f = makeFramework();
-                McdGeometryID ground = isField ? makeField(f) : makeList(f);
+                McdGeometryID ground = kindOfGround == 0   ? makeList(f)
+                                       : kindOfGround == 1 ? makeField(f)
+                                                           : makeMesh(f, (const MeVector3 *)vertex, SAMPLES);
                 double contacts;
                 const double t = timeShape(f, kind, ground, pose, rounds, &contacts);
                 printf(" %8.2f %4.1f", 1e6 * t, contacts);
@@ -212,6 +236,36 @@ static void timeGround(const char *name, double roughness, int rounds) {
         }
 }
 
+static void timeMillion(void) {
+    enum { POINTS = 708, RAYS = 100000 };
+    MeVector3 *points = malloc((size_t)POINTS * POINTS * sizeof *points);
+    McdFrameworkID f = makeFramework();
+    MeMatrix4 tm;
+    int hits = 0;
+    for (int i = 0; i < POINTS * POINTS; i++)
+        MeVector3Set(points[i], (MeReal)(i % POINTS), (MeReal)(i / POINTS), (MeReal)between(0, .2));
+    McdGeometryID mesh = makeMesh(f, (const MeVector3 *)points, POINTS);
+    double begin = now();
+    McdMeshSetVertices(mesh, (const MeVector3 *)points);
+    printf(", fitted in %.3f s", now() - begin);
+    McdMeshLineSegmentRegisterInteraction(f);
+    McdModelID m = McdModelCreate(mesh);
+    MeMatrix4TMMakeIdentity(tm);
+    McdModelSetTransformPtr(m, tm);
+    McdModelUpdate(m);
+    begin = now();
+    for (int i = 0; i < RAYS; i++) {
+        MeVector3 from = {(MeReal)between(10, 690), (MeReal)between(10, 690), 5}, to;
+        McdLineSegIntersectResult hit;
+        MeVector3Set(to, from[0] + (MeReal)between(-5, 5), from[1] + (MeReal)between(-5, 5), -5);
+        hits += (int)McdLineSegIntersect(m, from, to, &hit);
+    }
+    printf(", a ray takes %.2f us (%d of %d hit)\n", 1e6 * (now() - begin) / RAYS, hits, (int)RAYS);
+    McdFrameworkDestroyAllModelsAndGeometries(f);
+    McdTerm(f);
+    free(points);
+}
+
 int main(int argc, char **argv) {
     const int rounds = argc > 2 && !strcmp(argv[1], "--rounds") ? atoi(argv[2]) : 10;
     printf("%-23s", "");
@@ -220,5 +274,6 @@ int main(int argc, char **argv) {
     printf("  us, and contacts per query\n");
     timeGround("flat", 0, rounds);
     timeGround("rough", .05, rounds);
+    timeMillion();
     return 0;
 }

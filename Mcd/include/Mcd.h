@@ -22,6 +22,7 @@
 #include "McdGeometryTypes.h"
 #include "McdInteractionTable.h"
 #include "McdInteractions.h"
+#include "McdMesh.h"
 #include "McdModel.h"
 #include "McdModelPair.h"
 #include "McdModelPairContainer.h"

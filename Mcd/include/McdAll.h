@@ -9,7 +9,7 @@
 ME_BEGIN_C
 
 /** Registers all built-in geometry types: null, sphere, box, plane, cylinder, sphyl, cone, convex mesh, triangle
- *  list, height field, aggregate. If @a frame is not a framework: a warning, and no effect. */
+ *  list, height field, mesh, aggregate. If @a frame is not a framework: a warning, and no effect. */
 MEPUBLIC void MEAPI McdAllRegisterTypes(McdFramework *frame);
 /**
  * Registers the interactions of all these types, and of line segments with all of them except triangle lists (which the

@@ -50,6 +50,12 @@ MEPUBLIC double MEAPI McdContactGetRim(const McdContact *c, int side, double axi
 MEPUBLIC MeBool MEAPI McdContactIsVertex(const McdContact *c, int side);
 
 /**
+ * The material of a model at the contact: that of the mesh's triangle (McdMesh.h) or else of the part (instance1 or
+ * instance2). `side` and bad arguments as for McdContactGetRadius. Beyond Karma.
+ */
+MEPUBLIC unsigned int MEAPI McdContactGetMaterial(const McdContact *c, int side);
+
+/**
  * Contact reduction: chooses the deepest contact and, one by one, at most @a nContacts_dest that need support most:
  * those that overlap most where bodies tilt and the chosen ones do not overlap. A difference of normals counts as a
  * distance. Contacts that cannot overlap then are left out. They are copied in their original order.

@@ -25,6 +25,7 @@ enum {
 enum {
     kMcdGeometryTypeCone = 9,
     kMcdGeometryTypeRGHeightField = 10,
+    kMcdGeometryTypeMesh = 11,
     kMcdGeometryFirstUserType = 16 /**< A program's own types are numbered from here. */
 };
 
@@ -38,6 +39,7 @@ typedef McdGeometryID McdConeID;
 typedef McdGeometryID McdConvexMeshID;
 typedef McdGeometryID McdTriangleListID;
 typedef McdGeometryID McdRGHeightFieldID;
+typedef McdGeometryID McdMeshID;
 typedef McdGeometryID McdAggregateID;
 
 typedef struct McdNull McdNull;

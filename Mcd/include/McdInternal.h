@@ -162,6 +162,8 @@ MEPUBLIC void MEAPI McdContactGetExact(const McdContact *c, McdExactContact *exa
 MEPUBLIC MeBool MEAPI McdModelIsConvex(McdModelID cm);
 /** Whether it is a surface of triangles, which McdSafeTime does not support. */
 MEPUBLIC MeBool MEAPI McdModelIsSurface(McdModelID cm);
+/** Whether parts or triangles of it may have materials of their own. */
+MEPUBLIC MeBool MEAPI McdModelMayHaveMaterials(McdModelID cm);
 /** @} */
 
 ME_END_C

@@ -114,6 +114,20 @@ static RGraphic *fieldGraphic(RRender *rc, McdRGHeightFieldID g, const float col
     return graphic;
 }
 
+/* Two-sided meshes have each triangle twice. */
+static RGraphic *meshGraphic(RRender *rc, McdMeshID mesh, const float color[4], MeMatrix4Ptr tm) {
+    const int count = McdMeshGetTriangleCount(mesh), sides = McdMeshGetFlags(mesh) & kMcdMeshTwoSided ? 2 : 1;
+    MeVector3 corner[3];
+    int used = 0;
+    RGraphic *graphic = count <= INT_MAX / 6 ? emptyGraphic(rc, sides * count, color, tm) : 0;
+    for (int i = 0; graphic && i < count; i++)
+        for (int side = 0; McdMeshGetTriangle(mesh, i, corner) && side < sides; side++, used++)
+            setTriangle(&graphic->m_pVertices[3 * used], corner[0], corner[1 + side], corner[2 - side]);
+    if (graphic)
+        graphic->m_pObject->m_nNumVertices = 3 * used;
+    return graphic;
+}
+
 /* ---- other geometries -------------------------------------------------------------------------------------------- */
 
 static RGraphic *boxGraphic(RRender *rc, McdBoxID box, const float color[4], MeMatrix4Ptr tm) {
@@ -187,6 +201,8 @@ static RGraphic *geometryGraphic(RRender *rc, McdGeometryID g, const float color
         return listGraphic(rc, g, color, tm);
     case kMcdGeometryTypeRGHeightField:
         return fieldGraphic(rc, g, color, tm);
+    case kMcdGeometryTypeMesh:
+        return meshGraphic(rc, g, color, tm);
     case kMcdGeometryTypeAggregate:
         return aggregateGraphic(rc, g, color, tm);
     default:

@@ -1,6 +1,7 @@
 /** @file RMesh.h
  *  Graphics of mesh files: .obj, .stl, .ply, .gltf, .glb and the other formats of the library assimp, which is loaded
- *  at the first call. An addition to the 1.2 interface. MeAppHull.h (library MeApp) makes their convex hulls.
+ *  at the first call. An addition to the 1.2 interface. MeAppMesh.h and MeAppHull.h (library MeApp) make meshes
+ *  and convex hulls of them.
  */
 #ifndef RMESH_H
 #define RMESH_H

@@ -89,7 +89,7 @@ static inline void terrain_grid(Terrain *t, int n, double cell, double (*height)
         }
 }
 
-/* All convex types, lists and fields, and their interactions. */
+/* All convex types, lists, fields and meshes, and their interactions. */
 static inline McdFrameworkID terrain_framework(void) {
     McdFrameworkID f = frame_make(0, 64, 256, 1);
     McdSphereRegisterType(f);
@@ -100,12 +100,14 @@ static inline McdFrameworkID terrain_framework(void) {
     McdConvexMeshRegisterType(f);
     McdTriangleListRegisterType(f);
     McdRGHeightFieldRegisterType(f);
+    McdMeshRegisterType(f);
     ck_assert(McdSphereTriangleListRegisterInteraction(f) && McdBoxTriangleListRegisterInteraction(f));
     ck_assert(McdCylinderTriangleListRegisterInteraction(f) && McdSphylTriangleListRegisterInteraction(f));
     ck_assert(McdConvexMeshTriangleListRegisterInteraction(f) && McdConeTriangleListRegisterInteraction(f));
     ck_assert(McdSphereRGHeightFieldRegisterInteraction(f) && McdBoxRGHeightFieldRegisterInteraction(f));
     ck_assert(McdCylinderRGHeightFieldRegisterInteraction(f) && McdSphylRGHeightFieldRegisterInteraction(f));
     ck_assert(McdConvexMeshRGHeightFieldRegisterInteraction(f) && McdConeRGHeightFieldRegisterInteraction(f));
+    ck_assert(McdMeshRegisterInteractions(f));
     return f;
 }
 
@@ -118,6 +120,11 @@ static inline McdTriangleListID terrain_list(McdFrameworkID f, Terrain *t) {
     McdTriangleListID list = McdTriangleListCreate(f, min, max, TERRAIN_FOUND, terrain_find);
     McdTriangleListSetUserData(list, t);
     return list;
+}
+
+/* A mesh of the same triangles, on one side. */
+static inline McdMeshID terrain_mesh(McdFrameworkID f, const Terrain *t) {
+    return McdMeshCreate(f, (const MeVector3 *)t->vertex, t->vertexCount, &t->triangle[0][0], t->triangleCount, 0);
 }
 
 /* A model at a place, and what it is tested against. */

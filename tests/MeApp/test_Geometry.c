@@ -52,6 +52,18 @@ TEST(every_shape_is_as_large_as_its_geometry) {
     ck_assert_int_eq(g->m_pObject->m_nNumVertices, 12);
 }
 
+TEST(a_mesh_is_its_triangles) {
+    MeVector3 corner[] = {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}};
+    static const int index[] = {0, 1, 2, 0, 3, 1};
+    const MeVector3 *vertices = (const MeVector3 *)corner;
+    RGraphic *g = RGraphicCreateFromGeometry(rc, McdMeshCreate(u->frame, vertices, 4, index, 2, 0), red);
+    assert_extent(g, 0, 0, 0, 1, 2, 3);
+    ck_assert_int_eq(g->m_pObject->m_nNumVertices, 6);
+    g = RGraphicCreateFromGeometry(rc, McdMeshCreateWithFlags(u->frame, vertices, 4, index, 2, 0, kMcdMeshTwoSided),
+                                   red);
+    ck_assert_int_eq(g->m_pObject->m_nNumVertices, 12);
+}
+
 TEST(an_aggregate_is_one_graphic) {
     MeMatrix4 place;
     McdAggregateID whole = McdAggregateCreate(u->frame, 2);

@@ -1,5 +1,6 @@
 /* Meshes from files, and hulls of them. */
 #include "MeAppHull.h"
+#include "MeAppMesh.h"
 #include "RMesh.h"
 #include "app_test.h"
 
@@ -119,6 +120,27 @@ TEST(a_hull_for_a_body) {
     MeAppShowUniverse(app);
     ck_assert_ptr_null(rc->m_p3DGraphics);
     McdGeometryDestroy(hull);
+}
+
+/* The box as a surface: closed, its six faces of two triangles, and the file's scale. */
+TEST(a_mesh_for_collision) {
+    MeMatrix4 tm;
+    MeMatrix3 inertia;
+    MeReal volume;
+    make_text("test_Mesh.obj", obj);
+    const McdMeshID mesh = MeAppMeshFromFile(u->frame, rc, "test_Mesh.obj", 2);
+    remove("test_Mesh.obj");
+    ck_assert_ptr_nonnull(mesh);
+    ck_assert_ptr_null(rc->m_p3DGraphics);
+    ck_assert_int_eq(McdMeshGetTriangleCount(mesh), 12);
+    ck_assert(McdMeshIsClosed(mesh));
+    ck_assert_int_eq(McdGeometryGetMassProperties(mesh, tm, inertia, &volume), 1);
+    assert_near(volume, 8 * 48, TOL(1e-4, 1e-10));
+    assert_vec3_near(tm[3], 2, 4, 6, TOL(1e-5, 1e-12));
+    ck_assert_ptr_null(MeAppMeshFromFile(u->frame, rc, "no such file.obj", 1));
+    assert_warned("no such file.obj");
+    assert_none(MeAppMeshCreate, u->frame, 0);
+    assert_none(MeAppMeshCreate, 0, 0);
 }
 
 TEST(bad_input) {

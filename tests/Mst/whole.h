@@ -16,6 +16,7 @@ typedef struct Whole {
     MeMatrix4 groundTM, fieldTM, listTM, sensorTM, partTM[2]; /* kept by pointer */
     MeReal height[WHOLE_HEIGHTS * WHOLE_HEIGHTS];
     MeVector3 corner[4];
+    MeMatrix4 meshTM;
     McdCullingTable *culling;
     int touches, broken;
 } Whole;
@@ -94,6 +95,9 @@ static inline void whole_grounds(Whole *s, McdFrameworkID f) {
     const McdTriangleListID list = McdTriangleListCreate(f, low, high, 8, whole_triangles);
     McdTriangleListSetUserData(list, s->corner);
     whole_fixed(s, list, s->listTM, 0, 0, 0);
+    static const int index[6] = {0, 1, 2, 0, 2, 3};
+    static const MeU32 materials[2] = {0, 1};
+    whole_fixed(s, McdMeshCreate(f, (const MeVector3 *)s->corner, 4, index, 2, materials), s->meshTM, 8, 0, 0);
     const McdModelID sensor = whole_fixed(s, McdBoxCreate(f, 1, 1, 1), s->sensorTM, 0, 0, 0);
     McdModelSetSensor(sensor, METRUE);
 }

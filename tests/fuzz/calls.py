@@ -62,6 +62,8 @@ LIMITS = {
     'MeBoundingSphereCalc': {'numPoints': 64},
     'McdConvexMeshCreateHull': {'vertexCount': 64},
     'McdRGHeightFieldCreate': {'xCount': 8, 'yCount': 8},
+    'McdMeshCreate': {'vertexCount': 64, 'triangleCount': 16},
+    'McdMeshCreateWithFlags': {'vertexCount': 64, 'triangleCount': 16},
     'McdContactSimplify': {'nContacts_src': 64, 'nContacts_dest': 64},
     'McdBatchIntersectEach': {'resultMaxCount': 16, 'contactMaxCount': 64},
     'McdIntersectEach': {'resultArraySize': 16, 'contactArraySize': 64},
@@ -81,7 +83,7 @@ NOT_KEPT = {'McdModelPairManagerGetPair'}
 WEIGHTS = [
     (r'MstUniverseStep$', 120), (r'MdtWorldStep$', 10), (r'MdtWorldStep\w+$', 4),
     (r'MstModelAndBodyCreate$', 30), (r'MstFixedModelCreate$', 12), (r'MstUniverseCreate$', 1),
-    (r'Mcd(Box|Sphere|Sphyl|Cylinder|Cone|Plane|ConvexMeshHull|RGHeightField|TriangleList|Aggregate)Create$', 5),
+    (r'Mcd(Box|Sphere|Sphyl|Cylinder|Cone|Plane|ConvexMeshHull|RGHeightField|TriangleList|Mesh|Aggregate)Create$', 5),
     (r'McdAggregateAddElement$', 6),
     (r'McdModelDynamicsSetPosition$|McdModelSetTransformPtr$|McdModelDynamicsGetBody$|McdModelGetBody$', 8),
     (r'Mdt\w+(Create|SetBodies|Enable)$', 3),
@@ -163,6 +165,8 @@ def classify(parameter, function, known, callbacks, records):
         return 'REALS', 0, size, is_const, 'void *'
     if base in ARRAYS and stars == 0 and not dimensions:
         return 'REALS', 0, ARRAYS[base], is_const, 'void *'
+    if base == 'MeVector3' and dimensions == [3]:
+        return 'REALS', 0, 9, is_const, 'void *'
     if base == 'MeVector3' and stars == 1:
         return 'REALS', 0, 192, is_const, 'void *'
     if base == 'char' and stars == 1:

@@ -106,6 +106,14 @@ static void fill_MstDebugDraw(void *record, FuzzRandom *random) {
     draw->text = fuzzChance(random, 80) ? drawText : NULL;
 }
 
+/* Of as many vertices or materials as a mesh may have here (LIMITS in calls.py), and a few that it has not. */
+enum { NUMBERS = 48 };
+static void fill_Numbers(void *record, FuzzRandom *random) {
+    int *number = record;
+    for (int i = 0; i < NUMBERS; i++)
+        number[i] = fuzzChance(random, 98) ? (int)fuzzBelow(random, 64) : (int)fuzzInteger(random);
+}
+
 enum { ITERATOR = 64, RESULTS_BYTES = RESULTS * sizeof(McdIntersectResult) + MANY * sizeof(McdContact) };
 
 const FuzzRecordType fuzzRecords[] = {
@@ -125,7 +133,8 @@ const FuzzRecordType fuzzRecords[] = {
     RECORD(McdModel_, MANY * sizeof(McdModelID), fill_Nothing)
     RECORD(MeVector4_, sizeof(MeMatrix4Ptr), fill_Nothing)
     RECORD(char_, sizeof(char *), fill_Nothing)
-    RECORD(int, sizeof(int), fill_Nothing)
+    RECORD(int, NUMBERS * sizeof(int), fill_Numbers)
+    RECORD(unsigned_int, NUMBERS * sizeof(int), fill_Numbers)
     RECORD(MdtPartitionParams, sizeof(MdtPartitionParams), fill_MdtPartitionParams)
     RECORD(MdtReport, sizeof(MdtReport), fill_Nothing)
     RECORD(MeProfileTimerResult, sizeof(MeProfileTimerResult), fill_Nothing)

@@ -28,6 +28,8 @@ typedef struct McdMeshQuery McdMeshQuery; /* mcd_mesh_i.h */
 
 /* Adds the triangles that may be near the query's box. */
 typedef void (*McdMeshGather)(McdMeshQuery *q);
+/* The element at a point of the surface, in its frame, for a patch (McdMesh.isPatch); `element`: if there is none. */
+typedef McdElementData (*McdMeshElementAt)(const McdMeshQuery *q, const double place[3], McdElementData element);
 
 struct McdKind {
     int type; /* kMcdGeometryType...; not set for shapes that are no geometries, such as triangles */
@@ -61,8 +63,13 @@ struct McdKind {
 
     /* Surfaces of triangles: adds the triangles near a query's box. */
     McdMeshGather gather;
+    McdMeshElementAt elementAt;     /* of types that gather patches */
     MeBool callsProgram;            /* `gather` calls a function of the program */
     void (*update)(McdGeometry *g); /* for McdGeometryUpdate: reads the program's array again. May be null */
+    MeBool isStored;                /* triangles change only by `update`, which changes the record */
+
+    /* The material of an element; -1: the instance's. If element 0 has none, none has. May be null. */
+    int (*material)(const McdGeometry *g, int element);
 
     MeBool isHalfSpace; /* the half-space below z = 0 of its frame */
     MeBool isStatic;    /* usually fixed: no warning for two such types without an interaction */

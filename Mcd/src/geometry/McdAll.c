@@ -12,6 +12,7 @@ void MEAPI McdAllRegisterTypes(McdFramework *frame) {
     McdConvexMeshRegisterType(frame);
     McdTriangleListRegisterType(frame);
     McdRGHeightFieldRegisterType(frame);
+    McdMeshRegisterType(frame);
     McdAggregateRegisterType(frame);
 }
 
@@ -29,6 +30,8 @@ static void registerTerrain(McdFramework *frame) {
     McdConvexMeshRGHeightFieldRegisterInteraction(frame);
     McdConeRGHeightFieldRegisterInteraction(frame);
     McdRGHeightFieldLineSegmentRegisterInteraction(frame);
+    McdMeshRegisterInteractions(frame);
+    McdMeshLineSegmentRegisterInteraction(frame);
 }
 
 MeBool MEAPI McdAllRegisterInteractions(McdFramework *frame) {

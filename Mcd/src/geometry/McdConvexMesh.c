@@ -8,6 +8,7 @@
 #include "McdTriangleList.h"
 #include "convex/mcd_kind_i.h"
 #include "geometry/mcd_geometry_i.h"
+#include "geometry/mcd_moments_i.h"
 #include <string.h>
 
 static const McdConvexMesh *get(const McdGeometry *g) {
@@ -330,31 +331,7 @@ static void draw(const McdGeometry *g, const MeMatrix4 tm, const MeReal colour[3
         mcd_drawLine(tm, colour, h->vertex[h->edge[i][0]], h->vertex[h->edge[i][1]]);
 }
 
-/* ---- mass: integrals of 1, x and x x^T over each part ---------------------------------------- */
-
-typedef struct Moments {
-    double m, first[3], second[3][3];
-} Moments;
-
-/* Adds the symmetric part of w a b^T. */
-static void addSecondMoment(Moments *s, double w, const double a[3], const double b[3]) {
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            s->second[i][j] += w * (a[i] * b[j] + a[j] * b[i]) / 2;
-}
-
-/* Adds a simplex with n corners v and content m: first moment m/n sum v, second m/(n (n + 1)) (sum v v^T + (sum
- * v)(sum v)^T). */
-static void addSimplex(Moments *s, double m, const double (*corner)[3], int n) {
-    double sum[3] = {0, 0, 0};
-    for (int i = 0; i < n; i++) {
-        mcd_mad(sum, sum, 1, corner[i]);
-        addSecondMoment(s, m / (n * (n + 1)), corner[i], corner[i]);
-    }
-    s->m += m;
-    mcd_mad(s->first, s->first, m / n, sum);
-    addSecondMoment(s, m / (n * (n + 1)), sum, sum);
-}
+/* ---- mass -------------------------------------------------------------------------------------------------------- */
 
 /* A vertex relative to the hull's centre. */
 static void vertexAt(const McdHull *h, int vertex, double out[3]) {
@@ -362,7 +339,7 @@ static void vertexAt(const McdHull *h, int vertex, double out[3]) {
 }
 
 /* Adds the triangles of a face or, if isSolid, the tetrahedra that these form with the centre. */
-static void addFace(Moments *s, const McdHull *h, const McdHullFace *f, MeBool isSolid) {
+static void addFace(McdMoments *s, const McdHull *h, const McdHullFace *f, MeBool isSolid) {
     const int *v = h->faceVertex + f->first;
     for (int i = 1; i + 1 < f->count; i++) {
         double t[4][3] = {{0}}, u[3], w[3], n[3];
@@ -373,15 +350,15 @@ static void addFace(Moments *s, const McdHull *h, const McdHullFace *f, MeBool i
         mcd_sub(w, t[2], t[0]);
         mcd_cross(n, u, w);
         if (isSolid)
-            addSimplex(s, mcd_dot(n, t[0]) / 6, mcd_constRows(t), 4);
+            mcd_momentsAddSimplex(s, mcd_dot(n, t[0]) / 6, mcd_constRows(t), 4);
         else
-            addSimplex(s, mcd_dot(n, f->normal) / 2, mcd_constRows(t), 3);
+            mcd_momentsAddSimplex(s, mcd_dot(n, f->normal) / 2, mcd_constRows(t), 3);
     }
 }
 
 /* Adds the prism on a face: x = y + z n, y on the face, 0 <= z <= r. */
-static void addPrism(Moments *s, const McdHull *h, const McdHullFace *f, double r) {
-    Moments face = {0};
+static void addPrism(McdMoments *s, const McdHull *h, const McdHullFace *f, double r) {
+    McdMoments face = {0};
     addFace(&face, h, f, 0);
     s->m += r * face.m;
     mcd_mad(s->first, s->first, r, face.first);
@@ -389,13 +366,13 @@ static void addPrism(Moments *s, const McdHull *h, const McdHullFace *f, double 
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             s->second[i][j] += r * face.second[i][j];
-    addSecondMoment(s, r * r, face.first, f->normal);
-    addSecondMoment(s, face.m * r * r * r / 3, f->normal, f->normal);
+    mcd_momentsAddSecond(s, r * r, face.first, f->normal);
+    mcd_momentsAddSecond(s, face.m * r * r * r / 3, f->normal, f->normal);
 }
 
 /* Adds the sector at an edge: x = y + z n, y on the edge, 0 <= z <= r, n between the normals of both faces: n = a
  * cos t + b sin t, 0 <= t <= angle. Returns the angle. */
-static double addSector(Moments *s, const McdHull *h, int edge, double r) {
+static double addSector(McdMoments *s, const McdHull *h, int edge, double r) {
     double p[3], q[3], middle[3], along[3], side[3], b[3], normals[3];
     const double *a = h->face[h->edgeFace[edge][0]].normal, *other = h->face[h->edgeFace[edge][1]].normal;
     vertexAt(h, h->edge[edge][0], p);
@@ -413,12 +390,12 @@ static double addSector(Moments *s, const McdHull *h, int edge, double r) {
     s->m += length * disc;
     mcd_mad(s->first, s->first, length * disc, middle);
     mcd_mad(s->first, s->first, length * ring, normals);
-    addSecondMoment(s, length * disc, middle, middle);
-    addSecondMoment(s, length * disc / 12, along, along);
-    addSecondMoment(s, 2 * length * ring, middle, normals);
-    addSecondMoment(s, length * quarter * (angle / 2 + sin(2 * angle) / 4), a, a);
-    addSecondMoment(s, length * quarter * (angle / 2 - sin(2 * angle) / 4), b, b);
-    addSecondMoment(s, length * quarter * sin(angle) * sin(angle), a, b);
+    mcd_momentsAddSecond(s, length * disc, middle, middle);
+    mcd_momentsAddSecond(s, length * disc / 12, along, along);
+    mcd_momentsAddSecond(s, 2 * length * ring, middle, normals);
+    mcd_momentsAddSecond(s, length * quarter * (angle / 2 + sin(2 * angle) / 4), a, a);
+    mcd_momentsAddSecond(s, length * quarter * (angle / 2 - sin(2 * angle) / 4), b, b);
+    mcd_momentsAddSecond(s, length * quarter * sin(angle) * sin(angle), a, b);
     return angle;
 }
 
@@ -430,11 +407,11 @@ static double addSector(Moments *s, const McdHull *h, int edge, double r) {
  * and n n^T summed over all vertices is that of a whole sphere, (int 1)/3 I. Terms with int 1 are added here, corner
  * by corner. Terms with int n cancel between both ends of an edge, except int (v n^T + n v^T), which addSides adds
  * edge by edge. */
-static void addSolidAngle(Moments *s, const double v[3], double angle, double r) {
+static void addSolidAngle(McdMoments *s, const double v[3], double angle, double r) {
     const double ball = r * r * r / 3, fifth = r * r * r * r * r / 5;
     s->m += angle * ball;
     mcd_mad(s->first, s->first, angle * ball, v);
-    addSecondMoment(s, angle * ball, v, v);
+    mcd_momentsAddSecond(s, angle * ball, v, v);
     for (int k = 0; k < 3; k++)
         s->second[k][k] += fifth * angle / 3;
 }
@@ -450,7 +427,7 @@ static double angleAt(const McdHull *h, const int *corner, int count, int i) {
     return atan2(mcd_length(n), mcd_dot(p, q));
 }
 
-static void addCorners(Moments *s, const McdHull *h, double r) {
+static void addCorners(McdMoments *s, const McdHull *h, double r) {
     double v[3];
     for (int i = 0; i < h->vertexCount; i++) {
         vertexAt(h, i, v);
@@ -464,16 +441,16 @@ static void addCorners(Moments *s, const McdHull *h, double r) {
         }
 }
 
-static void addSides(Moments *s, const McdHull *h, int edge, double angle, double r) {
+static void addSides(McdMoments *s, const McdHull *h, int edge, double angle, double r) {
     double a[3], b[3], along[3];
     vertexAt(h, h->edge[edge][0], a);
     vertexAt(h, h->edge[edge][1], b);
     mcd_sub(along, b, a);
-    addSecondMoment(s, angle * r * r * r * r / 4 / mcd_length(along), along, along);
+    mcd_momentsAddSecond(s, angle * r * r * r * r / 4 / mcd_length(along), along, along);
 }
 
-static Moments momentsOf(const McdHull *h, double r) {
-    Moments s = {0};
+static McdMoments momentsOf(const McdHull *h, double r) {
+    McdMoments s = {0};
     for (int i = 0; i < h->faceCount; i++)
         addFace(&s, h, &h->face[i], 1);
     if (r > 0) {
@@ -489,18 +466,8 @@ static Moments momentsOf(const McdHull *h, double r) {
 
 static void addMass(const McdGeometry *g, McdMass *sum) {
     const McdHull *h = get(g)->hull;
-    Moments s = momentsOf(h, (double)get(g)->fatness);
-    double offset[3];
-    for (int k = 0; k < 3; k++)
-        offset[k] = s.first[k] / s.m;
-    mcd_mad(sum->centre, h->centre, 1, offset);
-    addSecondMoment(&s, -s.m, offset, offset);
-    sum->volume = s.m;
-    const double trace = s.second[0][0] + s.second[1][1] + s.second[2][2];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            sum->inertia[i][j] = (i == j ? trace : 0) - s.second[i][j];
-    MEASSERT(mcd_isInertiaGood(sum));
+    const McdMoments s = momentsOf(h, (double)get(g)->fatness);
+    mcd_momentsMass(&s, h->centre, sum);
 }
 
 MCD_DEFINE_GEOMETRY_TYPE(ConvexMesh, addMass)

@@ -107,6 +107,19 @@ MeBool MEAPI McdContactIsVertex(const McdContact *c, int side) {
     return isVertex(c, side);
 }
 
+unsigned int MEAPI McdContactGetMaterial(const McdContact *c, int side) {
+    if (!c || side < 0 || side > 1) {
+        MeWarning(1, "McdContactGetMaterial: %s", c ? "side must be 0, for the first model, or 1" : "no contact");
+        return 0;
+    }
+    const McdGeometryInstanceID ins = instanceOf(c, side);
+    if (!ins)
+        return 0;
+    const McdKind *kind = mcd_kindOf(ins->geometry);
+    const int own = kind && kind->material ? kind->material(ins->geometry, (side ? c->element2 : c->element1).tag) : -1;
+    return own >= 0 ? (unsigned int)own : mcd_instanceMaterial(ins);
+}
+
 void MEAPI McdContactGetExact(const McdContact *c, McdExactContact *exact) {
     MEASSERT(c && exact);
     positionOf(c, exact->position);

@@ -58,15 +58,19 @@ static MeBool usesGeometry(const McdGeometryInstance *ins, const McdGeometry *g)
     return ins->geometry == g;
 }
 
+void mcd_geometryMarkModels(McdGeometry *g) {
+    for (McdModelRecord *m = g->frame->firstModel; m; m = m->next)
+        if (usesGeometry(&m->instance, g))
+            mcd_modelMarkChanged(m);
+}
+
 void MEAPI McdGeometryUpdate(McdGeometryID g) {
     if (!checkLive(g, "McdGeometryUpdate"))
         return;
     const McdKind *kind = mcd_kindOf(g);
     if (kind && kind->update)
         kind->update(g);
-    for (McdModelRecord *m = g->frame->firstModel; m; m = m->next)
-        if (usesGeometry(&m->instance, g))
-            mcd_modelMarkChanged(m);
+    mcd_geometryMarkModels(g);
 }
 
 void mcd_modelMarkChanged(McdModelRecord *m) {

@@ -330,6 +330,8 @@ DEFINE_GETTER(McdGeometryType, McdModelGetGeometryType, m->instance.geometry->ty
 DEFINE_GETTER(MeBool, McdModelIsConvex, mcd_isConvex(&m->instance), MEFALSE)
 
 DEFINE_GETTER(MeBool, McdModelIsSurface, mcd_isSurface(&m->instance), MEFALSE)
+DEFINE_GETTER(MeBool, McdModelMayHaveMaterials, m->instance.firstChild || mcd_hasMaterials(m->instance.geometry),
+              MEFALSE)
 
 DEFINE_GETTER(McdGeometryInstanceID, McdModelGetGeometryInstance, &m->instance, 0)
 

@@ -98,6 +98,8 @@ void *mcd_geometryCreate(McdFramework *frame, McdGeometryType type, size_t size,
 MeBool mcd_geometryIs(McdGeometryID g, McdGeometryType type, const char *function);
 /* Whether the geometry belongs to the framework; warns if not. */
 MeBool mcd_geometryBelongs(McdGeometryID g, const McdFramework *frame, const char *function);
+/* Marks all models of the geometry, or of aggregates with it, as changed. */
+void mcd_geometryMarkModels(McdGeometry *g);
 /* Implements Mcd...Destroy of a type: McdGeometryDestroy for a live geometry of that type; ignores a geometry that
  * has been destroyed (mcd_mayDestroy). */
 void mcd_geometryDestroyAs(McdGeometryID g, McdGeometryType type, const char *function);
@@ -125,6 +127,12 @@ static inline MeBool mcd_isConvex(const McdGeometryInstance *ins) {
 static inline MeBool mcd_isSurface(const McdGeometryInstance *ins) {
     const McdKind *kind = mcd_kindOf(ins->geometry);
     return kind && kind->gather;
+}
+
+/* Whether its elements have materials of their own. */
+static inline MeBool mcd_hasMaterials(const McdGeometry *g) {
+    const McdKind *kind = mcd_kindOf(g);
+    return kind && kind->material && kind->material(g, 0) >= 0;
 }
 
 /* Registers a built-in type with a framework. */

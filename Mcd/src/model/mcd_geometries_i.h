@@ -63,6 +63,14 @@ struct McdRGHeightField { /* a grid along x and y with two triangles per cell; u
     MeU64 version;    /* counts updates */
 };
 
+typedef struct McdMeshRecord {
+    McdGeometry head;
+    struct McdMeshData *data; /* triangles and tree, which scaled copies share (mcd_mesh_data_i.h) */
+    MeVector3 scale;
+    MeVector3 low, high; /* of all triangles, scaled, at the last update */
+    MeU64 version;       /* counts updates */
+} McdMeshRecord;
+
 typedef struct McdAggregateElement {
     McdGeometryID geometry;
     MeMatrix4 relTM; /* relative to the aggregate */

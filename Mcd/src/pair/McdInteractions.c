@@ -77,7 +77,8 @@ MeBool mcd_instanceTypes(const McdGeometryInstance *ins, MeU64 *types) {
     enum { BITS = 63 }; /* one less than the word: shifts by 64 are undefined */
     const int type = ins->geometry->type;
     const McdKind *kind = mcd_kindOf(ins->geometry);
-    if ((ins->parent && ins->material >= 0) || type >= BITS || !kind || kind->callsProgram)
+    if ((ins->parent && ins->material >= 0) || type >= BITS || !kind || kind->callsProgram ||
+        mcd_hasMaterials(ins->geometry))
         return MEFALSE;
     *types |= (MeU64)1 << type;
     for (const McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)

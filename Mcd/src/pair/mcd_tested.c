@@ -4,12 +4,12 @@
  * model gets a new stamp (version) when a comparison finds any bit of these changed. A pair keeps the stamps of its
  * models at its last test, and their relative pose.
  *
- * Surfaces of triangles are arrays and callbacks of the program, which may change without a call. So a pair with a
- * surface is tested in each step while one of its models that may move is awake: 12 us for a box on a height field.
+ * Lists and height fields are arrays and callbacks of the program, which may change without a call. So a pair with one
+ * is tested in each step while one of its models that may move is awake: 12 us for a box on a height field.
  * While all of them sleep, only the stamps count; McdGeometryUpdate changes the stamp of a height field.
  *
- * Parts with their own material, and a program's own types, may depend on more: these are always tested. So are
- * triangle lists, and only by the thread that steps, since their callbacks are called.
+ * Parts and triangles with their own material, and a program's own types, may depend on more: these are always tested.
+ * So are triangle lists, and only by the thread that steps, since their callbacks are called.
  */
 #include "McdInternal.h"
 #include "model/mcd_geometries_i.h"
@@ -26,10 +26,10 @@ static void copyUnlessNull(MeVector3 to, const MeReal *from) {
 }
 
 /* Reads the parameters of a shape, apart from a program's arrays: its members, or a hash of them. False: its tests
- * may depend on more than that. */
+ * may depend on more than that, or its contacts have several materials. */
 static MeBool readParameters(const McdGeometry *g, MeU64 parameters[MCD_SHAPE_PARAMETERS]) {
     const McdKind *kind = mcd_kindOf(g);
-    if (!kind || kind->size == 0)
+    if (!kind || kind->size == 0 || mcd_hasMaterials(g))
         return MEFALSE;
     const char *members = (const char *)g + sizeof *g;
     const size_t bytes = kind->size - sizeof *g;
@@ -89,11 +89,12 @@ MeU64 mcd_modelNewStamp(McdModelRecord *m) {
     return ++m->lastStamp;
 }
 
+/* Whether the model or a part is a surface that may change without a call. */
 static MeBool hasSurface(const McdGeometryInstance *ins) {
     for (const McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)
         if (hasSurface(child))
             return METRUE;
-    return mcd_isSurface(ins);
+    return mcd_isSurface(ins) && !mcd_kindOf(ins->geometry)->isStored;
 }
 
 /* Stores changed inputs: makes new stamps, and updates the members of the record that are derived from the inputs. */

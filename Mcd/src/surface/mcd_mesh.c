@@ -29,7 +29,7 @@ MeU32 mcd_meshHash(MeU32 a, MeU32 b) {
     return h ^ h >> 13;
 }
 
-static MeU32 hashOfPoint(const double place[3]) {
+MeU32 mcd_meshHashOfPoint(const double place[3]) {
     MeU32 key = 1;
     for (int i = 0; i < 3; i++) {
         const double value = place[i] + 0.0; /* -0 becomes 0 */
@@ -76,7 +76,7 @@ void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *norma
         for (int k = 0; k < 3; k++)
             t->corner[i][k] =
                 q->place[k] + corner[i][0] * axis[0][k] + corner[i][1] * axis[1][k] + corner[i][2] * axis[2][k];
-        t->key[i] = hashOfPoint(corner[i]);
+        t->key[i] = mcd_meshHashOfPoint(corner[i]);
     }
     if (vertex)
         memcpy(t->vertex, vertex, sizeof t->vertex);
@@ -205,10 +205,23 @@ static MeBool beginQuery(McdMeshQuery *q, McdModelPair *p) {
 static void gatherTriangles(McdMeshQuery *q) {
     McdMesh *mesh = q->mesh;
     mesh->count = mesh->contactCount = mesh->skipped = mesh->vertexCount = 0;
+    mesh->isPatch = MEFALSE;
     mcd_kindOf(mcd_record(q->pair->model2)->instance.geometry)->gather(q);
     MEASSERT(q->mesh->count <= q->mesh->max && q->mesh->contactCount == 0);
     if (mesh->skipped)
         MeDebug(3, "McdIntersect: %d triangles without area were skipped", mesh->skipped);
+}
+
+/* The element of a contact's triangle; in a patch, of the triangle at the contact. */
+static McdElementData elementOf(const McdMeshQuery *q, const McdMeshContact *c) {
+    double offset[3], place[3];
+    if (!q->mesh->isPatch)
+        return c->element;
+    mcd_mad(offset, c->position, -c->separation / 2, c->normal);
+    mcd_sub(offset, offset, q->place);
+    for (int i = 0; i < 3; i++)
+        place[i] = mcd_dot(offset, q->axis[i]);
+    return mcd_kindOf(mcd_record(q->pair->model2)->instance.geometry)->elementAt(q, place, c->element);
 }
 
 static void addToResult(McdMeshQuery *q, McdIntersectResult *result) {
@@ -228,7 +241,7 @@ static void addToResult(McdMeshQuery *q, McdIntersectResult *result) {
         m.point[0].feature = c->feature;
         McdContact *added = mcd_resultAdd(result, &m, q->origin, ins1, ins2);
         if (added) {
-            added->element2 = c->element;
+            added->element2 = elementOf(q, c);
             added->dims = c->dims;
         }
     }

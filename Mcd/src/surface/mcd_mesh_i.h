@@ -57,6 +57,7 @@ typedef struct McdMesh {
     int *contactOrder;
     void *spots; /* array of McdSpot */
     int *kept;
+    MeBool isPatch;  /* the only triangle stands for coplanar ones without a border near the shape */
     int skipped;     /* number of triangles without area */
     int vertexCount; /* vertices that the geometry has numbered; 0: numbered by coordinates */
 } McdMesh;

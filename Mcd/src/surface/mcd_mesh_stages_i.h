@@ -18,6 +18,8 @@
 #define MCD_MESH_SAME_MANIFOLD .9998
 
 MeU32 mcd_meshHash(MeU32 a, MeU32 b);
+/* Equal for equal coordinates; -0 is 0. */
+MeU32 mcd_meshHashOfPoint(const double place[3]);
 
 static inline MeBool mcd_meshAreParallel(const double a[3], const double b[3]) {
     return mcd_distanceSquared(a, b) < MCD_MESH_RISES * MCD_MESH_RISES;

@@ -60,6 +60,7 @@ void mcd_scratchFreeAll(McdFramework *frame) {
         MeMemoryGive(scratch->contact);
         MeMemoryGive(scratch->choice);
         MeMemoryGive(scratch->manifold);
+        MeMemoryGive(scratch->number);
         MeMemoryGive(scratch);
     }
 }
@@ -87,6 +88,17 @@ MeBool mcd_scratchReserveTriangles(McdScratch *s, int count) {
         return MEFALSE;
     memset(s->triangle, 0, (size_t)count * sizeof *s->triangle);
     s->triangleRoom = count;
+    return METRUE;
+}
+
+MeBool mcd_scratchReserveNumbers(McdScratch *s, int used, int count) {
+    if (count <= s->numberRoom)
+        return METRUE;
+    const int room = MeMAX(count, 2 * s->numberRoom);
+    if (!MeMemoryGrow(&s->number, (size_t)used, (size_t)room, sizeof *s->number, "McdIntersect",
+                      "numbers of triangles"))
+        return MEFALSE;
+    s->numberRoom = room;
     return METRUE;
 }
 

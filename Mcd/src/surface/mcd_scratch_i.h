@@ -31,6 +31,8 @@ typedef struct McdScratch {
     int contactRoom;
     McdChildManifold *manifold; /* manifoldRoom elements */
     int manifoldRoom;
+    int *number; /* numberRoom numbers of triangles, for gather functions */
+    int numberRoom;
 } McdScratch;
 
 /* Acquires a scratch; null, after a fatal error that names the function, if there is no memory. Thread-safe. */
@@ -42,6 +44,7 @@ void mcd_scratchFreeAll(McdFramework *frame);
 /* Ensure room for `count` elements, keeping the first `used`; false, after a fatal error, if there is no memory. */
 MeBool mcd_scratchReserveContacts(McdScratch *scratch, int used, int count);
 MeBool mcd_scratchReserveTriangles(McdScratch *scratch, int count);
+MeBool mcd_scratchReserveNumbers(McdScratch *scratch, int used, int count);
 /* Keeps no elements. */
 MeBool mcd_scratchReserveManifolds(McdScratch *scratch, int count);
 

@@ -156,7 +156,7 @@ static inline MeBool mst_reserveOne(void *array, int count, int *max, size_t siz
 MstBridgeRecord *mst_bridgeCheck(MstBridgeID b, const char *function);
 /* The parameters of two materials; an unknown material counts as the default one. */
 MstMaterialPair *mst_materialPair(const MstBridgeRecord *b, MstMaterialID m1, MstMaterialID m2);
-/* The parameters at a contact: children of aggregates may have materials of their own. */
+/* The parameters at a contact: children of aggregates and triangles of meshes may have materials of their own. */
 MstMaterialPair *mst_materialsOf(const MstBridgeRecord *b, const McdContact *c);
 /* Adds a material: its pairs with itself and all earlier ones. False, after a fatal error: no memory. */
 MeBool mst_materialAdd(MstBridgeRecord *b, const char *function);

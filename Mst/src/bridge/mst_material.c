@@ -1,6 +1,6 @@
 /* The bridge's table of materials, and the check of its handle. */
+#include "McdContact.h"
 #include "McdFrame.h"
-#include "McdGeometryInstance.h"
 #include "McdInternal.h"
 #include "MeAssert.h"
 #include "MeInternal.h"
@@ -81,8 +81,7 @@ MstMaterialPair *mst_materialPair(const MstBridgeRecord *b, MstMaterialID m1, Ms
 }
 
 MstMaterialPair *mst_materialsOf(const MstBridgeRecord *b, const McdContact *c) {
-    return mst_materialPair(b, McdGeometryInstanceGetMaterial(c->instance1),
-                            McdGeometryInstanceGetMaterial(c->instance2));
+    return mst_materialPair(b, McdContactGetMaterial(c, 0), McdContactGetMaterial(c, 1));
 }
 
 unsigned long mst_materialVersion(MstBridgeRecord *b, MstMaterialPair *pair) {

@@ -9,8 +9,6 @@
  * programs go on to see their own.
  */
 #include "McdInternal.h"
-#include "McdGeometry.h"
-#include "McdGeometryTypes.h"
 #include "McdModel.h"
 #include "MdtBody.h"
 #include "MdtConstraint.h"
@@ -158,13 +156,8 @@ void mst_followMoved(MdtWorldID w, MeReal step) {
 
 /* ---- materials --------------------------------------------------------------------------------------------------- */
 
-/* Whether the model is an aggregate, whose children may have materials of their own. */
-static MeBool hasChildren(McdModelID m) {
-    return McdGeometryGetType(McdModelGetGeometry(m)) == kMcdGeometryTypeAggregate;
-}
-
 static MeBool mayUseMaterials(const MstBridgeRecord *b, const McdModelPair *p, const MstMaterialPair *materials) {
-    return hasChildren(p->model1) || hasChildren(p->model2) ||
+    return McdModelMayHaveMaterials(p->model1) || McdModelMayHaveMaterials(p->model2) ||
            mst_materialPair(b, McdModelGetMaterial(p->model1), McdModelGetMaterial(p->model2)) == materials;
 }
 
