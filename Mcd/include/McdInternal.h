@@ -124,8 +124,8 @@ typedef enum McdPairTrait {
  *  warning. */
 MEPUBLIC MeU32 MEAPI McdModelPairGetTraits(const McdModelPair *p, MeU32 material[2]);
 /** Whether the pair's test, including all parts of its models, calls no function of the program, and all its
- *  contacts have the models' materials. Never if a model is fast, unless both are convex models or planes, since the
- *  search for the time of impact queries the space. */
+ *  contacts have the models' materials. Never if a model is fast, unless both are convex models or planes: parts and
+ *  triangles may involve the program in the search for the time of impact. */
 MEPUBLIC MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p);
 /** McdIntersect of such a pair, without checks; its models must have been compared in this round. Returns as
  *  McdIntersect. */
@@ -155,13 +155,25 @@ typedef struct McdExactContact {
  *  call, without their checks: @a c must be a contact. */
 MEPUBLIC void MEAPI McdContactGetExact(const McdContact *c, McdExactContact *exact);
 
+/** @name Continuous motion
+ *  @{ */
+/** How a model moves: it turns about @a centre. World frame. */
+typedef struct McdMotion {
+    MeVector3 centre, velocity, spin; /**< m, m/s, rad/s */
+    MeVector3 acceleration;           /**< m/s², of the centre, unless contacts hold it */
+    MeReal spinRate;                  /**< rad/s², >= 0: how fast the spin may change, which is not known */
+} McdMotion;
+/** s, at most @a maxTime: how long a fast pair may move before the impact of any of their parts: the time at which parts
+ *  touch that are now farther apart than the fast margin; for nearer ones, if @a isHeld, the time until they are deeper
+ *  than now by that margin, since their contacts hold them; without isHeld these are no obstacle. Parts are convex
+ *  shapes, planes and triangles. What recedes, slides along or comes nearer so slowly that contacts cope is no impact. Of
+ *  types with interactions of the program, what McdSafeTime says, unless they touch. maxTime: there is none. */
+MEPUBLIC MeReal MEAPI McdModelPairImpactTime(McdModelPair *p, const McdMotion motion[2], MeReal maxTime, MeBool isHeld);
+/** @} */
+
 /** @name Kinds of geometries
  *  MEFALSE, with a warning, if it is not a model.
  *  @{ */
-/** Whether it is a single convex shape, which can be cast (McdSpaceCastGeometry). */
-MEPUBLIC MeBool MEAPI McdModelIsConvex(McdModelID cm);
-/** Whether it is a surface of triangles, which McdSafeTime does not support. */
-MEPUBLIC MeBool MEAPI McdModelIsSurface(McdModelID cm);
 /** Whether parts or triangles of it may have materials of their own. */
 MEPUBLIC MeBool MEAPI McdModelMayHaveMaterials(McdModelID cm);
 /** @} */

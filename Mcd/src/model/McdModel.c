@@ -327,9 +327,6 @@ void MEAPI McdModelSetGeometry(McdModelID cm, McdGeometryID g) {
 
 DEFINE_GETTER(McdGeometryType, McdModelGetGeometryType, m->instance.geometry->type, (McdGeometryType)-1)
 
-DEFINE_GETTER(MeBool, McdModelIsConvex, mcd_isConvex(&m->instance), MEFALSE)
-
-DEFINE_GETTER(MeBool, McdModelIsSurface, mcd_isSurface(&m->instance), MEFALSE)
 DEFINE_GETTER(MeBool, McdModelMayHaveMaterials, m->instance.firstChild || mcd_hasMaterials(m->instance.geometry),
               MEFALSE)
 

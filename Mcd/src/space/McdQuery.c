@@ -327,6 +327,7 @@ static void castOntoShape(Cast *c, McdModelID cm, McdGeometryInstance *child, co
 
 typedef struct MeshCast {
     Cast *cast;
+    McdMeshPath *path;
     McdModelID model;
     McdGeometryInstance *child;
 } MeshCast;
@@ -341,50 +342,19 @@ static MeBool visitTriangle(void *context, const McdMeshTriangle *t, const McdSh
     const MeBool isFromBehind = !(t->flags & kMcdTriangleTwoSided) && mcd_dot(t->normal, c->by) > 0;
     if (!isFromBehind || (fraction == 0 && hit.gap.distance < -touchingGap(c)))
         keepFirstHit(c, m->model, &hit, fraction);
+    m->path->last = c->fraction;
     return METRUE;
 }
 
-/* Computes the interval of the motion, *enter to *leave, in which the shape's box overlaps the mesh's box; false if
- * there is none. */
-static MeBool clipToMeshBox(const Cast *c, McdGeometryInstance *child, double *enter, double *leave) {
-    double low[3], high[3];
-    mcd_meshBounds(child, c->q.origin, low, high);
-    *enter = 0;
-    *leave = c->fraction;
-    for (int i = 0; i < 3; i++) {
-        const double from = low[i] - (c->q.max[i] - c->q.origin[i]) - touchingGap(c);
-        const double to = high[i] - (c->q.min[i] - c->q.origin[i]) + touchingGap(c);
-        if (c->by[i] == 0 && (from > 0 || to < 0))
-            return MEFALSE;
-        if (c->by[i] == 0)
-            continue;
-        *enter = fmax(*enter, fmin(from / c->by[i], to / c->by[i]));
-        *leave = fmin(*leave, fmax(from / c->by[i], to / c->by[i]));
-    }
-    return *enter <= *leave;
-}
-
-/* Casts onto the triangles near the motion. The motion is divided into pieces, so that the box around each contains
- * few triangles that are far from the swept shape. */
 static void castMesh(Cast *c, McdModelID cm, McdGeometryInstance *child) {
-    enum { MAX_PIECES = 64 };
-    MeshCast m = {c, cm, child};
-    double enter, leave;
-    if (!clipToMeshBox(c, child, &enter, &leave))
-        return;
-    const double length = mcd_length(c->by) * (leave - enter);
-    const int pieces = mcd_floorBetween(length / (2 * c->q.shape.extent), 1, MAX_PIECES);
-    for (int n = 0; n < pieces; n++) {
-        const double from = enter + (leave - enter) * n / pieces, to = enter + (leave - enter) * (n + 1) / pieces;
-        double low[3], high[3];
-        if (from > c->fraction)
-            return;
-        for (int i = 0; i < 3; i++) {
-            low[i] = c->q.min[i] - c->q.origin[i] + fmin(from * c->by[i], to * c->by[i]) - touchingGap(c);
-            high[i] = c->q.max[i] - c->q.origin[i] + fmax(from * c->by[i], to * c->by[i]) + touchingGap(c);
-        }
-        mcd_meshForEachNear(child, c->q.self, c->q.origin, low, high, visitTriangle, &m);
+    McdMeshPath path = {.last = c->fraction};
+    MeshCast m = {c, &path, cm, child};
+    for (int i = 0; i < 3; i++) {
+        path.low[i] = c->q.min[i] - c->q.origin[i] - touchingGap(c);
+        path.high[i] = c->q.max[i] - c->q.origin[i] + touchingGap(c);
+        path.by[i] = c->by[i];
     }
+    mcd_meshForEachAlong(child, c->q.self, c->q.origin, &path, visitTriangle, &m);
 }
 
 /* ---- casts onto models */

@@ -101,6 +101,16 @@ void mcd_meshBounds(McdGeometryInstance *ins, const double origin[3], double low
 typedef MeBool (*McdMeshVisit)(void *context, const McdMeshTriangle *t, const McdShape *triangle);
 void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const double origin[3], const double low[3],
                          const double high[3], McdMeshVisit visit, void *context);
+/* A box that moves without rotation from time 0 to `last`, which a visit may shorten; in units of which `by` is the
+ * displacement in one. */
+typedef struct McdMeshPath {
+    double low[3], high[3], by[3], last; /* relative to the origin, at time 0 */
+    double from, to;                     /* of the piece that is visited */
+} McdMeshPath;
+/* mcd_meshForEachNear for the path of a box, in pieces one after the other, so that the box around each contains few
+ * triangles that are far from it. A triangle may be visited in several pieces. */
+void mcd_meshForEachAlong(McdGeometryInstance *ins, McdModelID asker, const double origin[3], McdMeshPath *path,
+                          McdMeshVisit visit, void *context);
 /* The signed distance of a convex shape from another part of a model, the nearest points and the normal (to the shape);
  * INFINITY: the part is a surface without triangles within reach. */
 typedef struct McdGap {

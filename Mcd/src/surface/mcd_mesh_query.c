@@ -1,4 +1,4 @@
-/* The triangles of a surface near a box, and the distance of a convex shape from any part of a model: for queries,
+/* The triangles of a surface near a box or its path, and the distance of a convex shape from any part of a model: for queries,
  * which treat each triangle as a convex shape of its own. */
 #include "convex/mcd_kind_i.h"
 #include "surface/mcd_scratch_i.h"
@@ -78,6 +78,48 @@ void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const doubl
         goesOn = visit(context, &q.mesh->triangle[i], &shape);
     }
     mcd_scratchRelease(frame, q.scratch);
+}
+
+/* Sets the interval of the motion in which the box overlaps the mesh's; false if there is none. */
+static MeBool clipToMesh(McdGeometryInstance *ins, const double origin[3], const McdMeshPath *path, double *enter,
+                         double *leave) {
+    double low[3], high[3];
+    mcd_meshBounds(ins, origin, low, high);
+    *enter = 0;
+    *leave = path->last;
+    for (int i = 0; i < 3; i++) {
+        const double from = low[i] - path->high[i], to = high[i] - path->low[i];
+        if (path->by[i] == 0 && (from > 0 || to < 0))
+            return MEFALSE;
+        if (path->by[i] == 0)
+            continue;
+        *enter = fmax(*enter, fmin(from / path->by[i], to / path->by[i]));
+        *leave = fmin(*leave, fmax(from / path->by[i], to / path->by[i]));
+    }
+    return *enter <= *leave;
+}
+
+void mcd_meshForEachAlong(McdGeometryInstance *ins, McdModelID asker, const double origin[3], McdMeshPath *path,
+                          McdMeshVisit visit, void *context) {
+    enum { MAX_PIECES = 64 };
+    double enter, leave, size[3];
+    if (!clipToMesh(ins, origin, path, &enter, &leave))
+        return;
+    mcd_sub(size, path->high, path->low);
+    const double longest = fmax(size[0], fmax(size[1], size[2]));
+    const int pieces = mcd_floorBetween(mcd_length(path->by) * (leave - enter) / longest, 1, MAX_PIECES);
+    for (int n = 0; n < pieces; n++) {
+        double low[3], high[3];
+        path->from = enter + (leave - enter) * n / pieces;
+        path->to = enter + (leave - enter) * (n + 1) / pieces;
+        if (path->from > path->last)
+            return;
+        for (int i = 0; i < 3; i++) {
+            low[i] = path->low[i] + fmin(path->from * path->by[i], path->to * path->by[i]);
+            high[i] = path->high[i] + fmax(path->from * path->by[i], path->to * path->by[i]);
+        }
+        mcd_meshForEachNear(ins, asker, origin, low, high, visit, context);
+    }
 }
 
 /* ---- distances --------------------------------------------------------------------------------------------------- */

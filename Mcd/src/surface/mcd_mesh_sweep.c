@@ -22,7 +22,8 @@ static double heightOver(const McdMeshTriangle *t, const double point[3]) {
 static void nearestOnSegment(const double point[3], const double from[3], const double to[3], double nearest[3]) {
     double along[3];
     mcd_sub(along, to, from);
-    mcd_mad(nearest, from, MeCLAMP(mcd_heightOver(point, from, along) / mcd_dot(along, along), 0, 1), along);
+    const double square = mcd_dot(along, along), height = mcd_heightOver(point, from, along);
+    mcd_mad(nearest, from, square > 0 ? MeCLAMP(height / square, 0, 1) : 0, along);
 }
 
 static MeBool isOver(const McdMeshTriangle *t, const double point[3]) {
@@ -74,7 +75,7 @@ static double distanceToSurface(const McdMeshQuery *q, const double point[3], do
 /* If the surface falls away below the contact: tilts the contact's normal to that of the chord, from the ball's
  * place to where it touches the surface after its displacement. */
 static void followSurface(const McdMeshQuery *q, McdMeshContact *c) {
-    double displacement[3], end[3], nearest[3], chord[3];
+    double displacement[3], end[3], nearest[3], chord[3], tilted[3];
     mcd_mad(displacement, q->displacement, -mcd_dot(q->displacement, c->normal), c->normal);
     mcd_mad(end, q->shape.place, 1, displacement);
     const double distance = distanceToSurface(q, end, nearest);
@@ -83,8 +84,12 @@ static void followSurface(const McdMeshQuery *q, McdMeshContact *c) {
         return;
     mcd_sub(chord, nearest, end);
     mcd_mad(chord, displacement, drop / distance, chord);
-    mcd_mad(c->normal, c->normal, -mcd_dot(c->normal, chord) / mcd_dot(chord, chord), chord);
-    mcd_scale(c->normal, c->normal, 1 / mcd_length(c->normal));
+    const double square = mcd_dot(chord, chord);
+    mcd_mad(tilted, c->normal, square > 0 ? -mcd_dot(c->normal, chord) / square : 0, chord);
+    const double length = mcd_length(tilted);
+    if (!(length > MCD_MESH_RISES)) /* the chord is along the normal: the ball does not move on */
+        return;
+    mcd_scale(c->normal, tilted, 1 / length);
     mcd_mad(c->position, q->shape.place, -(q->shape.rounding + c->separation / 2), c->normal);
 }
 

@@ -960,6 +960,26 @@ void MEAPI MdtBodyDisableCoriolisForce(const MdtBodyID b) {
     setKeaFlag(b, MdtKeaBodyFlagAddCoriolisForce, MEFALSE);
 }
 
+/* In the rest of a step the last part's forces go on (mdt_forceContinue). */
+void MEAPI MdtBodyGetFreeAcceleration(const MdtBodyID b, MeVector3 a) {
+    MDT_NEED_BODY(b, );
+    const MdtForces *f = mdt_forcesOf(b);
+    const MeBool isAwake = (b->record.flags & MDT_ENABLED) != 0;
+    for (int i = 0; i < 3; i++) {
+        const double force = f->load[0][i] + (b->lag > 0 ? f->lastLoad[0][i] : 0);
+        a[i] = isAwake ? mdt_real((double)b->world->params.gravity[i] + force * b->kea.invMass) : 0;
+    }
+}
+
+/* Euler's equation: I dw/dt = L x w. */
+MeReal MEAPI MdtBodyGetFreeSpinRate(const MdtBodyID b) {
+    MDT_NEED_BODY(b, 0);
+    const double *moments = b->kea.moments;
+    double torque[3];
+    keaCross(torque, b->kea.angularMomentum, b->spin);
+    return mdt_real(sqrt(keaDot(torque, torque)) / fmin(moments[0], fmin(moments[1], moments[2])));
+}
+
 BODY_GETTER(MeBool, MdtBodyCoriolisForceIsEnabled, 0, (b->kea.flags & MdtKeaBodyFlagAddCoriolisForce) != 0)
 
 /* ---- forces ---- */

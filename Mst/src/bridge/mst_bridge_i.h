@@ -64,7 +64,7 @@ typedef struct MstFinding {
     MeBool hasInteraction; /* MST_TESTED: the geometry types have an interaction, which has found the contacts */
     int first, count;      /* MST_TESTED: the contacts found, a range of MstRun.found */
     MeReal separation;     /* m, the least separation of these contacts */
-    MeReal timeToTouch;    /* s, mst_timeToTouch; MST_UNKNOWN: not computed */
+    MeReal timeToImpact;   /* s, mst_timeToImpact; MST_UNKNOWN: not computed */
     MstTouch *updated;     /* the pair's touch if mst_updatePair has done all but append it to the lists; else null */
     MeBool isUndecided;    /* with `updated`: the touch is undecided */
 } MstFinding;

@@ -186,11 +186,11 @@ static void handleCollisions(MstBridgeRecord *record, McdModelPairContainer *pai
     for (int i = pairs->helloFirst; i < pairs->stayingEnd;) {
         if (record->substep > 0)
             placeMover(record, pairs->array[i]);
-        i += mst_handlePairsByWorkers(record, &pairs->array[i], pairs->stayingEnd - i, s, w);
+        i += mst_handlePairsByWorkers(record, &pairs->array[i], pairs->stayingEnd - i, w);
         if (i == pairs->stayingEnd)
             break;
-        i += mst_collideRun(record, &record->run, &pairs->array[i], pairs->stayingEnd - i, s);
-        mst_commitRun(record, &record->run, s, w);
+        i += mst_collideRun(record, &record->run, &pairs->array[i], pairs->stayingEnd - i);
+        mst_commitRun(record, &record->run, w);
     }
 }
 

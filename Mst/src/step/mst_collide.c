@@ -242,7 +242,7 @@ static MstOutcome outcomeOfModels(const MstBridgeRecord *b, const McdModelPair *
     return p->touch || p->responseData ? MST_TO_REMOVE : MST_NOTHING;
 }
 
-static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p, McdSpaceID s) {
+static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p) {
     MEASSERT(run->pairCount < MST_RUN);
     MstFinding *f = &run->finding[run->pairCount++];
     MeU32 material[2];
@@ -251,10 +251,10 @@ static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p, 
     f->isFast = (traits & McdPairIsFast) != 0;
     f->updated = 0;
     f->count = 0;
-    f->timeToTouch = MST_UNKNOWN;
+    f->timeToImpact = MST_UNKNOWN;
     f->outcome = outcomeOfModels(b, p, traits);
     if (f->outcome == MST_TO_WAIT)
-        f->timeToTouch = mst_timeToTouch(b, p, s);
+        f->timeToImpact = mst_timeToImpact(b, p, METRUE);
     if (f->outcome != MST_TO_TEST)
         return;
     f->materials = mst_materialPair(b, material[0], material[1]);
@@ -265,8 +265,8 @@ static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p, 
     f->outcome = MST_TESTED;
     testPlainPair(b, run, f);
     McdModelPairStoreGap(p, f->count == 0 ? run->result.apart : 0);
-    if (f->count == 0 && f->isFast)
-        f->timeToTouch = mst_timeToTouch(b, p, s);
+    if (f->isFast)
+        f->timeToImpact = mst_timeToImpact(b, p, METRUE);
 }
 
 /* The maximum number of pairs in a run. In the first sub-step, pairs are independent of each other's commits. In later
@@ -277,14 +277,14 @@ static int maxPairsOfRun(const MstBridgeRecord *b) {
 
 /* All pairs are collided before any is updated: the code of both together exceeds an instruction cache of 32 kB, and
  * would be loaded again for each pair. */
-int mst_collideRun(const MstBridgeRecord *b, MstRun *run, McdModelPair *const pairs[], int count, McdSpaceID s) {
+int mst_collideRun(const MstBridgeRecord *b, MstRun *run, McdModelPair *const pairs[], int count) {
     const int max = MeMIN(count, maxPairsOfRun(b));
     run->pairCount = run->foundCount = 0;
     while (run->pairCount < max && run->foundCount + run->contactMax <= run->foundMax) {
         const int i = run->pairCount;
         mst_prefetchModels(pairs, i, count);
         prefetchContacts(pairs, i, count);
-        collidePair(b, run, pairs[i], s);
+        collidePair(b, run, pairs[i]);
         if (run->finding[i].outcome == MST_TO_TEST || run->finding[i].outcome == MST_TO_SENSE)
             break;
     }

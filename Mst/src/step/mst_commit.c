@@ -197,30 +197,30 @@ static void recordTestOf(MstBridgeRecord *b, const MstFinding *f, int numContact
 }
 
 /* After a test: updates the pair's touch, records the test, and sets safe times of fast bodies. */
-static void recordTestAndTouch(MstBridgeRecord *b, const MstFinding *f, McdSpaceID s, MdtWorldID w) {
+static void recordTestAndTouch(MstBridgeRecord *b, const MstFinding *f, MdtWorldID w) {
     const MdtContactGroupID group = f->pair->responseData;
     const int numContacts = group ? MdtContactGroupGetCount(group) : 0;
     mst_touchCommitTested(b, f->pair, numContacts, f->count, f->separation);
     recordTestOf(b, f, numContacts);
-    mst_clampFastPair(b, f, f->count > 0, s, w);
+    mst_clampFastPair(b, f, numContacts > 0, w);
 }
 
 /* ---- pairs ------------------------------------------------------------------------------------------------------- */
 
-static void commitTested(MstBridgeRecord *b, const MstRun *run, const MstFinding *f, McdSpaceID s, MdtWorldID w) {
+static void commitTested(MstBridgeRecord *b, const MstRun *run, const MstFinding *f, MdtWorldID w) {
     if (f->hasInteraction)
         commitContacts(b, run, f, w);
-    recordTestAndTouch(b, f, s, w);
+    recordTestAndTouch(b, f, w);
 }
 
-static void testAndCommit(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpaceID s, MdtWorldID w) {
+static void testAndCommit(MstBridgeRecord *b, MstRun *run, MstFinding *f, MdtWorldID w) {
     mst_testPair(b, run, f);
     if (f->hasInteraction && !McdModelPairIsLeaving(f->pair))
         commitWithCallbacks(b, run, f, w);
     if (mst_hasCallback(f->materials))
         mst_beginRound(b); /* callbacks may have changed any input */
     if (!McdModelPairIsLeaving(f->pair))
-        recordTestAndTouch(b, f, s, w);
+        recordTestAndTouch(b, f, w);
 }
 
 /* An overlap with a sensor gives an event, but no contacts. Two sensors do not detect each other. */
@@ -241,7 +241,7 @@ static void removeContacts(McdModelPair *p) {
     McdModelPairForgetTest(p);
 }
 
-static void commitPair(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpaceID s, MdtWorldID w) {
+static void commitPair(MstBridgeRecord *b, MstRun *run, MstFinding *f, MdtWorldID w) {
     if (f->updated) {
         mst_touchList(&b->events, f->updated, f->isUndecided);
         return;
@@ -256,10 +256,10 @@ static void commitPair(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpaceI
         carryContacts(b, f);
         return;
     case MST_TESTED:
-        commitTested(b, run, f, s, w);
+        commitTested(b, run, f, w);
         return;
     case MST_TO_TEST:
-        testAndCommit(b, run, f, s, w);
+        testAndCommit(b, run, f, w);
         return;
     case MST_TO_REMOVE:
         removeContacts(f->pair);
@@ -273,7 +273,7 @@ static void commitPair(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpaceI
     }
 }
 
-void mst_commitRun(MstBridgeRecord *b, MstRun *run, McdSpaceID s, MdtWorldID w) {
+void mst_commitRun(MstBridgeRecord *b, MstRun *run, MdtWorldID w) {
     for (int i = 0; i < run->pairCount; i++)
-        commitPair(b, run, &run->finding[i], s, w);
+        commitPair(b, run, &run->finding[i], w);
 }

@@ -27,6 +27,7 @@
 #include "MdtBody.h"
 #include "MdtContact.h"
 #include "MdtContactGroup.h"
+#include "MdtInternal.h"
 #include "MdtWorld.h"
 #include "MeAssert.h"
 #include "MeMessage.h"
@@ -58,41 +59,8 @@ static void clampBody(MstBridgeRecord *b, MdtBodyID body, MeReal time) {
 
 /* ---- time of impact -------------------------------------------------------------------------------------------- */
 
-static int MEAPI isSameModel(McdModelID m, void *other) {
-    return m == (McdModelID)other;
-}
-
-static void addLinearDisplacement(MeVector3 displacement, McdModelID m, MeReal time) {
-    const MeReal *velocity = McdModelGetLinearVelocityPtr(m);
-    for (int i = 0; velocity && i < 3; i++)
-        displacement[i] += time * velocity[i];
-}
-
-/* The time until a convex shape touches a surface of triangles, which McdSafeTime does not support: the shape is cast
- * along its displacement, without rotation, and stopped 1/STOP of its radius before the surface. */
-static MeReal timeToSurface(McdModelID shape, McdModelID surface, McdSpaceID s, MeReal max) {
-    enum { STOP = 1000 };
-    McdCastResult hit;
-    MeVector3 displacement = {0, 0, 0}, centre;
-    MeReal radius;
-    addLinearDisplacement(displacement, shape, max);
-    addLinearDisplacement(displacement, surface, -max);
-    const MeReal length = MeVector3Magnitude(displacement);
-    if (!(length > 0) ||
-        !McdSpaceCastGeometry(s, McdModelGetGeometry(shape), (const MeVector4 *)McdModelGetPlace(shape), displacement,
-                              isSameModel, surface, &hit))
-        return max;
-    McdModelGetBSphere(shape, centre, &radius);
-    MEASSERT(hit.fraction >= 0 && hit.fraction <= 1);
-    return MeMAX(hit.fraction - radius / (STOP * length), 0) * max;
-}
-
 static MeReal lagOf(MdtBodyID body) {
     return body ? MdtBodyGetLag(body) : 0;
-}
-
-static MeReal fastMarginOf(const McdModelPair *p) {
-    return MeMAX(McdModelGetFastMargin(p->model1), McdModelGetFastMargin(p->model2));
 }
 
 /* s, the time that the pair's bodies move in this sub-step. */
@@ -100,34 +68,32 @@ static MeReal remainingTime(const MstBridgeRecord *b, const McdModelPair *p) {
     return b->substep == 0 ? b->ahead : mst_pairLag(p);
 }
 
-MeReal mst_timeToTouch(const MstBridgeRecord *b, McdModelPair *p, McdSpaceID s) {
-    const MeReal max = remainingTime(b, p);
-    McdSafeTimeResult safe;
-    if (McdModelIsSurface(p->model2) && McdModelIsConvex(p->model1))
-        return timeToSurface(p->model1, p->model2, s, max);
-    if (McdModelIsSurface(p->model1) && McdModelIsConvex(p->model2))
-        return timeToSurface(p->model2, p->model1, s, max);
-    return McdSafeTime(p, max, &safe) ? safe.time : max;
+static void copyVector(MeVector3 to, const MeReal *from) {
+    for (int i = 0; i < 3; i++)
+        to[i] = from ? from[i] : 0;
 }
 
-static MeReal maxApproachSpeed(const McdModelPair *p) {
-    const MdtContactGroupID group = p->responseData;
-    MdtContactID c = group ? MdtContactGroupGetFirstContact(group) : 0;
-    MeReal max = 0;
-    for (; c; c = MdtContactGroupGetNextContact(group, c)) {
-        MeVector3 position, normal;
-        MdtContactGetPosition(c, position);
-        mst_normalOf(p, c, normal);
-        max = MeMAX(max, mst_approachSpeedAt(p, position, normal));
-    }
-    return max;
+static McdMotion motionOf(McdModelID m) {
+    McdMotion motion;
+    const MdtBodyID body = mst_bodyOf(m), freeBody = mst_freeBodyOf(m);
+    copyVector(motion.centre, body ? MdtBodyGetCenterOfMassTransformPtr(body)[3] : McdModelGetPlace(m)[3]);
+    copyVector(motion.velocity, McdModelGetLinearVelocityPtr(m));
+    copyVector(motion.spin, McdModelGetAngularVelocityPtr(m));
+    copyVector(motion.acceleration, 0);
+    motion.spinRate = freeBody ? MdtBodyGetFreeSpinRate(freeBody) : 0;
+    if (freeBody)
+        MdtBodyGetFreeAcceleration(freeBody, motion.acceleration);
+    return motion;
 }
 
-/* s: a pair that closes fast enough gets a sub-step of its own for the impact, twice as long as the time to close the
- * gap; the motion after the impact is computed in the next one. Sliding and resting pairs: max. */
-static MeReal timeOfImpact(const McdModelPair *p, MeReal max) {
-    const MeReal approach = maxApproachSpeed(p), margin = fastMarginOf(p);
-    return approach * max > 4 * margin ? 2 * margin / approach : max;
+/* Contacts of a large partition are left to its step, as each sub-step would solve it anew. */
+static MeBool areContactsTimed(const McdModelPair *p) {
+    return !mst_isInLargeIsland(mst_bodyOf(p->model1)) && !mst_isInLargeIsland(mst_bodyOf(p->model2));
+}
+
+MeReal mst_timeToImpact(const MstBridgeRecord *b, McdModelPair *p, MeBool isHeld) {
+    const McdMotion motion[2] = {motionOf(p->model1), motionOf(p->model2)};
+    return McdModelPairImpactTime(p, motion, remainingTime(b, p), isHeld && areContactsTimed(p));
 }
 
 /* s: the shortest sub-step. In it, a body moves hardly farther than its speculative margin: 1 % of its size at a speed
@@ -155,16 +121,12 @@ static void clampPair(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w, MeReal 
         clampBody(b, body2, time);
 }
 
-void mst_clampFastPair(MstBridgeRecord *b, const MstFinding *f, MeBool hasContacts, McdSpaceID s, MdtWorldID w) {
+void mst_clampFastPair(MstBridgeRecord *b, const MstFinding *f, MeBool isHeld, MdtWorldID w) {
     McdModelPair *p = f->pair;
     if (!f->isFast)
         return;
-    if (hasContacts && (mst_isInLargeIsland(mst_bodyOf(p->model1)) || mst_isInLargeIsland(mst_bodyOf(p->model2))))
-        return;
     const MeReal max = remainingTime(b, p);
-    const MeReal time = hasContacts                     ? timeOfImpact(p, max)
-                        : f->timeToTouch != MST_UNKNOWN ? f->timeToTouch
-                                                        : mst_timeToTouch(b, p, s);
+    const MeReal time = f->timeToImpact != MST_UNKNOWN ? f->timeToImpact : mst_timeToImpact(b, p, isHeld);
     MEASSERT(time >= 0 && time <= max);
     if (isWorthClamping(b, time, max))
         clampPair(b, p, w, MeMAX(time, minSubstep(b)));
@@ -210,8 +172,8 @@ MeBool mst_mustClampLagging(const McdModelPair *p) {
 }
 
 void mst_clampLaggingBody(MstBridgeRecord *b, const MstFinding *f) {
-    MEASSERT(f->timeToTouch != MST_UNKNOWN);
-    clampBody(b, mst_bodyOf(laggingModel(f->pair)), f->timeToTouch);
+    MEASSERT(f->timeToImpact != MST_UNKNOWN);
+    clampBody(b, mst_bodyOf(laggingModel(f->pair)), f->timeToImpact);
 }
 
 /* Makes one more sub-step. Returns 0 if no body can advance. */

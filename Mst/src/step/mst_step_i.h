@@ -57,14 +57,14 @@ void mst_runTerm(MstRun *run);
 void mst_stampModelsByWorkers(MstBridgeRecord *b, int count, McdSpaceID s, MdtWorldID w);
 /* Collides by the workers and commits the first pairs of an array; returns their number. 0: there are no workers, or
  * the first pair involves a function of the program or a sensor. */
-int mst_handlePairsByWorkers(MstBridgeRecord *b, McdModelPair *const pairs[], int count, McdSpaceID s, MdtWorldID w);
+int mst_handlePairsByWorkers(MstBridgeRecord *b, McdModelPair *const pairs[], int count, MdtWorldID w);
 void mst_workersTerm(MstBridgeRecord *b);
 
 /* ---- collide (mst_collide.c) ------------------------------------------------------------------------------------- */
 
 /* Collides and updates pairs from the start of the array until the run is full or a pair has to be tested in the commit
  * stage; returns how many pairs it has handled. */
-int mst_collideRun(const MstBridgeRecord *b, MstRun *run, McdModelPair *const pairs[], int count, McdSpaceID s);
+int mst_collideRun(const MstBridgeRecord *b, MstRun *run, McdModelPair *const pairs[], int count);
 /* Prefetches pairs that follow pairs[i] (`count` pairs in all), and their models. */
 void mst_prefetchModels(McdModelPair *const pairs[], int i, int count);
 /* Tests a pair and writes the run's result. False: their geometry types have no interaction. */
@@ -99,7 +99,7 @@ void mst_recordTest(const MstFinding *f, int numContacts, unsigned long version)
 /* ---- commit (mst_commit.c) --------------------------------------------------------------------------------------- */
 
 /* Commits the findings of a run, in order. */
-void mst_commitRun(MstBridgeRecord *b, MstRun *run, McdSpaceID s, MdtWorldID w);
+void mst_commitRun(MstBridgeRecord *b, MstRun *run, MdtWorldID w);
 /* Joins the pair's bodies into one partition, even without contacts. */
 void mst_joinPartitions(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w);
 /* True if both models have the same body: they make no contacts. */
@@ -113,13 +113,14 @@ static inline MeBool mst_isOneBody(const McdModelPair *p) {
 MeBool mst_mayCollide(const McdModelPair *p);
 /* Whether the pair's lagging body, which may not get contacts, has to stop before it touches the other one. */
 MeBool mst_mustClampLagging(const McdModelPair *p);
-/* s: a safe time in which a pair without contacts does not touch, at most the time that its bodies move in this
- * sub-step. */
-MeReal mst_timeToTouch(const MstBridgeRecord *b, McdModelPair *p, McdSpaceID s);
-/* Limits the safe time of the pair's lagging body to the finding's timeToTouch. */
+/* s: how long a fast pair may move before an impact, at most the time that its bodies move in this sub-step. isHeld: its
+ * contacts hold what is in touch; else that is no obstacle (McdModelPairImpactTime). */
+MeReal mst_timeToImpact(const MstBridgeRecord *b, McdModelPair *p, MeBool isHeld);
+/* Limits the safe time of the pair's lagging body to the finding's timeToImpact. */
 void mst_clampLaggingBody(MstBridgeRecord *b, const MstFinding *f);
-/* Limits the safe times of the bodies of a fast pair to the time of their impact, if it is within the step. */
-void mst_clampFastPair(MstBridgeRecord *b, const MstFinding *f, MeBool hasContacts, McdSpaceID s, MdtWorldID w);
+/* Limits the safe times of the bodies of a fast pair to the time of their impact, if it is within the step. isHeld: the
+ * pair has contacts. */
+void mst_clampFastPair(MstBridgeRecord *b, const MstFinding *f, MeBool isHeld, MdtWorldID w);
 /* Whether the body is in a large partition, which is costly to solve and on which a single pair has little effect. */
 MeBool mst_isInLargeIsland(MdtBodyID body);
 /* Removes the safe times of all bodies, as a sub-step begins. */

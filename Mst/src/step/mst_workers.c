@@ -13,7 +13,6 @@ typedef struct PairPipeline {
     MstBridgeRecord *b;
     McdModelPair *const *pairs;
     int count;
-    McdSpaceID s;
     MdtWorldID w;
 } PairPipeline;
 
@@ -106,7 +105,7 @@ static void MEAPI collideItem(void *context, int item, int worker) {
     const PairPipeline *p = context;
     MstRun *run = &p->b->runsAhead[item % MST_AHEAD];
     (void)worker;
-    mst_collideRun(p->b, run, p->pairs + firstPairOf(item), endPairOf(p, item) - firstPairOf(item), p->s);
+    mst_collideRun(p->b, run, p->pairs + firstPairOf(item), endPairOf(p, item) - firstPairOf(item));
 }
 
 /* Commits a run; pairs that its contact buffer had no room for are collided and committed here. */
@@ -114,10 +113,10 @@ static void MEAPI commitItem(void *context, int item, int worker) {
     const PairPipeline *p = context;
     MstRun *run = &p->b->runsAhead[item % MST_AHEAD];
     (void)worker;
-    mst_commitRun(p->b, run, p->s, p->w);
+    mst_commitRun(p->b, run, p->w);
     for (int i = firstPairOf(item) + run->pairCount; i < endPairOf(p, item);) {
-        i += mst_collideRun(p->b, &p->b->run, p->pairs + i, endPairOf(p, item) - i, p->s);
-        mst_commitRun(p->b, &p->b->run, p->s, p->w);
+        i += mst_collideRun(p->b, &p->b->run, p->pairs + i, endPairOf(p, item) - i);
+        mst_commitRun(p->b, &p->b->run, p->w);
     }
 }
 
@@ -136,12 +135,12 @@ void mst_stampModelsByWorkers(MstBridgeRecord *b, int count, McdSpaceID s, MdtWo
     MeTeamClose(team);
 }
 
-int mst_handlePairsByWorkers(MstBridgeRecord *b, McdModelPair *const pairs[], int count, McdSpaceID s, MdtWorldID w) {
+int mst_handlePairsByWorkers(MstBridgeRecord *b, McdModelPair *const pairs[], int count, MdtWorldID w) {
     MeTeam *team = w ? MdtWorldGetTeam(w) : 0;
     if (!areEnoughForWorkers(b, team, count) || !allocateRuns(b))
         return 0;
     MeTeamOpen(team);
-    PairPipeline p = {b, pairs, countPlainPairs(team, b, pairs, count), s, w};
+    PairPipeline p = {b, pairs, countPlainPairs(team, b, pairs, count), w};
     MeTeamPipe(team, runCountOf(p.count), MST_AHEAD, collideItem, commitItem, &p);
     MeTeamClose(team);
     return p.count;
