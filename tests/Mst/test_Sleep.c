@@ -328,8 +328,7 @@ TEST(what_is_moved_pushes_sleepers) {
                 McdModelDynamicsGetPosition(sleeper, p);
                 const double gap =
                     up ? (double)p[2] - .25 - ((double)tm[3][2] + .5) : (double)p[0] - .25 - ((double)tm[3][0] + .5);
-                ck_assert_msg(gap > -1e-5, "%s at %g m/s, step %d: overlaps by %g", up ? "up" : "along", v, i,
-                              -gap);
+                ck_assert_msg(gap > -1e-5, "%s at %g m/s, step %d: overlaps by %g", up ? "up" : "along", v, i, -gap);
                 ck_assert_msg(i < 30 || !up || fabs(gap) < v * h + .002, "up at %g m/s, step %d: gap %g", v, i, gap);
             }
             step(60); /* it stops: no velocity is left over */

@@ -96,7 +96,7 @@ static inline void whole_grounds(Whole *s, McdFrameworkID f) {
     McdTriangleListSetUserData(list, s->corner);
     whole_fixed(s, list, s->listTM, 0, 0, 0);
     static const int index[6] = {0, 1, 2, 0, 2, 3};
-    static const MeU32 materials[2] = {0, 1};
+    static const MeU32 materials[2] = {0, 0};
     whole_fixed(s, McdMeshCreate(f, (const MeVector3 *)s->corner, 4, index, 2, materials), s->meshTM, 8, 0, 0);
     const McdModelID sensor = whole_fixed(s, McdBoxCreate(f, 1, 1, 1), s->sensorTM, 0, 0, 0);
     McdModelSetSensor(sensor, METRUE);

@@ -88,14 +88,16 @@ static void MEAPI leaveHidden(const MdtBodyID body) {
     endMoved(MdtBodyGetModel(body));
 }
 
-/* Puts a model at the transform of a hidden body, which will follow the program's. */
+/* Puts a model at the transform of a hidden body, which will follow the program's, if that is one. */
 static void MEAPI beginMoved(McdModelID m, MeMatrix4 before, void *world) {
     static const MdtBodyUser user = {0, 0, leaveHidden, 0};
     if (McdModelIsSensor(m) || m->mLeave || !McdModelGetTransformPtr(m))
         return;
     MstMoved *moved = MeMemoryTakeZeroed(1, sizeof *moved, "MstBridgeUpdateContacts", "a model that is moved");
     const MdtBodyID body = moved ? MdtBodyCreateHidden(world, (const MeVector4 *)before) : 0;
-    if (!body) {
+    if (!body || !MdtBodyFollow(body, (const MeVector4 *)McdModelGetTransformPtr(m))) {
+        if (body)
+            MdtBodyDestroyHidden(body);
         MeMemoryGive(moved);
         return;
     }
