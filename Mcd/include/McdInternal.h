@@ -36,9 +36,21 @@ MEPUBLIC void MEAPI McdSpaceVisitMoved(McdSpaceID s, McdMovedVisit visit, void *
 /** Places the model by a mover's transform, which is in the place of the program's until this is called with null.
  *  McdModelGetTransformPtr still returns the program's. */
 MEPUBLIC void MEAPI McdModelPlaceBy(McdModelID cm, MeMatrix4Ptr mover);
+/** Places the model by a copy of a transform, which goes with the model. False, after a fatal error: no memory. */
+MEPUBLIC MeBool MEAPI McdModelPlaceAtCopy(McdModelID cm, const MeMatrix4 tm);
 /** The transform that places the model; and the program's, up to date, of a model that a mover places. */
 MEPUBLIC MeMatrix4Ptr MEAPI McdModelGetPlace(McdModelID cm);
 MEPUBLIC MeMatrix4Ptr MEAPI McdModelGetGiven(McdModelID cm);
+/** A number of a valid model that Mst keeps there; of a new model all bits are set (MstSensorSetMask). */
+MEPUBLIC void MEAPI McdModelSetSensorMask(McdModelID cm, MeU32 mask);
+MEPUBLIC MeU32 MEAPI McdModelGetSensorMask(McdModelID cm);
+/** The framework's models in the order of creation: the one after @a cm, or the first one if that is null. */
+MEPUBLIC McdModelID MEAPI McdFrameworkNextModel(McdFrameworkID frame, McdModelID cm);
+/** Whether the model's transform is the one that it was last compared with (McdModelPairCompare). */
+MEPUBLIC MeBool MEAPI McdModelIsCurrent(McdModelID cm);
+/** Adds a vector to what is derived from a model's transform, which has got it already: it counts as unmoved, if it was
+ *  current before. Its space is in a change block. */
+MEPUBLIC void MEAPI McdModelShift(McdModelID cm, const double by[3], MeBool wasCurrent);
 /** Marks the model as changed: if it is frozen then, the next McdSpaceVisitChangedFrozen visits it. */
 MEPUBLIC void MEAPI McdModelMarkChanged(McdModelID cm);
 /** @} */

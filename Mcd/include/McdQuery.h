@@ -37,6 +37,21 @@ typedef struct McdCastResult {
     MeVector3 normal; /**< Length 1, from the model to the cast shape; undefined for a ray that starts inside. */
 } McdCastResult;
 
+/** A category, mask and group of a query, which finds the models that would collide with a model of such a filter
+ *  (McdModelSetFilter, McdModelSetFilterGroup). */
+typedef struct McdQueryFilter {
+    MeU32 category, mask;
+    int group;
+} McdQueryFilter;
+
+/** The filter of a query with a McdQueryFilter: pass this function as @a filter and the address of the record as
+ *  @a filterData. Null data finds nothing, with a warning. */
+MEPUBLIC int MEAPI McdQueryByFilter(McdModelID cm, void *queryFilter);
+/** The filter of a query for what may collide with a model: pass this function as @a filter and the model, which must
+ *  be in the same space, as @a filterData. Its category, mask, group, culling table and disabled pairs count
+ *  (McdSpacePairIsEnabled), and it is not found itself. */
+MEPUBLIC int MEAPI McdQueryByPairs(McdModelID cm, void *model);
+
 /** Finds the models whose boxes overlap a box; touching counts. Returns the number of models written. */
 MEPUBLIC int MEAPI McdSpaceOverlapBox(McdSpaceID space, const MeVector3 minCorner, const MeVector3 maxCorner,
                                       McdLineSegIntersectEnableCallback filter, void *filterData, McdModelID *list,

@@ -188,8 +188,20 @@ MEPUBLIC void MEAPI MdtBodyResetForces(const MdtBodyID b);
 MEPUBLIC void MEAPI MdtBodyResetImpulses(const MdtBodyID b);
 /** @} */
 
-/** @name Damping and fast spin
+/** @name Gravity, damping, speed caps and fast spin
  *  @{ */
+/** How much of the world's gravity acts on the body: 0 none, negative ones push it up. Default 1. It wakes a sleeping
+ *  body. Beyond Karma. */
+MEPUBLIC void MEAPI MdtBodySetGravityFactor(const MdtBodyID b, const MeReal factor);
+MEPUBLIC MeReal MEAPI MdtBodyGetGravityFactor(const MdtBodyID b);
+/** The largest speed of the centre of mass (m/s), or of the rotation (rad/s), >= 0: a step, or a part of one in
+ *  continuous motion, ends with the velocity scaled down to it. The step itself moves the body as without a cap, so a
+ *  body that falls at its cap is faster by g h / 2 in the mean over a step of h seconds, and joints feel the cap in the
+ *  next step. Kinematic bodies have no cap. Default MEINFINITY: none. Beyond Karma. */
+MEPUBLIC void MEAPI MdtBodySetMaxLinearSpeed(const MdtBodyID b, const MeReal max);
+MEPUBLIC MeReal MEAPI MdtBodyGetMaxLinearSpeed(const MdtBodyID b);
+MEPUBLIC void MEAPI MdtBodySetMaxAngularSpeed(const MdtBodyID b, const MeReal max);
+MEPUBLIC MeReal MEAPI MdtBodyGetMaxAngularSpeed(const MdtBodyID b);
 /** Damping d [1/s], >= 0: without other loads the velocity decays as exp(-d t). Default 0. */
 MEPUBLIC void MEAPI MdtBodySetLinearVelocityDamping(const MdtBodyID b, const MeReal d);
 MEPUBLIC MeReal MEAPI MdtBodyGetLinearVelocityDamping(const MdtBodyID b);

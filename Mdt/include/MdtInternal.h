@@ -87,6 +87,10 @@ MEPUBLIC void MEAPI MdtBodyExpectCentreOfMass(const MdtBodyID b);
 MEPUBLIC void MEAPI MdtBodyGetFreeAcceleration(const MdtBodyID b, MeVector3 a);
 /** rad/s²: the rate at which the angular velocity of the body changes while no torque acts on it, or more. */
 MEPUBLIC MeReal MEAPI MdtBodyGetFreeSpinRate(const MdtBodyID b);
+/** Adds a vector, m, to all coordinates of the world: bodies, joints to the world, contacts. Velocities of moving
+ *  worlds are those of the same surfaces. Between steps. False: a body would come beyond MdtBodyGetPositionBound, and
+ *  nothing is changed. */
+MEPUBLIC MeBool MEAPI MdtWorldShift(const MdtWorldID w, const double by[3]);
 
 /** The number of the body's contact groups and single contacts. */
 MEPUBLIC int MEAPI MdtBodyGetManifoldCount(const MdtBodyID b);

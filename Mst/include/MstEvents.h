@@ -48,6 +48,23 @@ MEPUBLIC MstTouchCBPtr MEAPI MstBridgeGetTouchCB(const MstBridgeID b, const MstM
  */
 MEPUBLIC void MEAPI MstBridgeUpdateEvents(const MstBridgeID b, const MdtWorldID w);
 
+/** @name What a sensor finds
+ *  @{ */
+/** Kinds of models that a sensor may find, to be summed. */
+enum {
+    MstSensesFixed = 1,   /**< models without a body */
+    MstSensesMoved = 2,   /**< kinematic bodies, and fixed models that the program moves */
+    MstSensesDynamic = 4, /**< bodies that forces move, also sleeping ones */
+    MstSensesAll = 7      /**< the default */
+};
+/** Sets what a sensor finds: a sum of kinds. Categories and masks (McdModelSetFilter) count besides. Touches with what
+ *  it no longer finds end in the next step. A bit of no kind gets a warning, and nothing changes. Of a model that is no
+ *  sensor it counts once it is one. */
+MEPUBLIC void MEAPI MstSensorSetMask(const McdModelID sensor, const MeU32 mask);
+/** What the sensor finds; 0, with a warning, if it is no model. */
+MEPUBLIC MeU32 MEAPI MstSensorGetMask(const McdModelID sensor);
+/** @} */
+
 ME_END_C
 
 #endif

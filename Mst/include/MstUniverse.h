@@ -32,6 +32,36 @@ MEPUBLIC MdtWorldID MEAPI MstUniverseGetWorld(const MstUniverseID u);
 MEPUBLIC McdFrameworkID MEAPI MstUniverseGetFramework(const MstUniverseID u);
 MEPUBLIC McdSpaceID MEAPI MstUniverseGetSpace(const MstUniverseID u);
 MEPUBLIC MstBridgeID MEAPI MstUniverseGetBridge(const MstUniverseID u);
+/**
+ * Moves the origin to the point @a shift, between steps: all coordinates lose it, those of bodies, models, joints,
+ * contacts and boxes, with what the universe keeps of them, so that contacts, warm starts and touches go on, and
+ * sleepers sleep on. Matrices that the program has given to models without a body, or as references of relative ones,
+ * are written to, each once. It is for worlds that are so large that coordinates have no digits left. What is shifted
+ * without rounding moves on bit for bit as it would have. Events of the last step keep the old coordinates. A shift
+ * that is not finite, or that takes a body beyond its bound, gets a warning, and changes nothing. Beyond Karma.
+ */
+MEPUBLIC void MEAPI MstUniverseShiftOrigin(const MstUniverseID u, const MeVector3 shift);
+
+/**
+ * Pushes the universe's bodies away from a point, between steps. A body's impulse acts on its centre of mass, along the
+ * line from the point to it, and is, for each of its models,
+ *
+ *     impulse A (1 - d / radius)^falloff,   0 for d >= radius
+ *
+ * where d is the distance of the point from the box of the model's geometry, which is along the geometry's own axes,
+ * and A the area of that box's shadow along the line. It acts as MdtBodyAddImpulse does, in the next step, and wakes
+ * sleepers. Fixed models, kinematic bodies, disabled bodies, sensors, and a body whose centre is at the point get none.
+ * Beyond Karma.
+ * @param position   m
+ * @param radius     m, > 0
+ * @param impulse    N s/m², of a surface at the point; negative: pulls
+ * @param falloff    >= 0; 0: the same everywhere within the radius, 1: linear
+ * @param isShielded whether a fixed model or a kinematic body shields those whose centre of mass is behind it, or all,
+ *                   if the point is within it. If so, the space ends its change block and begins another
+ * @return the number of models whose body is pushed. Bad input: 0, with a warning
+ */
+MEPUBLIC int MEAPI MstUniverseExplode(const MstUniverseID u, const MeVector3 position, const MeReal radius,
+                                      const MeReal impulse, const MeReal falloff, const MeBool isShielded);
 
 ME_END_C
 

@@ -15,6 +15,11 @@ ME_BEGIN_C
  * a density (kg/m³, > 0), and inserts the model into the universe's space. Null, with a warning, if there is no room.
  */
 MEPUBLIC McdModelID MEAPI MstModelAndBodyCreate(const MstUniverseID u, const McdGeometryID g, const MeReal density);
+/** MstModelAndBodyCreate with the centre of mass, and the axes of inertia, where the geometry has them: also exact for
+ *  compounds and meshes whose centre of mass is not at their origin. The model's and the body's frame is the
+ *  geometry's. Beyond Karma. */
+MEPUBLIC McdModelID MEAPI MstModelAndBodyCreateWithCenter(const MstUniverseID u, const McdGeometryID g,
+                                                          const MeReal density);
 /** Removes such a model from its space and destroys it, its body and its contacts. The geometry remains. */
 MEPUBLIC void MEAPI MstModelAndBodyDestroy(const McdModelID m);
 /** Creates and freezes a model that does not move, in the universe's space. The transform is kept by pointer; if it is
@@ -23,6 +28,14 @@ MEPUBLIC void MEAPI MstModelAndBodyDestroy(const McdModelID m);
  *  is farther than its bounding sphere's radius, it is there at once. */
 MEPUBLIC McdModelID MEAPI MstFixedModelCreate(const MstUniverseID u, const McdGeometryID g,
                                               MeMatrix4Ptr transformation);
+/**
+ * MstFixedModelCreate at a pose that is copied: the model owns its transform (McdModelGetTransformPtr), which lives as
+ * long as the model. A number that is not finite, and a quaternion of 0, get a warning, and null. Beyond Karma.
+ * @param position    m, of the geometry's origin
+ * @param quaternion  w x y z, geometry to world; normalized here. Null: the world's axes
+ */
+MEPUBLIC McdModelID MEAPI MstFixedModelCreateAt(const MstUniverseID u, const McdGeometryID g, const MeVector3 position,
+                                                const MeVector4 quaternion);
 /** Removes such a model from its space and destroys it and its contacts. The geometry remains. */
 MEPUBLIC void MEAPI MstFixedModelDestroy(const McdModelID m);
 /**
@@ -31,6 +44,9 @@ MEPUBLIC void MEAPI MstFixedModelDestroy(const McdModelID m);
  * MdtBodySetCenterOfMassRelativePosition. A geometry without mass properties changes nothing, with a warning.
  */
 MEPUBLIC void MEAPI MstAutoSetMassProperties(const MdtBodyID body, const McdModelID model, const MeReal density);
+/** MstAutoSetMassProperties, and the centre of mass with the axes of inertia (MdtBodySetCenterOfMassRelativeTransform),
+ *  for a body whose frame is the model's. Beyond Karma. */
+MEPUBLIC void MEAPI MstAutoSetMassAndCenter(const MdtBodyID body, const McdModelID model, const MeReal density);
 /** Sets the inertia of the model's own body from the geometry; the mass is unchanged. */
 MEPUBLIC void MEAPI MstAutoSetInertialTensor(const McdModelID model);
 /** @} */

@@ -104,3 +104,72 @@ TEST(bad_input) {
     ck_assert_int_eq(McdSpaceGetLineSegFirstIntersection(y->space, from, to, &hit), 1);
     yardDestroy(y);
 }
+
+/* ---- ready filters ---- */
+
+/* The rule of pairs, for models of several categories, masks and groups. */
+static int isExpected(const McdQueryFilter *q, int category, int mask, int group) {
+    if (q->group != 0 && q->group == group)
+        return group > 0;
+    return (q->category & (MeU32)mask) && (q->mask & (MeU32)category);
+}
+
+TEST(queries_have_categories_masks_and_groups_as_pairs_have) {
+    static const int filters[][3] = {{1, -1, 0}, {2, -1, 0}, {4, 1, 0}, {1, 2, 5}, {1, 1, -5}, {8, 15, 5}};
+    static const McdQueryFilter queries[] = {{1, 0xffffffffu, 0}, {1, 2, 0}, {2, 13, 0}, {1, 1, 5},
+                                             {1, 15, -5},         {0, 0, 0}, {0, 0, 5}};
+    enum { MODELS = sizeof filters / sizeof *filters };
+    const MeVector3 from = {-10, 0, 0}, by = {100, 0, 0}, low = {-100, -1, -1}, high = {100, 1, 1};
+    McdModelID list[MODELS];
+    yardMake(y);
+    for (int i = 0; i < MODELS; i++) {
+        yardPut(y, 1, (MeReal)(3 * i), 0, 0);
+        McdModelSetFilter(y->model[i], (MeU32)filters[i][0], (MeU32)filters[i][1]);
+        McdModelSetFilterGroup(y->model[i], filters[i][2]);
+    }
+    McdSpaceEndChanges(y->space);
+    for (int k = 0; k < (int)(sizeof queries / sizeof *queries); k++) {
+        McdQueryFilter q = queries[k];
+        McdCastResult hit;
+        int expected = 0, first = -1;
+        for (int i = MODELS; i--;)
+            if (isExpected(&q, filters[i][0], filters[i][1], filters[i][2]))
+                expected++, first = i;
+        ck_assert_int_eq(McdSpaceOverlapBox(y->space, low, high, McdQueryByFilter, &q, list, MODELS), expected);
+        ck_assert_int_eq(McdSpaceCastRay(y->space, from, by, McdQueryByFilter, &q, &hit), expected > 0);
+        ck_assert(!expected || (hit.model == y->model[first] && list[0] == hit.model));
+    }
+    yardDestroy(y);
+}
+
+/* What may collide with a model: the same as McdSpacePairIsEnabled, disabled pairs and the culling table included. */
+TEST(queries_may_find_what_a_model_would_collide_with) {
+    const MeVector3 low = {-100, -1, -1}, high = {100, 1, 1};
+    McdModelID list[6];
+    McdCullingTable *table = McdCullingTableCreate(2);
+    yardMake(y);
+    for (int i = 0; i < 6; i++)
+        yardPut(y, 1, (MeReal)(3 * i), 0, 0);
+    McdModelSetFilter(y->model[1], 2, 2);
+    McdSpaceDisablePair(y->model[0], y->model[2]);
+    McdCullingTableSet(table, 0, 1, 1);
+    McdSpaceSetModelCullingParameters(y->space, y->model[0], table, 0, 7);
+    McdSpaceSetModelCullingParameters(y->space, y->model[3], table, 1, 7);
+    McdSpaceSetModelCullingParameters(y->space, y->model[4], table, 1, 8);
+    McdSpaceEndChanges(y->space);
+    ck_assert_int_eq(McdSpaceOverlapBox(y->space, low, high, McdQueryByPairs, y->model[0], list, 6), 2);
+    ck_assert(list[0] == y->model[4] && list[1] == y->model[5]);
+    McdSpaceBeginChanges(y->space);
+    yardDestroy(y);
+    McdCullingTableDestroy(table);
+}
+
+TEST(ready_filters_need_their_data) {
+    McdQueryFilter q = {1, 1, 0};
+    yardMake(y);
+    yardPut(y, 1, 0, 0, 0);
+    assert_none(McdQueryByFilter, y->model[0], NULL);
+    assert_none(McdQueryByFilter, NULL, &q);
+    assert_none(McdQueryByPairs, y->model[0], NULL);
+    yardDestroy(y);
+}

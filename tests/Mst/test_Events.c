@@ -402,6 +402,37 @@ TEST(a_sensor_keeps_what_falls_asleep_in_it) {
     ck_assert(eventCount() == 2 && countOf(MstEventEnd) == 2);
 }
 
+/* A zone over a floor, with a ball, a lift and a wall in it: each kind by its own. */
+TEST(a_sensor_finds_the_kinds_of_its_mask) {
+    static const MeVector3 wallPlace = {0, 2, 0};
+    const McdModelID zone = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 8, 8, 2), 1);
+    const McdModelID lift = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 1, 1, 1), 1);
+    MdtBodySetKinematic(McdModelGetBody(zone), METRUE);
+    MdtBodySetKinematic(McdModelGetBody(lift), METRUE);
+    McdModelDynamicsSetPosition(lift, 3, 0, 1);
+    MstFixedModelCreateAt(u, McdBoxCreate(u->frame, 1, 1, 1), wallPlace, 0);
+    McdModelSetSensor(zone, METRUE);
+    ck_assert(MstSensorGetMask(zone) == MstSensesAll);
+    for (MeU32 mask = 0; mask <= MstSensesAll; mask++) {
+        const int expected = 2 * !!(mask & MstSensesFixed) + !!(mask & MstSensesDynamic) + !!(mask & MstSensesMoved);
+        int found = 0;
+        MstSensorSetMask(zone, mask);
+        ck_assert(MstSensorGetMask(zone) == mask);
+        step();
+        step();
+        for (int i = 0; i < eventCount(); i++)
+            found += event(i)->isSensor && event(i)->kind != MstEventEnd;
+        ck_assert_int_eq(found, expected);
+    }
+    MstSensorSetMask(zone, MstSensesFixed);
+    step();
+    ck_assert_int_eq(countOf(MstEventEnd), 2);
+    MstSensorSetMask(zone, 8);
+    assert_warned("MstSensorSetMask");
+    assert_none(MstSensorGetMask, NULL);
+    assert_refused(MstSensorSetMask, NULL, 1);
+}
+
 TEST(sensors_do_not_see_each_other_and_may_become_solid) {
     const McdModelID zone = makeZone(0, 0, 1);
     McdModelSetFilter(zone, 1, 0xffffffffu);

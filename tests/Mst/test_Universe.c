@@ -107,6 +107,62 @@ TEST(a_model_and_its_body_go_together) {
     assert_below(heightOf(box), 0);
 }
 
+/* A box that falls on it lies where the analytic pose says; the caller's numbers are not needed any more. */
+TEST(a_fixed_model_may_copy_its_pose) {
+    const double angle = .3;
+    MeVector3 place = {1, 2, 3};
+    MeVector4 turn = {(MeReal)(2 * cos(angle / 2)), (MeReal)(2 * sin(angle / 2)), 0, 0}; /* of length 2 */
+    const McdGeometryID slab = McdBoxCreate(u->frame, 4, 4, 1);
+    const McdModelID m = MstFixedModelCreateAt(u, slab, place, turn);
+    const MeMatrix4Ptr tm = McdModelGetTransformPtr(m);
+    MeVector3 normal;
+    memset(place, 0, sizeof place);
+    memset(turn, 0, sizeof turn);
+    ck_assert(McdModelGetSpace(m) == u->space && McdSpaceModelIsFrozen(m));
+    assert_vec3_near(tm[3], 1, 2, 3, 0);
+    assert_vec3_near(tm[2], 0, -sin(angle), cos(angle), TOL(1e-6, 1e-15));
+    setFriction(1, 0);
+    const McdModelID box = makeBox(1, 1, 2 - sin(angle), 3 + cos(angle));
+    McdModelDynamicsSetQuaternion(box, (MeReal)cos(angle / 2), (MeReal)sin(angle / 2), 0, 0);
+    run(1);
+    MeVector3Subtract(normal, McdModelGetTransformPtr(box)[3], tm[3]);
+    assert_near(MeVector3Dot(normal, tm[2]), 1, TOL(1e-5, 1e-5));
+    const McdModelID flat = MstFixedModelCreateAt(u, slab, place, 0);
+    for (int i = 0; i < 3; i++)
+        ck_assert(McdModelGetTransformPtr(flat)[i][i] == 1 && McdModelGetTransformPtr(flat)[3][i] == 0);
+    McdModelSetTransformPtr(flat, ground);
+    ck_assert(McdModelGetTransformPtr(flat) == ground);
+    MstFixedModelDestroy(flat);
+    MstFixedModelDestroy(m);
+    ck_assert_int_eq(McdFrameworkGetModelCount(u->frame), 1);
+}
+
+/* Its transform is the program's to write, as that of any fixed model: with a lift's speed it carries a box. */
+TEST(a_fixed_model_with_its_own_pose_moves) {
+    static const MeVector3 place = {0, 0, -.5};
+    const McdModelID lift = MstFixedModelCreateAt(u, McdBoxCreate(u->frame, 4, 4, 1), place, 0);
+    const McdModelID box = makeBox(1, 0, 0, .5);
+    run(.5);
+    McdSpaceUnfreezeModel(lift);
+    for (int i = 1; i <= 60; i++) {
+        McdModelGetTransformPtr(lift)[3][2] = (MeReal)(-.5 + i / 60.);
+        universe_step(1);
+    }
+    assert_near(heightOf(box), 1.5, TOL(1e-5, 1e-5));
+}
+
+TEST(a_fixed_model_needs_a_pose) {
+    static const MeVector3 place = {0, 0, 0}, nowhere = {0, NAN, 0};
+    static const MeVector4 none = {0, 0, 0, 0}, wrong = {1, INFINITY, 0, 0}, unit = {1, 0, 0, 0};
+    const McdGeometryID g = McdSphereCreate(u->frame, 1);
+    assert_none(MstFixedModelCreateAt, u, g, NULL, unit);
+    assert_none(MstFixedModelCreateAt, u, g, nowhere, unit);
+    assert_none(MstFixedModelCreateAt, u, g, place, none);
+    assert_none(MstFixedModelCreateAt, u, g, place, wrong);
+    assert_none(MstFixedModelCreateAt, u, 0, place, unit);
+    ck_assert_int_eq(McdFrameworkGetModelCount(u->frame), 0);
+}
+
 TEST(the_step_may_be_driven_by_hand) {
     MstUniverseID other = MstUniverseCreate(0);
     MeMatrix4 tm;

@@ -51,6 +51,7 @@ EXCEPTIONS = [
     (r'McdModelSetBodyData$|MdtBodySetModel$', 'the bridge\'s: pointers without a type'),
     (r'Mcd\w*InstanceSetAABB$', 'writes what a geometry type of a program computes'),
     (r'MdtContactGroup(Set|Get)(Generator|Holder)$', 'the bridge\'s'),
+    (r'McdQueryBy(Filter|Pairs)$', 'called by queries, with data of the program'),
     (r'MstAdvise\w*$|MstAdvice\w*$', 'copies of the whole process'),
     (r'Mst(HandleTransitions|HandleTransitionsOf|HandleCollisions)$', 'pairs that are not the bridge\'s'),
     (r'McdTerm$', 'of frameworks that are a universe\'s: to be destroyed by it'),

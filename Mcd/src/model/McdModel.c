@@ -41,6 +41,7 @@ static void setDefaults(McdModelRecord *m) {
     m->linearVelocity = m->angularVelocity = 0;
     m->tolerance = m->frame->tolerance;
     m->isSwept = m->isSensor = m->isFast = MEFALSE;
+    m->sensorMask = ~0u;
     setFilter(m, (McdFilter){.category = 1, .mask = 0xffffffffu, .group = 0});
     m->requestId = McdModelGetDefaultRequestID();
     setUpdate(m, 0);
@@ -153,6 +154,8 @@ static void destroyModel(McdModelRecord *m) {
         m->frame->spaceRemoveDestroyed(&m->model);
     leaveBody(m);
     freeRelative(m);
+    MeMemoryGive(m->own);
+    m->own = 0;
     setUpdate(m, 0);
     dropGeometry(m);
     recordToPool(m);
@@ -376,6 +379,17 @@ void MEAPI McdModelSetTransformPtr(const McdModelID cm, const MeMatrix4Ptr geome
     m->relTM = m->refTM = 0;
     m->instance.tm = geometryTM;
     mcd_modelMarkChanged(m);
+}
+
+MeBool MEAPI McdModelPlaceAtCopy(McdModelID cm, const MeMatrix4 tm) {
+    McdModelRecord *m = mcd_record(cm);
+    MEASSERT(!m->own);
+    m->own = MeMemoryTake(1, sizeof(MeMatrix4), MeCallerName("McdModelPlaceAtCopy"), "a transform");
+    if (!m->own)
+        return MEFALSE;
+    MeMatrix4Copy(m->own, tm);
+    McdModelSetTransformPtr(cm, m->own);
+    return METRUE;
 }
 
 static void composeTransforms(McdModelRecord *m) {
@@ -634,6 +648,14 @@ void MEAPI McdModelSetSensor(McdModelID cm, MeBool sensor) {
 }
 
 DEFINE_GETTER(MeBool, McdModelIsSensor, m->isSensor, MEFALSE)
+
+void MEAPI McdModelSetSensorMask(McdModelID cm, MeU32 mask) {
+    mcd_record(cm)->sensorMask = mask;
+}
+
+MeU32 MEAPI McdModelGetSensorMask(McdModelID cm) {
+    return mcd_record(cm)->sensorMask;
+}
 
 void MEAPI McdModelSetFilter(McdModelID cm, MeU32 category, MeU32 mask) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetFilter");

@@ -16,6 +16,12 @@ typedef struct McdFilter {
     MeU32 category, mask;
     int group;
 } McdFilter;
+/* Whether two filters leave a pair out, by the rule of McdModelSetFilter. */
+static inline MeBool mcd_areFiltered(const McdFilter *a, const McdFilter *b) {
+    if (a->group != 0 && a->group == b->group)
+        return a->group < 0;
+    return !(a->category & b->mask) || !(b->category & a->mask);
+}
 
 /* All inputs of a model's box, margin and tests. Compared bit by bit (mcd_tested.c), so without padding. */
 enum { MCD_SHAPE_PARAMETERS = 4 };
@@ -88,11 +94,13 @@ typedef struct McdModelRecord {
     MeU64 types; /* mcd_instanceTypes, for `inputs` */
     void *userData;
     int requestId;
+    MeU32 sensorMask;   /* kinds of models that a sensor finds (MstSensorSetMask) */
     MeMatrix4Ptr refTM; /* null unless relative */
     MeBool ownsRelative;
-    bool isBeingUpdated, isCondemned;       /* its update callback runs; it will be destroyed when a stage ends */
-    McdModelID standsFor;                   /* of a stand-in: the aggregate's model; else null */
-    unsigned long serial;                   /* its number in the order of creation in the framework */
+    MeMatrix4Ptr own;                 /* null, or a transform that is freed with the model (McdModelPlaceAtCopy) */
+    bool isBeingUpdated, isCondemned; /* its update callback runs; it will be destroyed when a stage ends */
+    McdModelID standsFor;             /* of a stand-in: the aggregate's model; else null */
+    unsigned long serial;             /* its number in the order of creation in the framework */
     struct McdModelRecord *next, *previous; /* in the list of live models, by creation, or the free list */
     MeHandle handle;
 } McdModelRecord;

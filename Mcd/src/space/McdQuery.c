@@ -102,6 +102,27 @@ static void toWorld(const Query *q, const double point[3], MeVector3 out) {
         out[i] = mcd_clampReal(point[i] + q->origin[i]);
 }
 
+/* ---- filters ----------------------------------------------------------------------------------------------------- */
+
+int MEAPI McdQueryByFilter(McdModelID cm, void *queryFilter) {
+    const McdQueryFilter *q = queryFilter;
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdQueryByFilter");
+    if (m && !q)
+        MeWarning(1, "McdQueryByFilter: the filter is null: pass it as the query's filterData");
+    if (!m || !q)
+        return 0;
+    const McdFilter filter = {.category = q->category, .mask = q->mask, .group = q->group};
+    return !mcd_areFiltered(&m->filter, &filter);
+}
+
+int MEAPI McdQueryByPairs(McdModelID cm, void *model) {
+    int isFound = 0;
+    if (cm && cm == model)
+        return 0;
+    ME_UNDER_OWN_NAME(isFound = McdSpacePairIsEnabled(cm, model));
+    return isFound;
+}
+
 /* ---- overlaps ---------------------------------------------------------------------------------------------------- */
 
 /* Inserts a model into the sorted list, unless it is there already; drops the last one if the list is full. */

@@ -631,6 +631,41 @@ static McdBoxUpdate updateProxy(const McdSpace *s, McdProxy *p, MeReal duration)
     return update;
 }
 
+McdModelID MEAPI McdFrameworkNextModel(McdFrameworkID frame, McdModelID cm) {
+    McdModelRecord *next = cm ? mcd_record(cm)->next : frame->firstModel;
+    return next ? &next->model : 0;
+}
+
+MeBool MEAPI McdModelIsCurrent(McdModelID cm) {
+    return mcd_isPlacedAsCompared(mcd_record(cm));
+}
+
+static void shiftInputs(McdModelRecord *m, const double by[3], MeBool wasCurrent) {
+    for (int i = 0; i < 3; i++) {
+        m->inputs.place[i] = wasCurrent ? m->instance.tm[3][i] : (MeReal)((double)m->inputs.place[i] + by[i]);
+        m->past.place[i] = (MeReal)((double)m->past.place[i] + by[i]);
+        m->instance.min[i] = (MeReal)((double)m->instance.min[i] + by[i]);
+        m->instance.max[i] = (MeReal)((double)m->instance.max[i] + by[i]);
+    }
+    mcd_fromReal(m->shape.place, m->inputs.place);
+    if (m->isSwept)
+        m->boxDuration = -1; /* its box along its motion is made in the next update */
+}
+
+/* The fat box is new, too: the links of the proxy are found again as those that they were. */
+void MEAPI McdModelShift(McdModelID cm, const double by[3], MeBool wasCurrent) {
+    McdModelRecord *m = mcd_record(cm);
+    McdProxy *p = m->proxy;
+    shiftInputs(m, by, wasCurrent);
+    McdModelCompoundTransforms(cm);
+    if (mcd_modelIsPlaced(m))
+        mcd_modelRefresh(m);
+    if (!m->space || !p->hasBox || !isBox(m))
+        return;
+    p->hasBox = MEFALSE;
+    applyBox(m->space, p, copyBox(p));
+}
+
 /* Applies an update to the space; warns if the transform is not valid. */
 static void applyUpdate(McdSpace *s, McdProxy *p, McdBoxUpdate update) {
     MEASSERT(update != MCD_BOX_LATER && update != MCD_BOX_MARKED);

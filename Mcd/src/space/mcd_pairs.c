@@ -253,13 +253,6 @@ static MeBool isCulled(const McdProxy *a, const McdProxy *b) {
            McdCullingTableGet(a->table, (MeU32)a->cullingIndex, (MeU32)b->cullingIndex);
 }
 
-/* Whether two models are filtered out, by the rule of McdModelSetFilter. */
-static MeBool areFiltered(const McdFilter *a, const McdFilter *b) {
-    if (a->group != 0 && a->group == b->group)
-        return a->group < 0;
-    return !(a->category & b->mask) || !(b->category & a->mask);
-}
-
 /* Whether two boxes, grown by the tolerances, overlap on the space's axes (as McdNearby on all axes). */
 static MeBool isNear(const McdSpace *s, const McdProxy *a, const McdProxy *b) {
     const MeReal margin = a->tolerance + b->tolerance;
@@ -324,7 +317,7 @@ static void queueForRoom(McdSpace *s, int i) {
 
 /* Whether two models may collide at all: neither culled nor filtered out. */
 static MeBool mayCollide(const McdProxy *a, const McdProxy *b) {
-    return !isCulled(a, b) && !areFiltered(&a->filter, &b->filter);
+    return !isCulled(a, b) && !mcd_areFiltered(&a->filter, &b->filter);
 }
 
 static MeBool isPairOf(const McdSpace *s, const McdLink *link) {

@@ -136,7 +136,9 @@ struct MdtBody {
     double spin[3];             /* rad/s; within a step with the attitude at the step's start */
     MeMatrix4 centreTransform;  /* the centre of mass's pose that programs read */
 
-    double mass;          /* kg */
+    double mass; /* kg */
+    double gravityFactor;
+    double maxSpeed[2];   /* m/s, rad/s; MEINFINITY: none */
     double inertia[3][3]; /* kg m², as set */
     MeVector3 fastSpinAxis;
     void *userData, *model;

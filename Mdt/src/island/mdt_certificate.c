@@ -80,10 +80,18 @@ static MeBool hasCertifiedParameters(MdtConstraintID c) {
     return METRUE;
 }
 
+MeBool mdt_jointIsCertified(const MdtJoint *j) {
+    return j->certified == hashOf(&j->bcl, sizeof j->bcl);
+}
+
+void mdt_jointCertify(MdtJoint *j) {
+    j->certified = hashOf(&j->bcl, sizeof j->bcl);
+}
+
 static void certifyConstraint(MdtConstraintID c) {
     MdtJoint *j = mdt_asJoint(c);
     if (j)
-        j->certified = hashOf(&j->bcl, sizeof j->bcl);
+        mdt_jointCertify(j);
     for (MdtManifold *block = j ? NULL : mdt_asManifold(c); block; block = block->next)
         for (MdtExtra *extra = block->extras; extra; extra = extra->next)
             if (extra->record.flags & MDT_WATCHED)

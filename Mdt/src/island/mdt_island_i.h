@@ -148,5 +148,7 @@ void mdt_membersCountCalm(MdtIsland *p);
  * programs may have changed. */
 void mdt_constraintsCertify(const MdtIsland *p);
 MeBool mdt_areConstraintsCertified(MdtBodyID b);
+MeBool mdt_jointIsCertified(const MdtJoint *j); /* the same of one joint */
+void mdt_jointCertify(MdtJoint *j);
 
 #endif

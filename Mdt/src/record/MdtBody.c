@@ -302,6 +302,8 @@ static void setDefaults(MdtBodyID b) {
     for (int i = 0; i < 3; i++)
         b->inertia[i][i] = MDTBODY_DEFAULT_INERTIA * m * l * l;
     setKeaInertia(b);
+    b->gravityFactor = 1;
+    b->maxSpeed[0] = b->maxSpeed[1] = MEINFINITY;
     keaZero(b->push);
     b->theta = 0.5;
     b->safeTime = MEINFINITY;
@@ -967,7 +969,7 @@ void MEAPI MdtBodyGetFreeAcceleration(const MdtBodyID b, MeVector3 a) {
     const MeBool isAwake = (b->record.flags & MDT_ENABLED) != 0;
     for (int i = 0; i < 3; i++) {
         const double force = f->load[0][i] + (b->lag > 0 ? f->lastLoad[0][i] : 0);
-        a[i] = isAwake ? mdt_real((double)b->world->params.gravity[i] + force * b->kea.invMass) : 0;
+        a[i] = isAwake ? mdt_real(b->gravityFactor * (double)b->world->params.gravity[i] + force * b->kea.invMass) : 0;
     }
 }
 
@@ -1082,6 +1084,53 @@ void MEAPI MdtBodySetAngularVelocityDamping(const MdtBodyID b, const MeReal d) {
 }
 
 BODY_GETTER(MeReal, MdtBodyGetAngularVelocityDamping, 0, (MeReal)b->kea.damping[1])
+
+/* ---- gravity factor and speed caps ---- */
+
+void MEAPI MdtBodySetGravityFactor(const MdtBodyID b, const MeReal factor) {
+    MDT_CHANGE_BODY(b);
+    if (!mdt_isFinite3(__func__, "the factor", factor, factor, factor))
+        return;
+    if ((double)factor != b->gravityFactor)
+        mdt_bodyDisturb(b);
+    b->gravityFactor = (double)factor;
+}
+
+BODY_GETTER(MeReal, MdtBodyGetGravityFactor, 0, (MeReal)b->gravityFactor)
+
+static void setMaxSpeed(MdtBodyID b, int k, MeReal max, const char *caller) {
+    if (!mdt_isNotBelow(caller, "the speed", max, 0))
+        return;
+    if ((double)max != b->maxSpeed[k])
+        mdt_bodyDisturb(b);
+    b->maxSpeed[k] = (double)max;
+}
+
+void MEAPI MdtBodySetMaxLinearSpeed(const MdtBodyID b, const MeReal max) {
+    MDT_CHANGE_BODY(b);
+    setMaxSpeed(b, 0, max, __func__);
+}
+
+BODY_GETTER(MeReal, MdtBodyGetMaxLinearSpeed, 0, (MeReal)b->maxSpeed[0])
+
+void MEAPI MdtBodySetMaxAngularSpeed(const MdtBodyID b, const MeReal max) {
+    MDT_CHANGE_BODY(b);
+    setMaxSpeed(b, 1, max, __func__);
+}
+
+BODY_GETTER(MeReal, MdtBodyGetMaxAngularSpeed, 0, (MeReal)b->maxSpeed[1])
+
+/* Angular momentum is linear in the angular velocity: one factor scales both. */
+void mdt_bodyCapSpeeds(MdtBodyID b) {
+    const double *max = b->maxSpeed, square[2] = {keaDot(b->kea.velocity, b->kea.velocity), keaDot(b->spin, b->spin)};
+    if (square[0] <= max[0] * max[0] && square[1] <= max[1] * max[1])
+        return;
+    if (square[0] > max[0] * max[0])
+        keaScale(b->kea.velocity, max[0] / sqrt(square[0]), b->kea.velocity);
+    if (square[1] > max[1] * max[1])
+        keaScale(b->kea.angularMomentum, max[1] / sqrt(square[1]), b->kea.angularMomentum);
+    mdt_bodyShow(b);
+}
 
 void MEAPI MdtBodySetFastSpinAxis(const MdtBodyID b, const MeReal x, const MeReal y, const MeReal z) {
     MDT_CHANGE_BODY(b);

@@ -13,6 +13,7 @@ void mdt_bodyRoundingOffset(const MdtBody *b, const double point[3], double lost
 void mdt_bodyVelocity(const MdtBody *b, MdtKeaVelocity *v); /* angular: `spin`, as last shown */
 void mdt_bodyAcceptVelocities(MdtBodyID b); /* applies velocities that the program has written through pointers */
 void mdt_bodyClampPosition(MdtBodyID b);    /* clamps the position to its bound and stops the body there */
+void mdt_bodyCapSpeeds(MdtBodyID b);        /* scales its shown velocities down to its largest speeds */
 void mdt_bodyEnable(MdtBodyID b);           /* MdtBodyEnable and MdtBodyDisable, but never deferred */
 void mdt_bodyDisable(MdtBodyID b);
 void mdt_bodyAge(MdtBodyID b, double h); /* adds a step of h seconds to its times */

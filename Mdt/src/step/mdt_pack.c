@@ -164,7 +164,7 @@ static void setSystem(MdtIsland *p) {
 
 static void addGravity(const MdtWorld *w, MdtBodyID b) {
     for (int i = 0; i < 3; i++)
-        b->kea.force[i] += b->mass * (double)w->params.gravity[i];
+        b->kea.force[i] += b->gravityFactor * b->mass * (double)w->params.gravity[i];
 }
 
 /* For results independent of threads (rule in MeTeam.h), a range writes to its own bodies only. */

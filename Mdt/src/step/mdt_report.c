@@ -222,7 +222,7 @@ static void reportEnergy(MdtReport *r, MdtBodyID const bodies[], int count, cons
     mdt_fromReal(g, gravity);
     for (int i = 0; i < count; i++) {
         kinetic += kineticEnergyOf(bodies[i]);
-        potential -= bodies[i]->mass * keaDot(g, bodies[i]->kea.position);
+        potential -= bodies[i]->gravityFactor * bodies[i]->mass * keaDot(g, bodies[i]->kea.position);
     }
     r->kineticEnergy = mdt_real(kinetic);
     r->potentialEnergy = mdt_real(potential);

@@ -95,6 +95,7 @@ static void unpackBody(MdtBodyID b, double h) {
     recordPositionCorrection(b, &b->start, &end, h);
     MEASSERT(b->theta >= 0.5 - 1e-9 && b->theta <= 1 + 1e-9);
     MEASSERT(isfinite(keaLength(b->kea.lastStep.lin) + keaLength(b->kea.lastStep.ang) + keaLength(b->push)));
+    mdt_bodyCapSpeeds(b);
     mdt_bodyAge(b, h);
     if (b->moves != b->start.moves + 1)
         b->start.moves = ULONG_MAX;

@@ -179,6 +179,8 @@ void mst_applyProgramChanges(MstBridgeRecord *b, McdSpaceID s, MdtWorldID w);
 void mst_wakeBodiesOfMaterials(const MstBridgeRecord *b, const MstMaterialPair *changed);
 /* Freezes the models again that mst_applyProgramChanges unfroze, unless their bodies are awake now. */
 void mst_refreezeModels(MstBridgeRecord *b);
+/* Adds a vector to what is known of models that the program moves. */
+void mst_shiftMoved(MdtWorldID w, const double by[3]);
 /* Lets models that the program moves follow their transforms in the next step, of `step` s. */
 void mst_followMoved(MdtWorldID w, MeReal step);
 

@@ -156,6 +156,14 @@ void mst_followMoved(MdtWorldID w, MeReal step) {
         MdtWorldBeginMovers(w, step);
 }
 
+void mst_shiftMoved(MdtWorldID w, const double by[3]) {
+    for (MdtBodyID b = MdtWorldNextHidden(w, 0); b; b = MdtWorldNextHidden(w, b)) {
+        MstMoved *moved = MdtBodyGetUserData(b);
+        for (int i = 0; i < 3; i++)
+            moved->seen[3][i] = (MeReal)((double)moved->seen[3][i] + by[i]);
+    }
+}
+
 /* ---- materials --------------------------------------------------------------------------------------------------- */
 
 static MeBool mayUseMaterials(const MstBridgeRecord *b, const McdModelPair *p, const MstMaterialPair *materials) {

@@ -16,6 +16,7 @@
 #include "MdtInternal.h"
 #include "MeAssert.h"
 #include "MeMessage.h"
+#include "MstEvents.h"
 #include "step/mst_step_i.h"
 
 /* ---- groups ------------------------------------------------------------------------------------------------------ */
@@ -223,11 +224,22 @@ static void testAndCommit(MstBridgeRecord *b, MstRun *run, MstFinding *f, MdtWor
         recordTestAndTouch(b, f, w);
 }
 
+static MeU32 kindOf(McdModelID m) {
+    const MdtBodyID b = mst_bodyOf(m);
+    return !b ? MstSensesFixed : MdtBodyIsMover(b) ? MstSensesMoved : MstSensesDynamic;
+}
+
+static MeBool finds(McdModelID sensor, McdModelID other) {
+    return McdModelIsSensor(sensor) && !McdModelIsSensor(other) && (McdModelGetSensorMask(sensor) & kindOf(other)) != 0;
+}
+
 /* An overlap with a sensor gives an event, but no contacts. Two sensors do not detect each other. */
 static void testAndCommitSensor(MstBridgeRecord *b, MstRun *run, McdModelPair *p) {
     mst_destroyGroup(p);
-    if (McdModelIsSensor(p->model1) && McdModelIsSensor(p->model2))
+    if (!finds(p->model1, p->model2) && !finds(p->model2, p->model1)) {
+        mst_pairForget(p);
         return;
+    }
     if (!mst_intersectPair(run, p) || McdModelPairIsLeaving(p))
         return;
     mst_checkContacts(b, run);

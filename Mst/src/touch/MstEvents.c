@@ -6,6 +6,7 @@
  * The list of events is made when a program reads it, has a callback, or destroys an object in it. If it was not made
  * before the next step begins, only whether each pair touches is stored, since most pairs continue to touch. */
 #include "MstEvents.h"
+#include "McdInternal.h"
 #include "MdtBody.h"
 #include "MdtContact.h"
 #include "MdtContactGroup.h"
@@ -290,6 +291,24 @@ void mst_eventsBegin(MstBridgeRecord *b, MeTeam *team) {
     if (b->events.isPending)
         settleWithoutEvents(b, team);
     clearListedTouches(&b->events);
+}
+
+/* ---- sensors ---- */
+
+void MEAPI MstSensorSetMask(const McdModelID sensor, const MeU32 mask) {
+    if (!McdModelIsValid(sensor))
+        MeWarning(1, "MstSensorSetMask: it is no model; nothing is changed");
+    else if (mask & ~(MeU32)MstSensesAll)
+        MeWarning(1, "MstSensorSetMask: the mask 0x%x has a bit of no kind; nothing is changed", (unsigned int)mask);
+    else
+        McdModelSetSensorMask(sensor, mask);
+}
+
+MeU32 MEAPI MstSensorGetMask(const McdModelID sensor) {
+    if (McdModelIsValid(sensor))
+        return McdModelGetSensorMask(sensor) & MstSensesAll;
+    MeWarning(1, "MstSensorGetMask: it is no model");
+    return 0;
 }
 
 const MstEvent *MEAPI MstBridgeGetEvents(const MstBridgeID b, int *count) {

@@ -60,6 +60,11 @@ static MeBool areStagesFree(const MstUniverse *u, const char *function) {
            (!MdtWorldIsValid(u->world) || MeStageIsFree(MdtWorldGetStage(u->world), function));
 }
 
+MeBool mst_universeIsFree(MstUniverseID u, const char *function) {
+    return isUniverse(u, function) && hasAllMembers(u, function) && areStagesFree(u, function) &&
+           MeProgramMayChange(function);
+}
+
 /* Destroys the members that exist: not all may have been created, and the program may have destroyed some. */
 static void destroyMembers(MstUniverse *u) {
     if (McdSpaceIsValid(u->space))

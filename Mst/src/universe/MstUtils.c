@@ -11,10 +11,10 @@
 
 /* ---- mass ------------------------------------------------------------------------------------------------------ */
 
-static MeBool getMassProperties(McdModelID model, MeMatrix3 inertia, MeReal *volume, const char *function) {
-    MeMatrix4 relative;
-    if (!McdModelIsValid(model) ||
-        !McdGeometryGetMassProperties(McdModelGetGeometry(model), relative, inertia, volume) || !(*volume > 0)) {
+static MeBool getMassProperties(McdModelID model, MeMatrix4 centre, MeMatrix3 inertia, MeReal *volume,
+                                const char *function) {
+    if (!McdModelIsValid(model) || !McdGeometryGetMassProperties(McdModelGetGeometry(model), centre, inertia, volume) ||
+        !(*volume > 0)) {
         MeWarning(1,
                   "%s: the model's geometry has no mass properties: mass and inertia stay as they are. What does not "
                   "move is made "
@@ -30,28 +30,42 @@ static void scaleInertia(MeMatrix3 inertia, MeReal by) {
         MeVector3MultiplyScalar(inertia[i], inertia[i], by);
 }
 
-void MEAPI MstAutoSetMassProperties(const MdtBodyID body, const McdModelID model, const MeReal density) {
+/* Sets mass and inertia, and writes where the geometry has its centre of mass. False, with a warning: it has none. */
+static MeBool setMass(MdtBodyID body, McdModelID model, MeReal density, MeMatrix4 centre, const char *function) {
     MeMatrix3 inertia;
     MeReal volume;
     if (!(density > 0) || !MeRealIsValid(density)) {
         MeWarning(1, "%s: density is %g: it must be positive; mass and inertia stay as they are",
-                  MeCallerName("MstAutoSetMassProperties"), (double)density);
-        return;
+                  MeCallerName(function), (double)density);
+        return MEFALSE;
     }
-    if (!getMassProperties(model, inertia, &volume, "MstAutoSetMassProperties"))
-        return;
+    if (!getMassProperties(model, centre, inertia, &volume, function))
+        return MEFALSE;
     scaleInertia(inertia, density);
     MdtBodySetMass(body, density * volume);
     MdtBodySetInertiaTensor(body, (const MeVector3 *)inertia);
+    return METRUE;
+}
+
+void MEAPI MstAutoSetMassProperties(const MdtBodyID body, const McdModelID model, const MeReal density) {
+    MeMatrix4 centre;
+    setMass(body, model, density, centre, __func__);
+}
+
+void MEAPI MstAutoSetMassAndCenter(const MdtBodyID body, const McdModelID model, const MeReal density) {
+    MeMatrix4 centre;
+    if (setMass(body, model, density, centre, __func__))
+        MdtBodySetCenterOfMassRelativeTransform(body, (const MeVector4 *)centre);
 }
 
 void MEAPI MstAutoSetInertialTensor(const McdModelID model) {
+    MeMatrix4 centre;
     MeMatrix3 inertia;
     MeReal volume;
     const MdtBodyID body = McdModelIsValid(model) ? McdModelGetBody(model) : 0;
     if (!body)
         MeWarning(1, "MstAutoSetInertialTensor: the model is null, or has no body; nothing is changed");
-    if (!body || !getMassProperties(model, inertia, &volume, "MstAutoSetInertialTensor"))
+    if (!body || !getMassProperties(model, centre, inertia, &volume, __func__))
         return;
     scaleInertia(inertia, MdtBodyGetMass(body) / volume);
     MdtBodySetInertiaTensor(body, (const MeVector3 *)inertia);
@@ -91,8 +105,8 @@ static MeBool isCentred(McdGeometryID g) {
     return MeVector3Magnitude(relative[3]) <= (MeReal)0.01 * radius;
 }
 
-/* Creates a model and its body; on failure, nothing remains. */
-static McdModelID createWithBody(MstUniverse *u, McdGeometryID g, MeReal density) {
+/* Creates a model and its body, without mass; on failure, nothing remains. */
+static McdModelID createWithBody(MstUniverse *u, McdGeometryID g) {
     const McdModelID m = McdModelCreate(g);
     const MdtBodyID b = m ? MdtBodyCreate(u->world) : 0;
     if (!b || !insertModel(u->space, m, MEFALSE)) {
@@ -103,15 +117,34 @@ static McdModelID createWithBody(MstUniverse *u, McdGeometryID g, MeReal density
     }
     McdModelSetBody(m, b);
     MdtBodyEnable(b);
-    MstAutoSetMassProperties(b, m, density);
+    return m;
+}
+
+static McdModelID createAsGiven(MstUniverse *u, McdGeometryID g, MeReal density) {
+    const McdModelID m = createWithBody(u, g);
+    if (!m)
+        return 0;
+    MstAutoSetMassProperties(McdModelGetBody(m), m, density);
     if (!isCentred(g))
-        MdtBodyExpectCentreOfMass(b);
+        MdtBodyExpectCentreOfMass(McdModelGetBody(m));
+    return m;
+}
+
+static McdModelID createWithCentre(MstUniverse *u, McdGeometryID g, MeReal density) {
+    const McdModelID m = createWithBody(u, g);
+    if (m)
+        MstAutoSetMassAndCenter(McdModelGetBody(m), m, density);
     return m;
 }
 
 McdModelID MEAPI MstModelAndBodyCreate(const MstUniverseID u, const McdGeometryID g, const MeReal density) {
     ME_RETURN_UNDER_OWN_NAME(McdModelID,
-                             MstUniverseGetWorld(u) && checkGeometry(g, __func__) ? createWithBody(u, g, density) : 0);
+                             MstUniverseGetWorld(u) && checkGeometry(g, __func__) ? createAsGiven(u, g, density) : 0);
+}
+
+McdModelID MEAPI MstModelAndBodyCreateWithCenter(const MstUniverseID u, const McdGeometryID g, const MeReal density) {
+    ME_RETURN_UNDER_OWN_NAME(
+        McdModelID, MstUniverseGetWorld(u) && checkGeometry(g, __func__) ? createWithCentre(u, g, density) : 0);
 }
 
 /* Whether the rotation has orthogonal rows of length 1 and is right-handed, to the precision of hand-written
@@ -136,7 +169,7 @@ static MeBool isRigid(const MeMatrix4 tm) {
 }
 
 static McdModelID createFixed(McdSpaceID s, McdGeometryID g, MeMatrix4Ptr transformation) {
-    if (!s || !checkGeometry(g, "MstFixedModelCreate"))
+    if (!s || !checkGeometry(g, MeCallerName("MstFixedModelCreate")))
         return 0;
     if (!transformation)
         MeWarning(1,
@@ -159,6 +192,42 @@ static McdModelID createFixed(McdSpaceID s, McdGeometryID g, MeMatrix4Ptr transf
 
 McdModelID MEAPI MstFixedModelCreate(const MstUniverseID u, const McdGeometryID g, MeMatrix4Ptr transformation) {
     ME_RETURN_UNDER_OWN_NAME(McdModelID, createFixed(MstUniverseGetSpace(u), g, transformation));
+}
+
+/* The transform of a pose. False, with a warning: it is none. */
+static MeBool toTransform(MeMatrix4 tm, const MeVector3 position, const MeVector4 quaternion) {
+    static const MeVector4 none = {1, 0, 0, 0};
+    const MeReal *given = quaternion ? quaternion : none;
+    const double q[4] = {(double)given[0], (double)given[1], (double)given[2], (double)given[3]};
+    const double size = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    MeVector4 unit;
+    if (!position || !isfinite((double)position[0] + (double)position[1] + (double)position[2]) || !isfinite(size) ||
+        !(size > 0)) {
+        MeWarning(1, "MstFixedModelCreateAt: the %s; there is no model",
+                  !position ? "position is null" : "pose is none: its numbers must be finite, the quaternion not 0");
+        return MEFALSE;
+    }
+    MeQuaternionSet(unit, (MeReal)(q[0] / size), (MeReal)(q[1] / size), (MeReal)(q[2] / size), (MeReal)(q[3] / size));
+    MeMatrix4TMMakeIdentity(tm);
+    MeMatrix4TMSetRotationFromQuaternion(tm, unit);
+    MeVector3Copy(tm[3], position);
+    return METRUE;
+}
+
+/* Creates the model with a transform of the caller's, which a copy then replaces. */
+static McdModelID createFixedAt(McdSpaceID s, McdGeometryID g, const MeVector3 position, const MeVector4 quaternion) {
+    MeMatrix4 tm;
+    const McdModelID m = s && toTransform(tm, position, quaternion) ? createFixed(s, g, tm) : 0;
+    if (m && !McdModelPlaceAtCopy(m, (const MeVector4 *)tm)) {
+        McdModelDestroy(m);
+        return 0;
+    }
+    return m;
+}
+
+McdModelID MEAPI MstFixedModelCreateAt(const MstUniverseID u, const McdGeometryID g, const MeVector3 position,
+                                       const MeVector4 quaternion) {
+    ME_RETURN_UNDER_OWN_NAME(McdModelID, createFixedAt(MstUniverseGetSpace(u), g, position, quaternion));
 }
 
 /* Removes a model from its space and handles the goodbye pairs, so that its contacts are destroyed. */

@@ -16,6 +16,8 @@ typedef struct MstStepHook {
 
 /* The address of a universe's hook pointer; null, with a warning, if it is not a universe. */
 MstStepHook **mst_universeHook(MstUniverseID u, const char *function);
+/* Whether the universe is whole, and no stage of it is active. False: with a message. */
+MeBool mst_universeIsFree(MstUniverseID u, const char *function);
 /* The epsilon of a universe's world, 1/kg. */
 double mst_epsilonForSizes(const MstUniverseSizes *sizes);
 
