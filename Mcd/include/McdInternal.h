@@ -4,7 +4,7 @@
 #ifndef MCDINTERNAL_H
 #define MCDINTERNAL_H
 
-#include "McdCTypes.h"
+#include "McdSpace.h"
 #include "MeInternal.h"
 #include "MeTeam.h"
 
@@ -181,6 +181,35 @@ typedef struct McdMotion {
  *  shapes, planes and triangles. What recedes, slides along or comes nearer so slowly that contacts cope is no impact. Of
  *  types with interactions of the program, what McdSafeTime says, unless they touch. maxTime: there is none. */
 MEPUBLIC MeReal MEAPI McdModelPairImpactTime(McdModelPair *p, const McdMotion motion[2], MeReal maxTime, MeBool isHeld);
+/** @} */
+
+/** @name Parts near a capsule (McdNear.c), for capsules that the program moves
+ *  Coordinates are along the world's axes, relative to an origin.
+ *  @{ */
+typedef struct McdNear McdNear;
+/** A segment with a rounding; radius 0 and equal ends: a point. */
+typedef struct McdCapsule {
+    double end[2][3], radius; /**< m */
+} McdCapsule;
+/** The gap between a part and a capsule, as of McdClosestResult. */
+typedef struct McdNearGap {
+    double distance;    /**< m; negative: the depth */
+    double position[3]; /**< on the part */
+    double normal[3];   /**< to the capsule */
+} McdNearGap;
+/** Gathers what is within a box: convex parts, planes, single triangles; in the order of sort keys, then creation of
+ *  models. Also inside of change blocks, with the boxes of the last update. Sensors are left out as by queries, and
+ *  models that @a filter refuses. Null, after a warning, if there is no space or no memory. */
+MEPUBLIC McdNear *MEAPI McdNearBegin(McdSpaceID s, const double origin[3], const double low[3], const double high[3],
+                                     McdLineSegIntersectEnableCallback filter, void *filterData);
+MEPUBLIC void MEAPI McdNearEnd(McdNear *n);
+MEPUBLIC int MEAPI McdNearGetCount(const McdNear *n);
+/** The model of part i, and the part. */
+MEPUBLIC McdModelID MEAPI McdNearGetModel(const McdNear *n, int i);
+MEPUBLIC McdGeometryInstanceID MEAPI McdNearGetInstance(const McdNear *n, int i);
+/** Measures the gap of a capsule from part i if it is at most @a reach; false: it is larger, or a triangle that is not
+ *  two-sided is seen from behind. */
+MEPUBLIC MeBool MEAPI McdNearMeasure(const McdNear *n, int i, const McdCapsule *c, double reach, McdNearGap *gap);
 /** @} */
 
 /** @name Kinds of geometries

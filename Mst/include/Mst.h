@@ -11,6 +11,7 @@
 #include "MstDebugDraw.h"
 #include "MstEvents.h"
 #include "MstModelDynamics.h"
+#include "MstMover.h"
 #include "MstTypes.h"
 #include "MstUniverse.h"
 #include "MstUtils.h"

@@ -100,7 +100,7 @@ HANDLES = [
     'MdtSpring6', 'MdtConeLimit', 'MdtSkeletal', 'MdtUserConstraint', 'MdtContact', 'MdtContactGroup', 'MdtBclLimit',
     'MdtBclSingleLimit', 'MdtBclContactParams', '_McdFramework', '_McdSpace', '_McdGeometry', '_McdGeometryInstance', '_McdModel',
     '_McdModelPair', '_McdModelPairContainer', 'McdModelPairManager', 'McdCullingTable', 'McdBatchContext', 'MeIDPool', 'MeChunk',
-    'MeTaskPool',
+    'MeTaskPool', 'MstMover',
 ]
 CONSTRAINTS = HANDLES[HANDLES.index('MdtBSJoint'):HANDLES.index('MdtBclLimit')]
 

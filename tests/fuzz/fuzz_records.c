@@ -52,6 +52,16 @@ static void fill_McdRequest(void *record, FuzzRandom *random) {
     request->faceNormalsFirst = (MeBool)fuzzBelow(random, 2);
 }
 
+static void fill_MstMoverParams(void *record, FuzzRandom *random) {
+    MstMoverParams *p = record;
+    MeReal *const lengths[] = {&p->radius, &p->height, &p->slopeLimit, &p->stepHeight, &p->skin, &p->pushStrength};
+    memset(p, 0, sizeof *p);
+    *p = (MstMoverParams){.radius = (MeReal)0.3, .height = (MeReal)1.8, .skin = (MeReal)0.02, .up = {0, 0, 1}};
+    for (int i = 0; i < 6; i++)
+        if (fuzzIsNasty(random))
+            *lengths[i] = (MeReal)fuzzReal(random);
+}
+
 static void fill_McdIterators(void *record, FuzzRandom *random) {
     int *numbers = record; /* all members are ints, or pointers that are null at the end */
     (void)random;
@@ -139,6 +149,8 @@ const FuzzRecordType fuzzRecords[] = {
     RECORD(MdtReport, sizeof(MdtReport), fill_Nothing)
     RECORD(MeProfileTimerResult, sizeof(MeProfileTimerResult), fill_Nothing)
     RECORD(MstUniverseSizes, sizeof(MstUniverseSizes), fill_MstUniverseSizes)
+    RECORD(MstMoverParams, sizeof(MstMoverParams), fill_MstMoverParams)
+    RECORD(MstMoverResult, sizeof(MstMoverResult), fill_Nothing)
     RECORD(MstDebugDraw, sizeof(MstDebugDraw), fill_MstDebugDraw)
     /* clang-format on */
 };

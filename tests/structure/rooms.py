@@ -12,6 +12,7 @@ ROOMS = {  # library: room: the other rooms whose functions it may call, and who
     'Mcd': {'convex': '', 'model': 'convex', 'surface': 'convex model', 'pair': 'convex model surface',
             'geometry': 'convex model surface pair', 'space': 'convex model surface pair geometry'},
     'Mst': {'bridge': '', 'touch': 'bridge', 'step': 'bridge touch', 'universe': 'bridge touch step',
+            'mover': 'bridge',
             'advise': 'bridge touch step universe'},
 }
 

@@ -60,6 +60,9 @@ void mcd_scratchFreeAll(McdFramework *frame) {
         MeMemoryGive(scratch->contact);
         MeMemoryGive(scratch->choice);
         MeMemoryGive(scratch->manifold);
+        MeMemoryGive(scratch->near);
+        MeMemoryGive(scratch->nearChild);
+        MeMemoryGive(scratch->nearModel);
         MeMemoryGive(scratch->number);
         MeMemoryGive(scratch);
     }

@@ -31,7 +31,8 @@ typedef struct McdScratch {
     int contactRoom;
     McdChildManifold *manifold; /* manifoldRoom elements */
     int manifoldRoom;
-    int *number; /* numberRoom numbers of triangles, for gather functions */
+    void *near, *nearChild, *nearModel; /* of McdNear.c */
+    int *number;                        /* numberRoom numbers of triangles, for gather functions */
     int numberRoom;
 } McdScratch;
 
