@@ -83,7 +83,7 @@ MEPUBLIC unsigned long MEAPI MdtBodyGetMoves(const MdtBodyID b);
  *  program has called MdtBodySetCenterOfMassRelativePosition by then. */
 MEPUBLIC void MEAPI MdtBodyExpectCentreOfMass(const MdtBodyID b);
 
-/** m/s²: what gravity and the program's forces give the centre of mass in the coming part of a step; 0 while disabled. */
+/** m/s²: what gravity and the program's forces give the centre of mass in the coming part of a step; 0 if disabled. */
 MEPUBLIC void MEAPI MdtBodyGetFreeAcceleration(const MdtBodyID b, MeVector3 a);
 /** rad/s²: the rate at which the angular velocity of the body changes while no torque acts on it, or more. */
 MEPUBLIC MeReal MEAPI MdtBodyGetFreeSpinRate(const MdtBodyID b);

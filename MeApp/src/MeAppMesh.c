@@ -1,6 +1,7 @@
 /* Triangle meshes of graphics, and of files. */
 #include "MeAppMesh.h"
 #include "McdMesh.h"
+#include "MeInternal.h"
 #include "MeMemory.h"
 #include "MeMessage.h"
 #include "MeViewer.h"
@@ -37,7 +38,7 @@ McdMeshID MEAPI MeAppMeshCreate(McdFrameworkID frame, const RGraphic *rg) {
     return mesh;
 }
 
-McdMeshID MEAPI MeAppMeshFromFile(McdFrameworkID frame, RRender *rc, const char *filename, MeReal scale) {
+static McdMeshID loadMesh(McdFrameworkID frame, RRender *rc, const char *filename, MeReal scale) {
     static const float white[4] = {1, 1, 1, 1};
     RGraphic *rg = RGraphicLoadMesh(rc, filename, (AcmeReal)scale, white, 0);
     if (!rg)
@@ -45,4 +46,8 @@ McdMeshID MEAPI MeAppMeshFromFile(McdFrameworkID frame, RRender *rc, const char 
     McdMeshID mesh = MeAppMeshCreate(frame, rg);
     RGraphicDelete(rc, rg, 0);
     return mesh;
+}
+
+McdMeshID MEAPI MeAppMeshFromFile(McdFrameworkID frame, RRender *rc, const char *filename, MeReal scale) {
+    ME_RETURN_UNDER_OWN_NAME(McdMeshID, loadMesh(frame, rc, filename, scale));
 }

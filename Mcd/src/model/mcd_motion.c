@@ -161,16 +161,16 @@ static double firstTouch(const McdApproach *p, double time, double maxTime, doub
 
 /* m/s²: how much points accelerate that are taken to move as the spin at the start has it or, by contacts, straight. A
  * body that tips over a contact falls. */
-static double unknownAcceleration(const McdMover *m, MeBool isHeld) {
-    const double core = coreOf(m), turn = isHeld ? coreSpin(m) : 0, all = isHeld ? mcd_length(m->spin) : 0;
-    const double tips = isHeld && core + m->arm > 0 ? mcd_length(m->acceleration) : 0;
+static double unknownAcceleration(const McdMover *m, MeBool hasContacts) {
+    const double core = coreOf(m), turn = hasContacts ? coreSpin(m) : 0, all = hasContacts ? mcd_length(m->spin) : 0;
+    const double tips = hasContacts && core + m->arm > 0 ? mcd_length(m->acceleration) : 0;
     return (m->spinRate + all * all) * m->arm + (m->spinRate + turn * turn) * core + tips;
 }
 
 /* s: how long the shapes' points are known to within the margin: acceleration t² / 2. */
-static double horizonOf(const McdApproach *p, MeBool isHeld) {
-    const double other = p->isHalfSpace ? 0 : unknownAcceleration(&p->other, isHeld);
-    return sqrt(2 * p->margin / (unknownAcceleration(&p->shape, isHeld) + other)); /* INFINITY if they are 0 */
+static double horizonOf(const McdApproach *p, MeBool hasContacts) {
+    const double other = p->isHalfSpace ? 0 : unknownAcceleration(&p->other, hasContacts);
+    return sqrt(2 * p->margin / (unknownAcceleration(&p->shape, hasContacts) + other)); /* INFINITY if they are 0 */
 }
 
 /* ---- impacts ----------------------------------------------------------------------------------------------------- */
@@ -196,7 +196,7 @@ static MeBool isBehind(const McdApproach *p) {
 }
 
 /* s: for what is in touch at the start: while contacts are known, and until the shapes are deeper by the margin. */
-static double heldImpact(const McdApproach *p, double gap, double max) {
+static double impactBeyondContacts(const McdApproach *p, double gap, double max) {
     const double known = fmin(horizonOf(p, METRUE), max);
     return fmin(timeToDepth(p, p->margin - MeMIN(gap, 0), 0, known), known);
 }
@@ -264,7 +264,7 @@ double mcd_impactTime(const McdApproach *p, double from, double to, double max) 
         return max;
     const double gap = from == 0 ? gapAt(p, 0, n, at) : INFINITY, known = fmin(horizonOf(p, MEFALSE), max);
     if (gap <= p->margin)
-        return p->isHeld ? heldImpact(p, gap, max) : max;
+        return p->hasContacts ? impactBeyondContacts(p, gap, max) : max;
     const McdApproach free = freeApproach(p);
     const double time = from < known ? knownImpact(p, &free, from, fmin(to, known), known) : known;
     if (time < known || !(to > known))

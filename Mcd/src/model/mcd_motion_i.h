@@ -7,8 +7,8 @@
 /* Shapes count as touching if they are nearer than this fraction of the smaller one's extent. */
 #define MCD_TOUCH 1e-4
 
-/* A convex shape that turns about a pivot, which moves uniformly, or accelerates where no contacts hold it. Its axes and
- * place are those at time 0. */
+/* A convex shape that turns about a pivot, which moves uniformly, or accelerates where no contacts hold it. Its axes
+ * and place are those at time 0. */
 typedef struct McdMover {
     McdShape start;
     double pivot[3], velocity[3], spin[3]; /* relative to the query's origin, m; m/s; rad/s */
@@ -31,7 +31,7 @@ typedef struct McdApproach {
     double time;         /* s, that is looked at: accelerations count by the mean velocity in it */
     MeBool isFalling;    /* there are accelerations */
     double slow;         /* m/s: slower approaches are left to contacts */
-    MeBool isHeld;       /* contacts hold what is within the margin at time 0; else it is no obstacle */
+    MeBool hasContacts;  /* contacts hold what is within the margin at time 0; else it is no obstacle */
 } McdApproach;
 
 /* s: when the shape is to stop for an impact that begins from `from` to `to`; max: there is none (mcd_motion.c). What

@@ -16,7 +16,7 @@ typedef struct Search {
     Motion motion[2];
     double origin[3];
     double margin, slow; /* as of McdApproach */
-    MeBool isHeld, isFalling;
+    MeBool hasContacts, isFalling;
     double whole, time; /* s, that is looked at; of the first impact so far */
 } Search;
 
@@ -33,16 +33,16 @@ static void setMotion(Motion *m, const McdMotion *from, const double origin[3]) 
 
 /* The motion of one model as seen from the other, which is then at rest. If that one turns, it is exact to first order
  * in time. */
-static Motion relativeMotion(const Motion *m, const Motion *rest) {
+static Motion relativeMotion(const Motion *m, const Motion *other) {
     Motion relative = *m;
     double arm[3], velocity[3];
-    mcd_sub(arm, m->centre, rest->centre);
-    mcd_cross(velocity, rest->spin, arm);
-    mcd_mad(velocity, velocity, 1, rest->velocity);
+    mcd_sub(arm, m->centre, other->centre);
+    mcd_cross(velocity, other->spin, arm);
+    mcd_mad(velocity, velocity, 1, other->velocity);
     mcd_sub(relative.velocity, m->velocity, velocity);
-    mcd_sub(relative.spin, m->spin, rest->spin);
-    mcd_sub(relative.acceleration, m->acceleration, rest->acceleration);
-    relative.spinRate = m->spinRate + rest->spinRate;
+    mcd_sub(relative.spin, m->spin, other->spin);
+    mcd_sub(relative.acceleration, m->acceleration, other->acceleration);
+    relative.spinRate = m->spinRate + other->spinRate;
     return relative;
 }
 
@@ -65,7 +65,7 @@ static McdApproach approachOf(const Search *s, double extent) {
                          .slow = s->slow,
                          .time = s->whole,
                          .isFalling = s->isFalling,
-                         .isHeld = s->isHeld};
+                         .hasContacts = s->hasContacts};
 }
 
 static void keepFirst(Search *s, const McdApproach *a, double from, double to) {
@@ -82,7 +82,7 @@ static MeBool areTooFar(const Search *s, const McdMover *a, const McdMover *b) {
     return mcd_length(between) - mcd_length(speed) * s->time > reachOf(s, a) + reachOf(s, b) + s->margin;
 }
 
-static void meetShapes(Search *s, const McdShape *a, const McdShape *b) {
+static void impactOfShapes(Search *s, const McdShape *a, const McdShape *b) {
     McdApproach approach = approachOf(s, MeMIN(a->extent, b->extent));
     setMover(&approach.shape, a, &s->motion[0]);
     setMover(&approach.other, b, &s->motion[1]);
@@ -91,7 +91,7 @@ static void meetShapes(Search *s, const McdShape *a, const McdShape *b) {
 }
 
 /* side: which of the models the shape belongs to; also below. */
-static void meetHalfSpace(Search *s, int side, const McdShape *shape, McdGeometryInstance *plane) {
+static void impactOnPlane(Search *s, int side, const McdShape *shape, McdGeometryInstance *plane) {
     McdApproach approach = approachOf(s, shape->extent);
     const Motion m = relativeMotion(&s->motion[side], &s->motion[!side]);
     approach.isHalfSpace = METRUE;
@@ -117,7 +117,7 @@ static MeBool staysOnOneSide(const Sweep *w, const McdMeshTriangle *t) {
     return (start > reach && end > reach) || (start < -reach && end < -reach);
 }
 
-static MeBool meetTriangle(void *context, const McdMeshTriangle *t, const McdShape *triangle) {
+static MeBool impactOnTriangle(void *context, const McdMeshTriangle *t, const McdShape *triangle) {
     Sweep *w = context;
     if (w->path.from > w->search->time || staysOnOneSide(w, t))
         return METRUE;
@@ -128,7 +128,7 @@ static MeBool meetTriangle(void *context, const McdMeshTriangle *t, const McdSha
     return METRUE;
 }
 
-static void meetSurface(Search *s, int side, const McdShape *shape, McdGeometryInstance *surface) {
+static void impactOnSurface(Search *s, int side, const McdShape *shape, McdGeometryInstance *surface) {
     Sweep w = {.search = s, .approach = approachOf(s, shape->extent), .path = {.last = s->time}};
     const Motion m = relativeMotion(&s->motion[side], &s->motion[!side]);
     setMover(&w.approach.shape, shape, &m);
@@ -138,13 +138,13 @@ static void meetSurface(Search *s, int side, const McdShape *shape, McdGeometryI
         w.path.high[i] = m.centre[i] + reach;
         w.path.by[i] = m.velocity[i];
     }
-    mcd_meshForEachAlong(surface, side ? s->pair->model2 : s->pair->model1, s->origin, &w.path, meetTriangle, &w);
+    mcd_meshForEachAlong(surface, side ? s->pair->model2 : s->pair->model1, s->origin, &w.path, impactOnTriangle, &w);
 }
 
 /* ---- parts ------------------------------------------------------------------------------------------------------- */
 
 /* Two parts whose types interact by functions of the program. */
-static void meetByProgram(Search *s, McdGeometryInstance *a, McdGeometryInstance *b) {
+static void impactByProgram(Search *s, McdGeometryInstance *a, McdGeometryInstance *b) {
     McdStandIn standIn[2];
     McdSafeTimeResult safe;
     McdModelPair pair = *s->pair;
@@ -158,45 +158,46 @@ static void meetByProgram(Search *s, McdGeometryInstance *a, McdGeometryInstance
 }
 
 /* A part that is a half-space or a surface, or has none of our shapes. */
-static void meetWide(Search *s, int side, const McdShape *shape, McdGeometryInstance *other) {
+static void impactOfWide(Search *s, int side, const McdShape *shape, McdGeometryInstance *other) {
     if (mcd_isSurface(other))
-        meetSurface(s, side, shape, other);
+        impactOnSurface(s, side, shape, other);
     else if (mcd_isHalfSpace(other))
-        meetHalfSpace(s, side, shape, other);
+        impactOnPlane(s, side, shape, other);
 }
 
-static void meetParts(Search *s, McdGeometryInstance *a, McdGeometryInstance *b) {
+static void impactOfChildren(Search *s, McdGeometryInstance *a, McdGeometryInstance *b) {
     McdShape shape[2];
     if (!mcd_instanceIsPlaced(a) || !mcd_instanceIsPlaced(b))
         return;
     if (!mcd_typesAreBuiltIn(a->geometry->frame, a->geometry->type, b->geometry->type)) {
-        meetByProgram(s, a, b);
+        impactByProgram(s, a, b);
         return;
     }
     const MeBool isConvex[2] = {mcd_shapeOf(a, s->origin, &shape[0]), mcd_shapeOf(b, s->origin, &shape[1])};
     if (isConvex[0] && isConvex[1])
-        meetShapes(s, &shape[0], &shape[1]);
+        impactOfShapes(s, &shape[0], &shape[1]);
     else if (isConvex[0])
-        meetWide(s, 0, &shape[0], b);
+        impactOfWide(s, 0, &shape[0], b);
     else if (isConvex[1])
-        meetWide(s, 1, &shape[1], a);
+        impactOfWide(s, 1, &shape[1], a);
 }
 
-static void meetPartsOf(Search *s, McdGeometryInstance *a, McdGeometryInstance *b) {
+static void impactOfChildrenOf(Search *s, McdGeometryInstance *a, McdGeometryInstance *b) {
     if (a->firstChild)
         for (McdGeometryInstance *child = a->firstChild; child; child = child->nextSibling)
-            meetPartsOf(s, child, b);
+            impactOfChildrenOf(s, child, b);
     else if (b->firstChild)
         for (McdGeometryInstance *child = b->firstChild; child; child = child->nextSibling)
-            meetPartsOf(s, a, child);
+            impactOfChildrenOf(s, a, child);
     else
-        meetParts(s, a, b);
+        impactOfChildren(s, a, b);
 }
 
-MeReal MEAPI McdModelPairImpactTime(McdModelPair *p, const McdMotion motion[2], MeReal maxTime, MeBool isHeld) {
+MeReal MEAPI McdModelPairImpactTime(McdModelPair *p, const McdMotion motion[2], MeReal maxTime, MeBool hasContacts) {
     McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
     const double ahead = fmax((double)a->lookAhead, (double)b->lookAhead), margin = mcd_pairMargin(p);
-    Search s = {.pair = p, .margin = margin, .isHeld = isHeld, .whole = (double)maxTime, .time = (double)maxTime};
+    Search s = {
+        .pair = p, .margin = margin, .hasContacts = hasContacts, .whole = (double)maxTime, .time = (double)maxTime};
     MEASSERT(maxTime >= 0 && (a->isFast || b->isFast));
     s.slow = margin / ahead;
     mcd_pairOrigin(&a->instance, &b->instance, s.origin);
@@ -204,7 +205,7 @@ MeReal MEAPI McdModelPairImpactTime(McdModelPair *p, const McdMotion motion[2], 
     setMotion(&s.motion[1], &motion[1], s.origin);
     for (int i = 0; i < 3; i++)
         s.isFalling = s.isFalling || s.motion[0].acceleration[i] != s.motion[1].acceleration[i];
-    meetPartsOf(&s, &a->instance, &b->instance);
+    impactOfChildrenOf(&s, &a->instance, &b->instance);
     MEASSERT(s.time >= 0);
     return MeMIN((MeReal)s.time, maxTime);
 }

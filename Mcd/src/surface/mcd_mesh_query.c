@@ -1,5 +1,5 @@
-/* The triangles of a surface near a box or its path, and the distance of a convex shape from any part of a model: for queries,
- * which treat each triangle as a convex shape of its own. */
+/* The triangles of a surface near a box or its path, and the distance of a convex shape from any part of a model: for
+ * queries, which treat each triangle as a convex shape of its own. */
 #include "convex/mcd_kind_i.h"
 #include "surface/mcd_scratch_i.h"
 #include "convex/mcd_vector_i.h"

@@ -131,7 +131,7 @@ MdtBodyID MEAPI McdModelGetBody(const McdModelID m) {
 }
 
 void MEAPI McdModelDynamicsReset(const McdModelID m) {
-    const MdtBodyID b = McdModelGetBody(m);
+    const MdtBodyID b = isModel(m, "McdModelDynamicsReset") ? McdModelGetBody(m) : 0;
     if (!b)
         return;
     MdtBodySetPosition(b, 0, 0, 0);

@@ -91,9 +91,9 @@ static MeBool areContactsTimed(const McdModelPair *p) {
     return !mst_isInLargeIsland(mst_bodyOf(p->model1)) && !mst_isInLargeIsland(mst_bodyOf(p->model2));
 }
 
-MeReal mst_timeToImpact(const MstBridgeRecord *b, McdModelPair *p, MeBool isHeld) {
+MeReal mst_timeToImpact(const MstBridgeRecord *b, McdModelPair *p, MeBool hasContacts) {
     const McdMotion motion[2] = {motionOf(p->model1), motionOf(p->model2)};
-    return McdModelPairImpactTime(p, motion, remainingTime(b, p), isHeld && areContactsTimed(p));
+    return McdModelPairImpactTime(p, motion, remainingTime(b, p), hasContacts && areContactsTimed(p));
 }
 
 /* s: the shortest sub-step. In it, a body moves hardly farther than its speculative margin: 1 % of its size at a speed
@@ -121,12 +121,12 @@ static void clampPair(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w, MeReal 
         clampBody(b, body2, time);
 }
 
-void mst_clampFastPair(MstBridgeRecord *b, const MstFinding *f, MeBool isHeld, MdtWorldID w) {
+void mst_clampFastPair(MstBridgeRecord *b, const MstFinding *f, MeBool hasContacts, MdtWorldID w) {
     McdModelPair *p = f->pair;
     if (!f->isFast)
         return;
     const MeReal max = remainingTime(b, p);
-    const MeReal time = f->timeToImpact != MST_UNKNOWN ? f->timeToImpact : mst_timeToImpact(b, p, isHeld);
+    const MeReal time = f->timeToImpact != MST_UNKNOWN ? f->timeToImpact : mst_timeToImpact(b, p, hasContacts);
     MEASSERT(time >= 0 && time <= max);
     if (isWorthClamping(b, time, max))
         clampPair(b, p, w, MeMAX(time, minSubstep(b)));
