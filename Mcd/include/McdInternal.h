@@ -176,10 +176,10 @@ typedef struct McdMotion {
     MeReal spinRate;                  /**< rad/s², >= 0: how fast the spin may change, which is not known */
 } McdMotion;
 /** s, at most @a maxTime: how long a fast pair may move before the impact of any of their parts: the time at which
- *  parts touch that are now farther apart than the fast margin; for nearer ones, if @a hasContacts, the time until they are
- *  deeper than now by that margin, since their contacts hold them; without hasContacts these are no obstacle. Parts are
- *  convex shapes, planes and triangles. What recedes, slides along or comes nearer so slowly that contacts cope is no
- *  impact. Of types with interactions of the program, what McdSafeTime says, unless they touch. maxTime: there is
+ *  parts touch that are now farther apart than the fast margin; for nearer ones, if @a hasContacts, the time until they
+ *  are deeper than now by that margin, since their contacts hold them; without hasContacts these are no obstacle. Parts
+ *  are convex shapes, planes and triangles. What recedes, slides along or comes nearer so slowly that contacts cope is
+ *  no impact. Of types with interactions of the program, what McdSafeTime says, unless they touch. maxTime: there is
  *  none. */
 MEPUBLIC MeReal MEAPI McdModelPairImpactTime(McdModelPair *p, const McdMotion motion[2], MeReal maxTime,
                                              MeBool hasContacts);

@@ -113,13 +113,13 @@ static inline MeBool mst_isOneBody(const McdModelPair *p) {
 MeBool mst_mayCollide(const McdModelPair *p);
 /* Whether the pair's lagging body, which may not get contacts, has to stop before it touches the other one. */
 MeBool mst_mustClampLagging(const McdModelPair *p);
-/* s: how long a fast pair may move before an impact, at most the time that its bodies move in this sub-step. hasContacts:
- * its contacts hold what is in touch; else that is no obstacle (McdModelPairImpactTime). */
+/* s: how long a fast pair may move before an impact, at most the time that its bodies move in this sub-step.
+ * hasContacts: its contacts hold what is in touch; else that is no obstacle (McdModelPairImpactTime). */
 MeReal mst_timeToImpact(const MstBridgeRecord *b, McdModelPair *p, MeBool hasContacts);
 /* Limits the safe time of the pair's lagging body to the finding's timeToImpact. */
 void mst_clampLaggingBody(MstBridgeRecord *b, const MstFinding *f);
-/* Limits the safe times of the bodies of a fast pair to the time of their impact, if it is within the step. hasContacts:
- * the pair has contacts. */
+/* Limits the safe times of the bodies of a fast pair to the time of their impact, if it is within the step.
+ * hasContacts: the pair has contacts. */
 void mst_clampFastPair(MstBridgeRecord *b, const MstFinding *f, MeBool hasContacts, MdtWorldID w);
 /* Whether the body is in a large partition, which is costly to solve and on which a single pair has little effect. */
 MeBool mst_isInLargeIsland(MdtBodyID body);
