@@ -108,7 +108,8 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     addLevel();
     MstMoverSetDefaults(&params, playUniverse);
     mover = MstMoverCreate(playUniverse, &params, capsuleTM[3]);
-    RGraphicSphylCreate(playRc, params.radius, params.height - 2 * params.radius, RPalette[0], capsuleTM);
+    RGraphicSphylCreate(playRc, (AcmeReal)params.radius, (AcmeReal)(params.height - 2 * params.radius), RPalette[0],
+                        capsuleTM);
     playHelp(help, 3);
     RRenderSetActionNCallBack(playRc, 2, Reset, 0);
     RRenderSetActionNCallBack(playRc, 3, Jump, 0);
