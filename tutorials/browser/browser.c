@@ -40,8 +40,8 @@ static const struct {
     {"Joints", "Prismatic Limits Spring Universal Angular3 Linear FixedPath ConeLimit RPRO Chain CarWheel"},
     {"How it is solved", "Gyroscope AutoDisable Partitions MatrixCap SortKeys"},
     {"Surfaces", "Friction Slip Slide Materials Conveyor Marbles"},
-    {"Piles", "Pyramid Dominoes CardHouse Arch Jenga Cradle Bowling Hulls Tumbler"},
-    {"Machines and figures", "Bridge WreckingBall Chair Ragdolls Car Quadbike Bullets"},
+    {"Piles", "Pyramid Dominoes CardHouse Arch Jenga Cradle Bowling Hulls Mesh Tumbler"},
+    {"Machines and figures", "Bridge Lift Character WreckingBall Chair Ragdolls Car Quadbike Bullets"},
 };
 enum { CATEGORIES = sizeof category / sizeof category[0] };
 

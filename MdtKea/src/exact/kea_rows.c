@@ -103,7 +103,7 @@ static void chooseTheta(MdtKeaSystem *s) {
         const MdtKeaRow *row = &s->rows[i];
         const MeBool isActing = row->contact == i ? !s->work->problem.row[i].isInactive
                                                   : row->position && kea_mayReachBound(row) && row->force != 0 &&
-                                                        rateAt(row, s->velocity) <= row->drift;
+                                                        rateAt(row, s->velocity) <= -row->carried;
         if (isActing || kea_isTooStiff(s, row))
             useBackwardEuler(s, row);
     }
