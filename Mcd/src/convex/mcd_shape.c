@@ -83,6 +83,18 @@ double mcd_surfaceRadius(const McdShape *s, const double outward[3], const doubl
     return s->kind->radius ? s->kind->radius(s, outward, point) : s->rounding;
 }
 
+void mcd_shapeBounds(const McdShape *s, double low[3], double high[3]) {
+    for (int i = 0; i < 3; i++) {
+        double along[3] = {0, 0, 0}, point[3];
+        along[i] = 1;
+        mcd_support(s, along, point);
+        high[i] = point[i];
+        along[i] = -1;
+        mcd_support(s, along, point);
+        low[i] = point[i];
+    }
+}
+
 /* ---- points ---- */
 
 void mcd_pointSupport(const McdShape *s, const double d[3], double point[3]) {

@@ -136,6 +136,8 @@ MeBool mcd_areResolved(const McdShape *a, const McdShape *b);
 void mcd_coreSupport(const McdShape *s, const double direction[3], double point[3]);
 /* The support point with the rounding; direction has length 1. */
 void mcd_support(const McdShape *s, const double direction[3], double point[3]);
+/* The shape's box, along the axes of its coordinates. */
+void mcd_shapeBounds(const McdShape *s, double low[3], double high[3]);
 /* The radius of curvature of a round surface at a point with the unit normal `outward`; 0 where it is not round. See
  * McdContactGetRadius. */
 double mcd_surfaceRadius(const McdShape *s, const double outward[3], const double point[3]);

@@ -165,7 +165,7 @@ static void impactOfWide(Search *s, int side, const McdShape *shape, McdGeometry
         impactOnPlane(s, side, shape, other);
 }
 
-static void impactOfChildren(Search *s, McdGeometryInstance *a, McdGeometryInstance *b) {
+static void impactOfLeaves(Search *s, McdGeometryInstance *a, McdGeometryInstance *b) {
     McdShape shape[2];
     if (!mcd_instanceIsPlaced(a) || !mcd_instanceIsPlaced(b))
         return;
@@ -182,15 +182,15 @@ static void impactOfChildren(Search *s, McdGeometryInstance *a, McdGeometryInsta
         impactOfWide(s, 1, &shape[1], a);
 }
 
-static void impactOfChildrenOf(Search *s, McdGeometryInstance *a, McdGeometryInstance *b) {
+static void impactOfInstances(Search *s, McdGeometryInstance *a, McdGeometryInstance *b) {
     if (a->firstChild)
         for (McdGeometryInstance *child = a->firstChild; child; child = child->nextSibling)
-            impactOfChildrenOf(s, child, b);
+            impactOfInstances(s, child, b);
     else if (b->firstChild)
         for (McdGeometryInstance *child = b->firstChild; child; child = child->nextSibling)
-            impactOfChildrenOf(s, a, child);
+            impactOfInstances(s, a, child);
     else
-        impactOfChildren(s, a, b);
+        impactOfLeaves(s, a, b);
 }
 
 MeReal MEAPI McdModelPairImpactTime(McdModelPair *p, const McdMotion motion[2], MeReal maxTime, MeBool hasContacts) {
@@ -205,7 +205,7 @@ MeReal MEAPI McdModelPairImpactTime(McdModelPair *p, const McdMotion motion[2], 
     setMotion(&s.motion[1], &motion[1], s.origin);
     for (int i = 0; i < 3; i++)
         s.isFalling = s.isFalling || s.motion[0].acceleration[i] != s.motion[1].acceleration[i];
-    impactOfChildrenOf(&s, &a->instance, &b->instance);
+    impactOfInstances(&s, &a->instance, &b->instance);
     MEASSERT(s.time >= 0);
     return MeMIN((MeReal)s.time, maxTime);
 }

@@ -85,8 +85,8 @@ static MeBool visitTriangle(void *context, const McdMeshTriangle *t, const McdSh
     const Gathering *g = context;
     double low[3], high[3];
     for (int i = 0; i < 3; i++) {
-        low[i] = MeMIN(MeMIN(t->corner[0][i], t->corner[1][i]), t->corner[2][i]);
-        high[i] = MeMAX(MeMAX(t->corner[0][i], t->corner[1][i]), t->corner[2][i]);
+        low[i] = mcd_triangleLow(t, i);
+        high[i] = mcd_triangleHigh(t, i);
     }
     if (!isWithin(g->near, low, high))
         return METRUE;
@@ -100,18 +100,6 @@ static MeBool visitTriangle(void *context, const McdMeshTriangle *t, const McdSh
     mcd_copy(p->low, low);
     mcd_copy(p->high, high);
     return METRUE;
-}
-
-static void boundShape(const McdShape *shape, double low[3], double high[3]) {
-    for (int i = 0; i < 3; i++) {
-        double along[3] = {0, 0, 0}, point[3];
-        along[i] = 1;
-        mcd_support(shape, along, point);
-        high[i] = point[i];
-        along[i] = -1;
-        mcd_support(shape, along, point);
-        low[i] = point[i];
-    }
 }
 
 static void addLeaf(McdNear *n, McdModelID cm, McdGeometryInstance *ins) {
@@ -132,7 +120,7 @@ static void addLeaf(McdNear *n, McdModelID cm, McdGeometryInstance *ins) {
     }
     if (!mcd_shapeOf(ins, n->origin, &shape))
         return;
-    boundShape(&shape, low, high);
+    mcd_shapeBounds(&shape, low, high);
     if (!isWithin(n, low, high))
         return;
     NearChild *p = addChild(n, cm, ins);

@@ -237,8 +237,7 @@ static MeBool sharesBorder(const Border *b, const McdMeshTriangle *other) {
 
 static MeBool isWithinReach(const McdMeshTriangle *t, const double point[3], double reach) {
     for (int i = 0; i < 3; i++)
-        if (fmin(fmin(t->corner[0][i], t->corner[1][i]), t->corner[2][i]) > point[i] + reach ||
-            fmax(fmax(t->corner[0][i], t->corner[1][i]), t->corner[2][i]) < point[i] - reach)
+        if (mcd_triangleLow(t, i) > point[i] + reach || mcd_triangleHigh(t, i) < point[i] - reach)
             return MEFALSE;
     return METRUE;
 }

@@ -31,6 +31,14 @@ typedef struct McdMeshTriangle {
     MeBool isBelow;   /* the core's nearest point to its plane is above it and projects into the triangle */
 } McdMeshTriangle;
 
+/* The smallest and the largest of its corners' coordinates i. */
+static inline double mcd_triangleLow(const McdMeshTriangle *t, int i) {
+    return fmin(fmin(t->corner[0][i], t->corner[1][i]), t->corner[2][i]);
+}
+static inline double mcd_triangleHigh(const McdMeshTriangle *t, int i) {
+    return fmax(fmax(t->corner[0][i], t->corner[1][i]), t->corner[2][i]);
+}
+
 typedef struct McdMeshContact {
     double position[3], normal[3], separation;
     double radius;   /* mcd_surfaceRadius of the shape there */

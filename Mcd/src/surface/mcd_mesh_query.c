@@ -130,25 +130,11 @@ typedef struct Nearest {
     McdGap gap;
 } Nearest;
 
-static void boundShape(const McdShape *shape, double low[3], double high[3]) {
-    for (int i = 0; i < 3; i++) {
-        double along[3] = {0, 0, 0}, point[3];
-        along[i] = 1;
-        mcd_support(shape, along, point);
-        high[i] = point[i];
-        along[i] = -1;
-        mcd_support(shape, along, point);
-        low[i] = point[i];
-    }
-}
-
 /* The distance between the triangle's box and the shape's box; 0 if they overlap. */
 static double gapOfBoxes(const Nearest *n, const McdMeshTriangle *t) {
     double sum = 0;
     for (int i = 0; i < 3; i++) {
-        const double low = fmin(t->corner[0][i], fmin(t->corner[1][i], t->corner[2][i]));
-        const double high = fmax(t->corner[0][i], fmax(t->corner[1][i], t->corner[2][i]));
-        const double gap = fmax(0, fmax(low - n->high[i], n->low[i] - high));
+        const double gap = fmax(0, fmax(mcd_triangleLow(t, i) - n->high[i], n->low[i] - mcd_triangleHigh(t, i)));
         sum += gap * gap;
     }
     return sqrt(sum);
@@ -188,7 +174,7 @@ static void searchNearest(Nearest *n, McdGeometryInstance *ins, McdModelID asker
 static void measureSurface(const McdShape *shape, McdGeometryInstance *ins, McdModelID asker, const double origin[3],
                            double reach, McdGap *gap) {
     Nearest n = {.shape = shape};
-    boundShape(shape, n.low, n.high);
+    mcd_shapeBounds(shape, n.low, n.high);
     searchNearest(&n, ins, asker, origin, reach);
     *gap = n.gap;
     if (!(gap->distance <= reach))
