@@ -115,7 +115,8 @@ MEPUBLIC MeReal MEAPI MdtBodyGetKineticEnergy(const MdtBodyID b);
 /** @name Bodies that the program moves (kinematic bodies). Beyond Karma.
  *  Nothing moves them but the program, and they move all that touches them or is tied to them: they push, carry by
  *  friction, and wake. They are in no partition, and make no contacts with fixed models and with each other. They do
- *  not fall asleep; one that does not move costs what a fixed model costs. While disabled they stand still.
+ *  not fall asleep; one that does not move costs what a fixed model costs. While disabled they stand still. Where they
+ *  leave a body no room, such as doors that close on it, they overlap it, and forces of contacts mean nothing.
  *  @{ */
 /** With METRUE the program moves the body from now on, by its velocities (MdtBodySetLinearVelocity and
  *  ...AngularVelocity), which stay as they are, or by MdtBodyMoveTo. With MEFALSE it obeys forces again, with its mass.

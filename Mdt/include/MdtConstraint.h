@@ -129,7 +129,7 @@ MEPUBLIC MeBool MEAPI MdtConstraintGetBodiesCollide(const MdtConstraintID c);
 
 /** @name A moving world
  *  The velocity of the world at the attachment, for moving platforms and belts: m/s, and rad/s about the world's
- *  origin. Default 0. No effect between two bodies.
+ *  origin. Default 0. No effect between two bodies, nor while the program moves the model without a body.
  *  @{ */
 MEPUBLIC void MEAPI MdtConstraintSetWorldLinearVelocity(const MdtConstraintID c, const MeReal vx, const MeReal vy,
                                                         const MeReal vz);

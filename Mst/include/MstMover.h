@@ -7,10 +7,10 @@
  *  through anything that stands still, at any speed. What moves into it pushes it out, if it moves by less than the
  *  capsule's radius in a step. Between surfaces that hold it, such as two steep slopes, it is on ground.
  *
- *  A mover is no model: bodies do not feel it but for its pushes, and it does not meet other movers. Move it between
- *  steps, outside of callbacks. Models that were inserted into the space since the last step or McdSpaceUpdateAll are
- *  not found yet. Destroy movers before their universe. Metres, seconds, the world frame; lengths, positions and
- *  speeds beyond 2^24 are bad arguments.
+ *  A mover is no model: bodies do not feel it but for its pushes, not its weight, and it does not meet other movers.
+ *  Move it between steps, outside of callbacks. Models that were inserted into the space since the last step or
+ *  McdSpaceUpdateAll are not found yet. Destroy movers before their universe. Metres, seconds, the world frame;
+ *  lengths, positions and speeds beyond 2^24 are bad arguments.
  */
 #ifndef MSTMOVER_H
 #define MSTMOVER_H
