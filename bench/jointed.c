@@ -8,6 +8,8 @@
  * worst time of a step, and how far the worst joint was open. */
 #include "timing.h"
 
+#include "universe.h"
+
 #include "jointed.h"
 
 #include <stdio.h>
@@ -40,7 +42,7 @@ static void run(const char *name, const char *solver, int steps) {
         fflush(stdout);
         sum = worst = open = 0;
     }
-    MstUniverseDestroy(u);
+    universe_end();
 }
 
 int main(int argc, char **argv) {

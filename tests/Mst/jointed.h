@@ -1,9 +1,7 @@
 /* Joints among many contacts: a heavy chain that swings into a pile, a net that catches boxes, machines among crates.
- * Tests (test_Jointed.c) and bench/jointed.c have the same scenes. */
+ * Tests (test_Jointed.c) and bench/jointed.c have the same scenes, each with its own universe.h, included before. */
 #ifndef JOINTED_H
 #define JOINTED_H
-
-#include "universe.h"
 
 enum { MAX = 1000 };
 

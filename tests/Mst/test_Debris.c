@@ -1,5 +1,7 @@
 /* Many bodies each by itself (mdt_batch.c): those that are the fast solver's are stepped together by it, without being
  * tied to each other. */
+#include "universe.h"
+
 #include "jointed.h"
 
 #define FRAME ((MeReal)(1. / 60))

@@ -1,5 +1,7 @@
 /* Joints among many contacts, which the fast solver takes: heavy chains, nets, machines, figures of any kind. Joints
  * hold, nothing gains energy, and motions are those of the exact solver where that has an answer. */
+#include "universe.h"
+
 #include "jointed.h"
 
 #ifdef TEST_IS_SLOW
