@@ -175,14 +175,19 @@ typedef struct McdMotion {
     MeVector3 acceleration;           /**< m/s², of the centre, unless contacts hold it */
     MeReal spinRate;                  /**< rad/s², >= 0: how fast the spin may change, which is not known */
 } McdMotion;
-/** s, at most @a maxTime: how long a fast pair may move before the impact of any of their parts: the time at which
- *  parts touch that are now farther apart than the fast margin; for nearer ones, if @a hasContacts, the time until they
- *  are deeper than now by that margin, since their contacts hold them; without hasContacts these are no obstacle. Parts
- *  are convex shapes, planes and triangles. What recedes, slides along or comes nearer so slowly that contacts cope is
+/** What becomes of parts that are within the margin at the start. */
+typedef enum McdNearParts {
+    kMcdNearPass,  /**< Nothing: they are no obstacle. */
+    kMcdNearYield, /**< Contacts hold them: they may move until they are deeper than now by the margin. */
+    kMcdNearBlock  /**< They must not come nearer: the time is 0 if they do. */
+} McdNearParts;
+/** s, at most @a maxTime: how long a pair may move before the impact of any of their parts: the time at which parts
+ *  touch that are now farther apart than the margin, which is the fast one, or the contact tolerances of a pair that is
+ *  not fast. Nearer parts: see McdNearParts. Parts are convex shapes, planes and triangles. What recedes, slides along or comes nearer so slowly that contacts cope is
  *  no impact. Of types with interactions of the program, what McdSafeTime says, unless they touch. maxTime: there is
  *  none. */
 MEPUBLIC MeReal MEAPI McdModelPairImpactTime(McdModelPair *p, const McdMotion motion[2], MeReal maxTime,
-                                             MeBool hasContacts);
+                                             McdNearParts near);
 /** @} */
 
 /** @name Parts near a capsule (McdNear.c), for capsules that the program moves

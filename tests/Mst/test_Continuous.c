@@ -343,3 +343,31 @@ TEST(an_impact_in_the_middle_of_a_step_is_one_event) {
     step();
     ck_assert(MstUniverseGetEvents(u, &count)->kind == MstEventEnd && count == 1);
 }
+
+/* ---- what is behind what was hit ---------------------------------------------------------------------------------- */
+
+/* A bullet hits a box at any time of a step; the box flies at another one, which has made its step already. The deepest
+ * overlap of both, m. */
+static double overlapBehind(double gap, double speed, double when) {
+    const double bullet[3] = {-.3 - speed * STEP * when, 0, 0}, v[3] = {speed, 0, 0}, at[3] = {.4 + gap, 0, 0};
+    const McdGeometryID cube = McdBoxCreate(u->frame, .4, .4, .4);
+    const McdModelID hit = MstModelAndBodyCreate(u, cube, 15), behind = MstModelAndBodyCreate(u, cube, 15);
+    double deepest = 0;
+    McdModelDynamicsSetPosition(behind, at[0], at[1], at[2]);
+    put(makeBall(.1), bullet, v);
+    for (int i = 0; i < 6; i++) {
+        step();
+        deepest = fmax(deepest, .4 - (coordinate(behind, 0) - coordinate(hit, 0)));
+    }
+    return deepest;
+}
+
+TEST(what_a_bullet_hits_stops_at_what_is_behind) {
+    static const double speeds[] = {50, 100, 200, 400};
+    for (int gap = 1; gap <= 8; gap++)
+        for (int s = 0; s < 4; s++)
+            for (int when = 1; when < 10; when += 2) {
+                setUp();
+                assert_below(overlapBehind(.01 * gap, speeds[s], .1 * when), TOL(5e-6, 1e-13));
+            }
+}

@@ -195,10 +195,19 @@ static MeBool isBehind(const McdApproach *p) {
     return p->front && mcd_heightOver(p->shape.start.place, p->other.start.corner[0], p->front) < 0;
 }
 
-/* s: for what is in touch at the start: while contacts are known, and until the shapes are deeper by the margin. */
-static double impactBeyondContacts(const McdApproach *p, double gap, double max) {
+/* s: for what is within the margin at the start. Contacts yield while they are known, and until the shapes are deeper by
+ * the margin. */
+static double impactOfNear(const McdApproach *p, double gap, double max) {
     const double known = fmin(horizonOf(p, METRUE), max);
-    return fmin(timeToDepth(p, p->margin - MeMIN(gap, 0), 0, known), known);
+    switch (p->near) {
+    case kMcdNearPass:
+        return max;
+    case kMcdNearYield:
+        return fmin(timeToDepth(p, p->margin - MeMIN(gap, 0), 0, known), known);
+    case kMcdNearBlock:
+        return timeToDepth(p, -gap, 0, max) < max ? 0 : max;
+    }
+    return max;
 }
 
 /* The approach of shapes that no contacts hold. */
@@ -264,7 +273,7 @@ double mcd_impactTime(const McdApproach *p, double from, double to, double max) 
         return max;
     const double gap = from == 0 ? gapAt(p, 0, n, at) : INFINITY, known = fmin(horizonOf(p, MEFALSE), max);
     if (gap <= p->margin)
-        return p->hasContacts ? impactBeyondContacts(p, gap, max) : max;
+        return impactOfNear(p, gap, max);
     const McdApproach free = freeApproach(p);
     const double time = from < known ? knownImpact(p, &free, from, fmin(to, known), known) : known;
     if (time < known || !(to > known))

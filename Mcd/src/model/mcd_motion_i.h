@@ -31,7 +31,7 @@ typedef struct McdApproach {
     double time;         /* s, that is looked at: accelerations count by the mean velocity in it */
     MeBool isFalling;    /* there are accelerations */
     double slow;         /* m/s: slower approaches are left to contacts */
-    MeBool hasContacts;  /* contacts hold what is within the margin at time 0; else it is no obstacle */
+    McdNearParts near;   /* what becomes of what is within the margin at time 0 */
 } McdApproach;
 
 /* s: when the shape is to stop for an impact that begins from `from` to `to`; max: there is none (mcd_motion.c). What

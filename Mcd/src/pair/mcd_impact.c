@@ -16,7 +16,8 @@ typedef struct Search {
     Motion motion[2];
     double origin[3];
     double margin, slow; /* as of McdApproach */
-    MeBool hasContacts, isFalling;
+    McdNearParts near;
+    MeBool isFalling;
     double whole, time; /* s, that is looked at; of the first impact so far */
 } Search;
 
@@ -65,7 +66,7 @@ static McdApproach approachOf(const Search *s, double extent) {
                          .slow = s->slow,
                          .time = s->whole,
                          .isFalling = s->isFalling,
-                         .hasContacts = s->hasContacts};
+                         .near = s->near};
 }
 
 static void keepFirst(Search *s, const McdApproach *a, double from, double to) {
@@ -193,12 +194,13 @@ static void impactOfInstances(Search *s, McdGeometryInstance *a, McdGeometryInst
         impactOfLeaves(s, a, b);
 }
 
-MeReal MEAPI McdModelPairImpactTime(McdModelPair *p, const McdMotion motion[2], MeReal maxTime, MeBool hasContacts) {
+MeReal MEAPI McdModelPairImpactTime(McdModelPair *p, const McdMotion motion[2], MeReal maxTime, McdNearParts near) {
     McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
-    const double ahead = fmax((double)a->lookAhead, (double)b->lookAhead), margin = mcd_pairMargin(p);
+    const double ahead = fmax((double)a->lookAhead, (double)b->lookAhead);
+    const double margin = a->isFast || b->isFast ? mcd_pairMargin(p) : (double)a->tolerance + (double)b->tolerance;
     Search s = {
-        .pair = p, .margin = margin, .hasContacts = hasContacts, .whole = (double)maxTime, .time = (double)maxTime};
-    MEASSERT(maxTime >= 0 && (a->isFast || b->isFast));
+        .pair = p, .margin = margin, .near = near, .whole = (double)maxTime, .time = (double)maxTime};
+    MEASSERT(maxTime >= 0);
     s.slow = margin / ahead;
     mcd_pairOrigin(&a->instance, &b->instance, s.origin);
     setMotion(&s.motion[0], &motion[0], s.origin);

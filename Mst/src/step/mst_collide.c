@@ -254,7 +254,7 @@ static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p) 
     f->timeToImpact = MST_UNKNOWN;
     f->outcome = outcomeOfModels(b, p, traits);
     if (f->outcome == MST_TO_WAIT)
-        f->timeToImpact = mst_timeToImpact(b, p, METRUE);
+        f->timeToImpact = mst_timeToWait(b, p);
     if (f->outcome != MST_TO_TEST)
         return;
     f->materials = mst_materialPair(b, material[0], material[1]);

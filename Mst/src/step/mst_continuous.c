@@ -73,13 +73,20 @@ static void copyVector(MeVector3 to, const MeReal *from) {
         to[i] = from ? from[i] : 0;
 }
 
-static McdMotion motionOf(McdModelID m) {
-    McdMotion motion;
+/* Whether the body has completed its step, so that it must not be pushed. */
+static MeBool hasAdvanced(MdtBodyID body) {
+    return body && !MdtBodyIsMover(body) && MdtBodyIsEnabled(body) && !(MdtBodyGetLag(body) > 0);
+}
+
+/* A body that has completed its step stands still for those that lag. */
+static McdMotion motionOf(const MstBridgeRecord *b, McdModelID m) {
+    McdMotion motion = {.spinRate = 0};
     const MdtBodyID body = mst_bodyOf(m), freeBody = mst_freeBodyOf(m);
     copyVector(motion.centre, body ? MdtBodyGetCenterOfMassTransformPtr(body)[3] : McdModelGetPlace(m)[3]);
+    if (b->substep > 0 && hasAdvanced(body))
+        return motion;
     copyVector(motion.velocity, McdModelGetLinearVelocityPtr(m));
     copyVector(motion.spin, McdModelGetAngularVelocityPtr(m));
-    copyVector(motion.acceleration, 0);
     motion.spinRate = freeBody ? MdtBodyGetFreeSpinRate(freeBody) : 0;
     if (freeBody)
         MdtBodyGetFreeAcceleration(freeBody, motion.acceleration);
@@ -91,9 +98,17 @@ static MeBool areContactsTimed(const McdModelPair *p) {
     return !mst_isInLargeIsland(mst_bodyOf(p->model1)) && !mst_isInLargeIsland(mst_bodyOf(p->model2));
 }
 
+static MeReal impactTime(const MstBridgeRecord *b, McdModelPair *p, McdNearParts near) {
+    const McdMotion motion[2] = {motionOf(b, p->model1), motionOf(b, p->model2)};
+    return McdModelPairImpactTime(p, motion, remainingTime(b, p), near);
+}
+
 MeReal mst_timeToImpact(const MstBridgeRecord *b, McdModelPair *p, MeBool hasContacts) {
-    const McdMotion motion[2] = {motionOf(p->model1), motionOf(p->model2)};
-    return McdModelPairImpactTime(p, motion, remainingTime(b, p), hasContacts && areContactsTimed(p));
+    return impactTime(b, p, hasContacts && areContactsTimed(p) ? kMcdNearYield : kMcdNearPass);
+}
+
+MeReal mst_timeToWait(const MstBridgeRecord *b, McdModelPair *p) {
+    return impactTime(b, p, kMcdNearBlock);
 }
 
 /* s: the shortest sub-step. In it, a body moves hardly farther than its speculative margin: 1 % of its size at a speed
@@ -140,11 +155,6 @@ MeBool mst_isInLargeIsland(MdtBodyID body) {
 /* ---- the sub-steps after the first ---------------------------------------------------------------------------------
  */
 
-/* Whether the body has completed its step, so that it must not be pushed. */
-static MeBool hasAdvanced(MdtBodyID body) {
-    return body && !MdtBodyIsMover(body) && MdtBodyIsEnabled(body) && !(MdtBodyGetLag(body) > 0);
-}
-
 static MeBool isLagging(McdModelID m) {
     return lagOf(mst_bodyOf(m)) > 0;
 }
@@ -168,7 +178,7 @@ MeBool mst_mayCollide(const McdModelPair *p) {
 }
 
 MeBool mst_mustClampLagging(const McdModelPair *p) {
-    return isLaggingPair(p) && hasAdvancedBody(p) && McdModelGetFastMargin(laggingModel(p)) > 0;
+    return isLaggingPair(p) && hasAdvancedBody(p);
 }
 
 void mst_clampLaggingBody(MstBridgeRecord *b, const MstFinding *f) {

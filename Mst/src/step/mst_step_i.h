@@ -114,8 +114,10 @@ MeBool mst_mayCollide(const McdModelPair *p);
 /* Whether the pair's lagging body, which may not get contacts, has to stop before it touches the other one. */
 MeBool mst_mustClampLagging(const McdModelPair *p);
 /* s: how long a fast pair may move before an impact, at most the time that its bodies move in this sub-step.
- * hasContacts: its contacts hold what is in touch; else that is no obstacle (McdModelPairImpactTime). */
+ * hasContacts: its contacts hold what is in touch; else that is no obstacle. */
 MeReal mst_timeToImpact(const MstBridgeRecord *b, McdModelPair *p, MeBool hasContacts);
+/* s: how long the pair's lagging body may move before it reaches the other one, which has advanced. */
+MeReal mst_timeToWait(const MstBridgeRecord *b, McdModelPair *p);
 /* Limits the safe time of the pair's lagging body to the finding's timeToImpact. */
 void mst_clampLaggingBody(MstBridgeRecord *b, const MstFinding *f);
 /* Limits the safe times of the bodies of a fast pair to the time of their impact, if it is within the step.
