@@ -18,6 +18,8 @@
 #ifndef MCDCTYPES_H
 #define MCDCTYPES_H
 
+#include <stdbool.h>
+
 #include "MeMath.h"
 
 ME_BEGIN_C
@@ -119,8 +121,9 @@ struct _McdModelPair {
     void *userData;                      /**< The program's. */
     void *m_cachedData;                  /**< Data of the interaction's hello function; null: none. */
     void(MEAPI *forget)(McdModelPair *); /**< For the Simulation Toolkit: called before the space frees the pair. */
-    MeBool isHeldApart;  /**< For the Simulation Toolkit: some joint disables collision of the bodies. */
-    MeBool mayTurnRound; /**< For the Simulation Toolkit: either model may rebound before the next test. */
+    bool isHeldApart;         /**< For the Simulation Toolkit: some joint disables collision of the bodies. */
+    bool isWithinLargeIsland; /**< For the Simulation Toolkit: fast models get the contacts of slow ones. */
+    bool mayTurnRound;        /**< For the Simulation Toolkit: either model may rebound before the next test. */
 };
 
 /**

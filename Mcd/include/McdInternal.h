@@ -183,9 +183,9 @@ typedef enum McdNearParts {
 } McdNearParts;
 /** s, at most @a maxTime: how long a pair may move before the impact of any of their parts: the time at which parts
  *  touch that are now farther apart than the margin, which is the fast one, or the contact tolerances of a pair that is
- *  not fast. Nearer parts: see McdNearParts. Parts are convex shapes, planes and triangles. What recedes, slides along or comes nearer so slowly that contacts cope is
- *  no impact. Of types with interactions of the program, what McdSafeTime says, unless they touch. maxTime: there is
- *  none. */
+ *  not fast. Nearer parts: see McdNearParts. Parts are convex shapes, planes and triangles. What recedes, slides along
+ *  or comes nearer so slowly that contacts cope is no impact. Of types with interactions of the program, what
+ *  McdSafeTime says, unless they touch. maxTime: there is none. */
 MEPUBLIC MeReal MEAPI McdModelPairImpactTime(McdModelPair *p, const McdMotion motion[2], MeReal maxTime,
                                              McdNearParts near);
 /** @} */

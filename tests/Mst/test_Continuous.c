@@ -344,7 +344,7 @@ TEST(an_impact_in_the_middle_of_a_step_is_one_event) {
     ck_assert(MstUniverseGetEvents(u, &count)->kind == MstEventEnd && count == 1);
 }
 
-/* ---- what is behind what was hit ---------------------------------------------------------------------------------- */
+/* ---- what is behind what was hit --------------------------------------------------------------------------------- */
 
 /* A bullet hits a box at any time of a step; the box flies at another one, which has made its step already. The deepest
  * overlap of both, m. */
@@ -371,3 +371,72 @@ TEST(what_a_bullet_hits_stops_at_what_is_behind) {
                 assert_below(overlapBehind(.01 * gap, speeds[s], .1 * when), TOL(5e-6, 1e-13));
             }
 }
+
+/* ---- crowds ------------------------------------------------------------------------------------------------------ */
+
+static void beginCrowd(void) {
+    setUp();
+    universe_begin(&MstUniverseGrowingSizes);
+    MdtWorldSetGravity(u->world, 0, 0, 0);
+    MdtWorldSetAutoDisable(u->world, 0);
+}
+
+/* A wall of boxes that touch each other flies at a thin wall: all of its partition is stopped. */
+TEST(a_wall_that_flies_tunnels_nothing) {
+    enum { SIDE = 6 };
+    static const double speeds[] = {30, 150, 500};
+    for (int s = 0; s < 3; s++)
+        for (int when = 0; when < 8; when += 3) {
+            McdModelID box[SIDE * SIDE];
+            beginCrowd();
+            MstFixedModelCreate(u, McdBoxCreate(u->frame, .02, 8, 8), place);
+            const McdGeometryID cube = McdBoxCreate(u->frame, .2, .2, .2);
+            for (int i = 0; i < SIDE * SIDE; i++) {
+                const double v[3] = {speeds[s], 0, 0};
+                const double from[3] = {-.3 - v[0] * STEP * (2 + .125 * when), .2 * (i % SIDE), .2 * (i / SIDE)};
+                box[i] = MstModelAndBodyCreate(u, cube, 1000);
+                McdModelSetSwept(box[i], METRUE);
+                put(box[i], from, v);
+            }
+            for (int i = 0; i < 10; i++)
+                step();
+            for (int i = 0; i < SIDE * SIDE; i++)
+                assert_below(coordinate(box[i], 0), 0);
+        }
+}
+
+/* m, the deepest overlap that a contact tells. */
+static double deepestOverlap(void) {
+    double deepest = 0;
+    for (MdtBodyID b = MdtBodyGetFirst(u->world); b; b = MdtBodyGetNext(b))
+        for (MdtContactID c = MdtBodyGetFirstContact(b); c; c = MdtBodyGetNextContact(b, c))
+            deepest = fmax(deepest, (double)MdtContactGetPenetration(c));
+    return deepest;
+}
+
+/* Boxes rain on each other at up to 20 m/s. The deepest overlap of a step on average, m, from the first second on. */
+static double overlapOfRain(MeBool isSwept) {
+    enum { BOXES = 250, STEPS = 220, FALL = 60 };
+    double sum = 0;
+    beginCrowd();
+    MdtWorldSetGravity(u->world, 0, 0, -9.81);
+    MstFixedModelCreate(u, McdPlaneCreate(u->frame), place);
+    const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
+    for (int i = 0; i < BOXES; i++) {
+        const McdModelID m = MstModelAndBodyCreate(u, cube, 1);
+        McdModelDynamicsSetPosition(m, between(-2, 2), between(-2, 2), 2 + 1.2 * (i / 4));
+        McdModelDynamicsSetQuaternion(m, between(-1, 1), between(-1, 1), between(-1, 1), between(-1, 1));
+        McdModelSetSwept(m, isSwept);
+    }
+    for (int i = 0; i < STEPS; i++) {
+        step();
+        sum += i < FALL ? 0 : deepestOverlap();
+    }
+    return sum / (STEPS - FALL);
+}
+
+#ifndef TEST_IS_SLOW
+TEST(a_crowd_that_is_swept_overlaps_little_more_than_one_that_is_not) {
+    assert_below(overlapOfRain(METRUE), 1.5 * overlapOfRain(MEFALSE));
+}
+#endif

@@ -88,6 +88,7 @@ typedef struct McdModelRecord {
     MeReal boxDuration, boxLookAhead; /* s, motion duration and look-ahead for which the box was made */
     MeU64 lastStamp;                  /* the model's last stamp; initially one less than its first */
     MeBool isSwept;
+    MeReal fastMargin;      /* m, of a fast model */
     MeBool isMarkedChanged; /* a setter has changed something that is not in `inputs` (mcd_frozen.c) */
     McdPast past;
     /* cold */
@@ -122,7 +123,7 @@ static inline McdModelRecord *mcd_record(McdModelID cm) {
 }
 /* m, as McdModelGetFastMargin. */
 static inline MeReal mcd_fastMargin(const McdModelRecord *m) {
-    return m->isFast ? m->travel : 0;
+    return m->isFast ? m->fastMargin : 0;
 }
 
 /* The velocity of the origin of an aggregate's part, computed into `memory`; the model's own velocity if the child

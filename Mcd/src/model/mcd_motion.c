@@ -195,8 +195,8 @@ static MeBool isBehind(const McdApproach *p) {
     return p->front && mcd_heightOver(p->shape.start.place, p->other.start.corner[0], p->front) < 0;
 }
 
-/* s: for what is within the margin at the start. Contacts yield while they are known, and until the shapes are deeper by
- * the margin. */
+/* s: for what is within the margin at the start. Contacts yield while they are known, and until the shapes are deeper
+ * by the margin. */
 static double impactOfNear(const McdApproach *p, double gap, double max) {
     const double known = fmin(horizonOf(p, METRUE), max);
     switch (p->near) {

@@ -20,9 +20,14 @@ static double maxApproach(const McdModelRecord *a, const McdModelRecord *b, cons
     return fmin(max, time * sqrt(square) + (double)a->turnTravel + (double)b->turnTravel);
 }
 
+/* Whether the impacts of the pair are predicted, so that it gets contacts of the current overlap only. */
+static MeBool isTimed(const McdModelPair *p) {
+    return !p->isWithinLargeIsland && (mcd_record(p->model1)->isFast || mcd_record(p->model2)->isFast);
+}
+
 static double marginOf(const McdModelPair *p, const MeReal *velocity1, const MeReal *velocity2) {
     const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
-    if (a->isFast || b->isFast) /* contacts of the current overlap only: McdSafeTime predicts future ones */
+    if (isTimed(p))
         return fmax((double)mcd_fastMargin(a), (double)mcd_fastMargin(b));
     const double approach = maxApproach(a, b, velocity1, velocity2, p->mayTurnRound);
     MEASSERT(a->tolerance >= 0 && b->tolerance >= 0 && !(approach < 0));
@@ -44,7 +49,7 @@ double mcd_childMargin(const McdModelPair *p, const McdGeometryInstance *child1,
 
 void mcd_pairDisplacement(const McdModelPair *p, double displacement[3]) {
     const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
-    const double time = a->isFast || b->isFast ? 0 : fmax((double)a->lookAhead, (double)b->lookAhead);
+    const double time = isTimed(p) ? 0 : fmax((double)a->lookAhead, (double)b->lookAhead);
     for (int i = 0; i < 3; i++)
         displacement[i] = time * ((a->linearVelocity ? (double)a->linearVelocity[i] : 0) -
                                   (b->linearVelocity ? (double)b->linearVelocity[i] : 0));

@@ -198,8 +198,7 @@ MeReal MEAPI McdModelPairImpactTime(McdModelPair *p, const McdMotion motion[2], 
     McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
     const double ahead = fmax((double)a->lookAhead, (double)b->lookAhead);
     const double margin = a->isFast || b->isFast ? mcd_pairMargin(p) : (double)a->tolerance + (double)b->tolerance;
-    Search s = {
-        .pair = p, .margin = margin, .near = near, .whole = (double)maxTime, .time = (double)maxTime};
+    Search s = {.pair = p, .margin = margin, .near = near, .whole = (double)maxTime, .time = (double)maxTime};
     MEASSERT(maxTime >= 0);
     s.slow = margin / ahead;
     mcd_pairOrigin(&a->instance, &b->instance, s.origin);

@@ -561,8 +561,8 @@ static MeReal thicknessOf(McdModelRecord *m, MeReal max) {
 static void setSweptMargin(McdModelRecord *m, MeReal reach, MeReal displacement, MeReal turn) {
     const MeReal thickness = thicknessOf(m, reach);
     m->isFast = displacement + turn > thickness;
-    m->travel = m->isFast ? MeMAX((MeReal)0.02 * thickness, (MeReal)(3 * MCD_TOUCH) * reach) : displacement + turn;
-    m->turnTravel = MeMIN(turn, m->travel);
+    if (m->isFast)
+        m->fastMargin = MeMAX((MeReal)0.02 * thickness, (MeReal)(3 * MCD_TOUCH) * reach);
 }
 
 /* Sets the model's travel (m): an upper bound of its displacement during the space's look-ahead time, clamped to its

@@ -258,6 +258,7 @@ static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p) 
     if (f->outcome != MST_TO_TEST)
         return;
     f->materials = mst_materialPair(b, material[0], material[1]);
+    p->isWithinLargeIsland = f->isFast && mst_isWithinLargeIsland(p);
     p->mayTurnRound = f->materials->params.restitution > 0;
     f->outcome = outcomeWithoutTest(b, f);
     if (f->outcome != MST_TO_TEST || mst_hasCallback(f->materials) || !McdModelPairIsPlain(p))
@@ -265,7 +266,7 @@ static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p) 
     f->outcome = MST_TESTED;
     testPlainPair(b, run, f);
     McdModelPairStoreGap(p, f->count == 0 ? run->result.apart : 0);
-    if (f->isFast)
+    if (f->isFast && !p->isWithinLargeIsland)
         f->timeToImpact = mst_timeToImpact(b, p, METRUE);
 }
 

@@ -138,7 +138,7 @@ static void clampPair(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w, MeReal 
 
 void mst_clampFastPair(MstBridgeRecord *b, const MstFinding *f, MeBool hasContacts, MdtWorldID w) {
     McdModelPair *p = f->pair;
-    if (!f->isFast)
+    if (!f->isFast || p->isWithinLargeIsland)
         return;
     const MeReal max = remainingTime(b, p);
     const MeReal time = f->timeToImpact != MST_UNKNOWN ? f->timeToImpact : mst_timeToImpact(b, p, hasContacts);
@@ -150,6 +150,11 @@ void mst_clampFastPair(MstBridgeRecord *b, const MstFinding *f, MeBool hasContac
 MeBool mst_isInLargeIsland(MdtBodyID body) {
     enum { LARGE_ISLAND = 32 };
     return body && MdtBodyGetPartitionSize(body) > LARGE_ISLAND;
+}
+
+MeBool mst_isWithinLargeIsland(const McdModelPair *p) {
+    const MdtBodyID body1 = mst_freeBodyOf(p->model1), body2 = mst_freeBodyOf(p->model2);
+    return mst_isInLargeIsland(body1) && body2 && MdtBodyGetPartition(body1) == MdtBodyGetPartition(body2);
 }
 
 /* ---- the sub-steps after the first ---------------------------------------------------------------------------------

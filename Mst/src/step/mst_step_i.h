@@ -125,6 +125,9 @@ void mst_clampLaggingBody(MstBridgeRecord *b, const MstFinding *f);
 void mst_clampFastPair(MstBridgeRecord *b, const MstFinding *f, MeBool hasContacts, MdtWorldID w);
 /* Whether the body is in a large partition, which is costly to solve and on which a single pair has little effect. */
 MeBool mst_isInLargeIsland(MdtBodyID body);
+/* Whether both bodies are in one large partition. Their impacts do not divide its step: they get contacts ahead
+ * of the impact, as slow models do. */
+MeBool mst_isWithinLargeIsland(const McdModelPair *p);
 /* Removes the safe times of all bodies, as a sub-step begins. */
 void mst_clearSafeTimes(MstBridgeRecord *b);
 /* Steps the world after the contacts were made: in sub-steps, if a fast model has an impact. */
