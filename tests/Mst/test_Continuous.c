@@ -368,7 +368,7 @@ TEST(what_a_bullet_hits_stops_at_what_is_behind) {
         for (int s = 0; s < 4; s++)
             for (int when = 1; when < 10; when += 2) {
                 setUp();
-                assert_below(overlapBehind(.01 * gap, speeds[s], .1 * when), TOL(5e-6, 1e-13));
+                assert_below(overlapBehind(.01 * gap, speeds[s], .1 * when), TOL(4e-6, 2e-12));
             }
 }
 
