@@ -1,4 +1,5 @@
 /* Continuous motion within levels: a swept body meets the walls of the model, list or field whose floor it touches. */
+#include "McdMesh.h"
 #include "universe.h"
 
 static MeU32 seed;
@@ -29,9 +30,10 @@ typedef struct Surface {
 
 static Surface surface[2];
 
-static void addTriangle(Surface *s, int a, int b, int c) {
+/* Its corners run against the clock as seen from where it faces. */
+static void addTriangle(Surface *s, int facing, int a, int b, int c) {
     int *corner = s->corner[s->triangles];
-    corner[0] = a, corner[1] = b, corner[2] = c;
+    corner[0] = a, corner[1] = facing > 0 ? b : c, corner[2] = facing > 0 ? c : b;
     s->side[s->triangles++] = s->sides - 1;
 }
 
@@ -50,8 +52,8 @@ static void addSide(Surface *s, int axis, const double low[3], const double high
     for (int j = 0; j < n; j++)
         for (int i = 0; i < n; i++) {
             const int at = first + j * (n + 1) + i;
-            addTriangle(s, at, at + 1, at + n + 2);
-            addTriangle(s, at, at + n + 2, at + n + 1);
+            addTriangle(s, facing, at, at + 1, at + n + 2);
+            addTriangle(s, facing, at, at + n + 2, at + n + 1);
         }
 }
 
@@ -79,7 +81,7 @@ static int MEAPI trianglesNear(McdModelPair *p, McdUserTriangle *t, MeVector3 at
     return count;
 }
 
-static MeMatrix4 place[16]; /* of the fixed models and parts of a universe */
+static MeMatrix4 place[32]; /* of the fixed models and parts of a universe */
 static int places;
 
 static MeMatrix4Ptr placeAt(double x, double y, double z) {
@@ -100,17 +102,24 @@ static void addSurface(Surface *s) {
     addFixed(g, 0, 0, 0);
 }
 
+static void addMesh(const Surface *s) {
+    addFixed(McdMeshCreate(u->frame, s->vertex, s->vertices, s->corner[0], s->triangles, 0), 0, 0, 0);
+}
+
 /* ---- levels ------------------------------------------------------------------------------------------------------ */
 
 /* A floor z = 0 and a wall x = 5. */
-enum { ONE_LIST, TWO_LISTS, ONE_AGGREGATE, TWO_BOXES, ONE_FIELD, LEVELS };
+enum { ONE_LIST, TWO_LISTS, ONE_MESH, ONE_AGGREGATE, TWO_BOXES, ONE_FIELD, LEVELS };
 
-static void addLists(MeBool isOne) {
+static void addTriangles(int level) {
     const double floor[2][3] = {{-20, -5, 0}, {5, 5, 0}}, wall[2][3] = {{5, -5, 0}, {5, 5, 3}};
+    const MeBool areTwo = level == TWO_LISTS;
     memset(surface, 0, sizeof surface);
     addSide(&surface[0], 2, floor[0], floor[1], 1, 1);
-    addSide(&surface[!isOne], 0, wall[0], wall[1], -1, 1);
-    for (int i = 0; i < 2 - isOne; i++)
+    addSide(&surface[areTwo], 0, wall[0], wall[1], -1, 1);
+    if (level == ONE_MESH)
+        addMesh(&surface[0]);
+    for (int i = 0; i <= areTwo && level != ONE_MESH; i++)
         addSurface(&surface[i]);
 }
 
@@ -119,8 +128,8 @@ static void addLevel(int level) {
     const McdGeometryID floor = McdBoxCreate(u->frame, 40, 10, 1), wall = McdBoxCreate(u->frame, .02, 10, 3);
     for (int i = 0; i < 81 * 21; i++)
         height[i] = i % 81 > 50; /* the wall is a slope of 1 m over .5 m */
-    if (level <= TWO_LISTS) {
-        addLists(level == ONE_LIST);
+    if (level <= ONE_MESH) {
+        addTriangles(level);
     } else if (level == ONE_FIELD) {
         addFixed(McdRGHeightFieldCreate(u->frame, height, 81, 21, .5, .5, -20, -5), 0, 0, 0);
     } else if (level == TWO_BOXES) {
@@ -181,36 +190,43 @@ TEST(a_ball_meets_the_wall_of_its_floor) {
 /* ---- rooms ------------------------------------------------------------------------------------------------------- */
 
 static const double room[3] = {4, 3, 2};
-enum { WALLS, TILES, BOXES, ROOMS };
+enum { WALLS, TILES, MESH, BOXES, COMPOUND, ROOMS };
 enum { BALL, BOX, SPHYL, HULL, CYLINDER, CONE, DUMBBELL, SHAPES };
 
 static void addRoom(int kind) {
+    const McdAggregateID all = McdAggregateCreate(u->frame, 6);
     memset(surface, 0, sizeof surface);
     for (int axis = 0; axis < 3; axis++)
         for (int side = 0; side < 2; side++) {
             double low[3] = {0, 0, 0}, high[3], size[3], centre[3];
             memcpy(high, room, sizeof high);
             low[axis] = high[axis] = side * room[axis];
-            addSide(&surface[0], axis, low, high, side ? -1 : 1, kind == TILES ? MAX_CELLS : 1);
+            addSide(&surface[0], axis, low, high, side ? -1 : 1, kind == TILES || kind == MESH ? MAX_CELLS : 1);
             for (int i = 0; i < 3; i++) {
                 size[i] = i == axis ? .01 : room[i] + .02;
                 centre[i] = i == axis ? side * (room[i] + .01) - .005 : room[i] / 2;
             }
+            const McdGeometryID box = McdBoxCreate(u->frame, (MeReal)size[0], (MeReal)size[1], (MeReal)size[2]);
+            McdAggregateAddElement(all, box, placeAt(centre[0], centre[1], centre[2]));
             if (kind == BOXES)
-                addFixed(McdBoxCreate(u->frame, (MeReal)size[0], (MeReal)size[1], (MeReal)size[2]), centre[0],
-                         centre[1], centre[2]);
+                addFixed(box, centre[0], centre[1], centre[2]);
         }
-    if (kind != BOXES)
+    if (kind == COMPOUND)
+        addFixed(all, 0, 0, 0);
+    else if (kind == MESH)
+        addMesh(&surface[0]);
+    else if (kind != BOXES)
         addSurface(&surface[0]);
 }
 
+/* Of opposite vertices, so that its origin is within. */
 static McdGeometryID makeHull(double size) {
     MeVector3 vertex[12];
-    for (int i = 0; i < 12; i++) {
+    for (int i = 0; i < 6; i++) {
         const double x[3] = {between(-1, 1), between(-1, 1), between(-1, 1)};
         const double length = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
         for (int k = 0; k < 3; k++)
-            vertex[i][k] = (MeReal)(x[k] / length * size / 2);
+            vertex[i + 6][k] = -(vertex[i][k] = (MeReal)(x[k] / length * size / 2));
     }
     return McdConvexMeshCreateHull(u->frame, (const MeVector3 *)vertex, 12, 0);
 }
