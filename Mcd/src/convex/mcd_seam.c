@@ -5,7 +5,7 @@
  *
  *   f . m >= cos 60 degrees: a fold, up or down;
  *   the point p of f's plane at the contact is at most a skin above m's plane: a step down of any height;
- *   the body is not below m's plane, so that the body comes from m's side;
+ *   the body's middle is above m's plane, so that the body comes from m's side;
  *   p is at the edge of the face in the direction of the contact's normal;
  *   the point of m's plane at a distance of a skin, or of a gap, from p in that direction is on the other piece.
  *
@@ -139,17 +139,26 @@ static MeBool faceAcross(const McdShape *piece, const double *side, const double
     return face->count >= 3 && mcd_dot(face->normal, normal) >= foldCosine;
 }
 
+/* Whether the middle of the body's extent along the normal of a piece's face is above the face's plane. */
+static MeBool isMiddleAbove(const McdShape *body, const McdShape *piece, const McdFace *face) {
+    double up[3], down[3], back[3];
+    mcd_scale(back, face->normal, -1);
+    mcd_support(body, face->normal, up);
+    mcd_support(body, back, down);
+    return mcd_heightOver(up, face->point[0], face->normal) + mcd_heightOver(down, face->point[0], face->normal) >
+           2 * piece->rounding;
+}
+
 /* Whether the face continues a face of this other piece, so that the edge between both is internal. */
 static MeBool isContinued(const McdShape *piece, const double *side, const void *context) {
     const SeamFace *f = context;
     const McdSeam *s = f->seam;
     McdFace other;
-    double body[3], inward[3], foot[3], at[3];
+    double inward[3], foot[3], at[3];
     if (!faceAcross(piece, side, f->normal, &other))
         return MEFALSE;
     const double height = mcd_heightOver(f->point, other.point[0], other.normal) - piece->rounding;
-    bodyPoint(s, body);
-    if (height > s->skin || mcd_heightOver(body, other.point[0], other.normal) - piece->rounding < -s->gap)
+    if (height > s->skin || !isMiddleAbove(s->body, piece, &other))
         return MEFALSE;
     mcd_mad(inward, s->normal, -mcd_dot(s->normal, other.normal), other.normal);
     const double sine = mcd_length(inward);

@@ -17,12 +17,13 @@ typedef MeBool (*McdSeamVisit)(const McdShape *piece, const double *side, const 
 /* A contact with a piece of a surface, and the other pieces near the contact. Coordinates are relative to the query's
  * origin. */
 struct McdSeam {
-    McdShape shape;     /* the piece */
-    const double *side; /* normal of a triangle's tested side; null: all flat faces of the piece are tested */
-    double skin, gap;   /* m: mcd_seamSkin, mcd_seamGap */
-    double normal[3];   /* the contact's, outward */
-    double point[3];    /* the contact's, on the piece */
-    double separation;  /* m, from the point to the body along the normal */
+    McdShape shape;       /* the piece */
+    const McdShape *body; /* that touches it */
+    const double *side;   /* normal of a triangle's tested side; null: all flat faces of the piece are tested */
+    double skin, gap;     /* m: mcd_seamSkin, mcd_seamGap */
+    double normal[3];     /* the contact's, outward */
+    double point[3];      /* the contact's, on the piece */
+    double separation;    /* m, from the point to the body along the normal */
     /* The supplier of the other pieces (mcd_piecesFind; for triangles those of the query): visits those within reach of
      * a point until a visit returns true. Returns the supplier's own handle of that piece; null: there is none. */
     void *(*find)(const McdSeam *s, const double point[3], double reach, McdSeamVisit visit, const void *context);

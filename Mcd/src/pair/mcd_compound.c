@@ -74,7 +74,8 @@ static McdGeometryInstance *childNear(const Surface *s, const double point[3], d
 
 /* The part beyond an internal edge of this part (mcd_seam.c); null: the contact is not at an internal edge. */
 static McdGeometryInstance *childBeyondEdge(const Surface *s, const double point[3], double separation, double *lean) {
-    McdSeam seam = {.shape = s->shape, .separation = separation, .find = mcd_piecesFind, .pieces = &s->others};
+    McdSeam seam = {
+        .shape = s->shape, .body = &s->body, .separation = separation, .find = mcd_piecesFind, .pieces = &s->others};
     double face[3];
     seam.skin = s->skin;
     seam.gap = mcd_seamGap(&s->body);

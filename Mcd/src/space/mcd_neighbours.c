@@ -21,6 +21,7 @@ static MeBool beginSeam(Surroundings *s, const McdContact *contact, McdSeam *sea
     s->fixed = instance[s->side];
     s->moving = instance[!s->side];
     mcd_piecesBegin(&s->pieces, s->fixed, s->moving, contact->exactPosition);
+    seam->body = &s->body;
     seam->side = 0;
     seam->find = mcd_piecesFind;
     seam->pieces = &s->pieces;

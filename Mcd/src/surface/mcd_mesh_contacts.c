@@ -263,7 +263,7 @@ static MeBool isContinued(const McdMeshQuery *q, const McdMeshTriangle *t, const
                           MeBool *isOverGap, double shift[3]) {
     const Border b = {q, t, mcd_meshFarthestCorners(t, m->normal)};
     const McdManifoldPoint *deepest = &m->point[0];
-    McdSeam s = {.side = face, .find = findTriangle, .pieces = &b};
+    McdSeam s = {.body = &q->shape, .side = face, .find = findTriangle, .pieces = &b};
     double normal[3];
     MEASSERT(m->count >= 1);
     for (int i = 1; i < m->count; i++)
