@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Do the programs of a page of docs/ build and run as the page has it, and print what it says?
+"""Do the programs of pages of docs/ build and run as the pages have it, and print what they say?
 
-usage: check_blocks.py PAGE --build BUILD --precision single|double --cc CC [--flags FLAGS]
+usage: check_blocks.py PAGE ... --build BUILD --precision single|double --cc CC [--flags FLAGS]
 
-The page's fenced blocks are taken in their order, in an empty $HOME:
+The fenced blocks of the pages are run in their order, in an empty $HOME; a page may use files of those before it:
   c     a file, named by its first words: /* fall.c: ...
   cmake CMakeLists.txt
   sh    run by one shell, which stops at the first command that fails
@@ -109,7 +109,7 @@ def complaints(page, shell, arguments):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('page', type=pathlib.Path)
+    parser.add_argument('page', type=pathlib.Path, nargs='+')
     parser.add_argument('--build', type=pathlib.Path, required=True)
     parser.add_argument('--precision', choices=('single', 'double'), required=True)
     parser.add_argument('--cc', required=True)
@@ -117,8 +117,8 @@ def main():
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as directory:
         shell = Shell(arguments, pathlib.Path(directory))
-        wrong = list(complaints(arguments.page.resolve(), shell, arguments))
-    print(*(wrong or [f'the programs of {arguments.page.name} do what it says']), sep='\n')
+        wrong = [complaint for page in arguments.page for complaint in complaints(page.resolve(), shell, arguments)]
+    print(*(wrong or [f'the programs of {arguments.page[-1].name} do what it says']), sep='\n')
     return bool(wrong)
 
 
