@@ -6,7 +6,9 @@
  * machine that is slow for a while is so for all of them; with --quick once. */
 #include "timing.h"
 
+#include "McdMesh.h"
 #include "Mst.h"
+#include "MstMover.h"
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -22,7 +24,19 @@ typedef struct Case {
     double push;                            /* N on every body, sideways */
     MdtFrictionModel friction;
     bool sleeps;
+    bool isOnMesh;  /* the ground is a mesh of squares of 1 m; else a plane */
+    double rolling; /* m, MdtContactParamsSetRollingFriction */
 } Case;
+
+/* A character, which walks in each step. */
+typedef struct Walker {
+    MstUniverseID universe;
+    MstMoverID mover;
+    MeVector3 velocity;
+} Walker;
+
+static Walker walkers[FEW + MANY];
+static int numWalkers;
 
 static MdtBodyID addBody(MstUniverseID u, double x) {
     const MdtBodyID b = MdtBodyCreate(u->world);
@@ -79,10 +93,11 @@ static void addLinear1(MstUniverseID u, double x) {
     addJoint(u, MdtLinear1QuaConstraint(MdtLinear1Create(u->world)), x);
 }
 
-static void addShape(MstUniverseID u, McdGeometryID g, double x) {
+static McdModelID addShape(MstUniverseID u, McdGeometryID g, double x) {
     const McdModelID m = MstModelAndBodyCreate(u, g, 1);
     McdModelDynamicsSetPosition(m, (MeReal)x, (MeReal).5, 0);
     MdtBodyEnable(McdModelGetBody(m));
+    return m;
 }
 
 static void addBox(MstUniverseID u, double x) {
@@ -97,43 +112,116 @@ static void addSleeping(MstUniverseID u, double x) {
     addBox(u, x);
 }
 
+static void addSweptBox(MstUniverseID u, double x) {
+    McdModelSetSwept(addShape(u, McdBoxCreate(u->frame, 1, 1, 1), x), METRUE);
+}
+
+static void addMoved(MstUniverseID u, double x) {
+    const MdtBodyID b = McdModelGetBody(addShape(u, McdBoxCreate(u->frame, 2, (MeReal).5, 2), x));
+    MdtBodySetKinematic(b, METRUE);
+    MdtBodySetLinearVelocity(b, 0, 0, 1);
+}
+
+static void addCarried(MstUniverseID u, double x) {
+    addMoved(u, x);
+    McdModelDynamicsSetPosition(addShape(u, McdBoxCreate(u->frame, 1, 1, 1), x), (MeReal)x, (MeReal)1.25, 0);
+}
+
+static void addWalker(MstUniverseID u, double x) {
+    const MeVector3 at = {(MeReal)x, (MeReal).1, 0};
+    MstMoverParams params;
+    MstMoverSetDefaults(&params, u);
+    walkers[numWalkers++] = (Walker){u, MstMoverCreate(u, &params, at), {0, -1, 1}};
+}
+
+static void walk(MstUniverseID u) {
+    for (int i = 0; i < numWalkers; i++)
+        if (walkers[i].universe == u)
+            MstMoverMove(walkers[i].mover, walkers[i].velocity, (MeReal)(1. / 60), 0);
+}
+
+static void destroyWalkers(void) {
+    for (int i = 0; i < numWalkers; i++)
+        MstMoverDestroy(walkers[i].mover);
+    numWalkers = 0;
+}
+
 /* Boxes of 1 kg slide, so that no step can be left out; .6 of their weight overcomes friction .5. */
 static const Case cases[] = {
-    {"body that flies", addFlying, 0, MdtFrictionModelCone, false},
-    {"body on a ball joint", addBall, 0, MdtFrictionModelCone, false},
-    {"body on a hinge", addPlainHinge, 0, MdtFrictionModelCone, false},
-    {"body on a hinge at its stop", addLimit, 0, MdtFrictionModelCone, false},
-    {"body on a hinge with a motor", addMotor, 0, MdtFrictionModelCone, false},
-    {"body on a prismatic joint", addPrismatic, 0, MdtFrictionModelCone, false},
-    {"body in a plane (linear 1)", addLinear1, 0, MdtFrictionModelCone, false},
-    {"sphere that rolls, one contact, cone", addSphere, 1, MdtFrictionModelCone, false},
-    {"box that slides, four contacts, no friction", addBox, 1, MdtFrictionModelUnknown, false},
-    {"box that slides, four contacts, box friction", addBox, 6, MdtFrictionModelBox, false},
-    {"box that slides, four contacts, normal force", addBox, 6, MdtFrictionModelNormalForce, false},
-    {"box that slides, four contacts, cone", addBox, 6, MdtFrictionModelCone, false},
-    {"box that sleeps", addSleeping, 0, MdtFrictionModelCone, true},
+    {"body that flies", addFlying, .friction = MdtFrictionModelCone},
+    {"body on a ball joint", addBall, .friction = MdtFrictionModelCone},
+    {"body on a hinge", addPlainHinge, .friction = MdtFrictionModelCone},
+    {"body on a hinge at its stop", addLimit, .friction = MdtFrictionModelCone},
+    {"body on a hinge with a motor", addMotor, .friction = MdtFrictionModelCone},
+    {"body on a prismatic joint", addPrismatic, .friction = MdtFrictionModelCone},
+    {"body in a plane (linear 1)", addLinear1, .friction = MdtFrictionModelCone},
+    {"sphere that rolls, one contact, cone", addSphere, .push = 1, .friction = MdtFrictionModelCone},
+    {"sphere that rolls, with a rolling bound", addSphere, .push = 1, .friction = MdtFrictionModelCone, .rolling = .01},
+    {"box that slides, four contacts, no friction", addBox, .push = 1, .friction = MdtFrictionModelUnknown},
+    {"box that slides, four contacts, box friction", addBox, .push = 6, .friction = MdtFrictionModelBox},
+    {"box that slides, four contacts, normal force", addBox, .push = 6, .friction = MdtFrictionModelNormalForce},
+    {"box that slides, four contacts, cone", addBox, .push = 6, .friction = MdtFrictionModelCone},
+    {"box that slides, swept", addSweptBox, .push = 6, .friction = MdtFrictionModelCone},
+    {"box that slides on a mesh", addBox, .push = 6, .friction = MdtFrictionModelCone, .isOnMesh = true},
+    {"box that sleeps", addSleeping, .friction = MdtFrictionModelCone, .sleeps = true},
+    {"body that the program moves (kinematic)", addMoved, .friction = MdtFrictionModelCone},
+    {"body that the program moves, and a box on it", addCarried, .friction = MdtFrictionModelCone},
+    {"character that walks (mover)", addWalker, .friction = MdtFrictionModelCone},
+    {"character that walks on a mesh", addWalker, .friction = MdtFrictionModelCone, .isOnMesh = true},
 };
 
 enum { NUM_CASES = sizeof cases / sizeof *cases };
 
-static void setFriction(MdtContactParamsID p, MdtFrictionModel model) {
-    if (model == MdtFrictionModelUnknown)
+static void setFriction(MdtContactParamsID p, const Case *c) {
+    if (c->friction == MdtFrictionModelUnknown)
         return;
     MdtContactParamsSetType(p, MdtContactTypeFriction2D);
-    MdtContactParamsSetFrictionModel(p, model);
+    MdtContactParamsSetFrictionModel(p, c->friction);
+    MdtContactParamsSetRollingFriction(p, (MeReal)c->rolling);
     MdtContactParamsSetFriction(p, (MeReal)1.2); /* N, of the box model, at each of four contacts */
     MdtContactParamsSetFrictionCoeffecient(p, (MeReal).5);
 }
 
+/* Flat, in the plane y = 0, under all units. */
+static McdGeometryID createMesh(MstUniverseID u) {
+    enum { LONG = 1200, WIDE = 16 };
+    MeVector3 *v = malloc(sizeof *v * (LONG + 1) * (WIDE + 1));
+    int *t = malloc(sizeof *t * 6 * LONG * WIDE), *next = t;
+    if (!v || !t)
+        abort();
+    for (int j = 0; j <= WIDE; j++)
+        for (int i = 0; i <= LONG; i++)
+            MeVector3Set(v[j * (LONG + 1) + i], (MeReal)(i - LONG / 2 - .3), 0, (MeReal)(j - WIDE / 2 - .3));
+    for (int j = 0; j < WIDE; j++)
+        for (int i = 0; i < LONG; i++) {
+            const int a = j * (LONG + 1) + i, b = a + LONG + 1;
+            const int two[6] = {a, b, b + 1, a, b + 1, a + 1};
+            memcpy(next, two, sizeof two);
+            next += 6;
+        }
+    const McdGeometryID mesh = McdMeshCreate(u->frame, v, (LONG + 1) * (WIDE + 1), t, 2 * LONG * WIDE, 0);
+    free(v);
+    free(t);
+    return mesh;
+}
+
+static void addGround(MstUniverseID u, const Case *c) {
+    static MeMatrix4 here = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+    static MeMatrix4 up = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
+    if (c->isOnMesh)
+        MstFixedModelCreate(u, createMesh(u), here);
+    else
+        MstFixedModelCreate(u, McdPlaneCreate(u->frame), up);
+}
+
 static MstUniverseID make(const Case *c, int n) {
-    static MeMatrix4 floorTM = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
     const MstUniverseID u = MstUniverseCreate(&MstUniverseGrowingSizes);
     if (!u)
         abort();
     MdtWorldSetGravity(u->world, 0, (MeReal)-9.81, 0);
     MdtWorldSetAutoDisable(u->world, MEFALSE);
-    setFriction(MstBridgeGetContactParams(u->bridge, 0, 0), c->friction);
-    MstFixedModelCreate(u, McdPlaneCreate(u->frame), floorTM);
+    setFriction(MstBridgeGetContactParams(u->bridge, 0, 0), c);
+    addGround(u, c);
     for (int i = 0; i < n; i++)
         c->add(u, spacing * (i - n / 2));
     for (MdtBodyID b = MdtBodyGetFirst(u->world); b; b = MdtBodyGetNext(b))
@@ -145,6 +233,7 @@ static void step(const Case *c, MstUniverseID u) {
     if (c->push > 0)
         for (MdtBodyID b = MdtBodyGetFirst(u->world); b; b = MdtBodyGetNext(b))
             MdtBodyAddForce(b, 0, 0, (MeReal)c->push);
+    walk(u);
     MstUniverseStep(u, (MeReal)(1. / 60));
 }
 
@@ -174,6 +263,7 @@ static double costOnce(const Case *c) {
         timesFew[i] = timed(c, few);
         timesMany[i] = timed(c, many);
     }
+    destroyWalkers();
     MstUniverseDestroy(few);
     MstUniverseDestroy(many);
     return 1e9 * (median(timesMany, STEPS) - median(timesFew, STEPS)) / (MANY - FEW);

@@ -557,6 +557,16 @@ ADVICE = (  # the cheaper one, the dearer one, what to do, what is lost; both ar
     ('body in a plane (linear 1)', 'body on a prismatic joint', 'One row where one direction is all that is held.',
      'the rest is free'),
     ('body on a hinge', 'body on a hinge with a motor', 'A hinge without its motor.', 'it is not driven'),
+    ('sphere that rolls, one contact, cone', 'sphere that rolls, with a rolling bound',
+     'No rolling bound (`MdtContactParamsSetRollingFriction`) where nothing rolls to its rest.', 'it rolls for ever'),
+    ('box that slides, four contacts, cone', 'box that slides on a mesh',
+     'A plane or a box instead of flat triangles (`McdMesh`).', 'nothing, if the ground is flat'),
+    ('box that slides, four contacts, cone', 'box that slides, swept',
+     'Sweep (`McdModelSetSwept`) only what may pass a wall in a step.', 'nothing, for what is slower'),
+    ('box that slides, four contacts, cone', 'body that the program moves, and a box on it',
+     'A fixed model where nothing moves, instead of a kinematic body.', 'it stands still'),
+    ('character that walks (mover)', 'character that walks on a mesh',
+     'Planes and boxes under characters (`MstMover`), instead of triangles.', 'nothing, if the ground is flat'),
 )
 
 
