@@ -8,8 +8,8 @@ The fenced blocks of the pages are run in their order, in an empty $HOME; a page
   cmake CMakeLists.txt
   sh    run by one shell, which stops at the first command that fails
   text  what the sh block before it has printed, to the letter
-What a page does to install Karma is the README's, whose test runs it: such lines must stand in the README too, and here
-the build is installed in their place. `cc` is the build's compiler with its sanitizers, packages are those of the build's
+What a page does to install Karma is the README's, whose test runs it: such lines must stand there or in install.md too,
+and here the build is installed in their place. `cc` is the build's compiler with its sanitizers, packages are those of the build's
 precision, warnings are errors, and programs of the viewer draw nothing and end after 60 frames.
 """
 import argparse
@@ -76,7 +76,8 @@ class Shell:
 
 
 def complaints(page, shell, arguments):
-    readme = [without_comment(line) for line in (page.parent.parent / 'README.md').read_text().splitlines()]
+    tried = (page.parent.parent / 'README.md', page.parent / 'install.md')
+    readme = [without_comment(line) for file in tried for line in file.read_text().splitlines()]
     printed, programs = '', set()
     for language, text, line in blocks(page.read_text()):
         where = f'{page.name}:{line}'

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Do the lines of README.md's section 'A program' work for somebody who has the source and no tests' packages?
+"""Do the lines of README.md's section 'A program' and of docs/install.md work for somebody without the tests' packages?
 
 usage: check_readme.py SOURCE
 
-Takes the section's blocks in their order: C and CMake blocks become program.c and CMakeLists.txt in $HOME/ball, shell blocks
+Takes their blocks in their order: C and CMake blocks become program.c and CMakeLists.txt in $HOME/ball, shell blocks
 are run by one shell. The source is a copy without anything built, $HOME is an empty directory, and pkg-config knows no Check.
 What cannot be tried here is the absence of other packages of this machine: its libraries are used, and its compilers, which are
 told not to optimize (quick_compilers.sh).
@@ -21,10 +21,10 @@ RUNS = 4              # of the program: by pkg-config, find_package, FetchConten
 LAST = re.compile(r'^after two seconds: (\S+) m high$', re.MULTILINE)
 
 
-def blocks(readme):
-    """(language, text) of each fenced block of the section."""
-    section = re.search(r'^## A program\n(.*?)^## ', readme, re.DOTALL | re.MULTILINE).group(1)
-    return re.findall(r'^```(\w+)\n(.*?)^```$', section, re.DOTALL | re.MULTILINE)
+def blocks(source):
+    """(language, text) of each fenced block."""
+    section = re.search(r'^## A program\n(.*?)^## ', (source / 'README.md').read_text(), re.DOTALL | re.MULTILINE).group(1)
+    return re.findall(r'^```(\w+)\n(.*?)^```$', section + (source / 'docs/install.md').read_text(), re.DOTALL | re.MULTILINE)
 
 
 def script(parts, ball):
@@ -80,7 +80,7 @@ def complaints(source, scratch):
         done = run(['cmake', '--preset', preset], environment, karma)
         if done.returncode == 0 or 'Check not found; `tools/setup test`' not in ' '.join(done.stdout.split()):
             yield f'the preset {preset} does not fail for want of Check:\n{done.stdout}'
-    parts = blocks((source / 'README.md').read_text())
+    parts = blocks(source)
     done = run(['sh', '-c', script(parts, home / 'ball')], environment, karma)
     if done.returncode:
         yield f'a line of the README failed:\n{done.stdout}'
