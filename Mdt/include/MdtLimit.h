@@ -7,7 +7,7 @@
  *  A limit controls one degree of freedom: an angle [rad, rad/s, N m] or a length [m, m/s, N]; the comments use the
  *  units of lengths. It has a lower and an upper stop and a motor with limited force. A stop is hard, or a damped
  *  spring. The limit of a joint (MdtHingeGetLimit) is part of the joint; a program may also have an MdtBclLimit of its
- *  own, reset it, and copy it into joints. None of these functions wakes a body.
+ *  own, reset it, and copy it into joints. A change of a joint's limit wakes both bodies in the next step.
  *
  *  A null limit, or a number that is not finite, gets a warning and changes nothing; accessors then return 0.
  */
