@@ -440,3 +440,33 @@ TEST(a_crowd_that_is_swept_overlaps_little_more_than_one_that_is_not) {
     assert_below(overlapOfRain(METRUE), 1.5 * overlapOfRain(MEFALSE));
 }
 #endif
+
+/* ---- impulses ---------------------------------------------------------------------------------------------------- */
+
+/* A ball at rest, asleep or not, swept or not, gets its speed by an impulse, .1 m before a wall. Where it is then. */
+static double throwByImpulse(MeBool isAsleep, MeBool isSwept, double speed, double thickness) {
+    const double still[3] = {0, 0, 0}, from[3] = {-thickness / 2 - .2, 0, 0};
+    setUp();
+    MstFixedModelCreate(u, McdBoxCreate(u->frame, thickness, 8, 8), place);
+    const McdModelID ball = makeBall(.1);
+    const MdtBodyID body = McdModelGetBody(ball);
+    McdModelSetSwept(ball, isSwept);
+    put(ball, from, still);
+    MdtWorldSetAutoDisable(u->world, METRUE);
+    for (int i = 0; i < (isAsleep ? 200 : 1); i++)
+        step();
+    ck_assert(MdtBodyIsEnabled(body) != isAsleep);
+    MdtBodyAddImpulse(body, speed * (double)MdtBodyGetMass(body), 0, 0);
+    for (int i = 0; i < 10; i++)
+        step();
+    return coordinate(ball, 0);
+}
+
+TEST(what_an_impulse_throws_meets_the_wall_in_its_first_step) {
+    for (int isAsleep = 0; isAsleep < 2; isAsleep++)
+        for (double speed = 5; speed <= 1000; speed *= 1.3) {
+            assert_below(throwByImpulse(isAsleep, METRUE, speed, .02), 0);
+            if (speed < 25) /* it goes less than the wall's thickness in a step, and does not sink in */
+                assert_below(throwByImpulse(isAsleep, MEFALSE, speed, 1), -.6 + 1e-3);
+        }
+}

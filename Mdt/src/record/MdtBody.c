@@ -575,6 +575,42 @@ static void addKick(MdtBodyID b) {
     memset(b->kea.kick, 0, sizeof b->kea.kick);
 }
 
+static MeBool hasJoint(const MdtBody *b) {
+    for (const MdtAttachment *at = b->attachments; at; at = at->next)
+        if (mdt_asJoint(mdt_attachmentOwner(at)))
+            return METRUE;
+    return MEFALSE;
+}
+
+/* Wakes a sleeper for its impulse; false: the impulse is too small to do so by itself. */
+static MeBool wakeForImpulse(MdtBodyID b, double h) {
+    if (!(b->record.flags & MDT_ASLEEP))
+        return METRUE;
+    if (!mdt_bodyWouldMove(b, b->forces->impulse, h))
+        return MEFALSE;
+    mdt_bodyEnable(b);
+    return METRUE;
+}
+
+void MEAPI MdtWorldTakeImpulses(const MdtWorldID w, const MeReal h) {
+    MEASSERT(w && h > 0);
+    MeStageBegin(&w->stage, MDT_GUARD_CONSTRAINTS); /* defers calls of the program's handlers */
+    for (MdtLink *link = w->bodies.first; link; link = link->next) {
+        const MdtBodyID b = mdt_linkOwner(link);
+        if (memcmp(mdt_forcesOf(b)->impulse, mdt_noForces.impulse, sizeof mdt_noForces.impulse) == 0 || b->mover ||
+            (b->record.flags & MDT_CONDEMNED) || hasJoint(b) || !wakeForImpulse(b, (double)h) ||
+            !(b->record.flags & MDT_ENABLED))
+            continue;
+        mdt_bodyAcceptVelocities(b);
+        memcpy(b->kea.kick, b->forces->impulse, sizeof b->kea.kick);
+        addKick(b);
+        MdtBodyResetImpulses(b);
+        mdt_bodyShow(b);
+        mdt_bodyDisturb(b);
+    }
+    MeStageEnd(&w->stage, MDT_GUARD_CONSTRAINTS);
+}
+
 void mdt_bodySaveStart(MdtBodyID b) {
     mdt_bodyVelocity(b, &b->start.velocity);
     b->start.pose = mdt_bodyPose(b);

@@ -202,6 +202,7 @@ static void advance(MstUniverse *u, MeReal step) {
     MeTeam *team = MdtWorldGetTeam(u->world);
     McdSpaceSetTeam(u->space, team);
     MeTeamKeep(team);
+    MdtWorldTakeImpulses(u->world, step);
     mst_followMoved(u->world, step);
     updateBoxes(u->space, step);
     mst_updateContacts(bridge, u->space, u->world);
