@@ -31,6 +31,9 @@ ME_BEGIN_C
 #define MdtBclGETMAXROWSSPRING    3 /**< 1 of a rod or a spring; else a motor and two stops. */
 #define MdtBclGETMAXROWSCONELIMIT 1
 #define MdtBclGETMAXROWSFPFOJOINT 6
+#define MdtBclGETMAXROWSGEAR      1
+#define MdtBclGETMAXROWSPULLEY    1
+#define MdtBclGETMAXROWSMIMIC     1
 #define MdtBclGETMAXROWSUSER      12
 #define MdtBclGETMAXROWS          12 /**< of any constraint */
 /** @} */
@@ -176,6 +179,41 @@ typedef struct MdtBclSkeletal {
     MdtBclTurnServo servo;
 } MdtBclSkeletal;
 
+/** What a coordinate measures of its moving frame relative to its base frame (bcl_coupling.c). */
+typedef enum MdtBclCoordinateKind {
+    MdtBclCoordinateAngle = 0,    /**< rad about the primary axis, full turns counted */
+    MdtBclCoordinateSlide = 1,    /**< m along the base's primary axis */
+    MdtBclCoordinateDistance = 2, /**< m between the positions */
+} MdtBclCoordinateKind;
+
+#define MdtBclNO_SIDE (-1) /**< The world, in place of a side of the constraint. */
+
+/** A coordinate of a coupling. */
+typedef struct MdtBclCoordinate {
+    MdtBclCoordinateKind kind;
+    int side[2];          /**< in whose body the moving and the base frame are: 0, 1 or MdtBclNO_SIDE */
+    MdtBclFrame frame[2]; /**< the moving and the base frame */
+    double factor;        /**< of the coordinate in the sum */
+    /* Set by the library. */
+    double measured;     /**< rad or m, at the start of the sub-step */
+    double turned;       /**< rad, by which the angle is expected to change in the sub-step */
+    double direction[3]; /**< unit, world, of the distance: the last one that it had */
+    MeBool isMeasured;
+} MdtBclCoordinate;
+
+/** Gear, Pulley, Mimic: the sum of two coordinates times their factors is constant. */
+typedef struct MdtBclCoupling {
+    MdtBclCoordinate coordinate[2];
+    double constant;    /**< of the sum; rad or m */
+    MdtBclLimit slack;  /**< of the sum minus the constant, if isSlack */
+    MeBool isSlack;     /**< the sum may be smaller: a rope */
+    MeBool lengthIsSet; /**< Pulley: the program has set the constant */
+    int housing;        /**< Gear: the side that carries both shafts, or MdtBclNO_SIDE */
+    MeBool isReady;     /**< Mimic: both joints act */
+    double offset;      /**< Mimic, rad or m */
+    void *joint[2];     /**< Mimic: Mdt's joints, or null */
+} MdtBclCoupling;
+
 struct MdtBclContext;
 
 /** The list of rows that a program's function adds to a user constraint (MdtBclAddRow). */
@@ -210,6 +248,7 @@ typedef struct MdtBclConstraint {
         MdtBclCarWheel wheel;
         MdtBclSkeletal skeletal;
         MdtBclUser user;
+        MdtBclCoupling coupling;
     } of;
 } MdtBclConstraint;
 
@@ -279,6 +318,14 @@ MEPUBLIC void MEAPI MdtBclContactParamsReset(MdtBclContactParams *params);
 
 /** Sets the zero of a Skeletal's twist to its twist at these poses. */
 MEPUBLIC void MEAPI MdtBclSkeletalZeroTwist(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]);
+
+/** What the coupling's sum lacks of its constant at these poses: the sum minus the constant, rad or m. */
+MEPUBLIC double MEAPI MdtBclCouplingError(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]);
+/** A coordinate of a coupling at these poses, rad or m. */
+MEPUBLIC double MEAPI MdtBclCouplingCoordinate(const MdtBclConstraint *c, int which,
+                                               const MdtKeaTransformation *const pose[2]);
+/** Makes the coordinates of a gear 0 at these poses. */
+MEPUBLIC void MEAPI MdtBclGearEngage(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]);
 
 ME_END_C
 

@@ -31,6 +31,9 @@ typedef enum MdtBclJointType {
     MdtBclCONELIMIT = 15,
     MdtBclUSER = 16,
     MdtBclFPFOJOINT = 17,
+    MdtBclGEAR = 18,
+    MdtBclPULLEY = 19,
+    MdtBclMIMIC = 20,
 } MdtBclJointType;
 
 #define MdtBclNO_BODY MdtKeaWORLD /**< The world, in place of a body's index. */

@@ -16,6 +16,8 @@ const MdtBclType *MEAPI MdtBclTypeOf(MdtBclJointType type) {
         [MdtBclANGULAR3] = &bcl_angular3,   [MdtBclSPRING6] = &bcl_spring6,
         [MdtBclSPRING] = &bcl_spring,       [MdtBclCONELIMIT] = &bcl_coneLimit,
         [MdtBclUSER] = &bcl_user,           [MdtBclFPFOJOINT] = &bcl_fpfoJoint,
+        [MdtBclGEAR] = &bcl_gear,           [MdtBclPULLEY] = &bcl_pulley,
+        [MdtBclMIMIC] = &bcl_mimic,
     };
     const int count = (int)(sizeof table / sizeof *table);
     return (int)type >= 0 && (int)type < count ? table[type] : NULL;

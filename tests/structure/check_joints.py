@@ -27,8 +27,8 @@ FUNCTIONS = {  # result, name, parameters after the handle
 JOINTS = {
     'Angular3': ('axis',), 'BSJoint': ('position',), 'CarWheel': ('position',),
     'ConeLimit': ('position', 'axis', 'axes', 'body axes'), 'Contact': (), 'ContactGroup': (), 'FPFOJoint': (),
-    'FixedPath': (), 'Hinge': ('position', 'axis'), 'Linear1': ('position', 'axis'), 'Linear2': ('position',),
-    'Prismatic': ('axis',), 'RPROJoint': (), 'Skeletal': ('position', 'axes', 'body axes'), 'Spring': (),
+    'FixedPath': (), 'Gear': ('axis',), 'Hinge': ('position', 'axis'), 'Linear1': ('position', 'axis'), 'Linear2': ('position',),
+    'Mimic': (), 'Prismatic': ('axis',), 'Pulley': (), 'RPROJoint': (), 'Skeletal': ('position', 'axes', 'body axes'), 'Spring': (),
     'Spring6': ('position', 'axes'), 'Universal': ('position', 'axes'), 'UserConstraint': (),
 }
 

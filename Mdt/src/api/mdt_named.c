@@ -128,6 +128,10 @@ COMMON(FPFOJoint)
 
 COMMON(FixedPath)
 
+COMMON(Gear)
+AXIS(Gear)
+BODY_AXIS(Gear)
+
 COMMON(Hinge)
 POSITION(Hinge)
 AXIS(Hinge)
@@ -139,8 +143,12 @@ AXIS(Linear1)
 COMMON(Linear2)
 POSITION(Linear2)
 
+COMMON(Mimic)
+
 COMMON(Prismatic)
 AXIS(Prismatic)
+
+COMMON(Pulley)
 
 COMMON(RPROJoint)
 

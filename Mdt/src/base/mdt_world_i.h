@@ -47,6 +47,7 @@ struct MdtWorld {
     int breakable;           /* number of constraints with a break limit */
     int numNoCollide;        /* number of joints whose bodies do not collide with each other */
     int userConstraints;     /* number of constraints whose rows a callback of the program makes */
+    int mimics;              /* number of mimics, whose joints may be destroyed before them */
     MdtConstraintID *broken; /* joints that broke in the last step; capacity constraintRoom */
     int numBroken;
     MdtBreakCBPtr breakCb; /* null: none */

@@ -34,6 +34,7 @@ MdtJoint *mdt_jointCreate(MdtWorldID w, MdtBclJointType type, const char *caller
     j->breakForce = j->breakTorque = MEINFINITY;
     j->base.record.flags = 0;
     w->userConstraints += type == MdtBclUSER;
+    w->mimics += type == MdtBclMIMIC;
     j->type->reset(&j->bcl);
     MEASSERT(j->bcl.type == type && j->type->maxRows <= MdtBclGETMAXROWS);
     mdt_listAppend(&w->constraints, &j->base.link, w->nextSerial++);
@@ -59,6 +60,7 @@ static void termJoint(MdtJoint *j) {
     mdt_jointFree(j);
     mdt_breakForget(j);
     mdt_noCollideForget(j);
+    mdt_mimicForget(j);
     j->base.world->userConstraints -= j->bcl.type == MdtBclUSER;
     MEASSERT(j->base.world->userConstraints >= 0);
     mdt_constraintUncount(j->base.world);
@@ -412,23 +414,31 @@ void mdt_constraintPoses(MdtConstraintID c, MdtKeaTransformation pose[2]) {
     poseOf(c, 1, &pose[1]);
 }
 
+/* Transforms a frame; it stays where it is in the world. */
+static void reframe(MdtBclFrame *frame, const MdtKeaTransformation *from, const MdtKeaTransformation *to) {
+    double world[3];
+    keaApply(world, from->R, frame->position);
+    keaAddScaled(world, 1, from->pos);
+    keaSubtract(world, world, to->pos);
+    keaApplyTransposed(frame->position, to->R, world);
+    double *axes[] = {frame->primary, frame->ortho};
+    for (int i = 0; i < 2; i++) {
+        keaApply(world, from->R, axes[i]);
+        keaApplyTransposed(axes[i], to->R, world);
+    }
+}
+
 void mdt_constraintReframe(MdtConstraintID c, int side, const MdtKeaBody *before, const MdtKeaBody *after) {
     if (!mdt_isJoint(c))
         return; /* contacts are stored in world coordinates */
-    MdtBclFrame *frame = &mdt_asJoint(c)->bcl.frame[side];
+    MdtBclConstraint *bcl = &mdt_asJoint(c)->bcl;
     MdtKeaTransformation from, to;
-    double world[3];
     poseOfKea(before, &from);
     poseOfKea(after, &to);
-    keaApply(world, (const double(*)[3])from.R, frame->position);
-    keaAddScaled(world, 1, from.pos);
-    keaSubtract(world, world, to.pos);
-    keaApplyTransposed(frame->position, (const double(*)[3])to.R, world);
-    double *axes[] = {frame->primary, frame->ortho};
-    for (int i = 0; i < 2; i++) {
-        keaApply(world, (const double(*)[3])from.R, axes[i]);
-        keaApplyTransposed(axes[i], (const double(*)[3])to.R, world);
-    }
+    reframe(&bcl->frame[side], &from, &to);
+    for (int i = 0; bcl->type == MdtBclGEAR && i < 2; i++)
+        if (bcl->of.coupling.coordinate[i].side[1] == side)
+            reframe(&bcl->of.coupling.coordinate[i].frame[1], &from, &to);
 }
 
 static void pointToBody(MdtConstraintID c, int side, const double world[3], double local[3]) {

@@ -149,6 +149,13 @@ void mdt_breakBegin(MdtWorldID w);
 void mdt_breakEnd(MdtWorldID w);
 void mdt_breakForget(MdtJoint *j);
 
+/* ---- mimics (mdt_mimic.c) ---- */
+
+/* Before the rows of a step: copies the frames of the mimicked joints, and finds out whether both act. */
+void mdt_mimicUpdate(MdtJoint *mimic);
+/* When a joint is destroyed: mimics of it have it no more. */
+void mdt_mimicForget(MdtJoint *j);
+
 /* ---- stages (mdt_stage.c) ------------------------------------------------------------------------------------- */
 
 /* Levels of guards: the data that must not change while a stage calls the program (MeInternal.h). Each level includes

@@ -68,6 +68,8 @@ static void warnIfDegenerate(MdtIsland *p, MdtJoint *j) {
 
 static int prepareJoint(MdtIsland *p, MdtJoint *j) {
     MdtBclContext x;
+    if (j->bcl.type == MdtBclMIMIC)
+        mdt_mimicUpdate(j);
     jointContext(p, j, &x);
     j->numRows = j->type->prepare(&j->bcl, &x);
     MEASSERT(j->numRows >= 0 && j->numRows <= j->type->maxRows);

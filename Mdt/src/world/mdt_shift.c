@@ -36,11 +36,19 @@ static void shiftVelocity(MdtKeaVelocity *world, const double by[3]) {
     keaSubtract(world->lin, world->lin, turned);
 }
 
+/* Of a coupling the base frames that are fixed in the world. */
+static void shiftBases(MdtBclConstraint *c, const double by[3]) {
+    for (int i = 0; (c->type == MdtBclGEAR || c->type == MdtBclPULLEY) && i < 2; i++)
+        if (c->of.coupling.coordinate[i].side[1] == MdtBclNO_SIDE)
+            shiftPoint(c->of.coupling.coordinate[i].frame[1].position, by);
+}
+
 static void shiftJoint(MdtJoint *j, const double by[3]) {
     const MeBool isCertified = mdt_jointIsCertified(j);
     for (int k = 0; k < 2; k++)
         if (!j->base.side[k].body)
             shiftPoint(j->bcl.frame[k].position, by);
+    shiftBases(&j->bcl, by);
     shiftVelocity(&j->worldVelocity, by);
     if (isCertified)
         mdt_jointCertify(j);

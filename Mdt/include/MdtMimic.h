@@ -1,0 +1,68 @@
+/** @file MdtMimic.h
+ *  The mimic: lets the coordinate of one joint follow that of another one. Beyond Karma.
+ *
+ *      coordinate of the second joint = ratio * coordinate of the first joint + offset
+ *
+ *  Both are hinges (rad, full turns counted) or prismatic joints (m), in any combination, with the coordinates that
+ *  their limits show (MdtLimitGetPosition). Limits and motors of either work, and act on both; forces go both ways. It
+ *  adds one row.
+ *
+ *  A row has at most two bodies: of the bodies of both joints, without the world, no more than two may be different.
+ *  Two fingers that slide on the world can mimic each other, or two joints in a row of links; two fingers of a hand
+ *  that moves cannot.
+ *
+ *  While one of the joints is disabled, has been destroyed or got other bodies, the mimic does nothing, with a warning
+ *  when that begins.
+ */
+#ifndef MDTMIMIC_H
+#define MDTMIMIC_H
+
+#include "MdtConstraint.h"
+
+ME_BEGIN_C
+
+/** Creates a mimic, disabled, unattached, without joints, with ratio 1 and offset 0. The world owns it.
+ *  Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. Beyond Karma, as
+ *  all functions of this header. */
+MEPUBLIC MdtMimicID MEAPI MdtMimicCreate(const MdtWorldID w);
+/** Sets joints, ratio and offset to the defaults of a new mimic. Bodies and enabled state do not change. */
+MEPUBLIC void MEAPI MdtMimicReset(const MdtMimicID j);
+/** The mimic as a constraint. Null if @a j is null. */
+MEPUBLIC MdtConstraintID MEAPI MdtMimicQuaConstraint(const MdtMimicID j);
+/** The constraint as a mimic; null if it is none. */
+MEPUBLIC MdtMimicID MEAPI MdtConstraintDCastMimic(const MdtConstraintID c);
+/** The two joints; attaches the mimic to their bodies. Attach the joints before. One that is no hinge and no prismatic
+ *  joint, of another world, unattached, or the same as the other, or a third body, gets a warning and changes
+ *  nothing. */
+MEPUBLIC void MEAPI MdtMimicSetJoints(const MdtMimicID j, const MdtConstraintID first, const MdtConstraintID second);
+/** The joint of index 0 or 1; null: not set, or destroyed. */
+MEPUBLIC MdtConstraintID MEAPI MdtMimicGetJoint(const MdtMimicID j, const unsigned int jointindex);
+/** The ratio, finite: m/rad where the second joint slides and the first turns. 0: the second joint is held. */
+MEPUBLIC void MEAPI MdtMimicSetRatio(const MdtMimicID j, const MeReal ratio);
+MEPUBLIC MeReal MEAPI MdtMimicGetRatio(const MdtMimicID j);
+/** The offset, rad or m. */
+MEPUBLIC void MEAPI MdtMimicSetOffset(const MdtMimicID j, const MeReal offset);
+MEPUBLIC MeReal MEAPI MdtMimicGetOffset(const MdtMimicID j);
+
+/** @name Functions that every constraint has, under this joint's name
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  MdtMimicSetJoints sets the bodies; with others, by MdtMimicSetBodies, it does nothing.
+ *  @{ */
+MEPUBLIC void MEAPI MdtMimicDestroy(const MdtMimicID j);
+MEPUBLIC void MEAPI MdtMimicEnable(const MdtMimicID j);
+MEPUBLIC void MEAPI MdtMimicDisable(const MdtMimicID j);
+MEPUBLIC MeBool MEAPI MdtMimicIsEnabled(const MdtMimicID j);
+MEPUBLIC void MEAPI MdtMimicSetBodies(const MdtMimicID j, const MdtBodyID b1, const MdtBodyID b2);
+MEPUBLIC MdtBodyID MEAPI MdtMimicGetBody(const MdtMimicID j, const unsigned int bodyindex);
+MEPUBLIC void MEAPI MdtMimicGetForce(const MdtMimicID j, const unsigned int bodyindex, MeVector3 force);
+MEPUBLIC void MEAPI MdtMimicGetTorque(const MdtMimicID j, const unsigned int bodyindex, MeVector3 torque);
+MEPUBLIC MdtWorldID MEAPI MdtMimicGetWorld(const MdtMimicID j);
+MEPUBLIC void MEAPI MdtMimicSetUserData(const MdtMimicID j, void *data);
+MEPUBLIC void *MEAPI MdtMimicGetUserData(const MdtMimicID j);
+MEPUBLIC void MEAPI MdtMimicSetSortKey(const MdtMimicID j, const MeI32 key);
+MEPUBLIC MeI32 MEAPI MdtMimicGetSortKey(const MdtMimicID j);
+/** @} */
+
+ME_END_C
+
+#endif

@@ -1,0 +1,75 @@
+/** @file MdtPulley.h
+ *  The pulley: a rope over two wheels that are fixed in the world, with a body at each of its ends. Beyond Karma.
+ *
+ *      length 0 + ratio * length 1 = length      m
+ *
+ *  with the lengths from each body's attachment to its wheel. A ratio of 2 is that of a block and tackle which has two
+ *  strands on the side of the second body. It adds one row. By default it also pushes, as a chain of rods would; with
+ *  MdtPulleySetSlack the sum may be smaller: a rope. One body may be the world (null): the rope then only holds the
+ *  other one.
+ *
+ *  The rope does not end at a wheel: where a length reaches 0 it has no direction. The last one is kept, that end passes
+ *  its wheel and its length grows again; reaching that state gets a warning. Stop bodies before they are there, as by
+ *  the limit of a prismatic joint.
+ */
+#ifndef MDTPULLEY_H
+#define MDTPULLEY_H
+
+#include "MdtConstraint.h"
+
+ME_BEGIN_C
+
+/** Creates a pulley, disabled, unattached, at the centres of mass, its wheels at the origin, ratio 1. The world owns it.
+ *  Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. Beyond Karma, as
+ *  all functions of this header. */
+MEPUBLIC MdtPulleyID MEAPI MdtPulleyCreate(const MdtWorldID w);
+/** Sets attachments, wheels, ratio, length and slack to the defaults of a new pulley. Bodies and enabled state do not change. */
+MEPUBLIC void MEAPI MdtPulleyReset(const MdtPulleyID j);
+/** The pulley as a constraint. Null if @a j is null. */
+MEPUBLIC MdtConstraintID MEAPI MdtPulleyQuaConstraint(const MdtPulleyID j);
+/** The constraint as a pulley; null if it is none. */
+MEPUBLIC MdtPulleyID MEAPI MdtConstraintDCastPulley(const MdtConstraintID c);
+/** The attachment to the body of index 0 or 1, world frame. */
+MEPUBLIC void MEAPI MdtPulleySetPosition(const MdtPulleyID j, const unsigned int bodyindex, const MeReal x,
+                                         const MeReal y, const MeReal z);
+MEPUBLIC void MEAPI MdtPulleyGetPosition(const MdtPulleyID j, const unsigned int bodyindex, MeVector3 position);
+/** The point of the world at which the wheel of the body of index 0 or 1 turns the rope round. */
+MEPUBLIC void MEAPI MdtPulleySetWheel(const MdtPulleyID j, const unsigned int bodyindex, const MeReal x, const MeReal y,
+                                      const MeReal z);
+MEPUBLIC void MEAPI MdtPulleyGetWheel(const MdtPulleyID j, const unsigned int bodyindex, MeVector3 position);
+/** The ratio, > 0. */
+MEPUBLIC void MEAPI MdtPulleySetRatio(const MdtPulleyID j, const MeReal ratio);
+MEPUBLIC MeReal MEAPI MdtPulleyGetRatio(const MdtPulleyID j);
+/** m, >= 0: the length; as long as it has not been set, the sum in the poses in which bodies, attachments, wheels or
+ *  ratio were set last. A program that changes it in each step, by little, has a winch. */
+MEPUBLIC void MEAPI MdtPulleySetLength(const MdtPulleyID j, const MeReal length);
+MEPUBLIC MeReal MEAPI MdtPulleyGetLength(const MdtPulleyID j);
+/** Whether the rope may be slack: it pulls, and does not push. */
+MEPUBLIC void MEAPI MdtPulleySetSlack(const MdtPulleyID j, const MeBool isSlack);
+MEPUBLIC MeBool MEAPI MdtPulleyGetSlack(const MdtPulleyID j);
+/** m: the present length from the attachment of the body of index 0 or 1 to its wheel. */
+MEPUBLIC MeReal MEAPI MdtPulleyGetDistance(const MdtPulleyID j, const unsigned int bodyindex);
+/** N: what the rope pulls with at the first body in the last step (at the second one, times the ratio). */
+MEPUBLIC MeReal MEAPI MdtPulleyGetTension(const MdtPulleyID j);
+
+/** @name Functions that every constraint has, under this joint's name
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  @{ */
+MEPUBLIC void MEAPI MdtPulleyDestroy(const MdtPulleyID j);
+MEPUBLIC void MEAPI MdtPulleyEnable(const MdtPulleyID j);
+MEPUBLIC void MEAPI MdtPulleyDisable(const MdtPulleyID j);
+MEPUBLIC MeBool MEAPI MdtPulleyIsEnabled(const MdtPulleyID j);
+MEPUBLIC void MEAPI MdtPulleySetBodies(const MdtPulleyID j, const MdtBodyID b1, const MdtBodyID b2);
+MEPUBLIC MdtBodyID MEAPI MdtPulleyGetBody(const MdtPulleyID j, const unsigned int bodyindex);
+MEPUBLIC void MEAPI MdtPulleyGetForce(const MdtPulleyID j, const unsigned int bodyindex, MeVector3 force);
+MEPUBLIC void MEAPI MdtPulleyGetTorque(const MdtPulleyID j, const unsigned int bodyindex, MeVector3 torque);
+MEPUBLIC MdtWorldID MEAPI MdtPulleyGetWorld(const MdtPulleyID j);
+MEPUBLIC void MEAPI MdtPulleySetUserData(const MdtPulleyID j, void *data);
+MEPUBLIC void *MEAPI MdtPulleyGetUserData(const MdtPulleyID j);
+MEPUBLIC void MEAPI MdtPulleySetSortKey(const MdtPulleyID j, const MeI32 key);
+MEPUBLIC MeI32 MEAPI MdtPulleyGetSortKey(const MdtPulleyID j);
+/** @} */
+
+ME_END_C
+
+#endif
