@@ -12,8 +12,8 @@
  *  in a ring, a negative one.
  *
  *  The gear adds one row, and only couples: each shaft needs a hinge, the rack a prismatic joint. It is held in
- *  position, so that wheels do not get out of phase however long they turn. A row has at most two bodies, so that a
- *  housing which is a third body, and moves, is not possible: there MdtMimic does not help either.
+ *  position, so that wheels do not get out of phase however long they turn. Where the
+ *  housing is a third body, a MdtMimic of the two shafts' joints is the gear.
  */
 #ifndef MDTGEAR_H
 #define MDTGEAR_H

@@ -7,9 +7,9 @@
  *  their limits show (MdtLimitGetPosition). Limits and motors of either work, and act on both; forces go both ways. It
  *  adds one row.
  *
- *  A row has at most two bodies: of the bodies of both joints, without the world, no more than two may be different.
- *  Two fingers that slide on the world can mimic each other, or two joints in a row of links; two fingers of a hand
- *  that moves cannot.
+ *  The joints may have up to four bodies, such as two fingers and the hand that carries them. Then the mimic's
+ *  partition is solved by the exact solver, also where the program asks for the fast one. Of these bodies one may be
+ *  moved by the program (MdtBodySetKinematic). MdtMimicGetForce tells of the first two bodies only.
  *
  *  While one of the joints is disabled, has been destroyed or got other bodies, the mimic does nothing, with a warning
  *  when that begins.
@@ -32,8 +32,7 @@ MEPUBLIC MdtConstraintID MEAPI MdtMimicQuaConstraint(const MdtMimicID j);
 /** The constraint as a mimic; null if it is none. */
 MEPUBLIC MdtMimicID MEAPI MdtConstraintDCastMimic(const MdtConstraintID c);
 /** The two joints; attaches the mimic to their bodies. Attach the joints before. One that is no hinge and no prismatic
- *  joint, of another world, unattached, or the same as the other, or a third body, gets a warning and changes
- *  nothing. */
+ *  joint, of another world, unattached, or the same as the other gets a warning and changes nothing. */
 MEPUBLIC void MEAPI MdtMimicSetJoints(const MdtMimicID j, const MdtConstraintID first, const MdtConstraintID second);
 /** The joint of index 0 or 1; null: not set, or destroyed. */
 MEPUBLIC MdtConstraintID MEAPI MdtMimicGetJoint(const MdtMimicID j, const unsigned int jointindex);

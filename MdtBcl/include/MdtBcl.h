@@ -33,7 +33,7 @@ ME_BEGIN_C
 #define MdtBclGETMAXROWSFPFOJOINT 6
 #define MdtBclGETMAXROWSGEAR      1
 #define MdtBclGETMAXROWSPULLEY    1
-#define MdtBclGETMAXROWSMIMIC     1
+#define MdtBclGETMAXROWSMIMIC     6 /**< 1, or a split row of 2 and the room that it takes (MdtKea.h). */
 #define MdtBclGETMAXROWSUSER      12
 #define MdtBclGETMAXROWS          12 /**< of any constraint */
 /** @} */
@@ -186,12 +186,13 @@ typedef enum MdtBclCoordinateKind {
     MdtBclCoordinateDistance = 2, /**< m between the positions */
 } MdtBclCoordinateKind;
 
-#define MdtBclNO_SIDE (-1) /**< The world, in place of a side of the constraint. */
+#define MdtBclNO_SIDE  (-1) /**< The world, in place of a side of the constraint. */
+#define MdtBclMAXSIDES 4    /**< Of a mimic, which has those of two joints; of other constraints 2. */
 
 /** A coordinate of a coupling. */
 typedef struct MdtBclCoordinate {
     MdtBclCoordinateKind kind;
-    int side[2];          /**< in whose body the moving and the base frame are: 0, 1 or MdtBclNO_SIDE */
+    int side[2];          /**< in whose body the moving and the base frame are: a side, or MdtBclNO_SIDE */
     MdtBclFrame frame[2]; /**< the moving and the base frame */
     double factor;        /**< of the coordinate in the sum */
     /* Set by the library. */
@@ -209,6 +210,7 @@ typedef struct MdtBclCoupling {
     MeBool isSlack;     /**< the sum may be smaller: a rope */
     MeBool lengthIsSet; /**< Pulley: the program has set the constant */
     int housing;        /**< Gear: the side that carries both shafts, or MdtBclNO_SIDE */
+    int numSides;       /**< 2; Mimic: up to MdtBclMAXSIDES */
     MeBool isReady;     /**< Mimic: both joints act */
     double offset;      /**< Mimic, rad or m */
     void *joint[2];     /**< Mimic: Mdt's joints, or null */
@@ -253,18 +255,19 @@ typedef struct MdtBclConstraint {
 } MdtBclConstraint;
 
 /** The bodies and parameters of a constraint in one step. The world stands for a missing body: it is at the origin, has
- *  inverse mass 0, and the velocity of the world if the constraint was given one. */
+ *  inverse mass 0, and the velocity of the world if the constraint was given one. Sides beyond the second one are set
+ *  for a mimic that has them. */
 typedef struct MdtBclContext {
     MdtBclSolverParameters parameters;
-    double elapsed;                            /**< s, from the start of the step to that of this sub-step */
-    MdtKeaBodyIndexPair body;                  /**< indices in Kea's system, or MdtBclNO_BODY */
-    int firstRow;                              /**< index of the constraint's first row */
-    MdtKeaBody *kea[2];                        /**< null: the world */
-    const MdtKeaTransformation *pose[2];       /**< present */
-    MdtKeaTransformation moverPose[2];         /**< what `pose` points to where a mover is in the world's place */
-    const MdtKeaVelocity *velocity[2];         /**< present */
-    const MdtKeaVelocity *predicted[2];        /**< at the end of the step without constraints */
-    const MdtKeaInverseMassMatrix *invMass[2]; /**< present */
+    double elapsed;                                   /**< s, from the start of the step to that of this sub-step */
+    int body[MdtBclMAXSIDES];                         /**< indices in Kea's system, or MdtBclNO_BODY */
+    int firstRow;                                     /**< index of the constraint's first row */
+    MdtKeaBody *kea[2];                               /**< null: the world */
+    const MdtKeaTransformation *pose[MdtBclMAXSIDES]; /**< present */
+    MdtKeaTransformation moverPose[MdtBclMAXSIDES]; /**< what `pose` points to where a mover is in the world's place */
+    const MdtKeaVelocity *velocity[MdtBclMAXSIDES]; /**< present */
+    const MdtKeaVelocity *predicted[2];             /**< at the end of the step without constraints */
+    const MdtKeaInverseMassMatrix *invMass[2];      /**< present */
 } MdtBclContext;
 
 /** The functions of a constraint type. */

@@ -11,7 +11,7 @@
  *
  * with P the position, a the primary and v the second axis of a frame. Gear: two angles, or an angle and the slide of a
  * rack. Pulley: two distances to the points where a rope is turned round; with slack, φ <= 0. Mimic: the coordinates of
- * two other joints, whose frames Mdt copies before each step.
+ * two other joints, whose frames Mdt copies before each step; it has up to four bodies, and then a split row.
  *
  * The turns are counted from the last measured angle, and the expected change since; so an angle has the rounding of
  * its own size only, however long a shaft spins.
@@ -85,35 +85,40 @@ static double errorOf(const MdtBclCoupling *u, const MdtKeaTransformation *const
 
 /* ---- rows ---- */
 
-/* Adds a direction d, that acts on body `side` at a lever arm, to the row. The arm of a sum is the mean by length. */
-static void addLinear(MdtKeaRow *row, int side, double factor, const double d[3], const double arm[3]) {
+/* The rows of a sum: the row, and the tail that it has if there are more than two sides. */
+enum { MAX_ROWS = 2 };
+
+/* Adds a direction d, that acts on body `side` at a lever arm, to the sum. The arm of a sum is the mean by length. */
+static void addLinear(MdtKeaRow rows[], int side, double factor, const double d[3], const double arm[3]) {
     double moment[3];
-    if (side == MdtBclNO_SIDE)
+    if (side == MdtBclNO_SIDE || factor == 0)
         return;
-    const double before = keaLength(row->J[side].lin), share = fabs(factor) / (before + fabs(factor));
+    MdtKeaJBlock *J = &rows[side / 2].J[side % 2];
+    double *mean = rows[side / 2].arm[side % 2];
+    const double before = keaLength(J->lin), share = fabs(factor) / (before + fabs(factor));
     keaCross(moment, arm, d);
-    keaAddScaled(row->J[side].lin, factor, d);
-    keaAddScaled(row->J[side].ang, factor, moment);
-    keaScale(row->arm[side], 1 - share, row->arm[side]);
-    keaAddScaled(row->arm[side], share, arm);
+    keaAddScaled(J->lin, factor, d);
+    keaAddScaled(J->ang, factor, moment);
+    keaScale(mean, 1 - share, mean);
+    keaAddScaled(mean, share, arm);
 }
 
-static void addAngular(MdtKeaRow *row, int side, double factor, const double axis[3]) {
+static void addAngular(MdtKeaRow rows[], int side, double factor, const double axis[3]) {
     if (side != MdtBclNO_SIDE)
-        keaAddScaled(row->J[side].ang, factor, axis);
+        keaAddScaled(rows[side / 2].J[side % 2].ang, factor, axis);
 }
 
 /* If d is fixed in the base's body, the lever arm there ends at the moving frame (bcl_alongRow). */
-static void addAlong(MdtKeaRow *row, const MdtBclCoordinate *q, const MdtBclContext *x, double factor,
+static void addAlong(MdtKeaRow rows[], const MdtBclCoordinate *q, const MdtBclContext *x, double factor,
                      const double d[3]) {
     double arm[3], separation[3];
     armOf(q, 0, x->pose, arm);
-    addLinear(row, q->side[0], factor, d, arm);
+    addLinear(rows, q->side[0], factor, d, arm);
     armOf(q, 1, x->pose, arm);
     separationOf(q, x->pose, separation);
     if (q->kind == MdtBclCoordinateSlide)
         keaAddScaled(arm, 1, separation);
-    addLinear(row, q->side[1], -factor, d, arm);
+    addLinear(rows, q->side[1], -factor, d, arm);
 }
 
 /* The unit direction of a distance. */
@@ -126,36 +131,63 @@ static void directionOf(const MdtBclCoordinate *q, const MdtKeaTransformation *c
         keaScale(d, 1 / length, d);
 }
 
-/* Adds `factor` times the coordinate's Jacobian to a row. */
-static void addCoordinate(MdtKeaRow *row, const MdtBclCoordinate *q, const MdtBclContext *x, double factor) {
+/* Adds `factor` times the coordinate's Jacobian to the sum. */
+static void addCoordinate(MdtKeaRow rows[], const MdtBclCoordinate *q, const MdtBclContext *x, double factor) {
     double d[3];
     if (q->kind == MdtBclCoordinateDistance)
         directionOf(q, x->pose, d);
     else
         axisOf(q, q->kind == MdtBclCoordinateAngle ? 0 : 1, x->pose, d);
     if (q->kind != MdtBclCoordinateAngle) {
-        addAlong(row, q, x, factor, d);
+        addAlong(rows, q, x, factor, d);
         return;
     }
-    addAngular(row, q->side[0], factor, d);
-    addAngular(row, q->side[1], -factor, d);
+    addAngular(rows, q->side[0], factor, d);
+    addAngular(rows, q->side[1], -factor, d);
 }
 
-/* The row of the sum. */
-static void sumRow(const MdtBclCoupling *u, const MdtBclContext *x, MdtKeaRow *row) {
-    bcl_startRow(row, x);
+static MeBool hasTail(const MdtBclCoupling *u) {
+    return u->numSides > 2;
+}
+
+static void startRows(const MdtBclCoupling *u, const MdtBclContext *x, MdtKeaRow rows[]) {
+    bcl_startRow(&rows[0], x);
+    if (!hasTail(u))
+        return;
+    rows[0].isSplit = METRUE;
+    rows[1] = rows[0];
+    rows[1].isSplit = MEFALSE;
+    rows[1].isTail = rows[1].position = METRUE;
+    rows[1].lower = rows[1].upper = 0;
+    for (int k = 0; k < 2; k++)
+        rows[1].body[k] = 2 + k < u->numSides ? x->body[2 + k] : MdtBclNO_BODY;
+}
+
+/* The row of the sum, and its tail. */
+static void sumRows(const MdtBclCoupling *u, const MdtBclContext *x, MdtKeaRow rows[]) {
+    startRows(u, x, rows);
     for (int i = 0; i < 2; i++)
-        addCoordinate(row, &u->coordinate[i], x, u->coordinate[i].factor);
+        addCoordinate(rows, &u->coordinate[i], x, u->coordinate[i].factor);
+}
+
+/* m/s or rad/s: the rate of a row and its tail. */
+static double rateOf(const MdtBclCoupling *u, const MdtBclContext *x, const MdtKeaRow rows[]) {
+    double rate = 0;
+    for (int k = 0; k < u->numSides; k++) {
+        const MdtKeaJBlock *J = &rows[k / 2].J[k % 2];
+        rate += keaDot(J->lin, x->velocity[k]->lin) + keaDot(J->ang, x->velocity[k]->ang);
+    }
+    return rate;
 }
 
 /* rad: the change of an angle in a sub-step with the present velocities. Rotations in a step are Cayley maps. */
-static double changeOf(const MdtBclCoordinate *q, const MdtBclContext *x) {
-    MdtKeaRow row;
+static double changeOf(const MdtBclCoupling *u, const MdtBclCoordinate *q, const MdtBclContext *x) {
+    MdtKeaRow rows[MAX_ROWS];
     if (q->kind != MdtBclCoordinateAngle)
         return 0;
-    bcl_startRow(&row, x);
-    addCoordinate(&row, q, x, 1);
-    return 2 * atan(0.5 * bcl_rate(&row, x->velocity) * x->parameters.stepsize);
+    startRows(u, x, rows);
+    addCoordinate(rows, q, x, 1);
+    return 2 * atan(0.5 * rateOf(u, x, rows) * x->parameters.stepsize);
 }
 
 /* ---- all couplings ---- */
@@ -169,6 +201,7 @@ static void reset(MdtBclConstraint *c) {
     u->slack.limit[0].stop = -MEINFINITY;
     u->slack.limit[1].restitution = 0;
     u->housing = MdtBclNO_SIDE;
+    u->numSides = 2;
     for (int k = 0; k < 2; k++) {
         u->coordinate[k] = (MdtBclCoordinate){.side = {k, MdtBclNO_SIDE}, .factor = 1, .direction = {1, 0, 0}};
         u->coordinate[k].frame[0] = u->coordinate[k].frame[1] = c->frame[k];
@@ -190,16 +223,16 @@ static void measure(MdtBclCoordinate *q, const MdtBclContext *x, double turned) 
 
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     MdtBclCoupling *u = &c->of.coupling;
-    MdtKeaRow row;
+    MdtKeaRow rows[MAX_ROWS];
     useFrames(c);
     for (int k = 0; k < 2; k++) {
         measure(&u->coordinate[k], x, 0);
-        u->coordinate[k].turned = changeOf(&u->coordinate[k], x);
+        u->coordinate[k].turned = changeOf(u, &u->coordinate[k], x);
     }
     if (!u->isSlack)
-        return 1;
-    sumRow(u, x, &row);
-    return bcl_limitPrepare(&u->slack, x, &row, errorOf(u, x->pose, 0));
+        return hasTail(u) ? 2 : 1;
+    sumRows(u, x, rows);
+    return bcl_limitPrepare(&u->slack, x, rows, errorOf(u, x->pose, 0));
 }
 
 static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
@@ -208,28 +241,30 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
         bcl_limitErrors(&u->slack, errorOf(u, pose, 1), e);
     else
         e[0] = errorOf(u, pose, 1);
+    if (hasTail(u))
+        e[1] = 0;
 }
 
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
     const MdtBclCoupling *u = &c->of.coupling;
-    MdtKeaRow row;
-    sumRow(u, x, &row);
     if (u->isSlack) {
-        bcl_limitFill(&u->slack, x, &row, 0, rows);
+        MdtKeaRow sum[MAX_ROWS];
+        sumRows(u, x, sum);
+        bcl_limitFill(&u->slack, x, sum, 0, rows);
         return;
     }
-    rows[0] = row;
+    sumRows(u, x, rows);
     bcl_makePosition(&rows[0], x, errorOf(u, x->pose, 0));
 }
 
 static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {
     MdtBclCoupling *u = &c->of.coupling;
-    MdtKeaRow row;
+    MdtKeaRow sum[MAX_ROWS];
     for (int k = 0; k < 2; k++)
-        measure(&u->coordinate[k], x, changeOf(&u->coordinate[k], x));
-    sumRow(u, x, &row);
+        measure(&u->coordinate[k], x, changeOf(u, &u->coordinate[k], x));
+    sumRows(u, x, sum);
     if (u->isSlack)
-        bcl_limitReadBack(&u->slack, errorOf(u, x->pose, 0), bcl_rate(&row, x->velocity), rows);
+        bcl_limitReadBack(&u->slack, errorOf(u, x->pose, 0), rateOf(u, x, sum), rows);
 }
 
 double MEAPI MdtBclCouplingError(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {

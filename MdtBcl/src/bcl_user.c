@@ -27,7 +27,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
         user->function(&list, user->owner, pose, body, &x->parameters);
     MEASSERT(list.numRows >= 0 && list.numRows <= list.maxRows);
     for (int i = 0; i < list.numRows; i++)
-        list.rows[i].position = MEFALSE;
+        list.rows[i].position = list.rows[i].isSplit = list.rows[i].isTail = MEFALSE;
     return user->numRows = list.numRows;
 }
 

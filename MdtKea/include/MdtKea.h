@@ -63,7 +63,8 @@
 ME_BEGIN_C
 
 #define MdtKeaBODYVER1          100  /**< The layout of MdtKeaBody that this header describes. */
-#define MdtKeaMAXBODYCONSTRAINT 2    /**< Maximal number of bodies of a row. */
+#define MdtKeaMAXBODYCONSTRAINT 2    /**< Maximal number of bodies of a row that is not split. */
+#define MdtKeaSPLITROOM         4    /**< Rows that a split row takes room for beside its two: pairs of bodies. */
 #define MdtKeaWORLD             (-1) /**< The world, which does not move, in place of a body's index. */
 
 typedef enum MdtKeaBodyFlag {
@@ -153,18 +154,22 @@ typedef struct MdtKeaRow {
     double carried;    /**< m/s: the rate due to a mover alone, with which its pose changes the error, too */
     const MdtKeaVelocity *mover; /**< of a joint's mover, in place of the world; null: none */
     double jump; /**< m/s, contacts: change of the rate at the start of the step, by its mover's (MdtKeaMover.jump) */
-    double softness;    /**< E, 1/kg: compliance (CFM): ε, or the row's own */
-    double lower;       /**< N, lower bound of the force; -HUGE_VAL: none */
-    double upper;       /**< N, upper bound of the force; HUGE_VAL: none */
-    double friction;    /**< μ of a friction row (`normal` >= 0), m for an angular one; else unused */
-    int normal;         /**< -1, or the index of the row whose force times μ bounds this one's in both directions */
-    int partner;        /**< -1, or the index of the other friction row of a cone: |λ| <= μ λ_normal for the pair */
-    int owner;          /**< a number that identifies the row's constraint */
-    int contact;        /**< -1, or the index of the normal row of the contact that this row belongs to */
-    MeBool moves;       /**< contacts: the lever arms change within the step (MdtKeaMove) */
-    MeBool rolls;       /**< contacts: and the point is on a round side, a rim or a vertex of a body that rotates */
-    MeBool isOpen;      /**< contacts in a timed step: the contact has a gap or separates, and does not act */
-    MeBool position;    /**< the row constrains φ at the end of the step (MdtKeaErrorFn); else the velocity */
+    double softness; /**< E, 1/kg: compliance (CFM): ε, or the row's own */
+    double lower;    /**< N, lower bound of the force; -HUGE_VAL: none */
+    double upper;    /**< N, upper bound of the force; HUGE_VAL: none */
+    double friction; /**< μ of a friction row (`normal` >= 0), m for an angular one; else unused */
+    int normal;      /**< -1, or the index of the row whose force times μ bounds this one's in both directions */
+    int partner;     /**< -1, or the index of the other friction row of a cone: |λ| <= μ λ_normal for the pair */
+    int owner;       /**< a number that identifies the row's constraint */
+    int contact;     /**< -1, or the index of the normal row of the contact that this row belongs to */
+    MeBool moves;    /**< contacts: the lever arms change within the step (MdtKeaMove) */
+    MeBool rolls;    /**< contacts: and the point is on a round side, a rim or a vertex of a body that rotates */
+    MeBool isOpen;   /**< contacts in a timed step: the contact has a gap or separates, and does not act */
+    MeBool position; /**< the row constrains φ at the end of the step (MdtKeaErrorFn); else the velocity */
+    MeBool
+        isSplit; /**< exact solver: the row has more bodies, those of the next row, whose isTail is set. That row has J,
+                         arm, position and the bounds 0, and no force; maxRows has room for MdtKeaSPLITROOM more */
+    MeBool isTail;
     MeBool spring;      /**< a damped spring; the target is the rate without damping force; softness is not read */
     double restitution; /**< 0..1, of a contact or a stop */
     double threshold;   /**< m/s: slower impacts have no restitution */

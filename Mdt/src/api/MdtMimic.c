@@ -20,17 +20,20 @@ static MdtJoint *sourceOf(MdtMimicID mimic, MdtConstraintID c, const char *calle
     return NULL;
 }
 
-/* Adds a body to those of the mimic, unless it is there. False: there are two others. */
-static MeBool addBody(MdtBodyID bodies[2], MdtBodyID b) {
-    for (int k = 0; b && k < 2; k++) {
-        if (bodies[k] == b)
-            return METRUE;
-        if (bodies[k])
-            continue;
-        bodies[k] = b;
-        return METRUE;
+/* Adds a body to those that the mimic is attached to, unless it is there or both are known. */
+static void addBody(MdtBodyID bodies[2], MdtBodyID b) {
+    if (!b || bodies[0] == b || bodies[1])
+        return;
+    bodies[bodies[0] ? 1 : 0] = b;
+}
+
+/* The first two bodies of both joints; those that the program moves come last. */
+static void findBodies(MdtJoint *const source[2], MdtBodyID bodies[2]) {
+    for (int i = 0; i < 8; i++) {
+        const MdtBodyID b = source[i % 2]->base.side[i / 2 % 2].body;
+        if (b && (b->mover != NULL) == (i >= 4))
+            addBody(bodies, b);
     }
-    return !b;
 }
 
 void MEAPI MdtMimicSetJoints(const MdtMimicID j, const MdtConstraintID first, const MdtConstraintID second) {
@@ -44,12 +47,7 @@ void MEAPI MdtMimicSetJoints(const MdtMimicID j, const MdtConstraintID first, co
         MeWarning(1, "%s: the two joints are the same; nothing is changed", __func__);
         return;
     }
-    for (int i = 0; i < 4; i++) {
-        if (addBody(bodies, source[i % 2]->base.side[i / 2].body))
-            continue;
-        MeWarning(1, "%s: the joints have more than two bodies besides the world; nothing is changed", __func__);
-        return;
-    }
+    findBodies(source, bodies);
     for (int i = 0; i < 2; i++) {
         d->joint[i] = source[i];
         d->coordinate[i].isMeasured = MEFALSE;

@@ -1,44 +1,81 @@
-/* Mimics: before each step they get the frames and offsets of the two joints that they couple. */
+/* Mimics: before each step they get the frames, bodies and offsets of the two joints that they couple. The first two
+ * bodies are the sides of the mimic, which MdtMimicSetJoints has attached; others follow for the time of a step. */
 #include "MeAssert.h"
 #include "record/mdt_record_i.h"
 
-/* The side of the mimic that has the body; NULL: the world. False: neither has it. */
-static MeBool findSide(const MdtJoint *mimic, const MdtBody *b, int *side) {
-    const MdtAttachment *at = mimic->base.side;
-    *side = !b ? MdtBclNO_SIDE : b == at[0].body ? 0 : 1;
-    return !b || b == at[0].body || b == at[1].body;
+static MdtBodyID bodyOfSide(const MdtJoint *mimic, int side) {
+    return side < 2 ? mimic->base.side[side].body : mimic->further[side - 2];
 }
 
-/* Copies what a coordinate is measured by. False: the joint does not act, or is attached to other bodies. */
-static MeBool copyCoordinate(const MdtJoint *mimic, const MdtJoint *j, MdtBclCoordinate *q) {
-    if (!j || !(j->base.record.flags & MDT_ENABLED))
-        return MEFALSE;
+/* The side of the mimic that has the body, which becomes a further one if none has; null: the world. */
+static int findSide(MdtJoint *mimic, MdtBodyID b) {
+    MdtBclCoupling *u = &mimic->bcl.of.coupling;
+    if (!b)
+        return MdtBclNO_SIDE;
+    for (int k = 0; k < u->numSides; k++)
+        if (bodyOfSide(mimic, k) == b)
+            return k;
+    MEASSERT(u->numSides < MdtBclMAXSIDES);
+    mimic->further[u->numSides - 2] = b;
+    return u->numSides++;
+}
+
+static MeBool isSource(const MdtJoint *j) {
+    return j && (j->base.record.flags & MDT_ENABLED);
+}
+
+/* Copies what a coordinate is measured by. */
+static void copyCoordinate(MdtJoint *mimic, const MdtJoint *j, MdtBclCoordinate *q) {
     MEASSERT(j->bcl.type == MdtBclHINGE || j->bcl.type == MdtBclPRISMATIC);
     q->kind = j->bcl.type == MdtBclHINGE ? MdtBclCoordinateAngle : MdtBclCoordinateSlide;
     for (int k = 0; k < 2; k++) {
         q->frame[k] = j->bcl.frame[k];
-        if (!findSide(mimic, j->base.side[k].body, &q->side[k]))
-            return MEFALSE;
+        q->side[k] = findSide(mimic, j->base.side[k].body);
     }
     if (!q->isMeasured && j->bcl.of.limit.isMeasured) { /* full turns that the joint has counted */
         q->measured = j->bcl.of.limit.measured;
         q->isMeasured = METRUE;
     }
-    return METRUE;
 }
 
-void mdt_mimicUpdate(MdtJoint *mimic) {
-    MdtBclCoupling *u = &mimic->bcl.of.coupling;
-    u->constant = u->offset;
-    u->isReady = METRUE;
-    for (int i = 0; i < 2 && u->isReady; i++) {
-        const MdtJoint *j = u->joint[i];
-        u->isReady = copyCoordinate(mimic, j, &u->coordinate[i]);
-        if (u->isReady)
-            u->constant -= u->coordinate[i].factor * (double)j->bcl.of.limit.offset;
+/* Whether both sides are bodies of the joints, no two bodies are movers, and all others are in one partition: joints
+ * that got other bodies, or a body that has become a mover, may have parted them. */
+static MeBool areBodiesSound(const MdtJoint *mimic) {
+    const MdtBclCoupling *u = &mimic->bcl.of.coupling;
+    MeBool isUsed[MdtBclMAXSIDES] = {MEFALSE};
+    int partition = -1, movers = 0;
+    for (int i = 0; i < 4; i++)
+        if (u->coordinate[i / 2].side[i % 2] != MdtBclNO_SIDE)
+            isUsed[u->coordinate[i / 2].side[i % 2]] = METRUE;
+    for (int k = 0; k < u->numSides; k++) {
+        const MdtBody *b = bodyOfSide(mimic, k);
+        if (!b)
+            continue;
+        if (!isUsed[k])
+            return MEFALSE;
+        movers += b->mover != NULL;
+        if (!b->mover && partition >= 0 && b->partition != partition)
+            return MEFALSE;
+        partition = b->mover ? partition : b->partition;
     }
+    return movers <= 1;
+}
+
+MeBool mdt_mimicUpdate(MdtJoint *mimic) {
+    MdtBclCoupling *u = &mimic->bcl.of.coupling;
+    const MdtJoint *const j[2] = {u->joint[0], u->joint[1]};
+    u->constant = u->offset;
+    u->numSides = 2;
+    u->isReady = isSource(j[0]) && isSource(j[1]) && (mimic->base.side[0].body || mimic->base.side[1].body);
+    mimic->further[0] = mimic->further[1] = NULL;
+    for (int i = 0; i < 2 && u->isReady; i++) {
+        copyCoordinate(mimic, j[i], &u->coordinate[i]);
+        u->constant -= u->coordinate[i].factor * (double)j[i]->bcl.of.limit.offset;
+    }
+    u->isReady = u->isReady && areBodiesSound(mimic);
     for (int i = 0; i < 2 && !u->isReady; i++)
         u->coordinate[i].isMeasured = MEFALSE;
+    return u->isReady && u->numSides > 2;
 }
 
 void mdt_mimicForget(MdtJoint *j) {

@@ -151,8 +151,9 @@ void mdt_breakForget(MdtJoint *j);
 
 /* ---- mimics (mdt_mimic.c) ---- */
 
-/* Before the rows of a step: copies the frames of the mimicked joints, and finds out whether both act. */
-void mdt_mimicUpdate(MdtJoint *mimic);
+/* At the start of a step: copies the frames of the mimicked joints, and finds out whether both act. Returns whether the
+ * mimic has a split row. */
+MeBool mdt_mimicUpdate(MdtJoint *mimic);
 /* When a joint is destroyed: mimics of it have it no more. */
 void mdt_mimicForget(MdtJoint *j);
 

@@ -13,7 +13,7 @@ typedef struct Chunk {
     int rows, joints, points, manifolds; /* rows: upper bound, of joints */
     int angularRows;                     /* of contacts with rolling or spinning friction */
     int firstManifold, surfaceProblems;
-    MeBool hasUserRows, bounces, losesEnergy;
+    MeBool hasUserRows, hasSplitRows, bounces, losesEnergy;
 } Chunk;
 
 /* For results independent of threads (rule in MeTeam.h), chunks depend on the number of constraints only, and so do the
@@ -55,10 +55,11 @@ static void MEAPI countChunk(void *context, int item, int worker) {
     for (int i = first; i < end; i++) {
         if (i + MDT_AHEAD < end)
             me_prefetch(a->p->acting[i + MDT_AHEAD], sizeof(MdtManifold));
-        const MdtJoint *j = mdt_asJoint(a->p->acting[i]);
+        MdtJoint *j = mdt_asJoint(a->p->acting[i]);
         c.rows += j ? j->type->maxRows : 0;
         c.joints += j != NULL;
         c.hasUserRows |= j && j->bcl.type == MdtBclUSER;
+        c.hasSplitRows |= j && j->bcl.type == MdtBclMIMIC && mdt_mimicUpdate(j);
         if (!j)
             addManifoldTo(mdt_asManifold(a->p->acting[i]), &c);
     }
@@ -96,6 +97,7 @@ static Chunk countActing(Acting *a) {
         all.angularRows += a->chunk[i].angularRows;
         all.manifolds += a->chunk[i].manifolds;
         all.hasUserRows |= a->chunk[i].hasUserRows;
+        all.hasSplitRows |= a->chunk[i].hasSplitRows;
         all.bounces |= a->chunk[i].bounces;
         all.losesEnergy |= a->chunk[i].losesEnergy;
     }
@@ -141,8 +143,9 @@ static void storeCounts(MdtIsland *p, const Chunk *all) {
     p->numContacts = all->points;
     p->hasUserRows = all->hasUserRows;
     p->contactRows = p->numContacts * MdtBclGETMAXROWSCONTACT + all->angularRows;
-    p->mayBeFast = p->jointRows + p->contactRows <= p->world->maxMatrixSize &&
-                   !p->hasUserRows; /* the fast solver has no cap, and cannot update rows of callbacks */
+    p->mayBeFast = p->jointRows + p->contactRows <= p->world->maxMatrixSize && !p->hasUserRows &&
+                   !all->hasSplitRows; /* the fast solver has no cap, cannot update rows of callbacks,
+                                                             and has no split rows */
     p->bounces = all->bounces;
     p->losesEnergy = all->losesEnergy;
 }

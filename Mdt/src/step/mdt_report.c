@@ -172,16 +172,15 @@ static void addSquare(double *sum, double x) {
 static void measureJoint(MdtReport *r, const MdtJoint *j, const MdtIsland *p) {
     const MdtKeaSystem *kea = &p->kea;
     const MdtKeaRow *rows = kea->rows + j->firstRow;
-    const MdtKeaTransformation *pose[2];
-    MdtKeaTransformation memory[2];
+    const MdtKeaTransformation *pose[MdtBclMAXSIDES];
+    MdtKeaTransformation memory[MdtBclMAXSIDES];
     double errors[MdtBclGETMAXROWS], linearError = 0, angularError = 0;
-    for (int k = 0; k < 2; k++)
-        pose[k] = mdt_sidePose(p, &j->base, k, 1, kea->pose, &memory[k]);
+    mdt_jointPoses(p, j, 1, kea->pose, pose, memory);
     j->type->errors(&j->bcl, pose, errors);
     for (int i = 0; i < j->numRows; i++) {
         const MeBool isLinear =
             keaDot(rows[i].J[0].lin, rows[i].J[0].lin) + keaDot(rows[i].J[1].lin, rows[i].J[1].lin) > 0;
-        if (rows[i].position)
+        if (rows[i].position && !rows[i].isTail)
             addSquare(isLinear ? &linearError : &angularError,
                       errors[i] - kea->parameters.stepsize * (rows[i].drift + rows[i].carried));
     }

@@ -16,10 +16,15 @@ static void setMeanPose(MdtKeaTransformation *mean, const MdtKeaTransformation *
 
 const MdtKeaTransformation *mdt_sidePose(const MdtIsland *p, const MdtBaseConstraint *c, int k, double share,
                                          const MdtKeaTransformation poses[], MdtKeaTransformation *memory) {
-    const MdtMover *m = mdt_sideMover(c, k);
+    return mdt_movedPose(p, c->side[k].body, share, poses, memory);
+}
+
+const MdtKeaTransformation *mdt_movedPose(const MdtIsland *p, const MdtBody *b, double share,
+                                          const MdtKeaTransformation poses[], MdtKeaTransformation *memory) {
+    const MdtMover *m = b ? b->mover : NULL;
     const double start = p->late + p->elapsed, h = p->parameters.stepsize;
     if (!m)
-        return c->side[k].body ? &poses[c->side[k].body->index] : &MdtBclWorldPose;
+        return b ? &poses[b->index] : &MdtBclWorldPose;
     MdtKeaMoverPose(&m->kea, start + (share == 1 ? h : 0), memory);
     if (share == 0.5) {
         MdtKeaTransformation end;
@@ -47,9 +52,30 @@ void mdt_rowsContext(const MdtIsland *p, MdtConstraintID c, const MdtKeaVelocity
     }
 }
 
-static void jointContext(const MdtIsland *p, MdtJoint *j, MdtBclContext *x) {
+/* The further bodies of a mimic: poses after `share` of the sub-step, and velocities. */
+static void setFurther(const MdtIsland *p, const MdtJoint *j, double share, const MdtKeaTransformation poses[],
+                       MdtBclContext *x) {
+    for (int k = 0; k < 2 && j->further[k]; k++) {
+        const MdtBody *b = j->further[k];
+        MEASSERT(b->mover || p->bodies[b->index] == b);
+        x->body[2 + k] = b->mover ? MdtBclNO_BODY : b->index;
+        x->pose[2 + k] = mdt_movedPose(p, b, share, poses, &x->moverPose[2 + k]);
+        x->velocity[2 + k] = b->mover ? &b->mover->kea.chord : &p->kea.velocity[b->index];
+    }
+}
+
+void mdt_jointContext(const MdtIsland *p, MdtJoint *j, MdtBclContext *x) {
     mdt_rowsContext(p, &j->base, &j->worldVelocity, x);
+    setFurther(p, j, 0, p->kea.pose, x);
     x->firstRow = j->firstRow;
+}
+
+void mdt_jointPoses(const MdtIsland *p, const MdtJoint *j, double share, const MdtKeaTransformation poses[],
+                    const MdtKeaTransformation *pose[], MdtKeaTransformation memory[]) {
+    for (int k = 0; k < 2; k++)
+        pose[k] = mdt_sidePose(p, &j->base, k, share, poses, &memory[k]);
+    for (int k = 0; k < 2 && j->further[k]; k++)
+        pose[2 + k] = mdt_movedPose(p, j->further[k], share, poses, &memory[2 + k]);
 }
 
 /* ---- counting ---- */
@@ -68,9 +94,7 @@ static void warnIfDegenerate(MdtIsland *p, MdtJoint *j) {
 
 static int prepareJoint(MdtIsland *p, MdtJoint *j) {
     MdtBclContext x;
-    if (j->bcl.type == MdtBclMIMIC)
-        mdt_mimicUpdate(j);
-    jointContext(p, j, &x);
+    mdt_jointContext(p, j, &x);
     j->numRows = j->type->prepare(&j->bcl, &x);
     MEASSERT(j->numRows >= 0 && j->numRows <= j->type->maxRows);
     warnIfDegenerate(p, j);
@@ -120,9 +144,9 @@ static void subtractRate(double rate, MdtKeaRow *row) {
     row->drift -= rate;
 }
 
-/* Sets the rate due to a mover to that of the row's present Jacobian. */
+/* Sets the rate due to a mover to that of the row's present Jacobian, and that of its tail. */
 static void setCarriedRate(MdtKeaRow *row) {
-    const double rate = worldRate(row->mover, row);
+    const double rate = worldRate(row->mover, row) + (row->isSplit ? worldRate(row->mover, row + 1) : 0);
     subtractRate(rate - row->carried, row);
     row->carried = rate;
 }
@@ -130,6 +154,8 @@ static void setCarriedRate(MdtKeaRow *row) {
 /* The velocities of a joint's mover; null: it has none. */
 static const MdtKeaVelocity *velocityOfMover(const MdtJoint *j) {
     const MdtMover *m = mdt_sideMover(&j->base, 0) ? mdt_sideMover(&j->base, 0) : mdt_sideMover(&j->base, 1);
+    for (int k = 0; k < 2 && !m && j->further[k]; k++)
+        m = j->further[k]->mover;
     return m ? &m->kea.chord : NULL;
 }
 
@@ -146,7 +172,7 @@ static void fillJoint(MdtIsland *p, MdtJoint *j, int owner) {
     MdtKeaRow *rows = p->kea.rows + p->kea.numRows;
     MdtBclContext x;
     j->firstRow = p->kea.numRows;
-    jointContext(p, j, &x);
+    mdt_jointContext(p, j, &x);
     MEASSERT(p->kea.numRows + j->numRows <= p->kea.maxRows);
     if (j->numRows > 0)
         j->type->fill(&j->bcl, &x, rows);
@@ -156,7 +182,7 @@ static void fillJoint(MdtIsland *p, MdtJoint *j, int owner) {
     for (int r = 0; r < j->numRows; r++) {
         rows[r].carried = 0;
         rows[r].mover = velocityOfMover(j);
-        if (rows[r].mover)
+        if (rows[r].mover && !rows[r].isTail)
             setCarriedRate(&rows[r]);
         else
             subtractRate(worldRate(&j->worldVelocity, &rows[r]), &rows[r]);
@@ -196,9 +222,10 @@ void MEAPI mdt_rowsUpdateJacobians(void *island, const MdtKeaTransformation pose
     for (int i = 0; (j = mdt_nextJoint(p, &i));) {
         if (j->numRows == 0)
             continue;
-        jointContext(p, j, &x);
+        mdt_jointContext(p, j, &x);
         for (int k = 0; k < 2; k++)
             x.pose[k] = mdt_sidePose(p, &j->base, k, p->kea.share, poses, &x.moverPose[k]);
+        setFurther(p, j, p->kea.share, poses, &x);
         MEASSERT(j->firstRow + j->numRows <= p->kea.numRows);
         j->type->fill(&j->bcl, &x, rows);
         for (int r = 0; r < j->numRows; r++) {
@@ -209,9 +236,10 @@ void MEAPI mdt_rowsUpdateJacobians(void *island, const MdtKeaTransformation pose
             row->curvature = rows[r].curvature;
             row->lower = rows[r].lower;
             row->upper = rows[r].upper;
-            if (row->mover)
-                setCarriedRate(row);
         }
+        for (MdtKeaRow *row = &p->kea.rows[j->firstRow], *end = row + j->numRows; row < end; row++)
+            if (row->mover && !row->isTail)
+                setCarriedRate(row);
     }
 }
 
@@ -219,12 +247,11 @@ void MEAPI mdt_rowsErrors(void *island, const MdtKeaTransformation poses[], doub
     const MdtIsland *p = island;
     const MdtJoint *j;
     for (int i = 0; (j = mdt_nextJoint(p, &i));) {
-        const MdtKeaTransformation *pose[2];
-        MdtKeaTransformation memory[2];
+        const MdtKeaTransformation *pose[MdtBclMAXSIDES];
+        MdtKeaTransformation memory[MdtBclMAXSIDES];
         if (!j->type->errors)
             continue;
-        for (int k = 0; k < 2; k++)
-            pose[k] = mdt_sidePose(p, &j->base, k, p->kea.share, poses, &memory[k]);
+        mdt_jointPoses(p, j, p->kea.share, poses, pose, memory);
         j->type->errors(&j->bcl, pose, errors + j->firstRow);
     }
 }

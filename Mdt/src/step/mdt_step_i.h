@@ -99,7 +99,14 @@ void MEAPI mdt_rowsErrors(void *island, const MdtKeaTransformation poses[], doub
  * written to `memory`; share 1/2: the mean of start and end. */
 const MdtKeaTransformation *mdt_sidePose(const MdtIsland *p, const MdtBaseConstraint *c, int side, double share,
                                          const MdtKeaTransformation poses[], MdtKeaTransformation *memory);
-/* The data of the system for a constraint in this part, except firstRow. */
+/* The same for a body, which may be null: the world. */
+const MdtKeaTransformation *mdt_movedPose(const MdtIsland *p, const MdtBody *b, double share,
+                                          const MdtKeaTransformation poses[], MdtKeaTransformation *memory);
+/* The same for all sides of a joint: up to MdtBclMAXSIDES. */
+void mdt_jointPoses(const MdtIsland *p, const MdtJoint *j, double share, const MdtKeaTransformation poses[],
+                    const MdtKeaTransformation *pose[], MdtKeaTransformation memory[]);
+/* The data of the system for a joint in this part; for any constraint, except firstRow. */
+void mdt_jointContext(const MdtIsland *p, MdtJoint *j, MdtBclContext *x);
 void mdt_rowsContext(const MdtIsland *p, MdtConstraintID c, const MdtKeaVelocity *worldVelocity, MdtBclContext *x);
 /* Leaves out rows of contacts, in the documented order (mdt_cap.c), until at most `max` of the partition's `rows` rows
  * are left. Returns the number of rows left. */

@@ -20,7 +20,7 @@ void mdt_unpackBegin(const MdtIsland *p) {
 /* The force of a divided step is the mean over its parts, weighted by their duration. */
 static void addJointForces(MdtJoint *j, const MdtKeaRow rows[], double share) {
     for (int r = 0; r < j->numRows; r++)
-        for (int k = 0; k < 2; k++) {
+        for (int k = 0; k < 2 && !rows[r].isTail; k++) {
             keaAddScaled(j->force.body[k].lin, share * rows[r].force, rows[r].J[k].lin);
             keaAddScaled(j->force.body[k].ang, share * rows[r].force, rows[r].J[k].ang);
         }
@@ -58,8 +58,7 @@ static void unpackJoint(const MdtIsland *p, MdtJoint *j, MeBool isGuess) {
         j->warm[r] = rows[r].force, j->ripple[r] = rows[r].ripple;
         j->isDriven = j->isDriven || movesBodies(&rows[r]);
     }
-    mdt_rowsContext(p, &j->base, &j->worldVelocity, &x);
-    x.firstRow = j->firstRow;
+    mdt_jointContext(p, j, &x);
     if (j->type->readBack)
         j->type->readBack(&j->bcl, &x, rows);
 }

@@ -64,6 +64,8 @@ void kea_setInstantRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     p->normal = row->normal;
     p->partner = row->partner;
     p->friction = row->friction;
+    p->isSplit = row->isSplit;
+    p->isTail = row->isTail;
     /* a force with a finite bound has no impulse in an instant */
     p->lower = row->normal >= 0 || row->lower == -HUGE_VAL ? -HUGE_VAL : 0;
     p->upper = row->normal >= 0 || row->upper == HUGE_VAL ? HUGE_VAL : 0;
@@ -168,6 +170,8 @@ static void setImpactProblem(MdtKeaSystem *s, double slowest) {
         const int *body = s->rows[i].body;
         if (s->work->isIncluded[i] && s->work->problemBodyOf[body[body[0] >= 0 ? 0 : 1]] >= 0)
             setImpactRow(s, q->numRows++, i);
+        if (q->numRows > 0 && q->row[q->numRows - 1].isSplit)
+            setImpactRow(s, q->numRows++, i + 1);
     }
     for (int k = 0; k < q->numRows; k++) {
         KeaProblemRow *p = &q->row[k];

@@ -35,8 +35,9 @@ static void setKickProblem(MdtKeaSystem *s, double (*kicked)[6], double target[]
     for (int i = 0; i < s->numRows; i++) {
         kea_setInstantRow(s, i, &q->row[i]);
         s->work->isIncluded[i] = (char)kea_isRigidJoint(&s->rows[i]);
-        target[i] = -kea_rowRate(&q->row[i], kicked);
     }
+    for (int i = 0; i < s->numRows; i++)
+        target[i] = -kea_rowRate(&q->row[i], kicked);
     q->numBodies = s->numBodies;
     q->numRows = s->numRows;
 }

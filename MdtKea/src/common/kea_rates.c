@@ -16,7 +16,7 @@ double kea_endRate(const MdtKeaSystem *s, int i) {
     for (int k = 0; k < 2; k++)
         if (p->body[k] >= 0)
             rate += kea_bodyRate(p->J[k], s->work->body[p->body[k]].endVelocity);
-    return rate;
+    return p->isSplit ? rate + kea_endRate(s, i + 1) : rate;
 }
 
 double kea_meanRate(const MdtKeaSystem *s, int i) {
@@ -25,7 +25,7 @@ double kea_meanRate(const MdtKeaSystem *s, int i) {
     for (int k = 0; k < 2; k++)
         if (p->body[k] >= 0)
             rate += kea_bodyRate(p->J[k], s->work->body[p->body[k]].u);
-    return rate;
+    return p->isSplit ? rate + kea_meanRate(s, i + 1) : rate;
 }
 
 double kea_lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row) {

@@ -18,6 +18,8 @@ static MeBool isBodyReversible(const MdtKeaBody *body) {
 /* Whether the row depends symmetrically on both ends of the step: joints without bounds and compliance, springs without
  * damping. */
 static MeBool isRowReversible(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    if (row->isTail)
+        return METRUE;
     if (row->contact >= 0 || row->normal >= 0 || row->lower > -HUGE_VAL || row->upper < HUGE_VAL)
         return MEFALSE;
     if (row->spring)

@@ -183,9 +183,11 @@ void kea_copyJacobian(KeaProblemRow *p, const MdtKeaJBlockPair J) {
     }
 }
 
-/* Whether the row has no force in this step: a spring without stiffness and damping, or a row of a contact that is open
+/* Whether the row has no force in this step: a tail, a spring without stiffness and damping, or a row of a contact that is open
  * or out of reach. */
 static MeBool isInactive(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    if (row->isTail)
+        return METRUE;
     if (row->contact < 0)
         return row->spring && !(row->stiffness > 0) && !(row->damping > 0);
     const MdtKeaRow *normal = &s->rows[row->contact];
@@ -232,6 +234,8 @@ void kea_beginRows(MdtKeaSystem *s) {
         p->normal = row->normal;
         p->partner = row->partner;
         p->friction = row->friction;
+        p->isSplit = row->isSplit;
+        p->isTail = row->isTail;
         copyBounds(p, row, h);
         kea_copyJacobian(p, row->J);
         s->work->movingRate[i] = 0;

@@ -205,7 +205,7 @@ static void gatherStiffness(MdtKeaSystem *s) {
             double P[3];
             if (row->body[k] < 0)
                 continue;
-            keaScale(P, q->row[i].p, row->J[k].lin);
+            keaScale(P, kea_impulseOf(q, i), row->J[k].lin);
             kea_addGeometricStiffness(q->metric[row->body[k]].angular, 0.5 * h, P, row->arm[k]);
         }
     }
@@ -290,7 +290,7 @@ void kea_differentiateBodies(MdtKeaSystem *s) {
             double P[3];
             if (b < 0)
                 continue;
-            keaScale(P, q->row[i].p, row->J[k].lin);
+            keaScale(P, kea_impulseOf(q, i), row->J[k].lin);
             addExactStiffness(s, b, q->tangentInertia[b], P, row->arm[k]);
         }
     }
@@ -314,12 +314,13 @@ void kea_balanceMomentum(MdtKeaSystem *s) {
     }
     for (int i = 0; i < s->numRows; i++) {
         const KeaProblemRow *p = &s->work->problem.row[i];
+        const double impulse = kea_impulseOf(&s->work->problem, i);
         for (int k = 0; k < 2; k++) {
             if (p->body[k] < 0)
                 continue;
             KeaEnd *end = &s->work->end[p->body[k]];
-            keaAddScaled(end->velocity, p->p * s->bodies[p->body[k]]->invMass, p->J[k]);
-            keaAddScaled(end->angularMomentum, p->p, p->J[k] + 3);
+            keaAddScaled(end->velocity, impulse * s->bodies[p->body[k]]->invMass, p->J[k]);
+            keaAddScaled(end->angularMomentum, impulse, p->J[k] + 3);
         }
     }
     for (int i = 0; i < s->numBodies; i++) {

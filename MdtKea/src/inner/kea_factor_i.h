@@ -50,6 +50,7 @@ double *kea_factorUpper(KeaFactor *f, int edge);
 enum { KEA_FACTOR_ROWS = 8 };
 typedef struct KeaFactorRows {
     int node[2], edge; /* -1: none */
+    MeBool isCross;    /* only the blocks of the edge */
     int count;
     double weight[KEA_FACTOR_ROWS];
     const double *a[2][KEA_FACTOR_ROWS], *b[2][KEA_FACTOR_ROWS];

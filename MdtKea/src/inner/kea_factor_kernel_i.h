@@ -100,7 +100,7 @@ static void addOuters(double *block, int count, const double w[], const double *
 static void addRows(KeaFactor *f, const KeaFactorRows *rows, MeBool isSymmetric) {
     const int low = rows->node[0] < rows->node[1] ? 0 : 1, high = !low, n = rows->count;
     for (int k = 0; k < 2; k++)
-        if (rows->node[k] >= 0)
+        if (rows->node[k] >= 0 && !rows->isCross)
             addOuters(f->diagonal + f->diagonalAt[rows->node[k]], n, rows->weight, rows->a[k], rows->b[k]);
     if (rows->edge < 0)
         return;

@@ -36,7 +36,7 @@ static double rateAlong(const KeaProblem *q, int i, double (*const v)[6]) {
     for (int k = 0; k < 2; k++)
         if (q->row[i].body[k] >= 0)
             sum += kea_dot6(J[k], v[q->row[i].body[k]]);
-    return sum;
+    return q->row[i].isSplit ? sum + rateAlong(q, i + 1, v) : sum;
 }
 
 /* ---- forces ---- */
@@ -130,6 +130,15 @@ void kea_newtonGradient(KeaProblem *q) {
         kea_addRowForce(q->gradient, &q->row[i], -q->row[i].p);
 }
 
+/* Adds the rounding of a row's force, N s, to the tolerances of its bodies. */
+static void addTolerance(KeaProblem *q, const KeaProblemRow *row, double known) {
+    for (int k = 0; k < 2; k++)
+        if (row->body[k] >= 0)
+            q->tolerance[row->body[k]] += row->weight[k] * known;
+    if (row->isSplit)
+        addTolerance(q, row + 1, known);
+}
+
 /* Tolerances include the effect of the rounding of r and J d on p. */
 double kea_newtonError(KeaProblem *q, double step) {
     double worst = 0;
@@ -142,9 +151,7 @@ double kea_newtonError(KeaProblem *q, double step) {
         if (known == 0)
             continue; /* no force */
         kea_addRowForce(q->gradient, row, -row->p);
-        for (int k = 0; k < 2; k++)
-            if (row->body[k] >= 0)
-                q->tolerance[row->body[k]] += row->weight[k] * known;
+        addTolerance(q, row, known);
     }
     for (int b = 0; b < q->numBodies; b++) {
         const double *g = q->gradient[b];
@@ -162,6 +169,7 @@ static KeaFactorRows emptyBatchOf(const KeaProblemRow *row) {
     rows.node[0] = row->body[0];
     rows.node[1] = row->body[1];
     rows.edge = row->edge;
+    rows.isCross = MEFALSE;
     rows.count = 0;
     return rows;
 }
@@ -178,12 +186,35 @@ static MeBool isActive(const KeaProblemRow *row) {
     return !row->isInactive && row->state == KEA_ACTIVE;
 }
 
+/* Adds the active split row i: the blocks of its head, of its tail, and of each pair of bodies of both. */
+static void addSplitRow(KeaProblem *q, int i, MeBool isSymmetric) {
+    const KeaProblemRow *row = &q->row[i];
+    const double w = 1 / softness(row);
+    double(*const T)[6] = derivativeOf(q, i), (*const tailT)[6] = derivativeOf(q, i + 1);
+    addRowProduct(q, row, w, q->row[i].J, T, isSymmetric);
+    addRowProduct(q, row + 1, w, q->row[i + 1].J, tailT, isSymmetric);
+    for (int k = 0; k < 4; k++) {
+        const int head = k / 2, tail = k % 2, a = row->body[head], b = row[1].body[tail];
+        if (a < 0 || b < 0)
+            continue;
+        KeaFactorRows rows = {.node = {a, b}, .edge = kea_graphEdge(&q->graph, a, b), .isCross = METRUE, .count = 1};
+        rows.weight[0] = w;
+        rows.a[0][0] = row->J[head], rows.a[1][0] = row[1].J[tail];
+        rows.b[0][0] = T[head], rows.b[1][0] = tailT[tail];
+        kea_factorAddRows(q->factor, &rows, isSymmetric);
+    }
+}
+
 /* Adds the run of active rows from `first` on that join the same bodies to the matrix. Returns their number. */
 static int addActiveRows(KeaProblem *q, int first, MeBool isSymmetric) {
     const KeaProblemRow *row = &q->row[first];
     KeaFactorRows rows = emptyBatchOf(row);
+    if (row->isSplit) {
+        addSplitRow(q, first, isSymmetric);
+        return 1;
+    }
     for (int i = first; i < q->numRows && rows.count < KEA_FACTOR_ROWS && isActive(&q->row[i]); i++) {
-        if (q->row[i].body[0] != row->body[0] || q->row[i].body[1] != row->body[1])
+        if (q->row[i].body[0] != row->body[0] || q->row[i].body[1] != row->body[1] || q->row[i].isSplit)
             break;
         kea_factorAppendRow(&rows, 1 / softness(&q->row[i]), q->row[i].J, derivativeOf(q, i));
     }

@@ -26,8 +26,24 @@ void kea_problemLayOut(KeaProblem *q, int numBodies, int maxRows, KeaArena *aren
 
 /* ---- the graph ---- */
 
+/* Adds the edges between the bodies of a split row and those of its tail. */
+static void findEdgesOfSplit(KeaProblem *q, const KeaProblemRow *row) {
+    for (int k = 0; k < 2; k++)
+        for (int l = 0; l < 2; l++)
+            if (row->body[k] >= 0 && row[1].body[l] >= 0)
+                kea_graphEdge(&q->graph, row->body[k], row[1].body[l]);
+}
+
+static int countSplitRows(const KeaProblem *q) {
+    int count = 0;
+    for (int i = 0; i < q->numRows; i++)
+        count += q->row[i].isSplit != 0;
+    return count;
+}
+
 static void findEdges(KeaProblem *q) {
-    kea_graphBegin(&q->graph, q->numRows);
+    const int maxEdges = q->numRows + MdtKeaSPLITROOM * countSplitRows(q);
+    kea_graphBegin(&q->graph, maxEdges);
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i], *before = row - 1;
         if (row->body[0] < 0 || row->body[1] < 0 || row->isOut)
@@ -36,8 +52,10 @@ static void findEdges(KeaProblem *q) {
             row->edge = before->edge;
         else
             row->edge = kea_graphEdge(&q->graph, row->body[0], row->body[1]);
+        if (row->isSplit)
+            findEdgesOfSplit(q, row);
     }
-    MEASSERT(q->graph.numEdges <= q->numRows);
+    MEASSERT(q->graph.numEdges <= maxEdges);
 }
 
 MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache) {
@@ -47,6 +65,8 @@ MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache) {
     q->hasTangent = q->isTangent = q->isWarm = q->isFactored = q->isLinear = MEFALSE;
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
+        if (row->isTail)
+            continue;
         q->hasFriction = q->hasFriction || row->normal >= 0;
         q->hasBounds = q->hasBounds || row->normal >= 0 || row->lower > -HUGE_VAL || row->upper < HUGE_VAL;
     }
@@ -100,6 +120,11 @@ void kea_problemSetEffectiveMasses(KeaProblem *q) {
             row->AiiLinear += linear;
             row->Aii += linear + keaDot(row->J[k] + 3, turn);
             row->weight[k] = sqrt(square) + keaLength(row->J[k] + 3) / q->length[row->body[k]];
+        }
+        if (row->isTail) {
+            row[-1].Aii += row->Aii;
+            row[-1].AiiLinear += row->AiiLinear;
+            row->Aii = row->AiiLinear = 0;
         }
     }
 }

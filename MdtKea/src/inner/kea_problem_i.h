@@ -41,7 +41,8 @@ typedef struct KeaProblemRow {
     int body[2]; /* indices of the problem's bodies, or MdtKeaWORLD */
     int edge;    /* index of the graph's edge; -1: the row has one body, or isOut */
     int normal, partner;
-    int bent; /* of a bend: the row whose direction turns (kea_bend.c) */
+    MeBool isSplit, isTail; /* MdtKeaRow; the tail has no impulse of its own, and what is said of A_ii is the head's */
+    int bent;               /* of a bend: the row whose direction turns (kea_bend.c) */
     double friction;
     double lower, upper;      /* N s */
     double E;                 /* 1/kg */
@@ -130,7 +131,7 @@ static inline double kea_rowRate(const KeaProblemRow *row, double (*const v)[6])
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
             rate += kea_bodyRate(row->J[k], v[row->body[k]]);
-    return rate;
+    return row->isSplit ? rate + kea_rowRate(row + 1, v) : rate;
 }
 
 /* Adds Jᵀ p of a row to `total`, by body. */
@@ -138,6 +139,13 @@ static inline void kea_addRowForce(double (*total)[6], const KeaProblemRow *row,
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
             kea_addScaled6(total[row->body[k]], p, row->J[k]);
+    if (row->isSplit)
+        kea_addRowForce(total, row + 1, p);
+}
+
+/* N s: the impulse of row i, of a tail that of its head. */
+static inline double kea_impulseOf(const KeaProblem *q, int i) {
+    return q->row[i].isTail ? q->row[i - 1].p : q->row[i].p;
 }
 
 /* r = B d */

@@ -39,11 +39,13 @@ static void addRowResponse(double *d, const KeaMetric *B, double p, const double
     }
 }
 
-/* Adds the response of both bodies of a row to the impulse p. */
+/* Adds the response of all bodies of a row to the impulse p. */
 static void addImpulse(KeaProblem *q, const KeaProblemRow *row, double p) {
     for (int k = 0; k < 2 && p != 0; k++)
         if (row->body[k] >= 0)
             addRowResponse(q->d[row->body[k]], &q->metric[row->body[k]], p, row->J[k]);
+    if (row->isSplit)
+        addImpulse(q, row + 1, p);
 }
 
 /* d := B⁻¹ (Jᵀ p - g). */
