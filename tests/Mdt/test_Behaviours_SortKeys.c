@@ -26,12 +26,15 @@
     X(UserConstraint)                                                                                                  \
     X(Spring6)                                                                                                         \
     X(Skeletal)                                                                                                        \
+    X(Gear)                                                                                                            \
+    X(Pulley)                                                                                                          \
+    X(Mimic)                                                                                                           \
     X(Contact)                                                                                                         \
     X(ContactGroup)
 
 /* Keys are not negative: such a key gets a warning and changes nothing. */
 TEST(keys_lie_between_0_and_two_to_the_31_minus_1) {
-    MdtWorldID w = scene_world(1, 18, 0);
+    MdtWorldID w = scene_world(1, 21, 0);
     MdtBodyID b = MdtBodyCreate(w);
     MdtBodySetSortKey(b, 2147483647);
     assert_silent();

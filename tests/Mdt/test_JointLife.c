@@ -18,6 +18,9 @@
     DO(Spring6)                                                                                                        \
     DO(ConeLimit)                                                                                                      \
     DO(Skeletal)                                                                                                       \
+    DO(Gear)                                                                                                           \
+    DO(Pulley)                                                                                                         \
+    DO(Mimic)                                                                                                          \
     DO(UserConstraint)
 
 /* One warning or more, and a neutral result. */
@@ -112,8 +115,8 @@ TEST(a_full_world_names_its_limit) {
 }
 
 TEST(casts_are_each_other_s_inverse_and_know_the_type) {
-    Stage s = makeStage(16);
-    MdtConstraintID all[16];
+    Stage s = makeStage(19);
+    MdtConstraintID all[19];
     int n = 0, hits;
 #define CREATE(Joint)                                                                                                  \
     {                                                                                                                  \
@@ -161,6 +164,9 @@ TEST(a_handle_of_another_joint_is_noticed) {
     WARNS(MdtConeLimitSetConeHalfAngle(hinge, 1));
     WARNS(MdtSkeletalSetTwistLimitAngle(hinge, 1));
     WARNS(MdtUserConstraintSetFunction(hinge, noRows));
+    WARNS(MdtGearSetRatio(hinge, 2));
+    WARNS(MdtPulleySetRatio(hinge, 2));
+    WARNS(MdtMimicSetOffset(hinge, 2));
     WARNS(MdtBSJointReset(hinge));
     messages_forget();
 }
@@ -463,6 +469,57 @@ static void changeUserConstraint(MdtUserConstraintID j) {
     ck_assert(MdtUserConstraintGetFunction(j) == noRows);
 }
 
+static void defaultsOfGear(MdtGearID j) {
+    assertFrames(MdtGearQuaConstraint(j));
+    ck_assert(MdtGearGetRatio(j) == 1 && !MdtGearGetHousing(j));
+    ck_assert(MdtGearGetCoordinate(j, 0) == 0 || MdtGearGetBody(j, 0)); /* the poses of reset have not engaged it */
+}
+
+static void changeGear(MdtGearID j) {
+    MdtGearSetRack(j, 3);
+    ck_assert(MdtGearGetRatio(j) == 3);
+    MdtGearSetTeeth(j, 10, -20);
+    ck_assert(MdtGearGetRatio(j) == (MeReal)-.5);
+    MdtGearSetHousing(j, MdtGearGetBody(j, 1));
+    ck_assert(MdtGearGetHousing(j) == MdtGearGetBody(j, 1));
+    MdtGearBodySetAxis(j, 0, 1, 2, 3);
+}
+
+static void defaultsOfPulley(MdtPulleyID j) {
+    MeVector3 p;
+    assertFrames(MdtPulleyQuaConstraint(j));
+    ck_assert(MdtPulleyGetRatio(j) == 1 && !MdtPulleyGetSlack(j) && MdtPulleyGetLength(j) == 0);
+    for (unsigned int k = 0; k < 2; k++) {
+        MdtPulleyGetWheel(j, k, p);
+        assert_vec3_near(p, 0, 0, 0, 0);
+    }
+}
+
+static void changePulley(MdtPulleyID j) {
+    MeVector3 p;
+    MdtPulleySetRatio(j, 2);
+    MdtPulleySetLength(j, 3);
+    MdtPulleySetSlack(j, 5);
+    MdtPulleySetWheel(j, 1, 4, 5, 6);
+    ck_assert(MdtPulleyGetRatio(j) == 2 && MdtPulleyGetLength(j) == 3 && MdtPulleyGetSlack(j) == 1);
+    MdtPulleyGetWheel(j, 1, p);
+    assert_vec3_near(p, 4, 5, 6, 0);
+    MdtPulleySetPosition(j, 1, 7, 8, 9);
+    MdtPulleyGetPosition(j, 1, p);
+    assert_vec3_near(p, 7, 8, 9, TOL(1e-6, 1e-14));
+}
+
+static void defaultsOfMimic(MdtMimicID j) {
+    ck_assert(MdtMimicGetRatio(j) == 1 && MdtMimicGetOffset(j) == 0);
+    ck_assert(!MdtMimicGetJoint(j, 0) && !MdtMimicGetJoint(j, 1));
+}
+
+static void changeMimic(MdtMimicID j) {
+    MdtMimicSetRatio(j, 2);
+    MdtMimicSetOffset(j, 3);
+    ck_assert(MdtMimicGetRatio(j) == 2 && MdtMimicGetOffset(j) == 3);
+}
+
 /* Frames that can be changed by all constraints' functions, and the rest by the joint's own. */
 static void changeFrames(MdtConstraintID c) {
     MdtConstraintSetPosition(c, 4, 5, 6);
@@ -470,7 +527,7 @@ static void changeFrames(MdtConstraintID c) {
 }
 
 TEST(reset_restores_the_defaults_and_leaves_the_bodies) {
-    Stage s = makeStage(16);
+    Stage s = makeStage(19);
 #define DEFAULTS(Joint)                                                                                                \
     {                                                                                                                  \
         Mdt##Joint##ID j = Mdt##Joint##Create(s.world);                                                                \
@@ -495,7 +552,7 @@ TEST(reset_restores_the_defaults_and_leaves_the_bodies) {
 
 TEST(numbers_that_a_joint_cannot_have) {
     const MeReal bad[] = {NAN, INFINITY, -1};
-    Stage s = makeStage(16);
+    Stage s = makeStage(19);
     const MdtAngular3ID angular = MdtAngular3Create(s.world);
     const MdtCarWheelID wheel = MdtCarWheelCreate(s.world);
     const MdtFixedPathID path = MdtFixedPathCreate(s.world);
@@ -505,6 +562,9 @@ TEST(numbers_that_a_joint_cannot_have) {
     const MdtConeLimitID cone = MdtConeLimitCreate(s.world);
     const MdtSkeletalID skeletal = MdtSkeletalCreate(s.world);
     const MdtUniversalID universal = MdtUniversalCreate(s.world);
+    const MdtGearID gear = MdtGearCreate(s.world);
+    const MdtPulleyID pulley = MdtPulleyCreate(s.world);
+    const MdtMimicID mimic = MdtMimicCreate(s.world);
     assert_silent();
     const MdtBclSingleLimit before = *MdtLimitGetLowerLimit(MdtSpringGetLimit(spring));
     for (int i = 0; i < 3; i++) {
@@ -525,6 +585,8 @@ TEST(numbers_that_a_joint_cannot_have) {
         WARNS(MdtConeLimitSetDamping(cone, x));
         WARNS(MdtSkeletalSetConeStiffness(skeletal, x));
         WARNS(MdtSkeletalSetTwistDamping(skeletal, x));
+        WARNS(MdtPulleySetRatio(pulley, x));
+        WARNS(MdtPulleySetLength(pulley, x));
     }
     for (int i = 0; i < 2; i++) {
         const MeReal x = bad[i];
@@ -547,6 +609,13 @@ TEST(numbers_that_a_joint_cannot_have) {
         WARNS(MdtConeLimitSetConeHalfAngle(cone, x));
         WARNS(MdtSkeletalSetConePrimaryLimitAngle(skeletal, x));
         WARNS(MdtUniversalSetAxis(universal, 0, 0, x, 0));
+        WARNS(MdtGearSetRatio(gear, x));
+        WARNS(MdtGearSetRack(gear, x));
+        WARNS(MdtGearBodySetAxis(gear, 0, x, 0, 0));
+        WARNS(MdtPulleySetWheel(pulley, 0, 0, x, 0));
+        WARNS(MdtPulleySetPosition(pulley, 0, 0, x, 0));
+        WARNS(MdtMimicSetRatio(mimic, x));
+        WARNS(MdtMimicSetOffset(mimic, x));
     }
     WARNS(MdtCarWheelSetSuspension(wheel, 1, 1, 0, 1, 0, 0)); /* low above high */
     WARNS(MdtFixedPathSetPosition(path, 2, 0, 0, 0));
@@ -557,6 +626,18 @@ TEST(numbers_that_a_joint_cannot_have) {
     WARNS_0(MdtSpring6GetAngularDamping(six, -1));
     WARNS(MdtUniversalSetAxis(universal, 2, 1, 0, 0));
     WARNS(MdtUniversalSetAxis(universal, 0, 0, 0, 0));
+    WARNS(MdtGearSetRatio(gear, 0));
+    WARNS(MdtGearSetTeeth(gear, 0, 1));
+    WARNS(MdtGearSetTeeth(gear, 1, 0));
+    WARNS(MdtGearSetRack(gear, 0));
+    WARNS(MdtGearSetHousing(gear, s.a));
+    WARNS(MdtGearBodySetAxis(gear, 0, 0, 0, 0));
+    WARNS(MdtGearBodySetAxis(gear, 2, 0, 0, 1));
+    WARNS_0(MdtGearGetCoordinate(gear, 2));
+    WARNS(MdtPulleySetRatio(pulley, 0));
+    WARNS(MdtPulleySetWheel(pulley, 2, 0, 0, 0));
+    WARNS_0(MdtPulleyGetDistance(pulley, 2));
+    WARNS_0(MdtMimicGetJoint(mimic, 2));
     WARNS(MdtSkeletalSetConeOption(skeletal, (MdtSkeletalConeOption)4));
     WARNS(MdtSkeletalSetTwistOption(skeletal, (MdtSkeletalTwistOption)3));
     caught.warnings = 0;
@@ -570,6 +651,9 @@ TEST(numbers_that_a_joint_cannot_have) {
     defaultsOfConeLimit(cone);
     defaultsOfSkeletal(skeletal);
     defaultsOfUniversal(universal);
+    defaultsOfGear(gear);
+    defaultsOfPulley(pulley);
+    defaultsOfMimic(mimic);
     MdtConeLimitSetConeHalfAngle(cone, -1); /* clamped */
     ck_assert(MdtConeLimitGetConeHalfAngle(cone) == 0);
     MdtConeLimitSetConeHalfAngle(cone, 4);

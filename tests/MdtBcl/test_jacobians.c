@@ -572,6 +572,101 @@ TEST(wheels) {
     }
 }
 
+/* ---- couplings ---- */
+
+static void twoWheels(MdtBclConstraint *c) {
+    c->of.coupling.coordinate[0].factor = -2.5;
+}
+
+static void housed(MdtBclConstraint *c) {
+    twoWheels(c);
+    c->of.coupling.housing = 1;
+}
+
+static void rack(MdtBclConstraint *c) {
+    twoWheels(c);
+    c->of.coupling.coordinate[1].kind = MdtBclCoordinateSlide;
+}
+
+static void rackOnPinion(MdtBclConstraint *c) {
+    rack(c);
+    c->of.coupling.housing = 0;
+}
+
+static void rope(MdtBclConstraint *c) {
+    c->of.coupling.coordinate[1].factor = 2;
+    c->of.coupling.constant = .75;
+    vector(c->of.coupling.coordinate[0].frame[1].position, 1);
+    vector(c->of.coupling.coordinate[1].frame[1].position, 1);
+}
+
+/* Angles are measured from where the gear is engaged, here where it is looked at. */
+static void checkCoupling(MdtBclJointType type, void (*change)(MdtBclConstraint *)) {
+    for (int trial = 0; trial < TRIALS; trial++) {
+        Scene s;
+        double before, after, now;
+        seed = 31 * (unsigned long long)type + 7000 + (unsigned long long)trial;
+        makeScene(&s, type, change);
+        if (type == MdtBclGEAR)
+            MdtBclGearEngage(&s.joint, s.context.pose);
+        s.joint.of.coupling.constant += .5;
+        ck_assert_int_eq(s.type->prepare(&s.joint, &s.context), 1);
+        s.type->fill(&s.joint, &s.context, s.rows);
+        setPoses(&s, -small);
+        before = MdtBclCouplingError(&s.joint, s.context.pose);
+        setPoses(&s, small);
+        after = MdtBclCouplingError(&s.joint, s.context.pose);
+        setPoses(&s, 0);
+        now = MdtBclCouplingError(&s.joint, s.context.pose);
+        assert_near(rateOf(&s, s.rows), (after - before) / (2 * small), tolerance);
+        assert_near(s.rows[0].error, now, 4e-15);
+        ck_assert(type == MdtBclPULLEY || fabs(now + .5) < 1e-14);
+    }
+}
+
+/* A slide of body 0 on body 2 and one of body 1 on body 3: a split row. */
+static void checkMimicOfFour(void) {
+    for (int trial = 0; trial < TRIALS; trial++) {
+        Scene s, other;
+        double value[2];
+        seed = 8800 + (unsigned long long)trial;
+        makeScene(&s, MdtBclMIMIC, NULL);
+        makeScene(&other, MdtBclMIMIC, NULL);
+        MdtBclCoupling *u = &s.joint.of.coupling;
+        u->isReady = METRUE;
+        u->numSides = 4;
+        for (int i = 0; i < 2; i++) {
+            MdtBclCoordinate *q = &u->coordinate[i];
+            q->kind = MdtBclCoordinateSlide;
+            q->side[1] = 2 + i;
+            q->frame[0] = s.joint.frame[i];
+            q->frame[1] = other.joint.frame[i];
+            s.context.body[2 + i] = 2 + i;
+            s.context.pose[2 + i] = &other.pose[i];
+            s.context.velocity[2 + i] = &other.body[i].velocity;
+        }
+        ck_assert_int_eq(s.type->prepare(&s.joint, &s.context), 2);
+        s.type->fill(&s.joint, &s.context, s.rows);
+        ck_assert(s.rows[0].isSplit && !s.rows[0].isTail && s.rows[1].isTail && !s.rows[1].isSplit);
+        for (int k = 0; k < 2; k++) {
+            setPoses(&s, k == 0 ? -small : small);
+            setPoses(&other, k == 0 ? -small : small);
+            value[k] = MdtBclCouplingError(&s.joint, s.context.pose);
+        }
+        assert_near(rateOf(&s, &s.rows[0]) + rateOf(&other, &s.rows[1]), (value[1] - value[0]) / (2 * small),
+                    tolerance);
+    }
+}
+
+TEST(couplings) {
+    checkCoupling(MdtBclGEAR, twoWheels);
+    checkCoupling(MdtBclGEAR, housed);
+    checkCoupling(MdtBclGEAR, rack);
+    checkCoupling(MdtBclGEAR, rackOnPinion);
+    checkCoupling(MdtBclPULLEY, rope);
+    checkMimicOfFour();
+}
+
 /* ---- contacts: how the points of the two bodies that are there move against each other ---- */
 
 /* Where the point of body k that is at `place` at the time 0 is at t. */

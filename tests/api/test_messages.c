@@ -35,6 +35,9 @@
     DO(Spring6)                                                                                                        \
     DO(ConeLimit)                                                                                                      \
     DO(Skeletal)                                                                                                       \
+    DO(Gear)                                                                                                           \
+    DO(Pulley)                                                                                                         \
+    DO(Mimic)                                                                                                          \
     DO(UserConstraint)                                                                                                 \
     DO(ContactGroup)
 
@@ -91,6 +94,9 @@ static struct {
 #define LIVE_MdtSpring6ID         live.aSpring6
 #define LIVE_MdtConeLimitID       live.aConeLimit
 #define LIVE_MdtSkeletalID        live.aSkeletal
+#define LIVE_MdtGearID            live.aGear
+#define LIVE_MdtPulleyID          live.aPulley
+#define LIVE_MdtMimicID           live.aMimic
 #define LIVE_MdtUserConstraintID  live.aUserConstraint
 #define LIVE_MdtContactGroupID    live.aContactGroup
 #define LIVE_RRender_pointer      live.rc

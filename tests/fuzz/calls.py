@@ -97,7 +97,7 @@ WEIGHTS = [
 HANDLES = [
     'MstUniverse', 'MstBridge', 'MdtWorld', 'MdtBody', 'MdtBaseConstraint', 'MdtBSJoint', 'MdtHinge', 'MdtPrismatic', 'MdtUniversal',
     'MdtAngular3', 'MdtCarWheel', 'MdtLinear1', 'MdtLinear2', 'MdtFixedPath', 'MdtFPFOJoint', 'MdtRPROJoint', 'MdtSpring',
-    'MdtSpring6', 'MdtConeLimit', 'MdtSkeletal', 'MdtUserConstraint', 'MdtContact', 'MdtContactGroup', 'MdtBclLimit',
+    'MdtSpring6', 'MdtConeLimit', 'MdtSkeletal', 'MdtGear', 'MdtPulley', 'MdtMimic', 'MdtUserConstraint', 'MdtContact', 'MdtContactGroup', 'MdtBclLimit',
     'MdtBclSingleLimit', 'MdtBclContactParams', '_McdFramework', '_McdSpace', '_McdGeometry', '_McdGeometryInstance', '_McdModel',
     '_McdModelPair', '_McdModelPairContainer', 'McdModelPairManager', 'McdCullingTable', 'McdBatchContext', 'MeIDPool', 'MeChunk',
     'MeTaskPool', 'MstMover',

@@ -64,9 +64,12 @@ static void setFurther(const MdtIsland *p, const MdtJoint *j, double share, cons
     }
 }
 
-void mdt_jointContext(const MdtIsland *p, MdtJoint *j, MdtBclContext *x) {
+void mdt_jointContext(const MdtIsland *p, MdtJoint *j, double share, const MdtKeaTransformation poses[],
+                      MdtBclContext *x) {
     mdt_rowsContext(p, &j->base, &j->worldVelocity, x);
-    setFurther(p, j, 0, p->kea.pose, x);
+    for (int k = 0; k < 2; k++)
+        x->pose[k] = mdt_sidePose(p, &j->base, k, share, poses, &x->moverPose[k]);
+    setFurther(p, j, share, poses, x);
     x->firstRow = j->firstRow;
 }
 
@@ -94,7 +97,7 @@ static void warnIfDegenerate(MdtIsland *p, MdtJoint *j) {
 
 static int prepareJoint(MdtIsland *p, MdtJoint *j) {
     MdtBclContext x;
-    mdt_jointContext(p, j, &x);
+    mdt_jointContext(p, j, 0, p->kea.pose, &x);
     j->numRows = j->type->prepare(&j->bcl, &x);
     MEASSERT(j->numRows >= 0 && j->numRows <= j->type->maxRows);
     warnIfDegenerate(p, j);
@@ -172,7 +175,7 @@ static void fillJoint(MdtIsland *p, MdtJoint *j, int owner) {
     MdtKeaRow *rows = p->kea.rows + p->kea.numRows;
     MdtBclContext x;
     j->firstRow = p->kea.numRows;
-    mdt_jointContext(p, j, &x);
+    mdt_jointContext(p, j, 0, p->kea.pose, &x);
     MEASSERT(p->kea.numRows + j->numRows <= p->kea.maxRows);
     if (j->numRows > 0)
         j->type->fill(&j->bcl, &x, rows);
@@ -222,10 +225,7 @@ void MEAPI mdt_rowsUpdateJacobians(void *island, const MdtKeaTransformation pose
     for (int i = 0; (j = mdt_nextJoint(p, &i));) {
         if (j->numRows == 0)
             continue;
-        mdt_jointContext(p, j, &x);
-        for (int k = 0; k < 2; k++)
-            x.pose[k] = mdt_sidePose(p, &j->base, k, p->kea.share, poses, &x.moverPose[k]);
-        setFurther(p, j, p->kea.share, poses, &x);
+        mdt_jointContext(p, j, p->kea.share, poses, &x);
         MEASSERT(j->firstRow + j->numRows <= p->kea.numRows);
         j->type->fill(&j->bcl, &x, rows);
         for (int r = 0; r < j->numRows; r++) {

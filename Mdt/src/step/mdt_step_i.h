@@ -105,8 +105,10 @@ const MdtKeaTransformation *mdt_movedPose(const MdtIsland *p, const MdtBody *b, 
 /* The same for all sides of a joint: up to MdtBclMAXSIDES. */
 void mdt_jointPoses(const MdtIsland *p, const MdtJoint *j, double share, const MdtKeaTransformation poses[],
                     const MdtKeaTransformation *pose[], MdtKeaTransformation memory[]);
-/* The data of the system for a joint in this part; for any constraint, except firstRow. */
-void mdt_jointContext(const MdtIsland *p, MdtJoint *j, MdtBclContext *x);
+/* The data of the system for a joint in this part, with the poses after a share of it; for any constraint, with those
+ * at its start, and except firstRow. */
+void mdt_jointContext(const MdtIsland *p, MdtJoint *j, double share, const MdtKeaTransformation poses[],
+                      MdtBclContext *x);
 void mdt_rowsContext(const MdtIsland *p, MdtConstraintID c, const MdtKeaVelocity *worldVelocity, MdtBclContext *x);
 /* Leaves out rows of contacts, in the documented order (mdt_cap.c), until at most `max` of the partition's `rows` rows
  * are left. Returns the number of rows left. */

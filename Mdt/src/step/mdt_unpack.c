@@ -58,7 +58,7 @@ static void unpackJoint(const MdtIsland *p, MdtJoint *j, MeBool isGuess) {
         j->warm[r] = rows[r].force, j->ripple[r] = rows[r].ripple;
         j->isDriven = j->isDriven || movesBodies(&rows[r]);
     }
-    mdt_jointContext(p, j, &x);
+    mdt_jointContext(p, j, 1, p->kea.pose, &x); /* where movers are at the end of the part, too */
     if (j->type->readBack)
         j->type->readBack(&j->bcl, &x, rows);
 }

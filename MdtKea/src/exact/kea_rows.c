@@ -225,7 +225,8 @@ void kea_beginRows(MdtKeaSystem *s) {
         const MdtKeaRow *row = &s->rows[i];
         KeaProblemRow *p = &s->work->problem.row[i];
         s->work->hasJoints |= row->contact < 0;
-        MEASSERT(row->body[0] < s->numBodies && row->body[1] < s->numBodies && row->body[0] != row->body[1]);
+        MEASSERT(row->body[0] < s->numBodies && row->body[1] < s->numBodies);
+        MEASSERT(row->body[0] != row->body[1] || row->isTail); /* of a mover only */
         MEASSERT(!(row->softness < 0) && (row->normal >= 0 || row->isForced || !(row->lower > row->upper)));
         MEASSERT(row->normal < 0 || (s->rows[row->normal].normal < 0 && row->friction >= 0));
         MEASSERT(row->partner < 0 || s->rows[row->partner].partner == i);
