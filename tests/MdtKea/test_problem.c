@@ -404,6 +404,81 @@ TEST(large_problems_are_complementary) {
     }
 }
 
+/* ---- split rows ---- */
+
+/* Row 0 has four bodies, of which row 1 has two; four joints follow. Their room is that of the pairs of bodies. */
+static void splitProblem(MeBool isSoft) {
+    enum { ROWS = 6 };
+    begin(5, ROWS + MdtKeaSPLITROOM);
+    q.numRows = ROWS;
+    for (int b = 0; b < q.numBodies; b++)
+        randomBody(b);
+    for (int i = 0; i < ROWS; i++) {
+        randomJacobian(&q.row[i]);
+        q.row[i].E = isSoft ? uniform(0.01, 1) : 0;
+        q.row[i].r = uniform(-1, 1);
+    }
+    for (int k = 0; k < 4; k++)
+        q.row[k / 2].body[k % 2] = k;
+    if (below(2)) { /* or three, the second one the world's */
+        q.row[0].body[1] = MdtKeaWORLD;
+        q.row[1].body[0] = 4;
+    }
+    q.row[0].isSplit = q.row[1].isTail = q.row[1].isInactive = METRUE;
+    q.row[1].lower = q.row[1].upper = q.row[1].r = q.row[1].E = 0;
+}
+
+/* The largest part of B d + g - Jᵀ p, with the split row's force on all of its bodies. */
+static double lostMomentum(double (*const d)[6]) {
+    double max = 0;
+    for (int b = 0; b < q.numBodies; b++) {
+        double sum[6];
+        kea_applyMetric(sum, &q.metric[b], d[b]);
+        for (int c = 0; c < 6; c++)
+            sum[c] += startLoad[b][c];
+        for (int i = 0; i < q.numRows; i++)
+            for (int k = 0; k < 2; k++)
+                for (int c = 0; c < 6 && q.row[i].body[k] == b; c++)
+                    sum[c] -= q.row[i].J[k][c] * (i == 1 ? q.row[0].p : q.row[i].p);
+        for (int c = 0; c < 6; c++)
+            max = fmax(max, fabs(sum[c]));
+    }
+    return max;
+}
+
+TEST(a_split_row_is_one_row_of_four_bodies) {
+    for (unsigned seed = 1; seed <= 100; seed++) {
+        state = seed * 77;
+        splitProblem(seed % 2);
+        solve();
+        assert_near(lostMomentum(total), 0, 1e-10);
+        for (int i = 0; i < q.numRows; i++) {
+            const double rate = rateOf(&q.row[i], total) + (i == 0 ? rateOf(&q.row[1], total) : 0);
+            if (i != 1)
+                assert_near(rate + q.row[i].E * q.row[i].p, startR[i], 1e-10);
+        }
+        ck_assert(q.row[0].p != 0 && q.row[1].p == 0);
+        end();
+    }
+}
+
+/* Sweeps keep momentum, too, and come near. */
+TEST(a_split_row_in_sweeps) {
+    for (unsigned seed = 1; seed <= 20; seed++) {
+        state = seed * 77;
+        splitProblem(METRUE);
+        measure();
+        q.counts.isLimited = METRUE;
+        q.maxWork = 1e9;
+        q.sweptPasses = 1;
+        kea_problemSolve(&q, METRUE);
+        assert_near(lostMomentum(q.d), 0, 1e-11);
+        const double rate = rateOf(&q.row[0], q.d) + rateOf(&q.row[1], q.d);
+        assert_near(rate + q.row[0].E * q.row[0].p, startR[0], 1e-6);
+        end();
+    }
+}
+
 /* What a residual is: a law that is not kept by so many m/s, as far as the row's own softness does not take them. */
 TEST(residual_tells_what_is_missing) {
     for (unsigned seed = 1; seed <= 50; seed++) {

@@ -238,6 +238,21 @@ TEST(joints_have_axes_and_lead_to_their_bodies) {
     ck_assert_int_eq(sides, 16);
 }
 
+/* A rope goes from its ends to the wheels, and between them. */
+TEST(ropes) {
+    MdtPulleyID pulley = MdtPulleyCreate(u->world);
+    MdtPulleySetBodies(pulley, McdModelGetBody(box(0, 1, 0)), McdModelGetBody(box(2, 1, 0)));
+    MdtPulleySetWheel(pulley, 0, 0, 4, 0);
+    MdtPulleySetWheel(pulley, 1, 2, 5, 0);
+    MdtPulleyEnable(pulley);
+    draw(MstDebugLimits);
+    ck_assert_int_eq(countOf(1), 2);
+    double length = 0;
+    for (int i = 0; i < count; i++)
+        length += marks[i].kind == 2 ? away(marks[i].p[0], marks[i].p[1]) : 0;
+    assert_near(length, 3 + 4 + sqrt(5), 1e-5);
+}
+
 /* The direction of the last line of an arrow's shaft; `from` is its first point. */
 static void lastStroke(int first, int strokes, double way[3]) {
     for (int k = 0; k < 3; k++)

@@ -36,7 +36,7 @@ EXCEPTIONS = [
     (r'MeHSVtoRGB$|MeMatrix3LUDecompose$', 'arrays of other numbers'),
     (r'MeTaskPool\w+$|MdtWorldSetTaskCallbacks$', 'threads: the fuzzer gives worlds a pool of its own'),
     (r'MeShortenPath$', 'returns its argument'),
-    (r'MdtKea\w+$|MdtBcl(AddRow|TypeOf|ContactSurface|SkeletalZeroTwist)$',
+    (r'MdtKea\w+$|MdtBcl(AddRow|TypeOf|ContactSurface|SkeletalZeroTwist|Coupling\w+|GearEngage)$',
      'arrays of the caller: MdtKea and the rows of MdtBcl, which programs see in callbacks only'),
     (r'MdtUnpackForces$|MdtAutoDisableLastPartition$|MdtPartitionGetSafeTime$|MdtUpdatePartitions$',
      'take the library\'s own arrays, in callbacks'),
@@ -97,7 +97,8 @@ WEIGHTS = [
 HANDLES = [
     'MstUniverse', 'MstBridge', 'MdtWorld', 'MdtBody', 'MdtBaseConstraint', 'MdtBSJoint', 'MdtHinge', 'MdtPrismatic', 'MdtUniversal',
     'MdtAngular3', 'MdtCarWheel', 'MdtLinear1', 'MdtLinear2', 'MdtFixedPath', 'MdtFPFOJoint', 'MdtRPROJoint', 'MdtSpring',
-    'MdtSpring6', 'MdtConeLimit', 'MdtSkeletal', 'MdtGear', 'MdtPulley', 'MdtMimic', 'MdtUserConstraint', 'MdtContact', 'MdtContactGroup', 'MdtBclLimit',
+    'MdtSpring6', 'MdtConeLimit', 'MdtSkeletal', 'MdtGear', 'MdtPulley', 'MdtMimic', 'MdtUserConstraint', 'MdtContact',
+    'MdtContactGroup', 'MdtBclLimit',
     'MdtBclSingleLimit', 'MdtBclContactParams', '_McdFramework', '_McdSpace', '_McdGeometry', '_McdGeometryInstance', '_McdModel',
     '_McdModelPair', '_McdModelPairContainer', 'McdModelPairManager', 'McdCullingTable', 'McdBatchContext', 'MeIDPool', 'MeChunk',
     'MeTaskPool', 'MstMover',

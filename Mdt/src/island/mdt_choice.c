@@ -2,8 +2,9 @@
  *
  *     condition                                                                   solver   MdtReportWhy
  *     1  the program requests a solver, or an accuracy of 0                       that     Asked
- *     2  the program makes rows, there are more than the cap, or all impacts      exact    Unfit
- *        are elastic, few contacts persist and there are no joints
+ *     2  the program makes rows, a mimic has a split row, there are more than     exact    Unfit
+ *        the cap, or all impacts are elastic, few contacts persist and there
+ *        are no joints
  *     3  impacts are not met in time, and no contact is with the world             fast     Flight
  *     4  exact costs no more than fast, or without contacts up to a hundred       exact    Cheap
  *        times as much

@@ -194,6 +194,9 @@ static const char *jointName(MdtConstraintID c) {
            : MdtConstraintDCastLinear1(c)        ? "in a plane"
            : MdtConstraintDCastLinear2(c)        ? "on a line"
            : MdtConstraintDCastSkeletal(c)       ? "skeletal"
+           : MdtConstraintDCastGear(c)           ? "gear"
+           : MdtConstraintDCastPulley(c)         ? "pulley"
+           : MdtConstraintDCastMimic(c)          ? "mimic"
            : MdtConstraintDCastFixedPath(c)      ? "fixed path"
            : MdtConstraintDCastRPROJoint(c)      ? "RPRO"
            : MdtConstraintDCastFPFOJoint(c)      ? "fixed"
@@ -320,6 +323,18 @@ static void drawCone(const Drawing *d, MdtConeLimitID cone, const MeVector3 at) 
     drawAngleText(d, end, MeAcos(MeCLAMP(cosine, -1, 1)));
 }
 
+/* Draws the rope of a pulley: from each attachment to its wheel, and between the wheels. */
+static void drawRope(const Drawing *d, MdtPulleyID pulley) {
+    MeVector3 wheel[2], end;
+    for (unsigned int k = 0; k < 2; k++) {
+        MdtPulleyGetPosition(pulley, k, end);
+        MdtPulleyGetWheel(pulley, k, wheel[k]);
+        drawLine(d, end, wheel[k], orange);
+        drawPoint(d, wheel[k], orange);
+    }
+    drawLine(d, wheel[0], wheel[1], orange);
+}
+
 static void drawLimits(const Drawing *d, MdtConstraintID c, const MeVector3 at, const MeVector3 axis,
                        const MeVector3 second) {
     const MeReal side = MdtConstraintGetBody(c, 0) ? 1 : -1;
@@ -329,6 +344,8 @@ static void drawLimits(const Drawing *d, MdtConstraintID c, const MeVector3 at, 
         drawSlider(d, MdtConstraintDCastPrismatic(c), at, axis, side);
     else if (MdtConstraintDCastConeLimit(c))
         drawCone(d, MdtConstraintDCastConeLimit(c), at);
+    else if (MdtConstraintDCastPulley(c))
+        drawRope(d, MdtConstraintDCastPulley(c));
 }
 
 /* Draws the direction of motion of the first body in which the coordinate grows (of the second body, if the first is
