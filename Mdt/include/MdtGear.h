@@ -22,9 +22,9 @@
 
 ME_BEGIN_C
 
-/** Creates a gear, disabled, unattached, with the x-axes of both bodies, wheels of ratio 1, and the world as housing. The world owns it.
- *  Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. Beyond Karma, as
- *  all functions of this header. */
+/** Creates a gear, disabled, unattached, with the x-axes of both bodies, wheels of ratio 1, and the world as housing.
+ *  The world owns it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full.
+ *  Beyond Karma, as all functions of this header. */
 MEPUBLIC MdtGearID MEAPI MdtGearCreate(const MdtWorldID w);
 /** Sets axes, ratio and housing to the defaults of a new gear. Bodies and enabled state do not change. */
 MEPUBLIC void MEAPI MdtGearReset(const MdtGearID j);

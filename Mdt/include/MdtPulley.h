@@ -5,12 +5,12 @@
  *
  *  with the lengths from each body's attachment to its wheel. A ratio of 2 is that of a block and tackle which has two
  *  strands on the side of the second body. It adds one row. By default it also pushes, as a chain of rods would; with
- *  MdtPulleySetSlack the sum may be smaller: a rope. One body may be the world (null): the rope then only holds the
- *  other one.
+ *  MdtPulleySetSlack the sum may be smaller: a rope. It is a stop then, of first order in the step; without slack the
+ *  pulley is of second order. One body may be the world (null): the rope then only holds the other one.
  *
- *  The rope does not end at a wheel: where a length reaches 0 it has no direction. The last one is kept, that end passes
- *  its wheel and its length grows again; reaching that state gets a warning. Stop bodies before they are there, as by
- *  the limit of a prismatic joint.
+ *  The rope does not end at a wheel: where a length reaches 0 it has no direction. The last one is kept, that end
+ *  passes its wheel and its length grows again; reaching that state gets a warning. Stop bodies before they are there,
+ *  as by the limit of a prismatic joint.
  */
 #ifndef MDTPULLEY_H
 #define MDTPULLEY_H
@@ -19,11 +19,12 @@
 
 ME_BEGIN_C
 
-/** Creates a pulley, disabled, unattached, at the centres of mass, its wheels at the origin, ratio 1. The world owns it.
- *  Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. Beyond Karma, as
- *  all functions of this header. */
+/** Creates a pulley, disabled, unattached, at the centres of mass, its wheels at the origin, ratio 1. The world owns
+ *  it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. Beyond Karma,
+ *  as all functions of this header. */
 MEPUBLIC MdtPulleyID MEAPI MdtPulleyCreate(const MdtWorldID w);
-/** Sets attachments, wheels, ratio, length and slack to the defaults of a new pulley. Bodies and enabled state do not change. */
+/** Sets attachments, wheels, ratio, length and slack to the defaults of a new pulley. Bodies and enabled state do not
+ *  change. */
 MEPUBLIC void MEAPI MdtPulleyReset(const MdtPulleyID j);
 /** The pulley as a constraint. Null if @a j is null. */
 MEPUBLIC MdtConstraintID MEAPI MdtPulleyQuaConstraint(const MdtPulleyID j);

@@ -62,7 +62,8 @@ TEST(atwoods_machine) {
                 }
 }
 
-/* A load that swings, with the other one as its counterweight: energy is kept to second order, the length to rounding. */
+/* A load that swings, with the other one as its counterweight: energy is kept to second order, the length to
+ * rounding. */
 static double energyOf(Atwood s) {
     double sum = 0;
     for (int k = 0; k < 2; k++) {

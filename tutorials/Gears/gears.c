@@ -1,8 +1,8 @@
 /* Gears: a train of wheels, a rack, a gripper and a hoist (MdtGear.h, MdtMimic.h, MdtPulley.h).
  *
- * One motor turns the first of three wheels, of 10, 30 and 20 teeth; the last one is a pinion, and moves a rack to and
- * fro. The rack carries two fingers: a motor slides one of them, and a mimic makes the other one follow. Beside it hangs
- * a load on a rope that runs over two wheels, and a counterweight, on which the program pulls now and then.
+ * One motor turns the first of three wheels, of 10, 30 and 20 teeth; the last one is a pinion, and moves a rack to
+ * and fro. The rack carries two fingers: a motor slides one of them, and a mimic makes the other one follow. Beside it
+ * hangs a load on a rope that runs over two wheels, and a counterweight, on which the program pulls now and then.
  *
  * The shapes have no teeth, and nothing here collides: the joints are the teeth. Watch the status line: by how much the
  * wheels are out of phase, however long they have turned, and by how much the fingers differ.
@@ -142,7 +142,8 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     createHoist();
     playHelp(help, 1);
     RRenderCreateParameters(playRc, parameters, 1);
-    playCamera(1, (float)2.5, 0, 9, 0, .15f);
+    MeAppSetLayers(playApp, MstDebugLimits); /* the rope */
+    playCamera(1, 3, 0, 7, 0, .1f);
     playRun(Tick);
     return 0;
 }

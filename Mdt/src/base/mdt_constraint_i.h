@@ -50,9 +50,9 @@ typedef struct MdtJoint {
     const MdtBclType *type;
     MdtBclConstraint bcl;
     MdtKeaVelocity worldVelocity;
-    MdtBodyID further[2]; /* of a mimic in this step: bodies of its joints beside those of its sides; null: none */
-    MdtKeaForcePair force;          /* of the joint on its bodies in the last step */
-    MeU64 certified;                /* hash of `bcl` after the step that was certified */
+    MdtBodyID further[2];  /* of a mimic in this step: bodies of its joints beside those of its sides; null: none */
+    MdtKeaForcePair force; /* of the joint on its bodies in the last step */
+    MeU64 certified;       /* hash of `bcl` after the step that was certified */
     MeReal breakForce, breakTorque; /* N, N m; MEINFINITY: it does not break */
 
     int firstRow, numRows;                                   /* the joint's rows in this step's system */

@@ -183,8 +183,8 @@ void kea_copyJacobian(KeaProblemRow *p, const MdtKeaJBlockPair J) {
     }
 }
 
-/* Whether the row has no force in this step: a tail, a spring without stiffness and damping, or a row of a contact that is open
- * or out of reach. */
+/* Whether the row has no force in this step: a tail, a spring without stiffness and damping, or a row of a contact that
+ * is open or out of reach. */
 static MeBool isInactive(const MdtKeaSystem *s, const MdtKeaRow *row) {
     if (row->isTail)
         return METRUE;
